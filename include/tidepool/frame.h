@@ -1,0 +1,83 @@
+/* SPDX-License-Identifier: MIT */
+/* Drawing: a world becomes a picture, tile by tile, in the caller's memory.
+ *
+ *     bytes = tp_frame_bytes(&scene, &assets, &config)
+ *     tp_frame_init(&frame, &scene, &assets, &config, block, &err)
+ *     tp_frame_begin(&frame, &world)
+ *     for (i = 0; tp_frame_tile(&frame, i, scratch, &tile); i++)
+ *         show tile.pixels
+ *
+ * A tile depends on nothing but the frame: tiles may be drawn in any order, at once by
+ * several threads (each with its own scratch), and every tiling gives the same bits. */
+#ifndef TP_FRAME_H
+#define TP_FRAME_H
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+#include "tidepool/asset.h"
+#include "tidepool/pixel.h"
+#include "tidepool/scene.h"
+#include "tidepool/status.h"
+
+/* What the scene names, as the port loaded it; NULL for what it does not name. */
+typedef struct {
+    const tp_mesh    *boat;
+    const tp_texture *water, *water_normal;
+} tp_assets;
+
+typedef struct {
+    uint32_t  width, height;        /* pixels, 16..4096 */
+    uint32_t  tile_width;           /* multiple of 16; 0: the picture's width */
+    uint32_t  tile_height;          /* 0: the picture's height */
+    tp_format format;
+} tp_frame_config;
+
+typedef struct {
+    uint32_t    x0, y0, x1, y1;     /* x1, y1 not included */
+    const void *pixels;             /* row y0, from x0 */
+    size_t      stride;             /* bytes from row to row */
+} tp_tile;
+
+/* What the last tp_frame_begin found; numbers of the whole picture. */
+typedef struct {
+    uint32_t vertices;              /* of water and boat, evaluated */
+    uint32_t triangles;             /* in view, before clipping */
+    uint32_t dropped;               /* things that did not fit and were left out */
+} tp_frame_stats;
+
+/* RAM by use, bytes. */
+typedef struct {
+    size_t frame;                   /* the block of tp_frame_bytes */
+    size_t vertices, tables;        /* the two large parts of it */
+    size_t scratch;                 /* of one tile: samples and pixels */
+} tp_frame_ram;
+
+typedef struct tp_frame tp_frame;   /* lies at the start of the block */
+
+/* Both 0 if the config is out of range.  The scene's numbers may change afterwards,
+ * but for grid.cols, grid.rows and the names. */
+size_t tp_frame_bytes(const tp_scene *scene, const tp_assets *assets,
+                      const tp_frame_config *config);
+size_t tp_frame_scratch_bytes(const tp_frame_config *config);
+
+/* `block`: tp_frame_bytes() bytes aligned to 8.  Scene and assets must outlive the
+ * frame, which keeps pointers to them. */
+tp_status tp_frame_init(tp_frame **frame, const tp_scene *scene, const tp_assets *assets,
+                        const tp_frame_config *config, void *block, tp_error *err);
+
+/* Takes the world's state into the frame; the world may then move on. */
+void tp_frame_begin(tp_frame *frame, const tp_world *world);
+
+uint32_t tp_frame_tiles(const tp_frame *frame);
+
+/* Draws tile i, row by row of tiles, into `scratch` (tp_frame_scratch_bytes(), aligned
+ * to 8), where tile->pixels then points.  False: there is no such tile. */
+bool tp_frame_tile(const tp_frame *frame, uint32_t i, void *scratch, tp_tile *tile);
+
+tp_frame_stats tp_frame_last_stats(const tp_frame *frame);
+tp_frame_ram   tp_frame_memory(const tp_frame *frame);
+
+/* Water pixels of a drawn tile: still in the scratch until the next tile. */
+uint32_t tp_frame_water_pixels(const tp_frame *frame, const void *scratch,
+                               const tp_tile *tile);
+#endif

@@ -1,0 +1,132 @@
+/* SPDX-License-Identifier: MIT */
+/* Fixed-point numbers, angles, roots, vectors and rotations.
+ *
+ * The type names the format.  One rounding rule: products and quotients round half up
+ * (towards plus infinity), so a sum of many does not drift as bare >> does.  One
+ * overflow rule: functions marked "saturates" clamp to the type's ends, the others
+ * require a result in range and say so; none of them traps. */
+#ifndef TP_FX_H
+#define TP_FX_H
+#include <stdint.h>
+
+typedef int32_t  tp_fx;     /* Q16.16: 1.0 is 0x10000, range +-32767.99998 */
+typedef int32_t  tp_q30;    /* Q2.30: sines, unit vectors, slopes below 2 */
+typedef uint32_t tp_turn;   /* binary angle: 2^32 is one turn, wraps for free */
+
+#define TP_FX_ONE  0x10000
+#define TP_FX_MAX  INT32_MAX
+#define TP_FX_MIN  INT32_MIN
+#define TP_Q30_ONE 0x40000000
+
+/* Of constants alone: the double never reaches the object file. */
+#define TP_FX(x)   ((tp_fx)((x) * 65536.0 + ((x) < 0 ? -0.5 : 0.5)))
+#define TP_Q30(x)  ((tp_q30)((x) * 1073741824.0 + ((x) < 0 ? -0.5 : 0.5)))
+#define TP_DEG(x)  ((tp_turn)(int64_t)((x) * (4294967296.0 / 360.0)))
+
+_Static_assert(-1 >> 1 == -1, "the core assumes arithmetic right shift");
+
+/* a b / 2^16, rounded half up; the caller keeps |a b| below 2^47. */
+static inline tp_fx tp_fx_mul(tp_fx a, tp_fx b)
+{
+    return (tp_fx)(((int64_t)a * b + 0x8000) >> 16);
+}
+
+/* a b / 2^30, rounded half up: a number of any format times a Q2.30 of magnitude
+ * <= 1 keeps its format; the caller keeps |a b| below 2^61. */
+static inline int32_t tp_q30_mul(int32_t a, tp_q30 b)
+{
+    return (int32_t)(((int64_t)a * b + (1 << 29)) >> 30);
+}
+
+static inline int32_t tp_clamp(int32_t x, int32_t low, int32_t high)
+{
+    return x < low ? low : x > high ? high : x;
+}
+
+static inline int32_t tp_abs(int32_t x) { return x < 0 ? -x : x; }  /* x > INT32_MIN */
+
+/* Leading zeros of x != 0. */
+static inline int tp_clz(uint32_t x)
+{
+#if defined(__GNUC__)
+    return __builtin_clz(x);
+#else
+    int n = 0;
+    for (; !(x & 0x80000000u); x <<= 1)
+        n++;
+    return n;
+#endif
+}
+
+tp_fx  tp_fx_div(tp_fx a, tp_fx b);     /* rounded half up; saturates; x/0 by sign of x */
+tp_fx  tp_fx_sqrt(tp_fx x);             /* nearest; 0 for x <= 0 */
+tp_fx  tp_fx_rsqrt(tp_fx x);            /* 1/sqrt(x) within 1 LSB; saturates for x <= 0 */
+tp_fx  tp_fx_recip(tp_fx x);            /* 1/x rounded half up; saturates by sign; 0: max */
+uint32_t tp_isqrt64(uint64_t x);        /* floor of the root, exact */
+
+/* The hot path's reciprocal: for n in [2^31, 2^32) returns 2^63/n in [2^31, 2^32],
+ * the latter as 2^32-1; relative error below 2^-29.  No division. */
+uint32_t tp_recip_norm(uint32_t n);
+
+/* The hot path's reciprocal root: for n in [2^30, 2^32) (that is x in [1/4, 1) as
+ * Q0.32) returns 1/sqrt(x) in Q1.31, [2^31, 2^32-1]; relative error below 2^-28. */
+uint32_t tp_rsqrt_norm(uint32_t n);
+
+/* Sine and cosine of an angle, Q2.30, by a quarter-wave table and interpolation;
+ * error below 5e-6, so within 1 LSB of 16.16 after rounding ([G5], 1024 a turn). */
+tp_q30 tp_sin(tp_turn angle);
+tp_q30 tp_cos(tp_turn angle);
+tp_fx  tp_fx_sin(tp_turn angle);
+tp_fx  tp_fx_cos(tp_turn angle);
+tp_turn tp_atan2(int32_t y, int32_t x); /* of any format; error < 2^-18 turn; (0,0): 0 */
+
+/* Degrees in 16.16 of any size to an angle: wraps; error < 2^-31 turn per degree. */
+tp_turn tp_turn_of_degrees(tp_fx degrees);
+
+typedef struct { tp_fx  x, y, z; } tp_vec3;     /* metres, or what its name says */
+typedef struct { tp_q30 x, y, z; } tp_dir3;     /* unit vector */
+typedef struct { tp_dir3 x, y, z; } tp_rotation;/* rows: world to local; orthonormal */
+
+static inline tp_vec3 tp_vec3_add(tp_vec3 a, tp_vec3 b)
+{
+    return (tp_vec3){ a.x + b.x, a.y + b.y, a.z + b.z };
+}
+
+static inline tp_vec3 tp_vec3_sub(tp_vec3 a, tp_vec3 b)
+{
+    return (tp_vec3){ a.x - b.x, a.y - b.y, a.z - b.z };
+}
+
+/* v.d in the format of v, rounded half up once.  |v| < 2^30 each: the sum of three
+ * products of 2^60 stays below 2^62. */
+static inline int32_t tp_dot_dir(tp_vec3 v, tp_dir3 d)
+{
+    return (int32_t)(((int64_t)v.x * d.x + (int64_t)v.y * d.y + (int64_t)v.z * d.z
+                      + (1 << 29)) >> 30);
+}
+
+tp_q30  tp_dir3_dot(tp_dir3 a, tp_dir3 b);
+tp_dir3 tp_dir3_cross(tp_dir3 a, tp_dir3 b);
+tp_fx   tp_vec3_length(tp_vec3 v);              /* saturates */
+
+/* The direction of (x, y, z) of any one format, each magnitude error < 2^-27;
+ * (0, 0, 0) gives (0, 1, 0). */
+tp_dir3 tp_normalise(int32_t x, int32_t y, int32_t z);
+
+/* Heading turns the -z axis towards +x (clockwise from above), pitch lifts it, roll
+ * then lowers its right side.  Rows of the result: right, up and backward (local +z)
+ * of the turned frame in world axes, so v_local = R v_world. */
+tp_rotation tp_rotation_of(tp_turn heading, tp_turn pitch, tp_turn roll);
+tp_vec3 tp_rotate(const tp_rotation *r, tp_vec3 v);      /* R v: world to local */
+tp_vec3 tp_rotate_back(const tp_rotation *r, tp_vec3 v); /* R^T v: local to world */
+tp_rotation tp_rotation_mul(const tp_rotation *a, const tp_rotation *b);    /* A B */
+
+/* Decimal text to 16.16, rounded to nearest: [+-] digits [. digits] [e [+-] digits], no
+ * locale, any number of digits.  Reads at most `bytes`, stops at the first byte that is
+ * not part of the number and returns how many it read; 0: no number there, *x is kept.
+ * A magnitude beyond the range saturates and sets *beyond (may be NULL). */
+uint32_t tp_fx_read(const char *text, uint32_t bytes, tp_fx *x, int *beyond);
+
+/* The shortest decimal that reads back to x, terminated; returns its length (<= 14). */
+uint32_t tp_fx_write(tp_fx x, char text[16]);
+#endif

@@ -1,0 +1,72 @@
+/* SPDX-License-Identifier: MIT */
+/* What can go wrong, once, for every rank: a code, its sentence, and the place.
+ *
+ * Only init and loading can fail.  A failure names the input's line (`where`) and up
+ * to two numbers that its sentence mentions; the program, which knows the file's name,
+ * prints "boat.obj:41: face names vertex 9 of 3". */
+#ifndef TP_STATUS_H
+#define TP_STATUS_H
+#include <stddef.h>
+#include <stdint.h>
+
+/* %a and %b in a sentence stand for the error's two numbers, %s for its word. */
+#define TP_STATUS_LIST(X) \
+    X(OK,              "ok") \
+    X(E_ARG,           "argument out of range") \
+    X(E_NOSPACE,       "out of memory: %a bytes asked, %b there") \
+    X(E_SIZE,          "picture of %a x %b pixels; 16 x 16 to 4096 x 4096 can be drawn") \
+    X(E_TILE,          "tile of %a x %b pixels; widths are multiples of 16") \
+    X(E_NAME,          "no parameter is called %s") \
+    X(E_NUMBER,        "expected a number, found %s") \
+    X(E_RANGE,         "%s is outside its range") \
+    X(E_CHOICE,        "%s is none of the choices") \
+    X(E_LONG,          "longer than %a bytes") \
+    X(E_TEXTURE,       "texture of %a x %b texels; 1 x 1 to 4096 x 4096 can be used") \
+    X(E_OBJ_NUMBER,    "expected a number, found %s") \
+    X(E_OBJ_MISSING,   "%s needs %a numbers, found %b") \
+    X(E_OBJ_ZERO,      "index 0; indices start at 1") \
+    X(E_OBJ_VERTEX,    "face names vertex %a of %b") \
+    X(E_OBJ_TEXCOORD,  "face names texture coordinate %a of %b") \
+    X(E_OBJ_NORMAL,    "face names normal %a of %b") \
+    X(E_OBJ_CORNERS,   "face of %a corners; 3 to %b can be cut") \
+    X(E_OBJ_MIXED,     "face whose corners differ in form") \
+    X(E_OBJ_RANGE,     "coordinate beyond +-%a") \
+    X(E_OBJ_LINE,      "line longer than %a bytes") \
+    X(E_OBJ_EMPTY,     "no face in the file") \
+    X(E_OBJ_COUNT,     "more than %a of one kind") \
+    X(E_OBJ_CHANGED,   "the file changed between its two readings") \
+    X(E_MTL_NAME,      "material %s is not defined") \
+    X(E_MTL_ORDER,     "%s before any newmtl")
+
+typedef enum {
+#define X(name, text) TP_##name,
+    TP_STATUS_LIST(X)
+#undef X
+    TP_STATUS_COUNT
+} tp_status;
+
+typedef struct {
+    tp_status   code;
+    const char *file;       /* __FILE__ and __LINE__ of the check that failed */
+    int         line;
+    uint32_t    where;      /* the input's line, from 1; 0 if there is none */
+    int32_t     a, b;       /* the numbers of the sentence */
+    char        word[48];   /* the offending word of the input, cut to fit */
+} tp_error;
+
+/* The sentence of a code, with its %a, %b and %s as they stand. */
+const char *tp_status_text(tp_status code);
+
+/* The whole sentence of `err`, without place and file name, into `text` (always
+ * terminated, cut to `bytes`).  Returns the length that the whole sentence has. */
+size_t tp_error_text(const tp_error *err, char *text, size_t bytes);
+
+/* Fills *err if there is one and returns `code`. */
+#define TP_FAIL(err, code, where, a, b) \
+    tp_fail_((err), (code), __FILE__, __LINE__, (uint32_t)(where), (int32_t)(a), (int32_t)(b))
+tp_status tp_fail_(tp_error *err, tp_status code, const char *file, int line,
+                   uint32_t where, int32_t a, int32_t b);
+
+/* Puts the offending word (not terminated) into an error. */
+void tp_error_word(tp_error *err, const char *word, size_t bytes);
+#endif

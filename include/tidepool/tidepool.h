@@ -1,0 +1,13 @@
+/* SPDX-License-Identifier: MIT */
+/* Tidepool: water for small computers.  Everything public, in one include. */
+#ifndef TP_TIDEPOOL_H
+#define TP_TIDEPOOL_H
+#include "tidepool/arena.h"
+#include "tidepool/asset.h"
+#include "tidepool/frame.h"
+#include "tidepool/fx.h"
+#include "tidepool/pixel.h"
+#include "tidepool/scene.h"
+#include "tidepool/status.h"
+#include "tidepool/wave.h"
+#endif
