@@ -35,7 +35,8 @@ typedef struct {
     uint8_t levels;                     /* max(log2_w, log2_h) + 1 */
 } tp_texture;
 
-/* Memory for a texture made of a picture of w x h pixels, 1..4096 each; 0 outside. */
+/* Memory for a texture made of a picture of w x h pixels, 1..4096 each; 0 outside.
+ * The memory is to be aligned to 4 bytes. */
 size_t tp_texture_bytes(uint32_t w, uint32_t h);
 
 /* Copies pixels (0xAARRGGBB, row-major) into `mem` with all levels.  A side that is no
@@ -46,7 +47,7 @@ tp_status tp_texture_init(tp_texture *texture, const uint32_t *pixels,
 /* -- meshes -------------------------------------------------------------------- */
 
 /* A unit vector in one word: x, y, z as signed 10 bits (x lowest), 511 is 1.0; the two
- * bits above are free. */
+ * bits above are free.  "asset/mesh.h" packs and unpacks it. */
 typedef uint32_t tp_packed_dir;
 
 typedef struct {
@@ -57,15 +58,19 @@ typedef struct {
 
 typedef struct {
     uint32_t      vertex[3];            /* counter-clockwise seen from outside */
-    tp_packed_dir tangent;              /* along growing s; bit 30: bitangent = -(N x T) */
+    tp_packed_dir tangent;              /* along growing s; bit 30: see below */
     uint32_t      material;
 } tp_mesh_face;
+
+/* The bitangent points to the picture's top (falling t), as the green of a normal map is
+ * meant: it is N x T, or -(N x T) where the picture is mirrored, which bit 30 tells. */
+#define TP_TANGENT_MIRRORED (1u << 30)
 
 typedef struct {
     uint32_t diffuse, specular;         /* Kd, Ks as 0x00RRGGBB */
     tp_fx    shininess;                 /* Ns, 1..1000 */
     tp_fx    opacity;                   /* d, 0..1; drawn as a screen-door pattern */
-    tp_fx    bump;                      /* -bm, 1 by default */
+    tp_fx    bump;                      /* -bm, +-16, 1 by default */
     const tp_texture *diffuse_map;      /* or NULL */
     const tp_texture *normal_map;       /* tangent space, or NULL */
     tp_fx    texels;                    /* of the diffuse map along one metre, mean */
@@ -79,27 +84,116 @@ typedef struct {
     tp_vec3  low, high;                 /* corners of the bounding box */
 } tp_mesh;
 
-/* -- OBJ and MTL ---------------------------------------------------------------- */
+/* -- OBJ and MTL ----------------------------------------------------------------
+ *
+ * Where the format leaves a choice:
+ *  - Normals that the file does not give are computed: within a smoothing group (s N)
+ *    the mean of the faces around a position, weighted by their area; flat where there
+ *    is no `s`, or `s 0`, `s off`.  Groups do not share normals, even at one position.
+ *  - A polygon is cut in its plane, every corner of the outline kept; triangles without
+ *    area are left out and counted in `dropped`.
+ *  - The rest of a usemtl, newmtl or map line is one name and may hold spaces; so is the
+ *    rest of mtllib, but that a word ending in ".mtl" also ends a name.  `#` begins a
+ *    comment at the start of a line and between numbers, not within names; a comment
+ *    line does not continue and may have any length.
+ *  - `usemtl` without a name, and faces before any usemtl, get a grey of the reader's.  A
+ *    material that is used and not defined is an error if all libraries were read (at
+ *    least one); else it is grey too.  Of two definitions, and of two maps of one
+ *    kind, the first counts, so bump before norm or norm before bump.
+ *  - MTL keywords are read in any case; `d` goes before Tr; the options of a map are
+ *    understood to find its name, but only -bm has an effect. */
 
 #define TP_OBJ_LINE_BYTES  4096         /* of one logical line, continuations joined */
+#define TP_OBJ_NAME_BYTES  255          /* of a material or file name */
 #define TP_OBJ_CORNERS     256          /* of one polygon */
 #define TP_OBJ_COUNT       (1u << 24)   /* of vertices, faces, ... of one file */
-#define TP_OBJ_RANGE       16384        /* metres, either way */
+#define TP_OBJ_RANGE       16384        /* metres or repeats, either way, not included */
+
+/* Private: what one reading of the file has met; two readings must agree. */
+typedef struct {
+    uint32_t vertices, texcoords, normals, polygons, corners, triangles;
+    uint32_t smooth;                    /* corners that need a smooth normal */
+    uint32_t bytes;                     /* of text, modulo 2^32 */
+    uint64_t digest;                    /* of every number */
+} tp_obj_counts;
+
+/* Private: a logical line being put together. */
+typedef struct {
+    uint32_t used;                      /* bytes of text, beyond its size: too long */
+    uint32_t first, next;               /* file line of its start; of the next byte */
+    bool     open;                      /* begun, its end not seen */
+    bool     comment;
+    bool     after_cr;                  /* a LF now belongs to the CR before */
+    char     text[TP_OBJ_LINE_BYTES];
+} tp_obj_lines;
+
+/* Private: a polygon being cut, corners as they go round. */
+typedef struct {
+    int32_t at[3][TP_OBJ_CORNERS];
+    uint8_t before[TP_OBJ_CORNERS], after[TP_OBJ_CORNERS], tried[TP_OBJ_CORNERS];
+    uint8_t triangle[TP_OBJ_CORNERS - 2][3];
+} tp_obj_cut;
+
+/* Private: a set of names, each with a tag, numbered in the order of their coming. */
+typedef struct {
+    char     *text;                     /* the names, each terminated */
+    uint32_t *start, *tag;              /* by number */
+    uint32_t *table;                    /* number + 1 by hash; open addressing */
+    uint32_t  count, most;
+    uint32_t  used, room;               /* bytes of text */
+    uint32_t  mask;                     /* of the table */
+} tp_obj_names;
+
+/* Private: the caller's block, carved. */
+typedef struct {
+    tp_material           *materials;
+    tp_mesh_face          *faces;
+    union  tp_obj_vertex  *vertices;    /* one for each different corner */
+    struct tp_obj_made    *made;        /* of each material, what only the reader needs */
+    tp_obj_names           material_names, library_names;
+    /* Until tp_obj_loaded: */
+    tp_vec3               *positions;
+    struct tp_obj_texcoord *texcoords;
+    tp_packed_dir         *normals;
+    uint32_t              *corners;     /* indices of vertices, polygon after polygon */
+    struct tp_obj_polygon *polygons;
+    struct tp_obj_slot    *slots;       /* smooth normals being summed */
+    uint32_t              *table;       /* of vertices, then of slots: index + 1 */
+    uint32_t               mask;
+    uint32_t               n_vertices, n_faces, n_slots;
+    /* After it, in the same place: */
+    tp_obj_names           image_names;
+} tp_obj_store;
 
 /* The reader.  About 9 KB, for any place; open in layout so that it can be static. */
 typedef struct tp_obj {
     uint32_t libraries;                 /* files named by mtllib, each once */
     uint32_t images;                    /* pictures named by the materials, each once */
     uint32_t skipped;                   /* statements not known or not used, counted */
+    uint32_t dropped;                   /* triangles without area, left out */
     /* -- private part -- */
-    int private_part;
+    uint32_t stage;
+    size_t   bytes;
+    tp_obj_counts now, total;           /* of this pass; of the scan */
+    uint32_t name_most[2], name_room[2];/* of libraries and materials: bounds */
+    uint32_t material;                  /* of the faces that follow */
+    uint32_t group;                     /* smoothing group of the faces that follow */
+    uint32_t library, libraries_read;
+    uint32_t area_shift, picture_shift; /* scales of the sums of areas */
+    tp_vec3  low, high;
+    tp_obj_store store;
+    tp_obj_lines lines;
+    union {
+        char seen[2048];                /* while scanning: names that were counted */
+        tp_obj_cut cut;                 /* in tp_obj_loaded */
+    } work;
 } tp_obj;
 
 void      tp_obj_scan(tp_obj *obj);
 tp_status tp_obj_feed(tp_obj *obj, const void *text, size_t bytes, tp_error *err);
 tp_status tp_obj_scanned(tp_obj *obj, tp_error *err);
-size_t    tp_obj_bytes(const tp_obj *obj);      /* aligned to 8; includes room for bind */
-void      tp_obj_load(tp_obj *obj, void *mem);
+size_t    tp_obj_bytes(const tp_obj *obj);      /* of memory aligned to 8, all that */
+void      tp_obj_load(tp_obj *obj, void *mem);  /* loading and binding will need */
 tp_status tp_obj_loaded(tp_obj *obj, tp_error *err);
 
 const char *tp_obj_library(const tp_obj *obj, uint32_t i);  /* as written, terminated */
@@ -114,4 +208,8 @@ uint32_t    tp_obj_image_library(const tp_obj *obj, uint32_t i);    /* that name
  * points into the memory given to tp_obj_load and at the textures. */
 tp_status tp_obj_bind(tp_obj *obj, const tp_texture *const *textures, tp_mesh *mesh,
                       tp_error *err);
+
+/* After tp_obj_bind the mesh uses no more than this many bytes from the start of the
+ * memory; the rest may serve other ends. */
+size_t    tp_obj_kept_bytes(const tp_obj *obj);
 #endif

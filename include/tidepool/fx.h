@@ -124,7 +124,8 @@ tp_rotation tp_rotation_mul(const tp_rotation *a, const tp_rotation *b);    /* A
 /* Decimal text to 16.16, rounded to nearest: [+-] digits [. digits] [e [+-] digits], no
  * locale, any number of digits.  Reads at most `bytes`, stops at the first byte that is
  * not part of the number and returns how many it read; 0: no number there, *x is kept.
- * A magnitude beyond the range saturates and sets *beyond (may be NULL). */
+ * A magnitude beyond the range saturates and sets *beyond to 1 (may be NULL; otherwise
+ * it is kept).  "5." and ".5" are numbers too; exact halves round up. */
 uint32_t tp_fx_read(const char *text, uint32_t bytes, tp_fx *x, int *beyond);
 
 /* The shortest decimal that reads back to x, terminated; returns its length (<= 14). */

@@ -89,8 +89,6 @@ void tp_scene_default(tp_scene *scene);
 
 /* -- the world: a scene as it moves ---------------------------------------------- */
 
-#define TP_TICKS_PER_SECOND 60
-
 /* What the port feeds in at each tick: the camera's own movement. */
 typedef struct {
     tp_fx   ahead, aside, up;   /* m, in the camera's horizontal frame */

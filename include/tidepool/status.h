@@ -20,6 +20,8 @@
     X(E_NUMBER,        "expected a number, found %s") \
     X(E_RANGE,         "%s is outside its range") \
     X(E_CHOICE,        "%s is none of the choices") \
+    X(E_COLOUR,        "expected a colour such as #204060, found %s") \
+    X(E_TEXT,          "control character in %s") \
     X(E_LONG,          "longer than %a bytes") \
     X(E_TEXTURE,       "texture of %a x %b texels; 1 x 1 to 4096 x 4096 can be used") \
     X(E_OBJ_NUMBER,    "expected a number, found %s") \
@@ -32,6 +34,7 @@
     X(E_OBJ_MIXED,     "face whose corners differ in form") \
     X(E_OBJ_RANGE,     "coordinate beyond +-%a") \
     X(E_OBJ_LINE,      "line longer than %a bytes") \
+    X(E_OBJ_NAME,      "name longer than %a bytes, or with a zero byte in it") \
     X(E_OBJ_EMPTY,     "no face in the file") \
     X(E_OBJ_COUNT,     "more than %a of one kind") \
     X(E_OBJ_CHANGED,   "the file changed between its two readings") \

@@ -13,6 +13,7 @@
 #include "tidepool/fx.h"
 
 #define TP_WAVES 16
+#define TP_TICKS_PER_SECOND 60      /* the clock of everything that moves */
 
 /* A wave as a person gives it. */
 typedef struct {
@@ -31,7 +32,7 @@ typedef struct {
     tp_turn  phase;
     tp_fx    amplitude;         /* A */
     tp_fx    reach_x, reach_z;  /* QA Dx, QA Dz */
-    tp_q30   slope_x, slope_z;  /* k A Dx, k A Dz */
+    tp_q30   slope_x, slope_z;  /* k A Dx, k A Dz; the cap keeps them below 1.9 */
     tp_q30   bend_xx, bend_xz, bend_zz; /* QkA Dx^2, QkA Dx Dz, QkA Dz^2 */
 } tp_swell;
 
@@ -42,12 +43,13 @@ typedef struct {
     tp_fx    reach;             /* sum QA: no point is farther from its rest */
     tp_fx    steepness;         /* sum QkA as asked for */
     bool     clamped;           /* it was above 0.95 and every Q was scaled down [A11] */
+    bool     capped;            /* some amplitude was above 0.3 of its length, and cut */
 } tp_sea;
 
 /* gravity in m/s^2. */
 void tp_sea_init(tp_sea *sea, const tp_wave *waves, uint32_t count, tp_fx gravity);
 
-/* The phases of all swells at a tick: phase - omega t.  Ticks are 1/60 s. */
+/* The phases of all swells at a tick: phase - omega t. */
 void tp_sea_phases(const tp_sea *sea, uint64_t tick, tp_turn phases[TP_WAVES]);
 
 typedef struct {

@@ -1,0 +1,162 @@
+/* SPDX-License-Identifier: MIT */
+/* The boat's mesh, projected once a frame, drawn in every tile that it touches.
+ *
+ * Instead of the mesh into the world the camera is turned into the mesh's own frame:
+ * a vertex then costs what a vertex of the world does. */
+#include "frame/frame.h"
+#include "asset/mesh.h"
+
+static tp_dir3 turned(const tp_rotation *r, tp_dir3 d)
+{
+    tp_vec3 v = tp_rotate(r, (tp_vec3){ d.x, d.y, d.z });
+    return (tp_dir3){ v.x, v.y, v.z };
+}
+
+static void turn_view(tp_frame *frame, const tp_world *world)
+{
+    const tp_rotation *r = &world->boat_turn;
+    tp_vec3 way = tp_vec3_sub(world->eye, world->boat);
+    tp_view_axes *axes = &frame->shade.mesh;
+
+    frame->boat_lens = frame->lens;
+    frame->boat_lens.eye = tp_rotate(r, way);
+    frame->boat_lens.right = turned(r, frame->lens.right);
+    frame->boat_lens.up = turned(r, frame->lens.up);
+    frame->boat_lens.ahead = turned(r, frame->lens.ahead);
+
+    tp_dir3 light = turned(r, (tp_dir3){ frame->shade.world.lx * 65536,
+                                         frame->shade.world.ly * 65536,
+                                         frame->shade.world.lz * 65536 });
+    axes->right = turned(r, frame->shade.world.right);
+    axes->up = turned(r, frame->shade.world.up);
+    axes->back = turned(r, frame->shade.world.back);
+    axes->lx = light.x >> 16;
+    axes->ly = light.y >> 16;
+    axes->lz = light.z >> 16;
+}
+
+static tp_view_corner view_of(const tp_frame *frame, const tp_mesh_vertex *vertex)
+{
+    tp_fx scale = frame->scene->boat.scale;
+    tp_vec3 p = { tp_fx_mul(vertex->position.x, scale),
+                  tp_fx_mul(vertex->position.y, scale),
+                  tp_fx_mul(vertex->position.z, scale) };
+    tp_view_corner c;
+
+    tp_lens_view(&frame->boat_lens, p, &c);
+    c.s = vertex->s;
+    c.t = vertex->t;
+    c.n[0] = (int16_t)tp_dir_x(vertex->normal);
+    c.n[1] = (int16_t)tp_dir_y(vertex->normal);
+    c.n[2] = (int16_t)tp_dir_z(vertex->normal);
+    return c;
+}
+
+static void widen(tp_grid_box *box, const tp_boat_vertex *vertex)
+{
+    int16_t x = (int16_t)(vertex->u >> 4), y = (int16_t)(vertex->v >> 4);
+
+    box->x0 = x < box->x0 ? x : box->x0;
+    box->x1 = x > box->x1 ? x : box->x1;
+    box->y0 = y < box->y0 ? y : box->y0;
+    box->y1 = y > box->y1 ? y : box->y1;
+}
+
+void tp_frame_place_boat(tp_frame *frame, const tp_world *world)
+{
+    const tp_mesh *mesh = frame->assets.boat;
+    bool ahead = false, cut = false;
+
+    frame->boat_seen = false;
+    if (!mesh)
+        return;
+    turn_view(frame, world);
+    frame->boat_box = (tp_grid_box){ INT16_MAX, INT16_MAX, INT16_MIN, INT16_MIN };
+    for (uint32_t i = 0; i < mesh->n_vertices; i++) {
+        tp_boat_vertex *vertex = &frame->boat_vertex[i];
+        tp_view_corner c = view_of(frame, &mesh->vertices[i]);
+        ahead |= c.depth >= frame->lens.near;
+        if (tp_lens_holds(&frame->boat_lens, &c)) {
+            tp_lens_project(&frame->boat_lens, &c, &vertex->u, &vertex->v, &vertex->zi);
+            widen(&frame->boat_box, vertex);
+        } else {
+            vertex->u = TP_GRID_CUT;
+            cut = true;
+        }
+    }
+    if (cut)
+        frame->boat_box = (tp_grid_box){ INT16_MIN, INT16_MIN, INT16_MAX, INT16_MAX };
+    frame->boat_seen = ahead;
+    if (ahead) {
+        frame->stats.vertices += mesh->n_vertices;
+        frame->stats.triangles += mesh->n_faces;
+    }
+}
+
+/* -- faces ------------------------------------------------------------------------ */
+
+static uint32_t mark_of(uint32_t material)
+{
+    return TP_MARK_SOLID + (material < TP_MATERIALS ? material : TP_MATERIALS - 1);
+}
+
+static void draw(const tp_frame *frame, const tp_samples *tile, const tp_corner *a,
+                 const tp_corner *b, const tp_corner *c, uint32_t f)
+{
+    const tp_mesh *mesh = frame->assets.boat;
+    uint32_t material = mesh->faces[f].material;
+    tp_fx opacity = mesh->materials[material].opacity;
+
+    if (tp_tri_area(a, b, c) < 0)
+        tp_tri_solid(tile, a, b, c, mark_of(material), f, (opacity * 16 + 0x8000) >> 16);
+}
+
+static void draw_clipped(const tp_frame *frame, const tp_samples *tile,
+                         const tp_mesh_face *face, uint32_t f)
+{
+    tp_view_corner in[3], out[TP_CLIP_CORNERS];
+    tp_corner corner[TP_CLIP_CORNERS];
+
+    for (int k = 0; k < 3; k++)
+        in[k] = view_of(frame, &frame->assets.boat->vertices[face->vertex[k]]);
+    int count = tp_clip_triangle(&frame->boat_lens, in, out);
+    for (int k = 0; k < count; k++)
+        tp_corner_project(&frame->boat_lens, &out[k], &corner[k]);
+    for (int k = 2; k < count; k++)
+        draw(frame, tile, &corner[0], &corner[k - 1], &corner[k], f);
+}
+
+static bool draw_face(const tp_frame *frame, const tp_samples *tile,
+                      const tp_mesh_face *face, uint32_t f)
+{
+    const tp_mesh *mesh = frame->assets.boat;
+    tp_corner corner[3];
+
+    for (int k = 0; k < 3; k++) {
+        const tp_boat_vertex *at = &frame->boat_vertex[face->vertex[k]];
+        const tp_mesh_vertex *vertex = &mesh->vertices[face->vertex[k]];
+        if (at->u == TP_GRID_CUT)
+            return false;
+        corner[k] = (tp_corner){
+            .u = at->u, .v = at->v, .zi = at->zi, .s = vertex->s, .t = vertex->t,
+            .n = { (int16_t)tp_dir_x(vertex->normal), (int16_t)tp_dir_y(vertex->normal),
+                   (int16_t)tp_dir_z(vertex->normal) },
+        };
+    }
+    draw(frame, tile, &corner[0], &corner[1], &corner[2], f);
+    return true;
+}
+
+void tp_frame_draw_boat(const tp_frame *frame, const tp_samples *tile)
+{
+    const tp_grid_box *box = &frame->boat_box;
+    const tp_mesh *mesh = frame->assets.boat;
+
+    if (!frame->boat_seen || box->x0 >= tile->x1 || box->x1 < tile->x0
+        || box->y0 >= tile->y1 || box->y1 < tile->y0)
+        return;
+    for (uint32_t f = 0; f < mesh->n_faces; f++) {
+        if (!draw_face(frame, tile, &mesh->faces[f], f))
+            draw_clipped(frame, tile, &mesh->faces[f], f);
+    }
+}

@@ -1,0 +1,133 @@
+/* SPDX-License-Identifier: MIT */
+/* The plan of a frame: which stages, and the numbers that they read.  A stage that the
+ * scene does not need is not in the list. */
+#include "frame/frame.h"
+
+static void light_from(tp_frame *frame)
+{
+    const tp_scene *scene = frame->scene;
+    tp_view_axes *axes = &frame->shade.world;
+    tp_turn heading = tp_turn_of_degrees(scene->light.heading);
+    tp_turn height = tp_turn_of_degrees(scene->light.elevation);
+    tp_q30  level = tp_cos(height);
+
+    axes->right = frame->lens.turn.x;
+    axes->up = frame->lens.turn.y;
+    axes->back = frame->lens.turn.z;
+    axes->lx = tp_q30_mul(level, tp_sin(heading)) >> 16;
+    axes->ly = tp_sin(height) >> 16;
+    axes->lz = -tp_q30_mul(level, tp_cos(heading)) >> 16;
+}
+
+/* Metres drifted by tick n, 16.16, wrapping: n times a 64-bit step. */
+static uint32_t drifted(tp_fx metres_per_second, uint64_t tick)
+{
+    int64_t step = (int64_t)metres_per_second * ((int64_t)1 << 32) / TP_TICKS_PER_SECOND;
+    return (uint32_t)((uint64_t)step * tick >> 32);
+}
+
+/* Levels: texels a metre over pixels a metre at 1 m, and half the eye's height for the
+ * slant (see tp_lod_of). */
+static int32_t lod_of(const tp_frame *frame, tp_fx texels_per_metre, bool level_ground)
+{
+    int32_t lod = tp_log2_q8((uint32_t)(texels_per_metre > 0 ? texels_per_metre : 1))
+                - tp_log2_q8((uint32_t)frame->lens.focal);
+    tp_fx height = tp_abs(frame->lens.eye.y);
+
+    if (height < TP_FX_ONE)
+        height = TP_FX_ONE;
+    return level_ground ? lod - (tp_log2_q8((uint32_t)height) - 16 * 256) / 2 : lod;
+}
+
+static tp_layer layer_of(const tp_frame *frame, const tp_texture *texture, tp_fx size,
+                         uint64_t tick)
+{
+    const tp_scene *scene = frame->scene;
+    tp_layer layer = { .texture = texture };
+
+    if (!texture)
+        return layer;
+    layer.per_metre = (uint32_t)(((uint64_t)1 << 32) / (uint32_t)size);
+    layer.drift_s = 0u - drifted(scene->water.drift_x, tick) * layer.per_metre;
+    layer.drift_t = 0u - drifted(scene->water.drift_z, tick) * layer.per_metre;
+    layer.lod = lod_of(frame, tp_fx_div(TP_FX_ONE << texture->log2_w, size), true);
+    return layer;
+}
+
+static void add(tp_plan *plan, tp_stage stage)
+{
+    int i = 0;
+    while (plan->stage[i])
+        i++;
+    plan->stage[i] = stage;
+}
+
+static void choose_stages(tp_frame *frame)
+{
+    const tp_scene *scene = frame->scene;
+    bool linear = scene->water.filter == TP_FILTER_LINEAR;
+
+    frame->sky = (tp_plan){ { tp_stage_view, tp_stage_sky } };
+    frame->solids = (tp_plan){ { tp_stage_solid, tp_stage_haze } };
+    frame->water = (tp_plan){ { tp_stage_view, tp_stage_slopes } };
+    if (frame->assets.water_normal && scene->water.normal_bump > 0)
+        add(&frame->water, tp_stage_ripple);
+    if (frame->assets.water)
+        add(&frame->water, linear ? tp_stage_texture_linear : tp_stage_texture);
+    else
+        add(&frame->water, tp_stage_plain);
+    add(&frame->water, tp_stage_light);
+    if (scene->water.reflection > 0)
+        add(&frame->water, tp_stage_mirror);
+    if (scene->water.specular > 0)
+        add(&frame->water, tp_stage_glint);
+    add(&frame->water, tp_stage_haze);
+}
+
+void tp_frame_plan(tp_frame *frame, const tp_world *world)
+{
+    const tp_scene *scene = frame->scene;
+    tp_shade *shade = &frame->shade;
+
+    shade->u0 = frame->lens.u0;
+    shade->v0 = frame->lens.v0;
+    shade->focal = frame->lens.focal >> 12;
+    shade->zi_log = tp_log2_q8((uint32_t)frame->lens.zi_near) + 15 * 256;
+    shade->haze_scale = (uint32_t)((int64_t)scene->sky.haze * 64 / frame->lens.zi_near);
+    shade->ambient = scene->light.ambient >> 8;
+    shade->mirror = scene->water.reflection >> 8;
+    shade->water_colour = (uint32_t)scene->water.colour;
+    shade->light_colour = (uint32_t)scene->light.colour;
+    light_from(frame);
+    shade->water = layer_of(frame, frame->assets.water, scene->water.texture_size,
+                            world->tick);
+    shade->ripple = layer_of(frame, frame->assets.water_normal, scene->water.normal_size,
+                             world->tick);
+    shade->ripple.slope_gain = scene->water.normal_bump >> 8;
+    tp_shade_sky(shade, (uint32_t)scene->sky.horizon, (uint32_t)scene->sky.zenith);
+    if (scene->water.specular > 0)
+        tp_shade_shine(shade, scene->water.shininess, scene->water.specular);
+    if (frame->assets.boat)
+        tp_frame_plan_materials(frame);
+    choose_stages(frame);
+}
+
+void tp_frame_plan_materials(tp_frame *frame)
+{
+    const tp_mesh *mesh = frame->assets.boat;
+    uint32_t count = mesh->n_materials < TP_MATERIALS ? mesh->n_materials : TP_MATERIALS;
+
+    for (uint32_t i = 0; i < count; i++) {
+        const tp_material *m = &mesh->materials[i];
+        tp_fx texels = tp_fx_div(m->texels, frame->scene->boat.scale);
+        frame->solid[i] = (tp_solid){
+            .diffuse = m->diffuse,
+            .specular = m->specular,
+            .lod = lod_of(frame, texels, false),
+            .bump = tp_clamp(m->bump, 0, 8 * TP_FX_ONE) >> 8,
+            .diffuse_map = m->diffuse_map,
+            .normal_map = m->normal_map,
+            .gloss = frame->gloss + (size_t)i * TP_GLOSS,
+        };
+    }
+}

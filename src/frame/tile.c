@@ -1,0 +1,98 @@
+/* SPDX-License-Identifier: MIT */
+/* One tile: what is there, then its colours, then its pixels. */
+#include "frame/frame.h"
+#include "pixel/pixel.h"
+
+static tp_samples samples_of(const tp_frame *frame, void *scratch, const tp_tile *tile)
+{
+    const tp_frame_config *c = &frame->config;
+    size_t    plane = (size_t)c->tile_width * c->tile_height;
+    uint32_t *at = scratch;
+
+    return (tp_samples){
+        (int32_t)tile->x0, (int32_t)tile->y0, (int32_t)tile->x1, (int32_t)tile->y1,
+        c->tile_width, at, at + plane, at + 2 * plane, at + 3 * plane,
+    };
+}
+
+static void *pixels_of(const tp_frame *frame, void *scratch)
+{
+    size_t plane = (size_t)frame->config.tile_width * frame->config.tile_height;
+    return (uint32_t *)scratch + 4 * plane;
+}
+
+static const tp_plan *plan_for(const tp_frame *frame, uint32_t mark)
+{
+    return mark == TP_MARK_SKY ? &frame->sky
+         : mark == TP_MARK_WATER ? &frame->water : &frame->solids;
+}
+
+/* How many of `most` samples from here are of the first one's kind. */
+static int32_t run_length(const uint32_t *key, int32_t most)
+{
+    uint32_t mark = TP_MARK(key[0]);
+    int32_t  n = 1;
+
+    while (n < most && TP_MARK(key[n]) == mark)
+        n++;
+    return n;
+}
+
+static void shade_row(const tp_frame *frame, const tp_samples *tile, int32_t y, void *row)
+{
+    size_t at = (size_t)(uint32_t)(y - tile->y0) * tile->stride;
+    tp_run run;
+
+    for (int32_t x = tile->x0; x < tile->x1; x += run.count) {
+        int32_t i = x - tile->x0, most = TP_RUN - x % TP_RUN;
+        run.key = tile->key + at + i;
+        run.s = tile->s + at + i;
+        run.t = tile->t + at + i;
+        run.n = tile->n + at + i;
+        run.x = x;
+        run.y = y;
+        run.count = run_length(run.key, most < tile->x1 - x ? most : tile->x1 - x);
+        run.material = TP_MARK(run.key[0]) - TP_MARK_SOLID;
+        const tp_plan *plan = plan_for(frame, TP_MARK(run.key[0]));
+        for (int k = 0; plan->stage[k]; k++)
+            plan->stage[k](&frame->shade, &run);
+        tp_pixel_store(frame->config.format, row, i, x, y, run.colour, run.count);
+    }
+}
+
+bool tp_frame_tile(const tp_frame *frame, uint32_t i, void *scratch, tp_tile *tile)
+{
+    const tp_frame_config *c = &frame->config;
+
+    if (i >= tp_frame_tiles(frame))
+        return false;
+    tile->x0 = i % frame->across * c->tile_width;
+    tile->y0 = i / frame->across * c->tile_height;
+    tile->x1 = tile->x0 + c->tile_width < c->width ? tile->x0 + c->tile_width : c->width;
+    tile->y1 = tile->y0 + c->tile_height < c->height ? tile->y0 + c->tile_height
+                                                     : c->height;
+    tile->pixels = pixels_of(frame, scratch);
+    tile->stride = tp_format_row_bytes(c->format, (int)c->tile_width);
+
+    tp_samples samples = samples_of(frame, scratch, tile);
+    tp_samples_clear(&samples);
+    tp_frame_draw_boat(frame, &samples);
+    tp_frame_draw_water(frame, &samples);
+    uint8_t *row = pixels_of(frame, scratch);
+    for (int32_t y = samples.y0; y < samples.y1; y++, row += tile->stride)
+        shade_row(frame, &samples, y, row);
+    return true;
+}
+
+uint32_t tp_frame_water_pixels(const tp_frame *frame, const void *scratch,
+                               const tp_tile *tile)
+{
+    const uint32_t *key = scratch;
+    uint32_t count = 0;
+
+    for (uint32_t y = tile->y0; y < tile->y1; y++, key += frame->config.tile_width) {
+        for (uint32_t x = 0; x < tile->x1 - tile->x0; x++)
+            count += TP_MARK(key[x]) == TP_MARK_WATER;
+    }
+    return count;
+}

@@ -1,0 +1,86 @@
+/* SPDX-License-Identifier: MIT */
+/* Clipping in view space, side by side (Sutherland and Hodgman): the near plane first,
+ * then the guard band, a square of 2 x 8192 pixels around the picture's centre, far
+ * beyond any picture, that keeps the rasterizer's numbers small.
+ *
+ * A cut runs from the inner corner to the outer one, whatever the order in which the
+ * triangle names them: two triangles that share an edge get the same corner. */
+#include "geom/geom.h"
+
+enum { SIDE_NEAR, SIDE_LEFT, SIDE_RIGHT, SIDE_BOTTOM, SIDE_TOP, SIDES };
+
+/* How far inside a side, in no particular unit; >= 0 is in.  The margin of four keeps
+ * corners that five cuts rounded by one each within the strict test of tp_lens_holds. */
+static int64_t inside(const tp_lens *lens, const tp_view_corner *c, int side)
+{
+    int64_t band = ((int64_t)c->depth - 4) * (1 << (TP_GUARD_LOG2 - lens->m)) - 4;
+
+    switch (side) {
+    case SIDE_NEAR:   return (int64_t)c->depth - lens->near;
+    case SIDE_LEFT:   return band + c->x;
+    case SIDE_RIGHT:  return band - c->x;
+    case SIDE_BOTTOM: return band + c->y;
+    default:          return band - c->y;
+    }
+}
+
+/* share Q0.30 of the way from a to b; |b - a| < 2^32. */
+static int32_t along(int32_t a, int32_t b, int64_t share)
+{
+    return (int32_t)(a + ((((int64_t)b - a) * share) >> 30));
+}
+
+static tp_view_corner cut(const tp_lens *lens, const tp_view_corner *in,
+                          const tp_view_corner *out, int64_t d_in, int64_t d_out)
+{
+    uint64_t span = (uint64_t)(d_in - d_out);           /* > 0, below 2^48 */
+    int      shift = 0;
+    tp_view_corner c;
+
+    while (span >> shift >= (uint64_t)1 << 32)
+        shift++;
+    int64_t share = (int64_t)((((uint64_t)d_in >> shift) << 30) / (span >> shift));
+    c.x = along(in->x, out->x, share);
+    c.y = along(in->y, out->y, share);
+    c.depth = along(in->depth, out->depth, share);
+    if (c.depth < lens->near)
+        c.depth = lens->near;
+    c.s = along(in->s, out->s, share);
+    c.t = along(in->t, out->t, share);
+    for (int i = 0; i < 3; i++)
+        c.n[i] = (int16_t)along(in->n[i], out->n[i], share);
+    return c;
+}
+
+static int clip_side(const tp_lens *lens, const tp_view_corner *in, int count,
+                     tp_view_corner *out, int side)
+{
+    int kept = 0;
+
+    for (int i = 0; i < count; i++) {
+        const tp_view_corner *a = &in[i], *b = &in[i + 1 < count ? i + 1 : 0];
+        int64_t da = inside(lens, a, side), db = inside(lens, b, side);
+        if (da >= 0)
+            out[kept++] = *a;
+        if (da >= 0 && db < 0)
+            out[kept++] = cut(lens, a, b, da, db);
+        else if (da < 0 && db >= 0)
+            out[kept++] = cut(lens, b, a, db, da);
+    }
+    return kept;
+}
+
+int tp_clip_triangle(const tp_lens *lens, const tp_view_corner in[3],
+                     tp_view_corner out[TP_CLIP_CORNERS])
+{
+    tp_view_corner other[TP_CLIP_CORNERS];
+    int count = clip_side(lens, in, 3, other, SIDE_NEAR);       /* <= 4 corners */
+
+    count = clip_side(lens, other, count, out, SIDE_LEFT);      /* one more a side */
+    count = clip_side(lens, out, count, other, SIDE_RIGHT);
+    count = clip_side(lens, other, count, out, SIDE_BOTTOM);
+    count = clip_side(lens, out, count, other, SIDE_TOP);       /* <= 8 */
+    for (int i = 0; i < count; i++)
+        out[i] = other[i];
+    return count >= 3 ? count : 0;
+}

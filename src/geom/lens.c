@@ -1,0 +1,66 @@
+/* SPDX-License-Identifier: MIT */
+/* The camera as the projection wants it. */
+#include "geom/geom.h"
+
+/* focal <= 2^m and entries of the rows <= 1, so the scaled ones fit Q2.30. */
+static tp_dir3 dir_scaled(tp_dir3 d, tp_fx focal, int m)
+{
+    int32_t by = (int32_t)((int64_t)focal * (1 << 14) >> m);    /* Q2.30 */
+    return (tp_dir3){ tp_q30_mul(d.x, by), tp_q30_mul(d.y, by), tp_q30_mul(d.z, by) };
+}
+
+void tp_lens_init(tp_lens *lens, tp_vec3 eye, tp_turn heading, tp_turn pitch, tp_fx fov,
+                  tp_fx near, uint32_t width, uint32_t height)
+{
+    tp_turn half = tp_turn_of_degrees(fov) / 2;
+    tp_fx   tangent = tp_fx_div(tp_fx_sin(half), tp_fx_cos(half));
+    tp_rotation turn = tp_rotation_of(heading, pitch, 0);
+
+    lens->eye = eye;
+    lens->turn = turn;
+    lens->near = near;
+    lens->zi_near = near - (near >> 8);
+    lens->focal = tp_fx_div((tp_fx)(height << 15), tangent);
+    lens->m = 0;
+    while (lens->m < TP_GUARD_LOG2 && lens->focal > TP_FX_ONE << lens->m)
+        lens->m++;
+    lens->right = dir_scaled(turn.x, lens->focal, lens->m);
+    lens->up = dir_scaled(turn.y, lens->focal, lens->m);
+    lens->ahead = (tp_dir3){ -turn.z.x, -turn.z.y, -turn.z.z };
+    lens->u0 = (int32_t)(width * 8);
+    lens->v0 = (int32_t)(height * 8);
+}
+
+void tp_corner_project(const tp_lens *lens, const tp_view_corner *from, tp_corner *to)
+{
+    tp_lens_project(lens, from, &to->u, &to->v, &to->zi);
+    to->s = from->s;
+    to->t = from->t;
+    for (int i = 0; i < 3; i++)
+        to->n[i] = from->n[i];
+}
+
+/* The plane through the eye that holds the screen column or row `half` pixels from
+ * the centre: normal = side x focal + ahead x half, inside towards the centre. */
+static tp_plane side_plane(const tp_lens *lens, tp_dir3 side, int sign, uint32_t half)
+{
+    int32_t f = lens->focal >> 4, h = (int32_t)half << 12;      /* Q20.12 */
+    tp_dir3 a = lens->ahead;
+    tp_dir3 n = tp_normalise(
+        (int32_t)(((int64_t)sign * side.x * f + (int64_t)a.x * h) >> 28),
+        (int32_t)(((int64_t)sign * side.y * f + (int64_t)a.y * h) >> 28),
+        (int32_t)(((int64_t)sign * side.z * f + (int64_t)a.z * h) >> 28));
+    return (tp_plane){ n, -tp_dot_dir(lens->eye, n) };
+}
+
+void tp_lens_planes(const tp_lens *lens, uint32_t width, uint32_t height,
+                    tp_plane planes[TP_LENS_PLANES])
+{
+    uint32_t half_w = width / 2 + 1, half_h = height / 2 + 1;
+
+    planes[0] = (tp_plane){ lens->ahead, -tp_dot_dir(lens->eye, lens->ahead) - lens->near };
+    planes[1] = side_plane(lens, lens->turn.x, 1, half_w);
+    planes[2] = side_plane(lens, lens->turn.x, -1, half_w);
+    planes[3] = side_plane(lens, lens->turn.y, 1, half_h);
+    planes[4] = side_plane(lens, lens->turn.y, -1, half_h);
+}

@@ -1,0 +1,307 @@
+/* SPDX-License-Identifier: MIT */
+/* Rows of a triangle into samples.
+ *
+ * The fill loop is written once and made twice: for water, whose s and t are 32-bit
+ * places and whose normal is a pair of slopes, and for solids.  s and t are affine in
+ * small triangles; in large ones they are exact every 16 pixels (at multiples of 16 and
+ * at the row's own ends) and linear between. */
+#include "raster/tri.h"
+
+/* A quantity along a row: its 32 bits may wrap, as phases do. */
+typedef struct {
+    uint32_t now, step;
+} walker;
+
+typedef struct {
+    uint32_t *key, *s_out, *t_out, *n_out;
+    int32_t   count;
+    uint32_t  mark;
+    walker    zi, s, t, n0, n1, n2;
+    uint32_t  face;             /* solids */
+    uint32_t  pattern;          /* solids: bit x & 3 says whether a pixel is drawn */
+    int32_t   x;
+} span;
+
+/* Normals walk in the high bits of a word: 16 bits of a slope, 10 of a solid's normal. */
+#define SLOPE_SHIFT  16
+#define NORMAL_SHIFT 22
+
+TP_ALWAYS_INLINE uint32_t packed(const span *sp, int solid)
+{
+    if (solid)
+        return sp->n0.now >> 22 | (sp->n1.now >> 22) << 10 | (sp->n2.now >> 22) << 20;
+    return (sp->n0.now & 0xffff0000u) | sp->n1.now >> 16;
+}
+
+TP_ALWAYS_INLINE void fill(span *sp, int solid)
+{
+    uint32_t *key = sp->key, *s = sp->s_out, *t = sp->t_out, *n = sp->n_out;
+
+    for (int32_t i = 0; i < sp->count; i++) {
+        uint32_t depth = sp->zi.now << 1 & ~(uint32_t)0xff;
+        if (depth > (key[i] | 0xff)
+            && (!solid || (sp->pattern >> ((sp->x + i) & 3) & 1))) {
+            key[i] = depth | sp->mark;
+            s[i] = solid ? sp->s.now << 16 | (sp->t.now & 0xffff) : sp->s.now;
+            t[i] = solid ? sp->face : sp->t.now;
+            n[i] = packed(sp, solid);
+        }
+        sp->zi.now += sp->zi.step;
+        sp->s.now += sp->s.step;
+        sp->t.now += sp->t.step;
+        sp->n0.now += sp->n0.step;
+        sp->n1.now += sp->n1.step;
+        if (solid)
+            sp->n2.now += sp->n2.step;
+    }
+}
+
+/* -- perspective --------------------------------------------------------------------- */
+
+/* w = zi and s w, t w, all with PLUS more fraction bits; zi is scaled so that the
+ * nearest corner's has 29 bits.  s and t count from the first corner's. */
+#define PLUS 8
+
+typedef struct {
+    tp_gradient w, sw, tw;
+    uint32_t    s0, t0;
+} perspective;
+
+static int32_t times_w(int32_t d, uint32_t w_q29)
+{
+    return (int32_t)((int64_t)d * w_q29 >> 29);
+}
+
+static perspective perspective_of(const tp_tri *tri)
+{
+    const tp_corner *p[3] = { tri->a, tri->b, tri->c };
+    uint32_t near = p[0]->zi | p[1]->zi | p[2]->zi;
+    int      shift = tp_clz(near) - 3;
+    int64_t  w[3], sw[3], tw[3];
+
+    for (int i = 0; i < 3; i++) {
+        uint32_t wi = shift >= 0 ? p[i]->zi << shift : p[i]->zi >> -shift;
+        w[i] = wi;
+        sw[i] = times_w(p[i]->s - p[0]->s, wi);
+        tw[i] = times_w(p[i]->t - p[0]->t, wi);
+    }
+    return (perspective){
+        .w = tp_tri_gradient(tri, w[0], w[1], w[2], PLUS),
+        .sw = tp_tri_gradient(tri, sw[0], sw[1], sw[2], PLUS),
+        .tw = tp_tri_gradient(tri, tw[0], tw[1], tw[2], PLUS),
+        .s0 = (uint32_t)p[0]->s,
+        .t0 = (uint32_t)p[0]->t,
+    };
+}
+
+static int64_t value_at(const tp_gradient *g, int32_t dx, int32_t dy)
+{
+    return g->base + g->dx * dx + g->dy * dy;
+}
+
+/* s = sw / w in 16.16: w = n / 2^29, 1/n = r 2^shift / 2^63, and sw has PLUS more bits,
+ * so s = sw r 2^(shift - 42).  |sw| < 2^39 and r < 2^33: halved, to stay in 64 bits. */
+static uint32_t divided(int64_t sw, uint32_t r, int shift)
+{
+    int64_t q = (sw >> 16) * (int64_t)r
+              + (int64_t)(((uint64_t)sw & 0xffff) * r >> 16);
+    int     back = 26 - shift;
+    return back >= 0 ? (uint32_t)(q >> back) : (uint32_t)q << -back;
+}
+
+typedef struct {
+    uint32_t s, t;
+} place;
+
+static place place_at(const perspective *p, const tp_tri *tri, int32_t x, int32_t y)
+{
+    int32_t dx = x - tri->x_ref, dy = y - tri->y_ref;
+    int64_t w = value_at(&p->w, dx, dy) >> PLUS;
+    uint32_t n = w < 1 ? 1 : (uint32_t)w;       /* rounding may take a far w to 0 */
+    int      shift = tp_clz(n);
+    uint32_t r = tp_recip_norm(n << shift);
+
+    return (place){
+        p->s0 + divided(value_at(&p->sw, dx, dy), r, shift),
+        p->t0 + divided(value_at(&p->tw, dx, dy), r, shift),
+    };
+}
+
+/* 65536 / n for the pixels between two exact places. */
+static const uint32_t over[17] = { 0, 65536, 32768, 21845, 16384, 13107, 10923, 9362,
+                                   8192, 7282, 6554, 5958, 5461, 5041, 4681, 4369, 4096 };
+
+static uint32_t step_between(uint32_t from, uint32_t to, int32_t n)
+{
+    return (uint32_t)((int64_t)(int32_t)(to - from) * over[n] >> 16);
+}
+
+/* -- rows ------------------------------------------------------------------------------ */
+
+typedef struct {
+    const tp_tri *tri;
+    tp_gradient zi, s, t, n0, n1, n2;   /* s, t of affine triangles */
+    perspective persp;
+    uint32_t mark, face, pattern_rows;
+} painter;
+
+static walker walker_at(const tp_gradient *g, int32_t dx, int32_t dy)
+{
+    return (walker){ (uint32_t)g->base + (uint32_t)g->dx * (uint32_t)dx
+                                       + (uint32_t)g->dy * (uint32_t)dy,
+                     (uint32_t)g->dx };
+}
+
+/* Pixels [x, end) of a span that stands at x; moves on past them. */
+TP_ALWAYS_INLINE void fill_to(span *sp, int32_t x, int32_t end, int solid)
+{
+    sp->x = x;
+    sp->count = end - x;
+    fill(sp, solid);
+    sp->key += sp->count;
+    sp->s_out += sp->count;
+    sp->t_out += sp->count;
+    sp->n_out += sp->count;
+}
+
+/* Row y is covered from `left` to `right`; the tile wants [x, end) of it. */
+static void fill_perspective(const painter *p, span *sp, int32_t y, int32_t left,
+                             int32_t right, int32_t x, int32_t end, int solid)
+{
+    int32_t from = x & ~15;
+
+    from = from > left ? from : left;
+    place a = place_at(&p->persp, p->tri, from, y);
+    while (x < end) {
+        int32_t next = (from | 15) + 1;
+        int32_t to = next < right ? next : right - 1;
+        int32_t stop = next < end ? next : end;
+        place   b = to > from ? place_at(&p->persp, p->tri, to, y) : a;
+        sp->s.step = step_between(a.s, b.s, to - from);
+        sp->t.step = step_between(a.t, b.t, to - from);
+        sp->s.now = a.s + sp->s.step * (uint32_t)(x - from);
+        sp->t.now = a.t + sp->t.step * (uint32_t)(x - from);
+        fill_to(sp, x, stop, solid);
+        x = from = stop;
+        a = b;
+    }
+}
+
+TP_ALWAYS_INLINE void row(const painter *p, const tp_samples *tile, int32_t y,
+                          int32_t left, int32_t right, int solid)
+{
+    int32_t x = left > tile->x0 ? left : tile->x0;
+    int32_t end = right < tile->x1 ? right : tile->x1;
+    int32_t dx = x - p->tri->x_ref, dy = y - p->tri->y_ref;
+
+    if (x >= end)
+        return;
+    size_t at = (size_t)(uint32_t)(y - tile->y0) * tile->stride
+              + (uint32_t)(x - tile->x0);
+    span sp = {
+        .key = tile->key + at, .s_out = tile->s + at, .t_out = tile->t + at,
+        .n_out = tile->n + at, .mark = p->mark, .x = x, .count = end - x,
+        .zi = walker_at(&p->zi, dx, dy),
+        .n0 = walker_at(&p->n0, dx, dy),
+        .n1 = walker_at(&p->n1, dx, dy),
+    };
+    if (solid) {
+        sp.n2 = walker_at(&p->n2, dx, dy);
+        sp.face = p->face;
+        sp.pattern = p->pattern_rows >> 4 * (y & 3) & 15;
+    }
+    if (p->tri->perspective) {
+        fill_perspective(p, &sp, y, left, right, x, end, solid);
+    } else {
+        sp.s = walker_at(&p->s, dx, dy);
+        sp.t = walker_at(&p->t, dx, dy);
+        fill(&sp, solid);
+    }
+}
+
+TP_ALWAYS_INLINE void rows(const painter *p, const tp_samples *tile, int solid)
+{
+    const tp_tri *tri = p->tri;
+
+    for (int32_t y = tri->top; y < tri->bottom; y++) {
+        int32_t along = tp_edge_pixel(&tri->length, y);
+        int32_t other = tp_edge_pixel(y < tri->middle ? &tri->upper : &tri->lower, y);
+        if (tri->long_left)
+            row(p, tile, y, along, other, solid);
+        else
+            row(p, tile, y, other, along, solid);
+    }
+}
+
+static tp_gradient normal_gradient(const tp_tri *tri, int i, int shift)
+{
+    int64_t one = (int64_t)1 << shift;
+    return tp_tri_gradient(tri, tri->a->n[i] * one, tri->b->n[i] * one,
+                           tri->c->n[i] * one, 0);
+}
+
+static void set_places(painter *p)
+{
+    const tp_tri *tri = p->tri;
+
+    p->zi = tp_tri_gradient(tri, tri->a->zi, tri->b->zi, tri->c->zi, 0);
+    if (tri->perspective) {
+        p->persp = perspective_of(tri);
+    } else {
+        p->s = tp_tri_gradient(tri, tri->a->s, tri->b->s, tri->c->s, 0);
+        p->t = tp_tri_gradient(tri, tri->a->t, tri->b->t, tri->c->t, 0);
+    }
+}
+
+void tp_tri_water(const tp_samples *tile, const tp_corner *a, const tp_corner *b,
+                  const tp_corner *c)
+{
+    tp_tri  tri;
+    painter p;
+
+    if (!tp_tri_begin(&tri, tile, a, b, c))
+        return;
+    p.tri = &tri;
+    p.mark = TP_MARK_WATER;
+    set_places(&p);
+    p.n0 = normal_gradient(&tri, 0, SLOPE_SHIFT);
+    p.n1 = normal_gradient(&tri, 1, SLOPE_SHIFT);
+    rows(&p, tile, 0);
+}
+
+/* Rows of the 4x4 ordered pattern that lets `opacity` of 16 pixels through. */
+static uint32_t pattern_of(int opacity)
+{
+    static const uint8_t order[16] = { 0, 8, 2, 10, 12, 4, 14, 6,
+                                       3, 11, 1, 9, 15, 7, 13, 5 };
+    uint32_t rows_of_bits = 0;
+
+    for (int i = 0; i < 16; i++)
+        rows_of_bits |= (uint32_t)(order[i] < opacity) << i;
+    return rows_of_bits;
+}
+
+void tp_tri_solid(const tp_samples *tile, const tp_corner *a, const tp_corner *b,
+                  const tp_corner *c, uint32_t mark, uint32_t face, int opacity)
+{
+    tp_tri  tri;
+    painter p;
+
+    if (!tp_tri_begin(&tri, tile, a, b, c))
+        return;
+    p.tri = &tri;
+    p.mark = mark;
+    p.face = face;
+    p.pattern_rows = opacity < 16 ? pattern_of(opacity) : 0xffff;
+    set_places(&p);
+    p.n0 = normal_gradient(&tri, 0, NORMAL_SHIFT);
+    p.n1 = normal_gradient(&tri, 1, NORMAL_SHIFT);
+    p.n2 = normal_gradient(&tri, 2, NORMAL_SHIFT);
+    rows(&p, tile, 1);
+}
+
+void tp_samples_clear(const tp_samples *tile)
+{
+    uint32_t rows_of_tile = (uint32_t)(tile->y1 - tile->y0);
+    memset(tile->key, 0, (size_t)rows_of_tile * tile->stride * sizeof *tile->key);
+}

@@ -1,0 +1,163 @@
+/* SPDX-License-Identifier: MIT */
+/* Shading: a list of stages, each one small loop over a run of samples.
+ *
+ * A run is up to TP_RUN neighbouring samples of one kind in one row.  It never crosses
+ * a multiple of TP_RUN, and what a stage works out once for several pixels it works out
+ * at multiples of 16: so a run's place in its tile never shows.  Stages hand values on
+ * through the run's arrays; a stage that a scene does not use is not in the list.
+ *
+ * Unit vectors are Q1.14, slopes Q3.12, shares 0..256, colours 0x00RRGGBB. */
+#ifndef TP_SHADE_H
+#define TP_SHADE_H
+#include "base/base.h"
+#include "tidepool/asset.h"
+#include "tidepool/fx.h"
+
+#define TP_RUN 64
+
+typedef struct {
+    int32_t  x, y;              /* of the first sample, in the picture */
+    int32_t  count;
+    uint32_t material;          /* of a mesh */
+    const uint32_t *key, *s, *t, *n;    /* the samples */
+    uint32_t colour[TP_RUN];
+    int16_t  vx[TP_RUN], vy[TP_RUN], vz[TP_RUN];    /* to the eye */
+    int16_t  lv[TP_RUN];        /* light . view */
+    int16_t  sx[TP_RUN], sz[TP_RUN];    /* slopes */
+    int16_t  nv[TP_RUN];        /* normal . view, 0..1 */
+    int16_t  up[TP_RUN];        /* y of the mirrored view, -1..1 */
+    uint16_t glint[TP_RUN];     /* specular, 256 is the light's full colour */
+} tp_run;
+
+/* The view's rays in a frame of axes: the world's, or a mesh's. */
+typedef struct {
+    tp_dir3 right, up, back;
+    int32_t lx, ly, lz;         /* light, Q1.14 */
+} tp_view_axes;
+
+/* A texture as a stage samples it. */
+typedef struct {
+    const tp_texture *texture;
+    uint32_t per_metre;         /* repeats a metre, Q0.32 over Q16.16: s x this wraps */
+    uint32_t drift_s, drift_t;  /* Q0.32 repeats */
+    int32_t  lod;               /* level at 1 m, Q8, for tp_lod_of */
+    int32_t  slope_gain;        /* normal maps: 256 is as drawn */
+} tp_layer;
+
+typedef struct {
+    uint32_t diffuse, specular; /* colours */
+    int32_t  lod;
+    int32_t  bump;              /* 256 is as drawn */
+    const tp_texture *diffuse_map, *normal_map;
+    const uint8_t *gloss;       /* TP_GLOSS entries */
+} tp_solid;
+
+#define TP_SHINE 1024           /* entries: the lobe over 0..1 */
+#define TP_GLOSS 256
+#define TP_STEEP 256            /* 1/sqrt(1 + q), q in 0..4 */
+#define TP_HAZE  512
+#define TP_SKY   256            /* horizon to zenith, by the sine of elevation */
+
+typedef struct {
+    int32_t  u0, v0;            /* the picture's centre, 28.4 */
+    int32_t  focal;             /* 28.4 */
+    tp_view_axes world, mesh;
+    int32_t  zi_log;            /* log2 of the depth at zi = 1, Q8 */
+
+    tp_layer water, ripple;
+    bool     linear;
+    uint32_t water_colour, light_colour;
+    int32_t  ambient;           /* 0..256 */
+    int32_t  mirror;            /* share of the reflection, 0..256 */
+
+    const tp_mesh  *boat;
+    const tp_solid *solid;      /* one for each of its materials */
+
+    uint32_t haze_scale;        /* zi to haze entries, Q0.32 */
+    uint16_t steep[TP_STEEP + 1];       /* Q1.15 */
+    uint16_t shine[TP_SHINE + 1];       /* 256 at 1, times the specular */
+    uint8_t  fresnel[257];              /* share of the reflection at N.V = i / 256 */
+    uint8_t  haze[TP_HAZE + 1];         /* share of the horizon */
+    uint32_t sky[TP_SKY + 1];
+} tp_shade;
+
+typedef void (*tp_stage)(const tp_shade *shade, tp_run *run);
+
+void tp_stage_view(const tp_shade *shade, tp_run *run);     /* vx vy vz, lv: world axes */
+void tp_stage_sky(const tp_shade *shade, tp_run *run);      /* colour from the view */
+void tp_stage_slopes(const tp_shade *shade, tp_run *run);   /* sx sz from the samples */
+void tp_stage_ripple(const tp_shade *shade, tp_run *run);   /* normal map onto sx sz */
+void tp_stage_plain(const tp_shade *shade, tp_run *run);    /* one colour */
+void tp_stage_texture(const tp_shade *shade, tp_run *run);  /* colour x texture */
+void tp_stage_texture_linear(const tp_shade *shade, tp_run *run);
+void tp_stage_light(const tp_shade *shade, tp_run *run);    /* diffuse; nv up glint */
+void tp_stage_mirror(const tp_shade *shade, tp_run *run);   /* sky by Fresnel's share */
+void tp_stage_glint(const tp_shade *shade, tp_run *run);    /* adds the specular */
+void tp_stage_haze(const tp_shade *shade, tp_run *run);     /* towards the horizon */
+void tp_stage_solid(const tp_shade *shade, tp_run *run);    /* all of a mesh's Phong */
+
+/* -- for the frame, that fills the tables ------------------------------------------- */
+
+void tp_shade_tables(tp_shade *shade);                      /* steep, fresnel, haze */
+void tp_shade_shine(tp_shade *shade, tp_fx shininess, tp_fx strength);
+void tp_shade_sky(tp_shade *shade, uint32_t horizon, uint32_t zenith);
+void tp_shade_gloss(uint8_t gloss[TP_GLOSS], tp_fx shininess);
+
+/* -- for stages ---------------------------------------------------------------------- */
+
+void tp_view_run(const tp_shade *shade, const tp_view_axes *axes, tp_run *run);
+
+/* log2 of n != 0 in Q8, to 1/12: clz and the next eight bits taken as they are. */
+static inline int32_t tp_log2_q8(uint32_t n)
+{
+    int shift = tp_clz(n);
+    return (31 - shift) * 256 + (int32_t)((n << shift) >> 23 & 0xff);
+}
+
+/* Level of detail of a texture seen at zi: texels a pixel, one way by distance, the
+ * other by distance again for grazing views: 3/2 log2 of the depth. */
+static inline int32_t tp_lod_of(const tp_shade *shade, int32_t lod, uint32_t key,
+                                int32_t levels)
+{
+    int32_t log_depth = shade->zi_log - tp_log2_q8(key >> 1 | 0x80);
+    int32_t level = (lod + log_depth + (log_depth > 0 ? log_depth / 2 : 0)) >> 8;
+    return tp_clamp(level, 0, levels - 1);
+}
+
+/* Both lanes of 0x00ff00ff x share / 256. */
+static inline uint32_t tp_colour_scale(uint32_t colour, uint32_t share)
+{
+    uint32_t rb = (colour & 0x00ff00ffu) * share >> 8 & 0x00ff00ffu;
+    uint32_t g = (colour & 0x0000ff00u) * share >> 8 & 0x0000ff00u;
+    return rb | g;
+}
+
+/* share 0..256 of b, the rest of a. */
+static inline uint32_t tp_colour_mix(uint32_t a, uint32_t b, uint32_t share)
+{
+    uint32_t rb = ((a & 0x00ff00ffu) * (256 - share) + (b & 0x00ff00ffu) * share) >> 8;
+    uint32_t g = ((a & 0x0000ff00u) * (256 - share) + (b & 0x0000ff00u) * share) >> 8;
+    return (rb & 0x00ff00ffu) | (g & 0x0000ff00u);
+}
+
+/* Each channel's product / 256, 255 standing for 1. */
+static inline uint32_t tp_colour_times(uint32_t a, uint32_t b)
+{
+    uint32_t rs = (a >> 16 & 0xff) * ((b >> 16 & 0xff) + 1) >> 8;
+    uint32_t gs = (a >> 8 & 0xff) * ((b >> 8 & 0xff) + 1) >> 8;
+    uint32_t bs = (a & 0xff) * ((b & 0xff) + 1) >> 8;
+    return rs << 16 | gs << 8 | bs;
+}
+
+/* Each channel's sum, held at 255. */
+static inline uint32_t tp_colour_add(uint32_t a, uint32_t b)
+{
+    uint32_t rb = (a & 0x00ff00ffu) + (b & 0x00ff00ffu);
+    uint32_t g = (a >> 8 & 0xff) + (b >> 8 & 0xff);
+    uint32_t over = rb & 0x01000100u;
+
+    rb |= over - (over >> 8);
+    g |= 0u - (g >> 8);
+    return (rb & 0x00ff00ffu) | (g & 0xff) << 8;
+}
+#endif

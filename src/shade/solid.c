@@ -1,0 +1,94 @@
+/* SPDX-License-Identifier: MIT */
+/* Phong on a mesh, with its pictures: everything in the mesh's own frame, into which the
+ * view and the light were turned once, so that no normal is ever turned.
+ *
+ * A normal map's texel bends N along the face's tangent T and along B = +-N x T, which
+ * is square to both though T need not be to N ([F6], Gram-Schmidt left to the eye: the
+ * meshes' normals are within a few degrees of their faces'). */
+#include "shade/shade.h"
+#include "asset/mesh.h"
+
+typedef struct {
+    int32_t x, y, z;            /* Q1.14, or any format where said */
+} vec;
+
+static vec unpacked(tp_packed_dir n)
+{
+    return (vec){ tp_dir_x(n) * 32, tp_dir_y(n) * 32, tp_dir_z(n) * 32 };
+}
+
+static vec cross(vec a, vec b)
+{
+    return (vec){ (a.y * b.z - a.z * b.y) >> 14, (a.z * b.x - a.x * b.z) >> 14,
+                  (a.x * b.y - a.y * b.x) >> 14 };
+}
+
+static int32_t dot(vec a, vec b)
+{
+    return (a.x * b.x + a.y * b.y + a.z * b.z) >> 14;
+}
+
+static vec unit(vec v)
+{
+    tp_dir3 d = tp_normalise(v.x, v.y, v.z);
+    return (vec){ d.x >> 16, d.y >> 16, d.z >> 16 };
+}
+
+/* A texel at a place in 0.16 repeats, s high and t low. */
+static uint32_t texel_at(const tp_texture *texture, int l, uint32_t st)
+{
+    int w = texture->log2_w > l ? texture->log2_w - l : 0;
+    int h = texture->log2_h > l ? texture->log2_h - l : 0;
+    return texture->level[l][(st & 0xffff) >> (16 - h) << w | st >> 16 >> (16 - w)];
+}
+
+static vec bent(vec n, const tp_solid *solid, int level, uint32_t st, tp_packed_dir tangent)
+{
+    uint32_t texel = texel_at(solid->normal_map, level, st);
+    vec t = unpacked(tangent), b = cross(n, t);
+    int32_t hand = tangent >> 30 & 1 ? -1 : 1;
+    int32_t nx = ((int32_t)(texel >> 16 & 0xff) - 128) * solid->bump >> 8;
+    int32_t ny = ((int32_t)(texel >> 8 & 0xff) - 128) * solid->bump * hand >> 8;
+    int32_t nz = (int32_t)(texel & 0xff) - 128;
+
+    nz = nz > 32 ? nz : 32;     /* a map that points inwards is a broken map */
+    return (vec){ (n.x * nz + t.x * nx + b.x * ny) >> 7,
+                  (n.y * nz + t.y * nx + b.y * ny) >> 7,
+                  (n.z * nz + t.z * nx + b.z * ny) >> 7 };
+}
+
+static uint32_t phong(const tp_shade *shade, const tp_solid *solid, uint32_t diffuse,
+                      vec n, vec v, int32_t lv)
+{
+    vec     light = { shade->mesh.lx, shade->mesh.ly, shade->mesh.lz };
+    int32_t nl = tp_clamp(dot(n, light), 0, 16384);
+    int32_t rv = tp_clamp((2 * nl * dot(n, v) >> 14) - lv, 0, 16384);
+    uint32_t bright = (uint32_t)(shade->ambient + ((256 - shade->ambient) * nl >> 14));
+    uint32_t gloss = nl > 0 ? solid->gloss[rv * (TP_GLOSS - 1) >> 14] : 0;
+    uint32_t shine = tp_colour_times(solid->specular, shade->light_colour);
+
+    return tp_colour_add(tp_colour_scale(diffuse, bright), tp_colour_scale(shine, gloss));
+}
+
+void tp_stage_solid(const tp_shade *shade, tp_run *run)
+{
+    const tp_solid *solid = &shade->solid[run->material];
+
+    tp_view_run(shade, &shade->mesh, run);
+    for (int32_t i = 0; i < run->count; i++) {
+        uint32_t st = run->s[i], diffuse = solid->diffuse;
+        vec n = unit(unpacked(run->n[i]));
+        if (solid->diffuse_map) {
+            int level = tp_lod_of(shade, solid->lod, run->key[i],
+                                  solid->diffuse_map->levels);
+            diffuse = tp_colour_times(texel_at(solid->diffuse_map, level, st), diffuse);
+        }
+        if (solid->normal_map) {
+            int level = tp_lod_of(shade, solid->lod, run->key[i],
+                                  solid->normal_map->levels);
+            n = unit(bent(n, solid, level, st, shade->boat->faces[run->t[i]].tangent));
+        }
+        run->colour[i] = phong(shade, solid, diffuse, n,
+                               (vec){ run->vx[i], run->vy[i], run->vz[i] }, run->lv[i]);
+    }
+}

@@ -1,0 +1,61 @@
+/* SPDX-License-Identifier: MIT */
+/* The tables that stages look into, made in integers at init or when a number changes. */
+#include "shade/shade.h"
+
+/* base^n for base in Q2.30, 0..1, by squaring. */
+static tp_q30 power(tp_q30 base, uint32_t n)
+{
+    tp_q30 result = TP_Q30_ONE;
+
+    for (; n; n >>= 1) {
+        if (n & 1)
+            result = tp_q30_mul(result, base);
+        base = tp_q30_mul(base, base);
+    }
+    return result;
+}
+
+/* [F1] air to water: e = 1.333, c = N.V; the share of both polarisations' mean. */
+static tp_fx fresnel(tp_fx c)
+{
+    const tp_fx e = TP_FX(1.333), e2 = TP_FX(1.776889);
+    tp_fx s2 = TP_FX_ONE - tp_fx_mul(c, c);
+    tp_fx ct = tp_fx_sqrt(TP_FX_ONE - tp_fx_div(s2, e2));
+    tp_fx ect = tp_fx_mul(e, ct), ec = tp_fx_mul(e, c);
+    tp_fx rs = tp_fx_div(c - ect, c + ect), rp = tp_fx_div(ct - ec, ct + ec);
+
+    return (tp_fx_mul(rs, rs) + tp_fx_mul(rp, rp)) / 2;
+}
+
+void tp_shade_tables(tp_shade *shade)
+{
+    for (int32_t i = 0; i <= TP_STEEP; i++) {           /* q = i / 64 */
+        uint32_t n = (uint32_t)(64 + i);
+        uint32_t root = tp_isqrt64(((uint64_t)64 << 46) / n << 14);     /* Q30 */
+        shade->steep[i] = (uint16_t)(root >> 15 > 32768 ? 32768 : root >> 15);
+    }
+    for (int32_t i = 0; i <= 256; i++) {
+        tp_fx r = fresnel(i * (TP_FX_ONE / 256));
+        shade->fresnel[i] = (uint8_t)tp_clamp((r + 128) >> 8, 0, 255);
+    }
+    for (uint32_t i = 0; i <= TP_HAZE; i++)             /* 32^2 / (32^2 + i^2) */
+        shade->haze[i] = (uint8_t)(255 * 1024 / (1024 + i * i));
+}
+
+void tp_shade_shine(tp_shade *shade, tp_fx shininess, tp_fx strength)
+{
+    uint32_t n = (uint32_t)tp_clamp(shininess >> 16, 1, 1000);
+
+    for (int32_t i = 0; i <= TP_SHINE; i++) {
+        int32_t lobe = power(i * (TP_Q30_ONE / TP_SHINE), n) >> 14;     /* Q16 */
+        shade->shine[i] = (uint16_t)(tp_fx_mul(lobe, strength) >> 8);
+    }
+}
+
+void tp_shade_gloss(uint8_t gloss[TP_GLOSS], tp_fx shininess)
+{
+    uint32_t n = (uint32_t)tp_clamp(shininess >> 16, 1, 1000);
+
+    for (int32_t i = 0; i < TP_GLOSS; i++)
+        gloss[i] = (uint8_t)(power(i * (TP_Q30_ONE / (TP_GLOSS - 1)), n) >> 22);
+}
