@@ -62,26 +62,52 @@ static void add(tp_plan *plan, tp_stage stage)
     plan->stage[i] = stage;
 }
 
-static void choose_stages(tp_frame *frame)
+static tp_stage texture_stage(const tp_frame *frame)
+{
+    static const tp_stage stage[] = {
+#define X(name, filter, tinted) [2 * (filter) + (tinted)] = tp_stage_##name,
+        TP_TEXTURE_STAGES(X)
+#undef X
+    };
+    const tp_scene *scene = frame->scene;
+    int filter = scene->water.filter == TP_FILTER_LINEAR;
+
+    return frame->assets.water ? stage[2 * filter + (scene->water.colour != 0xffffff)]
+                               : tp_stage_plain;
+}
+
+/* The water's list: a view only if it shines or mirrors. */
+static void choose_water(tp_frame *frame)
 {
     const tp_scene *scene = frame->scene;
-    bool linear = scene->water.filter == TP_FILTER_LINEAR;
+    tp_plan *water = &frame->water;
+    bool shines = scene->water.specular > 0, mirrors = scene->water.reflection > 0;
+    bool rippled = frame->assets.water_normal && scene->water.normal_bump > 0;
 
-    frame->sky = (tp_plan){ { tp_stage_view, tp_stage_sky } };
-    frame->solids = (tp_plan){ { tp_stage_solid, tp_stage_haze } };
-    frame->water = (tp_plan){ { tp_stage_view, tp_stage_slopes } };
-    if (frame->assets.water_normal && scene->water.normal_bump > 0)
-        add(&frame->water, tp_stage_ripple);
-    if (frame->assets.water)
-        add(&frame->water, linear ? tp_stage_texture_linear : tp_stage_texture);
-    else
-        add(&frame->water, tp_stage_plain);
-    add(&frame->water, tp_stage_light);
-    if (scene->water.reflection > 0)
-        add(&frame->water, tp_stage_mirror);
-    if (scene->water.specular > 0)
-        add(&frame->water, tp_stage_glint);
-    add(&frame->water, tp_stage_haze);
+    *water = (tp_plan){ { texture_stage(frame) } };
+    if (rippled)
+        add(water, tp_stage_ripple);
+    if (shines || mirrors) {
+        add(water, tp_stage_view);
+        add(water, rippled ? tp_stage_light_rippled : tp_stage_light);
+    } else {
+        add(water, rippled ? tp_stage_diffuse_rippled : tp_stage_diffuse);
+    }
+    if (mirrors)
+        add(water, tp_stage_mirror);
+    if (shines)
+        add(water, tp_stage_glint);
+    if (scene->sky.haze > 0)
+        add(water, tp_stage_haze);
+}
+
+static void choose_stages(tp_frame *frame)
+{
+    frame->sky = (tp_plan){ { tp_stage_sky } };
+    frame->solids = (tp_plan){ { tp_stage_solid } };
+    if (frame->scene->sky.haze > 0)
+        add(&frame->solids, tp_stage_haze);
+    choose_water(frame);
 }
 
 void tp_frame_plan(tp_frame *frame, const tp_world *world)

@@ -19,30 +19,31 @@ typedef struct {
     int32_t slope;              /* pixels a row, Q16.16 */
 } tp_edge;
 
-/* From the upper end (u0, v0) to the lower (u1, v1), v0 < v1.  Slopes beyond +-16384
+/* du / dv in Q16.16: a 32-bit division for edges of up to 1024 pixels across (one
+ * instruction where there is a divider), else by reciprocal.  Slopes beyond +-16384
  * pixels a row only occur where the edge crosses one row's centre at the most; the
  * clamp then moves the crossing within the edge's own ends. */
-TP_ALWAYS_INLINE tp_edge tp_edge_of(int32_t u0, int32_t v0, int32_t u1, int32_t v1)
+TP_ALWAYS_INLINE int32_t tp_edge_slope(int32_t du, int32_t dv)
 {
-    uint32_t dv = (uint32_t)(v1 - v0);
-    int      shift = tp_clz(dv);
-    int64_t  r = tp_recip_norm(dv << shift);            /* 2^63 / (dv 2^shift) */
-    int64_t  slope = ((int64_t)(u1 - u0) * r) >> (47 - shift);
-    tp_edge  e;
+    if (du < 1 << 14 && du > -(1 << 14))
+        return du * 65536 / dv;
+    int     shift = tp_clz((uint32_t)dv);
+    int64_t r = tp_recip_norm((uint32_t)dv << shift);       /* 2^63 / (dv 2^shift) */
+    int64_t slope = du * r >> (47 - shift);
+    int64_t most = (int64_t)1 << 30;
 
-    if (slope > (int64_t)1 << 30)
-        slope = (int64_t)1 << 30;
-    if (slope < -((int64_t)1 << 30))
-        slope = -((int64_t)1 << 30);
-    e.row = tp_first_centre(v0);
-    e.slope = (int32_t)slope;
-    e.x = (int32_t)((int64_t)(u0 - 8) * 4096 + (slope * (16 * e.row + 8 - v0) >> 4));
-    return e;
+    return (int32_t)(slope > most ? most : slope < -most ? -most : slope);
 }
 
-/* The first pixel at or right of the crossing with row y. */
-TP_ALWAYS_INLINE int32_t tp_edge_pixel(const tp_edge *e, int32_t y)
+/* From the upper end (u0, v0) to the lower (u1, v1), v0 < v1. */
+TP_ALWAYS_INLINE tp_edge tp_edge_of(int32_t u0, int32_t v0, int32_t u1, int32_t v1)
 {
-    return (int32_t)(((int64_t)e->x + (int64_t)e->slope * (y - e->row) + 0xffff) >> 16);
+    int32_t slope = tp_edge_slope(u1 - u0, v1 - v0);
+    tp_edge e;
+
+    e.row = tp_first_centre(v0);
+    e.slope = slope;
+    e.x = (int32_t)((int64_t)(u0 - 8) * 4096 + ((int64_t)slope * (16 * e.row + 8 - v0) >> 4));
+    return e;
 }
 #endif

@@ -145,11 +145,38 @@ typedef struct {
     uint32_t mark, face, pattern_rows;
 } painter;
 
-static walker walker_at(const tp_gradient *g, int32_t dx, int32_t dy)
+/* A quantity's value in the column x_ref of the row at hand: it grows by `down` a row,
+ * by `step` a pixel, modulo 2^32. */
+typedef struct {
+    uint32_t at_ref, step, down;
+} column;
+
+TP_ALWAYS_INLINE column column_of(const tp_gradient *g, int32_t dy)
 {
-    return (walker){ (uint32_t)g->base + (uint32_t)g->dx * (uint32_t)dx
-                                       + (uint32_t)g->dy * (uint32_t)dy,
-                     (uint32_t)g->dx };
+    return (column){ (uint32_t)g->base + (uint32_t)g->dy * (uint32_t)dy,
+                     (uint32_t)g->dx, (uint32_t)g->dy };
+}
+
+TP_ALWAYS_INLINE walker walker_at(const column *c, int32_t dx)
+{
+    return (walker){ c->at_ref + c->step * (uint32_t)dx, c->step };
+}
+
+/* An edge's crossing with the row at hand, Q16.16. */
+typedef struct {
+    uint32_t x, slope;
+} crossing;
+
+TP_ALWAYS_INLINE crossing crossing_of(const tp_edge *e, int32_t y)
+{
+    return (crossing){ (uint32_t)e->x + (uint32_t)e->slope * (uint32_t)(y - e->row),
+                       (uint32_t)e->slope };
+}
+
+/* The first pixel at or right of it. */
+TP_ALWAYS_INLINE int32_t pixel_of(const crossing *c)
+{
+    return (int32_t)(((int64_t)(int32_t)c->x + 0xffff) >> 16);
 }
 
 /* Pixels [x, end) of a span that stands at x; moves on past them. */
@@ -165,8 +192,9 @@ TP_ALWAYS_INLINE void fill_to(span *sp, int32_t x, int32_t end, int solid)
 }
 
 /* Row y is covered from `left` to `right`; the tile wants [x, end) of it. */
-static void fill_perspective(const painter *p, span *sp, int32_t y, int32_t left,
-                             int32_t right, int32_t x, int32_t end, int solid)
+TP_ALWAYS_INLINE void fill_perspective(const painter *p, span *sp, int32_t y,
+                                       int32_t left, int32_t right, int32_t x,
+                                       int32_t end, int solid)
 {
     int32_t from = x & ~15;
 
@@ -187,49 +215,55 @@ static void fill_perspective(const painter *p, span *sp, int32_t y, int32_t left
     }
 }
 
-TP_ALWAYS_INLINE void row(const painter *p, const tp_samples *tile, int32_t y,
-                          int32_t left, int32_t right, int solid)
-{
-    int32_t x = left > tile->x0 ? left : tile->x0;
-    int32_t end = right < tile->x1 ? right : tile->x1;
-    int32_t dx = x - p->tri->x_ref, dy = y - p->tri->y_ref;
-
-    if (x >= end)
-        return;
-    size_t at = (size_t)(uint32_t)(y - tile->y0) * tile->stride
-              + (uint32_t)(x - tile->x0);
-    span sp = {
-        .key = tile->key + at, .s_out = tile->s + at, .t_out = tile->t + at,
-        .n_out = tile->n + at, .mark = p->mark, .x = x, .count = end - x,
-        .zi = walker_at(&p->zi, dx, dy),
-        .n0 = walker_at(&p->n0, dx, dy),
-        .n1 = walker_at(&p->n1, dx, dy),
-    };
-    if (solid) {
-        sp.n2 = walker_at(&p->n2, dx, dy);
-        sp.face = p->face;
-        sp.pattern = p->pattern_rows >> 4 * (y & 3) & 15;
-    }
-    if (p->tri->perspective) {
-        fill_perspective(p, &sp, y, left, right, x, end, solid);
-    } else {
-        sp.s = walker_at(&p->s, dx, dy);
-        sp.t = walker_at(&p->t, dx, dy);
-        fill(&sp, solid);
-    }
-}
-
-TP_ALWAYS_INLINE void rows(const painter *p, const tp_samples *tile, int solid)
+/* All rows of a triangle; the flags are literal. */
+TP_ALWAYS_INLINE void rows(const painter *p, const tp_samples *tile, int solid,
+                           int exact)
 {
     const tp_tri *tri = p->tri;
+    int32_t  y = tri->top, dy = y - tri->y_ref;
+    column   zi = column_of(&p->zi, dy), n0 = column_of(&p->n0, dy);
+    column   n1 = column_of(&p->n1, dy), n2 = { 0 }, s = { 0 }, t = { 0 };
+    crossing along = crossing_of(&tri->length, y);
+    crossing other = crossing_of(y < tri->middle ? &tri->upper : &tri->lower, y);
+    size_t   line = (size_t)(uint32_t)(y - tile->y0) * tile->stride;
 
-    for (int32_t y = tri->top; y < tri->bottom; y++) {
-        int32_t along = tp_edge_pixel(&tri->length, y);
-        int32_t other = tp_edge_pixel(y < tri->middle ? &tri->upper : &tri->lower, y);
-        if (tri->long_left)
-            row(p, tile, y, along, other, solid);
-        else
-            row(p, tile, y, other, along, solid);
+    if (solid)
+        n2 = column_of(&p->n2, dy);
+    if (!exact) {
+        s = column_of(&p->s, dy);
+        t = column_of(&p->t, dy);
+    }
+    for (; y < tri->bottom; y++, line += tile->stride) {
+        if (y == tri->middle)
+            other = crossing_of(&tri->lower, y);
+        int32_t left = pixel_of(tri->long_left ? &along : &other);
+        int32_t right = pixel_of(tri->long_left ? &other : &along);
+        int32_t x = left > tile->x0 ? left : tile->x0;
+        int32_t end = right < tile->x1 ? right : tile->x1;
+        if (x < end) {
+            size_t  at = line + (uint32_t)(x - tile->x0);
+            int32_t dx = x - tri->x_ref;
+            span sp = {
+                .key = tile->key + at, .s_out = tile->s + at, .t_out = tile->t + at,
+                .n_out = tile->n + at, .mark = p->mark, .x = x, .count = end - x,
+                .zi = walker_at(&zi, dx), .s = walker_at(&s, dx), .t = walker_at(&t, dx),
+                .n0 = walker_at(&n0, dx), .n1 = walker_at(&n1, dx),
+                .n2 = walker_at(&n2, dx), .face = p->face,
+                .pattern = solid ? p->pattern_rows >> 4 * (y & 3) & 15 : 0,
+            };
+            if (exact)
+                fill_perspective(p, &sp, y, left, right, x, end, solid);
+            else
+                fill(&sp, solid);
+        }
+        along.x += along.slope;
+        other.x += other.slope;
+        zi.at_ref += zi.down;
+        n0.at_ref += n0.down;
+        n1.at_ref += n1.down;
+        n2.at_ref += n2.down;
+        s.at_ref += s.down;
+        t.at_ref += t.down;
     }
 }
 
@@ -266,7 +300,10 @@ void tp_tri_water(const tp_samples *tile, const tp_corner *a, const tp_corner *b
     set_places(&p);
     p.n0 = normal_gradient(&tri, 0, SLOPE_SHIFT);
     p.n1 = normal_gradient(&tri, 1, SLOPE_SHIFT);
-    rows(&p, tile, 0);
+    if (tri.perspective)
+        rows(&p, tile, 0, 1);
+    else
+        rows(&p, tile, 0, 0);
 }
 
 /* Rows of the 4x4 ordered pattern that lets `opacity` of 16 pixels through. */
@@ -297,7 +334,10 @@ void tp_tri_solid(const tp_samples *tile, const tp_corner *a, const tp_corner *b
     p.n0 = normal_gradient(&tri, 0, NORMAL_SHIFT);
     p.n1 = normal_gradient(&tri, 1, NORMAL_SHIFT);
     p.n2 = normal_gradient(&tri, 2, NORMAL_SHIFT);
-    rows(&p, tile, 1);
+    if (tri.perspective)
+        rows(&p, tile, 1, 1);
+    else
+        rows(&p, tile, 1, 0);
 }
 
 void tp_samples_clear(const tp_samples *tile)

@@ -40,17 +40,32 @@ static void sort(tp_tri *tri, const tp_corner *a, const tp_corner *b, const tp_c
     tri->c = c;
 }
 
-/* The area's reciprocal: area = norm 2^(32-lz), and a gradient per pixel is
- * 16 num / area = num r 2^(lz-91). */
-static void set_area(tp_tri *tri, int64_t area)
+static int32_t larger(int32_t a, int32_t b)
 {
+    return a > b ? a : b;
+}
+
+/* dx of a quantity is 16 (d1 dv2 - d2 dv1) / area per pixel, dy likewise with du.  The
+ * four factors dv r / 2^k are kept with 29 bits in the largest; with
+ * 1/area = r 2^(lz - 95), a gradient is their sum of products / 2^(91 - lz - k). */
+static void set_factors(tp_tri *tri, int64_t area)
+{
+    const tp_corner *a = tri->a, *b = tri->b, *c = tri->c;
+    int32_t  du1 = b->u - a->u, dv1 = b->v - a->v, du2 = c->u - a->u, dv2 = c->v - a->v;
+    int32_t  most = larger(larger(tp_abs(du1), tp_abs(du2)), dv2);
     uint64_t size = (uint64_t)(area < 0 ? -area : area);
     uint32_t high = (uint32_t)(size >> 32);
     int      lz = high ? tp_clz(high) : 32 + tp_clz((uint32_t)size);
+    int      k = 35 - tp_clz((uint32_t)most);
+    int64_t  r = tp_recip_norm((uint32_t)(size << lz >> 32));
 
-    tri->negative = area < 0;
-    tri->r = tp_recip_norm((uint32_t)(size << lz >> 32));
-    tri->shift = 59 - lz;
+    if (area < 0)
+        r = -r;
+    tri->cx1 = (int32_t)(dv2 * r >> k);
+    tri->cx2 = (int32_t)(-dv1 * r >> k);
+    tri->cy1 = (int32_t)(-du2 * r >> k);
+    tri->cy2 = (int32_t)(du1 * r >> k);
+    tri->shift = 91 - lz - k;
 }
 
 /* Affine s,t stray from the true ones by about a quarter of (depth ratio - 1) times the
@@ -84,7 +99,7 @@ bool tp_tri_begin(tp_tri *tri, const tp_samples *tile, const tp_corner *a,
     int64_t area = tp_tri_area(a, b, c);
     if (area == 0)
         return false;
-    set_area(tri, area);
+    set_factors(tri, area);
     tri->long_left = area > 0;          /* then b lies right of the long edge */
     tri->middle = tp_first_centre(b->v);
     tri->length = tp_edge_of(a->u, a->v, c->u, c->v);
@@ -97,33 +112,4 @@ bool tp_tri_begin(tp_tri *tri, const tp_samples *tile, const tp_corner *a,
     int32_t wide = tp_abs(b->u - a->u), other = tp_abs(c->u - a->u);
     tri->perspective = needs_perspective(tri, wide > other ? wide : other);
     return true;
-}
-
-/* num r / 2^32, rounded down; |num| < 2^53. */
-static int64_t times_high(int64_t num, uint32_t r)
-{
-    return (num >> 32) * (int64_t)r
-         + (int64_t)(((uint64_t)num & 0xffffffffu) * r >> 32);
-}
-
-static int64_t over_area(const tp_tri *tri, int64_t num, int bits)
-{
-    int     shift = tri->shift - bits;
-    int64_t q = times_high(tri->negative ? -num : num, tri->r);
-    return shift >= 0 ? q >> shift : q * ((int64_t)1 << -shift);
-}
-
-tp_gradient tp_tri_gradient(const tp_tri *tri, int64_t at_a, int64_t at_b, int64_t at_c,
-                            int bits)
-{
-    const tp_corner *a = tri->a, *b = tri->b, *c = tri->c;
-    int64_t d1 = at_b - at_a, d2 = at_c - at_a;
-    tp_gradient g;
-
-    g.dx = over_area(tri, d1 * (c->v - a->v) - d2 * (b->v - a->v), bits);
-    g.dy = over_area(tri, d2 * (b->u - a->u) - d1 * (c->u - a->u), bits);
-    g.base = at_a * ((int64_t)1 << bits)
-           + ((g.dx * (16 * tri->x_ref + 8 - a->u)
-               + g.dy * (16 * tri->y_ref + 8 - a->v)) >> 4);
-    return g;
 }

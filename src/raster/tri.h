@@ -13,9 +13,8 @@ typedef struct {
     bool     long_left;
     tp_edge  length, upper, lower;
     int32_t  x_ref, y_ref;      /* pixel of corner a: planes count from here */
-    uint32_t r;                 /* 2^63 / the area's normalised magnitude */
+    int32_t  cx1, cx2, cy1, cy2;/* a gradient is (d1 cx1 + d2 cx2) / 2^shift, ... */
     int      shift;
-    bool     negative;
     bool     perspective;       /* s and t need it; else affine is within 1/4 pixel */
 } tp_tri;
 
@@ -29,7 +28,26 @@ typedef struct {
 } tp_gradient;
 
 /* Of a quantity with these values at the three sorted corners; `bits` more fraction
- * bits come out than went in.  Differences below 2^32, bits <= 12. */
-tp_gradient tp_tri_gradient(const tp_tri *tri, int64_t at_a, int64_t at_b, int64_t at_c,
-                            int bits);
+ * bits come out than went in.  Differences up to 2^32, bits <= 12.
+ * Each product has 33 + 29 bits, their sum 63. */
+TP_ALWAYS_INLINE tp_gradient tp_tri_gradient(const tp_tri *tri, int64_t at_a,
+                                             int64_t at_b, int64_t at_c, int bits)
+{
+    const tp_corner *a = tri->a;
+    int64_t d1 = at_b - at_a, d2 = at_c - at_a;
+    int     shift = tri->shift - bits;
+    tp_gradient g = { 0, d1 * tri->cx1 + d2 * tri->cx2, d1 * tri->cy1 + d2 * tri->cy2 };
+
+    if (shift >= 0) {
+        g.dx >>= shift;
+        g.dy >>= shift;
+    } else {                    /* slivers below 1/32 of a square pixel */
+        g.dx = (int64_t)((uint64_t)g.dx << -shift);
+        g.dy = (int64_t)((uint64_t)g.dy << -shift);
+    }
+    g.base = at_a * ((int64_t)1 << bits)
+           + ((g.dx * (16 * tri->x_ref + 8 - a->u)
+               + g.dy * (16 * tri->y_ref + 8 - a->v)) >> 4);
+    return g;
+}
 #endif

@@ -6,40 +6,81 @@
  * mirrored view's height is 2 (N.V) Ny - Vy: no vector is ever reflected. */
 #include "shade/shade.h"
 
-/* 1/sqrt(1 + q) in Q1.15; q in Q24, held below 4. */
-static int32_t steep_of(const tp_shade *shade, uint32_t q)
+/* The slopes of sample i: from the array once a ripple has bent them, else as sampled. */
+TP_ALWAYS_INLINE int32_t slope_x(const tp_run *run, int32_t i, int rippled)
 {
-    if (q > 0x3ffffff)
-        q = 0x3ffffff;
-    uint32_t i = q >> 18, f = q >> 10 & 0xff;
-    int32_t  a = shade->steep[i], b = shade->steep[i + 1];
-    return a + ((b - a) * (int32_t)f >> 8);
+    return rippled ? run->sx[i] : (int16_t)(run->n[i] >> 16);
 }
 
-void tp_stage_light(const tp_shade *shade, tp_run *run)
+TP_ALWAYS_INLINE int32_t slope_z(const tp_run *run, int32_t i, int rippled)
+{
+    return rippled ? run->sz[i] : (int16_t)(run->n[i] & 0xffff);
+}
+
+/* q of 1/sqrt(1 + q), Q24, held below 4. */
+TP_ALWAYS_INLINE uint32_t square_of(int32_t sx, int32_t sz)
+{
+    uint32_t q = (uint32_t)(sx * sx) + (uint32_t)(sz * sz);
+    return q > 0x3ffffff ? 0x3ffffff : q;
+}
+
+/* 1/sqrt(1 + q) in Q1.14: interpolated, for lobes that would show its steps. */
+TP_ALWAYS_INLINE int32_t steep_of(const tp_shade *shade, uint32_t q)
+{
+    uint32_t i = q >> 17, f = q >> 10 & 0x7f;
+    int32_t  a = shade->steep[i], b = shade->steep[i + 1];
+    return a + ((b - a) * (int32_t)f >> 7);
+}
+
+/* The diffuse term alone, for water that neither shines nor mirrors: the root's nearest
+ * entry is within 0.2 %, half a level of 255.  A share of 257 still scales 255 to 255. */
+TP_ALWAYS_INLINE void diffuse(const tp_shade *shade, tp_run *run, int rippled)
 {
     int32_t lx = shade->world.lx, ly = shade->world.ly, lz = shade->world.lz;
     int32_t ambient = shade->ambient, direct = 256 - ambient;
 
     for (int32_t i = 0; i < run->count; i++) {
-        int32_t sx = run->sx[i], sz = run->sz[i];
-        int32_t vx = run->vx[i], vy = run->vy[i], vz = run->vz[i];
-        int32_t ny = steep_of(shade, (uint32_t)(sx * sx) + (uint32_t)(sz * sz));
-        int32_t nv = vy - ((sx * vx + sz * vz) >> 12);      /* Q14, below 14 */
+        int32_t sx = slope_x(run, i, rippled), sz = slope_z(run, i, rippled);
+        int32_t ny = shade->steep[(square_of(sx, sz) + 0x10000) >> 17];
         int32_t nl = ly - ((sx * lx + sz * lz) >> 12);
-
-        nv = tp_clamp(nv, 0, 4 * 16384) * (ny >> 1) >> 14;
-        nl = tp_clamp(nl, 0, 4 * 16384) * (ny >> 1) >> 14;
-        nv = nv > 16384 ? 16384 : nv;
-        int32_t rv = tp_clamp((2 * nl * nv >> 14) - run->lv[i], 0, 16384);
-        uint32_t bright = (uint32_t)(ambient + (direct * nl >> 14));
-        run->nv[i] = (int16_t)nv;
-        run->up[i] = (int16_t)tp_clamp((nv * ny >> 14) - vy, -16384, 16384);
-        run->glint[i] = nl > 0 ? shade->shine[rv >> 4] : 0;
-        run->colour[i] = tp_colour_scale(run->colour[i], bright > 256 ? 256 : bright);
+        int32_t lit = nl < 0 ? 0 : direct * (nl * ny >> 14) >> 14;
+        run->colour[i] = tp_colour_scale(run->colour[i], (uint32_t)(ambient + lit));
     }
 }
 
+TP_ALWAYS_INLINE void light(const tp_shade *shade, tp_run *run, int rippled)
+{
+    int32_t lx = shade->world.lx, ly = shade->world.ly, lz = shade->world.lz;
+    int32_t ambient = shade->ambient, direct = 256 - ambient;
+
+    for (int32_t i = 0; i < run->count; i++) {
+        int32_t sx = slope_x(run, i, rippled), sz = slope_z(run, i, rippled);
+        int32_t vx = run->vx[i], vy = run->vy[i], vz = run->vz[i];
+        int32_t ny = steep_of(shade, square_of(sx, sz));
+        int32_t nv = vy - ((sx * vx + sz * vz) >> 12);      /* Q14, below 14 */
+        int32_t nl = ly - ((sx * lx + sz * lz) >> 12);
+
+        nv = nv < 0 ? 0 : nv * ny >> 14;
+        nl = nl < 0 ? 0 : nl * ny >> 14;
+        nv = nv > 16384 ? 16384 : nv;
+        int32_t rv = (2 * nl * nv >> 14) - run->lv[i];
+        int32_t up = (2 * nv * ny >> 14) - vy;
+        run->nv[i] = (int16_t)nv;
+        run->up[i] = (int16_t)(up > 16384 ? 16384 : up);    /* above -1 as vy is below 1 */
+        run->glint[i] = nl > 0 && rv > 0 ? shade->shine[rv > 16384 ? TP_SHINE : rv >> 4]
+                                         : 0;
+        run->colour[i] = tp_colour_scale(run->colour[i],
+                                         (uint32_t)(ambient + (direct * nl >> 14)));
+    }
+}
+
+void tp_stage_diffuse(const tp_shade *shade, tp_run *run) { diffuse(shade, run, 0); }
+void tp_stage_diffuse_rippled(const tp_shade *shade, tp_run *run) { diffuse(shade, run, 1); }
+void tp_stage_light(const tp_shade *shade, tp_run *run) { light(shade, run, 0); }
+void tp_stage_light_rippled(const tp_shade *shade, tp_run *run) { light(shade, run, 1); }
+
+/* A mirrored ray that goes down meets other water, which is half as bright as the
+ * horizon: its share fades to a half within 7 degrees below level. */
 void tp_stage_mirror(const tp_shade *shade, tp_run *run)
 {
     uint32_t mirror = (uint32_t)shade->mirror;
@@ -47,8 +88,9 @@ void tp_stage_mirror(const tp_shade *shade, tp_run *run)
     for (int32_t i = 0; i < run->count; i++) {
         uint32_t share = shade->fresnel[run->nv[i] >> 6] * mirror >> 8;
         int32_t  sine = run->up[i] >> 6;
-        uint32_t sky = shade->sky[sine < 0 ? -sine : sine];
-        run->colour[i] = tp_colour_mix(run->colour[i], sky, share);
+        int32_t  above = tp_clamp(256 + 4 * sine, 128, 256);
+        uint32_t sky = shade->sky[sine < 0 ? 0 : sine];
+        run->colour[i] = tp_colour_mix(run->colour[i], sky, share * (uint32_t)above >> 8);
     }
 }
 
@@ -57,7 +99,10 @@ void tp_stage_glint(const tp_shade *shade, tp_run *run)
     uint32_t light = shade->light_colour;
 
     for (int32_t i = 0; i < run->count; i++) {
-        uint32_t share = run->glint[i] > 256 ? 256 : run->glint[i];
+        uint32_t share = run->glint[i];
+        if (share == 0)         /* most of the water, most of the time */
+            continue;
+        share = share > 256 ? 256 : share;
         run->colour[i] = tp_colour_add(run->colour[i], tp_colour_scale(light, share));
     }
 }

@@ -23,7 +23,7 @@ typedef struct {
     uint32_t colour[TP_RUN];
     int16_t  vx[TP_RUN], vy[TP_RUN], vz[TP_RUN];    /* to the eye */
     int16_t  lv[TP_RUN];        /* light . view */
-    int16_t  sx[TP_RUN], sz[TP_RUN];    /* slopes */
+    int16_t  sx[TP_RUN], sz[TP_RUN];    /* slopes, once a ripple has bent them */
     int16_t  nv[TP_RUN];        /* normal . view, 0..1 */
     int16_t  up[TP_RUN];        /* y of the mirrored view, -1..1 */
     uint16_t glint[TP_RUN];     /* specular, 256 is the light's full colour */
@@ -54,7 +54,7 @@ typedef struct {
 
 #define TP_SHINE 1024           /* entries: the lobe over 0..1 */
 #define TP_GLOSS 256
-#define TP_STEEP 256            /* 1/sqrt(1 + q), q in 0..4 */
+#define TP_STEEP 512            /* 1/sqrt(1 + q), q in 0..4 */
 #define TP_HAZE  512
 #define TP_SKY   256            /* horizon to zenith, by the sine of elevation */
 
@@ -74,7 +74,7 @@ typedef struct {
     const tp_solid *solid;      /* one for each of its materials */
 
     uint32_t haze_scale;        /* zi to haze entries, Q0.32 */
-    uint16_t steep[TP_STEEP + 1];       /* Q1.15 */
+    uint16_t steep[TP_STEEP + 1];       /* Q1.14 */
     uint16_t shine[TP_SHINE + 1];       /* 256 at 1, times the specular */
     uint8_t  fresnel[257];              /* share of the reflection at N.V = i / 256 */
     uint8_t  haze[TP_HAZE + 1];         /* share of the horizon */
@@ -83,14 +83,24 @@ typedef struct {
 
 typedef void (*tp_stage)(const tp_shade *shade, tp_run *run);
 
+/* name, linear filter, tinted by the water's colour */
+#define TP_TEXTURE_STAGES(X) \
+    X(texture,              0, 0) \
+    X(texture_tinted,       0, 1) \
+    X(texture_linear,       1, 0) \
+    X(texture_linear_tinted, 1, 1)
+
+void tp_stage_sky(const tp_shade *shade, tp_run *run);      /* colour of the empty view */
+void tp_stage_plain(const tp_shade *shade, tp_run *run);    /* colour, without texture */
+#define X(name, filter, tinted) void tp_stage_##name(const tp_shade *shade, tp_run *run);
+TP_TEXTURE_STAGES(X)                                        /* colour */
+#undef X
+void tp_stage_ripple(const tp_shade *shade, tp_run *run);   /* sx sz: normal map on slopes */
 void tp_stage_view(const tp_shade *shade, tp_run *run);     /* vx vy vz, lv: world axes */
-void tp_stage_sky(const tp_shade *shade, tp_run *run);      /* colour from the view */
-void tp_stage_slopes(const tp_shade *shade, tp_run *run);   /* sx sz from the samples */
-void tp_stage_ripple(const tp_shade *shade, tp_run *run);   /* normal map onto sx sz */
-void tp_stage_plain(const tp_shade *shade, tp_run *run);    /* one colour */
-void tp_stage_texture(const tp_shade *shade, tp_run *run);  /* colour x texture */
-void tp_stage_texture_linear(const tp_shade *shade, tp_run *run);
-void tp_stage_light(const tp_shade *shade, tp_run *run);    /* diffuse; nv up glint */
+void tp_stage_diffuse(const tp_shade *shade, tp_run *run);  /* colour; needs no view */
+void tp_stage_diffuse_rippled(const tp_shade *shade, tp_run *run);
+void tp_stage_light(const tp_shade *shade, tp_run *run);    /* colour; nv up glint */
+void tp_stage_light_rippled(const tp_shade *shade, tp_run *run);
 void tp_stage_mirror(const tp_shade *shade, tp_run *run);   /* sky by Fresnel's share */
 void tp_stage_glint(const tp_shade *shade, tp_run *run);    /* adds the specular */
 void tp_stage_haze(const tp_shade *shade, tp_run *run);     /* towards the horizon */
@@ -106,6 +116,13 @@ void tp_shade_gloss(uint8_t gloss[TP_GLOSS], tp_fx shininess);
 /* -- for stages ---------------------------------------------------------------------- */
 
 void tp_view_run(const tp_shade *shade, const tp_view_axes *axes, tp_run *run);
+
+/* The unit vector to the eye from pixel (x, y), and its product with the light. */
+typedef struct {
+    int32_t x, y, z, l;
+} tp_ray;
+
+tp_ray tp_view_ray(const tp_shade *shade, const tp_view_axes *axes, int32_t x, int32_t y);
 
 /* log2 of n != 0 in Q8, to 1/12: clz and the next eight bits taken as they are. */
 static inline int32_t tp_log2_q8(uint32_t n)

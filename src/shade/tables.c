@@ -29,11 +29,9 @@ static tp_fx fresnel(tp_fx c)
 
 void tp_shade_tables(tp_shade *shade)
 {
-    for (int32_t i = 0; i <= TP_STEEP; i++) {           /* q = i / 64 */
-        uint32_t n = (uint32_t)(64 + i);
-        uint32_t root = tp_isqrt64(((uint64_t)64 << 46) / n << 14);     /* Q30 */
-        shade->steep[i] = (uint16_t)(root >> 15 > 32768 ? 32768 : root >> 15);
-    }
+    for (uint32_t i = 0; i <= TP_STEEP; i++)            /* 1 / sqrt(1 + i / 128) */
+        shade->steep[i] = (uint16_t)(tp_isqrt64(((uint64_t)128 << 32) / (128 + i) << 28)
+                                     >> 16);
     for (int32_t i = 0; i <= 256; i++) {
         tp_fx r = fresnel(i * (TP_FX_ONE / 256));
         shade->fresnel[i] = (uint8_t)tp_clamp((r + 128) >> 8, 0, 255);

@@ -32,13 +32,13 @@ TP_ALWAYS_INLINE uint32_t texel_index(const level *l, uint32_t s, uint32_t t)
     return v << l->w | u;
 }
 
-static uint32_t nearest(const level *l, uint32_t s, uint32_t t)
+TP_ALWAYS_INLINE uint32_t nearest(const level *l, uint32_t s, uint32_t t)
 {
     return l->texel[texel_index(l, s, t)];
 }
 
 /* Four texels around the place.  Weights are the eight bits below a texel. */
-static uint32_t linear(const level *l, uint32_t s, uint32_t t)
+TP_ALWAYS_INLINE uint32_t linear(const level *l, uint32_t s, uint32_t t)
 {
     s -= (uint32_t)0x80000000u >> l->w;
     t -= (uint32_t)0x80000000u >> l->h;
@@ -51,10 +51,11 @@ static uint32_t linear(const level *l, uint32_t s, uint32_t t)
     return tp_colour_mix(above_mix, tp_colour_mix(below[u], below[u1], fs), ft);
 }
 
-TP_ALWAYS_INLINE void texture(const tp_shade *shade, tp_run *run, int filter)
+TP_ALWAYS_INLINE void texture(const tp_shade *shade, tp_run *run, int filter, int tinted)
 {
     const tp_layer *layer = &shade->water;
-    uint32_t tint = shade->water_colour;
+    uint32_t tint = shade->water_colour, per_metre = layer->per_metre;
+    uint32_t drift_s = layer->drift_s, drift_t = layer->drift_t;
     int32_t  i = 0;
 
     while (i < run->count) {
@@ -63,34 +64,20 @@ TP_ALWAYS_INLINE void texture(const tp_shade *shade, tp_run *run, int filter)
         if (stop > run->count)
             stop = run->count;
         for (; i < stop; i++) {
-            uint32_t s = run->s[i] * layer->per_metre + layer->drift_s;
-            uint32_t t = run->t[i] * layer->per_metre + layer->drift_t;
+            uint32_t s = run->s[i] * per_metre + drift_s;
+            uint32_t t = run->t[i] * per_metre + drift_t;
             uint32_t texel = filter ? linear(&l, s, t) : nearest(&l, s, t);
-            run->colour[i] = tp_colour_times(texel, tint);
+            run->colour[i] = tinted ? tp_colour_times(texel, tint) : texel & 0xffffff;
         }
     }
 }
 
-void tp_stage_texture(const tp_shade *shade, tp_run *run)
-{
-    texture(shade, run, 0);
-}
-
-void tp_stage_texture_linear(const tp_shade *shade, tp_run *run)
-{
-    texture(shade, run, 1);
-}
+#define TEXTURE_STAGE(name, filter, tinted) \
+    void tp_stage_##name(const tp_shade *shade, tp_run *run) \
+    { texture(shade, run, filter, tinted); }
+TP_TEXTURE_STAGES(TEXTURE_STAGE)
 
 /* -- ripples -------------------------------------------------------------------------- */
-
-void tp_stage_slopes(const tp_shade *shade, tp_run *run)
-{
-    (void)shade;
-    for (int32_t i = 0; i < run->count; i++) {
-        run->sx[i] = (int16_t)(run->n[i] >> 16);
-        run->sz[i] = (int16_t)(run->n[i] & 0xffff);
-    }
-}
 
 /* A normal map's texel (nx, ny, nz), green up the picture, is a slope of -nx along s and
  * +ny along t.  nz is taken as 1: a ripple of slope 0.35 comes out 6 % flat. */
@@ -110,10 +97,10 @@ void tp_stage_ripple(const tp_shade *shade, tp_run *run)
             uint32_t texel = linear(&l, s, t);
             int32_t  nx = (int32_t)(texel >> 16 & 0xff) - 128;
             int32_t  ny = (int32_t)(texel >> 8 & 0xff) - 128;
-            run->sx[i] = (int16_t)tp_clamp(run->sx[i] - (nx * layer->slope_gain >> 3),
-                                           -32000, 32000);
-            run->sz[i] = (int16_t)tp_clamp(run->sz[i] + (ny * layer->slope_gain >> 3),
-                                           -32000, 32000);
+            int32_t  sx = (int16_t)(run->n[i] >> 16) - (nx * layer->slope_gain >> 3);
+            int32_t  sz = (int16_t)(run->n[i] & 0xffff) + (ny * layer->slope_gain >> 3);
+            run->sx[i] = (int16_t)tp_clamp(sx, -32000, 32000);
+            run->sz[i] = (int16_t)tp_clamp(sz, -32000, 32000);
         }
     }
 }

@@ -4,10 +4,6 @@
  * in the middle at most. */
 #include "shade/shade.h"
 
-typedef struct {
-    int32_t x, y, z, l;         /* Q1.14; l: light . view */
-} ray;
-
 static int32_t q14_of(int64_t x)
 {
     return (int32_t)(x >> 20);
@@ -15,13 +11,13 @@ static int32_t q14_of(int64_t x)
 
 /* right (u - u0) + up (v0 - v) - back focal, towards the scene, turned round.  Each
  * product has 30 + 18 bits. */
-static ray ray_at(const tp_shade *shade, const tp_view_axes *a, int32_t x, int32_t y)
+tp_ray tp_view_ray(const tp_shade *shade, const tp_view_axes *a, int32_t x, int32_t y)
 {
     int64_t u = 16 * x + 8 - shade->u0, v = shade->v0 - 16 * y - 8, f = shade->focal;
     tp_dir3 d = tp_normalise(q14_of(f * a->back.x - u * a->right.x - v * a->up.x),
                              q14_of(f * a->back.y - u * a->right.y - v * a->up.y),
                              q14_of(f * a->back.z - u * a->right.z - v * a->up.z));
-    ray r = { d.x >> 16, d.y >> 16, d.z >> 16, 0 };
+    tp_ray r = { d.x >> 16, d.y >> 16, d.z >> 16, 0 };
 
     r.l = (r.x * a->lx + r.y * a->ly + r.z * a->lz) >> 14;
     return r;
@@ -30,12 +26,12 @@ static ray ray_at(const tp_shade *shade, const tp_view_axes *a, int32_t x, int32
 void tp_view_run(const tp_shade *shade, const tp_view_axes *axes, tp_run *run)
 {
     int32_t x = run->x, end = run->x + run->count;
-    ray a = ray_at(shade, axes, x & ~15, run->y);
+    tp_ray a = tp_view_ray(shade, axes, x & ~15, run->y);
 
     for (int32_t i = 0; x < end; ) {
         int32_t from = x & ~15, next = from + 16;
-        ray b = ray_at(shade, axes, next, run->y);
-        ray step = { b.x - a.x, b.y - a.y, b.z - a.z, b.l - a.l };
+        tp_ray b = tp_view_ray(shade, axes, next, run->y);
+        tp_ray step = { b.x - a.x, b.y - a.y, b.z - a.z, b.l - a.l };
         int32_t stop = next < end ? next : end;
         for (; x < stop; x++, i++) {
             int32_t k = x - from;

@@ -1,0 +1,35 @@
+/* SPDX-License-Identifier: MIT */
+/* Area vectors, exact: twice the area of a triangle along its normal, in units of
+ * 2^-32 m2.
+ *
+ * Coordinates lie within +-(2^30 - 1), so edges within 31 bits and a sign, products below
+ * 2^62, and each component below 2^63.  Sums are made of vectors divided by 2^shift,
+ * where the shift depends on the extent and the number of triangles; it is 0 up to
+ * 32 m and 2^20 triangles. */
+#ifndef TP_ASSET_AREA_H
+#define TP_ASSET_AREA_H
+#include <stdbool.h>
+#include <stdint.h>
+#include "tidepool/fx.h"
+
+typedef struct { int64_t x, y, z; } tp_area;
+
+/* a x b, of edges. */
+tp_area tp_area_of(tp_vec3 a, tp_vec3 b);
+
+/* a p - b q, exact under the same bounds. */
+static inline int64_t tp_area_term(int32_t a, int32_t p, int32_t b, int32_t q)
+{
+    return (int64_t)a * p - (int64_t)b * q;
+}
+
+static inline bool tp_area_is_none(tp_area a) { return (a.x | a.y | a.z) == 0; }
+
+/* The shift that keeps the sum of `count` vectors, or of their lengths, in 63 bits, when
+ * no edge's component is longer than `extent`. */
+uint32_t tp_area_shift(uint32_t extent, uint32_t count);
+
+tp_area tp_area_scaled(tp_area a, uint32_t shift);  /* towards 0: no direction favoured */
+uint64_t tp_area_length(tp_area a);                 /* relative error < 2^-29 */
+tp_dir3  tp_area_direction(tp_area a);              /* (0, 1, 0) of none */
+#endif

@@ -1,0 +1,131 @@
+/* SPDX-License-Identifier: MIT */
+/* The last step: materials get their textures, and the mesh is handed out. */
+#include "asset/obj.h"
+#include "base/base.h"
+
+const char *tp_obj_library(const tp_obj *obj, uint32_t i)
+{
+    TP_ASSERT(i < obj->libraries);
+    return tp_names_text(&obj->store.library_names, i);
+}
+
+const char *tp_obj_image(const tp_obj *obj, uint32_t i)
+{
+    TP_ASSERT(i < obj->images);
+    return tp_names_text(&obj->store.image_names, i);
+}
+
+uint32_t tp_obj_image_library(const tp_obj *obj, uint32_t i)
+{
+    TP_ASSERT(i < obj->images);
+    return obj->store.image_names.tag[i];
+}
+
+/* -- texels per metre ---------------------------------------------------------------- */
+
+/* Shifts x != 0 until its top bit is bit 31; returns by how much x is larger. */
+static int to_32_bits(uint64_t *x)
+{
+    int shift = 0;
+    for (; *x >> 32 != 0; shift++)
+        *x >>= 1;
+    for (; *x >> 31 == 0; shift--)
+        *x <<= 1;
+    return shift;
+}
+
+/* sqrt(picture / area x 2^power) in 16.16, saturating; relative error < 2^-15. */
+static tp_fx root_of_ratio(uint64_t picture, uint64_t area, int power)
+{
+    if (picture == 0 || area == 0)
+        return 0;
+    power += to_32_bits(&picture);
+    power -= to_32_bits(&area);
+    uint64_t ratio = (picture << 31) / area;    /* 2^30..2^32, of 2^31 */
+    power += 1;                                 /* + 32 for 16.16, - 31 */
+    if (power % 2 != 0) {
+        ratio *= 2;
+        power -= 1;
+    }
+    for (; power < 0 && ratio != 0; power += 2)
+        ratio >>= 2;
+    for (; power > 0 && ratio < (uint64_t)1 << 62; power -= 2)
+        ratio <<= 2;
+    const uint32_t root = power > 0 ? UINT32_MAX : tp_isqrt64(ratio);
+    return root > TP_FX_MAX ? TP_FX_MAX : (tp_fx)root;
+}
+
+/* Both sums are of twice the areas, in 2^-32 m2 or repeats, and of 2^shift each. */
+static tp_fx texels_per_metre(const tp_obj *obj, const struct tp_obj_made *made,
+                              const tp_texture *texture)
+{
+    if (texture == NULL)
+        return 0;
+    return root_of_ratio(made->picture, made->area,
+                         texture->log2_w + texture->log2_h
+                         + (int)obj->picture_shift - (int)obj->area_shift);
+}
+
+/* -- materials ----------------------------------------------------------------------- */
+
+static const tp_texture *texture_of(const tp_texture *const *textures, uint32_t image)
+{
+    return textures == NULL || image == TP_NO_NAME ? NULL : textures[image];
+}
+
+static void bind_material(const tp_obj *obj, const tp_texture *const *textures,
+                          uint32_t i)
+{
+    const struct tp_obj_made *const made = &obj->store.made[i];
+    tp_material *const material = &obj->store.materials[i];
+    if (!made->has_diffuse && made->map[TP_MAP_DIFFUSE] != TP_NO_NAME)
+        material->diffuse = 0xffffff;           /* a map alone is shown as it is */
+    material->diffuse_map = texture_of(textures, made->map[TP_MAP_DIFFUSE]);
+    material->normal_map = texture_of(textures, made->map[TP_MAP_BUMP]);
+    material->texels = texels_per_metre(obj, made, material->diffuse_map);
+}
+
+/* Every material is defined, is the nameless one, or may lie in a file not read. */
+static tp_status check_defined(const tp_obj *obj, tp_error *err)
+{
+    const tp_obj_names *const names = &obj->store.material_names;
+    if (obj->libraries == 0 || obj->libraries_read < obj->libraries)
+        return TP_OK;
+    for (uint32_t i = 0; i < names->count; i++) {
+        const char *const name = tp_names_text(names, i);
+        if (obj->store.made[i].defined || name[0] == '\0')
+            continue;
+        const uint32_t end = i + 1 < names->count ? names->start[i + 1] : names->used;
+        TP_FAIL(err, TP_E_MTL_NAME, obj->store.made[i].line, 0, 0);
+        tp_error_word(err, name, end - names->start[i] - 1);
+        return TP_E_MTL_NAME;
+    }
+    return TP_OK;
+}
+
+tp_status tp_obj_bind(tp_obj *obj, const tp_texture *const *textures, tp_mesh *mesh,
+                      tp_error *err)
+{
+    if (obj->stage != TP_STAGE_LOADED)
+        return tp_obj_settle(obj, TP_FAIL(err, TP_E_ARG, 0, 0, 0));
+    const tp_status status = check_defined(obj, err);
+    if (status != TP_OK)
+        return tp_obj_settle(obj, status);
+    const tp_obj_store *const store = &obj->store;
+    for (uint32_t i = 0; i < store->material_names.count; i++)
+        bind_material(obj, textures, i);
+    *mesh = (tp_mesh){
+        .vertices = &store->vertices[0].out, .n_vertices = store->n_vertices,
+        .faces = store->faces,               .n_faces = store->n_faces,
+        .materials = store->materials,       .n_materials = store->material_names.count,
+        .low = obj->low,                     .high = obj->high };
+    return TP_OK;
+}
+
+size_t tp_obj_kept_bytes(const tp_obj *obj)
+{
+    const tp_obj_store *const store = &obj->store;
+    const size_t before = (size_t)((const char *)store->vertices
+                                   - (const char *)store->materials);
+    return before + store->n_vertices * sizeof *store->vertices;
+}

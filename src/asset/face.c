@@ -1,0 +1,157 @@
+/* SPDX-License-Identifier: MIT */
+/* The statement f: corners are checked, made one with their like, and stored.
+ *
+ * Indices from 1 count from the start of the file and may point ahead, so they are
+ * checked in the second pass, which knows the totals; negative ones count back from
+ * here. */
+#include "asset/obj.h"
+#include "asset/table.h"
+
+enum { HAS_TEXCOORD = 1, HAS_NORMAL = 2 };
+
+typedef struct { int32_t position, texcoord, normal; } raw_corner;
+
+static bool pass_slash(tp_words *words)
+{
+    const bool slash = words->at < words->end && *words->at == '/';
+    words->at += slash;
+    return slash;
+}
+
+/* v, v/vt, v//vn or v/vt/vn.  Returns what it has, or -1: none of these. */
+static int read_corner(tp_words *words, raw_corner *corner)
+{
+    *corner = (raw_corner){ 0, 0, 0 };
+    if (!tp_word_int(words, &corner->position))
+        return -1;
+    int form = 0;
+    if (pass_slash(words)) {
+        if (tp_word_int(words, &corner->texcoord))
+            form |= HAS_TEXCOORD;
+        if (pass_slash(words) && tp_word_int(words, &corner->normal))
+            form |= HAS_NORMAL;
+    }
+    return words->at == words->end || tp_is_blank(*words->at) ? form : -1;
+}
+
+/* An index of the file, from 1 or negative, becomes one from 0. */
+static tp_status resolve(const tp_obj *obj, int32_t index, uint32_t now, uint32_t total,
+                         tp_status code, uint32_t *out, tp_error *err)
+{
+    if (index == 0)
+        return TP_FAIL(err, TP_E_OBJ_ZERO, obj->lines.first, 0, 0);
+    if (index < 0) {
+        if ((uint32_t)-index > now)
+            return TP_FAIL(err, code, obj->lines.first, index, now);
+        *out = now - (uint32_t)-index;
+        return TP_OK;
+    }
+    if (obj->stage == TP_STAGE_LOAD && (uint32_t)index > total)
+        return TP_FAIL(err, code, obj->lines.first, index, total);
+    *out = (uint32_t)index - 1;
+    return TP_OK;
+}
+
+/* The number of the vertex that has these three, a new one if need be. */
+static uint32_t vertex_of(tp_obj *obj, uint32_t position, uint32_t texcoord,
+                          uint32_t normal)
+{
+    tp_obj_store *const store = &obj->store;
+    const uint64_t hash =
+        tp_mix(tp_mix(tp_mix(obj->total.digest, position), texcoord), normal);
+    uint32_t at = (uint32_t)hash & store->mask;
+    for (; store->table[at] != 0; at = (at + 1) & store->mask) {
+        const union tp_obj_vertex *vertex = &store->vertices[store->table[at] - 1];
+        if (vertex->corner.position == position && vertex->corner.texcoord == texcoord
+            && vertex->corner.normal == normal)
+            return store->table[at] - 1;
+    }
+    union tp_obj_vertex *const vertex = &store->vertices[store->n_vertices];
+    vertex->corner.position = position;
+    vertex->corner.texcoord = texcoord;
+    vertex->corner.normal = normal;
+    store->table[at] = ++store->n_vertices;
+    return store->n_vertices - 1;
+}
+
+/* What stands for a normal that the file does not give. */
+static uint32_t own_normal(const tp_obj *obj)
+{
+    return obj->group != 0 ? TP_NORMAL_GROUP | obj->group
+                           : TP_NORMAL_FLAT | obj->now.polygons;
+}
+
+static tp_status take_corner(tp_obj *obj, const raw_corner *raw, int form, tp_error *err)
+{
+    uint32_t position, texcoord = TP_NO_TEXCOORD, normal = own_normal(obj);
+    const tp_obj_counts *const now = &obj->now, *const total = &obj->total;
+    tp_status status = resolve(obj, raw->position, now->vertices, total->vertices,
+                               TP_E_OBJ_VERTEX, &position, err);
+    if (status == TP_OK && (form & HAS_TEXCOORD))
+        status = resolve(obj, raw->texcoord, now->texcoords, total->texcoords,
+                         TP_E_OBJ_TEXCOORD, &texcoord, err);
+    if (status == TP_OK && (form & HAS_NORMAL))
+        status = resolve(obj, raw->normal, now->normals, total->normals,
+                         TP_E_OBJ_NORMAL, &normal, err);
+    if (status == TP_OK)
+        status = tp_obj_room(obj, now->corners, total->corners, 1, err);
+    if (status != TP_OK)
+        return status;
+    obj->now.digest = tp_mix(tp_mix(now->digest, position), texcoord);
+    obj->now.digest = tp_mix(now->digest, normal);
+    if (obj->stage == TP_STAGE_LOAD)
+        obj->store.corners[now->corners] = vertex_of(obj, position, texcoord, normal);
+    obj->now.corners++;
+    return TP_OK;
+}
+
+static tp_status take_corners(tp_obj *obj, tp_words *words, int *form, uint32_t *count,
+                              tp_error *err)
+{
+    for (*count = 0; !tp_words_end(words); ++*count) {
+        tp_words start = *words;
+        raw_corner raw;
+        const int this_form = read_corner(words, &raw);
+        if (this_form < 0) {
+            const tp_word word = tp_word_next(&start);
+            TP_FAIL(err, TP_E_OBJ_NUMBER, obj->lines.first, 0, 0);
+            tp_error_word(err, word.text, word.bytes);
+            return TP_E_OBJ_NUMBER;
+        }
+        if (*count > 0 && this_form != *form)
+            return TP_FAIL(err, TP_E_OBJ_MIXED, obj->lines.first, 0, 0);
+        *form = this_form;
+        const tp_status status = take_corner(obj, &raw, this_form, err);
+        if (status != TP_OK)
+            return status;
+    }
+    return TP_OK;
+}
+
+tp_status tp_obj_face(tp_obj *obj, tp_words *words, tp_error *err)
+{
+    tp_obj_counts *const now = &obj->now;
+    int form = 0;
+    uint32_t n;
+    tp_status status = TP_OK;
+    if (obj->material == TP_NO_NAME && obj->stage == TP_STAGE_LOAD)
+        status = tp_obj_no_material(obj, err);
+    if (status == TP_OK)
+        status = take_corners(obj, words, &form, &n, err);
+    if (status != TP_OK)
+        return status;
+    if (n < 3 || n > TP_OBJ_CORNERS)
+        return TP_FAIL(err, TP_E_OBJ_CORNERS, obj->lines.first, n, TP_OBJ_CORNERS);
+    status = tp_obj_room(obj, now->triangles, obj->total.triangles, n - 2, err);
+    if (status == TP_OK)
+        status = tp_obj_room(obj, now->polygons, obj->total.polygons, 1, err);
+    if (status != TP_OK)
+        return status;
+    if (obj->stage == TP_STAGE_LOAD)
+        obj->store.polygons[now->polygons] =
+            (struct tp_obj_polygon){ obj->material, n };
+    now->polygons++;
+    now->triangles += n - 2;
+    now->smooth += !(form & HAS_NORMAL) && obj->group != 0 ? n : 0;
+    return TP_OK;
+}

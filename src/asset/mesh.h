@@ -1,0 +1,34 @@
+/* SPDX-License-Identifier: MIT */
+/* What higher ranks need of a mesh beside its open struct: unit vectors in one word.
+ *
+ * 511 stands for 1.0, so a component is off by at most 1/1022: 0.06 degrees, less than
+ * a step of an 8-bit normal map. */
+#ifndef TP_ASSET_MESH_H
+#define TP_ASSET_MESH_H
+#include "tidepool/asset.h"
+
+#define TP_DIR_ONE 511
+
+static inline uint32_t tp_dir_part(tp_q30 x)
+{
+    return (uint32_t)(((int64_t)x * TP_DIR_ONE + (1 << 29)) >> 30) & 1023;
+}
+
+/* |component| <= 1. */
+static inline tp_packed_dir tp_dir_pack(tp_dir3 d)
+{
+    return tp_dir_part(d.x) | tp_dir_part(d.y) << 10 | tp_dir_part(d.z) << 20;
+}
+
+/* Bits 0..9 as a signed number. */
+static inline int32_t tp_dir_signed(uint32_t part)
+{
+    return (int32_t)((part & 1023) ^ 512) - 512;
+}
+
+/* -511..511 */
+static inline int32_t tp_dir_x(tp_packed_dir n) { return tp_dir_signed(n); }
+static inline int32_t tp_dir_y(tp_packed_dir n) { return tp_dir_signed(n >> 10); }
+static inline int32_t tp_dir_z(tp_packed_dir n) { return tp_dir_signed(n >> 20); }
+
+#endif

@@ -1,0 +1,69 @@
+/* SPDX-License-Identifier: MIT */
+/* Sets of names: asset/names.h.  An open-addressed table of numbers, at most two
+ * thirds full; its hash begins with the file's digest, so that names cannot be
+ * chosen to collide. */
+#include "asset/names.h"
+#include "asset/table.h"
+#include "base/base.h"
+
+void tp_names_carve(tp_obj_names *names, tp_arena *arena, uint32_t most, uint32_t room)
+{
+    names->most = most;
+    names->room = room;
+    names->mask = tp_table_size(most) - 1;
+    names->start = tp_arena_take(arena, most, sizeof *names->start);
+    names->tag = tp_arena_take(arena, most, sizeof *names->tag);
+    names->table = tp_arena_take(arena, (size_t)names->mask + 1, sizeof *names->table);
+    names->text = tp_arena_take(arena, room, 1);
+}
+
+void tp_names_clear(tp_obj_names *names)
+{
+    names->count = names->used = 0;
+    memset(names->table, 0, ((size_t)names->mask + 1) * sizeof *names->table);
+}
+
+static bool is_name(const tp_obj_names *names, uint32_t i, tp_word word, uint32_t tag)
+{
+    const char *const text = tp_names_text(names, i);
+    const uint32_t next = i + 1 < names->count ? names->start[i + 1] : names->used;
+    return names->tag[i] == tag && next - names->start[i] == word.bytes + 1
+        && memcmp(text, word.text, word.bytes) == 0;
+}
+
+/* The place of the table where the name is or belongs. */
+static uint32_t *place_of(const tp_obj_names *names, tp_word word, uint32_t tag,
+                          uint64_t seed)
+{
+    uint64_t hash = tp_mix(seed, tag);
+    for (uint32_t i = 0; i < word.bytes; i++)
+        hash = tp_mix(hash, (unsigned char)word.text[i]);
+    uint32_t at = (uint32_t)hash & names->mask;
+    while (names->table[at] != 0 && !is_name(names, names->table[at] - 1, word, tag))
+        at = (at + 1) & names->mask;
+    return &names->table[at];
+}
+
+uint32_t tp_names_find(const tp_obj_names *names, tp_word word, uint32_t tag,
+                       uint64_t seed)
+{
+    const uint32_t number = *place_of(names, word, tag, seed);
+    return number != 0 ? number - 1 : TP_NO_NAME;
+}
+
+uint32_t tp_names_add(tp_obj_names *names, tp_word word, uint32_t tag, uint64_t seed)
+{
+    uint32_t *const place = place_of(names, word, tag, seed);
+    if (*place != 0)
+        return *place - 1;
+    if (names->count == names->most || word.bytes >= names->room - names->used)
+        return TP_NO_NAME;
+    const uint32_t i = names->count++;
+    names->start[i] = names->used;
+    names->tag[i] = tag;
+    memcpy(names->text + names->used, word.text, word.bytes);
+    names->text[names->used + word.bytes] = '\0';
+    names->used += word.bytes + 1;
+    *place = i + 1;
+    return i;
+}

@@ -1,0 +1,28 @@
+/* SPDX-License-Identifier: MIT */
+/* A set of names in memory whose size was counted before: materials, libraries, images.
+ * Each name has a tag, and the same text under two tags is two names. */
+#ifndef TP_ASSET_NAMES_H
+#define TP_ASSET_NAMES_H
+#include "tidepool/asset.h"
+#include "asset/word.h"
+
+#define TP_NO_NAME UINT32_MAX
+
+/* Room for `most` names of `room` bytes in all, their ends included. */
+void tp_names_carve(tp_obj_names *names, tp_arena *arena, uint32_t most, uint32_t room);
+
+/* Empties the set. */
+void tp_names_clear(tp_obj_names *names);
+
+/* The number of the name, or TP_NO_NAME.  `seed` must be the same for a set's life. */
+uint32_t tp_names_find(const tp_obj_names *names, tp_word word, uint32_t tag,
+                       uint64_t seed);
+
+/* The same, but a name that is not there is added; TP_NO_NAME: no room. */
+uint32_t tp_names_add(tp_obj_names *names, tp_word word, uint32_t tag, uint64_t seed);
+
+static inline const char *tp_names_text(const tp_obj_names *names, uint32_t i)
+{
+    return names->text + names->start[i];
+}
+#endif

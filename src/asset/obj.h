@@ -1,0 +1,94 @@
+/* SPDX-License-Identifier: MIT */
+/* What the parts of the OBJ reader share.
+ *
+ * Both passes run the same statements (obj.c, face.c); the scan counts, the load also
+ * stores.  Polygons are cut when the whole file is known (shape.c, cut.c), since a face
+ * may name vertices that follow it.  Then come the materials (mtl.c) and the mesh
+ * (bind.c).  Every number of both passes is mixed into a digest: it tells a file that
+ * changed in between, and seeds the hash tables. */
+#ifndef TP_ASSET_OBJ_H
+#define TP_ASSET_OBJ_H
+#include "tidepool/asset.h"
+#include "asset/line.h"
+#include "asset/names.h"
+#include "asset/word.h"
+
+/* What may be called next; anything else is answered with E_ARG. */
+enum {
+    TP_STAGE_SCAN, TP_STAGE_SCANNED, TP_STAGE_LOAD, TP_STAGE_LOADED, TP_STAGE_MTL,
+    TP_STAGE_FAILED
+};
+
+enum { TP_NAMES_LIBRARY, TP_NAMES_MATERIAL };
+
+#define TP_NO_TEXCOORD UINT32_MAX
+
+/* Where a corner's normal comes from: two bits of kind above an index. */
+#define TP_NORMAL_FILE  (0u << 30)      /* index of a vn */
+#define TP_NORMAL_GROUP (1u << 30)      /* smoothing group; later index of a slot */
+#define TP_NORMAL_FLAT  (2u << 30)      /* polygon */
+#define TP_NORMAL_KNOWN (3u << 30)      /* the packed normal itself */
+#define TP_NORMAL_KIND  (3u << 30)
+
+/* Corners alike in all three are one vertex.  It becomes `out` in place at the end. */
+union tp_obj_vertex {
+    struct { uint32_t position, texcoord, normal; } corner;
+    tp_mesh_vertex out;
+};
+_Static_assert(sizeof(union tp_obj_vertex) == sizeof(tp_mesh_vertex), "used as an array");
+
+struct tp_obj_texcoord { tp_fx s, t; };
+
+struct tp_obj_polygon { uint32_t material, corners; };
+
+/* The area vectors of a smoothing group's faces around one position. */
+struct tp_obj_slot { int64_t sum[3]; uint32_t position, group; };
+
+enum { TP_MAP_DIFFUSE, TP_MAP_BUMP, TP_MAPS };
+
+struct tp_obj_made {
+    uint64_t area, picture;             /* of its faces, in the shape's units */
+    uint32_t line;                      /* of the OBJ, where it is first used */
+    uint32_t map[TP_MAPS];              /* number of the image, or TP_NO_NAME */
+    bool     defined, has_diffuse, has_opacity;
+};
+
+/* obj.c: the next `most` numbers of a line, at least `need`. */
+tp_status tp_obj_numbers(const tp_obj *obj, tp_words *words, tp_word keyword,
+                         uint32_t need, uint32_t most, tp_fx *numbers, uint32_t *found,
+                         tp_error *err);
+
+/* obj.c: may `more` be added to `now`?  In the scan up to TP_OBJ_COUNT, then up to what
+ * the scan counted. */
+tp_status tp_obj_room(const tp_obj *obj, uint32_t now, uint32_t total, uint32_t more,
+                      tp_error *err);
+
+/* obj.c: the rest of the line as a name, possibly of no bytes. */
+tp_status tp_obj_name(const tp_obj *obj, tp_words *words, tp_word *name, tp_error *err);
+
+/* obj.c: feeds lines to `statement`; a failure ends the reading for good. */
+typedef tp_status tp_obj_statement(tp_obj *obj, tp_words *line, tp_error *err);
+tp_status tp_obj_lines_feed(tp_obj *obj, const void *text, size_t bytes,
+                            tp_obj_statement *statement, tp_error *err);
+tp_status tp_obj_lines_end(tp_obj *obj, tp_obj_statement *statement, tp_error *err);
+tp_status tp_obj_settle(tp_obj *obj, tp_status status);
+
+/* use.c: the statements that name things; and the number of the material "", which
+ * faces before any usemtl have. */
+tp_status tp_obj_usemtl(tp_obj *obj, tp_words *words, tp_error *err);
+tp_status tp_obj_mtllib(tp_obj *obj, tp_words *words, tp_error *err);
+tp_status tp_obj_no_material(tp_obj *obj, tp_error *err);
+
+/* face.c: the statement f. */
+tp_status tp_obj_face(tp_obj *obj, tp_words *words, tp_error *err);
+
+/* store.c: lays out the store; with an arena without a block it only counts. */
+void tp_obj_carve(tp_obj *obj, tp_arena *arena);
+
+/* shape.c: polygons become faces; vertices get their normals and final form. */
+tp_status tp_obj_shape(tp_obj *obj, tp_error *err);
+
+/* cut.c: cuts the polygon of n corners in cut->at into n - 2 triangles of its corners,
+ * in cut->triangle, with the polygon's sense of turning.  3 <= n <= TP_OBJ_CORNERS. */
+void tp_obj_cut_polygon(tp_obj_cut *cut, uint32_t n);
+#endif

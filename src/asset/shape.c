@@ -1,0 +1,252 @@
+/* SPDX-License-Identifier: MIT */
+/* From polygons to faces and finished vertices, when the whole file is known.
+ *
+ * Until here a vertex is three indices.  Faces are cut and measured by them; each adds
+ * its area vector to the smooth normals it takes part in, one sum for each position and
+ * smoothing group.  Then every vertex becomes what it stands for, in place. */
+#include "asset/obj.h"
+#include "asset/area.h"
+#include "asset/mesh.h"
+#include "asset/table.h"
+#include "base/base.h"
+
+/* -- scales -------------------------------------------------------------------------- */
+
+static void widen(int32_t *low, int32_t *high, int32_t x)
+{
+    if (x < *low)
+        *low = x;
+    if (x > *high)
+        *high = x;
+}
+
+static struct tp_obj_texcoord texcoord_of(const tp_obj_store *store, uint32_t vertex)
+{
+    const uint32_t i = store->vertices[vertex].corner.texcoord;
+    return i == TP_NO_TEXCOORD ? (struct tp_obj_texcoord){ 0, 0 } : store->texcoords[i];
+}
+
+static tp_vec3 position_of(const tp_obj_store *store, uint32_t vertex)
+{
+    return store->positions[store->vertices[vertex].corner.position];
+}
+
+static uint32_t larger(int32_t low_a, int32_t high_a, int32_t low_b, int32_t high_b)
+{
+    const uint32_t a = (uint32_t)(high_a - low_a), b = (uint32_t)(high_b - low_b);
+    return a > b ? a : b;
+}
+
+/* The bounding box, and the shifts under which the sums of areas cannot overflow. */
+static void find_scales(tp_obj *obj)
+{
+    const tp_obj_store *const store = &obj->store;
+    tp_vec3 low = position_of(store, 0), high = low;
+    struct tp_obj_texcoord first = texcoord_of(store, 0), last = first;
+    for (uint32_t i = 1; i < store->n_vertices; i++) {
+        const tp_vec3 p = position_of(store, i);
+        widen(&low.x, &high.x, p.x);
+        widen(&low.y, &high.y, p.y);
+        widen(&low.z, &high.z, p.z);
+        const struct tp_obj_texcoord tex = texcoord_of(store, i);
+        widen(&first.s, &last.s, tex.s);
+        widen(&first.t, &last.t, tex.t);
+    }
+    obj->low = low;
+    obj->high = high;
+    const uint32_t box = larger(low.x, high.x, low.y, high.y);
+    const uint32_t depth = (uint32_t)(high.z - low.z);
+    obj->area_shift = tp_area_shift(box > depth ? box : depth, obj->total.triangles);
+    obj->picture_shift = tp_area_shift(larger(first.s, last.s, first.t, last.t),
+                                       obj->total.triangles);
+}
+
+/* -- smooth normals ------------------------------------------------------------------ */
+
+static uint32_t slot_of(tp_obj_store *store, uint64_t seed, uint32_t position,
+                        uint32_t group)
+{
+    uint32_t at = (uint32_t)tp_mix(tp_mix(seed, position), group) & store->mask;
+    for (; store->table[at] != 0; at = (at + 1) & store->mask) {
+        const struct tp_obj_slot *const slot = &store->slots[store->table[at] - 1];
+        if (slot->position == position && slot->group == group)
+            return store->table[at] - 1;
+    }
+    store->slots[store->n_slots] =
+        (struct tp_obj_slot){ .position = position, .group = group };
+    store->table[at] = ++store->n_slots;
+    return store->n_slots - 1;
+}
+
+/* The table of vertices has served; it now finds slots, at most one for each corner. */
+static void give_slots(tp_obj *obj)
+{
+    tp_obj_store *const store = &obj->store;
+    memset(store->table, 0, ((size_t)store->mask + 1) * sizeof *store->table);
+    for (uint32_t i = 0; i < store->n_vertices; i++) {
+        union tp_obj_vertex *const vertex = &store->vertices[i];
+        const uint32_t normal = vertex->corner.normal;
+        if ((normal & TP_NORMAL_KIND) == TP_NORMAL_GROUP)
+            vertex->corner.normal = TP_NORMAL_GROUP
+                | slot_of(store, obj->total.digest, vertex->corner.position,
+                          normal & ~TP_NORMAL_KIND);
+    }
+}
+
+static void add_to(int64_t sum[3], tp_area area)
+{
+    sum[0] += area.x;
+    sum[1] += area.y;
+    sum[2] += area.z;
+}
+
+static void add_to_slots(tp_obj_store *store, const tp_mesh_face *face, tp_area area)
+{
+    for (int k = 0; k < 3; k++) {
+        const uint32_t normal = store->vertices[face->vertex[k]].corner.normal;
+        if ((normal & TP_NORMAL_KIND) == TP_NORMAL_GROUP)
+            add_to(store->slots[normal & ~TP_NORMAL_KIND].sum, area);
+    }
+}
+
+/* -- tangents ------------------------------------------------------------------------ */
+
+/* The cross product with the axis that lies flattest against the face. */
+static tp_dir3 any_tangent(tp_area normal)
+{
+    const tp_dir3 n = tp_area_direction(normal);
+    const int32_t x = tp_abs(n.x), y = tp_abs(n.y), z = tp_abs(n.z);
+    if (x <= y && x <= z)
+        return tp_normalise(0, n.z, -n.y);
+    return y <= z ? tp_normalise(-n.z, 0, n.x) : tp_normalise(n.y, -n.x, 0);
+}
+
+/* Where s grows: with edges e and f of (ds, dt) each, T (ds_e dt_f - ds_f dt_e) =
+ * e dt_f - f dt_e.  t grows downwards, so a picture that is not mirrored turns against
+ * the face.  Adds the picture's area to *picture. */
+static tp_packed_dir tangent_of(const tp_obj *obj, const tp_mesh_face *face, tp_vec3 e,
+                                tp_vec3 f, tp_area normal, uint64_t *picture)
+{
+    const struct tp_obj_texcoord a = texcoord_of(&obj->store, face->vertex[0]);
+    const struct tp_obj_texcoord b = texcoord_of(&obj->store, face->vertex[1]);
+    const struct tp_obj_texcoord c = texcoord_of(&obj->store, face->vertex[2]);
+    const int32_t dt_e = b.t - a.t, dt_f = c.t - a.t;
+    const int64_t turn = tp_area_term(b.s - a.s, dt_f, c.s - a.s, dt_e);
+    if (turn == 0)
+        return tp_dir_pack(any_tangent(normal));
+    *picture += (uint64_t)(turn < 0 ? -turn : turn) >> obj->picture_shift;
+    const tp_dir3 along = tp_area_direction((tp_area){
+        tp_area_term(e.x, dt_f, f.x, dt_e), tp_area_term(e.y, dt_f, f.y, dt_e),
+        tp_area_term(e.z, dt_f, f.z, dt_e) });
+    if (turn > 0)
+        return tp_dir_pack(along) | TP_TANGENT_MIRRORED;
+    return tp_dir_pack((tp_dir3){ -along.x, -along.y, -along.z });
+}
+
+/* -- faces --------------------------------------------------------------------------- */
+
+/* Makes a face of three vertices, unless it has no area; adds that to *sum. */
+static void make_face(tp_obj *obj, const uint32_t vertex[3], uint32_t material,
+                      int64_t sum[3])
+{
+    tp_obj_store *const store = &obj->store;
+    const tp_vec3 corner = position_of(store, vertex[0]);
+    const tp_vec3 e = tp_vec3_sub(position_of(store, vertex[1]), corner);
+    const tp_vec3 f = tp_vec3_sub(position_of(store, vertex[2]), corner);
+    const tp_area exact = tp_area_of(e, f);
+    if (tp_area_is_none(exact)) {
+        obj->dropped++;
+        return;
+    }
+    tp_mesh_face *const face = &store->faces[store->n_faces++];
+    struct tp_obj_made *const made = &store->made[material];
+    *face = (tp_mesh_face){ { vertex[0], vertex[1], vertex[2] }, 0, material };
+    face->tangent = tangent_of(obj, face, e, f, exact, &made->picture);
+    const tp_area area = tp_area_scaled(exact, obj->area_shift);
+    made->area += tp_area_length(area);
+    add_to(sum, area);
+    add_to_slots(store, face, area);
+}
+
+static uint32_t cut_up(tp_obj *obj, const uint32_t *corners, uint32_t n)
+{
+    tp_obj_cut *const cut = &obj->work.cut;
+    if (n == 3) {
+        for (uint8_t k = 0; k < 3; k++)
+            cut->triangle[0][k] = k;
+        return 1;
+    }
+    for (uint32_t i = 0; i < n; i++) {
+        const tp_vec3 p = position_of(&obj->store, corners[i]);
+        cut->at[0][i] = p.x;
+        cut->at[1][i] = p.y;
+        cut->at[2][i] = p.z;
+    }
+    tp_obj_cut_polygon(cut, n);
+    return n - 2;
+}
+
+/* A flat polygon's vertices are its own: they get its normal at once. */
+static void make_faces(tp_obj *obj, const struct tp_obj_polygon *polygon,
+                       const uint32_t *corners)
+{
+    tp_obj_store *const store = &obj->store;
+    int64_t sum[3] = { 0, 0, 0 };
+    const uint32_t triangles = cut_up(obj, corners, polygon->corners);
+    for (uint32_t i = 0; i < triangles; i++) {
+        const uint8_t *const of = obj->work.cut.triangle[i];
+        const uint32_t vertex[3] = { corners[of[0]], corners[of[1]], corners[of[2]] };
+        make_face(obj, vertex, polygon->material, sum);
+    }
+    const tp_packed_dir normal =
+        tp_dir_pack(tp_area_direction((tp_area){ sum[0], sum[1], sum[2] }));
+    for (uint32_t i = 0; i < polygon->corners; i++) {
+        union tp_obj_vertex *const vertex = &store->vertices[corners[i]];
+        if ((vertex->corner.normal & TP_NORMAL_KIND) == TP_NORMAL_FLAT)
+            vertex->corner.normal = TP_NORMAL_KNOWN | normal;
+    }
+}
+
+/* -- vertices ------------------------------------------------------------------------ */
+
+static tp_packed_dir normal_of(const tp_obj_store *store, uint32_t normal)
+{
+    const uint32_t i = normal & ~TP_NORMAL_KIND;
+    switch (normal & TP_NORMAL_KIND) {
+    case TP_NORMAL_FILE:
+        return store->normals[i];
+    case TP_NORMAL_GROUP: {
+        const int64_t *const sum = store->slots[i].sum;
+        return tp_dir_pack(tp_area_direction((tp_area){ sum[0], sum[1], sum[2] }));
+    }
+    default:
+        return i;
+    }
+}
+
+static void finish_vertices(tp_obj_store *store)
+{
+    for (uint32_t i = 0; i < store->n_vertices; i++) {
+        const struct tp_obj_texcoord tex = texcoord_of(store, i);
+        store->vertices[i].out = (tp_mesh_vertex){
+            .position = position_of(store, i),
+            .normal = normal_of(store, store->vertices[i].corner.normal),
+            .s = tex.s, .t = tex.t };
+    }
+}
+
+tp_status tp_obj_shape(tp_obj *obj, tp_error *err)
+{
+    tp_obj_store *const store = &obj->store;
+    find_scales(obj);
+    give_slots(obj);
+    const uint32_t *corners = store->corners;
+    for (uint32_t i = 0; i < obj->total.polygons; i++) {
+        make_faces(obj, &store->polygons[i], corners);
+        corners += store->polygons[i].corners;
+    }
+    if (store->n_faces == 0)
+        return TP_FAIL(err, TP_E_OBJ_EMPTY, obj->lines.next, 0, 0);
+    finish_vertices(store);
+    return TP_OK;
+}

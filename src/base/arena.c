@@ -1,0 +1,41 @@
+/* SPDX-License-Identifier: MIT */
+/* The bump allocator: tidepool/arena.h.  Sizes that overflow saturate `used`, so that no
+ * later take can fit either and the caller sees one failure at the end. */
+#include "tidepool/arena.h"
+#include "base/base.h"
+
+enum { ALIGNMENT = 8 };
+
+tp_arena tp_arena_over(void *block, size_t bytes)
+{
+    TP_ASSERT((uintptr_t)block % ALIGNMENT == 0);
+    return (tp_arena){ .block = block, .bytes = bytes, .used = 0, .failed = false };
+}
+
+/* count x size rounded up to the alignment; SIZE_MAX, which no block has, if that is
+ * more than a size_t holds. */
+static size_t whole_size(size_t count, size_t size)
+{
+    if (size != 0 && count > (SIZE_MAX - ALIGNMENT) / size)
+        return SIZE_MAX;
+    return (count * size + ALIGNMENT - 1) / ALIGNMENT * ALIGNMENT;
+}
+
+void *tp_arena_take(tp_arena *arena, size_t count, size_t size)
+{
+    const size_t bytes = whole_size(count, size);
+    if (bytes > SIZE_MAX - arena->used) {
+        arena->used = SIZE_MAX;
+        arena->failed = true;
+        return NULL;
+    }
+    const size_t at = arena->used;
+    arena->used += bytes;
+    if (arena->block == NULL)
+        return NULL;
+    if (arena->used > arena->bytes) {
+        arena->failed = true;
+        return NULL;
+    }
+    return arena->block + at;
+}

@@ -1,0 +1,27 @@
+/* SPDX-License-Identifier: MIT */
+/* What every rank may use: the four memory functions that a port must supply, the
+ * assertion, and the attribute of loop bodies that are written once and inlined. */
+#ifndef TP_BASE_BASE_H
+#define TP_BASE_BASE_H
+#include <stddef.h>
+
+/* The whole of the C library that the core asks for. */
+void *memcpy(void *restrict to, const void *restrict from, size_t bytes);
+void *memmove(void *to, const void *from, size_t bytes);
+void *memset(void *to, int value, size_t bytes);
+int   memcmp(const void *a, const void *b, size_t bytes);
+
+/* Contracts between functions, never the check of outside data.  Off unless the build
+ * defines it, for example as -D'TP_ASSERT(x)=((x)?(void)0:__builtin_trap())'. */
+#ifndef TP_ASSERT
+#define TP_ASSERT(condition) ((void)0)
+#endif
+
+/* For a body that takes literal flags: plain `inline` at -Os leaves the flags' tests in
+ * the loop. */
+#if defined(__GNUC__)
+#define TP_ALWAYS_INLINE static inline __attribute__((always_inline))
+#else
+#define TP_ALWAYS_INLINE static inline
+#endif
+#endif

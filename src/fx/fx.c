@@ -1,0 +1,26 @@
+/* SPDX-License-Identifier: MIT */
+/* Quotients of 16.16: exact, rounded half up.  They use the 64-bit division, which is a
+ * library call of some hundred cycles on a Cortex-M: for set-up, never per pixel. */
+#include "tidepool/fx.h"
+
+/* floor(n / d + 1/2) within the range of a tp_fx; |n| <= 2^47, d != 0. */
+static tp_fx quotient(int64_t n, int64_t d)
+{
+    const int64_t twice = 2 * n + d, whole = 2 * d;
+    int64_t q = twice / whole;
+    if (twice % whole != 0 && (twice < 0) != (whole < 0))
+        q--;                            /* C rounds towards 0, we round down */
+    return q > TP_FX_MAX ? TP_FX_MAX : q < TP_FX_MIN ? TP_FX_MIN : (tp_fx)q;
+}
+
+tp_fx tp_fx_div(tp_fx a, tp_fx b)
+{
+    if (b == 0)
+        return a > 0 ? TP_FX_MAX : a < 0 ? TP_FX_MIN : 0;
+    return quotient((int64_t)a * TP_FX_ONE, b);
+}
+
+tp_fx tp_fx_recip(tp_fx x)
+{
+    return x == 0 ? TP_FX_MAX : quotient((int64_t)TP_FX_ONE * TP_FX_ONE, x);
+}

@@ -1,0 +1,92 @@
+/* SPDX-License-Identifier: MIT */
+/* Roots and reciprocals without division: a table read with linear interpolation gives
+ * 15 to 16 good bits, one Newton step doubles them.
+ *
+ * Both hot functions take a normalised number and return one in [2^31, 2^32).  Newton's
+ * step for either never lands above the true value, and every product is rounded down,
+ * so the results cannot reach 2^32 and wrap; all inputs were tried. */
+#include "tidepool/fx.h"
+
+static const uint16_t recip_table[257] = {
+#include "fx/recip_table.inc"
+};
+
+static const uint16_t rsqrt_table[193] = {
+#include "fx/rsqrt_table.inc"
+};
+
+/* Between the entry at `at`, a number of 17 bits without its leading one, and the next,
+ * part/2^16 of the way; Q1.31.  Entries differ by less than 2^9: products fit. */
+static inline uint32_t interpolate(const uint16_t *at, uint32_t part)
+{
+    const int32_t rise = at[1] - at[0];
+    return ((0x10000u + at[0]) << 15) + (uint32_t)(rise * (int32_t)part >> 1);
+}
+
+/* Newton for 1/n: r += r (1 - n r).  n r is 2^63 (1 + d), |d| < 2^-16: 2^63 - n r has
+ * less than 48 bits, of which the low 16 are left out. */
+uint32_t tp_recip_norm(uint32_t n)
+{
+    const uint32_t r = interpolate(recip_table + (n >> 23 & 0xff), n >> 7 & 0xffff);
+    const uint64_t product = (uint64_t)n * r;
+    const int32_t error = (int32_t)(0u - (uint32_t)(product >> 16));
+    return r + (uint32_t)((int64_t)(int32_t)(r >> 1) * error >> 46);
+}
+
+/* Newton for 1/sqrt(x): r += r (1 - x r^2) / 2, r^2 rounded up.  x r^2 is 2^62 (1 + d),
+ * |d| < 2^-14. */
+uint32_t tp_rsqrt_norm(uint32_t n)
+{
+    const uint32_t r = interpolate(rsqrt_table + (n >> 24) - 64, n >> 8 & 0xffff);
+    const uint32_t square = (uint32_t)((uint64_t)r * r >> 32);
+    const uint64_t product = (uint64_t)n * square;
+    const int32_t error = (int32_t)(0u - (uint32_t)(product >> 18));
+    return r + (uint32_t)((int64_t)(int32_t)(r >> 1) * error >> 44);
+}
+
+/* The root r of n in [2^62, 2^64), rounded down: n / sqrt(n) is within 17 of it, a Newton
+ * step r += (n - r^2) / (2 r), with the reciprocal at hand, within 2, the rest is steps.
+ * |n - r^2| < 2^38; its low 8 bits are left out so that the product fits. */
+static uint32_t root_norm(uint64_t n)
+{
+    const uint32_t high = (uint32_t)(n >> 32), inverse = tp_rsqrt_norm(high);
+    uint64_t r = (uint64_t)high * inverse >> 31;
+    const int64_t left = (int64_t)(n - r * r);
+    r += (uint64_t)((left >> 8) * (int64_t)inverse >> 56);
+    if (r > UINT32_MAX)
+        r = UINT32_MAX;
+    while (r * r > n)
+        r--;
+    while (n - r * r > 2 * r)
+        r++;
+    return (uint32_t)r;
+}
+
+uint32_t tp_isqrt64(uint64_t x)
+{
+    if (x == 0)
+        return 0;
+    const uint32_t high = (uint32_t)(x >> 32);
+    const int zeros = high != 0 ? tp_clz(high) : 32 + tp_clz((uint32_t)x);
+    return root_norm(x << (zeros & ~1)) >> (zeros >> 1);
+}
+
+tp_fx tp_fx_sqrt(tp_fx x)
+{
+    if (x <= 0)
+        return 0;
+    const uint64_t square = (uint64_t)x << 16;
+    const uint32_t r = tp_isqrt64(square);
+    const uint64_t left = square - (uint64_t)r * r;
+    return (tp_fx)(left > r ? r + 1 : r);   /* beyond (r + 1/2)^2 = r^2 + r + 1/4? */
+}
+
+/* x = n / 2^s gives 2^24 / sqrt(x) = 2^47 / sqrt(n) / 2^(23 - s/2). */
+tp_fx tp_fx_rsqrt(tp_fx x)
+{
+    if (x <= 0)
+        return TP_FX_MAX;
+    const int half = tp_clz((uint32_t)x) >> 1;
+    const uint32_t r = tp_rsqrt_norm((uint32_t)x << 2 * half);
+    return (tp_fx)(((r >> (22 - half)) + 1) >> 1);
+}

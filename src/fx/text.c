@@ -1,0 +1,180 @@
+/* SPDX-License-Identifier: MIT */
+/* Decimal text to 16.16 and back, exactly, in linear time.
+ *
+ * The points where rounding changes are odd multiples of 2^-17, and 2^-17 has exactly 17
+ * decimal places.  So 17 places of the fraction, and whether anything follows them,
+ * decide; and F / 10^17 counted in 2^-17 is F / 5^17, one division.  Of the digits before
+ * the point only five matter.  Digits are looked at twice: to find the power of ten of
+ * the first that is not 0, which the exponent at the far end shifts, and to add up. */
+#include "tidepool/fx.h"
+#include <stdbool.h>
+#include <stddef.h>
+
+enum { PLACES = 17 };
+
+static const int64_t EXPONENT_CAP = 1000000000000;  /* beyond all digits there can be */
+
+static const uint64_t power_of_ten[PLACES + 1] = {
+    1, 10, 100, 1000, 10000, 100000, 1000000, 10000000, 100000000, 1000000000,
+    10000000000, 100000000000, 1000000000000, 10000000000000, 100000000000000,
+    1000000000000000, 10000000000000000, 100000000000000000,
+};
+
+/* The digits of a number as they stand in the text; there may be a point among them. */
+typedef struct {
+    const char *first;          /* the first digit that is not 0, or NULL: all are */
+    const char *end;
+    int64_t     power;          /* of ten, of the first digit */
+} digits;
+
+static bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+/* Reads digits [. digits] with at least one digit; false if there is none. */
+static bool scan_digits(const char *at, const char *end, digits *found)
+{
+    bool any = false, point = false;
+    *found = (digits){ .first = NULL, .end = at, .power = -1 };
+    for (; at < end; at++) {
+        if (*at == '.' && !point) {
+            point = true;
+            continue;
+        }
+        if (!is_digit(*at))
+            break;
+        any = true;
+        if (found->first == NULL && *at != '0')
+            found->first = at;
+        if (found->first != NULL && !point)
+            found->power++;     /* counts digits before the point, less one */
+        if (found->first == NULL && point)
+            found->power--;     /* counts zeros after it */
+    }
+    found->end = at;
+    return any;
+}
+
+/* Reads [e [+-] digits]; without digits there is no exponent and `at` is returned. */
+static const char *scan_exponent(const char *at, const char *end, int64_t *exponent)
+{
+    *exponent = 0;
+    if (at == end || (*at != 'e' && *at != 'E'))
+        return at;
+    const char *digit = at + 1;
+    const bool negative = digit < end && *digit == '-';
+    if (digit < end && (*digit == '-' || *digit == '+'))
+        digit++;
+    if (digit == end || !is_digit(*digit))
+        return at;
+    for (; digit < end && is_digit(*digit); digit++) {
+        *exponent = *exponent * 10 + (*digit - '0');
+        if (*exponent > EXPONENT_CAP)
+            *exponent = EXPONENT_CAP;
+    }
+    if (negative)
+        *exponent = -*exponent;
+    return digit;
+}
+
+/* The number in units of 2^-17, rounded down; *exact tells whether nothing was cut.
+ * `power` of the first digit is -6..4: whole < 10^5, fraction < 10^17. */
+static uint64_t half_units(const digits *number, int power, bool *exact)
+{
+    uint64_t whole = 0, fraction = 0;
+    bool more = false;
+    for (const char *at = number->first; at < number->end; at++) {
+        if (*at == '.')
+            continue;
+        const unsigned digit = (unsigned)(*at - '0');
+        if (power >= 0)
+            whole = whole * 10 + digit;
+        else if (power >= -PLACES)
+            fraction = fraction * 10 + digit;
+        else
+            more = more || digit != 0;
+        power -= power >= -PLACES;
+    }
+    if (power >= 0)
+        whole *= power_of_ten[power + 1];
+    if (power >= -PLACES)
+        fraction *= power_of_ten[power >= 0 ? 0 : power + PLACES + 1];
+    const uint64_t five_17 = 762939453125;
+    *exact = !more && fraction % five_17 == 0;
+    return (whole << PLACES) + fraction / five_17;
+}
+
+/* Half up means up also below zero: there an exact half loses magnitude. */
+static tp_fx signed_unit(uint64_t halves, bool exact, bool negative, bool *beyond)
+{
+    const bool down = negative && exact;
+    const uint64_t units = (halves + (down ? 0 : 1)) >> 1;
+    *beyond = units > (uint64_t)TP_FX_MAX + (negative ? 1 : 0);
+    if (*beyond)
+        return negative ? TP_FX_MIN : TP_FX_MAX;
+    return negative ? (tp_fx)-(int64_t)units : (tp_fx)units;
+}
+
+/* 10^5 is beyond the range, 10^-6 rounds to 0: only the powers between need digits. */
+static tp_fx number_of(const digits *number, int64_t power, bool negative, bool *beyond)
+{
+    *beyond = number->first != NULL && power > 4;
+    if (*beyond)
+        return negative ? TP_FX_MIN : TP_FX_MAX;
+    if (number->first == NULL || power < -6)
+        return 0;
+    bool exact;
+    const uint64_t halves = half_units(number, (int)power, &exact);
+    return signed_unit(halves, exact, negative, beyond);
+}
+
+uint32_t tp_fx_read(const char *text, uint32_t bytes, tp_fx *x, int *beyond)
+{
+    const char *const end = text + bytes, *at = text;
+    const bool negative = at < end && *at == '-';
+    if (at < end && (*at == '-' || *at == '+'))
+        at++;
+    digits number;
+    if (!scan_digits(at, end, &number))
+        return 0;
+    int64_t exponent;
+    at = scan_exponent(number.end, end, &exponent);
+    bool outside;
+    *x = number_of(&number, number.power + exponent, negative, &outside);
+    if (outside && beyond != NULL)
+        *beyond = 1;
+    return (uint32_t)(at - text);
+}
+
+/* The decimal of fewest places that lies within half a unit of x.  A decimal of up to 5
+ * places never lies at half a unit exactly, so no tie can read back as the neighbour. */
+static uint32_t shortest(uint32_t units, int *places)
+{
+    for (*places = 0;; ++*places) {
+        const uint64_t scale = power_of_ten[*places], exact = units * scale;
+        const uint32_t n = (uint32_t)((exact + 0x8000) >> 16);
+        const int64_t off = (int64_t)((uint64_t)n << 16) - (int64_t)exact;
+        if (2 * (off < 0 ? -off : off) < (int64_t)scale)
+            return n;                   /* at 5 places always: 2^15 < 10^5 / 2 */
+    }
+}
+
+uint32_t tp_fx_write(tp_fx x, char text[16])
+{
+    char reversed[12];                  /* 10 digits and the point */
+    int places, length = 0;
+    uint32_t n = shortest(x < 0 ? 0u - (uint32_t)x : (uint32_t)x, &places);
+    for (int i = 0; i < places; i++, n /= 10)
+        reversed[length++] = (char)('0' + n % 10);
+    if (places > 0)
+        reversed[length++] = '.';
+    do {
+        reversed[length++] = (char)('0' + n % 10);
+        n /= 10;
+    } while (n > 0);
+    uint32_t written = 0;
+    if (x < 0)
+        text[written++] = '-';
+    while (length > 0)
+        text[written++] = reversed[--length];
+    text[written] = '\0';
+    return written;
+}

@@ -1,0 +1,84 @@
+/* SPDX-License-Identifier: MIT */
+/* The formats' names and sizes, the palette, and reading pixels back. */
+#include "base/base.h"
+#include "base/text.h"
+#include "tidepool/pixel.h"
+
+static const struct { const char *name; int bits; } formats[TP_FORMAT_COUNT] = {
+#define X(format, name, bits, text) [TP_FORMAT_##format] = { #name, bits },
+    TP_FORMAT_LIST(X)
+#undef X
+};
+
+/* Levels are spread evenly, i 255/5 or i 255/6 rounded.  The cube has no grey but black
+ * and white, so the four greys stand where it leaves the widest gaps. */
+#define LEVEL_5(i)  ((uint32_t)(i) * 51u)
+#define LEVEL_6(i)  (((uint32_t)(i) * 85u + 1u) / 2u)
+#define CELL(r, g, b) LEVEL_5(r) << 16 | LEVEL_6(g) << 8 | LEVEL_5(b)
+#define BLUES(r, g) CELL(r, g, 0), CELL(r, g, 1), CELL(r, g, 2), \
+                    CELL(r, g, 3), CELL(r, g, 4), CELL(r, g, 5)
+#define GREENS(r)   BLUES(r, 0), BLUES(r, 1), BLUES(r, 2), BLUES(r, 3), \
+                    BLUES(r, 4), BLUES(r, 5), BLUES(r, 6)
+
+static const uint32_t palette[256] = {
+    GREENS(0), GREENS(1), GREENS(2), GREENS(3), GREENS(4), GREENS(5),
+    0x333333, 0x666666, 0x999999, 0xcccccc,
+};
+
+const char *tp_format_name(tp_format format)
+{
+    return (unsigned)format < TP_FORMAT_COUNT ? formats[format].name : "";
+}
+
+int tp_format_bits(tp_format format)
+{
+    return (unsigned)format < TP_FORMAT_COUNT ? formats[format].bits : 0;
+}
+
+int tp_format_of(const char *name, uint32_t bytes)
+{
+    for (int i = 0; i < TP_FORMAT_COUNT; i++)
+        if (tp_text_length(formats[i].name) == bytes
+            && memcmp(formats[i].name, name, bytes) == 0)
+            return i;
+    return -1;
+}
+
+size_t tp_format_row_bytes(tp_format format, int width)
+{
+    return width <= 0 ? 0 : ((size_t)width * (size_t)tp_format_bits(format) + 7) / 8;
+}
+
+const uint32_t *tp_palette(void)
+{
+    return palette;
+}
+
+/* The high bits of each part are repeated below, so that full stays full. */
+static uint32_t of_rgb565(uint32_t pixel)
+{
+    const uint32_t r = pixel >> 11, g = pixel >> 5 & 63, b = pixel & 31;
+    return (r << 3 | r >> 2) << 16 | (g << 2 | g >> 4) << 8 | (b << 3 | b >> 2);
+}
+
+uint32_t tp_pixel_read(tp_format format, const void *row, int x)
+{
+    const uint8_t *const bytes = row;
+    switch (format) {
+    case TP_FORMAT_XRGB8888:
+        return ((const uint32_t *)row)[x] & 0xffffff;
+    case TP_FORMAT_RGB565:
+        return of_rgb565(((const uint16_t *)row)[x]);
+    case TP_FORMAT_RGB565BE:
+        return of_rgb565((uint32_t)bytes[2 * x] << 8 | bytes[2 * x + 1]);
+    case TP_FORMAT_P8:
+        return palette[bytes[x]];
+    case TP_FORMAT_L8:
+        return bytes[x] * 0x010101u;
+    case TP_FORMAT_I1:
+        return bytes[x >> 3] & 0x80 >> (x & 7) ? 0xffffff : 0;
+    case TP_FORMAT_COUNT:
+        break;
+    }
+    return 0;
+}

@@ -1,0 +1,134 @@
+/* SPDX-License-Identifier: MIT */
+/* Finished colours become pixels: one tight loop per format.
+ *
+ * The formats of few colours are dithered by Bayer's ordered 8x8 pattern, fixed to the
+ * picture.  Its rank k = 0..63 becomes a threshold in the middle of the k-th of 64 equal
+ * parts of a level, so that over a tile of one flat colour the mean is the colour to half
+ * a 64th of a level, and both ends of the range stay free of dots.
+ * Source: B. E. Bayer, An optimum method for two-level rendition of continuous-tone
+ * pictures, ICC 1973. */
+#include "base/base.h"
+#include "pixel/pixel.h"
+
+static const uint8_t bayer[8][8] = {
+    {  0, 32,  8, 40,  2, 34, 10, 42 },
+    { 48, 16, 56, 24, 50, 18, 58, 26 },
+    { 12, 44,  4, 36, 14, 46,  6, 38 },
+    { 60, 28, 52, 20, 62, 30, 54, 22 },
+    {  3, 35, 11, 43,  1, 33,  9, 41 },
+    { 51, 19, 59, 27, 49, 17, 57, 25 },
+    { 15, 47,  7, 39, 13, 45,  5, 37 },
+    { 63, 31, 55, 23, 61, 29, 53, 21 },
+};
+
+/* The nearest level of each part.  (31 c + 127)/255 = (249 c + 1014) >> 11 and
+ * (63 c + 127)/255 = (253 c + 505) >> 10 for all c = 0..255; 249 c + 1014 < 2^16, so red
+ * and blue go through one multiply. */
+static inline uint32_t to_rgb565(uint32_t colour)
+{
+    const uint32_t red_blue = (colour & 0xff00ff) * 249 + (1014u << 16 | 1014u);
+    const uint32_t green = (colour >> 8 & 0xff) * 253 + 505;
+    return (red_blue >> 16 & 0xf800) | (green >> 5 & 0x7e0) | (red_blue >> 11 & 0x1f);
+}
+
+/* Luma of BT.601 in 8.8: weights 77, 150, 29 of 256, so white is 255 * 256. */
+static inline uint32_t luma_q8(uint32_t colour)
+{
+    return (colour >> 16 & 0xff) * 77 + (colour >> 8 & 0xff) * 150 + (colour & 0xff) * 29;
+}
+
+/* The palette's cube.  A part c times 257 is 0..65535; times the steps of its axis, plus
+ * a threshold of 512..65024, the high half is the level: c = 255 still reaches the last
+ * because 6 < 512. */
+static inline uint32_t to_palette(uint32_t colour, uint32_t rank)
+{
+    const uint32_t threshold = rank * 1024 + 512;
+    const uint32_t r = ((colour >> 16 & 0xff) * (257 * 5) + threshold) >> 16;
+    const uint32_t g = ((colour >> 8 & 0xff) * (257 * 6) + threshold) >> 16;
+    const uint32_t b = ((colour & 0xff) * (257 * 5) + threshold) >> 16;
+    return (r * 7 + g) * 6 + b;
+}
+
+static void store_rgb565(uint16_t *to, const uint32_t *colours, int count)
+{
+    for (int i = 0; i < count; i++)
+        to[i] = (uint16_t)to_rgb565(colours[i]);
+}
+
+static void store_rgb565be(uint8_t *to, const uint32_t *colours, int count)
+{
+    for (int i = 0; i < count; i++, to += 2) {
+        const uint32_t pixel = to_rgb565(colours[i]);
+        to[0] = (uint8_t)(pixel >> 8);
+        to[1] = (uint8_t)pixel;
+    }
+}
+
+static void store_p8(uint8_t *to, const uint8_t *ranks, int x, const uint32_t *colours,
+                     int count)
+{
+    for (int i = 0; i < count; i++)
+        to[i] = (uint8_t)to_palette(colours[i], ranks[(x + i) & 7]);
+}
+
+/* The fraction of luma is dithered: 255 * 256 + 4 * 63 + 2 stays below 2^16. */
+static void store_l8(uint8_t *to, const uint8_t *ranks, int x, const uint32_t *colours,
+                     int count)
+{
+    for (int i = 0; i < count; i++)
+        to[i] = (uint8_t)((luma_q8(colours[i]) + ranks[(x + i) & 7] * 4u + 2) >> 8);
+}
+
+/* 1 where luma, of 64 * 1020, is above the threshold 510, 1530, ... 64770. */
+static inline uint32_t is_white(uint32_t colour, uint32_t rank)
+{
+    return (rank * 1020 + 510 - luma_q8(colour)) >> 31;
+}
+
+/* Byte by byte; the first and the last may hold pixels of others. */
+static void store_i1(uint8_t *row, int x_in_row, const uint8_t *ranks, int x,
+                     const uint32_t *colours, int count)
+{
+    while (count > 0) {
+        const int skip = x_in_row & 7, room = 8 - skip;
+        const int n = count < room ? count : room;
+        uint32_t bits = 0;
+        for (int i = 0; i < n; i++)
+            bits = bits << 1 | is_white(colours[i], ranks[(x + i) & 7]);
+        const uint32_t mask = (0xffu >> skip) & ~(0xffu >> (skip + n));
+        uint8_t *const byte = row + (x_in_row >> 3);
+        *byte = (uint8_t)((*byte & ~mask) | bits << (room - n));
+        x_in_row += n;
+        x += n;
+        colours += n;
+        count -= n;
+    }
+}
+
+void tp_pixel_store(tp_format format, void *row, int x_in_row, int x, int y,
+                    const uint32_t *colours, int count)
+{
+    const uint8_t *const ranks = bayer[y & 7];
+    switch (format) {
+    case TP_FORMAT_XRGB8888:
+        memcpy((uint32_t *)row + x_in_row, colours, (size_t)count * sizeof *colours);
+        break;
+    case TP_FORMAT_RGB565:
+        store_rgb565((uint16_t *)row + x_in_row, colours, count);
+        break;
+    case TP_FORMAT_RGB565BE:
+        store_rgb565be((uint8_t *)row + 2 * x_in_row, colours, count);
+        break;
+    case TP_FORMAT_P8:
+        store_p8((uint8_t *)row + x_in_row, ranks, x, colours, count);
+        break;
+    case TP_FORMAT_L8:
+        store_l8((uint8_t *)row + x_in_row, ranks, x, colours, count);
+        break;
+    case TP_FORMAT_I1:
+        store_i1(row, x_in_row, ranks, x, colours, count);
+        break;
+    case TP_FORMAT_COUNT:
+        break;
+    }
+}

@@ -1,0 +1,367 @@
+/* SPDX-License-Identifier: MIT */
+/* The table of parameters: every number that a person may change, once.
+ *
+ * A row knows where its value lies in tp_scene, so one function reads and one writes all
+ * of them.  Rows stand in the order in which people should read them; the sixteen waves
+ * are one macro, written out sixteen times. */
+#include "base/base.h"
+#include "base/text.h"
+#include "tidepool/scene.h"
+
+/* ---- the rows ---------------------------------------------------------------- */
+
+#define AT(member) (uint32_t)offsetof(tp_scene, member)
+
+#define NUMBER(name, member, unit, low, high, normal, help) \
+    { name, unit, help, TP_PARAM_FX, TP_FX(low), TP_FX(high), TP_FX(normal), "", \
+      AT(member) }
+#define COUNT(name, member, unit, low, high, normal, help) \
+    { name, unit, help, TP_PARAM_INT, low, high, normal, "", AT(member) }
+#define SWITCH(name, member, normal, help) \
+    { name, "", help, TP_PARAM_BOOL, 0, 1, normal, "", AT(member) }
+#define COLOUR(name, member, normal, help) \
+    { name, "", help, TP_PARAM_COLOUR, 0, 0xffffff, normal, "", AT(member) }
+#define CHOICE(name, member, words, last, normal, help) \
+    { name, words, help, TP_PARAM_CHOICE, 0, last, normal, "", AT(member) }
+#define NAME(name, member, kind, help) \
+    { name, "", help, TP_PARAM_##kind, 0, 0, 0, "", AT(member) }
+
+/* 90 whole turns: 16.16 ends before 91.02. */
+#define HEADING(name, member, normal, help) \
+    NUMBER(name, member, "degrees", -32400, 32400, normal, help)
+
+#define WAVE(n) \
+    NUMBER("wave" #n ".amplitude", wave[n].amplitude, "m", 0, 16, 0, \
+           "half the height from trough to crest; 0: no such wave"), \
+    NUMBER("wave" #n ".length", wave[n].length, "m", 0.25, 2000, 10, \
+           "from crest to crest"), \
+    NUMBER("wave" #n ".steepness", wave[n].steepness, "", 0, 1, 0.25, \
+           "sharpness of the crests; 0: a plain sine; their sum is held below 0.95"), \
+    HEADING("wave" #n ".heading", wave[n].heading, 0, \
+           "where the wave travels to, clockwise from -z"), \
+    HEADING("wave" #n ".phase", wave[n].phase, 0, \
+           "of the wave at the origin when the clock starts"), \
+    NUMBER("wave" #n ".speed", wave[n].speed, "", 0, 8, 1, \
+           "of its natural speed; 0: it stands still")
+
+static const tp_param rows[] = {
+    NAME("scene.title", title, TEXT, "what the preview's window is called"),
+
+    NUMBER("camera.x", camera.x, "m", -8000, 8000, 0, "to the right of the origin"),
+    NUMBER("camera.y", camera.y, "m", -100, 2000, 4, "above the level of still water"),
+    NUMBER("camera.z", camera.z, "m", -8000, 8000, 0, "towards the viewer"),
+    HEADING("camera.heading", camera.heading, 0, "clockwise from -z"),
+    NUMBER("camera.pitch", camera.pitch, "degrees", -89, 89, -6, "above the horizon"),
+    NUMBER("camera.fov", camera.fov, "degrees", 20, 100, 60,
+           "angle of view from the bottom to the top of the picture"),
+    NUMBER("camera.near", camera.near, "m", 0.05, 10, 0.25, "nearer things are cut away"),
+
+    HEADING("light.heading", light.heading, 45,
+            "where the sun stands, clockwise from -z"),
+    NUMBER("light.elevation", light.elevation, "degrees", 1, 90, 35,
+           "of the sun above the horizon"),
+    COLOUR("light.colour", light.colour, 0xfff4e0, "of the sun"),
+    NUMBER("light.ambient", light.ambient, "", 0, 1, 0.35,
+           "share of light from all sides"),
+
+    COLOUR("sky.horizon", sky.horizon, 0xc8d8e4, "of the sky at the horizon"),
+    COLOUR("sky.zenith", sky.zenith, 0x3a6ea5, "of the sky overhead"),
+    NUMBER("sky.haze", sky.haze, "m", 0, 32000, 2000,
+           "distance at which half of a colour has gone into the horizon"),
+
+    COLOUR("water.colour", water.colour, 0x2a5a6e, "multiplies the texture"),
+    NAME("water.texture", water.texture, TEXTURE, "PNG laid over the water; empty: none"),
+    NUMBER("water.texture_size", water.texture_size, "m", 0.1, 1000, 8,
+           "side of the square that one repeat covers"),
+    NUMBER("water.drift_x", water.drift_x, "m/s", -20, 20, 0, "of the texture along x"),
+    NUMBER("water.drift_z", water.drift_z, "m/s", -20, 20, 0, "of the texture along z"),
+    CHOICE("water.filter", water.filter, "nearest|linear", TP_FILTER_LINEAR,
+           TP_FILTER_LINEAR, "of the texture"),
+    NAME("water.normal", water.normal, TEXTURE, "PNG of fine ripples; empty: none"),
+    NUMBER("water.normal_size", water.normal_size, "m", 0.1, 1000, 4,
+           "side of the square that one repeat of the ripples covers"),
+    NUMBER("water.normal_bump", water.normal_bump, "", 0, 4, 1,
+           "strength of the ripples; 1: as the PNG says"),
+    NUMBER("water.specular", water.specular, "", 0, 4, 1,
+           "brightness of the sun's glitter"),
+    NUMBER("water.shininess", water.shininess, "", 1, 1000, 80,
+           "exponent of the glitter: higher is smaller and sharper"),
+    NUMBER("water.reflection", water.reflection, "", 0, 1, 0.6,
+           "share of the sky in what a grazing look sees"),
+    NUMBER("water.gravity", water.gravity, "m/s^2", 0.1, 100, 9.81,
+           "sets the natural speed of waves"),
+
+    COUNT("grid.cols", grid.cols, "points", 2, 1024, 100, "of the water's mesh along x"),
+    COUNT("grid.rows", grid.rows, "points", 2, 1024, 100, "of the water's mesh along z"),
+    NUMBER("grid.cell", grid.cell, "m", 0.05, 50, 1.5, "from point to point"),
+    NUMBER("grid.reach", grid.reach, "m", 0, 16000, 4000,
+           "how far water goes on beyond the cells; 0: the grid is all"),
+    SWITCH("grid.follow", grid.follow, 1, "the grid goes with the camera"),
+
+    WAVE(0),  WAVE(1),  WAVE(2),  WAVE(3),  WAVE(4),  WAVE(5),  WAVE(6),  WAVE(7),
+    WAVE(8),  WAVE(9),  WAVE(10), WAVE(11), WAVE(12), WAVE(13), WAVE(14), WAVE(15),
+
+    NAME("boat.mesh", boat.mesh, MESH, "OBJ file of the boat; empty: none"),
+    NUMBER("boat.x", boat.x, "m", -8000, 8000, 0, "to the right of the origin"),
+    NUMBER("boat.z", boat.z, "m", -8000, 8000, -12, "towards the viewer"),
+    HEADING("boat.heading", boat.heading, 0, "where the bow points, clockwise from -z"),
+    NUMBER("boat.scale", boat.scale, "", 0.01, 100, 1, "metres per unit of the mesh"),
+    NUMBER("boat.lift", boat.lift, "m", -50, 50, 0, "of the mesh above the surface"),
+    NUMBER("boat.length", boat.length, "m", 0.1, 200, 10,
+           "between the points of bow and stern that feel the water"),
+    NUMBER("boat.beam", boat.beam, "m", 0.1, 200, 3,
+           "between the points of both sides that feel the water"),
+};
+
+enum { ROWS = sizeof rows / sizeof rows[0] };
+
+_Static_assert(TP_WAVES == 16, "a wave more or less is a row of WAVE more or less");
+
+const tp_param *tp_params(uint32_t *count)
+{
+    *count = ROWS;
+    return rows;
+}
+
+static bool is_word(const char *word, const char *text, size_t bytes)
+{
+    return tp_text_length(word) == bytes && memcmp(word, text, bytes) == 0;
+}
+
+const tp_param *tp_param_find(const char *name, size_t bytes)
+{
+    for (uint32_t i = 0; i < ROWS; i++)
+        if (is_word(rows[i].name, name, bytes))
+            return &rows[i];
+    return NULL;
+}
+
+/* ---- text to value ----------------------------------------------------------- */
+
+typedef struct { const char *text; size_t bytes; } word;
+
+static word trimmed(const char *text, size_t bytes)
+{
+    while (bytes > 0 && (*text == ' ' || (*text >= '\t' && *text <= '\r'))) {
+        text++;
+        bytes--;
+    }
+    while (bytes > 0
+           && (text[bytes - 1] == ' '
+               || (text[bytes - 1] >= '\t' && text[bytes - 1] <= '\r')))
+        bytes--;
+    return (word){ text, bytes };
+}
+
+static tp_status read_fx(word w, int32_t *value)
+{
+    int beyond = 0;
+    if (w.bytes > UINT32_MAX)
+        return TP_E_NUMBER;
+    const uint32_t bytes = (uint32_t)w.bytes;
+    if (bytes == 0 || tp_fx_read(w.text, bytes, value, &beyond) != bytes)
+        return TP_E_NUMBER;
+    return beyond ? TP_E_RANGE : TP_OK;
+}
+
+static tp_status read_int(word w, int32_t *value)
+{
+    const bool negative = w.bytes > 0 && w.text[0] == '-';
+    const size_t first = w.bytes > 0 && (negative || w.text[0] == '+');
+    int64_t sum = 0;
+    if (first == w.bytes)
+        return TP_E_NUMBER;
+    for (size_t i = first; i < w.bytes; i++) {
+        if (w.text[i] < '0' || w.text[i] > '9')
+            return TP_E_NUMBER;
+        if (sum <= INT32_MAX)           /* once above it stays above */
+            sum = sum * 10 + (w.text[i] - '0');
+    }
+    if (sum > INT32_MAX)
+        return TP_E_RANGE;
+    *value = (int32_t)(negative ? -sum : sum);
+    return TP_OK;
+}
+
+static int hex_digit(char c)
+{
+    return c >= '0' && c <= '9' ? c - '0'
+         : c >= 'a' && c <= 'f' ? c - 'a' + 10
+         : c >= 'A' && c <= 'F' ? c - 'A' + 10 : -1;
+}
+
+static tp_status read_colour(word w, int32_t *value)
+{
+    int32_t colour = 0;
+    if (w.bytes != 7 || w.text[0] != '#')
+        return TP_E_COLOUR;
+    for (int i = 1; i < 7; i++) {
+        const int digit = hex_digit(w.text[i]);
+        if (digit < 0)
+            return TP_E_COLOUR;
+        colour = colour * 16 + digit;
+    }
+    *value = colour;
+    return TP_OK;
+}
+
+/* The place of a word in a list "nearest|linear". */
+static tp_status read_choice(word w, const char *list, int32_t *value)
+{
+    for (int32_t i = 0;; i++) {
+        size_t n = 0;
+        while (list[n] != '\0' && list[n] != '|')
+            n++;
+        if (n == w.bytes && memcmp(list, w.text, n) == 0) {
+            *value = i;
+            return TP_OK;
+        }
+        if (list[n] == '\0')
+            return TP_E_CHOICE;
+        list += n + 1;
+    }
+}
+
+static tp_status read_switch(word w, int32_t *value)
+{
+    const tp_status status = read_choice(w, "off|on|no|yes|false|true|0|1", value);
+    if (status == TP_OK)
+        *value &= 1;
+    return status;
+}
+
+static tp_status read_number(const tp_param *param, word w, int32_t *value)
+{
+    tp_status status = TP_OK;
+    switch (param->kind) {
+    case TP_PARAM_FX:     status = read_fx(w, value);                   break;
+    case TP_PARAM_INT:    status = read_int(w, value);                  break;
+    case TP_PARAM_BOOL:   status = read_switch(w, value);               break;
+    case TP_PARAM_COLOUR: status = read_colour(w, value);               break;
+    case TP_PARAM_CHOICE: status = read_choice(w, param->unit, value);  break;
+    default:              return TP_E_ARG;
+    }
+    if (status == TP_OK && (*value < param->low || *value > param->high))
+        status = TP_E_RANGE;
+    return status;
+}
+
+static bool is_text(const tp_param *param)
+{
+    return param->kind == TP_PARAM_MESH || param->kind == TP_PARAM_TEXTURE
+        || param->kind == TP_PARAM_TEXT;
+}
+
+static tp_status check_text(word w)
+{
+    if (w.bytes >= TP_NAME_BYTES)
+        return TP_E_LONG;
+    for (size_t i = 0; i < w.bytes; i++)
+        if ((unsigned char)w.text[i] < 0x20 || w.text[i] == 0x7f)
+            return TP_E_TEXT;
+    return TP_OK;
+}
+
+/* The place of a row's value: an int32_t or a char[TP_NAME_BYTES]. */
+static void *value_of(tp_scene *scene, const tp_param *param)
+{
+    return (char *)scene + param->offset;
+}
+
+static tp_status set_text(tp_scene *scene, const tp_param *param, word w)
+{
+    const tp_status status = check_text(w);
+    if (status != TP_OK)
+        return status;
+    char *const name = value_of(scene, param);
+    memset(name, 0, TP_NAME_BYTES);     /* equal scenes are equal byte by byte */
+    memcpy(name, w.text, w.bytes);
+    return TP_OK;
+}
+
+static tp_status set_number(tp_scene *scene, const tp_param *param, word w)
+{
+    int32_t value = 0;
+    const tp_status status = read_number(param, w, &value);
+    if (status == TP_OK)
+        *(int32_t *)value_of(scene, param) = value;
+    return status;
+}
+
+tp_status tp_param_set(tp_scene *scene, const tp_param *param, const char *text,
+                       size_t bytes, tp_error *err)
+{
+    const word w = trimmed(text, bytes);
+    const tp_status status = is_text(param) ? set_text(scene, param, w)
+                                            : set_number(scene, param, w);
+    if (status == TP_OK)
+        return TP_OK;
+    const bool is_long = status == TP_E_LONG;
+    TP_FAIL(err, status, 0, is_long ? TP_NAME_BYTES - 1 : param->low,
+            is_long ? 0 : param->high);
+    tp_error_word(err, w.text, w.bytes);
+    return status;
+}
+
+/* ---- value to text ----------------------------------------------------------- */
+
+static void put_colour(tp_text *out, int32_t colour)
+{
+    tp_text_char(out, '#');
+    for (int shift = 20; shift >= 0; shift -= 4)
+        tp_text_char(out, "0123456789abcdef"[(uint32_t)colour >> shift & 15]);
+}
+
+static void put_choice(tp_text *out, const char *list, int32_t number)
+{
+    for (; *list != '\0' && number > 0; list++)
+        number -= *list == '|';
+    for (; *list != '\0' && *list != '|'; list++)
+        tp_text_char(out, *list);
+}
+
+static void put_fx(tp_text *out, tp_fx number)
+{
+    char digits[16];
+    tp_fx_write(number, digits);
+    tp_text_add(out, digits);
+}
+
+size_t tp_param_number_text(const tp_param *param, int32_t number, char *text,
+                            size_t bytes)
+{
+    tp_text out = tp_text_over(text, bytes);
+    switch (param->kind) {
+    case TP_PARAM_FX:     put_fx(&out, number);                         break;
+    case TP_PARAM_INT:    tp_text_int(&out, number);                    break;
+    case TP_PARAM_BOOL:   tp_text_add(&out, number != 0 ? "on" : "off"); break;
+    case TP_PARAM_COLOUR: put_colour(&out, number);                     break;
+    case TP_PARAM_CHOICE: put_choice(&out, param->unit, number);        break;
+    default:              tp_text_add(&out, param->text);               break;
+    }
+    return out.length;
+}
+
+size_t tp_param_text(const tp_scene *scene, const tp_param *param, char *text,
+                     size_t bytes)
+{
+    const char *const value = (const char *)scene + param->offset;
+    if (!is_text(param))
+        return tp_param_number_text(param, *(const int32_t *)(const void *)value, text,
+                                    bytes);
+    tp_text out = tp_text_over(text, bytes);
+    tp_text_add(&out, value);
+    return out.length;
+}
+
+void tp_scene_default(tp_scene *scene)
+{
+    memset(scene, 0, sizeof *scene);
+    for (uint32_t i = 0; i < ROWS; i++) {
+        const tp_param *const row = &rows[i];
+        if (is_text(row))
+            memcpy(value_of(scene, row), row->text, tp_text_length(row->text));
+        else
+            *(int32_t *)value_of(scene, row) = row->normal;
+    }
+}
