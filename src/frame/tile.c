@@ -33,6 +33,9 @@ static int32_t run_length(const uint32_t *key, int32_t most)
     uint32_t mark = TP_MARK(key[0]);
     int32_t  n = 1;
 
+    while (n + 4 <= most && !TP_MARK((key[n] ^ mark) | (key[n + 1] ^ mark)
+                                     | (key[n + 2] ^ mark) | (key[n + 3] ^ mark)))
+        n += 4;
     while (n < most && TP_MARK(key[n]) == mark)
         n++;
     return n;

@@ -145,21 +145,11 @@ typedef struct {
     uint32_t mark, face, pattern_rows;
 } painter;
 
-/* A quantity's value in the column x_ref of the row at hand: it grows by `down` a row,
- * by `step` a pixel, modulo 2^32. */
-typedef struct {
-    uint32_t at_ref, step, down;
-} column;
-
-TP_ALWAYS_INLINE column column_of(const tp_gradient *g, int32_t dy)
+/* At dx, dy from the triangle's own pixel, modulo 2^32. */
+TP_ALWAYS_INLINE walker walker_at(const tp_gradient *g, uint32_t dx, uint32_t dy)
 {
-    return (column){ (uint32_t)g->base + (uint32_t)g->dy * (uint32_t)dy,
-                     (uint32_t)g->dx, (uint32_t)g->dy };
-}
-
-TP_ALWAYS_INLINE walker walker_at(const column *c, int32_t dx)
-{
-    return (walker){ c->at_ref + c->step * (uint32_t)dx, c->step };
+    uint32_t step = (uint32_t)g->dx;
+    return (walker){ (uint32_t)g->base + step * dx + (uint32_t)g->dy * dy, step };
 }
 
 /* An edge's crossing with the row at hand, Q16.16. */
@@ -215,55 +205,62 @@ TP_ALWAYS_INLINE void fill_perspective(const painter *p, span *sp, int32_t y,
     }
 }
 
+/* One row, from `left` to `right`, as far as the tile wants it. */
+TP_ALWAYS_INLINE void row(const painter *p, const tp_samples *tile, int32_t y,
+                          int32_t left, int32_t right, int solid, int exact)
+{
+    int32_t x = left > tile->x0 ? left : tile->x0;
+    int32_t end = right < tile->x1 ? right : tile->x1;
+
+    if (x >= end)
+        return;
+    size_t   at = (size_t)(uint32_t)(y - tile->y0) * tile->stride
+                + (uint32_t)(x - tile->x0);
+    uint32_t dx = (uint32_t)(x - p->tri->x_ref), dy = (uint32_t)(y - p->tri->y_ref);
+    span sp = {
+        .key = tile->key + at, .s_out = tile->s + at, .t_out = tile->t + at,
+        .n_out = tile->n + at, .mark = p->mark, .x = x, .count = end - x,
+        .zi = walker_at(&p->zi, dx, dy),
+        .n0 = walker_at(&p->n0, dx, dy),
+        .n1 = walker_at(&p->n1, dx, dy),
+    };
+    if (solid) {
+        sp.n2 = walker_at(&p->n2, dx, dy);
+        sp.face = p->face;
+        sp.pattern = p->pattern_rows >> 4 * (y & 3) & 15;
+    }
+    if (exact) {
+        fill_perspective(p, &sp, y, left, right, x, end, solid);
+    } else {
+        sp.s = walker_at(&p->s, dx, dy);
+        sp.t = walker_at(&p->t, dx, dy);
+        fill(&sp, solid);
+    }
+}
+
 /* All rows of a triangle; the flags are literal. */
 TP_ALWAYS_INLINE void rows(const painter *p, const tp_samples *tile, int solid,
                            int exact)
 {
     const tp_tri *tri = p->tri;
-    int32_t  y = tri->top, dy = y - tri->y_ref;
-    column   zi = column_of(&p->zi, dy), n0 = column_of(&p->n0, dy);
-    column   n1 = column_of(&p->n1, dy), n2 = { 0 }, s = { 0 }, t = { 0 };
+    int32_t  y = tri->top;
     crossing along = crossing_of(&tri->length, y);
-    crossing other = crossing_of(y < tri->middle ? &tri->upper : &tri->lower, y);
-    size_t   line = (size_t)(uint32_t)(y - tile->y0) * tile->stride;
 
-    if (solid)
-        n2 = column_of(&p->n2, dy);
-    if (!exact) {
-        s = column_of(&p->s, dy);
-        t = column_of(&p->t, dy);
-    }
-    for (; y < tri->bottom; y++, line += tile->stride) {
-        if (y == tri->middle)
-            other = crossing_of(&tri->lower, y);
-        int32_t left = pixel_of(tri->long_left ? &along : &other);
-        int32_t right = pixel_of(tri->long_left ? &other : &along);
-        int32_t x = left > tile->x0 ? left : tile->x0;
-        int32_t end = right < tile->x1 ? right : tile->x1;
-        if (x < end) {
-            size_t  at = line + (uint32_t)(x - tile->x0);
-            int32_t dx = x - tri->x_ref;
-            span sp = {
-                .key = tile->key + at, .s_out = tile->s + at, .t_out = tile->t + at,
-                .n_out = tile->n + at, .mark = p->mark, .x = x, .count = end - x,
-                .zi = walker_at(&zi, dx), .s = walker_at(&s, dx), .t = walker_at(&t, dx),
-                .n0 = walker_at(&n0, dx), .n1 = walker_at(&n1, dx),
-                .n2 = walker_at(&n2, dx), .face = p->face,
-                .pattern = solid ? p->pattern_rows >> 4 * (y & 3) & 15 : 0,
-            };
-            if (exact)
-                fill_perspective(p, &sp, y, left, right, x, end, solid);
+    for (int half = 0; half < 2; half++) {
+        int32_t  stop = half == 0 && tri->middle < tri->bottom ? tri->middle
+                                                               : tri->bottom;
+        if (y >= stop)
+            continue;
+        crossing other = crossing_of(half == 0 && y < tri->middle ? &tri->upper
+                                                                  : &tri->lower, y);
+        for (; y < stop; y++) {
+            if (tri->long_left)
+                row(p, tile, y, pixel_of(&along), pixel_of(&other), solid, exact);
             else
-                fill(&sp, solid);
+                row(p, tile, y, pixel_of(&other), pixel_of(&along), solid, exact);
+            along.x += along.slope;
+            other.x += other.slope;
         }
-        along.x += along.slope;
-        other.x += other.slope;
-        zi.at_ref += zi.down;
-        n0.at_ref += n0.down;
-        n1.at_ref += n1.down;
-        n2.at_ref += n2.down;
-        s.at_ref += s.down;
-        t.at_ref += t.down;
     }
 }
 

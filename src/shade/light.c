@@ -37,9 +37,9 @@ TP_ALWAYS_INLINE int32_t steep_of(const tp_shade *shade, uint32_t q)
 TP_ALWAYS_INLINE void diffuse(const tp_shade *shade, tp_run *run, int rippled)
 {
     int32_t lx = shade->world.lx, ly = shade->world.ly, lz = shade->world.lz;
-    int32_t ambient = shade->ambient, direct = 256 - ambient;
+    int32_t ambient = shade->ambient, direct = 256 - ambient, count = run->count;
 
-    for (int32_t i = 0; i < run->count; i++) {
+    for (int32_t i = 0; i < count; i++) {
         int32_t sx = slope_x(run, i, rippled), sz = slope_z(run, i, rippled);
         int32_t ny = shade->steep[(square_of(sx, sz) + 0x10000) >> 17];
         int32_t nl = ly - ((sx * lx + sz * lz) >> 12);
@@ -51,9 +51,9 @@ TP_ALWAYS_INLINE void diffuse(const tp_shade *shade, tp_run *run, int rippled)
 TP_ALWAYS_INLINE void light(const tp_shade *shade, tp_run *run, int rippled)
 {
     int32_t lx = shade->world.lx, ly = shade->world.ly, lz = shade->world.lz;
-    int32_t ambient = shade->ambient, direct = 256 - ambient;
+    int32_t ambient = shade->ambient, direct = 256 - ambient, count = run->count;
 
-    for (int32_t i = 0; i < run->count; i++) {
+    for (int32_t i = 0; i < count; i++) {
         int32_t sx = slope_x(run, i, rippled), sz = slope_z(run, i, rippled);
         int32_t vx = run->vx[i], vy = run->vy[i], vz = run->vz[i];
         int32_t ny = steep_of(shade, square_of(sx, sz));

@@ -11,41 +11,36 @@ void tp_stage_plain(const tp_shade *shade, tp_run *run)
         run->colour[i] = shade->water_colour;
 }
 
-/* One level: its texels and how to find one from a place in repeats, Q0.32. */
+/* One level.  A place in repeats, Q0.32, times a side in texels has the texel in its high
+ * word: one long multiplication finds it, whatever the side. */
 typedef struct {
     const uint32_t *texel;
-    int w, h;                   /* log2 */
+    uint32_t w, h;
 } level;
 
 static level level_for(const tp_shade *shade, const tp_layer *layer, uint32_t key)
 {
     const tp_texture *texture = layer->texture;
     int l = tp_lod_of(shade, layer->lod, key, texture->levels);
-    return (level){ texture->level[l], texture->log2_w > l ? texture->log2_w - l : 0,
-                    texture->log2_h > l ? texture->log2_h - l : 0 };
-}
-
-/* Shifts by 32 do not exist: one side of 1 texel takes two shifts. */
-TP_ALWAYS_INLINE uint32_t texel_index(const level *l, uint32_t s, uint32_t t)
-{
-    uint32_t u = s >> 1 >> (31 - l->w), v = t >> 1 >> (31 - l->h);
-    return v << l->w | u;
+    return (level){ texture->level[l], 1u << (texture->log2_w > l ? texture->log2_w - l : 0),
+                    1u << (texture->log2_h > l ? texture->log2_h - l : 0) };
 }
 
 TP_ALWAYS_INLINE uint32_t nearest(const level *l, uint32_t s, uint32_t t)
 {
-    return l->texel[texel_index(l, s, t)];
+    uint32_t u = (uint32_t)((uint64_t)s * l->w >> 32);
+    uint32_t v = (uint32_t)((uint64_t)t * l->h >> 32);
+    return l->texel[v * l->w + u];
 }
 
 /* Four texels around the place.  Weights are the eight bits below a texel. */
 TP_ALWAYS_INLINE uint32_t linear(const level *l, uint32_t s, uint32_t t)
 {
-    s -= (uint32_t)0x80000000u >> l->w;
-    t -= (uint32_t)0x80000000u >> l->h;
-    uint32_t u = s >> 1 >> (31 - l->w), v = t >> 1 >> (31 - l->h);
-    uint32_t u1 = (u + 1) & ((1u << l->w) - 1), v1 = (v + 1) & ((1u << l->h) - 1);
-    uint32_t fs = (s << l->w) >> 24, ft = (t << l->h) >> 24;
-    const uint32_t *row = l->texel + (v << l->w), *below = l->texel + (v1 << l->w);
+    uint64_t su = (uint64_t)s * l->w - 0x80000000u, tv = (uint64_t)t * l->h - 0x80000000u;
+    uint32_t u = (uint32_t)(su >> 32) & (l->w - 1), u1 = (u + 1) & (l->w - 1);
+    uint32_t v = (uint32_t)(tv >> 32) & (l->h - 1), v1 = (v + 1) & (l->h - 1);
+    uint32_t fs = (uint32_t)su >> 24, ft = (uint32_t)tv >> 24;
+    const uint32_t *row = l->texel + v * l->w, *below = l->texel + v1 * l->w;
     uint32_t above_mix = tp_colour_mix(row[u], row[u1], fs);
 
     return tp_colour_mix(above_mix, tp_colour_mix(below[u], below[u1], fs), ft);
@@ -54,18 +49,18 @@ TP_ALWAYS_INLINE uint32_t linear(const level *l, uint32_t s, uint32_t t)
 TP_ALWAYS_INLINE void texture(const tp_shade *shade, tp_run *run, int filter, int tinted)
 {
     const tp_layer *layer = &shade->water;
+    const uint32_t *rest_s = run->s, *rest_t = run->t;
     uint32_t tint = shade->water_colour, per_metre = layer->per_metre;
     uint32_t drift_s = layer->drift_s, drift_t = layer->drift_t;
-    int32_t  i = 0;
+    int32_t  count = run->count;
 
-    while (i < run->count) {
+    for (int32_t i = 0; i < count; ) {
         level   l = level_for(shade, layer, run->key[i]);
         int32_t stop = i + 16 - ((run->x + i) & 15);
-        if (stop > run->count)
-            stop = run->count;
+        stop = stop < count ? stop : count;
         for (; i < stop; i++) {
-            uint32_t s = run->s[i] * per_metre + drift_s;
-            uint32_t t = run->t[i] * per_metre + drift_t;
+            uint32_t s = rest_s[i] * per_metre + drift_s;
+            uint32_t t = rest_t[i] * per_metre + drift_t;
             uint32_t texel = filter ? linear(&l, s, t) : nearest(&l, s, t);
             run->colour[i] = tinted ? tp_colour_times(texel, tint) : texel & 0xffffff;
         }
