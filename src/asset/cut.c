@@ -103,10 +103,11 @@ static int64_t look_at(view *seen, uint32_t n)
 
 /* -- ears --------------------------------------------------------------------------- */
 
-/* Corner p stands on corner x of the triangle x, y, z: does an edge of p lead inside? */
-static bool leads_inside(const view *seen, uint8_t p, uint8_t x, uint8_t y, uint8_t z)
+/* Corner p stands on the border of a triangle, whose inside is seen from there between
+ * the directions to y and, turning left, to z: does an edge of p lead in? */
+static bool leads_inside(const view *seen, uint8_t p, uint8_t y, uint8_t z)
 {
-    const step to_y = between(seen, x, y), to_z = between(seen, x, z);
+    const step to_y = between(seen, p, y), to_z = between(seen, p, z);
     const step before = between(seen, p, seen->cut->before[p]);
     const step after = between(seen, p, seen->cut->after[p]);
     return (turn(to_y, before) > 0 && turn(before, to_z) > 0)
@@ -118,18 +119,23 @@ static bool same_place(const view *seen, uint8_t a, uint8_t b)
     return seen->u[a] == seen->u[b] && seen->v[a] == seen->v[b];
 }
 
-/* Does corner p stand in the way of the triangle a, b, c? */
+/* Does corner p stand in the way of cutting a, b, c?  It does within the triangle and on
+ * the new edge between c and a; on a corner or on the outline's own edges a - b - c, where
+ * the outline may touch itself, only if an edge of p goes in from there. */
 static bool blocks(const view *seen, uint8_t p, uint8_t a, uint8_t b, uint8_t c)
 {
-    if (area(seen, a, b, p) < 0 || area(seen, b, c, p) < 0 || area(seen, c, a, p) < 0)
+    const int64_t ab = area(seen, a, b, p), bc = area(seen, b, c, p);
+    if (ab < 0 || bc < 0 || area(seen, c, a, p) < 0)
         return false;
+    if (ab > 0 && bc > 0)
+        return true;
     if (same_place(seen, p, a))
-        return leads_inside(seen, p, a, b, c);
+        return leads_inside(seen, p, b, c);
     if (same_place(seen, p, b))
-        return leads_inside(seen, p, b, c, a);
+        return leads_inside(seen, p, c, a);
     if (same_place(seen, p, c))
-        return leads_inside(seen, p, c, a, b);
-    return true;
+        return leads_inside(seen, p, a, b);
+    return ab == 0 ? leads_inside(seen, p, b, a) : leads_inside(seen, p, c, b);
 }
 
 /* cut->tried[b] is the corner where the last test of b stopped.  It may have been cut
@@ -152,18 +158,21 @@ static void forget(tp_obj_cut *cut, uint8_t b)
     cut->tried[b] = cut->after[cut->after[b]];
 }
 
-/* The corner to cut next, from `start` on: an ear; without one a corner of no area; or
- * else the start. */
+/* Does the outline come back from corner b the way it went there, or stand still?  To
+ * cut that off takes no area and changes nothing. */
+static bool is_spike(const view *seen, uint8_t b)
+{
+    const step in = between(seen, seen->cut->before[b], b);
+    const step out = between(seen, b, seen->cut->after[b]);
+    return turn(in, out) == 0 && in.x * out.x + in.y * out.y <= 0;
+}
+
+/* The corner to cut next, from `start` on: a spike or an ear, or else the start. */
 static uint8_t choose(const view *seen, uint8_t start, uint32_t left)
 {
-    const tp_obj_cut *const cut = seen->cut;
     uint8_t b = start;
-    for (uint32_t i = 0; i < left; i++, b = cut->after[b]) {
-        if (is_ear(seen, b))
-            return b;
-    }
-    for (uint32_t i = 0; i < left; i++, b = cut->after[b]) {
-        if (area(seen, cut->before[b], b, cut->after[b]) == 0)
+    for (uint32_t i = 0; i < left; i++, b = seen->cut->after[b]) {
+        if (is_spike(seen, b) || is_ear(seen, b))
             return b;
     }
     return start;
