@@ -1,0 +1,195 @@
+# SPDX-License-Identifier: MIT
+# Tidepool.  `make help` lists the targets.  What is made lies under build/TARGET/, so that
+# builds of several kinds live side by side:  make TARGET=clang CC=clang
+# A board is a target of its own, described in its folder:  make BOARD=cortex-m elf
+
+TARGET  ?= host
+MACHINE ?= $(TARGET)
+OPT     ?= -O2 -g
+ARCH    ?=
+PREFIX  ?= /usr/local
+SCENE   ?= three-swells
+all:
+ifdef BOARD
+include ports/$(BOARD)/board.mk
+endif
+BUILD  := build/$(TARGET)
+
+# -- the core, by rank -----------------------------------------------------------------
+
+CORE := $(addprefix src/, \
+    base/arena.c base/status.c base/text.c \
+    fx/fx.c fx/mat.c fx/sqrt.c fx/text.c fx/trig.c fx/vec.c \
+    pixel/crc32.c pixel/format.c pixel/store.c \
+    asset/area.c asset/bind.c asset/cut.c asset/face.c asset/line.c asset/mtl.c \
+    asset/names.c asset/obj.c asset/shape.c asset/store.c asset/texture.c \
+    asset/use.c asset/word.c \
+    wave/gerstner.c \
+    geom/clip.c geom/grid.c geom/lens.c \
+    raster/span.c raster/tri.c \
+    shade/haze.c shade/light.c shade/sky.c shade/solid.c shade/tables.c \
+    shade/texture.c shade/view.c \
+    scene/boat.c scene/params.c scene/world.c \
+    frame/boat.c frame/frame.c frame/plan.c frame/tile.c frame/water.c)
+
+# -- the program, for machines with files and threads ------------------------------------
+
+PORTS := $(addprefix ports/, \
+    host/args.c host/assets.c host/canvas.c host/film.c host/hashes.c host/lists.c \
+    host/nearest.c host/output.c host/path.c host/picture.c host/png_read.c \
+    host/png_write.c host/render.c host/say.c host/scene_file.c host/scene_ini.c \
+    host/sink.c host/stage.c host/timing.c \
+    null/null.c)
+MAIN  := ports/host/main.c
+ifneq ($(shell pkg-config --exists sdl2 2>/dev/null && echo yes),)
+PORTS += $(addprefix ports/, sdl2/control.c sdl2/view.c sdl2/window.c)
+SDL_CFLAGS := $(patsubst -I%,-isystem %,$(shell pkg-config --cflags sdl2)) -DTP_HAVE_SDL2
+SDL_LIBS   := $(shell pkg-config --libs sdl2)
+endif
+LIBS := -lpng -linih -lpthread -lm $(SDL_LIBS)
+
+# -- how to compile; CFLAGS and LDFLAGS are the user's ------------------------------------
+
+WARN   := -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wvla -Wdouble-promotion \
+          -Wstrict-prototypes -Wmissing-prototypes -Werror
+FLAGS  := -std=c11 $(WARN) -Iinclude -MMD -MP -fmacro-prefix-map=$(CURDIR)/= $(OPT) $(ARCH)
+BARE   := -Isrc -ffreestanding -ffunction-sections -fdata-sections
+HOSTED := -Iports -Isrc -I. $(SDL_CFLAGS)
+COMPILE = $(CC) $(FLAGS) $(CPPFLAGS) $(CFLAGS)
+LINK    = $(CC) $(OPT) $(ARCH) $(LDFLAGS)
+
+LIB     := $(BUILD)/libtidepool.a
+PROGRAM := $(BUILD)/tidepool
+CORE_O  := $(CORE:%.c=$(BUILD)/%.o)
+PORTS_O := $(PORTS:%.c=$(BUILD)/%.o)
+UNIT    := $(patsubst %.c,$(BUILD)/%,$(wildcard tests/unit/test_*.c tests/host/test_*.c))
+FUZZ    := $(patsubst %.c,$(BUILD)/%,$(wildcard tests/fuzz/fuzz_*.c))
+GOLDEN  := $(BUILD)/tests/golden/test_frames $(BUILD)/tests/golden/test_harness
+FRAMES  := $(BUILD)/tests/cross/frames
+BAKED   := build/baked/three-swells.c
+
+# -- what people ask for -------------------------------------------------------------------
+
+## build the program and the library
+all: $(PROGRAM) $(LIB)
+## build the library alone
+lib: $(LIB)
+## install what is missing, build, show SCENE; without a display draw it to files
+run:
+	@ports/setup.sh run
+	@$(MAKE) --no-print-directory $(PROGRAM)
+	@ports/run.sh $(PROGRAM) $(SCENE)
+## install what is light and run the host's tests
+test:
+	@ports/setup.sh test
+	@$(MAKE) --no-print-directory host-tests
+## install the rest and run every test: other processors, boards, windows
+test-all:
+	@ports/setup.sh all
+	@$(if $(TESTED),,$(MAKE) --no-print-directory host-tests)
+	@$(MAKE) --no-print-directory more-tests
+## instructions, stack and RAM on an emulated Cortex-M4 and on this machine
+count: $(PROGRAM) $(FRAMES) build/host/count.so
+	@tests/budgets/board-count.sh
+	@tests/budgets/host-count.sh
+## instructions a pixel of the scene that other renderers were measured on
+bench: $(BUILD)/tests/bench/scene_s
+	@tests/bench/run.sh $<
+## feed the readers random input, FUZZ_SECONDS (20) for each
+fuzz:
+	@tests/fuzz/run.sh
+## write the reference pictures anew; say in the commit why, and the PSNR it prints
+golden: $(BUILD)/tests/golden/test_frames
+	$< --write
+## draw the pictures of the README
+gallery: $(PROGRAM)
+	$(PROGRAM) render three-swells --size 1280x720 --out assets/gallery/three-swells.png
+## make the boats and textures anew from their generators
+assets: $(BUILD)/assets/boats/longship $(BUILD)/assets/textures/textures
+	$(BUILD)/assets/boats/longship assets/boats
+	$(BUILD)/assets/textures/textures assets/textures
+## install under PREFIX (/usr/local)
+install: all
+	install -d $(DESTDIR)$(PREFIX)/bin $(DESTDIR)$(PREFIX)/lib
+	install $(PROGRAM) $(DESTDIR)$(PREFIX)/bin
+	install -m 644 $(LIB) $(DESTDIR)$(PREFIX)/lib
+	for f in include/tidepool/*.h; do install -Dm 644 $$f $(DESTDIR)$(PREFIX)/$$f; done
+	cd assets && for f in scenes/* boats/*.* textures/*.png; do \
+	    install -Dm 644 $$f $(DESTDIR)$(PREFIX)/share/tidepool/$$f; done
+## lay the sources out by .clang-format
+format:
+	clang-format -i include/tidepool/*.h src/*/*.[ch] ports/*/*.[ch] tests/*/*.[ch]
+## remove everything that was made
+clean:
+	rm -rf build out
+## this list
+help:
+	@awk '/^## / { text = substr($$0, 4); getline; sub(/:.*/, ""); \
+	    printf "  %-10s %s\n", $$0, text }' Makefile
+
+# -- tests ---------------------------------------------------------------------------------
+
+SAN := TARGET=san OPT='-O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all'
+RUN := TP_BUILD=$(BUILD) TP_PROGRAM=$(PROGRAM) tests/run.sh
+
+unit: $(UNIT)
+everything: all unit $(GOLDEN) $(FRAMES) $(BUILD)/tests/bench/scene_s
+host-tests: everything
+	@$(MAKE) --no-print-directory $(SAN) unit
+	@$(RUN) build/log/host $(UNIT) $(UNIT:build/host/%=build/san/%) $(GOLDEN) \
+	    tests/gates/host.sh tests/gates/selftest.sh tests/host/cli.sh
+more-tests: everything build/host/count.so
+	@$(RUN) build/log/more tests/gates/arm.sh tests/gates/clang.sh tests/host/view.sh \
+	    tests/cross/run.sh tests/budgets/board-count.sh tests/fuzz/run.sh
+fuzzers: $(FUZZ)
+elf: $(BUILD)/tidepool.elf
+list-core:
+	@echo $(CORE)
+
+# -- how things are made -----------------------------------------------------------------------
+
+$(LIB): $(CORE_O)
+$(BUILD)/ports.a: $(PORTS_O)
+%.a:
+	@rm -f $@
+	$(AR) rcs $@ $^
+$(PROGRAM): $(MAIN:%.c=$(BUILD)/%.o) $(BUILD)/ports.a $(LIB)
+	$(LINK) $^ $(LIBS) -o $@
+$(BUILD)/tests/%: $(BUILD)/tests/%.o $(BUILD)/ports.a $(LIB)
+	$(LINK) $(filter %.o,$^) $(filter %.a,$^) -lcmocka $(LIBS) -o $@
+$(GOLDEN): $(BUILD)/tests/golden/golden.o
+$(FUZZ): $(BUILD)/%: $(BUILD)/%.o $(LIB)
+	$(LINK) -fsanitize=fuzzer $^ -o $@
+$(BUILD)/assets/%: $(BUILD)/assets/%.o
+	$(LINK) $^ $(LIBS) -o $@
+# The scene as constants, for what has no files: built once for each processor.
+$(BAKED): build/host/tests/cross/bake $(wildcard assets/scenes/* assets/boats/*.[mop]* \
+          assets/textures/*.png)
+	@mkdir -p $(@D)
+	$< assets/scenes/$(basename $(@F)).ini -o $@
+build/baked/$(MACHINE).o: $(BAKED)
+	$(COMPILE) -I. -c $< -o $@
+$(FRAMES): $(FRAMES).o build/baked/$(MACHINE).o $(LIB)
+	$(LINK) $^ -o $@
+build/host/count.so: tests/budgets/count.c $(BUILD)/flags
+	$(COMPILE) -D_POSIX_C_SOURCE=200809L -fPIC -shared $< -o $@
+$(BUILD)/tidepool.elf: $(BOARD_C:%.c=$(BUILD)/ports/$(BOARD)/%.o) build/baked/$(MACHINE).o \
+          $(LIB) ports/$(BOARD)/board.ld
+	$(LINK) -nostdlib -T $(filter %.ld,$^) -Wl,--gc-sections $(filter-out %.ld,$^) \
+	    -lgcc -o $@
+
+$(BUILD)/src/%.o: src/%.c $(BUILD)/flags
+	@mkdir -p $(@D)
+	$(COMPILE) $(BARE) -c $< -o $@
+$(BUILD)/%.o: %.c $(BUILD)/flags
+	@mkdir -p $(@D)
+	$(COMPILE) $(HOSTED) -c $< -o $@
+# Another compiler or other flags are a reason to compile again.
+$(BUILD)/flags: force
+	@mkdir -p $(@D)
+	@echo '$(COMPILE) $(SDL_CFLAGS)' | cmp -s - $@ || echo '$(COMPILE) $(SDL_CFLAGS)' >$@
+
+.PHONY: all lib run test test-all count bench fuzz golden gallery assets install format \
+    clean help unit everything host-tests more-tests fuzzers elf list-core force
+.SECONDARY:
+-include $(shell find $(BUILD) -name '*.d' 2>/dev/null)

@@ -1,0 +1,124 @@
+/* SPDX-License-Identifier: MIT */
+/* The baked scene on a bare Cortex-M: drawn band by band, as a board with an SPI display
+ * would, and told in CRCs, which must be the host's.
+ *
+ * The empty functions are marks for whoever counts instructions: what the core does for
+ * a whole frame, what it does for its tiles, and where another size begins. */
+#include "board.h"
+#include "semihost.h"
+#include "tests/cross/baked.h"
+
+#ifndef BOARD_BAND
+#define BOARD_BAND 16
+#endif
+#define BOARD_FRAMES 2
+
+#define MARK(name) \
+    void name(void); \
+    __attribute__((noinline)) void name(void) { __asm__ volatile("" ::: "memory"); }
+MARK(count_as_frame)
+MARK(count_as_tiles)
+MARK(count_end)
+MARK(count_section)
+
+/* -- words --------------------------------------------------------------------------- */
+
+static void put_number(const char *before, uint32_t n, uint32_t base, int least_digits)
+{
+    char  text[12];
+    char *c = text + sizeof text - 1;
+    *c = '\0';
+    for (; n || least_digits > 0; n /= base, least_digits--)
+        *--c = "0123456789abcdef"[n % base];
+    semihost_write(before);
+    semihost_write(c);
+}
+
+static void put_decimal(const char *before, uint32_t n)
+{
+    put_number(before, n, 10, 1);
+}
+
+_Noreturn static void stop(const char *why)
+{
+    semihost_write(why);
+    semihost_write("\n");
+    semihost_exit(1);
+}
+
+/* -- a picture ------------------------------------------------------------------------- */
+
+/* Draws one frame; its CRC.  A band takes the picture's whole width, so the rows of the
+ * tiles follow each other. */
+static uint32_t draw(tp_frame *frame, const tp_frame_config *config, void *scratch,
+                     const tp_world *world, uint32_t *water_pixels)
+{
+    tp_tile  tile;
+    uint32_t crc = 0;
+    *water_pixels = 0;
+    count_as_frame();
+    tp_frame_begin(frame, world);
+    count_as_tiles();
+    for (uint32_t i = 0; tp_frame_tile(frame, i, scratch, &tile); i++) {
+        count_end();
+        const uint8_t *row = tile.pixels;
+        for (uint32_t y = tile.y0; y < tile.y1; y++, row += tile.stride)
+            crc = tp_crc32_pixels(crc, config->format, row, (int)config->width);
+        *water_pixels += tp_frame_water_pixels(frame, scratch, &tile);
+        count_as_tiles();
+    }
+    count_end();
+    return crc;
+}
+
+static void run(uint32_t width, uint32_t height)
+{
+    const tp_frame_config config = { width, height, 0, BOARD_BAND, TP_FORMAT_RGB565 };
+    static tp_world world;
+    tp_arena  arena = tp_arena_over(arena_start, (size_t)(arena_end - arena_start));
+    void     *block = tp_arena_take(&arena, 1, tp_frame_bytes(&baked_scene, &baked_assets,
+                                                              &config));
+    void     *scratch = tp_arena_take(&arena, 1, tp_frame_scratch_bytes(&config));
+    tp_frame *frame;
+    tp_error  err;
+
+    put_decimal("size ", width);
+    put_decimal("x", height);
+    semihost_write("\n");
+    if (arena.failed
+        || tp_frame_init(&frame, &baked_scene, &baked_assets, &config, block, &err))
+        stop("the frame does not fit");
+    tp_world_init(&world, &baked_scene);
+    for (uint32_t n = 0; n < BOARD_FRAMES; n++) {
+        uint32_t water;
+        uint32_t crc = draw(frame, &config, scratch, &world, &water);
+        put_number("frame ", n, 10, 4);
+        put_number(" crc32 ", crc, 16, 8);
+        put_decimal("\nwater ", water);
+        put_decimal(" vertices ", tp_frame_last_stats(frame).vertices);
+        put_decimal(" triangles ", tp_frame_last_stats(frame).triangles);
+        put_decimal(" dropped ", tp_frame_last_stats(frame).dropped);
+        semihost_write("\n");
+        tp_world_step(&world, &baked_scene, NULL);
+    }
+    const tp_frame_ram ram = tp_frame_memory(frame);
+    put_decimal("ram frame ", (uint32_t)ram.frame);
+    put_decimal(" vertices ", (uint32_t)ram.vertices);
+    put_decimal(" tables ", (uint32_t)ram.tables);
+    put_decimal(" scratch ", (uint32_t)ram.scratch);
+    put_decimal(" world ", (uint32_t)sizeof world);
+    put_decimal(" stack ", board_stack_used());
+    semihost_write("\n");
+    count_section();
+}
+
+int main(void)
+{
+#ifdef BOARD_SIZE
+    run(BOARD_SIZE);
+#else
+    run(320, 240);
+    run(640, 480);
+#endif
+    return 0;
+}

@@ -1,0 +1,28 @@
+/* SPDX-License-Identifier: MIT */
+/* Semihosting calls of Arm's "Semihosting for AArch32 and AArch64": a breakpoint 0xab
+ * with the operation in r0 and its argument in r1. */
+#include "semihost.h"
+
+enum { SYS_WRITE0 = 0x04, SYS_EXIT_EXTENDED = 0x20 };
+
+#define APPLICATION_EXIT 0x20026u
+
+static void call(uint32_t operation, const void *argument)
+{
+    register uint32_t    r0 __asm__("r0") = operation;
+    register const void *r1 __asm__("r1") = argument;
+    __asm__ volatile("bkpt 0xab" : "+r"(r0) : "r"(r1) : "memory");
+}
+
+void semihost_write(const char *text)
+{
+    call(SYS_WRITE0, text);
+}
+
+_Noreturn void semihost_exit(int code)
+{
+    const uint32_t reason[2] = { APPLICATION_EXIT, (uint32_t)code };
+    call(SYS_EXIT_EXTENDED, reason);
+    for (;;)
+        ;
+}

@@ -1,0 +1,246 @@
+/* SPDX-License-Identifier: MIT */
+/* Reading options.  A row of the table names an option, says which commands take it,
+ * and reads its value: a new option is a row and a function of a few lines. */
+#include "args.h"
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include "canvas.h"
+#include "nearest.h"
+#include "say.h"
+
+#define SIDE_LOW   16           /* of a picture, as the core takes it */
+#define SIDE_HIGH  4096
+#define FRAME_HIGH 999999999u   /* half a year of ticks */
+
+/* Reads a value into *o; NULL, or what was expected instead. */
+typedef const char *(*reader)(options *o, const char *value);
+
+typedef struct {
+    const char *name, *value;   /* value: NULL for a switch */
+    unsigned    commands;
+    reader      read;
+    const char *help;
+} option_row;
+
+/* Decimal digits alone, low..high; *end, if asked for, is where they stop. */
+static bool read_count(const char *text, const char **end, uint32_t low, uint32_t high,
+                       uint32_t *count)
+{
+    uint64_t n = 0;
+    const char *c = text;
+    for (; *c >= '0' && *c <= '9'; c++) {
+        n = n * 10 + (uint64_t)(*c - '0');
+        if (n > high)
+            return false;
+    }
+    if (c == text || n < low || (!end && *c))
+        return false;
+    *count = (uint32_t)n;
+    if (end)
+        *end = c;
+    return true;
+}
+
+static const char *read_size(options *o, const char *value)
+{
+    const char *end;
+    if (read_count(value, &end, SIDE_LOW, SIDE_HIGH, &o->width) && *end == 'x'
+        && read_count(end + 1, NULL, SIDE_LOW, SIDE_HIGH, &o->height))
+        return NULL;
+    return "WIDTHxHEIGHT, each 16..4096";
+}
+
+static const char *read_frames(options *o, const char *value)
+{
+    const char *end;
+    uint32_t count;
+    if (read_count(value, NULL, 1, FRAME_HIGH, &count)) {
+        o->first = 0;
+        o->last = count - 1;
+        return NULL;
+    }
+    if (read_count(value, &end, 0, FRAME_HIGH, &o->first) && *end == ':'
+        && read_count(end + 1, NULL, o->first, FRAME_HIGH, &o->last))
+        return NULL;
+    return "a count from 1, or FIRST:LAST with 0 <= FIRST <= LAST <= 999999999";
+}
+
+static const char *read_set(options *o, const char *value)
+{
+    o->settings[o->n_settings++] = value;
+    return NULL;
+}
+
+static const char *read_out(options *o, const char *value)
+{
+    o->out = value;
+    return *value ? NULL : "a file name";
+}
+
+static const char *read_format(options *o, const char *value)
+{
+    const int format = tp_format_of(value, (uint32_t)strlen(value));
+    o->format = (tp_format)(format < 0 ? 0 : format);
+    return format < 0 ? "xrgb8888, rgb565, rgb565be, p8, l8 or i1" : NULL;
+}
+
+static const char *read_band(options *o, const char *value)
+{
+    return read_count(value, NULL, 1, SIDE_HIGH, &o->band) ? NULL : "rows, 1..4096";
+}
+
+static const char *read_strip(options *o, const char *value)
+{
+    return read_count(value, NULL, 16, SIDE_HIGH, &o->strip) && o->strip % 16 == 0
+           ? NULL : "columns, a multiple of 16 in 16..4096";
+}
+
+static const char *read_threads(options *o, const char *value)
+{
+    return read_count(value, NULL, 1, CANVAS_THREADS, &o->threads) ? NULL : "1..64";
+}
+
+static const char *read_visibility(options *o, const char *value)
+{
+    (void)o;                    /* triangles is what auto comes to */
+    return strcmp(value, "auto") == 0 || strcmp(value, "triangles") == 0
+           ? NULL : "auto or triangles";
+}
+
+static const char *read_hash(options *o, const char *value)
+{
+    (void)value;
+    o->hash = true;
+    return NULL;
+}
+
+static const char *read_expect(options *o, const char *value)
+{
+    o->expect = value;
+    return *value ? NULL : "a file name";
+}
+
+static const char *read_stats(options *o, const char *value)
+{
+    (void)value;
+    o->stats = true;
+    return NULL;
+}
+
+static const char *read_help(options *o, const char *value)
+{
+    (void)value;
+    o->help = true;
+    return NULL;
+}
+
+#define ALL (FOR_RENDER | FOR_VIEW | FOR_PARAMS | FOR_SCENES)
+
+static const option_row rows[] = {
+    { "--size", "WxH", FOR_RENDER | FOR_VIEW, read_size, "picture, 640x480 by default" },
+    { "--frames", "N|A:B", FOR_RENDER, read_frames,
+      "0..N-1 or A..B; n is the world after n ticks of 1/60 s" },
+    { "--set", "NAME=VALUE", FOR_RENDER | FOR_VIEW | FOR_PARAMS, read_set,
+      "change one parameter of the scene; may be repeated" },
+    { "--out", "FILE", FOR_RENDER, read_out,
+      "f-%04d.png, film.y4m, or - for a film to stdout" },
+    { "--format", "NAME", FOR_RENDER | FOR_VIEW, read_format,
+      "xrgb8888 rgb565 rgb565be p8 l8 i1" },
+    { "--band", "ROWS", FOR_RENDER, read_band, "draw in bands of so many rows" },
+    { "--strip", "COLS", FOR_RENDER, read_strip, "draw in strips, columns in 16s" },
+    { "--threads", "N", FOR_RENDER | FOR_VIEW, read_threads, "draw tiles in N threads" },
+    { "--visibility", "HOW", FOR_RENDER | FOR_VIEW, read_visibility,
+      "auto or triangles" },
+    { "--hash", NULL, FOR_RENDER, read_hash, "print the CRC-32 of every frame" },
+    { "--expect", "FILE", FOR_RENDER, read_expect,
+      "compare with such a list; exit 1 where it differs" },
+    { "--stats", NULL, FOR_RENDER, read_stats, "print times, counts and RAM as JSON" },
+    { "--help", NULL, ALL, read_help, "this text" },
+};
+
+#define ROWS (sizeof rows / sizeof *rows)
+
+void args_print(unsigned command)
+{
+    for (size_t i = 0; i < ROWS; i++) {
+        const option_row *row = &rows[i];
+        char left[32];
+        if (!(row->commands & command))
+            continue;
+        snprintf(left, sizeof left, "%s %s", row->name, row->value ? row->value : "");
+        printf("  %-18s %s\n", left, row->help);
+    }
+}
+
+static int refuse(const options *o, const char *what)
+{
+    return fail(EXIT_USAGE, "tidepool %s: %s; see `tidepool %s --help`", o->command, what,
+                o->command);
+}
+
+static int refuse_option(const options *o, unsigned command, const char *name)
+{
+    char what[160];
+    nearest best = nearest_to(name);
+    for (size_t i = 0; i < ROWS; i++)
+        if (rows[i].commands & command)
+            nearest_offer(&best, rows[i].name);
+    snprintf(what, sizeof what, best.name ? "no option %.60s; did you mean %s?"
+                                          : "no option %.60s", name, best.name);
+    return refuse(o, what);
+}
+
+static const option_row *row_of(unsigned command, const char *word, size_t length)
+{
+    for (const option_row *row = rows; row < rows + ROWS; row++)
+        if ((row->commands & command) && strlen(row->name) == length
+            && memcmp(row->name, word, length) == 0)
+            return row;
+    return NULL;
+}
+
+/* "--name value" or "--name=value"; *i moves on if the value is its own word. */
+static int read_option(options *o, unsigned command, int argc, char **argv, int *i)
+{
+    const char *word = argv[*i], *equals = strchr(word, '=');
+    const size_t length = equals ? (size_t)(equals - word) : strlen(word);
+    char what[160];
+    const option_row *row = row_of(command, word, length);
+    if (!row || (!row->value && equals))
+        return refuse_option(o, command, word);
+    const char *value = equals ? equals + 1 : row->value ? argv[++*i] : "";
+    if (row->value && *i >= argc) {
+        snprintf(what, sizeof what, "%s needs a value", row->name);
+        return refuse(o, what);
+    }
+    const char *expected = row->read(o, value);
+    if (!expected)
+        return EXIT_DONE;
+    snprintf(what, sizeof what, "%s %.40s: expected %s", row->name, value, expected);
+    return refuse(o, what);
+}
+
+int args_read(options *o, unsigned command, int argc, char **argv)
+{
+    *o = (options){ .command = argv[0], .width = 640, .height = 480 };
+    o->settings = calloc((size_t)argc, sizeof *o->settings);
+    if (!o->settings)
+        return fail_memory((size_t)argc * sizeof *o->settings);
+    for (int i = 1; i < argc; i++) {
+        int code = EXIT_DONE;
+        if (argv[i][0] == '-')
+            code = read_option(o, command, argc, argv, &i);
+        else if (o->scene || command == FOR_SCENES)
+            code = refuse(o, "too many names");
+        else
+            o->scene = argv[i];
+        if (code)
+            return code;
+    }
+    if (o->band && o->strip)
+        return refuse(o, "--band and --strip exclude each other");
+    if (!o->scene && !o->help && (command & (FOR_RENDER | FOR_VIEW)))
+        return refuse(o, "which scene?");
+    return EXIT_DONE;
+}

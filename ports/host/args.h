@@ -1,0 +1,33 @@
+/* SPDX-License-Identifier: MIT */
+/* The command line: one table of options that every command draws from. */
+#ifndef HOST_ARGS_H
+#define HOST_ARGS_H
+#include <stdbool.h>
+#include <stdint.h>
+#include "tidepool/pixel.h"
+
+typedef struct {
+    const char  *command, *scene;   /* scene: NULL if none is given */
+    uint32_t     width, height;
+    uint32_t     first, last;       /* frames, both included */
+    const char **settings;          /* "name=value", in their order */
+    uint32_t     n_settings;
+    const char  *out;               /* NULL: draw and throw away */
+    tp_format    format;
+    uint32_t     band, strip;       /* sides of tiles, 0: the program chooses */
+    uint32_t     threads;           /* 0: not given */
+    bool         hash, stats;
+    const char  *expect;            /* list of hashes */
+    bool         help;
+} options;
+
+/* Commands, for the table's masks. */
+enum { FOR_RENDER = 1, FOR_VIEW = 2, FOR_PARAMS = 4, FOR_SCENES = 8 };
+
+/* `command` is one of FOR_...; argv[0] is its name.  EXIT_USAGE: said why.  The caller
+ * frees settings in any case. */
+int args_read(options *o, unsigned command, int argc, char **argv);
+
+/* The options of a command, one a line, on stdout. */
+void args_print(unsigned command);
+#endif

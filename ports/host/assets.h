@@ -1,0 +1,22 @@
+/* SPDX-License-Identifier: MIT */
+/* What a scene names, loaded: its boat with materials and pictures, its textures. */
+#ifndef HOST_ASSETS_H
+#define HOST_ASSETS_H
+#include "scene_file.h"
+#include "tidepool/frame.h"
+
+typedef struct assets_block assets_block;
+
+typedef struct {
+    tp_assets     names;        /* what the frame takes: points below */
+    tp_mesh       boat;
+    tp_texture    water, water_normal;
+    assets_block *blocks;       /* all memory of it */
+    size_t        mesh_bytes, texture_bytes;
+} assets;
+
+/* Nothing is half-loaded: after a failure, which it has explained, *a is empty.
+ * It must not move while names are in use. */
+int  assets_open(assets *a, const scene_file *file);
+void assets_close(assets *a);
+#endif

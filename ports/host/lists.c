@@ -1,0 +1,154 @@
+/* SPDX-License-Identifier: MIT */
+/* tidepool scenes and tidepool params: what there is to draw and to change. */
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include "args.h"
+#include "commands.h"
+#include "path.h"
+#include "say.h"
+#include "stage.h"
+
+/* -- scenes ---------------------------------------------------------------------- */
+
+static int list_scenes(const char *folder)
+{
+    size_t count;
+    int code = EXIT_DONE, width = 0;
+    char **names = path_scene_names(folder, &count);
+    for (size_t i = 0; i < count; i++)
+        width = (int)strlen(names[i]) > width ? (int)strlen(names[i]) : width;
+    for (size_t i = 0; i < count; i++) {
+        scene_file file;
+        const int bad = scene_file_open(&file, names[i]);
+        if (bad)
+            code = bad;
+        else
+            printf("%-*s  %s\n", width, names[i], file.scene.title);
+        scene_file_close(&file);
+    }
+    path_free_names(names, count);
+    return code;
+}
+
+int scenes_command(int argc, char **argv)
+{
+    options o;
+    int code = args_read(&o, FOR_SCENES, argc, argv);
+    if (!code && o.help) {
+        puts("usage: tidepool scenes\nLists the shipped scenes with their titles.");
+    } else if (!code) {
+        char *folder = path_of_scenes();
+        code = folder ? list_scenes(folder)
+                      : fail(EXIT_INPUT, "tidepool: no shipped scenes were found beside"
+                             " the program");
+        free(folder);
+    }
+    free(o.settings);
+    const int end = finish_stdout();
+    return code ? code : end;
+}
+
+/* -- params ---------------------------------------------------------------------- */
+
+enum { NAME, VALUE, UNIT, RANGE, COLUMNS };
+
+#define CELL_BYTES (TP_NAME_BYTES + 16)
+
+typedef char cells[COLUMNS][CELL_BYTES];
+
+static void range_text(const tp_param *param, char *text, size_t bytes)
+{
+    char low[32], high[32];
+    switch (param->kind) {
+    case TP_PARAM_FX:
+    case TP_PARAM_INT:
+        tp_param_number_text(param, param->low, low, sizeof low);
+        tp_param_number_text(param, param->high, high, sizeof high);
+        snprintf(text, bytes, "%s..%s", low, high);
+        break;
+    case TP_PARAM_BOOL:    snprintf(text, bytes, "off|on"); break;
+    case TP_PARAM_COLOUR:  snprintf(text, bytes, "#rrggbb"); break;
+    case TP_PARAM_CHOICE:  snprintf(text, bytes, "%s", param->unit); break;
+    case TP_PARAM_MESH:    snprintf(text, bytes, "an OBJ file"); break;
+    case TP_PARAM_TEXTURE: snprintf(text, bytes, "a PNG file"); break;
+    case TP_PARAM_TEXT:    snprintf(text, bytes, "a text"); break;
+    }
+}
+
+static void fill(cells row, const tp_scene *scene, const tp_param *param)
+{
+    snprintf(row[NAME], CELL_BYTES, "%s", param->name);
+    tp_param_text(scene, param, row[VALUE], CELL_BYTES);
+    snprintf(row[UNIT], CELL_BYTES, "%s",
+             param->kind == TP_PARAM_CHOICE ? "" : param->unit);
+    range_text(param, row[RANGE], CELL_BYTES);
+}
+
+static void print_row(cells row, const int width[COLUMNS], const char *help)
+{
+    for (int i = 0; i < COLUMNS; i++)
+        printf("%-*s  ", width[i], row[i]);
+    puts(help);
+}
+
+static void print_table(const tp_scene *scene, const char *value_title)
+{
+    uint32_t count;
+    const tp_param *params = tp_params(&count);
+    cells row = { "name", "", "unit", "range" };
+    int width[COLUMNS] = { 4, (int)strlen(value_title), 4, 5 };
+    strcpy(row[VALUE], value_title);
+    for (uint32_t i = 0; i < count; i++) {
+        cells each;
+        fill(each, scene, &params[i]);
+        for (int k = 0; k < COLUMNS; k++)
+            width[k] = (int)strlen(each[k]) > width[k] ? (int)strlen(each[k]) : width[k];
+    }
+    print_row(row, width, "meaning");
+    for (uint32_t i = 0; i < count; i++) {
+        fill(row, scene, &params[i]);
+        print_row(row, width, params[i].help);
+    }
+}
+
+static void print_defaults(void)
+{
+    tp_scene scene;
+    tp_scene_default(&scene);
+    print_table(&scene, "default");
+}
+
+static int print_scene(const options *o)
+{
+    scene_file file;
+    tp_world world;
+    const int code = stage_read(&file, o);
+    if (!code) {
+        tp_world_init(&world, &file.scene);
+        print_table(&file.scene, "value");
+        stage_report_clamps(&file, &world);
+    }
+    scene_file_close(&file);
+    return code;
+}
+
+int params_command(int argc, char **argv)
+{
+    options o;
+    int code = args_read(&o, FOR_PARAMS, argc, argv);
+    if (!code && o.help) {
+        puts("usage: tidepool params [SCENE] [OPTION]...\n"
+             "Lists every parameter with its default, or with its value in a scene.\n");
+        args_print(FOR_PARAMS);
+    } else if (!code && !o.scene && o.n_settings) {
+        code = fail(EXIT_USAGE, "tidepool params: --set needs a scene");
+    } else if (!code && !o.scene) {
+        print_defaults();
+    } else if (!code) {
+        code = print_scene(&o);
+    }
+    free(o.settings);
+    const int end = finish_stdout();
+    return code ? code : end;
+}

@@ -1,0 +1,47 @@
+/* SPDX-License-Identifier: MIT */
+/* The nearest known name by Levenshtein's distance: the fewest letters put in, left out
+ * or changed that make one word the other (Wagner and Fischer 1974, one row kept). */
+#include "nearest.h"
+#include <string.h>
+
+#define LETTERS 64          /* longer words are not compared */
+
+static unsigned least(unsigned a, unsigned b)
+{
+    return a < b ? a : b;
+}
+
+static unsigned distance(const char *a, const char *b)
+{
+    const size_t n = strlen(b);
+    unsigned row[LETTERS + 1];
+    for (unsigned j = 0; j <= n; j++)
+        row[j] = j;
+    for (size_t i = 0; a[i]; i++) {
+        unsigned diagonal = row[0];
+        row[0] = (unsigned)i + 1;
+        for (size_t j = 0; j < n; j++) {
+            const unsigned change = diagonal + (a[i] != b[j]);
+            diagonal = row[j + 1];
+            row[j + 1] = least(change, 1 + least(row[j], row[j + 1]));
+        }
+    }
+    return row[n];
+}
+
+/* A third of the letters may differ: more is no slip of the fingers. */
+nearest nearest_to(const char *wanted)
+{
+    return (nearest){ wanted, NULL, (unsigned)(strlen(wanted) / 3) + 2 };
+}
+
+void nearest_offer(nearest *best, const char *name)
+{
+    if (strlen(best->wanted) > LETTERS || strlen(name) > LETTERS)
+        return;
+    const unsigned d = distance(best->wanted, name);
+    if (d < best->distance) {
+        best->distance = d;
+        best->name = name;
+    }
+}

@@ -1,0 +1,118 @@
+/* SPDX-License-Identifier: MIT */
+/* Whole files or none, also when a signal ends the program. */
+#define _XOPEN_SOURCE 700       /* realpath */
+#include "output.h"
+#include <errno.h>
+#include <signal.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+#include "path.h"
+#include "say.h"
+
+/* The temporary file that exists now, "" if none does: the handler has to find it. */
+static char pending[4096];
+
+static void remove_pending(int signal_number)
+{
+    if (pending[0])
+        unlink(pending);
+    signal(signal_number, SIG_DFL);
+    raise(signal_number);
+}
+
+/* Signals that somebody else already takes care of stay theirs. */
+static void watch_signals(void)
+{
+    static const int deadly[] = { SIGINT, SIGTERM, SIGHUP };
+    for (size_t i = 0; i < sizeof deadly / sizeof *deadly; i++) {
+        struct sigaction now;
+        if (sigaction(deadly[i], NULL, &now) == 0 && now.sa_handler == SIG_DFL)
+            signal(deadly[i], remove_pending);
+    }
+    signal(SIGPIPE, SIG_IGN);       /* a write to it then fails with EPIPE */
+    signal(SIGXFSZ, SIG_IGN);       /* likewise EFBIG */
+}
+
+/* mkstemp makes files private; a result is as readable as any other file. */
+static FILE *open_temporary(void)
+{
+    const int descriptor = mkstemp(pending);
+    if (descriptor < 0)
+        return NULL;
+    const mode_t mask = umask(0);
+    umask(mask);
+    fchmod(descriptor, 0666 & ~mask);
+    return fdopen(descriptor, "wb");
+}
+
+static int refuse(output *out, int error)
+{
+    pending[0] = 0;
+    free(out->target);
+    *out = (output){ .name = out->name };
+    return fail(EXIT_INPUT, "%s: %s", out->name, strerror(error));
+}
+
+int output_open(output *out, const char *name)
+{
+    struct stat info;
+    *out = (output){ .name = name };
+    watch_signals();
+    if (strcmp(name, "-") == 0) {
+        out->name = "standard output";
+        out->file = stdout;
+        return EXIT_DONE;
+    }
+    const bool exists = stat(name, &info) == 0;
+    if (exists && !S_ISREG(info.st_mode)) {
+        out->file = fopen(name, "wb");
+        return out->file ? EXIT_DONE : refuse(out, errno);
+    }
+    out->target = exists ? realpath(name, NULL) : path_copy(name, strlen(name));
+    char *temporary = out->target ? path_beside(out->target, ".tidepool-XXXXXX") : NULL;
+    if (!temporary || strlen(temporary) >= sizeof pending) {
+        free(temporary);
+        return refuse(out, temporary ? ENAMETOOLONG : ENOMEM);
+    }
+    strcpy(pending, temporary);
+    free(temporary);
+    out->file = open_temporary();
+    return out->file ? EXIT_DONE : refuse(out, errno);
+}
+
+void output_discard(output *out)
+{
+    if (out->file && out->file != stdout)
+        fclose(out->file);
+    if (out->target && pending[0])
+        unlink(pending);
+    pending[0] = 0;
+    free(out->target);
+    *out = (output){ .name = out->name };
+}
+
+int output_failed(output *out, int error)
+{
+    output_discard(out);
+    return fail(EXIT_INPUT, "%s: %s", out->name, strerror(error));
+}
+
+int output_close(output *out)
+{
+    FILE *file = out->file;
+    errno = 0;
+    const bool bad = ferror(file) || fflush(file);
+    int error = bad ? (errno ? errno : EIO) : 0;
+    if (file != stdout && fclose(file) && !error)
+        error = errno;
+    out->file = NULL;
+    if (!error && out->target && rename(pending, out->target))
+        error = errno;
+    if (error)
+        return output_failed(out, error);
+    pending[0] = 0;
+    output_discard(out);
+    return EXIT_DONE;
+}

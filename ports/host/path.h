@@ -1,0 +1,27 @@
+/* SPDX-License-Identifier: MIT */
+/* File names: joining them, and where the shipped scenes lie.  What returns a char *
+ * returns memory that the caller frees, or NULL when there is none. */
+#ifndef HOST_PATH_H
+#define HOST_PATH_H
+#include <stdbool.h>
+#include <stddef.h>
+
+/* `name` as the file `from` means it: relative to the folder that `from` lies in. */
+char *path_beside(const char *from, const char *name);
+
+/* folder/name, or folder/name.ini with suffix ".ini". */
+char *path_join(const char *folder, const char *name, const char *suffix);
+
+char *path_copy(const char *text, size_t bytes);
+bool  path_is_file(const char *path);       /* and no folder */
+bool  path_ends(const char *path, const char *suffix);
+
+/* The folder of shipped scenes: beside the executable or in the install prefix;
+ * NULL if there is none. */
+char *path_of_scenes(void);
+
+/* Names of the shipped scenes, sorted, without ".ini"; *count of them.  Free with
+ * path_free_names. */
+char **path_scene_names(const char *folder, size_t *count);
+void   path_free_names(char **names, size_t count);
+#endif

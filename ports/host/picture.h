@@ -1,0 +1,33 @@
+/* SPDX-License-Identifier: MIT */
+/* Pictures in memory and as PNG files. */
+#ifndef HOST_PICTURE_H
+#define HOST_PICTURE_H
+#include <stdint.h>
+#include "tidepool/pixel.h"
+
+/* A drawn picture: rows of tp_format_row_bytes(), one after the other. */
+typedef struct {
+    tp_format format;
+    uint32_t  width, height;
+    size_t    row_bytes;
+    uint8_t  *rows;
+} picture;
+
+static inline const uint8_t *picture_row(const picture *p, uint32_t y)
+{
+    return p->rows + y * p->row_bytes;
+}
+
+/* Row y as 0x00RRGGBB, one a pixel. */
+void picture_expand_row(const picture *p, uint32_t y, uint32_t *pixels);
+
+/* CRC-32 of the shown colours, whatever the format and the machine. */
+uint32_t picture_crc(const picture *p);
+
+/* As palette, grey, 1-bit or RGB PNG of exactly the shown colours. */
+int picture_write_png(const picture *p, const char *name);
+
+/* The pixels of a PNG of any kind as 0xAARRGGBB, to free; sides 1..4096.  `who` names
+ * the file in messages as "named by ...".  NULL: it could not be had, and said why. */
+uint32_t *picture_read_png(const char *name, const char *who, uint32_t *w, uint32_t *h);
+#endif

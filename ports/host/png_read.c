@@ -1,0 +1,134 @@
+/* SPDX-License-Identifier: MIT */
+/* PNG files of any depth and colour type to 0xAARRGGBB.
+ *
+ * The file may be hostile: sides are held to what a texture can have before anything is
+ * allocated, so are ancillary chunks, and every error of libpng ends here. */
+#include <errno.h>
+#include <png.h>
+#include <setjmp.h>
+#include <stdbool.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include "picture.h"
+#include "say.h"
+
+#define SIDE        4096
+#define CHUNKS      64              /* ancillary ones kept */
+#define CHUNK_BYTES (8u << 20)      /* of one of them, uncompressed */
+
+typedef struct {
+    FILE       *file;
+    png_structp png;
+    png_infop   info;
+    uint32_t    w, h;
+    uint8_t    *rgba;
+    png_bytep  *rows;
+    char        why[160];
+} png_reader;
+
+static void refuse(png_structp png, png_const_charp text)
+{
+    png_reader *r = png_get_error_ptr(png);
+    snprintf(r->why, sizeof r->why, "%s", text);
+    png_longjmp(png, 1);
+}
+
+static void ignore(png_structp png, png_const_charp text)
+{
+    (void)png;
+    (void)text;
+}
+
+static void get(png_structp png, png_bytep data, size_t bytes)
+{
+    png_reader *r = png_get_io_ptr(png);
+    errno = 0;
+    if (fread(data, 1, bytes, r->file) != bytes)
+        png_error(png, ferror(r->file) ? strerror(errno) : "the file ends too early");
+}
+
+/* Whatever comes, rows of R, G, B, A bytes go out. */
+static void ask_for_rgba(png_structp png, png_infop info)
+{
+    png_set_expand(png);
+    png_set_scale_16(png);
+    png_set_gray_to_rgb(png);
+    png_set_add_alpha(png, 0xff, PNG_FILLER_AFTER);
+    png_set_interlace_handling(png);
+    png_read_update_info(png, info);
+}
+
+static void allocate(png_reader *r)
+{
+    const size_t row = 4 * (size_t)r->w;
+    if (png_get_rowbytes(r->png, r->info) != row)
+        png_error(r->png, "rows of an unexpected size");
+    r->rgba = malloc(row * r->h);
+    r->rows = malloc(r->h * sizeof *r->rows);
+    if (!r->rgba || !r->rows)
+        png_error(r->png, "out of memory");
+    for (uint32_t y = 0; y < r->h; y++)
+        r->rows[y] = r->rgba + y * row;
+}
+
+static bool read_all(png_reader *r)
+{
+    if (setjmp(png_jmpbuf(r->png)))
+        return false;
+    png_set_read_fn(r->png, r, get);
+    png_set_user_limits(r->png, SIDE, SIDE);
+    png_set_chunk_cache_max(r->png, CHUNKS);
+    png_set_chunk_malloc_max(r->png, CHUNK_BYTES);
+    png_read_info(r->png, r->info);
+    r->w = png_get_image_width(r->png, r->info);
+    r->h = png_get_image_height(r->png, r->info);
+    ask_for_rgba(r->png, r->info);
+    allocate(r);
+    png_read_image(r->png, r->rows);
+    png_read_end(r->png, NULL);
+    return true;
+}
+
+/* In place: four bytes become the word that they are. */
+static uint32_t *words_of(uint8_t *rgba, size_t count)
+{
+    uint32_t *words = (uint32_t *)(void *)rgba;
+    for (size_t i = 0; i < count; i++) {
+        const uint8_t *b = rgba + 4 * i;
+        words[i] = (uint32_t)b[3] << 24 | (uint32_t)b[0] << 16 | (uint32_t)b[1] << 8
+                 | b[2];
+    }
+    return words;
+}
+
+static bool read_open_file(png_reader *r)
+{
+    r->png = png_create_read_struct(PNG_LIBPNG_VER_STRING, r, refuse, ignore);
+    r->info = r->png ? png_create_info_struct(r->png) : NULL;
+    if (!r->info)
+        snprintf(r->why, sizeof r->why, "out of memory");
+    const bool done = r->info && read_all(r);
+    png_destroy_read_struct(&r->png, &r->info, NULL);
+    free(r->rows);
+    return done;
+}
+
+uint32_t *picture_read_png(const char *name, const char *who, uint32_t *w, uint32_t *h)
+{
+    png_reader r = { .file = fopen(name, "rb") };
+    if (!r.file) {
+        say("%s: %s (named by %s)", name, strerror(errno), who);
+        return NULL;
+    }
+    const bool done = read_open_file(&r);
+    fclose(r.file);
+    if (!done) {
+        free(r.rgba);
+        say("%s: not a good PNG: %s (named by %s)", name, r.why, who);
+        return NULL;
+    }
+    *w = r.w;
+    *h = r.h;
+    return words_of(r.rgba, (size_t)r.w * r.h);
+}

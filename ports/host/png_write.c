@@ -1,0 +1,119 @@
+/* SPDX-License-Identifier: MIT */
+/* Drawn pictures to PNG.  libpng reports errors by longjmp: whatever has to be freed
+ * lies in one struct outside of the function that jumps. */
+#include <errno.h>
+#include <png.h>
+#include <setjmp.h>
+#include <stdbool.h>
+#include <stdlib.h>
+#include <string.h>
+#include "output.h"
+#include "picture.h"
+#include "say.h"
+
+typedef struct {
+    output      out;
+    png_structp png;
+    png_infop   info;
+    uint32_t   *pixels;         /* of a row, as 0x00RRGGBB */
+    uint8_t    *rgb;            /* of a row */
+    int         error;          /* errno of the write that failed */
+} png_writer;
+
+static void put(png_structp png, png_bytep data, size_t bytes)
+{
+    png_writer *w = png_get_io_ptr(png);
+    errno = 0;
+    if (fwrite(data, 1, bytes, w->out.file) != bytes) {
+        w->error = errno ? errno : EIO;
+        png_error(png, "write failed");
+    }
+}
+
+static void flush(png_structp png)      /* output_close does it */
+{
+    (void)png;
+}
+
+static void jump(png_structp png, png_const_charp text)
+{
+    (void)text;
+    png_longjmp(png, 1);
+}
+
+static void ignore(png_structp png, png_const_charp text)
+{
+    (void)png;
+    (void)text;
+}
+
+static void put_palette(png_writer *w)
+{
+    png_color colours[256];
+    for (int i = 0; i < 256; i++) {
+        const uint32_t c = tp_palette()[i];
+        colours[i] = (png_color){ (png_byte)(c >> 16), (png_byte)(c >> 8), (png_byte)c };
+    }
+    png_set_PLTE(w->png, w->info, colours, 256);
+}
+
+static void put_header(png_writer *w, const picture *p)
+{
+    const bool grey = p->format == TP_FORMAT_L8 || p->format == TP_FORMAT_I1;
+    const bool indexed = p->format == TP_FORMAT_P8;
+    const int type = grey ? PNG_COLOR_TYPE_GRAY
+                   : indexed ? PNG_COLOR_TYPE_PALETTE : PNG_COLOR_TYPE_RGB;
+    png_set_IHDR(w->png, w->info, p->width, p->height, p->format == TP_FORMAT_I1 ? 1 : 8,
+                 type, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT,
+                 PNG_FILTER_TYPE_DEFAULT);
+    png_set_sRGB(w->png, w->info, PNG_sRGB_INTENT_PERCEPTUAL);
+    if (indexed)
+        put_palette(w);
+    png_write_info(w->png, w->info);
+}
+
+/* p8, l8 and i1 lie in memory as they lie in a PNG. */
+static const uint8_t *row_for_png(png_writer *w, const picture *p, uint32_t y)
+{
+    if (tp_format_bits(p->format) <= 8)
+        return picture_row(p, y);
+    picture_expand_row(p, y, w->pixels);
+    for (uint32_t x = 0; x < p->width; x++) {
+        w->rgb[3 * x]     = (uint8_t)(w->pixels[x] >> 16);
+        w->rgb[3 * x + 1] = (uint8_t)(w->pixels[x] >> 8);
+        w->rgb[3 * x + 2] = (uint8_t)w->pixels[x];
+    }
+    return w->rgb;
+}
+
+static bool write_all(png_writer *w, const picture *p)
+{
+    if (setjmp(png_jmpbuf(w->png)))
+        return false;
+    png_set_write_fn(w->png, w, put, flush);
+    put_header(w, p);
+    for (uint32_t y = 0; y < p->height; y++)
+        png_write_row(w->png, row_for_png(w, p, y));
+    png_write_end(w->png, w->info);
+    return true;
+}
+
+int picture_write_png(const picture *p, const char *name)
+{
+    png_writer w = { .error = 0 };
+    int code = output_open(&w.out, name);
+    if (code)
+        return code;
+    w.png = png_create_write_struct(PNG_LIBPNG_VER_STRING, NULL, jump, ignore);
+    w.info = w.png ? png_create_info_struct(w.png) : NULL;
+    w.pixels = malloc(p->width * sizeof *w.pixels);
+    w.rgb = malloc(3 * (size_t)p->width);
+    if (!w.info || !w.pixels || !w.rgb || !write_all(&w, p))
+        code = output_failed(&w.out, w.error ? w.error : ENOMEM);
+    else
+        code = output_close(&w.out);
+    png_destroy_write_struct(&w.png, &w.info);
+    free(w.pixels);
+    free(w.rgb);
+    return code;
+}

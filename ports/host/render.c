@@ -1,0 +1,128 @@
+/* SPDX-License-Identifier: MIT */
+/* tidepool render: frames to files, hashes and figures.  Every frame is drawn, asked
+ * for or not: a run without --out measures. */
+#include <inttypes.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include "commands.h"
+#include "hashes.h"
+#include "say.h"
+#include "sink.h"
+#include "stage.h"
+#include "timing.h"
+
+typedef struct {
+    stage    stage;
+    sink     sink;
+    hashes   expected;
+    timings  times;
+    FILE    *report;            /* where hashes and figures go */
+} render;
+
+static void print_help(void)
+{
+    puts("usage: tidepool render SCENE [OPTION]...\n"
+         "Draws frames of a scene: to PNG files, to a film, or to nowhere, to measure.\n"
+         "SCENE is the name of a shipped scene or the path of an INI file.\n");
+    args_print(FOR_RENDER);
+    puts("\nExit: 0 done, 1 a frame differs from --expect, 2 usage,"
+         " 3 bad input or output.");
+}
+
+/* What one frame is drawn for: its file first, so that a frame that differs from the
+ * list can be looked at. */
+static int use_frame(render *r, const options *o, uint32_t frame)
+{
+    const picture *p = &r->stage.canvas.picture;
+    int code = sink_add(&r->sink, p, frame);
+    if (code || (!o->hash && !o->expect))
+        return code;
+    const uint32_t crc = picture_crc(p);
+    if (o->hash)
+        hash_print(r->report, frame, crc);
+    return o->expect ? hashes_check(&r->expected, frame, crc) : EXIT_DONE;
+}
+
+static int draw_frames(render *r, const options *o)
+{
+    stage *s = &r->stage;
+    progress p = progress_begin();
+    int code = EXIT_DONE;
+    for (uint32_t n = 0; n <= o->last && !code; n++) {
+        if (n > 0)
+            tp_world_step(&s->world, &s->file.scene, NULL);
+        if (n >= o->first) {
+            const uint64_t begin = now_us();
+            canvas_draw(&s->canvas, &s->world);
+            timings_add(&r->times, now_us() - begin);
+            code = use_frame(r, o, n);
+        }
+        if (n >= o->first || n % 4096 == 0)
+            progress_show(&p, n, o->last + 1);
+    }
+    say_progress("");
+    return code;
+}
+
+/* "frame" holds "vertices" and "tables"; there is a "scratch" for every thread. */
+static void print_stats(render *r)
+{
+    const stage *s = &r->stage;
+    const canvas *c = &s->canvas;
+    const tp_frame_stats stats = tp_frame_last_stats(c->frame);
+    const tp_frame_ram ram = tp_frame_memory(c->frame);
+    const size_t frames = r->times.count;
+    const uint32_t median = timings_median(&r->times);
+    fprintf(r->report,
+            "{\"frames\": %zu, \"ms_median\": %" PRIu32 ".%03" PRIu32 ", "
+            "\"water_pixels\": %" PRIu32 ", \"vertices\": %" PRIu32 ", "
+            "\"triangles\": %" PRIu32 ", \"dropped\": %" PRIu32 ", "
+            "\"ram_bytes\": {\"scene\": %zu, \"world\": %zu, \"frame\": %zu, "
+            "\"vertices\": %zu, \"tables\": %zu, \"scratch\": %zu, "
+            "\"mesh\": %zu, \"textures\": %zu}}\n",
+            frames, median / 1000, median % 1000, c->water_pixels, stats.vertices,
+            stats.triangles, stats.dropped, sizeof(tp_scene), sizeof(tp_world), ram.frame,
+            ram.vertices, ram.tables, ram.scratch * c->threads, s->assets.mesh_bytes,
+            s->assets.texture_bytes);
+}
+
+static int run(render *r, const options *o)
+{
+    int code = sink_open(&r->sink, o);
+    if (code)
+        return code;
+    if (o->expect)
+        code = hashes_read(&r->expected, o->expect);
+    if (!code)
+        code = stage_open(&r->stage, o);
+    if (!code)
+        code = draw_frames(r, o);
+    if (code) {
+        sink_discard(&r->sink);
+        return code;
+    }
+    code = sink_close(&r->sink);
+    if (!code && o->stats)
+        print_stats(r);
+    return code;
+}
+
+int render_command(int argc, char **argv)
+{
+    options o;
+    render r;
+    memset(&r, 0, sizeof r);
+    int code = args_read(&o, FOR_RENDER, argc, argv);
+    r.report = o.out && strcmp(o.out, "-") == 0 ? stderr : stdout;
+    if (!code && o.help)
+        print_help();
+    else if (!code)
+        code = run(&r, &o);
+    const int end = r.report == stdout ? finish_stdout() : EXIT_DONE;
+    timings_free(&r.times);
+    hashes_free(&r.expected);
+    stage_close(&r.stage);
+    free(o.settings);
+    return code ? code : end;
+}

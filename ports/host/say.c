@@ -1,0 +1,68 @@
+/* SPDX-License-Identifier: MIT */
+/* Messages.  Everything said to people goes through here, so that a progress line never
+ * mixes with a message. */
+#define _POSIX_C_SOURCE 200809L
+#include "say.h"
+#include <stdarg.h>
+#include <stdbool.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+static bool progress_shown;
+
+static bool can_rewrite(void)
+{
+    const char *term = getenv("TERM");
+    return isatty(STDERR_FILENO) && term && strcmp(term, "dumb") != 0;
+}
+
+void say_progress(const char *text)
+{
+    if (!progress_shown && (!*text || !can_rewrite()))
+        return;
+    fprintf(stderr, "\r\033[K%s", text);
+    fflush(stderr);
+    progress_shown = *text != 0;
+}
+
+static void say_list(const char *format, va_list list) HOST_PRINTF(1, 0);
+
+static void say_list(const char *format, va_list list)
+{
+    say_progress("");
+    vfprintf(stderr, format, list);
+    fputc('\n', stderr);
+}
+
+void say(const char *format, ...)
+{
+    va_list list;
+    va_start(list, format);
+    say_list(format, list);
+    va_end(list);
+}
+
+int fail(int code, const char *format, ...)
+{
+    va_list list;
+    va_start(list, format);
+    say_list(format, list);
+    va_end(list);
+    return code;
+}
+
+int fail_at(const char *file, const tp_error *err)
+{
+    char text[256];
+    tp_error_text(err, text, sizeof text);
+    if (err->where)
+        return fail(EXIT_INPUT, "%s:%u: %s", file, (unsigned)err->where, text);
+    return fail(EXIT_INPUT, "%s: %s", file, text);
+}
+
+int fail_memory(size_t bytes)
+{
+    return fail(EXIT_INPUT, "tidepool: out of memory: %zu bytes asked", bytes);
+}

@@ -1,0 +1,34 @@
+/* SPDX-License-Identifier: MIT */
+/* What the program says to people: lines on stderr and its exit codes. */
+#ifndef HOST_SAY_H
+#define HOST_SAY_H
+#include "tidepool/status.h"
+
+enum {
+    EXIT_DONE  = 0,
+    EXIT_CHECK = 1,         /* a comparison that was asked for failed */
+    EXIT_USAGE = 2,         /* the command line is wrong */
+    EXIT_INPUT = 3          /* a file cannot be read, used or written */
+};
+
+#if defined(__GNUC__)
+#define HOST_PRINTF(at, first) __attribute__((format(printf, at, first)))
+#else
+#define HOST_PRINTF(at, first)
+#endif
+
+/* A line on stderr.  A progress line that stands there is erased first. */
+void say(const char *format, ...) HOST_PRINTF(1, 2);
+
+/* The same; returns `code`, so that a function can end with `return fail(...)`. */
+int fail(int code, const char *format, ...) HOST_PRINTF(2, 3);
+
+/* "file:line: sentence", without the line where the error has none; EXIT_INPUT. */
+int fail_at(const char *file, const tp_error *err);
+
+int fail_memory(size_t bytes);
+
+/* One line that is rewritten in place; "" erases it.  Nothing unless stderr is a
+ * terminal that can. */
+void say_progress(const char *text);
+#endif

@@ -1,0 +1,180 @@
+/* SPDX-License-Identifier: MIT */
+/* Finding a scene, and setting its values with messages for people. */
+#define _POSIX_C_SOURCE 200809L
+#include "scene_file.h"
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include "nearest.h"
+#include "path.h"
+#include "say.h"
+
+/* -- one value ------------------------------------------------------------------- */
+
+static void refuse_name(const char *place, const char *name)
+{
+    uint32_t count;
+    const tp_param *params = tp_params(&count);
+    nearest best = nearest_to(name);
+    for (uint32_t i = 0; i < count; i++)
+        nearest_offer(&best, params[i].name);
+    if (best.name)
+        say("%s: no parameter is called %s; did you mean %s?", place, name, best.name);
+    else
+        say("%s: no parameter is called %s; `tidepool params` lists them", place, name);
+}
+
+static void refuse_value(const char *place, const tp_param *param, const char *value,
+                         const tp_error *err)
+{
+    char low[32], high[32], sentence[256];
+    const char *gap = param->unit[0] ? " " : "";
+    switch (err->code) {
+    case TP_E_RANGE:
+        tp_param_number_text(param, err->a, low, sizeof low);
+        tp_param_number_text(param, err->b, high, sizeof high);
+        say("%s: %s = %s is outside %s..%s%s%s", place, param->name, value, low, high,
+            gap, param->unit);
+        break;
+    case TP_E_CHOICE:
+        say("%s: %s = %s is none of %s", place, param->name, value,
+            param->kind == TP_PARAM_BOOL ? "off|on" : param->unit);
+        break;
+    default:
+        tp_error_text(err, sentence, sizeof sentence);
+        say("%s: %s: %s", place, param->name, sentence);
+    }
+}
+
+bool scene_file_apply(scene_file *file, const char *place, uint32_t set_at,
+                      const char *name, const char *value)
+{
+    const tp_param *param = tp_param_find(name, strlen(name));
+    if (!param) {
+        refuse_name(place, name);
+        return false;
+    }
+    tp_error err = { 0 };
+    if (tp_param_set(&file->scene, param, value, strlen(value), &err)) {
+        refuse_value(place, param, value, &err);
+        return false;
+    }
+    uint32_t count;
+    file->set_at[param - tp_params(&count)] = set_at;
+    return true;
+}
+
+int scene_file_set(scene_file *file, const char *setting)
+{
+    const char *equals = strchr(setting, '=');
+    if (!equals || equals == setting)
+        return fail(EXIT_USAGE, "tidepool: --set %s: expected name=value", setting);
+    char *name = path_copy(setting, (size_t)(equals - setting));
+    if (!name)
+        return fail_memory(strlen(setting));
+    const bool done = scene_file_apply(file, "--set", SET_BY_COMMAND, name, equals + 1);
+    free(name);
+    return done ? EXIT_DONE : EXIT_USAGE;
+}
+
+/* -- the file -------------------------------------------------------------------- */
+
+static int refuse_scene(const char *given, const char *folder)
+{
+    if (!folder)
+        return fail(EXIT_INPUT, "%s: no such file, and no shipped scenes were found"
+                    " beside the program", given);
+    size_t count;
+    char **names = path_scene_names(folder, &count);
+    nearest best = nearest_to(given);
+    for (size_t i = 0; i < count; i++)
+        nearest_offer(&best, names[i]);
+    if (best.name)
+        say("%s: no such scene; did you mean %s?", given, best.name);
+    else
+        say("%s: no such scene; `tidepool scenes` lists those that exist", given);
+    path_free_names(names, count);
+    return EXIT_INPUT;
+}
+
+/* A plain word is a shipped scene's name before it is a file's. */
+static int find(scene_file *file, const char *given)
+{
+    if (strchr(given, '/') || path_ends(given, ".ini")) {
+        file->path = path_copy(given, strlen(given));
+        return file->path ? EXIT_DONE : fail_memory(strlen(given));
+    }
+    char *folder = path_of_scenes();
+    int code = EXIT_DONE;
+    if (folder)
+        file->path = path_join(folder, given, ".ini");
+    if (!file->path || !path_is_file(file->path)) {
+        free(file->path);
+        file->path = path_is_file(given) ? path_copy(given, strlen(given)) : NULL;
+        if (!file->path)
+            code = refuse_scene(given, folder);
+    }
+    free(folder);
+    return code;
+}
+
+/* The file's name without folders and ".ini". */
+static char *name_of(const char *path)
+{
+    const char *slash = strrchr(path, '/');
+    const char *base = slash ? slash + 1 : path;
+    return path_copy(base, strlen(base) - (path_ends(base, ".ini") ? 4 : 0));
+}
+
+int scene_file_open(scene_file *file, const char *given)
+{
+    *file = (scene_file){ 0 };
+    tp_scene_default(&file->scene);
+    uint32_t count;
+    tp_params(&count);
+    const int code = find(file, given);
+    if (code)
+        return code;
+    file->name = name_of(file->path);
+    file->set_at = calloc(count, sizeof *file->set_at);
+    if (!file->name || !file->set_at)
+        return fail_memory(count * sizeof *file->set_at);
+    return scene_ini_read(file);
+}
+
+void scene_file_close(scene_file *file)
+{
+    free(file->name);
+    free(file->path);
+    free(file->set_at);
+    *file = (scene_file){ 0 };
+}
+
+/* -- what it names --------------------------------------------------------------- */
+
+static uint32_t row_of(const tp_param *param)
+{
+    uint32_t count;
+    return (uint32_t)(param - tp_params(&count));
+}
+
+char *scene_file_path_of(const scene_file *file, const tp_param *param)
+{
+    char name[TP_NAME_BYTES];
+    tp_param_text(&file->scene, param, name, sizeof name);
+    if (file->set_at[row_of(param)] == SET_BY_COMMAND)
+        return path_copy(name, strlen(name));
+    return path_beside(file->path, name);
+}
+
+void scene_file_who(const scene_file *file, const tp_param *param, char *text,
+                    size_t bytes)
+{
+    const uint32_t line = file->set_at[row_of(param)];
+    if (line == SET_BY_COMMAND)
+        snprintf(text, bytes, "--set %s", param->name);
+    else if (line)
+        snprintf(text, bytes, "%s of %s:%u", param->name, file->path, (unsigned)line);
+    else
+        snprintf(text, bytes, "%s, by default", param->name);
+}

@@ -1,0 +1,39 @@
+/* SPDX-License-Identifier: MIT */
+/* A scene as a person gives it: an INI file and settings of the command line. */
+#ifndef HOST_SCENE_FILE_H
+#define HOST_SCENE_FILE_H
+#include <stdint.h>
+#include "tidepool/scene.h"
+
+#define SET_BY_COMMAND UINT32_MAX
+
+typedef struct {
+    char    *name;          /* "three-swells" */
+    char    *path;          /* of the INI */
+    uint32_t *set_at;       /* of each row of the table: the INI's line that set it, 0 for
+                               its default, SET_BY_COMMAND */
+    tp_scene scene;
+} scene_file;
+
+/* `given`: a shipped scene's name or a path.  Each returns an exit code and has said
+ * why; close in any case. */
+int  scene_file_open(scene_file *file, const char *given);
+int  scene_file_set(scene_file *file, const char *setting);     /* "name=value" */
+void scene_file_close(scene_file *file);
+
+/* The file that a row of kind mesh or texture names, to free; NULL: no memory.
+ * Names in the INI are relative to it, those of the command line to the folder that
+ * the program was started in. */
+char *scene_file_path_of(const scene_file *file, const tp_param *param);
+
+/* "boat.mesh of harbour.ini:14": who named it. */
+void scene_file_who(const scene_file *file, const tp_param *param, char *text,
+                    size_t bytes);
+
+/* -- between scene_file.c and scene_ini.c ---------------------------------------- */
+
+/* One value; a message begins with `place`.  False: refused, and said why. */
+bool scene_file_apply(scene_file *file, const char *place, uint32_t set_at,
+                      const char *name, const char *value);
+int  scene_ini_read(scene_file *file);
+#endif

@@ -1,0 +1,25 @@
+/* SPDX-License-Identifier: MIT */
+/* A scene made ready to be drawn: its file, what it names, its world. */
+#ifndef HOST_STAGE_H
+#define HOST_STAGE_H
+#include "args.h"
+#include "assets.h"
+#include "canvas.h"
+#include "scene_file.h"
+
+typedef struct {
+    scene_file file;
+    assets     assets;
+    tp_world   world;
+    canvas     canvas;
+} stage;
+
+/* Both return an exit code and have said why; close in any case. */
+int  stage_open(stage *s, const options *o);
+int  stage_canvas(stage *s, const options *o);  /* again after the size has changed */
+void stage_close(stage *s);
+
+/* The scene and its settings alone, and what the core had to clamp reported. */
+int  stage_read(scene_file *file, const options *o);
+void stage_report_clamps(const scene_file *file, const tp_world *world);
+#endif

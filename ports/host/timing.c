@@ -1,0 +1,70 @@
+/* SPDX-License-Identifier: MIT */
+/* Clocks, medians, progress. */
+#define _POSIX_C_SOURCE 200809L
+#include "timing.h"
+#include <stdio.h>
+#include <stdlib.h>
+#include <time.h>
+#include "say.h"
+
+#define PATIENCE_US 2000000u
+#define REDRAW_US   250000u
+
+uint64_t now_us(void)
+{
+    struct timespec now;
+    clock_gettime(CLOCK_MONOTONIC, &now);
+    return (uint64_t)now.tv_sec * 1000000u + (uint64_t)now.tv_nsec / 1000u;
+}
+
+void timings_add(timings *t, uint64_t us)
+{
+    if (t->count == t->room) {
+        const size_t room = t->room ? 2 * t->room : 64;
+        uint32_t *more = realloc(t->us, room * sizeof *more);
+        if (!more)
+            return;
+        t->us = more;
+        t->room = room;
+    }
+    t->us[t->count++] = us > UINT32_MAX ? UINT32_MAX : (uint32_t)us;
+}
+
+static int by_size(const void *a, const void *b)
+{
+    const uint32_t x = *(const uint32_t *)a, y = *(const uint32_t *)b;
+    return (x > y) - (x < y);
+}
+
+uint32_t timings_median(timings *t)
+{
+    if (!t->count)
+        return 0;
+    qsort(t->us, t->count, sizeof *t->us, by_size);
+    const uint64_t low = t->us[(t->count - 1) / 2], high = t->us[t->count / 2];
+    return (uint32_t)((low + high) / 2);
+}
+
+void timings_free(timings *t)
+{
+    free(t->us);
+    *t = (timings){ 0 };
+}
+
+progress progress_begin(void)
+{
+    return (progress){ .begin = now_us() };
+}
+
+void progress_show(progress *p, uint32_t done, uint32_t total)
+{
+    const uint64_t now = now_us(), passed = now - p->begin;
+    char text[96];
+    if (passed < PATIENCE_US || now - p->shown < REDRAW_US)
+        return;
+    const uint64_t left = done ? passed * (total - done) / done / 1000000u : 0;
+    snprintf(text, sizeof text, "frame %u of %u, %u%%, about %u s left", (unsigned)done,
+             (unsigned)total, (unsigned)((uint64_t)done * 100 / total), (unsigned)left);
+    say_progress(text);
+    p->shown = now;
+}

@@ -1,0 +1,62 @@
+/* SPDX-License-Identifier: MIT */
+/* The smallest port: a scene built in code, drawn in bands, and nothing shown but the
+ * frames' CRCs, in every pixel format.  A port to a board keeps these steps and puts its
+ * display where the CRC is. */
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include "tidepool/tidepool.h"
+
+enum { WIDTH = 160, HEIGHT = 120, BAND = 16, FRAMES = 4 };
+
+static void set(tp_scene *scene, const char *name, const char *text)
+{
+    const tp_param *param = tp_param_find(name, strlen(name));
+    if (!param || tp_param_set(scene, param, text, strlen(text), NULL))
+        printf("%s cannot be %s\n", name, text);
+}
+
+/* Bands are as wide as the picture and come in order: their rows are its rows. */
+static void draw(const tp_frame *frame, tp_format format, void *scratch, unsigned number)
+{
+    tp_tile tile;
+    uint32_t crc = 0;
+    for (uint32_t i = 0; tp_frame_tile(frame, i, scratch, &tile); i++)
+        for (uint32_t y = tile.y0; y < tile.y1; y++)
+            crc = tp_crc32_pixels(crc, format, (const uint8_t *)tile.pixels
+                                  + (y - tile.y0) * tile.stride, WIDTH);
+    printf("%s frame %04u crc32 %08x\n", tp_format_name(format), number, (unsigned)crc);
+}
+
+static int run(const tp_scene *scene, tp_format format)
+{
+    const tp_assets none = { 0 };
+    const tp_frame_config config = { WIDTH, HEIGHT, 0, BAND, format };
+    void *block = malloc(tp_frame_bytes(scene, &none, &config));    /* 1: memory */
+    void *scratch = malloc(tp_frame_scratch_bytes(&config));
+    tp_frame *frame;
+    tp_world world;                                                 /* 2: the world */
+    if (!block || !scratch || tp_frame_init(&frame, scene, &none, &config, block, NULL))
+        return 1;
+    tp_world_init(&world, scene);
+    for (unsigned n = 0; n < FRAMES; n++, tp_world_step(&world, scene, NULL)) {
+        tp_frame_begin(frame, &world);                              /* 3: frames */
+        draw(frame, format, scratch, n);
+    }
+    free(block);
+    free(scratch);
+    return 0;
+}
+
+int main(void)
+{
+    static tp_scene scene;
+    tp_scene_default(&scene);
+    set(&scene, "wave0.amplitude", "0.5");
+    set(&scene, "wave0.length", "12");
+    set(&scene, "camera.y", "3");
+    for (int format = 0; format < TP_FORMAT_COUNT; format++)
+        if (run(&scene, (tp_format)format))
+            return 1;
+    return 0;
+}

@@ -1,0 +1,88 @@
+#!/bin/sh
+# SPDX-License-Identifier: MIT
+# Installs what a Debian or Ubuntu machine lacks, and says what and why.
+#
+#   ports/setup.sh run|test|all
+#
+# `run` builds and shows, `test` adds the host's tests, `all` adds other processors,
+# boards and windows.  Without apt, or without root (tries sudo -n), it prints the exact
+# command: of things needed to build it then stops with 1, of things that only tests
+# need it goes on, and those tests say that they were skipped.
+set -u
+
+# group | package | how to see that it is there | what for
+packages='
+run  | gcc                       | cmd gcc                     | the compiler
+run  | libc6-dev                 | inc stdio.h                 | headers of the C library
+run  | pkg-config                | cmd pkg-config              | finds the libraries
+run  | libpng-dev                | pkg libpng                  | textures in, pictures out
+run  | libinih-dev               | pkg inih                    | scene files
+show | libsdl2-dev               | pkg sdl2                    | the preview window
+test | libcmocka-dev             | pkg cmocka                  | unit tests
+test | binutils                  | cmd objdump                 | gates on the object code
+all  | clang                     | cmd clang                   | the second compiler
+all  | libclang-rt-dev           | lib clang_rt.fuzzer         | fuzzing
+all  | libsdl2-dev               | pkg sdl2                    | the preview window
+all  | valgrind                  | cmd valgrind                | counts instructions
+all  | gcc-arm-none-eabi         | cmd arm-none-eabi-gcc       | Cortex-M
+all  | qemu-system-arm           | cmd qemu-system-arm         | Cortex-M boards
+all  | qemu-user                 | cmd qemu-s390x              | other processors
+all  | gcc-arm-linux-gnueabihf   | cmd arm-linux-gnueabihf-gcc | armhf
+all  | gcc-aarch64-linux-gnu     | cmd aarch64-linux-gnu-gcc   | aarch64
+all  | gcc-riscv64-linux-gnu     | cmd riscv64-linux-gnu-gcc   | riscv64
+all  | gcc-s390x-linux-gnu       | cmd s390x-linux-gnu-gcc     | s390x, big-endian
+all  | libc6-dev-armhf-cross     | dir /usr/arm-linux-gnueabihf/include | armhf
+all  | libc6-dev-arm64-cross     | dir /usr/aarch64-linux-gnu/include   | aarch64
+all  | libc6-dev-riscv64-cross   | dir /usr/riscv64-linux-gnu/include   | riscv64
+all  | libc6-dev-s390x-cross     | dir /usr/s390x-linux-gnu/include     | s390x
+all  | xvfb                      | cmd Xvfb                    | a display for the window test
+all  | xdotool                   | cmd xdotool                 | its keys and mouse
+all  | imagemagick               | cmd import                  | its screenshots
+'
+
+present()       # KIND NAME
+{
+    case $1 in
+    cmd) command -v "$2" >/dev/null ;;
+    pkg) pkg-config --exists "$2" 2>/dev/null ;;
+    inc) echo "#include <$2>" | gcc -E - >/dev/null 2>&1 ;;
+    dir) [ -d "$2" ] ;;
+    lib) find /usr/lib /usr/lib/llvm-* -name "*$2*.a" 2>/dev/null | grep -q . ;;
+    esac
+}
+
+case ${1:-} in
+run)  groups='run show' ;;
+test) groups='run test' ;;
+all)  groups='run test all' ;;
+*)    sed -n '3,10s/^# \{0,1\}//p' "$0" >&2; exit 2 ;;
+esac
+
+missing= needed=
+while IFS='|' read -r group package check why; do
+    group=${group%% *} package=$(echo $package)
+    case " $groups " in *" $group "*) ;; *) continue ;; esac
+    [ -z "$package" ] || present $check && continue
+    echo "missing: $package -$why"
+    missing="$missing $package"
+    [ "$group" != run ] || needed="$needed $package"
+done <<EOF
+$packages
+EOF
+[ -n "$missing" ] || exit 0
+
+install="apt-get install -y --no-install-recommends$missing"
+as=
+if [ "$(id -u)" -ne 0 ]; then
+    if sudo -n true 2>/dev/null; then as='sudo -n'; else as=none; fi
+fi
+if command -v apt-get >/dev/null && [ "$as" != none ]; then
+    echo "installing:$missing"
+    $as apt-get update -qq
+    if $as env DEBIAN_FRONTEND=noninteractive $install -qq >/dev/null; then
+        exit 0
+    fi
+    echo "the installation failed" >&2
+fi
+echo "please run:  sudo $install" >&2
+[ -z "$needed" ]

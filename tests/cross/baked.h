@@ -1,0 +1,10 @@
+/* SPDX-License-Identifier: MIT */
+/* A scene with all that it names as constants, as bake.c writes it: for machines without
+ * files. */
+#ifndef BAKED_H
+#define BAKED_H
+#include "tidepool/frame.h"
+
+extern const tp_scene  baked_scene;
+extern const tp_assets baked_assets;
+#endif

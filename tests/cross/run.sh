@@ -1,0 +1,78 @@
+#!/bin/sh
+# SPDX-License-Identifier: MIT
+# The same bits everywhere: builds the core and tests/cross/frames for each machine,
+# compiler and level of optimisation, and compares the golden frames' CRCs.
+. tests/gates/lib.sh
+
+golden=tests/golden/three-swells
+
+# name | GNU triple | emulator | Debian's name of the machine
+machines='
+host    |                     |              |
+armhf   | arm-linux-gnueabihf | qemu-arm     | armhf
+aarch64 | aarch64-linux-gnu   | qemu-aarch64 | arm64
+riscv64 | riscv64-linux-gnu   | qemu-riscv64 | riscv64
+s390x   | s390x-linux-gnu     | qemu-s390x   | s390x
+'
+
+# The lists as tests/cross/frames writes them: "rgb565 frame 0000 crc32 1234abcd".
+for list in "$golden"/*.crc; do
+    sed "s/^/$(basename "$list" .crc) /" "$list"
+done | sort >"$scratch/expected"
+check "there are golden frames to compare with" test -s "$scratch/expected"
+
+# try MACHINE COMPILER LEVEL: builds, runs, compares; tells "equal" or what went wrong.
+try()
+{
+    target=cross/$1-$2-$3
+    case $2 in
+    gcc)   cc=${triple:+$triple-}gcc ;;
+    clang) cc="clang${triple:+ --target=$triple -isystem /usr/$triple/include}" ;;
+    esac
+    if ! build TARGET="$target" MACHINE="$1" CC="$cc" AR="${triple:+$triple-}ar" OPT="-$3" \
+        LDFLAGS="${triple:+-static}" "build/$target/tests/cross/frames" \
+        >"$scratch/log" 2>&1; then
+        tail -n 5 "$scratch/log"
+        verdict=unbuilt
+    elif ! $emulator "build/$target/tests/cross/frames" >"$scratch/frames"; then
+        verdict=crashed
+    elif ! sort "$scratch/frames" | diff "$scratch/expected" - >"$scratch/log"; then
+        cat "$scratch/log"
+        verdict=DIFFERENT
+    else
+        verdict=equal
+    fi
+    row="$row$(printf ' %-9s' $verdict)"
+    if [ $verdict = equal ]; then
+        echo "ok - $1 $2 -$3"
+    else
+        echo "FAILED - $1 $2 -$3: $verdict"
+        failures=$((failures + 1))
+    fi
+}
+
+table=$(printf '%-8s %-6s -O0       -O2       -O3' machine cc)
+while IFS='|' read -r machine triple emulator debian; do
+    machine=${machine%% *}
+    triple=$(echo $triple) emulator=$(echo $emulator) debian=$(echo $debian)
+    [ -n "$machine" ] || continue
+    if [ -n "$triple" ]; then
+        lacks "$triple-gcc" "gcc-$triple" "frames on $machine" && continue
+        lacks "$emulator" qemu-user "frames on $machine" && continue
+        [ -d "/usr/$triple/include" ] ||
+            { echo "skipped: frames on $machine (package libc6-dev-$debian-cross)"; continue; }
+    fi
+    for compiler in gcc clang; do
+        lacks $compiler $compiler "frames on $machine by $compiler" && continue
+        row=$(printf '%-8s %-6s' "$machine" $compiler)
+        for level in O0 O2 O3; do
+            try "$machine" $compiler $level
+        done
+        table="$table
+$row"
+    done
+done <<EOF
+$machines
+EOF
+echo "$table"
+exit $((failures > 0))

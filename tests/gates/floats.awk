@@ -1,0 +1,19 @@
+# SPDX-License-Identifier: MIT
+# Floating-point arithmetic and conversion in x86-64 code.  Vector moves and whole-number
+# vector arithmetic are the compiler's good right.
+#
+#   objdump -d --no-show-raw-insn libtidepool.a | awk -f tests/gates/floats.awk
+/^[0-9a-f]+ <.*>:$/ { here = $2; functions++ }
+/^ +[0-9a-f]+:/ {
+    op = $2
+    if (op ~ /^v?(add|sub|mul|div|sqrt|max|min|cmp|u?comi|rcp|rsqrt|hadd|hsub|dp|round|fn?m(add|sub)[0-9]*)[sp][sd]$/ ||
+        op ~ /^v?cvt/ || op ~ /^f(ild|ld|st|add|sub|mul|div|cos|sin|sqrt|com|i[a-z]+)/) {
+        print here " " $0
+        bad = 1
+    }
+}
+END {
+    if (!functions)
+        print "no code at all"
+    exit bad || !functions
+}

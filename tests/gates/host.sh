@@ -1,0 +1,35 @@
+#!/bin/sh
+# SPDX-License-Identifier: MIT
+# Gates on the sources and on this machine's object code.
+. tests/gates/lib.sh
+
+stack_limit=4096
+
+check "includes point down" awk -f $gates/layers.awk $(core_files) $(port_files)
+check "the core keeps to its words" awk -f $gates/words.awk $(core_files)
+check "every file has its licence line and 90 columns" awk -f $gates/text.awk $(every_file)
+
+listed()        # the Makefile's list of core files is the folder's
+{
+    build -s list-core | tr ' ' '\n' | sort >"$scratch/listed"
+    find src -name '*.c' | sort | diff "$scratch/listed" -
+}
+check "the Makefile lists every file of the core" listed
+
+# Compiled for the general registers alone: floating point is then an error or a call of
+# the compiler's soft-float library, which the gate on symbols finds.
+whole=build/gates/libtidepool.a
+compiled()
+{
+    build TARGET=gates ARCH=-mgeneral-regs-only \
+        OPT='-O2 -fstack-usage -fcallgraph-info=su' $whole
+}
+check "the core compiles without floating-point registers" compiled
+check "the core asks for nothing but mem* and helpers" symbols "" $whole
+check "the core has no mutable state" no_state "" $whole
+check "no recursion, and a stack below $stack_limit bytes" \
+    awk -v limit=$stack_limit -f $gates/stack.awk $(find build/gates/src -name '*.ci')
+case $(uname -m) in
+x86_64) check "no floating point in the optimised library" no_floats "$TP_BUILD/libtidepool.a" ;;
+esac
+exit $((failures > 0))

@@ -1,0 +1,81 @@
+# SPDX-License-Identifier: MIT
+# Includes point down.
+#
+#   awk -f tests/gates/layers.awk include/tidepool/*.h src/*/* ports/*/*.[ch]
+#
+# Ranks low to high; modules on one line are peers and do not see each other.  A public
+# header has the rank of the module that implements it.  A port sees the public headers
+# and itself; sdl2 and null are parts of the host program and see host as well.
+BEGIN {
+    levels = split("base|fx|pixel|asset wave pool|geom|raster shade|scene|frame", level, "|")
+    for (i = 1; i <= levels; i++) {
+        n = split(level[i], module, " ")
+        for (j = 1; j <= n; j++)
+            rank[module[j]] = i
+    }
+    split("status=base arena=base tidepool=top", special, " ")
+    for (i in special) {
+        split(special[i], pair, "=")
+        owner[pair[1]] = pair[2]
+    }
+    rank["top"] = levels + 1
+    split("stddef.h stdint.h stdbool.h limits.h", system_header, " ")
+    for (i in system_header)
+        free[system_header[i]]
+    guest["sdl2"] = guest["null"] = "host"
+}
+
+# The module of a public header, by its name without folder and ".h".
+function module_of(name)
+{
+    sub(/\.h$/, "", name)
+    return name in owner ? owner[name] : name
+}
+
+function wrong(why)
+{
+    printf "%s:%d: %s: %s\n", FILENAME, FNR, why, $0
+    bad = 1
+}
+
+FNR == 1 {
+    n = split(FILENAME, part, "/")
+    file = part[n]
+    tree = folder = ""
+    for (i = 1; i < n; i++)
+        if (part[i] ~ /^(include|src|ports)$/) {
+            tree = part[i]
+            folder = part[i + 1]
+        }
+    here = tree == "include" ? module_of(file) : folder
+    if (tree == "src" && !(here in rank))
+        wrong("folder without a rank")
+}
+
+/^[ \t]*#[ \t]*include/ {
+    name = $0
+    sub(/^[^<"]*[<"]/, "", name)
+    sub(/[>"].*/, "", name)
+    split(name, step, "/")
+    public = step[1] == "tidepool"
+    if (tree == "ports") {
+        if ($0 ~ /</ && !public)
+            next                                    # the system's
+        if (public || name !~ /\// || step[1] == folder || step[1] == guest[folder])
+            next
+        wrong("a port includes public headers and its own alone")
+    } else if ($0 ~ /</) {
+        if (!(name in free))
+            wrong("the core is freestanding")
+    } else {
+        there = public ? module_of(step[2]) : step[1]
+        if (tree == "include" && !public)
+            wrong("a public header includes public headers alone")
+        else if (!(there in rank))
+            wrong("no such module")
+        else if (rank[there] > rank[here] || (rank[there] == rank[here] && there != here))
+            wrong(here " may not see " there)
+    }
+}
+
+END { exit bad }

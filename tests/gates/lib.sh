@@ -1,0 +1,59 @@
+# SPDX-License-Identifier: MIT
+# What the gates share; read by `.`, from the project's root.
+
+failures=0
+
+# check NAME COMMAND...: one case, of which nothing is printed but its name unless it fails.
+check()
+{
+    name=$1; shift
+    if "$@" >"$scratch/output" 2>&1; then
+        echo "ok - $name"
+    else
+        sed 's/^/    /' "$scratch/output"
+        echo "FAILED - $name"
+        failures=$((failures + 1))
+    fi
+}
+
+# refuse NAME COMMAND...: a case that holds when the command finds something wrong.
+refuse()
+{
+    name=$1; shift
+    if "$@" >"$scratch/output" 2>&1; then
+        echo "FAILED - $name: nothing was found"
+        failures=$((failures + 1))
+    else
+        echo "ok - $name"
+    fi
+}
+
+# lacks TOOL PACKAGE NAME: true, and says so, when the tool is not there.
+lacks()
+{
+    ! command -v "$1" >/dev/null && echo "skipped: $3 (package $2)"
+}
+
+# A build of its own, outside of the make that may have called us.
+build()         # [VARIABLE=VALUE]... GOAL...
+{
+    env -u MAKEFLAGS -u MAKELEVEL -u MFLAGS make -j2 --no-print-directory "$@"
+}
+
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+gates=tests/gates
+
+core_files()  { find include src -name '*.[ch]' -o -name '*.inc' | sort; }
+port_files()  { find ports -name '*.[ch]' | sort; }
+every_file()
+{
+    find . \( -name .git -o -path ./build -o -path ./out \) -prune -o -type f \
+        \( -name '*.[ch]' -o -name '*.inc' -o -name '*.sh' -o -name '*.awk' -o -name '*.mk' \
+           -o -name '*.ld' -o -name Makefile -o -path './.ci/run' \) -print | sort
+}
+
+# A gate on an archive, with the tools of a target: "" is this machine's, "arm-none-eabi-".
+symbols()     { "$1nm" -A "$2" | awk -f $gates/symbols.awk; }
+no_state()    { "$1size" -A "$2" | awk -f $gates/state.awk; }
+no_floats()   { objdump -d --no-show-raw-insn "$1" | awk -f $gates/floats.awk; }

@@ -1,0 +1,124 @@
+#!/bin/sh
+# SPDX-License-Identifier: MIT
+# The gates find what they are there to find: each is fed a good and some bad examples.
+. tests/gates/lib.sh
+
+mkdir -p "$scratch/src/fx" "$scratch/src/wave" "$scratch/src/pool" "$scratch/src/odd" \
+    "$scratch/include/tidepool" "$scratch/ports/sdl2"
+
+# put FILE LINE...: a file of those lines under a licence line.
+put()
+{
+    file=$scratch/$1; shift
+    printf '%s\n' '/* SPDX-License-Identifier: MIT */' "$@" >"$file"
+}
+
+layers()    { awk -f $gates/layers.awk "$scratch/$1"; }
+words()     { awk -f $gates/words.awk "$scratch/$1"; }
+text()      { awk -f $gates/text.awk "$scratch/$1"; }
+
+put src/wave/a.c '#include "fx/fx_table.inc"' '#include "tidepool/wave.h"' '#include <stdint.h>'
+check  "layers: passes includes that point down" layers src/wave/a.c
+put src/fx/a.c '#include "wave/wave.h"'
+refuse "layers: an include that points up" layers src/fx/a.c
+put src/wave/b.c '#include "pool/pool.h"'
+refuse "layers: a peer" layers src/wave/b.c
+put src/wave/c.c '#include "tidepool/frame.h"'
+refuse "layers: a public header of a higher rank" layers src/wave/c.c
+put src/wave/d.c '#include "wave.h"'
+refuse "layers: a name not written from src" layers src/wave/d.c
+put src/wave/e.c '# include <stdio.h>'
+refuse "layers: the C library in the core" layers src/wave/e.c
+put src/wave/f.c '#include "host/say.h"'
+refuse "layers: a port in the core" layers src/wave/f.c
+put src/odd/a.c ''
+refuse "layers: a folder without a rank" layers src/odd/a.c
+put include/tidepool/fx.h '#include "base/base.h"'
+refuse "layers: an internal header in a public one" layers include/tidepool/fx.h
+put include/tidepool/fx.h '#include "tidepool/scene.h"'
+refuse "layers: a public header that points up" layers include/tidepool/fx.h
+put ports/sdl2/a.c '#include "fx/trig.h"'
+refuse "layers: the core's inside in a port" layers ports/sdl2/a.c
+put ports/sdl2/b.c '#include "tidepool/tidepool.h"' '#include <SDL.h>' '#include "host/say.h"'
+check  "layers: passes a port that keeps to the API" layers ports/sdl2/b.c
+
+put src/wave/g.c '/* a double */ int x; /* free' ' float */ const char *s = "malloc";'
+check  "words: passes comments and strings" words src/wave/g.c
+put src/wave/h.c '/* fine */ double x;'
+refuse "words: a double" words src/wave/h.c
+put src/wave/i.c 'int f(void) { return (int)(float)3; }'
+refuse "words: a cast to float" words src/wave/i.c
+put src/wave/j.c 'void *p = malloc(3);'
+refuse "words: the heap" words src/wave/j.c
+
+check  "text: passes a plain file" text src/wave/a.c
+printf 'int x;\nint y;\nint z;\n' >"$scratch/src/wave/k.c"
+refuse "text: no licence line" text src/wave/k.c
+put src/wave/l.c "$(printf 'int\tx;')" ''
+refuse "text: a tab" text src/wave/l.c
+put src/wave/m.c 'int x; ' ''
+refuse "text: a blank at the end" text src/wave/m.c
+put src/wave/n.c "/* $(printf '%090d' 0) */" ''
+refuse "text: a line too long" text src/wave/n.c
+
+# compile NAME TEXT: NAME.a and NAME.ci under the scratch folder.
+compile()
+{
+    printf '%s\n' "$2" >"$scratch/$1.c"
+    gcc -std=c11 -O2 -ffreestanding -fno-optimize-sibling-calls -fstack-usage \
+        -fcallgraph-info=su -c "$scratch/$1.c" -o "$scratch/$1.o" 2>/dev/null &&
+        rm -f "$scratch/$1.a" && ar rcs "$scratch/$1.a" "$scratch/$1.o"
+}
+stack()     { awk -v limit="$2" -f $gates/stack.awk "$scratch/$1.ci"; }
+
+compile good 'void *memcpy(void *, const void *, unsigned long);
+    static const int t[3] = { 1, 2, 3 };
+    int tp_f(int i, void *a, void *b) { memcpy(a, b, 64 + (unsigned)i); return t[i]; }'
+check  "symbols: passes mem*" symbols "" "$scratch/good.a"
+check  "state: passes constants" no_state "" "$scratch/good.a"
+check  "floats: passes whole numbers" no_floats "$scratch/good.a"
+check  "stack: passes a small frame" stack good 256
+compile lone 'int printf(const char *, ...); int tp_f(void) { return printf(""); }'
+refuse "symbols: a call of the C library" symbols "" "$scratch/lone.a"
+compile loud 'int helper(void) { return 1; }'
+refuse "symbols: a public name without tp_" symbols "" "$scratch/loud.a"
+compile state 'static int n; int tp_f(void) { return ++n; }'
+refuse "state: a counter in .bss" no_state "" "$scratch/state.a"
+compile data 'static int n = 7; int tp_f(void) { return ++n; }'
+refuse "state: a counter in .data" no_state "" "$scratch/data.a"
+case $(uname -m) in
+x86_64)
+    compile float 'int tp_f(int a) { return (int)(a * 1.5f); }'
+    refuse "floats: a product" no_floats "$scratch/float.a" ;;
+esac
+printf 'int tp_f(int a) { return (int)(a * 1.5f); }\n' >"$scratch/soft.c"
+soft_float()
+{
+    gcc -O2 -mgeneral-regs-only -c "$scratch/soft.c" -o "$scratch/soft.o" &&
+        symbols "" "$scratch/soft.o"
+}
+refuse "symbols: a soft-float call" soft_float
+compile big 'int tp_f(int *p); int tp_g(void) { int a[999]; return tp_f(a) + a[3]; }'
+refuse "stack: a large frame" stack big 256
+compile deep 'int tp_g(int n, int *p);
+    int tp_f(int n, int *p) { return n < 2 ? n : tp_g(n - 1, p) + *p; }
+    int tp_g(int n, int *p) { return n < 3 ? n : tp_f(n - 2, p) * *p; }'
+refuse "stack: two functions that call each other" stack deep 4096
+compile vla 'void tp_f(int *p); void tp_g(int n) { int a[n]; tp_f(a); }'
+refuse "stack: a frame of unknown size" stack vla 4096
+
+runner()    { tests/run.sh "$scratch/log" "$scratch/$1"; }
+fake()      { printf '#!/bin/sh\n%s\n' "$2" >"$scratch/$1"; chmod +x "$scratch/$1"; }
+fake fine   'echo "ok - a"; echo "ok - b"'
+check  "runner: passes" runner fine
+fake says   'echo "ok - a"; echo "FAILED - b"'
+refuse "runner: a case that failed, in a script that exits with 0" runner says
+fake dies   'echo "ok - a"; kill -SEGV $$'
+refuse "runner: a crash" runner dies
+fake void   ':'
+refuse "runner: no case at all" runner void
+fake skips  'echo "ok - a"; echo "skipped: b (package c)"'
+check  "runner: a skip is no failure" env TP_STRICT= tests/run.sh "$scratch/log" "$scratch/skips"
+refuse "runner: a skip is a failure under TP_STRICT" \
+    env TP_STRICT=1 tests/run.sh "$scratch/log" "$scratch/skips"
+exit $((failures > 0))

@@ -1,0 +1,388 @@
+#!/bin/sh
+# SPDX-License-Identifier: MIT
+# The program on good and bad command lines and files: exit codes, messages, outputs.
+#     cli.sh PROGRAM
+# One line a case; the last line is "N passed, M failed", and the exit code tells too.
+program=$(realpath "$1") || exit 2
+work=$(mktemp -d) || exit 2
+trap 'rm -rf "$work"' EXIT
+trap 'exit 1' INT TERM HUP
+cd "$work" || exit 2
+passed=0 failed=0
+
+# verdict NAME REASON: passed if the reason is empty.
+verdict() {
+    if [ -z "$2" ]; then
+        passed=$((passed + 1))
+        echo "ok   $1"
+    else
+        failed=$((failed + 1))
+        echo "FAIL $1: $2"
+        sed 's/^/     | /' err | head -5
+    fi
+}
+
+# run ARGUMENT...: the program, its streams in files out and err, its exit code in $code.
+run() {
+    timeout 60 "$program" "$@" >out 2>err </dev/null
+    code=$?
+}
+
+# expect NAME CODE PATTERN ARGUMENT...: exit code and a basic regular expression that
+# some line of stderr matches; "" wants stderr empty.
+expect() {
+    name=$1 want=$2 pattern=$3
+    shift 3
+    run "$@"
+    judge "$name" "$want" "$pattern"
+}
+
+judge() {
+    if [ "$code" -ne "$2" ]; then
+        verdict "$1" "exit code $code, expected $2"
+    elif [ -z "$3" ] && [ -s err ]; then
+        verdict "$1" "unexpected message"
+    elif [ -n "$3" ] && ! grep -q -e "$3" err; then
+        verdict "$1" "no message like '$3'"
+    else
+        verdict "$1" ""
+    fi
+}
+
+# same NAME TEXT TEXT
+same() {
+    if [ "$2" = "$3" ]; then verdict "$1" ""; else verdict "$1" "'$2' is not '$3'"; fi
+}
+
+absent() {
+    if ls -A . | grep -q -e "$2"; then
+        verdict "$1" "left behind: $(ls -A . | grep -e "$2" | tr '\n' ' ')"
+    else
+        verdict "$1" ""
+    fi
+}
+
+# -- help and usage -----------------------------------------------------------------
+
+fits() {
+    run "$@"
+    wide=$(awk 'length($0) > 80' out | wc -l)
+    same "$* fits 24 lines of 80 columns" \
+        "$code $([ "$(wc -l <out)" -le 24 ] && [ -s out ] && echo low) $wide" "0 low 0"
+}
+fits --help
+for command in render view scenes params; do
+    fits "$command" --help
+done
+run --version
+same "--version prints name and number" \
+    "$(grep -c '^tidepool [0-9]*\.[0-9]*\.[0-9]*$' out)" 1
+
+expect "no command" 2 "which command"
+expect "unknown command" 2 "no command rendr; did you mean render?" rendr
+expect "unknown option" 2 "no option --siez; did you mean --size?" render three-swells \
+    --siez 64x48
+expect "option without its value" 2 "needs a value" render three-swells --size
+expect "switch with a value" 2 "no option --hash=1" render three-swells --hash=1
+expect "no scene" 2 "which scene" render
+expect "two scenes" 2 "too many names" render three-swells minimal
+expect "band and strip together" 2 "exclude" render minimal --band 8 --strip 16
+for size in 0x0 15x16 16x4097 640 640x480x3 -1x16 64x 99999999999999999999x16 64X48; do
+    expect "size $size" 2 "expected WIDTHxHEIGHT" render minimal --size "$size"
+done
+for frames in 0 -1 5:3 :3 3: a 1:2:3; do
+    expect "frames $frames" 2 "expected a count" render minimal --frames "$frames"
+done
+expect "strip of 24 columns" 2 "multiple of 16" render minimal --strip 24
+expect "no threads" 2 "1..64" render minimal --threads 0
+expect "unknown format" 2 "rgb565be" render minimal --format rgb555
+expect "visibility that is not built" 2 "auto or triangles" render minimal --visibility \
+    rows
+expect "output of unknown kind" 2 "ends in .png or .y4m" render minimal --out picture.jpg
+expect "several frames, one name" 2 "need a place" render minimal --frames 2 --out f.png
+expect "a % that is no number" 2 "%04d" render minimal --out f-%s.png
+
+# -- scenes -------------------------------------------------------------------------
+
+expect "scene that does not exist" 3 "no such scene; did you mean three-swells?" render \
+    three-swels
+expect "scene like no other" 3 "tidepool scenes" render qqqqqqqq
+expect "scene file that does not exist" 3 "nowhere.ini: No such file" render nowhere.ini
+mkdir folder.ini
+expect "folder for a scene" 3 "folder.ini: Is a directory" render folder.ini
+run scenes
+same "scenes lists three-swells with its title" \
+    "$code $(grep -c '^three-swells  *[^ ]' out)" "0 1"
+run params
+same "params lists wave0.steepness" "$code $(grep -c '^wave0.steepness .*0\.\.1 ' out)" \
+    "0 1"
+run params minimal --set wave0.steepness=0.25
+same "params shows a scene's values" "$code $(grep -c '^wave0.steepness *0.25 ' out)" \
+    "0 1"
+
+# ini NAME CODE PATTERN TEXT...: a scene file of these lines.
+ini() {
+    name=$1 want=$2 pattern=$3
+    shift 3
+    printf '%s\n' "$@" >harbour.ini
+    run render harbour.ini --size 16x16
+    judge "$name" "$want" "$pattern"
+}
+ini "a scene of nothing but defaults" 0 "" "; nothing"
+ini "line that is no setting" 3 "^harbour.ini:2: neither" "[wave0]" "steepness" \
+    "length = 9"
+ini "section that does not close" 3 "^harbour.ini:1: neither" "[wave0" "steepness = 0.1"
+ini "unknown name" 3 "^harbour.ini:3: .*did you mean wave0.steepness?" "" "[wave0]" \
+    "steepnes = 0.4"
+ini "unknown section" 3 \
+    "^harbour.ini:2: no parameter is called wive0.length; did you mean wave0.length?" \
+    "[wive0]" "length = 3"
+ini "value outside its range" 3 "^harbour.ini:4: wave0.steepness = 3 is outside 0..1$" \
+    "# harbour" "[wave0]" "length = 9" "steepness = 3"
+ini "value that is no number" 3 \
+    "^harbour.ini:2: wave0.length: expected a number, found nine" \
+    "[wave0]" "length = nine"
+ini "number with a tail" 3 "^harbour.ini:2: wave0.length: expected a number" "[wave0]" \
+    "length = 9m"
+ini "empty value" 3 "^harbour.ini:2: wave0.length" "[wave0]" "length ="
+ini "word that is no choice" 3 \
+    "^harbour.ini:2: water.filter = cubic is none of .*linear" \
+    "[water]" "filter = cubic"
+ini "both errors of a file, the first by line" 3 "^harbour.ini:2: neither" \
+    "[wave0]" "steepness" "length = nine"
+ini "line of 199 bytes" 0 "" "; $(printf '%0197d' 0)"
+ini "line of 200 bytes" 3 "^harbour.ini:3: line longer than 199 bytes" \
+    "[wave0]" "length = 9" "; $(printf '%0198d' 0)"
+ini "over-long name" 3 "^harbour.ini:2: scene.title: longer than" "[scene]" \
+    "title = $(printf '%0180d' 0)"
+ini "indented lines, CRLF and comments" 0 "" "[wave0]" "  length = 9 ; metres" \
+    "	amplitude = 0.3$(printf '\r')" "# done"
+printf '\357\273\277[wave0]\nlength = 9' >harbour.ini
+expect "byte order mark, no newline at the end" 0 "" render harbour.ini --size 16x16
+printf '[wave0]\nlength = 9\nsteep\000ness = 1\n' >harbour.ini
+expect "NUL byte" 3 "^harbour.ini:3: line with a NUL byte" render harbour.ini
+printf '[wave0]\nlength = 9\nlength = 12\n' >harbour.ini
+run params harbour.ini
+same "the last of two settings holds" "$(awk '$1 == "wave0.length" { print $2 }' out)" 12
+run params harbour.ini --set wave0.length=7 --set wave0.length=8
+same "--set comes after the file, the last holds" \
+    "$(awk '$1 == "wave0.length" { print $2 }' out)" 8
+
+expect "--set without =" 2 "expected name=value" render minimal --set wave0.length
+expect "--set of an unknown name" 2 "^--set: .*did you mean camera.fov?" render minimal \
+    --set camera.fow=60
+expect "--set outside the range" 2 "^--set: wave0.steepness = 3 is outside 0..1$" \
+    render minimal --set wave0.steepness=3
+steep="--set wave0.steepness=0.4 --set wave1.steepness=0.4 --set wave2.steepness=0.4"
+tall="--set wave0.amplitude=1 --set wave1.amplitude=1 --set wave2.amplitude=1"
+# shellcheck disable=SC2086
+expect "clamp of the steepness sum" 0 \
+    "^minimal: steepness sum 1.2[0-9]* is clamped to 0.95$" \
+    render minimal --size 16x16 $steep $tall
+
+# -- what scenes name ---------------------------------------------------------------
+
+small="render minimal --size 64x48"
+printf 'v 0 0 0\nv 1 0 0\nv 1 x 0\nf 1 2 3\n' >bad.obj
+printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 9\n' >far.obj
+printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n' >good.obj
+printf 'mtllib none.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n' >lost.obj
+printf 'mtllib sub\\red.mtl\nusemtl red\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n' >red.obj
+mkdir sub
+printf 'newmtl red\nKd 1 0 0\nmap_Kd skin.png\n' >sub/red.mtl
+# shellcheck disable=SC2086
+{
+expect "bad number in an OBJ" 3 "^bad.obj:3: expected a number, found x" \
+    $small --set boat.mesh=bad.obj --out boat.png
+absent "bad OBJ leaves no picture" "boat.png\|tidepool-"
+expect "face of a vertex that is not there" 3 "^far.obj:4: face names vertex 9 of 3" \
+    $small --set boat.mesh=far.obj
+expect "OBJ that does not exist" 3 "^no.obj: No such file.*--set boat.mesh" \
+    $small --set boat.mesh=no.obj
+expect "MTL that does not exist" 3 "^none.mtl: No such file.*lost.obj" \
+    $small --set boat.mesh=lost.obj
+expect "picture of an MTL that does not exist" 3 \
+    "^sub/skin.png: No such file.*sub/red.mtl" \
+    $small --set boat.mesh=red.obj
+printf 'newmtl red\nKd 1 q 0\n' >sub/red.mtl
+expect "bad number in an MTL" 3 "^sub/red.mtl:2: expected a number" $small --set \
+    boat.mesh=red.obj
+printf 'newmtl red\nKd 1 0 0\n' >sub/red.mtl
+expect "OBJ with an MTL in a folder" 0 "" $small --set boat.mesh=red.obj
+expect "OBJ without an MTL" 0 "" $small --set boat.mesh=good.obj
+printf '\n[boat]\nmesh = parts/no.obj\n' >sub/own.ini
+expect "names in an INI are beside it" 3 \
+    "^sub/parts/no.obj: No such.*boat.mesh of sub/own.ini:3" \
+    render sub/own.ini
+
+expect "texture that does not exist" 3 "^no.png: No such file" $small --set \
+    water.texture=no.png
+run $small --out whole.png
+head -c 200 whole.png >cut.png
+expect "PNG cut short" 3 "^cut.png: not a good PNG: the file ends too early" \
+    $small --set water.texture=cut.png
+head -c 4 whole.png >tiny.png
+expect "PNG of four bytes" 3 "^tiny.png: not a good PNG" $small --set \
+    water.texture=tiny.png
+: >empty.png
+expect "PNG of nothing" 3 "^empty.png: not a good PNG" $small --set \
+    water.texture=empty.png
+expect "OBJ for a PNG" 3 "^good.obj: not a good PNG" $small --set water.texture=good.obj
+{ head -c 300 whole.png; printf 'XXXX'; tail -c +305 whole.png; } >torn.png
+expect "PNG with a torn chunk" 3 "^torn.png: not a good PNG" $small --set \
+    water.texture=torn.png
+base64 -d >huge.png <<'PNG'
+iVBORw0KGgoAAAANSUhEUgAA6mAAAOpgCAIAAAAPsOIVAAAADElEQVR4nGNgoD0AAABkAAGGZDw1
+AAAAAElFTkSuQmCC
+PNG
+expect "PNG of 60000 x 60000 pixels" 3 "^huge.png: not a good PNG" $small --set \
+    water.texture=huge.png
+base64 -d >deep.png <<'PNG'
+iVBORw0KGgoAAAANSUhEUgAAAAIAAAACEAYAAAFVIeHxAAAAHklEQVR4nGP4/58BCMAkiGhoYIDx
+hUzCKmbt+f8fAN3WDWGRwh9WAAAAAElFTkSuQmCC
+PNG
+expect "PNG of 16 bits, interlaced" 0 "" $small --set water.texture=deep.png
+for format in xrgb8888 rgb565 p8 l8 i1; do
+    run $small --format $format --out $format.png
+    expect "PNG of $format is read again" 0 "" $small --set water.texture=$format.png
+done
+expect "folder for a texture" 3 "^sub: .*Is a directory" $small --set water.texture=sub
+expect "folder for a mesh" 3 "^sub: Is a directory" $small --set boat.mesh=sub
+}
+
+# -- outputs ------------------------------------------------------------------------
+
+small="render three-swells --size 64x48"
+# shellcheck disable=SC2086
+{
+run $small --frames 2:4 --out f-%04d.png
+same "one PNG a frame, numbered by frames" "$code $(echo f-*)" \
+    "0 f-0002.png f-0003.png f-0004.png"
+run $small --out 100%%-%d.png
+same "%% is a percent sign" "$code $(echo 100*)" "0 100%-0.png"
+run $small --frames 3 --out film.y4m
+same "film has its header" "$code $(head -1 film.y4m)" \
+    "0 YUV4MPEG2 W64 H48 F60:1 Ip A1:1 C420jpeg XCOLORRANGE=LIMITED"
+header=$(head -1 film.y4m | wc -c)
+same "film has its size" "$(wc -c <film.y4m)" "$((header + 3 * (6 + 64 * 48 * 3 / 2)))"
+run render three-swells --size 33x17 --out odd.y4m
+header=$(head -1 odd.y4m | wc -c)
+same "film of odd sides has its size" "$(wc -c <odd.y4m)" \
+    "$((header + 6 + 33 * 17 + 2 * 17 * 9))"
+run $small --frames 3 --out - --hash --stats
+cmp -s out film.y4m
+same "film on standard output is the same, hashes and figures on stderr" \
+    "$? $(grep -c '^frame 000[012] crc32 ' err) $(grep -c '^{.*}$' err)" "0 3 1"
+run $small --frames 2 --stats
+for key in frames ms_median water_pixels vertices triangles dropped ram_bytes; do
+    grep -q "\"$key\": " out || echo "no $key" >>missing
+done
+same "figures have all their keys" "$code $(cat missing 2>/dev/null)" "0 "
+same "figures count two frames and some water" \
+    "$(grep -c '"frames": 2,.*"water_pixels": [1-9]' out)" 1
+
+expect "full device" 3 "^/dev/full: No space" $small --frames 9 --out /dev/full
+timeout 60 "$program" $small --frames 9 --out - >/dev/full 2>err
+code=$?
+judge "full standard output" 3 "^standard output: No space"
+timeout 60 "$program" $small --hash >/dev/full 2>err
+code=$?
+judge "hashes to a full device" 3 "^standard output: No space"
+ln -s /dev/full full.png
+expect "PNG to a full device" 3 "^full.png: No space" $small --out full.png
+rm full.png
+(ulimit -f 1; timeout 60 "$program" $small --frames 99 --out cut.y4m 2>err)
+code=$?
+judge "film beyond the size limit" 3 "^cut.y4m: File too large"
+(ulimit -f 1; timeout 60 "$program" render three-swells --out big.png 2>err)
+code=$?
+judge "PNG beyond the size limit" 3 "^big.png: File too large"
+expect "output into no folder" 3 "^no/film.y4m: No such file" $small --out no/film.y4m
+mkdir taken.png
+expect "a folder of the output's name" 3 "^taken.png: Is a directory" $small --out \
+    taken.png
+absent "failed outputs leave nothing" "cut.y4m\|big.png\|full.png\|tidepool-"
+{ timeout 60 "$program" $small --frames 99 --out - 2>err; echo $? >code; } | head -c 9 \
+    >/dev/null
+code=$(cat code)
+judge "closed pipe" 3 "^standard output: Broken pipe"
+
+timeout 60 "$program" $small --frames 1000000 --out long.y4m 2>err &
+child=$!
+for _ in 1 2 3 4 5 6 7 8 9; do
+    ls -A | grep -q tidepool- && break
+    sleep 0.1
+done
+same "a film being written has another name" "$(ls -A | grep -c 'long.y4m\|tidepool-')" 1
+kill $child
+wait $child 2>/dev/null
+absent "a film that is stopped leaves nothing" "long.y4m\|tidepool-"
+echo old >keep.y4m
+ln keep.y4m other.y4m
+run $small --out keep.y4m
+same "an old file is replaced, not written into" "$code $(cat other.y4m)" "0 old"
+ln -s keep.y4m link.y4m
+run $small --out link.y4m --frames 2
+same "a link to a file is followed" "$code $(test -L link.y4m && wc -c <keep.y4m)" \
+    "0 $(head -1 keep.y4m | wc -c | awk '{ print $1 + 2 * (6 + 64 * 48 * 3 / 2) }')"
+}
+
+# -- hashes -------------------------------------------------------------------------
+
+# shellcheck disable=SC2086
+{
+run $small --frames 0:5 --hash
+cp out list
+same "one hash a frame" "$code $(grep -c '^frame 000[0-5] crc32 [0-9a-f]\{8\}$' list)" \
+    "0 6"
+same "frames differ from each other" "$(cut -d' ' -f4 list | sort -u | wc -l)" 6
+expect "the right list" 0 "" $small --frames 0:5 --hash --expect list
+expect "a part of the list" 0 "" $small --frames 3:4 --hash --expect list
+run $small --frames 5:5 --hash
+same "a frame rendered alone is the same" "$(cat out)" "$(tail -1 list)"
+known=$(sed -n 's/frame 0003 crc32 //p' list)
+sed 's/\(frame 0003 crc32 \).*/\1deadbeef/' list >wrong
+expect "the wrong list" 1 "^wrong: frame 0003 differs: expected deadbeef, got $known$" \
+    $small --frames 0:5 --hash --expect wrong
+same "the wrong list ends at the first difference" "$(wc -l <out)" 4
+run $small --frames 0:5 --expect wrong --out differs.y4m
+absent "no film of a failed check" "differs.y4m\|tidepool-"
+grep -v 0004 list >short
+expect "a frame that the list lacks" 1 "^short: frame 0004 is not in the list" \
+    $small --frames 0:5 --expect short
+: >none
+expect "an empty list" 1 "not in the list" $small --expect none
+{ echo '# hashes'; echo; cat list; } >noted
+expect "comments in a list" 0 "" $small --frames 0:5 --expect noted
+echo 'frame 0000 crc 12345678' >broken
+expect "a line that is no hash" 3 "^broken:1: expected 'frame" $small --expect broken
+expect "a list that does not exist" 3 "^no.txt: No such file" $small --expect no.txt
+for format in xrgb8888 rgb565 rgb565be p8 l8 i1; do
+    whole="render three-swells --size 100x70 --frames 2 --format $format --hash"
+    run $whole
+    cp out hashes
+    for tiling in "--band 1" "--band 7" "--band 16" "--strip 16" "--strip 48" \
+        "--strip 112" \
+                  "--threads 2" "--threads 3 --strip 16" "--threads 5 --band 3"; do
+        run $whole $tiling
+        same "$format, $tiling: the same frames" "$code $(cat out)" "0 $(cat hashes)"
+    done
+done
+}
+
+# -- progress -----------------------------------------------------------------------
+
+long="timeout 3 $program render minimal --size 1024x768 --frames 1000000"
+$long >out 2>err &
+if command -v script >/dev/null; then
+    TERM=xterm script -qec "$long" typescript >/dev/null </dev/null
+    same "after two seconds a terminal sees progress" \
+        "$(grep -c 'frame [0-9]* of 1000000, 0%, about [0-9]* s left' typescript)" 1
+else
+    echo "skip progress on a terminal: install bsdutils"
+fi
+wait $!
+same "a file does not" "$(cat out err)" ""
+
+echo "$passed passed, $failed failed"
+[ "$failed" -eq 0 ]

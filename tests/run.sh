@@ -1,0 +1,61 @@
+#!/bin/sh
+# SPDX-License-Identifier: MIT
+# Runs tests, TP_JOBS at a time, and adds up what they say.
+#
+#   tests/run.sh LOGS TEST...
+#
+# A test is a program or script that exits with 0 when all went well.  It prints a line
+# for each case: cmocka's own, or of scripts, which are given TP_PROGRAM to work on,
+#     ok - NAME        FAILED - NAME        skipped: NAME (package PKG)
+# Its whole output goes to LOGS/TEST.log and is shown when it fails.  The last line
+# printed here is "N passed, N failed[, N skipped]".  With TP_STRICT set a skip fails.
+set -u
+export TP_PROGRAM="${TP_PROGRAM:-build/host/tidepool}" TP_BUILD="${TP_BUILD:-build/host}"
+
+run_one()       # LOGS TEST
+{
+    name=${2#./} name=${name#build/} name=${name%.sh}
+    log=$1/$name.log
+    mkdir -p "${log%/*}"
+    begun=$(date +%s)
+    case $2 in
+    *.sh) timeout "${TP_TIMEOUT:-900}" "$2" "$TP_PROGRAM" >"$log" 2>&1 </dev/null ;;
+    *)    timeout "${TP_TIMEOUT:-900}" "$2" >"$log" 2>&1 </dev/null ;;
+    esac
+    code=$?
+    seconds=$(($(date +%s) - begun))
+    awk -v code=$code -v name="$name" -v seconds=$seconds -v result="$log.result" '
+        /^\[       OK \]/ || /^ok /         { passed++ }
+        /^\[  FAILED  \] [^0-9]/ && !($4 in seen) { seen[$4]; failed++ }
+        /^FAIL(ED)? /                       { failed++ }
+        /^skipped: /                        { skipped++; skip[skipped] = $0 }
+        /^\[  SKIPPED \] [^0-9]/            { skipped++; skip[skipped] = "skipped: " $4 }
+        END {
+            if (code && !failed) failed = 1         # crashed, or hung and was ended
+            if (!code && failed) code = 1           # says it failed, but exits with 0
+            line = sprintf("%-44s %4d passed %3ds", name, passed, seconds)
+            if (failed) line = line sprintf("  %d FAILED (exit %d)", failed, code)
+            print line
+            for (i = 1; i <= skipped; i++) print skip[i]
+            print passed + 0, failed + 0, skipped + 0 > result
+            exit failed > 0
+        }' "$log" || tail -n 40 "$log" | sed 's/^/    | /'
+}
+
+if [ "$1" = -one ]; then
+    output=$(run_one "$2" "$3")
+    echo "$output"
+    exit 0
+fi
+
+logs=$1; shift
+rm -rf "$logs"; mkdir -p "$logs"
+printf '%s\n' "$@" | xargs -P "${TP_JOBS:-2}" -I{} "$0" -one "$logs" {}
+find "$logs" -name '*.result' -exec cat {} + | awk -v tests=$# -v strict="${TP_STRICT:-}" '
+    { passed += $1; failed += $2; skipped += $3; n++ }
+    END {
+        failed += tests - n
+        line = passed + 0 " passed, " failed + 0 " failed"
+        print skipped ? line ", " skipped " skipped" : line
+        exit failed > 0 || (strict != "" && skipped > 0) || passed == 0
+    }'
