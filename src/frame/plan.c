@@ -129,6 +129,7 @@ void tp_frame_plan(tp_frame *frame, const tp_world *world)
                             world->tick);
     shade->ripple = layer_of(frame, frame->assets.water_normal, scene->water.normal_size,
                              world->tick);
+    shade->ripple.lod += 224;       /* a mean of normals: what is lost glitters */
     shade->ripple.slope_gain = scene->water.normal_bump >> 8;
     tp_shade_sky(shade, (uint32_t)scene->sky.horizon, (uint32_t)scene->sky.zenith);
     if (scene->water.specular > 0)

@@ -48,6 +48,11 @@ TP_ALWAYS_INLINE void diffuse(const tp_shade *shade, tp_run *run, int rippled)
     }
 }
 
+/* Ripples too small for a pixel keep a part of the water turned to the eye, however
+ * flat the view: N.V of rippled water stays above 1/10, or crests would be outlined by
+ * the horizon's full light. */
+#define RIPPLED_VIEW 1638
+
 TP_ALWAYS_INLINE void light(const tp_shade *shade, tp_run *run, int rippled)
 {
     int32_t lx = shade->world.lx, ly = shade->world.ly, lz = shade->world.lz;
@@ -61,6 +66,8 @@ TP_ALWAYS_INLINE void light(const tp_shade *shade, tp_run *run, int rippled)
         int32_t nl = ly - ((sx * lx + sz * lz) >> 12);
 
         nv = nv < 0 ? 0 : nv * ny >> 14;
+        if (rippled && nv < RIPPLED_VIEW)
+            nv = RIPPLED_VIEW;
         nl = nl < 0 ? 0 : nl * ny >> 14;
         nv = nv > 16384 ? 16384 : nv;
         int32_t rv = (2 * nl * nv >> 14) - run->lv[i];
