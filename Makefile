@@ -168,7 +168,7 @@ $(BAKED): build/host/tests/cross/bake $(wildcard assets/scenes/* assets/boats/*.
 	@mkdir -p $(@D)
 	$< assets/scenes/$(basename $(@F)).ini -o $@
 build/baked/$(MACHINE).o: $(BAKED)
-	$(COMPILE) -I. -c $< -o $@
+	$(COMPILE) -Iports -c $< -o $@
 $(FRAMES): $(FRAMES).o build/baked/$(MACHINE).o $(LIB)
 	$(LINK) $^ -o $@
 build/host/count.so: tests/budgets/count.c $(BUILD)/flags

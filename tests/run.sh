@@ -39,7 +39,11 @@ run_one()       # LOGS TEST
             for (i = 1; i <= skipped; i++) print skip[i]
             print passed + 0, failed + 0, skipped + 0 > result
             exit failed > 0
-        }' "$log" || tail -n 40 "$log" | sed 's/^/    | /'
+        }' "$log" || {
+        grep -E -A 2 'FAIL|ERROR|: error|rror:|undefined|Assert' "$log" | head -n 30 |
+            sed 's/^/    | /'
+        echo "    | all of it: $log"
+    }
 }
 
 if [ "$1" = -one ]; then

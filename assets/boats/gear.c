@@ -9,18 +9,21 @@ static const double TURN = 6.283185307179586;
 
 enum { SHIELDS = 14, OARS = 9, RIM = 10, BOSS = 6 };
 
-static const double RADIUS = .43;      /* of a shield */
+static const double RADIUS = .43; /* of a shield */
 
-/* -- shields ------------------------------------------------------------------------------ */
+/* -- shields ------------------------------------------------------------------------- */
 
 /* A place with three directions: aft along the rail, up, and out = up x aft. */
-typedef struct { vec at, aft, up, out; } stand;
+typedef struct {
+    vec at, aft, up, out;
+} stand;
 
 static stand rail_stand(double z)
 {
     double u = hull_u_at(STRAKES, z);
-    vec way = vec_unit(vec_sub(hull_point(STRAKES, u + .01), hull_point(STRAKES, u - .01)));
-    stand s = {hull_point(STRAKES, u), way, {0, 1, 0}, {0, 0, 0}};
+    vec way =
+        vec_unit(vec_sub(hull_point(STRAKES, u + .01), hull_point(STRAKES, u - .01)));
+    stand s = { hull_point(STRAKES, u), way, { 0, 1, 0 }, { 0, 0, 0 } };
     s.up = vec_unit(vec_sub(s.up, vec_scale(way, way.y)));
     s.out = vec_cross(s.up, s.aft);
     s.at = vec_add(s.at, vec_add(vec_scale(s.out, .085), vec_scale(s.up, .03)));
@@ -54,7 +57,8 @@ static void shield_back(mesh *m, const stand *s, int smoothing)
     corner centre = corner_of(on_stand(s, 0, 0, -.015), .1, .5), rim[RIM];
     for (int i = 0; i < RIM; i++) {
         double c = cos(TURN * (i + .5) / RIM), d = sin(TURN * (i + .5) / RIM);
-        rim[i] = corner_of(on_stand(s, RADIUS * d, RADIUS * c, 0), .1 + .3 * c, .5 + .3 * d);
+        rim[i] =
+            corner_of(on_stand(s, RADIUS * d, RADIUS * c, 0), .1 + .3 * c, .5 + .3 * d);
     }
     for (int i = 0; i < RIM; i++)
         mesh_triangle(m, centre, rim[(i + 1) % RIM], rim[i], smoothing);
@@ -62,20 +66,20 @@ static void shield_back(mesh *m, const stand *s, int smoothing)
 
 static void boss(mesh *m, const stand *s, int smoothing)
 {
-    static const double shape[2][2] = {{.115, .035}, {.070, .105}};
+    static const double shape[2][2] = { { .115, .035 }, { .070, .105 } };
     vec ring[2 * BOSS];
     for (int i = 0; i < 2 * BOSS; i++) {
         const double *k = shape[i / BOSS];
         double turn = TURN * (i % BOSS) / BOSS;
         ring[i] = on_stand(s, k[0] * sin(turn), k[0] * cos(turn), k[1]);
     }
-    tube_style style = {2.0, .1, .5, true, false, true, smoothing};
+    tube_style style = { 2.0, .1, .5, true, false, true, smoothing };
     mesh_tube(m, ring, 2, BOSS, style);
 }
 
 static void shields(mesh *m)
 {
-    static const char *const made_of[3] = {"shield", "oak", "iron"};
+    static const char *const made_of[3] = { "shield", "oak", "iron" };
     for (int part = 0; part < 3; part++) {
         mesh_part(m, "shields", made_of[part]);
         for (int i = 0; i < 2 * SHIELDS; i++) {
@@ -93,15 +97,18 @@ static void shields(mesh *m)
     m->mirror = false;
 }
 
-/* -- oars ----------------------------------------------------------------------------------- */
+/* -- oars ---------------------------------------------------------------------------- */
 
 /* Half measures of a diamond across the loom, and its place between the ends. */
-typedef struct { double along, flat, edge; } oar_key;
+typedef struct {
+    double along, flat, edge;
+} oar_key;
 
 static void loom(mesh *m, vec a, vec b, const oar_key *key, int keys, tube_style style)
 {
     vec way = vec_unit(vec_sub(b, a));
-    vec flat = vec_unit(vec_cross(way, fabs(way.y) < .7 ? vec_of(0, 1, 0) : vec_of(1, 0, 0)));
+    vec flat =
+        vec_unit(vec_cross(way, fabs(way.y) < .7 ? vec_of(0, 1, 0) : vec_of(1, 0, 0)));
     vec edge = vec_cross(way, flat), ring[8 * 4];
     for (int i = 0; i < keys; i++) {
         vec c = vec_mix(a, b, key[i].along), *r = ring + 4 * i;
@@ -117,7 +124,10 @@ static void loom(mesh *m, vec a, vec b, const oar_key *key, int keys, tube_style
 static void oars(mesh *m)
 {
     static const oar_key key[] = {
-        {0, .034, .034}, {.72, .034, .038}, {.79, .022, .105}, {1, .014, .135},
+        { 0, .034, .034 },
+        { .72, .034, .038 },
+        { .79, .022, .105 },
+        { 1, .014, .135 },
     };
     mesh_part(m, "oars", "deck");
     for (int i = 0; i < 2 * OARS; i++) {
@@ -125,7 +135,7 @@ static void oars(mesh *m)
         vec hole = hull_point(6.45, hull_u_at(6.45, z));
         vec hand = vec_add(hole, vec_of(-.95, .30, -.17));
         vec tip = vec_add(hole, vec_of(3.30, -1.03, .59));
-        tube_style style = {.42, .56, .12, false, true, true, 400 + 4 * (i % OARS)};
+        tube_style style = { .42, .56, .12, false, true, true, 400 + 4 * (i % OARS) };
         m->mirror = i >= OARS;
         loom(m, hand, tip, key, 4, style);
     }
@@ -136,27 +146,31 @@ static void oars(mesh *m)
 static void steering_oar(mesh *m, bool low)
 {
     static const oar_key key[] = {
-        {0, .05, .05}, {.42, .06, .06}, {.52, .045, .12}, {.80, .035, .27}, {1, .025, .20},
+        { 0, .05, .05 },    { .42, .06, .06 }, { .52, .045, .12 },
+        { .80, .035, .27 }, { 1, .025, .20 },
     };
-    static const oar_key key_low[] = {{0, .07, .07}, {1, .05, .26}};
+    static const oar_key key_low[] = { { 0, .07, .07 }, { 1, .05, .26 } };
     vec rail = hull_point(STRAKES, hull_u_at(STRAKES, 7.1));
-    vec head = vec_add(rail, vec_of(.17, .60, -.20)), foot = vec_of(rail.x + .12, -1.15, 7.75);
-    tube_style style = {.42, .56, .12, false, true, true, 370};
+    vec head = vec_add(rail, vec_of(.17, .60, -.20)),
+        foot = vec_of(rail.x + .12, -1.15, 7.75);
+    tube_style style = { .42, .56, .12, false, true, true, 370 };
     mesh_part(m, "rudder", "oak");
     if (low) {
         loom(m, head, foot, key_low, 2, style);
         return;
     }
     loom(m, head, foot, key, 5, style);
-    tube_style tiller = {.42, .31, .12, false, true, true, 375};
-    mesh_beam(m, vec_add(head, vec_of(-.95, .02, -.12)), vec_add(head, vec_of(.02, -.08, .02)),
-              vec_of(0, .03, 0), vec_of(0, 0, .03), tiller);
-    tube_style block = {.42, .56, .12, false, true, true, 380};
-    mesh_beam(m, vec_add(rail, vec_of(-.02, -.2, .05)), vec_add(rail, vec_of(.13, -.2, .05)),
-              vec_of(0, .12, 0), vec_of(0, 0, .12), block);
+    tube_style tiller = { .42, .31, .12, false, true, true, 375 };
+    mesh_beam(m, vec_add(head, vec_of(-.95, .02, -.12)),
+              vec_add(head, vec_of(.02, -.08, .02)), vec_of(0, .03, 0), vec_of(0, 0, .03),
+              tiller);
+    tube_style block = { .42, .56, .12, false, true, true, 380 };
+    mesh_beam(m, vec_add(rail, vec_of(-.02, -.2, .05)),
+              vec_add(rail, vec_of(.13, -.2, .05)), vec_of(0, .12, 0), vec_of(0, 0, .12),
+              block);
 }
 
-/* -- inside --------------------------------------------------------------------------------- */
+/* -- inside -------------------------------------------------------------------------- */
 
 static void thwarts(mesh *m)
 {
@@ -164,11 +178,11 @@ static void thwarts(mesh *m)
     for (int i = 0; i < OARS; i++) {
         double z = .93 * i - .465 * (OARS - 1) + .42, y = .60;
         if (fabs(z - .35) < .4)
-            continue;                                   /* the mast stands there */
+            continue; /* the mast stands there */
         double x = hull_inner_x(y, hull_u_at(6.6, z)) + .03;
-        tube_style style = {.42, .25 * (i % 4) + .06, .12, false, false, false, 390};
-        mesh_beam(m, vec_of(-x, y, z), vec_of(x, y, z), vec_of(0, .03, 0), vec_of(0, 0, .11),
-                  style);
+        tube_style style = { .42, .25 * (i % 4) + .06, .12, false, false, false, 390 };
+        mesh_beam(m, vec_of(-x, y, z), vec_of(x, y, z), vec_of(0, .03, 0),
+                  vec_of(0, 0, .11), style);
     }
 }
 

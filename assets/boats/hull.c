@@ -6,19 +6,21 @@
  * 1 - |u|^p and their height to the place in the post's rabbet as |u|^e.  The lower edge
  * of each strake stands off the one below by a plank's thickness, which makes the steps.
  * A station is the row of points from keel to deck at one u; mirrored and joined to its
- * neighbours it makes a closed tube.  Proportions after the ships of Oseberg and Gokstad. */
+ * neighbours it makes a closed tube.  Proportions after the Oseberg and Gokstad ships. */
 #include "longship.h"
 
 #include <math.h>
 
-static const double frame_at[STRAKES + 1][2] = {        /* half breadth, height */
-    {.08, -.68}, {.50, -.612}, {.92, -.482}, {1.28, -.292}, {1.56, -.055},
-    {1.75, .20}, {1.87, .456}, {1.94, .702}, {1.985, .905}, {2.003, 1.085},
+static const double frame_at[STRAKES + 1][2] = {
+    /* half breadth, height */
+    { .08, -.68 }, { .50, -.612 }, { .92, -.482 }, { 1.28, -.292 }, { 1.56, -.055 },
+    { 1.75, .20 }, { 1.87, .456 }, { 1.94, .702 }, { 1.985, .905 }, { 2.003, 1.085 },
 };
 
 static const double END_BREADTH = .055; /* half, at the posts */
 static const double DECK_HEIGHT = .252;
-static const double TILE = 2.4;         /* metres of plank that the wood texture covers */
+static const double WATERLINE = 4.0; /* the strake edge up to which the hull is tarred */
+static const double TILE = 2.4;      /* metres of plank that the wood texture covers */
 
 static double frame_value(double edge, int axis)
 {
@@ -74,23 +76,23 @@ double hull_inner_x(double y, double u)
     return x - fmin(.075, .5 * x);
 }
 
-/* -- stations ---------------------------------------------------------------------------- */
+/* -- stations ------------------------------------------------------------------------ */
 
 enum { PLANKS_MAX = STRAKES, POINTS_MAX = 2 * PLANKS_MAX + 4, STATIONS_MAX = 32 };
 
 /* Which edges bound the planks, and where the stations stand. */
 typedef struct {
-    int    planks, stations;
+    int planks, stations;
     double edge[PLANKS_MAX + 1];
     double u[STATIONS_MAX];
-    double lap, rail;                   /* thickness of a plank, height of the gunwale */
-    double decked;                      /* |u| from which the deck lies at the gunwale */
-    const char *top_material;           /* of the uppermost plank */
+    double lap, rail; /* thickness of a plank, height of the gunwale */
+    double decked;    /* |u| from which the deck lies at the gunwale */
+    bool painted;     /* shields are painted on the uppermost plank */
 } hull_plan;
 
 typedef struct {
-    vec    at[POINTS_MAX];              /* two a plank, gunwale 3, deck's edge */
-    double way[PLANKS_MAX];             /* metres along each plank from the bow */
+    vec at[POINTS_MAX];     /* two a plank, gunwale 3, deck's edge */
+    double way[PLANKS_MAX]; /* metres along each plank from the bow */
 } station;
 
 static vec deck_edge(double u, double decked, vec rail)
@@ -104,7 +106,7 @@ static vec deck_edge(double u, double decked, vec rail)
 static void station_at(const hull_plan *plan, double u, station *to)
 {
     vec *at = to->at;
-    double thin = 1.0 - pow(u, 6.0);    /* planks and gunwale run out into the posts */
+    double thin = 1.0 - pow(u, 6.0); /* planks and gunwale run out into the posts */
     for (int k = 0; k < plan->planks; k++) {
         double low = plan->edge[k];
         vec lap = vec_scale(hull_outward(low, u), k > 0 ? plan->lap * thin : 0.0);
@@ -114,7 +116,8 @@ static void station_at(const hull_plan *plan, double u, station *to)
     vec top = at[-1], out = vec_of(plan->rail * .8 * thin, 0.0, 0.0);
     *at++ = vec_add(top, out);
     *at++ = vec_add(vec_add(top, out), vec_of(0.0, plan->rail, 0.0));
-    vec inner = vec_of(top.x - fmin(plan->rail * 1.2, .5 * top.x) * thin, top.y + plan->rail, top.z);
+    vec inner = vec_of(top.x - fmin(plan->rail * 1.2, .5 * top.x) * thin,
+                       top.y + plan->rail, top.z);
     *at++ = inner;
     *at = deck_edge(u, plan->decked, inner);
 }
@@ -122,7 +125,7 @@ static void station_at(const hull_plan *plan, double u, station *to)
 static void measure_planks(const hull_plan *plan, station *s)
 {
     for (int k = 0; k < plan->planks; k++) {
-        s[0].way[k] = .37 * TILE * k;   /* so that no grain runs on into the next strake */
+        s[0].way[k] = .37 * TILE * k; /* so that no grain runs on into the next strake */
         for (int i = 1; i < plan->stations; i++) {
             vec a = vec_mix(s[i - 1].at[2 * k], s[i - 1].at[2 * k + 1], .5);
             vec b = vec_mix(s[i].at[2 * k], s[i].at[2 * k + 1], .5);
@@ -131,11 +134,27 @@ static void measure_planks(const hull_plan *plan, station *s)
     }
 }
 
-/* -- skins ------------------------------------------------------------------------------- */
+/* -- skins --------------------------------------------------------------------------- */
 
-/* t0 and t1 are the texture's t at the strip's first and second edge; by_height makes the
- * second follow the wall's height instead, so that the inside's planks keep their width. */
-typedef struct { double t0, t1, tile; int smoothing; bool by_height; } strip_style;
+/* Smoothing numbers: PLANK_FACE and PLANK_STEP are the first of as many as planks. */
+enum {
+    PLANK_FACE = 1,
+    PLANK_STEP = 20,
+    RAIL_UNDER = 41,
+    RAIL_SIDE,
+    RAIL_TOP,
+    BULWARK,
+    DECK,
+    BOTTOM
+};
+
+/* t0 and t1 are the texture's t at the strip's first and second edge; by_height makes t
+ * follow the wall's height instead, so that the planks inside keep their width. */
+typedef struct {
+    double t0, t1, tile;
+    int smoothing;
+    bool by_height;
+} strip_style;
 
 static double height_t(const station *s, int p, strip_style w)
 {
@@ -143,38 +162,39 @@ static double height_t(const station *s, int p, strip_style w)
 }
 
 /* The strip between points p and p + 1 of all stations, way taken from plank k. */
-static void strip(mesh *m, const hull_plan *plan, const station *s, int p, int k, strip_style w)
+static void strip(mesh *m, const hull_plan *plan, const station *s, int p, int k,
+                  strip_style w)
 {
     for (int i = 0; i + 1 < plan->stations; i++) {
         const station *a = &s[i], *b = &s[i + 1];
         double sa = a->way[k] / w.tile, sb = b->way[k] / w.tile;
         mesh_quad(m, corner_of(b->at[p], sb, w.t0), corner_of(a->at[p], sa, w.t0),
                   corner_of(a->at[p + 1], sa, height_t(a, p, w)),
-                  corner_of(b->at[p + 1], sb, height_t(b, p, w)),
-                  w.smoothing);
+                  corner_of(b->at[p + 1], sb, height_t(b, p, w)), w.smoothing);
     }
 }
 
 static void planks(mesh *m, const hull_plan *plan, const station *s, int first, int last)
 {
     for (int k = first; k < last; k++) {
-        bool painted = k == plan->planks - 1 && plan->top_material[0] == 's';
-        strip_style face = {plan->edge[k] / 4.0, plan->edge[k + 1] / 4.0, TILE, 1 + k, false};
-        strip_style rows = {.5, 1.0, 1.5, 1 + k, false};
-        strip(m, plan, s, 2 * k, k, painted ? rows : face);
-        if (k + 1 < plan->planks) {
-            strip_style step = {plan->edge[k + 1] / 4.0 - .02, plan->edge[k + 1] / 4.0,
-                                TILE, 20 + k, false};
+        bool top = k == plan->planks - 1;
+        double t0 = plan->edge[k] / 4.0, t1 = plan->edge[k + 1] / 4.0;
+        strip_style wood = { t0, t1, TILE, PLANK_FACE + k, false };
+        strip_style shields = { 0.0, .5, 1.5, PLANK_FACE + k, false };
+        strip_style step = { t1 - .02, t1, TILE, PLANK_STEP + k, false };
+        strip(m, plan, s, 2 * k, k, top && plan->painted ? shields : wood);
+        if (!top)
             strip(m, plan, s, 2 * k + 1, k, step);
-        }
     }
 }
 
 static void gunwale(mesh *m, const hull_plan *plan, const station *s)
 {
     int p = 2 * plan->planks - 1, top = plan->planks - 1;
-    strip_style under = {.26, .28, TILE, 41, false}, side = {.27, .42, TILE, 42, false};
-    strip_style over = {.27, .48, TILE, 43, false}, inside = {.99, 0, TILE, 44, true};
+    strip_style under = { .26, .28, TILE, RAIL_UNDER, false };
+    strip_style side = { .27, .42, TILE, RAIL_SIDE, false };
+    strip_style over = { .27, .48, TILE, RAIL_TOP, false };
+    strip_style inside = { .99, 0, TILE, BULWARK, true };
     strip(m, plan, s, p, top, under);
     strip(m, plan, s, p + 1, top, side);
     strip(m, plan, s, p + 2, top, over);
@@ -198,7 +218,7 @@ static void across(mesh *m, const station *a, const station *b, int p, bool up)
     vec first = up ? port(rb) : rb, second = up ? rb : port(rb);
     vec third = up ? ra : port(ra), fourth = up ? port(ra) : ra;
     mesh_quad(m, flat_corner(first), flat_corner(second), flat_corner(third),
-              flat_corner(fourth), up ? 45 : 46);
+              flat_corner(fourth), up ? DECK : BOTTOM);
 }
 
 /* The closing strips inside a post; `fore` at the bow. */
@@ -213,59 +233,68 @@ static void end_cap(mesh *m, const station *s, int points, bool fore)
     }
 }
 
+static void both_sides(mesh *m, const hull_plan *plan, const station *s, int first,
+                       int last)
+{
+    for (int side = 0; side < 2; side++) {
+        m->mirror = side == 1;
+        planks(m, plan, s, first, last);
+        if (last == plan->planks)
+            gunwale(m, plan, s);
+    }
+    m->mirror = false;
+}
+
 static void build(mesh *m, const hull_plan *plan)
 {
     static station s[STATIONS_MAX];
-    int points = 2 * plan->planks + 4, tarred = 0;
-    for (int i = 0; i < plan->stations; i++)
+    int points = 2 * plan->planks + 4, last = plan->stations - 1, tarred = 0;
+    for (int i = 0; i <= last; i++)
         station_at(plan, plan->u[i], &s[i]);
     measure_planks(plan, s);
-    while (plan->edge[tarred + 1] <= 4.0)
+    while (plan->edge[tarred + 1] <= WATERLINE)
         tarred++;
 
     mesh_part(m, "hull", "tar");
-    for (int side = 0; side < 2; side++) {
-        m->mirror = side == 1;
-        planks(m, plan, s, 0, tarred);
-    }
-    m->mirror = false;
-    for (int i = 0; i + 1 < plan->stations; i++)
+    both_sides(m, plan, s, 0, tarred);
+    for (int i = 0; i < last; i++)
         across(m, &s[i], &s[i + 1], 0, false);
     end_cap(m, &s[0], points - 1, true);
-    end_cap(m, &s[plan->stations - 1], points - 1, false);
-
+    end_cap(m, &s[last], points - 1, false);
     mesh_part(m, "hull", "oak");
-    for (int side = 0; side < 2; side++) {
-        m->mirror = side == 1;
-        planks(m, plan, s, tarred, plan->planks - 1);
-        gunwale(m, plan, s);
-    }
-    mesh_part(m, "hull", plan->top_material);
-    for (int side = 0; side < 2; side++) {
-        m->mirror = side == 1;
-        planks(m, plan, s, plan->planks - 1, plan->planks);
-    }
-    m->mirror = false;
+    both_sides(m, plan, s, tarred, plan->planks - 1);
+    mesh_part(m, "hull", plan->painted ? "shield" : "oak");
+    both_sides(m, plan, s, plan->planks - 1, plan->planks);
     mesh_part(m, "hull", "deck");
-    for (int i = 0; i + 1 < plan->stations; i++)
+    for (int i = 0; i < last; i++)
         across(m, &s[i], &s[i + 1], points - 1, true);
 }
 
 void hull_build(mesh *m)
 {
     static const hull_plan plan = {
-        STRAKES, 19, {0, 1, 2, 3, 4, 5, 6, 7, 8, 9},
-        {-1, -.955, -.895, -.82, -.73, -.62, -.49, -.34, -.17, 0,
-         .17, .34, .49, .62, .73, .82, .895, .955, 1},
-        .038, .068, 1.0, "oak",
+        .planks = STRAKES,
+        .stations = 19,
+        .edge = { 0, 1, 2, 3, 4, 5, 6, 7, 8, 9 },
+        .u = { -1, -.955, -.895, -.82, -.73, -.62, -.49, -.34, -.17, 0, .17, .34, .49,
+               .62, .73, .82, .895, .955, 1 },
+        .lap = .038,
+        .rail = .068,
+        .decked = 1,
     };
     build(m, &plan);
 }
 
+/* Without laps and rail their strips have no area and fall away. */
 void hull_build_low(mesh *m)
 {
     static const hull_plan plan = {
-        3, 9, {0, 4, 6, 9}, {-1, -.88, -.66, -.36, 0, .36, .66, .88, 1}, 0, 0, .88, "shield",
+        .planks = 3,
+        .stations = 9,
+        .edge = { 0, 4, 6, 9 },
+        .u = { -1, -.88, -.66, -.36, 0, .36, .66, .88, 1 },
+        .decked = .88,
+        .painted = true,
     };
     build(m, &plan);
 }

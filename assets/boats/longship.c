@@ -4,7 +4,7 @@
  *     cc -std=c11 -O2 assets/boats/?*.c assets/textures/canvas.c -lpng -lm -o longship
  *     ./longship assets/boats
  *
- * longship.obj is the ship with every plank, shield and oar; longship-low.obj has the same
+ * longship.obj is the ship with every plank, shield and oar; longship-low.obj has its
  * lines in at most 300 triangles, with the shields painted on.  Both use longship.mtl.
  * Shapes are computed in double and rounded so that every machine writes the same text
  * (mesh.h); the textures are painted in integers.  What it writes is CC0-1.0. */
@@ -12,9 +12,8 @@
 
 #include <stdio.h>
 
-static const char materials[] =
-    "# SPDX-License-Identifier: CC0-1.0\n"
-    "# Normal maps: tangent space, green up.\n";
+static const char materials[] = "# SPDX-License-Identifier: CC0-1.0\n"
+                                "# Normal maps: tangent space, green up.\n";
 
 typedef struct {
     const char *name, *diffuse, *specular, *map, *bump;
@@ -22,15 +21,16 @@ typedef struct {
 } material;
 
 static const material list[] = {
-    {"oak", "0.86 0.80 0.74", "0.14 0.13 0.11", "wood.png", "wood-normal.png", 24},
-    {"tar", "0.36 0.32 0.30", "0.24 0.23 0.22", "wood.png", "wood-normal.png", 36},
-    {"deck", "1 0.97 0.92", "0.06 0.06 0.05", "wood.png", "wood-normal.png", 12},
-    {"carved", "0.92 0.84 0.74", "0.18 0.16 0.13", "carving.png", "carving-normal.png", 30},
-    {"sail", "1 1 1", "0.03 0.03 0.03", "sail.png", "sail-normal.png", 6},
-    {"shield", "1 1 1", "0.12 0.12 0.12", "shields.png", NULL, 20},
-    {"iron", "0.30 0.30 0.32", "0.60 0.60 0.62", "mottle.png", NULL, 60},
-    {"bone", "0.98 0.93 0.80", "0.30 0.30 0.28", "mottle.png", NULL, 40},
-    {"rope", "0.80 0.72 0.56", "0.04 0.04 0.04", "rope.png", NULL, 8},
+    { "oak", "0.86 0.80 0.74", "0.14 0.13 0.11", "wood.png", "wood-normal.png", 24 },
+    { "tar", "0.36 0.32 0.30", "0.24 0.23 0.22", "wood.png", "wood-normal.png", 36 },
+    { "deck", "1 0.97 0.92", "0.06 0.06 0.05", "wood.png", "wood-normal.png", 12 },
+    { "carved", "0.92 0.84 0.74", "0.18 0.16 0.13", "carving.png", "carving-normal.png",
+      30 },
+    { "sail", "1 1 1", "0.03 0.03 0.03", "sail.png", "sail-normal.png", 6 },
+    { "shield", "1 1 1", "0.12 0.12 0.12", "shields.png", NULL, 20 },
+    { "iron", "0.30 0.30 0.32", "0.60 0.60 0.62", "mottle.png", NULL, 60 },
+    { "bone", "0.98 0.93 0.80", "0.30 0.30 0.28", "mottle.png", NULL, 40 },
+    { "rope", "0.80 0.72 0.56", "0.04 0.04 0.04", "rope.png", NULL, 8 },
 };
 
 static int write_materials(const char *dir)
@@ -45,8 +45,8 @@ static int write_materials(const char *dir)
     fputs(materials, file);
     for (size_t i = 0; i < sizeof list / sizeof list[0]; i++) {
         const material *m = &list[i];
-        fprintf(file, "\nnewmtl %s\nKd %s\nKs %s\nNs %d\nmap_Kd %s\n", m->name, m->diffuse,
-                m->specular, m->shininess, m->map);
+        fprintf(file, "\nnewmtl %s\nKd %s\nKs %s\nNs %d\nmap_Kd %s\n", m->name,
+                m->diffuse, m->specular, m->shininess, m->map);
         if (m->bump != NULL)
             fprintf(file, "map_Bump %s\n", m->bump);
     }

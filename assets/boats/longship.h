@@ -7,38 +7,38 @@
 
 enum { STRAKES = 9 };
 
-/* -- posts.c: keel, stem with the dragon's head, stern with the curled tail ------------ */
+/* -- posts.c: keel, stem with the dragon's head, stern with the curled tail ---------- */
 
 typedef enum { BOW, STERN } ship_end;
 
 /* Where the planks of strake edge 0..STRAKES run into the post. */
-vec  post_rabbet(ship_end end, double edge);
+vec post_rabbet(ship_end end, double edge);
 void posts_build(mesh *m);
 void posts_build_low(mesh *m);
 
-/* -- hull.c ---------------------------------------------------------------------------- */
+/* -- hull.c -------------------------------------------------------------------------- */
 
 /* A point of strake edge 0 (keel) .. STRAKES (gunwale) on the starboard side; u runs from
  * -1 at the bow to 1 at the stern. */
-vec    hull_point(double edge, double u);
-vec    hull_outward(double edge, double u);     /* across the strake, level with the frame */
-double hull_u_at(double edge, double z);        /* the u whose point has that z */
-double hull_inner_x(double y, double u);        /* half the room between the skins */
+vec hull_point(double edge, double u);
+vec hull_outward(double edge, double u); /* across the strake, level with the frame */
+double hull_u_at(double edge, double z); /* the u whose point has that z */
+double hull_inner_x(double y, double u); /* half the room between the skins */
 
 void hull_build(mesh *m);
 void hull_build_low(mesh *m);
 
-/* -- rig.c: mast, yard, sail, ropes ------------------------------------------------------ */
+/* -- rig.c: mast, yard, sail, ropes -------------------------------------------------- */
 
 void rig_build(mesh *m);
 void rig_build_low(mesh *m);
 
-/* -- gear.c: shields, oars, steering oar, thwarts ------------------------------------------ */
+/* -- gear.c: shields, oars, steering oar, thwarts ------------------------------------ */
 
 void gear_build(mesh *m);
 void gear_build_low(mesh *m);
 
-/* -- paint.c: the textures ------------------------------------------------------------------- */
+/* -- paint.c: the textures ----------------------------------------------------------- */
 
 void paint_all(const char *dir);
 #endif

@@ -7,11 +7,11 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* -- vectors --------------------------------------------------------------------- */
+/* -- vectors ------------------------------------------------------------------------- */
 
 vec vec_of(double x, double y, double z)
 {
-    vec v = {x, y, z};
+    vec v = { x, y, z };
     return v;
 }
 
@@ -63,11 +63,11 @@ double smooth(double t)
 
 corner corner_of(vec at, double s, double t)
 {
-    corner c = {at, {s, t}};
+    corner c = { at, { s, t } };
     return c;
 }
 
-/* -- collecting -------------------------------------------------------------------- */
+/* -- collecting ---------------------------------------------------------------------- */
 
 static void fail(const char *what)
 {
@@ -96,24 +96,26 @@ void mesh_part(mesh *m, const char *group, const char *material)
 
 static mesh_corner rounded(const mesh *m, const corner *c)
 {
-    mesh_corner r = {{units(c->at.x), units(c->at.y), units(c->at.z)},
-                     {units(c->map.s), units(c->map.t)}, {0, 0, 0}};
+    mesh_corner r = { { units(c->at.x), units(c->at.y), units(c->at.z) },
+                      { units(c->map.s), units(c->map.t) },
+                      { 0.0, 0.0, 0.0 } };
     if (m->mirror)
         r.at[0] = -r.at[0];
     return r;
 }
 
-/* Twice the area times the normal, in units squared: below 2^40 for a 30 m boat. */
-static void face_cross(const mesh_face *f, int64_t cross[3])
+static vec way_between(const mesh_corner *from, const mesh_corner *to)
 {
-    int64_t a[3], b[3];
-    for (int i = 0; i < 3; i++) {
-        a[i] = f->corner[1].at[i] - f->corner[0].at[i];
-        b[i] = f->corner[2].at[i] - f->corner[0].at[i];
-    }
-    cross[0] = a[1] * b[2] - a[2] * b[1];
-    cross[1] = a[2] * b[0] - a[0] * b[2];
-    cross[2] = a[0] * b[1] - a[1] * b[0];
+    return vec_of(to->at[0] - from->at[0], to->at[1] - from->at[1],
+                  to->at[2] - from->at[2]);
+}
+
+/* Exact: the products of ways within 30 m, in units, stay below 2^53. */
+static bool is_flat(const mesh_face *f)
+{
+    vec cross = vec_cross(way_between(&f->corner[0], &f->corner[1]),
+                          way_between(&f->corner[0], &f->corner[2]));
+    return vec_length(cross) == 0.0;
 }
 
 void mesh_triangle(mesh *m, corner a, corner b, corner c, int smoothing)
@@ -125,9 +127,7 @@ void mesh_triangle(mesh *m, corner a, corner b, corner c, int smoothing)
     f->corner[1] = rounded(m, m->mirror ? &c : &b);
     f->corner[2] = rounded(m, m->mirror ? &b : &c);
     f->smoothing = smoothing;
-    int64_t cross[3];
-    face_cross(f, cross);
-    if (cross[0] != 0 || cross[1] != 0 || cross[2] != 0)
+    if (!is_flat(f))
         m->faces++;
 }
 
@@ -137,7 +137,7 @@ void mesh_quad(mesh *m, corner a, corner b, corner c, corner d, int smoothing)
     mesh_triangle(m, a, c, d, smoothing);
 }
 
-/* -- tubes -------------------------------------------------------------------------- */
+/* -- tubes --------------------------------------------------------------------------- */
 
 static vec ring_centre(const vec *ring, int sides)
 {
@@ -153,26 +153,28 @@ static void close_ring(mesh *m, const vec *ring, int sides, bool first, tube_sty
     vec centre = ring_centre(ring, sides);
     double span = style.t_span;
     for (int i = 1; i + 1 < sides; i++) {
-        int pick[3] = {0, first ? i + 1 : i, first ? i : i + 1};
+        int pick[3] = { 0, first ? i + 1 : i, first ? i : i + 1 };
         corner c[3];
         for (int k = 0; k < 3; k++) {
             vec off = vec_sub(ring[pick[k]], centre);
             c[k] = corner_of(ring[pick[k]], (off.x + off.z) * style.per_metre,
-                             style.t0 + span * 0.5 + (off.y - off.x) * style.per_metre * 0.5);
+                             style.t0 + span * 0.5
+                                 + (off.y - off.x) * style.per_metre * 0.5);
         }
         mesh_triangle(m, c[0], c[1], c[2], 0);
     }
 }
 
-static void tube_segment(mesh *m, const vec *a, const vec *b, int sides, double s0, double s1,
-                         tube_style style)
+static void tube_segment(mesh *m, const vec *a, const vec *b, int sides, double s0,
+                         double s1, tube_style style)
 {
     for (int i = 0; i < sides; i++) {
         int j = (i + 1) % sides;
         double t0 = style.t0 + style.t_span * i / sides;
         double t1 = style.t0 + style.t_span * (i + 1) / sides;
-        mesh_quad(m, corner_of(a[i], s0, t0), corner_of(a[j], s0, t1), corner_of(b[j], s1, t1),
-                  corner_of(b[i], s1, t0), style.smoothing + (style.round ? 0 : i));
+        mesh_quad(m, corner_of(a[i], s0, t0), corner_of(a[j], s0, t1),
+                  corner_of(b[j], s1, t1), corner_of(b[i], s1, t0),
+                  style.smoothing + (style.round ? 0 : i));
     }
 }
 
@@ -206,43 +208,49 @@ void mesh_beam(mesh *m, vec a, vec b, vec across, vec up, tube_style style)
     mesh_tube(m, ring, 2, 4, style);
 }
 
-/* -- normals ------------------------------------------------------------------------ */
+/* -- normals ------------------------------------------------------------------------- */
 
 static bool same_at(const mesh_corner *a, const mesh_corner *b)
 {
     return memcmp(a->at, b->at, sizeof a->at) == 0;
 }
 
-static void add_to(int64_t sum[3], const int64_t v[3])
+/* The face's unit normal times its angle at corner k: so a side counts the same however
+ * it is cut into triangles. */
+static vec corner_share(const mesh_face *f, int k)
 {
-    for (int i = 0; i < 3; i++)
-        sum[i] += v[i];
+    vec a = way_between(&f->corner[k], &f->corner[(k + 1) % 3]);
+    vec b = way_between(&f->corner[k], &f->corner[(k + 2) % 3]);
+    vec cross = vec_cross(a, b);
+    double size = vec_length(cross);
+    return vec_scale(cross, atan2(size, a.x * b.x + a.y * b.y + a.z * b.z) / size);
+}
+
+static void share_corner(mesh *m, const mesh_face *f, int k)
+{
+    vec share = corner_share(f, k);
+    for (int i = 0; i < 3 * m->faces; i++) {
+        mesh_face *g = &m->face[i / 3];
+        mesh_corner *c = &g->corner[i % 3];
+        bool together = f->smoothing != 0 && g->smoothing == f->smoothing;
+        if ((g == f && i % 3 == k) || (g != f && together && same_at(c, &f->corner[k])))
+            c->normal = vec_add(c->normal, share);
+    }
 }
 
 static void smooth_normals(mesh *m)
 {
-    for (int i = 0; i < m->faces; i++) {
-        mesh_face *f = &m->face[i];
-        int64_t cross[3];
-        face_cross(f, cross);
-        for (int k = 0; k < 3; k++)
-            add_to(f->corner[k].normal, cross);
-        for (int j = 0; f->smoothing != 0 && j < m->faces; j++) {
-            mesh_face *g = &m->face[j];
-            if (j == i || g->smoothing != f->smoothing)
-                continue;
-            for (int k = 0; k < 9; k++) {
-                if (same_at(&f->corner[k / 3], &g->corner[k % 3]))
-                    add_to(g->corner[k % 3].normal, cross);
-            }
-        }
-    }
+    for (int i = 0; i < 3 * m->faces; i++)
+        share_corner(m, &m->face[i / 3], i % 3);
 }
 
-/* -- text --------------------------------------------------------------------------- */
+/* -- text ---------------------------------------------------------------------------- */
 
 /* Distinct rows of up to three numbers, numbered from 1 in the order of first use. */
-typedef struct { int count; int32_t row[3 * MESH_FACES][3]; } table;
+typedef struct {
+    int count;
+    int32_t row[3 * MESH_FACES][3];
+} table;
 
 static int table_index(table *t, int32_t a, int32_t b, int32_t c)
 {
@@ -258,13 +266,10 @@ static int table_index(table *t, int32_t a, int32_t b, int32_t c)
 
 static void normal_units(const mesh_corner *c, int32_t n[3])
 {
-    double v[3], square = 0.0;
-    for (int i = 0; i < 3; i++) {
-        v[i] = (double)c->normal[i];
-        square += v[i] * v[i];
-    }
-    for (int i = 0; i < 3; i++)
-        n[i] = units(v[i] / sqrt(square));
+    vec unit = vec_unit(c->normal);
+    n[0] = units(unit.x);
+    n[1] = units(unit.y);
+    n[2] = units(unit.z);
 }
 
 static void print_units(FILE *file, int32_t v)
@@ -288,7 +293,9 @@ static void print_table(FILE *file, const char *what, const table *t, int width)
     }
 }
 
-typedef struct { int at, map, normal; } index3;
+typedef struct {
+    int at, map, normal;
+} index3;
 
 static void print_faces(FILE *file, const mesh *m, const index3 *index)
 {
@@ -296,7 +303,8 @@ static void print_faces(FILE *file, const mesh *m, const index3 *index)
     for (int i = 0; i < m->faces; i++) {
         for (; run < m->runs && m->run[run].first <= i; run++) {
             if (run + 1 == m->runs || m->run[run + 1].first > i)
-                fprintf(file, "g %s\nusemtl %s\n", m->run[run].group, m->run[run].material);
+                fprintf(file, "g %s\nusemtl %s\n", m->run[run].group,
+                        m->run[run].material);
         }
         if (m->face[i].smoothing != smoothing) {
             smoothing = m->face[i].smoothing;
@@ -331,9 +339,11 @@ void mesh_write(mesh *m, const char *dir, const char *name, const char *library)
     FILE *file = length < (int)sizeof path ? fopen(path, "wb") : NULL;
     if (file == NULL)
         fail("the mesh cannot be written");
-    fprintf(file, "# SPDX-License-Identifier: CC0-1.0\n"
-                  "# Written by longship.c.  Metres, y up, bow towards -z, origin amidships\n"
-                  "# at the waterline; %d triangles.\nmtllib %s\n", m->faces, library);
+    fprintf(file,
+            "# SPDX-License-Identifier: CC0-1.0\n"
+            "# Written by longship.c.  Metres, y up, bow towards -z, origin amidships\n"
+            "# at the waterline; %d triangles.\nmtllib %s\n",
+            m->faces, library);
     print_table(file, "v", &at, 3);
     print_table(file, "vt", &map, 2);
     print_table(file, "vn", &normal, 3);

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /* Collects triangles and writes them as a Wavefront OBJ.
  *
- * Lengths are metres, rounded on entry to 1/10000 m; from there on all is integer but
- * the last division of a normal, so positions that should meet do meet.  A triangle that
+ * Lengths are metres, rounded on entry to 1/10000 m; from there on places are
+ * integers, so positions that should meet do meet.  A triangle that
  * the rounding makes flat is left out.  The text must be the same on every machine though
  * their sin() may differ in the last bit: a number that lies within 1e-6 of a rounding
  * step's border ends the program, and the border stands off the round numbers. */
@@ -14,35 +14,48 @@
 #define MESH_FACES 8192
 #define MESH_RUNS  256
 
-typedef struct { double x, y, z; } vec;
-typedef struct { double s, t; } uv;
-typedef struct { vec at; uv map; } corner;
+typedef struct {
+    double x, y, z;
+} vec;
+typedef struct {
+    double s, t;
+} uv;
+typedef struct {
+    vec at;
+    uv map;
+} corner;
 
-vec    vec_of(double x, double y, double z);
-vec    vec_add(vec a, vec b);
-vec    vec_sub(vec a, vec b);
-vec    vec_scale(vec a, double by);
-vec    vec_mix(vec a, vec b, double t);
-vec    vec_cross(vec a, vec b);
+vec vec_of(double x, double y, double z);
+vec vec_add(vec a, vec b);
+vec vec_sub(vec a, vec b);
+vec vec_scale(vec a, double by);
+vec vec_mix(vec a, vec b, double t);
+vec vec_cross(vec a, vec b);
 double vec_length(vec a);
-vec    vec_unit(vec a);
+vec vec_unit(vec a);
 double mix(double a, double b, double t);
-double smooth(double t);                /* 3t^2 - 2t^3, clamped to 0..1 */
+double smooth(double t); /* 3t^2 - 2t^3, clamped to 0..1 */
 corner corner_of(vec at, double s, double t);
 
 typedef struct {
-    int32_t at[3], map[2];              /* 1/10000 */
-    int64_t normal[3];                  /* sum of its smoothing's cross products */
+    int32_t at[3], map[2]; /* 1/10000 */
+    vec normal;            /* sum of its smoothing's, not yet unit */
 } mesh_corner;
 
-typedef struct { mesh_corner corner[3]; int smoothing; } mesh_face;
-typedef struct { const char *group, *material; int first; } mesh_run;
+typedef struct {
+    mesh_corner corner[3];
+    int smoothing;
+} mesh_face;
+typedef struct {
+    const char *group, *material;
+    int first;
+} mesh_run;
 
 typedef struct {
-    int       faces, runs;
-    bool      mirror;                   /* put what follows on the other side: x = -x */
+    int faces, runs;
+    bool mirror; /* put what follows on the other side: x = -x */
     mesh_face face[MESH_FACES];
-    mesh_run  run[MESH_RUNS];
+    mesh_run run[MESH_RUNS];
 } mesh;
 
 /* What follows belongs to the group and has the material. */
@@ -59,8 +72,8 @@ void mesh_quad(mesh *m, corner a, corner b, corner c, corner d, int smoothing);
  * either end may be closed. */
 typedef struct {
     double per_metre, t0, t_span;
-    bool   round, close_first, close_last;
-    int    smoothing;                   /* not round: uses this one and the next `sides` */
+    bool round, close_first, close_last;
+    int smoothing; /* not round: uses this one and the next `sides` */
 } tube_style;
 
 void mesh_tube(mesh *m, const vec *ring, int rings, int sides, tube_style style);

@@ -30,7 +30,7 @@ static void save(const char *dir, const char *name, const char *normal_name)
     }
 }
 
-/* -- wood: four planks, one above the other ------------------------------------------------ */
+/* -- wood: four planks, one above the other ------------------------------------------ */
 
 enum { WOOD = 256, PLANK = 64 };
 
@@ -54,16 +54,16 @@ static int rivet(int x, int row)
 
 static void paint_wood(const char *dir)
 {
-    static const int tone[4] = {0, 14, -12, 6}, joint[4] = {40, 190, 110, 240};
+    static const int tone[4] = { 0, 14, -12, 6 }, joint[4] = { 40, 190, 110, 240 };
     start(WOOD, WOOD);
     for (int i = 0; i < WOOD * WOOD; i++) {
         int x = i % WOOD, y = i / WOOD, plank = y / PLANK;
-        int row = PLANK - 1 - y % PLANK;                        /* from its lower edge */
+        int row = PLANK - 1 - y % PLANK; /* from its lower edge */
         int streak = (grain(x, y) - 32768) / 256;
         int worn = (fractal(x, y, WOOD, WOOD, 4, 4, 4, 85) - 32768) / 256;
-        uint32_t wood = rgb(158 + streak * 4 / 10 + tone[plank],
-                            120 + streak * 4 / 10 + tone[plank],
-                            82 + streak / 3 + tone[plank] * 2 / 3);
+        uint32_t wood =
+            rgb(158 + streak * 4 / 10 + tone[plank], 120 + streak * 4 / 10 + tone[plank],
+                82 + streak / 3 + tone[plank] * 2 / 3);
         wood = rgb_mix(wood, 0x8f8a7e, clamp_int(worn * 2, 0, 90));
         wood = rgb_mix(wood, 0x4a3220, clamp_int(-worn * 2, 0, 60));
         int seam = row == 0 ? 190 : row == 1 ? 110 : row > 50 ? (row - 50) * 11 : 0;
@@ -76,25 +76,25 @@ static void paint_wood(const char *dir)
     save(dir, "wood.png", "wood-normal.png");
 }
 
-/* -- carving: a braid of three bands ----------------------------------------------------------- */
+/* -- carving: a braid of three bands ------------------------------------------------- */
 
 enum { CARVING_W = 128, CARVING_H = 64 };
 
-/* The braid's relief at a point, 0 for the ground.  Band i swings as sin a and passes over
- * or under as sin 2a, a = x + i/3 turn. */
+/* The braid's relief at a point, 0 for the ground.  Band i swings as sin a and passes
+ * over or under as sin 2a, a = x + i/3 turn. */
 static int braid(int x, int y)
 {
     int best = 0, top = -32768;
     for (int i = 0; i < 3; i++) {
         int32_t a = x * 65536 / 64 + i * 65536 / 3;
         int centre = 32 * 256 + sine_q14(a) * 19 / 64;
-        int off = abs(y * 256 + 128 - centre) / 8;              /* 1/32 pixel */
+        int off = abs(y * 256 + 128 - centre) / 8; /* 1/32 pixel */
         int over = sine_q14(2 * a) / 64;
         if (off < 190 && over > top) {
             top = over;
             best = 300 + over / 3 + 240 - off * off / 150;
             if (off > 158)
-                best = 60;                                      /* cut around the band */
+                best = 60; /* cut around the band */
         }
     }
     return best;
@@ -115,7 +115,7 @@ static void paint_carving(const char *dir)
     save(dir, "carving.png", "carving-normal.png");
 }
 
-/* -- sail: one red and one cream cloth ------------------------------------------------------------ */
+/* -- sail: one red and one cream cloth ----------------------------------------------- */
 
 enum { SAIL = 128 };
 
@@ -137,7 +137,7 @@ static void paint_sail(const char *dir)
     save(dir, "sail.png", "sail-normal.png");
 }
 
-/* -- shields: four designs ------------------------------------------------------------------------- */
+/* -- shields: four designs ----------------------------------------------------------- */
 
 enum { SHIELDS_SIDE = 128, QUARTER = 64 };
 
@@ -145,11 +145,16 @@ enum { SHIELDS_SIDE = 128, QUARTER = 64 };
 static uint32_t design(int which, int x, int y, int r)
 {
     static const uint32_t paint[4][2] = {
-        {0x8e1f1a, 0xdccaa0}, {0xd09a2c, 0x2a2523}, {0x24466e, 0xdccaa0}, {0x2f5a35, 0xc9a13c},
+        { 0x8e1f1a, 0xdccaa0 },
+        { 0xd09a2c, 0x2a2523 },
+        { 0x24466e, 0xdccaa0 },
+        { 0x2f5a35, 0xc9a13c },
     };
     int eighth = (x > 0) ^ (y > 0) ^ (abs(x) > abs(y));
-    int second = which == 0 ? eighth : which == 1 ? abs(x) < 9 || abs(y) < 9
-               : which == 2 ? (x > 0) == (y > 0) : r > 26 && r < 40;
+    int second = which == 0   ? eighth
+                 : which == 1 ? abs(x) < 9 || abs(y) < 9
+                 : which == 2 ? (x > 0) == (y > 0)
+                              : r > 26 && r < 40;
     return paint[which][second != 0];
 }
 
@@ -161,22 +166,23 @@ static void paint_shields(const char *dir)
         int x = 2 * (px % QUARTER) - 63, y = 63 - 2 * (py % QUARTER);
         int r = (int)root_u64((uint64_t)(x * x + y * y));
         int which = px / QUARTER + 2 * (1 - py / QUARTER);
-        int worn = (fractal(px, py, SHIELDS_SIDE, SHIELDS_SIDE, 16, 16, 3, 101) - 32768) / 256;
+        int worn =
+            (fractal(px, py, SHIELDS_SIDE, SHIELDS_SIDE, 16, 16, 3, 101) - 32768) / 256;
         int board = (px % QUARTER) % 11 == 0 ? 36 : 0;
         uint32_t c = rgb_scale(design(which, x, y, r), 256 + worn - board);
-        c = rgb_mix(c, 0x6a5036, clamp_int(worn * 3 - 110, 0, 200));    /* bare wood */
+        c = rgb_mix(c, 0x6a5036, clamp_int(worn * 3 - 110, 0, 200)); /* bare wood */
         if (r > 54)
             c = rgb_scale(0x4a3626, 256 + worn + ((px + py) % 6 == 0 ? 70 : 0));
         if (r > 60)
             c = rgb_scale(0x6b4d30, 230 + worn);
         if (r < 17)
-            c = rgb_scale(0x55565a, 256 + worn + (y - x) * 6);          /* a painted boss */
+            c = rgb_scale(0x55565a, 256 + worn + (y - x) * 6); /* a painted boss */
         put(px, py, c, 0);
     }
     save(dir, "shields.png", NULL);
 }
 
-/* -- small things ------------------------------------------------------------------------------------ */
+/* -- small things -------------------------------------------------------------------- */
 
 enum { SMALL = 32 };
 
@@ -195,7 +201,9 @@ static void paint_mottle(const char *dir)
 {
     start(SMALL, SMALL);
     for (int i = 0; i < SMALL * SMALL; i++) {
-        int level = 205 + (fractal(i % SMALL, i / SMALL, SMALL, SMALL, 4, 4, 3, 121) - 32768) / 400;
+        int level =
+            205
+            + (fractal(i % SMALL, i / SMALL, SMALL, SMALL, 4, 4, 3, 121) - 32768) / 400;
         put(i % SMALL, i / SMALL, rgb(level, level, level), 0);
     }
     save(dir, "mottle.png", NULL);

@@ -12,30 +12,37 @@
 static const double TURN = 6.283185307179586;
 static const double KEEL_END = 5.4, KEEL_Y = -.765;
 
-typedef struct { double s, degrees; } heading_key;
-typedef struct { double d, y, angle; } path_point;
+typedef struct {
+    double s, degrees;
+} heading_key;
+typedef struct {
+    double d, y, angle;
+} path_point;
 
 static const heading_key bow_keys[] = {
-    {0, 0}, {1.4, 7}, {2.8, 27}, {4.2, 58}, {5.4, 79}, {6.4, 93}, {7.2, 101}, {7.6, 92},
-    {7.95, 58}, {8.2, 30}, {9, 20},
+    { 0, 0 },     { 1.4, 7 },  { 2.8, 27 },  { 4.2, 58 }, { 5.4, 79 }, { 6.4, 93 },
+    { 7.2, 101 }, { 7.6, 92 }, { 7.95, 58 }, { 8.2, 30 }, { 9, 20 },
 };
 static const heading_key stern_keys[] = {
-    {0, 0}, {1.4, 7}, {2.8, 27}, {4.2, 58}, {5.4, 79}, {6.4, 92}, {7.2, 108}, {8.0, 165},
-    {8.8, 232}, {9.6, 330}, {10.3, 450}, {10.95, 610},
+    { 0, 0 },     { 1.4, 7 },   { 2.8, 27 },  { 4.2, 58 },  { 5.4, 79 },   { 6.4, 92 },
+    { 7.2, 108 }, { 8.0, 165 }, { 8.8, 232 }, { 9.6, 330 }, { 10.3, 450 }, { 10.95, 610 },
 };
 
 static double heading_at(ship_end end, double s)
 {
     const heading_key *k = end == BOW ? bow_keys : stern_keys;
-    int last = (int)(end == BOW ? sizeof bow_keys / sizeof *k : sizeof stern_keys / sizeof *k);
+    int last =
+        (int)(end == BOW ? sizeof bow_keys / sizeof *k : sizeof stern_keys / sizeof *k);
     int i = 0;
     while (i < last - 2 && k[i + 1].s < s)
         i++;
     double t = (s - k[i].s) / (k[i + 1].s - k[i].s);
     double before = i > 0 ? k[i - 1].degrees : k[i].degrees;
     double after = i + 2 < last ? k[i + 2].degrees : k[i + 1].degrees;
-    double m0 = (k[i + 1].degrees - before) / (k[i + 1].s - (i > 0 ? k[i - 1].s : k[i].s));
-    double m1 = (after - k[i].degrees) / ((i + 2 < last ? k[i + 2].s : k[i + 1].s) - k[i].s);
+    double m0 =
+        (k[i + 1].degrees - before) / (k[i + 1].s - (i > 0 ? k[i - 1].s : k[i].s));
+    double m1 =
+        (after - k[i].degrees) / ((i + 2 < last ? k[i + 2].s : k[i + 1].s) - k[i].s);
     double span = k[i + 1].s - k[i].s;
     double ease = mix(k[i].degrees, k[i + 1].degrees, t * t * (3.0 - 2.0 * t));
     double bend = t * (1.0 - t) * ((1.0 - t) * m0 - t * m1) * span;
@@ -45,7 +52,7 @@ static double heading_at(ship_end end, double s)
 static path_point path_at(ship_end end, double s)
 {
     enum { STEPS = 256 };
-    path_point p = {KEEL_END, KEEL_Y, heading_at(end, s)};
+    path_point p = { KEEL_END, KEEL_Y, heading_at(end, s) };
     for (int i = 0; i < STEPS; i++) {
         double angle = heading_at(end, s * (i + .5) / STEPS);
         p.d += cos(angle) * s / STEPS;
@@ -65,7 +72,7 @@ vec post_rabbet(ship_end end, double edge)
     return to_ship(end, 0.0, p.d - .02 * sin(p.angle), p.y + .02 * cos(p.angle));
 }
 
-/* -- timbers ------------------------------------------------------------------------------- */
+/* -- timbers ------------------------------------------------------------------------- */
 
 /* One ring: n inboard of the middle line, x to the side, in the order that turns
  * right-handed about the way outboard. */
@@ -83,8 +90,8 @@ enum { POST_SIDES = 6, RINGS_MAX = 40 };
 static void post_ring(ship_end end, double s, double depth, double width, vec *to)
 {
     double nx[POST_SIDES][2] = {
-        {depth * .5, -width * .42}, {depth * .5, width * .42}, {0, width * .5},
-        {-depth * .5, width * .24}, {-depth * .5, -width * .24}, {0, -width * .5},
+        { depth * .5, -width * .42 }, { depth * .5, width * .42 },   { 0, width * .5 },
+        { -depth * .5, width * .24 }, { -depth * .5, -width * .24 }, { 0, -width * .5 },
     };
     put_ring(end, path_at(end, s), nx, POST_SIDES, to);
 }
@@ -108,35 +115,39 @@ static void post(mesh *m, ship_end end, const double *at, int rings, int smoothi
     for (int i = 0; i < rings; i++)
         post_ring(end, at[i], post_depth(end, at[i]), post_width(end, at[i]),
                   ring + i * POST_SIDES);
-    tube_style style = {.9, -1.0 / 6.0, 2.0, false, false, true, smoothing};
+    tube_style style = { .9, -1.0 / 6.0, 2.0, false, false, true, smoothing };
     mesh_tube(m, ring, rings, POST_SIDES, style);
 }
 
 static void keel(mesh *m)
 {
-    tube_style style = {.4, .0, 1.0, false, true, true, 120};
+    tube_style style = { .4, .0, 1.0, false, true, true, 120 };
     mesh_beam(m, vec_of(0, KEEL_Y, -KEEL_END - .05), vec_of(0, KEEL_Y, KEEL_END + .05),
               vec_of(.08, 0, 0), vec_of(0, .11, 0), style);
 }
 
-/* -- the dragon ------------------------------------------------------------------------------ */
+/* -- the dragon ---------------------------------------------------------------------- */
 
 enum { HEAD_SIDES = 8 };
 
-static const double HEAD = 1.3;         /* the measures below are for a metre of head */
+static const double HEAD = 1.3; /* the measures below are for a metre of head */
 
-typedef struct { double f, v, degrees, wide, up, down; } head_key;
+typedef struct {
+    double f, v, degrees, wide, up, down;
+} head_key;
 
 /* f forward and v up from the neck's end, then the half measures of an oval. */
 static const head_key skull[] = {
-    {-.06, -.05, 42, .105, .145, .145}, {.10, .09, 26, .150, .170, .150},
-    {.29, .155, 6, .160, .165, .115}, {.43, .125, -12, .115, .105, .085},
-    {.62, .080, -6, .095, .080, .065}, {.79, .110, 16, .110, .105, .065},
-    {.90, .165, 40, .075, .080, .055},
+    { -.06, -.05, 42, .105, .145, .145 }, { .10, .09, 26, .150, .170, .150 },
+    { .29, .155, 6, .160, .165, .115 },   { .43, .125, -12, .115, .105, .085 },
+    { .62, .080, -6, .095, .080, .065 },  { .79, .110, 16, .110, .105, .065 },
+    { .90, .165, 40, .075, .080, .055 },
 };
 static const head_key jaw[] = {
-    {.06, -.015, -25, .110, .070, .110}, {.30, -.105, -20, .095, .045, .075},
-    {.54, -.175, -8, .075, .035, .055}, {.72, -.170, 18, .055, .030, .045},
+    { .06, -.015, -25, .110, .070, .110 },
+    { .30, -.105, -20, .095, .045, .075 },
+    { .54, -.175, -8, .075, .035, .055 },
+    { .72, -.170, 18, .055, .030, .045 },
 };
 
 static void oval(path_point neck, const head_key *k, vec *to)
@@ -147,16 +158,18 @@ static void oval(path_point neck, const head_key *k, vec *to)
         nx[i][0] = HEAD * c * (c > 0.0 ? k->up : k->down);
         nx[i][1] = HEAD * sin(around) * k->wide;
     }
-    path_point p = {neck.d + HEAD * k->f, neck.y + HEAD * k->v, k->degrees * TURN / 360.0};
+    path_point p = { neck.d + HEAD * k->f, neck.y + HEAD * k->v,
+                     k->degrees * TURN / 360.0 };
     put_ring(BOW, p, nx, HEAD_SIDES, to);
 }
 
-static void head_part(mesh *m, path_point neck, const head_key *k, int keys, int smoothing)
+static void head_part(mesh *m, path_point neck, const head_key *k, int keys,
+                      int smoothing)
 {
     vec ring[8 * HEAD_SIDES];
     for (int i = 0; i < keys; i++)
         oval(neck, k + i, ring + i * HEAD_SIDES);
-    tube_style style = {.42, .05, .15, true, true, true, smoothing};
+    tube_style style = { .42, .05, .15, true, true, true, smoothing };
     mesh_tube(m, ring, keys, HEAD_SIDES, style);
 }
 
@@ -176,7 +189,9 @@ static void mane(mesh *m)
     for (int i = 0; i < 8; i++) {
         double s = 6.15 + .235 * i, depth = post_depth(BOW, s) * .5 - .03;
         path_point a = path_at(BOW, s), b = path_at(BOW, s + .20);
-        double foot[4][2] = {{depth, -.035}, {depth, .035}, {depth, .035}, {depth, -.035}};
+        double foot[4][2] = {
+            { depth, -.035 }, { depth, .035 }, { depth, .035 }, { depth, -.035 }
+        };
         vec base[4], first[4], second[4];
         put_ring(BOW, a, foot, 4, first);
         put_ring(BOW, b, foot, 4, second);
@@ -186,43 +201,51 @@ static void mane(mesh *m)
         base[3] = second[0];
         double height = .13 + .012 * i;
         path_point top = path_at(BOW, s - .04);
-        spike(m, base, to_ship(BOW, 0.0, top.d - (depth + height) * sin(top.angle),
-                               top.y + (depth + height) * cos(top.angle)));
+        spike(m, base,
+              to_ship(BOW, 0.0, top.d - (depth + height) * sin(top.angle),
+                      top.y + (depth + height) * cos(top.angle)));
     }
 }
 
 /* A cone of rings towards the head's starboard; the mirror makes the other. */
 static void horn(mesh *m, path_point neck)
 {
-    static const double line[4][5] = {                  /* f, v, x, radius, degrees */
-        {.20, .25, .085, .055, 100}, {.12, .38, .125, .045, 125},
-        {-.03, .46, .155, .030, 165}, {-.20, .44, .170, .006, 195},
+    static const double line[4][5] = {
+        /* f, v, x, radius, degrees */
+        { .20, .25, .085, .055, 100 },
+        { .12, .38, .125, .045, 125 },
+        { -.03, .46, .155, .030, 165 },
+        { -.20, .44, .170, .006, 195 },
     };
     vec ring[16];
     for (int i = 0; i < 4; i++) {
         const double *k = line[i];
         double x = HEAD * k[2], r = HEAD * k[3];
-        double nx[4][2] = {{r, x}, {0, x + r}, {-r, x}, {0, x - r}};
-        path_point p = {neck.d + HEAD * k[0], neck.y + HEAD * k[1], k[4] * TURN / 360.0};
+        double nx[4][2] = { { r, x }, { 0, x + r }, { -r, x }, { 0, x - r } };
+        path_point p = { neck.d + HEAD * k[0], neck.y + HEAD * k[1],
+                         k[4] * TURN / 360.0 };
         put_ring(BOW, p, nx, 4, ring + 4 * i);
     }
-    tube_style style = {.42, .56, .10, true, false, true, 140};
+    tube_style style = { .42, .56, .10, true, false, true, 140 };
     mesh_tube(m, ring, 4, 4, style);
 }
 
 /* Two upper teeth of starboard, and the lower one between them. */
 static void teeth(mesh *m, path_point neck)
 {
-    static const double tooth[4][4] = {                 /* f, v, x, towards */
-        {.60, .035, .062, -.085}, {.74, .055, .062, -.10}, {.66, -.13, .048, .08},
-        {.48, .035, .070, -.06},
+    static const double tooth[4][4] = {
+        /* f, v, x, towards */
+        { .60, .035, .062, -.085 },
+        { .74, .055, .062, -.10 },
+        { .66, -.13, .048, .08 },
+        { .48, .035, .070, -.06 },
     };
     for (int i = 0; i < 4; i++) {
         const double *k = tooth[i];
         double d = neck.d + HEAD * k[0], y = neck.y + HEAD * k[1], x = HEAD * k[2];
         double r = HEAD * .025;
-        vec base[4] = {to_ship(BOW, x + r, d, y), to_ship(BOW, x, d + r, y),
-                       to_ship(BOW, x - r, d, y), to_ship(BOW, x, d - r, y)};
+        vec base[4] = { to_ship(BOW, x + r, d, y), to_ship(BOW, x, d + r, y),
+                        to_ship(BOW, x - r, d, y), to_ship(BOW, x, d - r, y) };
         if (k[3] < 0.0) {
             vec swap = base[1];
             base[1] = base[3];
@@ -236,8 +259,8 @@ static void eye(mesh *m, path_point neck)
 {
     double d = neck.d + HEAD * .315, y = neck.y + HEAD * .215, x = HEAD * .128;
     double r = HEAD * .048;
-    vec base[4] = {to_ship(BOW, x, d - r, y), to_ship(BOW, x, d, y - r),
-                   to_ship(BOW, x, d + r, y), to_ship(BOW, x, d, y + r)};
+    vec base[4] = { to_ship(BOW, x, d - r, y), to_ship(BOW, x, d, y - r),
+                    to_ship(BOW, x, d + r, y), to_ship(BOW, x, d, y + r) };
     spike(m, base, to_ship(BOW, x + r, d + .01, y + .005));
 }
 
@@ -262,11 +285,11 @@ static void dragon(mesh *m)
 
 void posts_build(mesh *m)
 {
-    static const double bow[] = {0, .9, 1.8, 2.6, 3.3, 4.0, 4.7, 5.4, 6.1, 6.8, 7.3, 7.65,
-                                 7.95, 8.2};
-    static const double stern[] = {0, .9, 1.8, 2.6, 3.3, 4.0, 4.7, 5.4, 6.1, 6.7, 7.2, 7.6,
-                                   7.95, 8.3, 8.6, 8.85, 9.1, 9.3, 9.5, 9.68, 9.9, 10.1,
-                                   10.3, 10.5, 10.72, 10.95};
+    static const double bow[] = { 0,   .9,  1.8, 2.6, 3.3,  4.0,  4.7,
+                                  5.4, 6.1, 6.8, 7.3, 7.65, 7.95, 8.2 };
+    static const double stern[] = { 0,   .9,   1.8, 2.6,  3.3,  4.0,  4.7,   5.4,  6.1,
+                                    6.7, 7.2,  7.6, 7.95, 8.3,  8.6,  8.85,  9.1,  9.3,
+                                    9.5, 9.68, 9.9, 10.1, 10.3, 10.5, 10.72, 10.95 };
     mesh_part(m, "keel", "tar");
     keel(m);
     mesh_part(m, "stem", "carved");
@@ -276,38 +299,44 @@ void posts_build(mesh *m)
     dragon(m);
 }
 
-/* -- for small boards ---------------------------------------------------------------------------- */
+/* -- for small boards ---------------------------------------------------------------- */
 
 static void post_low(mesh *m, ship_end end, const double *at, int rings, int smoothing)
 {
     vec ring[3 * RINGS_MAX];
     for (int i = 0; i < rings; i++) {
         double depth = post_depth(end, at[i]), width = post_width(end, at[i]) * .6;
-        double nx[3][2] = {{depth * .5, -width}, {depth * .5, width}, {-depth * .5, 0}};
+        double nx[3][2] = { { depth * .5, -width },
+                            { depth * .5, width },
+                            { -depth * .5, 0 } };
         put_ring(end, path_at(end, at[i]), nx, 3, ring + 3 * i);
     }
-    tube_style style = {.9, .5, 2.0, false, false, true, smoothing};
+    tube_style style = { .9, .5, 2.0, false, false, true, smoothing };
     mesh_tube(m, ring, rings, 3, style);
 }
 
 void posts_build_low(mesh *m)
 {
-    static const double bow[] = {2.0, 3.6, 5.4, 7.3, 7.9, 8.25};
-    static const double stern[] = {2.0, 3.6, 5.4, 7.3, 8.3, 9.2};
+    static const double bow[] = { 2.0, 3.6, 5.4, 7.3, 7.9, 8.25 };
+    static const double stern[] = { 2.0, 3.6, 5.4, 7.3, 8.3, 9.2 };
     path_point neck = path_at(BOW, 8.2);
     static const head_key head[3] = {
-        {-.12, .0, 0, .15, .16, .26}, {.40, .18, 0, .20, .24, .20}, {1.15, .12, 0, .07, .10, .08},
+        { -.12, .0, 0, .15, .16, .26 },
+        { .40, .18, 0, .20, .24, .20 },
+        { 1.15, .12, 0, .07, .10, .08 },
     };
     vec ring[12];
     for (int i = 0; i < 3; i++) {
-        double nx[4][2] = {{head[i].up, 0}, {0, head[i].wide}, {-head[i].down, 0},
-                                 {0, -head[i].wide}};
-        path_point p = {neck.d + head[i].f, neck.y + head[i].v, 0.0};
+        double nx[4][2] = { { head[i].up, 0 },
+                            { 0, head[i].wide },
+                            { -head[i].down, 0 },
+                            { 0, -head[i].wide } };
+        path_point p = { neck.d + head[i].f, neck.y + head[i].v, 0.0 };
         put_ring(BOW, p, nx, 4, ring + 4 * i);
     }
     mesh_part(m, "stem", "carved");
     post_low(m, BOW, bow, 6, 100);
-    tube_style style = {.42, .05, .15, true, false, true, 130};
+    tube_style style = { .42, .05, .15, true, false, true, 130 };
     mesh_part(m, "dragon", "oak");
     mesh_tube(m, ring, 3, 4, style);
     mesh_part(m, "stern", "carved");

@@ -24,17 +24,20 @@ static void mast(mesh *m, int sides)
     ring_at(vec_of(0, .2, MAST_Z), true, .16, sides, ring);
     ring_at(vec_of(0, 5.5, MAST_Z), true, .145, sides, ring + sides);
     ring_at(vec_of(0, MAST_TOP, MAST_Z), true, .085, sides, ring + 2 * sides);
-    tube_style style = {.42, .06, .12, true, false, true, 200};
+    tube_style style = { .42, .06, .12, true, false, true, 200 };
     mesh_tube(m, ring, 3, sides, style);
 }
 
 static void yard(mesh *m, int sides)
 {
-    static const double arm[5][2] = {{-4.25, .045}, {-2.4, .09}, {0, .115}, {2.4, .09}, {4.25, .045}};
+    static const double arm[5][2] = {
+        { -4.25, .045 }, { -2.4, .09 }, { 0, .115 }, { 2.4, .09 }, { 4.25, .045 }
+    };
     vec ring[5 * 8];
     for (int i = 0; i < 5; i++)
-        ring_at(vec_of(arm[i][0], YARD_Y, YARD_Z), false, arm[i][1], sides, ring + i * sides);
-    tube_style style = {.42, .31, .12, true, true, true, 201};
+        ring_at(vec_of(arm[i][0], YARD_Y, YARD_Z), false, arm[i][1], sides,
+                ring + i * sides);
+    tube_style style = { .42, .31, .12, true, true, true, 201 };
     mesh_tube(m, ring, 5, sides, style);
 }
 
@@ -50,9 +53,8 @@ static vec sail_point(double x, double down)
                   YARD_Z - .12 - belly * held);
 }
 
-/* Both sides of the cloth, a finger apart and sewn together at the edges.  Both are cut
- * along the same diagonals, which run inwards from the corners: else they would cross.  Four and a half pairs of stripes, so
- * that both edges are red. */
+/* Both sides of the cloth, a finger apart and sewn together at the edges.  Four and a
+ * half pairs of stripes, so that both edges are red. */
 static corner sail_corner(int i, int j, int cols, int rows, bool fore)
 {
     double x = 2.0 * i / cols - 1.0, down = (double)j / rows;
@@ -62,16 +64,18 @@ static corner sail_corner(int i, int j, int cols, int rows, bool fore)
     return corner_of(at, 4.5 * i / cols, 4.0 - 4.0 * down);
 }
 
+/* Both sides are cut along the same diagonals, or they would cross; these run inwards from
+ * the corners, or the two sides' corner triangles would be one. */
 static void sail(mesh *m, int cols, int rows)
 {
     for (int side = 0; side < 2; side++) {
         bool fore = side == 0;
         for (int k = 0; k < cols * rows; k++) {
             int i = k % cols, j = k / cols;
-            corner q[4] = {sail_corner(i + 1, j + 1, cols, rows, fore),
-                           sail_corner(i, j + 1, cols, rows, fore),
-                           sail_corner(i, j, cols, rows, fore),
-                           sail_corner(i + 1, j, cols, rows, fore)};
+            corner q[4] = { sail_corner(i + 1, j + 1, cols, rows, fore),
+                            sail_corner(i, j + 1, cols, rows, fore),
+                            sail_corner(i, j, cols, rows, fore),
+                            sail_corner(i + 1, j, cols, rows, fore) };
             int first = (2 * i >= cols) != (2 * j >= rows), turn = fore ? 1 : 3;
             mesh_quad(m, q[first], q[(first + turn) % 4], q[(first + 2) % 4],
                       q[(first + 2 + turn) % 4], 210 + side);
@@ -83,14 +87,16 @@ static void sail(mesh *m, int cols, int rows)
 static void rope(mesh *m, vec a, vec b, double radius, int smoothing)
 {
     vec way = vec_unit(vec_sub(b, a));
-    vec side = vec_unit(vec_cross(way, fabs(way.y) < .9 ? vec_of(0, 1, 0) : vec_of(1, 0, 0)));
+    vec side =
+        vec_unit(vec_cross(way, fabs(way.y) < .9 ? vec_of(0, 1, 0) : vec_of(1, 0, 0)));
     vec up = vec_cross(way, side), ring[6];
     for (int i = 0; i < 6; i++) {
         double turn = TURN * (i % 3) / 3.0;
-        vec off = vec_add(vec_scale(side, radius * cos(turn)), vec_scale(up, radius * sin(turn)));
+        vec off = vec_add(vec_scale(side, radius * cos(turn)),
+                          vec_scale(up, radius * sin(turn)));
         ring[i] = vec_add(i < 3 ? a : b, off);
     }
-    tube_style style = {4.0, 0.0, 1.0, true, false, false, smoothing};
+    tube_style style = { 4.0, 0.0, 1.0, true, false, false, smoothing };
     mesh_tube(m, ring, 2, 3, style);
 }
 
@@ -102,7 +108,8 @@ static void side_ropes(mesh *m, int smoothing)
         rope(m, vec_add(rail, vec_of(-.03, .05, 0)), head, .018, smoothing + i);
     }
     vec clew = sail_point(1, 1), sheet = hull_point(STRAKES, hull_u_at(STRAKES, 4.6));
-    vec arm = vec_of(4.2, YARD_Y, YARD_Z), brace = hull_point(STRAKES, hull_u_at(STRAKES, 6.6));
+    vec arm = vec_of(4.2, YARD_Y, YARD_Z),
+        brace = hull_point(STRAKES, hull_u_at(STRAKES, 6.6));
     rope(m, vec_add(sheet, vec_of(-.03, .06, 0)), clew, .018, smoothing + 3);
     rope(m, vec_add(brace, vec_of(-.03, .06, 0)), arm, .014, smoothing + 4);
 }
@@ -111,7 +118,7 @@ void rig_build(mesh *m)
 {
     mesh_part(m, "mast", "oak");
     mast(m, 8);
-    tube_style fish = {.42, .0, 1.0, false, true, true, 190};
+    tube_style fish = { .42, .0, 1.0, false, true, true, 190 };
     mesh_beam(m, vec_of(0, .31, -1.1), vec_of(0, .31, 1.7), vec_of(.24, 0, 0),
               vec_of(0, .09, 0), fish);
     mesh_part(m, "yard", "oak");
@@ -136,11 +143,11 @@ void rig_build_low(mesh *m)
     mesh_part(m, "mast", "oak");
     ring_at(vec_of(0, .2, MAST_Z), true, .2, 3, ring);
     ring_at(vec_of(0, MAST_TOP, MAST_Z), true, .12, 3, ring + 3);
-    tube_style upright = {.42, .06, .12, true, false, false, 200};
+    tube_style upright = { .42, .06, .12, true, false, false, 200 };
     mesh_tube(m, ring, 2, 3, upright);
     ring_at(vec_of(-4.2, YARD_Y, YARD_Z), false, .11, 3, ring);
     ring_at(vec_of(4.2, YARD_Y, YARD_Z), false, .11, 3, ring + 3);
-    tube_style athwart = {.42, .31, .12, true, true, true, 201};
+    tube_style athwart = { .42, .31, .12, true, true, true, 201 };
     mesh_tube(m, ring, 2, 3, athwart);
     mesh_part(m, "sail", "sail");
     sail(m, 4, 2);

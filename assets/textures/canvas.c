@@ -20,8 +20,8 @@ int mix_int(int a, int b, int t_256)
 
 uint32_t rgb(int r, int g, int b)
 {
-    return (uint32_t)clamp_int(r, 0, 255) << 16 | (uint32_t)clamp_int(g, 0, 255) << 8 |
-           (uint32_t)clamp_int(b, 0, 255);
+    return (uint32_t)clamp_int(r, 0, 255) << 16 | (uint32_t)clamp_int(g, 0, 255) << 8
+           | (uint32_t)clamp_int(b, 0, 255);
 }
 
 static int channel(uint32_t c, int shift)
@@ -55,7 +55,8 @@ uint32_t root_u64(uint64_t v)
 
 uint32_t hash(int x, int y, uint32_t seed)
 {
-    uint32_t h = (uint32_t)x * 0x9e3779b1u ^ (uint32_t)y * 0x85ebca77u ^ seed * 0xc2b2ae3du;
+    uint32_t h =
+        (uint32_t)x * 0x9e3779b1u ^ (uint32_t)y * 0x85ebca77u ^ seed * 0xc2b2ae3du;
     h = (h ^ h >> 16) * 0x85ebca6bu;
     h = (h ^ h >> 13) * 0xc2b2ae35u;
     return h ^ h >> 16;
@@ -68,7 +69,7 @@ int32_t sine_q14(int32_t turn_q16)
     int32_t t = turn_q16 & 65535;
     bool negative = t >= 32768;
     t &= 32767;
-    int64_t u = t <= 16384 ? t : 32768 - t;                     /* Q14, 0..1 */
+    int64_t u = t <= 16384 ? t : 32768 - t; /* Q14, 0..1 */
     int64_t u2 = u * u >> 14;
     int64_t s = (u * (25736 - (u2 * (10512 - (1160 * u2 >> 14)) >> 14))) >> 14;
     return (int32_t)(negative ? -s : s);
@@ -108,8 +109,8 @@ int fractal(int x, int y, int w, int h, int nx, int ny, int octaves, uint32_t se
     int sum = 0, weights = 0;
     for (int i = 0; i < octaves; i++) {
         int weight = 256 >> i, px = nx << i, py = ny << i;
-        sum += noise(x * 256 * px / w, y * 256 * py / h, px, py, seed + (uint32_t)i) *
-               weight / 256;
+        sum += noise(x * 256 * px / w, y * 256 * py / h, px, py, seed + (uint32_t)i)
+               * weight / 256;
         weights += weight;
     }
     return (int)((int64_t)sum * 256 / weights);
@@ -117,7 +118,7 @@ int fractal(int x, int y, int w, int h, int nx, int ny, int octaves, uint32_t se
 
 cells cells_at(int32_t x_q8, int32_t y_q8, int n, uint32_t seed)
 {
-    cells found = {1 << 14, 1 << 14, 0};
+    cells found = { 1 << 14, 1 << 14, 0 };
     int cx = floor_q8(x_q8), cy = floor_q8(y_q8);
     for (int j = cy - 2; j <= cy + 2; j++) {
         for (int i = cx - 2; i <= cx + 2; i++) {

@@ -8,27 +8,27 @@
 #define CANVAS_H
 #include <stdint.h>
 
-#define CANVAS_SIDE 256                 /* pixels, at most */
+#define CANVAS_SIDE 256 /* pixels, at most */
 
 typedef struct {
-    int      w, h;
-    uint32_t pixel[CANVAS_SIDE * CANVAS_SIDE];      /* 0x00RRGGBB, rows from the top */
+    int w, h;
+    uint32_t pixel[CANVAS_SIDE * CANVAS_SIDE]; /* 0x00RRGGBB, rows from the top */
 } canvas;
 
 /* Heights in 1/256 of a texel's width. */
 typedef struct {
-    int     w, h;
+    int w, h;
     int32_t at[CANVAS_SIDE * CANVAS_SIDE];
 } relief;
 
-int      clamp_int(int v, int low, int high);
-int      mix_int(int a, int b, int t_256);          /* t_256 = 0: a, 256: b */
-uint32_t rgb(int r, int g, int b);                  /* each clamped to 0..255 */
+int clamp_int(int v, int low, int high);
+int mix_int(int a, int b, int t_256); /* t_256 = 0: a, 256: b */
+uint32_t rgb(int r, int g, int b);    /* each clamped to 0..255 */
 uint32_t rgb_mix(uint32_t a, uint32_t b, int t_256);
-uint32_t rgb_scale(uint32_t c, int by_256);         /* darker below 256 */
-uint32_t root_u64(uint64_t v);                      /* floor of the square root */
+uint32_t rgb_scale(uint32_t c, int by_256); /* darker below 256 */
+uint32_t root_u64(uint64_t v);              /* floor of the square root */
 
-uint32_t hash(int x, int y, uint32_t seed);         /* 32 well mixed bits */
+uint32_t hash(int x, int y, uint32_t seed); /* 32 well mixed bits */
 
 /* One turn is 65536; the result is sin x 16384, within 14 of it. */
 int32_t sine_q14(int32_t turn_q16);
@@ -43,7 +43,7 @@ int fractal(int x, int y, int w, int h, int nx, int ny, int octaves, uint32_t se
 /* Distances, in 1/256 cell, to the nearest and second nearest of one random point in
  * each of n x n cells; x, y in 1/256 cell.  `id` tells the nearest points apart. */
 typedef struct {
-    int32_t  near, next;
+    int32_t near, next;
     uint32_t id;
 } cells;
 

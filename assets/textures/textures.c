@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Paints the scenes' own textures and the sky, in integers, the same everywhere.
  *
- *     cc -std=c11 -O2 assets/textures/textures.c assets/textures/canvas.c -lpng -o textures
+ *     cc -std=c11 -O2 assets/textures/?*.c -lpng -o textures
  *     ./textures assets/textures assets/skies
  *
  * water.png         256x256  pale net of light with streaks, mean 200: multiply a colour
@@ -41,7 +41,7 @@ static cells warped_cells(int x, int y, int n, int reach_px, uint32_t seed)
     return cells_at(px * n / SIDE, py * n / SIDE, n, seed);
 }
 
-/* -- water --------------------------------------------------------------------- */
+/* -- water --------------------------------------------------------------------------- */
 
 static int water_light(int x, int y)
 {
@@ -49,8 +49,8 @@ static int water_light(int x, int y)
     cells fine = warped_cells(x, y, 13, 16, 12);
     int cloud = fractal(x, y, SIDE, SIDE, 3, 4, 5, 13);
     int streak = fractal(x, y, SIDE, SIDE, 6, 18, 3, 14);
-    return border(&coarse, 150) * 70 + border(&fine, 190) * 45 + coarse.near * 18 +
-           cloud * 2 / 5 + streak * 2 / 5;
+    return border(&coarse, 150) * 70 + border(&fine, 190) * 45 + coarse.near * 18
+           + cloud * 2 / 5 + streak * 2 / 5;
 }
 
 static void paint_water(canvas *to)
@@ -72,13 +72,13 @@ static void paint_water(canvas *to)
     }
 }
 
-/* -- ripples ------------------------------------------------------------------- */
+/* -- ripples ------------------------------------------------------------------------- */
 
 enum { RIPPLES = 56, RIPPLE_SLOPE_Q16 = 1530 };
 
 typedef struct {
-    int32_t kx, ky;                     /* whole waves a tile, so that the tile closes */
-    int32_t length_q8;                  /* of (kx, ky) */
+    int32_t kx, ky;    /* whole waves a tile, so that the tile closes */
+    int32_t length_q8; /* of (kx, ky) */
     int32_t phase_q16;
 } ripple;
 
@@ -127,7 +127,7 @@ static void paint_ripples(canvas *to)
     }
 }
 
-/* -- noise, distortion, foam ------------------------------------------------------ */
+/* -- noise, distortion, foam --------------------------------------------------------- */
 
 static void paint_noise(canvas *to)
 {
@@ -141,9 +141,11 @@ static void paint_noise(canvas *to)
 /* The mean is taken off, or the distortion would push the whole picture aside. */
 static void paint_distortion(canvas *to)
 {
-    int w = to->w, h = to->h, sum[2] = {0, 0};
+    int w = to->w, h = to->h, sum[2] = { 0, 0 };
     for (int i = 0; i < 2 * w * h; i++)
-        sum[i % 2] += fractal(i / 2 % w, i / 2 / w, w, h, 5, 5, 2, 41 + 2 * (uint32_t)(i % 2)) / 128;
+        sum[i % 2] +=
+            fractal(i / 2 % w, i / 2 / w, w, h, 5, 5, 2, 41 + 2 * (uint32_t)(i % 2))
+            / 128;
     for (int i = 0; i < w * h; i++) {
         int r = fractal(i % w, i / w, w, h, 5, 5, 2, 41) / 128 - sum[0] / (w * h);
         int g = fractal(i % w, i / w, w, h, 5, 5, 2, 43) / 128 - sum[1] / (w * h);
@@ -159,17 +161,19 @@ static void paint_foam(canvas *to)
         cells small = warped_cells(x, y, 23, 6, 52);
         int patch = (fractal(x, y, SIDE, SIDE, 7, 7, 4, 53) - 20000) / 110;
         int film = border(&large, 120) * 3 / 4 + border(&small, 110) / 2;
-        int level = film * clamp_int(patch + 90, 40, 300) / 256 + clamp_int(patch - 90, 0, 90);
+        int level =
+            film * clamp_int(patch + 90, 40, 300) / 256 + clamp_int(patch - 90, 0, 90);
         to->pixel[i] = rgb(level - 6, level, level + 2);
     }
 }
 
-/* -- lava ---------------------------------------------------------------------- */
+/* -- lava ---------------------------------------------------------------------------- */
 
 /* Black crust, dull red, orange, yellow: what a black body shows from 800 to 1400 K. */
 static uint32_t glow(int heat_256)
 {
-    static const uint32_t ramp[6] = {0x120c0b, 0x3a0d06, 0x9c1c04, 0xe8520a, 0xffa51e, 0xfff0a0};
+    static const uint32_t ramp[6] = { 0x120c0b, 0x3a0d06, 0x9c1c04,
+                                      0xe8520a, 0xffa51e, 0xfff0a0 };
     int at = clamp_int(heat_256, 0, 255) * 5;
     return rgb_mix(ramp[at / 256], ramp[at / 256 + 1], at % 256);
 }
@@ -181,15 +185,17 @@ static void paint_lava(canvas *to)
         cells plate = warped_cells(x, y, 5, 34, 61);
         cells crack = warped_cells(x, y, 13, 14, 62);
         int rough = (fractal(x, y, SIDE, SIDE, 16, 16, 4, 63) - 32768) / 256;
-        int warm = (fractal(x, y, SIDE, SIDE, 3, 3, 3, 64) - 26000) / 160;
-        int heat = border(&plate, 90) + border(&crack, 60) * clamp_int(warm, 20, 130) / 256 +
-                   clamp_int(warm, 0, 90) / 3;
+        int warm = (fractal(x, y, SIDE, SIDE, 5, 5, 2, 64) - 27000) / 170;
+        int heat = border(&plate, 90)
+                   + border(&crack, 60) * clamp_int(warm, 20, 130) / 256
+                   + clamp_int(warm, 0, 90) / 3;
         uint32_t crust = rgb(44 + rough / 3, 34 + rough / 3, 33 + rough / 3);
-        to->pixel[i] = rgb_mix(crust, glow(heat + rough / 5), clamp_int(heat * 3 - 60, 0, 256));
+        to->pixel[i] =
+            rgb_mix(crust, glow(heat + rough / 5), clamp_int(heat * 3 - 60, 0, 256));
     }
 }
 
-/* -- sky ----------------------------------------------------------------------- */
+/* -- sky ----------------------------------------------------------------------------- */
 
 static uint32_t clear_sky(int elevation_256)
 {
@@ -203,12 +209,13 @@ static int cloud_cover(int32_t azimuth_q16, int32_t elevation_q16, int32_t shift
 {
     int32_t up = sine_q14(elevation_q16) + 1100;
     int32_t along = sine_q14(elevation_q16 + 16384);
-    int64_t reach = (int64_t)along * 640 / up;                  /* 1/256 cell */
+    int64_t reach = (int64_t)along * 640 / up; /* 1/256 cell */
     int32_t x = (int32_t)(reach * sine_q14(azimuth_q16) / 16384) + 40000 + shift_q8;
     int32_t y = (int32_t)(reach * sine_q14(azimuth_q16 + 16384) / 16384) + 40000;
     int sum = 0;
     for (int i = 0; i < 6; i++)
-        sum += noise(x * (1 << i), y * (1 << i), 1 << 14, 1 << 14, 71 + (uint32_t)i) >> (i + 1);
+        sum += noise(x * (1 << i), y * (1 << i), 1 << 14, 1 << 14, 71 + (uint32_t)i)
+               >> (i + 1);
     return clamp_int((sum - 33500) / 44, 0, 256);
 }
 
@@ -219,7 +226,7 @@ static void paint_day(canvas *to)
         int32_t azimuth = i % to->w * 65536 / to->w;
         int32_t elevation = (2 * to->h - 1 - 2 * row) * 16384 / (2 * to->h);
         int cover = cloud_cover(azimuth, elevation, 0);
-        int shade = cloud_cover(azimuth, elevation, 70);        /* thickness sunwards */
+        int shade = cloud_cover(azimuth, elevation, 70); /* thickness sunwards */
         int high = elevation / 64;
         uint32_t cloud = rgb_mix(0xfafaf6, 0xb4bfcb, (cover + shade) * 3 / 8);
         uint32_t sky = clear_sky(high);
@@ -228,7 +235,7 @@ static void paint_day(canvas *to)
     }
 }
 
-/* -------------------------------------------------------------------------------- */
+/* ------------------------------------------------------------------------------------ */
 
 static void make(const char *dir, const char *name, int w, int h, void (*paint)(canvas *))
 {

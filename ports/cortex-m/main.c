@@ -4,9 +4,9 @@
  *
  * The empty functions are marks for whoever counts instructions: what the core does for
  * a whole frame, what it does for its tiles, and where another size begins. */
+#include "baked.h"
 #include "board.h"
 #include "semihost.h"
-#include "tests/cross/baked.h"
 
 #ifndef BOARD_BAND
 #define BOARD_BAND 16

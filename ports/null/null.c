@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The smallest port: a scene built in code, drawn in bands, and nothing shown but the
- * frames' CRCs, in every pixel format.  A port to a board keeps these steps and puts its
- * display where the CRC is. */
+/* The smallest port: draws a scene made in code, in bands, in every pixel format, and
+ * prints the frames' CRCs.  A port to a board puts its display where the CRC is. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -30,7 +29,7 @@ static void draw(const tp_frame *frame, tp_format format, void *scratch, unsigne
 
 static int run(const tp_scene *scene, tp_format format)
 {
-    const tp_assets none = { 0 };
+    static const tp_assets none;
     const tp_frame_config config = { WIDTH, HEIGHT, 0, BAND, format };
     void *block = malloc(tp_frame_bytes(scene, &none, &config));    /* 1: memory */
     void *scratch = malloc(tp_frame_scratch_bytes(&config));
@@ -50,11 +49,10 @@ static int run(const tp_scene *scene, tp_format format)
 
 int main(void)
 {
-    static tp_scene scene;
+    tp_scene scene;
     tp_scene_default(&scene);
     set(&scene, "wave0.amplitude", "0.5");
     set(&scene, "wave0.length", "12");
-    set(&scene, "camera.y", "3");
     for (int format = 0; format < TP_FORMAT_COUNT; format++)
         if (run(&scene, (tp_format)format))
             return 1;

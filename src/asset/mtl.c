@@ -49,13 +49,15 @@ static tp_status read_colour(tp_obj *obj, tp_word keyword, tp_words *words,
     const tp_word first = tp_word_next(&ahead);
     if (tp_word_is(first, "spectral") || tp_word_is(first, "xyz"))
         return pass_over(obj);
+    const uint32_t need = tp_words_end(&ahead) ? 1 : 3;
     tp_fx rgb[3];
     uint32_t found;
-    const tp_status status = tp_obj_numbers(obj, words, keyword, 1, 3, rgb, &found, err);
+    const tp_status status =
+        tp_obj_numbers(obj, words, keyword, need, need, rgb, &found, err);
     if (status != TP_OK)
         return status;
-    for (uint32_t i = found; i < 3; i++)
-        rgb[i] = rgb[0];
+    if (need == 1)
+        rgb[1] = rgb[2] = rgb[0];
     *colour = level(rgb[0]) << 16 | level(rgb[1]) << 8 | level(rgb[2]);
     return TP_OK;
 }

@@ -71,7 +71,7 @@ tp_turn tp_atan2(int32_t y, int32_t x)
  * bits.  Whole turns are taken away first: they are exact, and the product fits. */
 tp_turn tp_turn_of_degrees(tp_fx degrees)
 {
-    const int64_t scale = 3054198967;           /* round(2^40 / 360) */
+    const int64_t scale = 3054198966;           /* round(2^40 / 360) */
     const int32_t rest = degrees % (360 * TP_FX_ONE);
     return (tp_turn)(uint64_t)((rest * scale + (1 << 23)) >> 24);
 }

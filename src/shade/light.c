@@ -36,14 +36,15 @@ TP_ALWAYS_INLINE int32_t steep_of(const tp_shade *shade, uint32_t q)
  * entry is within 0.2 %, half a level of 255.  A share of 257 still scales 255 to 255. */
 TP_ALWAYS_INLINE void diffuse(const tp_shade *shade, tp_run *run, int rippled)
 {
-    int32_t lx = shade->world.lx, ly = shade->world.ly, lz = shade->world.lz;
     int32_t ambient = shade->ambient, direct = 256 - ambient, count = run->count;
+    int32_t lx = shade->world.lx * direct >> 8, ly = shade->world.ly * direct >> 8;
+    int32_t lz = shade->world.lz * direct >> 8;
 
     for (int32_t i = 0; i < count; i++) {
         int32_t sx = slope_x(run, i, rippled), sz = slope_z(run, i, rippled);
         int32_t ny = shade->steep[(square_of(sx, sz) + 0x10000) >> 17];
         int32_t nl = ly - ((sx * lx + sz * lz) >> 12);
-        int32_t lit = nl < 0 ? 0 : direct * (nl * ny >> 14) >> 14;
+        int32_t lit = nl < 0 ? 0 : nl * ny >> 20;
         run->colour[i] = tp_colour_scale(run->colour[i], (uint32_t)(ambient + lit));
     }
 }

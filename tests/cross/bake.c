@@ -171,7 +171,7 @@ static bool put_all(FILE *out, const scene_file *file, const tp_assets *names)
 {
     fprintf(out, "/* SPDX-License-Identifier: CC0-1.0 */\n"
             "/* Baked from the scene %s: made, not written. */\n"
-            "#include \"tests/cross/baked.h\"\n", file->name);
+            "#include \"cortex-m/baked.h\"\n", file->name);
     put_scene(out, &file->scene);
     if (names->boat)
         put_mesh(out, names->boat);

@@ -9,7 +9,7 @@
 #include <inttypes.h>
 #include <stdio.h>
 #include <stdlib.h>
-#include "tests/cross/baked.h"
+#include "cortex-m/baked.h"
 #include "tests/golden/sizes.h"
 
 typedef struct {

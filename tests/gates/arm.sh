@@ -14,6 +14,6 @@ for cpu in cortex-m0plus cortex-m4; do
     check "$cpu: no soft float, nothing but mem* and helpers" symbols arm-none-eabi- $whole
     check "$cpu: no mutable state" no_state arm-none-eabi- $whole
     check "$cpu: no recursion, and a stack below $stack_limit bytes" \
-        awk -v limit=$stack_limit -f $gates/stack.awk $(find build/$cpu/src -name '*.ci')
+        no_deeper $stack_limit $(find build/$cpu/src -name '*.ci')
 done
 exit $((failures > 0))

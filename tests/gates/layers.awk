@@ -61,6 +61,8 @@ FNR == 1 {
     if (tree == "ports") {
         if ($0 ~ /</ && !public)
             next                                    # the system's
+        if (step[1] == "..")
+            step[1] = step[2]
         if (public || name !~ /\// || step[1] == folder || step[1] == guest[folder])
             next
         wrong("a port includes public headers and its own alone")

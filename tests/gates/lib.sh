@@ -56,4 +56,9 @@ every_file()
 # A gate on an archive, with the tools of a target: "" is this machine's, "arm-none-eabi-".
 symbols()     { "$1nm" -A "$2" | awk -f $gates/symbols.awk; }
 no_state()    { "$1size" -A "$2" | awk -f $gates/state.awk; }
+no_deeper()                     # BYTES FILE.ci...
+{
+    bytes=$1; shift
+    awk -v limit="$bytes" -v pointers=$gates/pointers.txt -f $gates/stack.awk "$@"
+}
 no_floats()   { objdump -d --no-show-raw-insn "$1" | awk -f $gates/floats.awk; }

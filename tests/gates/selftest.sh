@@ -69,7 +69,7 @@ compile()
         -fcallgraph-info=su -c "$scratch/$1.c" -o "$scratch/$1.o" 2>/dev/null &&
         rm -f "$scratch/$1.a" && ar rcs "$scratch/$1.a" "$scratch/$1.o"
 }
-stack()     { awk -v limit="$2" -f $gates/stack.awk "$scratch/$1.ci"; }
+stack()     { no_deeper "$2" "$scratch/$1.ci"; }
 
 compile good 'void *memcpy(void *, const void *, unsigned long);
     static const int t[3] = { 1, 2, 3 };
@@ -106,6 +106,12 @@ compile deep 'int tp_g(int n, int *p);
 refuse "stack: two functions that call each other" stack deep 4096
 compile vla 'void tp_f(int *p); void tp_g(int n) { int a[n]; tp_f(a); }'
 refuse "stack: a frame of unknown size" stack vla 4096
+compile table 'int tp_f(int (*f[])(int), int i) { return f[i](i) + 1; }'
+refuse "stack: a pointer that leads nobody knows where" stack table 4096
+compile ring 'int tp_stage_x(int (*f[])(int), int i);
+    int shade_row(int (*f[])(int), int i) { return f[i](i) + 1; }
+    int tp_stage_x(int (*f[])(int), int i) { return shade_row(f, i) + 2; }'
+refuse "stack: recursion through a pointer" stack ring 4096
 
 runner()    { tests/run.sh "$scratch/log" "$scratch/$1"; }
 fake()      { printf '#!/bin/sh\n%s\n' "$2" >"$scratch/$1"; chmod +x "$scratch/$1"; }

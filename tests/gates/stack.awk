@@ -2,11 +2,27 @@
 # The deepest stack of the core, from gcc -fcallgraph-info=su: no recursion, no frame of
 # a size not known before, and no more than LIMIT bytes from any public function down.
 #
-#   awk -v limit=BYTES -f tests/gates/stack.awk FILE.ci...
+#   awk -v limit=BYTES -v pointers=FILE -f tests/gates/stack.awk FILE.ci...
 #
-# A call through a pointer is taken as one to any function that nobody calls by name and
-# that is not public: among those are all that a table can hold.  Functions of the
-# compiler's library have no figure; they are leaves of a few words.
+# FILE says which functions call through a pointer and whom; a call through a pointer
+# that it does not know is an error.  Functions of the compiler's library have no figure;
+# they are leaves of a few words.
+BEGIN {
+    while ((getline line < pointers) > 0)
+        if (line !~ /^#/ && split(line, column, " ") == 2) {
+            caller[++rules] = "^(" column[1] ")$"
+            callee[rules] = "^(" column[2] ")$"
+        }
+}
+
+# "src/frame/tile.c:shade_row.isra.0" is plainly shade_row.
+function plain(name)
+{
+    sub(/.*:/, "", name)
+    sub(/\..*/, "", name)
+    return name
+}
+
 function field(key,    s)
 {
     if (!match($0, key ": \"[^\"]*\""))
@@ -34,8 +50,26 @@ function field(key,    s)
 /^edge:/ {
     from = field("sourcename")
     to = field("targetname")
-    calls[from, ++n_calls[from]] = to
-    called[to]
+    if (to == "__indirect_call")
+        points[from]
+    else
+        calls[from, ++n_calls[from]] = to
+}
+
+# The calls of `from` through pointers, as the rules have them.
+function follow(from,    i, name, found)
+{
+    for (i = 1; i <= rules; i++)
+        if (plain(from) ~ caller[i])
+            for (name in own)
+                if (plain(name) ~ callee[i]) {
+                    calls[from, ++n_calls[from]] = name
+                    found = 1
+                }
+    if (!found) {
+        print from ": calls through a pointer, to whom is not known"
+        bad = 1
+    }
 }
 
 # Depth of the stack below and with `name`; `path` is the chain of callers.
@@ -61,10 +95,8 @@ function depth(name, path,    i, deepest, d, to)
 }
 
 END {
-    pointer = "__indirect_call"
-    for (name in own)
-        if (name ~ /:/ && !(name in called))
-            calls[pointer, ++n_calls[pointer]] = name
+    for (name in points)
+        follow(name)
     for (name in own) {
         d = depth(name, " ")
         if (d > worst) {

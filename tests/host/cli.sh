@@ -14,10 +14,10 @@ passed=0 failed=0
 verdict() {
     if [ -z "$2" ]; then
         passed=$((passed + 1))
-        echo "ok   $1"
+        echo "ok - $1"
     else
         failed=$((failed + 1))
-        echo "FAIL $1: $2"
+        echo "FAILED - $1: $2"
         sed 's/^/     | /' err | head -5
     fi
 }
@@ -379,7 +379,7 @@ if command -v script >/dev/null; then
     same "after two seconds a terminal sees progress" \
         "$(grep -c 'frame [0-9]* of 1000000, 0%, about [0-9]* s left' typescript)" 1
 else
-    echo "skip progress on a terminal: install bsdutils"
+    echo "skipped: progress on a terminal (package bsdutils)"
 fi
 wait $!
 same "a file does not" "$(cat out err)" ""
