@@ -176,10 +176,10 @@ static void thwarts(mesh *m)
 {
     mesh_part(m, "thwarts", "oak");
     for (int i = 0; i < OARS; i++) {
-        double z = .93 * i - .465 * (OARS - 1) + .42, y = .60;
+        double z = .93 * i - .465 * (OARS - 1) + .42, y = .715;
         if (fabs(z - .35) < .4)
             continue; /* the mast stands there */
-        double x = hull_inner_x(y, hull_u_at(6.6, z)) + .03;
+        double x = hull_inner_x(y, hull_u_at(7.0, z)) + .03;
         tube_style style = { .42, .25 * (i % 4) + .06, .12, false, false, false, 390 };
         mesh_beam(m, vec_of(-x, y, z), vec_of(x, y, z), vec_of(0, .03, 0),
                   vec_of(0, 0, .11), style);

@@ -18,7 +18,7 @@ static const double frame_at[STRAKES + 1][2] = {
 };
 
 static const double END_BREADTH = .055; /* half, at the posts */
-static const double DECK_HEIGHT = .252;
+static const double DECK_HEIGHT = .402;
 static const double WATERLINE = 4.0; /* the strake edge up to which the hull is tarred */
 static const double TILE = 2.4;      /* metres of plank that the wood texture covers */
 
@@ -239,8 +239,6 @@ static void both_sides(mesh *m, const hull_plan *plan, const station *s, int fir
     for (int side = 0; side < 2; side++) {
         m->mirror = side == 1;
         planks(m, plan, s, first, last);
-        if (last == plan->planks)
-            gunwale(m, plan, s);
     }
     m->mirror = false;
 }
@@ -263,6 +261,11 @@ static void build(mesh *m, const hull_plan *plan)
     end_cap(m, &s[last], points - 1, false);
     mesh_part(m, "hull", "oak");
     both_sides(m, plan, s, tarred, plan->planks - 1);
+    for (int side = 0; side < 2; side++) {
+        m->mirror = side == 1;
+        gunwale(m, plan, s);
+    }
+    m->mirror = false;
     mesh_part(m, "hull", plan->painted ? "shield" : "oak");
     both_sides(m, plan, s, plan->planks - 1, plan->planks);
     mesh_part(m, "hull", "deck");

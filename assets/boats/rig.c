@@ -64,8 +64,8 @@ static corner sail_corner(int i, int j, int cols, int rows, bool fore)
     return corner_of(at, 4.5 * i / cols, 4.0 - 4.0 * down);
 }
 
-/* Both sides are cut along the same diagonals, or they would cross; these run inwards from
- * the corners, or the two sides' corner triangles would be one. */
+/* Both sides are cut along the same diagonals, or they would cross; these run inwards
+ * from the corners, or the two sides' corner triangles would be one. */
 static void sail(mesh *m, int cols, int rows)
 {
     for (int side = 0; side < 2; side++) {
@@ -119,7 +119,7 @@ void rig_build(mesh *m)
     mesh_part(m, "mast", "oak");
     mast(m, 8);
     tube_style fish = { .42, .0, 1.0, false, true, true, 190 };
-    mesh_beam(m, vec_of(0, .31, -1.1), vec_of(0, .31, 1.7), vec_of(.24, 0, 0),
+    mesh_beam(m, vec_of(0, .46, -1.1), vec_of(0, .46, 1.7), vec_of(.24, 0, 0),
               vec_of(0, .09, 0), fish);
     mesh_part(m, "yard", "oak");
     yard(m, 6);

@@ -63,7 +63,7 @@ uint32_t hash(int x, int y, uint32_t seed)
 }
 
 /* A quarter wave by the odd polynomial of degree 5 in u = 4 turns that is exact at both
- * ends: (pi/2) u - (pi - 5/2) u^3 + (pi/2 - 3/2) u^5, error below 2e-4. */
+ * ends: (pi/2) u - (pi - 5/2) u^3 + (pi/2 - 3/2) u^5, error below 4.5e-4. */
 int32_t sine_q14(int32_t turn_q16)
 {
     int32_t t = turn_q16 & 65535;

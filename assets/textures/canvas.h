@@ -30,7 +30,7 @@ uint32_t root_u64(uint64_t v);              /* floor of the square root */
 
 uint32_t hash(int x, int y, uint32_t seed); /* 32 well mixed bits */
 
-/* One turn is 65536; the result is sin x 16384, within 14 of it. */
+/* One turn is 65536; the result is sin x 16384, within 8 of it. */
 int32_t sine_q14(int32_t turn_q16);
 
 /* Smooth noise 0..65535 on a lattice of period px x py cells; x, y in 1/256 cell. */
