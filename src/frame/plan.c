@@ -27,7 +27,7 @@ static uint32_t drifted(tp_fx metres_per_second, uint64_t tick)
 }
 
 /* Levels: texels a metre over pixels a metre at 1 m, and half the eye's height for the
- * slant (see tp_lod_of). */
+ * slant (see tp_level_of). */
 static int32_t lod_of(const tp_frame *frame, tp_fx texels_per_metre, bool level_ground)
 {
     int32_t lod = tp_log2_q8((uint32_t)(texels_per_metre > 0 ? texels_per_metre : 1))
@@ -150,7 +150,7 @@ void tp_frame_plan_materials(tp_frame *frame)
         frame->solid[i] = (tp_solid){
             .diffuse = m->diffuse,
             .specular = m->specular,
-            .lod = lod_of(frame, texels, false),
+            .lod = lod_of(frame, texels, false) + 96,  /* one texel: grain glitters */
             .bump = tp_clamp(m->bump, 0, 8 * TP_FX_ONE) >> 8,
             .diffuse_map = m->diffuse_map,
             .normal_map = m->normal_map,

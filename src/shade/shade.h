@@ -40,7 +40,7 @@ typedef struct {
     const tp_texture *texture;
     uint32_t per_metre;         /* repeats a metre, Q0.32 over Q16.16: s x this wraps */
     uint32_t drift_s, drift_t;  /* Q0.32 repeats */
-    int32_t  lod;               /* level at 1 m, Q8, for tp_lod_of */
+    int32_t  lod;               /* level at 1 m, Q8, for tp_level_of */
     int32_t  slope_gain;        /* normal maps: 256 is as drawn */
 } tp_layer;
 
@@ -131,14 +131,19 @@ static inline int32_t tp_log2_q8(uint32_t n)
     return (31 - shift) * 256 + (int32_t)((n << shift) >> 23 & 0xff);
 }
 
-/* Level of detail of a texture seen at zi: texels a pixel, one way by distance, the
- * other by distance again for grazing views: 3/2 log2 of the depth. */
-static inline int32_t tp_lod_of(const tp_shade *shade, int32_t lod, uint32_t key,
-                                int32_t levels)
+/* log2 of the depth in metres, Q8. */
+static inline int32_t tp_log_depth(const tp_shade *shade, uint32_t key)
 {
-    int32_t log_depth = shade->zi_log - tp_log2_q8(key >> 1 | 0x80);
-    int32_t level = (lod + log_depth + (log_depth > 0 ? log_depth / 2 : 0)) >> 8;
-    return tp_clamp(level, 0, levels - 1);
+    return shade->zi_log - tp_log2_q8(key >> 1 | 0x80);
+}
+
+/* The level for `lod`, that of a texture seen at 1 m, at another depth; Q8.  Upright
+ * things get texels a pixel in proportion to the depth; level ground gets them across
+ * so and along by its square, of which the mean counts. */
+static inline int32_t tp_level_of(int32_t lod, int32_t log_depth, bool ground, int levels)
+{
+    int32_t level = lod + log_depth + (ground && log_depth > 0 ? log_depth / 2 : 0);
+    return tp_clamp(level >> 8, 0, levels - 1);
 }
 
 /* Both lanes of 0x00ff00ff x share / 256. */

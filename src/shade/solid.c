@@ -73,19 +73,19 @@ static uint32_t phong(const tp_shade *shade, const tp_solid *solid, uint32_t dif
 void tp_stage_solid(const tp_shade *shade, tp_run *run)
 {
     const tp_solid *solid = &shade->solid[run->material];
+    const tp_texture *picture = solid->diffuse_map, *normals = solid->normal_map;
 
     tp_view_run(shade, &shade->mesh, run);
     for (int32_t i = 0; i < run->count; i++) {
+        int32_t  depth = tp_log_depth(shade, run->key[i]);
         uint32_t st = run->s[i], diffuse = solid->diffuse;
         vec n = unit(unpacked(run->n[i]));
-        if (solid->diffuse_map) {
-            int level = tp_lod_of(shade, solid->lod, run->key[i],
-                                  solid->diffuse_map->levels);
-            diffuse = tp_colour_times(texel_at(solid->diffuse_map, level, st), diffuse);
+        if (picture) {
+            int level = tp_level_of(solid->lod, depth, false, picture->levels);
+            diffuse = tp_colour_times(texel_at(picture, level, st), diffuse);
         }
-        if (solid->normal_map) {
-            int level = tp_lod_of(shade, solid->lod, run->key[i],
-                                  solid->normal_map->levels);
+        if (normals) {
+            int level = tp_level_of(solid->lod, depth, false, normals->levels);
             n = unit(bent(n, solid, level, st, shade->boat->faces[run->t[i]].tangent));
         }
         run->colour[i] = phong(shade, solid, diffuse, n,

@@ -21,7 +21,7 @@ typedef struct {
 static level level_for(const tp_shade *shade, const tp_layer *layer, uint32_t key)
 {
     const tp_texture *texture = layer->texture;
-    int l = tp_lod_of(shade, layer->lod, key, texture->levels);
+    int l = tp_level_of(layer->lod, tp_log_depth(shade, key), true, texture->levels);
     return (level){ texture->level[l], 1u << (texture->log2_w > l ? texture->log2_w - l : 0),
                     1u << (texture->log2_h > l ? texture->log2_h - l : 0) };
 }

@@ -13,26 +13,65 @@
 #define TWO_PI        TP_FX(6.283185307)
 #define J_ONE         (1 << 28)         /* the Jacobian is Q4.28 */
 
-/* The wave's turns per tick in Q0.64: sqrt(g / (2 pi L)) x speed / 60.
- * g/L <= 400 in Q24.40 has 49 bits; with 1/(2 pi) in Q0.32 in two halves nothing is
- * lost; the root of a Q.56 is a Q.28 below 2^31. */
+/* g / (2 pi L) in Q8.120, for g <= 100 m/s^2 and L >= 1/4 m below 64: the high and the low
+ * half.  g / 2 pi is divided by L digit by digit, of 32 bits, as on paper. */
+static void frequency_squared(tp_fx gravity, tp_fx length, uint64_t half[2])
+{
+    const uint64_t over_two_pi = 0x28be60db9391054a;        /* 2^64 / 2 pi */
+    uint64_t low = (over_two_pi & 0xffffffff) * (uint32_t)gravity;
+    uint64_t high = (over_two_pi >> 32) * (uint32_t)gravity + (low >> 32);
+    uint32_t digit[5] = { (uint32_t)(high >> 40), (uint32_t)(high >> 8),
+                          (uint32_t)(high << 24) | (uint32_t)low >> 8,
+                          (uint32_t)low << 24, 0 };
+    uint64_t rest = 0;
+
+    for (int i = 0; i < 5; i++) {
+        uint64_t part = rest << 32 | digit[i];
+        digit[i] = (uint32_t)(part / (uint32_t)length);
+        rest = part % (uint32_t)length;
+    }
+    half[0] = (uint64_t)digit[1] << 32 | digit[2];
+    half[1] = (uint64_t)digit[3] << 32 | digit[4];
+}
+
+/* The root of a number of 128 bits, > 0, within 2 of 2^64 once the number is shifted up:
+ * the root s of its high half, then the rest over 2 s, as long division goes on. */
+static uint64_t root_of(const uint64_t half[2])
+{
+    uint64_t high = half[0], low = half[1];
+    int      up = 0;
+
+    for (; high >> 62 == 0; up++) {
+        high = high << 2 | low >> 62;
+        low <<= 2;
+    }
+    uint32_t s = tp_isqrt64(high);
+    uint64_t rest = high - (uint64_t)s * s;                 /* <= 2 s */
+    return (((uint64_t)s << 32) + (rest << 31 | low >> 33) / s) >> up;
+}
+
+/* omega dt / 2 pi = sqrt(g / (2 pi L)) x speed / 60 in Q0.64, modulo a turn.  Within 2^-64
+ * at natural speed: ten years later a wave is not a part in 10^9 of a turn off, where a
+ * root of 32 bits would be off by a whole turn.  Without gravity waves stand still. */
 static uint64_t turns_per_tick(tp_fx gravity, tp_fx length, tp_fx speed)
 {
-    const uint64_t over_two_pi = 683565276;     /* 2^32 / (2 pi) */
-    uint64_t ratio = ((uint64_t)gravity << 40) / (uint32_t)length;
-    uint64_t f2 = (ratio >> 32) * over_two_pi
-                + ((ratio & 0xffffffffu) * over_two_pi >> 32);
-    uint64_t p = (uint64_t)tp_isqrt64(f2 << 16) * (uint32_t)speed;  /* Q.44 */
+    const uint32_t over = TP_TICKS_PER_SECOND << 12;        /* Q60 x Q16 to Q64 */
+    uint64_t half[2];
 
-    return ((p / TP_TICKS_PER_SECOND) << 20)
-         + ((p % TP_TICKS_PER_SECOND) << 20) / TP_TICKS_PER_SECOND;
+    if (gravity <= 0)
+        return 0;
+    frequency_squared(gravity, length, half);
+    uint64_t root = root_of(half);                          /* Q4.60, below 8 */
+    uint64_t high = (root >> 32) * (uint32_t)speed;
+    uint64_t low = (root & 0xffffffff) * (uint32_t)speed;
+    return (high / over << 32) + ((high % over << 32) + low + over / 2) / over;
 }
 
 /* `sharp` is Q k A after the clamp of the sum. */
 static tp_swell swell_of(const tp_wave *w, tp_fx amplitude, tp_fx sharp, tp_fx gravity)
 {
-    tp_turn heading = tp_turn_of_degrees(w->heading);
-    tp_q30  dx = tp_sin(heading), dz = -tp_cos(heading);
+    tp_rotation turned = tp_rotation_of(tp_turn_of_degrees(w->heading), 0, 0);
+    tp_q30  dx = turned.x.z, dz = -turned.x.x;      /* 28 bits: phases far away need them */
     tp_fx   reach = tp_fx_div(tp_fx_mul(sharp, w->length), TWO_PI);
     int64_t ka = ((int64_t)TWO_PI * amplitude << 14) / w->length;   /* Q2.30 */
     int32_t s = sharp << 14;                                        /* Q2.30 */
