@@ -4,8 +4,8 @@
  *
  * Coordinates lie within +-(2^30 - 1), so edges within 31 bits and a sign, products below
  * 2^62, and each component below 2^63.  Sums are made of vectors divided by 2^shift,
- * where the shift depends on the extent and the number of triangles; it is 0 up to
- * 32 m and 2^20 triangles. */
+ * where the shift depends on the extent and the number of triangles; it is 0
+ * below 32 m and 2^19 triangles. */
 #ifndef TP_ASSET_AREA_H
 #define TP_ASSET_AREA_H
 #include <stdbool.h>

@@ -120,8 +120,8 @@ static bool same_place(const view *seen, uint8_t a, uint8_t b)
 }
 
 /* Does corner p stand in the way of cutting a, b, c?  It does within the triangle and on
- * the new edge between c and a; on a corner or on the outline's own edges a - b - c, where
- * the outline may touch itself, only if an edge of p goes in from there. */
+ * the new edge between c and a; on a corner or on the outline's own edges a - b - c,
+ * where the outline may touch itself, only if an edge of p goes in from there. */
 static bool blocks(const view *seen, uint8_t p, uint8_t a, uint8_t b, uint8_t c)
 {
     const int64_t ab = area(seen, a, b, p), bc = area(seen, b, c, p);

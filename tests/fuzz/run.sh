@@ -14,6 +14,7 @@ check "the fuzz targets build" build TARGET=fuzz CC=clang \
     OPT="-O1 -g -fsanitize=fuzzer-no-link,$sanitize -fno-sanitize-recover=all" \
     LDFLAGS="-fsanitize=$sanitize" fuzzers
 for source in tests/fuzz/fuzz_*.c; do
+    [ -f "$source" ] || continue
     name=$(basename "$source" .c)
     mkdir -p "$scratch/$name"
     set --

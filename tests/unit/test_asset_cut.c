@@ -262,9 +262,9 @@ static bool may_insert(const point *p, int n, int i, point x)
         const point c = p[k], d = p[(k + 1) % n];
         if (k == i)
             continue;
-        if (k != (i + 1) % n ? touch(x, b, c, d) : on_segment(x, b, d) || on_segment(c, d, x))
-            return false;
-        if ((k + 1) % n != i ? touch(a, x, c, d) : on_segment(a, x, c) || on_segment(c, d, x))
+        const bool follows = k == (i + 1) % n, leads = (k + 1) % n == i;
+        if (on_segment(c, d, x) || (follows ? on_segment(x, b, d) : touch(x, b, c, d))
+            || (leads ? on_segment(a, x, c) : touch(a, x, c, d)))
             return false;
     }
     return true;

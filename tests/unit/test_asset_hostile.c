@@ -229,8 +229,8 @@ static void random_words_are_good_or_located(void **state)
         const size_t n = random_file(text, sizeof text, &random);
         reader whole, pieces;
         const tp_status status = read_bytes(&whole, text, n, NULL, 0, 4096);
-        assert_int_equal(read_bytes(&pieces, text, n, NULL, 0, 1 + next_random(&random) % 9),
-                         status);
+        const size_t piece = 1 + next_random(&random) % 9;
+        assert_int_equal(read_bytes(&pieces, text, n, NULL, 0, piece), status);
         if (status == TP_OK)
             assert_sound(&whole);
         else
@@ -242,7 +242,7 @@ static void random_words_are_good_or_located(void **state)
     assert_in_range(good, 500, 2500);
 }
 
-/* -- a file that changes between its readings ----------------------------------------- */
+/* -- a file that changes between its readings ------------------------------------- */
 
 static tp_status read_two(const char *first, size_t first_bytes, const char *second,
                           size_t second_bytes)

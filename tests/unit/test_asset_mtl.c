@@ -53,6 +53,18 @@ static void values_out_of_range_are_clamped(void **state)
     assert_int_equal(material_of(&r, "newmtl wood\nNs 0\n").shininess, ONE);
 }
 
+static void spectral_and_cie_colours_are_passed_over(void **state)
+{
+    (void)state;
+    reader r;
+    const tp_material m =
+        material_of(&r, "newmtl wood\nKd spectral oak.rfl 1\nKs xyz 1 1 1\n");
+    assert_int_equal(m.diffuse, 0x808080);
+    assert_int_equal(m.specular, 0);
+    assert_int_equal(r.obj.skipped, 2);
+    assert_int_equal(material_of(&r, "newmtl wood\nKd 1 # white\n").diffuse, 0xffffff);
+}
+
 static void opacity_goes_before_transparency(void **state)
 {
     (void)state;
@@ -67,7 +79,8 @@ static void keywords_are_read_in_any_case(void **state)
 {
     (void)state;
     reader r;
-    const tp_material m = material_of(&r, "NEWMTL wood\nKD 0 1 0\nMAP_BUMP -BM 2 a.png\n");
+    const tp_material m =
+        material_of(&r, "NEWMTL wood\nKD 0 1 0\nMAP_BUMP -BM 2 a.png\n");
     assert_int_equal(m.diffuse, 0x00ff00);
     assert_int_equal(m.bump, 2 * ONE);
 }
@@ -178,8 +191,9 @@ static void faces_without_usemtl_are_grey(void **state)
 {
     (void)state;
     reader r;
-    assert_int_equal(read_text(&r, "mtllib m.mtl\n" TRIANGLE "f 1 2 3\nusemtl wood\nf 1 2 3\n"
-                               "usemtl\nf 1 2 3\n", "newmtl wood\nKd 1 0 0\n"), TP_OK);
+    assert_int_equal(read_text(&r, "mtllib m.mtl\n" TRIANGLE "f 1 2 3\n"
+                               "usemtl wood\nf 1 2 3\nusemtl\nf 1 2 3\n",
+                               "newmtl wood\nKd 1 0 0\n"), TP_OK);
     assert_int_equal(r.mesh.n_materials, 2);
     assert_int_equal(r.mesh.materials[0].diffuse, 0x808080);
     assert_int_equal(r.mesh.materials[0].specular, 0);
@@ -288,6 +302,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(colours_shininess_and_opacity_are_read),
         cmocka_unit_test(values_out_of_range_are_clamped),
+        cmocka_unit_test(spectral_and_cie_colours_are_passed_over),
         cmocka_unit_test(opacity_goes_before_transparency),
         cmocka_unit_test(keywords_are_read_in_any_case),
         cmocka_unit_test(a_map_without_kd_is_shown_as_it_is),

@@ -133,8 +133,8 @@ static void line_ends_of_every_kind_are_read(void **state)
     for (size_t i = 0; i < sizeof ends / sizeof *ends; i++) {
         char text[200];
         const char *const e = ends[i];
-        snprintf(text, sizeof text, "%s# c%sv 0 0 0%sv 1 0 0%s\tv 0 1 0%sf 1 2 3", e, e, e,
-                 e, e);
+        snprintf(text, sizeof text, "%s# c%sv 0 0 0%sv 1 0 0%s\tv 0 1 0%sf 1 2 3",
+                 e, e, e, e, e);
         reader r;
         accept(&r, text);
         assert_int_equal(r.mesh.n_faces, 1);
@@ -403,6 +403,26 @@ static void more_than_2_to_the_24_of_one_kind_are_refused(void **state)
     free(text);
 }
 
+/* Names so long that few of them are remembered, so nearly every one is counted. */
+static void more_than_2_to_the_20_names_are_refused(void **state)
+{
+    (void)state;
+    enum { LINES = 1 << 12, BYTES = 100, MOST = 1 << 20 };
+    char *const text = malloc(LINES * BYTES + 1);
+    reader r;
+    tp_obj_scan(&r.obj);
+    tp_status status = TP_OK;
+    for (uint32_t i = 0; i <= MOST && status == TP_OK; i += LINES) {
+        for (uint32_t k = 0; k < LINES; k++)
+            sprintf(text + k * BYTES, "usemtl %092x\n", (unsigned)(i + k));
+        status = tp_obj_feed(&r.obj, text, LINES * BYTES, &r.err);
+    }
+    assert_int_equal(status, TP_E_OBJ_COUNT);
+    assert_int_equal(r.err.a, MOST);
+    assert_int_equal(r.err.where, MOST);        /* the default material counts too */
+    free(text);
+}
+
 static void calls_out_of_order_are_refused(void **state)
 {
     (void)state;
@@ -418,6 +438,14 @@ static void calls_out_of_order_are_refused(void **state)
     tp_mtl_begin(&r.obj, 0);                    /* the file names no library */
     assert_int_equal(tp_mtl_feed(&r.obj, "#", 1, &r.err), TP_E_ARG);
     finish(&r);
+    accept(&r, TRIANGLE "f 1 2 3\n");
+    assert_int_equal(tp_mtl_end(&r.obj, &r.err), TP_E_ARG);
+    finish(&r);
+    tp_obj_scan(&r.obj);
+    assert_int_equal(tp_obj_feed(&r.obj, NULL, 0, &r.err), TP_OK);
+    assert_int_equal(tp_obj_feed(&r.obj, TRIANGLE "f 1 2 3\n", 32, &r.err), TP_OK);
+    assert_int_equal(tp_obj_scanned(&r.obj, &r.err), TP_OK);
+    assert_int_equal(tp_obj_scanned(&r.obj, &r.err), TP_E_ARG);
 }
 
 int main(void)
@@ -446,6 +474,7 @@ int main(void)
         cmocka_unit_test(a_number_of_a_million_digits_is_a_located_error),
         cmocka_unit_test(names_too_long_or_with_a_nul_are_refused),
         cmocka_unit_test(more_than_2_to_the_24_of_one_kind_are_refused),
+        cmocka_unit_test(more_than_2_to_the_20_names_are_refused),
         cmocka_unit_test(calls_out_of_order_are_refused),
     };
     return cmocka_run_group_tests_name("obj", tests, NULL, NULL);

@@ -1,0 +1,72 @@
+/* SPDX-License-Identifier: MIT */
+/* OBJ files for libFuzzer.  The first byte tells how large the pieces are in which the
+ * rest is fed; each is a heap block of its own.  What is read must hold together. */
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+#include "tidepool/asset.h"
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
+
+#define REQUIRE(x) ((x) ? (void)0 : abort())
+
+static tp_status feed(tp_obj *obj, const uint8_t *text, size_t bytes, size_t piece,
+                      tp_error *err)
+{
+    tp_status status = TP_OK;
+    for (size_t i = 0; i < bytes && status == TP_OK; i += piece) {
+        const size_t n = bytes - i < piece ? bytes - i : piece;
+        void *const copy = malloc(n);
+        memcpy(copy, text + i, n);
+        status = tp_obj_feed(obj, copy, n, err);
+        free(copy);
+    }
+    return status;
+}
+
+static void check(const tp_mesh *mesh)
+{
+    REQUIRE(mesh->n_faces > 0 && mesh->n_vertices > 0 && mesh->n_materials > 0);
+    for (uint32_t i = 0; i < mesh->n_faces; i++) {
+        for (int k = 0; k < 3; k++)
+            REQUIRE(mesh->faces[i].vertex[k] < mesh->n_vertices);
+        REQUIRE(mesh->faces[i].material < mesh->n_materials);
+    }
+    for (uint32_t i = 0; i < mesh->n_vertices; i++)
+        REQUIRE(mesh->low.x <= mesh->vertices[i].position.x
+                && mesh->vertices[i].position.x <= mesh->high.x);
+}
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
+{
+    static tp_obj obj;
+    if (size == 0)
+        return 0;
+    const size_t piece = data[0] < 64 ? data[0] + 1u : 1u << 20;
+    const uint8_t *const text = data + 1;
+    tp_error err = { .code = TP_OK };
+    tp_obj_scan(&obj);
+    tp_status status = feed(&obj, text, size - 1, piece, &err);
+    if (status == TP_OK)
+        status = tp_obj_scanned(&obj, &err);
+    void *mem = NULL;
+    if (status == TP_OK) {
+        mem = malloc(tp_obj_bytes(&obj));
+        REQUIRE(mem != NULL);
+        memset(mem, 0xA5, tp_obj_bytes(&obj));
+        tp_obj_load(&obj, mem);
+        status = feed(&obj, text, size - 1, piece, &err);
+    }
+    if (status == TP_OK)
+        status = tp_obj_loaded(&obj, &err);
+    tp_mesh mesh;
+    if (status == TP_OK)
+        status = tp_obj_bind(&obj, NULL, &mesh, &err);
+    if (status == TP_OK)
+        check(&mesh);
+    else
+        REQUIRE(err.code == status && err.where > 0 && status != TP_E_OBJ_CHANGED
+                && status != TP_E_ARG && status != TP_E_NOSPACE);
+    free(mem);
+    return 0;
+}
