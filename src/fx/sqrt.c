@@ -37,7 +37,7 @@ uint32_t tp_recip_norm(uint32_t n)
 /* Newton for 1/sqrt(x): r += r (1 - x r^2) / 2.  x r^2 is 2^62 (1 + d), |d| < 2^-14. */
 uint32_t tp_rsqrt_norm(uint32_t n)
 {
-    const uint32_t r = interpolate(rsqrt_table + (n >> 24) - 64, n >> 8 & 0xffff);
+    const uint32_t r = interpolate(rsqrt_table + ((n >> 24) - 64), n >> 8 & 0xffff);
     const uint32_t square = (uint32_t)((uint64_t)r * r >> 32);
     const uint64_t product = (uint64_t)n * square;
     const int32_t error = (int32_t)(0u - (uint32_t)(product >> 18));
@@ -46,15 +46,15 @@ uint32_t tp_rsqrt_norm(uint32_t n)
 
 /* The root r of n in [2^62, 2^64), rounded down: n / sqrt(n) is within 17 of it, a Newton
  * step r += (n - r^2) / (2 r), with the reciprocal at hand, within 2, the rest is steps.
- * |n - r^2| < 2^38; its low 8 bits are left out so that the product fits. */
+ * |n - r^2| < 2^38; its low 8 bits are left out so that the product fits.  The step lands
+ * at most 2^-20 above the root: r = 2^32, whose square would wrap, would need n above
+ * 2^64 - 2^13, and there it was tried for every n. */
 static uint32_t root_norm(uint64_t n)
 {
     const uint32_t high = (uint32_t)(n >> 32), inverse = tp_rsqrt_norm(high);
     uint64_t r = (uint64_t)high * inverse >> 31;
     const int64_t left = (int64_t)(n - r * r);
     r += (uint64_t)((left >> 8) * (int64_t)inverse >> 56);
-    if (r > UINT32_MAX)
-        r = UINT32_MAX;
     while (r * r > n)
         r--;
     while (n - r * r > 2 * r)

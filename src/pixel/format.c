@@ -11,7 +11,7 @@ static const struct { const char *name; int bits; } formats[TP_FORMAT_COUNT] = {
 };
 
 /* Levels are spread evenly, i 255/5 or i 255/6 rounded.  The cube has no grey but black
- * and white, so the four greys stand where it leaves the widest gaps. */
+ * and white; the four that are left over divide the way between. */
 #define LEVEL_5(i)  ((uint32_t)(i) * 51u)
 #define LEVEL_6(i)  (((uint32_t)(i) * 85u + 1u) / 2u)
 #define CELL(r, g, b) LEVEL_5(r) << 16 | LEVEL_6(g) << 8 | LEVEL_5(b)

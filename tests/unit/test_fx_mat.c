@@ -76,7 +76,8 @@ static void every_entry_is_within_2e_8(void **state)
     measure m = { .what = "tp_rotation_of", .unit = "" };
     uint64_t random = seed;
     for (int i = 0; i < INPUTS; i++) {
-        const tp_turn t[3] = { (tp_turn)random_next(&random), (tp_turn)random_next(&random),
+        const tp_turn t[3] = { (tp_turn)random_next(&random),
+                               (tp_turn)random_next(&random),
                                (tp_turn)random_next(&random) };
         const double unit = 6.283185307179586476925 * 0x1p-32;
         const double angle[3] = { t[0] * unit, t[1] * unit, t[2] * unit };

@@ -49,8 +49,8 @@ static void small_helpers_do_what_they_say(void **state)
     }
 }
 
-/* q = floor(a 2^16 / b + 1/2) exactly when 2 q b <= 2 a 2^16 + b < 2 (q + 1) b, for b > 0;
- * beyond the range the sum lies beyond the end. */
+/* q = floor(n / b + 1/2) exactly when 2 q b <= 2 n + b < 2 (q + 1) b, for b > 0; at an
+ * end of the range the quotient may lie beyond it. */
 static int is_quotient(int64_t n, int64_t b, int64_t q)
 {
     if (b < 0) {

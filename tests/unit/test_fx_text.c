@@ -96,8 +96,10 @@ static void stops_at(const char *text, uint32_t want)
 static void reading_stops_where_the_number_does(void **state)
 {
     (void)state;
-    static const char *const none[] = { "", "+", "-", ".", "-.", "e5", ".e5", " 1", "--1",
-                                        "+-1", "x", "inf", "nan", "-inf", ",5", "/", ":" };
+    static const char *const none[] = {
+        "", "+", "-", ".", "-.", "e5", ".e5", " 1", "--1", "+-1", "x", "inf", "nan",
+        "-inf", ",5", "/", ":",
+    };
     for (size_t i = 0; i < sizeof none / sizeof none[0]; i++)
         stops_at(none[i], 0);
     stops_at("1 2", 1);
@@ -119,8 +121,10 @@ static void no_byte_behind_the_end_is_read(void **state)
 {
     (void)state;
     const char text[] = "-12.5e-1";
-    static const tp_fx want[] = { 12345, 12345, TP_FX(-1), TP_FX(-12), TP_FX(-12),
-                                  TP_FX(-12.5), TP_FX(-12.5), TP_FX(-12.5), TP_FX(-1.25) };
+    static const tp_fx want[] = {       /* of its first 0, 1, 2, ... bytes */
+        12345, 12345, TP_FX(-1), TP_FX(-12), TP_FX(-12), TP_FX(-12.5), TP_FX(-12.5),
+        TP_FX(-12.5), TP_FX(-1.25),
+    };
     static const uint32_t length[] = { 0, 0, 2, 3, 4, 5, 5, 5, 8 };
     for (uint32_t bytes = 0; bytes < sizeof text; bytes++) {
         char *const part = malloc(bytes == 0 ? 1 : bytes);  /* watched by sanitizers */
@@ -176,7 +180,7 @@ static void random_fraction(uint64_t *random, char digits[64])
                      (uint64_t)((int64_t)(half * 762939453125u) + off));
     }
     for (const int end = n + (int)random_below(random, 40); n < end; n++)
-        digits[n] = (char)('0' + (random_below(random, 3) > 0 ? random_below(random, 10) : 0));
+        digits[n] = (char)('0' + (n % 3 > 0 ? random_below(random, 10) : 0));
     digits[n] = '\0';
 }
 

@@ -21,7 +21,8 @@ static void check_direction(measure *m, int32_t x, int32_t y, int32_t z)
 {
     const tp_dir3 d = tp_normalise(x, y, z);
     const double length = length_of(x, y, z);
-    const double ex = fabs(d.x * 0x1p-30 - x / length), ey = fabs(d.y * 0x1p-30 - y / length),
+    const double ex = fabs(d.x * 0x1p-30 - x / length),
+                 ey = fabs(d.y * 0x1p-30 - y / length),
                  ez = fabs(d.z * 0x1p-30 - z / length);
     measure_add(m, fmax(ex, fmax(ey, ez)) * 0x1p27, x, y, z);
 }
@@ -75,16 +76,19 @@ static void length_is_the_nearest_and_saturates(void **state)
     }
     measure_print(&m);
     assert_true(m.worst <= 0.5 + 1e-6);     /* of the double's own rounding */
-    assert_int_equal(tp_vec3_length((tp_vec3){ INT32_MIN, INT32_MIN, INT32_MIN }), TP_FX_MAX);
+    assert_int_equal(tp_vec3_length((tp_vec3){ INT32_MIN, INT32_MIN, INT32_MIN }),
+                     TP_FX_MAX);
     assert_int_equal(tp_vec3_length((tp_vec3){ INT32_MIN, 0, 0 }), TP_FX_MAX);
     assert_int_equal(tp_vec3_length((tp_vec3){ 0, INT32_MAX, 0 }), TP_FX_MAX);
-    assert_int_equal(tp_vec3_length((tp_vec3){ TP_FX(3), TP_FX(-4), TP_FX(12) }), TP_FX(13));
+    assert_int_equal(tp_vec3_length((tp_vec3){ TP_FX(3), TP_FX(-4), TP_FX(12) }),
+                     TP_FX(13));
     assert_int_equal(tp_vec3_length((tp_vec3){ 0, 0, 0 }), 0);
 }
 
 static tp_dir3 random_direction(uint64_t *random)
 {
-    return tp_normalise((int32_t)random_next(random) / 2, (int32_t)random_next(random) / 2,
+    return tp_normalise((int32_t)random_next(random) / 2,
+                        (int32_t)random_next(random) / 2,
                         (int32_t)random_next(random) / 2);
 }
 
@@ -98,7 +102,8 @@ static void products_of_directions_round_once(void **state)
         const tp_dir3 a = random_direction(&random), b = random_direction(&random);
         const tp_dir3 c = tp_dir3_cross(a, b);
         const double ax = a.x, ay = a.y, az = a.z, bx = b.x, by = b.y, bz = b.z;
-        measure_add(&dot, tp_dir3_dot(a, b) - (ax * bx + ay * by + az * bz) * 0x1p-30, i, 0, 0);
+        measure_add(&dot, tp_dir3_dot(a, b) - (ax * bx + ay * by + az * bz) * 0x1p-30, i,
+                    0, 0);
         measure_add(&cross, c.x - (ay * bz - az * by) * 0x1p-30, i, 0, 0);
         measure_add(&cross, c.y - (az * bx - ax * bz) * 0x1p-30, i, 1, 0);
         measure_add(&cross, c.z - (ax * by - ay * bx) * 0x1p-30, i, 2, 0);
