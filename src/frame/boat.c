@@ -126,25 +126,36 @@ static void draw_clipped(const tp_frame *frame, const tp_samples *tile,
         draw(frame, tile, &corner[0], &corner[k - 1], &corner[k], f);
 }
 
-static bool draw_face(const tp_frame *frame, const tp_samples *tile,
+static tp_corner corner_of(const tp_boat_vertex *at, const tp_mesh_vertex *vertex)
+{
+    return (tp_corner){
+        .u = at->u, .v = at->v, .zi = at->zi, .s = vertex->s, .t = vertex->t,
+        .n = { (int16_t)tp_dir_x(vertex->normal), (int16_t)tp_dir_y(vertex->normal),
+               (int16_t)tp_dir_z(vertex->normal) },
+    };
+}
+
+/* Most faces of most tiles end at the first test: they lie in other rows. */
+static void draw_face(const tp_frame *frame, const tp_samples *tile,
                       const tp_mesh_face *face, uint32_t f)
 {
-    const tp_mesh *mesh = frame->assets.boat;
-    tp_corner corner[3];
+    const tp_mesh_vertex *vertex = frame->assets.boat->vertices;
+    const tp_boat_vertex *a = &frame->boat_vertex[face->vertex[0]];
+    const tp_boat_vertex *b = &frame->boat_vertex[face->vertex[1]];
+    const tp_boat_vertex *c = &frame->boat_vertex[face->vertex[2]];
+    int32_t top = 16 * tile->y0, bottom = 16 * tile->y1;
 
-    for (int k = 0; k < 3; k++) {
-        const tp_boat_vertex *at = &frame->boat_vertex[face->vertex[k]];
-        const tp_mesh_vertex *vertex = &mesh->vertices[face->vertex[k]];
-        if (at->u == TP_GRID_CUT)
-            return false;
-        corner[k] = (tp_corner){
-            .u = at->u, .v = at->v, .zi = at->zi, .s = vertex->s, .t = vertex->t,
-            .n = { (int16_t)tp_dir_x(vertex->normal), (int16_t)tp_dir_y(vertex->normal),
-                   (int16_t)tp_dir_z(vertex->normal) },
-        };
+    if (a->u == TP_GRID_CUT || b->u == TP_GRID_CUT || c->u == TP_GRID_CUT) {
+        draw_clipped(frame, tile, face, f);
+        return;
     }
+    if ((a->v < top && b->v < top && c->v < top)
+        || (a->v >= bottom && b->v >= bottom && c->v >= bottom))
+        return;
+    tp_corner corner[3] = { corner_of(a, &vertex[face->vertex[0]]),
+                            corner_of(b, &vertex[face->vertex[1]]),
+                            corner_of(c, &vertex[face->vertex[2]]) };
     draw(frame, tile, &corner[0], &corner[1], &corner[2], f);
-    return true;
 }
 
 void tp_frame_draw_boat(const tp_frame *frame, const tp_samples *tile)
@@ -155,8 +166,6 @@ void tp_frame_draw_boat(const tp_frame *frame, const tp_samples *tile)
     if (!frame->boat_seen || box->x0 >= tile->x1 || box->x1 < tile->x0
         || box->y0 >= tile->y1 || box->y1 < tile->y0)
         return;
-    for (uint32_t f = 0; f < mesh->n_faces; f++) {
-        if (!draw_face(frame, tile, &mesh->faces[f], f))
-            draw_clipped(frame, tile, &mesh->faces[f], f);
-    }
+    for (uint32_t f = 0; f < mesh->n_faces; f++)
+        draw_face(frame, tile, &mesh->faces[f], f);
 }

@@ -79,15 +79,16 @@ void tp_stage_solid(const tp_shade *shade, tp_run *run)
     for (int32_t i = 0; i < run->count; i++) {
         int32_t  depth = tp_log_depth(shade, run->key[i]);
         uint32_t st = run->s[i], diffuse = solid->diffuse;
-        vec n = unit(unpacked(run->n[i]));
+        vec n = unpacked(run->n[i]);
         if (picture) {
             int level = tp_level_of(solid->lod, depth, false, picture->levels);
             diffuse = tp_colour_times(texel_at(picture, level, st), diffuse);
         }
         if (normals) {
             int level = tp_level_of(solid->lod, depth, false, normals->levels);
-            n = unit(bent(n, solid, level, st, shade->boat->faces[run->t[i]].tangent));
+            n = bent(n, solid, level, st, shade->boat->faces[run->t[i]].tangent);
         }
+        n = unit(n);
         run->colour[i] = phong(shade, solid, diffuse, n,
                                (vec){ run->vx[i], run->vy[i], run->vz[i] }, run->lv[i]);
     }
