@@ -11,39 +11,60 @@ TP_ALWAYS_INLINE int32_t tp_first_centre(int32_t v_28_4)
     return (v_28_4 + 7) >> 4;
 }
 
-/* x of the crossing with row y is (x + slope (y - row)), in Q16.16 pixels less half a
- * pixel, so that its ceiling is the first pixel to the right. */
+/* Where an edge stands on a row: at the first pixel centre at or right of its crossing.
+ * The crossing is a multiple of 1 / (16 dv) pixels, so it is kept without any rounding,
+ * as Bresenham did: two edges through one point never pass each other, which is what
+ * "each pixel exactly once" asks for where slivers meet. */
 typedef struct {
-    int32_t row;                /* first row of the edge */
-    int32_t x;                  /* there */
-    int32_t slope;              /* pixels a row, Q16.16 */
+    int32_t row, pixel;
+    int32_t over;               /* from the crossing to the centre, 0..one-1 */
+    int32_t whole, part;        /* down a row: pixels, and what is left, 0..one-1 */
+    int32_t one;                /* a pixel: 16 dv, at most 2^22 */
 } tp_edge;
 
-/* du / dv in Q16.16: a 32-bit division for edges of up to 1024 pixels across (one
- * instruction where there is a divider), else by reciprocal.  Slopes beyond +-16384
- * pixels a row only occur where the edge crosses one row's centre at the most; the
- * clamp then moves the crossing within the edge's own ends. */
-TP_ALWAYS_INLINE int32_t tp_edge_slope(int32_t du, int32_t dv)
-{
-    if (du < 1 << 14 && du > -(1 << 14))
-        return du * 65536 / dv;
-    int     shift = tp_clz((uint32_t)dv);
-    int64_t r = tp_recip_norm((uint32_t)dv << shift);       /* 2^63 / (dv 2^shift) */
-    int64_t slope = du * r >> (47 - shift);
-    int64_t most = (int64_t)1 << 30;
-
-    return (int32_t)(slope > most ? most : slope < -most ? -most : slope);
-}
-
-/* From the upper end (u0, v0) to the lower (u1, v1), v0 < v1. */
+/* From the upper end (u0, v0) to the lower (u1, v1), v0 < v1: on its first row.  `along`
+ * counts sixteenths of a pixel, and `left` what is left of one in the edge's own parts:
+ * below 30 dv, so it is one or two pixels more. */
 TP_ALWAYS_INLINE tp_edge tp_edge_of(int32_t u0, int32_t v0, int32_t u1, int32_t v1)
 {
-    int32_t slope = tp_edge_slope(u1 - u0, v1 - v0);
-    tp_edge e;
+    int32_t dv = v1 - v0, whole = (u1 - u0) / dv, part = (u1 - u0) % dv;
+    int32_t row = tp_first_centre(v0), down = 16 * row + 8 - v0;
 
-    e.row = tp_first_centre(v0);
-    e.slope = slope;
-    e.x = (int32_t)((int64_t)(u0 - 8) * 4096 + ((int64_t)slope * (16 * e.row + 8 - v0) >> 4));
+    if (part < 0) {
+        part += dv;
+        whole--;
+    }
+    int32_t along = u0 - 8 + whole * down;
+    int32_t left = (along & 15) * dv + part * down;
+    tp_edge e = { row, along >> 4, 0, whole, 16 * part, 16 * dv };
+
+    for (; left > 0; left -= e.one)
+        e.pixel++;
+    e.over = -left;
     return e;
+}
+
+TP_ALWAYS_INLINE void tp_edge_step(tp_edge *e)
+{
+    e->pixel += e->whole;
+    e->over -= e->part;
+    if (e->over < 0) {
+        e->over += e->one;
+        e->pixel++;
+    }
+}
+
+/* Down to row y >= e->row: 256 rows at a time, so that no product leaves 31 bits. */
+TP_ALWAYS_INLINE void tp_edge_go(tp_edge *e, int32_t y)
+{
+    for (int32_t n = y - e->row; n > 0; n -= 256) {
+        int32_t rows = n < 256 ? n : 256;
+        int32_t over = rows * e->part - e->over;
+        int32_t pixels = over > 0 ? (over + e->one - 1) / e->one : 0;
+
+        e->pixel += rows * e->whole + pixels;
+        e->over = pixels * e->one - over;
+    }
+    e->row = y;
 }
 #endif

@@ -152,23 +152,6 @@ TP_ALWAYS_INLINE walker walker_at(const tp_gradient *g, uint32_t dx, uint32_t dy
     return (walker){ (uint32_t)g->base + step * dx + (uint32_t)g->dy * dy, step };
 }
 
-/* An edge's crossing with the row at hand, Q16.16. */
-typedef struct {
-    uint32_t x, slope;
-} crossing;
-
-TP_ALWAYS_INLINE crossing crossing_of(const tp_edge *e, int32_t y)
-{
-    return (crossing){ (uint32_t)e->x + (uint32_t)e->slope * (uint32_t)(y - e->row),
-                       (uint32_t)e->slope };
-}
-
-/* The first pixel at or right of it. */
-TP_ALWAYS_INLINE int32_t pixel_of(const crossing *c)
-{
-    return (int32_t)(((int64_t)(int32_t)c->x + 0xffff) >> 16);
-}
-
 /* Pixels [x, end) of a span that stands at x; moves on past them. */
 TP_ALWAYS_INLINE void fill_to(span *sp, int32_t x, int32_t end, int solid)
 {
@@ -244,22 +227,23 @@ TP_ALWAYS_INLINE void rows(const painter *p, const tp_samples *tile, int solid,
 {
     const tp_tri *tri = p->tri;
     int32_t  y = tri->top;
-    crossing along = crossing_of(&tri->length, y);
+    tp_edge  along = tri->length;
 
+    tp_edge_go(&along, y);
     for (int half = 0; half < 2; half++) {
-        int32_t  stop = half == 0 && tri->middle < tri->bottom ? tri->middle
-                                                               : tri->bottom;
+        int32_t stop = half == 0 && tri->middle < tri->bottom ? tri->middle
+                                                              : tri->bottom;
         if (y >= stop)
             continue;
-        crossing other = crossing_of(half == 0 && y < tri->middle ? &tri->upper
-                                                                  : &tri->lower, y);
+        tp_edge other = half == 0 && y < tri->middle ? tri->upper : tri->lower;
+        tp_edge_go(&other, y);
         for (; y < stop; y++) {
             if (tri->long_left)
-                row(p, tile, y, pixel_of(&along), pixel_of(&other), solid, exact);
+                row(p, tile, y, along.pixel, other.pixel, solid, exact);
             else
-                row(p, tile, y, pixel_of(&other), pixel_of(&along), solid, exact);
-            along.x += along.slope;
-            other.x += other.slope;
+                row(p, tile, y, other.pixel, along.pixel, solid, exact);
+            tp_edge_step(&along);
+            tp_edge_step(&other);
         }
     }
 }

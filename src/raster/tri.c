@@ -46,8 +46,13 @@ static int32_t larger(int32_t a, int32_t b)
 }
 
 /* dx of a quantity is 16 (d1 dv2 - d2 dv1) / area per pixel, dy likewise with du.  The
- * four factors dv r / 2^k are kept with 29 bits in the largest; with
- * 1/area = r 2^(lz - 95), a gradient is their sum of products / 2^(91 - lz - k). */
+ * four factors dv r / 2^k are kept with 28 or 29 bits in the largest; with
+ * 1/area = r 2^(lz - 95), a gradient is their sum of products / 2^(91 - lz - k).
+ *
+ * Each factor is off by 2^-27 of the largest, so at the triangle's other end a value is off
+ * by up to 5 x 2^-27 of its range times length / thickness.  Slivers thinner than 1/65536
+ * of their length take all values from their upper corner: extrapolating a depth from
+ * them could put it in front of everything. */
 static void set_factors(tp_tri *tri, int64_t area)
 {
     const tp_corner *a = tri->a, *b = tri->b, *c = tri->c;
@@ -59,6 +64,8 @@ static void set_factors(tp_tri *tri, int64_t area)
     int      k = 35 - tp_clz((uint32_t)most);
     int64_t  r = tp_recip_norm((uint32_t)(size << lz >> 32));
 
+    if ((uint64_t)most * (uint32_t)most >> 16 > size)       /* a sliver? */
+        r = 0;
     if (area < 0)
         r = -r;
     tri->cx1 = (int32_t)(dv2 * r >> k);

@@ -1,0 +1,125 @@
+/* SPDX-License-Identifier: MIT */
+/* The sea in double precision, as slow as it is plain: [A7]-[A11] of the models with the
+ * stated clamps, from the numbers of the waves and nothing that the core worked out. */
+#ifndef TP_REFERENCE_SEA_H
+#define TP_REFERENCE_SEA_H
+#include <math.h>
+#include "tidepool/wave.h"
+
+#define PI 3.14159265358979323846
+
+typedef struct {
+    double amplitude, k, q;     /* m, rad/m, Q k A after the clamp */
+    double dx, dz;              /* of travel */
+    double phase;               /* rad, at tick 0 */
+    long double turns_tick;     /* turns a tick */
+} ref_wave;
+
+typedef struct {
+    ref_wave wave[TP_WAVES];
+    int count;
+} ref_sea;
+
+typedef struct {
+    double x, y, z;
+    double nx, ny, nz;          /* normal, not of unit length: ny is det J */
+    double jxx, jxz, jzz, hx, hz;
+} ref_point;
+
+static inline double ref_number(int32_t fx)
+{
+    return fx / 65536.0;
+}
+
+static inline ref_wave ref_wave_of(const tp_wave *w, double gravity, double share)
+{
+    const long double length = w->length / 65536.0L;
+    const double heading = ref_number(w->heading) * PI / 180;
+    const double cap = 0.3 * (double)length, amplitude = ref_number(w->amplitude);
+
+    return (ref_wave){
+        .amplitude = amplitude < cap ? amplitude : cap,
+        .k = 2 * PI / (double)length,
+        .q = ref_number(w->steepness) * share,
+        .dx = sin(heading), .dz = -cos(heading),
+        .phase = ref_number(w->phase) * PI / 180,
+        .turns_tick = sqrtl(gravity / (2 * 3.14159265358979323846L * length))
+                    * (w->speed / 65536.0L) / TP_TICKS_PER_SECOND,
+    };
+}
+
+static inline ref_sea ref_sea_of(const tp_wave *waves, int count, tp_fx gravity)
+{
+    ref_sea sea = { .count = 0 };
+    double steepness = 0;
+
+    for (int i = 0; i < count; i++)
+        steepness += waves[i].amplitude > 0 ? ref_number(waves[i].steepness) : 0;
+    for (int i = 0; i < count; i++) {
+        if (waves[i].amplitude > 0)
+            sea.wave[sea.count++] = ref_wave_of(&waves[i], ref_number(gravity),
+                                                steepness > 0.95 ? 0.95 / steepness : 1);
+    }
+    return sea;
+}
+
+/* The phases of a tick in radians.  After ten years there are 2^35 turns at the most, of
+ * which a long double of 64 bits keeps 2^-29. */
+static inline void ref_phases(const ref_sea *sea, uint64_t tick, double phase[TP_WAVES])
+{
+    for (int i = 0; i < sea->count; i++) {
+        const long double turns = sea->wave[i].turns_tick * tick;
+        phase[i] = sea->wave[i].phase - (double)(turns - floorl(turns)) * 2 * PI;
+    }
+}
+
+static inline ref_point ref_at_rest(const ref_sea *sea, const double phase[TP_WAVES],
+                                    double x0, double z0)
+{
+    ref_point p = { .x = x0, .z = z0, .jxx = 1, .jzz = 1 };
+
+    for (int i = 0; i < sea->count; i++) {
+        const ref_wave *w = &sea->wave[i];
+        const double th = w->k * (w->dx * x0 + w->dz * z0) + phase[i];
+        const double s = sin(th), c = cos(th), ka = w->k * w->amplitude;
+
+        p.x += w->q / w->k * w->dx * c;
+        p.y += w->amplitude * s;
+        p.z += w->q / w->k * w->dz * c;
+        p.hx += ka * w->dx * c;
+        p.hz += ka * w->dz * c;
+        p.jxx -= w->q * w->dx * w->dx * s;
+        p.jxz -= w->q * w->dx * w->dz * s;
+        p.jzz -= w->q * w->dz * w->dz * s;
+    }
+    p.nx = p.hz * p.jxz - p.hx * p.jzz;
+    p.ny = p.jxx * p.jzz - p.jxz * p.jxz;
+    p.nz = p.hx * p.jxz - p.hz * p.jxx;
+    return p;
+}
+
+/* The surface above or below (x, z), by Newton's method with a halved step where the full
+ * one does not come nearer. */
+static inline ref_point ref_above(const ref_sea *sea, const double phase[TP_WAVES],
+                                  double x, double z)
+{
+    double x0 = x, z0 = z, step = 1;
+    ref_point p = ref_at_rest(sea, phase, x0, z0);
+
+    for (int n = 0; n < 200; n++) {
+        const double ex = x - p.x, ez = z - p.z;
+        const double dx = (ex * p.jzz - ez * p.jxz) / p.ny;
+        const double dz = (ez * p.jxx - ex * p.jxz) / p.ny;
+        const ref_point next = ref_at_rest(sea, phase, x0 + step * dx, z0 + step * dz);
+        if (hypot(x - next.x, z - next.z) <= hypot(ex, ez)) {
+            x0 += step * dx;
+            z0 += step * dz;
+            p = next;
+            step = 1;
+        } else {
+            step /= 2;
+        }
+    }
+    return p;
+}
+#endif
