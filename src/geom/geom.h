@@ -50,13 +50,24 @@ typedef struct {
 void tp_lens_init(tp_lens *lens, tp_vec3 eye, tp_turn heading, tp_turn pitch, tp_fx fov,
                   tp_fx near, uint32_t width, uint32_t height);
 
-/* World point to scaled view coordinates; the three of s, t and n are left alone. */
+/* d.axis, held within +-32000 m: water and boats can be farther apart than 16.16 tells,
+ * corner to corner, and must not come out on the other side. */
+TP_ALWAYS_INLINE int32_t tp_lens_along(tp_vec3 d, tp_dir3 axis)
+{
+    const int32_t most = 32000 * TP_FX_ONE;
+    int64_t way = ((int64_t)d.x * axis.x + (int64_t)d.y * axis.y + (int64_t)d.z * axis.z
+                   + (1 << 29)) >> 30;
+    return (int32_t)(way > most ? most : way < -most ? -most : way);
+}
+
+/* World point to scaled view coordinates; the three of s, t and n are left alone.
+ * |p - eye| < 32768 m along each axis of the world. */
 TP_ALWAYS_INLINE void tp_lens_view(const tp_lens *lens, tp_vec3 p, tp_view_corner *c)
 {
     tp_vec3 d = tp_vec3_sub(p, lens->eye);
-    c->x = tp_dot_dir(d, lens->right);
-    c->y = tp_dot_dir(d, lens->up);
-    c->depth = tp_dot_dir(d, lens->ahead);
+    c->x = tp_lens_along(d, lens->right);
+    c->y = tp_lens_along(d, lens->up);
+    c->depth = tp_lens_along(d, lens->ahead);
 }
 
 /* In front of the near plane and inside the guard band: may be projected. */
@@ -68,8 +79,8 @@ TP_ALWAYS_INLINE bool tp_lens_holds(const tp_lens *lens, const tp_view_corner *c
     return c->depth >= lens->near && most < c->depth;
 }
 
-/* Only of a corner that the lens holds.  |x| < 2^30 and the reciprocal is below 2^32:
- * 62 bits. */
+/* Only of a corner that the lens holds.  |x| <= 32000 m and the reciprocal is below 2^32:
+ * their product leaves 2^57 for `half`. */
 TP_ALWAYS_INLINE void tp_lens_project(const tp_lens *lens, const tp_view_corner *c,
                                       int32_t *u, int32_t *v, uint32_t *zi)
 {

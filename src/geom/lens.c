@@ -12,15 +12,14 @@ static tp_dir3 dir_scaled(tp_dir3 d, tp_fx focal, int m)
 void tp_lens_init(tp_lens *lens, tp_vec3 eye, tp_turn heading, tp_turn pitch, tp_fx fov,
                   tp_fx near, uint32_t width, uint32_t height)
 {
-    tp_turn half = tp_turn_of_degrees(fov) / 2;
-    tp_fx   tangent = tp_fx_div(tp_fx_sin(half), tp_fx_cos(half));
     tp_rotation turn = tp_rotation_of(heading, pitch, 0);
+    tp_dir3 half = tp_rotation_of(tp_turn_of_degrees(fov) / 2, 0, 0).x; /* cos, 0, sin */
 
     lens->eye = eye;
     lens->turn = turn;
     lens->near = near;
     lens->zi_near = near - (near >> 8);
-    lens->focal = tp_fx_div((tp_fx)(height << 15), tangent);
+    lens->focal = (tp_fx)((int64_t)height * (1 << 15) * half.x / half.z);
     lens->m = 0;
     while (lens->m < TP_GUARD_LOG2 && lens->focal > TP_FX_ONE << lens->m)
         lens->m++;
