@@ -35,12 +35,19 @@ static void turn_view(tp_frame *frame, const tp_world *world)
     axes->lz = light.z >> 16;
 }
 
+/* Held within 4 km: the eye may be 24 km away, and their difference is 16.16 too. */
+static tp_fx scaled(tp_fx x, tp_fx scale)
+{
+    const int64_t most = 4000 * TP_FX_ONE;
+    int64_t metres = ((int64_t)x * scale + 0x8000) >> 16;
+    return (tp_fx)(metres > most ? most : metres < -most ? -most : metres);
+}
+
 static tp_view_corner view_of(const tp_frame *frame, const tp_mesh_vertex *vertex)
 {
     tp_fx scale = frame->scene->boat.scale;
-    tp_vec3 p = { tp_fx_mul(vertex->position.x, scale),
-                  tp_fx_mul(vertex->position.y, scale),
-                  tp_fx_mul(vertex->position.z, scale) };
+    tp_vec3 p = { scaled(vertex->position.x, scale), scaled(vertex->position.y, scale),
+                  scaled(vertex->position.z, scale) };
     tp_view_corner c;
 
     tp_lens_view(&frame->boat_lens, p, &c);
@@ -107,8 +114,7 @@ static void draw(const tp_frame *frame, const tp_samples *tile, const tp_corner 
     uint32_t material = mesh->faces[f].material;
     tp_fx opacity = mesh->materials[material].opacity;
 
-    if (tp_tri_area(a, b, c) < 0)
-        tp_tri_solid(tile, a, b, c, mark_of(material), f, (opacity * 16 + 0x8000) >> 16);
+    tp_tri_solid(tile, a, b, c, mark_of(material), f, (opacity * 16 + 0x8000) >> 16);
 }
 
 static void draw_clipped(const tp_frame *frame, const tp_samples *tile,
@@ -158,7 +164,7 @@ static void draw_face(const tp_frame *frame, const tp_samples *tile,
     draw(frame, tile, &corner[0], &corner[1], &corner[2], f);
 }
 
-void tp_frame_draw_boat(const tp_frame *frame, const tp_samples *tile)
+void tp_frame_draw_boat(const tp_frame *frame, tp_samples *tile)
 {
     const tp_grid_box *box = &frame->boat_box;
     const tp_mesh *mesh = frame->assets.boat;
@@ -166,6 +172,7 @@ void tp_frame_draw_boat(const tp_frame *frame, const tp_samples *tile)
     if (!frame->boat_seen || box->x0 >= tile->x1 || box->x1 < tile->x0
         || box->y0 >= tile->y1 || box->y1 < tile->y0)
         return;
+    tile->front_only = true;
     for (uint32_t f = 0; f < mesh->n_faces; f++)
         draw_face(frame, tile, &mesh->faces[f], f);
 }

@@ -50,11 +50,11 @@ struct tp_frame {
 
 /* water.c */
 void tp_frame_place_water(tp_frame *frame);
-void tp_frame_draw_water(const tp_frame *frame, const tp_samples *tile);
+void tp_frame_draw_water(const tp_frame *frame, tp_samples *tile);
 
 /* boat.c */
 void tp_frame_place_boat(tp_frame *frame, const tp_world *world);
-void tp_frame_draw_boat(const tp_frame *frame, const tp_samples *tile);
+void tp_frame_draw_boat(const tp_frame *frame, tp_samples *tile);
 
 /* plan.c: the stages that the scene needs, and their numbers. */
 void tp_frame_plan(tp_frame *frame, const tp_world *world);

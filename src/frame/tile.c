@@ -11,7 +11,7 @@ static tp_samples samples_of(const tp_frame *frame, void *scratch, const tp_tile
 
     return (tp_samples){
         (int32_t)tile->x0, (int32_t)tile->y0, (int32_t)tile->x1, (int32_t)tile->y1,
-        c->tile_width, at, at + plane, at + 2 * plane, at + 3 * plane,
+        c->tile_width, at, at + plane, at + 2 * plane, at + 3 * plane, false,
     };
 }
 

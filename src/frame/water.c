@@ -41,14 +41,6 @@ static tp_corner corner_of(const tp_grid *grid, uint32_t i, uint32_t j)
     };
 }
 
-static void draw(const tp_frame *frame, const tp_samples *tile, const tp_corner *a,
-                 const tp_corner *b, const tp_corner *c)
-{
-    if (frame->cull_water && tp_tri_area(a, b, c) >= 0)
-        return;
-    tp_tri_water(tile, a, b, c);
-}
-
 static void draw_clipped(const tp_frame *frame, const tp_samples *tile,
                          const uint32_t place[3][2])
 {
@@ -61,7 +53,7 @@ static void draw_clipped(const tp_frame *frame, const tp_samples *tile,
     for (int k = 0; k < count; k++)
         tp_corner_project(&frame->lens, &out[k], &corner[k]);
     for (int k = 2; k < count; k++)
-        draw(frame, tile, &corner[0], &corner[k - 1], &corner[k]);
+        tp_tri_water(tile, &corner[0], &corner[k - 1], &corner[k]);
 }
 
 /* Corners p: near left, near right ... in the order (i, j), (i+1, j), (i+1, j+1),
@@ -77,8 +69,8 @@ static void draw_cell(const tp_frame *frame, const tp_samples *tile,
         draw_clipped(frame, tile, second);
         return;
     }
-    draw(frame, tile, p[0], p[3], p[2]);
-    draw(frame, tile, p[0], p[2], p[1]);
+    tp_tri_water(tile, p[0], p[3], p[2]);
+    tp_tri_water(tile, p[0], p[2], p[1]);
 }
 
 /* Cells [first, end) of row j.  Each cell's right side is the next one's left. */
@@ -106,10 +98,11 @@ static bool touches(const tp_grid_box *box, const tp_samples *tile)
         && box->y0 < tile->y1 && box->y1 >= tile->y0;
 }
 
-void tp_frame_draw_water(const tp_frame *frame, const tp_samples *tile)
+void tp_frame_draw_water(const tp_frame *frame, tp_samples *tile)
 {
     const tp_grid *grid = &frame->grid;
 
+    tile->front_only = frame->cull_water;
     for (uint32_t j = 0; j + 1 < grid->rows; j++) {
         tp_grid_span span = grid->span[j];
         const tp_grid_box *box = grid->box + (size_t)j * grid->blocks;

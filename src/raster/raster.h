@@ -31,12 +31,12 @@ typedef struct {
     uint32_t *s;                /* water: rest place x, 16.16 m; solids: s:t, 0.16 each */
     uint32_t *t;                /* water: rest place z; solids: face number */
     uint32_t *n;                /* water: slopes x:z, Q3.12 each; solids: packed normal */
+    bool      front_only;       /* triangles of positive area (see tp_tri_area) draw none */
 } tp_samples;
 
 void tp_samples_clear(const tp_samples *tile);
 
-/* Both faces' orders are drawn; the caller culls.  Corners as tp_lens_project and
- * tp_clip_triangle leave them. */
+/* Corners as tp_lens_project and tp_clip_triangle leave them. */
 void tp_tri_water(const tp_samples *tile, const tp_corner *a, const tp_corner *b,
                   const tp_corner *c);
 

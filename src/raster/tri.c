@@ -16,28 +16,34 @@ static bool misses(const tp_samples *tile, const tp_corner *a, const tp_corner *
     return first >= end || first >= tile->x1 || end <= tile->x0;
 }
 
-static void sort(tp_tri *tri, const tp_corner *a, const tp_corner *b, const tp_corner *c)
+/* True: the order was turned round, so the area's sign is. */
+static bool sort(tp_tri *tri, const tp_corner *a, const tp_corner *b, const tp_corner *c)
 {
     const tp_corner *swap;
+    bool odd = false;
 
     if (b->v < a->v) {
         swap = a;
         a = b;
         b = swap;
+        odd = !odd;
     }
     if (c->v < a->v) {
         swap = a;
         a = c;
         c = swap;
+        odd = !odd;
     }
     if (c->v < b->v) {
         swap = b;
         b = c;
         c = swap;
+        odd = !odd;
     }
     tri->a = a;
     tri->b = b;
     tri->c = c;
+    return odd;
 }
 
 static int32_t larger(int32_t a, int32_t b)
@@ -94,7 +100,7 @@ bool tp_tri_begin(tp_tri *tri, const tp_samples *tile, const tp_corner *a,
 {
     if (misses(tile, a, b, c))
         return false;
-    sort(tri, a, b, c);
+    bool odd = sort(tri, a, b, c);
     a = tri->a;
     b = tri->b;
     c = tri->c;
@@ -104,7 +110,7 @@ bool tp_tri_begin(tp_tri *tri, const tp_samples *tile, const tp_corner *a,
     if (tri->top >= tri->bottom)
         return false;
     int64_t area = tp_tri_area(a, b, c);
-    if (area == 0)
+    if (area == 0 || (tile->front_only && (area > 0) != odd))
         return false;
     set_factors(tri, area);
     tri->long_left = area > 0;          /* then b lies right of the long edge */
