@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-# Tidepool.  `make help` lists the targets.  What is made lies under build/TARGET/, so that
-# builds of several kinds live side by side:  make TARGET=clang CC=clang
+# Tidepool.  `make help` lists the targets.  What is made lies under build/TARGET/, so
+# that builds of several kinds live side by side:  make TARGET=clang CC=clang
 # A board is a target of its own, described in its folder:  make BOARD=cortex-m elf
 
 TARGET  ?= host
@@ -32,7 +32,7 @@ CORE := $(addprefix src/, \
     scene/boat.c scene/params.c scene/world.c \
     frame/boat.c frame/frame.c frame/plan.c frame/tile.c frame/water.c)
 
-# -- the program, for machines with files and threads ------------------------------------
+# -- the program, for machines with files and threads ----------------------------------
 
 PORTS := $(addprefix ports/, \
     host/args.c host/assets.c host/canvas.c host/film.c host/hashes.c host/lists.c \
@@ -48,15 +48,18 @@ SDL_LIBS   := $(shell pkg-config --libs sdl2)
 endif
 LIBS := -lpng -linih -lpthread -lm $(SDL_LIBS)
 
-# -- how to compile; CFLAGS and LDFLAGS are the user's ------------------------------------
+# -- how to compile; CFLAGS and LDFLAGS are the user's ---------------------------------
 
 WARN   := -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wvla -Wdouble-promotion \
           -Wstrict-prototypes -Wmissing-prototypes -Werror
-FLAGS  := -std=c11 $(WARN) -Iinclude -MMD -MP -fmacro-prefix-map=$(CURDIR)/= $(OPT) $(ARCH)
+FLAGS  := -std=c11 $(WARN) -Iinclude -MMD -MP -fmacro-prefix-map=$(CURDIR)/= \
+          $(OPT) $(ARCH)
 BARE   := -Isrc -ffreestanding -ffunction-sections -fdata-sections
 HOSTED := -Iports -Isrc -I. $(SDL_CFLAGS)
 COMPILE = $(CC) $(FLAGS) $(CPPFLAGS) $(CFLAGS)
 LINK    = $(CC) $(OPT) $(ARCH) $(LDFLAGS)
+# One short line for each thing made; with V=1 the whole command.
+SAY     = $(if $(V),,@echo '  $@';)
 
 LIB     := $(BUILD)/libtidepool.a
 PROGRAM := $(BUILD)/tidepool
@@ -65,10 +68,18 @@ PORTS_O := $(PORTS:%.c=$(BUILD)/%.o)
 UNIT    := $(patsubst %.c,$(BUILD)/%,$(wildcard tests/unit/test_*.c tests/host/test_*.c))
 FUZZ    := $(patsubst %.c,$(BUILD)/%,$(wildcard tests/fuzz/fuzz_*.c))
 GOLDEN  := $(BUILD)/tests/golden/test_frames $(BUILD)/tests/golden/test_harness
+CMOCKA  := -lcmocka
+ifneq ($(shell pkg-config --exists cmocka 2>/dev/null && echo yes),yes)
+CMOCKA  :=
+UNIT    :=
+GOLDEN  := tests/gates/no-cmocka.sh
+endif
 FRAMES  := $(BUILD)/tests/cross/frames
 BAKED   := build/baked/three-swells.c
+SHIPPED := $(wildcard assets/scenes/* assets/boats/*.[mop]* assets/textures/*.png \
+               assets/skies/*.png)
 
-# -- what people ask for -------------------------------------------------------------------
+# -- what people ask for ---------------------------------------------------------------
 
 ## build the program and the library
 all: $(PROGRAM) $(LIB)
@@ -105,17 +116,17 @@ golden: $(BUILD)/tests/golden/test_frames
 gallery: $(PROGRAM)
 	$(PROGRAM) render three-swells --size 1280x720 --out assets/gallery/three-swells.png
 ## make the boats and textures anew from their generators
-assets: $(BUILD)/assets/boats/longship $(BUILD)/assets/textures/textures
-	$(BUILD)/assets/boats/longship assets/boats
-	$(BUILD)/assets/textures/textures assets/textures
+assets: $(BUILD)/longship $(BUILD)/textures
+	$(BUILD)/longship assets/boats
+	$(BUILD)/textures assets/textures assets/skies
 ## install under PREFIX (/usr/local)
 install: all
 	install -d $(DESTDIR)$(PREFIX)/bin $(DESTDIR)$(PREFIX)/lib
 	install $(PROGRAM) $(DESTDIR)$(PREFIX)/bin
 	install -m 644 $(LIB) $(DESTDIR)$(PREFIX)/lib
 	for f in include/tidepool/*.h; do install -Dm 644 $$f $(DESTDIR)$(PREFIX)/$$f; done
-	cd assets && for f in scenes/* boats/*.* textures/*.png; do \
-	    install -Dm 644 $$f $(DESTDIR)$(PREFIX)/share/tidepool/$$f; done
+	for f in $(SHIPPED); do \
+	    install -Dm 644 $$f $(DESTDIR)$(PREFIX)/share/tidepool/$${f#assets/}; done
 ## lay the sources out by .clang-format
 format:
 	clang-format -i include/tidepool/*.h src/*/*.[ch] ports/*/*.[ch] tests/*/*.[ch]
@@ -127,17 +138,19 @@ help:
 	@awk '/^## / { text = substr($$0, 4); getline; sub(/:.*/, ""); \
 	    printf "  %-10s %s\n", $$0, text }' Makefile
 
-# -- tests ---------------------------------------------------------------------------------
+# -- tests -----------------------------------------------------------------------------
 
 SAN := TARGET=san OPT='-O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all'
 RUN := TP_BUILD=$(BUILD) TP_PROGRAM=$(PROGRAM) tests/run.sh
 
 unit: $(UNIT)
-everything: all unit $(GOLDEN) $(FRAMES) $(BUILD)/tests/bench/scene_s
+everything: all unit $(GOLDEN) $(FRAMES) $(BUILD)/tests/bench/scene_s \
+          $(BUILD)/longship $(BUILD)/textures $(BUILD)/tests/host/same_pixels
 host-tests: everything
-	@$(MAKE) --no-print-directory $(SAN) unit
+	@$(MAKE) --no-print-directory $(SAN) unit build/san/tidepool
 	@$(RUN) build/log/host $(UNIT) $(UNIT:build/host/%=build/san/%) $(GOLDEN) \
-	    tests/gates/host.sh tests/gates/selftest.sh tests/host/cli.sh
+	    tests/gates/host.sh tests/gates/selftest.sh tests/host/cli.sh \
+	    tests/gates/sanitized.sh tests/host/generators.sh
 more-tests: everything build/host/count.so
 	@$(RUN) build/log/more tests/gates/arm.sh tests/gates/clang.sh tests/host/view.sh \
 	    tests/cross/run.sh tests/budgets/board-count.sh tests/fuzz/run.sh
@@ -146,44 +159,46 @@ elf: $(BUILD)/tidepool.elf
 list-core:
 	@echo $(CORE)
 
-# -- how things are made -----------------------------------------------------------------------
+# -- how things are made ---------------------------------------------------------------
 
 $(LIB): $(CORE_O)
 $(BUILD)/ports.a: $(PORTS_O)
 %.a:
 	@rm -f $@
-	$(AR) rcs $@ $^
+	$(SAY)$(AR) rcs $@ $^
 $(PROGRAM): $(MAIN:%.c=$(BUILD)/%.o) $(BUILD)/ports.a $(LIB)
-	$(LINK) $^ $(LIBS) -o $@
+	$(SAY)$(LINK) $^ $(LIBS) -o $@
 $(BUILD)/tests/%: $(BUILD)/tests/%.o $(BUILD)/ports.a $(LIB)
-	$(LINK) $(filter %.o,$^) $(filter %.a,$^) -lcmocka $(LIBS) -o $@
-$(GOLDEN): $(BUILD)/tests/golden/golden.o
+	$(SAY)$(LINK) $(filter %.o,$^) $(filter %.a,$^) $(CMOCKA) $(LIBS) -o $@
+$(filter $(BUILD)/%,$(GOLDEN)): $(BUILD)/tests/golden/golden.o
 $(FUZZ): $(BUILD)/%: $(BUILD)/%.o $(LIB)
-	$(LINK) -fsanitize=fuzzer $^ -o $@
-$(BUILD)/assets/%: $(BUILD)/assets/%.o
-	$(LINK) $^ $(LIBS) -o $@
+	$(SAY)$(LINK) -fsanitize=fuzzer $^ -o $@
+$(BUILD)/longship: $(patsubst %.c,$(BUILD)/%.o,$(wildcard assets/boats/*.c) \
+          assets/textures/canvas.c)
+	$(SAY)$(LINK) $^ -lpng -lm -o $@
+$(BUILD)/textures: $(patsubst %.c,$(BUILD)/%.o,$(wildcard assets/textures/*.c))
+	$(SAY)$(LINK) $^ -lpng -o $@
 # The scene as constants, for what has no files: built once for each processor.
-$(BAKED): build/host/tests/cross/bake $(wildcard assets/scenes/* assets/boats/*.[mop]* \
-          assets/textures/*.png)
+$(BAKED): build/host/tests/cross/bake $(SHIPPED)
 	@mkdir -p $(@D)
-	$< assets/scenes/$(basename $(@F)).ini -o $@
+	$(SAY)$< assets/scenes/$(basename $(@F)).ini -o $@
 build/baked/$(MACHINE).o: $(BAKED)
-	$(COMPILE) -Iports -c $< -o $@
+	$(SAY)$(COMPILE) -Iports -c $< -o $@
 $(FRAMES): $(FRAMES).o build/baked/$(MACHINE).o $(LIB)
-	$(LINK) $^ -o $@
+	$(SAY)$(LINK) $^ -o $@
 build/host/count.so: tests/budgets/count.c $(BUILD)/flags
-	$(COMPILE) -D_POSIX_C_SOURCE=200809L -fPIC -shared $< -o $@
-$(BUILD)/tidepool.elf: $(BOARD_C:%.c=$(BUILD)/ports/$(BOARD)/%.o) build/baked/$(MACHINE).o \
-          $(LIB) ports/$(BOARD)/board.ld
-	$(LINK) -nostdlib -T $(filter %.ld,$^) -Wl,--gc-sections $(filter-out %.ld,$^) \
+	$(SAY)$(COMPILE) -D_POSIX_C_SOURCE=200809L -fPIC -shared $< -o $@
+$(BUILD)/tidepool.elf: $(BOARD_C:%.c=$(BUILD)/ports/$(BOARD)/%.o) \
+          build/baked/$(MACHINE).o $(LIB) ports/$(BOARD)/board.ld
+	$(SAY)$(LINK) -nostdlib -T $(filter %.ld,$^) -Wl,--gc-sections $(filter-out %.ld,$^) \
 	    -lgcc -o $@
 
 $(BUILD)/src/%.o: src/%.c $(BUILD)/flags
 	@mkdir -p $(@D)
-	$(COMPILE) $(BARE) -c $< -o $@
+	$(SAY)$(COMPILE) $(BARE) -c $< -o $@
 $(BUILD)/%.o: %.c $(BUILD)/flags
 	@mkdir -p $(@D)
-	$(COMPILE) $(HOSTED) -c $< -o $@
+	$(SAY)$(COMPILE) $(HOSTED) -c $< -o $@
 # Another compiler or other flags are a reason to compile again.
 $(BUILD)/flags: force
 	@mkdir -p $(@D)

@@ -35,8 +35,9 @@ all  | libc6-dev-armhf-cross     | dir /usr/arm-linux-gnueabihf/include | armhf
 all  | libc6-dev-arm64-cross     | dir /usr/aarch64-linux-gnu/include   | aarch64
 all  | libc6-dev-riscv64-cross   | dir /usr/riscv64-linux-gnu/include   | riscv64
 all  | libc6-dev-s390x-cross     | dir /usr/s390x-linux-gnu/include     | s390x
-all  | xvfb                      | cmd Xvfb                    | a display for the window test
+all  | xvfb                      | cmd Xvfb                    | a display for the preview
 all  | xdotool                   | cmd xdotool                 | its keys and mouse
+all  | procps                    | cmd pgrep                   | finds its process
 all  | imagemagick               | cmd import                  | its screenshots
 '
 

@@ -40,7 +40,7 @@ run_one()       # LOGS TEST
             print passed + 0, failed + 0, skipped + 0 > result
             exit failed > 0
         }' "$log" || {
-        grep -E -A 2 'FAIL|ERROR|: error|rror:|undefined|Assert' "$log" | head -n 30 |
+        grep -E -B 6 -A 2 'FAIL|ERROR|rror:|undefined|Assert' "$log" | head -n 40 |
             sed 's/^/    | /'
         echo "    | all of it: $log"
     }
@@ -55,7 +55,8 @@ fi
 logs=$1; shift
 rm -rf "$logs"; mkdir -p "$logs"
 printf '%s\n' "$@" | xargs -P "${TP_JOBS:-2}" -I{} "$0" -one "$logs" {}
-find "$logs" -name '*.result' -exec cat {} + | awk -v tests=$# -v strict="${TP_STRICT:-}" '
+find "$logs" -name '*.result' -exec cat {} + |
+    awk -v tests=$# -v strict="${TP_STRICT:-}" '
     { passed += $1; failed += $2; skipped += $3; n++ }
     END {
         failed += tests - n

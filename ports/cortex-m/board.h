@@ -5,7 +5,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-extern uint8_t arena_start[], arena_end[];      /* all memory that is left, aligned to 8 */
+extern uint8_t arena_start[], arena_end[];      /* all memory left, aligned to 8 */
 
 uint32_t board_stack_used(void);                /* bytes, the deepest so far */
 #endif

@@ -21,7 +21,7 @@ MARK(count_as_tiles)
 MARK(count_end)
 MARK(count_section)
 
-/* -- words --------------------------------------------------------------------------- */
+/* -- words --------------------------------------------------------------------- */
 
 static void put_number(const char *before, uint32_t n, uint32_t base, int least_digits)
 {
@@ -46,7 +46,7 @@ _Noreturn static void stop(const char *why)
     semihost_exit(1);
 }
 
-/* -- a picture ------------------------------------------------------------------------- */
+/* -- a picture ----------------------------------------------------------------- */
 
 /* Draws one frame; its CRC.  A band takes the picture's whole width, so the rows of the
  * tiles follow each other. */

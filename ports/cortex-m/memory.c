@@ -34,7 +34,7 @@ PLAIN void *memmove(void *to, const void *from, size_t bytes)
 {
     uint8_t *d = to;
     const uint8_t *s = from;
-    if ((uintptr_t)d - (uintptr_t)s >= bytes)       /* the start of `from` is not in `to` */
+    if ((uintptr_t)d - (uintptr_t)s >= bytes)       /* `to` does not begin in `from` */
         return memcpy(to, from, bytes);
     while (bytes--)
         d[bytes] = s[bytes];

@@ -27,7 +27,8 @@ typedef union { uint32_t *stack; void (*handler)(void); } vector;
 extern const vector vectors[16];
 __attribute__((section(".vectors"), used)) const vector vectors[16] = {
     { .stack = stack_top }, { .handler = reset }, { .handler = fault },
-    { .handler = fault }, { .handler = fault }, { .handler = fault }, { .handler = fault },
+    { .handler = fault }, { .handler = fault }, { .handler = fault },
+    { .handler = fault },
     { 0 }, { 0 }, { 0 }, { 0 }, { .handler = fault }, { .handler = fault }, { 0 },
     { .handler = fault }, { .handler = fault },
 };

@@ -22,14 +22,18 @@ static void remove_pending(int signal_number)
     raise(signal_number);
 }
 
-/* Signals that somebody else already takes care of stay theirs. */
+/* Signals that somebody else already takes care of stay theirs.  By sigaction, since
+ * signal() of strict POSIX would let a second signal through before the first is dealt
+ * with, and `timeout` sends two. */
 static void watch_signals(void)
 {
     static const int deadly[] = { SIGINT, SIGTERM, SIGHUP };
+    struct sigaction now, ours = { .sa_handler = remove_pending };
+
+    sigfillset(&ours.sa_mask);
     for (size_t i = 0; i < sizeof deadly / sizeof *deadly; i++) {
-        struct sigaction now;
         if (sigaction(deadly[i], NULL, &now) == 0 && now.sa_handler == SIG_DFL)
-            signal(deadly[i], remove_pending);
+            sigaction(deadly[i], &ours, NULL);
     }
     signal(SIGPIPE, SIG_IGN);       /* a write to it then fails with EPIPE */
     signal(SIGXFSZ, SIG_IGN);       /* likewise EFBIG */

@@ -4,12 +4,24 @@
 #include "window.h"
 #include "../host/say.h"
 
+/* SDL falls back to drivers that show nothing: those only when somebody asks for them. */
+static bool shows_nothing(void)
+{
+    const char *driver = SDL_GetCurrentVideoDriver();
+    return !SDL_getenv("SDL_VIDEODRIVER")
+        && (SDL_strcmp(driver, "offscreen") == 0 || SDL_strcmp(driver, "dummy") == 0);
+}
+
 bool window_open(window *w, const char *title, int width, int height)
 {
     *w = (window){ 0 };
     SDL_SetMainReady();
     if (SDL_Init(SDL_INIT_VIDEO) != 0)
         return false;
+    if (shows_nothing()) {
+        SDL_SetError("there is no display, or it cannot be reached");
+        return false;
+    }
     w->window = SDL_CreateWindow(title, SDL_WINDOWPOS_CENTERED, SDL_WINDOWPOS_CENTERED,
                                  width, height, SDL_WINDOW_RESIZABLE);
     if (!w->window)

@@ -15,7 +15,6 @@
 #include <stdbool.h>
 #include "base/base.h"
 #include "tidepool/fx.h"
-#include "tidepool/scene.h"
 
 /* A corner as the rasterizer takes it. */
 typedef struct {

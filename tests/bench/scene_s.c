@@ -2,8 +2,8 @@
 /* Scene S, on which other software renderers were measured: 20 m x 20 m of water on a
  * grid of 128 x 128, three waves, one texture of 256 x 256 texels repeated eight times,
  * nearest texels, lit, and nothing else: no haze, glitter, reflection or ripples.  The
- * eye is 3 m up, 60 degrees of view, looking 15.6 degrees down; the water then covers 59 %
- * of the picture.
+ * eye is 3 m up, 60 degrees of view, looking 15.6 degrees down; the water then covers
+ * 59 % of the picture.
  *
  *   scene_s WIDTH HEIGHT [FILE.ppm]     prints the water's pixels and the frame's CRC
  *
@@ -43,9 +43,9 @@ static tp_scene scene_s(void)
     s.grid.cell = TP_FX(20.0 / (POINTS - 1));
     s.grid.reach = 0;
     s.grid.follow = 0;
-    s.wave[0] = (tp_wave){ TP_FX(0.20), TP_FX(6.0), TP_FX(0.15), TP_FX(30), 0, TP_FX(1) };
+    s.wave[0] = (tp_wave){ TP_FX(0.20), TP_FX(6), TP_FX(0.15), TP_FX(30), 0, TP_FX(1) };
     s.wave[1] = (tp_wave){ TP_FX(0.12), TP_FX(3.5), TP_FX(0.15), TP_FX(75), 0, TP_FX(1) };
-    s.wave[2] = (tp_wave){ TP_FX(0.06), TP_FX(2.0), TP_FX(0.15), TP_FX(-20), 0, TP_FX(1) };
+    s.wave[2] = (tp_wave){ TP_FX(0.06), TP_FX(2), TP_FX(0.15), TP_FX(-20), 0, TP_FX(1) };
     return s;
 }
 
@@ -86,8 +86,8 @@ int main(int argc, char **argv)
         fprintf(stderr, "usage: scene_s WIDTH HEIGHT [FILE.ppm]\n");
         return 2;
     }
-    const tp_frame_config config = { (uint32_t)atoi(argv[1]), (uint32_t)atoi(argv[2]), 0, 0,
-                                     TP_FORMAT_XRGB8888 };
+    const tp_frame_config config = { (uint32_t)atoi(argv[1]), (uint32_t)atoi(argv[2]),
+                                     0, 0, TP_FORMAT_XRGB8888 };
     const tp_scene scene = scene_s();
     for (uint32_t i = 0; i < SIDE * SIDE; i++)
         pixels[i] = texel(i % SIDE, i / SIDE);

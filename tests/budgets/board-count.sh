@@ -12,7 +12,10 @@ lacks arm-none-eabi-gcc gcc-arm-none-eabi "frames on a Cortex-M4" && exit 77
 lacks qemu-system-arm qemu-system-arm "frames on a Cortex-M4" && exit 77
 
 check "the program for the board builds" build BOARD=cortex-m elf
-address() { echo 0x"$(arm-none-eabi-nm $elf | awk -v name="$1" '$3 == name { print $1 }')"; }
+address()       # of a symbol
+{
+    echo 0x"$(arm-none-eabi-nm $elf | awk -v name="$1" '$3 == name { print $1 }')"
+}
 
 run_board()
 {
@@ -42,6 +45,6 @@ echo
 arm-none-eabi-size -A build/cortex-m/libtidepool.a | awk '
     /^\.text/   { text += $2 }
     /^\.rodata/ { constants += $2 }
-    END { printf "core on Cortex-M4: text %d bytes, constants %d bytes\n", text, constants }'
+    END { printf "core on Cortex-M4: text %d bytes, constants %d\n", text, constants }'
 awk -f tests/budgets/board.awk "$scratch/board" "$scratch/counts"
 exit $((failures > 0))

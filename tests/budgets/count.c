@@ -19,7 +19,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* -- QEMU's side ------------------------------------------------------------------- */
+/* -- QEMU's side --------------------------------------------------------------- */
 
 #define EXPORT __attribute__((visibility("default")))
 
@@ -49,7 +49,7 @@ bool qemu_plugin_mem_is_store(uint32_t info);
 EXPORT extern int qemu_plugin_version;
 int qemu_plugin_version = 1;
 
-/* -- counters ------------------------------------------------------------------------ */
+/* -- counters ------------------------------------------------------------------ */
 
 enum { ACCOUNTS = 8 };
 
@@ -146,7 +146,7 @@ static void count_section(unsigned cpu, void *data)
     section++;
 }
 
-/* -- watching the program --------------------------------------------------------------- */
+/* -- watching the program ------------------------------------------------------ */
 
 /* What to do at a mark's first instruction; the others of it do nothing. */
 static insn_call *mark_of(const char *name)

@@ -23,9 +23,10 @@ END {
     }
     printf "\n%s on this machine: %d instructions a frame, %.1f a water pixel (of %d)\n",
         size, total / frames, total / water, water / frames
-    printf "  once a frame: %d, %.1f a vertex (of %d); in tiles: %d, %.1f a water pixel\n",
-        begin / frames, begin / vertices, vertices / frames, (total - begin) / frames,
-        (total - begin) / water
+    printf "  once a frame: %d, %.1f a vertex (of %d); ",
+        begin / frames, begin / vertices, vertices / frames
+    printf "in tiles: %d, %.1f a water pixel\n",
+        (total - begin) / frames, (total - begin) / water
     print "  function                     instructions   share  a water pixel"
     for (shown = 1; shown <= names; shown++) {
         best = ""

@@ -12,7 +12,7 @@
 #include "host/assets.h"
 #include "host/scene_file.h"
 
-/* -- the scene --------------------------------------------------------------------- */
+/* -- the scene ----------------------------------------------------------------- */
 
 /* "wave0.length" as ".wave[0].length"; what is called scene.X is X itself. */
 static void put_member(FILE *out, const char *name)
@@ -61,7 +61,7 @@ static void put_scene(FILE *out, const tp_scene *scene)
     fprintf(out, "};\n");
 }
 
-/* -- textures ------------------------------------------------------------------------ */
+/* -- textures ------------------------------------------------------------------ */
 
 static uint32_t side(uint32_t log2, uint32_t level)
 {
@@ -85,7 +85,7 @@ static void put_texture(FILE *out, const char *name, const tp_texture *t)
             t->log2_h, t->levels);
 }
 
-/* -- the mesh -------------------------------------------------------------------------- */
+/* -- the mesh ------------------------------------------------------------------ */
 
 /* Several materials may share a map: the first that names it has it written. */
 static void put_map(FILE *out, const tp_mesh *mesh, uint32_t upto, const tp_texture *map,
@@ -152,8 +152,8 @@ static void put_mesh(FILE *out, const tp_mesh *mesh)
     for (uint32_t i = 0; i < mesh->n_faces; i++) {
         const tp_mesh_face *f = &mesh->faces[i];
         fprintf(out, "    { { %" PRIu32 ", %" PRIu32 ", %" PRIu32 " }, 0x%08" PRIx32
-                ", %" PRIu32 " },\n", f->vertex[0], f->vertex[1], f->vertex[2], f->tangent,
-                f->material);
+                ", %" PRIu32 " },\n", f->vertex[0], f->vertex[1], f->vertex[2],
+                f->tangent, f->material);
     }
     fprintf(out, "};\nstatic const tp_mesh boat = {\n    .vertices = vertices, "
             ".faces = faces, .materials = materials,\n    .n_vertices = %" PRIu32
@@ -165,7 +165,7 @@ static void put_mesh(FILE *out, const tp_mesh *mesh)
     fprintf(out, "\n};\n");
 }
 
-/* -- all of it -------------------------------------------------------------------------- */
+/* -- all of it ----------------------------------------------------------------- */
 
 static bool put_all(FILE *out, const scene_file *file, const tp_assets *names)
 {

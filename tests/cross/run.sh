@@ -29,8 +29,8 @@ try()
     gcc)   cc=${triple:+$triple-}gcc ;;
     clang) cc="clang${triple:+ --target=$triple -isystem /usr/$triple/include}" ;;
     esac
-    if ! build TARGET="$target" MACHINE="$1" CC="$cc" AR="${triple:+$triple-}ar" OPT="-$3" \
-        LDFLAGS="${triple:+-static}" "build/$target/tests/cross/frames" \
+    if ! build TARGET="$target" MACHINE="$1" CC="$cc" AR="${triple:+$triple-}ar" \
+        OPT="-$3" LDFLAGS="${triple:+-static}" "build/$target/tests/cross/frames" \
         >"$scratch/log" 2>&1; then
         tail -n 5 "$scratch/log"
         verdict=unbuilt
@@ -59,8 +59,10 @@ while IFS='|' read -r machine triple emulator debian; do
     if [ -n "$triple" ]; then
         lacks "$triple-gcc" "gcc-$triple" "frames on $machine" && continue
         lacks "$emulator" qemu-user "frames on $machine" && continue
-        [ -d "/usr/$triple/include" ] ||
-            { echo "skipped: frames on $machine (package libc6-dev-$debian-cross)"; continue; }
+        if [ ! -d "/usr/$triple/include" ]; then
+            echo "skipped: frames on $machine (package libc6-dev-$debian-cross)"
+            continue
+        fi
     fi
     for compiler in gcc clang; do
         lacks $compiler $compiler "frames on $machine by $compiler" && continue

@@ -7,7 +7,8 @@
 # header has the rank of the module that implements it.  A port sees the public headers
 # and itself; sdl2 and null are parts of the host program and see host as well.
 BEGIN {
-    levels = split("base|fx|pixel|asset wave pool|geom|raster shade|scene|frame", level, "|")
+    levels = split("base|fx|pixel|asset wave pool|geom|raster shade|scene|frame", level,
+                   "|")
     for (i = 1; i <= levels; i++) {
         n = split(level[i], module, " ")
         for (j = 1; j <= n; j++)

@@ -3,7 +3,7 @@
 
 failures=0
 
-# check NAME COMMAND...: one case, of which nothing is printed but its name unless it fails.
+# check NAME COMMAND...: one case; what the command prints is shown if it fails.
 check()
 {
     name=$1; shift
@@ -49,11 +49,12 @@ port_files()  { find ports -name '*.[ch]' | sort; }
 every_file()
 {
     find . \( -name .git -o -path ./build -o -path ./out \) -prune -o -type f \
-        \( -name '*.[ch]' -o -name '*.inc' -o -name '*.sh' -o -name '*.awk' -o -name '*.mk' \
-           -o -name '*.ld' -o -name Makefile -o -path './.ci/run' \) -print | sort
+        \( -name '*.[ch]' -o -name '*.inc' -o -name '*.sh' -o -name '*.awk' \
+           -o -name '*.mk' -o -name '*.ld' -o -name Makefile -o -path './.ci/run' \) \
+        -print | sort
 }
 
-# A gate on an archive, with the tools of a target: "" is this machine's, "arm-none-eabi-".
+# Gates on an archive, by the tools of a target: "" is this machine, or "arm-none-eabi-".
 symbols()     { "$1nm" -A "$2" | awk -f $gates/symbols.awk; }
 no_state()    { "$1size" -A "$2" | awk -f $gates/state.awk; }
 no_deeper()                     # BYTES FILE.ci...

@@ -17,7 +17,8 @@ layers()    { awk -f $gates/layers.awk "$scratch/$1"; }
 words()     { awk -f $gates/words.awk "$scratch/$1"; }
 text()      { awk -f $gates/text.awk "$scratch/$1"; }
 
-put src/wave/a.c '#include "fx/fx_table.inc"' '#include "tidepool/wave.h"' '#include <stdint.h>'
+put src/wave/a.c '#include "fx/fx_table.inc"' '#include "tidepool/wave.h"' \
+    '#include <stdint.h>'
 check  "layers: passes includes that point down" layers src/wave/a.c
 put src/fx/a.c '#include "wave/wave.h"'
 refuse "layers: an include that points up" layers src/fx/a.c
@@ -39,7 +40,8 @@ put include/tidepool/fx.h '#include "tidepool/scene.h"'
 refuse "layers: a public header that points up" layers include/tidepool/fx.h
 put ports/sdl2/a.c '#include "fx/trig.h"'
 refuse "layers: the core's inside in a port" layers ports/sdl2/a.c
-put ports/sdl2/b.c '#include "tidepool/tidepool.h"' '#include <SDL.h>' '#include "host/say.h"'
+put ports/sdl2/b.c '#include "tidepool/tidepool.h"' '#include <SDL.h>' \
+    '#include "../host/say.h"'
 check  "layers: passes a port that keeps to the API" layers ports/sdl2/b.c
 
 put src/wave/g.c '/* a double */ int x; /* free' ' float */ const char *s = "malloc";'
@@ -58,7 +60,7 @@ put src/wave/l.c "$(printf 'int\tx;')" ''
 refuse "text: a tab" text src/wave/l.c
 put src/wave/m.c 'int x; ' ''
 refuse "text: a blank at the end" text src/wave/m.c
-put src/wave/n.c "/* $(printf '%090d' 0) */" ''
+put src/wave/n.c "/* $(printf '%0100d' 0) */" ''
 refuse "text: a line too long" text src/wave/n.c
 
 # compile NAME TEXT: NAME.a and NAME.ci under the scratch folder.
@@ -124,7 +126,8 @@ refuse "runner: a crash" runner dies
 fake void   ':'
 refuse "runner: no case at all" runner void
 fake skips  'echo "ok - a"; echo "skipped: b (package c)"'
-check  "runner: a skip is no failure" env TP_STRICT= tests/run.sh "$scratch/log" "$scratch/skips"
+check  "runner: a skip is no failure" \
+    env TP_STRICT= tests/run.sh "$scratch/log" "$scratch/skips"
 refuse "runner: a skip is a failure under TP_STRICT" \
     env TP_STRICT=1 tests/run.sh "$scratch/log" "$scratch/skips"
 exit $((failures > 0))

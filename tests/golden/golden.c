@@ -12,7 +12,7 @@
 
 const uint32_t golden_frames[GOLDEN_FRAMES] = GOLDEN_TICKS;
 
-/* -- drawing --------------------------------------------------------------------- */
+/* -- drawing ------------------------------------------------------------------- */
 
 bool golden_open(golden_scene *g, const char *name)
 {
@@ -63,7 +63,7 @@ void golden_free(picture *p)
     p->rows = NULL;
 }
 
-/* -- references ------------------------------------------------------------------- */
+/* -- references ---------------------------------------------------------------- */
 
 static bool exists(const char *path)
 {
@@ -86,7 +86,8 @@ static void png_path(char path[PATH_BYTES], const char *folder, tp_format format
 }
 
 /* The CRC that the list gives for a frame. */
-static bool listed_crc(const char *folder, tp_format format, uint32_t frame, uint32_t *crc)
+static bool listed_crc(const char *folder, tp_format format, uint32_t frame,
+                       uint32_t *crc)
 {
     char path[PATH_BYTES], line[80];
     list_path(path, folder, format);
@@ -132,7 +133,7 @@ static picture expanded(const picture *from)
     return p;
 }
 
-/* -- comparing -------------------------------------------------------------------- */
+/* -- comparing ----------------------------------------------------------------- */
 
 static void leave(const char *wreck, const char *name, const char *what, const picture *p)
 {
@@ -193,7 +194,7 @@ bool golden_compare(const char *folder, const char *wreck, const picture *actual
     return !wrong;
 }
 
-/* -- writing ----------------------------------------------------------------------- */
+/* -- writing ------------------------------------------------------------------- */
 
 /* Peak signal to noise ratio over all colours, dB; infinite between equal pictures. */
 static double psnr(const picture *a, const picture *b)
@@ -230,6 +231,7 @@ void golden_write(const char *folder, const picture *actual, uint32_t frame, boo
     FILE *list = fopen(path, first ? "w" : "a");
     if (!list)
         exit(1);
-    fprintf(list, "frame %04" PRIu32 " crc32 %08" PRIx32 "\n", frame, picture_crc(actual));
+    fprintf(list, "frame %04" PRIu32 " crc32 %08" PRIx32 "\n", frame,
+            picture_crc(actual));
     fclose(list);
 }

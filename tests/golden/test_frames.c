@@ -19,7 +19,8 @@ static golden_scene scene;
 static const uint32_t strips[] = { 16, 48, 64, GOLDEN_WIDTH };
 static const uint32_t bands[] = { 1, 7, 16, GOLDEN_HEIGHT };
 
-static int draw_and_compare(tp_format format, uint32_t index, uint32_t strip, uint32_t band)
+static int draw_and_compare(tp_format format, uint32_t index, uint32_t strip,
+                            uint32_t band)
 {
     char name[64];
     snprintf(name, sizeof name, "%s-%ux%u-%04u", tp_format_name(format), strip, band,
@@ -62,6 +63,7 @@ int main(int argc, char **argv)
     if (!golden_open(&scene, "assets/scenes/three-swells.ini"))
         return 1;
     mkdir(WRECK, 0777);
+    setvbuf(stdout, NULL, _IOLBF, 0);       /* in step with cmocka's lines on stderr */
     if (argc == 2 && !strcmp(argv[1], "--write")) {
         mkdir(FOLDER, 0777);
         write_references();
@@ -70,8 +72,8 @@ int main(int argc, char **argv)
             format[i] = (tp_format)i;
             snprintf(name[i], sizeof name[i], "every_tiling_of_%s_gives_the_reference",
                      tp_format_name(format[i]));
-            tests[i] = (struct CMUnitTest){ name[i], every_tiling_gives_the_reference, NULL,
-                                            NULL, &format[i] };
+            tests[i] = (struct CMUnitTest){ name[i], every_tiling_gives_the_reference,
+                                            NULL, NULL, &format[i] };
         }
         failed = cmocka_run_group_tests_name("golden frames", tests, NULL, NULL);
     }

@@ -51,12 +51,14 @@ until_true() {
 
 # -- without a display ----------------------------------------------------------------
 
-refuses() {
-    env -u DISPLAY -u WAYLAND_DISPLAY SDL_VIDEODRIVER=x11 \
+refuses() {     # NAME=VALUE...
+    env -u DISPLAY -u WAYLAND_DISPLAY -u SDL_VIDEODRIVER "$@" \
         timeout 20 "$program" view three-swells >log 2>&1
     [ $? -eq 3 ] && grep -q "no window can be opened" log && grep -q "tidepool render" log
 }
 check "no display: says so, names a way out, exits 3" refuses
+check "a display that is gone: the same" refuses DISPLAY=:9797
+check "a driver that fails: the same" refuses SDL_VIDEODRIVER=x11
 
 unknown() {
     timeout 20 "$program" view three-swels >log 2>&1
