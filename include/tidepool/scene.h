@@ -38,7 +38,7 @@ typedef struct {
     struct {
         char  mesh[TP_NAME_BYTES];          /* OBJ file, "": no boat */
         tp_fx x, z, heading, scale, lift;   /* lift: m above the surface */
-        tp_fx length, beam;                 /* of the hull points that feel the water, m */
+        tp_fx length, beam;                 /* of the hull points in the water, m */
     } boat;
 } tp_scene;
 
@@ -49,7 +49,7 @@ typedef enum {
     TP_PARAM_INT,
     TP_PARAM_BOOL,              /* off, on */
     TP_PARAM_COLOUR,            /* #rrggbb */
-    TP_PARAM_CHOICE,            /* one word of `unit`, which lists them: "nearest|linear" */
+    TP_PARAM_CHOICE,            /* a word of `unit`, which lists them: "nearest|linear" */
     TP_PARAM_MESH,              /* file name of an OBJ */
     TP_PARAM_TEXTURE,           /* file name of a PNG */
     TP_PARAM_TEXT

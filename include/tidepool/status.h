@@ -66,7 +66,8 @@ size_t tp_error_text(const tp_error *err, char *text, size_t bytes);
 
 /* Fills *err if there is one and returns `code`. */
 #define TP_FAIL(err, code, where, a, b) \
-    tp_fail_((err), (code), __FILE__, __LINE__, (uint32_t)(where), (int32_t)(a), (int32_t)(b))
+    tp_fail_((err), (code), __FILE__, __LINE__, (uint32_t)(where), \
+             (int32_t)(a), (int32_t)(b))
 tp_status tp_fail_(tp_error *err, tp_status code, const char *file, int line,
                    uint32_t where, int32_t a, int32_t b);
 

@@ -18,7 +18,7 @@
 
 /* A corner as the rasterizer takes it. */
 typedef struct {
-    int32_t  u, v;              /* 28.4 pixels, within +-GUARD_PX of the picture's centre */
+    int32_t  u, v;              /* 28.4 pixels, inside the guard band */
     uint32_t zi;                /* 255/256 near / depth, Q1.31: rounding stays below 1 */
     int32_t  s, t;              /* metres or repeats, 16.16 */
     int16_t  n[3];              /* water: slopes Q3.12; solids: normal, 511 is 1 */

@@ -16,7 +16,7 @@ void tp_grid_carve(tp_grid *grid, tp_arena *arena, uint32_t cols, uint32_t rows)
                               sizeof *grid->box);
 }
 
-/* -- lines ---------------------------------------------------------------------- */
+/* -- lines --------------------------------------------------------------------------- */
 
 /* cell (g + g^2 + ... + g^n), saturated. */
 static int64_t series(tp_fx cell, int64_t ratio, uint32_t n)
@@ -62,7 +62,8 @@ static void lay_lines(tp_grid_line *line, uint32_t count, tp_fx centre,
         flank = TP_GRID_FLANK;
     uint32_t core = count - 2 * flank, last = flank + core - 1;
     tp_fx half = (tp_fx)((int64_t)view->cell * (core - 1) / 2);
-    int64_t ratio = flank ? ratio_over(view->cell, (int64_t)view->reach - half, flank) : 0;
+    int64_t way = (int64_t)view->reach - half;
+    int64_t ratio = flank ? ratio_over(view->cell, way, flank) : 0;
     int64_t step = view->cell;
     uint32_t fading = flank ? core / 8 + 1 : 0;
 
@@ -104,7 +105,7 @@ static tp_fx centre_of(tp_fx eye, tp_q30 ahead, uint32_t count, const tp_grid_vi
     return (tp_fx)(cells * view->cell);
 }
 
-/* -- what may be seen -------------------------------------------------------------- */
+/* -- what may be seen ---------------------------------------------------------------- */
 
 /* n.x of a plane over the box of a row of cells, at its most: at place x it is
  * n.x x + rest.  The crossings lie within `reach` of their places, all ways. */
@@ -135,7 +136,7 @@ static tp_grid_span seen_cells(const tp_grid *grid, const tp_plane *planes, uint
     return (tp_grid_span){ (uint16_t)first, (uint16_t)end };
 }
 
-/* -- crossings ------------------------------------------------------------------------ */
+/* -- crossings ----------------------------------------------------------------------- */
 
 TP_ALWAYS_INLINE tp_sea_point point_at(const tp_grid_view *view,
                                        const tp_grid_line *column,
@@ -196,7 +197,7 @@ static void place_row(tp_grid *grid, const tp_grid_view *view, uint32_t j,
     grid->vertices += end > first ? end - first : 0;
 }
 
-/* -- boxes ----------------------------------------------------------------------------- */
+/* -- boxes --------------------------------------------------------------------------- */
 
 static const tp_grid_box everywhere = { INT16_MIN, INT16_MIN, INT16_MAX, INT16_MAX };
 

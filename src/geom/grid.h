@@ -20,7 +20,7 @@
 
 /* A crossing: displaced, projected, packed. */
 typedef struct {
-    int32_t  u, v;              /* 28.4; u = TP_GRID_CUT: not projected, must be clipped */
+    int32_t  u, v;              /* 28.4; u = TP_GRID_CUT: must be clipped */
     uint32_t zi;                /* Q1.31 */
     int16_t  slope_x, slope_z;  /* Q3.12 */
 } tp_grid_vertex;

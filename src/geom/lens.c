@@ -57,7 +57,8 @@ void tp_lens_planes(const tp_lens *lens, uint32_t width, uint32_t height,
 {
     uint32_t half_w = width / 2 + 1, half_h = height / 2 + 1;
 
-    planes[0] = (tp_plane){ lens->ahead, -tp_dot_dir(lens->eye, lens->ahead) - lens->near };
+    planes[0] = (tp_plane){ lens->ahead,
+                            -tp_dot_dir(lens->eye, lens->ahead) - lens->near };
     planes[1] = side_plane(lens, lens->turn.x, 1, half_w);
     planes[2] = side_plane(lens, lens->turn.x, -1, half_w);
     planes[3] = side_plane(lens, lens->turn.y, 1, half_h);

@@ -31,7 +31,7 @@ typedef struct {
     uint32_t *s;                /* water: rest place x, 16.16 m; solids: s:t, 0.16 each */
     uint32_t *t;                /* water: rest place z; solids: face number */
     uint32_t *n;                /* water: slopes x:z, Q3.12 each; solids: packed normal */
-    bool      front_only;       /* triangles of positive area (see tp_tri_area) draw none */
+    bool      front_only;       /* leave out areas >= 0, see tp_tri_area */
 } tp_samples;
 
 void tp_samples_clear(const tp_samples *tile);

@@ -136,7 +136,7 @@ static uint32_t step_between(uint32_t from, uint32_t to, int32_t n)
     return (uint32_t)((int64_t)(int32_t)(to - from) * over[n] >> 16);
 }
 
-/* -- rows ------------------------------------------------------------------------------ */
+/* -- rows ---------------------------------------------------------------------------- */
 
 typedef struct {
     const tp_tri *tri;

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The world: what of a scene moves, tick by tick.  Nothing here knows that it is drawn. */
+/* The world: what of a scene moves, tick by tick.  Nothing here knows that it is
+ * drawn. */
 #include "scene/boat.h"
 
 #define PITCH_MOST TP_DEG(89)
@@ -35,14 +36,16 @@ static tp_fx held(int64_t x)
     return (tp_fx)(x > EYE_MOST ? EYE_MOST : x < -EYE_MOST ? -EYE_MOST : x);
 }
 
+/* Rounded, so that a walk forth and back ends where it began. */
 static void move_eye(tp_world *world, const tp_input *in)
 {
     world->heading += (tp_turn)in->turn;
     world->pitch = tilted(world->pitch, in->tilt);
 
+    const int64_t half = 1 << 29;
     int64_t s = tp_sin(world->heading), c = tp_cos(world->heading);
-    world->eye.x = held(world->eye.x + ((in->ahead * s + in->aside * c) >> 30));
-    world->eye.z = held(world->eye.z + ((in->aside * s - in->ahead * c) >> 30));
+    world->eye.x = held(world->eye.x + ((in->ahead * s + in->aside * c + half) >> 30));
+    world->eye.z = held(world->eye.z + ((in->aside * s - in->ahead * c + half) >> 30));
     world->eye.y = held((int64_t)world->eye.y + in->up);
 }
 

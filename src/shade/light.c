@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /* Light on water: Phong's three terms [F5] and the mirrored sky by Fresnel's share [F1].
  *
- * The normal stays a pair of slopes, N = (-sx, 1, -sz) / sqrt(1 + sx^2 + sz^2).  With V to
- * the eye and L to the light, R = 2 (N.L) N - L gives R.V = 2 (N.L)(N.V) - L.V, and the
- * mirrored view's height is 2 (N.V) Ny - Vy: no vector is ever reflected. */
+ * The normal stays a pair of slopes, N = (-sx, 1, -sz) / sqrt(1 + sx^2 + sz^2).  With V
+ * to the eye and L to the light, R = 2 (N.L) N - L gives R.V = 2 (N.L)(N.V) - L.V, and
+ * the mirrored view's height is 2 (N.V) Ny - Vy: no vector is ever reflected. */
 #include "shade/shade.h"
 
 /* The slopes of sample i: from the array once a ripple has bent them, else as sampled. */
@@ -17,7 +17,8 @@ TP_ALWAYS_INLINE int32_t slope_z(const tp_run *run, int32_t i, int rippled)
     return rippled ? run->sz[i] : (int16_t)(run->n[i] & 0xffff);
 }
 
-/* q of 1/sqrt(1 + q), Q24, held below 4. */
+/* q of 1/sqrt(1 + q), Q24, held below 4: normals of slopes above 2 (63 degrees) come out
+ * too long, up to five times, so their products are held at 1. */
 TP_ALWAYS_INLINE uint32_t square_of(int32_t sx, int32_t sz)
 {
     uint32_t q = (uint32_t)(sx * sx) + (uint32_t)(sz * sz);
@@ -33,7 +34,7 @@ TP_ALWAYS_INLINE int32_t steep_of(const tp_shade *shade, uint32_t q)
 }
 
 /* The diffuse term alone, for water that neither shines nor mirrors: the root's nearest
- * entry is within 0.2 %, half a level of 255.  A share of 257 still scales 255 to 255. */
+ * entry is within 0.2 %, half a level of 255. */
 TP_ALWAYS_INLINE void diffuse(const tp_shade *shade, tp_run *run, int rippled)
 {
     int32_t ambient = shade->ambient, direct = 256 - ambient, count = run->count;
@@ -44,7 +45,7 @@ TP_ALWAYS_INLINE void diffuse(const tp_shade *shade, tp_run *run, int rippled)
         int32_t sx = slope_x(run, i, rippled), sz = slope_z(run, i, rippled);
         int32_t ny = shade->steep[(square_of(sx, sz) + 0x10000) >> 17];
         int32_t nl = ly - ((sx * lx + sz * lz) >> 12);
-        int32_t lit = nl < 0 ? 0 : nl * ny >> 20;
+        int32_t lit = tp_clamp(nl * ny >> 20, 0, direct);
         run->colour[i] = tp_colour_scale(run->colour[i], (uint32_t)(ambient + lit));
     }
 }
@@ -66,15 +67,12 @@ TP_ALWAYS_INLINE void light(const tp_shade *shade, tp_run *run, int rippled)
         int32_t nv = vy - ((sx * vx + sz * vz) >> 12);      /* Q14, below 14 */
         int32_t nl = ly - ((sx * lx + sz * lz) >> 12);
 
-        nv = nv < 0 ? 0 : nv * ny >> 14;
-        if (rippled && nv < RIPPLED_VIEW)
-            nv = RIPPLED_VIEW;
-        nl = nl < 0 ? 0 : nl * ny >> 14;
-        nv = nv > 16384 ? 16384 : nv;
+        nv = tp_clamp(nv * ny >> 14, rippled ? RIPPLED_VIEW : 0, 16384);
+        nl = tp_clamp(nl * ny >> 14, 0, 16384);
         int32_t rv = (2 * nl * nv >> 14) - run->lv[i];
         int32_t up = (2 * nv * ny >> 14) - vy;
         run->nv[i] = (int16_t)nv;
-        run->up[i] = (int16_t)(up > 16384 ? 16384 : up);    /* above -1 as vy is below 1 */
+        run->up[i] = (int16_t)(up > 16384 ? 16384 : up);    /* vy is at most 1 */
         run->glint[i] = nl > 0 && rv > 0 ? shade->shine[rv > 16384 ? TP_SHINE : rv >> 4]
                                          : 0;
         run->colour[i] = tp_colour_scale(run->colour[i],
@@ -82,10 +80,13 @@ TP_ALWAYS_INLINE void light(const tp_shade *shade, tp_run *run, int rippled)
     }
 }
 
-void tp_stage_diffuse(const tp_shade *shade, tp_run *run) { diffuse(shade, run, 0); }
-void tp_stage_diffuse_rippled(const tp_shade *shade, tp_run *run) { diffuse(shade, run, 1); }
-void tp_stage_light(const tp_shade *shade, tp_run *run) { light(shade, run, 0); }
-void tp_stage_light_rippled(const tp_shade *shade, tp_run *run) { light(shade, run, 1); }
+#define LIGHT_STAGE(name, body, rippled) \
+    void tp_stage_##name(const tp_shade *shade, tp_run *run) \
+    { body(shade, run, rippled); }
+LIGHT_STAGE(diffuse, diffuse, 0)
+LIGHT_STAGE(diffuse_rippled, diffuse, 1)
+LIGHT_STAGE(light, light, 0)
+LIGHT_STAGE(light_rippled, light, 1)
 
 /* A mirrored ray that goes down meets other water, which is half as bright as the
  * horizon: its share fades to a half within 7 degrees below level. */

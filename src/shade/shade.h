@@ -95,7 +95,7 @@ void tp_stage_plain(const tp_shade *shade, tp_run *run);    /* colour, without t
 #define X(name, filter, tinted) void tp_stage_##name(const tp_shade *shade, tp_run *run);
 TP_TEXTURE_STAGES(X)                                        /* colour */
 #undef X
-void tp_stage_ripple(const tp_shade *shade, tp_run *run);   /* sx sz: normal map on slopes */
+void tp_stage_ripple(const tp_shade *shade, tp_run *run);   /* sx sz: normal map added */
 void tp_stage_view(const tp_shade *shade, tp_run *run);     /* vx vy vz, lv: world axes */
 void tp_stage_diffuse(const tp_shade *shade, tp_run *run);  /* colour; needs no view */
 void tp_stage_diffuse_rippled(const tp_shade *shade, tp_run *run);

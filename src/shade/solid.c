@@ -42,7 +42,8 @@ static uint32_t texel_at(const tp_texture *texture, int l, uint32_t st)
     return texture->level[l][(st & 0xffff) >> (16 - h) << w | st >> 16 >> (16 - w)];
 }
 
-static vec bent(vec n, const tp_solid *solid, int level, uint32_t st, tp_packed_dir tangent)
+static vec bent(vec n, const tp_solid *solid, int level, uint32_t st,
+                tp_packed_dir tangent)
 {
     uint32_t texel = texel_at(solid->normal_map, level, st);
     vec t = unpacked(tangent), b = cross(n, t);

@@ -22,8 +22,11 @@ static level level_for(const tp_shade *shade, const tp_layer *layer, uint32_t ke
 {
     const tp_texture *texture = layer->texture;
     int l = tp_level_of(layer->lod, tp_log_depth(shade, key), true, texture->levels);
-    return (level){ texture->level[l], 1u << (texture->log2_w > l ? texture->log2_w - l : 0),
-                    1u << (texture->log2_h > l ? texture->log2_h - l : 0) };
+    return (level){
+        .texel = texture->level[l],
+        .w = 1u << (texture->log2_w > l ? texture->log2_w - l : 0),
+        .h = 1u << (texture->log2_h > l ? texture->log2_h - l : 0),
+    };
 }
 
 TP_ALWAYS_INLINE uint32_t nearest(const level *l, uint32_t s, uint32_t t)
@@ -72,7 +75,7 @@ TP_ALWAYS_INLINE void texture(const tp_shade *shade, tp_run *run, int filter, in
     { texture(shade, run, filter, tinted); }
 TP_TEXTURE_STAGES(TEXTURE_STAGE)
 
-/* -- ripples -------------------------------------------------------------------------- */
+/* -- ripples ------------------------------------------------------------------------- */
 
 /* A normal map's texel (nx, ny, nz), green up the picture, is a slope of -nx along s and
  * +ny along t.  nz is taken as 1: a ripple of slope 0.35 comes out 6 % flat. */

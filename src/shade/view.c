@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* The direction from each sample to the eye, exact at every 16th column (a unit vector
- * there), linear between: at 640 pixels and 60 degrees that is 0.0003 short of a unit
- * in the middle at most. */
+ * there), linear between: at 640 pixels and 60 degrees that is 0.0002 short of a unit in
+ * the middle, and cutting to Q1.14 shortens it by as much again at most. */
 #include "shade/shade.h"
 
 static int32_t q14_of(int64_t x)

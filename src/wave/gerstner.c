@@ -13,8 +13,8 @@
 #define TWO_PI        TP_FX(6.283185307)
 #define J_ONE         (1 << 28)         /* the Jacobian is Q4.28 */
 
-/* g / (2 pi L) in Q8.120, for g <= 100 m/s^2 and L >= 1/4 m below 64: the high and the low
- * half.  g / 2 pi is divided by L digit by digit, of 32 bits, as on paper. */
+/* g / (2 pi L) in Q8.120, for g <= 100 m/s^2 and L >= 1/4 m below 64: the high and the
+ * low half.  g / 2 pi is divided by L digit by digit, of 32 bits, as on paper. */
 static void frequency_squared(tp_fx gravity, tp_fx length, uint64_t half[2])
 {
     const uint64_t over_two_pi = 0x28be60db9391054a;        /* 2^64 / 2 pi */
@@ -50,8 +50,8 @@ static uint64_t root_of(const uint64_t half[2])
     return (((uint64_t)s << 32) + (rest << 31 | low >> 33) / s) >> up;
 }
 
-/* omega dt / 2 pi = sqrt(g / (2 pi L)) x speed / 60 in Q0.64, modulo a turn.  Within 2^-64
- * at natural speed: ten years later a wave is not a part in 10^9 of a turn off, where a
+/* omega dt / 2 pi = sqrt(g / (2 pi L)) x speed / 60 in Q0.64, modulo a turn.  Within
+ * 2^-64 at natural speed: ten years later a wave is not a part in 10^9 of a turn off, where a
  * root of 32 bits would be off by a whole turn.  Without gravity waves stand still. */
 static uint64_t turns_per_tick(tp_fx gravity, tp_fx length, tp_fx speed)
 {
@@ -71,7 +71,7 @@ static uint64_t turns_per_tick(tp_fx gravity, tp_fx length, tp_fx speed)
 static tp_swell swell_of(const tp_wave *w, tp_fx amplitude, tp_fx sharp, tp_fx gravity)
 {
     tp_rotation turned = tp_rotation_of(tp_turn_of_degrees(w->heading), 0, 0);
-    tp_q30  dx = turned.x.z, dz = -turned.x.x;      /* 28 bits: phases far away need them */
+    tp_q30  dx = turned.x.z, dz = -turned.x.x;      /* 28 bits, for far phases */
     tp_fx   reach = tp_fx_div(tp_fx_mul(sharp, w->length), TWO_PI);
     int64_t ka = ((int64_t)TWO_PI * amplitude << 14) / w->length;   /* Q2.30 */
     int32_t s = sharp << 14;                                        /* Q2.30 */
