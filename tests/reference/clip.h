@@ -9,7 +9,8 @@ typedef struct {
     double x, y, z;
 } ref_clip_corner;
 
-static inline double ref_clip_inside(ref_clip_corner c, int side, double near, double band)
+static inline double ref_clip_inside(ref_clip_corner c, int side, double near,
+                                     double band)
 {
     switch (side) {
     case 0:  return c.z - near;
@@ -20,8 +21,8 @@ static inline double ref_clip_inside(ref_clip_corner c, int side, double near, d
     }
 }
 
-static inline int ref_clip_side(const ref_clip_corner *in, int count, ref_clip_corner *out,
-                                int side, double near, double band)
+static inline int ref_clip_side(const ref_clip_corner *in, int count,
+                                ref_clip_corner *out, int side, double near, double band)
 {
     int kept = 0;
 
@@ -39,8 +40,8 @@ static inline int ref_clip_side(const ref_clip_corner *in, int count, ref_clip_c
     return kept;
 }
 
-static inline int ref_clip(const ref_clip_corner in[3], ref_clip_corner out[8], double near,
-                           double band)
+static inline int ref_clip(const ref_clip_corner in[3], ref_clip_corner out[8],
+                           double near, double band)
 {
     ref_clip_corner other[8];
     int count = ref_clip_side(in, 3, other, 0, near, band);

@@ -43,7 +43,7 @@ static inline ref_wave ref_wave_of(const tp_wave *w, double gravity, double shar
         .q = ref_number(w->steepness) * share,
         .dx = sin(heading), .dz = -cos(heading),
         .phase = ref_number(w->phase) * PI / 180,
-        .turns_tick = sqrtl(gravity / (2 * 3.14159265358979323846L * length))
+        .turns_tick = sqrtl((long double)gravity / length / (2 * 3.14159265358979323846L))
                     * (w->speed / 65536.0L) / TP_TICKS_PER_SECOND,
     };
 }

@@ -1,0 +1,40 @@
+/* SPDX-License-Identifier: MIT */
+/* A texture sampled plainly: places in repeats, wrapping both ways. */
+#ifndef TP_REFERENCE_TEXTURE_H
+#define TP_REFERENCE_TEXTURE_H
+#include <math.h>
+#include "shading.h"
+#include "tidepool/asset.h"
+
+static inline int ref_side(int log2, int level)
+{
+    return log2 > level ? 1 << (log2 - level) : 1;
+}
+
+static inline uint32_t ref_texel(const tp_texture *t, int level, int x, int y)
+{
+    const int w = ref_side(t->log2_w, level), h = ref_side(t->log2_h, level);
+    return t->level[level][((y % h + h) % h) * w + (x % w + w) % w];
+}
+
+/* The texel that holds the place. */
+static inline uint32_t ref_nearest(const tp_texture *t, int level, double s, double v)
+{
+    return ref_texel(t, level, (int)floor(s * ref_side(t->log2_w, level)),
+                     (int)floor(v * ref_side(t->log2_h, level)));
+}
+
+/* Between the four texels whose centres are around the place. */
+static inline ref_colour ref_linear(const tp_texture *t, int level, double s, double v)
+{
+    const double x = s * ref_side(t->log2_w, level) - 0.5;
+    const double y = v * ref_side(t->log2_h, level) - 0.5;
+    const int i = (int)floor(x), j = (int)floor(y);
+    const ref_colour above = ref_mix(ref_colour_of(ref_texel(t, level, i, j)),
+                                     ref_colour_of(ref_texel(t, level, i + 1, j)), x - i);
+    const ref_colour below =
+        ref_mix(ref_colour_of(ref_texel(t, level, i, j + 1)),
+                ref_colour_of(ref_texel(t, level, i + 1, j + 1)), x - i);
+    return ref_mix(above, below, y - j);
+}
+#endif

@@ -1,0 +1,520 @@
+/* SPDX-License-Identifier: MIT */
+/* A frame is the same however it is cut, in memory of exactly the size asked for; and it
+ * shows sky above the horizon and water below, in every pixel. */
+#include <stdarg.h>
+#include <stddef.h>
+#include <setjmp.h>
+#include <stdint.h>
+#include <cmocka.h>
+#include "frame/frame.h"
+#include "pixel/pixel.h"
+#include "scenes.h"
+
+enum { WIDTH = 150, HEIGHT = 90 };
+
+static uint64_t chance;
+static test_boat boat;
+
+/* The whole picture as 0x00RRGGBB, put together from tiles in the order of `step`. */
+static void draw(const test_frame *f, const tp_frame_config *config, uint32_t step,
+                 uint32_t *picture)
+{
+    const uint32_t tiles = tp_frame_tiles(f->frame);
+    tp_tile tile;
+
+    for (uint32_t n = 0; n < tiles; n++) {
+        assert_true(tp_frame_tile(f->frame, n * step % tiles, f->scratch, &tile));
+        for (uint32_t y = tile.y0; y < tile.y1; y++) {
+            const uint8_t *row =
+                (const uint8_t *)tile.pixels + (y - tile.y0) * tile.stride;
+            for (uint32_t x = tile.x0; x < tile.x1; x++)
+                picture[y * config->width + x]
+                    = tp_pixel_read(config->format, row, (int)(x - tile.x0));
+        }
+    }
+    assert_false(tp_frame_tile(f->frame, tiles, f->scratch, &tile));
+    assert_true(frame_guard_holds(f->block, f->bytes));
+    assert_true(frame_guard_holds(f->scratch, f->scratch_bytes));
+}
+
+static void draw_all(const tp_scene *scene, const tp_assets *assets,
+                     const tp_world *world, const tp_frame_config *config,
+                     uint32_t *picture)
+{
+    test_frame f = frame_of(scene, assets, config);
+
+    tp_frame_begin(f.frame, world);
+    draw(&f, config, 1, picture);
+    frame_free(&f);
+}
+
+static const tp_assets *all_assets(void)
+{
+    static tp_assets assets;
+    assets = (tp_assets){ &boat.mesh, &boat.texture[0], &boat.texture[1] };
+    return &assets;
+}
+
+/* The plain scene with the boat close by, looked at from somewhere. */
+static tp_scene busy_scene(tp_world *world)
+{
+    tp_scene s = scene_plain();
+
+    s.camera.x = chance_fx(&chance, -30, 30);
+    s.camera.y = chance_fx(&chance, 0.1, 12);
+    s.camera.heading = chance_fx(&chance, -20, 20);
+    s.camera.pitch = chance_fx(&chance, -40, 15);
+    s.boat.x = s.camera.x + chance_fx(&chance, -4, 4);
+    s.boat.z = chance_fx(&chance, -14, 2);
+    s.boat.heading = chance_fx(&chance, 0, 360);
+    s.water.filter = chance_int(&chance, 0, 1);
+    s.water.texture_size = 3 * TP_FX_ONE;
+    s.boat.length = 4 * TP_FX_ONE;
+    s.boat.beam = 2 * TP_FX_ONE;
+    tp_world_init(world, &s);
+    world->tick = random_next(&chance) >> 30;
+    tp_world_refresh(world, &s);
+    return s;
+}
+
+static void every_tiling_gives_the_same_bits(void **state)
+{
+    (void)state;
+    static uint32_t whole[WIDTH * HEIGHT], part[WIDTH * HEIGHT];
+    static const uint32_t sizes[][2] = { { 0, 1 },     { 0, 7 },      { 0, 16 },
+                                         { 16, 0 },    { 48, 0 },     { 64, 0 },
+                                         { 16, 1 },    { 32, 13 },    { 144, 89 },
+                                         { 160, 100 }, { 4096, 4096 } };
+
+    for (int n = 0; n < 18; n++) {
+        tp_world world;
+        const tp_scene scene = busy_scene(&world);
+        const tp_format format = (tp_format)(n % TP_FORMAT_COUNT);
+        tp_frame_config config = { WIDTH, HEIGHT, 0, 0, format };
+        draw_all(&scene, all_assets(), &world, &config, whole);
+        for (size_t i = 0; i <= sizeof sizes / sizeof sizes[0]; i++) {
+            const bool any = i == sizeof sizes / sizeof sizes[0];
+            config.tile_width = any ? 16 * random_below(&chance, 10) : sizes[i][0];
+            config.tile_height = any ? random_below(&chance, HEIGHT) : sizes[i][1];
+            memset(part, 0, sizeof part);
+            draw_all(&scene, all_assets(), &world, &config, part);
+            assert_memory_equal(part, whole, sizeof whole);
+        }
+    }
+}
+
+/* Backwards or leaping, into a scratch full of other things; into other memory. */
+static void order_and_old_memory_do_not_matter(void **state)
+{
+    (void)state;
+    static uint32_t whole[WIDTH * HEIGHT], part[WIDTH * HEIGHT];
+    const tp_frame_config config = { WIDTH, HEIGHT, 32, 9, TP_FORMAT_XRGB8888 };
+
+    for (int n = 0; n < 6; n++) {
+        tp_world world;
+        const tp_scene scene = busy_scene(&world);
+        draw_all(&scene, all_assets(), &world, &config, whole);
+        test_frame f = frame_of(&scene, all_assets(), &config);
+        tp_frame_begin(f.frame, &world);
+        for (size_t i = 0; i < f.scratch_bytes; i++)
+            f.scratch[i] = (uint8_t)random_next(&chance);
+        draw(&f, &config, 7, part);         /* 50 tiles: 7 and 49 reach them all */
+        assert_memory_equal(part, whole, sizeof whole);
+        draw(&f, &config, 49, part);
+        assert_memory_equal(part, whole, sizeof whole);
+
+        memset(f.block, 0, f.bytes);
+        assert_int_equal(tp_frame_init(&f.frame, &scene, all_assets(), &config, f.block,
+                                       NULL), TP_OK);
+        tp_frame_begin(f.frame, &world);
+        draw(&f, &config, 1, part);
+        assert_memory_equal(part, whole, sizeof whole);
+        tp_frame_begin(f.frame, &world);    /* and again over its own remains */
+        draw(&f, &config, 1, part);
+        assert_memory_equal(part, whole, sizeof whole);
+        frame_free(&f);
+    }
+}
+
+static void the_world_may_move_on_while_tiles_are_drawn(void **state)
+{
+    (void)state;
+    static uint32_t before[WIDTH * HEIGHT], after[WIDTH * HEIGHT];
+    const tp_frame_config config = { WIDTH, HEIGHT, 0, 0, TP_FORMAT_XRGB8888 };
+    tp_world world;
+    const tp_scene scene = busy_scene(&world);
+    test_frame f = frame_of(&scene, all_assets(), &config);
+
+    tp_frame_begin(f.frame, &world);
+    draw(&f, &config, 1, before);
+    for (int i = 0; i < 30; i++)
+        tp_world_step(&world, &scene, NULL);
+    draw(&f, &config, 1, after);
+    assert_memory_equal(after, before, sizeof before);
+    tp_frame_begin(f.frame, &world);
+    draw(&f, &config, 1, after);
+    assert_memory_not_equal(after, before, sizeof before);
+    frame_free(&f);
+}
+
+/* Every format is the true colours put through tp_pixel_store. */
+static void formats_differ_only_in_how_colours_are_stored(void **state)
+{
+    (void)state;
+    static uint32_t colours[WIDTH * HEIGHT], got[WIDTH * HEIGHT];
+    tp_world world;
+    const tp_scene scene = busy_scene(&world);
+    tp_frame_config config = { WIDTH, HEIGHT, 0, 0, TP_FORMAT_XRGB8888 };
+
+    draw_all(&scene, all_assets(), &world, &config, colours);
+    for (int format = 0; format < TP_FORMAT_COUNT; format++) {
+        uint32_t row[WIDTH + 1];
+        config.format = (tp_format)format;
+        config.tile_width = 48;
+        draw_all(&scene, all_assets(), &world, &config, got);
+        for (int y = 0; y < HEIGHT; y++) {
+            tp_pixel_store(config.format, row, 0, 0, y, colours + y * WIDTH, WIDTH);
+            for (int x = 0; x < WIDTH; x++)
+                assert_int_equal(got[y * WIDTH + x],
+                                 tp_pixel_read(config.format, row, x));
+        }
+    }
+}
+
+/* -- tiles --------------------------------------------------------------------------- */
+
+static void tiles_are_rows_of_the_size_asked_for(void **state)
+{
+    (void)state;
+    const tp_scene scene = scene_plain();
+    const tp_assets none = { 0 };
+    tp_world world;
+    tp_world_init(&world, &scene);
+
+    for (int n = 0; n < 40; n++) {
+        const tp_frame_config c = {
+            (uint32_t)chance_int(&chance, 16, 200), (uint32_t)chance_int(&chance, 16, 99),
+            16 * random_below(&chance, 9), random_below(&chance, 60),
+            (tp_format)random_below(&chance, TP_FORMAT_COUNT)
+        };
+        test_frame f = frame_of(&scene, &none, &c);
+        uint32_t x = 0, y = 0, i = 0;
+        tp_tile tile;
+        tp_frame_begin(f.frame, &world);
+        for (; tp_frame_tile(f.frame, i, f.scratch, &tile); i++) {
+            const uint32_t wide = c.tile_width ? c.tile_width : c.width;
+            const uint32_t high = c.tile_height ? c.tile_height : c.height;
+            assert_int_equal(tile.x0, x);
+            assert_int_equal(tile.y0, y);
+            assert_int_equal(tile.x1, x + wide < c.width ? x + wide : c.width);
+            assert_int_equal(tile.y1, y + high < c.height ? y + high : c.height);
+            assert_true((const uint8_t *)tile.pixels >= f.scratch);
+            assert_true((const uint8_t *)tile.pixels + tile.stride * (tile.y1 - tile.y0)
+                        <= f.scratch + f.scratch_bytes);
+            assert_true(tile.stride >= tp_format_row_bytes(c.format,
+                                                           (int)(tile.x1 - tile.x0)));
+            x = tile.x1 < c.width ? tile.x1 : 0;
+            y = tile.x1 < c.width ? y : tile.y1;
+        }
+        assert_int_equal(y, c.height);
+        assert_int_equal(i, tp_frame_tiles(f.frame));
+        frame_free(&f);
+    }
+}
+
+static void a_config_out_of_range_is_refused(void **state)
+{
+    (void)state;
+    static const struct {
+        tp_frame_config config;
+        tp_status status;
+        int32_t a, b;
+    } bad[] = {
+        { { 15, 48, 0, 0, TP_FORMAT_P8 }, TP_E_SIZE, 15, 48 },
+        { { 64, 15, 0, 0, TP_FORMAT_P8 }, TP_E_SIZE, 64, 15 },
+        { { 4097, 48, 0, 0, TP_FORMAT_P8 }, TP_E_SIZE, 4097, 48 },
+        { { 64, 4097, 0, 0, TP_FORMAT_P8 }, TP_E_SIZE, 64, 4097 },
+        { { 0, 0, 0, 0, TP_FORMAT_P8 }, TP_E_SIZE, 0, 0 },
+        { { 64, 48, 17, 8, TP_FORMAT_P8 }, TP_E_TILE, 17, 8 },
+        { { 64, 48, 63, 8, TP_FORMAT_P8 }, TP_E_TILE, 63, 8 },
+        { { 64, 48, 0, 0, TP_FORMAT_COUNT }, TP_E_ARG, 0, 0 },
+        { { 64, 48, 0, 0, (tp_format)-1 }, TP_E_ARG, 0, 0 },
+    };
+    const tp_scene scene = scene_plain();
+    const tp_assets none = { 0 };
+    uint64_t block[8];
+
+    for (size_t i = 0; i < sizeof bad / sizeof bad[0]; i++) {
+        tp_frame *frame = NULL;
+        tp_error err = { .code = TP_OK };
+        assert_int_equal(tp_frame_bytes(&scene, &none, &bad[i].config), 0);
+        assert_int_equal(tp_frame_scratch_bytes(&bad[i].config), 0);
+        assert_int_equal(
+            tp_frame_init(&frame, &scene, &none, &bad[i].config, block, &err),
+            bad[i].status);
+        assert_int_equal(err.code, bad[i].status);
+        assert_int_equal(err.a, bad[i].a);
+        assert_int_equal(err.b, bad[i].b);
+        assert_null(frame);
+    }
+}
+
+static void the_ends_of_the_config_are_taken(void **state)
+{
+    (void)state;
+    static const tp_frame_config good[] = {
+        { 16, 16, 0, 0, TP_FORMAT_I1 }, { 16, 4096, 16, 1, TP_FORMAT_L8 },
+        { 4096, 16, 4096, 16, TP_FORMAT_RGB565 }, { 17, 16, 17, 999, TP_FORMAT_P8 },
+        { 4095, 17, 16, 16, TP_FORMAT_XRGB8888 },
+    };
+    const tp_scene scene = scene_plain();
+    tp_world world;
+
+    tp_world_init(&world, &scene);
+    for (size_t i = 0; i < sizeof good / sizeof good[0]; i++) {
+        uint32_t *picture = malloc((size_t)good[i].width * good[i].height * 4);
+        draw_all(&scene, all_assets(), &world, &good[i], picture);
+        free(picture);
+    }
+}
+
+/* -- numbers ------------------------------------------------------------------------- */
+
+static void the_numbers_of_a_frame_add_up(void **state)
+{
+    (void)state;
+    tp_world world;
+    const tp_scene scene = busy_scene(&world);
+    const tp_frame_config config = { WIDTH, HEIGHT, 0, 0, TP_FORMAT_P8 };
+    test_frame f = frame_of(&scene, all_assets(), &config);
+    const tp_frame_ram ram = tp_frame_memory(f.frame);
+
+    assert_int_equal(ram.frame, f.bytes);
+    assert_int_equal(ram.scratch, f.scratch_bytes);
+    assert_true(ram.vertices + ram.tables <= ram.frame);
+    assert_true(ram.vertices
+                >= 60 * 50 * sizeof(tp_grid_vertex) + 8 * sizeof(tp_boat_vertex));
+    tp_frame_begin(f.frame, &world);
+    const tp_frame_stats stats = tp_frame_last_stats(f.frame);
+    assert_in_range(stats.vertices, 1, 60 * 50 + 8);
+    assert_in_range(stats.triangles, 1, 2 * 59 * 49 + 12);
+    assert_int_equal(stats.dropped, 0);
+    frame_free(&f);
+}
+
+static void materials_beyond_the_marks_are_counted_and_drawn(void **state)
+{
+    (void)state;
+    static test_boat many;
+    static tp_material material[300];
+    tp_world world;
+    const tp_scene scene = busy_scene(&world);
+    const tp_frame_config config = { WIDTH, HEIGHT, 0, 0, TP_FORMAT_P8 };
+    static uint32_t picture[WIDTH * HEIGHT];
+
+    boat_make(&many, &chance);
+    for (int i = 0; i < 300; i++)
+        material[i] = many.material[0];
+    for (uint32_t i = 0; i < 12; i++)
+        many.face[i].material = 299 - i;
+    many.mesh.materials = material;
+    many.mesh.n_materials = 300;
+    const tp_assets assets = { .boat = &many.mesh };
+    test_frame f = frame_of(&scene, &assets, &config);
+    tp_frame_begin(f.frame, &world);
+    assert_int_equal(tp_frame_last_stats(f.frame).dropped, 300 - TP_MATERIALS);
+    draw(&f, &config, 1, picture);
+    frame_free(&f);
+}
+
+/* -- what is to be seen -------------------------------------------------------------- */
+
+typedef struct {
+    uint32_t sky, water, solid;
+} marks;
+
+/* Marks of rows [from, to), or the whole picture, of a frame drawn as one tile. */
+static marks marks_of(const test_frame *f, uint32_t from, uint32_t to)
+{
+    const uint32_t *key = (const uint32_t *)(const void *)f->scratch;
+    marks m = { 0, 0, 0 };
+
+    for (uint32_t i = from * WIDTH; i < to * WIDTH; i++) {
+        m.sky += TP_MARK(key[i]) == TP_MARK_SKY;
+        m.water += TP_MARK(key[i]) == TP_MARK_WATER;
+        m.solid += TP_MARK(key[i]) >= TP_MARK_SOLID;
+    }
+    return m;
+}
+
+static tp_scene calm_scene(void)
+{
+    tp_scene s = scene_plain();
+
+    for (int i = 0; i < TP_WAVES; i++)
+        s.wave[i].amplitude = 0;
+    s.grid.reach = 16000 * TP_FX_ONE;
+    s.camera.pitch = 0;
+    return s;
+}
+
+/* The picture's row of the horizon, down from the top: level water seen from `height`
+ * ends `far` metres away. */
+static double horizon_row(const tp_scene *s, double far)
+{
+    const double half = s->camera.fov / 65536.0 / 2 * 3.14159265358979 / 180;
+    const double pitch = s->camera.pitch / 65536.0 * 3.14159265358979 / 180;
+    const double dip = atan(s->camera.y / 65536.0 / far);
+    return HEIGHT / 2.0 * (1 + tan(pitch + dip) / tan(half));
+}
+
+/* Calm water, level or tilted camera, any heading: sky above the horizon, water below, no
+ * holes.  The grid ends between 16 km and its corner, the eye stands 1/10 back in it; all
+ * columns of a level line share one row. */
+static void calm_water_fills_everything_below_the_horizon(void **state)
+{
+    (void)state;
+    const tp_frame_config config = { WIDTH, HEIGHT, 0, 0, TP_FORMAT_P8 };
+    const tp_assets none = { 0 };
+
+    for (int n = 0; n < 150; n++) {
+        tp_scene scene = calm_scene();
+        tp_world world;
+        tp_tile tile;
+        scene.camera.x = chance_fx(&chance, -8000, 8000);
+        scene.camera.z = chance_fx(&chance, -8000, 8000);
+        scene.camera.y = chance_scale(&chance, 0.5, 30);
+        scene.camera.heading = chance_fx(&chance, -720, 720);
+        scene.camera.pitch = chance_fx(&chance, -20, 20);
+        scene.camera.near = TP_FX(0.05);
+        test_frame f = frame_of(&scene, &none, &config);
+        tp_world_init(&world, &scene);
+        tp_frame_begin(f.frame, &world);
+        assert_true(tp_frame_tile(f.frame, 0, f.scratch, &tile));
+        /* The edge is a straight line of the world: in the picture it bends by no more
+         * than the dip of its nearest place, 15 km. */
+        const double first = horizon_row(&scene, 40000),
+                     last = horizon_row(&scene, 15000);
+        const uint32_t sky = (uint32_t)fmax(0, fmin(HEIGHT, floor(first - 0.6)));
+        const uint32_t sea = (uint32_t)fmax(0, fmin(HEIGHT, ceil(last + 0.6)));
+        assert_int_equal(marks_of(&f, 0, sky).sky, sky * WIDTH);
+        assert_int_equal(marks_of(&f, sea, HEIGHT).water, (HEIGHT - sea) * WIDTH);
+        assert_int_equal(tp_frame_water_pixels(f.frame, f.scratch, &tile),
+                         marks_of(&f, 0, HEIGHT).water);
+        frame_free(&f);
+    }
+}
+
+/* With waves the horizon is ragged, but no pixel a little below it lets the sky through:
+ * neighbouring triangles leave no gap, and cut ones neither. */
+static void waves_leave_no_holes(void **state)
+{
+    (void)state;
+    const tp_frame_config config = { WIDTH, HEIGHT, 0, 0, TP_FORMAT_P8 };
+    const tp_assets none = { 0 };
+
+    for (int n = 0; n < 150; n++) {
+        tp_scene scene = calm_scene();
+        tp_world world;
+        tp_tile tile;
+        for (int i = 0; i < 3; i++) {
+            scene.wave[i].amplitude = chance_scale(&chance, 0.02, 0.5);
+            scene.wave[i].length = chance_scale(&chance, 4, 60);
+            scene.wave[i].steepness = TP_FX(0.3);
+            scene.wave[i].heading = chance_fx(&chance, 0, 360);
+        }
+        scene.camera.y = chance_scale(&chance, 1.8, 12);
+        scene.camera.heading = chance_fx(&chance, 0, 360);
+        scene.camera.pitch = chance_fx(&chance, -60, 0);
+        scene.camera.near = TP_FX(0.05);
+        test_frame f = frame_of(&scene, &none, &config);
+        tp_world_init(&world, &scene);
+        tp_frame_begin(f.frame, &world);
+        assert_true(tp_frame_tile(f.frame, 0, f.scratch, &tile));
+        /* The lowest the water's edge can look: level water at 15 km, minus 1.5 m. */
+        const double last = horizon_row(&scene, 15000);
+        const uint32_t sea = (uint32_t)fmax(0, fmin(HEIGHT, ceil(last + 0.6)));
+        assert_int_equal(marks_of(&f, sea, HEIGHT).water, (HEIGHT - sea) * WIDTH);
+        frame_free(&f);
+    }
+}
+
+/* No reach: the grid's own cells, 10 x 10 m around the origin, seen from straight above. */
+static void without_reach_the_grid_is_all(void **state)
+{
+    (void)state;
+    tp_scene scene = calm_scene();
+    const tp_frame_config config = { WIDTH, HEIGHT, 0, 0, TP_FORMAT_P8 };
+    const tp_assets none = { 0 };
+    tp_world world;
+    tp_tile tile;
+
+    scene.grid.reach = 0;
+    scene.grid.follow = 0;
+    scene.grid.cols = scene.grid.rows = 11;
+    scene.grid.cell = TP_FX_ONE;
+    scene.camera.y = 20 * TP_FX_ONE;
+    scene.camera.pitch = -89 * TP_FX_ONE;
+    scene.camera.fov = 60 * TP_FX_ONE;
+    test_frame f = frame_of(&scene, &none, &config);
+    tp_world_init(&world, &scene);
+    tp_frame_begin(f.frame, &world);
+    assert_true(tp_frame_tile(f.frame, 0, f.scratch, &tile));
+    /* 10 m from 20 m: 10 / 20 x 77.94 = 38.97 pixels square, tilted by a degree. */
+    const double side = 0.5 * HEIGHT / 2 / tan(3.14159265358979 / 6);
+    assert_true(fabs(sqrt(marks_of(&f, 0, HEIGHT).water) - side) < 1);
+    frame_free(&f);
+}
+
+static marks marks_with_lift(tp_fx lift)
+{
+    tp_scene scene = calm_scene();
+    const tp_frame_config config = { WIDTH, HEIGHT, 0, 0, TP_FORMAT_P8 };
+    const tp_assets assets = { .boat = &boat.mesh };
+    tp_world world;
+    tp_tile tile;
+
+    scene.boat.lift = lift;
+    scene.camera.pitch = -10 * TP_FX_ONE;
+    test_frame f = frame_of(&scene, &assets, &config);
+    tp_world_init(&world, &scene);
+    tp_frame_begin(f.frame, &world);
+    assert_true(tp_frame_tile(f.frame, 0, f.scratch, &tile));
+    const marks m = marks_of(&f, 0, HEIGHT);
+    frame_free(&f);
+    return m;
+}
+
+static void the_boat_floats_on_the_water_and_sinks_below_it(void **state)
+{
+    (void)state;
+    const marks floating = marks_with_lift(0), flying = marks_with_lift(TP_FX_ONE);
+    const marks sunk = marks_with_lift(TP_FX(-0.6)), half = marks_with_lift(TP_FX(-0.25));
+
+    assert_true(flying.solid > floating.solid);     /* half of it was under water */
+    assert_true(floating.solid > half.solid && half.solid > 0);
+    assert_int_equal(sunk.solid, 0);
+    assert_int_equal(sunk.sky, floating.sky);
+}
+
+int main(void)
+{
+    chance = random_seed();
+    boat_make(&boat, &chance);
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(every_tiling_gives_the_same_bits),
+        cmocka_unit_test(order_and_old_memory_do_not_matter),
+        cmocka_unit_test(the_world_may_move_on_while_tiles_are_drawn),
+        cmocka_unit_test(formats_differ_only_in_how_colours_are_stored),
+        cmocka_unit_test(tiles_are_rows_of_the_size_asked_for),
+        cmocka_unit_test(a_config_out_of_range_is_refused),
+        cmocka_unit_test(the_ends_of_the_config_are_taken),
+        cmocka_unit_test(the_numbers_of_a_frame_add_up),
+        cmocka_unit_test(materials_beyond_the_marks_are_counted_and_drawn),
+        cmocka_unit_test(calm_water_fills_everything_below_the_horizon),
+        cmocka_unit_test(waves_leave_no_holes),
+        cmocka_unit_test(without_reach_the_grid_is_all),
+        cmocka_unit_test(the_boat_floats_on_the_water_and_sinks_below_it),
+    };
+    return cmocka_run_group_tests_name("tiles", tests, NULL, NULL);
+}

@@ -1,0 +1,247 @@
+/* SPDX-License-Identifier: MIT */
+/* The camera against a pinhole in double precision: where points come out on the screen,
+ * what counts as held, and the planes that tell what may be seen. */
+#include <stdarg.h>
+#include <stddef.h>
+#include <setjmp.h>
+#include <stdint.h>
+#include <cmocka.h>
+#include "view.h"
+
+#define LSB (1 / 65536.0)
+
+static uint64_t chance;
+
+static void the_lens_is_the_pinhole_asked_for(void **state)
+{
+    (void)state;
+    measure focal = { .what = "focal length", .unit = "of itself" };
+
+    for (int n = 0; n < 20000; n++) {
+        const view v = view_any(&chance);
+        const double error = v.lens.focal * LSB / v.ref.focal - 1;
+        /* sine and cosine of 28 bits and the angle's 2^-31 turn, of a sine of 0.17. */
+        assert_true(fabs(error) <= 1e-7 + LSB / v.ref.focal);
+        measure_add(&focal, error, n, v.width, v.height);
+        assert_int_equal(v.lens.u0, v.width * 8);
+        assert_int_equal(v.lens.v0, v.height * 8);
+        assert_true(v.lens.m == TP_GUARD_LOG2 || v.lens.focal <= TP_FX_ONE << v.lens.m);
+    }
+    measure_print(&focal);
+}
+
+/* What a projected point may be off by, 1/16 pixels.  A scaled coordinate is within 1/2 of
+ * 2^-16 m and its axis within 2^-30 (direction and scale: 7e-9), so x/depth in pixels is
+ * off by 2^m times that over the depth; likewise the depth.  The reciprocal's 2^-29, the
+ * focal length's error as above. */
+static double place_error(const view *v, ref_vec at, double way)
+{
+    const double scale = ldexp(1, v->lens.m), far = hypot(at.x, at.y) / at.z;
+    const double axis = 1.5e-8 * way, coordinate = LSB / 2 + axis;
+    return 0.5 + 16 * scale * coordinate / at.z
+         + 16 * v->ref.focal * far * coordinate / at.z
+         + 16 * far * (v->ref.focal * (1e-7 + 4e-9) + LSB);
+}
+
+static void points_come_out_where_the_pinhole_has_them(void **state)
+{
+    (void)state;
+    measure place[3] = { { .what = "at 1-100 m", .unit = "of 1/16 px" },
+                         { .what = "at 100-20000 m", .unit = "of 1/16 px" },
+                         { .what = "at near-1 m", .unit = "of 1/16 px" } };
+    measure depth = { .what = "depth", .unit = "of 2^31" };
+    static const double low[] = { 1, 100, 0.05 }, high[] = { 100, 20000, 1 };
+
+    for (int n = 0; n < 60000; n++) {
+        const view v = view_any(&chance);
+        const double d = chance_double(&chance, low[n % 3], high[n % 3]);
+        tp_vec3 p = { 0, 0, 0 };
+        if (!view_point(&v, chance_double(&chance, -2000, 6000),
+                        chance_double(&chance, -2000, 6000), d, &p))
+            continue;
+        const ref_vec at = ref_view(&v.ref, ref_vec_of(p));
+        tp_view_corner c;
+        tp_lens_view(&v.lens, p, &c);
+        /* Scaled by 1.42 at the most; beyond 32000 m they are held. */
+        if (!tp_lens_holds(&v.lens, &c) || hypot(at.x, at.y) > 22000)
+            continue;
+        int32_t u, w;
+        uint32_t zi;
+        tp_lens_project(&v.lens, &c, &u, &w, &zi);
+        const double off = fmax(fabs(u - 16 * ref_u(&v.ref, at)),
+                                fabs(w - 16 * ref_v(&v.ref, at)));
+        const ref_vec way = ref_sub(ref_vec_of(p), v.ref.eye);
+        const double most = place_error(&v, at, sqrt(ref_dot(way, way)));
+        assert_true(off <= most);
+        measure_add(&place[n % 3], off, p.x, p.y, p.z);
+        /* zi is cut, of a depth rounded, of 255/256 near rounded up. */
+        const double want = v.lens.zi_near * LSB / at.z;
+        const double error =
+            ldexp(1, -31)
+            + want * (LSB / 2 / at.z + 4e-9 + 1.5e-8 * sqrt(ref_dot(way, way)) / at.z);
+        assert_true(fabs(zi / 2147483648.0 - want) <= error);
+        assert_true(zi < 0x80000000u);
+        measure_add(&depth, (zi / 2147483648.0 - want) * 2147483648.0, p.x, p.y, p.z);
+    }
+    for (int i = 0; i < 3; i++)
+        measure_print(&place[i]);
+    measure_print(&depth);
+}
+
+/* Scenes look at things from 1 m to 100 m: there 28.4 is what limits a place. */
+static void a_usual_view_is_right_to_a_sixteenth_of_a_pixel(void **state)
+{
+    (void)state;
+    measure place = { .what = "640x480, 1-100 m", .unit = "of 1/16 px" };
+
+    for (int n = 0; n < 20000; n++) {
+        const tp_vec3 eye = { chance_fx(&chance, -500, 500), chance_fx(&chance, 1, 20),
+                              chance_fx(&chance, -500, 500) };
+        const view v = view_of(eye, (tp_turn)random_next(&chance),
+                               tp_turn_of_degrees(chance_fx(&chance, -45, 20)),
+                               60 * TP_FX_ONE, TP_FX(0.25), 640, 480);
+        tp_vec3 p = { 0, 0, 0 };
+        assert_true(view_point(&v, chance_double(&chance, 0, 640),
+                               chance_double(&chance, 0, 480),
+                               chance_double(&chance, 1, 100), &p));
+        const ref_vec at = ref_view(&v.ref, ref_vec_of(p));
+        tp_view_corner c;
+        tp_lens_view(&v.lens, p, &c);
+        assert_true(tp_lens_holds(&v.lens, &c));
+        int32_t u, w;
+        uint32_t zi;
+        tp_lens_project(&v.lens, &c, &u, &w, &zi);
+        measure_add(&place, fmax(fabs(u - 16 * ref_u(&v.ref, at)),
+                                 fabs(w - 16 * ref_v(&v.ref, at))), p.x, p.y, p.z);
+    }
+    measure_print(&place);
+    assert_true(place.worst < 1);
+}
+
+static void ahead_is_up_the_screen_and_right_is_right(void **state)
+{
+    (void)state;
+    const view v = view_of((tp_vec3){ 0, 4 * TP_FX_ONE, 0 }, 0, 0, 60 * TP_FX_ONE,
+                           TP_FX(0.25), 320, 240);
+    tp_view_corner near, far, right, up;
+
+    tp_lens_view(&v.lens, (tp_vec3){ 0, 0, -10 * TP_FX_ONE }, &near);
+    tp_lens_view(&v.lens, (tp_vec3){ 0, 0, -20 * TP_FX_ONE }, &far);
+    tp_lens_view(&v.lens, (tp_vec3){ TP_FX_ONE, 0, -10 * TP_FX_ONE }, &right);
+    tp_lens_view(&v.lens, (tp_vec3){ 0, TP_FX_ONE, -10 * TP_FX_ONE }, &up);
+    assert_int_equal(near.depth, 10 * TP_FX_ONE);
+    tp_corner a, b, c, d;
+    tp_corner_project(&v.lens, &near, &a);
+    tp_corner_project(&v.lens, &far, &b);
+    tp_corner_project(&v.lens, &right, &c);
+    tp_corner_project(&v.lens, &up, &d);
+    assert_int_equal(a.u, 160 * 16);
+    assert_true(b.v < a.v && b.zi < a.zi && d.v < a.v);
+    assert_true(c.u > a.u && c.v == a.v);
+    /* From above, counter-clockwise: near, right, far.  Its area on the screen is < 0. */
+    assert_true((int64_t)(c.u - a.u) * (b.v - a.v) - (int64_t)(b.u - a.u) * (c.v - a.v)
+                < 0);
+}
+
+/* Corners of everything that may stand in a scene, seen from the camera's own: what is
+ * held is in front and inside the guard band indeed. */
+static void what_is_held_is_in_front_however_far(void **state)
+{
+    (void)state;
+    static const tp_fx ends[] = {
+        TP_FX(-16302), TP_FX(16302), TP_FX(-8000), TP_FX(8000), 0,
+        TP_FX(-24302), TP_FX(24302)
+    };
+    int held = 0, behind = 0;
+
+    for (int n = 0; n < 60000; n++) {
+        const view v = view_any(&chance);
+        const tp_vec3 p = { ends[random_below(&chance, 7)], chance_fx(&chance, -256, 256),
+                            ends[random_below(&chance, 7)] };
+        if (fabs(p.x * LSB - v.ref.eye.x) > 32700
+            || fabs(p.z * LSB - v.ref.eye.z) > 32700)
+            continue;
+        const ref_vec at = ref_view(&v.ref, ref_vec_of(p));
+        tp_view_corner c;
+        tp_lens_view(&v.lens, p, &c);
+        /* Signs are kept even where the number is held at 32000 m. */
+        if (fabs(at.x) > 1)
+            assert_int_equal(c.x < 0, at.x < 0);
+        if (fabs(at.z) > 1)
+            assert_int_equal(c.depth < 0, at.z < 0);
+        behind += at.z < 0;
+        if (!tp_lens_holds(&v.lens, &c))
+            continue;
+        int32_t u, w;
+        uint32_t zi;
+        tp_lens_project(&v.lens, &c, &u, &w, &zi);
+        held++;
+        assert_true(at.z >= v.ref.near - 0.01);
+        assert_true(abs(u - v.lens.u0) <= 8192 * 16 && abs(w - v.lens.v0) <= 8192 * 16);
+    }
+    printf("    %d held, %d behind\n", held, behind);
+    assert_true(held > 0 && behind > 0);
+}
+
+/* -- planes -------------------------------------------------------------------------- */
+
+static double inside_plane(const tp_plane *plane, tp_vec3 p)
+{
+    const double q30 = 1073741824.0;
+    return (plane->n.x / q30 * p.x + plane->n.y / q30 * p.y + plane->n.z / q30 * p.z
+            + plane->d) * LSB;
+}
+
+/* Normals have 27 bits, so a plane is off by 2e-4 m at 24 km. */
+static void planes_hold_all_that_the_picture_shows_and_little_more(void **state)
+{
+    (void)state;
+    int seen = 0, kept_outside = 0, outside = 0;
+
+    for (int n = 0; n < 40000; n++) {
+        const view v = view_any(&chance);
+        const double over = 0.2;
+        const double u = chance_double(&chance, -over, 1 + over) * v.width;
+        const double w = chance_double(&chance, -over, 1 + over) * v.height;
+        const double d = v.ref.near * chance_double(&chance, 0.5, 1)
+                       + chance_scale(&chance, 0.01, 20000) * LSB * (n % 3 > 0);
+        tp_plane planes[TP_LENS_PLANES];
+        tp_vec3 p = { 0, 0, 0 };
+        if (!view_point(&v, u, w, d, &p))
+            continue;
+        tp_lens_planes(&v.lens, v.width, v.height, planes);
+        const bool in = u >= 0 && u <= v.width && w >= 0 && w <= v.height
+                     && d > v.ref.near + 2 * LSB;
+        /* Beyond the margin of a pixel, and a pixel more. */
+        const bool out = u < -2.5 || u > v.width + 2.5 || w < -2.5 || w > v.height + 2.5
+                      || d < v.ref.near - 0.01;
+        bool holds = true;
+        for (int i = 0; i < TP_LENS_PLANES; i++)
+            holds = holds && inside_plane(&planes[i], p) >= 0;
+        if (in) {
+            assert_true(holds);
+            seen++;
+        }
+        outside += out;
+        /* Where a pixel is less than what 16.16 and the normals leave open: skip. */
+        const bool fine = d / v.ref.focal > 0.001;
+        kept_outside += out && holds && fine;
+    }
+    printf("    %d points seen, %d outside\n", seen, outside);
+    assert_true(seen > 1000 && outside > 1000);
+    assert_int_equal(kept_outside, 0);
+}
+
+int main(void)
+{
+    chance = random_seed();
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(the_lens_is_the_pinhole_asked_for),
+        cmocka_unit_test(points_come_out_where_the_pinhole_has_them),
+        cmocka_unit_test(a_usual_view_is_right_to_a_sixteenth_of_a_pixel),
+        cmocka_unit_test(ahead_is_up_the_screen_and_right_is_right),
+        cmocka_unit_test(what_is_held_is_in_front_however_far),
+        cmocka_unit_test(planes_hold_all_that_the_picture_shows_and_little_more),
+    };
+    return cmocka_run_group_tests_name("lens", tests, NULL, NULL);
+}
