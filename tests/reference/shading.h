@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Shading in double precision: Phong [F5], Fresnel [F1], haze and sky as the stages' heads
- * state them.  Colours are levels of 255, shares 0..1. */
+/* Shading in double precision: Phong [F5], Fresnel [F1], haze and sky as the stages'
+ * heads state them.  Colours are levels of 255, shares 0..1. */
 #ifndef TP_REFERENCE_SHADING_H
 #define TP_REFERENCE_SHADING_H
 #include <math.h>

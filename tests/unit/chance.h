@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Random numbers of the kinds that tests of the drawing need; see measure.h for the seed. */
+/* Random numbers of the kinds that tests of the drawing need; measure.h has the seed. */
 #ifndef TP_TESTS_CHANCE_H
 #define TP_TESTS_CHANCE_H
 #include "measure.h"

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The water's grid: how its lines lie, what it takes for seen, what its crossings hold. */
+/* The water's grid: how its lines lie, what it takes for seen, what crossings hold. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -124,8 +124,8 @@ static void check_lines(const pond *p, const tp_grid_line *line, uint32_t count)
     }
     if (flank == 0)
         assert_int_equal(line[0].fade, TP_FX_ONE);
-    /* As far as asked from its middle: 2^-16 of the ratio counts `flank` times, and what a
-     * first step is cut by grows as it does.  A step grows by 256 at the most. */
+    /* As far as asked from its middle: 2^-16 of the ratio counts `flank` times, and what
+     * a first step is cut by grows as it does.  A step grows by 256 at the most. */
     const double way = (line[count - 1].place - (double)line[0].place) / 2;
     const double reach = p->look.reach - core / 2, most = 256.0 * p->look.cell;
     if (flank > 1 && reach > flank * (double)p->look.cell

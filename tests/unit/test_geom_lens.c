@@ -30,10 +30,10 @@ static void the_lens_is_the_pinhole_asked_for(void **state)
     measure_print(&focal);
 }
 
-/* What a projected point may be off by, 1/16 pixels.  A scaled coordinate is within 1/2 of
- * 2^-16 m and its axis within 2^-30 (direction and scale: 7e-9), so x/depth in pixels is
- * off by 2^m times that over the depth; likewise the depth.  The reciprocal's 2^-29, the
- * focal length's error as above. */
+/* What a projected point may be off by, 1/16 pixels.  A scaled coordinate is within 1/2
+ * of 2^-16 m and its axis within 2^-30 (direction and scale: 7e-9), so x/depth in pixels
+ * is off by 2^m times that over the depth; likewise the depth.  The reciprocal's 2^-29,
+ * the focal length's error as above. */
 static double place_error(const view *v, ref_vec at, double way)
 {
     const double scale = ldexp(1, v->lens.m), far = hypot(at.x, at.y) / at.z;

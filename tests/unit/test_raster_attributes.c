@@ -126,8 +126,8 @@ static void make_sliver(tp_corner c[3], int32_t far)
         (int32_t)lround(c[0].v + way * (c[1].v - c[0].v)) + chance_int(&chance, -2, 2);
 }
 
-/* One that holds the centre of a pixel at least: an edge runs through it, to whole numbers
- * on both sides, and the third corner is next to an end. */
+/* One that holds the centre of a pixel at least: an edge runs through it, to whole
+ * numbers on both sides, and the third corner is next to an end. */
 static void make_sliver_through_centre(tp_corner c[3], int32_t far)
 {
     const int32_t du = chance_int(&chance, -far / 8, far / 8);

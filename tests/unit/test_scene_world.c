@@ -347,9 +347,9 @@ static void compare_boat(const tp_scene *scene, const tp_world *w, measure *heav
     measure_add(tilt, fmax(fabs(bow), fabs(side)) * 180 / PI, (int64_t)w->tick, 0, 0);
 }
 
-/* Steepness up to a half: the eight steps of the inversion leave less than 2^-8 / (1 - 1/2)
- * of at most 1.1 m, 9 mm, times the slope, over a beam of 2 m and more: a quarter of a
- * degree at the worst. */
+/* Steepness up to a half: the eight steps of the inversion leave less than 2^-8 / (1 -
+ * 1/2) of at most 1.1 m, 9 mm, times the slope, over a beam of 2 m and more: a quarter
+ * of a degree at the worst. */
 static void the_boat_follows_the_models(void **state)
 {
     (void)state;

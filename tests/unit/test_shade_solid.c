@@ -255,21 +255,22 @@ static void kd_tints_the_picture(void **state)
     }
 }
 
-/* Face to face with the sun its colour, Ks times it and times 255 / 256, goes on top. */
+/* Face to face with the sun Ks times its colour goes on top, or a little less: the view
+ * is cut, so the lobe's last entry but one may be taken, 0.96 at this exponent. */
 static void the_lobe_peaks_where_sun_and_eye_meet(void **state)
 {
     (void)state;
 
     model_begin();
-    tp_shade_gloss(m.gloss, 100 * TP_FX_ONE);
+    tp_shade_gloss(m.gloss, 10 * TP_FX_ONE);
     m.shade.u0 = 16 * m.samples.run.x + 8;          /* the first pixel is in the middle */
     m.shade.v0 = 16 * m.samples.run.y + 8;
     m.shade.light_colour = 0x80ff40;
     m.solid[0].diffuse = 0x100010;
     m.solid[0].specular = 0xff8000;
     model_draw();
-    assert_in_range(m.samples.run.colour[0] >> 16, 0x10 + 0x7c, 0x10 + 0x80);
-    assert_in_range(m.samples.run.colour[0] >> 8 & 0xff, 0x7c, 0x80);
+    assert_in_range(m.samples.run.colour[0] >> 16, 0x10 + 0x7a, 0x10 + 0x80);
+    assert_in_range(m.samples.run.colour[0] >> 8 & 0xff, 0x7a, 0x80);
     assert_int_equal(m.samples.run.colour[0] & 0xff, 0x10);
     for (int i = 1; i < TP_RUN; i++)
         assert_true(m.samples.run.colour[i] >> 16 <= m.samples.run.colour[i - 1] >> 16);

@@ -50,7 +50,7 @@ static ocean any_ocean(int most)
     return o;
 }
 
-/* Swells as scenes have them: 1 m and longer, no higher than a seventh of their length. */
+/* Swells as scenes have them: 1 m and longer, no higher than a seventh of that. */
 static ocean usual_ocean(double steepness)
 {
     ocean o = { .count = chance_int(&chance, 1, 8), .gravity = TP_FX(9.81) };
@@ -80,7 +80,7 @@ static double phase_error(const ocean *o, int i, double x0, double z0)
          + o->ref.wave[i].k * way * direction;
 }
 
-/* The height's error: each wave's sine and phase, and A cut to 16.16; the sum's rounding. */
+/* The height's error: each wave's sine and phase, A cut to 16.16, the sum rounded. */
 static double height_error(const ocean *o, double x0, double z0)
 {
     double sum = LSB;

@@ -1,0 +1,196 @@
+/* SPDX-License-Identifier: MIT */
+/* What a frame shows: sky above the horizon and water below, in every pixel; the boat
+ * where the water does not hide it. */
+#include <stdarg.h>
+#include <stddef.h>
+#include <setjmp.h>
+#include <stdint.h>
+#include <cmocka.h>
+#include "frame/frame.h"
+#include "scenes.h"
+
+enum { WIDTH = 150, HEIGHT = 90 };
+
+static uint64_t chance;
+static test_boat boat;
+
+typedef struct {
+    uint32_t sky, water, solid;
+} marks;
+
+/* Marks of rows [from, to), or the whole picture, of a frame drawn as one tile. */
+static marks marks_of(const test_frame *f, uint32_t from, uint32_t to)
+{
+    const uint32_t *key = (const uint32_t *)(const void *)f->scratch;
+    marks m = { 0, 0, 0 };
+
+    for (uint32_t i = from * WIDTH; i < to * WIDTH; i++) {
+        m.sky += TP_MARK(key[i]) == TP_MARK_SKY;
+        m.water += TP_MARK(key[i]) == TP_MARK_WATER;
+        m.solid += TP_MARK(key[i]) >= TP_MARK_SOLID;
+    }
+    return m;
+}
+
+static tp_scene calm_scene(void)
+{
+    tp_scene s = scene_plain();
+
+    for (int i = 0; i < TP_WAVES; i++)
+        s.wave[i].amplitude = 0;
+    s.grid.reach = 16000 * TP_FX_ONE;
+    s.camera.pitch = 0;
+    return s;
+}
+
+/* The picture's row of the horizon, down from the top: level water seen from `height`
+ * ends `far` metres away. */
+static double horizon_row(const tp_scene *s, double far)
+{
+    const double half = s->camera.fov / 65536.0 / 2 * 3.14159265358979 / 180;
+    const double pitch = s->camera.pitch / 65536.0 * 3.14159265358979 / 180;
+    const double dip = atan(s->camera.y / 65536.0 / far);
+    return HEIGHT / 2.0 * (1 + tan(pitch + dip) / tan(half));
+}
+
+/* Calm water, level or tilted camera, any heading: sky above the horizon, water below, no
+ * holes.  The grid ends between 16 km and its corner, the eye stands 1/10 back in it; all
+ * columns of a level line share one row. */
+static void calm_water_fills_everything_below_the_horizon(void **state)
+{
+    (void)state;
+    const tp_frame_config config = { WIDTH, HEIGHT, 0, 0, TP_FORMAT_P8 };
+    const tp_assets none = { 0 };
+
+    for (int n = 0; n < 150; n++) {
+        tp_scene scene = calm_scene();
+        tp_world world;
+        tp_tile tile;
+        scene.camera.x = chance_fx(&chance, -8000, 8000);
+        scene.camera.z = chance_fx(&chance, -8000, 8000);
+        scene.camera.y = chance_scale(&chance, 0.5, 30);
+        scene.camera.heading = chance_fx(&chance, -720, 720);
+        scene.camera.pitch = chance_fx(&chance, -20, 20);
+        scene.camera.near = TP_FX(0.05);
+        test_frame f = frame_of(&scene, &none, &config);
+        tp_world_init(&world, &scene);
+        tp_frame_begin(f.frame, &world);
+        assert_true(tp_frame_tile(f.frame, 0, f.scratch, &tile));
+        /* The edge is a straight line of the world: in the picture it bends by no more
+         * than the dip of its nearest place, 15 km. */
+        const double first = horizon_row(&scene, 40000),
+                     last = horizon_row(&scene, 15000);
+        const uint32_t sky = (uint32_t)fmax(0, fmin(HEIGHT, floor(first - 0.6)));
+        const uint32_t sea = (uint32_t)fmax(0, fmin(HEIGHT, ceil(last + 0.6)));
+        assert_int_equal(marks_of(&f, 0, sky).sky, sky * WIDTH);
+        assert_int_equal(marks_of(&f, sea, HEIGHT).water, (HEIGHT - sea) * WIDTH);
+        assert_int_equal(tp_frame_water_pixels(f.frame, f.scratch, &tile),
+                         marks_of(&f, 0, HEIGHT).water);
+        frame_free(&f);
+    }
+}
+
+/* With waves the horizon is ragged, but no pixel a little below it lets the sky through:
+ * neighbouring triangles leave no gap, and cut ones neither. */
+static void waves_leave_no_holes(void **state)
+{
+    (void)state;
+    const tp_frame_config config = { WIDTH, HEIGHT, 0, 0, TP_FORMAT_P8 };
+    const tp_assets none = { 0 };
+
+    for (int n = 0; n < 150; n++) {
+        tp_scene scene = calm_scene();
+        tp_world world;
+        tp_tile tile;
+        for (int i = 0; i < 3; i++) {
+            scene.wave[i].amplitude = chance_scale(&chance, 0.02, 0.5);
+            scene.wave[i].length = chance_scale(&chance, 4, 60);
+            scene.wave[i].steepness = TP_FX(0.3);
+            scene.wave[i].heading = chance_fx(&chance, 0, 360);
+        }
+        scene.camera.y = chance_scale(&chance, 1.8, 12);
+        scene.camera.heading = chance_fx(&chance, 0, 360);
+        scene.camera.pitch = chance_fx(&chance, -60, 0);
+        scene.camera.near = TP_FX(0.05);
+        test_frame f = frame_of(&scene, &none, &config);
+        tp_world_init(&world, &scene);
+        tp_frame_begin(f.frame, &world);
+        assert_true(tp_frame_tile(f.frame, 0, f.scratch, &tile));
+        /* The lowest the water's edge can look: level water at 15 km, minus 1.5 m. */
+        const double last = horizon_row(&scene, 15000);
+        const uint32_t sea = (uint32_t)fmax(0, fmin(HEIGHT, ceil(last + 0.6)));
+        assert_int_equal(marks_of(&f, sea, HEIGHT).water, (HEIGHT - sea) * WIDTH);
+        frame_free(&f);
+    }
+}
+
+/* No reach: the grid's own cells, 10 x 10 m around the origin, seen from above. */
+static void without_reach_the_grid_is_all(void **state)
+{
+    (void)state;
+    tp_scene scene = calm_scene();
+    const tp_frame_config config = { WIDTH, HEIGHT, 0, 0, TP_FORMAT_P8 };
+    const tp_assets none = { 0 };
+    tp_world world;
+    tp_tile tile;
+
+    scene.grid.reach = 0;
+    scene.grid.follow = 0;
+    scene.grid.cols = scene.grid.rows = 11;
+    scene.grid.cell = TP_FX_ONE;
+    scene.camera.y = 20 * TP_FX_ONE;
+    scene.camera.pitch = -89 * TP_FX_ONE;
+    scene.camera.fov = 60 * TP_FX_ONE;
+    test_frame f = frame_of(&scene, &none, &config);
+    tp_world_init(&world, &scene);
+    tp_frame_begin(f.frame, &world);
+    assert_true(tp_frame_tile(f.frame, 0, f.scratch, &tile));
+    /* 10 m from 20 m: 10 / 20 x 77.94 = 38.97 pixels square, tilted by a degree. */
+    const double side = 0.5 * HEIGHT / 2 / tan(3.14159265358979 / 6);
+    assert_true(fabs(sqrt(marks_of(&f, 0, HEIGHT).water) - side) < 1);
+    frame_free(&f);
+}
+
+static marks marks_with_lift(tp_fx lift)
+{
+    tp_scene scene = calm_scene();
+    const tp_frame_config config = { WIDTH, HEIGHT, 0, 0, TP_FORMAT_P8 };
+    const tp_assets assets = { .boat = &boat.mesh };
+    tp_world world;
+    tp_tile tile;
+
+    scene.boat.lift = lift;
+    scene.camera.pitch = -10 * TP_FX_ONE;
+    test_frame f = frame_of(&scene, &assets, &config);
+    tp_world_init(&world, &scene);
+    tp_frame_begin(f.frame, &world);
+    assert_true(tp_frame_tile(f.frame, 0, f.scratch, &tile));
+    const marks m = marks_of(&f, 0, HEIGHT);
+    frame_free(&f);
+    return m;
+}
+
+static void the_boat_floats_on_the_water_and_sinks_below_it(void **state)
+{
+    (void)state;
+    const marks floating = marks_with_lift(0), flying = marks_with_lift(TP_FX_ONE);
+    const marks sunk = marks_with_lift(TP_FX(-0.6)), half = marks_with_lift(TP_FX(-0.25));
+
+    assert_true(flying.solid > floating.solid);     /* half of it was under water */
+    assert_true(floating.solid > half.solid && half.solid > 0);
+    assert_int_equal(sunk.solid, 0);
+    assert_int_equal(sunk.sky, floating.sky);
+}
+
+int main(void)
+{
+    chance = random_seed();
+    boat_make(&boat, &chance);
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(calm_water_fills_everything_below_the_horizon),
+        cmocka_unit_test(waves_leave_no_holes),
+        cmocka_unit_test(without_reach_the_grid_is_all),
+        cmocka_unit_test(the_boat_floats_on_the_water_and_sinks_below_it),
+    };
+    return cmocka_run_group_tests_name("horizon", tests, NULL, NULL);
+}
