@@ -102,7 +102,7 @@ typedef struct {
     tp_turn  heading, pitch;
     tp_sea   sea;
     tp_turn  phases[TP_WAVES];  /* of this tick */
-    tp_vec3  boat;              /* the mesh's origin */
+    tp_vec3  boat;              /* the mesh's origin; 0 in scenes that name no mesh */
     tp_rotation boat_turn;      /* world to mesh */
 } tp_world;
 

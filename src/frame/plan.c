@@ -47,7 +47,8 @@ static tp_layer layer_of(const tp_frame *frame, const tp_texture *texture, tp_fx
 
     if (!texture)
         return layer;
-    layer.per_metre = (uint32_t)(((uint64_t)1 << 32) / (uint32_t)size);
+    layer.per_metre = (uint32_t)((((uint64_t)1 << 32) + (uint32_t)size / 2)
+                                 / (uint32_t)size);
     layer.drift_s = 0u - drifted(scene->water.drift_x, tick) * layer.per_metre;
     layer.drift_t = 0u - drifted(scene->water.drift_z, tick) * layer.per_metre;
     layer.lod = lod_of(frame, tp_fx_div(TP_FX_ONE << texture->log2_w, size), true);
@@ -151,7 +152,7 @@ void tp_frame_plan_materials(tp_frame *frame)
             .diffuse = m->diffuse,
             .specular = m->specular,
             .lod = lod_of(frame, texels, false) + 96,  /* one texel: grain glitters */
-            .bump = tp_clamp(m->bump, 0, 8 * TP_FX_ONE) >> 8,
+            .bump = tp_clamp(m->bump, -16 * TP_FX_ONE, 16 * TP_FX_ONE) >> 8,
             .diffuse_map = m->diffuse_map,
             .normal_map = m->normal_map,
             .gloss = frame->gloss + (size_t)i * TP_GLOSS,

@@ -53,7 +53,7 @@ static tp_fx smoothstep(tp_fx x)
 }
 
 /* `count` lines around `centre`: even ones in the middle, growing ones outside.  The
- * waves are gone at the middle's last line but one, so that the flanks are flat. */
+ * waves are gone at the middle's last line, so that the flanks are flat. */
 static void lay_lines(tp_grid_line *line, uint32_t count, tp_fx centre,
                       const tp_grid_view *view)
 {
@@ -62,7 +62,8 @@ static void lay_lines(tp_grid_line *line, uint32_t count, tp_fx centre,
         flank = TP_GRID_FLANK;
     uint32_t core = count - 2 * flank, last = flank + core - 1;
     tp_fx half = (tp_fx)((int64_t)view->cell * (core - 1) / 2);
-    int64_t way = (int64_t)view->reach - half;
+    int64_t most = 16000 * TP_FX_ONE - half;
+    int64_t way = view->reach < most ? view->reach : most;
     int64_t ratio = flank ? ratio_over(view->cell, way, flank) : 0;
     int64_t step = view->cell;
     uint32_t fading = flank ? core / 8 + 1 : 0;

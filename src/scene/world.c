@@ -6,11 +6,18 @@
 #define PITCH_MOST TP_DEG(89)
 #define EYE_MOST   (8000 * TP_FX_ONE)
 
+/* A scene without a boat does not feel for the water under one. */
+static void place_boat(tp_world *world, const tp_scene *scene)
+{
+    if (scene->boat.mesh[0])
+        tp_boat_place(world, scene);
+}
+
 void tp_world_refresh(tp_world *world, const tp_scene *scene)
 {
     tp_sea_init(&world->sea, scene->wave, TP_WAVES, scene->water.gravity);
     tp_sea_phases(&world->sea, world->tick, world->phases);
-    tp_boat_place(world, scene);
+    place_boat(world, scene);
 }
 
 void tp_world_init(tp_world *world, const tp_scene *scene)
@@ -19,6 +26,7 @@ void tp_world_init(tp_world *world, const tp_scene *scene)
         .eye = { scene->camera.x, scene->camera.y, scene->camera.z },
         .heading = tp_turn_of_degrees(scene->camera.heading),
         .pitch = tp_turn_of_degrees(scene->camera.pitch),
+        .boat_turn = tp_rotation_of(0, 0, 0),
     };
     tp_world_refresh(world, scene);
 }
@@ -55,5 +63,5 @@ void tp_world_step(tp_world *world, const tp_scene *scene, const tp_input *input
     if (input)
         move_eye(world, input);
     tp_sea_phases(&world->sea, world->tick, world->phases);
-    tp_boat_place(world, scene);
+    place_boat(world, scene);
 }

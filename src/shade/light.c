@@ -73,8 +73,8 @@ TP_ALWAYS_INLINE void light(const tp_shade *shade, tp_run *run, int rippled)
         int32_t up = (2 * nv * ny >> 14) - vy;
         run->nv[i] = (int16_t)nv;
         run->up[i] = (int16_t)(up > 16384 ? 16384 : up);    /* vy is at most 1 */
-        run->glint[i] = nl > 0 && rv > 0 ? shade->shine[rv > 16384 ? TP_SHINE : rv >> 4]
-                                         : 0;
+        rv = tp_clamp((rv + 8) >> 4, 0, TP_SHINE);
+        run->glint[i] = nl > 0 ? shade->shine[rv] : 0;
         run->colour[i] = tp_colour_scale(run->colour[i],
                                          (uint32_t)(ambient + (direct * nl >> 14)));
     }

@@ -58,6 +58,15 @@ static vec bent(vec n, const tp_solid *solid, int level, uint32_t st,
                   (n.z * nz + t.z * nx + b.z * ny) >> 7 };
 }
 
+/* The lobe at R.V, between its entries: near the peak of a sharp one they lie far apart. */
+static uint32_t gloss_of(const tp_solid *solid, int32_t rv)
+{
+    int32_t at = rv * (TP_GLOSS - 1), i = at >> 14, part = (at & 16383) >> 6;
+    int32_t here = solid->gloss[i], next = solid->gloss[i + 1 < TP_GLOSS ? i + 1 : i];
+
+    return (uint32_t)(here + ((next - here) * part >> 8));
+}
+
 static uint32_t phong(const tp_shade *shade, const tp_solid *solid, uint32_t diffuse,
                       vec n, vec v, int32_t lv)
 {
@@ -65,7 +74,7 @@ static uint32_t phong(const tp_shade *shade, const tp_solid *solid, uint32_t dif
     int32_t nl = tp_clamp(dot(n, light), 0, 16384);
     int32_t rv = tp_clamp((2 * nl * dot(n, v) >> 14) - lv, 0, 16384);
     uint32_t bright = (uint32_t)(shade->ambient + ((256 - shade->ambient) * nl >> 14));
-    uint32_t gloss = nl > 0 ? solid->gloss[rv * (TP_GLOSS - 1) >> 14] : 0;
+    uint32_t gloss = nl > 0 ? gloss_of(solid, rv) : 0;
     uint32_t shine = tp_colour_times(solid->specular, shade->light_colour);
 
     return tp_colour_add(tp_colour_scale(diffuse, bright), tp_colour_scale(shine, gloss));

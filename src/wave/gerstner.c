@@ -123,7 +123,7 @@ void tp_sea_init(tp_sea *sea, const tp_wave *waves, uint32_t count, tp_fx gravit
 
 void tp_sea_phases(const tp_sea *sea, uint64_t tick, tp_turn phases[TP_WAVES])
 {
-    for (uint32_t i = 0; i < sea->count; i++) {
+    for (uint32_t i = 0; i < TP_WAVES; i++) {       /* those beyond count are all 0 */
         const tp_swell *w = &sea->swell[i];
         phases[i] = w->phase - (tp_turn)(tick * w->turns_tick >> 32);
     }

@@ -3,6 +3,7 @@
  * of twelve triangles, two materials and textures of awkward sides. */
 #ifndef TP_TESTS_SCENES_H
 #define TP_TESTS_SCENES_H
+#include <string.h>
 #include "asset/mesh.h"
 #include "chance.h"
 #include "tidepool/frame.h"
@@ -20,6 +21,7 @@ static inline tp_scene scene_plain(void)
     }
     s.grid.cols = 60;
     s.grid.rows = 50;
+    strcpy(s.boat.mesh, "boat.obj");    /* that the caller gives, if he does */
     return s;
 }
 

@@ -25,7 +25,7 @@ static bool is_drawn(const test_tile *tile, int32_t x, int32_t y)
     return tile->samples.key[tile_at(tile, x, y)] != 0;
 }
 
-/* -- pictures -------------------------------------------------------------------------- */
+/* -- pictures ------------------------------------------------------------------------- */
 
 static void draw_picture(int count, const int32_t at[24][2], char rows[16][17])
 {

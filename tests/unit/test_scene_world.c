@@ -244,11 +244,25 @@ static tp_world slope_world(tp_fx swell, tp_fx boat, tp_scene *scene)
     tp_world world;
 
     tp_scene_default(scene);
+    strcpy(scene->boat.mesh, "boat.obj");
     scene->wave[0] = (tp_wave){ 2 * TP_FX_ONE, 200 * TP_FX_ONE, 0, swell, 0, 0 };
     scene->boat.x = scene->boat.z = 0;
     scene->boat.heading = boat;
     tp_world_init(&world, scene);
     return world;
+}
+
+static void no_boat_is_placed_where_none_is_named(void **state)
+{
+    (void)state;
+    tp_scene scene = scene_plain();
+    tp_world w;
+
+    scene.boat.mesh[0] = 0;
+    tp_world_init(&w, &scene);
+    tp_world_step(&w, &scene, NULL);
+    assert_true(w.boat.x == 0 && w.boat.y == 0 && w.boat.z == 0);
+    assert_int_equal(w.boat_turn.x.x, TP_Q30_ONE);
 }
 
 /* How much the boat's bow and right side point up, as sines. */
@@ -393,6 +407,7 @@ int main(void)
         cmocka_unit_test(a_tape_replays_bit_for_bit),
         cmocka_unit_test(a_leap_in_time_is_as_good_as_its_steps),
         cmocka_unit_test(changed_waves_take_effect_at_a_refresh),
+        cmocka_unit_test(no_boat_is_placed_where_none_is_named),
         cmocka_unit_test(the_boat_lies_as_the_water_slopes),
         cmocka_unit_test(heave_is_the_water_s_height_and_the_lift),
         cmocka_unit_test(calm_water_carries_the_boat_level),

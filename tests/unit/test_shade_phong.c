@@ -45,7 +45,7 @@ static ref_colour phong(const tp_shade *s, ref_colour diffuse, uint32_t specular
                                        ref_colour_of(s->light_colour)), lobe));
 }
 
-/* The gloss has 256 entries; colours lose a level at the diffuse's share, its product,
+/* The gloss has 256 entries, between which it is linear; colours lose a level at the diffuse's share, its product,
  * the specular's product and the lobe's, and the lobe is a 256th short at its peak. */
 static void assert_between(uint32_t got, ref_colour low, ref_colour high, measure *off)
 {
@@ -81,9 +81,9 @@ static void solids_follow_phong(void **state)
                 continue;
             assert_between(r.run.colour[i],
                            phong(&s, d, solid.specular, shininess, normal, &r.run, i,
-                                 -1 / 255.0 - 16 / Q14),
+                                 -0.5 / 255 - 16 / Q14),
                            phong(&s, d, solid.specular, shininess, normal, &r.run, i,
-                                 16 / Q14), &off);
+                                 0.5 / 255 + 16 / Q14), &off);
         }
     }
     measure_print(&off);

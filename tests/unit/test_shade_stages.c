@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* View, sky, glint and haze against their formulas in double precision, and what holds for
- * all stages.  Errors are in levels of 255; every product and mix of colours is cut, not
- * rounded, so a stage may lose a level for each. */
+/* View, sky, glint and haze against their formulas in double precision, and what holds
+ * for all stages.  Errors are in levels of 255; every product and mix of colours is cut,
+ * not rounded, so a stage may lose a level for each. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>

@@ -1,0 +1,255 @@
+/* SPDX-License-Identifier: MIT */
+/* What stages work out once for several pixels: at multiples of 16 or 32 of the picture,
+ * wherever a run begins, and between them just as their files say, bit for bit. */
+#include <stdarg.h>
+#include <stddef.h>
+#include <setjmp.h>
+#include <stdint.h>
+#include <cmocka.h>
+#include "runs.h"
+#include "view.h"
+
+#define Q14 16384.0
+
+enum { RUNS = 2000 };
+
+static uint64_t chance;
+
+static tp_shade shade_of(const view *v)
+{
+    const tp_rotation *turn = &v->lens.turn;
+    const tp_rotation light = tp_rotation_of((tp_turn)random_next(&chance),
+                                             (tp_turn)random_next(&chance), 0);
+    tp_shade s = {
+        .u0 = v->lens.u0, .v0 = v->lens.v0, .focal = v->lens.focal >> 12,
+        .world = { turn->x, turn->y, turn->z, light.y.x >> 16, light.y.y >> 16,
+                   light.y.z >> 16 },
+        .zi_log = tp_log2_q8((uint32_t)v->lens.zi_near) + 15 * 256,
+    };
+    return s;
+}
+
+/* Samples [from, end) of what is in `r`, as a run. */
+static void run_of(test_run *r, int32_t x, int32_t from, int32_t end)
+{
+    r->run.x = x + from;
+    r->run.count = end - from;
+    r->run.key = r->key + from;
+    r->run.s = r->s + from;
+    r->run.t = r->t + from;
+    r->run.n = r->n + from;
+}
+
+static void any_part(test_run *r)
+{
+    const int32_t from = chance_int(&chance, 0, TP_RUN - 1);
+    run_of(r, r->run.x, from, chance_int(&chance, from + 1, TP_RUN));
+}
+
+/* -- views and the sky ------------------------------------------------------------------ */
+
+/* Both ends in Q1.14, k / 16 of the way, cut. */
+static void views_are_linear_between_multiples_of_16(void **state)
+{
+    (void)state;
+
+    for (int n = 0; n < RUNS; n++) {
+        const view v = view_any(&chance);
+        const tp_shade s = shade_of(&v);
+        test_run r;
+        run_any(&r, 0, &chance);
+        any_part(&r);
+        tp_stage_view(&s, &r.run);
+        for (int i = 0; i < r.run.count; i++) {
+            const int32_t x = r.run.x + i, k = x % 16;
+            const tp_ray a = tp_view_ray(&s, &s.world, x - k, r.run.y);
+            const tp_ray b = tp_view_ray(&s, &s.world, x - k + 16, r.run.y);
+            const int32_t way[4] = { b.x - a.x, b.y - a.y, b.z - a.z, b.l - a.l };
+            assert_int_equal(r.run.vx[i], floor(a.x + way[0] * k / 16.0));
+            assert_int_equal(r.run.vy[i], floor(a.y + way[1] * k / 16.0));
+            assert_int_equal(r.run.vz[i], floor(a.z + way[2] * k / 16.0));
+            assert_int_equal(r.run.lv[i], floor(a.l + way[3] * k / 16.0));
+        }
+    }
+}
+
+/* In the usual picture, as view.c says: the chord of 16 pixels in the picture's middle and
+ * two cuts of each part. */
+static void views_are_no_more_than_4_in_10000_short(void **state)
+{
+    (void)state;
+    measure m = { .what = "view's length", .unit = "short of 1" };
+
+    for (int n = 0; n < RUNS; n++) {
+        const view v = view_of((tp_vec3){ 0, 0, 0 }, (tp_turn)random_next(&chance),
+                               tp_turn_of_degrees(chance_fx(&chance, -89, 89)), TP_FX(60),
+                               TP_FX(1), 640, 480);
+        const tp_shade s = shade_of(&v);
+        test_run r;
+        run_any(&r, 0, &chance);
+        tp_stage_view(&s, &r.run);
+        for (int i = 0; i < TP_RUN; i++) {
+            const double x = r.run.vx[i] / Q14, y = r.run.vy[i] / Q14, z = r.run.vz[i] / Q14;
+            measure_add(&m, 1 - sqrt(x * x + y * y + z * z), r.run.x, r.run.y, i);
+        }
+    }
+    measure_print(&m);
+    assert_true(m.worst <= 0.0004);
+}
+
+/* The entry's number stands for its colour. */
+static void number_the_sky(tp_shade *s)
+{
+    for (uint32_t i = 0; i <= TP_SKY; i++)
+        s->sky[i] = i;
+}
+
+static void the_sky_is_linear_between_multiples_of_32(void **state)
+{
+    (void)state;
+
+    for (int n = 0; n < RUNS; n++) {
+        const view v = view_any(&chance);
+        tp_shade s = shade_of(&v);
+        test_run r;
+        number_the_sky(&s);
+        run_any(&r, 0, &chance);
+        any_part(&r);
+        tp_stage_sky(&s, &r.run);
+        for (int i = 0; i < r.run.count; i++) {
+            const int32_t x = r.run.x + i, from = x - x % 32;
+            const double a = tp_view_ray(&s, &s.world, from, r.run.y).y / Q14;
+            const double b = tp_view_ray(&s, &s.world, from + 32, r.run.y).y / Q14;
+            const double sine = -(a + (b - a) * (x - from) / 32);
+            assert_int_equal(r.run.colour[i], sine < 0 ? 0 : floor(fmin(sine, 1) * 256));
+        }
+    }
+}
+
+/* As sky.c says; an entry stands for all sines up to the next one's. */
+static void the_skys_height_is_as_near_as_stated(void **state)
+{
+    (void)state;
+    measure m = { .what = "sky's height", .unit = "of a sine" };
+    const view v = view_of((tp_vec3){ 0, 0, 0 }, 0, 0, TP_FX(60), TP_FX(1), 640, 480);
+    tp_shade s = shade_of(&v);
+    test_run r;
+
+    number_the_sky(&s);
+    run_any(&r, 0, &chance);
+    for (r.run.y = 0; r.run.y < 240; r.run.y++) {
+        for (r.run.x = 0; r.run.x < 640; r.run.x += TP_RUN) {
+            tp_stage_sky(&s, &r.run);
+            for (int i = 0; i < TP_RUN; i++) {
+                const double x = r.run.x + i + 0.5 - 320, y = 240 - r.run.y - 0.5;
+                const double sine = y / sqrt(x * x + y * y + v.ref.focal * v.ref.focal);
+                measure_add(&m, (r.run.colour[i] + 0.5) / 256 - sine, r.run.x + i,
+                            r.run.y, 0);
+            }
+        }
+    }
+    measure_print(&m);
+    assert_true(m.worst <= 0.0016 + 0.5 / 256 + 1 / Q14);
+}
+
+/* -- levels ------------------------------------------------------------------------------ */
+
+/* Level k of 8 texels is grey 30 k + 30; as a normal map it leans by as much. */
+static tp_texture numbered(uint32_t texel[4])
+{
+    tp_texture t = { .log2_w = 3, .log2_h = 0, .levels = 4 };
+    static uint32_t rows[4][8];
+
+    for (int k = 0; k < 4; k++) {
+        for (int i = 0; i < 8; i++)
+            rows[k][i] = texel[k];
+        t.level[k] = rows[k];
+    }
+    return t;
+}
+
+/* The samples of a run of 16 columns all have the level of its first, though it may begin
+ * in the middle of them; a depth of 2^(2/3) is a level on water. */
+static void a_level_is_that_of_the_first_sample_of_16_columns(void **state)
+{
+    (void)state;
+    uint32_t texel[4] = { 0x1e1e1e, 0x3c3c3c, 0x5a5a5a, 0x787878 };
+    const tp_texture t = numbered(texel);
+
+    for (int n = 0; n < RUNS; n++) {
+        tp_shade s = { .zi_log = tp_log2_q8(0x4000) + 15 * 256 };
+        uint32_t grey[TP_RUN];
+        test_run r;
+        run_any(&r, 0, &chance);
+        for (int i = 0; i < TP_RUN; i++) {
+            const int level = chance_int(&chance, 0, 3);
+            r.key[i] = (uint32_t)(0.25 / pow(2, (level + 0.5) / 1.5) * 4294967296.0);
+            grey[i] = texel[level];
+            r.n[i] = 0;
+        }
+        s.water = s.ripple = (tp_layer){ .texture = &t, .slope_gain = 256 };
+        any_part(&r);
+        tp_stage_texture(&s, &r.run);
+        tp_stage_ripple(&s, &r.run);
+        const int32_t begin = (int32_t)(r.run.key - r.key);
+        uint32_t want = 0;
+        for (int i = 0; i < r.run.count; i++) {
+            if (i == 0 || (r.run.x + i) % 16 == 0)
+                want = grey[begin + i];
+            assert_int_equal(r.run.colour[i], want);
+            assert_int_equal(r.run.sx[i], 32 * (128 - (int32_t)(want & 0xff)));
+            assert_int_equal(r.run.sz[i], 32 * ((int32_t)(want & 0xff) - 128));
+        }
+    }
+}
+
+/* -- rippled water ----------------------------------------------------------------------- */
+
+/* N.V of rippled water stays at a tenth however it is turned; smooth water may lie edge
+ * on.  All else is the same. */
+static void rippled_water_stays_turned_to_the_eye(void **state)
+{
+    (void)state;
+    int held = 0;
+
+    for (int n = 0; n < RUNS; n++) {
+        const view v = view_any(&chance);
+        tp_shade s = shade_of(&v);
+        test_run r;
+        tp_shade_tables(&s);
+        tp_shade_shine(&s, 20 * TP_FX_ONE, TP_FX_ONE);
+        run_any(&r, 4096, &chance);
+        tp_stage_view(&s, &r.run);
+        for (int i = 0; i < TP_RUN; i++) {
+            r.run.sx[i] = (int16_t)(r.n[i] >> 16);
+            r.run.sz[i] = (int16_t)(r.n[i] & 0xffff);
+        }
+        tp_run rippled = r.run;
+        tp_stage_light(&s, &r.run);
+        tp_stage_light_rippled(&s, &rippled);
+        for (int i = 0; i < TP_RUN; i++) {
+            assert_int_equal(rippled.colour[i], r.run.colour[i]);
+            assert_int_equal(rippled.nv[i], r.run.nv[i] < 1638 ? 1638 : r.run.nv[i]);
+            if (r.run.nv[i] >= 1638) {
+                assert_int_equal(rippled.up[i], r.run.up[i]);
+                assert_int_equal(rippled.glint[i], r.run.glint[i]);
+            }
+            held += r.run.nv[i] < 1638;
+        }
+    }
+    assert_true(held > 1000);
+}
+
+int main(void)
+{
+    chance = random_seed();
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(views_are_linear_between_multiples_of_16),
+        cmocka_unit_test(views_are_no_more_than_4_in_10000_short),
+        cmocka_unit_test(the_sky_is_linear_between_multiples_of_32),
+        cmocka_unit_test(the_skys_height_is_as_near_as_stated),
+        cmocka_unit_test(a_level_is_that_of_the_first_sample_of_16_columns),
+        cmocka_unit_test(rippled_water_stays_turned_to_the_eye),
+    };
+    return cmocka_run_group_tests_name("rules", tests, NULL, NULL);
+}
