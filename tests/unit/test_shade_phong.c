@@ -45,8 +45,9 @@ static ref_colour phong(const tp_shade *s, ref_colour diffuse, uint32_t specular
                                        ref_colour_of(s->light_colour)), lobe));
 }
 
-/* The gloss has 256 entries, between which it is linear; colours lose a level at the diffuse's share, its product,
- * the specular's product and the lobe's, and the lobe is a 256th short at its peak. */
+/* The gloss has 256 entries, between which it is linear; colours lose a level at the
+ * diffuse's share, its product, the specular's product and the lobe's, and the lobe is a
+ * 256th short at its peak. */
 static void assert_between(uint32_t got, ref_colour low, ref_colour high, measure *off)
 {
     const ref_colour g = ref_colour_of(got);
