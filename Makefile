@@ -150,7 +150,8 @@ host-tests: everything
 	@$(MAKE) --no-print-directory $(SAN) unit build/san/tidepool
 	@$(RUN) build/log/host $(UNIT) $(UNIT:build/host/%=build/san/%) $(GOLDEN) \
 	    tests/gates/host.sh tests/gates/selftest.sh tests/host/cli.sh \
-	    tests/gates/sanitized.sh tests/host/generators.sh
+	    tests/gates/sanitized.sh tests/host/generators.sh \
+	    tests/host/readme.sh
 more-tests: everything build/host/count.so
 	@$(RUN) build/log/more tests/gates/arm.sh tests/gates/clang.sh tests/host/view.sh \
 	    tests/cross/run.sh tests/budgets/board-count.sh tests/fuzz/run.sh

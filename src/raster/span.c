@@ -248,14 +248,14 @@ TP_ALWAYS_INLINE void rows(const painter *p, const tp_samples *tile, int solid,
     }
 }
 
-static tp_gradient normal_gradient(const tp_tri *tri, int i, int shift)
+TP_ALWAYS_INLINE tp_gradient normal_gradient(const tp_tri *tri, int i, int shift)
 {
     int64_t one = (int64_t)1 << shift;
     return tp_tri_gradient(tri, tri->a->n[i] * one, tri->b->n[i] * one,
                            tri->c->n[i] * one, 0);
 }
 
-static void set_places(painter *p)
+TP_ALWAYS_INLINE void set_places(painter *p)
 {
     const tp_tri *tri = p->tri;
 

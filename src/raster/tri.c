@@ -122,6 +122,8 @@ bool tp_tri_begin(tp_tri *tri, const tp_samples *tile, const tp_corner *a,
         tri->lower = tp_edge_of(b->u, b->v, c->u, c->v);
     tri->x_ref = a->u >> 4;
     tri->y_ref = a->v >> 4;
+    tri->off_u = 16 * tri->x_ref + 8 - a->u;
+    tri->off_v = 16 * tri->y_ref + 8 - a->v;
     int32_t wide = tp_abs(b->u - a->u), other = tp_abs(c->u - a->u);
     tri->perspective = needs_perspective(tri, wide > other ? wide : other);
     return true;

@@ -13,6 +13,7 @@ typedef struct {
     bool     long_left;
     tp_edge  length, upper, lower;
     int32_t  x_ref, y_ref;      /* pixel of corner a: planes count from here */
+    int32_t  off_u, off_v;      /* from the corner to that pixel's centre, 28.4 */
     int32_t  cx1, cx2, cy1, cy2;/* a gradient is (d1 cx1 + d2 cx2) / 2^shift, ... */
     int      shift;
     bool     perspective;       /* s and t need it; else affine is within 1/4 pixel */
@@ -33,7 +34,6 @@ typedef struct {
 TP_ALWAYS_INLINE tp_gradient tp_tri_gradient(const tp_tri *tri, int64_t at_a,
                                              int64_t at_b, int64_t at_c, int bits)
 {
-    const tp_corner *a = tri->a;
     int64_t d1 = at_b - at_a, d2 = at_c - at_a;
     int     shift = tri->shift - bits;
     tp_gradient g = { 0, d1 * tri->cx1 + d2 * tri->cx2, d1 * tri->cy1 + d2 * tri->cy2 };
@@ -46,8 +46,7 @@ TP_ALWAYS_INLINE tp_gradient tp_tri_gradient(const tp_tri *tri, int64_t at_a,
         g.dy = (int64_t)((uint64_t)g.dy << -shift);
     }
     g.base = at_a * ((int64_t)1 << bits)
-           + ((g.dx * (16 * tri->x_ref + 8 - a->u)
-               + g.dy * (16 * tri->y_ref + 8 - a->v)) >> 4);
+           + ((g.dx * tri->off_u + g.dy * tri->off_v) >> 4);
     return g;
 }
 #endif

@@ -3,7 +3,7 @@
  *
  * A run is up to TP_RUN neighbouring samples of one kind in one row.  It never crosses
  * a multiple of TP_RUN, and what a stage works out once for several pixels it works out
- * at multiples of 16: so a run's place in its tile never shows.  Stages hand values on
+ * at multiples of 16 or 32: so a run's place in its tile never shows.  Stages hand values on
  * through the run's arrays; a stage that a scene does not use is not in the list.
  *
  * Unit vectors are Q1.14, slopes Q3.12, shares 0..256, colours 0x00RRGGBB. */
@@ -65,7 +65,6 @@ typedef struct {
     int32_t  zi_log;            /* log2 of the depth at zi = 1, Q8 */
 
     tp_layer water, ripple;
-    bool     linear;
     uint32_t water_colour, light_colour;
     int32_t  ambient;           /* 0..256 */
     int32_t  mirror;            /* share of the reflection, 0..256 */
