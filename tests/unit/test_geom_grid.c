@@ -124,16 +124,17 @@ static void check_lines(const pond *p, const tp_grid_line *line, uint32_t count)
     }
     if (flank == 0)
         assert_int_equal(line[0].fade, TP_FX_ONE);
-    /* As far as asked beyond the middle, 16 km from the centre at the most: 2^-16 of the
-     * ratio counts `flank` times, and what a first step is cut by grows as it does.  A
-     * step grows by 256 at the most. */
+    /* As far as asked beyond the middle, 16 km from the centre at the most.  2^-16 of the
+     * ratio counts `flank` times; a step's cut of up to one is in all steps after it, so
+     * of reach/cell it makes up to 1/ratio, the next step's 1/ratio^2 and so on.  A step
+     * grows by 256 at the most. */
     const double way = (line[count - 1].place - (double)line[0].place) / 2;
     const double reach = fmin(p->look.reach, 16000 * 65536.0 - core / 2);
-    const double most = 256.0 * p->look.cell;
+    const double most = 256.0 * p->look.cell, cuts = fmin(flank, 1 / (ratio - 1));
     if (flank > 1 && reach > flank * (double)p->look.cell
         && reach / flank < most)
         assert_true(fabs(way - core / 2 - reach)
-                    <= reach * flank / 65536.0 + 2 * reach / p->look.cell + 2);
+                    <= reach * flank / 65536.0 + cuts * reach / p->look.cell + 2);
     if (flank == 0)
         assert_true(fabs(way - core / 2) <= 1);
 }
