@@ -42,6 +42,7 @@ static uint32_t texel_at(const tp_texture *texture, int l, uint32_t st)
     return texture->level[l][(st & 0xffff) >> (16 - h) << w | st >> 16 >> (16 - w)];
 }
 
+/* Of any length, to be made a unit: 14 bits times 12 of the boldest bump, thrice. */
 static vec bent(vec n, const tp_solid *solid, int level, uint32_t st,
                 tp_packed_dir tangent)
 {
@@ -53,9 +54,8 @@ static vec bent(vec n, const tp_solid *solid, int level, uint32_t st,
     int32_t nz = (int32_t)(texel & 0xff) - 128;
 
     nz = nz > 32 ? nz : 32;     /* a map that points inwards is a broken map */
-    return (vec){ (n.x * nz + t.x * nx + b.x * ny) >> 7,
-                  (n.y * nz + t.y * nx + b.y * ny) >> 7,
-                  (n.z * nz + t.z * nx + b.z * ny) >> 7 };
+    return (vec){ n.x * nz + t.x * nx + b.x * ny, n.y * nz + t.y * nx + b.y * ny,
+                  n.z * nz + t.z * nx + b.z * ny };
 }
 
 /* The lobe at R.V, between its entries: near the peak of a sharp one they lie far apart. */

@@ -239,7 +239,7 @@ static void random_words_are_good_or_located(void **state)
         finish(&whole);
         finish(&pieces);
     }
-    assert_in_range(good, 500, 2500);
+    assert_in_range(good, 300, 2700);   /* both kinds came up, many times */
 }
 
 /* -- a file that changes between its readings ------------------------------------- */
