@@ -26,7 +26,7 @@ CORE := $(addprefix src/, \
     asset/use.c asset/word.c \
     wave/gerstner.c \
     geom/clip.c geom/grid.c geom/lens.c \
-    raster/span.c raster/tri.c \
+    raster/span.c \
     shade/haze.c shade/light.c shade/sky.c shade/solid.c shade/tables.c \
     shade/texture.c shade/view.c \
     scene/boat.c scene/params.c scene/world.c \

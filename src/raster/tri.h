@@ -1,5 +1,9 @@
 /* SPDX-License-Identifier: MIT */
-/* A triangle set up for its rows: edges, and a plane for each quantity. */
+/* A triangle set up for its rows: rejection, sorting, edges, and a plane for each
+ * quantity.  In line, as small triangles spend half their time here.
+ *
+ * Bits: corners lie within 8192 + 2048 pixels, so differences have 19 bits in 28.4, the
+ * area 2^38, a difference of 32 bits times one of 19 twice 2^52. */
 #ifndef TP_RASTER_TRI_H
 #define TP_RASTER_TRI_H
 #include "raster/edge.h"
@@ -18,10 +22,6 @@ typedef struct {
     int      shift;
     bool     perspective;       /* s and t need it; else affine is within 1/4 pixel */
 } tp_tri;
-
-/* False: no pixel centre of the tile can be inside. */
-bool tp_tri_begin(tp_tri *tri, const tp_samples *tile, const tp_corner *a,
-                  const tp_corner *b, const tp_corner *c);
 
 /* value(x, y) = base + dx (x - x_ref) + dy (y - y_ref) at pixel centres. */
 typedef struct {
@@ -48,5 +48,134 @@ TP_ALWAYS_INLINE tp_gradient tp_tri_gradient(const tp_tri *tri, int64_t at_a,
     g.base = at_a * ((int64_t)1 << bits)
            + ((g.dx * tri->off_u + g.dy * tri->off_v) >> 4);
     return g;
+}
+
+/* -- set-up ------------------------------------------------------------------------ */
+
+TP_ALWAYS_INLINE bool misses(const tp_samples *tile, const tp_corner *a,
+                             const tp_corner *b, const tp_corner *c)
+{
+    int32_t low = a->u < b->u ? a->u : b->u, high = a->u > b->u ? a->u : b->u;
+
+    low = low < c->u ? low : c->u;
+    high = high > c->u ? high : c->u;
+    int32_t first = tp_first_centre(low), end = tp_first_centre(high);
+    return first >= end || first >= tile->x1 || end <= tile->x0;
+}
+
+/* True: the order was turned round, so the area's sign is. */
+TP_ALWAYS_INLINE bool sort(tp_tri *tri, const tp_corner *a, const tp_corner *b,
+                           const tp_corner *c)
+{
+    const tp_corner *swap;
+    bool odd = false;
+
+    if (b->v < a->v) {
+        swap = a;
+        a = b;
+        b = swap;
+        odd = !odd;
+    }
+    if (c->v < a->v) {
+        swap = a;
+        a = c;
+        c = swap;
+        odd = !odd;
+    }
+    if (c->v < b->v) {
+        swap = b;
+        b = c;
+        c = swap;
+        odd = !odd;
+    }
+    tri->a = a;
+    tri->b = b;
+    tri->c = c;
+    return odd;
+}
+
+TP_ALWAYS_INLINE int32_t larger(int32_t a, int32_t b)
+{
+    return a > b ? a : b;
+}
+
+/* dx of a quantity is 16 (d1 dv2 - d2 dv1) / area per pixel, dy likewise with du.  The
+ * four factors dv r / 2^k are kept with 28 or 29 bits in the largest; with
+ * 1/area = r 2^(lz - 95), a gradient is their sum of products / 2^(91 - lz - k).
+ *
+ * Each factor is off by 2^-27 of the largest, so at the triangle's other end a value is
+ * off by up to 5 x 2^-27 of its range times length / thickness.  Slivers thinner than 1/65536
+ * of their length take all values from their upper corner: extrapolating a depth from
+ * them could put it in front of everything. */
+TP_ALWAYS_INLINE void set_factors(tp_tri *tri, int64_t area)
+{
+    const tp_corner *a = tri->a, *b = tri->b, *c = tri->c;
+    int32_t  du1 = b->u - a->u, dv1 = b->v - a->v, du2 = c->u - a->u, dv2 = c->v - a->v;
+    int32_t  most = larger(larger(tp_abs(du1), tp_abs(du2)), dv2);
+    uint64_t size = (uint64_t)(area < 0 ? -area : area);
+    uint32_t high = (uint32_t)(size >> 32);
+    int      lz = high ? tp_clz(high) : 32 + tp_clz((uint32_t)size);
+    int      k = 35 - tp_clz((uint32_t)most);
+    int64_t  r = tp_recip_norm((uint32_t)(size << lz >> 32));
+
+    if ((uint64_t)most * (uint32_t)most >> 16 > size)       /* a sliver? */
+        r = 0;
+    if (area < 0)
+        r = -r;
+    tri->cx1 = (int32_t)(dv2 * r >> k);
+    tri->cx2 = (int32_t)(-dv1 * r >> k);
+    tri->cy1 = (int32_t)(-du2 * r >> k);
+    tri->cy2 = (int32_t)(du1 * r >> k);
+    tri->shift = 91 - lz - k;
+}
+
+/* Affine s,t stray from the true ones by about a quarter of (depth ratio - 1) times the
+ * triangle's extent: allowed up to a quarter of a pixel. */
+TP_ALWAYS_INLINE bool needs_perspective(const tp_tri *tri, int32_t width)
+{
+    uint32_t za = tri->a->zi, zb = tri->b->zi, zc = tri->c->zi;
+    uint32_t low = za < zb ? za : zb, high = za > zb ? za : zb;
+    int32_t  height = tri->c->v - tri->a->v;
+    uint32_t extent = (uint32_t)(width > height ? width : height) >> 4;
+
+    low = low < zc ? low : zc;
+    high = high > zc ? high : zc;
+    return (uint64_t)(high - low) * (extent + 1) > low;
+}
+
+/* False: no pixel centre of the tile can be inside. */
+TP_ALWAYS_INLINE bool tp_tri_begin(tp_tri *tri, const tp_samples *tile,
+                                   const tp_corner *a, const tp_corner *b,
+                                   const tp_corner *c)
+{
+    if (misses(tile, a, b, c))
+        return false;
+    bool odd = sort(tri, a, b, c);
+    a = tri->a;
+    b = tri->b;
+    c = tri->c;
+    int32_t top = tp_first_centre(a->v), bottom = tp_first_centre(c->v);
+    tri->top = top > tile->y0 ? top : tile->y0;
+    tri->bottom = bottom < tile->y1 ? bottom : tile->y1;
+    if (tri->top >= tri->bottom)
+        return false;
+    int64_t area = tp_tri_area(a, b, c);
+    if (area == 0 || (tile->front_only && (area > 0) != odd))
+        return false;
+    set_factors(tri, area);
+    tri->long_left = area > 0;          /* then b lies right of the long edge */
+    tri->middle = tp_first_centre(b->v);
+    tri->length = tp_edge_of(a->u, a->v, c->u, c->v);
+    if (b->v > a->v)
+        tri->upper = tp_edge_of(a->u, a->v, b->u, b->v);
+    if (c->v > b->v)
+        tri->lower = tp_edge_of(b->u, b->v, c->u, c->v);
+    tri->x_ref = a->u >> 4;
+    tri->y_ref = a->v >> 4;
+    tri->off_u = 16 * tri->x_ref + 8 - a->u;
+    tri->off_v = 16 * tri->y_ref + 8 - a->v;
+    int32_t wide = tp_abs(b->u - a->u), other = tp_abs(c->u - a->u);
+    tri->perspective = needs_perspective(tri, wide > other ? wide : other);
+    return true;
 }
 #endif

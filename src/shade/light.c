@@ -45,7 +45,9 @@ TP_ALWAYS_INLINE void diffuse(const tp_shade *shade, tp_run *run, int rippled)
         int32_t sx = slope_x(run, i, rippled), sz = slope_z(run, i, rippled);
         int32_t ny = shade->steep[(square_of(sx, sz) + 0x10000) >> 17];
         int32_t nl = ly - ((sx * lx + sz * lz) >> 12);
-        int32_t lit = tp_clamp(nl * ny >> 20, 0, direct);
+        int32_t lit = nl * ny >> 20;
+        if ((uint32_t)lit > (uint32_t)direct)       /* turned away, or a slope above 2 */
+            lit = lit < 0 ? 0 : direct;
         run->colour[i] = tp_colour_scale(run->colour[i], (uint32_t)(ambient + lit));
     }
 }

@@ -19,6 +19,7 @@ void tp_shade_sky(tp_shade *shade, uint32_t horizon, uint32_t zenith)
  * to the eye, so the sky's height is the negative. */
 void tp_stage_sky(const tp_shade *shade, tp_run *run)
 {
+    const uint32_t *sky = shade->sky;
     int32_t x = run->x, end = run->x + run->count;
     int32_t a = tp_view_ray(shade, &shade->world, x & -STEP, run->y).y;
 
@@ -26,9 +27,9 @@ void tp_stage_sky(const tp_shade *shade, tp_run *run)
         int32_t from = x & -STEP, next = from + STEP;
         int32_t b = tp_view_ray(shade, &shade->world, next, run->y).y;
         int32_t stop = next < end ? next : end;
-        int32_t sine = -STEP * a - (b - a) * (x - from);        /* Q14 x 32 */
-        for (; x < stop; x++, i++, sine -= b - a)
-            run->colour[i] = shade->sky[sine < 0 ? 0 : sine >> 11];
+        int32_t step = a - b, sine = -STEP * a + step * (x - from);     /* Q14 x 32 */
+        for (; x < stop; x++, i++, sine += step)
+            run->colour[i] = sky[sine < 0 ? 0 : sine >> 11];
         a = b;
     }
 }

@@ -58,7 +58,7 @@ static vec bent(vec n, const tp_solid *solid, int level, uint32_t st,
                   n.z * nz + t.z * nx + b.z * ny };
 }
 
-/* The lobe at R.V, between its entries: near the peak of a sharp one they lie far apart. */
+/* The lobe at R.V, between its entries: at the peak of a sharp one they lie far apart. */
 static uint32_t gloss_of(const tp_solid *solid, int32_t rv)
 {
     int32_t at = rv * (TP_GLOSS - 1), i = at >> 14, part = (at & 16383) >> 6;
