@@ -104,8 +104,8 @@ TP_ALWAYS_INLINE int32_t larger(int32_t a, int32_t b)
  * 1/area = r 2^(lz - 95), a gradient is their sum of products / 2^(91 - lz - k).
  *
  * Each factor is off by 2^-27 of the largest, so at the triangle's other end a value is
- * off by up to 5 x 2^-27 of its range times length / thickness.  Slivers thinner than 1/65536
- * of their length take all values from their upper corner: extrapolating a depth from
+ * off by up to 5 x 2^-27 of its range times length / thickness.  Slivers thinner than
+ * 1/65536 of their length take all values from their upper corner: extrapolating a depth from
  * them could put it in front of everything. */
 TP_ALWAYS_INLINE void set_factors(tp_tri *tri, int64_t area)
 {
