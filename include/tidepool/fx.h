@@ -87,6 +87,9 @@ typedef struct { tp_fx  x, y, z; } tp_vec3;     /* metres, or what its name says
 typedef struct { tp_q30 x, y, z; } tp_dir3;     /* unit vector */
 typedef struct { tp_dir3 x, y, z; } tp_rotation;/* rows: world to local; orthonormal */
 
+/* What lies on a surface at a place: its height and dy/dx, dy/dz, all 16.16. */
+typedef struct { tp_fx height, slope_x, slope_z; } tp_relief;
+
 static inline tp_vec3 tp_vec3_add(tp_vec3 a, tp_vec3 b)
 {
     return (tp_vec3){ a.x + b.x, a.y + b.y, a.z + b.z };

@@ -31,6 +31,12 @@ int         tp_format_of(const char *name, uint32_t bytes);   /* -1: none is cal
 /* Bytes of a row of `width` pixels, rounded up to whole bytes. */
 size_t tp_format_row_bytes(tp_format format, int width);
 
+/* A picture of one number a pixel, row by row: heights of a sea floor, masks of walls. */
+typedef struct {
+    uint32_t cols, rows;
+    const uint16_t *sample;     /* 0 black, 65535 white */
+} tp_grey;
+
 /* 256 colours 0x00RRGGBB: 6 reds x 7 greens x 6 blues, then four greys. */
 const uint32_t *tp_palette(void);
 

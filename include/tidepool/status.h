@@ -39,7 +39,17 @@
     X(E_OBJ_COUNT,     "more than %a of one kind") \
     X(E_OBJ_CHANGED,   "the file changed between its two readings") \
     X(E_MTL_NAME,      "material %s is not defined") \
-    X(E_MTL_ORDER,     "%s before any newmtl")
+    X(E_MTL_ORDER,     "%s before any newmtl") \
+    X(E_POOL_SIZE,     "pool of %a x %b cells; 16 x 16 to 512 x 512 can be computed") \
+    X(E_POOL_COURANT,  "pool: r^2 of %a/1024 is above %b/1024, the bound of this " \
+                       "damping; water would not come to rest") \
+    X(E_POOL_RANGE,    "pool: its %s is outside its range") \
+    X(E_POOL_MASK,     "pool: mask of %a x %b samples") \
+    X(E_TAPE_HEAD,     "expected \"tape 1 SCENE\", found %s") \
+    X(E_TAPE_TICK,     "expected a tick, found %s") \
+    X(E_TAPE_VALUE,    "expected NAME=NUMBER, found %s") \
+    X(E_TAPE_NAME,     "no input is called %s") \
+    X(E_TAPE_TWICE,    "%s stands twice in the line")
 
 typedef enum {
 #define X(name, text) TP_##name,

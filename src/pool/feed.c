@@ -1,0 +1,77 @@
+/* SPDX-License-Identifier: MIT */
+/* Energy from outside, for water that never rests [C16]: a tick whose heights have an rms
+ * below `feed_low` injects one hat at a random place.
+ *
+ * Too low a hat never reaches the band, so it has authority over its height: while half
+ * or more of the ticks of a window inject, it goes up by an eighth; where the rms is
+ * beyond `feed_high` it comes down again, not below what was asked for. */
+#include "pool/pool.h"
+
+enum { WINDOW = 64 };
+
+static const tp_fx feed_sigma = TP_FX(2.5);     /* cells: waves of some 11 */
+
+/* The sum of squares, and of the limits' when each cell has it.  32-bit heights are cut
+ * to Q8.16: 2^18 cells of (2^22)^2 are below 2^63. */
+static int64_t sum_of_squares(const tp_pool *pool)
+{
+    const uint32_t count = tp_pool_count(pool);
+    const int shift = pool->cells == TP_CELLS_32 ? 8 : 0;
+    int64_t sum = 0;
+
+    for (uint32_t i = 0; i < count; i++) {
+        const int64_t h = tp_pool_height_at(pool, i) >> shift;
+        sum += h * h;
+    }
+    return sum;
+}
+
+static int64_t limit_of(const tp_pool *pool, tp_fx rms)
+{
+    const int64_t lsb = tp_pool_lsb(pool, rms);
+    const int64_t h = pool->cells == TP_CELLS_32 ? lsb >> 8 : lsb;
+    return h * h * tp_pool_count(pool);
+}
+
+/* A linear congruential sequence; its high bits are the good ones. */
+static uint32_t random_below(tp_pool *pool, uint32_t end)
+{
+    pool->random = pool->random * 1664525 + 1013904223;
+    return (uint32_t)((uint64_t)pool->random * end >> 32);
+}
+
+static void inject(tp_pool *pool)
+{
+    const uint32_t col = random_below(pool, pool->cols);
+    const uint32_t row = random_below(pool, pool->rows);
+    const uint64_t half = (uint64_t)1 << 31;
+
+    pool->feed_hits++;
+    if (tp_pool_wall(pool, col, row))
+        return;                                 /* the next tick tries elsewhere */
+    tp_pool_splash(pool, ((uint64_t)col << 32) + half, ((uint64_t)row << 32) + half,
+                   feed_sigma, pool->feed_peak);
+    pool->injections++;
+}
+
+static void adapt(tp_pool *pool, bool high)
+{
+    const int32_t asked = tp_pool_lsb(pool, pool->feed), full = tp_pool_full(pool);
+    const int32_t step = pool->feed_peak / 8 + 1;
+
+    if (2 * pool->feed_hits >= WINDOW)
+        pool->feed_peak = pool->feed_peak < full - step ? pool->feed_peak + step : full;
+    else if (high)
+        pool->feed_peak = pool->feed_peak - step > asked ? pool->feed_peak - step : asked;
+    pool->feed_ticks = pool->feed_hits = 0;
+}
+
+void tp_pool_feed(tp_pool *pool)
+{
+    const int64_t sum = sum_of_squares(pool);
+
+    if (sum < limit_of(pool, pool->feed_low))
+        inject(pool);
+    if (++pool->feed_ticks == WINDOW)
+        adapt(pool, sum > limit_of(pool, pool->feed_high));
+}

@@ -1,0 +1,203 @@
+/* SPDX-License-Identifier: MIT */
+/* The zero-sum hat [C11] [D5]: with s = rho^2 / (2 sigma^2), A (1 - s) exp(-s), whose
+ * integral over the plane is 0; beyond s = 12 it is below A / 14000 and left out.
+ *
+ * Over cells, of which some are walls or beyond the field, the sum is not 0: so much of a
+ * plain bell exp(-s) is taken from it that it would be but for rounding.  Cells'
+ * roundings are passed on from one to the next, and what is still missing, because a cell
+ * could not take its share, is spread over the cells around, or at last over the
+ * field. */
+#include "pool/pool.h"
+
+#define S_MAX TP_FX(12)
+
+typedef struct {
+    tp_pool *pool;
+    int64_t  u, w;              /* the middle, in 1/256 of a cell */
+    int64_t  over;              /* 1 / (2 sigma^2) with sigma in cells, Q0.40 */
+    int64_t  square_max;        /* 24 sigma^2 in 1/65536 of a square cell */
+    int32_t  col, row;          /* the window; wraps */
+    int32_t  cols, rows;
+    int64_t  ratio;             /* how much bell is taken from the hat, Q2.30 */
+} splash;
+
+/* exp(-s), s 16.16 in 0..12, Q2.30: whole, sixteenths by table, the rest r < 1/16 as
+ * 1 - r + r^2 / 2, which errs by 4e-5 at most. */
+static int64_t bell(int32_t s)
+{
+    static const int32_t whole[13] = {
+        1073741824, 395007542, 145315153, 53458458, 19666267, 7234815, 2661540, 979126,
+        360200, 132510, 48748, 17933, 6597,
+    };
+    static const int32_t sixteenth[16] = {
+        1073741824, 1008685795, 947571421, 890159825, 836226660, 785561202, 737965472,
+        693253480, 651250510, 611792418, 574725017, 539903458, 507191664, 476461840,
+        447593904, 420475017,
+    };
+    const int64_t r = s & 0xfff;
+    const int64_t part = ((int64_t)1 << 30) - (r << 14) + (r * r >> 3);
+
+    return ((int64_t)whole[s >> 16] * sixteenth[s >> 12 & 15] >> 30) * part >> 30;
+}
+
+/* s of a cell of the window, S_MAX if it lies beyond. */
+static int32_t s_of(const splash *h, int32_t x, int32_t y)
+{
+    const int64_t du = (int64_t)(h->col + x) * 256 + 128 - h->u;
+    const int64_t dw = (int64_t)(h->row + y) * 256 + 128 - h->w;
+    const int64_t square = du * du + dw * dw;
+
+    return square < h->square_max ? (int32_t)(square * h->over >> 40) : S_MAX;
+}
+
+static uint32_t wrapped(int32_t i, uint32_t cells)
+{
+    const int32_t n = (int32_t)cells;
+    return (uint32_t)(i < 0 ? i + n : i < n ? i : i - n);
+}
+
+/* Adds to a cell of the window; returns what fitted. */
+static int32_t give(const splash *h, int32_t x, int32_t y, int32_t lsb)
+{
+    return tp_pool_add(h->pool, wrapped(h->col + x, h->pool->cols),
+                       wrapped(h->row + y, h->pool->rows), lsb);
+}
+
+static bool is_wall(const splash *h, int32_t x, int32_t y)
+{
+    return tp_pool_wall(h->pool, wrapped(h->col + x, h->pool->cols),
+                        wrapped(h->row + y, h->pool->rows));
+}
+
+/* 2^18 cells of at most 2^30 each; the bell's sum is at least that of the middle cell. */
+static void balance(splash *h)
+{
+    int64_t hats = 0, bells = 0;
+
+    for (int32_t y = 0; y < h->rows; y++) {
+        for (int32_t x = 0; x < h->cols; x++) {
+            const int32_t s = s_of(h, x, y);
+            if (s < S_MAX && !is_wall(h, x, y)) {
+                bells += bell(s);
+                hats += (TP_FX_ONE - s) * bell(s) >> 16;
+            }
+        }
+    }
+    h->ratio = hats * (1 << 14) / (bells >> 16);
+}
+
+/* Adds the hat; returns the sum of what was added.  The bell's mean s is below 3 however
+ * walls lie, so |hat - ratio bell| < 4 and a product by the peak is below 2^62. */
+static int64_t add_hat(const splash *h, int32_t peak)
+{
+    const int64_t half = (int64_t)1 << 29;
+    const int32_t full = tp_pool_full(h->pool);
+    int64_t carry = 0, sum = 0;
+
+    for (int32_t y = 0; y < h->rows; y++) {
+        for (int32_t x = 0; x < h->cols; x++) {
+            const int32_t s = s_of(h, x, y);
+            if (s >= S_MAX || is_wall(h, x, y))
+                continue;
+            const int64_t hat = (TP_FX_ONE - s) * bell(s) >> 16;
+            carry += peak * (hat - (h->ratio * bell(s) >> 30));
+            const int64_t lsb = (carry + half) >> 30;
+            carry -= lsb * ((int64_t)1 << 30);
+            const int64_t low = lsb > -full ? lsb : -full;
+            sum += give(h, x, y, (int32_t)(low < full ? low : full));
+        }
+    }
+    return sum;
+}
+
+/* Takes `sum` away again from the window's cells, no more than `share` from each. */
+static int64_t take(const splash *h, int64_t sum, int64_t share)
+{
+    for (int32_t y = 0; y < h->rows; y++) {
+        for (int32_t x = 0; x < h->cols && sum != 0; x++) {
+            const int64_t lsb = sum > share ? share : sum < -share ? -share : sum;
+            if (s_of(h, x, y) < S_MAX)
+                sum += give(h, x, y, (int32_t)-lsb);
+        }
+    }
+    return sum;
+}
+
+/* All cells, whatever their distance. */
+static void widen(splash *h)
+{
+    h->col = h->row = 0;
+    h->cols = (int32_t)h->pool->cols;
+    h->rows = (int32_t)h->pool->rows;
+    h->over = 0;
+    h->square_max = INT64_MAX;
+}
+
+/* The columns (or rows) from `middle` - reach to `middle` + reach: those of the field,
+ * or, tiled, each once. */
+static int32_t window(int32_t middle, int32_t reach, uint32_t cells, bool tiled,
+                      int32_t *count)
+{
+    const int32_t n = (int32_t)cells;
+    int32_t first = middle - reach, last = middle + reach;
+
+    if (tiled && 2 * reach >= n) {
+        first = middle - n / 2;
+        last = first + n - 1;
+    } else if (!tiled) {
+        first = first < 0 ? 0 : first;
+        last = last < n ? last : n - 1;
+    }
+    *count = last - first + 1;
+    return first;
+}
+
+void tp_pool_splash(tp_pool *pool, uint64_t u, uint64_t w, tp_fx sigma, int32_t peak)
+{
+    const bool tiled = pool->edges == TP_EDGES_TILE;
+    const int64_t wide = tp_clamp(sigma, TP_FX(1.5), TP_FX(128));
+    const int64_t sigma2 = wide * wide >> 16;               /* 16.16 */
+    const int32_t reach = (int32_t)(5 * wide >> 16) + 1;    /* sqrt(24) sigma */
+    splash h = { .pool = pool, .u = (int64_t)(u >> 24), .w = (int64_t)(w >> 24),
+                 .over = ((int64_t)1 << 55) / sigma2, .square_max = 24 * sigma2 };
+
+    h.col = window((int32_t)(u >> 32), reach, pool->cols, tiled, &h.cols);
+    h.row = window((int32_t)(w >> 32), reach, pool->rows, tiled, &h.rows);
+    balance(&h);
+    int64_t sum = add_hat(&h, peak);
+    const int64_t cells = (int64_t)h.cols * h.rows;
+    sum = take(&h, sum, tp_abs((int32_t)(sum / cells)) + 1);
+    sum = take(&h, sum, tp_pool_full(pool));
+    if (sum != 0) {
+        widen(&h);
+        take(&h, sum, 2 * (int64_t)tp_pool_full(pool));
+    }
+    tp_pool_stirred(pool, peak);
+}
+
+bool tp_pool_hat(tp_pool *pool, tp_fx x, tp_fx z, tp_fx sigma, tp_fx height)
+{
+    uint32_t col, row;
+    uint64_t u, w;
+
+    if (!tp_pool_cell(pool, x, z, &col, &row))
+        return false;
+    tp_pool_place(pool, x, z, &u, &w);
+    tp_pool_splash(pool, u, w, tp_fx_div(sigma, pool->cell), tp_pool_lsb(pool, height));
+    return true;
+}
+
+/* metres x full / range, halves up; Q8.24 is 256 times as fine as 16.16. */
+int32_t tp_pool_lsb(const tp_pool *pool, tp_fx metres)
+{
+    const int64_t full = tp_pool_full(pool);
+    const int64_t twice = 2 * (int64_t)pool->range;
+    const int64_t up = 2 * (int64_t)metres * full + pool->range;
+    int64_t lsb;
+
+    if (pool->cells == TP_CELLS_32)
+        lsb = (int64_t)metres * 256;
+    else
+        lsb = up / twice - (up % twice < 0);
+    return (int32_t)(lsb > full ? full : lsb < -full ? -full : lsb);
+}

@@ -1,0 +1,153 @@
+/* SPDX-License-Identifier: MIT */
+/* A pool's config: whether it can be used, how it lies in its block, and still water.
+ *
+ * The sponge of [C15]: in its outer W cells, d cells from the edge, a cell loses
+ * delta = dmax ((W - d) / W)^2 of its motion a tick, rounded to a power of 2 and no less
+ * than the field's own.  dmax = 8 / W, at most 1/2: the two measured sponges of [C15]. */
+#include "pool/pool.h"
+#include "base/base.h"
+
+static bool within(int64_t x, int64_t low, int64_t high)
+{
+    return x >= low && x <= high;
+}
+
+/* [C9]: 1024 (1 - 1 / (2 - delta)) / 2 = 512 (2^m - 1) / (2^(m+1) - 1), rounded down. */
+static uint32_t r2q_bound(uint32_t damping)
+{
+    return 512 * ((1u << damping) - 1) / ((2u << damping) - 1);
+}
+
+static tp_status out_of_range(const char *what, size_t bytes, tp_error *err)
+{
+    TP_FAIL(err, TP_E_POOL_RANGE, 0, 0, 0);
+    tp_error_word(err, what, bytes);
+    return TP_E_POOL_RANGE;
+}
+
+#define RANGE(what, good) \
+    if (!(good)) \
+        return out_of_range(what, sizeof what - 1, err)
+
+static tp_status check_numbers(const tp_pool_config *c, tp_error *err)
+{
+    RANGE("kind of cells", within((int)c->cells, TP_CELLS_8, TP_CELLS_32));
+    RANGE("kind of edges", within((int)c->edges, TP_EDGES_WALL, TP_EDGES_TILE));
+    RANGE("courant", within(c->courant, TP_FX(0.05), TP_FX(0.8)));
+    RANGE("damping", within(c->damping, 4, 10));
+    RANGE("sponge", c->edges != TP_EDGES_SPONGE || within(c->sponge, 4, 64));
+    RANGE("range", c->cells == TP_CELLS_32 || within(c->range, TP_FX(0.01), TP_FX(64)));
+    RANGE("cell", within(c->cell, TP_FX(0.01), TP_FX(50)));
+    RANGE("feed", c->feed_low >= 0 && c->feed_high >= c->feed_low && c->feed >= 0);
+    return TP_OK;
+}
+
+tp_status tp_pool_check(const tp_pool_config *config, tp_error *err)
+{
+    const tp_grey *mask = config->mask;
+
+    if (!within(config->cols, 16, 512) || !within(config->rows, 16, 512))
+        return TP_FAIL(err, TP_E_POOL_SIZE, 0, config->cols, config->rows);
+    const tp_status status = check_numbers(config, err);
+    if (status != TP_OK)
+        return status;
+    const uint32_t r2q = tp_pool_r2q_of(config->courant);
+    const uint32_t bound = r2q_bound(config->damping);
+    if (r2q > bound)
+        return TP_FAIL(err, TP_E_POOL_COURANT, 0, r2q, bound);
+    if (mask != NULL && (mask->cols == 0 || mask->rows == 0 || mask->sample == NULL))
+        return TP_FAIL(err, TP_E_POOL_MASK, 0, mask->cols, mask->rows);
+    return TP_OK;
+}
+
+/* At most 3 MiB of cells: offsets fit 32 bits.  Each part begins at a multiple of 4. */
+static uint32_t part(uint32_t *bytes, uint32_t size)
+{
+    const uint32_t at = *bytes;
+    *bytes += (size + 3) & ~3u;
+    return size != 0 ? at : 0;
+}
+
+tp_pool_layout tp_pool_lay_out(const tp_pool_config *config)
+{
+    const uint32_t cols = config->cols, count = cols * config->rows;
+    const uint32_t lsb = config->cells == TP_CELLS_8 ? 1 : 2;
+    const bool gears = config->cells != TP_CELLS_32;
+    const bool tiled = config->edges == TP_EDGES_TILE;
+    const bool sponge = config->edges == TP_EDGES_SPONGE;
+    tp_pool_layout at = { .bytes = sizeof(tp_pool) };
+
+    part(&at.bytes, gears ? count * 2 * lsb : count * 12);
+    at.walls = part(&at.bytes, config->mask != NULL || sponge ? count : 0);
+    at.sponge = part(&at.bytes, sponge ? cols + config->rows : 0);
+    at.work = part(&at.bytes, gears ? (cols + 1) * lsb : 0);
+    at.first = part(&at.bytes, gears && tiled ? cols * 2 * lsb : 0);
+    at.bytes = (at.bytes + 7) & ~7u;
+    return at;
+}
+
+size_t tp_pool_bytes(const tp_pool_config *config)
+{
+    return tp_pool_check(config, NULL) == TP_OK ? tp_pool_lay_out(config).bytes : 0;
+}
+
+/* num / den as q / 2^shift, 2^29 <= q <= 2^30; num < 2^47, 0 < den < 2^34. */
+static int32_t ratio(uint64_t num, uint64_t den, int32_t *shift)
+{
+    *shift = 0;
+    for (; num >= den << 30; den <<= 1)
+        --*shift;
+    for (; num < den << 29; num <<= 1)
+        ++*shift;
+    return (int32_t)((num + den / 2) / den);
+}
+
+/* A fine height (see sample.c) in metres, 16.16: range over full range, 2^-8 of Q8.24. */
+static void set_units(tp_pool *pool)
+{
+    int32_t shift;
+
+    if (pool->cells == TP_CELLS_8)
+        pool->unit_q = ratio((uint32_t)pool->range, (uint64_t)TP_FULL_8 << 16, &shift);
+    else if (pool->cells == TP_CELLS_16)
+        pool->unit_q = ratio((uint32_t)pool->range, (uint64_t)TP_FULL_16 << 8, &shift);
+    else
+        pool->unit_q = ratio(1, 256, &shift);
+    pool->unit_shift = shift;
+    pool->slope_q = ratio((uint64_t)pool->unit_q, 2 * (uint32_t)pool->cell, &shift);
+    pool->slope_shift = pool->unit_shift + shift - 16;
+}
+
+/* 2^64 / n, n > 1, rounded down. */
+static uint64_t turns_over(uint64_t n)
+{
+    return (UINT64_MAX - (n - 1)) / n + 1;
+}
+
+tp_status tp_pool_init(tp_pool *pool, const tp_pool_config *config, tp_error *err)
+{
+    const tp_status status = tp_pool_check(config, err);
+
+    if (status != TP_OK)
+        return status;
+    const tp_pool_layout at = tp_pool_lay_out(config);
+    memset(pool, 0, at.bytes);
+    *pool = (tp_pool){
+        .cols = config->cols, .rows = config->rows,
+        .cells = config->cells, .edges = config->edges,
+        .r2q = tp_pool_r2q_of(config->courant), .damping = config->damping,
+        .range = config->range, .cell = config->cell, .x = config->x, .z = config->z,
+        .turns_x = turns_over((uint64_t)config->cell * config->cols),
+        .turns_z = turns_over((uint64_t)config->cell * config->rows),
+        .feed_low = config->feed_low, .feed_high = config->feed_high,
+        .feed = config->feed, .random = 1, .at_rest = 1, .still = 1,
+        .walls = at.walls, .sponge = at.sponge, .work = at.work, .first = at.first,
+    };
+    set_units(pool);
+    pool->feed_peak = tp_pool_lsb(pool, config->feed);
+    if (pool->walls != 0)
+        tp_pool_set_walls(pool, config->mask);
+    if (pool->sponge != 0)
+        tp_pool_set_sponge(pool, config->sponge);
+    return TP_OK;
+}

@@ -1,0 +1,130 @@
+/* SPDX-License-Identifier: MIT */
+/* Single cells of a pool: read, changed, looked over; and the gear that a change asks
+ * for. */
+#include "pool/pool.h"
+
+int32_t tp_pool_height_at(const tp_pool *pool, uint32_t index)
+{
+    const void *const cells = tp_pool_from(pool, sizeof *pool);
+
+    switch (pool->cells) {
+    case TP_CELLS_8:  return ((const tp_pool_pair_8 *)cells)[index].h;
+    case TP_CELLS_16: return ((const tp_pool_pair_16 *)cells)[index].h;
+    default:          return ((const int32_t *)cells)[index];
+    }
+}
+
+static int32_t velocity_at(const tp_pool *pool, uint32_t col, uint32_t row)
+{
+    const void *const cells = tp_pool_from(pool, sizeof *pool);
+    const uint32_t index = row * pool->cols + col;
+
+    switch (pool->cells) {
+    case TP_CELLS_8:  return ((const tp_pool_pair_8 *)cells)[index].v;
+    case TP_CELLS_16: return ((const tp_pool_pair_16 *)cells)[index].v;
+    default:          return tp_pool_gain(pool, col, row);
+    }
+}
+
+static bool has_cell(const tp_pool *pool, uint32_t col, uint32_t row)
+{
+    return col < pool->cols && row < pool->rows;
+}
+
+int32_t tp_pool_height(const tp_pool *pool, uint32_t col, uint32_t row)
+{
+    return has_cell(pool, col, row) ? tp_pool_height_at(pool, row * pool->cols + col) : 0;
+}
+
+int32_t tp_pool_velocity(const tp_pool *pool, uint32_t col, uint32_t row)
+{
+    return has_cell(pool, col, row) ? velocity_at(pool, col, row) : 0;
+}
+
+bool tp_pool_wall(const tp_pool *pool, uint32_t col, uint32_t row)
+{
+    return !has_cell(pool, col, row) || tp_pool_is_wall(pool, row * pool->cols + col);
+}
+
+/* The velocity is kept, so the height before the last step moves along: both it and the
+ * height stay in the range, as [C5] needs [C11].  Fluxes ask for the height alone. */
+int32_t tp_pool_add(tp_pool *pool, uint32_t col, uint32_t row, int32_t lsb)
+{
+    if (tp_pool_wall(pool, col, row))
+        return 0;
+    void *const cells = tp_pool_at(pool, sizeof *pool);
+    const uint32_t i = row * pool->cols + col;
+    const int32_t full = tp_pool_full(pool), h = tp_pool_height_at(pool, i);
+    const int32_t v = pool->cells == TP_CELLS_32 ? 0 : velocity_at(pool, col, row);
+    const int32_t low = (v > 0 ? v - full : -full) - h;
+    const int32_t added = tp_clamp(lsb, low, (v < 0 ? v + full : full) - h);
+
+    switch (pool->cells) {
+    case TP_CELLS_8:  ((tp_pool_pair_8 *)cells)[i].h = (int8_t)(h + added);    break;
+    case TP_CELLS_16: ((tp_pool_pair_16 *)cells)[i].h = (int16_t)(h + added);  break;
+    default:          ((int32_t *)cells)[i] = h + added;                       break;
+    }
+    pool->at_rest &= added == 0;
+    return added;
+}
+
+/* ln x in Q4.28 for 1 <= x < 2^16: the digits of its binary logarithm, each by squaring
+ * what is left of x, then times ln 2. */
+static uint64_t log_of(uint32_t x)
+{
+    const uint64_t ln2 = 0xb17217f7;                        /* Q0.32 */
+    const int      zeros = tp_clz(x);
+    uint64_t digits = (uint64_t)(31 - zeros), m = (uint64_t)x << zeros;  /* m in Q1.31 */
+
+    for (int i = 0; i < 28; i++) {
+        m = (m * m + (1u << 30)) >> 31;
+        digits = digits << 1 | m >> 32;
+        m >>= m >> 32;
+    }
+    return digits * ln2 >> 32;
+}
+
+/* TA = ceil(2^(m+1) ln(A / 8)) [C11].  A wave that is still high keeps its longer
+ * time. */
+void tp_pool_stirred(tp_pool *pool, int32_t peak_lsb)
+{
+    const int32_t full = tp_pool_full(pool);
+    const uint32_t peak = (uint32_t)tp_abs(tp_clamp(peak_lsb, -full, full));
+
+    if (pool->cells == TP_CELLS_32 || peak <= 8)
+        return;
+    const uint64_t time = ((log_of(peak) - log_of(8)) << (pool->damping + 1))
+                        + (1u << 28) - 1;
+    if (time >> 28 > pool->gear)
+        pool->gear = (uint32_t)(time >> 28);
+}
+
+tp_pool_state tp_pool_look(const tp_pool *pool)
+{
+    tp_pool_state state = { .at_rest = pool->at_rest != 0 };
+
+    for (uint32_t row = 0; row < pool->rows; row++) {
+        for (uint32_t col = 0; col < pool->cols; col++) {
+            const int32_t h = tp_pool_height(pool, col, row);
+            const int32_t v = tp_pool_velocity(pool, col, row);
+            state.sum += h;
+            state.highest = tp_abs(h) > state.highest ? tp_abs(h) : state.highest;
+            state.fastest = tp_abs(v) > state.fastest ? tp_abs(v) : state.fastest;
+        }
+    }
+    return state;
+}
+
+void tp_pool_step(tp_pool *pool)
+{
+    if (pool->feed_low > 0)
+        tp_pool_feed(pool);
+    if (!pool->at_rest) {
+        switch (pool->cells) {
+        case TP_CELLS_8:  tp_pool_step_8(pool);  break;
+        case TP_CELLS_16: tp_pool_step_16(pool); break;
+        default:          tp_pool_step_32(pool); break;
+        }
+    }
+    pool->tick++;
+}

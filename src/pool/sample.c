@@ -1,0 +1,242 @@
+/* SPDX-License-Identifier: MIT */
+/* The pool's surface between its cells, and between its ticks.
+ *
+ * Heights are made finer first: 8-bit cells by 16 bits, 16-bit cells by 8, 32-bit cells
+ * are fine as they are; `back` of a tick ago the height was H - back V, of which neither
+ * end leaves the range, so all fit 31 bits.  A cell's slope is half the difference of its
+ * two neighbours [A6]; heights and slopes are then bilinear in the four cells around. */
+#include "pool/pool.h"
+#include "base/base.h"
+
+/* The field is one turn: what lies beyond of a tiled one wraps for free.  turns_x is
+ * rounded down, so inside of an untiled one the product stays within half a turn. */
+static bool place_along(const tp_pool *pool, int64_t from_centre, uint64_t turns,
+                        uint32_t cells, uint64_t *u)
+{
+    const int64_t side = (int64_t)pool->cell * (int64_t)cells;
+    const uint64_t turn = (uint64_t)from_centre * turns + ((uint64_t)1 << 63);
+
+    *u = (turn >> 32) * cells;
+    return pool->edges == TP_EDGES_TILE
+        || (2 * from_centre >= -side && 2 * from_centre < side);
+}
+
+bool tp_pool_place(const tp_pool *pool, tp_fx x, tp_fx z, uint64_t *u, uint64_t *w)
+{
+    const int64_t dx = (int64_t)x - pool->x, dz = (int64_t)z - pool->z;
+
+    return place_along(pool, dx, pool->turns_x, pool->cols, u)
+        && place_along(pool, dz, pool->turns_z, pool->rows, w);
+}
+
+bool tp_pool_cell(const tp_pool *pool, tp_fx x, tp_fx z, uint32_t *col, uint32_t *row)
+{
+    uint64_t u, w;
+
+    if (!tp_pool_place(pool, x, z, &u, &w))
+        return false;
+    *col = (uint32_t)(u >> 32);
+    *row = (uint32_t)(w >> 32);
+    return !tp_pool_is_wall(pool, *row * pool->cols + *col);
+}
+
+/* A fine height; `base` is that of the row's first cell, `cells` and `moves` (whether
+ * back is not 0) are literals where it matters. */
+TP_ALWAYS_INLINE int32_t fine(const tp_pool *pool, uint32_t col, uint32_t row,
+                              uint32_t base, tp_fx back, tp_cells cells, int moves)
+{
+    const void *const from = tp_pool_from(pool, sizeof *pool);
+    const uint32_t i = base + col;
+
+    if (cells == TP_CELLS_8) {
+        const tp_pool_pair_8 *const cell = (const tp_pool_pair_8 *)from + i;
+        return cell->h * 65536 - (moves ? cell->v * back : 0);
+    }
+    if (cells == TP_CELLS_16) {             /* 32767 x 2^16 fits */
+        const tp_pool_pair_16 *const cell = (const tp_pool_pair_16 *)from + i;
+        return cell->h * 256 - (moves ? (cell->v * back + 128) >> 8 : 0);
+    }
+    const int32_t h = ((const int32_t *)from)[i];
+    if (!moves)
+        return h;
+    return h - (int32_t)(((int64_t)tp_pool_gain(pool, col, row) * back + 0x8000) >> 16);
+}
+
+/* The same of any cells, in no hurry. */
+static int32_t fine_any(const tp_pool *pool, uint32_t col, uint32_t row, tp_fx back)
+{
+    return fine(pool, col, row, row * pool->cols, back, (tp_cells)pool->cells, 1);
+}
+
+/* Column or row i, which may lie one or two beyond: wrapped or mirrored. */
+static uint32_t folded(int32_t i, uint32_t cells, bool tiled)
+{
+    const int32_t n = (int32_t)cells;
+
+    if (tiled)
+        return (uint32_t)(i < 0 ? i + n : i < n ? i : i - n);
+    return (uint32_t)(i < 0 ? -1 - i : i < n ? i : 2 * n - 1 - i);
+}
+
+/* Of a wall: the mean of the open cells beside it, so that a flat wall mirrors and the
+ * surface beside a wall is one however it is reached; deep inside of walls `inside`. */
+static int32_t fine_or_wall(const tp_pool *pool, uint32_t col, uint32_t row, tp_fx back,
+                            int32_t inside)
+{
+    static const int8_t beside[4][2] = { { -1, 0 }, { 1, 0 }, { 0, -1 }, { 0, 1 } };
+    const bool tiled = pool->edges == TP_EDGES_TILE;
+    int64_t    sum = 0;
+    int32_t    open = 0;
+
+    if (!tp_pool_is_wall(pool, row * pool->cols + col))
+        return fine_any(pool, col, row, back);
+    for (int n = 0; n < 4; n++) {
+        const uint32_t x = folded((int32_t)col + beside[n][0], pool->cols, tiled);
+        const uint32_t y = folded((int32_t)row + beside[n][1], pool->rows, tiled);
+        if (!tp_pool_is_wall(pool, y * pool->cols + x)) {
+            sum += fine_any(pool, x, y, back);
+            open++;
+        }
+    }
+    return open != 0 ? (int32_t)(sum / open) : inside;
+}
+
+/* The four columns and rows around a place; only those in the middle meet at corners. */
+typedef struct {
+    uint32_t col[4], row[4];
+    uint32_t s, t;              /* from col[1] to col[2], row[1] to row[2]; 16 bits */
+    tp_fx    back;
+} patch;
+
+typedef struct { int32_t h[4][4]; } heights;    /* of a patch, by row and column */
+
+/* Heights of row i, without corners if it is one of the edge; literals but for the first
+ * three. */
+TP_ALWAYS_INLINE void gather_row(const tp_pool *pool, const patch *p, heights *to, int i,
+                                 int edge, tp_cells cells, int moves)
+{
+    const uint32_t row = p->row[i], base = row * pool->cols;
+
+    to->h[i][1] = fine(pool, p->col[1], row, base, p->back, cells, moves);
+    to->h[i][2] = fine(pool, p->col[2], row, base, p->back, cells, moves);
+    if (!edge) {
+        to->h[i][0] = fine(pool, p->col[0], row, base, p->back, cells, moves);
+        to->h[i][3] = fine(pool, p->col[3], row, base, p->back, cells, moves);
+    }
+}
+
+#define X(name, cells, moves)                                                           \
+    static void name(const tp_pool *restrict pool, const patch *restrict p,             \
+                     heights *restrict to)                                              \
+    {                                                                                   \
+        gather_row(pool, p, to, 0, 1, cells, moves);                                    \
+        gather_row(pool, p, to, 1, 0, cells, moves);                                    \
+        gather_row(pool, p, to, 2, 0, cells, moves);                                    \
+        gather_row(pool, p, to, 3, 1, cells, moves);                                    \
+    }
+X(now_8, TP_CELLS_8, 0) X(now_16, TP_CELLS_16, 0) X(now_32, TP_CELLS_32, 0)
+X(back_8, TP_CELLS_8, 1) X(back_16, TP_CELLS_16, 1) X(back_32, TP_CELLS_32, 1)
+#undef X
+
+/* Between walls: one small body for all cells. */
+static void gather_walls(const tp_pool *pool, const patch *p, heights *to, uint32_t col,
+                         uint32_t row)
+{
+    const int32_t own = fine_any(pool, col, row, p->back);
+
+    for (int n = 0; n < 16; n++) {
+        const int i = n >> 2, j = n & 3;
+        if (i % 3 != 0 || j % 3 != 0)           /* no corner */
+            to->h[i][j] = fine_or_wall(pool, p->col[j], p->row[i], p->back, own);
+    }
+}
+
+static void gather(const tp_pool *pool, const patch *p, heights *to)
+{
+    const bool moves = p->back != 0;
+
+    if (pool->cells == TP_CELLS_8 && moves)
+        back_8(pool, p, to);
+    else if (pool->cells == TP_CELLS_8)
+        now_8(pool, p, to);
+    else if (pool->cells == TP_CELLS_16 && moves)
+        back_16(pool, p, to);
+    else if (pool->cells == TP_CELLS_16)
+        now_16(pool, p, to);
+    else if (moves)
+        back_32(pool, p, to);
+    else
+        now_32(pool, p, to);
+}
+
+/* Columns (or rows) around u, and how far it lies from the second to the third. */
+static uint32_t around(uint64_t u, uint32_t cells, bool tiled, uint32_t at[4])
+{
+    const int64_t from = (int64_t)u - ((int64_t)1 << 31);       /* centre of cell 0 */
+
+    const int32_t i = (int32_t)(from >> 32);
+
+    if (i > 0 && i + 2 < (int32_t)cells) {
+        at[1] = (uint32_t)i;
+        at[0] = at[1] - 1;
+        at[2] = at[1] + 1;
+        at[3] = at[1] + 2;
+    } else {
+        for (int32_t n = 0; n < 4; n++)
+            at[n] = folded(i + n - 1, cells, tiled);
+    }
+    return (uint32_t)(uint64_t)from >> 16;
+}
+
+/* a + (b - a) t, half up. */
+static int32_t between(int32_t a, int32_t b, uint32_t t)
+{
+    return (int32_t)(a + ((((int64_t)b - a) * (int64_t)t + 0x8000) >> 16));
+}
+
+static tp_fx scaled(int32_t x, int32_t factor, int32_t shift)
+{
+    return (tp_fx)(((int64_t)x * factor + ((int64_t)1 << (shift - 1))) >> shift);
+}
+
+static tp_relief relief_of(const tp_pool *pool, const patch *p, const heights *of)
+{
+    int32_t across[4], down[4];     /* columns at the place's row; rows at its column */
+
+    for (int n = 0; n < 4; n++) {
+        across[n] = between(of->h[1][n], of->h[2][n], p->t);
+        down[n] = between(of->h[n][1], of->h[n][2], p->s);
+    }
+    return (tp_relief){
+        .height = scaled(between(across[1], across[2], p->s), pool->unit_q,
+                         pool->unit_shift),
+        .slope_x = scaled(between(across[2] - across[0], across[3] - across[1], p->s),
+                          pool->slope_q, pool->slope_shift),
+        .slope_z = scaled(between(down[2] - down[0], down[3] - down[1], p->t),
+                          pool->slope_q, pool->slope_shift),
+    };
+}
+
+tp_relief tp_pool_relief(const tp_pool *pool, tp_fx x, tp_fx z, tp_fx back)
+{
+    const bool tiled = pool->edges == TP_EDGES_TILE;
+    uint64_t u, w;
+    heights of;
+    patch p;
+
+    if (pool->at_rest && pool->cells != TP_CELLS_32)
+        return (tp_relief){ 0 };
+    if (!tp_pool_place(pool, x, z, &u, &w))
+        return (tp_relief){ 0 };
+    const uint32_t col = (uint32_t)(u >> 32), row = (uint32_t)(w >> 32);
+    if (tp_pool_is_wall(pool, row * pool->cols + col))
+        return (tp_relief){ 0 };
+    p.back = back;
+    p.s = around(u, pool->cols, tiled, p.col);
+    p.t = around(w, pool->rows, tiled, p.row);
+    if (pool->walls != 0)
+        gather_walls(pool, &p, &of, col, row);
+    else
+        gather(pool, &p, &of);
+    return relief_of(pool, &p, &of);
+}
