@@ -1,11 +1,15 @@
 /* SPDX-License-Identifier: MIT */
-/* Gerstner waves: the surface as a sum of swells, [A7]-[A11] of the models.
+/* Swells of the open sea: sines, sharpened sines and Gerstner waves in any mixture,
+ * [A1]-[A3] and [A7]-[A11] of the models.
  *
  * A point of still water at rest (x0, z0) moves to
- *     x = x0 + sum QA Dx cos th,  y = sum A sin th,  z = z0 + sum QA Dz cos th,
- *     th = k (D . p0) - omega t + phase,
- * D the direction of travel.  `steepness` is Q k A, so the sharpness of a crest is set
- * apart from its height. */
+ *     x = x0 + sum QA Dx cos th,  y = sum A (f - mean),  z = z0 + sum QA Dz cos th,
+ *     th = k (D . p0) - omega t + phase,  f = 2 ((sin th + 1) / 2)^power,
+ * D the direction of travel, `mean` that of f over a turn; with power 1 f - mean is
+ * sin th.  `steepness` is Q k A, so the sharpness of a crest is set apart from its
+ * height.
+ *
+ * Places at rest and in the world may lie 30 km from the origin, each way. */
 #ifndef TP_WAVE_H
 #define TP_WAVE_H
 #include <stdbool.h>
@@ -23,46 +27,92 @@ typedef struct {
     tp_fx heading;          /* degrees, clockwise from -z: where the wave travels to */
     tp_fx phase;            /* degrees at tick 0 */
     tp_fx speed;            /* of its natural speed sqrt(g/k); 0 stands still */
+    int32_t power;          /* 1..8: 1 is a sine, more sharpen its crests [A3]; 0 is 1 */
 } tp_wave;
+
+/* A wave in the models' own letters, with all the bits that the core keeps. */
+typedef struct {
+    uint64_t turns;         /* k / 2 pi: turns per metre, Q0.32; 1/2000 to 4 of them */
+    tp_q30   dx, dz;        /* D, a unit vector */
+    tp_fx    amplitude;     /* m, A, 0..16 */
+    tp_q30   steepness;     /* Q k A, 0..1 */
+    uint64_t turns_tick;    /* omega dt / 2 pi: turns per tick, Q0.64 */
+    tp_turn  phase;         /* at tick 0 */
+    int32_t  power;         /* 0..8, 0 is 1 */
+} tp_wave_exact;
 
 /* The same as the core evaluates it. */
 typedef struct {
     int64_t  turns_x, turns_z;  /* k D / 2 pi: turns per metre, Q0.32 */
     uint64_t turns_tick;        /* omega dt / 2 pi: turns per tick, Q0.64, wraps */
+    uint64_t turns;             /* k / 2 pi, Q0.32 */
     tp_turn  phase;
     tp_fx    amplitude;         /* A */
     tp_fx    reach_x, reach_z;  /* QA Dx, QA Dz */
     tp_q30   slope_x, slope_z;  /* k A Dx, k A Dz; the cap keeps them below 1.9 */
     tp_q30   bend_xx, bend_xz, bend_zz; /* QkA Dx^2, QkA Dx Dz, QkA Dz^2 */
+    tp_q30   bend;              /* QkA */
+    tp_fx    tilt;              /* no less than kA f' */
+    int32_t  power;             /* 1..8 */
+    int32_t  mean_q24;          /* of f [A3] */
 } tp_swell;
 
 typedef struct {
     tp_swell swell[TP_WAVES];
     uint32_t count;             /* waves of amplitude 0 are left out */
-    tp_fx    height;            /* sum A: no point is higher or lower */
+    tp_fx    height;            /* no point is higher or lower */
     tp_fx    reach;             /* sum QA: no point is farther from its rest */
     tp_fx    steepness;         /* sum QkA as asked for */
+    tp_q30   bend;              /* sum QkA as it is, <= 0.95 */
+    tp_fx    twist;             /* bounds what the cross terms of [A10] add to a slope */
     bool     clamped;           /* it was above 0.95 and every Q was scaled down [A11] */
     bool     capped;            /* some amplitude was above 0.3 of its length, and cut */
+    bool     sharpened;         /* some power is above 1 */
+    bool     crossed;           /* normals are made with the cross terms of [A10] */
 } tp_sea;
 
 /* gravity in m/s^2. */
 void tp_sea_init(tp_sea *sea, const tp_wave *waves, uint32_t count, tp_fx gravity);
 
-/* The phases of all swells at a tick: phase - omega t. */
-void tp_sea_phases(const tp_sea *sea, uint64_t tick, tp_turn phases[TP_WAVES]);
+/* Adds a wave to a sea, at first one that is all 0.  Amplitudes are cut as in
+ * tp_sea_init; what the sum of steepnesses would have above 0.95 is taken from this wave
+ * alone.  Beyond TP_WAVES waves, or without amplitude, nothing is added. */
+void tp_sea_add(tp_sea *sea, const tp_wave_exact *wave);
+
+/* The phases of all swells, phase - omega t, `back` of a tick (0..1) before one. */
+void tp_sea_phases(const tp_sea *sea, uint64_t tick, tp_fx back,
+                   tp_turn phases[TP_WAVES]);
 
 typedef struct {
     tp_vec3 position;           /* of the displaced point, m */
-    tp_fx   slope_x, slope_z;   /* dy/dx and dy/dz there, exact [A10], +-7.99 */
+    tp_fx   slope_x, slope_z;   /* dy/dx and dy/dz there, +-7.99 */
 } tp_sea_point;
 
-/* The point whose place at rest is (x0, z0). */
+/* The point whose place at rest is (x0, z0).  Normals are exact [A10] where the sea is
+ * `crossed`: with a steepness sum above 0.3, or where the form without cross terms could
+ * be 1.5 degrees off.  It is exact for sines and for one wave alone. */
 tp_sea_point tp_sea_at_rest(const tp_sea *sea, const tp_turn phases[TP_WAVES],
                             tp_fx x0, tp_fx z0);
 
-/* The surface above or below the world's (x, z) [E1]: inverted by fixed-point steps.
- * Error of the place <= q^n / (1 - q) of the displacement, q the steepness sum, n = 8. */
+/* The surface above or below the world's (x, z) [E1], inverted with at most 8
+ * evaluations, from anywhere and on every legal sea: along within 0.05 mm, so up within
+ * that times the slope.  `rest`, if not NULL, is where the search begins (any place; the
+ * last tick's is good) and then the place that it found, whose point by tp_sea_at_rest
+ * this is. */
 tp_sea_point tp_sea_above(const tp_sea *sea, const tp_turn phases[TP_WAVES],
-                          tp_fx x, tp_fx z);
+                          tp_fx x, tp_fx z, tp_fx rest[2]);
+
+/* The n-th plain step of [E1] towards the same, from p0 = (x, z), which is step 0:
+ * p0 <- p0 + (p - P(p0)).  It is q^n of the first distance off at the most, q the sum of
+ * steepnesses. */
+tp_sea_point tp_sea_iterate(const tp_sea *sea, const tp_turn phases[TP_WAVES],
+                            tp_fx x, tp_fx z, uint32_t n);
+
+/* A surface known by heights alone, [A6]: `around` holds those at x - spacing,
+ * x + spacing, z - spacing and z + spacing.  One that is missing at a wall is mirrored in
+ * it: the opposite neighbour's where grid points lie on the wall, the middle's own where
+ * the wall lies half a spacing beyond.  |height| < 8192 m, 0 < spacing < 8192 m; slopes
+ * saturate. */
+tp_relief tp_five_heights(tp_fx middle, const tp_fx around[4], tp_fx spacing);
+tp_dir3   tp_five_normal(const tp_fx around[4], tp_fx spacing);
 #endif

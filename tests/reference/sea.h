@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* The sea in double precision, as slow as it is plain: [A7]-[A11] of the models with the
- * stated clamps, from the numbers of the waves and nothing that the core worked out. */
+/* The sea in double precision, as slow as it is plain: [A1]-[A3] and [A7]-[A11] of the
+ * models with the stated clamps, from the numbers of the waves and nothing that the core
+ * worked out. */
 #ifndef TP_REFERENCE_SEA_H
 #define TP_REFERENCE_SEA_H
 #include <math.h>
@@ -13,6 +14,7 @@ typedef struct {
     double dx, dz;              /* of travel */
     double phase;               /* rad, at tick 0 */
     long double turns_tick;     /* turns a tick */
+    int power;                  /* of [A3]; 1: a sine */
 } ref_wave;
 
 typedef struct {
@@ -45,6 +47,7 @@ static inline ref_wave ref_wave_of(const tp_wave *w, double gravity, double shar
         .phase = ref_number(w->phase) * PI / 180,
         .turns_tick = sqrtl((long double)gravity / length / (2 * 3.14159265358979323846L))
                     * (w->speed / 65536.0L) / TP_TICKS_PER_SECOND,
+        .power = w->power > 1 ? w->power : 1,
     };
 }
 
@@ -73,6 +76,18 @@ static inline void ref_phases(const ref_sea *sea, uint64_t tick, double phase[TP
     }
 }
 
+/* f - mean of [A3], and f': the mean of 2 b^n is 2 C(2n, n) / 4^n. */
+static inline double ref_profile(int power, double th, double *slope)
+{
+    const double b = (sin(th) + 1) / 2;
+    double mean = 2;
+
+    for (int n = 1; n <= power; n++)
+        mean *= (2 * n - 1) / (2.0 * n);
+    *slope = power * pow(b, power - 1) * cos(th);
+    return 2 * pow(b, power) - mean;
+}
+
 static inline ref_point ref_at_rest(const ref_sea *sea, const double phase[TP_WAVES],
                                     double x0, double z0)
 {
@@ -82,12 +97,14 @@ static inline ref_point ref_at_rest(const ref_sea *sea, const double phase[TP_WA
         const ref_wave *w = &sea->wave[i];
         const double th = w->k * (w->dx * x0 + w->dz * z0) + phase[i];
         const double s = sin(th), c = cos(th), ka = w->k * w->amplitude;
+        double rise;
+        const double f = ref_profile(w->power, th, &rise);
 
         p.x += w->q / w->k * w->dx * c;
-        p.y += w->amplitude * s;
+        p.y += w->amplitude * f;
         p.z += w->q / w->k * w->dz * c;
-        p.hx += ka * w->dx * c;
-        p.hz += ka * w->dz * c;
+        p.hx += ka * w->dx * rise;
+        p.hz += ka * w->dz * rise;
         p.jxx -= w->q * w->dx * w->dx * s;
         p.jxz -= w->q * w->dx * w->dz * s;
         p.jzz -= w->q * w->dz * w->dz * s;
@@ -95,6 +112,15 @@ static inline ref_point ref_at_rest(const ref_sea *sea, const double phase[TP_WA
     p.nx = p.hz * p.jxz - p.hx * p.jzz;
     p.ny = p.jxx * p.jzz - p.jxz * p.jxz;
     p.nz = p.hx * p.jxz - p.hz * p.jxx;
+    return p;
+}
+
+/* [A10] without the cross terms: N = (-hx, 1 - sum q sin th, -hz). */
+static inline ref_point ref_uncrossed(ref_point p)
+{
+    p.nx = -p.hx;
+    p.ny = p.jxx + p.jzz - 1;
+    p.nz = -p.hz;
     return p;
 }
 

@@ -1,0 +1,121 @@
+/* SPDX-License-Identifier: MIT */
+/* The surface above a place [E1]: p0 with P(p0) = p0 + d(p0) = p, by Newton's method.
+ *
+ * P is the gradient of |p0|^2/2 + sum (QA/k) sin th, whose Hessian is the Jacobian J of
+ * [A9] with eigenvalues within 1 -+ q, q the sum of QkA: for q < 1 there is one root, and
+ * it lies within the sea's reach of p, a box that the search never leaves.
+ *
+ * Newton's own step fails where one wave is long and steep and another far shorter than
+ * the way still to go: the short one's slope here says nothing about the slope on that
+ * way, where it comes to nothing on the average.  So in J each wave counts with the
+ * weight 1 / (1 + 2 (k e)^2), e the error of the place: long waves are solved for first,
+ * and the step becomes Newton's as e goes to 0.  On 20,000 legal seas at the clamp seven
+ * of Newton's own, with plain steps where they failed, left up to 25 m; these, what the
+ * rounding leaves. */
+#include "wave/wave.h"
+
+#define STEPS 7             /* and the point itself is the eighth evaluation */
+#define NEAR  2             /* LSB of x and z: what rounding the rest place leaves */
+
+typedef struct { tp_fx x, z; } place;
+
+/* d(p0), and each swell's sine in Q8.24: 25 and 24 bits, so that sixteen products fit. */
+static place displacement(const tp_sea *sea, const tp_turn phases[TP_WAVES], place rest,
+                          int32_t sine[TP_WAVES])
+{
+    const int64_t half = (int64_t)1 << 23;
+    int64_t x = 0, z = 0;
+
+    for (uint32_t i = 0; i < sea->count; i++) {
+        const tp_swell *w = &sea->swell[i];
+        tp_turn th = phases[i] + tp_swell_turns(w->turns_x, rest.x)
+                               + tp_swell_turns(w->turns_z, rest.z);
+        int32_t c = tp_cos(th) >> 6;
+        sine[i] = tp_sin(th) >> 6;
+        x += (int64_t)w->reach_x * c;
+        z += (int64_t)w->reach_z * c;
+    }
+    return (place){ (tp_fx)((x + half) >> 24), (tp_fx)((z + half) >> 24) };
+}
+
+/* 1 / (1 + 2 (k e)^2), 16.16, e in 16.16 below 2^11 m: with t = k e / 2 pi that is
+ * 1 / (1 + 79 t^2).  34 and 27 bits make t; from 16 turns on the wave counts for nothing,
+ * and 79 t^2 has 47 bits. */
+static uint32_t weight_of(const tp_swell *w, uint32_t error)
+{
+    uint64_t t = w->turns * error >> 32;
+    uint64_t most = t < 16 << 16 ? t : 16 << 16;
+    return UINT32_MAX / (uint32_t)((1 << 16) + (79 * most * most >> 16));
+}
+
+static tp_fx quotient(int64_t n, int64_t d)
+{
+    return (tp_fx)((n + (n < 0 ? -d / 2 : d / 2)) / d);
+}
+
+/* The step that makes up for the error e = P(p0) - p: -e over the weighted J, Q4.28.  Its
+ * eigenvalues are 0.05 or more, so det > 0.047; 27 and 30 bits make num. */
+static place step_from(const tp_sea *sea, const int32_t sine[TP_WAVES], place e)
+{
+    uint32_t error = tp_isqrt64((uint64_t)((int64_t)e.x * e.x + (int64_t)e.z * e.z));
+    int64_t  bxx = 0, bxz = 0, bzz = 0;
+
+    for (uint32_t i = 0; i < sea->count; i++) {
+        const tp_swell *w = &sea->swell[i];
+        int64_t s = (int64_t)sine[i] * weight_of(w, error) >> 16;
+        bxx += w->bend_xx * s;
+        bxz += w->bend_xz * s;
+        bzz += w->bend_zz * s;
+    }
+    int64_t jxx = (1 << 28) - (bxx >> 26), jzz = (1 << 28) - (bzz >> 26);
+    int64_t jxz = -(bxz >> 26), det = (jxx * jzz - jxz * jxz) >> 28;
+    return (place){ quotient(e.z * jxz - e.x * jzz, det),
+                    quotient(e.x * jxz - e.z * jxx, det) };
+}
+
+/* Into the box around p; the sum may not fit 32 bits.  A whole 2^-16 more than the reach,
+ * for the roundings of a place. */
+static place held(const tp_sea *sea, place from, place step, tp_fx x, tp_fx z)
+{
+    int64_t reach = sea->reach + 1;
+    int64_t dx = (int64_t)from.x + step.x - x, dz = (int64_t)from.z + step.z - z;
+    dx = dx < -reach ? -reach : dx > reach ? reach : dx;
+    dz = dz < -reach ? -reach : dz > reach ? reach : dz;
+    return (place){ x + (tp_fx)dx, z + (tp_fx)dz };
+}
+
+tp_sea_point tp_sea_above(const tp_sea *sea, const tp_turn phases[TP_WAVES],
+                          tp_fx x, tp_fx z, tp_fx rest[2])
+{
+    const place still = { 0, 0 };
+    place at = { x, z };
+    int32_t sine[TP_WAVES];
+
+    if (rest)
+        at = held(sea, (place){ rest[0], rest[1] }, still, x, z);
+    for (int n = 0; n < STEPS; n++) {
+        place d = displacement(sea, phases, at, sine);
+        place e = { at.x + d.x - x, at.z + d.z - z };
+        if (tp_abs(e.x) <= NEAR && tp_abs(e.z) <= NEAR)
+            break;
+        at = held(sea, at, step_from(sea, sine, e), x, z);
+    }
+    if (rest) {
+        rest[0] = at.x;
+        rest[1] = at.z;
+    }
+    return tp_sea_at_rest(sea, phases, at.x, at.z);
+}
+
+tp_sea_point tp_sea_iterate(const tp_sea *sea, const tp_turn phases[TP_WAVES],
+                            tp_fx x, tp_fx z, uint32_t n)
+{
+    place at = { x, z };
+    int32_t sine[TP_WAVES];
+
+    for (; n > 0; n--) {
+        place d = displacement(sea, phases, at, sine);
+        at = (place){ x - d.x, z - d.z };
+    }
+    return tp_sea_at_rest(sea, phases, at.x, at.z);
+}

@@ -1,0 +1,113 @@
+/* SPDX-License-Identifier: MIT */
+/* |grad S| = k on a square lattice by fast sweeping: Gauss-Seidel in four orders, each
+ * of which settles the nodes that the waves reach in its direction (Zhao 2005).
+ *
+ * A node takes the lower of its neighbours each way, a and b, and solves
+ *     (S - a)^2 + (S - b)^2 = f^2,   f = k times the step,
+ * or a + f where b is no help (Godunov).  A plane wave is a solution to the last bit.  k
+ * is taken half a step back, towards the neighbour where it differs more, which makes a
+ * straight shore second order.  All waves behind an obstacle are those that come
+ * first. */
+#include "wave/ocean.h"
+
+#define UNKNOWN INT64_MAX
+#define ROUNDS  16
+
+typedef struct {
+    int64_t *turns;
+    const tp_ocean_ray *ray;
+    uint32_t cols, rows;
+} lattice;
+
+/* A neighbour: its phase, and its k times the step. */
+typedef struct {
+    int64_t turns;
+    int64_t number;
+} before;
+
+static before lower_of(const lattice *l, size_t at, size_t step, bool has_low,
+                       bool has_high)
+{
+    const int64_t low = has_low ? l->turns[at - step] : UNKNOWN;
+    const int64_t high = has_high ? l->turns[at + step] : UNKNOWN;
+    const size_t from = low <= high ? at - step : at + step;
+
+    if (low == UNKNOWN && high == UNKNOWN)
+        return (before){ UNKNOWN, 0 };
+    return (before){ low <= high ? low : high, (uint32_t)l->ray[from].turns };
+}
+
+/* f half a step back from `here`, in Q32.32. */
+static int64_t way_back(int64_t here, int64_t there)
+{
+    return (here + there) * ((int64_t)1 << 7);
+}
+
+/* sqrt(2 f^2 - d^2) for |d| < f: f is brought to 31 bits. */
+static int64_t root_of(int64_t f, int64_t d)
+{
+    int down = 0;
+
+    for (; f >> 31 != 0; f >>= 1, d /= 2)
+        down++;
+    return (int64_t)tp_isqrt64((uint64_t)(2 * f * f - d * d)) << down;
+}
+
+static int64_t settled(int64_t number, before a, before b)
+{
+    if (a.turns > b.turns) {
+        const before swap = a;
+        a = b;
+        b = swap;
+    }
+    if (a.turns == UNKNOWN)
+        return UNKNOWN;
+    const int64_t alone = way_back(number, a.number);
+    if (b.turns == UNKNOWN || b.turns - a.turns >= alone)
+        return a.turns + alone;
+    const int64_t da = number - a.number, db = number - b.number;
+    const bool more = (db < 0 ? -db : db) > (da < 0 ? -da : da);
+    const int64_t f = way_back(number, more ? b.number : a.number);
+    const int64_t d = b.turns - a.turns;
+    if (d >= f)
+        return a.turns + alone;
+    return (a.turns + b.turns + root_of(f, d)) / 2;
+}
+
+static bool settle(const lattice *l, uint32_t col, uint32_t row)
+{
+    const size_t at = (size_t)row * l->cols + col;
+    const before x = lower_of(l, at, 1, col > 0, col + 1 < l->cols);
+    const before z = lower_of(l, at, l->cols, row > 0, row + 1 < l->rows);
+    const int64_t turns = settled((uint32_t)l->ray[at].turns, x, z);
+
+    if (turns >= l->turns[at])
+        return false;
+    l->turns[at] = turns;
+    return true;
+}
+
+static bool sweep(const lattice *l, bool west, bool north)
+{
+    bool changed = false;
+
+    for (uint32_t r = 0; r < l->rows; r++) {
+        const uint32_t row = north ? l->rows - 1 - r : r;
+        for (uint32_t c = 0; c < l->cols; c++)
+            changed |= settle(l, west ? l->cols - 1 - c : c, row);
+    }
+    return changed;
+}
+
+void tp_eikonal_solve(int64_t *turns, const tp_ocean_ray *ray, uint32_t cols,
+                      uint32_t rows)
+{
+    const lattice l = { turns, ray, cols, rows };
+    bool changed = true;
+
+    for (int n = 0; n < ROUNDS && changed; n++) {
+        changed = false;
+        for (int way = 0; way < 4; way++)
+            changed |= sweep(&l, way & 1, way & 2);
+    }
+}

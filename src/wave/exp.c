@@ -1,0 +1,89 @@
+/* SPDX-License-Identifier: MIT */
+/* e^-x and tanh x of waves over a depth.
+ *
+ * [G2] asks for a shift and a table of 64 steps with straight lines between, 1 LSB of
+ * 16.16.  Wave numbers for tables are to be right to 10^-6, for which a few terms of the
+ * power series take the lines' place: three products more, no byte more.  tanh then
+ * follows from e^-2x and needs no table of its own. */
+#include "wave/exp.h"
+
+static const uint32_t power[64] = {
+#include "wave/exp_table.inc"
+};
+
+/* 2^-part/64 for part below 1 as Q0.32: with s = part ln 2 / 64 < 0.01084 it is
+ * 1 - s + s^2/2 - s^3/6, the next term is 5.8e-10.  Returns what is to be taken off 1. */
+static inline uint32_t fall(uint32_t part)
+{
+    const uint32_t s = (uint32_t)((uint64_t)part * 46516320 >> 32); /* 2^32 ln 2 / 64 */
+    const uint32_t square = (uint32_t)((uint64_t)s * s >> 32);
+    return s - square / 2 + (uint32_t)((uint64_t)square * s >> 32) / 6;
+}
+
+/* x / ln 2 = n + i/64 + part/64: x < 23 is 29 bits in Q24, 1 / ln 2 in Q1.31 32 bits. */
+uint32_t tp_exp_neg(uint32_t x_q24)
+{
+    if (x_q24 >= 23u << 24)
+        return 0;
+    const uint64_t z = (uint64_t)x_q24 * 3098164009u;               /* Q6.55 */
+    const uint32_t n = (uint32_t)(z >> 55), top = power[z >> 49 & 63];
+    const uint32_t y = top - (uint32_t)((uint64_t)top * fall((uint32_t)(z >> 17)) >> 32);
+    return n == 0 ? y : (uint32_t)((y + ((uint64_t)1 << (n - 1))) >> n);
+}
+
+/* tanh x / x = 1 - x^2/3 + 2x^4/15 - 17x^6/315 + ..., for x < 1/8, where 1 - e^-2x would
+ * lose bits; the next term is below 1.3e-9.  s is x^2, below 2^26 in Q0.32. */
+static tp_tanh tanh_small(uint32_t x_q24)
+{
+    const uint64_t s = ((uint64_t)x_q24 * x_q24 + 0x8000) >> 16;
+    const uint64_t six = s * 231791886 >> 32;                       /* 17/315 in Q32 */
+    const uint64_t four = s * (572662306 - six) >> 32;              /* 2/15 */
+    const uint64_t two = s * (1431655765 - four) >> 32;             /* 1/3 */
+    const uint32_t ratio = (uint32_t)(0x80000000u - ((two + 1) >> 1));
+    return (tp_tanh){ (uint32_t)(((uint64_t)x_q24 * ratio + (1 << 22)) >> 23), ratio };
+}
+
+/* (1 - e) / (1 + e), e = e^-2x.  (1 + e)/2 has 32 bits and so its reciprocal gives 2^32 /
+ * (1 + e); the product is below 2^64.  tanh / x is by the reciprocal of the x that is
+ * moved up: 2^63 / (x 2^up), so tanh 2^32 / (x 2^24) comes with 40 - up bits too many. */
+tp_tanh tp_tanh_of(uint32_t x_q24)
+{
+    if (x_q24 < 1u << 21)
+        return tanh_small(x_q24);
+    const uint32_t e = x_q24 >= TP_DEPTH_DEEP_Q24 ? 0 : tp_exp_neg(2 * x_q24);
+    const uint32_t over = tp_recip_norm(0x80000000u + e / 2);
+    const uint32_t t = (uint32_t)((0x100000000u - e) * over >> 32);
+    const int up = tp_clz(x_q24);
+    const uint64_t ratio = (uint64_t)t * tp_recip_norm(x_q24 << up);
+    return (tp_tanh){ t, (uint32_t)(ratio >> (40 - up)) };
+}
+
+tp_q30 tp_sinh_ratio_q30(uint32_t x_q24)
+{
+    if (x_q24 >= TP_DEPTH_DEEP_Q24)
+        return 0;                                                   /* it is 2e-9 */
+    const tp_tanh at = tp_tanh_of(x_q24);
+    const tp_scaled over = tp_scaled_recip(tp_scaled_of(at.ratio_q31, 31));
+    const uint32_t bend = tp_sech_squared(at);
+    const int64_t n = tp_scaled_fixed(tp_scaled_mul(tp_scaled_of(bend, 31), over), 30);
+    return n > TP_Q30_ONE ? TP_Q30_ONE : (tp_q30)n;
+}
+
+/* sech^2 / tanh^2; from x = 1 on (2 e^-x / (1 - e^-2x))^2, as sech^2 runs out of bits. */
+tp_scaled tp_csch_squared(tp_scaled x)
+{
+    const uint32_t x_q24 = tp_depth_argument(x);
+
+    if (x_q24 < 1u << 24) {
+        const tp_tanh at = tp_tanh_of(x_q24);
+        const tp_scaled t = tp_scaled_mul(x, tp_scaled_of(at.ratio_q31, 31));
+        const tp_scaled over = tp_scaled_recip(t);
+        return tp_scaled_mul(tp_scaled_of(tp_sech_squared(at), 31),
+                             tp_scaled_mul(over, over));
+    }
+    const uint64_t e = tp_exp_neg(x_q24);
+    const uint64_t below = 0x100000000u - (e * e >> 32);
+    const tp_scaled over = tp_scaled_recip(tp_scaled_of(below, 32));
+    const tp_scaled root = tp_scaled_mul(tp_scaled_of(e, 31), over);
+    return tp_scaled_mul(root, root);
+}

@@ -1,0 +1,117 @@
+/* SPDX-License-Identifier: MIT */
+/* The sea floor: none, a straight slope, or a picture of its heights.
+ *
+ * A picture's samples lie in the middle of its pixels and are joined bilinearly; beyond
+ * the outermost middles the edge goes on level.  Rises are those of the bilinear patch,
+ * so they jump from pixel to pixel; tp_ocean keeps smoothed ones. */
+#include "tidepool/ocean.h"
+#include "wave/ocean.h"
+
+#define RISE_MAX TP_FX(8)
+
+static tp_fx held(int64_t x)
+{
+    return x > TP_FX_MAX ? TP_FX_MAX : x < TP_FX_MIN ? TP_FX_MIN : (tp_fx)x;
+}
+
+tp_way tp_way_of(tp_fx degrees)
+{
+    const tp_rotation turned = tp_rotation_of(tp_turn_of_degrees(degrees), 0, 0);
+    return (tp_way){ turned.x.z, -turned.x.x };
+}
+
+/* |x|, |z| <= 2^31 and a way of length 1 in Q30: their sum of products is below 2^62. */
+tp_fx tp_way_along(tp_way way, tp_fx x, tp_fx z)
+{
+    return held(((int64_t)way.x * x + (int64_t)way.z * z + (1 << 29)) >> 30);
+}
+
+static tp_floor_at slope_under(const tp_floor *floor, tp_fx x, tp_fx z)
+{
+    const tp_way up = tp_way_of(floor->heading);
+    const int64_t rise = (int64_t)floor->slope * tp_way_along(up, x, z);
+
+    return (tp_floor_at){
+        .depth = held(floor->depth - ((rise + 0x8000) >> 16)),
+        .rise_x = tp_q30_mul(floor->slope, up.x),
+        .rise_z = tp_q30_mul(floor->slope, up.z),
+    };
+}
+
+/* A place along one side of a picture: the sample before it, and how far behind it. */
+typedef struct {
+    uint32_t sample, next;
+    int32_t  part;              /* Q16, 0..1 */
+    bool     outside;
+} place;
+
+/* `way` from the middle, `cells` samples of `size` / `across` metres each.  |way| < 2^32
+ * and across <= 2^12 leave room for 16 more bits. */
+static place place_of(int64_t way, uint32_t cells, uint32_t across, tp_fx size)
+{
+    const int64_t at = way * (int64_t)across * TP_FX_ONE / size
+                     + ((int64_t)cells - 1) * (TP_FX_ONE / 2);
+    const int64_t last = ((int64_t)cells - 1) * TP_FX_ONE;
+
+    if (at < 0)
+        return (place){ .outside = true };
+    if (at >= last)
+        return (place){ cells - 1, cells - 1, 0, at > last };
+    const uint32_t sample = (uint32_t)(at >> 16);
+    return (place){ sample, sample + 1, (int32_t)(at & 0xffff), false };
+}
+
+/* Full range (33 bits) times a sample of 24 bits, over white. */
+static int64_t of_range(const tp_floor *floor, int64_t sample_q8)
+{
+    const int64_t range = (int64_t)floor->map_high - floor->map_low;
+    const int64_t white = (int64_t)65535 << 8, product = range * sample_q8;
+    return (product + (product < 0 ? -white : white) / 2) / white;
+}
+
+/* A step between neighbours (17 bits) as metres a metre.  The range has 33 bits and the
+ * cells across 12, so the product fits; over 65535 for white and times 2^16 is nearly
+ * one. */
+static tp_fx rise_of(const tp_floor *floor, int64_t step)
+{
+    const int64_t range = (int64_t)floor->map_high - floor->map_low;
+    const int64_t rise = range * floor->map->cols * step / floor->map_size;
+    const int64_t most = rise + rise / 65535;
+    return most > RISE_MAX ? RISE_MAX : most < -RISE_MAX ? -RISE_MAX : (tp_fx)most;
+}
+
+static int64_t between(int64_t a, int64_t b, int32_t part)
+{
+    return a * TP_FX_ONE + (b - a) * part;
+}
+
+static tp_floor_at map_under(const tp_floor *floor, tp_fx x, tp_fx z)
+{
+    const tp_grey *map = floor->map;
+    const place u = place_of((int64_t)x - floor->map_x, map->cols, map->cols,
+                             floor->map_size);
+    const place v = place_of((int64_t)z - floor->map_z, map->rows, map->cols,
+                             floor->map_size);
+    const uint16_t *north = map->sample + (size_t)v.sample * map->cols;
+    const uint16_t *south = map->sample + (size_t)v.next * map->cols;
+    const int64_t high = between(north[u.sample], north[u.next], u.part);
+    const int64_t low = between(south[u.sample], south[u.next], u.part);
+    const int64_t west = between(north[u.sample], south[u.sample], v.part);
+    const int64_t east = between(north[u.next], south[u.next], v.part);
+    const int64_t middle = (between(high, low, v.part) + (1 << 23)) >> 24;
+
+    return (tp_floor_at){
+        .depth = held(-(floor->map_low + of_range(floor, middle))),
+        .rise_x = u.outside ? 0 : rise_of(floor, (east - west + 0x8000) >> 16),
+        .rise_z = v.outside ? 0 : rise_of(floor, (low - high + 0x8000) >> 16),
+    };
+}
+
+tp_floor_at tp_floor_under(const tp_floor *floor, tp_fx x, tp_fx z)
+{
+    if (floor->map != NULL)
+        return map_under(floor, x, z);
+    if (floor->depth == 0)
+        return (tp_floor_at){ .depth = TP_FX_MAX };
+    return slope_under(floor, x, z);
+}

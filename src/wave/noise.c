@@ -1,0 +1,27 @@
+/* SPDX-License-Identifier: MIT */
+/* Value noise in integers: heights of a lattice from a mixing of its coordinates, joined
+ * by smoothsteps. */
+#include "wave/ocean.h"
+
+#define V_CELLS 8
+
+/* Two rounds of multiply and shift after Wang; well mixed high bits are all it takes. */
+static tp_fx height_at(uint32_t u, uint32_t v, uint32_t seed)
+{
+    uint32_t h = (u & 0xffff) * 0x9e3779b1u ^ (v % V_CELLS) * 0x85ebca77u ^ seed;
+
+    h = (h ^ h >> 15) * 0x2c1b3c6du;
+    h = (h ^ h >> 12) * 0x297a2d39u;
+    return (tp_fx)(h >> 15) - TP_FX_ONE;        /* 17 bits: -1..1 */
+}
+
+tp_fx tp_noise(uint32_t u_q16, uint32_t v_q16, uint32_t seed)
+{
+    const uint32_t u = u_q16 >> 16, v = v_q16 >> 16;
+    const tp_fx s = tp_smooth((tp_fx)(u_q16 & 0xffff));
+    const tp_fx t = tp_smooth((tp_fx)(v_q16 & 0xffff));
+    const tp_fx near = tp_between(height_at(u, v, seed), height_at(u + 1, v, seed), s);
+    const tp_fx far = tp_between(height_at(u, v + 1, seed),
+                                 height_at(u + 1, v + 1, seed), s);
+    return tp_between(near, far, t);
+}

@@ -1,0 +1,301 @@
+/* SPDX-License-Identifier: MIT */
+/* The ocean's surface at a point: [B8]-[B19] of the models from tables.
+ *
+ * Phi is the models' phase of an orbit, 0 in the trough: a quarter turn beyond the one
+ * of the sea's sines [A7].  On deep water, where tables end, a point is the sea's own.
+ * What an orbit does along its way it does along the local one, so that particles move
+ * across their crests.  A crest breaks by its height before the cap of [B15]: the cap
+ * holds the height that is drawn, the gate opens as the depth falls below what the wave
+ * would need. */
+#include "wave/ocean.h"
+#include "wave/wave.h"
+
+#define QUARTER 0x40000000u
+
+/* -- the floor under a place ------------------------------------------------------- */
+
+typedef struct {
+    tp_fx    depth;
+    tp_fx    rise_x, rise_z;
+    tp_ocean_where at;          /* of a depth > 0 */
+    size_t   node;              /* of a map, north-west of the place; parts are Q16 */
+    int32_t  part_x, part_z;
+} place;
+
+static tp_fx held(int64_t x)
+{
+    return x > TP_FX_MAX ? TP_FX_MAX : x < TP_FX_MIN ? TP_FX_MIN : (tp_fx)x;
+}
+
+/* Nodes from the first one, Q16, held on the map.  |way| <= 128 steps and a step of at
+ * least 2^9 leave the product 57 bits. */
+static uint32_t nodes_of(const tp_ocean *ocean, int64_t way, uint32_t nodes)
+{
+    const int64_t last = (int64_t)ocean->map_step * (nodes - 1);
+    const uint32_t most = ((nodes - 1) << 16) - 1;
+
+    if (way <= 0)
+        return 0;
+    if (way >= last)
+        return most;
+    const uint32_t at = (uint32_t)((uint64_t)way * ocean->map_per_step >> 32);
+    return at < most ? at : most;
+}
+
+/* Between the four nodes round a place. */
+static inline int32_t patch(int32_t a, int32_t b, int32_t c, int32_t d, const place *p)
+{
+    return tp_between(tp_between(a, b, p->part_x), tp_between(c, d, p->part_x),
+                      p->part_z);
+}
+
+static void find_on_map(const tp_ocean *ocean, tp_fx x, tp_fx z, place *p)
+{
+    const uint32_t u = nodes_of(ocean, x - ocean->map_x, ocean->map_cols);
+    const uint32_t v = nodes_of(ocean, z - ocean->map_z, ocean->map_rows);
+
+    p->node = (size_t)(v >> 16) * ocean->map_cols + (u >> 16);
+    p->part_x = (int32_t)(u & 0xffff);
+    p->part_z = (int32_t)(v & 0xffff);
+    const tp_ocean_bed *n = tp_ocean_beds(ocean) + p->node, *s = n + ocean->map_cols;
+    p->depth = patch(n[0].depth, n[1].depth, s[0].depth, s[1].depth, p);
+    p->rise_x = patch(n[0].rise_x, n[1].rise_x, s[0].rise_x, s[1].rise_x, p) * 32;
+    p->rise_z = patch(n[0].rise_z, n[1].rise_z, s[0].rise_z, s[1].rise_z, p) * 32;
+}
+
+static void find_straight(const tp_ocean *ocean, tp_fx x, tp_fx z, place *p)
+{
+    const tp_fx along = tp_way_along((tp_way){ ocean->up_x, ocean->up_z }, x, z);
+    const int64_t rise = (int64_t)ocean->slope * along;
+
+    p->depth = held(ocean->depth - ((rise + 0x8000) >> 16));
+    p->rise_x = tp_q30_mul(ocean->slope, ocean->up_x);
+    p->rise_z = tp_q30_mul(ocean->slope, ocean->up_z);
+}
+
+static place find(const tp_ocean *ocean, tp_fx x, tp_fx z)
+{
+    place p = { .depth = 0 };
+
+    if (ocean->map_cols)
+        find_on_map(ocean, x, z, &p);
+    else
+        find_straight(ocean, x, z, &p);
+    if (p.depth > 0)
+        p.at = tp_ocean_where_of(p.depth);
+    return p;
+}
+
+tp_floor_at tp_ocean_floor(const tp_ocean *ocean, tp_fx x, tp_fx z)
+{
+    const place p = find(ocean, x, z);
+    return (tp_floor_at){ p.depth, p.rise_x, p.rise_z };
+}
+
+/* -- one wave there ---------------------------------------------------------------- */
+
+typedef struct {
+    tp_ellipse orbit;
+    tp_way  way;
+    tp_turn phi;
+} motion;
+
+/* The phase beyond deep water's, turns Q0.32 of Q16 in the nodes. */
+static tp_turn turns_between(int64_t a, int64_t b, int32_t part)
+{
+    return (tp_turn)(uint64_t)(a * TP_FX_ONE + (b - a) * part);
+}
+
+/* Four nodes' in Q24 between rows: 2^31 and 2^8 and a part of 2^17 are 56 bits. */
+static tp_turn ray_turns(const tp_ocean_ray *n, const tp_ocean_ray *s, const place *p)
+{
+    const int64_t north = n[0].turns * (int64_t)256
+                        + (((int64_t)n[1].turns - n[0].turns) * p->part_x >> 8);
+    const int64_t south = s[0].turns * (int64_t)256
+                        + (((int64_t)s[1].turns - s[0].turns) * p->part_x >> 8);
+    return (tp_turn)(uint64_t)(north * 256 + ((south - north) * p->part_z >> 8));
+}
+
+/* The tilt of an orbit over a floor that rises along its way [B11], as turn_node of the
+ * tables has it. */
+static void tilt(const tp_ocean *ocean, const place *p, motion *m)
+{
+    const int64_t rise = ((int64_t)p->rise_x * m->way.x + (int64_t)p->rise_z * m->way.z)
+                         >> 16;                                     /* Q30, below 2^34 */
+    const uint32_t *fall = ocean->fall + p->at.depth;
+    const uint32_t kept = (uint32_t)(fall[0] - ((uint64_t)(fall[0] - fall[1])
+                                                * (uint32_t)p->at.depth_part >> 16));
+    if (rise <= 0 || kept < 1 << 16)
+        return;
+    const int64_t r = rise >> 8, one = 1 << 22;                     /* Q22 */
+    const uint32_t length = tp_isqrt64((uint64_t)(one * one + r * r));
+    const int zeros = tp_clz(length);
+    const uint32_t over = tp_recip_norm(length << zeros);           /* 2^63 / it */
+    const uint64_t sin = (uint64_t)r * over >> (33 - zeros);        /* Q30 */
+    m->orbit.sin = (tp_q30)(sin * kept >> 32);
+    m->orbit.cos = tp_cos_of_sin(m->orbit.sin);
+}
+
+static void move_on_map(const tp_ocean *ocean, const tp_ocean_wave *wave, const place *p,
+                        motion *m)
+{
+    const tp_ocean_ray *n = tp_ocean_rays(ocean, wave) + p->node;
+    const tp_ocean_ray *s = n + ocean->map_cols;
+
+    m->phi += ray_turns(n, s, p);
+    m->way.x = wave->way_x + patch(n[0].way_x, n[1].way_x, s[0].way_x, s[1].way_x, p)
+                             * (1 << 17);
+    m->way.z = wave->way_z + patch(n[0].way_z, n[1].way_z, s[0].way_z, s[1].way_z, p)
+                             * (1 << 17);
+    tilt(ocean, p, m);
+}
+
+static void move_straight(const tp_ocean_table *table, const place *p, motion *m)
+{
+    const tp_ocean_depth *d = table->depth + p->at.depth;
+    const int32_t *turns = table->turns + p->at.phase, part = p->at.depth_part;
+
+    m->phi += turns_between(turns[0], turns[1], p->at.phase_part);
+    m->way.x = tp_between(d[0].way_x, d[1].way_x, part);
+    m->way.z = tp_between(d[0].way_z, d[1].way_z, part);
+    if ((d[0].tilt_sin | d[1].tilt_sin) == 0)
+        return;
+    m->orbit.sin = tp_between(d[0].tilt_sin * (1 << 16), d[1].tilt_sin * (1 << 16), part);
+    m->orbit.cos = tp_between(d[0].tilt_cos * (1 << 16), d[1].tilt_cos * (1 << 16), part);
+}
+
+static motion move(const tp_ocean *ocean, uint32_t i, const tp_turn *phases, tp_fx x0,
+                   tp_fx z0, const place *p)
+{
+    const tp_ocean_wave *wave = &ocean->wave[i];
+    const tp_ocean_table *table = &ocean->table[i];
+    const tp_ocean_depth *d = table->depth + p->at.depth;
+    motion m = {
+        .phi = phases[i] + tp_swell_turns(wave->turns_x, x0)
+                         + tp_swell_turns(wave->turns_z, z0) + QUARTER,
+        .orbit.along = tp_between(d[0].along, d[1].along, p->at.depth_part),
+        .orbit.up = tp_between(d[0].up, d[1].up, p->at.depth_part),
+        .orbit.cos = TP_Q30_ONE,
+    };
+
+    if (ocean->map_cols)
+        move_on_map(ocean, wave, p, &m);
+    else
+        move_straight(table, p, &m);
+    if (wave->lambda)
+        m.phi = tp_wind_phase(m.phi, tp_wind_push(wave->lambda, m.orbit.up),
+                              wave->iterations);
+    return m;
+}
+
+/* -- breaking ---------------------------------------------------------------------- */
+
+/* Noise of the place: across the way a cell is half a wave long, along it two waves, and
+ * where there is another wave, its beat with this one moves the noise on by eight cells.
+ * Both coordinates wrap: 2^16 turns across are 2^17 cells, 16 along are eight. */
+static tp_fx noise_at(const tp_ocean *ocean, uint32_t i, const tp_turn *phases, tp_fx x0,
+                      tp_fx z0)
+{
+    const tp_ocean_wave *wave = &ocean->wave[i];
+    const uint64_t x = (uint64_t)(int64_t)x0, z = (uint64_t)(int64_t)z0;
+    const uint64_t kx = (uint64_t)wave->turns_x, kz = (uint64_t)wave->turns_z;
+    const uint64_t across = kx * z - kz * x, along = kx * x + kz * z;   /* Q48 */
+    const tp_turn beat = phases[i + 1 < ocean->count ? i + 1 : 0] - phases[i];
+
+    return tp_noise((uint32_t)(across >> 31),
+                    (uint32_t)((along >> 33) + (beat >> 13)), i * 0x632be5abu);
+}
+
+/* 0..1: how far the gate of [B15] is open, 16.16. */
+static tp_fx gate_of(const tp_ocean *ocean, uint32_t i, const tp_turn *phases, tp_fx x0,
+                     tp_fx z0, const place *p)
+{
+    const tp_ocean_depth *d = ocean->table[i].depth + p->at.depth;
+    tp_fx ratio = tp_between(d[0].ratio, d[1].ratio, p->at.depth_part);
+
+    if (ratio < TP_OCEAN_RATIO_LEAST)
+        return 0;
+    if (ocean->irregular) {
+        const tp_fx noise = noise_at(ocean, i, phases, x0, z0);
+        ratio += tp_fx_mul(ratio, tp_fx_mul(ocean->irregular, noise) / 2);
+    }
+    return tp_breaking_gate(ratio);
+}
+
+/* 0..255 of a gate: nothing in the trough half, all on the crest, by the square
+ * between. */
+static uint32_t foam_of(tp_fx gate, int32_t p)
+{
+    const uint32_t far = p < 0 ? 0u - (uint32_t)p : (uint32_t)p;
+    const uint32_t near = far > QUARTER ? (far - QUARTER) >> 15 : 0;    /* 0..2^15 */
+    return ((uint32_t)gate * (near * near >> 15) >> 15) * 255 >> 16;
+}
+
+/* The offset of one wave where it may break, and how far it does. */
+static tp_offset surf_offset(const tp_ocean *ocean, uint32_t i, const tp_turn *phases,
+                             const place *p, const motion *m, tp_fx x0, tp_fx z0,
+                             bool whole, uint32_t *foam)
+{
+    const tp_ocean_wave *wave = &ocean->wave[i];
+    const tp_ocean_depth *d = ocean->table[i].depth + p->at.depth;
+    const tp_fx gate = gate_of(ocean, i, phases, x0, z0, p);
+    const tp_fx steep = tp_between(d[0].steep, d[1].steep, p->at.depth_part) * 4;
+    const int32_t phase = (int32_t)(m->phi - tp_orbit_lowest(&m->orbit));
+    const uint32_t here = foam_of(gate > steep ? gate : steep, phase);
+
+    *foam = here > *foam ? here : *foam;
+    if (!whole || gate == 0 || wave->stretch == 0)
+        return tp_orbit_at(&m->orbit, m->phi);
+    const tp_fx lip = tp_between(d[0].lip, d[1].lip, p->at.depth_part);
+    const tp_breaker breaker = {
+        .orbit = m->orbit, .stretch = tp_fx_mul(lip, wave->stretch),
+        .lip = tp_fx_mul(lip, wave->plunge), .kept_stretch = gate, .kept_lip = gate,
+    };
+    return tp_breaking_shape(&breaker, m->phi).offset;
+}
+
+/* -- points ------------------------------------------------------------------------ */
+
+static tp_ocean_point point_at(const tp_ocean *ocean, const tp_turn *phases,
+                                         tp_fx x0, tp_fx z0, bool whole)
+{
+    const place p = find(ocean, x0, z0);
+    tp_ocean_point point = { .position = { x0, 0, z0 }, .depth = p.depth };
+    uint32_t foam = 0;
+
+    if (p.depth <= 0)
+        return point;
+    for (uint32_t i = 0; i < ocean->count; i++) {
+        const motion m = move(ocean, i, phases, x0, z0, &p);
+        const tp_offset o = p.at.depth >= ocean->wave[i].calm
+                          ? tp_orbit_at(&m.orbit, m.phi)
+                          : surf_offset(ocean, i, phases, &p, &m, x0, z0, whole, &foam);
+        point.position.x += tp_q30_mul(o.along, m.way.x);
+        point.position.y += o.up;
+        point.position.z += tp_q30_mul(o.along, m.way.z);
+    }
+    point.breaking = (uint8_t)foam;
+    return point;
+}
+
+tp_ocean_point tp_ocean_at_rest(const tp_ocean *ocean, const tp_turn phases[TP_WAVES],
+                                tp_fx x0, tp_fx z0)
+{
+    return point_at(ocean, phases, x0, z0, true);
+}
+
+tp_ocean_point tp_ocean_smooth(const tp_ocean *ocean, const tp_turn phases[TP_WAVES],
+                               tp_fx x0, tp_fx z0)
+{
+    return point_at(ocean, phases, x0, z0, false);
+}
+
+tp_fx tp_ocean_reach(const tp_ocean *ocean)
+{
+    return ocean->reach;
+}
+
+tp_fx tp_ocean_height(const tp_ocean *ocean)
+{
+    return ocean->height;
+}

@@ -1,0 +1,235 @@
+/* SPDX-License-Identifier: MIT */
+/* What a map of the floor adds: nodes of its depth and rise, and for each wave the phase
+ * and the way at each node, from the eikonal equation.
+ *
+ * Phases are kept as what they are more than those on deep water, in whole turns and
+ * 2^-16 of them: this differs slowly from node to node where phases themselves go round
+ * several times, so bilinear interpolation never takes the wrong turn, however short the
+ * waves.  On deep water it is 0.
+ *
+ * Where waves come in, the phase along the edge is the integral of their number along
+ * it, after Snell's law [B9] with the floor's rise there: so that a map of a straight
+ * slope has the phases of that slope.  Waves keep their height where rays spread or
+ * crowd. */
+#include "wave/ocean.h"
+
+#define UNKNOWN   INT64_MAX
+#define RISE_LEAST 1024         /* half of 1 / the rise that still bends waves */
+
+/* -- the floor --------------------------------------------------------------------- */
+
+/* A map of more pixels than nodes is looked at in four places around a node. */
+static tp_fx depth_around(const tp_ocean *ocean, const tp_floor *floor, int64_t x,
+                          int64_t z)
+{
+    const uint32_t cols = floor->map->cols, rows = floor->map->rows;
+    const bool fine = cols > ocean->map_cols || rows > ocean->map_rows;
+    const int64_t way = fine ? ocean->map_step / 4 : 0;
+    int64_t sum = 2;
+
+    for (int n = 0; n < 4; n++) {
+        const int64_t at_x = x + (n & 1 ? way : -way), at_z = z + (n & 2 ? way : -way);
+        sum += tp_floor_under(floor, (tp_fx)at_x, (tp_fx)at_z).depth;
+    }
+    return (tp_fx)(sum >> 2);
+}
+
+/* How much deeper it is at a node's western and northern neighbour than at the others,
+ * two steps away; on the edges one step is doubled. */
+typedef struct {
+    int64_t x, z;
+} fall;
+
+static fall fall_at(const tp_ocean *ocean, size_t at)
+{
+    const size_t cols = ocean->map_cols, col = at % cols, row = at / cols;
+    const tp_ocean_bed *bed = tp_ocean_beds(ocean) + at;
+    const tp_ocean_bed *west = col > 0 ? bed - 1 : bed;
+    const tp_ocean_bed *east = col + 1 < cols ? bed + 1 : bed;
+    const tp_ocean_bed *north = row > 0 ? bed - cols : bed;
+    const tp_ocean_bed *south = row + 1 < ocean->map_rows ? bed + cols : bed;
+    const bool inside_x = east - west == 2, inside_z = south - north > (ptrdiff_t)cols;
+
+    return (fall){ ((int64_t)west->depth - east->depth) * (inside_x ? 1 : 2),
+                   ((int64_t)north->depth - south->depth) * (inside_z ? 1 : 2) };
+}
+
+/* The floor rises where it was deeper; Q4.11, held. */
+static int16_t rise_of(int64_t deeper, int64_t step)
+{
+    const int64_t rise = deeper * 1024 / step;
+    return (int16_t)(rise > 16384 ? 16384 : rise < -16384 ? -16384 : rise);
+}
+
+static void find_rises(const tp_ocean *ocean, tp_ocean_bed *beds)
+{
+    for (size_t i = 0; i < (size_t)ocean->map_cols * ocean->map_rows; i++) {
+        const fall f = fall_at(ocean, i);
+        beds[i].rise_x = rise_of(f.x, ocean->map_step);
+        beds[i].rise_z = rise_of(f.z, ocean->map_step);
+    }
+}
+
+void tp_ocean_make_beds(tp_ocean *ocean, const tp_floor *floor)
+{
+    tp_ocean_bed *beds = tp_ocean_beds(ocean), *bed = beds;
+
+    for (uint32_t r = 0; r < ocean->map_rows; r++) {
+        for (uint32_t c = 0; c < ocean->map_cols; c++, bed++)
+            bed->depth = depth_around(ocean, floor,
+                                      ocean->map_x + (int64_t)c * ocean->map_step,
+                                      ocean->map_z + (int64_t)r * ocean->map_step);
+    }
+    find_rises(ocean, beds);
+}
+
+/* The mean rise where a wave of this amplitude may break, up to the depth of four times
+ * its own, Q30; of all the floor if it is nowhere so shallow. */
+tp_q30 tp_ocean_beach(const tp_ocean *ocean, tp_fx amplitude)
+{
+    const tp_ocean_bed *beds = tp_ocean_beds(ocean);
+    const size_t count = (size_t)ocean->map_cols * ocean->map_rows;
+    int64_t sum[2] = { 0, 0 }, found[2] = { 0, 0 };
+
+    for (size_t i = 0; i < count; i++) {
+        const int32_t x = beds[i].rise_x, z = beds[i].rise_z;
+        const uint32_t rise = tp_isqrt64((uint64_t)((int64_t)x * x + (int64_t)z * z));
+        const int near = beds[i].depth > 0 && beds[i].depth <= 4 * (int64_t)amplitude;
+        sum[near] += rise;
+        found[near]++;
+    }
+    const int of = found[1] > 0;
+    const int64_t mean = sum[of] * 1024 / found[of] * 512;      /* Q11 to Q30 */
+    return (tp_q30)(mean < TP_Q30_ONE ? mean : TP_Q30_ONE);
+}
+
+/* -- waves ------------------------------------------------------------------------- */
+
+static tp_dir3 way_of(int64_t x, int64_t z)
+{
+    for (; x > TP_Q30_ONE || x < -TP_Q30_ONE || z > TP_Q30_ONE || z < -TP_Q30_ONE; z /= 2)
+        x /= 2;
+    return tp_normalise((int32_t)x, 0, (int32_t)z);
+}
+
+/* The wave number at a node, rad/m, and as a vector. */
+static int64_t number_at(const tp_ocean *ocean, const tp_ocean_swell *w, size_t at)
+{
+    return tp_ocean_number_at(w->k_inf_q32, tp_ocean_beds(ocean)[at].depth);
+}
+
+static tp_ocean_number bent_at(const tp_ocean *ocean, const tp_ocean_swell *w, size_t at)
+{
+    const fall f = fall_at(ocean, at);
+    const int64_t least = ocean->map_step / RISE_LEAST;
+    tp_way up = { 0, 0 };
+
+    if (f.x > least || f.x < -least || f.z > least || f.z < -least) {
+        const tp_dir3 dir = way_of(f.x, f.z);
+        up = (tp_way){ dir.x, dir.z };
+    }
+    return tp_ocean_bent(w, up, number_at(ocean, w, at));
+}
+
+/* A step of turns a metre: 2^34 times 2^23 at the most. */
+static int64_t turns_a_step(const tp_ocean *ocean, int64_t k_q32)
+{
+    return tp_ocean_turns(k_q32) * (int64_t)ocean->map_step >> 16;
+}
+
+/* Along an edge from the node `at`, whose phase is known, `count` times `step` nodes on:
+ * by the mean of what the wave's number along it is at both ends. */
+static void walk_edge(const tp_ocean *ocean, const tp_ocean_swell *w, int64_t *turns,
+                      ptrdiff_t at, ptrdiff_t step, uint32_t count)
+{
+    const bool east_west = step == 1 || step == -1;
+    const int sign = step < 0 ? -1 : 1;
+    tp_ocean_number here = bent_at(ocean, w, (size_t)at);
+
+    for (uint32_t n = 1; n < count; n++, at += step) {
+        const tp_ocean_number next = bent_at(ocean, w, (size_t)(at + step));
+        const int64_t mean = east_west ? (here.x_q32 + next.x_q32) / 2
+                                       : (here.z_q32 + next.z_q32) / 2;
+        turns[at + step] = turns[at] + sign * turns_a_step(ocean, mean);
+        here = next;
+    }
+}
+
+/* Deep water's phase at a node as Q32.32, to the bit what tp_swell_turns makes of it, but
+ * with 16 bits of whole turns; beyond them it wraps, and so does what is less it. */
+static int64_t plane_at(const tp_ocean *ocean, const tp_ocean_wave *wave, uint32_t col,
+                        uint32_t row)
+{
+    const int64_t x = ocean->map_x + (int64_t)col * ocean->map_step;
+    const int64_t z = ocean->map_z + (int64_t)row * ocean->map_step;
+    const uint64_t turns_x = (uint64_t)wave->turns_x * (uint64_t)x >> 16;
+    const uint64_t turns_z = (uint64_t)wave->turns_z * (uint64_t)z >> 16;
+    return (int64_t)((turns_x + turns_z) << 16) >> 16;
+}
+
+static void start(const tp_ocean *ocean, const tp_ocean_wave *wave, tp_ocean_ray *rays,
+                  const tp_ocean_swell *w, int64_t *turns)
+{
+    const uint32_t cols = ocean->map_cols, rows = ocean->map_rows;
+    const uint32_t col = w->way.x < 0 ? cols - 1 : 0, row = w->way.z < 0 ? rows - 1 : 0;
+    const size_t corner = (size_t)row * cols + col, count = (size_t)cols * rows;
+
+    for (size_t i = 0; i < count; i++) {
+        const int64_t f = (turns_a_step(ocean, number_at(ocean, w, i)) + 0x80) >> 8;
+        rays[i].turns = (int32_t)(uint32_t)(f < UINT32_MAX ? f : UINT32_MAX);
+        turns[i] = UNKNOWN;
+    }
+    turns[corner] = plane_at(ocean, wave, col, row);
+    if (w->way.z != 0)
+        walk_edge(ocean, w, turns, (ptrdiff_t)corner, w->way.x < 0 ? -1 : 1, cols);
+    if (w->way.x != 0)
+        walk_edge(ocean, w, turns, (ptrdiff_t)corner,
+                  w->way.z < 0 ? -(ptrdiff_t)cols : (ptrdiff_t)cols, rows);
+}
+
+/* The phase beyond deep water's, of which 48 bits count, to Q16. */
+static int32_t beyond(int64_t turns, int64_t plane)
+{
+    const uint64_t more = (uint64_t)turns - (uint64_t)plane + 0x8000;
+    return (int32_t)((int64_t)(more << 16) >> 32);
+}
+
+/* Q30 less deep water's as Q2.13. */
+static int16_t to_q13(int64_t way)
+{
+    return (int16_t)((way + (1 << 16)) >> 17);
+}
+
+/* The way of travel is the phase's gradient. */
+static void finish(const tp_ocean *ocean, const tp_ocean_wave *wave, tp_ocean_ray *rays,
+                   const int64_t *turns)
+{
+    const size_t cols = ocean->map_cols, rows = ocean->map_rows;
+
+    for (size_t r = 0; r < rows; r++) {
+        const size_t north = r > 0 ? r - 1 : r, south = r + 1 < rows ? r + 1 : r;
+        for (size_t c = 0; c < cols; c++) {
+            const size_t west = c > 0 ? c - 1 : c, east = c + 1 < cols ? c + 1 : c;
+            const int64_t x = turns[r * cols + east] - turns[r * cols + west];
+            const int64_t z = turns[south * cols + c] - turns[north * cols + c];
+            const tp_dir3 way = way_of(x * (east - west == 2 ? 1 : 2),
+                                       z * (south - north == 2 ? 1 : 2));
+            tp_ocean_ray *ray = &rays[r * cols + c];
+            ray->turns = beyond(turns[r * cols + c],
+                                plane_at(ocean, wave, (uint32_t)c, (uint32_t)r));
+            ray->way_x = to_q13((int64_t)way.x - wave->way_x);
+            ray->way_z = to_q13((int64_t)way.z - wave->way_z);
+        }
+    }
+}
+
+void tp_ocean_make_rays(tp_ocean *ocean, uint32_t i, const tp_ocean_swell *swell,
+                        int64_t *turns)
+{
+    const tp_ocean_wave *wave = &ocean->wave[i];
+    tp_ocean_ray *rays = tp_ocean_rays(ocean, wave);
+
+    start(ocean, wave, rays, swell, turns);
+    tp_eikonal_solve(turns, rays, ocean->map_cols, ocean->map_rows);
+    finish(ocean, wave, rays, turns);
+}

@@ -1,0 +1,238 @@
+/* SPDX-License-Identifier: MIT */
+/* What each wave of the ocean is at a depth, tabulated: [B2]-[B9] and [B11]-[B15].
+ *
+ * Heights grow by Ks Kr and are capped at 0.39 h and by Miche's limit.  The latter is
+ * raised for a wave that is steeper than it on deep water already: there a wave is what
+ * the scene asks for.  The node at 2048 m is deep water to the bit, and so are places
+ * without a floor.
+ *
+ * Loops [A11] [B13]: all waves at a place have one depth, so the steepness sum is taken
+ * at each node, sum k QrSx (1 + lambda r) <= 0.951 (0.95 and its roundings), and all
+ * orbits of a node are narrowed by one factor where it is more. */
+#include "wave/ocean.h"
+
+#define STEEPEST   TP_FX(0.951)
+#define KEPT_RATE  TP_FX(0.1)       /* Ks and Kd of [B19], 1/m */
+#define RATIO_MAX  TP_FX(8)
+#define TWO_PI     TP_FX(6.283185307)
+#define DEEP       (TP_OCEAN_DEPTHS - 1)
+
+int64_t tp_ocean_across(int64_t k_q32, int64_t kz_q32)
+{
+    uint64_t k = (uint64_t)k_q32, kz = (uint64_t)(kz_q32 < 0 ? -kz_q32 : kz_q32);
+    int up = 0, down = 0;
+
+    if (kz >= k)
+        return 0;
+    for (; k >> 31 != 0; k >>= 1, kz >>= 1)
+        down++;
+    for (; k >> 30 == 0; k <<= 1, kz <<= 1)
+        up++;
+    const int64_t root = tp_isqrt64(k * k - kz * kz);
+    return (root + (((int64_t)1 << up) >> 1)) >> up << down;
+}
+
+/* Towards `up`, k times its share that way.  A wave that leaves the shore keeps leaving
+ * it: its sign is that of deep water. */
+tp_ocean_number tp_ocean_bent(const tp_ocean_swell *swell, tp_way up, int64_t k_q32)
+{
+    const tp_way along = { -up.z, up.x };
+
+    if (up.x == 0 && up.z == 0)
+        return (tp_ocean_number){ tp_ocean_part(k_q32, swell->way.x),
+                                  tp_ocean_part(k_q32, swell->way.z) };
+    const int64_t kz = tp_ocean_part(swell->k_inf_q32, tp_way_dot(swell->way, along));
+    const int64_t across = tp_ocean_across(k_q32, kz);
+    const int64_t kx = tp_way_dot(swell->way, up) < 0 ? -across : across;
+    return (tp_ocean_number){
+        tp_ocean_part(kx, up.x) + tp_ocean_part(kz, along.x),
+        tp_ocean_part(kx, up.z) + tp_ocean_part(kz, along.z),
+    };
+}
+
+/* part / whole as Q30, |part| <= whole: brought to 31 bits first. */
+static tp_q30 share_of(int64_t part, int64_t whole)
+{
+    for (; whole >> 31 != 0; whole >>= 1)
+        part /= 2;
+    return (tp_q30)(part * TP_Q30_ONE / whole);
+}
+
+/* -- amplitude --------------------------------------------------------------------- */
+
+/* Half of Miche's height, but no less than a wave of `amplitude` has of it when deep:
+ * both heights saturate at 2^31, so the product has 62 bits. */
+static tp_fx miche_amplitude(const tp_ocean_swell *w, int64_t k_q32, tp_fx h)
+{
+    const int64_t here = tp_miche_height(k_q32, h);
+    const int64_t deep = tp_miche_height(w->k_inf_q32, 1 << TP_OCEAN_LAST);
+    const int64_t share = deep > 0 ? here * w->amplitude / deep : 0;
+    const int64_t most = here / 2 > share ? here / 2 : share;
+    return most > TP_FX_MAX ? TP_FX_MAX : (tp_fx)most;
+}
+
+/* H / h before the cap of [B15]. */
+static tp_fx ratio_of(const tp_ocean_swell *w, tp_fx ks, tp_fx kr, tp_fx h)
+{
+    const int64_t shoaled = (int64_t)tp_fx_mul(w->amplitude, ks) * kr >> 15;
+    const int64_t ratio = shoaled * TP_FX_ONE / h;
+    return ratio < RATIO_MAX ? (tp_fx)ratio : RATIO_MAX;
+}
+
+static int16_t q14_of(tp_q30 x)
+{
+    return (int16_t)((x + 0x8000) >> 16);
+}
+
+/* k r from pi / 7, the steepness that breaks, to 0.5, where slopes are 30 degrees. */
+static int16_t steep_of(int64_t k_q32, tp_fx amplitude)
+{
+    const int64_t kr = k_q32 * amplitude >> 32;
+    const tp_fx over = tp_clamp((tp_fx)kr - TP_FX(0.4488), 0, TP_FX(0.0512));
+    return (int16_t)(tp_smooth(over * 1250 / 64) >> 2);     /* 1 / 0.0512 = 19.5 */
+}
+
+/* QA A/A_inf Sx, held below 0.95 / k.  QA <= 303 m and A < 2^26 have 51 bits; what comes
+ * of them is below 2^25 (512 m, above any 0.95 / k) before the 37 of Sx >= 1. */
+static tp_fx along_of(const tp_ocean_swell *w, tp_fx amplitude, int64_t k_q32, int64_t sx)
+{
+    const int64_t most = ((int64_t)TP_FX(0.95) << 32) / k_q32;
+    const int64_t round =
+        ((int64_t)w->reach * amplitude + w->amplitude / 2) / w->amplitude;
+    if (round >= most)
+        return (tp_fx)most;
+    const int64_t along = (round * sx + (1 << 23)) >> 24;
+    return (tp_fx)(along < most ? along : most);
+}
+
+/* -- nodes ------------------------------------------------------------------------- */
+
+/* Where the wave travels to over a straight floor, and the tilt of its orbit. */
+static void turn_node(const tp_ocean *ocean, tp_ocean_depth *node, uint32_t fall_q32,
+                      const tp_ocean_swell *w, int64_t k_q32)
+{
+    const tp_way up = { ocean->up_x, ocean->up_z };
+    const tp_ocean_number k = tp_ocean_bent(w, up, k_q32);
+    const tp_way way = { share_of(k.x_q32, k_q32), share_of(k.z_q32, k_q32) };
+    const int64_t rise = (int64_t)ocean->slope * tp_way_dot(way, up) >> 16; /* Q30 */
+    const uint64_t length = tp_isqrt64(((uint64_t)1 << 60) + (uint64_t)(rise * rise));
+    tp_q30 sin = 0;
+
+    if (rise > 0)
+        sin = (tp_q30)((rise * TP_Q30_ONE / (int64_t)length * (fall_q32 >> 2)) >> 30);
+    node->way_x = way.x;
+    node->way_z = way.z;
+    node->tilt_sin = q14_of(sin);
+    node->tilt_cos = q14_of(tp_cos_of_sin(sin));
+}
+
+/* The last node: deep water. */
+static tp_ocean_depth deep_node(const tp_ocean_swell *w)
+{
+    return (tp_ocean_depth){
+        .along = w->reach, .up = w->amplitude, .way_x = w->way.x, .way_z = w->way.z,
+        .tilt_cos = 1 << 14, .steep = steep_of(w->k_inf_q32, w->amplitude),
+    };
+}
+
+static tp_ocean_depth node_at(const tp_ocean *ocean, const tp_ocean_swell *w, tp_fx h,
+                              int64_t k_q32, const tp_ocean_config *config)
+{
+    const tp_orbit_scale s = tp_orbit_scale_of(h, config->kx, config->ky);
+    const tp_fx ks = tp_depth_shoaling(w->k_inf_q32, k_q32, h);
+    const tp_fx kr = ocean->map_cols ? TP_FX_ONE
+                   : tp_depth_refraction(w->k_inf_q32, k_q32, w->kz_q32);
+    const tp_fx miche = miche_amplitude(w, k_q32, h);
+    const tp_fx held = tp_depth_amplitude(w->amplitude, ks, kr, h);
+    const tp_fx amplitude = held < miche ? held : miche;
+
+    return (tp_ocean_depth){
+        .along = along_of(w, amplitude, k_q32, s.x_q24),
+        .up = (tp_fx)((amplitude * s.y_q24 + (1 << 23)) >> 24),
+        .ratio = ratio_of(w, ks, kr, h),
+        .lip = (tp_fx)((int64_t)amplitude * tp_orbit_fall(KEPT_RATE, h) >> 32),
+        .way_x = w->way.x, .way_z = w->way.z, .tilt_cos = 1 << 14,
+        .steep = steep_of(k_q32, amplitude),
+    };
+}
+
+/* k along (1 + |push|), 16.16: the wave's part of the sum.  k along < 2^48. */
+static int32_t steepness_of(const tp_ocean_depth *node, int64_t k_q32, tp_fx lambda)
+{
+    const int64_t q = k_q32 * node->along >> 32;
+    return (int32_t)(q + (q * tp_wind_push(lambda, node->up) >> 30)) + 1;
+}
+
+/* The steepness waits in the place of the phases for tp_ocean_share. */
+void tp_ocean_make_table(tp_ocean *ocean, uint32_t i, const tp_ocean_swell *swell,
+                         const tp_ocean_config *config)
+{
+    tp_ocean_wave *wave = &ocean->wave[i];
+    tp_ocean_table *table = &ocean->table[i];
+
+    for (uint32_t n = 1; n < TP_OCEAN_DEPTHS; n++) {
+        const tp_fx h = tp_ocean_node_depth(n, 3);
+        const int64_t k = n < DEEP ? tp_ocean_number_at(swell->k_inf_q32, h)
+                                   : swell->k_inf_q32;
+        tp_ocean_depth *node = &table->depth[n];
+        *node = n < DEEP ? node_at(ocean, swell, h, k, config) : deep_node(swell);
+        if (ocean->slope > 0 && n < DEEP)
+            turn_node(ocean, node, ocean->fall[n], swell, k);
+        table->turns[n] = steepness_of(node, k, wave->lambda);
+        const int times = tp_wind_iterations(tp_wind_push(wave->lambda, node->up));
+        if (times > wave->iterations)
+            wave->iterations = times;
+    }
+    table->depth[0] = table->depth[1];      /* 0 m: the same, but nothing moves */
+    table->depth[0].along = table->depth[0].up = table->depth[0].lip = 0;
+    table->turns[0] = 0;
+}
+
+void tp_ocean_share(tp_ocean *ocean)
+{
+    for (uint32_t n = 1; n < TP_OCEAN_DEPTHS; n++) {
+        int64_t sum = 0;
+        for (uint32_t i = 0; i < ocean->count; i++)
+            sum += ocean->table[i].turns[n];
+        for (uint32_t i = 0; i < ocean->count && sum > STEEPEST; i++) {
+            tp_ocean_depth *node = &ocean->table[i].depth[n];
+            node->along = (tp_fx)((int64_t)node->along * TP_FX(0.95) / sum);
+        }
+    }
+}
+
+/* -- phases ------------------------------------------------------------------------ */
+
+/* What the number towards the shore has more at a depth than on deep water. */
+static int64_t excess_at(const tp_ocean_swell *w, tp_fx h)
+{
+    return tp_ocean_across(tp_ocean_number_at(w->k_inf_q32, h), w->kz_q32)
+         - tp_ocean_across(w->k_inf_q32, w->kz_q32);
+}
+
+/* [B8] [B9] as what it is more than on deep water: with h = depth - slope x the integral
+ * over x is one over h, by Simpson between nodes a 32nd of an octave apart, from the deep
+ * end.  Rad in Q32 over 2 pi slope (both 16.16) is turns in Q16: at slopes from 2^-12 and
+ * an integral below 4 rad at the slope of 1, less than 2^27. */
+void tp_ocean_make_phases(tp_ocean *ocean, uint32_t i, const tp_ocean_swell *swell)
+{
+    const tp_way up = { ocean->up_x, ocean->up_z };
+    const int sign = tp_way_dot(swell->way, up) < 0 ? -1 : 1;
+    const int64_t over = (int64_t)ocean->slope * TWO_PI;
+    int32_t *turns = ocean->table[i].turns;
+    int64_t sum = 0, high = 0;
+
+    turns[TP_OCEAN_PHASES - 1] = 0;
+    for (uint32_t n = TP_OCEAN_PHASES - 1; n-- > 0;) {
+        const tp_fx h = tp_ocean_node_depth(n, 5), top = tp_ocean_node_depth(n + 1, 5);
+        if (ocean->slope <= 0) {
+            turns[n] = 0;
+            continue;
+        }
+        const int64_t low = excess_at(swell, h);
+        const int64_t six = low + 4 * excess_at(swell, h + (top - h) / 2) + high;
+        sum += (six * (top - h) / 6 + 0x8000) >> 16;
+        high = low;
+        turns[n] = (int32_t)(sign * (sum * TP_FX_ONE / over));
+    }
+}

@@ -1,0 +1,214 @@
+/* SPDX-License-Identifier: MIT */
+/* From waves as people give them to swells as the core sums them, [A7] and [G1]-[G2] of
+ * the models, with the bounds that the sums rely on: amplitudes up to 0.3 of the length,
+ * and a sum of Q k A up to 0.95, to which every wave is scaled down alike [A11]. */
+#include "wave/wave.h"
+
+#define BEND_MAX     TP_Q30(0.95)
+#define BEND_CROSSED TP_Q30(0.3)
+#define TWO_PI_Q28   1686629713LL
+
+/* g / (2 pi L) in Q8.120, for g <= 100 m/s^2 and L >= 1/4 m below 64: the high and the
+ * low half.  g / 2 pi is divided by L digit by digit, of 32 bits, as on paper. */
+static void frequency_squared(tp_fx gravity, tp_fx length, uint64_t half[2])
+{
+    const uint64_t over_two_pi = 0x28be60db9391054a;        /* 2^64 / 2 pi */
+    uint64_t low = (over_two_pi & 0xffffffff) * (uint32_t)gravity;
+    uint64_t high = (over_two_pi >> 32) * (uint32_t)gravity + (low >> 32);
+    uint32_t digit[5] = { (uint32_t)(high >> 40), (uint32_t)(high >> 8),
+                          (uint32_t)(high << 24) | (uint32_t)low >> 8,
+                          (uint32_t)low << 24, 0 };
+    uint64_t rest = 0;
+
+    for (int i = 0; i < 5; i++) {
+        uint64_t part = rest << 32 | digit[i];
+        digit[i] = (uint32_t)(part / (uint32_t)length);
+        rest = part % (uint32_t)length;
+    }
+    half[0] = (uint64_t)digit[1] << 32 | digit[2];
+    half[1] = (uint64_t)digit[3] << 32 | digit[4];
+}
+
+/* The root of a number of 128 bits, > 0, within 2 of 2^64 once the number is shifted up:
+ * the root s of its high half, then the rest over 2 s, as long division goes on. */
+static uint64_t root_of(const uint64_t half[2])
+{
+    uint64_t high = half[0], low = half[1];
+    int      up = 0;
+
+    for (; high >> 62 == 0; up++) {
+        high = high << 2 | low >> 62;
+        low <<= 2;
+    }
+    uint32_t s = tp_isqrt64(high);
+    uint64_t rest = high - (uint64_t)s * s;                 /* <= 2 s */
+    return (((uint64_t)s << 32) + (rest << 31 | low >> 33) / s) >> up;
+}
+
+/* omega dt / 2 pi = sqrt(g / (2 pi L)) x speed / 60 in Q0.64, modulo a turn.  Within
+ * 2^-64 at natural speed: ten years later a wave is not a part in 10^9 of a turn off,
+ * where a root of 32 bits would be off by a whole turn.  Without gravity waves stand
+ * still. */
+static uint64_t turns_per_tick(tp_fx gravity, tp_fx length, tp_fx speed)
+{
+    const uint32_t over = TP_TICKS_PER_SECOND << 12;        /* Q60 x Q16 to Q64 */
+    uint64_t half[2];
+
+    if (gravity <= 0)
+        return 0;
+    frequency_squared(gravity, length, half);
+    uint64_t root = root_of(half);                          /* Q4.60, below 8 */
+    uint64_t high = (root >> 32) * (uint32_t)speed;
+    uint64_t low = (root & 0xffffffff) * (uint32_t)speed;
+    return (high / over << 32) + ((high % over << 32) + low + over / 2) / over;
+}
+
+/* Q0.32 times Q2.30 in Q0.32: turns have up to 34 bits, so they go in two halves. */
+static int64_t turns_along(uint64_t turns, tp_q30 d)
+{
+    int64_t high = (int64_t)(turns >> 16) * d, low = (int64_t)(turns & 0xffff) * d;
+    return (high + (low >> 16) + (1 << 13)) >> 14;
+}
+
+/* Q A = (Q k A) L / 2 pi: 30 and 27 bits make Q.46, over Q.28 it is Q.18. */
+static tp_fx reach_of(tp_q30 bend, tp_fx length)
+{
+    return (tp_fx)(((int64_t)bend * length / TWO_PI_Q28 + 2) >> 2);
+}
+
+/* k A = 2 pi A / L: 31 and 20 bits make Q.44, two more before the quotient is Q2.30. */
+static tp_q30 slope_of(tp_fx amplitude, tp_fx length)
+{
+    return (tp_q30)((TWO_PI_Q28 * amplitude * 4 + length / 2) / length);
+}
+
+/* What the cross terms add to the slopes g is adj(B) g / (1 - tr B), B = I - J, and g
+ * about h.  In adj(B) h a wave does nothing to itself, and two together at the most the
+ * greater of q1 k2 A2 and q2 k1 A1, for the sine of one meets the cosine of the other;
+ * over 1 - sum q that bounds the angle in radians.  Rounded up; sharpened waves have a
+ * great sine and a great f' together, so their tilt counts twice. */
+static tp_fx twist_of(const tp_sea *sea, const tp_swell *w)
+{
+    tp_fx sum = 0;
+
+    for (uint32_t i = 0; i < sea->count; i++) {
+        const tp_swell *v = &sea->swell[i];
+        tp_fx a = tp_q30_mul(v->tilt, w->bend), b = tp_q30_mul(w->tilt, v->bend);
+        sum += (a > b ? a : b) + 1;
+    }
+    return sum;
+}
+
+static bool needs_cross(const tp_sea *sea)
+{
+    const tp_fx most = TP_FX(0.026);                        /* 1.49 degrees */
+    return sea->count > 1 && sea->bend > 0
+        && (sea->bend > BEND_CROSSED
+            || sea->twist > tp_q30_mul(most, TP_Q30_ONE - sea->bend));
+}
+
+static tp_swell swell_of(const tp_wave_exact *w, tp_fx amplitude, tp_fx length,
+                         tp_q30 bend)
+{
+    tp_fx   reach = reach_of(bend, length);
+    tp_q30  slope = slope_of(amplitude, length);
+    int32_t power = tp_clamp(w->power, 1, 8);
+
+    return (tp_swell){
+        .turns_x = turns_along(w->turns, w->dx),
+        .turns_z = turns_along(w->turns, w->dz),
+        .turns_tick = w->turns_tick,
+        .turns = w->turns,
+        .phase = w->phase,
+        .amplitude = amplitude,
+        .reach_x = tp_q30_mul(reach, w->dx),
+        .reach_z = tp_q30_mul(reach, w->dz),
+        .slope_x = tp_q30_mul(slope, w->dx),
+        .slope_z = tp_q30_mul(slope, w->dz),
+        .bend_xx = tp_q30_mul(tp_q30_mul(bend, w->dx), w->dx),
+        .bend_xz = tp_q30_mul(tp_q30_mul(bend, w->dx), w->dz),
+        .bend_zz = tp_q30_mul(tp_q30_mul(bend, w->dz), w->dz),
+        .bend = bend,
+        .tilt = tp_sharp_tilt(slope, power),
+        .power = power,
+        .mean_q24 = tp_sharp_mean(power),
+    };
+}
+
+void tp_sea_add(tp_sea *sea, const tp_wave_exact *wave)
+{
+    if (sea->count == TP_WAVES || wave->amplitude <= 0)
+        return;
+    TP_ASSERT(wave->turns >> 17 != 0);
+    tp_fx  length = (tp_fx)((((uint64_t)1 << 48) + wave->turns / 2) / wave->turns);
+    tp_fx  cap = (tp_fx)(((int64_t)length * 3 + 5) / 10);
+    tp_fx  amplitude = wave->amplitude < cap ? wave->amplitude : cap;
+    tp_q30 left = BEND_MAX - sea->bend;
+    tp_q30 bend = wave->steepness < left ? wave->steepness : left;
+
+    sea->capped |= wave->amplitude > cap;
+    sea->clamped |= wave->steepness > left;
+    sea->sharpened |= wave->power > 1;
+    sea->height += tp_sharp_height(amplitude, wave->power);
+    sea->reach += reach_of(bend, length) + 1;
+    sea->steepness += (wave->steepness + (1 << 13)) >> 14;
+    sea->bend += bend;
+    tp_swell *w = &sea->swell[sea->count];
+    *w = swell_of(wave, amplitude, length, bend);
+    sea->twist += twist_of(sea, w);
+    sea->count++;
+    sea->crossed = needs_cross(sea);
+}
+
+static tp_wave_exact exact_of(const tp_wave *w, tp_q30 steepness, tp_fx gravity)
+{
+    tp_rotation turned = tp_rotation_of(tp_turn_of_degrees(w->heading), 0, 0);
+
+    return (tp_wave_exact){
+        .turns = (((uint64_t)1 << 48) + (uint32_t)w->length / 2) / (uint32_t)w->length,
+        .dx = turned.x.z, .dz = -turned.x.x,        /* 28 bits, for far phases */
+        .amplitude = w->amplitude,
+        .steepness = steepness,
+        .turns_tick = turns_per_tick(gravity, w->length, w->speed),
+        .phase = tp_turn_of_degrees(w->phase),
+        .power = w->power,
+    };
+}
+
+/* The waves' own steepnesses fit into 32 bits: sixteen of 1. */
+static tp_fx steepness_of(const tp_wave *waves, uint32_t count)
+{
+    tp_fx sum = 0;
+
+    for (uint32_t i = 0; i < count; i++)
+        sum += waves[i].amplitude > 0 ? waves[i].steepness : 0;
+    return sum;
+}
+
+void tp_sea_init(tp_sea *sea, const tp_wave *waves, uint32_t count, tp_fx gravity)
+{
+    count = count < TP_WAVES ? count : TP_WAVES;
+    tp_fx asked = steepness_of(waves, count);
+    bool  clamped = asked > TP_FX(0.95);
+
+    *sea = (tp_sea){ .count = 0 };
+    for (uint32_t i = 0; i < count; i++) {
+        if (waves[i].amplitude <= 0)
+            continue;
+        int64_t share = waves[i].steepness;
+        share = clamped ? share * BEND_MAX / asked : share << 14;
+        tp_wave_exact exact = exact_of(&waves[i], (tp_q30)share, gravity);
+        tp_sea_add(sea, &exact);
+    }
+    sea->steepness = asked;
+    sea->clamped = clamped;
+}
+
+void tp_sea_phases(const tp_sea *sea, uint64_t tick, tp_fx back, tp_turn phases[TP_WAVES])
+{
+    for (uint32_t i = 0; i < TP_WAVES; i++) {       /* those beyond count are all 0 */
+        const tp_swell *w = &sea->swell[i];
+        uint64_t turns = tick * w->turns_tick - (w->turns_tick >> 16) * (uint32_t)back;
+        phases[i] = w->phase - (tp_turn)(turns >> 32);
+    }
+}

@@ -1,0 +1,228 @@
+/* SPDX-License-Identifier: MIT */
+/* The surface above a place [E1]: Newton's steps against the models in double precision,
+ * from anywhere and on seas made to lead them astray; plain steps against the table of
+ * tests/vectors. */
+#include <stdarg.h>
+#include <stddef.h>
+#include <setjmp.h>
+#include <stdint.h>
+#include <cmocka.h>
+#include "seas.h"
+#include "wave_rows.h"
+
+static uint64_t chance;
+
+typedef struct { measure along, up; } distance;
+
+static distance distance_of(const char *along, const char *up)
+{
+    return (distance){ { .what = along, .unit = "mm" }, { .what = up, .unit = "mm" } };
+}
+
+/* How far the point found is from the place, and from the reference's height there. */
+static void look_above(const ocean *o, tp_fx x, tp_fx z, tp_fx rest[2], distance *d)
+{
+    const tp_sea_point got = tp_sea_above(&o->sea, o->phases, x, z, rest);
+    const ref_point want = ref_above(&o->ref, o->ref_phases, x * LSB, z * LSB);
+
+    assert_true(hypot(want.x - x * LSB, want.z - z * LSB) < 1e-6);
+    measure_add(&d->along, hypot(got.position.x - x, got.position.z - z) * LSB * 1000,
+                (int64_t)o->tick, x, z);
+    measure_add(&d->up, row_error(got.position.y, want.y) * 1000, (int64_t)o->tick, x, z);
+}
+
+static void distance_print(const distance *d)
+{
+    measure_print(&d->along);
+    measure_print(&d->up);
+}
+
+static void usual_seas(double low, double high, distance *d)
+{
+    for (int n = 0; n < 1500; n++) {
+        const ocean o = ocean_usual(&chance, TP_WAVES, chance_double(&chance, low, high));
+        look_above(&o, chance_fx(&chance, -500, 500), chance_fx(&chance, -500, 500), NULL,
+                   d);
+    }
+    distance_print(d);
+}
+
+static void below_a_steepness_of_09_the_surface_is_found_within_1_mm(void **state)
+{
+    (void)state;
+    distance d = distance_of("along, q < 0.9", "up, q < 0.9");
+    usual_seas(0, 0.9, &d);
+    assert_true(d.along.worst < 1);
+    assert_true(d.up.worst < 1);
+}
+
+static void in_clamped_seas_it_is_found_within_1_mm_too(void **state)
+{
+    (void)state;
+    distance d = distance_of("along, q = 0.95", "up, q = 0.95");
+    usual_seas(0.95, 1.5, &d);
+    assert_true(d.along.worst < 1);
+    assert_true(d.up.worst < 1);
+}
+
+static void along(const ocean *o, tp_fx rest[2], measure *m)
+{
+    const tp_fx x = chance_fx(&chance, -29000, 29000);
+    const tp_fx z = chance_fx(&chance, -29000, 29000);
+    const tp_sea_point got = tp_sea_above(&o->sea, o->phases, x, z, rest);
+    measure_add(m, hypot(got.position.x - x, got.position.z - z) * LSB * 1000, x, z,
+                o->count);
+}
+
+/* Waves of the whole ranges reach 300 m sideways, 0.25 m of length beside 2000 m. */
+static void on_any_legal_sea_the_search_ends_at_the_place(void **state)
+{
+    (void)state;
+    measure m = { .what = "any legal sea", .unit = "mm" };
+
+    for (int n = 0; n < 10000; n++) {
+        ocean o = ocean_any(&chance, TP_WAVES);
+        if (n % 4 == 0)
+            ocean_sharpen(&chance, &o);
+        along(&o, NULL, &m);
+    }
+    measure_print(&m);
+    assert_true(m.worst < 1);
+}
+
+/* Two waves one way, or nearly, as steep as the clamp allows and of any two lengths: what
+ * a short one says about the slope misleads the search for the long one's place. */
+static void two_waves_at_the_clamp_do_not_mislead_it(void **state)
+{
+    (void)state;
+    measure m = { .what = "two waves, 0.95", .unit = "mm" };
+
+    for (int n = 0; n < 20000; n++) {
+        ocean o = { .count = chance_int(&chance, 1, 2), .gravity = TP_FX(9.81) };
+        const tp_fx heading = chance_fx(&chance, -180, 180);
+        for (int i = 0; i < o.count; i++) {
+            o.wave[i] = chance_wave(&chance);
+            o.wave[i].heading = heading + chance_int(&chance, -TP_FX_ONE, TP_FX_ONE);
+            o.wave[i].steepness = i ? chance_scale(&chance, 0.01, 1) : TP_FX_ONE;
+        }
+        ocean_settle(&o);
+        along(&o, NULL, &m);
+    }
+    measure_print(&m);
+    assert_true(m.worst < 1);
+}
+
+/* Kept from the last tick, or nonsense: either way the place is found, and the point is
+ * that of the rest place handed back. */
+static void it_is_found_from_any_start(void **state)
+{
+    (void)state;
+    distance d = distance_of("along, any start", "up, any start");
+
+    for (int n = 0; n < 1500; n++) {
+        ocean o = ocean_usual(&chance, TP_WAVES, chance_double(&chance, 0, 0.95));
+        tp_fx rest[2] = { (tp_fx)random_next(&chance), (tp_fx)random_next(&chance) };
+        const tp_fx x = chance_fx(&chance, -500, 500), z = chance_fx(&chance, -500, 500);
+        look_above(&o, x, z, rest, &d);
+        o.tick++;
+        ocean_settle(&o);
+        look_above(&o, x, z, rest, &d);
+        const tp_sea_point there = tp_sea_at_rest(&o.sea, o.phases, rest[0], rest[1]);
+        const tp_sea_point again = tp_sea_above(&o.sea, o.phases, x, z, rest);
+        assert_memory_equal(&there, &again, sizeof there);
+    }
+    distance_print(&d);
+    assert_true(d.along.worst < 1);
+    assert_true(d.up.worst < 1);
+}
+
+/* From the rest place found a tick ago the search has little to do: the same place. */
+static void a_place_once_found_is_found_again(void **state)
+{
+    (void)state;
+    for (int n = 0; n < 1500; n++) {
+        const ocean o = ocean_usual(&chance, TP_WAVES, chance_double(&chance, 0, 0.95));
+        const tp_fx x = chance_fx(&chance, -500, 500), z = chance_fx(&chance, -500, 500);
+        tp_fx rest[2] = { x, z };
+        tp_sea_above(&o.sea, o.phases, x, z, rest);
+        const tp_fx found[2] = { rest[0], rest[1] };
+        tp_sea_above(&o.sea, o.phases, x, z, rest);
+        assert_memory_equal(rest, found, sizeof found);
+    }
+}
+
+/* -- plain steps --------------------------------------------------------------------- */
+
+/* [E1]: q^n / (1 - q) of the first distance, and what each step's rounding adds. */
+static void plain_steps_keep_their_bound(void **state)
+{
+    (void)state;
+    for (int n = 0; n < 3000; n++) {
+        const ocean o = ocean_usual(&chance, 8, chance_double(&chance, 0, 0.95));
+        const tp_fx x = chance_fx(&chance, -500, 500), z = chance_fx(&chance, -500, 500);
+        const uint32_t steps = (uint32_t)chance_int(&chance, 0, 10);
+        const tp_sea_point first = tp_sea_at_rest(&o.sea, o.phases, x, z);
+        const tp_sea_point got = tp_sea_iterate(&o.sea, o.phases, x, z, steps);
+        const double off = hypot(got.position.x - x, got.position.z - z) * LSB;
+        const double way = hypot(first.position.x - x, first.position.z - z) * LSB;
+        const double q = o.sea.bend / 1073741824.0;
+        assert_true(off <= pow(q, steps) * way + 2 * LSB / (1 - q));
+    }
+}
+
+/* x, z, t; then x0, z0, y, the heights of the steps 0 to 4, and the normal. */
+static void both_searches_follow_the_table(void **state)
+{
+    (void)state;
+    measure step[5] = { { .what = "step 0", .unit = "mm" },
+                        { .what = "step 1", .unit = "mm" },
+                        { .what = "step 2", .unit = "mm" },
+                        { .what = "step 3", .unit = "mm" },
+                        { .what = "step 4", .unit = "mm" } };
+    errors e = errors_of("table's height", "table's rest", "table's normal");
+    rows r = rows_of("buoyancy");
+
+    while (rows_next(&r)) {
+        const tp_fx x = row_fx(r.at[0]), z = row_fx(r.at[1]);
+        tp_fx rest[2] = { x, z };
+        tp_sea sea;
+        tp_turn phases[TP_WAVES];
+        rows_sea(&r, 1, &sea);
+        rows_phases(&r, r.at[2], phases);
+        const tp_sea_point got = tp_sea_above(&sea, phases, x, z, rest);
+        measure_add(&e.place, row_error(rest[0], r.at[3]) * 1000, r.rows, 0, 0);
+        measure_add(&e.place, row_error(rest[1], r.at[4]) * 1000, r.rows, 0, 0);
+        measure_add(&e.height, row_error(got.position.y, r.at[5]) * 1000, r.rows, 0, 0);
+        measure_add(&e.normal, row_angle(&got, r.at + 11), r.rows, 0, 0);
+        for (uint32_t n = 0; n < 5; n++) {
+            const tp_sea_point at = tp_sea_iterate(&sea, phases, x, z, n);
+            measure_add(&step[n], row_error(at.position.y, r.at[6 + n]) * 1000, r.rows, 0,
+                        0);
+        }
+    }
+    assert_int_equal(r.rows, 150);
+    errors_print(&e);
+    assert_true(e.height.worst < 1);
+    assert_true(e.place.worst < 1);
+    assert_true(e.normal.worst < 0.02);
+    for (int n = 0; n < 5; n++) {
+        measure_print(&step[n]);
+        assert_true(step[n].worst < 1);
+    }
+}
+
+int main(void)
+{
+    chance = random_seed();
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(below_a_steepness_of_09_the_surface_is_found_within_1_mm),
+        cmocka_unit_test(in_clamped_seas_it_is_found_within_1_mm_too),
+        cmocka_unit_test(on_any_legal_sea_the_search_ends_at_the_place),
+        cmocka_unit_test(two_waves_at_the_clamp_do_not_mislead_it),
+        cmocka_unit_test(it_is_found_from_any_start),
+        cmocka_unit_test(a_place_once_found_is_found_again),
+        cmocka_unit_test(plain_steps_keep_their_bound),
+        cmocka_unit_test(both_searches_follow_the_table),
+    };
+    return cmocka_run_group_tests_name("above", tests, NULL, NULL);
+}

@@ -1,0 +1,234 @@
+/* SPDX-License-Identifier: MIT */
+/* From waves to swells: the clock, the phases, the clamps of steepness and amplitude, and
+ * what they promise to the sums. */
+#include <stdarg.h>
+#include <stddef.h>
+#include <setjmp.h>
+#include <stdint.h>
+#include <cmocka.h>
+#include "seas.h"
+#include "wave/wave.h"
+
+static uint64_t chance;
+
+static void the_clock_is_right_after_ten_years(void **state)
+{
+    (void)state;
+    measure tick = { .what = "clock", .unit = "turn/10 years" };
+
+    for (int n = 0; n < 20000; n++) {
+        ocean o = { .wave[0] = chance_wave(&chance), .count = 1,
+                    .gravity = chance_scale(&chance, 0.1, 100) };
+        o.wave[0].speed = n % 2 ? TP_FX_ONE : chance_fx(&chance, 0, 8);
+        ocean_settle(&o);
+        const long double want = o.ref.wave[0].turns_tick;
+        long double off = o.sea.swell[0].turns_tick / 18446744073709551616.0L
+                        - (want - floorl(want));
+        off -= roundl(off);
+        /* The Q60 root and the reference's own 64 bits: 2^-62 at speed 8, 2^-64 at 1. */
+        const long double most = o.wave[0].speed > TP_FX_ONE ? 2.2e-19L : 5.5e-20L;
+        assert_true(fabsl(off) <= most);
+        measure_add(&tick, (double)(off * TEN_YEARS), o.wave[0].length, o.gravity,
+                    o.wave[0].speed);
+    }
+    measure_print(&tick);
+}
+
+/* Tick by tick and in one leap the phase is the same: it is computed, not accumulated. */
+static void phases_are_exact_products(void **state)
+{
+    (void)state;
+    for (int n = 0; n < 200; n++) {
+        ocean o = ocean_any(&chance, 4);
+        for (int i = 0; i < (int)o.sea.count; i++) {
+            const uint64_t turns = o.tick * o.sea.swell[i].turns_tick;
+            assert_int_equal(o.phases[i], o.sea.swell[i].phase - (tp_turn)(turns >> 32));
+        }
+    }
+}
+
+/* A part of a tick earlier: within the bits that are cut, 2^-32 turn. */
+static void phases_within_a_tick_lie_between_those_of_its_ends(void **state)
+{
+    (void)state;
+    for (int n = 0; n < 200; n++) {
+        ocean o = ocean_any(&chance, 4);
+        tp_turn now[TP_WAVES], before[TP_WAVES], got[TP_WAVES];
+        const tp_fx back = chance_int(&chance, 0, TP_FX_ONE);
+        tp_sea_phases(&o.sea, o.tick + 1, 0, now);
+        tp_sea_phases(&o.sea, o.tick, 0, before);
+        tp_sea_phases(&o.sea, o.tick + 1, back, got);
+        for (uint32_t i = 0; i < o.sea.count; i++) {
+            const double want = (double)o.sea.swell[i].turns_tick * back * LSB
+                              / 18446744073709551616.0;
+            const double off = (int32_t)(got[i] - now[i]) / 4294967296.0 - want;
+            assert_true(fabs(off - round(off)) < 3 / 4294967296.0);
+            assert_int_equal(back == 0 ? now[i] : got[i], got[i]);
+        }
+        tp_sea_phases(&o.sea, o.tick + 1, TP_FX_ONE, got);
+        for (uint32_t i = 0; i < o.sea.count; i++)
+            assert_true(abs((int32_t)(got[i] - before[i])) <= 1);
+    }
+}
+
+static void without_speed_or_gravity_waves_stand_still(void **state)
+{
+    (void)state;
+    const tp_wave wave = { TP_FX_ONE, 10 * TP_FX_ONE, 0, 0, 0, 0, 0 };
+    const tp_wave moving = { TP_FX_ONE, 10 * TP_FX_ONE, 0, 0, 0, TP_FX_ONE, 0 };
+    tp_sea sea;
+
+    tp_sea_init(&sea, &wave, 1, TP_FX(9.81));
+    assert_int_equal(sea.swell[0].turns_tick, 0);
+    tp_sea_init(&sea, &moving, 1, 0);
+    assert_int_equal(sea.swell[0].turns_tick, 0);
+}
+
+static void a_steepness_sum_above_095_is_scaled_down_and_reported(void **state)
+{
+    (void)state;
+    for (int n = 0; n < 2000; n++) {
+        const ocean o = ocean_any(&chance, TP_WAVES);
+        int64_t asked = 0, got = 0;
+        for (int i = 0; i < o.count; i++)
+            asked += o.wave[i].amplitude > 0 ? o.wave[i].steepness : 0;
+        for (uint32_t i = 0; i < o.sea.count; i++)
+            got += (int64_t)o.sea.swell[i].bend_xx + o.sea.swell[i].bend_zz;
+        assert_int_equal(o.sea.steepness, asked);
+        assert_int_equal(o.sea.clamped, asked > TP_FX(0.95));
+        /* Each share and product is rounded by half an LSB; xx + zz is Q k A in Q2.30,
+         * which the direction's 28 bits make off by 2^-26. */
+        const double sum = (double)asked * LSB, most = asked > TP_FX(0.95) ? 0.95 : sum;
+        assert_true(fabs((double)got / 1073741824.0 - most) <= o.count * (LSB + 1.5e-8)
+                                                               + LSB * sum);
+    }
+}
+
+static void the_clamp_keeps_heights_and_places_alike(void **state)
+{
+    (void)state;
+    const tp_wave twice[2] = { { TP_FX_ONE, 20 * TP_FX_ONE, TP_FX(0.8), 0, 0, 0, 0 },
+                               { TP_FX_ONE, 20 * TP_FX_ONE, TP_FX(0.2), 0, 0, 0, 0 } };
+    tp_sea sea;
+
+    tp_sea_init(&sea, twice, 2, TP_FX(9.81));
+    assert_true(sea.clamped);
+    assert_false(sea.capped);
+    assert_int_equal(sea.steepness, TP_FX(0.8) + TP_FX(0.2));
+    assert_int_equal(sea.swell[0].amplitude, TP_FX_ONE);
+    assert_int_equal(sea.height, 2 * TP_FX_ONE);
+    /* 4 to 1 as asked for, within the rounding of 16.16. */
+    assert_true(labs((long)sea.swell[0].bend_zz - 4L * sea.swell[1].bend_zz) < 5 * 16384);
+}
+
+static void an_amplitude_above_three_tenths_of_the_length_is_cut_and_reported(
+    void **state)
+{
+    (void)state;
+    const tp_wave tall = { 2 * TP_FX_ONE, TP_FX_ONE, 0, 0, 0, TP_FX_ONE, 0 };
+    const tp_wave fair = { TP_FX(0.29), TP_FX_ONE, 0, 0, 0, TP_FX_ONE, 0 };
+    tp_sea sea;
+
+    tp_sea_init(&sea, &tall, 1, TP_FX(9.81));
+    assert_true(sea.capped);
+    assert_int_equal(sea.swell[0].amplitude, TP_FX(0.3));
+    tp_sea_init(&sea, &fair, 1, TP_FX(9.81));
+    assert_false(sea.capped);
+    assert_int_equal(sea.swell[0].amplitude, TP_FX(0.29));
+}
+
+static void waves_without_amplitude_are_left_out(void **state)
+{
+    (void)state;
+    const tp_wave waves[3] = { { 0, 10 * TP_FX_ONE, TP_FX_ONE, 0, 0, 0, 0 },
+                               { TP_FX_ONE, 10 * TP_FX_ONE, TP_FX(0.5), 0, 0, 0, 0 },
+                               { 0, 10 * TP_FX_ONE, TP_FX_ONE, 0, 0, 0, 0 } };
+    tp_sea sea;
+
+    tp_sea_init(&sea, waves, 3, TP_FX(9.81));
+    assert_int_equal(sea.count, 1);
+    assert_false(sea.clamped);
+    tp_sea_init(&sea, waves, 0, TP_FX(9.81));
+    assert_int_equal(sea.count, 0);
+    assert_int_equal(sea.height, 0);
+}
+
+/* A sea is no steeper for being added up wave by wave. */
+static void what_is_added_beyond_a_steepness_of_095_is_taken_from_the_last(void **state)
+{
+    (void)state;
+    const uint64_t metre = (uint64_t)1 << 32;
+    tp_wave_exact wave = { .turns = metre / 20, .dx = TP_Q30_ONE, .amplitude = TP_FX_ONE,
+                           .steepness = TP_Q30(0.9) };
+    tp_sea sea = { .count = 0 };
+
+    tp_sea_add(&sea, &wave);
+    assert_int_equal(sea.swell[0].bend, TP_Q30(0.9));
+    assert_false(sea.clamped);
+    assert_false(sea.crossed);
+    tp_sea_add(&sea, &wave);
+    assert_int_equal(sea.bend, TP_Q30(0.95));
+    assert_int_equal(sea.swell[0].bend, TP_Q30(0.9));
+    assert_true(sea.clamped);
+    assert_true(sea.crossed);
+    wave.amplitude = 0;
+    tp_sea_add(&sea, &wave);
+    assert_int_equal(sea.count, 2);
+    wave.amplitude = TP_FX_ONE;
+    for (int i = 0; i < 20; i++)
+        tp_sea_add(&sea, &wave);
+    assert_int_equal(sea.count, TP_WAVES);
+    assert_int_equal(sea.bend, TP_Q30(0.95));
+    assert_int_equal(sea.height, TP_WAVES * TP_FX_ONE);
+}
+
+/* [A11]: all waves one way, their crests at one place, and the sum of Q k A far too high.
+ * det J is then 1 - 0.95, along with what 16 roundings of half an LSB may add. */
+static void det_stays_above_zero_where_all_crests_meet(void **state)
+{
+    (void)state;
+    for (int n = 0; n < 2000; n++) {
+        ocean o = ocean_any(&chance, TP_WAVES);
+        const tp_fx heading = chance_fx(&chance, -32400, 32400);
+        for (int i = 0; i < o.count; i++) {
+            o.wave[i].heading = heading;
+            o.wave[i].steepness = TP_FX_ONE;
+        }
+        ocean_settle(&o);
+        tp_sea_sum sum = { 0 };
+        for (uint32_t i = 0; i < o.sea.count; i++)
+            tp_swell_add(&sum, &o.sea.swell[i], 0x40000000);
+        const double q54 = 18014398509481984.0;
+        const double xx = (double)sum.bxx / q54, zz = (double)sum.bzz / q54;
+        const double xz = (double)sum.bxz / q54;
+        const double det = (1 - xx) * (1 - zz) - xz * xz;
+        assert_true(det > 0.0495);
+        const tp_turn crest[TP_WAVES] = {
+            0x40000000, 0x40000000, 0x40000000, 0x40000000, 0x40000000, 0x40000000,
+            0x40000000, 0x40000000, 0x40000000, 0x40000000, 0x40000000, 0x40000000,
+            0x40000000, 0x40000000, 0x40000000, 0x40000000 };
+        const tp_sea_point p = tp_sea_at_rest(&o.sea, crest, 0, 0);
+        assert_int_equal(p.slope_x, 0);
+        assert_int_equal(p.slope_z, 0);
+        assert_int_equal(p.position.x, 0);
+    }
+}
+
+int main(void)
+{
+    chance = random_seed();
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(the_clock_is_right_after_ten_years),
+        cmocka_unit_test(phases_are_exact_products),
+        cmocka_unit_test(phases_within_a_tick_lie_between_those_of_its_ends),
+        cmocka_unit_test(without_speed_or_gravity_waves_stand_still),
+        cmocka_unit_test(a_steepness_sum_above_095_is_scaled_down_and_reported),
+        cmocka_unit_test(the_clamp_keeps_heights_and_places_alike),
+        cmocka_unit_test(
+            an_amplitude_above_three_tenths_of_the_length_is_cut_and_reported),
+        cmocka_unit_test(waves_without_amplitude_are_left_out),
+        cmocka_unit_test(what_is_added_beyond_a_steepness_of_095_is_taken_from_the_last),
+        cmocka_unit_test(det_stays_above_zero_where_all_crests_meet),
+    };
+    return cmocka_run_group_tests_name("swell", tests, NULL, NULL);
+}
