@@ -24,18 +24,28 @@ CORE := $(addprefix src/, \
     asset/area.c asset/bind.c asset/cut.c asset/face.c asset/line.c asset/mtl.c \
     asset/names.c asset/obj.c asset/shape.c asset/store.c asset/texture.c \
     asset/use.c asset/word.c \
-    wave/gerstner.c \
-    geom/clip.c geom/grid.c geom/lens.c \
+    wave/above.c wave/breaking.c wave/coast.c wave/criteria.c wave/depth.c \
+    wave/eikonal.c wave/exp.c wave/five.c wave/floor.c wave/gerstner.c wave/noise.c \
+    wave/ocean.c wave/ocean_init.c wave/ocean_map.c wave/ocean_tables.c wave/orbit.c \
+    wave/ring.c wave/scaled.c wave/sharp.c wave/shoal.c wave/swell.c wave/wind.c \
+    pool/feed.c pool/flux.c pool/gears.c pool/hat.c pool/init.c pool/look.c \
+    pool/sample.c pool/tune.c pool/walls.c \
+    geom/clip.c geom/grid.c geom/lens.c geom/sheet.c geom/surface.c geom/vertex.c \
+    geom/vertex_more.c geom/vertex_row.c \
     raster/span.c \
-    shade/haze.c shade/light.c shade/sky.c shade/solid.c shade/tables.c \
-    shade/texture.c shade/view.c \
-    scene/boat.c scene/params.c scene/world.c \
-    frame/boat.c frame/frame.c frame/plan.c frame/tile.c frame/water.c)
+    shade/exposure.c shade/haze.c shade/light.c shade/optics.c shade/sky.c \
+    shade/solid.c shade/tables.c shade/texture.c shade/view.c \
+    scene/boat.c scene/clock.c scene/drawn.c scene/drop.c scene/drops.c scene/float.c \
+    scene/paddle.c scene/params.c scene/parts.c scene/tape.c scene/wake.c scene/world.c \
+    frame/boat.c frame/drops.c frame/frame.c frame/land.c frame/plan.c frame/tile.c frame/water.c)
 
 # -- the program, for machines with files and threads ----------------------------------
 
 PORTS := $(addprefix ports/, \
-    host/args.c host/assets.c host/canvas.c host/film.c host/hashes.c host/lists.c \
+    host/args.c host/assets.c host/canvas.c host/check.c host/check_depth.c \
+    host/check_drops.c host/check_light.c host/check_numbers.c host/check_ocean.c \
+    host/check_pool.c host/check_settle.c host/check_waves.c host/csv.c host/deck.c \
+    host/film.c host/hashes.c host/lists.c \
     host/nearest.c host/output.c host/path.c host/picture.c host/png_read.c \
     host/png_write.c host/render.c host/say.c host/scene_file.c host/scene_ini.c \
     host/sink.c host/stage.c host/timing.c \
@@ -65,7 +75,8 @@ LIB     := $(BUILD)/libtidepool.a
 PROGRAM := $(BUILD)/tidepool
 CORE_O  := $(CORE:%.c=$(BUILD)/%.o)
 PORTS_O := $(PORTS:%.c=$(BUILD)/%.o)
-UNIT    := $(patsubst %.c,$(BUILD)/%,$(wildcard tests/unit/test_*.c tests/host/test_*.c))
+UNIT    := $(patsubst %.c,$(BUILD)/%,$(wildcard tests/unit/test_*.c tests/host/test_*.c \
+               tests/stability/test_*.c))
 FUZZ    := $(patsubst %.c,$(BUILD)/%,$(wildcard tests/fuzz/fuzz_*.c))
 GOLDEN  := $(BUILD)/tests/golden/test_frames $(BUILD)/tests/golden/test_harness
 CMOCKA  := -lcmocka
@@ -74,8 +85,9 @@ CMOCKA  :=
 UNIT    :=
 GOLDEN  := tests/gates/no-cmocka.sh
 endif
-FRAMES  := $(BUILD)/tests/cross/frames
-BAKED   := build/baked/three-swells.c
+# Scenes whose frames every processor must draw: between them, every model.
+CROSS   := three-swells raindrops tank pond harbour shallows shore-break deep-sea storm
+FRAMES  := $(CROSS:%=$(BUILD)/tests/cross/frames-%)
 SHIPPED := $(wildcard assets/scenes/* assets/boats/*.[mop]* assets/textures/*.png \
                assets/skies/*.png)
 
@@ -99,10 +111,17 @@ test-all:
 	@ports/setup.sh all
 	@$(if $(TESTED),,$(MAKE) --no-print-directory host-tests)
 	@$(MAKE) --no-print-directory more-tests
-## instructions, stack and RAM on an emulated Cortex-M4 and on this machine
+## the long sweeps: 100000 random scenes, 10^6 ticks of feed, under the sanitizers
+soak:
+	@ports/setup.sh test
+	@$(MAKE) --no-print-directory $(SAN) unit
+	@TP_SOAK=1 TP_SCENES=100000 TP_TIMEOUT=7200 TP_BUILD=build/san tests/run.sh \
+	    build/log/soak $(patsubst build/host/%,build/san/%,$(filter %/stability/%,$(UNIT)))
+## instructions of each model, and of frames with their stack and RAM: here, on a board
 count: $(PROGRAM) $(FRAMES) build/host/count.so
 	@tests/budgets/board-count.sh
 	@tests/budgets/host-count.sh
+	@tests/budgets/models-count.sh
 ## instructions a pixel of the scene that other renderers were measured on
 bench: $(BUILD)/tests/bench/scene_s
 	@tests/bench/run.sh $<
@@ -149,16 +168,20 @@ everything: all unit $(GOLDEN) $(FRAMES) $(BUILD)/tests/bench/scene_s \
 host-tests: everything
 	@$(MAKE) --no-print-directory $(SAN) unit build/san/tidepool
 	@$(RUN) build/log/host $(UNIT) $(UNIT:build/host/%=build/san/%) $(GOLDEN) \
-	    tests/gates/host.sh tests/gates/selftest.sh tests/host/cli.sh \
+	    tests/gates/host.sh tests/gates/selftest.sh tests/host/cli.sh tests/host/check.sh \
 	    tests/gates/sanitized.sh tests/host/generators.sh \
 	    tests/host/readme.sh
 more-tests: everything build/host/count.so
 	@$(RUN) build/log/more tests/gates/arm.sh tests/gates/clang.sh tests/host/view.sh \
-	    tests/cross/run.sh tests/budgets/board-count.sh tests/fuzz/run.sh
+	    tests/cross/run.sh tests/budgets/board-count.sh tests/budgets/models-count.sh \
+	    tests/fuzz/run.sh
 fuzzers: $(FUZZ)
 elf: $(BUILD)/tidepool.elf
+frames: $(FRAMES)
 list-core:
 	@echo $(CORE)
+list-cross:
+	@echo $(CROSS)
 
 # -- how things are made ---------------------------------------------------------------
 
@@ -180,19 +203,27 @@ $(BUILD)/longship: $(patsubst %.c,$(BUILD)/%.o,$(wildcard assets/boats/*.c) \
 $(BUILD)/textures: $(patsubst %.c,$(BUILD)/%.o,$(wildcard assets/textures/*.c))
 	$(SAY)$(LINK) $^ -lpng -o $@
 # The scene as constants, for what has no files: built once for each processor.
-$(BAKED): build/host/tests/cross/bake $(SHIPPED)
+build/baked/%.c: build/host/tests/cross/bake $(SHIPPED)
 	@mkdir -p $(@D)
 	$(SAY)$< assets/scenes/$(basename $(@F)).ini -o $@
-build/baked/$(MACHINE).o: $(BAKED)
+build/baked/$(MACHINE)/%.o: build/baked/%.c
+	@mkdir -p $(@D)
 	$(SAY)$(COMPILE) -Iports -c $< -o $@
-$(FRAMES): $(FRAMES).o build/baked/$(MACHINE).o $(LIB)
+$(FRAMES): $(BUILD)/tests/cross/frames-%: $(BUILD)/tests/cross/frames.o \
+          build/baked/$(MACHINE)/%.o $(LIB)
+	$(SAY)$(LINK) $^ -o $@
+MODELS_O := $(patsubst %.c,$(BUILD)/%.o,$(wildcard tests/budgets/models*.c))
+$(BUILD)/tests/budgets/models: $(MODELS_O) $(LIB)
 	$(SAY)$(LINK) $^ -o $@
 build/host/count.so: tests/budgets/count.c $(BUILD)/flags
 	$(SAY)$(COMPILE) -D_POSIX_C_SOURCE=200809L -fPIC -shared $< -o $@
 $(BUILD)/tidepool.elf: $(BOARD_C:%.c=$(BUILD)/ports/$(BOARD)/%.o) \
-          build/baked/$(MACHINE).o $(LIB) ports/$(BOARD)/board.ld
-	$(SAY)$(LINK) -nostdlib -T $(filter %.ld,$^) -Wl,--gc-sections $(filter-out %.ld,$^) \
-	    -lgcc -o $@
+          build/baked/$(MACHINE)/three-swells.o
+$(BUILD)/models.elf: $(MODELS_O) \
+          $(patsubst %.c,$(BUILD)/ports/$(BOARD)/%.o,$(filter-out main.c,$(BOARD_C)))
+$(BUILD)/%.elf: $(LIB) ports/$(BOARD)/board.ld
+	$(SAY)$(LINK) -nostdlib -T $(filter %.ld,$^) -Wl,--gc-sections $(filter %.o,$^) \
+	    $(LIB) -lgcc -o $@
 
 $(BUILD)/src/%.o: src/%.c $(BUILD)/flags
 	@mkdir -p $(@D)
@@ -205,7 +236,7 @@ $(BUILD)/flags: force
 	@mkdir -p $(@D)
 	@echo '$(COMPILE) $(SDL_CFLAGS)' | cmp -s - $@ || echo '$(COMPILE) $(SDL_CFLAGS)' >$@
 
-.PHONY: all lib run test test-all count bench fuzz golden gallery assets install format \
-    clean help unit everything host-tests more-tests fuzzers elf list-core force
+.PHONY: all lib run test test-all soak count bench fuzz golden gallery assets install format \
+    clean help unit everything host-tests more-tests fuzzers elf frames list-core list-cross force
 .SECONDARY:
 -include $(shell find $(BUILD) -name '*.d' 2>/dev/null)

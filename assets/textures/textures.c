@@ -14,6 +14,7 @@
  *                            row is the zenith, the bottom row the horizon
  * All but day.png tile both ways, day.png along s.  The pictures are CC0-1.0. */
 #include "canvas.h"
+#include "maps.h"
 
 #include <stdio.h>
 
@@ -258,6 +259,8 @@ int main(int argc, char **argv)
     make(argv[1], "distortion.png", 64, 64, paint_distortion);
     make(argv[1], "foam.png", SIDE, SIDE, paint_foam);
     make(argv[1], "lava.png", SIDE, SIDE, paint_lava);
+    make(argv[1], "shoal.png", SIDE, SIDE, paint_shoal);
+    make(argv[1], "harbour.png", 240, 240, paint_harbour);
     make(argv[2], "day.png", 256, 128, paint_day);
     return 0;
 }

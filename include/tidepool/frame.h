@@ -19,12 +19,6 @@
 #include "tidepool/scene.h"
 #include "tidepool/status.h"
 
-/* What the scene names, as the port loaded it; NULL for what it does not name. */
-typedef struct {
-    const tp_mesh    *boat;
-    const tp_texture *water, *water_normal;
-} tp_assets;
-
 typedef struct {
     uint32_t  width, height;        /* pixels, 16..4096 */
     uint32_t  tile_width;           /* multiple of 16; 0: the picture's width */
@@ -65,7 +59,8 @@ size_t tp_frame_scratch_bytes(const tp_frame_config *config);
 tp_status tp_frame_init(tp_frame **frame, const tp_scene *scene, const tp_assets *assets,
                         const tp_frame_config *config, void *block, tp_error *err);
 
-/* Takes the world's state into the frame; the world may then move on. */
+/* Takes the world's state into the frame.  The world stays as it is until the last tile
+ * has been drawn. */
 void tp_frame_begin(tp_frame *frame, const tp_world *world);
 
 uint32_t tp_frame_tiles(const tp_frame *frame);

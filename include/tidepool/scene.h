@@ -10,11 +10,27 @@
 #include <stddef.h>
 #include <stdint.h>
 #include "tidepool/asset.h"
+#include "tidepool/clock.h"
+#include "tidepool/drop.h"
 #include "tidepool/fx.h"
+#include "tidepool/ocean.h"
+#include "tidepool/pool.h"
+#include "tidepool/ring.h"
 #include "tidepool/status.h"
 #include "tidepool/wave.h"
 
 #define TP_NAME_BYTES 128       /* of a name in a scene, its end included */
+
+/* A pool as a scene describes it; see tp_pool_config for the meanings. */
+typedef struct {
+    int32_t cols, rows;                     /* cols 0: no such pool */
+    int32_t cells, edges, damping, sponge;
+    tp_fx   courant, range, cell, x, z;
+    tp_fx   feed_low, feed_high, feed;
+    tp_fx   poke_every, poke, poke_size;    /* s between hats at random places, m, m */
+    tp_fx   paddle, paddle_period;          /* m, s: of waves made at the north edge */
+    char    mask[TP_NAME_BYTES];            /* PNG, "": no walls inside */
+} tp_scene_pool;
 
 /* Numbers are 16.16 unless said; angles are degrees; colours 0x00RRGGBB. */
 typedef struct {
@@ -36,11 +52,30 @@ typedef struct {
     struct { int32_t cols, rows; tp_fx cell, reach; int32_t follow; } grid;
     tp_wave wave[TP_WAVES];
     struct {
-        char  mesh[TP_NAME_BYTES];          /* OBJ file, "": no boat */
-        tp_fx x, z, heading, scale, lift;   /* lift: m above the surface */
-        tp_fx length, beam;                 /* of the hull points in the water, m */
+        tp_fx   depth, slope, heading;      /* depth 0 and no map: open sea; see tp_floor */
+        char    map[TP_NAME_BYTES];         /* PNG of heights, "": none */
+        tp_fx   map_x, map_z, map_size, map_low, map_high;
+        int32_t colour;                     /* of the land */
+    } floor;
+    struct { tp_fx strength, heading; } wind;       /* rad/m [B10], degrees */
+    struct { tp_fx k0, kx, ky, stretch, irregular; } surf;  /* [B12], [B20] */
+    tp_scene_pool pool, field;              /* a patch, and a tiled one under it */
+    tp_scene_drops drops;
+    struct {
+        char    mesh[TP_NAME_BYTES];        /* OBJ file, "": no boat */
+        tp_fx   x, z, heading, scale, lift; /* lift: m above the surface */
+        tp_fx   length, beam;               /* of the hull points in the water, m */
+        int32_t mode;                       /* tp_boat_mode */
+        tp_fx   smooth;                     /* s: time of the low-pass on its pose */
+        tp_fx   draft;                      /* m under water when it floats at rest */
+        tp_fx   drag;                       /* damping of its rocking, of the critical */
+        tp_fx   speed, rudder;              /* m/s and degrees/s that it sails by itself */
+        tp_fx   wake;                       /* share of its volume that stirs the pool */
     } boat;
+    struct { tp_fx scale; } clock;          /* 1/8..4: slow motion, fast forward [D6] */
 } tp_scene;
+
+typedef enum { TP_BOAT_KINEMATIC, TP_BOAT_DYNAMIC } tp_boat_mode;
 
 typedef enum { TP_FILTER_NEAREST, TP_FILTER_LINEAR } tp_filter;
 
@@ -52,6 +87,7 @@ typedef enum {
     TP_PARAM_CHOICE,            /* a word of `unit`, which lists them: "nearest|linear" */
     TP_PARAM_MESH,              /* file name of an OBJ */
     TP_PARAM_TEXTURE,           /* file name of a PNG */
+    TP_PARAM_GREY,              /* file name of a PNG read as one number a pixel */
     TP_PARAM_TEXT
 } tp_param_kind;
 
@@ -87,32 +123,116 @@ size_t tp_param_number_text(const tp_param *param, int32_t number, char *text,
 /* Every row's default. */
 void tp_scene_default(tp_scene *scene);
 
+/* -- what a scene names, as the port loaded it; NULL for what it does not name ------ */
+
+typedef struct {
+    const tp_mesh    *boat;
+    const tp_texture *water, *water_normal;
+    const tp_grey    *floor;            /* scene.floor.map */
+    const tp_grey    *pool_mask, *field_mask;   /* scene.pool.mask, scene.field.mask */
+} tp_assets;
+
 /* -- the world: a scene as it moves ---------------------------------------------- */
 
-/* What the port feeds in at each tick: the camera's own movement. */
+/* What the port feeds in at each tick; all 0 is no input. */
 typedef struct {
-    tp_fx   ahead, aside, up;   /* m, in the camera's horizontal frame */
-    int32_t turn, tilt;         /* tp_turn steps of heading and pitch, signed */
+    tp_fx   ahead, aside, up;   /* m, of the camera, in its horizontal frame */
+    int32_t turn, tilt;         /* tp_turn steps of its heading and pitch, signed */
+    tp_fx   sphere_x, sphere_z; /* m that the sphere of drops moves */
+    int32_t drops;              /* to release, 0..1024 */
+    tp_fx   throttle, rudder;   /* of the boat: m/s and degrees/s beside the scene's */
+    tp_fx   poke;               /* m: a hat put into the pool ... */
+    tp_fx   poke_x, poke_z;     /* ... here, world m */
+    int32_t slower;             /* steps of the clock: +1 halves its scale, -1 doubles */
 } tp_input;
 
-/* Plain data without pointers: copying it is a snapshot. */
+/* The parts that only some scenes have lie behind this head, at these byte offsets from
+ * its start; 0: the scene has none. */
+typedef struct {
+    uint32_t ocean, pool, field, rings, drops;
+    uint32_t bytes;             /* of the whole block */
+} tp_world_parts;
+
+typedef struct {
+    tp_vec3  place;             /* the mesh's origin; 0 in scenes that name no mesh */
+    tp_turn  heading, pitch, roll;
+} tp_pose;
+
+/* Where a hull lies: in the plane, and the water over its waterline [E4]: in the middle,
+ * of the bow over the stern, of port over starboard. */
+typedef struct {
+    tp_fx    x, z;
+    tp_turn  heading;
+    tp_fx    sunk[3];
+} tp_hull;
+
+/* How a boat lies: three lengths in Q40 m, the height of its waterline, of its bow over its
+ * stern, of its port over its starboard side; and how they change, a tick, if it floats. */
+typedef struct { int64_t at[3], speed[3]; } tp_lie;
+
+/* What of a boat moves. */
+typedef struct {
+    int64_t  sailed_x, sailed_z;    /* Q32 m from the scene's place */
+    uint64_t turned;                /* Q64 turn from the scene's heading */
+    tp_lie   lie, alone;        /* alone: as if the pool that it stirs were not there */
+    tp_fx    rest[4][2];        /* of bow, stern, port and starboard in the water [E1] */
+    tp_hull  hull, stirred;     /* now, and when it last stirred the pool [E4] */
+    uint32_t laid;              /* 1: it has been laid on the water */
+    uint32_t stirs;             /* ticks in which it stirred the pool, so far */
+} tp_afloat;
+
+/* Plain data without pointers, in one block of tp_world_bytes() bytes: copying it is a
+ * snapshot. */
 typedef struct {
     uint64_t tick;
-    tp_vec3  eye;
-    tp_turn  heading, pitch;
+    tp_fx    back;              /* 0..1: the picture lies so much of a tick before */
+    tp_world_parts parts;
+    tp_vec3  eye, last_eye;     /* the camera now and a tick ago */
+    tp_turn  heading, pitch, last_heading, last_pitch;
     tp_sea   sea;
     tp_turn  phases[TP_WAVES];  /* of this tick */
-    tp_vec3  boat;              /* the mesh's origin; 0 in scenes that name no mesh */
-    tp_rotation boat_turn;      /* world to mesh */
+    uint32_t random;            /* of pokes */
+    uint32_t rings;             /* on the water now */
+    uint32_t poke_wait[2];      /* ticks until pool and field are poked again */
+    tp_pose  boat, last_boat;
+    tp_afloat afloat;           /* the boat's */
+    tp_clock clock;
+    tp_fx    clock_scale;       /* the scene's, when it was last looked at */
 } tp_world;
 
-/* The world of `scene` at tick 0. */
-void tp_world_init(tp_world *world, const tp_scene *scene);
+/* sizeof (tp_world) if the scene has no pool, no floor or wind, no drops; 0 if it cannot
+ * be used (tp_world_init says why). */
+size_t tp_world_bytes(const tp_scene *scene, const tp_assets *assets);
 
-/* One tick further; `input` may be NULL.  The scene's numbers may have changed since
- * the last tick: call tp_world_refresh after changing a wave, gravity or the boat. */
+/* The world of `scene` at tick 0, in `bytes` bytes aligned to 8.  Pictures that the assets
+ * hold are read now and not kept. */
+tp_status tp_world_init(tp_world *world, size_t bytes, const tp_scene *scene,
+                        const tp_assets *assets, tp_error *err);
+
+/* One tick further; `input` may be NULL.  After a change of the scene's numbers call
+ * tp_world_refresh first. */
 void tp_world_step(tp_world *world, const tp_scene *scene, const tp_input *input);
 
-/* The sea and boat of the scene as it is now, at the same tick. */
-void tp_world_refresh(tp_world *world, const tp_scene *scene);
+/* Moves the camera alone, while the water stands. */
+void tp_world_look(tp_world *world, const tp_input *input);
+
+/* The scene as it is now, at the same tick: sea, ocean, boat, what of pools and drops may
+ * change while they move.  False, and nothing is done: what sizes the world's block has
+ * changed, or cannot be used; it must be made anew by tp_world_init. */
+bool tp_world_refresh(tp_world *world, const tp_scene *scene, const tp_assets *assets);
+
+/* Ticks that the clock asks for until the next picture: step the world so many times. The
+ * picture then lies world->back of a tick before the last one. */
+uint32_t tp_world_frame(tp_world *world);
+
+/* The surface above or below a place [E1]: waves, rings and pools together, without what
+ * overhangs.  Where waves are displaced sideways the place is found by inversion: within
+ * 1 mm along and up while the steepness sum is below 0.9 (see tp_sea_above). */
+tp_sea_point tp_world_above(const tp_world *world, tp_fx x, tp_fx z);
+
+/* The parts, or NULL. */
+const tp_pool  *tp_world_pool(const tp_world *world);
+const tp_pool  *tp_world_field(const tp_world *world);
+const tp_ocean *tp_world_ocean(const tp_world *world);
+const tp_drops *tp_world_drops(const tp_world *world);
 #endif

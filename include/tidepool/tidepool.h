@@ -4,10 +4,16 @@
 #define TP_TIDEPOOL_H
 #include "tidepool/arena.h"
 #include "tidepool/asset.h"
+#include "tidepool/clock.h"
+#include "tidepool/drop.h"
 #include "tidepool/frame.h"
 #include "tidepool/fx.h"
+#include "tidepool/ocean.h"
 #include "tidepool/pixel.h"
+#include "tidepool/pool.h"
+#include "tidepool/ring.h"
 #include "tidepool/scene.h"
 #include "tidepool/status.h"
+#include "tidepool/tape.h"
 #include "tidepool/wave.h"
 #endif

@@ -74,11 +74,12 @@ static uint32_t draw(tp_frame *frame, const tp_frame_config *config, void *scrat
 static void run(uint32_t width, uint32_t height)
 {
     const tp_frame_config config = { width, height, 0, BOARD_BAND, TP_FORMAT_RGB565 };
-    static tp_world world;
     tp_arena  arena = tp_arena_over(arena_start, (size_t)(arena_end - arena_start));
     void     *block = tp_arena_take(&arena, 1, tp_frame_bytes(&baked_scene, &baked_assets,
                                                               &config));
     void     *scratch = tp_arena_take(&arena, 1, tp_frame_scratch_bytes(&config));
+    size_t    world_bytes = tp_world_bytes(&baked_scene, &baked_assets);
+    tp_world *world = tp_arena_take(&arena, 1, world_bytes);
     tp_frame *frame;
     tp_error  err;
 
@@ -88,10 +89,11 @@ static void run(uint32_t width, uint32_t height)
     if (arena.failed
         || tp_frame_init(&frame, &baked_scene, &baked_assets, &config, block, &err))
         stop("the frame does not fit");
-    tp_world_init(&world, &baked_scene);
+    if (tp_world_init(world, world_bytes, &baked_scene, &baked_assets, &err))
+        stop("the world cannot be made");
     for (uint32_t n = 0; n < BOARD_FRAMES; n++) {
         uint32_t water;
-        uint32_t crc = draw(frame, &config, scratch, &world, &water);
+        uint32_t crc = draw(frame, &config, scratch, world, &water);
         put_number("frame ", n, 10, 4);
         put_number(" crc32 ", crc, 16, 8);
         put_decimal("\nwater ", water);
@@ -99,14 +101,14 @@ static void run(uint32_t width, uint32_t height)
         put_decimal(" triangles ", tp_frame_last_stats(frame).triangles);
         put_decimal(" dropped ", tp_frame_last_stats(frame).dropped);
         semihost_write("\n");
-        tp_world_step(&world, &baked_scene, NULL);
+        tp_world_step(world, &baked_scene, NULL);
     }
     const tp_frame_ram ram = tp_frame_memory(frame);
     put_decimal("ram frame ", (uint32_t)ram.frame);
     put_decimal(" vertices ", (uint32_t)ram.vertices);
     put_decimal(" tables ", (uint32_t)ram.tables);
     put_decimal(" scratch ", (uint32_t)ram.scratch);
-    put_decimal(" world ", (uint32_t)sizeof world);
+    put_decimal(" world ", (uint32_t)world_bytes);
     put_decimal(" stack ", board_stack_used());
     semihost_write("\n");
     count_section();

@@ -121,6 +121,18 @@ static const char *read_expect(options *o, const char *value)
     return *value ? NULL : "a file name";
 }
 
+static const char *read_vectors(options *o, const char *value)
+{
+    o->vectors = value;
+    return *value ? NULL : "a folder";
+}
+
+static const char *read_tape(options *o, const char *value)
+{
+    o->tape = value;
+    return *value ? NULL : "a file name";
+}
+
 static const char *read_stats(options *o, const char *value)
 {
     (void)value;
@@ -135,7 +147,7 @@ static const char *read_help(options *o, const char *value)
     return NULL;
 }
 
-#define ALL (FOR_RENDER | FOR_VIEW | FOR_PARAMS | FOR_SCENES)
+#define ALL (FOR_RENDER | FOR_VIEW | FOR_PARAMS | FOR_SCENES | FOR_CHECK)
 
 static const option_row rows[] = {
     { "--size", "WxH", FOR_RENDER | FOR_VIEW, read_size, "picture, 640x480 by default" },
@@ -155,6 +167,9 @@ static const option_row rows[] = {
     { "--hash", NULL, FOR_RENDER, read_hash, "print the CRC-32 of every frame" },
     { "--expect", "FILE", FOR_RENDER, read_expect,
       "compare with such a list; exit 1 where it differs" },
+    { "--vectors", "DIR", FOR_CHECK, read_vectors, "the folder of tables; needed" },
+    { "--tape", "FILE", FOR_RENDER, read_tape, "play the inputs recorded there" },
+    { "--tape", "FILE", FOR_VIEW, read_tape, "record your inputs there" },
     { "--stats", NULL, FOR_RENDER, read_stats, "print times, counts and RAM as JSON" },
     { "--help", NULL, ALL, read_help, "this text" },
 };
@@ -231,7 +246,7 @@ int args_read(options *o, unsigned command, int argc, char **argv)
         int code = EXIT_DONE;
         if (argv[i][0] == '-')
             code = read_option(o, command, argc, argv, &i);
-        else if (o->scene || command == FOR_SCENES)
+        else if (o->scene || (command & (FOR_SCENES | FOR_CHECK)))
             code = refuse(o, "too many names");
         else
             o->scene = argv[i];
@@ -242,5 +257,7 @@ int args_read(options *o, unsigned command, int argc, char **argv)
         return refuse(o, "--band and --strip exclude each other");
     if (!o->scene && !o->help && (command & (FOR_RENDER | FOR_VIEW)))
         return refuse(o, "which scene?");
+    if (!o->vectors && !o->help && (command & FOR_CHECK))
+        return refuse(o, "which folder?  It takes --vectors DIR");
     return EXIT_DONE;
 }

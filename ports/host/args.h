@@ -18,11 +18,13 @@ typedef struct {
     uint32_t     threads;           /* 0: not given */
     bool         hash, stats;
     const char  *expect;            /* list of hashes */
+    const char  *tape;              /* of inputs: render plays it, view records it */
+    const char  *vectors;           /* folder of tables */
     bool         help;
 } options;
 
 /* Commands, for the table's masks. */
-enum { FOR_RENDER = 1, FOR_VIEW = 2, FOR_PARAMS = 4, FOR_SCENES = 8 };
+enum { FOR_RENDER = 1, FOR_VIEW = 2, FOR_PARAMS = 4, FOR_SCENES = 8, FOR_CHECK = 16 };
 
 /* `command` is one of FOR_...; argv[0] is its name.  EXIT_USAGE: said why.  The caller
  * frees settings in any case. */

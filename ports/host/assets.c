@@ -61,6 +61,24 @@ static int load_texture(assets *a, tp_texture *texture, const char *path, const 
     return code;
 }
 
+/* -- greys ----------------------------------------------------------------------- */
+
+static int load_grey(assets *a, tp_grey *grey, const char *path, const char *who)
+{
+    uint32_t w, h;
+    uint16_t *samples = picture_read_grey(path, who, &w, &h);
+    if (!samples)
+        return EXIT_INPUT;
+    const size_t bytes = (size_t)w * h * sizeof *samples;
+    uint16_t *memory = take(a, bytes);
+    if (memory)
+        memcpy(memory, samples, bytes);
+    free(samples);
+    *grey = (tp_grey){ w, h, memory };
+    a->texture_bytes += bytes;
+    return memory ? EXIT_DONE : EXIT_INPUT;
+}
+
 /* -- the mesh -------------------------------------------------------------------- */
 
 typedef tp_status (*feed)(tp_obj *obj, const void *text, size_t bytes, tp_error *err);
@@ -192,6 +210,7 @@ static int load(assets *a, const scene_file *file, const char *name, void *into,
         return fail_memory(sizeof text);
     scene_file_who(file, param, who, sizeof who);
     const int code = param->kind == TP_PARAM_MESH ? load_mesh(a, into, path, who)
+                   : param->kind == TP_PARAM_GREY ? load_grey(a, into, path, who)
                                                   : load_texture(a, into, path, who);
     free(path);
     return code;
@@ -199,19 +218,24 @@ static int load(assets *a, const scene_file *file, const char *name, void *into,
 
 int assets_open(assets *a, const scene_file *file)
 {
-    bool boat = false, water = false, normal = false;
+    const struct { const char *name; void *into; const void **named; } rows[] = {
+        { "boat.mesh", &a->boat, (const void **)&a->names.boat },
+        { "water.texture", &a->water, (const void **)&a->names.water },
+        { "water.normal", &a->water_normal, (const void **)&a->names.water_normal },
+        { "floor.map", &a->floor, (const void **)&a->names.floor },
+        { "pool.mask", &a->pool_mask, (const void **)&a->names.pool_mask },
+        { "field.mask", &a->field_mask, (const void **)&a->names.field_mask },
+    };
     *a = (assets){ 0 };
-    int code = load(a, file, "boat.mesh", &a->boat, &boat);
-    if (!code)
-        code = load(a, file, "water.texture", &a->water, &water);
-    if (!code)
-        code = load(a, file, "water.normal", &a->water_normal, &normal);
-    if (code) {
-        assets_close(a);
-        return code;
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+        bool there = false;
+        const int code = load(a, file, rows[i].name, rows[i].into, &there);
+        if (code) {
+            assets_close(a);
+            return code;
+        }
+        if (there)
+            *rows[i].named = rows[i].into;
     }
-    a->names.boat = boat ? &a->boat : NULL;
-    a->names.water = water ? &a->water : NULL;
-    a->names.water_normal = normal ? &a->water_normal : NULL;
     return EXIT_DONE;
 }

@@ -11,6 +11,7 @@ typedef struct {
     tp_assets     names;        /* what the frame takes: points below */
     tp_mesh       boat;
     tp_texture    water, water_normal;
+    tp_grey       floor, pool_mask, field_mask;
     assets_block *blocks;       /* all memory of it */
     size_t        mesh_bytes, texture_bytes;
 } assets;

@@ -71,7 +71,8 @@ static void range_text(const tp_param *param, char *text, size_t bytes)
     case TP_PARAM_COLOUR:  snprintf(text, bytes, "#rrggbb"); break;
     case TP_PARAM_CHOICE:  snprintf(text, bytes, "%s", param->unit); break;
     case TP_PARAM_MESH:    snprintf(text, bytes, "an OBJ file"); break;
-    case TP_PARAM_TEXTURE: snprintf(text, bytes, "a PNG file"); break;
+    case TP_PARAM_TEXTURE:
+    case TP_PARAM_GREY:    snprintf(text, bytes, "a PNG file"); break;
     case TP_PARAM_TEXT:    snprintf(text, bytes, "a text"); break;
     }
 }
@@ -122,12 +123,12 @@ static void print_defaults(void)
 static int print_scene(const options *o)
 {
     scene_file file;
-    tp_world world;
+    tp_sea sea;
     const int code = stage_read(&file, o);
     if (!code) {
-        tp_world_init(&world, &file.scene);
+        tp_sea_init(&sea, file.scene.wave, TP_WAVES, file.scene.water.gravity);
         print_table(&file.scene, "value");
-        stage_report_clamps(&file, &world);
+        stage_report_clamps(&file, &sea);
     }
     scene_file_close(&file);
     return code;

@@ -32,6 +32,8 @@ static const struct {
     { "scenes", "", "the scenes that come with the program", scenes_command },
     { "params", "[SCENE]", "what can be changed: names, units, ranges, values",
       params_command },
+    { "check", "--vectors DIR", "the models against tables of known values",
+      check_command },
 };
 
 #define COMMANDS (sizeof commands / sizeof *commands)

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* PNG files of any depth and colour type to 0xAARRGGBB.
+/* PNG files of any depth and colour type to 0xAARRGGBB, or to greys of 16 bits.
  *
  * The file may be hostile: sides are held to what a texture can have before anything is
  * allocated, so are ancillary chunks, and every error of libpng ends here. */
@@ -22,7 +22,8 @@ typedef struct {
     png_structp png;
     png_infop   info;
     uint32_t    w, h;
-    uint8_t    *rgba;
+    bool        grey;
+    uint8_t    *bytes;              /* rows of R, G, B, A, or of high and low byte */
     png_bytep  *rows;
     char        why[160];
 } png_reader;
@@ -59,17 +60,28 @@ static void ask_for_rgba(png_structp png, png_infop info)
     png_read_update_info(png, info);
 }
 
+/* Rows of greys, high byte first. */
+static void ask_for_grey(png_structp png, png_infop info)
+{
+    png_set_expand_16(png);
+    png_set_strip_alpha(png);
+    png_set_rgb_to_gray(png, PNG_ERROR_ACTION_NONE, PNG_RGB_TO_GRAY_DEFAULT,
+                        PNG_RGB_TO_GRAY_DEFAULT);
+    png_set_interlace_handling(png);
+    png_read_update_info(png, info);
+}
+
 static void allocate(png_reader *r)
 {
-    const size_t row = 4 * (size_t)r->w;
+    const size_t row = (r->grey ? 2 : 4) * (size_t)r->w;
     if (png_get_rowbytes(r->png, r->info) != row)
         png_error(r->png, "rows of an unexpected size");
-    r->rgba = malloc(row * r->h);
+    r->bytes = malloc(row * r->h);
     r->rows = malloc(r->h * sizeof *r->rows);
-    if (!r->rgba || !r->rows)
+    if (!r->bytes || !r->rows)
         png_error(r->png, "out of memory");
     for (uint32_t y = 0; y < r->h; y++)
-        r->rows[y] = r->rgba + y * row;
+        r->rows[y] = r->bytes + y * row;
 }
 
 static bool read_all(png_reader *r)
@@ -83,7 +95,10 @@ static bool read_all(png_reader *r)
     png_read_info(r->png, r->info);
     r->w = png_get_image_width(r->png, r->info);
     r->h = png_get_image_height(r->png, r->info);
-    ask_for_rgba(r->png, r->info);
+    if (r->grey)
+        ask_for_grey(r->png, r->info);
+    else
+        ask_for_rgba(r->png, r->info);
     allocate(r);
     png_read_image(r->png, r->rows);
     png_read_end(r->png, NULL);
@@ -102,6 +117,14 @@ static uint32_t *words_of(uint8_t *rgba, size_t count)
     return words;
 }
 
+static uint16_t *greys_of(uint8_t *bytes, size_t count)
+{
+    uint16_t *greys = (uint16_t *)(void *)bytes;
+    for (size_t i = 0; i < count; i++)
+        greys[i] = (uint16_t)(bytes[2 * i] << 8 | bytes[2 * i + 1]);
+    return greys;
+}
+
 static bool read_open_file(png_reader *r)
 {
     r->png = png_create_read_struct(PNG_LIBPNG_VER_STRING, r, refuse, ignore);
@@ -114,21 +137,38 @@ static bool read_open_file(png_reader *r)
     return done;
 }
 
-uint32_t *picture_read_png(const char *name, const char *who, uint32_t *w, uint32_t *h)
+/* NULL: it could not be had, and said why. */
+static uint8_t *read_file(png_reader *r, const char *name, const char *who)
 {
-    png_reader r = { .file = fopen(name, "rb") };
-    if (!r.file) {
+    r->file = fopen(name, "rb");
+    if (!r->file) {
         say("%s: %s (named by %s)", name, strerror(errno), who);
         return NULL;
     }
-    const bool done = read_open_file(&r);
-    fclose(r.file);
+    const bool done = read_open_file(r);
+    fclose(r->file);
     if (!done) {
-        free(r.rgba);
-        say("%s: not a good PNG: %s (named by %s)", name, r.why, who);
+        free(r->bytes);
+        say("%s: not a good PNG: %s (named by %s)", name, r->why, who);
         return NULL;
     }
+    return r->bytes;
+}
+
+uint32_t *picture_read_png(const char *name, const char *who, uint32_t *w, uint32_t *h)
+{
+    png_reader r = { .grey = false };
+    uint8_t *rgba = read_file(&r, name, who);
     *w = r.w;
     *h = r.h;
-    return words_of(r.rgba, (size_t)r.w * r.h);
+    return rgba ? words_of(rgba, (size_t)r.w * r.h) : NULL;
+}
+
+uint16_t *picture_read_grey(const char *name, const char *who, uint32_t *w, uint32_t *h)
+{
+    png_reader r = { .grey = true };
+    uint8_t *bytes = read_file(&r, name, who);
+    *w = r.w;
+    *h = r.h;
+    return bytes ? greys_of(bytes, (size_t)r.w * r.h) : NULL;
 }

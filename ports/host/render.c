@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "commands.h"
+#include "deck.h"
 #include "hashes.h"
 #include "say.h"
 #include "sink.h"
@@ -16,6 +17,7 @@ typedef struct {
     stage    stage;
     sink     sink;
     hashes   expected;
+    deck     tape;
     timings  times;
     FILE    *report;            /* where hashes and figures go */
 } render;
@@ -50,11 +52,11 @@ static int draw_frames(render *r, const options *o)
     progress p = progress_begin();
     int code = EXIT_DONE;
     for (uint32_t n = 0; n <= o->last && !code; n++) {
-        if (n > 0)
-            tp_world_step(&s->world, &s->file.scene, NULL);
+        for (uint32_t ticks = n > 0 ? tp_world_frame(s->world) : 0; ticks > 0; ticks--)
+            tp_world_step(s->world, &s->file.scene, deck_input(&r->tape, s->world->tick));
         if (n >= o->first) {
             const uint64_t begin = now_us();
-            canvas_draw(&s->canvas, &s->world);
+            canvas_draw(&s->canvas, s->world);
             timings_add(&r->times, now_us() - begin);
             code = use_frame(r, o, n);
         }
@@ -72,17 +74,29 @@ static void print_stats(render *r)
     const canvas *c = &s->canvas;
     const tp_frame_stats stats = tp_frame_last_stats(c->frame);
     const tp_frame_ram ram = tp_frame_memory(c->frame);
+    const tp_pool *water = tp_world_pool(s->world);
+    const uint32_t cells = water ? water->cols * water->rows : 0;
+    const tp_pool_state pool = water ? tp_pool_look(water)
+                                     : (tp_pool_state){ .at_rest = true };
+    const tp_drops drops = tp_world_drops(s->world) ? *tp_world_drops(s->world)
+                                                    : (tp_drops){ 0 };
     const size_t frames = r->times.count;
     const uint32_t median = timings_median(&r->times);
     fprintf(r->report,
             "{\"frames\": %zu, \"ms_median\": %" PRIu32 ".%03" PRIu32 ", "
             "\"water_pixels\": %" PRIu32 ", \"vertices\": %" PRIu32 ", "
             "\"triangles\": %" PRIu32 ", \"dropped\": %" PRIu32 ", "
+            "\"pool\": {\"cells\": %" PRIu32 ", \"max_height\": %" PRId32 ", "
+            "\"max_velocity\": %" PRId32 ", \"at_rest\": %s}, "
+            "\"drops\": {\"in_air\": %" PRIu32 ", \"rings\": %" PRIu32 ", "
+            "\"dropped\": %" PRIu32 "}, "
             "\"ram_bytes\": {\"scene\": %zu, \"world\": %zu, \"frame\": %zu, "
             "\"vertices\": %zu, \"tables\": %zu, \"scratch\": %zu, "
             "\"mesh\": %zu, \"textures\": %zu}}\n",
             frames, median / 1000, median % 1000, c->water_pixels, stats.vertices,
-            stats.triangles, stats.dropped, sizeof(tp_scene), sizeof(tp_world), ram.frame,
+            stats.triangles, stats.dropped, cells, pool.highest, pool.fastest,
+            pool.at_rest ? "true" : "false", drops.count, drops.rings,
+            drops.dropped + drops.rings_dropped, sizeof(tp_scene), s->world_bytes, ram.frame,
             ram.vertices, ram.tables, ram.scratch * c->threads, s->assets.mesh_bytes,
             s->assets.texture_bytes);
 }
@@ -96,6 +110,8 @@ static int run(render *r, const options *o)
         code = hashes_read(&r->expected, o->expect);
     if (!code)
         code = stage_open(&r->stage, o);
+    if (!code && o->tape)
+        code = deck_read(&r->tape, o->tape, r->stage.file.name);
     if (!code)
         code = draw_frames(r, o);
     if (code) {
@@ -121,6 +137,7 @@ int render_command(int argc, char **argv)
         code = run(&r, &o);
     const int end = r.report == stdout ? finish_stdout() : EXIT_DONE;
     timings_free(&r.times);
+    deck_close(&r.tape);
     hashes_free(&r.expected);
     stage_close(&r.stage);
     free(o.settings);

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* From the command line to a world and a canvas. */
 #include "stage.h"
+#include <stdlib.h>
 #include <string.h>
 #include "say.h"
 
@@ -13,12 +14,12 @@ int stage_read(scene_file *file, const options *o)
 }
 
 /* To three decimals: 16.16 of a sum of people's 0.4 is no round number. */
-void stage_report_clamps(const scene_file *file, const tp_world *world)
+void stage_report_clamps(const scene_file *file, const tp_sea *sea)
 {
     char sum[16];
-    if (!world->sea.clamped)
+    if (!sea->clamped)
         return;
-    const int64_t thousandths = ((int64_t)world->sea.steepness * 1000 + 0x8000) >> 16;
+    const int64_t thousandths = ((int64_t)sea->steepness * 1000 + 0x8000) >> 16;
     tp_fx_write((tp_fx)((thousandths * 65536 + 500) / 1000), sum);
     say("%s: steepness sum %s is clamped to 0.95", file->name, sum);
 }
@@ -31,9 +32,29 @@ int stage_open(stage *s, const options *o)
         code = assets_open(&s->assets, &s->file);
     if (code)
         return code;
-    tp_world_init(&s->world, &s->file.scene);
-    stage_report_clamps(&s->file, &s->world);
+    code = stage_world(s);
+    if (code)
+        return code;
+    stage_report_clamps(&s->file, &s->world->sea);
     return stage_canvas(s, o);
+}
+
+int stage_world(stage *s)
+{
+    const tp_scene *scene = &s->file.scene;
+    const size_t bytes = tp_world_bytes(scene, &s->assets.names);
+    tp_error err = { 0 };
+    tp_world *world = malloc(bytes > sizeof *world ? bytes : sizeof *world);
+    if (!world)
+        return fail_memory(bytes);
+    if (tp_world_init(world, bytes, scene, &s->assets.names, &err)) {
+        free(world);
+        return fail_at(s->file.name, &err);
+    }
+    free(s->world);
+    s->world = world;
+    s->world_bytes = bytes;
+    return EXIT_DONE;
 }
 
 int stage_canvas(stage *s, const options *o)
@@ -50,6 +71,7 @@ int stage_canvas(stage *s, const options *o)
 void stage_close(stage *s)
 {
     canvas_close(&s->canvas);
+    free(s->world);
     assets_close(&s->assets);
     scene_file_close(&s->file);
 }

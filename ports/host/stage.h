@@ -10,16 +10,18 @@
 typedef struct {
     scene_file file;
     assets     assets;
-    tp_world   world;
+    tp_world  *world;           /* in a block of world_bytes */
+    size_t     world_bytes;
     canvas     canvas;
 } stage;
 
 /* Both return an exit code and have said why; close in any case. */
 int  stage_open(stage *s, const options *o);
+int  stage_world(stage *s);                     /* at tick 0, of the scene as it is now */
 int  stage_canvas(stage *s, const options *o);  /* again after the size has changed */
 void stage_close(stage *s);
 
 /* The scene and its settings alone, and what the core had to clamp reported. */
 int  stage_read(scene_file *file, const options *o);
-void stage_report_clamps(const scene_file *file, const tp_world *world);
+void stage_report_clamps(const scene_file *file, const tp_sea *sea);
 #endif

@@ -37,7 +37,7 @@ static int run(const tp_scene *scene, tp_format format)
     tp_world world;                                                 /* 2: the world */
     if (!block || !scratch || tp_frame_init(&frame, scene, &none, &config, block, NULL))
         return 1;
-    tp_world_init(&world, scene);
+    tp_world_init(&world, sizeof world, scene, &none, NULL);
     for (unsigned n = 0; n < FRAMES; n++, tp_world_step(&world, scene, NULL)) {
         tp_frame_begin(frame, &world);                              /* 3: frames */
         draw(frame, format, scratch, n);

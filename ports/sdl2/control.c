@@ -9,6 +9,11 @@
 #define RUN  TP_FX(16.0 / TP_TICKS_PER_SECOND)
 #define TURN ((int32_t)TP_DEG(60.0 / TP_TICKS_PER_SECOND))
 
+/* The sphere's and the boat's: 1.5 m/s, 4 m/s, 20 degrees a second. */
+#define STEER  TP_FX(1.5 / TP_TICKS_PER_SECOND)
+#define SAIL   TP_FX(4)
+#define RUDDER TP_FX(20)
+
 /* Of a pixel dragged; 400 of them are 80 degrees, far from where 32 bits wrap. */
 #define DRAG     ((int32_t)TP_DEG(0.2))
 #define DRAG_MAX 400
@@ -18,6 +23,10 @@ static void print_keys(void)
     puts("W A S D        forward, left, back, right      Shift  faster\n"
          "Q E            down, up\n"
          "arrows         turn and tilt, as dragging with the left mouse button does\n"
+         "F              let a drop fall\n"
+         "I J K L        steer the sphere of drops, or the boat\n"
+         "right button   poke the pool\n"
+         ", .            slow motion, fast forward\n"
          "Space          pause: the water stands, the camera moves on\n"
          "P or F12       save a screenshot in the current folder\n"
          "F1             this list\n"
@@ -32,6 +41,9 @@ static void key(control *c, const SDL_KeyboardEvent *event)
     switch (event->keysym.sym) {
     case SDLK_ESCAPE: c->quit = true; break;
     case SDLK_SPACE:  c->pause = !c->pause; break;
+    case SDLK_f:      c->drops++; break;
+    case SDLK_COMMA:  c->slower++; break;
+    case SDLK_PERIOD: c->slower--; break;
     case SDLK_p:
     case SDLK_F12:    c->shot = true; break;
     case SDLK_F1:     print_keys(); break;
@@ -62,6 +74,13 @@ void control_event(control *c, const SDL_Event *event, uint64_t now)
             c->drag_y = tp_clamp(c->drag_y + event->motion.yrel, -DRAG_MAX, DRAG_MAX);
         }
         break;
+    case SDL_MOUSEBUTTONDOWN:
+        if (event->button.button == SDL_BUTTON_RIGHT) {
+            c->poke = true;
+            c->poke_x = event->button.x;
+            c->poke_y = event->button.y;
+        }
+        break;
     default:
         break;
     }
@@ -85,10 +104,33 @@ tp_input control_input(control *c)
                + DRAG * c->drag_x,
         .tilt  = TURN * axis(keys, SDL_SCANCODE_UP, SDL_SCANCODE_DOWN)
                - DRAG * c->drag_y,
+        .sphere_x = STEER * axis(keys, SDL_SCANCODE_L, SDL_SCANCODE_J),
+        .sphere_z = STEER * axis(keys, SDL_SCANCODE_K, SDL_SCANCODE_I),
+        .throttle = SAIL * axis(keys, SDL_SCANCODE_I, SDL_SCANCODE_K),
+        .rudder   = RUDDER * axis(keys, SDL_SCANCODE_L, SDL_SCANCODE_J),
+        .drops    = c->drops,
+        .slower   = c->slower,
     };
     c->drag_x = 0;
     c->drag_y = 0;
+    c->drops = 0;
+    c->slower = 0;
     return input;
+}
+
+void control_add(tp_input *to, const tp_input *more)
+{
+    to->ahead += more->ahead;
+    to->aside += more->aside;
+    to->up += more->up;
+    to->turn += more->turn;
+    to->tilt += more->tilt;
+    to->sphere_x += more->sphere_x;
+    to->sphere_z += more->sphere_z;
+    to->throttle = more->throttle;
+    to->rudder = more->rudder;
+    to->drops += more->drops;
+    to->slower += more->slower;
 }
 
 bool control_moves(const tp_input *input)

@@ -13,11 +13,15 @@ typedef struct {
     bool     resized;
     uint64_t resized_at;        /* us, of the last change of a row of them */
     int      width, height;     /* of the window, once resized */
+    bool     poke;              /* event: the right button ... */
+    int      poke_x, poke_y;    /* ... at this pixel */
+    int      drops, slower;     /* events since the last tick */
 } control;
 
 void     control_event(control *c, const SDL_Event *event, uint64_t now);
 
-/* The camera's movement of the next tick; takes the drag. */
+/* What is wished for the next tick, but for pokes; takes the drag and the events. */
 tp_input control_input(control *c);
+void     control_add(tp_input *to, const tp_input *more);
 bool     control_moves(const tp_input *input);
 #endif

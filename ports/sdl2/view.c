@@ -2,11 +2,13 @@
 /* tidepool view: the preview.  Ticks of 1/60 s follow the clock whatever the display
  * does; a picture is drawn when a tick has changed it and shown at the display's pace. */
 #define _POSIX_C_SOURCE 200809L
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
 #include "../host/commands.h"
+#include "../host/deck.h"
 #include "../host/path.h"
 #include "../host/say.h"
 #include "../host/stage.h"
@@ -25,6 +27,8 @@ typedef struct {
     stage    stage;
     window   window;
     control  control;
+    deck     tape;
+    tp_input wish;                  /* for the next tick */
     timings  times;                 /* of drawing, since the title was set */
     uint64_t title_at, clock;       /* us */
     uint64_t owed;                  /* ticks not yet made, in 1/1000000 */
@@ -36,30 +40,62 @@ static void print_help(void)
     puts("usage: tidepool view SCENE [OPTION]...\n"
          "Opens a window to look around in: drag with the left button or use the\n"
          "arrows, move with W A S D Q E (Shift: faster); Space pauses, P saves a\n"
-         "screenshot, F1 prints all keys, Esc quits.\n");
+         "screenshot, F1 prints all keys, Esc quits.  --tape records what you do.\n");
     args_print(FOR_VIEW);
 }
 
 /* -- time ------------------------------------------------------------------------ */
 
-/* The camera moves on while the water stands: only what is the camera's is taken. */
-static void move_camera(view *v, const tp_input *input)
+/* Where the mouse points at the level of still water: a poke there. */
+static void aim(view *v, tp_input *input)
 {
-    tp_world *world = &v->stage.world, moved = *world;
-    tp_world_step(&moved, &v->stage.file.scene, input);
-    world->eye = moved.eye;
-    world->heading = moved.heading;
-    world->pitch = moved.pitch;
+    const double pi = 3.14159265358979, turn = pi / 2147483648.0;
+    const tp_world *world = v->stage.world;
+    const tp_scene *scene = &v->stage.file.scene;
+    const double heading = world->heading * turn, pitch = (int32_t)world->pitch * turn;
+    const double half = v->options->height / 2.0;
+    const double focal = half / tan(scene->camera.fov / 65536.0 * pi / 360);
+    const double right = v->control.poke_x - v->options->width / 2.0;
+    const double up = half - v->control.poke_y;
+    const double ahead = focal * cos(pitch) - up * sin(pitch);
+    const double rise = focal * sin(pitch) + up * cos(pitch);
+    const double far = rise < 0 ? -world->eye.y / rise : 0;
+
+    v->control.poke = false;
+    if (far <= 0 || far * (focal + fabs(right)) > 8000 * 65536.0)
+        return;
+    input->poke = scene->pool.poke;
+    input->poke_x = world->eye.x + (tp_fx)(far * (ahead * sin(heading)
+                                                  + right * cos(heading)));
+    input->poke_z = world->eye.z + (tp_fx)(far * (right * sin(heading)
+                                                  - ahead * cos(heading)));
+}
+
+/* The next picture's ticks; the first of them takes the input.  In slow motion there
+ * are pictures without a tick: what was done then waits. */
+static void step(view *v)
+{
+    static const tp_input nothing;
+    tp_world *world = v->stage.world;
+    for (uint32_t ticks = tp_world_frame(world); ticks > 0; ticks--) {
+        deck_add(&v->tape, world->tick, &v->wish);
+        tp_world_step(world, &v->stage.file.scene, &v->wish);
+        v->wish = nothing;
+    }
 }
 
 static void tick(view *v)
 {
     const tp_input input = control_input(&v->control);
+    control_add(&v->wish, &input);
+    if (v->control.poke)
+        aim(v, &v->wish);
     if (!v->control.pause) {
-        tp_world_step(&v->stage.world, &v->stage.file.scene, &input);
+        step(v);
         v->stale = true;
     } else if (control_moves(&input)) {
-        move_camera(v, &input);
+        tp_world_look(v->stage.world, &input);
+        v->wish = (tp_input){ 0 };
         v->stale = true;
     }
 }
@@ -97,7 +133,7 @@ static int resize(view *v, uint64_t now)
 static int draw(view *v)
 {
     const uint64_t begin = now_us();
-    canvas_draw(&v->stage.canvas, &v->stage.world);
+    canvas_draw(&v->stage.canvas, v->stage.world);
     timings_add(&v->times, now_us() - begin);
     v->stale = false;
     if (!window_upload(&v->window, &v->stage.canvas.picture))
@@ -198,8 +234,12 @@ int view_command(int argc, char **argv)
         code = finish_stdout();
     } else if (!code) {
         code = stage_open(&v.stage, &o);
+        if (!code && o.tape)
+            code = deck_record(&v.tape, o.tape, v.stage.file.name);
         if (!code)
             code = run(&v);
+        const int end = deck_close(&v.tape);
+        code = code ? code : end;
         window_close(&v.window);
     }
     timings_free(&v.times);

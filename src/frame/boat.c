@@ -12,10 +12,11 @@ static tp_dir3 turned(const tp_rotation *r, tp_dir3 d)
     return (tp_dir3){ v.x, v.y, v.z };
 }
 
-static void turn_view(tp_frame *frame, const tp_world *world)
+static void turn_view(tp_frame *frame, const tp_pose *boat)
 {
-    const tp_rotation *r = &world->boat_turn;
-    tp_vec3 way = tp_vec3_sub(world->eye, world->boat);
+    const tp_rotation turn = tp_rotation_of(boat->heading, boat->pitch, boat->roll);
+    const tp_rotation *r = &turn;
+    tp_vec3 way = tp_vec3_sub(frame->lens.eye, boat->place);
     tp_view_axes *axes = &frame->shade.mesh;
 
     frame->boat_lens = frame->lens;
@@ -69,7 +70,7 @@ static void widen(tp_grid_box *box, const tp_boat_vertex *vertex)
     box->y1 = y > box->y1 ? y : box->y1;
 }
 
-void tp_frame_place_boat(tp_frame *frame, const tp_world *world)
+void tp_frame_place_boat(tp_frame *frame)
 {
     const tp_mesh *mesh = frame->assets.boat;
     bool ahead = false, cut = false;
@@ -77,7 +78,7 @@ void tp_frame_place_boat(tp_frame *frame, const tp_world *world)
     frame->boat_seen = false;
     if (!mesh)
         return;
-    turn_view(frame, world);
+    turn_view(frame, &frame->drawn.boat);
     frame->boat_box = (tp_grid_box){ INT16_MAX, INT16_MAX, INT16_MIN, INT16_MIN };
     for (uint32_t i = 0; i < mesh->n_vertices; i++) {
         tp_boat_vertex *vertex = &frame->boat_vertex[i];

@@ -39,10 +39,19 @@ typedef struct {
     tp_frame       *frame;
     tp_grid         grid;
     tp_boat_vertex *boat_vertex;
+    tp_land_vertex *land_vertex;
+    tp_land_band   *land_band;
+    tp_grid_box    *drop_box;
+    tp_ring_now    *ring;
     tp_solid       *solid;
     uint8_t        *gloss;
     tp_frame_ram    ram;
 } parts;
+
+static bool has_land(const tp_scene *scene)
+{
+    return scene->floor.depth > 0 || scene->floor.map[0];
+}
 
 /* The block's layout: run once with a counting arena, once for real. */
 static parts carve(tp_arena *arena, const tp_scene *scene, const tp_assets *assets)
@@ -53,7 +62,19 @@ static parts carve(tp_arena *arena, const tp_scene *scene, const tp_assets *asse
     size_t fixed = arena->used;
 
     tp_grid_carve(&p.grid, arena, (uint32_t)scene->grid.cols, (uint32_t)scene->grid.rows);
+    if (has_land(scene) || scene->wind.strength > 0)
+        tp_grid_carve_ocean(&p.grid, arena);
     p.boat_vertex = tp_arena_take(arena, vertices, sizeof *p.boat_vertex);
+    if (has_land(scene)) {
+        p.land_vertex = tp_arena_take(arena, (size_t)p.grid.cols * p.grid.rows,
+                                      sizeof *p.land_vertex);
+        p.land_band = tp_arena_take(arena, p.grid.rows, sizeof *p.land_band);
+    }
+    if (scene->drops.count > 0) {
+        p.drop_box = tp_arena_take(arena, (size_t)scene->drops.count + 1,
+                                   sizeof *p.drop_box);
+        p.ring = tp_arena_take(arena, (size_t)scene->drops.rings, sizeof *p.ring);
+    }
     p.ram.vertices = arena->used - fixed;
     p.solid = tp_arena_take(arena, materials, sizeof *p.solid);
     p.gloss = tp_arena_take(arena, materials, TP_GLOSS);
@@ -108,6 +129,12 @@ tp_status tp_frame_init(tp_frame **out, const tp_scene *scene, const tp_assets *
     frame->down = (c.height + c.tile_height - 1) / c.tile_height;
     frame->grid = p.grid;
     frame->boat_vertex = p.boat_vertex;
+    frame->land_vertex = p.land_vertex;
+    frame->land_band = p.land_band;
+    frame->drop_box = p.drop_box;
+    frame->ring = p.ring;
+    frame->drop_capacity = p.drop_box ? (uint32_t)scene->drops.count : 0;
+    frame->ring_capacity = p.ring ? (uint32_t)scene->drops.rings : 0;
     frame->solid = p.solid;
     frame->gloss = p.gloss;
     frame->ram = p.ram;
@@ -118,8 +145,31 @@ tp_status tp_frame_init(tp_frame **out, const tp_scene *scene, const tp_assets *
     for (uint32_t i = 0; i < materials_of(assets); i++)
         tp_shade_gloss(frame->gloss + (size_t)i * TP_GLOSS,
                        assets->boat->materials[i].shininess);
+    if (frame->drop_capacity > 0) {
+        tp_frame_make_ball(frame);
+        tp_shade_gloss(frame->drop_gloss, 40 * TP_FX_ONE);
+    }
     *out = frame;
     return TP_OK;
+}
+
+/* Rings between ticks are rings of another age. */
+static void place_surface(tp_frame *frame)
+{
+    const tp_world *world = frame->world;
+    const tp_drops *drops = tp_world_drops(world);
+    tp_surface *surface = &frame->surface;
+
+    *surface = (tp_surface){
+        .sea = &world->sea, .phases = frame->drawn.phases, .ring = frame->ring,
+        .ocean = tp_world_ocean(world), .pool = tp_world_pool(world),
+        .field = tp_world_field(world), .back = world->back,
+    };
+    for (uint32_t i = 0; drops && i < drops->rings; i++) {
+        if (surface->rings < frame->ring_capacity)
+            surface->rings += tp_ring_at(&tp_drops_rings(drops)[i], frame->drawn.time,
+                                         &frame->ring[surface->rings]);
+    }
 }
 
 void tp_frame_begin(tp_frame *frame, const tp_world *world)
@@ -129,14 +179,19 @@ void tp_frame_begin(tp_frame *frame, const tp_world *world)
     frame->stats = (tp_frame_stats){ 0 };
     if (frame->assets.boat && frame->assets.boat->n_materials > TP_MATERIALS)
         frame->stats.dropped += frame->assets.boat->n_materials - TP_MATERIALS;
-    frame->sea = world->sea;
-    memcpy(frame->phases, world->phases, sizeof frame->phases);
-    tp_lens_init(&frame->lens, world->eye, world->heading, world->pitch,
+    frame->world = world;
+    frame->drawn = tp_world_drawn(world);
+    place_surface(frame);
+    tp_lens_init(&frame->lens, frame->drawn.eye, frame->drawn.heading, frame->drawn.pitch,
                  scene->camera.fov, scene->camera.near,
                  frame->config.width, frame->config.height);
-    tp_frame_plan(frame, world);
+    tp_frame_plan(frame);
     tp_frame_place_water(frame);
-    tp_frame_place_boat(frame, world);
+    tp_frame_place_boat(frame);
+    if (frame->land_vertex && frame->surface.ocean)
+        tp_frame_place_land(frame);
+    if (frame->drop_capacity > 0)
+        tp_frame_place_drops(frame);
 }
 
 uint32_t tp_frame_tiles(const tp_frame *frame)

@@ -4,6 +4,7 @@
 #define TP_FRAME_INSIDE_H
 #include "geom/grid.h"
 #include "raster/raster.h"
+#include "scene/drawn.h"
 #include "shade/shade.h"
 #include "tidepool/frame.h"
 
@@ -20,7 +21,29 @@ typedef struct {
     uint32_t zi;
 } tp_boat_vertex;
 
-#define TP_MATERIALS (256 - TP_MARK_SOLID)      /* more share the last mark */
+/* A corner of the land, projected; u as of the water's. */
+typedef struct {
+    int32_t  u, v;
+    uint32_t zi;
+    int16_t  n[3];              /* normal, of any length */
+    int16_t  deep;              /* no wave uncovers it */
+} tp_land_vertex;
+
+/* Rows of pixels, both included. */
+typedef struct {
+    int32_t y0, y1;
+} tp_land_band;
+
+#define TP_BALL_ROUND 10                        /* meridians */
+#define TP_BALL_RINGS 5                         /* parallels */
+#define TP_BALL (TP_BALL_ROUND * TP_BALL_RINGS + 2)
+
+/* A point of the unit sphere, Q1.14. */
+typedef struct {
+    int16_t x, y, z;
+} tp_ball_point;
+
+#define TP_MATERIALS (TP_MARK_LAND - TP_MARK_SOLID)     /* more share the last mark */
 
 struct tp_frame {
     const tp_scene  *scene;
@@ -31,8 +54,9 @@ struct tp_frame {
     tp_frame_ram     ram;
 
     tp_lens          lens;
-    tp_sea           sea;
-    tp_turn          phases[TP_WAVES];
+    const tp_world  *world;
+    tp_drawn         drawn;
+    tp_surface       surface;
     tp_grid          grid;
     tp_grid_view     grid_view;
     bool             cull_water;        /* the eye is above every crest */
@@ -44,8 +68,18 @@ struct tp_frame {
     tp_solid        *solid;
     uint8_t         *gloss;
 
+    tp_land_vertex  *land_vertex;       /* rows x cols of the grid */
+    tp_land_band    *land_band;         /* of each row of cells */
+
+    tp_ball_point    ball[TP_BALL];     /* of a sphere, once */
+    tp_grid_box     *drop_box;          /* of each drop in the air, then the sphere */
+    uint32_t         drop_capacity;
+    tp_ring_now     *ring;              /* as they lie at the drawn moment */
+    uint32_t         ring_capacity;
+    uint8_t          drop_gloss[TP_GLOSS];
+
     tp_shade         shade;
-    tp_plan          sky, water, solids;
+    tp_plan          sky, water, solids, land, drops;
 };
 
 /* water.c */
@@ -53,10 +87,19 @@ void tp_frame_place_water(tp_frame *frame);
 void tp_frame_draw_water(const tp_frame *frame, tp_samples *tile);
 
 /* boat.c */
-void tp_frame_place_boat(tp_frame *frame, const tp_world *world);
+void tp_frame_place_boat(tp_frame *frame);
 void tp_frame_draw_boat(const tp_frame *frame, tp_samples *tile);
 
+/* land.c: of scenes with a sea floor */
+void tp_frame_place_land(tp_frame *frame);
+void tp_frame_draw_land(const tp_frame *frame, tp_samples *tile);
+
+/* drops.c */
+void tp_frame_make_ball(tp_frame *frame);
+void tp_frame_place_drops(tp_frame *frame);
+void tp_frame_draw_drops(const tp_frame *frame, tp_samples *tile);
+
 /* plan.c: the stages that the scene needs, and their numbers. */
-void tp_frame_plan(tp_frame *frame, const tp_world *world);
+void tp_frame_plan(tp_frame *frame);
 void tp_frame_plan_materials(tp_frame *frame);
 #endif

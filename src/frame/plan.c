@@ -19,11 +19,12 @@ static void light_from(tp_frame *frame)
     axes->lz = -tp_q30_mul(level, tp_cos(heading)) >> 16;
 }
 
-/* Metres drifted by tick n, 16.16, wrapping: n times a 64-bit step. */
-static uint32_t drifted(tp_fx metres_per_second, uint64_t tick)
+/* Metres drifted by `time`, ticks x 65536; 16.16, wrapping. */
+static uint32_t drifted(tp_fx metres_per_second, int64_t time)
 {
     int64_t step = (int64_t)metres_per_second * ((int64_t)1 << 32) / TP_TICKS_PER_SECOND;
-    return (uint32_t)((uint64_t)step * tick >> 32);
+    uint64_t part = (uint64_t)(step >> 16) * (uint32_t)(time & 0xffff);
+    return (uint32_t)(((uint64_t)step * (uint64_t)(time >> 16) + part) >> 32);
 }
 
 /* Levels: texels a metre over pixels a metre at 1 m, and half the eye's height for the
@@ -40,7 +41,7 @@ static int32_t lod_of(const tp_frame *frame, tp_fx texels_per_metre, bool level_
 }
 
 static tp_layer layer_of(const tp_frame *frame, const tp_texture *texture, tp_fx size,
-                         uint64_t tick)
+                         int64_t time)
 {
     const tp_scene *scene = frame->scene;
     tp_layer layer = { .texture = texture };
@@ -49,8 +50,8 @@ static tp_layer layer_of(const tp_frame *frame, const tp_texture *texture, tp_fx
         return layer;
     layer.per_metre = (uint32_t)((((uint64_t)1 << 32) + (uint32_t)size / 2)
                                  / (uint32_t)size);
-    layer.drift_s = 0u - drifted(scene->water.drift_x, tick) * layer.per_metre;
-    layer.drift_t = 0u - drifted(scene->water.drift_z, tick) * layer.per_metre;
+    layer.drift_s = 0u - drifted(scene->water.drift_x, time) * layer.per_metre;
+    layer.drift_t = 0u - drifted(scene->water.drift_z, time) * layer.per_metre;
     layer.lod = lod_of(frame, tp_fx_div(TP_FX_ONE << texture->log2_w, size), true);
     return layer;
 }
@@ -106,12 +107,17 @@ static void choose_stages(tp_frame *frame)
 {
     frame->sky = (tp_plan){ { tp_stage_sky } };
     frame->solids = (tp_plan){ { tp_stage_solid } };
-    if (frame->scene->sky.haze > 0)
+    frame->land = (tp_plan){ { tp_stage_land } };
+    frame->drops = (tp_plan){ { tp_stage_drop } };
+    if (frame->scene->sky.haze > 0) {
         add(&frame->solids, tp_stage_haze);
+        add(&frame->land, tp_stage_haze);
+        add(&frame->drops, tp_stage_haze);
+    }
     choose_water(frame);
 }
 
-void tp_frame_plan(tp_frame *frame, const tp_world *world)
+void tp_frame_plan(tp_frame *frame)
 {
     const tp_scene *scene = frame->scene;
     tp_shade *shade = &frame->shade;
@@ -127,9 +133,9 @@ void tp_frame_plan(tp_frame *frame, const tp_world *world)
     shade->light_colour = (uint32_t)scene->light.colour;
     light_from(frame);
     shade->water = layer_of(frame, frame->assets.water, scene->water.texture_size,
-                            world->tick);
+                            frame->drawn.time);
     shade->ripple = layer_of(frame, frame->assets.water_normal, scene->water.normal_size,
-                             world->tick);
+                             frame->drawn.time);
     shade->ripple.lod += 224;       /* a mean of normals: what is lost glitters */
     shade->ripple.slope_gain = scene->water.normal_bump >> 8;
     tp_shade_sky(shade, (uint32_t)scene->sky.horizon, (uint32_t)scene->sky.zenith);
@@ -137,6 +143,10 @@ void tp_frame_plan(tp_frame *frame, const tp_world *world)
         tp_shade_shine(shade, scene->water.shininess, scene->water.specular);
     if (frame->assets.boat)
         tp_frame_plan_materials(frame);
+    shade->land = (tp_solid){ .diffuse = (uint32_t)scene->floor.colour,
+                              .gloss = frame->drop_gloss };
+    shade->drop = (tp_solid){ .diffuse = (uint32_t)scene->drops.colour,
+                              .specular = 0xffffff, .gloss = frame->drop_gloss };
     choose_stages(frame);
 }
 

@@ -24,7 +24,9 @@ static void *pixels_of(const tp_frame *frame, void *scratch)
 static const tp_plan *plan_for(const tp_frame *frame, uint32_t mark)
 {
     return mark == TP_MARK_SKY ? &frame->sky
-         : mark == TP_MARK_WATER ? &frame->water : &frame->solids;
+         : mark == TP_MARK_WATER ? &frame->water
+         : mark == TP_MARK_LAND ? &frame->land
+         : mark == TP_MARK_DROP ? &frame->drops : &frame->solids;
 }
 
 /* How many of `most` samples from here are of the first one's kind. */
@@ -80,6 +82,10 @@ bool tp_frame_tile(const tp_frame *frame, uint32_t i, void *scratch, tp_tile *ti
     tp_samples samples = samples_of(frame, scratch, tile);
     tp_samples_clear(&samples);
     tp_frame_draw_boat(frame, &samples);
+    if (frame->land_vertex && frame->surface.ocean)
+        tp_frame_draw_land(frame, &samples);
+    if (frame->drop_capacity > 0)
+        tp_frame_draw_drops(frame, &samples);
     tp_frame_draw_water(frame, &samples);
     uint8_t *row = pixels_of(frame, scratch);
     for (int32_t y = samples.y0; y < samples.y1; y++, row += tile->stride)

@@ -15,8 +15,7 @@ void tp_frame_place_water(tp_frame *frame)
 {
     frame->grid_view = (tp_grid_view){
         .lens = &frame->lens,
-        .sea = &frame->sea,
-        .phases = frame->phases,
+        .surface = &frame->surface,
         .width = frame->config.width,
         .height = frame->config.height,
         .cell = cell_of(frame->scene),
@@ -24,7 +23,7 @@ void tp_frame_place_water(tp_frame *frame)
         .follow = frame->scene->grid.follow != 0,
     };
     tp_grid_place(&frame->grid, &frame->grid_view);
-    frame->cull_water = frame->lens.eye.y > frame->sea.height;
+    frame->cull_water = frame->lens.eye.y > tp_surface_height(&frame->surface);
     frame->stats.vertices += frame->grid.vertices;
     for (uint32_t j = 0; j + 1 < frame->grid.rows; j++)
         frame->stats.triangles += 2u * (uint32_t)(frame->grid.span[j].end
@@ -82,12 +81,14 @@ static void draw_cells(const tp_frame *frame, const tp_samples *tile, uint32_t j
     int left = 0;
 
     for (uint32_t i = first; i < end; i++) {
+        bool dry = tp_grid_cell_is_dry(&frame->grid, i, j);
         int right = 1 - left;
         side[right][0] = corner_of(&frame->grid, i + 1, j);
         side[right][1] = corner_of(&frame->grid, i + 1, j + 1);
         const tp_corner *const p[4] = { &side[left][0], &side[right][0],
                                         &side[right][1], &side[left][1] };
-        draw_cell(frame, tile, p, i, j);
+        if (!dry)
+            draw_cell(frame, tile, p, i, j);
         left = right;
     }
 }

@@ -78,19 +78,69 @@ TP_ALWAYS_INLINE bool tp_lens_holds(const tp_lens *lens, const tp_view_corner *c
     return c->depth >= lens->near && most < c->depth;
 }
 
-/* Only of a corner that the lens holds.  |x| <= 32000 m and the reciprocal is below 2^32:
- * their product leaves 2^57 for `half`. */
+/* The upper word of a product, rounded down: one instruction of a Cortex-M4.  By way of
+ * unsigned numbers, since gcc makes of the signed shift a number of 64 bits again. */
+TP_ALWAYS_INLINE int32_t tp_upper(int64_t product)
+{
+    return (int32_t)(uint32_t)((uint64_t)product >> 32);
+}
+
+TP_ALWAYS_INLINE int32_t tp_mul_upper(int32_t a, int32_t b)
+{
+    return tp_upper((int64_t)a * b);
+}
+
+/* 2^62 / n in the middle of 128 parts of [2^31, 2^32): within 2^-8 of all of a part's. */
+extern const uint32_t tp_recip_seed[128];
+
+/* 2^62 / n of n >= 2^31 within 2^-16, below 2^31: r (2 - n r) never comes out above the
+ * quotient, and where that is 2^31 it stays 2^-16 short.  n r is 1 in Q.30. */
+TP_ALWAYS_INLINE int32_t tp_recip_rough(uint32_t n)
+{
+    int32_t r = (int32_t)tp_recip_seed[n >> 24 & 0x7f];
+    int32_t e = (1 << 30) - tp_upper((int64_t)((uint64_t)n * (uint32_t)r));
+    return r + tp_mul_upper(r, e) * 4;
+}
+
+/* The same within 2^-28.9 and below 2^31.  |e| < 2^15 here, so 8 bits more of it fit, and
+ * the 1 that is 2^38 then is shifted out; ~ for - holds what was rounded down below. */
+TP_ALWAYS_INLINE int32_t tp_recip_fine(uint32_t n)
+{
+    int32_t  r = tp_recip_rough(n);
+    uint32_t product = (uint32_t)((uint64_t)n * (uint32_t)r >> 32);
+    return r + (tp_mul_upper(r, (int32_t)(~product << 8)) >> 6);
+}
+
+/* x r / 2^(32 + down), rounded half up.  A positive `down` takes the product's upper word
+ * alone: floors of floors are floors. */
+TP_ALWAYS_INLINE int32_t tp_lens_scaled(int32_t x, int32_t r, int down, bool far)
+{
+    if (far || down > 0)
+        return (tp_mul_upper(x, r) + (1 << (down - 1))) >> down;
+    return (int32_t)(((int64_t)x * r + ((int64_t)1 << (31 + down))) >> (32 + down));
+}
+
+/* View coordinates that the lens holds; `far`: depth >= 2^(6 + m).  r is 2^62 over
+ * depth x 2^shift; near is 1/20 m and m at most 13, so down >= -7.  zi_near <= depth loses
+ * nothing by the shift. */
+TP_ALWAYS_INLINE void tp_lens_project_as(const tp_lens *lens, int32_t x, int32_t y,
+                                         int32_t depth, bool far, int32_t *u, int32_t *v,
+                                         uint32_t *zi)
+{
+    int shift = tp_clz((uint32_t)depth), down = 26 - lens->m - shift;
+    int32_t r = tp_recip_fine((uint32_t)depth << shift);
+
+    *u = lens->u0 + tp_lens_scaled(x, r, down, far);
+    *v = lens->v0 - tp_lens_scaled(y, r, down, far);
+    *zi = (uint32_t)((uint64_t)((uint32_t)lens->zi_near << shift) * ((uint32_t)r << 1)
+                     >> 32);
+}
+
+/* Only of a corner that the lens holds. */
 TP_ALWAYS_INLINE void tp_lens_project(const tp_lens *lens, const tp_view_corner *c,
                                       int32_t *u, int32_t *v, uint32_t *zi)
 {
-    int shift = tp_clz((uint32_t)c->depth);
-    int64_t r = tp_recip_norm((uint32_t)c->depth << shift);     /* 2^63 / that */
-    int back = 59 - shift - lens->m;
-    int64_t half = (int64_t)1 << (back - 1);
-
-    *u = lens->u0 + (int32_t)((c->x * r + half) >> back);
-    *v = lens->v0 - (int32_t)((c->y * r + half) >> back);
-    *zi = (uint32_t)(lens->zi_near * r >> (32 - shift));
+    tp_lens_project_as(lens, c->x, c->y, c->depth, false, u, v, zi);
 }
 
 void tp_corner_project(const tp_lens *lens, const tp_view_corner *from, tp_corner *to);

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* The water's grid; see the header for the idea. */
 #include "geom/grid.h"
-#include "wave/wave.h"
+#include "geom/sheet.h"
 
 void tp_grid_carve(tp_grid *grid, tp_arena *arena, uint32_t cols, uint32_t rows)
 {
@@ -10,10 +10,27 @@ void tp_grid_carve(tp_grid *grid, tp_arena *arena, uint32_t cols, uint32_t rows)
     grid->blocks = (cols - 2) / TP_GRID_BLOCK + 1;
     grid->column = tp_arena_take(arena, cols, sizeof *grid->column);
     grid->row = tp_arena_take(arena, rows, sizeof *grid->row);
+    grid->columns.line = grid->column;
+    for (int axis = 0; axis < 3; axis++)
+        grid->columns.rest[axis] = tp_arena_take(arena, cols, sizeof(int32_t));
+    grid->columns.turn = tp_arena_take(arena, cols * TP_WAVES,
+                                       sizeof *grid->columns.turn);
+    grid->columns.pair = tp_arena_take(arena, cols * TP_WAVES,
+                                       sizeof *grid->columns.pair);
     grid->vertex = tp_arena_take(arena, (size_t)cols * rows, sizeof *grid->vertex);
     grid->span = tp_arena_take(arena, rows - 1, sizeof *grid->span);
     grid->box = tp_arena_take(arena, (size_t)(rows - 1) * grid->blocks,
                               sizeof *grid->box);
+    grid->sheet[0] = grid->sheet[1] = grid->sheet[2] = NULL;
+    grid->dry = NULL;
+}
+
+void tp_grid_carve_ocean(tp_grid *grid, tp_arena *arena)
+{
+    for (int k = 0; k < 3; k++)
+        grid->sheet[k] = tp_arena_take(arena, grid->cols, sizeof *grid->sheet[k]);
+    grid->dry = tp_arena_take(arena, ((size_t)grid->cols * grid->rows + 31) / 32,
+                              sizeof *grid->dry);
 }
 
 /* -- lines --------------------------------------------------------------------------- */
@@ -82,18 +99,6 @@ static void lay_lines(tp_grid_line *line, uint32_t count, tp_fx centre,
     }
 }
 
-static void set_turns(tp_grid_line *line, uint32_t count, const tp_grid_view *view,
-                      bool rows)
-{
-    for (uint32_t w = 0; w < view->sea->count; w++) {
-        const tp_swell *swell = &view->sea->swell[w];
-        int64_t per_metre = rows ? swell->turns_z : swell->turns_x;
-        tp_turn phase = rows ? view->phases[w] : 0;
-        for (uint32_t k = 0; k < count; k++)
-            line[k].turns[w] = phase + tp_swell_turns(per_metre, line[k].place);
-    }
-}
-
 /* The grid lies ahead of the eye, which stands a tenth of the middle from its rear
  * edge; rounded to whole cells. */
 static tp_fx centre_of(tp_fx eye, tp_q30 ahead, uint32_t count, const tp_grid_view *view)
@@ -116,156 +121,214 @@ static int64_t plane_rest(const tp_plane *p, tp_fx z0, tp_fx z1, tp_fx reach)
     return ((int64_t)p->n.z * z >> 30) + p->d + reach + 2;
 }
 
-/* Cells of row j that touch the view: first and end narrowed plane by plane. */
+/* The first column after which, or the last before which, a row is on the inner side of
+ * a plane: places grow, so there is one.  Sought from that of the row before. */
+static uint32_t side_of(const tp_grid *grid, const tp_plane *plane, int64_t rest,
+                        uint32_t at)
+{
+    const tp_grid_line *column = grid->column;
+    uint32_t last = grid->cols - 1;
+    int64_t  nx = plane->n.x;
+
+    if (nx > 0) {
+        while (at > 0 && (nx * column[at].place >> 30) + rest >= 0)
+            at--;
+        while (at < last && (nx * column[at + 1].place >> 30) + rest < 0)
+            at++;
+    } else {
+        while (at < last && (nx * column[at].place >> 30) + rest >= 0)
+            at++;
+        while (at > 0 && (nx * column[at - 1].place >> 30) + rest < 0)
+            at--;
+    }
+    return at;
+}
+
+/* Cells of row j that touch the view: between all planes' columns. */
 static tp_grid_span seen_cells(const tp_grid *grid, const tp_plane *planes, uint32_t j,
-                               tp_fx reach)
+                               tp_fx reach, uint32_t side[TP_LENS_PLANES])
 {
     uint32_t first = 0, end = grid->cols - 1;
 
     for (int k = 0; k < TP_LENS_PLANES; k++) {
-        int64_t nx = planes[k].n.x;
         int64_t rest = plane_rest(&planes[k], grid->row[j].place,
                                   grid->row[j + 1].place, reach);
-        if (nx > 0) {
-            while (first < end && (nx * grid->column[first + 1].place >> 30) + rest < 0)
-                first++;
-        } else {
-            while (first < end && (nx * grid->column[end - 1].place >> 30) + rest < 0)
-                end--;
-        }
+        side[k] = side_of(grid, &planes[k], rest, side[k]);
+        if (planes[k].n.x > 0)
+            first = side[k] > first ? side[k] : first;
+        else
+            end = side[k] < end ? side[k] : end;
     }
-    return (tp_grid_span){ (uint16_t)first, (uint16_t)end };
+    return (tp_grid_span){ (uint16_t)(first < end ? first : end), (uint16_t)end };
 }
 
 /* -- crossings ----------------------------------------------------------------------- */
 
-TP_ALWAYS_INLINE tp_sea_point point_at(const tp_grid_view *view,
-                                       const tp_grid_line *column,
-                                       const tp_grid_line *row)
+/* The columns between the flanks, where waves have not faded. */
+static tp_grid_span wave_columns(const tp_grid *grid)
 {
-    tp_fx fade = tp_fx_mul(column->fade, row->fade);
-    tp_sea_sum sum = { 0 };
+    uint32_t first = 0, end = grid->cols;
 
-    if (fade == 0)
-        return (tp_sea_point){ .position = { column->place, 0, row->place } };
-    for (uint32_t w = 0; w < view->sea->count; w++)
-        tp_swell_add(&sum, &view->sea->swell[w], column->turns[w] + row->turns[w]);
-    return tp_sea_sum_point(&sum, column->place, row->place, fade);
+    while (first < end && grid->column[first].fade == 0)
+        first++;
+    while (end > first && grid->column[end - 1].fade == 0)
+        end--;
+    return (tp_grid_span){ (uint16_t)first, (uint16_t)end };
 }
 
-static int16_t slope_q12(tp_fx slope)
+static void set_columns(tp_grid *grid, tp_fx cell)
 {
-    return (int16_t)((slope + 8) >> 4);         /* +-7.99 */
+    for (uint32_t i = 0; i < grid->cols; i++) {
+        int32_t rest[3];
+        tp_vertex_rest_x(&grid->frame, grid->column[i].place, rest);
+        for (int axis = 0; axis < 3; axis++)
+            grid->columns.rest[axis][i] = rest[axis];
+    }
+    tp_vertex_set_columns(&grid->frame, &grid->columns, grid->waves.first,
+                          grid->waves.end, cell);
 }
 
-TP_ALWAYS_INLINE tp_view_corner corner_at(const tp_grid_view *view,
-                                          const tp_grid_line *column,
-                                          const tp_grid_line *row)
+static void set_row(const tp_grid *grid, uint32_t j, tp_vertex_row *row)
 {
-    tp_sea_point p = point_at(view, column, row);
-    tp_view_corner c;
+    row->line = grid->row[j];
+    tp_vertex_rest_z(&grid->frame, row->line.place, row->rest);
+    if (row->line.fade != 0)
+        tp_vertex_set_row(&grid->frame, row);
+}
 
-    tp_lens_view(view->lens, p.position, &c);
-    c.s = column->place;
-    c.t = row->place;
-    c.n[0] = slope_q12(p.slope_x);
-    c.n[1] = slope_q12(p.slope_z);
-    c.n[2] = 0;
-    return c;
+static bool is_still(const tp_grid *grid, uint32_t i, uint32_t j)
+{
+    return grid->row[j].fade == 0 || grid->column[i].fade == 0;
 }
 
 tp_view_corner tp_grid_corner(const tp_grid *grid, const tp_grid_view *view,
                               uint32_t i, uint32_t j)
 {
-    return corner_at(view, &grid->column[i], &grid->row[j]);
+    tp_vertex_row row;
+
+    (void)view;
+    if (tp_sheet_is(grid))
+        return tp_sheet_corner(grid, i, j);
+    set_row(grid, j, &row);
+    return tp_vertex_corner(&grid->frame, &grid->columns, &row, i, is_still(grid, i, j));
 }
 
-static void place_row(tp_grid *grid, const tp_grid_view *view, uint32_t j,
-                      uint32_t first, uint32_t end)
+/* Crossings in runs that end where blocks do and where waves begin or end. */
+static void place_row(tp_grid *grid, uint32_t j, uint32_t first, uint32_t end)
 {
     tp_grid_vertex *vertex = grid->vertex + (size_t)j * grid->cols;
+    tp_vertex_row row;
 
-    for (uint32_t i = first; i < end; i++) {
-        tp_view_corner c = corner_at(view, &grid->column[i], &grid->row[j]);
-        tp_grid_vertex *to = &vertex[i];
-        to->slope_x = c.n[0];
-        to->slope_z = c.n[1];
-        if (tp_lens_holds(view->lens, &c))
-            tp_lens_project(view->lens, &c, &to->u, &to->v, &to->zi);
-        else
-            to->u = TP_GRID_CUT;
+    set_row(grid, j, &row);
+    for (uint32_t i = first, stop; i < end; i = stop) {
+        stop = (i / TP_VERTEX_RUN + 1) * TP_VERTEX_RUN;
+        stop = stop < end ? stop : end;
+        if (i < grid->waves.first && grid->waves.first < stop)
+            stop = grid->waves.first;
+        if (i < grid->waves.end && grid->waves.end < stop)
+            stop = grid->waves.end;
+        tp_vertex_place(&grid->frame, &grid->columns, &row, i, stop - i,
+                        is_still(grid, i, j), vertex + i);
     }
-    grid->vertices += end > first ? end - first : 0;
 }
 
 /* -- boxes --------------------------------------------------------------------------- */
 
 static const tp_grid_box everywhere = { INT16_MIN, INT16_MIN, INT16_MAX, INT16_MAX };
 
-static tp_grid_box box_of(const tp_grid *grid, uint32_t j, uint32_t first, uint32_t end)
+/* TP_GRID_CUT is the least of all u. */
+static tp_grid_box box_of(const tp_grid_vertex *vertex, uint32_t count)
 {
     int32_t u0 = INT32_MAX, u1 = INT32_MIN, v0 = INT32_MAX, v1 = INT32_MIN;
 
-    for (uint32_t k = 0; k < 2; k++) {
-        const tp_grid_vertex *vertex = grid->vertex + (size_t)(j + k) * grid->cols;
-        for (uint32_t i = first; i <= end; i++) {
-            int32_t u = vertex[i].u, v = vertex[i].v;
-            if (u == TP_GRID_CUT)
-                return everywhere;
-            u0 = u < u0 ? u : u0;
-            u1 = u > u1 ? u : u1;
-            v0 = v < v0 ? v : v0;
-            v1 = v > v1 ? v : v1;
-        }
+    for (; count > 0; count--, vertex++) {
+        int32_t u = vertex->u, v = vertex->v;
+        u0 = u < u0 ? u : u0;
+        u1 = u > u1 ? u : u1;
+        v0 = v < v0 ? v : v0;
+        v1 = v > v1 ? v : v1;
     }
+    if (u0 == TP_GRID_CUT)
+        return everywhere;
     return (tp_grid_box){ (int16_t)(u0 >> 4), (int16_t)(v0 >> 4),
                           (int16_t)(u1 >> 4), (int16_t)(v1 >> 4) };
 }
 
-static void place_boxes(tp_grid *grid, uint32_t j)
+static tp_grid_box both(tp_grid_box a, tp_grid_box b)
 {
-    tp_grid_span span = grid->span[j];
+    return (tp_grid_box){ a.x0 < b.x0 ? a.x0 : b.x0, a.y0 < b.y0 ? a.y0 : b.y0,
+                          a.x1 > b.x1 ? a.x1 : b.x1, a.y1 > b.y1 ? a.y1 : b.y1 };
+}
 
-    for (uint32_t b = 0; b < grid->blocks; b++) {
-        uint32_t first = b * TP_GRID_BLOCK, end = first + TP_GRID_BLOCK;
-        first = first > span.first ? first : span.first;
-        end = end < span.end ? end : span.end;
-        if (first < end)
-            grid->box[j * grid->blocks + b] = box_of(grid, j, first, end);
+/* Crossings of row j widen the boxes of the cells before it and begin those of the cells
+ * behind.  All that a seen cell needs lies in [first, end). */
+static void place_boxes(tp_grid *grid, uint32_t j, uint32_t first, uint32_t end)
+{
+    const tp_grid_vertex *vertex = grid->vertex + (size_t)j * grid->cols;
+
+    for (uint32_t b = first / TP_GRID_BLOCK; b * TP_GRID_BLOCK + 1 < end; b++) {
+        uint32_t from = b * TP_GRID_BLOCK, to = from + TP_GRID_BLOCK + 1;
+        from = from > first ? from : first;
+        to = to < end ? to : end;
+        tp_grid_box box = box_of(vertex + from, to - from);
+        size_t at = (size_t)j * grid->blocks + b;
+        if (j > 0)
+            grid->box[at - grid->blocks] = both(grid->box[at - grid->blocks], box);
+        if (j + 1 < grid->rows)
+            grid->box[at] = box;
     }
+}
+
+/* Crossings of row j that cells on either side need. */
+tp_grid_span tp_grid_needed(const tp_grid *grid, uint32_t j)
+{
+    const tp_grid_span none = { 0, 0 };
+    tp_grid_span above = j > 0 ? grid->span[j - 1] : none;
+    tp_grid_span below = j + 1 < grid->rows ? grid->span[j] : none;
+    uint32_t first = grid->cols, end = 0;
+
+    if (above.first < above.end) {
+        first = above.first;
+        end = above.end + 1u;
+    }
+    if (below.first < below.end) {
+        first = below.first < first ? below.first : first;
+        end = below.end + 1u > end ? below.end + 1u : end;
+    }
+    return (tp_grid_span){ (uint16_t)first, (uint16_t)end };
 }
 
 void tp_grid_place(tp_grid *grid, const tp_grid_view *view)
 {
     tp_plane planes[TP_LENS_PLANES];
-    tp_fx reach = view->sea->height + view->sea->reach;
-    tp_grid_span none = { 0, 0 };
+    uint32_t side[TP_LENS_PLANES] = { 0 };
+    tp_vertex_frame *frame = &grid->frame;
 
     lay_lines(grid->column, grid->cols,
               centre_of(view->lens->eye.x, view->lens->ahead.x, grid->cols, view), view);
     lay_lines(grid->row, grid->rows,
               centre_of(view->lens->eye.z, view->lens->ahead.z, grid->rows, view), view);
-    set_turns(grid->column, grid->cols, view, false);
-    set_turns(grid->row, grid->rows, view, true);
     tp_lens_planes(view->lens, view->width, view->height, planes);
+    frame->lens = view->lens;
+    frame->surface = view->surface;
+    tp_vertex_begin(frame, grid->column[0].place, grid->column[grid->cols - 1].place,
+                    grid->row[0].place, grid->row[grid->rows - 1].place);
+    grid->waves = wave_columns(grid);
 
     grid->vertices = 0;
+    grid->sheets = 0;
     for (uint32_t j = 0; j + 1 < grid->rows; j++)
-        grid->span[j] = seen_cells(grid, planes, j, reach);
+        grid->span[j] = seen_cells(grid, planes, j, frame->reach, side);
+    set_columns(grid, view->cell);
     for (uint32_t j = 0; j < grid->rows; j++) {
-        tp_grid_span above = j > 0 ? grid->span[j - 1] : none;
-        tp_grid_span below = j + 1 < grid->rows ? grid->span[j] : none;
-        uint32_t first = grid->cols, end = 0;
-        if (above.first < above.end) {
-            first = above.first;
-            end = above.end + 1u;
-        }
-        if (below.first < below.end) {
-            first = below.first < first ? below.first : first;
-            end = below.end + 1u > end ? below.end + 1u : end;
-        }
-        place_row(grid, view, j, first, end);
-        if (j > 0)
-            place_boxes(grid, j - 1);
+        tp_grid_span needed = tp_grid_needed(grid, j);
+        if (needed.first >= needed.end)
+            continue;
+        if (tp_sheet_is(grid))
+            tp_sheet_place_row(grid, j, needed);
+        else
+            place_row(grid, j, needed.first, needed.end);
+        grid->vertices += (uint32_t)(needed.end - needed.first);
+        place_boxes(grid, j, needed.first, needed.end);
     }
 }

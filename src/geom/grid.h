@@ -7,31 +7,15 @@
  * before, over the last eighth of the middle.  A grid that follows the camera moves by
  * whole cells, so that its crossings stay where they were in the world: nothing swims.
  *
- * Texture coordinates are the places at rest, so a column has one s and a row one t;
- * phases are linear in them, so each wave costs one addition per crossing. */
+ * Texture coordinates are the places at rest, so a column has one s and a row one t.
+ * What happens to a crossing is told in geom/vertex.h. */
 #ifndef TP_GEOM_GRID_H
 #define TP_GEOM_GRID_H
-#include "geom/geom.h"
+#include "geom/vertex.h"
 #include "tidepool/arena.h"
-#include "tidepool/wave.h"
 
 #define TP_GRID_FLANK 12
 #define TP_GRID_BLOCK 16        /* cells of a row that share a bounding box */
-
-/* A crossing: displaced, projected, packed. */
-typedef struct {
-    int32_t  u, v;              /* 28.4; u = TP_GRID_CUT: must be clipped */
-    uint32_t zi;                /* Q1.31 */
-    int16_t  slope_x, slope_z;  /* Q3.12 */
-} tp_grid_vertex;
-
-#define TP_GRID_CUT INT32_MIN
-
-typedef struct {
-    tp_fx   place;              /* world x or z at rest */
-    tp_fx   fade;               /* of the waves, 0..1 */
-    tp_turn turns[TP_WAVES];    /* k D place of each wave; rows also hold its phase */
-} tp_grid_line;
 
 /* Whole pixels, x1 and y1 included. */
 typedef struct {
@@ -50,24 +34,47 @@ typedef struct {
     tp_grid_span   *span;       /* of each row of cells */
     tp_grid_box    *box;        /* (rows - 1) x blocks */
     uint32_t vertices;          /* evaluated by the last tp_grid_place */
+    tp_vertex_frame   frame;
+    tp_vertex_columns columns;
+    tp_grid_span      waves;    /* columns that have any */
+    tp_vec3  *sheet[3];         /* an ocean's displaced crossings: of three rows */
+    uint32_t  sheets;           /* rows of them done: the last is (sheets - 1) % 3 */
+    uint32_t *dry;              /* a bit for each crossing of an ocean: on land */
 } tp_grid;
 
 void tp_grid_carve(tp_grid *grid, tp_arena *arena, uint32_t cols, uint32_t rows);
 
+/* What an ocean takes besides. */
+void tp_grid_carve_ocean(tp_grid *grid, tp_arena *arena);
+
 /* What the grid shows, taken together. */
 typedef struct {
     const tp_lens *lens;
-    const tp_sea  *sea;
-    const tp_turn *phases;
+    const tp_surface *surface;
     uint32_t width, height;     /* of the picture */
     tp_fx cell, reach;
     bool  follow;
 } tp_grid_view;
 
+static inline bool tp_grid_is_dry(const tp_grid *grid, uint32_t i, uint32_t j)
+{
+    size_t at = (size_t)j * grid->cols + i;
+    return grid->dry[at / 32] >> at % 32 & 1;
+}
+
+/* Whether a cell that may be seen has all its corners on land: there is no water. */
+static inline bool tp_grid_cell_is_dry(const tp_grid *grid, uint32_t i, uint32_t j)
+{
+    return grid->dry && grid->frame.surface->ocean
+        && tp_grid_is_dry(grid, i, j) && tp_grid_is_dry(grid, i + 1, j)
+        && tp_grid_is_dry(grid, i, j + 1) && tp_grid_is_dry(grid, i + 1, j + 1);
+}
+
 /* Lays the lines, evaluates the crossings that may be seen. */
 void tp_grid_place(tp_grid *grid, const tp_grid_view *view);
 
-/* One crossing again, before projection: for cells that must be clipped. */
+/* One crossing again, before projection: for cells that must be clipped.  Lens and surface
+ * are those of the last tp_grid_place. */
 tp_view_corner tp_grid_corner(const tp_grid *grid, const tp_grid_view *view,
                               uint32_t i, uint32_t j);
 #endif

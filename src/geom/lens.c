@@ -2,6 +2,10 @@
 /* The camera as the projection wants it. */
 #include "geom/geom.h"
 
+const uint32_t tp_recip_seed[128] = {
+#include "geom/recip_table.inc"
+};
+
 /* focal <= 2^m and entries of the rows <= 1, so the scaled ones fit Q2.30. */
 static tp_dir3 dir_scaled(tp_dir3 d, tp_fx focal, int m)
 {

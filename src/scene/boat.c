@@ -1,33 +1,163 @@
 /* SPDX-License-Identifier: MIT */
-/* A boat that lies on the surface, [E2]: four points of the hull (bow, stern, port,
- * starboard) feel the water above or below their place in the world [E1]; heave is their
- * mean, pitch and roll the slopes between them.  Hull points half a boat apart make the
- * boat ignore waves that are short for it, as real hulls do. */
+/* A boat that sails on the surface, [E1] and [E2]: it goes where its bow points and lies
+ * as the water under four points of its hull makes it lie (see float.c).  Points half a
+ * boat apart make the boat ignore waves that are short for it, as real hulls do.
+ *
+ * The plane through the four points rises by `rise` over the length and falls by `tilt`
+ * over the beam to starboard.  Roll is about the boat's own axis, which is pitched: of
+ * (fall ahead, fall aside, 1), the plane's normal, the part along the level starboard
+ * direction over that along the pitched mast is tilt / beam x cos(pitch). */
 #include "scene/boat.h"
+#include "scene/parts.h"
 
-/* Height of the water `ahead` and `aside` of the boat's place, along its heading. */
-static tp_fx height_at(const tp_world *world, const tp_scene *scene, tp_turn heading,
-                       tp_fx ahead, tp_fx aside)
+#define PLACE_MOST ((int64_t)8000 << 32)
+#define SPEED_MOST (100 * TP_FX_ONE)        /* m/s */
+#define TURN_MOST  (360 * TP_FX_ONE)        /* degrees/s */
+#define WATER_MOST (2048 * TP_FX_ONE)
+
+static int64_t limited(int64_t x, int64_t most)
 {
-    tp_q30 s = tp_sin(heading), c = tp_cos(heading);
-    tp_fx  x = scene->boat.x + tp_q30_mul(ahead, s) + tp_q30_mul(aside, c);
-    tp_fx  z = scene->boat.z - tp_q30_mul(ahead, c) + tp_q30_mul(aside, s);
-
-    return tp_sea_above(&world->sea, world->phases, x, z).position.y;
+    return x > most ? most : x < -most ? -most : x;
 }
 
-void tp_boat_place(tp_world *world, const tp_scene *scene)
+/* n / d, halves away from zero: what is sailed forth and back is nothing, to the bit. */
+static int64_t quotient(int64_t n, int64_t d)
 {
-    tp_turn heading = tp_turn_of_degrees(scene->boat.heading);
-    tp_fx   length = scene->boat.length, beam = scene->boat.beam;
-    tp_fx   bow = height_at(world, scene, heading, length / 2, 0);
-    tp_fx   stern = height_at(world, scene, heading, -length / 2, 0);
-    tp_fx   starboard = height_at(world, scene, heading, 0, beam / 2);
-    tp_fx   port = height_at(world, scene, heading, 0, -beam / 2);
+    return (n < 0 ? n - d / 2 : n + d / 2) / d;
+}
 
-    world->boat = (tp_vec3){ scene->boat.x,
-                             (bow + stern + port + starboard) / 4 + scene->boat.lift,
-                             scene->boat.z };
-    world->boat_turn = tp_rotation_of(heading, tp_atan2(bow - stern, length),
-                                      tp_atan2(port - starboard, beam));
+/* -- where it is -------------------------------------------------------------------- */
+
+/* So far from the scene's place that it stays within 8 km of the origin. */
+static int64_t sailed(int64_t way, tp_fx from)
+{
+    int64_t start = (int64_t)from * TP_FX_ONE;
+    return limited(start + way, PLACE_MOST) - start;
+}
+
+static tp_fx place_of(int64_t way, tp_fx from)
+{
+    return (tp_fx)((limited((int64_t)from * TP_FX_ONE + way, PLACE_MOST) + 0x8000) >> 16);
+}
+
+static tp_turn heading_of(const tp_afloat *afloat, const tp_scene *scene)
+{
+    return tp_turn_of_degrees(scene->boat.heading)
+         + (tp_turn)((afloat->turned + 0x80000000u) >> 32);
+}
+
+/* m/s in 16.16 times a sine in Q30, over 60 ticks, is Q32 after 14 bits: |speed| <= 2^23
+ * keeps the product below 2^53.  One degree/s in 16.16 is 2^48 / (360 x 60) of a turn a
+ * tick in Q64, and 360 of them are below 2^59. */
+static void sail(tp_afloat *afloat, const tp_scene *scene, const tp_input *in)
+{
+    const int64_t over = TP_TICKS_PER_SECOND << 14, degree = 13031248922;
+    int64_t turn = limited((int64_t)scene->boat.rudder + in->rudder, TURN_MOST);
+    int64_t speed = limited((int64_t)scene->boat.speed + in->throttle, SPEED_MOST);
+
+    afloat->turned += (uint64_t)(turn * degree);
+    tp_turn heading = heading_of(afloat, scene);
+    int64_t x = quotient(speed * tp_sin(heading), over);
+    int64_t z = quotient(speed * tp_cos(heading), over);
+    afloat->sailed_x = sailed(afloat->sailed_x + x, scene->boat.x);
+    afloat->sailed_z = sailed(afloat->sailed_z - z, scene->boat.z);
+}
+
+static void place(tp_afloat *afloat, const tp_scene *scene)
+{
+    afloat->hull.x = place_of(afloat->sailed_x, scene->boat.x);
+    afloat->hull.z = place_of(afloat->sailed_z, scene->boat.z);
+    afloat->hull.heading = heading_of(afloat, scene);
+}
+
+/* -- how it lies -------------------------------------------------------------------- */
+
+static void hull_points(const tp_hull *hull, const tp_scene *scene, tp_fx points[4][2])
+{
+    tp_fx  length = scene->boat.length / 2, beam = scene->boat.beam / 2;
+    const tp_fx ahead[4] = { length, -length, 0, 0 }, aside[4] = { 0, 0, -beam, beam };
+    tp_q30 s = tp_sin(hull->heading), c = tp_cos(hull->heading);
+
+    for (int i = 0; i < 4; i++) {
+        points[i][0] = hull->x + tp_q30_mul(ahead[i], s) + tp_q30_mul(aside[i], c);
+        points[i][1] = hull->z - tp_q30_mul(ahead[i], c) + tp_q30_mul(aside[i], s);
+    }
+}
+
+/* Heights of the water, and of the same without the pool that the boat stirs. */
+typedef struct { tp_fx all[4], alone[4]; } waters;
+
+/* The searches begin where those of the last tick ended. */
+static waters feel(tp_world *world, tp_fx points[4][2])
+{
+    const tp_surface surface = tp_world_surface(world);
+    const tp_pool *stirred = tp_boat_pool(world);
+    waters w;
+
+    for (int i = 0; i < 4; i++) {
+        tp_fx x = points[i][0], z = points[i][1];
+        tp_sea_point at = tp_surface_above(&surface, x, z, world->afloat.rest[i]);
+        tp_fx high = stirred ? tp_pool_relief(stirred, x, z, 0).height : 0;
+        w.all[i] = tp_clamp(at.position.y, -WATER_MOST, WATER_MOST);
+        w.alone[i] = tp_clamp(at.position.y - high, -WATER_MOST, WATER_MOST);
+    }
+    return w;
+}
+
+/* cos(pitch) <= 1: the tilt keeps its range, below 2^29. */
+static void pose(tp_world *world, const tp_scene *scene)
+{
+    const tp_afloat *a = &world->afloat;
+    tp_turn pitch = tp_atan2(tp_fx_of_q40(a->lie.at[1]), scene->boat.length);
+    tp_fx   tilt = tp_q30_mul(tp_fx_of_q40(a->lie.at[2]), tp_cos(pitch));
+
+    world->boat = (tp_pose){
+        { a->hull.x, tp_fx_of_q40(a->lie.at[0]) + scene->boat.lift, a->hull.z },
+        a->hull.heading, pitch, tp_atan2(tilt, scene->boat.beam),
+    };
+}
+
+/* ----------------------------------------------------------------------------------- */
+
+static bool is_laid_anew(const tp_afloat *afloat, const tp_scene *scene)
+{
+    return !afloat->laid
+        || (scene->boat.mode == TP_BOAT_KINEMATIC && scene->boat.smooth <= 0);
+}
+
+void tp_boat_init(tp_world *world, const tp_scene *scene)
+{
+    tp_afloat *a = &world->afloat;
+    tp_fx points[4][2];
+
+    place(a, scene);
+    hull_points(&a->hull, scene, points);
+    for (int i = 0; i < 4; i++) {
+        a->rest[i][0] = points[i][0];
+        a->rest[i][1] = points[i][1];
+    }
+    const waters w = feel(world, points);
+    if (is_laid_anew(a, scene)) {
+        tp_boat_lay(&a->lie, w.all);
+        tp_boat_lay(&a->alone, w.alone);
+    }
+    a->laid = 1;
+    tp_boat_sink(&a->hull, &a->alone, w.alone);
+    a->stirred = a->hull;
+    pose(world, scene);
+}
+
+void tp_boat_step(tp_world *world, const tp_scene *scene, const tp_input *input)
+{
+    tp_afloat *a = &world->afloat;
+    tp_fx points[4][2];
+
+    sail(a, scene, input);
+    place(a, scene);
+    hull_points(&a->hull, scene, points);
+    const waters w = feel(world, points);
+    tp_boat_float(&a->lie, scene, w.all);
+    tp_boat_float(&a->alone, scene, w.alone);
+    tp_boat_sink(&a->hull, &a->alone, w.alone);
+    pose(world, scene);
 }

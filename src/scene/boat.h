@@ -1,9 +1,39 @@
 /* SPDX-License-Identifier: MIT */
-/* The boat on the waves. */
+/* The boat on the waves: where it sails, how it lies, and what it does to the pool.  Only
+ * for scenes that name its mesh. */
 #ifndef TP_SCENE_BOAT_H
 #define TP_SCENE_BOAT_H
 #include "tidepool/scene.h"
 
-/* Sets world->boat and world->boat_turn from the surface under the hull [E2]. */
-void tp_boat_place(tp_world *world, const tp_scene *scene);
+/* Lays the boat on the water at tick 0, and after a change of the scene's numbers: it
+ * stays as far from the scene's place and heading as it has sailed, and a boat that
+ * floats by its weight or follows slowly goes on from where it lay. */
+void tp_boat_init(tp_world *world, const tp_scene *scene);
+
+/* One tick; the water has been moved already, world->last_boat been kept. */
+void tp_boat_step(tp_world *world, const tp_scene *scene, const tp_input *input);
+
+/* The hull stirs its pool [E4]; after the step. */
+void tp_boat_wake(tp_world *world, const tp_scene *scene);
+
+/* The pool that it stirs: the patch, or where there is none the field, or NULL. */
+tp_pool *tp_boat_pool(tp_world *world);
+
+/* -- float.c ------------------------------------------------------------------------ */
+
+typedef enum { TP_BOW, TP_STERN, TP_PORT, TP_STARBOARD } tp_hull_point;
+
+/* Laid on water of these heights under the four points, within +-2048 m. */
+void tp_boat_lay(tp_lie *lie, const tp_fx water[4]);
+
+/* One tick towards it, as the scene's boat moves. */
+void tp_boat_float(tp_lie *lie, const tp_scene *scene, const tp_fx water[4]);
+
+/* Sets the hull's `sunk`. */
+void tp_boat_sink(tp_hull *hull, const tp_lie *lie, const tp_fx water[4]);
+
+static inline tp_fx tp_fx_of_q40(int64_t x)
+{
+    return (tp_fx)((x + (1 << 23)) >> 24);
+}
 #endif

@@ -42,7 +42,41 @@
     HEADING("wave" #n ".phase", wave[n].phase, 0, \
            "of the wave at the origin when the clock starts"), \
     NUMBER("wave" #n ".speed", wave[n].speed, "", 0, 8, 1, \
-           "of its natural speed; 0: it stands still")
+           "of its natural speed; 0: it stands still"), \
+    COUNT("wave" #n ".power", wave[n].power, "", 1, 8, 1, \
+          "1: a sine; more raise its crests and flatten its troughs")
+
+#define POOL(name, part) \
+    COUNT(name ".cols", part.cols, "cells", 0, 512, 0, \
+          "along x, 16 or more; 0: no such pool"), \
+    COUNT(name ".rows", part.rows, "cells", 16, 512, 64, "along z"), \
+    CHOICE(name ".cells", part.cells, "8|16|32", TP_CELLS_32, TP_CELLS_16, \
+           "bits of a cell: 8 save memory, 32 keep volume and detail"), \
+    CHOICE(name ".edges", part.edges, "wall|sponge|tile", TP_EDGES_TILE, TP_EDGES_WALL, \
+           "reflect waves, swallow them, or go on at the other side for ever"), \
+    NUMBER(name ".courant", part.courant, "", 0.05, 0.8, 0.484, \
+           "cells that a wave goes in a tick, 0.48 at the most"), \
+    COUNT(name ".damping", part.damping, "", 4, 10, 6, \
+          "m: a tick takes 2^-m of the motion; less comes to rest sooner"), \
+    COUNT(name ".sponge", part.sponge, "cells", 4, 64, 16, "width of a sponge edge"), \
+    NUMBER(name ".range", part.range, "m", 0.01, 64, 1, \
+           "highest water of 8- and 16-bit cells"), \
+    NUMBER(name ".cell", part.cell, "m", 0.01, 50, 0.25, "side of a cell"), \
+    NUMBER(name ".x", part.x, "m", -8000, 8000, 0, "of its centre, to the right"), \
+    NUMBER(name ".z", part.z, "m", -8000, 8000, 0, "of its centre, towards the viewer"), \
+    NUMBER(name ".feed_low", part.feed_low, "m", 0, 16, 0, \
+           "rms height under which it is fed with hats; 0: never"), \
+    NUMBER(name ".feed_high", part.feed_high, "m", 0, 16, 0, \
+           "rms height above which it is not"), \
+    NUMBER(name ".feed", part.feed, "m", 0, 16, 0.1, "height of such a hat"), \
+    NUMBER(name ".poke_every", part.poke_every, "s", 0, 600, 0, \
+           "between hats at random places; 0: none"), \
+    NUMBER(name ".poke", part.poke, "m", -16, 16, 0.2, "height of such a hat"), \
+    NUMBER(name ".poke_size", part.poke_size, "m", 0.01, 50, 0.5, "its width, sigma"), \
+    NUMBER(name ".paddle", part.paddle, "m", 0, 16, 0, \
+           "height of waves that a paddle makes at its north edge; 0: none"), \
+    NUMBER(name ".paddle_period", part.paddle_period, "s", 0.1, 60, 2, "of such waves"), \
+    NAME(name ".mask", part.mask, GREY, "PNG laid over it, dark is wall; empty: none")
 
 static const tp_param rows[] = {
     NAME("scene.title", title, TEXT, "what the preview's window is called"),
@@ -93,13 +127,65 @@ static const tp_param rows[] = {
 
     COUNT("grid.cols", grid.cols, "points", 2, 1024, 100, "of the water's mesh along x"),
     COUNT("grid.rows", grid.rows, "points", 2, 1024, 100, "of the water's mesh along z"),
-    NUMBER("grid.cell", grid.cell, "m", 0.05, 50, 1.5, "from point to point"),
+    NUMBER("grid.cell", grid.cell, "m", 0.01, 50, 1.5, "from point to point"),
     NUMBER("grid.reach", grid.reach, "m", 0, 16000, 4000,
            "how far water goes on beyond the cells; 0: the grid is all"),
     SWITCH("grid.follow", grid.follow, 1, "the grid goes with the camera"),
 
     WAVE(0),  WAVE(1),  WAVE(2),  WAVE(3),  WAVE(4),  WAVE(5),  WAVE(6),  WAVE(7),
     WAVE(8),  WAVE(9),  WAVE(10), WAVE(11), WAVE(12), WAVE(13), WAVE(14), WAVE(15),
+
+    NUMBER("floor.depth", floor.depth, "m", 0, 8000, 0,
+           "of still water at the origin; 0 without a map: no floor at all"),
+    NUMBER("floor.slope", floor.slope, "", 0, 1, 0, "rise of the floor per metre"),
+    HEADING("floor.heading", floor.heading, 0, "towards which it rises"),
+    NAME("floor.map", floor.map, GREY, "PNG of the floor's heights; empty: a slope"),
+    NUMBER("floor.map_x", floor.map_x, "m", -8000, 8000, 0, "of the map's centre"),
+    NUMBER("floor.map_z", floor.map_z, "m", -8000, 8000, 0, "of the map's centre"),
+    NUMBER("floor.map_size", floor.map_size, "m", 1, 8000, 200, "the map's width"),
+    NUMBER("floor.map_low", floor.map_low, "m", -8000, 100, -10, "height of its black"),
+    NUMBER("floor.map_high", floor.map_high, "m", -8000, 100, 2, "height of its white"),
+    COLOUR("floor.colour", floor.colour, 0xc8b48c, "of the land"),
+
+    NUMBER("wind.strength", wind.strength, "rad/m", 0, 1, 0,
+           "how far crests lean over before the wind, per metre of height"),
+    HEADING("wind.heading", wind.heading, 0, "where it blows to, clockwise from -z"),
+
+    NUMBER("surf.k0", surf.k0, "1/m", 0, 4, 0.1, "how soon orbits tilt with the floor"),
+    NUMBER("surf.kx", surf.kx, "1/m", 0.001, 4, 0.11, "how soon orbits widen"),
+    NUMBER("surf.ky", surf.ky, "1/m", 0.001, 4, 0.09, "how soon orbits flatten"),
+    NUMBER("surf.stretch", surf.stretch, "", 0, 2, 1, "of breaking crests, 1: as their type"),
+    NUMBER("surf.irregular", surf.irregular, "", 0, 1, 0.3, "of breaking crests, by noise"),
+
+    POOL("pool", pool),
+    POOL("field", field),
+
+    COUNT("drops.count", drops.count, "", 0, 1024, 0,
+          "in the air at once; 0: no sphere and no drops"),
+    COUNT("drops.rings", drops.rings, "", 0, 1024, 64, "on the water at once"),
+    CHOICE("drops.into", drops.into, "rings|pool", TP_DROPS_POOL, TP_DROPS_RINGS,
+           "what a drop stirs"),
+    NUMBER("drops.x", drops.x, "m", -8000, 8000, 0, "of the sphere at the start"),
+    NUMBER("drops.y", drops.y, "m", 0, 100, 3, "of the sphere, always"),
+    NUMBER("drops.z", drops.z, "m", -8000, 8000, 0, "of the sphere at the start"),
+    NUMBER("drops.radius", drops.radius, "m", 0.002, 1, 0.06, "of a drop"),
+    NUMBER("drops.density", drops.density, "kg/m^3", 100, 10000, 1000, "of a drop"),
+    NUMBER("drops.drag", drops.drag, "", 0, 2, 0.47,
+           "of the air, Cd; 0: all fall alike"),
+    NUMBER("drops.bounce", drops.bounce, "", 0.5, 0.8, 0.65, "speed after over before"),
+    COUNT("drops.impacts", drops.impacts, "", 5, 7, 6, "then a drop is gone"),
+    NUMBER("drops.every", drops.every, "s", 0, 60, 1,
+           "between drops that fall by themselves; 0: none do"),
+    NUMBER("drops.scatter", drops.scatter, "m", 0, 1000, 0,
+           "they fall so far from the sphere at the most"),
+    NUMBER("drops.efficiency", drops.efficiency, "", 0, 1, 0.2,
+           "share of a drop's lost energy that its ring takes"),
+    NUMBER("drops.speed", drops.speed, "m/s", 0.01, 64, 1.2, "of rings"),
+    NUMBER("drops.decay", drops.decay, "s", 0.05, 1000, 2, "of rings"),
+    NUMBER("drops.spread", drops.spread, "m", 0.01, 1000, 1,
+           "distance at which a ring's height is down to 0.7"),
+    NUMBER("drops.attack", drops.attack, "s", 0, 8, 0.1, "in which a ring rises"),
+    COLOUR("drops.colour", drops.colour, 0xbfe0f0, "of sphere and drops"),
 
     NAME("boat.mesh", boat.mesh, MESH, "OBJ file of the boat; empty: none"),
     NUMBER("boat.x", boat.x, "m", -8000, 8000, 0, "to the right of the origin"),
@@ -111,6 +197,18 @@ static const tp_param rows[] = {
            "between the points of bow and stern that feel the water"),
     NUMBER("boat.beam", boat.beam, "m", 0.1, 200, 3,
            "between the points of both sides that feel the water"),
+    CHOICE("boat.mode", boat.mode, "kinematic|dynamic", TP_BOAT_DYNAMIC,
+           TP_BOAT_KINEMATIC, "lies on the water, or floats by its weight"),
+    NUMBER("boat.smooth", boat.smooth, "s", 0, 10, 0, "how slowly it follows the water"),
+    NUMBER("boat.draft", boat.draft, "m", 0.05, 20, 0.6, "of the hull at rest"),
+    NUMBER("boat.drag", boat.drag, "", 0, 2, 0.3,
+           "damping of its rocking; 1: it does not overshoot"),
+    NUMBER("boat.speed", boat.speed, "m/s", -30, 30, 0, "that it sails by itself"),
+    NUMBER("boat.rudder", boat.rudder, "degrees/s", -90, 90, 0, "that it turns by itself"),
+    NUMBER("boat.wake", boat.wake, "", 0, 1, 0.5,
+           "share of its moving volume that stirs the pool"),
+
+    NUMBER("clock.scale", clock.scale, "", 0.125, 4, 1, "slow motion to fast forward"),
 };
 
 enum { ROWS = sizeof rows / sizeof rows[0] };
@@ -249,6 +347,7 @@ static tp_status read_number(const tp_param *param, word w, int32_t *value)
 static bool is_text(const tp_param *param)
 {
     return param->kind == TP_PARAM_MESH || param->kind == TP_PARAM_TEXTURE
+        || param->kind == TP_PARAM_GREY
         || param->kind == TP_PARAM_TEXT;
 }
 

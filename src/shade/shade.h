@@ -71,6 +71,7 @@ typedef struct {
 
     const tp_mesh  *boat;
     const tp_solid *solid;      /* one for each of its materials */
+    tp_solid land, drop;        /* without pictures */
 
     uint32_t haze_scale;        /* zi to haze entries, Q0.32 */
     uint16_t steep[TP_STEEP + 1];       /* Q1.14 */
@@ -104,6 +105,8 @@ void tp_stage_mirror(const tp_shade *shade, tp_run *run);   /* sky by Fresnel's 
 void tp_stage_glint(const tp_shade *shade, tp_run *run);    /* adds the specular */
 void tp_stage_haze(const tp_shade *shade, tp_run *run);     /* towards the horizon */
 void tp_stage_solid(const tp_shade *shade, tp_run *run);    /* all of a mesh's Phong */
+void tp_stage_land(const tp_shade *shade, tp_run *run);     /* the same in world axes, */
+void tp_stage_drop(const tp_shade *shade, tp_run *run);     /* of one colour */
 
 /* -- for the frame, that fills the tables ------------------------------------------- */
 

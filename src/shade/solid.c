@@ -67,10 +67,10 @@ static uint32_t gloss_of(const tp_solid *solid, int32_t rv)
     return (uint32_t)(here + ((next - here) * part >> 8));
 }
 
-static uint32_t phong(const tp_shade *shade, const tp_solid *solid, uint32_t diffuse,
-                      vec n, vec v, int32_t lv)
+static uint32_t phong(const tp_shade *shade, const tp_view_axes *axes,
+                      const tp_solid *solid, uint32_t diffuse, vec n, vec v, int32_t lv)
 {
-    vec     light = { shade->mesh.lx, shade->mesh.ly, shade->mesh.lz };
+    vec     light = { axes->lx, axes->ly, axes->lz };
     int32_t nl = tp_clamp(dot(n, light), 0, 16384);
     int32_t rv = tp_clamp((2 * nl * dot(n, v) >> 14) - lv, 0, 16384);
     uint32_t bright = (uint32_t)(shade->ambient + ((256 - shade->ambient) * nl >> 14));
@@ -99,7 +99,26 @@ void tp_stage_solid(const tp_shade *shade, tp_run *run)
             n = bent(n, solid, level, st, shade->boat->faces[run->t[i]].tangent);
         }
         n = unit(n);
-        run->colour[i] = phong(shade, solid, diffuse, n,
+        run->colour[i] = phong(shade, &shade->mesh, solid, diffuse, n,
                                (vec){ run->vx[i], run->vy[i], run->vz[i] }, run->lv[i]);
     }
+}
+
+static void shade_plain(const tp_shade *shade, const tp_solid *solid, tp_run *run)
+{
+    tp_view_run(shade, &shade->world, run);
+    for (int32_t i = 0; i < run->count; i++)
+        run->colour[i] = phong(shade, &shade->world, solid, solid->diffuse,
+                               unit(unpacked(run->n[i])),
+                               (vec){ run->vx[i], run->vy[i], run->vz[i] }, run->lv[i]);
+}
+
+void tp_stage_land(const tp_shade *shade, tp_run *run)
+{
+    shade_plain(shade, &shade->land, run);
+}
+
+void tp_stage_drop(const tp_shade *shade, tp_run *run)
+{
+    shade_plain(shade, &shade->drop, run);
 }

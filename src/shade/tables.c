@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* The tables that stages look into, made in integers at init or when a number changes. */
 #include "shade/shade.h"
+#include "tidepool/light.h"
 
 /* base^n for base in Q2.30, 0..1, by squaring. */
 static tp_q30 power(tp_q30 base, uint32_t n)
@@ -15,26 +16,14 @@ static tp_q30 power(tp_q30 base, uint32_t n)
     return result;
 }
 
-/* [F1] air to water: e = 1.333, c = N.V; the share of both polarisations' mean. */
-static tp_fx fresnel(tp_fx c)
-{
-    const tp_fx e = TP_FX(1.333), e2 = TP_FX(1.776889);
-    tp_fx s2 = TP_FX_ONE - tp_fx_mul(c, c);
-    tp_fx ct = tp_fx_sqrt(TP_FX_ONE - tp_fx_div(s2, e2));
-    tp_fx ect = tp_fx_mul(e, ct), ec = tp_fx_mul(e, c);
-    tp_fx rs = tp_fx_div(c - ect, c + ect), rp = tp_fx_div(ct - ec, ct + ec);
-
-    return (tp_fx_mul(rs, rs) + tp_fx_mul(rp, rp)) / 2;
-}
-
 void tp_shade_tables(tp_shade *shade)
 {
     for (uint32_t i = 0; i <= TP_STEEP; i++)            /* 1 / sqrt(1 + i / 128) */
         shade->steep[i] = (uint16_t)(tp_isqrt64(((uint64_t)128 << 32) / (128 + i) << 28)
                                      >> 16);
     for (int32_t i = 0; i <= 256; i++) {
-        tp_fx r = fresnel(i * (TP_FX_ONE / 256));
-        shade->fresnel[i] = (uint8_t)tp_clamp((r + 128) >> 8, 0, 255);
+        tp_q30 r = tp_fresnel(i * (TP_Q30_ONE / 256));
+        shade->fresnel[i] = (uint8_t)tp_clamp((r + (1 << 21)) >> 22, 0, 255);
     }
     for (uint32_t i = 0; i <= TP_HAZE; i++)             /* 32^2 / (32^2 + i^2) */
         shade->haze[i] = (uint8_t)(255 * 1024 / (1024 + i * i));

@@ -43,9 +43,9 @@ static tp_scene scene_s(void)
     s.grid.cell = TP_FX(20.0 / (POINTS - 1));
     s.grid.reach = 0;
     s.grid.follow = 0;
-    s.wave[0] = (tp_wave){ TP_FX(0.20), TP_FX(6), TP_FX(0.15), TP_FX(30), 0, TP_FX(1) };
-    s.wave[1] = (tp_wave){ TP_FX(0.12), TP_FX(3.5), TP_FX(0.15), TP_FX(75), 0, TP_FX(1) };
-    s.wave[2] = (tp_wave){ TP_FX(0.06), TP_FX(2), TP_FX(0.15), TP_FX(-20), 0, TP_FX(1) };
+    s.wave[0] = (tp_wave){ TP_FX(0.20), TP_FX(6), TP_FX(0.15), TP_FX(30), 0, TP_FX(1), 1 };
+    s.wave[1] = (tp_wave){ TP_FX(0.12), TP_FX(3.5), TP_FX(0.15), TP_FX(75), 0, TP_FX(1), 1 };
+    s.wave[2] = (tp_wave){ TP_FX(0.06), TP_FX(2), TP_FX(0.15), TP_FX(-20), 0, TP_FX(1), 1 };
     return s;
 }
 
@@ -100,7 +100,7 @@ int main(int argc, char **argv)
     if (tp_frame_init(&frame, &scene, &assets, &config, block, &err))
         return 1;
 
-    tp_world_init(&world, &scene);
+    tp_world_init(&world, sizeof world, &scene, NULL, NULL);
     for (int i = 0; i < 60; i++)
         tp_world_step(&world, &scene, NULL);
     tp_frame_begin(frame, &world);

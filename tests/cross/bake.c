@@ -19,9 +19,10 @@ static void put_member(FILE *out, const char *name)
 {
     if (!strncmp(name, "scene.", 6))
         name += 6;
+    const bool waves = strncmp(name, "wave", 4) == 0;     /* wave3.phase is wave[3].phase */
     fputc('.', out);
     for (const char *c = name; *c; c++) {
-        bool index = isdigit((unsigned char)*c) && c > name;
+        bool index = waves && isdigit((unsigned char)*c);
         bool begins = index && !isdigit((unsigned char)c[-1]);
         bool ends = index && !isdigit((unsigned char)c[1]);
         fprintf(out, "%s%c%s", begins ? "[" : "", *c, ends ? "]" : "");
@@ -83,6 +84,16 @@ static void put_texture(FILE *out, const char *name, const tp_texture *t)
         fprintf(out, "%s_%" PRIu32 ", ", name, level);
     fprintf(out, "},\n    .log2_w = %d, .log2_h = %d, .levels = %d\n};\n", t->log2_w,
             t->log2_h, t->levels);
+}
+
+static void put_grey(FILE *out, const char *name, const tp_grey *grey)
+{
+    const uint32_t count = grey->cols * grey->rows;
+    fprintf(out, "static const uint16_t %s_samples[%" PRIu32 "] = {", name, count);
+    for (uint32_t i = 0; i < count; i++)
+        fprintf(out, "%s0x%04x,", i % 12 ? "" : "\n    ", grey->sample[i]);
+    fprintf(out, "\n};\nstatic const tp_grey %s = { %" PRIu32 ", %" PRIu32
+            ", %s_samples };\n", name, grey->cols, grey->rows, name);
 }
 
 /* -- the mesh ------------------------------------------------------------------ */
@@ -179,9 +190,17 @@ static bool put_all(FILE *out, const scene_file *file, const tp_assets *names)
         put_texture(out, "water", names->water);
     if (names->water_normal)
         put_texture(out, "water_normal", names->water_normal);
+    if (names->floor)
+        put_grey(out, "sea_floor", names->floor);
+    if (names->pool_mask)
+        put_grey(out, "pool_mask", names->pool_mask);
     fprintf(out, "const tp_assets baked_assets = {\n    .boat = %s, .water = %s, "
-            ".water_normal = %s\n};\n", names->boat ? "&boat" : "0",
-            names->water ? "&water" : "0", names->water_normal ? "&water_normal" : "0");
+            ".water_normal = %s,\n    .floor = %s, .pool_mask = %s, .field_mask = %s\n"
+            "};\n",
+            names->boat ? "&boat" : "0", names->water ? "&water" : "0",
+            names->water_normal ? "&water_normal" : "0",
+            names->floor ? "&sea_floor" : "0", names->pool_mask ? "&pool_mask" : "0",
+            names->field_mask ? "&field_mask" : "0");
     return fflush(out) == 0 && !ferror(out);
 }
 

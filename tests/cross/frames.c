@@ -80,39 +80,59 @@ static void painter_end(painter *p)
     free(p->block);
 }
 
+static tp_world *world_begin(void)
+{
+    size_t    bytes = tp_world_bytes(&baked_scene, &baked_assets);
+    tp_world *world = claim(bytes);
+    tp_error  err;
+    if (tp_world_init(world, bytes, &baked_scene, &baked_assets, &err)) {
+        printf("%s\n", tp_status_text(err.code));
+        exit(1);
+    }
+    return world;
+}
+
 static void golden_frames_of(tp_format format, uint32_t strip, uint32_t band)
 {
     static const uint32_t ticks[] = GOLDEN_TICKS;
-    tp_world world;
-    tp_world_init(&world, &baked_scene);
+    tp_world *world = world_begin();
     painter p = painter_of((tp_frame_config){ GOLDEN_WIDTH, GOLDEN_HEIGHT, strip, band,
                                               format });
     for (size_t i = 0; i < sizeof ticks / sizeof *ticks; i++) {
-        while (world.tick < ticks[i])
-            tp_world_step(&world, &baked_scene, NULL);
+        while (world->tick < ticks[i])
+            tp_world_step(world, &baked_scene, NULL);
         printf("%s frame %04" PRIu32 " crc32 %08" PRIx32 "\n", tp_format_name(format),
-               ticks[i], paint(&p, &world));
+               ticks[i], paint(&p, world));
     }
     painter_end(&p);
+    free(world);
 }
 
 static void frames_of(tp_frame_config config, uint32_t first, uint32_t last)
 {
-    tp_world world;
-    tp_world_init(&world, &baked_scene);
+    tp_world *world = world_begin();
     painter p = painter_of(config);
-    while (world.tick < first)
-        tp_world_step(&world, &baked_scene, NULL);
+    while (world->tick < first)
+        tp_world_step(world, &baked_scene, NULL);
     for (uint32_t n = first; n <= last; n++) {
-        uint32_t crc = paint(&p, &world);
+        uint32_t crc = paint(&p, world);
         tp_frame_stats stats = tp_frame_last_stats(p.frame);
         printf("frame %04" PRIu32 " crc32 %08" PRIx32 "\n", n, crc);
         fprintf(stderr, "held water_pixels %" PRIu32 " vertices %" PRIu32 " triangles %"
                 PRIu32 " dropped %" PRIu32 "\n", p.water_pixels, stats.vertices,
                 stats.triangles, stats.dropped);
-        tp_world_step(&world, &baked_scene, NULL);
+        tp_world_step(world, &baked_scene, NULL);
     }
     painter_end(&p);
+    free(world);
+}
+
+static int format_of(const char *name)
+{
+    uint32_t length = 0;
+    while (name[length])
+        length++;
+    return tp_format_of(name, length);
 }
 
 int main(int argc, char **argv)
@@ -121,25 +141,21 @@ int main(int argc, char **argv)
     uint32_t first, last;
     char name[16];
 
-    if (argc == 1) {
-        for (int format = 0; format < TP_FORMAT_COUNT; format++)
-            golden_frames_of((tp_format)format, 48, 7);
+    if (argc == 2 && format_of(argv[1]) >= 0) {
+        golden_frames_of((tp_format)format_of(argv[1]), 48, 7);
         return 0;
     }
     if (argc == 5 && sscanf(argv[1], "%" SCNu32 "x%" SCNu32, &c.width, &c.height) == 2
         && sscanf(argv[2], "%" SCNu32 ":%" SCNu32, &first, &last) == 2
         && sscanf(argv[3], "%15s", name) == 1
         && sscanf(argv[4], "%" SCNu32 "x%" SCNu32, &c.tile_width, &c.tile_height) == 2) {
-        uint32_t length = 0;
-        while (name[length])
-            length++;
-        int format = tp_format_of(name, length);
+        int format = format_of(name);
         if (format >= 0) {
             c.format = (tp_format)format;
             frames_of(c, first, last);
             return 0;
         }
     }
-    fprintf(stderr, "usage: frames [WxH FIRST:LAST FORMAT STRIPxBAND]\n");
+    fprintf(stderr, "usage: frames FORMAT | WxH FIRST:LAST FORMAT STRIPxBAND\n");
     return 2;
 }

@@ -4,7 +4,7 @@
 # compiler and level of optimisation, and compares the golden frames' CRCs.
 . tests/gates/lib.sh
 
-golden=tests/golden/three-swells
+scenes=$(build -s list-cross)
 
 # name | GNU triple | emulator | Debian's name of the machine
 machines='
@@ -15,10 +15,19 @@ riscv64 | riscv64-linux-gnu   | qemu-riscv64 | riscv64
 s390x   | s390x-linux-gnu     | qemu-s390x   | s390x
 '
 
-# The lists as tests/cross/frames writes them: "rgb565 frame 0000 crc32 1234abcd".
-for list in "$golden"/*.crc; do
-    sed "s/^/$(basename "$list" .crc) /" "$list"
+# "three-swells rgb565 frame 0000 crc32 1234abcd": as referred to, and as drawn.
+for scene in $scenes; do
+    for list in "tests/golden/$scene"/*.crc; do
+        sed "s/^/$scene $(basename "$list" .crc) /" "$list"
+    done
 done | sort >"$scratch/expected"
+draw()          # FOLDER: every scene's frames by the programs there
+{
+    cut -d' ' -f1,2 "$scratch/expected" | uniq | while read -r scene format; do
+        $emulator "$1/frames-$scene" "$format" >"$scratch/some" || return 1
+        sed "s/^/$scene /" "$scratch/some"
+    done
+}
 check "there are golden frames to compare with" test -s "$scratch/expected"
 
 # try MACHINE COMPILER LEVEL: builds, runs, compares; tells "equal" or what went wrong.
@@ -30,11 +39,10 @@ try()
     clang) cc="clang${triple:+ --target=$triple -isystem /usr/$triple/include}" ;;
     esac
     if ! build TARGET="$target" MACHINE="$1" CC="$cc" AR="${triple:+$triple-}ar" \
-        OPT="-$3" LDFLAGS="${triple:+-static}" "build/$target/tests/cross/frames" \
-        >"$scratch/log" 2>&1; then
+        OPT="-$3" LDFLAGS="${triple:+-static}" frames >"$scratch/log" 2>&1; then
         tail -n 5 "$scratch/log"
         verdict=unbuilt
-    elif ! $emulator "build/$target/tests/cross/frames" >"$scratch/frames"; then
+    elif ! draw "build/$target/tests/cross" >"$scratch/frames"; then
         verdict=crashed
     elif ! sort "$scratch/frames" | diff "$scratch/expected" - >"$scratch/log"; then
         cat "$scratch/log"

@@ -19,18 +19,26 @@ bool golden_open(golden_scene *g, const char *name)
     memset(g, 0, sizeof *g);
     if (scene_file_open(&g->file, name) || assets_open(&g->assets, &g->file))
         return false;
-    tp_world world;
-    tp_world_init(&world, &g->file.scene);
+    const size_t bytes = tp_world_bytes(&g->file.scene, &g->assets.names);
+    tp_world *world = malloc(bytes);
+    if (!world || tp_world_init(world, bytes, &g->file.scene, &g->assets.names, NULL))
+        exit(1);
     for (uint32_t i = 0; i < GOLDEN_FRAMES; i++) {
-        while (world.tick < golden_frames[i])
-            tp_world_step(&world, &g->file.scene, NULL);
-        g->world[i] = world;
+        while (world->tick < golden_frames[i])
+            tp_world_step(world, &g->file.scene, NULL);
+        g->world[i] = malloc(bytes);
+        if (!g->world[i])
+            exit(1);
+        memcpy(g->world[i], world, bytes);
     }
+    free(world);
     return true;
 }
 
 void golden_close(golden_scene *g)
 {
+    for (uint32_t i = 0; i < GOLDEN_FRAMES; i++)
+        free(g->world[i]);
     assets_close(&g->assets);
     scene_file_close(&g->file);
 }
@@ -46,7 +54,7 @@ picture golden_draw(const golden_scene *g, uint32_t frame_index, tp_format forma
     memset(&c, 0, sizeof c);
     if (canvas_open(&c, &g->file.scene, &g->assets.names, &config, 1))
         exit(1);
-    canvas_draw(&c, &g->world[frame_index]);
+    canvas_draw(&c, g->world[frame_index]);
 
     picture p = c.picture;
     p.rows = malloc(p.row_bytes * p.height);

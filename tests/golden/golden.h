@@ -20,7 +20,7 @@ extern const uint32_t golden_frames[GOLDEN_FRAMES];     /* in ticks */
 typedef struct {
     scene_file file;
     assets     assets;
-    tp_world   world[GOLDEN_FRAMES];
+    tp_world  *world[GOLDEN_FRAMES];    /* snapshots of one run */
 } golden_scene;
 
 bool golden_open(golden_scene *g, const char *name);

@@ -1,82 +1,138 @@
 /* SPDX-License-Identifier: MIT */
-/* three-swells in every pixel format, cut into tiles of every kind, against its golden
- * frames.  With `--write` the references are made anew instead. */
+/* Every shipped scene against its golden frames, cut into tiles of several kinds;
+ * three-swells in every pixel format and more tilings.  With `--write` the references are
+ * made anew instead, of the scenes named after it or of all. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
 #include <stdint.h>
 #include <cmocka.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
 #include "golden.h"
+#include "host/path.h"
 
-#define FOLDER "tests/golden/three-swells"
-#define WRECK  "build/golden"
+#define WRECK "build/golden"
+#define MOST  64            /* scenes */
 
-static golden_scene scene;
+typedef struct {
+    const char *scene;
+    bool whole;             /* every format and tiling */
+    char title[96];
+} job;
 
-static const uint32_t strips[] = { 16, 48, 64, GOLDEN_WIDTH };
-static const uint32_t bands[] = { 1, 7, 16, GOLDEN_HEIGHT };
+static const uint32_t strips[] = { 48, GOLDEN_WIDTH, 16, 64 };
+static const uint32_t bands[] = { 7, GOLDEN_HEIGHT, 1, 16 };
 
-static int draw_and_compare(tp_format format, uint32_t index, uint32_t strip,
-                            uint32_t band)
+static void folder_of(char *folder, size_t bytes, const char *scene)
 {
-    char name[64];
-    snprintf(name, sizeof name, "%s-%ux%u-%04u", tp_format_name(format), strip, band,
-             golden_frames[index]);
-    picture p = golden_draw(&scene, index, format, strip, band);
-    bool right = golden_compare(FOLDER, WRECK, &p, golden_frames[index], name);
+    snprintf(folder, bytes, "tests/golden/%s", scene);
+}
+
+static int draw_and_compare(const golden_scene *g, const char *scene, tp_format format,
+                            uint32_t index, uint32_t strip, uint32_t band)
+{
+    char name[128], folder[256];
+    folder_of(folder, sizeof folder, scene);
+    snprintf(name, sizeof name, "%s-%s-%ux%u-%04u", scene, tp_format_name(format),
+             (unsigned)strip, (unsigned)band, (unsigned)golden_frames[index]);
+    picture p = golden_draw(g, index, format, strip, band);
+    bool right = golden_compare(folder, WRECK, &p, golden_frames[index], name);
     golden_free(&p);
     return !right;
 }
 
-static void every_tiling_gives_the_reference(void **state)
+/* The first `kinds` strips by the first `kinds` bands. */
+static int wrong_tilings(const golden_scene *g, const char *scene, tp_format format,
+                         size_t kinds)
 {
-    const tp_format format = *(const tp_format *)*state;
     int wrong = 0;
     for (uint32_t index = 0; index < GOLDEN_FRAMES; index++)
-        for (size_t s = 0; s < sizeof strips / sizeof *strips; s++)
-            for (size_t b = 0; b < sizeof bands / sizeof *bands; b++)
-                wrong += draw_and_compare(format, index, strips[s], bands[b]);
+        for (size_t s = 0; s < kinds; s++)
+            for (size_t b = 0; b < kinds; b++)
+                wrong += draw_and_compare(g, scene, format, index, strips[s], bands[b]);
+    return wrong;
+}
+
+static void open_scene(golden_scene *g, const char *scene)
+{
+    char path[256];
+    snprintf(path, sizeof path, "assets/scenes/%s.ini", scene);
+    if (!golden_open(g, path))
+        exit(1);
+}
+
+static void every_tiling_gives_the_reference(void **state)
+{
+    const job *j = *state;
+    golden_scene g;
+    int wrong = 0;
+    open_scene(&g, j->scene);
+    if (j->whole)
+        for (int format = 0; format < TP_FORMAT_COUNT; format++)
+            wrong += wrong_tilings(&g, j->scene, (tp_format)format, 4);
+    else
+        wrong = wrong_tilings(&g, j->scene, TP_FORMAT_XRGB8888, 2);
+    golden_close(&g);
     assert_int_equal(wrong, 0);
 }
 
-static void write_references(void)
+static void write_references(const char *scene, bool whole)
 {
-    for (int format = 0; format < TP_FORMAT_COUNT; format++)
+    golden_scene g;
+    char folder[256];
+    folder_of(folder, sizeof folder, scene);
+    mkdir(folder, 0777);
+    printf("%s\n", scene);
+    open_scene(&g, scene);
+    for (int format = 0; format < (whole ? TP_FORMAT_COUNT : 1); format++)
         for (uint32_t index = 0; index < GOLDEN_FRAMES; index++) {
-            picture p = golden_draw(&scene, index, (tp_format)format, GOLDEN_WIDTH,
+            picture p = golden_draw(&g, index, (tp_format)format, GOLDEN_WIDTH,
                                     GOLDEN_HEIGHT);
-            golden_write(FOLDER, &p, golden_frames[index], index == 0);
+            golden_write(folder, &p, golden_frames[index], index == 0);
             golden_free(&p);
         }
+    golden_close(&g);
+}
+
+static bool is_whole(const char *scene)
+{
+    return strcmp(scene, "three-swells") == 0;
+}
+
+static int compare_all(char **names, size_t count)
+{
+    static job jobs[MOST];
+    struct CMUnitTest tests[MOST];
+    for (size_t i = 0; i < count; i++) {
+        jobs[i].scene = names[i];
+        jobs[i].whole = is_whole(names[i]);
+        snprintf(jobs[i].title, sizeof jobs[i].title,
+                 "every_tiling_of_%s_gives_the_reference", names[i]);
+        tests[i] = (struct CMUnitTest){ jobs[i].title, every_tiling_gives_the_reference,
+                                        NULL, NULL, &jobs[i] };
+    }
+    return _cmocka_run_group_tests("golden frames", tests, count, NULL, NULL);
 }
 
 int main(int argc, char **argv)
 {
-    static tp_format format[TP_FORMAT_COUNT];
-    static char name[TP_FORMAT_COUNT][64];
-    struct CMUnitTest tests[TP_FORMAT_COUNT];
-    int failed = 0;
+    size_t count = 0;
+    char **names = path_scene_names("assets/scenes", &count);
+    int failed = count == 0 || count > MOST;
 
-    if (!golden_open(&scene, "assets/scenes/three-swells.ini"))
-        return 1;
     mkdir(WRECK, 0777);
     setvbuf(stdout, NULL, _IOLBF, 0);       /* in step with cmocka's lines on stderr */
-    if (argc == 2 && !strcmp(argv[1], "--write")) {
-        mkdir(FOLDER, 0777);
-        write_references();
-    } else {
-        for (int i = 0; i < TP_FORMAT_COUNT; i++) {
-            format[i] = (tp_format)i;
-            snprintf(name[i], sizeof name[i], "every_tiling_of_%s_gives_the_reference",
-                     tp_format_name(format[i]));
-            tests[i] = (struct CMUnitTest){ name[i], every_tiling_gives_the_reference,
-                                            NULL, NULL, &format[i] };
-        }
-        failed = cmocka_run_group_tests_name("golden frames", tests, NULL, NULL);
+    if (argc >= 2 && !strcmp(argv[1], "--write")) {
+        for (int i = 2; i < argc; i++)
+            write_references(argv[i], is_whole(argv[i]));
+        for (size_t i = 0; i < count && argc == 2; i++)
+            write_references(names[i], is_whole(names[i]));
+    } else if (!failed) {
+        failed = compare_all(names, count);
     }
-    golden_close(&scene);
+    path_free_names(names, count);
     return failed;
 }

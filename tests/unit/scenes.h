@@ -33,6 +33,7 @@ static inline int32_t *scene_number(tp_scene *scene, const tp_param *row)
 static inline bool scene_is_number(const tp_param *row)
 {
     return row->kind != TP_PARAM_MESH && row->kind != TP_PARAM_TEXTURE
+        && row->kind != TP_PARAM_GREY
         && row->kind != TP_PARAM_TEXT;
 }
 
@@ -55,6 +56,16 @@ static inline tp_scene scene_any(uint64_t *state)
                                : kind % 2 ? row->low : row->high;
     }
     return s;
+}
+
+/* The scene's world in memory of its own, to free; NULL: it cannot be used. */
+static inline tp_world *scene_world(const tp_scene *scene, const tp_assets *assets)
+{
+    const size_t bytes = tp_world_bytes(scene, assets);
+    tp_world *world = bytes ? malloc(bytes) : NULL;
+    if (world && tp_world_init(world, bytes, scene, assets, NULL) != TP_OK)
+        abort();
+    return world;
 }
 
 /* -- a boat -------------------------------------------------------------------------- */

@@ -78,9 +78,11 @@ static uint32_t draw_both(const tp_scene *scene, const tp_assets *assets,
 static tp_input any_input(void)
 {
     const int32_t far = random_below(&chance, 2) ? INT32_MAX : 65536;
-    return (tp_input){ chance_int(&chance, -far, far), chance_int(&chance, -far, far),
-                       chance_int(&chance, -far, far), chance_int(&chance, -far, far),
-                       chance_int(&chance, -far, far) };
+    return (tp_input){ .ahead = chance_int(&chance, -far, far),
+                       .aside = chance_int(&chance, -far, far),
+                       .up = chance_int(&chance, -far, far),
+                       .turn = chance_int(&chance, -far, far),
+                       .tilt = chance_int(&chance, -far, far) };
 }
 
 static void any_scene_of_the_table_is_drawn(void **state)
@@ -89,18 +91,20 @@ static void any_scene_of_the_table_is_drawn(void **state)
     for (int n = 0; n < 300; n++) {
         tp_scene scene = scene_any(&chance);
         const tp_assets assets = any_assets();
-        tp_world world;
         hold_grid(&scene);
-        tp_world_init(&world, &scene);
+        tp_world *world = scene_world(&scene, &assets);
+        if (!world)
+            continue;
         if (n % 3 == 0) {
-            world.tick = random_next(&chance);
-            tp_world_refresh(&world, &scene);
+            world->tick = random_next(&chance);
+            tp_world_refresh(world, &scene, &assets);
         }
         for (int k = 0; k < n % 4; k++) {
             const tp_input input = any_input();
-            tp_world_step(&world, &scene, k ? &input : NULL);
+            tp_world_step(world, &scene, k ? &input : NULL);
         }
-        draw_both(&scene, &assets, &world);
+        draw_both(&scene, &assets, world);
+        free(world);
     }
 }
 
@@ -110,19 +114,21 @@ static void every_row_at_its_ends_is_drawn(void **state)
     (void)state;
     uint32_t count = 0;
     const tp_param *rows = tp_params(&count);
-    const tp_assets assets = { &boat.mesh, &boat.texture[0], &boat.texture[1] };
+    const tp_assets assets = { .boat = &boat.mesh, .water = &boat.texture[0],
+                               .water_normal = &boat.texture[1] };
 
     for (uint32_t i = 0; i < 2 * (count + 1); i++) {
         const bool high = i % 2;
         tp_scene scene = scene_plain();
-        tp_world world;
         for (uint32_t k = 0; k < count; k++) {
             if (scene_is_number(&rows[k]) && (i / 2 == k || i / 2 == count))
                 *scene_number(&scene, &rows[k]) = high ? rows[k].high : rows[k].low;
         }
         hold_grid(&scene);
-        tp_world_init(&world, &scene);
-        draw_both(&scene, &assets, &world);
+        tp_world *world = scene_world(&scene, &assets);
+        if (world)
+            draw_both(&scene, &assets, world);
+        free(world);
     }
 }
 
@@ -145,7 +151,7 @@ static void grids_of_any_shape_are_drawn(void **state)
             scene.camera.heading = 33 * k * TP_FX_ONE;
             if (sizes[i][1] == 300 && k % 3)
                 continue;
-            tp_world_init(&world, &scene);
+            tp_world_init(&world, sizeof world, &scene, NULL, NULL);
             draw_both(&scene, &assets, &world);
         }
     }
@@ -155,7 +161,7 @@ static void grids_of_any_shape_are_drawn(void **state)
 static void the_eye_may_be_anywhere(void **state)
 {
     (void)state;
-    const tp_assets assets = { &boat.mesh, &boat.texture[0], NULL };
+    const tp_assets assets = { .boat = &boat.mesh, .water = &boat.texture[0] };
     static const tp_fx far[3] = { TP_FX(-8000), 0, TP_FX(8000) };
     static const tp_fx high[5] = { TP_FX(-100), 0, 1, TP_FX(0.3), TP_FX(2000) };
     static const tp_fx pitch[3] = { TP_FX(-89), TP_FX(3), TP_FX(89) };
@@ -173,7 +179,7 @@ static void the_eye_may_be_anywhere(void **state)
         scene.grid.reach = 16000 * TP_FX_ONE;
         scene.boat.x = far[random_below(&chance, 3)];
         scene.boat.z = far[random_below(&chance, 3)];
-        tp_world_init(&world, &scene);
+        tp_world_init(&world, sizeof world, &scene, NULL, NULL);
         draw_both(&scene, &assets, &world);
     }
 }
@@ -203,7 +209,7 @@ static void a_boat_of_any_size_is_drawn(void **state)
         scene.boat.z = n & 16 ? -8000 * TP_FX_ONE : 0;
         scene.camera.x = n & 32 ? -8000 * TP_FX_ONE : 0;
         scene.camera.heading = chance_fx(&chance, 0, 360);
-        tp_world_init(&world, &scene);
+        tp_world_init(&world, sizeof world, &scene, NULL, NULL);
         draw_both(&scene, &assets, &world);
     }
 }

@@ -50,7 +50,8 @@ static void draw_all(const tp_scene *scene, const tp_assets *assets,
 static const tp_assets *all_assets(void)
 {
     static tp_assets assets;
-    assets = (tp_assets){ &boat.mesh, &boat.texture[0], &boat.texture[1] };
+    assets = (tp_assets){ .boat = &boat.mesh, .water = &boat.texture[0],
+                          .water_normal = &boat.texture[1] };
     return &assets;
 }
 
@@ -70,9 +71,9 @@ static tp_scene busy_scene(tp_world *world)
     s.water.texture_size = 3 * TP_FX_ONE;
     s.boat.length = 4 * TP_FX_ONE;
     s.boat.beam = 2 * TP_FX_ONE;
-    tp_world_init(world, &s);
+    tp_world_init(world, sizeof *world, &s, NULL, NULL);
     world->tick = random_next(&chance) >> 30;
-    tp_world_refresh(world, &s);
+    tp_world_refresh(world, &s, NULL);
     return s;
 }
 
@@ -188,7 +189,7 @@ static void tiles_are_rows_of_the_size_asked_for(void **state)
     const tp_scene scene = scene_plain();
     const tp_assets none = { 0 };
     tp_world world;
-    tp_world_init(&world, &scene);
+    tp_world_init(&world, sizeof world, &scene, NULL, NULL);
 
     for (int n = 0; n < 40; n++) {
         const tp_frame_config c = {
@@ -269,7 +270,7 @@ static void the_ends_of_the_config_are_taken(void **state)
     const tp_scene scene = scene_plain();
     tp_world world;
 
-    tp_world_init(&world, &scene);
+    tp_world_init(&world, sizeof world, &scene, NULL, NULL);
     for (size_t i = 0; i < sizeof good / sizeof good[0]; i++) {
         uint32_t *picture = malloc((size_t)good[i].width * good[i].height * 4);
         draw_all(&scene, all_assets(), &world, &good[i], picture);

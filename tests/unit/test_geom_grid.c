@@ -20,6 +20,7 @@ typedef struct {
     view    v;
     tp_sea  sea;
     tp_turn phases[TP_WAVES];
+    tp_surface surface;
     tp_grid_view look;
 } pond;
 
@@ -38,8 +39,8 @@ static void carve(pond *p, uint32_t cols, uint32_t rows)
 static void place(pond *p)
 {
     p->look.lens = &p->v.lens;
-    p->look.sea = &p->sea;
-    p->look.phases = p->phases;
+    p->surface = (tp_surface){ .sea = &p->sea, .phases = p->phases };
+    p->look.surface = &p->surface;
     p->look.width = p->v.width;
     p->look.height = p->v.height;
     tp_grid_place(&p->grid, &p->look);
@@ -70,7 +71,7 @@ static pond any_pond(uint32_t cols, uint32_t rows)
     for (int i = 0; i < count; i++)
         waves[i] = chance_wave(&chance);
     tp_sea_init(&p.sea, waves, (uint32_t)count, TP_FX(9.81));
-    tp_sea_phases(&p.sea, random_next(&chance) >> 20, p.phases);
+    tp_sea_phases(&p.sea, random_next(&chance) >> 20, 0, p.phases);
     p.look.cell = chance_scale(&chance, 0.05, 50);
     p.look.cell = tp_clamp(p.look.cell, 0, cell_most(cols, rows));
     p.look.reach = random_below(&chance, 3) ? chance_scale(&chance, 0.1, 16000) : 0;
@@ -202,7 +203,9 @@ static void a_grid_that_stays_lies_around_the_origin(void **state)
 
 /* -- crossings ----------------------------------------------------------------------- */
 
-/* Away from the fading edge a crossing is the sea's own point, bit by bit. */
+/* Away from the fading edge a crossing is the sea's own point: x, y and depth within what
+ * both make of sines, 5e-6 of the waves' heights, and what a wide view's
+ * two bits less leave.  Slopes are compared in test_geom_vertex.c. */
 static void crossings_are_points_of_the_sea(void **state)
 {
     (void)state;
@@ -212,6 +215,7 @@ static void crossings_are_points_of_the_sea(void **state)
         pond p = any_pond((uint32_t)chance_int(&chance, 2, 60),
                           (uint32_t)chance_int(&chance, 2, 60));
         place(&p);
+        const double reach = (p.sea.height + p.sea.reach) * LSB;
         for (int k = 0; k < 200; k++) {
             const uint32_t i = random_below(&chance, p.grid.cols);
             const uint32_t j = random_below(&chance, p.grid.rows);
@@ -225,13 +229,16 @@ static void crossings_are_points_of_the_sea(void **state)
                 at = tp_sea_at_rest(&p.sea, p.phases, column->place, row->place);
             tp_view_corner want;
             tp_lens_view(&p.v.lens, at.position, &want);
-            assert_int_equal(got.x, want.x);
-            assert_int_equal(got.y, want.y);
-            assert_int_equal(got.depth, want.depth);
+            const double off = (p.grid.frame.wide ? 8 : 4) + 1.5 * reach / LSB * 1e-5;
+            if (abs(want.x) < 31000 * TP_FX_ONE && abs(want.y) < 31000 * TP_FX_ONE) {
+                assert_true(fabs((double)got.x - want.x) <= off);
+                assert_true(fabs((double)got.y - want.y) <= off);
+                assert_true(fabs((double)got.depth - want.depth) <= off);
+            }
             assert_int_equal(got.s, column->place);
             assert_int_equal(got.t, row->place);
-            assert_true(abs(16 * got.n[0] - at.slope_x) <= 8);
-            assert_true(abs(16 * got.n[1] - at.slope_z) <= 8);
+            if (!fade)
+                assert_true(got.n[0] == 0 && got.n[1] == 0);
             checked++;
             flat += fade == 0;
         }

@@ -12,6 +12,7 @@
 static int is_text(const tp_param *row)
 {
     return row->kind == TP_PARAM_MESH || row->kind == TP_PARAM_TEXTURE
+        || row->kind == TP_PARAM_GREY
         || row->kind == TP_PARAM_TEXT;
 }
 

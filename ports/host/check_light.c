@@ -1,0 +1,117 @@
+/* SPDX-License-Identifier: MIT */
+/* tidepool check: Fresnel's share, rays at the surface, exposure; [F1]-[F4] and [F8]. */
+#include <math.h>
+#include "check.h"
+#include "tidepool/light.h"
+
+#define Q30 1073741824.0
+
+#define SHARE(n) { .name = n, .high = 1 }
+#define UNIT(n)  { .name = n, .low = -1, .high = 1 }
+
+/* -- Fresnel ----------------------------------------------------------------------- */
+
+static const check_field fresnel_columns[] = {
+    SHARE("cos_i"), SHARE("Rs"), SHARE("Rp"), SHARE("R_exact"), SHARE("R_schlick"),
+};
+
+static void each_fresnel(check_run *run, unsigned row, const double *v)
+{
+    const tp_q30 c = check_q30(v[0]);
+    check_add(run, 0, row, tp_fresnel(c) / Q30 - v[3]);
+    check_add(run, 1, row, tp_fresnel_schlick(c) / Q30 - v[4]);
+}
+
+static int run_fresnel(check_run *run)
+{
+    return check_each(run, each_fresnel);
+}
+
+const check_model check_fresnel = {
+    CHECK_ALL(fresnel_columns),
+    .notes = { { .text = "[F1][F2] air 1.000293 -> water 1.3333; Schlick R0=0.02037" } },
+    .quantities = { { "exact", "", 0.002 }, { "Schlick", "", 0.002 } },
+    .run = run_fresnel,
+};
+
+/* -- rays -------------------------------------------------------------------------- */
+
+static const check_field ray_columns[] = {
+    UNIT("ix"), UNIT("iy"), UNIT("iz"), UNIT("nx"), UNIT("ny"), UNIT("nz"),
+    UNIT("rx"), UNIT("ry"), UNIT("rz"), UNIT("tx"), UNIT("ty"), UNIT("tz"),
+    { .name = "d", .high = 1000 },
+    { .name = "offx", .low = -30000, .high = 30000 },
+    { .name = "offz", .low = -30000, .high = 30000 },
+};
+
+static tp_dir3 direction(const double *v)
+{
+    return (tp_dir3){ check_q30(v[0]), check_q30(v[1]), check_q30(v[2]) };
+}
+
+/* The largest difference of the three parts. */
+static double apart(tp_dir3 got, const double *want)
+{
+    return fmax(fabs(got.x / Q30 - want[0]),
+                fmax(fabs(got.y / Q30 - want[1]), fabs(got.z / Q30 - want[2])));
+}
+
+static void each_ray(check_run *run, unsigned row, const double *v)
+{
+    const tp_dir3 in = direction(v), normal = direction(v + 3);
+    const tp_dir3 refracted = tp_refract(in, normal);
+    const tp_floor_offset at = tp_refract_offset(refracted, check_fx(v[12]));
+    check_add(run, 0, row, apart(tp_reflect(in, normal), v + 6));
+    check_add(run, 1, row, apart(refracted, v + 9));
+    check_add(run, 2, row, fmax(fabs(check_metres(at.x) - v[13]),
+                                fabs(check_metres(at.z) - v[14])));
+}
+
+static int run_rays(check_run *run)
+{
+    return check_each(run, each_ray);
+}
+
+const check_model check_reflect_refract = {
+    CHECK_ALL(ray_columns),
+    .notes = { { .text = "[F3][F4] I incident (towards surface), eta=1/1.333; offx,offz"
+                         " = bottom hit offset at depth d along T (m)" } },
+    .quantities = { { "reflected", "", 0.001 }, { "refracted", "", 0.001 },
+                    { "floor offset", "m", 0.001 } },
+    .run = run_rays,
+};
+
+/* -- exposure ---------------------------------------------------------------------- */
+
+static const check_field exposure_columns[] = {
+    { .name = "tick", .high = 1e9, .kind = CHECK_WHOLE },
+    { .name = "mean_brightness", .high = 1000 },
+    { .name = "target", .high = 8 }, { .name = "exposure", .high = 8 },
+};
+
+static const check_field exposure_numbers[] = {
+    { .name = "e0", .low = 0.125, .high = 8 }, { .name = "rate", .high = 1 },
+};
+
+/* One run from tick 0: a row's exposure follows from those before it. */
+static int run_exposure(check_run *run)
+{
+    tp_fx exposure = check_fx(run->lines[0][0][0]);
+    const tp_fx rate = check_fx(run->lines[0][0][1]);
+    for (unsigned row = 0; row < run->table.n_rows; row++) {
+        const double *v = check_row(run, row);
+        if (v[0] != row)
+            return check_refuse(run, row, "tick %g; expected %u", v[0], row);
+        exposure = tp_exposure_step(exposure, check_fx(v[1]), rate);
+        check_add(run, 0, row, check_metres(exposure) - v[3]);
+    }
+    return EXIT_DONE;
+}
+
+const check_model check_exposure = {
+    CHECK_ALL(exposure_columns),
+    .notes = { { "[F8] e0=%, rate % per tick, target=clamp(0.5/mean,1/8,8)",
+                 CHECK_ALL(exposure_numbers), false } },
+    .quantities = { { "exposure", "", 0.001 } },
+    .run = run_exposure,
+};

@@ -1,0 +1,21 @@
+/* SPDX-License-Identifier: MIT */
+/* Pools for tidepool check. */
+#ifndef HOST_CHECK_POOL_H
+#define HOST_CHECK_POOL_H
+#include "check.h"
+#include "tidepool/pool.h"
+
+typedef struct {
+    tp_cells cells;
+    uint32_t cols, rows, damping;
+    tp_fx    courant;
+    const tp_grey *mask;
+} check_pool_shape;
+
+/* Still water between walls, cells of 1/4 m, heights within 1 m; NULL: the core does not
+ * make such a pool.  free() it. */
+tp_pool *check_pool_of(const check_pool_shape *shape);
+
+/* Says so of a row; EXIT_INPUT. */
+int check_pool_refuse(const check_run *run, unsigned row, const check_pool_shape *shape);
+#endif

@@ -1,0 +1,27 @@
+/* SPDX-License-Identifier: MIT */
+/* Tapes as files: a whole one to replay, or one that grows while it is recorded. */
+#ifndef HOST_DECK_H
+#define HOST_DECK_H
+#include <stddef.h>
+#include "output.h"
+#include "tidepool/tape.h"
+
+typedef struct {
+    tp_tape_entry *entries;     /* by rising tick */
+    size_t count, at;           /* at: the next to be given */
+    output out;                 /* of a recording */
+} deck;
+
+/* Both return an exit code and have said why, with file and line; `scene` is the name that
+ * the tape must have, or gets. */
+int  deck_read(deck *d, const char *name, const char *scene);
+int  deck_record(deck *d, const char *name, const char *scene);
+
+/* The input before the step that follows `tick`, or NULL. */
+const tp_input *deck_input(deck *d, uint64_t tick);
+
+/* Keeps it, if anything is set. */
+void deck_add(deck *d, uint64_t tick, const tp_input *input);
+
+int  deck_close(deck *d);       /* of a recording: all of it is on the disk */
+#endif

@@ -1,0 +1,177 @@
+/* SPDX-License-Identifier: MIT */
+/* Drops and the sphere that they fall from: spheroids of a few triangles each, drawn in
+ * the tiles that their boxes touch.  A drop keeps its volume whatever its shape: with
+ * height over width a = 1 + squash, height goes with a^(2/3) and width with a^(-1/3). */
+#include "base/base.h"
+#include "frame/frame.h"
+
+/* -- the unit sphere --------------------------------------------------------------- */
+
+/* North pole, parallels from north to south, south pole. */
+void tp_frame_make_ball(tp_frame *frame)
+{
+    tp_ball_point *to = frame->ball;
+
+    *to++ = (tp_ball_point){ 0, 16384, 0 };
+    for (uint32_t j = 1; j <= TP_BALL_RINGS; j++) {
+        tp_turn down = (tp_turn)(((uint64_t)j << 31) / (TP_BALL_RINGS + 1));
+        tp_q30  ring = tp_sin(down);
+        for (uint32_t i = 0; i < TP_BALL_ROUND; i++) {
+            tp_turn round = (tp_turn)(((uint64_t)i << 32) / TP_BALL_ROUND);
+            *to++ = (tp_ball_point){ (int16_t)(tp_q30_mul(ring, tp_sin(round)) >> 16),
+                                     (int16_t)(tp_cos(down) >> 16),
+                                     (int16_t)(tp_q30_mul(ring, tp_cos(round)) >> 16) };
+        }
+    }
+    *to = (tp_ball_point){ 0, -16384, 0 };
+}
+
+/* -- one of them -------------------------------------------------------------------- */
+
+typedef struct {
+    tp_vec3 centre;
+    tp_fx   wide, high;         /* half axes, m */
+} spheroid;
+
+/* a^(-1/3) by its series to the cube, of |squash| <= 1/2 within 0.017; the height takes
+ * what volume is left. */
+static spheroid shaped(tp_vec3 centre, tp_fx radius, int32_t squash_q14)
+{
+    tp_fx q = tp_clamp(squash_q14, -8192, 8192) * 4;
+    tp_fx square = tp_fx_mul(q, q);
+    tp_fx wide = TP_FX_ONE - q / 3 + square * 2 / 9 - tp_fx_mul(square, q) * 14 / 81;
+    tp_fx high = tp_fx_div(TP_FX_ONE, tp_fx_mul(wide, wide));
+
+    return (spheroid){ centre, tp_fx_mul(radius, wide), tp_fx_mul(radius, high) };
+}
+
+/* Number `count` is the sphere. */
+static spheroid number(const tp_frame *frame, uint32_t i)
+{
+    const tp_drops *drops = tp_world_drops(frame->world);
+    tp_fx back = frame->world->back;
+    bool  sphere = i == drops->count;
+    const tp_drop *drop = tp_drops_list(drops) + (sphere ? 0 : i);
+    tp_vec3 a = sphere ? drops->last_sphere : drop->last;
+    tp_vec3 b = sphere ? drops->sphere : drop->place;
+    tp_vec3 at = { tp_between(a.x, b.x, back), tp_between(a.y, b.y, back),
+                   tp_between(a.z, b.z, back) };
+
+    return sphere ? (spheroid){ at, drops->sphere_radius, drops->sphere_radius }
+                  : shaped(at, drop->radius, drop->squash);
+}
+
+static tp_view_corner corner_of(const tp_frame *frame, const spheroid *s,
+                                const tp_ball_point *p)
+{
+    tp_vec3 at = { s->centre.x + (tp_fx)((int64_t)p->x * s->wide >> 14),
+                   s->centre.y + (tp_fx)((int64_t)p->y * s->high >> 14),
+                   s->centre.z + (tp_fx)((int64_t)p->z * s->wide >> 14) };
+    tp_view_corner c;
+
+    tp_lens_view(&frame->lens, at, &c);
+    c.s = c.t = 0;
+    c.n[0] = (int16_t)((int64_t)p->x * s->high / (s->wide + s->high + 1) >> 5);
+    c.n[1] = (int16_t)((int64_t)p->y * s->wide / (s->wide + s->high + 1) >> 5);
+    c.n[2] = (int16_t)((int64_t)p->z * s->high / (s->wide + s->high + 1) >> 5);
+    return c;
+}
+
+/* -- placing ------------------------------------------------------------------------ */
+
+static const tp_grid_box nowhere = { 1, 1, 0, 0 };
+
+/* By the corners of the ball; one that must be clipped may be anywhere. */
+static tp_grid_box box_of(const tp_frame *frame, const spheroid *s)
+{
+    int32_t u0 = INT32_MAX, u1 = INT32_MIN, v0 = INT32_MAX, v1 = INT32_MIN;
+    bool ahead = false, cut = false;
+
+    for (uint32_t k = 0; k < TP_BALL; k++) {
+        tp_view_corner c = corner_of(frame, s, &frame->ball[k]);
+        tp_corner p;
+        ahead |= c.depth >= frame->lens.near;
+        cut |= !tp_lens_holds(&frame->lens, &c);
+        if (cut)
+            continue;
+        tp_lens_project(&frame->lens, &c, &p.u, &p.v, &p.zi);
+        u0 = p.u < u0 ? p.u : u0;
+        u1 = p.u > u1 ? p.u : u1;
+        v0 = p.v < v0 ? p.v : v0;
+        v1 = p.v > v1 ? p.v : v1;
+    }
+    if (!ahead)
+        return nowhere;
+    if (cut)
+        return (tp_grid_box){ INT16_MIN, INT16_MIN, INT16_MAX, INT16_MAX };
+    return (tp_grid_box){ (int16_t)(u0 >> 4), (int16_t)(v0 >> 4), (int16_t)(u1 >> 4),
+                          (int16_t)(v1 >> 4) };
+}
+
+void tp_frame_place_drops(tp_frame *frame)
+{
+    const tp_drops *drops = tp_world_drops(frame->world);
+
+    for (uint32_t i = 0; i <= drops->count; i++) {
+        spheroid s = number(frame, i);
+        frame->drop_box[i] = box_of(frame, &s);
+        if (frame->drop_box[i].x0 <= frame->drop_box[i].x1) {
+            frame->stats.vertices += TP_BALL;
+            frame->stats.triangles += 2 * TP_BALL_ROUND * TP_BALL_RINGS;
+        }
+    }
+}
+
+/* -- drawing ------------------------------------------------------------------------ */
+
+static void draw_face(const tp_frame *frame, const tp_samples *tile,
+                      const tp_view_corner *view, uint32_t a, uint32_t b, uint32_t c)
+{
+    tp_view_corner in[3] = { view[a], view[b], view[c] }, out[TP_CLIP_CORNERS];
+    tp_corner corner[TP_CLIP_CORNERS];
+    int count = tp_clip_triangle(&frame->lens, in, out);
+
+    for (int k = 0; k < count; k++)
+        tp_corner_project(&frame->lens, &out[k], &corner[k]);
+    for (int k = 2; k < count; k++)
+        tp_tri_solid(tile, &corner[0], &corner[k - 1], &corner[k], TP_MARK_DROP, 0, 16);
+}
+
+/* Point i of parallel j, which may be a pole. */
+static uint32_t point(uint32_t i, uint32_t j)
+{
+    return j == 0 ? 0 : j > TP_BALL_RINGS ? TP_BALL - 1
+         : 1 + (j - 1) * TP_BALL_ROUND + i % TP_BALL_ROUND;
+}
+
+static void draw_one(const tp_frame *frame, const tp_samples *tile, const spheroid *s)
+{
+    tp_view_corner view[TP_BALL];
+
+    for (uint32_t k = 0; k < TP_BALL; k++)
+        view[k] = corner_of(frame, s, &frame->ball[k]);
+    for (uint32_t j = 0; j <= TP_BALL_RINGS; j++)
+        for (uint32_t i = 0; i < TP_BALL_ROUND; i++) {
+            uint32_t a = point(i, j), b = point(i, j + 1), c = point(i + 1, j + 1),
+                     d = point(i + 1, j);
+            if (b != c)
+                draw_face(frame, tile, view, a, b, c);
+            if (a != d)
+                draw_face(frame, tile, view, a, c, d);
+        }
+}
+
+void tp_frame_draw_drops(const tp_frame *frame, tp_samples *tile)
+{
+    const tp_drops *drops = tp_world_drops(frame->world);
+
+    tile->front_only = true;
+    for (uint32_t i = 0; i <= drops->count; i++) {
+        const tp_grid_box *box = &frame->drop_box[i];
+        if (box->x0 >= tile->x1 || box->x1 < tile->x0 || box->y0 >= tile->y1
+            || box->y1 < tile->y0 || box->x0 > box->x1)
+            continue;
+        spheroid s = number(frame, i);
+        draw_one(frame, tile, &s);
+    }
+}

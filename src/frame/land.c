@@ -1,0 +1,146 @@
+/* SPDX-License-Identifier: MIT */
+/* The land that a sea floor becomes where it rises near the water's level or above it:
+ * triangles over the same lines as the water's, drawn before it.  What lies deeper than
+ * any trough is never seen through this water and is left out. */
+#include "base/base.h"
+#include "frame/frame.h"
+
+static tp_view_corner corner_at(const tp_frame *frame, uint32_t i, uint32_t j,
+                                tp_floor_at *floor)
+{
+    tp_fx x = frame->grid.column[i].place, z = frame->grid.row[j].place;
+    tp_view_corner c;
+
+    *floor = tp_ocean_floor(frame->surface.ocean, x, z);
+    tp_lens_view(&frame->lens, (tp_vec3){ x, -floor->depth, z }, &c);
+    c.s = c.t = 0;
+    return c;
+}
+
+/* Up, less the slopes; of any length below 512. */
+static void set_normal(int16_t n[3], tp_fx rise_x, tp_fx rise_z)
+{
+    tp_fx most = TP_FX_ONE + tp_abs(rise_x) + tp_abs(rise_z);
+
+    n[0] = (int16_t)(-(int64_t)rise_x * 511 / most);
+    n[1] = (int16_t)((int64_t)TP_FX_ONE * 511 / most);
+    n[2] = (int16_t)(-(int64_t)rise_z * 511 / most);
+}
+
+static void place_corner(tp_frame *frame, uint32_t i, uint32_t j, tp_fx deepest)
+{
+    tp_land_vertex *to = &frame->land_vertex[(size_t)j * frame->grid.cols + i];
+    tp_floor_at floor;
+    tp_view_corner c = corner_at(frame, i, j, &floor);
+
+    set_normal(to->n, floor.rise_x, floor.rise_z);
+    to->deep = floor.depth > deepest;
+    if (tp_lens_holds(&frame->lens, &c))
+        tp_lens_project(&frame->lens, &c, &to->u, &to->v, &to->zi);
+    else
+        to->u = TP_GRID_CUT;
+}
+
+/* A cell of which no wave uncovers any corner; one with some is drawn whole. */
+static bool is_deep(const tp_land_vertex *const p[4])
+{
+    return p[0]->deep && p[1]->deep && p[2]->deep && p[3]->deep;
+}
+
+static bool is_cut(const tp_land_vertex *const p[4])
+{
+    return p[0]->u == TP_GRID_CUT || p[1]->u == TP_GRID_CUT || p[2]->u == TP_GRID_CUT
+        || p[3]->u == TP_GRID_CUT;
+}
+
+/* The rows of pixels that a row of cells may touch; none: y0 > y1. */
+static void place_band(tp_frame *frame, uint32_t j)
+{
+    const tp_land_vertex *at = frame->land_vertex + (size_t)j * frame->grid.cols;
+    tp_land_band band = { INT32_MAX, INT32_MIN };
+
+    for (uint32_t i = 0; i + 1 < frame->grid.cols; i++) {
+        const tp_land_vertex *below = at + i + frame->grid.cols;
+        const tp_land_vertex *const p[4] = { at + i, at + i + 1, below, below + 1 };
+        bool cut = is_cut(p);
+        for (int k = 0; k < 4 && !is_deep(p); k++) {
+            int32_t low = cut ? INT32_MIN : p[k]->v >> 4;
+            int32_t high = cut ? INT32_MAX : p[k]->v >> 4;
+            band.y0 = low < band.y0 ? low : band.y0;
+            band.y1 = high > band.y1 ? high : band.y1;
+        }
+    }
+    frame->land_band[j] = band;
+}
+
+void tp_frame_place_land(tp_frame *frame)
+{
+    const tp_grid *grid = &frame->grid;
+    tp_fx deepest = tp_surface_height(&frame->surface) + TP_FX_ONE;
+
+    for (uint32_t j = 0; j < grid->rows; j++) {
+        for (uint32_t i = 0; i < grid->cols; i++)
+            place_corner(frame, i, j, deepest);
+        if (j > 0)
+            place_band(frame, j - 1);
+    }
+}
+
+/* -- drawing ------------------------------------------------------------------------ */
+
+static tp_corner packed(const tp_land_vertex *v)
+{
+    return (tp_corner){ .u = v->u, .v = v->v, .zi = v->zi,
+                        .n = { v->n[0], v->n[1], v->n[2] } };
+}
+
+static void draw_clipped(const tp_frame *frame, const tp_samples *tile,
+                         const uint32_t place[3][2])
+{
+    tp_view_corner in[3], out[TP_CLIP_CORNERS];
+    tp_corner corner[TP_CLIP_CORNERS];
+    tp_floor_at floor;
+
+    for (int k = 0; k < 3; k++) {
+        in[k] = corner_at(frame, place[k][0], place[k][1], &floor);
+        set_normal(in[k].n, floor.rise_x, floor.rise_z);
+    }
+    int count = tp_clip_triangle(&frame->lens, in, out);
+    for (int k = 0; k < count; k++)
+        tp_corner_project(&frame->lens, &out[k], &corner[k]);
+    for (int k = 2; k < count; k++)
+        tp_tri_solid(tile, &corner[0], &corner[k - 1], &corner[k], TP_MARK_LAND, 0, 16);
+}
+
+static void draw_cell(const tp_frame *frame, const tp_samples *tile, uint32_t i, uint32_t j)
+{
+    const tp_land_vertex *a = frame->land_vertex + (size_t)j * frame->grid.cols + i;
+    const tp_land_vertex *b = a + 1, *d = a + frame->grid.cols, *c = d + 1;
+
+    const tp_land_vertex *const all[4] = { a, b, c, d };
+
+    if (is_deep(all))
+        return;
+    if (is_cut(all)) {
+        const uint32_t first[3][2] = { { i, j }, { i, j + 1 }, { i + 1, j + 1 } };
+        const uint32_t second[3][2] = { { i, j }, { i + 1, j + 1 }, { i + 1, j } };
+        draw_clipped(frame, tile, first);
+        draw_clipped(frame, tile, second);
+        return;
+    }
+    tp_corner p[4] = { packed(a), packed(b), packed(c), packed(d) };
+    tp_tri_solid(tile, &p[0], &p[3], &p[2], TP_MARK_LAND, 0, 16);
+    tp_tri_solid(tile, &p[0], &p[2], &p[1], TP_MARK_LAND, 0, 16);
+}
+
+void tp_frame_draw_land(const tp_frame *frame, tp_samples *tile)
+{
+    tile->front_only = true;
+    for (uint32_t j = 0; j + 1 < frame->grid.rows; j++) {
+        const tp_land_band *band = &frame->land_band[j];
+        if (band->y0 >= tile->y1 || band->y1 < tile->y0)
+            continue;
+        for (uint32_t i = 0; i + 1 < frame->grid.cols; i++)
+            draw_cell(frame, tile, i, j);
+    }
+}

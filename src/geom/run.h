@@ -1,0 +1,76 @@
+/* SPDX-License-Identifier: MIT */
+/* Runs of crossings on their way from the swells to the picture: what the files of
+ * geom/vertex.h share. */
+#ifndef TP_GEOM_RUN_H
+#define TP_GEOM_RUN_H
+#include "geom/vertex.h"
+
+/* View coordinates: x, y, depth, 16.16. */
+typedef struct {
+    int32_t at[3][TP_VERTEX_RUN];
+} tp_vertex_run;
+
+/* Where a run lies. */
+typedef struct {
+    const tp_vertex_frame   *frame;
+    const tp_vertex_columns *columns;
+    const tp_vertex_row     *row;
+    uint32_t first, count;
+    bool     still;
+} tp_vertex_place_of;
+
+/* Adds sharpened swells to water at rest, and their slopes. */
+void tp_run_sharpen(const tp_vertex_place_of *place, tp_vertex_run *run,
+                    tp_grid_vertex *vertex);
+
+/* Adds what lies on the swells. */
+void tp_run_relief(const tp_vertex_place_of *place, tp_vertex_run *run,
+                   tp_grid_vertex *vertex);
+
+/* sum + both products; whatever the processor, the same bits. */
+TP_ALWAYS_INLINE int32_t tp_add_pair(int32_t sum, uint32_t a, uint32_t b)
+{
+#if defined(__ARM_FEATURE_DSP) && __ARM_FEATURE_DSP
+    return __builtin_arm_smlad((int32_t)a, (int32_t)b, sum);
+#else
+    return sum + (int16_t)a * (int16_t)b + ((int32_t)a >> 16) * ((int32_t)b >> 16);
+#endif
+}
+
+TP_ALWAYS_INLINE int16_t tp_saturated(int32_t x)
+{
+#if defined(__ARM_FEATURE_SAT) && __ARM_FEATURE_SAT
+    return (int16_t)__builtin_arm_ssat(x, 16);
+#else
+    return (int16_t)tp_clamp(x, INT16_MIN, INT16_MAX);
+#endif
+}
+
+#define TP_JACOBIAN_ONE (1 << 30)
+
+/* What slopes are made of, [A9]: h in Q.(15 + tilt), |h| < 2^31, and J in Q2.30, between
+ * 0.048 and 1.952; bxz is -Jxz. */
+typedef struct {
+    int32_t hx, hz, jxx, jzz, bxz;
+} tp_jacobian;
+
+/* [A10], see wave/gerstner.c: num / det.  J J is Q.28, and h J, below 2^62.5 with the two
+ * of a sum, Q.(13 + tilt).  The reciprocal of a det shifted up by 2..8 is 2^(34 - shift)
+ * / det; shifted down by tilt - 1 - shift, which tilt >= 9 makes no less than 0, it takes
+ * the numerators to 16.16 whatever the tilt. */
+TP_ALWAYS_INLINE void tp_set_slopes(const tp_jacobian *j, int tilt, bool crossed,
+                                    tp_grid_vertex *to)
+{
+    int32_t det = j->jxx >> 2, nx = j->hx >> 2, nz = j->hz >> 2;
+
+    if (crossed) {
+        det = tp_mul_upper(j->jxx, j->jzz) - tp_mul_upper(j->bxz, j->bxz);
+        nx = tp_upper((int64_t)j->hx * j->jzz + (int64_t)j->hz * j->bxz);
+        nz = tp_upper((int64_t)j->hz * j->jxx + (int64_t)j->hx * j->bxz);
+    }
+    int     shift = tp_clz((uint32_t)det);
+    int32_t r = tp_recip_rough((uint32_t)det << shift) >> (tilt - 1 - shift);
+    to->slope_x = tp_saturated((tp_mul_upper(nx, r) + 8) >> 4);
+    to->slope_z = tp_saturated((tp_mul_upper(nz, r) + 8) >> 4);
+}
+#endif

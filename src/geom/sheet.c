@@ -1,0 +1,162 @@
+/* SPDX-License-Identifier: MIT */
+/* The ocean's crossings; see the header for the idea. */
+#include "geom/sheet.h"
+
+/* -- displaced crossings --------------------------------------------------------------- */
+
+static tp_fx fade_at(const tp_grid *grid, uint32_t i, uint32_t j)
+{
+    return tp_fx_mul(grid->column[i].fade, grid->row[j].fade);
+}
+
+/* `depth` of still water there; may be NULL. */
+static tp_vec3 displaced(const tp_grid *grid, uint32_t i, uint32_t j, tp_fx *depth)
+{
+    const tp_surface *surface = grid->frame.surface;
+    tp_vec3 rest = { grid->column[i].place, 0, grid->row[j].place };
+    tp_fx   fade = fade_at(grid, i, j);
+
+    if (fade == 0) {
+        if (depth)
+            *depth = tp_ocean_floor(surface->ocean, rest.x, rest.z).depth;
+        return rest;
+    }
+    tp_ocean_point p = tp_ocean_at_rest(surface->ocean, surface->phases, rest.x, rest.z);
+    tp_vec3 way = tp_vec3_sub(p.position, rest);
+    if (depth)
+        *depth = p.depth;
+    return (tp_vec3){ rest.x + tp_fx_mul(way.x, fade), rest.y + tp_fx_mul(way.y, fade),
+                      rest.z + tp_fx_mul(way.z, fade) };
+}
+
+static void set_dry(tp_grid *grid, uint32_t i, uint32_t j, bool dry)
+{
+    size_t   at = (size_t)j * grid->cols + i;
+    uint32_t bit = 1u << at % 32;
+
+    grid->dry[at / 32] = dry ? grid->dry[at / 32] | bit : grid->dry[at / 32] & ~bit;
+}
+
+/* Columns of row j whose places something needs: those of its own crossings and their
+ * neighbours at all four sides. */
+static tp_grid_span wanted(const tp_grid *grid, uint32_t j)
+{
+    uint32_t first = grid->cols, end = 0;
+
+    for (uint32_t k = j > 0 ? j - 1 : 0; k <= j + 1 && k < grid->rows; k++) {
+        tp_grid_span needed = tp_grid_needed(grid, k);
+        if (needed.first >= needed.end)
+            continue;
+        first = needed.first < first ? needed.first : first;
+        end = needed.end > end ? needed.end : end;
+    }
+    if (first >= end)
+        return (tp_grid_span){ 0, 0 };
+    first = first > 0 ? first - 1 : 0;
+    end = end < grid->cols ? end + 1 : end;
+    return (tp_grid_span){ (uint16_t)first, (uint16_t)end };
+}
+
+static void displace_row(tp_grid *grid, uint32_t j)
+{
+    tp_vec3 *sheet = grid->sheet[j % 3];
+    tp_grid_span columns = wanted(grid, j);
+
+    for (uint32_t i = columns.first; i < columns.end; i++) {
+        tp_fx depth;
+        sheet[i] = displaced(grid, i, j, &depth);
+        set_dry(grid, i, j, depth <= 0);
+    }
+}
+
+/* -- slopes ---------------------------------------------------------------------------- */
+
+/* Lengths below 2 km, for tp_slopes_across; what is not in proportion, as in a grid of
+ * cells of kilometres, cannot be told from flat. */
+static tp_vec3 shortened(tp_vec3 v, int shift)
+{
+    return (tp_vec3){ v.x >> shift, v.y >> shift, v.z >> shift };
+}
+
+static tp_vec3 finished(const tp_vec3 around[4], const tp_grid *grid, tp_vec3 middle,
+                     tp_fx fade, int16_t slope[3])
+{
+    const tp_surface *surface = grid->frame.surface;
+    tp_vec3 across = tp_vec3_sub(around[1], around[0]);
+    tp_vec3 along = tp_vec3_sub(around[3], around[2]);
+    int     shift = across.x > 1000 * TP_FX_ONE || along.z > 1000 * TP_FX_ONE ? 5 : 0;
+    tp_relief sum = { 0, 0, 0 };
+
+    if (fade != 0)
+        tp_slopes_across(shortened(across, shift), shortened(along, shift), &sum.slope_x,
+                         &sum.slope_z);
+    if (tp_surface_has_relief(surface)) {
+        tp_relief relief = tp_surface_relief(surface, middle.x, middle.z);
+        middle.y += relief.height;
+        sum.slope_x += relief.slope_x;
+        sum.slope_z += relief.slope_z;
+    }
+    slope[0] = (int16_t)tp_clamp((sum.slope_x + 8) >> 4, INT16_MIN, INT16_MAX);
+    slope[1] = (int16_t)tp_clamp((sum.slope_z + 8) >> 4, INT16_MIN, INT16_MAX);
+    slope[2] = 0;
+    return middle;
+}
+
+/* -- crossings ------------------------------------------------------------------------- */
+
+static uint32_t before(uint32_t k)
+{
+    return k > 0 ? k - 1 : k;
+}
+
+static uint32_t after(uint32_t k, uint32_t count)
+{
+    return k + 1 < count ? k + 1 : k;
+}
+
+static void place(const tp_lens *lens, tp_vec3 at, const int16_t slope[3],
+                  tp_grid_vertex *to)
+{
+    tp_view_corner c;
+
+    tp_lens_view(lens, at, &c);
+    to->slope_x = slope[0];
+    to->slope_z = slope[1];
+    if (tp_lens_holds(lens, &c))
+        tp_lens_project(lens, &c, &to->u, &to->v, &to->zi);
+    else
+        to->u = TP_GRID_CUT;
+}
+
+void tp_sheet_place_row(tp_grid *grid, uint32_t j, tp_grid_span needed)
+{
+    uint32_t near = before(j), far = after(j, grid->rows);
+
+    grid->sheets = grid->sheets > near ? grid->sheets : near;
+    for (; grid->sheets <= far; grid->sheets++)
+        displace_row(grid, grid->sheets);
+    const tp_vec3 *row = grid->sheet[j % 3];
+    for (uint32_t i = needed.first; i < needed.end; i++) {
+        const tp_vec3 around[4] = { row[before(i)], row[after(i, grid->cols)],
+                                    grid->sheet[near % 3][i], grid->sheet[far % 3][i] };
+        int16_t slope[3];
+        tp_vec3 at = finished(around, grid, row[i], fade_at(grid, i, j), slope);
+        place(grid->frame.lens, at, slope, &grid->vertex[(size_t)j * grid->cols + i]);
+    }
+}
+
+tp_view_corner tp_sheet_corner(const tp_grid *grid, uint32_t i, uint32_t j)
+{
+    const tp_vec3 around[4] = { displaced(grid, before(i), j, NULL),
+                                displaced(grid, after(i, grid->cols), j, NULL),
+                                displaced(grid, i, before(j), NULL),
+                                displaced(grid, i, after(j, grid->rows), NULL) };
+    tp_view_corner c;
+    tp_vec3 at = finished(around, grid, displaced(grid, i, j, NULL), fade_at(grid, i, j),
+                       c.n);
+
+    tp_lens_view(grid->frame.lens, at, &c);
+    c.s = grid->column[i].place;
+    c.t = grid->row[j].place;
+    return c;
+}

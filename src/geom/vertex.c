@@ -1,0 +1,239 @@
+/* SPDX-License-Identifier: MIT */
+/* The loops over crossings; see the header for the idea. */
+#include "geom/run.h"
+
+/* -- places ---------------------------------------------------------------------------- */
+
+/* Three swells at the most, along one axis of the view: their numbers stay in registers.
+ * A crossing begins at *from + rest.  Q.18 by Q.30 leaves 16.16 in the upper word, rounded
+ * by a half below; a swell moves a point by less than 2^9 m, so a product has 57 bits. */
+TP_ALWAYS_INLINE void add_swells(const tp_vertex_turn *number, const tp_vertex_turn *turn,
+                                 uint32_t stride, const int32_t *from, int32_t rest,
+                                 uint32_t count, int swells, int32_t *to)
+{
+    const tp_vertex_turn none = { 0, 0 };
+    const tp_vertex_turn a = number[0], b = swells > 1 ? number[1] : none;
+    const tp_vertex_turn c = swells > 2 ? number[2] : none;
+    const int32_t *end = to + count;
+
+    do {
+        uint32_t whole = (uint32_t)(*from++ + rest);
+        int64_t sum = (int64_t)((uint64_t)whole << 32 | 0x80000000u);
+        sum += (int64_t)a.sin * turn[0].sin;
+        sum += (int64_t)a.cos * turn[0].cos;
+        if (swells > 1) {
+            sum += (int64_t)b.sin * turn[1].sin;
+            sum += (int64_t)b.cos * turn[1].cos;
+        }
+        if (swells > 2) {
+            sum += (int64_t)c.sin * turn[2].sin;
+            sum += (int64_t)c.cos * turn[2].cos;
+        }
+        *to++ = tp_upper(sum);
+        turn += stride;
+    } while (to < end);
+}
+
+static void see_still(const int32_t *from, int32_t rest, uint32_t count, int32_t *to)
+{
+    for (uint32_t i = 0; i < count; i++)
+        to[i] = from[i] + rest;
+}
+
+/* Parts in 18.14, held where with all that swells add they might not fit 16.16. */
+static void see_wide(const int32_t *from, int32_t rest, uint32_t count, int32_t margin,
+                     int32_t *to)
+{
+    const int32_t most = (TP_FX_MAX - margin) / 4;
+
+    for (uint32_t i = 0; i < count; i++)
+        to[i] = tp_clamp(from[i] + rest, -most, most) * 4;
+}
+
+/* One axis of the view; `still` of water at rest. */
+static void see_axis(const tp_vertex_place_of *place, int axis, bool still, int32_t *to)
+{
+    const tp_vertex_frame *frame = place->frame;
+    const int32_t *from = place->columns->rest[axis] + place->first;
+    const tp_vertex_turn *number = place->row->place[axis];
+    const tp_vertex_turn *turn
+        = place->columns->turn + (size_t)place->first * frame->count;
+    uint32_t stride = frame->count, left = still ? 0 : frame->count;
+    uint32_t count = place->count;
+    int32_t  rest = place->row->rest[axis];
+
+    if (frame->wide) {
+        see_wide(from, rest, count, frame->margin, to);
+        from = to;
+        rest = 0;
+    } else if (left == 0) {
+        see_still(from, rest, count, to);
+    }
+    for (; left >= 3; left -= 3, number += 3, turn += 3, from = to, rest = 0)
+        add_swells(number, turn, stride, from, rest, count, 3, to);
+    if (left == 2)
+        add_swells(number, turn, stride, from, rest, count, 2, to);
+    else if (left == 1)
+        add_swells(number, turn, stride, from, rest, count, 1, to);
+}
+
+/* -- slopes ---------------------------------------------------------------------------- */
+
+TP_ALWAYS_INLINE void add_tilt(tp_jacobian *j, uint32_t pair, const tp_vertex_tilt *w,
+                               bool crossed)
+{
+    j->hx = tp_add_pair(j->hx, pair, w->tilt_x);
+    j->hz = tp_add_pair(j->hz, pair, w->tilt_z);
+    j->jxx = tp_add_pair(j->jxx, pair, w->bend_xx);
+    if (crossed) {
+        j->bxz = tp_add_pair(j->bxz, pair, w->bend_xz);
+        j->jzz = tp_add_pair(j->jzz, pair, w->bend_zz);
+    }
+}
+
+/* `swells` of at least one; a literal 3 takes no loop. */
+TP_ALWAYS_INLINE void slope(const tp_vertex_place_of *place, uint32_t swells, bool crossed,
+                            tp_grid_vertex *to)
+{
+    const uint32_t *pair = place->columns->pair + (size_t)place->first * swells;
+    const tp_vertex_tilt *tilts = place->row->tilt, *end = tilts + swells;
+    int tilt = place->frame->tilt;
+
+    for (uint32_t i = place->count; i > 0; i--, to++) {
+        tp_jacobian j = { 0, 0, TP_JACOBIAN_ONE, TP_JACOBIAN_ONE, 0 };
+        const tp_vertex_tilt *w = tilts;
+        if (swells == 3) {
+            add_tilt(&j, pair[0], &w[0], crossed);
+            add_tilt(&j, pair[1], &w[1], crossed);
+            add_tilt(&j, pair[2], &w[2], crossed);
+            pair += 3;
+        } else {
+            do
+                add_tilt(&j, *pair++, w, crossed);
+            while (++w < end);
+        }
+        tp_set_slopes(&j, tilt, crossed, to);
+    }
+}
+
+static void slope_swells(const tp_vertex_place_of *place, tp_grid_vertex *to)
+{
+    uint32_t swells = place->frame->count;
+
+    if (!place->frame->surface->sea->crossed)
+        slope(place, swells, false, to);
+    else if (swells == 3)
+        slope(place, 3, true, to);
+    else
+        slope(place, swells, true, to);
+}
+
+/* -- projection ------------------------------------------------------------------------ */
+
+static inline int32_t larger(int32_t a, int32_t b)
+{
+    return a > b ? a : b;
+}
+
+/* Whether all of a run is held by the lens, and far: both ends at rest are, and by more
+ * than any crossing moves.  Between them places change one way. */
+static bool is_far(const tp_vertex_place_of *place)
+{
+    const tp_vertex_frame *frame = place->frame;
+    uint32_t first = place->first, last = first + place->count - 1;
+    int32_t  end[3][2], most = 0;
+
+    if (frame->wide)
+        return false;
+    for (int axis = 0; axis < 3; axis++) {
+        const int32_t *part = place->columns->rest[axis];
+        end[axis][0] = part[first] + place->row->rest[axis];
+        end[axis][1] = part[last] + place->row->rest[axis];
+    }
+    for (int axis = 0; axis < 2; axis++) {
+        most = larger(most, tp_abs(end[axis][0]));
+        most = larger(most, tp_abs(end[axis][1]));
+    }
+    int32_t least = (end[2][0] < end[2][1] ? end[2][0] : end[2][1]) - frame->margin;
+    return least >= frame->far
+        && (most + frame->margin) >> (TP_GUARD_LOG2 - frame->lens->m) < least;
+}
+
+static void project_far(const tp_lens *lens, const tp_vertex_run *from, uint32_t count,
+                        tp_grid_vertex *to)
+{
+    const tp_lens local = { .m = lens->m, .zi_near = lens->zi_near,
+                            .u0 = lens->u0, .v0 = lens->v0 };
+    const int32_t *at = from->at[0];
+
+    for (uint32_t i = count; i > 0; i--, to++, at++)
+        tp_lens_project_as(&local, at[0], at[TP_VERTEX_RUN], at[2 * TP_VERTEX_RUN], true,
+                           &to->u, &to->v, &to->zi);
+}
+
+static void project_any(const tp_lens *lens, const tp_vertex_run *from, uint32_t count,
+                        tp_grid_vertex *to)
+{
+    for (uint32_t i = 0; i < count; i++, to++) {
+        const tp_view_corner c = { .x = from->at[0][i], .y = from->at[1][i],
+                                   .depth = from->at[2][i] };
+        if (tp_lens_holds(lens, &c))
+            tp_lens_project(lens, &c, &to->u, &to->v, &to->zi);
+        else
+            to->u = TP_GRID_CUT;
+    }
+}
+
+/* -- runs ------------------------------------------------------------------------------ */
+
+/* View coordinates, and the slopes of `vertex`. */
+static void displace(const tp_vertex_place_of *place, tp_vertex_run *run,
+                     tp_grid_vertex *vertex)
+{
+    const tp_surface *surface = place->frame->surface;
+    bool still = place->still || place->frame->count == 0;
+    bool sharpened = surface->sea->sharpened && !still;
+
+    for (int axis = 0; axis < 3; axis++)
+        see_axis(place, axis, still || sharpened, run->at[axis]);
+    if (still) {
+        for (uint32_t i = 0; i < place->count; i++)
+            vertex[i].slope_x = vertex[i].slope_z = 0;
+    } else if (sharpened) {
+        tp_run_sharpen(place, run, vertex);
+    } else {
+        slope_swells(place, vertex);
+    }
+    if (tp_surface_has_relief(surface))
+        tp_run_relief(place, run, vertex);
+}
+
+void tp_vertex_place(const tp_vertex_frame *frame, const tp_vertex_columns *columns,
+                     const tp_vertex_row *row, uint32_t first, uint32_t count, bool still,
+                     tp_grid_vertex *vertex)
+{
+    const tp_vertex_place_of place = { frame, columns, row, first, count, still };
+    tp_vertex_run run;
+
+    displace(&place, &run, vertex);
+    if (is_far(&place))
+        project_far(frame->lens, &run, count, vertex);
+    else
+        project_any(frame->lens, &run, count, vertex);
+}
+
+tp_view_corner tp_vertex_corner(const tp_vertex_frame *frame,
+                                const tp_vertex_columns *columns,
+                                const tp_vertex_row *row, uint32_t column, bool still)
+{
+    const tp_vertex_place_of place = { frame, columns, row, column, 1, still };
+    tp_grid_vertex vertex;
+    tp_vertex_run run;
+
+    displace(&place, &run, &vertex);
+    return (tp_view_corner){
+        .x = run.at[0][0], .y = run.at[1][0], .depth = run.at[2][0],
+        .s = columns->line[column].place, .t = row->line.place,
+        .n = { vertex.slope_x, vertex.slope_z, 0 },
+    };
+}

@@ -1,0 +1,115 @@
+/* SPDX-License-Identifier: MIT */
+/* Crossings of seas with sharpened swells, whose profiles [A3] are no sines, and of water
+ * with rings or pools on it: one at a time. */
+#include "geom/run.h"
+#include "wave/wave.h"
+
+/* -- sharpened swells ------------------------------------------------------------------ */
+
+/* In 64 bits, whole seas: places per cosine Q.50 and per f Q.44, h Q.(38 + tilt), bends
+ * Q.59.  By the sea's bounds their sums have 59, 53, 54 and 60 bits. */
+typedef struct {
+    int64_t along[3], rise[2];          /* x, y, depth; y, depth */
+    int64_t hx, hz, bxx, bxz, bzz;
+} sums;
+
+static tp_vertex_turn turn_at(const tp_vertex_place_of *place, uint32_t i, uint32_t k)
+{
+    tp_vertex_turn a = place->columns->turn[(size_t)(place->first + i)
+                                            * place->frame->count + k];
+    tp_vertex_turn b = place->row->turn[k];
+    return tp_vertex_turned(a, b);
+}
+
+static void add(sums *sum, const tp_vertex_swell *w, const tp_swell *swell,
+                tp_vertex_turn th)
+{
+    int32_t f, df;
+
+    tp_swell_sharpen(swell, th.sin, th.cos, &f, &df);
+    sum->along[0] += (int64_t)w->x * th.cos;
+    sum->along[1] += (int64_t)w->y * th.cos;
+    sum->along[2] += (int64_t)w->depth * th.cos;
+    sum->rise[0] += (int64_t)w->rise_y * f;
+    sum->rise[1] += (int64_t)w->rise_depth * f;
+    sum->hx += (int64_t)w->tilt_x * df;
+    sum->hz += (int64_t)w->tilt_z * df;
+    sum->bxx += (int64_t)w->bend_xx * th.sin;
+    sum->bxz += (int64_t)w->bend_xz * th.sin;
+    sum->bzz += (int64_t)w->bend_zz * th.sin;
+}
+
+/* sum / 2^down, faded. */
+static int32_t kept(int64_t sum, int down, tp_fx fade)
+{
+    int32_t whole = (int32_t)((sum + ((int64_t)1 << (down - 1))) >> down);
+    return fade == TP_FX_ONE ? whole : tp_fx_mul(whole, fade);
+}
+
+void tp_run_sharpen(const tp_vertex_place_of *place, tp_vertex_run *run,
+                    tp_grid_vertex *vertex)
+{
+    const tp_vertex_frame *frame = place->frame;
+    const tp_sea *sea = frame->surface->sea;
+
+    for (uint32_t i = 0; i < place->count; i++) {
+        tp_fx fade = tp_fx_mul(place->row->line.fade,
+                               place->columns->line[place->first + i].fade);
+        sums sum = { 0 };
+        for (uint32_t k = 0; k < frame->count; k++)
+            add(&sum, &frame->swell[k], &sea->swell[k], turn_at(place, i, k));
+        run->at[0][i] += kept(sum.along[0], 34, fade);
+        run->at[1][i] += kept(sum.along[1] + sum.rise[0] * 64, 34, fade);
+        run->at[2][i] += kept(sum.along[2] + sum.rise[1] * 64, 34, fade);
+        const tp_jacobian j = {
+            .hx = kept(sum.hx, 23, fade),
+            .hz = kept(sum.hz, 23, fade),
+            .jxx = TP_JACOBIAN_ONE - kept(sum.bxx, 29, fade),
+            .jzz = TP_JACOBIAN_ONE - kept(sum.bzz, 29, fade),
+            .bxz = kept(sum.bxz, 29, fade),
+        };
+        tp_set_slopes(&j, frame->tilt, sea->crossed, &vertex[i]);
+    }
+}
+
+/* -- what lies on them ----------------------------------------------------------------- */
+
+/* The world's place of a displaced crossing. */
+static void place_at(const tp_vertex_place_of *place, uint32_t i, tp_fx *x, tp_fx *z)
+{
+    const tp_vertex_frame *frame = place->frame;
+    const tp_sea *sea = frame->surface->sea;
+    const tp_grid_line *line = &place->columns->line[place->first + i];
+    tp_fx along_x = 0, along_z = 0;
+
+    for (uint32_t k = 0; k < frame->count && !place->still; k++) {
+        tp_q30 c = turn_at(place, i, k).cos;
+        along_x += tp_q30_mul(sea->swell[k].reach_x, c);
+        along_z += tp_q30_mul(sea->swell[k].reach_z, c);
+    }
+    if (sea->sharpened) {           /* other seas' turns are faded already */
+        tp_fx fade = tp_fx_mul(place->row->line.fade, line->fade);
+        along_x = tp_fx_mul(along_x, fade);
+        along_z = tp_fx_mul(along_z, fade);
+    }
+    *x = line->place + along_x;
+    *z = place->row->line.place + along_z;
+}
+
+void tp_run_relief(const tp_vertex_place_of *place, tp_vertex_run *run,
+                   tp_grid_vertex *vertex)
+{
+    const tp_lens *lens = place->frame->lens;
+
+    for (uint32_t i = 0; i < place->count; i++) {
+        tp_fx x, z;
+        place_at(place, i, &x, &z);
+        tp_relief relief = tp_surface_relief(place->frame->surface, x, z);
+        run->at[1][i] += tp_q30_mul(relief.height, lens->up.y);
+        run->at[2][i] += tp_q30_mul(relief.height, lens->ahead.y);
+        vertex[i].slope_x = tp_saturated(vertex[i].slope_x
+                                         + ((relief.slope_x + 8) >> 4));
+        vertex[i].slope_z = tp_saturated(vertex[i].slope_z
+                                         + ((relief.slope_z + 8) >> 4));
+    }
+}

@@ -1,0 +1,227 @@
+/* SPDX-License-Identifier: MIT */
+/* What crossings are made of: the numbers of the frame, of its columns and of a row. */
+#include "geom/vertex.h"
+#include "wave/wave.h"
+
+/* -- the frame ------------------------------------------------------------------------- */
+
+/* reach . axis of the two that waves move along, or A times its y: 16.16 by Q2.30, kept
+ * to Q.20. */
+static int32_t along(tp_fx a, tp_q30 x, tp_fx b, tp_q30 z)
+{
+    return (int32_t)(((int64_t)a * x + (int64_t)b * z + (1 << 25)) >> 26);
+}
+
+/* A slope in Q2.30 as Q.(14 + tilt). */
+static int32_t tilted(tp_q30 slope, int tilt)
+{
+    return (int32_t)(((int64_t)slope * (1 << tilt) + (1 << 15)) >> 16);
+}
+
+static tp_vertex_swell swell_of(const tp_vertex_frame *frame, const tp_swell *w)
+{
+    const tp_lens *lens = frame->lens;
+    bool crossed = frame->surface->sea->crossed;
+
+    return (tp_vertex_swell){
+        .x = along(w->reach_x, lens->right.x, w->reach_z, lens->right.z),
+        .y = along(w->reach_x, lens->up.x, w->reach_z, lens->up.z),
+        .depth = along(w->reach_x, lens->ahead.x, w->reach_z, lens->ahead.z),
+        .rise_y = along(w->amplitude, lens->up.y, 0, 0),
+        .rise_depth = along(w->amplitude, lens->ahead.y, 0, 0),
+        .tilt_x = tilted(w->slope_x, frame->tilt),
+        .tilt_z = tilted(w->slope_z, frame->tilt),
+        .bend_xx = ((crossed ? w->bend_xx : w->bend) + 1) >> 1,
+        .bend_xz = (w->bend_xz + 1) >> 1,
+        .bend_zz = (w->bend_zz + 1) >> 1,
+    };
+}
+
+/* A row's numbers keep below 32000 in Q.tilt, to be halves of a pair; those of all swells
+ * together, which no sum of their products by a sine and a cosine in Q.15 exceeds, keep
+ * below 64000, and the sum below 2^31. */
+static int tilt_of(const tp_sea *sea)
+{
+    int64_t sum = 0, most = 0;
+    int     tilt = 19;
+
+    for (uint32_t i = 0; i < sea->count; i++) {
+        sum += sea->swell[i].tilt;
+        most = sea->swell[i].tilt > most ? sea->swell[i].tilt : most;
+    }
+    most = 2 * most > sum ? 2 * most : sum;
+    while (tilt > 9 && most * (1 << tilt) > (int64_t)64000 * TP_FX_ONE)
+        tilt--;
+    return tilt;
+}
+
+/* -- places at rest -------------------------------------------------------------------- */
+
+/* Rows of the lens are no longer than 1.42, and the eye is 24 km away from water at most. */
+static void seen_along(const tp_vertex_frame *frame, tp_vec3 d, int32_t rest[3])
+{
+    const tp_lens *lens = frame->lens;
+    const tp_dir3 axis[3] = { lens->right, lens->up, lens->ahead };
+    int down = frame->wide ? 32 : 30;
+
+    for (int i = 0; i < 3; i++) {
+        int64_t way = (int64_t)d.x * axis[i].x + (int64_t)d.y * axis[i].y
+                    + (int64_t)d.z * axis[i].z;
+        rest[i] = (int32_t)((way + ((int64_t)1 << (down - 1))) >> down);
+    }
+}
+
+void tp_vertex_rest_x(const tp_vertex_frame *frame, tp_fx x, int32_t rest[3])
+{
+    seen_along(frame, (tp_vec3){ x - frame->lens->eye.x, 0, 0 }, rest);
+}
+
+void tp_vertex_rest_z(const tp_vertex_frame *frame, tp_fx z, int32_t rest[3])
+{
+    const tp_vec3 *eye = &frame->lens->eye;
+    seen_along(frame, (tp_vec3){ 0, -eye->y, z - eye->z }, rest);
+}
+
+/* View coordinates grow evenly along columns and rows, so the corners have the greatest. */
+static bool is_wide(tp_vertex_frame *frame, const tp_fx x[2], const tp_fx z[2])
+{
+    bool wide = false;
+
+    frame->wide = true;         /* for parts that fit */
+    for (int k = 0; k < 4; k++) {
+        int32_t a[3], b[3];
+        tp_vertex_rest_x(frame, x[k & 1], a);
+        tp_vertex_rest_z(frame, z[k >> 1], b);
+        for (int axis = 0; axis < 3; axis++) {
+            int64_t most = 4 * ((int64_t)tp_abs(a[axis]) + tp_abs(b[axis]) + 2);
+            wide = wide || most + frame->margin > TP_FX_MAX;
+        }
+    }
+    return wide;
+}
+
+void tp_vertex_begin(tp_vertex_frame *frame, tp_fx x0, tp_fx x1, tp_fx z0, tp_fx z1)
+{
+    const tp_sea *sea = frame->surface->sea;
+    const tp_fx x[2] = { x0, x1 }, z[2] = { z0, z1 };
+
+    frame->count = sea->count;
+    frame->tilt = tilt_of(sea);
+    frame->reach = tp_surface_height(frame->surface) + tp_surface_reach(frame->surface);
+    frame->margin = frame->reach + frame->reach / 2 + 4;
+    frame->far = 1 << (6 + frame->lens->m);
+    if (frame->far < frame->lens->near)
+        frame->far = frame->lens->near;
+    frame->wide = is_wide(frame, x, z);
+    for (uint32_t i = 0; i < sea->count; i++)
+        frame->swell[i] = swell_of(frame, &sea->swell[i]);
+}
+
+/* -- phases ---------------------------------------------------------------------------- */
+
+/* From the nearest of the 1024 angles whose sines are exact, the rest d <= 2 pi / 2048:
+ *     sin(a + d) = sin a + d cos a - d^2/2 sin a,  less d^3/6 < 5e-9.
+ * d is Q.38 and below 2^30, d^2/2 Q.45. */
+tp_vertex_turn tp_vertex_turn_of(tp_turn angle)
+{
+    const int32_t two_pi = 1686629713;                      /* Q.28 */
+    tp_turn whole = (angle + (1u << 21)) & ~((1u << 22) - 1);
+    int32_t d = tp_mul_upper((int32_t)(angle - whole) * 1024, two_pi);
+    int32_t half = tp_mul_upper(d, d);
+    int32_t s = tp_sin(whole), c = tp_cos(whole);
+
+    return (tp_vertex_turn){
+        .sin = s + ((tp_mul_upper(c, d) - (tp_mul_upper(s, half) >> 7) + 32) >> 6),
+        .cos = c - ((tp_mul_upper(s, d) + (tp_mul_upper(c, half) >> 7) + 32) >> 6),
+    };
+}
+
+static uint32_t pair_of(int32_t low, int32_t high)
+{
+    low = tp_clamp(low, -INT16_MAX, INT16_MAX);
+    high = tp_clamp(high, -INT16_MAX, INT16_MAX);
+    return ((uint32_t)low & 0xffff) | (uint32_t)high << 16;
+}
+
+static tp_vertex_turn faded(tp_vertex_turn turn, tp_fx fade)
+{
+    return (tp_vertex_turn){ tp_fx_mul(turn.sin, fade), tp_fx_mul(turn.cos, fade) };
+}
+
+/* Of one swell.  Within a run phases go on by one rotation, which adds 2^-31 each time;
+ * every run begins anew. */
+static void set_column_turns(const tp_vertex_columns *columns, uint32_t stride,
+                             uint32_t k, int64_t turns_x, uint32_t first, uint32_t end,
+                             tp_fx cell, bool fading)
+{
+    tp_vertex_turn step = tp_vertex_turn_of(tp_swell_turns(turns_x, cell));
+    tp_vertex_turn now = { 0, 0 };
+
+    for (uint32_t i = first; i < end; i++) {
+        const tp_grid_line *line = &columns->line[i];
+        if ((i - first) % TP_VERTEX_RUN == 0)
+            now = tp_vertex_turn_of(tp_swell_turns(turns_x, line->place));
+        else
+            now = tp_vertex_turned(now, step);
+        tp_vertex_turn kept = now;
+        if (fading && line->fade != TP_FX_ONE)
+            kept = faded(now, line->fade);
+        columns->turn[(size_t)i * stride + k] = kept;
+        columns->pair[(size_t)i * stride + k] = pair_of((kept.sin + (1 << 14)) >> 15,
+                                                        (kept.cos + (1 << 14)) >> 15);
+    }
+}
+
+void tp_vertex_set_columns(const tp_vertex_frame *frame, const tp_vertex_columns *columns,
+                           uint32_t first, uint32_t end, tp_fx cell)
+{
+    const tp_sea *sea = frame->surface->sea;
+
+    for (uint32_t k = 0; k < frame->count; k++)
+        set_column_turns(columns, frame->count, k, sea->swell[k].turns_x, first, end, cell,
+                         !sea->sharpened);
+}
+
+/* -- rows ------------------------------------------------------------------------------ */
+
+/* C cos + S sin of the whole phase, per sine and per cosine of the column's. */
+static tp_vertex_turn split(int32_t c, int32_t s, tp_vertex_turn b)
+{
+    const int64_t half = (int64_t)1 << 31;
+    return (tp_vertex_turn){
+        tp_upper((int64_t)s * b.cos - (int64_t)c * b.sin + half),
+        tp_upper((int64_t)c * b.cos + (int64_t)s * b.sin + half),
+    };
+}
+
+/* 16 bits of each: numbers come with 14 bits more than are kept, and Q2.30 takes off 2. */
+static inline uint32_t pair_upper(int32_t sine, int32_t cosine, int32_t a, int32_t b)
+{
+    int32_t low = tp_mul_upper(sine, a) + (1 << 11);
+    int32_t high = tp_mul_upper(cosine, b) + (1 << 11);
+    return (uint32_t)low << 4 >> 16 | ((uint32_t)high << 4 & 0xffff0000);
+}
+
+void tp_vertex_set_row(const tp_vertex_frame *frame, tp_vertex_row *row)
+{
+    const tp_surface *surface = frame->surface;
+
+    for (uint32_t k = 0; k < frame->count; k++) {
+        const tp_vertex_swell *w = &frame->swell[k];
+        tp_vertex_tilt *tilt = &row->tilt[k];
+        tp_vertex_turn b = tp_vertex_turn_of(
+            surface->phases[k]
+            + tp_swell_turns(surface->sea->swell[k].turns_z, row->line.place));
+        if (row->line.fade != TP_FX_ONE && !surface->sea->sharpened)
+            b = faded(b, row->line.fade);
+        row->turn[k] = b;
+        row->place[0][k] = split(w->x, 0, b);
+        row->place[1][k] = split(w->y, w->rise_y, b);
+        row->place[2][k] = split(w->depth, w->rise_depth, b);
+        tilt->tilt_x = pair_upper(-w->tilt_x, w->tilt_x, b.sin, b.cos);
+        tilt->tilt_z = pair_upper(-w->tilt_z, w->tilt_z, b.sin, b.cos);
+        tilt->bend_xx = pair_upper(-w->bend_xx, -w->bend_xx, b.cos, b.sin);
+        tilt->bend_xz = pair_upper(w->bend_xz, w->bend_xz, b.cos, b.sin);
+        tilt->bend_zz = pair_upper(-w->bend_zz, -w->bend_zz, b.cos, b.sin);
+    }
+}

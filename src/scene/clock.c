@@ -1,0 +1,70 @@
+/* SPDX-License-Identifier: MIT */
+/* The clock of slow motion, [D6] of the models.
+ *
+ * Per picture a share of 1 - exp(-1/24) of the way to the target is gone; in 40 places
+ * no step is lost, until the rest, below 2 LSB of 16.16, is given at once. */
+#include "tidepool/clock.h"
+
+#define ONE_Q40   ((int64_t)1 << 40)
+#define SLIDE_Q32 ((int64_t)175279947)      /* 1 - exp(-dt / tau), dt / tau = 1/24 */
+#define SNAP_Q40  ((int64_t)2 << 24)        /* 2 LSB of 16.16 */
+
+static int64_t q40(tp_fx x)
+{
+    return (int64_t)x * (1 << 24);
+}
+
+static tp_fx held(tp_fx scale)
+{
+    return tp_clamp(scale, TP_CLOCK_SLOWEST, TP_CLOCK_FASTEST);
+}
+
+void tp_clock_init(tp_clock *clock, tp_fx scale)
+{
+    *clock = (tp_clock){ .scale_q40 = q40(held(scale)), .target = held(scale) };
+}
+
+void tp_clock_aim(tp_clock *clock, tp_fx target)
+{
+    clock->target = held(target);
+}
+
+void tp_clock_shift(tp_clock *clock, int32_t steps)
+{
+    tp_fx target = clock->target;
+
+    for (; steps > 0 && target > TP_CLOCK_SLOWEST; steps--)
+        target /= 2;
+    for (; steps < 0 && target < TP_CLOCK_FASTEST; steps++)
+        target *= 2;
+    tp_clock_aim(clock, target);
+}
+
+/* The way is below 2^42 and its share 2^28, so the product takes the way as Q28. */
+void tp_clock_next(tp_clock *clock)
+{
+    int64_t way = q40(clock->target) - clock->scale_q40;
+
+    if (way < SNAP_Q40 && way > -SNAP_Q40)
+        clock->scale_q40 += way;
+    else
+        clock->scale_q40 += (((way + (1 << 11)) >> 12) * SLIDE_Q32 + (1 << 19)) >> 20;
+    clock->part_q40 += clock->scale_q40;
+    clock->ticks += (uint64_t)(clock->part_q40 >> 40);
+    clock->part_q40 &= ONE_Q40 - 1;
+}
+
+tp_fx tp_clock_scale(const tp_clock *clock)
+{
+    return (tp_fx)((clock->scale_q40 + (1 << 23)) >> 24);
+}
+
+uint64_t tp_clock_ticks(const tp_clock *clock)
+{
+    return clock->ticks;
+}
+
+tp_fx tp_clock_fraction(const tp_clock *clock)
+{
+    return (tp_fx)(clock->part_q40 >> 24);
+}

@@ -1,0 +1,23 @@
+/* SPDX-License-Identifier: MIT */
+/* The world as a picture shows it: world->back of a tick before the last tick.  Phases
+ * are evaluated there; what was stepped is interpolated between its last two ticks. */
+#ifndef TP_SCENE_DRAWN_H
+#define TP_SCENE_DRAWN_H
+#include "tidepool/scene.h"
+
+typedef struct {
+    tp_vec3 eye;
+    tp_turn heading, pitch;
+    tp_turn phases[TP_WAVES];
+    tp_pose boat;
+    int64_t time;               /* ticks x 65536 */
+} tp_drawn;
+
+tp_drawn tp_world_drawn(const tp_world *world);
+
+/* `back` of the way from b to a. */
+static inline tp_fx tp_between(tp_fx a, tp_fx b, tp_fx back)
+{
+    return b + (tp_fx)(((int64_t)a - b) * back >> 16);
+}
+#endif

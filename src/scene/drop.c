@@ -1,0 +1,282 @@
+/* SPDX-License-Identifier: MIT */
+/* One drop: fall, impact, bounce, shape; [D1]-[D4] of the models.
+ *
+ * A step is velocity Verlet with the drag split evenly around it: half a kick of gravity,
+ * half of the drag, the way, and both again in turn.  Without drag that is exact.  The
+ * drag of half a step, v' = -k v |v|, is solved exactly, v / (1 + k |v| t): no size of k
+ * is unstable.
+ *
+ * Impacts are looked for in the water's frame, whose level moves evenly through the tick:
+ * the height over it is the parabola through both ends with the first end's speed. */
+#include "tidepool/drop.h"
+
+#define RATE        60                              /* ticks a second */
+#define FALL_MOST   ((int64_t)127 << 24)
+#define WATER_MOST  ((int64_t)16 << 24)             /* m/s; beyond, a level was set */
+#define DRAG_Q40    ((uint64_t)494780232499)        /* 3 rho_a / 8 = 0.45 */
+#define CUBE_ROOT   TP_Q30(0.7937005259840998)      /* 2^(-1/3) */
+#define HIGH_MOST   ((int64_t)TP_FX_MAX * 65536)
+#define SQUASH_MOST 8192                            /* 1/2, Q2.14 */
+
+static int32_t fall_held(int64_t fall_q24)
+{
+    return (int32_t)(fall_q24 > FALL_MOST ? FALL_MOST
+                     : fall_q24 < -FALL_MOST ? -FALL_MOST : fall_q24);
+}
+
+/* n / d rounded half up; d > 0, |n| < 2^62. */
+static int64_t over(int64_t n, int64_t d)
+{
+    int64_t twice = n + (d >> 1), q = twice / d;
+    return twice % d < 0 ? q - 1 : q;
+}
+
+/* -- fall ---------------------------------------------------------------------------- */
+
+/* k of [D1], 1/m: (rho_a Cd pi r^2 / 2) / (rho 4/3 pi r^3) = 3 rho_a Cd / (8 rho r), Q24.
+ * Below 2^29 for r of 0.5 mm, to which 0.002 m shrinks; held where it is out of range. */
+static uint64_t drag_q24(const tp_scene_drops *config, tp_fx radius)
+{
+    if (config->drag <= 0)
+        return 0;
+    uint64_t k = (uint64_t)config->drag * DRAG_Q40
+               / ((uint64_t)config->density * (uint64_t)radius);
+    return k < 1 << 30 ? k : 1 << 30;
+}
+
+/* v after half a tick of drag.  k |v| < 2^61, and over 2^24 and 120 below 2^31. */
+static int64_t dragged(int64_t v, uint64_t k_q24)
+{
+    if (k_q24 == 0)
+        return v;
+    uint64_t size = (uint64_t)(v < 0 ? -v : v);
+    uint32_t slower = (1u << 24) + (uint32_t)((k_q24 * size >> 24) / (2 * RATE));
+    int      up = tp_clz(slower);
+    uint64_t left = size * tp_recip_norm(slower << up) >> (39 - up);
+    return v < 0 ? -(int64_t)left : (int64_t)left;
+}
+
+/* What a tick without water would bring. */
+typedef struct {
+    int64_t high_q32;
+    int32_t fall_q24;
+} fall;
+
+static fall fallen(const tp_drop *drop, const tp_scene_drops *config, tp_fx gravity)
+{
+    int64_t  kick = over((int64_t)gravity * 256, 2 * RATE);
+    uint64_t k = drag_q24(config, drop->radius);
+    int64_t  middle = dragged(drop->fall_q24 - kick, k);
+
+    return (fall){ drop->high_q32 + over(middle * 256, RATE),
+                   fall_held(dragged(middle, k) - kick) };
+}
+
+/* -- impact -------------------------------------------------------------------------- */
+
+/* Over the water: height at both ends of the tick, speed at both, and the water's own. */
+typedef struct {
+    int64_t high[2];        /* Q.32 */
+    int64_t speed[2];       /* upwards, Q.24 */
+    int64_t water;          /* Q.24 */
+} crossing;
+
+static int64_t q32(tp_fx x)
+{
+    return (int64_t)x * 65536;
+}
+
+/* A level that leaps did not flow there: its speed does not throw drops. */
+static crossing crossing_of(const tp_drop *drop, const fall *to, tp_fx level)
+{
+    tp_fx   before = drop->level == TP_DROP_NEW ? level : drop->level;
+    int64_t water = ((int64_t)level - before) * (256 * RATE);
+
+    if (water > WATER_MOST || water < -WATER_MOST) {
+        before = level;
+        water = 0;
+    }
+    return (crossing){
+        .high = { drop->high_q32 - q32(before), to->high_q32 - q32(level) },
+        .speed = { drop->fall_q24 - water, to->fall_q24 - water },
+        .water = water,
+    };
+}
+
+/* When in the tick, 16.16, the parabola of high[0] >= 0 > high[1] falls through 0.  Its
+ * parts are below 2^35, so products with 17 bits of time fit. */
+static int32_t time_of(const crossing *c)
+{
+    int64_t slope = over(c->speed[0] * 256, RATE);
+    int64_t bend = c->high[1] - c->high[0] - slope;
+    int32_t above = 0, below = TP_FX_ONE;
+
+    while (below - above > 1) {
+        int32_t t = (above + below) / 2;
+        if (c->high[0] + ((slope + (bend * t >> 16)) * t >> 16) >= 0)
+            above = t;
+        else
+            below = t;
+    }
+    return above;
+}
+
+/* What mass is left of the energy by which it struck: 1 - e^2 / 2, as m' = m / 2 [D3]. */
+static uint64_t lost_share(const tp_scene_drops *config)
+{
+    return TP_FX_ONE - (((uint64_t)config->bounce * (uint64_t)config->bounce) >> 17);
+}
+
+static int bits(uint64_t x)
+{
+    return x >> 32 ? 64 - tp_clz((uint32_t)(x >> 32)) : x ? 32 - tp_clz((uint32_t)x) : 0;
+}
+
+/* x cut to its 32 highest bits; what that leaves out is taken from *down. */
+static uint64_t cut(uint64_t x, int *down)
+{
+    int out = bits(x) > 32 ? bits(x) - 32 : 0;
+    *down -= out;
+    return x >> out;
+}
+
+/* [D3]: (2 pi / 3) (rho r) (r u)^2 (1 - e^2 / 2), `speed` u in Q24.  r u is below 2^31.2
+ * in Q24 and rho r below 2^45.4 in Q32: at the most 45 bits are cut, and `down` stays
+ * above 0.  Beyond 2^16 J there is no need to go on. */
+static tp_fx energy_lost(const tp_scene_drops *config, uint64_t radius, uint64_t speed)
+{
+    const uint64_t two_thirds_pi = 34315;                       /* Q14 */
+    uint64_t way = radius * speed >> 16;
+    int      down = 48 + 32 - 24;
+    uint64_t square = cut(way * way, &down);
+    uint64_t heavy = cut((uint64_t)config->density * radius, &down);
+    uint64_t lost_q24 = square * heavy >> down;
+
+    if (lost_q24 >> 40)
+        return TP_FX_MAX;
+    lost_q24 = lost_q24 * lost_share(config) >> 16;
+    uint64_t lost = (lost_q24 * two_thirds_pi + (1 << 21)) >> 22;
+    return lost < TP_FX_MAX ? (tp_fx)lost : TP_FX_MAX;
+}
+
+/* [D4] with [D3] and L = 8 r put in, Q24:
+ *     A0 = u sqrt(eff (1 - e^2 / 2)) sqrt(rho r / (36 rho_w g));
+ * the roots are below 1 and 1.7, in Q31 and Q29. */
+static int32_t ring_height(const tp_scene_drops *config, tp_fx gravity, uint64_t radius,
+                         uint64_t speed)
+{
+    uint64_t taken = (uint64_t)config->efficiency * lost_share(config);     /* Q32 */
+    uint64_t heavy = ((uint64_t)config->density * radius << 18)             /* Q50 */
+                   / (36000 * (uint64_t)gravity);
+    uint64_t roots = (uint64_t)tp_isqrt64(taken << 30) * tp_isqrt64(heavy << 24) >> 30;
+    uint64_t height = (roots * speed + (1 << 29)) >> 30;
+    return height < INT32_MAX ? (int32_t)height : INT32_MAX;
+}
+
+static tp_impact impact_of(const tp_drop *drop, const tp_scene_drops *config,
+                           tp_fx gravity, int64_t speed, int64_t time)
+{
+    uint64_t radius = (uint64_t)drop->radius, size = (uint64_t)speed;
+    int32_t  height_q24 = ring_height(config, gravity, radius, size);
+    tp_fx    height = (tp_fx)(((int64_t)height_q24 + 128) >> 8);
+    tp_fx    most = drop->radius * 4 / 7;                       /* L / 14 */
+
+    return (tp_impact){
+        .x = drop->place.x, .z = drop->place.z, .time = time,
+        .amplitude = height < most ? height : most,
+        .uncapped_q24 = height_q24,
+        .length = 8 * drop->radius,
+        .lost = energy_lost(config, radius, size),
+    };
+}
+
+/* Up again with `speed` for what is left of the tick, 16.16.  If it would come down
+ * within that it waits on the water, ready to strike as fast as it rose, or less. */
+static fall bounced(int64_t speed, tp_fx gravity, int64_t left, const crossing *c)
+{
+    int64_t rise = over(speed * left, RATE << 8)
+                 - (over((int64_t)gravity * left * left, 2 * RATE * RATE) >> 16);
+    int64_t after = speed - over((int64_t)gravity * left, RATE << 8);
+
+    return (fall){ rise > 0 ? rise : 0,
+                   fall_held(c->water + (after > -speed ? after : -speed)) };
+}
+
+/* -- shape --------------------------------------------------------------------------- */
+
+/* `speed` m/s in Q24 as a part of `whole` m/s, at the most 1, times `of`. */
+static int32_t part_of(int64_t speed, int32_t whole, int32_t of)
+{
+    int64_t q16 = (speed < 0 ? -speed : speed) >> 8;
+    return q16 >= whole * TP_FX_ONE ? of : (int32_t)(q16 * of / whole >> 16);
+}
+
+/* A damped spring that wobbles three times a second around what the speed asks for. */
+static void wobble(tp_drop *drop)
+{
+    int32_t rest = part_of(drop->fall_q24, 12, 6000);
+
+    drop->squash_speed += ((rest - drop->squash + 4) >> 3)
+                        - ((drop->squash_speed + 2) >> 2);
+    drop->squash = tp_clamp(drop->squash + drop->squash_speed, -SQUASH_MOST, SQUASH_MOST);
+}
+
+static void flatten(tp_drop *drop, int64_t speed)
+{
+    drop->squash = -part_of(speed, 6, SQUASH_MOST);
+    drop->squash_speed = 0;
+}
+
+/* -- the step ------------------------------------------------------------------------ */
+
+/* Heights above the format's, which take a change of gravity in flight, are held. */
+static void move_to(tp_drop *drop, const fall *to)
+{
+    drop->high_q32 = to->high_q32 < HIGH_MOST ? to->high_q32 : HIGH_MOST;
+    drop->fall_q24 = to->fall_q24;
+    drop->place.y = (tp_fx)((drop->high_q32 + (1 << 15)) >> 16);
+}
+
+/* The drop comes down through the surface: [D2]. */
+static void strike(tp_drop *drop, const tp_scene_drops *config, tp_fx gravity,
+                   const crossing *c, uint64_t tick, tp_impact *impact)
+{
+    int64_t t = time_of(c);
+    int64_t speed = -(c->speed[0] + ((c->speed[1] - c->speed[0]) * t >> 16));
+
+    if (speed < 0)
+        speed = 0;
+    *impact = impact_of(drop, config, gravity, speed, (int64_t)((tick - 1) * 65536) + t);
+    fall to = bounced(speed * config->bounce >> 16, gravity, TP_FX_ONE - t, c);
+    to.high_q32 += q32(drop->level);
+    move_to(drop, &to);
+    flatten(drop, speed);
+    drop->radius = tp_q30_mul(drop->radius, CUBE_ROOT);
+    if (++drop->impacts >= (uint32_t)config->impacts)
+        drop->radius = 0;
+}
+
+bool tp_drop_step(tp_drop *drop, const tp_scene_drops *config, tp_fx gravity,
+                  tp_fx level, uint64_t tick, tp_impact *impact)
+{
+    if (drop->radius <= 0)
+        return false;
+    if (gravity < TP_FX(0.1))
+        gravity = TP_FX(0.1);               /* what tables allow at the least */
+    fall     to = fallen(drop, config, gravity);
+    crossing c = crossing_of(drop, &to, level);
+
+    drop->last = drop->place;
+    drop->level = level;
+    if (c.high[1] < 0 && c.high[0] >= 0) {
+        strike(drop, config, gravity, &c, tick, impact);
+        return true;
+    }
+    if (c.high[1] < 0) {                    /* under water all along: lifted out */
+        to.high_q32 = q32(level);
+        to.fall_q24 = (int32_t)(to.fall_q24 > c.water ? to.fall_q24 : c.water);
+    }
+    move_to(drop, &to);
+    wobble(drop);
+    return false;
+}

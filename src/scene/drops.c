@@ -1,0 +1,178 @@
+/* SPDX-License-Identifier: MIT */
+/* The drops of a scene and their rings: one block of fixed size, in which what finds no
+ * place is counted. */
+#include "tidepool/drop.h"
+#include "base/base.h"
+
+#define MOST       1024
+#define RATE       60                       /* ticks a second */
+#define SPHERE_FAR (8000 * TP_FX_ONE)
+
+enum { DROPS_AT = (sizeof(tp_drops) + 7) & ~7u };
+
+_Static_assert(sizeof(tp_drop) % 8 == 0 && sizeof(tp_ring) % 8 == 0,
+               "both hold int64_t and follow each other");
+
+static uint32_t capacity_of(int32_t asked)
+{
+    return (uint32_t)tp_clamp(asked, 0, MOST);
+}
+
+size_t tp_drops_bytes(const tp_scene_drops *config)
+{
+    if (config->count <= 0)
+        return 0;
+    return DROPS_AT + capacity_of(config->count) * sizeof(tp_drop)
+         + capacity_of(config->rings) * sizeof(tp_ring);
+}
+
+void tp_drops_init(tp_drops *drops, const tp_scene_drops *config)
+{
+    memset(drops, 0, tp_drops_bytes(config));
+    drops->capacity = capacity_of(config->count);
+    drops->ring_capacity = capacity_of(config->rings);
+    drops->random = 1;
+    drops->sphere = (tp_vec3){ config->x, config->y, config->z };
+    drops->last_sphere = drops->sphere;
+    drops->sphere_radius = 2 * config->radius;
+}
+
+static tp_drop *list(tp_drops *drops)
+{
+    return (tp_drop *)(void *)((char *)drops + DROPS_AT);
+}
+
+static tp_ring *rings(tp_drops *drops)
+{
+    return (tp_ring *)(void *)(list(drops) + drops->capacity);
+}
+
+const tp_drop *tp_drops_list(const tp_drops *drops)
+{
+    return (const tp_drop *)(const void *)((const char *)drops + DROPS_AT);
+}
+
+const tp_ring *tp_drops_rings(const tp_drops *drops)
+{
+    return (const tp_ring *)(const void *)(tp_drops_list(drops) + drops->capacity);
+}
+
+/* -- the sphere ---------------------------------------------------------------------- */
+
+static tp_fx held(int64_t x)
+{
+    return (tp_fx)(x > SPHERE_FAR ? SPHERE_FAR : x < -SPHERE_FAR ? -SPHERE_FAR : x);
+}
+
+void tp_drops_steer(tp_drops *drops, tp_fx x, tp_fx z)
+{
+    drops->last_sphere = drops->sphere;
+    drops->sphere.x = held((int64_t)drops->sphere.x + x);
+    drops->sphere.z = held((int64_t)drops->sphere.z + z);
+}
+
+/* A linear congruential sequence; its high bits are the good ones. */
+static uint32_t random_of(tp_drops *drops)
+{
+    drops->random = drops->random * 1664525u + 1013904223u;
+    return drops->random;
+}
+
+/* Evenly over a disc around the sphere's centre: the root makes rings of equal width hold
+ * shares by their area. */
+static tp_vec3 scattered(tp_drops *drops, tp_fx reach)
+{
+    tp_turn round = random_of(drops);
+    tp_fx   way = tp_fx_mul(tp_fx_sqrt((tp_fx)(random_of(drops) >> 16)), reach);
+    tp_vec3 at = drops->sphere;
+
+    at.x += tp_q30_mul(way, tp_sin(round));
+    at.z += tp_q30_mul(way, tp_cos(round));
+    return at;
+}
+
+void tp_drops_release(tp_drops *drops, const tp_scene_drops *config, uint32_t count)
+{
+    uint32_t room = drops->capacity - drops->count, most = UINT32_MAX - drops->dropped;
+    uint32_t fits = count < room ? count : room, lost = count - fits;
+    tp_fx    reach = config->scatter;
+
+    if (count > 1 && reach < drops->sphere_radius)
+        reach = drops->sphere_radius;
+    for (uint32_t i = 0; i < fits; i++) {
+        tp_vec3 at = scattered(drops, reach);
+        list(drops)[drops->count++] = (tp_drop){
+            .place = at, .last = at, .high_q32 = (int64_t)at.y * 65536,
+            .radius = config->radius, .level = TP_DROP_NEW,
+        };
+    }
+    drops->released += fits;
+    drops->dropped += lost < most ? lost : most;
+}
+
+/* every < 2^23 x 60 s fits; at 1/65536 s it is 1092 drops a tick, and so many steps. */
+void tp_drops_release_due(tp_drops *drops, const tp_scene_drops *config)
+{
+    uint32_t interval = (uint32_t)config->every * RATE, due = 0;
+
+    if (config->every <= 0) {
+        drops->wait = 0;
+        return;
+    }
+    if (drops->wait > interval)             /* it was longer when this wait began */
+        drops->wait = interval;
+    for (; drops->wait < TP_FX_ONE; due++)
+        drops->wait += interval;
+    drops->wait -= TP_FX_ONE;
+    tp_drops_release(drops, config, due);
+}
+
+/* -- impacts ------------------------------------------------------------------------- */
+
+bool tp_drops_step(tp_drops *drops, const tp_scene_drops *config, uint32_t i,
+                   tp_fx gravity, tp_fx level, uint64_t tick, tp_impact *impact)
+{
+    bool struck = tp_drop_step(&list(drops)[i], config, gravity, level, tick, impact);
+
+    drops->impacts += struck;
+    return struck;
+}
+
+/* The smallest drops ask for waves that are shorter than rings can be. */
+void tp_drops_ring(tp_drops *drops, const tp_scene_drops *config,
+                   const tp_impact *impact)
+{
+    if (impact->amplitude <= 0)
+        return;
+    if (drops->rings == drops->ring_capacity) {
+        drops->rings_dropped++;
+        return;
+    }
+    rings(drops)[drops->rings++] = (tp_ring){
+        .x = impact->x, .z = impact->z,
+        .start = impact->time,
+        .amplitude = impact->amplitude,
+        .length = tp_clamp(impact->length, TP_FX(0.02), 64 * TP_FX_ONE),
+        .speed = config->speed,
+        .decay = config->decay,
+        .spread = config->spread,
+        .attack = config->attack,
+    };
+}
+
+void tp_drops_tidy(tp_drops *drops, int64_t now, tp_fx beyond)
+{
+    tp_drop *drop = list(drops);
+    tp_ring *ring = rings(drops);
+    uint32_t n = 0;
+
+    for (uint32_t i = 0; i < drops->count; i++)
+        if (drop[i].radius > 0)
+            drop[n++] = drop[i];
+    drops->count = n;
+    n = 0;
+    for (uint32_t i = 0; i < drops->rings; i++)
+        if (!tp_ring_spent(&ring[i], now, beyond))
+            ring[n++] = ring[i];
+    drops->rings = n;
+}

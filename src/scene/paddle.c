@@ -1,0 +1,71 @@
+/* SPDX-License-Identifier: MIT */
+/* A paddle at a pool's north edge: two rows of cells half a wave apart, one pushed up as
+ * the other is pushed down, to and fro with the wave's period.  What one row gains the
+ * other loses, so the sum of all heights stays.
+ *
+ * A wave has sin(k/2) = sin(om/2) / r, k and om its turn from cell to cell and from tick
+ * to tick [C1].  A row pushed by d a tick sends d / (2 r cos(k/2)) both ways; with the
+ * other row, n cells away and opposite, that is 2 sin(k n / 2) times as much.  Before a
+ * wall mirrored rows push along: 2 (cos(k/2) - cos(k (n + 1/2))) times as much. */
+#include "scene/parts.h"
+#include "tidepool/pool.h"
+
+typedef struct {
+    uint32_t row, apart;        /* the rows are `row` and `row + apart` */
+    int32_t  push;              /* LSB, the most in a tick */
+} stroke;
+
+/* om / 2, a turn; the period is 0.1 s or more, so it is below 1/12. */
+static tp_turn half_turn(const tp_scene_pool *scene)
+{
+    return (tp_turn)(((uint64_t)1 << 47) / ((uint64_t)(uint32_t)scene->paddle_period
+                                            * TP_TICKS_PER_SECOND));
+}
+
+/* The amplitude, half of the height, has 29 bits, the push 2^60 before it is divided.  No
+ * push is above the amplitude: a pool that is short for its wave gets a lower one.  Waves
+ * of a grid's shortest lengths do not travel: k is held at 1/2 turn less a little. */
+static stroke stroke_of(const tp_pool *pool, const tp_scene_pool *scene)
+{
+    bool    walls = pool->edges == TP_EDGES_WALL;
+    stroke  s = { .row = pool->edges == TP_EDGES_SPONGE ? (uint32_t)scene->sponge : 0 };
+    int64_t sine = (int64_t)tp_sin(half_turn(scene)) * TP_FX_ONE / scene->courant;
+
+    sine = sine < TP_Q30(0.99) ? sine : TP_Q30(0.99);
+    int64_t cosine = tp_isqrt64(((uint64_t)1 << 60) - (uint64_t)(sine * sine));
+    tp_turn half = tp_atan2((int32_t)sine, (int32_t)cosine);            /* k / 2 */
+    uint32_t most = (pool->rows - 1 - s.row) / 2;
+    s.apart = (((uint32_t)1 << 30) + half / 2) / half;
+    s.apart = s.apart < 1 ? 1 : s.apart > most ? most : s.apart;
+
+    int64_t share = walls ? cosine - tp_cos(half * (2 * s.apart + 1))
+                          : tp_sin(half * s.apart);
+    int64_t most_push = tp_pool_lsb(pool, scene->paddle) / 2;
+    int64_t push = (most_push * scene->courant >> 16) * cosine;
+    s.push = (int32_t)(push < most_push * share ? push / share : most_push);
+    return s;
+}
+
+/* Up at one row what goes down at the other, as far as both can. */
+static void push_column(tp_pool *pool, const stroke *s, uint32_t col, int32_t push)
+{
+    uint32_t other = s->row + s->apart;
+
+    if (tp_pool_wall(pool, col, s->row) || tp_pool_wall(pool, col, other))
+        return;
+    int32_t done = tp_pool_add(pool, col, s->row, push);
+    int32_t back = tp_pool_add(pool, col, other, -done);
+    if (back != -done)
+        tp_pool_add(pool, col, s->row, -done - back);
+}
+
+void tp_paddle_push(tp_pool *pool, const tp_scene_pool *scene, uint64_t tick)
+{
+    stroke  s = stroke_of(pool, scene);
+    tp_turn phase = (tp_turn)(2 * (uint64_t)half_turn(scene) * tick);
+    int32_t push = tp_q30_mul(s.push, tp_sin(phase));
+
+    for (uint32_t col = 0; push != 0 && col < pool->cols; col++)
+        push_column(pool, &s, col, push);
+    tp_pool_stirred(pool, tp_pool_lsb(pool, scene->paddle));
+}

@@ -1,0 +1,215 @@
+/* SPDX-License-Identifier: MIT */
+/* The parts of a world; see the header. */
+#include "scene/parts.h"
+#include "base/base.h"
+#include "tidepool/arena.h"
+
+static tp_pool_config pool_config(const tp_scene_pool *pool, const tp_grey *mask)
+{
+    return (tp_pool_config){
+        .cols = (uint32_t)pool->cols, .rows = (uint32_t)pool->rows,
+        .cells = (tp_cells)pool->cells, .edges = (tp_edges)pool->edges,
+        .courant = pool->courant, .damping = (uint32_t)pool->damping,
+        .sponge = (uint32_t)pool->sponge, .range = pool->range, .cell = pool->cell,
+        .x = pool->x, .z = pool->z, .feed_low = pool->feed_low,
+        .feed_high = pool->feed_high, .feed = pool->feed, .mask = mask,
+    };
+}
+
+static bool has_floor(const tp_scene *scene)
+{
+    return scene->floor.depth > 0 || scene->floor.map[0];
+}
+
+static bool has_ocean(const tp_scene *scene)
+{
+    return has_floor(scene) || scene->wind.strength > 0;
+}
+
+static const tp_grey *floor_of(const tp_assets *assets)
+{
+    return assets ? assets->floor : NULL;
+}
+
+static const tp_grey *mask_of(const tp_assets *assets, bool field)
+{
+    return !assets ? NULL : field ? assets->field_mask : assets->pool_mask;
+}
+
+static tp_ocean_config ocean_config(const tp_scene *scene, const tp_assets *assets)
+{
+    return (tp_ocean_config){
+        .floor = {
+            .depth = scene->floor.depth, .slope = scene->floor.slope,
+            .heading = scene->floor.heading, .map = floor_of(assets),
+            .map_x = scene->floor.map_x, .map_z = scene->floor.map_z,
+            .map_size = scene->floor.map_size, .map_low = scene->floor.map_low,
+            .map_high = scene->floor.map_high,
+        },
+        .wind = scene->wind.strength, .wind_heading = scene->wind.heading,
+        .k0 = scene->surf.k0, .kx = scene->surf.kx, .ky = scene->surf.ky,
+        .stretch = scene->surf.stretch, .irregular = scene->surf.irregular,
+        .gravity = scene->water.gravity,
+    };
+}
+
+/* The offset of `bytes` more, 0 of none. */
+static uint32_t take(tp_arena *arena, size_t bytes)
+{
+    size_t at = arena->used;
+    if (bytes == 0)
+        return 0;
+    tp_arena_take(arena, 1, bytes);
+    return (uint32_t)at;
+}
+
+static tp_status take_pool(tp_arena *arena, const tp_scene_pool *pool,
+                           const tp_grey *mask, uint32_t *at, tp_error *err)
+{
+    if (pool->cols == 0)
+        return TP_OK;
+    tp_pool_config config = pool_config(pool, mask);
+    tp_status status = tp_pool_check(&config, err);
+    if (status == TP_OK)
+        *at = take(arena, tp_pool_bytes(&config));
+    return status;
+}
+
+tp_status tp_parts_of(tp_world_parts *parts, const tp_scene *scene,
+                      const tp_assets *assets, const tp_sea *sea, tp_error *err)
+{
+    tp_arena arena = tp_arena_over(NULL, 0);
+    tp_status status;
+
+    *parts = (tp_world_parts){ .bytes = 0 };
+    take(&arena, sizeof(tp_world));
+    if (has_ocean(scene)) {
+        tp_ocean_config config = ocean_config(scene, assets);
+        size_t bytes = tp_ocean_bytes(&config, sea);
+        if (bytes == 0)
+            return TP_FAIL(err, TP_E_ARG, 0, 0, 0);
+        parts->ocean = take(&arena, bytes);
+    }
+    if ((status = take_pool(&arena, &scene->pool, mask_of(assets, false), &parts->pool, err))
+        || (status = take_pool(&arena, &scene->field, mask_of(assets, true), &parts->field, err)))
+        return status;
+    parts->drops = take(&arena, tp_drops_bytes(&scene->drops));
+    if (parts->drops && scene->drops.into == TP_DROPS_RINGS)
+        parts->rings = take(&arena, (size_t)scene->drops.rings * sizeof(tp_ring_now));
+    parts->bytes = (uint32_t)arena.used;
+    return TP_OK;
+}
+
+/* The part at an offset; the block is aligned to 8, and so is every part. */
+static void *part(const tp_world *world, uint32_t at)
+{
+    return at ? (char *)(uintptr_t)world + at : NULL;
+}
+
+static tp_status init_pool(tp_pool *pool, const tp_scene_pool *scene, const tp_grey *mask,
+                           tp_error *err)
+{
+    tp_pool_config config = pool_config(scene, mask);
+    return pool ? tp_pool_init(pool, &config, err) : TP_OK;
+}
+
+tp_status tp_parts_init_ocean(tp_world *world, const tp_scene *scene,
+                              const tp_assets *assets, tp_error *err)
+{
+    tp_ocean_config config = ocean_config(scene, assets);
+    tp_ocean *ocean = part(world, world->parts.ocean);
+
+    return ocean ? tp_ocean_init(ocean, &config, &world->sea, scene->wave, TP_WAVES, err)
+                 : TP_OK;
+}
+
+tp_status tp_parts_init(tp_world *world, const tp_scene *scene, const tp_assets *assets,
+                        tp_error *err)
+{
+    tp_status status = tp_parts_init_ocean(world, scene, assets, err);
+
+    if (status == TP_OK)
+        status = init_pool(tp_parts_pool(world), &scene->pool, mask_of(assets, false), err);
+    if (status == TP_OK)
+        status = init_pool(tp_parts_field(world), &scene->field, mask_of(assets, true), err);
+    if (tp_parts_drops(world))
+        tp_drops_init(tp_parts_drops(world), &scene->drops);
+    return status;
+}
+
+static bool tune(tp_pool *pool, const tp_scene_pool *scene)
+{
+    tp_pool_config config = pool_config(scene, NULL);
+    return !pool || tp_pool_tune(pool, &config);
+}
+
+/* On a copy of the head, whose sponge stands behind it. */
+static bool can_tune(const tp_pool *pool, const tp_scene_pool *scene)
+{
+    if (!pool)
+        return true;
+    tp_pool head = *pool;
+    head.sponge = 0;
+    return tune(&head, scene);
+}
+
+bool tp_parts_can_tune(const tp_world *world, const tp_scene *scene)
+{
+    return can_tune(tp_world_pool(world), &scene->pool)
+        && can_tune(tp_world_field(world), &scene->field);
+}
+
+void tp_parts_tune(tp_world *world, const tp_scene *scene)
+{
+    tune(tp_parts_pool(world), &scene->pool);
+    tune(tp_parts_field(world), &scene->field);
+}
+
+tp_pool *tp_parts_pool(tp_world *world)
+{
+    return part(world, world->parts.pool);
+}
+
+tp_pool *tp_parts_field(tp_world *world)
+{
+    return part(world, world->parts.field);
+}
+
+tp_drops *tp_parts_drops(tp_world *world)
+{
+    return part(world, world->parts.drops);
+}
+
+tp_ring_now *tp_parts_rings(tp_world *world)
+{
+    return part(world, world->parts.rings);
+}
+
+const tp_pool *tp_world_pool(const tp_world *world)
+{
+    return part(world, world->parts.pool);
+}
+
+const tp_pool *tp_world_field(const tp_world *world)
+{
+    return part(world, world->parts.field);
+}
+
+const tp_ocean *tp_world_ocean(const tp_world *world)
+{
+    return part(world, world->parts.ocean);
+}
+
+const tp_drops *tp_world_drops(const tp_world *world)
+{
+    return part(world, world->parts.drops);
+}
+
+tp_surface tp_world_surface(const tp_world *world)
+{
+    return (tp_surface){
+        .sea = &world->sea, .phases = world->phases, .ocean = tp_world_ocean(world),
+        .ring = part(world, world->parts.rings), .rings = world->rings,
+        .pool = tp_world_pool(world), .field = tp_world_field(world),
+    };
+}

@@ -1,0 +1,36 @@
+/* SPDX-License-Identifier: MIT */
+/* The parts of a world that only some scenes have, behind its head in one block. */
+#ifndef TP_SCENE_PARTS_H
+#define TP_SCENE_PARTS_H
+#include "geom/surface.h"
+#include "tidepool/scene.h"
+
+/* Where the parts of a scene's world lie, and how large the block is; parts->bytes is 0 if
+ * the scene cannot be used.  `sea` is the scene's. */
+tp_status tp_parts_of(tp_world_parts *parts, const tp_scene *scene,
+                      const tp_assets *assets, const tp_sea *sea, tp_error *err);
+
+/* Fills the parts at world->parts: still water, no drops. */
+tp_status tp_parts_init(tp_world *world, const tp_scene *scene, const tp_assets *assets,
+                        tp_error *err);
+
+/* The ocean alone, built again: after a wave has changed. */
+tp_status tp_parts_init_ocean(tp_world *world, const tp_scene *scene,
+                              const tp_assets *assets, tp_error *err);
+
+/* What of the pools may change while they move; first ask whether nothing else has. */
+bool tp_parts_can_tune(const tp_world *world, const tp_scene *scene);
+void tp_parts_tune(tp_world *world, const tp_scene *scene);
+
+/* Makes the waves of scene->paddle, at a tick; the pool is the scene's. */
+void tp_paddle_push(tp_pool *pool, const tp_scene_pool *scene, uint64_t tick);
+
+/* Pointers into the block, or NULL. */
+tp_pool     *tp_parts_pool(tp_world *world);
+tp_pool     *tp_parts_field(tp_world *world);
+tp_drops    *tp_parts_drops(tp_world *world);
+tp_ring_now *tp_parts_rings(tp_world *world);
+
+/* The surface of this tick; valid until the world moves. */
+tp_surface tp_world_surface(const tp_world *world);
+#endif

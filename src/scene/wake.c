@@ -1,0 +1,353 @@
+/* SPDX-License-Identifier: MIT */
+/* The wake: a hull that moves through a pool's cells, or sinks into them, pushes their
+ * water aside, [E4]: H += b (sub before - sub now), sub the submerged column over a cell.
+ *
+ * The hull's form is a parabola both ways: with alpha and beta from -1 to 1 over length
+ * and beam, sub = (1 - alpha^2)(1 - beta^2)(draft + water over the waterline there).  It
+ * ends at its rim in nothing, so a cell is not struck, and holds 4/9 of its box, as hulls
+ * do.  One that is small for the cells is drawn out to three of them and made as much
+ * shallower: shorter waves the pool could not carry.
+ *
+ * Each sub is a function of the hull alone, rounded to cells' LSB, and the pool gets the
+ * difference of two such numbers: whatever the roundings, a hull that comes back to where
+ * it was has added nothing under it.  The hull before is the one that stirred last, not
+ * the last tick's: changes below two LSB wait until they are more, so that pool and boat
+ * come to rest.
+ *
+ * The hull sinks and rises as it would without the pool, in swells, rings and a field
+ * under it.  One that answered to its own ripples could stir them on for ever: what sinks
+ * here pulls water down, while the boat's lag behind a wave should push it.
+ *
+ * What the sum of the differences is short of zero, the cells around the hull take; what
+ * they cannot, any cell within reach can: at the worst it goes back whence it came. */
+#include "scene/boat.h"
+#include "scene/parts.h"
+
+#define PEAK_LEAST 2                    /* LSB */
+#define AROUND     TP_FX(1.5)           /* of a hull's sides */
+
+/* A hull over the cells.  The axes are per metre: alpha = (dx, dz) . along. */
+typedef struct {
+    tp_fx   x, z;
+    tp_turn heading;
+    int64_t along_q24[2], across_q24[2];
+    tp_fx   length, beam;               /* half of them */
+    tp_fx   heave, rise, tilt;          /* the column in the middle, and its slopes */
+    tp_fx   high;                       /* 2 draft: no column is longer */
+    tp_q30  share;                      /* b, and how much shallower it was made */
+} form;
+
+/* -- the hull's form ---------------------------------------------------------------- */
+
+/* Half of a side, but no less than 1.5 cells. */
+static tp_fx half_side(tp_fx side, const tp_pool *pool)
+{
+    tp_fx least = pool->cell + pool->cell / 2;
+    return side / 2 > least ? side / 2 : least;
+}
+
+/* Sines over half a side, 0.05 m or more, are below 2^29 in Q24. */
+static form form_of(const tp_hull *hull, const tp_scene *scene, const tp_pool *pool)
+{
+    tp_fx   length = half_side(scene->boat.length, pool);
+    tp_fx   beam = half_side(scene->boat.beam, pool);
+    int64_t s = (int64_t)tp_sin(hull->heading) * 1024;      /* Q40, for a Q24 */
+    int64_t c = (int64_t)tp_cos(hull->heading) * 1024;
+    int64_t slim = ((int64_t)scene->boat.length << 29) / length;
+    int64_t fine = ((int64_t)scene->boat.beam << 29) / beam;
+    int64_t wide = slim * fine >> 30;
+
+    return (form){
+        .x = hull->x, .z = hull->z, .heading = hull->heading,
+        .along_q24 = { s / length, -c / length },
+        .across_q24 = { c / beam, s / beam },
+        .length = length, .beam = beam,
+        .heave = scene->boat.draft + hull->sunk[0],
+        .rise = hull->sunk[1], .tilt = hull->sunk[2],
+        .high = 2 * scene->boat.draft,
+        .share = tp_q30_mul((int32_t)wide, scene->boat.wake << 14),
+    };
+}
+
+/* alpha and beta of a place, 16.16: a way is below 2^32, an axis below 2^29, so the sum
+ * of two products stays below 2^62; the shift may leave 38 bits. */
+static void place_in(const form *f, tp_fx x, tp_fx z, int64_t at[2])
+{
+    const int64_t dx = (int64_t)x - f->x, dz = (int64_t)z - f->z, half = 1 << 23;
+
+    at[0] = (dx * f->along_q24[0] + dz * f->along_q24[1] + half) >> 24;
+    at[1] = (dx * f->across_q24[0] + dz * f->across_q24[1] + half) >> 24;
+}
+
+static bool is_within(const int64_t at[2], tp_fx reach)
+{
+    return at[0] > -reach && at[0] < reach && at[1] > -reach && at[1] < reach;
+}
+
+/* The submerged column, with the share of it that stirs, in the pool's LSB.  A column of
+ * 40 m and the parabolas below 1 keep each product below 2^38. */
+static int32_t column(const form *f, const tp_pool *pool, tp_fx x, tp_fx z)
+{
+    int64_t at[2];
+
+    place_in(f, x, z, at);
+    if (!is_within(at, TP_FX_ONE))
+        return 0;
+    tp_fx alpha = (tp_fx)at[0], beta = (tp_fx)at[1];
+    tp_fx deep = f->heave + tp_fx_mul(alpha, f->rise / 2) - tp_fx_mul(beta, f->tilt / 2);
+    tp_fx lean = tp_fx_mul(TP_FX_ONE - tp_fx_mul(alpha, alpha),
+                           TP_FX_ONE - tp_fx_mul(beta, beta));
+    tp_fx metres = tp_fx_mul(tp_clamp(deep, 0, f->high), lean);
+    return tp_pool_lsb(pool, tp_q30_mul(metres, f->share));
+}
+
+/* -- cells -------------------------------------------------------------------------- */
+
+/* The cells that hulls can reach, row by row; those of a tiled field may lie beyond its
+ * edge, where it goes on. */
+typedef struct {
+    int32_t col0, col1, row0, row1;
+} box;
+
+typedef struct {
+    tp_pool *pool;
+    form     before, now;
+    int32_t  peak;              /* most that was added to a cell */
+} wake;
+
+typedef struct {
+    int32_t  col, row;
+    uint32_t in_col, in_row;    /* of the pool */
+    tp_fx    x, z;              /* of its centre */
+} cell;
+
+static uint32_t wrapped(int32_t i, uint32_t count)
+{
+    int32_t n = i % (int32_t)count;
+    return (uint32_t)(n < 0 ? n + (int32_t)count : n);
+}
+
+/* Where the first column of cells or the first row begins. */
+static int64_t edge(tp_fx middle, tp_fx side, uint32_t count)
+{
+    return middle - (int64_t)count * side / 2;
+}
+
+/* Of a column or a row; each is a side beyond the one before, to the LSB. */
+static tp_fx centre(tp_fx middle, tp_fx side, uint32_t count, int32_t i)
+{
+    return (tp_fx)(edge(middle, side, count) + side / 2 + (int64_t)i * side);
+}
+
+static cell cell_at(const tp_pool *pool, int32_t col, int32_t row)
+{
+    return (cell){
+        col, row, wrapped(col, pool->cols), wrapped(row, pool->rows),
+        centre(pool->x, pool->cell, pool->cols, col),
+        centre(pool->z, pool->cell, pool->rows, row),
+    };
+}
+
+/* Before the first: an empty box has none. */
+static cell before_first(const box *b)
+{
+    bool empty = b->col0 > b->col1;
+    return (cell){ .col = b->col1, .row = empty ? b->row1 : b->row0 - 1 };
+}
+
+/* False after the last. */
+static bool next(const tp_pool *pool, const box *b, cell *at)
+{
+    if (at->col < b->col1) {
+        at->col++;
+        at->in_col = at->in_col + 1 < pool->cols ? at->in_col + 1 : 0;
+        at->x += pool->cell;
+        return true;
+    }
+    if (at->row >= b->row1)
+        return false;
+    *at = cell_at(pool, b->col0, at->row + 1);
+    return true;
+}
+
+/* Cells from low to high, m; of a tiled field no more than there are. */
+static void reach_cells(const tp_pool *pool, uint32_t count, tp_fx middle, int64_t low,
+                        int64_t high, int32_t ends[2])
+{
+    int64_t start = edge(middle, pool->cell, count), most = (int64_t)count - 1;
+    int64_t a = (low - start) / pool->cell - 1, b = (high - start) / pool->cell + 1;
+
+    if (pool->edges == TP_EDGES_TILE) {
+        int64_t spare = b - a - most;
+        a += spare > 0 ? spare / 2 : 0;
+        b = spare > 0 ? a + most : b;
+    } else {
+        a = a < 0 ? 0 : a;
+        b = b > most ? most : b;
+    }
+    ends[0] = (int32_t)a;
+    ends[1] = (int32_t)b;
+}
+
+static int64_t lesser(int64_t a, int64_t b) { return a < b ? a : b; }
+static int64_t greater(int64_t a, int64_t b) { return a > b ? a : b; }
+
+/* How far a hull's corners lie from its middle along an axis of the world, to which its
+ * own have a sine and a cosine. */
+static tp_fx extent(const form *f, tp_turn heading)
+{
+    return tp_q30_mul(f->length, tp_abs(tp_sin(heading)))
+         + tp_q30_mul(f->beam, tp_abs(tp_cos(heading)));
+}
+
+/* Both hulls', made `reach` times as large. */
+static box box_of(const wake *w, tp_fx reach)
+{
+    const form *a = &w->before, *b = &w->now;
+    const tp_pool *pool = w->pool;
+    const tp_turn quarter = 0x40000000;
+    int64_t ax = tp_fx_mul(extent(a, a->heading), reach);
+    int64_t az = tp_fx_mul(extent(a, a->heading + quarter), reach);
+    int64_t bx = tp_fx_mul(extent(b, b->heading), reach);
+    int64_t bz = tp_fx_mul(extent(b, b->heading + quarter), reach);
+    int32_t col[2], row[2];
+
+    reach_cells(pool, pool->cols, pool->x, lesser(a->x - ax, b->x - bx),
+                greater(a->x + ax, b->x + bx), col);
+    reach_cells(pool, pool->rows, pool->z, lesser(a->z - az, b->z - bz),
+                greater(a->z + az, b->z + bz), row);
+    return (box){ col[0], col[1], row[0], row[1] };
+}
+
+/* -- stirring ----------------------------------------------------------------------- */
+
+/* What a cell gains. */
+static int32_t gain(const wake *w, const cell *at)
+{
+    return column(&w->before, w->pool, at->x, at->z)
+         - column(&w->now, w->pool, at->x, at->z);
+}
+
+/* Water around the hull as it is now: half as far again as its sides. */
+static bool is_around(const wake *w, const cell *at)
+{
+    int64_t way[2];
+
+    place_in(&w->now, at->x, at->z, way);
+    return is_within(way, AROUND) && !is_within(way, TP_FX_ONE)
+        && !tp_pool_wall(w->pool, at->in_col, at->in_row);
+}
+
+/* Returns what fitted: nothing in walls. */
+static int32_t add(wake *w, const cell *at, int64_t lsb)
+{
+    const int64_t most = INT32_MAX;
+    int32_t part = (int32_t)(lsb > most ? most : lsb < -most ? -most : lsb);
+    int32_t added = tp_pool_add(w->pool, at->in_col, at->in_row, part);
+
+    w->peak = tp_abs(added) > w->peak ? tp_abs(added) : w->peak;
+    return added;
+}
+
+/* As far as it matters. */
+static int32_t highest_gain(const wake *w, const box *b)
+{
+    int32_t highest = 0;
+
+    for (cell at = before_first(b); highest < PEAK_LEAST && next(w->pool, b, &at);) {
+        int32_t size = tp_abs(gain(w, &at));
+        highest = size > highest ? size : highest;
+    }
+    return highest;
+}
+
+/* Returns the sum of what fitted. */
+static int64_t push_aside(wake *w, const box *b)
+{
+    int64_t sum = 0;
+
+    for (cell at = before_first(b); next(w->pool, b, &at);) {
+        int32_t lsb = gain(w, &at);
+        sum += lsb ? add(w, &at, lsb) : 0;
+    }
+    return sum;
+}
+
+static int64_t count_around(const wake *w, const box *b)
+{
+    int64_t count = 0;
+
+    for (cell at = before_first(b); next(w->pool, b, &at);)
+        count += is_around(w, &at);
+    return count;
+}
+
+/* Evenly: the i-th of n cells gets what lies between (i - 1) sum / n and i sum / n.  A
+ * sum is below 2^18 cells of 2^31.  Returns what is left. */
+static int64_t spread_around(wake *w, const box *b, int64_t sum)
+{
+    int64_t n = count_around(w, b), i = 0, given = 0, left = sum;
+
+    for (cell at = before_first(b); next(w->pool, b, &at);) {
+        if (!is_around(w, &at))
+            continue;
+        i++;
+        int64_t due = sum / n * i + sum % n * i / n;
+        left -= due != given ? add(w, &at, due - given) : 0;
+        given = due;
+    }
+    return left;
+}
+
+/* Into whatever takes it. */
+static void pour(wake *w, const box *b, int64_t left)
+{
+    for (cell at = before_first(b); left != 0 && next(w->pool, b, &at);)
+        left -= add(w, &at, left);
+}
+
+static void stir(wake *w, const box *hulls)
+{
+    int64_t left = -push_aside(w, hulls);
+
+    if (left != 0) {
+        const box around = box_of(w, AROUND);
+        left = spread_around(w, &around, left);
+        pour(w, &around, left);
+    }
+    tp_pool_stirred(w->pool, w->peak);
+}
+
+/* ----------------------------------------------------------------------------------- */
+
+static bool is_same(const tp_hull *a, const tp_hull *b)
+{
+    return a->x == b->x && a->z == b->z && a->heading == b->heading
+        && a->sunk[0] == b->sunk[0] && a->sunk[1] == b->sunk[1]
+        && a->sunk[2] == b->sunk[2];
+}
+
+tp_pool *tp_boat_pool(tp_world *world)
+{
+    tp_pool *pool = tp_parts_pool(world);
+    return pool ? pool : tp_parts_field(world);
+}
+
+void tp_boat_wake(tp_world *world, const tp_scene *scene)
+{
+    tp_afloat *a = &world->afloat;
+    wake w = { .pool = tp_boat_pool(world) };
+
+    if (!w.pool || is_same(&a->hull, &a->stirred))
+        return;
+    w.before = form_of(&a->stirred, scene, w.pool);
+    w.now = form_of(&a->hull, scene, w.pool);
+    const box hulls = box_of(&w, TP_FX_ONE);
+    int32_t peak = highest_gain(&w, &hulls);
+    if (peak >= PEAK_LEAST) {
+        stir(&w, &hulls);
+        a->stirs++;
+    }
+    if (peak == 0 || peak >= PEAK_LEAST)
+        a->stirred = a->hull;
+}

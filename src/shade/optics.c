@@ -1,0 +1,109 @@
+/* SPDX-License-Identifier: MIT */
+/* Reflection and refraction at the water's surface [F1]-[F4].
+ *
+ * Rays are worked out without a case of their own for grazing light.  With ci = -N.I the
+ * refracted T = eta I + (eta ci - ct) N has |T|^2 = eta^2 + ct^2 - eta^2 ci^2 = 1 and
+ * N.T = -ct <= -0.66 whatever the sign of ci: always a unit vector into the water. */
+#include "tidepool/light.h"
+
+#define INDEX    TP_Q30(1.333)
+#define ETA      TP_Q30(0.750187547)        /* 1 / 1.333 */
+#define ETA2     TP_Q30(0.562781355)
+#define R0       TP_Q30(0.020373188)        /* (0.333 / 2.333)^2 */
+#define Q60_ONE  ((int64_t)TP_Q30_ONE * TP_Q30_ONE)
+
+static int32_t q30_round(int64_t q60)
+{
+    return (int32_t)((q60 + (1 << 29)) >> 30);
+}
+
+/* The cosine of the refracted ray, sqrt(1 - eta^2 (1 - c^2)) for |c| <= 1: 0.66..1. */
+static tp_q30 cos_refracted(tp_q30 c)
+{
+    const tp_q30 s2 = q30_round(Q60_ONE - (int64_t)c * c);
+
+    return (tp_q30)tp_isqrt64((uint64_t)(Q60_ONE - (int64_t)s2 * ETA2));
+}
+
+/* ((a - b) / (a + b))^2 for a, b in 0..1.333, a + b >= 0.66: the sum, as Q2.30, needs at
+ * the most one shift to be in the reciprocal's range, and then its inverse is Q1.31. */
+static tp_q30 share(tp_q30 a, tp_q30 b)
+{
+    const uint32_t sum = (uint32_t)a + (uint32_t)b;
+    const int      up = tp_clz(sum);
+    const int64_t  part = (int64_t)(a - b) * tp_recip_norm(sum << up);  /* < 2^63 */
+    const tp_q30   r = (tp_q30)((part + ((int64_t)1 << (32 - up))) >> (33 - up));
+
+    return tp_q30_mul(r, r);
+}
+
+tp_q30 tp_fresnel(tp_q30 cos_i)
+{
+    const tp_q30 c = tp_clamp(cos_i, 0, TP_Q30_ONE), ct = cos_refracted(c);
+
+    const tp_q30 rs = share(c, tp_q30_mul(INDEX, ct));
+    const tp_q30 rp = share(ct, tp_q30_mul(INDEX, c));
+
+    return (tp_q30)(((uint32_t)rs + (uint32_t)rp + 1) >> 1);   /* both are 1 at grazing */
+}
+
+tp_q30 tp_fresnel_schlick(tp_q30 cos_i)
+{
+    const tp_q30 m = TP_Q30_ONE - tp_clamp(cos_i, 0, TP_Q30_ONE), m2 = tp_q30_mul(m, m);
+
+    return R0 + tp_q30_mul(TP_Q30_ONE - R0, tp_q30_mul(tp_q30_mul(m2, m2), m));
+}
+
+/* Unit vectors are products of roundings: a dot product may be a few LSB beyond 1. */
+static tp_q30 cos_of(tp_dir3 a, tp_dir3 b)
+{
+    return tp_clamp(tp_dir3_dot(a, b), -TP_Q30_ONE, TP_Q30_ONE);
+}
+
+/* in x a + normal x b, rounded once: |in a| + |normal b| <= 2^60 + 2^61. */
+static tp_dir3 sum_of(tp_dir3 in, tp_q30 a, tp_dir3 normal, int64_t b)
+{
+    return (tp_dir3){ q30_round((int64_t)in.x * a + normal.x * b),
+                      q30_round((int64_t)in.y * a + normal.y * b),
+                      q30_round((int64_t)in.z * a + normal.z * b) };
+}
+
+tp_dir3 tp_reflect(tp_dir3 incident, tp_dir3 normal)
+{
+    return sum_of(incident, TP_Q30_ONE, normal, -2 * (int64_t)cos_of(incident, normal));
+}
+
+tp_dir3 tp_refract(tp_dir3 incident, tp_dir3 normal)
+{
+    const tp_q30 ci = -cos_of(incident, normal);
+    const int64_t lean = (int64_t)tp_q30_mul(ETA, ci) - cos_refracted(ci);
+
+    return sum_of(incident, ETA, normal, lean);
+}
+
+/* depth a / b rounded half up, b > 0; |depth a| <= 2^31 2^30.01. */
+static tp_fx offset(tp_fx depth, tp_q30 a, tp_q30 b)
+{
+    const int64_t way = (int64_t)depth * a;
+    int64_t q = way / b, rest = way % b;
+
+    if (rest < 0) {
+        q--;                            /* C rounds towards 0, we round down ... */
+        rest += b;
+    }
+    q += rest >= b - rest;              /* ... and halves up */
+    return q > TP_FX_MAX ? TP_FX_MAX : q < TP_FX_MIN ? TP_FX_MIN : (tp_fx)q;
+}
+
+static tp_fx end_towards(tp_q30 a)
+{
+    return a > 0 ? TP_FX_MAX : a < 0 ? TP_FX_MIN : 0;
+}
+
+tp_floor_offset tp_refract_offset(tp_dir3 refracted, tp_fx depth)
+{
+    if (refracted.y >= 0)
+        return (tp_floor_offset){ end_towards(refracted.x), end_towards(refracted.z) };
+    return (tp_floor_offset){ offset(depth, refracted.x, -refracted.y),
+                              offset(depth, refracted.z, -refracted.y) };
+}

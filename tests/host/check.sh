@@ -1,0 +1,178 @@
+#!/bin/sh
+# SPDX-License-Identifier: MIT
+# tidepool check: the shipped tables hold, and what is wrong with a table is said with its
+# file and line.
+#     check.sh PROGRAM
+# One line a case; the last line is "N passed, M failed", and the exit code tells too.
+program=$(realpath "$1") || exit 2
+vectors=$(realpath tests/vectors) || exit 2
+work=$(mktemp -d) || exit 2
+trap 'rm -rf "$work"' EXIT
+trap 'exit 1' INT TERM HUP
+cd "$work" || exit 2
+passed=0 failed=0
+
+# verdict NAME REASON: passed if the reason is empty.
+verdict() {
+    if [ -z "$2" ]; then
+        passed=$((passed + 1))
+        echo "ok - $1"
+    else
+        failed=$((failed + 1))
+        echo "FAILED - $1: $2"
+        sed 's/^/     | /' err | head -5
+    fi
+}
+
+# expect NAME CODE PATTERN ARGUMENT...: exit code and a basic regular expression that
+# some line of stderr matches; "" wants stderr empty.
+expect() {
+    name=$1 want=$2 pattern=$3
+    shift 3
+    timeout 300 "$program" "$@" >out 2>err </dev/null
+    code=$?
+    if [ "$code" -ne "$want" ]; then
+        verdict "$name" "exit code $code, expected $want"
+    elif [ -z "$pattern" ] && [ -s err ]; then
+        verdict "$name" "unexpected message"
+    elif [ -n "$pattern" ] && ! grep -q -e "$pattern" err; then
+        verdict "$name" "no message like '$pattern'"
+    else
+        verdict "$name" ""
+    fi
+}
+
+# folder FILE...: a new folder t with copies of tables.
+folder() {
+    rm -rf t
+    mkdir t
+    for file; do cp "$vectors/$file.csv" t; done
+}
+
+# broken NAME PATTERN FILE SCRIPT: the table, changed by a sed script, is refused.
+broken() {
+    folder "$3"
+    sed -e "$4" "$vectors/$3.csv" >"t/$3.csv"
+    expect "$1" 3 "$2" check --vectors t
+}
+
+# -- the shipped tables ----------------------------------------------------------------
+
+expect "all shipped tables hold" 0 "" check --vectors "$vectors"
+for file in "$vectors"/*.csv; do
+    name=$(basename "$file" .csv)
+    verdict "$name is in the table" "$(grep -q "^$name .* ok$" out || echo "it is not")"
+done
+verdict "no line says otherwise" "$(grep -v -e ' ok$' -e '^file' out)"
+verdict "the table fits 80 columns" "$(awk 'length($0) > 80' out)"
+rows=$(grep -vc -e '^#' "$vectors/sine.csv")
+verdict "every row is counted" \
+    "$(awk -v rows="$rows" '/^sine +sine  / && $3 != rows - 1' out)"
+
+folder fresnel exposure
+expect "a folder may hold some tables" 0 "" check --vectors t
+touch t/README t/notes.txt t/.hidden.csv
+expect "other files and hidden ones are passed over" 0 "" check "--vectors=t"
+sed -i 's/$/\r/' t/fresnel.csv
+expect "lines may end as elsewhere" 0 "" check --vectors t
+
+# -- errors over the budget -------------------------------------------------------------
+
+folder fresnel exposure
+sed -i '8s/,[^,]*$/,0.5/' t/fresnel.csv
+expect "a wrong value is found" 1 "t/fresnel.csv:8: Schlick is off by" check --vectors t
+verdict "the table says so" "$(grep -q 'OVER' out || echo "it does not")"
+verdict "and goes on with other tables" "$(grep -q '^fresnel .* ok$' out || echo no)"
+sed -i '8d' t/exposure.csv
+expect "a bad table counts more than a wrong value" 3 "t/exposure.csv:8: tick 6; expected 5" \
+    check --vectors t
+verdict "the other is judged all the same" "$(grep -q 'OVER' out || echo "it is not")"
+folder automaton_int
+sed -i '5s/[0-9]*$/1/' t/automaton_int.csv
+expect "a wrong CRC is found" 1 "t/automaton_int.csv:5: crc32 is off" check --vectors t
+folder buoyancy
+awk -F, -v OFS=, '/^[-0-9]/ { $8 = $6 } { print }' "$vectors/buoyancy.csv" >t/buoyancy.csv
+expect "a step is compared with itself, not with the root" 1 "step 1 is off" \
+    check --vectors t
+
+# -- bad tables ------------------------------------------------------------------------
+
+folder sine
+mv t/sine.csv t/sines.csv
+expect "an unknown name" 3 "t/sines.csv: no model is called so; did you mean sine.csv?" \
+    check --vectors t
+mv t/sines.csv t/something_else.csv
+expect "a name far from all" 3 "t/something_else.csv: no model is called so$" \
+    check --vectors t
+broken "an unknown column" "t/sine.csv:2: unknown column 'sinn'; did you mean sin?" sine \
+    '2s/,sin,/,sinn,/'
+broken "a column twice" "t/sine.csv:2: column 'sin' twice" sine '2s/,cos,/,sin,/'
+broken "a column that is missing" "t/sine.csv:2: no column 'cos_q16'" sine \
+    '2,$s/,[^,]*$//'
+broken "a column more" "t/sine.csv:2: unknown column 'extra'" sine \
+    '2s/$/,extra/;3,$s/$/,0/'
+broken "no rows" "t/sine.csv:2: no rows" sine '3,$d'
+broken "no column names" "t/sine.csv:2: no column names" sine '2,$d'
+broken "nothing at all" "t/sine.csv:1: no column names" sine d
+broken "a word for a number" "t/sine.csv:4: sin: expected a number, found 'much'" sine \
+    '4s/,[^,]*,/,much,/'
+broken "a number with a tail" "sine.csv:4: sin: expected a number, found '0.5x'" sine \
+    '4s/,[^,]*,/,0.5x,/'
+for bad in nan inf 0x10 1e999 "" " 1" 1..2 -; do
+    broken "the number '$bad'" "sine.csv:4: sin: expected a number, found '$bad'" sine \
+        "4s/,[^,]*,/,$bad,/"
+done
+broken "a field less" "t/sine.csv:4: 4 fields; there are 5 columns" sine '4s/,[^,]*$//'
+broken "a field more" "t/sine.csv:4: 6 fields; there are 5 columns" sine '4s/$/,0/'
+broken "an empty line" "t/sine.csv:4: 0 fields; there are 5 columns" sine '4s/.*//'
+broken "a number beyond its range" "t/sine.csv:4: sin = 1.5 is outside -1..1" sine \
+    '4s/,[^,]*,/,1.5,/'
+broken "a fraction where there is none" "phase_u32 = 0.5 .* or no whole number" sine \
+    '4s/^[^,]*/0.5/'
+broken "an unknown word" "dispersion.csv:3: class = 'wet' is none of shallow|" dispersion \
+    '3s/[a-z]*$/wet/'
+broken "an unknown parameter line" "sine.csv:2: unknown parameter line 'seed=5'" sine \
+    '1a # seed=5'
+broken "a parameter line that says something else" "time_scale.csv:1: unknown param" \
+    time_scale '1s/tau=0.4/tau=0.5/'
+broken "a parameter line with a bad number" "exposure.csv:1: unknown parameter line" \
+    exposure '1s/e0=1/e0=x/'
+broken "a parameter beyond its range" "exposure.csv:1: e0 = 99 is outside 0.125..8" \
+    exposure '1s/e0=1/e0=99/'
+broken "a parameter line that is missing" "sine.csv:1: no parameter line '# \[G1\]" sine 1d
+broken "a parameter line twice" "sine.csv:2: one parameter line of this kind too many" \
+    sine '1{p}'
+broken "waves out of their order" "gerstner_sum.csv:3: number 2; expected 1" gerstner_sum \
+    '3s/wave 1/wave 2/'
+broken "a bad list of cells" "automaton_int.csv:3: init: expected INDEX:HEIGHT" \
+    automaton_int '3s/,5:113;/,5:;/'
+broken "a cell outside of the pool" "automaton_int.csv:3: init: expected INDEX:HEIGHT" \
+    automaton_int '3s/,5:113;/,500:113;/'
+broken "a step back" "automaton_int.csv:4: step 1 after step 1" automaton_int \
+    '4s/,2,A,/,1,A,/'
+broken "a pool that the core refuses" "no pool of .* can be made" automaton_mode \
+    's/,0.234375,0.0625,/,0.25,0.0625,/'
+folder sine
+printf 'a\0b\n' >>t/sine.csv
+expect "a zero byte" 3 "t/sine.csv: a zero byte in it" check --vectors t
+mkdir t/fresnel.csv
+expect "a folder for a table" 3 "t/fresnel.csv: Is a directory" check --vectors t
+
+# -- command lines ---------------------------------------------------------------------
+
+mkdir empty
+expect "a folder without tables" 3 "empty: no .csv file there" check --vectors empty
+expect "a folder that is not there" 3 "nowhere: No such file" check --vectors nowhere
+touch README
+expect "a file for a folder" 3 "README: Not a directory" check --vectors README
+expect "no folder" 2 "which folder" check
+expect "an empty name" 2 "expected a folder" check --vectors ""
+expect "a scene" 2 "too many names" check three-swells --vectors empty
+expect "an option of another command" 2 "no option --hash" check --hash
+expect "a misspelt option" 2 "did you mean --vectors?" check --vector empty
+expect "--help" 0 "" check --help
+verdict "--help fits 24 lines of 80 columns" \
+    "$(awk 'length($0) > 80 || NR > 24' out; [ -s out ] || echo empty)"
+
+echo "$passed passed, $failed failed"
+exit $((failed > 0))

@@ -1,0 +1,318 @@
+/* SPDX-License-Identifier: MIT */
+/* Crossings against the models in double precision, and that a crossing is the same
+ * however it is come by. */
+#include <stdarg.h>
+#include <stddef.h>
+#include <setjmp.h>
+#include <stdint.h>
+#include <cmocka.h>
+#include "geom/grid.h"
+#include "seas.h"
+#include "view.h"
+
+static uint64_t chance;
+
+#define SIDE 40
+
+/* A grid over a sea; the eye anywhere above it. */
+typedef struct {
+    tp_grid grid;
+    void   *block;
+    view    v;
+    ocean   sea;
+    tp_surface surface;
+    tp_grid_view look;
+} pond;
+
+static void carve(pond *p)
+{
+    tp_arena count = tp_arena_over(NULL, 0);
+
+    tp_grid_carve(&p->grid, &count, SIDE, SIDE);
+    p->block = malloc(count.used);
+    memset(p->block, 0xa5, count.used);
+    tp_arena arena = tp_arena_over(p->block, count.used);
+    tp_grid_carve(&p->grid, &arena, SIDE, SIDE);
+    assert_false(arena.failed);
+}
+
+static void place(pond *p)
+{
+    p->surface.sea = &p->sea.sea;
+    p->surface.phases = p->sea.phases;
+    p->look.lens = &p->v.lens;
+    p->look.surface = &p->surface;
+    p->look.width = p->v.width;
+    p->look.height = p->v.height;
+    tp_grid_place(&p->grid, &p->look);
+}
+
+static void make(pond *p, ocean sea, double cell, double reach)
+{
+    const tp_vec3 eye = { chance_fx(&chance, -500, 500), chance_fx(&chance, 0.5, 20),
+                          chance_fx(&chance, -500, 500) };
+
+    *p = (pond){ .sea = sea };
+    p->v = view_of(eye, (tp_turn)random_next(&chance),
+                   tp_turn_of_degrees(chance_fx(&chance, -60, 10)),
+                   chance_fx(&chance, 30, 90), TP_FX(0.25), 640, 480);
+    p->look.cell = (tp_fx)(cell * 65536);
+    p->look.reach = (tp_fx)(reach * 65536);
+    p->look.follow = true;
+    carve(p);
+    place(p);
+}
+
+static void pond_free(pond *p)
+{
+    free(p->block);
+}
+
+/* -- against the models ---------------------------------------------------------------- */
+
+/* Where a crossing is in the world: its view coordinates along the lens's own axes. */
+static ref_vec world_of(const view *v, const tp_view_corner *c)
+{
+    const tp_dir3 axis[3] = { v->lens.right, v->lens.up, v->lens.ahead };
+    const double way[3] = { c->x * LSB, c->y * LSB, c->depth * LSB };
+    ref_vec p = v->ref.eye;
+
+    for (int i = 0; i < 3; i++) {
+        const ref_vec a = { axis[i].x / 1073741824.0, axis[i].y / 1073741824.0,
+                            axis[i].z / 1073741824.0 };
+        const double by = way[i] / ref_dot(a, a);
+        p = (ref_vec){ p.x + by * a.x, p.y + by * a.y, p.z + by * a.z };
+    }
+    return p;
+}
+
+/* All that waves add, faded, and the normal that this makes. */
+static ref_point faded(ref_point p, double x0, double z0, double fade, bool crossed)
+{
+    p.x = x0 + fade * (p.x - x0);
+    p.y *= fade;
+    p.z = z0 + fade * (p.z - z0);
+    p.hx *= fade;
+    p.hz *= fade;
+    p.jxx = 1 - fade * (1 - p.jxx);
+    p.jzz = 1 - fade * (1 - p.jzz);
+    p.jxz *= fade;
+    p.nx = p.hz * p.jxz - p.hx * p.jzz;
+    p.ny = p.jxx * p.jzz - p.jxz * p.jxz;
+    p.nz = p.hx * p.jxz - p.hz * p.jxx;
+    return crossed ? p : ref_uncrossed(p);
+}
+
+/* Of a normal made of sines and numbers of 16 bits: each product of both is off by a part
+ * in 2^16 of the number, and by half a bit of its own format, two of them to a swell.
+ * Slopes come out in Q.12. */
+static double coarse_normal_error(const ocean *o, const tp_grid *grid, const ref_point *p,
+                                  double x0, double z0)
+{
+    const double bit = ldexp(1, -grid->frame.tilt), e = 2 / 65536.0;
+    double h = 0, j = 1e-8;
+
+    for (int i = 0; i < o->ref.count; i++) {
+        const ref_wave *w = &o->ref.wave[i];
+        const double turn = e + phase_error(o, i, x0, z0) + SINE;
+        h += w->k * w->amplitude * turn_most(w) * turn + bit + w->k * LSB;
+        j += w->q * turn + 1 / 32768.0;
+    }
+    const double tilt = fabs(p->hx) + fabs(p->hz);
+    const double size = fabs(p->jxx) + fabs(p->jxz) + fabs(p->jzz);
+    const double n = 2 * (h * size + j * tilt + h * j) + 2 * j * size + j * j;
+    const double length = sqrt(p->nx * p->nx + p->ny * p->ny + p->nz * p->nz);
+    return asin(fmin(1, n / length)) + 3e-4;
+}
+
+static void compare(pond *p, uint32_t i, uint32_t j, bool usual, errors *e)
+{
+    const tp_grid_line *column = &p->grid.column[i], *row = &p->grid.row[j];
+    const double x0 = column->place * LSB, z0 = row->place * LSB;
+    const double fade = column->fade * LSB * row->fade * LSB;
+    const ref_point want = faded(ref_at_rest(&p->sea.ref, p->sea.ref_phases, x0, z0), x0,
+                                 z0, fade, p->sea.sea.crossed);
+    const tp_view_corner c = tp_grid_corner(&p->grid, &p->look, i, j);
+    const tp_sea_point slopes = { .slope_x = c.n[0] * 16, .slope_z = c.n[1] * 16 };
+    const ref_vec got = world_of(&p->v, &c);
+    const double height = got.y - want.y;
+    const double off = fmax(fabs(got.x - want.x), fabs(got.z - want.z));
+    const double angle = normal_angle(&want, &slopes);
+    /* Three view coordinates to an LSB of 1/2 m scaled at the least, on axes of Q.30. */
+    const double seen = 4 * LSB + 2e-9 * (fabs(got.x - p->v.ref.eye.x)
+                                          + fabs(got.z - p->v.ref.eye.z));
+
+    measure_add(&e->height, height * 1000, (int64_t)p->sea.tick, i, j);
+    measure_add(&e->place, off * 1000, (int64_t)p->sea.tick, i, j);
+    measure_add(&e->normal, angle * 180 / PI, (int64_t)p->sea.tick, i, j);
+    assert_true(fabs(height) <= height_error(&p->sea, x0, z0) + seen);
+    assert_true(off <= place_error(&p->sea, x0, z0) + seen);
+    assert_true(angle <= coarse_normal_error(&p->sea, &p->grid, &want, x0, z0));
+    if (usual) {
+        assert_true(fabs(height) < 0.25e-3);
+        assert_true(angle * 180 / PI < 0.02);
+    }
+    assert_int_equal(c.s, column->place);
+    assert_int_equal(c.t, row->place);
+}
+
+static void compare_some(pond *p, bool usual, errors *e)
+{
+    for (int k = 0; k < 40; k++)
+        compare(p, random_below(&chance, SIDE), random_below(&chance, SIDE), usual, e);
+}
+
+/* Up to eight waves of 2 m and steepnesses up to 0.7, ten years. */
+static void usual_seas_are_right_to_a_quarter_millimetre_and_a_fiftieth_of_a_degree(
+    void **state)
+{
+    (void)state;
+    errors e = errors_of("usual height", "usual place", "usual normal");
+
+    for (int n = 0; n < 600; n++) {
+        pond p;
+        make(&p, ocean_usual(&chance, 8, chance_double(&chance, 0, 0.7)),
+             chance_double(&chance, 0.2, 5), n % 2 ? 0 : 300);
+        compare_some(&p, true, &e);
+        pond_free(&p);
+    }
+    errors_print(&e);
+}
+
+static void any_legal_sea_follows_the_models(void **state)
+{
+    (void)state;
+    errors e = errors_of("any height", "any place", "any normal");
+
+    for (int n = 0; n < 600; n++) {
+        pond p;
+        make(&p, ocean_any(&chance, TP_WAVES), chance_double(&chance, 0.05, 20),
+             n % 2 ? 0 : 4000);
+        compare_some(&p, false, &e);
+        pond_free(&p);
+    }
+    errors_print(&e);
+}
+
+static void sharpened_seas_follow_the_models(void **state)
+{
+    (void)state;
+    errors e = errors_of("sharp height", "sharp place", "sharp normal");
+
+    for (int n = 0; n < 400; n++) {
+        pond p;
+        ocean sea = n % 2 ? ocean_any(&chance, TP_WAVES) : ocean_usual(&chance, 8, 0.5);
+        ocean_sharpen(&chance, &sea);
+        make(&p, sea, chance_double(&chance, 0.2, 5), n % 4 < 2 ? 0 : 300);
+        compare_some(&p, false, &e);
+        pond_free(&p);
+    }
+    errors_print(&e);
+}
+
+static void sines_of_phases_are_right_to_28_bits(void **state)
+{
+    (void)state;
+    measure error = { .what = "sine, cosine", .unit = "of 2^30" };
+
+    for (int n = 0; n < 300000; n++) {
+        const tp_turn angle = (tp_turn)random_next(&chance);
+        const tp_vertex_turn got = tp_vertex_turn_of(angle);
+        const double th = angle / 4294967296.0 * 2 * PI;
+        measure_add(&error, got.sin - sin(th) * 1073741824.0, angle, 0, 0);
+        measure_add(&error, got.cos - cos(th) * 1073741824.0, angle, 1, 0);
+    }
+    measure_print(&error);
+    assert_true(error.worst < 8);
+}
+
+/* -- the same bits --------------------------------------------------------------------- */
+
+/* A row in runs of any lengths gives what it gives crossing by crossing. */
+static void where_a_run_begins_does_not_show(void **state)
+{
+    (void)state;
+    for (int n = 0; n < 200; n++) {
+        pond p;
+        tp_vertex_row row;
+        tp_grid_vertex whole[SIDE], parts[SIDE];
+        ocean sea = ocean_any(&chance, TP_WAVES);
+        if (n % 4 == 0)
+            ocean_sharpen(&chance, &sea);
+        make(&p, sea, chance_double(&chance, 0.2, 5), 0);
+        row.line = p.grid.row[random_below(&chance, SIDE)];
+        tp_vertex_rest_z(&p.grid.frame, row.line.place, row.rest);
+        tp_vertex_set_row(&p.grid.frame, &row);
+        memset(whole, 0, sizeof whole);
+        memset(parts, 0, sizeof parts);
+        for (uint32_t i = 0; i < SIDE; i++)
+            tp_vertex_place(&p.grid.frame, &p.grid.columns, &row, i, 1, false, &whole[i]);
+        for (uint32_t i = 0, count; i < SIDE; i += count) {
+            count = 1 + random_below(&chance, TP_VERTEX_RUN);
+            count = count < SIDE - i ? count : SIDE - i;
+            tp_vertex_place(&p.grid.frame, &p.grid.columns, &row, i, count, false,
+                            &parts[i]);
+        }
+        assert_memory_equal(whole, parts, sizeof whole);
+        pond_free(&p);
+    }
+}
+
+/* -- what lies on the swells ----------------------------------------------------------- */
+
+/* A ring raises a crossing by its height at the displaced place and adds its slopes.  The
+ * place is read off the view, to 4 LSB. */
+static void rings_lie_on_the_displaced_water(void **state)
+{
+    (void)state;
+    int raised = 0;
+
+    for (int n = 0; n < 200; n++) {
+        pond p;
+        ocean sea = ocean_usual(&chance, 4, 0.5);
+        if (n % 4 == 0)
+            ocean_sharpen(&chance, &sea);
+        make(&p, sea, 0.5, n % 2 ? 0 : 300);
+        const tp_ring ring = {
+            .x = p.grid.column[SIDE / 2].place, .z = p.grid.row[SIDE / 2].place,
+            .amplitude = TP_FX(0.3), .length = 4 * TP_FX_ONE, .speed = TP_FX_ONE,
+            .decay = 10 * TP_FX_ONE, .spread = 10 * TP_FX_ONE, .attack = TP_FX(0.1),
+        };
+        tp_ring_now now;
+        assert_true(tp_ring_at(&ring, (int64_t)(60 + random_below(&chance, 120)) << 16,
+                               &now));
+        for (int k = 0; k < 100; k++) {
+            const uint32_t i = random_below(&chance, SIDE), j = random_below(&chance, SIDE);
+            p.surface.rings = 0;
+            const tp_view_corner still = tp_grid_corner(&p.grid, &p.look, i, j);
+            p.surface.ring = &now;
+            p.surface.rings = 1;
+            const tp_view_corner c = tp_grid_corner(&p.grid, &p.look, i, j);
+            const ref_vec a = world_of(&p.v, &still), b = world_of(&p.v, &c);
+            const tp_relief want = tp_ring_relief(&now, 1, (tp_fx)lround(a.x / LSB),
+                                                  (tp_fx)lround(a.z / LSB));
+            assert_true(fabs(b.x - a.x) < 8 * LSB && fabs(b.z - a.z) < 8 * LSB);
+            assert_true(fabs(b.y - a.y - want.height * LSB) < 12 * LSB);
+            assert_true(fabs(16 * (c.n[0] - still.n[0]) - (double)want.slope_x) < 60);
+            assert_true(fabs(16 * (c.n[1] - still.n[1]) - (double)want.slope_z) < 60);
+            raised += want.height > 1000;
+        }
+        pond_free(&p);
+    }
+    assert_true(raised > 100);
+}
+
+int main(void)
+{
+    chance = random_seed();
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(
+            usual_seas_are_right_to_a_quarter_millimetre_and_a_fiftieth_of_a_degree),
+        cmocka_unit_test(any_legal_sea_follows_the_models),
+        cmocka_unit_test(sharpened_seas_follow_the_models),
+        cmocka_unit_test(sines_of_phases_are_right_to_28_bits),
+        cmocka_unit_test(where_a_run_begins_does_not_show),
+        cmocka_unit_test(rings_lie_on_the_displaced_water),
+    };
+    return cmocka_run_group_tests_name("vertex", tests, NULL, NULL);
+}

@@ -1,0 +1,472 @@
+/* SPDX-License-Identifier: MIT */
+/* What a boat does to the pool it floats in [E4]: water is pushed aside and none is lost,
+ * a boat at rest leaves the pool at rest, one that is faster than waves leaves a V. */
+#include <stdarg.h>
+#include <stddef.h>
+#include <setjmp.h>
+#include <stdint.h>
+#include <cmocka.h>
+#include "scene/boat.h"
+#include "scene/parts.h"
+#include "scenes.h"
+
+#define LSB (1 / 65536.0)
+
+static uint64_t chance;
+
+/* 96 cells of 1/4 m each way, a boat of 4 m in the middle. */
+static tp_scene pool_scene(tp_cells cells, tp_edges edges)
+{
+    tp_scene s;
+
+    tp_scene_default(&s);
+    strcpy(s.boat.mesh, "boat.obj");
+    s.pool.cols = s.pool.rows = 96;
+    s.pool.cells = cells;
+    s.pool.edges = edges;
+    s.pool.range = 2 * TP_FX_ONE;
+    s.boat.x = s.boat.z = 0;
+    s.boat.length = 4 * TP_FX_ONE;
+    s.boat.beam = TP_FX(1.6);
+    s.boat.draft = TP_FX(0.5);
+    s.boat.wake = TP_FX_ONE;
+    return s;
+}
+
+static tp_world *world_of(const tp_scene *scene)
+{
+    const size_t bytes = tp_world_bytes(scene, NULL);
+    tp_world *world = malloc(bytes);
+
+    assert_non_null(world);
+    assert_int_equal(tp_world_init(world, bytes, scene, NULL, NULL), TP_OK);
+    return world;
+}
+
+static tp_pool *water_of(tp_world *world)
+{
+    return tp_parts_pool(world) ? tp_parts_pool(world) : tp_parts_field(world);
+}
+
+/* The boat alone, one tick further. */
+static void sail(tp_world *world, const tp_scene *scene, const tp_input *in)
+{
+    tp_boat_step(world, scene, in);
+    tp_boat_wake(world, scene);
+}
+
+/* -- the hull, in double precision --------------------------------------------------- */
+
+/* The submerged column at a place, m: the form of wake.c. */
+static double ref_column(const tp_scene *s, const tp_pool *pool, const tp_hull *hull,
+                         double x, double z)
+{
+    const double turn = hull->heading / 4294967296.0 * 2 * 3.14159265358979;
+    const double dx = x - hull->x * LSB, dz = z - hull->z * LSB;
+    const double length = s->boat.length * LSB / 2, beam = s->boat.beam * LSB / 2;
+    const double least = 1.5 * pool->cell * LSB;
+    const double a = (dx * sin(turn) - dz * cos(turn)) / fmax(length, least);
+    const double b = (dx * cos(turn) + dz * sin(turn)) / fmax(beam, least);
+    const double draft = s->boat.draft * LSB;
+    const double deep = draft + (hull->sunk[0] + a * hull->sunk[1] / 2
+                                 - b * hull->sunk[2] / 2) * LSB;
+    const double shallow = fmin(1, length / least) * fmin(1, beam / least);
+
+    if (fabs(a) >= 1 || fabs(b) >= 1)
+        return 0;
+    return fmax(0, fmin(2 * draft, deep)) * (1 - a * a) * (1 - b * b) * shallow
+         * s->boat.wake * LSB;
+}
+
+static double cell_x(const tp_pool *p, uint32_t col)
+{
+    return (p->x + (col + 0.5 - p->cols / 2.0) * p->cell) * LSB;
+}
+
+static double cell_z(const tp_pool *p, uint32_t row)
+{
+    return (p->z + (row + 0.5 - p->rows / 2.0) * p->cell) * LSB;
+}
+
+static double lsb_of(const tp_pool *pool)
+{
+    return tp_pool_lsb(pool, TP_FX_ONE / 2) * 2;
+}
+
+static void any_small_boat(tp_scene *s)
+{
+    s->boat.length = chance_scale(&chance, 0.1, 12);
+    s->boat.beam = chance_scale(&chance, 0.1, 6);
+    s->boat.draft = chance_scale(&chance, 0.05, 1);
+    s->boat.wake = chance_fx(&chance, 0, 1);
+    s->boat.heading = chance_fx(&chance, -360, 360);
+}
+
+/* One stroke from hull to hull over still water, cell by cell; where the hull is not and
+ * was not, cells share what the roundings of the others left. */
+static void compare_stroke(tp_scene *s, measure *off)
+{
+    tp_world *w = world_of(s);
+    tp_pool *pool = water_of(w);
+    tp_hull *hull = &w->afloat.hull;
+    const double lsb = lsb_of(pool);
+
+    hull->x += chance_fx(&chance, -0.5, 0.5);
+    hull->z += chance_fx(&chance, -0.5, 0.5);
+    hull->heading += (tp_turn)chance_int(&chance, -100000000, 100000000);
+    for (int k = 0; k < 3; k++)
+        hull->sunk[k] = chance_fx(&chance, -0.3, 0.3);
+    const tp_hull before = w->afloat.stirred, now = *hull;
+    tp_boat_wake(w, s);
+    for (uint32_t row = 0; row < pool->rows; row++) {
+        for (uint32_t col = 0; col < pool->cols; col++) {
+            const double x = cell_x(pool, col), z = cell_z(pool, row);
+            const double was = ref_column(s, pool, &before, x, z);
+            const double is = ref_column(s, pool, &now, x, z);
+            if (is > 0.001)     /* well within: no share of the rest goes there */
+                measure_add(off, tp_pool_height(pool, col, row) - (was - is) * lsb,
+                            (int64_t)col, row, 0);
+        }
+    }
+    assert_int_equal(tp_pool_look(pool).sum, 0);
+    free(w);
+}
+
+static void the_hull_s_column_follows_the_models(void **state)
+{
+    (void)state;
+    measure off = { .what = "column", .unit = "LSB of 0.5 mm" };
+
+    for (int n = 0; n < 60; n++) {
+        tp_scene s = pool_scene(TP_CELLS_16, TP_EDGES_WALL);
+        any_small_boat(&s);
+        s.pool.range = 16 * TP_FX_ONE;
+        compare_stroke(&s, &off);
+    }
+    measure_print(&off);
+    assert_true(off.worst < 1.5);       /* two roundings, and 16.16 */
+}
+
+/* -- volume -------------------------------------------------------------------------- */
+
+/* Boats of every size that sail anywhere over pools of every kind, over their edges, in
+ * water that has no room for them. */
+static void no_water_is_lost_or_won(void **state)
+{
+    (void)state;
+    uint32_t stirs = 0, full = 0;
+
+    for (int n = 0; n < 48; n++) {
+        tp_scene s = pool_scene((tp_cells)(n % 3), (tp_edges)(n / 3 % 3));
+        any_small_boat(&s);
+        s.pool.cols = chance_int(&chance, 16, 64);
+        s.pool.rows = chance_int(&chance, 16, 64);
+        s.pool.range = chance_scale(&chance, 0.01, 8);
+        s.pool.cell = chance_scale(&chance, 0.1, 1);
+        s.boat.mode = n % 2 ? TP_BOAT_DYNAMIC : TP_BOAT_KINEMATIC;
+        s.boat.x = chance_fx(&chance, -10, 10);
+        s.boat.z = chance_fx(&chance, -10, 10);
+        tp_world *w = world_of(&s);
+        const double high = s.pool.range * LSB;
+        for (int t = 0; t < 60; t++) {
+            const tp_input in = { .throttle = chance_fx(&chance, -4, 30),
+                                  .rudder = chance_fx(&chance, -90, 90) };
+            tp_pool_step(water_of(w));
+            const int64_t before = tp_pool_look(water_of(w)).sum;
+            sail(w, &s, &in);
+            const tp_pool_state after = tp_pool_look(water_of(w));
+            assert_int_equal(after.sum, before);
+            full += s.pool.cells != TP_CELLS_32
+                 && after.highest >= lsb_of(water_of(w)) * high - 1;
+        }
+        stirs += w->afloat.stirs;
+        free(w);
+    }
+    print_message("# stirred %u times, %u with a cell that was full\n", stirs, full);
+    assert_true(stirs > 500);
+    assert_true(full > 50);
+}
+
+/* The highest |height| over the hull as it is. */
+static int32_t highest_under(tp_world *w, const tp_scene *s)
+{
+    const tp_pool *pool = water_of(w);
+    int32_t highest = 0;
+
+    for (uint32_t row = 0; row < pool->rows; row++) {
+        for (uint32_t col = 0; col < pool->cols; col++) {
+            const int32_t h = abs(tp_pool_height(pool, col, row));
+            if (h > highest
+                && ref_column(s, pool, &w->afloat.hull, cell_x(pool, col),
+                              cell_z(pool, row)) > 0)
+                highest = h;
+        }
+    }
+    return highest;
+}
+
+/* Sunk and lifted in its place it gives back all it took, but for what is below its dead
+ * zone; around it each stroke leaves a rounding. */
+static void a_hull_that_comes_back_has_added_nothing(void **state)
+{
+    (void)state;
+    for (int n = 0; n < 30; n++) {
+        tp_scene s = pool_scene((tp_cells)(n % 3), TP_EDGES_WALL);
+        any_small_boat(&s);
+        s.boat.draft = TP_FX_ONE;
+        tp_world *w = world_of(&s);
+        const tp_hull rest = w->afloat.hull;
+        for (int t = 0; t < 20; t++) {
+            w->afloat.hull.sunk[0] = t == 19 ? rest.sunk[0]
+                                             : chance_fx(&chance, -0.4, 0.4);
+            tp_boat_wake(w, &s);
+        }
+        assert_true(highest_under(w, &s) < 2);
+        assert_true(tp_pool_look(water_of(w)).highest <= 20);
+        free(w);
+    }
+}
+
+/* -- rest ---------------------------------------------------------------------------- */
+
+static void a_boat_at_rest_leaves_still_water_still(void **state)
+{
+    (void)state;
+    for (int n = 0; n < 6; n++) {
+        tp_scene s = pool_scene((tp_cells)(n % 3), TP_EDGES_WALL);
+        s.boat.mode = n < 3 ? TP_BOAT_DYNAMIC : TP_BOAT_KINEMATIC;
+        tp_world *w = world_of(&s);
+        for (int t = 0; t < 200; t++)
+            tp_world_step(w, &s, NULL);
+        const tp_pool_state look = tp_pool_look(water_of(w));
+        assert_int_equal(w->afloat.stirs, 0);
+        assert_true(look.at_rest && look.highest == 0 && look.fastest == 0);
+        free(w);
+    }
+}
+
+static bool is_at_rest(const tp_world *w)
+{
+    const int64_t *speed = w->afloat.lie.speed;
+
+    return tp_pool_look(tp_world_pool(w)).at_rest && !speed[0] && !speed[1] && !speed[2]
+        && memcmp(&w->boat, &w->last_boat, sizeof w->boat) == 0;
+}
+
+/* A boat that sails for two seconds, turns, and stops: ticks until nothing moves for 200
+ * more. */
+static int ticks_to_rest(const tp_scene *s, int most)
+{
+    tp_world *w = world_of(s);
+    const tp_input in = { .throttle = 3 * TP_FX_ONE, .rudder = 30 * TP_FX_ONE };
+    int t = 0, rests = 0;
+
+    for (; t < 120; t++)
+        tp_world_step(w, s, &in);
+    assert_true(w->afloat.stirs > 5);
+    for (; rests < 200 && t < most; t++) {
+        const uint32_t stirs = w->afloat.stirs;
+        tp_world_step(w, s, NULL);
+        rests = is_at_rest(w) && w->afloat.stirs == stirs ? rests + 1 : 0;
+    }
+    free(w);
+    return t - rests;
+}
+
+/* 16 bits at rest are flat, so the boat is too; that is [C10].  Smoothed and floating
+ * boats answer to the ripples that they make. */
+static void pool_and_boat_come_to_exact_rest(void **state)
+{
+    (void)state;
+    for (int n = 0; n < 9; n++) {
+        tp_scene s = pool_scene((tp_cells)(n % 3), TP_EDGES_WALL);
+        s.pool.cols = s.pool.rows = 64;
+        s.pool.damping = 4;
+        s.boat.mode = n < 3 ? TP_BOAT_DYNAMIC : TP_BOAT_KINEMATIC;
+        s.boat.smooth = n < 6 ? 0 : TP_FX(0.5);
+        const int ticks = ticks_to_rest(&s, 8000);
+        print_message("# %d bits, %s: rest after %d ticks\n", 8 << n % 3,
+                      n < 3 ? "floating" : n < 6 ? "lying" : "smoothed", ticks);
+        assert_true(ticks < 8000);
+    }
+}
+
+/* Small pools that ring for long, boats that fill them and lag far behind their waves: a
+ * hull that answered to its own ripples would stir these on for ever. */
+static void no_boat_stirs_its_own_ripples_on(void **state)
+{
+    (void)state;
+    for (int n = 0; n < 8; n++) {
+        tp_scene s = pool_scene((tp_cells)(n % 3), TP_EDGES_WALL);
+        s.pool.cols = s.pool.rows = 32;
+        s.pool.damping = 5;
+        s.pool.courant = chance_fx(&chance, 0.3, 0.48);
+        s.pool.cell = chance_scale(&chance, 0.1, 1);
+        s.boat.length = chance_scale(&chance, 0.5, 12);
+        s.boat.beam = chance_scale(&chance, 0.5, 6);
+        s.boat.draft = chance_scale(&chance, 0.1, 1);
+        s.boat.drag = TP_FX(0.2);
+        s.boat.mode = n % 2 ? TP_BOAT_DYNAMIC : TP_BOAT_KINEMATIC;
+        s.boat.smooth = chance_scale(&chance, 0.1, 1);
+        assert_true(ticks_to_rest(&s, 12000) < 11800);
+    }
+}
+
+/* A floating boat in a swell over a pool rocks against the swell, and its ripples go out;
+ * one that lies on the swell makes none. */
+static void a_boat_that_rocks_stirs_the_pool(void **state)
+{
+    (void)state;
+    for (int n = 0; n < 2; n++) {
+        tp_scene s = pool_scene(TP_CELLS_16, TP_EDGES_SPONGE);
+        s.wave[0] = (tp_wave){ TP_FX(0.4), 12 * TP_FX_ONE, 0, 0, 0, TP_FX_ONE, 1 };
+        s.boat.mode = n == 0 ? TP_BOAT_DYNAMIC : TP_BOAT_KINEMATIC;
+        tp_world *w = world_of(&s);
+        int32_t far = 0;
+        for (int t = 0; t < 300; t++) {
+            tp_world_step(w, &s, NULL);
+            const int32_t h = abs(tp_pool_height(tp_world_pool(w), 48, 20));
+            far = h > far ? h : far;
+        }
+        print_message("# %s: %u strokes, %.1f mm at 7 m\n", n ? "lying" : "floating",
+                      w->afloat.stirs, far / lsb_of(tp_world_pool(w)) * 1000);
+        assert_int_equal(w->afloat.stirs > 200, n == 0);
+        assert_int_equal(far > lsb_of(tp_world_pool(w)) * 0.002, n == 0);
+        assert_int_equal(w->afloat.stirs == 0, n == 1);
+        free(w);
+    }
+}
+
+/* -- the V --------------------------------------------------------------------------- */
+
+/* How fast the highest water's row goes outwards, along columns behind the boat: a line
+ * through 8 m to 24 m astern by least squares. */
+static double spread_of(const tp_world *w, const tp_pool *pool, int side)
+{
+    double n = 0, sx = 0, sz = 0, sxx = 0, sxz = 0;
+
+    for (uint32_t col = 0; col < pool->cols; col++) {
+        const double astern = w->boat.place.x * LSB - cell_x(pool, col);
+        int32_t highest = 0;
+        double  at = 0;
+        if (astern < 8 || astern > 24)
+            continue;
+        for (uint32_t row = 0; row < pool->rows; row++) {
+            const int32_t h = tp_pool_height(pool, col, row);
+            if (cell_z(pool, row) * side > 0 && h > highest) {
+                highest = h;
+                at = cell_z(pool, row) * side;
+            }
+        }
+        n++;
+        sx += astern;
+        sz += at;
+        sxx += astern * astern;
+        sxz += astern * at;
+    }
+    return (n * sxz - sx * sz) / (n * sxx - sx * sx);
+}
+
+/* tan of the half-angle is that of asin(c / U): the pool's waves all have one speed. */
+static void a_boat_faster_than_waves_leaves_a_v(void **state)
+{
+    (void)state;
+    const double ratio[2] = { 0.45, 0.65 };
+
+    for (int i = 0; i < 2; i++) {
+        tp_scene s = pool_scene(TP_CELLS_32, TP_EDGES_WALL);
+        s.pool.cols = s.pool.rows = 256;
+        s.pool.damping = 10;
+        const double c = s.pool.courant * LSB * s.pool.cell * LSB * 60;
+        s.boat.x = -28 * TP_FX_ONE;
+        s.boat.heading = 90 * TP_FX_ONE;
+        s.boat.speed = (tp_fx)lround(c / ratio[i] * 65536);
+        tp_world *w = world_of(&s);
+        for (int t = 0; t < (int)(50 / (c / ratio[i]) * 60); t++)
+            tp_world_step(w, &s, NULL);
+        const double model = asin(ratio[i]) * 180 / 3.14159265;
+        const double port = atan(spread_of(w, water_of(w), -1)) * 180 / 3.14159265;
+        const double starboard = atan(spread_of(w, water_of(w), 1)) * 180 / 3.14159265;
+        print_message("# c/U %.2f: %.2f and %.2f degrees, model %.2f\n", ratio[i], port,
+                      starboard, model);
+        assert_true(fabs(port - model) < 1.5 && fabs(starboard - model) < 1.5);
+        free(w);
+    }
+}
+
+/* -- repeated ------------------------------------------------------------------------ */
+
+static void a_wake_replays_bit_for_bit(void **state)
+{
+    (void)state;
+    for (int n = 0; n < 6; n++) {
+        tp_scene s = pool_scene((tp_cells)(n % 3), (tp_edges)(n / 2));
+        s.boat.mode = n % 2 ? TP_BOAT_DYNAMIC : TP_BOAT_KINEMATIC;
+        const size_t bytes = tp_world_bytes(&s, NULL);
+        tp_world *w = world_of(&s), *copy = malloc(bytes);
+        tp_input tape[80];
+        for (int t = 0; t < 80; t++) {
+            tape[t] = (tp_input){ .throttle = random_number(&chance),
+                                  .rudder = random_number(&chance) };
+            if (t == 20)
+                memcpy(copy, w, bytes);
+            tp_world_step(w, &s, &tape[t]);
+        }
+        for (int t = 20; t < 80; t++)
+            tp_world_step(copy, &s, &tape[t]);
+        assert_memory_equal(copy, w, bytes);
+        assert_true(w->afloat.stirs > 0);
+        free(w);
+        free(copy);
+    }
+}
+
+/* Every size and place of the table, over pools of every size and place. */
+static void any_boat_may_stir_any_pool(void **state)
+{
+    (void)state;
+    for (int n = 0; n < 40; n++) {
+        tp_scene s = scene_any(&chance);
+        strcpy(s.boat.mesh, "boat.obj");
+        s.drops.count = 0;
+        s.floor.depth = s.wind.strength = 0;
+        s.pool.cols = n % 2 ? 16 + n % 5 : 0;
+        s.field.cols = 16 + n % 7;
+        s.pool.rows = s.field.rows = 16 + n % 11;
+        s.pool.courant = s.field.courant = TP_FX(0.4);
+        s.pool.feed_low = s.field.feed_low = 0;
+        if (n % 4) {
+            s.boat.x = s.pool.x + chance_fx(&chance, -3, 3);
+            s.boat.z = s.pool.z + chance_fx(&chance, -3, 3);
+        }
+        if (tp_world_bytes(&s, NULL) == 0)
+            continue;
+        tp_world *w = world_of(&s);
+        for (int t = 0; t < 20; t++) {
+            const tp_input in = { .throttle = random_number(&chance),
+                                  .rudder = random_number(&chance) };
+            const int64_t before = tp_pool_look(water_of(w)).sum;
+            sail(w, &s, &in);
+            assert_int_equal(tp_pool_look(water_of(w)).sum, before);
+        }
+        free(w);
+    }
+}
+
+int main(void)
+{
+    chance = random_seed();
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(the_hull_s_column_follows_the_models),
+        cmocka_unit_test(no_water_is_lost_or_won),
+        cmocka_unit_test(a_hull_that_comes_back_has_added_nothing),
+        cmocka_unit_test(a_boat_at_rest_leaves_still_water_still),
+        cmocka_unit_test(pool_and_boat_come_to_exact_rest),
+        cmocka_unit_test(no_boat_stirs_its_own_ripples_on),
+        cmocka_unit_test(a_boat_that_rocks_stirs_the_pool),
+        cmocka_unit_test(a_boat_faster_than_waves_leaves_a_v),
+        cmocka_unit_test(a_wake_replays_bit_for_bit),
+        cmocka_unit_test(any_boat_may_stir_any_pool),
+    };
+    return cmocka_run_group_tests_name("wake", tests, NULL, NULL);
+}
