@@ -3,29 +3,16 @@
 # three-swells on an emulated Cortex-M4: its frames must be the host's, and what they cost
 # in instructions, stack and RAM.
 . tests/gates/lib.sh
+. tests/budgets/board.sh
 
 program=${TP_PROGRAM:-build/host/tidepool}
 elf=build/cortex-m/tidepool.elf
-plugin=build/host/count.so
 
 lacks arm-none-eabi-gcc gcc-arm-none-eabi "frames on a Cortex-M4" && exit 77
 lacks qemu-system-arm qemu-system-arm "frames on a Cortex-M4" && exit 77
 
 check "the program for the board builds" build BOARD=cortex-m elf
-address()       # of a symbol
-{
-    echo 0x"$(arm-none-eabi-nm $elf | awk -v name="$1" '$3 == name { print $1 }')"
-}
-
-run_board()
-{
-    timeout 300 qemu-system-arm -M mps2-an386 -nographic -monitor none -serial null \
-        -chardev file,id=said,path="$scratch/board" \
-        -semihosting-config enable=on,target=native,chardev=said -kernel $elf \
-        -plugin $plugin,low="$(address stack_low)",high="$(address stack_top)" \
-        2>"$scratch/counts" </dev/null
-}
-check "it runs to its end" run_board
+check "it runs to its end" emulate $elf "$scratch/board" "$scratch/counts"
 
 # The board's frames against those of the program, which reads the scene from its files.
 equal()

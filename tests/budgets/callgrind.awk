@@ -1,0 +1,14 @@
+# SPDX-License-Identifier: MIT
+# Callgrind's dumps, each a section, as the lines of count.c's plugin:
+#     count SECTION model FUNCTION INSTRUCTIONS
+# What a call cost stands behind its line "calls=" and is the callee's.
+#
+#   awk -f tests/budgets/callgrind.awk DUMP...
+/^part:/   { section = $2 }
+/^fn=/     { name = substr($0, 4); gsub(/ /, "_", name); next }
+/^calls=/  { getline; next }
+/^[0-9]/   { insns[section " model " name] += $2 }
+END {
+    for (i in insns)
+        printf "count %s %d\n", i, insns[i]
+}

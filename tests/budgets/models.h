@@ -1,0 +1,55 @@
+/* SPDX-License-Identifier: MIT */
+/* What the models that are counted share; see models.c. */
+#ifndef MODELS_H
+#define MODELS_H
+#include "tidepool/tidepool.h"
+
+/* A model: how often it is run, what makes it ready, what is counted.  A list ends with
+ * a row of zeros. */
+typedef struct {
+    const char *name, *unit;        /* without blanks */
+    const char *each;               /* what its bytes are: "a wave" */
+    void      (*prepare)(int kind);
+    void      (*run)(void);
+    int         kind;
+    uint32_t    units;
+} model_row;
+
+extern const model_row model_seas[], model_oceans[], model_pools[], model_drops[],
+                       model_grids[];
+
+/* What rows work on; `prepare` may change count, and sets bytes. */
+typedef struct {
+    uint32_t count, bytes;
+    tp_sea   sea;
+    tp_turn  phases[TP_WAVES];
+    union { uint64_t aligned; uint8_t byte[1 << 20]; } block;
+} model_place;
+extern model_place model;
+
+void model_expect(bool holds, const char *otherwise);
+
+/* Three crossing waves with a sum of steepness in 16.16, at a tick. */
+void model_sea(tp_fx steepness, int32_t power);
+extern const tp_wave model_waves[3];
+
+/* A pool of this row's kind, moving; in the block. */
+tp_pool *model_pool(int kind);
+#define MODEL_POOL(cells, side, with) ((cells) + 4 * ((side) == 128) + 8 * (with))
+enum { OPEN, MASK, SPONGE, TILED, SETTLE, FED };
+
+/* What is counted: a function that the compiler does not open. */
+#define COUNTED(name) static __attribute__((noinline)) void counted_##name(void)
+
+/* The compiler is to believe that the value is used. */
+#define KEEP(value) __asm__ volatile("" :: "r"(&(value)) : "memory")
+
+/* The i-th of places in +-`half` metres, spread evenly in no order. */
+static inline tp_fx model_spread(uint32_t i, uint32_t step, tp_fx half)
+{
+    return (tp_fx)((int64_t)(int32_t)(i * step) * half >> 31);
+}
+
+#define PLACE_X(i, half) model_spread((i), 2654435769u, (half))
+#define PLACE_Z(i, half) model_spread((i), 1640531527u, (half))
+#endif
