@@ -134,6 +134,12 @@ golden: $(BUILD)/tests/golden/test_frames
 ## draw the pictures of the README
 gallery: $(PROGRAM)
 	$(PROGRAM) render three-swells --size 1280x720 --out assets/gallery/three-swells.png
+	$(PROGRAM) render shore-break --size 400x240 --frames 332:332 \
+	    --out assets/gallery/shore-break.png
+	$(PROGRAM) render raindrops --size 400x240 --frames 300:300 \
+	    --out assets/gallery/raindrops.png
+	$(PROGRAM) render harbour --size 400x240 --frames 500:500 \
+	    --out assets/gallery/harbour.png
 ## make the boats and textures anew from their generators
 assets: $(BUILD)/longship $(BUILD)/textures
 	$(BUILD)/longship assets/boats
@@ -168,7 +174,8 @@ everything: all unit $(GOLDEN) $(FRAMES) $(BUILD)/tests/bench/scene_s \
 host-tests: everything
 	@$(MAKE) --no-print-directory $(SAN) unit build/san/tidepool
 	@$(RUN) build/log/host $(UNIT) $(UNIT:build/host/%=build/san/%) $(GOLDEN) \
-	    tests/gates/host.sh tests/gates/selftest.sh tests/host/cli.sh tests/host/check.sh \
+	    tests/gates/host.sh tests/gates/selftest.sh tests/host/cli.sh \
+	    tests/host/check.sh tests/host/tape.sh \
 	    tests/gates/sanitized.sh tests/host/generators.sh \
 	    tests/host/readme.sh
 more-tests: everything build/host/count.so

@@ -218,24 +218,28 @@ static int load(assets *a, const scene_file *file, const char *name, void *into,
 
 int assets_open(assets *a, const scene_file *file)
 {
-    const struct { const char *name; void *into; const void **named; } rows[] = {
-        { "boat.mesh", &a->boat, (const void **)&a->names.boat },
-        { "water.texture", &a->water, (const void **)&a->names.water },
-        { "water.normal", &a->water_normal, (const void **)&a->names.water_normal },
-        { "floor.map", &a->floor, (const void **)&a->names.floor },
-        { "pool.mask", &a->pool_mask, (const void **)&a->names.pool_mask },
-        { "field.mask", &a->field_mask, (const void **)&a->names.field_mask },
+    const struct { const char *name; void *into; } rows[] = {
+        { "boat.mesh", &a->boat },           { "water.texture", &a->water },
+        { "water.normal", &a->water_normal }, { "floor.map", &a->floor },
+        { "pool.mask", &a->pool_mask },      { "field.mask", &a->field_mask },
     };
+    enum { ROWS = sizeof rows / sizeof *rows };
+    bool there[ROWS];
     *a = (assets){ 0 };
-    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
-        bool there = false;
-        const int code = load(a, file, rows[i].name, rows[i].into, &there);
+    for (size_t i = 0; i < ROWS; i++) {
+        const int code = load(a, file, rows[i].name, rows[i].into, &there[i]);
         if (code) {
             assets_close(a);
             return code;
         }
-        if (there)
-            *rows[i].named = rows[i].into;
     }
+    a->names = (tp_assets){
+        .boat = there[0] ? &a->boat : NULL,
+        .water = there[1] ? &a->water : NULL,
+        .water_normal = there[2] ? &a->water_normal : NULL,
+        .floor = there[3] ? &a->floor : NULL,
+        .pool_mask = there[4] ? &a->pool_mask : NULL,
+        .field_mask = there[5] ? &a->field_mask : NULL,
+    };
     return EXIT_DONE;
 }

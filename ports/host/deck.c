@@ -124,26 +124,28 @@ const tp_input *deck_input(deck *d, uint64_t tick)
 int deck_record(deck *d, const char *name, const char *scene)
 {
     char text[TP_TAPE_LINE];
-    *d = (deck){ 0 };
-    const int code = output_open(&d->out, name);
-    if (!code) {
-        tp_tape_head_write(scene, text, sizeof text);
-        fprintf(d->out.file, "%s\n", text);
-    }
-    return code;
+    *d = (deck){ .file = fopen(name, "w"), .name = name };
+    if (!d->file)
+        return fail(EXIT_INPUT, "%s: %s", name, strerror(errno));
+    setvbuf(d->file, NULL, _IOLBF, 0);
+    tp_tape_head_write(scene, text, sizeof text);
+    fprintf(d->file, "%s\n", text);
+    return EXIT_DONE;
 }
 
 void deck_add(deck *d, uint64_t tick, const tp_input *input)
 {
     char text[TP_TAPE_LINE];
     const tp_tape_entry entry = { tick, *input };
-    if (d->out.file && tp_tape_write(&entry, text, sizeof text) > 0)
-        fprintf(d->out.file, "%s\n", text);
+    if (d->file && tp_tape_write(&entry, text, sizeof text) > 0)
+        fprintf(d->file, "%s\n", text);
 }
 
 int deck_close(deck *d)
 {
-    const int code = d->out.file ? output_close(&d->out) : EXIT_DONE;
+    int code = EXIT_DONE;
+    if (d->file && (ferror(d->file) | fclose(d->file)))
+        code = fail(EXIT_INPUT, "%s: cannot be written", d->name);
     free(d->entries);
     *d = (deck){ 0 };
     return code;

@@ -3,13 +3,15 @@
 #ifndef HOST_DECK_H
 #define HOST_DECK_H
 #include <stddef.h>
-#include "output.h"
+#include <stdio.h>
 #include "tidepool/tape.h"
 
 typedef struct {
     tp_tape_entry *entries;     /* by rising tick */
     size_t count, at;           /* at: the next to be given */
-    output out;                 /* of a recording */
+    FILE  *file;                /* of a recording, written line by line: what led to a
+                                 * crash is on the tape */
+    const char *name;
 } deck;
 
 /* Both return an exit code and have said why, with file and line; `scene` is the name that
@@ -23,5 +25,5 @@ const tp_input *deck_input(deck *d, uint64_t tick);
 /* Keeps it, if anything is set. */
 void deck_add(deck *d, uint64_t tick, const tp_input *input);
 
-int  deck_close(deck *d);       /* of a recording: all of it is on the disk */
+int  deck_close(deck *d);       /* EXIT_INPUT: not all of a recording could be written */
 #endif

@@ -45,12 +45,12 @@ static spheroid shaped(tp_vec3 centre, tp_fx radius, int32_t squash_q14)
     return (spheroid){ centre, tp_fx_mul(radius, wide), tp_fx_mul(radius, high) };
 }
 
-/* Number `count` is the sphere. */
+/* The last one is the sphere. */
 static spheroid number(const tp_frame *frame, uint32_t i)
 {
     const tp_drops *drops = tp_world_drops(frame->world);
     tp_fx back = frame->world->back;
-    bool  sphere = i == drops->count;
+    bool  sphere = i == frame->drops_seen;
     const tp_drop *drop = tp_drops_list(drops) + (sphere ? 0 : i);
     tp_vec3 a = sphere ? drops->last_sphere : drop->last;
     tp_vec3 b = sphere ? drops->sphere : drop->place;
@@ -112,7 +112,10 @@ void tp_frame_place_drops(tp_frame *frame)
 {
     const tp_drops *drops = tp_world_drops(frame->world);
 
-    for (uint32_t i = 0; i <= drops->count; i++) {
+    frame->drops_seen = drops->count < frame->drop_capacity ? drops->count
+                                                            : frame->drop_capacity;
+    frame->stats.dropped += drops->count - frame->drops_seen;
+    for (uint32_t i = 0; i <= frame->drops_seen; i++) {
         spheroid s = number(frame, i);
         frame->drop_box[i] = box_of(frame, &s);
         if (frame->drop_box[i].x0 <= frame->drop_box[i].x1) {
@@ -163,10 +166,8 @@ static void draw_one(const tp_frame *frame, const tp_samples *tile, const sphero
 
 void tp_frame_draw_drops(const tp_frame *frame, tp_samples *tile)
 {
-    const tp_drops *drops = tp_world_drops(frame->world);
-
     tile->front_only = true;
-    for (uint32_t i = 0; i <= drops->count; i++) {
+    for (uint32_t i = 0; i <= frame->drops_seen; i++) {
         const tp_grid_box *box = &frame->drop_box[i];
         if (box->x0 >= tile->x1 || box->x1 < tile->x0 || box->y0 >= tile->y1
             || box->y1 < tile->y0 || box->x0 > box->x1)

@@ -73,7 +73,7 @@ struct tp_frame {
 
     tp_ball_point    ball[TP_BALL];     /* of a sphere, once */
     tp_grid_box     *drop_box;          /* of each drop in the air, then the sphere */
-    uint32_t         drop_capacity;
+    uint32_t         drop_capacity, drops_seen;
     tp_ring_now     *ring;              /* as they lie at the drawn moment */
     uint32_t         ring_capacity;
     uint8_t          drop_gloss[TP_GLOSS];

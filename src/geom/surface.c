@@ -111,10 +111,10 @@ static tp_sea_point ocean_above(const tp_surface *surface, tp_fx x, tp_fx z,
     return (tp_sea_point){ .position = at.position };
 }
 
-/* 1/8 m either way: waves are longer. */
+/* 1/32 m either way: an eighth of the shortest wave. */
 static void ocean_slopes(const tp_surface *surface, tp_sea_point *at, const tp_fx rest[2])
 {
-    const tp_fx d = TP_FX_ONE / 8;
+    const tp_fx d = TP_FX_ONE / 32;
     const tp_fx way[4][2] = { { -d, 0 }, { d, 0 }, { 0, -d }, { 0, d } };
     tp_vec3 p[4];
 

@@ -5,7 +5,8 @@
 static bool is_same_block(const tp_pool *pool, const tp_pool_config *c)
 {
     return pool->cols == c->cols && pool->rows == c->rows && pool->cells == c->cells
-        && pool->edges == c->edges && pool->cell == c->cell && pool->range == c->range;
+        && pool->edges == c->edges && pool->cell == c->cell
+        && (pool->range == c->range || pool->cells == TP_CELLS_32);
 }
 
 bool tp_pool_tune(tp_pool *pool, const tp_pool_config *config)

@@ -84,6 +84,10 @@ bool tp_world_refresh(tp_world *world, const tp_scene *scene, const tp_assets *a
     if (tp_parts_init_ocean(world, scene, assets, NULL) != TP_OK)
         return false;
     tp_parts_tune(world, scene);
+    if (world->parts.drops) {
+        tp_parts_drops(world)->sphere.y = scene->drops.y;
+        tp_parts_drops(world)->sphere_radius = 2 * scene->drops.radius;
+    }
     if (world->clock_scale != scene->clock.scale)
         tp_clock_aim(&world->clock, scene->clock.scale);
     world->clock_scale = scene->clock.scale;

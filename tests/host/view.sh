@@ -69,7 +69,7 @@ check "unknown scene: exits 3 before any window" unknown
 # -- a server and a window --------------------------------------------------------------
 
 exec 7>number
-Xvfb -displayfd 7 -screen 0 800x600x24 -nolisten tcp >/dev/null 2>&1 &
+Xvfb -displayfd 7 -screen 0 800x600x24 -nolisten tcp -noreset >/dev/null 2>&1 &
 server=$!
 until_true test -s number || { echo "FAILED - Xvfb starts"; exit 1; }
 DISPLAY=:$(cat number)
@@ -162,6 +162,48 @@ kill -TERM "$(pgrep -P "$viewer")"
 wait "$viewer"
 check "SIGTERM ends it with exit code 0" test $? -eq 0
 viewer=""
+
+# -- a tape of what was done: played by render it ends in the picture of the window ------
+
+start tank --size 320x240 --tape played.tape --set pool.poke_every=0
+check "a window that records opens" until_true find_window
+sleep 0.3
+timeout 5 xdotool mousemove --window "$window" 160 130 click 3
+sleep 0.3
+press comma comma
+timeout 5 xdotool windowfocus "$window" keydown a
+sleep 0.3
+timeout 5 xdotool keyup a
+sleep 0.5
+press space
+until_true titled paused
+press p
+check "the screenshot of the tank" until_true test -s tank-0001.png
+press Escape
+wait "$viewer"
+check "the recorder ends with exit code 0" test $? -eq 0
+viewer=""
+check "the tape tells of the poke" grep -q "poke=.* poke_x=" played.tape
+check "the tape tells of slow motion" grep -q "slower=" played.tape
+check "the tape tells of the walk" grep -q "aside=" played.tape
+
+# Its frames are the clock's pictures: one of them is the screenshot.
+replayed() {
+    "$program" render tank --size 320x240 --tape played.tape --frames 600 \
+        --set pool.poke_every=0 --hash >hashes || return 1
+    "$program" render tank --size 320x240 --tape played.tape --frames 600 \
+        --set pool.poke_every=0 --hash | cmp -s - hashes || return 1
+    crc=$(convert tank-0001.png -depth 8 bgra:- | perl -0777 -ne '
+        my $crc = ~0 & 0xffffffff;
+        s/(...)./$1\0/gs;
+        for my $byte (unpack "C*", $_) {
+            $crc ^= $byte;
+            $crc = $crc & 1 ? $crc >> 1 ^ 0xedb88320 : $crc >> 1 for 1 .. 8;
+        }
+        printf "%08x", ~$crc & 0xffffffff;')
+    grep -q "$crc" hashes
+}
+check "render plays the tape, twice the same, to the screenshot's bits" replayed
 
 echo "$passed passed, $failed failed"
 [ "$failed" -eq 0 ]

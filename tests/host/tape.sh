@@ -1,0 +1,154 @@
+#!/bin/sh
+# SPDX-License-Identifier: MIT
+# Tapes: recorded inputs replay to the same frames; bad files are refused by file and line.
+#     tape.sh PROGRAM
+# One line a case; the last line is "N passed, M failed", and the exit code tells too.
+program=$(realpath "$1") || exit 2
+work=$(mktemp -d) || exit 2
+trap 'rm -rf "$work"' EXIT
+trap 'exit 1' INT TERM HUP
+cd "$work" || exit 2
+passed=0 failed=0
+
+# verdict NAME REASON: passed if the reason is empty.
+verdict() {
+    if [ -z "$2" ]; then
+        passed=$((passed + 1))
+        echo "ok - $1"
+    else
+        failed=$((failed + 1))
+        echo "FAILED - $1: $2"
+        sed 's/^/     | /' err | head -5
+    fi
+}
+
+# same NAME TEXT TEXT
+same() {
+    if [ "$2" = "$3" ]; then verdict "$1" ""; else verdict "$1" "'$2' is not '$3'"; fi
+}
+
+# hashes SCENE OPTION...: the frames' hashes, or the program's exit code and messages.
+hashes() {
+    timeout 60 "$program" render "$@" --size 48x32 --frames 40 --hash 2>err </dev/null ||
+        { echo "exit $?"; cat err; }
+}
+
+# tape NAME LINE...: a tape of the scene `minimal`.
+tape() {
+    file=$1
+    shift
+    { echo "tape 1 minimal"; for line in "$@"; do printf '%s\n' "$line"; done; } >"$file"
+}
+
+# refused NAME PATTERN FILE: exit code 3, nothing on stdout, a message that begins so.
+refused() {
+    timeout 60 "$program" render minimal --size 48x32 --frames 40 --hash --tape "$3" \
+        >out 2>err </dev/null
+    code=$?
+    if [ "$code" -ne 3 ]; then
+        verdict "$1" "exit code $code, expected 3"
+    elif [ -s out ]; then
+        verdict "$1" "frames were drawn"
+    elif [ "$(wc -l <err)" -ne 1 ] || ! grep -q -e "^$2" err; then
+        verdict "$1" "no message like '$2'"
+    else
+        verdict "$1" ""
+    fi
+}
+
+# bad NAME PATTERN LINE: the third line of a tape, refused by file and line.
+bad() {
+    tape bad.tape "3 ahead=0.5" "$3"
+    refused "$1" "bad.tape:3: $2" bad.tape
+}
+
+# -- replays ------------------------------------------------------------------------
+
+plain=$(hashes minimal)
+tape walk.tape "0 ahead=0.5" "# a turn" "" "3 turn=30000000 tilt=-9000000" \
+    "20 aside=-1 up=0.25"
+walk=$(hashes minimal --tape walk.tape)
+same "a tape is played" "$(echo "$walk" | grep -c '^frame')" 40
+same "a tape plays twice alike" "$(hashes minimal --tape walk.tape)" "$walk"
+same "frame 0 comes before its first line" "$(echo "$walk" | head -1)" \
+    "$(echo "$plain" | head -1)"
+if [ "$walk" = "$plain" ]; then verdict "a tape moves the camera" "it does not"
+else verdict "a tape moves the camera" ""; fi
+
+tape none.tape "5" "6" "# nothing"
+same "lines without inputs change nothing" "$(hashes minimal --tape none.tape)" "$plain"
+tape bare.tape
+same "a tape of its head alone changes nothing" "$(hashes minimal --tape bare.tape)" \
+    "$plain"
+tape late.tape "39 ahead=3" "18446744073709551615 ahead=1"
+same "what comes after the last frame is not played" \
+    "$(hashes minimal --tape late.tape)" "$plain"
+tr '\n' '|' <walk.tape | sed 's/|/\r\n/g' >dos.tape
+same "line ends of other systems" "$(hashes minimal --tape dos.tape)" "$walk"
+printf '%s' "$(cat walk.tape)" >cut.tape
+same "a last line without its end" "$(hashes minimal --tape cut.tape)" "$walk"
+{ head -1 walk.tape; echo "  0	ahead=0.5  "; sed 1,2d walk.tape; } >blank.tape
+same "blanks around and between" "$(hashes minimal --tape blank.tape)" "$walk"
+{ head -2 walk.tape; printf '# %0900d 2 ahead=9\n' 7; sed 1,2d walk.tape; } >long.tape
+same "a long comment is one comment" "$(hashes minimal --tape long.tape)" "$walk"
+part=$(timeout 60 "$program" render minimal --size 48x32 --frames 30:39 --hash \
+    --tape walk.tape 2>err)
+same "frames from the middle are the same" "$part" "$(echo "$walk" | tail -10)"
+
+drops="--set drops.count=20 --set drops.every=0 --set camera.pitch=-20"
+printf 'tape 1 minimal\n1 drops=5\n9 sphere_z=-0.5 drops=3\n' >drops.tape
+# shellcheck disable=SC2086
+same "drops fall alike twice" "$(hashes minimal $drops --tape drops.tape)" \
+    "$(hashes minimal $drops --tape drops.tape)"
+tape slow.tape "2 slower=3"
+slow=$(hashes minimal --tape slow.tape --set wave0.amplitude=0.5)
+same "slow motion replays" "$(hashes minimal --tape slow.tape --set wave0.amplitude=0.5)" \
+    "$slow"
+
+# -- bad files ----------------------------------------------------------------------
+
+refused "no such tape" "no.tape: No such file" no.tape
+mkdir folder.tape
+refused "a folder" "folder.tape: " folder.tape
+: >empty.tape
+refused "an empty file" "empty.tape: empty; expected \"tape 1 SCENE\"" empty.tape
+for head in "tap 1 minimal" "tape 2 minimal" "tape 1" "" "5 ahead=1" "# tape 1 minimal"; do
+    printf '%s\n5 ahead=1\n' "$head" >head.tape
+    refused "head '$head'" "head.tape:1: expected \"tape 1 SCENE\", found" head.tape
+done
+printf 'tape 1 three-swells\n5 ahead=1\n' >other.tape
+refused "another scene's tape" "other.tape:1: .*three-swells.*minimal" other.tape
+printf 'tape 1 %0400d\n' 1 >head.tape
+refused "a head that is too long" "head.tape:1: longer than" head.tape
+printf 'tape 1 %0200d\n' 1 >head.tape
+refused "a name that is too long" "head.tape:1: longer than" head.tape
+
+bad "no tick" "expected a tick, found ahead=1" "ahead=1"
+bad "a negative tick" "expected a tick, found -4" "-4 ahead=1"
+bad "a tick with a fraction" "expected a tick, found 4.5" "4.5 ahead=1"
+bad "a tick beyond all" "99999999999999999999 is outside its range" \
+    "99999999999999999999 ahead=1"
+bad "a name alone" "expected NAME=NUMBER, found ahead" "4 ahead"
+bad "a number alone" "expected NAME=NUMBER, found =1" "4 =1"
+bad "an unknown name" "no input is called sideways" "4 sideways=1"
+bad "a name twice" "ahead stands twice" "4 ahead=1 ahead=1"
+bad "no number" "expected a number" "4 ahead="
+bad "a bad number" "expected a number, found 1m" "4 ahead=1m"
+bad "a fraction of what is whole" "expected a number, found 1.5" "4 drops=1.5"
+bad "a number beyond its type" "ahead=40000 is outside" "4 ahead=40000"
+bad "more drops than can be" "drops=1025 is outside" "4 drops=1025"
+bad "fewer drops than none" "drops=-1 is outside" "4 drops=-1"
+bad "the same tick again" "ticks must rise" "3 ahead=1"
+bad "an earlier tick" "ticks must rise" "2 ahead=1"
+bad "an earlier tick without input" "ticks must rise" "0"
+bad "a line that is too long" "longer than" "4 ahead=1$(printf '%0400d' 0)"
+bad "a line that is too long but for a good beginning" "longer than" \
+    "4 ahead=1$(printf '%400s' '')5 ahead=1"
+printf 'tape 1 minimal\n3 ahead=1\n4 ahead=1\000 aside=2\n' >bad.tape
+refused "a zero byte in a line" "bad.tape:3: " bad.tape
+
+timeout 60 "$program" render minimal --tape >out 2>err
+same "--tape without a file" "$?" 2
+
+echo "$passed passed, $failed failed"
+[ "$failed" -eq 0 ]
