@@ -188,12 +188,15 @@ static void set_columns(tp_grid *grid, tp_fx cell)
                           grid->waves.end, cell);
 }
 
-static void set_row(const tp_grid *grid, uint32_t j, tp_vertex_row *row)
+static void set_row(const tp_grid *grid, uint32_t j, bool sloped, tp_vertex_row *row)
 {
     row->line = grid->row[j];
     tp_vertex_rest_z(&grid->frame, row->line.place, row->rest);
-    if (row->line.fade != 0)
-        tp_vertex_set_row(&grid->frame, row);
+    if (row->line.fade == 0)
+        return;
+    tp_vertex_set_places(&grid->frame, row);
+    if (sloped)
+        tp_vertex_set_tilts(&grid->frame, row);
 }
 
 static bool is_still(const tp_grid *grid, uint32_t i, uint32_t j)
@@ -201,16 +204,25 @@ static bool is_still(const tp_grid *grid, uint32_t i, uint32_t j)
     return grid->row[j].fade == 0 || grid->column[i].fade == 0;
 }
 
-tp_view_corner tp_grid_corner(const tp_grid *grid, const tp_grid_view *view,
-                              uint32_t i, uint32_t j)
+static tp_view_corner corner_of(const tp_grid *grid, uint32_t i, uint32_t j)
 {
     tp_vertex_row row;
 
-    (void)view;
-    if (tp_sheet_is(grid))
-        return tp_sheet_corner(grid, i, j);
-    set_row(grid, j, &row);
+    set_row(grid, j, false, &row);
     return tp_vertex_corner(&grid->frame, &grid->columns, &row, i, is_still(grid, i, j));
+}
+
+tp_view_corner tp_grid_corner(const tp_grid *grid, const tp_grid_view *view,
+                              uint32_t i, uint32_t j)
+{
+    const tp_grid_vertex *vertex = &grid->vertex[(size_t)j * grid->cols + i];
+    tp_view_corner c = tp_sheet_is(grid) ? tp_sheet_corner(grid, i, j)
+                                         : corner_of(grid, i, j);
+
+    (void)view;
+    c.n[0] = vertex->slope_x;
+    c.n[1] = vertex->slope_z;
+    return c;
 }
 
 /* Crossings in runs that end where blocks do and where waves begin or end. */
@@ -219,7 +231,7 @@ static void place_row(tp_grid *grid, uint32_t j, uint32_t first, uint32_t end)
     tp_grid_vertex *vertex = grid->vertex + (size_t)j * grid->cols;
     tp_vertex_row row;
 
-    set_row(grid, j, &row);
+    set_row(grid, j, true, &row);
     for (uint32_t i = first, stop; i < end; i = stop) {
         stop = (i / TP_VERTEX_RUN + 1) * TP_VERTEX_RUN;
         stop = stop < end ? stop : end;

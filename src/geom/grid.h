@@ -73,8 +73,8 @@ static inline bool tp_grid_cell_is_dry(const tp_grid *grid, uint32_t i, uint32_t
 /* Lays the lines, evaluates the crossings that may be seen. */
 void tp_grid_place(tp_grid *grid, const tp_grid_view *view);
 
-/* One crossing again, before projection: for cells that must be clipped.  Lens and surface
- * are those of the last tp_grid_place. */
+/* A corner of a seen cell again, before projection, for those that must be clipped.  Lens
+ * and surface are those of the last tp_grid_place. */
 tp_view_corner tp_grid_corner(const tp_grid *grid, const tp_grid_view *view,
                               uint32_t i, uint32_t j);
 #endif

@@ -147,16 +147,12 @@ void tp_sheet_place_row(tp_grid *grid, uint32_t j, tp_grid_span needed)
 
 tp_view_corner tp_sheet_corner(const tp_grid *grid, uint32_t i, uint32_t j)
 {
-    const tp_vec3 around[4] = { displaced(grid, before(i), j, NULL),
-                                displaced(grid, after(i, grid->cols), j, NULL),
-                                displaced(grid, i, before(j), NULL),
-                                displaced(grid, i, after(j, grid->rows), NULL) };
-    tp_view_corner c;
-    tp_vec3 at = finished(around, grid, displaced(grid, i, j, NULL), fade_at(grid, i, j),
-                       c.n);
+    const tp_surface *surface = grid->frame.surface;
+    tp_vec3 at = displaced(grid, i, j, NULL);
+    tp_view_corner c = { .s = grid->column[i].place, .t = grid->row[j].place };
 
+    if (tp_surface_has_relief(surface))
+        at.y += tp_surface_relief(surface, at.x, at.z).height;
     tp_lens_view(grid->frame.lens, at, &c);
-    c.s = grid->column[i].place;
-    c.t = grid->row[j].place;
     return c;
 }

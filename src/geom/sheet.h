@@ -17,5 +17,6 @@ tp_grid_span tp_grid_needed(const tp_grid *grid, uint32_t j);
 /* Rows one after the other. */
 void tp_sheet_place_row(tp_grid *grid, uint32_t j, tp_grid_span needed);
 
+/* Its slopes are left 0. */
 tp_view_corner tp_sheet_corner(const tp_grid *grid, uint32_t i, uint32_t j);
 #endif

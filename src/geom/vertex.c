@@ -186,8 +186,8 @@ static void project_any(const tp_lens *lens, const tp_vertex_run *from, uint32_t
 
 /* -- runs ------------------------------------------------------------------------------ */
 
-/* View coordinates, and the slopes of `vertex`. */
-static void displace(const tp_vertex_place_of *place, tp_vertex_run *run,
+/* View coordinates, and the slopes of `vertex` if they are asked for. */
+static void displace(const tp_vertex_place_of *place, bool sloped, tp_vertex_run *run,
                      tp_grid_vertex *vertex)
 {
     const tp_surface *surface = place->frame->surface;
@@ -196,12 +196,12 @@ static void displace(const tp_vertex_place_of *place, tp_vertex_run *run,
 
     for (int axis = 0; axis < 3; axis++)
         see_axis(place, axis, still || sharpened, run->at[axis]);
-    if (still) {
+    if (sharpened) {
+        tp_run_sharpen(place, run, vertex);
+    } else if (still) {
         for (uint32_t i = 0; i < place->count; i++)
             vertex[i].slope_x = vertex[i].slope_z = 0;
-    } else if (sharpened) {
-        tp_run_sharpen(place, run, vertex);
-    } else {
+    } else if (sloped) {
         slope_swells(place, vertex);
     }
     if (tp_surface_has_relief(surface))
@@ -215,7 +215,7 @@ void tp_vertex_place(const tp_vertex_frame *frame, const tp_vertex_columns *colu
     const tp_vertex_place_of place = { frame, columns, row, first, count, still };
     tp_vertex_run run;
 
-    displace(&place, &run, vertex);
+    displace(&place, true, &run, vertex);
     if (is_far(&place))
         project_far(frame->lens, &run, count, vertex);
     else
@@ -227,13 +227,12 @@ tp_view_corner tp_vertex_corner(const tp_vertex_frame *frame,
                                 const tp_vertex_row *row, uint32_t column, bool still)
 {
     const tp_vertex_place_of place = { frame, columns, row, column, 1, still };
-    tp_grid_vertex vertex;
+    tp_grid_vertex vertex = { .slope_x = 0 };
     tp_vertex_run run;
 
-    displace(&place, &run, &vertex);
+    displace(&place, false, &run, &vertex);
     return (tp_view_corner){
         .x = run.at[0][0], .y = run.at[1][0], .depth = run.at[2][0],
         .s = columns->line[column].place, .t = row->line.place,
-        .n = { vertex.slope_x, vertex.slope_z, 0 },
     };
 }

@@ -107,8 +107,9 @@ TP_ALWAYS_INLINE tp_vertex_turn tp_vertex_turned(tp_vertex_turn a, tp_vertex_tur
 void tp_vertex_set_columns(const tp_vertex_frame *frame, const tp_vertex_columns *columns,
                            uint32_t first, uint32_t end, tp_fx cell);
 
-/* A row's numbers; line and rest are set already. */
-void tp_vertex_set_row(const tp_vertex_frame *frame, tp_vertex_row *row);
+/* A row's numbers for places, and then those for slopes; line and rest are set already. */
+void tp_vertex_set_places(const tp_vertex_frame *frame, tp_vertex_row *row);
+void tp_vertex_set_tilts(const tp_vertex_frame *frame, tp_vertex_row *row);
 
 /* `count` <= TP_VERTEX_RUN crossings from column `first`, all of them `still` (column or
  * row without waves) or none. */
@@ -116,7 +117,8 @@ void tp_vertex_place(const tp_vertex_frame *frame, const tp_vertex_columns *colu
                      const tp_vertex_row *row, uint32_t first, uint32_t count, bool still,
                      tp_grid_vertex *vertex);
 
-/* One crossing before projection, bit by bit what tp_vertex_place projects. */
+/* One crossing before projection, bit by bit what tp_vertex_place projects; its slopes are
+ * left 0.  The row needs no tilts. */
 tp_view_corner tp_vertex_corner(const tp_vertex_frame *frame,
                                 const tp_vertex_columns *columns,
                                 const tp_vertex_row *row, uint32_t column, bool still);

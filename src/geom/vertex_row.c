@@ -202,13 +202,12 @@ static inline uint32_t pair_upper(int32_t sine, int32_t cosine, int32_t a, int32
     return (uint32_t)low << 4 >> 16 | ((uint32_t)high << 4 & 0xffff0000);
 }
 
-void tp_vertex_set_row(const tp_vertex_frame *frame, tp_vertex_row *row)
+void tp_vertex_set_places(const tp_vertex_frame *frame, tp_vertex_row *row)
 {
     const tp_surface *surface = frame->surface;
 
     for (uint32_t k = 0; k < frame->count; k++) {
         const tp_vertex_swell *w = &frame->swell[k];
-        tp_vertex_tilt *tilt = &row->tilt[k];
         tp_vertex_turn b = tp_vertex_turn_of(
             surface->phases[k]
             + tp_swell_turns(surface->sea->swell[k].turns_z, row->line.place));
@@ -218,10 +217,20 @@ void tp_vertex_set_row(const tp_vertex_frame *frame, tp_vertex_row *row)
         row->place[0][k] = split(w->x, 0, b);
         row->place[1][k] = split(w->y, w->rise_y, b);
         row->place[2][k] = split(w->depth, w->rise_depth, b);
-        tilt->tilt_x = pair_upper(-w->tilt_x, w->tilt_x, b.sin, b.cos);
-        tilt->tilt_z = pair_upper(-w->tilt_z, w->tilt_z, b.sin, b.cos);
-        tilt->bend_xx = pair_upper(-w->bend_xx, -w->bend_xx, b.cos, b.sin);
-        tilt->bend_xz = pair_upper(w->bend_xz, w->bend_xz, b.cos, b.sin);
-        tilt->bend_zz = pair_upper(-w->bend_zz, -w->bend_zz, b.cos, b.sin);
+    }
+}
+
+void tp_vertex_set_tilts(const tp_vertex_frame *frame, tp_vertex_row *row)
+{
+    for (uint32_t k = 0; k < frame->count; k++) {
+        const tp_vertex_swell *w = &frame->swell[k];
+        tp_vertex_turn b = row->turn[k];
+        row->tilt[k] = (tp_vertex_tilt){
+            .tilt_x = pair_upper(-w->tilt_x, w->tilt_x, b.sin, b.cos),
+            .tilt_z = pair_upper(-w->tilt_z, w->tilt_z, b.sin, b.cos),
+            .bend_xx = pair_upper(-w->bend_xx, -w->bend_xx, b.cos, b.sin),
+            .bend_xz = pair_upper(w->bend_xz, w->bend_xz, b.cos, b.sin),
+            .bend_zz = pair_upper(-w->bend_zz, -w->bend_zz, b.cos, b.sin),
+        };
     }
 }

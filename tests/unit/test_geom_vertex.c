@@ -125,6 +125,23 @@ static double coarse_normal_error(const ocean *o, const tp_grid *grid, const ref
     return asin(fmin(1, n / length)) + 3e-4;
 }
 
+/* A crossing anywhere in the grid, with its slopes. */
+static tp_view_corner corner_of(const pond *p, uint32_t i, uint32_t j)
+{
+    const bool still = p->grid.column[i].fade == 0 || p->grid.row[j].fade == 0;
+    tp_vertex_row row = { .line = p->grid.row[j] };
+    tp_grid_vertex vertex;
+
+    tp_vertex_rest_z(&p->grid.frame, row.line.place, row.rest);
+    tp_vertex_set_places(&p->grid.frame, &row);
+    tp_vertex_set_tilts(&p->grid.frame, &row);
+    tp_vertex_place(&p->grid.frame, &p->grid.columns, &row, i, 1, still, &vertex);
+    tp_view_corner c = tp_vertex_corner(&p->grid.frame, &p->grid.columns, &row, i, still);
+    c.n[0] = vertex.slope_x;
+    c.n[1] = vertex.slope_z;
+    return c;
+}
+
 static void compare(pond *p, uint32_t i, uint32_t j, bool usual, errors *e)
 {
     const tp_grid_line *column = &p->grid.column[i], *row = &p->grid.row[j];
@@ -132,7 +149,7 @@ static void compare(pond *p, uint32_t i, uint32_t j, bool usual, errors *e)
     const double fade = column->fade * LSB * row->fade * LSB;
     const ref_point want = faded(ref_at_rest(&p->sea.ref, p->sea.ref_phases, x0, z0), x0,
                                  z0, fade, p->sea.sea.crossed);
-    const tp_view_corner c = tp_grid_corner(&p->grid, &p->look, i, j);
+    const tp_view_corner c = corner_of(p, i, j);
     const tp_sea_point slopes = { .slope_x = c.n[0] * 16, .slope_z = c.n[1] * 16 };
     const ref_vec got = world_of(&p->v, &c);
     const double height = got.y - want.y;
@@ -242,7 +259,8 @@ static void where_a_run_begins_does_not_show(void **state)
         make(&p, sea, chance_double(&chance, 0.2, 5), 0);
         row.line = p.grid.row[random_below(&chance, SIDE)];
         tp_vertex_rest_z(&p.grid.frame, row.line.place, row.rest);
-        tp_vertex_set_row(&p.grid.frame, &row);
+        tp_vertex_set_places(&p.grid.frame, &row);
+        tp_vertex_set_tilts(&p.grid.frame, &row);
         memset(whole, 0, sizeof whole);
         memset(parts, 0, sizeof parts);
         for (uint32_t i = 0; i < SIDE; i++)
@@ -284,10 +302,10 @@ static void rings_lie_on_the_displaced_water(void **state)
         for (int k = 0; k < 100; k++) {
             const uint32_t i = random_below(&chance, SIDE), j = random_below(&chance, SIDE);
             p.surface.rings = 0;
-            const tp_view_corner still = tp_grid_corner(&p.grid, &p.look, i, j);
+            const tp_view_corner still = corner_of(&p, i, j);
             p.surface.ring = &now;
             p.surface.rings = 1;
-            const tp_view_corner c = tp_grid_corner(&p.grid, &p.look, i, j);
+            const tp_view_corner c = corner_of(&p, i, j);
             const ref_vec a = world_of(&p.v, &still), b = world_of(&p.v, &c);
             const tp_relief want = tp_ring_relief(&now, 1, (tp_fx)lround(a.x / LSB),
                                                   (tp_fx)lround(a.z / LSB));
