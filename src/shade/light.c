@@ -17,20 +17,39 @@ TP_ALWAYS_INLINE int32_t slope_z(const tp_run *run, int32_t i, int rippled)
     return rippled ? run->sz[i] : (int16_t)(run->n[i] & 0xffff);
 }
 
-/* q of 1/sqrt(1 + q), Q24, held below 4: normals of slopes above 2 (63 degrees) come out
- * too long, up to five times, so their products are held at 1. */
+/* q of 1/sqrt(1 + q), Q24: two slopes of 8 at the most make 128. */
 TP_ALWAYS_INLINE uint32_t square_of(int32_t sx, int32_t sz)
 {
-    uint32_t q = (uint32_t)(sx * sx) + (uint32_t)(sz * sz);
-    return q > 0x3ffffff ? 0x3ffffff : q;
+    return (uint32_t)(sx * sx) + (uint32_t)(sz * sz);
+}
+
+#define STEEP_END 0x4000000u    /* q of 4, where the table ends */
+
+/* Brings q into the table: 1/sqrt(1 + q) is half of 1/sqrt(1 + (q - 3) / 4).  Returns how
+ * often it was halved: not at all up to slopes of 2 (63 degrees), three times at most. */
+TP_ALWAYS_INLINE int halved(uint32_t *q)
+{
+    int times = 0;
+
+    for (; *q >= STEEP_END; times++)
+        *q = (*q - STEEP_END / 4 * 3) / 4;
+    return times;
 }
 
 /* 1/sqrt(1 + q) in Q1.14: interpolated, for lobes that would show its steps. */
 TP_ALWAYS_INLINE int32_t steep_of(const tp_shade *shade, uint32_t q)
 {
+    int      times = halved(&q);
     uint32_t i = q >> 17, f = q >> 10 & 0x7f;
     int32_t  a = shade->steep[i], b = shade->steep[i + 1];
-    return a + ((b - a) * (int32_t)f >> 7);
+    return (a + ((b - a) * (int32_t)f >> 7)) >> times;
+}
+
+/* The same without interpolation. */
+TP_ALWAYS_INLINE int32_t nearest_steep(const tp_shade *shade, uint32_t q)
+{
+    int times = halved(&q);
+    return shade->steep[(q + 0x10000) >> 17] >> times;
 }
 
 /* The diffuse term alone, for water that neither shines nor mirrors: the root's nearest
@@ -43,13 +62,25 @@ TP_ALWAYS_INLINE void diffuse(const tp_shade *shade, tp_run *run, int rippled)
 
     for (int32_t i = 0; i < count; i++) {
         int32_t sx = slope_x(run, i, rippled), sz = slope_z(run, i, rippled);
-        int32_t ny = shade->steep[(square_of(sx, sz) + 0x10000) >> 17];
+        int32_t ny = nearest_steep(shade, square_of(sx, sz));
         int32_t nl = ly - ((sx * lx + sz * lz) >> 12);
         int32_t lit = nl * ny >> 20;
-        if ((uint32_t)lit > (uint32_t)direct)       /* turned away, or a slope above 2 */
+        if ((uint32_t)lit > (uint32_t)direct)       /* turned away, or rounded */
             lit = lit < 0 ? 0 : direct;
         run->colour[i] = tp_colour_scale(run->colour[i], (uint32_t)(ambient + lit));
     }
+}
+
+/* The lobe at R.V, between its entries: on smooth water those of a sharp one would show
+ * as rings.  Most samples lie outside it. */
+TP_ALWAYS_INLINE int32_t shine_of(const tp_shade *shade, int32_t rv)
+{
+    rv = tp_clamp(rv, 0, 16384);
+    int32_t here = shade->shine[rv >> 4];
+    if (here == 0)
+        return 0;
+    int32_t next = shade->shine[(rv + 15) >> 4];
+    return here + ((next - here) * (rv & 15) >> 4);
 }
 
 /* Ripples too small for a pixel keep a part of the water turned to the eye, however
@@ -75,8 +106,7 @@ TP_ALWAYS_INLINE void light(const tp_shade *shade, tp_run *run, int rippled)
         int32_t up = (2 * nv * ny >> 14) - vy;
         run->nv[i] = (int16_t)nv;
         run->up[i] = (int16_t)(up > 16384 ? 16384 : up);    /* vy is at most 1 */
-        rv = tp_clamp((rv + 8) >> 4, 0, TP_SHINE);
-        run->glint[i] = nl > 0 ? shade->shine[rv] : 0;
+        run->glint[i] = (uint16_t)(nl > 0 ? shine_of(shade, rv) : 0);
         run->colour[i] = tp_colour_scale(run->colour[i],
                                          (uint32_t)(ambient + (direct * nl >> 14)));
     }
