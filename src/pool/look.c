@@ -84,6 +84,49 @@ static uint64_t log_of(uint32_t x)
     return digits * ln2 >> 32;
 }
 
+/* Takes `part` of a height and a velocity from a cell as far as both it and the height
+ * before its last step stay in the range. */
+static void take(tp_pool *pool, uint32_t i, int64_t *h, int64_t *v, int64_t h_part,
+                 int64_t v_part)
+{
+    const int32_t full = tp_pool_full(pool);
+    const int32_t here = tp_pool_height_at(pool, i);
+    const int32_t speed = velocity_at(pool, i % pool->cols, i / pool->cols);
+    const int64_t next = here - h_part, now = speed - v_part;
+
+    if (tp_pool_is_wall(pool, i) || next > full || next < -full || next - now > full
+        || next - now < -full || now > full || now < -full)
+        return;
+    *h -= h_part;
+    *v -= v_part;
+    if (pool->cells == TP_CELLS_8)
+        ((tp_pool_pair_8 *)tp_pool_at(pool, sizeof *pool))[i] =
+            (tp_pool_pair_8){ (int8_t)next, (int8_t)now };
+    else
+        ((tp_pool_pair_16 *)tp_pool_at(pool, sizeof *pool))[i] =
+            (tp_pool_pair_16){ (int16_t)next, (int16_t)now };
+}
+
+/* Takes the sums of heights and of velocities to 0: gear B, which cuts, leaves a sum of
+ * velocities that gear A would keep for 2^m ticks, and the water would rise by it.  Measured
+ * with hats of 20 LSB, each as gear B begins: the mean reached 90 of 127 and 452 of 32767
+ * LSB at m = 10 without this, 0.72 with it. */
+static void level(tp_pool *pool)
+{
+    const uint32_t count = tp_pool_count(pool);
+    int64_t h = 0, v = 0;
+
+    for (uint32_t i = 0; i < count; i++) {
+        h += tp_pool_height_at(pool, i);
+        v += velocity_at(pool, i % pool->cols, i / pool->cols);
+    }
+    const int64_t h_mean = h / count, v_mean = v / count;
+    for (uint32_t i = 0; i < count && (h_mean | v_mean) != 0; i++)
+        take(pool, i, &h, &v, h_mean, v_mean);
+    for (uint32_t i = 0; i < count && (h | v) != 0; i++)
+        take(pool, i, &h, &v, (h > 0) - (h < 0), (v > 0) - (v < 0));
+}
+
 /* TA = ceil(2^(m+1) ln(A / 8)) [C11].  A wave that is still high keeps its longer
  * time. */
 void tp_pool_stirred(tp_pool *pool, int32_t peak_lsb)
@@ -95,6 +138,8 @@ void tp_pool_stirred(tp_pool *pool, int32_t peak_lsb)
         return;
     const uint64_t time = ((log_of(peak) - log_of(8)) << (pool->damping + 1))
                         + (1u << 28) - 1;
+    if (pool->gear == 0 && !pool->at_rest && pool->tick > 0)
+        level(pool);
     if (time >> 28 > pool->gear)
         pool->gear = (uint32_t)(time >> 28);
 }
