@@ -62,13 +62,6 @@ static int64_t ratio_over(tp_fx cell, int64_t way, uint32_t n)
     return low;
 }
 
-/* 3x^2 - 2x^3 of x in 16.16, clamped to 0..1. */
-static tp_fx smoothstep(tp_fx x)
-{
-    x = tp_clamp(x, 0, TP_FX_ONE);
-    return tp_fx_mul(tp_fx_mul(x, x), 3 * TP_FX_ONE - 2 * x);
-}
-
 /* `count` lines around `centre`: even ones in the middle, growing ones outside.  The
  * waves are gone at the middle's last line, so that the flanks are flat. */
 static void lay_lines(tp_grid_line *line, uint32_t count, tp_fx centre,
@@ -89,7 +82,7 @@ static void lay_lines(tp_grid_line *line, uint32_t count, tp_fx centre,
         uint32_t from_edge = k - flank < last - k ? k - flank : last - k;
         line[k].place = centre - half + (tp_fx)(k - flank) * view->cell;
         line[k].fade = fading == 0 ? TP_FX_ONE
-                     : smoothstep((tp_fx)((from_edge << 16) / fading));
+                     : tp_smoothstep((tp_fx)((from_edge << 16) / fading));
     }
     for (uint32_t k = 1; k <= flank; k++) {
         step = step * ratio >> 16;

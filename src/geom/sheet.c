@@ -91,7 +91,7 @@ static tp_vec3 finished(const tp_vec3 around[4], const tp_grid *grid, tp_vec3 mi
         tp_slopes_across(shortened(across, shift), shortened(along, shift), &sum.slope_x,
                          &sum.slope_z);
     if (tp_surface_has_relief(surface)) {
-        tp_relief relief = tp_surface_relief(surface, middle.x, middle.z);
+        tp_relief relief = tp_surface_relief_faded(surface, middle.x, middle.z, fade);
         middle.y += relief.height;
         sum.slope_x += relief.slope_x;
         sum.slope_z += relief.slope_z;
@@ -152,7 +152,7 @@ tp_view_corner tp_sheet_corner(const tp_grid *grid, uint32_t i, uint32_t j)
     tp_view_corner c = { .s = grid->column[i].place, .t = grid->row[j].place };
 
     if (tp_surface_has_relief(surface))
-        at.y += tp_surface_relief(surface, at.x, at.z).height;
+        at.y += tp_surface_relief_faded(surface, at.x, at.z, fade_at(grid, i, j)).height;
     tp_lens_view(grid->frame.lens, at, &c);
     return c;
 }

@@ -33,6 +33,17 @@ tp_relief tp_surface_relief(const tp_surface *surface, tp_fx x, tp_fx z)
     return sum;
 }
 
+tp_relief tp_surface_relief_faded(const tp_surface *surface, tp_fx x, tp_fx z, tp_fx fade)
+{
+    if (fade == 0)
+        return (tp_relief){ 0, 0, 0 };
+    tp_relief relief = tp_surface_relief(surface, x, z);
+    if (fade == TP_FX_ONE)
+        return relief;
+    return (tp_relief){ tp_fx_mul(relief.height, fade), tp_fx_mul(relief.slope_x, fade),
+                        tp_fx_mul(relief.slope_z, fade) };
+}
+
 /* Rings add up to no more than 4 m each; a pool has its range. */
 static tp_fx relief_height(const tp_surface *surface)
 {

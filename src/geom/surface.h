@@ -22,6 +22,9 @@ typedef struct {
 /* Rings and pools at the world's (x, z). */
 tp_relief tp_surface_relief(const tp_surface *surface, tp_fx x, tp_fx z);
 
+/* The same where a mesh lets its waves fade, 0..1: its far cells are too wide for them. */
+tp_relief tp_surface_relief_faded(const tp_surface *surface, tp_fx x, tp_fx z, tp_fx fade);
+
 /* Whether there are any. */
 static inline bool tp_surface_has_relief(const tp_surface *surface)
 {

@@ -103,8 +103,10 @@ void tp_run_relief(const tp_vertex_place_of *place, tp_vertex_run *run,
 
     for (uint32_t i = 0; i < place->count; i++) {
         tp_fx x, z;
+        tp_fx fade = tp_fx_mul(place->row->line.fade,
+                               place->columns->line[place->first + i].fade);
         place_at(place, i, &x, &z);
-        tp_relief relief = tp_surface_relief(place->frame->surface, x, z);
+        tp_relief relief = tp_surface_relief_faded(place->frame->surface, x, z, fade);
         run->at[1][i] += tp_q30_mul(relief.height, lens->up.y);
         run->at[2][i] += tp_q30_mul(relief.height, lens->ahead.y);
         vertex[i].slope_x = tp_saturated(vertex[i].slope_x
