@@ -36,8 +36,10 @@ CORE := $(addprefix src/, \
     shade/exposure.c shade/haze.c shade/light.c shade/optics.c shade/sky.c \
     shade/solid.c shade/tables.c shade/texture.c shade/view.c \
     scene/boat.c scene/clock.c scene/drawn.c scene/drop.c scene/drops.c scene/float.c \
-    scene/paddle.c scene/params.c scene/parts.c scene/tape.c scene/wake.c scene/world.c \
-    frame/boat.c frame/drops.c frame/frame.c frame/land.c frame/plan.c frame/tile.c frame/water.c)
+    scene/paddle.c scene/params.c scene/parts.c scene/piece.c scene/tape.c \
+    scene/value.c scene/wake.c scene/world.c \
+    frame/boat.c frame/drops.c frame/frame.c frame/land.c frame/plan.c frame/tile.c \
+    frame/water.c)
 
 # -- the program, for machines with files and threads ----------------------------------
 

@@ -56,7 +56,10 @@ tp_fx tp_depth_refraction(int64_t k_inf_q32, int64_t k_q32, int64_t kz_q32);
 /* A_inf Ks Kr, no more than 0.39 of the depth [B15]; 0 on land. */
 tp_fx tp_depth_amplitude(tp_fx amplitude, tp_fx ks, tp_fx kr, tp_fx depth);
 
-/* -- the phase over a straight coast ------------------------------------------------- */
+/* -- the phase over a straight coast -------------------------------------------------
+ *
+ * For any place, to 3e-4 rad: tidepool check holds the tables of [B8] against it.  The
+ * ocean has tables of its own, by depth (ocean.h). */
 
 /* h(x) = max(least, depth - slope x), x towards the shore. */
 typedef struct {
@@ -106,7 +109,8 @@ int    tp_wind_iterations(tp_q30 push);
  * the root.  The push is held within +-0.5 here too. */
 tp_turn tp_wind_phase(tp_turn theta, tp_q30 push, int iterations);
 
-/* The largest radius without a loop, 0.95 / sqrt(k^2 + lambda^2), saturated. */
+/* The largest radius without a loop, 0.95 / sqrt(k^2 + lambda^2), saturated.  For one
+ * wave under wind alone; the ocean bounds the sum of all. */
 tp_fx tp_wind_radius(int64_t k_q32, tp_fx lambda);
 
 /* -- breaking ------------------------------------------------------------------------ */

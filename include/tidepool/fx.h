@@ -45,6 +45,31 @@ static inline int32_t tp_clamp(int32_t x, int32_t low, int32_t high)
 
 static inline int32_t tp_abs(int32_t x) { return x < 0 ? -x : x; }  /* x > INT32_MIN */
 
+/* x held within +-most, most >= 0; and into 16.16: saturates. */
+static inline int64_t tp_limit(int64_t x, int64_t most)
+{
+    return x > most ? most : x < -most ? -most : x;
+}
+
+static inline tp_fx tp_fx_held(int64_t x)
+{
+    return x > TP_FX_MAX ? TP_FX_MAX : x < TP_FX_MIN ? TP_FX_MIN : (tp_fx)x;
+}
+
+/* n / d, halves away from 0, so that there and back is nothing; d > 0, and |n| + d / 2
+ * fits. */
+static inline int64_t tp_quotient(int64_t n, int64_t d)
+{
+    return (n < 0 ? n - d / 2 : n + d / 2) / d;
+}
+
+/* x^2 (3 - 2x) of x held in 0..1. */
+static inline tp_fx tp_smoothstep(tp_fx x)
+{
+    x = tp_clamp(x, 0, TP_FX_ONE);
+    return tp_fx_mul(tp_fx_mul(x, x), 3 * TP_FX_ONE - 2 * x);
+}
+
 /* Leading zeros of x != 0. */
 static inline int tp_clz(uint32_t x)
 {

@@ -4,12 +4,12 @@
  * Each swell of a tp_sea feels the depth: its period stays, its length shortens, its
  * height shoals, its crests turn towards the shore, its orbits flatten and rise with the
  * bottom, and where it is too high for its depth its crest stretches, overhangs and
- * falls.  What depends on depth alone is tabulated once; the phase integral [B8] too. A
- * wave's `length` is that of deep water.
+ * falls.  What depends on depth alone is tabulated once; the phase integral [B8] too.
+ * A wave's `length` is that of deep water.
  *
  * Q k A holds on deep water.  Elsewhere the orbits at each depth are narrowed by one
  * factor where their sum k Q r Sx would pass 0.95 [A11] [B13].  Slopes below 2^-12 are
- * level. Heights follow refraction [B7] over straight floors; over maps they follow
+ * level.  Heights follow refraction [B7] over straight floors; over maps they follow
  * depth alone. */
 #ifndef TP_OCEAN_H
 #define TP_OCEAN_H
@@ -49,10 +49,9 @@ typedef struct {
     tp_floor floor;
     tp_fx wind;             /* lambda of [B10], rad/m, 0..1 */
     tp_fx wind_heading;     /* degrees: where it blows to */
-    tp_fx k0, kx, ky;       /* of the orbits [B12], 1/m; 0.1, 0.11, 0.09 */
+    tp_fx k0, kx, ky;       /* of the orbits [B12], 1/m, 0..4; usually 0.1, 0.11, 0.09 */
     tp_fx stretch;          /* of breaking crests, of the type's own [B20], 0..2 */
     tp_fx irregular;        /* of crests by noise, 0..1 */
-    tp_fx gravity;
 } tp_ocean_config;
 
 /* Private: what one wave is at a depth.  Nodes stand at 0 and at eight depths an octave

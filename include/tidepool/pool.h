@@ -29,7 +29,8 @@ typedef struct {
     uint32_t cols, rows;    /* cells along x and z, 16..512 */
     tp_cells cells;
     tp_edges edges;
-    tp_fx    courant;       /* r = wave speed x tick / cell, 0.05..0.8; see tp_pool_check */
+    tp_fx    courant;       /* r = wave speed x tick / cell, 0.05 to 0.49 and by the
+                             * damping a little more: see tp_pool_check */
     uint32_t damping;       /* m, 4..10: 2^-m of the motion goes each tick */
     uint32_t sponge;        /* cells, 4..64, of TP_EDGES_SPONGE */
     tp_fx    range;         /* m at the full range of 8- and 16-bit cells, 0.01..64;
@@ -39,7 +40,7 @@ typedef struct {
     tp_fx    feed_low, feed_high;   /* m: the band in which feeding holds the rms of the
                                      * heights [C16]; 0, 0: it is not fed */
     tp_fx    feed;          /* m: height of an injection */
-    const tp_grey *mask;    /* laid over all cells; darker than half is wall; NULL: none */
+    const tp_grey *mask;    /* laid over all cells: darker than half is wall; or NULL */
 } tp_pool_config;
 
 /* Private: read by the functions below.  Cells of 8 or 16 bits follow this head as pairs
@@ -66,15 +67,16 @@ typedef struct {
     uint64_t tick;
 } tp_pool;
 
-/* Whether the config can be used: err says what is wrong.  r^2 beyond the bound of [C9],
- * (1 - 1/(2 - delta)) / 2 with delta = 2^-damping, is refused: water would not come to
- * rest, and soon would not be stable. */
+/* Whether the config can be used: err says what is wrong, err->word is the field's name.
+ * r^2 beyond the bound of [C9], (1 - 1/(2 - delta)) / 2 with delta = 2^-damping, is
+ * refused: water would not come to rest, and soon would not be stable. */
 tp_status tp_pool_check(const tp_pool_config *config, tp_error *err);
 
 /* Of the block, aligned to 8; 0 if the config cannot be used. */
 size_t tp_pool_bytes(const tp_pool_config *config);
 
-/* Still water.  `mask` is read now and not kept. */
+/* Still water, in tp_pool_bytes() bytes; errors as tp_pool_check.  `mask` is read now and
+ * not kept. */
 tp_status tp_pool_init(tp_pool *pool, const tp_pool_config *config, tp_error *err);
 
 /* Takes what of a config may change while the water moves: courant, damping, place and
@@ -85,9 +87,9 @@ bool tp_pool_tune(tp_pool *pool, const tp_pool_config *config);
 void tp_pool_step(tp_pool *pool);
 
 /* Height and slopes above the world's (x, z), bilinear between cells' centres; 0 outside
- * of a field that is not tiled and in walls.  `back`, 0..1 (16.16): so much of a tick ago.
- * A cell's slope is that of its two neighbours [A6], so slopes are continuous as well;
- * walls mirror. */
+ * of a field that is not tiled and in walls.  `back`, 0..1 (16.16): so much of a tick
+ * ago.  A cell's slope is that of its two neighbours [A6], so slopes are continuous as
+ * well; walls mirror. */
 tp_relief tp_pool_relief(const tp_pool *pool, tp_fx x, tp_fx z, tp_fx back);
 
 /* A zero-sum hat [C11] [D5]: `height` m in the middle, width sigma m (at least 1.5

@@ -52,7 +52,7 @@ typedef struct {
     struct { int32_t cols, rows; tp_fx cell, reach; int32_t follow; } grid;
     tp_wave wave[TP_WAVES];
     struct {
-        tp_fx   depth, slope, heading;      /* depth 0 and no map: open sea; see tp_floor */
+        tp_fx   depth, slope, heading;      /* depth 0, no map: open sea; see tp_floor */
         char    map[TP_NAME_BYTES];         /* PNG of heights, "": none */
         tp_fx   map_x, map_z, map_size, map_low, map_high;
         int32_t colour;                     /* of the land */
@@ -69,7 +69,7 @@ typedef struct {
         tp_fx   smooth;                     /* s: time of the low-pass on its pose */
         tp_fx   draft;                      /* m under water when it floats at rest */
         tp_fx   drag;                       /* damping of its rocking, of the critical */
-        tp_fx   speed, rudder;              /* m/s and degrees/s that it sails by itself */
+        tp_fx   speed, rudder;              /* m/s, degrees/s that it sails by itself */
         tp_fx   wake;                       /* share of its volume that stirs the pool */
     } boat;
     struct { tp_fx scale; } clock;          /* 1/8..4: slow motion, fast forward [D6] */
@@ -166,8 +166,9 @@ typedef struct {
     tp_fx    sunk[3];
 } tp_hull;
 
-/* How a boat lies: three lengths in Q40 m, the height of its waterline, of its bow over its
- * stern, of its port over its starboard side; and how they change, a tick, if it floats. */
+/* How a boat lies: three lengths in Q40 m, the height of its waterline, of its bow over
+ * its stern, of its port over its starboard side; and how they change, a tick, if it
+ * floats. */
 typedef struct { int64_t at[3], speed[3]; } tp_lie;
 
 /* What of a boat moves. */
@@ -204,8 +205,10 @@ typedef struct {
  * be used (tp_world_init says why). */
 size_t tp_world_bytes(const tp_scene *scene, const tp_assets *assets);
 
-/* The world of `scene` at tick 0, in `bytes` bytes aligned to 8.  Pictures that the assets
- * hold are read now and not kept. */
+/* The world of `scene` at tick 0, in `bytes` bytes aligned to 8.  Pictures that the
+ * assets hold are read now and not kept.  TP_E_NOSPACE: `bytes` are too few; of a pool
+ * that cannot be used err->word is the parameter at fault ("pool.courant"); TP_E_ARG: a
+ * map of the floor outside what tp_ocean_init takes. */
 tp_status tp_world_init(tp_world *world, size_t bytes, const tp_scene *scene,
                         const tp_assets *assets, tp_error *err);
 

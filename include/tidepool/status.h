@@ -40,11 +40,13 @@
     X(E_OBJ_CHANGED,   "the file changed between its two readings") \
     X(E_MTL_NAME,      "material %s is not defined") \
     X(E_MTL_ORDER,     "%s before any newmtl") \
-    X(E_POOL_SIZE,     "pool of %a x %b cells; 16 x 16 to 512 x 512 can be computed") \
-    X(E_POOL_COURANT,  "pool: r^2 of %a/1024 is above %b/1024, the bound of this " \
-                       "damping; water would not come to rest") \
-    X(E_POOL_RANGE,    "pool: its %s is outside its range") \
-    X(E_POOL_MASK,     "pool: mask of %a x %b samples") \
+    X(E_POOL_SIZE,     "%s: pool of %a x %b cells; 16 x 16 to 512 x 512 can be " \
+                       "computed") \
+    X(E_POOL_COURANT,  "%s of 0.%a is above 0.%b, the bound of this damping; water " \
+                       "would not come to rest") \
+    X(E_POOL_RANGE,    "%s is outside the range of pools") \
+    X(E_POOL_FEED,     "%s is above feed_high") \
+    X(E_POOL_MASK,     "%s of %a x %b samples") \
     X(E_TAPE_HEAD,     "expected \"tape 1 SCENE\", found %s") \
     X(E_TAPE_TICK,     "expected a tick, found %s") \
     X(E_TAPE_VALUE,    "expected NAME=NUMBER, found %s") \
@@ -64,7 +66,8 @@ typedef struct {
     int         line;
     uint32_t    where;      /* the input's line, from 1; 0 if there is none */
     int32_t     a, b;       /* the numbers of the sentence */
-    char        word[48];   /* the offending word of the input, cut to fit */
+    char        word[48];   /* the offending word of the input, cut to fit; of a pool
+                             * the field of its config, of a scene the parameter */
 } tp_error;
 
 /* The sentence of a code, with its %a, %b and %s as they stand. */

@@ -68,14 +68,6 @@ void check_progress(const check_run *run, unsigned row)
     say_progress(text);
 }
 
-int check_each(check_run *run,
-               void (*each)(check_run *run, unsigned row, const double *v))
-{
-    for (unsigned row = 0; row < run->table.n_rows; row++)
-        each(run, row, check_row(run, row));
-    return EXIT_DONE;
-}
-
 /* -- values ------------------------------------------------------------------------ */
 
 static int refuse_range(const check_run *run, unsigned line, const check_field *field,
@@ -298,6 +290,15 @@ static const check_model *model_of(const char *folder, const char *file)
     return NULL;
 }
 
+static int run_model(check_run *run)
+{
+    if (run->model->run)
+        return run->model->run(run);
+    for (unsigned row = 0; row < run->table.n_rows; row++)
+        run->model->each(run, row, check_row(run, row));
+    return EXIT_DONE;
+}
+
 static int run_table(check_run *run)
 {
     int code = place_columns(run);
@@ -306,7 +307,7 @@ static int run_table(check_run *run)
     if (!code)
         code = read_rows(run);
     if (!code)
-        code = run->model->run(run);
+        code = run_model(run);
     return code ? code : print_quantities(run);
 }
 
@@ -373,7 +374,8 @@ int check_command(int argc, char **argv)
         args_print(FOR_CHECK);
         puts("\nA table is lines beginning with # that hold parameters, a line of\n"
              "column names, and rows.  Its name says which model it belongs to.\n"
-             "Exit: 0 all are within their budgets, 1 some are not, 3 a file is bad.");
+             "Exit: 0 all are within their budgets, 1 some are not, 2 usage,"
+             " 3 a file is bad.");
     } else if (!code) {
         code = check_folder(o.vectors);
     }

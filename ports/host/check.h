@@ -57,7 +57,10 @@ typedef struct {
     unsigned           n_columns;
     check_note         notes[CHECK_NOTES];
     check_quantity     quantities[CHECK_QUANTITIES];
-    int              (*run)(check_run *run);    /* EXIT_INPUT: said why */
+    /* One of both: for every row by itself, `v` its values in the model's order; or for
+     * all rows (EXIT_INPUT: said why). */
+    void             (*each)(check_run *run, unsigned row, const double *v);
+    int              (*run)(check_run *run);
 } check_model;
 
 /* The array and its length. */
@@ -97,11 +100,9 @@ int check_refuse(const check_run *run, unsigned row, const char *format, ...)
 /* For models that take seconds: how far it is, on a terminal. */
 void check_progress(const check_run *run, unsigned row);
 
-/* Runs `each` on every row. */
-int check_each(check_run *run,
-               void (*each)(check_run *run, unsigned row, const double *v));
-
 /* -- from doubles to the core's numbers and back ----------------------------------- */
+
+#define CHECK_PI 3.14159265358979323846
 
 tp_fx   check_fx(double x);                 /* nearest */
 tp_q30  check_q30(double x);
@@ -111,4 +112,5 @@ double check_metres(tp_fx x);               /* of any 16.16 */
 double check_radians(tp_turn angle);        /* -pi..pi */
 double check_wrapped(double radians);       /* -pi..pi */
 double check_angle(tp_dir3 got, const double want[3]);  /* between both, degrees */
+double check_percent(double got, double want);  /* of want, that got is more */
 #endif

@@ -6,7 +6,6 @@
 #include "check.h"
 #include "tidepool/depth.h"
 
-#define PI      3.14159265358979323846
 #define GRAVITY TP_FX(9.81)
 #define Q32     4294967296.0
 
@@ -24,12 +23,7 @@ static int64_t number_q32(double k)
 /* The core names a wave by its length on deep water, g T^2 / 2 pi. */
 static tp_fx deep_length(double period)
 {
-    return check_fx(9.81 * period * period / (2 * PI));
-}
-
-static double percent(double got, double want)
-{
-    return 100 * (got / want - 1);
+    return check_fx(9.81 * period * period / (2 * CHECK_PI));
 }
 
 /* Whether the roundings of the inputs may put a number on the other side of a limit. */
@@ -56,27 +50,22 @@ static void each_dispersion(check_run *run, unsigned row, const double *v)
     const int64_t k_inf = tp_depth_number_deep(deep_length(v[D_T]));
     const int64_t k = tp_depth_number(k_inf, h), exact = tp_depth_number_exact(k_inf, h);
     const double  ratio = v[D_H] / v[D_L];
-    check_add(run, 0, row, percent((double)k / Q32, v[D_K]));
-    check_add(run, 1, row, percent((double)k / Q32, v[D_NEWTON]));
-    check_add(run, 2, row, percent((double)exact / Q32, v[D_K]));
-    check_add(run, 3, row, percent((double)tp_depth_number_eckart(k_inf, h) / Q32,
+    check_add(run, 0, row, check_percent((double)k / Q32, v[D_K]));
+    check_add(run, 1, row, check_percent((double)k / Q32, v[D_NEWTON]));
+    check_add(run, 2, row, check_percent((double)exact / Q32, v[D_K]));
+    check_add(run, 3, row, check_percent((double)tp_depth_number_eckart(k_inf, h) / Q32,
                                    v[D_ECKART]));
-    check_add(run, 4, row, percent((double)tp_depth_number_fenton(k_inf, h) / Q32,
+    check_add(run, 4, row, check_percent((double)tp_depth_number_fenton(k_inf, h) / Q32,
                                    v[D_FENTON]));
     check_add(run, 5, row,
-              percent(check_metres(tp_depth_speed(k_inf, exact, GRAVITY)), v[D_C]));
+              check_percent(check_metres(tp_depth_speed(k_inf, exact, GRAVITY)), v[D_C]));
     check_add(run, 6, row,
-              percent(check_metres(tp_depth_group_speed(k_inf, exact, h, GRAVITY)),
+              check_percent(check_metres(tp_depth_group_speed(k_inf, exact, h, GRAVITY)),
                       v[D_CG]));
     check_add(run, 7, row,
-              percent(check_metres(tp_depth_shoaling(k_inf, exact, h)), v[D_KS]));
+              check_percent(check_metres(tp_depth_shoaling(k_inf, exact, h)), v[D_KS]));
     if (!on_the_edge(ratio, 0.5) && !on_the_edge(ratio, 0.05))
         check_add(run, 8, row, (int)tp_depth_regime_of(exact, h) != (int)v[D_CLASS]);
-}
-
-static int run_dispersion(check_run *run)
-{
-    return check_each(run, each_dispersion);
 }
 
 const check_model check_dispersion = {
@@ -88,7 +77,7 @@ const check_model check_dispersion = {
                     { "k, for tables", "%", 0.06 }, { "k, Eckart", "%", 0.06 },
                     { "k, Fenton", "%", 0.06 }, { "c", "%", 0.06 }, { "cg", "%", 0.06 },
                     { "Ks", "%", 0.1 }, { "class", "", 0 } },
-    .run = run_dispersion,
+    .each = each_dispersion,
 };
 
 /* -- the phase over a coast -------------------------------------------------------- */
@@ -120,8 +109,8 @@ static void along_coast(check_run *run, unsigned row, unsigned last,
         const double *v = check_row(run, row);
         const double turns = (double)tp_coast_phase(coast, check_fx(v[S_X])) / Q32;
         const int64_t k = tp_depth_number_exact(k_inf, check_fx(v[S_H]));
-        check_add(run, 0, row, turns * 2 * PI - v[S_PHASE]);
-        check_add(run, 1, row, percent((double)k / Q32, v[S_K]));
+        check_add(run, 0, row, turns * 2 * CHECK_PI - v[S_PHASE]);
+        check_add(run, 1, row, check_percent((double)k / Q32, v[S_K]));
     }
 }
 
@@ -182,18 +171,13 @@ static void each_wind(check_run *run, unsigned row, const double *v)
     }
 }
 
-static int run_wind_phase(check_run *run)
-{
-    return check_each(run, each_wind);
-}
-
 const check_model check_wind_phase = {
     CHECK_ALL(wind_columns),
     .notes = { { .text = "[B10] Phi = theta - lambda*dy, dy=-r cos Phi; phi exact root;"
                          " it1..it3 fixed-point iterates from theta" } },
     .quantities = { { "step 1", "rad", 0.001 }, { "step 2", "rad", 0.001 },
                     { "step 3", "rad", 0.001 } },
-    .run = run_wind_phase,
+    .each = each_wind,
 };
 
 /* -- when waves break -------------------------------------------------------------- */
@@ -226,9 +210,9 @@ static void each_criterion(check_run *run, unsigned row, const double *v)
     const tp_fx   miche = tp_miche_height(k, h);
     const tp_fx   xi = tp_iribarren(check_q30(v[C_SLOPE]), high, length);
     const uint32_t flags = tp_breaking_flags(height, k, h);
-    check_add(run, 0, row, percent(check_metres(miche), v[C_H_MICHE]));
-    check_add(run, 1, row, percent(check_metres(xi), v[C_XI0]));
-    check_add(run, 2, row, percent(check_metres(ks), v[C_KS]));
+    check_add(run, 0, row, check_percent(check_metres(miche), v[C_H_MICHE]));
+    check_add(run, 1, row, check_percent(check_metres(xi), v[C_XI0]));
+    check_add(run, 2, row, check_percent(check_metres(ks), v[C_KS]));
     compare_flag(run, row, flags, TP_BREAKING_STEEP, v[C_STEEP],
                  on_the_edge(v[C_OVER_L], 1 / 7.0));
     compare_flag(run, row, flags, TP_BREAKING_DEPTH, v[C_DEPTH],
@@ -239,11 +223,6 @@ static void each_criterion(check_run *run, unsigned row, const double *v)
         check_add(run, 4, row, tp_breaker_type_of(xi) != (tp_breaker_type)v[C_TYPE]);
 }
 
-static int run_breaking_criteria(check_run *run)
-{
-    return check_each(run, each_criterion);
-}
-
 const check_model check_breaking_criteria = {
     CHECK_ALL(criteria_columns),
     .notes = { { .text = "[B14][B15][B20] H0 deep height m, m=tan(beach slope);"
@@ -251,5 +230,5 @@ const check_model check_breaking_criteria = {
                          " H/h>0.78, miche: H>0.142 L tanh(kh)" } },
     .quantities = { { "H_miche", "%", 0.1 }, { "xi0", "%", 0.1 }, { "Ks", "%", 0.1 },
                     { "flags", "", 0 }, { "type", "", 0 } },
-    .run = run_breaking_criteria,
+    .each = each_criterion,
 };

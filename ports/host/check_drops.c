@@ -8,7 +8,6 @@
 #include "tidepool/ring.h"
 #include "tidepool/wave.h"
 
-#define PI      3.14159265358979323846
 #define TICKS   (TP_TICKS_PER_SECOND * 65536.0)     /* the API's times, a second */
 #define Q24     16777216.0
 
@@ -16,11 +15,6 @@
 #define SECONDS(n) { .name = n, .high = 1e5 }
 #define UNIT(n)    { .name = n, .low = -1, .high = 1 }
 #define ANY(n)     { .name = n, .low = -1e9, .high = 1e9 }
-
-static double percent(double got, double want)
-{
-    return 100 * (got / want - 1);
-}
 
 /* -- rings ------------------------------------------------------------------------- */
 
@@ -79,11 +73,6 @@ static void each_ring_row(check_run *run, unsigned row, const double *v)
     check_add(run, 2, row, check_angle(five_normal(now, count, x, z), v + 9));
 }
 
-static int run_droplet_waves(check_run *run)
-{
-    return check_each(run, each_ring_row);
-}
-
 const check_model check_droplet_waves = {
     CHECK_ALL(ring_columns),
     .notes = { { "ring %: cx=% cz=% t0=% A=% L=% c=% tau=% p0=% tr=%",
@@ -92,7 +81,7 @@ const check_model check_droplet_waves = {
                          " 4-triangle normal with spacing 0.05 m" } },
     .quantities = { { "height", "mm", 0.25 }, { "normal", "deg", 0.05 },
                     { "five heights", "deg", 0.05 } },
-    .run = run_droplet_waves,
+    .each = each_ring_row,
 };
 
 /* -- drops ------------------------------------------------------------------------- */
@@ -112,7 +101,7 @@ static const check_field bounce_columns[] = {
 
 static tp_scene_drops drops_of(const double *v)
 {
-    const double volume = 4 * PI / 3 * v[RAD] * v[RAD] * v[RAD];
+    const double volume = 4 * CHECK_PI / 3 * v[RAD] * v[RAD] * v[RAD];
     return (tp_scene_drops){ .count = 1, .radius = check_fx(v[RAD]),
                              .density = check_fx(fmax(100, fmin(10000, v[M] / volume))),
                              .bounce = check_fx(v[E]), .impacts = 32,
@@ -148,8 +137,8 @@ static int run_drop(check_run *run, unsigned *row)
         if (!next_impact(&drop, &config, &tick, &impact))
             return check_refuse(run, *row, "the drop does not come down again");
         check_add(run, 0, *row, (double)impact.time / TICKS - v[T]);
-        check_add(run, 1, *row, percent(impact.uncapped_q24 / Q24, v[A0]));
-        check_add(run, 2, *row, percent(check_metres(impact.length), v[LENGTH]));
+        check_add(run, 1, *row, check_percent(impact.uncapped_q24 / Q24, v[A0]));
+        check_add(run, 2, *row, check_percent(check_metres(impact.length), v[LENGTH]));
     }
     return EXIT_DONE;
 }

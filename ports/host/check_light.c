@@ -22,16 +22,11 @@ static void each_fresnel(check_run *run, unsigned row, const double *v)
     check_add(run, 1, row, tp_fresnel_schlick(c) / Q30 - v[4]);
 }
 
-static int run_fresnel(check_run *run)
-{
-    return check_each(run, each_fresnel);
-}
-
 const check_model check_fresnel = {
     CHECK_ALL(fresnel_columns),
     .notes = { { .text = "[F1][F2] air 1.000293 -> water 1.3333; Schlick R0=0.02037" } },
     .quantities = { { "exact", "", 0.002 }, { "Schlick", "", 0.002 } },
-    .run = run_fresnel,
+    .each = each_fresnel,
 };
 
 /* -- rays -------------------------------------------------------------------------- */
@@ -67,18 +62,13 @@ static void each_ray(check_run *run, unsigned row, const double *v)
                                 fabs(check_metres(at.z) - v[14])));
 }
 
-static int run_rays(check_run *run)
-{
-    return check_each(run, each_ray);
-}
-
 const check_model check_reflect_refract = {
     CHECK_ALL(ray_columns),
     .notes = { { .text = "[F3][F4] I incident (towards surface), eta=1/1.333; offx,offz"
                          " = bottom hit offset at depth d along T (m)" } },
     .quantities = { { "reflected", "", 0.001 }, { "refracted", "", 0.001 },
                     { "floor offset", "m", 0.001 } },
-    .run = run_rays,
+    .each = each_ray,
 };
 
 /* -- exposure ---------------------------------------------------------------------- */

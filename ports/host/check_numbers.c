@@ -4,8 +4,6 @@
 #include <math.h>
 #include "check.h"
 
-#define TWO_PI 6.283185307179586476925
-
 tp_fx check_fx(double x)
 {
     return (tp_fx)lround(x * 65536);
@@ -18,7 +16,7 @@ tp_q30 check_q30(double x)
 
 tp_turn check_turn(double radians)
 {
-    const double turns = radians / TWO_PI;
+    const double turns = radians / (2 * CHECK_PI);
     return (tp_turn)(int64_t)llround((turns - floor(turns)) * 4294967296.0);
 }
 
@@ -29,12 +27,12 @@ double check_metres(tp_fx x)
 
 double check_radians(tp_turn angle)
 {
-    return (int32_t)angle * (TWO_PI / 4294967296.0);
+    return (int32_t)angle * ((2 * CHECK_PI) / 4294967296.0);
 }
 
 double check_wrapped(double radians)
 {
-    return remainder(radians, TWO_PI);
+    return remainder(radians, (2 * CHECK_PI));
 }
 
 /* By cross and dot product: right for small angles too. */
@@ -44,5 +42,10 @@ double check_angle(tp_dir3 got, const double want[3])
     const double cx = y * want[2] - z * want[1], cy = z * want[0] - x * want[2];
     const double cz = x * want[1] - y * want[0];
     const double dot = x * want[0] + y * want[1] + z * want[2];
-    return atan2(sqrt(cx * cx + cy * cy + cz * cz), dot) * (360 / TWO_PI);
+    return atan2(sqrt(cx * cx + cy * cy + cz * cz), dot) * (180 / CHECK_PI);
+}
+
+double check_percent(double got, double want)
+{
+    return 100 * (got / want - 1);
 }

@@ -5,7 +5,6 @@
 #include "tidepool/ocean.h"
 
 #define Q32     4294967296.0
-#define PI      3.14159265358979323846
 #define QUARTER 0x40000000u
 
 #define OFFSET(n) { .name = n, .low = -1000, .high = 1000 }
@@ -103,14 +102,9 @@ static void each_breaking(check_run *run, unsigned row, const double *v)
     check_add(run, 0, row, apart_mm(at.offset, v[X], v[Y]));
     check_add(run, 1, row, 1000 * (check_metres(at.stretch) - v[STRETCH]));
     check_add(run, 2, row, 1000 * (check_metres(at.displacement) - v[DISPLACEMENT]));
-    check_add(run, 3, row, at.orientation * (2 * PI / Q32) - v[ORIENTATION]);
+    check_add(run, 3, row, at.orientation * (2 * CHECK_PI / Q32) - v[ORIENTATION]);
     check_add(run, 4, row, check_wrapped(lowest - v[PHI_MIN]));
     check_add(run, 5, row, check_metres(gate) - v[GATE]);
-}
-
-static int run_breaking(check_run *run)
-{
-    return check_each(run, each_breaking);
 }
 
 const check_model check_breaking = {
@@ -122,5 +116,5 @@ const check_model check_breaking = {
     .quantities = { { "offset", "mm", 2 }, { "stretch", "mm", 2 },
                     { "displacement", "mm", 2 }, { "orientation", "rad", 0.002 },
                     { "Phi_min", "rad", 0.002 }, { "gate", "", 0.001 } },
-    .run = run_breaking,
+    .each = each_breaking,
 };

@@ -7,7 +7,6 @@
 #include "check.h"
 #include "check_pool.h"
 
-#define PI 3.14159265358979323846
 
 tp_pool *check_pool_of(const check_pool_shape *shape)
 {
@@ -191,8 +190,8 @@ static const check_field mode_columns[] = {
     { .name = "r2", .low = 0.0025, .high = 0.25 },
     { .name = "delta", .low = 1.0 / 1024, .high = 1.0 / 16 },
     { .name = "n", .low = 1, .high = 400, .kind = CHECK_WHOLE },
-    { .name = "mu", .high = 8 }, { .name = "Omega", .high = PI }, SHARE("H_discrete"),
-    SHARE("H_flux"), SHARE("H_wave"),
+    { .name = "mu", .high = 8 }, { .name = "Omega", .high = CHECK_PI },
+    SHARE("H_discrete"), SHARE("H_flux"), SHARE("H_wave"),
 };
 
 /* A quarter of each kind's range. */
@@ -201,8 +200,8 @@ static const double quarter_range[] = { 127 / 4.0, 32767 / 4.0, 2147483648.0 / 4
 /* The mode of amplitude 1 at a cell. */
 static double mode_at(const double *v, uint32_t col, uint32_t row)
 {
-    return cos(PI * v[MODE_P] * (col + 0.5) / v[MODE_N])
-         * cos(PI * v[MODE_Q] * (row + 0.5) / v[MODE_M]);
+    return cos(CHECK_PI * v[MODE_P] * (col + 0.5) / v[MODE_N])
+         * cos(CHECK_PI * v[MODE_Q] * (row + 0.5) / v[MODE_M]);
 }
 
 static void stir_mode(tp_pool *pool, const double *v)

@@ -7,7 +7,6 @@
 #include "check.h"
 #include "tidepool/wave.h"
 
-#define TWO_PI  6.283185307179586476925
 #define GRAVITY TP_FX(9.81)
 
 #define METRES(n)  { .name = n, .low = -8000, .high = 8000 }
@@ -33,18 +32,13 @@ static void each_sine(check_run *run, unsigned row, const double *v)
     check_add(run, 3, row, tp_fx_cos(angle) - v[4]);
 }
 
-static int run_sine(check_run *run)
-{
-    return check_each(run, each_sine);
-}
-
 const check_model check_sine = {
     CHECK_ALL(sine_columns),
     .notes = { { .text = "[G1] phase_u32: unsigned 32-bit turns (2^32 = 2 pi)."
                          " sin_q16/cos_q16: nearest 16.16" } },
     .quantities = { { "sine", "", 1.6e-5 }, { "cosine", "", 1.6e-5 },
                     { "sine 16.16", "LSB", 1 }, { "cosine 16.16", "LSB", 1 } },
-    .run = run_sine,
+    .each = each_sine,
 };
 
 /* -- a sea from a table's parameter lines ------------------------------------------ */
@@ -67,7 +61,7 @@ static tp_wave wave_of(const double *p, bool sharp)
         .amplitude = check_fx(p[AMPLITUDE]),
         .length = check_fx(p[LENGTH]),
         .steepness = check_fx(fmin(1, sharp * p[SHARPNESS] * p[NUMBER] * p[AMPLITUDE])),
-        .heading = check_fx(atan2(p[DX], -p[DZ]) * (360 / TWO_PI)),
+        .heading = check_fx(atan2(p[DX], -p[DZ]) * (180 / CHECK_PI)),
         .speed = TP_FX_ONE,
         .power = 1,
     };
@@ -151,7 +145,7 @@ static const check_field sharp_columns[] = {
 /* One wave of 2 pi metres, so that dy/dx is dy/dtheta, at the origin. */
 static void each_sharp(check_run *run, unsigned row, const double *v)
 {
-    const tp_wave wave = { .amplitude = check_fx(v[1]), .length = check_fx(TWO_PI),
+    const tp_wave wave = { .amplitude = check_fx(v[1]), .length = check_fx(2 * CHECK_PI),
                            .heading = TP_FX(90), .speed = TP_FX_ONE,
                            .power = (int32_t)v[0] };
     const tp_turn phases[TP_WAVES] = { check_turn(v[2]) };
@@ -164,17 +158,12 @@ static void each_sharp(check_run *run, unsigned row, const double *v)
     check_add(run, 1, row, normal_error(&p, normal));
 }
 
-static int run_sharp_sine(check_run *run)
-{
-    return check_each(run, each_sharp);
-}
-
 const check_model check_sharp_sine = {
     CHECK_ALL(sharp_columns),
     .notes = { { .text = "[A3] f=2((sin th+1)/2)^k; mean=2 C(2k,k)/4^k; y=A(f-mean);"
                          " dy_dtheta=A k b^(k-1) cos th" } },
     .quantities = { { "height", "mm", 0.5 }, { "normal", "deg", 0.02 } },
-    .run = run_sharp_sine,
+    .each = each_sharp,
 };
 
 /* -- Gerstner ---------------------------------------------------------------------- */
@@ -190,10 +179,10 @@ static const check_field single_columns[] = {
 /* Q = 1 and A = S/k: the steepness Q k A is S. */
 static void each_single(check_run *run, unsigned row, const double *v)
 {
-    const double k = TWO_PI / v[0];
+    const double k = 2 * CHECK_PI / v[0];
     const tp_wave wave = { .amplitude = check_fx(v[1] / k), .length = check_fx(v[0]),
                            .steepness = check_fx(v[1]),
-                           .heading = check_fx(atan2(v[2], -v[3]) * (360 / TWO_PI)),
+                           .heading = check_fx(atan2(v[2], -v[3]) * (180 / CHECK_PI)),
                            .speed = TP_FX_ONE, .power = 1 };
     const tp_turn phases[TP_WAVES] = { check_turn(-sqrt(9.81 * k) * v[6]) };
     tp_sea sea;
@@ -203,17 +192,12 @@ static void each_single(check_run *run, unsigned row, const double *v)
     check_add(run, 1, row, normal_error(&p, v + 10));
 }
 
-static int run_gerstner_single(check_run *run)
-{
-    return check_each(run, each_single);
-}
-
 const check_model check_gerstner_single = {
     CHECK_ALL(single_columns),
     .notes = { { .text = "[A7][A8] one wave, Q=1, A=S/k, omega=sqrt(g k), g=9.81, phase"
                          " 0; det=horizontal Jacobian" } },
     .quantities = { { "position", "mm", 0.25 }, { "normal", "deg", 0.02 } },
-    .run = run_gerstner_single,
+    .each = each_single,
 };
 
 static const check_field gerstner_columns[] = {

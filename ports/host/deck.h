@@ -14,8 +14,8 @@ typedef struct {
     const char *name;
 } deck;
 
-/* Both return an exit code and have said why, with file and line; `scene` is the name that
- * the tape must have, or gets. */
+/* Both return an exit code and have said why, with file and line; `scene` is the name
+ * that the tape must have, or gets. */
 int  deck_read(deck *d, const char *name, const char *scene);
 int  deck_record(deck *d, const char *name, const char *scene);
 

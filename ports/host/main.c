@@ -49,7 +49,7 @@ int finish_stdout(void)
 static int print_help(void)
 {
     puts("usage: tidepool COMMAND [ARGUMENT]...\n"
-         "Water for small computers: swells and a boat, drawn in fixed point.\n");
+         "Water for small computers: seas, pools, drops and a boat, in fixed point.\n");
     for (size_t i = 0; i < COMMANDS; i++) {
         char left[48];
         snprintf(left, sizeof left, "%s %s", commands[i].name, commands[i].takes);

@@ -96,9 +96,9 @@ static void print_stats(render *r)
             frames, median / 1000, median % 1000, c->water_pixels, stats.vertices,
             stats.triangles, stats.dropped, cells, pool.highest, pool.fastest,
             pool.at_rest ? "true" : "false", drops.count, drops.rings,
-            drops.dropped + drops.rings_dropped, sizeof(tp_scene), s->world_bytes, ram.frame,
-            ram.vertices, ram.tables, ram.scratch * c->threads, s->assets.mesh_bytes,
-            s->assets.texture_bytes);
+            drops.dropped + drops.rings_dropped, sizeof(tp_scene), s->world_bytes,
+            ram.frame, ram.vertices, ram.tables, ram.scratch * c->threads,
+            s->assets.mesh_bytes, s->assets.texture_bytes);
 }
 
 static int run(render *r, const options *o)

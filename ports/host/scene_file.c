@@ -167,6 +167,19 @@ char *scene_file_path_of(const scene_file *file, const tp_param *param)
     return path_beside(file->path, name);
 }
 
+int scene_file_refuse(const scene_file *file, const tp_error *err)
+{
+    const tp_param *param = tp_param_find(err->word, strlen(err->word));
+    const uint32_t line = param ? file->set_at[row_of(param)] : 0;
+    tp_error there = *err;
+    if (line == SET_BY_COMMAND) {
+        fail_at("--set", err);
+        return EXIT_USAGE;
+    }
+    there.where = line;
+    return fail_at(line ? file->path : file->name, &there);
+}
+
 void scene_file_who(const scene_file *file, const tp_param *param, char *text,
                     size_t bytes)
 {

@@ -30,6 +30,10 @@ char *scene_file_path_of(const scene_file *file, const tp_param *param);
 void scene_file_who(const scene_file *file, const tp_param *param, char *text,
                     size_t bytes);
 
+/* What the core found wrong with the scene: at the place where err->word was set, if that
+ * is a parameter. */
+int  scene_file_refuse(const scene_file *file, const tp_error *err);
+
 /* -- between scene_file.c and scene_ini.c ---------------------------------------- */
 
 /* One value; a message begins with `place`.  False: refused, and said why. */

@@ -49,7 +49,7 @@ int stage_world(stage *s)
         return fail_memory(bytes);
     if (tp_world_init(world, bytes, scene, &s->assets.names, &err)) {
         free(world);
-        return fail_at(s->file.name, &err);
+        return scene_file_refuse(&s->file, &err);
     }
     free(s->world);
     s->world = world;

@@ -1,9 +1,11 @@
 /* SPDX-License-Identifier: MIT */
 /* What every rank may use: the four memory functions that a port must supply, the
- * assertion, and the attribute of loop bodies that are written once and inlined. */
+ * assertion, chance, and the attribute of loop bodies that are written once and
+ * inlined. */
 #ifndef TP_BASE_BASE_H
 #define TP_BASE_BASE_H
 #include <stddef.h>
+#include <stdint.h>
 
 /* The whole of the C library that the core asks for. */
 void *memcpy(void *restrict to, const void *restrict from, size_t bytes);
@@ -16,6 +18,13 @@ int   memcmp(const void *a, const void *b, size_t bytes);
 #ifndef TP_ASSERT
 #define TP_ASSERT(condition) ((void)0)
 #endif
+
+/* The next of a linear congruential sequence; its high bits are the good ones. */
+static inline uint32_t tp_random(uint32_t *state)
+{
+    *state = *state * 1664525u + 1013904223u;
+    return *state;
+}
 
 /* For a body that takes literal flags: plain `inline` at -Os leaves the flags' tests in
  * the loop. */

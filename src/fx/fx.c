@@ -10,7 +10,7 @@ static tp_fx quotient(int64_t n, int64_t d)
     int64_t q = twice / whole;
     if (twice % whole != 0 && (twice < 0) != (whole < 0))
         q--;                            /* C rounds towards 0, we round down */
-    return q > TP_FX_MAX ? TP_FX_MAX : q < TP_FX_MIN ? TP_FX_MIN : (tp_fx)q;
+    return tp_fx_held(q);
 }
 
 tp_fx tp_fx_div(tp_fx a, tp_fx b)

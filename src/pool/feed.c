@@ -6,6 +6,7 @@
  * or more of the ticks of a window inject, it goes up by an eighth; where the rms is
  * beyond `feed_high` it comes down again, not below what was asked for. */
 #include "pool/pool.h"
+#include "base/base.h"
 
 enum { WINDOW = 64 };
 
@@ -33,11 +34,9 @@ static int64_t limit_of(const tp_pool *pool, tp_fx rms)
     return h * h * tp_pool_count(pool);
 }
 
-/* A linear congruential sequence; its high bits are the good ones. */
 static uint32_t random_below(tp_pool *pool, uint32_t end)
 {
-    pool->random = pool->random * 1664525 + 1013904223;
-    return (uint32_t)((uint64_t)pool->random * end >> 32);
+    return (uint32_t)((uint64_t)tp_random(&pool->random) * end >> 32);
 }
 
 static void inject(tp_pool *pool)

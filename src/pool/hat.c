@@ -103,8 +103,7 @@ static int64_t add_hat(const splash *h, int32_t peak)
             carry += peak * (hat - (h->ratio * bell(s) >> 30));
             const int64_t lsb = (carry + half) >> 30;
             carry -= lsb * ((int64_t)1 << 30);
-            const int64_t low = lsb > -full ? lsb : -full;
-            sum += give(h, x, y, (int32_t)(low < full ? low : full));
+            sum += give(h, x, y, (int32_t)tp_limit(lsb, full));
         }
     }
     return sum;
@@ -115,9 +114,8 @@ static int64_t take(const splash *h, int64_t sum, int64_t share)
 {
     for (int32_t y = 0; y < h->rows; y++) {
         for (int32_t x = 0; x < h->cols && sum != 0; x++) {
-            const int64_t lsb = sum > share ? share : sum < -share ? -share : sum;
             if (s_of(h, x, y) < S_MAX)
-                sum += give(h, x, y, (int32_t)-lsb);
+                sum += give(h, x, y, (int32_t)-tp_limit(sum, share));
         }
     }
     return sum;
@@ -199,5 +197,5 @@ int32_t tp_pool_lsb(const tp_pool *pool, tp_fx metres)
         lsb = (int64_t)metres * 256;
     else
         lsb = up / twice - (up % twice < 0);
-    return (int32_t)(lsb > full ? full : lsb < -full ? -full : lsb);
+    return (int32_t)tp_limit(lsb, full);
 }

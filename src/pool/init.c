@@ -6,6 +6,7 @@
  * than the field's own.  dmax = 8 / W, at most 1/2: the two measured sponges of [C15]. */
 #include "pool/pool.h"
 #include "base/base.h"
+#include "base/text.h"
 
 static bool within(int64_t x, int64_t low, int64_t high)
 {
@@ -18,45 +19,70 @@ static uint32_t r2q_bound(uint32_t damping)
     return 512 * ((1u << damping) - 1) / ((2u << damping) - 1);
 }
 
-static tp_status out_of_range(const char *what, size_t bytes, tp_error *err)
+/* The field at fault. */
+static tp_status blame(tp_error *err, tp_status code, const char *field)
 {
-    TP_FAIL(err, TP_E_POOL_RANGE, 0, 0, 0);
-    tp_error_word(err, what, bytes);
-    return TP_E_POOL_RANGE;
+    tp_error_word(err, field, tp_text_length(field));
+    return code;
 }
 
-#define RANGE(what, good) \
+#define RANGE(field, good) \
     if (!(good)) \
-        return out_of_range(what, sizeof what - 1, err)
+        return blame(err, TP_FAIL(err, TP_E_POOL_RANGE, 0, 0, 0), field)
 
 static tp_status check_numbers(const tp_pool_config *c, tp_error *err)
 {
-    RANGE("kind of cells", within((int)c->cells, TP_CELLS_8, TP_CELLS_32));
-    RANGE("kind of edges", within((int)c->edges, TP_EDGES_WALL, TP_EDGES_TILE));
+    RANGE("cells", within((int)c->cells, TP_CELLS_8, TP_CELLS_32));
+    RANGE("edges", within((int)c->edges, TP_EDGES_WALL, TP_EDGES_TILE));
     RANGE("courant", within(c->courant, TP_FX(0.05), TP_FX(0.8)));
     RANGE("damping", within(c->damping, 4, 10));
     RANGE("sponge", c->edges != TP_EDGES_SPONGE || within(c->sponge, 4, 64));
     RANGE("range", c->cells == TP_CELLS_32 || within(c->range, TP_FX(0.01), TP_FX(64)));
     RANGE("cell", within(c->cell, TP_FX(0.01), TP_FX(50)));
-    RANGE("feed", c->feed_low >= 0 && c->feed_high >= c->feed_low && c->feed >= 0);
+    RANGE("feed_low", c->feed_low >= 0);
+    RANGE("feed", c->feed >= 0);
+    if (c->feed_low > c->feed_high)
+        return blame(err, TP_FAIL(err, TP_E_POOL_FEED, 0, 0, 0), "feed_low");
     return TP_OK;
+}
+
+static tp_status check_size(const tp_pool_config *c, tp_error *err)
+{
+    const bool good_cols = within(c->cols, 16, 512);
+
+    if (good_cols && within(c->rows, 16, 512))
+        return TP_OK;
+    return blame(err, TP_FAIL(err, TP_E_POOL_SIZE, 0, c->cols, c->rows),
+                 good_cols ? "rows" : "cols");
+}
+
+/* The sentence has both to three places: what is refused is 0.491 or more, at most 0.8,
+ * and rounds to more than the bound does, which is cut. */
+static tp_status check_courant(const tp_pool_config *c, tp_error *err)
+{
+    const uint32_t bound = r2q_bound(c->damping);
+    const uint32_t asked = ((uint32_t)c->courant * 1000 + 0x8000) >> 16;
+
+    if (tp_pool_r2q_of(c->courant) <= bound)
+        return TP_OK;
+    return blame(err, TP_FAIL(err, TP_E_POOL_COURANT, 0, asked,
+                              tp_isqrt64((uint64_t)bound * 1000000 / 1024)), "courant");
 }
 
 tp_status tp_pool_check(const tp_pool_config *config, tp_error *err)
 {
     const tp_grey *mask = config->mask;
+    tp_status status = check_size(config, err);
 
-    if (!within(config->cols, 16, 512) || !within(config->rows, 16, 512))
-        return TP_FAIL(err, TP_E_POOL_SIZE, 0, config->cols, config->rows);
-    const tp_status status = check_numbers(config, err);
+    if (status == TP_OK)
+        status = check_numbers(config, err);
+    if (status == TP_OK)
+        status = check_courant(config, err);
     if (status != TP_OK)
         return status;
-    const uint32_t r2q = tp_pool_r2q_of(config->courant);
-    const uint32_t bound = r2q_bound(config->damping);
-    if (r2q > bound)
-        return TP_FAIL(err, TP_E_POOL_COURANT, 0, r2q, bound);
     if (mask != NULL && (mask->cols == 0 || mask->rows == 0 || mask->sample == NULL))
-        return TP_FAIL(err, TP_E_POOL_MASK, 0, mask->cols, mask->rows);
+        return blame(err, TP_FAIL(err, TP_E_POOL_MASK, 0, mask->cols, mask->rows),
+                     "mask");
     return TP_OK;
 }
 

@@ -15,29 +15,19 @@
 #define TURN_MOST  (360 * TP_FX_ONE)        /* degrees/s */
 #define WATER_MOST (2048 * TP_FX_ONE)
 
-static int64_t limited(int64_t x, int64_t most)
-{
-    return x > most ? most : x < -most ? -most : x;
-}
-
-/* n / d, halves away from zero: what is sailed forth and back is nothing, to the bit. */
-static int64_t quotient(int64_t n, int64_t d)
-{
-    return (n < 0 ? n - d / 2 : n + d / 2) / d;
-}
-
 /* -- where it is -------------------------------------------------------------------- */
 
 /* So far from the scene's place that it stays within 8 km of the origin. */
 static int64_t sailed(int64_t way, tp_fx from)
 {
     int64_t start = (int64_t)from * TP_FX_ONE;
-    return limited(start + way, PLACE_MOST) - start;
+    return tp_limit(start + way, PLACE_MOST) - start;
 }
 
 static tp_fx place_of(int64_t way, tp_fx from)
 {
-    return (tp_fx)((limited((int64_t)from * TP_FX_ONE + way, PLACE_MOST) + 0x8000) >> 16);
+    int64_t at = tp_limit((int64_t)from * TP_FX_ONE + way, PLACE_MOST);
+    return (tp_fx)((at + 0x8000) >> 16);
 }
 
 static tp_turn heading_of(const tp_afloat *afloat, const tp_scene *scene)
@@ -48,17 +38,18 @@ static tp_turn heading_of(const tp_afloat *afloat, const tp_scene *scene)
 
 /* m/s in 16.16 times a sine in Q30, over 60 ticks, is Q32 after 14 bits: |speed| <= 2^23
  * keeps the product below 2^53.  One degree/s in 16.16 is 2^48 / (360 x 60) of a turn a
- * tick in Q64, and 360 of them are below 2^59. */
+ * tick in Q64, and 360 of them are below 2^59.  What is sailed forth and back is nothing,
+ * to the bit. */
 static void sail(tp_afloat *afloat, const tp_scene *scene, const tp_input *in)
 {
     const int64_t over = TP_TICKS_PER_SECOND << 14, degree = 13031248922;
-    int64_t turn = limited((int64_t)scene->boat.rudder + in->rudder, TURN_MOST);
-    int64_t speed = limited((int64_t)scene->boat.speed + in->throttle, SPEED_MOST);
+    int64_t turn = tp_limit((int64_t)scene->boat.rudder + in->rudder, TURN_MOST);
+    int64_t speed = tp_limit((int64_t)scene->boat.speed + in->throttle, SPEED_MOST);
 
     afloat->turned += (uint64_t)(turn * degree);
     tp_turn heading = heading_of(afloat, scene);
-    int64_t x = quotient(speed * tp_sin(heading), over);
-    int64_t z = quotient(speed * tp_cos(heading), over);
+    int64_t x = tp_quotient(speed * tp_sin(heading), over);
+    int64_t z = tp_quotient(speed * tp_cos(heading), over);
     afloat->sailed_x = sailed(afloat->sailed_x + x, scene->boat.x);
     afloat->sailed_z = sailed(afloat->sailed_z - z, scene->boat.z);
 }

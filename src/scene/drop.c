@@ -9,8 +9,9 @@
  * Impacts are looked for in the water's frame, whose level moves evenly through the tick:
  * the height over it is the parabola through both ends with the first end's speed. */
 #include "tidepool/drop.h"
+#include "tidepool/wave.h"
 
-#define RATE        60                              /* ticks a second */
+#define RATE        TP_TICKS_PER_SECOND
 #define FALL_MOST   ((int64_t)127 << 24)
 #define WATER_MOST  ((int64_t)16 << 24)             /* m/s; beyond, a level was set */
 #define DRAG_Q40    ((uint64_t)494780232499)        /* 3 rho_a / 8 = 0.45 */
@@ -20,8 +21,7 @@
 
 static int32_t fall_held(int64_t fall_q24)
 {
-    return (int32_t)(fall_q24 > FALL_MOST ? FALL_MOST
-                     : fall_q24 < -FALL_MOST ? -FALL_MOST : fall_q24);
+    return (int32_t)tp_limit(fall_q24, FALL_MOST);
 }
 
 /* n / d rounded half up; d > 0, |n| < 2^62. */

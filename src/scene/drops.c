@@ -3,9 +3,9 @@
  * place is counted. */
 #include "tidepool/drop.h"
 #include "base/base.h"
+#include "tidepool/wave.h"
 
 #define MOST       1024
-#define RATE       60                       /* ticks a second */
 #define SPHERE_FAR (8000 * TP_FX_ONE)
 
 enum { DROPS_AT = (sizeof(tp_drops) + 7) & ~7u };
@@ -61,7 +61,7 @@ const tp_ring *tp_drops_rings(const tp_drops *drops)
 
 static tp_fx held(int64_t x)
 {
-    return (tp_fx)(x > SPHERE_FAR ? SPHERE_FAR : x < -SPHERE_FAR ? -SPHERE_FAR : x);
+    return (tp_fx)tp_limit(x, SPHERE_FAR);
 }
 
 void tp_drops_steer(tp_drops *drops, tp_fx x, tp_fx z)
@@ -71,19 +71,12 @@ void tp_drops_steer(tp_drops *drops, tp_fx x, tp_fx z)
     drops->sphere.z = held((int64_t)drops->sphere.z + z);
 }
 
-/* A linear congruential sequence; its high bits are the good ones. */
-static uint32_t random_of(tp_drops *drops)
-{
-    drops->random = drops->random * 1664525u + 1013904223u;
-    return drops->random;
-}
-
 /* Evenly over a disc around the sphere's centre: the root makes rings of equal width hold
  * shares by their area. */
 static tp_vec3 scattered(tp_drops *drops, tp_fx reach)
 {
-    tp_turn round = random_of(drops);
-    tp_fx   way = tp_fx_mul(tp_fx_sqrt((tp_fx)(random_of(drops) >> 16)), reach);
+    tp_turn round = tp_random(&drops->random);
+    tp_fx   way = tp_fx_mul(tp_fx_sqrt((tp_fx)(tp_random(&drops->random) >> 16)), reach);
     tp_vec3 at = drops->sphere;
 
     at.x += tp_q30_mul(way, tp_sin(round));
@@ -110,10 +103,11 @@ void tp_drops_release(tp_drops *drops, const tp_scene_drops *config, uint32_t co
     drops->dropped += lost < most ? lost : most;
 }
 
-/* every < 2^23 x 60 s fits; at 1/65536 s it is 1092 drops a tick, and so many steps. */
+/* Up to 60 s, 22 bits, so 60 of them fit; at 1/65536 s it is 1092 drops a tick, and so
+ * many steps. */
 void tp_drops_release_due(tp_drops *drops, const tp_scene_drops *config)
 {
-    uint32_t interval = (uint32_t)config->every * RATE, due = 0;
+    uint32_t interval = (uint32_t)config->every * TP_TICKS_PER_SECOND, due = 0;
 
     if (config->every <= 0) {
         drops->wait = 0;

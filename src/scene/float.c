@@ -42,11 +42,6 @@
 #define STILL      (1 << 22)
 #define STILL_TICK (1 << 10)
 
-static int64_t limited(int64_t x, int64_t most)
-{
-    return x > most ? most : x < -most ? -most : x;
-}
-
 /* x q / 2^32 towards zero: what is left of a speed is always less.  |x| < 2^62. */
 static int64_t share(int64_t x, uint32_t q)
 {
@@ -150,7 +145,7 @@ static void push_of(const tp_lie *lie, tp_fx draft, const tp_fx water[4],
 
     for (int i = 0; i < 4; i++) {
         int64_t sunk = water[i] * ((int64_t)1 << 24) - lie->at[0] - over[i];
-        e[i] = limited(sunk, (int64_t)draft << 24);
+        e[i] = tp_limit(sunk, (int64_t)draft << 24);
     }
     push[0] = (e[TP_BOW] + e[TP_STERN] + e[TP_PORT] + e[TP_STARBOARD]) / 4;
     push[1] = e[TP_BOW] - e[TP_STERN];
@@ -172,9 +167,9 @@ static void step(tp_lie *lie, const swing *s, tp_fx draft, const tp_fx water[4])
     bool still = is_within(push, STILL) && is_within(lie->speed, STILL_TICK);
     for (int i = 0; i < 3; i++) {
         int64_t speed = share(lie->speed[i], s->keep) + share(push[i], s->kick);
-        lie->speed[i] = still ? 0 : limited(speed, SPEED_MOST);
+        lie->speed[i] = still ? 0 : tp_limit(speed, SPEED_MOST);
         lie->at[i] += still ? push[i] : lie->speed[i] / s->steps;
-        lie->at[i] = limited(lie->at[i], LIE_MOST);
+        lie->at[i] = tp_limit(lie->at[i], LIE_MOST);
     }
 }
 

@@ -2,13 +2,10 @@
 /* The table of parameters: every number that a person may change, once.
  *
  * A row knows where its value lies in tp_scene, so one function reads and one writes all
- * of them.  Rows stand in the order in which people should read them; the sixteen waves
- * are one macro, written out sixteen times. */
-#include "base/base.h"
-#include "base/text.h"
+ * of them (value.c).  Rows stand in the order in which people should read them; the
+ * sixteen waves are one macro, written out sixteen times, and so are both pools. */
+#include "scene/piece.h"
 #include "tidepool/scene.h"
-
-/* ---- the rows ---------------------------------------------------------------- */
 
 #define AT(member) (uint32_t)offsetof(tp_scene, member)
 
@@ -55,7 +52,7 @@
     CHOICE(name ".edges", part.edges, "wall|sponge|tile", TP_EDGES_TILE, TP_EDGES_WALL, \
            "reflect waves, swallow them, or go on at the other side for ever"), \
     NUMBER(name ".courant", part.courant, "", 0.05, 0.8, 0.484, \
-           "cells that a wave goes in a tick, 0.48 at the most"), \
+           "cells that a wave goes in a tick, 0.49 at the most"), \
     COUNT(name ".damping", part.damping, "", 4, 10, 6, \
           "m: a tick takes 2^-m of the motion; less comes to rest sooner"), \
     COUNT(name ".sponge", part.sponge, "cells", 4, 64, 16, "width of a sponge edge"), \
@@ -154,8 +151,10 @@ static const tp_param rows[] = {
     NUMBER("surf.k0", surf.k0, "1/m", 0, 4, 0.1, "how soon orbits tilt with the floor"),
     NUMBER("surf.kx", surf.kx, "1/m", 0.001, 4, 0.11, "how soon orbits widen"),
     NUMBER("surf.ky", surf.ky, "1/m", 0.001, 4, 0.09, "how soon orbits flatten"),
-    NUMBER("surf.stretch", surf.stretch, "", 0, 2, 1, "of breaking crests, 1: as their type"),
-    NUMBER("surf.irregular", surf.irregular, "", 0, 1, 0.3, "of breaking crests, by noise"),
+    NUMBER("surf.stretch", surf.stretch, "", 0, 2, 1,
+           "of breaking crests; 1: as their type"),
+    NUMBER("surf.irregular", surf.irregular, "", 0, 1, 0.3,
+           "of breaking crests, by noise"),
 
     POOL("pool", pool),
     POOL("field", field),
@@ -204,7 +203,8 @@ static const tp_param rows[] = {
     NUMBER("boat.drag", boat.drag, "", 0, 2, 0.3,
            "damping of its rocking; 1: it does not overshoot"),
     NUMBER("boat.speed", boat.speed, "m/s", -30, 30, 0, "that it sails by itself"),
-    NUMBER("boat.rudder", boat.rudder, "degrees/s", -90, 90, 0, "that it turns by itself"),
+    NUMBER("boat.rudder", boat.rudder, "degrees/s", -90, 90, 0,
+           "that it turns by itself"),
     NUMBER("boat.wake", boat.wake, "", 0, 1, 0.5,
            "share of its moving volume that stirs the pool"),
 
@@ -221,246 +221,10 @@ const tp_param *tp_params(uint32_t *count)
     return rows;
 }
 
-static bool is_word(const char *word, const char *text, size_t bytes)
-{
-    return tp_text_length(word) == bytes && memcmp(word, text, bytes) == 0;
-}
-
 const tp_param *tp_param_find(const char *name, size_t bytes)
 {
     for (uint32_t i = 0; i < ROWS; i++)
-        if (is_word(rows[i].name, name, bytes))
+        if (tp_piece_is((tp_piece){ name, bytes }, rows[i].name))
             return &rows[i];
     return NULL;
-}
-
-/* ---- text to value ----------------------------------------------------------- */
-
-typedef struct { const char *text; size_t bytes; } word;
-
-static word trimmed(const char *text, size_t bytes)
-{
-    while (bytes > 0 && (*text == ' ' || (*text >= '\t' && *text <= '\r'))) {
-        text++;
-        bytes--;
-    }
-    while (bytes > 0
-           && (text[bytes - 1] == ' '
-               || (text[bytes - 1] >= '\t' && text[bytes - 1] <= '\r')))
-        bytes--;
-    return (word){ text, bytes };
-}
-
-static tp_status read_fx(word w, int32_t *value)
-{
-    int beyond = 0;
-    if (w.bytes > UINT32_MAX)
-        return TP_E_NUMBER;
-    const uint32_t bytes = (uint32_t)w.bytes;
-    if (bytes == 0 || tp_fx_read(w.text, bytes, value, &beyond) != bytes)
-        return TP_E_NUMBER;
-    return beyond ? TP_E_RANGE : TP_OK;
-}
-
-static tp_status read_int(word w, int32_t *value)
-{
-    const bool negative = w.bytes > 0 && w.text[0] == '-';
-    const size_t first = w.bytes > 0 && (negative || w.text[0] == '+');
-    int64_t sum = 0;
-    if (first == w.bytes)
-        return TP_E_NUMBER;
-    for (size_t i = first; i < w.bytes; i++) {
-        if (w.text[i] < '0' || w.text[i] > '9')
-            return TP_E_NUMBER;
-        if (sum <= INT32_MAX)           /* once above it stays above */
-            sum = sum * 10 + (w.text[i] - '0');
-    }
-    if (sum > INT32_MAX)
-        return TP_E_RANGE;
-    *value = (int32_t)(negative ? -sum : sum);
-    return TP_OK;
-}
-
-static int hex_digit(char c)
-{
-    return c >= '0' && c <= '9' ? c - '0'
-         : c >= 'a' && c <= 'f' ? c - 'a' + 10
-         : c >= 'A' && c <= 'F' ? c - 'A' + 10 : -1;
-}
-
-static tp_status read_colour(word w, int32_t *value)
-{
-    int32_t colour = 0;
-    if (w.bytes != 7 || w.text[0] != '#')
-        return TP_E_COLOUR;
-    for (int i = 1; i < 7; i++) {
-        const int digit = hex_digit(w.text[i]);
-        if (digit < 0)
-            return TP_E_COLOUR;
-        colour = colour * 16 + digit;
-    }
-    *value = colour;
-    return TP_OK;
-}
-
-/* The place of a word in a list "nearest|linear". */
-static tp_status read_choice(word w, const char *list, int32_t *value)
-{
-    for (int32_t i = 0;; i++) {
-        size_t n = 0;
-        while (list[n] != '\0' && list[n] != '|')
-            n++;
-        if (n == w.bytes && memcmp(list, w.text, n) == 0) {
-            *value = i;
-            return TP_OK;
-        }
-        if (list[n] == '\0')
-            return TP_E_CHOICE;
-        list += n + 1;
-    }
-}
-
-static tp_status read_switch(word w, int32_t *value)
-{
-    const tp_status status = read_choice(w, "off|on|no|yes|false|true|0|1", value);
-    if (status == TP_OK)
-        *value &= 1;
-    return status;
-}
-
-static tp_status read_number(const tp_param *param, word w, int32_t *value)
-{
-    tp_status status = TP_OK;
-    switch (param->kind) {
-    case TP_PARAM_FX:     status = read_fx(w, value);                   break;
-    case TP_PARAM_INT:    status = read_int(w, value);                  break;
-    case TP_PARAM_BOOL:   status = read_switch(w, value);               break;
-    case TP_PARAM_COLOUR: status = read_colour(w, value);               break;
-    case TP_PARAM_CHOICE: status = read_choice(w, param->unit, value);  break;
-    default:              return TP_E_ARG;
-    }
-    if (status == TP_OK && (*value < param->low || *value > param->high))
-        status = TP_E_RANGE;
-    return status;
-}
-
-static bool is_text(const tp_param *param)
-{
-    return param->kind == TP_PARAM_MESH || param->kind == TP_PARAM_TEXTURE
-        || param->kind == TP_PARAM_GREY
-        || param->kind == TP_PARAM_TEXT;
-}
-
-static tp_status check_text(word w)
-{
-    if (w.bytes >= TP_NAME_BYTES)
-        return TP_E_LONG;
-    for (size_t i = 0; i < w.bytes; i++)
-        if ((unsigned char)w.text[i] < 0x20 || w.text[i] == 0x7f)
-            return TP_E_TEXT;
-    return TP_OK;
-}
-
-/* The place of a row's value: an int32_t or a char[TP_NAME_BYTES]. */
-static void *value_of(tp_scene *scene, const tp_param *param)
-{
-    return (char *)scene + param->offset;
-}
-
-static tp_status set_text(tp_scene *scene, const tp_param *param, word w)
-{
-    const tp_status status = check_text(w);
-    if (status != TP_OK)
-        return status;
-    char *const name = value_of(scene, param);
-    memset(name, 0, TP_NAME_BYTES);     /* equal scenes are equal byte by byte */
-    memcpy(name, w.text, w.bytes);
-    return TP_OK;
-}
-
-static tp_status set_number(tp_scene *scene, const tp_param *param, word w)
-{
-    int32_t value = 0;
-    const tp_status status = read_number(param, w, &value);
-    if (status == TP_OK)
-        *(int32_t *)value_of(scene, param) = value;
-    return status;
-}
-
-tp_status tp_param_set(tp_scene *scene, const tp_param *param, const char *text,
-                       size_t bytes, tp_error *err)
-{
-    const word w = trimmed(text, bytes);
-    const tp_status status = is_text(param) ? set_text(scene, param, w)
-                                            : set_number(scene, param, w);
-    if (status == TP_OK)
-        return TP_OK;
-    const bool is_long = status == TP_E_LONG;
-    TP_FAIL(err, status, 0, is_long ? TP_NAME_BYTES - 1 : param->low,
-            is_long ? 0 : param->high);
-    tp_error_word(err, w.text, w.bytes);
-    return status;
-}
-
-/* ---- value to text ----------------------------------------------------------- */
-
-static void put_colour(tp_text *out, int32_t colour)
-{
-    tp_text_char(out, '#');
-    for (int shift = 20; shift >= 0; shift -= 4)
-        tp_text_char(out, "0123456789abcdef"[(uint32_t)colour >> shift & 15]);
-}
-
-static void put_choice(tp_text *out, const char *list, int32_t number)
-{
-    for (; *list != '\0' && number > 0; list++)
-        number -= *list == '|';
-    for (; *list != '\0' && *list != '|'; list++)
-        tp_text_char(out, *list);
-}
-
-static void put_fx(tp_text *out, tp_fx number)
-{
-    char digits[16];
-    tp_fx_write(number, digits);
-    tp_text_add(out, digits);
-}
-
-size_t tp_param_number_text(const tp_param *param, int32_t number, char *text,
-                            size_t bytes)
-{
-    tp_text out = tp_text_over(text, bytes);
-    switch (param->kind) {
-    case TP_PARAM_FX:     put_fx(&out, number);                         break;
-    case TP_PARAM_INT:    tp_text_int(&out, number);                    break;
-    case TP_PARAM_BOOL:   tp_text_add(&out, number != 0 ? "on" : "off"); break;
-    case TP_PARAM_COLOUR: put_colour(&out, number);                     break;
-    case TP_PARAM_CHOICE: put_choice(&out, param->unit, number);        break;
-    default:              tp_text_add(&out, param->text);               break;
-    }
-    return out.length;
-}
-
-size_t tp_param_text(const tp_scene *scene, const tp_param *param, char *text,
-                     size_t bytes)
-{
-    const char *const value = (const char *)scene + param->offset;
-    if (!is_text(param))
-        return tp_param_number_text(param, *(const int32_t *)(const void *)value, text,
-                                    bytes);
-    tp_text out = tp_text_over(text, bytes);
-    tp_text_add(&out, value);
-    return out.length;
-}
-
-void tp_scene_default(tp_scene *scene)
-{
-    memset(scene, 0, sizeof *scene);
-    for (uint32_t i = 0; i < ROWS; i++) {
-        const tp_param *const row = &rows[i];
-        if (is_text(row))
-            memcpy(value_of(scene, row), row->text, tp_text_length(row->text));
-        else
-            *(int32_t *)value_of(scene, row) = row->normal;
-    }
 }

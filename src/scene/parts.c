@@ -2,6 +2,7 @@
 /* The parts of a world; see the header. */
 #include "scene/parts.h"
 #include "base/base.h"
+#include "base/text.h"
 #include "tidepool/arena.h"
 
 static tp_pool_config pool_config(const tp_scene_pool *pool, const tp_grey *mask)
@@ -49,7 +50,6 @@ static tp_ocean_config ocean_config(const tp_scene *scene, const tp_assets *asse
         .wind = scene->wind.strength, .wind_heading = scene->wind.heading,
         .k0 = scene->surf.k0, .kx = scene->surf.kx, .ky = scene->surf.ky,
         .stretch = scene->surf.stretch, .irregular = scene->surf.irregular,
-        .gravity = scene->water.gravity,
     };
 }
 
@@ -63,15 +63,33 @@ static uint32_t take(tp_arena *arena, size_t bytes)
     return (uint32_t)at;
 }
 
-static tp_status take_pool(tp_arena *arena, const tp_scene_pool *pool,
-                           const tp_grey *mask, uint32_t *at, tp_error *err)
+/* "courant" of the pool or the field becomes the parameter's name. */
+static void name_parameter(tp_error *err, const char *part)
 {
+    char name[sizeof err->word];
+    tp_text text = tp_text_over(name, sizeof name);
+
+    if (!err)
+        return;
+    tp_text_add(&text, part);
+    tp_text_char(&text, '.');
+    tp_text_add(&text, err->word);
+    tp_error_word(err, name, tp_text_length(name));
+}
+
+static tp_status take_pool(tp_arena *arena, const tp_scene *scene,
+                           const tp_assets *assets, bool field, uint32_t *at,
+                           tp_error *err)
+{
+    const tp_scene_pool *pool = field ? &scene->field : &scene->pool;
     if (pool->cols == 0)
         return TP_OK;
-    tp_pool_config config = pool_config(pool, mask);
+    tp_pool_config config = pool_config(pool, mask_of(assets, field));
     tp_status status = tp_pool_check(&config, err);
     if (status == TP_OK)
         *at = take(arena, tp_pool_bytes(&config));
+    else
+        name_parameter(err, field ? "field" : "pool");
     return status;
 }
 
@@ -79,7 +97,6 @@ tp_status tp_parts_of(tp_world_parts *parts, const tp_scene *scene,
                       const tp_assets *assets, const tp_sea *sea, tp_error *err)
 {
     tp_arena arena = tp_arena_over(NULL, 0);
-    tp_status status;
 
     *parts = (tp_world_parts){ .bytes = 0 };
     take(&arena, sizeof(tp_world));
@@ -90,8 +107,10 @@ tp_status tp_parts_of(tp_world_parts *parts, const tp_scene *scene,
             return TP_FAIL(err, TP_E_ARG, 0, 0, 0);
         parts->ocean = take(&arena, bytes);
     }
-    if ((status = take_pool(&arena, &scene->pool, mask_of(assets, false), &parts->pool, err))
-        || (status = take_pool(&arena, &scene->field, mask_of(assets, true), &parts->field, err)))
+    tp_status status = take_pool(&arena, scene, assets, false, &parts->pool, err);
+    if (status == TP_OK)
+        status = take_pool(&arena, scene, assets, true, &parts->field, err);
+    if (status != TP_OK)
         return status;
     parts->drops = take(&arena, tp_drops_bytes(&scene->drops));
     if (parts->drops && scene->drops.into == TP_DROPS_RINGS)
@@ -106,10 +125,12 @@ static void *part(const tp_world *world, uint32_t at)
     return at ? (char *)(uintptr_t)world + at : NULL;
 }
 
-static tp_status init_pool(tp_pool *pool, const tp_scene_pool *scene, const tp_grey *mask,
-                           tp_error *err)
+static tp_status init_pool(tp_world *world, const tp_scene *scene,
+                           const tp_assets *assets, bool field, tp_error *err)
 {
-    tp_pool_config config = pool_config(scene, mask);
+    tp_pool *pool = field ? tp_parts_field(world) : tp_parts_pool(world);
+    tp_pool_config config = pool_config(field ? &scene->field : &scene->pool,
+                                        mask_of(assets, field));
     return pool ? tp_pool_init(pool, &config, err) : TP_OK;
 }
 
@@ -129,9 +150,9 @@ tp_status tp_parts_init(tp_world *world, const tp_scene *scene, const tp_assets 
     tp_status status = tp_parts_init_ocean(world, scene, assets, err);
 
     if (status == TP_OK)
-        status = init_pool(tp_parts_pool(world), &scene->pool, mask_of(assets, false), err);
+        status = init_pool(world, scene, assets, false, err);
     if (status == TP_OK)
-        status = init_pool(tp_parts_field(world), &scene->field, mask_of(assets, true), err);
+        status = init_pool(world, scene, assets, true, err);
     if (tp_parts_drops(world))
         tp_drops_init(tp_parts_drops(world), &scene->drops);
     return status;

@@ -5,8 +5,9 @@
 #include "geom/surface.h"
 #include "tidepool/scene.h"
 
-/* Where the parts of a scene's world lie, and how large the block is; parts->bytes is 0 if
- * the scene cannot be used.  `sea` is the scene's. */
+/* Where the parts of a scene's world lie, and how large the block is; parts->bytes is 0
+ * if the scene cannot be used.  Of a pool that cannot, err->word is the parameter at
+ * fault.  `sea` is the scene's. */
 tp_status tp_parts_of(tp_world_parts *parts, const tp_scene *scene,
                       const tp_assets *assets, const tp_sea *sea, tp_error *err);
 

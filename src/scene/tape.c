@@ -3,6 +3,7 @@
 #include "tidepool/tape.h"
 #include "base/base.h"
 #include "base/text.h"
+#include "scene/piece.h"
 
 typedef struct {
     const char *name;
@@ -82,42 +83,30 @@ size_t tp_tape_write(const tp_tape_entry *entry, char *text, size_t bytes)
 
 /* -- reading ------------------------------------------------------------------------- */
 
-typedef struct { const char *text; size_t bytes; } word;
-
-static bool is_blank(char c)
-{
-    return c == ' ' || (c >= '\t' && c <= '\r');
-}
-
 /* The next word of a line, which is shortened by it; of 0 bytes at the end. */
-static word next_word(word *line)
+static tp_piece next_word(tp_piece *line)
 {
-    while (line->bytes > 0 && is_blank(*line->text)) {
+    while (line->bytes > 0 && tp_is_white(*line->text)) {
         line->text++;
         line->bytes--;
     }
-    word w = { line->text, 0 };
-    while (w.bytes < line->bytes && !is_blank(w.text[w.bytes]))
+    tp_piece w = { line->text, 0 };
+    while (w.bytes < line->bytes && !tp_is_white(w.text[w.bytes]))
         w.bytes++;
     line->text += w.bytes;
     line->bytes -= w.bytes;
     return w;
 }
 
-static tp_status fail_word(tp_error *err, tp_status code, word w)
+static tp_status fail_word(tp_error *err, tp_status code, tp_piece w)
 {
     TP_FAIL(err, code, 0, 0, 0);
     tp_error_word(err, w.bytes ? w.text : "nothing", w.bytes ? w.bytes : 7);
     return code;
 }
 
-static bool is_same(word w, const char *name)
-{
-    return tp_text_length(name) == w.bytes && memcmp(name, w.text, w.bytes) == 0;
-}
-
 /* Digits alone; E_RANGE if they say more than `most`. */
-static tp_status read_digits(word w, uint64_t most, uint64_t *number)
+static tp_status read_digits(tp_piece w, uint64_t most, uint64_t *number)
 {
     uint64_t sum = 0;
     bool     beyond = false;
@@ -136,40 +125,30 @@ static tp_status read_digits(word w, uint64_t most, uint64_t *number)
     return beyond ? TP_E_RANGE : TP_OK;
 }
 
-static tp_status read_whole(word w, int32_t *value)
+static tp_status read_whole(tp_piece w, int32_t *value)
 {
     const bool negative = w.bytes > 0 && w.text[0] == '-';
     const size_t sign = negative || (w.bytes > 0 && w.text[0] == '+');
     uint64_t size = 0;
-    const tp_status status = read_digits((word){ w.text + sign, w.bytes - sign },
+    const tp_status status = read_digits((tp_piece){ w.text + sign, w.bytes - sign },
                                          (uint64_t)INT32_MAX + negative, &size);
     if (status == TP_OK)
         *value = (int32_t)(negative ? -(int64_t)size : (int64_t)size);
     return status;
 }
 
-static tp_status read_fx(word w, int32_t *value)
-{
-    int beyond = 0;
-
-    if (w.bytes == 0 || w.bytes > UINT32_MAX
-        || tp_fx_read(w.text, (uint32_t)w.bytes, value, &beyond) != w.bytes)
-        return TP_E_NUMBER;
-    return beyond ? TP_E_RANGE : TP_OK;
-}
-
-static int find_field(word name)
+static int find_field(tp_piece name)
 {
     int i = 0;
-    while (i < FIELDS && !is_same(name, fields[i].name))
+    while (i < FIELDS && !tp_piece_is(name, fields[i].name))
         i++;
     return i;
 }
 
 /* One NAME=NUMBER into the input; `seen` has a bit for each field that was read. */
-static tp_status read_field(tp_input *input, word w, uint32_t *seen, tp_error *err)
+static tp_status read_field(tp_input *input, tp_piece w, uint32_t *seen, tp_error *err)
 {
-    word name = { w.text, 0 };
+    tp_piece name = { w.text, 0 };
     int32_t value = 0;
 
     while (name.bytes < w.bytes && w.text[name.bytes] != '=')
@@ -184,8 +163,9 @@ static tp_status read_field(tp_input *input, word w, uint32_t *seen, tp_error *e
     *seen |= (uint32_t)1 << i;
 
     const field *f = &fields[i];
-    const word number = { name.text + name.bytes + 1, w.bytes - name.bytes - 1 };
-    tp_status status = f->whole ? read_whole(number, &value) : read_fx(number, &value);
+    const tp_piece number = { name.text + name.bytes + 1, w.bytes - name.bytes - 1 };
+    tp_status status = f->whole ? read_whole(number, &value)
+                                : tp_piece_fx(number, &value);
     if (status == TP_OK && (value < f->low || value > f->high))
         status = TP_E_RANGE;
     if (status != TP_OK)
@@ -197,7 +177,7 @@ static tp_status read_field(tp_input *input, word w, uint32_t *seen, tp_error *e
 tp_status tp_tape_read(tp_tape_entry *entry, const char *text, size_t bytes,
                        tp_error *err)
 {
-    word line = { text, bytes }, w = next_word(&line);
+    tp_piece line = { text, bytes }, w = next_word(&line);
     tp_tape_entry read = { .tick = 0 };
     uint32_t seen = 0;
     tp_status status = read_digits(w, UINT64_MAX, &read.tick);
@@ -223,27 +203,18 @@ size_t tp_tape_head_write(const char *scene, char *text, size_t bytes)
     return out.length;
 }
 
-static bool has_control(word w)
-{
-    for (size_t i = 0; i < w.bytes; i++)
-        if ((unsigned char)w.text[i] < 0x20 || w.text[i] == 0x7f)
-            return true;
-    return false;
-}
-
 tp_status tp_tape_head_read(char *scene, size_t room, const char *text, size_t bytes,
                             tp_error *err)
 {
-    word line = { text, bytes };
-    const bool ours = is_same(next_word(&line), "tape") && is_same(next_word(&line), "1");
-    const word first = next_word(&line);
-    word name = { first.text, first.bytes + line.bytes };   /* to the end of the line, */
-
-    while (name.bytes > 0 && is_blank(name.text[name.bytes - 1]))
-        name.bytes--;                                       /* without its blanks */
+    tp_piece line = { text, bytes };
+    const bool ours = tp_piece_is(next_word(&line), "tape")
+                   && tp_piece_is(next_word(&line), "1");
+    const tp_piece first = next_word(&line);
+    const tp_piece name = tp_piece_trimmed((tp_piece){ first.text,
+                                                       first.bytes + line.bytes });
     if (!ours || name.bytes == 0)
-        return fail_word(err, TP_E_TAPE_HEAD, (word){ text, bytes });
-    if (has_control(name))
+        return fail_word(err, TP_E_TAPE_HEAD, (tp_piece){ text, bytes });
+    if (tp_piece_has_control(name))
         return fail_word(err, TP_E_TEXT, name);
     if (name.bytes >= room)
         return TP_FAIL(err, TP_E_LONG, 0, room > 0 ? room - 1 : 0, 0);

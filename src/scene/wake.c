@@ -241,8 +241,7 @@ static bool is_around(const wake *w, const cell *at)
 /* Returns what fitted: nothing in walls. */
 static int32_t add(wake *w, const cell *at, int64_t lsb)
 {
-    const int64_t most = INT32_MAX;
-    int32_t part = (int32_t)(lsb > most ? most : lsb < -most ? -most : lsb);
+    int32_t part = (int32_t)tp_limit(lsb, INT32_MAX);
     int32_t added = tp_pool_add(w->pool, at->in_col, at->in_row, part);
 
     w->peak = tp_abs(added) > w->peak ? tp_abs(added) : w->peak;

@@ -8,7 +8,7 @@
 #define PITCH_MOST TP_DEG(89)
 #define EYE_MOST   (8000 * TP_FX_ONE)
 
-/* -- the beginning --------------------------------------------------------------------- */
+/* -- the beginning ----------------------------------------------------------------- */
 
 static tp_status layout(tp_world_parts *parts, const tp_scene *scene,
                         const tp_assets *assets, tp_error *err)
@@ -95,19 +95,17 @@ bool tp_world_refresh(tp_world *world, const tp_scene *scene, const tp_assets *a
     return true;
 }
 
-/* -- the camera ------------------------------------------------------------------------ */
+/* -- the camera -------------------------------------------------------------------- */
 
 /* Pitch is signed: held short of straight up and down. */
 static tp_turn tilted(tp_turn pitch, int32_t tilt)
 {
-    int64_t sum = (int64_t)(int32_t)pitch + tilt;
-    int64_t most = PITCH_MOST;
-    return (tp_turn)(int32_t)(sum > most ? most : sum < -most ? -most : sum);
+    return (tp_turn)(int32_t)tp_limit((int64_t)(int32_t)pitch + tilt, PITCH_MOST);
 }
 
 static tp_fx held(int64_t x)
 {
-    return (tp_fx)(x > EYE_MOST ? EYE_MOST : x < -EYE_MOST ? -EYE_MOST : x);
+    return (tp_fx)tp_limit(x, EYE_MOST);
 }
 
 /* Rounded, so that a walk forth and back ends where it began. */
@@ -134,7 +132,7 @@ void tp_world_look(tp_world *world, const tp_input *input)
     world->last_pitch = world->pitch;
 }
 
-/* -- drops ------------------------------------------------------------------------------ */
+/* -- drops ------------------------------------------------------------------------- */
 
 /* An impact raises a ring, or stirs the pool as much [D5]. */
 static void strike(tp_world *world, const tp_scene *scene, const tp_impact *impact)
@@ -188,19 +186,13 @@ static void step_drops(tp_world *world, const tp_scene *scene, const tp_input *i
     set_rings(world);
 }
 
-/* -- pools ------------------------------------------------------------------------------ */
-
-static uint32_t chance(tp_world *world)
-{
-    world->random = world->random * 1664525u + 1013904223u;
-    return world->random >> 8;
-}
+/* -- pools ------------------------------------------------------------------------- */
 
 /* Somewhere in the middle four fifths of a pool along one side. */
 static tp_fx somewhere(tp_world *world, tp_fx centre, int32_t cells, tp_fx cell)
 {
     int64_t side = (int64_t)cells * cell * 4 / 5;
-    return (tp_fx)(centre - side / 2 + (side * (int64_t)chance(world) >> 24));
+    return (tp_fx)(centre - side / 2 + (side * (tp_random(&world->random) >> 8) >> 24));
 }
 
 static void poke_at_times(tp_world *world, tp_pool *pool, const tp_scene_pool *scene,
@@ -240,7 +232,7 @@ static void step_pools(tp_world *world, const tp_scene *scene, const tp_input *i
         step_pool(world, field, &scene->field, &world->poke_wait[1]);
 }
 
-/* -- a tick ----------------------------------------------------------------------------- */
+/* -- a tick ------------------------------------------------------------------------ */
 
 /* Each part moves over the water as the last tick left it; pools move last. */
 void tp_world_step(tp_world *world, const tp_scene *scene, const tp_input *input)

@@ -92,7 +92,7 @@ static tp_fx offset(tp_fx depth, tp_q30 a, tp_q30 b)
         rest += b;
     }
     q += rest >= b - rest;              /* ... and halves up */
-    return q > TP_FX_MAX ? TP_FX_MAX : q < TP_FX_MIN ? TP_FX_MIN : (tp_fx)q;
+    return tp_fx_held(q);
 }
 
 static tp_fx end_towards(tp_q30 a)

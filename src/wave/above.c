@@ -48,11 +48,6 @@ static uint32_t weight_of(const tp_swell *w, uint32_t error)
     return UINT32_MAX / (uint32_t)((1 << 16) + (79 * most * most >> 16));
 }
 
-static tp_fx quotient(int64_t n, int64_t d)
-{
-    return (tp_fx)((n + (n < 0 ? -d / 2 : d / 2)) / d);
-}
-
 /* The step that makes up for the error e = P(p0) - p: -e over the weighted J, Q4.28.  Its
  * eigenvalues are 0.05 or more, so det > 0.047; 27 and 30 bits make num. */
 static place step_from(const tp_sea *sea, const int32_t sine[TP_WAVES], place e)
@@ -69,8 +64,8 @@ static place step_from(const tp_sea *sea, const int32_t sine[TP_WAVES], place e)
     }
     int64_t jxx = (1 << 28) - (bxx >> 26), jzz = (1 << 28) - (bzz >> 26);
     int64_t jxz = -(bxz >> 26), det = (jxx * jzz - jxz * jxz) >> 28;
-    return (place){ quotient(e.z * jxz - e.x * jzz, det),
-                    quotient(e.x * jxz - e.z * jxx, det) };
+    return (place){ (tp_fx)tp_quotient(e.z * jxz - e.x * jzz, det),
+                    (tp_fx)tp_quotient(e.x * jxz - e.z * jxx, det) };
 }
 
 /* Into the box around p; the sum may not fit 32 bits.  A whole 2^-16 more than the reach,
@@ -78,9 +73,8 @@ static place step_from(const tp_sea *sea, const int32_t sine[TP_WAVES], place e)
 static place held(const tp_sea *sea, place from, place step, tp_fx x, tp_fx z)
 {
     int64_t reach = sea->reach + 1;
-    int64_t dx = (int64_t)from.x + step.x - x, dz = (int64_t)from.z + step.z - z;
-    dx = dx < -reach ? -reach : dx > reach ? reach : dx;
-    dz = dz < -reach ? -reach : dz > reach ? reach : dz;
+    int64_t dx = tp_limit((int64_t)from.x + step.x - x, reach);
+    int64_t dz = tp_limit((int64_t)from.z + step.z - z, reach);
     return (place){ x + (tp_fx)dx, z + (tp_fx)dz };
 }
 

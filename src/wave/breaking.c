@@ -15,7 +15,7 @@
 tp_fx tp_breaking_gate(tp_fx height_over_depth)
 {
     const tp_fx x = tp_clamp(height_over_depth, TP_FX(0.6), TP_FX(0.78)) - TP_FX(0.6);
-    return tp_smooth(tp_fx_mul(x, TP_FX(5.5555556)));
+    return tp_smoothstep(tp_fx_mul(x, TP_FX(5.5555556)));
 }
 
 tp_turn tp_orbit_lowest(const tp_ellipse *orbit)

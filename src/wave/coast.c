@@ -18,7 +18,6 @@
 
 #define K_MOST_Q32      ((int64_t)1024 << 32)
 #define SIXTEENTH_Q32   1686629713      /* 2^32 2 pi / 16 */
-#define OVER_TWO_PI_Q32 683565276       /* 2^32 / 2 pi */
 #define DEPTH_MOST_Q32  ((int64_t)1 << 48)
 #define BITS_MOST       24
 
@@ -59,7 +58,7 @@ static tp_fx where(const beach *b, int64_t depth_q32)
     const int64_t rise = (b->depth_q32 - depth_q32) >> 16;
     const int64_t up = rise > 0 ? b->slope_q30 - 1 : 0;
     const int64_t x = (rise * ((int64_t)1 << 30) + up) / b->slope_q30;
-    return (tp_fx)larger(smaller(x, TP_FX_MAX), TP_FX_MIN);
+    return tp_fx_held(x);
 }
 
 /* From where the wave feels the floor to where the floor is level. */
@@ -114,7 +113,8 @@ static int64_t rise_at(const beach *b, int64_t depth_q32)
     if (b->k_inf.m == 0)
         return 0;
     const tp_scaled across = tp_scaled_sqrt(across_squared(b, depth_q32));
-    return tp_scaled_fixed(tp_scaled_mul(across, tp_scaled_of(OVER_TWO_PI_Q32, 32)), 32);
+    const tp_scaled over_two_pi = tp_scaled_of(TP_OVER_TWO_PI_Q32, 32);
+    return tp_scaled_fixed(tp_scaled_mul(across, over_two_pi), 32);
 }
 
 /* The distance of nodes as a power of two of 2^-16 m: see the head of this file. */

@@ -58,17 +58,6 @@ tp_tanh tp_tanh_of(uint32_t x_q24)
     return (tp_tanh){ t, (uint32_t)(ratio >> (40 - up)) };
 }
 
-tp_q30 tp_sinh_ratio_q30(uint32_t x_q24)
-{
-    if (x_q24 >= TP_DEPTH_DEEP_Q24)
-        return 0;                                                   /* it is 2e-9 */
-    const tp_tanh at = tp_tanh_of(x_q24);
-    const tp_scaled over = tp_scaled_recip(tp_scaled_of(at.ratio_q31, 31));
-    const uint32_t bend = tp_sech_squared(at);
-    const int64_t n = tp_scaled_fixed(tp_scaled_mul(tp_scaled_of(bend, 31), over), 30);
-    return n > TP_Q30_ONE ? TP_Q30_ONE : (tp_q30)n;
-}
-
 /* sech^2 / tanh^2; from x = 1 on (2 e^-x / (1 - e^-2x))^2, as sech^2 runs out of bits. */
 tp_scaled tp_csch_squared(tp_scaled x)
 {

@@ -22,19 +22,11 @@ typedef struct {
 } tp_tanh;
 tp_tanh tp_tanh_of(uint32_t x_q24);
 
-static inline tp_q30 tp_tanh_q30(uint32_t x_q24)
-{
-    return (tp_q30)(((uint64_t)tp_tanh_of(x_q24).tanh_q32 + 2) >> 2);
-}
-
 /* 1 - tanh^2 x as Q1.31. */
 static inline uint32_t tp_sech_squared(tp_tanh at)
 {
     return 0x80000000u - (uint32_t)((uint64_t)at.tanh_q32 * at.tanh_q32 >> 33);
 }
-
-/* 2x / sinh 2x = (1 - tanh^2 x) x / tanh x, of [B7], as Q2.30; within 2^-26. */
-tp_q30 tp_sinh_ratio_q30(uint32_t x_q24);
 
 /* tanh x for any x >= 0. */
 tp_scaled tp_tanh_scaled(tp_scaled x);
@@ -57,4 +49,7 @@ tp_scaled tp_depth_number_scaled(tp_scaled k_inf, tp_scaled depth, int steps);
 
 /* From this k_inf h on, k is k_inf: the difference, 2 e^-24, is below 2^-33. */
 #define TP_DEPTH_DEEP_Q24 (12u << 24)
+
+/* 2^32 / 2 pi: turns of a radian, Q0.32. */
+#define TP_OVER_TWO_PI_Q32 683565276
 #endif

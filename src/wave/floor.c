@@ -9,11 +9,6 @@
 
 #define RISE_MAX TP_FX(8)
 
-static tp_fx held(int64_t x)
-{
-    return x > TP_FX_MAX ? TP_FX_MAX : x < TP_FX_MIN ? TP_FX_MIN : (tp_fx)x;
-}
-
 tp_way tp_way_of(tp_fx degrees)
 {
     const tp_rotation turned = tp_rotation_of(tp_turn_of_degrees(degrees), 0, 0);
@@ -23,7 +18,7 @@ tp_way tp_way_of(tp_fx degrees)
 /* |x|, |z| <= 2^31 and a way of length 1 in Q30: their sum of products is below 2^62. */
 tp_fx tp_way_along(tp_way way, tp_fx x, tp_fx z)
 {
-    return held(((int64_t)way.x * x + (int64_t)way.z * z + (1 << 29)) >> 30);
+    return tp_fx_held(((int64_t)way.x * x + (int64_t)way.z * z + (1 << 29)) >> 30);
 }
 
 static tp_floor_at slope_under(const tp_floor *floor, tp_fx x, tp_fx z)
@@ -32,7 +27,7 @@ static tp_floor_at slope_under(const tp_floor *floor, tp_fx x, tp_fx z)
     const int64_t rise = (int64_t)floor->slope * tp_way_along(up, x, z);
 
     return (tp_floor_at){
-        .depth = held(floor->depth - ((rise + 0x8000) >> 16)),
+        .depth = tp_fx_held(floor->depth - ((rise + 0x8000) >> 16)),
         .rise_x = tp_q30_mul(floor->slope, up.x),
         .rise_z = tp_q30_mul(floor->slope, up.z),
     };
@@ -66,7 +61,7 @@ static int64_t of_range(const tp_floor *floor, int64_t sample_q8)
 {
     const int64_t range = (int64_t)floor->map_high - floor->map_low;
     const int64_t white = (int64_t)65535 << 8, product = range * sample_q8;
-    return (product + (product < 0 ? -white : white) / 2) / white;
+    return tp_quotient(product, white);
 }
 
 /* A step between neighbours (17 bits) as metres a metre.  The range has 33 bits and the
@@ -76,8 +71,7 @@ static tp_fx rise_of(const tp_floor *floor, int64_t step)
 {
     const int64_t range = (int64_t)floor->map_high - floor->map_low;
     const int64_t rise = range * floor->map->cols * step / floor->map_size;
-    const int64_t most = rise + rise / 65535;
-    return most > RISE_MAX ? RISE_MAX : most < -RISE_MAX ? -RISE_MAX : (tp_fx)most;
+    return (tp_fx)tp_limit(rise + rise / 65535, RISE_MAX);
 }
 
 static int64_t between(int64_t a, int64_t b, int32_t part)
@@ -101,7 +95,7 @@ static tp_floor_at map_under(const tp_floor *floor, tp_fx x, tp_fx z)
     const int64_t middle = (between(high, low, v.part) + (1 << 23)) >> 24;
 
     return (tp_floor_at){
-        .depth = held(-(floor->map_low + of_range(floor, middle))),
+        .depth = tp_fx_held(-(floor->map_low + of_range(floor, middle))),
         .rise_x = u.outside ? 0 : rise_of(floor, (east - west + 0x8000) >> 16),
         .rise_z = v.outside ? 0 : rise_of(floor, (low - high + 0x8000) >> 16),
     };

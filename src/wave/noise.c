@@ -18,10 +18,10 @@ static tp_fx height_at(uint32_t u, uint32_t v, uint32_t seed)
 tp_fx tp_noise(uint32_t u_q16, uint32_t v_q16, uint32_t seed)
 {
     const uint32_t u = u_q16 >> 16, v = v_q16 >> 16;
-    const tp_fx s = tp_smooth((tp_fx)(u_q16 & 0xffff));
-    const tp_fx t = tp_smooth((tp_fx)(v_q16 & 0xffff));
-    const tp_fx near = tp_between(height_at(u, v, seed), height_at(u + 1, v, seed), s);
-    const tp_fx far = tp_between(height_at(u, v + 1, seed),
+    const tp_fx s = tp_smoothstep((tp_fx)(u_q16 & 0xffff));
+    const tp_fx t = tp_smoothstep((tp_fx)(v_q16 & 0xffff));
+    const tp_fx near = tp_ocean_mix(height_at(u, v, seed), height_at(u + 1, v, seed), s);
+    const tp_fx far = tp_ocean_mix(height_at(u, v + 1, seed),
                                  height_at(u + 1, v + 1, seed), s);
-    return tp_between(near, far, t);
+    return tp_ocean_mix(near, far, t);
 }

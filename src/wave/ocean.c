@@ -22,11 +22,6 @@ typedef struct {
     int32_t  part_x, part_z;
 } place;
 
-static tp_fx held(int64_t x)
-{
-    return x > TP_FX_MAX ? TP_FX_MAX : x < TP_FX_MIN ? TP_FX_MIN : (tp_fx)x;
-}
-
 /* Nodes from the first one, Q16, held on the map.  |way| <= 128 steps and a step of at
  * least 2^9 leave the product 57 bits. */
 static uint32_t nodes_of(const tp_ocean *ocean, int64_t way, uint32_t nodes)
@@ -45,8 +40,8 @@ static uint32_t nodes_of(const tp_ocean *ocean, int64_t way, uint32_t nodes)
 /* Between the four nodes round a place. */
 static inline int32_t patch(int32_t a, int32_t b, int32_t c, int32_t d, const place *p)
 {
-    return tp_between(tp_between(a, b, p->part_x), tp_between(c, d, p->part_x),
-                      p->part_z);
+    return tp_ocean_mix(tp_ocean_mix(a, b, p->part_x), tp_ocean_mix(c, d, p->part_x),
+                        p->part_z);
 }
 
 static void find_on_map(const tp_ocean *ocean, tp_fx x, tp_fx z, place *p)
@@ -68,7 +63,7 @@ static void find_straight(const tp_ocean *ocean, tp_fx x, tp_fx z, place *p)
     const tp_fx along = tp_way_along((tp_way){ ocean->up_x, ocean->up_z }, x, z);
     const int64_t rise = (int64_t)ocean->slope * along;
 
-    p->depth = held(ocean->depth - ((rise + 0x8000) >> 16));
+    p->depth = tp_fx_held(ocean->depth - ((rise + 0x8000) >> 16));
     p->rise_x = tp_q30_mul(ocean->slope, ocean->up_x);
     p->rise_z = tp_q30_mul(ocean->slope, ocean->up_z);
 }
@@ -156,12 +151,14 @@ static void move_straight(const tp_ocean_table *table, const place *p, motion *m
     const int32_t *turns = table->turns + p->at.phase, part = p->at.depth_part;
 
     m->phi += turns_between(turns[0], turns[1], p->at.phase_part);
-    m->way.x = tp_between(d[0].way_x, d[1].way_x, part);
-    m->way.z = tp_between(d[0].way_z, d[1].way_z, part);
+    m->way.x = tp_ocean_mix(d[0].way_x, d[1].way_x, part);
+    m->way.z = tp_ocean_mix(d[0].way_z, d[1].way_z, part);
     if ((d[0].tilt_sin | d[1].tilt_sin) == 0)
         return;
-    m->orbit.sin = tp_between(d[0].tilt_sin * (1 << 16), d[1].tilt_sin * (1 << 16), part);
-    m->orbit.cos = tp_between(d[0].tilt_cos * (1 << 16), d[1].tilt_cos * (1 << 16), part);
+    m->orbit.sin = tp_ocean_mix(d[0].tilt_sin * (1 << 16), d[1].tilt_sin * (1 << 16),
+                                part);
+    m->orbit.cos = tp_ocean_mix(d[0].tilt_cos * (1 << 16), d[1].tilt_cos * (1 << 16),
+                                part);
 }
 
 static motion move(const tp_ocean *ocean, uint32_t i, const tp_turn *phases, tp_fx x0,
@@ -173,8 +170,8 @@ static motion move(const tp_ocean *ocean, uint32_t i, const tp_turn *phases, tp_
     motion m = {
         .phi = phases[i] + tp_swell_turns(wave->turns_x, x0)
                          + tp_swell_turns(wave->turns_z, z0) + QUARTER,
-        .orbit.along = tp_between(d[0].along, d[1].along, p->at.depth_part),
-        .orbit.up = tp_between(d[0].up, d[1].up, p->at.depth_part),
+        .orbit.along = tp_ocean_mix(d[0].along, d[1].along, p->at.depth_part),
+        .orbit.up = tp_ocean_mix(d[0].up, d[1].up, p->at.depth_part),
         .orbit.cos = TP_Q30_ONE,
     };
 
@@ -211,7 +208,7 @@ static tp_fx gate_of(const tp_ocean *ocean, uint32_t i, const tp_turn *phases, t
                      tp_fx z0, const place *p)
 {
     const tp_ocean_depth *d = ocean->table[i].depth + p->at.depth;
-    tp_fx ratio = tp_between(d[0].ratio, d[1].ratio, p->at.depth_part);
+    tp_fx ratio = tp_ocean_mix(d[0].ratio, d[1].ratio, p->at.depth_part);
 
     if (ratio < TP_OCEAN_RATIO_LEAST)
         return 0;
@@ -239,14 +236,14 @@ static tp_offset surf_offset(const tp_ocean *ocean, uint32_t i, const tp_turn *p
     const tp_ocean_wave *wave = &ocean->wave[i];
     const tp_ocean_depth *d = ocean->table[i].depth + p->at.depth;
     const tp_fx gate = gate_of(ocean, i, phases, x0, z0, p);
-    const tp_fx steep = tp_between(d[0].steep, d[1].steep, p->at.depth_part) * 4;
+    const tp_fx steep = tp_ocean_mix(d[0].steep, d[1].steep, p->at.depth_part) * 4;
     const int32_t phase = (int32_t)(m->phi - tp_orbit_lowest(&m->orbit));
     const uint32_t here = foam_of(gate > steep ? gate : steep, phase);
 
     *foam = here > *foam ? here : *foam;
     if (!whole || gate == 0 || wave->stretch == 0)
         return tp_orbit_at(&m->orbit, m->phi);
-    const tp_fx lip = tp_between(d[0].lip, d[1].lip, p->at.depth_part);
+    const tp_fx lip = tp_ocean_mix(d[0].lip, d[1].lip, p->at.depth_part);
     const tp_breaker breaker = {
         .orbit = m->orbit, .stretch = tp_fx_mul(lip, wave->stretch),
         .lip = tp_fx_mul(lip, wave->plunge), .kept_stretch = gate, .kept_lip = gate,
@@ -256,8 +253,8 @@ static tp_offset surf_offset(const tp_ocean *ocean, uint32_t i, const tp_turn *p
 
 /* -- points ------------------------------------------------------------------------ */
 
-static tp_ocean_point point_at(const tp_ocean *ocean, const tp_turn *phases,
-                                         tp_fx x0, tp_fx z0, bool whole)
+static tp_ocean_point point_at(const tp_ocean *ocean, const tp_turn *phases, tp_fx x0,
+                               tp_fx z0, bool whole)
 {
     const place p = find(ocean, x0, z0);
     tp_ocean_point point = { .position = { x0, 0, z0 }, .depth = p.depth };

@@ -22,7 +22,7 @@ static inline tp_q30 tp_way_dot(tp_way a, tp_way b)
 }
 
 /* Between a and b, part of the way in Q16; their difference fits an int32_t. */
-static inline int32_t tp_between(int32_t a, int32_t b, int32_t part)
+static inline int32_t tp_ocean_mix(int32_t a, int32_t b, int32_t part)
 {
     return a + (int32_t)(((int64_t)(b - a) * part + 0x8000) >> 16);
 }
@@ -93,13 +93,6 @@ static inline tp_offset tp_orbit_at(const tp_ellipse *o, tp_turn phi)
     const int32_t level = o->up <= o->along ? b : -tp_q30_mul(o->along, cos);
     return (tp_offset){ tp_q30_mul(a, o->cos) - tp_q30_mul(level, o->sin),
                         tp_q30_mul(a, o->sin) + tp_q30_mul(b, o->cos) };
-}
-
-/* x^2 (3 - 2x) of x held in 0..1, 16.16. */
-static inline tp_fx tp_smooth(tp_fx x)
-{
-    x = tp_clamp(x, 0, TP_FX_ONE);
-    return tp_fx_mul(tp_fx_mul(x, x), 3 * TP_FX_ONE - 2 * x);
 }
 
 /* H / h at which the gate may begin to open, with all of the noise: 0.6 / 1.5. */

@@ -57,8 +57,7 @@ static fall fall_at(const tp_ocean *ocean, size_t at)
 /* The floor rises where it was deeper; Q4.11, held. */
 static int16_t rise_of(int64_t deeper, int64_t step)
 {
-    const int64_t rise = deeper * 1024 / step;
-    return (int16_t)(rise > 16384 ? 16384 : rise < -16384 ? -16384 : rise);
+    return (int16_t)tp_limit(deeper * 1024 / step, 16384);
 }
 
 static void find_rises(const tp_ocean *ocean, tp_ocean_bed *beds)

@@ -68,7 +68,7 @@ static tp_fx miche_amplitude(const tp_ocean_swell *w, int64_t k_q32, tp_fx h)
     const int64_t deep = tp_miche_height(w->k_inf_q32, 1 << TP_OCEAN_LAST);
     const int64_t share = deep > 0 ? here * w->amplitude / deep : 0;
     const int64_t most = here / 2 > share ? here / 2 : share;
-    return most > TP_FX_MAX ? TP_FX_MAX : (tp_fx)most;
+    return tp_fx_held(most);
 }
 
 /* H / h before the cap of [B15]. */
@@ -89,7 +89,7 @@ static int16_t steep_of(int64_t k_q32, tp_fx amplitude)
 {
     const int64_t kr = k_q32 * amplitude >> 32;
     const tp_fx over = tp_clamp((tp_fx)kr - TP_FX(0.4488), 0, TP_FX(0.0512));
-    return (int16_t)(tp_smooth(over * 1250 / 64) >> 2);     /* 1 / 0.0512 = 19.5 */
+    return (int16_t)(tp_smoothstep(over * 1250 / 64) >> 2);     /* 1 / 0.0512 = 19.5 */
 }
 
 /* QA A/A_inf Sx, held below 0.95 / k.  QA <= 303 m and A < 2^26 have 51 bits; what comes

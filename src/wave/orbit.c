@@ -46,7 +46,7 @@ static tp_fx axis_most(int64_t k_q32)
     if (k_q32 <= 0)
         return TP_FX_MAX;
     const int64_t most = ((int64_t)AXIS_MAX << 32) / k_q32;
-    return most > TP_FX_MAX ? TP_FX_MAX : (tp_fx)most;
+    return tp_fx_held(most);
 }
 
 tp_ellipse tp_orbit_of(tp_fx r, tp_fx depth, tp_turn gamma, int64_t k_q32, tp_fx k0,

@@ -7,9 +7,9 @@
  * roots: 1 / rho gives the distance and the direction, q = 1 / sqrt(rho + rho0) the
  * spreading s = sqrt(rho0) q and its slope: s^3 / (2 rho0) = s q^2 / 2. */
 #include "tidepool/ring.h"
+#include "tidepool/wave.h"
 #include "wave/exp.h"
 
-#define TICKS_PER_SECOND 60
 #define REACH       (16384 * TP_FX_ONE)     /* rings run no farther: squares fit 2^61 */
 #define DECAYS      20                      /* 4 m x exp(-20) is below half of 2^-24 */
 #define SLOPE_MOST  134049956               /* 7.99, Q8.24 */
@@ -26,27 +26,27 @@ static int64_t age_of(const tp_ring *ring, int64_t now)
 /* Ages beyond DECAYS have nothing left, and within them age < 1200 x 2^26 < 2^37. */
 static bool faded_out(const tp_ring *ring, int64_t age)
 {
-    return age >= (int64_t)DECAYS * TICKS_PER_SECOND * ring->decay;
+    return age >= (int64_t)DECAYS * TP_TICKS_PER_SECOND * ring->decay;
 }
 
 /* c a: speed < 2^22.1, so the product has 60 bits.  From Q32 x seconds x 60 to Q24. */
 static int64_t rear_q24(const tp_ring *ring, int64_t age)
 {
-    const int64_t over = TICKS_PER_SECOND << 8;
+    const int64_t over = TP_TICKS_PER_SECOND << 8;
     return ((int64_t)ring->speed * age + over / 2) / over;
 }
 
 /* exp(-a / tau), Q0.30; a / tau < DECAYS. */
 static tp_q30 decayed(const tp_ring *ring, int64_t age)
 {
-    uint64_t over = (uint64_t)TICKS_PER_SECOND * (uint32_t)ring->decay;
+    uint64_t over = (uint64_t)TP_TICKS_PER_SECOND * (uint32_t)ring->decay;
     return tp_exp_neg_q30((uint32_t)((((uint64_t)age << 24) + over / 2) / over));
 }
 
 /* smoothstep(a / tr) = t^2 (3 - 2 t), Q2.30. */
 static tp_q30 risen(const tp_ring *ring, int64_t age)
 {
-    int64_t whole = (int64_t)TICKS_PER_SECOND * ring->attack;   /* < 2^25.1 */
+    int64_t whole = (int64_t)TP_TICKS_PER_SECOND * ring->attack;   /* < 2^25.1 */
 
     if (age >= whole)
         return TP_Q30_ONE;
@@ -125,12 +125,6 @@ typedef struct {
     int64_t height, slope_x, slope_z;       /* Q.24 */
 } sums;
 
-static int32_t slope_held(int64_t slope_q24)
-{
-    return (int32_t)(slope_q24 > SLOPE_MOST ? SLOPE_MOST
-                     : slope_q24 < -SLOPE_MOST ? -SLOPE_MOST : slope_q24);
-}
-
 /* (dx, dz) from the centre, 16.16, its square d2 in 0 < d2 < 2^60. */
 static void add_ring(sums *sum, const tp_ring_now *ring, int32_t dx, int32_t dz,
                      uint64_t d2)
@@ -149,7 +143,7 @@ static void add_ring(sums *sum, const tp_ring_now *ring, int32_t dx, int32_t dz,
     /* s W' - s^3 W / (2 rho0) over s, Q22: pi / L < 2^29.3, the rest < 2^28. */
     int64_t steep = ((int64_t)ring->steep_q22 * tp_sin(turns)
                      - (int64_t)bend * w) >> 30;
-    int64_t slope = slope_held((high * steep + (1 << 21)) >> 22);
+    int64_t slope = tp_limit((high * steep + (1 << 21)) >> 22, SLOPE_MOST);
     /* / rho: d r < 2^62 and 2^(33 - half) turns it into a Q2.30 of magnitude <= 1. */
     int     down = 33 - over.half;
     int64_t round = (int64_t)1 << (down - 1);
@@ -161,8 +155,7 @@ static void add_ring(sums *sum, const tp_ring_now *ring, int32_t dx, int32_t dz,
 
 static tp_fx rounded(int64_t q24)
 {
-    int64_t x = (q24 + 128) >> 8;
-    return x > TP_FX_MAX ? TP_FX_MAX : x < TP_FX_MIN ? TP_FX_MIN : (tp_fx)x;
+    return tp_fx_held((q24 + 128) >> 8);
 }
 
 tp_relief tp_ring_relief(const tp_ring_now *rings, uint32_t count, tp_fx x, tp_fx z)

@@ -65,6 +65,5 @@ int64_t tp_scaled_fixed(tp_scaled x, int bits)
 
 tp_fx tp_scaled_fx(tp_scaled x)
 {
-    const int64_t fixed = tp_scaled_fixed(x, 16);
-    return fixed > TP_FX_MAX ? TP_FX_MAX : (tp_fx)fixed;
+    return tp_fx_held(tp_scaled_fixed(x, 16));
 }

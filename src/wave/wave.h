@@ -64,16 +64,6 @@ TP_ALWAYS_INLINE void tp_swell_add_as(tp_sea_sum *sum, const tp_swell *w, tp_tur
     }
 }
 
-TP_ALWAYS_INLINE void tp_swell_add(tp_sea_sum *sum, const tp_swell *w, tp_turn th)
-{
-    tp_swell_add_as(sum, w, th, 0, 1);
-}
-
-TP_ALWAYS_INLINE void tp_swell_add_sharp(tp_sea_sum *sum, const tp_swell *w, tp_turn th)
-{
-    tp_swell_add_as(sum, w, th, 1, 1);
-}
-
 /* All swells of a sea, each at the sum of its two phases. */
 TP_ALWAYS_INLINE tp_sea_sum tp_sea_sum_all(const tp_sea *sea, const tp_turn *a,
                                            const tp_turn *b, int sharpened, int crossed)

@@ -6,10 +6,9 @@
  * The other reading of the source, to add up (omega + lambda dy) dt from tick to tick,
  * slows waves down by their height and depends on history: it is not used. */
 #include "tidepool/depth.h"
-#include "wave/scaled.h"
+#include "wave/exp.h"
 
 #define PUSH_MOST       TP_Q30(0.5)
-#define TURNS_Q32       683565276       /* 2^32 / 2 pi */
 #define ITERATIONS_MOST 32              /* 2^-33 of the way is left then */
 
 tp_fx tp_wind_lambda(tp_fx lambda, tp_q30 along)
@@ -20,8 +19,7 @@ tp_fx tp_wind_lambda(tp_fx lambda, tp_q30 along)
 /* Q32 to Q30. */
 tp_q30 tp_wind_push(tp_fx lambda, tp_fx radius)
 {
-    const int64_t push = ((int64_t)lambda * radius + 2) >> 2;
-    return push > PUSH_MOST ? PUSH_MOST : push < -PUSH_MOST ? -PUSH_MOST : (tp_q30)push;
+    return (tp_q30)tp_limit(((int64_t)lambda * radius + 2) >> 2, PUSH_MOST);
 }
 
 int tp_wind_iterations(tp_q30 push)
@@ -33,7 +31,7 @@ int tp_wind_iterations(tp_q30 push)
 tp_turn tp_wind_phase(tp_turn theta, tp_q30 push, int iterations)
 {
     const tp_q30 held = tp_clamp(push, -PUSH_MOST, PUSH_MOST);
-    const int32_t turns = tp_q30_mul(TURNS_Q32, held);
+    const int32_t turns = tp_q30_mul(TP_OVER_TWO_PI_Q32, held);
     const int n = iterations < ITERATIONS_MOST ? iterations : ITERATIONS_MOST;
     tp_turn phi = theta;
 
@@ -45,7 +43,7 @@ tp_turn tp_wind_phase(tp_turn theta, tp_q30 push, int iterations)
 tp_fx tp_wind_radius(int64_t k_q32, tp_fx lambda)
 {
     const uint64_t l = (uint64_t)(lambda < 0 ? -(int64_t)lambda : lambda);
-    const tp_scaled k = tp_scaled_of(k_q32 > 0 ? (uint64_t)k_q32 : 0, 32);
+    const tp_scaled k = tp_number_of(k_q32);
     const tp_scaled side = tp_scaled_of(l, 16);
     const tp_scaled sum = tp_scaled_add(tp_scaled_mul(k, k), tp_scaled_mul(side, side));
 

@@ -25,7 +25,6 @@ static tp_ocean_config config_of(int kind)
     tp_ocean_config c = {
         .wind = kind == WIND ? TP_FX(0.1) : 0, .wind_heading = TP_FX(80),
         .k0 = TP_FX(0.1), .kx = TP_FX(0.11), .ky = TP_FX(0.09), .stretch = TP_FX_ONE,
-        .gravity = TP_FX(9.81),
     };
 
     if (kind == SLOPE || kind == BREAKING)

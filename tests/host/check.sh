@@ -3,44 +3,8 @@
 # tidepool check: the shipped tables hold, and what is wrong with a table is said with its
 # file and line.
 #     check.sh PROGRAM
-# One line a case; the last line is "N passed, M failed", and the exit code tells too.
-program=$(realpath "$1") || exit 2
-vectors=$(realpath tests/vectors) || exit 2
-work=$(mktemp -d) || exit 2
-trap 'rm -rf "$work"' EXIT
-trap 'exit 1' INT TERM HUP
-cd "$work" || exit 2
-passed=0 failed=0
-
-# verdict NAME REASON: passed if the reason is empty.
-verdict() {
-    if [ -z "$2" ]; then
-        passed=$((passed + 1))
-        echo "ok - $1"
-    else
-        failed=$((failed + 1))
-        echo "FAILED - $1: $2"
-        sed 's/^/     | /' err | head -5
-    fi
-}
-
-# expect NAME CODE PATTERN ARGUMENT...: exit code and a basic regular expression that
-# some line of stderr matches; "" wants stderr empty.
-expect() {
-    name=$1 want=$2 pattern=$3
-    shift 3
-    timeout 300 "$program" "$@" >out 2>err </dev/null
-    code=$?
-    if [ "$code" -ne "$want" ]; then
-        verdict "$name" "exit code $code, expected $want"
-    elif [ -z "$pattern" ] && [ -s err ]; then
-        verdict "$name" "unexpected message"
-    elif [ -n "$pattern" ] && ! grep -q -e "$pattern" err; then
-        verdict "$name" "no message like '$pattern'"
-    else
-        verdict "$name" ""
-    fi
-}
+. tests/host/lib.sh
+seconds=300
 
 # folder FILE...: a new folder t with copies of tables.
 folder() {
@@ -170,9 +134,4 @@ expect "an empty name" 2 "expected a folder" check --vectors ""
 expect "a scene" 2 "too many names" check three-swells --vectors empty
 expect "an option of another command" 2 "no option --hash" check --hash
 expect "a misspelt option" 2 "did you mean --vectors?" check --vector empty
-expect "--help" 0 "" check --help
-verdict "--help fits 24 lines of 80 columns" \
-    "$(awk 'length($0) > 80 || NR > 24' out; [ -s out ] || echo empty)"
-
-echo "$passed passed, $failed failed"
-exit $((failed > 0))
+finish

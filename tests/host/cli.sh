@@ -2,58 +2,9 @@
 # SPDX-License-Identifier: MIT
 # The program on good and bad command lines and files: exit codes, messages, outputs.
 #     cli.sh PROGRAM
-# One line a case; the last line is "N passed, M failed", and the exit code tells too.
-program=$(realpath "$1") || exit 2
-work=$(mktemp -d) || exit 2
-trap 'rm -rf "$work"' EXIT
-trap 'exit 1' INT TERM HUP
-cd "$work" || exit 2
-passed=0 failed=0
+. tests/host/lib.sh
 
-# verdict NAME REASON: passed if the reason is empty.
-verdict() {
-    if [ -z "$2" ]; then
-        passed=$((passed + 1))
-        echo "ok - $1"
-    else
-        failed=$((failed + 1))
-        echo "FAILED - $1: $2"
-        sed 's/^/     | /' err | head -5
-    fi
-}
-
-# run ARGUMENT...: the program, its streams in files out and err, its exit code in $code.
-run() {
-    timeout 60 "$program" "$@" >out 2>err </dev/null
-    code=$?
-}
-
-# expect NAME CODE PATTERN ARGUMENT...: exit code and a basic regular expression that
-# some line of stderr matches; "" wants stderr empty.
-expect() {
-    name=$1 want=$2 pattern=$3
-    shift 3
-    run "$@"
-    judge "$name" "$want" "$pattern"
-}
-
-judge() {
-    if [ "$code" -ne "$2" ]; then
-        verdict "$1" "exit code $code, expected $2"
-    elif [ -z "$3" ] && [ -s err ]; then
-        verdict "$1" "unexpected message"
-    elif [ -n "$3" ] && ! grep -q -e "$3" err; then
-        verdict "$1" "no message like '$3'"
-    else
-        verdict "$1" ""
-    fi
-}
-
-# same NAME TEXT TEXT
-same() {
-    if [ "$2" = "$3" ]; then verdict "$1" ""; else verdict "$1" "'$2' is not '$3'"; fi
-}
-
+# absent NAME PATTERN: no file of such a name was left.
 absent() {
     if ls -A . | grep -q -e "$2"; then
         verdict "$1" "left behind: $(ls -A . | grep -e "$2" | tr '\n' ' ')"
@@ -64,14 +15,8 @@ absent() {
 
 # -- help and usage -----------------------------------------------------------------
 
-fits() {
-    run "$@"
-    wide=$(awk 'length($0) > 80' out | wc -l)
-    same "$* fits 24 lines of 80 columns" \
-        "$code $([ "$(wc -l <out)" -le 24 ] && [ -s out ] && echo low) $wide" "0 low 0"
-}
 fits --help
-for command in render view scenes params; do
+for command in render view scenes params check; do
     fits "$command" --help
 done
 run --version
@@ -179,6 +124,32 @@ tall="--set wave0.amplitude=1 --set wave1.amplitude=1 --set wave2.amplitude=1"
 expect "clamp of the steepness sum" 0 \
     "^minimal: steepness sum 1.2[0-9]* is clamped to 0.95$" \
     render minimal --size 16x16 $steep $tall
+
+# pools NAME PATTERN LINE...: a scene file with a pool and a field is refused.
+pools() {
+    name=$1 pattern=$2
+    shift 2
+    ini "$name" 3 "$pattern" "[pool]" "cols = 32" "rows = 32" "[field]" "cols = 32" \
+        "rows = 32" "$@"
+}
+pools "a pool that is too fast" "^harbour.ini:8: pool.courant of 0.600 is above 0.497, " \
+    "[pool]" "courant = 0.6"
+pools "a field that is too fast" "^harbour.ini:8: field.courant of 0.500 is above 0.491" \
+    "damping = 4" "courant = 0.5"
+pools "too few columns" "^harbour.ini:8: pool.cols: pool of 7 x 32 cells; 16 x 16 to" \
+    "[pool]" "cols = 7"
+pools "a band upside down" "^harbour.ini:7: field.feed_low is above feed_high$" \
+    "feed_low = 0.2" "feed_high = 0.1"
+expect "a pool of the command line" 2 "^--set: pool.courant of 0.600 is above" \
+    render minimal --set pool.cols=32 --set pool.courant=0.6
+expect "rows of the command line" 2 "^--set: field.rows = 9 is outside 16..512 cells$" \
+    render minimal --set field.cols=32 --set field.rows=9
+expect "a mask that is not there" 3 "^no.png: No such file.*named by --set pool.mask" \
+    render minimal --set pool.cols=32 --set pool.mask=no.png
+expect "a map that is not there" 3 "^no.png: No such file.*named by --set floor.map" \
+    render minimal --set floor.map=no.png
+expect "a picture that is none" 3 "^harbour.ini: .*named by --set floor.map" \
+    render minimal --set floor.map=harbour.ini
 
 # -- what scenes name ---------------------------------------------------------------
 
@@ -384,5 +355,4 @@ fi
 wait $!
 same "a file does not" "$(cat out err)" ""
 
-echo "$passed passed, $failed failed"
-[ "$failed" -eq 0 ]
+finish

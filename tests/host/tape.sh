@@ -2,30 +2,7 @@
 # SPDX-License-Identifier: MIT
 # Tapes: recorded inputs replay to the same frames; bad files are refused by file and line.
 #     tape.sh PROGRAM
-# One line a case; the last line is "N passed, M failed", and the exit code tells too.
-program=$(realpath "$1") || exit 2
-work=$(mktemp -d) || exit 2
-trap 'rm -rf "$work"' EXIT
-trap 'exit 1' INT TERM HUP
-cd "$work" || exit 2
-passed=0 failed=0
-
-# verdict NAME REASON: passed if the reason is empty.
-verdict() {
-    if [ -z "$2" ]; then
-        passed=$((passed + 1))
-        echo "ok - $1"
-    else
-        failed=$((failed + 1))
-        echo "FAILED - $1: $2"
-        sed 's/^/     | /' err | head -5
-    fi
-}
-
-# same NAME TEXT TEXT
-same() {
-    if [ "$2" = "$3" ]; then verdict "$1" ""; else verdict "$1" "'$2' is not '$3'"; fi
-}
+. tests/host/lib.sh
 
 # hashes SCENE OPTION...: the frames' hashes, or the program's exit code and messages.
 hashes() {
@@ -42,9 +19,7 @@ tape() {
 
 # refused NAME PATTERN FILE: exit code 3, nothing on stdout, a message that begins so.
 refused() {
-    timeout 60 "$program" render minimal --size 48x32 --frames 40 --hash --tape "$3" \
-        >out 2>err </dev/null
-    code=$?
+    run render minimal --size 48x32 --frames 40 --hash --tape "$3"
     if [ "$code" -ne 3 ]; then
         verdict "$1" "exit code $code, expected 3"
     elif [ -s out ]; then
@@ -147,8 +122,6 @@ bad "a line that is too long but for a good beginning" "longer than" \
 printf 'tape 1 minimal\n3 ahead=1\n4 ahead=1\000 aside=2\n' >bad.tape
 refused "a zero byte in a line" "bad.tape:3: " bad.tape
 
-timeout 60 "$program" render minimal --tape >out 2>err
-same "--tape without a file" "$?" 2
+expect "--tape without a file" 2 "--tape needs a value" render minimal --tape
 
-echo "$passed passed, $failed failed"
-[ "$failed" -eq 0 ]
+finish

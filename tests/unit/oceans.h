@@ -38,7 +38,6 @@ static inline tp_ocean_config ocean_usual(void)
 {
     return (tp_ocean_config){
         .k0 = TP_FX(0.1), .kx = TP_FX(0.11), .ky = TP_FX(0.09), .stretch = TP_FX_ONE,
-        .gravity = TP_FX(9.81),
     };
 }
 

@@ -28,10 +28,10 @@ static void sizes_are_16_to_512(void **state)
     tp_pool_config c = pool_config(TP_CELLS_16, TP_EDGES_WALL, 16, 512);
     assert_true(tp_pool_bytes(&c) > 16 * 512 * 4);
     c.cols = 15;
-    assert_says(&c, "pool of 15 x 512 cells; 16 x 16 to 512 x 512 can be computed");
+    assert_says(&c, "cols: pool of 15 x 512 cells; 16 x 16 to 512 x 512 can be computed");
     c.cols = 16;
     c.rows = 513;
-    assert_says(&c, "pool of 16 x 513 cells; 16 x 16 to 512 x 512 can be computed");
+    assert_says(&c, "rows: pool of 16 x 513 cells; 16 x 16 to 512 x 512 can be computed");
 }
 
 static void numbers_have_ranges(void **state)
@@ -41,24 +41,24 @@ static void numbers_have_ranges(void **state)
     tp_pool_config c = good;
     assert_int_equal(tp_pool_check(&c, NULL), TP_OK);
     c.courant = TP_FX(0.81);
-    assert_says(&c, "pool: its courant is outside its range");
+    assert_says(&c, "courant is outside the range of pools");
     c = good, c.damping = 3;
-    assert_says(&c, "pool: its damping is outside its range");
+    assert_says(&c, "damping is outside the range of pools");
     c = good, c.damping = 11;
-    assert_says(&c, "pool: its damping is outside its range");
+    assert_says(&c, "damping is outside the range of pools");
     c = good, c.sponge = 65;
-    assert_says(&c, "pool: its sponge is outside its range");
+    assert_says(&c, "sponge is outside the range of pools");
     c = good, c.range = 0;
-    assert_says(&c, "pool: its range is outside its range");
+    assert_says(&c, "range is outside the range of pools");
     c = good, c.cell = TP_FX(51);
-    assert_says(&c, "pool: its cell is outside its range");
+    assert_says(&c, "cell is outside the range of pools");
     c = good, c.feed_low = 2, c.feed_high = 1;
-    assert_says(&c, "pool: its feed is outside its range");
+    assert_says(&c, "feed_low is above feed_high");
     c = good, c.cells = (tp_cells)3;
-    assert_says(&c, "pool: its kind of cells is outside its range");
+    assert_says(&c, "cells is outside the range of pools");
     const tp_grey none = { 4, 0, NULL };
     c = good, c.mask = &none;
-    assert_says(&c, "pool: mask of 4 x 0 samples");
+    assert_says(&c, "mask of 4 x 0 samples");
 }
 
 /* (1 - 1 / (2 - delta)) / 2 for every damping, from both sides. */
@@ -75,10 +75,31 @@ static void r_beyond_the_bound_is_refused(void **state)
             assert_int_equal(status, r2q <= bound ? TP_OK : TP_E_POOL_COURANT);
         }
     }
+}
+
+/* What the sentence names as the bound can be used, and 0.49 whatever the damping. */
+static void the_bound_that_is_said_is_none_too_high(void **state)
+{
+    (void)state;
+    for (uint32_t m = 4; m <= 10; m++) {
+        tp_pool_config c = pool_config(TP_CELLS_32, TP_EDGES_TILE, 32, 32);
+        c.damping = m;
+        c.courant = TP_FX(0.49);
+        assert_int_equal(tp_pool_check(&c, NULL), TP_OK);
+        for (c.courant = TP_FX(0.49); c.courant <= TP_FX(0.8); c.courant += 7) {
+            tp_error err = { .code = TP_OK };
+            if (tp_pool_check(&c, &err) == TP_OK)
+                continue;
+            assert_true(err.a > err.b && err.a <= 800 && err.b >= 490);
+            tp_pool_config at_bound = c;
+            at_bound.courant = (tp_fx)(err.b * 65536 / 1000);
+            assert_int_equal(tp_pool_check(&at_bound, NULL), TP_OK);
+        }
+    }
     tp_pool_config c = pool_config(TP_CELLS_16, TP_EDGES_WALL, 32, 32);
     c.courant = TP_FX(0.75);
-    assert_says(&c, "pool: r^2 of 576/1024 is above 253/1024, the bound of this damping; "
-                    "water would not come to rest");
+    assert_says(&c, "courant of 0.750 is above 0.497, the bound of this damping; water "
+                    "would not come to rest");
 }
 
 /* In the block of just its bytes (the sanitizers look on), also when the block moves. */
@@ -166,6 +187,7 @@ int main(void)
         cmocka_unit_test(sizes_are_16_to_512),
         cmocka_unit_test(numbers_have_ranges),
         cmocka_unit_test(r_beyond_the_bound_is_refused),
+        cmocka_unit_test(the_bound_that_is_said_is_none_too_high),
         cmocka_unit_test(a_copy_of_its_bytes_is_a_snapshot),
         cmocka_unit_test(a_pool_begins_still_and_stays_so),
         cmocka_unit_test(the_mask_is_laid_over_all_cells),

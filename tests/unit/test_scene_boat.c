@@ -1,15 +1,13 @@
 /* SPDX-License-Identifier: MIT */
-/* The boat in its world [E1] [E2] [E3]: how it lies on waves, where it sails, that
- * it stays where nothing moves it, and that a run can be repeated bit for bit. */
+/* How a boat lies on waves, [E1] [E2] [E3]. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
 #include <stdint.h>
 #include <cmocka.h>
 #include "../reference/sea.h"
-#include "scenes.h"
+#include "boats.h"
 
-#define LSB (1 / 65536.0)
 #define Q30 1073741824.0
 
 static uint64_t chance;
@@ -32,46 +30,17 @@ static double starboard_up(const tp_world *w)
     return tp_rotate_back(&turn, (tp_vec3){ TP_Q30_ONE, 0, 0 }).y / Q30;
 }
 
-static tp_world world_of(const tp_scene *scene)
-{
-    tp_world world;
-
-    assert_int_equal(tp_world_bytes(scene, NULL), sizeof world);
-    assert_int_equal(tp_world_init(&world, sizeof world, scene, NULL, NULL), TP_OK);
-    return world;
-}
-
-static tp_scene calm_scene(void)
-{
-    tp_scene scene;
-
-    tp_scene_default(&scene);
-    strcpy(scene.boat.mesh, "boat.obj");
-    for (int i = 0; i < TP_WAVES; i++)
-        scene.wave[i].amplitude = 0;
-    scene.boat.x = TP_FX(12.5);
-    scene.boat.z = TP_FX(-31.25);
-    return scene;
-}
-
-static void step_often(tp_world *world, const tp_scene *scene, const tp_input *in,
-                       int ticks)
-{
-    for (int t = 0; t < ticks; t++)
-        tp_world_step(world, scene, in);
-}
-
 /* -- how it lies --------------------------------------------------------------------- */
 
 /* A swell of 200 m and 2 m that stands still, rising from the origin to where it heads;
  * the boat at the origin. */
 static tp_world slope_world(tp_fx swell, tp_fx boat, tp_scene *scene)
 {
-    *scene = calm_scene();
+    *scene = boat_calm_scene();
     scene->wave[0] = (tp_wave){ 2 * TP_FX_ONE, 200 * TP_FX_ONE, 0, swell, 0, 0, 1 };
     scene->boat.x = scene->boat.z = 0;
     scene->boat.heading = boat;
-    return world_of(scene);
+    return boat_world(scene);
 }
 
 static void no_boat_is_placed_where_none_is_named(void **state)
@@ -80,7 +49,7 @@ static void no_boat_is_placed_where_none_is_named(void **state)
     tp_scene scene = scene_plain();
 
     scene.boat.mesh[0] = 0;
-    tp_world w = world_of(&scene);
+    tp_world w = boat_world(&scene);
     tp_world_step(&w, &scene, NULL);
     assert_true(w.boat.place.x == 0 && w.boat.place.y == 0 && w.boat.place.z == 0);
     assert_int_equal(turn_of(&w).x.x, TP_Q30_ONE);
@@ -113,14 +82,14 @@ static void the_boat_lies_as_the_water_slopes(void **state)
 static void the_mast_is_square_to_a_steep_slope(void **state)
 {
     (void)state;
-    tp_scene scene = calm_scene();
+    tp_scene scene = boat_calm_scene();
 
     scene.wave[0] = (tp_wave){ 16 * TP_FX_ONE, 112 * TP_FX_ONE, 0, 45 * TP_FX_ONE, 0, 0,
                                1 };
     scene.boat.x = scene.boat.z = 0;
     scene.boat.heading = 0;
     scene.boat.length = scene.boat.beam = TP_FX(0.5);
-    tp_world w = world_of(&scene);
+    tp_world w = boat_world(&scene);
     const double slope = 16 * 2 * PI / 112, level = cos(atan(slope));
     const tp_rotation turn = turn_of(&w);
 
@@ -150,12 +119,12 @@ static void calm_water_carries_the_boat_level(void **state)
 {
     (void)state;
     for (int n = 0; n < 6; n++) {
-        tp_scene scene = calm_scene();
+        tp_scene scene = boat_calm_scene();
         scene.boat.heading = 30 * TP_FX_ONE;
         scene.boat.mode = n % 2 ? TP_BOAT_DYNAMIC : TP_BOAT_KINEMATIC;
         scene.boat.smooth = n < 4 ? 0 : TP_FX_ONE;
-        tp_world w = world_of(&scene);
-        step_often(&w, &scene, NULL, n < 2 ? 0 : 500);
+        tp_world w = boat_world(&scene);
+        boat_steps(&w, &scene, NULL, n < 2 ? 0 : 500);
         assert_int_equal(w.boat.place.y, 0);
         assert_int_equal(w.boat.place.x, scene.boat.x);
         assert_int_equal(w.boat.place.z, scene.boat.z);
@@ -194,23 +163,6 @@ static void compare_boat(const tp_scene *scene, const tp_world *w, measure *heav
     measure_add(tilt, fmax(fabs(bow), fabs(side)) * 180 / PI, (int64_t)w->tick, 0, 0);
 }
 
-static tp_scene swells_of(double steepness)
-{
-    tp_scene scene = scene_plain();
-
-    for (int i = 0; i < 3; i++) {
-        scene.wave[i].amplitude = chance_fx(&chance, 0.05, 0.5);
-        scene.wave[i].length = chance_fx(&chance, 8, 40);
-        scene.wave[i].steepness = chance_fx(&chance, 0, steepness / 3);
-        scene.wave[i].heading = chance_fx(&chance, -360, 360);
-    }
-    scene.boat.heading = chance_fx(&chance, -720, 720);
-    scene.boat.length = chance_fx(&chance, 2, 20);
-    scene.boat.beam = chance_fx(&chance, 2, 6);
-    scene.boat.lift = chance_fx(&chance, -3, 3);
-    return scene;
-}
-
 /* A millimetre of the search [E1] is, over a beam of 2 m and a slope below 1.2, less than
  * 0.07 degrees; so is its height. */
 static void the_boat_follows_the_models(void **state)
@@ -220,8 +172,8 @@ static void the_boat_follows_the_models(void **state)
                                                                 .unit = "degrees" };
 
     for (int n = 0; n < 300; n++) {
-        const tp_scene scene = swells_of(0.9);
-        tp_world w = world_of(&scene);
+        const tp_scene scene = boat_swells(&chance, 0.9);
+        tp_world w = boat_world(&scene);
         w.tick = random_next(&chance) >> 30;
         tp_world_refresh(&w, &scene, NULL);
         for (int t = 0; t < 3; t++) {
@@ -242,7 +194,7 @@ static void the_boat_follows_the_models(void **state)
 static void a_floating_boat_lags_behind_long_swells(void **state)
 {
     (void)state;
-    tp_scene scene = calm_scene(), lying;
+    tp_scene scene = boat_calm_scene(), lying;
     double worst = 0;
 
     scene.wave[0] = (tp_wave){ 2 * TP_FX_ONE, 120 * TP_FX_ONE, 0, 0, 0, TP_FX_ONE, 1 };
@@ -250,7 +202,7 @@ static void a_floating_boat_lags_behind_long_swells(void **state)
     scene.boat.mode = TP_BOAT_DYNAMIC;
     lying = scene;
     lying.boat.mode = TP_BOAT_KINEMATIC;
-    tp_world w = world_of(&scene), v = world_of(&lying);
+    tp_world w = boat_world(&scene), v = boat_world(&lying);
     tp_world_step(&v, &lying, NULL);
     for (int t = 0; t < 2000; t++) {
         tp_world_step(&w, &scene, NULL);
@@ -266,194 +218,6 @@ static void a_floating_boat_lags_behind_long_swells(void **state)
     assert_true(fabs(worst / lag - 1) < 0.01);
 }
 
-/* -- where it goes ------------------------------------------------------------------- */
-
-static void a_boat_without_way_keeps_its_place(void **state)
-{
-    (void)state;
-    for (int n = 0; n < 8; n++) {
-        tp_scene scene = swells_of(0.5);
-        scene.boat.x = chance_fx(&chance, -8000, 8000);
-        scene.boat.z = chance_fx(&chance, -8000, 8000);
-        scene.boat.mode = n % 2 ? TP_BOAT_DYNAMIC : TP_BOAT_KINEMATIC;
-        tp_world w = world_of(&scene);
-        const tp_turn heading = w.boat.heading;
-        step_often(&w, &scene, NULL, 200);
-        assert_int_equal(w.boat.place.x, scene.boat.x);
-        assert_int_equal(w.boat.place.z, scene.boat.z);
-        assert_int_equal(w.boat.heading, heading);
-    }
-}
-
-static void it_sails_where_its_bow_points(void **state)
-{
-    (void)state;
-    for (int n = 0; n < 24; n++) {
-        tp_scene scene = calm_scene();
-        scene.boat.heading = 15 * n * TP_FX_ONE;
-        scene.boat.speed = 3 * TP_FX_ONE;
-        const tp_input in = { .throttle = -TP_FX_ONE };
-        tp_world w = world_of(&scene);
-        step_often(&w, &scene, &in, 600);
-        const double h = 15 * n * PI / 180;
-        assert_true(fabs((w.boat.place.x - scene.boat.x) * LSB - 20 * sin(h)) < 0.001);
-        assert_true(fabs((w.boat.place.z - scene.boat.z) * LSB + 20 * cos(h)) < 0.001);
-    }
-}
-
-/* A tenth of a millimetre a second is a tenth of an LSB a tick. */
-static void slow_boats_arrive_too(void **state)
-{
-    (void)state;
-    tp_scene scene = calm_scene();
-
-    scene.boat.speed = 7;
-    tp_world w = world_of(&scene);
-    step_often(&w, &scene, NULL, 60 * 200);
-    assert_int_equal(w.boat.place.z - scene.boat.z, -7 * 200);
-    assert_int_equal(w.boat.place.x, scene.boat.x);
-}
-
-/* 6 degrees a second are a turn a minute; at 5 m/s its radius is 47.7 m. */
-static void the_rudder_makes_a_circle(void **state)
-{
-    (void)state;
-    tp_scene scene = calm_scene();
-
-    scene.boat.speed = 5 * TP_FX_ONE;
-    scene.boat.rudder = 10 * TP_FX_ONE;
-    const tp_input in = { .rudder = -4 * TP_FX_ONE };
-    tp_world w = world_of(&scene);
-    step_often(&w, &scene, &in, 1800);
-    assert_true(abs((int32_t)(w.boat.heading - 0x80000000u)) < 64);
-    assert_true(fabs((w.boat.place.x - scene.boat.x) * LSB - 300 / PI) < 0.5);
-    step_often(&w, &scene, &in, 1800);
-    assert_true(abs((int32_t)w.boat.heading) < 64);
-    assert_true(abs(w.boat.place.x - scene.boat.x) < 32);
-    assert_true(abs(w.boat.place.z - scene.boat.z) < 32);
-}
-
-static void sailed_forth_and_back_is_not_sailed(void **state)
-{
-    (void)state;
-    for (int n = 0; n < 20; n++) {
-        tp_scene scene = calm_scene();
-        scene.boat.heading = chance_fx(&chance, -360, 360);
-        tp_world w = world_of(&scene);
-        tp_input in = { .throttle = chance_fx(&chance, -30, 30) };
-        step_often(&w, &scene, &in, 500);
-        assert_true(w.boat.place.z != scene.boat.z);
-        in.throttle = -in.throttle;
-        step_often(&w, &scene, &in, 500);
-        assert_int_equal(w.boat.place.x, scene.boat.x);
-        assert_int_equal(w.boat.place.z, scene.boat.z);
-    }
-}
-
-static void it_stays_within_eight_kilometres(void **state)
-{
-    (void)state;
-    tp_scene scene = calm_scene();
-    tp_world w = world_of(&scene);
-    const tp_input full = { .throttle = TP_FX_MAX, .rudder = TP_FX_MIN };
-
-    step_often(&w, &scene, &full, 10);
-    for (int n = 0; n < 4; n++) {
-        scene.boat.heading = (45 + 90 * n) * TP_FX_ONE;
-        tp_world_refresh(&w, &scene, NULL);
-        const tp_input in = { .throttle = TP_FX_MAX };
-        for (int t = 0; t < 20000; t++) {
-            tp_world_step(&w, &scene, &in);
-            assert_true(abs(w.boat.place.x) <= 8000 * TP_FX_ONE);
-            assert_true(abs(w.boat.place.z) <= 8000 * TP_FX_ONE);
-        }
-        assert_true(abs(w.boat.place.x) == 8000 * TP_FX_ONE
-                    || abs(w.boat.place.z) == 8000 * TP_FX_ONE);
-    }
-}
-
-/* As the preview's sliders do. */
-static void a_changed_place_moves_the_boat(void **state)
-{
-    (void)state;
-    tp_scene scene = calm_scene();
-
-    scene.boat.speed = 2 * TP_FX_ONE;
-    tp_world w = world_of(&scene);
-    step_often(&w, &scene, NULL, 300);
-    const tp_fx sailed = w.boat.place.z - scene.boat.z;
-    assert_true(abs(sailed + 10 * TP_FX_ONE) < 8);
-    scene.boat.x += 5 * TP_FX_ONE;
-    scene.boat.z -= 7 * TP_FX_ONE;
-    scene.boat.heading = 90 * TP_FX_ONE;
-    tp_world_refresh(&w, &scene, NULL);
-    assert_int_equal(w.boat.place.x, scene.boat.x);
-    assert_int_equal(w.boat.place.z, scene.boat.z + sailed);
-    assert_true(abs((int32_t)(w.boat.heading - 0x40000000u)) < 64);
-    assert_memory_equal(&w.last_boat, &w.boat, sizeof w.boat);
-    step_often(&w, &scene, NULL, 300);
-    assert_true(abs(w.boat.place.x - scene.boat.x - 10 * TP_FX_ONE) < 8);
-}
-
-/* A boat that floats or follows goes on from where it lay; others lie on new water. */
-static void a_refresh_does_not_lift_a_floating_boat(void **state)
-{
-    (void)state;
-    for (int n = 0; n < 3; n++) {
-        tp_scene scene = swells_of(0.5);
-        scene.boat.mode = n == 0 ? TP_BOAT_DYNAMIC : TP_BOAT_KINEMATIC;
-        scene.boat.smooth = n == 1 ? 2 * TP_FX_ONE : 0;
-        tp_world w = world_of(&scene);
-        step_often(&w, &scene, NULL, 100);
-        const tp_pose before = w.boat;
-        for (int i = 0; i < 3; i++)
-            scene.wave[i].phase += 100 * TP_FX_ONE;
-        tp_world_refresh(&w, &scene, NULL);
-        assert_int_equal(before.place.y == w.boat.place.y, n < 2);
-        assert_int_equal(before.pitch == w.boat.pitch, n < 2);
-        assert_int_equal(before.roll == w.boat.roll, n < 2);
-    }
-}
-
-/* -- repeated ------------------------------------------------------------------------ */
-
-/* A scene from anywhere in the table, with nothing behind the world's head. */
-static tp_scene any_scene(void)
-{
-    tp_scene scene = scene_any(&chance);
-
-    strcpy(scene.boat.mesh, "boat.obj");
-    scene.pool.cols = scene.field.cols = 0;
-    scene.drops.count = 0;
-    scene.floor.depth = scene.wind.strength = 0;
-    return scene;
-}
-
-static void a_sailing_boat_replays_bit_for_bit(void **state)
-{
-    (void)state;
-    for (int n = 0; n < 40; n++) {
-        const tp_scene scene = any_scene();
-        tp_input tape[100];
-        for (int t = 0; t < 100; t++)
-            tape[t] = (tp_input){ .throttle = random_number(&chance),
-                                  .rudder = random_number(&chance) };
-        tp_world first = world_of(&scene), second = world_of(&scene), copy = first;
-        for (int t = 0; t < 100; t++) {
-            if (t == 41)
-                memcpy(&copy, &first, sizeof copy);
-            tp_world_step(&first, &scene, &tape[t]);
-            tp_world_step(&second, &scene, &tape[t]);
-            if (t >= 41)
-                tp_world_step(&copy, &scene, &tape[t]);
-        }
-        assert_memory_equal(&first.boat, &second.boat, sizeof first.boat);
-        assert_memory_equal(&first.afloat, &second.afloat, sizeof first.afloat);
-        assert_memory_equal(&first.afloat, &copy.afloat, sizeof first.afloat);
-        assert_true(abs(first.boat.place.y) <= 4150 * TP_FX_ONE);
-    }
-}
-
 int main(void)
 {
     chance = random_seed();
@@ -465,15 +229,6 @@ int main(void)
         cmocka_unit_test(calm_water_carries_the_boat_level),
         cmocka_unit_test(the_boat_follows_the_models),
         cmocka_unit_test(a_floating_boat_lags_behind_long_swells),
-        cmocka_unit_test(a_boat_without_way_keeps_its_place),
-        cmocka_unit_test(it_sails_where_its_bow_points),
-        cmocka_unit_test(slow_boats_arrive_too),
-        cmocka_unit_test(the_rudder_makes_a_circle),
-        cmocka_unit_test(sailed_forth_and_back_is_not_sailed),
-        cmocka_unit_test(it_stays_within_eight_kilometres),
-        cmocka_unit_test(a_changed_place_moves_the_boat),
-        cmocka_unit_test(a_refresh_does_not_lift_a_floating_boat),
-        cmocka_unit_test(a_sailing_boat_replays_bit_for_bit),
     };
     return cmocka_run_group_tests_name("boat", tests, NULL, NULL);
 }

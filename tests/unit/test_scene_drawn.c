@@ -136,7 +136,7 @@ static void far_places_are_interpolated_too(void **state)
     assert_int_equal(tp_between(far, -far, TP_FX_ONE / 4), -far / 2);
 }
 
-/* -- the clock ------------------------------------------------------------------------- */
+/* -- the clock --------------------------------------------------------------------- */
 
 /* One picture: steps what the clock asks for; the time it shows, ticks x 65536. */
 static int64_t show(tp_world *w, const tp_scene *scene)

@@ -157,7 +157,7 @@ static ocean_made any_ocean(const tp_grey *picture, int kind)
         .wind = chance_fx(&chance, 0, 1), .wind_heading = chance_fx(&chance, 0, 360),
         .k0 = chance_fx(&chance, 0, 4), .kx = chance_scale(&chance, 0.001, 4),
         .ky = chance_scale(&chance, 0.001, 4), .stretch = chance_fx(&chance, 0, 2),
-        .irregular = chance_fx(&chance, 0, 1), .gravity = TP_FX(9.81),
+        .irregular = chance_fx(&chance, 0, 1),
     };
     any_floor(&o, picture, kind);
     ocean_build(&o);
@@ -221,7 +221,6 @@ static void any_numbers_at_all_make_an_ocean(void **state)
             &c->ky,
             &c->stretch,
             &c->irregular,
-            &c->gravity,
             &c->floor.depth,
             &c->floor.slope,
             &c->floor.heading,

@@ -1,0 +1,69 @@
+# SPDX-License-Identifier: MIT
+# What the program's tests share; read by `.` from the project's root with the program's
+# path as $1.  They go on in a folder of their own.  One line a case; the last line is
+# "N passed, M failed", and the exit code tells too.
+program=$(realpath "$1") || exit 2
+vectors=$(realpath tests/vectors) || exit 2
+work=$(mktemp -d) || exit 2
+trap 'rm -rf "$work"' EXIT
+trap 'exit 1' INT TERM HUP
+cd "$work" || exit 2
+passed=0 failed=0
+seconds=60                      # that one run may take
+
+# verdict NAME REASON: passed if the reason is empty.
+verdict() {
+    if [ -z "$2" ]; then
+        passed=$((passed + 1))
+        echo "ok - $1"
+    else
+        failed=$((failed + 1))
+        echo "FAILED - $1: $2"
+        sed 's/^/     | /' err | head -5
+    fi
+}
+
+# run ARGUMENT...: the program, its streams in files out and err, its exit code in $code.
+run() {
+    timeout "$seconds" "$program" "$@" >out 2>err </dev/null
+    code=$?
+}
+
+# expect NAME CODE PATTERN ARGUMENT...: exit code and a basic regular expression that
+# some line of stderr matches; "" wants stderr empty.
+expect() {
+    name=$1 want=$2 pattern=$3
+    shift 3
+    run "$@"
+    judge "$name" "$want" "$pattern"
+}
+
+judge() {
+    if [ "$code" -ne "$2" ]; then
+        verdict "$1" "exit code $code, expected $2"
+    elif [ -z "$3" ] && [ -s err ]; then
+        verdict "$1" "unexpected message"
+    elif [ -n "$3" ] && ! grep -q -e "$3" err; then
+        verdict "$1" "no message like '$3'"
+    else
+        verdict "$1" ""
+    fi
+}
+
+# same NAME TEXT TEXT
+same() {
+    if [ "$2" = "$3" ]; then verdict "$1" ""; else verdict "$1" "'$2' is not '$3'"; fi
+}
+
+# fits ARGUMENT...: what is printed fits a screen.
+fits() {
+    run "$@"
+    wide=$(awk 'length($0) > 80' out | wc -l)
+    same "$* fits 24 lines of 80 columns" \
+        "$code $([ "$(wc -l <out)" -le 24 ] && [ -s out ] && echo low) $wide" "0 low 0"
+}
+
+finish() {
+    echo "$passed passed, $failed failed"
+    [ "$failed" -eq 0 ]
+}

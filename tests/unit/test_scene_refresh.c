@@ -1,0 +1,146 @@
+/* SPDX-License-Identifier: MIT */
+/* A world whose scene's numbers change: what it takes while it moves, and what asks for a
+ * new one. */
+#include <stdarg.h>
+#include <stddef.h>
+#include <setjmp.h>
+#include <stdint.h>
+#include <cmocka.h>
+#include "parts.h"
+
+static uint64_t chance;
+
+/* -- refresh ----------------------------------------------------------------------- */
+
+static void a_refresh_of_the_same_scene_changes_nothing(void **state)
+{
+    (void)state;
+    tp_scene scene = scene_with(&chance, 31);
+    scene.boat.mesh[0] = '\0';          /* a boat is laid anew */
+    tp_world *world = scene_world(&scene, NULL);
+    const size_t bytes = world->parts.bytes;
+    run(&chance, world, &scene, 30);
+    tp_world *copy = malloc(bytes);
+    memcpy(copy, world, bytes);
+
+    assert_true(tp_world_refresh(world, &scene, NULL));
+    assert_memory_equal(copy, world, bytes);
+    free(copy);
+    free(world);
+}
+
+/* Changes a number and tells whether the refresh was done; if not, that nothing was. */
+static bool refreshes(tp_scene scene, int32_t *(*number)(tp_scene *), int32_t value)
+{
+    tp_world *world = scene_world(&scene, NULL);
+    const size_t bytes = world->parts.bytes;
+    run(&chance, world, &scene, 10);
+    tp_world *copy = malloc(bytes);
+    memcpy(copy, world, bytes);
+    scene.wave[0].amplitude += 999;
+    *number(&scene) = value;
+    const bool done = tp_world_refresh(world, &scene, NULL);
+    if (done)
+        run(&chance, world, &scene, 10);
+    else
+        assert_memory_equal(copy, world, bytes);
+    free(copy);
+    free(world);
+    return done;
+}
+
+#define NUMBER(name, member) \
+    static int32_t *name(tp_scene *s) { return (int32_t *)&s->member; }
+NUMBER(pool_cols, pool.cols) NUMBER(pool_cells, pool.cells) NUMBER(pool_cell, pool.cell)
+NUMBER(pool_range, pool.range) NUMBER(pool_edges, pool.edges)
+NUMBER(field_cell, field.cell)
+NUMBER(field_rows, field.rows) NUMBER(drops_count, drops.count)
+NUMBER(drops_rings, drops.rings) NUMBER(drops_into, drops.into)
+NUMBER(floor_depth, floor.depth) NUMBER(wind, wind.strength)
+NUMBER(pool_courant, pool.courant) NUMBER(pool_damping, pool.damping)
+NUMBER(pool_x, pool.x) NUMBER(pool_feed, pool.feed) NUMBER(pool_poke, pool.poke)
+NUMBER(pool_paddle, pool.paddle) NUMBER(field_courant, field.courant)
+NUMBER(wave_amplitude, wave[1].amplitude) NUMBER(wave_count, wave[7].amplitude)
+NUMBER(floor_slope, floor.slope) NUMBER(drops_radius, drops.radius)
+NUMBER(scale, clock.scale)
+#undef NUMBER
+
+static tp_scene scene_full(void)
+{
+    tp_scene s = scene_with(&chance, 31);
+
+    s.pool.cells = s.field.cells = TP_CELLS_16;
+    s.pool.edges = s.field.edges = TP_EDGES_WALL;
+    s.pool.cols = s.pool.rows = s.field.cols = s.field.rows = 32;
+    s.wind.strength = 0;
+    s.drops.rings = 20;
+    s.drops.into = TP_DROPS_RINGS;
+    return s;
+}
+
+static void what_sizes_the_block_asks_for_a_new_world(void **state)
+{
+    (void)state;
+    const tp_scene s = scene_full();
+
+    assert_false(refreshes(s, pool_cols, 40));
+    assert_false(refreshes(s, pool_cols, 0));
+    assert_false(refreshes(s, pool_cells, TP_CELLS_8));
+    assert_false(refreshes(s, pool_edges, TP_EDGES_TILE));
+    assert_false(refreshes(s, field_rows, 33));
+    assert_false(refreshes(s, drops_count, s.drops.count + 1));
+    assert_false(refreshes(s, drops_rings, 21));
+    assert_false(refreshes(s, drops_into, TP_DROPS_POOL));
+    assert_false(refreshes(s, floor_depth, 0));
+    assert_false(refreshes(s, wave_count, TP_FX(0.1)));     /* a table more */
+}
+
+static void what_cannot_be_tuned_asks_for_a_new_world(void **state)
+{
+    (void)state;
+    tp_scene s = scene_full();
+
+    assert_false(refreshes(s, pool_cell, s.pool.cell + 1));
+    assert_false(refreshes(s, field_cell, s.field.cell + 1));
+    assert_false(refreshes(s, pool_range, s.pool.range + 1));
+    assert_false(refreshes(s, pool_courant, TP_FX(0.7)));
+    assert_false(refreshes(s, field_courant, TP_FX(0.7)));
+    s.field.cols = 64;                  /* as many cells in another shape */
+    s.field.rows = 16;
+    tp_world *world = scene_world(&s, NULL);
+    s.field.cols = 16;
+    s.field.rows = 64;
+    assert_false(tp_world_refresh(world, &s, NULL));
+    free(world);
+}
+
+static void what_may_change_is_taken(void **state)
+{
+    (void)state;
+    const tp_scene s = scene_full();
+
+    assert_true(refreshes(s, wave_amplitude, TP_FX(0.3)));
+    assert_true(refreshes(s, floor_depth, TP_FX(3)));
+    assert_true(refreshes(s, floor_slope, TP_FX(0.1)));
+    assert_true(refreshes(s, wind, TP_FX(0.2)));
+    assert_true(refreshes(s, pool_courant, TP_FX(0.3)));
+    assert_true(refreshes(s, pool_damping, 10));
+    assert_true(refreshes(s, pool_x, 5 * TP_FX_ONE));
+    assert_true(refreshes(s, pool_feed, TP_FX(0.3)));
+    assert_true(refreshes(s, pool_poke, TP_FX(0.3)));
+    assert_true(refreshes(s, pool_paddle, TP_FX(0.3)));
+    assert_true(refreshes(s, drops_radius, TP_FX(0.2)));
+    assert_true(refreshes(s, scale, TP_FX_ONE / 4));
+}
+
+int main(void)
+{
+    chance = random_seed();
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_refresh_of_the_same_scene_changes_nothing),
+        cmocka_unit_test(what_sizes_the_block_asks_for_a_new_world),
+        cmocka_unit_test(what_cannot_be_tuned_asks_for_a_new_world),
+        cmocka_unit_test(what_may_change_is_taken),
+    };
+    return cmocka_run_group_tests_name("refresh", tests, NULL, NULL);
+}
