@@ -110,7 +110,7 @@ static void take(tp_pool *pool, uint32_t i, int64_t *h, int64_t *v, int64_t h_pa
 /* Takes the sums of heights and of velocities to 0: gear B, which cuts, leaves a sum of
  * velocities that gear A would keep for 2^m ticks, and the water would rise by it.  Measured
  * with hats of 20 LSB, each as gear B begins: the mean reached 90 of 127 and 452 of 32767
- * LSB at m = 10 without this, 0.72 with it. */
+ * LSB at m = 10 without this, 0.97 and 1.19 with it. */
 static void level(tp_pool *pool)
 {
     const uint32_t count = tp_pool_count(pool);
