@@ -34,7 +34,8 @@ static bool flows(const tp_pool *pool)
 }
 
 /* Full-range starts of any sum, which no step changes; returns the ticks until all fluxes
- * are 0, and how far heights are then from their mean. */
+ * are 0, and how far heights are then from their mean.  The overdamped corner r = 0.05,
+ * m = 4 creeps: 64 x 64 cells took 224427 ticks there.  A million would be never. */
 static int rest_of_fluxes(uint32_t size, uint32_t m, double r, int32_t *residue)
 {
     tp_pool *const pool = tank(TP_CELLS_32, TP_EDGES_WALL, size, m, r);
@@ -44,7 +45,7 @@ static int rest_of_fluxes(uint32_t size, uint32_t m, double r, int32_t *residue)
     while (!pool->at_rest) {
         tp_pool_step(pool);
         assert_true(sum_of(pool) == sum);
-        assert_true(pool->tick < 200000);
+        assert_true(pool->tick < 1000000);
         if (pool->tick % 64 == 0)
             look_bounded(pool);
     }
