@@ -11,6 +11,7 @@
 #include <string.h>
 #include <unistd.h>
 #include <cmocka.h>
+#include <png.h>
 #include "../../ports/host/film.h"
 #include "../../ports/host/nearest.h"
 #include "../../ports/host/path.h"
@@ -114,6 +115,58 @@ static void png_of_any_bytes_is_safe(void **state)
 }
 
 /* White is 235, black 16, greys have no tint; red, green, blue are BT.601's. */
+/* A picture of w x 3 samples of `bits`, of one channel or of three equal ones. */
+static void write_greys(const char *name, const uint16_t *grey, uint32_t w, int bits,
+                        bool colour)
+{
+    FILE *file = fopen(name, "wb");
+    assert_non_null(file);
+    png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, NULL, NULL, NULL);
+    png_infop info = png_create_info_struct(png);
+    png_init_io(png, file);
+    png_set_IHDR(png, info, w, 3, bits, colour ? PNG_COLOR_TYPE_RGB : PNG_COLOR_TYPE_GRAY,
+                 PNG_INTERLACE_ADAM7, PNG_COMPRESSION_TYPE_DEFAULT,
+                 PNG_FILTER_TYPE_DEFAULT);
+    png_write_info(png, info);
+    uint8_t rows[3][6 * WIDTH], *row[3] = { rows[0], rows[1], rows[2] };
+    for (uint32_t i = 0; i < 3 * w; i++) {
+        uint8_t *to = row[i / w] + i % w * (colour ? 3 : 1) * (unsigned)bits / 8;
+        for (int k = 0; k < (colour ? 3 : 1); k++) {
+            *to++ = (uint8_t)(grey[i] >> 8);
+            if (bits == 16)
+                *to++ = (uint8_t)grey[i];
+        }
+    }
+    png_write_image(png, row);
+    png_write_end(png, info);
+    png_destroy_write_struct(&png, &info);
+    assert_int_equal(fclose(file), 0);
+}
+
+/* 16 bits are read as they are, 8 bits as 257 times; three equal colours are their grey
+ * within a few of 65536, by the weights of luminance. */
+static void greys_of_every_kind_are_read(void **state)
+{
+    (void)state;
+    char name[64];
+    temporary_name(name, ".png");
+    for (int kind = 0; kind < 4; kind++) {
+        const int bits = kind & 1 ? 16 : 8;
+        uint16_t grey[3 * WIDTH];
+        uint32_t w = 0, h = 0;
+        for (int i = 0; i < 3 * WIDTH; i++)
+            grey[i] = (uint16_t)(bits == 16 ? next_random() : (next_random() & 255) * 257);
+        write_greys(name, grey, WIDTH, bits, kind & 2);
+        uint16_t *read = picture_read_grey(name, "a test", &w, &h);
+        assert_non_null(read);
+        assert_true(w == WIDTH && h == 3);
+        for (int i = 0; i < 3 * WIDTH; i++)
+            assert_true(abs(read[i] - grey[i]) <= (kind & 2 ? 4 : 0));
+        free(read);
+    }
+    remove(name);
+}
+
 static void film_has_the_colours_of_bt601(void **state)
 {
     (void)state;
@@ -212,6 +265,7 @@ int main(void)
     printf("TP_SEED=%u\n", (unsigned)seed);
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(png_keeps_every_colour_of_every_format),
+        cmocka_unit_test(greys_of_every_kind_are_read),
         cmocka_unit_test(film_has_the_colours_of_bt601),
         cmocka_unit_test(crc_does_not_see_the_unused_bits_of_a_row),
         cmocka_unit_test(nearest_name_is_the_one_that_was_meant),
