@@ -32,30 +32,97 @@ typedef struct {
     char    mask[TP_NAME_BYTES];            /* PNG, "": no walls inside */
 } tp_scene_pool;
 
+/* A picture that drifts over the water. */
+typedef struct {
+    char    texture[TP_NAME_BYTES];         /* PNG, "": none */
+    tp_fx   size;                           /* m that one repeat covers */
+    tp_fx   drift_x, drift_z;               /* m/s */
+} tp_scene_map;
+
+/* One of the water's pictures.  A texel is first brought to `saturation` (0: its grey),
+ * then what is above `clamp` is spread over 0..1, then `colour` multiplies it.  The first
+ * layer is the water's colour; the others add to it. */
+typedef struct {
+    tp_scene_map map;
+    tp_fx   saturation, clamp;
+    int32_t colour;
+} tp_scene_layer;
+
+#define TP_LAYERS 3
+#define TP_FACES  6             /* of a cube: +x -x +y -y +z -z */
+
 /* Numbers are 16.16 unless said; angles are degrees; colours 0x00RRGGBB. */
 typedef struct {
     char title[TP_NAME_BYTES];
-    struct { tp_fx x, y, z, heading, pitch, fov, near; } camera;
-    struct { tp_fx heading, elevation; int32_t colour; tp_fx ambient; } light;
-    struct { int32_t horizon, zenith; tp_fx haze; } sky;
     struct {
-        int32_t colour;                     /* multiplies the texture */
-        char    texture[TP_NAME_BYTES];     /* "": none */
-        tp_fx   texture_size;               /* m that one repeat covers */
-        tp_fx   drift_x, drift_z;           /* m/s of the texture */
-        int32_t filter;                     /* tp_filter, int */
-        char    normal[TP_NAME_BYTES];      /* normal map, "": none */
-        tp_fx   normal_size, normal_bump;   /* m, 1 = as the map says */
+        tp_fx   x, y, z, heading, pitch, fov, near;
+        int32_t follow;                     /* tp_camera_follow */
+    } camera;
+    struct {
+        tp_fx   heading, elevation;
+        int32_t colour;
+        tp_fx   ambient;
+        int32_t model;                      /* tp_light_model */
+        tp_fx   turn;                       /* degrees/s that it goes round */
+    } light;
+    struct {
+        int32_t kind;                       /* tp_sky_kind */
+        int32_t horizon, zenith;
+        tp_fx   haze;
+        tp_fx   sun, stars;                 /* intensity of the disc; share of stars */
+        char    east[TP_NAME_BYTES], west[TP_NAME_BYTES];   /* PNGs of a cube's sides; */
+        char    up[TP_NAME_BYTES], down[TP_NAME_BYTES];     /* alpha is intensity [F8] */
+        char    south[TP_NAME_BYTES], north[TP_NAME_BYTES];
+    } sky;
+    struct {
+        tp_fx   share;                      /* of the alpha's light; 0: no HDR */
+        int32_t exposure;                   /* tp_exposure_mode */
+        tp_fx   value, rate;                /* fixed exposure; share of the way a tick */
+    } hdr;
+    struct {
+        int32_t colour;                     /* of the water, times the first layer */
+        int32_t filter;                     /* tp_filter */
         tp_fx   specular, shininess, reflection;
+        int32_t fresnel;                    /* tp_fresnel_rule */
         tp_fx   gravity;
+        tp_fx   pool_bump;                  /* > 0: pools bend normals, not the mesh */
+        tp_fx   clear;                      /* m; 0: nothing is seen through the water */
+        int32_t tint;                       /* what white becomes after `clear` m */
+        int32_t deep;                       /* what is seen where nothing is */
+        tp_fx   dispersion;                 /* spread of the refractive index */
+        tp_fx   caustics;                   /* strength of light focused on the floor */
+        int32_t caustic_cells;              /* of the map's side */
+        tp_fx   caustic_size;               /* m that it covers, without a pool */
     } water;
+    tp_scene_layer layer[TP_LAYERS];
+    struct { tp_scene_map map; tp_fx strength; } distortion;        /* m */
+    struct { tp_scene_map map; tp_fx bump; } ripple;    /* normal map; 1 = as it says */
+    struct { int32_t objects; tp_fx bend; } mirror;     /* tp_mirror_kind */
+    struct {                                /* of the pool's sides */
+        int32_t kind;                       /* tp_tank_kind */
+        tp_fx   depth, rim, tile;           /* m: down, above still water, of a repeat */
+        char    wall[TP_NAME_BYTES], floor[TP_NAME_BYTES];
+        int32_t wall_colour, floor_colour, glass_colour;
+        tp_fx   glass;                      /* share of its colour, 0..1 */
+    } tank;
+    struct {
+        int32_t cells;                      /* of the field's side; 0: no foam */
+        tp_fx   cell;                       /* m */
+        tp_fx   crest, breaking, shore, wall, hull;     /* what makes it */
+        tp_fx   fade;                       /* s */
+        tp_scene_map map;                   /* whose drift is the foam's own */
+        int32_t colour;
+    } foam;
+    struct { int32_t count; tp_fx crest, impact, size; } spray;
     struct { int32_t cols, rows; tp_fx cell, reach; int32_t follow; } grid;
     tp_wave wave[TP_WAVES];
     struct {
         tp_fx   depth, slope, heading;      /* depth 0, no map: open sea; see tp_floor */
         char    map[TP_NAME_BYTES];         /* PNG of heights, "": none */
         tp_fx   map_x, map_z, map_size, map_low, map_high;
-        int32_t colour;                     /* of the land */
+        int32_t colour;                     /* of the land, times the texture */
+        char    texture[TP_NAME_BYTES];     /* PNG, "": none */
+        tp_fx   texture_size;
     } floor;
     struct { tp_fx strength, heading; } wind;       /* rad/m [B10], degrees */
     struct { tp_fx k0, kx, ky, stretch, irregular; } surf;  /* [B12], [B20] */
@@ -78,6 +145,14 @@ typedef struct {
 typedef enum { TP_BOAT_KINEMATIC, TP_BOAT_DYNAMIC } tp_boat_mode;
 
 typedef enum { TP_FILTER_NEAREST, TP_FILTER_LINEAR } tp_filter;
+typedef enum { TP_FOLLOW_NONE, TP_FOLLOW_BOAT } tp_camera_follow;
+typedef enum { TP_LIGHT_PHONG, TP_LIGHT_BLINN } tp_light_model;
+typedef enum { TP_SKY_GRADIENT, TP_SKY_DAY, TP_SKY_DUSK, TP_SKY_NIGHT, TP_SKY_CUBE
+} tp_sky_kind;
+typedef enum { TP_EXPOSURE_FIXED, TP_EXPOSURE_AUTO } tp_exposure_mode;
+typedef enum { TP_FRESNEL_TABLE, TP_FRESNEL_SCHLICK } tp_fresnel_rule;
+typedef enum { TP_MIRROR_NONE, TP_MIRROR_STENCIL, TP_MIRROR_CUBE } tp_mirror_kind;
+typedef enum { TP_TANK_NONE, TP_TANK_STONE, TP_TANK_GLASS } tp_tank_kind;
 
 typedef enum {
     TP_PARAM_FX,                /* 16.16 */
@@ -127,7 +202,8 @@ void tp_scene_default(tp_scene *scene);
 
 typedef struct {
     const tp_mesh    *boat;
-    const tp_texture *water, *water_normal;
+    const tp_texture *layer[TP_LAYERS], *distortion, *ripple, *foam;
+    const tp_texture *sky[TP_FACES], *tank_wall, *tank_floor, *floor_texture;
     const tp_grey    *floor;            /* scene.floor.map */
     const tp_grey    *pool_mask, *field_mask;   /* scene.pool.mask, scene.field.mask */
 } tp_assets;
@@ -144,12 +220,13 @@ typedef struct {
     tp_fx   poke;               /* m: a hat put into the pool ... */
     tp_fx   poke_x, poke_z;     /* ... here, world m */
     int32_t slower;             /* steps of the clock: +1 halves its scale, -1 doubles */
+    int32_t light_turn, light_tilt;     /* tp_turn steps of the light, signed */
 } tp_input;
 
 /* The parts that only some scenes have lie behind this head, at these byte offsets from
  * its start; 0: the scene has none. */
 typedef struct {
-    uint32_t ocean, pool, field, rings, drops;
+    uint32_t ocean, pool, field, rings, drops, foam, spray, probe;
     uint32_t bytes;             /* of the whole block */
 } tp_world_parts;
 
@@ -197,6 +274,8 @@ typedef struct {
     uint32_t poke_wait[2];      /* ticks until pool and field are poked again */
     tp_pose  boat, last_boat;
     tp_afloat afloat;           /* the boat's */
+    tp_turn  light_heading, light_elevation;    /* as input has moved it, and time */
+    tp_fx    exposure, last_exposure;
     tp_clock clock;
     tp_fx    clock_scale;       /* the scene's, when it was last looked at */
 } tp_world;

@@ -15,7 +15,7 @@
 #include "tidepool/scene.h"
 #include "tidepool/status.h"
 
-#define TP_TAPE_LINE 320        /* no line is longer, its end included */
+#define TP_TAPE_LINE 384        /* no line is longer, its end included */
 
 typedef struct {
     uint64_t tick;              /* before whose step the input is given: 0 is the first */

@@ -218,28 +218,36 @@ static int load(assets *a, const scene_file *file, const char *name, void *into,
 
 int assets_open(assets *a, const scene_file *file)
 {
-    const struct { const char *name; void *into; } rows[] = {
-        { "boat.mesh", &a->boat },           { "water.texture", &a->water },
-        { "water.normal", &a->water_normal }, { "floor.map", &a->floor },
-        { "pool.mask", &a->pool_mask },      { "field.mask", &a->field_mask },
+    static const char *const pictures[ASSETS_PICTURES] = {
+        "layer0.texture", "layer1.texture", "layer2.texture", "distortion.texture",
+        "ripple.texture", "foam.texture", "sky.east", "sky.west", "sky.up", "sky.down",
+        "sky.south", "sky.north", "tank.wall", "tank.floor", "floor.texture",
     };
-    enum { ROWS = sizeof rows / sizeof *rows };
-    bool there[ROWS];
     *a = (assets){ 0 };
-    for (size_t i = 0; i < ROWS; i++) {
-        const int code = load(a, file, rows[i].name, rows[i].into, &there[i]);
-        if (code) {
-            assets_close(a);
-            return code;
-        }
-    }
-    a->names = (tp_assets){
-        .boat = there[0] ? &a->boat : NULL,
-        .water = there[1] ? &a->water : NULL,
-        .water_normal = there[2] ? &a->water_normal : NULL,
-        .floor = there[3] ? &a->floor : NULL,
-        .pool_mask = there[4] ? &a->pool_mask : NULL,
-        .field_mask = there[5] ? &a->field_mask : NULL,
+    const tp_texture **const slots[ASSETS_PICTURES] = {
+        &a->names.layer[0], &a->names.layer[1], &a->names.layer[2],
+        &a->names.distortion, &a->names.ripple, &a->names.foam, &a->names.sky[0],
+        &a->names.sky[1], &a->names.sky[2], &a->names.sky[3], &a->names.sky[4],
+        &a->names.sky[5], &a->names.tank_wall, &a->names.tank_floor,
+        &a->names.floor_texture,
     };
-    return EXIT_DONE;
+    const struct { const char *name; tp_grey *into; const tp_grey **slot; } greys[] = {
+        { "floor.map", &a->floor, &a->names.floor },
+        { "pool.mask", &a->pool_mask, &a->names.pool_mask },
+        { "field.mask", &a->field_mask, &a->names.field_mask },
+    };
+    bool there;
+    int code = load(a, file, "boat.mesh", &a->boat, &there);
+    a->names.boat = there ? &a->boat : NULL;
+    for (int i = 0; i < ASSETS_PICTURES && !code; i++) {
+        code = load(a, file, pictures[i], &a->picture[i], &there);
+        *slots[i] = there ? &a->picture[i] : NULL;
+    }
+    for (size_t i = 0; i < sizeof greys / sizeof *greys && !code; i++) {
+        code = load(a, file, greys[i].name, greys[i].into, &there);
+        *greys[i].slot = there ? greys[i].into : NULL;
+    }
+    if (code)
+        assets_close(a);
+    return code;
 }

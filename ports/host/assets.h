@@ -7,10 +7,12 @@
 
 typedef struct assets_block assets_block;
 
+enum { ASSETS_PICTURES = 15 };  /* textures that a scene can name */
+
 typedef struct {
     tp_assets     names;        /* what the frame takes: points below */
     tp_mesh       boat;
-    tp_texture    water, water_normal;
+    tp_texture    picture[ASSETS_PICTURES];
     tp_grey       floor, pool_mask, field_mask;
     assets_block *blocks;       /* all memory of it */
     size_t        mesh_bytes, texture_bytes;

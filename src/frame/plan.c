@@ -40,19 +40,19 @@ static int32_t lod_of(const tp_frame *frame, tp_fx texels_per_metre, bool level_
     return level_ground ? lod - (tp_log2_q8((uint32_t)height) - 16 * 256) / 2 : lod;
 }
 
-static tp_layer layer_of(const tp_frame *frame, const tp_texture *texture, tp_fx size,
-                         int64_t time)
+static tp_layer layer_of(const tp_frame *frame, const tp_texture *texture,
+                         const tp_scene_map *map)
 {
-    const tp_scene *scene = frame->scene;
+    const int64_t time = frame->drawn.time;
     tp_layer layer = { .texture = texture };
 
     if (!texture)
         return layer;
-    layer.per_metre = (uint32_t)((((uint64_t)1 << 32) + (uint32_t)size / 2)
-                                 / (uint32_t)size);
-    layer.drift_s = 0u - drifted(scene->water.drift_x, time) * layer.per_metre;
-    layer.drift_t = 0u - drifted(scene->water.drift_z, time) * layer.per_metre;
-    layer.lod = lod_of(frame, tp_fx_div(TP_FX_ONE << texture->log2_w, size), true);
+    layer.per_metre = (uint32_t)((((uint64_t)1 << 32) + (uint32_t)map->size / 2)
+                                 / (uint32_t)map->size);
+    layer.drift_s = 0u - drifted(map->drift_x, time) * layer.per_metre;
+    layer.drift_t = 0u - drifted(map->drift_z, time) * layer.per_metre;
+    layer.lod = lod_of(frame, tp_fx_div(TP_FX_ONE << texture->log2_w, map->size), true);
     return layer;
 }
 
@@ -74,7 +74,7 @@ static tp_stage texture_stage(const tp_frame *frame)
     const tp_scene *scene = frame->scene;
     int filter = scene->water.filter == TP_FILTER_LINEAR;
 
-    return frame->assets.water ? stage[2 * filter + (scene->water.colour != 0xffffff)]
+    return frame->assets.layer[0] ? stage[2 * filter + (scene->water.colour != 0xffffff)]
                                : tp_stage_plain;
 }
 
@@ -84,7 +84,7 @@ static void choose_water(tp_frame *frame)
     const tp_scene *scene = frame->scene;
     tp_plan *water = &frame->water;
     bool shines = scene->water.specular > 0, mirrors = scene->water.reflection > 0;
-    bool rippled = frame->assets.water_normal && scene->water.normal_bump > 0;
+    bool rippled = frame->assets.ripple && scene->ripple.bump > 0;
 
     *water = (tp_plan){ { texture_stage(frame) } };
     if (rippled)
@@ -132,12 +132,10 @@ void tp_frame_plan(tp_frame *frame)
     shade->water_colour = (uint32_t)scene->water.colour;
     shade->light_colour = (uint32_t)scene->light.colour;
     light_from(frame);
-    shade->water = layer_of(frame, frame->assets.water, scene->water.texture_size,
-                            frame->drawn.time);
-    shade->ripple = layer_of(frame, frame->assets.water_normal, scene->water.normal_size,
-                             frame->drawn.time);
+    shade->water = layer_of(frame, frame->assets.layer[0], &scene->layer[0].map);
+    shade->ripple = layer_of(frame, frame->assets.ripple, &scene->ripple.map);
     shade->ripple.lod += 224;       /* a mean of normals: what is lost glitters */
-    shade->ripple.slope_gain = scene->water.normal_bump >> 8;
+    shade->ripple.slope_gain = scene->ripple.bump >> 8;
     tp_shade_sky(shade, (uint32_t)scene->sky.horizon, (uint32_t)scene->sky.zenith);
     if (scene->water.specular > 0)
         tp_shade_shine(shade, scene->water.shininess, scene->water.specular);

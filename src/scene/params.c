@@ -75,6 +75,23 @@
     NUMBER(name ".paddle_period", part.paddle_period, "s", 0.1, 60, 2, "of such waves"), \
     NAME(name ".mask", part.mask, GREY, "PNG laid over it, dark is wall; empty: none")
 
+#define MAP(name, part, normal, help) \
+    NAME(name ".texture", part.texture, TEXTURE, help), \
+    NUMBER(name ".size", part.size, "m", 0.1, 1000, normal, \
+           "side of the square that one repeat covers"), \
+    NUMBER(name ".drift_x", part.drift_x, "m/s", -20, 20, 0, "along x"), \
+    NUMBER(name ".drift_z", part.drift_z, "m/s", -20, 20, 0, "along z")
+
+#define LAYER(n, help) \
+    MAP("layer" #n, layer[n].map, 8, help), \
+    NUMBER("layer" #n ".saturation", layer[n].saturation, "", 0, 4, 1, \
+           "0: greys; 1: the PNG's own colours"), \
+    NUMBER("layer" #n ".clamp", layer[n].clamp, "", 0, 0.95, 0, \
+           "darker texels are black, brighter ones spread over the whole range"), \
+    COLOUR("layer" #n ".colour", layer[n].colour, 0xffffff, "multiplies the layer")
+
+#define FACE(name, part, help) NAME("sky." name, sky.part, TEXTURE, help)
+
 static const tp_param rows[] = {
     NAME("scene.title", title, TEXT, "what the preview's window is called"),
 
@@ -86,6 +103,8 @@ static const tp_param rows[] = {
     NUMBER("camera.fov", camera.fov, "degrees", 20, 100, 60,
            "angle of view from the bottom to the top of the picture"),
     NUMBER("camera.near", camera.near, "m", 0.05, 10, 0.25, "nearer things are cut away"),
+    CHOICE("camera.follow", camera.follow, "none|boat", TP_FOLLOW_BOAT, TP_FOLLOW_NONE,
+           "place and angles are of the world, or of the boat's deck"),
 
     HEADING("light.heading", light.heading, 45,
             "where the sun stands, clockwise from -z"),
@@ -94,33 +113,75 @@ static const tp_param rows[] = {
     COLOUR("light.colour", light.colour, 0xfff4e0, "of the sun"),
     NUMBER("light.ambient", light.ambient, "", 0, 1, 0.35,
            "share of light from all sides"),
+    CHOICE("light.model", light.model, "phong|blinn", TP_LIGHT_BLINN, TP_LIGHT_PHONG,
+           "how the glitter is reckoned"),
+    NUMBER("light.turn", light.turn, "degrees/s", -90, 90, 0, "that the sun goes round"),
 
+    CHOICE("sky.kind", sky.kind, "gradient|day|dusk|night|cube", TP_SKY_CUBE,
+           TP_SKY_GRADIENT, "two colours, a generated sky, or six pictures"),
     COLOUR("sky.horizon", sky.horizon, 0xc8d8e4, "of the sky at the horizon"),
     COLOUR("sky.zenith", sky.zenith, 0x3a6ea5, "of the sky overhead"),
     NUMBER("sky.haze", sky.haze, "m", 0, 32000, 2000,
            "distance at which half of a colour has gone into the horizon"),
 
-    COLOUR("water.colour", water.colour, 0x2a5a6e, "multiplies the texture"),
-    NAME("water.texture", water.texture, TEXTURE, "PNG laid over the water; empty: none"),
-    NUMBER("water.texture_size", water.texture_size, "m", 0.1, 1000, 8,
-           "side of the square that one repeat covers"),
-    NUMBER("water.drift_x", water.drift_x, "m/s", -20, 20, 0, "of the texture along x"),
-    NUMBER("water.drift_z", water.drift_z, "m/s", -20, 20, 0, "of the texture along z"),
+    NUMBER("sky.sun", sky.sun, "", 0, 16, 1, "brightness of the sun's or moon's disc"),
+    NUMBER("sky.stars", sky.stars, "", 0, 1, 0.5, "how many stars a night has"),
+    FACE("east", east, "PNG of a cube's side towards +x; its alpha is intensity"),
+    FACE("west", west, "towards -x"),
+    FACE("up", up, "overhead; its lower edge joins the south"),
+    FACE("down", down, "underfoot; its upper edge joins the south"),
+    FACE("south", south, "towards +z"),
+    FACE("north", north, "towards -z"),
+
+    NUMBER("hdr.share", hdr.share, "", 0, 1, 0,
+           "of the light beyond white that suns and skies carry; 0: no HDR"),
+    CHOICE("hdr.exposure", hdr.exposure, "fixed|auto", TP_EXPOSURE_AUTO,
+           TP_EXPOSURE_FIXED, "of the camera"),
+    NUMBER("hdr.value", hdr.value, "", 0.125, 8, 1, "exposure, or where it begins"),
+    NUMBER("hdr.rate", hdr.rate, "", 0, 1, 0.03,
+           "share of the way that automatic exposure goes in a tick"),
+
+    COLOUR("water.colour", water.colour, 0x2a5a6e, "multiplies the first layer"),
     CHOICE("water.filter", water.filter, "nearest|linear", TP_FILTER_LINEAR,
-           TP_FILTER_LINEAR, "of the texture"),
-    NAME("water.normal", water.normal, TEXTURE, "PNG of fine ripples; empty: none"),
-    NUMBER("water.normal_size", water.normal_size, "m", 0.1, 1000, 4,
-           "side of the square that one repeat of the ripples covers"),
-    NUMBER("water.normal_bump", water.normal_bump, "", 0, 4, 1,
-           "strength of the ripples; 1: as the PNG says"),
+           TP_FILTER_LINEAR, "of the layers"),
     NUMBER("water.specular", water.specular, "", 0, 4, 1,
            "brightness of the sun's glitter"),
     NUMBER("water.shininess", water.shininess, "", 1, 1000, 80,
            "exponent of the glitter: higher is smaller and sharper"),
     NUMBER("water.reflection", water.reflection, "", 0, 1, 0.6,
            "share of the sky in what a grazing look sees"),
+    CHOICE("water.fresnel", water.fresnel, "table|schlick", TP_FRESNEL_SCHLICK,
+           TP_FRESNEL_TABLE, "the exact law of reflection, or the usual shortcut"),
     NUMBER("water.gravity", water.gravity, "m/s^2", 0.1, 100, 9.81,
            "sets the natural speed of waves"),
+    NUMBER("water.pool_bump", water.pool_bump, "", 0, 4, 0,
+           "above 0 pools bend the light only, so much; the mesh stays as it is"),
+    NUMBER("water.clear", water.clear, "m", 0, 200, 0,
+           "of water that turn white into the tint; 0: it is not seen through"),
+    COLOUR("water.tint", water.tint, 0x2f8f9f, "of white seen through so much water"),
+    COLOUR("water.deep", water.deep, 0x0a3040, "of bottomless water"),
+    NUMBER("water.dispersion", water.dispersion, "", 0, 1, 0,
+           "spread of the refractive index, red to violet; 0.02 is nature's"),
+    NUMBER("water.caustics", water.caustics, "", 0, 4, 0,
+           "strength of the light that waves gather on the floor; 0: none"),
+    COUNT("water.caustic_cells", water.caustic_cells, "cells", 16, 256, 64,
+          "of the side of its map"),
+    NUMBER("water.caustic_size", water.caustic_size, "m", 1, 1000, 20,
+           "side of its map, where there is no pool"),
+
+    LAYER(0, "PNG laid over the water; empty: none"),
+    LAYER(1, "PNG added to the first; empty: none"),
+    LAYER(2, "PNG added to the first; empty: none"),
+    MAP("distortion", distortion.map, 8, "PNG whose red and green bend the layers"),
+    NUMBER("distortion.strength", distortion.strength, "m", 0, 20, 0.5,
+           "that it moves them at the most"),
+    MAP("ripple", ripple.map, 4, "PNG of capillary waves, a normal map; empty: none"),
+    NUMBER("ripple.bump", ripple.bump, "", 0, 4, 1, "1: as steep as the PNG says"),
+
+    CHOICE("mirror.objects", mirror.objects, "none|stencil|cube", TP_MIRROR_CUBE,
+           TP_MIRROR_NONE, "boat and drops in the water: sharp, or by a small cube"),
+    NUMBER("mirror.bend", mirror.bend, "", 0, 4, 1,
+           "how far slopes push the mirrored picture"),
 
     COUNT("grid.cols", grid.cols, "points", 2, 1024, 100, "of the water's mesh along x"),
     COUNT("grid.rows", grid.rows, "points", 2, 1024, 100, "of the water's mesh along z"),
@@ -142,7 +203,10 @@ static const tp_param rows[] = {
     NUMBER("floor.map_size", floor.map_size, "m", 1, 8000, 200, "the map's width"),
     NUMBER("floor.map_low", floor.map_low, "m", -8000, 100, -10, "height of its black"),
     NUMBER("floor.map_high", floor.map_high, "m", -8000, 100, 2, "height of its white"),
-    COLOUR("floor.colour", floor.colour, 0xc8b48c, "of the land"),
+    COLOUR("floor.colour", floor.colour, 0xc8b48c, "of the land, times the texture"),
+    NAME("floor.texture", floor.texture, TEXTURE, "PNG laid over it; empty: none"),
+    NUMBER("floor.texture_size", floor.texture_size, "m", 0.1, 1000, 8,
+           "side of the square that one repeat covers"),
 
     NUMBER("wind.strength", wind.strength, "rad/m", 0, 1, 0,
            "how far crests lean over before the wind, per metre of height"),
@@ -158,6 +222,37 @@ static const tp_param rows[] = {
 
     POOL("pool", pool),
     POOL("field", field),
+
+    CHOICE("tank.kind", tank.kind, "none|stone|glass", TP_TANK_GLASS, TP_TANK_NONE,
+           "walls around the pool; the front ones of glass are seen through"),
+    NUMBER("tank.depth", tank.depth, "m", 0.05, 100, 1, "of its floor"),
+    NUMBER("tank.rim", tank.rim, "m", 0, 20, 0.2, "of its walls above still water"),
+    NUMBER("tank.tile", tank.tile, "m", 0.05, 100, 1, "side of a texture's repeat"),
+    NAME("tank.wall", tank.wall, TEXTURE, "PNG of the walls; empty: plain"),
+    NAME("tank.floor", tank.floor, TEXTURE, "PNG of the floor; empty: plain"),
+    COLOUR("tank.wall_colour", tank.wall_colour, 0xc0ccd0, "multiplies the walls"),
+    COLOUR("tank.floor_colour", tank.floor_colour, 0xd8dcd8, "multiplies the floor"),
+    COLOUR("tank.glass_colour", tank.glass_colour, 0x9cc8c0, "of the glass"),
+    NUMBER("tank.glass", tank.glass, "", 0, 1, 0.15, "share of the glass's colour"),
+
+    COUNT("foam.cells", foam.cells, "cells", 0, 256, 0,
+          "of the side of its field; 0: no foam"),
+    NUMBER("foam.cell", foam.cell, "m", 0.01, 50, 0.5, "side of such a cell"),
+    NUMBER("foam.crest", foam.crest, "", 0, 2, 0.5,
+           "how readily sharp crests foam; 0: never"),
+    NUMBER("foam.breaking", foam.breaking, "", 0, 2, 1, "of breaking crests"),
+    NUMBER("foam.shore", foam.shore, "m", 0, 20, 0.3, "shallower water foams"),
+    NUMBER("foam.wall", foam.wall, "", 0, 2, 0.5, "of water that moves along walls"),
+    NUMBER("foam.hull", foam.hull, "", 0, 2, 0.5, "around the boat and behind it"),
+    NUMBER("foam.fade", foam.fade, "s", 0.1, 600, 4, "in which it is down to a third"),
+    MAP("foam", foam.map, 4, "PNG of its bubbles; empty: plain"),
+    COLOUR("foam.colour", foam.colour, 0xf4f8fa, "in full light"),
+
+    COUNT("spray.count", spray.count, "", 0, 1024, 0,
+          "specks of spray and bubbles at once; 0: none"),
+    NUMBER("spray.crest", spray.crest, "", 0, 4, 1, "thrown off breaking crests"),
+    NUMBER("spray.impact", spray.impact, "", 0, 4, 1, "thrown up by drops"),
+    NUMBER("spray.size", spray.size, "m", 0.001, 1, 0.02, "of a speck"),
 
     COUNT("drops.count", drops.count, "", 0, 1024, 0,
           "in the air at once; 0: no sphere and no drops"),

@@ -24,6 +24,7 @@ static const field fields[] = {
     FX(throttle), FX(rudder),
     FX(poke), FX(poke_x), FX(poke_z),
     INT(slower, INT32_MIN, INT32_MAX),
+    INT(light_turn, INT32_MIN, INT32_MAX), INT(light_tilt, INT32_MIN, INT32_MAX),
 };
 
 enum { FIELDS = sizeof fields / sizeof fields[0] };

@@ -35,7 +35,7 @@ static tp_scene scene_s(void)
     s.light.colour = 0xffffff;
     s.sky.haze = 0;
     s.water.colour = 0xffffff;
-    s.water.texture_size = TP_FX(2.5);
+    s.layer[0].map.size = TP_FX(2.5);
     s.water.filter = TP_FILTER_NEAREST;
     s.water.specular = 0;
     s.water.reflection = 0;
@@ -94,7 +94,7 @@ int main(int argc, char **argv)
     if (tp_texture_init(&texture, pixels, SIDE, SIDE, claim(tp_texture_bytes(SIDE, SIDE)),
                         &err))
         return 1;
-    const tp_assets assets = { .water = &texture };
+    const tp_assets assets = { .layer[0] = &texture };
     void *block = claim(tp_frame_bytes(&scene, &assets, &config));
     void *scratch = claim(tp_frame_scratch_bytes(&config));
     if (tp_frame_init(&frame, &scene, &assets, &config, block, &err))

@@ -14,15 +14,31 @@
 
 /* -- the scene ----------------------------------------------------------------- */
 
+/* Whether the member is one of a tp_scene_map in that part of the scene. */
+static bool is_map(const char *name, const char *member)
+{
+    static const char *const parts[] = { "layer", "distortion", "ripple", "foam" };
+    static const char *const members[] = { "texture", "size", "drift_x", "drift_z" };
+
+    for (int i = 0; i < 4; i++)
+        for (int k = 0; k < 4; k++)
+            if (!strncmp(name, parts[i], strlen(parts[i])) && !strcmp(member, members[k]))
+                return true;
+    return false;
+}
+
 /* "wave0.length" as ".wave[0].length"; what is called scene.X is X itself. */
 static void put_member(FILE *out, const char *name)
 {
     if (!strncmp(name, "scene.", 6))
         name += 6;
+    const bool layers = strncmp(name, "layer", 5) == 0;
     const bool waves = strncmp(name, "wave", 4) == 0;     /* wave3.phase is wave[3].phase */
     fputc('.', out);
     for (const char *c = name; *c; c++) {
-        bool index = waves && isdigit((unsigned char)*c);
+        bool index = (waves || layers) && isdigit((unsigned char)*c);
+        if (*c == '.' && is_map(name, c + 1))             /* foam.size is foam.map.size */
+            fprintf(out, ".map");
         bool begins = index && !isdigit((unsigned char)c[-1]);
         bool ends = index && !isdigit((unsigned char)c[1]);
         fprintf(out, "%s%c%s", begins ? "[" : "", *c, ends ? "]" : "");
@@ -184,23 +200,39 @@ static bool put_all(FILE *out, const scene_file *file, const tp_assets *names)
             "/* Baked from the scene %s: made, not written. */\n"
             "#include \"cortex-m/baked.h\"\n", file->name);
     put_scene(out, &file->scene);
+    const struct { const char *name; const tp_texture *texture; } rows[] = {
+        { "layer[0]", names->layer[0] }, { "layer[1]", names->layer[1] },
+        { "layer[2]", names->layer[2] }, { "distortion", names->distortion },
+        { "ripple", names->ripple },     { "foam", names->foam },
+        { "sky[0]", names->sky[0] },     { "sky[1]", names->sky[1] },
+        { "sky[2]", names->sky[2] },     { "sky[3]", names->sky[3] },
+        { "sky[4]", names->sky[4] },     { "sky[5]", names->sky[5] },
+        { "tank_wall", names->tank_wall }, { "tank_floor", names->tank_floor },
+        { "floor_texture", names->floor_texture },
+    };
+    enum { ROWS = sizeof rows / sizeof *rows };
+    char name[ROWS][16];
+
+    for (int i = 0; i < ROWS; i++) {
+        snprintf(name[i], sizeof name[i], "picture%d", i);
+        if (rows[i].texture)
+            put_texture(out, name[i], rows[i].texture);
+    }
     if (names->boat)
         put_mesh(out, names->boat);
-    if (names->water)
-        put_texture(out, "water", names->water);
-    if (names->water_normal)
-        put_texture(out, "water_normal", names->water_normal);
     if (names->floor)
         put_grey(out, "sea_floor", names->floor);
     if (names->pool_mask)
         put_grey(out, "pool_mask", names->pool_mask);
-    fprintf(out, "const tp_assets baked_assets = {\n    .boat = %s, .water = %s, "
-            ".water_normal = %s,\n    .floor = %s, .pool_mask = %s, .field_mask = %s\n"
-            "};\n",
-            names->boat ? "&boat" : "0", names->water ? "&water" : "0",
-            names->water_normal ? "&water_normal" : "0",
-            names->floor ? "&sea_floor" : "0", names->pool_mask ? "&pool_mask" : "0",
+    fprintf(out, "const tp_assets baked_assets = {\n    .boat = %s, .floor = %s, "
+            ".pool_mask = %s, .field_mask = %s,\n",
+            names->boat ? "&boat" : "0", names->floor ? "&sea_floor" : "0",
+            names->pool_mask ? "&pool_mask" : "0",
             names->field_mask ? "&field_mask" : "0");
+    for (int i = 0; i < ROWS; i++)
+        if (rows[i].texture)
+            fprintf(out, "    .%s = &%s,\n", rows[i].name, name[i]);
+    fprintf(out, "};\n");
     return fflush(out) == 0 && !ferror(out);
 }
 

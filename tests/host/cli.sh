@@ -187,37 +187,37 @@ expect "names in an INI are beside it" 3 \
     render sub/own.ini
 
 expect "texture that does not exist" 3 "^no.png: No such file" $small --set \
-    water.texture=no.png
+    layer0.texture=no.png
 run $small --out whole.png
 head -c 200 whole.png >cut.png
 expect "PNG cut short" 3 "^cut.png: not a good PNG: the file ends too early" \
-    $small --set water.texture=cut.png
+    $small --set layer0.texture=cut.png
 head -c 4 whole.png >tiny.png
 expect "PNG of four bytes" 3 "^tiny.png: not a good PNG" $small --set \
-    water.texture=tiny.png
+    layer0.texture=tiny.png
 : >empty.png
 expect "PNG of nothing" 3 "^empty.png: not a good PNG" $small --set \
-    water.texture=empty.png
-expect "OBJ for a PNG" 3 "^good.obj: not a good PNG" $small --set water.texture=good.obj
+    layer0.texture=empty.png
+expect "OBJ for a PNG" 3 "^good.obj: not a good PNG" $small --set layer0.texture=good.obj
 { head -c 300 whole.png; printf 'XXXX'; tail -c +305 whole.png; } >torn.png
 expect "PNG with a torn chunk" 3 "^torn.png: not a good PNG" $small --set \
-    water.texture=torn.png
+    layer0.texture=torn.png
 base64 -d >huge.png <<'PNG'
 iVBORw0KGgoAAAANSUhEUgAA6mAAAOpgCAIAAAAPsOIVAAAADElEQVR4nGNgoD0AAABkAAGGZDw1
 AAAAAElFTkSuQmCC
 PNG
 expect "PNG of 60000 x 60000 pixels" 3 "^huge.png: not a good PNG" $small --set \
-    water.texture=huge.png
+    layer0.texture=huge.png
 base64 -d >deep.png <<'PNG'
 iVBORw0KGgoAAAANSUhEUgAAAAIAAAACEAYAAAFVIeHxAAAAHklEQVR4nGP4/58BCMAkiGhoYIDx
 hUzCKmbt+f8fAN3WDWGRwh9WAAAAAElFTkSuQmCC
 PNG
-expect "PNG of 16 bits, interlaced" 0 "" $small --set water.texture=deep.png
+expect "PNG of 16 bits, interlaced" 0 "" $small --set layer0.texture=deep.png
 for format in xrgb8888 rgb565 p8 l8 i1; do
     run $small --format $format --out $format.png
-    expect "PNG of $format is read again" 0 "" $small --set water.texture=$format.png
+    expect "PNG of $format is read again" 0 "" $small --set layer0.texture=$format.png
 done
-expect "folder for a texture" 3 "^sub: .*Is a directory" $small --set water.texture=sub
+expect "folder for a texture" 3 "^sub: .*Is a directory" $small --set layer0.texture=sub
 expect "folder for a mesh" 3 "^sub: Is a directory" $small --set boat.mesh=sub
 }
 

@@ -30,8 +30,8 @@ static const tp_grey *little_map(void)
 
 static tp_assets all_assets(void)
 {
-    return (tp_assets){ .boat = &boat.mesh, .water = &boat.texture[0],
-                        .water_normal = &boat.texture[1], .floor = little_map(),
+    return (tp_assets){ .boat = &boat.mesh, .layer[0] = &boat.texture[0],
+                        .ripple = &boat.texture[1], .floor = little_map(),
                         .pool_mask = little_map() };
 }
 

@@ -18,9 +18,9 @@ static tp_assets any_assets(void)
 {
     return (tp_assets){
         .boat = random_below(&chance, 3) ? &boat.mesh : NULL,
-        .water =
+        .layer[0] =
             random_below(&chance, 3) ? &boat.texture[random_below(&chance, 3)] : NULL,
-        .water_normal =
+        .ripple =
             random_below(&chance, 3) ? &boat.texture[random_below(&chance, 3)] : NULL,
     };
 }
@@ -114,8 +114,8 @@ static void every_row_at_its_ends_is_drawn(void **state)
     (void)state;
     uint32_t count = 0;
     const tp_param *rows = tp_params(&count);
-    const tp_assets assets = { .boat = &boat.mesh, .water = &boat.texture[0],
-                               .water_normal = &boat.texture[1] };
+    const tp_assets assets = { .boat = &boat.mesh, .layer[0] = &boat.texture[0],
+                               .ripple = &boat.texture[1] };
 
     for (uint32_t i = 0; i < 2 * (count + 1); i++) {
         const bool high = i % 2;
@@ -161,7 +161,7 @@ static void grids_of_any_shape_are_drawn(void **state)
 static void the_eye_may_be_anywhere(void **state)
 {
     (void)state;
-    const tp_assets assets = { .boat = &boat.mesh, .water = &boat.texture[0] };
+    const tp_assets assets = { .boat = &boat.mesh, .layer[0] = &boat.texture[0] };
     static const tp_fx far[3] = { TP_FX(-8000), 0, TP_FX(8000) };
     static const tp_fx high[5] = { TP_FX(-100), 0, 1, TP_FX(0.3), TP_FX(2000) };
     static const tp_fx pitch[3] = { TP_FX(-89), TP_FX(3), TP_FX(89) };

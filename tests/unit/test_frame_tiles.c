@@ -50,8 +50,8 @@ static void draw_all(const tp_scene *scene, const tp_assets *assets,
 static const tp_assets *all_assets(void)
 {
     static tp_assets assets;
-    assets = (tp_assets){ .boat = &boat.mesh, .water = &boat.texture[0],
-                          .water_normal = &boat.texture[1] };
+    assets = (tp_assets){ .boat = &boat.mesh, .layer[0] = &boat.texture[0],
+                          .ripple = &boat.texture[1] };
     return &assets;
 }
 
@@ -68,7 +68,7 @@ static tp_scene busy_scene(tp_world *world)
     s.boat.z = chance_fx(&chance, -14, 2);
     s.boat.heading = chance_fx(&chance, 0, 360);
     s.water.filter = chance_int(&chance, 0, 1);
-    s.water.texture_size = 3 * TP_FX_ONE;
+    s.layer[0].map.size = 3 * TP_FX_ONE;
     s.boat.length = 4 * TP_FX_ONE;
     s.boat.beam = 2 * TP_FX_ONE;
     tp_world_init(world, sizeof *world, &s, NULL, NULL);
