@@ -122,6 +122,7 @@ void tp_frame_plan(tp_frame *frame)
     const tp_scene *scene = frame->scene;
     tp_shade *shade = &frame->shade;
 
+    shade->eye = frame->lens.eye;
     shade->u0 = frame->lens.u0;
     shade->v0 = frame->lens.v0;
     shade->focal = frame->lens.focal >> 12;

@@ -6,7 +6,13 @@
  * at multiples of 16 or 32: so a run's place in its tile never shows.  Stages hand values on
  * through the run's arrays; a stage that a scene does not use is not in the list.
  *
- * Unit vectors are Q1.14, slopes Q3.12, shares 0..256, colours 0x00RRGGBB. */
+ * Water goes through its list in this order, as far as the scene needs it: layers
+ * (colour), ripples (sx sz), view, light (colour nv up glint), behind (what is seen
+ * through it), reflection (mirror), objects in it, Fresnel's mix of it, foam, glint, haze,
+ * exposure.
+ *
+ * Unit vectors are Q1.14, slopes Q3.12, shares 0..256, colours 0x00RRGGBB; where a colour
+ * comes with an alpha that is its light beyond white, as a cube's pictures store it [F8]. */
 #ifndef TP_SHADE_H
 #define TP_SHADE_H
 #include "base/base.h"
@@ -27,6 +33,8 @@ typedef struct {
     int16_t  nv[TP_RUN];        /* normal . view, 0..1 */
     int16_t  up[TP_RUN];        /* y of the mirrored view, -1..1 */
     uint16_t glint[TP_RUN];     /* specular, 256 is the light's full colour */
+    int16_t  rx[TP_RUN], rz[TP_RUN];    /* x and z of the mirrored view, with up */
+    uint32_t mirror[TP_RUN];    /* what comes from there, 0xAARRGGBB */
 } tp_run;
 
 /* The view's rays in a frame of axes: the world's, or a mesh's. */
@@ -52,6 +60,14 @@ typedef struct {
     const uint8_t *gloss;       /* TP_GLOSS entries */
 } tp_solid;
 
+/* A picture at half the picture's resolution, drawn before any tile, that water looks
+ * into: 0xAARRGGBB, alpha the share that something covers.  Half pixel (i, j) stands for
+ * the picture's pixels 2 i, 2 i + 1 and 2 j, 2 j + 1. */
+typedef struct {
+    const uint32_t *colour;     /* row-major from (x0, y0); NULL: nothing is there */
+    int32_t x0, y0, x1, y1;     /* in half pixels, x1 and y1 not included */
+} tp_half;
+
 #define TP_SHINE 1024           /* entries: the lobe over 0..1 */
 #define TP_GLOSS 256
 #define TP_STEEP 512            /* 1/sqrt(1 + q), q in 0..4 */
@@ -72,6 +88,10 @@ typedef struct {
     const tp_mesh  *boat;
     const tp_solid *solid;      /* one for each of its materials */
     tp_solid land, drop;        /* without pictures */
+
+    tp_half  mirrored;          /* objects about the level, upside down */
+    tp_half  sunken;            /* objects under the level, as flat water shows them */
+    tp_vec3  eye;
 
     uint32_t haze_scale;        /* zi to haze entries, Q0.32 */
     uint16_t steep[TP_STEEP + 1];       /* Q1.14 */
