@@ -265,7 +265,7 @@ typedef struct {
     uint64_t tick;
     tp_fx    back;              /* 0..1: the picture lies so much of a tick before */
     tp_world_parts parts;
-    tp_vec3  eye, last_eye;     /* the camera now and a tick ago */
+    tp_vec3  eye, last_eye;     /* the camera now and a tick ago, see aboard */
     tp_turn  heading, pitch, last_heading, last_pitch;
     tp_sea   sea;
     tp_turn  phases[TP_WAVES];  /* of this tick */
@@ -278,6 +278,7 @@ typedef struct {
     tp_fx    exposure, last_exposure;
     tp_clock clock;
     tp_fx    clock_scale;       /* the scene's, when it was last looked at */
+    uint32_t aboard;            /* 1: the camera's place and angles are of the deck */
 } tp_world;
 
 /* sizeof (tp_world) if the scene has no pool, no floor or wind, no drops; 0 if it cannot
@@ -302,6 +303,15 @@ void tp_world_look(tp_world *world, const tp_input *input);
  * change while they move.  False, and nothing is done: what sizes the world's block has
  * changed, or cannot be used; it must be made anew by tp_world_init. */
 bool tp_world_refresh(tp_world *world, const tp_scene *scene, const tp_assets *assets);
+
+/* Where the picture is seen from, and how: rows right, up and backward. */
+typedef struct {
+    tp_vec3     eye;
+    tp_rotation turn;
+} tp_camera;
+
+/* In the world, world->back of a tick before the last one, wherever it stands. */
+tp_camera tp_world_camera(const tp_world *world);
 
 /* Ticks that the clock asks for until the next picture: step the world so many times. The
  * picture then lies world->back of a tick before the last one. */

@@ -49,26 +49,25 @@ static void print_help(void)
 /* Where the mouse points at the level of still water: a poke there. */
 static void aim(view *v, tp_input *input)
 {
-    const double pi = 3.14159265358979, turn = pi / 2147483648.0;
-    const tp_world *world = v->stage.world;
+    const double pi = 3.14159265358979, one = 1 << 30;
+    const tp_camera camera = tp_world_camera(v->stage.world);
     const tp_scene *scene = &v->stage.file.scene;
-    const double heading = world->heading * turn, pitch = (int32_t)world->pitch * turn;
+    const tp_rotation *turn = &camera.turn;
     const double half = v->options->height / 2.0;
     const double focal = half / tan(scene->camera.fov / 65536.0 * pi / 360);
-    const double right = v->control.poke_x - v->options->width / 2.0;
-    const double up = half - v->control.poke_y;
-    const double ahead = focal * cos(pitch) - up * sin(pitch);
-    const double rise = focal * sin(pitch) + up * cos(pitch);
-    const double far = rise < 0 ? -world->eye.y / rise : 0;
+    const double u = v->control.poke_x - v->options->width / 2.0;
+    const double w = half - v->control.poke_y;
+    const double x = (u * turn->x.x + w * turn->y.x - focal * turn->z.x) / one;
+    const double y = (u * turn->x.y + w * turn->y.y - focal * turn->z.y) / one;
+    const double z = (u * turn->x.z + w * turn->y.z - focal * turn->z.z) / one;
+    const double far = y < 0 ? -camera.eye.y / y : 0;
 
     v->control.poke = false;
-    if (far <= 0 || far * (focal + fabs(right)) > 8000 * 65536.0)
+    if (far <= 0 || far * (focal + fabs(u)) > 8000 * 65536.0)
         return;
     input->poke = scene->pool.poke;
-    input->poke_x = world->eye.x + (tp_fx)(far * (ahead * sin(heading)
-                                                  + right * cos(heading)));
-    input->poke_z = world->eye.z + (tp_fx)(far * (right * sin(heading)
-                                                  - ahead * cos(heading)));
+    input->poke_x = (tp_fx)tp_limit(camera.eye.x + (int64_t)(far * x), INT32_MAX);
+    input->poke_z = (tp_fx)tp_limit(camera.eye.z + (int64_t)(far * z), INT32_MAX);
 }
 
 /* The next picture's ticks; the first of them takes the input.  In slow motion there

@@ -182,9 +182,9 @@ void tp_frame_begin(tp_frame *frame, const tp_world *world)
     frame->world = world;
     frame->drawn = tp_world_drawn(world);
     place_surface(frame);
-    tp_lens_init(&frame->lens, frame->drawn.eye, frame->drawn.heading, frame->drawn.pitch,
-                 scene->camera.fov, scene->camera.near,
-                 frame->config.width, frame->config.height);
+    tp_lens_turned(&frame->lens, frame->drawn.camera.eye, frame->drawn.camera.turn,
+                   scene->camera.fov, scene->camera.near,
+                   frame->config.width, frame->config.height);
     tp_frame_plan(frame);
     tp_frame_place_water(frame);
     tp_frame_place_boat(frame);

@@ -49,6 +49,10 @@ typedef struct {
 void tp_lens_init(tp_lens *lens, tp_vec3 eye, tp_turn heading, tp_turn pitch, tp_fx fov,
                   tp_fx near, uint32_t width, uint32_t height);
 
+/* The same with any turn, also a rolled one: rows right, up, backward. */
+void tp_lens_turned(tp_lens *lens, tp_vec3 eye, tp_rotation turn, tp_fx fov, tp_fx near,
+                    uint32_t width, uint32_t height);
+
 /* d.axis, held within +-32000 m: water and boats can be farther apart than 16.16 tells,
  * corner to corner, and must not come out on the other side. */
 TP_ALWAYS_INLINE int32_t tp_lens_along(tp_vec3 d, tp_dir3 axis)

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The world between its last two ticks. */
+/* The world between its last two ticks, and the camera that goes with the boat: it stays
+ * where it is on the deck, so that it heaves, turns, pitches and rolls as the boat does. */
 #include "scene/drawn.h"
 
 static tp_vec3 place_between(tp_vec3 a, tp_vec3 b, tp_fx back)
@@ -14,19 +15,52 @@ static tp_turn turn_between(tp_turn a, tp_turn b, tp_fx back)
     return b + (tp_turn)((int64_t)(int32_t)(a - b) * back >> 16);
 }
 
+static tp_pose boat_between(const tp_pose *a, const tp_pose *b, tp_fx back)
+{
+    return (tp_pose){
+        place_between(a->place, b->place, back),
+        turn_between(a->heading, b->heading, back),
+        turn_between(a->pitch, b->pitch, back),
+        turn_between(a->roll, b->roll, back),
+    };
+}
+
+/* From the deck, whose axes are the mesh's, into the world.  What is carried is never
+ * more than 14 km from the boat, and held where any camera is. */
+static tp_camera carried(const tp_camera *deck, const tp_pose *boat)
+{
+    const tp_rotation turn = tp_rotation_of(boat->heading, boat->pitch, boat->roll);
+    const tp_vec3 offset = tp_rotate_back(&turn, deck->eye);
+    const tp_fx most = 8000 * TP_FX_ONE;
+
+    return (tp_camera){
+        { (tp_fx)tp_limit((int64_t)boat->place.x + offset.x, most),
+          (tp_fx)tp_limit((int64_t)boat->place.y + offset.y, most),
+          (tp_fx)tp_limit((int64_t)boat->place.z + offset.z, most) },
+        tp_rotation_mul(&deck->turn, &turn),
+    };
+}
+
+tp_camera tp_world_camera(const tp_world *world)
+{
+    const tp_fx back = world->back;
+    const tp_turn heading = turn_between(world->last_heading, world->heading, back);
+    const tp_turn pitch = turn_between(world->last_pitch, world->pitch, back);
+    const tp_camera camera = { place_between(world->last_eye, world->eye, back),
+                               tp_rotation_of(heading, pitch, 0) };
+
+    if (!world->aboard)
+        return camera;
+    const tp_pose boat = boat_between(&world->last_boat, &world->boat, back);
+    return carried(&camera, &boat);
+}
+
 tp_drawn tp_world_drawn(const tp_world *world)
 {
     tp_fx    back = world->back;
     tp_drawn at = {
-        .eye = place_between(world->last_eye, world->eye, back),
-        .heading = turn_between(world->last_heading, world->heading, back),
-        .pitch = turn_between(world->last_pitch, world->pitch, back),
-        .boat = {
-            place_between(world->last_boat.place, world->boat.place, back),
-            turn_between(world->last_boat.heading, world->boat.heading, back),
-            turn_between(world->last_boat.pitch, world->boat.pitch, back),
-            turn_between(world->last_boat.roll, world->boat.roll, back),
-        },
+        .camera = tp_world_camera(world),
+        .boat = boat_between(&world->last_boat, &world->boat, back),
         .time = (int64_t)(world->tick * TP_FX_ONE) - back,
     };
 

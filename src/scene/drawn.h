@@ -6,8 +6,7 @@
 #include "tidepool/scene.h"
 
 typedef struct {
-    tp_vec3 eye;
-    tp_turn heading, pitch;
+    tp_camera camera;           /* in the world, also if it goes with the boat */
     tp_turn phases[TP_WAVES];
     tp_pose boat;
     int64_t time;               /* ticks x 65536 */

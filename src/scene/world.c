@@ -35,12 +35,14 @@ static void place_camera(tp_world *world, const tp_scene *scene)
     world->last_pitch = world->pitch;
 }
 
-/* A scene without a boat does not feel for the water under one. */
+/* A scene without a boat does not feel for the water under one, and its camera stands in
+ * the world. */
 static void place_boat(tp_world *world, const tp_scene *scene)
 {
     if (scene->boat.mesh[0])
         tp_boat_init(world, scene);
     world->last_boat = world->boat;
+    world->aboard = scene->boat.mesh[0] && scene->camera.follow == TP_FOLLOW_BOAT;
 }
 
 static void place_sea(tp_world *world, const tp_scene *scene)

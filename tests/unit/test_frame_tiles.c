@@ -71,6 +71,11 @@ static tp_scene busy_scene(tp_world *world)
     s.layer[0].map.size = 3 * TP_FX_ONE;
     s.boat.length = 4 * TP_FX_ONE;
     s.boat.beam = 2 * TP_FX_ONE;
+    if (random_below(&chance, 3) == 0) {        /* from its deck, which rolls */
+        s.camera.follow = TP_FOLLOW_BOAT;
+        s.camera.x = 0;
+        s.camera.y = chance_fx(&chance, 0.6, 2);
+    }
     tp_world_init(world, sizeof *world, &s, NULL, NULL);
     world->tick = random_next(&chance) >> 30;
     tp_world_refresh(world, &s, NULL);

@@ -36,6 +36,13 @@ static void assert_pose(const tp_pose *a, const tp_pose *b)
     assert_memory_equal(a, b, sizeof *a);
 }
 
+static void assert_camera(const tp_camera *at, tp_vec3 eye, tp_turn heading, tp_turn pitch)
+{
+    const tp_rotation turn = tp_rotation_of(heading, pitch, 0);
+    assert_memory_equal(&at->eye, &eye, sizeof eye);
+    assert_memory_equal(&at->turn, &turn, sizeof turn);
+}
+
 static void back_0_is_the_tick(void **state)
 {
     (void)state;
@@ -44,9 +51,7 @@ static void back_0_is_the_tick(void **state)
         tp_world w = moved(&scene, n);
         w.back = 0;
         const tp_drawn at = tp_world_drawn(&w);
-        assert_memory_equal(&at.eye, &w.eye, sizeof at.eye);
-        assert_int_equal(at.heading, w.heading);
-        assert_int_equal(at.pitch, w.pitch);
+        assert_camera(&at.camera, w.eye, w.heading, w.pitch);
         assert_pose(&at.boat, &w.boat);
         for (uint32_t i = 0; i < w.sea.count; i++)
             assert_int_equal(at.phases[i], w.phases[i]);
@@ -66,9 +71,7 @@ static void back_1_is_the_last_tick(void **state)
         tp_world_step(&w, &scene, &in);
         w.back = TP_FX_ONE;
         const tp_drawn at = tp_world_drawn(&w);
-        assert_memory_equal(&at.eye, &before.eye, sizeof at.eye);
-        assert_int_equal(at.heading, before.heading);
-        assert_int_equal(at.pitch, before.pitch);
+        assert_camera(&at.camera, before.eye, before.heading, before.pitch);
         assert_pose(&at.boat, &before.boat);
         for (uint32_t i = 0; i < w.sea.count; i++)
             assert_true(abs((int32_t)(at.phases[i] - before.phases[i])) <= 1);
@@ -91,15 +94,16 @@ static void between_them_all_is_monotone(void **state)
         tp_scene scene;
         tp_world w = moved(&scene, 5);
         int32_t x = w.last_eye.x, y = w.last_eye.y, place = w.last_boat.place.z;
-        int32_t turn = 0, roll = 0;
+        const int32_t last = tp_rotation_of(w.last_heading, w.last_pitch, 0).x.z;
+        const int32_t now = tp_rotation_of(w.heading, w.pitch, 0).x.z;
+        int32_t right = last, roll = 0;
         for (tp_fx back = TP_FX_ONE; back >= 0; back -= 257) {
             w.back = back;
             const tp_drawn at = tp_world_drawn(&w);
-            assert_between(w.last_eye.x, w.eye.x, at.eye.x, &x);
-            assert_between(w.last_eye.y, w.eye.y, at.eye.y, &y);
+            assert_between(w.last_eye.x, w.eye.x, at.camera.eye.x, &x);
+            assert_between(w.last_eye.y, w.eye.y, at.camera.eye.y, &y);
             assert_between(w.last_boat.place.z, w.boat.place.z, at.boat.place.z, &place);
-            assert_between(0, (int32_t)(w.heading - w.last_heading),
-                           (int32_t)(at.heading - w.last_heading), &turn);
+            assert_between(last, now, at.camera.turn.x.z, &right);
             assert_between(0, (int32_t)(w.boat.roll - w.last_boat.roll),
                            (int32_t)(at.boat.roll - w.last_boat.roll), &roll);
         }
@@ -114,15 +118,16 @@ static void a_heading_goes_the_short_way_across_the_wrap(void **state)
 
     w.last_heading = 0xff000000u;
     w.heading = 0x01000000u;
+    w.last_pitch = w.pitch;
     w.last_boat.heading = 0x00800000u;
     w.boat.heading = 0xff800000u;
     w.back = TP_FX_ONE / 2;
     tp_drawn at = tp_world_drawn(&w);
-    assert_int_equal(at.heading, 0);
+    assert_camera(&at.camera, at.camera.eye, 0, w.pitch);
     assert_int_equal(at.boat.heading, 0);
     w.back = TP_FX_ONE / 4;
     at = tp_world_drawn(&w);
-    assert_int_equal(at.heading, 0x00800000u);
+    assert_camera(&at.camera, at.camera.eye, 0x00800000u, w.pitch);
     assert_int_equal(at.boat.heading, 0xffc00000u);
 }
 
@@ -246,9 +251,7 @@ static void a_look_is_seen_at_once(void **state)
     w.back = TP_FX_ONE / 3;
     tp_world_look(&w, &in);
     const tp_drawn at = tp_world_drawn(&w);
-    assert_memory_equal(&at.eye, &w.eye, sizeof at.eye);
-    assert_int_equal(at.heading, w.heading);
-    assert_int_equal(at.pitch, w.pitch);
+    assert_camera(&at.camera, w.eye, w.heading, w.pitch);
 }
 
 int main(void)
