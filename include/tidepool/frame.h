@@ -50,7 +50,8 @@ typedef struct tp_frame tp_frame;   /* lies at the start of the block */
 
 /* Both 0 if the config is out of range.  The scene's numbers may change afterwards, but
  * grid.cols, grid.rows and the names; of drops and rings beyond the counts that the scene
- * had at init some are left out, and a floor or wind that came later is not drawn. */
+ * had at init some are left out, and a floor or wind that came later is not drawn; a sky
+ * whose kind came later is the gradient, and an exposure that did is 1. */
 size_t tp_frame_bytes(const tp_scene *scene, const tp_assets *assets,
                       const tp_frame_config *config);
 size_t tp_frame_scratch_bytes(const tp_frame_config *config);

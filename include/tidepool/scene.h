@@ -70,8 +70,11 @@ typedef struct {
         int32_t horizon, zenith;
         tp_fx   haze;
         tp_fx   sun, stars;                 /* intensity of the disc; share of stars */
-        char    east[TP_NAME_BYTES], west[TP_NAME_BYTES];   /* PNGs of a cube's sides; */
-        char    up[TP_NAME_BYTES], down[TP_NAME_BYTES];     /* alpha is intensity [F8] */
+        /* PNGs of a cube's sides, seen from inside: four upright, the lower edge of `up`
+         * and the upper edge of `down` join the south.  Alpha is light beyond white [F8],
+         * 255 for 16 whites more; a PNG without alpha has none. */
+        char    east[TP_NAME_BYTES], west[TP_NAME_BYTES];
+        char    up[TP_NAME_BYTES], down[TP_NAME_BYTES];
         char    south[TP_NAME_BYTES], north[TP_NAME_BYTES];
     } sky;
     struct {
@@ -275,6 +278,8 @@ typedef struct {
     tp_pose  boat, last_boat;
     tp_afloat afloat;           /* the boat's */
     tp_turn  light_heading, light_elevation;    /* as input has moved it, and time */
+    tp_turn  last_light_heading, last_light_elevation;
+    tp_fx    scene_light[2];    /* heading and elevation of the scene, last looked at */
     tp_fx    exposure, last_exposure;
     tp_clock clock;
     tp_fx    clock_scale;       /* the scene's, when it was last looked at */

@@ -216,6 +216,22 @@ static int load(assets *a, const scene_file *file, const char *name, void *into,
     return code;
 }
 
+/* Six pictures or none: a cube with a hole is no sky. */
+static int check_cube(const assets *a, const scene_file *file)
+{
+    static const char *const faces[TP_FACES] = { "sky.east", "sky.west", "sky.up",
+                                                 "sky.down", "sky.south", "sky.north" };
+    char who[WHO_BYTES];
+    for (int i = 0; i < TP_FACES && file->scene.sky.kind == TP_SKY_CUBE; i++) {
+        if (a->names.sky[i])
+            continue;
+        scene_file_who(file, tp_param_find("sky.kind", 8), who, sizeof who);
+        return fail(EXIT_INPUT, "%s: a cube needs six pictures; %s names none", who,
+                    faces[i]);
+    }
+    return EXIT_DONE;
+}
+
 int assets_open(assets *a, const scene_file *file)
 {
     static const char *const pictures[ASSETS_PICTURES] = {
@@ -243,6 +259,8 @@ int assets_open(assets *a, const scene_file *file)
         code = load(a, file, pictures[i], &a->picture[i], &there);
         *slots[i] = there ? &a->picture[i] : NULL;
     }
+    if (!code)
+        code = check_cube(a, file);
     for (size_t i = 0; i < sizeof greys / sizeof *greys && !code; i++) {
         code = load(a, file, greys[i].name, greys[i].into, &there);
         *greys[i].slot = there ? greys[i].into : NULL;

@@ -45,6 +45,7 @@ typedef struct {
     tp_ring_now    *ring;
     tp_solid       *solid;
     uint8_t        *gloss;
+    tp_frame_sky    heaven;
     tp_frame_ram    ram;
 } parts;
 
@@ -78,6 +79,7 @@ static parts carve(tp_arena *arena, const tp_scene *scene, const tp_assets *asse
     p.ram.vertices = arena->used - fixed;
     p.solid = tp_arena_take(arena, materials, sizeof *p.solid);
     p.gloss = tp_arena_take(arena, materials, TP_GLOSS);
+    p.heaven = tp_frame_carve_sky(arena, scene, assets);
     p.ram.frame = arena->used;
     p.ram.tables = arena->used - fixed - p.ram.vertices + sizeof p.frame->shade;
     return p;
@@ -110,6 +112,19 @@ size_t tp_frame_scratch_bytes(const tp_frame_config *config)
          + tp_format_row_bytes(c.format, (int)c.tile_width) * c.tile_height;
 }
 
+void tp_frame_make_gloss(tp_frame *frame)
+{
+    frame->model = frame->scene->light.model;
+    for (uint32_t i = 0; i < materials_of(&frame->assets); i++) {
+        uint8_t *gloss = frame->gloss + (size_t)i * TP_GLOSS;
+        tp_fx shininess = frame->assets.boat->materials[i].shininess;
+        if (frame->model == TP_LIGHT_BLINN)
+            tp_shade_gloss_blinn(gloss, shininess);
+        else
+            tp_shade_gloss(gloss, shininess);
+    }
+}
+
 tp_status tp_frame_init(tp_frame **out, const tp_scene *scene, const tp_assets *assets,
                         const tp_frame_config *config, void *block, tp_error *err)
 {
@@ -137,14 +152,14 @@ tp_status tp_frame_init(tp_frame **out, const tp_scene *scene, const tp_assets *
     frame->ring_capacity = p.ring ? (uint32_t)scene->drops.rings : 0;
     frame->solid = p.solid;
     frame->gloss = p.gloss;
+    frame->heaven = p.heaven;
     frame->ram = p.ram;
     frame->ram.scratch = tp_frame_scratch_bytes(&c);
     frame->shade.boat = assets->boat;
     frame->shade.solid = frame->solid;
     tp_shade_tables(&frame->shade);
-    for (uint32_t i = 0; i < materials_of(assets); i++)
-        tp_shade_gloss(frame->gloss + (size_t)i * TP_GLOSS,
-                       assets->boat->materials[i].shininess);
+    tp_frame_init_sky(frame);
+    tp_frame_make_gloss(frame);
     if (frame->drop_capacity > 0) {
         tp_frame_make_ball(frame);
         tp_shade_gloss(frame->drop_gloss, 40 * TP_FX_ONE);

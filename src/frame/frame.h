@@ -8,12 +8,20 @@
 #include "shade/shade.h"
 #include "tidepool/frame.h"
 
-#define TP_STAGES 10
+#define TP_STAGES 20
 
 /* What a kind of sample goes through, ended by NULL. */
 typedef struct {
     tp_stage stage[TP_STAGES];
 } tp_plan;
+
+/* Tables of the sky and the camera that only some scenes have, or NULL. */
+typedef struct {
+    tp_dome  *dome;
+    tp_cube  *cube;
+    uint32_t *recip;            /* TP_RECIP + 2 */
+    uint8_t  *tone;             /* 256 */
+} tp_frame_sky;
 
 /* A corner of the boat, projected; u = TP_GRID_CUT: must be clipped. */
 typedef struct {
@@ -78,6 +86,8 @@ struct tp_frame {
     uint32_t         ring_capacity;
     uint8_t          drop_gloss[TP_GLOSS];
 
+    tp_frame_sky     heaven;
+    int32_t          fresnel, model;    /* that tables were made for */
     tp_shade         shade;
     tp_plan          sky, water, solids, land, drops;
 };
@@ -102,4 +112,18 @@ void tp_frame_draw_drops(const tp_frame *frame, tp_samples *tile);
 /* plan.c: the stages that the scene needs, and their numbers. */
 void tp_frame_plan(tp_frame *frame);
 void tp_frame_plan_materials(tp_frame *frame);
+void tp_frame_make_gloss(tp_frame *frame);              /* frame.c */
+void tp_plan_add(tp_plan *plan, tp_stage stage);
+
+/* plan_sky.c: sky, what water mirrors of it, air, exposure. */
+tp_frame_sky tp_frame_carve_sky(tp_arena *arena, const tp_scene *scene,
+                                const tp_assets *assets);
+void tp_frame_init_sky(tp_frame *frame);
+void tp_frame_plan_sky(tp_frame *frame);
+void tp_frame_add_sky(const tp_frame *frame, tp_plan *plan);
+bool tp_frame_mirrors_apart(const tp_frame *frame);
+void tp_frame_add_reflection(const tp_frame *frame, tp_plan *plan);
+void tp_frame_add_fresnel(const tp_frame *frame, tp_plan *plan);
+void tp_frame_add_air(const tp_frame *frame, tp_plan *plan);
+void tp_frame_add_exposure(const tp_frame *frame, tp_plan *plan);
 #endif

@@ -2,21 +2,20 @@
 /* The plan of a frame: which stages, and the numbers that they read.  A stage that the
  * scene does not need is not in the list. */
 #include "frame/frame.h"
+#include "scene/light.h"
 
 static void light_from(tp_frame *frame)
 {
-    const tp_scene *scene = frame->scene;
     tp_view_axes *axes = &frame->shade.world;
-    tp_turn heading = tp_turn_of_degrees(scene->light.heading);
-    tp_turn height = tp_turn_of_degrees(scene->light.elevation);
-    tp_q30  level = tp_cos(height);
+    tp_dir3 light = tp_light_direction(frame->drawn.light_heading,
+                                       frame->drawn.light_elevation);
 
     axes->right = frame->lens.turn.x;
     axes->up = frame->lens.turn.y;
     axes->back = frame->lens.turn.z;
-    axes->lx = tp_q30_mul(level, tp_sin(heading)) >> 16;
-    axes->ly = tp_sin(height) >> 16;
-    axes->lz = -tp_q30_mul(level, tp_cos(heading)) >> 16;
+    axes->lx = light.x >> 16;
+    axes->ly = light.y >> 16;
+    axes->lz = light.z >> 16;
 }
 
 /* Metres drifted by `time`, ticks x 65536; 16.16, wrapping. */
@@ -56,7 +55,7 @@ static tp_layer layer_of(const tp_frame *frame, const tp_texture *texture,
     return layer;
 }
 
-static void add(tp_plan *plan, tp_stage stage)
+void tp_plan_add(tp_plan *plan, tp_stage stage)
 {
     int i = 0;
     while (plan->stage[i])
@@ -78,6 +77,25 @@ static tp_stage texture_stage(const tp_frame *frame)
                                : tp_stage_plain;
 }
 
+static tp_stage light_stage(const tp_frame *frame, bool rippled)
+{
+    if (frame->scene->light.model == TP_LIGHT_BLINN)
+        return rippled ? tp_stage_light_blinn_rippled : tp_stage_light_blinn;
+    return rippled ? tp_stage_light_rippled : tp_stage_light;
+}
+
+static void add_mirror(const tp_frame *frame, tp_plan *water, bool rippled)
+{
+    if (!tp_frame_mirrors_apart(frame)) {
+        tp_plan_add(water, tp_stage_mirror);
+        return;
+    }
+    if (!rippled)
+        tp_plan_add(water, tp_stage_slopes);
+    tp_frame_add_reflection(frame, water);
+    tp_frame_add_fresnel(frame, water);
+}
+
 /* The water's list: a view only if it shines or mirrors. */
 static void choose_water(tp_frame *frame)
 {
@@ -88,33 +106,45 @@ static void choose_water(tp_frame *frame)
 
     *water = (tp_plan){ { texture_stage(frame) } };
     if (rippled)
-        add(water, tp_stage_ripple);
+        tp_plan_add(water, tp_stage_ripple);
     if (shines || mirrors) {
-        add(water, tp_stage_view);
-        add(water, rippled ? tp_stage_light_rippled : tp_stage_light);
+        tp_plan_add(water, tp_stage_view);
+        tp_plan_add(water, light_stage(frame, rippled));
     } else {
-        add(water, rippled ? tp_stage_diffuse_rippled : tp_stage_diffuse);
+        tp_plan_add(water, rippled ? tp_stage_diffuse_rippled : tp_stage_diffuse);
     }
     if (mirrors)
-        add(water, tp_stage_mirror);
+        add_mirror(frame, water, rippled);
     if (shines)
-        add(water, tp_stage_glint);
-    if (scene->sky.haze > 0)
-        add(water, tp_stage_haze);
+        tp_plan_add(water, tp_stage_glint);
+    tp_frame_add_air(frame, water);
 }
 
 static void choose_stages(tp_frame *frame)
 {
-    frame->sky = (tp_plan){ { tp_stage_sky } };
-    frame->solids = (tp_plan){ { tp_stage_solid } };
+    const bool blinn = frame->scene->light.model == TP_LIGHT_BLINN;
+
+    frame->sky = (tp_plan){ { NULL } };
+    tp_frame_add_sky(frame, &frame->sky);
+    tp_frame_add_exposure(frame, &frame->sky);
+    frame->solids = (tp_plan){ { blinn ? tp_stage_solid_blinn : tp_stage_solid } };
     frame->land = (tp_plan){ { tp_stage_land } };
     frame->drops = (tp_plan){ { tp_stage_drop } };
-    if (frame->scene->sky.haze > 0) {
-        add(&frame->solids, tp_stage_haze);
-        add(&frame->land, tp_stage_haze);
-        add(&frame->drops, tp_stage_haze);
-    }
+    tp_frame_add_air(frame, &frame->solids);
+    tp_frame_add_air(frame, &frame->land);
+    tp_frame_add_air(frame, &frame->drops);
     choose_water(frame);
+}
+
+/* Glitter of the water, by the light's model. */
+static void plan_shine(tp_shade *shade, const tp_scene *scene)
+{
+    if (scene->water.specular <= 0)
+        return;
+    if (scene->light.model == TP_LIGHT_BLINN)
+        tp_shade_shine_blinn(shade, scene->water.shininess, scene->water.specular);
+    else
+        tp_shade_shine(shade, scene->water.shininess, scene->water.specular);
 }
 
 void tp_frame_plan(tp_frame *frame)
@@ -137,9 +167,10 @@ void tp_frame_plan(tp_frame *frame)
     shade->ripple = layer_of(frame, frame->assets.ripple, &scene->ripple.map);
     shade->ripple.lod += 224;       /* a mean of normals: what is lost glitters */
     shade->ripple.slope_gain = scene->ripple.bump >> 8;
-    tp_shade_sky(shade, (uint32_t)scene->sky.horizon, (uint32_t)scene->sky.zenith);
-    if (scene->water.specular > 0)
-        tp_shade_shine(shade, scene->water.shininess, scene->water.specular);
+    tp_frame_plan_sky(frame);
+    plan_shine(shade, scene);
+    if (frame->model != scene->light.model)
+        tp_frame_make_gloss(frame);
     if (frame->assets.boat)
         tp_frame_plan_materials(frame);
     shade->land = (tp_solid){ .diffuse = (uint32_t)scene->floor.colour,

@@ -41,9 +41,8 @@ static tp_camera carried(const tp_camera *deck, const tp_pose *boat)
     };
 }
 
-tp_camera tp_world_camera(const tp_world *world)
+tp_camera tp_camera_between(const tp_world *world, tp_fx back)
 {
-    const tp_fx back = world->back;
     const tp_turn heading = turn_between(world->last_heading, world->heading, back);
     const tp_turn pitch = turn_between(world->last_pitch, world->pitch, back);
     const tp_camera camera = { place_between(world->last_eye, world->eye, back),
@@ -55,12 +54,22 @@ tp_camera tp_world_camera(const tp_world *world)
     return carried(&camera, &boat);
 }
 
+tp_camera tp_world_camera(const tp_world *world)
+{
+    return tp_camera_between(world, world->back);
+}
+
 tp_drawn tp_world_drawn(const tp_world *world)
 {
     tp_fx    back = world->back;
     tp_drawn at = {
         .camera = tp_world_camera(world),
         .boat = boat_between(&world->last_boat, &world->boat, back),
+        .light_heading = turn_between(world->last_light_heading, world->light_heading,
+                                      back),
+        .light_elevation = turn_between(world->last_light_elevation,
+                                        world->light_elevation, back),
+        .exposure = tp_between(world->last_exposure, world->exposure, back),
         .time = (int64_t)(world->tick * TP_FX_ONE) - back,
     };
 

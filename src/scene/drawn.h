@@ -9,10 +9,15 @@ typedef struct {
     tp_camera camera;           /* in the world, also if it goes with the boat */
     tp_turn phases[TP_WAVES];
     tp_pose boat;
+    tp_turn light_heading, light_elevation;
+    tp_fx   exposure;
     int64_t time;               /* ticks x 65536 */
 } tp_drawn;
 
 tp_drawn tp_world_drawn(const tp_world *world);
+
+/* The camera `back` of a tick before the last one, in the world. */
+tp_camera tp_camera_between(const tp_world *world, tp_fx back);
 
 /* `back` of the way from b to a. */
 static inline tp_fx tp_between(tp_fx a, tp_fx b, tp_fx back)

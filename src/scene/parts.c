@@ -2,6 +2,7 @@
 /* The parts of a world; see the header. */
 #include "scene/parts.h"
 #include "base/base.h"
+#include "scene/light.h"
 #include "base/text.h"
 #include "tidepool/arena.h"
 
@@ -115,6 +116,7 @@ tp_status tp_parts_of(tp_world_parts *parts, const tp_scene *scene,
     parts->drops = take(&arena, tp_drops_bytes(&scene->drops));
     if (parts->drops && scene->drops.into == TP_DROPS_RINGS)
         parts->rings = take(&arena, (size_t)scene->drops.rings * sizeof(tp_ring_now));
+    parts->probe = take(&arena, tp_meter_bytes(scene));
     parts->bytes = (uint32_t)arena.used;
     return TP_OK;
 }
@@ -155,6 +157,7 @@ tp_status tp_parts_init(tp_world *world, const tp_scene *scene, const tp_assets 
         status = init_pool(world, scene, assets, true, err);
     if (tp_parts_drops(world))
         tp_drops_init(tp_parts_drops(world), &scene->drops);
+    tp_meter_init(world, scene, assets);
     return status;
 }
 

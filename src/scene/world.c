@@ -3,6 +3,7 @@
  * drawn. */
 #include "base/base.h"
 #include "scene/boat.h"
+#include "scene/light.h"
 #include "scene/parts.h"
 
 #define PITCH_MOST TP_DEG(89)
@@ -65,6 +66,7 @@ tp_status tp_world_init(tp_world *world, size_t bytes, const tp_scene *scene,
     world->parts = parts;
     world->random = 1;
     place_camera(world, scene);
+    tp_light_init(world, scene);
     tp_clock_init(&world->clock, scene->clock.scale);
     world->clock_scale = scene->clock.scale;
     place_sea(world, scene);
@@ -90,6 +92,8 @@ bool tp_world_refresh(tp_world *world, const tp_scene *scene, const tp_assets *a
         tp_parts_drops(world)->sphere.y = scene->drops.y;
         tp_parts_drops(world)->sphere_radius = 2 * scene->drops.radius;
     }
+    tp_light_refresh(world, scene);
+    tp_meter_init(world, scene, assets);
     if (world->clock_scale != scene->clock.scale)
         tp_clock_aim(&world->clock, scene->clock.scale);
     world->clock_scale = scene->clock.scale;
@@ -253,6 +257,7 @@ void tp_world_step(tp_world *world, const tp_scene *scene, const tp_input *input
         tp_boat_wake(world, scene);
     }
     step_pools(world, scene, in);
+    tp_light_step(world, scene, in);
     tp_clock_shift(&world->clock, in->slower);
 }
 

@@ -2,16 +2,62 @@
 /* Air between the eye and the water: colours go into the horizon's.
  *
  * The share is z^2 / (z^2 + h^2), a half at h and nothing near the eye.  It is a rule of
- * our own: smooth in 1/z, which is what a sample holds, so a short table serves. */
-#include "shade/shade.h"
+ * our own: smooth in 1/z, which is what a sample holds, so a short table serves.
+ *
+ * The horizon of a dome or a cube is not the same all round: it is looked up at every
+ * 16th column and linear between. */
+#include "shade/env.h"
+
+TP_ALWAYS_INLINE uint32_t share_of(const tp_shade *shade, uint32_t key)
+{
+    uint32_t entry = (uint32_t)((uint64_t)(key >> 1) * shade->haze_scale >> 32);
+    return shade->haze[entry < TP_HAZE ? entry : TP_HAZE];
+}
 
 void tp_stage_haze(const tp_shade *shade, tp_run *run)
 {
-    uint32_t horizon = shade->sky[0], scale = shade->haze_scale;
+    uint32_t horizon = shade->sky[0];
 
-    for (int32_t i = 0; i < run->count; i++) {
-        uint32_t entry = (uint32_t)((uint64_t)(run->key[i] >> 1) * scale >> 32);
-        uint32_t share = shade->haze[entry < TP_HAZE ? entry : TP_HAZE];
-        run->colour[i] = tp_colour_mix(run->colour[i], horizon, share);
+    for (int32_t i = 0; i < run->count; i++)
+        run->colour[i] = tp_colour_mix(run->colour[i], horizon,
+                                       share_of(shade, run->key[i]));
+}
+
+/* Where column x looks, but level.  The cube's level is that of the empty view. */
+TP_ALWAYS_INLINE uint32_t horizon_at(const tp_shade *shade, tp_env_kind kind, int32_t x,
+                                     int32_t y)
+{
+    tp_ray  ray = tp_view_ray(shade, &shade->world, x, y);
+    tp_dir3 d = tp_normalise(-ray.x, 0, -ray.z);
+    int     level = tp_env_level(shade, kind, 0);
+    uint32_t light = tp_env_of(shade, kind, level, d.x >> 16, d.y >> 16, d.z >> 16);
+
+    return tp_light_colour(shade, light);
+}
+
+TP_ALWAYS_INLINE void haze(const tp_shade *shade, tp_run *run, tp_env_kind kind)
+{
+    int32_t  x = run->x, end = run->x + run->count;
+    uint32_t a = horizon_at(shade, kind, x & ~15, run->y);
+
+    for (int32_t i = 0; x < end; ) {
+        int32_t  from = x & ~15, stop = from + 16 < end ? from + 16 : end;
+        uint32_t b = horizon_at(shade, kind, from + 16, run->y);
+        for (; x < stop; x++, i++) {
+            uint32_t horizon = tp_colour_mix(a, b, (uint32_t)(x - from) * 16);
+            run->colour[i] = tp_colour_mix(run->colour[i], horizon,
+                                           share_of(shade, run->key[i]));
+        }
+        a = b;
     }
+}
+
+void tp_stage_haze_dome(const tp_shade *shade, tp_run *run)
+{
+    haze(shade, run, TP_ENV_DOME);
+}
+
+void tp_stage_haze_cube(const tp_shade *shade, tp_run *run)
+{
+    haze(shade, run, TP_ENV_CUBE);
 }

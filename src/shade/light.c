@@ -1,10 +1,11 @@
 /* SPDX-License-Identifier: MIT */
-/* Light on water: Phong's three terms [F5] and the mirrored sky by Fresnel's share [F1].
+/* Light on water: Phong's three terms [F5], or Blinn's.
  *
  * The normal stays a pair of slopes, N = (-sx, 1, -sz) / sqrt(1 + sx^2 + sz^2).  With V
  * to the eye and L to the light, R = 2 (N.L) N - L gives R.V = 2 (N.L)(N.V) - L.V, and
- * the mirrored view's height is 2 (N.V) Ny - Vy: no vector is ever reflected. */
-#include "shade/shade.h"
+ * the mirrored view's height is 2 (N.V) Ny - Vy: no vector is ever reflected, nor is one
+ * ever halved (see lobe.h). */
+#include "shade/lobe.h"
 
 /* The slopes of sample i: from the array once a ripple has bent them, else as sampled. */
 TP_ALWAYS_INLINE int32_t slope_x(const tp_run *run, int32_t i, int rippled)
@@ -88,7 +89,7 @@ TP_ALWAYS_INLINE int32_t shine_of(const tp_shade *shade, int32_t rv)
  * the horizon's full light. */
 #define RIPPLED_VIEW 1638
 
-TP_ALWAYS_INLINE void light(const tp_shade *shade, tp_run *run, int rippled)
+TP_ALWAYS_INLINE void light(const tp_shade *shade, tp_run *run, int rippled, int blinn)
 {
     int32_t lx = shade->world.lx, ly = shade->world.ly, lz = shade->world.lz;
     int32_t ambient = shade->ambient, direct = 256 - ambient, count = run->count;
@@ -102,7 +103,7 @@ TP_ALWAYS_INLINE void light(const tp_shade *shade, tp_run *run, int rippled)
 
         nv = tp_clamp(nv * ny >> 14, rippled ? RIPPLED_VIEW : 0, 16384);
         nl = tp_clamp(nl * ny >> 14, 0, 16384);
-        int32_t rv = (2 * nl * nv >> 14) - run->lv[i];
+        int32_t rv = tp_lobe_at(nl, nv, run->lv[i], blinn);
         int32_t up = (2 * nv * ny >> 14) - vy;
         run->nv[i] = (int16_t)nv;
         run->up[i] = (int16_t)(up > 16384 ? 16384 : up);    /* vy is at most 1 */
@@ -112,28 +113,19 @@ TP_ALWAYS_INLINE void light(const tp_shade *shade, tp_run *run, int rippled)
     }
 }
 
-#define LIGHT_STAGE(name, body, rippled) \
+#define DIFFUSE_STAGE(name, rippled) \
     void tp_stage_##name(const tp_shade *shade, tp_run *run) \
-    { body(shade, run, rippled); }
-LIGHT_STAGE(diffuse, diffuse, 0)
-LIGHT_STAGE(diffuse_rippled, diffuse, 1)
-LIGHT_STAGE(light, light, 0)
-LIGHT_STAGE(light_rippled, light, 1)
+    { diffuse(shade, run, rippled); }
+DIFFUSE_STAGE(diffuse, 0)
+DIFFUSE_STAGE(diffuse_rippled, 1)
 
-/* A mirrored ray that goes down meets other water, which is half as bright as the
- * horizon: its share fades to a half within 7 degrees below level. */
-void tp_stage_mirror(const tp_shade *shade, tp_run *run)
-{
-    uint32_t mirror = (uint32_t)shade->mirror;
-
-    for (int32_t i = 0; i < run->count; i++) {
-        uint32_t share = shade->fresnel[run->nv[i] >> 6] * mirror >> 8;
-        int32_t  sine = run->up[i] >> 6;
-        int32_t  above = tp_clamp(256 + 4 * sine, 128, 256);
-        uint32_t sky = shade->sky[sine < 0 ? 0 : sine];
-        run->colour[i] = tp_colour_mix(run->colour[i], sky, share * (uint32_t)above >> 8);
-    }
-}
+#define LIGHT_STAGE(name, rippled, blinn) \
+    void tp_stage_##name(const tp_shade *shade, tp_run *run) \
+    { light(shade, run, rippled, blinn); }
+LIGHT_STAGE(light, 0, 0)
+LIGHT_STAGE(light_rippled, 1, 0)
+LIGHT_STAGE(light_blinn, 0, 1)
+LIGHT_STAGE(light_blinn_rippled, 1, 1)
 
 void tp_stage_glint(const tp_shade *shade, tp_run *run)
 {

@@ -16,6 +16,7 @@
 #ifndef TP_SHADE_H
 #define TP_SHADE_H
 #include "base/base.h"
+#include "shade/skies.h"
 #include "tidepool/asset.h"
 #include "tidepool/fx.h"
 
@@ -72,7 +73,6 @@ typedef struct {
 #define TP_GLOSS 256
 #define TP_STEEP 512            /* 1/sqrt(1 + q), q in 0..4 */
 #define TP_HAZE  512
-#define TP_SKY   256            /* horizon to zenith, by the sine of elevation */
 
 typedef struct {
     int32_t  u0, v0;            /* the picture's centre, 28.4 */
@@ -99,6 +99,8 @@ typedef struct {
     uint8_t  fresnel[257];              /* share of the reflection at N.V = i / 256 */
     uint8_t  haze[TP_HAZE + 1];         /* share of the horizon */
     uint32_t sky[TP_SKY + 1];
+    tp_env   env;               /* what else the sky is */
+    const uint8_t *tone;        /* 256 entries: the camera's exposure */
 } tp_shade;
 
 typedef void (*tp_stage)(const tp_shade *shade, tp_run *run);
@@ -110,7 +112,18 @@ typedef void (*tp_stage)(const tp_shade *shade, tp_run *run);
     X(texture_linear,       1, 0) \
     X(texture_linear_tinted, 1, 1)
 
-void tp_stage_sky(const tp_shade *shade, tp_run *run);      /* colour of the empty view */
+/* name, kind of environment, light beyond white */
+#define TP_SKY_STAGES(X) \
+    X(sky_dome,     TP_ENV_DOME, 0) \
+    X(sky_dome_hdr, TP_ENV_DOME, 1) \
+    X(sky_cube,     TP_ENV_CUBE, 0) \
+    X(sky_cube_hdr, TP_ENV_CUBE, 1)
+
+void tp_stage_sky(const tp_shade *shade, tp_run *run);      /* colour of the empty view, */
+#define X(name, kind, hdr) void tp_stage_##name(const tp_shade *shade, tp_run *run);
+TP_SKY_STAGES(X)                            /* the same of other skies; vx vy vz too */
+#undef X
+void tp_stage_stars(const tp_shade *shade, tp_run *run);    /* added to a dome */
 void tp_stage_plain(const tp_shade *shade, tp_run *run);    /* colour, without texture */
 #define X(name, filter, tinted) void tp_stage_##name(const tp_shade *shade, tp_run *run);
 TP_TEXTURE_STAGES(X)                                        /* colour */
@@ -121,10 +134,25 @@ void tp_stage_diffuse(const tp_shade *shade, tp_run *run);  /* colour; needs no 
 void tp_stage_diffuse_rippled(const tp_shade *shade, tp_run *run);
 void tp_stage_light(const tp_shade *shade, tp_run *run);    /* colour; nv up glint */
 void tp_stage_light_rippled(const tp_shade *shade, tp_run *run);
+void tp_stage_light_blinn(const tp_shade *shade, tp_run *run);
+void tp_stage_light_blinn_rippled(const tp_shade *shade, tp_run *run);
 void tp_stage_mirror(const tp_shade *shade, tp_run *run);   /* sky by Fresnel's share */
+
+/* The same in parts, for other skies, objects in the mirror, and light beyond white. */
+void tp_stage_slopes(const tp_shade *shade, tp_run *run);   /* sx sz of smooth water */
+void tp_stage_reflect_gradient(const tp_shade *shade, tp_run *run); /* mirror, rx rz */
+void tp_stage_reflect_dome(const tp_shade *shade, tp_run *run);
+void tp_stage_reflect_cube(const tp_shade *shade, tp_run *run);
+void tp_stage_fresnel(const tp_shade *shade, tp_run *run);  /* mirror into the colour */
+void tp_stage_fresnel_hdr(const tp_shade *shade, tp_run *run);
+
 void tp_stage_glint(const tp_shade *shade, tp_run *run);    /* adds the specular */
 void tp_stage_haze(const tp_shade *shade, tp_run *run);     /* towards the horizon */
+void tp_stage_haze_dome(const tp_shade *shade, tp_run *run);
+void tp_stage_haze_cube(const tp_shade *shade, tp_run *run);
+void tp_stage_expose(const tp_shade *shade, tp_run *run);   /* last of all */
 void tp_stage_solid(const tp_shade *shade, tp_run *run);    /* all of a mesh's Phong */
+void tp_stage_solid_blinn(const tp_shade *shade, tp_run *run);
 void tp_stage_land(const tp_shade *shade, tp_run *run);     /* the same in world axes, */
 void tp_stage_drop(const tp_shade *shade, tp_run *run);     /* of one colour */
 
@@ -134,6 +162,10 @@ void tp_shade_tables(tp_shade *shade);                      /* steep, fresnel, h
 void tp_shade_shine(tp_shade *shade, tp_fx shininess, tp_fx strength);
 void tp_shade_sky(tp_shade *shade, uint32_t horizon, uint32_t zenith);
 void tp_shade_gloss(uint8_t gloss[TP_GLOSS], tp_fx shininess);
+void tp_shade_schlick(tp_shade *shade);                     /* fresnel, by the shortcut */
+void tp_shade_shine_blinn(tp_shade *shade, tp_fx shininess, tp_fx strength);
+void tp_shade_gloss_blinn(uint8_t gloss[TP_GLOSS], tp_fx shininess);
+void tp_shade_tone(uint8_t tone[256], tp_fx exposure);      /* 1/8..8 */
 
 /* -- for stages ---------------------------------------------------------------------- */
 

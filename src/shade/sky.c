@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* The sky as a gradient from horizon to zenith, by the sine of the elevation. */
-#include "shade/shade.h"
+/* The sky where nothing stands before it: a gradient from horizon to zenith by the sine
+ * of the elevation; or a dome or cube, looked up along each pixel's view. */
+#include "shade/env.h"
 
 /* Entry i is sine i / 256; the zenith's share grows as 1 - (1 - sine)^2: fast near the
  * horizon, where the air is thick. */
@@ -33,3 +34,20 @@ void tp_stage_sky(const tp_shade *shade, tp_run *run)
         a = b;
     }
 }
+
+TP_ALWAYS_INLINE void empty(const tp_shade *shade, tp_run *run, tp_env_kind kind, int hdr)
+{
+    int level = tp_env_level(shade, kind, 0);
+
+    tp_view_run(shade, &shade->world, run);
+    for (int32_t i = 0; i < run->count; i++) {
+        uint32_t light = tp_env_of(shade, kind, level, -run->vx[i], -run->vy[i],
+                                   -run->vz[i]);
+        run->colour[i] = hdr ? tp_light_colour(shade, light) : light & 0x00ffffffu;
+    }
+}
+
+#define SKY_STAGE(name, kind, hdr) \
+    void tp_stage_##name(const tp_shade *shade, tp_run *run) \
+    { empty(shade, run, kind, hdr); }
+TP_SKY_STAGES(SKY_STAGE)

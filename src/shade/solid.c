@@ -5,8 +5,8 @@
  * A normal map's texel bends N along the face's tangent T and along B = +-N x T, which
  * is square to both though T need not be to N ([F6], Gram-Schmidt left to the eye: the
  * meshes' normals are within a few degrees of their faces'). */
-#include "shade/shade.h"
 #include "asset/mesh.h"
+#include "shade/lobe.h"
 
 typedef struct {
     int32_t x, y, z;            /* Q1.14, or any format where said */
@@ -67,12 +67,13 @@ static uint32_t gloss_of(const tp_solid *solid, int32_t rv)
     return (uint32_t)(here + ((next - here) * part >> 8));
 }
 
-static uint32_t phong(const tp_shade *shade, const tp_view_axes *axes,
-                      const tp_solid *solid, uint32_t diffuse, vec n, vec v, int32_t lv)
+TP_ALWAYS_INLINE uint32_t phong(const tp_shade *shade, const tp_view_axes *axes,
+                                const tp_solid *solid, uint32_t diffuse, vec n, vec v,
+                                int32_t lv, int blinn)
 {
     vec     light = { axes->lx, axes->ly, axes->lz };
     int32_t nl = tp_clamp(dot(n, light), 0, 16384);
-    int32_t rv = tp_clamp((2 * nl * dot(n, v) >> 14) - lv, 0, 16384);
+    int32_t rv = tp_clamp(tp_lobe_at(nl, dot(n, v), lv, blinn), 0, 16384);
     uint32_t bright = (uint32_t)(shade->ambient + ((256 - shade->ambient) * nl >> 14));
     uint32_t gloss = nl > 0 ? gloss_of(solid, rv) : 0;
     uint32_t shine = tp_colour_times(solid->specular, shade->light_colour);
@@ -80,7 +81,7 @@ static uint32_t phong(const tp_shade *shade, const tp_view_axes *axes,
     return tp_colour_add(tp_colour_scale(diffuse, bright), tp_colour_scale(shine, gloss));
 }
 
-void tp_stage_solid(const tp_shade *shade, tp_run *run)
+TP_ALWAYS_INLINE void solid_run(const tp_shade *shade, tp_run *run, int blinn)
 {
     const tp_solid *solid = &shade->solid[run->material];
     const tp_texture *picture = solid->diffuse_map, *normals = solid->normal_map;
@@ -100,8 +101,19 @@ void tp_stage_solid(const tp_shade *shade, tp_run *run)
         }
         n = unit(n);
         run->colour[i] = phong(shade, &shade->mesh, solid, diffuse, n,
-                               (vec){ run->vx[i], run->vy[i], run->vz[i] }, run->lv[i]);
+                               (vec){ run->vx[i], run->vy[i], run->vz[i] }, run->lv[i],
+                               blinn);
     }
+}
+
+void tp_stage_solid(const tp_shade *shade, tp_run *run)
+{
+    solid_run(shade, run, 0);
+}
+
+void tp_stage_solid_blinn(const tp_shade *shade, tp_run *run)
+{
+    solid_run(shade, run, 1);
 }
 
 static void shade_plain(const tp_shade *shade, const tp_solid *solid, tp_run *run)
@@ -110,7 +122,8 @@ static void shade_plain(const tp_shade *shade, const tp_solid *solid, tp_run *ru
     for (int32_t i = 0; i < run->count; i++)
         run->colour[i] = phong(shade, &shade->world, solid, solid->diffuse,
                                unit(unpacked(run->n[i])),
-                               (vec){ run->vx[i], run->vy[i], run->vz[i] }, run->lv[i]);
+                               (vec){ run->vx[i], run->vy[i], run->vz[i] }, run->lv[i],
+                               0);
 }
 
 void tp_stage_land(const tp_shade *shade, tp_run *run)

@@ -29,20 +29,56 @@ void tp_shade_tables(tp_shade *shade)
         shade->haze[i] = (uint8_t)(255 * 1024 / (1024 + i * i));
 }
 
+/* Schlick's rule [F2] in the same place. */
+void tp_shade_schlick(tp_shade *shade)
+{
+    for (int32_t i = 0; i <= 256; i++) {
+        tp_q30 r = tp_fresnel_schlick(i * (TP_Q30_ONE / 256));
+        shade->fresnel[i] = (uint8_t)tp_clamp((r + (1 << 21)) >> 22, 0, 255);
+    }
+}
+
+static uint32_t exponent(tp_fx shininess)
+{
+    return (uint32_t)tp_clamp(shininess >> 16, 1, 1000);
+}
+
+/* Blinn's lobe (N.H)^(4 n) [F5], by c = 2 (N.H)^2 - 1: ((1 + c) / 2)^(2 n). */
+static tp_q30 blinn(tp_q30 c, uint32_t n)
+{
+    return power(c / 2 + TP_Q30_ONE / 2, 2 * n);
+}
+
+/* A lobe of 0..1 as an entry. */
+static uint16_t shine_of(tp_q30 lobe, tp_fx strength)
+{
+    return (uint16_t)(tp_fx_mul(lobe >> 14, strength) >> 8);
+}
+
 void tp_shade_shine(tp_shade *shade, tp_fx shininess, tp_fx strength)
 {
-    uint32_t n = (uint32_t)tp_clamp(shininess >> 16, 1, 1000);
+    for (int32_t i = 0; i <= TP_SHINE; i++)
+        shade->shine[i] = shine_of(power(i * (TP_Q30_ONE / TP_SHINE),
+                                         exponent(shininess)), strength);
+}
 
-    for (int32_t i = 0; i <= TP_SHINE; i++) {
-        int32_t lobe = power(i * (TP_Q30_ONE / TP_SHINE), n) >> 14;     /* Q16 */
-        shade->shine[i] = (uint16_t)(tp_fx_mul(lobe, strength) >> 8);
-    }
+void tp_shade_shine_blinn(tp_shade *shade, tp_fx shininess, tp_fx strength)
+{
+    for (int32_t i = 0; i <= TP_SHINE; i++)
+        shade->shine[i] = shine_of(blinn(i * (TP_Q30_ONE / TP_SHINE),
+                                         exponent(shininess)), strength);
 }
 
 void tp_shade_gloss(uint8_t gloss[TP_GLOSS], tp_fx shininess)
 {
-    uint32_t n = (uint32_t)tp_clamp(shininess >> 16, 1, 1000);
-
     for (int32_t i = 0; i < TP_GLOSS; i++)
-        gloss[i] = (uint8_t)(power(i * (TP_Q30_ONE / (TP_GLOSS - 1)), n) >> 22);
+        gloss[i] = (uint8_t)(power(i * (TP_Q30_ONE / (TP_GLOSS - 1)),
+                                   exponent(shininess)) >> 22);
+}
+
+void tp_shade_gloss_blinn(uint8_t gloss[TP_GLOSS], tp_fx shininess)
+{
+    for (int32_t i = 0; i < TP_GLOSS; i++)
+        gloss[i] = (uint8_t)(blinn(i * (TP_Q30_ONE / (TP_GLOSS - 1)),
+                                   exponent(shininess)) >> 22);
 }

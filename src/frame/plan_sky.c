@@ -1,0 +1,181 @@
+/* SPDX-License-Identifier: MIT */
+/* The sky's and the camera's part of a plan: tables of a scene that has more than the
+ * plain gradient, and which stages look into them. */
+#include "frame/frame.h"
+
+static bool generated(const tp_scene *scene)
+{
+    return scene->sky.kind == TP_SKY_DAY || scene->sky.kind == TP_SKY_DUSK
+        || scene->sky.kind == TP_SKY_NIGHT;
+}
+
+static bool has_cube(const tp_scene *scene, const tp_assets *assets)
+{
+    for (int i = 0; i < TP_FACES; i++) {
+        if (!assets->sky[i])
+            return false;
+    }
+    return scene->sky.kind == TP_SKY_CUBE;
+}
+
+static bool exposes(const tp_scene *scene)
+{
+    return scene->hdr.exposure == TP_EXPOSURE_AUTO || scene->hdr.value != TP_FX_ONE;
+}
+
+/* A kind that the scene takes up later has no tables here: it stays the gradient. */
+tp_frame_sky tp_frame_carve_sky(tp_arena *arena, const tp_scene *scene,
+                                const tp_assets *assets)
+{
+    tp_frame_sky sky = { NULL, NULL, NULL, NULL };
+    bool cube = has_cube(scene, assets);
+
+    if (generated(scene))
+        sky.dome = tp_arena_take(arena, 1, sizeof *sky.dome);
+    if (cube)
+        sky.cube = tp_arena_take(arena, 1, sizeof *sky.cube);
+    if (cube || scene->sky.kind == TP_SKY_NIGHT)
+        sky.recip = tp_arena_take(arena, TP_RECIP + 2, sizeof *sky.recip);
+    if (exposes(scene))
+        sky.tone = tp_arena_take(arena, 1, 256);
+    return sky;
+}
+
+void tp_frame_init_sky(tp_frame *frame)
+{
+    const tp_frame_sky *sky = &frame->heaven;
+
+    if (sky->cube)
+        tp_cube_init(sky->cube, frame->assets.sky);
+    if (sky->recip)
+        tp_recip_init(sky->recip);
+}
+
+/* -- each frame ----------------------------------------------------------------------- */
+
+static void plan_dome(tp_frame *frame)
+{
+    const tp_scene *scene = frame->scene;
+    tp_dome_config config = {
+        .kind = scene->sky.kind == TP_SKY_DUSK    ? TP_DOME_DUSK
+              : scene->sky.kind == TP_SKY_NIGHT ? TP_DOME_NIGHT : TP_DOME_DAY,
+        .horizon = (uint32_t)scene->sky.horizon, .zenith = (uint32_t)scene->sky.zenith,
+        .light = (uint32_t)scene->light.colour, .sun = scene->sky.sun,
+    };
+
+    tp_dome_init(frame->heaven.dome, &config);
+    if (scene->water.specular > 0)      /* the disc's image is the glitter */
+        frame->shade.env.least = TP_DISC_END;
+    frame->shade.env.kind = TP_ENV_DOME;
+    frame->shade.env.dome = frame->heaven.dome;
+}
+
+/* A face spans 90 degrees: half its texels to the tangent 1. */
+static void plan_cube(tp_frame *frame)
+{
+    tp_cube *cube = frame->heaven.cube;
+    int32_t  focal = tp_log2_q8((uint32_t)frame->lens.focal) - 16 * 256;
+
+    cube->lod = (cube->face[0]->log2_w - 1) * 256 - focal;
+    frame->shade.env.kind = TP_ENV_CUBE;
+    frame->shade.env.cube = cube;
+}
+
+/* Stars are 0.85 pixels in radius, a pixel being 65536 / 2 / focal of a face's units;
+ * within the margin that they keep in their cells. */
+static void plan_stars(tp_frame *frame)
+{
+    uint32_t focal = (uint32_t)frame->lens.focal >> 16;
+    uint32_t radius = 32768 * 85 / 100 / (focal > 110 ? focal : 110);
+
+    radius = radius > 8 ? radius : 8;
+    frame->shade.env.stars = (uint32_t)frame->scene->sky.stars >> 10;
+    frame->shade.env.star = (1u << 24) / (radius * radius);
+}
+
+/* Fresnel's table follows the exact law until the scene asks for another. */
+static void plan_fresnel(tp_frame *frame)
+{
+    if (frame->fresnel == frame->scene->water.fresnel)
+        return;
+    frame->fresnel = frame->scene->water.fresnel;
+    if (frame->fresnel == TP_FRESNEL_SCHLICK)
+        tp_shade_schlick(&frame->shade);
+    else
+        tp_shade_tables(&frame->shade);
+}
+
+void tp_frame_plan_sky(tp_frame *frame)
+{
+    const tp_scene *scene = frame->scene;
+    tp_shade *shade = &frame->shade;
+
+    plan_fresnel(frame);
+    tp_shade_sky(shade, (uint32_t)scene->sky.horizon, (uint32_t)scene->sky.zenith);
+    shade->env = (tp_env){ .recip = frame->heaven.recip,
+                           .beyond = (uint32_t)scene->hdr.share * TP_WHITES >> 8 };
+    if (generated(scene) && frame->heaven.dome)
+        plan_dome(frame);
+    else if (scene->sky.kind == TP_SKY_CUBE && frame->heaven.cube)
+        plan_cube(frame);
+    if (scene->sky.kind == TP_SKY_NIGHT && frame->heaven.recip)
+        plan_stars(frame);
+    shade->tone = frame->heaven.tone;
+    if (frame->heaven.tone)
+        tp_shade_tone(frame->heaven.tone, frame->drawn.exposure);
+}
+
+/* -- stages ---------------------------------------------------------------------------- */
+
+void tp_frame_add_sky(const tp_frame *frame, tp_plan *plan)
+{
+    const tp_env *env = &frame->shade.env;
+
+    if (env->kind == TP_ENV_DOME)
+        tp_plan_add(plan, env->beyond ? tp_stage_sky_dome_hdr : tp_stage_sky_dome);
+    else if (env->kind == TP_ENV_CUBE)
+        tp_plan_add(plan, env->beyond ? tp_stage_sky_cube_hdr : tp_stage_sky_cube);
+    else
+        tp_plan_add(plan, tp_stage_sky);
+    if (env->kind == TP_ENV_DOME && env->stars > 0)
+        tp_plan_add(plan, tp_stage_stars);
+}
+
+/* The plain gradient has no light beyond white; only objects in the mirror ask for more
+ * than the fused stage. */
+bool tp_frame_mirrors_apart(const tp_frame *frame)
+{
+    return frame->shade.env.kind != TP_ENV_GRADIENT
+        || frame->scene->mirror.objects != TP_MIRROR_NONE;
+}
+
+void tp_frame_add_reflection(const tp_frame *frame, tp_plan *plan)
+{
+    const tp_env_kind kind = frame->shade.env.kind;
+
+    tp_plan_add(plan, kind == TP_ENV_DOME ? tp_stage_reflect_dome
+                    : kind == TP_ENV_CUBE ? tp_stage_reflect_cube
+                                          : tp_stage_reflect_gradient);
+}
+
+void tp_frame_add_fresnel(const tp_frame *frame, tp_plan *plan)
+{
+    tp_plan_add(plan, frame->shade.env.beyond ? tp_stage_fresnel_hdr : tp_stage_fresnel);
+}
+
+/* What every sample but the sky's ends with. */
+void tp_frame_add_air(const tp_frame *frame, tp_plan *plan)
+{
+    const tp_env_kind kind = frame->shade.env.kind;
+
+    if (frame->scene->sky.haze > 0)
+        tp_plan_add(plan, kind == TP_ENV_DOME ? tp_stage_haze_dome
+                        : kind == TP_ENV_CUBE ? tp_stage_haze_cube : tp_stage_haze);
+    tp_frame_add_exposure(frame, plan);
+}
+
+void tp_frame_add_exposure(const tp_frame *frame, tp_plan *plan)
+{
+    if (frame->shade.tone && frame->drawn.exposure != TP_FX_ONE)
+        tp_plan_add(plan, tp_stage_expose);
+}

@@ -1,0 +1,67 @@
+/* SPDX-License-Identifier: MIT */
+/* The sun or moon as input and time move it, and the camera's exposure. */
+#include "scene/light.h"
+#include "base/base.h"
+
+#define LEAST TP_DEG(1)
+#define MOST  TP_DEG(90)
+
+static tp_turn height_held(int64_t height)
+{
+    return (tp_turn)(height < LEAST ? LEAST : height > MOST ? MOST : height);
+}
+
+tp_dir3 tp_light_direction(tp_turn heading, tp_turn elevation)
+{
+    tp_q30 level = tp_cos(elevation);
+
+    return (tp_dir3){ tp_q30_mul(level, tp_sin(heading)), tp_sin(elevation),
+                      -tp_q30_mul(level, tp_cos(heading)) };
+}
+
+static void keep_last(tp_world *world)
+{
+    world->last_light_heading = world->light_heading;
+    world->last_light_elevation = world->light_elevation;
+    world->last_exposure = world->exposure;
+}
+
+static void place(tp_world *world, const tp_scene *scene)
+{
+    world->light_heading = tp_turn_of_degrees(scene->light.heading);
+    world->light_elevation =
+        height_held((int32_t)tp_turn_of_degrees(scene->light.elevation));
+    world->scene_light[0] = scene->light.heading;
+    world->scene_light[1] = scene->light.elevation;
+}
+
+void tp_light_init(tp_world *world, const tp_scene *scene)
+{
+    place(world, scene);
+    world->exposure = scene->hdr.value;
+    keep_last(world);
+}
+
+/* What moved by itself stays where it is until the scene says otherwise. */
+void tp_light_refresh(tp_world *world, const tp_scene *scene)
+{
+    if (world->scene_light[0] != scene->light.heading
+        || world->scene_light[1] != scene->light.elevation)
+        place(world, scene);
+    if (scene->hdr.exposure == TP_EXPOSURE_FIXED)
+        world->exposure = world->last_exposure = scene->hdr.value;
+}
+
+/* A tick's share of light.turn is right within 2^-33 turn: a degree in four days. */
+void tp_light_step(tp_world *world, const tp_scene *scene, const tp_input *in)
+{
+    keep_last(world);
+    int64_t second = (int64_t)scene->light.turn * ((int64_t)1 << 32);
+    int64_t tick = tp_quotient(second, (int64_t)360 * TP_FX_ONE * TP_TICKS_PER_SECOND);
+
+    world->light_heading += (tp_turn)tick + (tp_turn)in->light_turn;
+    world->light_elevation =
+        height_held((int64_t)world->light_elevation + in->light_tilt);
+    if (world->parts.probe)
+        tp_meter_step(world, scene);
+}

@@ -1,0 +1,21 @@
+/* SPDX-License-Identifier: MIT */
+/* The light of a world, and the meter of its camera. */
+#ifndef TP_SCENE_LIGHT_H
+#define TP_SCENE_LIGHT_H
+#include "scene/parts.h"
+
+/* From the world to the light. */
+tp_dir3 tp_light_direction(tp_turn heading, tp_turn elevation);
+
+void tp_light_init(tp_world *world, const tp_scene *scene);
+void tp_light_refresh(tp_world *world, const tp_scene *scene);
+
+/* Moves the light, then the exposure towards what the meter sees. */
+void tp_light_step(tp_world *world, const tp_scene *scene, const tp_input *in);
+
+/* meter.c: the probe of a scene with automatic exposure. */
+size_t tp_meter_bytes(const tp_scene *scene);
+void tp_meter_init(tp_world *world, const tp_scene *scene, const tp_assets *assets);
+tp_fx tp_meter_mean(const tp_world *world, const tp_scene *scene);  /* 1: white */
+void tp_meter_step(tp_world *world, const tp_scene *scene);
+#endif

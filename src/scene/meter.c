@@ -1,0 +1,193 @@
+/* SPDX-License-Identifier: MIT */
+/* The meter of automatic exposure [F8]: 32 x 24 rays of the camera, once a tick.
+ *
+ * Rays that go up see the sky, rays that go down the sky mirrored in level water by
+ * Fresnel's share and the water's own lit colour: as the stages have it, in grey and
+ * without waves.  So the mean is the world's alone, whatever the picture's size, its
+ * tiles, and which frames were drawn.  The lattice is 4:3, camera.fov from bottom to top.
+ *
+ * Tables are a probe behind the world's head: it knows no pictures while it moves. */
+#include "base/base.h"
+#include "scene/drawn.h"
+#include "scene/light.h"
+#include "shade/env.h"
+#include "tidepool/light.h"
+
+#define ACROSS 32
+#define DOWN   24
+#define BANDS  64               /* of the gradients and of Fresnel's share */
+#define SIDE   8                /* of a cube's face */
+#define GLOWS  (TP_GLOW / 8)
+#define BRIGHTEST 1020          /* four whites: a sun counts no more */
+
+/* Greys are 255 at white. */
+typedef struct {
+    uint32_t cube;              /* 1: faces, else gradients and glow */
+    uint16_t low[2][BANDS + 1]; /* away from the light and towards it */
+    uint16_t glow[GLOWS + 1];
+    uint16_t face[TP_FACES][SIDE * SIDE];
+    uint16_t fresnel[BANDS + 1];        /* 256ths, times the water's reflection */
+    uint16_t water;             /* its colour in full light */
+} probe;
+
+size_t tp_meter_bytes(const tp_scene *scene)
+{
+    return scene->hdr.exposure == TP_EXPOSURE_AUTO ? sizeof(probe) : 0;
+}
+
+static probe *probe_of(const tp_world *world)
+{
+    return world->parts.probe ? (probe *)(void *)((char *)(uintptr_t)world
+                                                  + world->parts.probe) : NULL;
+}
+
+/* -- the tables --------------------------------------------------------------------- */
+
+static uint16_t grey_of(uint32_t light, uint32_t beyond)
+{
+    uint32_t grey = (77 * (light >> 16 & 0xff) + 150 * (light >> 8 & 0xff)
+                     + 29 * (light & 0xff)) >> 8;
+    uint32_t gain = 256 + ((light >> 24) * beyond >> 8);
+    uint32_t bright = grey * gain >> 8;
+
+    return (uint16_t)(bright < BRIGHTEST ? bright : BRIGHTEST);
+}
+
+/* The plain gradient is a day's without sun. */
+static void fill_dome(probe *p, const tp_scene *scene, uint32_t beyond)
+{
+    const int32_t kind = scene->sky.kind;
+    const bool dome = kind == TP_SKY_DAY || kind == TP_SKY_DUSK || kind == TP_SKY_NIGHT;
+    tp_dome_config config = {
+        .kind = kind == TP_SKY_DUSK    ? TP_DOME_DUSK
+              : kind == TP_SKY_NIGHT ? TP_DOME_NIGHT : TP_DOME_DAY,
+        .horizon = (uint32_t)scene->sky.horizon, .zenith = (uint32_t)scene->sky.zenith,
+        .light = (uint32_t)scene->light.colour, .sun = scene->sky.sun,
+    };
+
+    for (int32_t i = 0; i <= BANDS; i++) {
+        int32_t sine = i * TP_SKY / BANDS;
+        p->low[0][i] = grey_of(tp_dome_gradient(&config, false, sine), 0);
+        p->low[1][i] = grey_of(tp_dome_gradient(&config, dome, sine), 0);
+    }
+    for (uint32_t i = 0; i <= GLOWS; i++)
+        p->glow[i] = dome ? grey_of(tp_dome_glow(&config, tp_glow_square(8 * i)), beyond)
+                          : 0;
+}
+
+/* The level that has 8 texels a side, or the whole of a smaller picture. */
+static void fill_face(uint16_t to[SIDE * SIDE], const tp_cube *cube, int i, uint32_t beyond)
+{
+    const tp_texture *face = cube->face[i];
+    int larger = face->log2_w > face->log2_h ? face->log2_w : face->log2_h;
+    int level = larger > 3 ? larger - 3 : 0;
+    int w = face->log2_w > level ? face->log2_w - level : 0;
+    int h = face->log2_h > level ? face->log2_h - level : 0;
+
+    for (int at = 0; at < SIDE * SIDE; at++) {
+        int u = at % SIDE << w >> 3, v = at / SIDE << h >> 3;
+        to[at] = grey_of(face->level[level][(v << w) + u] & cube->mask[i], beyond);
+    }
+}
+
+static void fill_water(probe *p, const tp_scene *scene, const tp_assets *assets)
+{
+    const tp_texture *layer = assets ? assets->layer[0] : NULL;
+    uint32_t colour = (uint32_t)scene->water.colour;
+    uint32_t share = (uint32_t)scene->water.reflection >> 8;
+
+    if (layer)
+        colour = tp_colour_times(layer->level[layer->levels - 1][0], colour);
+    p->water = grey_of(colour & 0xffffff, 0);
+    for (int32_t i = 0; i <= BANDS; i++) {
+        tp_q30 c = i * (TP_Q30_ONE / BANDS);
+        tp_q30 r = scene->water.fresnel == TP_FRESNEL_SCHLICK ? tp_fresnel_schlick(c)
+                                                              : tp_fresnel(c);
+        p->fresnel[i] = (uint16_t)((uint32_t)(r >> 22) * share >> 8);
+    }
+}
+
+void tp_meter_init(tp_world *world, const tp_scene *scene, const tp_assets *assets)
+{
+    probe   *p = probe_of(world);
+    uint32_t beyond = (uint32_t)scene->hdr.share * TP_WHITES >> 8;
+    tp_cube  cube;
+
+    if (!p)
+        return;
+    p->cube = scene->sky.kind == TP_SKY_CUBE && assets
+           && tp_cube_init(&cube, assets->sky);
+    if (!p->cube)
+        fill_dome(p, scene, beyond);
+    for (int i = 0; p->cube && i < TP_FACES; i++)
+        fill_face(p->face[i], &cube, i, beyond);
+    fill_water(p, scene, assets);
+}
+
+/* -- a tick --------------------------------------------------------------------------- */
+
+typedef struct {
+    int32_t x, y, z;            /* Q1.14 */
+} way;
+
+static way way_of(tp_dir3 d)
+{
+    return (way){ d.x >> 16, d.y >> 16, d.z >> 16 };
+}
+
+/* Grey towards d, which does not go down. */
+static uint32_t sky_at(const probe *p, way light, way d)
+{
+    if (p->cube) {
+        tp_cube_ray at = tp_cube_face(d.x, d.y, d.z);
+        int32_t u = tp_clamp((at.m + at.right) * SIDE / (2 * at.m), 0, SIDE - 1);
+        int32_t v = tp_clamp((at.m + at.down) * SIDE / (2 * at.m), 0, SIDE - 1);
+        return p->face[at.face][v * SIDE + u];
+    }
+    uint32_t square = tp_square_of(d.x - light.x, d.y - light.y, d.z - light.z);
+    uint32_t share = tp_towards_light(square);
+    int32_t  band = tp_clamp(d.y >> 8, 0, BANDS);
+    uint32_t low = (p->low[0][band] * (256 - share) + p->low[1][band] * share) >> 8;
+    uint32_t sum = low + p->glow[tp_glow_entry(square) / 8];
+
+    return sum < BRIGHTEST ? sum : BRIGHTEST;
+}
+
+static uint32_t ray_at(const probe *p, const tp_scene *scene, way light, way d)
+{
+    if (d.y >= 0)
+        return sky_at(p, light, d);
+    int32_t  ambient = scene->light.ambient >> 8;
+    uint32_t lit = (uint32_t)(ambient + ((256 - ambient) * light.y >> 14));
+    uint32_t share = p->fresnel[tp_clamp(-d.y >> 8, 0, BANDS)];
+    uint32_t mirror = sky_at(p, light, (way){ d.x, -d.y, d.z });
+
+    return ((p->water * lit >> 8) * (256 - share) + mirror * share) >> 8;
+}
+
+/* The lattice's ray (i, j): u and v are the sine of half the view's angle times 3/4 of
+ * -31/24..31/24 and -23/24..23/24, so that its depth is the cosine. */
+tp_fx tp_meter_mean(const tp_world *world, const tp_scene *scene)
+{
+    const probe *p = probe_of(world);
+    tp_turn half = tp_turn_of_degrees(scene->camera.fov) / 2;
+    int32_t s = tp_sin(half) >> 16, c = tp_cos(half) >> 16;
+    tp_rotation turn = tp_camera_between(world, 0).turn;
+    way right = way_of(turn.x), up = way_of(turn.y), back = way_of(turn.z);
+    way light = way_of(tp_light_direction(world->light_heading, world->light_elevation));
+    uint32_t sum = 0;
+
+    for (int32_t k = 0; p && k < ACROSS * DOWN; k++) {
+        int32_t u = s * (2 * (k % ACROSS) - 31) / 24, v = s * (23 - 2 * (k / ACROSS)) / 24;
+        sum += ray_at(p, scene, light, way_of(tp_normalise(
+            right.x * u + up.x * v - back.x * c, right.y * u + up.y * v - back.y * c,
+            right.z * u + up.z * v - back.z * c)));
+    }
+    return (tp_fx)((uint64_t)sum * TP_FX_ONE / (ACROSS * DOWN * 255));
+}
+
+void tp_meter_step(tp_world *world, const tp_scene *scene)
+{
+    world->exposure = tp_exposure_step(world->exposure, tp_meter_mean(world, scene),
+                                       scene->hdr.rate);
+}

@@ -1,0 +1,122 @@
+/* SPDX-License-Identifier: MIT */
+/* A sky without pictures: day, dusk and night.
+ *
+ * Palettes are stops by the sine of the elevation, chosen by eye after photographs: on the
+ * light's side and away from it, alike at the zenith, where the sides meet.  Day has the
+ * scene's own two colours.  The disc of sun or moon is 1.1 degrees in radius, four times
+ * nature's, so that it stays round at 320 x 240; its alpha is its light beyond white. */
+#include "shade/env.h"
+
+typedef struct {
+    int32_t  sine;              /* 256ths */
+    uint32_t colour;
+} stop;
+
+#define STOPS 7
+
+static const stop dusk_towards[STOPS] = {
+    { 0, 0xffae58 }, { 12, 0xf79860 }, { 34, 0xd77a74 }, { 66, 0x9d6488 },
+    { 110, 0x645688 }, { 170, 0x343c74 }, { 256, 0x161f50 },
+};
+static const stop dusk_away[STOPS] = {
+    { 0, 0x74668c }, { 16, 0x8e7298 }, { 36, 0x86709c }, { 66, 0x625f96 },
+    { 110, 0x414a86 }, { 170, 0x26316a }, { 256, 0x161f50 },
+};
+static const stop night_towards[STOPS] = {
+    { 0, 0x2c3c58 }, { 12, 0x243450 }, { 34, 0x1a2844 }, { 66, 0x121d36 },
+    { 110, 0x0c152a }, { 170, 0x070e1e }, { 256, 0x040915 },
+};
+static const stop night_away[STOPS] = {
+    { 0, 0x172236 }, { 12, 0x141e32 }, { 34, 0x10192c }, { 66, 0x0b1324 },
+    { 110, 0x080e1e }, { 170, 0x060b19 }, { 256, 0x040915 },
+};
+
+static uint32_t between_stops(const stop *s, int32_t sine)
+{
+    int i = 0;
+
+    while (i < STOPS - 2 && s[i + 1].sine < sine)
+        i++;
+    int32_t part = (sine - s[i].sine) * 256 / (s[i + 1].sine - s[i].sine);
+    return tp_colour_mix(s[i].colour, s[i + 1].colour, (uint32_t)tp_clamp(part, 0, 256));
+}
+
+/* The zenith's share as the plain gradient's, 1 - (1 - sine)^2; towards the sun the low
+ * air is as bright as it. */
+static uint32_t day(const tp_dome_config *config, bool towards, int32_t sine)
+{
+    uint32_t left = (uint32_t)(TP_SKY - sine), low = left * left / TP_SKY;
+    uint32_t colour = tp_colour_mix(config->horizon, config->zenith, 256 - low);
+    uint32_t haze = low * low / TP_SKY;
+
+    return towards ? tp_colour_mix(colour, config->light, haze * 5 / 8) : colour;
+}
+
+uint32_t tp_dome_gradient(const tp_dome_config *config, bool towards, int32_t sine)
+{
+    if (config->kind == TP_DOME_DUSK)
+        return between_stops(towards ? dusk_towards : dusk_away, sine);
+    if (config->kind == TP_DOME_NIGHT)
+        return between_stops(towards ? night_towards : night_away, sine);
+    return day(config, towards, sine);
+}
+
+/* -- around the light --------------------------------------------------------------------- */
+
+/* Peaks and widths of the glow's two parts, of 255 and as squares of 28 places: 2^20 is
+ * 3.6 degrees away, 2^25 is 20. */
+typedef struct {
+    uint32_t near_peak, near_width, far_peak, far_width;
+} halo;
+
+static const halo halos[] = {
+    [TP_DOME_DAY]   = { 96, 1u << 20, 72, 1u << 24 },
+    [TP_DOME_DUSK]  = { 88, 1u << 20, 96, 1u << 25 },
+    [TP_DOME_NIGHT] = { 80, 1u << 18, 52, 1u << 23 },
+};
+
+#define DISC      98000u        /* square of 1.1 degrees */
+#define DISC_EDGE (TP_DISC_END - DISC)
+#define FAR       (1u << 30)    /* the light's back */
+
+/* peak / (1 + square / width), 0 at the light's back; in 256ths of a level. */
+static uint32_t lobe(uint32_t peak, uint32_t width, uint32_t square)
+{
+    uint64_t here = ((uint64_t)peak << 8) * width / ((uint64_t)width + square);
+    uint64_t last = ((uint64_t)peak << 8) * width / ((uint64_t)width + FAR);
+
+    return here > last ? (uint32_t)(here - last) : 0;
+}
+
+/* The moon's disc is paler than its light: it is grey. */
+uint32_t tp_dome_glow(const tp_dome_config *config, uint32_t square)
+{
+    const halo *h = &halos[config->kind];
+    uint32_t share = (lobe(h->near_peak, h->near_width, square)
+                      + lobe(h->far_peak, h->far_width, square)) >> 8;
+    uint32_t glow = tp_colour_scale(config->light, share);
+    uint32_t over = square > DISC ? square - DISC : 0;
+    uint32_t cover = over < DISC_EDGE ? 256 - over * 256 / DISC_EDGE : 0;
+    uint32_t sun = (uint32_t)tp_clamp(config->sun, 0, 16 * TP_FX_ONE);
+    uint32_t white = sun < TP_FX_ONE ? sun >> 8 : 256;
+    uint32_t alpha = (sun >> 8) * 255 / (256 * TP_WHITES) * cover >> 8;
+
+    glow = tp_colour_add(glow, tp_colour_scale(config->light, white * cover >> 8));
+    return glow | alpha << 24;
+}
+
+uint32_t tp_glow_square(uint32_t i)
+{
+    uint32_t mantissa = TP_GLOW_STEP + i % TP_GLOW_STEP;
+    return mantissa << (TP_GLOW_LOG2 - 5 + i / TP_GLOW_STEP);
+}
+
+void tp_dome_init(tp_dome *dome, const tp_dome_config *config)
+{
+    for (int32_t i = 0; i <= TP_SKY; i++) {
+        dome->away[i] = tp_dome_gradient(config, false, i);
+        dome->towards[i] = tp_dome_gradient(config, true, i);
+    }
+    for (uint32_t i = 0; i <= TP_GLOW; i++)
+        dome->glow[i] = tp_dome_glow(config, tp_glow_square(i));
+}

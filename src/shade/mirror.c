@@ -1,0 +1,97 @@
+/* SPDX-License-Identifier: MIT */
+/* What the water mirrors, by Fresnel's share.
+ *
+ * The plain gradient needs only the mirrored view's height: one fused stage.  Other skies
+ * are looked up by the whole vector R = 2 (N.V) N - V [F3], whose height is at hand: with
+ * k = Ry + Vy = 2 (N.V) Ny and N = Ny (-sx, 1, -sz) the others are -k sx - Vx and
+ * -k sz - Vz.  Then they are mixed in, as light that may be beyond white [F8]. */
+#include "shade/env.h"
+
+/* A mirrored ray that goes down meets other water, which is half as bright as the
+ * horizon: its share fades to a half within 7 degrees below level. */
+TP_ALWAYS_INLINE uint32_t share_of(const tp_shade *shade, int32_t nv, int32_t up)
+{
+    uint32_t share = shade->fresnel[nv >> 6] * (uint32_t)shade->mirror >> 8;
+    uint32_t above = (uint32_t)tp_clamp(256 + 4 * (up >> 6), 128, 256);
+    return share * above >> 8;
+}
+
+void tp_stage_mirror(const tp_shade *shade, tp_run *run)
+{
+    for (int32_t i = 0; i < run->count; i++) {
+        uint32_t sky = tp_env_gradient(shade, run->up[i]);
+        run->colour[i] = tp_colour_mix(run->colour[i], sky,
+                                       share_of(shade, run->nv[i], run->up[i]));
+    }
+}
+
+/* The slopes as sampled, for stages that ask no more whether ripples have bent them. */
+void tp_stage_slopes(const tp_shade *shade, tp_run *run)
+{
+    (void)shade;
+    for (int32_t i = 0; i < run->count; i++) {
+        run->sx[i] = (int16_t)(run->n[i] >> 16);
+        run->sz[i] = (int16_t)(run->n[i] & 0xffff);
+    }
+}
+
+/* A level of a cube is chosen for 16 columns: far water has more waves in a pixel than it
+ * has normals, and they scatter what is mirrored. */
+TP_ALWAYS_INLINE void reflect(const tp_shade *shade, tp_run *run, tp_env_kind kind)
+{
+    int32_t count = run->count;
+
+    for (int32_t i = 0; i < count; ) {
+        int32_t depth = tp_log_depth(shade, run->key[i]);
+        int     level = tp_env_level(shade, kind, 128 + (depth > 0 ? depth / 2 : 0));
+        int32_t stop = i + 16 - ((run->x + i) & 15);
+        stop = stop < count ? stop : count;
+        for (; i < stop; i++) {
+            int32_t up = run->up[i], k = up + run->vy[i];
+            int32_t rx = -(k * run->sx[i] >> 12) - run->vx[i];
+            int32_t rz = -(k * run->sz[i] >> 12) - run->vz[i];
+            rx = tp_clamp(rx, -16384, 16384);
+            rz = tp_clamp(rz, -16384, 16384);
+            run->rx[i] = (int16_t)rx;
+            run->rz[i] = (int16_t)rz;
+            up = up > 0 ? up : 0;
+            run->mirror[i] = kind == TP_ENV_DOME
+                                 ? tp_env_dome(shade, shade->env.least, rx, up, rz)
+                                 : tp_env_of(shade, kind, level, rx, up, rz);
+        }
+    }
+}
+
+#define REFLECT_STAGE(name, kind) \
+    void tp_stage_reflect_##name(const tp_shade *shade, tp_run *run) \
+    { reflect(shade, run, kind); }
+TP_ENV_KINDS(REFLECT_STAGE)
+
+/* Light beyond white times a small share need not be beyond it: the share comes first. */
+TP_ALWAYS_INLINE uint32_t mixed(uint32_t a, uint32_t light, uint32_t share, uint32_t gain)
+{
+    uint32_t part = share * gain >> 8, left = 256 - share, sum = 0;
+
+    for (int k = 0; k < 24; k += 8) {
+        uint32_t c = ((a >> k & 0xff) * left + (light >> k & 0xff) * part) >> 8;
+        sum |= (c < 255 ? c : 255) << k;
+    }
+    return sum;
+}
+
+TP_ALWAYS_INLINE void fresnel(const tp_shade *shade, tp_run *run, int hdr)
+{
+    for (int32_t i = 0; i < run->count; i++) {
+        uint32_t light = run->mirror[i], colour = run->colour[i];
+        uint32_t share = share_of(shade, run->nv[i], run->up[i]);
+        run->colour[i] = hdr && light >> 24
+                             ? mixed(colour, light, share, tp_light_gain(shade, light))
+                             : tp_colour_mix(colour, light, share);
+    }
+}
+
+#define FRESNEL_STAGE(name, hdr) \
+    void tp_stage_##name(const tp_shade *shade, tp_run *run) \
+    { fresnel(shade, run, hdr); }
+FRESNEL_STAGE(fresnel, 0)
+FRESNEL_STAGE(fresnel_hdr, 1)

@@ -1,0 +1,60 @@
+/* SPDX-License-Identifier: MIT */
+/* Stars: the sky is a cube of 6 x 64 x 64 cells, and some of them have one, at a place
+ * inside it by the cell's hash.  No list is kept, and each pixel asks its own cell alone.
+ *
+ * A star is a round dot so many pixels wide (shade->env.star), whatever the picture's
+ * size, so that none falls between two pixels; few are bright.  Water mirrors none: the
+ * slightest ripple spreads them. */
+#include "shade/env.h"
+
+#define CELL_LOG2 10            /* of a face's 65536 */
+#define MARGIN    256           /* stars keep away from their cell's edges */
+
+TP_ALWAYS_INLINE uint32_t hash(uint32_t n)
+{
+    n = (n ^ n >> 15) * 0x2c1b3c6du;
+    n = (n ^ n >> 12) * 0x297a2d39u;
+    return n ^ n >> 15;
+}
+
+/* The dot at (ds, dt) from its middle, 0..256.  A face's units are larger in the eye the
+ * farther out they lie: m is the cosine to the face's middle. */
+TP_ALWAYS_INLINE uint32_t dot_at(const tp_shade *shade, int32_t ds, int32_t dt,
+                                 int32_t m)
+{
+    uint32_t square = (uint32_t)(ds * ds + dt * dt) >> 2;
+    uint32_t narrow = (uint32_t)(m * m) >> 16;          /* Q12 */
+    uint32_t down = (uint32_t)((uint64_t)(square * narrow >> 10) * shade->env.star >> 16);
+    return down < 256 ? 256 - down : 0;
+}
+
+static const uint32_t tints[4] = { 0xffffff, 0xd8e4ff, 0xfff0d8, 0xecf2ff };
+
+/* 0x00RRGGBB to be added.  Near the horizon the air swallows them. */
+TP_ALWAYS_INLINE uint32_t star_at(const tp_shade *shade, int32_t x, int32_t y, int32_t z)
+{
+    tp_cube_place p = tp_cube_at(shade->env.recip, x, y, z);
+    uint32_t h = hash((uint32_t)(p.face * 4096 + (p.t >> CELL_LOG2) * 64
+                                 + (p.s >> CELL_LOG2)) + 1);
+
+    if ((h & 0xff) >= shade->env.stars)
+        return 0;
+    int32_t mask = (1 << CELL_LOG2) - 1, room = mask + 1 - 2 * MARGIN;
+    int32_t ds = (p.s & mask) - MARGIN - (int32_t)((h >> 8 & 0xff) * (uint32_t)room >> 8);
+    int32_t dt = (p.t & mask) - MARGIN - (int32_t)((h >> 16 & 0xff) * (uint32_t)room >> 8);
+    uint32_t rank = h >> 24, bright = 56 + (rank * rank * rank >> 16) * 7 / 4;
+    uint32_t air = (uint32_t)tp_clamp((y - 500) >> 3, 0, 256);
+    uint32_t share = (dot_at(shade, ds, dt, p.m) * bright >> 8) * air >> 8;
+
+    return tp_colour_scale(tints[h >> 14 & 3], share < 256 ? share : 256);
+}
+
+void tp_stage_stars(const tp_shade *shade, tp_run *run)
+{
+    for (int32_t i = 0; i < run->count; i++) {
+        if (run->vy[i] < 0)
+            run->colour[i] = tp_colour_add(run->colour[i],
+                                           star_at(shade, -run->vx[i], -run->vy[i],
+                                                   -run->vz[i]));
+    }
+}
