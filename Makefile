@@ -33,7 +33,7 @@ CORE := $(addprefix src/, \
     geom/clip.c geom/grid.c geom/lens.c geom/sheet.c geom/surface.c geom/vertex.c \
     geom/vertex_more.c geom/vertex_row.c \
     raster/span.c \
-    shade/cube.c shade/dome.c shade/expose.c shade/exposure.c \
+    shade/cube.c shade/dome.c shade/drop.c shade/expose.c shade/exposure.c \
     shade/haze.c shade/light.c shade/mirror.c shade/optics.c shade/sky.c \
     shade/solid.c shade/stars.c shade/tables.c shade/texture.c shade/view.c \
     scene/boat.c scene/clock.c scene/drawn.c scene/drop.c scene/drops.c scene/float.c \

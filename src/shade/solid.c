@@ -6,6 +6,7 @@
  * is square to both though T need not be to N ([F6], Gram-Schmidt left to the eye: the
  * meshes' normals are within a few degrees of their faces'). */
 #include "asset/mesh.h"
+#include "shade/env.h"
 #include "shade/lobe.h"
 
 typedef struct {
@@ -116,22 +117,14 @@ void tp_stage_solid_blinn(const tp_shade *shade, tp_run *run)
     solid_run(shade, run, 1);
 }
 
-static void shade_plain(const tp_shade *shade, const tp_solid *solid, tp_run *run)
+void tp_stage_land(const tp_shade *shade, tp_run *run)
 {
+    const tp_solid *land = &shade->land;
+
     tp_view_run(shade, &shade->world, run);
     for (int32_t i = 0; i < run->count; i++)
-        run->colour[i] = phong(shade, &shade->world, solid, solid->diffuse,
+        run->colour[i] = phong(shade, &shade->world, land, land->diffuse,
                                unit(unpacked(run->n[i])),
                                (vec){ run->vx[i], run->vy[i], run->vz[i] }, run->lv[i],
                                0);
-}
-
-void tp_stage_land(const tp_shade *shade, tp_run *run)
-{
-    shade_plain(shade, &shade->land, run);
-}
-
-void tp_stage_drop(const tp_shade *shade, tp_run *run)
-{
-    shade_plain(shade, &shade->drop, run);
 }

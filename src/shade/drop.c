@@ -1,0 +1,75 @@
+/* SPDX-License-Identifier: MIT */
+/* Drops: balls of clear water, which show the world upside down.
+ *
+ * A ray that meets a ball of index n at an angle i leaves it turned by 2 (i - r) towards
+ * its middle, sin i = n sin r [F4].  With c = cos i = N.V the turn is taken from two
+ * parabolas in c: the ray goes on along cos x (-V) - s x (N - c V), where
+ * cos = 1 - 7/8 (1 - c)^2 and s = 1 - 4/5 c + 3/10 c^2, within 0.05 of the true ones.  What
+ * is mirrored at the first surface comes on top by Fresnel's share, and the light's
+ * lobe. */
+#include "asset/mesh.h"
+#include "shade/env.h"
+
+typedef struct {
+    int32_t x, y, z;            /* Q1.14 */
+} vec;
+
+/* a x + b y. */
+static vec sum(vec x, int32_t a, vec y, int32_t b)
+{
+    return (vec){ (x.x * a + y.x * b) >> 14, (x.y * a + y.y * b) >> 14,
+                  (x.z * a + y.z * b) >> 14 };
+}
+
+/* Below the horizon lies the water: its colour, in the light of all sides and the sun's,
+ * grows out of the horizon's within 14 degrees. */
+static uint32_t around(const tp_shade *shade, vec d)
+{
+    uint32_t light = tp_env_at(shade, d.x, d.y > 0 ? d.y : 0, d.z);
+    uint32_t sky = tp_light_colour(shade, light);
+
+    if (d.y >= 0)
+        return sky;
+    int32_t bright = shade->ambient
+                   + ((256 - shade->ambient) * tp_clamp(shade->world.ly, 0, 16384) >> 14);
+    uint32_t water = tp_colour_scale(shade->water_colour, (uint32_t)bright);
+    return tp_colour_mix(sky, tp_colour_mix(water, sky, 64),
+                         (uint32_t)tp_clamp(-d.y >> 4, 0, 256));
+}
+
+/* The way on through the ball. */
+static vec through(vec n, vec v, int32_t c)
+{
+    int32_t left = 16384 - c;
+    int32_t ahead = 16384 - (left * left >> 14) * 7 / 8;
+    int32_t aside = 16384 - c * 4 / 5 + (c * c >> 14) * 3 / 10;
+
+    return sum(v, (aside * c >> 14) - ahead, n, -aside);
+}
+
+static uint32_t lit(const tp_shade *shade, vec n, vec v, int32_t lv)
+{
+    const tp_solid *drop = &shade->drop;
+    vec     light = { shade->world.lx, shade->world.ly, shade->world.lz };
+    int32_t c = tp_clamp((n.x * v.x + n.y * v.y + n.z * v.z) >> 14, 0, 16384);
+    int32_t nl = (n.x * light.x + n.y * light.y + n.z * light.z) >> 14;
+    int32_t rv = nl > 0 ? tp_clamp((2 * nl * c >> 14) - lv, 0, 16384) : 0;
+    uint32_t gloss = drop->gloss[rv * (TP_GLOSS - 1) >> 14];
+    uint32_t clear = tp_colour_times(around(shade, through(n, v, c)), drop->diffuse);
+    uint32_t mirror = around(shade, sum(n, 2 * c, v, -16384));
+
+    return tp_colour_add(tp_colour_mix(clear, mirror, shade->fresnel[c >> 6]),
+                         tp_colour_scale(tp_colour_times(drop->specular,
+                                                         shade->light_colour), gloss));
+}
+
+void tp_stage_drop(const tp_shade *shade, tp_run *run)
+{
+    tp_view_run(shade, &shade->world, run);
+    for (int32_t i = 0; i < run->count; i++) {
+        tp_packed_dir packed = run->n[i];
+        tp_dir3 n = tp_normalise(tp_dir_x(packed), tp_dir_y(packed), tp_dir_z(packed));
+        run->colour[i] = lit(shade, (vec){ n.x >> 16, n.y >> 16, n.z >> 16 },
+                             (vec){ run->vx[i], run->vy[i], run->vz[i] }, run->lv[i]);
+    }
+}
