@@ -89,6 +89,8 @@ TP_ALWAYS_INLINE int32_t shine_of(const tp_shade *shade, int32_t rv)
  * the horizon's full light. */
 #define RIPPLED_VIEW 1638
 
+/* The lobe takes N.V as it is: a crest that turns away shows the eye no more light than
+ * one that it just grazes. */
 TP_ALWAYS_INLINE void light(const tp_shade *shade, tp_run *run, int rippled, int blinn)
 {
     int32_t lx = shade->world.lx, ly = shade->world.ly, lz = shade->world.lz;
@@ -101,9 +103,10 @@ TP_ALWAYS_INLINE void light(const tp_shade *shade, tp_run *run, int rippled, int
         int32_t nv = vy - ((sx * vx + sz * vz) >> 12);      /* Q14, below 14 */
         int32_t nl = ly - ((sx * lx + sz * lz) >> 12);
 
-        nv = tp_clamp(nv * ny >> 14, rippled ? RIPPLED_VIEW : 0, 16384);
+        int32_t seen = tp_clamp(nv * ny >> 14, 0, 16384);
+        nv = rippled && seen < RIPPLED_VIEW ? RIPPLED_VIEW : seen;
         nl = tp_clamp(nl * ny >> 14, 0, 16384);
-        int32_t rv = tp_lobe_at(nl, nv, run->lv[i], blinn);
+        int32_t rv = tp_lobe_at(nl, seen, run->lv[i], blinn);
         int32_t up = (2 * nv * ny >> 14) - vy;
         run->nv[i] = (int16_t)nv;
         run->up[i] = (int16_t)(up > 16384 ? 16384 : up);    /* vy is at most 1 */
