@@ -4,7 +4,6 @@
 #include "canvas.h"
 
 #include <png.h>
-#include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
 
@@ -75,7 +74,7 @@ int32_t sine_q14(int32_t turn_q16)
     return (int32_t)(negative ? -s : s);
 }
 
-static int wrap(int v, int period)
+int wrap(int v, int period)
 {
     int r = v % period;
     return r < 0 ? r + period : r;
@@ -168,6 +167,14 @@ void relief_normals(const relief *from, canvas *to)
     }
 }
 
+int relief_light(const relief *from, int x, int y)
+{
+    int w = from->w, h = from->h;
+    int across = from->at[y * w + wrap(x - 1, w)] - from->at[y * w + wrap(x + 1, w)];
+    int down = from->at[wrap(y - 1, h) * w + x] - from->at[wrap(y + 1, h) * w + x];
+    return clamp_int(256 - (across + down) * 3 / 8, 64, 448);
+}
+
 static void fail(const char *path, const char *why)
 {
     fprintf(stderr, "%s: %s\n", path, why);
@@ -177,12 +184,14 @@ static void fail(const char *path, const char *why)
 static void write_rows(png_structp png, const canvas *picture)
 {
     for (int y = 0; y < picture->h; y++) {
-        png_byte row[3 * CANVAS_SIDE];
+        png_byte row[4 * CANVAS_SIDE], *at = row;
         for (int x = 0; x < picture->w; x++) {
             uint32_t c = picture->pixel[y * picture->w + x];
-            row[3 * x] = (png_byte)(c >> 16);
-            row[3 * x + 1] = (png_byte)(c >> 8);
-            row[3 * x + 2] = (png_byte)c;
+            *at++ = (png_byte)(c >> 16);
+            *at++ = (png_byte)(c >> 8);
+            *at++ = (png_byte)c;
+            if (picture->alpha)
+                *at++ = (png_byte)(c >> 24);
         }
         png_write_row(png, row);
     }
@@ -202,7 +211,8 @@ void canvas_save(const canvas *picture, const char *dir, const char *name)
     png_init_io(png, file);
     png_set_compression_level(png, 9);
     png_set_IHDR(png, info, (png_uint_32)picture->w, (png_uint_32)picture->h, 8,
-                 PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT,
+                 picture->alpha ? PNG_COLOR_TYPE_RGBA : PNG_COLOR_TYPE_RGB,
+                 PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT,
                  PNG_FILTER_TYPE_DEFAULT);
     png_write_info(png, info);
     write_rows(png, picture);

@@ -6,13 +6,15 @@
  * are used, so every machine paints the same pixels.  Sides are powers of two. */
 #ifndef CANVAS_H
 #define CANVAS_H
+#include <stdbool.h>
 #include <stdint.h>
 
 #define CANVAS_SIDE 256 /* pixels, at most */
 
 typedef struct {
     int w, h;
-    uint32_t pixel[CANVAS_SIDE * CANVAS_SIDE]; /* 0x00RRGGBB, rows from the top */
+    bool alpha;                                /* the pixels' top byte is saved too */
+    uint32_t pixel[CANVAS_SIDE * CANVAS_SIDE]; /* 0xAARRGGBB, rows from the top */
 } canvas;
 
 /* Heights in 1/256 of a texel's width. */
@@ -22,6 +24,7 @@ typedef struct {
 } relief;
 
 int clamp_int(int v, int low, int high);
+int wrap(int v, int period);          /* 0..period - 1 */
 int mix_int(int a, int b, int t_256); /* t_256 = 0: a, 256: b */
 uint32_t rgb(int r, int g, int b);    /* each clamped to 0..255 */
 uint32_t rgb_mix(uint32_t a, uint32_t b, int t_256);
@@ -55,6 +58,9 @@ uint32_t normal_rgb(int32_t slope_x_q16, int32_t slope_up_q16);
 /* The normal map of a relief, by central differences across its seams. */
 void relief_normals(const relief *from, canvas *to);
 
-/* Writes DIR/NAME as an RGB PNG without time or text, or ends the program. */
+/* What light from the upper left makes of a relief: 256 where it is level. */
+int relief_light(const relief *from, int x, int y);
+
+/* Writes DIR/NAME as an RGB or RGBA PNG without time or text, or ends the program. */
 void canvas_save(const canvas *picture, const char *dir, const char *name);
 #endif

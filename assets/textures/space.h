@@ -1,0 +1,42 @@
+/* SPDX-License-Identifier: MIT */
+/* Directions, light and noise in space, in integers; for skies. */
+#ifndef SPACE_H
+#define SPACE_H
+#include <stdint.h>
+
+/* A unit vector is Q14, a place is in metres: x east, y up, z south. */
+typedef struct {
+    int32_t x, y, z;
+} vec;
+
+/* Red, green and blue in 1/256 of a level of 255; more than white is allowed. */
+typedef struct {
+    int32_t r, g, b;
+} light;
+
+vec unit(int32_t x, int32_t y, int32_t z);
+vec heading_at(int32_t heading_degrees,
+               int32_t elevation_degrees); /* clockwise from -z */
+int32_t cosine(vec a, vec b);              /* Q14 */
+int32_t chord(vec a, vec b);               /* Q14: of small angles, their radians */
+
+light light_of(uint32_t rgb);
+uint32_t light_rgb(light l); /* rounded, held at white */
+light light_mix(light a, light b, int32_t t_q14);
+light light_scale(light l, int32_t by_q14);
+light light_add(light a, light b);
+
+/* The colour at a height (y of a unit vector) between stops of rising heights. */
+typedef struct {
+    int32_t y;
+    uint32_t rgb;
+} stop;
+
+light ramp_at(const stop *stops, int count, int32_t y);
+
+/* Smooth noise 0..65535 in space, not repeating; in 1/256 cell. */
+int noise3(int32_t x_q8, int32_t y_q8, int32_t z_q8, uint32_t seed);
+
+/* `octaves` of it, 0..65535; the first has cells of `cell` m, the others half each. */
+int fractal3(vec place, int cell, int octaves, uint32_t seed);
+#endif
