@@ -101,6 +101,18 @@ static const char *read_threads(options *o, const char *value)
     return read_count(value, NULL, 1, CANVAS_THREADS, &o->threads) ? NULL : "1..64";
 }
 
+/* k and M are 1024 and 1024 k, as boards' data sheets count. */
+static const char *read_memory(options *o, const char *value)
+{
+    const char *end;
+    uint32_t count;
+    if (!read_count(value, &end, 1, UINT32_MAX, &count))
+        return "bytes from 1, or with a k or M behind";
+    const uint32_t unit = *end == 'k' ? 1u << 10 : *end == 'M' ? 1u << 20 : 1;
+    o->memory = (uint64_t)count * unit;
+    return end[unit > 1] ? "bytes from 1, or with a k or M behind" : NULL;
+}
+
 static const char *read_visibility(options *o, const char *value)
 {
     (void)o;                    /* triangles is what auto comes to */
@@ -140,6 +152,14 @@ static const char *read_stats(options *o, const char *value)
     return NULL;
 }
 
+static const char *read_verbose(options *o, const char *value)
+{
+    (void)o;
+    (void)value;
+    say_verbose();
+    return NULL;
+}
+
 static const char *read_help(options *o, const char *value)
 {
     (void)value;
@@ -162,6 +182,8 @@ static const option_row rows[] = {
     { "--band", "ROWS", FOR_RENDER, read_band, "draw in bands of so many rows" },
     { "--strip", "COLS", FOR_RENDER, read_strip, "draw in strips, columns in 16s" },
     { "--threads", "N", FOR_RENDER | FOR_VIEW, read_threads, "draw tiles in N threads" },
+    { "--memory", "BYTES", FOR_RENDER | FOR_VIEW, read_memory,
+      "refuse to draw with more; 96k, 2M" },
     { "--visibility", "HOW", FOR_RENDER | FOR_VIEW, read_visibility,
       "auto or triangles" },
     { "--hash", NULL, FOR_RENDER, read_hash, "print the CRC-32 of every frame" },
@@ -171,6 +193,7 @@ static const option_row rows[] = {
     { "--tape", "FILE", FOR_RENDER, read_tape, "play the inputs recorded there" },
     { "--tape", "FILE", FOR_VIEW, read_tape, "record your inputs there" },
     { "--stats", NULL, FOR_RENDER, read_stats, "print times, counts and RAM as JSON" },
+    { "--verbose", NULL, ALL, read_verbose, "name the check that refused something" },
     { "--help", NULL, ALL, read_help, "this text" },
 };
 

@@ -91,14 +91,14 @@ static int pass(tp_obj *obj, const char *path, const char *who, feed more, end d
     tp_error err = { 0 };
     FILE *file = fopen(path, "rb");
     if (!file)
-        return fail(EXIT_INPUT, "%s: %s (named by %s)", path, strerror(errno), who);
+        return fail(EXIT_INPUT, "%s: %s: %s", who, path, strerror(errno));
     int code = EXIT_DONE;
     errno = 0;
     for (size_t n; !code && (n = fread(chunk, 1, sizeof chunk, file)) > 0;)
         if (more(obj, chunk, n, &err))
             code = fail_at(path, &err);
     if (!code && ferror(file))
-        code = fail(EXIT_INPUT, "%s: %s (named by %s)", path, strerror(errno), who);
+        code = fail(EXIT_INPUT, "%s: %s: %s", who, path, strerror(errno));
     fclose(file);
     if (!code && done(obj, &err))
         code = fail_at(path, &err);

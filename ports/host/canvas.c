@@ -23,39 +23,43 @@ static void choose_tiles(tp_frame_config *config, uint32_t threads)
         config->tile_height = rows < BAND_ROWS ? rows : BAND_ROWS;
 }
 
-static int allocate(canvas *c, size_t frame_bytes, size_t scratch_bytes)
+void canvas_plan(canvas *c, const tp_scene *scene, const tp_assets *assets,
+                 const tp_frame_config *config, uint32_t threads)
 {
-    const size_t picture_bytes = c->picture.row_bytes * c->picture.height;
-    c->block = malloc(frame_bytes);
-    c->picture.rows = malloc(picture_bytes);
-    bool there = c->block && c->picture.rows;
-    for (uint32_t i = 0; i < c->threads; i++) {
-        c->scratch[i] = malloc(scratch_bytes);
-        there = there && c->scratch[i];
-    }
-    if (!there)
-        return fail_memory(frame_bytes + picture_bytes + c->threads * scratch_bytes);
-    return EXIT_DONE;
-}
-
-int canvas_open(canvas *c, const tp_scene *scene, const tp_assets *assets,
-                const tp_frame_config *config, uint32_t threads)
-{
-    tp_frame_config chosen = *config;
-    *c = (canvas){ .threads = threads < 1 ? 1 : threads };
+    *c = (canvas){ .threads = threads < 1 ? 1 : threads, .config = *config };
     if (c->threads > CANVAS_THREADS)
         c->threads = CANVAS_THREADS;
-    choose_tiles(&chosen, c->threads);
+    choose_tiles(&c->config, c->threads);
     c->picture.format = config->format;
     c->picture.width = config->width;
     c->picture.height = config->height;
     c->picture.row_bytes = tp_format_row_bytes(config->format, (int)config->width);
-    const size_t frame_bytes = tp_frame_bytes(scene, assets, &chosen);
-    const int code = allocate(c, frame_bytes, tp_frame_scratch_bytes(&chosen));
+    c->frame_bytes = tp_frame_bytes(scene, assets, &c->config);
+    c->scratch_bytes = c->threads * tp_frame_scratch_bytes(&c->config);
+}
+
+static int allocate(canvas *c)
+{
+    const size_t picture_bytes = c->picture.row_bytes * c->picture.height;
+    c->block = malloc(c->frame_bytes);
+    c->picture.rows = malloc(picture_bytes);
+    bool there = c->block && c->picture.rows;
+    for (uint32_t i = 0; i < c->threads; i++) {
+        c->scratch[i] = malloc(c->scratch_bytes / c->threads);
+        there = there && c->scratch[i];
+    }
+    if (!there)
+        return fail_memory(c->frame_bytes + c->scratch_bytes + picture_bytes);
+    return EXIT_DONE;
+}
+
+int canvas_open(canvas *c, const tp_scene *scene, const tp_assets *assets)
+{
+    const int code = allocate(c);
     if (code)
         return code;
     tp_error err = { 0 };
-    if (tp_frame_init(&c->frame, scene, assets, &chosen, c->block, &err))
+    if (tp_frame_init(&c->frame, scene, assets, &c->config, c->block, &err))
         return fail_at("tidepool", &err);
     return EXIT_DONE;
 }

@@ -11,15 +11,21 @@ typedef struct {
     picture   picture;          /* of the last canvas_draw */
     tp_frame *frame;
     void     *block;            /* that the frame lies in */
+    size_t    frame_bytes, scratch_bytes;       /* scratch: of all threads */
     uint32_t  threads;
     void     *scratch[CANVAS_THREADS];
+    tp_frame_config config;     /* with the tiles' sides chosen */
     uint32_t  water_pixels;     /* of the last canvas_draw */
 } canvas;
 
-/* Tile sides of 0 let the canvas choose.  The scene and the assets must outlive it.
- * Returns an exit code and has said why; close in any case. */
-int  canvas_open(canvas *c, const tp_scene *scene, const tp_assets *assets,
+/* How the picture will be drawn, and how many bytes that takes; nothing is allocated.
+ * Tile sides of 0 let the canvas choose. */
+void canvas_plan(canvas *c, const tp_scene *scene, const tp_assets *assets,
                  const tp_frame_config *config, uint32_t threads);
+
+/* After the plan, with the same scene and assets, which must outlive it.  Returns an exit
+ * code and has said why; close in any case. */
+int  canvas_open(canvas *c, const tp_scene *scene, const tp_assets *assets);
 void canvas_draw(canvas *c, const tp_world *world);
 void canvas_close(canvas *c);
 #endif

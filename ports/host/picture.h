@@ -27,8 +27,8 @@ uint32_t picture_crc(const picture *p);
 /* As palette, grey, 1-bit or RGB PNG of exactly the shown colours. */
 int picture_write_png(const picture *p, const char *name);
 
-/* The pixels of a PNG of any kind as 0xAARRGGBB, to free; sides 1..4096.  `who` names
- * the file in messages as "named by ...".  NULL: it could not be had, and said why. */
+/* The pixels of a PNG of any kind as 0xAARRGGBB, to free; sides 1..4096.  Messages begin
+ * with `who`, which named the file.  NULL: it could not be had, and said why. */
 uint32_t *picture_read_png(const char *name, const char *who, uint32_t *w, uint32_t *h);
 
 /* The same as greys of 16 bits; colours by their luminance, transparency ignored. */

@@ -25,28 +25,40 @@ typedef struct {
     bool        grey;
     uint8_t    *bytes;              /* rows of R, G, B, A, or of high and low byte */
     png_bytep  *rows;
+    char        hint[80];           /* the last warning: it tells more than the error */
     char        why[160];
 } png_reader;
 
 static void refuse(png_structp png, png_const_charp text)
 {
     png_reader *r = png_get_error_ptr(png);
-    snprintf(r->why, sizeof r->why, "%s", text);
+    snprintf(r->why, sizeof r->why, "%s%s%s", text, r->hint[0] ? ": " : "", r->hint);
     png_longjmp(png, 1);
 }
 
-static void ignore(png_structp png, png_const_charp text)
+static void remember(png_structp png, png_const_charp text)
 {
-    (void)png;
-    (void)text;
+    png_reader *r = png_get_error_ptr(png);
+    snprintf(r->hint, sizeof r->hint, "%s", text);
+}
+
+/* With a reason of our own. */
+static void refuse_sides(png_reader *r)
+{
+    r->hint[0] = '\0';
+    snprintf(r->why, sizeof r->why, "%u x %u pixels; %d x %d at the most",
+             (unsigned)r->w, (unsigned)r->h, SIDE, SIDE);
+    png_longjmp(r->png, 1);
 }
 
 static void get(png_structp png, png_bytep data, size_t bytes)
 {
     png_reader *r = png_get_io_ptr(png);
     errno = 0;
-    if (fread(data, 1, bytes, r->file) != bytes)
-        png_error(png, ferror(r->file) ? strerror(errno) : "the file ends too early");
+    if (fread(data, 1, bytes, r->file) == bytes)
+        return;
+    r->hint[0] = '\0';
+    png_error(png, ferror(r->file) ? strerror(errno) : "the file ends too early");
 }
 
 /* Whatever comes, rows of R, G, B, A bytes go out. */
@@ -89,12 +101,14 @@ static bool read_all(png_reader *r)
     if (setjmp(png_jmpbuf(r->png)))
         return false;
     png_set_read_fn(r->png, r, get);
-    png_set_user_limits(r->png, SIDE, SIDE);
+    png_set_user_limits(r->png, PNG_UINT_31_MAX, PNG_UINT_31_MAX);
     png_set_chunk_cache_max(r->png, CHUNKS);
     png_set_chunk_malloc_max(r->png, CHUNK_BYTES);
     png_read_info(r->png, r->info);
     r->w = png_get_image_width(r->png, r->info);
     r->h = png_get_image_height(r->png, r->info);
+    if (r->w > SIDE || r->h > SIDE)
+        refuse_sides(r);
     if (r->grey)
         ask_for_grey(r->png, r->info);
     else
@@ -127,7 +141,7 @@ static uint16_t *greys_of(uint8_t *bytes, size_t count)
 
 static bool read_open_file(png_reader *r)
 {
-    r->png = png_create_read_struct(PNG_LIBPNG_VER_STRING, r, refuse, ignore);
+    r->png = png_create_read_struct(PNG_LIBPNG_VER_STRING, r, refuse, remember);
     r->info = r->png ? png_create_info_struct(r->png) : NULL;
     if (!r->info)
         snprintf(r->why, sizeof r->why, "out of memory");
@@ -142,14 +156,14 @@ static uint8_t *read_file(png_reader *r, const char *name, const char *who)
 {
     r->file = fopen(name, "rb");
     if (!r->file) {
-        say("%s: %s (named by %s)", name, strerror(errno), who);
+        say("%s: %s: %s", who, name, strerror(errno));
         return NULL;
     }
     const bool done = read_open_file(r);
     fclose(r->file);
     if (!done) {
         free(r->bytes);
-        say("%s: not a good PNG: %s (named by %s)", name, r->why, who);
+        say("%s: %s: not a good PNG: %s", who, name, r->why);
         return NULL;
     }
     return r->bytes;

@@ -10,7 +10,7 @@
 #include <string.h>
 #include <unistd.h>
 
-static bool progress_shown;
+static bool progress_shown, verbose;
 
 static bool can_rewrite(void)
 {
@@ -53,13 +53,28 @@ int fail(int code, const char *format, ...)
     return code;
 }
 
+void say_verbose(void)
+{
+    verbose = true;
+}
+
+const char *say_check(const tp_error *err)
+{
+    static char text[128];
+    if (!verbose || !err->file)
+        return "";
+    snprintf(text, sizeof text, " [%s:%d]", err->file, err->line);
+    return text;
+}
+
 int fail_at(const char *file, const tp_error *err)
 {
     char text[256];
     tp_error_text(err, text, sizeof text);
     if (err->where)
-        return fail(EXIT_INPUT, "%s:%u: %s", file, (unsigned)err->where, text);
-    return fail(EXIT_INPUT, "%s: %s", file, text);
+        return fail(EXIT_INPUT, "%s:%u: %s%s", file, (unsigned)err->where, text,
+                    say_check(err));
+    return fail(EXIT_INPUT, "%s: %s%s", file, text, say_check(err));
 }
 
 int fail_memory(size_t bytes)

@@ -26,6 +26,11 @@ int fail(int code, const char *format, ...) HOST_PRINTF(2, 3);
 /* "file:line: sentence", without the line where the error has none; EXIT_INPUT. */
 int fail_at(const char *file, const tp_error *err);
 
+/* From now on the check that refused something is named too, where the core made it:
+ * say_check gives " [src/asset/obj.c:88]", or "" as long as nobody asked. */
+void        say_verbose(void);
+const char *say_check(const tp_error *err);
+
 int fail_memory(size_t bytes);
 
 /* One line that is rewritten in place; "" erases it.  Nothing unless stderr is a

@@ -33,16 +33,16 @@ static void refuse_value(const char *place, const tp_param *param, const char *v
     case TP_E_RANGE:
         tp_param_number_text(param, err->a, low, sizeof low);
         tp_param_number_text(param, err->b, high, sizeof high);
-        say("%s: %s = %s is outside %s..%s%s%s", place, param->name, value, low, high,
-            gap, param->unit);
+        say("%s: %s = %s is outside %s..%s%s%s%s", place, param->name, value, low, high,
+            gap, param->unit, say_check(err));
         break;
     case TP_E_CHOICE:
-        say("%s: %s = %s is none of %s", place, param->name, value,
-            param->kind == TP_PARAM_BOOL ? "off|on" : param->unit);
+        say("%s: %s = %s is none of %s%s", place, param->name, value,
+            param->kind == TP_PARAM_BOOL ? "off|on" : param->unit, say_check(err));
         break;
     default:
         tp_error_text(err, sentence, sizeof sentence);
-        say("%s: %s: %s", place, param->name, sentence);
+        say("%s: %s: %s%s", place, param->name, sentence, say_check(err));
     }
 }
 
@@ -185,9 +185,9 @@ void scene_file_who(const scene_file *file, const tp_param *param, char *text,
 {
     const uint32_t line = file->set_at[row_of(param)];
     if (line == SET_BY_COMMAND)
-        snprintf(text, bytes, "--set %s", param->name);
+        snprintf(text, bytes, "--set: %s", param->name);
     else if (line)
-        snprintf(text, bytes, "%s of %s:%u", param->name, file->path, (unsigned)line);
+        snprintf(text, bytes, "%s:%u: %s", file->path, (unsigned)line, param->name);
     else
-        snprintf(text, bytes, "%s, by default", param->name);
+        snprintf(text, bytes, "%s: %s", file->name, param->name);
 }

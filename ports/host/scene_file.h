@@ -26,7 +26,7 @@ void scene_file_close(scene_file *file);
  * the program was started in. */
 char *scene_file_path_of(const scene_file *file, const tp_param *param);
 
-/* "boat.mesh of harbour.ini:14": who named it. */
+/* "harbour.ini:14: boat.mesh", what messages about its file begin with. */
 void scene_file_who(const scene_file *file, const tp_param *param, char *text,
                     size_t bytes);
 

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /* From the command line to a world and a canvas. */
 #include "stage.h"
+#include <inttypes.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include "say.h"
@@ -57,6 +59,22 @@ int stage_world(stage *s)
     return EXIT_DONE;
 }
 
+/* What a board would need beside the picture; what it names may lie in ROM there. */
+static int check_memory(const stage *s, uint64_t allowed)
+{
+    const canvas *c = &s->canvas;
+    const size_t named = s->assets.mesh_bytes + s->assets.texture_bytes;
+    const size_t bytes = c->frame_bytes + s->world_bytes + c->scratch_bytes;
+    char rom[80] = "";
+    if (!allowed || bytes <= allowed)
+        return EXIT_DONE;
+    if (named)
+        snprintf(rom, sizeof rom, "; what it names, %zu bytes, is not counted", named);
+    return fail(EXIT_INPUT, "%s needs %zu bytes (frame %zu, world %zu, scratch %zu),"
+                " --memory allows %" PRIu64 "%s", s->file.name, bytes, c->frame_bytes,
+                s->world_bytes, c->scratch_bytes, allowed, rom);
+}
+
 int stage_canvas(stage *s, const options *o)
 {
     const tp_frame_config config = {
@@ -65,7 +83,9 @@ int stage_canvas(stage *s, const options *o)
         .format = o->format,
     };
     canvas_close(&s->canvas);
-    return canvas_open(&s->canvas, &s->file.scene, &s->assets.names, &config, o->threads);
+    canvas_plan(&s->canvas, &s->file.scene, &s->assets.names, &config, o->threads);
+    const int code = check_memory(s, o->memory);
+    return code ? code : canvas_open(&s->canvas, &s->file.scene, &s->assets.names);
 }
 
 void stage_close(stage *s)

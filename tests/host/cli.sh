@@ -40,6 +40,9 @@ for frames in 0 -1 5:3 :3 3: a 1:2:3; do
 done
 expect "strip of 24 columns" 2 "multiple of 16" render minimal --strip 24
 expect "no threads" 2 "1..64" render minimal --threads 0
+for memory in 0 -1 5x 1kk k 99999999999; do
+    expect "memory of $memory" 2 "expected bytes" render minimal --memory $memory
+done
 expect "unknown format" 2 "rgb565be" render minimal --format rgb555
 expect "visibility that is not built" 2 "auto or triangles" render minimal --visibility \
     rows
@@ -93,6 +96,11 @@ ini "empty value" 3 "^harbour.ini:2: wave0.length" "[wave0]" "length ="
 ini "word that is no choice" 3 \
     "^harbour.ini:2: water.filter = cubic is none of .*linear" \
     "[water]" "filter = cubic"
+ini "a value that the core refuses, by its check" 3 \
+    "^harbour.ini:2: wave0.length: expected a number, found nine$" \
+    "[wave0]" "length = nine"
+expect "the same with its check" 3 "found nine \[src/scene/value.c:[0-9]*\]$" \
+    render harbour.ini --verbose
 ini "both errors of a file, the first by line" 3 "^harbour.ini:2: neither" \
     "[wave0]" "steepness" "length = nine"
 ini "line of 199 bytes" 0 "" "; $(printf '%0197d' 0)"
@@ -144,11 +152,11 @@ expect "a pool of the command line" 2 "^--set: pool.courant of 0.600 is above" \
     render minimal --set pool.cols=32 --set pool.courant=0.6
 expect "rows of the command line" 2 "^--set: field.rows = 9 is outside 16..512 cells$" \
     render minimal --set field.cols=32 --set field.rows=9
-expect "a mask that is not there" 3 "^no.png: No such file.*named by --set pool.mask" \
+expect "a mask that is not there" 3 "^--set: pool.mask: no.png: No such file" \
     render minimal --set pool.cols=32 --set pool.mask=no.png
-expect "a map that is not there" 3 "^no.png: No such file.*named by --set floor.map" \
+expect "a map that is not there" 3 "^--set: floor.map: no.png: No such file" \
     render minimal --set floor.map=no.png
-expect "a picture that is none" 3 "^harbour.ini: .*named by --set floor.map" \
+expect "a picture that is none" 3 "^--set: floor.map: harbour.ini: not a good PNG" \
     render minimal --set floor.map=harbour.ini
 
 # -- what scenes name ---------------------------------------------------------------
@@ -168,12 +176,12 @@ expect "bad number in an OBJ" 3 "^bad.obj:3: expected a number, found x" \
 absent "bad OBJ leaves no picture" "boat.png\|tidepool-"
 expect "face of a vertex that is not there" 3 "^far.obj:4: face names vertex 9 of 3" \
     $small --set boat.mesh=far.obj
-expect "OBJ that does not exist" 3 "^no.obj: No such file.*--set boat.mesh" \
+expect "OBJ that does not exist" 3 "^--set: boat.mesh: no.obj: No such file" \
     $small --set boat.mesh=no.obj
-expect "MTL that does not exist" 3 "^none.mtl: No such file.*lost.obj" \
+expect "MTL that does not exist" 3 "^lost.obj: none.mtl: No such file" \
     $small --set boat.mesh=lost.obj
 expect "picture of an MTL that does not exist" 3 \
-    "^sub/skin.png: No such file.*sub/red.mtl" \
+    "^sub/red.mtl: sub/skin.png: No such file" \
     $small --set boat.mesh=red.obj
 printf 'newmtl red\nKd 1 q 0\n' >sub/red.mtl
 expect "bad number in an MTL" 3 "^sub/red.mtl:2: expected a number" $small --set \
@@ -183,31 +191,36 @@ expect "OBJ with an MTL in a folder" 0 "" $small --set boat.mesh=red.obj
 expect "OBJ without an MTL" 0 "" $small --set boat.mesh=good.obj
 printf '\n[boat]\nmesh = parts/no.obj\n' >sub/own.ini
 expect "names in an INI are beside it" 3 \
-    "^sub/parts/no.obj: No such.*boat.mesh of sub/own.ini:3" \
+    "^sub/own.ini:3: boat.mesh: sub/parts/no.obj: No such file" \
     render sub/own.ini
 
-expect "texture that does not exist" 3 "^no.png: No such file" $small --set \
-    layer0.texture=no.png
+expect "texture that does not exist" 3 "^--set: layer0.texture: no.png: No such file" \
+    $small --set layer0.texture=no.png
+ini "texture of a scene that does not exist" 3 \
+    "^harbour.ini:4: layer1.texture: no.png: No such file" \
+    "# harbour" "[layer1]" "size = 3" "texture = no.png"
+ini "sky of a scene that lacks a side" 3 \
+    "^harbour.ini:2: sky.kind: a cube needs six pictures; sky.east names none" "[sky]" "kind = cube"
 run $small --out whole.png
 head -c 200 whole.png >cut.png
-expect "PNG cut short" 3 "^cut.png: not a good PNG: the file ends too early" \
+expect "PNG cut short" 3 "cut.png: not a good PNG: the file ends too early" \
     $small --set layer0.texture=cut.png
 head -c 4 whole.png >tiny.png
-expect "PNG of four bytes" 3 "^tiny.png: not a good PNG" $small --set \
+expect "PNG of four bytes" 3 "tiny.png: not a good PNG" $small --set \
     layer0.texture=tiny.png
 : >empty.png
-expect "PNG of nothing" 3 "^empty.png: not a good PNG" $small --set \
+expect "PNG of nothing" 3 "empty.png: not a good PNG" $small --set \
     layer0.texture=empty.png
-expect "OBJ for a PNG" 3 "^good.obj: not a good PNG" $small --set layer0.texture=good.obj
+expect "OBJ for a PNG" 3 "good.obj: not a good PNG" $small --set layer0.texture=good.obj
 { head -c 300 whole.png; printf 'XXXX'; tail -c +305 whole.png; } >torn.png
-expect "PNG with a torn chunk" 3 "^torn.png: not a good PNG" $small --set \
+expect "PNG with a torn chunk" 3 "torn.png: not a good PNG" $small --set \
     layer0.texture=torn.png
 base64 -d >huge.png <<'PNG'
 iVBORw0KGgoAAAANSUhEUgAA6mAAAOpgCAIAAAAPsOIVAAAADElEQVR4nGNgoD0AAABkAAGGZDw1
 AAAAAElFTkSuQmCC
 PNG
-expect "PNG of 60000 x 60000 pixels" 3 "^huge.png: not a good PNG" $small --set \
-    layer0.texture=huge.png
+expect "PNG of 60000 x 60000 pixels" 3 "60000 x 60000 pixels; 4096 x 4096" $small \
+    --set layer0.texture=huge.png
 base64 -d >deep.png <<'PNG'
 iVBORw0KGgoAAAANSUhEUgAAAAIAAAACEAYAAAFVIeHxAAAAHklEQVR4nGP4/58BCMAkiGhoYIDx
 hUzCKmbt+f8fAN3WDWGRwh9WAAAAAElFTkSuQmCC
@@ -217,9 +230,34 @@ for format in xrgb8888 rgb565 p8 l8 i1; do
     run $small --format $format --out $format.png
     expect "PNG of $format is read again" 0 "" $small --set layer0.texture=$format.png
 done
-expect "folder for a texture" 3 "^sub: .*Is a directory" $small --set layer0.texture=sub
-expect "folder for a mesh" 3 "^sub: Is a directory" $small --set boat.mesh=sub
+expect "folder for a texture" 3 " sub: .*Is a directory" $small --set layer0.texture=sub
+expect "folder for a mesh" 3 " sub: Is a directory" $small --set boat.mesh=sub
 }
+
+# -- memory ---------------------------------------------------------------------------
+
+# Of the sum one byte less is refused before anything is drawn, the sum is enough.
+need="three-swells --size 64x48 --threads 2"
+# shellcheck disable=SC2086
+{
+expect "more memory than is allowed" 3 \
+    "^three-swells needs [0-9]* bytes (frame [0-9]*, world [0-9]*, scratch [0-9]*), "\
+"--memory allows 65536; what it names, [0-9]* bytes, is not counted$" \
+    render $need --memory 64k --out refused.png
+absent "a picture that needs too much" "refused.png\|tidepool-"
+bytes=$(sed -n 's/.* needs \([0-9]*\) bytes.*/\1/p' err)
+expect "exactly the memory that is allowed" 0 "" render $need --memory "$bytes"
+expect "one byte less" 3 "needs $bytes bytes" render $need --memory $((bytes - 1))
+run render $need --stats
+sum=$(sed -n 's/.*"world": \([0-9]*\), "frame": \([0-9]*\),.*"scratch": \([0-9]*\),.*/'\
+'\1 + \2 + \3/p' out)
+same "figures add up to what is needed" "$(($sum))" "$bytes"
+}
+(ulimit -v 200000
+ timeout 60 "$program" render minimal --size 4096x4096 --band 4096 --out big.png 2>err)
+code=$?
+judge "memory that the system has not" 3 "^tidepool: out of memory: [0-9]* bytes asked$"
+absent "a picture without memory" "big.png\|tidepool-"
 
 # -- outputs ------------------------------------------------------------------------
 

@@ -66,6 +66,22 @@ same "a last line without its end" "$(hashes minimal --tape cut.tape)" "$walk"
 same "blanks around and between" "$(hashes minimal --tape blank.tape)" "$walk"
 { head -2 walk.tape; printf '# %0900d 2 ahead=9\n' 7; sed 1,2d walk.tape; } >long.tape
 same "a long comment is one comment" "$(hashes minimal --tape long.tape)" "$walk"
+
+# From the stern of a boat that is steered: replays and tilings, to the bit.
+{ echo "tape 1 three-swells"; echo "2 throttle=6 rudder=20"; echo "9 ahead=0.5"
+  echo "15 throttle=6 turn=20000000"; } >deck.tape
+deck="--set camera.follow=boat --set camera.x=0 --set camera.y=2.8 --set camera.z=6"
+# shellcheck disable=SC2086
+{
+aboard=$(hashes three-swells --tape deck.tape $deck)
+same "a voyage is seen from aboard" "$(echo "$aboard" | sort -u -k4 | wc -l)" 40
+same "it plays twice alike" "$(hashes three-swells --tape deck.tape $deck)" "$aboard"
+for tiling in "--band 5" "--strip 16" "--threads 2 --strip 32"; do
+    same "it is the same with $tiling" \
+        "$(hashes three-swells --tape deck.tape $deck $tiling)" "$aboard"
+done
+}
+
 part=$(timeout 60 "$program" render minimal --size 48x32 --frames 30:39 --hash \
     --tape walk.tape 2>err)
 same "frames from the middle are the same" "$part" "$(echo "$walk" | tail -10)"

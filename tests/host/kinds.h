@@ -1,0 +1,152 @@
+/* SPDX-License-Identifier: MIT */
+/* PNG files of every kind, for tests: each is written by libpng from one rule, so that
+ * what reading must give is known to the texel. */
+#ifndef TP_TESTS_KINDS_H
+#define TP_TESTS_KINDS_H
+#include <stdbool.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <png.h>
+
+typedef struct {
+    const char *name;
+    uint32_t    w, h;
+    int         bits, type;
+    bool        interlaced, keyed;      /* keyed: a tRNS chunk */
+} kind;
+
+#define GREY  PNG_COLOR_TYPE_GRAY
+#define GREYA PNG_COLOR_TYPE_GRAY_ALPHA
+#define RGB   PNG_COLOR_TYPE_RGB
+#define RGBA  PNG_COLOR_TYPE_RGB_ALPHA
+#define INDEX PNG_COLOR_TYPE_PALETTE
+
+static const kind kinds[] = {
+    { "one pixel",                1,   1,  8, RGB,   false, false },
+    { "one pixel of 1 bit",       1,   1,  1, GREY,  false, false },
+    { "one column",               1,  37,  8, RGB,   false, false },
+    { "one row, interlaced",     41,   1,  8, RGB,   true,  false },
+    { "odd sides",               13,  29,  8, RGB,   false, false },
+    { "odd sides, interlaced",   13,  29,  8, RGBA,  true,  false },
+    { "3 x 3, interlaced",        3,   3,  8, RGB,   true,  false },
+    { "16 bits",                 17,   9, 16, RGB,   false, false },
+    { "16 bits with alpha",      17,   9, 16, RGBA,  true,  false },
+    { "16 bits with a key",      17,   9, 16, RGB,   false, true },
+    { "grey of 1 bit",           19,   5,  1, GREY,  false, false },
+    { "grey of 2 bits",          19,   5,  2, GREY,  true,  false },
+    { "grey of 4 bits",          19,   5,  4, GREY,  false, true },
+    { "grey of 8 bits",          64,  64,  8, GREY,  false, false },
+    { "grey of 16 bits",         21,   6, 16, GREY,  true,  false },
+    { "grey with a key",         21,   6,  8, GREY,  false, true },
+    { "grey with alpha",         21,   6,  8, GREYA, false, false },
+    { "grey of 16, with alpha",  21,   6, 16, GREYA, true,  false },
+    { "palette of 1 bit",        11,   7,  1, INDEX, false, false },
+    { "palette of 2 bits",       11,   7,  2, INDEX, true,  false },
+    { "palette of 4, with tRNS", 11,   7,  4, INDEX, false, true },
+    { "palette of 8",            40,  30,  8, INDEX, false, false },
+    { "palette of 8, with tRNS", 40,  30,  8, INDEX, true,  true },
+    { "a long strip",          4096,   2,  8, GREY,  false, false },
+};
+
+enum { KINDS = sizeof kinds / sizeof *kinds };
+
+static inline int channels(const kind *k)
+{
+    return k->type == RGB ? 3 : k->type == RGBA ? 4 : k->type == GREYA ? 2 : 1;
+}
+
+/* Sample c of pixel (x, y), of k->bits. */
+static inline uint32_t sample(const kind *k, uint32_t x, uint32_t y, int c)
+{
+    const uint32_t v = x * 40503u + y * 30011u + (uint32_t)c * 17321u;
+    return (v ^ v >> 7) & ((1u << k->bits) - 1);
+}
+
+#define KEY 1                   /* sample, or palette's entries, that is seen through */
+
+static inline png_color palette_entry(uint32_t i)
+{
+    return (png_color){ (png_byte)(7 * i + 3), (png_byte)(255 - 5 * i), (png_byte)(90 ^ i) };
+}
+
+/* What reading must give. */
+static inline uint32_t expected(const kind *k, uint32_t x, uint32_t y)
+{
+    uint32_t c[4], raw[4], alpha = 255;
+    for (int i = 0; i < channels(k); i++) {
+        raw[i] = sample(k, x, y, i);
+        c[i] = k->bits == 16 ? (raw[i] * 255 + 32895) >> 16
+                             : raw[i] * 255 / ((1u << k->bits) - 1);
+    }
+    if (k->type == INDEX) {
+        const png_color p = palette_entry(raw[0]);
+        return (k->keyed && raw[0] <= KEY ? 100 + raw[0] : 255u) << 24
+             | (uint32_t)p.red << 16 | (uint32_t)p.green << 8 | p.blue;
+    }
+    if (k->type == GREYA || k->type == RGBA)
+        alpha = c[channels(k) - 1];
+    if (k->keyed && raw[0] == KEY && (k->type == GREY || (raw[1] == KEY && raw[2] == KEY)))
+        alpha = 0;
+    return k->type == GREY || k->type == GREYA ? alpha << 24 | c[0] * 0x010101
+                                               : alpha << 24 | c[0] << 16 | c[1] << 8 | c[2];
+}
+
+static inline void put_chunks(png_structp png, png_infop info, const kind *k)
+{
+    png_color palette[256];
+    png_byte alpha[KEY + 1] = { 100, 101 };
+    const png_color_16 key = { .gray = KEY, .red = KEY, .green = KEY, .blue = KEY };
+    for (uint32_t i = 0; i < 256; i++)
+        palette[i] = palette_entry(i);
+    if (k->type == INDEX)
+        png_set_PLTE(png, info, palette, 1 << k->bits);
+    if (k->keyed && k->type == INDEX)
+        png_set_tRNS(png, info, alpha, KEY + 1, NULL);
+    else if (k->keyed)
+        png_set_tRNS(png, info, NULL, 0, &key);
+}
+
+static inline void pack_row(const kind *k, uint32_t y, uint8_t *row)
+{
+    memset(row, 0, (size_t)k->w * 8);
+    for (uint32_t x = 0; x < k->w; x++)
+        for (int c = 0; c < channels(k); c++) {
+            const uint32_t v = sample(k, x, y, c), n = x * (uint32_t)channels(k) + (uint32_t)c;
+            if (k->bits == 16) {
+                row[2 * n] = (uint8_t)(v >> 8);
+                row[2 * n + 1] = (uint8_t)v;
+            } else {
+                const uint32_t bit = n * (uint32_t)k->bits;
+                row[bit / 8] |= (uint8_t)(v << (8 - k->bits - (int)(bit % 8)));
+            }
+        }
+}
+
+static inline void write_kind(const kind *k, const char *name)
+{
+    FILE *file = fopen(name, "wb");
+    assert_non_null(file);
+    png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, NULL, NULL, NULL);
+    png_infop info = png_create_info_struct(png);
+    png_bytep rows[64];
+    assert_in_range(k->h, 1, 64);
+    png_init_io(png, file);
+    png_set_IHDR(png, info, k->w, k->h, k->bits, k->type,
+                 k->interlaced ? PNG_INTERLACE_ADAM7 : PNG_INTERLACE_NONE,
+                 PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+    put_chunks(png, info, k);
+    png_write_info(png, info);
+    for (uint32_t y = 0; y < k->h; y++) {
+        rows[y] = malloc((size_t)k->w * 8);
+        pack_row(k, y, rows[y]);
+    }
+    png_write_image(png, rows);
+    png_write_end(png, info);
+    png_destroy_write_struct(&png, &info);
+    for (uint32_t y = 0; y < k->h; y++)
+        free(rows[y]);
+    assert_int_equal(fclose(file), 0);
+}
+#endif
