@@ -53,7 +53,7 @@ typedef struct {
 
 /* Numbers are 16.16 unless said; angles are degrees; colours 0x00RRGGBB. */
 typedef struct {
-    char title[TP_NAME_BYTES];
+    char title[TP_NAME_BYTES], shows[TP_NAME_BYTES];
     struct {
         tp_fx   x, y, z, heading, pitch, fov, near;
         int32_t follow;                     /* tp_camera_follow */

@@ -145,6 +145,12 @@ static const char *read_tape(options *o, const char *value)
     return *value ? NULL : "a file name";
 }
 
+static const char *read_only(options *o, const char *value)
+{
+    o->only = value;
+    return *value ? NULL : "the beginning of a name";
+}
+
 static const char *read_stats(options *o, const char *value)
 {
     (void)value;
@@ -175,6 +181,8 @@ static const option_row rows[] = {
       "0..N-1 or A..B; n is the world after n ticks of 1/60 s" },
     { "--set", "NAME=VALUE", FOR_RENDER | FOR_VIEW | FOR_PARAMS, read_set,
       "change one parameter of the scene; may be repeated" },
+    { "--only", "WORD", FOR_PARAMS, read_only,
+      "names that begin so: water, wave0., boat.m" },
     { "--out", "FILE", FOR_RENDER, read_out,
       "f-%04d.png, film.y4m, or - for a film to stdout" },
     { "--format", "NAME", FOR_RENDER | FOR_VIEW, read_format,

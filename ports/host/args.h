@@ -21,6 +21,7 @@ typedef struct {
     const char  *expect;            /* list of hashes */
     const char  *tape;              /* of inputs: render plays it, view records it */
     const char  *vectors;           /* folder of tables */
+    const char  *only;              /* parameters' names begin so, NULL: any */
     bool         help;
 } options;
 

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* tidepool scenes and tidepool params: what there is to draw and to change. */
+#include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -24,7 +25,7 @@ static int list_scenes(const char *folder)
         if (bad)
             code = bad;
         else
-            printf("%-*s  %s\n", width, names[i], file.scene.title);
+            printf("%-*s  %s\n", width, names[i], file.scene.shows);
         scene_file_close(&file);
     }
     path_free_names(names, count);
@@ -34,9 +35,10 @@ static int list_scenes(const char *folder)
 int scenes_command(int argc, char **argv)
 {
     options o;
+    signal(SIGPIPE, SIG_DFL);       /* a list that goes on into `head` ends there */
     int code = args_read(&o, FOR_SCENES, argc, argv);
     if (!code && o.help) {
-        puts("usage: tidepool scenes\nLists the shipped scenes with their titles.");
+        puts("usage: tidepool scenes\nLists the shipped scenes and what each shows.");
     } else if (!code) {
         char *folder = path_of_scenes();
         code = folder ? list_scenes(folder)
@@ -93,41 +95,73 @@ static void print_row(cells row, const int width[COLUMNS], const char *help)
     puts(help);
 }
 
-static void print_table(const tp_scene *scene, const char *value_title)
+static bool is_listed(const tp_param *param, const char *only)
 {
-    uint32_t count;
-    const tp_param *params = tp_params(&count);
-    cells row = { "name", "", "unit", "range" };
-    int width[COLUMNS] = { 4, (int)strlen(value_title), 4, 5 };
-    strcpy(row[VALUE], value_title);
-    for (uint32_t i = 0; i < count; i++) {
-        cells each;
-        fill(each, scene, &params[i]);
-        for (int k = 0; k < COLUMNS; k++)
-            width[k] = (int)strlen(each[k]) > width[k] ? (int)strlen(each[k]) : width[k];
-    }
-    print_row(row, width, "meaning");
-    for (uint32_t i = 0; i < count; i++) {
-        fill(row, scene, &params[i]);
-        print_row(row, width, params[i].help);
-    }
+    return !only || strncmp(param->name, only, strlen(only)) == 0;
 }
 
-static void print_defaults(void)
+/* "wave0." of both. */
+static bool share_group(const tp_param *a, const tp_param *b)
+{
+    const size_t n = strcspn(a->name, ".") + 1;
+    return strncmp(a->name, b->name, n) == 0;
+}
+
+/* As wide as the widest of the listed rows; returns how many those are. */
+static uint32_t measure(const tp_scene *scene, const char *only, int width[COLUMNS])
+{
+    uint32_t count, listed = 0;
+    const tp_param *params = tp_params(&count);
+    for (uint32_t i = 0; i < count; i++) {
+        cells row;
+        if (!is_listed(&params[i], only))
+            continue;
+        listed++;
+        fill(row, scene, &params[i]);
+        for (int k = 0; k < COLUMNS; k++)
+            width[k] = (int)strlen(row[k]) > width[k] ? (int)strlen(row[k]) : width[k];
+    }
+    return listed;
+}
+
+/* Groups are parted by an empty line. */
+static int print_table(const tp_scene *scene, const char *value_title, const char *only)
+{
+    uint32_t count;
+    const tp_param *params = tp_params(&count), *last = NULL;
+    cells row = { "name", "", "unit", "range" };
+    int width[COLUMNS] = { 4, (int)strlen(value_title), 4, 5 };
+    if (measure(scene, only, width) == 0)
+        return fail(EXIT_USAGE, "tidepool params: no name begins with %s", only);
+    strcpy(row[VALUE], value_title);
+    print_row(row, width, "meaning");
+    for (uint32_t i = 0; i < count; i++) {
+        if (!is_listed(&params[i], only))
+            continue;
+        if (!last || !share_group(last, &params[i]))
+            puts("");
+        last = &params[i];
+        fill(row, scene, last);
+        print_row(row, width, last->help);
+    }
+    return EXIT_DONE;
+}
+
+static int print_defaults(const options *o)
 {
     tp_scene scene;
     tp_scene_default(&scene);
-    print_table(&scene, "default");
+    return print_table(&scene, "default", o->only);
 }
 
 static int print_scene(const options *o)
 {
     scene_file file;
     tp_sea sea;
-    const int code = stage_read(&file, o);
+    int code = stage_read(&file, o);
     if (!code) {
         tp_sea_init(&sea, file.scene.wave, TP_WAVES, file.scene.water.gravity);
-        print_table(&file.scene, "value");
+        code = print_table(&file.scene, "value", o->only);
         stage_report_clamps(&file, &sea);
     }
     scene_file_close(&file);
@@ -137,6 +171,7 @@ static int print_scene(const options *o)
 int params_command(int argc, char **argv)
 {
     options o;
+    signal(SIGPIPE, SIG_DFL);
     int code = args_read(&o, FOR_PARAMS, argc, argv);
     if (!code && o.help) {
         puts("usage: tidepool params [SCENE] [OPTION]...\n"
@@ -145,7 +180,7 @@ int params_command(int argc, char **argv)
     } else if (!code && !o.scene && o.n_settings) {
         code = fail(EXIT_USAGE, "tidepool params: --set needs a scene");
     } else if (!code && !o.scene) {
-        print_defaults();
+        code = print_defaults(&o);
     } else if (!code) {
         code = print_scene(&o);
     }

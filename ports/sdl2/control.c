@@ -9,6 +9,9 @@
 #define RUN  TP_FX(16.0 / TP_TICKS_PER_SECOND)
 #define TURN ((int32_t)TP_DEG(60.0 / TP_TICKS_PER_SECOND))
 
+/* The light's: 45 degrees a second. */
+#define LIGHT ((int32_t)TP_DEG(45.0 / TP_TICKS_PER_SECOND))
+
 /* The sphere's and the boat's: 1.5 m/s, 4 m/s, 20 degrees a second. */
 #define STEER  TP_FX(1.5 / TP_TICKS_PER_SECOND)
 #define SAIL   TP_FX(4)
@@ -26,6 +29,7 @@ static void print_keys(void)
          "F              let a drop fall\n"
          "I J K L        steer the sphere of drops, or the boat\n"
          "right button   poke the pool\n"
+         "[ ]            turn the light;  Page Up, Page Down  raise and lower it\n"
          ", .            slow motion, fast forward\n"
          "Space          pause: the water stands, the camera moves on\n"
          "P or F12       save a screenshot in the current folder\n"
@@ -108,6 +112,9 @@ tp_input control_input(control *c)
         .sphere_z = STEER * axis(keys, SDL_SCANCODE_K, SDL_SCANCODE_I),
         .throttle = SAIL * axis(keys, SDL_SCANCODE_I, SDL_SCANCODE_K),
         .rudder   = RUDDER * axis(keys, SDL_SCANCODE_L, SDL_SCANCODE_J),
+        .light_turn = LIGHT * axis(keys, SDL_SCANCODE_RIGHTBRACKET,
+                                   SDL_SCANCODE_LEFTBRACKET),
+        .light_tilt = LIGHT * axis(keys, SDL_SCANCODE_PAGEUP, SDL_SCANCODE_PAGEDOWN),
         .drops    = c->drops,
         .slower   = c->slower,
     };
@@ -131,6 +138,8 @@ void control_add(tp_input *to, const tp_input *more)
     to->rudder = more->rudder;
     to->drops += more->drops;
     to->slower += more->slower;
+    to->light_turn += more->light_turn;
+    to->light_tilt += more->light_tilt;
 }
 
 bool control_moves(const tp_input *input)

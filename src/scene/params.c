@@ -94,6 +94,7 @@
 
 static const tp_param rows[] = {
     NAME("scene.title", title, TEXT, "what the preview's window is called"),
+    NAME("scene.shows", shows, TEXT, "one line for `tidepool scenes`"),
 
     NUMBER("camera.x", camera.x, "m", -8000, 8000, 0, "to the right of the origin"),
     NUMBER("camera.y", camera.y, "m", -100, 2000, 4, "above the level of still water"),

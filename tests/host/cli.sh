@@ -59,8 +59,17 @@ expect "scene file that does not exist" 3 "nowhere.ini: No such file" render now
 mkdir folder.ini
 expect "folder for a scene" 3 "folder.ini: Is a directory" render folder.ini
 run scenes
-same "scenes lists three-swells with its title" \
-    "$code $(grep -c '^three-swells  *[^ ]' out)" "0 1"
+same "scenes lists three-swells and what it shows" \
+    "$code $(grep -c '^three-swells  *A longship' out)" "0 1"
+same "every scene tells what it shows, in a line of the screen" \
+    "$(awk 'NF < 4 || length($0) > 80' out)" ""
+run params --only wave1.
+same "params --only lists a group alone" \
+    "$code $(grep -c '^wave1\.' out) $(wc -l <out)" "0 7 9"
+expect "--only of nothing" 2 "no name begins with wive" \
+    params --only wive
+"$program" params 2>err | head -1 >out
+same "params goes on into head without a word" "$(wc -l <out) $(wc -c <err)" "1 0"
 run params
 same "params lists wave0.steepness" "$code $(grep -c '^wave0.steepness .*0\.\.1 ' out)" \
     "0 1"

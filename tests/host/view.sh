@@ -174,6 +174,11 @@ press comma comma
 timeout 5 xdotool windowfocus "$window" keydown a
 sleep 0.3
 timeout 5 xdotool keyup a
+for light in bracketright Prior; do
+    timeout 5 xdotool keydown $light
+    sleep 0.3
+    timeout 5 xdotool keyup $light
+done
 sleep 0.5
 press space
 until_true titled paused
@@ -186,6 +191,8 @@ viewer=""
 check "the tape tells of the poke" grep -q "poke=.* poke_x=" played.tape
 check "the tape tells of slow motion" grep -q "slower=" played.tape
 check "the tape tells of the walk" grep -q "aside=" played.tape
+check "the tape tells of the light" grep -q "light_turn=[1-9]" played.tape
+check "and of its height" grep -q "light_tilt=[1-9]" played.tape
 
 # Its frames are the clock's pictures: one of them is the screenshot.
 replayed() {
