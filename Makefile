@@ -134,15 +134,11 @@ fuzz:
 ## write the reference pictures anew; say in the commit why, and the PSNR it prints
 golden: $(BUILD)/tests/golden/test_frames
 	$< --write
-## draw the pictures of the README
-gallery: $(PROGRAM)
-	$(PROGRAM) render three-swells --size 1280x720 --out assets/gallery/three-swells.png
-	$(PROGRAM) render shore-break --size 400x240 --frames 332:332 \
-	    --out assets/gallery/shore-break.png
-	$(PROGRAM) render raindrops --size 400x240 --frames 300:300 \
-	    --out assets/gallery/raindrops.png
-	$(PROGRAM) render harbour --size 400x240 --frames 500:500 \
-	    --out assets/gallery/harbour.png
+## draw every scene for the README, and the sheet of them
+gallery:
+	@ports/setup.sh gallery
+	@$(MAKE) --no-print-directory $(PROGRAM)
+	@ports/gallery.sh $(PROGRAM) assets/gallery
 ## make the boats and textures anew from their generators
 assets: $(BUILD)/longship $(BUILD)/textures
 	$(BUILD)/longship assets/boats

@@ -2,12 +2,13 @@
 # SPDX-License-Identifier: MIT
 # Installs what a Debian or Ubuntu machine lacks, and says what and why.
 #
-#   ports/setup.sh run|test|all
+#   ports/setup.sh run|test|gallery|all
 #
-# `run` builds and shows, `test` adds the host's tests, `all` adds other processors,
-# boards and windows.  Without apt, or without root (tries sudo -n), it prints the exact
-# command: of things needed to build it then stops with 1, of things that only tests
-# need it goes on, and those tests say that they were skipped.
+# `run` builds and shows, `test` adds the host's tests, `gallery` what lays its pictures
+# out on a sheet, `all` adds other processors, boards and windows to the tests.  Without
+# apt, or without root (tries sudo -n), it prints the exact command: of things needed to
+# build it then stops with 1, of things that only tests need it goes on, and those tests
+# say that they were skipped.
 set -u
 
 # group | package | how to see that it is there | what for
@@ -20,6 +21,8 @@ run  | libinih-dev               | pkg inih                    | scene files
 show | libsdl2-dev               | pkg sdl2                    | the preview window
 test | libcmocka-dev             | pkg cmocka                  | unit tests
 test | binutils                  | cmd objdump                 | gates on the object code
+sheet | imagemagick              | cmd montage                 | lays pictures out
+sheet | fonts-dejavu-core        | dir /usr/share/fonts/truetype/dejavu | their names
 all  | clang                     | cmd clang                   | the second compiler
 all  | libclang-rt-dev           | lib clang_rt.fuzzer         | fuzzing
 all  | libsdl2-dev               | pkg sdl2                    | the preview window
@@ -55,8 +58,9 @@ present()       # KIND NAME
 case ${1:-} in
 run)  groups='run show' ;;
 test) groups='run test' ;;
+gallery) groups='run sheet' ;;
 all)  groups='run test all' ;;
-*)    sed -n '3,10s/^# \{0,1\}//p' "$0" >&2; exit 2 ;;
+*)    sed -n '3,11s/^# \{0,1\}//p' "$0" >&2; exit 2 ;;
 esac
 
 missing= needed=

@@ -39,8 +39,9 @@ static void print_help(void)
 {
     puts("usage: tidepool view SCENE [OPTION]...\n"
          "Opens a window to look around in: drag with the left button or use the\n"
-         "arrows, move with W A S D Q E (Shift: faster); Space pauses, P saves a\n"
-         "screenshot, F1 prints all keys, Esc quits.  --tape records what you do.\n");
+         "arrows, move with W A S D Q E (Shift: faster), turn the light with [ ] and\n"
+         "Page Up and Down; Space pauses, P saves a screenshot, F1 prints all keys,\n"
+         "Esc quits.  --tape records what you do.\n");
     args_print(FOR_VIEW);
 }
 

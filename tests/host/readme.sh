@@ -1,6 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# The README's first program compiles as it stands there and draws a whole picture.
+# The README's first program compiles as it stands there and draws a whole picture; what
+# it shows is there, and every shipped scene is in the gallery.
 . tests/gates/lib.sh
 
 program=$scratch/first
@@ -20,4 +21,36 @@ check "the README has a program" grep -q tp_frame_tile "$program.c"
 check "it compiles without a warning" cc -std=c11 -Wall -Wextra -Werror -Iinclude \
     "$program.c" build/host/libtidepool.a -o "$program"
 check "it draws every pixel" "$program"
+
+size_of()       # PNG: its sides, from the header
+{
+    od -An -tu1 -j16 -N8 "$1" | awk '{ print $3 * 256 + $4 "x" $7 * 256 + $8 }'
+}
+in_gallery()    # SCENE
+{
+    [ "$(size_of "assets/gallery/$1.png")" = 640x480 ]
+}
+for scene in assets/scenes/*.ini; do
+    scene=$(basename "$scene" .ini)
+    check "the gallery shows $scene, 640x480" in_gallery "$scene"
+done
+pictures()      # that the README links to
+{
+    for picture in $(grep -o '([^)]*\.png)' README.md | tr -d '()'); do
+        [ -s "$picture" ] || { echo "no $picture"; return 1; }
+    done
+}
+check "the README's pictures are there" pictures
+check "one of them is the sheet" grep -q 'assets/gallery/sheet.png' README.md
+light() { [ "$(wc -c <assets/gallery/sheet.png)" -le 1500000 ]; }
+check "the sheet is no heavier than 1.5 MB" light
+keys()          # of the preview, as the program lists them: the first word of each line
+{
+    sed -n '/^static void print_keys/,/^}/s/^ *\(puts(\)*"\([^ ]*\).*/\2/p' \
+        ports/sdl2/control.c | while read -r key; do
+        sed -n '/^## The preview/,/^## /p' README.md | grep -qF "$key" ||
+            { echo "the README lacks $key"; exit 1; }
+    done
+}
+check "the README knows the preview's keys" keys
 exit $((failures > 0))

@@ -1,0 +1,52 @@
+#!/bin/sh
+# SPDX-License-Identifier: MIT
+# Draws every shipped scene for the README, and a sheet of all of them.
+#
+#   ports/gallery.sh PROGRAM FOLDER
+#
+# Each at the frame that shows what it is about; a scene that is not listed here, at 300.
+set -eu
+program=$1 folder=$2
+command -v montage >/dev/null || {
+    echo "gallery: the sheet needs montage (package imagemagick)" >&2
+    exit 1
+}
+
+frames='
+calm-bay      240
+count-64      0
+count-100     0
+flat-calm     0
+from-above    120
+harbour       500
+minimal       0
+night-sea     120
+pond          600
+raindrops     300
+shore-break   332
+tank          150
+three-swells  0
+'
+
+frame_of()      # SCENE
+{
+    echo "$frames" | awk -v scene="$1" '$1 == scene { n = $2; found = 1 }
+                                        END { print found ? n : 300 }'
+}
+
+scenes=$("$program" scenes | cut -d' ' -f1)
+mkdir -p "$folder"
+for scene in $scenes; do
+    n=$(frame_of "$scene")
+    echo "  $folder/$scene.png"
+    "$program" render "$scene" --size 640x480 --frames "$n:$n" --out "$folder/$scene.png"
+done
+
+cells=
+for scene in $scenes; do
+    cells="$cells -label $scene $folder/$scene.png"
+done
+echo "  $folder/sheet.png"
+# shellcheck disable=SC2086
+montage -font DejaVu-Sans -pointsize 14 $cells -resize 256x192 -geometry 256x192+3+3 \
+    -tile 5x -background '#f4f4f0' -fill '#202428' -depth 8 -strip "PNG24:$folder/sheet.png"
