@@ -5,6 +5,9 @@
 #include "base/base.h"
 #include "frame/frame.h"
 
+/* Land as high or deep as this is as far as 16.16 tells from an eye 8 km up. */
+#define HEIGHT_MOST (24000 * TP_FX_ONE)
+
 static tp_view_corner corner_at(const tp_frame *frame, uint32_t i, uint32_t j,
                                 tp_floor_at *floor)
 {
@@ -12,7 +15,8 @@ static tp_view_corner corner_at(const tp_frame *frame, uint32_t i, uint32_t j,
     tp_view_corner c;
 
     *floor = tp_ocean_floor(frame->surface.ocean, x, z);
-    tp_lens_view(&frame->lens, (tp_vec3){ x, -floor->depth, z }, &c);
+    tp_fx y = (tp_fx)tp_limit(-(int64_t)floor->depth, HEIGHT_MOST);
+    tp_lens_view(&frame->lens, (tp_vec3){ x, y, z }, &c);
     c.s = c.t = 0;
     return c;
 }
