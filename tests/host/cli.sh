@@ -262,11 +262,16 @@ sum=$(sed -n 's/.*"world": \([0-9]*\), "frame": \([0-9]*\),.*"scratch": \([0-9]*
 '\1 + \2 + \3/p' out)
 same "figures add up to what is needed" "$(($sum))" "$bytes"
 }
-(ulimit -v 200000
- timeout 60 "$program" render minimal --size 4096x4096 --band 4096 --out big.png 2>err)
-code=$?
-judge "memory that the system has not" 3 "^tidepool: out of memory: [0-9]* bytes asked$"
-absent "a picture without memory" "big.png\|tidepool-"
+if (ulimit -v 200000; timeout 60 "$program" --version >out 2>&1); then
+    (ulimit -v 200000
+     timeout 60 "$program" render minimal --size 4096x4096 --band 4096 --out big.png 2>err)
+    code=$?
+    judge "memory that the system has not" 3 \
+        "^tidepool: out of memory: [0-9]* bytes asked$"
+    absent "a picture without memory" "big.png\|tidepool-"
+else
+    echo "skipped: memory that the system has not (the sanitizers take more)"
+fi
 
 # -- outputs ------------------------------------------------------------------------
 
