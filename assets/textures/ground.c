@@ -152,7 +152,7 @@ void paint_sand(canvas *to)
         int x = i % SIDE, y = i / SIDE;
         int cloud = (fractal(x, y, SIDE, SIDE, 4, 4, 5, 101) - 32768) / 1100;
         int dark = hash(x, y, 102) % 97 == 0 ? 26 : 0;
-        int lit = (relief_light(&shape, x, y) * 2 + 3 * 256) / 5;
+        int lit = (relief_light(&shape, x, y) * 3 + 7 * 256) / 10;
         uint32_t tone =
             rgb_mix(0xd3c19a, 0xe9dcba, clamp_int(128 + shape.at[i] / 3, 0, 256));
         to->pixel[i] = rgb_scale(rgb_add(tone, cloud - dark), lit);
@@ -181,8 +181,8 @@ static pebble pebble_at(int x, int y)
 
 void paint_pebbles(canvas *to)
 {
-    static const uint32_t tones[8] = { 0x8d8a84, 0x6f7274, 0xa89b86, 0xb9b3a6,
-                                       0x7a6a5a, 0xcbc7bd, 0x5c6062, 0x94806a };
+    static const uint32_t tones[8] = { 0xaca8a1, 0x878b8d, 0xccbda3, 0xe1daca,
+                                       0x94816d, 0xecece6, 0x707577, 0xb49c81 };
     for (int i = 0; i < SIDE * SIDE; i++) {
         pebble p = pebble_at(i % SIDE, i / SIDE);
         shape.at[i] = bevel(p.depth_q8, 6 * 256, 1300);
