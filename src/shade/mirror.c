@@ -9,11 +9,22 @@
 
 /* A mirrored ray that goes down meets other water, which is half as bright as the
  * horizon: its share fades to a half within 7 degrees below level. */
+TP_ALWAYS_INLINE uint32_t above_of(int32_t up)
+{
+    return (uint32_t)tp_clamp(256 + 4 * (up >> 6), 128, 256);
+}
+
 TP_ALWAYS_INLINE uint32_t share_of(const tp_shade *shade, int32_t nv, int32_t up)
 {
     uint32_t share = shade->fresnel[nv >> 6] * (uint32_t)shade->mirror >> 8;
-    uint32_t above = (uint32_t)tp_clamp(256 + 4 * (up >> 6), 128, 256);
-    return share * above >> 8;
+    return share * above_of(up) >> 8;
+}
+
+/* The same in 65536ths: many whites multiply what a cut would lose. */
+TP_ALWAYS_INLINE uint32_t fine_share_of(const tp_shade *shade, int32_t nv, int32_t up)
+{
+    uint32_t share = shade->fresnel[nv >> 6] * (uint32_t)shade->mirror;
+    return share * above_of(up) >> 8;
 }
 
 void tp_stage_mirror(const tp_shade *shade, tp_run *run)
@@ -68,12 +79,13 @@ TP_ALWAYS_INLINE void reflect(const tp_shade *shade, tp_run *run, tp_env_kind ki
 TP_ENV_KINDS(REFLECT_STAGE)
 
 /* Light beyond white times a small share need not be beyond it: the share comes first. */
-TP_ALWAYS_INLINE uint32_t mixed(uint32_t a, uint32_t light, uint32_t share, uint32_t gain)
+TP_ALWAYS_INLINE uint32_t bright_mix(uint32_t a, uint32_t light, uint32_t share,
+                                     uint32_t gain)
 {
-    uint32_t part = share * gain >> 8, left = 256 - share, sum = 0;
+    uint32_t part = share * gain >> 8, left = 65536 - share, sum = 0;
 
     for (int k = 0; k < 24; k += 8) {
-        uint32_t c = ((a >> k & 0xff) * left + (light >> k & 0xff) * part) >> 8;
+        uint32_t c = ((a >> k & 0xff) * left + (light >> k & 0xff) * part) >> 16;
         sum |= (c < 255 ? c : 255) << k;
     }
     return sum;
@@ -83,10 +95,11 @@ TP_ALWAYS_INLINE void fresnel(const tp_shade *shade, tp_run *run, int hdr)
 {
     for (int32_t i = 0; i < run->count; i++) {
         uint32_t light = run->mirror[i], colour = run->colour[i];
-        uint32_t share = share_of(shade, run->nv[i], run->up[i]);
+        int32_t  nv = run->nv[i], up = run->up[i];
         run->colour[i] = hdr && light >> 24
-                             ? mixed(colour, light, share, tp_light_gain(shade, light))
-                             : tp_colour_mix(colour, light, share);
+                             ? bright_mix(colour, light, fine_share_of(shade, nv, up),
+                                          tp_light_gain(shade, light))
+                             : tp_colour_mix(colour, light, share_of(shade, nv, up));
     }
 }
 

@@ -54,6 +54,9 @@ static inline tp_run run_part(const tp_run *r, int32_t from, int32_t end)
     memmove(part.nv, r->nv + from, count * sizeof *part.nv);
     memmove(part.up, r->up + from, count * sizeof *part.up);
     memmove(part.glint, r->glint + from, count * sizeof *part.glint);
+    memmove(part.rx, r->rx + from, count * sizeof *part.rx);
+    memmove(part.rz, r->rz + from, count * sizeof *part.rz);
+    memmove(part.mirror, r->mirror + from, count * sizeof *part.mirror);
     return part;
 }
 #endif

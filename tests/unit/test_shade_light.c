@@ -152,52 +152,63 @@ static void glints_follow_the_phong_lobe(void **state)
     assert_true(lit > 1000);
 }
 
-/* Fresnel's share is in 255ths by 1/256 of N.V, whose curve falls by up to 6 (at grazing
- * views): 6 levels of 255 an entry; the sky's entry is 1/256, 2 levels of it; four
- * products are cut. */
-static void mirrors_show_the_sky_by_fresnel(void **state)
+/* Blinn's lobe, (N.H)^(4 n): N.L, N.V and L.V are right to 7, 7 and 2 units of 1/16384,
+ * and V is up to 13 short of a unit between its columns; a half of |L + V|^2 divides it
+ * all, which is 0 where light comes from behind.  The table has 1024 entries. */
+static void blinn_glints_follow_the_half_vector(void **state)
 {
     (void)state;
-    measure off = { .what = "mirror", .unit = "levels" };
+    int lit = 0;
 
-    for (int n = 0; n < 1000; n++) {
-        const tp_shade s = shade_any(&chance);
+    for (int n = 0; n < 2000; n++) {
+        tp_shade s = shade_any(&chance);
+        const double strength = chance_double(&chance, 0, 4);
+        const int shininess = chance_int(&chance, 1, n % 2 ? 300 : 20);
+        tp_shade_shine_blinn(&s, shininess * TP_FX_ONE, (tp_fx)(strength * 65536));
         test_run r;
-        run_any(&r, 0, &chance);
+        run_any(&r, 2000, &chance);
+        tp_stage_view(&s, &r.run);
+        tp_stage_light_blinn(&s, &r.run);
         for (int i = 0; i < TP_RUN; i++) {
-            r.run.nv[i] = (int16_t)chance_int(&chance, 0, 16384);
-            r.run.up[i] = (int16_t)chance_int(&chance, -16384, 16384);
-        }
-        const tp_run before = r.run;
-        tp_stage_mirror(&s, &r.run);
-        for (int i = 0; i < TP_RUN; i++) {
-            const double up = before.up[i] / Q14;
-            const double above = ref_clamp(1 + 4 * up, 0.5, 1);
-            const double share = ref_fresnel(before.nv[i] / Q14) * s.mirror / 256 * above;
-            const double e = ref_off(
-                r.run.colour[i], ref_mix(ref_colour_of(before.colour[i]),
-                                         ref_sky(s.sky[0], s.sky[TP_SKY], up), share));
-            assert_true(e <= 6 + 2 + 4);
-            measure_add(&off, e, before.nv[i], before.up[i], s.mirror);
+            const ref_dir v = { r.run.vx[i] / Q14, r.run.vy[i] / Q14, r.run.vz[i] / Q14 };
+            const ref_dir l = shade_light(&s.world);
+            const ref_dir normal = ref_normal(run_sx(&r, i), run_sz(&r, i));
+            const double nl = ref_dir_dot(normal, l), nv = ref_dir_dot(normal, v);
+            const ref_dir h = ref_unit((ref_dir){ l.x + v.x, l.y + v.y, l.z + v.z });
+            const double nh = ref_dir_dot(normal, h), lv = ref_dir_dot(l, v);
+            const double c = 2 * nh * nh - 1, half = 1 + lv;
+            const double e = (40 * sqrt(2 / half) + 80 / half) / Q14;
+            if (nl < 10 / Q14 || nv < 0 || c < 0.1 || half < 1 / 32.0)
+                continue;
+            const double low = pow((1 + ref_clamp(c - 1 / 1024.0 - e, 0, 1)) / 2,
+                                   2 * shininess);
+            const double high = pow((1 + ref_clamp(c + e, 0, 1)) / 2, 2 * shininess);
+            assert_true(r.run.glint[i] >= low * strength * 256 - 2);
+            assert_true(r.run.glint[i] <= high * strength * 256 + 2);
+            lit += r.run.glint[i] > 0;
         }
     }
-    measure_print(&off);
+    assert_true(lit > 1000);
 }
 
-static void fresnel_has_the_known_ends(void **state)
+/* Whatever Fresnel's share takes N.V for, the lobe of rippled water is that of smooth
+ * water of the same slopes. */
+static void ripples_glint_as_their_slopes_say(void **state)
 {
     (void)state;
-    const tp_shade s = shade_any(&chance);
-    measure off = { .what = "fresnel table", .unit = "of 1/256" };
-
-    for (int i = 0; i <= 256; i++) {
-        const double e = s.fresnel[i] - 256 * ref_fresnel(i / 256.0);
-        assert_true(fabs(e) <= 1);      /* 255 stands for 1 */
-        measure_add(&off, e, i, 0, 0);
+    for (int n = 0; n < 1000; n++) {
+        tp_shade s = shade_any(&chance);
+        test_run r;
+        tp_shade_shine(&s, 20 * TP_FX_ONE, TP_FX_ONE);
+        run_any(&r, 4000, &chance);
+        tp_stage_view(&s, &r.run);
+        tp_stage_slopes(&s, &r.run);
+        tp_run bent = r.run;
+        tp_stage_light(&s, &r.run);
+        tp_stage_light_rippled(&s, &bent);
+        assert_memory_equal(bent.glint, r.run.glint, sizeof bent.glint);
+        assert_memory_equal(bent.colour, r.run.colour, sizeof bent.colour);
     }
-    measure_print(&off);
-    assert_int_equal(s.fresnel[0], 255);
-    assert_int_equal(s.fresnel[256], 5);        /* 0.0204 */
 }
 
 int main(void)
@@ -209,8 +220,8 @@ int main(void)
         cmocka_unit_test(no_slope_makes_water_brighter_than_itself),
         cmocka_unit_test(light_hands_on_view_and_mirror),
         cmocka_unit_test(glints_follow_the_phong_lobe),
-        cmocka_unit_test(mirrors_show_the_sky_by_fresnel),
-        cmocka_unit_test(fresnel_has_the_known_ends),
+        cmocka_unit_test(blinn_glints_follow_the_half_vector),
+        cmocka_unit_test(ripples_glint_as_their_slopes_say),
     };
     return cmocka_run_group_tests_name("light", tests, NULL, NULL);
 }

@@ -7,9 +7,10 @@
 #include <setjmp.h>
 #include <stdint.h>
 #include <cmocka.h>
-#include "shades.h"
+#include "skies.h"
 
 static uint64_t chance;
+static test_sky sky;
 
 /* -- view and sky -------------------------------------------------------------------- */
 
@@ -135,21 +136,32 @@ static void runs_may_be_cut_anywhere(void **state)
     static stage *const stages[] = {
         tp_stage_view, tp_stage_sky, tp_stage_plain, tp_stage_diffuse, tp_stage_light,
         tp_stage_diffuse_rippled, tp_stage_light_rippled, tp_stage_mirror, tp_stage_glint,
-        tp_stage_haze, tp_stage_solid
+        tp_stage_haze, tp_stage_solid, tp_stage_solid_blinn, tp_stage_land, tp_stage_drop,
+        tp_stage_light_blinn, tp_stage_light_blinn_rippled, tp_stage_slopes,
+        tp_stage_sky_dome, tp_stage_sky_dome_hdr, tp_stage_stars,
+        tp_stage_reflect_gradient, tp_stage_reflect_dome, tp_stage_fresnel,
+        tp_stage_fresnel_hdr, tp_stage_haze_dome, tp_stage_expose
     };
     enum { STAGES = sizeof stages / sizeof stages[0] };
 
     for (int n = 0; n < 300 * STAGES; n++) {
         tp_shade s = shade_any(&chance);
-        uint8_t gloss[TP_GLOSS];
+        uint8_t gloss[TP_GLOSS], tone[256];
         const tp_solid solid = solid_any(gloss, &chance);
         test_run r;
         run_any(&r, 5000, &chance);
         tp_shade_gloss(gloss, 20 * TP_FX_ONE);
         tp_shade_shine(&s, 20 * TP_FX_ONE, TP_FX_ONE);
         s.solid = &solid;
+        s.land = s.drop = solid;
+        sky_dome(&sky, &s, &chance);
+        s.env.stars = 200;
+        s.env.star = 1000;
+        tp_shade_tone(tone, chance_fx(&chance, 0.125, 8));
+        s.tone = tone;
         tp_stage_view(&s, &r.run);
         for (int i = 0; i < TP_RUN; i++) {
+            r.run.mirror[i] = (uint32_t)random_next(&chance);
             r.run.sx[i] = (int16_t)chance_int(&chance, -5000, 5000);
             r.run.sz[i] = (int16_t)chance_int(&chance, -5000, 5000);
         }
@@ -170,6 +182,7 @@ static void runs_may_be_cut_anywhere(void **state)
             assert_memory_equal(part.nv, want.nv, count * sizeof *part.nv);
             assert_memory_equal(part.up, want.up, count * sizeof *part.up);
             assert_memory_equal(part.glint, want.glint, count * sizeof *part.glint);
+            assert_memory_equal(part.mirror, want.mirror, count * sizeof *part.mirror);
             from = end;
         }
     }
