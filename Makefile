@@ -79,7 +79,9 @@ PROGRAM := $(BUILD)/tidepool
 CORE_O  := $(CORE:%.c=$(BUILD)/%.o)
 PORTS_O := $(PORTS:%.c=$(BUILD)/%.o)
 UNIT    := $(patsubst %.c,$(BUILD)/%,$(wildcard tests/unit/test_*.c tests/host/test_*.c \
-               tests/stability/test_*.c))
+               tests/stability/test_*.c tests/accuracy/test_*.c))
+REF_O   := $(patsubst %.c,$(BUILD)/%.o,$(filter-out %/reference.c,\
+               $(wildcard tests/reference/*.c)))
 FUZZ    := $(patsubst %.c,$(BUILD)/%,$(wildcard tests/fuzz/fuzz_*.c))
 GOLDEN  := $(BUILD)/tests/golden/test_frames $(BUILD)/tests/golden/test_harness
 CMOCKA  := -lcmocka
@@ -128,6 +130,8 @@ count: $(PROGRAM) $(FRAMES) build/host/count.so
 ## instructions a pixel of the scene that other renderers were measured on
 bench: $(BUILD)/tests/bench/scene_s
 	@tests/bench/run.sh $<
+## the slow renderer in double precision that pictures are judged by
+reference: $(BUILD)/reference
 ## feed the readers random input, FUZZ_SECONDS (20) for each
 fuzz:
 	@tests/fuzz/run.sh
@@ -199,8 +203,14 @@ $(BUILD)/ports.a: $(PORTS_O)
 $(PROGRAM): $(MAIN:%.c=$(BUILD)/%.o) $(BUILD)/ports.a $(LIB)
 	$(SAY)$(LINK) $^ $(LIBS) -o $@
 $(BUILD)/tests/%: $(BUILD)/tests/%.o $(BUILD)/ports.a $(LIB)
-	$(SAY)$(LINK) $(filter %.o,$^) $(filter %.a,$^) $(CMOCKA) $(LIBS) -o $@
+	$(SAY)$(LINK) $(filter %.o,$^) $(filter %/reference.a,$^) $(BUILD)/ports.a $(LIB) \
+	    $(CMOCKA) $(LIBS) -o $@
 $(filter $(BUILD)/%,$(GOLDEN)): $(BUILD)/tests/golden/golden.o
+$(filter $(BUILD)/tests/accuracy/%,$(UNIT)): $(BUILD)/reference.a
+$(BUILD)/reference.a: $(REF_O)
+$(BUILD)/reference: $(BUILD)/tests/reference/reference.o $(BUILD)/reference.a \
+          $(BUILD)/ports.a $(LIB)
+	$(SAY)$(LINK) $^ $(LIBS) -o $@
 $(FUZZ): $(BUILD)/%: $(BUILD)/%.o $(LIB)
 	$(SAY)$(LINK) -fsanitize=fuzzer $^ -o $@
 $(BUILD)/longship: $(patsubst %.c,$(BUILD)/%.o,$(wildcard assets/boats/*.c) \
@@ -243,6 +253,7 @@ $(BUILD)/flags: force
 	@echo '$(COMPILE) $(SDL_CFLAGS)' | cmp -s - $@ || echo '$(COMPILE) $(SDL_CFLAGS)' >$@
 
 .PHONY: all lib run test test-all soak count bench fuzz golden gallery assets install format \
-    clean help unit everything host-tests more-tests fuzzers elf frames list-core list-cross force
+    clean help unit everything host-tests more-tests fuzzers elf frames list-core list-cross \
+    reference force
 .SECONDARY:
 -include $(shell find $(BUILD) -name '*.d' 2>/dev/null)

@@ -82,6 +82,11 @@ static inline double ref_profile(int power, double th, double *slope)
     const double b = (sin(th) + 1) / 2;
     double mean = 2;
 
+    if (power == 1) {
+        *slope = cos(th);
+        return sin(th);
+    }
+
     for (int n = 1; n <= power; n++)
         mean *= (2 * n - 1) / (2.0 * n);
     *slope = power * pow(b, power - 1) * cos(th);

@@ -1,0 +1,146 @@
+/* SPDX-License-Identifier: MIT */
+/* Colours of solids. */
+#include "asset/mesh.h"
+#include "map.h"
+#include "solids.h"
+
+typedef struct {
+    ref_colour diffuse, specular;
+    double     shininess;
+} coat;
+
+static ref_vec unpacked(tp_packed_dir n)
+{
+    return (ref_vec){ tp_dir_x(n) / 511.0, tp_dir_y(n) / 511.0, tp_dir_z(n) / 511.0 };
+}
+
+/* The sun's light from L, less than a unit long where its beam is narrowed. */
+static ref_vec sun_at(const ref_scene *s, bool wet)
+{
+    ref_vec down;
+
+    if (!wet || !ref_refracted(ref_times_vec(s->light, -1), (ref_vec){ 0, 1, 0 },
+                               REF_INDEX, &down))
+        return s->light;
+    return ref_times_vec(down, -s->light.y / -down.y);
+}
+
+/* Colour, normal and the way that is looked along; [F5]. */
+static ref_colour phong(const ref_scene *s, const coat *c, ref_vec n, ref_vec way,
+                        ref_vec sun)
+{
+    const double nl = ref_clamp(ref_dot(n, sun), 0, 1);
+    const double rv = -2 * nl * ref_dot(n, way) + ref_dot(sun, way);
+    const double gloss = nl > 0 && rv > 0 ? pow(fmin(rv, 1), c->shininess) : 0;
+    const ref_colour light = ref_colour_of((uint32_t)s->scene->light.colour);
+
+    return ref_add(ref_scale(c->diffuse, s->ambient + (1 - s->ambient) * nl),
+                   ref_scale(ref_times(c->specular, light), gloss));
+}
+
+/* -- the boat ------------------------------------------------------------------------ */
+
+/* N bent by a texel along the tangent T and the bitangent B = +-N x T. */
+static ref_vec bent(ref_vec n, uint32_t texel, double bump, tp_packed_dir tangent)
+{
+    const ref_vec t = unpacked(tangent), b = ref_cross(n, t);
+    const double hand = tangent & TP_TANGENT_MIRRORED ? -1 : 1;
+    const double nx = ((int)(texel >> 16 & 255) - 128) * bump;
+    const double ny = ((int)(texel >> 8 & 255) - 128) * bump * hand;
+    const double nz = fmax((int)(texel & 255) - 128, 32);
+
+    return ref_plus(ref_times_vec(n, nz),
+                    ref_plus(ref_times_vec(t, nx), ref_times_vec(b, ny)));
+}
+
+typedef struct {
+    double  s, t;
+    ref_vec n;
+} attributes;
+
+static attributes attributes_of(const tp_mesh *mesh, const ref_face_hit *hit)
+{
+    attributes a = { 0, 0, { 0, 0, 0 } };
+
+    for (int k = 0; k < 3; k++) {
+        const tp_mesh_vertex *v =
+            &mesh->vertices[mesh->faces[hit->face].vertex[k]];
+        a.s += hit->share[k] * v->s / 65536;
+        a.t += hit->share[k] * v->t / 65536;
+        a.n = ref_plus(a.n, ref_times_vec(unpacked(v->normal), hit->share[k]));
+    }
+    return a;
+}
+
+static ref_colour boat_colour(const ref_scene *s, const ref_solid *solid, ref_vec way,
+                              ref_vec sun)
+{
+    const tp_mesh *mesh = s->boat.mesh;
+    const tp_mesh_face *face = &mesh->faces[solid->face.face];
+    const tp_material *m = &mesh->materials[face->material];
+    const double texels = m->texels / 65536.0 / s->boat.scale;
+    const attributes a = attributes_of(mesh, &solid->face);
+    coat c = { ref_colour_of(m->diffuse), ref_colour_of(m->specular),
+               ref_clamp(floor(m->shininess / 65536.0), 1, 1000) };
+    ref_vec n = a.n;
+
+    if (m->diffuse_map) {
+        const int l = ref_level(s, m->diffuse_map, texels, 96 / 256.0, solid->at, false);
+        c.diffuse = ref_times(ref_colour_of(ref_nearest(m->diffuse_map, l, a.s, a.t)),
+                              c.diffuse);
+    }
+    if (m->normal_map) {
+        const int l = ref_level(s, m->normal_map, texels, 96 / 256.0, solid->at, false);
+        n = bent(n, ref_nearest(m->normal_map, l, a.s, a.t),
+                 ref_clamp(m->bump / 65536.0, -16, 16), face->tangent);
+    }
+    return phong(s, &c, ref_unit_vec(n), ref_into(&s->boat_rows, way),
+                 ref_into(&s->boat_rows, sun));
+}
+
+/* -- the rest ------------------------------------------------------------------------ */
+
+/* A picture laid over a plane in world metres. */
+static ref_colour laid(const ref_scene *s, const tp_texture *t, int32_t colour,
+                       tp_fx size, double u, double v, ref_vec at)
+{
+    const double side = size / 65536.0;
+    const ref_colour plain = ref_colour_of((uint32_t)colour);
+
+    if (!t)
+        return plain;
+    const int l = ref_level(s, t, (1 << t->log2_w) / side, 0, at, false);
+    return ref_times(ref_linear(t, l, u / side, v / side), plain);
+}
+
+static ref_colour ground_colour(const ref_scene *s, const ref_solid *solid)
+{
+    const tp_scene *scene = s->scene;
+    const ref_vec p = solid->at, n = solid->normal;
+
+    if (solid->kind == REF_LAND)
+        return laid(s, s->assets->floor_texture, scene->floor.colour,
+                    scene->floor.texture_size, p.x, p.z, p);
+    if (n.y > 0.5)
+        return laid(s, s->assets->tank_floor, scene->tank.floor_colour, scene->tank.tile,
+                    p.x, p.z, p);
+    return laid(s, s->assets->tank_wall, scene->tank.wall_colour, scene->tank.tile,
+                fabs(n.x) > 0.5 ? p.z : p.x, -p.y, p);
+}
+
+ref_colour ref_solid_colour(const ref_scene *s, const ref_solid *solid, ref_vec way,
+                            bool wet)
+{
+    const ref_vec sun = sun_at(s, wet);
+    coat c = { .shininess = 40 };
+
+    if (solid->kind == REF_BOAT)
+        return boat_colour(s, solid, way, sun);
+    if (solid->kind == REF_DROP) {
+        c.diffuse = ref_colour_of((uint32_t)s->scene->drops.colour);
+        c.specular = ref_colour_of(0xffffff);
+    } else {
+        c.diffuse = ground_colour(s, solid);
+    }
+    return phong(s, &c, solid->normal, way, sun);
+}

@@ -1,0 +1,22 @@
+/* SPDX-License-Identifier: MIT */
+/* A whole picture by the reference, rows shared out among threads. */
+#ifndef TP_REFERENCE_IMAGE_H
+#define TP_REFERENCE_IMAGE_H
+#include "trace.h"
+
+typedef struct {
+    uint32_t    width, height;
+    ref_colour *colour;         /* of each pixel, the mean of its samples */
+    uint8_t    *kind;           /* of its last sample: ref_kind, */
+    double     *near;           /* and 1 / m of depth, 0 where there is none */
+} ref_image;
+
+/* `samples` a pixel: a square number, in a fixed pattern that is stratified in both
+ * ways; 1 is the pixel's centre.  Tells of its progress on a terminal. */
+void ref_image_draw(ref_image *image, const ref_scene *s, uint32_t width, uint32_t height,
+                    uint32_t samples, uint32_t threads);
+void ref_image_free(ref_image *image);
+
+/* A pixel rounded, 0x00RRGGBB. */
+uint32_t ref_image_pixel(const ref_image *image, uint32_t x, uint32_t y);
+#endif

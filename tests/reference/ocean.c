@@ -1,0 +1,205 @@
+/* SPDX-License-Identifier: MIT */
+/* The ocean at a place; its tables are made in ocean_make.c. */
+#include "ocean.h"
+
+/* -- places -------------------------------------------------------------------------- */
+
+typedef struct {
+    int    col, row;
+    double s, t;
+} nodes;
+
+static double held(double x, double low, double high)
+{
+    return x < low ? low : x > high ? high : x;
+}
+
+static nodes nodes_at(const tp_ocean *o, double x, double z)
+{
+    const double step = o->map_step / 65536.0;
+    const double u = held((x - (double)o->map_x / 65536) / step, 0, o->map_cols - 1);
+    const double w = held((z - (double)o->map_z / 65536) / step, 0, o->map_rows - 1);
+    nodes n = { (int)u, (int)w, 0, 0 };
+
+    n.col -= n.col == (int)o->map_cols - 1;
+    n.row -= n.row == (int)o->map_rows - 1;
+    n.s = u - n.col;
+    n.t = w - n.row;
+    return n;
+}
+
+static double between(const nodes *n, double a, double b, double c, double d)
+{
+    const double north = a + (b - a) * n->s, south = c + (d - c) * n->s;
+    return north + (south - north) * n->t;
+}
+
+static ref_bed bed_of_map(const tp_ocean *o, double x, double z)
+{
+    const nodes n = nodes_at(o, x, z);
+    const char *from = (const char *)o + o->beds;
+    const tp_ocean_bed *a = (const tp_ocean_bed *)(const void *)from
+                          + (size_t)n.row * o->map_cols + n.col;
+    const tp_ocean_bed *c = a + o->map_cols;
+
+    return (ref_bed){
+        between(&n, a[0].depth, a[1].depth, c[0].depth, c[1].depth) / 65536,
+        between(&n, a[0].rise_x, a[1].rise_x, c[0].rise_x, c[1].rise_x) / 2048,
+        between(&n, a[0].rise_z, a[1].rise_z, c[0].rise_z, c[1].rise_z) / 2048,
+    };
+}
+
+ref_bed ref_ocean_bed(const ref_ocean *ocean, double x, double z)
+{
+    if (ocean->map)
+        return bed_of_map(ocean->map, x, z);
+    return (ref_bed){
+        ocean->depth - ocean->slope * (ocean->up_x * x + ocean->up_z * z),
+        ocean->slope * ocean->up_x, ocean->slope * ocean->up_z,
+    };
+}
+
+/* -- one wave there ------------------------------------------------------------------ */
+
+/* Catmull and Rom's cubic through four numbers. */
+static double cubic(const double p[4], double s)
+{
+    const double a = p[3] - 3 * p[2] + 3 * p[1] - p[0];
+    const double b = 2 * p[0] - 5 * p[1] + 4 * p[2] - p[3];
+    return p[1] + s / 2 * (p[2] - p[0] + s * (b + s * a));
+}
+
+static int around(int i)
+{
+    return i < 0 ? 0 : i < REF_DEPTHS ? i : REF_DEPTHS - 1;
+}
+
+#define NODE(field) \
+    cubic((const double[4]){ w->node[around(i - 1)].field, w->node[i].field, \
+                             w->node[around(i + 1)].field, \
+                             w->node[around(i + 2)].field }, s)
+
+/* Below 1/16 m all is that depth's, and its orbit shrinks with the depth. */
+static ref_depth_node node_at(const ref_ocean_wave *w, double depth)
+{
+    const double at = held(log2(fmax(depth, 1 / 16.0) * 16) * 64, 0, REF_DEPTHS - 1);
+    const int i = (int)at;
+    const double s = at - i, left = fmin(1, depth * 16);
+
+    return (ref_depth_node){ NODE(k), NODE(along) * left, NODE(up) * left,
+                             NODE(push) * left, NODE(way_x), NODE(way_z), NODE(sine),
+                             NODE(excess) };
+}
+
+/* A map's: phase and way between its nodes, the tilt by the rise along the way. */
+static void bend(const ref_ocean *ocean, int i, double x0, double z0, const ref_bed *bed,
+                 ref_depth_node *n)
+{
+    const tp_ocean *o = ocean->map;
+    const nodes at = nodes_at(o, x0, z0);
+    const char *from = (const char *)o + o->wave[i].rays;
+    const tp_ocean_ray *a = (const tp_ocean_ray *)(const void *)from
+                          + (size_t)at.row * o->map_cols + at.col;
+    const tp_ocean_ray *c = a + o->map_cols;
+
+    n->excess = 2 * PI / 65536
+              * between(&at, a[0].turns, a[1].turns, c[0].turns, c[1].turns);
+    n->way_x += between(&at, a[0].way_x, a[1].way_x, c[0].way_x, c[1].way_x) / 8192;
+    n->way_z += between(&at, a[0].way_z, a[1].way_z, c[0].way_z, c[1].way_z) / 8192;
+    const double rise = bed->rise_x * n->way_x + bed->rise_z * n->way_z;
+    n->sine = rise > 0 ? rise / hypot(1, rise) * exp(-ocean->k0 * bed->depth) : 0;
+}
+
+/* Phi and dPhi/dtheta of [B10], after a few steps as printed. */
+static double blown(double theta, double push, int iterations, double *rate)
+{
+    double phi = theta, d = 1;
+
+    for (int n = 0; n < iterations && push != 0; n++) {
+        d = 1 - push * sin(phi) * d;
+        phi = theta + push * cos(phi);
+    }
+    *rate = d;
+    return phi;
+}
+
+/* What the wave adds, its orbit at phi: along its way and up, and their derivatives. */
+static void add_wave(const ref_ocean_wave *w, const ref_depth_node *n, double theta,
+                     ref_point *p)
+{
+    double rate;
+    const double phi = blown(theta, n->push, w->iterations, &rate);
+    const double s = sin(phi), c = cos(phi), cosine = sqrt(1 - n->sine * n->sine);
+    const double side = n->sine == 0 || n->up <= n->along ? n->up : n->along;
+    const double level = n->along * s * cosine + side * c * n->sine;
+    const double d_level = rate * n->k * (n->along * c * cosine - side * s * n->sine);
+    const double d_up = rate * n->k * (n->along * c * n->sine + n->up * s * cosine);
+
+    p->x += level * n->way_x;
+    p->y += n->along * s * n->sine - n->up * c * cosine;
+    p->z += level * n->way_z;
+    p->hx += d_up * n->way_x;
+    p->hz += d_up * n->way_z;
+    p->jxx += d_level * n->way_x * n->way_x;
+    p->jxz += d_level * n->way_x * n->way_z;
+    p->jzz += d_level * n->way_z * n->way_z;
+}
+
+static void set_normal(ref_point *p)
+{
+    p->nx = p->hz * p->jxz - p->hx * p->jzz;
+    p->ny = p->jxx * p->jzz - p->jxz * p->jxz;
+    p->nz = p->hx * p->jxz - p->hz * p->jxx;
+}
+
+ref_point ref_ocean_rest(const ref_ocean *ocean, const double phase[TP_WAVES], double x0,
+                         double z0)
+{
+    const ref_bed bed = ref_ocean_bed(ocean, x0, z0);
+    ref_point p = { .x = x0, .z = z0, .jxx = 1, .jzz = 1 };
+
+    for (int i = 0; i < ocean->count && bed.depth > 0; i++) {
+        const ref_ocean_wave *w = &ocean->wave[i];
+        ref_depth_node n = node_at(w, bed.depth);
+        if (ocean->map)
+            bend(ocean, i, x0, z0, &bed, &n);
+        add_wave(w, &n, w->k_deep * (w->deep.dx * x0 + w->deep.dz * z0) + n.excess
+                        + phase[i] + PI / 2, &p);
+    }
+    set_normal(&p);
+    return p;
+}
+
+#define STEP 1e-3
+
+/* The derivative along x (or z) of what is displaced, by four points. */
+static ref_point rate_along(const ref_ocean *ocean, const double *phase, double x0,
+                            double z0, double dx, double dz)
+{
+    static const double at[4] = { -2, -1, 1, 2 }, by[4] = { 1, -8, 8, -1 };
+    ref_point sum = { .x = 0 };
+
+    for (int i = 0; i < 4; i++) {
+        const ref_point p = ref_ocean_rest(ocean, phase, x0 + at[i] * dx,
+                                           z0 + at[i] * dz);
+        sum.x += by[i] * p.x / (12 * STEP);
+        sum.y += by[i] * p.y / (12 * STEP);
+        sum.z += by[i] * p.z / (12 * STEP);
+    }
+    return sum;
+}
+
+ref_point ref_ocean_exact(const ref_ocean *ocean, const double phase[TP_WAVES], double x0,
+                          double z0)
+{
+    ref_point p = ref_ocean_rest(ocean, phase, x0, z0);
+
+    if (!ocean->floored || (!ocean->map && ocean->slope == 0))
+        return p;
+    const ref_point a = rate_along(ocean, phase, x0, z0, STEP, 0);
+    const ref_point b = rate_along(ocean, phase, x0, z0, 0, STEP);
+    p.nx = b.y * a.z - b.z * a.y;           /* B x T [A10], J no longer symmetric */
+    p.ny = b.z * a.x - b.x * a.z;
+    p.nz = b.x * a.y - b.y * a.x;
+    return p;
+}

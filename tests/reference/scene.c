@@ -1,0 +1,128 @@
+/* SPDX-License-Identifier: MIT */
+/* Reading a scene and its world. */
+#include "scene.h"
+#include <stdlib.h>
+#include <string.h>
+
+static ref_vec between(tp_vec3 last, tp_vec3 now, double back)
+{
+    const ref_vec a = ref_vec_of(now), b = ref_vec_of(last);
+    return ref_plus(a, ref_times_vec(ref_sub(b, a), back));
+}
+
+/* The shorter way round. */
+static tp_turn turn_between(tp_turn last, tp_turn now, double back)
+{
+    return now + (tp_turn)(int64_t)floor((int32_t)(last - now) * back);
+}
+
+/* Of degrees, 16.16. */
+static ref_vec towards(double heading, double height)
+{
+    return (ref_vec){ cos(height) * sin(heading), sin(height),
+                      -cos(height) * cos(heading) };
+}
+
+static void place_light(ref_scene *s, const tp_scene *scene)
+{
+    const double degree = PI / 180 / 65536;
+
+    s->light = towards((scene->light.heading + s->seconds * scene->light.turn) * degree,
+                       scene->light.elevation * degree);
+    s->ambient = ref_number(scene->light.ambient);
+    s->haze = ref_number(scene->sky.haze);
+}
+
+/* Of the deck, if it goes with the boat; that is placed before. */
+static void place_camera(ref_scene *s, const tp_world *world, uint32_t width,
+                         uint32_t height, double back)
+{
+    s->camera = ref_camera_of(world->eye,
+                              turn_between(world->last_heading, world->heading, back),
+                              turn_between(world->last_pitch, world->pitch, back),
+                              s->scene->camera.fov, s->scene->camera.near, width, height);
+    s->camera.eye = between(world->last_eye, world->eye, back);
+    if (!world->aboard)
+        return;
+    s->camera.eye = ref_plus(s->boat_place, ref_out_of(&s->boat_rows, s->camera.eye));
+    s->camera.right = ref_out_of(&s->boat_rows, s->camera.right);
+    s->camera.up = ref_out_of(&s->boat_rows, s->camera.up);
+    s->camera.ahead = ref_out_of(&s->boat_rows, s->camera.ahead);
+}
+
+static void place_boat(ref_scene *s, const tp_world *world, double back)
+{
+    const tp_pose *a = &world->last_boat, *b = &world->boat;
+
+    s->boat = ref_mesh_of(s->assets->boat, ref_number(s->scene->boat.scale));
+    s->boat_rows = ref_rows_of(turn_between(a->heading, b->heading, back),
+                               turn_between(a->pitch, b->pitch, back),
+                               turn_between(a->roll, b->roll, back));
+    s->boat_place = between(a->place, b->place, back);
+}
+
+/* A drop keeps its volume: with a = height over width, width goes with a^(-1/3). */
+static ref_drop drop_of(const tp_drop *drop, double back)
+{
+    const double a = 1 + fmax(-0.5, fmin(0.5, drop->squash / 16384.0));
+    const double radius = ref_number(drop->radius);
+    return (ref_drop){ between(drop->last, drop->place, back), radius / cbrt(a),
+                       radius * cbrt(a * a) };
+}
+
+static void place_drops(ref_scene *s, const tp_drops *drops, double back)
+{
+    const double radius = ref_number(drops->sphere_radius);
+
+    s->drop = calloc(drops->count + 1, sizeof *s->drop);
+    if (!s->drop)
+        abort();
+    for (uint32_t i = 0; i < drops->count; i++)
+        s->drop[s->drops++] = drop_of(&tp_drops_list(drops)[i], back);
+    s->drop[s->drops++] = (ref_drop){ between(drops->last_sphere, drops->sphere, back),
+                                      radius, radius };
+}
+
+static void place_tank(ref_scene *s)
+{
+    const tp_scene *scene = s->scene;
+    const double side = ref_number(scene->pool.cell) / 2;
+
+    s->tank = (ref_tank){
+        .kind = scene->pool.cols > 0 ? scene->tank.kind : TP_TANK_NONE,
+        .x0 = ref_number(scene->pool.x) - side * scene->pool.cols,
+        .x1 = ref_number(scene->pool.x) + side * scene->pool.cols,
+        .z0 = ref_number(scene->pool.z) - side * scene->pool.rows,
+        .z1 = ref_number(scene->pool.z) + side * scene->pool.rows,
+        .depth = ref_number(scene->tank.depth), .rim = ref_number(scene->tank.rim),
+    };
+}
+
+void ref_scene_open(ref_scene *s, const tp_scene *scene, const tp_assets *assets,
+                    const tp_world *world, uint32_t width, uint32_t height, bool meshed)
+{
+    const double back = ref_number(world->back);
+
+    memset(s, 0, sizeof *s);
+    s->scene = scene;
+    s->assets = assets;
+    s->meshed = meshed;
+    s->seconds = ((double)world->tick - back) / TP_TICKS_PER_SECOND;
+    place_light(s, scene);
+    place_boat(s, world, back);
+    place_camera(s, world, width, height, back);
+    if (tp_world_drops(world))
+        place_drops(s, tp_world_drops(world), back);
+    place_tank(s);
+    s->surface = ref_surface_of(scene, world, s->camera.eye, s->camera.ahead, meshed);
+    double rest[2] = { s->camera.eye.x, s->camera.eye.z };
+    s->sunk = s->camera.eye.y < ref_surface_height(&s->surface, s->camera.eye.x,
+                                                   s->camera.eye.z, rest, 1e-9);
+}
+
+void ref_scene_close(ref_scene *s)
+{
+    ref_surface_free(&s->surface);
+    ref_mesh_free(&s->boat);
+    free(s->drop);
+}

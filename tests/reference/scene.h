@@ -1,0 +1,62 @@
+/* SPDX-License-Identifier: MIT */
+/* A scene as the reference sees it: the engine's scene, assets and world read as data,
+ * everything else worked out anew in double precision.
+ *
+ * What it covers is told in the heads of surface.h, ocean.h, water.h and solids.h. */
+#ifndef TP_REFERENCE_SCENE_H
+#define TP_REFERENCE_SCENE_H
+#include "mesh.h"
+#include "optics.h"
+#include "ray.h"
+#include "tidepool/frame.h"
+
+/* A drop: half axes in m. */
+typedef struct {
+    ref_vec centre;
+    double  wide, high;
+} ref_drop;
+
+/* A pool's box: stone, or glass that is seen through. */
+typedef struct {
+    int    kind;                /* tp_tank_kind */
+    double x0, x1, z0, z1, depth, rim;
+} ref_tank;
+
+typedef struct {
+    const tp_scene  *scene;
+    const tp_assets *assets;
+    bool       meshed;          /* waves fade, and textures have the levels that the
+                                   engine chooses: for comparing one sample a pixel */
+    ref_camera camera;
+    ref_surface surface;
+    ref_vec    light;           /* towards it */
+    double     ambient, haze;   /* share; m */
+    double     seconds;         /* since tick 0 */
+    bool       sunk;            /* the eye is under water */
+    ref_mesh   boat;
+    ref_rows   boat_rows;
+    ref_vec    boat_place;
+    ref_drop  *drop;
+    int        drops;
+    ref_tank   tank;
+} ref_scene;
+
+/* Scene, assets and world must outlive it. */
+void ref_scene_open(ref_scene *s, const tp_scene *scene, const tp_assets *assets,
+                    const tp_world *world, uint32_t width, uint32_t height, bool meshed);
+void ref_scene_close(ref_scene *s);
+
+/* The light of the sky from a direction. */
+static inline ref_colour ref_scene_sky(const ref_scene *s, ref_vec way)
+{
+    return ref_sky((uint32_t)s->scene->sky.horizon, (uint32_t)s->scene->sky.zenith, way.y);
+}
+
+/* Air: z^2 / (z^2 + h^2) of a colour at depth z goes into the horizon's. */
+static inline ref_colour ref_scene_haze(const ref_scene *s, ref_colour colour, ref_vec at)
+{
+    const double z = fmax(0, ref_dot(ref_sub(at, s->camera.eye), s->camera.ahead));
+    const double share = s->haze > 0 ? z * z / (z * z + s->haze * s->haze) : 0;
+    return ref_mix(colour, ref_colour_of((uint32_t)s->scene->sky.horizon), share);
+}
+#endif

@@ -1,0 +1,18 @@
+/* SPDX-License-Identifier: MIT */
+/* A shipped scene at a tick, for the reference and the engine alike. */
+#ifndef TP_REFERENCE_STAND_H
+#define TP_REFERENCE_STAND_H
+#include "host/assets.h"
+#include "host/scene_file.h"
+
+typedef struct {
+    scene_file file;
+    assets     assets;
+    tp_world  *world;
+} ref_stand;
+
+/* Settings as "name=value"; an exit code, having said why.  Close in any case. */
+int  ref_stand_open(ref_stand *stand, const char *name, const char *const *settings,
+                    uint32_t count, uint32_t ticks);
+void ref_stand_close(ref_stand *stand);
+#endif

@@ -1,0 +1,130 @@
+/* SPDX-License-Identifier: MIT */
+/* Shading of water; see the header. */
+#include "water.h"
+#include "inside.h"
+#include "map.h"
+#include "trace.h"
+
+static double fx(tp_fx x)
+{
+    return x / 65536.0;
+}
+
+/* -- layers -------------------------------------------------------------------------- */
+
+/* Saturation about the texel's grey, then what is above `clamp` spread over 0..1. */
+static ref_colour toned(ref_colour c, const tp_scene_layer *layer)
+{
+    const double grey = (c.c[0] * 77 + c.c[1] * 150 + c.c[2] * 29) / 256;
+    const double low = fx(layer->clamp);
+    ref_colour r;
+
+    for (int i = 0; i < 3; i++) {
+        const double x = (grey + fx(layer->saturation) * (c.c[i] - grey)) / 255;
+        r.c[i] = 255 * ref_clamp((ref_clamp(x, 0, 1) - low) / (1 - low), 0, 1);
+    }
+    return ref_times(r, ref_colour_of((uint32_t)layer->colour));
+}
+
+static ref_colour layers(const ref_scene *s, const ref_water *w)
+{
+    const tp_scene *scene = s->scene;
+    const bool linear = scene->water.filter == TP_FILTER_LINEAR;
+    ref_colour sum = ref_colour_of((uint32_t)scene->water.colour);
+    double x = w->x0, z = w->z0;
+
+    if (s->assets->distortion && scene->distortion.strength > 0) {
+        const ref_colour d = ref_map_at(s, s->assets->distortion, &scene->distortion.map,
+                                        x, z, 0, w->at, true);
+        x += (d.c[0] - 128) / 128 * fx(scene->distortion.strength);
+        z += (d.c[1] - 128) / 128 * fx(scene->distortion.strength);
+    }
+    for (int i = 0; i < TP_LAYERS; i++) {
+        if (!s->assets->layer[i])
+            continue;
+        const ref_colour c = toned(ref_map_at(s, s->assets->layer[i],
+                                              &scene->layer[i].map, x, z, 0, w->at,
+                                              linear), &scene->layer[i]);
+        sum = i == 0 ? ref_times(c, sum) : ref_add(sum, c);
+    }
+    return sum;
+}
+
+/* -- ripples ------------------------------------------------------------------------- */
+
+static bool is_rippled(const ref_scene *s)
+{
+    return s->assets->ripple && s->scene->ripple.bump > 0;
+}
+
+/* A texel (nx, ny, nz), green up the picture, is a slope of -nx along s and +ny along
+ * t; its level is 7/8 coarser. */
+ref_vec ref_water_normal(const ref_scene *s, const ref_water *w)
+{
+    double sx = w->slope_x, sz = w->slope_z;
+
+    if (is_rippled(s)) {
+        const double bump = fx(s->scene->ripple.bump);
+        const ref_colour n = ref_map_at(s, s->assets->ripple, &s->scene->ripple.map,
+                                        w->x0, w->z0, 224 / 256.0, w->at, true);
+        sx -= (n.c[0] - 128) / 128 * bump;
+        sz += (n.c[1] - 128) / 128 * bump;
+    }
+    return ref_unit_vec((ref_vec){ -sx, 1, -sz });
+}
+
+/* -- mirror -------------------------------------------------------------------------- */
+
+/* What comes along the mirrored ray; *share falls where that is other water. */
+static ref_colour mirrored(const ref_scene *s, const ref_water *w, ref_vec n, double nv,
+                           ref_vec way, double *share)
+{
+    const double up = 2 * nv * n.y + way.y;
+    ref_vec at;
+
+    if (s->scene->mirror.objects != TP_MIRROR_NONE) {
+        const ref_ray ray = { w->at, ref_reflected(way, n) };
+        const ref_seen seen = ref_dry(s, &ray, 1e-6, 1e5, &at);
+        if (seen.kind == REF_BOAT || seen.kind == REF_DROP)
+            return seen.colour;
+    }
+    *share *= ref_clamp(1 + 4 * up, 0.5, 1);
+    return ref_scene_sky(s, (ref_vec){ 0, up, 0 });
+}
+
+/* [F5]; Blinn's exponent is four times Phong's. */
+static double lobe(const ref_scene *s, ref_vec n, double nv, double nl, ref_vec way)
+{
+    const double power = fmax(1, floor(fx(s->scene->water.shininess)));
+
+    if (nl <= 0)
+        return 0;
+    if (s->scene->light.model == TP_LIGHT_BLINN)
+        return pow(fmax(0, ref_dot(n, ref_unit_vec(ref_sub(s->light, way)))), 4 * power);
+    return pow(ref_clamp(2 * nl * nv + ref_dot(s->light, way), 0, 1), power);
+}
+
+/* Ripples too small for a pixel keep a part of the water turned to the eye: N.V of
+ * rippled water stays above a tenth, but for the lobe, which takes it as it is. */
+ref_colour ref_water_colour(const ref_scene *s, const ref_water *w, ref_vec way)
+{
+    const tp_scene *scene = s->scene;
+    const ref_vec n = ref_water_normal(s, w);
+    const double nl = ref_clamp(ref_dot(n, s->light), 0, 1);
+    const double seen = ref_clamp(-ref_dot(n, way), 0, 1);
+    const double nv = is_rippled(s) ? fmax(seen, 0.1) : seen;
+    double share = (scene->water.fresnel == TP_FRESNEL_SCHLICK
+                    ? ref_schlick(nv) : ref_fresnel_into(nv, REF_INDEX))
+                 * fx(scene->water.reflection);
+    ref_colour c = ref_scale(layers(s, w), s->ambient + (1 - s->ambient) * nl);
+
+    if (scene->water.clear > 0)
+        c = ref_behind(s, w->at, n, way);
+    const ref_colour mirror = mirrored(s, w, n, nv, way, &share);
+    c = ref_mix(c, mirror, share);
+    if (scene->water.specular > 0)
+        c = ref_add(c, ref_scale(ref_colour_of((uint32_t)scene->light.colour),
+                                 fmin(1, fx(scene->water.specular)
+                                         * lobe(s, n, seen, nl, way))));
+    return c;
+}
