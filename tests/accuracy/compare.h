@@ -1,0 +1,128 @@
+/* SPDX-License-Identifier: MIT */
+/* The engine's picture beside the reference's, of one moment and one sample a pixel. */
+#ifndef TP_TESTS_ACCURACY_COMPARE_H
+#define TP_TESTS_ACCURACY_COMPARE_H
+#include <stdbool.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+#include "raster/raster.h"
+#include "tests/reference/image.h"
+#include "tests/reference/stand.h"
+
+/* The engine's: colours, and what is there. */
+typedef struct {
+    uint32_t  width, height;
+    uint32_t *pixel;            /* 0x00RRGGBB */
+    uint8_t  *kind;             /* ref_kind */
+} drawn_image;
+
+static inline ref_kind kind_of(uint32_t key)
+{
+    const uint32_t mark = TP_MARK(key);
+    return mark == TP_MARK_SKY ? REF_SKY : mark == TP_MARK_WATER ? REF_WATER
+         : mark == TP_MARK_LAND ? REF_LAND : mark == TP_MARK_DROP ? REF_DROP : REF_BOAT;
+}
+
+/* One tile over all; the samples' keys are the first plane of its scratch. */
+static inline drawn_image drawn_of(const ref_stand *stand, uint32_t width,
+                                   uint32_t height)
+{
+    const tp_frame_config config = { .width = width, .height = height };
+    const tp_scene *scene = &stand->file.scene;
+    const size_t count = (size_t)width * height;
+    drawn_image image = { width, height, malloc(count * 4), malloc(count) };
+    void *block = malloc(tp_frame_bytes(scene, &stand->assets.names, &config));
+    uint32_t *scratch = malloc(tp_frame_scratch_bytes(&config));
+    tp_frame *frame;
+    tp_tile tile;
+
+    if (!image.pixel || !image.kind || !block || !scratch
+        || tp_frame_init(&frame, scene, &stand->assets.names, &config, block, NULL))
+        abort();
+    tp_frame_begin(frame, stand->world);
+    tp_frame_tile(frame, 0, scratch, &tile);
+    for (size_t i = 0; i < count; i++)
+        image.kind[i] = (uint8_t)kind_of(scratch[i]);
+    for (uint32_t y = 0; y < height; y++)
+        memcpy(image.pixel + (size_t)y * width,
+               (const char *)tile.pixels + y * tile.stride, (size_t)width * 4);
+    free(scratch);
+    free(block);
+    return image;
+}
+
+static inline void drawn_free(drawn_image *image)
+{
+    free(image->pixel);
+    free(image->kind);
+}
+
+/* How two pictures differ. */
+typedef struct {
+    uint32_t pixels, water;     /* of the picture; compared */
+    uint32_t elsewhere;         /* pixels that show another thing */
+    double   rms[3], worst[3];  /* levels of 255, of water away from edges */
+    double   mean[3];           /* the engine's less the reference's */
+} difference;
+
+/* Whether 1 / depth, which is linear on a plane, bends by a tenth from one side of a
+ * pixel to the other: there is a crest's edge. */
+static inline bool is_bent(const ref_image *b, size_t at, size_t step)
+{
+    return fabs(b->near[at - step] + b->near[at + step] - 2 * b->near[at])
+           > 0.1 * b->near[at];
+}
+
+/* Water in both, and so all its neighbours; no crest ends here. */
+static inline bool is_inner(const drawn_image *a, const ref_image *b, uint32_t x,
+                            uint32_t y)
+{
+    const size_t middle = (size_t)y * a->width + x;
+
+    for (uint32_t j = y - 1; j <= y + 1; j++)
+        for (uint32_t i = x - 1; i <= x + 1; i++) {
+            const size_t at = (size_t)j * a->width + i;
+            if (a->kind[at] != REF_WATER || b->kind[at] != REF_WATER)
+                return false;
+        }
+    return !is_bent(b, middle, 1) && !is_bent(b, middle, a->width);
+}
+
+static inline void difference_add(difference *d, uint32_t drawn, ref_colour want)
+{
+    const ref_colour got = ref_colour_of(drawn);
+
+    d->water++;
+    for (int c = 0; c < 3; c++) {
+        const double off = got.c[c] - ref_clamp(want.c[c], 0, 255);
+        d->rms[c] += off * off;
+        d->mean[c] += off;
+        d->worst[c] = fmax(d->worst[c], fabs(off));
+    }
+}
+
+static inline difference difference_of(const drawn_image *a, const ref_image *b)
+{
+    difference d = { .pixels = a->width * a->height };
+
+    for (size_t i = 0; i < d.pixels; i++)
+        d.elsewhere += a->kind[i] != b->kind[i];
+    for (uint32_t y = 1; y + 1 < a->height; y++)
+        for (uint32_t x = 1; x + 1 < a->width; x++) {
+            const size_t at = (size_t)y * a->width + x;
+            if (is_inner(a, b, x, y))
+                difference_add(&d, a->pixel[at], b->colour[at]);
+        }
+    for (int c = 0; c < 3 && d.water; c++) {
+        d.rms[c] = sqrt(d.rms[c] / d.water);
+        d.mean[c] /= d.water;
+    }
+    return d;
+}
+
+static inline double greatest(const double of[3])
+{
+    return fmax(of[0], fmax(of[1], of[2]));
+}
+#endif
