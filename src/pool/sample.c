@@ -9,16 +9,18 @@
 #include "base/base.h"
 
 /* The field is one turn: what lies beyond of a tiled one wraps for free.  turns_x is
- * rounded down, so inside of an untiled one the product stays within half a turn. */
+ * rounded down, so inside of an untiled one the product stays within half a turn; the far
+ * edge itself is the last place of the last cell. */
 static bool place_along(const tp_pool *pool, int64_t from_centre, uint64_t turns,
                         uint32_t cells, uint64_t *u)
 {
     const int64_t side = (int64_t)pool->cell * (int64_t)cells;
     const uint64_t turn = (uint64_t)from_centre * turns + ((uint64_t)1 << 63);
+    const bool edge = 2 * from_centre == side && pool->edges != TP_EDGES_TILE;
 
-    *u = (turn >> 32) * cells;
+    *u = edge ? ((uint64_t)cells << 32) - 1 : (turn >> 32) * cells;
     return pool->edges == TP_EDGES_TILE
-        || (2 * from_centre >= -side && 2 * from_centre < side);
+        || (2 * from_centre >= -side && 2 * from_centre <= side);
 }
 
 bool tp_pool_place(const tp_pool *pool, tp_fx x, tp_fx z, uint64_t *u, uint64_t *w)

@@ -195,8 +195,10 @@ static void outside_there_is_no_water(void **state)
     assert_int_equal(tp_pool_relief(pool, TP_FX(97.875), 0, 0).height, TP_FX_ONE);
     assert_int_equal(tp_pool_relief(pool, TP_FX(97.875) - 1, 0, 0).height, 0);
     assert_int_equal(tp_pool_relief(pool, TP_FX(102.125) - 1, 0, 0).height, TP_FX_ONE);
-    assert_int_equal(tp_pool_relief(pool, TP_FX(102.125), 0, 0).height, 0);
-    assert_int_equal(tp_pool_relief(pool, TP_FX(100), TP_FX(2.5), 0).height, 0);
+    assert_int_equal(tp_pool_relief(pool, TP_FX(102.125), 0, 0).height, TP_FX_ONE);
+    assert_int_equal(tp_pool_relief(pool, TP_FX(102.125) + 1, 0, 0).height, 0);
+    assert_int_equal(tp_pool_relief(pool, TP_FX(100), TP_FX(2.5), 0).height, TP_FX_ONE);
+    assert_int_equal(tp_pool_relief(pool, TP_FX(100), TP_FX(2.5) + 1, 0).height, 0);
     assert_int_equal(tp_pool_relief(pool, TP_FX(100), TP_FX(-2.5), 0).height, TP_FX_ONE);
     assert_true(tp_pool_cell(pool, TP_FX(97.875), TP_FX(-2.5), &col, &row));
     assert_true(col == 0 && row == 0);
