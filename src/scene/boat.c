@@ -9,6 +9,7 @@
  * direction over that along the pitched mast is tilt / beam x cos(pitch). */
 #include "scene/boat.h"
 #include "scene/parts.h"
+#include "scene/sides.h"
 
 #define PLACE_MOST ((int64_t)8000 << 32)
 #define SPEED_MOST (100 * TP_FX_ONE)        /* m/s */
@@ -17,11 +18,20 @@
 
 /* -- where it is -------------------------------------------------------------------- */
 
-/* So far from the scene's place that it stays within 8 km of the origin. */
-static int64_t sailed(int64_t way, tp_fx from)
+/* So far from the scene's place that it stays within 8 km of the origin, and between the
+ * walls of a tank from low to high with half a boat to spare: whatever way it is turned.
+ * Where they stand closer than its length it lies in the middle. */
+static int64_t sailed(int64_t way, tp_fx from, const tp_scene *scene, tp_fx low,
+                      tp_fx high)
 {
     int64_t start = (int64_t)from * TP_FX_ONE;
-    return tp_limit(start + way, PLACE_MOST) - start;
+    int64_t at = tp_limit(start + way, PLACE_MOST);
+    int64_t middle = ((int64_t)low + high) * (TP_FX_ONE / 2);
+    int64_t room = ((int64_t)high - low - scene->boat.length) * (TP_FX_ONE / 2);
+
+    if (tp_has_tank(scene))
+        at = middle + tp_limit(at - middle, room > 0 ? room : 0);
+    return at - start;
 }
 
 static tp_fx place_of(int64_t way, tp_fx from)
@@ -50,8 +60,9 @@ static void sail(tp_afloat *afloat, const tp_scene *scene, const tp_input *in)
     tp_turn heading = heading_of(afloat, scene);
     int64_t x = tp_quotient(speed * tp_sin(heading), over);
     int64_t z = tp_quotient(speed * tp_cos(heading), over);
-    afloat->sailed_x = sailed(afloat->sailed_x + x, scene->boat.x);
-    afloat->sailed_z = sailed(afloat->sailed_z - z, scene->boat.z);
+    tp_rectangle r = tp_pool_sides(scene);
+    afloat->sailed_x = sailed(afloat->sailed_x + x, scene->boat.x, scene, r.x0, r.x1);
+    afloat->sailed_z = sailed(afloat->sailed_z - z, scene->boat.z, scene, r.z0, r.z1);
 }
 
 static void place(tp_afloat *afloat, const tp_scene *scene)

@@ -118,6 +118,37 @@ static void it_stays_within_eight_kilometres(void **state)
 }
 
 /* As the preview's sliders do. */
+/* Whatever way it sails, half its length is free before each wall of the tank; where the
+ * walls stand closer than that it lies in the middle. */
+static void it_stays_within_a_tank(void **state)
+{
+    (void)state;
+    for (int n = 0; n < 16; n++) {
+        tp_scene scene = boat_calm_scene();
+        scene.pool.cols = 64;
+        scene.pool.rows = n % 4 ? 40 : 16;
+        scene.pool.cell = TP_FX_ONE / 4;
+        scene.pool.x = TP_FX(100);
+        scene.tank.kind = 1 + n % 2;
+        scene.boat.wake = 0;
+        scene.boat.x = TP_FX(101);
+        scene.boat.z = TP_FX(1);
+        scene.boat.length = TP_FX(6);
+        scene.boat.heading = 23 * n * TP_FX_ONE;
+        scene.boat.speed = (n % 3 - 1) * 5 * TP_FX_ONE + TP_FX_ONE;
+        scene.boat.rudder = n % 5 * TP_FX_ONE;
+        tp_world *w = scene_world(&scene, NULL);
+        const tp_fx room = n % 4 ? TP_FX(2) : 0;
+        for (int t = 0; t < 900; t++) {
+            tp_world_step(w, &scene, NULL);
+            assert_in_range(w->boat.place.x, TP_FX(95), TP_FX(105));
+            assert_in_range(w->boat.place.z + room, 0, 2 * room);
+        }
+        assert_true(w->boat.place.x != TP_FX(101) || w->boat.place.z != TP_FX(1));
+        free(w);
+    }
+}
+
 static void a_changed_place_moves_the_boat(void **state)
 {
     (void)state;
@@ -210,6 +241,7 @@ int main(void)
         cmocka_unit_test(the_rudder_makes_a_circle),
         cmocka_unit_test(sailed_forth_and_back_is_not_sailed),
         cmocka_unit_test(it_stays_within_eight_kilometres),
+        cmocka_unit_test(it_stays_within_a_tank),
         cmocka_unit_test(a_changed_place_moves_the_boat),
         cmocka_unit_test(a_refresh_does_not_lift_a_floating_boat),
         cmocka_unit_test(a_sailing_boat_replays_bit_for_bit),
