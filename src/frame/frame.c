@@ -46,12 +46,39 @@ typedef struct {
     tp_solid       *solid;
     uint8_t        *gloss;
     tp_frame_sky    heaven;
+    tp_glass       *glass;
+    tp_rectangle   *block;
+    uint16_t       *caustic_light;
+    tp_caustic_corner *caustic_row;
     tp_frame_ram    ram;
 } parts;
 
 static bool has_land(const tp_scene *scene)
 {
     return scene->floor.depth > 0 || scene->floor.map[0];
+}
+
+/* What the water's inside needs. */
+static void carve_depth(parts *p, tp_arena *arena, const tp_scene *scene)
+{
+    size_t cells = (size_t)scene->water.caustic_cells;
+
+    if (tp_has_tank(scene) && scene->tank.kind == TP_TANK_GLASS) {
+        size_t lines = (size_t)(scene->grid.cols > scene->grid.rows ? scene->grid.cols
+                                                                    : scene->grid.rows);
+        p->glass = tp_arena_take(arena, TP_GLASSES, sizeof *p->glass);
+        for (int i = 0; i < TP_GLASSES; i++) {
+            tp_side_post *post = tp_arena_take(arena, lines + 2, sizeof *post);
+            if (p->glass)
+                p->glass[i].post = post;
+        }
+    }
+    if (scene->pool.cols > 0 && scene->pool.mask[0])
+        p->block = tp_arena_take(arena, TP_BLOCKS, sizeof *p->block);
+    if (tp_frame_has_caustics(scene)) {
+        p->caustic_light = tp_arena_take(arena, cells * cells, sizeof *p->caustic_light);
+        p->caustic_row = tp_arena_take(arena, 2 * (cells + 1), sizeof *p->caustic_row);
+    }
 }
 
 /* The block's layout: run once with a counting arena, once for real. */
@@ -76,6 +103,7 @@ static parts carve(tp_arena *arena, const tp_scene *scene, const tp_assets *asse
                                    sizeof *p.drop_box);
         p.ring = tp_arena_take(arena, (size_t)scene->drops.rings, sizeof *p.ring);
     }
+    carve_depth(&p, arena, scene);
     p.ram.vertices = arena->used - fixed;
     p.solid = tp_arena_take(arena, materials, sizeof *p.solid);
     p.gloss = tp_arena_take(arena, materials, TP_GLOSS);
@@ -153,6 +181,11 @@ tp_status tp_frame_init(tp_frame **out, const tp_scene *scene, const tp_assets *
     frame->solid = p.solid;
     frame->gloss = p.gloss;
     frame->heaven = p.heaven;
+    frame->glass = p.glass;
+    frame->block = p.block;
+    frame->caustic_light = p.caustic_light;
+    frame->caustic_row = p.caustic_row;
+    frame->caustic_cells = (uint32_t)scene->water.caustic_cells;
     frame->ram = p.ram;
     frame->ram.scratch = tp_frame_scratch_bytes(&c);
     frame->shade.boat = assets->boat;
@@ -202,6 +235,10 @@ void tp_frame_begin(tp_frame *frame, const tp_world *world)
                    frame->config.width, frame->config.height);
     tp_frame_plan(frame);
     tp_frame_place_water(frame);
+    if (frame->block)
+        tp_frame_place_blocks(frame);
+    if (frame->glass)
+        tp_frame_place_glass(frame);
     tp_frame_place_boat(frame);
     if (frame->land_vertex && frame->surface.ocean)
         tp_frame_place_land(frame);

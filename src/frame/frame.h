@@ -5,6 +5,7 @@
 #include "geom/grid.h"
 #include "raster/raster.h"
 #include "scene/drawn.h"
+#include "scene/sides.h"
 #include "shade/shade.h"
 #include "tidepool/frame.h"
 
@@ -51,7 +52,41 @@ typedef struct {
     int16_t x, y, z;
 } tp_ball_point;
 
-#define TP_MATERIALS (TP_MARK_LAND - TP_MARK_SOLID)     /* more share the last mark */
+#define TP_MATERIALS (TP_MARK_TANK - TP_MARK_SOLID)     /* more share the last mark */
+
+/* The water's edge along a wall of glass. */
+typedef struct {
+    tp_fx along, high;
+} tp_side_post;
+
+/* Half of a wall of glass, projected and clipped; 28.4 pixels. */
+typedef struct {
+    int     count;
+    int32_t u[TP_CLIP_CORNERS], v[TP_CLIP_CORNERS];
+} tp_pane;
+
+typedef struct {
+    uint32_t      face;         /* of the tank: +x, -x, +z, -z */
+    uint32_t      posts;
+    tp_side_post *post;
+    tp_pane       pane[2];
+    int64_t       gap, right, up, ahead;    /* its depth over the picture, see glass.c */
+} tp_glass;
+
+#define TP_GLASSES 2            /* an eye stands outside of two walls at the most */
+#define TP_PANES   (2 * TP_GLASSES)
+
+/* Pixels of a row, x1 not included. */
+typedef struct {
+    int32_t x0, x1;
+} tp_covered;
+
+#define TP_BLOCKS 256           /* of a pool's inner walls */
+
+/* A corner of the surface and where its light falls: map cells, Q8. */
+typedef struct {
+    int32_t x, z, lit_x, lit_z;
+} tp_caustic_corner;
 
 struct tp_frame {
     const tp_scene  *scene;
@@ -88,8 +123,21 @@ struct tp_frame {
 
     tp_frame_sky     heaven;
     int32_t          fresnel, model;    /* that tables were made for */
+    bool             under;             /* the eye is in the water */
+    tp_glass        *glass;             /* TP_GLASSES */
+    uint32_t         glasses;
+    tp_rectangle    *block;             /* TP_BLOCKS */
+    uint32_t         blocks, blocks_dropped;
+    tp_fx            block_low, block_high;
+    bool             blocks_made;
+    uint16_t        *caustic_light;     /* caustic_cells^2 */
+    tp_caustic_corner *caustic_row;     /* two rows of caustic_cells + 1 */
+    uint32_t         caustic_cells;
+    tp_rectangle     caustic_place;
+    int32_t          caustic_still_x, caustic_still_z;  /* fall of the sun, Q16.16 */
+
     tp_shade         shade;
-    tp_plan          sky, water, solids, land, drops;
+    tp_plan          sky, water, solids, land, drops, tank, side;
 };
 
 /* water.c */
@@ -108,6 +156,25 @@ void tp_frame_draw_land(const tp_frame *frame, tp_samples *tile);
 void tp_frame_make_ball(tp_frame *frame);
 void tp_frame_place_drops(tp_frame *frame);
 void tp_frame_draw_drops(const tp_frame *frame, tp_samples *tile);
+
+/* tank.c: stone, seen through any lens */
+bool tp_frame_is_glass(const tp_frame *frame, uint32_t face);
+void tp_frame_place_blocks(tp_frame *frame);
+void tp_frame_draw_tank(const tp_frame *frame, const tp_lens *lens, tp_samples *samples);
+
+/* glass.c: of tanks of glass; after the water has been placed */
+void tp_frame_place_glass(tp_frame *frame);
+void tp_frame_draw_sides(const tp_frame *frame, tp_samples *tile);
+void tp_frame_glass_row(const tp_frame *frame, int32_t y, tp_covered row[TP_PANES]);
+void tp_frame_glaze(const tp_frame *frame, const tp_covered row[TP_PANES], tp_run *run);
+
+/* caustics.c */
+bool tp_frame_has_caustics(const tp_scene *scene);
+void tp_frame_place_caustics(tp_frame *frame);
+
+/* plan_depth.c: what is seen through the water and under it */
+void tp_frame_plan_depth(tp_frame *frame);
+tp_stage tp_frame_behind_stage(const tp_frame *frame, bool rippled);
 
 /* plan.c: the stages that the scene needs, and their numbers. */
 void tp_frame_plan(tp_frame *frame);

@@ -103,16 +103,19 @@ static void choose_water(tp_frame *frame)
     tp_plan *water = &frame->water;
     bool shines = scene->water.specular > 0, mirrors = scene->water.reflection > 0;
     bool rippled = frame->assets.ripple && scene->ripple.bump > 0;
+    bool clear = scene->water.clear > 0;
 
     *water = (tp_plan){ { texture_stage(frame) } };
     if (rippled)
         tp_plan_add(water, tp_stage_ripple);
-    if (shines || mirrors) {
+    if (shines || mirrors || clear) {
         tp_plan_add(water, tp_stage_view);
         tp_plan_add(water, light_stage(frame, rippled));
     } else {
         tp_plan_add(water, rippled ? tp_stage_diffuse_rippled : tp_stage_diffuse);
     }
+    if (clear)
+        tp_plan_add(water, tp_frame_behind_stage(frame, rippled));
     if (mirrors)
         add_mirror(frame, water, rippled);
     if (shines)
@@ -123,16 +126,21 @@ static void choose_water(tp_frame *frame)
 static void choose_stages(tp_frame *frame)
 {
     const bool blinn = frame->scene->light.model == TP_LIGHT_BLINN;
+    const bool ground = frame->assets.floor_texture || frame->scene->water.clear > 0;
 
     frame->sky = (tp_plan){ { NULL } };
     tp_frame_add_sky(frame, &frame->sky);
     tp_frame_add_exposure(frame, &frame->sky);
     frame->solids = (tp_plan){ { blinn ? tp_stage_solid_blinn : tp_stage_solid } };
-    frame->land = (tp_plan){ { tp_stage_land } };
+    frame->land = (tp_plan){ { ground ? tp_stage_ground : tp_stage_land } };
     frame->drops = (tp_plan){ { tp_stage_drop } };
+    frame->tank = (tp_plan){ { tp_stage_wall } };
+    frame->side = (tp_plan){ { tp_stage_side } };
     tp_frame_add_air(frame, &frame->solids);
     tp_frame_add_air(frame, &frame->land);
     tp_frame_add_air(frame, &frame->drops);
+    tp_frame_add_air(frame, &frame->tank);
+    tp_frame_add_air(frame, &frame->side);
     choose_water(frame);
 }
 
@@ -178,6 +186,7 @@ void tp_frame_plan(tp_frame *frame)
     shade->drop = (tp_solid){ .diffuse = (uint32_t)scene->drops.colour,
                               .specular = 0xffffff, .gloss = frame->drop_gloss };
     choose_stages(frame);
+    tp_frame_plan_depth(frame);
 }
 
 void tp_frame_plan_materials(tp_frame *frame)

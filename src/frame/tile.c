@@ -26,6 +26,8 @@ static const tp_plan *plan_for(const tp_frame *frame, uint32_t mark)
     return mark == TP_MARK_SKY ? &frame->sky
          : mark == TP_MARK_WATER ? &frame->water
          : mark == TP_MARK_LAND ? &frame->land
+         : mark == TP_MARK_TANK ? &frame->tank
+         : mark == TP_MARK_SIDE ? &frame->side
          : mark == TP_MARK_DROP ? &frame->drops : &frame->solids;
 }
 
@@ -46,8 +48,11 @@ static int32_t run_length(const uint32_t *key, int32_t most)
 static void shade_row(const tp_frame *frame, const tp_samples *tile, int32_t y, void *row)
 {
     size_t at = (size_t)(uint32_t)(y - tile->y0) * tile->stride;
+    tp_covered glass[TP_PANES];
     tp_run run;
 
+    if (frame->glasses > 0)
+        tp_frame_glass_row(frame, y, glass);
     for (int32_t x = tile->x0; x < tile->x1; x += run.count) {
         int32_t i = x - tile->x0, most = TP_RUN - x % TP_RUN;
         run.key = tile->key + at + i;
@@ -61,6 +66,8 @@ static void shade_row(const tp_frame *frame, const tp_samples *tile, int32_t y, 
         const tp_plan *plan = plan_for(frame, TP_MARK(run.key[0]));
         for (int k = 0; plan->stage[k]; k++)
             plan->stage[k](&frame->shade, &run);
+        if (frame->glasses > 0)
+            tp_frame_glaze(frame, glass, &run);
         tp_pixel_store(frame->config.format, row, i, x, y, run.colour, run.count);
     }
 }
@@ -86,6 +93,10 @@ bool tp_frame_tile(const tp_frame *frame, uint32_t i, void *scratch, tp_tile *ti
         tp_frame_draw_land(frame, &samples);
     if (frame->drop_capacity > 0)
         tp_frame_draw_drops(frame, &samples);
+    if (frame->block || tp_has_tank(frame->scene))
+        tp_frame_draw_tank(frame, &frame->lens, &samples);
+    if (frame->glasses > 0)
+        tp_frame_draw_sides(frame, &samples);
     tp_frame_draw_water(frame, &samples);
     uint8_t *row = pixels_of(frame, scratch);
     for (int32_t y = samples.y0; y < samples.y1; y++, row += tile->stride)

@@ -17,6 +17,8 @@
 #define TP_SHADE_H
 #include "base/base.h"
 #include "shade/skies.h"
+#include "shade/absorb.h"
+#include "shade/inside.h"
 #include "tidepool/asset.h"
 #include "tidepool/fx.h"
 
@@ -92,6 +94,8 @@ typedef struct {
     tp_half  mirrored;          /* objects about the level, upside down */
     tp_half  sunken;            /* objects under the level, as flat water shows them */
     tp_vec3  eye;
+    tp_absorb absorb;           /* of water that is seen through */
+    tp_inside inside;           /* what lies in and under the water */
 
     uint32_t haze_scale;        /* zi to haze entries, Q0.32 */
     uint16_t steep[TP_STEEP + 1];       /* Q1.14 */
@@ -155,6 +159,29 @@ void tp_stage_solid(const tp_shade *shade, tp_run *run);    /* all of a mesh's P
 void tp_stage_solid_blinn(const tp_shade *shade, tp_run *run);
 void tp_stage_land(const tp_shade *shade, tp_run *run);     /* the same in world axes, */
 void tp_stage_drop(const tp_shade *shade, tp_run *run);     /* of one colour */
+
+/* name, slopes that a ripple has bent, colours that part */
+#define TP_BEHIND_STAGES(X) \
+    X(behind,                  0, 0) \
+    X(behind_rippled,          1, 0) \
+    X(behind_dispersed,        0, 1) \
+    X(behind_rippled_dispersed, 1, 1)
+
+#define X(name, rippled, dispersed) \
+    void tp_stage_##name(const tp_shade *shade, tp_run *run);
+TP_BEHIND_STAGES(X)             /* what is seen through the water, over its colour */
+#undef X
+void tp_stage_below(const tp_shade *shade, tp_run *run);    /* the surface from below */
+void tp_stage_below_rippled(const tp_shade *shade, tp_run *run);
+void tp_stage_deep(const tp_shade *shade, tp_run *run);     /* empty view in the water */
+void tp_stage_absorb(const tp_shade *shade, tp_run *run);   /* water before what is there */
+void tp_stage_side(const tp_shade *shade, tp_run *run);     /* water behind a glass wall */
+void tp_stage_wall(const tp_shade *shade, tp_run *run);     /* a tank's stone */
+void tp_stage_ground(const tp_shade *shade, tp_run *run);   /* land with its picture */
+
+/* Glass of the wall `way` (as of tp_stage_side) over samples [i, stop) of a shaded run. */
+void tp_shade_glaze(const tp_shade *shade, tp_run *run, int32_t i, int32_t stop,
+                    uint32_t way);
 
 /* -- for the frame, that fills the tables ------------------------------------------- */
 

@@ -1,0 +1,217 @@
+/* SPDX-License-Identifier: MIT */
+/* Caustics: where the surface's curvature gathers the sun on the floor.
+ *
+ * The surface is cut into as many cells as the map has.  The light of each falls through
+ * its four corners, bent there [F4], on to the floor, and is dealt out from four places
+ * between them to the map's cells around: sums of integers, so their order never matters
+ * and no light is lost.  What falls beyond an edge is mirrored in it, as a wall would.  Places on
+ * the map are those of the surface that still water would have lit them through: still
+ * water gives 256 everywhere, to the bit. */
+#include "frame/frame.h"
+#include "base/base.h"
+#include "shade/beam.h"
+#include "shade/slope.h"
+
+bool tp_frame_has_caustics(const tp_scene *scene)
+{
+    bool floor = scene->floor.depth > 0 || scene->floor.map[0];
+    return scene->water.clear > 0 && scene->water.caustics > 0
+        && (floor || tp_has_tank(scene));
+}
+
+/* -- where the map lies ---------------------------------------------------------------- */
+
+/* The square lies ahead of the eye, moved by whole cells: nothing swims. */
+static tp_fx snapped(tp_fx eye, int32_t behind, tp_fx size, int32_t cells)
+{
+    tp_fx   cell = size / cells > 0 ? size / cells : 1;
+    int64_t corner = (int64_t)eye - size / 2 - ((int64_t)behind * (size / 5 * 2) >> 30);
+    return tp_fx_held(corner / cell * cell);
+}
+
+static tp_rectangle place_of(const tp_frame *frame)
+{
+    const tp_scene *scene = frame->scene;
+    tp_fx size = scene->water.caustic_size;
+
+    if (scene->pool.cols > 0)
+        return tp_pool_sides(scene);
+    tp_fx x = snapped(frame->lens.eye.x, frame->lens.turn.z.x, size,
+                      scene->water.caustic_cells);
+    tp_fx z = snapped(frame->lens.eye.z, frame->lens.turn.z.z, size,
+                      scene->water.caustic_cells);
+    return (tp_rectangle){ x, tp_fx_held((int64_t)x + size), z,
+                           tp_fx_held((int64_t)z + size) };
+}
+
+static tp_fx depth_at(const tp_frame *frame, tp_fx x, tp_fx z)
+{
+    const tp_inside *in = &frame->shade.inside;
+    tp_fx depth = in->ocean ? tp_ocean_floor(in->ocean, x, z).depth : in->bed.depth;
+    return tp_clamp(depth, 0, 100 * TP_FX_ONE);
+}
+
+/* -- the light's way ------------------------------------------------------------------- */
+
+/* Metres along that a metre down takes the sun, Q16.16, through water of these slopes. */
+typedef struct {
+    int32_t x, z;
+} tp_fall;
+
+static tp_fall fall_through(const tp_shade *shade, tp_fx slope_x, tp_fx slope_z)
+{
+    tp_ray in = { -shade->world.lx, -shade->world.ly, -shade->world.lz, 0 };
+    tp_ray n = tp_slope_normal(shade, tp_clamp(slope_x >> 4, -16000, 16000),
+                               tp_clamp(slope_z >> 4, -16000, 16000));
+    tp_ray t = tp_inside_bent(&shade->inside, 1, in, n);
+    int32_t down = t.y < -1638 ? -t.y : 1638;
+
+    return (tp_fall){ t.x * 65536 / down, t.z * 65536 / down };
+}
+
+static tp_sea_point ocean_point(const tp_surface *s, tp_fx x, tp_fx z)
+{
+    const tp_fx d = TP_FX_ONE / 32;
+    tp_vec3 at = tp_ocean_smooth(s->ocean, s->phases, x, z).position;
+    tp_vec3 east = tp_ocean_smooth(s->ocean, s->phases, x + d, z).position;
+    tp_vec3 south = tp_ocean_smooth(s->ocean, s->phases, x, z + d).position;
+    tp_sea_point p = { .position = at };
+
+    tp_slopes_across(tp_vec3_sub(east, at), tp_vec3_sub(south, at), &p.slope_x,
+                     &p.slope_z);
+    return p;
+}
+
+/* The surface's point whose place at rest is (x, z). */
+static tp_sea_point surface_point(const tp_surface *s, tp_fx x, tp_fx z)
+{
+    tp_sea_point p = s->ocean ? ocean_point(s, x, z)
+                              : tp_sea_at_rest(s->sea, s->phases, x, z);
+
+    if (tp_surface_has_relief(s)) {
+        tp_relief relief = tp_surface_relief(s, p.position.x, p.position.z);
+        p.position.y += relief.height;
+        p.slope_x += relief.slope_x;
+        p.slope_z += relief.slope_z;
+    }
+    return p;
+}
+
+/* Of metres, into cells Q8, held within 2^20 cells. */
+static int32_t in_cells(int64_t metres, uint32_t per_metre)
+{
+    return (int32_t)(tp_limit(metres, (int64_t)1 << 30) * (int64_t)per_metre >> 24);
+}
+
+/* Corner (i, j): where it lies over the map, and where its light does. */
+static void trace(const tp_frame *frame, uint32_t i, uint32_t j, tp_caustic_corner *to)
+{
+    const tp_caustic *c = &frame->shade.inside.caustic;
+    const tp_rectangle r = frame->caustic_place;
+    tp_fx x = r.x0 + (tp_fx)(((int64_t)r.x1 - r.x0) * i / c->cells);
+    tp_fx z = r.z0 + (tp_fx)(((int64_t)r.z1 - r.z0) * j / c->cells);
+    tp_sea_point p = surface_point(&frame->surface, x, z);
+    tp_fall fall = fall_through(&frame->shade, p.slope_x, p.slope_z);
+    tp_fall still = { frame->caustic_still_x, frame->caustic_still_z };
+    int64_t high = depth_at(frame, p.position.x, p.position.z) + (int64_t)p.position.y;
+    int64_t away_x = (int64_t)p.position.x - x, away_z = (int64_t)p.position.z - z;
+
+    high = high > 0 ? high : 0;
+    to->x = (int32_t)(i * 256) + in_cells(away_x, c->per_metre_x);
+    to->z = (int32_t)(j * 256) + in_cells(away_z, c->per_metre_z);
+    away_x += (((int64_t)fall.x - still.x) * high + (int64_t)still.x * p.position.y) >> 16;
+    away_z += (((int64_t)fall.z - still.z) * high + (int64_t)still.z * p.position.y) >> 16;
+    to->lit_x = (int32_t)(i * 256) + in_cells(away_x, c->per_metre_x);
+    to->lit_z = (int32_t)(j * 256) + in_cells(away_z, c->per_metre_z);
+}
+
+/* -- dealing it out -------------------------------------------------------------------- */
+
+static uint32_t folded(int32_t i, uint32_t cells)
+{
+    int32_t n = (int32_t)cells, at = i < 0 ? -1 - i : i < n ? i : 2 * n - 1 - i;
+    return (uint32_t)tp_clamp(at, 0, n - 1);
+}
+
+static void put(uint16_t *light, uint32_t cells, int32_t i, int32_t j, int32_t share)
+{
+    uint16_t *to = light + folded(j, cells) * cells + folded(i, cells);
+    *to = (uint16_t)(*to + share < 65535 ? *to + share : 65535);
+}
+
+/* `share` at a place in cells, Q8, among the four cells around it, by sixteenths. */
+static void deal(uint16_t *light, uint32_t cells, int32_t x, int32_t z, int32_t share)
+{
+    int32_t i = (x - 128) >> 8, j = (z - 128) >> 8;
+    int32_t f = (x - 128) >> 4 & 15, g = (z - 128) >> 4 & 15;
+    int32_t b = share * f * (16 - g) >> 8, c = share * (16 - f) * g >> 8;
+    int32_t d = share * f * g >> 8;
+
+    put(light, cells, i, j, share - b - c - d);
+    put(light, cells, i + 1, j, b);
+    put(light, cells, i, j + 1, c);
+    put(light, cells, i + 1, j + 1, d);
+}
+
+/* The cell between two rows' corners.  Its light is its area from above, half of the
+ * product of its diagonals: 256 at rest. */
+static void deal_cell(uint16_t *light, uint32_t cells, const tp_caustic_corner *a,
+                      const tp_caustic_corner *c)
+{
+    const tp_caustic_corner *b = a + 1, *d = c + 1;
+    int64_t area = ((int64_t)d->x - a->x) * ((int64_t)c->z - b->z)
+                 - ((int64_t)d->z - a->z) * ((int64_t)c->x - b->x);
+    int32_t share = (int32_t)tp_limit(area > 0 ? area >> 9 : 0, 2048), left = share;
+
+    for (int k = 0; k < 4; k++) {
+        int32_t s = k & 1 ? 3 : 1, t = k & 2 ? 3 : 1, part = k < 3 ? share / 4 : left;
+        int32_t wa = (4 - s) * (4 - t), wb = s * (4 - t), wc = (4 - s) * t, wd = s * t;
+        int64_t x = (int64_t)a->lit_x * wa + (int64_t)b->lit_x * wb
+                  + (int64_t)c->lit_x * wc + (int64_t)d->lit_x * wd;
+        int64_t z = (int64_t)a->lit_z * wa + (int64_t)b->lit_z * wb
+                  + (int64_t)c->lit_z * wc + (int64_t)d->lit_z * wd;
+        deal(light, cells, (int32_t)(x >> 4), (int32_t)(z >> 4), part);
+        left -= part;
+    }
+}
+
+static void make(tp_frame *frame)
+{
+    uint32_t n = frame->shade.inside.caustic.cells;
+
+    memset(frame->caustic_light, 0, (size_t)n * n * sizeof *frame->caustic_light);
+    for (uint32_t j = 0; j <= n; j++) {
+        tp_caustic_corner *here = frame->caustic_row + (j & 1) * (n + 1);
+        const tp_caustic_corner *last = frame->caustic_row + (~j & 1) * (n + 1);
+        for (uint32_t i = 0; i <= n; i++)
+            trace(frame, i, j, &here[i]);
+        for (uint32_t i = 0; j > 0 && i < n; i++)
+            deal_cell(frame->caustic_light, n, &last[i], &here[i]);
+    }
+}
+
+void tp_frame_place_caustics(tp_frame *frame)
+{
+    const tp_scene *scene = frame->scene;
+    tp_inside *in = &frame->shade.inside;
+    tp_rectangle r = place_of(frame);
+    tp_fx   wide = tp_fx_held((int64_t)r.x1 - r.x0), deep = tp_fx_held((int64_t)r.z1 - r.z0);
+    tp_fx   depth = depth_at(frame, r.x0 / 2 + r.x1 / 2, r.z0 / 2 + r.z1 / 2);
+    tp_fall still = fall_through(&frame->shade, 0, 0);
+    uint32_t cells = frame->caustic_cells;
+
+    in->caustic = (tp_caustic){
+        .light = frame->caustic_light, .x = r.x0, .z = r.z0, .cells = cells,
+        .per_metre_x = (uint32_t)(((uint64_t)cells << 32) / (uint32_t)(wide + !wide)),
+        .per_metre_z = (uint32_t)(((uint64_t)cells << 32) / (uint32_t)(deep + !deep)),
+        .per_depth = (uint32_t)(((uint64_t)256 << 32)
+                                / (uint32_t)(depth > 32768 ? depth : 32768)),
+        .lean_x = -still.x / 4, .lean_z = -still.z / 4,
+        .strength = scene->water.caustics >> 8,
+        .fades = scene->pool.cols == 0,
+    };
+    frame->caustic_place = r;
+    frame->caustic_still_x = still.x;
+    frame->caustic_still_z = still.z;
+    make(frame);
+}

@@ -1,0 +1,69 @@
+/* SPDX-License-Identifier: MIT */
+/* Rays of sight in the water: where they begin, and what they meet (see inside.h). */
+#ifndef TP_SHADE_BEAM_H
+#define TP_SHADE_BEAM_H
+#include "shade/shade.h"
+
+#define TP_INSIDE_FAR (16000 * TP_FX_ONE)
+
+/* -- places and ways ------------------------------------------------------------------ */
+
+/* A place that is seen, and a way from there, a unit vector in Q1.14. */
+typedef struct {
+    tp_vec3 at;
+    tp_ray  way;
+    tp_fx   far;                /* m from the eye, roughly */
+} tp_beam;
+
+/* sqrt(1 - i / 64), Q1.14. */
+extern const uint16_t tp_inside_root[65];
+
+/* sqrt(1 - x) of x in Q28, 0..1; within 2 units of Q1.14 up to 0.8. */
+TP_ALWAYS_INLINE int32_t tp_inside_rest(uint32_t x)
+{
+    const uint16_t *at = tp_inside_root + (x >> 22 & 63);
+    return at[0] - ((at[0] - at[1]) * (int32_t)(x >> 8 & 0x3fff) >> 14);
+}
+
+/* [F4] into the water: `in` goes towards the surface, `n` is its normal out of the water,
+ * all Q1.14; ci = -in . n. */
+TP_ALWAYS_INLINE tp_ray tp_inside_bent(const tp_inside *inside, int channel, tp_ray in,
+                                       tp_ray n)
+{
+    int32_t ci = -((in.x * n.x + in.y * n.y + in.z * n.z) >> 14);
+    int32_t eta = inside->eta[channel];
+
+    ci = tp_clamp(ci, -16384, 16384);
+    uint32_t s2 = (1u << 28) - (uint32_t)(ci * ci);
+    int32_t ct = tp_inside_rest((uint32_t)((uint64_t)s2 * (uint32_t)inside->eta2[channel]
+                                           >> 14));
+    int32_t lean = (eta * ci >> 14) - ct;
+    return (tp_ray){ (eta * in.x + lean * n.x) >> 14, (eta * in.y + lean * n.y) >> 14,
+                     (eta * in.z + lean * n.z) >> 14, 0 };
+}
+
+/* Fills `beam` with where samples [i, stop) of a run lie; their ways are left alone. */
+void tp_inside_places(const tp_shade *shade, const tp_run *run, int32_t i, int32_t stop,
+                      tp_beam *beam);
+
+/* -- light ---------------------------------------------------------------------------- */
+
+/* The floor around what a beam would meet. */
+tp_bed tp_inside_bed(const tp_shade *shade, const tp_beam *beam);
+
+/* Between two of them, `share` of 16 of b, as it lies under a place. */
+tp_bed tp_inside_bed_between(const tp_bed *a, const tp_bed *b, int32_t share, tp_vec3 at);
+
+/* What comes along a beam; `body` is what comes from the water itself. */
+uint32_t tp_inside_at(const tp_shade *shade, const tp_bed *bed, const tp_beam *beam,
+                      uint32_t body);
+
+/* The same where a beam that goes up has reached the surface, whose normal is n: the sky
+ * through Snell's window, and the water mirrored by Fresnel's share, all of it beyond
+ * 48.6 degrees [F1]. */
+uint32_t tp_inside_up(const tp_shade *shade, const tp_bed *bed, const tp_beam *beam,
+                      tp_ray n, uint32_t body);
+
+/* What the light on the floor or on a wall at a place is multiplied by, 256 is 1. */
+int32_t tp_caustic_at(const tp_caustic *caustic, tp_vec3 at);
+#endif

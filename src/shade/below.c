@@ -1,0 +1,74 @@
+/* SPDX-License-Identifier: MIT */
+/* The view of a camera under water: the surface from below, the water where nothing
+ * else is, and the water before what is there. */
+#include "shade/beam.h"
+#include "shade/slope.h"
+
+/* The way that sample i is seen along; run->vx and so on are set. */
+TP_ALWAYS_INLINE tp_ray seen_along(const tp_run *run, int32_t i)
+{
+    return (tp_ray){ -run->vx[i], -run->vy[i], -run->vz[i], 0 };
+}
+
+/* Metres along the way to a depth ahead of the eye: over the cosine between them, which
+ * is 1/16 at the widest view that is drawn. */
+static tp_fx along(const tp_shade *shade, tp_ray way, tp_fx depth)
+{
+    const tp_dir3 back = shade->world.back;
+    int64_t cosine = -((int64_t)back.x * way.x + (int64_t)back.y * way.y
+                       + (int64_t)back.z * way.z) >> 30;
+    uint32_t n = (uint32_t)tp_clamp((int32_t)cosine, 1024, 16384) << 17;
+    int      shift = tp_clz(n);
+    return tp_fx_held((int64_t)((uint64_t)(uint32_t)depth * tp_recip_norm(n << shift)
+                                >> (32 - shift)));
+}
+
+TP_ALWAYS_INLINE void below(const tp_shade *shade, tp_run *run, int rippled)
+{
+    const tp_inside *in = &shade->inside;
+
+    for (int32_t i = 0; i < run->count; i++) {
+        tp_ray  n = tp_slope_normal_of(shade, run, i, rippled);
+        tp_beam beam;
+        tp_inside_places(shade, run, i, i + 1, &beam);
+        beam.way = seen_along(run, i);
+        tp_bed  bed = tp_inside_bed(shade, &beam);
+        uint32_t c = tp_inside_up(shade, &bed, &beam, n, in->deep);
+        run->colour[i] = tp_absorb_at(&shade->absorb, c, in->deep,
+                                      along(shade, beam.way, beam.far));
+    }
+}
+
+void tp_stage_below(const tp_shade *shade, tp_run *run)
+{
+    below(shade, run, 0);
+}
+
+void tp_stage_below_rippled(const tp_shade *shade, tp_run *run)
+{
+    below(shade, run, 1);
+}
+
+/* Needs no view before it. */
+void tp_stage_deep(const tp_shade *shade, tp_run *run)
+{
+    tp_view_run(shade, &shade->world, run);
+    for (int32_t i = 0; i < run->count; i++) {
+        tp_beam beam = { shade->eye, seen_along(run, i), 0 };
+        tp_bed  bed = tp_inside_bed(shade, &beam);
+        run->colour[i] = tp_inside_at(shade, &bed, &beam, shade->inside.deep);
+    }
+}
+
+void tp_stage_absorb(const tp_shade *shade, tp_run *run)
+{
+    const tp_inside *in = &shade->inside;
+
+    tp_view_run(shade, &shade->world, run);
+    for (int32_t i = 0; i < run->count; i++) {
+        tp_beam beam;
+        tp_inside_places(shade, run, i, i + 1, &beam);
+        run->colour[i] = tp_absorb_at(&shade->absorb, run->colour[i], in->deep,
+                                      along(shade, seen_along(run, i), beam.far));
+    }
+}

@@ -1,0 +1,297 @@
+/* SPDX-License-Identifier: MIT */
+/* Rays of sight in the water; see the headers. */
+#include "shade/beam.h"
+#include "geom/geom.h"
+#include "shade/coat.h"
+#include "shade/env.h"
+
+const uint16_t tp_inside_root[65] = {
+#include "shade/root_table.inc"
+};
+
+/* -- places --------------------------------------------------------------------------- */
+
+/* The view is -back + right (u - u0) / focal + up (v0 - v) / focal at 1 m of depth.  Q42
+ * steps times 2^16 sixteenths stay below 2^58; cut to Q20, times 2^31 of depth too. */
+void tp_inside_places(const tp_shade *shade, const tp_run *run, int32_t i, int32_t stop,
+                      tp_beam *beam)
+{
+    const tp_inside *in = &shade->inside;
+    const tp_dir3 back = shade->world.back;
+    const int32_t eye[3] = { shade->eye.x, shade->eye.y, shade->eye.z };
+    const int32_t behind[3] = { back.x, back.y, back.z };
+    int64_t u = 16 * (run->x + i) + 8 - shade->u0, v = shade->v0 - 16 * run->y - 8;
+    int64_t view[3];
+
+    for (int k = 0; k < 3; k++)
+        view[k] = in->right[k] * u + in->up[k] * v - behind[k] * (int64_t)4096;
+    for (; i < stop; i++, beam++) {
+        uint32_t zi = (run->key[i] >> 1 & ~(uint32_t)0x7f) | 0x40;
+        int      shift = tp_clz(zi);
+        int64_t  depth = (int64_t)in->zi_near * tp_recip_rough(zi << shift)
+                         >> (31 - shift);
+        int32_t  at[3];
+        for (int k = 0; k < 3; k++) {
+            at[k] = tp_fx_held(eye[k] + (depth * (view[k] >> 22) >> 20));
+            view[k] += in->right[k] * 16;
+        }
+        beam->at = (tp_vec3){ at[0], at[1], at[2] };
+        beam->far = tp_fx_held(depth);
+    }
+}
+
+/* How far to go for `gap` >= 0 metres at `speed` > 0 a metre, Q1.14. */
+static inline tp_fx way_for(tp_fx gap, int32_t speed)
+{
+    int     shift = tp_clz((uint32_t)speed);
+    int64_t way = (int64_t)gap * tp_recip_rough((uint32_t)speed << shift) >> (48 - shift);
+    return way < TP_INSIDE_FAR ? (tp_fx)way : TP_INSIDE_FAR;
+}
+
+static inline tp_vec3 gone(tp_vec3 from, tp_ray way, tp_fx metres)
+{
+    return (tp_vec3){ tp_fx_held(from.x + ((int64_t)way.x * metres >> 14)),
+                      tp_fx_held(from.y + ((int64_t)way.y * metres >> 14)),
+                      tp_fx_held(from.z + ((int64_t)way.z * metres >> 14)) };
+}
+
+/* -- the floor ------------------------------------------------------------------------ */
+
+/* Depth of the plane under a place; held within 16 km. */
+static inline tp_fx depth_under(const tp_bed *bed, tp_vec3 at)
+{
+    int64_t rise = (int64_t)bed->rise_x * ((int64_t)at.x - bed->x)
+                 + (int64_t)bed->rise_z * ((int64_t)at.z - bed->z);
+    return (tp_fx)tp_limit(bed->depth - (rise >> 16), TP_INSIDE_FAR);
+}
+
+/* A ray that runs along the floor meets it at a grade of 1/16 at the least. */
+static inline tp_fx way_to_floor(const tp_bed *bed, tp_vec3 from, tp_ray way)
+{
+    int64_t gap = (int64_t)from.y + depth_under(bed, from);
+    int32_t down = (int32_t)(((int64_t)bed->rise_x * way.x
+                              + (int64_t)bed->rise_z * way.z) >> 16) - way.y;
+
+    if (gap <= 0)
+        return 0;
+    return down < 16 ? TP_INSIDE_FAR : way_for(tp_fx_held(gap), down);
+}
+
+static int32_t lit_floor(const tp_inside *in, tp_fx rise_x, tp_fx rise_z)
+{
+    tp_dir3 n = tp_normalise(-rise_x, TP_FX_ONE, -rise_z);
+    int32_t nl = (n.x >> 16) * in->sun_x + (n.y >> 16) * in->sun_y
+               + (n.z >> 16) * in->sun_z;
+    return nl > 0 ? nl >> 14 : 0;
+}
+
+static tp_bed bed_under(const tp_inside *in, tp_vec3 at)
+{
+    tp_floor_at floor = tp_ocean_floor(in->ocean, at.x, at.z);
+    return (tp_bed){ at.x, at.z, floor.depth, floor.rise_x, floor.rise_z, 0 };
+}
+
+/* Twice from plane to plane: what is left of a beach's curve is below its depth's
+ * hundredth. */
+tp_bed tp_inside_bed(const tp_shade *shade, const tp_beam *beam)
+{
+    const tp_inside *in = &shade->inside;
+
+    if (!in->ocean)
+        return in->bed;
+    tp_bed bed = bed_under(in, beam->at);
+    for (int n = 0; n < 2; n++) {
+        tp_fx way = way_to_floor(&bed, beam->at, beam->way);
+        way = way < 200 * TP_FX_ONE ? way : 200 * TP_FX_ONE;
+        bed = bed_under(in, gone(beam->at, beam->way, way));
+    }
+    bed.nl = lit_floor(in, bed.rise_x, bed.rise_z);
+    return bed;
+}
+
+tp_bed tp_inside_bed_between(const tp_bed *a, const tp_bed *b, int32_t share, tp_vec3 at)
+{
+    int32_t one = depth_under(a, at), other = depth_under(b, at);
+
+    return (tp_bed){
+        .x = at.x, .z = at.z,
+        .depth = one + (int32_t)(((int64_t)other - one) * share >> 4),
+        .rise_x = a->rise_x + ((b->rise_x - a->rise_x) * share >> 4),
+        .rise_z = a->rise_z + ((b->rise_z - a->rise_z) * share >> 4),
+        .nl = a->nl + ((b->nl - a->nl) * share >> 4),
+    };
+}
+
+/* -- light ---------------------------------------------------------------------------- */
+
+/* Cells from the corner, 16.16, mirrored in the map's edges; between the first and the
+ * last one's centre. */
+static inline int32_t cells_from(int64_t metres, uint32_t per_metre, uint32_t cells)
+{
+    int64_t at = metres * (int64_t)per_metre >> 16, side = (int64_t)cells * 65536;
+
+    at = at < 0 ? -at : at > side ? 2 * side - at : at;
+    at -= 0x8000;
+    return (int32_t)(at < 0 ? 0 : at > side - 65536 ? side - 65536 : at);
+}
+
+/* 0..256: none at an edge, all from an eighth of the side on. */
+static inline int32_t within(int32_t at, uint32_t cells)
+{
+    int32_t last = (int32_t)(cells - 1) * 65536, edge = at < last - at ? at : last - at;
+    int32_t share = edge / (int32_t)(cells * 32);
+    return share < 256 ? share : 256;
+}
+
+int32_t tp_caustic_at(const tp_caustic *c, tp_vec3 at)
+{
+    if (!c->light || at.y >= 0)
+        return 256;
+    int64_t x = (int64_t)at.x - c->x - ((int64_t)c->lean_x * at.y >> 14);
+    int64_t z = (int64_t)at.z - c->z - ((int64_t)c->lean_z * at.y >> 14);
+    int32_t u = cells_from(x, c->per_metre_x, c->cells);
+    int32_t v = cells_from(z, c->per_metre_z, c->cells);
+    uint32_t i = (uint32_t)u >> 16, j = (uint32_t)v >> 16, n = c->cells;
+    uint32_t right = i + 1 < n ? 1 : 0, below = j + 1 < n ? n : 0;
+    const uint16_t *cell = c->light + j * n + i;
+    int32_t fu = u >> 8 & 0xff, fv = v >> 8 & 0xff;
+    int32_t top = cell[0] * (256 - fu) + cell[right] * fu;
+    int32_t low = cell[below] * (256 - fu) + cell[below + right] * fu;
+    int32_t light = (top >> 8) + (((low >> 8) - (top >> 8)) * fv >> 8);
+    int64_t deep = -(int64_t)at.y * c->per_depth >> 16;
+    int32_t share = c->strength * (int32_t)(deep < 256 ? deep : 256) >> 8;
+
+    if (c->fades) {
+        int32_t eu = within(u, n), ev = within(v, n);
+        share = share * (eu < ev ? eu : ev) >> 8;
+    }
+    light = 256 + ((light - 256) * share >> 8);
+    return light > 0 ? light : 0;
+}
+
+static inline uint32_t lit(const tp_shade *shade, uint32_t colour, int32_t nl, tp_vec3 at)
+{
+    int32_t sun = (256 - shade->ambient) * (nl < 16384 ? nl : 16384) >> 14;
+    int32_t light = tp_caustic_at(&shade->inside.caustic, at);
+    return tp_colour_lit(colour, (uint32_t)(shade->ambient + (sun * light >> 8)));
+}
+
+/* -- what a ray meets ----------------------------------------------------------------- */
+
+typedef enum { NOTHING, FLOOR, WALL_X, WALL_Z } face;
+
+typedef struct {
+    face  what;
+    tp_fx way;
+} hit;
+
+static inline hit nearer(hit a, face what, tp_fx way)
+{
+    return way < a.way ? (hit){ what, way } : a;
+}
+
+static inline tp_fx way_to_side(tp_fx from, int32_t speed, tp_fx low, tp_fx high)
+{
+    int64_t gap = speed > 0 ? (int64_t)high - from : (int64_t)from - low;
+
+    if (speed == 0)
+        return TP_INSIDE_FAR;
+    return gap > 0 ? way_for(tp_fx_held(gap), speed > 0 ? speed : -speed) : 0;
+}
+
+static inline hit first_hit(const tp_inside *in, const tp_bed *bed, tp_vec3 from,
+                            tp_ray way)
+{
+    hit h = { NOTHING, TP_INSIDE_FAR };
+
+    if (in->floored)
+        h = nearer(h, FLOOR, way_to_floor(bed, from, way));
+    if (in->walled) {
+        h = nearer(h, WALL_X, way_to_side(from.x, way.x, in->x0, in->x1));
+        h = nearer(h, WALL_Z, way_to_side(from.z, way.z, in->z0, in->z1));
+    }
+    return h;
+}
+
+/* Walls are lit from inside: their normal is against the way. */
+static inline uint32_t colour_of(const tp_shade *shade, const tp_bed *bed, hit h,
+                                 tp_vec3 at, tp_ray way, tp_fx far)
+{
+    const tp_inside *in = &shade->inside;
+
+    if (h.what == FLOOR)
+        return lit(shade, tp_coat_at(&in->floor, at.x, at.z, far, true), bed->nl, at);
+    int32_t across = h.what == WALL_X ? way.x : way.z;
+    int32_t sun = h.what == WALL_X ? in->sun_x : in->sun_z;
+    int32_t nl = across > 0 ? -sun : sun;
+    tp_fx   along = h.what == WALL_X ? at.z : at.x;
+    return lit(shade, tp_coat_at(&in->wall, along, -at.y, far, false), nl > 0 ? nl : 0, at);
+}
+
+/* From `from` on, without the surface; what is met, through the water up to there. */
+static inline uint32_t seen_along(const tp_shade *shade, const tp_bed *bed, hit h,
+                                  tp_vec3 from, tp_ray way, tp_fx far, uint32_t body)
+{
+    if (h.what == NOTHING)
+        return body;
+    uint32_t colour = colour_of(shade, bed, h, gone(from, way, h.way), way,
+                                tp_fx_held((int64_t)far + h.way));
+    return tp_absorb_at(&shade->absorb, colour, body, h.way);
+}
+
+/* -- the surface from below ------------------------------------------------------------ */
+
+#define INDEX  21840            /* 1.333, Q1.14 */
+#define INDEX2 29113            /* its square */
+
+/* Cosine in air of a ray that goes up with this cosine in water, Q1.14; 0 and below:
+ * it stays, beyond 48.6 degrees. */
+static inline int32_t cos_in_air(int32_t ci)
+{
+    int64_t left = ((int64_t)1 << 28)
+                 - ((((int64_t)1 << 28) - (int64_t)ci * ci) * INDEX2 >> 14);
+    if (left <= 0)
+        return 0;
+    int      even = tp_clz((uint32_t)left) & ~1;        /* x 2^even in [2^30, 2^32) */
+    uint32_t n = (uint32_t)left << even;
+    return (int32_t)((uint64_t)n * tp_rsqrt_norm(n) >> (47 + even / 2));
+}
+
+uint32_t tp_inside_up(const tp_shade *shade, const tp_bed *bed, const tp_beam *beam,
+                      tp_ray n, uint32_t body)
+{
+    tp_ray  way = beam->way;
+    int32_t ci = (way.x * n.x + way.y * n.y + way.z * n.z) >> 14;
+
+    ci = tp_clamp(ci, 0, 16384);
+    int32_t  ct = cos_in_air(ci), lean = ct - (INDEX * ci >> 14);
+    uint32_t share = ct > 0 ? shade->fresnel[ct >> 6] : 256, sky = 0;
+    if (share < 256)
+        sky = tp_env_at(shade, (INDEX * way.x + lean * n.x) >> 14,
+                        (INDEX * way.y + lean * n.y) >> 14,
+                        (INDEX * way.z + lean * n.z) >> 14) & 0xffffff;
+    if (share < 4)
+        return sky;
+    tp_ray back = { way.x - (2 * ci * n.x >> 14), way.y - (2 * ci * n.y >> 14),
+                    way.z - (2 * ci * n.z >> 14), 0 };
+    if (back.y > -64)           /* a slope that throws it up again: level, then */
+        back.y = -64;
+    hit h = first_hit(&shade->inside, bed, beam->at, back);
+    uint32_t mirrored = seen_along(shade, bed, h, beam->at, back, beam->far, body);
+    return tp_colour_mix(sky, mirrored, share);
+}
+
+uint32_t tp_inside_at(const tp_shade *shade, const tp_bed *bed, const tp_beam *beam,
+                      uint32_t body)
+{
+    hit   h = first_hit(&shade->inside, bed, beam->at, beam->way);
+    tp_fx deep = beam->at.y < 0 ? -(beam->at.y + (beam->at.y == TP_FX_MIN)) : 0;
+
+    if (beam->way.y <= 0 || way_for(deep, beam->way.y) >= h.way)
+        return seen_along(shade, bed, h, beam->at, beam->way, beam->far, body);
+    tp_fx   way = way_for(deep, beam->way.y);
+    tp_beam on = { gone(beam->at, beam->way, way), beam->way,
+                   tp_fx_held((int64_t)beam->far + way) };
+    uint32_t colour = tp_inside_up(shade, bed, &on, (tp_ray){ 0, 16384, 0, 0 }, body);
+    return tp_absorb_at(&shade->absorb, colour, body, way);
+}

@@ -1,0 +1,82 @@
+/* SPDX-License-Identifier: MIT */
+/* A tank: the water behind its glass, the glass itself, its stone; and land, which is
+ * laid and lit like the floor that it becomes under water.
+ *
+ * The glass is thin: a ray is bent as if air met water there [F4]. */
+#include "shade/beam.h"
+#include "shade/coat.h"
+#include "shade/env.h"
+#include "asset/mesh.h"
+
+/* Out of wall `face`: +x, -x, +z, -z. */
+static tp_ray normal_of(uint32_t face)
+{
+    int32_t one = face & 1 ? -16384 : 16384;
+    return face & 2 ? (tp_ray){ 0, 0, one, 0 } : (tp_ray){ one, 0, 0, 0 };
+}
+
+void tp_stage_side(const tp_shade *shade, tp_run *run)
+{
+    tp_view_run(shade, &shade->world, run);
+    for (int32_t i = 0; i < run->count; i++) {
+        tp_ray  in = { -run->vx[i], -run->vy[i], -run->vz[i], 0 };
+        tp_beam beam;
+        tp_inside_places(shade, run, i, i + 1, &beam);
+        beam.way = tp_inside_bent(&shade->inside, 1, in, normal_of(run->t[i]));
+        run->colour[i] = tp_inside_at(shade, &shade->inside.bed, &beam,
+                                      shade->inside.deep);
+    }
+}
+
+void tp_shade_glaze(const tp_shade *shade, tp_run *run, int32_t i, int32_t stop,
+                    uint32_t face)
+{
+    const tp_inside *inside = &shade->inside;
+    tp_ray n = normal_of(face);
+
+    tp_view_run(shade, &shade->world, run);
+    for (; i < stop; i++) {
+        int32_t  vx = run->vx[i], vy = run->vy[i], vz = run->vz[i];
+        int32_t  nv = (vx * n.x + vz * n.z) >> 14;
+        uint32_t share = shade->fresnel[tp_clamp(nv, 0, 16384) >> 6];
+        uint32_t sky = tp_env_at(shade, (2 * nv * n.x >> 14) - vx, -vy,
+                                 (2 * nv * n.z >> 14) - vz);
+        uint32_t c = tp_colour_mix(run->colour[i], inside->glass_colour, inside->glass);
+        run->colour[i] = tp_colour_mix(c, sky, share);
+    }
+}
+
+/* -- stone and land ------------------------------------------------------------------- */
+
+static uint32_t lit(const tp_shade *shade, uint32_t colour, tp_packed_dir packed)
+{
+    tp_dir3 n = tp_normalise(tp_dir_x(packed), tp_dir_y(packed), tp_dir_z(packed));
+    int32_t nl = ((n.x >> 16) * shade->world.lx + (n.y >> 16) * shade->world.ly
+                  + (n.z >> 16) * shade->world.lz) >> 14;
+    uint32_t sun = (uint32_t)((256 - shade->ambient) * tp_clamp(nl, 0, 16384) >> 14);
+    return tp_colour_scale(colour, (uint32_t)shade->ambient + sun);
+}
+
+/* The picture lies in the plane that the normal is nearest to: x y, z y or x z. */
+void tp_stage_wall(const tp_shade *shade, tp_run *run)
+{
+    for (int32_t i = 0; i < run->count; i++) {
+        tp_packed_dir n = run->n[i];
+        int32_t x = tp_abs(tp_dir_x(n)), y = tp_abs(tp_dir_y(n)), z = tp_abs(tp_dir_z(n));
+        tp_beam beam;
+        tp_inside_places(shade, run, i, i + 1, &beam);
+        tp_fx s = x > y && x > z ? beam.at.z : beam.at.x;
+        tp_fx t = y >= x && y >= z ? beam.at.z : -beam.at.y;
+        run->colour[i] = lit(shade, tp_coat_at(&shade->inside.wall, s, t, beam.far, false), n);
+    }
+}
+
+void tp_stage_ground(const tp_shade *shade, tp_run *run)
+{
+    for (int32_t i = 0; i < run->count; i++) {
+        tp_beam beam;
+        tp_inside_places(shade, run, i, i + 1, &beam);
+        run->colour[i] = lit(shade, tp_coat_at(&shade->inside.floor, beam.at.x, beam.at.z,
+                                               beam.far, true), run->n[i]);
+    }
+}

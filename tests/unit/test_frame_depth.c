@@ -1,0 +1,236 @@
+/* SPDX-License-Identifier: MIT */
+/* Frames that look into the water: the same for every tiling, whatever they hold; and the
+ * light on the floor. */
+#include <stdarg.h>
+#include <stddef.h>
+#include <setjmp.h>
+#include <stdint.h>
+#include <cmocka.h>
+#include "../reference/water_ray.h"
+#include "frame/frame.h"
+#include "measure.h"
+#include "scenes.h"
+
+enum { WIDE = 160, HIGH = 96 };
+
+static uint64_t chance;
+static test_boat boat;
+
+/* 3.2 m across and stirred: of glass, of stone, or a sea over a slope. */
+static tp_scene wet_scene(int kind)
+{
+    tp_scene s;
+
+    tp_scene_default(&s);
+    s.water.clear = 3 * TP_FX_ONE;
+    s.water.caustics = TP_FX_ONE;
+    s.water.caustic_cells = 32;
+    s.camera.near = TP_FX(0.05);
+    if (kind == 2) {
+        s.wave[0] = (tp_wave){ .amplitude = TP_FX(0.2), .length = 9 * TP_FX_ONE,
+                               .steepness = TP_FX(0.1), .speed = TP_FX_ONE, .power = 1 };
+        s.floor.depth = 2 * TP_FX_ONE;
+        s.floor.slope = TP_FX(0.1);
+        return s;
+    }
+    s.pool.cols = s.pool.rows = 32;
+    s.pool.cell = TP_FX(0.1);
+    s.grid.cols = s.grid.rows = 33;
+    s.grid.cell = TP_FX(0.1);
+    s.grid.reach = s.grid.follow = 0;
+    s.tank.kind = kind == 0 ? TP_TANK_GLASS : TP_TANK_STONE;
+    return s;
+}
+
+static tp_assets wet_assets(void)
+{
+    return (tp_assets){ .layer[0] = &boat.texture[0], .ripple = &boat.texture[1],
+                        .tank_wall = &boat.texture[0], .tank_floor = &boat.texture[1],
+                        .floor_texture = &boat.texture[0] };
+}
+
+static void look_anywhere(tp_scene *s)
+{
+    const bool in = random_below(&chance, 3) == 0;
+
+    s->camera.x = chance_fx(&chance, in ? -1.5 : -4, in ? 1.5 : 4);
+    s->camera.z = chance_fx(&chance, in ? -1.5 : -4, in ? 1.5 : 4);
+    s->camera.y = chance_fx(&chance, -0.9, in ? 0.1 : 3);
+    s->camera.heading = chance_fx(&chance, 0, 360);
+    s->camera.pitch = chance_fx(&chance, -60, in ? 60 : 0);
+    s->water.dispersion = random_below(&chance, 2) ? TP_FX(0.1) : 0;
+    s->light.heading = chance_fx(&chance, 0, 360);
+}
+
+static void picture_of(const tp_scene *s, const tp_assets *assets, const tp_world *world,
+                       uint32_t tile_wide, uint32_t tile_high, uint32_t *pixels)
+{
+    const tp_frame_config c = { WIDE, HIGH, tile_wide, tile_high,
+                                TP_FORMAT_XRGB8888 };
+    test_frame f = frame_of(s, assets, &c);
+    tp_tile    tile;
+
+    tp_frame_begin(f.frame, world);
+    for (uint32_t i = 0; tp_frame_tile(f.frame, i, f.scratch, &tile); i++)
+        for (uint32_t y = tile.y0; y < tile.y1; y++)
+            memcpy(pixels + y * WIDE + tile.x0,
+                   (const char *)tile.pixels + (y - tile.y0) * tile.stride,
+                   (tile.x1 - tile.x0) * sizeof *pixels);
+    assert_true(frame_guard_holds(f.block, f.bytes));
+    assert_true(frame_guard_holds(f.scratch, f.scratch_bytes));
+    frame_free(&f);
+}
+
+static void every_tiling_sees_the_same_water(void **state)
+{
+    (void)state;
+    static uint32_t whole[WIDE * HIGH], cut[WIDE * HIGH];
+    const tp_assets assets = wet_assets();
+
+    for (int n = 0; n < 60; n++) {
+        tp_scene s = wet_scene(n % 3);
+        look_anywhere(&s);
+        tp_world *world = scene_world(&s, &assets);
+        const tp_input poke = { .poke = TP_FX(0.1) };
+        for (int i = 0; i < 20; i++)
+            tp_world_step(world, &s, i ? NULL : &poke);
+        picture_of(&s, &assets, world, 0, 0, whole);
+        picture_of(&s, &assets, world, 16u * (1 + random_below(&chance, 5)),
+                   1 + random_below(&chance, 40), cut);
+        assert_memory_equal(whole, cut, sizeof whole);
+        free(world);
+    }
+}
+
+/* -- caustics ------------------------------------------------------------------------- */
+
+/* The map of a scene's light, 256 is even; `cells` of its side. */
+static void light_of(const tp_scene *s, const tp_world *world, uint16_t *light)
+{
+    const tp_assets assets = { 0 };
+    const tp_frame_config c = { WIDE, HIGH, 0, 0, TP_FORMAT_XRGB8888 };
+    const size_t cells = (size_t)s->water.caustic_cells;
+    test_frame f = frame_of(s, &assets, &c);
+
+    tp_frame_begin(f.frame, world);
+    memcpy(light, f.frame->caustic_light, cells * cells * sizeof *light);
+    frame_free(&f);
+}
+
+static void still_water_lights_its_floor_evenly(void **state)
+{
+    (void)state;
+    static uint16_t light[64 * 64];
+
+    for (int n = 0; n < 20; n++) {
+        tp_scene s = wet_scene(n % 3);
+        s.water.caustic_cells = 64;
+        s.wave[0].amplitude = 0;
+        s.light.heading = chance_fx(&chance, 0, 360);
+        s.light.elevation = chance_fx(&chance, 5, 90);
+        tp_world *world = scene_world(&s, NULL);
+        light_of(&s, world, light);
+        for (int i = 0; i < 64 * 64; i++)
+            assert_int_equal(light[i], 256);
+        free(world);
+    }
+}
+
+static void no_light_is_lost_or_made(void **state)
+{
+    (void)state;
+    static uint16_t light[64 * 64];
+    measure off = { .what = "mean of the light", .unit = "of 1" };
+
+    for (int n = 0; n < 20; n++) {
+        tp_scene s = wet_scene(0);
+        s.water.caustic_cells = 64;
+        tp_world *world = scene_world(&s, NULL);
+        const tp_input poke = { .poke = chance_fx(&chance, -0.2, 0.2),
+                                .poke_x = chance_fx(&chance, -1, 1) };
+        for (int i = 0; i < 60; i++)
+            tp_world_step(world, &s, i % 20 ? NULL : &poke);
+        light_of(&s, world, light);
+        double sum = 0;
+        for (int i = 0; i < 64 * 64; i++)
+            sum += light[i] / 256.0 / (64 * 64);
+        measure_add(&off, sum - 1, n, 0, 0);
+        free(world);
+    }
+    measure_print(&off);
+    assert_true(off.worst < 0.01);
+}
+
+/* Rays of a zenith sun through the pool's relief, in double: 16 a cell's side. */
+static void deal_rays(const tp_scene *s, const tp_world *world, double *light)
+{
+    const tp_pool *pool = tp_world_pool(world);
+    const int    cells = s->water.caustic_cells, rays = 16 * cells;
+    const double depth = s->tank.depth / 65536.0, side = 3.2;
+
+    for (int j = 0; j < rays; j++)
+        for (int i = 0; i < rays; i++) {
+            const double x = (i + 0.5) / rays * side - side / 2;
+            const double z = (j + 0.5) / rays * side - side / 2;
+            const tp_relief r = tp_pool_relief(pool, (tp_fx)(x * 65536),
+                                               (tp_fx)(z * 65536), 0);
+            const ref_vec n = ref_unit_vec((ref_vec){ -r.slope_x / 65536.0, 1,
+                                                      -r.slope_z / 65536.0 });
+            const ref_vec t = ref_bent((ref_vec){ 0, -1, 0 }, n, 1.333);
+            const double high = depth + r.height / 65536.0;
+            const int u = (int)floor((x - t.x / t.y * high + side / 2) / side * cells);
+            const int v = (int)floor((z - t.z / t.y * high + side / 2) / side * cells);
+            if (u >= 0 && u < cells && v >= 0 && v < cells)
+                light[v * cells + u] += 1 / 256.0;
+        }
+}
+
+/* A hat is a lens: its light gathers under it, as much as rays say. */
+static void a_lens_gathers_light_where_rays_say(void **state)
+{
+    (void)state;
+    enum { CELLS = 32 };
+    uint16_t light[CELLS * CELLS];
+
+    for (int n = 0; n < 6; n++) {
+        double rays[CELLS * CELLS] = { 0 };
+        tp_scene s = wet_scene(0);
+        s.light.elevation = 90 * TP_FX_ONE;
+        tp_world *world = scene_world(&s, NULL);
+        const tp_input poke = { .poke = TP_FX(0.08), .poke_x = chance_fx(&chance, -1, 1),
+                                .poke_z = chance_fx(&chance, -1, 1) };
+        s.pool.poke_size = TP_FX(0.35);
+        tp_world_step(world, &s, &poke);
+        light_of(&s, world, light);
+        deal_rays(&s, world, rays);
+        int most = 0, ray_most = 0;
+        double square = 0;
+        for (int i = 0; i < CELLS * CELLS; i++) {
+            most = light[i] > light[most] ? i : most;
+            ray_most = rays[i] > rays[ray_most] ? i : ray_most;
+            square += (light[i] / 256.0 - rays[i]) * (light[i] / 256.0 - rays[i]);
+        }
+        const int dx = most % CELLS - ray_most % CELLS, dz = most / CELLS - ray_most / CELLS;
+        printf("    brightest %.2f at %d, by rays %.2f at %d; rms %.3f\n",
+               light[most] / 256.0, most, rays[ray_most], ray_most,
+               sqrt(square / (CELLS * CELLS)));
+        assert_true(abs(dx) <= 1 && abs(dz) <= 1);
+        assert_true(rays[ray_most] > 1.5);
+        assert_true(fabs(light[most] / 256.0 / rays[ray_most] - 1) < 0.25);
+        assert_true(sqrt(square / (CELLS * CELLS)) < 0.15);
+        free(world);
+    }
+}
+
+int main(void)
+{
+    chance = random_seed();
+    boat_make(&boat, &chance);
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(every_tiling_sees_the_same_water),
+        cmocka_unit_test(still_water_lights_its_floor_evenly),
+        cmocka_unit_test(no_light_is_lost_or_made),
+        cmocka_unit_test(a_lens_gathers_light_where_rays_say),
+    };
+    return cmocka_run_group_tests_name("frame depth", tests, NULL, NULL);
+}
