@@ -1,27 +1,33 @@
 /* SPDX-License-Identifier: MIT */
-/* The table of absorption: an eighth root, then products. */
+/* How fast a tint takes light: its binary logarithm over the metres it is meant for. */
 #include "shade/absorb.h"
 
-/* x^(1/8) of Q2.30, by three roots. */
-static tp_q30 eighth(tp_q30 x)
+const uint16_t tp_absorb_fall[65] = {
+#include "shade/fall_table.inc"
+};
+
+/* log2 of 1 <= n < 2^16 in Q16: the digits by squaring what is left of n. */
+static uint32_t log2_q16(uint32_t n)
 {
-    for (int i = 0; i < 3; i++)
-        x = (tp_q30)tp_isqrt64((uint64_t)(uint32_t)x << 30);
-    return x;
+    int      zeros = tp_clz(n);
+    uint32_t digits = (uint32_t)(31 - zeros);
+    uint64_t m = (uint64_t)n << zeros;                  /* Q1.31 */
+
+    for (int i = 0; i < 16; i++) {
+        m = m * m >> 31;
+        digits = digits << 1 | (uint32_t)(m >> 32);
+        m >>= m >> 32;
+    }
+    return digits;
 }
 
+/* Halvings of a channel are 9 at the most; over 1/65536 m that is below 2^36: held. */
 void tp_absorb_init(tp_absorb *absorb, uint32_t tint, tp_fx clear)
 {
-    const tp_fx way = clear < TP_FX_ONE / 256 ? TP_FX_ONE / 256 : clear;
-
-    absorb->per_metre = (uint32_t)tp_fx_div(8 * TP_FX_ONE, way);
-    for (int c = 0; c < 3; c++) {
-        const uint32_t level = tint >> (16 - 8 * c) & 0xff;
-        const tp_q30 step = eighth((tp_q30)(((uint64_t)level << 30) / 255));
-        tp_q30 left = TP_Q30_ONE;
-        for (int i = 0; i <= TP_ABSORB; i++) {
-            absorb->share[c][i] = (uint16_t)((left + (1 << 14)) >> 15);
-            left = tp_q30_mul(left, step);
-        }
+    for (int k = 0; k < 3; k++) {
+        uint32_t channel = tint >> (16 - 8 * k) & 0xff;
+        uint64_t whole = 9 * 65536 - log2_q16(2 * channel + 1);
+        uint64_t rate = (whole << 16) / (uint32_t)(clear > 0 ? clear : 1);
+        absorb->halvings[k] = rate < UINT32_MAX ? (uint32_t)rate : UINT32_MAX;
     }
 }

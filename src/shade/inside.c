@@ -257,6 +257,14 @@ static inline int32_t cos_in_air(int32_t ci)
     return (int32_t)((uint64_t)n * tp_rsqrt_norm(n) >> (47 + even / 2));
 }
 
+/* Between the table's entries: near the window's rim they lie 6 levels apart. */
+static inline uint32_t share_of(const tp_shade *shade, int32_t cosine)
+{
+    const uint8_t *at = shade->fresnel + (cosine >> 6);
+    return cosine < 16384 ? (uint32_t)(at[0] + ((at[1] - at[0]) * (cosine & 63) >> 6))
+                          : at[0];
+}
+
 uint32_t tp_inside_up(const tp_shade *shade, const tp_bed *bed, const tp_beam *beam,
                       tp_ray n, uint32_t body)
 {
@@ -265,7 +273,7 @@ uint32_t tp_inside_up(const tp_shade *shade, const tp_bed *bed, const tp_beam *b
 
     ci = tp_clamp(ci, 0, 16384);
     int32_t  ct = cos_in_air(ci), lean = ct - (INDEX * ci >> 14);
-    uint32_t share = ct > 0 ? shade->fresnel[ct >> 6] : 256, sky = 0;
+    uint32_t share = ct > 0 ? share_of(shade, ct) : 256, sky = 0;
     if (share < 256)
         sky = tp_env_at(shade, (INDEX * way.x + lean * n.x) >> 14,
                         (INDEX * way.y + lean * n.y) >> 14,
