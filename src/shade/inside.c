@@ -92,19 +92,22 @@ static tp_bed bed_under(const tp_inside *in, tp_vec3 at)
 }
 
 /* Twice from plane to plane: what is left of a beach's curve is below its depth's
- * hundredth. */
+ * hundredth.  A beam that goes up meets the floor when the surface has mirrored it. */
 tp_bed tp_inside_bed(const tp_shade *shade, const tp_beam *beam)
 {
     const tp_inside *in = &shade->inside;
+    tp_ray down = { beam->way.x, -tp_abs(beam->way.y), beam->way.z, 0 };
 
     if (!in->ocean)
         return in->bed;
-    tp_bed bed = bed_under(in, beam->at);
+    tp_bed here = bed_under(in, beam->at), bed = here;
     for (int n = 0; n < 2; n++) {
-        tp_fx way = way_to_floor(&bed, beam->at, beam->way);
+        tp_fx way = way_to_floor(&bed, beam->at, down);
         way = way < 200 * TP_FX_ONE ? way : 200 * TP_FX_ONE;
-        bed = bed_under(in, gone(beam->at, beam->way, way));
+        bed = bed_under(in, gone(beam->at, down, way));
     }
+    if (depth_under(&bed, beam->at) + (int64_t)beam->at.y <= 0)
+        bed = here;             /* a far bank's slope does not pass under this place */
     bed.nl = lit_floor(in, bed.rise_x, bed.rise_z);
     return bed;
 }

@@ -102,6 +102,60 @@ static void every_tiling_sees_the_same_water(void **state)
     }
 }
 
+/* -- a beach -------------------------------------------------------------------------- */
+
+/* Way through still water to the plane y = -depth + slope x; < 0: none, or above it. */
+static double way_to_beach(ref_vec eye, ref_vec way, double depth, double slope)
+{
+    const ref_vec at = ref_along(eye, way, -eye.y / way.y);
+    const ref_vec in = ref_bent(way, (ref_vec){ 0, 1, 0 }, 1.333);
+    return (depth - slope * at.x) / (slope * in.x - in.y);
+}
+
+/* A white beach in grey water that sends no light: what is left of white is the way. */
+static void a_beach_lies_as_deep_as_rays_say(void **state)
+{
+    (void)state;
+    static uint32_t pixels[WIDE * HIGH];
+    const tp_assets assets = { 0 };
+    measure off = { .what = "beach", .unit = "levels" };
+
+    for (int n = 0; n < 20; n++) {
+        tp_scene s = wet_scene(2);
+        const double slope = chance_double(&chance, 0.02, 0.3);
+        s.wave[0].amplitude = 0;
+        s.floor.slope = (tp_fx)(slope * 65536);
+        s.floor.heading = 90 * TP_FX_ONE;
+        s.floor.colour = 0xffffff;
+        s.water.tint = 0x808080;
+        s.water.colour = s.water.deep = 0;
+        s.water.specular = s.water.reflection = s.water.caustics = 0;
+        s.light.ambient = TP_FX_ONE;
+        s.sky.haze = 0;
+        s.camera.x = chance_fx(&chance, -4, 4);
+        s.camera.y = chance_fx(&chance, 0.5, 6);
+        s.camera.heading = chance_fx(&chance, 0, 360);
+        s.camera.pitch = chance_fx(&chance, -60, -20);
+        tp_world *world = scene_world(&s, &assets);
+        picture_of(&s, &assets, world, 0, 0, pixels);
+        const ref_camera c = ref_camera_of(
+            (tp_vec3){ s.camera.x, s.camera.y, s.camera.z },
+            tp_turn_of_degrees(s.camera.heading), tp_turn_of_degrees(s.camera.pitch),
+            s.camera.fov, s.camera.near, WIDE, HIGH);
+        for (int i = 0; i < WIDE * HIGH; i++) {
+            const ref_vec way = ref_pixel_ray(&c, i % WIDE, i / WIDE);
+            const double m = way.y < -0.1 ? way_to_beach(c.eye, way, 2, slope) : -1;
+            if (m < 0.05)
+                continue;
+            const double left = 255 * pow(128.5 / 256, m / 3);
+            measure_add(&off, (pixels[i] & 0xff) - left, n, i, 0);
+        }
+        free(world);
+    }
+    measure_print(&off);
+    assert_true(off.inputs > 50000 && off.worst < 2.5);
+}
+
 /* -- caustics ------------------------------------------------------------------------- */
 
 /* The map of a scene's light, 256 is even; `cells` of its side. */
@@ -228,6 +282,7 @@ int main(void)
     boat_make(&boat, &chance);
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(every_tiling_sees_the_same_water),
+        cmocka_unit_test(a_beach_lies_as_deep_as_rays_say),
         cmocka_unit_test(still_water_lights_its_floor_evenly),
         cmocka_unit_test(no_light_is_lost_or_made),
         cmocka_unit_test(a_lens_gathers_light_where_rays_say),
