@@ -102,9 +102,16 @@ tp_stage tp_frame_behind_stage(const tp_frame *frame, bool rippled)
     return stage[2 * (frame->scene->water.dispersion > 0) + rippled];
 }
 
-/* In the water everything goes through it, and nothing through air. */
+/* A kind's own first stage, then the water before it instead of air. */
+static tp_plan in_water(const tp_plan *plan)
+{
+    return (tp_plan){ { plan->stage[0], tp_stage_absorb } };
+}
+
 static void choose_under(tp_frame *frame)
 {
+    tp_plan *const all[] = { &frame->sky, &frame->water, &frame->solids, &frame->land,
+                             &frame->drops, &frame->tank };
     bool rippled = frame->assets.ripple && frame->scene->ripple.bump > 0;
 
     frame->sky = (tp_plan){ { tp_stage_deep } };
@@ -112,10 +119,11 @@ static void choose_under(tp_frame *frame)
     if (rippled)
         frame->water = (tp_plan){ { tp_stage_ripple, tp_stage_view,
                                     tp_stage_below_rippled } };
-    frame->solids = (tp_plan){ { tp_stage_solid, tp_stage_absorb } };
-    frame->land = (tp_plan){ { tp_stage_ground, tp_stage_absorb } };
-    frame->drops = (tp_plan){ { tp_stage_drop, tp_stage_absorb } };
-    frame->tank = (tp_plan){ { tp_stage_wall, tp_stage_absorb } };
+    frame->land = (tp_plan){ { tp_stage_ground } };
+    for (int k = 2; k < 6; k++)
+        *all[k] = in_water(all[k]);
+    for (int k = 0; k < 6; k++)
+        tp_frame_add_exposure(frame, all[k]);
 }
 
 /* Whether the eye is under the surface at its place; of a tank also within it. */
