@@ -142,6 +142,11 @@ expect "clamp of the steepness sum" 0 \
     "^minimal: steepness sum 1.2[0-9]* is clamped to 0.95$" \
     render minimal --size 16x16 $steep $tall
 
+ini "a cube without its pictures" 3 \
+    "^harbour.ini:2: .*cube needs six pictures; sky.east names none$" "[sky]" "kind = cube"
+expect "a cube of the command line" 3 "^--set: .*needs six pictures" render minimal \
+    --set sky.kind=cube
+
 # pools NAME PATTERN LINE...: a scene file with a pool and a field is refused.
 pools() {
     name=$1 pattern=$2

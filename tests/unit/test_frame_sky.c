@@ -1,0 +1,158 @@
+/* SPDX-License-Identifier: MIT */
+/* Skies in whole frames: every tiling the same, nothing carved that is not used, and a
+ * cube with a hole is the gradient. */
+#include <stdarg.h>
+#include <stddef.h>
+#include <setjmp.h>
+#include <stdint.h>
+#include <cmocka.h>
+#include "frame/frame.h"
+#include "pixel/pixel.h"
+#include "scenes.h"
+
+enum { WIDTH = 150, HEIGHT = 90 };
+
+static uint64_t chance;
+static test_boat boat;
+static uint32_t picture[2][WIDTH * HEIGHT];
+
+static tp_assets assets_of(bool cube)
+{
+    tp_assets a = { .boat = &boat.mesh, .layer[0] = &boat.texture[0],
+                    .ripple = random_below(&chance, 2) ? &boat.texture[1] : NULL };
+    for (int i = 0; i < TP_FACES && cube; i++)
+        a.sky[i] = &boat.texture[i % 2];
+    return a;
+}
+
+static tp_scene sky_scene(int32_t kind)
+{
+    tp_scene s = scene_plain();
+
+    s.sky.kind = kind;
+    s.camera.pitch = chance_fx(&chance, -20, 30);
+    s.boat.x = chance_fx(&chance, -4, 4);
+    s.boat.z = chance_fx(&chance, -14, -2);
+    s.light.heading = chance_fx(&chance, -30, 30);
+    s.light.elevation = chance_fx(&chance, 1, 20);
+    s.light.model = chance_int(&chance, 0, 1);
+    s.water.fresnel = chance_int(&chance, 0, 1);
+    s.water.specular = chance_int(&chance, 0, 1) * TP_FX_ONE;
+    s.hdr.share = chance_int(&chance, 0, 1) * TP_FX_ONE;
+    s.hdr.exposure = chance_int(&chance, 0, 1);
+    s.hdr.value = chance_fx(&chance, 0.5, 2);
+    s.sky.stars = TP_FX_ONE;
+    return s;
+}
+
+static void draw(const tp_scene *s, const tp_assets *assets, const tp_world *world,
+                 uint32_t tile_width, uint32_t tile_height, uint32_t *to)
+{
+    const tp_frame_config c = { WIDTH, HEIGHT, tile_width, tile_height,
+                                TP_FORMAT_XRGB8888 };
+    test_frame f = frame_of(s, assets, &c);
+    tp_tile tile;
+
+    tp_frame_begin(f.frame, world);
+    for (uint32_t i = 0; tp_frame_tile(f.frame, i, f.scratch, &tile); i++) {
+        for (uint32_t y = tile.y0; y < tile.y1; y++)
+            memcpy(to + y * WIDTH + tile.x0,
+                   (const uint8_t *)tile.pixels + (y - tile.y0) * tile.stride,
+                   (tile.x1 - tile.x0) * sizeof *to);
+    }
+    assert_true(frame_guard_holds(f.block, f.bytes));
+    frame_free(&f);
+}
+
+static void every_sky_is_the_same_in_every_tiling(void **state)
+{
+    (void)state;
+    static const uint32_t sizes[][2] = { { 0, 1 }, { 16, 0 }, { 48, 7 }, { 144, 89 } };
+
+    for (int n = 0; n < 20; n++) {
+        const tp_scene s = sky_scene(n % 5);
+        const tp_assets a = assets_of(n % 5 == TP_SKY_CUBE);
+        tp_world *w = scene_world(&s, &a);
+        for (int t = 0; t < 5; t++)
+            tp_world_step(w, &s, NULL);
+        w->back = TP_FX_ONE / 3;
+        draw(&s, &a, w, 0, 0, picture[0]);
+        for (size_t i = 0; i < sizeof sizes / sizeof *sizes; i++) {
+            draw(&s, &a, w, sizes[i][0], sizes[i][1], picture[1]);
+            assert_memory_equal(picture[1], picture[0], sizeof picture[0]);
+        }
+        free(w);
+    }
+}
+
+static void a_cube_with_a_hole_is_the_gradient(void **state)
+{
+    (void)state;
+    tp_scene s = sky_scene(TP_SKY_CUBE);
+    tp_assets a = assets_of(true);
+    a.sky[random_below(&chance, TP_FACES)] = NULL;
+    tp_world *w = scene_world(&s, &a);
+
+    draw(&s, &a, w, 0, 0, picture[0]);
+    s.sky.kind = TP_SKY_GRADIENT;
+    draw(&s, &a, w, 0, 0, picture[1]);
+    assert_memory_equal(picture[1], picture[0], sizeof picture[0]);
+    free(w);
+}
+
+static void skies_are_carved_for_those_who_have_them(void **state)
+{
+    (void)state;
+    const tp_frame_config c = { WIDTH, HEIGHT, 0, 0, TP_FORMAT_XRGB8888 };
+    const tp_assets none = { .boat = NULL };
+    tp_scene s = scene_plain();
+    const size_t plain = tp_frame_bytes(&s, &none, &c);
+
+    s.sky.kind = TP_SKY_CUBE;           /* without its pictures */
+    assert_int_equal(tp_frame_bytes(&s, &none, &c), plain);
+    s.sky.kind = TP_SKY_DAY;
+    assert_in_range(tp_frame_bytes(&s, &none, &c), plain + sizeof(tp_dome),
+                    plain + sizeof(tp_dome) + 16);
+    s.sky.kind = TP_SKY_GRADIENT;
+    s.hdr.value = 2 * TP_FX_ONE;
+    assert_in_range(tp_frame_bytes(&s, &none, &c), plain + 256, plain + 256 + 16);
+}
+
+/* The scene's numbers may change under a frame: what has no tables stays the gradient, a
+ * model of light and a law of reflection are taken. */
+static void a_live_change_is_drawn_as_far_as_there_are_tables(void **state)
+{
+    (void)state;
+    tp_scene s = sky_scene(TP_SKY_GRADIENT);
+    const tp_assets a = assets_of(false);
+    const tp_frame_config c = { WIDTH, HEIGHT, 0, 0, TP_FORMAT_XRGB8888 };
+    s.hdr.exposure = TP_EXPOSURE_FIXED;
+    s.hdr.value = TP_FX_ONE;
+    tp_world *w = scene_world(&s, &a);
+    test_frame f = frame_of(&s, &a, &c);
+    tp_tile tile;
+
+    s.sky.kind = TP_SKY_NIGHT;
+    s.light.model = !s.light.model;
+    s.water.fresnel = !s.water.fresnel;
+    tp_frame_begin(f.frame, w);
+    assert_true(tp_frame_tile(f.frame, 0, f.scratch, &tile));
+    s.sky.kind = TP_SKY_GRADIENT;
+    draw(&s, &a, w, 0, 0, picture[0]);
+    assert_memory_equal(tile.pixels, picture[0], sizeof picture[0]);
+    frame_free(&f);
+    free(w);
+}
+
+int main(void)
+{
+    chance = random_seed();
+    boat_make(&boat, &chance);
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(every_sky_is_the_same_in_every_tiling),
+        cmocka_unit_test(a_cube_with_a_hole_is_the_gradient),
+        cmocka_unit_test(skies_are_carved_for_those_who_have_them),
+        cmocka_unit_test(a_live_change_is_drawn_as_far_as_there_are_tables),
+    };
+    return cmocka_run_group_tests_name("sky", tests, NULL, NULL);
+}

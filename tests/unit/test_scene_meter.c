@@ -1,0 +1,215 @@
+/* SPDX-License-Identifier: MIT */
+/* Automatic exposure: what the meter sees, and where the camera settles. */
+#include <stdarg.h>
+#include <stddef.h>
+#include <setjmp.h>
+#include <stdint.h>
+#include <cmocka.h>
+#include "../reference/shading.h"
+#include "scene/drawn.h"
+#include "scene/light.h"
+#include "scenes.h"
+
+static uint64_t chance;
+
+static tp_scene auto_scene(void)
+{
+    tp_scene s = scene_plain();
+
+    s.boat.mesh[0] = '\0';
+    s.hdr.exposure = TP_EXPOSURE_AUTO;
+    s.hdr.rate = TP_FX(0.05);
+    return s;
+}
+
+static tp_fx settled(const tp_scene *scene, int ticks, tp_fx *mean)
+{
+    tp_world *w = scene_world(scene, NULL);
+    for (int t = 0; t < ticks; t++)
+        tp_world_step(w, scene, NULL);
+    const tp_fx exposure = w->exposure;
+    *mean = tp_meter_mean(w, scene);
+    free(w);
+    return exposure;
+}
+
+static double grey(ref_colour c)
+{
+    return (77 * c.c[0] + 150 * c.c[1] + 29 * c.c[2]) / 256 / 255;
+}
+
+/* The same rays in double precision, under the plain gradient. */
+static double ref_mean(const tp_scene *s)
+{
+    const double rad = 3.14159265358979 / 180 / 65536;
+    const double h = s->camera.heading * rad, p = s->camera.pitch * rad;
+    const double tangent = tan(s->camera.fov * rad / 2);
+    const double lit = s->light.ambient / 65536.0
+                     + (1 - s->light.ambient / 65536.0) * sin(s->light.elevation * rad);
+    double sum = 0;
+
+    for (int k = 0; k < 32 * 24; k++) {
+        const double u = (2 * (k % 32) - 31) / 24.0 * tangent;
+        const double v = (23 - 2 * (k / 32)) / 24.0 * tangent;
+        const double along = cos(p) - v * sin(p), y = sin(p) + v * cos(p);
+        const ref_dir d = ref_unit((ref_dir){ u * cos(h) + along * sin(h), y,
+                                              u * sin(h) - along * cos(h) });
+        const double sky = grey(ref_sky((uint32_t)s->sky.horizon, (uint32_t)s->sky.zenith,
+                                        fabs(d.y)));
+        const double share = ref_fresnel(fabs(d.y)) * s->water.reflection / 65536.0;
+        const double water = grey(ref_colour_of((uint32_t)s->water.colour)) * lit;
+        sum += d.y >= 0 ? sky : water + (sky - water) * share;
+    }
+    return sum / (32 * 24);
+}
+
+static void the_meter_sees_what_the_formulas_say(void **state)
+{
+    (void)state;
+    measure off = { .what = "mean", .unit = "of white" };
+
+    for (int n = 0; n < 200; n++) {
+        tp_scene s = auto_scene();
+        s.camera.heading = chance_fx(&chance, -180, 180);
+        s.camera.pitch = chance_fx(&chance, -89, 89);
+        s.camera.fov = chance_fx(&chance, 20, 100);
+        s.light.elevation = chance_fx(&chance, 1, 90);
+        s.light.ambient = chance_fx(&chance, 0, 1);
+        s.water.reflection = chance_fx(&chance, 0, 1);
+        s.sky.horizon = (int32_t)(random_next(&chance) & 0xffffff);
+        s.sky.zenith = (int32_t)(random_next(&chance) & 0xffffff);
+        tp_world *w = scene_world(&s, NULL);
+        const double e = tp_meter_mean(w, &s) / 65536.0 - ref_mean(&s);
+        measure_add(&off, e, n, 0, 0);
+        assert_true(fabs(e) <= 0.015);
+        free(w);
+    }
+    measure_print(&off);
+}
+
+/* From the darkest and the brightest exposure to 0.5 / mean, and there it stays. */
+static void it_settles_at_a_mean_of_a_half(void **state)
+{
+    (void)state;
+    for (int n = 0; n < 20; n++) {
+        tp_scene s = auto_scene();
+        tp_fx mean;
+        s.sky.kind = n % 4;
+        s.hdr.value = n % 2 ? TP_FX_ONE / 8 : 8 * TP_FX_ONE;
+        const tp_fx at = settled(&s, 1500, &mean);
+        const double target = ref_clamp(0.5 / fmax(mean / 65536.0, 1 / 16.0), 0.125, 8);
+        assert_true(fabs(at / 65536.0 - target) < 0.001);
+    }
+}
+
+static void nights_brighten_and_snow_darkens(void **state)
+{
+    (void)state;
+    tp_scene s = auto_scene();
+    tp_fx mean;
+
+    s.sky.kind = TP_SKY_NIGHT;
+    s.water.colour = 0x0e2230;
+    s.light.heading = 180 * TP_FX_ONE;
+    assert_true(settled(&s, 600, &mean) > 3 * TP_FX_ONE);
+    s.sky.kind = TP_SKY_GRADIENT;
+    s.sky.horizon = s.sky.zenith = s.water.colour = 0xffffff;
+    s.light.ambient = TP_FX_ONE;
+    assert_true(settled(&s, 600, &mean) < TP_FX(0.55));
+}
+
+/* The mean does not hang on the exposure: it only ever goes towards its target. */
+static void it_never_swings(void **state)
+{
+    (void)state;
+    for (int kind = 0; kind < 4; kind++) {
+        tp_scene s = auto_scene();
+        s.sky.kind = kind;
+        s.hdr.share = TP_FX_ONE;
+        s.hdr.rate = chance_fx(&chance, 0.01, 1);
+        tp_world *w = scene_world(&s, NULL);
+        tp_world_step(w, &s, NULL);
+        const bool rises = w->exposure > w->last_exposure;
+        for (int t = 0; t < 800; t++) {
+            tp_world_step(w, &s, NULL);
+            assert_true(rises ? w->exposure >= w->last_exposure
+                              : w->exposure <= w->last_exposure);
+        }
+        free(w);
+    }
+}
+
+/* A sun that turns changes what the meter sees, and a copy of the world sees the same. */
+static void a_copy_of_the_world_meters_the_same(void **state)
+{
+    (void)state;
+    tp_scene s = auto_scene();
+    s.sky.kind = TP_SKY_DUSK;
+    s.light.turn = 40 * TP_FX_ONE;
+    tp_world *w = scene_world(&s, NULL), *copy = scene_world(&s, NULL);
+    const size_t bytes = w->parts.bytes;
+
+    for (int t = 0; t < 30; t++)
+        tp_world_step(w, &s, NULL);
+    const tp_fx then = tp_meter_mean(w, &s);
+    memcpy(copy, w, bytes);
+    for (int t = 0; t < 200; t++) {
+        tp_world_step(w, &s, NULL);
+        tp_world_step(copy, &s, NULL);
+    }
+    assert_memory_equal(copy, w, bytes);
+    assert_int_not_equal(tp_meter_mean(w, &s), then);
+    free(w);
+    free(copy);
+}
+
+/* Six faces of one grey: the probe keeps the pictures' light without the pictures. */
+static void cubes_are_metered_by_their_pictures(void **state)
+{
+    (void)state;
+    tp_scene s = auto_scene();
+    tp_assets assets = { .boat = NULL };
+    tp_texture face;
+    uint32_t texel = 0x80404040u, memory[1];
+    assert_int_equal(tp_texture_init(&face, &texel, 1, 1, memory, NULL), TP_OK);
+
+    for (int i = 0; i < TP_FACES; i++)
+        assets.sky[i] = &face;
+    s.sky.kind = TP_SKY_CUBE;
+    s.camera.pitch = 60 * TP_FX_ONE;
+    for (int share = 0; share <= 1; share++) {
+        s.hdr.share = share * TP_FX(0.25);
+        tp_world *w = scene_world(&s, &assets);
+        const double want = 64 / 255.0 * (1 + share * 128 / 255.0 * 16 * 0.25);
+        assert_true(fabs(tp_meter_mean(w, &s) / 65536.0 - want) < 0.01);
+        free(w);
+    }
+}
+
+static void a_fixed_exposure_takes_no_room_and_stays(void **state)
+{
+    (void)state;
+    tp_scene s = auto_scene(), fixed = s;
+    fixed.hdr.exposure = TP_EXPOSURE_FIXED;
+    fixed.hdr.value = TP_FX(2.5);
+
+    assert_true(tp_world_bytes(&s, NULL) > tp_world_bytes(&fixed, NULL));
+    assert_int_equal(tp_world_bytes(&fixed, NULL), sizeof(tp_world));
+    tp_fx mean;
+    assert_int_equal(settled(&fixed, 50, &mean), TP_FX(2.5));
+}
+
+int main(void)
+{
+    chance = random_seed();
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(the_meter_sees_what_the_formulas_say),
+        cmocka_unit_test(it_settles_at_a_mean_of_a_half),
+        cmocka_unit_test(nights_brighten_and_snow_darkens),
+        cmocka_unit_test(it_never_swings),
+        cmocka_unit_test(a_copy_of_the_world_meters_the_same),
+        cmocka_unit_test(cubes_are_metered_by_their_pictures),
+        cmocka_unit_test(a_fixed_exposure_takes_no_room_and_stays),
+    };
+    return cmocka_run_group_tests_name("meter", tests, NULL, NULL);
+}
