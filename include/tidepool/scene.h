@@ -12,6 +12,7 @@
 #include "tidepool/asset.h"
 #include "tidepool/clock.h"
 #include "tidepool/drop.h"
+#include "tidepool/foam.h"
 #include "tidepool/fx.h"
 #include "tidepool/ocean.h"
 #include "tidepool/pool.h"
@@ -332,4 +333,6 @@ const tp_pool  *tp_world_pool(const tp_world *world);
 const tp_pool  *tp_world_field(const tp_world *world);
 const tp_ocean *tp_world_ocean(const tp_world *world);
 const tp_drops *tp_world_drops(const tp_world *world);
+const tp_foam  *tp_world_foam(const tp_world *world);
+const tp_spray *tp_world_spray(const tp_world *world);
 #endif

@@ -43,6 +43,7 @@ typedef struct {
     tp_land_band   *land_band;
     tp_grid_box    *drop_box;
     tp_ring_now    *ring;
+    tp_frame_speck *speck;
     tp_solid       *solid;
     uint8_t        *gloss;
     tp_frame_sky    heaven;
@@ -103,6 +104,8 @@ static parts carve(tp_arena *arena, const tp_scene *scene, const tp_assets *asse
                                    sizeof *p.drop_box);
         p.ring = tp_arena_take(arena, (size_t)scene->drops.rings, sizeof *p.ring);
     }
+    if (scene->spray.count > 0)
+        p.speck = tp_arena_take(arena, (size_t)scene->spray.count, sizeof *p.speck);
     carve_depth(&p, arena, scene);
     p.ram.vertices = arena->used - fixed;
     p.solid = tp_arena_take(arena, materials, sizeof *p.solid);
@@ -178,6 +181,8 @@ tp_status tp_frame_init(tp_frame **out, const tp_scene *scene, const tp_assets *
     frame->ring = p.ring;
     frame->drop_capacity = p.drop_box ? (uint32_t)scene->drops.count : 0;
     frame->ring_capacity = p.ring ? (uint32_t)scene->drops.rings : 0;
+    frame->speck = p.speck;
+    frame->speck_capacity = p.speck ? (uint32_t)scene->spray.count : 0;
     frame->solid = p.solid;
     frame->gloss = p.gloss;
     frame->heaven = p.heaven;
@@ -193,6 +198,8 @@ tp_status tp_frame_init(tp_frame **out, const tp_scene *scene, const tp_assets *
     tp_shade_tables(&frame->shade);
     tp_frame_init_sky(frame);
     tp_frame_make_gloss(frame);
+    if (assets->foam)
+        tp_shade_foam_rank(&frame->shade.foam, assets->foam);
     if (frame->drop_capacity > 0) {
         tp_frame_make_ball(frame);
         tp_shade_gloss(frame->drop_gloss, 40 * TP_FX_ONE);
@@ -244,6 +251,8 @@ void tp_frame_begin(tp_frame *frame, const tp_world *world)
         tp_frame_place_land(frame);
     if (frame->drop_capacity > 0)
         tp_frame_place_drops(frame);
+    if (frame->speck_capacity > 0)
+        tp_frame_place_spray(frame);
 }
 
 uint32_t tp_frame_tiles(const tp_frame *frame)

@@ -43,6 +43,14 @@ typedef struct {
     int32_t y0, y1;
 } tp_land_band;
 
+/* A speck of spray as it is drawn. */
+typedef struct {
+    int32_t  u, v;              /* its middle, 28.4 */
+    uint16_t wide;              /* across, 28.4; 16 at the least */
+    uint16_t through;           /* a bubble, seen through water */
+    uint32_t zi;
+} tp_frame_speck;
+
 #define TP_BALL_ROUND 10                        /* meridians */
 #define TP_BALL_RINGS 5                         /* parallels */
 #define TP_BALL (TP_BALL_ROUND * TP_BALL_RINGS + 2)
@@ -52,7 +60,7 @@ typedef struct {
     int16_t x, y, z;
 } tp_ball_point;
 
-#define TP_MATERIALS (TP_MARK_TANK - TP_MARK_SOLID)     /* more share the last mark */
+#define TP_MATERIALS (TP_MARK_SPRAY - TP_MARK_SOLID)    /* more share the last mark */
 
 /* The water's edge along a wall of glass. */
 typedef struct {
@@ -121,6 +129,9 @@ struct tp_frame {
     uint32_t         ring_capacity;
     uint8_t          drop_gloss[TP_GLOSS];
 
+    tp_frame_speck  *speck;             /* those that are seen */
+    uint32_t         speck_capacity, specks;
+
     tp_frame_sky     heaven;
     int32_t          fresnel, model;    /* that tables were made for */
     bool             under;             /* the eye is in the water */
@@ -137,7 +148,7 @@ struct tp_frame {
     int32_t          caustic_still_x, caustic_still_z;  /* fall of the sun, Q16.16 */
 
     tp_shade         shade;
-    tp_plan          sky, water, solids, land, drops, tank, side;
+    tp_plan          sky, water, solids, land, drops, tank, side, spray;
 };
 
 /* water.c */
@@ -176,6 +187,10 @@ void tp_frame_place_caustics(tp_frame *frame);
 void tp_frame_plan_depth(tp_frame *frame);
 tp_stage tp_frame_behind_stage(const tp_frame *frame, bool rippled);
 
+/* spray.c: over what has been drawn, so last */
+void tp_frame_place_spray(tp_frame *frame);
+void tp_frame_draw_spray(const tp_frame *frame, const tp_samples *tile);
+
 /* plan.c: the stages that the scene needs, and their numbers. */
 void tp_frame_plan(tp_frame *frame);
 void tp_frame_plan_materials(tp_frame *frame);
@@ -193,4 +208,10 @@ void tp_frame_add_reflection(const tp_frame *frame, tp_plan *plan);
 void tp_frame_add_fresnel(const tp_frame *frame, tp_plan *plan);
 void tp_frame_add_air(const tp_frame *frame, tp_plan *plan);
 void tp_frame_add_exposure(const tp_frame *frame, tp_plan *plan);
+tp_layer tp_frame_layer(const tp_frame *frame, const tp_texture *texture,
+                        const tp_scene_map *map);
+
+/* plan_foam.c: after the light; slopes bent by ripples, glint that follows. */
+void tp_frame_plan_foam(tp_frame *frame);
+tp_stage tp_frame_foam_stage(bool rippled, bool shiny);
 #endif

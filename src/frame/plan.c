@@ -39,8 +39,8 @@ static int32_t lod_of(const tp_frame *frame, tp_fx texels_per_metre, bool level_
     return level_ground ? lod - (tp_log2_q8((uint32_t)height) - 16 * 256) / 2 : lod;
 }
 
-static tp_layer layer_of(const tp_frame *frame, const tp_texture *texture,
-                         const tp_scene_map *map)
+tp_layer tp_frame_layer(const tp_frame *frame, const tp_texture *texture,
+                        const tp_scene_map *map)
 {
     const int64_t time = frame->drawn.time;
     tp_layer layer = { .texture = texture };
@@ -118,6 +118,8 @@ static void choose_water(tp_frame *frame)
         tp_plan_add(water, tp_frame_behind_stage(frame, rippled));
     if (mirrors)
         add_mirror(frame, water, rippled);
+    if (tp_world_foam(frame->world))
+        tp_plan_add(water, tp_frame_foam_stage(rippled, shines));
     if (shines)
         tp_plan_add(water, tp_stage_glint);
     tp_frame_add_air(frame, water);
@@ -136,11 +138,13 @@ static void choose_stages(tp_frame *frame)
     frame->drops = (tp_plan){ { tp_stage_drop } };
     frame->tank = (tp_plan){ { tp_stage_wall } };
     frame->side = (tp_plan){ { tp_stage_side } };
+    frame->spray = (tp_plan){ { tp_stage_spray } };
     tp_frame_add_air(frame, &frame->solids);
     tp_frame_add_air(frame, &frame->land);
     tp_frame_add_air(frame, &frame->drops);
     tp_frame_add_air(frame, &frame->tank);
     tp_frame_add_air(frame, &frame->side);
+    tp_frame_add_air(frame, &frame->spray);
     choose_water(frame);
 }
 
@@ -171,8 +175,8 @@ void tp_frame_plan(tp_frame *frame)
     shade->water_colour = (uint32_t)scene->water.colour;
     shade->light_colour = (uint32_t)scene->light.colour;
     light_from(frame);
-    shade->water = layer_of(frame, frame->assets.layer[0], &scene->layer[0].map);
-    shade->ripple = layer_of(frame, frame->assets.ripple, &scene->ripple.map);
+    shade->water = tp_frame_layer(frame, frame->assets.layer[0], &scene->layer[0].map);
+    shade->ripple = tp_frame_layer(frame, frame->assets.ripple, &scene->ripple.map);
     shade->ripple.lod += 224;       /* a mean of normals: what is lost glitters */
     shade->ripple.slope_gain = scene->ripple.bump >> 8;
     tp_frame_plan_sky(frame);
@@ -185,6 +189,7 @@ void tp_frame_plan(tp_frame *frame)
                               .gloss = frame->drop_gloss };
     shade->drop = (tp_solid){ .diffuse = (uint32_t)scene->drops.colour,
                               .specular = 0xffffff, .gloss = frame->drop_gloss };
+    tp_frame_plan_foam(frame);
     choose_stages(frame);
     tp_frame_plan_depth(frame);
 }

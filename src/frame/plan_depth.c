@@ -111,7 +111,7 @@ static tp_plan in_water(const tp_plan *plan)
 static void choose_under(tp_frame *frame)
 {
     tp_plan *const all[] = { &frame->sky, &frame->water, &frame->solids, &frame->land,
-                             &frame->drops, &frame->tank };
+                             &frame->drops, &frame->tank, &frame->spray };
     bool rippled = frame->assets.ripple && frame->scene->ripple.bump > 0;
 
     frame->sky = (tp_plan){ { tp_stage_deep } };
@@ -120,9 +120,9 @@ static void choose_under(tp_frame *frame)
         frame->water = (tp_plan){ { tp_stage_ripple, tp_stage_view,
                                     tp_stage_below_rippled } };
     frame->land = (tp_plan){ { tp_stage_ground } };
-    for (int k = 2; k < 6; k++)
+    for (int k = 2; k < 7; k++)
         *all[k] = in_water(all[k]);
-    for (int k = 0; k < 6; k++)
+    for (int k = 0; k < 7; k++)
         tp_frame_add_exposure(frame, all[k]);
 }
 

@@ -28,7 +28,8 @@ static const tp_plan *plan_for(const tp_frame *frame, uint32_t mark)
          : mark == TP_MARK_LAND ? &frame->land
          : mark == TP_MARK_TANK ? &frame->tank
          : mark == TP_MARK_SIDE ? &frame->side
-         : mark == TP_MARK_DROP ? &frame->drops : &frame->solids;
+         : mark == TP_MARK_DROP ? &frame->drops
+         : mark == TP_MARK_SPRAY ? &frame->spray : &frame->solids;
 }
 
 /* How many of `most` samples from here are of the first one's kind. */
@@ -98,6 +99,8 @@ bool tp_frame_tile(const tp_frame *frame, uint32_t i, void *scratch, tp_tile *ti
     if (frame->glasses > 0)
         tp_frame_draw_sides(frame, &samples);
     tp_frame_draw_water(frame, &samples);
+    if (frame->specks > 0)
+        tp_frame_draw_spray(frame, &samples);
     uint8_t *row = pixels_of(frame, scratch);
     for (int32_t y = samples.y0; y < samples.y1; y++, row += tile->stride)
         shade_row(frame, &samples, y, row);

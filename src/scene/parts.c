@@ -4,6 +4,8 @@
 #include "base/base.h"
 #include "scene/light.h"
 #include "base/text.h"
+#include "scene/foam.h"
+#include "scene/spray.h"
 #include "tidepool/arena.h"
 
 static tp_pool_config pool_config(const tp_scene_pool *pool, const tp_grey *mask)
@@ -117,6 +119,8 @@ tp_status tp_parts_of(tp_world_parts *parts, const tp_scene *scene,
     if (parts->drops && scene->drops.into == TP_DROPS_RINGS)
         parts->rings = take(&arena, (size_t)scene->drops.rings * sizeof(tp_ring_now));
     parts->probe = take(&arena, tp_meter_bytes(scene));
+    parts->foam = take(&arena, tp_foam_bytes(scene, has_ocean(scene)));
+    parts->spray = take(&arena, tp_spray_bytes(scene));
     parts->bytes = (uint32_t)arena.used;
     return TP_OK;
 }
@@ -158,6 +162,10 @@ tp_status tp_parts_init(tp_world *world, const tp_scene *scene, const tp_assets 
     if (tp_parts_drops(world))
         tp_drops_init(tp_parts_drops(world), &scene->drops);
     tp_meter_init(world, scene, assets);
+    if (tp_parts_foam(world))
+        tp_foam_init(tp_parts_foam(world), world, scene, has_ocean(scene));
+    if (tp_parts_spray(world))
+        tp_spray_init(tp_parts_spray(world), scene);
     return status;
 }
 
@@ -177,10 +185,24 @@ static bool can_tune(const tp_pool *pool, const tp_scene_pool *scene)
     return tune(&head, scene);
 }
 
+/* Cover of cells of one size means nothing in those of another. */
+static bool same_foam(const tp_foam *foam, const tp_scene *scene)
+{
+    return !foam || (foam->cells == (uint32_t)scene->foam.cells
+                     && foam->cell == scene->foam.cell);
+}
+
+static bool same_spray(const tp_spray *spray, const tp_scene *scene)
+{
+    return !spray || spray->capacity == (uint32_t)scene->spray.count;
+}
+
 bool tp_parts_can_tune(const tp_world *world, const tp_scene *scene)
 {
     return can_tune(tp_world_pool(world), &scene->pool)
-        && can_tune(tp_world_field(world), &scene->field);
+        && can_tune(tp_world_field(world), &scene->field)
+        && same_foam(tp_world_foam(world), scene)
+        && same_spray(tp_world_spray(world), scene);
 }
 
 void tp_parts_tune(tp_world *world, const tp_scene *scene)
@@ -207,6 +229,26 @@ tp_drops *tp_parts_drops(tp_world *world)
 tp_ring_now *tp_parts_rings(tp_world *world)
 {
     return part(world, world->parts.rings);
+}
+
+tp_foam *tp_parts_foam(tp_world *world)
+{
+    return part(world, world->parts.foam);
+}
+
+tp_spray *tp_parts_spray(tp_world *world)
+{
+    return part(world, world->parts.spray);
+}
+
+const tp_foam *tp_world_foam(const tp_world *world)
+{
+    return part(world, world->parts.foam);
+}
+
+const tp_spray *tp_world_spray(const tp_world *world)
+{
+    return part(world, world->parts.spray);
 }
 
 const tp_pool *tp_world_pool(const tp_world *world)

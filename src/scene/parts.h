@@ -31,6 +31,8 @@ tp_pool     *tp_parts_pool(tp_world *world);
 tp_pool     *tp_parts_field(tp_world *world);
 tp_drops    *tp_parts_drops(tp_world *world);
 tp_ring_now *tp_parts_rings(tp_world *world);
+tp_foam     *tp_parts_foam(tp_world *world);
+tp_spray    *tp_parts_spray(tp_world *world);
 
 /* The surface of this tick; valid until the world moves. */
 tp_surface tp_world_surface(const tp_world *world);

@@ -3,8 +3,10 @@
  * drawn. */
 #include "base/base.h"
 #include "scene/boat.h"
+#include "scene/foam.h"
 #include "scene/light.h"
 #include "scene/parts.h"
+#include "scene/spray.h"
 
 #define PITCH_MOST TP_DEG(89)
 #define EYE_MOST   (8000 * TP_FX_ONE)
@@ -141,9 +143,15 @@ void tp_world_look(tp_world *world, const tp_input *input)
 /* -- drops ------------------------------------------------------------------------- */
 
 /* An impact raises a ring, or stirs the pool as much [D5]. */
-static void strike(tp_world *world, const tp_scene *scene, const tp_impact *impact)
+static void strike(tp_world *world, const tp_scene *scene, const tp_impact *impact,
+                   tp_fx level)
 {
     tp_pool *pool = tp_parts_pool(world);
+
+    if (world->parts.foam)
+        tp_foam_blob(tp_parts_foam(world), impact->x, impact->z, impact->length / 5, 160);
+    if (world->parts.spray)
+        tp_spray_splash(tp_parts_spray(world), scene, impact, level);
 
     if (scene->drops.into == TP_DROPS_RINGS)
         tp_drops_ring(tp_parts_drops(world), &scene->drops, impact);
@@ -162,7 +170,7 @@ static void move_drops(tp_world *world, const tp_scene *scene, const tp_surface 
                                        NULL).position.y;
         if (tp_drops_step(drops, &scene->drops, i, scene->water.gravity, level,
                           world->tick, &impact))
-            strike(world, scene, &impact);
+            strike(world, scene, &impact, level);
     }
 }
 
@@ -257,6 +265,10 @@ void tp_world_step(tp_world *world, const tp_scene *scene, const tp_input *input
         tp_boat_wake(world, scene);
     }
     step_pools(world, scene, in);
+    if (world->parts.foam)
+        tp_foam_step(world, scene);
+    if (world->parts.spray)
+        tp_spray_step(world, scene);
     tp_light_step(world, scene, in);
     tp_clock_shift(&world->clock, in->slower);
 }

@@ -16,6 +16,7 @@
 #ifndef TP_SHADE_H
 #define TP_SHADE_H
 #include "base/base.h"
+#include "shade/foam.h"
 #include "shade/skies.h"
 #include "shade/absorb.h"
 #include "shade/inside.h"
@@ -97,6 +98,8 @@ typedef struct {
     tp_absorb absorb;           /* of water that is seen through */
     tp_inside inside;           /* what lies in and under the water */
 
+    tp_shade_foam foam;
+
     uint32_t haze_scale;        /* zi to haze entries, Q0.32 */
     uint16_t steep[TP_STEEP + 1];       /* Q1.14 */
     uint16_t shine[TP_SHINE + 1];       /* 256 at 1, times the specular */
@@ -115,6 +118,13 @@ typedef void (*tp_stage)(const tp_shade *shade, tp_run *run);
     X(texture_tinted,       0, 1) \
     X(texture_linear,       1, 0) \
     X(texture_linear_tinted, 1, 1)
+
+/* name, slopes that a ripple has bent, glint beneath it */
+#define TP_FOAM_STAGES(X) \
+    X(foam,                 0, 0) \
+    X(foam_rippled,         1, 0) \
+    X(foam_shiny,           0, 1) \
+    X(foam_shiny_rippled,   1, 1)
 
 /* name, kind of environment, light beyond white */
 #define TP_SKY_STAGES(X) \
@@ -150,6 +160,10 @@ void tp_stage_reflect_cube(const tp_shade *shade, tp_run *run);
 void tp_stage_fresnel(const tp_shade *shade, tp_run *run);  /* mirror into the colour */
 void tp_stage_fresnel_hdr(const tp_shade *shade, tp_run *run);
 
+#define X(name, rippled, shiny) void tp_stage_##name(const tp_shade *shade, tp_run *run);
+TP_FOAM_STAGES(X)                                           /* over colour; less glint */
+#undef X
+void tp_stage_spray(const tp_shade *shade, tp_run *run);    /* colour of specks */
 void tp_stage_glint(const tp_shade *shade, tp_run *run);    /* adds the specular */
 void tp_stage_haze(const tp_shade *shade, tp_run *run);     /* towards the horizon */
 void tp_stage_haze_dome(const tp_shade *shade, tp_run *run);

@@ -15,7 +15,7 @@ BEGIN {
             rank[module[j]] = i
     }
     split("status=base arena=base ring=wave ocean=wave depth=wave light=shade drop=scene " \
-          "clock=scene tape=scene tidepool=top", special, " ")
+          "foam=scene clock=scene tape=scene tidepool=top", special, " ")
     for (i in special) {
         split(special[i], pair, "=")
         owner[pair[1]] = pair[2]

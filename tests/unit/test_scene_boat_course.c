@@ -200,7 +200,7 @@ static tp_scene any_scene(void)
 
     strcpy(scene.boat.mesh, "boat.obj");
     scene.pool.cols = scene.field.cols = 0;
-    scene.drops.count = 0;
+    scene.drops.count = scene.foam.cells = scene.spray.count = 0;
     scene.floor.depth = scene.wind.strength = 0;
     scene.hdr.exposure = TP_EXPOSURE_FIXED;
     return scene;

@@ -246,6 +246,7 @@ static void a_leap_in_time_is_as_good_as_its_steps(void **state)
         scene.pool.cols = scene.field.cols = scene.drops.count = 0;
         scene.floor.depth = scene.wind.strength = 0;
         scene.hdr.exposure = TP_EXPOSURE_FIXED;
+        scene.foam.cells = scene.spray.count = 0;
         scene.boat.mesh[0] = '\0';      /* its searches begin where the last ones ended */
         tp_world_init(&steps, sizeof steps, &scene, NULL, NULL);
         tp_world_init(&leap, sizeof leap, &scene, NULL, NULL);

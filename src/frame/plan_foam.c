@@ -1,0 +1,65 @@
+/* SPDX-License-Identifier: MIT */
+/* The plan of foam and spray: where the field lies in the picture's moment, and their
+ * colours. */
+#include "frame/frame.h"
+
+/* Metres that a lattice has drifted `back` of a tick ago: the world holds now's. */
+static tp_fx drifted_before(int64_t drift_q32, tp_fx speed, tp_fx back)
+{
+    return (tp_fx)((drift_q32 - (int64_t)speed * back / TP_TICKS_PER_SECOND) >> 16);
+}
+
+/* The field as the tick left it, under the lattice's drift of the drawn moment. */
+static void place_foam(tp_shade_foam *f, const tp_foam *foam, const tp_scene_map *map,
+                       tp_fx back)
+{
+    int32_t cells = (int32_t)foam->cells;
+
+    f->cover = (const uint8_t *)(foam + 1);
+    f->cells = foam->cells;
+    f->col = (uint32_t)((foam->first_x % cells + cells) % cells);
+    f->row = (uint32_t)((foam->first_z % cells + cells) % cells);
+    f->low_s = (tp_fx)((int64_t)foam->first_x * foam->cell
+                       + drifted_before(foam->drift_x, map->drift_x, back));
+    f->low_t = (tp_fx)((int64_t)foam->first_z * foam->cell
+                       + drifted_before(foam->drift_z, map->drift_z, back));
+    f->side = foam->cells * (uint32_t)foam->cell;
+    f->per_metre = ((uint64_t)1 << 48) / (uint32_t)foam->cell;
+}
+
+/* White in the light of a level place: for specks. */
+static uint32_t spray_colour(const tp_shade *shade, uint32_t colour)
+{
+    int32_t lit = shade->ambient + ((256 - shade->ambient) * shade->world.ly >> 14);
+    return tp_colour_scale(colour, (uint32_t)(lit + (256 - lit) / 2));
+}
+
+void tp_frame_plan_foam(tp_frame *frame)
+{
+    const tp_scene *scene = frame->scene;
+    const tp_foam  *foam = tp_world_foam(frame->world);
+    tp_shade_foam  *f = &frame->shade.foam;
+
+    f->colour = (uint32_t)scene->foam.colour;
+    f->spray = spray_colour(&frame->shade, f->colour);
+    if (!foam)
+        return;
+    tp_layer layer = tp_frame_layer(frame, frame->assets.foam, &scene->foam.map);
+    f->texture = layer.texture;
+    f->repeats = layer.per_metre;
+    f->drift_s = layer.drift_s;
+    f->drift_t = layer.drift_t;
+    f->lod = layer.lod;
+    place_foam(f, foam, &scene->foam.map, frame->world->back);
+    f->edge = tp_world_pool(frame->world) ? UINT32_MAX : (1u << 24) / (32 * foam->cells);
+}
+
+tp_stage tp_frame_foam_stage(bool rippled, bool shiny)
+{
+    static const tp_stage stage[] = {
+#define X(name, rippled, shiny) [2 * (rippled) + (shiny)] = tp_stage_##name,
+        TP_FOAM_STAGES(X)
+#undef X
+    };
+    return stage[2 * rippled + shiny];
+}

@@ -1,0 +1,249 @@
+/* SPDX-License-Identifier: MIT */
+/* The foam's field: its window, its fading, its drift.
+ *
+ * A cell is looked after every fourth tick.  It then keeps e^(-4 ticks / fade) of its
+ * cover and gains what is made there; the sum, in 2^-24 of a unit, is rounded by a
+ * threshold that goes round 0..1 in steps of the golden ratio, each cell from its own: so
+ * it fades exactly on the mean, however slowly, and always ends at 0.
+ *
+ * Drift moves the lattice, not what is in it: no cover spreads or is lost by it, whatever
+ * its speed, where interpolation in place would smear a byte over its neighbours.
+ *
+ * What the window leaves behind is cleared when its cells stand for other places. */
+#include "scene/foam.h"
+#include "base/base.h"
+#include "scene/parts.h"
+#include "wave/exp.h"
+
+#define GOLDEN 10368889u        /* 2^24 / 1.618..., odd: it goes through all of 2^24 */
+
+/* -- where it is -------------------------------------------------------------------- */
+
+static size_t cover_bytes(uint32_t cells)
+{
+    return ((size_t)cells * cells + 7) & ~(size_t)7;
+}
+
+size_t tp_foam_bytes(const tp_scene *scene, bool ocean)
+{
+    uint32_t cells = (uint32_t)scene->foam.cells;
+
+    return cells == 0 ? 0 : sizeof(tp_foam) + cover_bytes(cells)
+                          + (ocean ? cells * sizeof(tp_vec3) : 0);
+}
+
+/* Of a side, Q32 m: below 2^46. */
+static int64_t side_of(const tp_foam *foam)
+{
+    return (int64_t)foam->cells * foam->cell * 65536;
+}
+
+/* The lowest lattice cell of a window around `middle`; drift is 0 to a side. */
+static int32_t first_around(const tp_foam *foam, tp_fx middle, int64_t drift_q32)
+{
+    int64_t from = (int64_t)middle - (drift_q32 >> 16), cell = foam->cell;
+    int64_t at = from / cell - (from % cell < 0);
+
+    return (int32_t)at - (int32_t)(foam->cells / 2);
+}
+
+static void place_window(tp_foam *foam, const tp_world *world, const tp_scene *scene)
+{
+    bool  pool = world->parts.pool != 0;
+    tp_fx x = pool ? scene->pool.x : world->eye.x;
+    tp_fx z = pool ? scene->pool.z : world->eye.z;
+
+    foam->first_x = first_around(foam, x, foam->drift_x);
+    foam->first_z = first_around(foam, z, foam->drift_z);
+}
+
+void tp_foam_init(tp_foam *foam, const tp_world *world, const tp_scene *scene, bool ocean)
+{
+    uint32_t cells = (uint32_t)scene->foam.cells;
+
+    foam->cells = cells;
+    foam->cell = scene->foam.cell;
+    foam->work = ocean ? (uint32_t)(sizeof *foam + cover_bytes(cells)) : 0;
+    place_window(foam, world, scene);
+    for (int q = 0; q < TP_FOAM_TICKS; q++) {
+        foam->seen[q][0] = foam->first_x;
+        foam->seen[q][1] = foam->first_z;
+    }
+}
+
+/* A lattice that has drifted by a side is the same one with other numbers. */
+static int64_t drifted(tp_foam *foam, int64_t drift, tp_fx speed, int way)
+{
+    int64_t side = side_of(foam), step = (int64_t)speed * 65536 / TP_TICKS_PER_SECOND;
+    int32_t turns = 0;
+
+    for (drift += step % side; drift >= side; drift -= side)
+        turns++;
+    for (; drift < 0; drift += side)
+        turns--;
+    for (int q = 0; q < TP_FOAM_TICKS; q++)
+        foam->seen[q][way] += turns * (int32_t)foam->cells;
+    return drift;
+}
+
+/* Lattice cells from `first` on along an axis: the lowest lies at `seam`. */
+typedef struct {
+    int32_t  first;
+    uint32_t seam, cells;
+} axis;
+
+static axis axis_of(int32_t first, uint32_t cells)
+{
+    return (axis){ first, tp_foam_mod(first, cells), cells };
+}
+
+/* The lattice cell of a column or row. */
+static int32_t number_of(const axis *a, uint32_t i)
+{
+    return a->first + (int32_t)(i >= a->seam ? i - a->seam : i + a->cells - a->seam);
+}
+
+/* Of a lattice cell's middle, m. */
+static tp_fx place_of(const tp_foam *foam, int32_t number, int64_t drift)
+{
+    return (tp_fx)((int64_t)number * foam->cell + foam->cell / 2 + (drift >> 16));
+}
+
+/* -- looking after it --------------------------------------------------------------- */
+
+/* e^(-4 / 60 / fade), Q24; fade is 0.1 s or more. */
+static uint32_t kept_in_a_visit(tp_fx fade)
+{
+    uint64_t x = ((uint64_t)TP_FOAM_TICKS << 40) / (TP_TICKS_PER_SECOND * (uint32_t)fade);
+    return tp_exp_neg((uint32_t)x) >> 8;
+}
+
+typedef struct {
+    tp_foam_maker make;
+    uint32_t kept_q24, threshold_q24;
+    axis x, z, seen_x, seen_z;
+} visit;
+
+/* What is made counts on what is free alone.  cover x kept < 255 x 2^24, and with the
+ * threshold below 2^32. */
+static uint8_t covered(uint32_t cover, const visit *v, uint32_t col, uint32_t gain_q8)
+{
+    uint64_t sum = (uint64_t)cover * v->kept_q24
+                 + ((uint64_t)(gain_q8 * (255 - cover)) << 8);
+    uint32_t held = sum < (uint32_t)255 << 24 ? (uint32_t)sum : (uint32_t)255 << 24;
+    uint32_t threshold = (v->threshold_q24 + col * GOLDEN) & 0xffffff;
+
+    return (uint8_t)((held + threshold) >> 24);
+}
+
+static void look_above(visit *v, const tp_foam *foam)
+{
+    for (uint32_t i = 0; i < foam->cells; i++)
+        tp_foam_maker_above(&v->make, i,
+                            place_of(foam, number_of(&v->x, i), foam->drift_x));
+}
+
+static void visit_row(visit *v, tp_foam *foam, uint8_t *cover)
+{
+    int32_t last = INT32_MIN;
+
+    for (uint32_t i = 0; i < foam->cells; i++) {
+        int32_t number = number_of(&v->x, i);
+        tp_fx   x = place_of(foam, number, foam->drift_x);
+        uint32_t gain = tp_foam_maker_gain(&v->make, i, x, number - 1 == last);
+        bool    same = number == number_of(&v->seen_x, i);
+        last = number;
+        cover[i] = gain == TP_FOAM_DRY ? 0 : covered(same ? cover[i] : 0, v, i, gain);
+    }
+}
+
+static void visit_quarter(visit *v, tp_foam *foam)
+{
+    uint32_t q = foam->visits % TP_FOAM_TICKS, cells = foam->cells;
+    uint32_t end = (q + 1) * cells / TP_FOAM_TICKS;
+    int32_t  last = INT32_MIN;
+
+    v->x = axis_of(foam->first_x, cells);
+    v->z = axis_of(foam->first_z, cells);
+    v->seen_x = axis_of(foam->seen[q][0], cells);
+    v->seen_z = axis_of(foam->seen[q][1], cells);
+    for (uint32_t j = q * cells / TP_FOAM_TICKS; j < end; j++) {
+        int32_t  number = number_of(&v->z, j);
+        uint8_t *cover = tp_foam_cover(foam) + (size_t)j * cells;
+        if (number != number_of(&v->seen_z, j))
+            memset(cover, 0, cells);
+        v->threshold_q24 = foam->visits / TP_FOAM_TICKS * GOLDEN + j * (GOLDEN / 7);
+        v->make.z = place_of(foam, number, foam->drift_z);
+        if (foam->work && number - 1 != last)
+            look_above(v, foam);
+        last = number;
+        visit_row(v, foam, cover);
+    }
+    foam->seen[q][0] = foam->first_x;
+    foam->seen[q][1] = foam->first_z;
+}
+
+void tp_foam_step(tp_world *world, const tp_scene *scene)
+{
+    tp_foam *foam = tp_parts_foam(world);
+    visit v = { .kept_q24 = kept_in_a_visit(scene->foam.fade) };
+
+    foam->drift_x = drifted(foam, foam->drift_x, scene->foam.map.drift_x, 0);
+    foam->drift_z = drifted(foam, foam->drift_z, scene->foam.map.drift_z, 1);
+    place_window(foam, world, scene);
+    tp_foam_maker_begin(&v.make, foam, world, scene);
+    visit_quarter(&v, foam);
+    foam->visits++;
+}
+
+/* -- at a place ---------------------------------------------------------------------- */
+
+/* How far a place lies from the window's low side, in cells, Q8; it may lie outside. */
+static int64_t cells_from(const tp_foam *foam, tp_fx place, int32_t first, int64_t drift)
+{
+    int64_t low = (int64_t)first * foam->cell + (drift >> 16);
+    return ((int64_t)place - low) * 256 / foam->cell;
+}
+
+/* Each cell whose middle is within the radius; farther out less. */
+void tp_foam_blob(tp_foam *foam, tp_fx x, tp_fx z, tp_fx radius, uint32_t cover)
+{
+    int64_t u = cells_from(foam, x, foam->first_x, foam->drift_x);
+    int64_t w = cells_from(foam, z, foam->first_z, foam->drift_z);
+    int64_t r = (int64_t)radius * 256 / foam->cell, cells = foam->cells;
+
+    r = r < 192 ? 192 : r > 16 * 256 ? 16 * 256 : r;
+    for (int64_t j = (w - r) >> 8; j <= (w + r) >> 8; j++) {
+        for (int64_t i = (u - r) >> 8; i <= (u + r) >> 8; i++) {
+            int64_t dx = i * 256 + 128 - u, dz = j * 256 + 128 - w;
+            int64_t left = r * r - dx * dx - dz * dz;
+            if (left <= 0 || i < 0 || j < 0 || i >= cells || j >= cells)
+                continue;
+            uint32_t col = tp_foam_mod(foam->first_x + (int32_t)i, foam->cells);
+            uint32_t row = tp_foam_mod(foam->first_z + (int32_t)j, foam->cells);
+            uint8_t *at = tp_foam_cover(foam) + (size_t)row * foam->cells + col;
+            uint32_t more = *at + (uint32_t)(cover * left / (r * r));
+            *at = (uint8_t)(more < 255 ? more : 255);
+        }
+    }
+}
+
+uint8_t tp_foam_at(const tp_foam *foam, tp_fx x, tp_fx z)
+{
+    int64_t u = cells_from(foam, x, foam->first_x, foam->drift_x);
+    int64_t w = cells_from(foam, z, foam->first_z, foam->drift_z);
+    const uint8_t *cover = (const uint8_t *)(foam + 1);
+    int64_t most = (int64_t)foam->cells * 256, sum = 0;
+
+    if (u < 0 || w < 0 || u >= most || w >= most)
+        return 0;
+    int32_t s = (int32_t)u - 128, t = (int32_t)w - 128;
+    for (int32_t k = 0; k < 4; k++) {
+        uint32_t col = tp_foam_mod(foam->first_x + (s >> 8) + (k & 1), foam->cells);
+        uint32_t row = tp_foam_mod(foam->first_z + (t >> 8) + (k >> 1), foam->cells);
+        int32_t  fs = k & 1 ? s & 255 : 256 - (s & 255);
+        int32_t  ft = k >> 1 ? t & 255 : 256 - (t & 255);
+        sum += (int64_t)cover[(size_t)row * foam->cells + col] * fs * ft;
+    }
+    return (uint8_t)((sum + 0x8000) >> 16);
+}

@@ -1,0 +1,77 @@
+/* SPDX-License-Identifier: MIT */
+/* The foam's field as the world steps it. */
+#ifndef TP_SCENE_FOAM_H
+#define TP_SCENE_FOAM_H
+#include "tidepool/scene.h"
+
+/* Of the block, aligned to 8; 0: the scene has none.  An ocean needs a row of places. */
+size_t tp_foam_bytes(const tp_scene *scene, bool ocean);
+void   tp_foam_init(tp_foam *foam, const tp_world *world, const tp_scene *scene,
+                    bool ocean);
+
+/* One tick, after all else has moved. */
+void tp_foam_step(tp_world *world, const tp_scene *scene);
+
+/* A blob of `radius` m around a place, where something struck the water: `cover` 0..255
+ * in its middle. */
+void tp_foam_blob(tp_foam *foam, tp_fx x, tp_fx z, tp_fx radius, uint32_t cover);
+
+static inline uint8_t *tp_foam_cover(tp_foam *foam)
+{
+    return (uint8_t *)(foam + 1);
+}
+
+/* i mod n of any sign. */
+static inline uint32_t tp_foam_mod(int32_t i, uint32_t n)
+{
+    int32_t m = i % (int32_t)n;
+    return (uint32_t)(m < 0 ? m + (int32_t)n : m);
+}
+
+/* -- foam_made.c --------------------------------------------------------------------- */
+
+/* Jxx Jzz - Jxz^2 of [A9] at a place at rest, 16.16: below 1 water is squeezed together,
+ * at 0 it would fold.  `phases` of the tick. */
+tp_fx tp_foam_squeeze(const tp_sea *sea, const tp_turn phases[TP_WAVES], tp_fx x,
+                      tp_fx z);
+
+/* To this depth, m, an ocean's crests foam by breaking alone. */
+tp_fx tp_foam_deep(const tp_ocean *ocean);
+
+/* A boat's hull over places at rest: alpha from stern -1 to bow 1, beta to starboard. */
+typedef struct {
+    tp_fx x, z, reach;          /* its middle; no foam of it lies farther */
+    tp_fx along[2], across[2];  /* alpha and beta a metre */
+    tp_fx length, beam;         /* half of them */
+    tp_fx pace;                 /* -1..1: how fast it goes ahead */
+} tp_foam_hull;
+
+/* What makes foam in this tick, and the row that it is at. */
+typedef struct {
+    const tp_world *world;
+    const tp_scene *scene;
+    const tp_ocean *ocean;
+    const tp_pool  *pool;       /* with walls that count */
+    tp_foam *foam;
+    tp_fx    z;                 /* of the row, by the caller */
+    tp_vec3  left;              /* ocean: the last cell's place */
+    tp_fx    per_cell, per_shore, deep, per_deep;
+    int64_t  per_lsb;           /* m/s of a pool's LSB, Q32 */
+    bool     has_hull;
+    tp_foam_hull hull;
+} tp_foam_maker;
+
+#define TP_FOAM_DRY UINT32_MAX
+
+void tp_foam_maker_begin(tp_foam_maker *m, tp_foam *foam, const tp_world *world,
+                         const tp_scene *scene);
+
+/* Over an ocean, before a row at m->z whose neighbour at z - cell was not the last one:
+ * of each of its cells. */
+void tp_foam_maker_above(tp_foam_maker *m, uint32_t col, tp_fx x);
+
+/* What the cell at x gains in TP_FOAM_TICKS ticks, 1/256 of a byte's units, below 2^16;
+ * TP_FOAM_DRY: it cannot have any.  Cells of a row are asked for in order of columns;
+ * `joined`: the last one was the neighbour at x - cell. */
+uint32_t tp_foam_maker_gain(tp_foam_maker *m, uint32_t col, tp_fx x, bool joined);
+#endif

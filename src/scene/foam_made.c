@@ -1,0 +1,298 @@
+/* SPDX-License-Identifier: MIT */
+/* What makes foam: squeezed and breaking crests, shallow water that moves, water that
+ * moves along walls, and a hull.  All are functions of the moment and a place at rest.
+ *
+ * Rates are chosen by eye, in units of cover a visit (TP_FOAM_TICKS ticks), of which 255
+ * are white. */
+#include "base/base.h"
+#include "scene/foam.h"
+#include "scene/parts.h"
+#include "wave/wave.h"
+
+#define GAIN_MOST 0xff00u
+
+/* a share 0.. in 16.16 of `units` of cover, 1/256 of them. */
+static uint32_t part_of(tp_fx share, int32_t units)
+{
+    int64_t gain = (int64_t)share * units >> 8;
+    return gain < 0 ? 0 : gain > GAIN_MOST ? GAIN_MOST : (uint32_t)gain;
+}
+
+/* -- crests -------------------------------------------------------------------------- */
+
+#define CREST_UNITS    300      /* of cover, of a whole unit of the Jacobian ... */
+#define CREST_MOST     TP_FX(0.2)   /* ... of which no more counts */
+#define BREAKING_UNITS 36
+
+/* Bends sum to 0.95 at the most, so Q30 fits and so do the products. */
+tp_fx tp_foam_squeeze(const tp_sea *sea, const tp_turn phases[TP_WAVES], tp_fx x, tp_fx z)
+{
+    int32_t bxx = 0, bxz = 0, bzz = 0;
+
+    for (uint32_t i = 0; i < sea->count; i++) {
+        const tp_swell *w = &sea->swell[i];
+        if (w->bend == 0)
+            continue;
+        tp_q30 s = tp_sin(phases[i] + tp_swell_turns(w->turns_x, x)
+                          + tp_swell_turns(w->turns_z, z));
+        bxx += tp_q30_mul(w->bend_xx, s);
+        bxz += tp_q30_mul(w->bend_xz, s);
+        bzz += tp_q30_mul(w->bend_zz, s);
+    }
+    int64_t jxx = (int64_t)TP_Q30_ONE - bxx, jzz = (int64_t)TP_Q30_ONE - bzz;
+    return (tp_fx)((jxx * jzz - (int64_t)bxz * bxz) >> 44);
+}
+
+tp_fx tp_foam_deep(const tp_ocean *ocean)
+{
+    return (tp_fx)tp_limit((int64_t)tp_ocean_height(ocean) * 8, 2048 * TP_FX_ONE);
+}
+
+static uint32_t crest_gain(const tp_foam_maker *m, tp_fx squeeze)
+{
+    tp_fx below = m->scene->foam.crest - squeeze;
+    return part_of(tp_clamp(below, 0, CREST_MOST), CREST_UNITS);
+}
+
+static tp_ocean_point ocean_at(const tp_foam_maker *m, tp_fx x, tp_fx z)
+{
+    return tp_ocean_at_rest(m->ocean, m->world->phases, x, z);
+}
+
+/* Of one cell, held within 8: more is land, or nothing that a sea does. */
+static tp_fx stretch_of(const tp_foam_maker *m, int64_t difference)
+{
+    return (tp_fx)tp_limit(tp_limit(difference, 1 << 24) * m->per_cell >> 16,
+                           8 * TP_FX_ONE);
+}
+
+/* Places of the row at z - cell. */
+static tp_vec3 *above_of(const tp_foam_maker *m)
+{
+    return (tp_vec3 *)(void *)((char *)m->foam + m->foam->work);
+}
+
+/* The Jacobian by differences across a cell. */
+static tp_fx ocean_squeeze(tp_foam_maker *m, uint32_t col, tp_vec3 here)
+{
+    tp_vec3 *above = above_of(m) + col;
+    int64_t jxx = stretch_of(m, (int64_t)here.x - m->left.x);
+    int64_t jzx = stretch_of(m, (int64_t)here.z - m->left.z);
+    int64_t jxz = stretch_of(m, (int64_t)here.x - above->x);
+    int64_t jzz = stretch_of(m, (int64_t)here.z - above->z);
+
+    m->left = here;
+    *above = here;
+    return (tp_fx)((jxx * jzz - jxz * jzx) >> 16);
+}
+
+/* Where waves feel the floor their orbits widen and every crest is squeezed: there it is
+ * the breaking that counts.  All of the gain from 16 heights of depth on, none to 8. */
+static uint32_t deep_part(const tp_foam_maker *m, tp_fx depth, uint32_t gain)
+{
+    int64_t over = ((int64_t)depth - m->deep) * m->per_deep >> 16;
+    uint32_t share = over < 0 ? 0 : over < 256 * 256 ? (uint32_t)over >> 8 : 256;
+    return gain * share >> 8;
+}
+
+/* Shallow water foams as far as it is lifted or breaks: still water does not. */
+static uint32_t shore_gain(const tp_foam_maker *m, const tp_ocean_point *at)
+{
+    tp_fx shore = m->scene->foam.shore;
+
+    if (at->depth >= shore)
+        return 0;
+    tp_fx shallow = TP_FX_ONE - tp_fx_mul(at->depth, m->per_shore);
+    tp_fx moves = tp_fx_mul(tp_abs(at->position.y), m->per_shore) + at->breaking * 128;
+    moves = moves < TP_FX_ONE ? moves : TP_FX_ONE;
+    return part_of(tp_fx_mul(shallow, moves), 40);
+}
+
+static uint32_t ocean_gain(tp_foam_maker *m, uint32_t col, tp_fx x, bool joined)
+{
+    if (!joined)
+        m->left = ocean_at(m, x - m->foam->cell, m->z).position;
+    tp_ocean_point at = ocean_at(m, x, m->z);
+    tp_fx squeeze = ocean_squeeze(m, col, at.position);
+
+    if (at.depth <= 0)
+        return TP_FOAM_DRY;
+    return deep_part(m, at.depth, crest_gain(m, squeeze)) + shore_gain(m, &at)
+         + part_of(tp_fx_mul(at.breaking * 257, m->scene->foam.breaking), BREAKING_UNITS);
+}
+
+/* -- walls --------------------------------------------------------------------------- */
+
+#define WALL_UNITS 400          /* for each m/s above WALL_STILL */
+#define WALL_STILL TP_FX(0.06)
+
+static bool is_wall_near(const tp_foam_maker *m, tp_fx x)
+{
+    const tp_pool *pool = m->pool;
+    tp_fx d = pool->cell > m->foam->cell ? pool->cell : m->foam->cell;
+    uint32_t col, row;
+
+    return !tp_pool_cell(pool, x - d, m->z, &col, &row)
+        || !tp_pool_cell(pool, x + d, m->z, &col, &row)
+        || !tp_pool_cell(pool, x, m->z - d, &col, &row)
+        || !tp_pool_cell(pool, x, m->z + d, &col, &row);
+}
+
+/* Outside of the pool nothing is known; in its walls there is no water. */
+static uint32_t wall_gain(const tp_foam_maker *m, tp_fx x)
+{
+    const tp_pool *pool = m->pool;
+    int64_t dx = (int64_t)x - pool->x, dz = (int64_t)m->z - pool->z;
+    uint32_t col, row;
+
+    if (!tp_pool_cell(pool, x, m->z, &col, &row))
+        return 2 * (dx < 0 ? -dx : dx) < (int64_t)pool->cols * pool->cell
+                   && 2 * (dz < 0 ? -dz : dz) < (int64_t)pool->rows * pool->cell
+               ? TP_FOAM_DRY : 0;
+    int64_t lsb = tp_abs(tp_pool_velocity(pool, col, row));
+    tp_fx speed = (tp_fx)tp_limit(lsb * m->per_lsb >> 32, 64 * TP_FX_ONE) - WALL_STILL;
+    return speed > 0 && m->scene->foam.wall > 0 && is_wall_near(m, x)
+         ? part_of(tp_fx_mul(speed, m->scene->foam.wall), WALL_UNITS) : 0;
+}
+
+/* -- the hull ------------------------------------------------------------------------ */
+
+#define LINE_LEAST TP_FX(0.28)  /* m: half the width of its line */
+#define LINE_UNITS 14           /* of the line of a hull that lies still */
+#define PACE_UNITS 150          /* of one that goes at PACE or faster */
+#define PACE       4            /* m/s */
+#define FULLER     TP_FX(1.176) /* a hull is longer than its points lie apart: so the
+                                 * longship's waterline is 1 - alpha^2 within 0.1 m */
+#define ARM        TP_FX(0.3536)/* tangent of 19.47 degrees, Kelvin's */
+#define ARM_LONG   5            /* half lengths behind the bow */
+
+/* A band of half width `wide` around e = 0, 1 in its middle. */
+static tp_fx band(tp_fx e, tp_fx wide)
+{
+    tp_fx off = tp_abs(e);
+    return off < wide ? TP_FX_ONE - tp_fx_div(off, wide) : 0;
+}
+
+/* Two arms from the bow, along the hull as long as it is wider, and the broken water
+ * behind the stern; `behind` is the distance from the bow, `side` that from the hull's
+ * axis, `wide` its half width there, m. */
+static tp_fx wake_of(const tp_foam_hull *h, tp_fx behind, tp_fx side, tp_fx wide,
+                     tp_fx line)
+{
+    tp_fx reach = ARM_LONG * h->length, stern = behind - 2 * h->length;
+
+    if (behind <= 0 || behind >= reach)
+        return 0;
+    tp_fx left = TP_FX_ONE - tp_fx_div(behind, reach);
+    tp_fx off = tp_fx_mul(behind, ARM);
+    tp_fx arm = band(side - (off > wide ? off : wide) - line / 2, line + behind / 24);
+    tp_fx trail = stern > -h->length / 2 && stern < h->length / 2
+                ? band(side, h->beam / 2 + line) / 2 : 0;
+    return tp_fx_mul(arm > trail ? arm : trail, tp_fx_mul(left, left));
+}
+
+static uint32_t hull_gain(const tp_foam_maker *m, tp_fx x)
+{
+    const tp_foam_hull *h = &m->hull;
+    int64_t dx = (int64_t)x - h->x, dz = (int64_t)m->z - h->z;
+
+    if (dx > h->reach || dx < -h->reach || dz > h->reach || dz < -h->reach)
+        return 0;
+    tp_fx alpha = tp_fx_held((dx * h->along[0] + dz * h->along[1]) >> 16);
+    tp_fx beta = tp_fx_held((dx * h->across[0] + dz * h->across[1]) >> 16);
+    tp_fx line = LINE_LEAST > m->foam->cell / 2 ? LINE_LEAST : m->foam->cell / 2;
+    tp_fx side = tp_fx_mul(tp_abs(tp_clamp(beta, -TP_FX_MAX, TP_FX_MAX)), h->beam);
+    tp_fx pace = tp_abs(h->pace);
+    tp_fx wide = 0;
+    uint32_t gain = 0;
+
+    if (tp_abs(tp_clamp(alpha, -TP_FX_MAX, TP_FX_MAX)) <= TP_FX_ONE) {
+        wide = tp_fx_mul(h->beam, TP_FX_ONE - tp_fx_mul(alpha, alpha));
+        tp_fx hugs = band(side - wide - line / 2, line);
+        gain = part_of(hugs, LINE_UNITS) + part_of(tp_fx_mul(hugs, pace), PACE_UNITS);
+    }
+    if (pace > 0) {
+        int64_t ahead = h->pace > 0 ? alpha : -(int64_t)alpha;
+        tp_fx behind = tp_fx_held((TP_FX_ONE - ahead) * h->length >> 16);
+        tp_fx wake = wake_of(h, behind, side, wide, line);
+        gain += part_of(tp_fx_mul(wake, pace), PACE_UNITS);
+    }
+    return (uint32_t)((uint64_t)gain * (uint32_t)m->scene->foam.hull >> 16);
+}
+
+/* A hull's four points at rest give its axes there, however waves bend the plane. */
+static void find_hull(tp_foam_maker *m)
+{
+    const tp_afloat *a = &m->world->afloat;
+    const tp_vec3 *now = &m->world->boat.place, *last = &m->world->last_boat.place;
+    const tp_fx (*p)[2] = a->rest;
+    int64_t ux = ((int64_t)p[0][0] - p[1][0]) / 2, uz = ((int64_t)p[0][1] - p[1][1]) / 2;
+    int64_t wx = ((int64_t)p[3][0] - p[2][0]) / 2, wz = ((int64_t)p[3][1] - p[2][1]) / 2;
+    int64_t det = ux * wz - uz * wx;
+    tp_foam_hull *h = &m->hull;
+
+    m->has_hull = m->scene->boat.mesh[0] && a->laid && m->scene->foam.hull > 0
+               && det > 1 << 24;
+    if (!m->has_hull)
+        return;
+    h->x = (tp_fx)(((int64_t)p[0][0] + p[1][0] + p[2][0] + p[3][0]) / 4);
+    h->z = (tp_fx)(((int64_t)p[0][1] + p[1][1] + p[2][1] + p[3][1]) / 4);
+    ux = ux * FULLER >> 16;
+    uz = uz * FULLER >> 16;
+    det = det * FULLER >> 16;
+    h->along[0] = tp_fx_held(wz * ((int64_t)1 << 32) / det);
+    h->along[1] = tp_fx_held(-wx * ((int64_t)1 << 32) / det);
+    h->across[0] = tp_fx_held(-uz * ((int64_t)1 << 32) / det);
+    h->across[1] = tp_fx_held(ux * ((int64_t)1 << 32) / det);
+    h->length = tp_fx_mul(m->scene->boat.length / 2, FULLER);
+    h->beam = m->scene->boat.beam / 2;
+    int64_t way = (((int64_t)now->x - last->x) * tp_sin(a->hull.heading)
+                   - ((int64_t)now->z - last->z) * tp_cos(a->hull.heading)) >> 30;
+    h->pace = (tp_fx)tp_limit(way * TP_TICKS_PER_SECOND / PACE, TP_FX_ONE);
+    h->reach = h->pace != 0 ? (ARM_LONG + 1) * h->length : h->length + h->beam;
+}
+
+/* ----------------------------------------------------------------------------------- */
+
+void tp_foam_maker_begin(tp_foam_maker *m, tp_foam *foam, const tp_world *world,
+                         const tp_scene *scene)
+{
+    *m = (tp_foam_maker){
+        .world = world, .scene = scene, .foam = foam, .ocean = tp_world_ocean(world),
+        .pool = tp_world_pool(world), .per_cell = tp_fx_recip(foam->cell),
+        .per_shore = tp_fx_recip(scene->foam.shore),
+    };
+    if (m->pool) {
+        int64_t most = tp_pool_highest(m->pool), full = tp_pool_lsb(m->pool, (tp_fx)most);
+        m->per_lsb = full > 0 ? (most * TP_TICKS_PER_SECOND << 32) / full : 0;
+    }
+    if (m->ocean) {
+        m->deep = tp_foam_deep(m->ocean);
+        m->per_deep = tp_fx_recip(m->deep);
+    }
+    find_hull(m);
+}
+
+void tp_foam_maker_above(tp_foam_maker *m, uint32_t col, tp_fx x)
+{
+    above_of(m)[col] = ocean_at(m, x, m->z - m->foam->cell).position;
+}
+
+uint32_t tp_foam_maker_gain(tp_foam_maker *m, uint32_t col, tp_fx x, bool joined)
+{
+    uint32_t gain = m->ocean ? ocean_gain(m, col, x, joined)
+        : m->scene->foam.crest > 0
+        ? crest_gain(m, tp_foam_squeeze(&m->world->sea, m->world->phases, x, m->z)) : 0;
+
+    if (gain == TP_FOAM_DRY)
+        return gain;
+    if (m->pool) {
+        uint32_t walls = wall_gain(m, x);
+        if (walls == TP_FOAM_DRY)
+            return walls;
+        gain += walls;
+    }
+    if (m->has_hull)
+        gain += hull_gain(m, x);
+    return gain < GAIN_MOST ? gain : GAIN_MOST;
+}

@@ -1,0 +1,292 @@
+/* SPDX-License-Identifier: MIT */
+/* Spray and bubbles.  A speck falls with a drag in proportion to its speed, as fine drops
+ * do, and is gone where it meets the water; a bubble rises slowly and bursts there.
+ *
+ * Crests are found by trying places around the eye, closer ones more often, since specks
+ * far away are not seen: where the water breaks, or is squeezed beyond SHARP, a few
+ * specks leave it with its own motion and some of their own.  A list that is full drops
+ * what comes and counts it. */
+#include "scene/spray.h"
+#include "base/base.h"
+#include "scene/foam.h"
+#include "scene/parts.h"
+
+#define TICK(x)     ((x) / TP_TICKS_PER_SECOND)
+#define SLOWER      TP_FX(0.9726)           /* e^(-1/60 s / 0.6 s) ... */
+#define KICK        TP_FX(0.016437)         /* ... and 0.6 s (1 - that): of gravity */
+#define SPRAY_AGE   (4 * TP_TICKS_PER_SECOND)
+#define BUBBLE_AGE  (6 * TP_TICKS_PER_SECOND)
+#define SPEED_MOST  (60 * TP_FX_ONE)        /* m/s */
+#define REACH       40                      /* m around the eye */
+#define SHARP       TP_FX(0.5)              /* of the Jacobian */
+#define TRIES       6                       /* specks of the list for each try a tick */
+
+static tp_speck *list(tp_spray *spray)
+{
+    return (tp_speck *)(void *)(spray + 1);
+}
+
+const tp_speck *tp_spray_list(const tp_spray *spray)
+{
+    return (const tp_speck *)(const void *)(spray + 1);
+}
+
+size_t tp_spray_bytes(const tp_scene *scene)
+{
+    size_t bytes = (size_t)scene->spray.count * sizeof(tp_speck);
+    return bytes == 0 ? 0 : sizeof(tp_spray) + ((bytes + 7) & ~(size_t)7);
+}
+
+void tp_spray_init(tp_spray *spray, const tp_scene *scene)
+{
+    spray->capacity = (uint32_t)scene->spray.count;
+    spray->random = 1;
+}
+
+/* -- chance -------------------------------------------------------------------------- */
+
+/* 0..1, and -1..1, 16.16. */
+static tp_fx share(tp_spray *spray)
+{
+    return (tp_fx)(tp_random(&spray->random) >> 16);
+}
+
+static tp_fx either(tp_spray *spray)
+{
+    return 2 * share(spray) - TP_FX_ONE;
+}
+
+static void throw(tp_spray *spray, tp_vec3 place, tp_vec3 speed, tp_speck_kind kind)
+{
+    uint8_t chance = (uint8_t)(tp_random(&spray->random) >> 24);
+
+    if (spray->count == spray->capacity) {
+        spray->dropped++;
+        return;
+    }
+    speed.x = tp_clamp(speed.x, -SPEED_MOST, SPEED_MOST);
+    speed.y = tp_clamp(speed.y, -SPEED_MOST, SPEED_MOST);
+    speed.z = tp_clamp(speed.z, -SPEED_MOST, SPEED_MOST);
+    list(spray)[spray->count++] = (tp_speck){ .place = place, .last = place,
+                                              .speed = speed, .kind = (uint8_t)kind,
+                                              .chance = chance };
+}
+
+/* -- the water's level --------------------------------------------------------------- */
+
+static tp_vec3 point(const tp_surface *surface, tp_fx x, tp_fx z)
+{
+    return surface->ocean
+         ? tp_ocean_smooth(surface->ocean, surface->phases, x, z).position
+         : tp_sea_at_rest(surface->sea, surface->phases, x, z).position;
+}
+
+/* Over a place, by one step of [E1]: waves steep enough to show the difference throw
+ * specks enough to hide it. */
+static tp_fx level_at(const tp_surface *surface, tp_fx x, tp_fx z)
+{
+    tp_vec3 first = point(surface, x, z);
+    tp_fx level = point(surface, 2 * x - first.x, 2 * z - first.z).y;
+
+    return tp_surface_has_relief(surface)
+         ? level + tp_surface_relief(surface, x, z).height : level;
+}
+
+/* -- flight -------------------------------------------------------------------------- */
+
+/* By the mean of two speeds. */
+static tp_fx moved(tp_fx place, tp_fx speed, tp_fx next)
+{
+    return tp_fx_held((int64_t)place + TICK((speed + next) / 2));
+}
+
+/* v' = -g - v / 0.6 s, whose next tick is known. */
+static void fly(tp_speck *s, tp_fx gravity)
+{
+    tp_vec3 v = s->speed, next = v, at = s->place;
+
+    if (s->kind == TP_SPECK_SPRAY)
+        next = (tp_vec3){ tp_fx_mul(v.x, SLOWER),
+                          tp_fx_mul(v.y, SLOWER) - tp_fx_mul(gravity, KICK),
+                          tp_fx_mul(v.z, SLOWER) };
+    s->last = at;
+    s->place = (tp_vec3){ moved(at.x, v.x, next.x), moved(at.y, v.y, next.y),
+                          moved(at.z, v.z, next.z) };
+    s->speed = next;
+    s->age++;
+}
+
+/* One that falls, or is a bubble, is looked at every fourth tick, in its turn. */
+static bool is_over(const tp_speck *s, const tp_surface *surface)
+{
+    if (s->kind == TP_SPECK_BUBBLE)
+        return s->age >= BUBBLE_AGE
+            || ((s->age & 3) == 0 && s->place.y >= level_at(surface, s->place.x,
+                                                            s->place.z));
+    return s->age >= SPRAY_AGE
+        || (s->speed.y < 0 && (s->age & 3) == 0
+            && s->place.y <= level_at(surface, s->place.x, s->place.z));
+}
+
+static void fly_all(tp_spray *spray, const tp_scene *scene, const tp_surface *surface)
+{
+    for (uint32_t i = 0; i < spray->count; ) {
+        tp_speck *s = &list(spray)[i];
+        fly(s, scene->water.gravity);
+        if (is_over(s, surface))
+            *s = list(spray)[--spray->count];
+        else
+            i++;
+    }
+}
+
+/* -- crests -------------------------------------------------------------------------- */
+
+/* 0..1: how much of spray a place at rest throws off. */
+static tp_fx ocean_strength(const tp_surface *surface, tp_fx x, tp_fx z)
+{
+    const tp_fx d = TP_FX_ONE / 4;
+    tp_ocean_point at = tp_ocean_at_rest(surface->ocean, surface->phases, x, z);
+
+    if (at.depth <= tp_foam_deep(surface->ocean) || at.position.y < 0)
+        return at.breaking * 257;
+    tp_vec3 u = tp_vec3_sub(point(surface, x + d, z), point(surface, x - d, z));
+    tp_vec3 w = tp_vec3_sub(point(surface, x, z + d), point(surface, x, z - d));
+    tp_fx jacobian = tp_fx_mul(2 * u.x, 2 * w.z) - tp_fx_mul(2 * u.z, 2 * w.x);
+    return jacobian < SHARP ? (SHARP - jacobian) * 4 : 0;
+}
+
+static tp_fx strength_at(const tp_surface *surface, tp_fx x, tp_fx z)
+{
+    if (surface->ocean)
+        return ocean_strength(surface, x, z);
+    tp_fx jacobian = tp_foam_squeeze(surface->sea, surface->phases, x, z);
+    return jacobian < SHARP ? (SHARP - jacobian) * 4 : 0;
+}
+
+/* m/s of the water that rests at a place. */
+static tp_vec3 motion_at(const tp_surface *now, const tp_surface *before, tp_fx x,
+                         tp_fx z)
+{
+    tp_vec3 way = tp_vec3_sub(point(now, x, z), point(before, x, z));
+    const int64_t rate = TP_TICKS_PER_SECOND;
+
+    return (tp_vec3){ (tp_fx)tp_limit(way.x * rate, SPEED_MOST),
+                      (tp_fx)tp_limit(way.y * rate, SPEED_MOST),
+                      (tp_fx)tp_limit(way.z * rate, SPEED_MOST) };
+}
+
+/* A crest's specks start along it, half a metre apart, ahead and up. */
+static void throw_off(tp_spray *spray, const tp_surface *now, const tp_surface *before,
+                      tp_fx x, tp_fx z, tp_fx strength)
+{
+    tp_vec3 from = point(now, x, z), flow = motion_at(now, before, x, z);
+    int32_t count = 3 + (tp_fx_mul(strength, 9 * TP_FX_ONE) >> 16);
+
+    for (int32_t i = 0; i < count; i++) {
+        tp_vec3 place = { from.x + either(spray) / 3, from.y + share(spray) / 8,
+                          from.z + either(spray) / 3 };
+        tp_fx more = TP_FX_ONE + share(spray);
+        tp_vec3 speed = { tp_fx_mul(flow.x, more) + either(spray) / 2,
+                          flow.y + TP_FX(0.4) + tp_fx_mul(2 * share(spray), share(spray))
+                              + tp_fx_mul(strength, 2 * share(spray)),
+                          tp_fx_mul(flow.z, more) + either(spray) / 2 };
+        throw(spray, place, speed, TP_SPECK_SPRAY);
+    }
+}
+
+/* One in so many tries succeeds that a crest of strength 1 throws at each. */
+static void try_crests(tp_world *world, const tp_scene *scene, tp_spray *spray,
+                       const tp_surface *now)
+{
+    tp_turn phases[TP_WAVES];
+    tp_surface before = *now;
+    uint32_t tries = spray->capacity / TRIES + 1;
+
+    if (scene->spray.crest <= 0 || (!now->ocean && world->sea.bend == 0))
+        return;
+    tp_sea_phases(&world->sea, world->tick - 1, 0, phases);
+    before.phases = phases;
+    for (uint32_t i = 0; i < tries; i++) {
+        tp_turn way = tp_random(&spray->random);
+        tp_fx far = share(spray) * REACH;
+        tp_fx x = world->eye.x + tp_q30_mul(far, tp_sin(way));
+        tp_fx z = world->eye.z + tp_q30_mul(far, tp_cos(way));
+        tp_fx strength = tp_fx_mul(strength_at(now, x, z), scene->spray.crest);
+        if (strength > share(spray))
+            throw_off(spray, now, &before, x, z, tp_clamp(strength, 0, TP_FX_ONE));
+    }
+}
+
+/* -- what strikes the water ---------------------------------------------------------- */
+
+static tp_vec3 beside(tp_vec3 from, tp_turn way, tp_fx far)
+{
+    return (tp_vec3){ from.x + tp_q30_mul(far, tp_sin(way)), from.y,
+                      from.z + tp_q30_mul(far, tp_cos(way)) };
+}
+
+/* The crown rises as high as eight amplitudes of the ring: by sqrt(2 g 8 A). */
+void tp_spray_splash(tp_spray *spray, const tp_scene *scene, const tp_impact *impact,
+                     tp_fx level)
+{
+    int64_t square = (int64_t)scene->water.gravity * 16 * impact->amplitude >> 16;
+    tp_fx up = tp_fx_sqrt(tp_fx_held(square)), radius = impact->length / 8;
+    int32_t count = tp_fx_mul(scene->spray.impact, tp_clamp(up * 6, 0, 16 * TP_FX_ONE))
+                    >> 16;
+    tp_vec3 middle = { impact->x, level, impact->z };
+
+    for (int32_t i = 0; i < count; i++) {
+        tp_turn way = tp_random(&spray->random);
+        tp_fx   part = TP_FX(0.5) + share(spray) / 2;
+        tp_vec3 out = beside((tp_vec3){ 0, tp_fx_mul(up, part), 0 }, way,
+                             tp_fx_mul(up, share(spray) / 3 + TP_FX(0.1)));
+        throw(spray, beside(middle, way, radius), out, TP_SPECK_SPRAY);
+        if (i % 2)
+            continue;
+        tp_vec3 under = beside(middle, way, tp_fx_mul(radius, 2 * share(spray)));
+        under.y -= radius + tp_fx_mul(radius, 4 * share(spray));
+        throw(spray, under, (tp_vec3){ either(spray) / 16, TP_FX(0.15) + share(spray) / 6,
+                                       either(spray) / 16 }, TP_SPECK_BUBBLE);
+    }
+}
+
+#define BOW_PACE 2              /* m/s from which on the bow throws water up */
+
+static void throw_bow(tp_world *world, const tp_scene *scene, tp_spray *spray,
+                      const tp_surface *surface)
+{
+    const tp_hull *hull = &world->afloat.hull;
+    tp_vec3 way = tp_vec3_sub(world->boat.place, world->last_boat.place);
+    tp_q30  s = tp_sin(hull->heading), c = tp_cos(hull->heading);
+    int64_t pace = ((int64_t)way.x * s - (int64_t)way.z * c) * TP_TICKS_PER_SECOND >> 30;
+    tp_fx   over = (tp_fx)tp_limit(pace - BOW_PACE * TP_FX_ONE, 30 * TP_FX_ONE);
+
+    for (tp_fx due = over / 2; due > share(spray); due -= TP_FX_ONE) {
+        tp_fx back = share(spray), side = either(spray) >= 0 ? TP_FX_ONE : -TP_FX_ONE;
+        tp_fx ahead = scene->boat.length / 2 - tp_fx_mul(scene->boat.length / 5, back);
+        tp_fx aside = tp_fx_mul(tp_fx_mul(scene->boat.beam / 3, back), side);
+        tp_vec3 at = { hull->x + tp_q30_mul(ahead, s) + tp_q30_mul(aside, c), 0,
+                       hull->z - tp_q30_mul(ahead, c) + tp_q30_mul(aside, s) };
+        tp_fx out = tp_fx_mul(over / 3 + TP_FX(0.3) + share(spray), side);
+        tp_fx on = over / 3;
+        at.y = level_at(surface, at.x, at.z);
+        throw(spray, at,
+              (tp_vec3){ tp_q30_mul(on, s) + tp_q30_mul(out, c),
+                         TP_FX(0.8) + tp_fx_mul(over / 3, share(spray)) + share(spray),
+                         tp_q30_mul(out, s) - tp_q30_mul(on, c) }, TP_SPECK_SPRAY);
+    }
+}
+
+/* ----------------------------------------------------------------------------------- */
+
+void tp_spray_step(tp_world *world, const tp_scene *scene)
+{
+    tp_spray *spray = tp_parts_spray(world);
+    const tp_surface surface = tp_world_surface(world);
+
+    fly_all(spray, scene, &surface);
+    try_crests(world, scene, spray, &surface);
+    if (scene->boat.mesh[0])
+        throw_bow(world, scene, spray, &surface);
+}

@@ -1,0 +1,204 @@
+/* SPDX-License-Identifier: MIT */
+/* Foam on water: where the field covers it, a picture of bubbles says which parts of it
+ * are white.  A texel is white if its rank among all texels, 0..1, is above 1 - cover:
+ * so foam that fades breaks up into lace and then into specks, and of every picture as
+ * much is white as the field says.  The threshold is soft, over a third of the ranks;
+ * with each smaller level of the picture, whose texels are more alike, over more of them,
+ * so that far away the cover itself is what is seen.
+ *
+ * Foam is matt: it takes the diffuse light alone and hides what glitters under it.  The
+ * window's outer eighth fades, or its edge would show. */
+#include "shade/foam.h"
+#include "shade/shade.h"
+
+#define OPAQUE 240              /* of 256: the most that it hides */
+#define LACE   212              /* of 256: the most that is white of a whole cover */
+
+void tp_shade_foam_rank(tp_shade_foam *foam, const tp_texture *texture)
+{
+    uint32_t count[256] = { 0 }, total = 1u << (texture->log2_w + texture->log2_h);
+    uint64_t below = 0;
+
+    for (uint32_t i = 0; i < total; i++)
+        count[texture->level[0][i] >> 8 & 0xff]++;
+    for (int v = 0; v < 256; v++) {
+        foam->rank[v] = (uint8_t)(((below + count[v] / 2) * 255 + total / 2) / total);
+        below += count[v];
+    }
+    foam->mean = foam->rank[texture->level[texture->levels - 1][0] >> 8 & 0xff];
+}
+
+/* -- cover --------------------------------------------------------------------------- */
+
+/* Bilinear between cells' middles, 0..255; u and w in cells from the corner, Q16. */
+static uint32_t cover_at(const tp_shade_foam *f, uint32_t u, uint32_t w)
+{
+    uint32_t n = f->cells;
+    uint32_t a = u + n * 65536 - 32768, b = w + n * 65536 - 32768;
+    uint32_t i = (a >> 16) + f->col, j = (b >> 16) + f->row;
+
+    i -= i >= 2 * n ? 2 * n : i >= n ? n : 0;
+    j -= j >= 2 * n ? 2 * n : j >= n ? n : 0;
+    uint32_t i1 = i + 1 < n ? i + 1 : 0, j1 = j + 1 < n ? j + 1 : 0;
+    const uint8_t *here = f->cover + (size_t)j * n, *below = f->cover + (size_t)j1 * n;
+    if ((here[i] | here[i1] | below[i] | below[i1]) == 0)
+        return 0;
+    uint32_t fs = a >> 8 & 0xff, ft = b >> 8 & 0xff;
+    uint32_t over = here[i] * (256 - fs) + here[i1] * fs;
+    uint32_t under = below[i] * (256 - fs) + below[i1] * fs;
+    return (over * (256 - ft) + under * ft + 0x8000) >> 16;
+}
+
+/* 0..256 over the outer eighth. */
+static uint32_t inside(const tp_shade_foam *f, uint32_t u, uint32_t w)
+{
+    uint32_t most = f->cells * 65536, a = u < most - u ? u : most - u;
+    uint32_t b = w < most - w ? w : most - w, least = (a < b ? a : b) >> 8;
+    uint64_t share = (uint64_t)least * f->edge >> 16;
+    return share < 256 ? (uint32_t)share : 256;
+}
+
+/* 0..255 where the field covers a place, 0 outside. */
+static uint32_t covered(const tp_shade_foam *f, uint32_t s, uint32_t t)
+{
+    uint32_t ds = s - (uint32_t)f->low_s, dt = t - (uint32_t)f->low_t;
+
+    if (ds >= f->side || dt >= f->side)
+        return 0;
+    uint32_t u = (uint32_t)(ds * f->per_metre >> 32);
+    uint32_t w = (uint32_t)(dt * f->per_metre >> 32);
+    uint32_t cover = cover_at(f, u, w);
+    return cover ? (cover * inside(f, u, w) + 128) >> 8 : 0;
+}
+
+/* -- bubbles ------------------------------------------------------------------------- */
+
+typedef struct {
+    const uint32_t *texel;
+    uint32_t w, h;
+    int32_t  soft, middle;      /* ranks from nothing to white; that of the mean */
+    int32_t  span;              /* ranks that cover moves the ramp, either way */
+    uint32_t per_soft;          /* 2^16 / soft */
+} level;
+
+/* Of a picture's n-th smaller level; TP_SOFTS - 1 stands for all that follow. */
+static const struct { int16_t soft, span; uint16_t per_soft; } softs[] = {
+    { 80, 168, 819 }, { 115, 160, 569 }, { 150, 152, 436 }, { 186, 144, 352 },
+    { 221, 136, 296 }, { 256, 128, 256 },
+};
+#define SOFTS (int32_t)(sizeof softs / sizeof softs[0] - 1)
+
+static void soften(level *l, int32_t n, int32_t mean)
+{
+    n = n < SOFTS ? n : SOFTS;
+    l->soft = softs[n].soft;
+    l->span = softs[n].span;
+    l->per_soft = softs[n].per_soft;
+    l->middle = 128 + (mean - 128) * n * 51 / 256;
+}
+
+static level level_for(const tp_shade *shade, uint32_t key)
+{
+    const tp_shade_foam *f = &shade->foam;
+    const tp_texture *texture = f->texture;
+    level l = { .texel = NULL };
+
+    if (!texture) {
+        soften(&l, SOFTS, 128);
+        return l;
+    }
+    int n = tp_level_of(f->lod, tp_log_depth(shade, key), true, texture->levels);
+    l.texel = texture->level[n];
+    l.w = 1u << (texture->log2_w > n ? texture->log2_w - n : 0);
+    l.h = 1u << (texture->log2_h > n ? texture->log2_h - n : 0);
+    soften(&l, n, f->mean);
+    return l;
+}
+
+static uint32_t green(const level *l, uint32_t u, uint32_t v)
+{
+    return l->texel[v * l->w + u] >> 8 & 0xff;
+}
+
+/* The green of four texels around a place in repeats, Q0.32. */
+static uint32_t bubbles_at(const level *l, uint32_t s, uint32_t t)
+{
+    uint64_t su = (uint64_t)s * l->w - 0x80000000u, tv = (uint64_t)t * l->h - 0x80000000u;
+    uint32_t u = (uint32_t)(su >> 32) & (l->w - 1), u1 = (u + 1) & (l->w - 1);
+    uint32_t v = (uint32_t)(tv >> 32) & (l->h - 1), v1 = (v + 1) & (l->h - 1);
+    uint32_t fs = (uint32_t)su >> 24, ft = (uint32_t)tv >> 24;
+    uint32_t over = green(l, u, v) * (256 - fs) + green(l, u1, v) * fs;
+    uint32_t under = green(l, u, v1) * (256 - fs) + green(l, u1, v1) * fs;
+
+    return (over * (256 - ft) + under * ft + 0x8000) >> 16;
+}
+
+/* 0..256: how white a place of this cover is.  Over all ranks of a picture, `soft` wide
+ * around its mean, that is the cover on the mean; never more than four times as much, so
+ * that nothing leaps as it comes and goes. */
+static uint32_t white(const tp_shade_foam *f, const level *l, uint32_t cover, uint32_t s,
+                      uint32_t t)
+{
+    int32_t rank = l->texel ? f->rank[bubbles_at(l, s * f->repeats + f->drift_s,
+                                                 t * f->repeats + f->drift_t)] : 128;
+    int32_t most = (int32_t)(cover * LACE >> 8);
+    int32_t up = rank - l->middle + l->soft / 2 - (l->span * (128 - most) >> 7);
+
+    if (up <= 0)
+        return 0;
+    uint32_t share = (uint32_t)up * l->per_soft >> 8;
+    share = share < 4 * cover ? share : 4 * cover;
+    return share < 256 ? share : 256;
+}
+
+/* -- the stage ----------------------------------------------------------------------- */
+
+/* Ambient and direct light on the water's slope, and half of what is short of white:
+ * bubbles pass light on.  Slopes above 2 (63 degrees) count as that. */
+TP_ALWAYS_INLINE uint32_t lit(const tp_shade *shade, const tp_run *run, int32_t i,
+                              int rippled)
+{
+    int32_t sx = rippled ? run->sx[i] : (int16_t)(run->n[i] >> 16);
+    int32_t sz = rippled ? run->sz[i] : (int16_t)(run->n[i] & 0xffff);
+    uint32_t q = (uint32_t)(sx * sx) + (uint32_t)(sz * sz);
+    int32_t ny = shade->steep[(q < 0x4000000u ? q : 0x3ffffffu) >> 17];
+    int32_t nl = shade->world.ly - ((sx * shade->world.lx + sz * shade->world.lz) >> 12);
+
+    nl = tp_clamp(nl * (ny >> 2) >> 12, 0, 16384);
+    int32_t light = shade->ambient + ((256 - shade->ambient) * nl >> 14);
+    return (uint32_t)(256 + light) / 2;
+}
+
+TP_ALWAYS_INLINE void foam(const tp_shade *shade, tp_run *run, int rippled, int shiny)
+{
+    const tp_shade_foam *f = &shade->foam;
+    int32_t count = run->count;
+
+    for (int32_t i = 0; i < count; ) {
+        level   l = level_for(shade, run->key[i]);
+        int32_t stop = i + 16 - ((run->x + i) & 15);
+        stop = stop < count ? stop : count;
+        for (; i < stop; i++) {
+            uint32_t cover = covered(f, run->s[i], run->t[i]);
+            if (cover == 0)     /* most of the water */
+                continue;
+            uint32_t share = white(f, &l, cover, run->s[i], run->t[i]) * OPAQUE >> 8;
+            uint32_t colour = tp_colour_scale(f->colour, lit(shade, run, i, rippled));
+            run->colour[i] = tp_colour_mix(run->colour[i], colour, share);
+            if (shiny)
+                run->glint[i] = (uint16_t)(run->glint[i] * (256 - share) >> 8);
+        }
+    }
+}
+
+#define FOAM_STAGE(name, rippled, shiny) \
+    void tp_stage_##name(const tp_shade *shade, tp_run *run) \
+    { foam(shade, run, rippled, shiny); }
+TP_FOAM_STAGES(FOAM_STAGE)
+
+/* Specks are too small for a shape: one light for all. */
+void tp_stage_spray(const tp_shade *shade, tp_run *run)
+{
+    for (int32_t i = 0; i < run->count; i++)
+        run->colour[i] = shade->foam.spray;
+}

@@ -1,0 +1,147 @@
+/* SPDX-License-Identifier: MIT */
+/* Foam and spray where they could go wrong: any numbers that the table allows, any eye
+ * that jumps, and the slowest fading there is.
+ *
+ *     TP_SCENES=n     random scenes instead of 300 */
+#include <stdarg.h>
+#include <stddef.h>
+#include <setjmp.h>
+#include <stdint.h>
+#include <cmocka.h>
+#include "scene/foam.h"
+#include "scene/parts.h"
+#include "tests/unit/scenes.h"
+
+static uint64_t chance;
+
+static uint64_t asked(const char *name, uint64_t normal)
+{
+    const char *const given = getenv(name);
+    return given != NULL ? strtoull(given, NULL, 0) : normal;
+}
+
+static tp_scene any_with_foam(void)
+{
+    tp_scene s = scene_any(&chance);
+
+    s.pool.cols = s.pool.cols < 40 ? s.pool.cols : 40;
+    s.pool.rows = s.pool.rows < 40 ? s.pool.rows : 40;
+    s.field.cols = s.field.rows = 0;
+    s.drops.count = s.drops.count < 20 ? s.drops.count : 20;
+    s.foam.cells = 1 + s.foam.cells % 48;
+    s.spray.count = 1 + s.spray.count % 200;
+    strcpy(s.boat.mesh, random_below(&chance, 2) ? "boat.obj" : "");
+    return s;
+}
+
+/* The eye leaps anywhere, the sea and the numbers change on the way. */
+static void shake(tp_world *world, tp_scene *scene)
+{
+    const tp_scene other = any_with_foam();
+
+    scene->foam.map = other.foam.map;
+    scene->foam.fade = other.foam.fade;
+    scene->foam.hull = other.foam.hull;
+    scene->spray.crest = other.spray.crest;
+    if (random_below(&chance, 4) == 0)
+        world->eye = (tp_vec3){ chance_int(&chance, -8000, 8000) * TP_FX_ONE, 0,
+                                chance_int(&chance, -8000, 8000) * TP_FX_ONE };
+}
+
+static void nothing_shakes_foam_or_spray(void **state)
+{
+    (void)state;
+    const uint64_t scenes = asked("TP_SCENES", 300);
+    uint64_t ran = 0, specks = 0;
+
+    for (uint64_t n = 0; n < scenes; n++) {
+        tp_scene scene = any_with_foam();
+        tp_world *world = scene_world(&scene, NULL);
+        if (!world)
+            continue;
+        ran++;
+        for (int i = 0; i < 60; i++) {
+            const tp_input in = { .drops = chance_int(&chance, 0, 3),
+                                  .throttle = chance_fx(&chance, -20, 20),
+                                  .rudder = chance_fx(&chance, -90, 90) };
+            if (i % 7 == 0)
+                shake(world, &scene);
+            tp_world_step(world, &scene, &in);
+        }
+        const tp_foam *foam = tp_world_foam(world);
+        const tp_spray *spray = tp_world_spray(world);
+        assert_int_equal(foam->cells, scene.foam.cells);
+        assert_true(foam->drift_x >= 0 && foam->drift_z >= 0);
+        assert_true(spray->count <= spray->capacity);
+        specks += spray->count;
+        free(world);
+    }
+    printf("    %" PRIu64 " of %" PRIu64 " scenes ran, %" PRIu64 " specks in the end\n",
+           ran, scenes, specks);
+    assert_true(ran > scenes / 3);
+}
+
+/* Every fading, from white to nothing, with drift: at the longest 255 units and some of
+ * the threshold's rounds, of 2^24 visits / (a visit's loss), each. */
+static void foam_always_ends(void **state)
+{
+    static const double fades[] = { 0.1, 0.3, 1, 3.7, 20, 60 };
+    (void)state;
+
+    for (int n = 0; n < 6; n++) {
+        tp_scene scene;
+        tp_scene_default(&scene);
+        scene.foam.cells = 24;
+        scene.foam.fade = (tp_fx)(fades[n] * 65536);
+        scene.foam.map.drift_x = chance_int(&chance, -20 * 65536, 20 * 65536);
+        tp_world *world = scene_world(&scene, NULL);
+        uint8_t *cover = tp_foam_cover(tp_parts_foam(world)), zero[24 * 24] = { 0 };
+        memset(cover, 255, sizeof zero);
+        scene.foam.map.drift_x = 0;
+        double s = 0;
+        for (; memcmp(cover, zero, sizeof zero) != 0; s += 1 / 60.0) {
+            assert_true(s < fades[n] * 60);
+            tp_world_step(world, &scene, NULL);
+        }
+        printf("    fade %5.1f s: gone after %6.1f s, %.1f fades\n", fades[n], s,
+               s / fades[n]);
+        free(world);
+    }
+}
+
+/* From a storm to a calm: what was thrown comes down, what was white fades. */
+static void a_storm_ends_in_clear_water(void **state)
+{
+    (void)state;
+    tp_scene scene = scene_plain();
+
+    scene.boat.mesh[0] = '\0';
+    scene.foam.cells = 64;
+    scene.spray.count = 400;
+    for (int i = 0; i < 3; i++)
+        scene.wave[i].steepness = TP_FX(0.32);
+    tp_world *world = scene_world(&scene, NULL);
+    for (int i = 0; i < 300; i++)
+        tp_world_step(world, &scene, NULL);
+    assert_true(tp_world_spray(world)->count > 0);
+    for (int i = 0; i < 3; i++)
+        scene.wave[i].amplitude = 0;
+    assert_true(tp_world_refresh(world, &scene, NULL));
+    for (int i = 0; i < 60 * 60; i++)
+        tp_world_step(world, &scene, NULL);
+    assert_int_equal(tp_world_spray(world)->count, 0);
+    for (int i = 0; i < 64 * 64; i++)
+        assert_int_equal(tp_foam_cover(tp_parts_foam(world))[i], 0);
+    free(world);
+}
+
+int main(void)
+{
+    chance = random_seed();
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(nothing_shakes_foam_or_spray),
+        cmocka_unit_test(foam_always_ends),
+        cmocka_unit_test(a_storm_ends_in_clear_water),
+    };
+    return cmocka_run_group_tests_name("stability/foam", tests, NULL, NULL);
+}

@@ -1,0 +1,192 @@
+/* SPDX-License-Identifier: MIT */
+/* The foam's field: it fades as it should and to nothing, drifts without loss, follows
+ * the eye, and is one with its world's copies. */
+#include <stdarg.h>
+#include <stddef.h>
+#include <setjmp.h>
+#include <stdint.h>
+#include <cmocka.h>
+#include "scene/foam.h"
+#include "scene/parts.h"
+#include "scenes.h"
+
+static uint64_t chance;
+
+/* Still water with a field of 64 cells of half a metre around the eye. */
+static tp_scene still(tp_fx fade)
+{
+    tp_scene s;
+
+    tp_scene_default(&s);
+    s.foam.cells = 64;
+    s.foam.cell = TP_FX(0.5);
+    s.foam.fade = fade;
+    return s;
+}
+
+static double sum_of(const tp_world *world)
+{
+    const tp_foam *foam = tp_world_foam(world);
+    const uint8_t *cover = (const uint8_t *)(foam + 1);
+    double sum = 0;
+
+    for (uint32_t i = 0; i < foam->cells * foam->cells; i++)
+        sum += cover[i];
+    return sum;
+}
+
+static void fill_any(tp_world *world)
+{
+    tp_foam *foam = tp_parts_foam(world);
+
+    for (uint32_t i = 0; i < foam->cells * foam->cells; i++)
+        tp_foam_cover(foam)[i] = (uint8_t)random_next(&chance);
+}
+
+static void step(tp_world *world, const tp_scene *scene, int ticks)
+{
+    for (int i = 0; i < ticks; i++)
+        tp_world_step(world, scene, NULL);
+}
+
+/* -- fading -------------------------------------------------------------------------- */
+
+/* The sum over 4096 cells against e^(-t / fade): roundings are even. */
+static void foam_fades_by_its_time(void **state)
+{
+    static const double fades[] = { 0.1, 0.5, 4, 30, 600 };
+    (void)state;
+
+    for (int n = 0; n < 5; n++) {
+        const tp_scene scene = still((tp_fx)(fades[n] * 65536));
+        const double fade = (int)(fades[n] * 65536) / 65536.0;
+        tp_world *world = scene_world(&scene, NULL);
+        const int ticks = 4 * (1 + (int)(fade * 15));
+        fill_any(world);
+        const double before = sum_of(world), want = exp(-ticks / 60.0 / fade);
+        step(world, &scene, ticks);
+        const double got = sum_of(world) / before;
+        printf("    fade %5.1f s: after %5d ticks %.5f, e^-t/fade %.5f\n", fade, ticks,
+               got, want);
+        assert_true(fabs(got - want) < 0.003);
+        free(world);
+    }
+}
+
+static void still_water_ends_without_any(void **state)
+{
+    (void)state;
+    const tp_scene scene = still(TP_FX(2.5));
+    tp_world *world = scene_world(&scene, NULL);
+    int ticks = 0;
+
+    memset(tp_foam_cover(tp_parts_foam(world)), 255, 64 * 64);
+    for (; sum_of(world) > 0; ticks += 4) {
+        assert_true(ticks < 60 * 60);
+        step(world, &scene, 4);
+    }
+    printf("    fade 2.5 s: from white to nothing in %d ticks\n", ticks);
+    assert_true(ticks > 60 * 2.5 * log(255));
+    free(world);
+}
+
+/* -- drift --------------------------------------------------------------------------- */
+
+/* A blob lies where it has drifted to and none of it is lost, however fast: 37 ticks of
+ * 1.5 m/s are 0.925 m, almost two cells. */
+static void drift_moves_foam_without_spreading_it(void **state)
+{
+    (void)state;
+    tp_scene scene = still(600 * TP_FX_ONE);
+    tp_world *world = scene_world(&scene, NULL);
+
+    scene.foam.map.drift_x = TP_FX(1.5);
+    scene.foam.map.drift_z = TP_FX(-0.7);
+    tp_foam_blob(tp_parts_foam(world), TP_FX(2.25), TP_FX(1.25), TP_FX(0.2), 200);
+    const double sum = sum_of(world);
+    const int there = tp_foam_at(tp_world_foam(world), TP_FX(2.25), TP_FX(1.25));
+    assert_true(there > 100);
+    step(world, &scene, 37);
+    assert_true(sum_of(world) <= sum && sum_of(world) > 0.99 * sum - 4);
+    assert_true(abs(tp_foam_at(tp_world_foam(world), TP_FX(2.25 + 0.925),
+                               TP_FX(1.25 - 0.43167)) - there) <= 3);
+    free(world);
+}
+
+/* Over many sides of the field, and back at the start after as many the other way. */
+static void drift_goes_round(void **state)
+{
+    (void)state;
+    tp_scene scene = still(600 * TP_FX_ONE);
+    tp_world *world = scene_world(&scene, NULL);
+    const tp_foam *foam = tp_world_foam(world);
+
+    for (int n = 0; n < 2000; n++) {
+        scene.foam.map.drift_x = chance_int(&chance, -20, 20) * TP_FX_ONE;
+        scene.foam.map.drift_z = 20 * TP_FX_ONE;
+        step(world, &scene, 1);
+        const int64_t low = (int64_t)foam->first_x * foam->cell + (foam->drift_x >> 16);
+        assert_true(foam->drift_x >= 0 && foam->drift_x < (int64_t)32 << 32);
+        assert_true(low <= -16 * TP_FX_ONE + 1 && low > -TP_FX(16.51));
+    }
+    free(world);
+}
+
+/* -- the window ---------------------------------------------------------------------- */
+
+/* What lies within 16 m of the eye stays where it is in the world; what is left behind is
+ * gone, and does not come back on the other side. */
+static void the_window_follows_the_eye(void **state)
+{
+    (void)state;
+    const tp_scene scene = still(600 * TP_FX_ONE);
+    tp_world *world = scene_world(&scene, NULL);
+    const tp_input aside = { .aside = TP_FX(0.1) };
+
+    tp_foam_blob(tp_parts_foam(world), TP_FX(5.25), TP_FX(0.25), TP_FX(0.5), 250);
+    const int there = tp_foam_at(tp_world_foam(world), TP_FX(5.25), TP_FX(0.25));
+    for (int i = 0; i < 190; i++)
+        tp_world_step(world, &scene, &aside);
+    assert_true(abs(tp_foam_at(tp_world_foam(world), TP_FX(5.25), TP_FX(0.25)) - there)
+                <= 4);
+    for (int i = 0; i < 40; i++)
+        tp_world_step(world, &scene, &aside);
+    assert_true(sum_of(world) == 0);
+    free(world);
+}
+
+/* -- as a part of the world ---------------------------------------------------------- */
+
+static void other_cells_need_another_world(void **state)
+{
+    (void)state;
+    tp_scene scene = still(TP_FX_ONE);
+    tp_world *world = scene_world(&scene, NULL);
+
+    assert_true(world->parts.foam != 0);
+    scene.foam.fade = TP_FX(3);
+    scene.foam.map.drift_x = TP_FX_ONE;
+    assert_true(tp_world_refresh(world, &scene, NULL));
+    scene.foam.cell = TP_FX(0.6);
+    assert_false(tp_world_refresh(world, &scene, NULL));
+    scene.foam.cell = TP_FX(0.5);
+    scene.foam.cells = 63;
+    assert_false(tp_world_refresh(world, &scene, NULL));
+    scene.foam.cells = 0;
+    assert_int_equal(tp_world_bytes(&scene, NULL), sizeof(tp_world));
+    free(world);
+}
+
+int main(void)
+{
+    chance = random_seed();
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(foam_fades_by_its_time),
+        cmocka_unit_test(still_water_ends_without_any),
+        cmocka_unit_test(drift_moves_foam_without_spreading_it),
+        cmocka_unit_test(drift_goes_round),
+        cmocka_unit_test(the_window_follows_the_eye),
+        cmocka_unit_test(other_cells_need_another_world),
+    };
+    return cmocka_run_group_tests_name("scene/foam", tests, NULL, NULL);
+}

@@ -1,0 +1,260 @@
+/* SPDX-License-Identifier: MIT */
+/* The stage of foam against a double version of what its head states: cover between four
+ * cells of a torus, its edge, the picture's ranks, light, and the glint that is left. */
+#include <stdarg.h>
+#include <stddef.h>
+#include <setjmp.h>
+#include <stdint.h>
+#include <cmocka.h>
+#include "../reference/texture.h"
+#include "asset/mesh.h"
+#include "shades.h"
+
+#define CELLS 37
+
+static uint64_t chance;
+static uint8_t  cover[CELLS * CELLS];
+static uint32_t texels[2 * 64 * 64];
+static tp_texture picture;
+
+static void make_picture(void)
+{
+    static uint32_t pixels[64 * 64];
+
+    for (int i = 0; i < 64 * 64; i++) {         /* patches of 8 texels and more */
+        const double x = i % 64 * 0.09817477, y = i / 64 * 0.09817477;
+        const double v = sin(3 * x + sin(2 * y)) + cos(4 * y + sin(x));
+        pixels[i] = (uint32_t)(127.5 + 63 * v) << 8;
+    }
+    assert_true(sizeof texels >= tp_texture_bytes(64, 64));
+    assert_int_equal(tp_texture_init(&picture, pixels, 64, 64, texels, NULL), TP_OK);
+}
+
+/* Half a metre a cell, somewhere; all samples at the picture's level `level`. */
+static tp_shade shade_foam(test_run *r, bool textured, int level)
+{
+    tp_shade s = shade_any(&chance);
+    tp_shade_foam *f = &s.foam;
+
+    *f = (tp_shade_foam){
+        .cover = cover, .cells = CELLS, .col = random_below(&chance, CELLS),
+        .row = random_below(&chance, CELLS), .low_s = chance_fx(&chance, -900, 900),
+        .low_t = chance_fx(&chance, -900, 900), .side = CELLS * 32768,
+        .per_metre = ((uint64_t)1 << 48) / 32768, .edge = (1 << 24) / (32 * CELLS),
+        .colour = (uint32_t)random_next(&chance) & 0xffffff,
+        .texture = textured ? &picture : NULL, .repeats = 1 << 15,
+        .drift_s = (uint32_t)random_next(&chance),
+        .drift_t = (uint32_t)random_next(&chance),
+    };
+    if (textured)
+        tp_shade_foam_rank(f, &picture);
+    for (int i = 0; i < TP_RUN; i++) {
+        r->key[i] = 0x10000000;
+        r->s[i] = (uint32_t)f->low_s + random_below(&chance, f->side + 20000) - 10000;
+        r->t[i] = (uint32_t)f->low_t + random_below(&chance, f->side + 20000) - 10000;
+        r->run.glint[i] = (uint16_t)chance_int(&chance, 0, 1024);
+    }
+    const int32_t depth = tp_log_depth(&s, r->key[0]);
+    f->lod = level * 256 + 64 - depth - (depth > 0 ? depth / 2 : 0);
+    return s;
+}
+
+/* -- the same in double precision ---------------------------------------------------- */
+
+static double cell_at(const tp_shade_foam *f, int i, int j)
+{
+    const int col = (i + 2 * CELLS + (int)f->col) % CELLS;
+    const int row = (j + 2 * CELLS + (int)f->row) % CELLS;
+    return cover[row * CELLS + col];
+}
+
+static double least(double a, double b) { return a < b ? a : b; }
+
+static double cover_of(const tp_shade_foam *f, uint32_t s, uint32_t t)
+{
+    const double u = (int32_t)(s - (uint32_t)f->low_s) / 32768.0;
+    const double w = (int32_t)(t - (uint32_t)f->low_t) / 32768.0;
+
+    if (u < 0 || w < 0 || u >= CELLS || w >= CELLS)
+        return 0;
+    const int i = (int)floor(u - 0.5), j = (int)floor(w - 0.5);
+    const double fs = u - 0.5 - i, ft = w - 0.5 - j;
+    const double over = cell_at(f, i, j) * (1 - fs) + cell_at(f, i + 1, j) * fs;
+    const double under = cell_at(f, i, j + 1) * (1 - fs) + cell_at(f, i + 1, j + 1) * fs;
+    const double edge = least(least(u, CELLS - u), least(w, CELLS - w)) / (CELLS / 8.0);
+    return (over * (1 - ft) + under * ft) * least(1, edge);
+}
+
+/* The share of level 0's texels that a green exceeds, halves of its equals, 0..255. */
+static double rank_of(double green)
+{
+    const int v = (int)(green + 0.5);
+    double below = 0;
+
+    for (int i = 0; i < 64 * 64; i++) {
+        const int at = picture.level[0][i] >> 8 & 0xff;
+        below += at < v ? 1 : at == v ? 0.5 : 0;
+    }
+    return below * 255 / (64 * 64);
+}
+
+/* Soft by 80 ranks of 256 in level 0, by all in the fifth. */
+static double white_of(const tp_shade_foam *f, double c, double rank, double mean,
+                       int level)
+{
+    const double n = f->texture ? least(level, 5) : 5, soft = 80 + n * 176 / 5;
+    const double span = 168 - 8 * n, middle = 128 + (mean - 128) * n / 5;
+    const double up = rank - middle + soft / 2 - span * (1 - c * 212 / 256 / 128);
+
+    return ref_clamp(least(up / soft, 4 * c / 256), 0, 1) * 240 / 256;
+}
+
+static double lit_of(const tp_shade *s, const test_run *r, int i)
+{
+    const double sx = run_sx(r, i), sz = run_sz(r, i), ambient = s->ambient / 256.0;
+    const double q = least(sx * sx + sz * sz, 4);
+    const double nl = (s->world.ly - sx * s->world.lx - sz * s->world.lz) / Q14;
+
+    return (1 + ambient + (1 - ambient) * ref_clamp(nl / sqrt(1 + q), 0, 1)) / 2;
+}
+
+/* -- comparing ----------------------------------------------------------------------- */
+
+typedef struct { measure worst; double square; uint64_t count; } spread;
+
+static void compare(bool textured, int level, spread *off)
+{
+    test_run r;
+    run_any(&r, 6000, &chance);
+    const tp_shade s = shade_foam(&r, textured, level);
+    const test_run before = r;
+    const tp_shade_foam *f = &s.foam;
+
+    tp_stage_foam_shiny(&s, &r.run);
+    for (int i = 0; i < TP_RUN; i++) {
+        const double c = cover_of(f, r.s[i], r.t[i]);
+        const double repeat = 4294967296.0;
+        const double green = textured
+            ? ref_linear(&picture, level, (r.s[i] * f->repeats + f->drift_s) / repeat,
+                         (r.t[i] * f->repeats + f->drift_t) / repeat).c[1] : 0;
+        const double share = c > 0 ? white_of(f, c, textured ? rank_of(green) : 128,
+                                              textured ? f->mean : 128, level) : 0;
+        const ref_colour want = ref_mix(ref_colour_of(before.run.colour[i]),
+                                        ref_scale(ref_colour_of(f->colour),
+                                                  lit_of(&s, &r, i)), share);
+        const double e = ref_off(r.run.colour[i], want);
+        measure_add(&off->worst, e, (int64_t)(c * 256), level, i);
+        off->square += e * e;
+        off->count++;
+        assert_true(fabs(r.run.glint[i] - before.run.glint[i] * (1 - share))
+                    < 2 + before.run.glint[i] * 0.06);
+    }
+}
+
+static void bounded(const char *what, bool textured, double most, double rms)
+{
+    spread off = { .worst = { .what = what, .unit = "of 255" } };
+
+    for (int level = 0; level < (textured ? 6 : 1); level++)
+        for (int n = 0; n < 60; n++) {
+            for (int i = 0; i < CELLS * CELLS; i++)
+                cover[i] = (uint8_t)(chance_int(&chance, 0, 3)
+                                     ? chance_int(&chance, 0, 255) : 0);
+            compare(textured, level, &off);
+        }
+    measure_print(&off.worst);
+    const double got = sqrt(off.square / (double)off.count);
+    printf("    %s: rms %.3f of 255\n", what, got);
+    assert_true(off.worst.worst <= most && got <= rms);
+}
+
+static void plain_foam_is_as_stated(void **state)
+{
+    (void)state;
+    bounded("plain", false, 6, 1.5);
+}
+
+/* Greens are cut to whole levels before they are ranked: up to three of 80 ranks. */
+static void foam_of_a_picture_is_as_stated(void **state)
+{
+    (void)state;
+    bounded("picture", true, 14, 1.5);
+}
+
+/* -- the rest ------------------------------------------------------------------------ */
+
+static void without_cover_nothing_changes(void **state)
+{
+    (void)state;
+    test_run r;
+
+    memset(cover, 0, sizeof cover);
+    run_any(&r, 8000, &chance);
+    const tp_shade s = shade_foam(&r, true, 0);
+    const test_run before = r;
+    tp_stage_foam_shiny(&s, &r.run);
+    assert_memory_equal(&r.run.colour, &before.run.colour, sizeof r.run.colour);
+    assert_memory_equal(&r.run.glint, &before.run.glint, sizeof r.run.glint);
+}
+
+/* Cover by half: as much of a picture is white near by as far away, on the mean. */
+static void levels_agree_on_the_mean(void **state)
+{
+    (void)state;
+    memset(cover, 110, sizeof cover);
+    double mean[6] = { 0 };
+
+    for (int level = 0; level < 6; level++)
+        for (int n = 0; n < 200; n++) {
+            test_run r;
+            run_any(&r, 0, &chance);
+            tp_shade s = shade_foam(&r, true, level);
+            s.foam.colour = 0xffffff;
+            s.foam.edge = UINT32_MAX;
+            s.ambient = 256;
+            memset(r.run.colour, 0, sizeof r.run.colour);
+            for (int i = 0; i < TP_RUN; i++) {
+                r.s[i] = (uint32_t)s.foam.low_s + random_below(&chance, s.foam.side);
+                r.t[i] = (uint32_t)s.foam.low_t + random_below(&chance, s.foam.side);
+            }
+            tp_stage_foam(&s, &r.run);
+            for (int i = 0; i < TP_RUN; i++)
+                mean[level] += (r.run.colour[i] & 0xff) / 255.0 / (200 * TP_RUN);
+        }
+    for (int level = 0; level < 6; level++) {
+        printf("    level %d: %.3f is white\n", level, mean[level]);
+        assert_true(fabs(mean[level] - mean[0]) < 0.12);
+    }
+}
+
+/* Any two parts of a run, cut at 16 columns. */
+static void where_a_run_is_cut_never_shows(void **state)
+{
+    (void)state;
+    for (int n = 0; n < 200; n++) {
+        test_run r;
+        run_any(&r, 3000, &chance);
+        const tp_shade s = shade_foam(&r, true, chance_int(&chance, 0, 3));
+        const int32_t at = 16 * chance_int(&chance, 1, 3);
+        tp_run a = run_part(&r.run, 0, at), b = run_part(&r.run, at, TP_RUN);
+        tp_stage_foam(&s, &a);
+        tp_stage_foam(&s, &b);
+        tp_stage_foam(&s, &r.run);
+        assert_memory_equal(a.colour, r.run.colour, (size_t)at * 4);
+        assert_memory_equal(b.colour, r.run.colour + at, (size_t)(TP_RUN - at) * 4);
+    }
+}
+
+int main(void)
+{
+    chance = random_seed();
+    make_picture();
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(plain_foam_is_as_stated),
+        cmocka_unit_test(foam_of_a_picture_is_as_stated),
+        cmocka_unit_test(without_cover_nothing_changes),
+        cmocka_unit_test(levels_agree_on_the_mean),
+        cmocka_unit_test(where_a_run_is_cut_never_shows),
+    };
+    return cmocka_run_group_tests_name("shade/foam", tests, NULL, NULL);
+}
