@@ -12,6 +12,7 @@
  * What the window leaves behind is cleared when its cells stand for other places. */
 #include "scene/foam.h"
 #include "base/base.h"
+#include "scene/drawn.h"
 #include "scene/parts.h"
 #include "wave/exp.h"
 
@@ -50,8 +51,9 @@ static int32_t first_around(const tp_foam *foam, tp_fx middle, int64_t drift_q32
 static void place_window(tp_foam *foam, const tp_world *world, const tp_scene *scene)
 {
     bool  pool = world->parts.pool != 0;
-    tp_fx x = pool ? scene->pool.x : world->eye.x;
-    tp_fx z = pool ? scene->pool.z : world->eye.z;
+    tp_vec3 eye = tp_camera_between(world, 0).eye;
+    tp_fx x = pool ? scene->pool.x : eye.x;
+    tp_fx z = pool ? scene->pool.z : eye.z;
 
     foam->first_x = first_around(foam, x, foam->drift_x);
     foam->first_z = first_around(foam, z, foam->drift_z);

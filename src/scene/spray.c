@@ -9,6 +9,7 @@
 #include "scene/spray.h"
 #include "base/base.h"
 #include "scene/foam.h"
+#include "scene/drawn.h"
 #include "scene/parts.h"
 
 #define TICK(x)     ((x) / TP_TICKS_PER_SECOND)
@@ -201,6 +202,7 @@ static void try_crests(tp_world *world, const tp_scene *scene, tp_spray *spray,
 {
     tp_turn phases[TP_WAVES];
     tp_surface before = *now;
+    tp_vec3  eye = tp_camera_between(world, 0).eye;
     uint32_t tries = spray->capacity / TRIES + 1;
 
     if (scene->spray.crest <= 0 || (!now->ocean && world->sea.bend == 0))
@@ -210,8 +212,8 @@ static void try_crests(tp_world *world, const tp_scene *scene, tp_spray *spray,
     for (uint32_t i = 0; i < tries; i++) {
         tp_turn way = tp_random(&spray->random);
         tp_fx far = share(spray) * REACH;
-        tp_fx x = world->eye.x + tp_q30_mul(far, tp_sin(way));
-        tp_fx z = world->eye.z + tp_q30_mul(far, tp_cos(way));
+        tp_fx x = eye.x + tp_q30_mul(far, tp_sin(way));
+        tp_fx z = eye.z + tp_q30_mul(far, tp_cos(way));
         tp_fx strength = tp_fx_mul(strength_at(now, x, z), scene->spray.crest);
         if (strength > share(spray))
             throw_off(spray, now, &before, x, z, tp_clamp(strength, 0, TP_FX_ONE));
