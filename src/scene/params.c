@@ -255,7 +255,7 @@ static const tp_param rows[] = {
           "specks of spray and bubbles at once; 0: none"),
     NUMBER("spray.crest", spray.crest, "", 0, 4, 1, "thrown off breaking crests"),
     NUMBER("spray.impact", spray.impact, "", 0, 4, 1, "thrown up by drops"),
-    NUMBER("spray.size", spray.size, "m", 0.001, 1, 0.02, "of a speck"),
+    NUMBER("spray.size", spray.size, "m", 0.001, 1, 0.03, "of a speck"),
 
     COUNT("drops.count", drops.count, "", 0, 1024, 0,
           "in the air at once; 0: no sphere and no drops"),

@@ -19,8 +19,8 @@
 #define BUBBLE_AGE  (6 * TP_TICKS_PER_SECOND)
 #define SPEED_MOST  (60 * TP_FX_ONE)        /* m/s */
 #define REACH       40                      /* m around the eye */
-#define SHARP       TP_FX(0.5)              /* of the Jacobian */
-#define TRIES       6                       /* specks of the list for each try a tick */
+#define SHARP       TP_FX(0.55)             /* of the Jacobian */
+#define TRIES       4                       /* specks of the list for each try a tick */
 
 static tp_speck *list(tp_spray *spray)
 {
@@ -46,7 +46,8 @@ void tp_spray_init(tp_spray *spray, const tp_scene *scene)
 
 /* -- chance -------------------------------------------------------------------------- */
 
-/* 0..1, and -1..1, 16.16. */
+/* 0..1, and -1..1, 16.16.  One to an expression: the language leaves the order of two
+ * open, and compilers differ. */
 static tp_fx share(tp_spray *spray)
 {
     return (tp_fx)(tp_random(&spray->random) >> 16);
@@ -55,6 +56,17 @@ static tp_fx share(tp_spray *spray)
 static tp_fx either(tp_spray *spray)
 {
     return 2 * share(spray) - TP_FX_ONE;
+}
+
+/* x and z either way, y up. */
+static tp_vec3 any(tp_spray *spray)
+{
+    tp_vec3 a;
+
+    a.x = either(spray);
+    a.y = share(spray);
+    a.z = either(spray);
+    return a;
 }
 
 static void throw(tp_spray *spray, tp_vec3 place, tp_vec3 speed, tp_speck_kind kind)
@@ -185,13 +197,13 @@ static void throw_off(tp_spray *spray, const tp_surface *now, const tp_surface *
     int32_t count = 3 + (tp_fx_mul(strength, 9 * TP_FX_ONE) >> 16);
 
     for (int32_t i = 0; i < count; i++) {
-        tp_vec3 place = { from.x + either(spray) / 3, from.y + share(spray) / 8,
-                          from.z + either(spray) / 3 };
-        tp_fx more = TP_FX_ONE + share(spray);
-        tp_vec3 speed = { tp_fx_mul(flow.x, more) + either(spray) / 2,
-                          flow.y + TP_FX(0.4) + tp_fx_mul(2 * share(spray), share(spray))
-                              + tp_fx_mul(strength, 2 * share(spray)),
-                          tp_fx_mul(flow.z, more) + either(spray) / 2 };
+        tp_vec3 off = any(spray), own = any(spray);
+        tp_vec3 place = { from.x + off.x / 3, from.y + off.y / 8, from.z + off.z / 3 };
+        tp_fx more = TP_FX_ONE + share(spray), lift = share(spray);
+        tp_fx up = tp_fx_mul(lift, own.y) + tp_fx_mul(strength, lift);
+        tp_vec3 speed = { tp_fx_mul(flow.x, more) + own.x / 2,
+                          flow.y + TP_FX(0.4) + 3 * up,
+                          tp_fx_mul(flow.z, more) + own.z / 2 };
         throw(spray, place, speed, TP_SPECK_SPRAY);
     }
 }
@@ -248,8 +260,9 @@ void tp_spray_splash(tp_spray *spray, const tp_scene *scene, const tp_impact *im
             continue;
         tp_vec3 under = beside(middle, way, tp_fx_mul(radius, 2 * share(spray)));
         under.y -= radius + tp_fx_mul(radius, 4 * share(spray));
-        throw(spray, under, (tp_vec3){ either(spray) / 16, TP_FX(0.15) + share(spray) / 6,
-                                       either(spray) / 16 }, TP_SPECK_BUBBLE);
+        tp_vec3 own = any(spray);
+        throw(spray, under, (tp_vec3){ own.x / 16, TP_FX(0.15) + own.y / 6, own.z / 16 },
+              TP_SPECK_BUBBLE);
     }
 }
 
@@ -271,11 +284,11 @@ static void throw_bow(tp_world *world, const tp_scene *scene, tp_spray *spray,
         tp_vec3 at = { hull->x + tp_q30_mul(ahead, s) + tp_q30_mul(aside, c), 0,
                        hull->z - tp_q30_mul(ahead, c) + tp_q30_mul(aside, s) };
         tp_fx out = tp_fx_mul(over / 3 + TP_FX(0.3) + share(spray), side);
-        tp_fx on = over / 3;
+        tp_fx on = over / 3, lift = share(spray), up = share(spray);
         at.y = level_at(surface, at.x, at.z);
         throw(spray, at,
               (tp_vec3){ tp_q30_mul(on, s) + tp_q30_mul(out, c),
-                         TP_FX(0.8) + tp_fx_mul(over / 3, share(spray)) + share(spray),
+                         TP_FX(0.8) + tp_fx_mul(on, lift) + up,
                          tp_q30_mul(out, s) - tp_q30_mul(on, c) }, TP_SPECK_SPRAY);
     }
 }
