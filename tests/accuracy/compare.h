@@ -21,7 +21,8 @@ static inline ref_kind kind_of(uint32_t key)
 {
     const uint32_t mark = TP_MARK(key);
     return mark == TP_MARK_SKY ? REF_SKY : mark == TP_MARK_WATER ? REF_WATER
-         : mark == TP_MARK_LAND ? REF_LAND : mark == TP_MARK_DROP ? REF_DROP : REF_BOAT;
+         : mark == TP_MARK_LAND ? REF_LAND : mark == TP_MARK_DROP ? REF_DROP
+         : mark == TP_MARK_TANK ? REF_WALL : mark == TP_MARK_SIDE ? REF_SIDE : REF_BOAT;
 }
 
 /* One tile over all; the samples' keys are the first plane of its scratch. */

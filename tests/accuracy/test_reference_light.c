@@ -73,7 +73,7 @@ static void level_water_mirrors_the_sky_by_fresnels_share(void **state)
     assert_true(off.worst < 1e-8);
 }
 
-/* -- through the water ---------------------------------------------------------------- */
+/* -- through the water --------------------------------------------------------------- */
 
 static tp_scene scene_clear(void)
 {
@@ -110,7 +110,9 @@ static void the_floor_lies_where_snell_says(void **state)
         for (int c = 0; c < 3; c++) {
             const double tint = (v.scene.water.tint >> (16 - 8 * c) & 255) / 255.0;
             const double left = pow(tint, 2 / cos(t) / 3);
-            const double deep = v.scene.water.deep >> (16 - 8 * c) & 255;
+            const double own = v.scene.water.colour >> (16 - 8 * c) & 255;
+            const double deep = 0.75 * (v.scene.water.deep >> (16 - 8 * c) & 255)
+                              + 0.25 * own;
             const double sand = v.scene.floor.colour >> (16 - 8 * c) & 255;
             measure_add(&colour, seen.colour.c[c] - deep - (sand - deep) * left, y, c, 0);
         }
@@ -150,7 +152,7 @@ static void a_sunken_eye_sees_snells_window(void **state)
     view_close(&v);
 }
 
-/* -- mirrored things ------------------------------------------------------------------ */
+/* -- mirrored things ----------------------------------------------------------------- */
 
 /* What level water mirrors is what an eye as deep below it sees of the things above. */
 static void a_mirror_is_an_eye_below_the_level(void **state)

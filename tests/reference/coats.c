@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Colours of solids. */
 #include "asset/mesh.h"
+#include "heaven.h"
 #include "map.h"
 #include "solids.h"
 
@@ -25,17 +26,30 @@ static ref_vec sun_at(const ref_scene *s, bool wet)
     return ref_times_vec(down, -s->light.y / -down.y);
 }
 
-/* Colour, normal and the way that is looked along; [F5]. */
+/* [F5]: Phong's, or Blinn's of four times the exponent. */
+static double lobe(const ref_scene *s, double shininess, ref_vec n, ref_vec way,
+                   ref_vec sun, double nl)
+{
+    const double rv = -2 * nl * ref_dot(n, way) + ref_dot(sun, way);
+
+    if (nl <= 0)
+        return 0;
+    if (s->scene->light.model == TP_LIGHT_BLINN)
+        return pow(ref_clamp(ref_dot(n, ref_unit_vec(ref_sub(sun, way))), 0, 1),
+                   4 * shininess);
+    return pow(ref_clamp(rv, 0, 1), shininess);
+}
+
+/* Colour, normal and the way that is looked along. */
 static ref_colour phong(const ref_scene *s, const coat *c, ref_vec n, ref_vec way,
                         ref_vec sun)
 {
     const double nl = ref_clamp(ref_dot(n, sun), 0, 1);
-    const double rv = -2 * nl * ref_dot(n, way) + ref_dot(sun, way);
-    const double gloss = nl > 0 && rv > 0 ? pow(fmin(rv, 1), c->shininess) : 0;
     const ref_colour light = ref_colour_of((uint32_t)s->scene->light.colour);
 
     return ref_add(ref_scale(c->diffuse, s->ambient + (1 - s->ambient) * nl),
-                   ref_scale(ref_times(c->specular, light), gloss));
+                   ref_scale(ref_times(c->specular, light),
+                             lobe(s, c->shininess, n, way, sun, nl)));
 }
 
 /* -- the boat ------------------------------------------------------------------------ */
@@ -98,6 +112,39 @@ static ref_colour boat_colour(const ref_scene *s, const ref_solid *solid, ref_ve
                  ref_into(&s->boat_rows, sun));
 }
 
+/* -- drops --------------------------------------------------------------------------- */
+
+/* Below the horizon lies the water: its colour in the light of all sides and the sun's,
+ * a quarter of the horizon in it, grows out of the horizon's within 14 degrees. */
+static ref_colour around(const ref_scene *s, ref_vec d)
+{
+    const ref_colour sky = ref_heaven(s, (ref_vec){ d.x, fmax(d.y, 0), d.z });
+    const ref_colour water = ref_scale(ref_colour_of((uint32_t)s->scene->water.colour),
+                                       s->ambient + (1 - s->ambient) * s->light.y);
+    return ref_mix(sky, ref_mix(water, sky, 0.25), ref_clamp(-4 * d.y, 0, 1));
+}
+
+/* A ball of water: a ray leaves it turned by 2 (i - r) towards its middle [F4]; what the
+ * first surface mirrors comes on top, and Phong's lobe. */
+static ref_colour drop_colour(const ref_scene *s, ref_vec n, ref_vec way)
+{
+    const double c = ref_clamp(-ref_dot(n, way), 0, 1), i = acos(c);
+    const double turn = 2 * (i - asin(sin(i) / REF_INDEX));
+    const double aside = i > 1e-6 ? sin(turn) / sin(i) : 2 * (1 - 1 / REF_INDEX);
+    const ref_vec across = ref_plus(n, ref_times_vec(way, c));
+    const ref_vec on = ref_sub(ref_times_vec(way, cos(turn)),
+                               ref_times_vec(across, aside));
+    const ref_colour tint = ref_colour_of((uint32_t)s->scene->drops.colour);
+    const double nl = ref_dot(n, s->light);
+    const double rv = 2 * nl * c + ref_dot(s->light, way);
+
+    return ref_add(ref_mix(ref_times(around(s, on), tint),
+                           around(s, ref_reflected(way, n)),
+                           ref_fresnel_into(c, REF_INDEX)),
+                   ref_scale(ref_colour_of((uint32_t)s->scene->light.colour),
+                             nl > 0 ? pow(ref_clamp(rv, 0, 1), 40) : 0));
+}
+
 /* -- the rest ------------------------------------------------------------------------ */
 
 /* A picture laid over a plane in world metres. */
@@ -121,26 +168,22 @@ static ref_colour ground_colour(const ref_scene *s, const ref_solid *solid)
     if (solid->kind == REF_LAND)
         return laid(s, s->assets->floor_texture, scene->floor.colour,
                     scene->floor.texture_size, p.x, p.z, p);
-    if (n.y > 0.5)
+    if (solid->kind == REF_BED)
         return laid(s, s->assets->tank_floor, scene->tank.floor_colour, scene->tank.tile,
                     p.x, p.z, p);
     return laid(s, s->assets->tank_wall, scene->tank.wall_colour, scene->tank.tile,
-                fabs(n.x) > 0.5 ? p.z : p.x, -p.y, p);
+                fabs(n.x) > 0.5 ? p.z : p.x, fabs(n.y) > 0.5 ? p.z : -p.y, p);
 }
 
 ref_colour ref_solid_colour(const ref_scene *s, const ref_solid *solid, ref_vec way,
                             bool wet)
 {
     const ref_vec sun = sun_at(s, wet);
-    coat c = { .shininess = 40 };
 
     if (solid->kind == REF_BOAT)
         return boat_colour(s, solid, way, sun);
-    if (solid->kind == REF_DROP) {
-        c.diffuse = ref_colour_of((uint32_t)s->scene->drops.colour);
-        c.specular = ref_colour_of(0xffffff);
-    } else {
-        c.diffuse = ground_colour(s, solid);
-    }
+    if (solid->kind == REF_DROP)
+        return drop_colour(s, solid->normal, way);
+    const coat c = { ground_colour(s, solid), { { 0, 0, 0 } }, 1 };
     return phong(s, &c, solid->normal, way, sun);
 }

@@ -21,7 +21,7 @@ static inline ref_colour ref_beyond(ref_light light, double share)
     return ref_scale(light.colour, 1 + light.alpha / 255 * 16 * share);
 }
 
-/* -- the dome -------------------------------------------------------------------------- */
+/* -- the dome ------------------------------------------------------------------------ */
 
 /* Peak and width of a halo, as square of 28 places. */
 static inline double ref_halo(double peak, double width, double square)
@@ -53,7 +53,7 @@ static inline double ref_towards(double square)
     return t * t;
 }
 
-/* -- the cube -------------------------------------------------------------------------- */
+/* -- the cube ------------------------------------------------------------------------ */
 
 typedef struct {
     int    face;
@@ -99,9 +99,11 @@ static inline ref_dir ref_cube_to(int face, double s, double t)
 }
 
 /* Four texels of a picture of w x h, held at its edges. */
-static inline ref_light ref_texel(const uint32_t *texel, int w, int h, double s, double t)
+static inline ref_light ref_face_texel(const uint32_t *texel, int w, int h, double s,
+                                       double t)
 {
-    const double u = ref_clamp(s * w - 0.5, 0, w - 1), v = ref_clamp(t * h - 0.5, 0, h - 1);
+    const double u = ref_clamp(s * w - 0.5, 0, w - 1);
+    const double v = ref_clamp(t * h - 0.5, 0, h - 1);
     const int u0 = (int)u, v0 = (int)v, u1 = u0 + (u0 < w - 1), v1 = v0 + (v0 < h - 1);
     const ref_light at[4] = {
         ref_light_of(texel[v0 * w + u0]), ref_light_of(texel[v0 * w + u1]),

@@ -2,7 +2,8 @@
 /* Pictures laid over things: which level, and the texel there.
  *
  * Of one sample a pixel the level is the engine's: the logarithm of texels a pixel, its
- * fraction by a straight line between whole ones.  Of several samples it is the finest. */
+ * fraction by a straight line between whole ones.  Of several samples it is the
+ * finest. */
 #ifndef TP_REFERENCE_MAP_H
 #define TP_REFERENCE_MAP_H
 #include "scene.h"
@@ -43,6 +44,7 @@ static inline ref_colour ref_map_at(const ref_scene *s, const tp_texture *t,
     const double v = (z - map->drift_z / 65536.0 * s->seconds) / size;
     const int level = ref_level(s, t, (1 << t->log2_w) / size, coarser, at, true);
 
-    return linear ? ref_linear(t, level, u, v) : ref_colour_of(ref_nearest(t, level, u, v));
+    return linear ? ref_linear(t, level, u, v)
+                  : ref_colour_of(ref_nearest(t, level, u, v));
 }
 #endif

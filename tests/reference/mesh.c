@@ -111,7 +111,8 @@ static void try_face(const ref_mesh *m, uint32_t face, const ref_ray *ray, doubl
                      ref_face_hit *hit)
 {
     const ref_vec a = corner(m, face, 0);
-    const ref_vec ab = ref_sub(corner(m, face, 1), a), ac = ref_sub(corner(m, face, 2), a);
+    const ref_vec ab = ref_sub(corner(m, face, 1), a);
+    const ref_vec ac = ref_sub(corner(m, face, 2), a);
     const ref_vec n = ref_cross(ab, ac), from = ref_sub(ray->from, a);
     const double det = -ref_dot(ray->way, n);
 

@@ -176,8 +176,11 @@ static void add_cells(const ref_cells *c, double bump, double x, double z,
         u -= c->cols * floor(u / c->cols);
         w -= c->rows * floor(w / c->rows);
     }
-    if (u < 0 || w < 0 || u >= c->cols || w >= c->rows
-        || c->wall[(int)w * c->cols + (int)u])
+    if (u < 0 || w < 0 || u > c->cols || w > c->rows)
+        return;
+    u = fmin(u, c->cols - 1e-9);        /* the far edge is the last cell's */
+    w = fmin(w, c->rows - 1e-9);
+    if (c->wall[(int)w * c->cols + (int)u])
         return;
     const patch p = patch_at(c, u, w);
     for (int n = 0; n < 4; n++) {

@@ -29,7 +29,7 @@ typedef struct {
     ref_cells cells[2];         /* pool and field; cols 0: none */
     double    high, steep;      /* bounds of height and slope */
     double    fine;             /* m: nothing is narrower */
-    double    bump;             /* above 0: cells bend slopes, so much, and lift nothing */
+    double    bump;             /* > 0: cells bend slopes, so much, and lift nothing */
 } ref_relief;
 
 typedef struct {

@@ -16,21 +16,24 @@ static tp_turn turn_between(tp_turn last, tp_turn now, double back)
     return now + (tp_turn)(int64_t)floor((int32_t)(last - now) * back);
 }
 
-/* Of degrees, 16.16. */
-static ref_vec towards(double heading, double height)
+static void place_light(ref_scene *s, const tp_scene *scene, const tp_world *world,
+                        double back)
 {
-    return (ref_vec){ cos(height) * sin(heading), sin(height),
-                      -cos(height) * cos(heading) };
-}
+    const double turn = 2 * PI / 4294967296.0;
+    const double heading = turn * turn_between(world->last_light_heading,
+                                               world->light_heading, back);
+    const double height = turn * turn_between(world->last_light_elevation,
+                                              world->light_elevation, back);
 
-static void place_light(ref_scene *s, const tp_scene *scene)
-{
-    const double degree = PI / 180 / 65536;
-
-    s->light = towards((scene->light.heading + s->seconds * scene->light.turn) * degree,
-                       scene->light.elevation * degree);
+    s->light = (ref_vec){ cos(height) * sin(heading), sin(height),
+                          -cos(height) * cos(heading) };
     s->ambient = ref_number(scene->light.ambient);
     s->haze = ref_number(scene->sky.haze);
+    s->exposure = 1;
+    if (scene->hdr.exposure == TP_EXPOSURE_AUTO || scene->hdr.value != TP_FX_ONE)
+        s->exposure = ref_number(world->exposure)
+                    + back * (ref_number(world->last_exposure)
+                              - ref_number(world->exposure));
 }
 
 /* Of the deck, if it goes with the boat; that is placed before. */
@@ -98,6 +101,62 @@ static void place_tank(ref_scene *s)
     };
 }
 
+/* Stone walls around the water; where the eye stands outside of one of glass, none. */
+static void add_walls(ref_scene *s)
+{
+    const ref_tank *b = &s->tank;
+    const ref_vec e = s->camera.eye;
+    const double half = fmin(b->x1 - b->x0, b->z1 - b->z0) / 2;
+    const bool glass = b->kind == TP_TANK_GLASS;
+    const double t = glass ? fmax(1 / 128.0, fmin(0.125, half / 80))
+                           : fmax(1 / 32.0, fmin(1, half / 12));
+    const double low = -b->depth, high = b->rim;
+
+    if (!(glass && e.x > b->x1))
+        s->block[s->blocks++] = (ref_block){ b->x1, b->x1 + t, low, high, b->z0 - t,
+                                             b->z1 + t };
+    if (!(glass && e.x < b->x0))
+        s->block[s->blocks++] = (ref_block){ b->x0 - t, b->x0, low, high, b->z0 - t,
+                                             b->z1 + t };
+    if (!(glass && e.z > b->z1))
+        s->block[s->blocks++] = (ref_block){ b->x0 - t, b->x1 + t, low, high, b->z1,
+                                             b->z1 + t };
+    if (!(glass && e.z < b->z0))
+        s->block[s->blocks++] = (ref_block){ b->x0 - t, b->x1 + t, low, high, b->z0 - t,
+                                             b->z0 };
+}
+
+/* A row's cells of wall, run by run; three cells high where no rim says it. */
+static void add_row(ref_scene *s, const ref_cells *c, int row, double low, double high)
+{
+    for (int col = 0, end; col < c->cols; col = end) {
+        const bool wall = c->wall[row * c->cols + col];
+        for (end = col + 1; end < c->cols && c->wall[row * c->cols + end] == wall; )
+            end++;
+        if (!wall)
+            continue;
+        s->block[s->blocks++] = (ref_block){ c->x + col * c->cell, c->x + end * c->cell,
+                                             low, high, c->z + row * c->cell,
+                                             c->z + (row + 1) * c->cell };
+    }
+}
+
+static void place_blocks(ref_scene *s)
+{
+    const ref_cells *c = &s->surface.relief.cells[0];
+    const bool tank = s->tank.kind != TP_TANK_NONE;
+    const double low = tank ? -s->tank.depth : -ref_number(s->scene->pool.range);
+    const double high = tank ? s->tank.rim : 3 * c->cell;
+
+    s->block = calloc((size_t)(c->rows * (c->cols / 2 + 1) + 4), sizeof *s->block);
+    if (!s->block)
+        abort();
+    if (tank)
+        add_walls(s);
+    for (int row = 0; row < c->rows && s->scene->pool.mask[0]; row++)
+        add_row(s, c, row, low, high);
+}
+
 void ref_scene_open(ref_scene *s, const tp_scene *scene, const tp_assets *assets,
                     const tp_world *world, uint32_t width, uint32_t height, bool meshed)
 {
@@ -108,13 +167,14 @@ void ref_scene_open(ref_scene *s, const tp_scene *scene, const tp_assets *assets
     s->assets = assets;
     s->meshed = meshed;
     s->seconds = ((double)world->tick - back) / TP_TICKS_PER_SECOND;
-    place_light(s, scene);
+    place_light(s, scene, world, back);
     place_boat(s, world, back);
     place_camera(s, world, width, height, back);
     if (tp_world_drops(world))
         place_drops(s, tp_world_drops(world), back);
     place_tank(s);
     s->surface = ref_surface_of(scene, world, s->camera.eye, s->camera.ahead, meshed);
+    place_blocks(s);
     double rest[2] = { s->camera.eye.x, s->camera.eye.z };
     s->sunk = s->camera.eye.y < ref_surface_height(&s->surface, s->camera.eye.x,
                                                    s->camera.eye.z, rest, 1e-9);
@@ -125,4 +185,5 @@ void ref_scene_close(ref_scene *s)
     ref_surface_free(&s->surface);
     ref_mesh_free(&s->boat);
     free(s->drop);
+    free(s->block);
 }

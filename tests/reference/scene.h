@@ -2,7 +2,8 @@
 /* A scene as the reference sees it: the engine's scene, assets and world read as data,
  * everything else worked out anew in double precision.
  *
- * What it covers is told in the heads of surface.h, ocean.h, water.h and solids.h. */
+ * What it covers is told in the heads of surface.h, ocean.h, heaven.h, water.h,
+ * solids.h and inside.h. */
 #ifndef TP_REFERENCE_SCENE_H
 #define TP_REFERENCE_SCENE_H
 #include "mesh.h"
@@ -15,6 +16,11 @@ typedef struct {
     ref_vec centre;
     double  wide, high;
 } ref_drop;
+
+/* A block of stone: a wall of a tank, or of cells that a pool's mask names. */
+typedef struct {
+    double x0, x1, y0, y1, z0, z1;
+} ref_block;
 
 /* A pool's box: stone, or glass that is seen through. */
 typedef struct {
@@ -31,6 +37,7 @@ typedef struct {
     ref_surface surface;
     ref_vec    light;           /* towards it */
     double     ambient, haze;   /* share; m */
+    double     exposure;        /* of the camera, 1: as it is */
     double     seconds;         /* since tick 0 */
     bool       sunk;            /* the eye is under water */
     ref_mesh   boat;
@@ -39,24 +46,12 @@ typedef struct {
     ref_drop  *drop;
     int        drops;
     ref_tank   tank;
+    ref_block *block;
+    int        blocks;
 } ref_scene;
 
 /* Scene, assets and world must outlive it. */
 void ref_scene_open(ref_scene *s, const tp_scene *scene, const tp_assets *assets,
                     const tp_world *world, uint32_t width, uint32_t height, bool meshed);
 void ref_scene_close(ref_scene *s);
-
-/* The light of the sky from a direction. */
-static inline ref_colour ref_scene_sky(const ref_scene *s, ref_vec way)
-{
-    return ref_sky((uint32_t)s->scene->sky.horizon, (uint32_t)s->scene->sky.zenith, way.y);
-}
-
-/* Air: z^2 / (z^2 + h^2) of a colour at depth z goes into the horizon's. */
-static inline ref_colour ref_scene_haze(const ref_scene *s, ref_colour colour, ref_vec at)
-{
-    const double z = fmax(0, ref_dot(ref_sub(at, s->camera.eye), s->camera.ahead));
-    const double share = s->haze > 0 ? z * z / (z * z + s->haze * s->haze) : 0;
-    return ref_mix(colour, ref_colour_of((uint32_t)s->scene->sky.horizon), share);
-}
 #endif

@@ -111,17 +111,16 @@ static bool in_box(const ref_tank *b, ref_vec at)
         && at.z <= b->z1 + off && at.y >= -b->depth - off && at.y <= b->rim + off;
 }
 
-/* A side of the tank: the face that has this normal. */
+/* A side of the tank, whose inner face has this normal. */
 static void try_side(const ref_scene *s, const ref_ray *ray, double from, double way,
                      double at, ref_vec normal, double t0, ref_solid *solid)
 {
     const double t = (at - from) / way;
 
     if (ref_dot(ray->way, normal) < 0 && in_box(&s->tank, ref_ray_at(ray, t)))
-        is_nearer(solid, t0, t, REF_WALL, ray, normal);
+        is_nearer(solid, t0, t, normal.y > 0 ? REF_BED : REF_WALL, ray, normal);
 }
 
-/* Inner faces; of stone the outer ones too. */
 static void try_tank(const ref_scene *s, const ref_ray *ray, double t0, ref_solid *solid)
 {
     const ref_tank *b = &s->tank;
@@ -130,12 +129,31 @@ static void try_tank(const ref_scene *s, const ref_ray *ray, double t0, ref_soli
     if (b->kind == TP_TANK_NONE)
         return;
     try_side(s, ray, f.y, w.y, -b->depth, (ref_vec){ 0, 1, 0 }, t0, solid);
-    for (int face = b->kind == TP_TANK_STONE ? -1 : 1; face <= 1; face += 2) {
-        try_side(s, ray, f.x, w.x, b->x0, (ref_vec){ face, 0, 0 }, t0, solid);
-        try_side(s, ray, f.x, w.x, b->x1, (ref_vec){ -face, 0, 0 }, t0, solid);
-        try_side(s, ray, f.z, w.z, b->z0, (ref_vec){ 0, 0, face }, t0, solid);
-        try_side(s, ray, f.z, w.z, b->z1, (ref_vec){ 0, 0, -face }, t0, solid);
-    }
+    try_side(s, ray, f.x, w.x, b->x0, (ref_vec){ 1, 0, 0 }, t0, solid);
+    try_side(s, ray, f.x, w.x, b->x1, (ref_vec){ -1, 0, 0 }, t0, solid);
+    try_side(s, ray, f.z, w.z, b->z0, (ref_vec){ 0, 0, 1 }, t0, solid);
+    try_side(s, ray, f.z, w.z, b->z1, (ref_vec){ 0, 0, -1 }, t0, solid);
+}
+
+/* Entered by the last of its three near sides. */
+static void try_block(const ref_block *b, const ref_ray *ray, double t0,
+                      ref_solid *solid)
+{
+    const ref_vec f = ray->from, w = ray->way;
+    const double x = ((w.x > 0 ? b->x0 : b->x1) - f.x) / w.x;
+    const double y = ((w.y > 0 ? b->y0 : b->y1) - f.y) / w.y;
+    const double z = ((w.z > 0 ? b->z0 : b->z1) - f.z) / w.z;
+    const double out = fmin(((w.x > 0 ? b->x1 : b->x0) - f.x) / w.x,
+                            fmin(((w.y > 0 ? b->y1 : b->y0) - f.y) / w.y,
+                                 ((w.z > 0 ? b->z1 : b->z0) - f.z) / w.z));
+    const double t = fmax(x, fmax(y, z));
+
+    if (!(t <= out))
+        return;
+    is_nearer(solid, t0, t, REF_WALL, ray,
+              t == x ? (ref_vec){ w.x > 0 ? -1 : 1, 0, 0 }
+            : t == y ? (ref_vec){ 0, w.y > 0 ? -1 : 1, 0 }
+                     : (ref_vec){ 0, 0, w.z > 0 ? -1 : 1 });
 }
 
 bool ref_solid_meets(const ref_scene *s, const ref_ray *ray, int which, double t0,
@@ -149,6 +167,8 @@ bool ref_solid_meets(const ref_scene *s, const ref_ray *ray, int which, double t
     }
     if (which & REF_FLOOR)
         try_floor(s, ray, t0, solid);
+    for (int i = 0; i < s->blocks && (which & REF_BLOCKS); i++)
+        try_block(&s->block[i], ray, t0, solid);
     if (which & REF_TANK)
         try_tank(s, ray, t0, solid);
     return solid->kind != REF_SKY;

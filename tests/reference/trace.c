@@ -1,23 +1,21 @@
 /* SPDX-License-Identifier: MIT */
 /* Camera rays. */
 #include "trace.h"
+#include "heaven.h"
 #include "inside.h"
 #include "water.h"
 
 #define FAR 1e5
 
-/* Glass does not stop a look in air. */
-static int in_air(const ref_scene *s)
-{
-    return REF_THINGS | REF_FLOOR | (s->tank.kind == TP_TANK_STONE ? REF_TANK : 0);
-}
+#define IN_AIR (REF_THINGS | REF_FLOOR | REF_BLOCKS)
 
-ref_seen ref_dry(const ref_scene *s, const ref_ray *ray, double t0, double t1, ref_vec *at)
+ref_seen ref_dry(const ref_scene *s, const ref_ray *ray, double t0, double t1,
+                 ref_vec *at)
 {
     ref_solid solid;
 
-    if (!ref_solid_meets(s, ray, in_air(s), t0, t1, &solid))
-        return (ref_seen){ ref_scene_sky(s, ray->way), REF_SKY, 0 };
+    if (!ref_solid_meets(s, ray, IN_AIR, t0, t1, &solid))
+        return (ref_seen){ ref_heaven(s, ray->way), REF_SKY, 0 };
     *at = solid.at;
     return (ref_seen){ ref_solid_colour(s, &solid, ray->way, false), solid.kind, 0 };
 }
@@ -41,25 +39,28 @@ static double glass_at(const ref_scene *s, const ref_ray *ray, ref_vec *n)
     return t;
 }
 
-/* Below the level the water stands behind the glass; above it there is air. */
-static bool through_glass(const ref_scene *s, const ref_ray *ray, double before,
-                          ref_seen *seen, ref_vec *at)
+/* The water behind the glass, below its edge; false: there is air. */
+static bool side_of(const ref_scene *s, const ref_ray *ray, double t, ref_vec n,
+                    ref_colour *colour)
 {
-    ref_vec n = { 0, 1, 0 };
-    const double t = glass_at(s, ray, &n);
     ref_ray on = { ref_ray_at(ray, t), ray->way };
-
-    if (!(t < before))
-        return false;
     double rest[2] = { on.from.x, on.from.z };
+
     if (on.from.y > ref_surface_height(&s->surface, on.from.x, on.from.z, rest, 1e-9))
         return false;
-    *at = on.from;
     ref_refracted(ray->way, n, REF_INDEX, &on.way);
-    *seen = (ref_seen){ ref_mix(ref_inside(s, &on, REF_INDEX, 1),
-                                ref_colour_of((uint32_t)s->scene->tank.glass_colour),
-                                s->scene->tank.glass / 65536.0), REF_WALL, 0 };
+    *colour = ref_under(s, &on, 1);
     return true;
+}
+
+/* The glass before what is seen: its own colour, and the sky by Fresnel's share. */
+static ref_colour glazed(const ref_scene *s, ref_colour c, ref_vec way, ref_vec n)
+{
+    const ref_colour sky = ref_heaven(s, ref_reflected(way, n));
+
+    c = ref_mix(c, ref_colour_of((uint32_t)s->scene->tank.glass_colour),
+                s->scene->tank.glass / 65536.0);
+    return ref_mix(c, sky, ref_fresnel_into(-ref_dot(way, n), REF_INDEX));
 }
 
 static ref_ray ray_at(const ref_camera *c, double u, double v)
@@ -75,27 +76,49 @@ static ref_ray ray_at(const ref_camera *c, double u, double v)
 static ref_seen hazed(const ref_scene *s, ref_colour colour, ref_kind kind, ref_vec at)
 {
     const double depth = ref_dot(ref_sub(at, s->camera.eye), s->camera.ahead);
-    return (ref_seen){ ref_scene_haze(s, colour, at), kind, 1 / depth };
+    return (ref_seen){ ref_heaven_haze(s, colour, at), kind, 1 / depth };
+}
+
+/* Without the glass. */
+static ref_seen bare(const ref_scene *s, const ref_ray *ray, double t0, double *far)
+{
+    ref_meeting m;
+    ref_solid solid;
+    const bool hit = ref_solid_meets(s, ray, IN_AIR, t0, FAR, &solid);
+
+    *far = solid.t;
+    if (ref_ray_meets(&s->surface, ray, t0, solid.t, false, &m)) {
+        *far = m.t;
+        return hazed(s, ref_water_colour(s, &m.water, ray->way), REF_WATER, m.water.at);
+    }
+    if (hit)
+        return hazed(s, ref_solid_colour(s, &solid, ray->way, false), solid.kind,
+                     solid.at);
+    return (ref_seen){ ref_heaven(s, ray->way), REF_SKY, 0 };
+}
+
+static ref_seen look(const ref_scene *s, double u, double v)
+{
+    const ref_ray ray = ray_at(&s->camera, u, v);
+    const double t0 = s->camera.near / ref_dot(ray.way, s->camera.ahead);
+    ref_vec n = { 0, 1, 0 };
+    double far;
+
+    if (s->sunk)
+        return (ref_seen){ ref_under(s, &ray, 2), REF_WATER, 0 };
+    const double glass = glass_at(s, &ray, &n);
+    ref_seen seen = bare(s, &ray, t0, &far);
+    if (!(glass > t0 && glass < far))
+        return seen;
+    if (side_of(s, &ray, glass, n, &seen.colour))
+        seen = hazed(s, seen.colour, REF_SIDE, ref_ray_at(&ray, glass));
+    seen.colour = glazed(s, seen.colour, ray.way, n);
+    return seen;
 }
 
 ref_seen ref_look(const ref_scene *s, double u, double v)
 {
-    const ref_ray ray = ray_at(&s->camera, u, v);
-    const double t0 = s->camera.near / ref_dot(ray.way, s->camera.ahead);
-    ref_seen seen;
-    ref_meeting m;
-    ref_solid solid;
-    ref_vec at;
-
-    if (s->sunk)
-        return (ref_seen){ ref_inside(s, &ray, REF_INDEX, 2), REF_WATER, 0 };
-    const bool hit = ref_solid_meets(s, &ray, in_air(s), t0, FAR, &solid);
-    const bool wet = ref_ray_meets(&s->surface, &ray, t0, solid.t, false, &m);
-    if (through_glass(s, &ray, wet ? m.t : solid.t, &seen, &at))
-        return hazed(s, seen.colour, REF_WALL, at);
-    if (wet)
-        return hazed(s, ref_water_colour(s, &m.water, ray.way), REF_WATER, m.water.at);
-    if (hit)
-        return hazed(s, ref_solid_colour(s, &solid, ray.way, false), solid.kind, solid.at);
-    return (ref_seen){ ref_scene_sky(s, ray.way), REF_SKY, 0 };
+    ref_seen seen = look(s, u, v);
+    seen.colour = ref_heaven_exposed(s, seen.colour);
+    return seen;
 }

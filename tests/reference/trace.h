@@ -14,5 +14,6 @@ typedef struct {
 ref_seen ref_look(const ref_scene *s, double u, double v);
 
 /* Things, ground and sky along a ray in air: no water. */
-ref_seen ref_dry(const ref_scene *s, const ref_ray *ray, double t0, double t1, ref_vec *at);
+ref_seen ref_dry(const ref_scene *s, const ref_ray *ray, double t0, double t1,
+                 ref_vec *at);
 #endif

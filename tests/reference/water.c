@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Shading of water; see the header. */
 #include "water.h"
+#include "heaven.h"
 #include "inside.h"
 #include "map.h"
 #include "trace.h"
@@ -75,21 +76,28 @@ ref_vec ref_water_normal(const ref_scene *s, const ref_water *w)
 
 /* -- mirror -------------------------------------------------------------------------- */
 
-/* What comes along the mirrored ray; *share falls where that is other water. */
-static ref_colour mirrored(const ref_scene *s, const ref_water *w, ref_vec n, double nv,
-                           ref_vec way, double *share)
+/* What comes along the mirrored ray; *share falls where that is other water.  R is made
+ * of N.V as it was raised: its height is 2 N.V Ny - Vy. */
+static ref_light mirrored(const ref_scene *s, const ref_water *w, ref_vec n, double nv,
+                          ref_vec way, double *share)
 {
-    const double up = 2 * nv * n.y + way.y;
+    const ref_vec r = ref_plus(way, ref_times_vec(n, 2 * nv));
     ref_vec at;
 
     if (s->scene->mirror.objects != TP_MIRROR_NONE) {
         const ref_ray ray = { w->at, ref_reflected(way, n) };
         const ref_seen seen = ref_dry(s, &ray, 1e-6, 1e5, &at);
         if (seen.kind == REF_BOAT || seen.kind == REF_DROP)
-            return seen.colour;
+            return (ref_light){ seen.colour, 0 };
     }
-    *share *= ref_clamp(1 + 4 * up, 0.5, 1);
-    return ref_scene_sky(s, (ref_vec){ 0, up, 0 });
+    *share *= ref_clamp(1 + 4 * r.y, 0.5, 1);
+    return ref_heaven_mirrored(s, r, w->at);
+}
+
+/* Light beyond white times a small share need not be beyond it. */
+static ref_colour with_mirror(const ref_scene *s, ref_colour c, ref_light m, double share)
+{
+    return ref_add(ref_scale(c, 1 - share), ref_scale(ref_heaven_whole(s, m), share));
 }
 
 /* [F5]; Blinn's exponent is four times Phong's. */
@@ -119,9 +127,9 @@ ref_colour ref_water_colour(const ref_scene *s, const ref_water *w, ref_vec way)
     ref_colour c = ref_scale(layers(s, w), s->ambient + (1 - s->ambient) * nl);
 
     if (scene->water.clear > 0)
-        c = ref_behind(s, w->at, n, way);
-    const ref_colour mirror = mirrored(s, w, n, nv, way, &share);
-    c = ref_mix(c, mirror, share);
+        c = ref_behind(s, w->at, n, way, c);
+    const ref_light mirror = mirrored(s, w, n, nv, way, &share);
+    c = with_mirror(s, c, mirror, share);
     if (scene->water.specular > 0)
         c = ref_add(c, ref_scale(ref_colour_of((uint32_t)scene->light.colour),
                                  fmin(1, fx(scene->water.specular)

@@ -132,8 +132,8 @@ static void cubes_are_looked_up_between_their_texels(void **state)
             const ref_place p = ref_cube_at(d);
             const double near = fmin(fmin(p.s, 1 - p.s), fmin(p.t, 1 - p.t));
             const uint32_t got = tp_env_at(&s, sky_q14(d.x), sky_q14(d.y), sky_q14(d.z));
-            const ref_light want = ref_texel(sky.texel[p.face], SKY_SIDE, SKY_SIDE, p.s,
-                                             p.t);
+            const ref_light want = ref_face_texel(sky.texel[p.face], SKY_SIDE, SKY_SIDE,
+                                                  p.s, p.t);
             if (near < 0.001)   /* may be the next face's */
                 continue;
             tally_add(&off, got, want.colour);
