@@ -1,18 +1,26 @@
 /* SPDX-License-Identifier: MIT */
 /* Clipping in view space, side by side (Sutherland and Hodgman): the near plane first,
- * then the guard band, a square of 2 x 8192 pixels around the picture's centre, far
- * beyond any picture, that keeps the rasterizer's numbers small.
+ * then a plane of the caller's, if any, then the guard band, a square of 2 x 8192 pixels
+ * around the picture's centre, far beyond any picture, that keeps the rasterizer's
+ * numbers small.
  *
  * A cut runs from the inner corner to the outer one, whatever the order in which the
  * triangle names them: two triangles that share an edge get the same corner. */
 #include "geom/geom.h"
 
-enum { SIDE_NEAR, SIDE_LEFT, SIDE_RIGHT, SIDE_BOTTOM, SIDE_TOP, SIDES };
+enum { SIDE_NEAR, SIDE_LEFT, SIDE_RIGHT, SIDE_BOTTOM, SIDE_TOP, SIDE_PLANE };
+
+/* What the sides are those of. */
+typedef struct {
+    const tp_lens       *lens;
+    const tp_view_plane *plane;
+} sides;
 
 /* How far inside a side, in no particular unit; >= 0 is in.  The margin of four keeps
  * corners that five cuts rounded by one each within the strict test of tp_lens_holds. */
-static int64_t inside(const tp_lens *lens, const tp_view_corner *c, int side)
+static int64_t inside(const sides *of, const tp_view_corner *c, int side)
 {
+    const tp_lens *lens = of->lens;
     int64_t band = ((int64_t)c->depth - 4) * (1 << (TP_GUARD_LOG2 - lens->m)) - 4;
 
     switch (side) {
@@ -20,6 +28,7 @@ static int64_t inside(const tp_lens *lens, const tp_view_corner *c, int side)
     case SIDE_LEFT:   return band + c->x;
     case SIDE_RIGHT:  return band - c->x;
     case SIDE_BOTTOM: return band + c->y;
+    case SIDE_PLANE:  return tp_view_height(of->plane, c);
     default:          return band - c->y;
     }
 }
@@ -52,35 +61,47 @@ static tp_view_corner cut(const tp_lens *lens, const tp_view_corner *in,
     return c;
 }
 
-static int clip_side(const tp_lens *lens, const tp_view_corner *in, int count,
+static int clip_side(const sides *of, const tp_view_corner *in, int count,
                      tp_view_corner *out, int side)
 {
     int kept = 0;
 
     for (int i = 0; i < count; i++) {
         const tp_view_corner *a = &in[i], *b = &in[i + 1 < count ? i + 1 : 0];
-        int64_t da = inside(lens, a, side), db = inside(lens, b, side);
+        int64_t da = inside(of, a, side), db = inside(of, b, side);
         if (da >= 0)
             out[kept++] = *a;
         if (da >= 0 && db < 0)
-            out[kept++] = cut(lens, a, b, da, db);
+            out[kept++] = cut(of->lens, a, b, da, db);
         else if (da < 0 && db >= 0)
-            out[kept++] = cut(lens, b, a, db, da);
+            out[kept++] = cut(of->lens, b, a, db, da);
     }
     return kept;
+}
+
+int tp_clip_triangle_at(const tp_lens *lens, const tp_view_plane *plane,
+                        const tp_view_corner in[3], tp_view_corner out[TP_CLIP_CORNERS])
+{
+    const sides of = { lens, plane };
+    tp_view_corner other[TP_CLIP_CORNERS];
+    int count = clip_side(&of, in, 3, other, SIDE_NEAR);        /* <= 4 corners */
+
+    if (plane) {
+        count = clip_side(&of, other, count, out, SIDE_PLANE);  /* one more a side */
+        for (int i = 0; i < count; i++)
+            other[i] = out[i];
+    }
+    count = clip_side(&of, other, count, out, SIDE_LEFT);
+    count = clip_side(&of, out, count, other, SIDE_RIGHT);
+    count = clip_side(&of, other, count, out, SIDE_BOTTOM);
+    count = clip_side(&of, out, count, other, SIDE_TOP);        /* <= 9 */
+    for (int i = 0; i < count; i++)
+        out[i] = other[i];
+    return count >= 3 ? count : 0;
 }
 
 int tp_clip_triangle(const tp_lens *lens, const tp_view_corner in[3],
                      tp_view_corner out[TP_CLIP_CORNERS])
 {
-    tp_view_corner other[TP_CLIP_CORNERS];
-    int count = clip_side(lens, in, 3, other, SIDE_NEAR);       /* <= 4 corners */
-
-    count = clip_side(lens, other, count, out, SIDE_LEFT);      /* one more a side */
-    count = clip_side(lens, out, count, other, SIDE_RIGHT);
-    count = clip_side(lens, other, count, out, SIDE_BOTTOM);
-    count = clip_side(lens, out, count, other, SIDE_TOP);       /* <= 8 */
-    for (int i = 0; i < count; i++)
-        out[i] = other[i];
-    return count >= 3 ? count : 0;
+    return tp_clip_triangle_at(lens, NULL, in, out);
 }

@@ -152,9 +152,36 @@ void tp_corner_project(const tp_lens *lens, const tp_view_corner *from, tp_corne
 /* Cuts a triangle by the near plane and the guard band's four sides; writes up to
  * TP_CLIP_CORNERS corners of a convex polygon and returns how many (0: nothing left).
  * A cut edge gives the same corner whichever of its two triangles is cut. */
-#define TP_CLIP_CORNERS 8
+#define TP_CLIP_CORNERS 9
 int tp_clip_triangle(const tp_lens *lens, const tp_view_corner in[3],
                      tp_view_corner out[TP_CLIP_CORNERS]);
+
+/* A plane of the world as the view's coordinates see it: how far x, y and depth lead
+ * to its inner side, Q4.28, and where the eye is, 16.16. */
+typedef struct {
+    int32_t x, y, depth;
+    tp_fx   eye;
+} tp_view_plane;
+
+/* The level plane y = `level`, inside above it or, with `side` -1, below. */
+tp_view_plane tp_lens_level(const tp_lens *lens, tp_fx level, int side);
+
+/* >= 0 on the inner side; metres in Q.32.  Coordinates are below 2^31 and the rows below
+ * 2^29, so three products and the eye's 2^59 stay in 63 bits. */
+TP_ALWAYS_INLINE int64_t tp_view_height(const tp_view_plane *plane,
+                                        const tp_view_corner *c)
+{
+    return ((int64_t)plane->x * c->x + (int64_t)plane->y * c->y
+            + (int64_t)plane->depth * c->depth + (int64_t)plane->eye * (1 << 28)) >> 12;
+}
+
+/* The same cut by a plane besides, unless that is NULL. */
+int tp_clip_triangle_at(const tp_lens *lens, const tp_view_plane *plane,
+                        const tp_view_corner in[3], tp_view_corner out[TP_CLIP_CORNERS]);
+
+/* The same view in a picture of half as many pixels a side, exactly: it halves the power
+ * of two that view coordinates are scaled by. */
+tp_lens tp_lens_halved(const tp_lens *lens);
 
 /* A side of the view as a half-space: inside where n.p + d >= 0, p in world metres. */
 typedef struct {

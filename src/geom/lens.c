@@ -39,6 +39,32 @@ void tp_lens_turned(tp_lens *lens, tp_vec3 eye, tp_rotation turn, tp_fx fov, tp_
     lens->v0 = (int32_t)(height * 8);
 }
 
+/* focal is above 2^(m-1) and m above 0: a picture has 16 rows, a view 100 degrees. */
+tp_lens tp_lens_halved(const tp_lens *lens)
+{
+    tp_lens half = *lens;
+
+    half.focal = lens->focal >> 1;
+    half.m = lens->m - 1;
+    half.u0 = lens->u0 / 2;
+    half.v0 = lens->v0 / 2;
+    return half;
+}
+
+/* The rows of the view times 2^m / focal, 1..2 (or 0.7 where m is held): a scaled view
+ * coordinate times it is metres. */
+tp_view_plane tp_lens_level(const tp_lens *lens, tp_fx level, int side)
+{
+    int64_t one = ((int64_t)1 << (44 + lens->m)) / lens->focal;     /* Q.28 */
+    tp_fx   up = lens->eye.y - level;
+
+    return (tp_view_plane){
+        (int32_t)(side * (lens->turn.x.y * one >> 30)),
+        (int32_t)(side * (lens->turn.y.y * one >> 30)),
+        side * (lens->ahead.y >> 2), side > 0 ? up : -up,
+    };
+}
+
 void tp_corner_project(const tp_lens *lens, const tp_view_corner *from, tp_corner *to)
 {
     tp_lens_project(lens, from, &to->u, &to->v, &to->zi);

@@ -47,6 +47,12 @@ void tp_tri_water(const tp_samples *tile, const tp_corner *a, const tp_corner *b
 void tp_tri_solid(const tp_samples *tile, const tp_corner *a, const tp_corner *b,
                   const tp_corner *c, uint32_t mark, uint32_t face, int opacity);
 
+/* A lid, drawn after the solids: where one of them lies behind it, its sample takes the
+ * lid's depth and stays what it is.  So water behind the lid is not drawn over it, and
+ * water before the lid is. */
+void tp_tri_lid(const tp_samples *tile, const tp_corner *a, const tp_corner *b,
+                const tp_corner *c);
+
 /* Twice the signed area, 1/256 square pixels; negative for a front face. */
 static inline int64_t tp_tri_area(const tp_corner *a, const tp_corner *b,
                                   const tp_corner *c)

@@ -1,11 +1,14 @@
 /* SPDX-License-Identifier: MIT */
 /* Rows of a triangle into samples.
  *
- * The fill loop is written once and made twice: for water, whose s and t are 32-bit
- * places and whose normal is a pair of slopes, and for solids.  s and t are affine in
+ * The fill loop is written once and made three times: for water, whose s and t are 32-bit
+ * places and whose normal is a pair of slopes, for solids, and for lids, which are depth
+ * and nothing else.  s and t are affine in
  * small triangles; in large ones they are exact every 16 pixels (at multiples of 16 and
  * at the row's own ends) and linear between. */
 #include "raster/tri.h"
+
+enum { WATER, SOLID, LID };
 
 /* A quantity along a row: its 32 bits may wrap, as phases do. */
 typedef struct {
@@ -26,17 +29,34 @@ typedef struct {
 #define SLOPE_SHIFT  16
 #define NORMAL_SHIFT 22
 
-TP_ALWAYS_INLINE uint32_t packed(const span *sp, int solid)
+TP_ALWAYS_INLINE uint32_t packed(const span *sp, int kind)
 {
-    if (solid)
+    if (kind == SOLID)
         return sp->n0.now >> 22 | (sp->n1.now >> 22) << 10 | (sp->n2.now >> 22) << 20;
     return (sp->n0.now & 0xffff0000u) | sp->n1.now >> 16;
 }
 
-TP_ALWAYS_INLINE void fill(span *sp, int solid)
+/* A lid comes nearer than what is there and leaves it what it is. */
+TP_ALWAYS_INLINE void fill_lid(const span *sp)
+{
+    uint32_t zi = sp->zi.now, *key = sp->key;
+
+    for (int32_t i = 0; i < sp->count; i++, zi += sp->zi.step) {
+        uint32_t depth = zi << 1 & ~(uint32_t)0xff;
+        if (depth > (key[i] | 0xff) && TP_MARK(key[i]) != TP_MARK_SKY)
+            key[i] = depth | TP_MARK(key[i]);
+    }
+}
+
+TP_ALWAYS_INLINE void fill(span *sp, int kind)
 {
     uint32_t *key = sp->key, *s = sp->s_out, *t = sp->t_out, *n = sp->n_out;
+    const bool solid = kind == SOLID;
 
+    if (kind == LID) {
+        fill_lid(sp);
+        return;
+    }
     for (int32_t i = 0; i < sp->count; i++) {
         uint32_t depth = sp->zi.now << 1 & ~(uint32_t)0xff;
         if (depth > (key[i] | 0xff)
@@ -44,7 +64,7 @@ TP_ALWAYS_INLINE void fill(span *sp, int solid)
             key[i] = depth | sp->mark;
             s[i] = solid ? sp->s.now << 16 | (sp->t.now & 0xffff) : sp->s.now;
             t[i] = solid ? sp->face : sp->t.now;
-            n[i] = packed(sp, solid);
+            n[i] = packed(sp, kind);
         }
         sp->zi.now += sp->zi.step;
         sp->s.now += sp->s.step;
@@ -153,11 +173,11 @@ TP_ALWAYS_INLINE walker walker_at(const tp_gradient *g, uint32_t dx, uint32_t dy
 }
 
 /* Pixels [x, end) of a span that stands at x; moves on past them. */
-TP_ALWAYS_INLINE void fill_to(span *sp, int32_t x, int32_t end, int solid)
+TP_ALWAYS_INLINE void fill_to(span *sp, int32_t x, int32_t end, int kind)
 {
     sp->x = x;
     sp->count = end - x;
-    fill(sp, solid);
+    fill(sp, kind);
     sp->key += sp->count;
     sp->s_out += sp->count;
     sp->t_out += sp->count;
@@ -167,7 +187,7 @@ TP_ALWAYS_INLINE void fill_to(span *sp, int32_t x, int32_t end, int solid)
 /* Row y is covered from `left` to `right`; the tile wants [x, end) of it. */
 TP_ALWAYS_INLINE void fill_perspective(const painter *p, span *sp, int32_t y,
                                        int32_t left, int32_t right, int32_t x,
-                                       int32_t end, int solid)
+                                       int32_t end, int kind)
 {
     int32_t from = x & ~15;
 
@@ -182,7 +202,7 @@ TP_ALWAYS_INLINE void fill_perspective(const painter *p, span *sp, int32_t y,
         sp->t.step = step_between(a.t, b.t, to - from);
         sp->s.now = a.s + sp->s.step * (uint32_t)(x - from);
         sp->t.now = a.t + sp->t.step * (uint32_t)(x - from);
-        fill_to(sp, x, stop, solid);
+        fill_to(sp, x, stop, kind);
         x = from = stop;
         a = b;
     }
@@ -190,7 +210,7 @@ TP_ALWAYS_INLINE void fill_perspective(const painter *p, span *sp, int32_t y,
 
 /* One row, from `left` to `right`, as far as the tile wants it. */
 TP_ALWAYS_INLINE void row(const painter *p, const tp_samples *tile, int32_t y,
-                          int32_t left, int32_t right, int solid, int exact)
+                          int32_t left, int32_t right, int kind, int exact)
 {
     int32_t x = left > tile->x0 ? left : tile->x0;
     int32_t end = right < tile->x1 ? right : tile->x1;
@@ -207,22 +227,22 @@ TP_ALWAYS_INLINE void row(const painter *p, const tp_samples *tile, int32_t y,
         .n0 = walker_at(&p->n0, dx, dy),
         .n1 = walker_at(&p->n1, dx, dy),
     };
-    if (solid) {
+    if (kind == SOLID) {
         sp.n2 = walker_at(&p->n2, dx, dy);
         sp.face = p->face;
         sp.pattern = p->pattern_rows >> 4 * (y & 3) & 15;
     }
     if (exact) {
-        fill_perspective(p, &sp, y, left, right, x, end, solid);
+        fill_perspective(p, &sp, y, left, right, x, end, kind);
     } else {
         sp.s = walker_at(&p->s, dx, dy);
         sp.t = walker_at(&p->t, dx, dy);
-        fill(&sp, solid);
+        fill(&sp, kind);
     }
 }
 
 /* All rows of a triangle; the flags are literal. */
-TP_ALWAYS_INLINE void rows(const painter *p, const tp_samples *tile, int solid,
+TP_ALWAYS_INLINE void rows(const painter *p, const tp_samples *tile, int kind,
                            int exact)
 {
     const tp_tri *tri = p->tri;
@@ -239,9 +259,9 @@ TP_ALWAYS_INLINE void rows(const painter *p, const tp_samples *tile, int solid,
         tp_edge_go(&other, y);
         for (; y < stop; y++) {
             if (tri->long_left)
-                row(p, tile, y, along.pixel, other.pixel, solid, exact);
+                row(p, tile, y, along.pixel, other.pixel, kind, exact);
             else
-                row(p, tile, y, other.pixel, along.pixel, solid, exact);
+                row(p, tile, y, other.pixel, along.pixel, kind, exact);
             tp_edge_step(&along);
             tp_edge_step(&other);
         }
@@ -282,9 +302,9 @@ void tp_tri_water(const tp_samples *tile, const tp_corner *a, const tp_corner *b
     p.n0 = normal_gradient(&tri, 0, SLOPE_SHIFT);
     p.n1 = normal_gradient(&tri, 1, SLOPE_SHIFT);
     if (tri.perspective)
-        rows(&p, tile, 0, 1);
+        rows(&p, tile, WATER, 1);
     else
-        rows(&p, tile, 0, 0);
+        rows(&p, tile, WATER, 0);
 }
 
 /* Rows of the 4x4 ordered pattern that lets `opacity` of 16 pixels through. */
@@ -316,9 +336,22 @@ void tp_tri_solid(const tp_samples *tile, const tp_corner *a, const tp_corner *b
     p.n1 = normal_gradient(&tri, 1, NORMAL_SHIFT);
     p.n2 = normal_gradient(&tri, 2, NORMAL_SHIFT);
     if (tri.perspective)
-        rows(&p, tile, 1, 1);
+        rows(&p, tile, SOLID, 1);
     else
-        rows(&p, tile, 1, 0);
+        rows(&p, tile, SOLID, 0);
+}
+
+void tp_tri_lid(const tp_samples *tile, const tp_corner *a, const tp_corner *b,
+                const tp_corner *c)
+{
+    tp_tri tri = { 0 };
+
+    if (!tp_tri_begin(&tri, tile, a, b, c))
+        return;
+    painter p = {
+        .tri = &tri, .zi = tp_tri_gradient(&tri, tri.a->zi, tri.b->zi, tri.c->zi, 0),
+    };
+    rows(&p, tile, LID, 0);
 }
 
 void tp_samples_clear(const tp_samples *tile)

@@ -296,6 +296,76 @@ static void the_ends_of_the_numbers_are_safe(void **state)
     }
 }
 
+/* -- a plane of the caller's ----------------------------------------------------------- */
+
+/* Height over the level of a view corner, metres. */
+static double height_of(const view *v, const tp_view_corner *c, double level)
+{
+    const double k = ldexp(1, v->lens.m) / v->ref.focal;
+    return v->ref.eye.y - level + (c->x * LSB * v->ref.right.y + c->y * LSB * v->ref.up.y)
+                                * k + c->depth * LSB * v->ref.ahead.y;
+}
+
+static void a_level_cuts_off_what_lies_beyond_it(void **state)
+{
+    (void)state;
+    measure height = { .what = "height", .unit = "m" };
+    int cut = 0;
+
+    for (int n = 0; n < 40000; n++) {
+        const view v = view_any(&chance);
+        const double level = v.ref.eye.y + chance_double(&chance, -10, 10);
+        const int side = n % 2 ? 1 : -1;
+        const tp_view_plane plane = tp_lens_level(&v.lens, TP_FX(level), side);
+        const tp_view_corner in[3] = { any_corner(30, 30), any_corner(30, 30),
+                                       any_corner(30, 30) };
+        tp_view_corner out[TP_CLIP_CORNERS];
+        const int count = tp_clip_triangle_at(&v.lens, &plane, in, out);
+        assert_in_range(count, 0, TP_CLIP_CORNERS);
+        for (int i = 0; i < 3; i++)
+            measure_add(&height, ldexp((double)tp_view_height(&plane, &in[i]), -32)
+                                 - side * height_of(&v, &in[i], level), n, i, 0);
+        for (int i = 0; i < count; i++) {
+            assert_true(tp_lens_holds(&v.lens, &out[i]));
+            assert_true(side * height_of(&v, &out[i], level) >= -0.0005);
+        }
+        cut += count > 3;
+    }
+    measure_print(&height);
+    assert_true(height.worst <= 0.0005 && cut > 5000);
+}
+
+/* Two triangles of an edge get the same corner on it, whichever way they name it. */
+static void a_level_cuts_an_edge_once(void **state)
+{
+    (void)state;
+    int shared = 0;
+
+    for (int n = 0; n < 20000; n++) {
+        const view v = view_any(&chance);
+        const tp_view_plane plane =
+            tp_lens_level(&v.lens, v.lens.eye.y + chance_fx(&chance, -5, 5), 1);
+        tp_view_corner a = any_corner(3, 30), b = any_corner(3, 30);
+        a.depth = b.depth = 20 * TP_FX_ONE;
+        const tp_view_corner one[3] = { a, b, any_corner(3, 30) };
+        const tp_view_corner two[3] = { b, a, any_corner(3, 30) };
+        if ((tp_view_height(&plane, &a) >= 0) == (tp_view_height(&plane, &b) >= 0))
+            continue;
+        tp_view_corner p[TP_CLIP_CORNERS], q[TP_CLIP_CORNERS];
+        const int np = tp_clip_triangle_at(&v.lens, &plane, one, p);
+        const int nq = tp_clip_triangle_at(&v.lens, &plane, two, q);
+        int same = 0;
+        for (int i = 0; i < np; i++)
+            for (int k = 0; k < nq; k++)
+                same += is_same(&p[i], &q[k]);
+        assert_true(same >= 2 || !tp_lens_holds(&v.lens, &a)
+                    || !tp_lens_holds(&v.lens, &b));
+        shared += same >= 2;
+    }
+    printf("    %d edges shared\n", shared);
+    assert_true(shared > 500);
+}
+
 int main(void)
 {
     chance = random_seed();
@@ -307,6 +377,8 @@ int main(void)
         cmocka_unit_test(what_lies_inside_stays_as_it_is),
         cmocka_unit_test(what_lies_outside_is_gone),
         cmocka_unit_test(the_ends_of_the_numbers_are_safe),
+        cmocka_unit_test(a_level_cuts_off_what_lies_beyond_it),
+        cmocka_unit_test(a_level_cuts_an_edge_once),
     };
     return cmocka_run_group_tests_name("clip", tests, NULL, NULL);
 }
