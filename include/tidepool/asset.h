@@ -69,7 +69,7 @@ typedef struct {
 typedef struct {
     uint32_t diffuse, specular;         /* Kd, Ks as 0x00RRGGBB */
     tp_fx    shininess;                 /* Ns, 1..1000 */
-    tp_fx    opacity;                   /* d, 0..1; drawn as a screen-door pattern */
+    tp_fx    opacity;                   /* d, 0..1, as a screen-door pattern; 0: a lid */
     tp_fx    bump;                      /* -bm, +-16, 1 by default */
     const tp_texture *diffuse_map;      /* or NULL */
     const tp_texture *normal_map;       /* tangent space, or NULL */
@@ -100,6 +100,9 @@ typedef struct {
  *    material that is used and not defined is an error if all libraries were read (at
  *    least one); else it is grey too.  Of two definitions, and of two maps of one
  *    kind, the first counts, so bump before norm or norm before bump.
+ *  - Faces of opacity 0 (`d 0`) are not drawn: they are lids.  Where one lies before
+ *    something solid, water beyond the lid is left out and water before it is not, so a
+ *    lid at the gunwale, facing up, keeps a hull dry until a wave stands higher.
  *  - MTL keywords are read in any case; `d` goes before Tr; the options of a map are
  *    understood to find its name, but only -bm has an effect. */
 

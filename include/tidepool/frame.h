@@ -43,15 +43,20 @@ typedef struct {
 typedef struct {
     size_t frame;                   /* the block of tp_frame_bytes */
     size_t vertices, tables;        /* the two large parts of it */
+    size_t mirror;                  /* of it, for what water looks into: see below */
     size_t scratch;                 /* of one tile: samples and pixels */
 } tp_frame_ram;
+
+/* Objects mirrored (mirror.objects = stencil) take a picture of half the size and four
+ * rows of samples, 88320 bytes at 320x240; objects seen under water (water.clear) as
+ * much again; mirror.objects = cube 24576 at any size.  Scenes without: nothing. */
 
 typedef struct tp_frame tp_frame;   /* lies at the start of the block */
 
 /* Both 0 if the config is out of range.  The scene's numbers may change afterwards, but
  * grid.cols, grid.rows and the names; of drops and rings beyond the counts that the scene
- * had at init some are left out, and a floor or wind that came later is not drawn; a sky
- * whose kind came later is the gradient, and an exposure that did is 1. */
+ * had at init some are left out, and a floor, wind or mirror that came later is not drawn; a
+ * sky whose kind came later is the gradient, and an exposure that did is 1. */
 size_t tp_frame_bytes(const tp_scene *scene, const tp_assets *assets,
                       const tp_frame_config *config);
 size_t tp_frame_scratch_bytes(const tp_frame_config *config);

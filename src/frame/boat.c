@@ -2,7 +2,10 @@
 /* The boat's mesh, projected once a frame, drawn in every tile that it touches.
  *
  * Instead of the mesh into the world the camera is turned into the mesh's own frame:
- * a vertex then costs what a vertex of the world does. */
+ * a vertex then costs what a vertex of the world does.
+ *
+ * Faces of a material with opacity 0 are lids: never seen, they keep water from what
+ * they cover, the inside of a hull. */
 #include "frame/frame.h"
 #include "asset/mesh.h"
 
@@ -12,18 +15,18 @@ static tp_dir3 turned(const tp_rotation *r, tp_dir3 d)
     return (tp_dir3){ v.x, v.y, v.z };
 }
 
-static void turn_view(tp_frame *frame, const tp_pose *boat)
+static void turn_view(tp_frame *frame, tp_sight *sight, const tp_pose *boat)
 {
     const tp_rotation turn = tp_rotation_of(boat->heading, boat->pitch, boat->roll);
     const tp_rotation *r = &turn;
-    tp_vec3 way = tp_vec3_sub(frame->lens.eye, boat->place);
+    tp_vec3 way = tp_vec3_sub(sight->lens->eye, boat->place);
     tp_view_axes *axes = &frame->shade.mesh;
 
-    frame->boat_lens = frame->lens;
-    frame->boat_lens.eye = tp_rotate(r, way);
-    frame->boat_lens.right = turned(r, frame->lens.right);
-    frame->boat_lens.up = turned(r, frame->lens.up);
-    frame->boat_lens.ahead = turned(r, frame->lens.ahead);
+    sight->boat_lens = *sight->lens;
+    sight->boat_lens.eye = tp_rotate(r, way);
+    sight->boat_lens.right = turned(r, sight->lens->right);
+    sight->boat_lens.up = turned(r, sight->lens->up);
+    sight->boat_lens.ahead = turned(r, sight->lens->ahead);
 
     tp_dir3 light = turned(r, (tp_dir3){ frame->shade.world.lx * 65536,
                                          frame->shade.world.ly * 65536,
@@ -44,14 +47,15 @@ static tp_fx scaled(tp_fx x, tp_fx scale)
     return (tp_fx)(metres > most ? most : metres < -most ? -most : metres);
 }
 
-static tp_view_corner view_of(const tp_frame *frame, const tp_mesh_vertex *vertex)
+static tp_view_corner view_of(const tp_frame *frame, const tp_sight *sight,
+                              const tp_mesh_vertex *vertex)
 {
     tp_fx scale = frame->scene->boat.scale;
     tp_vec3 p = { scaled(vertex->position.x, scale), scaled(vertex->position.y, scale),
                   scaled(vertex->position.z, scale) };
     tp_view_corner c;
 
-    tp_lens_view(&frame->boat_lens, p, &c);
+    tp_lens_view(&sight->boat_lens, p, &c);
     c.s = vertex->s;
     c.t = vertex->t;
     c.n[0] = (int16_t)tp_dir_x(vertex->normal);
@@ -60,42 +64,66 @@ static tp_view_corner view_of(const tp_frame *frame, const tp_mesh_vertex *verte
     return c;
 }
 
-static void widen(tp_grid_box *box, const tp_boat_vertex *vertex)
-{
-    int16_t x = (int16_t)(vertex->u >> 4), y = (int16_t)(vertex->v >> 4);
+/* Beyond the level that cuts the sight; of a face all of whose corners are so nothing is
+ * left, one with some must be clipped. */
+#define OUTSIDE (TP_GRID_CUT + 1)
 
-    box->x0 = x < box->x0 ? x : box->x0;
-    box->x1 = x > box->x1 ? x : box->x1;
-    box->y0 = y < box->y0 ? y : box->y0;
-    box->y1 = y > box->y1 ? y : box->y1;
+static void place_vertex(const tp_frame *frame, const tp_sight *sight, uint32_t i)
+{
+    tp_boat_vertex *to = &frame->boat_vertex[i];
+    tp_view_corner c = view_of(frame, sight, &frame->assets.boat->vertices[i]);
+
+    if (sight->cut && tp_view_height(&sight->level, &c) < 0)
+        to->u = OUTSIDE;
+    else if (tp_lens_holds(&sight->boat_lens, &c))
+        tp_lens_project(&sight->boat_lens, &c, &to->u, &to->v, &to->zi);
+    else
+        to->u = TP_GRID_CUT;
 }
 
-void tp_frame_place_boat(tp_frame *frame)
+static int clipped(const tp_frame *frame, const tp_sight *sight, const tp_mesh_face *face,
+                   tp_corner corner[TP_CLIP_CORNERS])
+{
+    tp_view_corner in[3], out[TP_CLIP_CORNERS];
+
+    for (int k = 0; k < 3; k++)
+        in[k] = view_of(frame, sight, &frame->assets.boat->vertices[face->vertex[k]]);
+    int count = tp_clip_triangle_at(&sight->boat_lens, sight->cut ? &sight->level : NULL,
+                                    in, out);
+    for (int k = 0; k < count; k++)
+        tp_corner_project(&sight->boat_lens, &out[k], &corner[k]);
+    return count;
+}
+
+static void widen_by_face(const tp_frame *frame, tp_sight *sight, const tp_mesh_face *face)
+{
+    const tp_boat_vertex *vertex = frame->boat_vertex;
+    tp_corner corner[TP_CLIP_CORNERS];
+    int cut = 0, outside = 0;
+
+    for (int k = 0; k < 3; k++) {
+        const tp_boat_vertex *v = &vertex[face->vertex[k]];
+        cut += v->u <= OUTSIDE;
+        outside += v->u == OUTSIDE;
+        if (v->u > OUTSIDE)
+            tp_box_widen(&sight->boat_box, v->u, v->v);
+    }
+    if (cut == 0 || outside == 3)
+        return;
+    for (int k = clipped(frame, sight, face, corner); k-- > 0; )
+        tp_box_widen(&sight->boat_box, corner[k].u, corner[k].v);
+}
+
+void tp_frame_place_boat(tp_frame *frame, tp_sight *sight)
 {
     const tp_mesh *mesh = frame->assets.boat;
-    bool ahead = false, cut = false;
 
-    frame->boat_seen = false;
-    if (!mesh)
-        return;
-    turn_view(frame, &frame->drawn.boat);
-    frame->boat_box = (tp_grid_box){ INT16_MAX, INT16_MAX, INT16_MIN, INT16_MIN };
-    for (uint32_t i = 0; i < mesh->n_vertices; i++) {
-        tp_boat_vertex *vertex = &frame->boat_vertex[i];
-        tp_view_corner c = view_of(frame, &mesh->vertices[i]);
-        ahead |= c.depth >= frame->lens.near;
-        if (tp_lens_holds(&frame->boat_lens, &c)) {
-            tp_lens_project(&frame->boat_lens, &c, &vertex->u, &vertex->v, &vertex->zi);
-            widen(&frame->boat_box, vertex);
-        } else {
-            vertex->u = TP_GRID_CUT;
-            cut = true;
-        }
-    }
-    if (cut)
-        frame->boat_box = (tp_grid_box){ INT16_MIN, INT16_MIN, INT16_MAX, INT16_MAX };
-    frame->boat_seen = ahead;
-    if (ahead) {
+    turn_view(frame, sight, &frame->drawn.boat);
+    for (uint32_t i = 0; i < mesh->n_vertices; i++)
+        place_vertex(frame, sight, i);
+    for (uint32_t f = 0; f < mesh->n_faces; f++)
+        widen_by_face(frame, sight, &mesh->faces[f]);
+    if (sight->boat_box.x0 <= sight->boat_box.x1) {
         frame->stats.vertices += mesh->n_vertices;
         frame->stats.triangles += mesh->n_faces;
     }
@@ -108,6 +136,11 @@ static uint32_t mark_of(uint32_t material)
     return TP_MARK_SOLID + (material < TP_MATERIALS ? material : TP_MATERIALS - 1);
 }
 
+static bool is_lid(const tp_mesh *mesh, uint32_t material)
+{
+    return mesh->materials[material].opacity == 0;
+}
+
 static void draw(const tp_frame *frame, const tp_samples *tile, const tp_corner *a,
                  const tp_corner *b, const tp_corner *c, uint32_t f)
 {
@@ -115,20 +148,18 @@ static void draw(const tp_frame *frame, const tp_samples *tile, const tp_corner 
     uint32_t material = mesh->faces[f].material;
     tp_fx opacity = mesh->materials[material].opacity;
 
-    tp_tri_solid(tile, a, b, c, mark_of(material), f, (opacity * 16 + 0x8000) >> 16);
+    if (is_lid(mesh, material))
+        tp_tri_lid(tile, a, b, c);
+    else
+        tp_tri_solid(tile, a, b, c, mark_of(material), f, (opacity * 16 + 0x8000) >> 16);
 }
 
-static void draw_clipped(const tp_frame *frame, const tp_samples *tile,
-                         const tp_mesh_face *face, uint32_t f)
+static void draw_clipped(const tp_frame *frame, const tp_sight *sight,
+                         const tp_samples *tile, uint32_t f)
 {
-    tp_view_corner in[3], out[TP_CLIP_CORNERS];
     tp_corner corner[TP_CLIP_CORNERS];
+    int count = clipped(frame, sight, &frame->assets.boat->faces[f], corner);
 
-    for (int k = 0; k < 3; k++)
-        in[k] = view_of(frame, &frame->assets.boat->vertices[face->vertex[k]]);
-    int count = tp_clip_triangle(&frame->boat_lens, in, out);
-    for (int k = 0; k < count; k++)
-        tp_corner_project(&frame->boat_lens, &out[k], &corner[k]);
     for (int k = 2; k < count; k++)
         draw(frame, tile, &corner[0], &corner[k - 1], &corner[k], f);
 }
@@ -143,17 +174,19 @@ static tp_corner corner_of(const tp_boat_vertex *at, const tp_mesh_vertex *verte
 }
 
 /* Most faces of most tiles end at the first test: they lie in other rows. */
-static void draw_face(const tp_frame *frame, const tp_samples *tile,
-                      const tp_mesh_face *face, uint32_t f)
+static void draw_face(const tp_frame *frame, const tp_sight *sight,
+                      const tp_samples *tile, uint32_t f)
 {
+    const tp_mesh_face   *face = &frame->assets.boat->faces[f];
     const tp_mesh_vertex *vertex = frame->assets.boat->vertices;
     const tp_boat_vertex *a = &frame->boat_vertex[face->vertex[0]];
     const tp_boat_vertex *b = &frame->boat_vertex[face->vertex[1]];
     const tp_boat_vertex *c = &frame->boat_vertex[face->vertex[2]];
     int32_t top = 16 * tile->y0, bottom = 16 * tile->y1;
 
-    if (a->u == TP_GRID_CUT || b->u == TP_GRID_CUT || c->u == TP_GRID_CUT) {
-        draw_clipped(frame, tile, face, f);
+    if (a->u <= OUTSIDE || b->u <= OUTSIDE || c->u <= OUTSIDE) {
+        if (a->u != OUTSIDE || b->u != OUTSIDE || c->u != OUTSIDE)
+            draw_clipped(frame, sight, tile, f);
         return;
     }
     if ((a->v < top && b->v < top && c->v < top)
@@ -165,15 +198,31 @@ static void draw_face(const tp_frame *frame, const tp_samples *tile,
     draw(frame, tile, &corner[0], &corner[1], &corner[2], f);
 }
 
-void tp_frame_draw_boat(const tp_frame *frame, tp_samples *tile)
+static void draw_faces(const tp_frame *frame, const tp_sight *sight, tp_samples *tile,
+                       bool lids)
 {
-    const tp_grid_box *box = &frame->boat_box;
     const tp_mesh *mesh = frame->assets.boat;
 
-    if (!frame->boat_seen || box->x0 >= tile->x1 || box->x1 < tile->x0
-        || box->y0 >= tile->y1 || box->y1 < tile->y0)
+    if (!tp_sight_touches(&sight->boat_box, tile))
         return;
     tile->front_only = true;
     for (uint32_t f = 0; f < mesh->n_faces; f++)
-        draw_face(frame, tile, &mesh->faces[f], f);
+        if (is_lid(mesh, mesh->faces[f].material) == lids)
+            draw_face(frame, sight, tile, f);
+}
+
+void tp_frame_draw_boat(const tp_frame *frame, const tp_sight *sight, tp_samples *tile)
+{
+    draw_faces(frame, sight, tile, false);
+}
+
+void tp_frame_draw_lids(const tp_frame *frame, const tp_sight *sight, tp_samples *tile)
+{
+    const tp_mesh *mesh = frame->assets.boat;
+    bool any = false;
+
+    for (uint32_t i = 0; mesh && i < mesh->n_materials; i++)
+        any |= is_lid(mesh, i);
+    if (any)
+        draw_faces(frame, sight, tile, true);
 }

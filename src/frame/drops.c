@@ -61,7 +61,7 @@ static spheroid number(const tp_frame *frame, uint32_t i)
                   : shaped(at, drop->radius, drop->squash);
 }
 
-static tp_view_corner corner_of(const tp_frame *frame, const spheroid *s,
+static tp_view_corner corner_of(const tp_sight *sight, const spheroid *s,
                                 const tp_ball_point *p)
 {
     tp_vec3 at = { s->centre.x + (tp_fx)((int64_t)p->x * s->wide >> 14),
@@ -69,7 +69,7 @@ static tp_view_corner corner_of(const tp_frame *frame, const spheroid *s,
                    s->centre.z + (tp_fx)((int64_t)p->z * s->wide >> 14) };
     tp_view_corner c;
 
-    tp_lens_view(&frame->lens, at, &c);
+    tp_lens_view(sight->lens, at, &c);
     c.s = c.t = 0;
     c.n[0] = (int16_t)((int64_t)p->x * s->high / (s->wide + s->high + 1) >> 5);
     c.n[1] = (int16_t)((int64_t)p->y * s->wide / (s->wide + s->high + 1) >> 5);
@@ -81,34 +81,36 @@ static tp_view_corner corner_of(const tp_frame *frame, const spheroid *s,
 
 static const tp_grid_box nowhere = { 1, 1, 0, 0 };
 
-/* By the corners of the ball; one that must be clipped may be anywhere. */
-static tp_grid_box box_of(const tp_frame *frame, const spheroid *s)
+/* By the corners of the ball; one that must be clipped may be anywhere.  Of a ball that
+ * the level cuts the whole is taken. */
+static tp_grid_box box_of(const tp_frame *frame, const tp_sight *sight, const spheroid *s)
 {
-    int32_t u0 = INT32_MAX, u1 = INT32_MIN, v0 = INT32_MAX, v1 = INT32_MIN;
+    tp_grid_box box = TP_BOX_NONE;
     bool ahead = false, cut = false;
 
     for (uint32_t k = 0; k < TP_BALL; k++) {
-        tp_view_corner c = corner_of(frame, s, &frame->ball[k]);
+        tp_view_corner c = corner_of(sight, s, &frame->ball[k]);
         tp_corner p;
-        ahead |= c.depth >= frame->lens.near;
-        cut |= !tp_lens_holds(&frame->lens, &c);
+        ahead |= c.depth >= sight->lens->near
+              && (!sight->cut || tp_view_height(&sight->level, &c) >= 0);
+        cut |= !tp_lens_holds(sight->lens, &c);
         if (cut)
             continue;
-        tp_lens_project(&frame->lens, &c, &p.u, &p.v, &p.zi);
-        u0 = p.u < u0 ? p.u : u0;
-        u1 = p.u > u1 ? p.u : u1;
-        v0 = p.v < v0 ? p.v : v0;
-        v1 = p.v > v1 ? p.v : v1;
+        tp_lens_project(sight->lens, &c, &p.u, &p.v, &p.zi);
+        tp_box_widen(&box, p.u, p.v);
     }
     if (!ahead)
         return nowhere;
-    if (cut)
-        return (tp_grid_box){ INT16_MIN, INT16_MIN, INT16_MAX, INT16_MAX };
-    return (tp_grid_box){ (int16_t)(u0 >> 4), (int16_t)(v0 >> 4), (int16_t)(u1 >> 4),
-                          (int16_t)(v1 >> 4) };
+    return cut ? (tp_grid_box){ INT16_MIN, INT16_MIN, INT16_MAX, INT16_MAX } : box;
 }
 
-void tp_frame_place_drops(tp_frame *frame)
+static void widen(tp_grid_box *all, const tp_grid_box *box)
+{
+    tp_box_widen(all, 16 * box->x0, 16 * box->y0);
+    tp_box_widen(all, 16 * box->x1, 16 * box->y1);
+}
+
+void tp_frame_place_drops(tp_frame *frame, tp_sight *sight)
 {
     const tp_drops *drops = tp_world_drops(frame->world);
 
@@ -117,8 +119,9 @@ void tp_frame_place_drops(tp_frame *frame)
     frame->stats.dropped += drops->count - frame->drops_seen;
     for (uint32_t i = 0; i <= frame->drops_seen; i++) {
         spheroid s = number(frame, i);
-        frame->drop_box[i] = box_of(frame, &s);
+        frame->drop_box[i] = box_of(frame, sight, &s);
         if (frame->drop_box[i].x0 <= frame->drop_box[i].x1) {
+            widen(&sight->drops_box, &frame->drop_box[i]);
             frame->stats.vertices += TP_BALL;
             frame->stats.triangles += 2 * TP_BALL_ROUND * TP_BALL_RINGS;
         }
@@ -127,15 +130,16 @@ void tp_frame_place_drops(tp_frame *frame)
 
 /* -- drawing ------------------------------------------------------------------------ */
 
-static void draw_face(const tp_frame *frame, const tp_samples *tile,
+static void draw_face(const tp_sight *sight, const tp_samples *tile,
                       const tp_view_corner *view, uint32_t a, uint32_t b, uint32_t c)
 {
     tp_view_corner in[3] = { view[a], view[b], view[c] }, out[TP_CLIP_CORNERS];
     tp_corner corner[TP_CLIP_CORNERS];
-    int count = tp_clip_triangle(&frame->lens, in, out);
+    int count = tp_clip_triangle_at(sight->lens, sight->cut ? &sight->level : NULL, in,
+                                    out);
 
     for (int k = 0; k < count; k++)
-        tp_corner_project(&frame->lens, &out[k], &corner[k]);
+        tp_corner_project(sight->lens, &out[k], &corner[k]);
     for (int k = 2; k < count; k++)
         tp_tri_solid(tile, &corner[0], &corner[k - 1], &corner[k], TP_MARK_DROP, 0, 16);
 }
@@ -147,32 +151,31 @@ static uint32_t point(uint32_t i, uint32_t j)
          : 1 + (j - 1) * TP_BALL_ROUND + i % TP_BALL_ROUND;
 }
 
-static void draw_one(const tp_frame *frame, const tp_samples *tile, const spheroid *s)
+static void draw_one(const tp_frame *frame, const tp_sight *sight, const tp_samples *tile,
+                     const spheroid *s)
 {
     tp_view_corner view[TP_BALL];
 
     for (uint32_t k = 0; k < TP_BALL; k++)
-        view[k] = corner_of(frame, s, &frame->ball[k]);
+        view[k] = corner_of(sight, s, &frame->ball[k]);
     for (uint32_t j = 0; j <= TP_BALL_RINGS; j++)
         for (uint32_t i = 0; i < TP_BALL_ROUND; i++) {
             uint32_t a = point(i, j), b = point(i, j + 1), c = point(i + 1, j + 1),
                      d = point(i + 1, j);
             if (b != c)
-                draw_face(frame, tile, view, a, b, c);
+                draw_face(sight, tile, view, a, b, c);
             if (a != d)
-                draw_face(frame, tile, view, a, c, d);
+                draw_face(sight, tile, view, a, c, d);
         }
 }
 
-void tp_frame_draw_drops(const tp_frame *frame, tp_samples *tile)
+void tp_frame_draw_drops(const tp_frame *frame, const tp_sight *sight, tp_samples *tile)
 {
     tile->front_only = true;
     for (uint32_t i = 0; i <= frame->drops_seen; i++) {
-        const tp_grid_box *box = &frame->drop_box[i];
-        if (box->x0 >= tile->x1 || box->x1 < tile->x0 || box->y0 >= tile->y1
-            || box->y1 < tile->y0 || box->x0 > box->x1)
+        if (!tp_sight_touches(&frame->drop_box[i], tile))
             continue;
         spheroid s = number(frame, i);
-        draw_one(frame, tile, &s);
+        draw_one(frame, sight, tile, &s);
     }
 }

@@ -47,6 +47,8 @@ typedef struct {
     tp_solid       *solid;
     uint8_t        *gloss;
     tp_frame_sky    heaven;
+    tp_half_store   mirrored, sunken;
+    tp_around_store around;
     tp_glass       *glass;
     tp_rectangle   *block;
     uint16_t       *caustic_light;
@@ -57,6 +59,11 @@ typedef struct {
 static bool has_land(const tp_scene *scene)
 {
     return scene->floor.depth > 0 || scene->floor.map[0];
+}
+
+static bool has_blocks(const tp_scene *scene)
+{
+    return scene->pool.cols > 0 && scene->pool.mask[0];
 }
 
 /* What the water's inside needs. */
@@ -74,7 +81,7 @@ static void carve_depth(parts *p, tp_arena *arena, const tp_scene *scene)
                 p->glass[i].post = post;
         }
     }
-    if (scene->pool.cols > 0 && scene->pool.mask[0])
+    if (has_blocks(scene))
         p->block = tp_arena_take(arena, TP_BLOCKS, sizeof *p->block);
     if (tp_frame_has_caustics(scene)) {
         p->caustic_light = tp_arena_take(arena, cells * cells, sizeof *p->caustic_light);
@@ -82,8 +89,27 @@ static void carve_depth(parts *p, tp_arena *arena, const tp_scene *scene)
     }
 }
 
+/* Pictures that water looks into, of scenes with something to see there. */
+static void carve_looks(parts *p, tp_arena *arena, const tp_scene *scene,
+                        const tp_assets *assets, const tp_frame_config *c)
+{
+    size_t before = arena->used;
+    bool   moves = assets->boat || scene->drops.count > 0;
+    bool   mirrors = scene->water.reflection > 0
+                  && (moves || has_blocks(scene) || tp_has_tank(scene));
+
+    if (mirrors && scene->mirror.objects == TP_MIRROR_STENCIL)
+        tp_frame_carve_half(&p->mirrored, arena, c->width, c->height);
+    if (mirrors && moves && scene->mirror.objects == TP_MIRROR_CUBE)
+        tp_frame_carve_around(&p->around, arena);
+    if (moves && scene->water.clear > 0)
+        tp_frame_carve_half(&p->sunken, arena, c->width, c->height);
+    p->ram.mirror = arena->used - before;
+}
+
 /* The block's layout: run once with a counting arena, once for real. */
-static parts carve(tp_arena *arena, const tp_scene *scene, const tp_assets *assets)
+static parts carve(tp_arena *arena, const tp_scene *scene, const tp_assets *assets,
+                   const tp_frame_config *config)
 {
     uint32_t vertices = assets->boat ? assets->boat->n_vertices : 0;
     uint32_t materials = materials_of(assets);
@@ -111,8 +137,9 @@ static parts carve(tp_arena *arena, const tp_scene *scene, const tp_assets *asse
     p.solid = tp_arena_take(arena, materials, sizeof *p.solid);
     p.gloss = tp_arena_take(arena, materials, TP_GLOSS);
     p.heaven = tp_frame_carve_sky(arena, scene, assets);
-    p.ram.frame = arena->used;
     p.ram.tables = arena->used - fixed - p.ram.vertices + sizeof p.frame->shade;
+    carve_looks(&p, arena, scene, assets, config);
+    p.ram.frame = arena->used;
     return p;
 }
 
@@ -124,7 +151,7 @@ size_t tp_frame_bytes(const tp_scene *scene, const tp_assets *assets,
 
     if (check(&c, NULL) != TP_OK)
         return 0;
-    return carve(&arena, scene, assets).ram.frame;
+    return carve(&arena, scene, assets, &c).ram.frame;
 }
 
 static size_t tile_samples(const tp_frame_config *c)
@@ -165,7 +192,7 @@ tp_status tp_frame_init(tp_frame **out, const tp_scene *scene, const tp_assets *
     if (status != TP_OK)
         return status;
     tp_arena arena = tp_arena_over(block, tp_frame_bytes(scene, assets, config));
-    parts p = carve(&arena, scene, assets);
+    parts p = carve(&arena, scene, assets, &c);
     tp_frame *frame = p.frame;
     memset(frame, 0, sizeof *frame);
     frame->scene = scene;
@@ -186,6 +213,9 @@ tp_status tp_frame_init(tp_frame **out, const tp_scene *scene, const tp_assets *
     frame->solid = p.solid;
     frame->gloss = p.gloss;
     frame->heaven = p.heaven;
+    frame->mirrored = p.mirrored;
+    frame->sunken = p.sunken;
+    frame->around = p.around;
     frame->glass = p.glass;
     frame->block = p.block;
     frame->caustic_light = p.caustic_light;
@@ -227,6 +257,24 @@ static void place_surface(tp_frame *frame)
     }
 }
 
+/* What water looks into, then the picture itself: they share memory, and the numbers of
+ * the last frame are the picture's. */
+static void place_solids(tp_frame *frame)
+{
+    const tp_frame_stats stats = frame->stats;
+
+    if (frame->mirrored.colour)
+        tp_frame_draw_mirrored(frame);
+    if (frame->around.colour)
+        tp_frame_draw_around(frame);
+    if (frame->sunken.colour)
+        tp_frame_draw_sunken(frame);
+    frame->stats = stats;
+    frame->sight = (tp_sight){ .lens = &frame->lens };
+    tp_sight_begin(frame, &frame->sight);
+    tp_sight_place(frame, &frame->sight);
+}
+
 void tp_frame_begin(tp_frame *frame, const tp_world *world)
 {
     const tp_scene *scene = frame->scene;
@@ -246,11 +294,9 @@ void tp_frame_begin(tp_frame *frame, const tp_world *world)
         tp_frame_place_blocks(frame);
     if (frame->glass)
         tp_frame_place_glass(frame);
-    tp_frame_place_boat(frame);
+    place_solids(frame);
     if (frame->land_vertex && frame->surface.ocean)
         tp_frame_place_land(frame);
-    if (frame->drop_capacity > 0)
-        tp_frame_place_drops(frame);
     if (frame->speck_capacity > 0)
         tp_frame_place_spray(frame);
 }

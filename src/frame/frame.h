@@ -2,12 +2,9 @@
 /* The inside of a frame: everything that drawing a tile reads. */
 #ifndef TP_FRAME_INSIDE_H
 #define TP_FRAME_INSIDE_H
-#include "geom/grid.h"
-#include "raster/raster.h"
+#include "frame/sight.h"
 #include "scene/drawn.h"
 #include "scene/sides.h"
-#include "shade/shade.h"
-#include "tidepool/frame.h"
 
 #define TP_STAGES 20
 
@@ -24,7 +21,7 @@ typedef struct {
     uint8_t  *tone;             /* 256 */
 } tp_frame_sky;
 
-/* A corner of the boat, projected; u = TP_GRID_CUT: must be clipped. */
+/* A corner of the boat, projected; see boat.c for u of those that are not. */
 typedef struct {
     int32_t  u, v;
     uint32_t zi;
@@ -96,6 +93,21 @@ typedef struct {
     int32_t x, z, lit_x, lit_z;
 } tp_caustic_corner;
 
+/* Memory of a picture at half the size. */
+#define TP_HALF_BAND 4          /* rows that are drawn at a time */
+
+typedef struct {
+    uint32_t *colour;           /* NULL: the scene has none */
+    tp_mirrored_zi *zi;         /* of each column */
+    uint32_t *samples;          /* four planes of a band */
+    uint32_t  cols, rows;
+} tp_half_store;
+
+typedef struct {
+    uint32_t *colour;           /* TP_AROUND_FACES; NULL: the scene has none */
+    uint32_t *samples;
+} tp_around_store;
+
 struct tp_frame {
     const tp_scene  *scene;
     tp_assets        assets;
@@ -112,10 +124,10 @@ struct tp_frame {
     tp_grid_view     grid_view;
     bool             cull_water;        /* the eye is above every crest */
 
-    bool             boat_seen;
-    tp_lens          boat_lens;         /* the same view in the mesh's frame */
-    tp_boat_vertex  *boat_vertex;
-    tp_grid_box      boat_box;          /* pixels */
+    tp_sight         sight;             /* the picture itself */
+    tp_half_store    mirrored, sunken;
+    tp_around_store  around;
+    tp_boat_vertex  *boat_vertex;       /* of the sight that was placed last */
     tp_solid        *solid;
     uint8_t         *gloss;
 
@@ -155,23 +167,33 @@ struct tp_frame {
 void tp_frame_place_water(tp_frame *frame);
 void tp_frame_draw_water(const tp_frame *frame, tp_samples *tile);
 
-/* boat.c */
-void tp_frame_place_boat(tp_frame *frame);
-void tp_frame_draw_boat(const tp_frame *frame, tp_samples *tile);
-
 /* land.c: of scenes with a sea floor */
 void tp_frame_place_land(tp_frame *frame);
 void tp_frame_draw_land(const tp_frame *frame, tp_samples *tile);
 
 /* drops.c */
 void tp_frame_make_ball(tp_frame *frame);
-void tp_frame_place_drops(tp_frame *frame);
-void tp_frame_draw_drops(const tp_frame *frame, tp_samples *tile);
+
+/* half.c: pictures of half the size that water looks into, before any tile. */
+void tp_frame_carve_half(tp_half_store *store, tp_arena *arena, uint32_t width,
+                         uint32_t height);
+void tp_frame_draw_mirrored(tp_frame *frame);
+void tp_frame_draw_sunken(tp_frame *frame);
+
+/* around.c: the objects as a point on the water sees them */
+void tp_frame_carve_around(tp_around_store *store, tp_arena *arena);
+void tp_frame_draw_around(tp_frame *frame);
+
+/* tile.c: row y of samples as 0xffRRGGBB, 0 where nothing is, before any exposure; `to`
+ * may be its normals. */
+void tp_frame_colour_row(const tp_frame *frame, const tp_samples *tile, int32_t y,
+                         uint32_t *to);
 
 /* tank.c: stone, seen through any lens */
 bool tp_frame_is_glass(const tp_frame *frame, uint32_t face);
 void tp_frame_place_blocks(tp_frame *frame);
-void tp_frame_draw_tank(const tp_frame *frame, const tp_lens *lens, tp_samples *samples);
+void tp_frame_draw_tank(const tp_frame *frame, const tp_sight *sight,
+                        tp_samples *samples);
 
 /* glass.c: of tanks of glass; after the water has been placed */
 void tp_frame_place_glass(tp_frame *frame);
@@ -185,6 +207,7 @@ void tp_frame_place_caustics(tp_frame *frame);
 
 /* plan_depth.c: what is seen through the water and under it */
 void tp_frame_plan_depth(tp_frame *frame);
+void tp_frame_view_inside(tp_frame *frame);     /* of the axes that shade has now */
 tp_stage tp_frame_behind_stage(const tp_frame *frame, bool rippled);
 
 /* spray.c: over what has been drawn, so last */

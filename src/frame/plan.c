@@ -84,6 +84,17 @@ static tp_stage light_stage(const tp_frame *frame, bool rippled)
     return rippled ? tp_stage_light_rippled : tp_stage_light;
 }
 
+/* Objects over it: what the scene asks for and had memory for at init. */
+static void add_objects(const tp_frame *frame, tp_plan *water)
+{
+    const int kind = frame->scene->mirror.objects;
+
+    if (kind == TP_MIRROR_STENCIL && frame->mirrored.colour)
+        tp_plan_add(water, tp_stage_mirrored);
+    if (kind == TP_MIRROR_CUBE && frame->around.colour)
+        tp_plan_add(water, tp_stage_mirrored_cube);
+}
+
 static void add_mirror(const tp_frame *frame, tp_plan *water, bool rippled)
 {
     if (!tp_frame_mirrors_apart(frame)) {
@@ -93,6 +104,7 @@ static void add_mirror(const tp_frame *frame, tp_plan *water, bool rippled)
     if (!rippled)
         tp_plan_add(water, tp_stage_slopes);
     tp_frame_add_reflection(frame, water);
+    add_objects(frame, water);
     tp_frame_add_fresnel(frame, water);
 }
 

@@ -54,8 +54,9 @@ static void set_sun(const tp_shade *shade, tp_inside *in)
 }
 
 /* The view's axes over the focal length: a 16th of a pixel at 1 m. */
-static void set_view(const tp_frame *frame, tp_inside *in)
+void tp_frame_view_inside(tp_frame *frame)
 {
+    tp_inside *in = &frame->shade.inside;
     const tp_view_axes *axes = &frame->shade.world;
     const tp_q30 right[3] = { axes->right.x, axes->right.y, axes->right.z };
     const tp_q30 up[3] = { axes->up.x, axes->up.y, axes->up.z };
@@ -156,7 +157,7 @@ void tp_frame_plan_depth(tp_frame *frame)
     in->glass = (uint32_t)scene->tank.glass >> 8;
     set_indices(in, scene->water.dispersion);
     set_sun(&frame->shade, in);
-    set_view(frame, in);
+    tp_frame_view_inside(frame);
     set_box(frame, in);
     if (frame->caustic_light)
         tp_frame_place_caustics(frame);

@@ -46,9 +46,10 @@ typedef struct {
     int32_t nx, ny, nz;         /* 511 is 1 */
 } quad;
 
-static void draw_triangle(const tp_lens *lens, const tp_samples *samples, const quad *q,
+static void draw_triangle(const tp_sight *sight, const tp_samples *samples, const quad *q,
                           int b, int c)
 {
+    const tp_lens *lens = sight->lens;
     const int which[3] = { 0, b, c };
     tp_view_corner in[3], out[TP_CLIP_CORNERS];
     tp_corner corner[TP_CLIP_CORNERS];
@@ -60,22 +61,22 @@ static void draw_triangle(const tp_lens *lens, const tp_samples *samples, const 
         in[k].n[1] = (int16_t)q->ny;
         in[k].n[2] = (int16_t)q->nz;
     }
-    int count = tp_clip_triangle(lens, in, out);
+    int count = tp_clip_triangle_at(lens, sight->cut ? &sight->level : NULL, in, out);
     for (int k = 0; k < count; k++)
         tp_corner_project(lens, &out[k], &corner[k]);
     for (int k = 2; k < count; k++)
         tp_tri_solid(samples, &corner[0], &corner[k - 1], &corner[k], TP_MARK_TANK, 0, 16);
 }
 
-static void draw_quad(const tp_lens *lens, const tp_samples *samples, const quad *q)
+static void draw_quad(const tp_sight *sight, const tp_samples *samples, const quad *q)
 {
-    draw_triangle(lens, samples, q, 1, 2);
-    draw_triangle(lens, samples, q, 2, 3);
+    draw_triangle(sight, samples, q, 1, 2);
+    draw_triangle(sight, samples, q, 2, 3);
 }
 
 /* The face of a box that looks along `face`, from `low` to `high`; or, `inwards`, its
  * other side. */
-static void draw_face(const tp_lens *lens, const tp_samples *samples,
+static void draw_face(const tp_sight *sight, const tp_samples *samples,
                       const tp_rectangle *r, tp_fx low, tp_fx high, uint32_t face,
                       bool inwards)
 {
@@ -87,19 +88,19 @@ static void draw_face(const tp_lens *lens, const tp_samples *samples,
     quad q = { { { a[0], low, a[1] }, { b[0], low, b[1] }, { b[0], high, b[1] },
                  { a[0], high, a[1] } }, face & 2 ? 0 : out, 0, face & 2 ? out : 0 };
 
-    draw_quad(lens, samples, &q);
+    draw_quad(sight, samples, &q);
 }
 
-static void draw_top(const tp_lens *lens, const tp_samples *samples, tp_fx y,
+static void draw_top(const tp_sight *sight, const tp_samples *samples, tp_fx y,
                      const tp_fx at[4][2])
 {
     quad q = { { { at[0][0], y, at[0][1] }, { at[1][0], y, at[1][1] },
                  { at[2][0], y, at[2][1] }, { at[3][0], y, at[3][1] } }, 0, 511, 0 };
-    draw_quad(lens, samples, &q);
+    draw_quad(sight, samples, &q);
 }
 
 /* Of wall `face`: between its inner and its outer rectangle. */
-static void draw_rim(const tp_lens *lens, const tp_samples *samples,
+static void draw_rim(const tp_sight *sight, const tp_samples *samples,
                      const tp_rectangle *in, const tp_rectangle *out, tp_fx y,
                      uint32_t face)
 {
@@ -113,10 +114,10 @@ static void draw_rim(const tp_lens *lens, const tp_samples *samples,
         { { in->x0, in->z0 }, { in->x1, in->z0 }, { out->x1, out->z0 },
           { out->x0, out->z0 } },
     };
-    draw_top(lens, samples, y, rim[face]);
+    draw_top(sight, samples, y, rim[face]);
 }
 
-static void draw_walls(const tp_frame *frame, const tp_lens *lens,
+static void draw_walls(const tp_frame *frame, const tp_sight *sight,
                        const tp_samples *samples)
 {
     const tp_scene *scene = frame->scene;
@@ -128,26 +129,27 @@ static void draw_walls(const tp_frame *frame, const tp_lens *lens,
     for (uint32_t face = 0; face < 4; face++) {
         if (tp_frame_is_glass(frame, face))
             continue;
-        draw_face(lens, samples, &in, -scene->tank.depth, scene->tank.rim, face, true);
-        draw_rim(lens, samples, &in, &out, scene->tank.rim, face);
+        draw_face(sight, samples, &in, -scene->tank.depth, scene->tank.rim, face, true);
+        draw_rim(sight, samples, &in, &out, scene->tank.rim, face);
         if (scene->tank.kind == TP_TANK_STONE)
-            draw_face(lens, samples, &out, -scene->tank.depth, scene->tank.rim, face,
+            draw_face(sight, samples, &out, -scene->tank.depth, scene->tank.rim, face,
                       false);
     }
 }
 
-void tp_frame_draw_tank(const tp_frame *frame, const tp_lens *lens, tp_samples *samples)
+void tp_frame_draw_tank(const tp_frame *frame, const tp_sight *sight,
+                        tp_samples *samples)
 {
     samples->front_only = true;
     if (tp_has_tank(frame->scene) && !frame->under)
-        draw_walls(frame, lens, samples);
+        draw_walls(frame, sight, samples);
     for (uint32_t i = 0; i < frame->blocks; i++) {
         const tp_rectangle *r = &frame->block[i];
         const tp_fx top[4][2] = { { r->x0, r->z1 }, { r->x1, r->z1 }, { r->x1, r->z0 },
                                   { r->x0, r->z0 } };
-        draw_top(lens, samples, frame->block_high, top);
+        draw_top(sight, samples, frame->block_high, top);
         for (uint32_t face = 0; face < 4; face++)
-            draw_face(lens, samples, r, frame->block_low, frame->block_high, face, false);
+            draw_face(sight, samples, r, frame->block_low, frame->block_high, face, false);
     }
 }
 

@@ -46,30 +46,59 @@ static int32_t run_length(const uint32_t *key, int32_t most)
     return n;
 }
 
+/* The run that begins at (x, y), and what it goes through. */
+static const tp_plan *run_at(const tp_frame *frame, const tp_samples *tile, int32_t x,
+                             int32_t y, tp_run *run)
+{
+    int32_t most = TP_RUN - x % TP_RUN;
+    size_t  at = (size_t)(uint32_t)(y - tile->y0) * tile->stride
+               + (uint32_t)(x - tile->x0);
+
+    run->key = tile->key + at;
+    run->s = tile->s + at;
+    run->t = tile->t + at;
+    run->n = tile->n + at;
+    run->x = x;
+    run->y = y;
+    run->count = run_length(run->key, most < tile->x1 - x ? most : tile->x1 - x);
+    run->material = TP_MARK(run->key[0]) - TP_MARK_SOLID;
+    return plan_for(frame, TP_MARK(run->key[0]));
+}
+
 static void shade_row(const tp_frame *frame, const tp_samples *tile, int32_t y, void *row)
 {
-    size_t at = (size_t)(uint32_t)(y - tile->y0) * tile->stride;
     tp_covered glass[TP_PANES];
     tp_run run;
 
     if (frame->glasses > 0)
         tp_frame_glass_row(frame, y, glass);
     for (int32_t x = tile->x0; x < tile->x1; x += run.count) {
-        int32_t i = x - tile->x0, most = TP_RUN - x % TP_RUN;
-        run.key = tile->key + at + i;
-        run.s = tile->s + at + i;
-        run.t = tile->t + at + i;
-        run.n = tile->n + at + i;
-        run.x = x;
-        run.y = y;
-        run.count = run_length(run.key, most < tile->x1 - x ? most : tile->x1 - x);
-        run.material = TP_MARK(run.key[0]) - TP_MARK_SOLID;
-        const tp_plan *plan = plan_for(frame, TP_MARK(run.key[0]));
+        const tp_plan *plan = run_at(frame, tile, x, y, &run);
         for (int k = 0; plan->stage[k]; k++)
             plan->stage[k](&frame->shade, &run);
         if (frame->glasses > 0)
             tp_frame_glaze(frame, glass, &run);
-        tp_pixel_store(frame->config.format, row, i, x, y, run.colour, run.count);
+        tp_pixel_store(frame->config.format, row, x - tile->x0, x, y, run.colour,
+                       run.count);
+    }
+}
+
+void tp_frame_colour_row(const tp_frame *frame, const tp_samples *tile, int32_t y,
+                         uint32_t *to)
+{
+    const uint32_t *key = tile->key + (size_t)(uint32_t)(y - tile->y0) * tile->stride;
+    tp_run run;
+
+    for (int32_t x = tile->x0; x < tile->x1; ) {
+        if (TP_MARK(key[x - tile->x0]) == TP_MARK_SKY) {
+            to[x++ - tile->x0] = 0;
+            continue;
+        }
+        const tp_plan *plan = run_at(frame, tile, x, y, &run);
+        for (int k = 0; plan->stage[k] && plan->stage[k] != tp_stage_expose; k++)
+            plan->stage[k](&frame->shade, &run);
+        for (int32_t k = 0; k < run.count; k++, x++)
+            to[x - tile->x0] = run.colour[k] | 0xff000000u;
     }
 }
 
@@ -89,15 +118,17 @@ bool tp_frame_tile(const tp_frame *frame, uint32_t i, void *scratch, tp_tile *ti
 
     tp_samples samples = samples_of(frame, scratch, tile);
     tp_samples_clear(&samples);
-    tp_frame_draw_boat(frame, &samples);
+    if (frame->assets.boat)
+        tp_frame_draw_boat(frame, &frame->sight, &samples);
     if (frame->land_vertex && frame->surface.ocean)
         tp_frame_draw_land(frame, &samples);
     if (frame->drop_capacity > 0)
-        tp_frame_draw_drops(frame, &samples);
+        tp_frame_draw_drops(frame, &frame->sight, &samples);
     if (frame->block || tp_has_tank(frame->scene))
-        tp_frame_draw_tank(frame, &frame->lens, &samples);
+        tp_frame_draw_tank(frame, &frame->sight, &samples);
     if (frame->glasses > 0)
         tp_frame_draw_sides(frame, &samples);
+    tp_frame_draw_lids(frame, &frame->sight, &samples);
     tp_frame_draw_water(frame, &samples);
     if (frame->specks > 0)
         tp_frame_draw_spray(frame, &samples);

@@ -19,7 +19,9 @@
 #include "shade/foam.h"
 #include "shade/skies.h"
 #include "shade/absorb.h"
+#include "shade/around.h"
 #include "shade/inside.h"
+#include "shade/mirrored.h"
 #include "tidepool/asset.h"
 #include "tidepool/fx.h"
 
@@ -94,6 +96,8 @@ typedef struct {
 
     tp_half  mirrored;          /* objects about the level, upside down */
     tp_half  sunken;            /* objects under the level, as flat water shows them */
+    tp_mirrored bending;        /* of looks into `mirrored` */
+    tp_around around;           /* objects, where they are not in `mirrored` */
     tp_vec3  eye;
     tp_absorb absorb;           /* of water that is seen through */
     tp_inside inside;           /* what lies in and under the water */
@@ -157,6 +161,8 @@ void tp_stage_slopes(const tp_shade *shade, tp_run *run);   /* sx sz of smooth w
 void tp_stage_reflect_gradient(const tp_shade *shade, tp_run *run); /* mirror, rx rz */
 void tp_stage_reflect_dome(const tp_shade *shade, tp_run *run);
 void tp_stage_reflect_cube(const tp_shade *shade, tp_run *run);
+void tp_stage_mirrored(const tp_shade *shade, tp_run *run); /* objects over mirror */
+void tp_stage_mirrored_cube(const tp_shade *shade, tp_run *run);
 void tp_stage_fresnel(const tp_shade *shade, tp_run *run);  /* mirror into the colour */
 void tp_stage_fresnel_hdr(const tp_shade *shade, tp_run *run);
 

@@ -1,0 +1,127 @@
+/* SPDX-License-Identifier: MIT */
+/* The dynamic environment: a small cube of what a point on the water sees of boat and
+ * drops, drawn anew in each frame.  The point is where the camera sees the objects'
+ * middle mirrored: there the cube is right, and around it nearly so. */
+#include "frame/frame.h"
+
+#define WIDE (2 * TP_AROUND_SIDE)
+#define BAND 4                  /* rows that are drawn at a time */
+
+void tp_frame_carve_around(tp_around_store *store, tp_arena *arena)
+{
+    store->colour = tp_arena_take(arena, TP_AROUND_FACES * TP_AROUND_SIDE * TP_AROUND_SIDE,
+                                  sizeof *store->colour);
+    store->samples = tp_arena_take(arena, WIDE * BAND, 4 * sizeof *store->samples);
+}
+
+static tp_fx middle(tp_fx low, tp_fx high, tp_fx scale)
+{
+    return tp_fx_held(((int64_t)low + high) / 2 * scale >> 16);
+}
+
+static tp_vec3 middle_of_objects(const tp_frame *frame)
+{
+    const tp_mesh *mesh = frame->assets.boat;
+    const tp_pose *boat = &frame->drawn.boat;
+    tp_fx scale = frame->scene->boat.scale;
+
+    if (!mesh)
+        return tp_world_drops(frame->world)->sphere;
+    const tp_rotation turn = tp_rotation_of(boat->heading, boat->pitch, boat->roll);
+    const tp_vec3 at = { middle(mesh->low.x, mesh->high.x, scale),
+                         middle(mesh->low.y, mesh->high.y, scale),
+                         middle(mesh->low.z, mesh->high.z, scale) };
+    return tp_vec3_add(boat->place, tp_rotate_back(&turn, at));
+}
+
+/* eye + (to - eye) part, level. */
+static tp_vec3 towards(tp_vec3 eye, tp_vec3 to, tp_fx part, tp_fx level)
+{
+    return (tp_vec3){ eye.x + tp_fx_mul(to.x - eye.x, part), level,
+                      eye.z + tp_fx_mul(to.z - eye.z, part) };
+}
+
+/* Fills shade.around but for its colours; returns the point. */
+static tp_vec3 set_around(tp_frame *frame, tp_fx level)
+{
+    const tp_vec3 eye = frame->lens.eye, to = middle_of_objects(frame);
+    const tp_fx up = eye.y - level, high = to.y - level > TP_FX_ONE / 4
+                                         ? to.y - level : TP_FX_ONE / 4;
+    const tp_vec3 point = towards(eye, to, tp_fx_div(up, up + high), level);
+    const tp_vec3 way = tp_vec3_sub(to, point);
+    const tp_dir3 n = tp_normalise(way.x, 0, way.z);
+    tp_around *cube = &frame->shade.around;
+
+    *cube = (tp_around){
+        .from = tp_vec3_sub(eye, point), .to = way, .nx = n.x >> 16, .nz = n.z >> 16,
+        .zi_near = frame->lens.zi_near,
+        .per_focal = (uint32_t)(((uint64_t)1 << 32)
+                                / (uint32_t)(frame->lens.focal >> 12)),
+    };
+    return point;
+}
+
+/* A row of samples, twice as fine as texels: a quarter of each is added to its texel, so
+ * that a colour comes out times its cover.  Its normals have served when it is coloured,
+ * and make room for that. */
+static void add_row(const tp_frame *frame, const tp_samples *band, int32_t y, uint32_t *to)
+{
+    uint32_t *row = band->n + (uint32_t)(y - band->y0) * WIDE;
+
+    tp_frame_colour_row(frame, band, y, row);
+    for (int32_t x = 0; x < WIDE; x++)
+        to[x / 2] += row[x] >> 2 & 0x3f3f3f3fu;
+}
+
+/* True: something is seen. */
+static bool draw_face(tp_frame *frame, tp_sight *sight, uint32_t *to)
+{
+    uint32_t *at = frame->around.samples;
+    const size_t plane = WIDE * BAND;
+
+    tp_sight_begin(frame, sight);
+    tp_grid_box box = tp_sight_place(frame, sight);
+    memset(to, 0, TP_AROUND_SIDE * TP_AROUND_SIDE * sizeof *to);
+    for (int32_t y0 = 0; y0 < WIDE; y0 += BAND) {
+        tp_samples band = { 0, y0, WIDE, y0 + BAND, WIDE, at, at + plane,
+                            at + 2 * plane, at + 3 * plane, false };
+        if (!tp_sight_touches(&box, &band))
+            continue;
+        tp_samples_clear(&band);
+        tp_sight_draw(frame, sight, &band);
+        for (int32_t y = y0; y < y0 + BAND; y++)
+            add_row(frame, &band, y, to + y / 2 * TP_AROUND_SIDE);
+    }
+    return box.x0 <= box.x1;
+}
+
+void tp_frame_draw_around(tp_frame *frame)
+{
+    static const int32_t turn[TP_AROUND_FACES][2] = {     /* quarters: heading, pitch */
+        { 1, 0 }, { 3, 0 }, { 2, 0 }, { 0, 0 }, { 0, 1 }
+    };
+    const tp_fx level = tp_sight_level(frame);
+    const uint32_t quarter = (uint32_t)1 << 30;
+    const int32_t  zi_log = frame->shade.zi_log;
+    bool seen = false;
+
+    frame->shade.around.colour = NULL;
+    if (frame->under || frame->lens.eye.y <= level)
+        return;
+    const tp_vec3 point = set_around(frame, level);
+    /* Texels as the picture's focal length counts them. */
+    frame->shade.zi_log += tp_log2_q8((uint32_t)frame->lens.focal)
+                         - tp_log2_q8(WIDE / 2 * (uint32_t)TP_FX_ONE);
+    for (uint32_t f = 0; f < TP_AROUND_FACES; f++) {
+        tp_lens lens;
+        tp_lens_init(&lens, point, (uint32_t)turn[f][0] * quarter,
+                     (uint32_t)turn[f][1] * quarter, 90 * TP_FX_ONE,
+                     frame->scene->camera.near, WIDE, WIDE);
+        tp_sight sight = { .lens = &lens, .cut = true,
+                           .level = tp_lens_level(&lens, level, 1) };
+        seen |= draw_face(frame, &sight,
+                          frame->around.colour + f * TP_AROUND_SIDE * TP_AROUND_SIDE);
+    }
+    frame->shade.zi_log = zi_log;
+    frame->shade.around.colour = seen ? frame->around.colour : NULL;
+}

@@ -1,0 +1,64 @@
+/* SPDX-License-Identifier: MIT */
+/* What every sight has in common. */
+#include "frame/frame.h"
+
+tp_fx tp_sight_level(const tp_frame *frame)
+{
+    return frame->assets.boat ? frame->drawn.boat.place.y - frame->scene->boat.lift : 0;
+}
+
+static bool has_walls(const tp_frame *frame)
+{
+    return frame->blocks > 0 || tp_has_tank(frame->scene);
+}
+
+/* The light stays the world's; walls tell their places by the eye and its axes. */
+void tp_sight_begin(tp_frame *frame, const tp_sight *sight)
+{
+    const tp_lens *lens = sight->lens;
+    tp_shade *shade = &frame->shade;
+
+    shade->u0 = lens->u0;
+    shade->v0 = lens->v0;
+    shade->focal = lens->focal >> 12;
+    shade->world.right = lens->turn.x;
+    shade->world.up = lens->turn.y;
+    shade->world.back = lens->turn.z;
+    shade->eye = lens->eye;
+    if (has_walls(frame))
+        tp_frame_view_inside(frame);
+}
+
+static void join(tp_grid_box *to, const tp_grid_box *box)
+{
+    to->x0 = box->x0 < to->x0 ? box->x0 : to->x0;
+    to->x1 = box->x1 > to->x1 ? box->x1 : to->x1;
+    to->y0 = box->y0 < to->y0 ? box->y0 : to->y0;
+    to->y1 = box->y1 > to->y1 ? box->y1 : to->y1;
+}
+
+tp_grid_box tp_sight_place(tp_frame *frame, tp_sight *sight)
+{
+    tp_grid_box box = TP_BOX_NONE;
+
+    sight->boat_box = sight->drops_box = box;
+    if (frame->assets.boat)
+        tp_frame_place_boat(frame, sight);
+    if (frame->drop_capacity > 0)
+        tp_frame_place_drops(frame, sight);
+    join(&box, &sight->boat_box);
+    join(&box, &sight->drops_box);
+    if (sight->walls && has_walls(frame))       /* which may be anywhere */
+        return (tp_grid_box){ INT16_MIN, INT16_MIN, INT16_MAX, INT16_MAX };
+    return box;
+}
+
+void tp_sight_draw(const tp_frame *frame, const tp_sight *sight, tp_samples *tile)
+{
+    if (frame->assets.boat)
+        tp_frame_draw_boat(frame, sight, tile);
+    if (frame->drop_capacity > 0)
+        tp_frame_draw_drops(frame, sight, tile);
+    if (sight->walls && has_walls(frame))
+        tp_frame_draw_tank(frame, sight, tile);
+}

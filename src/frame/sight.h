@@ -1,0 +1,62 @@
+/* SPDX-License-Identifier: MIT */
+/* A sight: a camera that solids are drawn for.  The picture is one; mirrors, what lies
+ * under water and the faces of a cube are others, drawn before it: they use the same
+ * memory of projected corners.
+ *
+ *     tp_sight_begin(frame, &sight)       shades for it from now on
+ *     tp_sight_place(frame, &sight)       projects everything solid
+ *     tp_sight_draw(frame, &sight, tile)  as often as there are tiles */
+#ifndef TP_FRAME_SIGHT_H
+#define TP_FRAME_SIGHT_H
+#include "geom/grid.h"
+#include "raster/raster.h"
+#include "shade/shade.h"
+#include "tidepool/frame.h"
+
+typedef struct {
+    const tp_lens *lens;
+    bool          cut;          /* only the inner side of `level` is drawn */
+    bool          walls;        /* tanks and blocks are drawn too; the picture's own
+                                 * come by its own list, see tile.c */
+    tp_view_plane level;
+    tp_lens       boat_lens;    /* the same view in the mesh's frame */
+    tp_grid_box   boat_box;     /* pixels; empty: not seen */
+    tp_grid_box   drops_box;
+} tp_sight;
+
+static inline bool tp_sight_touches(const tp_grid_box *box, const tp_samples *tile)
+{
+    return box->x0 < tile->x1 && box->x1 >= tile->x0 && box->y0 < tile->y1
+        && box->y1 >= tile->y0 && box->x0 <= box->x1;
+}
+
+#define TP_BOX_NONE (tp_grid_box){ INT16_MAX, INT16_MAX, INT16_MIN, INT16_MIN }
+
+static inline void tp_box_widen(tp_grid_box *box, int32_t u, int32_t v)
+{
+    int16_t x = (int16_t)(u >> 4), y = (int16_t)(v >> 4);
+
+    box->x0 = x < box->x0 ? x : box->x0;
+    box->x1 = x > box->x1 ? x : box->x1;
+    box->y0 = y < box->y0 ? y : box->y0;
+    box->y1 = y > box->y1 ? y : box->y1;
+}
+
+/* The height of still water where the solids are: a boat's waterline, else 0. */
+tp_fx tp_sight_level(const tp_frame *frame);
+
+void tp_sight_begin(tp_frame *frame, const tp_sight *sight);
+
+/* The one list of what is solid in every sight, and the box of it all. */
+tp_grid_box tp_sight_place(tp_frame *frame, tp_sight *sight);
+void tp_sight_draw(const tp_frame *frame, const tp_sight *sight, tp_samples *tile);
+
+/* boat.c */
+void tp_frame_place_boat(tp_frame *frame, tp_sight *sight);
+void tp_frame_draw_boat(const tp_frame *frame, const tp_sight *sight, tp_samples *tile);
+void tp_frame_draw_lids(const tp_frame *frame, const tp_sight *sight, tp_samples *tile);
+
+/* drops.c */
+void tp_frame_place_drops(tp_frame *frame, tp_sight *sight);
+void tp_frame_draw_drops(const tp_frame *frame, const tp_sight *sight, tp_samples *tile);
+#endif

@@ -1,0 +1,121 @@
+/* SPDX-License-Identifier: MIT */
+/* The dynamic environment: objects in the water by a small cube of pictures.
+ *
+ * A cube is right for the one point that it was drawn from; looked up by direction alone
+ * the boat would swim along with the eye wherever the water is.  So the mirrored ray is
+ * first met with an upright plane through the objects' middle that faces the point, and
+ * the way from the point to there is looked up: exact for what stands in that plane.
+ * With n its normal, a = (middle - p).n, b = r.n, that way is (p - point) + r a / b; a
+ * cube takes it at any length, so b times it, and nothing is divided. */
+#include "shade/around.h"
+#include "geom/geom.h"
+#include "shade/half.h"
+
+typedef struct {
+    int64_t x, y, z;
+} way;
+
+static int64_t magnitude(int64_t x)
+{
+    return x < 0 ? -x : x;
+}
+
+static uint32_t texel(const uint32_t *face, int32_t i, int32_t j)
+{
+    return face[tp_clamp(j, 0, TP_AROUND_SIDE - 1) * TP_AROUND_SIDE
+                + tp_clamp(i, 0, TP_AROUND_SIDE - 1)];
+}
+
+/* Right and up on a face, and its number; the largest of the three is ahead. */
+static int facing(const way *w, int64_t *right, int64_t *up, int64_t *ahead)
+{
+    int64_t ax = magnitude(w->x), az = magnitude(w->z);
+    int     face = ax >= az ? w->x < 0 : 2 + (w->z < 0);
+
+    *up = w->y;
+    *ahead = ax >= az ? ax : az;
+    *right = face == 0 ? w->z : face == 1 ? -w->z : face == 2 ? -w->x : w->x;
+    if (w->y > *ahead) {
+        *right = w->x;
+        *up = w->z;
+        *ahead = w->y;
+        return 4;
+    }
+    return face;
+}
+
+/* Between texels of one face: 2^31 > ahead's top bits. */
+static uint32_t cube_at(const tp_around *cube, const way *w)
+{
+    int64_t right, up, ahead;
+    int     face = facing(w, &right, &up, &ahead), down = 0;
+
+    if (ahead <= 0 || up < -ahead)
+        return 0;
+    while (ahead >> down >= (int64_t)1 << 31)
+        down++;
+    uint32_t n = (uint32_t)(ahead >> down);
+    int      shift = tp_clz(n);
+    int64_t  r = tp_recip_rough(n << shift);    /* 2^(62 - shift) / n */
+    int64_t  scale = TP_AROUND_SIDE / 2 * 32;     /* thirty-seconds of texels */
+    int32_t  u = (int32_t)(((right >> down) * r >> (46 - shift)) * scale >> 16);
+    int32_t  v = (int32_t)(((up >> down) * r >> (46 - shift)) * scale >> 16);
+    const uint32_t *from = cube->colour + face * TP_AROUND_SIDE * TP_AROUND_SIDE;
+    int32_t  i = (int32_t)scale + u - 16, j = (int32_t)scale - v - 16;
+    uint32_t fi = (uint32_t)i & 31, fj = (uint32_t)j & 31;
+
+    i >>= 5;
+    j >>= 5;
+    return tp_bytes_between(
+        tp_bytes_between(texel(from, i, j), texel(from, i + 1, j), fi),
+        tp_bytes_between(texel(from, i, j + 1), texel(from, i + 1, j + 1), fi), fj);
+}
+
+/* The view's ray at column x with 1 along the camera's axis, Q16. */
+static way ray_at(const tp_shade *shade, int32_t x, int32_t y)
+{
+    const tp_view_axes *a = &shade->world;
+    const int64_t per = shade->around.per_focal;
+    const int64_t u = (16 * x + 8 - shade->u0) * per >> 16;
+    const int64_t v = (shade->v0 - 16 * y - 8) * per >> 16;
+
+    return (way){
+        (((u * a->right.x + v * a->up.x) >> 16) - a->back.x) >> 14,
+        (((u * a->right.y + v * a->up.y) >> 16) - a->back.y) >> 14,
+        (((u * a->right.z + v * a->up.z) >> 16) - a->back.z) >> 14,
+    };
+}
+
+/* Metres from the point to the water at a sample, 16.16. */
+static way water_from(const tp_around *cube, const way *ray, uint32_t key)
+{
+    uint32_t zi = key >> 1 | 0x80;
+    int      shift = tp_clz(zi);
+    int64_t  z = (int64_t)cube->zi_near * tp_recip_rough(zi << shift) >> (31 - shift);
+
+    return (way){ cube->from.x + (ray->x * z >> 16), cube->from.y + (ray->y * z >> 16),
+                  cube->from.z + (ray->z * z >> 16) };
+}
+
+/* Lengths in centimetres or so: 8 bits of a metre, below 2^25, times 14 bits. */
+void tp_stage_mirrored_cube(const tp_shade *shade, tp_run *run)
+{
+    const tp_around *cube = &shade->around;
+
+    if (!cube->colour)
+        return;
+    for (int32_t i = 0; i < run->count; i++) {
+        int64_t rx = run->rx[i], ry = run->up[i], rz = run->rz[i];
+        way ray = ray_at(shade, run->x + i, run->y);
+        way p = water_from(cube, &ray, run->key[i]);
+        int64_t a = ((cube->to.x - p.x) * cube->nx + (cube->to.z - p.z) * cube->nz) >> 22;
+        int64_t b = (rx * cube->nx + rz * cube->nz) >> 14;
+        if (a <= 0 || b <= 0)       /* the water lies behind the plane, or looks away */
+            continue;
+        way w = { rx * a + (p.x >> 8) * b, ry * a + (p.y >> 8) * b,
+                  rz * a + (p.z >> 8) * b };
+        uint32_t top = cube_at(cube, &w);
+        if (top)
+            run->mirror[i] = tp_colour_over(run->mirror[i], top);
+    }
+}

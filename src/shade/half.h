@@ -1,0 +1,49 @@
+/* SPDX-License-Identifier: MIT */
+/* Looking into a picture of half the size, between its pixels. */
+#ifndef TP_SHADE_HALF_H
+#define TP_SHADE_HALF_H
+#include "shade/shade.h"
+
+/* f 0..32 of b, the rest of a: all four bytes. */
+static inline uint32_t tp_bytes_between(uint32_t a, uint32_t b, uint32_t f)
+{
+    uint32_t low = (a & 0x00ff00ffu) * (32 - f) + (b & 0x00ff00ffu) * f + 0x00100010u;
+    uint32_t high = (a >> 8 & 0x00ff00ffu) * (32 - f) + (b >> 8 & 0x00ff00ffu) * f
+                  + 0x00100010u;
+    return (low >> 5 & 0x00ff00ffu) | (high << 3 & 0xff00ff00u);
+}
+
+/* 0: nothing there. */
+static inline uint32_t tp_half_pixel(const tp_half *half, int32_t i, int32_t j)
+{
+    if (i < half->x0 || i >= half->x1 || j < half->y0 || j >= half->y1)
+        return 0;
+    return half->colour[(size_t)(uint32_t)(j - half->y0)
+                        * (uint32_t)(half->x1 - half->x0) + (uint32_t)(i - half->x0)];
+}
+
+/* At (u, v) of the whole picture, 28.4.  The colour comes out times its alpha, as what
+ * nothing covers is 0. */
+static inline uint32_t tp_half_at(const tp_half *half, int32_t u, int32_t v)
+{
+    int32_t i = (u - 16) >> 5, j = (v - 16) >> 5;
+    uint32_t fu = (uint32_t)(u - 16) & 31, fv = (uint32_t)(v - 16) & 31;
+
+    if (i < half->x0 - 1 || i >= half->x1 || j < half->y0 - 1 || j >= half->y1)
+        return 0;
+    return tp_bytes_between(
+        tp_bytes_between(tp_half_pixel(half, i, j), tp_half_pixel(half, i + 1, j), fu),
+        tp_bytes_between(tp_half_pixel(half, i, j + 1),
+                         tp_half_pixel(half, i + 1, j + 1), fu), fv);
+}
+
+/* Lays `top`, a colour times its alpha, over light whose alpha is what it has beyond
+ * white: what is covered loses that too. */
+static inline uint32_t tp_colour_over(uint32_t under, uint32_t top)
+{
+    uint32_t alpha = top >> 24, left = 256 - alpha - (alpha >> 7);
+    uint32_t beyond = (under >> 24) * left >> 8;
+
+    return tp_colour_add(tp_colour_scale(under, left), top & 0xffffff) | beyond << 24;
+}
+#endif

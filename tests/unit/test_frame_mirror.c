@@ -1,0 +1,295 @@
+/* SPDX-License-Identifier: MIT */
+/* The half pictures that water looks into: objects mirrored and sunken lie where rays in
+ * double precision meet them, and nothing shows on the wrong side of the level. */
+#include <stdarg.h>
+#include <stddef.h>
+#include <setjmp.h>
+#include <stdint.h>
+#include <cmocka.h>
+#include "../reference/mirror.h"
+#include "marks.h"
+#include "measure.h"
+#include "shade/half.h"
+
+enum { WIDTH = 320, HEIGHT = 240 };
+
+static uint64_t chance;
+static test_boat boat;
+
+static const tp_assets *assets_of_boat(void)
+{
+    static tp_assets assets;
+    assets = (tp_assets){ .boat = &boat.mesh };
+    return &assets;
+}
+
+/* A box of 2 x 1 x 4 m, `lift` over still water, somewhere before the camera. */
+static tp_scene calm_scene(double lift)
+{
+    tp_scene s = scene_plain();
+
+    for (int i = 0; i < 3; i++)
+        s.wave[i].amplitude = 0;
+    s.mirror.objects = TP_MIRROR_STENCIL;
+    s.water.clear = 20 * TP_FX_ONE;
+    s.sky.haze = 0;
+    s.camera.y = chance_fx(&chance, 0.7, 9);
+    s.camera.heading = chance_fx(&chance, -180, 180);
+    s.camera.pitch = chance_fx(&chance, -30, 3);
+    s.camera.fov = chance_fx(&chance, 30, 80);
+    const double turn = s.camera.heading / 65536.0 / 180 * 3.14159265358979;
+    const double away = chance_double(&chance, 4, 25), aside = away / 4;
+    s.boat.x = s.camera.x + TP_FX(away * sin(turn)) + chance_fx(&chance, -aside, aside);
+    s.boat.z = s.camera.z - TP_FX(away * cos(turn)) + chance_fx(&chance, -aside, aside);
+    s.boat.heading = chance_fx(&chance, 0, 360);
+    s.boat.lift = TP_FX(lift);
+    return s;
+}
+
+static test_frame begun(const tp_scene *scene, uint32_t width, uint32_t height)
+{
+    const tp_frame_config config = { width, height, 0, 0, TP_FORMAT_XRGB8888 };
+    test_frame f = frame_of(scene, assets_of_boat(), &config);
+    tp_world *world = scene_world(scene, assets_of_boat());
+
+    tp_frame_begin(f.frame, world);
+    assert_true(frame_guard_holds(f.block, f.bytes));
+    free(world);
+    return f;
+}
+
+static ref_camera camera_of(const tp_frame *frame, uint32_t width, uint32_t height)
+{
+    const tp_scene *s = frame->scene;
+    return ref_camera_of(frame->lens.eye, tp_turn_of_degrees(s->camera.heading),
+                         tp_turn_of_degrees(s->camera.pitch), s->camera.fov,
+                         s->camera.near, width, height);
+}
+
+static ref_box box_of(const tp_frame *frame)
+{
+    const tp_pose *pose = &frame->drawn.boat;
+    return (ref_box){ ref_vec_of(pose->place),
+                      pose->heading * 6.283185307179586 / 4294967296.0,
+                      { 1, 0.5, 2 } };
+}
+
+/* -- outlines ------------------------------------------------------------------------- */
+
+typedef bool covers(const ref_camera *c, const ref_box *box, double u, double v);
+
+/* How far from the pixel's centre the reference first agrees with what was drawn. */
+static double distance_to(covers *is_there, const ref_camera *c, const ref_box *box,
+                          double u, double v, bool drawn)
+{
+    if (is_there(c, box, u, v) == drawn)
+        return 0;
+    for (double r = 0.05; r < 4; r += 0.05)
+        for (int i = 0; i < 64; i++) {
+            const double a = i * 0.0981747704;
+            if (is_there(c, box, u + r * cos(a), v + r * sin(a)) == drawn)
+                return r;
+        }
+    return 4;
+}
+
+/* Returns how many pixels show it. */
+static int compare(const tp_frame *frame, const tp_half *half, covers *is_there,
+                   measure *off)
+{
+    const ref_camera c = camera_of(frame, WIDTH, HEIGHT);
+    const ref_box box = box_of(frame);
+    int count = 0;
+
+    for (int y = 0; y < HEIGHT; y++)
+        for (int x = 0; x < WIDTH; x++) {
+            const bool drawn = half->colour
+                && tp_half_at(half, 16 * x + 8, 16 * y + 8) >> 24 >= 128;
+            count += drawn;
+            measure_add(off, distance_to(is_there, &c, &box, x + 0.5, y + 0.5, drawn), x,
+                        y, count);
+        }
+    return count;
+}
+
+/* Half pixels put an edge within one pixel. */
+static void outlines_lie_within_a_pixel_of_a_double_ray(void **state)
+{
+    (void)state;
+    measure mirrored = { .what = "mirrored", .unit = "pixels" };
+    measure sunken = { .what = "sunken", .unit = "pixels" };
+    int seen[2] = { 0, 0 };
+
+    for (int n = 0; n < 40; n++) {
+        const tp_scene s = calm_scene(n % 4 ? chance_double(&chance, -0.45, 0.45)
+                                            : chance_double(&chance, 0.6, 3));
+        test_frame f = begun(&s, WIDTH, HEIGHT);
+        seen[0] += compare(f.frame, &f.frame->shade.mirrored, ref_mirrors, &mirrored) > 0;
+        seen[1] += compare(f.frame, &f.frame->shade.sunken, ref_sinks, &sunken) > 0;
+        frame_free(&f);
+    }
+    measure_print(&mirrored);
+    measure_print(&sunken);
+    printf("    seen %d and %d times of 40\n", seen[0], seen[1]);
+    assert_true(seen[0] >= 20 && seen[1] >= 15);
+    assert_true(mirrored.worst <= 1 && sunken.worst <= 1);
+}
+
+static void odd_sizes_have_their_mirror_in_place(void **state)
+{
+    (void)state;
+    for (int n = 0; n < 20; n++) {
+        const uint32_t w = 33 + 2 * random_below(&chance, 60);
+        const uint32_t h = 33 + 2 * random_below(&chance, 60);
+        const tp_scene s = calm_scene(0.2);
+        test_frame f = begun(&s, w, h);
+        const ref_camera c = camera_of(f.frame, w, h);
+        const ref_box box = box_of(f.frame);
+        for (uint32_t i = 0; i < w * h; i++) {
+            const int x = (int)(i % w), y = (int)(i / w);
+            const tp_half *half = &f.frame->shade.mirrored;
+            const bool drawn = half->colour
+                && tp_half_at(half, 16 * x + 8, 16 * y + 8) >> 24 >= 128;
+            assert_true(distance_to(ref_mirrors, &c, &box, x + 0.5, y + 0.5, drawn)
+                        <= 1);
+        }
+        frame_free(&f);
+    }
+}
+
+/* -- the level ------------------------------------------------------------------------ */
+
+static void what_lies_below_the_level_is_not_mirrored(void **state)
+{
+    (void)state;
+    for (int n = 0; n < 20; n++) {
+        tp_scene s = calm_scene(n % 2 ? -0.51 : -3);
+        test_frame f = begun(&s, WIDTH, HEIGHT);
+        assert_null(f.frame->shade.mirrored.colour);
+        frame_free(&f);
+        s = calm_scene(n % 2 ? 0.51 : 3);
+        f = begun(&s, WIDTH, HEIGHT);
+        assert_null(f.frame->shade.sunken.colour);
+        frame_free(&f);
+    }
+}
+
+static void an_eye_under_water_sees_neither(void **state)
+{
+    (void)state;
+    tp_scene s = calm_scene(0);
+
+    s.camera.y = TP_FX(-0.5);
+    test_frame f = begun(&s, WIDTH, HEIGHT);
+    assert_null(f.frame->shade.mirrored.colour);
+    assert_null(f.frame->shade.sunken.colour);
+    frame_free(&f);
+}
+
+/* A box far down has gone into the deep water's colour, one at the level has not. */
+static void depth_takes_the_colour_of_what_is_sunken(void **state)
+{
+    (void)state;
+    uint32_t off[2] = { 0, 0 };
+
+    for (int deep = 0; deep < 2; deep++) {
+        tp_scene s = calm_scene(deep ? -30 : -0.6);
+        s.camera.x = s.boat.x;
+        s.camera.y = 4 * TP_FX_ONE;
+        s.camera.z = s.boat.z + 3 * TP_FX_ONE;
+        s.camera.heading = 0;
+        s.camera.pitch = -75 * TP_FX_ONE;
+        s.water.clear = TP_FX_ONE / 2;
+        test_frame f = begun(&s, WIDTH, HEIGHT);
+        const tp_half *half = &f.frame->shade.sunken;
+        assert_non_null(half->colour);
+        const int32_t count = (half->x1 - half->x0) * (half->y1 - half->y0);
+        for (int32_t i = 0; i < count; i++)
+            if (half->colour[i])
+                off[deep] += (half->colour[i] & 0xffffff) != (uint32_t)s.water.deep;
+        frame_free(&f);
+    }
+    printf("    texels unlike the deep water: %u near, %u far down\n", off[0], off[1]);
+    assert_true(off[0] > 100 && off[1] == 0);
+}
+
+/* -- in the picture ------------------------------------------------------------------- */
+
+static bool differ(uint32_t a, uint32_t b)
+{
+    for (int shift = 0; shift < 24; shift += 8)
+        if (abs((int)(a >> shift & 0xff) - (int)(b >> shift & 0xff)) > 3)
+            return true;
+    return false;
+}
+
+/* What the mirror changes, beyond what two ways of mixing round, lies over water
+ * that is nearer than the boat, as far from the flat mirror as slopes and crests push. */
+static void the_mirror_under_waves_stays_under_the_boat(void **state)
+{
+    (void)state;
+    static uint32_t key[WIDTH * HEIGHT], with[WIDTH * HEIGHT], without[WIDTH * HEIGHT];
+    const tp_frame_config config = { WIDTH, HEIGHT, 0, 0, TP_FORMAT_XRGB8888 };
+    int changed = 0;
+
+    for (int n = 0; n < 20; n++) {
+        tp_scene s = calm_scene(0.1);
+        s.water.clear = 0;
+        s.water.reflection = TP_FX_ONE;
+        s.wave[0].amplitude = TP_FX(0.06);
+        s.wave[0].length = 6 * TP_FX_ONE;
+        tp_world *world = scene_world(&s, assets_of_boat());
+        test_frame f = begun(&s, WIDTH, HEIGHT);
+        const tp_half half = f.frame->shade.mirrored;
+        const double focal = f.frame->lens.focal / 65536.0;
+        const int most = (int)(2 * 0.07 * focal) + 12;
+        marks_draw(&s, assets_of_boat(), world, config, key, with);
+        s.mirror.objects = TP_MIRROR_NONE;
+        marks_draw(&s, assets_of_boat(), world, config, NULL, without);
+        for (int i = 0; i < WIDTH * HEIGHT; i++) {
+            if (!half.colour || !differ(with[i], without[i]))
+                continue;
+            const int x = i % WIDTH, y = i / WIDTH;
+            changed++;
+            assert_int_equal(TP_MARK(key[i]), TP_MARK_WATER);
+            assert_true(x >= 2 * half.x0 - most && x < 2 * half.x1 + most);
+            assert_true(y >= 2 * half.y0 - most && y < 2 * half.y1 + most);
+        }
+        frame_free(&f);
+        free(world);
+    }
+    printf("    %d pixels mirror the boat\n", changed);
+    assert_true(changed > 1000);
+}
+
+/* The head of include/tidepool/frame.h says so. */
+static void mirrors_cost_the_bytes_that_are_told(void **state)
+{
+    (void)state;
+    tp_scene s = scene_plain();
+    const size_t want[3] = { 0, 88320, 24576 };
+
+    for (int kind = TP_MIRROR_NONE; kind <= TP_MIRROR_CUBE; kind++) {
+        s.mirror.objects = kind;
+        test_frame f = begun(&s, 320, 240);
+        assert_int_equal(tp_frame_memory(f.frame).mirror, want[kind]);
+        frame_free(&f);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(outlines_lie_within_a_pixel_of_a_double_ray),
+        cmocka_unit_test(odd_sizes_have_their_mirror_in_place),
+        cmocka_unit_test(what_lies_below_the_level_is_not_mirrored),
+        cmocka_unit_test(an_eye_under_water_sees_neither),
+        cmocka_unit_test(depth_takes_the_colour_of_what_is_sunken),
+        cmocka_unit_test(the_mirror_under_waves_stays_under_the_boat),
+        cmocka_unit_test(mirrors_cost_the_bytes_that_are_told),
+    };
+    chance = random_seed();
+    boat_make(&boat, &chance);
+    boat.material[1].opacity = TP_FX_ONE;       /* no holes in the outline */
+    return cmocka_run_group_tests_name("frame mirror", tests, NULL, NULL);
+}

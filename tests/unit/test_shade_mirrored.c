@@ -1,0 +1,279 @@
+/* SPDX-License-Identifier: MIT */
+/* Objects over the mirrored sky, against geometry in double precision.  The pictures are
+ * ramps whose red and green tell where they were looked at, so an error of a level is one
+ * of a half pixel, or of an eighth of a cube's texel. */
+#include <stdarg.h>
+#include <stddef.h>
+#include <setjmp.h>
+#include <stdint.h>
+#include <cmocka.h>
+#include "shade/half.h"
+#include "shades.h"
+
+enum { SIDE = 240 };
+
+static uint64_t chance;
+static uint32_t ramp[SIDE * SIDE];
+static tp_mirrored_zi zi[SIDE];
+static uint32_t faces[TP_AROUND_FACES * TP_AROUND_SIDE * TP_AROUND_SIDE];
+
+typedef struct {
+    double worst, squares;
+    int    count;
+} level_error;
+
+static void add(level_error *e, double off)
+{
+    e->worst = fmax(e->worst, fabs(off));
+    e->squares += off * off;
+    e->count++;
+}
+
+static void print(const char *what, const level_error *e)
+{
+    printf("    %-20s %7d inputs, worst %.2f, rms %.3f of 255\n", what, e->count,
+           e->worst, sqrt(e->squares / e->count));
+    assert_true(e->count > 3000);
+}
+
+/* -- the mirrored picture -------------------------------------------------------------- */
+
+/* The ray of pixel place (u, v), 1 along the camera's axis. */
+static ref_dir ray_at(const tp_shade *s, double u, double v)
+{
+    const ref_dir r = shade_dir(s->world.right), up = shade_dir(s->world.up),
+                  back = shade_dir(s->world.back);
+    const double f = s->focal / 16.0, x = (u - s->u0 / 16.0) / f,
+                 y = (s->v0 / 16.0 - v) / f;
+
+    return (ref_dir){ x * r.x + y * up.x - back.x, x * r.y + y * up.y - back.y,
+                      x * r.z + y * up.z - back.z };
+}
+
+/* Where on the screen the image is that water at depth z with these slopes, h over the
+ * level, shows of what level water shows at depth zm along the same ray. */
+static void image_at(const tp_shade *s, ref_dir d, double z, double zm, double sx,
+                     double sz, double h, double *u, double *v)
+{
+    const ref_dir r = shade_dir(s->world.right), up = shade_dir(s->world.up),
+                  back = shade_dir(s->world.back);
+    const ref_dir n = ref_unit((ref_dir){ -sx, 1, -sz });
+    const double dn = ref_dir_dot(d, n), way = zm - z, f = s->focal / 16.0;
+    const ref_dir e = { d.x - 2 * dn * n.x, -(d.y - 2 * dn * n.y), d.z - 2 * dn * n.z };
+    const ref_dir m = { z * d.x + way * e.x, z * d.y + way * e.y - 2 * h,
+                        z * d.z + way * e.z };
+    const double ahead = -ref_dir_dot(m, back);
+
+    *u = s->u0 / 16.0 + f * ref_dir_dot(m, r) / ahead;
+    *v = s->v0 / 16.0 - f * ref_dir_dot(m, up) / ahead;
+}
+
+/* To first order in slopes and height, by differences. */
+static void moved_to(const tp_shade *s, double x, double y, double z, double zm,
+                     const double by[3], double *u, double *v)
+{
+    const double e = 1e-6;
+    const ref_dir d = ray_at(s, x, y);
+    double u0, v0;
+
+    image_at(s, d, z, zm, 0, 0, 0, &u0, &v0);
+    *u = x;
+    *v = y;
+    for (int i = 0; i < 3; i++) {
+        double a, b;
+        image_at(s, d, z, zm, i == 0 ? e : 0, i == 1 ? e : 0, i == 2 ? e : 0, &a, &b);
+        *u += (a - u0) / e * by[i];
+        *v += (b - v0) / e * by[i];
+    }
+}
+
+static tp_shade any_mirror(double zm, double height)
+{
+    tp_shade s = shade_any(&chance);
+
+    for (int i = 0; i < SIDE; i++)
+        zi[i].near = zi[i].far = (uint32_t)(2147483648.0 / zm);
+    s.mirrored = (tp_half){ ramp, 0, 0, SIDE, SIDE };
+    s.bending = (tp_mirrored){ chance_int(&chance, 0, 512),
+                               (uint32_t)(4294967296.0 / s.focal),
+                               (int64_t)lround(height * 4096), zi };
+    return s;
+}
+
+static void compare_run(const tp_shade *s, double zm, double height,
+                        level_error *off)
+{
+    test_run r;
+
+    run_any(&r, 600, &chance);
+    r.run.x = TP_RUN * chance_int(&chance, 0, 6);
+    for (int i = 0; i < TP_RUN; i++) {
+        r.key[i] = (uint32_t)(2147483648.0 / (zm * chance_double(&chance, 0.3, 1.05))) << 1
+                 | 0xff;
+        r.run.sx[i] = (int16_t)(r.n[i] >> 16);
+        r.run.sz[i] = (int16_t)r.n[i];
+        r.run.mirror[i] = 0;
+    }
+    tp_stage_mirrored(s, &r.run);
+    for (int i = 0; i < TP_RUN; i++) {
+        const double x = r.run.x + i + 0.5, y = r.run.y + 0.5;
+        const double z = 2147483648.0 / ((r.key[i] | 0xff) >> 1);
+        const double bend = z < zm ? s->bending.bend / 256.0 : 0;
+        const double by[3] = { r.run.sx[i] / Q12 * bend, r.run.sz[i] / Q12 * bend,
+                               height + z * ray_at(s, x, y).y };
+        double u, v;
+        moved_to(s, x, y, z, zm, by, &u, &v);
+        u = u / 2 - 0.5;
+        v = v / 2 - 0.5;
+        if (u < 1 || v < 1 || u > SIDE - 2 || v > SIDE - 2)
+            continue;
+        add(off, (r.run.mirror[i] >> 16 & 0xff) - u);
+        add(off, (r.run.mirror[i] >> 8 & 0xff) - v);
+    }
+}
+
+static void the_look_is_bent_as_the_ray_is(void **state)
+{
+    (void)state;
+    level_error off = { 0 };
+
+    for (int n = 0; n < 4000; n++) {
+        const double zm = chance_double(&chance, 4, 300);
+        const double height = zm * chance_double(&chance, 0.02, 0.5);
+        const tp_shade s = any_mirror(zm, height);
+        compare_run(&s, zm, height, &off);
+    }
+    print("bent", &off);
+    assert_true(off.worst <= 0.8 && sqrt(off.squares / off.count) <= 0.35);
+}
+
+/* Water beyond the object, or no picture at all: the sky stays. */
+static void water_behind_an_object_mirrors_none_of_it(void **state)
+{
+    (void)state;
+    tp_shade s = any_mirror(10, 1);
+    test_run r;
+
+    run_any(&r, 0, &chance);
+    r.run.x = r.run.y = 0;
+    for (int i = 0; i < TP_RUN; i++) {
+        r.key[i] = (uint32_t)(2147483648.0 / 11.5) << 1 | 0xff;
+        r.run.mirror[i] = 0x123456;
+    }
+    tp_stage_mirrored(&s, &r.run);
+    for (int i = 0; i < TP_RUN; i++)
+        assert_int_equal(r.run.mirror[i], 0x123456);
+    s.mirrored.colour = NULL;
+    tp_stage_mirrored(&s, &r.run);
+    assert_int_equal(r.run.mirror[5], 0x123456);
+}
+
+/* -- the cube ------------------------------------------------------------------------- */
+
+/* Face and place, in eighths of texels' levels, of a way; as it is in around.h. */
+static int face_of(ref_dir w, double *i, double *j)
+{
+    const double ax = fabs(w.x), az = fabs(w.z);
+    int    face = ax >= az ? w.x < 0 : 2 + (w.z < 0);
+    double ahead = fmax(ax, az), up = w.y;
+    double right = face == 0 ? w.z : face == 1 ? -w.z : face == 2 ? -w.x : w.x;
+
+    if (w.y > ahead) {
+        face = 4;
+        right = w.x;
+        up = w.z;
+        ahead = w.y;
+    }
+    *i = (right / ahead + 1) * TP_AROUND_SIDE / 2 - 0.5;
+    *j = (1 - up / ahead) * TP_AROUND_SIDE / 2 - 0.5;
+    return face;
+}
+
+static tp_shade any_cube(void)
+{
+    tp_shade s = shade_any(&chance);
+    const double a = chance_double(&chance, 0, 6.28);
+
+    s.around = (tp_around){
+        faces, { chance_fx(&chance, -9, 9), chance_fx(&chance, 1, 9),
+                 chance_fx(&chance, -9, 9) },
+        { TP_FX(8 * cos(a)), TP_FX(2), TP_FX(8 * sin(a)) },
+        (int32_t)lround(16384 * cos(a)), (int32_t)lround(16384 * sin(a)), TP_FX(0.25),
+        (uint32_t)(4294967296.0 / s.focal),
+    };
+    return s;
+}
+
+static void compare_cube(const tp_shade *s, test_run *r, int k, level_error *off)
+{
+    const tp_around *c = &s->around;
+    const ref_dir d = ray_at(s, r->run.x + k + 0.5, r->run.y + 0.5);
+    const double z = 0.25 * 2147483648.0 / ((r->key[k] | 0xff) >> 1);
+    const double px = c->from.x / 65536.0 + z * d.x, py = c->from.y / 65536.0 + z * d.y,
+                 pz = c->from.z / 65536.0 + z * d.z;
+    const double nx = c->nx / Q14, nz = c->nz / Q14;
+    const double a = (c->to.x / 65536.0 - px) * nx + (c->to.z / 65536.0 - pz) * nz;
+    const double b = (r->run.rx[k] * nx + r->run.rz[k] * nz) / Q14;
+    const ref_dir w = { px + r->run.rx[k] / Q14 * a / b, py + r->run.up[k] / Q14 * a / b,
+                        pz + r->run.rz[k] / Q14 * a / b };
+    double i, j;
+
+    if (a < 0.5 || b < 0.05)
+        return;
+    const int face = face_of(w, &i, &j);
+    if (i < 0.2 || j < 0.2 || i > TP_AROUND_SIDE - 1.2 || j > TP_AROUND_SIDE - 1.2)
+        return;
+    const uint32_t got = r->run.mirror[k];
+    assert_int_equal((got & 0xff) / 40, face);
+    add(off, (got >> 16 & 0xff) - 8 * i);
+    add(off, (got >> 8 & 0xff) - 8 * j);
+}
+
+static void the_cube_is_met_in_the_objects_plane(void **state)
+{
+    (void)state;
+    level_error off = { 0 };
+
+    for (int n = 0; n < 1500; n++) {
+        const tp_shade s = any_cube();
+        test_run r;
+        run_any(&r, 0, &chance);
+        for (int k = 0; k < TP_RUN; k++) {
+            const tp_dir3 d = tp_normalise(chance_int(&chance, -999, 999),
+                                           chance_int(&chance, 0, 999),
+                                           chance_int(&chance, -999, 999));
+            r.run.rx[k] = (int16_t)(d.x >> 16);
+            r.run.up[k] = (int16_t)(d.y >> 16);
+            r.run.rz[k] = (int16_t)(d.z >> 16);
+            r.run.mirror[k] = 0;
+            r.key[k] = (uint32_t)(2147483648.0 / chance_double(&chance, 8, 60)) << 1
+                     | 0xff;
+        }
+        tp_stage_mirrored_cube(&s, &r.run);
+        for (int k = 0; k < TP_RUN; k++)
+            compare_cube(&s, &r, k, &off);
+    }
+    print("cube", &off);
+    assert_true(off.worst <= 3 && sqrt(off.squares / off.count) <= 1);
+}
+
+static int make_ramps(void **state)
+{
+    (void)state;
+    for (uint32_t i = 0; i < SIDE * SIDE; i++)
+        ramp[i] = 0xff000000u | i % SIDE << 16 | i / SIDE << 8;
+    for (uint32_t i = 0; i < TP_AROUND_FACES * 1024; i++)
+        faces[i] = 0xff000000u | i % 32 * 8 << 16 | i / 32 % 32 * 8 << 8 | i / 1024 * 40;
+    return 0;
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(the_look_is_bent_as_the_ray_is),
+        cmocka_unit_test(water_behind_an_object_mirrors_none_of_it),
+        cmocka_unit_test(the_cube_is_met_in_the_objects_plane),
+    };
+    chance = random_seed();
+    return cmocka_run_group_tests_name("shade mirrored", tests, make_ramps, NULL);
+}
