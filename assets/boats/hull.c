@@ -6,7 +6,8 @@
  * 1 - |u|^p and their height to the place in the post's rabbet as |u|^e.  The lower edge
  * of each strake stands off the one below by a plank's thickness, which makes the steps.
  * A station is the row of points from keel to deck at one u; mirrored and joined to its
- * neighbours it makes a closed tube.  Proportions after the Oseberg and Gokstad ships. */
+ * neighbours it makes a closed tube.  A lid that is never drawn lies from gunwale to
+ * gunwale.  Proportions after the Oseberg and Gokstad ships. */
 #include "longship.h"
 
 #include <math.h>
@@ -271,6 +272,11 @@ static void build(mesh *m, const hull_plan *plan)
     mesh_part(m, "hull", "deck");
     for (int i = 0; i < last; i++)
         across(m, &s[i], &s[i + 1], points - 1, true);
+    mesh_part(m, "lid", "lid");
+    for (int i = 0; i < last; i++) {
+        if (fabs(plan->u[i]) < plan->decked || fabs(plan->u[i + 1]) < plan->decked)
+            across(m, &s[i], &s[i + 1], points - 2, true);
+    }
 }
 
 void hull_build(mesh *m)

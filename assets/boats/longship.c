@@ -5,7 +5,8 @@
  *     ./longship assets/boats
  *
  * longship.obj is the ship with every plank, shield and oar; longship-low.obj has its
- * lines in at most 300 triangles, with the shields painted on.  Both use longship.mtl.
+ * lines in at most 300 triangles, with the shields painted on.  Both use longship.mtl,
+ * and both have a lid over the hull, which is never drawn: it keeps water out.
  * Shapes are computed in double and rounded so that every machine writes the same text
  * (mesh.h); the textures are painted in integers.  What it writes is CC0-1.0. */
 #include "longship.h"
@@ -14,6 +15,9 @@
 
 static const char materials[] = "# SPDX-License-Identifier: CC0-1.0\n"
                                 "# Normal maps: tangent space, green up.\n";
+
+static const char lid[] = "\n# Never seen: water stays out of what it covers.\n"
+                          "newmtl lid\nd 0\n";
 
 typedef struct {
     const char *name, *diffuse, *specular, *map, *bump;
@@ -50,6 +54,7 @@ static int write_materials(const char *dir)
         if (m->bump != NULL)
             fprintf(file, "map_Bump %s\n", m->bump);
     }
+    fputs(lid, file);
     return fclose(file) == 0 ? 0 : 1;
 }
 

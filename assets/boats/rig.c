@@ -147,8 +147,8 @@ void rig_build_low(mesh *m)
     mesh_tube(m, ring, 2, 3, upright);
     ring_at(vec_of(-4.2, YARD_Y, YARD_Z), false, .11, 3, ring);
     ring_at(vec_of(4.2, YARD_Y, YARD_Z), false, .11, 3, ring + 3);
-    tube_style athwart = { .42, .31, .12, true, true, true, 201 };
+    tube_style athwart = { .42, .31, .12, true, false, false, 201 };
     mesh_tube(m, ring, 2, 3, athwart);
     mesh_part(m, "sail", "sail");
-    sail(m, 4, 2);
+    sail(m, 3, 2);
 }

@@ -341,6 +341,8 @@ static void check_materials(model *m)
     read_library(m, has);
     for (int i = 0; i < used; i++) {
         const char *name = m->material[i];
+        if (strcmp(name, "lid") == 0)       /* is never seen */
+            continue;
         if ((has[i] & HAS_ALL) != HAS_ALL)
             fail_msg("material %s lacks colour, highlight or picture", name);
         if (strcmp(name, "oak") == 0 || strcmp(name, "deck") == 0
