@@ -29,7 +29,7 @@ CORE := $(addprefix src/, \
     wave/ocean.c wave/ocean_init.c wave/ocean_map.c wave/ocean_tables.c wave/orbit.c \
     wave/ring.c wave/scaled.c wave/sharp.c wave/shoal.c wave/swell.c wave/wind.c \
     pool/feed.c pool/flux.c pool/gears.c pool/hat.c pool/init.c pool/look.c \
-    pool/sample.c pool/tune.c pool/walls.c \
+    pool/sample.c pool/slopes.c pool/tune.c pool/walls.c \
     geom/clip.c geom/grid.c geom/lens.c geom/sheet.c geom/surface.c geom/vertex.c \
     geom/vertex_more.c geom/vertex_row.c \
     raster/span.c \

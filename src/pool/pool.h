@@ -101,6 +101,15 @@ bool tp_pool_place(const tp_pool *pool, tp_fx x, tp_fx z, uint64_t *u, uint64_t 
  * range. */
 void tp_pool_splash(tp_pool *pool, uint64_t u, uint64_t w, tp_fx sigma, int32_t peak);
 
+/* dy/dx and dy/dz, Q3.12, held within 4. */
+typedef struct { int16_t x, z; } tp_pool_slope;
+
+/* Slopes at all cells' centres, `gain` times, `back` of a tick ago, and one more all
+ * round, wrapped or mirrored: (rows + 2) x (cols + 2), so that bilinear sampling needs no
+ * edges.  Between them they give tp_pool_relief's slopes, but that within walls they fade
+ * over a cell. */
+void tp_pool_slopes(const tp_pool *pool, tp_fx back, tp_fx gain, tp_pool_slope *to);
+
 /* One step of all cells, of each kind. */
 void tp_pool_step_8(tp_pool *pool);
 void tp_pool_step_16(tp_pool *pool);

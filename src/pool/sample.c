@@ -1,12 +1,8 @@
 /* SPDX-License-Identifier: MIT */
-/* The pool's surface between its cells, and between its ticks.
- *
- * Heights are made finer first: 8-bit cells by 16 bits, 16-bit cells by 8, 32-bit cells
- * are fine as they are; `back` of a tick ago the height was H - back V, of which neither
- * end leaves the range, so all fit 31 bits.  A cell's slope is half the difference of its
- * two neighbours [A6]; heights and slopes are then bilinear in the four cells around. */
-#include "pool/pool.h"
-#include "base/base.h"
+/* The pool's surface between its cells, and between its ticks: a cell's slope is half the
+ * difference of its two neighbours [A6]; heights and slopes are then bilinear in the four
+ * cells around. */
+#include "pool/fine.h"
 
 /* The field is one turn: what lies beyond of a tiled one wraps for free.  turns_x is
  * rounded down, so inside of an untiled one the product stays within half a turn; the far
@@ -42,48 +38,14 @@ bool tp_pool_cell(const tp_pool *pool, tp_fx x, tp_fx z, uint32_t *col, uint32_t
     return !tp_pool_is_wall(pool, *row * pool->cols + *col);
 }
 
-/* A fine height; `base` is that of the row's first cell, `cells` and `moves` (whether
- * back is not 0) are literals where it matters. */
-TP_ALWAYS_INLINE int32_t fine(const tp_pool *pool, uint32_t col, uint32_t row,
-                              uint32_t base, tp_fx back, tp_cells cells, int moves)
-{
-    const void *const from = tp_pool_from(pool, sizeof *pool);
-    const uint32_t i = base + col;
-
-    if (cells == TP_CELLS_8) {
-        const tp_pool_pair_8 *const cell = (const tp_pool_pair_8 *)from + i;
-        return cell->h * 65536 - (moves ? cell->v * back : 0);
-    }
-    if (cells == TP_CELLS_16) {             /* 32767 x 2^16 fits */
-        const tp_pool_pair_16 *const cell = (const tp_pool_pair_16 *)from + i;
-        return cell->h * 256 - (moves ? (cell->v * back + 128) >> 8 : 0);
-    }
-    const int32_t h = ((const int32_t *)from)[i];
-    if (!moves)
-        return h;
-    return h - (int32_t)(((int64_t)tp_pool_gain(pool, col, row) * back + 0x8000) >> 16);
-}
-
 /* The same of any cells, in no hurry. */
 static int32_t fine_any(const tp_pool *pool, uint32_t col, uint32_t row, tp_fx back)
 {
-    return fine(pool, col, row, row * pool->cols, back, (tp_cells)pool->cells, 1);
+    return tp_pool_fine(pool, col, row, row * pool->cols, back, (tp_cells)pool->cells, 1);
 }
 
-/* Column or row i, which may lie one or two beyond: wrapped or mirrored. */
-static uint32_t folded(int32_t i, uint32_t cells, bool tiled)
-{
-    const int32_t n = (int32_t)cells;
-
-    if (tiled)
-        return (uint32_t)(i < 0 ? i + n : i < n ? i : i - n);
-    return (uint32_t)(i < 0 ? -1 - i : i < n ? i : 2 * n - 1 - i);
-}
-
-/* Of a wall: the mean of the open cells beside it, so that a flat wall mirrors and the
- * surface beside a wall is one however it is reached; deep inside of walls `inside`. */
-static int32_t fine_or_wall(const tp_pool *pool, uint32_t col, uint32_t row, tp_fx back,
-                            int32_t inside)
+int32_t tp_pool_fine_or_wall(const tp_pool *pool, uint32_t col, uint32_t row, tp_fx back,
+                             int32_t inside)
 {
     static const int8_t beside[4][2] = { { -1, 0 }, { 1, 0 }, { 0, -1 }, { 0, 1 } };
     const bool tiled = pool->edges == TP_EDGES_TILE;
@@ -93,8 +55,8 @@ static int32_t fine_or_wall(const tp_pool *pool, uint32_t col, uint32_t row, tp_
     if (!tp_pool_is_wall(pool, row * pool->cols + col))
         return fine_any(pool, col, row, back);
     for (int n = 0; n < 4; n++) {
-        const uint32_t x = folded((int32_t)col + beside[n][0], pool->cols, tiled);
-        const uint32_t y = folded((int32_t)row + beside[n][1], pool->rows, tiled);
+        const uint32_t x = tp_pool_folded((int32_t)col + beside[n][0], pool->cols, tiled);
+        const uint32_t y = tp_pool_folded((int32_t)row + beside[n][1], pool->rows, tiled);
         if (!tp_pool_is_wall(pool, y * pool->cols + x)) {
             sum += fine_any(pool, x, y, back);
             open++;
@@ -119,11 +81,11 @@ TP_ALWAYS_INLINE void gather_row(const tp_pool *pool, const patch *p, heights *t
 {
     const uint32_t row = p->row[i], base = row * pool->cols;
 
-    to->h[i][1] = fine(pool, p->col[1], row, base, p->back, cells, moves);
-    to->h[i][2] = fine(pool, p->col[2], row, base, p->back, cells, moves);
+    to->h[i][1] = tp_pool_fine(pool, p->col[1], row, base, p->back, cells, moves);
+    to->h[i][2] = tp_pool_fine(pool, p->col[2], row, base, p->back, cells, moves);
     if (!edge) {
-        to->h[i][0] = fine(pool, p->col[0], row, base, p->back, cells, moves);
-        to->h[i][3] = fine(pool, p->col[3], row, base, p->back, cells, moves);
+        to->h[i][0] = tp_pool_fine(pool, p->col[0], row, base, p->back, cells, moves);
+        to->h[i][3] = tp_pool_fine(pool, p->col[3], row, base, p->back, cells, moves);
     }
 }
 
@@ -149,7 +111,7 @@ static void gather_walls(const tp_pool *pool, const patch *p, heights *to, uint3
     for (int n = 0; n < 16; n++) {
         const int i = n >> 2, j = n & 3;
         if (i % 3 != 0 || j % 3 != 0)           /* no corner */
-            to->h[i][j] = fine_or_wall(pool, p->col[j], p->row[i], p->back, own);
+            to->h[i][j] = tp_pool_fine_or_wall(pool, p->col[j], p->row[i], p->back, own);
     }
 }
 
@@ -185,7 +147,7 @@ static uint32_t around(uint64_t u, uint32_t cells, bool tiled, uint32_t at[4])
         at[3] = at[1] + 2;
     } else {
         for (int32_t n = 0; n < 4; n++)
-            at[n] = folded(i + n - 1, cells, tiled);
+            at[n] = tp_pool_folded(i + n - 1, cells, tiled);
     }
     return (uint32_t)(uint64_t)from >> 16;
 }

@@ -1,0 +1,89 @@
+/* SPDX-License-Identifier: MIT */
+/* The slopes of all cells as a picture, for what samples them at every pixel: half the
+ * difference of a cell's two neighbours [A6]. */
+#include "pool/fine.h"
+
+/* A row of the picture: which rows of cells lie at it, above and below. */
+typedef struct {
+    const tp_pool *pool;
+    uint32_t row, up, down;
+    tp_fx    back, gain;
+} line;
+
+/* 16.16 slopes are below 2^31 by far: 64 m over two cells of a centimetre are 2^27. */
+static int16_t slope_of(const line *l, int32_t difference)
+{
+    const tp_pool *const pool = l->pool;
+    const int64_t slope = (int64_t)difference * pool->slope_q >> pool->slope_shift;
+    const int64_t held = (slope * l->gain + ((int64_t)1 << 19)) >> 20;
+
+    return (int16_t)(held < -16383 ? -16383 : held > 16383 ? 16383 : held);
+}
+
+/* `cells` and `moves` are literals. */
+TP_ALWAYS_INLINE void open_row(const line *l, tp_pool_slope *to, tp_cells cells, int moves)
+{
+    const tp_pool *const pool = l->pool;
+    const uint32_t cols = pool->cols, base = l->row * cols;
+    const bool     tiled = pool->edges == TP_EDGES_TILE;
+
+    for (int32_t col = -1; col <= (int32_t)cols; col++) {
+        const uint32_t at = tp_pool_folded(col, cols, tiled);
+        const uint32_t left = tp_pool_folded(col - 1, cols, tiled);
+        const uint32_t right = tp_pool_folded(col + 1, cols, tiled);
+        const int32_t  x = tp_pool_fine(pool, right, l->row, base, l->back, cells, moves)
+                         - tp_pool_fine(pool, left, l->row, base, l->back, cells, moves);
+        const int32_t  z = tp_pool_fine(pool, at, l->down, l->down * cols, l->back, cells,
+                                        moves)
+                         - tp_pool_fine(pool, at, l->up, l->up * cols, l->back, cells,
+                                        moves);
+        *to++ = (tp_pool_slope){ slope_of(l, x), slope_of(l, z) };
+    }
+}
+
+/* Deep inside of walls all neighbours are 0, and so is the slope. */
+static void walled_row(const line *l, tp_pool_slope *to)
+{
+    const tp_pool *const pool = l->pool;
+    const uint32_t cols = pool->cols;
+    const bool     tiled = pool->edges == TP_EDGES_TILE;
+
+    for (int32_t col = -1; col <= (int32_t)cols; col++) {
+        const uint32_t at = tp_pool_folded(col, cols, tiled);
+        const uint32_t left = tp_pool_folded(col - 1, cols, tiled);
+        const uint32_t right = tp_pool_folded(col + 1, cols, tiled);
+        const int32_t  own = tp_pool_fine_or_wall(pool, at, l->row, l->back, 0);
+        const int32_t  x = tp_pool_fine_or_wall(pool, right, l->row, l->back, own)
+                         - tp_pool_fine_or_wall(pool, left, l->row, l->back, own);
+        const int32_t  z = tp_pool_fine_or_wall(pool, at, l->down, l->back, own)
+                         - tp_pool_fine_or_wall(pool, at, l->up, l->back, own);
+        *to++ = (tp_pool_slope){ slope_of(l, x), slope_of(l, z) };
+    }
+}
+
+static void put_row(const line *l, tp_pool_slope *to)
+{
+    const tp_cells cells = (tp_cells)l->pool->cells;
+
+    if (l->pool->walls != 0)
+        walled_row(l, to);
+    else if (cells == TP_CELLS_8)
+        open_row(l, to, TP_CELLS_8, 1);
+    else if (cells == TP_CELLS_16)
+        open_row(l, to, TP_CELLS_16, 1);
+    else
+        open_row(l, to, TP_CELLS_32, 1);
+}
+
+void tp_pool_slopes(const tp_pool *pool, tp_fx back, tp_fx gain, tp_pool_slope *to)
+{
+    const bool tiled = pool->edges == TP_EDGES_TILE;
+
+    for (int32_t row = -1; row <= (int32_t)pool->rows; row++) {
+        const line l = { pool, tp_pool_folded(row, pool->rows, tiled),
+                         tp_pool_folded(row - 1, pool->rows, tiled),
+                         tp_pool_folded(row + 1, pool->rows, tiled), back, gain };
+        put_row(&l, to);
+        to += pool->cols + 2;
+    }
+}
