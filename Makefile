@@ -33,19 +33,20 @@ CORE := $(addprefix src/, \
     geom/clip.c geom/grid.c geom/lens.c geom/sheet.c geom/surface.c geom/vertex.c \
     geom/vertex_more.c geom/vertex_row.c \
     raster/span.c \
-    shade/absorb.c shade/around.c shade/behind.c shade/below.c shade/cube.c \
-    shade/dome.c shade/drop.c shade/expose.c shade/exposure.c shade/foam.c \
-    shade/haze.c shade/inside.c shade/light.c shade/mirror.c shade/mirrored.c \
-    shade/optics.c shade/side.c shade/sky.c shade/solid.c shade/stars.c shade/tables.c \
+    shade/absorb.c shade/around.c shade/behind.c shade/below.c shade/bend.c \
+    shade/cube.c shade/dome.c shade/drop.c shade/expose.c shade/exposure.c \
+    shade/foam.c shade/haze.c shade/inside.c shade/layer.c shade/light.c \
+    shade/mirror.c shade/mirrored.c shade/optics.c shade/pool_bump.c shade/ripple.c \
+    shade/side.c shade/sky.c shade/solid.c shade/stars.c shade/tables.c \
     shade/texture.c shade/view.c \
     scene/boat.c scene/clock.c scene/drawn.c scene/drop.c scene/drops.c scene/float.c \
     scene/foam.c scene/foam_made.c scene/light.c scene/meter.c scene/paddle.c \
     scene/params.c scene/parts.c scene/piece.c scene/spray.c scene/tape.c \
     scene/value.c scene/wake.c scene/world.c \
-    frame/around.c frame/boat.c frame/caustics.c frame/drops.c frame/frame.c \
-    frame/glass.c frame/half.c frame/land.c frame/plan.c frame/plan_depth.c \
-    frame/plan_foam.c frame/plan_sky.c frame/sight.c frame/spray.c frame/tank.c \
-    frame/tile.c frame/water.c)
+    frame/around.c frame/boat.c frame/bump.c frame/caustics.c frame/drops.c \
+    frame/frame.c frame/glass.c frame/half.c frame/land.c frame/plan.c \
+    frame/plan_depth.c frame/plan_foam.c frame/plan_layers.c frame/plan_sky.c \
+    frame/sight.c frame/spray.c frame/tank.c frame/tile.c frame/water.c)
 
 # -- the program, for machines with files and threads ----------------------------------
 

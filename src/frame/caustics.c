@@ -104,13 +104,14 @@ static int32_t in_cells(int64_t metres, uint32_t per_metre)
 }
 
 /* Corner (i, j): where it lies over the map, and where its light does. */
-static void trace(const tp_frame *frame, uint32_t i, uint32_t j, tp_caustic_corner *to)
+static void trace(const tp_frame *frame, const tp_surface *surface, uint32_t i, uint32_t j,
+                  tp_caustic_corner *to)
 {
     const tp_caustic *c = &frame->shade.inside.caustic;
     const tp_rectangle r = frame->caustic_place;
     tp_fx x = r.x0 + (tp_fx)(((int64_t)r.x1 - r.x0) * i / c->cells);
     tp_fx z = r.z0 + (tp_fx)(((int64_t)r.z1 - r.z0) * j / c->cells);
-    tp_sea_point p = surface_point(&frame->surface, x, z);
+    tp_sea_point p = surface_point(surface, x, z);
     tp_fall fall = fall_through(&frame->shade, p.slope_x, p.slope_z);
     tp_fall still = { frame->caustic_still_x, frame->caustic_still_z };
     int64_t high = depth_at(frame, p.position.x, p.position.z) + (int64_t)p.position.y;
@@ -177,6 +178,7 @@ static void deal_cell(uint16_t *light, uint32_t cells, const tp_caustic_corner *
 
 static void make(tp_frame *frame)
 {
+    const tp_surface surface = tp_frame_lit_surface(frame);
     uint32_t n = frame->shade.inside.caustic.cells;
 
     memset(frame->caustic_light, 0, (size_t)n * n * sizeof *frame->caustic_light);
@@ -184,7 +186,7 @@ static void make(tp_frame *frame)
         tp_caustic_corner *here = frame->caustic_row + (j & 1) * (n + 1);
         const tp_caustic_corner *last = frame->caustic_row + (~j & 1) * (n + 1);
         for (uint32_t i = 0; i <= n; i++)
-            trace(frame, i, j, &here[i]);
+            trace(frame, &surface, i, j, &here[i]);
         for (uint32_t i = 0; j > 0 && i < n; i++)
             deal_cell(frame->caustic_light, n, &last[i], &here[i]);
     }

@@ -53,6 +53,7 @@ typedef struct {
     tp_rectangle   *block;
     uint16_t       *caustic_light;
     tp_caustic_corner *caustic_row;
+    tp_pool_slope  *bump[TP_POOL_BUMPS];
     tp_frame_ram    ram;
 } parts;
 
@@ -137,6 +138,9 @@ static parts carve(tp_arena *arena, const tp_scene *scene, const tp_assets *asse
     p.solid = tp_arena_take(arena, materials, sizeof *p.solid);
     p.gloss = tp_arena_take(arena, materials, TP_GLOSS);
     p.heaven = tp_frame_carve_sky(arena, scene, assets);
+    for (int k = 0; k < TP_POOL_BUMPS; k++)
+        p.bump[k] = tp_arena_take(arena, tp_frame_bump_cells(scene, k),
+                                  sizeof *p.bump[k]);
     p.ram.tables = arena->used - fixed - p.ram.vertices + sizeof p.frame->shade;
     carve_looks(&p, arena, scene, assets, config);
     p.ram.frame = arena->used;
@@ -221,6 +225,10 @@ tp_status tp_frame_init(tp_frame **out, const tp_scene *scene, const tp_assets *
     frame->caustic_light = p.caustic_light;
     frame->caustic_row = p.caustic_row;
     frame->caustic_cells = (uint32_t)scene->water.caustic_cells;
+    for (int k = 0; k < TP_POOL_BUMPS; k++) {
+        frame->bump[k] = p.bump[k];
+        frame->bump_cells[k] = tp_frame_bump_cells(scene, k);
+    }
     frame->ram = p.ram;
     frame->ram.scratch = tp_frame_scratch_bytes(&c);
     frame->shade.boat = assets->boat;
@@ -247,9 +255,12 @@ static void place_surface(tp_frame *frame)
 
     *surface = (tp_surface){
         .sea = &world->sea, .phases = frame->drawn.phases, .ring = frame->ring,
-        .ocean = tp_world_ocean(world), .pool = tp_world_pool(world),
-        .field = tp_world_field(world), .back = world->back,
+        .ocean = tp_world_ocean(world), .back = world->back,
     };
+    if (!tp_frame_bumps(frame)) {
+        surface->pool = tp_world_pool(world);
+        surface->field = tp_world_field(world);
+    }
     for (uint32_t i = 0; drops && i < drops->rings; i++) {
         if (surface->rings < frame->ring_capacity)
             surface->rings += tp_ring_at(&tp_drops_rings(drops)[i], frame->drawn.time,

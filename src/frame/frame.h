@@ -158,6 +158,8 @@ struct tp_frame {
     uint32_t         caustic_cells;
     tp_rectangle     caustic_place;
     int32_t          caustic_still_x, caustic_still_z;  /* fall of the sun, Q16.16 */
+    tp_pool_slope   *bump[TP_POOL_BUMPS];       /* slopes of pool and field */
+    uint32_t         bump_cells[TP_POOL_BUMPS]; /* that they have room for */
 
     tp_shade         shade;
     tp_plan          sky, water, solids, land, drops, tank, side, spray;
@@ -237,4 +239,17 @@ tp_layer tp_frame_layer(const tp_frame *frame, const tp_texture *texture,
 /* plan_foam.c: after the light; slopes bent by ripples, glint that follows. */
 void tp_frame_plan_foam(tp_frame *frame);
 tp_stage tp_frame_foam_stage(bool rippled, bool shiny);
+
+/* plan_layers.c: the water's pictures, ripples and bumps.  Of the stages that it adds:
+ * whether they bend the normals. */
+void tp_frame_plan_layers(tp_frame *frame);
+bool tp_plan_add_layers(const tp_frame *frame, tp_plan *water);
+bool tp_plan_add_bumps(const tp_frame *frame, tp_plan *water);      /* ripples, pools */
+int32_t tp_frame_lod(const tp_frame *frame, tp_fx texels_per_metre, bool level_ground);
+
+/* bump.c: of scenes whose pools bend the light only */
+uint32_t tp_frame_bump_cells(const tp_scene *scene, int k);
+bool tp_frame_bumps(const tp_frame *frame);
+void tp_frame_place_bumps(tp_frame *frame);
+tp_surface tp_frame_lit_surface(const tp_frame *frame);     /* bumps as heights */
 #endif

@@ -18,63 +18,12 @@ static void light_from(tp_frame *frame)
     axes->lz = light.z >> 16;
 }
 
-/* Metres drifted by `time`, ticks x 65536; 16.16, wrapping. */
-static uint32_t drifted(tp_fx metres_per_second, int64_t time)
-{
-    int64_t step = (int64_t)metres_per_second * ((int64_t)1 << 32) / TP_TICKS_PER_SECOND;
-    uint64_t part = (uint64_t)(step >> 16) * (uint32_t)(time & 0xffff);
-    return (uint32_t)(((uint64_t)step * (uint64_t)(time >> 16) + part) >> 32);
-}
-
-/* Levels: texels a metre over pixels a metre at 1 m, and half the eye's height for the
- * slant (see tp_level_of). */
-static int32_t lod_of(const tp_frame *frame, tp_fx texels_per_metre, bool level_ground)
-{
-    int32_t lod = tp_log2_q8((uint32_t)(texels_per_metre > 0 ? texels_per_metre : 1))
-                - tp_log2_q8((uint32_t)frame->lens.focal);
-    tp_fx height = tp_abs(frame->lens.eye.y);
-
-    if (height < TP_FX_ONE)
-        height = TP_FX_ONE;
-    return level_ground ? lod - (tp_log2_q8((uint32_t)height) - 16 * 256) / 2 : lod;
-}
-
-tp_layer tp_frame_layer(const tp_frame *frame, const tp_texture *texture,
-                        const tp_scene_map *map)
-{
-    const int64_t time = frame->drawn.time;
-    tp_layer layer = { .texture = texture };
-
-    if (!texture)
-        return layer;
-    layer.per_metre = (uint32_t)((((uint64_t)1 << 32) + (uint32_t)map->size / 2)
-                                 / (uint32_t)map->size);
-    layer.drift_s = 0u - drifted(map->drift_x, time) * layer.per_metre;
-    layer.drift_t = 0u - drifted(map->drift_z, time) * layer.per_metre;
-    layer.lod = lod_of(frame, tp_fx_div(TP_FX_ONE << texture->log2_w, map->size), true);
-    return layer;
-}
-
 void tp_plan_add(tp_plan *plan, tp_stage stage)
 {
     int i = 0;
     while (plan->stage[i])
         i++;
     plan->stage[i] = stage;
-}
-
-static tp_stage texture_stage(const tp_frame *frame)
-{
-    static const tp_stage stage[] = {
-#define X(name, filter, tinted) [2 * (filter) + (tinted)] = tp_stage_##name,
-        TP_TEXTURE_STAGES(X)
-#undef X
-    };
-    const tp_scene *scene = frame->scene;
-    int filter = scene->water.filter == TP_FILTER_LINEAR;
-
-    return frame->assets.layer[0] ? stage[2 * filter + (scene->water.colour != 0xffffff)]
-                               : tp_stage_plain;
 }
 
 static tp_stage light_stage(const tp_frame *frame, bool rippled)
@@ -114,12 +63,10 @@ static void choose_water(tp_frame *frame)
     const tp_scene *scene = frame->scene;
     tp_plan *water = &frame->water;
     bool shines = scene->water.specular > 0, mirrors = scene->water.reflection > 0;
-    bool rippled = frame->assets.ripple && scene->ripple.bump > 0;
     bool clear = scene->water.clear > 0;
 
-    *water = (tp_plan){ { texture_stage(frame) } };
-    if (rippled)
-        tp_plan_add(water, tp_stage_ripple);
+    *water = (tp_plan){ { NULL } };
+    bool rippled = tp_plan_add_layers(frame, water);
     if (shines || mirrors || clear) {
         tp_plan_add(water, tp_stage_view);
         tp_plan_add(water, light_stage(frame, rippled));
@@ -184,13 +131,9 @@ void tp_frame_plan(tp_frame *frame)
     shade->haze_scale = (uint32_t)((int64_t)scene->sky.haze * 64 / frame->lens.zi_near);
     shade->ambient = scene->light.ambient >> 8;
     shade->mirror = scene->water.reflection >> 8;
-    shade->water_colour = (uint32_t)scene->water.colour;
     shade->light_colour = (uint32_t)scene->light.colour;
     light_from(frame);
-    shade->water = tp_frame_layer(frame, frame->assets.layer[0], &scene->layer[0].map);
-    shade->ripple = tp_frame_layer(frame, frame->assets.ripple, &scene->ripple.map);
-    shade->ripple.lod += 224;       /* a mean of normals: what is lost glitters */
-    shade->ripple.slope_gain = scene->ripple.bump >> 8;
+    tp_frame_plan_layers(frame);
     tp_frame_plan_sky(frame);
     plan_shine(shade, scene);
     if (frame->model != scene->light.model)
@@ -217,7 +160,7 @@ void tp_frame_plan_materials(tp_frame *frame)
         frame->solid[i] = (tp_solid){
             .diffuse = m->diffuse,
             .specular = m->specular,
-            .lod = lod_of(frame, texels, false) + 96,  /* one texel: grain glitters */
+            .lod = tp_frame_lod(frame, texels, false) + 96,  /* one texel: grain glitters */
             .bump = tp_clamp(m->bump, -16 * TP_FX_ONE, 16 * TP_FX_ONE) >> 8,
             .diffuse_map = m->diffuse_map,
             .normal_map = m->normal_map,

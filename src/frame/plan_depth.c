@@ -113,13 +113,12 @@ static void choose_under(tp_frame *frame)
 {
     tp_plan *const all[] = { &frame->sky, &frame->water, &frame->solids, &frame->land,
                              &frame->drops, &frame->tank, &frame->spray };
-    bool rippled = frame->assets.ripple && frame->scene->ripple.bump > 0;
 
     frame->sky = (tp_plan){ { tp_stage_deep } };
-    frame->water = (tp_plan){ { tp_stage_view, tp_stage_below } };
-    if (rippled)
-        frame->water = (tp_plan){ { tp_stage_ripple, tp_stage_view,
-                                    tp_stage_below_rippled } };
+    frame->water = (tp_plan){ { NULL } };
+    bool rippled = tp_plan_add_bumps(frame, &frame->water);
+    tp_plan_add(&frame->water, tp_stage_view);
+    tp_plan_add(&frame->water, rippled ? tp_stage_below_rippled : tp_stage_below);
     frame->land = (tp_plan){ { tp_stage_ground } };
     for (int k = 2; k < 7; k++)
         *all[k] = in_water(all[k]);

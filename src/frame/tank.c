@@ -199,7 +199,7 @@ static void add_row(tp_frame *frame, const tp_pool *pool, uint32_t row)
 void tp_frame_place_blocks(tp_frame *frame)
 {
     const tp_scene *scene = frame->scene;
-    const tp_pool *pool = frame->surface.pool;
+    const tp_pool *pool = tp_world_pool(frame->world);
     bool tank = tp_has_tank(scene);
 
     frame->block_high = tank ? scene->tank.rim : 3 * scene->pool.cell;

@@ -58,6 +58,8 @@ static const tp_plan *run_at(const tp_frame *frame, const tp_samples *tile, int3
     run->s = tile->s + at;
     run->t = tile->t + at;
     run->n = tile->n + at;
+    run->ls = run->s;
+    run->lt = run->t;
     run->x = x;
     run->y = y;
     run->count = run_length(run->key, most < tile->x1 - x ? most : tile->x1 - x);

@@ -16,12 +16,14 @@
 #ifndef TP_SHADE_H
 #define TP_SHADE_H
 #include "base/base.h"
-#include "shade/foam.h"
-#include "shade/skies.h"
 #include "shade/absorb.h"
 #include "shade/around.h"
+#include "shade/foam.h"
 #include "shade/inside.h"
+#include "shade/layer.h"
 #include "shade/mirrored.h"
+#include "shade/pool_bump.h"
+#include "shade/skies.h"
 #include "tidepool/asset.h"
 #include "tidepool/fx.h"
 
@@ -32,6 +34,7 @@ typedef struct {
     int32_t  count;
     uint32_t material;          /* of a mesh */
     const uint32_t *key, *s, *t, *n;    /* the samples */
+    const uint32_t *ls, *lt;    /* where layers are sampled: s and t, unless bent */
     uint32_t colour[TP_RUN];
     int16_t  vx[TP_RUN], vy[TP_RUN], vz[TP_RUN];    /* to the eye */
     int16_t  lv[TP_RUN];        /* light . view */
@@ -39,8 +42,13 @@ typedef struct {
     int16_t  nv[TP_RUN];        /* normal . view, 0..1 */
     int16_t  up[TP_RUN];        /* y of the mirrored view, -1..1 */
     uint16_t glint[TP_RUN];     /* specular, 256 is the light's full colour */
-    int16_t  rx[TP_RUN], rz[TP_RUN];    /* x and z of the mirrored view, with up */
-    uint32_t mirror[TP_RUN];    /* what comes from there, 0xAARRGGBB */
+    union {                     /* once layers are laid, bent places are not needed */
+        struct {
+            int16_t  rx[TP_RUN], rz[TP_RUN];    /* of the mirrored view, with up */
+            uint32_t mirror[TP_RUN];            /* what comes from there, 0xAARRGGBB */
+        };
+        struct { uint32_t bent_s[TP_RUN], bent_t[TP_RUN]; };
+    };
 } tp_run;
 
 /* The view's rays in a frame of axes: the world's, or a mesh's. */
@@ -48,15 +56,6 @@ typedef struct {
     tp_dir3 right, up, back;
     int32_t lx, ly, lz;         /* light, Q1.14 */
 } tp_view_axes;
-
-/* A texture as a stage samples it. */
-typedef struct {
-    const tp_texture *texture;
-    uint32_t per_metre;         /* repeats a metre, Q0.32 over Q16.16: s x this wraps */
-    uint32_t drift_s, drift_t;  /* Q0.32 repeats */
-    int32_t  lod;               /* level at 1 m, Q8, for tp_level_of */
-    int32_t  slope_gain;        /* normal maps: 256 is as drawn */
-} tp_layer;
 
 typedef struct {
     uint32_t diffuse, specular; /* colours */
@@ -85,8 +84,11 @@ typedef struct {
     tp_view_axes world, mesh;
     int32_t  zi_log;            /* log2 of the depth at zi = 1, Q8 */
 
-    tp_layer water, ripple;
-    uint32_t water_colour, light_colour;
+    tp_layer water, ripple;     /* the first layer; capillary waves */
+    tp_layers layers;
+    tp_pool_bumps bumps;
+    uint32_t water_colour;      /* multiplies the first layer */
+    uint32_t light_colour;
     int32_t  ambient;           /* 0..256 */
     int32_t  mirror;            /* share of the reflection, 0..256 */
 
@@ -146,7 +148,14 @@ void tp_stage_plain(const tp_shade *shade, tp_run *run);    /* colour, without t
 #define X(name, filter, tinted) void tp_stage_##name(const tp_shade *shade, tp_run *run);
 TP_TEXTURE_STAGES(X)                                        /* colour */
 #undef X
-void tp_stage_ripple(const tp_shade *shade, tp_run *run);   /* sx sz: normal map added */
+void tp_stage_texture_graded(const tp_shade *shade, tp_run *run);
+void tp_stage_texture_linear_graded(const tp_shade *shade, tp_run *run);
+void tp_stage_bend(const tp_shade *shade, tp_run *run);     /* ls lt, before layers */
+void tp_stage_layers(const tp_shade *shade, tp_run *run);   /* adds the second and third */
+void tp_stage_layers_linear(const tp_shade *shade, tp_run *run);
+void tp_stage_pool_bump(const tp_shade *shade, tp_run *run);        /* sx sz: pools' */
+void tp_stage_ripple(const tp_shade *shade, tp_run *run);   /* sx sz: by a normal map */
+void tp_stage_ripple_over(const tp_shade *shade, tp_run *run);      /* pools' sx sz */
 void tp_stage_view(const tp_shade *shade, tp_run *run);     /* vx vy vz, lv: world axes */
 void tp_stage_diffuse(const tp_shade *shade, tp_run *run);  /* colour; needs no view */
 void tp_stage_diffuse_rippled(const tp_shade *shade, tp_run *run);

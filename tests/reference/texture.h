@@ -37,4 +37,17 @@ static inline ref_colour ref_linear(const tp_texture *t, int level, double s, do
                 ref_colour_of(ref_texel(t, level, i + 1, j + 1)), x - i);
     return ref_mix(above, below, y - j);
 }
+
+/* A texel brought to another saturation, clamped and coloured. */
+static inline ref_colour ref_grade(ref_colour a, double saturation, double clamp,
+                                   ref_colour colour)
+{
+    const double grey = .3008 * a.c[0] + .5859 * a.c[1] + .1133 * a.c[2];
+    ref_colour r;
+    for (int i = 0; i < 3; i++) {
+        const double v = ref_clamp(grey + (a.c[i] - grey) * saturation, 0, 255) / 255;
+        r.c[i] = fmax(0, (v - clamp) / (1 - clamp)) * colour.c[i];
+    }
+    return r;
+}
 #endif

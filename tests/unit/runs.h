@@ -21,6 +21,8 @@ static inline void run_any(test_run *r, int32_t steep, uint64_t *state)
     r->run.key = r->key;
     r->run.s = r->s;
     r->run.t = r->t;
+    r->run.ls = r->s;
+    r->run.lt = r->t;
     r->run.n = r->n;
     for (int i = 0; i < TP_RUN; i++) {
         const uint32_t sx = (uint32_t)chance_int(state, -steep, steep) & 0xffff;
@@ -43,6 +45,8 @@ static inline tp_run run_part(const tp_run *r, int32_t from, int32_t end)
     part.key = r->key + from;
     part.s = r->s + from;
     part.t = r->t + from;
+    part.ls = part.s;
+    part.lt = part.t;
     part.n = r->n + from;
     memmove(part.colour, r->colour + from, count * sizeof *part.colour);
     memmove(part.vx, r->vx + from, count * sizeof *part.vx);

@@ -6,77 +6,20 @@
 #include <setjmp.h>
 #include <stdint.h>
 #include <cmocka.h>
-#include "../reference/texture.h"
 #include "asset/mesh.h"
-#include "runs.h"
-
-#define Q12 4096.0
+#include "layers.h"
+#include "measure.h"
 
 static uint64_t chance;
-
-typedef void stage(const tp_shade *shade, tp_run *run);
-
-/* A texture of random texels, alpha too, in memory of its own. */
-static tp_texture any_texture(uint32_t w, uint32_t h)
-{
-    uint32_t *const pixels = malloc((size_t)w * h * sizeof *pixels);
-    tp_texture t;
-
-    for (uint32_t i = 0; i < w * h; i++)
-        pixels[i] = (uint32_t)random_next(&chance);
-    assert_int_equal(
-        tp_texture_init(&t, pixels, w, h, malloc(tp_texture_bytes(w, h)), NULL), TP_OK);
-    free(pixels);
-    return t;
-}
-
-static void texture_free(tp_texture *t)
-{
-    free((void *)(uintptr_t)t->level[0]);
-}
-
-/* All samples at one depth, where `layer` is at the texture's level. */
-static tp_shade shade_at_level(test_run *r, tp_layer *layer, int level)
-{
-    const tp_shade s = { .zi_log = 15 * 256 + 14 * 256 };
-
-    for (int i = 0; i < TP_RUN; i++)
-        r->key[i] = 0x10000000;
-    layer->lod = level * 256 + 64 - tp_log_depth(&s, r->key[0]);
-    if (tp_log_depth(&s, r->key[0]) > 0)
-        layer->lod -= tp_log_depth(&s, r->key[0]) / 2;
-    return s;
-}
-
-static tp_layer any_layer(const tp_texture *texture)
-{
-    return (tp_layer){
-        .texture = texture,
-        .per_metre = (uint32_t)(random_next(&chance) >> chance_int(&chance, 32, 50)),
-        .drift_s = (uint32_t)random_next(&chance),
-        .drift_t = (uint32_t)random_next(&chance),
-        .slope_gain = chance_int(&chance, 0, 1024),
-    };
-}
-
-/* The place in repeats as the layer's numbers state it: Q0.32, wrapping. */
-static double repeats(uint32_t place, uint32_t per_metre, uint32_t drift)
-{
-    return (place * per_metre + drift) / 4294967296.0;
-}
-
-static const uint32_t sides[][2] = { { 1, 1 },    { 2, 1 },   { 1, 64 },  { 256, 256 },
-                                     { 16, 128 }, { 512, 2 }, { 4096, 1 } };
-enum { SIDES = sizeof sides / sizeof sides[0] };
 
 /* -- texels -------------------------------------------------------------------------- */
 
 static void compare_nearest(const tp_texture *texture, int level)
 {
     test_run r;
-    tp_layer layer = any_layer(texture);
+    tp_layer layer = layer_any(&chance, texture);
     run_any(&r, 0, &chance);
-    tp_shade s = shade_at_level(&r, &layer, level);
+    tp_shade s = layer_at_level(&r, &layer, level);
 
     s.water = layer;
     s.water_colour = (uint32_t)random_next(&chance) & 0xffffff;
@@ -85,6 +28,8 @@ static void compare_nearest(const tp_texture *texture, int level)
     tinted.run.key = tinted.key;
     tinted.run.s = tinted.s;
     tinted.run.t = tinted.t;
+    tinted.run.ls = tinted.s;
+    tinted.run.lt = tinted.t;
     tp_stage_texture_tinted(&s, &tinted.run);
     for (int i = 0; i < TP_RUN; i++) {
         const uint32_t want =
@@ -101,12 +46,12 @@ static void nearest_takes_the_texel_that_holds_the_place(void **state)
 {
     (void)state;
     for (int n = 0; n < SIDES; n++) {
-        tp_texture t = any_texture(sides[n][0], sides[n][1]);
+        tp_texture t = layer_texture(&chance, sides[n][0], sides[n][1]);
         for (int level = 0; level < t.levels; level++) {
             for (int k = 0; k < 20; k++)
                 compare_nearest(&t, level);
         }
-        texture_free(&t);
+        layer_free(&t);
     }
 }
 
@@ -114,9 +59,9 @@ static void nearest_takes_the_texel_that_holds_the_place(void **state)
 static void compare_linear(const tp_texture *texture, int level, measure *off)
 {
     test_run r;
-    tp_layer layer = any_layer(texture);
+    tp_layer layer = layer_any(&chance, texture);
     run_any(&r, 0, &chance);
-    tp_shade s = shade_at_level(&r, &layer, level);
+    tp_shade s = layer_at_level(&r, &layer, level);
 
     s.water = layer;
     tp_stage_texture_linear(&s, &r.run);
@@ -136,12 +81,12 @@ static void linear_mixes_the_four_around_the_place(void **state)
     measure off = { .what = "linear", .unit = "levels of 255" };
 
     for (int n = 0; n < SIDES; n++) {
-        tp_texture t = any_texture(sides[n][0], sides[n][1]);
+        tp_texture t = layer_texture(&chance, sides[n][0], sides[n][1]);
         for (int level = 0; level < t.levels; level++) {
             for (int k = 0; k < 20; k++)
                 compare_linear(&t, level, &off);
         }
-        texture_free(&t);
+        layer_free(&t);
     }
     measure_print(&off);
 }
@@ -162,9 +107,9 @@ static void one_colour_stays_one_colour(void **state)
                                          tp_stage_texture_linear,
                                          tp_stage_texture_linear_tinted };
         test_run r;
-        tp_layer layer = any_layer(&t);
+        tp_layer layer = layer_any(&chance, &t);
         run_any(&r, 0, &chance);
-        tp_shade s = shade_at_level(&r, &layer, n % 5);
+        tp_shade s = layer_at_level(&r, &layer, n % 5);
         s.water = layer;
         s.water_colour = 0xffffff;
         stages[n % 4](&s, &r.run);
@@ -177,11 +122,11 @@ static void one_colour_stays_one_colour(void **state)
 static void repeats_wrap_around(void **state)
 {
     (void)state;
-    tp_texture t = any_texture(8, 32);
+    tp_texture t = layer_texture(&chance, 8, 32);
     test_run r;
     tp_layer layer = { .texture = &t, .per_metre = 1u << 13 };      /* 8 m a repeat */
     run_any(&r, 0, &chance);
-    tp_shade s = shade_at_level(&r, &layer, 0);
+    tp_shade s = layer_at_level(&r, &layer, 0);
     s.water = layer;
 
     for (int i = 0; i < TP_RUN; i++) {
@@ -191,7 +136,7 @@ static void repeats_wrap_around(void **state)
     tp_stage_texture_linear(&s, &r.run);
     for (int i = 1; i < TP_RUN; i++)
         assert_int_equal(r.run.colour[i], r.run.colour[0]);
-    texture_free(&t);
+    layer_free(&t);
 }
 
 /* -- levels -------------------------------------------------------------------------- */
@@ -199,7 +144,7 @@ static void repeats_wrap_around(void **state)
 /* A texture whose levels tell their number. */
 static tp_texture numbered(void)
 {
-    tp_texture t = any_texture(256, 256);
+    tp_texture t = layer_texture(&chance, 256, 256);
 
     for (int level = 0; level < t.levels; level++) {
         uint32_t *const at = (uint32_t *)(uintptr_t)t.level[level];
@@ -237,7 +182,7 @@ static void levels_go_by_the_depth(void **state)
         tried += low == high && low > 0 && low < 8;
     }
     assert_true(tried > 300);
-    texture_free(&t);
+    layer_free(&t);
 }
 
 /* The first sample of each 16 columns chooses for all of them. */
@@ -259,43 +204,7 @@ static void a_level_holds_for_sixteen_columns(void **state)
         }
     }
     assert_true(changes > 100);
-    texture_free(&t);
-}
-
-/* -- ripples ------------------------------------------------------------------------- */
-
-/* Slopes of a normal map: -nx along s, +ny along t, 128 being 1, times the gain; the
- * sampler's 4 levels and two cuts. */
-static void ripples_add_the_slopes_of_a_normal_map(void **state)
-{
-    (void)state;
-    measure off = { .what = "ripple", .unit = "of slope 1" };
-
-    for (int n = 0; n < SIDES * 60; n++) {
-        tp_texture t = any_texture(sides[n % SIDES][0], sides[n % SIDES][1]);
-        test_run r;
-        tp_layer layer = any_layer(&t);
-        const int level = chance_int(&chance, 0, t.levels - 1);
-        run_any(&r, 20000, &chance);
-        tp_shade s = shade_at_level(&r, &layer, level);
-        s.ripple = layer;
-        tp_stage_ripple(&s, &r.run);
-        for (int i = 0; i < TP_RUN; i++) {
-            const ref_colour c =
-                ref_linear(&t, level, repeats(r.s[i], layer.per_metre, layer.drift_s),
-                           repeats(r.t[i], layer.per_metre, layer.drift_t));
-            const double gain = layer.slope_gain / 256.0, most = 32000 / Q12;
-            const double sx = (int16_t)(r.n[i] >> 16) / Q12 - (c.c[0] - 128) / 128 * gain;
-            const double sz =
-                (int16_t)(r.n[i] & 0xffff) / Q12 + (c.c[1] - 128) / 128 * gain;
-            const double e = fmax(fabs(r.run.sx[i] / Q12 - ref_clamp(sx, -most, most)),
-                                  fabs(r.run.sz[i] / Q12 - ref_clamp(sz, -most, most)));
-            assert_true(e <= 4 / 128.0 * gain + 2 / Q12);
-            measure_add(&off, e, r.s[i], r.t[i], layer.slope_gain);
-        }
-        texture_free(&t);
-    }
-    measure_print(&off);
+    layer_free(&t);
 }
 
 /* -- meshes -------------------------------------------------------------------------- */
@@ -308,7 +217,7 @@ static void solids_show_the_texel_that_holds_the_place(void **state)
     const tp_mesh mesh = { 0 };
 
     for (int n = 0; n < SIDES * 40; n++) {
-        tp_texture t = any_texture(sides[n % SIDES][0], sides[n % SIDES][1]);
+        tp_texture t = layer_texture(&chance, sides[n % SIDES][0], sides[n % SIDES][1]);
         const int level = chance_int(&chance, 0, t.levels - 1);
         tp_solid solid = { .diffuse = n % 2 ? 0xffffff
                                             : (uint32_t)random_next(&chance) & 0xffffff,
@@ -340,7 +249,7 @@ static void solids_show_the_texel_that_holds_the_place(void **state)
                                                            ref_colour_of(solid.diffuse)))
                         < 1);
         }
-        texture_free(&t);
+        layer_free(&t);
     }
 }
 
@@ -352,27 +261,25 @@ static void runs_may_be_cut_at_sixteenths(void **state)
     (void)state;
     static stage *const stages[] = { tp_stage_texture, tp_stage_texture_tinted,
                                      tp_stage_texture_linear,
-                                     tp_stage_texture_linear_tinted, tp_stage_ripple };
-    tp_texture t = any_texture(64, 16);
+                                     tp_stage_texture_linear_tinted };
+    tp_texture t = layer_texture(&chance, 64, 16);
 
     for (int n = 0; n < 1000; n++) {
         test_run r;
         tp_shade s = { .zi_log = 29 * 256, .water_colour = 0xc08040 };
         run_any(&r, 5000, &chance);
-        s.water = s.ripple = any_layer(&t);
-        s.water.lod = s.ripple.lod = chance_int(&chance, -2000, 2000);
+        s.water = layer_any(&chance, &t);
+        s.water.lod = chance_int(&chance, -2000, 2000);
         const tp_run before = r.run;
-        stages[n % 5](&s, &r.run);
+        stages[n % 4](&s, &r.run);
         for (int32_t from = 0; from < TP_RUN; from += 16) {
             tp_run part = run_part(&before, from, from + 16);
             const tp_run want = run_part(&r.run, from, from + 16);
-            stages[n % 5](&s, &part);
+            stages[n % 4](&s, &part);
             assert_memory_equal(part.colour, want.colour, 16 * sizeof *part.colour);
-            assert_memory_equal(part.sx, want.sx, 16 * sizeof *part.sx);
-            assert_memory_equal(part.sz, want.sz, 16 * sizeof *part.sz);
         }
     }
-    texture_free(&t);
+    layer_free(&t);
 }
 
 int main(void)
@@ -385,7 +292,6 @@ int main(void)
         cmocka_unit_test(repeats_wrap_around),
         cmocka_unit_test(levels_go_by_the_depth),
         cmocka_unit_test(a_level_holds_for_sixteen_columns),
-        cmocka_unit_test(ripples_add_the_slopes_of_a_normal_map),
         cmocka_unit_test(solids_show_the_texel_that_holds_the_place),
         cmocka_unit_test(runs_may_be_cut_at_sixteenths),
     };

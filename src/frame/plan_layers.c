@@ -1,0 +1,131 @@
+/* SPDX-License-Identifier: MIT */
+/* The plan of what lies on the water: layers, their distortion, ripples, bumps. */
+#include "frame/frame.h"
+
+/* Metres drifted by `time`, ticks x 65536; 16.16, wrapping. */
+static uint32_t drifted(tp_fx metres_per_second, int64_t time)
+{
+    int64_t step = (int64_t)metres_per_second * ((int64_t)1 << 32) / TP_TICKS_PER_SECOND;
+    uint64_t part = (uint64_t)(step >> 16) * (uint32_t)(time & 0xffff);
+    return (uint32_t)(((uint64_t)step * (uint64_t)(time >> 16) + part) >> 32);
+}
+
+/* Levels: texels a metre over pixels a metre at 1 m, and half the eye's height for the
+ * slant (see tp_level_of). */
+int32_t tp_frame_lod(const tp_frame *frame, tp_fx texels_per_metre, bool level_ground)
+{
+    int32_t lod = tp_log2_q8((uint32_t)(texels_per_metre > 0 ? texels_per_metre : 1))
+                - tp_log2_q8((uint32_t)frame->lens.focal);
+    tp_fx height = tp_abs(frame->lens.eye.y);
+
+    if (height < TP_FX_ONE)
+        height = TP_FX_ONE;
+    return level_ground ? lod - (tp_log2_q8((uint32_t)height) - 16 * 256) / 2 : lod;
+}
+
+/* Of a picture's longer side: of 4096 on 0.1 m they are more than 16.16 holds. */
+static tp_fx texels_a_metre(const tp_texture *texture, tp_fx size)
+{
+    return tp_fx_div(TP_FX_ONE << (texture->levels - 1), size);
+}
+
+tp_layer tp_frame_layer(const tp_frame *frame, const tp_texture *texture,
+                        const tp_scene_map *map)
+{
+    const int64_t time = frame->drawn.time;
+    tp_layer layer = { .texture = texture };
+
+    if (!texture)
+        return layer;
+    layer.per_metre = (uint32_t)((((uint64_t)1 << 32) + (uint32_t)map->size / 2)
+                                 / (uint32_t)map->size);
+    layer.drift_s = 0u - drifted(map->drift_x, time) * layer.per_metre;
+    layer.drift_t = 0u - drifted(map->drift_z, time) * layer.per_metre;
+    layer.lod = tp_frame_lod(frame, texels_a_metre(texture, map->size), true);
+    return layer;
+}
+
+static bool is_graded(const tp_scene_layer *layer)
+{
+    return layer->saturation != TP_FX_ONE || layer->clamp > 0;
+}
+
+static void plan_added(tp_frame *frame, int k)
+{
+    const tp_scene_layer *layer = &frame->scene->layer[1 + k];
+    tp_layers *layers = &frame->shade.layers;
+
+    layers->added[k] = tp_frame_layer(frame, frame->assets.layer[1 + k], &layer->map);
+    layers->colour[k] = (uint32_t)layer->colour;
+    layers->graded[k] = is_graded(layer);
+    layers->grade[1 + k] = tp_grade_of(layer->saturation, layer->clamp,
+                                        (uint32_t)layer->colour);
+}
+
+void tp_frame_plan_layers(tp_frame *frame)
+{
+    const tp_scene *scene = frame->scene;
+    tp_shade *shade = &frame->shade;
+
+    shade->water = tp_frame_layer(frame, frame->assets.layer[0], &scene->layer[0].map);
+    shade->water_colour = (uint32_t)scene->water.colour;
+    if (shade->water.texture)
+        shade->water_colour = tp_colour_times(shade->water_colour,
+                                              (uint32_t)scene->layer[0].colour);
+    shade->layers.grade[0] = tp_grade_of(scene->layer[0].saturation,
+                                         scene->layer[0].clamp, shade->water_colour);
+    for (int k = 0; k < TP_LAYERS_ADDED; k++)
+        plan_added(frame, k);
+    shade->layers.bend = tp_frame_layer(frame, frame->assets.distortion,
+                                        &scene->distortion.map);
+    shade->layers.strength = scene->distortion.strength;
+    shade->ripple = tp_frame_layer(frame, frame->assets.ripple, &scene->ripple.map);
+    shade->ripple.lod += 224;       /* a mean of normals: what is lost glitters */
+    shade->ripple.slope_gain = scene->ripple.bump >> 8;
+    tp_frame_place_bumps(frame);
+}
+
+static tp_stage texture_stage(const tp_frame *frame, bool linear)
+{
+    static const tp_stage stage[] = {
+#define X(name, filter, tinted) [2 * (filter) + (tinted)] = tp_stage_##name,
+        TP_TEXTURE_STAGES(X)
+#undef X
+    };
+    const tp_shade *shade = &frame->shade;
+
+    if (!shade->water.texture)
+        return tp_stage_plain;
+    if (is_graded(&frame->scene->layer[0]))
+        return linear ? tp_stage_texture_linear_graded : tp_stage_texture_graded;
+    return stage[2 * linear + (shade->water_colour != 0xffffff)];
+}
+
+/* Ripples lie on what pools make of the slopes. */
+bool tp_plan_add_bumps(const tp_frame *frame, tp_plan *water)
+{
+    const tp_pool_bump *pool = frame->shade.bumps.pool;
+    bool pools = pool[0].slope || pool[1].slope;
+    bool ripples = frame->shade.ripple.texture && frame->scene->ripple.bump > 0;
+
+    if (pools)
+        tp_plan_add(water, tp_stage_pool_bump);
+    if (ripples)
+        tp_plan_add(water, pools ? tp_stage_ripple_over : tp_stage_ripple);
+    return pools || ripples;
+}
+
+bool tp_plan_add_layers(const tp_frame *frame, tp_plan *water)
+{
+    const tp_layers *layers = &frame->shade.layers;
+    bool added = layers->added[0].texture || layers->added[1].texture;
+    bool linear = frame->scene->water.filter == TP_FILTER_LINEAR;
+
+    if (layers->bend.texture && layers->strength > 0
+        && (added || frame->shade.water.texture))
+        tp_plan_add(water, tp_stage_bend);
+    tp_plan_add(water, texture_stage(frame, linear));
+    if (added)
+        tp_plan_add(water, linear ? tp_stage_layers_linear : tp_stage_layers);
+    return tp_plan_add_bumps(frame, water);
+}
