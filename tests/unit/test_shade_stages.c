@@ -34,9 +34,10 @@ static void the_view_points_to_the_eye(void **state)
         for (int i = 0; i < TP_RUN; i++) {
             const ref_dir v = shade_view(&s, &s.world, r.run.x + i, r.run.y);
             const ref_dir l = shade_light(&s.world);
-            /* Two ends cut to Q1.14, the step between them too: three units.  The light's
-             * product adds up three cuts of 1. */
-            const double most = chord(&s, 16) + 3 / Q14, most_l = most * 1.8 + 2 / Q14;
+            /* Two ends cut to Q1.14, the way between them too: three units.  The bow leaves
+             * a twentieth of what the chord falls short.  The light's product adds up three
+             * cuts of 1. */
+            const double most = chord(&s, 16) / 20 + 3 / Q14, most_l = most * 1.8 + 2 / Q14;
             const double e = fmax(fmax(fabs(r.run.vx[i] / Q14 - v.x),
                                        fabs(r.run.vy[i] / Q14 - v.y)),
                                   fabs(r.run.vz[i] / Q14 - v.z));

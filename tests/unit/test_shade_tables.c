@@ -164,9 +164,9 @@ typedef struct {
 static channel channel_of(uint32_t a, uint32_t b, uint32_t share)
 {
     return (channel){ a, b, share,
-                      .scale = a * share / 256,
-                      .mix = (a * (256 - share) + b * share) / 256,
-                      .times = a * (b + 1) / 256,
+                      .scale = (a * share + 128) / 256,
+                      .mix = (a * (256 - share) + b * share + 128) / 256,
+                      .times = (2 * a * b + 255) / 510,
                       .add = a + b > 255 ? 255 : a + b };
 }
 
