@@ -101,6 +101,19 @@ static tp_stage texture_stage(const tp_frame *frame, bool linear)
     return stage[2 * linear + (shade->water_colour != 0xffffff)];
 }
 
+/* Slopes of the mesh are 1/4 at the most: sum kA / (1 - sum QkA). */
+static bool is_gentle(const tp_surface *surface)
+{
+    const tp_sea *sea = surface->sea;
+    int64_t tilt = 0;
+
+    if (surface->ocean || tp_surface_has_relief(surface))
+        return false;
+    for (uint32_t i = 0; i < sea->count; i++)
+        tilt += sea->swell[i].tilt;
+    return 4 * tilt <= (TP_Q30_ONE - sea->bend) >> 14;
+}
+
 /* Ripples lie on what pools make of the slopes. */
 bool tp_plan_add_bumps(const tp_frame *frame, tp_plan *water)
 {
@@ -111,7 +124,9 @@ bool tp_plan_add_bumps(const tp_frame *frame, tp_plan *water)
     if (pools)
         tp_plan_add(water, tp_stage_pool_bump);
     if (ripples)
-        tp_plan_add(water, pools ? tp_stage_ripple_over : tp_stage_ripple);
+        tp_plan_add(water, pools ? tp_stage_ripple_over
+                           : is_gentle(&frame->surface) ? tp_stage_ripple_gentle
+                           : tp_stage_ripple);
     return pools || ripples;
 }
 

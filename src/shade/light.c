@@ -6,6 +6,7 @@
  * the mirrored view's height is 2 (N.V) Ny - Vy: no vector is ever reflected, nor is one
  * ever halved (see lobe.h). */
 #include "shade/lobe.h"
+#include "shade/slope.h"
 
 /* The slopes of sample i: from the array once a ripple has bent them, else as sampled. */
 TP_ALWAYS_INLINE int32_t slope_x(const tp_run *run, int32_t i, int rippled)
@@ -24,35 +25,6 @@ TP_ALWAYS_INLINE uint32_t square_of(int32_t sx, int32_t sz)
     return (uint32_t)(sx * sx) + (uint32_t)(sz * sz);
 }
 
-#define STEEP_END 0x4000000u    /* q of 4, where the table ends */
-
-/* Brings q into the table: 1/sqrt(1 + q) is half of 1/sqrt(1 + (q - 3) / 4).  Returns how
- * often it was halved: not at all up to slopes of 2 (63 degrees), three times at most. */
-TP_ALWAYS_INLINE int halved(uint32_t *q)
-{
-    int times = 0;
-
-    for (; *q >= STEEP_END; times++)
-        *q = (*q - STEEP_END / 4 * 3) / 4;
-    return times;
-}
-
-/* 1/sqrt(1 + q) in Q1.14: interpolated, for lobes that would show its steps. */
-TP_ALWAYS_INLINE int32_t steep_of(const tp_shade *shade, uint32_t q)
-{
-    int      times = halved(&q);
-    uint32_t i = q >> 17, f = q >> 10 & 0x7f;
-    int32_t  a = shade->steep[i], b = shade->steep[i + 1];
-    return (a + ((b - a) * (int32_t)f >> 7)) >> times;
-}
-
-/* The same without interpolation. */
-TP_ALWAYS_INLINE int32_t nearest_steep(const tp_shade *shade, uint32_t q)
-{
-    int times = halved(&q);
-    return shade->steep[(q + 0x10000) >> 17] >> times;
-}
-
 /* The diffuse term alone, for water that neither shines nor mirrors: the root's nearest
  * entry is within 0.2 %, half a level of 255. */
 TP_ALWAYS_INLINE void diffuse(const tp_shade *shade, tp_run *run, int rippled)
@@ -63,7 +35,7 @@ TP_ALWAYS_INLINE void diffuse(const tp_shade *shade, tp_run *run, int rippled)
 
     for (int32_t i = 0; i < count; i++) {
         int32_t sx = slope_x(run, i, rippled), sz = slope_z(run, i, rippled);
-        int32_t ny = nearest_steep(shade, square_of(sx, sz));
+        int32_t ny = tp_steep_near(shade, square_of(sx, sz));
         int32_t nl = ly - ((sx * lx + sz * lz) >> 12);
         int32_t lit = nl * ny >> 20;
         if ((uint32_t)lit > (uint32_t)direct)       /* turned away, or rounded */
@@ -99,7 +71,7 @@ TP_ALWAYS_INLINE void light(const tp_shade *shade, tp_run *run, int rippled, int
     for (int32_t i = 0; i < count; i++) {
         int32_t sx = slope_x(run, i, rippled), sz = slope_z(run, i, rippled);
         int32_t vx = run->vx[i], vy = run->vy[i], vz = run->vz[i];
-        int32_t ny = steep_of(shade, square_of(sx, sz));
+        int32_t ny = tp_steep(shade, square_of(sx, sz));
         int32_t nv = vy - ((sx * vx + sz * vz) >> 12);      /* Q14, below 14 */
         int32_t nl = ly - ((sx * lx + sz * lz) >> 12);
 

@@ -155,6 +155,7 @@ void tp_stage_layers(const tp_shade *shade, tp_run *run);   /* adds the second a
 void tp_stage_layers_linear(const tp_shade *shade, tp_run *run);
 void tp_stage_pool_bump(const tp_shade *shade, tp_run *run);        /* sx sz: pools' */
 void tp_stage_ripple(const tp_shade *shade, tp_run *run);   /* sx sz: by a normal map */
+void tp_stage_ripple_gentle(const tp_shade *shade, tp_run *run);    /* of flat surfaces */
 void tp_stage_ripple_over(const tp_shade *shade, tp_run *run);      /* pools' sx sz */
 void tp_stage_view(const tp_shade *shade, tp_run *run);     /* vx vy vz, lv: world axes */
 void tp_stage_diffuse(const tp_shade *shade, tp_run *run);  /* colour; needs no view */

@@ -4,19 +4,39 @@
 #define TP_SHADE_SLOPE_H
 #include "shade/shade.h"
 
-#define TP_SLOPE_END 0x4000000u     /* q of 4, where the table of roots ends */
+#define TP_SLOPE_END 0x4000000u     /* q of 4, Q24, where the table of roots ends */
 
-/* Slopes Q3.12.  q = sx^2 + sz^2 in Q24 is brought into the table, as 1/sqrt(1 + q) is
- * half of 1/sqrt(1 + (q - 3) / 4), and interpolated there. */
+/* Brings q into the table: 1/sqrt(1 + q) is half of 1/sqrt(1 + (q - 3) / 4).  Returns how
+ * often it was halved: not at all up to slopes of 2 (63 degrees), three times at most. */
+TP_ALWAYS_INLINE int tp_steep_halved(uint32_t *q)
+{
+    int times = 0;
+
+    for (; *q >= TP_SLOPE_END; times++)
+        *q = (*q - TP_SLOPE_END / 4 * 3) / 4;
+    return times;
+}
+
+/* Q1.14, interpolated, for lobes that would show the table's steps. */
+TP_ALWAYS_INLINE int32_t tp_steep(const tp_shade *shade, uint32_t q)
+{
+    int      times = tp_steep_halved(&q);
+    uint32_t i = q >> 17, f = q >> 10 & 0x7f;
+    int32_t  a = shade->steep[i], b = shade->steep[i + 1];
+    return (a + ((b - a) * (int32_t)f >> 7)) >> times;
+}
+
+/* The nearest entry, within 0.2 %. */
+TP_ALWAYS_INLINE int32_t tp_steep_near(const tp_shade *shade, uint32_t q)
+{
+    int times = tp_steep_halved(&q);
+    return shade->steep[(q + 0x10000) >> 17] >> times;
+}
+
+/* Slopes Q3.12; q = sx^2 + sz^2. */
 TP_ALWAYS_INLINE tp_ray tp_slope_normal(const tp_shade *shade, int32_t sx, int32_t sz)
 {
-    uint32_t q = (uint32_t)(sx * sx) + (uint32_t)(sz * sz);
-    int      times = 0;
-
-    for (; q >= TP_SLOPE_END; times++)
-        q = (q - TP_SLOPE_END / 4 * 3) / 4;
-    const uint16_t *at = shade->steep + (q >> 17);
-    int32_t ny = (at[0] + ((at[1] - at[0]) * (int32_t)(q >> 10 & 0x7f) >> 7)) >> times;
+    int32_t ny = tp_steep(shade, (uint32_t)(sx * sx) + (uint32_t)(sz * sz));
     return (tp_ray){ -(sx * ny >> 12), ny, -(sz * ny >> 12), 0 };
 }
 

@@ -38,6 +38,23 @@ static inline ref_colour ref_linear(const tp_texture *t, int level, double s, do
     return ref_mix(above, below, y - j);
 }
 
+/* The slopes of a bump (nx, ny, nz), green up the picture, on a surface with slopes sx
+ * and sz: T along (1, sx, 0), N the normal, B = (0, sz, 1) made orthogonal to both. */
+static inline void ref_turned(double sx, double sz, const double n[3], double slope[2])
+{
+    const ref_dir up = ref_normal(sx, sz), along = ref_unit((ref_dir){ 1, sx, 0 });
+    const double slip = sz * along.y;
+    const ref_dir down = ref_unit((ref_dir){ -slip * along.x, sz - slip * along.y, 1 });
+    const double x = n[0] * along.x - n[1] * down.x + n[2] * up.x;
+    const double y = n[0] * along.y - n[1] * down.y + n[2] * up.y;
+    const double z = n[0] * along.z - n[1] * down.z + n[2] * up.z;
+    const double steep = sqrt((1 + sx * sx) * (1 + sx * sx + sz * sz));
+    const double held = fmax(y, 1 / (8 * steep));      /* as the stage holds it */
+
+    slope[0] = -x / held;
+    slope[1] = -z / held;
+}
+
 /* A texel brought to another saturation, clamped and coloured. */
 static inline ref_colour ref_grade(ref_colour a, double saturation, double clamp,
                                    ref_colour colour)

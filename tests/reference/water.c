@@ -58,20 +58,21 @@ static bool is_rippled(const ref_scene *s)
     return s->assets->ripple && s->scene->ripple.bump > 0;
 }
 
-/* A texel (nx, ny, nz), green up the picture, is a slope of -nx along s and +ny along
- * t; its level is 7/8 coarser. */
+/* A texel (nx, ny, nz), green up the picture, in the surface's tangent space; its level
+ * is 7/8 coarser. */
 ref_vec ref_water_normal(const ref_scene *s, const ref_water *w)
 {
-    double sx = w->slope_x, sz = w->slope_z;
+    double slope[2] = { w->slope_x, w->slope_z };
 
     if (is_rippled(s)) {
         const double bump = fx(s->scene->ripple.bump);
-        const ref_colour n = ref_map_at(s, s->assets->ripple, &s->scene->ripple.map,
+        const ref_colour c = ref_map_at(s, s->assets->ripple, &s->scene->ripple.map,
                                         w->x0, w->z0, 224 / 256.0, w->at, true);
-        sx -= (n.c[0] - 128) / 128 * bump;
-        sz += (n.c[1] - 128) / 128 * bump;
+        const double n[3] = { (c.c[0] - 128) / 128 * bump, (c.c[1] - 128) / 128 * bump,
+                              fmax((c.c[2] - 128) / 128, 0.125) };
+        ref_turned(w->slope_x, w->slope_z, n, slope);
     }
-    return ref_unit_vec((ref_vec){ -sx, 1, -sz });
+    return ref_unit_vec((ref_vec){ -slope[0], 1, -slope[1] });
 }
 
 /* -- mirror -------------------------------------------------------------------------- */

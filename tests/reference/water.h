@@ -2,7 +2,7 @@
 /* The water's colour where a ray meets it: each of the engine's stages as a formula.
  *
  *     layers      texels at the place at rest, bent by the distortion, added up
- *     ripples     a normal map's slopes added to the surface's
+ *     ripples     a normal map in the surface's tangent space [F6]
  *     light       ambient and N.L [F5]
  *     behind      what a refracted ray finds [F4], absorbed (inside.h)
  *     mirror      what a reflected ray finds [F3], by Fresnel's share [F1] [F2]
