@@ -16,6 +16,7 @@ frames='
 calm-bay      240
 count-64      0
 count-100     0
+deep-sea      520
 flat-calm     0
 from-above    120
 harbour       500
