@@ -13,20 +13,21 @@ command -v montage >/dev/null || {
 }
 
 frames='
-calm-bay      240
+calm-bay      0
 count-64      0
 count-100     0
 deep-sea      520
 flat-calm     0
-from-above    120
+from-above    200
 harbour       500
 minimal       0
 night-sea     120
 pond          600
 raindrops     300
 shore-break   332
+storm         340
 tank          150
-three-swells  0
+three-swells  600
 '
 
 frame_of()      # SCENE
