@@ -32,16 +32,4 @@ TP_ALWAYS_INLINE uint32_t tp_coat_at(const tp_coat *coat, tp_fx x, tp_fx z, tp_f
                                    (uint32_t)z * coat->per_metre);
     return tp_colour_times(texel, coat->colour);
 }
-
-/* Each channel times share / 256, held at 255: light that gathers may be more than 1. */
-TP_ALWAYS_INLINE uint32_t tp_colour_lit(uint32_t colour, uint32_t share)
-{
-    uint32_t r = (colour >> 16 & 0xff) * share >> 8, g = (colour >> 8 & 0xff) * share >> 8;
-    uint32_t b = (colour & 0xff) * share >> 8;
-
-    r = r < 255 ? r : 255;
-    g = g < 255 ? g : 255;
-    b = b < 255 ? b : 255;
-    return r << 16 | g << 8 | b;
-}
 #endif

@@ -109,14 +109,6 @@ TP_ALWAYS_INLINE tp_cube_place tp_cube_at(const uint32_t *recip, int32_t x, int3
     };
 }
 
-/* share 0..256 of b, the rest of a, alpha too. */
-TP_ALWAYS_INLINE uint32_t tp_light_mix(uint32_t a, uint32_t b, uint32_t share)
-{
-    uint32_t rb = ((a & 0x00ff00ffu) * (256 - share) + (b & 0x00ff00ffu) * share) >> 8;
-    uint32_t ag = (a >> 8 & 0x00ff00ffu) * (256 - share) + (b >> 8 & 0x00ff00ffu) * share;
-    return (rb & 0x00ff00ffu) | (ag & 0xff00ff00u);
-}
-
 /* Four texels, held at the picture's edges. */
 TP_ALWAYS_INLINE uint32_t tp_env_cube(const tp_shade *shade, int level, int32_t x,
                                       int32_t y, int32_t z)
@@ -181,13 +173,6 @@ TP_ALWAYS_INLINE uint32_t tp_light_gain(const tp_shade *shade, uint32_t light)
 /* The same as a colour, each channel held at white. */
 TP_ALWAYS_INLINE uint32_t tp_light_colour(const tp_shade *shade, uint32_t light)
 {
-    uint32_t gain = tp_light_gain(shade, light);
-    uint32_t r = (light >> 16 & 0xff) * gain >> 8, g = (light >> 8 & 0xff) * gain >> 8;
-    uint32_t b = (light & 0xff) * gain >> 8;
-
-    r = r < 255 ? r : 255;
-    g = g < 255 ? g : 255;
-    b = b < 255 ? b : 255;
-    return r << 16 | g << 8 | b;
+    return tp_colour_brighten(light, tp_light_gain(shade, light));
 }
 #endif

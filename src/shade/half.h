@@ -4,15 +4,6 @@
 #define TP_SHADE_HALF_H
 #include "shade/shade.h"
 
-/* f 0..32 of b, the rest of a: all four bytes. */
-static inline uint32_t tp_bytes_between(uint32_t a, uint32_t b, uint32_t f)
-{
-    uint32_t low = (a & 0x00ff00ffu) * (32 - f) + (b & 0x00ff00ffu) * f + 0x00100010u;
-    uint32_t high = (a >> 8 & 0x00ff00ffu) * (32 - f) + (b >> 8 & 0x00ff00ffu) * f
-                  + 0x00100010u;
-    return (low >> 5 & 0x00ff00ffu) | (high << 3 & 0xff00ff00u);
-}
-
 /* 0: nothing there. */
 static inline uint32_t tp_half_pixel(const tp_half *half, int32_t i, int32_t j)
 {
@@ -35,15 +26,5 @@ static inline uint32_t tp_half_at(const tp_half *half, int32_t u, int32_t v)
         tp_bytes_between(tp_half_pixel(half, i, j), tp_half_pixel(half, i + 1, j), fu),
         tp_bytes_between(tp_half_pixel(half, i, j + 1),
                          tp_half_pixel(half, i + 1, j + 1), fu), fv);
-}
-
-/* Lays `top`, a colour times its alpha, over light whose alpha is what it has beyond
- * white: what is covered loses that too. */
-static inline uint32_t tp_colour_over(uint32_t under, uint32_t top)
-{
-    uint32_t alpha = top >> 24, left = 256 - alpha - (alpha >> 7);
-    uint32_t beyond = (under >> 24) * left >> 8;
-
-    return tp_colour_add(tp_colour_scale(under, left), top & 0xffffff) | beyond << 24;
 }
 #endif

@@ -176,7 +176,7 @@ static inline uint32_t lit(const tp_shade *shade, uint32_t colour, int32_t nl, t
 {
     int32_t sun = (256 - shade->ambient) * (nl < 16384 ? nl : 16384) >> 14;
     int32_t light = tp_caustic_at(&shade->inside.caustic, at);
-    return tp_colour_lit(colour, (uint32_t)(shade->ambient + (sun * light >> 8)));
+    return tp_colour_brighten(colour, (uint32_t)(shade->ambient + (sun * light >> 8)));
 }
 
 /* -- what a ray meets ----------------------------------------------------------------- */

@@ -18,6 +18,7 @@
 #include "base/base.h"
 #include "shade/absorb.h"
 #include "shade/around.h"
+#include "shade/colour.h"
 #include "shade/foam.h"
 #include "shade/inside.h"
 #include "shade/layer.h"
@@ -255,55 +256,5 @@ static inline int32_t tp_level_of(int32_t lod, int32_t log_depth, bool ground, i
 {
     int32_t level = lod + log_depth + (ground && log_depth > 0 ? log_depth / 2 : 0);
     return tp_clamp(level >> 8, 0, levels - 1);
-}
-
-/* Half a level in each lane: products are rounded, so that a list of stages does not
- * darken the picture by half a level each. */
-#define TP_HALF_RB 0x00800080u
-#define TP_HALF_G  0x00008000u
-
-/* Both lanes of 0x00ff00ff x share / 256. */
-static inline uint32_t tp_colour_scale(uint32_t colour, uint32_t share)
-{
-    uint32_t rb = ((colour & 0x00ff00ffu) * share + TP_HALF_RB) >> 8 & 0x00ff00ffu;
-    uint32_t g = ((colour & 0x0000ff00u) * share + TP_HALF_G) >> 8 & 0x0000ff00u;
-    return rb | g;
-}
-
-/* share 0..256 of b, the rest of a. */
-static inline uint32_t tp_colour_mix(uint32_t a, uint32_t b, uint32_t share)
-{
-    uint32_t rb = ((a & 0x00ff00ffu) * (256 - share) + (b & 0x00ff00ffu) * share
-                   + TP_HALF_RB) >> 8;
-    uint32_t g = ((a & 0x0000ff00u) * (256 - share) + (b & 0x0000ff00u) * share
-                  + TP_HALF_G) >> 8;
-    return (rb & 0x00ff00ffu) | (g & 0x0000ff00u);
-}
-
-/* n / 255 of n <= 255 * 255, rounded. */
-static inline uint32_t tp_of_255(uint32_t n)
-{
-    n += 128;
-    return (n + (n >> 8)) >> 8;
-}
-
-/* Each channel's product, 255 standing for 1. */
-static inline uint32_t tp_colour_times(uint32_t a, uint32_t b)
-{
-    return tp_of_255((a >> 16 & 0xff) * (b >> 16 & 0xff)) << 16
-         | tp_of_255((a >> 8 & 0xff) * (b >> 8 & 0xff)) << 8
-         | tp_of_255((a & 0xff) * (b & 0xff));
-}
-
-/* Each channel's sum, held at 255. */
-static inline uint32_t tp_colour_add(uint32_t a, uint32_t b)
-{
-    uint32_t rb = (a & 0x00ff00ffu) + (b & 0x00ff00ffu);
-    uint32_t g = (a >> 8 & 0xff) + (b >> 8 & 0xff);
-    uint32_t over = rb & 0x01000100u;
-
-    rb |= over - (over >> 8);
-    g |= 0u - (g >> 8);
-    return (rb & 0x00ff00ffu) | (g & 0xff) << 8;
 }
 #endif

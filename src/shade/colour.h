@@ -1,0 +1,102 @@
+/* SPDX-License-Identifier: MIT */
+/* What stages do with colours: 0x00RRGGBB, channels 0..255, shares 0..256.  Products are
+ * rounded where nothing else is said, sums are held at 255.
+ *
+ * A colour with an alpha is 0xAARRGGBB: light whose alpha is what it has beyond white, or
+ * a picture's, whose alpha is the share that it covers. */
+#ifndef TP_SHADE_COLOUR_H
+#define TP_SHADE_COLOUR_H
+#include "base/base.h"
+
+/* Half a level in each lane: products are rounded, so that a list of stages does not
+ * darken the picture by half a level each. */
+#define TP_HALF_RB 0x00800080u
+#define TP_HALF_G  0x00008000u
+
+/* share / 256 of each channel. */
+static inline uint32_t tp_colour_scale(uint32_t colour, uint32_t share)
+{
+    uint32_t rb = ((colour & 0x00ff00ffu) * share + TP_HALF_RB) >> 8 & 0x00ff00ffu;
+    uint32_t g = ((colour & 0x0000ff00u) * share + TP_HALF_G) >> 8 & 0x0000ff00u;
+    return rb | g;
+}
+
+/* share 0..256 of b, the rest of a. */
+static inline uint32_t tp_colour_mix(uint32_t a, uint32_t b, uint32_t share)
+{
+    uint32_t rb = ((a & 0x00ff00ffu) * (256 - share) + (b & 0x00ff00ffu) * share
+                   + TP_HALF_RB) >> 8;
+    uint32_t g = ((a & 0x0000ff00u) * (256 - share) + (b & 0x0000ff00u) * share
+                  + TP_HALF_G) >> 8;
+    return (rb & 0x00ff00ffu) | (g & 0x0000ff00u);
+}
+
+/* n / 255 of n <= 255 * 255, rounded. */
+static inline uint32_t tp_of_255(uint32_t n)
+{
+    n += 128;
+    return (n + (n >> 8)) >> 8;
+}
+
+/* Each channel's product, 255 standing for 1. */
+static inline uint32_t tp_colour_times(uint32_t a, uint32_t b)
+{
+    return tp_of_255((a >> 16 & 0xff) * (b >> 16 & 0xff)) << 16
+         | tp_of_255((a >> 8 & 0xff) * (b >> 8 & 0xff)) << 8
+         | tp_of_255((a & 0xff) * (b & 0xff));
+}
+
+/* Each channel's sum, held at 255. */
+static inline uint32_t tp_colour_add(uint32_t a, uint32_t b)
+{
+    uint32_t rb = (a & 0x00ff00ffu) + (b & 0x00ff00ffu);
+    uint32_t g = (a >> 8 & 0xff) + (b >> 8 & 0xff);
+    uint32_t over = rb & 0x01000100u;
+
+    rb |= over - (over >> 8);
+    g |= 0u - (g >> 8);
+    return (rb & 0x00ff00ffu) | (g & 0xff) << 8;
+}
+
+/* Each channel times gain / 256, cut and held at 255: light that gathers may
+ * be more than 1. */
+static inline uint32_t tp_colour_brighten(uint32_t colour, uint32_t gain)
+{
+    uint32_t r = (colour >> 16 & 0xff) * gain >> 8, g = (colour >> 8 & 0xff) * gain >> 8;
+    uint32_t b = (colour & 0xff) * gain >> 8;
+
+    r = r < 255 ? r : 255;
+    g = g < 255 ? g : 255;
+    b = b < 255 ? b : 255;
+    return r << 16 | g << 8 | b;
+}
+
+/* -- with an alpha --------------------------------------------------------------------- */
+
+/* share 0..256 of b, the rest of a, in all four bytes; cut, not rounded. */
+TP_ALWAYS_INLINE uint32_t tp_light_mix(uint32_t a, uint32_t b, uint32_t share)
+{
+    uint32_t rb = ((a & 0x00ff00ffu) * (256 - share) + (b & 0x00ff00ffu) * share) >> 8;
+    uint32_t ag = (a >> 8 & 0x00ff00ffu) * (256 - share) + (b >> 8 & 0x00ff00ffu) * share;
+    return (rb & 0x00ff00ffu) | (ag & 0xff00ff00u);
+}
+
+/* The same with f of 32, rounded. */
+static inline uint32_t tp_bytes_between(uint32_t a, uint32_t b, uint32_t f)
+{
+    uint32_t low = (a & 0x00ff00ffu) * (32 - f) + (b & 0x00ff00ffu) * f + 0x00100010u;
+    uint32_t high = (a >> 8 & 0x00ff00ffu) * (32 - f) + (b >> 8 & 0x00ff00ffu) * f
+                  + 0x00100010u;
+    return (low >> 5 & 0x00ff00ffu) | (high << 3 & 0xff00ff00u);
+}
+
+/* Lays `top`, a colour times its alpha, over light whose alpha is what it has beyond
+ * white: what is covered loses that too. */
+static inline uint32_t tp_colour_over(uint32_t under, uint32_t top)
+{
+    uint32_t alpha = top >> 24, left = 256 - alpha - (alpha >> 7);
+    uint32_t beyond = (under >> 24) * left >> 8;
+
+    return tp_colour_add(tp_colour_scale(under, left), top & 0xffffff) | beyond << 24;
+}
+#endif
