@@ -30,7 +30,7 @@ static void place_foam(tp_shade_foam *f, const tp_foam *foam, const tp_scene_map
 /* White in the light of a level place: for specks. */
 static uint32_t spray_colour(const tp_shade *shade, uint32_t colour)
 {
-    int32_t lit = shade->ambient + ((256 - shade->ambient) * shade->world.ly >> 14);
+    int32_t lit = tp_lit_share(shade->ambient, shade->world.ly);
     return tp_colour_scale(colour, (uint32_t)(lit + (256 - lit) / 2));
 }
 

@@ -157,8 +157,7 @@ static uint32_t ray_at(const probe *p, const tp_scene *scene, way light, way d)
 {
     if (d.y >= 0)
         return sky_at(p, light, d);
-    int32_t  ambient = scene->light.ambient >> 8;
-    uint32_t lit = (uint32_t)(ambient + ((256 - ambient) * light.y >> 14));
+    uint32_t lit = (uint32_t)tp_lit_share(scene->light.ambient >> 8, light.y);
     uint32_t share = p->fresnel[tp_clamp(-d.y >> 8, 0, BANDS)];
     uint32_t mirror = sky_at(p, light, (way){ d.x, -d.y, d.z });
 

@@ -71,6 +71,13 @@ static inline uint32_t tp_colour_brighten(uint32_t colour, uint32_t gain)
     return r << 16 | g << 8 | b;
 }
 
+/* The share of a matt colour that light leaves: all of the ambient, and of the rest N.L in
+ * Q1.14, 0..1. */
+static inline int32_t tp_lit_share(int32_t ambient, int32_t nl)
+{
+    return ambient + ((256 - ambient) * nl >> 14);
+}
+
 /* -- with an alpha --------------------------------------------------------------------- */
 
 /* share 0..256 of b, the rest of a, in all four bytes; cut, not rounded. */

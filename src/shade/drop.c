@@ -30,8 +30,7 @@ static uint32_t around(const tp_shade *shade, vec d)
 
     if (d.y >= 0)
         return sky;
-    int32_t bright = shade->ambient
-                   + ((256 - shade->ambient) * tp_clamp(shade->world.ly, 0, 16384) >> 14);
+    int32_t bright = tp_lit_share(shade->ambient, tp_clamp(shade->world.ly, 0, 16384));
     uint32_t water = tp_colour_scale(shade->water_colour, (uint32_t)bright);
     return tp_colour_mix(sky, tp_colour_mix(water, sky, 64),
                          (uint32_t)tp_clamp(-d.y >> 4, 0, 256));

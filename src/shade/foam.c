@@ -10,6 +10,7 @@
  * window's outer eighth fades, or its edge would show. */
 #include "shade/foam.h"
 #include "shade/shade.h"
+#include "shade/slope.h"
 
 #define OPAQUE 240              /* of 256: the most that it hides */
 #define LACE   212              /* of 256: the most that is white of a whole cover */
@@ -158,15 +159,13 @@ static uint32_t white(const tp_shade_foam *f, const level *l, uint32_t cover, ui
 TP_ALWAYS_INLINE uint32_t lit(const tp_shade *shade, const tp_run *run, int32_t i,
                               int rippled)
 {
-    int32_t sx = rippled ? run->sx[i] : (int16_t)(run->n[i] >> 16);
-    int32_t sz = rippled ? run->sz[i] : (int16_t)(run->n[i] & 0xffff);
-    uint32_t q = (uint32_t)(sx * sx) + (uint32_t)(sz * sz);
-    int32_t ny = shade->steep[(q < 0x4000000u ? q : 0x3ffffffu) >> 17];
+    int32_t sx = tp_slope_x(run, i, rippled), sz = tp_slope_z(run, i, rippled);
+    uint32_t q = tp_slope_square(sx, sz);
+    int32_t ny = shade->steep[(q < TP_SLOPE_END ? q : TP_SLOPE_END - 1) >> 17];
     int32_t nl = shade->world.ly - ((sx * shade->world.lx + sz * shade->world.lz) >> 12);
 
     nl = tp_clamp(nl * (ny >> 2) >> 12, 0, 16384);
-    int32_t light = shade->ambient + ((256 - shade->ambient) * nl >> 14);
-    return (uint32_t)(256 + light) / 2;
+    return (uint32_t)(256 + tp_lit_share(shade->ambient, nl)) / 2;
 }
 
 TP_ALWAYS_INLINE void foam(const tp_shade *shade, tp_run *run, int rippled, int shiny)

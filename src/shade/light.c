@@ -8,23 +8,6 @@
 #include "shade/lobe.h"
 #include "shade/slope.h"
 
-/* The slopes of sample i: from the array once a ripple has bent them, else as sampled. */
-TP_ALWAYS_INLINE int32_t slope_x(const tp_run *run, int32_t i, int rippled)
-{
-    return rippled ? run->sx[i] : (int16_t)(run->n[i] >> 16);
-}
-
-TP_ALWAYS_INLINE int32_t slope_z(const tp_run *run, int32_t i, int rippled)
-{
-    return rippled ? run->sz[i] : (int16_t)(run->n[i] & 0xffff);
-}
-
-/* q of 1/sqrt(1 + q), Q24: two slopes of 8 at the most make 128. */
-TP_ALWAYS_INLINE uint32_t square_of(int32_t sx, int32_t sz)
-{
-    return (uint32_t)(sx * sx) + (uint32_t)(sz * sz);
-}
-
 /* The diffuse term alone, for water that neither shines nor mirrors: the root's nearest
  * entry is within 0.2 %, half a level of 255. */
 TP_ALWAYS_INLINE void diffuse(const tp_shade *shade, tp_run *run, int rippled)
@@ -34,8 +17,8 @@ TP_ALWAYS_INLINE void diffuse(const tp_shade *shade, tp_run *run, int rippled)
     int32_t lz = shade->world.lz * direct >> 8;
 
     for (int32_t i = 0; i < count; i++) {
-        int32_t sx = slope_x(run, i, rippled), sz = slope_z(run, i, rippled);
-        int32_t ny = tp_steep_near(shade, square_of(sx, sz));
+        int32_t sx = tp_slope_x(run, i, rippled), sz = tp_slope_z(run, i, rippled);
+        int32_t ny = tp_steep_near(shade, tp_slope_square(sx, sz));
         int32_t nl = ly - ((sx * lx + sz * lz) >> 12);
         int32_t lit = nl * ny >> 20;
         if ((uint32_t)lit > (uint32_t)direct)       /* turned away, or rounded */
@@ -66,12 +49,12 @@ TP_ALWAYS_INLINE int32_t shine_of(const tp_shade *shade, int32_t rv)
 TP_ALWAYS_INLINE void light(const tp_shade *shade, tp_run *run, int rippled, int blinn)
 {
     int32_t lx = shade->world.lx, ly = shade->world.ly, lz = shade->world.lz;
-    int32_t ambient = shade->ambient, direct = 256 - ambient, count = run->count;
+    int32_t ambient = shade->ambient, count = run->count;
 
     for (int32_t i = 0; i < count; i++) {
-        int32_t sx = slope_x(run, i, rippled), sz = slope_z(run, i, rippled);
+        int32_t sx = tp_slope_x(run, i, rippled), sz = tp_slope_z(run, i, rippled);
         int32_t vx = run->vx[i], vy = run->vy[i], vz = run->vz[i];
-        int32_t ny = tp_steep(shade, square_of(sx, sz));
+        int32_t ny = tp_steep(shade, tp_slope_square(sx, sz));
         int32_t nv = vy - ((sx * vx + sz * vz) >> 12);      /* Q14, below 14 */
         int32_t nl = ly - ((sx * lx + sz * lz) >> 12);
 
@@ -84,7 +67,7 @@ TP_ALWAYS_INLINE void light(const tp_shade *shade, tp_run *run, int rippled, int
         run->up[i] = (int16_t)(up > 16384 ? 16384 : up);    /* vy is at most 1 */
         run->glint[i] = (uint16_t)(nl > 0 ? shine_of(shade, rv) : 0);
         run->colour[i] = tp_colour_scale(run->colour[i],
-                                         (uint32_t)(ambient + (direct * nl >> 14)));
+                                         (uint32_t)tp_lit_share(ambient, nl));
     }
 }
 

@@ -6,6 +6,7 @@
  * k = Ry + Vy = 2 (N.V) Ny and N = Ny (-sx, 1, -sz) the others are -k sx - Vx and
  * -k sz - Vz.  Then they are mixed in, as light that may be beyond white [F8]. */
 #include "shade/env.h"
+#include "shade/slope.h"
 
 /* A mirrored ray that goes down meets other water, which is half as bright as the
  * horizon: its share fades to a half within 7 degrees below level. */
@@ -41,8 +42,8 @@ void tp_stage_slopes(const tp_shade *shade, tp_run *run)
 {
     (void)shade;
     for (int32_t i = 0; i < run->count; i++) {
-        run->sx[i] = (int16_t)(run->n[i] >> 16);
-        run->sz[i] = (int16_t)(run->n[i] & 0xffff);
+        run->sx[i] = (int16_t)tp_slope_x(run, i, 0);
+        run->sz[i] = (int16_t)tp_slope_z(run, i, 0);
     }
 }
 

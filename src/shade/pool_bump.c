@@ -90,10 +90,7 @@ static void bump_run(const tp_shade *shade, const tp_pool_bump *pool, tp_run *ru
 
 void tp_stage_pool_bump(const tp_shade *shade, tp_run *run)
 {
-    for (int32_t i = 0; i < run->count; i++) {
-        run->sx[i] = (int16_t)(run->n[i] >> 16);
-        run->sz[i] = (int16_t)(run->n[i] & 0xffff);
-    }
+    tp_stage_slopes(shade, run);
     for (int k = 0; k < TP_POOL_BUMPS; k++) {
         if (shade->bumps.pool[k].slope)
             bump_run(shade, &shade->bumps.pool[k], run);

@@ -100,8 +100,7 @@ TP_ALWAYS_INLINE void ripple(const tp_shade *shade, tp_run *run, int over)
         for (; i < stop; i++) {
             uint32_t s = run->s[i] * layer->per_metre + layer->drift_s;
             uint32_t t = run->t[i] * layer->per_metre + layer->drift_t;
-            int32_t  sx = over ? run->sx[i] : (int16_t)(run->n[i] >> 16);
-            int32_t  sz = over ? run->sz[i] : (int16_t)(run->n[i] & 0xffff);
+            int32_t  sx = tp_slope_x(run, i, over), sz = tp_slope_z(run, i, over);
             turn(shade, run, i, sx, sz, bump_at(&l, s, t, layer->slope_gain));
         }
     }
@@ -129,7 +128,7 @@ void tp_stage_ripple_gentle(const tp_shade *shade, tp_run *run)
             uint32_t s = run->s[i] * layer->per_metre + layer->drift_s;
             uint32_t t = run->t[i] * layer->per_metre + layer->drift_t;
             bump     m = bump_at(&l, s, t, layer->slope_gain);
-            int32_t  sx = (int16_t)(run->n[i] >> 16), sz = (int16_t)(run->n[i] & 0xffff);
+            int32_t  sx = tp_slope_x(run, i, 0), sz = tp_slope_z(run, i, 0);
             sx -= m.nx * (2 * 4096 - m.nz) >> 12;
             sz += m.ny * (2 * 4096 - m.nz) >> 12;
             run->sx[i] = (int16_t)tp_clamp(sx, -32000, 32000);

@@ -53,8 +53,8 @@ static uint32_t lit(const tp_shade *shade, uint32_t colour, tp_packed_dir packed
     tp_dir3 n = tp_normalise(tp_dir_x(packed), tp_dir_y(packed), tp_dir_z(packed));
     int32_t nl = ((n.x >> 16) * shade->world.lx + (n.y >> 16) * shade->world.ly
                   + (n.z >> 16) * shade->world.lz) >> 14;
-    uint32_t sun = (uint32_t)((256 - shade->ambient) * tp_clamp(nl, 0, 16384) >> 14);
-    return tp_colour_scale(colour, (uint32_t)shade->ambient + sun);
+    return tp_colour_scale(colour, (uint32_t)tp_lit_share(shade->ambient,
+                                                          tp_clamp(nl, 0, 16384)));
 }
 
 /* The picture lies in the plane that the normal is nearest to: x y, z y or x z. */

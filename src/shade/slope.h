@@ -4,6 +4,24 @@
 #define TP_SHADE_SLOPE_H
 #include "shade/shade.h"
 
+/* The slopes of sample i, Q3.12: from the arrays once something has bent them (`bent` is
+ * a literal), else as sampled. */
+TP_ALWAYS_INLINE int32_t tp_slope_x(const tp_run *run, int32_t i, int bent)
+{
+    return bent ? run->sx[i] : (int16_t)(run->n[i] >> 16);
+}
+
+TP_ALWAYS_INLINE int32_t tp_slope_z(const tp_run *run, int32_t i, int bent)
+{
+    return bent ? run->sz[i] : (int16_t)(run->n[i] & 0xffff);
+}
+
+/* q = sx^2 + sz^2, Q24: two slopes of 8 at the most make 128. */
+TP_ALWAYS_INLINE uint32_t tp_slope_square(int32_t sx, int32_t sz)
+{
+    return (uint32_t)(sx * sx) + (uint32_t)(sz * sz);
+}
+
 #define TP_SLOPE_END 0x4000000u     /* q of 4, Q24, where the table of roots ends */
 
 /* Brings q into the table: 1/sqrt(1 + q) is half of 1/sqrt(1 + (q - 3) / 4).  Returns how
@@ -33,19 +51,16 @@ TP_ALWAYS_INLINE int32_t tp_steep_near(const tp_shade *shade, uint32_t q)
     return shade->steep[(q + 0x10000) >> 17] >> times;
 }
 
-/* Slopes Q3.12; q = sx^2 + sz^2. */
 TP_ALWAYS_INLINE tp_ray tp_slope_normal(const tp_shade *shade, int32_t sx, int32_t sz)
 {
-    int32_t ny = tp_steep(shade, (uint32_t)(sx * sx) + (uint32_t)(sz * sz));
+    int32_t ny = tp_steep(shade, tp_slope_square(sx, sz));
     return (tp_ray){ -(sx * ny >> 12), ny, -(sz * ny >> 12), 0 };
 }
 
-/* Of sample i: from the array once a ripple has bent them, else as sampled. */
 TP_ALWAYS_INLINE tp_ray tp_slope_normal_of(const tp_shade *shade, const tp_run *run,
                                            int32_t i, int rippled)
 {
-    int32_t sx = rippled ? run->sx[i] : (int16_t)(run->n[i] >> 16);
-    int32_t sz = rippled ? run->sz[i] : (int16_t)(run->n[i] & 0xffff);
-    return tp_slope_normal(shade, sx, sz);
+    return tp_slope_normal(shade, tp_slope_x(run, i, rippled),
+                           tp_slope_z(run, i, rippled));
 }
 #endif

@@ -75,7 +75,7 @@ TP_ALWAYS_INLINE uint32_t phong(const tp_shade *shade, const tp_view_axes *axes,
     vec     light = { axes->lx, axes->ly, axes->lz };
     int32_t nl = tp_clamp(dot(n, light), 0, 16384);
     int32_t rv = tp_clamp(tp_lobe_at(nl, dot(n, v), lv, blinn), 0, 16384);
-    uint32_t bright = (uint32_t)(shade->ambient + ((256 - shade->ambient) * nl >> 14));
+    uint32_t bright = (uint32_t)tp_lit_share(shade->ambient, nl);
     uint32_t gloss = nl > 0 ? gloss_of(solid, rv) : 0;
     uint32_t shine = tp_colour_times(solid->specular, shade->light_colour);
 
