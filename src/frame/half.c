@@ -187,13 +187,11 @@ static void absorb_row(const tp_frame *frame, const tp_lens *lens, tp_fx height,
     tp_fx way = way_of(frame, band->x0, y);
 
     for (int32_t x = band->x0; x < band->x1; x++, key++, to++) {
-        uint32_t zi = *key >> 1 | 0x80;
-        int      shift = tp_clz(zi);
         if (x % 16 == 0)
             way = way_of(frame, x + 8, y);
         if (*to == 0)
             continue;
-        int64_t z = (int64_t)lens->zi_near * tp_recip_rough(zi << shift) >> (31 - shift);
+        int64_t z = tp_depth_of(lens->zi_near, tp_key_zi(*key));
         int64_t fall = middle + ((16 * x + 8 - lens->u0) * aside >> 32);
         tp_fx   depth = tp_fx_held((fall * z >> 16) - height);
         *to = tp_absorb_at(&frame->shade.absorb, *to & 0xffffff, deep,

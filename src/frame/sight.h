@@ -10,7 +10,7 @@
 #define TP_FRAME_SIGHT_H
 #include "geom/grid.h"
 #include "raster/raster.h"
-#include "shade/shade.h"
+#include "shade/depth.h"
 #include "tidepool/frame.h"
 
 typedef struct {

@@ -8,7 +8,7 @@
  * With n its normal, a = (middle - p).n, b = r.n, that way is (p - point) + r a / b; a
  * cube takes it at any length, so b times it, and nothing is divided. */
 #include "shade/around.h"
-#include "geom/geom.h"
+#include "shade/depth.h"
 #include "shade/half.h"
 
 typedef struct {
@@ -89,9 +89,7 @@ static way ray_at(const tp_shade *shade, int32_t x, int32_t y)
 /* Metres from the point to the water at a sample, 16.16. */
 static way water_from(const tp_around *cube, const way *ray, uint32_t key)
 {
-    uint32_t zi = key >> 1 | 0x80;
-    int      shift = tp_clz(zi);
-    int64_t  z = (int64_t)cube->zi_near * tp_recip_rough(zi << shift) >> (31 - shift);
+    int64_t z = tp_depth_of(cube->zi_near, tp_key_zi(key));
 
     return (way){ cube->from.x + (ray->x * z >> 16), cube->from.y + (ray->y * z >> 16),
                   cube->from.z + (ray->z * z >> 16) };

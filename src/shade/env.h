@@ -12,7 +12,7 @@
  * the one overhead joins the south, and so does the upper edge of the one underfoot. */
 #ifndef TP_SHADE_ENV_H
 #define TP_SHADE_ENV_H
-#include "shade/shade.h"
+#include "shade/depth.h"
 
 /* -- the gradient: below the horizon it is the horizon's -------------------------------- */
 

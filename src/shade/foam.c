@@ -9,7 +9,7 @@
  * Foam is matt: it takes the diffuse light alone and hides what glitters under it.  The
  * window's outer eighth fades, or its edge would show. */
 #include "shade/foam.h"
-#include "shade/shade.h"
+#include "shade/sampler.h"
 #include "shade/slope.h"
 
 #define OPAQUE 240              /* of 256: the most that it hides */
@@ -75,12 +75,11 @@ static uint32_t covered(const tp_shade_foam *f, uint32_t s, uint32_t t)
 /* -- bubbles ------------------------------------------------------------------------- */
 
 typedef struct {
-    const uint32_t *texel;
-    uint32_t w, h;
+    tp_level level;             /* texel NULL: plain */
     int32_t  soft, middle;      /* ranks from nothing to white; that of the mean */
     int32_t  span;              /* ranks that cover moves the ramp, either way */
     uint32_t per_soft;          /* 2^16 / soft */
-} level;
+} lace;
 
 /* Of a picture's n-th smaller level; TP_SOFTS - 1 stands for all that follow. */
 static const struct { int16_t soft, span; uint16_t per_soft; } softs[] = {
@@ -89,7 +88,7 @@ static const struct { int16_t soft, span; uint16_t per_soft; } softs[] = {
 };
 #define SOFTS (int32_t)(sizeof softs / sizeof softs[0] - 1)
 
-static void soften(level *l, int32_t n, int32_t mean)
+static void soften(lace *l, int32_t n, int32_t mean)
 {
     n = n < SOFTS ? n : SOFTS;
     l->soft = softs[n].soft;
@@ -98,50 +97,47 @@ static void soften(level *l, int32_t n, int32_t mean)
     l->middle = 128 + (mean - 128) * n * 51 / 256;
 }
 
-static level level_for(const tp_shade *shade, uint32_t key)
+static lace lace_for(const tp_shade *shade, uint32_t key)
 {
     const tp_shade_foam *f = &shade->foam;
     const tp_texture *texture = f->texture;
-    level l = { .texel = NULL };
+    lace l = { .level = { .texel = NULL } };
 
     if (!texture) {
         soften(&l, SOFTS, 128);
         return l;
     }
     int n = tp_level_of(f->lod, tp_log_depth(shade, key), true, texture->levels);
-    l.texel = texture->level[n];
-    l.w = 1u << (texture->log2_w > n ? texture->log2_w - n : 0);
-    l.h = 1u << (texture->log2_h > n ? texture->log2_h - n : 0);
+    l.level = tp_level_at(texture, n);
     soften(&l, n, f->mean);
     return l;
 }
 
-static uint32_t green(const level *l, uint32_t u, uint32_t v)
+static uint32_t green(uint32_t texel)
 {
-    return l->texel[v * l->w + u] >> 8 & 0xff;
+    return texel >> 8 & 0xff;
 }
 
 /* The green of four texels around a place in repeats, Q0.32. */
-static uint32_t bubbles_at(const level *l, uint32_t s, uint32_t t)
+static uint32_t bubbles_at(const tp_level *level, uint32_t s, uint32_t t)
 {
-    uint64_t su = (uint64_t)s * l->w - 0x80000000u, tv = (uint64_t)t * l->h - 0x80000000u;
-    uint32_t u = (uint32_t)(su >> 32) & (l->w - 1), u1 = (u + 1) & (l->w - 1);
-    uint32_t v = (uint32_t)(tv >> 32) & (l->h - 1), v1 = (v + 1) & (l->h - 1);
-    uint32_t fs = (uint32_t)su >> 24, ft = (uint32_t)tv >> 24;
-    uint32_t over = green(l, u, v) * (256 - fs) + green(l, u1, v) * fs;
-    uint32_t under = green(l, u, v1) * (256 - fs) + green(l, u1, v1) * fs;
+    tp_four  f = tp_four_around(level, s, t);
+    uint32_t over = green(f.texel[0]) * (256 - f.fs) + green(f.texel[1]) * f.fs;
+    uint32_t under = green(f.texel[2]) * (256 - f.fs) + green(f.texel[3]) * f.fs;
 
-    return (over * (256 - ft) + under * ft + 0x8000) >> 16;
+    return (over * (256 - f.ft) + under * f.ft + 0x8000) >> 16;
 }
 
 /* 0..256: how white a place of this cover is.  Over all ranks of a picture, `soft` wide
  * around its mean, that is the cover on the mean; never more than four times as much, so
  * that nothing leaps as it comes and goes. */
-static uint32_t white(const tp_shade_foam *f, const level *l, uint32_t cover, uint32_t s,
+static uint32_t white(const tp_shade_foam *f, const lace *l, uint32_t cover, uint32_t s,
                       uint32_t t)
 {
-    int32_t rank = l->texel ? f->rank[bubbles_at(l, s * f->repeats + f->drift_s,
-                                                 t * f->repeats + f->drift_t)] : 128;
+    int32_t rank = 128;
+    if (l->level.texel)
+        rank = f->rank[bubbles_at(&l->level, s * f->repeats + f->drift_s,
+                                  t * f->repeats + f->drift_t)];
     int32_t most = (int32_t)(cover * LACE >> 8);
     int32_t up = rank - l->middle + l->soft / 2 - (l->span * (128 - most) >> 7);
 
@@ -171,12 +167,10 @@ TP_ALWAYS_INLINE uint32_t lit(const tp_shade *shade, const tp_run *run, int32_t 
 TP_ALWAYS_INLINE void foam(const tp_shade *shade, tp_run *run, int rippled, int shiny)
 {
     const tp_shade_foam *f = &shade->foam;
-    int32_t count = run->count;
 
-    for (int32_t i = 0; i < count; ) {
-        level   l = level_for(shade, run->key[i]);
-        int32_t stop = i + 16 - ((run->x + i) & 15);
-        stop = stop < count ? stop : count;
+    for (int32_t i = 0; i < run->count; ) {
+        lace    l = lace_for(shade, run->key[i]);
+        int32_t stop = tp_block_end(run, i);
         for (; i < stop; i++) {
             uint32_t cover = covered(f, run->s[i], run->t[i]);
             if (cover == 0)     /* most of the water */

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Rays of sight in the water; see the headers. */
 #include "shade/beam.h"
-#include "geom/geom.h"
 #include "shade/coat.h"
 #include "shade/env.h"
 
@@ -27,9 +26,7 @@ void tp_inside_places(const tp_shade *shade, const tp_run *run, int32_t i, int32
         view[k] = in->right[k] * u + in->up[k] * v - behind[k] * (int64_t)4096;
     for (; i < stop; i++, beam++) {
         uint32_t zi = (run->key[i] >> 1 & ~(uint32_t)0x7f) | 0x40;
-        int      shift = tp_clz(zi);
-        int64_t  depth = (int64_t)in->zi_near * tp_recip_rough(zi << shift)
-                         >> (31 - shift);
+        int64_t  depth = tp_depth_of(in->zi_near, zi);
         int32_t  at[3];
         for (int k = 0; k < 3; k++) {
             at[k] = tp_fx_held(eye[k] + (depth * (view[k] >> 22) >> 20));

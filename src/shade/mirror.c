@@ -51,13 +51,10 @@ void tp_stage_slopes(const tp_shade *shade, tp_run *run)
  * has normals, and they scatter what is mirrored. */
 TP_ALWAYS_INLINE void reflect(const tp_shade *shade, tp_run *run, tp_env_kind kind)
 {
-    int32_t count = run->count;
-
-    for (int32_t i = 0; i < count; ) {
+    for (int32_t i = 0; i < run->count; ) {
         int32_t depth = tp_log_depth(shade, run->key[i]);
         int     level = tp_env_level(shade, kind, 128 + (depth > 0 ? depth / 2 : 0));
-        int32_t stop = i + 16 - ((run->x + i) & 15);
-        stop = stop < count ? stop : count;
+        int32_t stop = tp_block_end(run, i);
         for (; i < stop; i++) {
             int32_t up = run->up[i], k = up + run->vy[i];
             int32_t rx = -(k * run->sx[i] >> 12) - run->vx[i];

@@ -18,7 +18,7 @@
  *
  * Ways are linear in the slopes, with factors worked out at every 16th column. */
 #include "shade/mirrored.h"
-#include "geom/geom.h"
+#include "shade/depth.h"
 #include "shade/half.h"
 
 /* Ways on the screen, 28.4 pixels: of a slope of 1 with a share of 1, of h / zm = 1. */
@@ -82,7 +82,7 @@ TP_ALWAYS_INLINE int32_t at(int32_t from, int32_t step, int32_t k)
 /* z / zm in Q16, held below 2. */
 TP_ALWAYS_INLINE int32_t depth_ratio(uint32_t zi_mirror, uint32_t key)
 {
-    uint32_t zi = key >> 1 | 0x80;
+    uint32_t zi = tp_key_zi(key);
     int      shift = tp_clz(zi);
     uint64_t ratio = (uint64_t)zi_mirror * (uint32_t)tp_recip_rough(zi << shift)
                   >> (46 - shift);

@@ -8,7 +8,7 @@
  * 255 beyond what it does if 16 samples a pixel are drawn, and levels show no edges. */
 #ifndef TP_SHADE_SAMPLER_H
 #define TP_SHADE_SAMPLER_H
-#include "shade/shade.h"
+#include "shade/depth.h"
 
 /* One level.  A place in repeats, Q0.32, times a side in texels has the texel in its high
  * word: one long multiplication finds it, whatever the side. */
@@ -17,11 +17,8 @@ typedef struct {
     uint32_t w, h;
 } tp_level;
 
-static inline tp_level tp_level_for(const tp_shade *shade, const tp_layer *layer,
-                                    uint32_t key)
+static inline tp_level tp_level_at(const tp_texture *texture, int l)
 {
-    const tp_texture *texture = layer->texture;
-    int l = tp_level_of(layer->lod, tp_log_depth(shade, key), true, texture->levels);
     return (tp_level){
         .texel = texture->level[l],
         .w = 1u << (texture->log2_w > l ? texture->log2_w - l : 0),
@@ -29,11 +26,12 @@ static inline tp_level tp_level_for(const tp_shade *shade, const tp_layer *layer
     };
 }
 
-/* Where the 16 columns of sample i end, or the run. */
-static inline int32_t tp_block_end(const tp_run *run, int32_t i)
+static inline tp_level tp_level_for(const tp_shade *shade, const tp_layer *layer,
+                                    uint32_t key)
 {
-    int32_t end = i + 16 - ((run->x + i) & 15);
-    return end < run->count ? end : run->count;
+    const tp_texture *texture = layer->texture;
+    return tp_level_at(texture, tp_level_of(layer->lod, tp_log_depth(shade, key), true,
+                                            texture->levels));
 }
 
 TP_ALWAYS_INLINE uint32_t tp_nearest(const tp_level *l, uint32_t s, uint32_t t)

@@ -229,32 +229,17 @@ void tp_shade_tone(uint8_t tone[256], tp_fx exposure);      /* 1/8..8 */
 
 void tp_view_run(const tp_shade *shade, const tp_view_axes *axes, tp_run *run);
 
+/* Where the 16 columns of sample i end, or the run. */
+static inline int32_t tp_block_end(const tp_run *run, int32_t i)
+{
+    int32_t end = i + 16 - ((run->x + i) & 15);
+    return end < run->count ? end : run->count;
+}
+
 /* The unit vector to the eye from pixel (x, y), and its product with the light. */
 typedef struct {
     int32_t x, y, z, l;
 } tp_ray;
 
 tp_ray tp_view_ray(const tp_shade *shade, const tp_view_axes *axes, int32_t x, int32_t y);
-
-/* log2 of n != 0 in Q8, to 1/12: clz and the next eight bits taken as they are. */
-static inline int32_t tp_log2_q8(uint32_t n)
-{
-    int shift = tp_clz(n);
-    return (31 - shift) * 256 + (int32_t)((n << shift) >> 23 & 0xff);
-}
-
-/* log2 of the depth in metres, Q8. */
-static inline int32_t tp_log_depth(const tp_shade *shade, uint32_t key)
-{
-    return shade->zi_log - tp_log2_q8(key >> 1 | 0x80);
-}
-
-/* The level for `lod`, that of a texture seen at 1 m, at another depth; Q8.  Upright
- * things get texels a pixel in proportion to the depth; level ground gets them across
- * so and along by its square, of which the mean counts. */
-static inline int32_t tp_level_of(int32_t lod, int32_t log_depth, bool ground, int levels)
-{
-    int32_t level = lod + log_depth + (ground && log_depth > 0 ? log_depth / 2 : 0);
-    return tp_clamp(level >> 8, 0, levels - 1);
-}
 #endif

@@ -3,7 +3,7 @@
 #ifndef TP_TESTS_RUNS_H
 #define TP_TESTS_RUNS_H
 #include "chance.h"
-#include "shade/shade.h"
+#include "shade/depth.h"
 
 typedef struct {
     tp_run   run;

@@ -8,7 +8,7 @@
 #include <cmocka.h>
 #include "../reference/shading.h"
 #include "chance.h"
-#include "shade/shade.h"
+#include "shade/depth.h"
 
 #define Q14 16384.0
 
