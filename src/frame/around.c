@@ -55,8 +55,6 @@ static tp_vec3 set_around(tp_frame *frame, tp_fx level)
     *cube = (tp_around){
         .from = tp_vec3_sub(eye, point), .to = way, .nx = n.x >> 16, .nz = n.z >> 16,
         .zi_near = frame->lens.zi_near,
-        .per_focal = (uint32_t)(((uint64_t)1 << 32)
-                                / (uint32_t)(frame->lens.focal >> 12)),
     };
     return point;
 }
@@ -102,16 +100,12 @@ void tp_frame_draw_around(tp_frame *frame)
     };
     const tp_fx level = tp_sight_level(frame);
     const uint32_t quarter = (uint32_t)1 << 30;
-    const int32_t  zi_log = frame->shade.zi_log;
     bool seen = false;
 
     frame->shade.around.colour = NULL;
     if (frame->under || frame->lens.eye.y <= level)
         return;
     const tp_vec3 point = set_around(frame, level);
-    /* Texels as the picture's focal length counts them. */
-    frame->shade.zi_log += tp_log2_q8((uint32_t)frame->lens.focal)
-                         - tp_log2_q8(WIDE / 2 * (uint32_t)TP_FX_ONE);
     for (uint32_t f = 0; f < TP_AROUND_FACES; f++) {
         tp_lens lens;
         tp_lens_init(&lens, point, (uint32_t)turn[f][0] * quarter,
@@ -122,6 +116,5 @@ void tp_frame_draw_around(tp_frame *frame)
         seen |= draw_face(frame, &sight,
                           frame->around.colour + f * TP_AROUND_SIDE * TP_AROUND_SIDE);
     }
-    frame->shade.zi_log = zi_log;
     frame->shade.around.colour = seen ? frame->around.colour : NULL;
 }

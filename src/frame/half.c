@@ -98,7 +98,6 @@ static void set_bending(tp_frame *frame, tp_fx level)
     tp_mirrored *to = &frame->shade.bending;
 
     to->bend = frame->scene->mirror.bend >> 8;
-    to->per_focal = (uint32_t)(((uint64_t)1 << 32) / (uint32_t)(frame->lens.focal >> 12));
     to->height = (int64_t)(frame->lens.eye.y - level) * 4096 / frame->lens.zi_near;
     to->zi = frame->mirrored.zi;
 }
@@ -139,9 +138,7 @@ void tp_frame_draw_mirrored(tp_frame *frame)
     if (!begin(&frame->mirrored, &box, half))
         return;
     set_bending(frame, level);
-    frame->shade.zi_log += 256;         /* a pixel holds twice the texels */
     draw_mirror(frame, &sight, half);
-    frame->shade.zi_log -= 256;
     *half = (tp_half){ half->colour, half->x0, rows - half->y1, half->x1,
                        rows - half->y0 };
 }
@@ -180,10 +177,10 @@ static void absorb_row(const tp_frame *frame, const tp_lens *lens, tp_fx height,
 {
     const uint32_t *key = band->key + (size_t)(uint32_t)(y - band->y0) * band->stride;
     const uint32_t deep = (uint32_t)frame->scene->water.deep;
-    const int64_t per = ((int64_t)1 << 32) / (lens->focal >> 12);
-    const int64_t v = (lens->v0 - 16 * y - 8) * per >> 16;
+    const int64_t v = tp_over_focal(&frame->shade, lens->v0 - 16 * y - 8);
     const int64_t middle = -((lens->ahead.y >> 14) + (v * (lens->turn.y.y >> 14) >> 16));
-    const int64_t aside = -(lens->turn.x.y >> 14) * per;        /* a 16th of a pixel */
+    const int64_t aside = -(lens->turn.x.y >> 14)               /* a 16th of a pixel */
+                        * (int64_t)frame->shade.per_focal;
     tp_fx way = way_of(frame, band->x0, y);
 
     for (int32_t x = band->x0; x < band->x1; x++, key++, to++) {
@@ -233,7 +230,5 @@ void tp_frame_draw_sunken(tp_frame *frame)
     tp_grid_box box = tp_sight_place(frame, &sight);
     if (!begin(&frame->sunken, &box, half))
         return;
-    frame->shade.zi_log += 256;
     draw_below(frame, &sight, &lens, frame->lens.eye.y - level, half);
-    frame->shade.zi_log -= 256;
 }

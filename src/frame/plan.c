@@ -10,9 +10,6 @@ static void light_from(tp_frame *frame)
     tp_dir3 light = tp_light_direction(frame->drawn.light_heading,
                                        frame->drawn.light_elevation);
 
-    axes->right = frame->lens.turn.x;
-    axes->up = frame->lens.turn.y;
-    axes->back = frame->lens.turn.z;
     axes->lx = light.x >> 16;
     axes->ly = light.y >> 16;
     axes->lz = light.z >> 16;
@@ -123,11 +120,7 @@ void tp_frame_plan(tp_frame *frame)
     const tp_scene *scene = frame->scene;
     tp_shade *shade = &frame->shade;
 
-    shade->eye = frame->lens.eye;
-    shade->u0 = frame->lens.u0;
-    shade->v0 = frame->lens.v0;
-    shade->focal = frame->lens.focal >> 12;
-    shade->zi_log = tp_log2_q8((uint32_t)frame->lens.zi_near) + 15 * 256;
+    tp_sight_look(frame, &frame->lens);
     shade->haze_scale = (uint32_t)((int64_t)scene->sky.haze * 64 / frame->lens.zi_near);
     shade->ambient = scene->light.ambient >> 8;
     shade->mirror = scene->water.reflection >> 8;

@@ -12,19 +12,29 @@ static bool has_walls(const tp_frame *frame)
     return frame->blocks > 0 || tp_has_tank(frame->scene);
 }
 
-/* The light stays the world's; walls tell their places by the eye and its axes. */
-void tp_sight_begin(tp_frame *frame, const tp_sight *sight)
+/* Levels of detail are those of the picture's focal length: a shorter one puts more texels
+ * into a pixel, as if all were farther away. */
+void tp_sight_look(tp_frame *frame, const tp_lens *lens)
 {
-    const tp_lens *lens = sight->lens;
     tp_shade *shade = &frame->shade;
 
     shade->u0 = lens->u0;
     shade->v0 = lens->v0;
     shade->focal = lens->focal >> 12;
+    shade->per_focal = (uint32_t)(((uint64_t)1 << 32) / (uint32_t)shade->focal);
+    shade->zi_log = tp_log2_q8((uint32_t)lens->zi_near) + 15 * 256
+                  + tp_log2_q8((uint32_t)frame->lens.focal)
+                  - tp_log2_q8((uint32_t)lens->focal);
     shade->world.right = lens->turn.x;
     shade->world.up = lens->turn.y;
     shade->world.back = lens->turn.z;
     shade->eye = lens->eye;
+}
+
+/* Walls tell their places by the eye and its axes. */
+void tp_sight_begin(tp_frame *frame, const tp_sight *sight)
+{
+    tp_sight_look(frame, sight->lens);
     if (has_walls(frame))
         tp_frame_view_inside(frame);
 }

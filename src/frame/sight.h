@@ -45,6 +45,8 @@ static inline void tp_box_widen(tp_grid_box *box, int32_t u, int32_t v)
 /* The height of still water where the solids are: a boat's waterline, else 0. */
 tp_fx tp_sight_level(const tp_frame *frame);
 
+/* What shading knows of a lens; the light stays the world's. */
+void tp_sight_look(tp_frame *frame, const tp_lens *lens);
 void tp_sight_begin(tp_frame *frame, const tp_sight *sight);
 
 /* The one list of what is solid in every sight, and the box of it all. */

@@ -75,9 +75,8 @@ static uint32_t cube_at(const tp_around *cube, const way *w)
 static way ray_at(const tp_shade *shade, int32_t x, int32_t y)
 {
     const tp_view_axes *a = &shade->world;
-    const int64_t per = shade->around.per_focal;
-    const int64_t u = (16 * x + 8 - shade->u0) * per >> 16;
-    const int64_t v = (shade->v0 - 16 * y - 8) * per >> 16;
+    const int64_t u = tp_over_focal(shade, 16 * x + 8 - shade->u0);
+    const int64_t v = tp_over_focal(shade, shade->v0 - 16 * y - 8);
 
     return (way){
         (((u * a->right.x + v * a->up.x) >> 16) - a->back.x) >> 14,

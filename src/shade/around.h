@@ -13,6 +13,5 @@ typedef struct {
     tp_vec3  to;                /* the objects' middle - the point */
     int32_t  nx, nz;            /* the level way from one to the other, Q1.14 */
     tp_fx    zi_near;
-    uint32_t per_focal;         /* 2^32 / focal of the picture */
 } tp_around;
 #endif

@@ -48,9 +48,8 @@ static push push_at(const tp_shade *shade, int32_t x, int32_t y)
     const tp_view_axes *axes = &shade->world;
     const axis r = axis_of(axes->right, 1), up = axis_of(axes->up, 1),
                a = axis_of(axes->back, -1);
-    const int64_t per = shade->bending.per_focal;
-    const int64_t qu = (16 * x + 8 - shade->u0) * per >> 16;
-    const int64_t qv = (shade->v0 - 16 * y - 8) * per >> 16;
+    const int64_t qu = tp_over_focal(shade, 16 * x + 8 - shade->u0);
+    const int64_t qv = tp_over_focal(shade, shade->v0 - 16 * y - 8);
     const int64_t dx = a.x + ((qu * r.x + qv * up.x) >> 16);
     const int64_t dy = a.y + ((qu * r.y + qv * up.y) >> 16);
     const int64_t dz = a.z + ((qu * r.z + qv * up.z) >> 16);

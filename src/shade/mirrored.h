@@ -11,7 +11,6 @@ typedef struct {
 
 typedef struct {
     int32_t  bend;              /* share of the slopes, 256 is as nature has it */
-    uint32_t per_focal;         /* 2^32 / focal */
     int64_t  height;            /* of the eye over the mirror's level, Q12 near planes */
     const tp_mirrored_zi *zi;   /* of each column, from x0 on */
 } tp_mirrored;

@@ -82,6 +82,7 @@ typedef struct {
 typedef struct {
     int32_t  u0, v0;            /* the picture's centre, 28.4 */
     int32_t  focal;             /* 28.4 */
+    uint32_t per_focal;         /* 2^32 / focal */
     tp_view_axes world, mesh;
     int32_t  zi_log;            /* log2 of the depth at zi = 1, Q8 */
 
@@ -234,6 +235,12 @@ static inline int32_t tp_block_end(const tp_run *run, int32_t i)
 {
     int32_t end = i + 16 - ((run->x + i) & 15);
     return end < run->count ? end : run->count;
+}
+
+/* Q16 of so many sixteenths of a pixel over the focal length. */
+static inline int64_t tp_over_focal(const tp_shade *shade, int32_t sixteenths)
+{
+    return sixteenths * (int64_t)shade->per_focal >> 16;
 }
 
 /* The unit vector to the eye from pixel (x, y), and its product with the light. */

@@ -94,8 +94,8 @@ static tp_shade any_mirror(double zm, double height)
     for (int i = 0; i < SIDE; i++)
         zi[i].near = zi[i].far = (uint32_t)(2147483648.0 / zm);
     s.mirrored = (tp_half){ ramp, 0, 0, SIDE, SIDE };
+    s.per_focal = (uint32_t)(4294967296.0 / s.focal);
     s.bending = (tp_mirrored){ chance_int(&chance, 0, 512),
-                               (uint32_t)(4294967296.0 / s.focal),
                                (int64_t)lround(height * 4096), zi };
     return s;
 }
@@ -199,8 +199,8 @@ static tp_shade any_cube(void)
                  chance_fx(&chance, -9, 9) },
         { TP_FX(8 * cos(a)), TP_FX(2), TP_FX(8 * sin(a)) },
         (int32_t)lround(16384 * cos(a)), (int32_t)lround(16384 * sin(a)), TP_FX(0.25),
-        (uint32_t)(4294967296.0 / s.focal),
     };
+    s.per_focal = (uint32_t)(4294967296.0 / s.focal);
     return s;
 }
 
