@@ -84,15 +84,11 @@ static void place_vertex(const tp_frame *frame, const tp_sight *sight, uint32_t 
 static int clipped(const tp_frame *frame, const tp_sight *sight, const tp_mesh_face *face,
                    tp_corner corner[TP_CLIP_CORNERS])
 {
-    tp_view_corner in[3], out[TP_CLIP_CORNERS];
+    tp_view_corner in[3];
 
     for (int k = 0; k < 3; k++)
         in[k] = view_of(frame, sight, &frame->assets.boat->vertices[face->vertex[k]]);
-    int count = tp_clip_triangle_at(&sight->boat_lens, sight->cut ? &sight->level : NULL,
-                                    in, out);
-    for (int k = 0; k < count; k++)
-        tp_corner_project(&sight->boat_lens, &out[k], &corner[k]);
-    return count;
+    return tp_clipped_corners(&sight->boat_lens, tp_sight_cut(sight), in, corner);
 }
 
 static void widen_by_face(const tp_frame *frame, tp_sight *sight, const tp_mesh_face *face)

@@ -133,15 +133,8 @@ void tp_frame_place_drops(tp_frame *frame, tp_sight *sight)
 static void draw_face(const tp_sight *sight, const tp_samples *tile,
                       const tp_view_corner *view, uint32_t a, uint32_t b, uint32_t c)
 {
-    tp_view_corner in[3] = { view[a], view[b], view[c] }, out[TP_CLIP_CORNERS];
-    tp_corner corner[TP_CLIP_CORNERS];
-    int count = tp_clip_triangle_at(sight->lens, sight->cut ? &sight->level : NULL, in,
-                                    out);
-
-    for (int k = 0; k < count; k++)
-        tp_corner_project(sight->lens, &out[k], &corner[k]);
-    for (int k = 2; k < count; k++)
-        tp_tri_solid(tile, &corner[0], &corner[k - 1], &corner[k], TP_MARK_DROP, 0, 16);
+    const tp_view_corner in[3] = { view[a], view[b], view[c] };
+    tp_clipped_draw(sight->lens, tp_sight_cut(sight), tile, in, TP_MARK_DROP, 0);
 }
 
 /* Point i of parallel j, which may be a pole. */

@@ -40,22 +40,21 @@ static void place_posts(tp_frame *frame, tp_glass *glass, const tp_rectangle *r)
     place_post(frame, glass, r, to);
 }
 
+static const int16_t no_normal[3] = { 0, 0, 0 };    /* its stage knows the wall's */
+
+static void wall_corners(const tp_frame *frame, const tp_vec3 at[3], tp_view_corner to[3])
+{
+    for (int k = 0; k < 3; k++)
+        to[k] = tp_clipped_corner(&frame->lens, at[k], no_normal);
+}
+
 static void draw_triangle(const tp_frame *frame, const tp_samples *tile, uint32_t face,
                           const tp_vec3 at[3])
 {
-    tp_view_corner in[3], out[TP_CLIP_CORNERS];
-    tp_corner corner[TP_CLIP_CORNERS];
+    tp_view_corner in[3];
 
-    for (int k = 0; k < 3; k++) {
-        tp_lens_view(&frame->lens, at[k], &in[k]);
-        in[k].s = in[k].t = 0;
-        in[k].n[0] = in[k].n[1] = in[k].n[2] = 0;
-    }
-    int count = tp_clip_triangle(&frame->lens, in, out);
-    for (int k = 0; k < count; k++)
-        tp_corner_project(&frame->lens, &out[k], &corner[k]);
-    for (int k = 2; k < count; k++)
-        tp_tri_solid(tile, &corner[0], &corner[k - 1], &corner[k], TP_MARK_SIDE, face, 16);
+    wall_corners(frame, at, in);
+    tp_clipped_draw(&frame->lens, NULL, tile, in, TP_MARK_SIDE, face);
 }
 
 void tp_frame_draw_sides(const tp_frame *frame, tp_samples *tile)
@@ -83,19 +82,14 @@ void tp_frame_draw_sides(const tp_frame *frame, tp_samples *tile)
 
 static void place_pane(tp_frame *frame, tp_pane *pane, const tp_vec3 at[3])
 {
-    tp_view_corner in[3], out[TP_CLIP_CORNERS];
-    tp_corner corner;
+    tp_view_corner in[3];
+    tp_corner corner[TP_CLIP_CORNERS];
 
-    for (int k = 0; k < 3; k++) {
-        tp_lens_view(&frame->lens, at[k], &in[k]);
-        in[k].s = in[k].t = 0;
-        in[k].n[0] = in[k].n[1] = in[k].n[2] = 0;
-    }
-    pane->count = tp_clip_triangle(&frame->lens, in, out);
+    wall_corners(frame, at, in);
+    pane->count = tp_clipped_corners(&frame->lens, NULL, in, corner);
     for (int k = 0; k < pane->count; k++) {
-        tp_corner_project(&frame->lens, &out[k], &corner);
-        pane->u[k] = corner.u;
-        pane->v[k] = corner.v;
+        pane->u[k] = corner[k].u;
+        pane->v[k] = corner[k].v;
     }
 }
 

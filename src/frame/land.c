@@ -101,19 +101,14 @@ static tp_corner packed(const tp_land_vertex *v)
 static void draw_clipped(const tp_frame *frame, const tp_samples *tile,
                          const uint32_t place[3][2])
 {
-    tp_view_corner in[3], out[TP_CLIP_CORNERS];
-    tp_corner corner[TP_CLIP_CORNERS];
+    tp_view_corner in[3];
     tp_floor_at floor;
 
     for (int k = 0; k < 3; k++) {
         in[k] = corner_at(frame, place[k][0], place[k][1], &floor);
         set_normal(in[k].n, floor.rise_x, floor.rise_z);
     }
-    int count = tp_clip_triangle(&frame->lens, in, out);
-    for (int k = 0; k < count; k++)
-        tp_corner_project(&frame->lens, &out[k], &corner[k]);
-    for (int k = 2; k < count; k++)
-        tp_tri_solid(tile, &corner[0], &corner[k - 1], &corner[k], TP_MARK_LAND, 0, 16);
+    tp_clipped_draw(&frame->lens, NULL, tile, in, TP_MARK_LAND, 0);
 }
 
 static void draw_cell(const tp_frame *frame, const tp_samples *tile, uint32_t i, uint32_t j)

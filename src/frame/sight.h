@@ -24,6 +24,12 @@ typedef struct {
     tp_grid_box   drops_box;
 } tp_sight;
 
+/* The level that cuts it, or NULL. */
+static inline const tp_view_plane *tp_sight_cut(const tp_sight *sight)
+{
+    return sight->cut ? &sight->level : NULL;
+}
+
 static inline bool tp_sight_touches(const tp_grid_box *box, const tp_samples *tile)
 {
     return box->x0 < tile->x1 && box->x1 >= tile->x0 && box->y0 < tile->y1
@@ -52,6 +58,15 @@ void tp_sight_begin(tp_frame *frame, const tp_sight *sight);
 /* The one list of what is solid in every sight, and the box of it all. */
 tp_grid_box tp_sight_place(tp_frame *frame, tp_sight *sight);
 void tp_sight_draw(const tp_frame *frame, const tp_sight *sight, tp_samples *tile);
+
+/* clipped.c: a corner without a picture; a triangle's corners as they come out of the clip,
+ * fewer than 3 if nothing is left; all of them drawn, t as what is drawn wants it. */
+tp_view_corner tp_clipped_corner(const tp_lens *lens, tp_vec3 at, const int16_t n[3]);
+int tp_clipped_corners(const tp_lens *lens, const tp_view_plane *level,
+                       const tp_view_corner in[3], tp_corner to[TP_CLIP_CORNERS]);
+void tp_clipped_draw(const tp_lens *lens, const tp_view_plane *level,
+                     const tp_samples *tile, const tp_view_corner in[3], uint32_t mark,
+                     uint32_t t);
 
 /* boat.c */
 void tp_frame_place_boat(tp_frame *frame, tp_sight *sight);

@@ -43,29 +43,18 @@ bool tp_frame_is_glass(const tp_frame *frame, uint32_t face)
 /* Counter-clockwise seen from where its normal points. */
 typedef struct {
     tp_vec3 at[4];
-    int32_t nx, ny, nz;         /* 511 is 1 */
+    int16_t n[3];               /* 511 is 1 */
 } quad;
 
 static void draw_triangle(const tp_sight *sight, const tp_samples *samples, const quad *q,
                           int b, int c)
 {
-    const tp_lens *lens = sight->lens;
     const int which[3] = { 0, b, c };
-    tp_view_corner in[3], out[TP_CLIP_CORNERS];
-    tp_corner corner[TP_CLIP_CORNERS];
+    tp_view_corner in[3];
 
-    for (int k = 0; k < 3; k++) {
-        tp_lens_view(lens, q->at[which[k]], &in[k]);
-        in[k].s = in[k].t = 0;
-        in[k].n[0] = (int16_t)q->nx;
-        in[k].n[1] = (int16_t)q->ny;
-        in[k].n[2] = (int16_t)q->nz;
-    }
-    int count = tp_clip_triangle_at(lens, sight->cut ? &sight->level : NULL, in, out);
-    for (int k = 0; k < count; k++)
-        tp_corner_project(lens, &out[k], &corner[k]);
-    for (int k = 2; k < count; k++)
-        tp_tri_solid(samples, &corner[0], &corner[k - 1], &corner[k], TP_MARK_TANK, 0, 16);
+    for (int k = 0; k < 3; k++)
+        in[k] = tp_clipped_corner(sight->lens, q->at[which[k]], q->n);
+    tp_clipped_draw(sight->lens, tp_sight_cut(sight), samples, in, TP_MARK_TANK, 0);
 }
 
 static void draw_quad(const tp_sight *sight, const tp_samples *samples, const quad *q)
@@ -84,9 +73,10 @@ static void draw_face(const tp_sight *sight, const tp_samples *samples,
     const tp_fx corner[4][2] = { { r->x0, r->z1 }, { r->x1, r->z1 }, { r->x1, r->z0 },
                                  { r->x0, r->z0 } };
     const tp_fx *a = corner[order[face][inwards]], *b = corner[order[face][!inwards]];
-    int32_t out = (face & 1 ? -511 : 511) * (inwards ? -1 : 1);
+    int16_t out = (face & 1) != inwards ? -511 : 511;
     quad q = { { { a[0], low, a[1] }, { b[0], low, b[1] }, { b[0], high, b[1] },
-                 { a[0], high, a[1] } }, face & 2 ? 0 : out, 0, face & 2 ? out : 0 };
+                 { a[0], high, a[1] } },
+               { face & 2 ? 0 : out, 0, face & 2 ? out : 0 } };
 
     draw_quad(sight, samples, &q);
 }
@@ -95,7 +85,7 @@ static void draw_top(const tp_sight *sight, const tp_samples *samples, tp_fx y,
                      const tp_fx at[4][2])
 {
     quad q = { { { at[0][0], y, at[0][1] }, { at[1][0], y, at[1][1] },
-                 { at[2][0], y, at[2][1] }, { at[3][0], y, at[3][1] } }, 0, 511, 0 };
+                 { at[2][0], y, at[2][1] }, { at[3][0], y, at[3][1] } }, { 0, 511, 0 } };
     draw_quad(sight, samples, &q);
 }
 

@@ -43,14 +43,12 @@ static tp_corner corner_of(const tp_grid *grid, uint32_t i, uint32_t j)
 static void draw_clipped(const tp_frame *frame, const tp_samples *tile,
                          const uint32_t place[3][2])
 {
-    tp_view_corner in[3], out[TP_CLIP_CORNERS];
+    tp_view_corner in[3];
     tp_corner corner[TP_CLIP_CORNERS];
 
     for (int k = 0; k < 3; k++)
         in[k] = tp_grid_corner(&frame->grid, &frame->grid_view, place[k][0], place[k][1]);
-    int count = tp_clip_triangle(&frame->lens, in, out);
-    for (int k = 0; k < count; k++)
-        tp_corner_project(&frame->lens, &out[k], &corner[k]);
+    int count = tp_clipped_corners(&frame->lens, NULL, in, corner);
     for (int k = 2; k < count; k++)
         tp_tri_water(tile, &corner[0], &corner[k - 1], &corner[k]);
 }
@@ -93,12 +91,6 @@ static void draw_cells(const tp_frame *frame, const tp_samples *tile, uint32_t j
     }
 }
 
-static bool touches(const tp_grid_box *box, const tp_samples *tile)
-{
-    return box->x0 < tile->x1 && box->x1 >= tile->x0
-        && box->y0 < tile->y1 && box->y1 >= tile->y0;
-}
-
 void tp_frame_draw_water(const tp_frame *frame, tp_samples *tile)
 {
     const tp_grid *grid = &frame->grid;
@@ -111,7 +103,7 @@ void tp_frame_draw_water(const tp_frame *frame, tp_samples *tile)
             uint32_t first = b * TP_GRID_BLOCK, end = first + TP_GRID_BLOCK;
             first = first > span.first ? first : span.first;
             end = end < span.end ? end : span.end;
-            if (first < end && touches(&box[b], tile))
+            if (first < end && tp_sight_touches(&box[b], tile))
                 draw_cells(frame, tile, j, first, end);
         }
     }
