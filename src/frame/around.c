@@ -74,7 +74,7 @@ static void add_row(const tp_frame *frame, const tp_samples *band, int32_t y, ui
 /* True: something is seen. */
 static bool draw_face(tp_frame *frame, tp_sight *sight, uint32_t *to)
 {
-    uint32_t *at = frame->around.samples;
+    uint32_t *at = frame->parts.around.samples;
     const size_t plane = WIDE * BAND;
 
     tp_sight_begin(frame, sight);
@@ -100,6 +100,7 @@ void tp_frame_draw_around(tp_frame *frame)
     };
     const tp_fx level = tp_sight_level(frame);
     const uint32_t quarter = (uint32_t)1 << 30;
+    uint32_t *colour = frame->parts.around.colour;
     bool seen = false;
 
     frame->shade.around.colour = NULL;
@@ -113,8 +114,7 @@ void tp_frame_draw_around(tp_frame *frame)
                      frame->scene->camera.near, WIDE, WIDE);
         tp_sight sight = { .lens = &lens, .cut = true,
                            .level = tp_lens_level(&lens, level, 1) };
-        seen |= draw_face(frame, &sight,
-                          frame->around.colour + f * TP_AROUND_SIDE * TP_AROUND_SIDE);
+        seen |= draw_face(frame, &sight, colour + f * TP_AROUND_SIDE * TP_AROUND_SIDE);
     }
-    frame->shade.around.colour = seen ? frame->around.colour : NULL;
+    frame->shade.around.colour = seen ? colour : NULL;
 }

@@ -70,7 +70,7 @@ static tp_view_corner view_of(const tp_frame *frame, const tp_sight *sight,
 
 static void place_vertex(const tp_frame *frame, const tp_sight *sight, uint32_t i)
 {
-    tp_boat_vertex *to = &frame->boat_vertex[i];
+    tp_boat_vertex *to = &frame->parts.boat_vertex[i];
     tp_view_corner c = view_of(frame, sight, &frame->assets.boat->vertices[i]);
 
     if (sight->cut && tp_view_height(&sight->level, &c) < 0)
@@ -93,7 +93,7 @@ static int clipped(const tp_frame *frame, const tp_sight *sight, const tp_mesh_f
 
 static void widen_by_face(const tp_frame *frame, tp_sight *sight, const tp_mesh_face *face)
 {
-    const tp_boat_vertex *vertex = frame->boat_vertex;
+    const tp_boat_vertex *vertex = frame->parts.boat_vertex;
     tp_corner corner[TP_CLIP_CORNERS];
     int cut = 0, outside = 0;
 
@@ -175,9 +175,9 @@ static void draw_face(const tp_frame *frame, const tp_sight *sight,
 {
     const tp_mesh_face   *face = &frame->assets.boat->faces[f];
     const tp_mesh_vertex *vertex = frame->assets.boat->vertices;
-    const tp_boat_vertex *a = &frame->boat_vertex[face->vertex[0]];
-    const tp_boat_vertex *b = &frame->boat_vertex[face->vertex[1]];
-    const tp_boat_vertex *c = &frame->boat_vertex[face->vertex[2]];
+    const tp_boat_vertex *a = &frame->parts.boat_vertex[face->vertex[0]];
+    const tp_boat_vertex *b = &frame->parts.boat_vertex[face->vertex[1]];
+    const tp_boat_vertex *c = &frame->parts.boat_vertex[face->vertex[2]];
     int32_t top = 16 * tile->y0, bottom = 16 * tile->y1;
 
     if (a->u <= OUTSIDE || b->u <= OUTSIDE || c->u <= OUTSIDE) {

@@ -32,7 +32,7 @@ bool tp_frame_bumps(const tp_frame *frame)
 
     for (int k = 0; k < TP_POOL_BUMPS; k++) {
         const tp_pool *pool = pool_of(frame, k);
-        if (pool && (pool->cols + 2) * (pool->rows + 2) > frame->bump_cells[k])
+        if (pool && (pool->cols + 2) * (pool->rows + 2) > frame->parts.bump_cells[k])
             return false;
         some |= pool != NULL;
     }
@@ -65,9 +65,9 @@ void tp_frame_place_bumps(tp_frame *frame)
         *bump = (tp_pool_bump){ .slope = NULL };
         if (!bumps || !pool || is_flat(pool))
             continue;
-        *bump = tp_pool_bump_of(pool, frame->bump[k]);
+        *bump = tp_pool_bump_of(pool, frame->parts.bump[k]);
         bump->lod = tp_frame_lod(frame, tp_fx_recip(pool->cell), true);
         tp_pool_slopes(pool, frame->world->back, frame->scene->water.pool_bump,
-                       frame->bump[k]);
+                       frame->parts.bump[k]);
     }
 }

@@ -14,9 +14,8 @@
 
 bool tp_frame_has_caustics(const tp_scene *scene)
 {
-    bool floor = scene->floor.depth > 0 || scene->floor.map[0];
     return scene->water.clear > 0 && scene->water.caustics > 0
-        && (floor || tp_has_tank(scene));
+        && (tp_has_floor(scene) || tp_has_tank(scene));
 }
 
 /* -- where the map lies ---------------------------------------------------------------- */
@@ -180,15 +179,16 @@ static void make(tp_frame *frame)
 {
     const tp_surface surface = tp_frame_lit_surface(frame);
     uint32_t n = frame->shade.inside.caustic.cells;
+    uint16_t *light = frame->parts.caustic_light;
 
-    memset(frame->caustic_light, 0, (size_t)n * n * sizeof *frame->caustic_light);
+    memset(light, 0, (size_t)n * n * sizeof *light);
     for (uint32_t j = 0; j <= n; j++) {
-        tp_caustic_corner *here = frame->caustic_row + (j & 1) * (n + 1);
-        const tp_caustic_corner *last = frame->caustic_row + (~j & 1) * (n + 1);
+        tp_caustic_corner *here = frame->parts.caustic_row + (j & 1) * (n + 1);
+        const tp_caustic_corner *last = frame->parts.caustic_row + (~j & 1) * (n + 1);
         for (uint32_t i = 0; i <= n; i++)
             trace(frame, &surface, i, j, &here[i]);
         for (uint32_t i = 0; j > 0 && i < n; i++)
-            deal_cell(frame->caustic_light, n, &last[i], &here[i]);
+            deal_cell(light, n, &last[i], &here[i]);
     }
 }
 
@@ -200,10 +200,10 @@ void tp_frame_place_caustics(tp_frame *frame)
     tp_fx   wide = tp_fx_held((int64_t)r.x1 - r.x0), deep = tp_fx_held((int64_t)r.z1 - r.z0);
     tp_fx   depth = depth_at(frame, r.x0 / 2 + r.x1 / 2, r.z0 / 2 + r.z1 / 2);
     tp_fall still = fall_through(&frame->shade, 0, 0);
-    uint32_t cells = frame->caustic_cells;
+    uint32_t cells = frame->parts.caustic_cells;
 
     in->caustic = (tp_caustic){
-        .light = frame->caustic_light, .x = r.x0, .z = r.z0, .cells = cells,
+        .light = frame->parts.caustic_light, .x = r.x0, .z = r.z0, .cells = cells,
         .per_metre_x = (uint32_t)(((uint64_t)cells << 32) / (uint32_t)(wide + !wide)),
         .per_metre_z = (uint32_t)(((uint64_t)cells << 32) / (uint32_t)(deep + !deep)),
         .per_depth = (uint32_t)(((uint64_t)256 << 32)

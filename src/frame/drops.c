@@ -114,14 +114,14 @@ void tp_frame_place_drops(tp_frame *frame, tp_sight *sight)
 {
     const tp_drops *drops = tp_world_drops(frame->world);
 
-    frame->drops_seen = drops->count < frame->drop_capacity ? drops->count
-                                                            : frame->drop_capacity;
+    frame->drops_seen = drops->count < frame->parts.drop_capacity ? drops->count
+                                                            : frame->parts.drop_capacity;
     frame->stats.dropped += drops->count - frame->drops_seen;
     for (uint32_t i = 0; i <= frame->drops_seen; i++) {
         spheroid s = number(frame, i);
-        frame->drop_box[i] = box_of(frame, sight, &s);
-        if (frame->drop_box[i].x0 <= frame->drop_box[i].x1) {
-            widen(&sight->drops_box, &frame->drop_box[i]);
+        frame->parts.drop_box[i] = box_of(frame, sight, &s);
+        if (frame->parts.drop_box[i].x0 <= frame->parts.drop_box[i].x1) {
+            widen(&sight->drops_box, &frame->parts.drop_box[i]);
             frame->stats.vertices += TP_BALL;
             frame->stats.triangles += 2 * TP_BALL_ROUND * TP_BALL_RINGS;
         }
@@ -166,7 +166,7 @@ void tp_frame_draw_drops(const tp_frame *frame, const tp_sight *sight, tp_sample
 {
     tile->front_only = true;
     for (uint32_t i = 0; i <= frame->drops_seen; i++) {
-        if (!tp_sight_touches(&frame->drop_box[i], tile))
+        if (!tp_sight_touches(&frame->parts.drop_box[i], tile))
             continue;
         spheroid s = number(frame, i);
         draw_one(frame, sight, tile, &s);

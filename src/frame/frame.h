@@ -108,6 +108,31 @@ typedef struct {
     uint32_t *samples;
 } tp_around_store;
 
+/* What lies behind the frame in its block, as the scene needed it at init: NULL, or 0,
+ * where it did not.  What a scene takes up later finds no memory and is left out. */
+typedef struct {
+    tp_grid          grid;
+    tp_boat_vertex  *boat_vertex;       /* of the sight that was placed last */
+    tp_land_vertex  *land_vertex;       /* rows x cols of the grid */
+    tp_land_band    *land_band;         /* of each row of cells */
+    tp_grid_box     *drop_box;          /* of each drop in the air, then the sphere */
+    tp_ring_now     *ring;              /* as they lie at the drawn moment */
+    tp_frame_speck  *speck;             /* those that are seen */
+    uint32_t         drop_capacity, ring_capacity, speck_capacity;
+    tp_glass        *glass;             /* TP_GLASSES */
+    tp_rectangle    *block;             /* TP_BLOCKS */
+    uint16_t        *caustic_light;     /* caustic_cells^2 */
+    tp_caustic_corner *caustic_row;     /* two rows of caustic_cells + 1 */
+    uint32_t         caustic_cells;
+    tp_solid        *solid;             /* of each of the boat's materials */
+    uint8_t         *gloss;             /* TP_GLOSS each */
+    tp_frame_sky     heaven;
+    tp_pool_slope   *bump[TP_POOL_BUMPS];       /* slopes of pool and field */
+    uint32_t         bump_cells[TP_POOL_BUMPS]; /* that they have room for */
+    tp_half_store    mirrored, sunken;
+    tp_around_store  around;
+} tp_frame_parts;
+
 struct tp_frame {
     const tp_scene  *scene;
     tp_assets        assets;
@@ -115,55 +140,40 @@ struct tp_frame {
     uint32_t         across, down;      /* tiles */
     tp_frame_stats   stats;
     tp_frame_ram     ram;
+    tp_frame_parts   parts;
 
     tp_lens          lens;
     const tp_world  *world;
     tp_drawn         drawn;
     tp_surface       surface;
-    tp_grid          grid;
     tp_grid_view     grid_view;
     bool             cull_water;        /* the eye is above every crest */
 
     tp_sight         sight;             /* the picture itself */
-    tp_half_store    mirrored, sunken;
-    tp_around_store  around;
-    tp_boat_vertex  *boat_vertex;       /* of the sight that was placed last */
-    tp_solid        *solid;
-    uint8_t         *gloss;
-
-    tp_land_vertex  *land_vertex;       /* rows x cols of the grid */
-    tp_land_band    *land_band;         /* of each row of cells */
-
     tp_ball_point    ball[TP_BALL];     /* of a sphere, once */
-    tp_grid_box     *drop_box;          /* of each drop in the air, then the sphere */
-    uint32_t         drop_capacity, drops_seen;
-    tp_ring_now     *ring;              /* as they lie at the drawn moment */
-    uint32_t         ring_capacity;
+    uint32_t         drops_seen;
     uint8_t          drop_gloss[TP_GLOSS];
 
-    tp_frame_speck  *speck;             /* those that are seen */
-    uint32_t         speck_capacity, specks;
-
-    tp_frame_sky     heaven;
+    uint32_t         specks;
     int32_t          fresnel, model;    /* that tables were made for */
     bool             under;             /* the eye is in the water */
-    tp_glass        *glass;             /* TP_GLASSES */
     uint32_t         glasses;
-    tp_rectangle    *block;             /* TP_BLOCKS */
     uint32_t         blocks, blocks_dropped;
     tp_fx            block_low, block_high;
     bool             blocks_made;
-    uint16_t        *caustic_light;     /* caustic_cells^2 */
-    tp_caustic_corner *caustic_row;     /* two rows of caustic_cells + 1 */
-    uint32_t         caustic_cells;
     tp_rectangle     caustic_place;
     int32_t          caustic_still_x, caustic_still_z;  /* fall of the sun, Q16.16 */
-    tp_pool_slope   *bump[TP_POOL_BUMPS];       /* slopes of pool and field */
-    uint32_t         bump_cells[TP_POOL_BUMPS]; /* that they have room for */
 
     tp_shade         shade;
     tp_plan          sky, water, solids, land, drops, tank, side, spray;
 };
+
+/* carve.c: the block's layout, the frame itself first; with an arena that only counts, then
+ * with the block.  Sizes are left in `ram`. */
+tp_frame *tp_frame_carve(tp_frame_parts *parts, tp_frame_ram *ram, tp_arena *arena,
+                         const tp_scene *scene, const tp_assets *assets,
+                         const tp_frame_config *config);
+uint32_t tp_frame_materials(const tp_assets *assets);   /* that are told apart */
 
 /* water.c */
 void tp_frame_place_water(tp_frame *frame);

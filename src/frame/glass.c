@@ -28,8 +28,9 @@ static void place_post(tp_frame *frame, tp_glass *glass, const tp_rectangle *r,
  * surface does. */
 static void place_posts(tp_frame *frame, tp_glass *glass, const tp_rectangle *r)
 {
-    const tp_grid_line *line = glass->face & 2 ? frame->grid.column : frame->grid.row;
-    uint32_t lines = glass->face & 2 ? frame->grid.cols : frame->grid.rows;
+    const tp_grid *grid = &frame->parts.grid;
+    const tp_grid_line *line = glass->face & 2 ? grid->column : grid->row;
+    uint32_t lines = glass->face & 2 ? grid->cols : grid->rows;
     tp_fx from = glass->face & 2 ? r->x0 : r->z0, to = glass->face & 2 ? r->x1 : r->z1;
 
     glass->posts = 0;
@@ -64,7 +65,7 @@ void tp_frame_draw_sides(const tp_frame *frame, tp_samples *tile)
 
     tile->front_only = false;
     for (uint32_t g = 0; g < frame->glasses; g++) {
-        const tp_glass *glass = &frame->glass[g];
+        const tp_glass *glass = &frame->parts.glass[g];
         for (uint32_t i = 0; i + 1 < glass->posts; i++) {
             const tp_side_post *a = &glass->post[i], *b = a + 1;
             tp_vec3 low = on_wall(&r, glass->face, a->along, floor);
@@ -122,7 +123,7 @@ void tp_frame_place_glass(tp_frame *frame)
     for (uint32_t face = 0; face < 4; face++) {
         if (!tp_frame_is_glass(frame, face))
             continue;
-        tp_glass *glass = &frame->glass[frame->glasses++];
+        tp_glass *glass = &frame->parts.glass[frame->glasses++];
         tp_fx from = face & 2 ? r.x0 : r.z0, to = face & 2 ? r.x1 : r.z1;
         const tp_vec3 at[4] = { on_wall(&r, face, from, -scene->tank.depth),
                                 on_wall(&r, face, to, -scene->tank.depth),
@@ -188,8 +189,8 @@ static void glaze(const tp_frame *frame, const tp_glass *glass, tp_run *run,
 void tp_frame_glass_row(const tp_frame *frame, int32_t y, tp_covered row[TP_PANES])
 {
     for (uint32_t g = 0; g < frame->glasses; g++) {
-        row[2 * g] = covered(&frame->glass[g].pane[0], y);
-        row[2 * g + 1] = covered(&frame->glass[g].pane[1], y);
+        row[2 * g] = covered(&frame->parts.glass[g].pane[0], y);
+        row[2 * g + 1] = covered(&frame->parts.glass[g].pane[1], y);
     }
 }
 
@@ -197,5 +198,5 @@ void tp_frame_glaze(const tp_frame *frame, const tp_covered row[TP_PANES], tp_ru
 {
     for (uint32_t k = 0; k < 2 * frame->glasses; k++)
         if (row[k].x0 < row[k].x1)
-            glaze(frame, &frame->glass[k / 2], run, row[k]);
+            glaze(frame, &frame->parts.glass[k / 2], run, row[k]);
 }

@@ -89,7 +89,7 @@ static tp_lens mirror_lens(const tp_frame *frame, tp_fx level)
                    turn, frame->scene->camera.fov, from->near, frame->config.width,
                    frame->config.height);
     lens = tp_lens_halved(&lens);
-    lens.v0 = 16 * (int32_t)frame->mirrored.rows - lens.v0;
+    lens.v0 = 16 * (int32_t)frame->parts.mirrored.rows - lens.v0;
     return lens;
 }
 
@@ -99,12 +99,12 @@ static void set_bending(tp_frame *frame, tp_fx level)
 
     to->bend = frame->scene->mirror.bend >> 8;
     to->height = (int64_t)(frame->lens.eye.y - level) * 4096 / frame->lens.zi_near;
-    to->zi = frame->mirrored.zi;
+    to->zi = frame->parts.mirrored.zi;
 }
 
 static void draw_mirror(tp_frame *frame, const tp_sight *sight, tp_half *half)
 {
-    const tp_half_store *store = &frame->mirrored;
+    const tp_half_store *store = &frame->parts.mirrored;
     uint32_t wide = (uint32_t)(half->x1 - half->x0);
 
     memset(store->zi, 0, wide * sizeof *store->zi);
@@ -123,7 +123,7 @@ static void draw_mirror(tp_frame *frame, const tp_sight *sight, tp_half *half)
 
 void tp_frame_draw_mirrored(tp_frame *frame)
 {
-    const int32_t rows = (int32_t)frame->mirrored.rows;
+    const int32_t rows = (int32_t)frame->parts.mirrored.rows;
     tp_fx    level = tp_sight_level(frame);
     tp_half *half = &frame->shade.mirrored;
 
@@ -135,7 +135,7 @@ void tp_frame_draw_mirrored(tp_frame *frame)
                        .level = tp_lens_level(&lens, level, 1) };
     tp_sight_begin(frame, &sight);
     tp_grid_box box = tp_sight_place(frame, &sight);
-    if (!begin(&frame->mirrored, &box, half))
+    if (!begin(&frame->parts.mirrored, &box, half))
         return;
     set_bending(frame, level);
     draw_mirror(frame, &sight, half);
@@ -199,7 +199,7 @@ static void absorb_row(const tp_frame *frame, const tp_lens *lens, tp_fx height,
 static void draw_below(tp_frame *frame, const tp_sight *sight, const tp_lens *lens,
                        tp_fx height, const tp_half *half)
 {
-    const tp_half_store *store = &frame->sunken;
+    const tp_half_store *store = &frame->parts.sunken;
     uint32_t wide = (uint32_t)(half->x1 - half->x0);
 
     for (int32_t y0 = half->y0; y0 < half->y1; y0 += TP_HALF_BAND) {
@@ -228,7 +228,7 @@ void tp_frame_draw_sunken(tp_frame *frame)
                        .level = tp_lens_level(&lens, level, -1) };
     tp_sight_begin(frame, &sight);
     tp_grid_box box = tp_sight_place(frame, &sight);
-    if (!begin(&frame->sunken, &box, half))
+    if (!begin(&frame->parts.sunken, &box, half))
         return;
     draw_below(frame, &sight, &lens, frame->lens.eye.y - level, half);
 }

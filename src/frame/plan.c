@@ -35,9 +35,9 @@ static void add_objects(const tp_frame *frame, tp_plan *water)
 {
     const int kind = frame->scene->mirror.objects;
 
-    if (kind == TP_MIRROR_STENCIL && frame->mirrored.colour)
+    if (kind == TP_MIRROR_STENCIL && frame->parts.mirrored.colour)
         tp_plan_add(water, tp_stage_mirrored);
-    if (kind == TP_MIRROR_CUBE && frame->around.colour)
+    if (kind == TP_MIRROR_CUBE && frame->parts.around.colour)
         tp_plan_add(water, tp_stage_mirrored_cube);
 }
 
@@ -150,14 +150,14 @@ void tp_frame_plan_materials(tp_frame *frame)
     for (uint32_t i = 0; i < count; i++) {
         const tp_material *m = &mesh->materials[i];
         tp_fx texels = tp_fx_div(m->texels, frame->scene->boat.scale);
-        frame->solid[i] = (tp_solid){
+        frame->parts.solid[i] = (tp_solid){
             .diffuse = m->diffuse,
             .specular = m->specular,
             .lod = tp_frame_lod(frame, texels, false) + 96,  /* one texel: grain glitters */
             .bump = tp_clamp(m->bump, -16 * TP_FX_ONE, 16 * TP_FX_ONE) >> 8,
             .diffuse_map = m->diffuse_map,
             .normal_map = m->normal_map,
-            .gloss = frame->gloss + (size_t)i * TP_GLOSS,
+            .gloss = frame->parts.gloss + (size_t)i * TP_GLOSS,
         };
     }
 }

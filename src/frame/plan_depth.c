@@ -72,7 +72,7 @@ static void set_box(const tp_frame *frame, tp_inside *in)
 {
     const tp_scene *scene = frame->scene;
     bool tank = tp_has_tank(scene);
-    bool floor = scene->floor.depth > 0 || scene->floor.map[0];
+    bool floor = tp_has_floor(scene);
     tp_rectangle r = tp_pool_sides(scene);
 
     in->walled = tank;
@@ -147,7 +147,7 @@ void tp_frame_plan_depth(tp_frame *frame)
 
     frame->under = is_under(frame);
     if (!frame->under && scene->water.clear == 0 && !tp_has_tank(scene)
-        && !frame->block && !frame->assets.floor_texture)
+        && !frame->parts.block && !frame->assets.floor_texture)
         return;
     tp_absorb_init(&frame->shade.absorb, (uint32_t)scene->water.tint,
                    scene->water.clear > 0 ? scene->water.clear : CLEAR_BELOW);
@@ -158,7 +158,7 @@ void tp_frame_plan_depth(tp_frame *frame)
     set_sun(&frame->shade, in);
     tp_frame_view_inside(frame);
     set_box(frame, in);
-    if (frame->caustic_light)
+    if (frame->parts.caustic_light)
         tp_frame_place_caustics(frame);
     if (frame->under)
         choose_under(frame);

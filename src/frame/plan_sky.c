@@ -43,7 +43,7 @@ tp_frame_sky tp_frame_carve_sky(tp_arena *arena, const tp_scene *scene,
 
 void tp_frame_init_sky(tp_frame *frame)
 {
-    const tp_frame_sky *sky = &frame->heaven;
+    const tp_frame_sky *sky = &frame->parts.heaven;
 
     if (sky->cube)
         tp_cube_init(sky->cube, frame->assets.sky);
@@ -63,17 +63,17 @@ static void plan_dome(tp_frame *frame)
         .light = (uint32_t)scene->light.colour, .sun = scene->sky.sun,
     };
 
-    tp_dome_init(frame->heaven.dome, &config);
+    tp_dome_init(frame->parts.heaven.dome, &config);
     if (scene->water.specular > 0)      /* the disc's image is the glitter */
         frame->shade.env.least = TP_DISC_END;
     frame->shade.env.kind = TP_ENV_DOME;
-    frame->shade.env.dome = frame->heaven.dome;
+    frame->shade.env.dome = frame->parts.heaven.dome;
 }
 
 /* A face spans 90 degrees: half its texels to the tangent 1. */
 static void plan_cube(tp_frame *frame)
 {
-    tp_cube *cube = frame->heaven.cube;
+    tp_cube *cube = frame->parts.heaven.cube;
     int32_t  focal = tp_log2_q8((uint32_t)frame->lens.focal) - 16 * 256;
 
     cube->lod = (cube->face[0]->log2_w - 1) * 256 - focal;
@@ -112,17 +112,17 @@ void tp_frame_plan_sky(tp_frame *frame)
 
     plan_fresnel(frame);
     tp_shade_sky(shade, (uint32_t)scene->sky.horizon, (uint32_t)scene->sky.zenith);
-    shade->env = (tp_env){ .recip = frame->heaven.recip,
+    shade->env = (tp_env){ .recip = frame->parts.heaven.recip,
                            .beyond = (uint32_t)scene->hdr.share * TP_WHITES >> 8 };
-    if (generated(scene) && frame->heaven.dome)
+    if (generated(scene) && frame->parts.heaven.dome)
         plan_dome(frame);
-    else if (scene->sky.kind == TP_SKY_CUBE && frame->heaven.cube)
+    else if (scene->sky.kind == TP_SKY_CUBE && frame->parts.heaven.cube)
         plan_cube(frame);
-    if (scene->sky.kind == TP_SKY_NIGHT && frame->heaven.recip)
+    if (scene->sky.kind == TP_SKY_NIGHT && frame->parts.heaven.recip)
         plan_stars(frame);
-    shade->tone = frame->heaven.tone;
-    if (frame->heaven.tone)
-        tp_shade_tone(frame->heaven.tone, frame->drawn.exposure);
+    shade->tone = frame->parts.heaven.tone;
+    if (frame->parts.heaven.tone)
+        tp_shade_tone(frame->parts.heaven.tone, frame->drawn.exposure);
 }
 
 /* -- stages ---------------------------------------------------------------------------- */

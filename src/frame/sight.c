@@ -12,8 +12,8 @@ static bool has_walls(const tp_frame *frame)
     return frame->blocks > 0 || tp_has_tank(frame->scene);
 }
 
-/* Levels of detail are those of the picture's focal length: a shorter one puts more texels
- * into a pixel, as if all were farther away. */
+/* Levels of detail are those of the picture's focal length: a shorter one puts more
+ * texels into a pixel, as if all were farther away. */
 void tp_sight_look(tp_frame *frame, const tp_lens *lens)
 {
     tp_shade *shade = &frame->shade;
@@ -54,7 +54,7 @@ tp_grid_box tp_sight_place(tp_frame *frame, tp_sight *sight)
     sight->boat_box = sight->drops_box = box;
     if (frame->assets.boat)
         tp_frame_place_boat(frame, sight);
-    if (frame->drop_capacity > 0)
+    if (frame->parts.drop_capacity > 0)
         tp_frame_place_drops(frame, sight);
     join(&box, &sight->boat_box);
     join(&box, &sight->drops_box);
@@ -67,7 +67,7 @@ void tp_sight_draw(const tp_frame *frame, const tp_sight *sight, tp_samples *til
 {
     if (frame->assets.boat)
         tp_frame_draw_boat(frame, sight, tile);
-    if (frame->drop_capacity > 0)
+    if (frame->parts.drop_capacity > 0)
         tp_frame_draw_drops(frame, sight, tile);
     if (sight->walls && has_walls(frame))
         tp_frame_draw_tank(frame, sight, tile);

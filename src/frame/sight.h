@@ -59,8 +59,8 @@ void tp_sight_begin(tp_frame *frame, const tp_sight *sight);
 tp_grid_box tp_sight_place(tp_frame *frame, tp_sight *sight);
 void tp_sight_draw(const tp_frame *frame, const tp_sight *sight, tp_samples *tile);
 
-/* clipped.c: a corner without a picture; a triangle's corners as they come out of the clip,
- * fewer than 3 if nothing is left; all of them drawn, t as what is drawn wants it. */
+/* clipped.c: a corner without a picture; a triangle's corners as the clip leaves them,
+ * fewer than 3 if nothing is left; all of that drawn, t as its stage wants it. */
 tp_view_corner tp_clipped_corner(const tp_lens *lens, tp_vec3 at, const int16_t n[3]);
 int tp_clipped_corners(const tp_lens *lens, const tp_view_plane *level,
                        const tp_view_corner in[3], tp_corner to[TP_CLIP_CORNERS]);

@@ -53,13 +53,15 @@ void tp_frame_place_spray(tp_frame *frame)
     bool under = frame->under, clear = frame->scene->water.clear > 0;
 
     frame->specks = 0;
-    for (uint32_t i = 0; i < spray->count && frame->specks < frame->speck_capacity; i++) {
+    for (uint32_t i = 0; i < spray->count; i++) {
+        if (frame->specks == frame->parts.speck_capacity)
+            break;
         const tp_speck *s = &tp_spray_list(spray)[i];
         bool bubble = s->kind == TP_SPECK_BUBBLE;
         if (bubble && !under && !clear)
             continue;
         frame->specks += project(frame, s, bubble && !under,
-                                 &frame->speck[frame->specks]);
+                                 &frame->parts.speck[frame->specks]);
     }
 }
 
@@ -98,7 +100,7 @@ static void draw(const tp_samples *tile, const tp_frame_speck *s)
 void tp_frame_draw_spray(const tp_frame *frame, const tp_samples *tile)
 {
     for (uint32_t i = 0; i < frame->specks; i++) {
-        const tp_frame_speck *s = &frame->speck[i];
+        const tp_frame_speck *s = &frame->parts.speck[i];
         int32_t r = s->wide / 2 + 16;
         if (s->u + r >= 16 * tile->x0 && s->u - r < 16 * tile->x1
             && s->v + r >= 16 * tile->y0 && s->v - r < 16 * tile->y1)

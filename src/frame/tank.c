@@ -134,7 +134,7 @@ void tp_frame_draw_tank(const tp_frame *frame, const tp_sight *sight,
     if (tp_has_tank(frame->scene) && !frame->under)
         draw_walls(frame, sight, samples);
     for (uint32_t i = 0; i < frame->blocks; i++) {
-        const tp_rectangle *r = &frame->block[i];
+        const tp_rectangle *r = &frame->parts.block[i];
         const tp_fx top[4][2] = { { r->x0, r->z1 }, { r->x1, r->z1 }, { r->x1, r->z0 },
                                   { r->x0, r->z0 } };
         draw_top(sight, samples, frame->block_high, top);
@@ -155,7 +155,7 @@ static tp_fx line(tp_fx centre, tp_fx cell, uint32_t i, uint32_t cells)
 static bool goes_on(tp_frame *frame, tp_rectangle r)
 {
     for (uint32_t i = 0; i < frame->blocks; i++) {
-        tp_rectangle *b = &frame->block[i];
+        tp_rectangle *b = &frame->parts.block[i];
         if (b->x0 == r.x0 && b->x1 == r.x1 && b->z1 == r.z0) {
             b->z1 = r.z1;
             return true;
@@ -179,7 +179,7 @@ static void add_row(tp_frame *frame, const tp_pool *pool, uint32_t row)
         if (!wall || goes_on(frame, r))
             continue;
         if (frame->blocks < TP_BLOCKS)
-            frame->block[frame->blocks++] = r;
+            frame->parts.block[frame->blocks++] = r;
         else
             frame->blocks_dropped++;
     }

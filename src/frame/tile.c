@@ -122,11 +122,11 @@ bool tp_frame_tile(const tp_frame *frame, uint32_t i, void *scratch, tp_tile *ti
     tp_samples_clear(&samples);
     if (frame->assets.boat)
         tp_frame_draw_boat(frame, &frame->sight, &samples);
-    if (frame->land_vertex && frame->surface.ocean)
+    if (frame->parts.land_vertex && frame->surface.ocean)
         tp_frame_draw_land(frame, &samples);
-    if (frame->drop_capacity > 0)
+    if (frame->parts.drop_capacity > 0)
         tp_frame_draw_drops(frame, &frame->sight, &samples);
-    if (frame->block || tp_has_tank(frame->scene))
+    if (frame->parts.block || tp_has_tank(frame->scene))
         tp_frame_draw_tank(frame, &frame->sight, &samples);
     if (frame->glasses > 0)
         tp_frame_draw_sides(frame, &samples);

@@ -22,12 +22,12 @@ void tp_frame_place_water(tp_frame *frame)
         .reach = frame->scene->grid.reach,
         .follow = frame->scene->grid.follow != 0,
     };
-    tp_grid_place(&frame->grid, &frame->grid_view);
+    tp_grid_place(&frame->parts.grid, &frame->grid_view);
     frame->cull_water = frame->lens.eye.y > tp_surface_height(&frame->surface);
-    frame->stats.vertices += frame->grid.vertices;
-    for (uint32_t j = 0; j + 1 < frame->grid.rows; j++)
-        frame->stats.triangles += 2u * (uint32_t)(frame->grid.span[j].end
-                                                  - frame->grid.span[j].first);
+    frame->stats.vertices += frame->parts.grid.vertices;
+    for (uint32_t j = 0; j + 1 < frame->parts.grid.rows; j++)
+        frame->stats.triangles += 2u * (uint32_t)(frame->parts.grid.span[j].end
+                                                  - frame->parts.grid.span[j].first);
 }
 
 static tp_corner corner_of(const tp_grid *grid, uint32_t i, uint32_t j)
@@ -47,7 +47,8 @@ static void draw_clipped(const tp_frame *frame, const tp_samples *tile,
     tp_corner corner[TP_CLIP_CORNERS];
 
     for (int k = 0; k < 3; k++)
-        in[k] = tp_grid_corner(&frame->grid, &frame->grid_view, place[k][0], place[k][1]);
+        in[k] = tp_grid_corner(&frame->parts.grid, &frame->grid_view, place[k][0],
+                               place[k][1]);
     int count = tp_clipped_corners(&frame->lens, NULL, in, corner);
     for (int k = 2; k < count; k++)
         tp_tri_water(tile, &corner[0], &corner[k - 1], &corner[k]);
@@ -74,15 +75,15 @@ static void draw_cell(const tp_frame *frame, const tp_samples *tile,
 static void draw_cells(const tp_frame *frame, const tp_samples *tile, uint32_t j,
                        uint32_t first, uint32_t end)
 {
-    tp_corner side[2][2] = { { corner_of(&frame->grid, first, j),
-                               corner_of(&frame->grid, first, j + 1) } };
+    tp_corner side[2][2] = { { corner_of(&frame->parts.grid, first, j),
+                               corner_of(&frame->parts.grid, first, j + 1) } };
     int left = 0;
 
     for (uint32_t i = first; i < end; i++) {
-        bool dry = tp_grid_cell_is_dry(&frame->grid, i, j);
+        bool dry = tp_grid_cell_is_dry(&frame->parts.grid, i, j);
         int right = 1 - left;
-        side[right][0] = corner_of(&frame->grid, i + 1, j);
-        side[right][1] = corner_of(&frame->grid, i + 1, j + 1);
+        side[right][0] = corner_of(&frame->parts.grid, i + 1, j);
+        side[right][1] = corner_of(&frame->parts.grid, i + 1, j + 1);
         const tp_corner *const p[4] = { &side[left][0], &side[right][0],
                                         &side[right][1], &side[left][1] };
         if (!dry)
@@ -93,7 +94,7 @@ static void draw_cells(const tp_frame *frame, const tp_samples *tile, uint32_t j
 
 void tp_frame_draw_water(const tp_frame *frame, tp_samples *tile)
 {
-    const tp_grid *grid = &frame->grid;
+    const tp_grid *grid = &frame->parts.grid;
 
     tile->front_only = frame->cull_water;
     for (uint32_t j = 0; j + 1 < grid->rows; j++) {

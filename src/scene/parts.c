@@ -2,9 +2,10 @@
 /* The parts of a world; see the header. */
 #include "scene/parts.h"
 #include "base/base.h"
-#include "scene/light.h"
 #include "base/text.h"
 #include "scene/foam.h"
+#include "scene/light.h"
+#include "scene/sides.h"
 #include "scene/spray.h"
 #include "tidepool/arena.h"
 
@@ -18,16 +19,6 @@ static tp_pool_config pool_config(const tp_scene_pool *pool, const tp_grey *mask
         .x = pool->x, .z = pool->z, .feed_low = pool->feed_low,
         .feed_high = pool->feed_high, .feed = pool->feed, .mask = mask,
     };
-}
-
-static bool has_floor(const tp_scene *scene)
-{
-    return scene->floor.depth > 0 || scene->floor.map[0];
-}
-
-static bool has_ocean(const tp_scene *scene)
-{
-    return has_floor(scene) || scene->wind.strength > 0;
 }
 
 static const tp_grey *floor_of(const tp_assets *assets)
@@ -103,7 +94,7 @@ tp_status tp_parts_of(tp_world_parts *parts, const tp_scene *scene,
 
     *parts = (tp_world_parts){ .bytes = 0 };
     take(&arena, sizeof(tp_world));
-    if (has_ocean(scene)) {
+    if (tp_has_ocean(scene)) {
         tp_ocean_config config = ocean_config(scene, assets);
         size_t bytes = tp_ocean_bytes(&config, sea);
         if (bytes == 0)
@@ -119,7 +110,7 @@ tp_status tp_parts_of(tp_world_parts *parts, const tp_scene *scene,
     if (parts->drops && scene->drops.into == TP_DROPS_RINGS)
         parts->rings = take(&arena, (size_t)scene->drops.rings * sizeof(tp_ring_now));
     parts->probe = take(&arena, tp_meter_bytes(scene));
-    parts->foam = take(&arena, tp_foam_bytes(scene, has_ocean(scene)));
+    parts->foam = take(&arena, tp_foam_bytes(scene, tp_has_ocean(scene)));
     parts->spray = take(&arena, tp_spray_bytes(scene));
     parts->bytes = (uint32_t)arena.used;
     return TP_OK;
@@ -163,7 +154,7 @@ tp_status tp_parts_init(tp_world *world, const tp_scene *scene, const tp_assets 
         tp_drops_init(tp_parts_drops(world), &scene->drops);
     tp_meter_init(world, scene, assets);
     if (tp_parts_foam(world))
-        tp_foam_init(tp_parts_foam(world), world, scene, has_ocean(scene));
+        tp_foam_init(tp_parts_foam(world), world, scene, tp_has_ocean(scene));
     if (tp_parts_spray(world))
         tp_spray_init(tp_parts_spray(world), scene);
     return status;

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The sides of a scene's pool, and whether a tank stands around them. */
+/* What bounds a scene's water: its pool's sides, a tank around them, a floor. */
 #ifndef TP_SCENE_SIDES_H
 #define TP_SCENE_SIDES_H
 #include "tidepool/scene.h"
@@ -23,5 +23,15 @@ static inline tp_rectangle tp_pool_sides(const tp_scene *scene)
 static inline bool tp_has_tank(const tp_scene *scene)
 {
     return scene->tank.kind != TP_TANK_NONE && scene->pool.cols > 0;
+}
+/* A floor of its own under the sea, which may rise from it as land. */
+static inline bool tp_has_floor(const tp_scene *scene)
+{
+    return scene->floor.depth > 0 || scene->floor.map[0];
+}
+
+static inline bool tp_has_ocean(const tp_scene *scene)
+{
+    return tp_has_floor(scene) || scene->wind.strength > 0;
 }
 #endif

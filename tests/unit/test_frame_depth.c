@@ -167,7 +167,7 @@ static void light_of(const tp_scene *s, const tp_world *world, uint16_t *light)
     test_frame f = frame_of(s, &assets, &c);
 
     tp_frame_begin(f.frame, world);
-    memcpy(light, f.frame->caustic_light, cells * cells * sizeof *light);
+    memcpy(light, f.frame->parts.caustic_light, cells * cells * sizeof *light);
     frame_free(&f);
 }
 
