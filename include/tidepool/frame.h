@@ -47,16 +47,24 @@ typedef struct {
     size_t scratch;                 /* of one tile: samples and pixels */
 } tp_frame_ram;
 
-/* Objects mirrored (mirror.objects = stencil) take a picture of half the size and four
- * rows of samples, 88320 bytes at 320x240; objects seen under water (water.clear) as
- * much again; mirror.objects = cube 24576 at any size.  Scenes without: nothing. */
+/* The frame's block holds what the scene needs at init, nothing for what it lacks:
+ *  - vertices: the grid's crossings, the boat's and the land's corners, drops, rings,
+ *    specks of spray; glass, walls inside a pool, the map of caustics (2 bytes a cell)
+ *  - tables: those of every scene (shininess, Fresnel, haze, a sky's gradient); of a
+ *    generated or cube sky, the exposure, the boat's materials, slopes of pools that bend
+ *    the light only
+ *  - mirror: with mirror.objects = stencil a picture of half the size and four rows of
+ *    samples, 88320 bytes at 320x240; as much again for objects seen under water
+ *    (water.clear); with mirror.objects = cube 24576 bytes at any size. */
 
 typedef struct tp_frame tp_frame;   /* lies at the start of the block */
 
-/* Both 0 if the config is out of range.  The scene's numbers may change afterwards, but
- * grid.cols, grid.rows and the names; of drops and rings beyond the counts that the scene
- * had at init some are left out, and a floor, wind or mirror that came later is not drawn; a
- * sky whose kind came later is the gradient, and an exposure that did is 1. */
+/* Both 0 if the config is out of range.  The scene's numbers may change while frames are
+ * drawn, but grid.cols, grid.rows and the names.  What needs memory has as much as at init:
+ * of more drops, rings and specks some are left out; a floor, wind, mirror, things under
+ * clear water, caustics, a wall of glass or walls in a pool that came later are not drawn,
+ * and caustic_cells stay; of later skies the gradient is drawn, a later exposure is 1, and
+ * pools that come to bend the light only go on as heights. */
 size_t tp_frame_bytes(const tp_scene *scene, const tp_assets *assets,
                       const tp_frame_config *config);
 size_t tp_frame_scratch_bytes(const tp_frame_config *config);

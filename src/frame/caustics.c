@@ -4,9 +4,9 @@
  * The surface is cut into as many cells as the map has.  The light of each falls through
  * its four corners, bent there [F4], on to the floor, and is dealt out from four places
  * between them to the map's cells around: sums of integers, so their order never matters
- * and no light is lost.  What falls beyond an edge is mirrored in it, as a wall would.  Places on
- * the map are those of the surface that still water would have lit them through: still
- * water gives 256 everywhere, to the bit. */
+ * and no light is lost.  What falls beyond an edge is mirrored in it, as a wall would.
+ * Places on the map are those of the surface that still water would have lit them through:
+ * still water gives 256 everywhere, to the bit. */
 #include "frame/frame.h"
 #include "base/base.h"
 #include "shade/beam.h"
@@ -32,13 +32,12 @@ static tp_rectangle place_of(const tp_frame *frame)
 {
     const tp_scene *scene = frame->scene;
     tp_fx size = scene->water.caustic_size;
+    int32_t cells = (int32_t)frame->parts.caustic_cells;
 
     if (scene->pool.cols > 0)
         return tp_pool_sides(scene);
-    tp_fx x = snapped(frame->lens.eye.x, frame->lens.turn.z.x, size,
-                      scene->water.caustic_cells);
-    tp_fx z = snapped(frame->lens.eye.z, frame->lens.turn.z.z, size,
-                      scene->water.caustic_cells);
+    tp_fx x = snapped(frame->lens.eye.x, frame->lens.turn.z.x, size, cells);
+    tp_fx z = snapped(frame->lens.eye.z, frame->lens.turn.z.z, size, cells);
     return (tp_rectangle){ x, tp_fx_held((int64_t)x + size), z,
                            tp_fx_held((int64_t)z + size) };
 }

@@ -168,8 +168,8 @@ struct tp_frame {
     tp_plan          sky, water, solids, land, drops, tank, side, spray;
 };
 
-/* carve.c: the block's layout, the frame itself first; with an arena that only counts, then
- * with the block.  Sizes are left in `ram`. */
+/* carve.c: the block's layout, the frame itself first; with an arena that only counts,
+ * then with the block.  Sizes are left in `ram`. */
 tp_frame *tp_frame_carve(tp_frame_parts *parts, tp_frame_ram *ram, tp_arena *arena,
                          const tp_scene *scene, const tp_assets *assets,
                          const tp_frame_config *config);
@@ -228,7 +228,6 @@ void tp_frame_draw_spray(const tp_frame *frame, const tp_samples *tile);
 
 /* plan.c: the stages that the scene needs, and their numbers. */
 void tp_frame_plan(tp_frame *frame);
-void tp_frame_plan_materials(tp_frame *frame);
 void tp_frame_make_gloss(tp_frame *frame);              /* frame.c */
 void tp_plan_add(tp_plan *plan, tp_stage stage);
 
@@ -243,8 +242,6 @@ void tp_frame_add_reflection(const tp_frame *frame, tp_plan *plan);
 void tp_frame_add_fresnel(const tp_frame *frame, tp_plan *plan);
 void tp_frame_add_air(const tp_frame *frame, tp_plan *plan);
 void tp_frame_add_exposure(const tp_frame *frame, tp_plan *plan);
-tp_layer tp_frame_layer(const tp_frame *frame, const tp_texture *texture,
-                        const tp_scene_map *map);
 
 /* plan_foam.c: after the light; slopes bent by ripples, glint that follows. */
 void tp_frame_plan_foam(tp_frame *frame);
@@ -255,6 +252,8 @@ tp_stage tp_frame_foam_stage(bool rippled, bool shiny);
 void tp_frame_plan_layers(tp_frame *frame);
 bool tp_plan_add_layers(const tp_frame *frame, tp_plan *water);
 bool tp_plan_add_bumps(const tp_frame *frame, tp_plan *water);      /* ripples, pools */
+tp_layer tp_frame_layer(const tp_frame *frame, const tp_texture *texture,
+                        const tp_scene_map *map);
 int32_t tp_frame_lod(const tp_frame *frame, tp_fx texels_per_metre, bool level_ground);
 
 /* bump.c: of scenes whose pools bend the light only */

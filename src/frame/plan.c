@@ -115,6 +115,26 @@ static void plan_shine(tp_shade *shade, const tp_scene *scene)
         tp_shade_shine(shade, scene->water.shininess, scene->water.specular);
 }
 
+static void plan_materials(tp_frame *frame)
+{
+    const tp_mesh *mesh = frame->assets.boat;
+    uint32_t count = tp_frame_materials(&frame->assets);
+
+    for (uint32_t i = 0; i < count; i++) {
+        const tp_material *m = &mesh->materials[i];
+        tp_fx texels = tp_fx_div(m->texels, frame->scene->boat.scale);
+        frame->parts.solid[i] = (tp_solid){
+            .diffuse = m->diffuse,
+            .specular = m->specular,
+            .lod = tp_frame_lod(frame, texels, false) + 96,  /* one texel: grain glitters */
+            .bump = tp_clamp(m->bump, -16 * TP_FX_ONE, 16 * TP_FX_ONE) >> 8,
+            .diffuse_map = m->diffuse_map,
+            .normal_map = m->normal_map,
+            .gloss = frame->parts.gloss + (size_t)i * TP_GLOSS,
+        };
+    }
+}
+
 void tp_frame_plan(tp_frame *frame)
 {
     const tp_scene *scene = frame->scene;
@@ -132,7 +152,7 @@ void tp_frame_plan(tp_frame *frame)
     if (frame->model != scene->light.model)
         tp_frame_make_gloss(frame);
     if (frame->assets.boat)
-        tp_frame_plan_materials(frame);
+        plan_materials(frame);
     shade->land = (tp_solid){ .diffuse = (uint32_t)scene->floor.colour,
                               .gloss = frame->drop_gloss };
     shade->drop = (tp_solid){ .diffuse = (uint32_t)scene->drops.colour,
@@ -140,24 +160,4 @@ void tp_frame_plan(tp_frame *frame)
     tp_frame_plan_foam(frame);
     choose_stages(frame);
     tp_frame_plan_depth(frame);
-}
-
-void tp_frame_plan_materials(tp_frame *frame)
-{
-    const tp_mesh *mesh = frame->assets.boat;
-    uint32_t count = mesh->n_materials < TP_MATERIALS ? mesh->n_materials : TP_MATERIALS;
-
-    for (uint32_t i = 0; i < count; i++) {
-        const tp_material *m = &mesh->materials[i];
-        tp_fx texels = tp_fx_div(m->texels, frame->scene->boat.scale);
-        frame->parts.solid[i] = (tp_solid){
-            .diffuse = m->diffuse,
-            .specular = m->specular,
-            .lod = tp_frame_lod(frame, texels, false) + 96,  /* one texel: grain glitters */
-            .bump = tp_clamp(m->bump, -16 * TP_FX_ONE, 16 * TP_FX_ONE) >> 8,
-            .diffuse_map = m->diffuse_map,
-            .normal_map = m->normal_map,
-            .gloss = frame->parts.gloss + (size_t)i * TP_GLOSS,
-        };
-    }
 }

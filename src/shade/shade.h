@@ -6,13 +6,16 @@
  * at multiples of 16 or 32: so a run's place in its tile never shows.  Stages hand values on
  * through the run's arrays; a stage that a scene does not use is not in the list.
  *
- * Water goes through its list in this order, as far as the scene needs it: layers
- * (colour), ripples (sx sz), view, light (colour nv up glint), behind (what is seen
- * through it), reflection (mirror), objects in it, Fresnel's mix of it, foam, glint, haze,
- * exposure.
+ * Water goes through its list in this order, as far as the scene needs it:
+ *     bend (ls lt), layers (colour), pool_bump and ripple (sx sz), view (vx vy vz lv),
+ *     light (colour nv up glint), behind (what is seen through it, into colour),
+ *     mirror; or in parts: slopes, reflect (mirror rx rz), mirrored (objects over it),
+ *     fresnel (mirror into colour); then foam, glint, haze, expose.
+ * Seen from below it is: pool_bump, ripple, view, below, expose.  All else has a stage of
+ * its own that does everything, then haze (in the water absorb) and expose.
  *
- * Unit vectors are Q1.14, slopes Q3.12, shares 0..256, colours 0x00RRGGBB; where a colour
- * comes with an alpha that is its light beyond white, as a cube's pictures store it [F8]. */
+ * Unit vectors are Q1.14, slopes Q3.12, shares 0..256, colours as colour.h has them; the
+ * mirror's alpha is light beyond white [F8]. */
 #ifndef TP_SHADE_H
 #define TP_SHADE_H
 #include "base/base.h"
@@ -42,7 +45,7 @@ typedef struct {
     int16_t  sx[TP_RUN], sz[TP_RUN];    /* slopes, once a ripple has bent them */
     int16_t  nv[TP_RUN];        /* normal . view, 0..1 */
     int16_t  up[TP_RUN];        /* y of the mirrored view, -1..1 */
-    uint16_t glint[TP_RUN];     /* specular, 256 is the light's full colour */
+    uint16_t glint[TP_RUN];     /* specular, 256 is the light's full colour, or more */
     union {                     /* once layers are laid, bent places are not needed */
         struct {
             int16_t  rx[TP_RUN], rz[TP_RUN];    /* of the mirrored view, with up */
