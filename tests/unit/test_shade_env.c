@@ -41,9 +41,9 @@ static ref_colour shown(ref_light light, const tp_shade *s)
     return (ref_colour){ { fmin(255, c.c[0]), fmin(255, c.c[1]), fmin(255, c.c[2]) } };
 }
 
-/* Every other run looks at the light.  Entries of gradients and glow are cut, two mixes
- * and the table's steps too; beyond white an alpha of 255 is 16 whites, so one of its
- * steps may be 16 levels. */
+/* Every other run looks at the light.  Entries of gradients and glow, two mixes and the
+ * tables' steps are a level each at the most; beyond white an alpha of 255 is 16 whites,
+ * so one of its steps may be 16 levels. */
 static void domes_follow_their_formulas(void **state)
 {
     (void)state;

@@ -109,7 +109,8 @@ static const struct {
 };
 enum { LEANINGS = sizeof leanings / sizeof leanings[0] };
 
-/* The formats' cuts are 1/511 at the worst; the share is cut to a 256th, its product. */
+/* The formats' cuts are 1/511 at the worst; the share is cut to a 256th, its
+ * product rounded. */
 static void red_leans_along_the_tangent_and_green_to_the_top(void **state)
 {
     (void)state;
