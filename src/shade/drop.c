@@ -7,12 +7,10 @@
  * cos = 1 - 7/8 (1 - c)^2 and s = 1 - 4/5 c + 3/10 c^2, within 0.05 of the true ones.  What
  * is mirrored at the first surface comes on top by Fresnel's share, and the light's
  * lobe. */
-#include "asset/mesh.h"
 #include "shade/env.h"
+#include "shade/normal.h"
 
-typedef struct {
-    int32_t x, y, z;            /* Q1.14 */
-} vec;
+typedef tp_vec_q14 vec;
 
 /* a x + b y. */
 static vec sum(vec x, int32_t a, vec y, int32_t b)
@@ -50,8 +48,8 @@ static uint32_t lit(const tp_shade *shade, vec n, vec v, int32_t lv)
 {
     const tp_solid *drop = &shade->drop;
     vec     light = { shade->world.lx, shade->world.ly, shade->world.lz };
-    int32_t c = tp_clamp((n.x * v.x + n.y * v.y + n.z * v.z) >> 14, 0, 16384);
-    int32_t nl = (n.x * light.x + n.y * light.y + n.z * light.z) >> 14;
+    int32_t c = tp_clamp(tp_vec_q14_dot(n, v), 0, 16384);
+    int32_t nl = tp_vec_q14_dot(n, light);
     int32_t rv = nl > 0 ? tp_clamp((2 * nl * c >> 14) - lv, 0, 16384) : 0;
     uint32_t gloss = drop->gloss[rv * (TP_GLOSS - 1) >> 14];
     uint32_t clear = tp_colour_times(around(shade, through(n, v, c)), drop->diffuse);
@@ -66,9 +64,7 @@ void tp_stage_drop(const tp_shade *shade, tp_run *run)
 {
     tp_view_run(shade, &shade->world, run);
     for (int32_t i = 0; i < run->count; i++) {
-        tp_packed_dir packed = run->n[i];
-        tp_dir3 n = tp_normalise(tp_dir_x(packed), tp_dir_y(packed), tp_dir_z(packed));
-        run->colour[i] = lit(shade, (vec){ n.x >> 16, n.y >> 16, n.z >> 16 },
+        run->colour[i] = lit(shade, tp_vec_q14_packed(run->n[i]),
                              (vec){ run->vx[i], run->vy[i], run->vz[i] }, run->lv[i]);
     }
 }

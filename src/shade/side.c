@@ -6,7 +6,7 @@
 #include "shade/beam.h"
 #include "shade/coat.h"
 #include "shade/env.h"
-#include "asset/mesh.h"
+#include "shade/normal.h"
 
 /* Out of wall `face`: +x, -x, +z, -z. */
 static tp_ray normal_of(uint32_t face)
@@ -50,9 +50,9 @@ void tp_shade_glaze(const tp_shade *shade, tp_run *run, int32_t i, int32_t stop,
 
 static uint32_t lit(const tp_shade *shade, uint32_t colour, tp_packed_dir packed)
 {
-    tp_dir3 n = tp_normalise(tp_dir_x(packed), tp_dir_y(packed), tp_dir_z(packed));
-    int32_t nl = ((n.x >> 16) * shade->world.lx + (n.y >> 16) * shade->world.ly
-                  + (n.z >> 16) * shade->world.lz) >> 14;
+    const tp_view_axes *world = &shade->world;
+    int32_t nl = tp_vec_q14_dot(tp_vec_q14_packed(packed),
+                                (tp_vec_q14){ world->lx, world->ly, world->lz });
     return tp_colour_scale(colour, (uint32_t)tp_lit_share(shade->ambient,
                                                           tp_clamp(nl, 0, 16384)));
 }

@@ -5,13 +5,11 @@
  * A normal map's texel bends N along the face's tangent T and along B = +-N x T, which
  * is square to both though T need not be to N ([F6], Gram-Schmidt left to the eye: the
  * meshes' normals are within a few degrees of their faces'). */
-#include "asset/mesh.h"
 #include "shade/env.h"
 #include "shade/lobe.h"
+#include "shade/normal.h"
 
-typedef struct {
-    int32_t x, y, z;            /* Q1.14, or any format where said */
-} vec;
+typedef tp_vec_q14 vec;
 
 static vec unpacked(tp_packed_dir n)
 {
@@ -22,17 +20,6 @@ static vec cross(vec a, vec b)
 {
     return (vec){ (a.y * b.z - a.z * b.y) >> 14, (a.z * b.x - a.x * b.z) >> 14,
                   (a.x * b.y - a.y * b.x) >> 14 };
-}
-
-static int32_t dot(vec a, vec b)
-{
-    return (a.x * b.x + a.y * b.y + a.z * b.z) >> 14;
-}
-
-static vec unit(vec v)
-{
-    tp_dir3 d = tp_normalise(v.x, v.y, v.z);
-    return (vec){ d.x >> 16, d.y >> 16, d.z >> 16 };
 }
 
 /* A texel at a place in 0.16 repeats, s high and t low. */
@@ -73,8 +60,8 @@ TP_ALWAYS_INLINE uint32_t phong(const tp_shade *shade, const tp_view_axes *axes,
                                 int32_t lv, int blinn)
 {
     vec     light = { axes->lx, axes->ly, axes->lz };
-    int32_t nl = tp_clamp(dot(n, light), 0, 16384);
-    int32_t rv = tp_clamp(tp_lobe_at(nl, dot(n, v), lv, blinn), 0, 16384);
+    int32_t nl = tp_clamp(tp_vec_q14_dot(n, light), 0, 16384);
+    int32_t rv = tp_clamp(tp_lobe_at(nl, tp_vec_q14_dot(n, v), lv, blinn), 0, 16384);
     uint32_t bright = (uint32_t)tp_lit_share(shade->ambient, nl);
     uint32_t gloss = nl > 0 ? gloss_of(solid, rv) : 0;
     uint32_t shine = tp_colour_times(solid->specular, shade->light_colour);
@@ -100,7 +87,7 @@ TP_ALWAYS_INLINE void solid_run(const tp_shade *shade, tp_run *run, int blinn)
             int level = tp_level_of(solid->lod, depth, false, normals->levels);
             n = bent(n, solid, level, st, shade->boat->faces[run->t[i]].tangent);
         }
-        n = unit(n);
+        n = tp_vec_q14_unit(n.x, n.y, n.z);
         run->colour[i] = phong(shade, &shade->mesh, solid, diffuse, n,
                                (vec){ run->vx[i], run->vy[i], run->vz[i] }, run->lv[i],
                                blinn);
@@ -124,7 +111,7 @@ void tp_stage_land(const tp_shade *shade, tp_run *run)
     tp_view_run(shade, &shade->world, run);
     for (int32_t i = 0; i < run->count; i++)
         run->colour[i] = phong(shade, &shade->world, land, land->diffuse,
-                               unit(unpacked(run->n[i])),
+                               tp_vec_q14_packed(run->n[i]),
                                (vec){ run->vx[i], run->vy[i], run->vz[i] }, run->lv[i],
                                0);
 }
