@@ -54,8 +54,7 @@ static spheroid number(const tp_frame *frame, uint32_t i)
     const tp_drop *drop = tp_drops_list(drops) + (sphere ? 0 : i);
     tp_vec3 a = sphere ? drops->last_sphere : drop->last;
     tp_vec3 b = sphere ? drops->sphere : drop->place;
-    tp_vec3 at = { tp_between(a.x, b.x, back), tp_between(a.y, b.y, back),
-                   tp_between(a.z, b.z, back) };
+    tp_vec3 at = tp_place_between(a, b, back);
 
     return sphere ? (spheroid){ at, drops->sphere_radius, drops->sphere_radius }
                   : shaped(at, drop->radius, drop->squash);

@@ -254,6 +254,7 @@ bool tp_plan_add_layers(const tp_frame *frame, tp_plan *water);
 bool tp_plan_add_bumps(const tp_frame *frame, tp_plan *water);      /* ripples, pools */
 tp_layer tp_frame_layer(const tp_frame *frame, const tp_texture *texture,
                         const tp_scene_map *map);
+uint32_t tp_frame_repeats(tp_fx size);          /* a metre, Q0.32 over Q16.16 */
 int32_t tp_frame_lod(const tp_frame *frame, tp_fx texels_per_metre, bool level_ground);
 
 /* bump.c: of scenes whose pools bend the light only */

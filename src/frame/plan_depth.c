@@ -18,10 +18,8 @@ static tp_coat coat_of(const tp_frame *frame, const tp_texture *texture, tp_fx s
     if (!texture)
         return coat;
     tp_fx texels = tp_fx_div(TP_FX_ONE << texture->log2_w, size);
-    coat.per_metre = (uint32_t)((((uint64_t)1 << 32) + (uint32_t)size / 2)
-                                / (uint32_t)size);
-    coat.lod = tp_log2_q8((uint32_t)(texels > 0 ? texels : 1))
-             - tp_log2_q8((uint32_t)frame->lens.focal);
+    coat.per_metre = tp_frame_repeats(size);
+    coat.lod = tp_frame_lod(frame, texels, false);
     tp_fx height = tp_abs(tp_clamp(frame->lens.eye.y, -TP_FX_MAX, TP_FX_MAX));
     if (ground)
         coat.lod -= (tp_log2_q8((uint32_t)height + TP_FX_ONE) - 16 * 256) / 2;

@@ -23,6 +23,11 @@ int32_t tp_frame_lod(const tp_frame *frame, tp_fx texels_per_metre, bool level_g
     return level_ground ? lod - (tp_log2_q8((uint32_t)height) - 16 * 256) / 2 : lod;
 }
 
+uint32_t tp_frame_repeats(tp_fx size)
+{
+    return (uint32_t)((((uint64_t)1 << 32) + (uint32_t)size / 2) / (uint32_t)size);
+}
+
 /* Of a picture's longer side: of 4096 on 0.1 m they are more than 16.16 holds. */
 static tp_fx texels_a_metre(const tp_texture *texture, tp_fx size)
 {
@@ -37,8 +42,7 @@ tp_layer tp_frame_layer(const tp_frame *frame, const tp_texture *texture,
 
     if (!texture)
         return layer;
-    layer.per_metre = (uint32_t)((((uint64_t)1 << 32) + (uint32_t)map->size / 2)
-                                 / (uint32_t)map->size);
+    layer.per_metre = tp_frame_repeats(map->size);
     layer.drift_s = 0u - drifted(map->drift_x, time) * layer.per_metre;
     layer.drift_t = 0u - drifted(map->drift_z, time) * layer.per_metre;
     layer.lod = tp_frame_lod(frame, texels_a_metre(texture, map->size), true);

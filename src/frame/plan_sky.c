@@ -2,12 +2,7 @@
 /* The sky's and the camera's part of a plan: tables of a scene that has more than the
  * plain gradient, and which stages look into them. */
 #include "frame/frame.h"
-
-static bool generated(const tp_scene *scene)
-{
-    return scene->sky.kind == TP_SKY_DAY || scene->sky.kind == TP_SKY_DUSK
-        || scene->sky.kind == TP_SKY_NIGHT;
-}
+#include "scene/light.h"
 
 static bool has_cube(const tp_scene *scene, const tp_assets *assets)
 {
@@ -30,7 +25,7 @@ tp_frame_sky tp_frame_carve_sky(tp_arena *arena, const tp_scene *scene,
     tp_frame_sky sky = { NULL, NULL, NULL, NULL };
     bool cube = has_cube(scene, assets);
 
-    if (generated(scene))
+    if (tp_has_dome(scene))
         sky.dome = tp_arena_take(arena, 1, sizeof *sky.dome);
     if (cube)
         sky.cube = tp_arena_take(arena, 1, sizeof *sky.cube);
@@ -56,12 +51,7 @@ void tp_frame_init_sky(tp_frame *frame)
 static void plan_dome(tp_frame *frame)
 {
     const tp_scene *scene = frame->scene;
-    tp_dome_config config = {
-        .kind = scene->sky.kind == TP_SKY_DUSK    ? TP_DOME_DUSK
-              : scene->sky.kind == TP_SKY_NIGHT ? TP_DOME_NIGHT : TP_DOME_DAY,
-        .horizon = (uint32_t)scene->sky.horizon, .zenith = (uint32_t)scene->sky.zenith,
-        .light = (uint32_t)scene->light.colour, .sun = scene->sky.sun,
-    };
+    const tp_dome_config config = tp_dome_of(scene);
 
     tp_dome_init(frame->parts.heaven.dome, &config);
     if (scene->water.specular > 0)      /* the disc's image is the glitter */
@@ -114,7 +104,7 @@ void tp_frame_plan_sky(tp_frame *frame)
     tp_shade_sky(shade, (uint32_t)scene->sky.horizon, (uint32_t)scene->sky.zenith);
     shade->env = (tp_env){ .recip = frame->parts.heaven.recip,
                            .beyond = (uint32_t)scene->hdr.share * TP_WHITES >> 8 };
-    if (generated(scene) && frame->parts.heaven.dome)
+    if (tp_has_dome(scene) && frame->parts.heaven.dome)
         plan_dome(frame);
     else if (scene->sky.kind == TP_SKY_CUBE && frame->parts.heaven.cube)
         plan_cube(frame);

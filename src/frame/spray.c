@@ -11,9 +11,7 @@
  * depth [F4]. */
 static tp_vec3 place_of(const tp_speck *s, tp_fx back, bool through)
 {
-    tp_vec3 at = { tp_between(s->last.x, s->place.x, back),
-                   tp_between(s->last.y, s->place.y, back),
-                   tp_between(s->last.z, s->place.z, back) };
+    tp_vec3 at = tp_place_between(s->last, s->place, back);
 
     if (through && at.y < 0)
         at.y -= at.y / 4;

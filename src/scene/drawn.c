@@ -3,12 +3,6 @@
  * where it is on the deck, so that it heaves, turns, pitches and rolls as the boat does. */
 #include "scene/drawn.h"
 
-static tp_vec3 place_between(tp_vec3 a, tp_vec3 b, tp_fx back)
-{
-    return (tp_vec3){ tp_between(a.x, b.x, back), tp_between(a.y, b.y, back),
-                      tp_between(a.z, b.z, back) };
-}
-
 /* The shorter way round. */
 static tp_turn turn_between(tp_turn a, tp_turn b, tp_fx back)
 {
@@ -18,7 +12,7 @@ static tp_turn turn_between(tp_turn a, tp_turn b, tp_fx back)
 static tp_pose boat_between(const tp_pose *a, const tp_pose *b, tp_fx back)
 {
     return (tp_pose){
-        place_between(a->place, b->place, back),
+        tp_place_between(a->place, b->place, back),
         turn_between(a->heading, b->heading, back),
         turn_between(a->pitch, b->pitch, back),
         turn_between(a->roll, b->roll, back),
@@ -45,7 +39,7 @@ tp_camera tp_camera_between(const tp_world *world, tp_fx back)
 {
     const tp_turn heading = turn_between(world->last_heading, world->heading, back);
     const tp_turn pitch = turn_between(world->last_pitch, world->pitch, back);
-    const tp_camera camera = { place_between(world->last_eye, world->eye, back),
+    const tp_camera camera = { tp_place_between(world->last_eye, world->eye, back),
                                tp_rotation_of(heading, pitch, 0) };
 
     if (!world->aboard)

@@ -24,4 +24,10 @@ static inline tp_fx tp_between(tp_fx a, tp_fx b, tp_fx back)
 {
     return b + (tp_fx)(((int64_t)a - b) * back >> 16);
 }
+
+static inline tp_vec3 tp_place_between(tp_vec3 a, tp_vec3 b, tp_fx back)
+{
+    return (tp_vec3){ tp_between(a.x, b.x, back), tp_between(a.y, b.y, back),
+                      tp_between(a.z, b.z, back) };
+}
 #endif

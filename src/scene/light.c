@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The sun or moon as input and time move it, and the camera's exposure. */
+/* The sun or moon as input and time move it, the sky around it, and the camera's
+ * exposure. */
 #include "scene/light.h"
 #include "base/base.h"
 
@@ -17,6 +18,22 @@ tp_dir3 tp_light_direction(tp_turn heading, tp_turn elevation)
 
     return (tp_dir3){ tp_q30_mul(level, tp_sin(heading)), tp_sin(elevation),
                       -tp_q30_mul(level, tp_cos(heading)) };
+}
+
+bool tp_has_dome(const tp_scene *scene)
+{
+    return scene->sky.kind == TP_SKY_DAY || scene->sky.kind == TP_SKY_DUSK
+        || scene->sky.kind == TP_SKY_NIGHT;
+}
+
+tp_dome_config tp_dome_of(const tp_scene *scene)
+{
+    return (tp_dome_config){
+        .kind = scene->sky.kind == TP_SKY_DUSK    ? TP_DOME_DUSK
+              : scene->sky.kind == TP_SKY_NIGHT ? TP_DOME_NIGHT : TP_DOME_DAY,
+        .horizon = (uint32_t)scene->sky.horizon, .zenith = (uint32_t)scene->sky.zenith,
+        .light = (uint32_t)scene->light.colour, .sun = scene->sky.sun,
+    };
 }
 
 static void keep_last(tp_world *world)

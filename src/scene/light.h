@@ -3,9 +3,14 @@
 #ifndef TP_SCENE_LIGHT_H
 #define TP_SCENE_LIGHT_H
 #include "scene/parts.h"
+#include "shade/skies.h"
 
 /* From the world to the light. */
 tp_dir3 tp_light_direction(tp_turn heading, tp_turn elevation);
+
+/* Whether the scene's sky is a dome, and what of: of other skies a day's. */
+bool tp_has_dome(const tp_scene *scene);
+tp_dome_config tp_dome_of(const tp_scene *scene);
 
 void tp_light_init(tp_world *world, const tp_scene *scene);
 void tp_light_refresh(tp_world *world, const tp_scene *scene);

@@ -56,14 +56,8 @@ static uint16_t grey_of(uint32_t light, uint32_t beyond)
 /* The plain gradient is a day's without sun. */
 static void fill_dome(probe *p, const tp_scene *scene, uint32_t beyond)
 {
-    const int32_t kind = scene->sky.kind;
-    const bool dome = kind == TP_SKY_DAY || kind == TP_SKY_DUSK || kind == TP_SKY_NIGHT;
-    tp_dome_config config = {
-        .kind = kind == TP_SKY_DUSK    ? TP_DOME_DUSK
-              : kind == TP_SKY_NIGHT ? TP_DOME_NIGHT : TP_DOME_DAY,
-        .horizon = (uint32_t)scene->sky.horizon, .zenith = (uint32_t)scene->sky.zenith,
-        .light = (uint32_t)scene->light.colour, .sun = scene->sky.sun,
-    };
+    const bool dome = tp_has_dome(scene);
+    const tp_dome_config config = tp_dome_of(scene);
 
     for (int32_t i = 0; i <= BANDS; i++) {
         int32_t sine = i * TP_SKY / BANDS;
