@@ -104,7 +104,7 @@ void tp_frame_draw_around(tp_frame *frame)
     bool seen = false;
 
     frame->shade.around.colour = NULL;
-    if (frame->under || frame->lens.eye.y <= level)
+    if (!tp_sight_above(frame, level))
         return;
     const tp_vec3 point = set_around(frame, level);
     for (uint32_t f = 0; f < TP_AROUND_FACES; f++) {

@@ -35,14 +35,20 @@ static bool begin(const tp_half_store *store, const tp_grid_box *box, tp_half *h
     return false;
 }
 
-static tp_samples band_of(const tp_half_store *store, const tp_half *half, int32_t y0)
+/* Rows from y0 on, with what is solid in them. */
+static tp_samples drawn_band(const tp_frame *frame, const tp_sight *sight,
+                             const tp_half_store *store, const tp_half *half, int32_t y0)
 {
     size_t plane = (size_t)store->cols * TP_HALF_BAND;
     int32_t y1 = y0 + TP_HALF_BAND < half->y1 ? y0 + TP_HALF_BAND : half->y1;
 
-    return (tp_samples){ half->x0, y0, half->x1, y1, store->cols, store->samples,
-                         store->samples + plane, store->samples + 2 * plane,
-                         store->samples + 3 * plane, false };
+    tp_samples band = { half->x0, y0, half->x1, y1, store->cols, store->samples,
+                        store->samples + plane, store->samples + 2 * plane,
+                        store->samples + 3 * plane, false };
+
+    tp_samples_clear(&band);
+    tp_sight_draw(frame, sight, &band);
+    return band;
 }
 
 /* The columns' depths, as far as row y of a band tells. */
@@ -109,9 +115,7 @@ static void draw_mirror(tp_frame *frame, const tp_sight *sight, tp_half *half)
 
     memset(store->zi, 0, wide * sizeof *store->zi);
     for (int32_t y0 = half->y0; y0 < half->y1; y0 += TP_HALF_BAND) {
-        tp_samples band = band_of(store, half, y0);
-        tp_samples_clear(&band);
-        tp_sight_draw(frame, sight, &band);
+        tp_samples band = drawn_band(frame, sight, store, half, y0);
         for (int32_t y = y0; y < band.y1; y++) {
             tp_frame_colour_row(frame, &band, y,
                                 store->colour + (uint32_t)(half->y1 - 1 - y) * wide);
@@ -128,7 +132,7 @@ void tp_frame_draw_mirrored(tp_frame *frame)
     tp_half *half = &frame->shade.mirrored;
 
     half->colour = NULL;
-    if (frame->under || frame->lens.eye.y <= level)
+    if (!tp_sight_above(frame, level))
         return;
     tp_lens  lens = mirror_lens(frame, level);
     tp_sight sight = { .lens = &lens, .cut = true, .walls = true,
@@ -203,9 +207,7 @@ static void draw_below(tp_frame *frame, const tp_sight *sight, const tp_lens *le
     uint32_t wide = (uint32_t)(half->x1 - half->x0);
 
     for (int32_t y0 = half->y0; y0 < half->y1; y0 += TP_HALF_BAND) {
-        tp_samples band = band_of(store, half, y0);
-        tp_samples_clear(&band);
-        tp_sight_draw(frame, sight, &band);
+        tp_samples band = drawn_band(frame, sight, store, half, y0);
         for (int32_t y = y0; y < band.y1; y++) {
             uint32_t *to = store->colour + (uint32_t)(y - half->y0) * wide;
             tp_frame_colour_row(frame, &band, y, to);
@@ -220,7 +222,7 @@ void tp_frame_draw_sunken(tp_frame *frame)
     tp_half *half = &frame->shade.sunken;
 
     half->colour = NULL;
-    if (frame->under || frame->lens.eye.y <= level)
+    if (!tp_sight_above(frame, level))
         return;
     const tp_lens lens = tp_lens_halved(&frame->lens);
     const tp_lens bent = sunken_lens(&lens, level);

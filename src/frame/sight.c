@@ -7,6 +7,11 @@ tp_fx tp_sight_level(const tp_frame *frame)
     return frame->assets.boat ? frame->drawn.boat.place.y - frame->scene->boat.lift : 0;
 }
 
+bool tp_sight_above(const tp_frame *frame, tp_fx level)
+{
+    return !frame->under && frame->lens.eye.y > level;
+}
+
 static bool has_walls(const tp_frame *frame)
 {
     return frame->blocks > 0 || tp_has_tank(frame->scene);

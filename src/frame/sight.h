@@ -53,6 +53,9 @@ tp_fx tp_sight_level(const tp_frame *frame);
 
 /* What shading knows of a lens; the light stays the world's. */
 void tp_sight_look(tp_frame *frame, const tp_lens *lens);
+/* Whether the camera looks down on still water of that level, which then mirrors. */
+bool tp_sight_above(const tp_frame *frame, tp_fx level);
+
 void tp_sight_begin(tp_frame *frame, const tp_sight *sight);
 
 /* The one list of what is solid in every sight, and the box of it all. */

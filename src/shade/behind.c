@@ -9,6 +9,7 @@
  * With dispersion each channel has an index of its own and goes its own way. */
 #include "shade/beam.h"
 #include "geom/geom.h"
+#include "shade/half.h"
 #include "shade/slope.h"
 
 #define PIECE 16
@@ -45,9 +46,7 @@ static uint32_t with_sunken(const tp_shade *shade, const tp_run *run, int32_t i,
     int32_t  v = (int32_t)tp_limit((along * focal >> 4) * each >> (64 - shift), 64);
     int32_t  x = (run->x + i) / 2 - u, y = run->y / 2 + v;
 
-    if (x < half->x0 || x >= half->x1 || y < half->y0 || y >= half->y1)
-        return colour;
-    uint32_t over = half->colour[(y - half->y0) * (half->x1 - half->x0) + x - half->x0];
+    uint32_t over = tp_half_pixel(half, x, y);
     uint32_t share = (over >> 24) + (over >> 31);
     return tp_colour_mix(colour, over, share);
 }
