@@ -2,11 +2,15 @@
 /* Light at the water's surface: how much is reflected, where rays go, and the exposure
  * that a camera settles at, [F1]-[F4] and [F8] of the models.
  *
- * From air into water of index 1.333, never back: there is no total reflection.  Units
+ * From air into water, never back: there is no total reflection.  Units
  * are those of tp_dir3: unit vectors and shares in Q2.30. */
 #ifndef TP_LIGHT_H
 #define TP_LIGHT_H
 #include "tidepool/fx.h"
+
+/* Water's refractive index and its inverse, for TP_FX() and TP_Q30(). */
+#define TP_WATER_INDEX 1.333
+#define TP_WATER_ETA   0.750187547
 
 /* The share that is reflected, mean of both polarisations, of light that meets the
  * surface at an angle of this cosine to its normal; held to 0..1.  [F1] within 2^-28. */

@@ -7,6 +7,7 @@
  * when it looks up as far as the camera looks down, upside down [F4]; the sunken one has
  * heights below the level by 3 / 4, so deep does flat water show them. */
 #include "frame/frame.h"
+#include "tidepool/light.h"
 
 void tp_frame_carve_half(tp_half_store *store, tp_arena *arena, uint32_t width,
                          uint32_t height)
@@ -149,7 +150,7 @@ void tp_frame_draw_mirrored(tp_frame *frame)
 
 /* -- sunken ------------------------------------------------------------------------- */
 
-#define ETA TP_Q30(0.750187547) /* 1 / 1.333 */
+#define ETA TP_Q30(TP_WATER_ETA)
 
 /* Heights over the level times ETA, in the rows: (S p - eye).r = (p - S^-1 eye).(S r). */
 static tp_lens sunken_lens(const tp_lens *lens, tp_fx level)
@@ -172,7 +173,7 @@ static tp_fx way_of(const tp_frame *frame, int32_t x, int32_t y)
     int64_t s2 = (1 << 28) - (int64_t)ray.y * ray.y;            /* Q28 */
     int64_t c2 = (1 << 28) - ((s2 * (ETA >> 15) >> 15) * (ETA >> 15) >> 15);
     tp_fx   c = (tp_fx)(tp_isqrt64((uint64_t)c2 << 4));         /* Q16 */
-    return tp_fx_div(TP_FX(1.333), c);
+    return tp_fx_div(TP_FX(TP_WATER_INDEX), c);
 }
 
 /* Water takes its share of each colour, by how deep under the level the sample lies. */

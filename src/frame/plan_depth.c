@@ -3,6 +3,7 @@
  * and the stages that look into it. */
 #include "frame/frame.h"
 #include "shade/beam.h"
+#include "tidepool/light.h"
 
 #define CLEAR_BELOW (4 * TP_FX_ONE)     /* m: of opaque water to those who are in it */
 
@@ -26,12 +27,12 @@ static tp_coat coat_of(const tp_frame *frame, const tp_texture *texture, tp_fx s
     return coat;
 }
 
-/* The index of each colour: 1.333 and half of the spread to both sides, held where the
+/* The index of each colour: water's and half of the spread to both sides, held where the
  * table of roots is good. */
 static void set_indices(tp_inside *in, tp_fx spread)
 {
     for (int k = 0; k < 3; k++) {
-        tp_fx index = TP_FX(1.333) + (k - 1) * (spread / 2);
+        tp_fx index = TP_FX(TP_WATER_INDEX) + (k - 1) * (spread / 2);
         index = index > TP_FX(1.15) ? index : TP_FX(1.15);
         int64_t eta = ((int64_t)1 << 36) / index;           /* Q20 */
         in->eta[k] = (int32_t)((eta + 32) >> 6);

@@ -6,8 +6,8 @@
  * N.T = -ct <= -0.66 whatever the sign of ci: always a unit vector into the water. */
 #include "tidepool/light.h"
 
-#define INDEX    TP_Q30(1.333)
-#define ETA      TP_Q30(0.750187547)        /* 1 / 1.333 */
+#define INDEX    TP_Q30(TP_WATER_INDEX)
+#define ETA      TP_Q30(TP_WATER_ETA)
 #define ETA2     TP_Q30(0.562781355)
 #define R0       TP_Q30(0.020373188)        /* (0.333 / 2.333)^2 */
 #define Q60_ONE  ((int64_t)TP_Q30_ONE * TP_Q30_ONE)
