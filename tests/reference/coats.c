@@ -98,13 +98,14 @@ static ref_colour boat_colour(const ref_scene *s, const ref_solid *solid, ref_ve
                ref_clamp(floor(m->shininess / 65536.0), 1, 1000) };
     ref_vec n = a.n;
 
+    const double lod = ref_lod(s, texels, ref_far(s, solid->at), 0) + 96 / 256.0;
     if (m->diffuse_map) {
-        const int l = ref_level(s, m->diffuse_map, texels, 96 / 256.0, solid->at, false);
+        const int l = ref_level(s, m->diffuse_map, lod);
         c.diffuse = ref_times(ref_colour_of(ref_nearest(m->diffuse_map, l, a.s, a.t)),
                               c.diffuse);
     }
     if (m->normal_map) {
-        const int l = ref_level(s, m->normal_map, texels, 96 / 256.0, solid->at, false);
+        const int l = ref_level(s, m->normal_map, lod);
         n = bent(n, ref_nearest(m->normal_map, l, a.s, a.t),
                  ref_clamp(m->bump / 65536.0, -16, 16), face->tangent);
     }
@@ -147,16 +148,19 @@ static ref_colour drop_colour(const ref_scene *s, ref_vec n, ref_vec way)
 
 /* -- the rest ------------------------------------------------------------------------ */
 
-/* A picture laid over a plane in world metres. */
+/* A picture laid over a plane in world metres, `far` metres away.  Of the ground the
+ * slant counts, from a metre more than the eye's height. */
 static ref_colour laid(const ref_scene *s, const tp_texture *t, int32_t colour,
-                       tp_fx size, double u, double v, ref_vec at)
+                       tp_fx size, double u, double v, double far, bool ground)
 {
     const double side = size / 65536.0;
     const ref_colour plain = ref_colour_of((uint32_t)colour);
 
     if (!t)
         return plain;
-    const int l = ref_level(s, t, (1 << t->log2_w) / side, 0, at, false);
+    const int l = ref_level(s, t, ref_lod(s, (1 << t->log2_w) / side,
+                                          ref_rough_log2(fmax(far, 1.0 / 65536)),
+                                          ground ? fabs(s->camera.eye.y) + 1 : 0));
     return ref_times(ref_linear(t, l, u / side, v / side), plain);
 }
 
@@ -167,12 +171,13 @@ static ref_colour ground_colour(const ref_scene *s, const ref_solid *solid)
 
     if (solid->kind == REF_LAND)
         return laid(s, s->assets->floor_texture, scene->floor.colour,
-                    scene->floor.texture_size, p.x, p.z, p);
+                    scene->floor.texture_size, p.x, p.z, solid->far, true);
     if (solid->kind == REF_BED)
         return laid(s, s->assets->tank_floor, scene->tank.floor_colour, scene->tank.tile,
-                    p.x, p.z, p);
+                    p.x, p.z, solid->far, true);
     return laid(s, s->assets->tank_wall, scene->tank.wall_colour, scene->tank.tile,
-                fabs(n.x) > 0.5 ? p.z : p.x, fabs(n.y) > 0.5 ? p.z : -p.y, p);
+                fabs(n.x) > 0.5 ? p.z : p.x, fabs(n.y) > 0.5 ? p.z : -p.y,
+                solid->far, false);
 }
 
 ref_colour ref_solid_colour(const ref_scene *s, const ref_solid *solid, ref_vec way,

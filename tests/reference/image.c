@@ -35,6 +35,7 @@ static void draw_pixel(work *w, uint32_t x, uint32_t y)
     }
     w->image->colour[(size_t)y * w->image->width + x] = ref_scale(sum, 1 / side / side);
     w->image->kind[(size_t)y * w->image->width + x] = (uint8_t)seen.kind;
+    w->image->in_mirror[(size_t)y * w->image->width + x] = (uint8_t)seen.in_mirror;
     w->image->near[(size_t)y * w->image->width + x] = seen.near;
 }
 
@@ -73,11 +74,12 @@ void ref_image_draw(ref_image *image, const ref_scene *s, uint32_t width, uint32
     pthread_t thread[THREADS];
     uint32_t helpers = 0;
 
-    *image = (ref_image){ width, height, NULL, NULL, NULL };
+    *image = (ref_image){ .width = width, .height = height };
     image->colour = malloc((size_t)width * height * sizeof *image->colour);
     image->kind = malloc((size_t)width * height);
+    image->in_mirror = malloc((size_t)width * height);
     image->near = malloc((size_t)width * height * sizeof *image->near);
-    if (!image->colour || !image->kind || !image->near)
+    if (!image->colour || !image->kind || !image->in_mirror || !image->near)
         abort();
     while (helpers + 1 < threads && helpers < THREADS
            && pthread_create(&thread[helpers], NULL, draw_rows, &w) == 0)
@@ -93,6 +95,7 @@ void ref_image_free(ref_image *image)
 {
     free(image->colour);
     free(image->kind);
+    free(image->in_mirror);
     free(image->near);
 }
 

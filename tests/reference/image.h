@@ -8,6 +8,7 @@ typedef struct {
     uint32_t    width, height;
     ref_colour *colour;         /* of each pixel, the mean of its samples */
     uint8_t    *kind;           /* of its last sample: ref_kind, */
+    uint8_t    *in_mirror;      /* that of an object in the water's mirror, */
     double     *near;           /* and 1 / m of depth, 0 where there is none */
 } ref_image;
 

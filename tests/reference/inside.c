@@ -14,6 +14,11 @@ static ref_colour own(const ref_scene *s)
     return ref_colour_of((uint32_t)s->scene->water.deep);
 }
 
+static double depth_of(const ref_scene *s, ref_vec at)
+{
+    return ref_dot(ref_sub(at, s->camera.eye), s->camera.ahead);
+}
+
 /* What is left of a colour after `way` m. */
 static ref_colour through(const ref_scene *s, ref_colour seen, ref_colour body,
                           double way)
@@ -30,7 +35,7 @@ static ref_colour from_below(const ref_scene *s, const ref_ray *ray,
     const ref_vec up = ref_water_normal(s, &m->water);
     const ref_vec n = ref_times_vec(up, ref_dot(up, ray->way) > 0 ? -1 : 1);
     const double share = ref_fresnel_into(-ref_dot(ray->way, n), 1 / wet->index);
-    const ref_wet less = { wet->index, wet->body, wet->bounces - 1 };
+    const ref_wet less = { wet->index, wet->body, wet->bounces - 1, wet->far + m->t };
     ref_ray on = { m->water.at, ref_reflected(ray->way, n) };
     ref_colour back = wet->body;
     ref_vec at;
@@ -53,12 +58,13 @@ ref_colour ref_inside(const ref_scene *s, const ref_ray *ray, const ref_wet *wet
         return through(s, from_below(s, ray, &m, wet), wet->body, m.t);
     if (solid.kind == REF_SKY)
         return wet->body;
+    solid.far = wet->far + solid.t;
     return through(s, ref_solid_colour(s, &solid, ray->way, true), wet->body, solid.t);
 }
 
 ref_colour ref_under(const ref_scene *s, const ref_ray *ray, int bounces)
 {
-    const ref_wet wet = { REF_INDEX, own(s), bounces };
+    const ref_wet wet = { REF_INDEX, own(s), bounces, depth_of(s, ray->from) };
     return ref_inside(s, ray, &wet);
 }
 
@@ -71,7 +77,7 @@ ref_colour ref_behind(const ref_scene *s, ref_vec at, ref_vec normal, ref_vec wa
 
     for (int k = 0; k < 3; k++) {
         const ref_wet wet = { fmax(1.15, REF_INDEX + spread * (k - 1) / 2),
-                              ref_mix(own(s), lit, 0.25), 1 };
+                              ref_mix(own(s), lit, 0.25), 1, depth_of(s, at) };
         ref_ray ray = { at, way };
         ref_refracted(way, normal, wet.index, &ray.way);
         const ref_colour c = ref_inside(s, &ray, &wet);

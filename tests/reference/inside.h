@@ -11,6 +11,7 @@ typedef struct {
     double     index;
     ref_colour body;            /* what the water itself sends */
     int        bounces;         /* of reflections from below so many are followed */
+    double     far;             /* m of depth where the ray begins */
 } ref_wet;
 
 ref_colour ref_inside(const ref_scene *s, const ref_ray *ray, const ref_wet *wet);

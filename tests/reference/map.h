@@ -16,25 +16,36 @@ static inline double ref_rough_log2(double x)
     return e - 1 + (2 * m - 1);
 }
 
-/* `texels` a metre, `at` the place; `level` ground is seen at a slant. */
-static inline int ref_level(const ref_scene *s, const tp_texture *t, double texels,
-                            double coarser, ref_vec at, bool level)
+/* The level for `texels` a metre, 2^far metres away, as a number that is not whole.
+ * Ground, `over` metres below the eye, is seen at a slant; over 0: it is upright. */
+static inline double ref_lod(const ref_scene *s, double texels, double far, double over)
+{
+    const double lod = ref_rough_log2(fmax(texels, 1.0 / 65536))
+                     - ref_rough_log2(s->camera.focal) + far;
+    return over > 0 ? lod + (fmax(0, far) - ref_rough_log2(over)) / 2 : lod;
+}
+
+/* log2 of the depth, as the samples' 1 / z give it. */
+static inline double ref_far(const ref_scene *s, ref_vec at)
 {
     const ref_camera *c = &s->camera;
     const double z = fmax(c->near, ref_dot(ref_sub(at, c->eye), c->ahead));
     const double near = c->near * 255 / 256;
-    const double far = ref_rough_log2(near) - ref_rough_log2(near / z);
-    double lod = ref_rough_log2(fmax(texels, 1.0 / 65536)) - ref_rough_log2(c->focal)
-               + coarser + far;
-
-    if (!s->meshed)
-        return 0;
-    if (level)
-        lod += fmax(0, far) / 2 - ref_rough_log2(fmax(1, fabs(c->eye.y))) / 2;
-    return (int)ref_clamp(floor(lod), 0, t->levels - 1);
+    return ref_rough_log2(near) - ref_rough_log2(near / z);
 }
 
-/* A drifting picture at a place (x, z) at rest; level as above. */
+/* Of the water's plane. */
+static inline double ref_water_lod(const ref_scene *s, double texels, ref_vec at)
+{
+    return ref_lod(s, texels, ref_far(s, at), fmax(1, fabs(s->camera.eye.y)));
+}
+
+static inline int ref_level(const ref_scene *s, const tp_texture *t, double lod)
+{
+    return s->meshed ? (int)ref_clamp(floor(lod), 0, t->levels - 1) : 0;
+}
+
+/* A drifting picture at a place (x, z) at rest. */
 static inline ref_colour ref_map_at(const ref_scene *s, const tp_texture *t,
                                     const tp_scene_map *map, double x, double z,
                                     double coarser, ref_vec at, bool linear)
@@ -42,7 +53,8 @@ static inline ref_colour ref_map_at(const ref_scene *s, const tp_texture *t,
     const double size = map->size / 65536.0;
     const double u = (x - map->drift_x / 65536.0 * s->seconds) / size;
     const double v = (z - map->drift_z / 65536.0 * s->seconds) / size;
-    const int level = ref_level(s, t, (1 << t->log2_w) / size, coarser, at, true);
+    const double lod = ref_water_lod(s, (1 << t->log2_w) / size, at) + coarser;
+    const int level = ref_level(s, t, lod);
 
     return linear ? ref_linear(t, level, u, v)
                   : ref_colour_of(ref_nearest(t, level, u, v));

@@ -166,8 +166,7 @@ static double mixed(double a, double b, double t)
     return a + (b - a) * t;
 }
 
-static void add_cells(const ref_cells *c, double bump, double x, double z,
-                      ref_heights *sum)
+static void add_cells(const ref_cells *c, double x, double z, ref_heights *sum)
 {
     double u = (x - c->x) / c->cell, w = (z - c->z) / c->cell;
     double across[4], down[4];
@@ -187,8 +186,8 @@ static void add_cells(const ref_cells *c, double bump, double x, double z,
         across[n] = mixed(p.h[1][n], p.h[2][n], p.t);
         down[n] = mixed(p.h[n][1], p.h[n][2], p.s);
     }
-    const double steep = (bump > 0 ? bump : 1) / (2 * c->cell);
-    sum->height += bump > 0 ? 0 : mixed(across[1], across[2], p.s);
+    const double steep = 1 / (2 * c->cell);
+    sum->height += mixed(across[1], across[2], p.s);
     sum->slope_x += steep * mixed(across[2] - across[0], across[3] - across[1], p.s);
     sum->slope_z += steep * mixed(down[2] - down[0], down[3] - down[1], p.t);
 }
@@ -221,13 +220,17 @@ void ref_relief_free(ref_relief *relief)
 
 ref_heights ref_relief_at(const ref_relief *relief, double x, double z)
 {
-    ref_heights sum = { 0, 0, 0 };
+    ref_heights sum = { 0 };
 
     for (int i = 0; i < relief->rings; i++)
         add_ring(&relief->ring[i], x, z, &sum);
     for (int i = 0; i < 2; i++) {
-        if (relief->cells[i].cols)
-            add_cells(&relief->cells[i], relief->bump, x, z, &sum);
+        ref_heights cells = { 0 };
+        if (!relief->cells[i].cols)
+            continue;
+        add_cells(&relief->cells[i], x, z, relief->bump > 0 ? &cells : &sum);
+        sum.bump_x[i] = relief->bump * cells.slope_x;
+        sum.bump_z[i] = relief->bump * cells.slope_z;
     }
     return sum;
 }

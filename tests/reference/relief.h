@@ -2,7 +2,8 @@
 /* Rings of droplets [A4] [A5] and pools of cells, in double precision: heights over a
  * place of the world.  Cells and rings are read from the world, which alone evolves
  * them; a ring is evaluated by its formula, a pool bilinear between its cells' centres
- * as tidepool/pool.h says, with a cell's slope that of its two neighbours. */
+ * as tidepool/pool.h says, with a cell's slope that of its two neighbours.  Where
+ * water.pool_bump is above 0 their slopes, times that, are told apart. */
 #ifndef TP_REFERENCE_RELIEF_H
 #define TP_REFERENCE_RELIEF_H
 #include <stdbool.h>
@@ -34,6 +35,7 @@ typedef struct {
 
 typedef struct {
     double height, slope_x, slope_z;
+    double bump_x[2], bump_z[2];    /* slopes of cells that lift nothing */
 } ref_heights;
 
 /* The world's, world->back of a tick before its last one. */

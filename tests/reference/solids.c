@@ -171,5 +171,6 @@ bool ref_solid_meets(const ref_scene *s, const ref_ray *ray, int which, double t
         try_block(&s->block[i], ray, t0, solid);
     if (which & REF_TANK)
         try_tank(s, ray, t0, solid);
+    solid->far = ref_dot(ref_sub(solid->at, s->camera.eye), s->camera.ahead);
     return solid->kind != REF_SKY;
 }

@@ -19,6 +19,8 @@ typedef struct {
     ref_kind kind;
     double   t;
     ref_vec  at, normal;        /* world; unit */
+    double   far;               /* m of depth; in the water that of the surface where the
+                                   ray came in, and the way from there */
     ref_face_hit face;          /* of the boat */
 } ref_solid;
 

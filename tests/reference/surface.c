@@ -206,6 +206,8 @@ ref_water ref_surface_above(const ref_surface *s, double x, double z, double res
         .at = { x, p.y + fade * more.height, z }, .x0 = rest[0], .z0 = rest[1],
         .slope_x = -p.nx / p.ny + fade * more.slope_x,
         .slope_z = -p.nz / p.ny + fade * more.slope_z,
+        .bump_x = { more.bump_x[0], more.bump_x[1] },
+        .bump_z = { more.bump_z[0], more.bump_z[1] },
         .wet = inside && !(s->ocean
                            && ref_ocean_bed(s->ocean, rest[0], rest[1]).depth <= 0),
     };

@@ -36,6 +36,7 @@ typedef struct {
     ref_vec at;
     double  x0, z0;             /* its place at rest */
     double  slope_x, slope_z;
+    double  bump_x[2], bump_z[2];   /* slopes of pools that only bend the light */
     bool    wet;                /* false: land, or beyond the rectangle */
 } ref_water;
 

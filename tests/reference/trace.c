@@ -15,9 +15,10 @@ ref_seen ref_dry(const ref_scene *s, const ref_ray *ray, double t0, double t1,
     ref_solid solid;
 
     if (!ref_solid_meets(s, ray, IN_AIR, t0, t1, &solid))
-        return (ref_seen){ ref_heaven(s, ray->way), REF_SKY, 0 };
+        return (ref_seen){ .colour = ref_heaven(s, ray->way), .kind = REF_SKY };
     *at = solid.at;
-    return (ref_seen){ ref_solid_colour(s, &solid, ray->way, false), solid.kind, 0 };
+    return (ref_seen){ .colour = ref_solid_colour(s, &solid, ray->way, false),
+                       .kind = solid.kind };
 }
 
 /* The first of a glass tank's outer sides, its outward normal in *n. */
@@ -76,7 +77,18 @@ static ref_ray ray_at(const ref_camera *c, double u, double v)
 static ref_seen hazed(const ref_scene *s, ref_colour colour, ref_kind kind, ref_vec at)
 {
     const double depth = ref_dot(ref_sub(at, s->camera.eye), s->camera.ahead);
-    return (ref_seen){ ref_heaven_haze(s, colour, at), kind, 1 / depth };
+    return (ref_seen){ .colour = ref_heaven_haze(s, colour, at), .kind = kind,
+                       .near = 1 / depth };
+}
+
+static ref_seen wet(const ref_scene *s, const ref_water *water, ref_vec way)
+{
+    ref_kind in_mirror;
+    const ref_colour colour = ref_water_colour(s, water, way, &in_mirror);
+    ref_seen seen = hazed(s, colour, REF_WATER, water->at);
+
+    seen.in_mirror = in_mirror;
+    return seen;
 }
 
 /* Without the glass. */
@@ -89,12 +101,12 @@ static ref_seen bare(const ref_scene *s, const ref_ray *ray, double t0, double *
     *far = solid.t;
     if (ref_ray_meets(&s->surface, ray, t0, solid.t, false, &m)) {
         *far = m.t;
-        return hazed(s, ref_water_colour(s, &m.water, ray->way), REF_WATER, m.water.at);
+        return wet(s, &m.water, ray->way);
     }
     if (hit)
         return hazed(s, ref_solid_colour(s, &solid, ray->way, false), solid.kind,
                      solid.at);
-    return (ref_seen){ ref_heaven(s, ray->way), REF_SKY, 0 };
+    return (ref_seen){ .colour = ref_heaven(s, ray->way), .kind = REF_SKY };
 }
 
 static ref_seen look(const ref_scene *s, double u, double v)
@@ -105,7 +117,7 @@ static ref_seen look(const ref_scene *s, double u, double v)
     double far;
 
     if (s->sunk)
-        return (ref_seen){ ref_under(s, &ray, 2), REF_WATER, 0 };
+        return (ref_seen){ .colour = ref_under(s, &ray, 2), .kind = REF_WATER };
     const double glass = glass_at(s, &ray, &n);
     ref_seen seen = bare(s, &ray, t0, &far);
     if (!(glass > t0 && glass < far))

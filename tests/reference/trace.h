@@ -7,6 +7,7 @@
 typedef struct {
     ref_colour colour;
     ref_kind   kind;
+    ref_kind   in_mirror;       /* of water: the object that it mirrors; REF_SKY: none */
     double     near;            /* 1 / m of depth ahead of the eye; 0: the sky */
 } ref_seen;
 

@@ -53,9 +53,25 @@ static ref_colour layers(const ref_scene *s, const ref_water *w)
 
 /* -- ripples ------------------------------------------------------------------------- */
 
-static bool is_rippled(const ref_scene *s)
+static bool has_ripples(const ref_scene *s)
 {
     return s->assets->ripple && s->scene->ripple.bump > 0;
+}
+
+/* Whether normals are not those of the mesh. */
+static bool is_rippled(const ref_scene *s)
+{
+    const ref_relief *r = &s->surface.relief;
+    return has_ripples(s) || (r->bump > 0 && (r->cells[0].cols || r->cells[1].cols));
+}
+
+/* Pools that only bend the light (water.pool_bump) fade where a pixel holds two of their
+ * cells, and are gone where it holds four. */
+static double bump_share(const ref_scene *s, const ref_cells *c, ref_vec at)
+{
+    if (!s->meshed || c->cols == 0)
+        return 1;
+    return ref_clamp(2 - ref_water_lod(s, 1 / c->cell, at), 0, 1);
 }
 
 /* A texel (nx, ny, nz), green up the picture, in the surface's tangent space; its level
@@ -64,33 +80,50 @@ ref_vec ref_water_normal(const ref_scene *s, const ref_water *w)
 {
     double slope[2] = { w->slope_x, w->slope_z };
 
-    if (is_rippled(s)) {
+    for (int i = 0; i < 2; i++) {
+        const double share = bump_share(s, &s->surface.relief.cells[i], w->at);
+        slope[0] += share * w->bump_x[i];
+        slope[1] += share * w->bump_z[i];
+    }
+    if (has_ripples(s)) {
+        const double sx = slope[0], sz = slope[1];
         const double bump = fx(s->scene->ripple.bump);
         const ref_colour c = ref_map_at(s, s->assets->ripple, &s->scene->ripple.map,
                                         w->x0, w->z0, 224 / 256.0, w->at, true);
         const double n[3] = { (c.c[0] - 128) / 128 * bump, (c.c[1] - 128) / 128 * bump,
                               fmax((c.c[2] - 128) / 128, 0.125) };
-        ref_turned(w->slope_x, w->slope_z, n, slope);
+        ref_turned(sx, sz, n, slope);
     }
     return ref_unit_vec((ref_vec){ -slope[0], 1, -slope[1] });
 }
 
 /* -- mirror -------------------------------------------------------------------------- */
 
+/* The object along the mirrored ray: boat, drops and walls; REF_SKY: none. */
+static ref_seen object_in(const ref_scene *s, const ref_water *w, ref_vec n, ref_vec way)
+{
+    const ref_ray ray = { w->at, ref_reflected(way, n) };
+    ref_seen seen = { .kind = REF_SKY };
+    ref_vec at;
+
+    if (s->scene->mirror.objects != TP_MIRROR_NONE)
+        seen = ref_dry(s, &ray, 1e-6, 1e5, &at);
+    if (seen.kind == REF_LAND)
+        seen.kind = REF_SKY;
+    return seen;
+}
+
 /* What comes along the mirrored ray; *share falls where that is other water.  R is made
  * of N.V as it was raised: its height is 2 N.V Ny - Vy. */
 static ref_light mirrored(const ref_scene *s, const ref_water *w, ref_vec n, double nv,
-                          ref_vec way, double *share)
+                          ref_vec way, double *share, ref_kind *in_mirror)
 {
     const ref_vec r = ref_plus(way, ref_times_vec(n, 2 * nv));
-    ref_vec at;
+    const ref_seen object = object_in(s, w, n, way);
 
-    if (s->scene->mirror.objects != TP_MIRROR_NONE) {
-        const ref_ray ray = { w->at, ref_reflected(way, n) };
-        const ref_seen seen = ref_dry(s, &ray, 1e-6, 1e5, &at);
-        if (seen.kind == REF_BOAT || seen.kind == REF_DROP)
-            return (ref_light){ seen.colour, 0 };
-    }
+    *in_mirror = object.kind;
+    if (object.kind != REF_SKY)
+        return (ref_light){ object.colour, 0 };
     *share *= ref_clamp(1 + 4 * r.y, 0.5, 1);
     return ref_heaven_mirrored(s, r, w->at);
 }
@@ -115,7 +148,8 @@ static double lobe(const ref_scene *s, ref_vec n, double nv, double nl, ref_vec 
 
 /* Ripples too small for a pixel keep a part of the water turned to the eye: N.V of
  * rippled water stays above a tenth, but for the lobe, which takes it as it is. */
-ref_colour ref_water_colour(const ref_scene *s, const ref_water *w, ref_vec way)
+ref_colour ref_water_colour(const ref_scene *s, const ref_water *w, ref_vec way,
+                            ref_kind *in_mirror)
 {
     const tp_scene *scene = s->scene;
     const ref_vec n = ref_water_normal(s, w);
@@ -129,7 +163,7 @@ ref_colour ref_water_colour(const ref_scene *s, const ref_water *w, ref_vec way)
 
     if (scene->water.clear > 0)
         c = ref_behind(s, w->at, n, way, c);
-    const ref_light mirror = mirrored(s, w, n, nv, way, &share);
+    const ref_light mirror = mirrored(s, w, n, nv, way, &share, in_mirror);
     c = with_mirror(s, c, mirror, share);
     if (scene->water.specular > 0)
         c = ref_add(c, ref_scale(ref_colour_of((uint32_t)scene->light.colour),
