@@ -75,7 +75,21 @@ static inline bool is_bent(const ref_image *b, size_t at, size_t step)
            > 0.1 * b->near[at];
 }
 
-/* Water in both, and so all its neighbours; no crest ends here. */
+/* Whether an object in the mirror ends within two pixels, which are one of its picture. */
+static inline bool is_mirror_edge(const ref_image *b, uint32_t x, uint32_t y)
+{
+    const uint8_t own = b->in_mirror[(size_t)y * b->width + x];
+
+    for (uint32_t j = y > 2 ? y - 2 : 0; j <= y + 2 && j < b->height; j++)
+        for (uint32_t i = x > 2 ? x - 2 : 0; i <= x + 2 && i < b->width; i++) {
+            const size_t at = (size_t)j * b->width + i;
+            if (b->kind[at] == REF_WATER && b->in_mirror[at] != own)
+                return true;
+        }
+    return false;
+}
+
+/* Water in both, and so all its neighbours; no crest ends here, and no mirror. */
 static inline bool is_inner(const drawn_image *a, const ref_image *b, uint32_t x,
                             uint32_t y)
 {
@@ -87,7 +101,8 @@ static inline bool is_inner(const drawn_image *a, const ref_image *b, uint32_t x
             if (a->kind[at] != REF_WATER || b->kind[at] != REF_WATER)
                 return false;
         }
-    return !is_bent(b, middle, 1) && !is_bent(b, middle, a->width);
+    return !is_bent(b, middle, 1) && !is_bent(b, middle, a->width)
+        && !is_mirror_edge(b, x, y);
 }
 
 static inline void difference_add(difference *d, uint32_t drawn, ref_colour want)
