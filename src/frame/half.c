@@ -100,6 +100,19 @@ static tp_lens mirror_lens(const tp_frame *frame, tp_fx level)
     return lens;
 }
 
+/* Pixels by which objects are mirrored from below the level too: water at their feet
+ * mixes half pixels from both sides of it.  That much of a mirror lies behind its object,
+ * so nobody sees it. */
+enum { OVERLAP = 2 };
+
+static tp_view_plane mirror_level(const tp_lens *lens, tp_fx level)
+{
+    tp_view_plane plane = tp_lens_level(lens, level, 1);
+
+    plane.depth += (int32_t)(((int64_t)OVERLAP << 43) / lens->focal);   /* half pixels */
+    return plane;
+}
+
 static void set_bending(tp_frame *frame, tp_fx level)
 {
     tp_mirrored *to = &frame->shade.bending;
@@ -137,7 +150,7 @@ void tp_frame_draw_mirrored(tp_frame *frame)
         return;
     tp_lens  lens = mirror_lens(frame, level);
     tp_sight sight = { .lens = &lens, .cut = true, .walls = true,
-                       .level = tp_lens_level(&lens, level, 1) };
+                       .level = mirror_level(&lens, level) };
     tp_sight_begin(frame, &sight);
     tp_grid_box box = tp_sight_place(frame, &sight);
     if (!begin(&frame->parts.mirrored, &box, half))

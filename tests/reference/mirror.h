@@ -70,6 +70,12 @@ static inline bool ref_mirrors(const ref_camera *c, const ref_box *box, double u
     return !ref_stands(box, p) && ref_meets(box, p, (ref_vec){ d.x, -d.y, d.z }, 1);
 }
 
+/* No water is seen at pixel place (u, v): the box stands before it. */
+static inline bool ref_hides(const ref_camera *c, const ref_box *box, double u, double v)
+{
+    return ref_meets(box, c->eye, ref_ray(c, u, v), 1);
+}
+
 /* Water at pixel place (u, v) shows the box below it, drawn 1 / 1.333 as deep. */
 static inline bool ref_sinks(const ref_camera *c, const ref_box *box, double u, double v)
 {
