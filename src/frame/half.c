@@ -105,9 +105,13 @@ static tp_lens mirror_lens(const tp_frame *frame, tp_fx level)
  * so nobody sees it. */
 enum { OVERLAP = 2 };
 
-static tp_view_plane mirror_level(const tp_lens *lens, tp_fx level)
+/* Troughs bare a hull and show it below the level.  Walls and the floor between them would
+ * be mirrored there over all the water. */
+static tp_view_plane mirror_level(const tp_frame *frame, const tp_lens *lens, tp_fx level)
 {
-    tp_view_plane plane = tp_lens_level(lens, level, 1);
+    const tp_fx trough = -tp_surface_height(&frame->surface);
+    const bool  bare = !tp_sight_has_walls(frame) && trough < level;
+    tp_view_plane plane = tp_lens_level(lens, bare ? trough : level, 1);
 
     plane.depth += (int32_t)(((int64_t)OVERLAP << 43) / lens->focal);   /* half pixels */
     return plane;
@@ -150,7 +154,7 @@ void tp_frame_draw_mirrored(tp_frame *frame)
         return;
     tp_lens  lens = mirror_lens(frame, level);
     tp_sight sight = { .lens = &lens, .cut = true, .walls = true,
-                       .level = mirror_level(&lens, level) };
+                       .level = mirror_level(frame, &lens, level) };
     tp_sight_begin(frame, &sight);
     tp_grid_box box = tp_sight_place(frame, &sight);
     if (!begin(&frame->parts.mirrored, &box, half))

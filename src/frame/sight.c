@@ -12,7 +12,7 @@ bool tp_sight_above(const tp_frame *frame, tp_fx level)
     return !frame->under && frame->lens.eye.y > level;
 }
 
-static bool has_walls(const tp_frame *frame)
+bool tp_sight_has_walls(const tp_frame *frame)
 {
     return frame->blocks > 0 || tp_has_tank(frame->scene);
 }
@@ -40,7 +40,7 @@ void tp_sight_look(tp_frame *frame, const tp_lens *lens)
 void tp_sight_begin(tp_frame *frame, const tp_sight *sight)
 {
     tp_sight_look(frame, sight->lens);
-    if (has_walls(frame))
+    if (tp_sight_has_walls(frame))
         tp_frame_view_inside(frame);
 }
 
@@ -63,7 +63,7 @@ tp_grid_box tp_sight_place(tp_frame *frame, tp_sight *sight)
         tp_frame_place_drops(frame, sight);
     join(&box, &sight->boat_box);
     join(&box, &sight->drops_box);
-    if (sight->walls && has_walls(frame))       /* which may be anywhere */
+    if (sight->walls && tp_sight_has_walls(frame))       /* which may be anywhere */
         return (tp_grid_box){ INT16_MIN, INT16_MIN, INT16_MAX, INT16_MAX };
     return box;
 }
@@ -74,6 +74,6 @@ void tp_sight_draw(const tp_frame *frame, const tp_sight *sight, tp_samples *til
         tp_frame_draw_boat(frame, sight, tile);
     if (frame->parts.drop_capacity > 0)
         tp_frame_draw_drops(frame, sight, tile);
-    if (sight->walls && has_walls(frame))
+    if (sight->walls && tp_sight_has_walls(frame))
         tp_frame_draw_tank(frame, sight, tile);
 }

@@ -319,6 +319,39 @@ static void the_mirror_under_waves_stays_under_the_boat(void **state)
     assert_true(changed > 1000);
 }
 
+/* A trough bares the box's sides below the level, and its mirror is made of those. */
+static void troughs_mirror_what_they_bare(void **state)
+{
+    (void)state;
+    static uint32_t key[WIDTH * HEIGHT], with[WIDTH * HEIGHT], without[WIDTH * HEIGHT];
+    const tp_frame_config config = { WIDTH, HEIGHT, 0, 0, TP_FORMAT_XRGB8888 };
+    int feet = 0, bare = 0;
+
+    for (int n = 0; n < 40; n++) {
+        tp_scene s = calm_scene(0);
+        s.camera.y = TP_FX_ONE;             /* water seen steeply mirrors too little */
+        s.camera.pitch = 0;
+        s.water.clear = 0;
+        s.water.reflection = TP_FX_ONE;
+        s.mirror.bend = 0;
+        s.wave[0].amplitude = TP_FX(0.2);
+        s.wave[0].length = 14 * TP_FX_ONE;
+        tp_world *world = scene_world(&s, assets_of_boat());
+        marks_draw(&s, assets_of_boat(), world, config, key, with);
+        s.mirror.objects = TP_MIRROR_NONE;
+        marks_draw(&s, assets_of_boat(), world, config, NULL, without);
+        for (int i = WIDTH; i < WIDTH * HEIGHT; i++) {
+            if (TP_MARK(key[i]) != TP_MARK_WATER || TP_MARK(key[i - WIDTH]) < TP_MARK_SOLID)
+                continue;
+            feet++;
+            bare += !differ(with[i], without[i]);
+        }
+        free(world);
+    }
+    printf("    %d pixels at the foot, %d without a mirror\n", feet, bare);
+    assert_true(feet > 400 && 14 * bare <= feet);
+}
+
 /* The head of include/tidepool/frame.h says so. */
 static void mirrors_cost_the_bytes_that_are_told(void **state)
 {
@@ -344,6 +377,7 @@ int main(void)
         cmocka_unit_test(depth_takes_the_colour_of_what_is_sunken),
         cmocka_unit_test(no_sky_shows_between_an_object_and_its_mirror),
         cmocka_unit_test(the_mirror_under_waves_stays_under_the_boat),
+        cmocka_unit_test(troughs_mirror_what_they_bare),
         cmocka_unit_test(mirrors_cost_the_bytes_that_are_told),
     };
     chance = random_seed();
