@@ -14,9 +14,11 @@ void tp_frame_carve_around(tp_around_store *store, tp_arena *arena)
     store->samples = tp_arena_take(arena, WIDE * BAND, 4 * sizeof *store->samples);
 }
 
+/* Of corners, which boat.c holds within 4 km: with the boat's place 15 km, and the eye
+ * is 23 km away at the most. */
 static tp_fx middle(tp_fx low, tp_fx high, tp_fx scale)
 {
-    return tp_fx_held(((int64_t)low + high) / 2 * scale >> 16);
+    return (tp_fx)tp_limit(((int64_t)low + high) / 2 * scale >> 16, 4000 * TP_FX_ONE);
 }
 
 static tp_vec3 middle_of_objects(const tp_frame *frame)
@@ -104,7 +106,8 @@ void tp_frame_draw_around(tp_frame *frame)
     bool seen = false;
 
     frame->shade.around.colour = NULL;
-    if (!tp_sight_above(frame, level))
+    if (!tp_sight_above(frame, level)
+        || !(frame->assets.boat || tp_frame_has_drops(frame)))
         return;
     const tp_vec3 point = set_around(frame, level);
     for (uint32_t f = 0; f < TP_AROUND_FACES; f++) {

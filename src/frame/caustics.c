@@ -95,10 +95,12 @@ static tp_sea_point surface_point(const tp_surface *s, tp_fx x, tp_fx z)
     return p;
 }
 
-/* Of metres, into cells Q8, held within 2^20 cells. */
+/* Of metres, into cells Q8, held within 2^20 cells: of 16-bit fractions, 256 cells on a
+ * pool of 0.16 m are 2^27 a metre. */
 static int32_t in_cells(int64_t metres, uint32_t per_metre)
 {
-    return (int32_t)(tp_limit(metres, (int64_t)1 << 30) * (int64_t)per_metre >> 24);
+    int64_t cells = tp_limit(metres, (int64_t)1 << 30) * (int64_t)per_metre >> 24;
+    return (int32_t)tp_limit(cells, (int64_t)1 << 28);
 }
 
 /* Corner (i, j): where it lies over the map, and where its light does. */

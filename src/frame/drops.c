@@ -26,6 +26,12 @@ void tp_frame_make_ball(tp_frame *frame)
     *to = (tp_ball_point){ 0, -16384, 0 };
 }
 
+/* A world made anew may have none. */
+bool tp_frame_has_drops(const tp_frame *frame)
+{
+    return frame->parts.drop_capacity > 0 && tp_world_drops(frame->world);
+}
+
 /* -- one of them -------------------------------------------------------------------- */
 
 typedef struct {

@@ -185,6 +185,7 @@ void tp_frame_draw_land(const tp_frame *frame, tp_samples *tile);
 
 /* drops.c */
 void tp_frame_make_ball(tp_frame *frame);
+bool tp_frame_has_drops(const tp_frame *frame);     /* room for them, and a world's */
 
 /* half.c: pictures of half the size that water looks into, before any tile. */
 void tp_frame_carve_half(tp_half_store *store, tp_arena *arena, uint32_t width,

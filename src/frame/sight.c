@@ -59,7 +59,7 @@ tp_grid_box tp_sight_place(tp_frame *frame, tp_sight *sight)
     sight->boat_box = sight->drops_box = box;
     if (frame->assets.boat)
         tp_frame_place_boat(frame, sight);
-    if (frame->parts.drop_capacity > 0)
+    if (tp_frame_has_drops(frame))
         tp_frame_place_drops(frame, sight);
     join(&box, &sight->boat_box);
     join(&box, &sight->drops_box);
@@ -72,7 +72,7 @@ void tp_sight_draw(const tp_frame *frame, const tp_sight *sight, tp_samples *til
 {
     if (frame->assets.boat)
         tp_frame_draw_boat(frame, sight, tile);
-    if (frame->parts.drop_capacity > 0)
+    if (tp_frame_has_drops(frame))
         tp_frame_draw_drops(frame, sight, tile);
     if (sight->walls && tp_sight_has_walls(frame))
         tp_frame_draw_tank(frame, sight, tile);

@@ -53,8 +53,10 @@ tp_fx tp_sight_level(const tp_frame *frame);
 
 /* What shading knows of a lens; the light stays the world's. */
 void tp_sight_look(tp_frame *frame, const tp_lens *lens);
+
 /* Whether the camera looks down on still water of that level, which then mirrors. */
 bool tp_sight_above(const tp_frame *frame, tp_fx level);
+
 /* A tank's, or stone in the pool. */
 bool tp_sight_has_walls(const tp_frame *frame);
 

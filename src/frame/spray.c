@@ -51,7 +51,7 @@ void tp_frame_place_spray(tp_frame *frame)
     bool under = frame->under, clear = frame->scene->water.clear > 0;
 
     frame->specks = 0;
-    for (uint32_t i = 0; i < spray->count; i++) {
+    for (uint32_t i = 0; spray && i < spray->count; i++) {
         if (frame->specks == frame->parts.speck_capacity)
             break;
         const tp_speck *s = &tp_spray_list(spray)[i];

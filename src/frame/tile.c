@@ -124,7 +124,7 @@ bool tp_frame_tile(const tp_frame *frame, uint32_t i, void *scratch, tp_tile *ti
         tp_frame_draw_boat(frame, &frame->sight, &samples);
     if (frame->parts.land_vertex && frame->surface.ocean)
         tp_frame_draw_land(frame, &samples);
-    if (frame->parts.drop_capacity > 0)
+    if (tp_frame_has_drops(frame))
         tp_frame_draw_drops(frame, &frame->sight, &samples);
     if (frame->parts.block || tp_has_tank(frame->scene))
         tp_frame_draw_tank(frame, &frame->sight, &samples);
