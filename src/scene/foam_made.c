@@ -103,8 +103,8 @@ static uint32_t shore_gain(const tp_foam_maker *m, const tp_ocean_point *at)
     if (at->depth >= shore)
         return 0;
     tp_fx shallow = TP_FX_ONE - tp_fx_mul(at->depth, m->per_shore);
-    tp_fx moves = tp_fx_mul(tp_abs(at->position.y), m->per_shore) + at->breaking * 128;
-    moves = moves < TP_FX_ONE ? moves : TP_FX_ONE;
+    int64_t lifted = ((int64_t)tp_abs(at->position.y) * m->per_shore + 0x8000) >> 16;
+    tp_fx moves = (tp_fx)tp_limit(lifted + at->breaking * 128, TP_FX_ONE);
     return part_of(tp_fx_mul(shallow, moves), 40);
 }
 
@@ -220,7 +220,8 @@ static uint32_t hull_gain(const tp_foam_maker *m, tp_fx x)
     return (uint32_t)((uint64_t)gain * (uint32_t)m->scene->foam.hull >> 16);
 }
 
-/* A hull's four points at rest give its axes there, however waves bend the plane. */
+/* A hull's four points at rest give its axes there, however waves bend the plane: which
+ * moves them by 600 m at the most, so that det is below 2^53. */
 static void find_hull(tp_foam_maker *m)
 {
     const tp_afloat *a = &m->world->afloat;
@@ -239,7 +240,7 @@ static void find_hull(tp_foam_maker *m)
     h->z = (tp_fx)(((int64_t)p[0][1] + p[1][1] + p[2][1] + p[3][1]) / 4);
     ux = ux * FULLER >> 16;
     uz = uz * FULLER >> 16;
-    det = det * FULLER >> 16;
+    det = (det >> 16) * FULLER + ((det & 0xffff) * FULLER >> 16);
     h->along[0] = tp_fx_held(wz * ((int64_t)1 << 32) / det);
     h->along[1] = tp_fx_held(-wx * ((int64_t)1 << 32) / det);
     h->across[0] = tp_fx_held(-uz * ((int64_t)1 << 32) / det);

@@ -155,6 +155,16 @@ static void fly_all(tp_spray *spray, const tp_scene *scene, const tp_surface *su
 
 /* -- crests -------------------------------------------------------------------------- */
 
+/* a d - b c of differences across half a metre; held within 8, far more than any sea that
+ * throws spray has, since the table's highest waves stand 256 m apart. */
+static tp_fx jacobian_of(tp_vec3 u, tp_vec3 w)
+{
+    int64_t across = ((int64_t)u.x * w.z * 4 + 0x8000) >> 16;
+    int64_t along = ((int64_t)u.z * w.x * 4 + 0x8000) >> 16;
+
+    return (tp_fx)tp_limit(across - along, 8 * TP_FX_ONE);
+}
+
 /* 0..1: how much of spray a place at rest throws off. */
 static tp_fx ocean_strength(const tp_surface *surface, tp_fx x, tp_fx z)
 {
@@ -165,7 +175,7 @@ static tp_fx ocean_strength(const tp_surface *surface, tp_fx x, tp_fx z)
         return at.breaking * 257;
     tp_vec3 u = tp_vec3_sub(point(surface, x + d, z), point(surface, x - d, z));
     tp_vec3 w = tp_vec3_sub(point(surface, x, z + d), point(surface, x, z - d));
-    tp_fx jacobian = tp_fx_mul(2 * u.x, 2 * w.z) - tp_fx_mul(2 * u.z, 2 * w.x);
+    tp_fx jacobian = jacobian_of(u, w);
     return jacobian < SHARP ? (SHARP - jacobian) * 4 : 0;
 }
 
@@ -274,7 +284,8 @@ static void throw_bow(tp_world *world, const tp_scene *scene, tp_spray *spray,
     const tp_hull *hull = &world->afloat.hull;
     tp_vec3 way = tp_vec3_sub(world->boat.place, world->last_boat.place);
     tp_q30  s = tp_sin(hull->heading), c = tp_cos(hull->heading);
-    int64_t pace = ((int64_t)way.x * s - (int64_t)way.z * c) * TP_TICKS_PER_SECOND >> 30;
+    int64_t gone = (int64_t)way.x * s - (int64_t)way.z * c;     /* Q46 m; 16 km: 2^60 */
+    int64_t pace = tp_limit(gone, (int64_t)1 << 50) * TP_TICKS_PER_SECOND >> 30;
     tp_fx   over = (tp_fx)tp_limit(pace - BOW_PACE * TP_FX_ONE, 30 * TP_FX_ONE);
 
     for (tp_fx due = over / 2; due > share(spray); due -= TP_FX_ONE) {
