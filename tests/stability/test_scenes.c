@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /* Any number that the table of parameters allows is safe: every row at its ends, at 0 and
  * one least bit beside each, in a scene that has every model at once; and scenes of random
- * numbers.  Each is stepped, asked for heights, and drawn.  The build with UBSan and ASan
- * sees what goes wrong inside.
+ * numbers.  Each is stepped, asked for heights, and drawn whole and in tiles; then its
+ * numbers change under the same frames.  The build with UBSan and ASan sees what goes
+ * wrong inside.
  *
  *     TP_SCENES=n     so many random scenes instead of 1000 (`make soak`: 100000) */
 #include <stdarg.h>
@@ -10,30 +11,13 @@
 #include <setjmp.h>
 #include <stdint.h>
 #include <cmocka.h>
-#include "tests/unit/scenes.h"
+#include "tests/unit/twice.h"
 
 #define HIGHEST (2200 * (int64_t)TP_FX_ONE)     /* 16 waves, 1024 rings, two pools */
 
 static uint64_t chance;
-static test_boat boat;
-
-/* Small heights that rise to the north-east, with a hole. */
-static const tp_grey *little_map(void)
-{
-    static uint16_t sample[24 * 16];
-    static const tp_grey map = { 24, 16, sample };
-    for (uint32_t i = 0; i < 24 * 16; i++)
-        sample[i] = (uint16_t)(i % 24 * 2000 + (16 - i / 24) * 1000);
-    sample[24 * 8 + 12] = 0;
-    return &map;
-}
-
-static tp_assets all_assets(void)
-{
-    return (tp_assets){ .boat = &boat.mesh, .layer[0] = &boat.texture[0],
-                        .ripple = &boat.texture[1], .floor = little_map(),
-                        .pool_mask = little_map() };
-}
+static test_kit kit;
+static test_twice twice;
 
 static tp_scene everything(void)
 {
@@ -56,24 +40,10 @@ static tp_scene everything(void)
     s.drops.every = TP_FX(0.02);
     s.boat.mode = TP_BOAT_DYNAMIC;
     s.boat.speed = 2 * TP_FX_ONE;
+    kit_gather(&s, &chance);
+    kit_switch_on(&s, &chance);
+    kit_hold(&s, 12, 24);
     return s;
-}
-
-static void draw(const tp_scene *scene, const tp_assets *assets, const tp_world *world)
-{
-    const tp_frame_config config = { 48, 32, 0, 8, TP_FORMAT_XRGB8888 };
-    void *block = malloc(tp_frame_bytes(scene, assets, &config));
-    void *scratch = malloc(tp_frame_scratch_bytes(&config));
-    tp_frame *frame;
-    tp_tile   tile;
-
-    assert_non_null(block);
-    assert_int_equal(tp_frame_init(&frame, scene, assets, &config, block, NULL), TP_OK);
-    tp_frame_begin(frame, world);
-    for (uint32_t i = 0; tp_frame_tile(frame, i, scratch, &tile); i++)
-        ;
-    free(block);
-    free(scratch);
 }
 
 static tp_input any_input(void)
@@ -97,25 +67,92 @@ static void ask(const tp_world *world)
     assert_true(llabs((int64_t)p.position.y) <= HIGHEST);
 }
 
-/* False: refused, which is as good. */
-static bool run(const tp_scene *scene, int ticks)
+static void step(tp_world *world, const tp_scene *scene, int ticks)
 {
-    const tp_assets assets = all_assets();
-    const size_t bytes = tp_world_bytes(scene, &assets);
-    tp_world *world = bytes ? malloc(bytes) : NULL;
-    tp_error  err;
-
-    if (bytes == 0)
-        return false;
-    assert_non_null(world);
-    assert_int_equal(tp_world_init(world, bytes, scene, &assets, &err), TP_OK);
     for (int n = 0; n < ticks; n++) {
         const tp_input input = any_input();
         tp_world_step(world, scene, n % 2 ? &input : NULL);
         ask(world);
     }
-    tp_world_frame(world);
-    draw(scene, &assets, world);
+    for (uint32_t n = tp_world_frame(world); n > 0; n--)
+        tp_world_step(world, scene, NULL);
+}
+
+/* Any numbers become any others, but those that size a frame. */
+static void change(tp_scene *scene)
+{
+    const tp_scene other = kit_scene(&chance, 14, 40);
+    const int32_t cols = scene->grid.cols, rows = scene->grid.rows;
+    uint32_t count = 0;
+    const tp_param *row = tp_params(&count);
+    const uint32_t one_in = 1u << random_below(&chance, 8);
+
+    for (uint32_t i = 0; i < count; i++) {
+        if (scene_is_number(&row[i]) && random_below(&chance, one_in) == 0)
+            *scene_number(scene, &row[i]) = *(const int32_t *)(const void *)(
+                (const char *)&other + row[i].offset);
+    }
+    scene->grid.cols = cols;
+    scene->grid.rows = rows;
+}
+
+/* NULL: refused, which is as good. */
+static tp_world *world_of(const tp_scene *scene, const tp_assets *assets)
+{
+    const size_t bytes = tp_world_bytes(scene, assets);
+    tp_world *world = bytes ? malloc(bytes) : NULL;
+
+    if (bytes == 0)
+        return NULL;
+    assert_non_null(world);
+    assert_int_equal(tp_world_init(world, bytes, scene, assets, NULL), TP_OK);
+    return world;
+}
+
+/* The same frames while numbers change; a world that does not take them is made anew. */
+static void live_on(tp_world **world, tp_scene *scene, const tp_assets *assets)
+{
+    change(scene);
+    if (!tp_world_refresh(*world, scene, assets)) {
+        free(*world);
+        *world = world_of(scene, assets);
+    }
+    if (*world)
+        step(*world, scene, chance_int(&chance, 0, 4));
+}
+
+/* A copy of a world goes on as the world does. */
+static void compare_with_copy(tp_world *world, const tp_scene *scene)
+{
+    tp_world *copy = malloc(world->parts.bytes);
+
+    memcpy(copy, world, world->parts.bytes);
+    for (int n = 0; n < 2; n++) {
+        tp_world_step(world, scene, NULL);
+        tp_world_step(copy, scene, NULL);
+    }
+    assert_memory_equal(copy, world, world->parts.bytes);
+    free(copy);
+}
+
+static bool run(const tp_scene *wanted, int ticks, int lives)
+{
+    tp_scene  scene = *wanted;
+    const tp_assets assets = kit_assets(&kit, &scene, &chance);
+    tp_world *world = world_of(&scene, &assets);
+
+    if (!world)
+        return false;
+    twice_begin(&twice, &scene, &assets, &chance);
+    step(world, &scene, ticks);
+    compare_with_copy(world, &scene);
+    twice_draw(&twice, world);
+    for (int n = 0; n < lives && world; n++) {
+        live_on(&world, &scene, &assets);
+        if (world)
+            twice_draw(&twice, world);
+    }
+    twice_end(&twice);
     free(world);
     return true;
 }
@@ -142,7 +179,7 @@ static void every_number_is_safe_at_its_ends_and_beside_them(void **state)
             if (strncmp(row->name, "grid.", 5) == 0 && value[k] > 1000)
                 continue;               /* those are the frame's, and take long */
             *scene_number(&scene, row) = (int32_t)value[k];
-            refused += !run(&scene, 3);
+            refused += !run(&scene, 3, 0);
             tried++;
         }
     }
@@ -153,32 +190,6 @@ static void every_number_is_safe_at_its_ends_and_beside_them(void **state)
 
 /* -- all at once ----------------------------------------------------------------------- */
 
-static int32_t at_most(int32_t x, int32_t most)
-{
-    return x > most ? most : x;
-}
-
-static tp_scene any_small_scene(void)
-{
-    tp_scene s = scene_any(&chance);
-
-    s.grid.cols = at_most(s.grid.cols, 14);
-    s.grid.rows = at_most(s.grid.rows, 14);
-    s.pool.cols = at_most(s.pool.cols, 40);
-    s.pool.rows = at_most(s.pool.rows, 40);
-    s.field.cols = at_most(s.field.cols, 40);
-    s.field.rows = at_most(s.field.rows, 40);
-    s.pool.courant = at_most(s.pool.courant, TP_FX(0.48));
-    s.field.courant = at_most(s.field.courant, TP_FX(0.48));
-    s.drops.count = at_most(s.drops.count, 20);
-    s.drops.rings = at_most(s.drops.rings, 20);
-    if (random_below(&chance, 2))
-        strcpy(s.floor.map, "map.png");
-    strcpy(s.pool.mask, "mask.png");
-    strcpy(s.boat.mesh, "boat.obj");
-    return s;
-}
-
 static void random_scenes_are_safe(void **state)
 {
     (void)state;
@@ -187,10 +198,12 @@ static void random_scenes_are_safe(void **state)
     int ran = 0;
 
     for (int i = 0; i < count; i++) {
-        const tp_scene scene = any_small_scene();
-        ran += run(&scene, chance_int(&chance, 1, 12));
+        const tp_scene scene = kit_scene(&chance, 14, 40);
+        ran += run(&scene, chance_int(&chance, 1, 12), i % 3);
     }
     printf("# %d of %d random scenes ran, the others were refused\n", ran, count);
+    twice_print(&twice.reached);
+    assert_true(count < 300 || twice_reached_all(&twice.reached));
     assert_true(ran > count / 2);
 }
 
@@ -201,6 +214,6 @@ int main(void)
         cmocka_unit_test(random_scenes_are_safe),
     };
     chance = random_seed();
-    boat_make(&boat, &chance);
+    kit_make(&kit, &chance);
     return cmocka_run_group_tests_name("stability of scenes", tests, NULL, NULL);
 }

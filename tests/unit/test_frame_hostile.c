@@ -7,23 +7,11 @@
 #include <setjmp.h>
 #include <stdint.h>
 #include <cmocka.h>
-#include "scenes.h"
-
-enum { WIDTH = 64, HEIGHT = 48 };
+#include "twice.h"
 
 static uint64_t chance;
-static test_boat boat;
-
-static tp_assets any_assets(void)
-{
-    return (tp_assets){
-        .boat = random_below(&chance, 3) ? &boat.mesh : NULL,
-        .layer[0] =
-            random_below(&chance, 3) ? &boat.texture[random_below(&chance, 3)] : NULL,
-        .ripple =
-            random_below(&chance, 3) ? &boat.texture[random_below(&chance, 3)] : NULL,
-    };
-}
+static test_kit kit;
+static test_twice twice;
 
 /* Grids as large as time allows: the points of one are one in twenty thousand. */
 static void hold_grid(tp_scene *s)
@@ -36,43 +24,29 @@ static void hold_grid(tp_scene *s)
     }
 }
 
-/* Draws all tiles; each pixel row of a tile is set anew although all was 0xA5. */
-static uint32_t draw(const test_frame *f, tp_format format)
+/* As a whole and in tiles: the same picture. */
+static void draw_both(const tp_scene *scene, const tp_assets *assets,
+                      const tp_world *world)
 {
-    tp_tile tile;
-    uint32_t crc = 0;
-
-    for (uint32_t i = 0; tp_frame_tile(f->frame, i, f->scratch, &tile); i++) {
-        for (uint32_t y = tile.y0; y < tile.y1; y++)
-            crc = tp_crc32_pixels(
-                crc, format, (const uint8_t *)tile.pixels + (y - tile.y0) * tile.stride,
-                (int)(tile.x1 - tile.x0));
-        assert_true(tp_frame_water_pixels(f->frame, f->scratch, &tile)
-                    <= (tile.x1 - tile.x0) * (tile.y1 - tile.y0));
-        memset(f->scratch, 0x5a, f->scratch_bytes);     /* nothing is kept in it */
-    }
-    assert_true(frame_guard_holds(f->block, f->bytes));
-    assert_true(frame_guard_holds(f->scratch, f->scratch_bytes));
-    return crc;
+    twice_begin(&twice, scene, assets, &chance);
+    twice_draw(&twice, world);
+    twice_end(&twice);
 }
 
-/* As a whole and in tiles: the same picture. */
-static uint32_t draw_both(const tp_scene *scene, const tp_assets *assets,
-                          const tp_world *world)
+/* A world of its own, and everything that can be seen in it. */
+static void draw_any(tp_scene *scene, const test_boat *boat)
 {
-    const tp_format format = (tp_format)random_below(&chance, TP_FORMAT_COUNT);
-    const tp_frame_config whole = { WIDTH, HEIGHT, 0, 0, format };
-    const tp_frame_config bands = { WIDTH, HEIGHT, 0, random_below(&chance, HEIGHT),
-                                    format };
-    test_frame a = frame_of(scene, assets, &whole), b = frame_of(scene, assets, &bands);
+    tp_assets assets = kit_assets(&kit, scene, &chance);
 
-    tp_frame_begin(a.frame, world);
-    tp_frame_begin(b.frame, world);
-    const uint32_t crc = draw(&a, format);
-    assert_int_equal(draw(&b, format), crc);
-    frame_free(&a);
-    frame_free(&b);
-    return crc;
+    assets.boat = &boat->mesh;
+    strcpy(scene->boat.mesh, "boat.obj");
+    kit_switch_on(scene, &chance);
+    kit_hold(scene, 60, 24);
+    scene->pool.cols = chance_int(&chance, 0, 1) * 20;
+    tp_world *world = scene_world(scene, &assets);
+    if (world)
+        draw_both(scene, &assets, world);
+    free(world);
 }
 
 static tp_input any_input(void)
@@ -89,8 +63,8 @@ static void any_scene_of_the_table_is_drawn(void **state)
 {
     (void)state;
     for (int n = 0; n < 300; n++) {
-        tp_scene scene = scene_any(&chance);
-        const tp_assets assets = any_assets();
+        tp_scene scene = n % 2 ? scene_any(&chance) : kit_scene(&chance, 60, 100);
+        const tp_assets assets = kit_assets(&kit, &scene, &chance);
         hold_grid(&scene);
         tp_world *world = scene_world(&scene, &assets);
         if (!world)
@@ -106,6 +80,8 @@ static void any_scene_of_the_table_is_drawn(void **state)
         draw_both(&scene, &assets, world);
         free(world);
     }
+    twice_print(&twice.reached);
+    assert_true(twice.reached.water > 50);
 }
 
 /* All rows at their least, all at their most, and each alone at either end. */
@@ -114,12 +90,11 @@ static void every_row_at_its_ends_is_drawn(void **state)
     (void)state;
     uint32_t count = 0;
     const tp_param *rows = tp_params(&count);
-    const tp_assets assets = { .boat = &boat.mesh, .layer[0] = &boat.texture[0],
-                               .ripple = &boat.texture[1] };
 
     for (uint32_t i = 0; i < 2 * (count + 1); i++) {
         const bool high = i % 2;
         tp_scene scene = scene_plain();
+        const tp_assets assets = kit_assets(&kit, &scene, &chance);
         for (uint32_t k = 0; k < count; k++) {
             if (scene_is_number(&rows[k]) && (i / 2 == k || i / 2 == count))
                 *scene_number(&scene, &rows[k]) = high ? rows[k].high : rows[k].low;
@@ -161,14 +136,12 @@ static void grids_of_any_shape_are_drawn(void **state)
 static void the_eye_may_be_anywhere(void **state)
 {
     (void)state;
-    const tp_assets assets = { .boat = &boat.mesh, .layer[0] = &boat.texture[0] };
     static const tp_fx far[3] = { TP_FX(-8000), 0, TP_FX(8000) };
     static const tp_fx high[5] = { TP_FX(-100), 0, 1, TP_FX(0.3), TP_FX(2000) };
     static const tp_fx pitch[3] = { TP_FX(-89), TP_FX(3), TP_FX(89) };
 
     for (int n = 0; n < 135; n++) {
         tp_scene scene = scene_plain();
-        tp_world world;
         scene.camera.x = far[n % 3];
         scene.camera.z = far[n / 3 % 3];
         scene.camera.y = high[n / 9 % 5];
@@ -179,8 +152,11 @@ static void the_eye_may_be_anywhere(void **state)
         scene.grid.reach = 16000 * TP_FX_ONE;
         scene.boat.x = far[random_below(&chance, 3)];
         scene.boat.z = far[random_below(&chance, 3)];
-        tp_world_init(&world, sizeof world, &scene, NULL, NULL);
-        draw_both(&scene, &assets, &world);
+        scene.drops.x = far[random_below(&chance, 3)];
+        scene.pool.x = far[random_below(&chance, 3)];
+        scene.pool.z = far[random_below(&chance, 3)];
+        scene.floor.depth = high[random_below(&chance, 5)] / 4 + 25 * TP_FX_ONE;
+        draw_any(&scene, &kit.boat);
     }
 }
 
@@ -195,29 +171,33 @@ static void a_boat_of_any_size_is_drawn(void **state)
     boat_make(&giant, &chance);
     for (int n = 0; n < 96; n++) {
         tp_scene scene = scene_plain();
-        const tp_assets assets = { .boat = &giant.mesh };
         const tp_fx side =
             n & 1 ? 16384 * TP_FX_ONE - 1 : chance_scale(&chance, 0.01, 16000);
-        tp_world world;
+        const bool aside = random_below(&chance, 2);
         boat_box(&giant, side, n & 2 ? 1 : side, n & 4 ? 1 : side);
         for (int i = 0; i < 8; i++) {
             giant.vertex[i].s = i & 1 ? 16384 * TP_FX_ONE - 1 : 1 - 16384 * TP_FX_ONE;
             giant.vertex[i].t = i & 2 ? 16384 * TP_FX_ONE - 1 : 1 - 16384 * TP_FX_ONE;
         }
+        for (int i = 0; aside && i < 8; i++)    /* its origin at a corner */
+            giant.vertex[i].position = (tp_vec3){ i & 1 ? side : 0, i & 2 ? side : 0,
+                                                  i & 4 ? side : 0 };
+        giant.mesh.low = giant.vertex[0].position;
+        giant.mesh.high = giant.vertex[7].position;
         scene.boat.scale = scales[n / 8 % 4];
         scene.boat.x = n & 8 ? 8000 * TP_FX_ONE : 0;
         scene.boat.z = n & 16 ? -8000 * TP_FX_ONE : 0;
         scene.camera.x = n & 32 ? -8000 * TP_FX_ONE : 0;
         scene.camera.heading = chance_fx(&chance, 0, 360);
-        tp_world_init(&world, sizeof world, &scene, NULL, NULL);
-        draw_both(&scene, &assets, &world);
+        scene.camera.follow = chance_int(&chance, TP_FOLLOW_NONE, TP_FOLLOW_BOAT);
+        draw_any(&scene, &giant);
     }
 }
 
 int main(void)
 {
     chance = random_seed();
-    boat_make(&boat, &chance);
+    kit_make(&kit, &chance);
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(any_scene_of_the_table_is_drawn),
         cmocka_unit_test(every_row_at_its_ends_is_drawn),

@@ -5,9 +5,7 @@
 #include <setjmp.h>
 #include <stdint.h>
 #include <cmocka.h>
-#include "frame/frame.h"
-#include "pixel/pixel.h"
-#include "scenes.h"
+#include "twice.h"
 
 enum { WIDTH = 150, HEIGHT = 90 };
 
@@ -108,6 +106,45 @@ static void every_tiling_gives_the_same_bits(void **state)
             assert_memory_equal(part, whole, sizeof whole);
         }
     }
+}
+
+/* Everything that a scene can have, in ticks and between them, in frames that live on
+ * while the world and the scene's numbers do. */
+static void every_kind_of_scene_gives_the_same_bits_in_tiles(void **state)
+{
+    (void)state;
+    static test_kit kit;
+    static test_twice twice;
+
+    kit_make(&kit, &chance);
+    for (int n = 0; n < 150; n++) {
+        tp_scene scene = scene_plain();
+        kit_gather(&scene, &chance);
+        kit_switch_on(&scene, &chance);
+        scene.floor.depth = chance_int(&chance, 0, 1) * 2 * TP_FX_ONE;
+        scene.clock.scale = TP_FX(0.7);
+        tp_scene other = scene;
+        kit_switch_on(&other, &chance);
+        const tp_assets assets = kit_assets(&kit, &scene, &chance);
+        tp_world *world = scene_world(&scene, &assets);
+        assert_non_null(world);
+        twice_begin(&twice, &scene, &assets, &chance);
+        for (int k = 0; k < 3; k++) {
+            for (uint32_t i = 5 * (uint32_t)k + tp_world_frame(world); i > 0; i--)
+                tp_world_step(world, &scene, NULL);
+            twice_draw(&twice, world);
+            scene.water = other.water;
+            scene.mirror = other.mirror;
+            scene.sky.kind = other.sky.kind;
+            scene.hdr.share = other.hdr.share;
+            scene.tank.kind = other.tank.kind;
+            assert_true(tp_world_refresh(world, &scene, &assets));
+        }
+        twice_end(&twice);
+        free(world);
+    }
+    twice_print(&twice.reached);
+    assert_true(twice_reached_all(&twice.reached));
 }
 
 /* Backwards or leaping, into a scratch full of other things; into other memory. */
@@ -340,6 +377,7 @@ int main(void)
     boat_make(&boat, &chance);
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(every_tiling_gives_the_same_bits),
+        cmocka_unit_test(every_kind_of_scene_gives_the_same_bits_in_tiles),
         cmocka_unit_test(order_and_old_memory_do_not_matter),
         cmocka_unit_test(the_world_may_move_on_while_tiles_are_drawn),
         cmocka_unit_test(formats_differ_only_in_how_colours_are_stored),
