@@ -27,12 +27,15 @@ typedef struct {
     uint32_t zi;
 } tp_boat_vertex;
 
+/* No wave uncovers it; it lies behind the near plane. */
+enum { TP_LAND_DEEP = 1, TP_LAND_BEHIND = 2 };
+
 /* A corner of the land, projected; u as of the water's. */
 typedef struct {
     int32_t  u, v;
     uint32_t zi;
     int16_t  n[3];              /* normal, of any length */
-    int16_t  deep;              /* no wave uncovers it */
+    int16_t  out;               /* TP_LAND_DEEP, TP_LAND_BEHIND */
 } tp_land_vertex;
 
 /* Rows of pixels, both included. */

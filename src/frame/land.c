@@ -43,17 +43,18 @@ static void place_corner(tp_frame *frame, uint32_t i, uint32_t j, tp_fx deepest)
     tp_view_corner c = corner_at(frame, i, j, &floor);
 
     set_normal(to->n, floor.rise_x, floor.rise_z);
-    to->deep = floor.depth > deepest;
+    to->out = (int16_t)((floor.depth > deepest ? TP_LAND_DEEP : 0)
+                        | (c.depth < frame->lens.near ? TP_LAND_BEHIND : 0));
     if (tp_lens_holds(&frame->lens, &c))
         tp_lens_project(&frame->lens, &c, &to->u, &to->v, &to->zi);
     else
         to->u = TP_GRID_CUT;
 }
 
-/* A cell of which no wave uncovers any corner; one with some is drawn whole. */
-static bool is_deep(const tp_land_vertex *const p[4])
+/* A cell whose corners are all deep, or all behind the eye; one with some is drawn. */
+static bool is_out(const tp_land_vertex *const p[4])
 {
-    return p[0]->deep && p[1]->deep && p[2]->deep && p[3]->deep;
+    return (p[0]->out & p[1]->out & p[2]->out & p[3]->out) != 0;
 }
 
 static bool is_cut(const tp_land_vertex *const p[4])
@@ -72,7 +73,7 @@ static void place_band(tp_frame *frame, uint32_t j)
         const tp_land_vertex *below = at + i + frame->parts.grid.cols;
         const tp_land_vertex *const p[4] = { at + i, at + i + 1, below, below + 1 };
         bool cut = is_cut(p);
-        for (int k = 0; k < 4 && !is_deep(p); k++) {
+        for (int k = 0; k < 4 && !is_out(p); k++) {
             int32_t low = cut ? INT32_MIN : p[k]->v >> 4;
             int32_t high = cut ? INT32_MAX : p[k]->v >> 4;
             band.y0 = low < band.y0 ? low : band.y0;
@@ -123,7 +124,7 @@ static void draw_cell(const tp_frame *frame, const tp_samples *tile, uint32_t i,
 
     const tp_land_vertex *const all[4] = { a, b, c, d };
 
-    if (is_deep(all))
+    if (is_out(all))
         return;
     if (is_cut(all)) {
         const uint32_t first[3][2] = { { i, j }, { i, j + 1 }, { i + 1, j + 1 } };

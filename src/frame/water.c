@@ -11,25 +11,6 @@ static tp_fx cell_of(const tp_scene *scene)
     return scene->grid.cell < most ? scene->grid.cell : most;
 }
 
-void tp_frame_place_water(tp_frame *frame)
-{
-    frame->grid_view = (tp_grid_view){
-        .lens = &frame->lens,
-        .surface = &frame->surface,
-        .width = frame->config.width,
-        .height = frame->config.height,
-        .cell = cell_of(frame->scene),
-        .reach = frame->scene->grid.reach,
-        .follow = frame->scene->grid.follow != 0,
-    };
-    tp_grid_place(&frame->parts.grid, &frame->grid_view);
-    frame->cull_water = frame->lens.eye.y > tp_surface_height(&frame->surface);
-    frame->stats.vertices += frame->parts.grid.vertices;
-    for (uint32_t j = 0; j + 1 < frame->parts.grid.rows; j++)
-        frame->stats.triangles += 2u * (uint32_t)(frame->parts.grid.span[j].end
-                                                  - frame->parts.grid.span[j].first);
-}
-
 static tp_corner corner_of(const tp_grid *grid, uint32_t i, uint32_t j)
 {
     const tp_grid_vertex *vertex = &grid->vertex[(size_t)j * grid->cols + i];
@@ -40,35 +21,49 @@ static tp_corner corner_of(const tp_grid *grid, uint32_t i, uint32_t j)
     };
 }
 
-static void draw_clipped(const tp_frame *frame, const tp_samples *tile,
-                         const uint32_t place[3][2])
-{
-    tp_view_corner in[3];
-    tp_corner corner[TP_CLIP_CORNERS];
+/* Corners in the order (i, j), (i+1, j), (i+1, j+1), (i, j+1); seen from above these two
+ * are front faces. */
+static const uint8_t halves[2][3] = { { 0, 3, 2 }, { 0, 2, 1 } };
 
-    for (int k = 0; k < 3; k++)
-        in[k] = tp_grid_corner(&frame->parts.grid, &frame->grid_view, place[k][0],
-                               place[k][1]);
-    int count = tp_clipped_corners(&frame->lens, NULL, in, corner);
-    for (int k = 2; k < count; k++)
-        tp_tri_water(tile, &corner[0], &corner[k - 1], &corner[k]);
+static bool is_cut(const tp_corner *const p[4])
+{
+    return p[0]->u == TP_GRID_CUT || p[1]->u == TP_GRID_CUT
+        || p[2]->u == TP_GRID_CUT || p[3]->u == TP_GRID_CUT;
 }
 
-/* Corners p: near left, near right ... in the order (i, j), (i+1, j), (i+1, j+1),
- * (i, j+1); seen from above the triangles (0, 3, 2) and (0, 2, 1) are front faces. */
+static void view_cell(const tp_frame *frame, uint32_t i, uint32_t j, tp_view_corner c[4])
+{
+    for (uint32_t k = 0; k < 4; k++)
+        c[k] = tp_grid_corner(&frame->parts.grid, &frame->grid_view,
+                              i + (k == 1 || k == 2), j + k / 2);
+}
+
+/* What the lens leaves of a half of a cell: returns how many corners. */
+static int cut_half(const tp_frame *frame, const tp_view_corner c[4], int half,
+                    tp_corner to[TP_CLIP_CORNERS])
+{
+    const uint8_t *k = halves[half];
+    const tp_view_corner in[3] = { c[k[0]], c[k[1]], c[k[2]] };
+
+    return tp_clipped_corners(&frame->lens, NULL, in, to);
+}
+
 static void draw_cell(const tp_frame *frame, const tp_samples *tile,
                       const tp_corner *const p[4], uint32_t i, uint32_t j)
 {
-    if (p[0]->u == TP_GRID_CUT || p[1]->u == TP_GRID_CUT
-        || p[2]->u == TP_GRID_CUT || p[3]->u == TP_GRID_CUT) {
-        const uint32_t first[3][2] = { { i, j }, { i, j + 1 }, { i + 1, j + 1 } };
-        const uint32_t second[3][2] = { { i, j }, { i + 1, j + 1 }, { i + 1, j } };
-        draw_clipped(frame, tile, first);
-        draw_clipped(frame, tile, second);
+    if (!is_cut(p)) {
+        tp_tri_water(tile, p[0], p[3], p[2]);
+        tp_tri_water(tile, p[0], p[2], p[1]);
         return;
     }
-    tp_tri_water(tile, p[0], p[3], p[2]);
-    tp_tri_water(tile, p[0], p[2], p[1]);
+    tp_view_corner c[4];
+    tp_corner corner[TP_CLIP_CORNERS];
+    view_cell(frame, i, j, c);
+    for (int half = 0; half < 2; half++) {
+        int count = cut_half(frame, c, half, corner);
+        for (int k = 2; k < count; k++)
+            tp_tri_water(tile, &corner[0], &corner[k - 1], &corner[k]);
+    }
 }
 
 /* Cells [first, end) of row j.  Each cell's right side is the next one's left. */
@@ -91,6 +86,81 @@ static void draw_cells(const tp_frame *frame, const tp_samples *tile, uint32_t j
         left = right;
     }
 }
+
+/* -- placing ------------------------------------------------------------------------- */
+
+static void widen_by_cut(const tp_frame *frame, tp_grid_box *box, uint32_t i, uint32_t j)
+{
+    tp_view_corner c[4];
+    tp_corner corner[TP_CLIP_CORNERS];
+
+    view_cell(frame, i, j, c);
+    for (int half = 0; half < 2; half++)
+        for (int k = cut_half(frame, c, half, corner) - 1; k >= 0; k--)
+            tp_box_widen(box, corner[k].u, corner[k].v);
+}
+
+/* The box of what the lens leaves of cells [first, end) of row j. */
+static tp_grid_box cut_box(const tp_frame *frame, uint32_t j, uint32_t first, uint32_t end)
+{
+    tp_grid_box box = TP_BOX_NONE;
+
+    for (uint32_t i = first; i < end; i++) {
+        const tp_corner c[4] = { corner_of(&frame->parts.grid, i, j),
+                                 corner_of(&frame->parts.grid, i + 1, j),
+                                 corner_of(&frame->parts.grid, i + 1, j + 1),
+                                 corner_of(&frame->parts.grid, i, j + 1) };
+        const tp_corner *const p[4] = { &c[0], &c[1], &c[2], &c[3] };
+        if (is_cut(p))
+            widen_by_cut(frame, &box, i, j);
+        else
+            for (int k = 0; k < 4; k++)
+                tp_box_widen(&box, c[k].u, c[k].v);
+    }
+    return box;
+}
+
+/* Blocks with cut crossings may lie anywhere, says the grid.  Where there are many tiles
+ * it pays to clip their cells once more than each tile does, and know. */
+static void place_cut_boxes(tp_frame *frame)
+{
+    const tp_grid *grid = &frame->parts.grid;
+
+    for (uint32_t j = 0; j + 1 < grid->rows; j++) {
+        tp_grid_span span = grid->span[j];
+        for (uint32_t b = span.first / TP_GRID_BLOCK; b * TP_GRID_BLOCK < span.end; b++) {
+            uint32_t first = b * TP_GRID_BLOCK, end = first + TP_GRID_BLOCK;
+            first = first > span.first ? first : span.first;
+            end = end < span.end ? end : span.end;
+            tp_grid_box *box = &grid->box[(size_t)j * grid->blocks + b];
+            if (box->x0 == INT16_MIN)
+                *box = cut_box(frame, j, first, end);
+        }
+    }
+}
+
+void tp_frame_place_water(tp_frame *frame)
+{
+    frame->grid_view = (tp_grid_view){
+        .lens = &frame->lens,
+        .surface = &frame->surface,
+        .width = frame->config.width,
+        .height = frame->config.height,
+        .cell = cell_of(frame->scene),
+        .reach = frame->scene->grid.reach,
+        .follow = frame->scene->grid.follow != 0,
+    };
+    tp_grid_place(&frame->parts.grid, &frame->grid_view);
+    frame->cull_water = frame->lens.eye.y > tp_surface_height(&frame->surface);
+    frame->stats.vertices += frame->parts.grid.vertices;
+    for (uint32_t j = 0; j + 1 < frame->parts.grid.rows; j++)
+        frame->stats.triangles += 2u * (uint32_t)(frame->parts.grid.span[j].end
+                                                  - frame->parts.grid.span[j].first);
+    if (tp_frame_tiles(frame) > 1)
+        place_cut_boxes(frame);
+}
+
+/* -- drawing ------------------------------------------------------------------------- */
 
 void tp_frame_draw_water(const tp_frame *frame, tp_samples *tile)
 {
