@@ -36,20 +36,14 @@ static bool begin(const tp_half_store *store, const tp_grid_box *box, tp_half *h
     return false;
 }
 
-/* Rows from y0 on, with what is solid in them. */
-static tp_samples drawn_band(const tp_frame *frame, const tp_sight *sight,
-                             const tp_half_store *store, const tp_half *half, int32_t y0)
+static tp_samples band_of(const tp_half_store *store, const tp_half *half, int32_t y0)
 {
     size_t plane = (size_t)store->cols * TP_HALF_BAND;
     int32_t y1 = y0 + TP_HALF_BAND < half->y1 ? y0 + TP_HALF_BAND : half->y1;
 
-    tp_samples band = { half->x0, y0, half->x1, y1, store->cols, store->samples,
-                        store->samples + plane, store->samples + 2 * plane,
-                        store->samples + 3 * plane, false };
-
-    tp_samples_clear(&band);
-    tp_sight_draw(frame, sight, &band);
-    return band;
+    return (tp_samples){ half->x0, y0, half->x1, y1, store->cols, store->samples,
+                         store->samples + plane, store->samples + 2 * plane,
+                         store->samples + 3 * plane, false };
 }
 
 /* The columns' depths, as far as row y of a band tells. */
@@ -133,7 +127,9 @@ static void draw_mirror(tp_frame *frame, const tp_sight *sight, tp_half *half)
 
     memset(store->zi, 0, wide * sizeof *store->zi);
     for (int32_t y0 = half->y0; y0 < half->y1; y0 += TP_HALF_BAND) {
-        tp_samples band = drawn_band(frame, sight, store, half, y0);
+        tp_samples band = band_of(store, half, y0);
+        tp_samples_clear(&band);
+        tp_sight_draw(frame, sight, &band);
         for (int32_t y = y0; y < band.y1; y++) {
             tp_frame_colour_row(frame, &band, y,
                                 store->colour + (uint32_t)(half->y1 - 1 - y) * wide);
@@ -225,7 +221,9 @@ static void draw_below(tp_frame *frame, const tp_sight *sight, const tp_lens *le
     uint32_t wide = (uint32_t)(half->x1 - half->x0);
 
     for (int32_t y0 = half->y0; y0 < half->y1; y0 += TP_HALF_BAND) {
-        tp_samples band = drawn_band(frame, sight, store, half, y0);
+        tp_samples band = band_of(store, half, y0);
+        tp_samples_clear(&band);
+        tp_sight_draw(frame, sight, &band);
         for (int32_t y = y0; y < band.y1; y++) {
             uint32_t *to = store->colour + (uint32_t)(y - half->y0) * wide;
             tp_frame_colour_row(frame, &band, y, to);
