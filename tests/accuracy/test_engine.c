@@ -2,7 +2,7 @@
 /* The engine's frames against the reference's: shipped scenes at 160x120, one sample a
  * pixel, both with the waves' extent and the textures' levels of the engine.  Compared is
  * water away from edges: its own, crests', and those of what it mirrors, which the engine
- * draws at half the size (with these flat-calm would be at 9.9).
+ * draws at half the size (with these flat-calm would be at 9.8).
  *
  * What is left is what the engine approximates: the surface by a mesh of cells with
  * slopes between their corners, its tables, its roundings. */
