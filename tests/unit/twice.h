@@ -74,7 +74,7 @@ static inline void twice_count(const tp_frame *f, const uint32_t *key, twice_rea
     r->mirrored += f->shade.mirrored.colour != NULL;
     r->sunken += f->shade.sunken.colour != NULL;
     r->cube += f->shade.around.colour != NULL;
-    r->caustics += f->caustic_light != NULL;
+    r->caustics += f->parts.caustic_light != NULL;
     r->bumps += f->shade.bumps.pool[0].slope || f->shade.bumps.pool[1].slope;
     r->foam += tp_world_foam(f->world) != NULL;
     r->dome += env->kind == TP_ENV_DOME;
