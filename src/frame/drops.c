@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT */
-/* Drops and the sphere that they fall from: spheroids of a few triangles each, drawn in
- * the tiles that their boxes touch.  A drop keeps its volume whatever its shape: with
- * height over width a = 1 + squash, height goes with a^(2/3) and width with a^(-1/3). */
+/* Drops and the sphere that they fall from: spheroids of triangles, drawn in the tiles
+ * that their boxes touch; small ones take every second meridian and parallel.  A drop
+ * keeps its volume whatever its shape: with height over width a = 1 + squash, height goes
+ * with a^(2/3) and width with a^(-1/3). */
 #include "base/base.h"
 #include "frame/frame.h"
 
@@ -82,31 +83,54 @@ static tp_view_corner corner_of(const tp_sight *sight, const spheroid *s,
     return c;
 }
 
+/* Parallel j, every `step`th point of it; both poles are rings of one point. */
+static void see_ring(const tp_frame *frame, const tp_sight *sight, const spheroid *s,
+                     uint32_t j, uint32_t step, tp_view_corner to[TP_BALL_ROUND])
+{
+    const bool north = j == 0, south = j > TP_BALL_RINGS;
+    const tp_ball_point *ring = &frame->ball[south ? TP_BALL - 1
+                                             : north ? 0 : 1 + (j - 1) * TP_BALL_ROUND];
+
+    for (uint32_t i = 0; i < TP_BALL_ROUND; i += step)
+        to[i] = (north || south) && i > 0 ? to[0] : corner_of(sight, s, &ring[i]);
+}
+
 /* -- placing ------------------------------------------------------------------------ */
 
 static const tp_grid_box nowhere = { 1, 1, 0, 0 };
 
 /* By the corners of the ball; one that must be clipped may be anywhere.  Of a ball that
  * the level cuts the whole is taken. */
-static tp_grid_box box_of(const tp_frame *frame, const tp_sight *sight, const spheroid *s)
+static tp_grid_box box_of(const tp_frame *frame, const tp_sight *sight, const spheroid *s,
+                          uint32_t step)
 {
     tp_grid_box box = TP_BOX_NONE;
+    tp_view_corner ring[TP_BALL_ROUND];
     bool ahead = false, cut = false;
 
-    for (uint32_t k = 0; k < TP_BALL; k++) {
-        tp_view_corner c = corner_of(sight, s, &frame->ball[k]);
-        tp_corner p;
-        ahead |= c.depth >= sight->lens->near
-              && (!sight->cut || tp_view_height(&sight->level, &c) >= 0);
-        cut |= !tp_lens_holds(sight->lens, &c);
-        if (cut)
-            continue;
-        tp_lens_project(sight->lens, &c, &p.u, &p.v, &p.zi);
-        tp_box_widen(&box, p.u, p.v);
+    for (uint32_t j = 0; j <= TP_BALL_RINGS + 1; j += step) {
+        see_ring(frame, sight, s, j, step, ring);
+        for (uint32_t i = 0; i < TP_BALL_ROUND; i += step) {
+            tp_corner p;
+            ahead |= ring[i].depth >= sight->lens->near
+                  && (!sight->cut || tp_view_height(&sight->level, &ring[i]) >= 0);
+            cut |= !tp_lens_holds(sight->lens, &ring[i]);
+            if (cut)
+                continue;
+            tp_lens_project(sight->lens, &ring[i], &p.u, &p.v, &p.zi);
+            tp_box_widen(&box, p.u, p.v);
+        }
     }
     if (!ahead)
         return nowhere;
     return cut ? (tp_grid_box){ INT16_MIN, INT16_MIN, INT16_MAX, INT16_MAX } : box;
+}
+
+/* Every second point is enough up to 16 pixels across: its outline is off by 8 % of half
+ * of that. */
+static uint32_t step_of(const tp_grid_box *box)
+{
+    return box->x1 - box->x0 > 16 || box->y1 - box->y0 > 16 ? 1 : 2;
 }
 
 static void widen(tp_grid_box *all, const tp_grid_box *box)
@@ -124,11 +148,15 @@ void tp_frame_place_drops(tp_frame *frame, tp_sight *sight)
     frame->stats.dropped += drops->count - frame->drops_seen;
     for (uint32_t i = 0; i <= frame->drops_seen; i++) {
         spheroid s = number(frame, i);
-        frame->parts.drop_box[i] = box_of(frame, sight, &s);
+        frame->parts.drop_box[i] = box_of(frame, sight, &s, 2);
+        uint32_t step = step_of(&frame->parts.drop_box[i]);
+        if (step == 1)
+            frame->parts.drop_box[i] = box_of(frame, sight, &s, 1);
         if (frame->parts.drop_box[i].x0 <= frame->parts.drop_box[i].x1) {
+            uint32_t points = TP_BALL_ROUND / step * (TP_BALL_RINGS / step);
             widen(&sight->drops_box, &frame->parts.drop_box[i]);
-            frame->stats.vertices += TP_BALL;
-            frame->stats.triangles += 2 * TP_BALL_ROUND * TP_BALL_RINGS;
+            frame->stats.vertices += points + 2;
+            frame->stats.triangles += 2 * points;
         }
     }
 }
@@ -136,35 +164,32 @@ void tp_frame_place_drops(tp_frame *frame, tp_sight *sight)
 /* -- drawing ------------------------------------------------------------------------ */
 
 static void draw_face(const tp_sight *sight, const tp_samples *tile,
-                      const tp_view_corner *view, uint32_t a, uint32_t b, uint32_t c)
+                      const tp_view_corner *a, const tp_view_corner *b,
+                      const tp_view_corner *c)
 {
-    const tp_view_corner in[3] = { view[a], view[b], view[c] };
+    const tp_view_corner in[3] = { *a, *b, *c };
+
     tp_clipped_draw(sight->lens, tp_sight_cut(sight), tile, in, TP_MARK_DROP, 0);
 }
 
-/* Point i of parallel j, which may be a pole. */
-static uint32_t point(uint32_t i, uint32_t j)
-{
-    return j == 0 ? 0 : j > TP_BALL_RINGS ? TP_BALL - 1
-         : 1 + (j - 1) * TP_BALL_ROUND + i % TP_BALL_ROUND;
-}
-
 static void draw_one(const tp_frame *frame, const tp_sight *sight, const tp_samples *tile,
-                     const spheroid *s)
+                     const spheroid *s, uint32_t step)
 {
-    tp_view_corner view[TP_BALL];
+    tp_view_corner ring[2][TP_BALL_ROUND];
 
-    for (uint32_t k = 0; k < TP_BALL; k++)
-        view[k] = corner_of(sight, s, &frame->ball[k]);
-    for (uint32_t j = 0; j <= TP_BALL_RINGS; j++)
-        for (uint32_t i = 0; i < TP_BALL_ROUND; i++) {
-            uint32_t a = point(i, j), b = point(i, j + 1), c = point(i + 1, j + 1),
-                     d = point(i + 1, j);
-            if (b != c)
-                draw_face(sight, tile, view, a, b, c);
-            if (a != d)
-                draw_face(sight, tile, view, a, c, d);
+    see_ring(frame, sight, s, 0, step, ring[0]);
+    for (uint32_t j = 0; j <= TP_BALL_RINGS; j += step) {
+        const tp_view_corner *above = ring[j / step & 1];
+        tp_view_corner *below = ring[(j / step + 1) & 1];
+        see_ring(frame, sight, s, j + step, step, below);
+        for (uint32_t i = 0; i < TP_BALL_ROUND; i += step) {
+            uint32_t next = (i + step) % TP_BALL_ROUND;
+            if (j + step <= TP_BALL_RINGS)
+                draw_face(sight, tile, &above[i], &below[i], &below[next]);
+            if (j > 0)
+                draw_face(sight, tile, &above[i], &below[next], &above[next]);
         }
+    }
 }
 
 void tp_frame_draw_drops(const tp_frame *frame, const tp_sight *sight, tp_samples *tile)
@@ -174,6 +199,6 @@ void tp_frame_draw_drops(const tp_frame *frame, const tp_sight *sight, tp_sample
         if (!tp_sight_touches(&frame->parts.drop_box[i], tile))
             continue;
         spheroid s = number(frame, i);
-        draw_one(frame, sight, tile, &s);
+        draw_one(frame, sight, tile, &s, step_of(&frame->parts.drop_box[i]));
     }
 }

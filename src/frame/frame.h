@@ -51,8 +51,8 @@ typedef struct {
     uint32_t zi;
 } tp_frame_speck;
 
-#define TP_BALL_ROUND 10                        /* meridians */
-#define TP_BALL_RINGS 5                         /* parallels */
+#define TP_BALL_ROUND 20                        /* meridians */
+#define TP_BALL_RINGS 11                        /* parallels */
 #define TP_BALL (TP_BALL_ROUND * TP_BALL_RINGS + 2)
 
 /* A point of the unit sphere, Q1.14. */
