@@ -142,7 +142,7 @@ int main(int argc, char **argv)
     char name[16];
 
     if (argc == 2 && format_of(argv[1]) >= 0) {
-        golden_frames_of((tp_format)format_of(argv[1]), 48, 7);
+        golden_frames_of((tp_format)format_of(argv[1]), 96, 50);
         return 0;
     }
     if (argc == 5 && sscanf(argv[1], "%" SCNu32 "x%" SCNu32, &c.width, &c.height) == 2
