@@ -21,12 +21,14 @@ for scene in $scenes; do
         sed "s/^/$scene $(basename "$list" .crc) /" "$list"
     done
 done | sort >"$scratch/expected"
-draw()          # FOLDER: every scene's frames by the programs there
+draw()          # FOLDER: every scene's frames by the programs there, one on each core
 {
-    cut -d' ' -f1,2 "$scratch/expected" | uniq | while read -r scene format; do
-        $emulator "$1/frames-$scene" "$format" >"$scratch/some" || return 1
-        sed "s/^/$scene /" "$scratch/some"
-    done
+    rm -rf "$scratch/drawn" && mkdir "$scratch/drawn" || return 1
+    cut -d' ' -f1,2 "$scratch/expected" | uniq |
+        emulator=$emulator folder=$1 to=$scratch/drawn xargs -P "$(nproc)" -n 2 sh -c '
+            $emulator "$folder/frames-$1" "$2" >"$to/$1 $2" &&
+                sed -i "s/^/$1 /" "$to/$1 $2"' draw || return 1
+    cat "$scratch/drawn"/*
 }
 check "there are golden frames to compare with" test -s "$scratch/expected"
 
