@@ -41,13 +41,13 @@ CORE := $(addprefix src/, \
     shade/texture.c shade/view.c \
     scene/boat.c scene/clock.c scene/drawn.c scene/drop.c scene/drops.c scene/float.c \
     scene/foam.c scene/foam_made.c scene/light.c scene/meter.c scene/paddle.c \
-    scene/params.c scene/parts.c scene/piece.c scene/spray.c scene/tape.c \
+    scene/params.c scene/parts.c scene/piece.c scene/rungs.c scene/spray.c scene/tape.c \
     scene/value.c scene/wake.c scene/world.c \
     frame/around.c frame/boat.c frame/bump.c frame/carve.c frame/caustics.c \
     frame/clipped.c frame/drops.c frame/frame.c frame/glass.c frame/half.c \
     frame/land.c frame/plan.c frame/plan_depth.c frame/plan_foam.c frame/plan_layers.c \
     frame/plan_sky.c frame/sight.c frame/spray.c frame/tank.c frame/tile.c \
-    frame/water.c)
+    frame/visibility.c frame/water.c)
 
 # -- the program, for machines with files and threads ----------------------------------
 

@@ -144,6 +144,11 @@ typedef struct {
         tp_fx   wake;                       /* share of its volume that stirs the pool */
     } boat;
     struct { tp_fx scale; } clock;          /* 1/8..4: slow motion, fast forward [D6] */
+    struct {                                /* how well it must be drawn; plan.h */
+        tp_fx   error_px, error_colour;     /* outlines, px; rms of colours, of 255 */
+        int32_t visibility, shading, rate, lod;     /* a rung, or auto: the budget's */
+        tp_fx   frame_ms;                   /* that the governor holds; 0: none */
+    } quality;
 } tp_scene;
 
 typedef enum { TP_BOAT_KINEMATIC, TP_BOAT_DYNAMIC } tp_boat_mode;

@@ -13,6 +13,7 @@
 #include "tidepool/light.h"
 #include "tidepool/ocean.h"
 #include "tidepool/pixel.h"
+#include "tidepool/plan.h"
 #include "tidepool/pool.h"
 #include "tidepool/ring.h"
 #include "tidepool/scene.h"

@@ -115,9 +115,13 @@ static const char *read_memory(options *o, const char *value)
 
 static const char *read_visibility(options *o, const char *value)
 {
-    (void)o;                    /* triangles is what auto comes to */
-    return strcmp(value, "auto") == 0 || strcmp(value, "triangles") == 0
-           ? NULL : "auto or triangles";
+    const tp_param *row = tp_param_find("quality.visibility", 18);
+    tp_scene scene;
+    tp_error err;
+    if (tp_param_set(&scene, row, value, strlen(value), &err))
+        return "auto, triangles, rows, projected or flat";
+    o->visibility = scene.quality.visibility;
+    return NULL;
 }
 
 static const char *read_hash(options *o, const char *value)
@@ -193,7 +197,7 @@ static const option_row rows[] = {
     { "--memory", "BYTES", FOR_RENDER | FOR_VIEW, read_memory,
       "refuse to draw with more; 96k, 2M" },
     { "--visibility", "HOW", FOR_RENDER | FOR_VIEW, read_visibility,
-      "auto or triangles" },
+      "auto triangles rows projected flat" },
     { "--hash", NULL, FOR_RENDER, read_hash, "print the CRC-32 of every frame" },
     { "--expect", "FILE", FOR_RENDER, read_expect,
       "compare with such a list; exit 1 where it differs" },

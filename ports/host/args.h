@@ -17,6 +17,7 @@ typedef struct {
     uint32_t     band, strip;       /* sides of tiles, 0: the program chooses */
     uint32_t     threads;           /* 0: not given */
     uint64_t     memory;            /* bytes that it may take, 0: any */
+    int32_t      visibility;        /* tp_visibility; auto: the scene's own */
     bool         hash, stats;
     const char  *expect;            /* list of hashes */
     const char  *tape;              /* of inputs: render plays it, view records it */

@@ -12,6 +12,8 @@ int stage_read(scene_file *file, const options *o)
     int code = scene_file_open(file, o->scene);
     for (uint32_t i = 0; i < o->n_settings && !code; i++)
         code = scene_file_set(file, o->settings[i]);
+    if (!code && o->visibility)
+        file->scene.quality.visibility = o->visibility;
     return code;
 }
 

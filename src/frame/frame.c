@@ -166,6 +166,7 @@ void tp_frame_begin(tp_frame *frame, const tp_world *world)
                    scene->camera.fov, scene->camera.near,
                    frame->config.width, frame->config.height);
     tp_frame_plan(frame);
+    tp_frame_choose_visibility(frame);
     tp_frame_place_water(frame);
     if (frame->parts.block)
         tp_frame_place_blocks(frame);

@@ -5,6 +5,7 @@
 #include "frame/sight.h"
 #include "scene/drawn.h"
 #include "scene/sides.h"
+#include "tidepool/plan.h"
 
 #define TP_STAGES 20
 
@@ -151,6 +152,8 @@ struct tp_frame {
     tp_surface       surface;
     tp_grid_view     grid_view;
     bool             cull_water;        /* the eye is above every crest */
+    tp_rungs         rungs;
+    tp_visibility    visibility;        /* of this frame */
 
     tp_sight         sight;             /* the picture itself */
     tp_ball_point    ball[TP_BALL];     /* of a sphere, once */
@@ -181,6 +184,10 @@ uint32_t tp_frame_materials(const tp_assets *assets);   /* that are told apart *
 /* water.c */
 void tp_frame_place_water(tp_frame *frame);
 void tp_frame_draw_water(const tp_frame *frame, tp_samples *tile);
+
+/* visibility.c: by which method this frame's water is drawn, and drawing it by that */
+void tp_frame_choose_visibility(tp_frame *frame);
+void tp_frame_draw_surface(const tp_frame *frame, tp_samples *tile);
 
 /* land.c: of scenes with a sea floor */
 void tp_frame_place_land(tp_frame *frame);

@@ -131,7 +131,7 @@ bool tp_frame_tile(const tp_frame *frame, uint32_t i, void *scratch, tp_tile *ti
     if (frame->glasses > 0)
         tp_frame_draw_sides(frame, &samples);
     tp_frame_draw_lids(frame, &frame->sight, &samples);
-    tp_frame_draw_water(frame, &samples);
+    tp_frame_draw_surface(frame, &samples);
     if (frame->specks > 0)
         tp_frame_draw_spray(frame, &samples);
     uint8_t *row = pixels_of(frame, scratch);

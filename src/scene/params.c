@@ -5,6 +5,7 @@
  * of them (value.c).  Rows stand in the order in which people should read them; the
  * sixteen waves are one macro, written out sixteen times, and so are both pools. */
 #include "scene/piece.h"
+#include "tidepool/plan.h"
 #include "tidepool/scene.h"
 
 #define AT(member) (uint32_t)offsetof(tp_scene, member)
@@ -307,6 +308,22 @@ static const tp_param rows[] = {
            "share of its moving volume that stirs the pool"),
 
     NUMBER("clock.scale", clock.scale, "", 0.125, 4, 1, "slow motion to fast forward"),
+
+    NUMBER("quality.error_px", quality.error_px, "px", 0, 64, 0.5,
+           "that outlines may be off, for speed"),
+    NUMBER("quality.error_colour", quality.error_colour, "levels", 0, 255, 2,
+           "that colours may be off, rms of 255, for speed"),
+    CHOICE("quality.visibility", quality.visibility,
+           "auto|triangles|rows|projected|flat", TP_VISIBILITY_FLAT, TP_VISIBILITY_AUTO,
+           "how water is found in the picture"),
+    CHOICE("quality.shading", quality.shading, "auto|exact|quick", TP_SHADING_QUICK,
+           TP_SHADING_AUTO, "of the water: exact, or by slopes and nearest texels"),
+    CHOICE("quality.rate", quality.rate, "auto|full|layers|colour", TP_RATE_COLOUR,
+           TP_RATE_AUTO, "what is worked out for every second pixel"),
+    CHOICE("quality.lod", quality.lod, "auto|off|on", TP_LOD_ON, TP_LOD_AUTO,
+           "fewer lines of the grid where they lie close"),
+    NUMBER("quality.frame_ms", quality.frame_ms, "ms", 0, 10000, 0,
+           "of a frame, held by stepping down rungs; 0: off"),
 };
 
 enum { ROWS = sizeof rows / sizeof rows[0] };

@@ -42,7 +42,10 @@ typedef struct {
     uint32_t colour[TP_RUN];
     int16_t  vx[TP_RUN], vy[TP_RUN], vz[TP_RUN];    /* to the eye */
     int16_t  lv[TP_RUN];        /* light . view */
-    int16_t  sx[TP_RUN], sz[TP_RUN];    /* slopes, once a ripple has bent them */
+    union {                     /* slopes, once a ripple has bent them */
+        struct { int16_t sx[TP_RUN], sz[TP_RUN]; };
+        uint32_t slope[TP_RUN]; /* of quick stages: x:z, Q3.12 each */
+    };
     int16_t  nv[TP_RUN];        /* normal . view, 0..1 */
     int16_t  up[TP_RUN];        /* y of the mirrored view, -1..1 */
     uint16_t glint[TP_RUN];     /* specular, 256 is the light's full colour, or more */
