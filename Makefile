@@ -45,7 +45,7 @@ CORE := $(addprefix src/, \
     scene/value.c scene/wake.c scene/world.c \
     frame/around.c frame/boat.c frame/bump.c frame/carve.c frame/caustics.c \
     frame/clipped.c frame/drops.c frame/frame.c frame/glass.c frame/half.c \
-    frame/land.c frame/plan.c frame/plan_depth.c frame/plan_foam.c frame/plan_layers.c \
+    frame/kit.c frame/land.c frame/plan.c frame/plan_depth.c frame/plan_foam.c frame/plan_layers.c \
     frame/plan_sky.c frame/sight.c frame/spray.c frame/tank.c frame/tile.c \
     frame/visibility.c frame/water.c)
 

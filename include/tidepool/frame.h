@@ -15,6 +15,7 @@
 #include <stddef.h>
 #include <stdint.h>
 #include "tidepool/asset.h"
+#include "tidepool/kit.h"
 #include "tidepool/pixel.h"
 #include "tidepool/scene.h"
 #include "tidepool/status.h"
@@ -65,14 +66,31 @@ typedef struct tp_frame tp_frame;   /* lies at the start of the block */
  * clear water, caustics, a wall of glass or walls in a pool that came later are not drawn,
  * and caustic_cells stay; of later skies the gradient is drawn, a later exposure is 1, and
  * pools that come to bend the light only go on as heights. */
-size_t tp_frame_bytes(const tp_scene *scene, const tp_assets *assets,
-                      const tp_frame_config *config);
+size_t tp_frame_bytes_with(const tp_kit *kit, const tp_scene *scene,
+                           const tp_assets *assets, const tp_frame_config *config);
 size_t tp_frame_scratch_bytes(const tp_frame_config *config);
 
-/* `block`: tp_frame_bytes() bytes aligned to 8.  Scene and assets must outlive the
- * frame, which keeps pointers to them. */
-tp_status tp_frame_init(tp_frame **frame, const tp_scene *scene, const tp_assets *assets,
-                        const tp_frame_config *config, void *block, tp_error *err);
+/* `block`: tp_frame_bytes() bytes aligned to 8.  Kit, scene and assets must outlive the
+ * frame, which keeps pointers to them.  TP_E_KIT: a kit has at least the stages sky and
+ * plain, and the format's store. */
+tp_status tp_frame_init_with(const tp_kit *kit, tp_frame **frame, const tp_scene *scene,
+                             const tp_assets *assets, const tp_frame_config *config,
+                             void *block, tp_error *err);
+
+/* By the kit that has everything. */
+static inline size_t tp_frame_bytes(const tp_scene *scene, const tp_assets *assets,
+                                    const tp_frame_config *config)
+{
+    return tp_frame_bytes_with(&tp_kit_all, scene, assets, config);
+}
+
+static inline tp_status tp_frame_init(tp_frame **frame, const tp_scene *scene,
+                                      const tp_assets *assets,
+                                      const tp_frame_config *config, void *block,
+                                      tp_error *err)
+{
+    return tp_frame_init_with(&tp_kit_all, frame, scene, assets, config, block, err);
+}
 
 /* Takes the world's state into the frame.  The world stays as it is until the last tile
  * has been drawn. */

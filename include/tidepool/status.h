@@ -16,6 +16,7 @@
     X(E_NOSPACE,       "out of memory: %a bytes asked, %b there") \
     X(E_SIZE,          "picture of %a x %b pixels; 16 x 16 to 4096 x 4096 can be drawn") \
     X(E_TILE,          "tile of %a x %b pixels; widths are multiples of 16") \
+    X(E_KIT,           "the kit lacks %s") \
     X(E_NAME,          "no parameter is called %s") \
     X(E_NUMBER,        "expected a number, found %s") \
     X(E_RANGE,         "%s is outside its range") \

@@ -105,12 +105,13 @@ static void carve_looks(tp_frame_parts *p, tp_arena *arena, const tp_scene *scen
         tp_frame_carve_half(&p->sunken, arena, c->width, c->height);
 }
 
-tp_frame *tp_frame_carve(tp_frame_parts *parts, tp_frame_ram *ram, tp_arena *arena,
-                         const tp_scene *scene, const tp_assets *assets,
+tp_frame *tp_frame_carve(const tp_kit *kit, tp_frame_parts *parts, tp_frame_ram *ram,
+                         tp_arena *arena, const tp_scene *scene, const tp_assets *assets,
                          const tp_frame_config *config)
 {
     tp_frame *frame = tp_arena_take(arena, 1, sizeof *frame);
     const size_t fixed = arena->used;
+    (void)kit;
 
     *parts = (tp_frame_parts){ .glass = NULL };
     carve_places(parts, arena, scene, assets);

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* A frame from its config to its first tile: checked, made, begun. */
+#include "base/text.h"
 #include "frame/frame.h"
 
 #define SIDE_LEAST 16
@@ -15,6 +16,21 @@ static tp_frame_config filled(const tp_frame_config *config)
     return c;
 }
 
+static tp_status lacks(tp_error *err, const char *what)
+{
+    tp_status status = TP_FAIL(err, TP_E_KIT, 0, 0, 0);
+    tp_error_word(err, what, tp_text_length(what));
+    return status;
+}
+
+/* What every picture needs. */
+static tp_status check_kit(const tp_kit *kit, tp_format format, tp_error *err)
+{
+    if (!kit->stage.sky || !kit->stage.plain)
+        return lacks(err, kit->stage.sky ? "plain" : "sky");
+    return kit->store[format] ? TP_OK : lacks(err, tp_format_name(format));
+}
+
 static tp_status check(const tp_frame_config *c, tp_error *err)
 {
     if (c->width < SIDE_LEAST || c->width > SIDE_MOST
@@ -27,8 +43,8 @@ static tp_status check(const tp_frame_config *c, tp_error *err)
     return TP_OK;
 }
 
-size_t tp_frame_bytes(const tp_scene *scene, const tp_assets *assets,
-                      const tp_frame_config *config)
+size_t tp_frame_bytes_with(const tp_kit *kit, const tp_scene *scene,
+                           const tp_assets *assets, const tp_frame_config *config)
 {
     tp_frame_config c = filled(config);
     tp_arena arena = tp_arena_over(NULL, 0);
@@ -37,7 +53,7 @@ size_t tp_frame_bytes(const tp_scene *scene, const tp_assets *assets,
 
     if (check(&c, NULL) != TP_OK)
         return 0;
-    tp_frame_carve(&parts, &ram, &arena, scene, assets, &c);
+    tp_frame_carve(kit, &parts, &ram, &arena, scene, assets, &c);
     return ram.frame;
 }
 
@@ -84,19 +100,23 @@ static void make_tables(tp_frame *frame)
     }
 }
 
-tp_status tp_frame_init(tp_frame **out, const tp_scene *scene, const tp_assets *assets,
-                        const tp_frame_config *config, void *block, tp_error *err)
+tp_status tp_frame_init_with(const tp_kit *kit, tp_frame **out, const tp_scene *scene,
+                             const tp_assets *assets, const tp_frame_config *config,
+                             void *block, tp_error *err)
 {
     tp_frame_config c = filled(config);
     tp_status status = check(&c, err);
 
+    if (status == TP_OK)
+        status = check_kit(kit, c.format, err);
     if (status != TP_OK)
         return status;
-    tp_arena arena = tp_arena_over(block, tp_frame_bytes(scene, assets, config));
+    tp_arena arena = tp_arena_over(block, tp_frame_bytes_with(kit, scene, assets, config));
     tp_frame_parts parts;
     tp_frame_ram ram;
-    tp_frame *frame = tp_frame_carve(&parts, &ram, &arena, scene, assets, &c);
+    tp_frame *frame = tp_frame_carve(kit, &parts, &ram, &arena, scene, assets, &c);
     memset(frame, 0, sizeof *frame);
+    frame->kit = kit;
     frame->scene = scene;
     frame->assets = *assets;
     frame->config = c;

@@ -12,6 +12,7 @@
 /* What a kind of sample goes through, ended by NULL. */
 typedef struct {
     tp_stage stage[TP_STAGES];
+    uint32_t lacks;             /* stages that it should have and the kit has not */
 } tp_plan;
 
 /* Tables of the sky and the camera that only some scenes have, or NULL. */
@@ -138,6 +139,7 @@ typedef struct {
 } tp_frame_parts;
 
 struct tp_frame {
+    const tp_kit    *kit;
     const tp_scene  *scene;
     tp_assets        assets;
     tp_frame_config  config;    /* tile sizes filled in */
@@ -176,8 +178,8 @@ struct tp_frame {
 
 /* carve.c: the block's layout, the frame itself first; with an arena that only counts,
  * then with the block.  Sizes are left in `ram`. */
-tp_frame *tp_frame_carve(tp_frame_parts *parts, tp_frame_ram *ram, tp_arena *arena,
-                         const tp_scene *scene, const tp_assets *assets,
+tp_frame *tp_frame_carve(const tp_kit *kit, tp_frame_parts *parts, tp_frame_ram *ram,
+                         tp_arena *arena, const tp_scene *scene, const tp_assets *assets,
                          const tp_frame_config *config);
 uint32_t tp_frame_materials(const tp_assets *assets);   /* that are told apart */
 
@@ -240,7 +242,9 @@ void tp_frame_draw_spray(const tp_frame *frame, const tp_samples *tile);
 /* plan.c: the stages that the scene needs, and their numbers. */
 void tp_frame_plan(tp_frame *frame);
 void tp_frame_make_gloss(tp_frame *frame);              /* frame.c */
-void tp_plan_add(tp_plan *plan, tp_stage stage);
+void tp_plan_add(tp_plan *plan, tp_stage stage);        /* NULL: is left out, counted */
+/* The stage that a plan wants or, counted, the plainer one that the kit has. */
+tp_stage tp_plan_pick(tp_plan *plan, tp_stage wanted, tp_stage plainer);
 
 /* plan_sky.c: sky, what water mirrors of it, air, exposure. */
 tp_frame_sky tp_frame_carve_sky(tp_arena *arena, const tp_scene *scene,
@@ -249,14 +253,14 @@ void tp_frame_init_sky(tp_frame *frame);
 void tp_frame_plan_sky(tp_frame *frame);
 void tp_frame_add_sky(const tp_frame *frame, tp_plan *plan);
 bool tp_frame_mirrors_apart(const tp_frame *frame);
-void tp_frame_add_reflection(const tp_frame *frame, tp_plan *plan);
+bool tp_frame_add_reflection(const tp_frame *frame, tp_plan *plan);     /* false: not */
 void tp_frame_add_fresnel(const tp_frame *frame, tp_plan *plan);
 void tp_frame_add_air(const tp_frame *frame, tp_plan *plan);
 void tp_frame_add_exposure(const tp_frame *frame, tp_plan *plan);
 
 /* plan_foam.c: after the light; slopes bent by ripples, glint that follows. */
 void tp_frame_plan_foam(tp_frame *frame);
-tp_stage tp_frame_foam_stage(bool rippled, bool shiny);
+tp_stage tp_frame_foam_stage(const tp_frame *frame, bool rippled, bool shiny);
 
 /* plan_layers.c: the water's pictures, ripples and bumps.  Of the stages that it adds:
  * whether they bend the normals. */

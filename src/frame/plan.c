@@ -18,83 +18,124 @@ static void light_from(tp_frame *frame)
 void tp_plan_add(tp_plan *plan, tp_stage stage)
 {
     int i = 0;
+    if (!stage)
+        plan->lacks++;
     while (plan->stage[i])
         i++;
     plan->stage[i] = stage;
 }
 
-static tp_stage light_stage(const tp_frame *frame, bool rippled)
+tp_stage tp_plan_pick(tp_plan *plan, tp_stage wanted, tp_stage plainer)
 {
+    if (wanted)
+        return wanted;
+    plan->lacks++;
+    return plainer;
+}
+
+/* NULL: the kit has none. */
+static tp_stage light_stage(const tp_frame *frame, tp_plan *water, bool rippled)
+{
+    const tp_stages *stages = &frame->kit->stage;
+    tp_stage plain = rippled && stages->light_rippled ? stages->light_rippled
+                                                      : stages->light;
+
+    if (!stages->view)
+        return NULL;
     if (frame->scene->light.model == TP_LIGHT_BLINN)
-        return rippled ? tp_stage_light_blinn_rippled : tp_stage_light_blinn;
-    return rippled ? tp_stage_light_rippled : tp_stage_light;
+        return tp_plan_pick(water, rippled ? stages->light_blinn_rippled
+                                           : stages->light_blinn, plain);
+    return rippled ? tp_plan_pick(water, stages->light_rippled, plain) : plain;
 }
 
 /* Objects over it: what the scene asks for and had memory for at init. */
 static void add_objects(const tp_frame *frame, tp_plan *water)
 {
+    const tp_stages *stages = &frame->kit->stage;
     const int kind = frame->scene->mirror.objects;
 
     if (kind == TP_MIRROR_STENCIL && frame->parts.mirrored.colour)
-        tp_plan_add(water, tp_stage_mirrored);
+        tp_plan_add(water, stages->mirrored);
     if (kind == TP_MIRROR_CUBE && frame->parts.around.colour)
-        tp_plan_add(water, tp_stage_mirrored_cube);
+        tp_plan_add(water, stages->mirrored_cube);
 }
 
 static void add_mirror(const tp_frame *frame, tp_plan *water, bool rippled)
 {
+    const tp_stages *stages = &frame->kit->stage;
+
     if (!tp_frame_mirrors_apart(frame)) {
-        tp_plan_add(water, tp_stage_mirror);
+        tp_plan_add(water, stages->mirror);
         return;
     }
     if (!rippled)
-        tp_plan_add(water, tp_stage_slopes);
-    tp_frame_add_reflection(frame, water);
+        tp_plan_add(water, stages->slopes);
+    if (!tp_frame_add_reflection(frame, water))
+        return;
     add_objects(frame, water);
     tp_frame_add_fresnel(frame, water);
+}
+
+/* Light, and what needs a view besides; whether it has a glint. */
+static bool add_light(tp_frame *frame, tp_plan *water, bool rippled, bool shines)
+{
+    const tp_scene  *scene = frame->scene;
+    const tp_stages *stages = &frame->kit->stage;
+    bool mirrors = scene->water.reflection > 0, clear = scene->water.clear > 0;
+    tp_stage light = NULL;
+
+    if (shines || mirrors || clear)
+        light = tp_plan_pick(water, light_stage(frame, water, rippled), NULL);
+    if (!light) {
+        tp_plan_add(water, rippled ? stages->diffuse_rippled : stages->diffuse);
+        return false;
+    }
+    tp_plan_add(water, stages->view);
+    tp_plan_add(water, light);
+    if (clear)
+        tp_plan_add(water, tp_frame_behind_stage(frame, rippled));
+    if (mirrors)
+        add_mirror(frame, water, rippled);
+    return shines;
 }
 
 /* The water's list: a view only if it shines or mirrors. */
 static void choose_water(tp_frame *frame)
 {
-    const tp_scene *scene = frame->scene;
+    const tp_stages *stages = &frame->kit->stage;
     tp_plan *water = &frame->water;
-    bool shines = scene->water.specular > 0, mirrors = scene->water.reflection > 0;
-    bool clear = scene->water.clear > 0;
+    bool shines = frame->scene->water.specular > 0;
 
-    *water = (tp_plan){ { NULL } };
+    *water = (tp_plan){ .lacks = 0 };
     bool rippled = tp_plan_add_layers(frame, water);
-    if (shines || mirrors || clear) {
-        tp_plan_add(water, tp_stage_view);
-        tp_plan_add(water, light_stage(frame, rippled));
-    } else {
-        tp_plan_add(water, rippled ? tp_stage_diffuse_rippled : tp_stage_diffuse);
-    }
-    if (clear)
-        tp_plan_add(water, tp_frame_behind_stage(frame, rippled));
-    if (mirrors)
-        add_mirror(frame, water, rippled);
+    shines = add_light(frame, water, rippled, shines);
     if (tp_world_foam(frame->world))
-        tp_plan_add(water, tp_frame_foam_stage(rippled, shines));
+        tp_plan_add(water, tp_frame_foam_stage(frame, rippled, shines));
     if (shines)
-        tp_plan_add(water, tp_stage_glint);
+        tp_plan_add(water, stages->glint);
     tp_frame_add_air(frame, water);
+}
+
+static tp_plan plan_of(tp_stage wanted, tp_stage plainer)
+{
+    return (tp_plan){ .stage = { wanted ? wanted : plainer } };
 }
 
 static void choose_stages(tp_frame *frame)
 {
+    const tp_stages *stages = &frame->kit->stage;
     const bool blinn = frame->scene->light.model == TP_LIGHT_BLINN;
     const bool ground = frame->assets.floor_texture || frame->scene->water.clear > 0;
 
-    frame->sky = (tp_plan){ { NULL } };
+    frame->sky = (tp_plan){ .lacks = 0 };
     tp_frame_add_sky(frame, &frame->sky);
     tp_frame_add_exposure(frame, &frame->sky);
-    frame->solids = (tp_plan){ { blinn ? tp_stage_solid_blinn : tp_stage_solid } };
-    frame->land = (tp_plan){ { ground ? tp_stage_ground : tp_stage_land } };
-    frame->drops = (tp_plan){ { tp_stage_drop } };
-    frame->tank = (tp_plan){ { tp_stage_wall } };
-    frame->side = (tp_plan){ { tp_stage_side } };
-    frame->spray = (tp_plan){ { tp_stage_spray } };
+    frame->solids = plan_of(blinn ? stages->solid_blinn : stages->solid, stages->solid);
+    frame->land = plan_of(ground ? stages->ground : stages->land, stages->land);
+    frame->drops = plan_of(stages->drop, NULL);
+    frame->tank = plan_of(stages->wall, NULL);
+    frame->side = plan_of(stages->side, NULL);
+    frame->spray = plan_of(stages->spray, NULL);
     tp_frame_add_air(frame, &frame->solids);
     tp_frame_add_air(frame, &frame->land);
     tp_frame_add_air(frame, &frame->drops);
@@ -102,6 +143,7 @@ static void choose_stages(tp_frame *frame)
     tp_frame_add_air(frame, &frame->side);
     tp_frame_add_air(frame, &frame->spray);
     choose_water(frame);
+    frame->stats.dropped += frame->sky.lacks + frame->water.lacks;
 }
 
 /* Glitter of the water, by the light's model. */

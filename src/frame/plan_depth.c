@@ -94,8 +94,9 @@ static void set_box(const tp_frame *frame, tp_inside *in)
 
 tp_stage tp_frame_behind_stage(const tp_frame *frame, bool rippled)
 {
-    static const tp_stage stage[] = {
-#define X(name, bent, dispersed) [2 * (dispersed) + (bent)] = tp_stage_##name,
+    const tp_stages *stages = &frame->kit->stage;
+    const tp_stage stage[] = {
+#define X(name, bent, dispersed) [2 * (dispersed) + (bent)] = stages->name,
         TP_BEHIND_STAGES(X)
 #undef X
     };
@@ -103,24 +104,25 @@ tp_stage tp_frame_behind_stage(const tp_frame *frame, bool rippled)
 }
 
 /* A kind's own first stage, then the water before it instead of air. */
-static tp_plan in_water(const tp_plan *plan)
+static tp_plan in_water(const tp_frame *frame, const tp_plan *plan)
 {
-    return (tp_plan){ { plan->stage[0], tp_stage_absorb } };
+    return (tp_plan){ .stage = { plan->stage[0], frame->kit->stage.absorb } };
 }
 
 static void choose_under(tp_frame *frame)
 {
+    const tp_stages *stages = &frame->kit->stage;
     tp_plan *const all[] = { &frame->sky, &frame->water, &frame->solids, &frame->land,
                              &frame->drops, &frame->tank, &frame->spray };
 
-    frame->sky = (tp_plan){ { tp_stage_deep } };
-    frame->water = (tp_plan){ { NULL } };
+    frame->sky = (tp_plan){ .stage = { stages->deep } };
+    frame->water = (tp_plan){ .lacks = 0 };
     bool rippled = tp_plan_add_bumps(frame, &frame->water);
-    tp_plan_add(&frame->water, tp_stage_view);
-    tp_plan_add(&frame->water, rippled ? tp_stage_below_rippled : tp_stage_below);
-    frame->land = (tp_plan){ { tp_stage_ground } };
+    tp_plan_add(&frame->water, stages->view);
+    tp_plan_add(&frame->water, rippled ? stages->below_rippled : stages->below);
+    frame->land = (tp_plan){ .stage = { stages->ground } };
     for (int k = 2; k < 7; k++)
-        *all[k] = in_water(all[k]);
+        *all[k] = in_water(frame, all[k]);
     for (int k = 0; k < 7; k++)
         tp_frame_add_exposure(frame, all[k]);
 }

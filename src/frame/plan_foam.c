@@ -54,10 +54,11 @@ void tp_frame_plan_foam(tp_frame *frame)
     f->edge = tp_world_pool(frame->world) ? UINT32_MAX : (1u << 24) / (32 * foam->cells);
 }
 
-tp_stage tp_frame_foam_stage(bool rippled, bool shiny)
+tp_stage tp_frame_foam_stage(const tp_frame *frame, bool rippled, bool shiny)
 {
-    static const tp_stage stage[] = {
-#define X(name, rippled, shiny) [2 * (rippled) + (shiny)] = tp_stage_##name,
+    const tp_stages *stages = &frame->kit->stage;
+    const tp_stage stage[] = {
+#define X(name, rippled, shiny) [2 * (rippled) + (shiny)] = stages->name,
         TP_FOAM_STAGES(X)
 #undef X
     };

@@ -89,20 +89,22 @@ void tp_frame_plan_layers(tp_frame *frame)
     tp_frame_place_bumps(frame);
 }
 
-static tp_stage texture_stage(const tp_frame *frame, bool linear)
+static tp_stage texture_stage(const tp_frame *frame, tp_plan *water, bool linear)
 {
-    static const tp_stage stage[] = {
-#define X(name, filter, tinted) [2 * (filter) + (tinted)] = tp_stage_##name,
+    const tp_stages *stages = &frame->kit->stage;
+    const tp_stage stage[] = {
+#define X(name, filter, tinted) [2 * (filter) + (tinted)] = stages->name,
         TP_TEXTURE_STAGES(X)
 #undef X
     };
     const tp_shade *shade = &frame->shade;
 
     if (!shade->water.texture)
-        return tp_stage_plain;
+        return stages->plain;
+    tp_stage wanted = stage[2 * linear + (shade->water_colour != 0xffffff)];
     if (is_graded(&frame->scene->layer[0]))
-        return linear ? tp_stage_texture_linear_graded : tp_stage_texture_graded;
-    return stage[2 * linear + (shade->water_colour != 0xffffff)];
+        wanted = linear ? stages->texture_linear_graded : stages->texture_graded;
+    return tp_plan_pick(water, wanted, stages->texture ? stages->texture : stages->plain);
 }
 
 /* Slopes of the mesh are 1/4 at the most: sum kA / (1 - sum QkA). */
@@ -121,30 +123,34 @@ static bool is_gentle(const tp_surface *surface)
 /* Ripples lie on what pools make of the slopes. */
 bool tp_plan_add_bumps(const tp_frame *frame, tp_plan *water)
 {
+    const tp_stages *stages = &frame->kit->stage;
     const tp_pool_bump *pool = frame->shade.bumps.pool;
-    bool pools = pool[0].slope || pool[1].slope;
     bool ripples = frame->shade.ripple.texture && frame->scene->ripple.bump > 0;
+    tp_stage bump = NULL, ripple = NULL;
 
-    if (pools)
-        tp_plan_add(water, tp_stage_pool_bump);
-    if (ripples)
-        tp_plan_add(water, pools ? tp_stage_ripple_over
-                           : is_gentle(&frame->surface) ? tp_stage_ripple_gentle
-                           : tp_stage_ripple);
-    return pools || ripples;
+    if (pool[0].slope || pool[1].slope)
+        tp_plan_add(water, bump = stages->pool_bump);
+    if (ripples && bump)
+        tp_plan_add(water, ripple = stages->ripple_over);
+    else if (ripples && stages->ripple_gentle && is_gentle(&frame->surface))
+        tp_plan_add(water, ripple = stages->ripple_gentle);
+    else if (ripples)
+        tp_plan_add(water, ripple = stages->ripple);
+    return bump || ripple;
 }
 
 bool tp_plan_add_layers(const tp_frame *frame, tp_plan *water)
 {
+    const tp_stages *stages = &frame->kit->stage;
     const tp_layers *layers = &frame->shade.layers;
     bool added = layers->added[0].texture || layers->added[1].texture;
     bool linear = frame->scene->water.filter == TP_FILTER_LINEAR;
 
     if (layers->bend.texture && layers->strength > 0
         && (added || frame->shade.water.texture))
-        tp_plan_add(water, tp_stage_bend);
-    tp_plan_add(water, texture_stage(frame, linear));
+        tp_plan_add(water, stages->bend);
+    tp_plan_add(water, texture_stage(frame, water, linear));
     if (added)
-        tp_plan_add(water, linear ? tp_stage_layers_linear : tp_stage_layers);
+        tp_plan_add(water, linear ? stages->layers_linear : stages->layers);
     return tp_plan_add_bumps(frame, water);
 }

@@ -119,16 +119,17 @@ void tp_frame_plan_sky(tp_frame *frame)
 
 void tp_frame_add_sky(const tp_frame *frame, tp_plan *plan)
 {
+    const tp_stages *stages = &frame->kit->stage;
     const tp_env *env = &frame->shade.env;
+    tp_stage sky = stages->sky;
 
     if (env->kind == TP_ENV_DOME)
-        tp_plan_add(plan, env->beyond ? tp_stage_sky_dome_hdr : tp_stage_sky_dome);
+        sky = env->beyond ? stages->sky_dome_hdr : stages->sky_dome;
     else if (env->kind == TP_ENV_CUBE)
-        tp_plan_add(plan, env->beyond ? tp_stage_sky_cube_hdr : tp_stage_sky_cube);
-    else
-        tp_plan_add(plan, tp_stage_sky);
+        sky = env->beyond ? stages->sky_cube_hdr : stages->sky_cube;
+    tp_plan_add(plan, tp_plan_pick(plan, sky, stages->sky));
     if (env->kind == TP_ENV_DOME && env->stars > 0)
-        tp_plan_add(plan, tp_stage_stars);
+        tp_plan_add(plan, stages->stars);
 }
 
 /* The plain gradient has no light beyond white; only objects in the mirror ask for more
@@ -139,33 +140,44 @@ bool tp_frame_mirrors_apart(const tp_frame *frame)
         || frame->scene->mirror.objects != TP_MIRROR_NONE;
 }
 
-void tp_frame_add_reflection(const tp_frame *frame, tp_plan *plan)
+/* What mirrors nothing of the sky mirrors no objects either. */
+bool tp_frame_add_reflection(const tp_frame *frame, tp_plan *plan)
 {
+    const tp_stages *stages = &frame->kit->stage;
     const tp_env_kind kind = frame->shade.env.kind;
+    const tp_stage wanted = kind == TP_ENV_DOME ? stages->reflect_dome
+                          : kind == TP_ENV_CUBE ? stages->reflect_cube
+                                                : stages->reflect_gradient;
+    const tp_stage found = tp_plan_pick(plan, wanted, stages->reflect_gradient);
 
-    tp_plan_add(plan, kind == TP_ENV_DOME ? tp_stage_reflect_dome
-                    : kind == TP_ENV_CUBE ? tp_stage_reflect_cube
-                                          : tp_stage_reflect_gradient);
+    if (!found || !stages->fresnel)
+        return false;
+    tp_plan_add(plan, found);
+    return true;
 }
 
 void tp_frame_add_fresnel(const tp_frame *frame, tp_plan *plan)
 {
-    tp_plan_add(plan, frame->shade.env.beyond ? tp_stage_fresnel_hdr : tp_stage_fresnel);
+    const tp_stages *stages = &frame->kit->stage;
+
+    tp_plan_add(plan, frame->shade.env.beyond && stages->fresnel_hdr ? stages->fresnel_hdr
+                                                                     : stages->fresnel);
 }
 
 /* What every sample but the sky's ends with. */
 void tp_frame_add_air(const tp_frame *frame, tp_plan *plan)
 {
+    const tp_stages *stages = &frame->kit->stage;
     const tp_env_kind kind = frame->shade.env.kind;
 
     if (frame->scene->sky.haze > 0)
-        tp_plan_add(plan, kind == TP_ENV_DOME ? tp_stage_haze_dome
-                        : kind == TP_ENV_CUBE ? tp_stage_haze_cube : tp_stage_haze);
+        tp_plan_add(plan, kind == TP_ENV_DOME ? stages->haze_dome
+                        : kind == TP_ENV_CUBE ? stages->haze_cube : stages->haze);
     tp_frame_add_exposure(frame, plan);
 }
 
 void tp_frame_add_exposure(const tp_frame *frame, tp_plan *plan)
 {
     if (frame->shade.tone && frame->drawn.exposure != TP_FX_ONE)
-        tp_plan_add(plan, tp_stage_expose);
+        tp_plan_add(plan, frame->kit->stage.expose);
 }

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* One tile: what is there, then its colours, then its pixels. */
 #include "frame/frame.h"
-#include "pixel/pixel.h"
 
 static tp_samples samples_of(const tp_frame *frame, void *scratch, const tp_tile *tile)
 {
@@ -69,6 +68,7 @@ static const tp_plan *run_at(const tp_frame *frame, const tp_samples *tile, int3
 
 static void shade_row(const tp_frame *frame, const tp_samples *tile, int32_t y, void *row)
 {
+    const tp_store store = frame->kit->store[frame->config.format];
     tp_covered glass[TP_PANES];
     tp_run run;
 
@@ -80,8 +80,7 @@ static void shade_row(const tp_frame *frame, const tp_samples *tile, int32_t y, 
             plan->stage[k](&frame->shade, &run);
         if (frame->glasses > 0)
             tp_frame_glaze(frame, glass, &run);
-        tp_pixel_store(frame->config.format, row, x - tile->x0, x, y, run.colour,
-                       run.count);
+        store(row, x - tile->x0, x, y, run.colour, run.count);
     }
 }
 
@@ -97,7 +96,7 @@ void tp_frame_colour_row(const tp_frame *frame, const tp_samples *tile, int32_t 
             continue;
         }
         const tp_plan *plan = run_at(frame, tile, x, y, &run);
-        for (int k = 0; plan->stage[k] && plan->stage[k] != tp_stage_expose; k++)
+        for (int k = 0; plan->stage[k] && plan->stage[k] != frame->kit->stage.expose; k++)
             plan->stage[k](&frame->shade, &run);
         for (int32_t k = 0; k < run.count; k++, x++)
             to[x - tile->x0] = run.colour[k] | 0xff000000u;

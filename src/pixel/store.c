@@ -8,7 +8,7 @@
  * Source: B. E. Bayer, An optimum method for two-level rendition of continuous-tone
  * pictures, ICC 1973. */
 #include "base/base.h"
-#include "pixel/pixel.h"
+#include "tidepool/kit.h"
 
 static const uint8_t bayer[8][8] = {
     {  0, 32,  8, 40,  2, 34, 10, 42 },
@@ -49,14 +49,32 @@ static inline uint32_t to_palette(uint32_t colour, uint32_t rank)
     return (r * 7 + g) * 6 + b;
 }
 
-static void store_rgb565(uint16_t *to, const uint32_t *colours, int count)
+void tp_store_xrgb8888(void *row, int x_in_row, int x, int y, const uint32_t *colours,
+                       int count)
 {
+    (void)x;
+    (void)y;
+    memcpy((uint32_t *)row + x_in_row, colours, (size_t)count * sizeof *colours);
+}
+
+void tp_store_rgb565(void *row, int x_in_row, int x, int y, const uint32_t *colours,
+                     int count)
+{
+    uint16_t *to = (uint16_t *)row + x_in_row;
+
+    (void)x;
+    (void)y;
     for (int i = 0; i < count; i++)
         to[i] = (uint16_t)to_rgb565(colours[i]);
 }
 
-static void store_rgb565be(uint8_t *to, const uint32_t *colours, int count)
+void tp_store_rgb565be(void *row, int x_in_row, int x, int y, const uint32_t *colours,
+                       int count)
 {
+    uint8_t *to = (uint8_t *)row + 2 * x_in_row;
+
+    (void)x;
+    (void)y;
     for (int i = 0; i < count; i++, to += 2) {
         const uint32_t pixel = to_rgb565(colours[i]);
         to[0] = (uint8_t)(pixel >> 8);
@@ -64,17 +82,23 @@ static void store_rgb565be(uint8_t *to, const uint32_t *colours, int count)
     }
 }
 
-static void store_p8(uint8_t *to, const uint8_t *ranks, int x, const uint32_t *colours,
-                     int count)
+void tp_store_p8(void *row, int x_in_row, int x, int y, const uint32_t *colours,
+                 int count)
 {
+    const uint8_t *ranks = bayer[y & 7];
+    uint8_t *to = (uint8_t *)row + x_in_row;
+
     for (int i = 0; i < count; i++)
         to[i] = (uint8_t)to_palette(colours[i], ranks[(x + i) & 7]);
 }
 
 /* The fraction of luma is dithered: 255 * 256 + 4 * 63 + 2 stays below 2^16. */
-static void store_l8(uint8_t *to, const uint8_t *ranks, int x, const uint32_t *colours,
-                     int count)
+void tp_store_l8(void *row, int x_in_row, int x, int y, const uint32_t *colours,
+                 int count)
 {
+    const uint8_t *ranks = bayer[y & 7];
+    uint8_t *to = (uint8_t *)row + x_in_row;
+
     for (int i = 0; i < count; i++)
         to[i] = (uint8_t)((luma_q8(colours[i]) + ranks[(x + i) & 7] * 4u + 2) >> 8);
 }
@@ -86,9 +110,11 @@ static inline uint32_t is_white(uint32_t colour, uint32_t rank)
 }
 
 /* Byte by byte; the first and the last may hold pixels of others. */
-static void store_i1(uint8_t *row, int x_in_row, const uint8_t *ranks, int x,
-                     const uint32_t *colours, int count)
+void tp_store_i1(void *row, int x_in_row, int x, int y, const uint32_t *colours,
+                 int count)
 {
+    const uint8_t *ranks = bayer[y & 7];
+
     while (count > 0) {
         const int skip = x_in_row & 7, room = 8 - skip;
         const int n = count < room ? count : room;
@@ -96,39 +122,11 @@ static void store_i1(uint8_t *row, int x_in_row, const uint8_t *ranks, int x,
         for (int i = 0; i < n; i++)
             bits = bits << 1 | is_white(colours[i], ranks[(x + i) & 7]);
         const uint32_t mask = (0xffu >> skip) & ~(0xffu >> (skip + n));
-        uint8_t *const byte = row + (x_in_row >> 3);
+        uint8_t *const byte = (uint8_t *)row + (x_in_row >> 3);
         *byte = (uint8_t)((*byte & ~mask) | bits << (room - n));
         x_in_row += n;
         x += n;
         colours += n;
         count -= n;
-    }
-}
-
-void tp_pixel_store(tp_format format, void *row, int x_in_row, int x, int y,
-                    const uint32_t *colours, int count)
-{
-    const uint8_t *const ranks = bayer[y & 7];
-    switch (format) {
-    case TP_FORMAT_XRGB8888:
-        memcpy((uint32_t *)row + x_in_row, colours, (size_t)count * sizeof *colours);
-        break;
-    case TP_FORMAT_RGB565:
-        store_rgb565((uint16_t *)row + x_in_row, colours, count);
-        break;
-    case TP_FORMAT_RGB565BE:
-        store_rgb565be((uint8_t *)row + 2 * x_in_row, colours, count);
-        break;
-    case TP_FORMAT_P8:
-        store_p8((uint8_t *)row + x_in_row, ranks, x, colours, count);
-        break;
-    case TP_FORMAT_L8:
-        store_l8((uint8_t *)row + x_in_row, ranks, x, colours, count);
-        break;
-    case TP_FORMAT_I1:
-        store_i1(row, x_in_row, ranks, x, colours, count);
-        break;
-    case TP_FORMAT_COUNT:
-        break;
     }
 }

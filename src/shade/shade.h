@@ -30,10 +30,11 @@
 #include "shade/skies.h"
 #include "tidepool/asset.h"
 #include "tidepool/fx.h"
+#include "tidepool/kit.h"
 
 #define TP_RUN 64
 
-typedef struct {
+typedef struct tp_run {
     int32_t  x, y;              /* of the first sample, in the picture */
     int32_t  count;
     uint32_t material;          /* of a mesh */
@@ -85,7 +86,7 @@ typedef struct {
 #define TP_STEEP 512            /* 1/sqrt(1 + q), q in 0..4 */
 #define TP_HAZE  512
 
-typedef struct {
+typedef struct tp_shade {
     int32_t  u0, v0;            /* the picture's centre, 28.4 */
     int32_t  focal;             /* 28.4 */
     uint32_t per_focal;         /* 2^32 / focal */
@@ -124,7 +125,7 @@ typedef struct {
     const uint8_t *tone;        /* 256 entries: the camera's exposure */
 } tp_shade;
 
-typedef void (*tp_stage)(const tp_shade *shade, tp_run *run);
+/* The stages are those of TP_STAGE_LIST.  Variants of one body: */
 
 /* name, linear filter, tinted by the water's colour */
 #define TP_TEXTURE_STAGES(X) \
@@ -147,75 +148,12 @@ typedef void (*tp_stage)(const tp_shade *shade, tp_run *run);
     X(sky_cube,     TP_ENV_CUBE, 0) \
     X(sky_cube_hdr, TP_ENV_CUBE, 1)
 
-void tp_stage_sky(const tp_shade *shade, tp_run *run);      /* colour of the empty view, */
-#define X(name, kind, hdr) void tp_stage_##name(const tp_shade *shade, tp_run *run);
-TP_SKY_STAGES(X)                            /* the same of other skies; vx vy vz too */
-#undef X
-void tp_stage_stars(const tp_shade *shade, tp_run *run);    /* added to a dome */
-void tp_stage_plain(const tp_shade *shade, tp_run *run);    /* colour, without texture */
-#define X(name, filter, tinted) void tp_stage_##name(const tp_shade *shade, tp_run *run);
-TP_TEXTURE_STAGES(X)                                        /* colour */
-#undef X
-void tp_stage_texture_graded(const tp_shade *shade, tp_run *run);
-void tp_stage_texture_linear_graded(const tp_shade *shade, tp_run *run);
-void tp_stage_bend(const tp_shade *shade, tp_run *run);     /* ls lt, before layers */
-void tp_stage_layers(const tp_shade *shade, tp_run *run);   /* adds the second and third */
-void tp_stage_layers_linear(const tp_shade *shade, tp_run *run);
-void tp_stage_pool_bump(const tp_shade *shade, tp_run *run);        /* sx sz: pools' */
-void tp_stage_ripple(const tp_shade *shade, tp_run *run);   /* sx sz: by a normal map */
-void tp_stage_ripple_gentle(const tp_shade *shade, tp_run *run);    /* of flat surfaces */
-void tp_stage_ripple_over(const tp_shade *shade, tp_run *run);      /* pools' sx sz */
-void tp_stage_view(const tp_shade *shade, tp_run *run);     /* vx vy vz, lv: world axes */
-void tp_stage_diffuse(const tp_shade *shade, tp_run *run);  /* colour; needs no view */
-void tp_stage_diffuse_rippled(const tp_shade *shade, tp_run *run);
-void tp_stage_light(const tp_shade *shade, tp_run *run);    /* colour; nv up glint */
-void tp_stage_light_rippled(const tp_shade *shade, tp_run *run);
-void tp_stage_light_blinn(const tp_shade *shade, tp_run *run);
-void tp_stage_light_blinn_rippled(const tp_shade *shade, tp_run *run);
-void tp_stage_mirror(const tp_shade *shade, tp_run *run);   /* sky by Fresnel's share */
-
-/* The same in parts, for other skies, objects in the mirror, and light beyond white. */
-void tp_stage_slopes(const tp_shade *shade, tp_run *run);   /* sx sz of smooth water */
-void tp_stage_reflect_gradient(const tp_shade *shade, tp_run *run); /* mirror, rx rz */
-void tp_stage_reflect_dome(const tp_shade *shade, tp_run *run);
-void tp_stage_reflect_cube(const tp_shade *shade, tp_run *run);
-void tp_stage_mirrored(const tp_shade *shade, tp_run *run); /* objects over mirror */
-void tp_stage_mirrored_cube(const tp_shade *shade, tp_run *run);
-void tp_stage_fresnel(const tp_shade *shade, tp_run *run);  /* mirror into the colour */
-void tp_stage_fresnel_hdr(const tp_shade *shade, tp_run *run);
-
-#define X(name, rippled, shiny) void tp_stage_##name(const tp_shade *shade, tp_run *run);
-TP_FOAM_STAGES(X)                                           /* over colour; less glint */
-#undef X
-void tp_stage_spray(const tp_shade *shade, tp_run *run);    /* colour of specks */
-void tp_stage_glint(const tp_shade *shade, tp_run *run);    /* adds the specular */
-void tp_stage_haze(const tp_shade *shade, tp_run *run);     /* towards the horizon */
-void tp_stage_haze_dome(const tp_shade *shade, tp_run *run);
-void tp_stage_haze_cube(const tp_shade *shade, tp_run *run);
-void tp_stage_expose(const tp_shade *shade, tp_run *run);   /* last of all */
-void tp_stage_solid(const tp_shade *shade, tp_run *run);    /* all of a mesh's Phong */
-void tp_stage_solid_blinn(const tp_shade *shade, tp_run *run);
-void tp_stage_land(const tp_shade *shade, tp_run *run);     /* the same in world axes, */
-void tp_stage_drop(const tp_shade *shade, tp_run *run);     /* of one colour */
-
 /* name, slopes that a ripple has bent, colours that part */
 #define TP_BEHIND_STAGES(X) \
     X(behind,                  0, 0) \
     X(behind_rippled,          1, 0) \
     X(behind_dispersed,        0, 1) \
     X(behind_rippled_dispersed, 1, 1)
-
-#define X(name, rippled, dispersed) \
-    void tp_stage_##name(const tp_shade *shade, tp_run *run);
-TP_BEHIND_STAGES(X)             /* what is seen through the water, over its colour */
-#undef X
-void tp_stage_below(const tp_shade *shade, tp_run *run);    /* the surface from below */
-void tp_stage_below_rippled(const tp_shade *shade, tp_run *run);
-void tp_stage_deep(const tp_shade *shade, tp_run *run);     /* empty view in the water */
-void tp_stage_absorb(const tp_shade *shade, tp_run *run);   /* water before what is there */
-void tp_stage_side(const tp_shade *shade, tp_run *run);     /* water behind a glass wall */
-void tp_stage_wall(const tp_shade *shade, tp_run *run);     /* a tank's stone */
-void tp_stage_ground(const tp_shade *shade, tp_run *run);   /* land with its picture */
 
 /* Glass of the wall `way` (as of tp_stage_side) over samples [i, stop) of a shaded run. */
 void tp_shade_glaze(const tp_shade *shade, tp_run *run, int32_t i, int32_t stop,

@@ -14,7 +14,7 @@ BEGIN {
         for (j = 1; j <= n; j++)
             rank[module[j]] = i
     }
-    split("status=base arena=base ring=wave ocean=wave depth=wave light=shade drop=scene " \
+    split("status=base arena=base kit=pixel ring=wave ocean=wave depth=wave light=shade drop=scene " \
           "foam=scene clock=scene tape=scene tidepool=top", special, " ")
     for (i in special) {
         split(special[i], pair, "=")

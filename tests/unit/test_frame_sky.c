@@ -7,7 +7,7 @@
 #include <stdint.h>
 #include <cmocka.h>
 #include "frame/frame.h"
-#include "pixel/pixel.h"
+#include "tidepool/kit.h"
 #include "scenes.h"
 
 enum { WIDTH = 150, HEIGHT = 90 };

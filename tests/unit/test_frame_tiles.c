@@ -201,7 +201,7 @@ static void the_world_may_move_on_while_tiles_are_drawn(void **state)
     frame_free(&f);
 }
 
-/* Every format is the true colours put through tp_pixel_store. */
+/* Every format is the true colours put through its store. */
 static void formats_differ_only_in_how_colours_are_stored(void **state)
 {
     (void)state;
@@ -217,7 +217,7 @@ static void formats_differ_only_in_how_colours_are_stored(void **state)
         config.tile_width = 48;
         draw_all(&scene, all_assets(), &world, &config, got);
         for (int y = 0; y < HEIGHT; y++) {
-            tp_pixel_store(config.format, row, 0, 0, y, colours + y * WIDTH, WIDTH);
+            tp_kit_all.store[config.format](row, 0, 0, y, colours + y * WIDTH, WIDTH);
             for (int x = 0; x < WIDTH; x++)
                 assert_int_equal(got[y * WIDTH + x],
                                  tp_pixel_read(config.format, row, x));

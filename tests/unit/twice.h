@@ -6,7 +6,7 @@
 #define TP_TESTS_TWICE_H
 #include "frame/frame.h"
 #include "kit.h"
-#include "pixel/pixel.h"
+#include "tidepool/kit.h"
 
 enum { TWICE_WIDTH = 68, TWICE_HEIGHT = 48 };
 

@@ -1,0 +1,97 @@
+/* SPDX-License-Identifier: MIT */
+/* The kit: all that drawing and stepping a scene may call but need not.
+ *
+ * The core reaches everything optional through one constant struct of pointers.  A
+ * program that gives it a kit of its own, with what its scenes need and NULL for the
+ * rest, links that alone (-ffunction-sections, --gc-sections):
+ *
+ *     static const tp_kit mine = {
+ *         .stage = { TP_STAGE(sky), TP_STAGE(plain), TP_STAGE(texture) },
+ *         .store = { [TP_FORMAT_RGB565] = tp_store_rgb565 },
+ *     };
+ *     tp_frame_init_with(&mine, &frame, ...)
+ *
+ * What is NULL is left out of the picture, as if the scene did not ask for it; each
+ * frame's stats count it as dropped. */
+#ifndef TP_KIT_H
+#define TP_KIT_H
+#include "tidepool/pixel.h"
+
+/* -- stages: what a run of samples goes through; src/shade/shade.h ------------------- */
+
+struct tp_shade;
+struct tp_run;
+typedef void (*tp_stage)(const struct tp_shade *shade, struct tp_run *run);
+
+#define TP_STAGE_LIST(X) \
+    /* colour of the empty view */ \
+    X(sky) X(sky_dome) X(sky_dome_hdr) X(sky_cube) X(sky_cube_hdr) \
+    X(stars)                /* added to a dome */ \
+    /* colour of the water: without texture, and with the first layer */ \
+    X(plain) X(texture) X(texture_tinted) X(texture_linear) X(texture_linear_tinted) \
+    X(texture_graded) X(texture_linear_graded) \
+    X(bend)                 /* ls lt, before layers */ \
+    X(layers) X(layers_linear)      /* adds the second and third */ \
+    X(pool_bump)            /* sx sz: pools' */ \
+    X(ripple)               /* sx sz: by a normal map, */ \
+    X(ripple_gentle)        /* of flat surfaces, */ \
+    X(ripple_over)          /* over pools' sx sz */ \
+    X(view)                 /* vx vy vz, lv: world axes */ \
+    X(diffuse) X(diffuse_rippled)   /* colour; needs no view */ \
+    X(light) X(light_rippled) X(light_blinn) X(light_blinn_rippled) /* nv up glint */ \
+    X(mirror)               /* sky by Fresnel's share; or in parts, for other skies, */ \
+    X(slopes)               /* objects and light beyond white: sx sz of smooth water, */ \
+    X(reflect_gradient) X(reflect_dome) X(reflect_cube)     /* mirror, rx rz, */ \
+    X(mirrored) X(mirrored_cube)    /* objects over mirror, */ \
+    X(fresnel) X(fresnel_hdr)       /* mirror into the colour */ \
+    X(foam) X(foam_rippled) X(foam_shiny) X(foam_shiny_rippled) /* less glint */ \
+    X(spray)                /* colour of specks */ \
+    X(glint)                /* adds the specular */ \
+    X(haze) X(haze_dome) X(haze_cube)       /* towards the horizon */ \
+    X(expose)               /* last of all */ \
+    /* all of a mesh's Phong; the same in world axes, of one colour; with a picture */ \
+    X(solid) X(solid_blinn) X(land) X(drop) X(ground) \
+    /* what is seen through the water, over its colour */ \
+    X(behind) X(behind_rippled) X(behind_dispersed) X(behind_rippled_dispersed) \
+    X(below) X(below_rippled)       /* the surface from below */ \
+    X(deep)                 /* empty view in the water */ \
+    X(absorb)               /* water before what is there */ \
+    X(side)                 /* water behind a glass wall */ \
+    X(wall)                 /* a tank's stone */
+
+#define X(name) void tp_stage_##name(const struct tp_shade *shade, struct tp_run *run);
+TP_STAGE_LIST(X)
+#undef X
+
+typedef struct {
+#define X(name) tp_stage name;
+    TP_STAGE_LIST(X)
+#undef X
+} tp_stages;
+
+#define TP_STAGE(name) .name = tp_stage_##name
+
+/* -- pixels -------------------------------------------------------------------------- */
+
+/* Converts `count` colours 0x00RRGGBB into `row`, from the row's pixel x_in_row on; other
+ * pixels of the row stay as they are, also those that share a byte.  (x, y) is the place
+ * in the picture of the first one: the dither is fixed there, so no tiling shows.
+ * Rows of xrgb8888 are aligned to 4 bytes, of rgb565 to 2. */
+typedef void (*tp_store)(void *row, int x_in_row, int x, int y, const uint32_t *colours,
+                         int count);
+
+#define X(name, word, bits, text) \
+    void tp_store_##word(void *row, int x_in_row, int x, int y, \
+                         const uint32_t *colours, int count);
+TP_FORMAT_LIST(X)
+#undef X
+
+/* ------------------------------------------------------------------------------------ */
+
+typedef struct tp_kit {
+    tp_stages stage;
+    tp_store  store[TP_FORMAT_COUNT];
+} tp_kit;
+
+extern const tp_kit tp_kit_all;     /* everything there is */
+#endif

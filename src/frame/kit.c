@@ -1,0 +1,16 @@
+/* SPDX-License-Identifier: MIT */
+/* The kit of everything.  Whoever names it links the whole core. */
+#include "tidepool/kit.h"
+
+const tp_kit tp_kit_all = {
+    .stage = {
+#define X(name) TP_STAGE(name),
+        TP_STAGE_LIST(X)
+#undef X
+    },
+    .store = {
+#define X(name, word, bits, text) [TP_FORMAT_##name] = tp_store_##word,
+        TP_FORMAT_LIST(X)
+#undef X
+    },
+};
