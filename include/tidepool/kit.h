@@ -86,11 +86,46 @@ typedef void (*tp_store)(void *row, int x_in_row, int x, int y, const uint32_t *
 TP_FORMAT_LIST(X)
 #undef X
 
+/* -- parts of a frame; src/frame/parts.h -------------------------------------------- */
+
+#define TP_DRAW_LIST(X) \
+    X(boat)         /* and its lids; stages solid, solid_blinn */ \
+    X(drops)        /* in the air, and their sphere; drop */ \
+    X(land)         /* land, ground */ \
+    X(tank)         /* a tank's stone, and a pool's inner walls; wall; needs inside */ \
+    X(glass)        /* a tank's; side; needs tank */ \
+    X(inside)       /* what is seen through water, and from in it */ \
+    X(caustics)     /* needs inside */ \
+    X(spray) X(foam) \
+    X(mirrored)     /* objects in the mirror, by a picture of half the size */ \
+    X(around)       /* the same by a cube */ \
+    X(sunken)       /* objects under clear water */ \
+    X(layers)       /* all but the first one, and their distortion */ \
+    X(ripple) \
+    X(bumps)        /* of pools that bend the light only; pool_bump */ \
+    X(dome) X(cube) X(stars)        /* skies */ \
+    X(fresnel)      /* tables of what mirrors or is clear; mirror, fresnel ... */ \
+    X(glint)        /* tables of what shines */ \
+    X(exposure)
+
+#define X(name) extern const struct tp_draw_##name tp_draw_##name;
+TP_DRAW_LIST(X)
+#undef X
+
+typedef struct {
+#define X(name) const struct tp_draw_##name *name;
+    TP_DRAW_LIST(X)
+#undef X
+} tp_draws;
+
+#define TP_DRAW(name) .name = &tp_draw_##name
+
 /* ------------------------------------------------------------------------------------ */
 
 typedef struct tp_kit {
     tp_stages stage;
     tp_store  store[TP_FORMAT_COUNT];
+    tp_draws  draw;
 } tp_kit;
 
 extern const tp_kit tp_kit_all;     /* everything there is */

@@ -7,7 +7,7 @@
 #define WIDE (2 * TP_AROUND_SIDE)
 #define BAND 4                  /* rows that are drawn at a time */
 
-void tp_frame_carve_around(tp_around_store *store, tp_arena *arena)
+static void carve_around(tp_around_store *store, tp_arena *arena)
 {
     store->colour = tp_arena_take(arena, TP_AROUND_FACES * TP_AROUND_SIDE * TP_AROUND_SIDE,
                                   sizeof *store->colour);
@@ -95,7 +95,7 @@ static bool draw_face(tp_frame *frame, tp_sight *sight, uint32_t *to)
     return box.x0 <= box.x1;
 }
 
-void tp_frame_draw_around(tp_frame *frame)
+static void draw_around(tp_frame *frame)
 {
     static const int32_t turn[TP_AROUND_FACES][2] = {     /* quarters: heading, pitch */
         { 1, 0 }, { 3, 0 }, { 2, 0 }, { 0, 0 }, { 0, 1 }
@@ -121,3 +121,7 @@ void tp_frame_draw_around(tp_frame *frame)
     }
     frame->shade.around.colour = seen ? colour : NULL;
 }
+
+const struct tp_draw_around tp_draw_around = {
+    carve_around, draw_around
+};

@@ -110,7 +110,7 @@ static void widen_by_face(const tp_frame *frame, tp_sight *sight, const tp_mesh_
         tp_box_widen(&sight->boat_box, corner[k].u, corner[k].v);
 }
 
-void tp_frame_place_boat(tp_frame *frame, tp_sight *sight)
+static void place_boat(tp_frame *frame, tp_sight *sight)
 {
     const tp_mesh *mesh = frame->assets.boat;
 
@@ -207,12 +207,12 @@ static void draw_faces(const tp_frame *frame, const tp_sight *sight, tp_samples 
             draw_face(frame, sight, tile, f);
 }
 
-void tp_frame_draw_boat(const tp_frame *frame, const tp_sight *sight, tp_samples *tile)
+static void draw_boat(const tp_frame *frame, const tp_sight *sight, tp_samples *tile)
 {
     draw_faces(frame, sight, tile, false);
 }
 
-void tp_frame_draw_lids(const tp_frame *frame, const tp_sight *sight, tp_samples *tile)
+static void draw_lids(const tp_frame *frame, const tp_sight *sight, tp_samples *tile)
 {
     const tp_mesh *mesh = frame->assets.boat;
     bool any = false;
@@ -222,3 +222,45 @@ void tp_frame_draw_lids(const tp_frame *frame, const tp_sight *sight, tp_samples
     if (any)
         draw_faces(frame, sight, tile, true);
 }
+
+/* -- materials ------------------------------------------------------------------------ */
+
+static void make_gloss(tp_frame *frame)
+{
+    frame->model = frame->scene->light.model;
+    for (uint32_t i = 0; i < tp_frame_materials(&frame->assets); i++) {
+        uint8_t *gloss = frame->parts.gloss + (size_t)i * TP_GLOSS;
+        tp_fx shininess = frame->assets.boat->materials[i].shininess;
+        if (frame->model == TP_LIGHT_BLINN)
+            tp_shade_gloss_blinn(gloss, shininess);
+        else
+            tp_shade_gloss(gloss, shininess);
+    }
+}
+
+static void plan_boat(tp_frame *frame)
+{
+    const tp_mesh *mesh = frame->assets.boat;
+    uint32_t count = tp_frame_materials(&frame->assets);
+
+    if (frame->model != frame->scene->light.model)
+        make_gloss(frame);
+    for (uint32_t i = 0; i < count; i++) {
+        const tp_material *m = &mesh->materials[i];
+        tp_fx texels = tp_fx_div(m->texels, frame->scene->boat.scale);
+        frame->parts.solid[i] = (tp_solid){
+            .diffuse = m->diffuse,
+            .specular = m->specular,
+            .lod = tp_frame_lod(frame, texels, false) + 96,  /* one texel: grain glitters */
+            .bump = tp_clamp(m->bump, -16 * TP_FX_ONE, 16 * TP_FX_ONE) >> 8,
+            .diffuse_map = m->diffuse_map,
+            .normal_map = m->normal_map,
+            .gloss = frame->parts.gloss + (size_t)i * TP_GLOSS,
+        };
+    }
+}
+
+const struct tp_draw_boat tp_draw_boat = {
+    .solid = { place_boat, draw_boat }, .lids = draw_lids, .init = make_gloss,
+    .plan = plan_boat,
+};

@@ -55,7 +55,7 @@ static bool is_flat(const tp_pool *pool)
     return pool->at_rest && pool->cells != TP_CELLS_32;
 }
 
-void tp_frame_place_bumps(tp_frame *frame)
+static void place_bumps(tp_frame *frame)
 {
     const bool bumps = tp_frame_bumps(frame);
 
@@ -71,3 +71,7 @@ void tp_frame_place_bumps(tp_frame *frame)
                        frame->parts.bump[k]);
     }
 }
+
+const struct tp_draw_bumps tp_draw_bumps = {
+    place_bumps
+};

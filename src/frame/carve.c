@@ -14,9 +14,38 @@ static bool has_blocks(const tp_scene *scene)
     return scene->pool.cols > 0 && scene->pool.mask[0];
 }
 
+static bool has_caustics(const tp_scene *scene)
+{
+    return scene->water.clear > 0 && scene->water.caustics > 0
+        && (tp_has_floor(scene) || tp_has_tank(scene));
+}
+
+/* Whether the kit has a part that the scene asks for; if not, it counts. */
+bool tp_frame_wants(tp_frame_parts *parts, bool asked, const void *part)
+{
+    parts->lacks += asked && !part;
+    return asked && part;
+}
+
+/* What the scene names and the kit cannot draw it does not name. */
+static void leave_out(tp_frame_parts *p, const tp_kit *kit, tp_assets *assets)
+{
+    const tp_draws *draw = &kit->draw;
+    const bool layers = assets->layer[1] || assets->layer[2] || assets->distortion;
+
+    if (!tp_frame_wants(p, assets->boat, draw->boat))
+        assets->boat = NULL;
+    if (!tp_frame_wants(p, layers, draw->layers))
+        assets->layer[1] = assets->layer[2] = assets->distortion = NULL;
+    if (!tp_frame_wants(p, assets->ripple, draw->ripple))
+        assets->ripple = NULL;
+    if (!tp_frame_wants(p, assets->foam, draw->foam))
+        assets->foam = NULL;
+}
+
 /* The water's surface, and what is drawn before it as triangles. */
-static void carve_places(tp_frame_parts *p, tp_arena *arena, const tp_scene *scene,
-                         const tp_assets *assets)
+static void carve_places(tp_frame_parts *p, tp_arena *arena, const tp_kit *kit,
+                         const tp_scene *scene, const tp_assets *assets)
 {
     const uint32_t cols = (uint32_t)scene->grid.cols, rows = (uint32_t)scene->grid.rows;
 
@@ -26,22 +55,23 @@ static void carve_places(tp_frame_parts *p, tp_arena *arena, const tp_scene *sce
     if (assets->boat)
         p->boat_vertex = tp_arena_take(arena, assets->boat->n_vertices,
                                        sizeof *p->boat_vertex);
-    if (tp_has_floor(scene)) {
+    if (tp_frame_wants(p, tp_has_floor(scene), kit->draw.land)) {
         p->land_vertex = tp_arena_take(arena, (size_t)cols * rows,
                                        sizeof *p->land_vertex);
         p->land_band = tp_arena_take(arena, rows, sizeof *p->land_band);
     }
 }
 
-static void carve_drops(tp_frame_parts *p, tp_arena *arena, const tp_scene *scene)
+static void carve_drops(tp_frame_parts *p, tp_arena *arena, const tp_kit *kit,
+                        const tp_scene *scene)
 {
-    if (scene->drops.count > 0) {
+    if (tp_frame_wants(p, scene->drops.count > 0, kit->draw.drops)) {
         p->drop_capacity = (uint32_t)scene->drops.count;
         p->ring_capacity = (uint32_t)scene->drops.rings;
         p->drop_box = tp_arena_take(arena, p->drop_capacity + 1, sizeof *p->drop_box);
         p->ring = tp_arena_take(arena, p->ring_capacity, sizeof *p->ring);
     }
-    if (scene->spray.count > 0) {
+    if (tp_frame_wants(p, scene->spray.count > 0, kit->draw.spray)) {
         p->speck_capacity = (uint32_t)scene->spray.count;
         p->speck = tp_arena_take(arena, p->speck_capacity, sizeof *p->speck);
     }
@@ -61,13 +91,17 @@ static void carve_glass(tp_frame_parts *p, tp_arena *arena, const tp_scene *scen
 }
 
 /* What the water's inside needs. */
-static void carve_depth(tp_frame_parts *p, tp_arena *arena, const tp_scene *scene)
+static void carve_depth(tp_frame_parts *p, tp_arena *arena, const tp_kit *kit,
+                        const tp_scene *scene)
 {
-    if (tp_has_tank(scene) && scene->tank.kind == TP_TANK_GLASS)
+    const tp_draws *draw = &kit->draw;
+    const bool tank = tp_frame_wants(p, tp_has_tank(scene), draw->tank);
+
+    if (tp_frame_wants(p, tank && scene->tank.kind == TP_TANK_GLASS, draw->glass))
         carve_glass(p, arena, scene);
-    if (has_blocks(scene))
+    if (tp_frame_wants(p, has_blocks(scene), draw->tank))
         p->block = tp_arena_take(arena, TP_BLOCKS, sizeof *p->block);
-    if (tp_frame_has_caustics(scene)) {
+    if (tp_frame_wants(p, has_caustics(scene), draw->caustics)) {
         size_t cells = (size_t)scene->water.caustic_cells;
         p->caustic_cells = (uint32_t)cells;
         p->caustic_light = tp_arena_take(arena, cells * cells, sizeof *p->caustic_light);
@@ -75,52 +109,55 @@ static void carve_depth(tp_frame_parts *p, tp_arena *arena, const tp_scene *scen
     }
 }
 
-static void carve_tables(tp_frame_parts *p, tp_arena *arena, const tp_scene *scene,
-                         const tp_assets *assets)
+static void carve_tables(tp_frame_parts *p, tp_arena *arena, const tp_kit *kit,
+                         const tp_scene *scene, const tp_assets *assets)
 {
     const uint32_t materials = tp_frame_materials(assets);
 
     p->solid = tp_arena_take(arena, materials, sizeof *p->solid);
     p->gloss = tp_arena_take(arena, materials, TP_GLOSS);
-    p->heaven = tp_frame_carve_sky(arena, scene, assets);
-    for (int k = 0; k < TP_POOL_BUMPS; k++) {
+    tp_frame_carve_sky(p, arena, kit, scene, assets);
+    for (int k = 0; k < TP_POOL_BUMPS && kit->draw.bumps; k++) {
         p->bump_cells[k] = tp_frame_bump_cells(scene, k);
         p->bump[k] = tp_arena_take(arena, p->bump_cells[k], sizeof *p->bump[k]);
     }
 }
 
 /* Pictures that water looks into, of scenes with something to see there. */
-static void carve_looks(tp_frame_parts *p, tp_arena *arena, const tp_scene *scene,
-                        const tp_assets *assets, const tp_frame_config *c)
+static void carve_looks(tp_frame_parts *p, tp_arena *arena, const tp_kit *kit,
+                        const tp_scene *scene, const tp_assets *assets,
+                        const tp_frame_config *c)
 {
-    bool moves = assets->boat || scene->drops.count > 0;
+    const tp_draws *draw = &kit->draw;
+    const int kind = scene->mirror.objects;
+    bool moves = assets->boat || p->drop_capacity > 0;
     bool mirrors = scene->water.reflection > 0
-                && (moves || has_blocks(scene) || tp_has_tank(scene));
+                && (moves || p->block || (draw->tank && tp_has_tank(scene)));
 
-    if (mirrors && scene->mirror.objects == TP_MIRROR_STENCIL)
-        tp_frame_carve_half(&p->mirrored, arena, c->width, c->height);
-    if (mirrors && moves && scene->mirror.objects == TP_MIRROR_CUBE)
-        tp_frame_carve_around(&p->around, arena);
-    if (moves && scene->water.clear > 0)
-        tp_frame_carve_half(&p->sunken, arena, c->width, c->height);
+    if (tp_frame_wants(p, mirrors && kind == TP_MIRROR_STENCIL, draw->mirrored))
+        draw->mirrored->carve(&p->mirrored, arena, c->width, c->height);
+    if (tp_frame_wants(p, mirrors && moves && kind == TP_MIRROR_CUBE, draw->around))
+        draw->around->carve(&p->around, arena);
+    if (tp_frame_wants(p, moves && scene->water.clear > 0, draw->sunken))
+        draw->sunken->carve(&p->sunken, arena, c->width, c->height);
 }
 
 tp_frame *tp_frame_carve(const tp_kit *kit, tp_frame_parts *parts, tp_frame_ram *ram,
-                         tp_arena *arena, const tp_scene *scene, const tp_assets *assets,
+                         tp_arena *arena, const tp_scene *scene, tp_assets *assets,
                          const tp_frame_config *config)
 {
     tp_frame *frame = tp_arena_take(arena, 1, sizeof *frame);
     const size_t fixed = arena->used;
-    (void)kit;
 
     *parts = (tp_frame_parts){ .glass = NULL };
-    carve_places(parts, arena, scene, assets);
-    carve_drops(parts, arena, scene);
-    carve_depth(parts, arena, scene);
+    leave_out(parts, kit, assets);
+    carve_places(parts, arena, kit, scene, assets);
+    carve_drops(parts, arena, kit, scene);
+    carve_depth(parts, arena, kit, scene);
     const size_t placed = arena->used;
-    carve_tables(parts, arena, scene, assets);
+    carve_tables(parts, arena, kit, scene, assets);
     const size_t tabled = arena->used;
-    carve_looks(parts, arena, scene, assets, config);
+    carve_looks(parts, arena, kit, scene, assets, config);
     *ram = (tp_frame_ram){
         .frame = arena->used, .vertices = placed - fixed,
         .tables = tabled - placed + sizeof frame->shade, .mirror = arena->used - tabled,

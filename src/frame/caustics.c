@@ -12,12 +12,6 @@
 #include "shade/beam.h"
 #include "shade/slope.h"
 
-bool tp_frame_has_caustics(const tp_scene *scene)
-{
-    return scene->water.clear > 0 && scene->water.caustics > 0
-        && (tp_has_floor(scene) || tp_has_tank(scene));
-}
-
 /* -- where the map lies ---------------------------------------------------------------- */
 
 /* The square lies ahead of the eye, moved by whole cells: nothing swims. */
@@ -193,7 +187,7 @@ static void make(tp_frame *frame)
     }
 }
 
-void tp_frame_place_caustics(tp_frame *frame)
+static void place_caustics(tp_frame *frame)
 {
     const tp_scene *scene = frame->scene;
     tp_inside *in = &frame->shade.inside;
@@ -218,3 +212,7 @@ void tp_frame_place_caustics(tp_frame *frame)
     frame->caustic_still_z = still.z;
     make(frame);
 }
+
+const struct tp_draw_caustics tp_draw_caustics = {
+    place_caustics
+};

@@ -9,7 +9,7 @@
 /* -- the unit sphere --------------------------------------------------------------- */
 
 /* North pole, parallels from north to south, south pole. */
-void tp_frame_make_ball(tp_frame *frame)
+static void make_ball(tp_frame *frame)
 {
     tp_ball_point *to = frame->ball;
 
@@ -25,12 +25,6 @@ void tp_frame_make_ball(tp_frame *frame)
         }
     }
     *to = (tp_ball_point){ 0, -16384, 0 };
-}
-
-/* A world made anew may have none. */
-bool tp_frame_has_drops(const tp_frame *frame)
-{
-    return frame->parts.drop_capacity > 0 && tp_world_drops(frame->world);
 }
 
 /* -- one of them -------------------------------------------------------------------- */
@@ -139,7 +133,7 @@ static void widen(tp_grid_box *all, const tp_grid_box *box)
     tp_box_widen(all, 16 * box->x1, 16 * box->y1);
 }
 
-void tp_frame_place_drops(tp_frame *frame, tp_sight *sight)
+static void place_drops(tp_frame *frame, tp_sight *sight)
 {
     const tp_drops *drops = tp_world_drops(frame->world);
 
@@ -192,7 +186,7 @@ static void draw_one(const tp_frame *frame, const tp_sight *sight, const tp_samp
     }
 }
 
-void tp_frame_draw_drops(const tp_frame *frame, const tp_sight *sight, tp_samples *tile)
+static void draw_drops(const tp_frame *frame, const tp_sight *sight, tp_samples *tile)
 {
     tile->front_only = true;
     for (uint32_t i = 0; i <= frame->drops_seen; i++) {
@@ -202,3 +196,13 @@ void tp_frame_draw_drops(const tp_frame *frame, const tp_sight *sight, tp_sample
         draw_one(frame, sight, tile, &s, step_of(&frame->parts.drop_box[i]));
     }
 }
+
+static void init_drops(tp_frame *frame)
+{
+    make_ball(frame);
+    tp_shade_gloss(frame->drop_gloss, 40 * TP_FX_ONE);
+}
+
+const struct tp_draw_drops tp_draw_drops = {
+    .solid = { place_drops, draw_drops }, .init = init_drops,
+};

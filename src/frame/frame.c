@@ -48,12 +48,13 @@ size_t tp_frame_bytes_with(const tp_kit *kit, const tp_scene *scene,
 {
     tp_frame_config c = filled(config);
     tp_arena arena = tp_arena_over(NULL, 0);
+    tp_assets known = *assets;
     tp_frame_parts parts;
     tp_frame_ram ram;
 
     if (check(&c, NULL) != TP_OK)
         return 0;
-    tp_frame_carve(kit, &parts, &ram, &arena, scene, assets, &c);
+    tp_frame_carve(kit, &parts, &ram, &arena, scene, &known, &c);
     return ram.frame;
 }
 
@@ -73,31 +74,19 @@ size_t tp_frame_scratch_bytes(const tp_frame_config *config)
          + tp_format_row_bytes(c.format, (int)c.tile_width) * c.tile_height;
 }
 
-void tp_frame_make_gloss(tp_frame *frame)
-{
-    frame->model = frame->scene->light.model;
-    for (uint32_t i = 0; i < tp_frame_materials(&frame->assets); i++) {
-        uint8_t *gloss = frame->parts.gloss + (size_t)i * TP_GLOSS;
-        tp_fx shininess = frame->assets.boat->materials[i].shininess;
-        if (frame->model == TP_LIGHT_BLINN)
-            tp_shade_gloss_blinn(gloss, shininess);
-        else
-            tp_shade_gloss(gloss, shininess);
-    }
-}
-
 /* Tables that last, and those that the first frame needs. */
 static void make_tables(tp_frame *frame)
 {
+    const tp_draws *draw = &frame->kit->draw;
+
     tp_shade_tables(&frame->shade);
     tp_frame_init_sky(frame);
-    tp_frame_make_gloss(frame);
+    if (frame->assets.boat)
+        draw->boat->init(frame);
     if (frame->assets.foam)
-        tp_shade_foam_rank(&frame->shade.foam, frame->assets.foam);
-    if (frame->parts.drop_capacity > 0) {
-        tp_frame_make_ball(frame);
-        tp_shade_gloss(frame->drop_gloss, 40 * TP_FX_ONE);
-    }
+        draw->foam->init(frame);
+    if (frame->parts.drop_capacity > 0)
+        draw->drops->init(frame);
 }
 
 tp_status tp_frame_init_with(const tp_kit *kit, tp_frame **out, const tp_scene *scene,
@@ -112,20 +101,21 @@ tp_status tp_frame_init_with(const tp_kit *kit, tp_frame **out, const tp_scene *
     if (status != TP_OK)
         return status;
     tp_arena arena = tp_arena_over(block, tp_frame_bytes_with(kit, scene, assets, config));
+    tp_assets known = *assets;
     tp_frame_parts parts;
     tp_frame_ram ram;
-    tp_frame *frame = tp_frame_carve(kit, &parts, &ram, &arena, scene, assets, &c);
+    tp_frame *frame = tp_frame_carve(kit, &parts, &ram, &arena, scene, &known, &c);
     memset(frame, 0, sizeof *frame);
     frame->kit = kit;
     frame->scene = scene;
-    frame->assets = *assets;
+    frame->assets = known;
     frame->config = c;
     frame->across = (c.width + c.tile_width - 1) / c.tile_width;
     frame->down = (c.height + c.tile_height - 1) / c.tile_height;
     frame->parts = parts;
     frame->ram = ram;
     frame->ram.scratch = tp_frame_scratch_bytes(&c);
-    frame->shade.boat = assets->boat;
+    frame->shade.boat = known.boat;
     frame->shade.solid = parts.solid;
     make_tables(frame);
     *out = frame;
@@ -160,12 +150,14 @@ static void place_solids(tp_frame *frame)
 {
     const tp_frame_stats stats = frame->stats;
 
+    const tp_draws *draw = &frame->kit->draw;
+
     if (frame->parts.mirrored.colour)
-        tp_frame_draw_mirrored(frame);
+        draw->mirrored->draw(frame);
     if (frame->parts.around.colour)
-        tp_frame_draw_around(frame);
+        draw->around->draw(frame);
     if (frame->parts.sunken.colour)
-        tp_frame_draw_sunken(frame);
+        draw->sunken->draw(frame);
     frame->stats = stats;
     frame->sight = (tp_sight){ .lens = &frame->lens };
     tp_sight_begin(frame, &frame->sight);
@@ -175,8 +167,9 @@ static void place_solids(tp_frame *frame)
 void tp_frame_begin(tp_frame *frame, const tp_world *world)
 {
     const tp_scene *scene = frame->scene;
+    const tp_draws *draw = &frame->kit->draw;
 
-    frame->stats = (tp_frame_stats){ 0 };
+    frame->stats = (tp_frame_stats){ .dropped = frame->parts.lacks };
     if (frame->assets.boat && frame->assets.boat->n_materials > TP_MATERIALS)
         frame->stats.dropped += frame->assets.boat->n_materials - TP_MATERIALS;
     frame->world = world;
@@ -189,14 +182,14 @@ void tp_frame_begin(tp_frame *frame, const tp_world *world)
     tp_frame_choose_visibility(frame);
     tp_frame_place_water(frame);
     if (frame->parts.block)
-        tp_frame_place_blocks(frame);
+        draw->tank->place(frame);
     if (frame->parts.glass)
-        tp_frame_place_glass(frame);
+        draw->glass->place(frame);
     place_solids(frame);
     if (frame->parts.land_vertex && frame->surface.ocean)
-        tp_frame_place_land(frame);
+        draw->land->place(frame);
     if (frame->parts.speck_capacity > 0)
-        tp_frame_place_spray(frame);
+        draw->spray->place(frame);
 }
 
 uint32_t tp_frame_tiles(const tp_frame *frame)

@@ -134,6 +134,7 @@ typedef struct {
     tp_frame_sky     heaven;
     tp_pool_slope   *bump[TP_POOL_BUMPS];       /* slopes of pool and field */
     uint32_t         bump_cells[TP_POOL_BUMPS]; /* that they have room for */
+    uint32_t         lacks;             /* parts that the scene has and the kit has not */
     tp_half_store    mirrored, sunken;
     tp_around_store  around;
 } tp_frame_parts;
@@ -179,8 +180,9 @@ struct tp_frame {
 /* carve.c: the block's layout, the frame itself first; with an arena that only counts,
  * then with the block.  Sizes are left in `ram`. */
 tp_frame *tp_frame_carve(const tp_kit *kit, tp_frame_parts *parts, tp_frame_ram *ram,
-                         tp_arena *arena, const tp_scene *scene, const tp_assets *assets,
+                         tp_arena *arena, const tp_scene *scene, tp_assets *assets,
                          const tp_frame_config *config);
+bool tp_frame_wants(tp_frame_parts *parts, bool asked, const void *part);
 uint32_t tp_frame_materials(const tp_assets *assets);   /* that are told apart */
 
 /* water.c */
@@ -191,64 +193,34 @@ void tp_frame_draw_water(const tp_frame *frame, tp_samples *tile);
 void tp_frame_choose_visibility(tp_frame *frame);
 void tp_frame_draw_surface(const tp_frame *frame, tp_samples *tile);
 
-/* land.c: of scenes with a sea floor */
-void tp_frame_place_land(tp_frame *frame);
-void tp_frame_draw_land(const tp_frame *frame, tp_samples *tile);
+/* Room for them, and a world's: one made anew may have none. */
+static inline bool tp_frame_has_drops(const tp_frame *frame)
+{
+    return frame->parts.drop_capacity > 0 && tp_world_drops(frame->world);
+}
 
-/* drops.c */
-void tp_frame_make_ball(tp_frame *frame);
-bool tp_frame_has_drops(const tp_frame *frame);     /* room for them, and a world's */
-
-/* half.c: pictures of half the size that water looks into, before any tile. */
-void tp_frame_carve_half(tp_half_store *store, tp_arena *arena, uint32_t width,
-                         uint32_t height);
-void tp_frame_draw_mirrored(tp_frame *frame);
-void tp_frame_draw_sunken(tp_frame *frame);
-
-/* around.c: the objects as a point on the water sees them */
-void tp_frame_carve_around(tp_around_store *store, tp_arena *arena);
-void tp_frame_draw_around(tp_frame *frame);
+static inline bool tp_frame_has_tank(const tp_frame *frame)
+{
+    return frame->kit->draw.tank && tp_has_tank(frame->scene);
+}
 
 /* tile.c: row y of samples as 0xffRRGGBB, 0 where nothing is, before any exposure; `to`
  * may be its normals. */
 void tp_frame_colour_row(const tp_frame *frame, const tp_samples *tile, int32_t y,
                          uint32_t *to);
 
-/* tank.c: stone, seen through any lens */
+/* tank.c */
 bool tp_frame_is_glass(const tp_frame *frame, uint32_t face);
-void tp_frame_place_blocks(tp_frame *frame);
-void tp_frame_draw_tank(const tp_frame *frame, const tp_sight *sight,
-                        tp_samples *samples);
-
-/* glass.c: of tanks of glass; after the water has been placed */
-void tp_frame_place_glass(tp_frame *frame);
-void tp_frame_draw_sides(const tp_frame *frame, tp_samples *tile);
-void tp_frame_glass_row(const tp_frame *frame, int32_t y, tp_covered row[TP_PANES]);
-void tp_frame_glaze(const tp_frame *frame, const tp_covered row[TP_PANES], tp_run *run);
-
-/* caustics.c */
-bool tp_frame_has_caustics(const tp_scene *scene);
-void tp_frame_place_caustics(tp_frame *frame);
-
-/* plan_depth.c: what is seen through the water and under it */
-void tp_frame_plan_depth(tp_frame *frame);
-void tp_frame_view_inside(tp_frame *frame);     /* of the axes that shade has now */
-tp_stage tp_frame_behind_stage(const tp_frame *frame, bool rippled);
-
-/* spray.c: over what has been drawn, so last */
-void tp_frame_place_spray(tp_frame *frame);
-void tp_frame_draw_spray(const tp_frame *frame, const tp_samples *tile);
 
 /* plan.c: the stages that the scene needs, and their numbers. */
 void tp_frame_plan(tp_frame *frame);
-void tp_frame_make_gloss(tp_frame *frame);              /* frame.c */
 void tp_plan_add(tp_plan *plan, tp_stage stage);        /* NULL: is left out, counted */
 /* The stage that a plan wants or, counted, the plainer one that the kit has. */
 tp_stage tp_plan_pick(tp_plan *plan, tp_stage wanted, tp_stage plainer);
 
 /* plan_sky.c: sky, what water mirrors of it, air, exposure. */
-tp_frame_sky tp_frame_carve_sky(tp_arena *arena, const tp_scene *scene,
-                                const tp_assets *assets);
+void tp_frame_carve_sky(tp_frame_parts *parts, tp_arena *arena, const tp_kit *kit,
+                        const tp_scene *scene, const tp_assets *assets);
 void tp_frame_init_sky(tp_frame *frame);
 void tp_frame_plan_sky(tp_frame *frame);
 void tp_frame_add_sky(const tp_frame *frame, tp_plan *plan);
@@ -257,10 +229,6 @@ bool tp_frame_add_reflection(const tp_frame *frame, tp_plan *plan);     /* false
 void tp_frame_add_fresnel(const tp_frame *frame, tp_plan *plan);
 void tp_frame_add_air(const tp_frame *frame, tp_plan *plan);
 void tp_frame_add_exposure(const tp_frame *frame, tp_plan *plan);
-
-/* plan_foam.c: after the light; slopes bent by ripples, glint that follows. */
-void tp_frame_plan_foam(tp_frame *frame);
-tp_stage tp_frame_foam_stage(const tp_frame *frame, bool rippled, bool shiny);
 
 /* plan_layers.c: the water's pictures, ripples and bumps.  Of the stages that it adds:
  * whether they bend the normals. */
@@ -275,6 +243,7 @@ int32_t tp_frame_lod(const tp_frame *frame, tp_fx texels_per_metre, bool level_g
 /* bump.c: of scenes whose pools bend the light only */
 uint32_t tp_frame_bump_cells(const tp_scene *scene, int k);
 bool tp_frame_bumps(const tp_frame *frame);
-void tp_frame_place_bumps(tp_frame *frame);
 tp_surface tp_frame_lit_surface(const tp_frame *frame);     /* bumps as heights */
+
+#include "frame/parts.h"
 #endif

@@ -58,7 +58,7 @@ static void draw_triangle(const tp_frame *frame, const tp_samples *tile, uint32_
     tp_clipped_draw(&frame->lens, NULL, tile, in, TP_MARK_SIDE, face);
 }
 
-void tp_frame_draw_sides(const tp_frame *frame, tp_samples *tile)
+static void draw_sides(const tp_frame *frame, tp_samples *tile)
 {
     tp_rectangle r = tp_pool_sides(frame->scene);
     tp_fx floor = -frame->scene->tank.depth;
@@ -112,7 +112,7 @@ static void place_depth(tp_frame *frame, tp_glass *glass, const tp_rectangle *r)
     glass->ahead = -(int64_t)(axis ? back.z : back.x) * 4096;
 }
 
-void tp_frame_place_glass(tp_frame *frame)
+static void place_glass(tp_frame *frame)
 {
     const tp_scene *scene = frame->scene;
     tp_rectangle r = tp_pool_sides(scene);
@@ -186,7 +186,7 @@ static void glaze(const tp_frame *frame, const tp_glass *glass, tp_run *run,
     }
 }
 
-void tp_frame_glass_row(const tp_frame *frame, int32_t y, tp_covered row[TP_PANES])
+static void glass_row(const tp_frame *frame, int32_t y, tp_covered row[TP_PANES])
 {
     for (uint32_t g = 0; g < frame->glasses; g++) {
         row[2 * g] = covered(&frame->parts.glass[g].pane[0], y);
@@ -194,9 +194,13 @@ void tp_frame_glass_row(const tp_frame *frame, int32_t y, tp_covered row[TP_PANE
     }
 }
 
-void tp_frame_glaze(const tp_frame *frame, const tp_covered row[TP_PANES], tp_run *run)
+static void glaze_run(const tp_frame *frame, const tp_covered row[TP_PANES], tp_run *run)
 {
     for (uint32_t k = 0; k < 2 * frame->glasses; k++)
         if (row[k].x0 < row[k].x1)
             glaze(frame, &frame->parts.glass[k / 2], run, row[k]);
 }
+
+const struct tp_draw_glass tp_draw_glass = {
+    place_glass, draw_sides, glass_row, glaze_run
+};

@@ -9,7 +9,7 @@
 #include "frame/frame.h"
 #include "tidepool/light.h"
 
-void tp_frame_carve_half(tp_half_store *store, tp_arena *arena, uint32_t width,
+static void carve_half(tp_half_store *store, tp_arena *arena, uint32_t width,
                          uint32_t height)
 {
     store->cols = (width + 1) / 2;
@@ -139,7 +139,7 @@ static void draw_mirror(tp_frame *frame, const tp_sight *sight, tp_half *half)
     fill_gaps(store->zi, wide);
 }
 
-void tp_frame_draw_mirrored(tp_frame *frame)
+static void draw_mirrored(tp_frame *frame)
 {
     const int32_t rows = (int32_t)frame->parts.mirrored.rows;
     tp_fx    level = tp_sight_level(frame);
@@ -232,7 +232,7 @@ static void draw_below(tp_frame *frame, const tp_sight *sight, const tp_lens *le
     }
 }
 
-void tp_frame_draw_sunken(tp_frame *frame)
+static void draw_sunken(tp_frame *frame)
 {
     tp_fx    level = tp_sight_level(frame);
     tp_half *half = &frame->shade.sunken;
@@ -250,3 +250,11 @@ void tp_frame_draw_sunken(tp_frame *frame)
         return;
     draw_below(frame, &sight, &lens, frame->lens.eye.y - level, half);
 }
+
+const struct tp_draw_mirrored tp_draw_mirrored = {
+    carve_half, draw_mirrored
+};
+
+const struct tp_draw_sunken tp_draw_sunken = {
+    carve_half, draw_sunken
+};

@@ -13,4 +13,9 @@ const tp_kit tp_kit_all = {
         TP_FORMAT_LIST(X)
 #undef X
     },
+    .draw = {
+#define X(name) TP_DRAW(name),
+        TP_DRAW_LIST(X)
+#undef X
+    },
 };

@@ -83,7 +83,7 @@ static void place_band(tp_frame *frame, uint32_t j)
     frame->parts.land_band[j] = band;
 }
 
-void tp_frame_place_land(tp_frame *frame)
+static void place_land(tp_frame *frame)
 {
     const tp_grid *grid = &frame->parts.grid;
     tp_fx deepest = tp_surface_height(&frame->surface) + TP_FX_ONE;
@@ -138,7 +138,7 @@ static void draw_cell(const tp_frame *frame, const tp_samples *tile, uint32_t i,
     tp_tri_solid(tile, &p[0], &p[2], &p[1], TP_MARK_LAND, 0, 16);
 }
 
-void tp_frame_draw_land(const tp_frame *frame, tp_samples *tile)
+static void draw_land(const tp_frame *frame, tp_samples *tile)
 {
     tile->front_only = true;
     for (uint32_t j = 0; j + 1 < frame->parts.grid.rows; j++) {
@@ -149,3 +149,7 @@ void tp_frame_draw_land(const tp_frame *frame, tp_samples *tile)
             draw_cell(frame, tile, i, j);
     }
 }
+
+const struct tp_draw_land tp_draw_land = {
+    place_land, draw_land
+};

@@ -92,8 +92,8 @@ static bool add_light(tp_frame *frame, tp_plan *water, bool rippled, bool shines
     }
     tp_plan_add(water, stages->view);
     tp_plan_add(water, light);
-    if (clear)
-        tp_plan_add(water, tp_frame_behind_stage(frame, rippled));
+    if (clear && frame->kit->draw.inside)
+        tp_plan_add(water, frame->kit->draw.inside->behind(frame, rippled));
     if (mirrors)
         add_mirror(frame, water, rippled);
     return shines;
@@ -109,8 +109,8 @@ static void choose_water(tp_frame *frame)
     *water = (tp_plan){ .lacks = 0 };
     bool rippled = tp_plan_add_layers(frame, water);
     shines = add_light(frame, water, rippled, shines);
-    if (tp_world_foam(frame->world))
-        tp_plan_add(water, tp_frame_foam_stage(frame, rippled, shines));
+    if (frame->kit->draw.foam && tp_world_foam(frame->world))
+        tp_plan_add(water, frame->kit->draw.foam->stage(frame, rippled, shines));
     if (shines)
         tp_plan_add(water, stages->glint);
     tp_frame_add_air(frame, water);
@@ -146,40 +146,10 @@ static void choose_stages(tp_frame *frame)
     frame->stats.dropped += frame->sky.lacks + frame->water.lacks;
 }
 
-/* Glitter of the water, by the light's model. */
-static void plan_shine(tp_shade *shade, const tp_scene *scene)
-{
-    if (scene->water.specular <= 0)
-        return;
-    if (scene->light.model == TP_LIGHT_BLINN)
-        tp_shade_shine_blinn(shade, scene->water.shininess, scene->water.specular);
-    else
-        tp_shade_shine(shade, scene->water.shininess, scene->water.specular);
-}
-
-static void plan_materials(tp_frame *frame)
-{
-    const tp_mesh *mesh = frame->assets.boat;
-    uint32_t count = tp_frame_materials(&frame->assets);
-
-    for (uint32_t i = 0; i < count; i++) {
-        const tp_material *m = &mesh->materials[i];
-        tp_fx texels = tp_fx_div(m->texels, frame->scene->boat.scale);
-        frame->parts.solid[i] = (tp_solid){
-            .diffuse = m->diffuse,
-            .specular = m->specular,
-            .lod = tp_frame_lod(frame, texels, false) + 96,  /* one texel: grain glitters */
-            .bump = tp_clamp(m->bump, -16 * TP_FX_ONE, 16 * TP_FX_ONE) >> 8,
-            .diffuse_map = m->diffuse_map,
-            .normal_map = m->normal_map,
-            .gloss = frame->parts.gloss + (size_t)i * TP_GLOSS,
-        };
-    }
-}
-
 void tp_frame_plan(tp_frame *frame)
 {
     const tp_scene *scene = frame->scene;
+    const tp_draws *draw = &frame->kit->draw;
     tp_shade *shade = &frame->shade;
 
     tp_sight_look(frame, &frame->lens);
@@ -190,16 +160,17 @@ void tp_frame_plan(tp_frame *frame)
     light_from(frame);
     tp_frame_plan_layers(frame);
     tp_frame_plan_sky(frame);
-    plan_shine(shade, scene);
-    if (frame->model != scene->light.model)
-        tp_frame_make_gloss(frame);
+    if (draw->glint && scene->water.specular > 0)
+        draw->glint->plan(frame);
     if (frame->assets.boat)
-        plan_materials(frame);
+        draw->boat->plan(frame);
     shade->land = (tp_solid){ .diffuse = (uint32_t)scene->floor.colour,
                               .gloss = frame->drop_gloss };
     shade->drop = (tp_solid){ .diffuse = (uint32_t)scene->drops.colour,
                               .specular = 0xffffff, .gloss = frame->drop_gloss };
-    tp_frame_plan_foam(frame);
+    if (draw->foam)
+        draw->foam->plan(frame);
     choose_stages(frame);
-    tp_frame_plan_depth(frame);
+    if (draw->inside)
+        draw->inside->plan(frame);
 }

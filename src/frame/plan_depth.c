@@ -53,7 +53,7 @@ static void set_sun(const tp_shade *shade, tp_inside *in)
 }
 
 /* The view's axes over the focal length: a 16th of a pixel at 1 m. */
-void tp_frame_view_inside(tp_frame *frame)
+static void view_inside(tp_frame *frame)
 {
     tp_inside *in = &frame->shade.inside;
     const tp_view_axes *axes = &frame->shade.world;
@@ -70,7 +70,7 @@ void tp_frame_view_inside(tp_frame *frame)
 static void set_box(const tp_frame *frame, tp_inside *in)
 {
     const tp_scene *scene = frame->scene;
-    bool tank = tp_has_tank(scene);
+    bool tank = tp_frame_has_tank(frame);
     bool floor = tp_has_floor(scene);
     tp_rectangle r = tp_pool_sides(scene);
 
@@ -92,7 +92,7 @@ static void set_box(const tp_frame *frame, tp_inside *in)
 
 /* -- stages --------------------------------------------------------------------------- */
 
-tp_stage tp_frame_behind_stage(const tp_frame *frame, bool rippled)
+static tp_stage behind_stage(const tp_frame *frame, bool rippled)
 {
     const tp_stages *stages = &frame->kit->stage;
     const tp_stage stage[] = {
@@ -119,12 +119,18 @@ static void choose_under(tp_frame *frame)
     frame->water = (tp_plan){ .lacks = 0 };
     bool rippled = tp_plan_add_bumps(frame, &frame->water);
     tp_plan_add(&frame->water, stages->view);
-    tp_plan_add(&frame->water, rippled ? stages->below_rippled : stages->below);
-    frame->land = (tp_plan){ .stage = { stages->ground } };
+    tp_plan_add(&frame->water, rippled && stages->below_rippled ? stages->below_rippled
+                                                                : stages->below);
+    frame->land = (tp_plan){ .stage = { stages->ground ? stages->ground : stages->land } };
     for (int k = 2; k < 7; k++)
         *all[k] = in_water(frame, all[k]);
     for (int k = 0; k < 7; k++)
         tp_frame_add_exposure(frame, all[k]);
+}
+
+static bool can_show_under(const tp_stages *stages)
+{
+    return stages->deep && stages->view && stages->below && stages->absorb;
 }
 
 /* Whether the eye is under the surface at its place; of a tank also within it. */
@@ -135,19 +141,19 @@ static bool is_under(const tp_frame *frame)
 
     if (eye.y >= tp_surface_height(&frame->surface))
         return false;
-    if (tp_has_tank(frame->scene)
+    if (tp_frame_has_tank(frame)
         && (eye.x <= r.x0 || eye.x >= r.x1 || eye.z <= r.z0 || eye.z >= r.z1))
         return false;
     return eye.y < tp_surface_above(&frame->surface, eye.x, eye.z, NULL).position.y;
 }
 
-void tp_frame_plan_depth(tp_frame *frame)
+static void plan_inside(tp_frame *frame)
 {
     const tp_scene *scene = frame->scene;
     tp_inside *in = &frame->shade.inside;
 
-    frame->under = is_under(frame);
-    if (!frame->under && scene->water.clear == 0 && !tp_has_tank(scene)
+    frame->under = can_show_under(&frame->kit->stage) && is_under(frame);
+    if (!frame->under && scene->water.clear == 0 && !tp_frame_has_tank(frame)
         && !frame->parts.block && !frame->assets.floor_texture)
         return;
     tp_absorb_init(&frame->shade.absorb, (uint32_t)scene->water.tint,
@@ -157,10 +163,14 @@ void tp_frame_plan_depth(tp_frame *frame)
     in->glass = (uint32_t)scene->tank.glass >> 8;
     set_indices(in, scene->water.dispersion);
     set_sun(&frame->shade, in);
-    tp_frame_view_inside(frame);
+    view_inside(frame);
     set_box(frame, in);
     if (frame->parts.caustic_light)
-        tp_frame_place_caustics(frame);
+        frame->kit->draw.caustics->place(frame);
     if (frame->under)
         choose_under(frame);
 }
+
+const struct tp_draw_inside tp_draw_inside = {
+    plan_inside, view_inside, behind_stage
+};

@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The plan of foam and spray: where the field lies in the picture's moment, and their
- * colours. */
+/* The plan of foam: where the field lies in the picture's moment, and its colour. */
 #include "frame/frame.h"
 
 /* Metres that a lattice has drifted `back` of a tick ago: the world holds now's. */
@@ -27,21 +26,13 @@ static void place_foam(tp_shade_foam *f, const tp_foam *foam, const tp_scene_map
     f->per_metre = ((uint64_t)1 << 48) / (uint32_t)foam->cell;
 }
 
-/* White in the light of a level place: for specks. */
-static uint32_t spray_colour(const tp_shade *shade, uint32_t colour)
-{
-    int32_t lit = tp_lit_share(shade->ambient, shade->world.ly);
-    return tp_colour_scale(colour, (uint32_t)(lit + (256 - lit) / 2));
-}
-
-void tp_frame_plan_foam(tp_frame *frame)
+static void plan_foam(tp_frame *frame)
 {
     const tp_scene *scene = frame->scene;
     const tp_foam  *foam = tp_world_foam(frame->world);
     tp_shade_foam  *f = &frame->shade.foam;
 
     f->colour = (uint32_t)scene->foam.colour;
-    f->spray = spray_colour(&frame->shade, f->colour);
     if (!foam)
         return;
     tp_layer layer = tp_frame_layer(frame, frame->assets.foam, &scene->foam.map);
@@ -54,7 +45,7 @@ void tp_frame_plan_foam(tp_frame *frame)
     f->edge = tp_world_pool(frame->world) ? UINT32_MAX : (1u << 24) / (32 * foam->cells);
 }
 
-tp_stage tp_frame_foam_stage(const tp_frame *frame, bool rippled, bool shiny)
+static tp_stage foam_stage(const tp_frame *frame, bool rippled, bool shiny)
 {
     const tp_stages *stages = &frame->kit->stage;
     const tp_stage stage[] = {
@@ -64,3 +55,12 @@ tp_stage tp_frame_foam_stage(const tp_frame *frame, bool rippled, bool shiny)
     };
     return stage[2 * rippled + shiny];
 }
+
+static void init_foam(tp_frame *frame)
+{
+    tp_shade_foam_rank(&frame->shade.foam, frame->assets.foam);
+}
+
+const struct tp_draw_foam tp_draw_foam = {
+    init_foam, plan_foam, foam_stage
+};

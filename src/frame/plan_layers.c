@@ -69,6 +69,7 @@ static void plan_added(tp_frame *frame, int k)
 void tp_frame_plan_layers(tp_frame *frame)
 {
     const tp_scene *scene = frame->scene;
+    const tp_draws *draw = &frame->kit->draw;
     tp_shade *shade = &frame->shade;
 
     shade->water = tp_frame_layer(frame, frame->assets.layer[0], &scene->layer[0].map);
@@ -78,16 +79,38 @@ void tp_frame_plan_layers(tp_frame *frame)
                                               (uint32_t)scene->layer[0].colour);
     shade->layers.grade[0] = tp_grade_of(scene->layer[0].saturation,
                                          scene->layer[0].clamp, shade->water_colour);
+    if (draw->layers)
+        draw->layers->plan(frame);
+    if (draw->ripple)
+        draw->ripple->plan(frame);
+    if (draw->bumps)
+        draw->bumps->place(frame);
+}
+
+static void plan_layers(tp_frame *frame)
+{
+    const tp_scene *scene = frame->scene;
+    tp_layers *layers = &frame->shade.layers;
+
     for (int k = 0; k < TP_LAYERS_ADDED; k++)
         plan_added(frame, k);
-    shade->layers.bend = tp_frame_layer(frame, frame->assets.distortion,
-                                        &scene->distortion.map);
-    shade->layers.strength = scene->distortion.strength;
-    shade->ripple = tp_frame_layer(frame, frame->assets.ripple, &scene->ripple.map);
-    shade->ripple.lod += 224;       /* a mean of normals: what is lost glitters */
-    shade->ripple.slope_gain = scene->ripple.bump >> 8;
-    tp_frame_place_bumps(frame);
+    layers->bend = tp_frame_layer(frame, frame->assets.distortion,
+                                  &scene->distortion.map);
+    layers->strength = scene->distortion.strength;
 }
+
+static void plan_ripple(tp_frame *frame)
+{
+    const tp_scene *scene = frame->scene;
+    tp_layer *ripple = &frame->shade.ripple;
+
+    *ripple = tp_frame_layer(frame, frame->assets.ripple, &scene->ripple.map);
+    ripple->lod += 224;             /* a mean of normals: what is lost glitters */
+    ripple->slope_gain = scene->ripple.bump >> 8;
+}
+
+const struct tp_draw_layers tp_draw_layers = { plan_layers };
+const struct tp_draw_ripple tp_draw_ripple = { plan_ripple };
 
 static tp_stage texture_stage(const tp_frame *frame, tp_plan *water, bool linear)
 {

@@ -19,31 +19,45 @@ static bool exposes(const tp_scene *scene)
 }
 
 /* A kind that the scene takes up later has no tables here: it stays the gradient. */
-tp_frame_sky tp_frame_carve_sky(tp_arena *arena, const tp_scene *scene,
-                                const tp_assets *assets)
+void tp_frame_carve_sky(tp_frame_parts *parts, tp_arena *arena, const tp_kit *kit,
+                        const tp_scene *scene, const tp_assets *assets)
 {
-    tp_frame_sky sky = { NULL, NULL, NULL, NULL };
-    bool cube = has_cube(scene, assets);
+    const tp_draws *draw = &kit->draw;
+    tp_frame_sky *sky = &parts->heaven;
+    bool cube = tp_frame_wants(parts, has_cube(scene, assets), draw->cube);
+    bool stars = tp_frame_wants(parts, scene->sky.kind == TP_SKY_NIGHT, draw->stars);
 
-    if (tp_has_dome(scene))
-        sky.dome = tp_arena_take(arena, 1, sizeof *sky.dome);
+    if (tp_frame_wants(parts, tp_has_dome(scene), draw->dome))
+        sky->dome = tp_arena_take(arena, 1, sizeof *sky->dome);
     if (cube)
-        sky.cube = tp_arena_take(arena, 1, sizeof *sky.cube);
-    if (cube || scene->sky.kind == TP_SKY_NIGHT)
-        sky.recip = tp_arena_take(arena, TP_RECIP + 2, sizeof *sky.recip);
-    if (exposes(scene))
-        sky.tone = tp_arena_take(arena, 1, 256);
-    return sky;
+        sky->cube = tp_arena_take(arena, 1, sizeof *sky->cube);
+    if (cube || stars)
+        sky->recip = tp_arena_take(arena, TP_RECIP + 2, sizeof *sky->recip);
+    if (tp_frame_wants(parts, exposes(scene), draw->exposure))
+        sky->tone = tp_arena_take(arena, 1, 256);
 }
 
 void tp_frame_init_sky(tp_frame *frame)
 {
-    const tp_frame_sky *sky = &frame->parts.heaven;
+    const tp_draws *draw = &frame->kit->draw;
 
-    if (sky->cube)
-        tp_cube_init(sky->cube, frame->assets.sky);
-    if (sky->recip)
-        tp_recip_init(sky->recip);
+    if (frame->parts.heaven.cube)
+        draw->cube->init(frame);
+    else if (frame->parts.heaven.recip)
+        draw->stars->init(frame);
+    if (draw->fresnel)
+        draw->fresnel->init(frame);
+}
+
+static void init_cube(tp_frame *frame)
+{
+    tp_cube_init(frame->parts.heaven.cube, frame->assets.sky);
+    tp_recip_init(frame->parts.heaven.recip);
+}
+
+static void init_stars(tp_frame *frame)
+{
+    tp_recip_init(frame->parts.heaven.recip);
 }
 
 /* -- each frame ----------------------------------------------------------------------- */
@@ -92,27 +106,58 @@ static void plan_fresnel(tp_frame *frame)
     if (frame->fresnel == TP_FRESNEL_SCHLICK)
         tp_shade_schlick(&frame->shade);
     else
-        tp_shade_tables(&frame->shade);
+        tp_shade_fresnel(&frame->shade);
 }
+
+static void init_fresnel(tp_frame *frame)
+{
+    tp_shade_fresnel(&frame->shade);
+}
+
+static void plan_exposure(tp_frame *frame)
+{
+    tp_shade_tone(frame->parts.heaven.tone, frame->drawn.exposure);
+}
+
+/* Glitter of the water, by the light's model. */
+static void plan_glint(tp_frame *frame)
+{
+    const tp_scene *scene = frame->scene;
+
+    if (scene->light.model == TP_LIGHT_BLINN)
+        tp_shade_shine_blinn(&frame->shade, scene->water.shininess,
+                             scene->water.specular);
+    else
+        tp_shade_shine(&frame->shade, scene->water.shininess, scene->water.specular);
+}
+
+const struct tp_draw_dome tp_draw_dome = { plan_dome };
+const struct tp_draw_cube tp_draw_cube = { init_cube, plan_cube };
+const struct tp_draw_stars tp_draw_stars = { init_stars, plan_stars };
+const struct tp_draw_fresnel tp_draw_fresnel = { init_fresnel, plan_fresnel };
+const struct tp_draw_exposure tp_draw_exposure = { plan_exposure };
+const struct tp_draw_glint tp_draw_glint = { plan_glint };
 
 void tp_frame_plan_sky(tp_frame *frame)
 {
     const tp_scene *scene = frame->scene;
+    const tp_draws *draw = &frame->kit->draw;
     tp_shade *shade = &frame->shade;
 
-    plan_fresnel(frame);
+    if (draw->fresnel)
+        draw->fresnel->plan(frame);
     tp_shade_sky(shade, (uint32_t)scene->sky.horizon, (uint32_t)scene->sky.zenith);
     shade->env = (tp_env){ .recip = frame->parts.heaven.recip,
                            .beyond = (uint32_t)scene->hdr.share * TP_WHITES >> 8 };
     if (tp_has_dome(scene) && frame->parts.heaven.dome)
-        plan_dome(frame);
+        draw->dome->plan(frame);
     else if (scene->sky.kind == TP_SKY_CUBE && frame->parts.heaven.cube)
-        plan_cube(frame);
-    if (scene->sky.kind == TP_SKY_NIGHT && frame->parts.heaven.recip)
-        plan_stars(frame);
+        draw->cube->plan(frame);
+    if (scene->sky.kind == TP_SKY_NIGHT && frame->parts.heaven.recip && draw->stars)
+        draw->stars->plan(frame);
     shade->tone = frame->parts.heaven.tone;
     if (frame->parts.heaven.tone)
-        tp_shade_tone(frame->parts.heaven.tone, frame->drawn.exposure);
+        draw->exposure->plan(frame);
 }
 
 /* -- stages ---------------------------------------------------------------------------- */

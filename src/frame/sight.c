@@ -14,7 +14,7 @@ bool tp_sight_above(const tp_frame *frame, tp_fx level)
 
 bool tp_sight_has_walls(const tp_frame *frame)
 {
-    return frame->blocks > 0 || tp_has_tank(frame->scene);
+    return frame->blocks > 0 || tp_frame_has_tank(frame);
 }
 
 /* Levels of detail are those of the picture's focal length: a shorter one puts more
@@ -41,7 +41,7 @@ void tp_sight_begin(tp_frame *frame, const tp_sight *sight)
 {
     tp_sight_look(frame, sight->lens);
     if (tp_sight_has_walls(frame))
-        tp_frame_view_inside(frame);
+        frame->kit->draw.inside->view(frame);
 }
 
 static void join(tp_grid_box *to, const tp_grid_box *box)
@@ -58,9 +58,9 @@ tp_grid_box tp_sight_place(tp_frame *frame, tp_sight *sight)
 
     sight->boat_box = sight->drops_box = box;
     if (frame->assets.boat)
-        tp_frame_place_boat(frame, sight);
+        frame->kit->draw.boat->solid.place(frame, sight);
     if (tp_frame_has_drops(frame))
-        tp_frame_place_drops(frame, sight);
+        frame->kit->draw.drops->solid.place(frame, sight);
     join(&box, &sight->boat_box);
     join(&box, &sight->drops_box);
     if (sight->walls && tp_sight_has_walls(frame))       /* which may be anywhere */
@@ -71,9 +71,9 @@ tp_grid_box tp_sight_place(tp_frame *frame, tp_sight *sight)
 void tp_sight_draw(const tp_frame *frame, const tp_sight *sight, tp_samples *tile)
 {
     if (frame->assets.boat)
-        tp_frame_draw_boat(frame, sight, tile);
+        frame->kit->draw.boat->solid.draw(frame, sight, tile);
     if (tp_frame_has_drops(frame))
-        tp_frame_draw_drops(frame, sight, tile);
+        frame->kit->draw.drops->solid.draw(frame, sight, tile);
     if (sight->walls && tp_sight_has_walls(frame))
-        tp_frame_draw_tank(frame, sight, tile);
+        frame->kit->draw.tank->draw(frame, sight, tile);
 }

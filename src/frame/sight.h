@@ -75,12 +75,4 @@ void tp_clipped_draw(const tp_lens *lens, const tp_view_plane *level,
                      const tp_samples *tile, const tp_view_corner in[3], uint32_t mark,
                      uint32_t t);
 
-/* boat.c */
-void tp_frame_place_boat(tp_frame *frame, tp_sight *sight);
-void tp_frame_draw_boat(const tp_frame *frame, const tp_sight *sight, tp_samples *tile);
-void tp_frame_draw_lids(const tp_frame *frame, const tp_sight *sight, tp_samples *tile);
-
-/* drops.c */
-void tp_frame_place_drops(tp_frame *frame, tp_sight *sight);
-void tp_frame_draw_drops(const tp_frame *frame, const tp_sight *sight, tp_samples *tile);
 #endif

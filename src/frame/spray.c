@@ -45,12 +45,21 @@ static bool project(const tp_frame *frame, const tp_speck *s, bool through,
     return to->wide > 0;
 }
 
-void tp_frame_place_spray(tp_frame *frame)
+/* White in the light of a level place: for specks. */
+static uint32_t spray_colour(const tp_shade *shade, uint32_t colour)
+{
+    int32_t lit = tp_lit_share(shade->ambient, shade->world.ly);
+    return tp_colour_scale(colour, (uint32_t)(lit + (256 - lit) / 2));
+}
+
+static void place_spray(tp_frame *frame)
 {
     const tp_spray *spray = tp_world_spray(frame->world);
     bool under = frame->under, clear = frame->scene->water.clear > 0;
 
     frame->specks = 0;
+    frame->shade.foam.spray = spray_colour(&frame->shade,
+                                           (uint32_t)frame->scene->foam.colour);
     for (uint32_t i = 0; spray && i < spray->count; i++) {
         if (frame->specks == frame->parts.speck_capacity)
             break;
@@ -95,7 +104,7 @@ static void draw(const tp_samples *tile, const tp_frame_speck *s)
     }
 }
 
-void tp_frame_draw_spray(const tp_frame *frame, const tp_samples *tile)
+static void draw_spray(const tp_frame *frame, const tp_samples *tile)
 {
     for (uint32_t i = 0; i < frame->specks; i++) {
         const tp_frame_speck *s = &frame->parts.speck[i];
@@ -105,3 +114,7 @@ void tp_frame_draw_spray(const tp_frame *frame, const tp_samples *tile)
             draw(tile, s);
     }
 }
+
+const struct tp_draw_spray tp_draw_spray = {
+    place_spray, draw_spray
+};

@@ -127,11 +127,11 @@ static void draw_walls(const tp_frame *frame, const tp_sight *sight,
     }
 }
 
-void tp_frame_draw_tank(const tp_frame *frame, const tp_sight *sight,
+static void draw_tank(const tp_frame *frame, const tp_sight *sight,
                         tp_samples *samples)
 {
     samples->front_only = true;
-    if (tp_has_tank(frame->scene) && !frame->under)
+    if (tp_frame_has_tank(frame) && !frame->under)
         draw_walls(frame, sight, samples);
     for (uint32_t i = 0; i < frame->blocks; i++) {
         const tp_rectangle *r = &frame->parts.block[i];
@@ -186,7 +186,7 @@ static void add_row(tp_frame *frame, const tp_pool *pool, uint32_t row)
 }
 
 /* Three cells high where no rim says it: above what a swell of the usual height does. */
-void tp_frame_place_blocks(tp_frame *frame)
+static void place_blocks(tp_frame *frame)
 {
     const tp_scene *scene = frame->scene;
     const tp_pool *pool = tp_world_pool(frame->world);
@@ -200,3 +200,7 @@ void tp_frame_place_blocks(tp_frame *frame)
     frame->blocks_made = true;
     frame->stats.dropped += frame->blocks_dropped;
 }
+
+const struct tp_draw_tank tp_draw_tank = {
+    place_blocks, draw_tank
+};

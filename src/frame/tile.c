@@ -73,13 +73,13 @@ static void shade_row(const tp_frame *frame, const tp_samples *tile, int32_t y, 
     tp_run run;
 
     if (frame->glasses > 0)
-        tp_frame_glass_row(frame, y, glass);
+        frame->kit->draw.glass->row(frame, y, glass);
     for (int32_t x = tile->x0; x < tile->x1; x += run.count) {
         const tp_plan *plan = run_at(frame, tile, x, y, &run);
         for (int k = 0; plan->stage[k]; k++)
             plan->stage[k](&frame->shade, &run);
         if (frame->glasses > 0)
-            tp_frame_glaze(frame, glass, &run);
+            frame->kit->draw.glass->glaze(frame, glass, &run);
         store(row, x - tile->x0, x, y, run.colour, run.count);
     }
 }
@@ -103,6 +103,30 @@ void tp_frame_colour_row(const tp_frame *frame, const tp_samples *tile, int32_t 
     }
 }
 
+/* All that is there, the water after what it hides. */
+static void draw_samples(const tp_frame *frame, tp_samples *samples)
+{
+    const tp_draws *draw = &frame->kit->draw;
+    const bool boat = frame->assets.boat != NULL;
+
+    tp_samples_clear(samples);
+    if (boat)
+        draw->boat->solid.draw(frame, &frame->sight, samples);
+    if (frame->parts.land_vertex && frame->surface.ocean)
+        draw->land->draw(frame, samples);
+    if (tp_frame_has_drops(frame))
+        draw->drops->solid.draw(frame, &frame->sight, samples);
+    if (frame->parts.block || tp_frame_has_tank(frame))
+        draw->tank->draw(frame, &frame->sight, samples);
+    if (frame->glasses > 0)
+        draw->glass->draw(frame, samples);
+    if (boat)
+        draw->boat->lids(frame, &frame->sight, samples);
+    tp_frame_draw_surface(frame, samples);
+    if (frame->specks > 0)
+        draw->spray->draw(frame, samples);
+}
+
 bool tp_frame_tile(const tp_frame *frame, uint32_t i, void *scratch, tp_tile *tile)
 {
     const tp_frame_config *c = &frame->config;
@@ -118,21 +142,7 @@ bool tp_frame_tile(const tp_frame *frame, uint32_t i, void *scratch, tp_tile *ti
     tile->stride = tp_format_row_bytes(c->format, (int)c->tile_width);
 
     tp_samples samples = samples_of(frame, scratch, tile);
-    tp_samples_clear(&samples);
-    if (frame->assets.boat)
-        tp_frame_draw_boat(frame, &frame->sight, &samples);
-    if (frame->parts.land_vertex && frame->surface.ocean)
-        tp_frame_draw_land(frame, &samples);
-    if (tp_frame_has_drops(frame))
-        tp_frame_draw_drops(frame, &frame->sight, &samples);
-    if (frame->parts.block || tp_has_tank(frame->scene))
-        tp_frame_draw_tank(frame, &frame->sight, &samples);
-    if (frame->glasses > 0)
-        tp_frame_draw_sides(frame, &samples);
-    tp_frame_draw_lids(frame, &frame->sight, &samples);
-    tp_frame_draw_surface(frame, &samples);
-    if (frame->specks > 0)
-        tp_frame_draw_spray(frame, &samples);
+    draw_samples(frame, &samples);
     uint8_t *row = pixels_of(frame, scratch);
     for (int32_t y = samples.y0; y < samples.y1; y++, row += tile->stride)
         shade_row(frame, &samples, y, row);

@@ -161,7 +161,8 @@ void tp_shade_glaze(const tp_shade *shade, tp_run *run, int32_t i, int32_t stop,
 
 /* -- for the frame, that fills the tables ------------------------------------------- */
 
-void tp_shade_tables(tp_shade *shade);                      /* steep, fresnel, haze */
+void tp_shade_tables(tp_shade *shade);                      /* steep, haze */
+void tp_shade_fresnel(tp_shade *shade);
 void tp_shade_shine(tp_shade *shade, tp_fx shininess, tp_fx strength);
 void tp_shade_sky(tp_shade *shade, uint32_t horizon, uint32_t zenith);
 void tp_shade_gloss(uint8_t gloss[TP_GLOSS], tp_fx shininess);

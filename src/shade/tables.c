@@ -21,12 +21,16 @@ void tp_shade_tables(tp_shade *shade)
     for (uint32_t i = 0; i <= TP_STEEP; i++)            /* 1 / sqrt(1 + i / 128) */
         shade->steep[i] = (uint16_t)(tp_isqrt64(((uint64_t)128 << 32) / (128 + i) << 28)
                                      >> 16);
+    for (uint32_t i = 0; i <= TP_HAZE; i++)             /* 32^2 / (32^2 + i^2) */
+        shade->haze[i] = (uint8_t)(255 * 1024 / (1024 + i * i));
+}
+
+void tp_shade_fresnel(tp_shade *shade)
+{
     for (int32_t i = 0; i <= 256; i++) {
         tp_q30 r = tp_fresnel(i * (TP_Q30_ONE / 256));
         shade->fresnel[i] = (uint8_t)tp_clamp((r + (1 << 21)) >> 22, 0, 255);
     }
-    for (uint32_t i = 0; i <= TP_HAZE; i++)             /* 32^2 / (32^2 + i^2) */
-        shade->haze[i] = (uint8_t)(255 * 1024 / (1024 + i * i));
 }
 
 /* Schlick's rule [F2] in the same place. */

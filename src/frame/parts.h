@@ -1,0 +1,127 @@
+/* SPDX-License-Identifier: MIT */
+/* What the kit holds of each part of a frame that only some scenes have.  A part that the
+ * kit lacks the scene does not have either: carve.c sees to that, so that none of them is
+ * asked for once the frame is made. */
+#ifndef TP_FRAME_PARTS_H
+#define TP_FRAME_PARTS_H
+#include "frame/frame.h"
+
+typedef struct {
+    void (*place)(tp_frame *frame, tp_sight *sight);
+    void (*draw)(const tp_frame *frame, const tp_sight *sight, tp_samples *tile);
+} tp_draw_solid;
+
+struct tp_draw_boat {
+    tp_draw_solid solid;
+    void (*lids)(const tp_frame *frame, const tp_sight *sight, tp_samples *tile);
+    void (*init)(tp_frame *frame);
+    void (*plan)(tp_frame *frame);
+};
+
+struct tp_draw_drops {
+    tp_draw_solid solid;
+    void (*init)(tp_frame *frame);
+};
+
+/* Of scenes with a sea floor. */
+struct tp_draw_land {
+    void (*place)(tp_frame *frame);
+    void (*draw)(const tp_frame *frame, tp_samples *tile);
+};
+
+/* Stone, seen through any lens: of a tank, and in a pool. */
+struct tp_draw_tank {
+    void (*place)(tp_frame *frame);
+    void (*draw)(const tp_frame *frame, const tp_sight *sight, tp_samples *tile);
+};
+
+/* Of tanks of glass; placed after the water. */
+struct tp_draw_glass {
+    void (*place)(tp_frame *frame);
+    void (*draw)(const tp_frame *frame, tp_samples *tile);
+    void (*row)(const tp_frame *frame, int32_t y, tp_covered row[TP_PANES]);
+    void (*glaze)(const tp_frame *frame, const tp_covered row[TP_PANES], tp_run *run);
+};
+
+struct tp_draw_caustics {
+    void (*place)(tp_frame *frame);
+};
+
+/* Over what has been drawn, so last. */
+struct tp_draw_spray {
+    void (*place)(tp_frame *frame);
+    void (*draw)(const tp_frame *frame, const tp_samples *tile);
+};
+
+/* Pictures of half the size that water looks into, before any tile. */
+struct tp_draw_mirrored {
+    void (*carve)(tp_half_store *store, tp_arena *arena, uint32_t width, uint32_t height);
+    void (*draw)(tp_frame *frame);
+};
+
+struct tp_draw_sunken {
+    void (*carve)(tp_half_store *store, tp_arena *arena, uint32_t width, uint32_t height);
+    void (*draw)(tp_frame *frame);
+};
+
+/* The objects as a point on the water sees them. */
+struct tp_draw_around {
+    void (*carve)(tp_around_store *store, tp_arena *arena);
+    void (*draw)(tp_frame *frame);
+};
+
+/* What is seen through the water and under it. */
+struct tp_draw_inside {
+    void (*plan)(tp_frame *frame);
+    void (*view)(tp_frame *frame);      /* of the axes that shade has now */
+    tp_stage (*behind)(const tp_frame *frame, bool rippled);
+};
+
+struct tp_draw_foam {
+    void (*init)(tp_frame *frame);
+    void (*plan)(tp_frame *frame);
+    tp_stage (*stage)(const tp_frame *frame, bool rippled, bool shiny);
+};
+
+struct tp_draw_layers {         /* but the first one */
+    void (*plan)(tp_frame *frame);
+};
+
+struct tp_draw_ripple {
+    void (*plan)(tp_frame *frame);
+};
+
+/* Pools that bend the light only. */
+struct tp_draw_bumps {
+    void (*place)(tp_frame *frame);
+};
+
+/* Skies beside the gradient. */
+struct tp_draw_dome {
+    void (*plan)(tp_frame *frame);
+};
+
+struct tp_draw_cube {
+    void (*init)(tp_frame *frame);
+    void (*plan)(tp_frame *frame);
+};
+
+struct tp_draw_stars {
+    void (*init)(tp_frame *frame);
+    void (*plan)(tp_frame *frame);
+};
+
+struct tp_draw_exposure {
+    void (*plan)(tp_frame *frame);
+};
+
+struct tp_draw_glint {
+    void (*plan)(tp_frame *frame);
+};
+
+/* The water's share of what it mirrors. */
+struct tp_draw_fresnel {
+    void (*init)(tp_frame *frame);
+    void (*plan)(tp_frame *frame);
+};
+#endif
