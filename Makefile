@@ -52,7 +52,8 @@ CORE := $(addprefix src/, \
 # -- the program, for machines with files and threads ----------------------------------
 
 PORTS := $(addprefix ports/, \
-    host/args.c host/assets.c host/canvas.c host/check.c host/check_depth.c \
+    host/args.c host/assets.c host/bake.c host/bake_parts.c host/canvas.c \
+    host/check.c host/check_depth.c \
     host/check_drops.c host/check_light.c host/check_numbers.c host/check_ocean.c \
     host/check_pool.c host/check_settle.c host/check_waves.c host/csv.c host/deck.c \
     host/film.c host/hashes.c host/lists.c \
@@ -78,6 +79,8 @@ BARE   := -Isrc -ffreestanding -ffunction-sections -fdata-sections
 HOSTED := -Iports -Isrc -I. $(SDL_CFLAGS)
 COMPILE = $(CC) $(FLAGS) $(CPPFLAGS) $(CFLAGS)
 LINK    = $(CC) $(OPT) $(ARCH) $(LDFLAGS)
+LINK_ELF = $(LINK) -nostdlib -T $(filter %.ld,$^) -Wl,--gc-sections $(filter %.o,$^) \
+           $(LIB) -lgcc -o $@
 # One short line for each thing made; with V=1 the whole command.
 SAY     = $(if $(V),,@echo '  $@';)
 
@@ -98,8 +101,11 @@ UNIT    :=
 GOLDEN  := tests/gates/no-cmocka.sh
 endif
 # Scenes whose frames every processor must draw: between them, every model.
+SCENES  := $(patsubst assets/scenes/%.ini,%,$(wildcard assets/scenes/*.ini))
 CROSS   := three-swells raindrops tank pond harbour shallows shore-break deep-sea storm
 FRAMES  := $(CROSS:%=$(BUILD)/tests/cross/frames-%)
+BAKES   := $(wildcard ports/host/bake*.c ports/host/assets.c ports/host/png_read.c \
+               ports/host/scene*.c src/asset/*.c src/scene/params.c include/tidepool/*.h)
 SHIPPED := $(wildcard assets/scenes/* assets/boats/*.[mop]* assets/textures/*.png \
                assets/skies/*.png)
 
@@ -185,7 +191,7 @@ host-tests: everything
 	@$(MAKE) --no-print-directory $(SAN) unit build/san/tidepool
 	@$(RUN) build/log/host $(UNIT) $(UNIT:build/host/%=build/san/%) $(GOLDEN) \
 	    tests/gates/host.sh tests/gates/selftest.sh tests/host/cli.sh \
-	    tests/host/check.sh tests/host/tape.sh \
+	    tests/host/bake.sh tests/host/check.sh tests/host/tape.sh \
 	    tests/gates/sanitized.sh tests/host/generators.sh \
 	    tests/host/readme.sh
 more-tests: everything build/host/count.so
@@ -193,7 +199,8 @@ more-tests: everything build/host/count.so
 	    tests/cross/run.sh tests/budgets/board-count.sh tests/budgets/models-count.sh \
 	    tests/fuzz/run.sh
 fuzzers: $(FUZZ)
-elf: $(BUILD)/tidepool.elf
+elf: $(BUILD)/scenes/$(SCENE).elf
+elves: $(SCENES:%=$(BUILD)/scenes/%.elf)
 frames: $(FRAMES)
 list-core:
 	@echo $(CORE)
@@ -225,13 +232,18 @@ $(BUILD)/longship: $(patsubst %.c,$(BUILD)/%.o,$(wildcard assets/boats/*.c) \
 	$(SAY)$(LINK) $^ -lpng -lm -o $@
 $(BUILD)/textures: $(patsubst %.c,$(BUILD)/%.o,$(wildcard assets/textures/*.c))
 	$(SAY)$(LINK) $^ -lpng -o $@
-# The scene as constants, for what has no files: built once for each processor.
-build/baked/%.c: build/host/tests/cross/bake $(SHIPPED)
+# The scene as constants, for what has no files: built once for each processor, and anew
+# when what writes them changes, which most of the program does not.
+build/baked/%.c: $(BAKES) $(SHIPPED) | build/host/tidepool
 	@mkdir -p $(@D)
-	$(SAY)$< assets/scenes/$(basename $(@F)).ini -o $@
+	$(SAY)build/host/tidepool bake assets/scenes/$(basename $(@F)).ini --name baked -o $@
 build/baked/$(MACHINE)/%.o: build/baked/%.c
 	@mkdir -p $(@D)
-	$(SAY)$(COMPILE) -Iports -c $< -o $@
+	$(SAY)$(COMPILE) -c $< -o $@
+ifneq ($(PROGRAM),build/host/tidepool)
+build/host/tidepool:
+	@MAKEFLAGS= $(MAKE) --no-print-directory $@
+endif
 $(FRAMES): $(BUILD)/tests/cross/frames-%: $(BUILD)/tests/cross/frames.o \
           build/baked/$(MACHINE)/%.o $(LIB)
 	$(SAY)$(LINK) $^ -o $@
@@ -240,13 +252,14 @@ $(BUILD)/tests/budgets/models: $(MODELS_O) $(LIB)
 	$(SAY)$(LINK) $^ -o $@
 build/host/count.so: tests/budgets/count.c $(BUILD)/flags
 	$(SAY)$(COMPILE) -D_POSIX_C_SOURCE=200809L -fPIC -shared $< -o $@
-$(BUILD)/tidepool.elf: $(BOARD_C:%.c=$(BUILD)/ports/$(BOARD)/%.o) \
-          build/baked/$(MACHINE)/three-swells.o
+BOARD_O := $(BOARD_C:%.c=$(BUILD)/ports/$(BOARD)/%.o)
+$(BUILD)/scenes/%.elf: build/baked/$(MACHINE)/%.o $(BOARD_O) $(LIB) \
+          ports/$(BOARD)/board.ld
+	@mkdir -p $(@D)
+	$(SAY)$(LINK_ELF)
 $(BUILD)/models.elf: $(MODELS_O) \
-          $(patsubst %.c,$(BUILD)/ports/$(BOARD)/%.o,$(filter-out main.c,$(BOARD_C)))
-$(BUILD)/%.elf: $(LIB) ports/$(BOARD)/board.ld
-	$(SAY)$(LINK) -nostdlib -T $(filter %.ld,$^) -Wl,--gc-sections $(filter %.o,$^) \
-	    $(LIB) -lgcc -o $@
+          $(filter-out %/main.o,$(BOARD_O)) $(LIB) ports/$(BOARD)/board.ld
+	$(SAY)$(LINK_ELF)
 
 $(BUILD)/src/%.o: src/%.c $(BUILD)/flags
 	@mkdir -p $(@D)
@@ -260,7 +273,7 @@ $(BUILD)/flags: force
 	@echo '$(COMPILE) $(SDL_CFLAGS)' | cmp -s - $@ || echo '$(COMPILE) $(SDL_CFLAGS)' >$@
 
 .PHONY: all lib run test test-all soak count bench fuzz golden gallery assets install format \
-    clean help unit everything host-tests more-tests fuzzers elf frames list-core list-cross \
+    clean help unit everything host-tests more-tests fuzzers elf elves frames list-core list-cross \
     reference force
 .SECONDARY:
 -include $(shell find $(BUILD) -name '*.d' 2>/dev/null)

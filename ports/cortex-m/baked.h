@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* A scene with all that it names as constants, for machines without files;
- * tests/cross/bake.c writes them. */
+ * `tidepool bake SCENE --name baked` writes them. */
 #ifndef BAKED_H
 #define BAKED_H
 #include "tidepool/frame.h"

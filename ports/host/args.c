@@ -155,6 +155,17 @@ static const char *read_only(options *o, const char *value)
     return *value ? NULL : "the beginning of a name";
 }
 
+static const char *read_name(options *o, const char *value)
+{
+    o->name = value;
+    return *value ? NULL : "a name in C";
+}
+
+static const char *read_texels(options *o, const char *value)
+{
+    return read_count(value, NULL, 1, SIDE_HIGH, &o->texels) ? NULL : "texels, 1..4096";
+}
+
 static const char *read_stats(options *o, const char *value)
 {
     (void)value;
@@ -177,13 +188,16 @@ static const char *read_help(options *o, const char *value)
     return NULL;
 }
 
-#define ALL (FOR_RENDER | FOR_VIEW | FOR_PARAMS | FOR_SCENES | FOR_CHECK)
+#define ALL (FOR_RENDER | FOR_VIEW | FOR_PARAMS | FOR_SCENES | FOR_CHECK | FOR_BAKE)
 
 static const option_row rows[] = {
     { "--size", "WxH", FOR_RENDER | FOR_VIEW, read_size, "picture, 640x480 by default" },
     { "--frames", "N|A:B", FOR_RENDER, read_frames,
       "0..N-1 or A..B; n is the world after n ticks of 1/60 s" },
-    { "--set", "NAME=VALUE", FOR_RENDER | FOR_VIEW | FOR_PARAMS, read_set,
+    { "-o", "FILE", FOR_BAKE, read_out, "the C file, or - for standard output; needed" },
+    { "--name", "NAME", FOR_BAKE, read_name,
+      "what its names begin with; else the scene's name" },
+    { "--set", "NAME=VALUE", FOR_RENDER | FOR_VIEW | FOR_PARAMS | FOR_BAKE, read_set,
       "change one parameter of the scene; may be repeated" },
     { "--only", "WORD", FOR_PARAMS, read_only,
       "names that begin so: water, wave0., boat.m" },
@@ -196,6 +210,8 @@ static const option_row rows[] = {
     { "--threads", "N", FOR_RENDER | FOR_VIEW, read_threads, "draw tiles in N threads" },
     { "--memory", "BYTES", FOR_RENDER | FOR_VIEW, read_memory,
       "refuse to draw with more; 96k, 2M" },
+    { "--texels", "N", FOR_RENDER | FOR_VIEW | FOR_BAKE, read_texels,
+      "use pictures of no more than N texels a side" },
     { "--visibility", "HOW", FOR_RENDER | FOR_VIEW, read_visibility,
       "auto triangles rows projected flat" },
     { "--hash", NULL, FOR_RENDER, read_hash, "print the CRC-32 of every frame" },
@@ -290,8 +306,10 @@ int args_read(options *o, unsigned command, int argc, char **argv)
     }
     if (o->band && o->strip)
         return refuse(o, "--band and --strip exclude each other");
-    if (!o->scene && !o->help && (command & (FOR_RENDER | FOR_VIEW)))
+    if (!o->scene && !o->help && (command & (FOR_RENDER | FOR_VIEW | FOR_BAKE)))
         return refuse(o, "which scene?");
+    if (!o->out && !o->help && (command & FOR_BAKE))
+        return refuse(o, "which file?  It takes -o FILE.c");
     if (!o->vectors && !o->help && (command & FOR_CHECK))
         return refuse(o, "which folder?  It takes --vectors DIR");
     return EXIT_DONE;

@@ -22,12 +22,15 @@ typedef struct {
     const char  *expect;            /* list of hashes */
     const char  *tape;              /* of inputs: render plays it, view records it */
     const char  *vectors;           /* folder of tables */
+    const char  *name;              /* what baked names begin with, NULL: the scene's */
+    uint32_t     texels;            /* of a picture's longer side at the most, 0: any */
     const char  *only;              /* parameters' names begin so, NULL: any */
     bool         help;
 } options;
 
 /* Commands, for the table's masks. */
-enum { FOR_RENDER = 1, FOR_VIEW = 2, FOR_PARAMS = 4, FOR_SCENES = 8, FOR_CHECK = 16 };
+enum { FOR_RENDER = 1, FOR_VIEW = 2, FOR_PARAMS = 4, FOR_SCENES = 8, FOR_CHECK = 16,
+       FOR_BAKE = 32 };
 
 /* `command` is one of FOR_...; argv[0] is its name.  EXIT_USAGE: said why.  The caller
  * frees settings in any case. */

@@ -44,6 +44,23 @@ void assets_close(assets *a)
 
 /* -- textures -------------------------------------------------------------------- */
 
+/* The largest copy that is wanted becomes the picture; how many bytes that is less. */
+static size_t leave_out(tp_texture *texture, uint32_t most)
+{
+    size_t bytes = 0;
+    while (most && texture->levels > 1 && 1u << (texture->levels - 1) > most) {
+        bytes += sizeof(uint32_t) << (texture->log2_w + texture->log2_h);
+        memmove(texture->level, texture->level + 1,
+                sizeof texture->level - sizeof *texture->level);
+        texture->levels--;
+        if (texture->log2_w > 0)
+            texture->log2_w--;
+        if (texture->log2_h > 0)
+            texture->log2_h--;
+    }
+    return bytes;
+}
+
 static int load_texture(assets *a, tp_texture *texture, const char *path, const char *who)
 {
     uint32_t w, h;
@@ -57,7 +74,8 @@ static int load_texture(assets *a, tp_texture *texture, const char *path, const 
     if (memory && tp_texture_init(texture, pixels, w, h, memory, &err))
         code = fail_at(path, &err);
     free(pixels);
-    a->texture_bytes += bytes;
+    if (!code)
+        a->texture_bytes += bytes - leave_out(texture, a->texels);
     return code;
 }
 
@@ -234,12 +252,17 @@ static int check_cube(const assets *a, const scene_file *file)
 
 int assets_open(assets *a, const scene_file *file)
 {
+    return assets_open_within(a, file, 0);
+}
+
+int assets_open_within(assets *a, const scene_file *file, uint32_t texels)
+{
     static const char *const pictures[ASSETS_PICTURES] = {
         "layer0.texture", "layer1.texture", "layer2.texture", "distortion.texture",
         "ripple.texture", "foam.texture", "sky.east", "sky.west", "sky.up", "sky.down",
         "sky.south", "sky.north", "tank.wall", "tank.floor", "floor.texture",
     };
-    *a = (assets){ 0 };
+    *a = (assets){ .texels = texels };
     const tp_texture **const slots[ASSETS_PICTURES] = {
         &a->names.layer[0], &a->names.layer[1], &a->names.layer[2],
         &a->names.distortion, &a->names.ripple, &a->names.foam, &a->names.sky[0],

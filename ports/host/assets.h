@@ -16,10 +16,12 @@ typedef struct {
     tp_grey       floor, pool_mask, field_mask;
     assets_block *blocks;       /* all memory of it */
     size_t        mesh_bytes, texture_bytes;
+    uint32_t      texels;       /* of a picture's longer side at the most, 0: any */
 } assets;
 
 /* Nothing is half-loaded: after a failure, which it has explained, *a is empty.
  * It must not move while names are in use. */
 int  assets_open(assets *a, const scene_file *file);
+int  assets_open_within(assets *a, const scene_file *file, uint32_t texels);   /* or 0 */
 void assets_close(assets *a);
 #endif

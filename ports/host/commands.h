@@ -7,6 +7,7 @@ int render_command(int argc, char **argv);
 int view_command(int argc, char **argv);
 int scenes_command(int argc, char **argv);
 int params_command(int argc, char **argv);
+int bake_command(int argc, char **argv);
 int check_command(int argc, char **argv);
 
 /* Ends what was printed on standard output: a full disk or a closed pipe is an error. */

@@ -32,6 +32,8 @@ static const struct {
     { "scenes", "", "the scenes that come with the program", scenes_command },
     { "params", "[SCENE]", "what can be changed: names, units, ranges, values",
       params_command },
+    { "bake", "SCENE -o FILE.c", "a scene as constant C, for a board without files",
+      bake_command },
     { "check", "--vectors DIR", "the models against tables of known values",
       check_command },
 };

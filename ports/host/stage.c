@@ -28,19 +28,23 @@ void stage_report_clamps(const scene_file *file, const tp_sea *sea)
     say("%s: steepness sum %s is clamped to 0.95", file->name, sum);
 }
 
-int stage_open(stage *s, const options *o)
+int stage_load(stage *s, const options *o)
 {
     memset(s, 0, sizeof *s);
     int code = stage_read(&s->file, o);
     if (!code)
-        code = assets_open(&s->assets, &s->file);
-    if (code)
-        return code;
-    code = stage_world(s);
-    if (code)
-        return code;
-    stage_report_clamps(&s->file, &s->world->sea);
-    return stage_canvas(s, o);
+        code = assets_open_within(&s->assets, &s->file, o->texels);
+    if (!code)
+        code = stage_world(s);
+    if (!code)
+        stage_report_clamps(&s->file, &s->world->sea);
+    return code;
+}
+
+int stage_open(stage *s, const options *o)
+{
+    const int code = stage_load(s, o);
+    return code ? code : stage_canvas(s, o);
 }
 
 int stage_world(stage *s)

@@ -15,8 +15,9 @@ typedef struct {
     canvas     canvas;
 } stage;
 
-/* Both return an exit code and have said why; close in any case. */
+/* Each returns an exit code and has said why; close in any case. */
 int  stage_open(stage *s, const options *o);
+int  stage_load(stage *s, const options *o);    /* all but the canvas */
 int  stage_world(stage *s);                     /* at tick 0, of the scene as it is now */
 int  stage_canvas(stage *s, const options *o);  /* again after the size has changed */
 void stage_close(stage *s);

@@ -6,7 +6,7 @@
 . tests/budgets/board.sh
 
 program=${TP_PROGRAM:-build/host/tidepool}
-elf=build/cortex-m/tidepool.elf
+elf=build/cortex-m/scenes/three-swells.elf
 
 lacks arm-none-eabi-gcc gcc-arm-none-eabi "frames on a Cortex-M4" && exit 77
 lacks qemu-system-arm qemu-system-arm "frames on a Cortex-M4" && exit 77

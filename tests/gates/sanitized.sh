@@ -1,4 +1,6 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
 # The command line's tests once more, on the program under ASan and UBSan.
-exec tests/host/cli.sh build/san/tidepool
+tests/host/cli.sh build/san/tidepool
+cli=$?
+tests/host/bake.sh build/san/tidepool && exit $cli

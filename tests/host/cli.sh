@@ -16,7 +16,7 @@ absent() {
 # -- help and usage -----------------------------------------------------------------
 
 fits --help
-for command in render view scenes params check; do
+for command in render view scenes params bake check; do
     fits "$command" --help
 done
 run --version

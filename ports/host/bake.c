@@ -1,0 +1,264 @@
+/* SPDX-License-Identifier: MIT */
+/* tidepool bake: a scene with all that it names as one file of constant C, for machines
+ * that have no files. */
+#include "bake.h"
+#include <ctype.h>
+#include <errno.h>
+#include <inttypes.h>
+#include <stdlib.h>
+#include <string.h>
+#include "args.h"
+#include "commands.h"
+#include "output.h"
+#include "say.h"
+#include "stage.h"
+
+#define IDENTIFIER_BYTES 48
+
+/* Where a scene's pictures and greys stand among its assets; a row for each. */
+static const struct { const char *member, *part; size_t offset; } pictures[] = {
+    { "layer[0]", "layer0", offsetof(tp_assets, layer[0]) },
+    { "layer[1]", "layer1", offsetof(tp_assets, layer[1]) },
+    { "layer[2]", "layer2", offsetof(tp_assets, layer[2]) },
+    { "distortion", "distortion", offsetof(tp_assets, distortion) },
+    { "ripple", "ripple", offsetof(tp_assets, ripple) },
+    { "foam", "foam", offsetof(tp_assets, foam) },
+    { "sky[0]", "sky_east", offsetof(tp_assets, sky[0]) },
+    { "sky[1]", "sky_west", offsetof(tp_assets, sky[1]) },
+    { "sky[2]", "sky_up", offsetof(tp_assets, sky[2]) },
+    { "sky[3]", "sky_down", offsetof(tp_assets, sky[3]) },
+    { "sky[4]", "sky_south", offsetof(tp_assets, sky[4]) },
+    { "sky[5]", "sky_north", offsetof(tp_assets, sky[5]) },
+    { "tank_wall", "tank_wall", offsetof(tp_assets, tank_wall) },
+    { "tank_floor", "tank_floor", offsetof(tp_assets, tank_floor) },
+    { "floor_texture", "floor_texture", offsetof(tp_assets, floor_texture) },
+}, greys[] = {
+    { "floor", "floor", offsetof(tp_assets, floor) },
+    { "pool_mask", "pool_mask", offsetof(tp_assets, pool_mask) },
+    { "field_mask", "field_mask", offsetof(tp_assets, field_mask) },
+};
+
+enum {
+    PICTURES = sizeof pictures / sizeof *pictures,
+    GREYS = sizeof greys / sizeof *greys
+};
+
+static const tp_texture *picture_at(const tp_assets *names, int i)
+{
+    const void *at = (const char *)names + pictures[i].offset;
+    return *(const tp_texture *const *)at;
+}
+
+static const tp_grey *grey_at(const tp_assets *names, int i)
+{
+    const void *at = (const char *)names + greys[i].offset;
+    return *(const tp_grey *const *)at;
+}
+
+/* -- names --------------------------------------------------------------------------- */
+
+/* Letters, digits and underscores after a letter; "tp_scene" is taken. */
+static bool can_be_name(const char *name)
+{
+    const size_t n = strspn(name, "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ"
+                                  "0123456789_");
+    return n > 0 && n < IDENTIFIER_BYTES && name[n] == '\0'
+           && isalpha((unsigned char)*name) && strncmp(name, "tp_", 3) != 0
+           && strcmp(name, "tp") != 0;
+}
+
+/* "three-swells" as three_swells; what could not be a name as scene_64. */
+static void name_after(const char *file, char name[IDENTIFIER_BYTES])
+{
+    snprintf(name, IDENTIFIER_BYTES, "%s", file);
+    for (char *c = name; *c; c++)
+        if (!isalnum((unsigned char)*c))
+            *c = '_';
+    if (can_be_name(name))
+        return;
+    char whole[IDENTIFIER_BYTES + 8];
+    snprintf(whole, sizeof whole, "scene_%s", name);
+    memcpy(name, whole, IDENTIFIER_BYTES);
+    name[IDENTIFIER_BYTES - 1] = '\0';
+}
+
+/* -- the list of pictures ------------------------------------------------------------ */
+
+static void add_picture(bake *b, const tp_texture *texture, const char *part, uint32_t i)
+{
+    if (!texture || bake_find(b, texture))
+        return;
+    bake_picture *p = &b->pictures[b->n_pictures++];
+    p->texture = texture;
+    snprintf(p->name, sizeof p->name, i == UINT32_MAX ? "%s" : "%s%" PRIu32,
+             part, i);
+}
+
+static int list_pictures(bake *b, const tp_assets *names)
+{
+    const tp_mesh *boat = names->boat;
+    const uint32_t materials = boat ? boat->n_materials : 0;
+    b->pictures = calloc(PICTURES + 2 * (size_t)materials, sizeof *b->pictures);
+    if (!b->pictures)
+        return fail_memory((PICTURES + 2 * (size_t)materials) * sizeof *b->pictures);
+    for (int i = 0; i < PICTURES; i++)
+        add_picture(b, picture_at(names, i), pictures[i].part, UINT32_MAX);
+    for (uint32_t i = 0; i < materials; i++) {
+        add_picture(b, boat->materials[i].diffuse_map, "boat_diffuse", i);
+        add_picture(b, boat->materials[i].normal_map, "boat_normal", i);
+    }
+    return EXIT_DONE;
+}
+
+/* -- the file's head ----------------------------------------------------------------- */
+
+/* Nothing in it ends or begins a comment, or continues a line. */
+static void put_remark(FILE *out, const char *text)
+{
+    for (; *text; text++)
+        fputc(strchr("*/\\", *text) || (unsigned char)*text < 32 ? ' ' : *text, out);
+}
+
+static void put_bytes(FILE *out, size_t *sum, size_t bytes, const char *part)
+{
+    fprintf(out, " * %9zu  %s\n", bytes, part);
+    *sum += bytes;
+}
+
+static void put_contents(const bake *b, const tp_assets *names)
+{
+    size_t sum = 0;
+    char   text[64];
+    fprintf(b->out, " *     bytes\n");
+    put_bytes(b->out, &sum, sizeof(tp_scene), "the scene's numbers");
+    for (uint32_t i = 0; i < b->n_pictures; i++) {
+        const tp_texture *t = b->pictures[i].texture;
+        snprintf(text, sizeof text, "%s, %u x %u", b->pictures[i].name, 1u << t->log2_w,
+                 1u << t->log2_h);
+        put_bytes(b->out, &sum, bake_texture_bytes(t), text);
+    }
+    for (int i = 0; i < GREYS; i++)
+        if (grey_at(names, i))
+            put_bytes(b->out, &sum, bake_grey_bytes(grey_at(names, i)), greys[i].part);
+    if (names->boat)
+        put_bytes(b->out, &sum, bake_mesh_bytes(names->boat), "boat, without pictures");
+    fprintf(b->out, " * %9zu  together */\n", sum);
+}
+
+static void put_head(const bake *b, const options *o, const stage *s)
+{
+    fprintf(b->out, "/* ");
+    put_remark(b->out, s->file.name);
+    fprintf(b->out, ", a scene as constants: made by `tidepool bake`, not written.\n");
+    if (o->texels)
+        fprintf(b->out, " * No picture is larger than %" PRIu32 " texels a side.\n",
+                o->texels);
+    for (uint32_t i = 0; i < o->n_settings; i++) {
+        fprintf(b->out, " * Changed: ");
+        put_remark(b->out, o->settings[i]);
+        fprintf(b->out, "\n");
+    }
+    fprintf(b->out, " *\n * A program declares what it draws:\n"
+            " *     extern const tp_scene  %s_scene;\n"
+            " *     extern const tp_assets %s_assets;\n *\n", b->name, b->name);
+    put_contents(b, &s->assets.names);
+    fprintf(b->out, "#include <tidepool/frame.h>\n");
+}
+
+/* -- the whole file ------------------------------------------------------------------ */
+
+static void put_assets(const bake *b, const tp_assets *names)
+{
+    fprintf(b->out, "\nextern const tp_assets %s_assets;\n"
+            "const tp_assets %s_assets = {\n", b->name, b->name);
+    if (names->boat)
+        fprintf(b->out, "    .boat = &%s_boat,\n", b->name);
+    else
+        fprintf(b->out, "    .boat = 0,\n");
+    for (int i = 0; i < PICTURES; i++) {
+        const bake_picture *p = bake_find(b, picture_at(names, i));
+        if (p)
+            fprintf(b->out, "    .%s = &%s_%s,\n", pictures[i].member, b->name,
+                    p->name);
+    }
+    for (int i = 0; i < GREYS; i++)
+        if (grey_at(names, i))
+            fprintf(b->out, "    .%s = &%s_%s,\n", greys[i].member, b->name,
+                    greys[i].part);
+    fprintf(b->out, "};\n");
+}
+
+static void put_all(const bake *b, const options *o, const stage *s)
+{
+    const tp_assets *names = &s->assets.names;
+    put_head(b, o, s);
+    for (uint32_t i = 0; i < b->n_pictures; i++)
+        bake_texture(b, &b->pictures[i]);
+    for (int i = 0; i < GREYS; i++)
+        if (grey_at(names, i))
+            bake_grey(b, greys[i].part, grey_at(names, i));
+    if (names->boat)
+        bake_mesh(b, "boat", names->boat);
+    bake_scene(b, &s->file.scene);
+    put_assets(b, names);
+}
+
+static int write_file(bake *b, const options *o, const stage *s)
+{
+    output out;
+    const int code = output_open(&out, o->out);
+    if (code)
+        return code;
+    b->out = out.file;
+    errno = 0;
+    put_all(b, o, s);
+    if (ferror(out.file))
+        return output_failed(&out, errno ? errno : EIO);
+    return output_close(&out);
+}
+
+/* The stage is loaded with its world, so that no board is given one that cannot be. */
+static int run(stage *s, const options *o)
+{
+    char name[IDENTIFIER_BYTES];
+    bake b = { .name = name };
+    if (o->name && !can_be_name(o->name))
+        return fail(EXIT_USAGE, "tidepool bake: --name %.40s: expected a name in C that"
+                    " begins with a letter, not with tp_", o->name);
+    int code = stage_load(s, o);
+    if (code)
+        return code;
+    name_after(o->name ? o->name : s->file.name, name);
+    code = list_pictures(&b, &s->assets.names);
+    if (!code)
+        code = write_file(&b, o, s);
+    free(b.pictures);
+    return code;
+}
+
+static void print_help(void)
+{
+    puts("usage: tidepool bake SCENE -o FILE.c [OPTION]...\n"
+         "Writes a scene, its mesh, pictures and maps as constants in C, for a board:\n"
+         "NAME_scene and NAME_assets, which the file's head declares and measures.\n"
+         "SCENE is the name of a shipped scene or the path of an INI file.\n");
+    args_print(FOR_BAKE);
+    puts("\nThe file needs -I for the folder of tidepool/frame.h and nothing else.\n"
+         "Exit: 0 done, 2 usage, 3 bad input or output; then nothing is written.");
+}
+
+int bake_command(int argc, char **argv)
+{
+    options o;
+    stage s;
+    memset(&s, 0, sizeof s);
+    int code = args_read(&o, FOR_BAKE, argc, argv);
+    if (!code && o.help)
+        print_help();
+    else if (!code)
+        code = run(&s, &o);
+    const int end = finish_stdout();
+    stage_close(&s);
+    free(o.settings);
+    return code ? code : end;
+}

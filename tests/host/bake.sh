@@ -1,0 +1,104 @@
+#!/bin/sh
+# SPDX-License-Identifier: MIT
+# Scenes as constant C: every shipped one compiles without a warning and draws what the
+# program draws; what cannot be baked is refused and leaves nothing.
+#     bake.sh PROGRAM
+root=$PWD
+. tests/host/lib.sh
+
+# absent NAME: no file of the bakery was left.
+absent() {
+    same "$1" "$(ls -A | grep '\.c$\|tidepool-')" ""
+}
+
+# -- what is refused ------------------------------------------------------------------
+
+expect "no scene to bake" 2 "which scene" bake -o a.c
+expect "no file to bake into" 2 "It takes -o FILE.c" bake minimal
+expect "-o without its value" 2 "needs a value" bake minimal -o
+expect "a size that it does not take" 2 "no option --size" bake minimal -o a.c --size 9x9
+for name in 3x a-b tp tp_x "" "a b" ä; do
+    expect "the name '$name'" 2 "expected a name" bake minimal -o a.c --name "$name"
+done
+for texels in 0 -1 4097 x; do
+    expect "$texels texels" 2 "1..4096" bake minimal -o a.c --texels "$texels"
+done
+expect "a scene that is not there" 3 "did you mean harbour" bake harbor -o a.c
+printf '[water]\nclear = deep\n' >bad.ini
+expect "a scene that is wrong, by its line" 3 "^bad.ini:2: " bake bad.ini -o a.c
+printf '[boat]\nmesh = no.obj\n' >boat.ini
+expect "a mesh that is not there, by its line" 3 "^boat.ini:2: boat.mesh: no.obj" \
+    bake boat.ini -o a.c
+printf '[pool]\ncols = 32\ncourant = 0.6\n' >fast.ini
+expect "a world that cannot be made, by its line" 3 "^fast.ini:3: pool.courant of 0.600" \
+    bake fast.ini -o a.c
+expect "a folder that is not there" 3 "^no/a.c: No such file" bake minimal -o no/a.c
+expect "a full device" 3 "^/dev/full: No space" bake minimal -o /dev/full
+timeout 60 "$program" bake minimal -o - >/dev/full 2>err
+code=$?
+judge "a full standard output" 3 "^standard output: No space"
+(ulimit -f 1; timeout 60 "$program" bake minimal -o a.c 2>err)
+code=$?
+judge "a file beyond the size limit" 3 "^a.c: File too large"
+absent "what was refused leaves nothing"
+
+# -- what is written ------------------------------------------------------------------
+
+run bake minimal -o a.c
+run bake minimal -o -
+same "standard output gets the same" "$code $(cmp out a.c)" "0 "
+same "names begin with the scene's" \
+    "$(grep -c '^const tp_\(scene minimal_scene\|assets minimal_assets\) = {$' a.c)" 2
+run bake count-64 -o b.c --texels 8
+same "a dash in the scene's is no name" \
+    "$(grep -c '^const tp_scene count_64_scene' b.c)" 1
+printf '[scene]\ntitle = a?\?/ */ "b" \\\n' >'3 *.ini'
+run bake '3 *.ini' -o c.c --set scene.shows='/* %s */'
+same "a digit is no beginning" "$code $(grep -c '^const tp_scene scene_3___scene' c.c)" \
+    "0 1"
+run bake harbour -o d.c --texels 32
+same "no picture has more texels than allowed" \
+    "$(grep -c ', 32 x 32$' d.c) $(grep -c ', 64 x 64$' d.c)" "10 0"
+sum=$(awk '/^ \* +[0-9]+  together/ { print sum - $2 }
+           /^ \* +[0-9]+  / { sum += $2 }' d.c)
+same "the head's bytes add up" "$sum" 0
+run bake three-swells -o e.c --texels 4
+same "a picture named twice is written once" \
+    "$(grep -c 'layer\[[02]\] = &three_swells_layer0,' e.c)" 2
+run bake minimal -o f.c --set camera.y=2
+same "settings are baked" "$(grep -c '^    .camera.y = 131072,$' f.c)" 1
+
+# -- what it compiles to --------------------------------------------------------------
+
+strict="-std=c11 -Wall -Wextra -Wpedantic -Wconversion -Werror -I$root/include"
+for compiler in gcc clang; do
+    command -v $compiler >/dev/null ||
+        { echo "skipped: baked scenes by $compiler (package $compiler)"; continue; }
+    for scene in "$root"/assets/scenes/*.ini; do
+        name=$(basename "$scene" .ini)
+        run bake "$scene" --texels 32 -o "$name.c"
+        # shellcheck disable=SC2086
+        [ "$code" = 0 ] && $compiler $strict -fsyntax-only "$name.c" 2>err
+        same "$name compiles without a warning by $compiler" "$? $(head -n 3 err)" "0 "
+    done
+    # shellcheck disable=SC2086
+    $compiler $strict -c c.c -o c.o 2>err
+    same "so do odd names by $compiler" "$? $(head -n 3 err)" "0 "
+done
+
+# The same frames from constants as from files, with smaller pictures and a setting.
+for scene in three-swells harbour; do
+    change="--texels 16 --set camera.y=6"
+    # shellcheck disable=SC2086
+    {
+    run bake $scene -o small.c --name baked $change
+    ${CC:-cc} $strict -I"$root" -I"$root/ports" "$root/tests/cross/frames.c" small.c \
+        "$root/build/host/libtidepool.a" -o frames 2>err
+    ./frames 64x48 0:1 xrgb8888 0x0 >drawn 2>/dev/null
+    run render $scene --size 64x48 --frames 0:1 --hash $change
+    }
+    same "$scene draws the same from constants" \
+        "$(grep -c crc32 drawn) $(cat drawn)" "2 $(cat out)"
+done
+
+finish
