@@ -39,10 +39,11 @@ CORE := $(addprefix src/, \
     shade/mirror.c shade/mirrored.c shade/optics.c shade/pool_bump.c shade/ripple.c \
     shade/side.c shade/sky.c shade/solid.c shade/stars.c shade/tables.c \
     shade/texture.c shade/view.c \
-    scene/boat.c scene/clock.c scene/drawn.c scene/drop.c scene/drops.c scene/float.c \
-    scene/foam.c scene/foam_made.c scene/light.c scene/meter.c scene/paddle.c \
-    scene/params.c scene/parts.c scene/piece.c scene/rungs.c scene/spray.c scene/tape.c \
-    scene/value.c scene/wake.c scene/world.c \
+    scene/boat.c scene/clock.c scene/drawn.c scene/drop.c scene/drops.c scene/faint.c \
+    scene/float.c scene/foam.c scene/foam_made.c scene/governor.c scene/light.c \
+    scene/meter.c scene/outlook.c scene/paddle.c scene/params.c scene/parts.c \
+    scene/piece.c scene/prices.c scene/rungs.c scene/spray.c scene/tape.c scene/value.c \
+    scene/wake.c scene/world.c \
     frame/around.c frame/boat.c frame/bump.c frame/carve.c frame/caustics.c \
     frame/clipped.c frame/drops.c frame/frame.c frame/glass.c frame/half.c \
     frame/kit.c frame/land.c frame/plan.c frame/plan_depth.c frame/plan_foam.c frame/plan_layers.c \
@@ -56,8 +57,8 @@ PORTS := $(addprefix ports/, \
     host/check.c host/check_depth.c \
     host/check_drops.c host/check_light.c host/check_numbers.c host/check_ocean.c \
     host/check_pool.c host/check_settle.c host/check_waves.c host/csv.c host/deck.c \
-    host/film.c host/hashes.c host/lists.c \
-    host/nearest.c host/output.c host/path.c host/picture.c host/png_read.c \
+    host/film.c host/governing.c host/hashes.c host/lists.c \
+    host/nearest.c host/output.c host/path.c host/picture.c host/plan.c host/png_read.c \
     host/png_write.c host/render.c host/say.c host/scene_file.c host/scene_ini.c \
     host/sink.c host/stage.c host/timing.c \
     null/null.c)

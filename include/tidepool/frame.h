@@ -17,6 +17,7 @@
 #include "tidepool/asset.h"
 #include "tidepool/kit.h"
 #include "tidepool/pixel.h"
+#include "tidepool/plan.h"
 #include "tidepool/scene.h"
 #include "tidepool/status.h"
 
@@ -91,6 +92,11 @@ static inline tp_status tp_frame_init(tp_frame **frame, const tp_scene *scene,
 {
     return tp_frame_init_with(&tp_kit_all, frame, scene, assets, config, block, err);
 }
+
+/* The rungs of the frames from the next on, as a governor wants them; NULL: the plan's
+ * again, which is made at init, and anew when quality.* has changed.  A rung that the
+ * frame has no memory for is drawn as its neighbour that it has. */
+void tp_frame_set_rungs(tp_frame *frame, const tp_rungs *rungs);
 
 /* Takes the world's state into the frame.  The world stays as it is until the last tile
  * has been drawn. */

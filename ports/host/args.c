@@ -173,6 +173,13 @@ static const char *read_stats(options *o, const char *value)
     return NULL;
 }
 
+static const char *read_csv(options *o, const char *value)
+{
+    (void)value;
+    o->csv = true;
+    return NULL;
+}
+
 static const char *read_verbose(options *o, const char *value)
 {
     (void)o;
@@ -188,31 +195,35 @@ static const char *read_help(options *o, const char *value)
     return NULL;
 }
 
-#define ALL (FOR_RENDER | FOR_VIEW | FOR_PARAMS | FOR_SCENES | FOR_CHECK | FOR_BAKE)
+#define ALL (FOR_RENDER | FOR_VIEW | FOR_PARAMS | FOR_SCENES | FOR_CHECK | FOR_BAKE \
+             | FOR_PLAN)
 
 static const option_row rows[] = {
-    { "--size", "WxH", FOR_RENDER | FOR_VIEW, read_size, "picture, 640x480 by default" },
+    { "--size", "WxH", FOR_RENDER | FOR_VIEW | FOR_PLAN, read_size,
+      "picture, 640x480 by default" },
     { "--frames", "N|A:B", FOR_RENDER, read_frames,
       "0..N-1 or A..B; n is the world after n ticks of 1/60 s" },
     { "-o", "FILE", FOR_BAKE, read_out, "the C file, or - for standard output; needed" },
     { "--name", "NAME", FOR_BAKE, read_name,
       "what its names begin with; else the scene's name" },
-    { "--set", "NAME=VALUE", FOR_RENDER | FOR_VIEW | FOR_PARAMS | FOR_BAKE, read_set,
+    { "--set", "NAME=VALUE", FOR_RENDER | FOR_VIEW | FOR_PARAMS | FOR_BAKE | FOR_PLAN,
+      read_set,
       "change one parameter of the scene; may be repeated" },
     { "--only", "WORD", FOR_PARAMS, read_only,
       "names that begin so: water, wave0., boat.m" },
     { "--out", "FILE", FOR_RENDER, read_out,
       "f-%04d.png, film.y4m, or - for a film to stdout" },
-    { "--format", "NAME", FOR_RENDER | FOR_VIEW, read_format,
+    { "--format", "NAME", FOR_RENDER | FOR_VIEW | FOR_PLAN, read_format,
       "xrgb8888 rgb565 rgb565be p8 l8 i1" },
-    { "--band", "ROWS", FOR_RENDER, read_band, "draw in bands of so many rows" },
-    { "--strip", "COLS", FOR_RENDER, read_strip, "draw in strips, columns in 16s" },
+    { "--csv", NULL, FOR_PLAN, read_csv, "a table for programs" },
+    { "--band", "ROWS", FOR_RENDER | FOR_PLAN, read_band, "draw in bands of so many rows" },
+    { "--strip", "COLS", FOR_RENDER | FOR_PLAN, read_strip, "draw in strips, columns in 16s" },
     { "--threads", "N", FOR_RENDER | FOR_VIEW, read_threads, "draw tiles in N threads" },
     { "--memory", "BYTES", FOR_RENDER | FOR_VIEW, read_memory,
       "refuse to draw with more; 96k, 2M" },
     { "--texels", "N", FOR_RENDER | FOR_VIEW | FOR_BAKE, read_texels,
       "use pictures of no more than N texels a side" },
-    { "--visibility", "HOW", FOR_RENDER | FOR_VIEW, read_visibility,
+    { "--visibility", "HOW", FOR_RENDER | FOR_VIEW | FOR_PLAN, read_visibility,
       "auto triangles rows projected flat" },
     { "--hash", NULL, FOR_RENDER, read_hash, "print the CRC-32 of every frame" },
     { "--expect", "FILE", FOR_RENDER, read_expect,
@@ -306,7 +317,8 @@ int args_read(options *o, unsigned command, int argc, char **argv)
     }
     if (o->band && o->strip)
         return refuse(o, "--band and --strip exclude each other");
-    if (!o->scene && !o->help && (command & (FOR_RENDER | FOR_VIEW | FOR_BAKE)))
+    if (!o->scene && !o->help
+        && (command & (FOR_RENDER | FOR_VIEW | FOR_BAKE | FOR_PLAN)))
         return refuse(o, "which scene?");
     if (!o->out && !o->help && (command & FOR_BAKE))
         return refuse(o, "which file?  It takes -o FILE.c");

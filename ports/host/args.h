@@ -18,7 +18,7 @@ typedef struct {
     uint32_t     threads;           /* 0: not given */
     uint64_t     memory;            /* bytes that it may take, 0: any */
     int32_t      visibility;        /* tp_visibility; auto: the scene's own */
-    bool         hash, stats;
+    bool         hash, stats, csv;
     const char  *expect;            /* list of hashes */
     const char  *tape;              /* of inputs: render plays it, view records it */
     const char  *vectors;           /* folder of tables */
@@ -30,7 +30,7 @@ typedef struct {
 
 /* Commands, for the table's masks. */
 enum { FOR_RENDER = 1, FOR_VIEW = 2, FOR_PARAMS = 4, FOR_SCENES = 8, FOR_CHECK = 16,
-       FOR_BAKE = 32 };
+       FOR_BAKE = 32, FOR_PLAN = 64 };
 
 /* `command` is one of FOR_...; argv[0] is its name.  EXIT_USAGE: said why.  The caller
  * frees settings in any case. */

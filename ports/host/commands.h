@@ -9,6 +9,7 @@ int scenes_command(int argc, char **argv);
 int params_command(int argc, char **argv);
 int bake_command(int argc, char **argv);
 int check_command(int argc, char **argv);
+int plan_command(int argc, char **argv);
 
 /* Ends what was printed on standard output: a full disk or a closed pipe is an error. */
 int finish_stdout(void);

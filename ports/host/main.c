@@ -34,6 +34,8 @@ static const struct {
       params_command },
     { "bake", "SCENE -o FILE.c", "a scene as constant C, for a board without files",
       bake_command },
+    { "plan", "SCENE [OPTION]...", "how a scene is drawn, and why: costs, errors, bytes",
+      plan_command },
     { "check", "--vectors DIR", "the models against tables of known values",
       check_command },
 };

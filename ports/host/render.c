@@ -7,6 +7,7 @@
 #include <string.h>
 #include "commands.h"
 #include "deck.h"
+#include "governing.h"
 #include "hashes.h"
 #include "say.h"
 #include "sink.h"
@@ -19,6 +20,7 @@ typedef struct {
     hashes   expected;
     deck     tape;
     timings  times;
+    governing governing;
     FILE    *report;            /* where hashes and figures go */
 } render;
 
@@ -50,6 +52,7 @@ static int draw_frames(render *r, const options *o)
 {
     stage *s = &r->stage;
     progress p = progress_begin();
+    governing_begin(&r->governing, s);
     int code = EXIT_DONE;
     for (uint32_t n = 0; n <= o->last && !code; n++) {
         for (uint32_t ticks = n > 0 ? tp_world_frame(s->world) : 0; ticks > 0; ticks--)
@@ -57,7 +60,9 @@ static int draw_frames(render *r, const options *o)
         if (n >= o->first) {
             const uint64_t begin = now_us();
             canvas_draw(&s->canvas, s->world);
-            timings_add(&r->times, now_us() - begin);
+            const uint64_t took = now_us() - begin;
+            timings_add(&r->times, took);
+            governing_add(&r->governing, n, took);
             code = use_frame(r, o, n);
         }
         if (n >= o->first || n % 4096 == 0)

@@ -9,6 +9,7 @@
 #include <unistd.h>
 #include "../host/commands.h"
 #include "../host/deck.h"
+#include "../host/governing.h"
 #include "../host/path.h"
 #include "../host/say.h"
 #include "../host/stage.h"
@@ -30,6 +31,8 @@ typedef struct {
     deck     tape;
     tp_input wish;                  /* for the next tick */
     timings  times;                 /* of drawing, since the title was set */
+    governing governing;
+    uint32_t drawn;                 /* frames */
     uint64_t title_at, clock;       /* us */
     uint64_t owed;                  /* ticks not yet made, in 1/1000000 */
     bool     stale;                 /* the picture is older than the world */
@@ -127,14 +130,19 @@ static int resize(view *v, uint64_t now)
     v->options->width = (uint32_t)tp_clamp(c->width, 16, 4096);
     v->options->height = (uint32_t)tp_clamp(c->height, 16, 4096);
     v->stale = true;
-    return stage_canvas(&v->stage, v->options);
+    const int code = stage_canvas(&v->stage, v->options);
+    if (!code)
+        governing_begin(&v->governing, &v->stage);
+    return code;
 }
 
 static int draw(view *v)
 {
     const uint64_t begin = now_us();
     canvas_draw(&v->stage.canvas, v->stage.world);
-    timings_add(&v->times, now_us() - begin);
+    const uint64_t took = now_us() - begin;
+    timings_add(&v->times, took);
+    governing_add(&v->governing, v->drawn++, took);
     v->stale = false;
     if (!window_upload(&v->window, &v->stage.canvas.picture))
         return fail(EXIT_INPUT, "tidepool view: %s", SDL_GetError());
@@ -207,6 +215,7 @@ static int run(view *v)
     }
     v->stale = true;
     v->clock = v->title_at = now_us();
+    governing_begin(&v->governing, &v->stage);
     int code = EXIT_DONE;
     while (!v->control.quit && !code)
         code = frame(v);

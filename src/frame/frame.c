@@ -117,6 +117,7 @@ tp_status tp_frame_init_with(const tp_kit *kit, tp_frame **out, const tp_scene *
     frame->ram.scratch = tp_frame_scratch_bytes(&c);
     frame->shade.boat = known.boat;
     frame->shade.solid = parts.solid;
+    tp_frame_choose_rungs(frame);
     make_tables(frame);
     *out = frame;
     return TP_OK;
@@ -178,6 +179,8 @@ void tp_frame_begin(tp_frame *frame, const tp_world *world)
     tp_lens_turned(&frame->lens, frame->drawn.camera.eye, frame->drawn.camera.turn,
                    scene->camera.fov, scene->camera.near,
                    frame->config.width, frame->config.height);
+    tp_frame_choose_rungs(frame);
+    tp_frame_thin_sea(frame);
     tp_frame_plan(frame);
     tp_frame_choose_visibility(frame);
     tp_frame_place_water(frame);

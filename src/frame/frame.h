@@ -113,10 +113,17 @@ typedef struct {
     uint32_t *samples;
 } tp_around_store;
 
+/* A sea without the waves that are too faint to be seen. */
+typedef struct {
+    tp_sea  sea;
+    tp_turn phases[TP_WAVES];
+} tp_thin_sea;
+
 /* What lies behind the frame in its block, as the scene needed it at init: NULL, or 0,
  * where it did not.  What a scene takes up later finds no memory and is left out. */
 typedef struct {
     tp_grid          grid;
+    tp_thin_sea     *thin;
     tp_boat_vertex  *boat_vertex;       /* of the sight that was placed last */
     tp_land_vertex  *land_vertex;       /* rows x cols of the grid */
     tp_land_band    *land_band;         /* of each row of cells */
@@ -155,7 +162,10 @@ struct tp_frame {
     tp_surface       surface;
     tp_grid_view     grid_view;
     bool             cull_water;        /* the eye is above every crest */
-    tp_rungs         rungs;
+    tp_rungs         rungs;             /* of this frame */
+    tp_rungs         planned, asked;    /* asked: by the port, if `steered` */
+    bool             steered;
+    uint8_t          quality[sizeof ((tp_scene *)0)->quality];  /* that was planned for */
     tp_visibility    visibility;        /* of this frame */
 
     tp_sight         sight;             /* the picture itself */
@@ -189,7 +199,10 @@ uint32_t tp_frame_materials(const tp_assets *assets);   /* that are told apart *
 void tp_frame_place_water(tp_frame *frame);
 void tp_frame_draw_water(const tp_frame *frame, tp_samples *tile);
 
-/* visibility.c: by which method this frame's water is drawn, and drawing it by that */
+/* visibility.c: the plan's rungs, made at init and when the budget changes; of seas with
+ * waves too faint to be seen, the sea without them; by which method this frame's water is drawn, and drawing it by that */
+void tp_frame_choose_rungs(tp_frame *frame);
+void tp_frame_thin_sea(tp_frame *frame);
 void tp_frame_choose_visibility(tp_frame *frame);
 void tp_frame_draw_surface(const tp_frame *frame, tp_samples *tile);
 

@@ -1,23 +1,306 @@
 /* SPDX-License-Identifier: MIT */
-/* Which rungs a scene is drawn by: those that it names, else the exact ones. */
-#include "tidepool/plan.h"
+/* Which rungs a scene is drawn by: of all combinations of those that it leaves open, the
+ * cheapest whose errors stay within the budget.
+ *
+ * Errors add up: that is the most that they can do.  What the scene names is not held
+ * against its budget, but leaves less of it to the rest.  The exact rungs are always
+ * within it, so there is always a plan; a larger budget has all the plans of a smaller
+ * one, so it never costs more. */
+#include "scene/faint.h"
+#include "scene/prices.h"
+#include "scene/sides.h"
+
+#define COMBINATIONS (TP_VISIBILITIES * TP_SHADINGS * TP_RATES * TP_LODS)
+
+static const uint8_t counts[TP_KINDS] = { TP_VISIBILITIES, TP_SHADINGS, TP_RATES, TP_LODS };
+
+/* A rung of each kind, from 0. */
+typedef struct {
+    uint8_t of[TP_KINDS];
+} choice;
+
+typedef struct {
+    const tp_prices *prices;
+    tp_outlook outlook;
+    tp_faint   faint;
+    int8_t     named[TP_KINDS];         /* -1: open */
+    tp_fx      left_px, left_colour;    /* of the budget, to what is open */
+} ground;
+
+static choice choice_of(uint32_t number)
+{
+    choice c;
+
+    for (int k = TP_KINDS - 1; k >= 0; k--) {
+        c.of[k] = (uint8_t)(number % counts[k]);
+        number /= counts[k];
+    }
+    return c;
+}
+
+static tp_rungs rungs_of(choice c)
+{
+    return (tp_rungs){ (tp_visibility)(c.of[0] + 1), (tp_shading)(c.of[1] + 1),
+                       (tp_rate)(c.of[2] + 1), (tp_lod)(c.of[3] + 1) };
+}
+
+/* -- prices ------------------------------------------------------------------------------ */
+
+static tp_error_price error_of(const ground *g, int kind, int rung)
+{
+    return g->prices->error[kind][rung][g->outlook.sea];
+}
+
+static bool is_open(const ground *g, int kind)
+{
+    return g->named[kind] < 0;
+}
+
+static int64_t pixel_price(const tp_outlook *o, const tp_shaded_price *shaded)
+{
+    int64_t sum = 0;
+
+    for (int i = 0; i < TP_TRAIT_COUNT; i++)
+        sum += (int64_t)o->trait[i] * shaded->part[i];
+    return sum;
+}
+
+/* Prices are below 2^31, pixels and vertices below 2^24 and 2^20, waves 16. */
+static tp_price price_of(const ground *g, choice c)
+{
+    const tp_prices *p = g->prices;
+    const tp_outlook *o = &g->outlook;
+    const tp_seen_price *seen = &p->seen[c.of[TP_KIND_VISIBILITY]][c.of[TP_KIND_LOD]];
+    const tp_shaded_price *shaded = &p->shaded[c.of[TP_KIND_SHADING]][c.of[TP_KIND_RATE]];
+    const int64_t vertex = seen->vertex + (int64_t)seen->wave * g->faint.left;
+    const int64_t cost = (int64_t)p->frame * 1000 + (int64_t)p->sky * o->other_pixels
+                       + (seen->pixel + pixel_price(o, shaded)) * o->water_pixels
+                       + vertex * o->vertices;
+    tp_price price = { .cost = cost > 0 ? (uint64_t)cost >> 16 : 0,
+                       .error_px = g->faint.px, .error_colour = g->faint.colour,
+                       .known = seen->known && shaded->known };
+
+    for (int k = 0; k < TP_KINDS; k++) {
+        const tp_error_price error = error_of(g, k, c.of[k]);
+        price.known = price.known && error.known;
+        price.error_px += error.px;
+        price.error_colour += error.colour;
+    }
+    return price;
+}
+
+/* -- which may be taken ------------------------------------------------------------------ */
+
+static bool is_fit(const ground *g, choice c)
+{
+    return c.of[TP_KIND_VISIBILITY] == 0 || g->outlook.overlooks
+        || !is_open(g, TP_KIND_VISIBILITY);
+}
+
+/* Of the open kinds alone. */
+static bool is_within(const ground *g, choice c)
+{
+    tp_fx px = 0, colour = 0;
+
+    for (int k = 0; k < TP_KINDS; k++) {
+        px += is_open(g, k) ? error_of(g, k, c.of[k]).px : 0;
+        colour += is_open(g, k) ? error_of(g, k, c.of[k]).colour : 0;
+    }
+    return px <= g->left_px && colour <= g->left_colour;
+}
+
+static bool is_named_so(const ground *g, choice c)
+{
+    for (int k = 0; k < TP_KINDS; k++)
+        if (!is_open(g, k) && g->named[k] != (int8_t)c.of[k])
+            return false;
+    return true;
+}
+
+/* The exact rungs of what is open need no price. */
+static choice exact_of(const ground *g)
+{
+    choice c;
+
+    for (int k = 0; k < TP_KINDS; k++)
+        c.of[k] = is_open(g, k) ? 0 : (uint8_t)g->named[k];
+    return c;
+}
+
+static choice cheapest_of(const ground *g)
+{
+    choice   best = exact_of(g);
+    tp_price least = price_of(g, best);
+
+    for (uint32_t i = 0; least.known && i < COMBINATIONS; i++) {
+        const choice   c = choice_of(i);
+        const tp_price price = price_of(g, c);
+        if (price.known && price.cost < least.cost && is_named_so(g, c) && is_fit(g, c)
+            && is_within(g, c)) {
+            best = c;
+            least = price;
+        }
+    }
+    return best;
+}
+
+/* -- a scene's ground -------------------------------------------------------------------- */
+
+/* Numbers of any size: hostile ones are open. */
+static int8_t named_of(int32_t rung, int kind)
+{
+    return rung > 0 && rung <= counts[kind] ? (int8_t)(rung - 1) : -1;
+}
+
+static ground ground_of(const tp_prices *prices, const tp_scene *scene,
+                        const tp_assets *assets, uint32_t width, uint32_t height)
+{
+    const int32_t asked[TP_KINDS] = { scene->quality.visibility, scene->quality.shading,
+                                      scene->quality.rate, scene->quality.lod };
+    ground g = { .prices = prices,
+                 .outlook = tp_outlook_of(scene, assets, width, height) };
+
+    tp_faint_limits limits = tp_faint_limits_of(scene, g.outlook.waves,
+                                                prices->slope_colour);
+    limits.focal = g.outlook.focal;
+    limits.near = g.outlook.near;
+    g.faint = tp_faint_of(scene, &limits, prices->slope_colour);
+    g.left_px = scene->quality.error_px - scene->quality.error_px / TP_FAINT_SHARE;
+    g.left_colour = scene->quality.error_colour
+                  - scene->quality.error_colour / TP_FAINT_SHARE;
+    for (int k = 0; k < TP_KINDS; k++) {
+        g.named[k] = named_of(asked[k], k);
+        if (g.named[k] >= 0) {
+            g.left_px -= error_of(&g, k, g.named[k]).px;
+            g.left_colour -= error_of(&g, k, g.named[k]).colour;
+        }
+    }
+    g.left_px = g.left_px > 0 ? g.left_px : 0;
+    g.left_colour = g.left_colour > 0 ? g.left_colour : 0;
+    return g;
+}
+
+bool tp_thins_sea(const tp_scene *scene, const tp_assets *assets, uint32_t width,
+                  uint32_t height)
+{
+    return ground_of(&tp_prices_measured, scene, assets, width, height).faint.any
+        && !tp_has_ocean(scene);
+}
 
 tp_rungs tp_rungs_of(const tp_scene *scene, const tp_assets *assets, uint32_t width,
                      uint32_t height)
 {
-    tp_rungs rungs = {
-        (tp_visibility)scene->quality.visibility, (tp_shading)scene->quality.shading,
-        (tp_rate)scene->quality.rate, (tp_lod)scene->quality.lod,
+    const ground g = ground_of(&tp_prices_measured, scene, assets, width, height);
+    return rungs_of(cheapest_of(&g));
+}
+
+/* -- reports ----------------------------------------------------------------------------- */
+
+static tp_why why_of(const ground *g, int kind, choice chosen, choice c)
+{
+    const tp_price price = price_of(g, c);
+
+    if (c.of[kind] == chosen.of[kind])
+        return is_open(g, kind) ? TP_WHY_CHOSEN : TP_WHY_NAMED;
+    if (!is_open(g, kind))
+        return TP_WHY_OTHER_NAMED;
+    if (!price.known)
+        return TP_WHY_UNKNOWN;
+    if (!is_fit(g, c))
+        return TP_WHY_UNFIT;
+    return is_within(g, c) ? TP_WHY_COST : TP_WHY_ERROR;
+}
+
+static tp_rung_report report_of(const ground *g, int kind, choice chosen, int rung)
+{
+    const tp_error_price error = error_of(g, kind, rung);
+    choice c = chosen;
+
+    c.of[kind] = (uint8_t)rung;
+    tp_rung_report report = { price_of(g, c), why_of(g, kind, chosen, c) };
+    report.price.error_px = error.px;
+    report.price.error_colour = error.colour;
+    return report;
+}
+
+tp_plan_report tp_plan_by(const tp_prices *prices, const tp_scene *scene,
+                          const tp_assets *assets, uint32_t width, uint32_t height)
+{
+    const ground g = ground_of(prices, scene, assets, width, height);
+    const choice chosen = cheapest_of(&g);
+    tp_plan_report r = {
+        .rungs = rungs_of(chosen), .total = price_of(&g, chosen),
+        .water_pixels = g.outlook.water_pixels, .vertices = g.outlook.vertices,
+        .waves = g.faint.left, .waves_dropped = g.outlook.waves - g.faint.left,
+        .waves_px = g.faint.px, .waves_colour = g.faint.colour,
     };
 
-    (void)assets, (void)width, (void)height;
-    if (rungs.visibility == TP_VISIBILITY_AUTO)
-        rungs.visibility = TP_VISIBILITY_TRIANGLES;
-    if (rungs.shading == TP_SHADING_AUTO)
-        rungs.shading = TP_SHADING_EXACT;
-    if (rungs.rate == TP_RATE_AUTO)
-        rungs.rate = TP_RATE_FULL;
-    if (rungs.lod == TP_LOD_AUTO)
-        rungs.lod = TP_LOD_OFF;
-    return rungs;
+    for (int k = 0; k < TP_KINDS; k++) {
+        r.rung_count[k] = counts[k];
+        for (int i = 0; i < counts[k]; i++)
+            r.rung[k][i] = report_of(&g, k, chosen, i);
+    }
+    return r;
+}
+
+tp_plan_report tp_plan_of(const tp_scene *scene, const tp_assets *assets, uint32_t width,
+                          uint32_t height)
+{
+    return tp_plan_by(&tp_prices_measured, scene, assets, width, height);
+}
+
+/* -- the ladder -------------------------------------------------------------------------- */
+
+/* Outlines in pixels and colours in levels, as the budget weighs them by default: half a
+ * pixel against two levels.  Q18. */
+static uint64_t harm_of(tp_price price)
+{
+    return 4 * (uint64_t)price.error_px + (uint64_t)price.error_colour;
+}
+
+/* The step from `from` that adds the least error for the cost that it saves. */
+static bool step_down(const ground *g, choice *from)
+{
+    const tp_price here = price_of(g, *from);
+    choice   best = *from;
+    uint64_t added = 1, saved = 0;              /* of the best: infinitely much */
+
+    for (int k = 0; k < TP_KINDS; k++) {
+        for (uint8_t i = 0; is_open(g, k) && i < counts[k]; i++) {
+            choice c = *from;
+            c.of[k] = i;
+            const tp_price p = price_of(g, c);
+            if (!p.known || p.cost >= here.cost || !is_fit(g, c))
+                continue;
+            const uint64_t save = here.cost - p.cost;
+            const uint64_t more = harm_of(p) > harm_of(here) ? harm_of(p) - harm_of(here)
+                                                             : 0;
+            if (more * (saved >> 8) < added * (save >> 8)) {
+                best = c;
+                added = more;
+                saved = save;
+            }
+        }
+    }
+    *from = best;
+    return saved > 0;
+}
+
+tp_ladder tp_ladder_by(const tp_prices *prices, const tp_scene *scene,
+                       const tp_assets *assets, uint32_t width, uint32_t height)
+{
+    const ground g = ground_of(prices, scene, assets, width, height);
+    choice c = cheapest_of(&g);
+    tp_ladder ladder = { .count = 0 };
+
+    ladder.rung[ladder.count++] = rungs_of(c);
+    while (scene->quality.frame_ms > 0 && ladder.count < TP_LADDER && step_down(&g, &c))
+        ladder.rung[ladder.count++] = rungs_of(c);
+    return ladder;
+}
+
+tp_ladder tp_ladder_of(const tp_scene *scene, const tp_assets *assets, uint32_t width,
+                       uint32_t height)
+{
+    return tp_ladder_by(&tp_prices_measured, scene, assets, width, height);
 }

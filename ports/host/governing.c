@@ -1,0 +1,65 @@
+/* SPDX-License-Identifier: MIT */
+/* The governor at work: steps are never silent. */
+#include "governing.h"
+#include <stdio.h>
+#include "say.h"
+
+void governing_begin(governing *g, const stage *s)
+{
+    const tp_scene *scene = &s->file.scene;
+    const tp_frame_config *config = &s->canvas.config;
+    const tp_ladder ladder = tp_ladder_of(scene, &s->assets.names, config->width,
+                                          config->height);
+    const uint32_t limit = (uint32_t)((int64_t)scene->quality.frame_ms * 1000 >> 16);
+
+    tp_governor_init(&g->governor, &ladder, limit);
+    g->frame = s->canvas.frame;
+    if (limit > 0 && ladder.count < 2)
+        say("%s: nothing to step down to, quality.frame_ms is not held", s->file.name);
+}
+
+static uint32_t value_of(unsigned kind, tp_rungs r)
+{
+    return kind == 0 ? r.visibility : kind == 1 ? r.shading : kind == 2 ? r.rate : r.lod;
+}
+
+const char *governing_word(unsigned kind, tp_rungs rungs)
+{
+    static const char *const words[TP_KINDS][TP_KIND_RUNGS + 1] = {
+        { "auto", "triangles", "rows", "projected grid", "flat grid" },
+        { "auto", "exact shading", "quick shading" },
+        { "auto", "full rate", "half-rate layers", "half-rate colour" },
+        { "auto", "all lines of the grid", "fewer lines far away" },
+    };
+    const char *word = words[kind][value_of(kind, rungs)];
+    return word ? word : "?";
+}
+
+/* "33" or "2.5". */
+static void ms_text(char text[24], uint32_t us)
+{
+    if (us >= 10000)
+        snprintf(text, 24, "%u", (unsigned)(us + 500) / 1000);
+    else
+        snprintf(text, 24, "%u.%u", (unsigned)us / 1000, (unsigned)us / 100 % 10);
+}
+
+void governing_add(governing *g, uint32_t number, uint64_t us)
+{
+    const tp_rungs from = tp_governor_rungs(&g->governor);
+    const int step = tp_governor_feed(&g->governor, us < UINT32_MAX ? (uint32_t)us
+                                                                    : UINT32_MAX);
+    const tp_rungs to = tp_governor_rungs(&g->governor);
+    char took[24], limit[24];
+    unsigned kind = 0;
+
+    if (!step)
+        return;
+    while (kind + 1 < TP_KINDS && value_of(kind, from) == value_of(kind, to))
+        kind++;
+    ms_text(took, g->governor.mean);
+    ms_text(limit, g->governor.limit);
+    say("frame %u: %s ms %s %s: %s", (unsigned)number, took, step > 0 ? "over" : "within",
+        limit, governing_word(kind, to));
+    tp_frame_set_rungs(g->frame, &to);
+}

@@ -1,0 +1,75 @@
+/* SPDX-License-Identifier: MIT */
+/* The governor of a frame's time: windows of frames are compared with the limit, so that
+ * a single late frame changes nothing.
+ *
+ * A step up is not tried but foretold.  The means before and after a step down tell what
+ * the rung above costs here, on this machine and scene; what the frames take now, times
+ * their ratio, is what they would take there.  While the load stays as it was that is
+ * above the limit, and the governor stays; it cannot swing. */
+#include "tidepool/plan.h"
+
+#define WINDOW 8                /* frames */
+#define CALM   8                /* windows with room, before a step up */
+#define SETTLE 2                /* frames after a step that are not looked at */
+
+void tp_governor_init(tp_governor *governor, const tp_ladder *ladder, uint32_t limit)
+{
+    *governor = (tp_governor){ .ladder = *ladder, .limit = limit };
+}
+
+tp_rungs tp_governor_rungs(const tp_governor *governor)
+{
+    return governor->ladder.rung[governor->at];
+}
+
+static int step(tp_governor *g, int by)
+{
+    g->at += (uint32_t)by;
+    g->settling = SETTLE;
+    g->calm = 0;
+    return by;
+}
+
+/* Times below 2^32, so the product fits.  No rung costs more than four times the next: a
+ * load that fell while the step was measured must not hold the governor down for ever. */
+static bool has_room_above(const tp_governor *g)
+{
+    const uint64_t most = 4 * (uint64_t)g->mean;
+    const uint64_t above = (uint64_t)g->mean * g->before[g->at] / g->after[g->at];
+
+    return (above < most ? above : most) <= g->limit - g->limit / 8;
+}
+
+/* The first window on a rung is what the step to it has brought. */
+static int judge(tp_governor *g)
+{
+    if (g->at > 0 && g->after[g->at] == 0)
+        g->after[g->at] = g->mean > 0 ? g->mean : 1;
+    if (g->mean > g->limit) {
+        g->calm = 0;
+        if (g->at + 1 >= g->ladder.count)
+            return 0;
+        g->before[g->at + 1] = g->mean;
+        g->after[g->at + 1] = 0;
+        return step(g, 1);
+    }
+    g->calm = g->at > 0 && has_room_above(g) ? g->calm + 1 : 0;
+    return g->calm >= CALM ? step(g, -1) : 0;
+}
+
+int tp_governor_feed(tp_governor *g, uint32_t took)
+{
+    if (g->limit == 0 || g->ladder.count < 2)
+        return 0;
+    if (g->settling > 0) {
+        g->settling--;
+        return 0;
+    }
+    g->sum += took;
+    if (++g->frames < WINDOW)
+        return 0;
+    g->mean = (uint32_t)(g->sum / WINDOW);
+    g->sum = 0;
+    g->frames = 0;
+    return judge(g);
+}

@@ -1,0 +1,244 @@
+/* SPDX-License-Identifier: MIT */
+/* What a scene puts before its camera at the start, estimated: pixels of level water by a
+ * lattice of rays, crossings of the grid by a lattice of them, and what those pixels go
+ * through.  The conditions are those of frame/plan*.c.  Boat, drops and tank are not
+ * taken off the water that they hide. */
+#include "geom/grid.h"
+#include "scene/faint.h"
+#include "scene/light.h"
+#include "scene/prices.h"
+#include "scene/sides.h"
+
+#define RAYS   32               /* each way */
+#define SPOTS  32               /* of the grid, each way */
+
+typedef struct {
+    tp_vec3     eye;
+    tp_rotation turn;
+    int64_t     wide, high;     /* tangents of half the picture, Q16 */
+    int64_t     x, z;           /* the grid's centre */
+    tp_rectangle water;         /* that there is */
+} stand;
+
+/* -- the lay of the land --------------------------------------------------------------- */
+
+/* From the grid's centre to the end of its even cells. */
+static int64_t half_of(const tp_scene *s, int32_t lines, int32_t *flank)
+{
+    *flank = s->grid.reach > 0 ? lines / 8 : 0;
+    *flank = *flank < TP_GRID_FLANK ? *flank : TP_GRID_FLANK;
+    return (int64_t)s->grid.cell * (lines - 2 * *flank - 1) / 2;
+}
+
+/* Aboard the place is the deck's. */
+static tp_vec3 eye_of(const tp_scene *s)
+{
+    tp_vec3 eye = { s->camera.x, s->camera.y, s->camera.z };
+
+    if (s->camera.follow == TP_FOLLOW_BOAT) {
+        const tp_rotation boat = tp_rotation_of(tp_turn_of_degrees(s->boat.heading), 0, 0);
+        eye = tp_rotate_back(&boat, eye);
+        eye.x = tp_fx_held((int64_t)eye.x + s->boat.x);
+        eye.z = tp_fx_held((int64_t)eye.z + s->boat.z);
+    }
+    return eye;
+}
+
+static void place_water(stand *at, const tp_scene *s)
+{
+    int32_t flank;
+    int64_t wide = half_of(s, s->grid.cols, &flank) + s->grid.reach;
+    int64_t deep = half_of(s, s->grid.rows, &flank) + s->grid.reach;
+
+    at->x = at->z = 0;
+    if (s->grid.follow) {
+        at->x = at->eye.x - ((int64_t)s->grid.cell * s->grid.cols * 3 / 10
+                             * at->turn.z.x >> 30);
+        at->z = at->eye.z - ((int64_t)s->grid.cell * s->grid.rows * 3 / 10
+                             * at->turn.z.z >> 30);
+    }
+    at->water = (tp_rectangle){ tp_fx_held(at->x - wide), tp_fx_held(at->x + wide),
+                                tp_fx_held(at->z - deep), tp_fx_held(at->z + deep) };
+    if (tp_has_tank(s))
+        at->water = tp_pool_sides(s);
+}
+
+static stand stand_of(const tp_scene *s, uint32_t width, uint32_t height)
+{
+    const tp_dir3 half = tp_rotation_of(tp_turn_of_degrees(s->camera.fov) / 2, 0, 0).x;
+    const tp_turn aboard = s->camera.follow == TP_FOLLOW_BOAT
+                         ? tp_turn_of_degrees(s->boat.heading) : 0;
+    stand at = { .eye = eye_of(s) };
+
+    at.turn = tp_rotation_of(aboard + tp_turn_of_degrees(s->camera.heading),
+                             tp_turn_of_degrees(s->camera.pitch), 0);
+    at.high = ((int64_t)half.z << 16) / half.x;
+    at.wide = at.high * width / height;
+    place_water(&at, s);
+    return at;
+}
+
+/* -- pixels ------------------------------------------------------------------------------ */
+
+/* An axis of the ray through x, y of the picture, Q16 of one ahead; below 2^30. */
+static int64_t along(int32_t right, int32_t up, int32_t back, int64_t x, int64_t y)
+{
+    return ((x * right + y * up) >> 30) - (back >> 14);
+}
+
+static bool sees_water(const stand *at, int64_t x, int64_t y)
+{
+    const tp_rotation *t = &at->turn;
+    const int64_t dy = along(t->x.y, t->y.y, t->z.y, x, y);
+
+    if (dy == 0 || at->eye.y == 0 || (dy < 0) != (at->eye.y > 0))
+        return false;
+    const int64_t far = ((int64_t)at->eye.y << 16) / -dy;      /* Q16, up to 2^47 */
+    if (far > (int64_t)1 << 32)
+        return false;
+    const int64_t px = at->eye.x + (far * along(t->x.x, t->y.x, t->z.x, x, y) >> 16);
+    const int64_t pz = at->eye.z + (far * along(t->x.z, t->y.z, t->z.z, x, y) >> 16);
+    return px >= at->water.x0 && px <= at->water.x1
+        && pz >= at->water.z0 && pz <= at->water.z1;
+}
+
+static uint32_t water_rays(const stand *at)
+{
+    uint32_t seen = 0;
+
+    for (int32_t j = 0; j < RAYS; j++)
+        for (int32_t i = 0; i < RAYS; i++)
+            seen += sees_water(at, at->wide * (2 * i + 1 - RAYS) / RAYS,
+                               at->high * (2 * j + 1 - RAYS) / RAYS);
+    return seen;
+}
+
+/* -- vertices ---------------------------------------------------------------------------- */
+
+/* Where the n-th of SPOTS lies on an axis of `lines` lines; those of the flanks grow. */
+static int64_t spot_of(const tp_scene *s, int32_t lines, int64_t centre, int32_t n)
+{
+    int32_t flank;
+    const int64_t half = half_of(s, lines, &flank);
+    const int64_t line = (int64_t)(lines - 1) * (2 * n + 1 - SPOTS) * 32768 / SPOTS;
+    const int64_t core = (int64_t)(lines - 1 - 2 * flank) * 32768;
+    const int64_t out = line < 0 ? -line - core : line - core;      /* lines, Q16 */
+
+    if (out <= 0)
+        return centre + (line * s->grid.cell >> 16);
+    const int64_t share = out / flank;          /* of the flank, Q16; cubed */
+    const int64_t way = half + (s->grid.reach * (share * share * share >> 32) >> 16);
+    return centre + (line < 0 ? -way : way);
+}
+
+/* Within the picture and a little around it, at the level or the crests. */
+static bool is_viewed(const stand *at, const tp_scene *s, int64_t x, int64_t z)
+{
+    const tp_rotation *t = &at->turn;
+    const int64_t dx = tp_fx_held(x - at->eye.x), dz = tp_fx_held(z - at->eye.z);
+    const int64_t dy = -(int64_t)at->eye.y, room = 2 * (int64_t)s->grid.cell;
+    const int64_t ahead = -((dx * t->z.x >> 30) + (dy * t->z.y >> 30) + (dz * t->z.z >> 30));
+    const int64_t aside = (dx * t->x.x >> 30) + (dy * t->x.y >> 30) + (dz * t->x.z >> 30);
+    const int64_t above = (dx * t->y.x >> 30) + (dy * t->y.y >> 30) + (dz * t->y.z >> 30);
+    const int64_t wide = (ahead * at->wide >> 16) + room;
+    const int64_t high = (ahead * at->high >> 16) + room;
+
+    return ahead > -room && aside >= -wide && aside <= wide
+        && above >= -high && above <= high;
+}
+
+static uint32_t viewed_spots(const stand *at, const tp_scene *s)
+{
+    uint32_t viewed = 0;
+
+    for (int32_t j = 0; j < SPOTS; j++) {
+        const int64_t z = spot_of(s, s->grid.rows, at->z, j);
+        for (int32_t i = 0; i < SPOTS; i++)
+            viewed += is_viewed(at, s, spot_of(s, s->grid.cols, at->x, i), z);
+    }
+    return viewed;
+}
+
+/* -- what water goes through ------------------------------------------------------------- */
+
+static void list_pictures(tp_outlook *o, const tp_scene *s, const tp_assets *a)
+{
+    const uint8_t added = (uint8_t)((a->layer[1] != NULL) + (a->layer[2] != NULL));
+
+    o->trait[TP_TRAIT_texture] = a->layer[0] != NULL;
+    o->trait[TP_TRAIT_linear] = s->water.filter == TP_FILTER_LINEAR
+                              ? (uint8_t)(added + (a->layer[0] != NULL)) : 0;
+    o->trait[TP_TRAIT_bend] = a->distortion && s->distortion.strength > 0
+                           && (a->layer[0] || added);
+    o->trait[TP_TRAIT_layer] = added;
+    o->trait[TP_TRAIT_ripple] = a->ripple && s->ripple.bump > 0;
+    o->trait[TP_TRAIT_bump] = s->water.pool_bump > 0
+                           && (s->pool.cols > 0 || s->field.cols > 0);
+}
+
+static void list_light(tp_outlook *o, const tp_scene *s, const tp_assets *a)
+{
+    const bool shines = s->water.specular > 0, mirrors = s->water.reflection > 0;
+    const bool clear = s->water.clear > 0;
+
+    o->trait[TP_TRAIT_look] = shines || mirrors || clear;
+    o->trait[TP_TRAIT_mirror] = mirrors;
+    o->trait[TP_TRAIT_glint] = shines;
+    o->trait[TP_TRAIT_haze] = s->sky.haze > 0;
+    o->trait[TP_TRAIT_dome] = mirrors && tp_has_dome(s);
+    o->trait[TP_TRAIT_cube] = mirrors && s->sky.kind == TP_SKY_CUBE && a->sky[0];
+    o->trait[TP_TRAIT_objects] = mirrors && s->mirror.objects != TP_MIRROR_NONE
+                              && (a->boat || s->drops.count > 0 || tp_has_tank(s));
+    o->trait[TP_TRAIT_behind] = clear;
+    o->trait[TP_TRAIT_foam] = s->foam.cells > 0;
+    o->trait[TP_TRAIT_expose] = s->hdr.exposure == TP_EXPOSURE_AUTO
+                             || s->hdr.value != TP_FX_ONE;
+}
+
+/* By the sum of k A: up to 1/4 is gentle, and so are pools and rings. */
+static uint8_t sea_of(const tp_scene *s, uint32_t *waves)
+{
+    const bool stirred = s->pool.cols > 0 || s->field.cols > 0 || s->drops.count > 0;
+    int64_t slope = 0;
+
+    *waves = 0;
+    for (int i = 0; i < TP_WAVES; i++) {
+        if (s->wave[i].amplitude <= 0)
+            continue;
+        slope += (int64_t)s->wave[i].amplitude * 411775 / s->wave[i].length;    /* 2 pi */
+        ++*waves;
+    }
+    const int steep = slope > TP_FX_ONE / 4 ? TP_SEA_STEEP
+                    : slope > 0 || stirred ? TP_SEA_GENTLE : TP_SEA_LEVEL;
+    return (uint8_t)(steep + (s->water.specular > 0));
+}
+
+/* -- all ---------------------------------------------------------------------------------- */
+
+tp_outlook tp_outlook_of(const tp_scene *scene, const tp_assets *assets, uint32_t width,
+                         uint32_t height)
+{
+    const stand at = stand_of(scene, width, height);
+    const uint64_t pixels = (uint64_t)width * height;
+    const int64_t low = along(at.turn.x.y, at.turn.y.y, at.turn.z.y, 0, -at.high);
+    const int64_t ahead = along(at.turn.x.x, at.turn.y.x, at.turn.z.x, 0, -at.high)
+                        * -at.turn.z.x
+                        + along(at.turn.x.z, at.turn.y.z, at.turn.z.z, 0, -at.high)
+                        * -at.turn.z.z;
+    tp_outlook o = { .focal = (int32_t)(((int64_t)height << 15) / at.high) };
+    int64_t crests = at.eye.y;
+
+    o.water_pixels = (uint32_t)(pixels * water_rays(&at) / (RAYS * RAYS));
+    o.other_pixels = (uint32_t)pixels - o.water_pixels;
+    o.vertices = (uint32_t)((uint64_t)scene->grid.cols * (uint64_t)scene->grid.rows
+                            * viewed_spots(&at, scene) / (SPOTS * SPOTS));
+    o.sea = sea_of(scene, &o.waves);
+    o.overlooks = at.eye.y > 0 && (low >= 0 || ahead > 0) && !tp_has_ocean(scene);
+    for (int i = 0; i < TP_WAVES; i++)
+        crests -= scene->wave[i].amplitude;
+    o.near = tp_faint_near(tp_fx_held(crests), &at.turn, scene->camera.fov);
+    o.trait[TP_TRAIT_plain] = 1;
+    list_pictures(&o, scene, assets);
+    list_light(&o, scene, assets);
+    return o;
+}

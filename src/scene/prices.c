@@ -1,0 +1,7 @@
+/* SPDX-License-Identifier: MIT */
+/* The table of prices; prices.inc is made from tests/budgets/prices.csv by prices.awk. */
+#include "scene/prices.h"
+
+const tp_prices tp_prices_measured = {
+#include "scene/prices.inc"
+};

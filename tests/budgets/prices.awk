@@ -1,0 +1,80 @@
+# SPDX-License-Identifier: MIT
+# The table of prices as C, from its CSV: one initializer a row.
+#
+#   awk -f tests/budgets/prices.awk tests/budgets/prices.csv >src/scene/prices.inc
+#
+# Rows: what,rung,item,figure.  A rung without rows is not known to the plan.
+BEGIN {
+    FS = ","
+    n["visibility"] = split("triangles rows projected flat", visibility, " ")
+    n["shading"] = split("exact quick", shading, " ")
+    n["rate"] = split("full layers colour", rate, " ")
+    n["lod"] = split("off on", lod, " ")
+    index_of(visibility, n["visibility"])
+    index_of(shading, n["shading"])
+    index_of(rate, n["rate"])
+    index_of(lod, n["lod"])
+    print "/* SPDX-License-Identifier: MIT */"
+    print "/* Made by tests/budgets/prices.awk from prices.csv; not to be edited. */"
+}
+
+function index_of(names, count,    i)
+{
+    for (i = 1; i <= count; i++)
+        at[names[i]] = i - 1
+}
+
+# "rows.on" as [1][1]; words that are no rung end it all.
+function places(text,    part, count, i, made)
+{
+    count = split(text, part, ".")
+    for (i = 1; i <= count; i++) {
+        if (!(part[i] in at))
+            wrong("no rung " part[i])
+        made = made "[" at[part[i]] "]"
+    }
+    return made
+}
+
+function wrong(why)
+{
+    print FILENAME ":" FNR ": " why >"/dev/stderr"
+    failed = 1
+    exit 1
+}
+
+function known(path)
+{
+    if (path in told)
+        return
+    told[path]
+    printf "    %s.known = true,\n", path
+}
+
+/^#/ || /^what,/ { next }
+NF != 4 || $4 !~ /^-?[0-9]+(\.[0-9]+)?$/ { wrong("expected what,rung,item,figure") }
+$1 == "whole" { printf "    .%s = TP_FX(%s),\n", $3, $4; next }
+$1 == "seen" {
+    path = ".seen" places($2)
+    known(path)
+    printf "    %s.%s = TP_FX(%s),\n", path, $3, $4
+    next
+}
+$1 == "shaded" {
+    path = ".shaded" places($2)
+    known(path)
+    printf "    %s.part[TP_TRAIT_%s] = TP_FX(%s),\n", path, $3, $4
+    next
+}
+# error,rows,gentle_glossy.px,0.25
+$1 == "error" {
+    split($3, part, ".")
+    of = $2 ~ /^(triangles|rows|projected|flat)$/ ? "VISIBILITY" : \
+         $2 ~ /^(exact|quick)$/ ? "SHADING" : \
+         $2 ~ /^(full|layers|colour)$/ ? "RATE" : "LOD"
+    path = ".error[TP_KIND_" of "]" places($2) "[TP_SEA_" toupper(part[1]) "]"
+    known(path)
+    printf "    %s.%s = TP_FX(%s),\n", path, part[2], $4
+    next
+}
+{ wrong("no price of " $1) }
