@@ -31,7 +31,7 @@ CORE := $(addprefix src/, \
     pool/feed.c pool/flux.c pool/gears.c pool/hat.c pool/init.c pool/look.c \
     pool/sample.c pool/slopes.c pool/tune.c pool/walls.c \
     geom/clip.c geom/grid.c geom/lens.c geom/sheet.c geom/surface.c geom/vertex.c \
-    geom/vertex_more.c geom/vertex_row.c \
+    geom/vertex_more.c geom/vertex_row.c geom/waters.c \
     raster/span.c \
     shade/absorb.c shade/around.c shade/behind.c shade/below.c shade/bend.c \
     shade/cube.c shade/dome.c shade/drop.c shade/expose.c shade/exposure.c \
@@ -41,13 +41,13 @@ CORE := $(addprefix src/, \
     shade/texture.c shade/view.c \
     scene/boat.c scene/clock.c scene/drawn.c scene/drop.c scene/drops.c scene/faint.c \
     scene/float.c scene/foam.c scene/foam_made.c scene/governor.c scene/light.c \
-    scene/meter.c scene/outlook.c scene/paddle.c scene/params.c scene/parts.c \
-    scene/piece.c scene/prices.c scene/rungs.c scene/spray.c scene/tape.c scene/value.c \
-    scene/wake.c scene/world.c \
+    scene/meter.c scene/moves.c scene/outlook.c scene/paddle.c scene/params.c \
+    scene/parts.c scene/piece.c scene/prices.c scene/rungs.c scene/spray.c scene/tape.c \
+    scene/value.c scene/wake.c scene/world.c \
     frame/around.c frame/boat.c frame/bump.c frame/carve.c frame/caustics.c \
     frame/clipped.c frame/drops.c frame/frame.c frame/glass.c frame/half.c \
-    frame/kit.c frame/land.c frame/plan.c frame/plan_depth.c frame/plan_foam.c frame/plan_layers.c \
-    frame/plan_sky.c frame/sight.c frame/spray.c frame/tank.c frame/tile.c \
+    frame/kit.c frame/land.c frame/plan.c frame/plan_depth.c frame/plan_foam.c \
+    frame/plan_layers.c frame/plan_sky.c frame/sight.c frame/spray.c frame/tank.c frame/tile.c \
     frame/visibility.c frame/water.c)
 
 # -- the program, for machines with files and threads ----------------------------------

@@ -86,6 +86,50 @@ typedef void (*tp_store)(void *row, int x_in_row, int x, int y, const uint32_t *
 TP_FORMAT_LIST(X)
 #undef X
 
+/* -- models of the water's surface; src/geom/waters.h ------------------------------- */
+
+#define TP_WATER_LIST(X) \
+    X(swells)       /* without them the sea is level */ \
+    X(sharp)        /* their sharpened crests (wave.power) */ \
+    X(ocean)        /* over a floor, or in a wind */ \
+    X(rings) X(pools)
+
+#define X(name) extern const struct tp_water_##name tp_water_##name;
+TP_WATER_LIST(X)
+#undef X
+
+typedef struct {
+#define X(name) const struct tp_water_##name *name;
+    TP_WATER_LIST(X)
+#undef X
+} tp_waters;
+
+#define TP_WATER(name) .name = &tp_water_##name
+
+/* -- parts of a world; src/scene/moves.h -------------------------------------------- */
+
+#define TP_MOVE_LIST(X) \
+    X(boat) \
+    X(wake)         /* of a boat in a pool */ \
+    X(drops) \
+    X(pools)        /* and water.pools */ \
+    X(paddle)       /* waves made in a pool */ \
+    X(ocean)        /* and water.ocean */ \
+    X(foam) X(spray) \
+    X(meter)        /* exposure by itself */
+
+#define X(name) extern const struct tp_move_##name tp_move_##name;
+TP_MOVE_LIST(X)
+#undef X
+
+typedef struct {
+#define X(name) const struct tp_move_##name *name;
+    TP_MOVE_LIST(X)
+#undef X
+} tp_moves;
+
+#define TP_MOVE(name) .name = &tp_move_##name
+
 /* -- parts of a frame; src/frame/parts.h -------------------------------------------- */
 
 #define TP_DRAW_LIST(X) \
@@ -108,6 +152,23 @@ TP_FORMAT_LIST(X)
     X(glint)        /* tables of what shines */ \
     X(exposure)
 
+/* Methods of finding the water in the picture, tp_visibility. */
+#define TP_METHOD_LIST(X) \
+    X(triangles)
+
+struct tp_method;
+#define X(name) extern const struct tp_method tp_method_##name;
+TP_METHOD_LIST(X)
+#undef X
+
+typedef struct {
+#define X(name) const struct tp_method *name;
+    TP_METHOD_LIST(X)
+#undef X
+} tp_methods;
+
+#define TP_METHOD(name) .name = &tp_method_##name
+
 #define X(name) extern const struct tp_draw_##name tp_draw_##name;
 TP_DRAW_LIST(X)
 #undef X
@@ -125,7 +186,10 @@ typedef struct {
 typedef struct tp_kit {
     tp_stages stage;
     tp_store  store[TP_FORMAT_COUNT];
+    tp_waters water;
+    tp_moves  move;
     tp_draws  draw;
+    tp_methods method;
 } tp_kit;
 
 extern const tp_kit tp_kit_all;     /* everything there is */

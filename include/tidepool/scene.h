@@ -14,6 +14,7 @@
 #include "tidepool/drop.h"
 #include "tidepool/foam.h"
 #include "tidepool/fx.h"
+#include "tidepool/kit.h"
 #include "tidepool/ocean.h"
 #include "tidepool/pool.h"
 #include "tidepool/ring.h"
@@ -217,7 +218,10 @@ typedef struct {
     const tp_grey    *pool_mask, *field_mask;   /* scene.pool.mask, scene.field.mask */
 } tp_assets;
 
-/* -- the world: a scene as it moves ---------------------------------------------- */
+/* -- the world: a scene as it moves ----------------------------------------------
+ *
+ * Each world goes with one kit: what that lacks is not in it, as if the scene did not name
+ * it. */
 
 /* What the port feeds in at each tick; all 0 is no input. */
 typedef struct {
@@ -294,18 +298,21 @@ typedef struct {
 
 /* sizeof (tp_world) if the scene has no pool, no floor or wind, no drops; 0 if it cannot
  * be used (tp_world_init says why). */
-size_t tp_world_bytes(const tp_scene *scene, const tp_assets *assets);
+size_t tp_world_bytes_with(const tp_kit *kit, const tp_scene *scene,
+                           const tp_assets *assets);
 
 /* The world of `scene` at tick 0, in `bytes` bytes aligned to 8.  Pictures that the
  * assets hold are read now and not kept.  TP_E_NOSPACE: `bytes` are too few; of a pool
  * that cannot be used err->word is the parameter at fault ("pool.courant"); TP_E_ARG: a
  * map of the floor outside what tp_ocean_init takes. */
-tp_status tp_world_init(tp_world *world, size_t bytes, const tp_scene *scene,
-                        const tp_assets *assets, tp_error *err);
+tp_status tp_world_init_with(const tp_kit *kit, tp_world *world, size_t bytes,
+                             const tp_scene *scene, const tp_assets *assets,
+                             tp_error *err);
 
 /* One tick further; `input` may be NULL.  After a change of the scene's numbers call
  * tp_world_refresh first. */
-void tp_world_step(tp_world *world, const tp_scene *scene, const tp_input *input);
+void tp_world_step_with(const tp_kit *kit, tp_world *world, const tp_scene *scene,
+                        const tp_input *input);
 
 /* Moves the camera alone, while the water stands. */
 void tp_world_look(tp_world *world, const tp_input *input);
@@ -313,7 +320,8 @@ void tp_world_look(tp_world *world, const tp_input *input);
 /* The scene as it is now, at the same tick: sea, ocean, boat, what of pools and drops may
  * change while they move.  False, and nothing is done: what sizes the world's block has
  * changed, or cannot be used; it must be made anew by tp_world_init. */
-bool tp_world_refresh(tp_world *world, const tp_scene *scene, const tp_assets *assets);
+bool tp_world_refresh_with(const tp_kit *kit, tp_world *world, const tp_scene *scene,
+                           const tp_assets *assets);
 
 /* Where the picture is seen from, and how: rows right, up and backward. */
 typedef struct {
@@ -331,9 +339,42 @@ uint32_t tp_world_frame(tp_world *world);
 /* The surface above or below a place [E1]: waves, rings and pools together, without what
  * overhangs.  Where waves are displaced sideways the place is found by inversion: within
  * 1 mm along and up while the steepness sum is below 0.9 (see tp_sea_above). */
-tp_sea_point tp_world_above(const tp_world *world, tp_fx x, tp_fx z);
+tp_sea_point tp_world_above_with(const tp_kit *kit, const tp_world *world, tp_fx x,
+                                 tp_fx z);
 
-/* The parts, or NULL. */
+/* -- the same by the kit that has everything -------------------------------------- */
+
+static inline size_t tp_world_bytes(const tp_scene *scene, const tp_assets *assets)
+{
+    return tp_world_bytes_with(&tp_kit_all, scene, assets);
+}
+
+static inline tp_status tp_world_init(tp_world *world, size_t bytes,
+                                      const tp_scene *scene, const tp_assets *assets,
+                                      tp_error *err)
+{
+    return tp_world_init_with(&tp_kit_all, world, bytes, scene, assets, err);
+}
+
+static inline void tp_world_step(tp_world *world, const tp_scene *scene,
+                                 const tp_input *input)
+{
+    tp_world_step_with(&tp_kit_all, world, scene, input);
+}
+
+static inline bool tp_world_refresh(tp_world *world, const tp_scene *scene,
+                                    const tp_assets *assets)
+{
+    return tp_world_refresh_with(&tp_kit_all, world, scene, assets);
+}
+
+static inline tp_sea_point tp_world_above(const tp_world *world, tp_fx x, tp_fx z)
+{
+    return tp_world_above_with(&tp_kit_all, world, x, z);
+}
+
+/* -- the parts, or NULL ------------------------------------------------------------ */
+
 const tp_pool  *tp_world_pool(const tp_world *world);
 const tp_pool  *tp_world_field(const tp_world *world);
 const tp_ocean *tp_world_ocean(const tp_world *world);

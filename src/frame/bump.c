@@ -26,7 +26,7 @@ uint32_t tp_frame_bump_cells(const tp_scene *scene, int k)
 }
 
 /* Whether there is room for all pools that the world has. */
-bool tp_frame_bumps(const tp_frame *frame)
+static bool hold(const tp_frame *frame)
 {
     bool some = false;
 
@@ -44,8 +44,10 @@ tp_surface tp_frame_lit_surface(const tp_frame *frame)
 {
     tp_surface surface = frame->surface;
 
-    surface.pool = pool_of(frame, 0);
-    surface.field = pool_of(frame, 1);
+    if (surface.by->pools) {
+        surface.pool = pool_of(frame, 0);
+        surface.field = pool_of(frame, 1);
+    }
     return surface;
 }
 
@@ -57,7 +59,7 @@ static bool is_flat(const tp_pool *pool)
 
 static void place_bumps(tp_frame *frame)
 {
-    const bool bumps = tp_frame_bumps(frame);
+    const bool bumps = hold(frame);
 
     for (int k = 0; k < TP_POOL_BUMPS; k++) {
         const tp_pool *pool = pool_of(frame, k);
@@ -73,5 +75,5 @@ static void place_bumps(tp_frame *frame)
 }
 
 const struct tp_draw_bumps tp_draw_bumps = {
-    place_bumps
+    hold, place_bumps
 };

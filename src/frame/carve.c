@@ -48,17 +48,15 @@ static void leave_out(tp_frame_parts *p, const tp_kit *kit, tp_assets *assets)
 static void carve_places(tp_frame_parts *p, tp_arena *arena, const tp_kit *kit,
                          const tp_scene *scene, const tp_assets *assets)
 {
-    const uint32_t cols = (uint32_t)scene->grid.cols, rows = (uint32_t)scene->grid.rows;
+    const size_t cols = (size_t)scene->grid.cols, rows = (size_t)scene->grid.rows;
 
-    tp_grid_carve(&p->grid, arena, cols, rows);
-    if (tp_has_ocean(scene))
-        tp_grid_carve_ocean(&p->grid, arena);
+    if (kit->method.triangles)
+        kit->method.triangles->carve(p, arena, kit, scene);
     if (assets->boat)
         p->boat_vertex = tp_arena_take(arena, assets->boat->n_vertices,
                                        sizeof *p->boat_vertex);
     if (tp_frame_wants(p, tp_has_floor(scene), kit->draw.land)) {
-        p->land_vertex = tp_arena_take(arena, (size_t)cols * rows,
-                                       sizeof *p->land_vertex);
+        p->land_vertex = tp_arena_take(arena, cols * rows, sizeof *p->land_vertex);
         p->land_band = tp_arena_take(arena, rows, sizeof *p->land_band);
     }
 }

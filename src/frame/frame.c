@@ -2,6 +2,7 @@
 /* A frame from its config to its first tile: checked, made, begun. */
 #include "base/text.h"
 #include "frame/frame.h"
+#include "geom/waters.h"
 
 #define SIDE_LEAST 16
 #define SIDE_MOST  4096
@@ -127,20 +128,23 @@ tp_status tp_frame_init_with(const tp_kit *kit, tp_frame **out, const tp_scene *
 static void place_surface(tp_frame *frame)
 {
     const tp_world *world = frame->world;
-    const tp_drops *drops = tp_world_drops(world);
+    const tp_waters *by = &frame->kit->water;
+    const tp_draws  *draw = &frame->kit->draw;
+    const tp_drops *drops = by->rings ? tp_world_drops(world) : NULL;
     tp_surface *surface = &frame->surface;
 
     *surface = (tp_surface){
-        .sea = &world->sea, .phases = frame->drawn.phases, .ring = frame->parts.ring,
-        .ocean = tp_world_ocean(world), .back = world->back,
+        .by = by, .sea = &world->sea, .phases = frame->drawn.phases,
+        .ring = frame->parts.ring, .ocean = by->ocean ? tp_world_ocean(world) : NULL,
+        .back = world->back,
     };
-    if (!tp_frame_bumps(frame)) {
+    if (by->pools && !(draw->bumps && draw->bumps->hold(frame))) {
         surface->pool = tp_world_pool(world);
         surface->field = tp_world_field(world);
     }
     for (uint32_t i = 0; drops && i < drops->rings; i++) {
         if (surface->rings < frame->parts.ring_capacity)
-            surface->rings += tp_ring_at(&tp_drops_rings(drops)[i], frame->drawn.time,
+            surface->rings += by->rings->at(&tp_drops_rings(drops)[i], frame->drawn.time,
                                          &frame->parts.ring[surface->rings]);
     }
 }
@@ -183,7 +187,7 @@ void tp_frame_begin(tp_frame *frame, const tp_world *world)
     tp_frame_thin_sea(frame);
     tp_frame_plan(frame);
     tp_frame_choose_visibility(frame);
-    tp_frame_place_water(frame);
+    tp_frame_place_surface(frame);
     if (frame->parts.block)
         draw->tank->place(frame);
     if (frame->parts.glass)

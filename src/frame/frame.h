@@ -195,15 +195,13 @@ tp_frame *tp_frame_carve(const tp_kit *kit, tp_frame_parts *parts, tp_frame_ram 
 bool tp_frame_wants(tp_frame_parts *parts, bool asked, const void *part);
 uint32_t tp_frame_materials(const tp_assets *assets);   /* that are told apart */
 
-/* water.c */
-void tp_frame_place_water(tp_frame *frame);
-void tp_frame_draw_water(const tp_frame *frame, tp_samples *tile);
-
 /* visibility.c: the plan's rungs, made at init and when the budget changes; of seas with
- * waves too faint to be seen, the sea without them; by which method this frame's water is drawn, and drawing it by that */
+ * waves too faint to be seen, the sea without them; by which method this frame's water is
+ * drawn, and drawing it by that */
 void tp_frame_choose_rungs(tp_frame *frame);
 void tp_frame_thin_sea(tp_frame *frame);
 void tp_frame_choose_visibility(tp_frame *frame);
+void tp_frame_place_surface(tp_frame *frame);
 void tp_frame_draw_surface(const tp_frame *frame, tp_samples *tile);
 
 /* Room for them, and a world's: one made anew may have none. */
@@ -255,7 +253,6 @@ int32_t tp_frame_lod(const tp_frame *frame, tp_fx texels_per_metre, bool level_g
 
 /* bump.c: of scenes whose pools bend the light only */
 uint32_t tp_frame_bump_cells(const tp_scene *scene, int k);
-bool tp_frame_bumps(const tp_frame *frame);
 tp_surface tp_frame_lit_surface(const tp_frame *frame);     /* bumps as heights */
 
 #include "frame/parts.h"

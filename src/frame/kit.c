@@ -13,6 +13,21 @@ const tp_kit tp_kit_all = {
         TP_FORMAT_LIST(X)
 #undef X
     },
+    .water = {
+#define X(name) TP_WATER(name),
+        TP_WATER_LIST(X)
+#undef X
+    },
+    .move = {
+#define X(name) TP_MOVE(name),
+        TP_MOVE_LIST(X)
+#undef X
+    },
+    .method = {
+#define X(name) TP_METHOD(name),
+        TP_METHOD_LIST(X)
+#undef X
+    },
     .draw = {
 #define X(name) TP_DRAW(name),
         TP_DRAW_LIST(X)

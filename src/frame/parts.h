@@ -6,6 +6,14 @@
 #define TP_FRAME_PARTS_H
 #include "frame/frame.h"
 
+/* A way to find the water: visibility.c. */
+struct tp_method {
+    void (*carve)(tp_frame_parts *parts, tp_arena *arena, const tp_kit *kit,
+                  const tp_scene *scene);
+    void (*place)(tp_frame *frame);
+    void (*draw)(const tp_frame *frame, tp_samples *tile);
+};
+
 typedef struct {
     void (*place)(tp_frame *frame, tp_sight *sight);
     void (*draw)(const tp_frame *frame, const tp_sight *sight, tp_samples *tile);
@@ -93,6 +101,7 @@ struct tp_draw_ripple {
 
 /* Pools that bend the light only. */
 struct tp_draw_bumps {
+    bool (*hold)(const tp_frame *frame);        /* there is room for all pools */
     void (*place)(tp_frame *frame);
 };
 

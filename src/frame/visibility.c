@@ -52,7 +52,24 @@ void tp_frame_choose_visibility(tp_frame *frame)
     frame->visibility = TP_VISIBILITY_TRIANGLES;
 }
 
+/* NULL: the kit has none, and no water is drawn. */
+static const struct tp_method *method_of(const tp_frame *frame)
+{
+    return frame->kit->method.triangles;
+}
+
+void tp_frame_place_surface(tp_frame *frame)
+{
+    const struct tp_method *method = method_of(frame);
+
+    if (method)
+        method->place(frame);
+}
+
 void tp_frame_draw_surface(const tp_frame *frame, tp_samples *tile)
 {
-    tp_frame_draw_water(frame, tile);
+    const struct tp_method *method = method_of(frame);
+
+    if (method)
+        method->draw(frame, tile);
 }

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* The water's cells as triangles. */
 #include "frame/frame.h"
+#include "geom/waters.h"
 
 /* A grid of more than 16 km across is drawn with smaller cells: places stay in range. */
 static tp_fx cell_of(const tp_scene *scene)
@@ -139,7 +140,7 @@ static void place_cut_boxes(tp_frame *frame)
     }
 }
 
-void tp_frame_place_water(tp_frame *frame)
+static void place_water(tp_frame *frame)
 {
     frame->grid_view = (tp_grid_view){
         .lens = &frame->lens,
@@ -162,7 +163,7 @@ void tp_frame_place_water(tp_frame *frame)
 
 /* -- drawing ------------------------------------------------------------------------- */
 
-void tp_frame_draw_water(const tp_frame *frame, tp_samples *tile)
+static void draw_water(const tp_frame *frame, tp_samples *tile)
 {
     const tp_grid *grid = &frame->parts.grid;
 
@@ -179,3 +180,16 @@ void tp_frame_draw_water(const tp_frame *frame, tp_samples *tile)
         }
     }
 }
+
+static void carve_water(tp_frame_parts *parts, tp_arena *arena, const tp_kit *kit,
+                        const tp_scene *scene)
+{
+    const struct tp_water_ocean *ocean = kit->water.ocean;
+
+    tp_grid_carve(&parts->grid, arena, (uint32_t)scene->grid.cols,
+                  (uint32_t)scene->grid.rows);
+    if (tp_frame_wants(parts, tp_has_ocean(scene), ocean))
+        ocean->carve(&parts->grid, arena);
+}
+
+const struct tp_method tp_method_triangles = { carve_water, place_water, draw_water };

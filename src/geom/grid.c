@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* The water's grid; see the header for the idea. */
 #include "geom/grid.h"
-#include "geom/sheet.h"
+#include "geom/waters.h"
 
 void tp_grid_carve(tp_grid *grid, tp_arena *arena, uint32_t cols, uint32_t rows)
 {
@@ -177,19 +177,17 @@ static void set_columns(tp_grid *grid, tp_fx cell)
         for (int axis = 0; axis < 3; axis++)
             grid->columns.rest[axis][i] = rest[axis];
     }
-    tp_vertex_set_columns(&grid->frame, &grid->columns, grid->waves.first,
-                          grid->waves.end, cell);
+    if (grid->frame.count > 0)
+        grid->frame.surface->by->swells->columns(&grid->frame, &grid->columns,
+                                                 grid->waves.first, grid->waves.end, cell);
 }
 
 static void set_row(const tp_grid *grid, uint32_t j, bool sloped, tp_vertex_row *row)
 {
     row->line = grid->row[j];
     tp_vertex_rest_z(&grid->frame, row->line.place, row->rest);
-    if (row->line.fade == 0)
-        return;
-    tp_vertex_set_places(&grid->frame, row);
-    if (sloped)
-        tp_vertex_set_tilts(&grid->frame, row);
+    if (row->line.fade != 0 && grid->frame.count > 0)
+        grid->frame.surface->by->swells->row(&grid->frame, row, sloped);
 }
 
 static bool is_still(const tp_grid *grid, uint32_t i, uint32_t j)
@@ -209,8 +207,9 @@ tp_view_corner tp_grid_corner(const tp_grid *grid, const tp_grid_view *view,
                               uint32_t i, uint32_t j)
 {
     const tp_grid_vertex *vertex = &grid->vertex[(size_t)j * grid->cols + i];
-    tp_view_corner c = tp_sheet_is(grid) ? tp_sheet_corner(grid, i, j)
-                                         : corner_of(grid, i, j);
+    tp_view_corner c = tp_sheet_is(grid)
+                     ? grid->frame.surface->by->ocean->corner(grid, i, j)
+                     : corner_of(grid, i, j);
 
     (void)view;
     c.n[0] = vertex->slope_x;
@@ -330,7 +329,7 @@ void tp_grid_place(tp_grid *grid, const tp_grid_view *view)
         if (needed.first >= needed.end)
             continue;
         if (tp_sheet_is(grid))
-            tp_sheet_place_row(grid, j, needed);
+            frame->surface->by->ocean->row(grid, j, needed);
         else
             place_row(grid, j, needed.first, needed.end);
         grid->vertices += (uint32_t)(needed.end - needed.first);

@@ -19,6 +19,11 @@ typedef struct {
     bool     still;
 } tp_vertex_place_of;
 
+/* One axis of swells: from + rest and what they add; their slopes. */
+void tp_run_sway(const tp_vertex_place_of *place, int axis, const int32_t *from,
+                 int32_t rest, int32_t *to);
+void tp_run_slope(const tp_vertex_place_of *place, tp_grid_vertex *to);
+
 /* Adds sharpened swells to water at rest, and their slopes. */
 void tp_run_sharpen(const tp_vertex_place_of *place, tp_vertex_run *run,
                     tp_grid_vertex *vertex);

@@ -7,7 +7,7 @@
  * much of the last step is taken back as makes the error least along the line of the last
  * two.  On 32,000 places with steepness sums to 0.9, deep and over a beach, twelve steps
  * left 0.3 mm at the most; plain ones, which leave q^n of a sum q, 0.29 m. */
-#include "geom/surface.h"
+#include "geom/waters.h"
 
 #define STEPS 12
 #define CLOSE 4         /* 16.16: 0.06 mm */
@@ -25,11 +25,11 @@ tp_relief tp_surface_relief(const tp_surface *surface, tp_fx x, tp_fx z)
     tp_relief sum = { 0, 0, 0 };
 
     if (surface->rings)
-        sum = tp_ring_relief(surface->ring, surface->rings, x, z);
+        sum = surface->by->rings->relief(surface->ring, surface->rings, x, z);
     if (surface->pool)
-        add(&sum, tp_pool_relief(surface->pool, x, z, surface->back));
+        add(&sum, surface->by->pools->relief(surface->pool, x, z, surface->back));
     if (surface->field)
-        add(&sum, tp_pool_relief(surface->field, x, z, surface->back));
+        add(&sum, surface->by->pools->relief(surface->field, x, z, surface->back));
     return sum;
 }
 
@@ -52,20 +52,20 @@ static tp_fx relief_height(const tp_surface *surface)
     for (uint32_t i = 0; i < surface->rings; i++)
         sum += (surface->ring[i].gain_q24 >> 8) + 1;
     if (surface->pool)
-        sum += tp_pool_highest(surface->pool);
+        sum += surface->by->pools->highest(surface->pool);
     if (surface->field)
-        sum += tp_pool_highest(surface->field);
+        sum += surface->by->pools->highest(surface->field);
     return (tp_fx)(sum < 1024 * TP_FX_ONE ? sum : 1024 * TP_FX_ONE);
 }
 
 tp_fx tp_surface_reach(const tp_surface *surface)
 {
-    return surface->ocean ? tp_ocean_reach(surface->ocean) : surface->sea->reach;
+    return surface->ocean ? surface->by->ocean->reach(surface->ocean) : surface->sea->reach;
 }
 
 tp_fx tp_surface_height(const tp_surface *surface)
 {
-    tp_fx waves = surface->ocean ? tp_ocean_height(surface->ocean)
+    tp_fx waves = surface->ocean ? surface->by->ocean->height(surface->ocean)
                                  : surface->sea->height;
     return waves + relief_height(surface);
 }
@@ -136,19 +136,25 @@ static void ocean_slopes(const tp_surface *surface, tp_sea_point *at, const tp_f
                      &at->slope_z);
 }
 
+tp_sea_point tp_surface_ocean_above(const tp_surface *surface, tp_fx x, tp_fx z,
+                                    tp_fx rest[2])
+{
+    tp_sea_point at = ocean_above(surface, x, z, rest);
+    ocean_slopes(surface, &at, rest);
+    return at;
+}
+
 tp_sea_point tp_surface_above(const tp_surface *surface, tp_fx x, tp_fx z, tp_fx rest[2])
 {
     tp_fx from[2] = { x, z };
-    tp_sea_point at;
+    tp_sea_point at = { .position = { x, 0, z } };
 
     if (!rest)
         rest = from;
-    if (surface->ocean) {
-        at = ocean_above(surface, x, z, rest);
-        ocean_slopes(surface, &at, rest);
-    } else {
-        at = tp_sea_above(surface->sea, surface->phases, x, z, rest);
-    }
+    if (surface->ocean)
+        at = surface->by->ocean->above(surface, x, z, rest);
+    else if (surface->by->swells)
+        at = surface->by->swells->above(surface->sea, surface->phases, x, z, rest);
     if (tp_surface_has_relief(surface)) {
         tp_relief relief = tp_surface_relief(surface, x, z);
         at.position.y += relief.height;

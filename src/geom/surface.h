@@ -4,12 +4,14 @@
  * place.  A part that a scene does not have is NULL or 0 and is not asked. */
 #ifndef TP_GEOM_SURFACE_H
 #define TP_GEOM_SURFACE_H
+#include "tidepool/kit.h"
 #include "tidepool/ocean.h"
 #include "tidepool/pool.h"
 #include "tidepool/ring.h"
 #include "tidepool/wave.h"
 
 typedef struct {
+    const tp_waters *by;        /* the kit's; what it lacks is not here */
     const tp_sea   *sea;
     const tp_turn  *phases;
     const tp_ocean *ocean;      /* instead of the sea's own sum; NULL: open sea */
@@ -38,6 +40,10 @@ tp_fx tp_surface_height(const tp_surface *surface);
 /* The surface above or below a place, without what overhangs.  `rest` (x0, z0), if not
  * NULL, is where the search begins and then what it found. */
 tp_sea_point tp_surface_above(const tp_surface *surface, tp_fx x, tp_fx z, tp_fx rest[2]);
+
+/* The same of an ocean, without what lies on it; `rest` is not NULL. */
+tp_sea_point tp_surface_ocean_above(const tp_surface *surface, tp_fx x, tp_fx z,
+                                    tp_fx rest[2]);
 
 /* dy/dx and dy/dz of a sheet that goes along_x from column to column and along_z from
  * row to row (16.16 m each, below 2 km), within +-8; what overhangs is held there. */

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* The loops over crossings; see the header for the idea. */
-#include "geom/run.h"
+#include "geom/waters.h"
 
 /* -- places ---------------------------------------------------------------------------- */
 
@@ -55,20 +55,27 @@ static void see_axis(const tp_vertex_place_of *place, int axis, bool still, int3
 {
     const tp_vertex_frame *frame = place->frame;
     const int32_t *from = place->columns->rest[axis] + place->first;
-    const tp_vertex_turn *number = place->row->place[axis];
-    const tp_vertex_turn *turn
-        = place->columns->turn + (size_t)place->first * frame->count;
-    uint32_t stride = frame->count, left = still ? 0 : frame->count;
-    uint32_t count = place->count;
-    int32_t  rest = place->row->rest[axis];
+    int32_t rest = place->row->rest[axis];
 
     if (frame->wide) {
-        see_wide(from, rest, count, frame->margin, to);
+        see_wide(from, rest, place->count, frame->margin, to);
         from = to;
         rest = 0;
-    } else if (left == 0) {
-        see_still(from, rest, count, to);
+    } else if (still) {
+        see_still(from, rest, place->count, to);
     }
+    if (!still)
+        frame->surface->by->swells->sway(place, axis, from, rest, to);
+}
+
+void tp_run_sway(const tp_vertex_place_of *place, int axis, const int32_t *from,
+                 int32_t rest, int32_t *to)
+{
+    const tp_vertex_turn *number = place->row->place[axis];
+    const tp_vertex_turn *turn
+        = place->columns->turn + (size_t)place->first * place->frame->count;
+    uint32_t stride = place->frame->count, left = stride, count = place->count;
+
     for (; left >= 3; left -= 3, number += 3, turn += 3, from = to, rest = 0)
         add_swells(number, turn, stride, from, rest, count, 3, to);
     if (left == 2)
@@ -116,7 +123,7 @@ TP_ALWAYS_INLINE void slope(const tp_vertex_place_of *place, uint32_t swells, bo
     }
 }
 
-static void slope_swells(const tp_vertex_place_of *place, tp_grid_vertex *to)
+void tp_run_slope(const tp_vertex_place_of *place, tp_grid_vertex *to)
 {
     uint32_t swells = place->frame->count;
 
@@ -192,20 +199,22 @@ static void displace(const tp_vertex_place_of *place, bool sloped, tp_vertex_run
 {
     const tp_surface *surface = place->frame->surface;
     bool still = place->still || place->frame->count == 0;
-    bool sharpened = surface->sea->sharpened && !still;
+    bool sharpened = surface->sea->sharpened && !still && surface->by->sharp;
 
     for (int axis = 0; axis < 3; axis++)
         see_axis(place, axis, still || sharpened, run->at[axis]);
     if (sharpened) {
-        tp_run_sharpen(place, run, vertex);
+        surface->by->sharp->run(place, run, vertex);
     } else if (still) {
         for (uint32_t i = 0; i < place->count; i++)
             vertex[i].slope_x = vertex[i].slope_z = 0;
     } else if (sloped) {
-        slope_swells(place, vertex);
+        surface->by->swells->slope(place, vertex);
     }
-    if (tp_surface_has_relief(surface))
-        tp_run_relief(place, run, vertex);
+    if (surface->rings)
+        surface->by->rings->run(place, run, vertex);
+    else if (tp_surface_has_relief(surface))
+        surface->by->pools->run(place, run, vertex);
 }
 
 void tp_vertex_place(const tp_vertex_frame *frame, const tp_vertex_columns *columns,

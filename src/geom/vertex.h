@@ -85,6 +85,9 @@ typedef struct {
 /* lens and surface set, the rest is filled in, for water in x0..x1 and z0..z1. */
 void tp_vertex_begin(tp_vertex_frame *frame, tp_fx x0, tp_fx x1, tp_fx z0, tp_fx z1);
 
+/* Of a frame that has begun, the swells' numbers. */
+void tp_vertex_set_swells(tp_vertex_frame *frame);
+
 /* View coordinates of water at rest: the part of a column at x, and that of a row at z
  * with the eye's height.  16.16, or 18.14 in wide frames. */
 void tp_vertex_rest_x(const tp_vertex_frame *frame, tp_fx x, int32_t rest[3]);
@@ -107,9 +110,8 @@ TP_ALWAYS_INLINE tp_vertex_turn tp_vertex_turned(tp_vertex_turn a, tp_vertex_tur
 void tp_vertex_set_columns(const tp_vertex_frame *frame, const tp_vertex_columns *columns,
                            uint32_t first, uint32_t end, tp_fx cell);
 
-/* A row's numbers for places, and then those for slopes; line and rest are set already. */
-void tp_vertex_set_places(const tp_vertex_frame *frame, tp_vertex_row *row);
-void tp_vertex_set_tilts(const tp_vertex_frame *frame, tp_vertex_row *row);
+/* A row's numbers for places, and for slopes too; line and rest are set already. */
+void tp_vertex_set_row(const tp_vertex_frame *frame, tp_vertex_row *row, bool sloped);
 
 /* `count` <= TP_VERTEX_RUN crossings from column `first`, all of them `still` (column or
  * row without waves) or none. */

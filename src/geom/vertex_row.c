@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* What crossings are made of: the numbers of the frame, of its columns and of a row. */
-#include "geom/vertex.h"
+#include "geom/waters.h"
 #include "wave/wave.h"
 
 /* -- the frame ------------------------------------------------------------------------- */
@@ -105,14 +105,22 @@ void tp_vertex_begin(tp_vertex_frame *frame, tp_fx x0, tp_fx x1, tp_fx z0, tp_fx
     const tp_sea *sea = frame->surface->sea;
     const tp_fx x[2] = { x0, x1 }, z[2] = { z0, z1 };
 
-    frame->count = sea->count;
-    frame->tilt = tilt_of(sea);
+    frame->count = frame->surface->by->swells ? sea->count : 0;
     frame->reach = tp_surface_height(frame->surface) + tp_surface_reach(frame->surface);
     frame->margin = frame->reach + frame->reach / 2 + 4;
     frame->far = 1 << (6 + frame->lens->m);
     if (frame->far < frame->lens->near)
         frame->far = frame->lens->near;
     frame->wide = is_wide(frame, x, z);
+    if (frame->count > 0)
+        frame->surface->by->swells->begin(frame);
+}
+
+void tp_vertex_set_swells(tp_vertex_frame *frame)
+{
+    const tp_sea *sea = frame->surface->sea;
+
+    frame->tilt = tilt_of(sea);
     for (uint32_t i = 0; i < sea->count; i++)
         frame->swell[i] = swell_of(frame, &sea->swell[i]);
 }
@@ -202,7 +210,7 @@ static inline uint32_t pair_upper(int32_t sine, int32_t cosine, int32_t a, int32
     return (uint32_t)low << 4 >> 16 | ((uint32_t)high << 4 & 0xffff0000);
 }
 
-void tp_vertex_set_places(const tp_vertex_frame *frame, tp_vertex_row *row)
+static void set_places(const tp_vertex_frame *frame, tp_vertex_row *row)
 {
     const tp_surface *surface = frame->surface;
 
@@ -220,7 +228,7 @@ void tp_vertex_set_places(const tp_vertex_frame *frame, tp_vertex_row *row)
     }
 }
 
-void tp_vertex_set_tilts(const tp_vertex_frame *frame, tp_vertex_row *row)
+static void set_tilts(const tp_vertex_frame *frame, tp_vertex_row *row)
 {
     for (uint32_t k = 0; k < frame->count; k++) {
         const tp_vertex_swell *w = &frame->swell[k];
@@ -233,4 +241,11 @@ void tp_vertex_set_tilts(const tp_vertex_frame *frame, tp_vertex_row *row)
             .bend_zz = pair_upper(-w->bend_zz, -w->bend_zz, b.cos, b.sin),
         };
     }
+}
+
+void tp_vertex_set_row(const tp_vertex_frame *frame, tp_vertex_row *row, bool sloped)
+{
+    set_places(frame, row);
+    if (sloped)
+        set_tilts(frame, row);
 }

@@ -8,6 +8,7 @@
  * (fall ahead, fall aside, 1), the plane's normal, the part along the level starboard
  * direction over that along the pitched mast is tilt / beam x cos(pitch). */
 #include "scene/boat.h"
+#include "geom/waters.h"
 #include "scene/parts.h"
 #include "scene/sides.h"
 
@@ -90,16 +91,16 @@ static void hull_points(const tp_hull *hull, const tp_scene *scene, tp_fx points
 typedef struct { tp_fx all[4], alone[4]; } waters;
 
 /* The searches begin where those of the last tick ended. */
-static waters feel(tp_world *world, tp_fx points[4][2])
+static waters feel(const tp_kit *kit, tp_world *world, tp_fx points[4][2])
 {
-    const tp_surface surface = tp_world_surface(world);
+    const tp_surface surface = tp_world_surface(kit, world);
     const tp_pool *stirred = tp_boat_pool(world);
     waters w;
 
     for (int i = 0; i < 4; i++) {
         tp_fx x = points[i][0], z = points[i][1];
         tp_sea_point at = tp_surface_above(&surface, x, z, world->afloat.rest[i]);
-        tp_fx high = stirred ? tp_pool_relief(stirred, x, z, 0).height : 0;
+        tp_fx high = stirred ? kit->water.pools->relief(stirred, x, z, 0).height : 0;
         w.all[i] = tp_clamp(at.position.y, -WATER_MOST, WATER_MOST);
         w.alone[i] = tp_clamp(at.position.y - high, -WATER_MOST, WATER_MOST);
     }
@@ -127,7 +128,7 @@ static bool is_laid_anew(const tp_afloat *afloat, const tp_scene *scene)
         || (scene->boat.mode == TP_BOAT_KINEMATIC && scene->boat.smooth <= 0);
 }
 
-void tp_boat_init(tp_world *world, const tp_scene *scene)
+void tp_boat_init(const tp_kit *kit, tp_world *world, const tp_scene *scene)
 {
     tp_afloat *a = &world->afloat;
     tp_fx points[4][2];
@@ -138,7 +139,7 @@ void tp_boat_init(tp_world *world, const tp_scene *scene)
         a->rest[i][0] = points[i][0];
         a->rest[i][1] = points[i][1];
     }
-    const waters w = feel(world, points);
+    const waters w = feel(kit, world, points);
     if (is_laid_anew(a, scene)) {
         tp_boat_lay(&a->lie, w.all);
         tp_boat_lay(&a->alone, w.alone);
@@ -149,7 +150,8 @@ void tp_boat_init(tp_world *world, const tp_scene *scene)
     pose(world, scene);
 }
 
-void tp_boat_step(tp_world *world, const tp_scene *scene, const tp_input *input)
+void tp_boat_step(const tp_kit *kit, tp_world *world, const tp_scene *scene,
+                  const tp_input *input)
 {
     tp_afloat *a = &world->afloat;
     tp_fx points[4][2];
@@ -157,7 +159,7 @@ void tp_boat_step(tp_world *world, const tp_scene *scene, const tp_input *input)
     sail(a, scene, input);
     place(a, scene);
     hull_points(&a->hull, scene, points);
-    const waters w = feel(world, points);
+    const waters w = feel(kit, world, points);
     tp_boat_float(&a->lie, scene, w.all);
     tp_boat_float(&a->alone, scene, w.alone);
     tp_boat_sink(&a->hull, &a->alone, w.alone);

@@ -3,15 +3,17 @@
  * for scenes that name its mesh. */
 #ifndef TP_SCENE_BOAT_H
 #define TP_SCENE_BOAT_H
+#include "tidepool/kit.h"
 #include "tidepool/scene.h"
 
 /* Lays the boat on the water at tick 0, and after a change of the scene's numbers: it
  * stays as far from the scene's place and heading as it has sailed, and a boat that
  * floats by its weight or follows slowly goes on from where it lay. */
-void tp_boat_init(tp_world *world, const tp_scene *scene);
+void tp_boat_init(const tp_kit *kit, tp_world *world, const tp_scene *scene);
 
 /* One tick; the water has been moved already, world->last_boat been kept. */
-void tp_boat_step(tp_world *world, const tp_scene *scene, const tp_input *input);
+void tp_boat_step(const tp_kit *kit, tp_world *world, const tp_scene *scene,
+                  const tp_input *input);
 
 /* The hull stirs its pool [E4]; after the step. */
 void tp_boat_wake(tp_world *world, const tp_scene *scene);

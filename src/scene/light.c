@@ -79,6 +79,4 @@ void tp_light_step(tp_world *world, const tp_scene *scene, const tp_input *in)
     world->light_heading += (tp_turn)tick + (tp_turn)in->light_turn;
     world->light_elevation =
         height_held((int64_t)world->light_elevation + in->light_tilt);
-    if (world->parts.probe)
-        tp_meter_step(world, scene);
 }

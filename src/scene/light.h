@@ -15,12 +15,12 @@ tp_dome_config tp_dome_of(const tp_scene *scene);
 void tp_light_init(tp_world *world, const tp_scene *scene);
 void tp_light_refresh(tp_world *world, const tp_scene *scene);
 
-/* Moves the light, then the exposure towards what the meter sees. */
+/* Moves the light; the exposure stays. */
 void tp_light_step(tp_world *world, const tp_scene *scene, const tp_input *in);
 
 /* meter.c: the probe of a scene with automatic exposure. */
 size_t tp_meter_bytes(const tp_scene *scene);
 void tp_meter_init(tp_world *world, const tp_scene *scene, const tp_assets *assets);
 tp_fx tp_meter_mean(const tp_world *world, const tp_scene *scene);  /* 1: white */
-void tp_meter_step(tp_world *world, const tp_scene *scene);
+void tp_meter_step(tp_world *world, const tp_scene *scene); /* after the light */
 #endif

@@ -3,11 +3,8 @@
 #include "scene/parts.h"
 #include "base/base.h"
 #include "base/text.h"
-#include "scene/foam.h"
-#include "scene/light.h"
+#include "scene/moves.h"
 #include "scene/sides.h"
-#include "scene/spray.h"
-#include "tidepool/arena.h"
 
 static tp_pool_config pool_config(const tp_scene_pool *pool, const tp_grey *mask)
 {
@@ -87,31 +84,64 @@ static tp_status take_pool(tp_arena *arena, const tp_scene *scene,
     return status;
 }
 
-tp_status tp_parts_of(tp_world_parts *parts, const tp_scene *scene,
+tp_status tp_parts_take_pools(tp_world_parts *parts, tp_arena *arena,
+                              const tp_scene *scene, const tp_assets *assets,
+                              tp_error *err)
+{
+    tp_status status = take_pool(arena, scene, assets, false, &parts->pool, err);
+    if (status == TP_OK)
+        status = take_pool(arena, scene, assets, true, &parts->field, err);
+    return status;
+}
+
+size_t tp_parts_ocean_bytes(const tp_scene *scene, const tp_assets *assets,
+                            const tp_sea *sea)
+{
+    tp_ocean_config config = ocean_config(scene, assets);
+    return tp_ocean_bytes(&config, sea);
+}
+
+static bool has_ocean(const tp_kit *kit, const tp_scene *scene)
+{
+    return kit->move.ocean && kit->water.ocean && tp_has_ocean(scene);
+}
+
+/* What has neither to be checked nor can fail. */
+static void take_rest(const tp_moves *move, tp_world_parts *parts, tp_arena *arena,
+                      const tp_scene *scene)
+{
+    if (move->drops)
+        parts->drops = take(arena, move->drops->bytes(&scene->drops));
+    if (parts->drops && scene->drops.into == TP_DROPS_RINGS)
+        parts->rings = take(arena, (size_t)scene->drops.rings * sizeof(tp_ring_now));
+    if (move->meter)
+        parts->probe = take(arena, move->meter->bytes(scene));
+    if (move->foam)
+        parts->foam = take(arena, move->foam->bytes(scene, parts->ocean != 0));
+    if (move->spray)
+        parts->spray = take(arena, move->spray->bytes(scene));
+}
+
+tp_status tp_parts_of(const tp_kit *kit, tp_world_parts *parts, const tp_scene *scene,
                       const tp_assets *assets, const tp_sea *sea, tp_error *err)
 {
-    tp_arena arena = tp_arena_over(NULL, 0);
+    const tp_moves *move = &kit->move;
+    tp_arena  arena = tp_arena_over(NULL, 0);
+    tp_status status = TP_OK;
 
     *parts = (tp_world_parts){ .bytes = 0 };
     take(&arena, sizeof(tp_world));
-    if (tp_has_ocean(scene)) {
-        tp_ocean_config config = ocean_config(scene, assets);
-        size_t bytes = tp_ocean_bytes(&config, sea);
+    if (has_ocean(kit, scene)) {
+        size_t bytes = move->ocean->bytes(scene, assets, sea);
         if (bytes == 0)
             return TP_FAIL(err, TP_E_ARG, 0, 0, 0);
         parts->ocean = take(&arena, bytes);
     }
-    tp_status status = take_pool(&arena, scene, assets, false, &parts->pool, err);
-    if (status == TP_OK)
-        status = take_pool(&arena, scene, assets, true, &parts->field, err);
+    if (move->pools && kit->water.pools)
+        status = move->pools->take(parts, &arena, scene, assets, err);
     if (status != TP_OK)
         return status;
-    parts->drops = take(&arena, tp_drops_bytes(&scene->drops));
-    if (parts->drops && scene->drops.into == TP_DROPS_RINGS)
-        parts->rings = take(&arena, (size_t)scene->drops.rings * sizeof(tp_ring_now));
-    parts->probe = take(&arena, tp_meter_bytes(scene));
-    parts->foam = take(&arena, tp_foam_bytes(scene, tp_has_ocean(scene)));
-    parts->spray = take(&arena, tp_spray_bytes(scene));
+    take_rest(move, parts, &arena, scene);
     parts->bytes = (uint32_t)arena.used;
     return TP_OK;
 }
@@ -141,22 +171,33 @@ tp_status tp_parts_init_ocean(tp_world *world, const tp_scene *scene,
                  : TP_OK;
 }
 
-tp_status tp_parts_init(tp_world *world, const tp_scene *scene, const tp_assets *assets,
-                        tp_error *err)
+tp_status tp_parts_init_pools(tp_world *world, const tp_scene *scene,
+                              const tp_assets *assets, tp_error *err)
 {
-    tp_status status = tp_parts_init_ocean(world, scene, assets, err);
-
-    if (status == TP_OK)
-        status = init_pool(world, scene, assets, false, err);
+    tp_status status = init_pool(world, scene, assets, false, err);
     if (status == TP_OK)
         status = init_pool(world, scene, assets, true, err);
-    if (tp_parts_drops(world))
-        tp_drops_init(tp_parts_drops(world), &scene->drops);
-    tp_meter_init(world, scene, assets);
-    if (tp_parts_foam(world))
-        tp_foam_init(tp_parts_foam(world), world, scene, tp_has_ocean(scene));
-    if (tp_parts_spray(world))
-        tp_spray_init(tp_parts_spray(world), scene);
+    return status;
+}
+
+tp_status tp_parts_init(const tp_kit *kit, tp_world *world, const tp_scene *scene,
+                        const tp_assets *assets, tp_error *err)
+{
+    const tp_moves *move = &kit->move;
+    tp_status status = TP_OK;
+
+    if (world->parts.ocean)
+        status = move->ocean->init(world, scene, assets, err);
+    if (status == TP_OK && (world->parts.pool || world->parts.field))
+        status = move->pools->init(world, scene, assets, err);
+    if (world->parts.drops)
+        move->drops->init(tp_parts_drops(world), &scene->drops);
+    if (world->parts.probe)
+        move->meter->init(world, scene, assets);
+    if (world->parts.foam)
+        move->foam->init(tp_parts_foam(world), world, scene, world->parts.ocean != 0);
+    if (world->parts.spray)
+        move->spray->init(tp_parts_spray(world), scene);
     return status;
 }
 
@@ -188,15 +229,22 @@ static bool same_spray(const tp_spray *spray, const tp_scene *scene)
     return !spray || spray->capacity == (uint32_t)scene->spray.count;
 }
 
-bool tp_parts_can_tune(const tp_world *world, const tp_scene *scene)
+bool tp_parts_can_tune_pools(const tp_world *world, const tp_scene *scene)
 {
     return can_tune(tp_world_pool(world), &scene->pool)
-        && can_tune(tp_world_field(world), &scene->field)
+        && can_tune(tp_world_field(world), &scene->field);
+}
+
+bool tp_parts_can_tune(const tp_kit *kit, const tp_world *world, const tp_scene *scene)
+{
+    const bool pools = world->parts.pool || world->parts.field;
+
+    return (!pools || kit->move.pools->can_tune(world, scene))
         && same_foam(tp_world_foam(world), scene)
         && same_spray(tp_world_spray(world), scene);
 }
 
-void tp_parts_tune(tp_world *world, const tp_scene *scene)
+void tp_parts_tune_pools(tp_world *world, const tp_scene *scene)
 {
     tune(tp_parts_pool(world), &scene->pool);
     tune(tp_parts_field(world), &scene->field);
@@ -262,10 +310,10 @@ const tp_drops *tp_world_drops(const tp_world *world)
     return part(world, world->parts.drops);
 }
 
-tp_surface tp_world_surface(const tp_world *world)
+tp_surface tp_world_surface(const tp_kit *kit, const tp_world *world)
 {
     return (tp_surface){
-        .sea = &world->sea, .phases = world->phases, .ocean = tp_world_ocean(world),
+        .by = &kit->water, .sea = &world->sea, .phases = world->phases, .ocean = tp_world_ocean(world),
         .ring = part(world, world->parts.rings), .rings = world->rings,
         .pool = tp_world_pool(world), .field = tp_world_field(world),
     };

@@ -3,25 +3,37 @@
 #ifndef TP_SCENE_PARTS_H
 #define TP_SCENE_PARTS_H
 #include "geom/surface.h"
+#include "tidepool/arena.h"
 #include "tidepool/scene.h"
 
 /* Where the parts of a scene's world lie, and how large the block is; parts->bytes is 0
  * if the scene cannot be used.  Of a pool that cannot, err->word is the parameter at
  * fault.  `sea` is the scene's. */
-tp_status tp_parts_of(tp_world_parts *parts, const tp_scene *scene,
+tp_status tp_parts_of(const tp_kit *kit, tp_world_parts *parts, const tp_scene *scene,
                       const tp_assets *assets, const tp_sea *sea, tp_error *err);
 
 /* Fills the parts at world->parts: still water, no drops. */
-tp_status tp_parts_init(tp_world *world, const tp_scene *scene, const tp_assets *assets,
-                        tp_error *err);
+tp_status tp_parts_init(const tp_kit *kit, tp_world *world, const tp_scene *scene,
+                        const tp_assets *assets, tp_error *err);
 
 /* The ocean alone, built again: after a wave has changed. */
 tp_status tp_parts_init_ocean(tp_world *world, const tp_scene *scene,
                               const tp_assets *assets, tp_error *err);
 
 /* What of the pools may change while they move; first ask whether nothing else has. */
-bool tp_parts_can_tune(const tp_world *world, const tp_scene *scene);
-void tp_parts_tune(tp_world *world, const tp_scene *scene);
+bool tp_parts_can_tune(const tp_kit *kit, const tp_world *world, const tp_scene *scene);
+
+/* Of pool and field alone: their places in the block, what is in them, and the same two. */
+tp_status tp_parts_take_pools(tp_world_parts *parts, tp_arena *arena,
+                              const tp_scene *scene, const tp_assets *assets,
+                              tp_error *err);
+tp_status tp_parts_init_pools(tp_world *world, const tp_scene *scene,
+                              const tp_assets *assets, tp_error *err);
+bool tp_parts_can_tune_pools(const tp_world *world, const tp_scene *scene);
+void tp_parts_tune_pools(tp_world *world, const tp_scene *scene);
+
+size_t tp_parts_ocean_bytes(const tp_scene *scene, const tp_assets *assets,
+                            const tp_sea *sea);
 
 /* Makes the waves of scene->paddle, at a tick; the pool is the scene's. */
 void tp_paddle_push(tp_pool *pool, const tp_scene_pool *scene, uint64_t tick);
@@ -35,5 +47,5 @@ tp_foam     *tp_parts_foam(tp_world *world);
 tp_spray    *tp_parts_spray(tp_world *world);
 
 /* The surface of this tick; valid until the world moves. */
-tp_surface tp_world_surface(const tp_world *world);
+tp_surface tp_world_surface(const tp_kit *kit, const tp_world *world);
 #endif

@@ -306,10 +306,10 @@ static void throw_bow(tp_world *world, const tp_scene *scene, tp_spray *spray,
 
 /* ----------------------------------------------------------------------------------- */
 
-void tp_spray_step(tp_world *world, const tp_scene *scene)
+void tp_spray_step(const tp_kit *kit, tp_world *world, const tp_scene *scene)
 {
     tp_spray *spray = tp_parts_spray(world);
-    const tp_surface surface = tp_world_surface(world);
+    const tp_surface surface = tp_world_surface(kit, world);
 
     fly_all(spray, scene, &surface);
     try_crests(world, scene, spray, &surface);

@@ -2,6 +2,7 @@
 /* Spray and bubbles as the world steps them. */
 #ifndef TP_SCENE_SPRAY_H
 #define TP_SCENE_SPRAY_H
+#include "tidepool/kit.h"
 #include "tidepool/scene.h"
 
 /* Of the block, aligned to 8; 0: the scene has none. */
@@ -9,7 +10,7 @@ size_t tp_spray_bytes(const tp_scene *scene);
 void   tp_spray_init(tp_spray *spray, const tp_scene *scene);
 
 /* One tick, after all else has moved. */
-void tp_spray_step(tp_world *world, const tp_scene *scene);
+void tp_spray_step(const tp_kit *kit, tp_world *world, const tp_scene *scene);
 
 /* A drop has struck water of this level: a crown of specks, and bubbles under it. */
 void tp_spray_splash(tp_spray *spray, const tp_scene *scene, const tp_impact *impact,

@@ -80,7 +80,7 @@ static void prepare_world(int kind)
     model_expect(tp_world_bytes(&scene, NULL) <= sizeof model.block, "too large a world");
     model_expect(!tp_world_init(world, sizeof model.block, &scene, NULL, NULL),
                  "no world");
-    tp_boat_init(world, &scene);
+    tp_boat_init(&tp_kit_all, world, &scene);
     model.bytes = kind == PLAIN ? sizeof(tp_world)
                                 : (uint32_t)(sizeof(tp_afloat) + 2 * sizeof(tp_pose));
 }
@@ -94,7 +94,7 @@ COUNTED(world)
 COUNTED(boat)
 {
     for (uint32_t i = 0; i < model.count; i++)
-        tp_boat_step(world, &scene, &no_input);
+        tp_boat_step(&tp_kit_all, world, &scene, &no_input);
 }
 
 /* The boat has moved a tick's way before each. */
@@ -109,7 +109,7 @@ static void prepare_wake(int kind)
     for (int i = 0; i < 4; i++) {
         tp_boat_wake(world, &scene);
         tp_world_step(world, &scene, NULL);
-        tp_boat_step(world, &scene, &no_input);
+        tp_boat_step(&tp_kit_all, world, &scene, &no_input);
     }
     model_expect(world->afloat.stirs > 0, "a boat that stirs nothing");
 }
@@ -160,7 +160,7 @@ static void prepare_grid(int kind)
     size_t below = 0;
 
     model_sea(kind == CHEAP ? TP_FX(0.05) : TP_FX(0.7), kind == SHARP ? 2 : 1);
-    surface = (tp_surface){ .sea = &model.sea, .phases = model.phases };
+    surface = (tp_surface){ .by = &tp_kit_all.water, .sea = &model.sea, .phases = model.phases };
     if (kind == RINGS)
         set_rings();
     if (kind == POOL) {

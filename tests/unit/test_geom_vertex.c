@@ -38,6 +38,7 @@ static void carve(pond *p)
 
 static void place(pond *p)
 {
+    p->surface.by = &tp_kit_all.water;
     p->surface.sea = &p->sea.sea;
     p->surface.phases = p->sea.phases;
     p->look.lens = &p->v.lens;
@@ -133,8 +134,7 @@ static tp_view_corner corner_of(const pond *p, uint32_t i, uint32_t j)
     tp_grid_vertex vertex;
 
     tp_vertex_rest_z(&p->grid.frame, row.line.place, row.rest);
-    tp_vertex_set_places(&p->grid.frame, &row);
-    tp_vertex_set_tilts(&p->grid.frame, &row);
+    tp_vertex_set_row(&p->grid.frame, &row, true);
     tp_vertex_place(&p->grid.frame, &p->grid.columns, &row, i, 1, still, &vertex);
     tp_view_corner c = tp_vertex_corner(&p->grid.frame, &p->grid.columns, &row, i, still);
     c.n[0] = vertex.slope_x;
@@ -259,8 +259,7 @@ static void where_a_run_begins_does_not_show(void **state)
         make(&p, sea, chance_double(&chance, 0.2, 5), 0);
         row.line = p.grid.row[random_below(&chance, SIDE)];
         tp_vertex_rest_z(&p.grid.frame, row.line.place, row.rest);
-        tp_vertex_set_places(&p.grid.frame, &row);
-        tp_vertex_set_tilts(&p.grid.frame, &row);
+        tp_vertex_set_row(&p.grid.frame, &row, true);
         memset(whole, 0, sizeof whole);
         memset(parts, 0, sizeof parts);
         for (uint32_t i = 0; i < SIDE; i++)

@@ -238,7 +238,7 @@ static void the_surface_names_every_part(void **state)
     const tp_scene scene = scene_with(&chance, 29);
     tp_world *world = scene_world(&scene, NULL);
     run(&chance, world, &scene, 60);
-    const tp_surface s = tp_world_surface(world);
+    const tp_surface s = tp_world_surface(&tp_kit_all, world);
 
     assert_ptr_equal(s.ocean, tp_world_ocean(world));
     assert_ptr_equal(s.pool, tp_world_pool(world));

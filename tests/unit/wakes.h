@@ -43,7 +43,7 @@ static inline tp_pool *water_of(tp_world *world)
 /* The boat alone, one tick further. */
 static inline void sail(tp_world *world, const tp_scene *scene, const tp_input *in)
 {
-    tp_boat_step(world, scene, in);
+    tp_boat_step(&tp_kit_all, world, scene, in);
     tp_boat_wake(world, scene);
 }
 

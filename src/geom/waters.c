@@ -1,0 +1,22 @@
+/* SPDX-License-Identifier: MIT */
+/* The models of the water's surface, as a kit names them. */
+#include "geom/waters.h"
+
+const struct tp_water_rings tp_water_rings = { tp_ring_relief, tp_ring_at, tp_run_relief };
+
+const struct tp_water_pools tp_water_pools = {
+    tp_pool_relief, tp_pool_highest, tp_run_relief,
+};
+
+const struct tp_water_swells tp_water_swells = {
+    .init = tp_sea_init, .above = tp_sea_above,
+    .begin = tp_vertex_set_swells, .columns = tp_vertex_set_columns,
+    .row = tp_vertex_set_row, .sway = tp_run_sway, .slope = tp_run_slope,
+};
+
+const struct tp_water_sharp tp_water_sharp = { tp_run_sharpen };
+
+const struct tp_water_ocean tp_water_ocean = {
+    .reach = tp_ocean_reach, .height = tp_ocean_height, .above = tp_surface_ocean_above,
+    .carve = tp_grid_carve_ocean, .row = tp_sheet_place_row, .corner = tp_sheet_corner,
+};
