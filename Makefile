@@ -103,6 +103,7 @@ GOLDEN  := tests/gates/no-cmocka.sh
 endif
 # Scenes whose frames every processor must draw: between them, every model.
 SCENES  := $(patsubst assets/scenes/%.ini,%,$(wildcard assets/scenes/*.ini))
+ONE     := $(if $(filter command,$(firstword $(origin SCENE))),$(SCENE))
 CROSS   := three-swells raindrops tank pond harbour shallows shore-break deep-sea storm
 FRAMES  := $(CROSS:%=$(BUILD)/tests/cross/frames-%)
 BAKES   := $(wildcard ports/host/bake*.c ports/host/assets.c ports/host/png_read.c \
@@ -136,11 +137,11 @@ soak:
 	@$(MAKE) --no-print-directory $(SAN) unit
 	@TP_SOAK=1 TP_SCENES=100000 TP_TIMEOUT=7200 TP_BUILD=build/san tests/run.sh \
 	    build/log/soak $(patsubst build/host/%,build/san/%,$(filter %/stability/%,$(UNIT)))
-## instructions of each model, and of frames with their stack and RAM: here, on a board
-count: $(PROGRAM) $(FRAMES) build/host/count.so
-	@tests/budgets/board-count.sh
-	@tests/budgets/host-count.sh
-	@tests/budgets/models-count.sh
+## what scenes and models cost, against their budgets; SCENE=x by function; WRITE=1
+count: $(PROGRAM) build/host/count.so
+	@tests/budgets/scenes-count.sh $(if $(WRITE),--write) $(ONE)
+	@$(if $(ONE),tests/budgets/host-count.sh $(ONE),tests/budgets/models-count.sh \
+	    $(if $(WRITE),--write))
 ## instructions a pixel of the scene that other renderers were measured on
 bench: $(BUILD)/tests/bench/scene_s
 	@tests/bench/run.sh $<
@@ -197,7 +198,7 @@ host-tests: everything
 	    tests/host/readme.sh
 more-tests: everything build/host/count.so
 	@$(RUN) build/log/more tests/gates/arm.sh tests/gates/clang.sh tests/host/view.sh \
-	    tests/cross/run.sh tests/budgets/board-count.sh tests/budgets/models-count.sh \
+	    tests/cross/run.sh tests/budgets/scenes-count.sh tests/budgets/models-count.sh \
 	    tests/fuzz/run.sh
 fuzzers: $(FUZZ)
 elf: $(BUILD)/scenes/$(SCENE).elf
@@ -205,6 +206,8 @@ elves: $(SCENES:%=$(BUILD)/scenes/%.elf)
 frames: $(FRAMES)
 list-core:
 	@echo $(CORE)
+list-scenes:
+	@echo $(SCENES)
 list-cross:
 	@echo $(CROSS)
 
@@ -245,7 +248,8 @@ ifneq ($(PROGRAM),build/host/tidepool)
 build/host/tidepool:
 	@MAKEFLAGS= $(MAKE) --no-print-directory $@
 endif
-$(FRAMES): $(BUILD)/tests/cross/frames-%: $(BUILD)/tests/cross/frames.o \
+$(SCENES:%=$(BUILD)/tests/cross/frames-%): \
+          $(BUILD)/tests/cross/frames-%: $(BUILD)/tests/cross/frames.o \
           build/baked/$(MACHINE)/%.o $(LIB)
 	$(SAY)$(LINK) $^ -o $@
 MODELS_O := $(patsubst %.c,$(BUILD)/%.o,$(wildcard tests/budgets/models*.c))
@@ -274,7 +278,7 @@ $(BUILD)/flags: force
 	@echo '$(COMPILE) $(SDL_CFLAGS)' | cmp -s - $@ || echo '$(COMPILE) $(SDL_CFLAGS)' >$@
 
 .PHONY: all lib run test test-all soak count bench fuzz golden gallery assets install format \
-    clean help unit everything host-tests more-tests fuzzers elf elves frames list-core list-cross \
-    reference force
+    clean help unit everything host-tests more-tests fuzzers elf elves frames list-core \
+    list-scenes list-cross reference force
 .SECONDARY:
 -include $(shell find $(BUILD) -name '*.d' 2>/dev/null)

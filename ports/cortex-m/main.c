@@ -2,24 +2,32 @@
 /* The baked scene on a bare Cortex-M: drawn band by band, as a board with an SPI display
  * would, and told in CRCs, which must be the host's.
  *
- * The empty functions are marks for whoever counts instructions: what the core does for
- * a whole frame, what it does for its tiles, and where another size begins. */
+ * The empty functions are marks for whoever counts instructions: what the core does for a
+ * whole frame, for its tiles and for a tick of the world. */
 #include "baked.h"
 #include "board.h"
 #include "semihost.h"
 
+#ifndef BOARD_SIZE
+#define BOARD_SIZE 320, 240
+#endif
 #ifndef BOARD_BAND
 #define BOARD_BAND 16
 #endif
+#ifndef BOARD_FIRST
+#define BOARD_FIRST 60          /* a second on, when drops have fallen and foam is made */
+#endif
+#ifndef BOARD_FRAMES
 #define BOARD_FRAMES 2
+#endif
 
 #define MARK(name) \
     void name(void); \
     __attribute__((noinline)) void name(void) { __asm__ volatile("" ::: "memory"); }
 MARK(count_as_frame)
 MARK(count_as_tiles)
+MARK(count_as_tick)
 MARK(count_end)
-MARK(count_section)
 
 /* -- words --------------------------------------------------------------------- */
 
@@ -71,56 +79,61 @@ static uint32_t draw(tp_frame *frame, const tp_frame_config *config, void *scrat
     return crc;
 }
 
-static void run(uint32_t width, uint32_t height)
+static void tick(tp_world *world)
 {
-    const tp_frame_config config = { width, height, 0, BOARD_BAND, TP_FORMAT_RGB565 };
+    count_as_tick();
+    tp_world_step(world, &baked_scene, NULL);
+    count_end();
+}
+
+static void say_frame(uint32_t n, uint32_t crc, uint32_t water, tp_frame_stats held)
+{
+    put_number("frame ", n, 10, 4);
+    put_number(" crc32 ", crc, 16, 8);
+    put_decimal("\nwater ", water);
+    put_decimal(" vertices ", held.vertices);
+    put_decimal(" triangles ", held.triangles);
+    put_decimal(" dropped ", held.dropped);
+    semihost_write("\n");
+}
+
+static void say_ram(tp_frame_ram ram, size_t world_bytes)
+{
+    put_decimal("ram frame ", (uint32_t)ram.frame);
+    put_decimal(" vertices ", (uint32_t)ram.vertices);
+    put_decimal(" tables ", (uint32_t)ram.tables);
+    put_decimal(" mirror ", (uint32_t)ram.mirror);
+    put_decimal(" scratch ", (uint32_t)ram.scratch);
+    put_decimal(" world ", (uint32_t)world_bytes);
+    put_decimal(" stack ", board_stack_used());
+    semihost_write("\n");
+}
+
+int main(void)
+{
+    const tp_frame_config config = { BOARD_SIZE, 0, BOARD_BAND, TP_FORMAT_RGB565 };
+    const size_t world_bytes = tp_world_bytes(&baked_scene, &baked_assets);
     tp_arena  arena = tp_arena_over(arena_start, (size_t)(arena_end - arena_start));
     void     *block = tp_arena_take(&arena, 1, tp_frame_bytes(&baked_scene, &baked_assets,
                                                               &config));
     void     *scratch = tp_arena_take(&arena, 1, tp_frame_scratch_bytes(&config));
-    size_t    world_bytes = tp_world_bytes(&baked_scene, &baked_assets);
     tp_world *world = tp_arena_take(&arena, 1, world_bytes);
     tp_frame *frame;
     tp_error  err;
 
-    put_decimal("size ", width);
-    put_decimal("x", height);
-    semihost_write("\n");
     if (arena.failed
         || tp_frame_init(&frame, &baked_scene, &baked_assets, &config, block, &err))
         stop("the frame does not fit");
     if (tp_world_init(world, world_bytes, &baked_scene, &baked_assets, &err))
         stop("the world cannot be made");
+    while (world->tick < BOARD_FIRST)
+        tp_world_step(world, &baked_scene, NULL);
     for (uint32_t n = 0; n < BOARD_FRAMES; n++) {
         uint32_t water;
-        uint32_t crc = draw(frame, &config, scratch, world, &water);
-        put_number("frame ", n, 10, 4);
-        put_number(" crc32 ", crc, 16, 8);
-        put_decimal("\nwater ", water);
-        put_decimal(" vertices ", tp_frame_last_stats(frame).vertices);
-        put_decimal(" triangles ", tp_frame_last_stats(frame).triangles);
-        put_decimal(" dropped ", tp_frame_last_stats(frame).dropped);
-        semihost_write("\n");
-        tp_world_step(world, &baked_scene, NULL);
+        const uint32_t crc = draw(frame, &config, scratch, world, &water);
+        say_frame(BOARD_FIRST + n, crc, water, tp_frame_last_stats(frame));
+        tick(world);
     }
-    const tp_frame_ram ram = tp_frame_memory(frame);
-    put_decimal("ram frame ", (uint32_t)ram.frame);
-    put_decimal(" vertices ", (uint32_t)ram.vertices);
-    put_decimal(" tables ", (uint32_t)ram.tables);
-    put_decimal(" scratch ", (uint32_t)ram.scratch);
-    put_decimal(" world ", (uint32_t)world_bytes);
-    put_decimal(" stack ", board_stack_used());
-    semihost_write("\n");
-    count_section();
-}
-
-int main(void)
-{
-#ifdef BOARD_SIZE
-    run(BOARD_SIZE);
-#else
-    run(320, 240);
-    run(640, 480);
-#endif
+    say_ram(tp_frame_memory(frame), world_bytes);
     return 0;
 }

@@ -1,19 +1,20 @@
 /* SPDX-License-Identifier: MIT */
-/* A QEMU plugin that counts: instructions, loads and stores of each function, and the
- * deepest stack.  The emulated program says what is counted by calling functions of
- * these names, whose own instructions are not:
+/* A QEMU plugin that counts the instructions of each function.  The emulated program says
+ * what is counted by calling functions of these names, whose own instructions are not:
  *     count_as_NAME       from now on, on the account NAME
  *     count_end           no more
  *     count_section       what was counted so far is a section of its own
  *
- *   qemu-system-arm ... -plugin count.so,low=ADDRESS,high=ADDRESS      (of the stack)
+ * For each section, account and run of instructions that follow each other a line
+ *     count SECTION ACCOUNT FUNCTION INSTRUCTIONS ADDRESS
  *
- * Counting is exact: an emulated instruction is counted when it executes, by a counter of
- * the function it lies in.  Functions are those of the ELF's symbol table, so what was
- * inlined counts for its caller.  Declares what it uses of QEMU's plugin interface,
- * version 1 (QEMU 4.2 to 8.2), since Debian ships no header of it. */
+ * Counting is exact: what the emulator translates as one block is executed as a whole, so
+ * a block adds to its functions' counters as many as it has of their instructions.
+ * Functions are those of the ELF's symbol table, so what was inlined counts for its
+ * caller; the address, in decimal, tells functions of one name apart.  Declares what it
+ * uses of QEMU's plugin interface, version 1 (QEMU 4.2 to 8.2), since Debian ships no
+ * header of it. */
 #include <inttypes.h>
-#include <stdbool.h>
 #include <stddef.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -26,10 +27,9 @@
 typedef uint64_t plugin_id;
 struct qemu_plugin_tb;
 struct qemu_plugin_insn;
-enum { NO_REGISTERS = 0, INLINE_ADD = 0, MEMORY_READ = 1, MEMORY_WRITE = 2 };
+enum { NO_REGISTERS = 0, INLINE_ADD = 0 };
 
 typedef void insn_call(unsigned cpu, void *data);
-typedef void memory_call(unsigned cpu, uint32_t info, uint64_t address, void *data);
 typedef void translate_call(plugin_id, struct qemu_plugin_tb *);
 typedef void exit_call(plugin_id, void *data);
 
@@ -39,51 +39,48 @@ void qemu_plugin_register_vcpu_insn_exec_cb(struct qemu_plugin_insn *, insn_call
                                             int registers, void *data);
 void qemu_plugin_register_vcpu_insn_exec_inline(struct qemu_plugin_insn *, int operation,
                                                 void *counter, uint64_t add);
-void qemu_plugin_register_vcpu_mem_cb(struct qemu_plugin_insn *, memory_call *,
-                                      int registers, int reads_or_writes, void *data);
 size_t qemu_plugin_tb_n_insns(const struct qemu_plugin_tb *);
 struct qemu_plugin_insn *qemu_plugin_tb_get_insn(const struct qemu_plugin_tb *, size_t);
 const char *qemu_plugin_insn_symbol(const struct qemu_plugin_insn *);
-bool qemu_plugin_mem_is_store(uint32_t info);
+uint64_t qemu_plugin_insn_vaddr(const struct qemu_plugin_insn *);
 
 EXPORT extern int qemu_plugin_version;
 int qemu_plugin_version = 1;
 
 /* -- counters ------------------------------------------------------------------ */
 
-enum { ACCOUNTS = 8 };
+enum { ACCOUNTS = 8, CHAINS = 4096 };
 
-typedef struct {
-    uint64_t insns, loads, stores;
-} sums;
+/* Instructions that follow each other in a block and in a function. */
+typedef struct run {
+    const char *function;
+    uint64_t address;                   /* of the first of them */
+    uint64_t executed, before;          /* ever, and when counting began */
+    uint64_t counted[ACCOUNTS];
+    struct run *next, *chained;
+} run;
 
-typedef struct function {
-    const char *name;
-    uint64_t executed, before;          /* instructions: ever, and when counting began */
-    sums     counted[ACCOUNTS];
-    struct function *next;
-} function;
-
-static function   *functions;
+static run        *runs, *chains[CHAINS];
 static const char *account_name[ACCOUNTS];
 static int         account = -1;        /* that is counted on; -1: none */
 static unsigned    section = 1;
-static uint64_t    stack_low, stack_high, deepest = UINT64_MAX;
 
-static function *function_of(const char *name)
+static run *run_of(const char *function, uint64_t address)
 {
-    function *f = functions;
-    while (f && strcmp(f->name, name))
-        f = f->next;
-    if (!f) {
-        f = calloc(1, sizeof *f);
-        if (!f)
-            abort();
-        f->name = strdup(name);
-        f->next = functions;
-        functions = f;
-    }
-    return f;
+    run **chain = &chains[address / 2 % CHAINS];
+    run *r = *chain;
+    while (r && r->address != address)
+        r = r->chained;
+    if (r)
+        return r;
+    r = calloc(1, sizeof *r);
+    if (!r)
+        abort();
+    r->function = strdup(function);
+    r->address = address;
+    r->next = runs;
+    r->chained = *chain;
+    return *chain = runs = r;
 }
 
 static int account_of(const char *name)
@@ -99,8 +96,8 @@ static int account_of(const char *name)
 static void count_end(unsigned cpu, void *data)
 {
     (void)cpu, (void)data;
-    for (function *f = functions; f && account >= 0; f = f->next)
-        f->counted[account].insns += f->executed - f->before;
+    for (run *r = runs; r && account >= 0; r = r->next)
+        r->counted[account] += r->executed - r->before;
     account = -1;
 }
 
@@ -108,41 +105,21 @@ static void count_as(unsigned cpu, void *data)
 {
     count_end(cpu, NULL);
     account = account_of(data);
-    for (function *f = functions; f; f = f->next)
-        f->before = f->executed;
+    for (run *r = runs; r; r = r->next)
+        r->before = r->executed;
 }
 
-static void touch(unsigned cpu, uint32_t info, uint64_t address, void *data)
-{
-    function *f = data;
-    (void)cpu;
-    if (account < 0)
-        return;
-    if (!qemu_plugin_mem_is_store(info)) {
-        f->counted[account].loads++;
-        return;
-    }
-    f->counted[account].stores++;
-    if (address >= stack_low && address < stack_high && address < deepest)
-        deepest = address;
-}
-
-/* A line for each account and function that it holds, for a script to sort. */
 static void count_section(unsigned cpu, void *data)
 {
     count_end(cpu, data);
-    for (function *f = functions; f; f = f->next) {
+    for (run *r = runs; r; r = r->next) {
         for (int i = 0; i < ACCOUNTS; i++) {
-            sums *c = &f->counted[i];
-            if (c->insns)
-                fprintf(stderr, "count %u %s %s %" PRIu64 " %" PRIu64 " %" PRIu64 "\n",
-                        section, account_name[i], f->name, c->insns, c->loads, c->stores);
-            *c = (sums){ 0 };
+            if (r->counted[i])
+                fprintf(stderr, "count %u %s %s %" PRIu64 " %" PRIu64 "\n", section,
+                        account_name[i], r->function, r->counted[i], r->address);
+            r->counted[i] = 0;
         }
     }
-    if (deepest < stack_high)
-        fprintf(stderr, "stack %u %" PRIu64 "\n", section, stack_high - deepest);
-    deepest = UINT64_MAX;
     section++;
 }
 
@@ -156,24 +133,29 @@ static insn_call *mark_of(const char *name)
          : !strcmp(name, "count_section") ? count_section : NULL;
 }
 
+static const char *function_at(const struct qemu_plugin_tb *block, size_t i)
+{
+    const char *name = qemu_plugin_insn_symbol(qemu_plugin_tb_get_insn(block, i));
+    return name ? name : "?";
+}
+
 static void translate(plugin_id id, struct qemu_plugin_tb *block)
 {
-    const char *within = "";
+    const size_t count = qemu_plugin_tb_n_insns(block);
     (void)id;
-    for (size_t i = 0; i < qemu_plugin_tb_n_insns(block); i++) {
+    for (size_t i = 0, end; i < count; i = end) {
         struct qemu_plugin_insn *insn = qemu_plugin_tb_get_insn(block, i);
-        const char *name = qemu_plugin_insn_symbol(insn);
-        function *f = function_of(name ? name : "?");
-        insn_call *mark = mark_of(f->name);
-        if (mark && strcmp(f->name, within))
+        const char *function = function_at(block, i);
+        for (end = i + 1; end < count && !strcmp(function, function_at(block, end));)
+            end++;
+        run *r = run_of(function, qemu_plugin_insn_vaddr(insn));
+        insn_call *mark = mark_of(r->function);
+        if (mark)
             qemu_plugin_register_vcpu_insn_exec_cb(insn, mark, NO_REGISTERS,
-                                                   (void *)(uintptr_t)(f->name + 9));
-        if (!mark) {
-            qemu_plugin_register_vcpu_insn_exec_inline(insn, INLINE_ADD, &f->executed, 1);
-            qemu_plugin_register_vcpu_mem_cb(insn, touch, NO_REGISTERS,
-                                             MEMORY_READ | MEMORY_WRITE, f);
-        }
-        within = f->name;
+                                                   (void *)(uintptr_t)(r->function + 9));
+        else
+            qemu_plugin_register_vcpu_insn_exec_inline(insn, INLINE_ADD, &r->executed,
+                                                       end - i);
     }
 }
 
@@ -186,13 +168,7 @@ static void report(plugin_id id, void *data)
 EXPORT int qemu_plugin_install(plugin_id, const void *, int, char **);
 int qemu_plugin_install(plugin_id id, const void *info, int argc, char **argv)
 {
-    (void)info;
-    for (int i = 0; i < argc; i++) {
-        if (!strncmp(argv[i], "low=", 4))
-            stack_low = strtoull(argv[i] + 4, NULL, 0);
-        else if (!strncmp(argv[i], "high=", 5))
-            stack_high = strtoull(argv[i] + 5, NULL, 0);
-    }
+    (void)info, (void)argc, (void)argv;
     qemu_plugin_register_vcpu_tb_trans_cb(id, translate);
     qemu_plugin_register_atexit_cb(id, report, NULL);
     return 0;

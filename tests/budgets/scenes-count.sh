@@ -1,0 +1,82 @@
+#!/bin/sh
+# SPDX-License-Identifier: MIT
+# Every shipped scene on an emulated Cortex-M4: its frames must be the host's, and what
+# they cost in instructions by stage, RAM and stack is held against scenes.csv.
+#
+#   tests/budgets/scenes-count.sh [--write] [SCENE...]
+#
+# Of scenes that are named the functions are listed too.  --write writes scenes.csv anew.
+. tests/gates/lib.sh
+. tests/budgets/board.sh
+. tests/budgets/hold.sh
+
+budgets=tests/budgets/scenes.csv
+write=
+skip=
+[ "${1:-}" = --write ] && write=1 && shift
+case ${1:-} in */tidepool) shift ;; esac        # tests/run.sh names the program
+program=${TP_PROGRAM:-build/host/tidepool}
+whole=
+[ $# = 0 ] && whole=1 && set -- $(build -s list-scenes)
+
+lacks arm-none-eabi-gcc gcc-arm-none-eabi "scenes on a Cortex-M4" && exit 77
+lacks qemu-system-arm qemu-system-arm "scenes on a Cortex-M4" && exit 77
+
+check "the plugin builds" build $plugin
+check "the programs for the board build" build BOARD=cortex-m SCENES="$*" elves
+[ "$failures" = 0 ] || exit 1
+
+# -- what is done for each, side by side ----------------------------------------------
+
+one()           # SCENE: its figures, or why there are none
+{
+    elf=build/cortex-m/scenes/$1.elf
+    to=$scratch/$1
+    emulate "$elf" "$to.said" "$to.counts" || { cat "$to.said"; return 1; }
+    "$program" render "assets/scenes/$1.ini" --size 320x240 --frames 60:61 \
+        --format rgb565 --hash >"$to.host" || return 1
+    grep '^frame' "$to.said" | diff "$to.host" - || return 1
+    arm-none-eabi-nm -t d -n -l --defined-only "$elf" >"$to.symbols"
+    awk -v scene="$1" -f tests/budgets/stages.awk "$to.symbols" "$to.said" "$to.counts" |
+        LC_ALL=C sort >"$to.figures"
+    [ -n "$whole" ] || awk -v scene="$1" -v functions=1 -f tests/budgets/stages.awk \
+        "$to.symbols" "$to.said" "$to.counts" >"$to.functions"
+}
+waited=
+for scene; do
+    one "$scene" >"$scratch/$scene.log" 2>&1 &
+    waited="$waited $!:$scene"
+    if [ "$(echo "$waited" | wc -w)" -ge "$(nproc)" ]; then
+        first=${waited# } first=${first%% *} waited=${waited#* $first}
+        check "${first#*:} draws on the board as here" wait "${first%%:*}"
+    fi
+done
+for first in $waited; do
+    check "${first#*:} draws on the board as here" wait "${first%%:*}"
+done
+
+# -- all of them ----------------------------------------------------------------------
+
+for scene; do
+    [ -f "$scratch/$scene.functions" ] && cat "$scratch/$scene.functions"
+    [ -s "$scratch/$scene.figures" ] || { cat "$scratch/$scene.log"; continue; }
+    cat "$scratch/$scene.figures" >>"$scratch/figures"
+done
+if [ -n "$whole" ]; then
+    arm-none-eabi-size -A build/cortex-m/libtidepool.a | awk '
+        /^\.text/   { text += $2 }
+        /^\.rodata/ { constants += $2 }
+        END { print "figure core text-bytes", text
+              print "figure core constant-bytes", constants }' >"$scratch/core"
+    cat "$scratch/core" >>"$scratch/figures"
+fi
+[ "$failures" = 0 ] || exit 1
+grep -v '^figure core' "$scratch/figures" | awk -f tests/budgets/scenes.awk $budgets -
+[ -z "$whole" ] || awk '{ printf "%s%s %s %d", (NR > 1 ? ", " : ""), $2, $3, $4 }
+                        END { print "" }' "$scratch/core"
+if [ -n "$write" ]; then
+    rewrite $budgets m4=arm-none-eabi-gcc
+    exit
+fi
+pinned $budgets m4 arm-none-eabi-gcc && hold $budgets
+exit $((failures > 0))

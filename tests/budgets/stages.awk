@@ -1,0 +1,119 @@
+# SPDX-License-Identifier: MIT
+# One scene on the board: its figures by stage, for budgets.awk and people.
+#
+#   awk -v scene=NAME [-v functions=1] -f tests/budgets/stages.awk SYMBOLS SAID COUNTS
+#
+# SYMBOLS are nm's, sorted, in decimal, with files; SAID is what the board said, COUNTS
+# what the plugin counted.  Prints lines
+#     figure SCENE MEASURE VALUE
+# a frame, or of `tick` a tick; a measure with a dot is a stage, part of `instructions`:
+# frame.X of what is done once, tiles.X of what is done in tiles, X by the file that the
+# function lies in.  With functions=1 these are listed instead, the largest first.
+FILENAME == ARGV[1] {
+    if (tolower($2) == "t" || $2 == "W") {
+        start[++symbols] = $1 + 0
+        called[symbols] = $3
+        file[symbols] = $4
+    }
+    next
+}
+/^frame/ { frames++; next }
+/^water/ { water += $2; next }
+/^ram/   { for (i = 2; i < NF; i += 2) ram[$i] = $(i + 1); next }
+/^count/ {
+    at = symbol_at($6)
+    insns[$3 " " at] += $5
+    total[$3] += $5
+}
+
+function symbol_at(address,    low, high, middle)
+{
+    low = 1
+    high = symbols
+    while (low < high) {
+        middle = int((low + high + 1) / 2)
+        if (start[middle] <= address)
+            low = middle
+        else
+            high = middle - 1
+    }
+    return low
+}
+
+# The stage that a file's functions are counted for: of the shading its own name.
+function stage_of(account, path,    folder, name)
+{
+    sub(/:[0-9]*$/, "", path)
+    if (!match(path, /src\/[a-z]+\/[^\/]*$/))
+        return "helpers"                    # of the compiler, mem*
+    path = substr(path, RSTART + 4)
+    folder = substr(path, 1, index(path, "/") - 1)
+    name = substr(path, index(path, "/") + 1)
+    sub(/\.[a-z]*$/, "", name)
+    if (folder == "fx" || folder == "base" || folder == "asset")
+        return "helpers"
+    if (folder == "pixel")
+        return "store"
+    if (account == "tiles")
+        return folder == "shade" ? name : folder == "raster" || folder == "geom" || \
+            folder == "frame" ? "visibility" : "places"
+    if (folder == "wave" || folder == "geom" || folder == "pool")
+        return "vertices"
+    return folder == "shade" || folder == "raster" ? "pictures" : "plan"
+}
+
+function list_functions(    i, k, n, best, part, of)
+{
+    of = total["frame"] + total["tiles"]
+    printf "\n%s: %.0f instructions a frame, %.1f a water pixel (of %d), a tick %.0f\n",
+        scene, of / frames, of / water, water / frames, total["tick"] / frames
+    printf "  %-22s %-28s %11s  share  a water pixel\n", "stage", "function", \
+        "instructions"
+    for (n = 0; n < 60; n++) {
+        best = ""
+        for (i in insns)
+            if (insns[i] > 0 && (best == "" || insns[i] > insns[best]))
+                best = i
+        if (best == "" || insns[best] < of / 1000)
+            break
+        split(best, part, " ")
+        if (part[1] != "tick")
+            printf "  %-22s %-28s %11.0f %5.1f %% %8.1f\n", \
+                part[1] "." stage_of(part[1], file[part[2]]), called[part[2]], \
+                insns[best] / frames, 100 * insns[best] / of, insns[best] / water
+        insns[best] = 0
+    }
+}
+
+function figure(measure, format, value)
+{
+    printf "figure %s %s " format "\n", scene, measure, value
+}
+
+END {
+    if (!frames || !water || !total["tiles"]) {
+        print "FAILED - " scene ": nothing was counted"
+        exit 1
+    }
+    if (functions) {
+        list_functions()
+        exit 0
+    }
+    figure("instructions", "%.0f", (total["frame"] + total["tiles"]) / frames)
+    figure("pixel", "%.1f", (total["frame"] + total["tiles"]) / water)
+    figure("tick", "%.0f", total["tick"] / frames)
+    for (i in insns) {
+        split(i, part, " ")
+        if (part[1] != "tick")
+            stage[part[1] "." stage_of(part[1], file[part[2]])] += insns[i]
+    }
+    for (i in stage)
+        figure(i, "%.0f", stage[i] / frames)
+    figure("frame-bytes", "%d", ram["frame"])
+    figure("table-bytes", "%d", ram["tables"])
+    figure("scratch-bytes", "%d", ram["scratch"])
+    figure("world-bytes", "%d", ram["world"])
+    figure("stack-bytes", "%d", ram["stack"])
+    figure("working-bytes", "%d", \
+        ram["frame"] - ram["tables"] + ram["scratch"] + ram["world"])
+}
