@@ -53,8 +53,9 @@ CORE := $(addprefix src/, \
 # -- the program, for machines with files and threads ----------------------------------
 
 PORTS := $(addprefix ports/, \
-    host/args.c host/assets.c host/bake.c host/bake_parts.c host/canvas.c \
-    host/check.c host/check_depth.c \
+    host/args.c host/assets.c host/bake.c host/bake_parts.c host/bench.c \
+    host/bench_draw.c host/bench_maps.c host/bench_peers.c host/bench_print.c \
+    host/bench_scene.c host/canvas.c host/check.c host/check_depth.c \
     host/check_drops.c host/check_light.c host/check_numbers.c host/check_ocean.c \
     host/check_pool.c host/check_settle.c host/check_waves.c host/csv.c host/deck.c \
     host/film.c host/governing.c host/hashes.c host/lists.c \
@@ -142,9 +143,10 @@ count: $(PROGRAM) build/host/count.so
 	@tests/budgets/scenes-count.sh $(if $(WRITE),--write) $(ONE)
 	@$(if $(ONE),tests/budgets/host-count.sh $(ONE),tests/budgets/models-count.sh \
 	    $(if $(WRITE),--write))
-## instructions a pixel of the scene that other renderers were measured on
-bench: $(BUILD)/tests/bench/scene_s
-	@tests/bench/run.sh $<
+## times and instructions of the scene that other renderers were measured on
+bench: $(PROGRAM) $(BUILD)/tests/bench/scene_s
+	@$(PROGRAM) bench
+	@tests/bench/run.sh $(BUILD)/tests/bench/scene_s
 ## the slow renderer in double precision that pictures are judged by
 reference: $(BUILD)/reference
 ## feed the readers random input, FUZZ_SECONDS (20) for each
@@ -201,6 +203,20 @@ more-tests: everything build/host/count.so
 	    tests/cross/run.sh tests/budgets/scenes-count.sh tests/budgets/models-count.sh \
 	    tests/fuzz/run.sh
 fuzzers: $(FUZZ)
+# Other renderers for `tidepool bench --peers`, of whatever packages are there.
+PEERS := $(BUILD)/tests/bench/peers
+peers:
+	@for peer in osmesa=osmesa:libosmesa6-dev sdl=sdl2:libsdl2-dev; do \
+	    name=$${peer%=*} package=$${peer#*=}; \
+	    if pkg-config --exists $${package%:*} 2>/dev/null; then \
+	        $(MAKE) --no-print-directory $(PEERS)/$$name || exit 1; \
+	    else \
+	        echo "left out: $$name (package $${package#*:}; ports/setup.sh bench)"; \
+	    fi; \
+	done
+$(PEERS)/osmesa: LIBS += -lOSMesa
+$(PEERS)/%: $(PEERS)/%.o $(PEERS)/peer.o $(BUILD)/ports.a $(LIB)
+	$(SAY)$(LINK) $^ $(LIBS) -o $@
 elf: $(BUILD)/scenes/$(SCENE).elf
 elves: $(SCENES:%=$(BUILD)/scenes/%.elf)
 frames: $(FRAMES)
@@ -279,6 +295,6 @@ $(BUILD)/flags: force
 
 .PHONY: all lib run test test-all soak count bench fuzz golden gallery assets install format \
     clean help unit everything host-tests more-tests fuzzers elf elves frames list-core \
-    list-scenes list-cross reference force
+    list-scenes list-cross reference peers force
 .SECONDARY:
 -include $(shell find $(BUILD) -name '*.d' 2>/dev/null)

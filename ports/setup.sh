@@ -2,13 +2,13 @@
 # SPDX-License-Identifier: MIT
 # Installs what a Debian or Ubuntu machine lacks, and says what and why.
 #
-#   ports/setup.sh run|test|gallery|all
+#   ports/setup.sh run|test|gallery|bench|all
 #
 # `run` builds and shows, `test` adds the host's tests, `gallery` what lays its pictures
-# out on a sheet, `all` adds other processors, boards and windows to the tests.  Without
-# apt, or without root (tries sudo -n), it prints the exact command: of things needed to
-# build it then stops with 1, of things that only tests need it goes on, and those tests
-# say that they were skipped.
+# out on a sheet, `bench` has renderers to compare with, `all` adds other processors,
+# boards and windows to the tests.  Without apt, or without root (tries sudo -n), it
+# prints the exact command: of things needed to build it then stops with 1, of things that
+# only tests need it goes on, and those tests say that they were skipped.
 set -u
 
 # group | package | how to see that it is there | what for
@@ -23,6 +23,9 @@ test | libcmocka-dev             | pkg cmocka                  | unit tests
 test | binutils                  | cmd objdump                 | gates on the object code
 sheet | imagemagick              | cmd montage                 | lays pictures out
 sheet | fonts-dejavu-core        | dir /usr/share/fonts/truetype/dejavu | their names
+peers | libosmesa6-dev           | pkg osmesa                  | Mesa, to compare with
+peers | libsdl2-dev              | pkg sdl2                    | SDL, to compare with
+peers | valgrind                 | cmd valgrind                | counts instructions
 all  | clang                     | cmd clang                   | the second compiler
 all  | libclang-rt-dev           | lib clang_rt.fuzzer         | fuzzing
 all  | libsdl2-dev               | pkg sdl2                    | the preview window
@@ -59,6 +62,7 @@ case ${1:-} in
 run)  groups='run show' ;;
 test) groups='run test' ;;
 gallery) groups='run sheet' ;;
+bench) groups='run peers' ;;
 all)  groups='run test all' ;;
 *)    sed -n '3,11s/^# \{0,1\}//p' "$0" >&2; exit 2 ;;
 esac

@@ -5,6 +5,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include "bench_scene.h"
 #include "canvas.h"
 #include "nearest.h"
 #include "say.h"
@@ -46,8 +47,10 @@ static const char *read_size(options *o, const char *value)
 {
     const char *end;
     if (read_count(value, &end, SIDE_LOW, SIDE_HIGH, &o->width) && *end == 'x'
-        && read_count(end + 1, NULL, SIDE_LOW, SIDE_HIGH, &o->height))
+        && read_count(end + 1, NULL, SIDE_LOW, SIDE_HIGH, &o->height)) {
+        o->sized = true;
         return NULL;
+    }
     return "WIDTHxHEIGHT, each 16..4096";
 }
 
@@ -166,6 +169,40 @@ static const char *read_texels(options *o, const char *value)
     return read_count(value, NULL, 1, SIDE_HIGH, &o->texels) ? NULL : "texels, 1..4096";
 }
 
+static const char *read_points(options *o, const char *value)
+{
+    return read_count(value, NULL, 2, 1024, &o->points) ? NULL : "2..1024";
+}
+
+static const char *read_work(options *o, const char *value)
+{
+    for (int i = 0; i < BENCH_WORKS; i++)
+        if (strcmp(value, bench_work_name[i]) == 0)
+            o->work = i;
+    return o->work < 0 ? "plain, full or smooth" : NULL;
+}
+
+static const char *read_rungs(options *o, const char *value)
+{
+    (void)value;
+    o->rungs = true;
+    return NULL;
+}
+
+static const char *read_peers(options *o, const char *value)
+{
+    (void)value;
+    o->peers = true;
+    return NULL;
+}
+
+static const char *read_csv(options *o, const char *value)
+{
+    (void)value;
+    o->csv = true;
+    return NULL;
+}
+
 static const char *read_stats(options *o, const char *value)
 {
     (void)value;
@@ -196,11 +233,19 @@ static const char *read_help(options *o, const char *value)
 }
 
 #define ALL (FOR_RENDER | FOR_VIEW | FOR_PARAMS | FOR_SCENES | FOR_CHECK | FOR_BAKE \
-             | FOR_PLAN)
+             | FOR_PLAN | FOR_BENCH)
 
 static const option_row rows[] = {
     { "--size", "WxH", FOR_RENDER | FOR_VIEW | FOR_PLAN, read_size,
       "picture, 640x480 by default" },
+    { "--size", "WxH", FOR_BENCH, read_size, "of the picture; else 640x480 and 320x240" },
+    { "--points", "N", FOR_BENCH, read_points, "of a side; else 64, 100, 128 and 256" },
+    { "--work", "WORD", FOR_BENCH, read_work, "plain, full or smooth alone" },
+    { "--frames", "N", FOR_BENCH, read_frames, "of each of three rounds, 10 by default" },
+    { "--rungs", NULL, FOR_BENCH, read_rungs, "by every rung of the plan, 128 points" },
+    { "--peers", NULL, FOR_BENCH, read_peers,
+      "and by other renderers that are built now, 128 points" },
+    { "--csv", NULL, FOR_BENCH, read_csv, "as a table for programs" },
     { "--frames", "N|A:B", FOR_RENDER, read_frames,
       "0..N-1 or A..B; n is the world after n ticks of 1/60 s" },
     { "-o", "FILE", FOR_BAKE, read_out, "the C file, or - for standard output; needed" },
@@ -300,7 +345,8 @@ static int read_option(options *o, unsigned command, int argc, char **argv, int 
 
 int args_read(options *o, unsigned command, int argc, char **argv)
 {
-    *o = (options){ .command = argv[0], .width = 640, .height = 480 };
+    *o = (options){ .command = argv[0], .width = 640, .height = 480,
+                      .work = -1 };
     o->settings = calloc((size_t)argc, sizeof *o->settings);
     if (!o->settings)
         return fail_memory((size_t)argc * sizeof *o->settings);
@@ -308,7 +354,7 @@ int args_read(options *o, unsigned command, int argc, char **argv)
         int code = EXIT_DONE;
         if (argv[i][0] == '-')
             code = read_option(o, command, argc, argv, &i);
-        else if (o->scene || (command & (FOR_SCENES | FOR_CHECK)))
+        else if (o->scene || (command & (FOR_SCENES | FOR_CHECK | FOR_BENCH)))
             code = refuse(o, "too many names");
         else
             o->scene = argv[i];
@@ -317,6 +363,8 @@ int args_read(options *o, unsigned command, int argc, char **argv)
     }
     if (o->band && o->strip)
         return refuse(o, "--band and --strip exclude each other");
+    if (o->rungs && o->peers)
+        return refuse(o, "--rungs and --peers exclude each other");
     if (!o->scene && !o->help
         && (command & (FOR_RENDER | FOR_VIEW | FOR_BAKE | FOR_PLAN)))
         return refuse(o, "which scene?");

@@ -25,12 +25,16 @@ typedef struct {
     const char  *name;              /* what baked names begin with, NULL: the scene's */
     uint32_t     texels;            /* of a picture's longer side at the most, 0: any */
     const char  *only;              /* parameters' names begin so, NULL: any */
+    bool         sized;             /* --size was given */
+    uint32_t     points;            /* of the benchmark's grid, 0: not given */
+    int32_t      work;              /* bench_work, -1: not given */
+    bool         rungs, peers, csv;
     bool         help;
 } options;
 
 /* Commands, for the table's masks. */
 enum { FOR_RENDER = 1, FOR_VIEW = 2, FOR_PARAMS = 4, FOR_SCENES = 8, FOR_CHECK = 16,
-       FOR_BAKE = 32, FOR_PLAN = 64 };
+       FOR_BAKE = 32, FOR_PLAN = 64, FOR_BENCH = 128 };
 
 /* `command` is one of FOR_...; argv[0] is its name.  EXIT_USAGE: said why.  The caller
  * frees settings in any case. */

@@ -38,6 +38,8 @@ static const struct {
       plan_command },
     { "check", "--vectors DIR", "the models against tables of known values",
       check_command },
+    { "bench", "[OPTION]...", "times of one scene, beside other renderers'",
+      bench_command },
 };
 
 #define COMMANDS (sizeof commands / sizeof *commands)

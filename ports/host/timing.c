@@ -2,6 +2,7 @@
 /* Clocks, medians, progress. */
 #define _POSIX_C_SOURCE 200809L
 #include "timing.h"
+#include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <time.h>
@@ -56,15 +57,36 @@ progress progress_begin(void)
     return (progress){ .begin = now_us() };
 }
 
-void progress_show(progress *p, uint32_t done, uint32_t total)
+/* Whether it is time for another line; if so *left is in seconds. */
+static bool is_due(progress *p, uint32_t done, uint32_t total, unsigned *left)
 {
     const uint64_t now = now_us(), passed = now - p->begin;
-    char text[96];
     if (passed < PATIENCE_US || now - p->shown < REDRAW_US)
-        return;
-    const uint64_t left = done ? passed * (total - done) / done / 1000000u : 0;
-    snprintf(text, sizeof text, "frame %u of %u, %u%%, about %u s left", (unsigned)done,
-             (unsigned)total, (unsigned)((uint64_t)done * 100 / total), (unsigned)left);
-    say_progress(text);
+        return false;
+    *left = done ? (unsigned)(passed * (total - done) / done / 1000000u) : 0;
     p->shown = now;
+    return true;
+}
+
+void progress_show(progress *p, uint32_t done, uint32_t total)
+{
+    char text[96];
+    unsigned left;
+    if (!is_due(p, done, total, &left))
+        return;
+    snprintf(text, sizeof text, "frame %u of %u, %u%%, about %u s left", (unsigned)done,
+             (unsigned)total, (unsigned)((uint64_t)done * 100 / total), left);
+    say_progress(text);
+}
+
+void progress_figure(progress *p, uint32_t done, uint32_t total, const char *what,
+                     const char *by)
+{
+    char text[96];
+    unsigned left;
+    if (!is_due(p, done, total, &left))
+        return;
+    snprintf(text, sizeof text, "figure %u of %u: %s by %.24s, about %u s left",
+             (unsigned)done + 1, (unsigned)total, what, by, left);
+    say_progress(text);
 }

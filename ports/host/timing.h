@@ -22,6 +22,8 @@ typedef struct {
 
 progress progress_begin(void);
 /* `done` of `total` frames: a line on the terminal four times a second, once two
- * seconds have passed. */
+ * seconds have passed; or of figures, and which comes now. */
 void     progress_show(progress *p, uint32_t done, uint32_t total);
+void     progress_figure(progress *p, uint32_t done, uint32_t total, const char *what,
+                         const char *by);
 #endif

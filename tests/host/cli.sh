@@ -16,7 +16,7 @@ absent() {
 # -- help and usage -----------------------------------------------------------------
 
 fits --help
-for command in render view scenes params bake check; do
+for command in render view scenes params bake plan check bench; do
     fits "$command" --help
 done
 run --version
@@ -43,6 +43,12 @@ expect "no threads" 2 "1..64" render minimal --threads 0
 for memory in 0 -1 5x 1kk k 99999999999; do
     expect "memory of $memory" 2 "expected bytes" render minimal --memory $memory
 done
+expect "rungs and peers together" 2 "exclude" bench --rungs --peers
+expect "a bench of no points" 2 "expected 2..1024" bench --points 1
+expect "a bench of unknown work" 2 "plain, full or smooth" bench --work water
+expect "peers outside of the project" 3 "project's folder" bench --peers
+run bench --size 64x48 --points 16 --frames 2 --csv
+same "a bench as CSV: a line of names and three of figures" "$(wc -l <out)" 4
 expect "unknown format" 2 "rgb565be" render minimal --format rgb555
 expect "visibility that is not built" 2 "auto or triangles" render minimal --visibility \
     rows

@@ -1,0 +1,39 @@
+/* SPDX-License-Identifier: MIT */
+/* What every peer begins and ends with: its job from the command line, the mesh that the
+ * engine's own waves make, frames timed, a picture written, the median printed.
+ *
+ *   PEER plain|full|smooth WIDTH HEIGHT POINTS FRAMES FILE.png */
+#ifndef BENCH_PEER_H
+#define BENCH_PEER_H
+#include "host/bench_scene.h"
+
+typedef struct {
+    float place[3];             /* displaced, m, y up */
+    float rest[2];              /* still: texture places, m */
+    float slope[2];             /* dy/dx, dy/dz */
+} peer_point;
+
+typedef struct {
+    bench_scene s;
+    bench_work  work;
+    uint32_t    width, height, points, frames;
+    const char *file;
+    peer_point *mesh;           /* points x points at BENCH_TICK, row 0 farthest */
+    uint32_t   *index;          /* of triangles, rows from near to far */
+    uint32_t    indices;
+} peer_job;
+
+float peer_metres(tp_fx x);
+
+/* Exits with a message if it cannot. */
+void peer_begin(peer_job *job, int argc, char **argv);
+
+/* Right, up and back of the camera, and its focal length in half heights. */
+void peer_camera(const peer_job *job, float turn[3][3], float *focal);
+void peer_light(const peer_job *job, float light[3]);
+
+/* Draws `frames` times, prints the median in us and writes `pixels`, 0x00RRGGBB with
+ * the top row first, after the last one.  An exit code. */
+int  peer_run(peer_job *job, void (*draw)(void *user), void *user,
+              const uint32_t *pixels);
+#endif
