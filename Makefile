@@ -57,11 +57,11 @@ PORTS := $(addprefix ports/, \
     host/bench_draw.c host/bench_maps.c host/bench_peers.c host/bench_print.c \
     host/bench_scene.c host/canvas.c host/check.c host/check_depth.c \
     host/check_drops.c host/check_light.c host/check_numbers.c host/check_ocean.c \
-    host/check_pool.c host/check_settle.c host/check_waves.c host/csv.c host/deck.c \
-    host/film.c host/governing.c host/hashes.c host/lists.c \
-    host/nearest.c host/output.c host/path.c host/picture.c host/plan.c host/png_read.c \
-    host/png_write.c host/render.c host/say.c host/scene_file.c host/scene_ini.c \
-    host/sink.c host/stage.c host/timing.c \
+    host/check_pool.c host/check_settle.c host/check_waves.c host/crew.c host/csv.c \
+    host/deck.c host/film.c host/governing.c host/hashes.c host/lists.c \
+    host/nearest.c host/output.c host/path.c host/picture.c host/plan.c \
+    host/png_read.c host/png_write.c host/render.c host/say.c host/scene_file.c \
+    host/scene_ini.c host/sink.c host/stage.c host/timing.c \
     null/null.c)
 MAIN  := ports/host/main.c
 ifneq ($(shell pkg-config --exists sdl2 2>/dev/null && echo yes),)
@@ -200,6 +200,7 @@ host-tests: everything
 	    tests/host/readme.sh
 more-tests: everything build/host/count.so
 	@$(RUN) build/log/more tests/gates/arm.sh tests/gates/clang.sh tests/host/view.sh \
+	    tests/host/threads.sh \
 	    tests/cross/run.sh tests/budgets/scenes-count.sh tests/budgets/models-count.sh \
 	    tests/fuzz/run.sh
 fuzzers: $(FUZZ)

@@ -2,6 +2,7 @@
 /* A whole picture drawn by the core's tiles, by one thread or several. */
 #ifndef HOST_CANVAS_H
 #define HOST_CANVAS_H
+#include "crew.h"
 #include "picture.h"
 #include "tidepool/frame.h"
 
@@ -13,6 +14,7 @@ typedef struct {
     void     *block;            /* that the frame lies in */
     size_t    frame_bytes, scratch_bytes;       /* scratch: of all threads */
     uint32_t  threads;
+    crew     *crew;             /* that helps the caller; NULL: none */
     void     *scratch[CANVAS_THREADS];
     tp_frame_config config;     /* with the tiles' sides chosen */
     uint32_t  water_pixels;     /* of the last canvas_draw */

@@ -53,6 +53,9 @@ refuse "words: a cast to float" words src/wave/i.c
 put src/wave/j.c 'void *p = malloc(3);'
 refuse "words: the heap" words src/wave/j.c
 
+put src/wave/j1.c 'int f(int *p) { return __atomic_fetch_add(p, 1, 0); }'
+refuse "words: a lock" words src/wave/j1.c
+
 check  "text: passes a plain file" text src/wave/a.c
 printf 'int x;\nint y;\nint z;\n' >"$scratch/src/wave/k.c"
 refuse "text: no licence line" text src/wave/k.c

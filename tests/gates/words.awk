@@ -1,11 +1,13 @@
 # SPDX-License-Identifier: MIT
-# Words that the core does not use: floating point, the heap, the C library, jumps.
+# Words that the core does not use: floating point, the heap, the C library, jumps,
+# threads and what holds them.
 # Comments and strings are free to.
 #
 #   awk -f tests/gates/words.awk include/tidepool/*.h src/*/*
 BEGIN {
     n = split("float double _Complex malloc calloc realloc free alloca printf sprintf " \
-              "fopen FILE exit abort setjmp longjmp goto volatile errno", word, " ")
+              "fopen FILE exit abort setjmp longjmp goto volatile errno " \
+              "_Atomic _Thread_local", word, " ")
     for (i = 1; i <= n; i++)
         banned[word[i]]
 }
@@ -32,7 +34,7 @@ FNR == 1 { within = 0 }
     gsub(/[^A-Za-z0-9_]+/, " ", code)
     n = split(code, token, " ")
     for (i = 1; i <= n; i++)
-        if (token[i] in banned) {
+        if (token[i] in banned || token[i] ~ /^(__atomic|__sync|atomic|pthread|mtx)_/) {
             printf "%s:%d: the core does without \"%s\"\n", FILENAME, FNR, token[i]
             bad = 1
         }

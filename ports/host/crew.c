@@ -1,0 +1,104 @@
+/* SPDX-License-Identifier: MIT */
+#include "crew.h"
+#include <pthread.h>
+#include <stdbool.h>
+#include <stdlib.h>
+
+typedef struct {
+    crew     *of;
+    uint32_t  number;           /* from 1 */
+    uint32_t  done;             /* jobs begun */
+    pthread_t thread;
+} hand;
+
+struct crew {
+    pthread_mutex_t lock;       /* of all that follows */
+    pthread_cond_t  work, rest; /* there is a job, or it is over; nobody is busy */
+    void    (*task)(void *user, uint32_t i);
+    void     *user;
+    uint32_t  job;              /* counts, from 1 */
+    uint32_t  busy;
+    bool      open;             /* a hand may still begin */
+    bool      over;             /* go home */
+    uint32_t  hands;
+    hand      hand[];
+};
+
+static void do_job(crew *c, hand *h)
+{
+    h->done = c->job;
+    c->busy++;
+    pthread_mutex_unlock(&c->lock);
+    c->task(c->user, h->number);
+    pthread_mutex_lock(&c->lock);
+    if (--c->busy == 0)
+        pthread_cond_signal(&c->rest);
+}
+
+static void *live(void *user)
+{
+    hand *h = user;
+    crew *c = h->of;
+    pthread_mutex_lock(&c->lock);
+    while (!c->over) {
+        if (c->open && h->done != c->job)
+            do_job(c, h);
+        else
+            pthread_cond_wait(&c->work, &c->lock);
+    }
+    pthread_mutex_unlock(&c->lock);
+    return NULL;
+}
+
+crew *crew_open(uint32_t threads)
+{
+    crew *c = threads ? calloc(1, sizeof *c + threads * sizeof c->hand[0]) : NULL;
+    if (!c)
+        return NULL;
+    pthread_mutex_init(&c->lock, NULL);
+    pthread_cond_init(&c->work, NULL);
+    pthread_cond_init(&c->rest, NULL);
+    for (uint32_t i = 0; i < threads; i++, c->hands++) {
+        c->hand[i] = (hand){ .of = c, .number = i + 1 };
+        if (pthread_create(&c->hand[i].thread, NULL, live, &c->hand[i]))
+            break;
+    }
+    return c;
+}
+
+void crew_close(crew *c)
+{
+    if (!c)
+        return;
+    pthread_mutex_lock(&c->lock);
+    c->over = true;
+    pthread_cond_broadcast(&c->work);
+    pthread_mutex_unlock(&c->lock);
+    for (uint32_t i = 0; i < c->hands; i++)
+        pthread_join(c->hand[i].thread, NULL);
+    pthread_cond_destroy(&c->work);
+    pthread_cond_destroy(&c->rest);
+    pthread_mutex_destroy(&c->lock);
+    free(c);
+}
+
+void crew_do(crew *c, void (*task)(void *user, uint32_t i), void *user)
+{
+    if (!c) {
+        task(user, 0);
+        return;
+    }
+    pthread_mutex_lock(&c->lock);
+    c->task = task;
+    c->user = user;
+    c->job++;
+    c->open = true;
+    pthread_cond_broadcast(&c->work);
+    pthread_mutex_unlock(&c->lock);
+    task(user, 0);
+    pthread_mutex_lock(&c->lock);
+    c->open = false;
+    while (c->busy)
+        pthread_cond_wait(&c->rest, &c->lock);
+    pthread_mutex_unlock(&c->lock);
+}

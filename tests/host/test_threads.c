@@ -1,0 +1,111 @@
+/* SPDX-License-Identifier: MIT */
+/* Every shipped scene drawn by 1 to 16 threads has the same bits, frame after frame.
+ * tests/host/threads.sh runs this under ThreadSanitizer as well, with TP_SCENE_STEP=n for
+ * every n-th scene alone. */
+#include <stdarg.h>
+#include <stddef.h>
+#include <setjmp.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <cmocka.h>
+#include "../../ports/host/crew.h"
+#include "../../ports/host/path.h"
+#include "../../ports/host/stage.h"
+
+#define FOLDER "assets/scenes"
+
+enum { FRAMES = 3, THREADS = 16 };
+
+/* CRCs of ticks 20, 21, 22: by then rings spread and spray flies. */
+static void draw(stage *s, options *o, uint32_t threads, uint32_t crc[FRAMES])
+{
+    o->threads = threads;
+    assert_int_equal(stage_world(s), 0);
+    assert_int_equal(stage_canvas(s, o), 0);
+    for (int i = 0; i < 20; i++)
+        tp_world_step(s->world, &s->file.scene, NULL);
+    for (int i = 0; i < FRAMES; i++) {
+        canvas_draw(&s->canvas, s->world);
+        crc[i] = picture_crc(&s->canvas.picture);
+        tp_world_step(s->world, &s->file.scene, NULL);
+    }
+}
+
+static void check_scene(const char *name)
+{
+    options o = { .command = "test", .scene = name, .width = 144, .height = 108 };
+    uint32_t one[FRAMES], many[FRAMES], water;
+    stage s;
+    assert_int_equal(stage_open(&s, &o), 0);
+    draw(&s, &o, 1, one);
+    water = s.canvas.water_pixels;
+    for (uint32_t threads = 2; threads <= THREADS; threads++) {
+        draw(&s, &o, threads, many);
+        if (memcmp(one, many, sizeof one) || s.canvas.water_pixels != water)
+            fail_msg("%s is another picture by %u threads", name, (unsigned)threads);
+    }
+    stage_close(&s);
+}
+
+static void every_scene_is_the_same_by_1_to_16_threads(void **state)
+{
+    const char *given = getenv("TP_SCENE_STEP");
+    const size_t step = given ? strtoul(given, NULL, 10) : 1;
+    size_t count;
+    (void)state;
+    char **names = path_scene_names(FOLDER, &count);
+    assert_true(count > 0 && step > 0);
+    for (size_t i = 0; i < count; i += step) {
+        char *path = path_join(FOLDER, names[i], ".ini");
+        check_scene(path);
+        free(path);
+    }
+    path_free_names(names, count);
+}
+
+/* -- a crew ---------------------------------------------------------------------- */
+
+enum { JOBS = 2000, HANDS = 7 };
+
+typedef struct { uint32_t calls[HANDS + 1]; } tally;
+
+static void count_call(void *user, uint32_t i)
+{
+    ((tally *)user)->calls[i]++;        /* each hand has its own */
+}
+
+static void a_crew_begins_each_job_once_and_ends_it(void **state)
+{
+    crew *c = crew_open(HANDS);
+    tally all = { { 0 } };
+    (void)state;
+    for (uint32_t job = 1; job <= JOBS; job++) {
+        crew_do(c, count_call, &all);
+        assert_int_equal(all.calls[0], job);
+        for (int i = 1; i <= HANDS; i++)
+            assert_true(all.calls[i] <= job);
+    }
+    crew_close(c);
+}
+
+static void no_crew_is_the_caller_alone(void **state)
+{
+    tally all = { { 0 } };
+    (void)state;
+    assert_null(crew_open(0));
+    crew_do(NULL, count_call, &all);
+    crew_close(NULL);
+    assert_int_equal(all.calls[0], 1);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(every_scene_is_the_same_by_1_to_16_threads),
+        cmocka_unit_test(a_crew_begins_each_job_once_and_ends_it),
+        cmocka_unit_test(no_crew_is_the_caller_alone),
+    };
+    return cmocka_run_group_tests_name("threads", tests, NULL, NULL);
+}
