@@ -196,13 +196,6 @@ static const char *read_peers(options *o, const char *value)
     return NULL;
 }
 
-static const char *read_csv(options *o, const char *value)
-{
-    (void)value;
-    o->csv = true;
-    return NULL;
-}
-
 static const char *read_stats(options *o, const char *value)
 {
     (void)value;
@@ -245,7 +238,6 @@ static const option_row rows[] = {
     { "--rungs", NULL, FOR_BENCH, read_rungs, "by every rung of the plan, 128 points" },
     { "--peers", NULL, FOR_BENCH, read_peers,
       "and by other renderers that are built now, 128 points" },
-    { "--csv", NULL, FOR_BENCH, read_csv, "as a table for programs" },
     { "--frames", "N|A:B", FOR_RENDER, read_frames,
       "0..N-1 or A..B; n is the world after n ticks of 1/60 s" },
     { "-o", "FILE", FOR_BAKE, read_out, "the C file, or - for standard output; needed" },
@@ -260,7 +252,7 @@ static const option_row rows[] = {
       "f-%04d.png, film.y4m, or - for a film to stdout" },
     { "--format", "NAME", FOR_RENDER | FOR_VIEW | FOR_PLAN, read_format,
       "xrgb8888 rgb565 rgb565be p8 l8 i1" },
-    { "--csv", NULL, FOR_PLAN, read_csv, "a table for programs" },
+    { "--csv", NULL, FOR_PLAN | FOR_BENCH, read_csv, "a table for programs" },
     { "--band", "ROWS", FOR_RENDER | FOR_PLAN, read_band, "draw in bands of so many rows" },
     { "--strip", "COLS", FOR_RENDER | FOR_PLAN, read_strip, "draw in strips, columns in 16s" },
     { "--threads", "N", FOR_RENDER | FOR_VIEW, read_threads, "draw tiles in N threads" },

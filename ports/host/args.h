@@ -28,7 +28,7 @@ typedef struct {
     bool         sized;             /* --size was given */
     uint32_t     points;            /* of the benchmark's grid, 0: not given */
     int32_t      work;              /* bench_work, -1: not given */
-    bool         rungs, peers, csv;
+    bool         rungs, peers;
     bool         help;
 } options;
 
