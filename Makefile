@@ -47,8 +47,8 @@ CORE := $(addprefix src/, \
     frame/around.c frame/boat.c frame/bump.c frame/carve.c frame/caustics.c \
     frame/clipped.c frame/drops.c frame/frame.c frame/glass.c frame/half.c \
     frame/kit.c frame/land.c frame/plan.c frame/plan_depth.c frame/plan_foam.c \
-    frame/plan_layers.c frame/plan_sky.c frame/sight.c frame/spray.c frame/tank.c frame/tile.c \
-    frame/visibility.c frame/water.c)
+    frame/plan_layers.c frame/plan_sky.c frame/planned.c frame/sight.c frame/spray.c \
+    frame/tank.c frame/tile.c frame/visibility.c frame/water.c)
 
 # -- the program, for machines with files and threads ----------------------------------
 
@@ -200,9 +200,8 @@ host-tests: everything
 	    tests/host/readme.sh
 more-tests: everything build/host/count.so
 	@$(RUN) build/log/more tests/gates/arm.sh tests/gates/clang.sh tests/host/view.sh \
-	    tests/host/threads.sh \
-	    tests/cross/run.sh tests/budgets/scenes-count.sh tests/budgets/models-count.sh \
-	    tests/fuzz/run.sh
+	    tests/host/threads.sh tests/cross/run.sh tests/budgets/scenes-count.sh \
+	    tests/budgets/kits.sh tests/budgets/models-count.sh tests/fuzz/run.sh
 fuzzers: $(FUZZ)
 # Other renderers for `tidepool bench --peers`, of whatever packages are there.
 PEERS := $(BUILD)/tests/bench/peers
@@ -282,6 +281,16 @@ $(BUILD)/scenes/%.elf: build/baked/$(MACHINE)/%.o $(BOARD_O) $(LIB) \
 $(BUILD)/models.elf: $(MODELS_O) \
           $(filter-out %/main.o,$(BOARD_O)) $(LIB) ports/$(BOARD)/board.ld
 	$(SAY)$(LINK_ELF)
+# The least program by a kit of its own, and by kits with the first n features more.
+KITS := $(addprefix $(BUILD)/kits/,$(shell seq 0 17))
+kits: $(KITS:%=%.elf)
+$(KITS:%=%.o): $(BUILD)/kits/%.o: tests/budgets/features.c $(BUILD)/flags
+	@mkdir -p $(@D)
+	$(SAY)$(COMPILE) -DFEATURES=$* -c $< -o $@
+$(KITS:%=%.elf): %.elf: %.o $(BUILD)/tests/budgets/minimal.o \
+          $(filter-out %/main.o,$(BOARD_O)) build/baked/$(MACHINE)/minimal.o $(LIB) \
+          ports/$(BOARD)/board.ld
+	$(SAY)$(LINK_ELF) -Wl,-Map=$(@:.elf=.map)
 
 $(BUILD)/src/%.o: src/%.c $(BUILD)/flags
 	@mkdir -p $(@D)

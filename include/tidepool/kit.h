@@ -133,6 +133,7 @@ typedef struct {
 /* -- parts of a frame; src/frame/parts.h -------------------------------------------- */
 
 #define TP_DRAW_LIST(X) \
+    X(rungs)        /* the plan, tidepool/plan.h */ \
     X(boat)         /* and its lids; stages solid, solid_blinn */ \
     X(drops)        /* in the air, and their sphere; drop */ \
     X(land)         /* land, ground */ \

@@ -151,8 +151,8 @@ tp_frame *tp_frame_carve(const tp_kit *kit, tp_frame_parts *parts, tp_frame_ram 
     *parts = (tp_frame_parts){ .glass = NULL };
     leave_out(parts, kit, assets);
     carve_places(parts, arena, kit, scene, assets);
-    if (tp_thins_sea(scene, assets, config->width, config->height))
-        parts->thin = tp_arena_take(arena, 1, sizeof *parts->thin);
+    if (kit->draw.rungs)
+        kit->draw.rungs->carve(parts, arena, scene, assets, config);
     carve_drops(parts, arena, kit, scene);
     carve_depth(parts, arena, kit, scene);
     const size_t placed = arena->used;

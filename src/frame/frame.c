@@ -101,7 +101,7 @@ tp_status tp_frame_init_with(const tp_kit *kit, tp_frame **out, const tp_scene *
         status = check_kit(kit, c.format, err);
     if (status != TP_OK)
         return status;
-    tp_arena arena = tp_arena_over(block, tp_frame_bytes_with(kit, scene, assets, config));
+    tp_arena arena = tp_arena_over(block, SIZE_MAX);    /* as much as was counted */
     tp_assets known = *assets;
     tp_frame_parts parts;
     tp_frame_ram ram;
@@ -184,7 +184,8 @@ void tp_frame_begin(tp_frame *frame, const tp_world *world)
                    scene->camera.fov, scene->camera.near,
                    frame->config.width, frame->config.height);
     tp_frame_choose_rungs(frame);
-    tp_frame_thin_sea(frame);
+    if (draw->rungs)
+        draw->rungs->thin(frame);
     tp_frame_plan(frame);
     tp_frame_choose_visibility(frame);
     tp_frame_place_surface(frame);

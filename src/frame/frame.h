@@ -195,11 +195,9 @@ tp_frame *tp_frame_carve(const tp_kit *kit, tp_frame_parts *parts, tp_frame_ram 
 bool tp_frame_wants(tp_frame_parts *parts, bool asked, const void *part);
 uint32_t tp_frame_materials(const tp_assets *assets);   /* that are told apart */
 
-/* visibility.c: the plan's rungs, made at init and when the budget changes; of seas with
- * waves too faint to be seen, the sea without them; by which method this frame's water is
- * drawn, and drawing it by that */
+/* visibility.c: the plan's rungs, made at init and when the budget changes; by which
+ * method this frame's water is drawn, and drawing it by that */
 void tp_frame_choose_rungs(tp_frame *frame);
-void tp_frame_thin_sea(tp_frame *frame);
 void tp_frame_choose_visibility(tp_frame *frame);
 void tp_frame_place_surface(tp_frame *frame);
 void tp_frame_draw_surface(const tp_frame *frame, tp_samples *tile);

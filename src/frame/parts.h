@@ -19,6 +19,15 @@ typedef struct {
     void (*draw)(const tp_frame *frame, const tp_sight *sight, tp_samples *tile);
 } tp_draw_solid;
 
+/* The plan: planned.c. */
+struct tp_draw_rungs {
+    void (*carve)(tp_frame_parts *parts, tp_arena *arena, const tp_scene *scene,
+                  const tp_assets *assets, const tp_frame_config *config);
+    tp_rungs (*of)(const tp_scene *scene, const tp_assets *assets, uint32_t width,
+                   uint32_t height);
+    void (*thin)(tp_frame *frame);
+};
+
 struct tp_draw_boat {
     tp_draw_solid solid;
     void (*lids)(const tp_frame *frame, const tp_sight *sight, tp_samples *tile);

@@ -1,0 +1,37 @@
+/* SPDX-License-Identifier: MIT */
+/* The plan as the kit names it: which rungs a scene is drawn by, and the sea without what
+ * is too faint to be seen.  Without it a scene is drawn by the rungs that it names, and
+ * by the plainest where it names none. */
+#include "frame/frame.h"
+#include "scene/faint.h"
+#include "scene/prices.h"
+
+static void carve_thin(tp_frame_parts *parts, tp_arena *arena, const tp_scene *scene,
+                       const tp_assets *assets, const tp_frame_config *config)
+{
+    if (tp_thins_sea(scene, assets, config->width, config->height))
+        parts->thin = tp_arena_take(arena, 1, sizeof *parts->thin);
+}
+
+/* By this frame's camera, as the scene's own was planned for. */
+static void thin_sea(tp_frame *frame)
+{
+    const tp_lens *lens = &frame->lens;
+    tp_surface *surface = &frame->surface;
+    tp_thin_sea *thin = frame->parts.thin;
+    const tp_fx slope_colour = tp_prices_measured.slope_colour;
+
+    if (!thin || surface->ocean)
+        return;
+    tp_faint_limits limits = tp_faint_limits_of(frame->scene, surface->sea->count,
+                                                slope_colour);
+    limits.focal = lens->focal >> 16;
+    limits.near = tp_faint_near(tp_fx_held((int64_t)lens->eye.y - surface->sea->height),
+                                &lens->turn, frame->scene->camera.fov);
+    if (tp_faint_sea(&thin->sea, thin->phases, surface->sea, surface->phases, &limits)) {
+        surface->sea = &thin->sea;
+        surface->phases = thin->phases;
+    }
+}
+
+const struct tp_draw_rungs tp_draw_rungs = { carve_thin, tp_rungs_of, thin_sea };

@@ -1,0 +1,121 @@
+/* SPDX-License-Identifier: MIT */
+/* Kits that grow: the least one, which draws level water with one texture and the sky, or
+ * with -DFEATURES=n the first n things more that a program may name.  kits.sh links one
+ * program for each, and prints how much text that takes. */
+#include "features.h"
+
+#ifndef FEATURES
+#define FEATURES 0
+#endif
+
+/* What each adds: designators may stand in any order, and those of one feature together. */
+const tp_kit features_kit = {
+    .stage.sky = tp_stage_sky,
+    .stage.plain = tp_stage_plain,
+    .stage.texture = tp_stage_texture,
+    .stage.diffuse = tp_stage_diffuse,
+    .stage.haze = tp_stage_haze,
+    .store[TP_FORMAT_RGB565] = tp_store_rgb565,
+    .method.triangles = &tp_method_triangles,
+#if FEATURES >= 1       /* waves */
+    .water.swells = &tp_water_swells,
+#endif
+#if FEATURES >= 2       /* bilinear texels */
+    .stage.texture_linear = tp_stage_texture_linear,
+    .stage.texture_tinted = tp_stage_texture_tinted,
+    .stage.texture_linear_tinted = tp_stage_texture_linear_tinted,
+#endif
+#if FEATURES >= 3       /* layers, distorted */
+    .draw.layers = &tp_draw_layers,
+    .stage.bend = tp_stage_bend,
+    .stage.layers = tp_stage_layers,
+    .stage.layers_linear = tp_stage_layers_linear,
+#endif
+#if FEATURES >= 4       /* ripples */
+    .draw.ripple = &tp_draw_ripple,
+    .stage.diffuse_rippled = tp_stage_diffuse_rippled,
+    .stage.ripple = tp_stage_ripple,
+    .stage.ripple_gentle = tp_stage_ripple_gentle,
+#endif
+#if FEATURES >= 5       /* light: Phong, glint */
+    .draw.glint = &tp_draw_glint,
+    .stage.view = tp_stage_view,
+    .stage.light = tp_stage_light,
+    .stage.light_rippled = tp_stage_light_rippled,
+    .stage.glint = tp_stage_glint,
+#endif
+#if FEATURES >= 6       /* the sky mirrored */
+    .draw.fresnel = &tp_draw_fresnel,
+    .stage.mirror = tp_stage_mirror,
+#endif
+#if FEATURES >= 7       /* a boat */
+    .draw.boat = &tp_draw_boat,
+    .move.boat = &tp_move_boat,
+    .stage.solid = tp_stage_solid,
+#endif
+#if FEATURES >= 8       /* objects mirrored */
+    .draw.mirrored = &tp_draw_mirrored,
+    .stage.slopes = tp_stage_slopes,
+    .stage.reflect_gradient = tp_stage_reflect_gradient,
+    .stage.mirrored = tp_stage_mirrored,
+    .stage.fresnel = tp_stage_fresnel,
+#endif
+#if FEATURES >= 9       /* foam */
+    .draw.foam = &tp_draw_foam,
+    .move.foam = &tp_move_foam,
+    .stage.foam = tp_stage_foam,
+    .stage.foam_rippled = tp_stage_foam_rippled,
+    .stage.foam_shiny = tp_stage_foam_shiny,
+    .stage.foam_shiny_rippled = tp_stage_foam_shiny_rippled,
+#endif
+#if FEATURES >= 10      /* spray */
+    .draw.spray = &tp_draw_spray,
+    .move.spray = &tp_move_spray,
+    .stage.spray = tp_stage_spray,
+#endif
+#if FEATURES >= 11      /* pools, stirred by the boat */
+    .water.pools = &tp_water_pools,
+    .move.pools = &tp_move_pools,
+    .move.wake = &tp_move_wake,
+#endif
+#if FEATURES >= 12      /* drops and rings */
+    .water.rings = &tp_water_rings,
+    .draw.drops = &tp_draw_drops,
+    .move.drops = &tp_move_drops,
+    .stage.drop = tp_stage_drop,
+#endif
+#if FEATURES >= 13      /* clear water, seen from above and from in it */
+    .draw.inside = &tp_draw_inside,
+    .draw.sunken = &tp_draw_sunken,
+    .stage.behind = tp_stage_behind,
+    .stage.behind_rippled = tp_stage_behind_rippled,
+    .stage.below = tp_stage_below,
+    .stage.below_rippled = tp_stage_below_rippled,
+    .stage.deep = tp_stage_deep,
+    .stage.absorb = tp_stage_absorb,
+#endif
+#if FEATURES >= 14      /* tanks, of stone and glass */
+    .draw.tank = &tp_draw_tank,
+    .draw.glass = &tp_draw_glass,
+    .stage.wall = tp_stage_wall,
+    .stage.side = tp_stage_side,
+#endif
+#if FEATURES >= 15      /* an ocean over its floor, and land */
+    .water.ocean = &tp_water_ocean,
+    .move.ocean = &tp_move_ocean,
+    .draw.land = &tp_draw_land,
+    .stage.land = tp_stage_land,
+    .stage.ground = tp_stage_ground,
+#endif
+#if FEATURES >= 16      /* a generated sky, and stars */
+    .draw.dome = &tp_draw_dome,
+    .draw.stars = &tp_draw_stars,
+    .stage.sky_dome = tp_stage_sky_dome,
+    .stage.stars = tp_stage_stars,
+    .stage.reflect_dome = tp_stage_reflect_dome,
+    .stage.haze_dome = tp_stage_haze_dome,
+#endif
+#if FEATURES >= 17      /* caustics */
+    .draw.caustics = &tp_draw_caustics,
+#endif
+};

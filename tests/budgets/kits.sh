@@ -1,0 +1,70 @@
+#!/bin/sh
+# SPDX-License-Identifier: MIT
+# Pay for what you use: what the least program costs on a Cortex-M4, which no feature may
+# raise, and the text that each feature adds to what a program links.
+#
+#   tests/budgets/kits.sh [--write]     writes minimal.csv anew
+. tests/gates/lib.sh
+. tests/budgets/board.sh
+
+golden=tests/budgets/minimal.csv
+kits=build/cortex-m/kits
+
+lacks arm-none-eabi-gcc gcc-arm-none-eabi "the least program" && exit 77
+lacks qemu-system-arm qemu-system-arm "the least program" && exit 77
+
+check "programs of all kits build" build BOARD=cortex-m kits
+check "the plugin builds" build $plugin
+check "the least one runs to its end" emulate $kits/0.elf "$scratch/said" "$scratch/counts"
+[ "$failures" = 0 ] || exit 1
+
+# One line each: what, number.  Instructions are those of both frames.
+figures()
+{
+    echo "compiler,arm-none-eabi-gcc $(arm-none-eabi-gcc -dumpversion | sed 's/\..*//')"
+    awk -f tests/budgets/map.awk $kits/0.map |
+        awk '{ print "text," $1 "\nconstants," $2 }'
+    awk '/^ram/ { for (i = 2; i < NF; i += 2) print $i "," $(i + 1) }' "$scratch/said"
+    awk '/^count/ { n[$3] += $5 }
+        END { print "begin," n["frame"] "\ntiles," n["tiles"] }' "$scratch/counts"
+}
+figures >"$scratch/figures"
+
+if [ "${1:-}" = --write ]; then
+    cp "$scratch/figures" $golden
+    exit
+fi
+
+no_more()       # GOLDEN
+{
+    awk -F, 'NR == FNR { most[$1] = $2; next }
+        $1 == "compiler" || !($1 in most) { next }
+        { seen++ }
+        $2 > most[$1] { print $1 ": " $2 ", it was " most[$1]; bad = 1 }
+        $2 < most[$1] { print $1 ": " $2 " is less than " most[$1] \
+            "; write it down by tests/budgets/kits.sh --write" }
+        END { exit bad || seen < 8 }' "$1" "$scratch/figures"
+}
+
+want=$(awk -F, '$1 == "compiler" { print $2 }' $golden)
+here=$(awk -F, '$1 == "compiler" { print $2 }' "$scratch/figures")
+if [ "$want" = "$here" ]; then
+    check "the least program costs no more than it did" no_more $golden
+    awk -F, -v OFS=, '$1 != "compiler" { $2-- } { print }' $golden >"$scratch/less"
+    refuse "a golden number that is one less" no_more "$scratch/less"
+else
+    echo "skipped: golden numbers of $want, here $here (package ${want% *}-${want#* })"
+fi
+
+awk -F, '{ printf "  %-10s %s\n", $1, $2 }' "$scratch/figures"
+printf '\n%-58s %8s %8s %9s\n' "linked with" text added constants
+before=0
+for n in $(seq 0 17); do
+    name=$(awk -v n="$n" '$0 ~ "^#if FEATURES >= " n " " {
+        sub(/.*\/\* /, ""); sub(/ \*\/.*/, ""); print }' tests/budgets/features.c)
+    set -- $(awk -f tests/budgets/map.awk $kits/"$n".map)
+    printf '%-58s %8d %8d %9d\n' "${name:-level water, one texture, the sky}" "$1" \
+        $(($1 - before)) "$2"
+    before=$1
+done
+exit $((failures > 0))

@@ -1,0 +1,90 @@
+/* SPDX-License-Identifier: MIT */
+/* The baked scene on a bare Cortex-M by a kit of its own, and nothing else of the core:
+ * what it costs who needs the least.  Bands of 16 rows are drawn and thrown away. */
+#include "../../ports/cortex-m/board.h"
+#include "../../ports/cortex-m/semihost.h"
+#include "features.h"
+
+extern const tp_scene  baked_scene;
+extern const tp_assets baked_assets;
+
+#define FRAMES 2
+
+#define MARK(name) \
+    void name(void); \
+    __attribute__((noinline)) void name(void) { __asm__ volatile("" ::: "memory"); }
+MARK(count_as_frame)
+MARK(count_as_tiles)
+MARK(count_end)
+MARK(count_section)
+
+static void put(const char *before, uint32_t n)
+{
+    char  text[12];
+    char *c = text + sizeof text - 1;
+
+    *c = '\0';
+    do
+        *--c = "0123456789"[n % 10];
+    while (n /= 10);
+    semihost_write(before);
+    semihost_write(c);
+}
+
+/* Water pixels. */
+static uint32_t draw(tp_frame *frame, void *scratch, const tp_world *world)
+{
+    uint32_t water = 0;
+    tp_tile  tile;
+
+    count_as_frame();
+    tp_frame_begin(frame, world);
+    count_as_tiles();
+    for (uint32_t i = 0; tp_frame_tile(frame, i, scratch, &tile); i++) {
+        count_end();
+        water += tp_frame_water_pixels(frame, scratch, &tile);
+        count_as_tiles();
+    }
+    count_end();
+    return water;
+}
+
+static int run(void)
+{
+    static const tp_frame_config config = { 320, 240, 0, 16, TP_FORMAT_RGB565 };
+    const tp_kit *kit = &features_kit;
+    uint8_t *at = arena_start;
+    size_t block = tp_frame_bytes_with(kit, &baked_scene, &baked_assets, &config);
+    size_t scratch = tp_frame_scratch_bytes(&config);
+    size_t bytes = tp_world_bytes_with(kit, &baked_scene, &baked_assets);
+    tp_world *world = (tp_world *)(void *)(at + ((block + 7) & ~(size_t)7));
+    tp_frame *frame;
+
+    at = (uint8_t *)world + ((bytes + 7) & ~(size_t)7);
+    if (tp_frame_init_with(kit, &frame, &baked_scene, &baked_assets, &config, arena_start,
+                           NULL)
+        || tp_world_init_with(kit, world, bytes, &baked_scene, &baked_assets, NULL))
+        return 1;
+    semihost_write("size 320x240\n");
+    for (uint32_t n = 0; n < FRAMES; n++) {
+        put("frame ", n);
+        put("\nwater ", draw(frame, at, world));
+        put(" vertices ", tp_frame_last_stats(frame).vertices);
+        put(" triangles ", tp_frame_last_stats(frame).triangles);
+        put(" dropped ", tp_frame_last_stats(frame).dropped);
+        semihost_write("\n");
+        tp_world_step_with(kit, world, &baked_scene, NULL);
+    }
+    put("ram frame ", (uint32_t)block);
+    put(" scratch ", (uint32_t)scratch);
+    put(" world ", (uint32_t)bytes);
+    put(" stack ", board_stack_used());
+    semihost_write("\n");
+    count_section();
+    return 0;
+}
+
+int main(void)
+{
+    return run();
+}
