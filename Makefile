@@ -257,6 +257,9 @@ $(BUILD)/textures: $(patsubst %.c,$(BUILD)/%.o,$(wildcard assets/textures/*.c))
 build/baked/%.c: $(BAKES) $(SHIPPED) | build/host/tidepool
 	@mkdir -p $(@D)
 	$(SAY)build/host/tidepool bake assets/scenes/$(basename $(@F)).ini --name baked -o $@
+build/baked/prices.c: tests/budgets/prices.ini $(BAKES) $(SHIPPED) | build/host/tidepool
+	@mkdir -p $(@D)
+	$(SAY)build/host/tidepool bake $< --name baked -o $@
 build/baked/$(MACHINE)/%.o: build/baked/%.c
 	@mkdir -p $(@D)
 	$(SAY)$(COMPILE) -c $< -o $@
@@ -268,6 +271,8 @@ $(SCENES:%=$(BUILD)/tests/cross/frames-%): \
           $(BUILD)/tests/cross/frames-%: $(BUILD)/tests/cross/frames.o \
           build/baked/$(MACHINE)/%.o $(LIB)
 	$(SAY)$(LINK) $^ -o $@
+$(BUILD)/tests/budgets/errors: $(BUILD)/tests/budgets/errors.o $(BUILD)/ports.a $(LIB)
+	$(SAY)$(LINK) $^ $(LIBS) -o $@
 MODELS_O := $(patsubst %.c,$(BUILD)/%.o,$(wildcard tests/budgets/models*.c))
 $(BUILD)/tests/budgets/models: $(MODELS_O) $(LIB)
 	$(SAY)$(LINK) $^ -o $@
@@ -277,6 +282,9 @@ BOARD_O := $(BOARD_C:%.c=$(BUILD)/ports/$(BOARD)/%.o)
 $(BUILD)/scenes/%.elf: build/baked/$(MACHINE)/%.o $(BOARD_O) $(LIB) \
           ports/$(BOARD)/board.ld
 	@mkdir -p $(@D)
+	$(SAY)$(LINK_ELF)
+$(BUILD)/prices.elf: $(BUILD)/tests/budgets/prices.o build/baked/$(MACHINE)/prices.o \
+          $(filter-out %/main.o,$(BOARD_O)) $(LIB) ports/$(BOARD)/board.ld
 	$(SAY)$(LINK_ELF)
 $(BUILD)/models.elf: $(MODELS_O) \
           $(filter-out %/main.o,$(BOARD_O)) $(LIB) ports/$(BOARD)/board.ld

@@ -39,7 +39,7 @@ typedef struct {
 tp_rungs tp_rungs_of(const tp_scene *scene, const tp_assets *assets, uint32_t width,
                      uint32_t height);
 
-/* -- what was chosen, and why --------------------------------------------------------- */
+/* -- what was chosen, and why -------------------------------------------------------- */
 
 #define TP_KINDS 4              /* visibility, shading, rate, lod */
 #define TP_KIND_RUNGS 4         /* at the most */
@@ -72,7 +72,7 @@ typedef struct {
     tp_price total;
     uint32_t water_pixels, vertices, waves;     /* as estimated, waves as drawn */
     uint32_t waves_dropped;
-    tp_fx    waves_px, waves_colour;            /* errors that the dropping of waves adds */
+    tp_fx    waves_px, waves_colour;            /* errors that dropping waves adds */
     tp_rung_report rung[TP_KINDS][TP_KIND_RUNGS];   /* [kind][rung - 1] */
     uint8_t  rung_count[TP_KINDS];
 } tp_plan_report;
@@ -80,7 +80,7 @@ typedef struct {
 tp_plan_report tp_plan_of(const tp_scene *scene, const tp_assets *assets, uint32_t width,
                           uint32_t height);
 
-/* -- the ladder and the governor ------------------------------------------------------ */
+/* -- the ladder and the governor ----------------------------------------------------- */
 
 #define TP_LADDER 8             /* the plan's own, and a step for every cheaper rung */
 
@@ -106,15 +106,15 @@ typedef struct {
     uint32_t  mean;             /* of the last window of frames */
     uint64_t  sum;              /* private, from here */
     uint32_t  frames, settling, calm;
-    uint32_t  before[TP_LADDER], after[TP_LADDER];  /* means that a step down was between */
+    uint32_t  before[TP_LADDER], after[TP_LADDER];  /* means around a step down */
 } tp_governor;
 
 void tp_governor_init(tp_governor *governor, const tp_ladder *ladder, uint32_t limit);
 
-/* The last frame's time.  1: a step down, -1: up, 0: none.  Down when the mean of 8 frames
- * is above the limit; up when for 64 frames the rung above would have kept an eighth below
- * it, by what the last step between both changed.  So under a load that stays it steps
- * down once and stays there. */
+/* The last frame's time.  1: a step down, -1: up, 0: none.  Down when the mean of 8
+ * frames is above the limit; up when for 64 frames the rung above would have kept an
+ * eighth below it, by what the last step between both changed.  So under a load that
+ * stays it steps down and stays there. */
 int tp_governor_feed(tp_governor *governor, uint32_t took);
 
 tp_rungs tp_governor_rungs(const tp_governor *governor);

@@ -80,7 +80,7 @@ static void word_of(int kind, int rung, char word[32])
     tp_param_number_text(row, rung + 1, word, 32);
 }
 
-/* -- for programs ---------------------------------------------------------------------- */
+/* -- for programs -------------------------------------------------------------------- */
 
 static void print_csv(const plan *p)
 {
@@ -106,7 +106,7 @@ static void print_csv(const plan *p)
            p->stage->canvas.frame_bytes + p->stage->canvas.scratch_bytes);
 }
 
-/* -- for people -------------------------------------------------------------------------- */
+/* -- for people ---------------------------------------------------------------------- */
 
 static void print_head(const plan *p, const options *o)
 {
@@ -123,7 +123,7 @@ static void print_head(const plan *p, const options *o)
     printf("\nbudget: outlines %s px, colours %s of 255 rms\n\n",
            fx_text(scene->quality.error_px, px),
            fx_text(scene->quality.error_colour, colour));
-    printf("%-11s %-10s %10s %7s %7s %9s  %s\n", "", "", "M instr", "px", "colour",
+    printf("%-10s  %-9s %8s %6s %6s %9s  %s\n", "", "", "M instr", "px", "colour",
            "bytes", "why");
 }
 
@@ -139,8 +139,8 @@ static void print_rung(const plan *p, int kind, int i)
         fx_text(rung->price.error_colour, colour);
         snprintf(cost, sizeof cost, "%.2f", (double)rung->price.cost / 1e6);
     }
-    printf("%-11s%c%-10s %10s %7s %7s %9zu  %s\n", i ? "" : kinds[kind], taken ? '*' : ' ',
-           word, cost, px, colour, p->bytes[kind][i], whys[rung->why]);
+    printf("%-10s %c%-9s %8s %6s %6s %9zu  %s\n", i ? "" : kinds[kind],
+           taken ? '*' : ' ', word, cost, px, colour, p->bytes[kind][i], whys[rung->why]);
 }
 
 static void print_total(const plan *p)
@@ -151,19 +151,18 @@ static void print_total(const plan *p)
     char px[24], colour[24];
 
     if (r->total.known)
-        printf("\nin all: %.2f M instructions a frame, %.0f a water pixel; errors up to"
-               " %s px, %s\nestimate: %.1f frames/s at %d MHz if an instruction takes "
+        printf("\nin all: %.2f M instructions a frame, %.0f a water pixel; off %s px,"
+               " %s\nestimate: %.1f frames/s at %d MHz if an instruction takes "
                CPI " cycles\n", cost / 1e6, r->water_pixels ? cost / r->water_pixels : 0,
                fx_text(r->total.error_px, px), fx_text(r->total.error_colour, colour),
                r->total.cost ? (double)SPEED / cost : 0, MHZ);
     else
         puts("\nin all: not known, as a rung has no price yet");
-    printf("bytes: frame %zu (vertices %zu, tables %zu, mirror %zu), scratch %zu, world"
-           " %zu\n", ram.frame, ram.vertices, ram.tables, ram.mirror, ram.scratch,
-           p->stage->world_bytes);
-    puts("Instructions are a Cortex-M4's, of water and sky; boat, drops, tank and ticks"
-         " are not\nin them.  Errors are the most that was measured against the exact"
-         " rungs.");
+    printf("bytes: frame %zu (vertices %zu, tables %zu, mirror %zu),\n  a tile's scratch"
+           " %zu, world %zu\n", ram.frame, ram.vertices, ram.tables, ram.mirror,
+           ram.scratch, p->stage->world_bytes);
+    puts("Instructions are a Cortex-M4's for water and sky, without boat, drops, tank and"
+         "\nticks.  Errors are the most that was measured against the exact rungs.");
 }
 
 static int run(const options *o)
@@ -198,11 +197,11 @@ int plan_command(int argc, char **argv)
         o.band = BAND;
     if (!code && o.help) {
         puts("usage: tidepool plan SCENE [OPTION]...\n"
-             "Prints by which methods the scene is drawn: for each what a frame would"
-             " cost a\nCortex-M4 with it, how far outlines and colours may be off, and"
-             " its bytes.  The\ncheapest within quality.error_px and quality.error_colour"
-             " are taken; what the\nscene names (quality.visibility, shading, rate, lod)"
-             " is taken whatever its error.\n");
+             "Prints by which methods the scene is drawn: for each what a frame costs a\n"
+             "Cortex-M4 with it, how far outlines and colours may be off, and its bytes.\n"
+             "The cheapest within quality.error_px and quality.error_colour are taken;\n"
+             "what the scene names (quality.visibility, shading, rate, lod) is taken\n"
+             "whatever its error.\n");
         args_print(FOR_PLAN);
     } else if (!code) {
         code = run(&o);

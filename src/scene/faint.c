@@ -90,8 +90,9 @@ tp_faint tp_faint_of(const tp_scene *scene, const tp_faint_limits *limits,
 static tp_swell scaled(const tp_swell *swell, tp_fx weight)
 {
     tp_swell w = *swell;
-    int32_t *const part[] = { &w.amplitude, &w.reach_x, &w.reach_z, &w.slope_x, &w.slope_z,
-                              &w.bend_xx, &w.bend_xz, &w.bend_zz, &w.bend, &w.tilt };
+    int32_t *const part[] = { &w.amplitude, &w.reach_x, &w.reach_z, &w.slope_x,
+                              &w.slope_z, &w.bend_xx, &w.bend_xz, &w.bend_zz, &w.bend,
+                              &w.tilt };
 
     for (int i = 0; weight < TP_FX_ONE && i < 10; i++)
         *part[i] = tp_fx_mul(*part[i], weight);

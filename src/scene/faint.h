@@ -6,7 +6,7 @@
 
 #define TP_FAINT_SHARE 4        /* of the budget one part in so many is theirs */
 
-/* Where a wave begins to be seen: its height in pixels at the nearest water, its slope. */
+/* Where a wave begins to be seen: by its height at the nearest water, by its slope. */
 typedef struct {
     tp_fx   px;
     tp_fx   slope;              /* k A */

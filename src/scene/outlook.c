@@ -20,7 +20,7 @@ typedef struct {
     tp_rectangle water;         /* that there is */
 } stand;
 
-/* -- the lay of the land --------------------------------------------------------------- */
+/* -- the lay of the land ------------------------------------------------------------- */
 
 /* From the grid's centre to the end of its even cells. */
 static int64_t half_of(const tp_scene *s, int32_t lines, int32_t *flank)
@@ -36,7 +36,8 @@ static tp_vec3 eye_of(const tp_scene *s)
     tp_vec3 eye = { s->camera.x, s->camera.y, s->camera.z };
 
     if (s->camera.follow == TP_FOLLOW_BOAT) {
-        const tp_rotation boat = tp_rotation_of(tp_turn_of_degrees(s->boat.heading), 0, 0);
+        const tp_turn heading = tp_turn_of_degrees(s->boat.heading);
+        const tp_rotation boat = tp_rotation_of(heading, 0, 0);
         eye = tp_rotate_back(&boat, eye);
         eye.x = tp_fx_held((int64_t)eye.x + s->boat.x);
         eye.z = tp_fx_held((int64_t)eye.z + s->boat.z);
@@ -78,7 +79,7 @@ static stand stand_of(const tp_scene *s, uint32_t width, uint32_t height)
     return at;
 }
 
-/* -- pixels ------------------------------------------------------------------------------ */
+/* -- pixels -------------------------------------------------------------------------- */
 
 /* An axis of the ray through x, y of the picture, Q16 of one ahead; below 2^30. */
 static int64_t along(int32_t right, int32_t up, int32_t back, int64_t x, int64_t y)
@@ -113,7 +114,7 @@ static uint32_t water_rays(const stand *at)
     return seen;
 }
 
-/* -- vertices ---------------------------------------------------------------------------- */
+/* -- vertices ------------------------------------------------------------------------ */
 
 /* Where the n-th of SPOTS lies on an axis of `lines` lines; those of the flanks grow. */
 static int64_t spot_of(const tp_scene *s, int32_t lines, int64_t centre, int32_t n)
@@ -131,15 +132,19 @@ static int64_t spot_of(const tp_scene *s, int32_t lines, int64_t centre, int32_t
     return centre + (line < 0 ? -way : way);
 }
 
+static int64_t towards(tp_dir3 d, int64_t x, int64_t y, int64_t z)
+{
+    return (x * d.x >> 30) + (y * d.y >> 30) + (z * d.z >> 30);
+}
+
 /* Within the picture and a little around it, at the level or the crests. */
 static bool is_viewed(const stand *at, const tp_scene *s, int64_t x, int64_t z)
 {
     const tp_rotation *t = &at->turn;
     const int64_t dx = tp_fx_held(x - at->eye.x), dz = tp_fx_held(z - at->eye.z);
     const int64_t dy = -(int64_t)at->eye.y, room = 2 * (int64_t)s->grid.cell;
-    const int64_t ahead = -((dx * t->z.x >> 30) + (dy * t->z.y >> 30) + (dz * t->z.z >> 30));
-    const int64_t aside = (dx * t->x.x >> 30) + (dy * t->x.y >> 30) + (dz * t->x.z >> 30);
-    const int64_t above = (dx * t->y.x >> 30) + (dy * t->y.y >> 30) + (dz * t->y.z >> 30);
+    const int64_t ahead = -towards(t->z, dx, dy, dz);
+    const int64_t aside = towards(t->x, dx, dy, dz), above = towards(t->y, dx, dy, dz);
     const int64_t wide = (ahead * at->wide >> 16) + room;
     const int64_t high = (ahead * at->high >> 16) + room;
 
@@ -159,7 +164,7 @@ static uint32_t viewed_spots(const stand *at, const tp_scene *s)
     return viewed;
 }
 
-/* -- what water goes through ------------------------------------------------------------- */
+/* -- what water goes through --------------------------------------------------------- */
 
 static void list_pictures(tp_outlook *o, const tp_scene *s, const tp_assets *a)
 {
@@ -190,9 +195,20 @@ static void list_light(tp_outlook *o, const tp_scene *s, const tp_assets *a)
     o->trait[TP_TRAIT_objects] = mirrors && s->mirror.objects != TP_MIRROR_NONE
                               && (a->boat || s->drops.count > 0 || tp_has_tank(s));
     o->trait[TP_TRAIT_behind] = clear;
+    o->trait[TP_TRAIT_bed] = clear && (tp_has_floor(s) || tp_has_tank(s));
+    o->trait[TP_TRAIT_dispersion] = clear && s->water.dispersion > 0;
     o->trait[TP_TRAIT_foam] = s->foam.cells > 0;
     o->trait[TP_TRAIT_expose] = s->hdr.exposure == TP_EXPOSURE_AUTO
                              || s->hdr.value != TP_FX_ONE;
+}
+
+/* The lobe's steepest place is about its height times the root of its exponent. */
+static int gloss_of(const tp_scene *s)
+{
+    const int64_t square = (int64_t)s->water.specular * s->water.specular >> 16;
+
+    return s->water.specular <= 0 ? 0
+         : square * s->water.shininess >> 16 > 144 * TP_FX_ONE ? 2 : 1;
 }
 
 /* By the sum of k A: up to 1/4 is gentle, and so are pools and rings. */
@@ -210,10 +226,10 @@ static uint8_t sea_of(const tp_scene *s, uint32_t *waves)
     }
     const int steep = slope > TP_FX_ONE / 4 ? TP_SEA_STEEP
                     : slope > 0 || stirred ? TP_SEA_GENTLE : TP_SEA_LEVEL;
-    return (uint8_t)(steep + (s->water.specular > 0));
+    return (uint8_t)(steep + gloss_of(s));
 }
 
-/* -- all ---------------------------------------------------------------------------------- */
+/* -- all ----------------------------------------------------------------------------- */
 
 tp_outlook tp_outlook_of(const tp_scene *scene, const tp_assets *assets, uint32_t width,
                          uint32_t height)
@@ -233,6 +249,9 @@ tp_outlook tp_outlook_of(const tp_scene *scene, const tp_assets *assets, uint32_
     o.vertices = (uint32_t)((uint64_t)scene->grid.cols * (uint64_t)scene->grid.rows
                             * viewed_spots(&at, scene) / (SPOTS * SPOTS));
     o.sea = sea_of(scene, &o.waves);
+    o.pools = scene->water.pool_bump > 0 ? 0 : (uint8_t)((scene->pool.cols > 0)
+                                                         + (scene->field.cols > 0));
+    o.ocean = tp_has_ocean(scene);
     o.overlooks = at.eye.y > 0 && (low >= 0 || ahead > 0) && !tp_has_ocean(scene);
     for (int i = 0; i < TP_WAVES; i++)
         crests -= scene->wave[i].amplitude;

@@ -9,10 +9,11 @@ enum { TP_KIND_VISIBILITY, TP_KIND_SHADING, TP_KIND_RATE, TP_KIND_LOD };
 enum { TP_VISIBILITIES = 4, TP_SHADINGS = 2, TP_RATES = 3, TP_LODS = 2 };
 
 /* What the water's pixels may have, each with its price; plain: what all have; look: the
- * view that gloss, mirror and depth share; objects: in the mirror. */
+ * view that gloss, mirror and depth share; objects: in the mirror; bed: ground below. */
 #define TP_TRAITS(X) \
     X(plain) X(texture) X(linear) X(bend) X(layer) X(ripple) X(bump) X(look) X(mirror) \
-    X(glint) X(haze) X(dome) X(cube) X(objects) X(behind) X(foam) X(expose)
+    X(glint) X(haze) X(dome) X(cube) X(objects) X(behind) X(bed) \
+    X(dispersion) X(foam) X(expose)
 
 enum {
 #define X(name) TP_TRAIT_##name,
@@ -21,20 +22,23 @@ enum {
     TP_TRAIT_COUNT
 };
 
-/* Seas by what makes errors: their slopes, and whether they glitter. */
+/* Seas by what makes errors: their slopes, and how they glitter; sparks: by a lobe so
+ * sharp and bright that its points are smaller than pixels. */
 enum {
-    TP_SEA_LEVEL, TP_SEA_LEVEL_GLOSSY, TP_SEA_GENTLE, TP_SEA_GENTLE_GLOSSY,
-    TP_SEA_STEEP, TP_SEA_STEEP_GLOSSY, TP_SEA_CLASSES
+    TP_SEA_LEVEL, TP_SEA_LEVEL_GLOSSY, TP_SEA_LEVEL_SPARKS,
+    TP_SEA_GENTLE, TP_SEA_GENTLE_GLOSSY, TP_SEA_GENTLE_SPARKS,
+    TP_SEA_STEEP, TP_SEA_STEEP_GLOSSY, TP_SEA_STEEP_SPARKS, TP_SEA_CLASSES
 };
 
 /* Of a way to find the water. */
 typedef struct {
     bool  known;
-    tp_fx pixel, vertex, wave;  /* instructions a water pixel, a crossing of the grid in
-                                   view, and for each wave there */
+    tp_fx pixel;                /* instructions a water pixel */
+    tp_fx vertex;               /* a crossing of the grid in view; there besides ... */
+    tp_fx wave, pool, ocean;    /* ... for each wave, each pool, an ocean */
 } tp_seen_price;
 
-/* Of a way to shade it, a pixel; against exact stages at the full rate some are below 0. */
+/* Of a way to shade it, a pixel; some are below 0. */
 typedef struct {
     bool  known;
     tp_fx part[TP_TRAIT_COUNT];
@@ -74,6 +78,7 @@ typedef struct {
     tp_fx    near;              /* m to the nearest water */
     uint8_t  trait[TP_TRAIT_COUNT];     /* how often */
     uint8_t  sea;               /* its class */
+    uint8_t  pools, ocean;      /* that displace the grid */
     bool     overlooks;         /* the eye is above the water and looks ahead, and nothing
                                    of the sea may overhang */
 } tp_outlook;

@@ -12,7 +12,8 @@
 
 #define COMBINATIONS (TP_VISIBILITIES * TP_SHADINGS * TP_RATES * TP_LODS)
 
-static const uint8_t counts[TP_KINDS] = { TP_VISIBILITIES, TP_SHADINGS, TP_RATES, TP_LODS };
+static const uint8_t counts[TP_KINDS] = { TP_VISIBILITIES, TP_SHADINGS, TP_RATES,
+                                          TP_LODS };
 
 /* A rung of each kind, from 0. */
 typedef struct {
@@ -44,7 +45,7 @@ static tp_rungs rungs_of(choice c)
                        (tp_rate)(c.of[2] + 1), (tp_lod)(c.of[3] + 1) };
 }
 
-/* -- prices ------------------------------------------------------------------------------ */
+/* -- prices -------------------------------------------------------------------------- */
 
 static tp_error_price error_of(const ground *g, int kind, int rung)
 {
@@ -72,7 +73,9 @@ static tp_price price_of(const ground *g, choice c)
     const tp_outlook *o = &g->outlook;
     const tp_seen_price *seen = &p->seen[c.of[TP_KIND_VISIBILITY]][c.of[TP_KIND_LOD]];
     const tp_shaded_price *shaded = &p->shaded[c.of[TP_KIND_SHADING]][c.of[TP_KIND_RATE]];
-    const int64_t vertex = seen->vertex + (int64_t)seen->wave * g->faint.left;
+    const int64_t vertex = seen->vertex + (int64_t)seen->wave * g->faint.left
+                         + (int64_t)seen->pool * o->pools
+                         + (int64_t)seen->ocean * o->ocean;
     const int64_t cost = (int64_t)p->frame * 1000 + (int64_t)p->sky * o->other_pixels
                        + (seen->pixel + pixel_price(o, shaded)) * o->water_pixels
                        + vertex * o->vertices;
@@ -89,7 +92,7 @@ static tp_price price_of(const ground *g, choice c)
     return price;
 }
 
-/* -- which may be taken ------------------------------------------------------------------ */
+/* -- which may be taken -------------------------------------------------------------- */
 
 static bool is_fit(const ground *g, choice c)
 {
@@ -144,7 +147,7 @@ static choice cheapest_of(const ground *g)
     return best;
 }
 
-/* -- a scene's ground -------------------------------------------------------------------- */
+/* -- a scene's ground ---------------------------------------------------------------- */
 
 /* Numbers of any size: hostile ones are open. */
 static int8_t named_of(int32_t rung, int kind)
@@ -194,7 +197,7 @@ tp_rungs tp_rungs_of(const tp_scene *scene, const tp_assets *assets, uint32_t wi
     return rungs_of(cheapest_of(&g));
 }
 
-/* -- reports ----------------------------------------------------------------------------- */
+/* -- reports ------------------------------------------------------------------------- */
 
 static tp_why why_of(const ground *g, int kind, choice chosen, choice c)
 {
@@ -249,7 +252,7 @@ tp_plan_report tp_plan_of(const tp_scene *scene, const tp_assets *assets, uint32
     return tp_plan_by(&tp_prices_measured, scene, assets, width, height);
 }
 
-/* -- the ladder -------------------------------------------------------------------------- */
+/* -- the ladder ---------------------------------------------------------------------- */
 
 /* Outlines in pixels and colours in levels, as the budget weighs them by default: half a
  * pixel against two levels.  Q18. */

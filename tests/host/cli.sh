@@ -50,8 +50,7 @@ expect "peers outside of the project" 3 "project's folder" bench --peers
 run bench --size 64x48 --points 16 --frames 2 --csv
 same "a bench as CSV: a line of names and three of figures" "$(wc -l <out)" 4
 expect "unknown format" 2 "rgb565be" render minimal --format rgb555
-expect "visibility that is not built" 2 "auto or triangles" render minimal --visibility \
-    rows
+expect "visibility of no kind" 2 "auto, triangles" render minimal --visibility cubes
 expect "output of unknown kind" 2 "ends in .png or .y4m" render minimal --out picture.jpg
 expect "several frames, one name" 2 "need a place" render minimal --frames 2 --out f.png
 expect "a % that is no number" 2 "%04d" render minimal --out f-%s.png
@@ -82,6 +81,43 @@ same "params lists wave0.steepness" "$code $(grep -c '^wave0.steepness .*0\.\.1 
 run params minimal --set wave0.steepness=0.25
 same "params shows a scene's values" "$code $(grep -c '^wave0.steepness *0.25 ' out)" \
     "0 1"
+
+# -- the plan -----------------------------------------------------------------------
+
+for scene in count-64 three-swells pond; do
+    fits plan $scene --size 320x240
+done
+fits plan three-swells --size 4096x4096 --set water.specular=4
+expect "plan of no scene" 2 "which scene" plan
+expect "plan of an unknown scene" 3 "did you mean three-swells?" plan three-swels
+run plan minimal --csv
+same "a plan as a table: a line each rung, the head, the total" \
+    "$code $(wc -l <out) $(awk -F, 'NF != 7' out | wc -l)" "0 13 0"
+cp out table
+run plan minimal --csv
+same "the same plan again" "$(cat out)" "$(cat table)"
+run plan minimal --csv --set quality.shading=quick
+same "what the scene names is taken" \
+    "$(grep -c '^shading,quick,as the scene says,' out)" 1
+run plan minimal --csv --visibility rows
+same "and what the command line names" \
+    "$(grep -c '^visibility,rows,as the scene says,' out)" 1
+cost_of() {
+    run plan "$1" --csv --size 320x240 --set "quality.error_px=$2" \
+        --set "quality.error_colour=$2"
+    awk -F, '$1 == "total" { print $4 }' out
+}
+last=
+for budget in 0 0.5 1 2 4 8 16 32 64; do
+    cost=$(cost_of count-64 $budget)
+    [ -n "$last" ] && [ "$cost" -gt "$last" ] && echo "$budget costs $cost" >>dearer
+    last=$cost
+done
+same "a larger budget never costs more" "$(cat dearer 2>/dev/null)" ""
+run render minimal --size 64x48 --frames 40 --hash
+cp out list
+run render minimal --size 64x48 --frames 40 --hash --set quality.frame_ms=10000
+same "within its time a frame is drawn as planned" "$code $(cat out)" "0 $(cat list)"
 
 # ini NAME CODE PATTERN TEXT...: a scene file of these lines.
 ini() {

@@ -1,0 +1,153 @@
+# SPDX-License-Identifier: MIT
+# From what prices.c said and the plugin counted to rows of prices.csv.
+#
+#   awk -f tests/budgets/prices-count.awk SHADE SAID COUNTS
+#
+# SHADE lists the functions of src/shade.  A figure is a difference of two pictures, over
+# what differs between them.  Rungs that draw with the same instructions as the ones that
+# they stand for are not there yet, and have no rows.
+FNR == 1 { file++ }
+file == 1 { shades[$1]; next }
+file == 2 && $1 == "run" {
+    name = $2 " " $3 " " $4
+    run[++runs] = name
+    pixels[name] = $5
+    water[name] = $6
+    vertices[name] = $7
+    waves[name] = $8
+    next
+}
+file == 3 && $1 == "count" && $2 <= runs {
+    name = run[$2]
+    cost[name] += $5
+    if ($3 == "tiles" && $4 in shades)
+        shading[name] += $5
+}
+
+function row(what, rung, item, figure)
+{
+    printf "%s,%s,%s,%.3f\n", what, rung, item, figure
+}
+
+# What a vertex pays for it.
+function more(item, near)
+{
+    sub(/near$/, "", near)
+    return (cost[near item] - cost[near "near"]) / vertices[near "near"]
+}
+
+function seen(rung,    near, dense, one, vertex, wave, rest)
+{
+    near = "seen " rung " near"
+    dense = "seen " rung " dense"
+    one = "seen " rung " one"
+    wave = (cost[near] - cost[one]) / vertices[near] / (waves[near] - waves[one])
+    vertex = (cost[dense] - cost[near]) / (vertices[dense] - vertices[near])
+    rest = cost[near] - whole - sky * (pixels[near] - water[near]) - \
+           vertex * vertices[near]
+    row("seen", rung, "pixel", rest / water[near] - plain)
+    row("seen", rung, "vertex", vertex - wave * waves[near])
+    row("seen", rung, "wave", wave)
+    row("seen", rung, "pool", more("pool", near))
+    row("seen", rung, "ocean", more("ocean", near))
+}
+
+# Of a thing, what the pixels of water (or all) pay for it over what is drawn without it.
+function part(rung, item, with, without, over,    a, b)
+{
+    a = "shaded " rung " " with
+    b = "shaded " rung " " without
+    row("shaded", rung, item, (cost[a] - cost[b]) / over)
+}
+
+function of(rung, item)
+{
+    return cost["shaded " rung " " item]
+}
+
+function shaded(rung,    n)
+{
+    n = water["shaded " rung " plain"]
+    row("shaded", rung, "plain", \
+        plain + (of(rung, "plain") - of("exact.full", "plain")) / n)
+    look = of(rung, "mirror") + of(rung, "glint") - of(rung, "both") - of(rung, "plain")
+    row("shaded", rung, "look", look / n)
+    row("shaded", rung, "mirror", (of(rung, "both") - of(rung, "glint")) / n)
+    row("shaded", rung, "glint", (of(rung, "both") - of(rung, "mirror")) / n)
+    part(rung, "texture", "texture", "plain", n)
+    part(rung, "linear", "linear", "texture", n)
+    part(rung, "bend", "bend", "texture", n)
+    part(rung, "layer", "layer", "texture", n)
+    part(rung, "ripple", "ripple", "plain", n)
+    part(rung, "bump", "bump", "plain", n)
+    part(rung, "haze", "haze", "plain", n)
+    row("shaded", rung, "dome", (of(rung, "dome") - of(rung, "dome0") - \
+        of(rung, "mirror") + of(rung, "plain")) / n)
+    row("shaded", rung, "cube", (of(rung, "cube") - of(rung, "cube0") - \
+        of(rung, "mirror") + of(rung, "plain")) / n)
+    part(rung, "objects", "objects", "objects0", n)
+    part(rung, "behind", "behind", "mirror", n)
+    row("shaded", rung, "bed", (of(rung, "bed") - of(rung, "bed0") - \
+        of(rung, "behind") + of(rung, "mirror")) / n)
+    part(rung, "dispersion", "spread", "bed", n)
+    part(rung, "foam", "foam", "plain", n)
+    part(rung, "expose", "expose", "plain", pixels["shaded " rung " plain"])
+}
+
+function there_seen(rung, than,    i, item)
+{
+    for (i = split("near dense one pool ocean", item, " "); i > 0; i--)
+        if (cost["seen " rung " " item[i]] != cost["seen " than " " item[i]])
+            return 1
+    return 0
+}
+
+function there_shaded(rung, than,    i, name)
+{
+    for (i = 1; i <= runs; i++)
+        if (index(run[i], "shaded " rung " ") == 1) {
+            name = substr(run[i], length("shaded " rung " ") + 1)
+            if (of(rung, name) != of(than, name))
+                return 1
+        }
+    return 0
+}
+
+END {
+    if (!runs || !cost[run[runs]]) {
+        print "nothing was counted" >"/dev/stderr"
+        exit 1
+    }
+    sky = (cost["sky - large"] - cost["sky - small"]) / \
+          (pixels["sky - large"] - pixels["sky - small"])
+    whole = cost["sky - large"] - sky * pixels["sky - large"]
+    plain = shading["seen triangles.off near"]
+    # the sky's share of it was paid there too
+    plain = (plain - sky_shading()) / water["seen triangles.off near"]
+    row("whole", "-", "frame", whole / 1000)
+    row("whole", "-", "sky", sky)
+    split("triangles rows projected flat", visibility, " ")
+    for (v = 1; v <= 4; v++) {
+        of_all = visibility[v] ".off"
+        if (v == 1 || there_seen(of_all, "triangles.off"))
+            seen(of_all)
+        if (there_seen(visibility[v] ".on", of_all))
+            seen(visibility[v] ".on")
+    }
+    split("exact quick", shade, " ")
+    split("full layers colour", rate, " ")
+    for (s = 1; s <= 2; s++)
+        for (r = 1; r <= 3; r++) {
+            rung = shade[s] "." rate[r]
+            if (rung == "exact.full" || \
+                (there_shaded(rung, "exact.full") && \
+                 (r == 1 || there_shaded(rung, shade[s] ".full"))))
+                shaded(rung)
+        }
+}
+
+function sky_shading()
+{
+    return shading["sky - large"] / pixels["sky - large"] * \
+           (pixels["seen triangles.off near"] - water["seen triangles.off near"])
+}

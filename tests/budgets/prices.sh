@@ -1,0 +1,83 @@
+#!/bin/sh
+# SPDX-License-Identifier: MIT
+# The plan's prices, measured: instructions on an emulated Cortex-M4, errors on this
+# machine over the shipped scenes.
+#
+#   tests/budgets/prices.sh             whether prices.csv is what is measured here
+#   tests/budgets/prices.sh --write     writes prices.csv and src/scene/prices.inc anew
+#
+# Then build again: the plan of a scene may be another one, and so its pictures.
+. tests/gates/lib.sh
+. tests/budgets/board.sh
+
+table=tests/budgets/prices.csv
+made=src/scene/prices.inc
+elf=build/cortex-m/prices.elf
+
+lacks arm-none-eabi-gcc gcc-arm-none-eabi "prices on a Cortex-M4" && exit 77
+lacks qemu-system-arm qemu-system-arm "prices on a Cortex-M4" && exit 77
+
+shade_functions()
+{
+    arm-none-eabi-nm --defined-only build/cortex-m/src/shade/*.o |
+        awk 'NF == 3 && $2 ~ /[tT]/ { print $3 }' | sort -u
+}
+
+measure()
+{
+    shade_functions >"$scratch/shade"
+    awk -f tests/budgets/prices-count.awk "$scratch/shade" "$scratch/said" \
+        "$scratch/counts" >"$scratch/costs" &&
+        awk -f tests/budgets/prices-error.awk "$scratch/costs" \
+            "$scratch/errors" >"$scratch/offs" &&
+        { sed -n '/^#/p' $table; echo "what,rung,item,figure"
+          cat "$scratch/costs" "$scratch/offs"; } >"$scratch/table"
+}
+
+check "the board's program builds" build BOARD=cortex-m $elf
+check "the plugin and the comparing program build" build $plugin \
+    build/host/tests/budgets/errors
+check "the board draws every rung" emulate $elf "$scratch/said" "$scratch/counts"
+check "the scenes are compared" sh -c \
+    "build/host/tests/budgets/errors assets/scenes/*.ini >'$scratch/errors'"
+check "prices come of it" measure
+[ "$failures" = 0 ] || exit 1
+
+if [ "${1:-}" = --write ]; then
+    cp "$scratch/table" $table
+    awk -f tests/budgets/prices.awk $table >"$scratch/made" && cp "$scratch/made" $made
+    exit
+fi
+
+# Within a twentieth: another compiler counts a little differently.
+near()
+{
+    awk -F, 'FNR == 1 { file++ }
+        /^#/ || /^what,/ { next }
+        { key = $1 "," $2 "," $3 }
+        file == 1 { want[key] = $4; next }
+        { got[key] = $4 }
+        END {
+            for (key in want)
+                if (!(key in got))
+                    print key ": no longer measured, of " want[key]
+            for (key in got) {
+                room = want[key] < 0 ? -want[key] : want[key]
+                room = 0.05 * room + 1
+                off = got[key] - want[key]
+                if (!(key in want))
+                    print key ": not in the table, " got[key]
+                else if (off > room || -off > room)
+                    print key ": " got[key] ", the table has " want[key]
+            }
+        }' $table "$scratch/table" | sort >"$scratch/off"
+    cat "$scratch/off"
+    ! [ -s "$scratch/off" ]
+}
+same_made()
+{
+    awk -f tests/budgets/prices.awk $table | cmp - $made
+}
+check "$made is made from $table" same_made
+check "$table is what is measured here" near
+exit $((failures > 0))

@@ -1,0 +1,289 @@
+/* SPDX-License-Identifier: MIT */
+/* The plan by invented tables of prices and any scenes. */
+#include <stdarg.h>
+#include <stddef.h>
+#include <setjmp.h>
+#include <stdint.h>
+#include <cmocka.h>
+#include "kit.h"
+#include "scene/faint.h"
+#include "scene/prices.h"
+
+enum { SCENES = 400 };
+
+#define PLANS 0x7636ddd811f8c2beull
+
+static uint64_t chance;
+
+/* Exact rungs are dearest and without error; some are not known. */
+static tp_prices prices_of(uint64_t *state)
+{
+    tp_prices p = { .frame = chance_fx(state, 0, 200), .sky = chance_fx(state, 0, 60),
+                    .slope_colour = chance_fx(state, 0, 2000) };
+
+    for (int v = 0; v < TP_VISIBILITIES; v++)
+        for (int l = 0; l < TP_LODS; l++)
+            p.seen[v][l] = (tp_seen_price){
+                .known = v + l == 0 || random_below(state, 5) > 0,
+                .pixel = chance_fx(state, 0, 200), .vertex = chance_fx(state, 0, 3000),
+                .wave = chance_fx(state, 0, 200), .pool = chance_fx(state, 0, 1000),
+                .ocean = chance_fx(state, 0, 3000),
+            };
+    for (int s = 0; s < TP_SHADINGS; s++)
+        for (int r = 0; r < TP_RATES; r++) {
+            p.shaded[s][r].known = s + r == 0 || random_below(state, 5) > 0;
+            for (int i = 0; i < TP_TRAIT_COUNT; i++)
+                p.shaded[s][r].part[i] = chance_fx(state, 0, 200);
+        }
+    for (int k = 0; k < TP_KINDS; k++)
+        for (int i = 0; i < TP_KIND_RUNGS; i++)
+            for (int c = 0; c < TP_SEA_CLASSES; c++)
+                p.error[k][i][c] = (tp_error_price){
+                    .known = i == 0 || random_below(state, 8) > 0,
+                    .px = i ? chance_fx(state, 0, 0.6) : 0,
+                    .colour = i ? chance_fx(state, 0, 3) : 0,
+                };
+    return p;
+}
+
+typedef struct {
+    tp_prices prices;
+    test_kit  kit;
+    tp_scene  scene;
+    tp_assets assets;
+    uint32_t  width, height;
+} trial;
+
+static void trial_make(trial *t, uint64_t *state)
+{
+    t->prices = prices_of(state);
+    kit_make(&t->kit, state);
+    t->scene = kit_scene(state, 200, 64);
+    t->assets = kit_assets(&t->kit, &t->scene, state);
+    t->width = 16 + random_below(state, 1000);
+    t->height = 16 + random_below(state, 1000);
+    t->scene.quality.visibility = t->scene.quality.shading = 0;
+    t->scene.quality.rate = t->scene.quality.lod = 0;
+    t->scene.quality.error_px = chance_fx(state, 0, 2);
+    t->scene.quality.error_colour = chance_fx(state, 0, 8);
+}
+
+static tp_plan_report report_of(const trial *t)
+{
+    return tp_plan_by(&t->prices, &t->scene, &t->assets, t->width, t->height);
+}
+
+static void a_larger_budget_never_costs_more(void **state)
+{
+    static trial t;
+    int cheaper = 0;
+
+    (void)state;
+    for (int i = 0; i < SCENES; i++) {
+        trial_make(&t, &chance);
+        uint64_t last = UINT64_MAX, first = 0;
+        for (int k = 0; k <= 12; k++) {
+            t.scene.quality.error_px = k * TP_FX(0.2);
+            t.scene.quality.error_colour = k * TP_FX(0.9);
+            const tp_plan_report r = report_of(&t);
+            assert_true(r.total.known);
+            assert_true(r.total.cost <= last);
+            last = r.total.cost;
+            first = k ? first : last;
+        }
+        cheaper += last < first;
+    }
+    assert_true(cheaper > SCENES / 2);
+}
+
+static void errors_stay_within_the_budget(void **state)
+{
+    static trial t;
+
+    (void)state;
+    for (int i = 0; i < SCENES; i++) {
+        trial_make(&t, &chance);
+        const tp_plan_report r = report_of(&t);
+        assert_true(r.total.error_px <= t.scene.quality.error_px);
+        assert_true(r.total.error_colour <= t.scene.quality.error_colour);
+    }
+}
+
+/* Of all that are within the budget, none that is named is cheaper. */
+static void no_single_change_would_be_cheaper(void **state)
+{
+    static trial t;
+
+    (void)state;
+    for (int i = 0; i < SCENES; i++) {
+        trial_make(&t, &chance);
+        const tp_plan_report r = report_of(&t);
+        for (int k = 0; k < TP_KINDS; k++)
+            for (int n = 0; n < r.rung_count[k]; n++)
+                if (r.rung[k][n].why == TP_WHY_COST)
+                    assert_true(r.rung[k][n].price.cost >= r.total.cost);
+    }
+}
+
+static void what_the_scene_names_is_taken(void **state)
+{
+    static trial t;
+
+    (void)state;
+    for (int i = 0; i < SCENES; i++) {
+        trial_make(&t, &chance);
+        t.scene.quality.visibility = chance_int(&chance, 0, 4);
+        t.scene.quality.shading = chance_int(&chance, 0, 2);
+        t.scene.quality.rate = chance_int(&chance, 0, 3);
+        t.scene.quality.lod = chance_int(&chance, 0, 2);
+        const tp_rungs r = report_of(&t).rungs;
+        const int32_t got[] = { (int32_t)r.visibility, (int32_t)r.shading,
+                                (int32_t)r.rate, (int32_t)r.lod };
+        const int32_t want[] = { t.scene.quality.visibility, t.scene.quality.shading,
+                                 t.scene.quality.rate, t.scene.quality.lod };
+        for (int k = 0; k < TP_KINDS; k++)
+            assert_true(got[k] >= 1 && (want[k] == 0 || got[k] == want[k]));
+    }
+}
+
+/* What nobody has measured is not chosen, and without any price nothing but exactness. */
+static void without_prices_all_is_exact(void **state)
+{
+    static const tp_prices none;
+    static trial t;
+
+    (void)state;
+    trial_make(&t, &chance);
+    t.prices = none;
+    t.scene.quality.error_px = t.scene.quality.error_colour = TP_FX_ONE * 60;
+    const tp_plan_report r = report_of(&t);
+    assert_false(r.total.known);
+    assert_int_equal(r.rungs.visibility, TP_VISIBILITY_TRIANGLES);
+    assert_int_equal(r.rungs.shading, TP_SHADING_EXACT);
+    assert_int_equal(r.rungs.rate, TP_RATE_FULL);
+    assert_int_equal(r.rungs.lod, TP_LOD_OFF);
+}
+
+static void any_numbers_are_safe(void **state)
+{
+    static trial t;
+
+    (void)state;
+    for (int i = 0; i < 4 * SCENES; i++) {
+        trial_make(&t, &chance);
+        t.scene = scene_any(&chance);
+        t.scene.quality.visibility = chance_int(&chance, INT32_MIN, INT32_MAX);
+        t.scene.quality.rate = chance_int(&chance, -9, 9);
+        t.scene.quality.frame_ms = TP_FX_ONE;
+        const tp_plan_report r = report_of(&t);
+        assert_in_range(r.rungs.visibility, 1, TP_VISIBILITIES);
+        assert_in_range(r.rungs.rate, 1, TP_RATES);
+        assert_true(r.water_pixels <= t.width * t.height);
+        assert_true(r.waves + r.waves_dropped <= TP_WAVES);
+    }
+}
+
+static void a_ladder_goes_down_and_ends(void **state)
+{
+    static trial t;
+    uint32_t longest = 0;
+
+    (void)state;
+    for (int i = 0; i < SCENES; i++) {
+        trial_make(&t, &chance);
+        t.scene.quality.frame_ms = 0;
+        tp_ladder ladder = tp_ladder_by(&t.prices, &t.scene, &t.assets, t.width,
+                                        t.height);
+        assert_int_equal(ladder.count, 1);
+        t.scene.quality.frame_ms = TP_FX_ONE;
+        ladder = tp_ladder_by(&t.prices, &t.scene, &t.assets, t.width, t.height);
+        longest = ladder.count > longest ? ladder.count : longest;
+        uint64_t last = UINT64_MAX;
+        for (uint32_t k = 0; k < ladder.count; k++) {
+            t.scene.quality.visibility = (int32_t)ladder.rung[k].visibility;
+            t.scene.quality.shading = (int32_t)ladder.rung[k].shading;
+            t.scene.quality.rate = (int32_t)ladder.rung[k].rate;
+            t.scene.quality.lod = (int32_t)ladder.rung[k].lod;
+            const tp_plan_report r = report_of(&t);
+            assert_true(r.total.known && r.total.cost < last);
+            last = r.total.cost;
+        }
+    }
+    assert_true(longest > 3);
+}
+
+/* The bits of many plans by tables that are the same everywhere. */
+static void plans_are_the_same_on_every_machine(void **state)
+{
+    static trial t;
+    uint64_t fixed = 1, sum = 0;
+
+    (void)state;
+    for (int i = 0; i < 200; i++) {
+        trial_make(&t, &fixed);
+        t.scene = scene_any(&fixed);            /* no function of the C library in it */
+        const tp_plan_report r = report_of(&t);
+        const uint64_t part[] = { r.rungs.visibility, r.rungs.shading, r.rungs.rate,
+                                  r.rungs.lod, r.total.cost, (uint64_t)r.total.error_px,
+                                  (uint64_t)r.total.error_colour, r.water_pixels,
+                                  r.vertices, r.waves };
+        for (size_t k = 0; k < sizeof part / sizeof *part; k++)
+            sum = (sum ^ part[k]) * 0x100000001b3u;
+    }
+    print_message("    sum of 200 plans %016llx\n", (unsigned long long)sum);
+    assert_true(sum == PLANS);
+}
+
+/* -- faint waves -------------------------------------------------------------------- */
+
+/* As its amplitude slides up a wave comes in without a jump, and never drawn larger. */
+static void a_faint_wave_fades_in(void **state)
+{
+    const tp_faint_limits limits = { .px = TP_FX(0.1), .slope = TP_FX(0.001),
+                                     .focal = 200, .near = 10 * TP_FX_ONE };
+    tp_fx last = 0;
+
+    (void)state;
+    for (tp_fx a = 1; a < TP_FX(0.05); a++) {
+        const tp_fx slope = a / 16;
+        const tp_fx weight = tp_faint_weight(&limits, a, slope);
+        const tp_fx drawn = tp_fx_mul(a, weight);
+        assert_in_range(weight, 0, TP_FX_ONE);
+        assert_true(drawn >= last && drawn <= last + 8 && drawn <= a);
+        last = drawn;
+    }
+    assert_true(last == TP_FX(0.05) - 1);
+}
+
+static void a_budget_of_0_keeps_every_wave(void **state)
+{
+    tp_scene s = scene_plain();
+    const tp_assets none = { .boat = NULL };
+
+    (void)state;
+    s.wave[0].amplitude = 1;
+    s.quality.error_px = s.quality.error_colour = 0;
+    assert_int_equal(tp_plan_of(&s, &none, 320, 240).waves, 3);
+    s.quality.error_px = TP_FX_ONE;
+    s.quality.error_colour = 2 * TP_FX_ONE;
+    assert_int_equal(tp_plan_of(&s, &none, 320, 240).waves, 2);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_larger_budget_never_costs_more),
+        cmocka_unit_test(errors_stay_within_the_budget),
+        cmocka_unit_test(no_single_change_would_be_cheaper),
+        cmocka_unit_test(what_the_scene_names_is_taken),
+        cmocka_unit_test(without_prices_all_is_exact),
+        cmocka_unit_test(any_numbers_are_safe),
+        cmocka_unit_test(a_ladder_goes_down_and_ends),
+        cmocka_unit_test(plans_are_the_same_on_every_machine),
+        cmocka_unit_test(a_faint_wave_fades_in),
+        cmocka_unit_test(a_budget_of_0_keeps_every_wave),
+    };
+
+    chance = random_seed();
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
