@@ -147,6 +147,9 @@ count: $(PROGRAM) build/host/count.so
 bench: $(PROGRAM) $(BUILD)/tests/bench/scene_s
 	@$(PROGRAM) bench
 	@tests/bench/run.sh $(BUILD)/tests/bench/scene_s
+## the dearest of 10000 random views of scenes, over the median, in instructions
+views: $(BUILD)/tests/bench/views build/host/tally.so
+	@tests/bench/views.sh 10000
 ## the slow renderer in double precision that pictures are judged by
 reference: $(BUILD)/reference
 ## feed the readers random input, FUZZ_SECONDS (20) for each
@@ -190,6 +193,7 @@ RUN := TP_BUILD=$(BUILD) TP_PROGRAM=$(PROGRAM) tests/run.sh
 
 unit: $(UNIT)
 everything: all unit $(GOLDEN) $(FRAMES) $(BUILD)/tests/bench/scene_s \
+          $(BUILD)/tests/bench/views \
           $(BUILD)/longship $(BUILD)/textures $(BUILD)/tests/host/same_pixels
 host-tests: everything
 	@$(MAKE) --no-print-directory $(SAN) unit build/san/tidepool
@@ -198,10 +202,11 @@ host-tests: everything
 	    tests/host/bake.sh tests/host/check.sh tests/host/tape.sh \
 	    tests/gates/sanitized.sh tests/host/generators.sh \
 	    tests/host/readme.sh
-more-tests: everything build/host/count.so
+more-tests: everything build/host/count.so build/host/tally.so
 	@$(RUN) build/log/more tests/gates/arm.sh tests/gates/clang.sh tests/host/view.sh \
-	    tests/host/threads.sh tests/cross/run.sh tests/budgets/scenes-count.sh \
-	    tests/budgets/kits.sh tests/budgets/models-count.sh tests/fuzz/run.sh
+	    tests/host/threads.sh tests/bench/views.sh tests/cross/run.sh \
+	    tests/budgets/scenes-count.sh tests/budgets/kits.sh tests/budgets/models-count.sh \
+	    tests/fuzz/run.sh
 fuzzers: $(FUZZ)
 # Other renderers for `tidepool bench --peers`, of whatever packages are there.
 PEERS := $(BUILD)/tests/bench/peers
@@ -278,6 +283,8 @@ $(BUILD)/tests/budgets/models: $(MODELS_O) $(LIB)
 	$(SAY)$(LINK) $^ -o $@
 build/host/count.so: tests/budgets/count.c $(BUILD)/flags
 	$(SAY)$(COMPILE) -D_POSIX_C_SOURCE=200809L -fPIC -shared $< -o $@
+build/host/tally.so: tests/bench/tally.c $(BUILD)/flags
+	$(SAY)$(COMPILE) -fPIC -shared $< -o $@
 BOARD_O := $(BOARD_C:%.c=$(BUILD)/ports/$(BOARD)/%.o)
 $(BUILD)/scenes/%.elf: build/baked/$(MACHINE)/%.o $(BOARD_O) $(LIB) \
           ports/$(BOARD)/board.ld
@@ -312,7 +319,7 @@ $(BUILD)/flags: force
 	@echo '$(COMPILE) $(SDL_CFLAGS)' | cmp -s - $@ || echo '$(COMPILE) $(SDL_CFLAGS)' >$@
 
 .PHONY: all lib run test test-all soak count bench fuzz golden gallery assets install format \
-    clean help unit everything host-tests more-tests fuzzers elf elves frames list-core \
-    list-scenes list-cross reference peers force
+    views clean help unit everything host-tests more-tests fuzzers elf elves frames \
+    list-core list-scenes list-cross reference peers force
 .SECONDARY:
 -include $(shell find $(BUILD) -name '*.d' 2>/dev/null)

@@ -1,0 +1,35 @@
+#!/bin/sh
+# SPDX-License-Identifier: MIT
+# The dearest frame of random views, over the median: exact instructions of whole frames at
+# 320x240, by QEMU's user mode.  A view counts if a tenth of it is water.
+#
+#   tests/bench/views.sh [VIEWS [SCENE[,NAME=VALUE]...]...]
+#
+# TP_SEED sets the places.  A case fails beyond TP_MOST medians, 4 if not set.
+. tests/gates/lib.sh
+
+views=${1:-200}
+[ $# -gt 0 ] && shift
+[ $# -gt 0 ] || set -- count-64 three-swells,boat.mesh= three-swells
+build=${TP_BUILD:-build/host}
+case $(uname -m) in
+x86_64) call=110 ;;
+*)      call=173 ;;     # of every processor that came to Linux late
+esac
+emulator=qemu-$(uname -m)
+lacks "$emulator" qemu-user "random views" && exit 77
+
+for scene in "$@"; do
+    settings=$(echo "$scene" | tr ',' ' ') name=${scene%%,*}
+    # shellcheck disable=SC2086
+    TP_COUNTED=1 $emulator -plugin "build/host/tally.so,call=$call" \
+        "$build/tests/bench/views" "assets/scenes/$name.ini" "$views" "${TP_SEED:-1}" \
+        320 240 ${settings#"$name"} >"$scratch/all" 2>&1 || { cat "$scratch/all"; exit 1; }
+    awk '$1 == "insns" { before = last; last = $2 }
+         $1 == "view"  { print last - before, $3, $4, $5, $6, $7, $8 }' "$scratch/all" |
+        sort -n >"$scratch/views"
+    check "$scene: no view costs ${TP_MOST:-4} medians" \
+        awk -v most="${TP_MOST:-4}" -f tests/bench/views.awk "$scratch/views"
+    sed 's/^/    /' "$scratch/output"
+done
+exit $((failures > 0))
