@@ -127,6 +127,16 @@ static const char *read_visibility(options *o, const char *value)
     return NULL;
 }
 
+static const char *read_kit(options *o, const char *value)
+{
+    size_t count;
+    const machine *of = machine_kits(&count);
+    for (size_t i = 0; i < count; i++)
+        if (!strcmp(of[i].name, value))
+            o->machine = &of[i];
+    return o->machine ? NULL : "a kit that runs here: baseline, x86-64-v3";
+}
+
 static const char *read_hash(options *o, const char *value)
 {
     (void)value;
@@ -268,6 +278,8 @@ static const option_row rows[] = {
     { "--vectors", "DIR", FOR_CHECK, read_vectors, "the folder of tables; needed" },
     { "--tape", "FILE", FOR_RENDER, read_tape, "play the inputs recorded there" },
     { "--tape", "FILE", FOR_VIEW, read_tape, "record your inputs there" },
+    { "--kit", "NAME", FOR_RENDER, read_kit,
+      "baseline, or x86-64-v3 where it runs (default: the best; same bits)" },
     { "--stats", NULL, FOR_RENDER, read_stats, "print times, counts and RAM as JSON" },
     { "--verbose", NULL, ALL, read_verbose, "name the check that refused something" },
     { "--help", NULL, ALL, read_help, "this text" },

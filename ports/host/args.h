@@ -4,7 +4,7 @@
 #define HOST_ARGS_H
 #include <stdbool.h>
 #include <stdint.h>
-#include "tidepool/pixel.h"
+#include "machine.h"
 
 typedef struct {
     const char  *command, *scene;   /* scene: NULL if none is given */
@@ -25,6 +25,7 @@ typedef struct {
     const char  *name;              /* what baked names begin with, NULL: the scene's */
     uint32_t     texels;            /* of a picture's longer side at the most, 0: any */
     const char  *only;              /* parameters' names begin so, NULL: any */
+    const machine *machine;         /* whose kit draws; NULL: the best one */
     bool         sized;             /* --size was given */
     uint32_t     points;            /* of the benchmark's grid, 0: not given */
     int32_t      work;              /* bench_work, -1: not given */

@@ -36,7 +36,9 @@ void canvas_plan(canvas *c, const tp_scene *scene, const tp_assets *assets,
     c->picture.width = config->width;
     c->picture.height = config->height;
     c->picture.row_bytes = tp_format_row_bytes(config->format, (int)config->width);
-    c->frame_bytes = tp_frame_bytes(scene, assets, &c->config);
+    size_t kits;
+    c->machine = machine_kits(&kits);
+    c->frame_bytes = tp_frame_bytes_with(c->machine->kit, scene, assets, &c->config);
     c->scratch_bytes = c->threads * tp_frame_scratch_bytes(&c->config);
 }
 
@@ -61,7 +63,8 @@ int canvas_open(canvas *c, const tp_scene *scene, const tp_assets *assets)
     if (code)
         return code;
     tp_error err = { 0 };
-    if (tp_frame_init(&c->frame, scene, assets, &c->config, c->block, &err))
+    if (tp_frame_init_with(c->machine->kit, &c->frame, scene, assets, &c->config, c->block,
+                           &err))
         return fail_at("tidepool", &err);
     c->crew = crew_open(c->threads - 1);
     return EXIT_DONE;

@@ -3,6 +3,7 @@
 #ifndef HOST_CANVAS_H
 #define HOST_CANVAS_H
 #include "crew.h"
+#include "machine.h"
 #include "picture.h"
 #include "tidepool/frame.h"
 
@@ -11,6 +12,7 @@
 typedef struct {
     picture   picture;          /* of the last canvas_draw */
     tp_frame *frame;
+    const machine *machine;     /* whose kit draws */
     void     *block;            /* that the frame lies in */
     size_t    frame_bytes, scratch_bytes;       /* scratch: of all threads */
     uint32_t  threads;
@@ -21,7 +23,8 @@ typedef struct {
 } canvas;
 
 /* How the picture will be drawn, and how many bytes that takes; nothing is allocated.
- * Tile sides of 0 let the canvas choose. */
+ * Tile sides of 0 let the canvas choose.  It takes the best kit that runs here; another may be
+ * put in its place, all need the same bytes. */
 void canvas_plan(canvas *c, const tp_scene *scene, const tp_assets *assets,
                  const tp_frame_config *config, uint32_t threads);
 

@@ -88,7 +88,7 @@ static void print_stats(render *r)
     const size_t frames = r->times.count;
     const uint32_t median = timings_median(&r->times);
     fprintf(r->report,
-            "{\"frames\": %zu, \"ms_median\": %" PRIu32 ".%03" PRIu32 ", "
+            "{\"kit\": \"%s\", \"frames\": %zu, \"ms_median\": %" PRIu32 ".%03" PRIu32 ", "
             "\"water_pixels\": %" PRIu32 ", \"vertices\": %" PRIu32 ", "
             "\"triangles\": %" PRIu32 ", \"dropped\": %" PRIu32 ", "
             "\"pool\": {\"cells\": %" PRIu32 ", \"max_height\": %" PRId32 ", "
@@ -98,7 +98,7 @@ static void print_stats(render *r)
             "\"ram_bytes\": {\"scene\": %zu, \"world\": %zu, \"frame\": %zu, "
             "\"vertices\": %zu, \"tables\": %zu, \"scratch\": %zu, "
             "\"mesh\": %zu, \"textures\": %zu}}\n",
-            frames, median / 1000, median % 1000, c->water_pixels, stats.vertices,
+            c->machine->name, frames, median / 1000, median % 1000, c->water_pixels, stats.vertices,
             stats.triangles, stats.dropped, cells, pool.highest, pool.fastest,
             pool.at_rest ? "true" : "false", drops.count, drops.rings,
             drops.dropped + drops.rings_dropped, sizeof(tp_scene), s->world_bytes,

@@ -90,6 +90,8 @@ int stage_canvas(stage *s, const options *o)
     };
     canvas_close(&s->canvas);
     canvas_plan(&s->canvas, &s->file.scene, &s->assets.names, &config, o->threads);
+    if (o->machine)
+        s->canvas.machine = o->machine;
     const int code = check_memory(s, o->memory);
     return code ? code : canvas_open(&s->canvas, &s->file.scene, &s->assets.names);
 }

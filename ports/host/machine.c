@@ -1,0 +1,36 @@
+/* SPDX-License-Identifier: MIT */
+/* Asks the processor.  Those of level v3 that anybody has made have all of it where they
+ * have these four. */
+#include "machine.h"
+#include <stdbool.h>
+
+#ifdef TP_HAVE_KIT_V3
+extern const tp_kit tp_kit_v3;
+
+static const machine all[] = {
+    { "x86-64-v3", &tp_kit_v3 },
+    { "baseline", &tp_kit_all },
+};
+
+static bool has_v3(void)
+{
+    __builtin_cpu_init();
+    return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("bmi")
+        && __builtin_cpu_supports("bmi2") && __builtin_cpu_supports("fma");
+}
+#else
+static const machine all[] = { { "baseline", &tp_kit_all } };
+
+static bool has_v3(void)
+{
+    return true;
+}
+#endif
+
+const machine *machine_kits(size_t *count)
+{
+    const size_t skipped = has_v3() ? 0 : 1;
+
+    *count = sizeof all / sizeof *all - skipped;
+    return all + skipped;
+}

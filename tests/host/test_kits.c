@@ -1,0 +1,83 @@
+/* SPDX-License-Identifier: MIT */
+/* Every shipped scene drawn by each kit that this processor can run has the same bits. */
+#include <stdarg.h>
+#include <stddef.h>
+#include <setjmp.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <cmocka.h>
+#include "../../ports/host/path.h"
+#include "../../ports/host/stage.h"
+
+#define FOLDER "assets/scenes"
+
+enum { FRAMES = 3, KITS = 8 };
+
+/* CRCs of ticks 30, 31, 32, in all formats that keep colours whole or dither them. */
+static void draw(stage *s, options *o, uint32_t crc[FRAMES])
+{
+    o->format = TP_FORMAT_XRGB8888;
+    assert_int_equal(stage_world(s), 0);
+    for (int i = 0; i < 30; i++)
+        tp_world_step(s->world, &s->file.scene, NULL);
+    for (int i = 0; i < FRAMES; i++) {
+        assert_int_equal(stage_canvas(s, o), 0);
+        canvas_draw(&s->canvas, s->world);
+        crc[i] = picture_crc(&s->canvas.picture);
+        tp_world_step(s->world, &s->file.scene, NULL);
+        o->format = i == 0 ? TP_FORMAT_RGB565 : TP_FORMAT_P8;
+    }
+}
+
+static void check_scene(const char *name, const machine *machines, size_t count)
+{
+    options o = { .scene = name, .width = 200, .height = 150, .threads = 2 };
+    uint32_t crc[KITS][FRAMES];
+    stage s;
+    assert_int_equal(stage_open(&s, &o), 0);
+    for (size_t k = 0; k < count; k++) {
+        o.machine = &machines[k];
+        draw(&s, &o, crc[k]);
+        assert_ptr_equal(s.canvas.machine, &machines[k]);
+        if (memcmp(crc[k], crc[0], sizeof crc[k]))
+            fail_msg("%s is another picture by %s", name, machines[k].name);
+    }
+    stage_close(&s);
+}
+
+static void every_kit_draws_every_scene_alike(void **state)
+{
+    size_t kits, count;
+    const machine *machines = machine_kits(&kits);
+    char **names = path_scene_names(FOLDER, &count);
+    (void)state;
+    assert_true(count > 0 && kits > 0 && kits <= KITS);
+    for (size_t i = 0; i < count; i++) {
+        char *path = path_join(FOLDER, names[i], ".ini");
+        check_scene(path, machines, kits);
+        free(path);
+    }
+    path_free_names(names, count);
+}
+
+static void the_last_kit_runs_everywhere(void **state)
+{
+    size_t count;
+    const machine *machines = machine_kits(&count);
+    (void)state;
+    assert_string_equal(machines[count - 1].name, "baseline");
+    assert_ptr_equal(machines[count - 1].kit, &tp_kit_all);
+    for (size_t k = 0; k + 1 < count; k++)      /* and others are other code */
+        assert_ptr_not_equal(machines[k].kit->stage.light, tp_kit_all.stage.light);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(every_kit_draws_every_scene_alike),
+        cmocka_unit_test(the_last_kit_runs_everywhere),
+    };
+    return cmocka_run_group_tests_name("kits", tests, NULL, NULL);
+}
