@@ -277,9 +277,10 @@ build/baked/prices.c: tests/budgets/prices.ini $(BAKES) $(SHIPPED) | build/host/
 build/baked/$(MACHINE)/%.o: build/baked/%.c
 	@mkdir -p $(@D)
 	$(SAY)$(COMPILE) -c $< -o $@
+# Made if it is not there, as if nothing had been said of boards and compilers.
 ifneq ($(PROGRAM),build/host/tidepool)
 build/host/tidepool:
-	@MAKEFLAGS= $(MAKE) --no-print-directory $@
+	@env -i PATH="$$PATH" HOME="$$HOME" $(MAKE) -j2 --no-print-directory $@
 endif
 $(SCENES:%=$(BUILD)/tests/cross/frames-%): \
           $(BUILD)/tests/cross/frames-%: $(BUILD)/tests/cross/frames.o \
