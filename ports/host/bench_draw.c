@@ -77,9 +77,9 @@ static int draw_round(bench_list *list, const bench_scene *s, canvas *c, tp_worl
     }
     for (uint32_t i = 0; i < list->frames && !code; i++) {
         tp_world_step(world, &s->scene, NULL);
-        const uint64_t begin = now_us();
+        const uint64_t begin = processor_us();
         canvas_draw(c, world);
-        timings_add(&times, now_us() - begin);
+        timings_add(&times, processor_us() - begin);
     }
     f->us[round] = timings_median(&times);
     timings_free(&times);

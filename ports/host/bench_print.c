@@ -68,8 +68,8 @@ void bench_print(const bench_list *list, bool csv)
     if (csv) {
         printf("width,height,points,work,by,ms,spread_ms,water_pixels,psnr_db\n");
     } else {
-        printf("Scene S, whole frames, one thread: median of %d rounds of %" PRIu32
-               " frames, taken in turns.\n", BENCH_ROUNDS, list->frames);
+        printf("Scene S, whole frames, one thread, processor time: median of %d rounds of"
+               " %" PRIu32 " frames.\n", BENCH_ROUNDS, list->frames);
         printf("%-8s %6s %-7s %-24s%9s%8s%9s%8s%8s\n", "size", "points", "work", "by",
                "ms", "spread", "ns/px", "ratio", "dB");
     }

@@ -10,8 +10,8 @@
 
 /* Bands hold down the memory of a tile, 20 bytes a pixel; of 128 rows they cost 1% more
  * time than one tile of 640x480 (three-swells).  Several threads need enough of them to
- * find work until the end: eight each, while below 16 rows what every tile does anew costs
- * more than it balances (tank: 4% at 30 rows, 10% at 16). */
+ * find work until the end: eight each, while below 16 rows what every tile does anew
+ * costs more than it balances (tank: 4% at 30 rows, 10% at 16). */
 #define BAND_ROWS        128
 #define BAND_LEAST       16
 #define BANDS_PER_THREAD 8

@@ -11,11 +11,21 @@
 #define PATIENCE_US 2000000u
 #define REDRAW_US   250000u
 
-uint64_t now_us(void)
+static uint64_t clock_us(clockid_t clock)
 {
     struct timespec now;
-    clock_gettime(CLOCK_MONOTONIC, &now);
+    clock_gettime(clock, &now);
     return (uint64_t)now.tv_sec * 1000000u + (uint64_t)now.tv_nsec / 1000u;
+}
+
+uint64_t now_us(void)
+{
+    return clock_us(CLOCK_MONOTONIC);
+}
+
+uint64_t processor_us(void)
+{
+    return clock_us(CLOCK_PROCESS_CPUTIME_ID);
 }
 
 void timings_add(timings *t, uint64_t us)

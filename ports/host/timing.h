@@ -6,6 +6,7 @@
 #include <stdint.h>
 
 uint64_t now_us(void);          /* a clock that never goes back */
+uint64_t processor_us(void);    /* of all threads of this program: other work is not in */
 
 typedef struct {
     uint32_t *us;

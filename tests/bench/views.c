@@ -8,14 +8,14 @@
  * getppid() before and after each frame is the mark for tally.c; the line after them is
  *     view NUMBER x y z heading pitch water_pixels us
  * with the frame's processor time for want of better. */
-#define _POSIX_C_SOURCE 200809L
+#define _POSIX_C_SOURCE 200809L         /* getppid */
 #include <inttypes.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
 #include <unistd.h>
 #include "host/stage.h"
+#include "host/timing.h"
 
 static uint32_t seed;
 
@@ -53,23 +53,16 @@ static void stand(tp_world *world, const place *p)
     world->pitch = world->last_pitch = tp_turn_of_degrees(p->pitch);
 }
 
-static double processor_us(void)
+/* One draw is counted; a time is the least of three. */
+static uint64_t draw(stage *s, bool timed)
 {
-    struct timespec t;
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
-    return (double)t.tv_sec * 1e6 + (double)t.tv_nsec / 1e3;
-}
-
-/* The first draw of a view is counted or timed; a time is the least of three. */
-static double draw(stage *s, bool timed)
-{
-    double least = 0;
+    uint64_t least = 0;
     for (int i = 0; i < (timed ? 3 : 1); i++) {
-        const double begin = processor_us();
+        const uint64_t begin = processor_us();
         (void)getppid();
         canvas_draw(&s->canvas, s->world);
         (void)getppid();
-        const double us = processor_us() - begin;
+        const uint64_t us = processor_us() - begin;
         least = i == 0 || us < least ? us : least;
     }
     return least;
@@ -82,10 +75,10 @@ static int draw_views(stage *s, const options *o, uint32_t views)
     for (uint32_t n = 0; n < views; n++) {
         const place p = random_place(s->world, n % 2 ? TP_FX(40) : TP_FX(2000));
         stand(s->world, &p);
-        const double us = draw(s, timed);
+        const uint64_t us = draw(s, timed);
         if (s->canvas.water_pixels < least)
             continue;
-        printf("view %" PRIu32 " %.2f %.2f %.2f %.1f %.1f %" PRIu32 " %.0f\n", n,
+        printf("view %" PRIu32 " %.2f %.2f %.2f %.1f %.1f %" PRIu32 " %" PRIu64 "\n", n,
                p.x / 65536.0, p.y / 65536.0, p.z / 65536.0, p.heading / 65536.0,
                p.pitch / 65536.0, s->canvas.water_pixels, us);
     }

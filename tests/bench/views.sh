@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# The dearest frame of random views, over the median: exact instructions of whole frames at
-# 320x240, by QEMU's user mode.  A view counts if a tenth of it is water.
+# The dearest frame of random views, over the median: exact instructions of whole frames
+# at 320x240, by QEMU's user mode.  A view counts if a tenth of it is water.
 #
 #   tests/bench/views.sh [VIEWS [SCENE[,NAME=VALUE]...]...]
 #
@@ -24,7 +24,8 @@ for scene in "$@"; do
     # shellcheck disable=SC2086
     TP_COUNTED=1 $emulator -plugin "build/host/tally.so,call=$call" \
         "$build/tests/bench/views" "assets/scenes/$name.ini" "$views" "${TP_SEED:-1}" \
-        320 240 ${settings#"$name"} >"$scratch/all" 2>&1 || { cat "$scratch/all"; exit 1; }
+        320 240 ${settings#"$name"} >"$scratch/all" 2>&1 ||
+        { cat "$scratch/all"; exit 1; }
     awk '$1 == "insns" { before = last; last = $2 }
          $1 == "view"  { print last - before, $3, $4, $5, $6, $7, $8 }' "$scratch/all" |
         sort -n >"$scratch/views"

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Mesa's software renderers by OSMesa; GALLIUM_DRIVER is llvmpipe or softpipe.  A frame
- * is a clear, the upload of the points, the draw calls and a finish; the waves' own time is
- * not in it, which favours them. */
+ * is a clear, the upload of the points, the draw calls and a finish; the waves' own time
+ * is not in it, which favours them. */
 #define GL_GLEXT_PROTOTYPES
 #include <GL/osmesa.h>
 #include <GL/glext.h>

@@ -111,9 +111,9 @@ int peer_run(peer_job *job, void (*draw)(void *user), void *user, const uint32_t
     timings times = { 0 };
     draw(user);                         /* compiles what is compiled late */
     for (uint32_t i = 0; i < job->frames; i++) {
-        const uint64_t begin = now_us();
+        const uint64_t begin = processor_us();
         draw(user);
-        timings_add(&times, now_us() - begin);
+        timings_add(&times, processor_us() - begin);
     }
     const size_t row_bytes = (size_t)job->width * 4;
     const picture p = { TP_FORMAT_XRGB8888, job->width, job->height, row_bytes,

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /* SDL_RenderGeometry by SDL's software renderer: affine texture coordinates, no depth, no
  * repeat.  So the picture is repeated beforehand, the far rows are drawn first, and
- * points behind the eye are left out.  Points are transformed in the frame, waves are not. */
+ * points behind the eye are left out.  Points are transformed in the frame, waves are
+ * not. */
 #include <SDL.h>
 #include <stdio.h>
 #include <stdlib.h>

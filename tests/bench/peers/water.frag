@@ -1,8 +1,8 @@
 #version 330
 // SPDX-License-Identifier: MIT
 // All of the water, by the equations of the engine's exact stages (src/shade):
-// distortion, three layers, a normal map turned into the surface, Phong's terms, Schlick's share of a
-// cube map, exposure.
+// distortion, three layers, a normal map turned into the surface, Phong's terms,
+// Schlick's share of a cube map, exposure.
 in vec3 at;
 in vec2 still, tilt;
 uniform sampler2D layer0, layer1, layer2, bend, ripple;
