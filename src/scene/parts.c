@@ -313,7 +313,8 @@ const tp_drops *tp_world_drops(const tp_world *world)
 tp_surface tp_world_surface(const tp_kit *kit, const tp_world *world)
 {
     return (tp_surface){
-        .by = &kit->water, .sea = &world->sea, .phases = world->phases, .ocean = tp_world_ocean(world),
+        .by = &kit->water, .sea = &world->sea, .phases = world->phases,
+        .ocean = tp_world_ocean(world),
         .ring = part(world, world->parts.rings), .rings = world->rings,
         .pool = tp_world_pool(world), .field = tp_world_field(world),
     };

@@ -51,7 +51,9 @@ static void search_one(const ocean_made *o, search *s)
     const tp_fx x = chance_fx(&chance, -60, 60), z = chance_fx(&chance, -60, 60);
     tp_fx rest[2] = { x, z };
     tp_turn phases[TP_WAVES];
-    const tp_surface surface = { .by = &tp_kit_all.water, .sea = &o->sea, .phases = phases, .ocean = o->ocean };
+    const tp_surface surface = {
+        .by = &tp_kit_all.water, .sea = &o->sea, .phases = phases, .ocean = o->ocean,
+    };
 
     for (int i = 0; i < TP_WAVES; i++)
         phases[i] = (tp_turn)random_next(&chance);

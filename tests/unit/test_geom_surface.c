@@ -55,7 +55,8 @@ static tp_surface surface_make(water *w, double q)
     }
     w->pool = stirred_pool((tp_cells)random_below(&chance, 3), TP_EDGES_WALL);
     w->field = stirred_pool((tp_cells)random_below(&chance, 3), TP_EDGES_TILE);
-    return (tp_surface){ .by = &tp_kit_all.water, .sea = &w->sea.sea, .phases = w->phases, .ring = w->ring,
+    return (tp_surface){ .by = &tp_kit_all.water, .sea = &w->sea.sea, .phases = w->phases,
+                         .ring = w->ring,
                          .rings = RINGS, .pool = w->pool, .field = w->field };
 }
 
