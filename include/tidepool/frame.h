@@ -94,8 +94,8 @@ static inline tp_status tp_frame_init(tp_frame **frame, const tp_scene *scene,
 }
 
 /* The rungs of the frames from the next on, as a governor wants them; NULL: the plan's
- * again, which is made at init, and anew when quality.* has changed.  A rung that the
- * frame has no memory for is drawn as its neighbour that it has. */
+ * again, which is made at init, and anew when quality.* has changed.  Where the frame has
+ * no memory for a rung (tp_reach) the exact one is taken. */
 void tp_frame_set_rungs(tp_frame *frame, const tp_rungs *rungs);
 
 /* Takes the world's state into the frame.  The world stays as it is until the last tile

@@ -95,6 +95,14 @@ typedef struct {
 tp_ladder tp_ladder_of(const tp_scene *scene, const tp_assets *assets, uint32_t width,
                        uint32_t height);
 
+/* Rungs of each kind as bits, 1 << rung: the exact ones, and all of a ladder.  By others
+ * a frame is not drawn, as it has no memory for them. */
+typedef struct {
+    uint8_t visibility, shading, rate, lod;
+} tp_reach;
+
+tp_reach tp_reach_of(const tp_ladder *ladder);
+
 /* Holds a frame's time by stepping down the ladder, and up again when there is room.  The
  * port owns the clock: it feeds in what each frame took, in any unit, and hands the rungs
  * to tp_frame_set_rungs.  Pictures then depend on the clock; with a limit of 0, or of one

@@ -20,7 +20,9 @@ void governing_begin(governing *g, const stage *s)
 
 static uint32_t value_of(unsigned kind, tp_rungs r)
 {
-    return kind == 0 ? r.visibility : kind == 1 ? r.shading : kind == 2 ? r.rate : r.lod;
+    const uint32_t value[TP_KINDS] = { (uint32_t)r.visibility, (uint32_t)r.shading,
+                                       (uint32_t)r.rate, (uint32_t)r.lod };
+    return value[kind];
 }
 
 const char *governing_word(unsigned kind, tp_rungs rungs)

@@ -148,7 +148,9 @@ tp_frame *tp_frame_carve(const tp_kit *kit, tp_frame_parts *parts, tp_frame_ram 
     tp_frame *frame = tp_arena_take(arena, 1, sizeof *frame);
     const size_t fixed = arena->used;
 
-    *parts = (tp_frame_parts){ .glass = NULL };
+    *parts = (tp_frame_parts){
+        .reach = tp_frame_reach(kit, scene, assets, config),
+    };
     leave_out(parts, kit, assets);
     carve_places(parts, arena, kit, scene, assets);
     if (kit->draw.rungs)

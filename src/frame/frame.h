@@ -123,6 +123,7 @@ typedef struct {
  * where it did not.  What a scene takes up later finds no memory and is left out. */
 typedef struct {
     tp_grid          grid;
+    tp_reach         reach;             /* rungs that there is memory for */
     tp_thin_sea     *thin;
     tp_boat_vertex  *boat_vertex;       /* of the sight that was placed last */
     tp_land_vertex  *land_vertex;       /* rows x cols of the grid */
@@ -198,6 +199,8 @@ uint32_t tp_frame_materials(const tp_assets *assets);   /* that are told apart *
 /* visibility.c: the plan's rungs, made at init and when the budget changes; by which
  * method this frame's water is drawn, and drawing it by that */
 void tp_frame_choose_rungs(tp_frame *frame);
+tp_reach tp_frame_reach(const tp_kit *kit, const tp_scene *scene, const tp_assets *assets,
+                        const tp_frame_config *config);
 void tp_frame_choose_visibility(tp_frame *frame);
 void tp_frame_place_surface(tp_frame *frame);
 void tp_frame_draw_surface(const tp_frame *frame, tp_samples *tile);

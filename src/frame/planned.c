@@ -34,4 +34,4 @@ static void thin_sea(tp_frame *frame)
     }
 }
 
-const struct tp_draw_rungs tp_draw_rungs = { carve_thin, tp_rungs_of, thin_sea };
+const struct tp_draw_rungs tp_draw_rungs = { carve_thin, tp_ladder_of, tp_rungs_of, thin_sea };

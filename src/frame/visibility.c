@@ -10,16 +10,45 @@ void tp_frame_set_rungs(tp_frame *frame, const tp_rungs *rungs)
         frame->asked = *rungs;
 }
 
-/* What the scene asks for, and the first rung of a kind where it does not. */
+/* What the scene names, else the first of a kind, which is exact. */
+static int first_or(int32_t named, int last)
+{
+    return named > 0 && named <= last ? named : 1;
+}
+
 static tp_rungs named(const tp_scene *scene)
 {
-    const int visibility = scene->quality.visibility, shading = scene->quality.shading;
-    const int rate = scene->quality.rate, lod = scene->quality.lod;
-
     return (tp_rungs){
-        visibility ? (tp_visibility)visibility : TP_VISIBILITY_TRIANGLES,
-        shading ? (tp_shading)shading : TP_SHADING_EXACT,
-        rate ? (tp_rate)rate : TP_RATE_FULL, lod ? (tp_lod)lod : TP_LOD_OFF,
+        (tp_visibility)first_or(scene->quality.visibility, TP_VISIBILITY_FLAT),
+        (tp_shading)first_or(scene->quality.shading, TP_SHADING_QUICK),
+        (tp_rate)first_or(scene->quality.rate, TP_RATE_COLOUR),
+        (tp_lod)first_or(scene->quality.lod, TP_LOD_ON),
+    };
+}
+
+tp_reach tp_frame_reach(const tp_kit *kit, const tp_scene *scene, const tp_assets *assets,
+                        const tp_frame_config *config)
+{
+    const struct tp_draw_rungs *rungs = kit->draw.rungs;
+    const tp_ladder ladder = rungs ? rungs->ladder(scene, assets, config->width,
+                                                   config->height)
+                                   : (tp_ladder){ { named(scene) }, 1 };
+    return tp_reach_of(&ladder);
+}
+
+static bool has(uint8_t bits, unsigned rung)
+{
+    return rung < 8 && (bits >> rung & 1);
+}
+
+/* Exact where there is no memory for a rung, and where it is none. */
+static tp_rungs within(tp_reach reach, tp_rungs r)
+{
+    return (tp_rungs){
+        has(reach.visibility, r.visibility) ? r.visibility : TP_VISIBILITY_TRIANGLES,
+        has(reach.shading, r.shading) ? r.shading : TP_SHADING_EXACT,
+        has(reach.rate, r.rate) ? r.rate : TP_RATE_FULL,
+        has(reach.lod, r.lod) ? r.lod : TP_LOD_OFF,
     };
 }
 
@@ -35,7 +64,8 @@ void tp_frame_choose_rungs(tp_frame *frame)
         frame->planned = rungs ? rungs->of(scene, &frame->assets, frame->config.width,
                                            frame->config.height) : named(scene);
     }
-    frame->rungs = frame->steered ? frame->asked : frame->planned;
+    frame->rungs = within(frame->parts.reach, frame->steered ? frame->asked
+                                                             : frame->planned);
 }
 
 void tp_frame_choose_visibility(tp_frame *frame)

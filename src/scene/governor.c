@@ -22,6 +22,20 @@ tp_rungs tp_governor_rungs(const tp_governor *governor)
     return governor->ladder.rung[governor->at];
 }
 
+tp_reach tp_reach_of(const tp_ladder *ladder)
+{
+    tp_reach reach = { 1 << TP_VISIBILITY_TRIANGLES, 1 << TP_SHADING_EXACT,
+                       1 << TP_RATE_FULL, 1 << TP_LOD_OFF };
+
+    for (uint32_t i = 0; i < ladder->count; i++) {
+        reach.visibility |= (uint8_t)(1u << ladder->rung[i].visibility);
+        reach.shading |= (uint8_t)(1u << ladder->rung[i].shading);
+        reach.rate |= (uint8_t)(1u << ladder->rung[i].rate);
+        reach.lod |= (uint8_t)(1u << ladder->rung[i].lod);
+    }
+    return reach;
+}
+
 static int step(tp_governor *g, int by)
 {
     g->at += (uint32_t)by;

@@ -81,24 +81,23 @@ static stand stand_of(const tp_scene *s, uint32_t width, uint32_t height)
 
 /* -- pixels -------------------------------------------------------------------------- */
 
-/* An axis of the ray through x, y of the picture, Q16 of one ahead; below 2^30. */
-static int64_t along(int32_t right, int32_t up, int32_t back, int64_t x, int64_t y)
+/* The ray through x, y of the picture: tangents, Q16 of one ahead, below 2^26. */
+static tp_vec3 ray_of(const stand *at, int64_t x, int64_t y)
 {
-    return ((x * right + y * up) >> 30) - (back >> 14);
+    return tp_rotate_back(&at->turn, (tp_vec3){ (tp_fx)x, (tp_fx)y, -TP_FX_ONE });
 }
 
 static bool sees_water(const stand *at, int64_t x, int64_t y)
 {
-    const tp_rotation *t = &at->turn;
-    const int64_t dy = along(t->x.y, t->y.y, t->z.y, x, y);
+    const tp_vec3 ray = ray_of(at, x, y);
 
-    if (dy == 0 || at->eye.y == 0 || (dy < 0) != (at->eye.y > 0))
+    if (ray.y == 0 || at->eye.y == 0 || (ray.y < 0) != (at->eye.y > 0))
         return false;
-    const int64_t far = ((int64_t)at->eye.y << 16) / -dy;      /* Q16, up to 2^47 */
+    const int64_t far = ((int64_t)at->eye.y << 16) / -ray.y;    /* Q16, up to 2^47 */
     if (far > (int64_t)1 << 32)
         return false;
-    const int64_t px = at->eye.x + (far * along(t->x.x, t->y.x, t->z.x, x, y) >> 16);
-    const int64_t pz = at->eye.z + (far * along(t->x.z, t->y.z, t->z.z, x, y) >> 16);
+    const int64_t px = at->eye.x + (far * ray.x >> 16);
+    const int64_t pz = at->eye.z + (far * ray.z >> 16);
     return px >= at->water.x0 && px <= at->water.x1
         && pz >= at->water.z0 && pz <= at->water.z1;
 }
@@ -132,24 +131,19 @@ static int64_t spot_of(const tp_scene *s, int32_t lines, int64_t centre, int32_t
     return centre + (line < 0 ? -way : way);
 }
 
-static int64_t towards(tp_dir3 d, int64_t x, int64_t y, int64_t z)
-{
-    return (x * d.x >> 30) + (y * d.y >> 30) + (z * d.z >> 30);
-}
-
-/* Within the picture and a little around it, at the level or the crests. */
+/* Within the picture and a little around it, at the level or the crests.  What is 8 km
+ * off is as well there. */
 static bool is_viewed(const stand *at, const tp_scene *s, int64_t x, int64_t z)
 {
-    const tp_rotation *t = &at->turn;
-    const int64_t dx = tp_fx_held(x - at->eye.x), dz = tp_fx_held(z - at->eye.z);
-    const int64_t dy = -(int64_t)at->eye.y, room = 2 * (int64_t)s->grid.cell;
-    const int64_t ahead = -towards(t->z, dx, dy, dz);
-    const int64_t aside = towards(t->x, dx, dy, dz), above = towards(t->y, dx, dy, dz);
-    const int64_t wide = (ahead * at->wide >> 16) + room;
-    const int64_t high = (ahead * at->high >> 16) + room;
+    const int64_t most = 1 << 29;
+    const tp_vec3 v = tp_rotate(&at->turn, (tp_vec3){
+        (tp_fx)tp_limit(x - at->eye.x, most), (tp_fx)tp_limit(-(int64_t)at->eye.y, most),
+        (tp_fx)tp_limit(z - at->eye.z, most) });
+    const int64_t room = 2 * (int64_t)s->grid.cell;
+    const int64_t wide = (-v.z * at->wide >> 16) + room;
+    const int64_t high = (-v.z * at->high >> 16) + room;
 
-    return ahead > -room && aside >= -wide && aside <= wide
-        && above >= -high && above <= high;
+    return -v.z > -room && tp_abs(v.x) <= wide && tp_abs(v.y) <= high;
 }
 
 static uint32_t viewed_spots(const stand *at, const tp_scene *s)
@@ -236,11 +230,8 @@ tp_outlook tp_outlook_of(const tp_scene *scene, const tp_assets *assets, uint32_
 {
     const stand at = stand_of(scene, width, height);
     const uint64_t pixels = (uint64_t)width * height;
-    const int64_t low = along(at.turn.x.y, at.turn.y.y, at.turn.z.y, 0, -at.high);
-    const int64_t ahead = along(at.turn.x.x, at.turn.y.x, at.turn.z.x, 0, -at.high)
-                        * -at.turn.z.x
-                        + along(at.turn.x.z, at.turn.y.z, at.turn.z.z, 0, -at.high)
-                        * -at.turn.z.z;
+    const tp_vec3 low = ray_of(&at, 0, -at.high);
+    const int64_t ahead = (int64_t)low.x * -at.turn.z.x + (int64_t)low.z * -at.turn.z.z;
     tp_outlook o = { .focal = (int32_t)(((int64_t)height << 15) / at.high) };
     int64_t crests = at.eye.y;
 
@@ -252,7 +243,7 @@ tp_outlook tp_outlook_of(const tp_scene *scene, const tp_assets *assets, uint32_
     o.pools = scene->water.pool_bump > 0 ? 0 : (uint8_t)((scene->pool.cols > 0)
                                                          + (scene->field.cols > 0));
     o.ocean = tp_has_ocean(scene);
-    o.overlooks = at.eye.y > 0 && (low >= 0 || ahead > 0) && !tp_has_ocean(scene);
+    o.overlooks = at.eye.y > 0 && (low.y >= 0 || ahead > 0) && !tp_has_ocean(scene);
     for (int i = 0; i < TP_WAVES; i++)
         crests -= scene->wave[i].amplitude;
     o.near = tp_faint_near(tp_fx_held(crests), &at.turn, scene->camera.fov);
