@@ -91,7 +91,7 @@ TP_FORMAT_LIST(X)
 #define TP_WATER_LIST(X) \
     X(swells)       /* without them the sea is level */ \
     X(sharp)        /* their sharpened crests (wave.power) */ \
-    X(ocean)        /* over a floor, or in a wind */ \
+    X(ocean)        /* over a floor, or in a wind; needs swells */ \
     X(rings) X(pools)
 
 #define X(name) extern const struct tp_water_##name tp_water_##name;

@@ -22,7 +22,7 @@ static bool has_caustics(const tp_scene *scene)
 }
 
 /* Whether the kit has a part that the scene asks for; if not, it counts. */
-bool tp_frame_wants(tp_frame_parts *parts, bool asked, const void *part)
+bool tp_frame_wants(tp_frame_parts *parts, bool asked, bool part)
 {
     parts->lacks += asked && !part;
     return asked && part;
@@ -34,7 +34,7 @@ static void leave_out(tp_frame_parts *p, const tp_kit *kit, tp_assets *assets)
     const tp_draws *draw = &kit->draw;
     const bool layers = assets->layer[1] || assets->layer[2] || assets->distortion;
 
-    if (!tp_frame_wants(p, assets->boat, draw->boat))
+    if (!tp_frame_wants(p, assets->boat, draw->boat && kit->stage.solid))
         assets->boat = NULL;
     if (!tp_frame_wants(p, layers, draw->layers))
         assets->layer[1] = assets->layer[2] = assets->distortion = NULL;
@@ -55,7 +55,7 @@ static void carve_places(tp_frame_parts *p, tp_arena *arena, const tp_kit *kit,
     if (assets->boat)
         p->boat_vertex = tp_arena_take(arena, assets->boat->n_vertices,
                                        sizeof *p->boat_vertex);
-    if (tp_frame_wants(p, tp_has_floor(scene), kit->draw.land)) {
+    if (tp_frame_wants(p, tp_has_floor(scene), kit->draw.land && kit->stage.land)) {
         p->land_vertex = tp_arena_take(arena, cols * rows, sizeof *p->land_vertex);
         p->land_band = tp_arena_take(arena, rows, sizeof *p->land_band);
     }
@@ -64,13 +64,13 @@ static void carve_places(tp_frame_parts *p, tp_arena *arena, const tp_kit *kit,
 static void carve_drops(tp_frame_parts *p, tp_arena *arena, const tp_kit *kit,
                         const tp_scene *scene)
 {
-    if (tp_frame_wants(p, scene->drops.count > 0, kit->draw.drops)) {
+    if (tp_frame_wants(p, scene->drops.count > 0, kit->draw.drops && kit->stage.drop)) {
         p->drop_capacity = (uint32_t)scene->drops.count;
         p->ring_capacity = (uint32_t)scene->drops.rings;
         p->drop_box = tp_arena_take(arena, p->drop_capacity + 1, sizeof *p->drop_box);
         p->ring = tp_arena_take(arena, p->ring_capacity, sizeof *p->ring);
     }
-    if (tp_frame_wants(p, scene->spray.count > 0, kit->draw.spray)) {
+    if (tp_frame_wants(p, scene->spray.count > 0, kit->draw.spray && kit->stage.spray)) {
         p->speck_capacity = (uint32_t)scene->spray.count;
         p->speck = tp_arena_take(arena, p->speck_capacity, sizeof *p->speck);
     }
@@ -94,13 +94,14 @@ static void carve_depth(tp_frame_parts *p, tp_arena *arena, const tp_kit *kit,
                         const tp_scene *scene)
 {
     const tp_draws *draw = &kit->draw;
-    const bool tank = tp_frame_wants(p, tp_has_tank(scene), draw->tank);
+    const bool tank = tp_frame_wants(p, tp_has_tank(scene), tp_kit_has_stone(kit));
+    const bool glass = tank && scene->tank.kind == TP_TANK_GLASS;
 
-    if (tp_frame_wants(p, tank && scene->tank.kind == TP_TANK_GLASS, draw->glass))
+    if (tp_frame_wants(p, glass, draw->glass && kit->stage.side))
         carve_glass(p, arena, scene);
-    if (tp_frame_wants(p, has_blocks(scene), draw->tank))
+    if (tp_frame_wants(p, has_blocks(scene), tp_kit_has_stone(kit)))
         p->block = tp_arena_take(arena, TP_BLOCKS, sizeof *p->block);
-    if (tp_frame_wants(p, has_caustics(scene), draw->caustics)) {
+    if (tp_frame_wants(p, has_caustics(scene), draw->caustics && draw->inside)) {
         size_t cells = (size_t)scene->water.caustic_cells;
         p->caustic_cells = (uint32_t)cells;
         p->caustic_light = tp_arena_take(arena, cells * cells, sizeof *p->caustic_light);
@@ -129,15 +130,16 @@ static void carve_looks(tp_frame_parts *p, tp_arena *arena, const tp_kit *kit,
 {
     const tp_draws *draw = &kit->draw;
     const int kind = scene->mirror.objects;
+    bool clear = scene->water.clear > 0;
     bool moves = assets->boat || p->drop_capacity > 0;
     bool mirrors = scene->water.reflection > 0
-                && (moves || p->block || (draw->tank && tp_has_tank(scene)));
+                && (moves || p->block || (tp_kit_has_stone(kit) && tp_has_tank(scene)));
 
     if (tp_frame_wants(p, mirrors && kind == TP_MIRROR_STENCIL, draw->mirrored))
         draw->mirrored->carve(&p->mirrored, arena, c->width, c->height);
     if (tp_frame_wants(p, mirrors && moves && kind == TP_MIRROR_CUBE, draw->around))
         draw->around->carve(&p->around, arena);
-    if (tp_frame_wants(p, moves && scene->water.clear > 0, draw->sunken))
+    if (tp_frame_wants(p, moves && clear, draw->sunken && draw->inside))
         draw->sunken->carve(&p->sunken, arena, c->width, c->height);
 }
 

@@ -193,7 +193,7 @@ struct tp_frame {
 tp_frame *tp_frame_carve(const tp_kit *kit, tp_frame_parts *parts, tp_frame_ram *ram,
                          tp_arena *arena, const tp_scene *scene, tp_assets *assets,
                          const tp_frame_config *config);
-bool tp_frame_wants(tp_frame_parts *parts, bool asked, const void *part);
+bool tp_frame_wants(tp_frame_parts *parts, bool asked, bool part);
 uint32_t tp_frame_materials(const tp_assets *assets);   /* that are told apart */
 
 /* visibility.c: the plan's rungs, made at init and when the budget changes; by which
@@ -211,9 +211,15 @@ static inline bool tp_frame_has_drops(const tp_frame *frame)
     return frame->parts.drop_capacity > 0 && tp_world_drops(frame->world);
 }
 
+/* Whether a kit can draw stone: a wall is shaded as what is seen through water. */
+static inline bool tp_kit_has_stone(const tp_kit *kit)
+{
+    return kit->draw.tank && kit->draw.inside && kit->stage.wall;
+}
+
 static inline bool tp_frame_has_tank(const tp_frame *frame)
 {
-    return frame->kit->draw.tank && tp_has_tank(frame->scene);
+    return tp_has_tank(frame->scene) && tp_kit_has_stone(frame->kit);
 }
 
 /* tile.c: row y of samples as 0xffRRGGBB, 0 where nothing is, before any exposure; `to`
@@ -237,7 +243,8 @@ void tp_frame_init_sky(tp_frame *frame);
 void tp_frame_plan_sky(tp_frame *frame);
 void tp_frame_add_sky(const tp_frame *frame, tp_plan *plan);
 bool tp_frame_mirrors_apart(const tp_frame *frame);
-bool tp_frame_add_reflection(const tp_frame *frame, tp_plan *plan);     /* false: not */
+/* sx sz, mirror, rx rz; false: the kit has not all that this takes. */
+bool tp_frame_add_reflection(const tp_frame *frame, tp_plan *plan, bool rippled);
 void tp_frame_add_fresnel(const tp_frame *frame, tp_plan *plan);
 void tp_frame_add_air(const tp_frame *frame, tp_plan *plan);
 void tp_frame_add_exposure(const tp_frame *frame, tp_plan *plan);

@@ -68,9 +68,7 @@ static void add_mirror(const tp_frame *frame, tp_plan *water, bool rippled)
         tp_plan_add(water, stages->mirror);
         return;
     }
-    if (!rippled)
-        tp_plan_add(water, stages->slopes);
-    if (!tp_frame_add_reflection(frame, water))
+    if (!tp_frame_add_reflection(frame, water, rippled))
         return;
     add_objects(frame, water);
     tp_frame_add_fresnel(frame, water);
@@ -125,7 +123,8 @@ static void choose_stages(tp_frame *frame)
 {
     const tp_stages *stages = &frame->kit->stage;
     const bool blinn = frame->scene->light.model == TP_LIGHT_BLINN;
-    const bool ground = frame->assets.floor_texture || frame->scene->water.clear > 0;
+    const bool ground = frame->kit->draw.inside
+                     && (frame->assets.floor_texture || frame->scene->water.clear > 0);
 
     frame->sky = (tp_plan){ .lacks = 0 };
     tp_frame_add_sky(frame, &frame->sky);

@@ -173,7 +173,7 @@ void tp_frame_add_sky(const tp_frame *frame, tp_plan *plan)
     else if (env->kind == TP_ENV_CUBE)
         sky = env->beyond ? stages->sky_cube_hdr : stages->sky_cube;
     tp_plan_add(plan, tp_plan_pick(plan, sky, stages->sky));
-    if (env->kind == TP_ENV_DOME && env->stars > 0)
+    if (env->kind == TP_ENV_DOME && env->stars > 0 && sky)
         tp_plan_add(plan, stages->stars);
 }
 
@@ -186,7 +186,7 @@ bool tp_frame_mirrors_apart(const tp_frame *frame)
 }
 
 /* What mirrors nothing of the sky mirrors no objects either. */
-bool tp_frame_add_reflection(const tp_frame *frame, tp_plan *plan)
+bool tp_frame_add_reflection(const tp_frame *frame, tp_plan *plan, bool rippled)
 {
     const tp_stages *stages = &frame->kit->stage;
     const tp_env_kind kind = frame->shade.env.kind;
@@ -195,8 +195,12 @@ bool tp_frame_add_reflection(const tp_frame *frame, tp_plan *plan)
                                                 : stages->reflect_gradient;
     const tp_stage found = tp_plan_pick(plan, wanted, stages->reflect_gradient);
 
-    if (!found || !stages->fresnel)
+    if (!found || !stages->fresnel || (!rippled && !stages->slopes)) {
+        plan->lacks++;
         return false;
+    }
+    if (!rippled)
+        tp_plan_add(plan, stages->slopes);
     tp_plan_add(plan, found);
     return true;
 }

@@ -93,7 +93,7 @@ static bool sees_water(const stand *at, int64_t x, int64_t y)
 
     if (ray.y == 0 || at->eye.y == 0 || (ray.y < 0) != (at->eye.y > 0))
         return false;
-    const int64_t far = ((int64_t)at->eye.y << 16) / -ray.y;    /* Q16, up to 2^47 */
+    const int64_t far = (int64_t)at->eye.y * 65536 / -ray.y;    /* Q16, up to 2^47 */
     if (far > (int64_t)1 << 32)
         return false;
     const int64_t px = at->eye.x + (far * ray.x >> 16);

@@ -103,7 +103,8 @@ size_t tp_parts_ocean_bytes(const tp_scene *scene, const tp_assets *assets,
 
 static bool has_ocean(const tp_kit *kit, const tp_scene *scene)
 {
-    return kit->move.ocean && kit->water.ocean && tp_has_ocean(scene);
+    return kit->move.ocean && kit->water.ocean && kit->water.swells
+        && tp_has_ocean(scene);
 }
 
 /* What has neither to be checked nor can fail. */

@@ -163,17 +163,23 @@ static inline bool frame_guard_holds(const uint8_t *block, size_t bytes)
     return true;
 }
 
-static inline test_frame frame_of(const tp_scene *scene, const tp_assets *assets,
-                                  const tp_frame_config *config)
+static inline test_frame frame_by(const tp_kit *by, const tp_scene *scene,
+                                  const tp_assets *assets, const tp_frame_config *config)
 {
-    test_frame f = { .bytes = tp_frame_bytes(scene, assets, config),
+    test_frame f = { .bytes = tp_frame_bytes_with(by, scene, assets, config),
                      .scratch_bytes = tp_frame_scratch_bytes(config) };
 
     f.block = frame_block(f.bytes);
     f.scratch = frame_block(f.scratch_bytes);
-    if (tp_frame_init(&f.frame, scene, assets, config, f.block, NULL) != TP_OK)
+    if (tp_frame_init_with(by, &f.frame, scene, assets, config, f.block, NULL) != TP_OK)
         abort();
     return f;
+}
+
+static inline test_frame frame_of(const tp_scene *scene, const tp_assets *assets,
+                                  const tp_frame_config *config)
+{
+    return frame_by(&tp_kit_all, scene, assets, config);
 }
 
 static inline void frame_free(test_frame *f)

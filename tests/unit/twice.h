@@ -22,6 +22,7 @@ typedef struct {
 } twice_reached;
 
 typedef struct {
+    const tp_kit *by;           /* NULL: everything */
     test_frame    whole, tiled;
     tp_format     format;
     uint32_t      picture[2][TWICE_WIDTH * TWICE_HEIGHT];
@@ -35,8 +36,9 @@ static inline void twice_begin(test_twice *t, const tp_scene *scene,
     const tp_frame_config whole = { TWICE_WIDTH, TWICE_HEIGHT, 0, 0, t->format };
     const tp_frame_config tiled = { TWICE_WIDTH, TWICE_HEIGHT, 16 * random_below(state, 5),
                                     random_below(state, TWICE_HEIGHT), t->format };
-    t->whole = frame_of(scene, assets, &whole);
-    t->tiled = frame_of(scene, assets, &tiled);
+    const tp_kit *by = t->by ? t->by : &tp_kit_all;
+    t->whole = frame_by(by, scene, assets, &whole);
+    t->tiled = frame_by(by, scene, assets, &tiled);
 }
 
 static inline void twice_end(test_twice *t)

@@ -1,0 +1,204 @@
+/* SPDX-License-Identifier: MIT */
+/* Kits that lack things: what a program leaves out of its kit is left out of the picture,
+ * whatever the scene asks for, and nothing else changes. */
+#include <stdarg.h>
+#include <stddef.h>
+#include <setjmp.h>
+#include <stdint.h>
+#include <cmocka.h>
+#include "twice.h"
+
+static uint64_t chance;
+static test_kit kit;
+static test_twice twice;
+
+static const tp_kit least = {
+    .stage = { TP_STAGE(sky), TP_STAGE(plain) },
+    .store = { [TP_FORMAT_XRGB8888] = tp_store_xrgb8888 },
+    .method = { TP_METHOD(triangles) },
+};
+
+/* A pointer of every `in` is NULL; stores, sky, plain stay. */
+static void thin_out(void *pointers, size_t bytes, uint32_t in)
+{
+    void **p = pointers;
+    for (size_t i = 0; i < bytes / sizeof *p; i++)
+        if (random_below(&chance, in) == 0)
+            p[i] = NULL;
+}
+
+static tp_kit any_kit(void)
+{
+    const uint32_t in = 1 + random_below(&chance, 12);
+    tp_kit any = tp_kit_all;
+
+    if (random_below(&chance, 2))
+        thin_out(&any.stage, sizeof any.stage, in);
+    if (random_below(&chance, 2))
+        thin_out(&any.water, sizeof any.water, in);
+    if (random_below(&chance, 2))
+        thin_out(&any.move, sizeof any.move, in);
+    if (random_below(&chance, 2))
+        thin_out(&any.draw, sizeof any.draw, in);
+    if (random_below(&chance, 8) == 0)
+        thin_out(&any.method, sizeof any.method, in);
+    any.stage.sky = tp_stage_sky;
+    any.stage.plain = tp_stage_plain;
+    return any;
+}
+
+static tp_world *world_by(const tp_kit *by, const tp_scene *scene,
+                          const tp_assets *assets)
+{
+    const size_t bytes = tp_world_bytes_with(by, scene, assets);
+    tp_world *world = bytes ? malloc(bytes) : NULL;
+
+    if (world && tp_world_init_with(by, world, bytes, scene, assets, NULL) != TP_OK)
+        abort();
+    return world;
+}
+
+/* The frame's kit may be another than the world's. */
+static void draw_by(const tp_kit *by, const tp_kit *moved_by)
+{
+    tp_scene scene = kit_scene(&chance, 40, 24);
+    const tp_assets assets = kit_assets(&kit, &scene, &chance);
+    tp_world *world = world_by(moved_by, &scene, &assets);
+    const tp_input input = { .drops = 2, .poke = TP_FX(0.3) };
+
+    if (!world)
+        return;
+    twice.by = by;
+    twice_begin(&twice, &scene, &assets, &chance);
+    twice_draw(&twice, world);
+    for (int n = 0; n < 3; n++)
+        tp_world_step_with(moved_by, world, &scene, &input);
+    world->back = chance_fx(&chance, 0, 1);
+    tp_world_refresh_with(moved_by, world, &scene, &assets);
+    tp_world_above_with(moved_by, world, TP_FX_ONE, TP_FX_ONE);
+    twice_draw(&twice, world);
+    twice_end(&twice);
+    free(world);
+}
+
+static void any_kit_draws_any_scene(void **state)
+{
+    (void)state;
+    for (int n = 0; n < 400; n++) {
+        const tp_kit by = any_kit(), other = any_kit();
+        draw_by(&by, n % 3 ? &by : n % 2 ? &tp_kit_all : &other);
+    }
+    twice_print(&twice.reached);
+    const twice_reached *r = &twice.reached;    /* rare things are other tests' */
+    assert_true(r->under && r->water && r->solids && r->drops && r->tank && r->mirrored
+                && r->sunken && r->cube && r->caustics && r->bumps && r->foam && r->dome
+                && r->cube_sky && r->exposed && r->dispersed && r->between_ticks);
+}
+
+/* -- what is left out -------------------------------------------------------------- */
+
+enum { W = 64, H = 48 };
+
+static uint32_t drawn_by(const tp_kit *by, const tp_scene *scene, const tp_assets *assets,
+                         uint32_t *dropped)
+{
+    const tp_frame_config config = { W, H, 0, 0, TP_FORMAT_XRGB8888 };
+    test_frame f = frame_by(by, scene, assets, &config);
+    tp_world *world = world_by(by, scene, assets);
+    tp_tile tile;
+
+    tp_frame_begin(f.frame, world);
+    tp_frame_tile(f.frame, 0, f.scratch, &tile);
+    uint32_t crc = tp_crc32(0, tile.pixels, W * H * sizeof(uint32_t));
+    *dropped = tp_frame_last_stats(f.frame).dropped;
+    frame_free(&f);
+    free(world);
+    return crc;
+}
+
+static void a_kit_of_what_a_scene_needs_draws_it_as_all_does(void **state)
+{
+    tp_kit own = least;
+    tp_assets assets = { .layer[0] = &kit.picture[0] };
+    uint32_t lacks;
+    tp_scene scene;
+
+    (void)state;
+    tp_scene_default(&scene);
+    scene.water.reflection = scene.water.specular = 0;
+    own.stage.texture = tp_stage_texture;
+    own.stage.texture_tinted = tp_stage_texture_tinted;
+    own.stage.texture_linear = tp_stage_texture_linear;
+    own.stage.texture_linear_tinted = tp_stage_texture_linear_tinted;
+    own.stage.diffuse = tp_stage_diffuse;
+    own.stage.haze = tp_stage_haze;
+    const uint32_t crc = drawn_by(&own, &scene, &assets, &lacks);
+    assert_int_equal(lacks, 0);
+    assert_int_equal(crc, drawn_by(&tp_kit_all, &scene, &assets, &lacks));
+}
+
+/* As if the scene did not ask for them; each is counted. */
+static void what_a_kit_lacks_is_left_out_and_counted(void **state)
+{
+    tp_assets assets = { .boat = &kit.boat.mesh, .layer[0] = &kit.picture[0],
+                         .layer[1] = &kit.picture[1], .ripple = &kit.picture[2] };
+    const tp_assets none = { .layer[0] = &kit.picture[0] };
+    tp_kit own = tp_kit_all;
+    uint32_t lacks;
+    tp_scene scene;
+
+    (void)state;
+    tp_scene_default(&scene);
+    own.draw.boat = NULL;
+    own.move.boat = NULL;
+    own.draw.layers = NULL;
+    own.draw.ripple = NULL;
+    strcpy(scene.boat.mesh, "boat.obj");
+    const uint32_t crc = drawn_by(&own, &scene, &assets, &lacks);
+    assert_int_equal(lacks, 3);
+    scene.boat.mesh[0] = '\0';
+    assert_int_equal(crc, drawn_by(&tp_kit_all, &scene, &none, &lacks));
+    assert_int_equal(lacks, 0);
+}
+
+static void refused(const tp_kit *by, tp_format format, const char *word)
+{
+    static uint64_t block[65536];
+    const tp_frame_config config = { 16, 16, 0, 0, format };
+    const tp_assets none = { NULL };
+    tp_frame *frame = NULL;
+    tp_error err = { 0 };
+    tp_scene scene;
+
+    tp_scene_default(&scene);
+    scene.grid.cols = scene.grid.rows = 2;
+    assert_int_equal(tp_frame_init_with(by, &frame, &scene, &none, &config, block, &err),
+                     TP_E_KIT);
+    assert_string_equal(err.word, word);
+    assert_null(frame);
+}
+
+static void a_kit_without_sky_plain_or_the_format_is_refused(void **state)
+{
+    tp_kit lacking = least;
+
+    (void)state;
+    refused(&least, TP_FORMAT_RGB565, "rgb565");
+    lacking.stage.plain = NULL;
+    refused(&lacking, TP_FORMAT_XRGB8888, "plain");
+    lacking.stage.sky = NULL;
+    refused(&lacking, TP_FORMAT_XRGB8888, "sky");
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(any_kit_draws_any_scene),
+        cmocka_unit_test(a_kit_of_what_a_scene_needs_draws_it_as_all_does),
+        cmocka_unit_test(what_a_kit_lacks_is_left_out_and_counted),
+        cmocka_unit_test(a_kit_without_sky_plain_or_the_format_is_refused),
+    };
+    chance = random_seed();
+    kit_make(&kit, &chance);
+    return cmocka_run_group_tests_name("kits", tests, NULL, NULL);
+}
