@@ -37,9 +37,10 @@ CORE := $(addprefix src/, \
     shade/absorb.c shade/around.c shade/behind.c shade/below.c shade/bend.c \
     shade/cube.c shade/dome.c shade/drop.c shade/expose.c shade/exposure.c \
     shade/foam.c shade/haze.c shade/inside.c shade/layer.c shade/light.c \
-    shade/mirror.c shade/mirrored.c shade/optics.c shade/pool_bump.c shade/ripple.c \
-    shade/side.c shade/sky.c shade/solid.c shade/stars.c shade/tables.c \
-    shade/texture.c shade/view.c \
+    shade/mirror.c shade/mirrored.c shade/optics.c shade/pool_bump.c \
+    shade/quick_layers.c shade/quick_pictures.c shade/ripple.c shade/side.c \
+    shade/sky.c shade/solid.c shade/stars.c shade/tables.c shade/texture.c \
+    shade/view.c \
     scene/boat.c scene/clock.c scene/drawn.c scene/drop.c scene/drops.c scene/faint.c \
     scene/float.c scene/foam.c scene/foam_made.c scene/governor.c scene/light.c \
     scene/meter.c scene/moves.c scene/outlook.c scene/paddle.c scene/params.c \
@@ -48,8 +49,9 @@ CORE := $(addprefix src/, \
     frame/around.c frame/boat.c frame/bump.c frame/carve.c frame/caustics.c \
     frame/clipped.c frame/drops.c frame/frame.c frame/glass.c frame/half.c \
     frame/kit.c frame/land.c frame/plan.c frame/plan_depth.c frame/plan_foam.c \
-    frame/plan_layers.c frame/plan_sky.c frame/planned.c frame/sight.c frame/spray.c \
-    frame/tank.c frame/tile.c frame/visibility.c frame/water.c)
+    frame/plan_layers.c frame/plan_quick_layers.c frame/plan_sky.c frame/planned.c \
+    frame/sight.c frame/spray.c frame/tank.c frame/tile.c frame/visibility.c \
+    frame/water.c)
 
 # -- the program, for machines with files and threads ----------------------------------
 
@@ -88,10 +90,10 @@ LINK_ELF = $(LINK) -nostdlib -T $(filter %.ld,$^) -Wl,--gc-sections $(filter %.o
 SAY     = $(if $(V),,@echo '  $@';)
 
 # On x86-64 the loops over pixels once more, for processors of level v3: a kit of its own,
-# tp_kit_v3, of whose code nobody else sees a name.
+# tp_kit_v3, of whose code nobody else sees a name.  Tuned so that compilers use gathers.
 ifeq ($(firstword $(subst -, ,$(shell $(CC) -dumpmachine 2>/dev/null))),x86_64)
 V3_C   := $(filter src/pixel/% src/geom/% src/raster/% src/shade/% src/frame/%,$(CORE))
-V3_OPT := -O3 -march=x86-64-v3
+V3_OPT := -O3 -march=x86-64-v3 -mtune=skylake
 HOSTED += -DTP_HAVE_KIT_V3
 endif
 

@@ -36,6 +36,13 @@ typedef void (*tp_stage)(const struct tp_shade *shade, struct tp_run *run);
     X(ripple)               /* sx sz: by a normal map, */ \
     X(ripple_gentle)        /* of flat surfaces, */ \
     X(ripple_over)          /* over pools' sx sz */ \
+    /* the quick rung's, in this order: colour and slope x:z by prepared pictures */ \
+    X(quick_far)            /* how far away; always the first */ \
+    X(quick_still) X(quick_bend)        /* places of layers; */ \
+    X(quick_still_thin) X(quick_bend_thin)      /* of every second column alone */ \
+    X(quick_layers)         /* colour: all layers */ \
+    X(quick_layers_thin)    /* of those columns, and the ones between */ \
+    X(quick_ripple) X(quick_slopes)     /* slope: with ripples, and without */ \
     X(view)                 /* vx vy vz, lv: world axes */ \
     X(diffuse) X(diffuse_rippled)   /* colour; needs no view */ \
     X(light) X(light_rippled) X(light_blinn) X(light_blinn_rippled) /* nv up glint */ \
@@ -147,6 +154,7 @@ typedef struct {
     X(sunken)       /* objects under clear water */ \
     X(layers)       /* all but the first one, and their distortion */ \
     X(ripple) \
+    X(quick_layers) /* pictures of the quick rung; stages quick_far .. quick_slopes */ \
     X(bumps)        /* of pools that bend the light only; pool_bump */ \
     X(dome) X(cube) X(stars)        /* skies */ \
     X(fresnel)      /* tables of what mirrors or is clear; mirror, fresnel ... */ \

@@ -213,6 +213,10 @@ void tp_scene_default(tp_scene *scene);
 typedef struct {
     const tp_mesh    *boat;
     const tp_texture *layer[TP_LAYERS], *distortion, *ripple, *foam;
+    /* The first three as the quick rung wants them (see shade/quick_layers.h), for this
+     * scene's numbers: they stay as they are when those change.  NULL: the frame makes
+     * them of the others, in its block. */
+    const tp_texture *graded[TP_LAYERS], *offsets, *slopes;
     const tp_texture *sky[TP_FACES], *tank_wall, *tank_floor, *floor_texture;
     const tp_grey    *floor;            /* scene.floor.map */
     const tp_grey    *pool_mask, *field_mask;   /* scene.pool.mask, scene.field.mask */

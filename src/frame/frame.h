@@ -119,6 +119,20 @@ typedef struct {
     tp_turn phases[TP_WAVES];
 } tp_thin_sea;
 
+/* What a picture of the quick rung was made for: saturation, strength or bump. */
+typedef struct {
+    tp_fx    amount, clamp;
+    uint32_t colour;
+} tp_quick_wish;
+
+#define TP_QUICK_PICTURES (TP_LAYERS + 2)
+
+typedef struct {
+    void         *memory[TP_QUICK_PICTURES];    /* NULL: not made here */
+    tp_texture    picture[TP_QUICK_PICTURES];   /* no levels: not made yet */
+    tp_quick_wish made[TP_QUICK_PICTURES];
+} tp_frame_quick;
+
 /* What lies behind the frame in its block, as the scene needed it at init: NULL, or 0,
  * where it did not.  What a scene takes up later finds no memory and is left out. */
 typedef struct {
@@ -144,6 +158,7 @@ typedef struct {
     uint32_t         bump_cells[TP_POOL_BUMPS]; /* that they have room for */
     uint32_t         lacks;             /* parts that the scene has and the kit has not */
     tp_half_store    mirrored, sunken;
+    tp_frame_quick  *quick;             /* NULL: nothing is prepared here */
     tp_around_store  around;
 } tp_frame_parts;
 
@@ -248,6 +263,9 @@ bool tp_frame_add_reflection(const tp_frame *frame, tp_plan *plan, bool rippled)
 void tp_frame_add_fresnel(const tp_frame *frame, tp_plan *plan);
 void tp_frame_add_air(const tp_frame *frame, tp_plan *plan);
 void tp_frame_add_exposure(const tp_frame *frame, tp_plan *plan);
+
+/* plan_quick_layers.c: stages of the layers and ripples of the quick rung */
+void tp_plan_add_quick_layers(const tp_frame *frame, tp_plan *water);
 
 /* plan_layers.c: the water's pictures, ripples and bumps.  Of the stages that it adds:
  * whether they bend the normals. */

@@ -106,6 +106,13 @@ struct tp_draw_layers {         /* but the first one */
     void (*plan)(tp_frame *frame);
 };
 
+/* Prepared pictures, of the quick rung.  `plan` comes after that of the layers; false: at
+ * init there was no memory for them. */
+struct tp_draw_quick_layers {
+    tp_frame_quick *(*carve)(tp_arena *arena, const tp_assets *assets);
+    bool (*plan)(tp_frame *frame);
+};
+
 struct tp_draw_ripple {
     void (*plan)(tp_frame *frame);
 };

@@ -158,6 +158,9 @@ void tp_frame_plan(tp_frame *frame)
     shade->light_colour = (uint32_t)scene->light.colour;
     light_from(frame);
     tp_frame_plan_layers(frame);
+    if (frame->rungs.shading == TP_SHADING_QUICK
+        && !(draw->quick_layers && draw->quick_layers->plan(frame)))
+        frame->rungs.shading = TP_SHADING_EXACT;
     tp_frame_plan_sky(frame);
     if (draw->glint && scene->water.specular > 0)
         draw->glint->plan(frame);

@@ -1,11 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* The water's pictures beyond the plain case of texture.c: those that are added to the
- * first, and any that are brought to another saturation or clamped.
- *
- * A channel c of a texel becomes v = y + (c - y) saturation, y its grey (.30 .59 .11),
- * held within 0..1, then (v - clamp) / (1 - clamp), held at 0, times the colour.  Holding
- * twice is holding v - clamp within 0..1 - clamp, so the division is a part of the
- * colour's gain; all of it is done in Q8 and rounded once. */
+ * first, and any that are brought to another saturation or clamped (see grade.h). */
+#include "shade/grade.h"
 #include "shade/sampler.h"
 
 /* The span is no less than 12 levels. */
@@ -18,26 +14,6 @@ tp_grade tp_grade_of(tp_fx saturation, tp_fx clamp, uint32_t colour)
     for (int c = 0; c < 3; c++)
         grade.gain[c] = ((colour >> (16 - 8 * c) & 0xff) << 24) / (uint32_t)grade.span;
     return grade;
-}
-
-/* v <= span, span gain <= 255 << 24 rounded down: a half more still fits. */
-TP_ALWAYS_INLINE uint32_t graded_channel(const tp_grade *grade, int32_t grey, uint32_t c,
-                                         int channel)
-{
-    int32_t v = grey + (int32_t)c * grade->saturation;
-
-    v = tp_clamp(v, 0, grade->span);
-    return ((uint32_t)v * grade->gain[channel] + (1u << 23)) >> 24;
-}
-
-TP_ALWAYS_INLINE uint32_t graded(const tp_grade *grade, uint32_t texel)
-{
-    uint32_t r = texel >> 16 & 0xff, g = texel >> 8 & 0xff, b = texel & 0xff;
-    int32_t  grey = (int32_t)(77 * r + 150 * g + 29 * b);
-
-    grey = (grey * (256 - grade->saturation) >> 8) - grade->clamp;
-    return graded_channel(grade, grey, r, 0) << 16
-         | graded_channel(grade, grey, g, 1) << 8 | graded_channel(grade, grey, b, 2);
 }
 
 enum { TINTED, GRADED };
@@ -57,7 +33,7 @@ TP_ALWAYS_INLINE void lay(const tp_shade *shade, tp_run *run, const tp_layer *la
             uint32_t s = place_s[i] * layer->per_metre + layer->drift_s;
             uint32_t t = place_t[i] * layer->per_metre + layer->drift_t;
             uint32_t texel = filter ? tp_linear(&l, s, t) : tp_nearest(&l, s, t);
-            texel = how == GRADED ? graded(&g, texel) : tp_colour_times(texel, tint);
+            texel = how == GRADED ? tp_graded(&g, texel) : tp_colour_times(texel, tint);
             run->colour[i] = add ? tp_colour_add(run->colour[i], texel) : texel;
         }
     }

@@ -27,6 +27,7 @@
 #include "shade/layer.h"
 #include "shade/mirrored.h"
 #include "shade/pool_bump.h"
+#include "shade/quick_layers.h"
 #include "shade/skies.h"
 #include "tidepool/asset.h"
 #include "tidepool/fx.h"
@@ -38,6 +39,11 @@ typedef struct tp_run {
     int32_t  x, y;              /* of the first sample, in the picture */
     int32_t  count;
     uint32_t material;          /* of a mesh */
+    struct {                    /* of quick stages: neighbours of one distance */
+        int16_t far;            /* level of the ground at lod 0, Q8 */
+        uint8_t end, places;    /* column, and as many places as there are before it */
+    } span[TP_RUN / 16];
+    uint32_t spans;
     const uint32_t *key, *s, *t, *n;    /* the samples */
     const uint32_t *ls, *lt;    /* where layers are sampled: s and t, unless bent */
     uint32_t colour[TP_RUN];
@@ -56,6 +62,7 @@ typedef struct tp_run {
             uint32_t mirror[TP_RUN];            /* what comes from there, 0xAARRGGBB */
         };
         struct { uint32_t bent_s[TP_RUN], bent_t[TP_RUN]; };
+        uint32_t place[2 * TP_RUN];         /* the same, of quick stages */
     };
 } tp_run;
 
@@ -95,6 +102,7 @@ typedef struct tp_shade {
 
     tp_layer water, ripple;     /* the first layer; capillary waves */
     tp_layers layers;
+    tp_quick_layers quick_layers;
     tp_pool_bumps bumps;
     uint32_t water_colour;      /* multiplies the first layer */
     uint32_t light_colour;

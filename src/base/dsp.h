@@ -1,0 +1,201 @@
+/* SPDX-License-Identifier: MIT */
+/* Lanes of a word by one instruction each on processors with Arm's DSP extension, and
+ * the same in plain C elsewhere: packed bodies are tested on every machine. */
+#ifndef TP_BASE_DSP_H
+#define TP_BASE_DSP_H
+#include "base/base.h"
+
+#if defined(__ARM_FEATURE_DSP) && __ARM_FEATURE_DSP
+#define TP_DSP 1
+#include <arm_acle.h>
+#else
+#define TP_DSP 0
+#endif
+
+/* Four sums of bytes, each held at 255. */
+TP_ALWAYS_INLINE uint32_t tp_uqadd8(uint32_t a, uint32_t b)
+{
+#if TP_DSP
+    return __uqadd8(a, b);
+#else
+    uint32_t sum = 0;
+    for (int i = 0; i < 32; i += 8) {
+        uint32_t s = (a >> i & 0xff) + (b >> i & 0xff);
+        sum |= (s < 255 ? s : 255) << i;
+    }
+    return sum;
+#endif
+}
+
+/* Four means of bytes, cut. */
+TP_ALWAYS_INLINE uint32_t tp_uhadd8(uint32_t a, uint32_t b)
+{
+#if TP_DSP
+    return __uhadd8(a, b);
+#else
+    return (a & b) + ((a ^ b) >> 1 & 0x7f7f7f7f);
+#endif
+}
+
+/* Two signed sums of 16 bits, each held within them. */
+TP_ALWAYS_INLINE uint32_t tp_qadd16(uint32_t a, uint32_t b)
+{
+#if TP_DSP
+    return (uint32_t)__qadd16((int16x2_t)a, (int16x2_t)b);
+#else
+    int32_t high = ((int32_t)a >> 16) + ((int32_t)b >> 16);
+    int32_t low = (int16_t)a + (int16_t)b;
+    high = high < INT16_MIN ? INT16_MIN : high > INT16_MAX ? INT16_MAX : high;
+    low = low < INT16_MIN ? INT16_MIN : low > INT16_MAX ? INT16_MAX : low;
+    return (uint32_t)high << 16 | (uint16_t)low;
+#endif
+}
+
+/* sum + the upper, or lower, signed half of a times the lower half of b. */
+TP_ALWAYS_INLINE uint32_t tp_smlatb(uint32_t a, uint32_t b, uint32_t sum)
+{
+#if TP_DSP
+    return (uint32_t)__smlatb((int32_t)a, (int32_t)b, (int32_t)sum);
+#else
+    return sum + (uint32_t)(((int32_t)a >> 16) * (int16_t)b);
+#endif
+}
+
+TP_ALWAYS_INLINE uint32_t tp_smlabb(uint32_t a, uint32_t b, uint32_t sum)
+{
+#if TP_DSP
+    return (uint32_t)__smlabb((int32_t)a, (int32_t)b, (int32_t)sum);
+#else
+    return sum + (uint32_t)((int16_t)a * (int16_t)b);
+#endif
+}
+
+static inline int32_t tp_low16(uint32_t a)
+{
+    return (int16_t)(a & 0xffff);
+}
+
+static inline int32_t tp_high16(uint32_t a)
+{
+    return (int32_t)a >> 16;
+}
+
+static inline uint32_t tp_pair16(int32_t high, int32_t low)
+{
+    return (uint32_t)high << 16 | ((uint32_t)low & 0xffff);
+}
+
+/* The sum of the products of the upper and the lower halves, and c; it wraps. */
+TP_ALWAYS_INLINE int32_t tp_smlad(uint32_t a, uint32_t b, int32_t c)
+{
+#if TP_DSP
+    return __smlad((int16x2_t)a, (int16x2_t)b, c);
+#else
+    return (int32_t)((uint32_t)(tp_high16(a) * tp_high16(b))
+                     + (uint32_t)(tp_low16(a) * tp_low16(b)) + (uint32_t)c);
+#endif
+}
+
+TP_ALWAYS_INLINE int32_t tp_smuad(uint32_t a, uint32_t b)
+{
+#if TP_DSP
+    return __smuad((int16x2_t)a, (int16x2_t)b);
+#else
+    return tp_smlad(a, b, 0);
+#endif
+}
+
+/* a times the lower, or upper, half of b over 65536; in 32 bits, as 65535 * 32768 < 2^31:
+ * it vectorises. */
+TP_ALWAYS_INLINE int32_t tp_smulwb(int32_t a, uint32_t b)
+{
+#if TP_DSP
+    int32_t product;
+    __asm__("smulwb %0, %1, %2" : "=r"(product) : "r"(a), "r"(b));
+    return product;
+#else
+    int32_t low = tp_low16(b);
+    return (a >> 16) * low + ((a & 0xffff) * low >> 16);
+#endif
+}
+
+TP_ALWAYS_INLINE int32_t tp_smulwt(int32_t a, uint32_t b)
+{
+#if TP_DSP
+    int32_t product;
+    __asm__("smulwt %0, %1, %2" : "=r"(product) : "r"(a), "r"(b));
+    return product;
+#else
+    int32_t high = tp_high16(b);
+    return (a >> 16) * high + ((a & 0xffff) * high >> 16);
+#endif
+}
+
+/* The sums of the halves; they wrap. */
+TP_ALWAYS_INLINE uint32_t tp_sadd16(uint32_t a, uint32_t b)
+{
+#if TP_DSP
+    return (uint32_t)__sadd16((int16x2_t)a, (int16x2_t)b);
+#else
+    return ((a & 0x7fff7fffu) + (b & 0x7fff7fffu)) ^ ((a ^ b) & 0x80008000u);
+#endif
+}
+
+/* Halves of the differences of the halves, cut. */
+TP_ALWAYS_INLINE uint32_t tp_shsub16(uint32_t a, uint32_t b)
+{
+#if TP_DSP
+    return (uint32_t)__shsub16((int16x2_t)a, (int16x2_t)b);
+#else
+    return tp_pair16((tp_high16(a) - tp_high16(b)) >> 1,
+                     (tp_low16(a) - tp_low16(b)) >> 1);
+#endif
+}
+
+/* Bytes 0 and 2 as halves; bytes 1 and 3; a with those added to its halves. */
+TP_ALWAYS_INLINE uint32_t tp_even_bytes(uint32_t a)
+{
+#if TP_DSP
+    return (uint32_t)__uxtb16((uint8x4_t)a);
+#else
+    return a & 0x00ff00ffu;
+#endif
+}
+
+TP_ALWAYS_INLINE uint32_t tp_odd_bytes(uint32_t a)
+{
+#if TP_DSP
+    uint32_t bytes;
+    __asm__("uxtb16 %0, %1, ror #8" : "=r"(bytes) : "r"(a));
+    return bytes;
+#else
+    return a >> 8 & 0x00ff00ffu;
+#endif
+}
+
+/* No half may overflow. */
+TP_ALWAYS_INLINE uint32_t tp_add_odd_bytes(uint32_t a, uint32_t b)
+{
+#if TP_DSP
+    uint32_t sum;
+    __asm__("uxtab16 %0, %1, %2, ror #8" : "=r"(sum) : "r"(a), "r"(b));
+    return sum;
+#else
+    return a + tp_odd_bytes(b);
+#endif
+}
+
+/* x / 2^shift, held in 0..2^bits - 1; shift and bits are literals. */
+TP_ALWAYS_INLINE int32_t tp_usat(int32_t x, int shift, int bits)
+{
+#if TP_DSP
+    int32_t held;
+    __asm__("usat %0, %2, %1, asr %3" : "=r"(held) : "r"(x), "i"(bits), "i"(shift));
+    return held;
+#else
+    int32_t y = x >> shift, end = (int32_t)((1u << bits) - 1);
+    y = y > 0 ? y : 0;
+    return y < end ? y : end;
+#endif
+}
+#endif
