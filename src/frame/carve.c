@@ -133,7 +133,8 @@ static void carve_looks(tp_frame_parts *p, tp_arena *arena, const tp_kit *kit,
     bool clear = scene->water.clear > 0;
     bool moves = assets->boat || p->drop_capacity > 0;
     bool mirrors = scene->water.reflection > 0
-                && (moves || p->block || (tp_kit_has_stone(kit) && tp_has_tank(scene)));
+                && (moves || (tp_kit_has_stone(kit)
+                              && (has_blocks(scene) || tp_has_tank(scene))));
 
     if (tp_frame_wants(p, mirrors && kind == TP_MIRROR_STENCIL, draw->mirrored))
         draw->mirrored->carve(&p->mirrored, arena, c->width, c->height);
