@@ -165,7 +165,7 @@ static void refused(const tp_kit *by, tp_format format, const char *word)
 {
     static uint64_t block[65536];
     const tp_frame_config config = { 16, 16, 0, 0, format };
-    const tp_assets none = { NULL };
+    const tp_assets none = { .boat = NULL };
     tp_frame *frame = NULL;
     tp_error err = { 0 };
     tp_scene scene;
