@@ -36,7 +36,7 @@ tp_fx tp_faint_near(tp_fx height, const tp_rotation *turn, tp_fx fov)
         return height;
     if (down <= 0)
         return TP_FX_MAX;
-    return tp_fx_held(((int64_t)height << 30) / down);
+    return tp_fx_held(((int64_t)height * (1 << 30)) / down);
 }
 
 /* 0 at `limit`, 1 at twice as much. */
@@ -48,7 +48,7 @@ static tp_fx ramp(int64_t x, tp_fx limit)
 
 static int64_t px_of(const tp_faint_limits *limits, tp_fx amplitude)
 {
-    return ((int64_t)amplitude * limits->focal << 16) / limits->near;
+    return ((int64_t)amplitude * limits->focal * 65536) / limits->near;
 }
 
 tp_fx tp_faint_weight(const tp_faint_limits *limits, tp_fx amplitude, tp_fx slope)

@@ -73,7 +73,7 @@ static stand stand_of(const tp_scene *s, uint32_t width, uint32_t height)
 
     at.turn = tp_rotation_of(aboard + tp_turn_of_degrees(s->camera.heading),
                              tp_turn_of_degrees(s->camera.pitch), 0);
-    at.high = ((int64_t)half.z << 16) / half.x;
+    at.high = ((int64_t)half.z * 65536) / half.x;
     at.wide = at.high * width / height;
     place_water(&at, s);
     return at;
