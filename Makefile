@@ -31,8 +31,8 @@ CORE := $(addprefix src/, \
     wave/ring.c wave/scaled.c wave/sharp.c wave/shoal.c wave/swell.c wave/wind.c \
     pool/feed.c pool/flux.c pool/gears.c pool/hat.c pool/init.c pool/look.c \
     pool/sample.c pool/slopes.c pool/tune.c pool/walls.c \
-    geom/clip.c geom/grid.c geom/lens.c geom/sheet.c geom/surface.c geom/vertex.c \
-    geom/vertex_more.c geom/vertex_row.c geom/waters.c \
+    geom/clip.c geom/grid.c geom/lens.c geom/level.c geom/lines.c geom/sheet.c \
+    geom/surface.c geom/vertex.c geom/vertex_more.c geom/vertex_row.c geom/waters.c \
     raster/rows.c raster/span.c \
     shade/absorb.c shade/around.c shade/behind.c shade/below.c shade/bend.c \
     shade/cube.c shade/dome.c shade/drop.c shade/expose.c shade/exposure.c \
@@ -47,11 +47,11 @@ CORE := $(addprefix src/, \
     scene/parts.c scene/piece.c scene/prices.c scene/rungs.c scene/spray.c scene/tape.c \
     scene/value.c scene/wake.c scene/world.c \
     frame/around.c frame/boat.c frame/bump.c frame/carve.c frame/caustics.c \
-    frame/clipped.c frame/drops.c frame/frame.c frame/glass.c frame/half.c \
-    frame/kit.c frame/land.c frame/plan.c frame/plan_depth.c frame/plan_foam.c \
-    frame/plan_layers.c frame/plan_quick_layers.c frame/plan_sky.c frame/planned.c \
-    frame/sight.c frame/spray.c frame/tank.c frame/tile.c frame/visibility.c \
-    frame/water.c)
+    frame/clipped.c frame/drops.c frame/flat.c frame/frame.c frame/glass.c \
+    frame/half.c frame/kit.c frame/land.c frame/lattice.c frame/plan.c \
+    frame/plan_depth.c frame/plan_foam.c frame/plan_layers.c \
+    frame/plan_quick_layers.c frame/plan_sky.c frame/planned.c frame/sight.c \
+    frame/spray.c frame/tank.c frame/tile.c frame/visibility.c frame/water.c)
 
 # -- the program, for machines with files and threads ----------------------------------
 

@@ -163,7 +163,8 @@ typedef struct {
 
 /* Methods of finding the water in the picture, tp_visibility. */
 #define TP_METHOD_LIST(X) \
-    X(triangles)
+    X(triangles)    /* which the others go by where they do not hold */ \
+    X(flat)         /* level water, with the slopes of its waves */
 
 struct tp_method;
 #define X(name) extern const struct tp_method tp_method_##name;

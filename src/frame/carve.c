@@ -46,12 +46,16 @@ static void leave_out(tp_frame_parts *p, const tp_kit *kit, tp_assets *assets)
 
 /* The water's surface, and what is drawn before it as triangles. */
 static void carve_places(tp_frame_parts *p, tp_arena *arena, const tp_kit *kit,
-                         const tp_scene *scene, const tp_assets *assets)
+                         const tp_scene *scene, const tp_assets *assets,
+                         const tp_frame_config *config)
 {
     const size_t cols = (size_t)scene->grid.cols, rows = (size_t)scene->grid.rows;
 
-    if (kit->method.triangles)
-        kit->method.triangles->carve(p, arena, kit, scene);
+    for (int v = TP_VISIBILITY_TRIANGLES; v <= TP_VISIBILITY_FLAT; v++) {
+        const struct tp_method *method = tp_frame_method(kit, (tp_visibility)v);
+        if (p->reach.visibility >> v & 1 && method)
+            method->carve(p, arena, kit, scene, config);
+    }
     if (assets->boat)
         p->boat_vertex = tp_arena_take(arena, assets->boat->n_vertices,
                                        sizeof *p->boat_vertex);
@@ -155,7 +159,7 @@ tp_frame *tp_frame_carve(const tp_kit *kit, tp_frame_parts *parts, tp_frame_ram 
         .reach = tp_frame_reach(kit, scene, assets, config),
     };
     leave_out(parts, kit, assets);
-    carve_places(parts, arena, kit, scene, assets);
+    carve_places(parts, arena, kit, scene, assets, config);
     if (kit->draw.rungs)
         kit->draw.rungs->carve(parts, arena, scene, assets, config);
     carve_drops(parts, arena, kit, scene);

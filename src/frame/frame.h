@@ -3,6 +3,7 @@
 #ifndef TP_FRAME_INSIDE_H
 #define TP_FRAME_INSIDE_H
 #include "frame/sight.h"
+#include "geom/level.h"
 #include "scene/drawn.h"
 #include "scene/sides.h"
 #include "tidepool/plan.h"
@@ -138,6 +139,9 @@ typedef struct {
 typedef struct {
     tp_grid          grid;
     tp_reach         reach;             /* rungs that there is memory for */
+    tp_level        *level;             /* of water that is level at first */
+    uint32_t        *slopes;            /* of flat: points of the lattice, row by row */
+    uint32_t         slope_cols;
     tp_thin_sea     *thin;
     tp_boat_vertex  *boat_vertex;       /* of the sight that was placed last */
     tp_land_vertex  *land_vertex;       /* rows x cols of the grid */
@@ -213,12 +217,22 @@ uint32_t tp_frame_materials(const tp_assets *assets);   /* that are told apart *
 
 /* visibility.c: the plan's rungs, made at init and when the budget changes; by which
  * method this frame's water is drawn, and drawing it by that */
+const struct tp_method *tp_frame_method(const tp_kit *kit, tp_visibility visibility);
 void tp_frame_choose_rungs(tp_frame *frame);
 tp_reach tp_frame_reach(const tp_kit *kit, const tp_scene *scene, const tp_assets *assets,
                         const tp_frame_config *config);
 void tp_frame_choose_visibility(tp_frame *frame);
 void tp_frame_place_surface(tp_frame *frame);
 void tp_frame_draw_surface(const tp_frame *frame, tp_samples *tile);
+
+/* lattice.c: water that is level at first.  Whether it is swells and no more, all below
+ * the eye, and has memory; its outline; slopes of flat, and their memory. */
+#define TP_LATTICE_CELL 8       /* pixels */
+bool tp_frame_is_swell(const tp_frame *frame);
+void tp_frame_place_level(tp_frame *frame);
+void tp_frame_carve_slopes(tp_frame_parts *parts, tp_arena *arena, const tp_scene *scene,
+                           const tp_frame_config *config);
+void tp_frame_place_slopes(tp_frame *frame);
 
 /* Room for them, and a world's: one made anew may have none. */
 static inline bool tp_frame_has_drops(const tp_frame *frame)

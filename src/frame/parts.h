@@ -9,7 +9,8 @@
 /* A way to find the water: visibility.c. */
 struct tp_method {
     void (*carve)(tp_frame_parts *parts, tp_arena *arena, const tp_kit *kit,
-                  const tp_scene *scene);
+                  const tp_scene *scene, const tp_frame_config *config);
+    bool (*holds)(tp_frame *frame);     /* for this frame; NULL: always */
     void (*place)(tp_frame *frame);
     void (*draw)(const tp_frame *frame, tp_samples *tile);
 };

@@ -52,6 +52,14 @@ static tp_rungs within(tp_reach reach, tp_rungs r)
     };
 }
 
+/* NULL: the kit has none. */
+const struct tp_method *tp_frame_method(const tp_kit *kit, tp_visibility visibility)
+{
+    const tp_methods *method = &kit->method;
+    return visibility == TP_VISIBILITY_TRIANGLES ? method->triangles
+         : visibility == TP_VISIBILITY_FLAT ? method->flat : NULL;
+}
+
 /* None is planned at first. */
 void tp_frame_choose_rungs(tp_frame *frame)
 {
@@ -68,20 +76,43 @@ void tp_frame_choose_rungs(tp_frame *frame)
                                                              : frame->planned);
 }
 
+/* A grid of more than 16 km across is drawn with smaller cells: places stay in range. */
+static tp_fx cell_of(const tp_scene *scene)
+{
+    int32_t lines = scene->grid.cols > scene->grid.rows ? scene->grid.cols
+                                                        : scene->grid.rows;
+    tp_fx most = 16000 * TP_FX_ONE / (lines - 1);
+    return scene->grid.cell < most ? scene->grid.cell : most;
+}
+
+/* How the water's grid lies, whether it is drawn by it or not. */
+static void view_water(tp_frame *frame)
+{
+    frame->grid_view = (tp_grid_view){
+        .lens = &frame->lens,
+        .surface = &frame->surface,
+        .width = frame->config.width,
+        .height = frame->config.height,
+        .cell = cell_of(frame->scene),
+        .reach = frame->scene->grid.reach,
+        .follow = frame->scene->grid.follow != 0,
+    };
+}
+
 void tp_frame_choose_visibility(tp_frame *frame)
 {
-    frame->visibility = TP_VISIBILITY_TRIANGLES;
+    const struct tp_method *method = tp_frame_method(frame->kit, frame->rungs.visibility);
+
+    view_water(frame);
+    frame->visibility = frame->rungs.visibility;
+    if (!method || (method->holds && !method->holds(frame)))
+        frame->visibility = TP_VISIBILITY_TRIANGLES;
 }
 
-/* NULL: the kit has none, and no water is drawn. */
-static const struct tp_method *method_of(const tp_frame *frame)
-{
-    return frame->kit->method.triangles;
-}
-
+/* Without a method that holds no water is drawn. */
 void tp_frame_place_surface(tp_frame *frame)
 {
-    const struct tp_method *method = method_of(frame);
+    const struct tp_method *method = tp_frame_method(frame->kit, frame->visibility);
 
     if (method)
         method->place(frame);
@@ -89,7 +120,7 @@ void tp_frame_place_surface(tp_frame *frame)
 
 void tp_frame_draw_surface(const tp_frame *frame, tp_samples *tile)
 {
-    const struct tp_method *method = method_of(frame);
+    const struct tp_method *method = tp_frame_method(frame->kit, frame->visibility);
 
     if (method)
         method->draw(frame, tile);

@@ -3,15 +3,6 @@
 #include "frame/frame.h"
 #include "geom/waters.h"
 
-/* A grid of more than 16 km across is drawn with smaller cells: places stay in range. */
-static tp_fx cell_of(const tp_scene *scene)
-{
-    int32_t lines = scene->grid.cols > scene->grid.rows ? scene->grid.cols
-                                                        : scene->grid.rows;
-    tp_fx most = 16000 * TP_FX_ONE / (lines - 1);
-    return scene->grid.cell < most ? scene->grid.cell : most;
-}
-
 static tp_corner corner_of(const tp_grid *grid, uint32_t i, uint32_t j)
 {
     const tp_grid_vertex *vertex = &grid->vertex[(size_t)j * grid->cols + i];
@@ -142,15 +133,6 @@ static void place_cut_boxes(tp_frame *frame)
 
 static void place_water(tp_frame *frame)
 {
-    frame->grid_view = (tp_grid_view){
-        .lens = &frame->lens,
-        .surface = &frame->surface,
-        .width = frame->config.width,
-        .height = frame->config.height,
-        .cell = cell_of(frame->scene),
-        .reach = frame->scene->grid.reach,
-        .follow = frame->scene->grid.follow != 0,
-    };
     tp_grid_place(&frame->parts.grid, &frame->grid_view);
     frame->cull_water = frame->lens.eye.y > tp_surface_height(&frame->surface);
     frame->stats.vertices += frame->parts.grid.vertices;
@@ -182,14 +164,17 @@ static void draw_water(const tp_frame *frame, tp_samples *tile)
 }
 
 static void carve_water(tp_frame_parts *parts, tp_arena *arena, const tp_kit *kit,
-                        const tp_scene *scene)
+                        const tp_scene *scene, const tp_frame_config *config)
 {
     const struct tp_water_ocean *ocean = kit->water.ocean;
 
+    (void)config;
     tp_grid_carve(&parts->grid, arena, (uint32_t)scene->grid.cols,
                   (uint32_t)scene->grid.rows);
     if (tp_frame_wants(parts, tp_has_ocean(scene), ocean))
         ocean->carve(&parts->grid, arena);
 }
 
-const struct tp_method tp_method_triangles = { carve_water, place_water, draw_water };
+const struct tp_method tp_method_triangles = {
+    .carve = carve_water, .place = place_water, .draw = draw_water,
+};

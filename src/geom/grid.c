@@ -33,77 +33,6 @@ void tp_grid_carve_ocean(tp_grid *grid, tp_arena *arena)
                               sizeof *grid->dry);
 }
 
-/* -- lines --------------------------------------------------------------------------- */
-
-/* cell (g + g^2 + ... + g^n), saturated. */
-static int64_t series(tp_fx cell, int64_t ratio, uint32_t n)
-{
-    int64_t step = cell, sum = 0;
-
-    for (uint32_t i = 0; i < n && sum < (int64_t)1 << 40; i++) {
-        step = step * ratio >> 16;
-        sum += step;
-    }
-    return sum;
-}
-
-/* The ratio, 16.16, that takes n growing steps over `way`; at least 1. */
-static int64_t ratio_over(tp_fx cell, int64_t way, uint32_t n)
-{
-    int64_t low = TP_FX_ONE, high = 256 * TP_FX_ONE;
-
-    while (high - low > 1) {
-        int64_t middle = (low + high) / 2;
-        if (series(cell, middle, n) <= way)
-            low = middle;
-        else
-            high = middle;
-    }
-    return low;
-}
-
-/* `count` lines around `centre`: even ones in the middle, growing ones outside.  The
- * waves are gone at the middle's last line, so that the flanks are flat. */
-static void lay_lines(tp_grid_line *line, uint32_t count, tp_fx centre,
-                      const tp_grid_view *view)
-{
-    uint32_t flank = view->reach > 0 ? count / 8 : 0;
-    if (flank > TP_GRID_FLANK)
-        flank = TP_GRID_FLANK;
-    uint32_t core = count - 2 * flank, last = flank + core - 1;
-    tp_fx half = (tp_fx)((int64_t)view->cell * (core - 1) / 2);
-    int64_t most = 16000 * TP_FX_ONE - half;
-    int64_t way = view->reach < most ? view->reach : most;
-    int64_t ratio = flank ? ratio_over(view->cell, way, flank) : 0;
-    int64_t step = view->cell;
-    uint32_t fading = flank ? core / 8 + 1 : 0;
-
-    for (uint32_t k = flank; k <= last; k++) {
-        uint32_t from_edge = k - flank < last - k ? k - flank : last - k;
-        line[k].place = centre - half + (tp_fx)(k - flank) * view->cell;
-        line[k].fade = fading == 0 ? TP_FX_ONE
-                     : tp_smoothstep((tp_fx)((from_edge << 16) / fading));
-    }
-    for (uint32_t k = 1; k <= flank; k++) {
-        step = step * ratio >> 16;
-        line[last + k].place = line[last + k - 1].place + (tp_fx)step;
-        line[flank - k].place = line[flank - k + 1].place - (tp_fx)step;
-        line[last + k].fade = line[flank - k].fade = 0;
-    }
-}
-
-/* The grid lies ahead of the eye, which stands a tenth of the middle from its rear
- * edge; rounded to whole cells. */
-static tp_fx centre_of(tp_fx eye, tp_q30 ahead, uint32_t count, const tp_grid_view *view)
-{
-    if (!view->follow)
-        return 0;
-    int64_t core = (int64_t)view->cell * (count - 2 * (count / 8)) * 2 / 5;
-    int64_t centre = eye + (core * ahead >> 30);
-    int64_t cells = centre / view->cell;
-    return (tp_fx)(cells * view->cell);
-}
-
 /* -- what may be seen ---------------------------------------------------------------- */
 
 /* n.x of a plane over the box of a row of cells, at its most: at place x it is
@@ -308,10 +237,8 @@ void tp_grid_place(tp_grid *grid, const tp_grid_view *view)
     uint32_t side[TP_LENS_PLANES] = { 0 };
     tp_vertex_frame *frame = &grid->frame;
 
-    lay_lines(grid->column, grid->cols,
-              centre_of(view->lens->eye.x, view->lens->ahead.x, grid->cols, view), view);
-    lay_lines(grid->row, grid->rows,
-              centre_of(view->lens->eye.z, view->lens->ahead.z, grid->rows, view), view);
+    tp_lines_lay(grid->column, grid->cols, view, false);
+    tp_lines_lay(grid->row, grid->rows, view, true);
     tp_lens_planes(view->lens, view->width, view->height, planes);
     frame->lens = view->lens;
     frame->surface = view->surface;

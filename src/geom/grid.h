@@ -70,6 +70,22 @@ static inline bool tp_grid_cell_is_dry(const tp_grid *grid, uint32_t i, uint32_t
         && tp_grid_is_dry(grid, i, j + 1) && tp_grid_is_dry(grid, i + 1, j + 1);
 }
 
+/* lines.c: the columns, or along z the rows; lines beyond the middle at each side. */
+void tp_lines_lay(tp_grid_line *line, uint32_t count, const tp_grid_view *view,
+                  bool along_z);
+uint32_t tp_lines_flank(uint32_t count, const tp_grid_view *view);
+
+/* Of the lines one way: the outer two, and those between which there are waves, which
+ * fade over `fading` metres; 0: they do not. */
+typedef struct {
+    tp_fx first, last, calm[2], fading;
+} tp_grid_extent;
+
+tp_grid_extent tp_lines_extent(uint32_t count, const tp_grid_view *view, bool along_z);
+
+/* Of waves at any place, as tp_grid_line's. */
+tp_fx tp_lines_fade(const tp_grid_extent *extent, tp_fx place);
+
 /* Lays the lines, evaluates the crossings that may be seen. */
 void tp_grid_place(tp_grid *grid, const tp_grid_view *view);
 

@@ -12,6 +12,7 @@ const struct tp_water_swells tp_water_swells = {
     .init = tp_sea_init, .above = tp_sea_above,
     .begin = tp_vertex_set_swells, .columns = tp_vertex_set_columns,
     .row = tp_vertex_set_row, .sway = tp_run_sway, .slope = tp_run_slope,
+    .point = tp_level_point,
 };
 
 const struct tp_water_sharp tp_water_sharp = { tp_run_sharpen };

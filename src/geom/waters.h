@@ -3,6 +3,7 @@
  * waters, and has no more than they know. */
 #ifndef TP_GEOM_WATERS_H
 #define TP_GEOM_WATERS_H
+#include "geom/level.h"
 #include "geom/run.h"
 #include "geom/sheet.h"
 
@@ -34,6 +35,9 @@ struct tp_water_swells {
     void (*sway)(const tp_vertex_place_of *place, int axis, const int32_t *from,
                  int32_t rest, int32_t *to);
     void (*slope)(const tp_vertex_place_of *place, tp_grid_vertex *to);
+    /* Of a lattice over the picture. */
+    tp_sea_point (*point)(const tp_level *level, const tp_surface *surface,
+                          const tp_fx place[2], tp_fx step[2][2]);
 };
 
 struct tp_water_sharp {         /* swells with sharpened crests; needs swells */

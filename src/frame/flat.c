@@ -1,0 +1,308 @@
+/* SPDX-License-Identifier: MIT */
+/* Water as a level, pixel by pixel: no mesh, no outline of waves.  Along a row places are
+ * linear; in a picture that rolls they are exact at every 16th column and linear between,
+ * or, where depth changes much within 16, exact in each pixel.  Slopes are linear between
+ * the points of lattice.c; a sea without waves has none.
+ *
+ * It holds for any camera above the highest crest, at any pitch and roll, and water of
+ * any outline; not for water of which more than waves is to be seen: rings and pools as
+ * heights, a floor or wind's own tables, a tank. */
+#include "frame/parts.h"
+
+enum { CELL = TP_LATTICE_CELL, BLOCK = 16 };
+
+/* Whether this frame's waves have slopes to be drawn by. */
+static bool has_waves(const tp_frame *frame)
+{
+    return frame->surface.sea->count > 0 && frame->kit->water.swells;
+}
+
+/* -- rows ------------------------------------------------------------------------------ */
+
+/* A place along a row, 16.16 and 16 bits more; it may wrap. */
+typedef struct {
+    uint64_t now, step;
+} walker;
+
+/* Pixels of a row. */
+typedef struct {
+    uint32_t *key, *s, *t, *n;
+    int32_t   x, y, count;
+    uint32_t  zi, zi_step;
+    walker    place[2];
+} piece;
+
+/* Quantities that 32 bits hold over a few pixels; slopes are packed, and the lower may
+ * carry into the upper. */
+typedef struct {
+    uint32_t s, s_step, t, t_step, n, n_step;
+} few;
+
+TP_ALWAYS_INLINE uint32_t key_of(uint32_t zi)
+{
+    return (zi << 1 & ~(uint32_t)0xff) | TP_MARK_WATER;
+}
+
+/* Of a block that begins `off` pixels before, in the row's pixel `from`. */
+TP_ALWAYS_INLINE few few_at(const piece *p, int32_t from, int32_t off)
+{
+    uint64_t s = p->place[0].now + p->place[0].step * (uint64_t)(int64_t)(from - off);
+    uint64_t t = p->place[1].now + p->place[1].step * (uint64_t)(int64_t)(from - off);
+    few f = { .s_step = (uint32_t)((p->place[0].step + 32768) >> 16),
+              .t_step = (uint32_t)((p->place[1].step + 32768) >> 16) };
+
+    f.s = (uint32_t)(s >> 16) + f.s_step * (uint32_t)off;
+    f.t = (uint32_t)(t >> 16) + f.t_step * (uint32_t)off;
+    return f;
+}
+
+/* Pixels from `from` on; the flags are literal. */
+TP_ALWAYS_INLINE void fill(const piece *p, int32_t from, int32_t count, few f, int waves,
+                           int rolled, int tested)
+{
+    uint32_t *key = p->key + from, *s = p->s + from, *t = p->t + from, *n = p->n + from;
+    uint32_t  zi = p->zi + p->zi_step * (uint32_t)from, now = key_of(zi);
+
+    for (const uint32_t *end = key + count; key < end; key++, s++, t++, n++) {
+        if (rolled) {
+            now = key_of(zi);
+            zi += p->zi_step;
+        }
+        if (!tested || now > (*key | 0xff)) {
+            *key = now;
+            *s = f.s;
+            *t = f.t;
+            *n = waves ? f.n : 0;
+        }
+        f.s += f.s_step;
+        f.t += f.t_step;
+        if (waves)
+            f.n += f.n_step;
+    }
+}
+
+/* A cell's side at row y, Q.15. */
+typedef struct {
+    int32_t x, z;
+} side;
+
+static inline side side_at(const uint32_t *point, uint32_t cols, int32_t down)
+{
+    uint32_t a = point[0], b = point[cols];
+    int32_t  up = CELL - down;
+
+    return (side){ (int16_t)(a >> 16) * up + (int16_t)(b >> 16) * down,
+                   (int16_t)(a & 0xffff) * up + (int16_t)(b & 0xffff) * down };
+}
+
+static uint32_t packed(int32_t x, int32_t z)
+{
+    return (uint32_t)x * 65536u + (uint32_t)z;
+}
+
+TP_ALWAYS_INLINE void fill_cells(const tp_frame *frame, const piece *p, int rolled,
+                                 int tested)
+{
+    const uint32_t cols = frame->parts.slope_cols;
+    const uint32_t *point = frame->parts.slopes + (uint32_t)(p->y / CELL) * cols
+                          + (uint32_t)(p->x / CELL);
+    const int32_t down = p->y % CELL;
+    side a = side_at(point, cols, down);
+
+    for (int32_t from = 0, count; from < p->count; from += count) {
+        int32_t off = (p->x + from) % CELL;
+        side b = side_at(++point, cols, down);
+        few  f = few_at(p, from, off);
+        f.n_step = packed((b.x - a.x + 32) >> 6, (b.z - a.z + 32) >> 6);
+        f.n = packed((a.x + 4) >> 3, (a.z + 4) >> 3) + f.n_step * (uint32_t)off;
+        count = CELL - off < p->count - from ? CELL - off : p->count - from;
+        fill(p, from, count, f, 1, rolled, tested);
+        a = b;
+    }
+}
+
+TP_ALWAYS_INLINE void fill_still(const piece *p, int rolled, int tested)
+{
+    for (int32_t from = 0, count; from < p->count; from += count) {
+        int32_t off = (p->x + from) % BLOCK;
+        count = BLOCK - off < p->count - from ? BLOCK - off : p->count - from;
+        fill(p, from, count, few_at(p, from, off), 0, rolled, tested);
+    }
+}
+
+static void fill_piece(const tp_frame *frame, const piece *p, bool tested)
+{
+    bool waves = has_waves(frame);
+
+    if (frame->parts.level->rolled && waves)
+        fill_cells(frame, p, 1, 1);
+    else if (frame->parts.level->rolled)
+        fill_still(p, 1, 1);
+    else if (waves && tested)
+        fill_cells(frame, p, 0, 1);
+    else if (waves)
+        fill_cells(frame, p, 0, 0);
+    else if (tested)
+        fill_still(p, 0, 1);
+    else
+        fill_still(p, 0, 0);
+}
+
+/* -- a level row ----------------------------------------------------------------------- */
+
+/* Along x in one step, from absolute x = 0: 31 bits by the 30 of a pixel's direction. */
+static walker walker_of(tp_level_reach reach, tp_fx eye, const tp_level_sum *sum, int32_t x,
+                        int32_t y)
+{
+    int      shift = reach.shift > 16 ? reach.shift - 16 : 0;
+    int64_t  first = (int64_t)reach.factor * (int32_t)(tp_level_at(sum, 0, y) >> 14);
+    uint64_t step = (uint64_t)((int64_t)reach.factor * sum->x >> (shift + 14));
+    uint64_t from = (uint64_t)(first >> shift) + ((uint64_t)(int64_t)eye << 16);
+
+    return (walker){ from + step * (uint32_t)x, step };
+}
+
+static void draw_level(const tp_frame *frame, piece *p, bool tested)
+{
+    const tp_level *level = frame->parts.level;
+    tp_level_reach reach = tp_level_reach_of(level, tp_level_at(&level->down, 0, p->y));
+
+    p->zi = (uint32_t)(tp_level_at(&level->zi, 0, p->y) >> TP_LEVEL_ZI);
+    p->place[0] = walker_of(reach, level->x, &level->east, p->x, p->y);
+    p->place[1] = walker_of(reach, level->z, &level->south, p->x, p->y);
+    fill_piece(frame, p, tested);
+}
+
+/* -- a row that rolls ------------------------------------------------------------------ */
+
+/* What is seen where a block begins or ends. */
+typedef struct {
+    int64_t  down;
+    uint32_t place[2];
+} knot;
+
+static knot knot_at(const tp_level *level, int32_t x, int32_t y)
+{
+    knot k = { tp_level_at(&level->down, x, y), { 0, 0 } };
+
+    if (k.down <= 0)
+        return k;
+    tp_level_reach reach = tp_level_reach_of(level, k.down);
+    k.place[0] = (uint32_t)level->x
+               + (uint32_t)tp_level_along(reach, tp_level_at(&level->east, x, y));
+    k.place[1] = (uint32_t)level->z
+               + (uint32_t)tp_level_along(reach, tp_level_at(&level->south, x, y));
+    return k;
+}
+
+/* From one knot to the next depth changes by less than a 32nd, so that a place half way
+ * is off by less than a 4000th of the distance. */
+static bool is_even(const knot *a, const knot *b)
+{
+    int64_t change = a->down - b->down;
+
+    change = change < 0 ? -change : change;
+    return a->down > 0 && b->down > 0 && change <= a->down >> 5;
+}
+
+static void draw_even(const tp_frame *frame, piece *p, const knot *a, const knot *b)
+{
+    uint32_t off = (uint32_t)p->x % BLOCK;
+
+    for (int axis = 0; axis < 2; axis++) {
+        int64_t  way = (int32_t)(b->place[axis] - a->place[axis]);
+        uint64_t step = (uint64_t)(way * (65536 / BLOCK));
+        p->place[axis] = (walker){ ((uint64_t)a->place[axis] << 16) + step * off, step };
+    }
+    fill_piece(frame, p, true);
+}
+
+static void draw_singly(const tp_frame *frame, const piece *block)
+{
+    for (int32_t i = 0; i < block->count; i++) {
+        knot  k = knot_at(frame->parts.level, block->x + i, block->y);
+        piece p = { block->key + i, block->s + i, block->t + i, block->n + i,
+                    block->x + i, block->y, 1, block->zi + block->zi_step * (uint32_t)i,
+                    0, { { (uint64_t)k.place[0] << 16, 0 },
+                         { (uint64_t)k.place[1] << 16, 0 } } };
+        fill_piece(frame, &p, true);
+    }
+}
+
+static void draw_rolled(const tp_frame *frame, const piece *row)
+{
+    const tp_level *level = frame->parts.level;
+    knot a = knot_at(level, row->x & ~(BLOCK - 1), row->y);
+
+    for (int32_t i = 0, count; i < row->count; i += count) {
+        int32_t x = row->x + i, off = x % BLOCK;
+        knot    b = knot_at(level, x - off + BLOCK, row->y);
+        count = BLOCK - off < row->count - i ? BLOCK - off : row->count - i;
+        piece p = { .key = row->key + i, .s = row->s + i, .t = row->t + i, .n = row->n + i,
+                    .x = x, .y = row->y, .count = count };
+        p.zi_step = (uint32_t)(level->zi.x >> TP_LEVEL_ZI);
+        p.zi = (uint32_t)(tp_level_at(&level->zi, x - off, row->y) >> TP_LEVEL_ZI)
+             + p.zi_step * (uint32_t)off;
+        if (is_even(&a, &b))
+            draw_even(frame, &p, &a, &b);
+        else
+            draw_singly(frame, &p);
+        a = b;
+    }
+}
+
+/* -- a tile ---------------------------------------------------------------------------- */
+
+static bool holds_any(const uint32_t *key, int32_t count)
+{
+    uint32_t any = 0;
+
+    for (int32_t i = 0; i < count; i++)
+        any |= key[i];
+    return any != 0;
+}
+
+static void draw_flat(const tp_frame *frame, tp_samples *tile)
+{
+    const tp_level *level = frame->parts.level;
+    unsigned mask = tp_level_mask(level, tile->x0, tile->y0, tile->x1, tile->y1);
+
+    for (int32_t y = tile->y0; y < tile->y1; y++) {
+        int32_t x0 = tile->x0, x1 = tile->x1;
+        tp_level_span(level, mask, y, &x0, &x1);
+        if (x0 >= x1)
+            continue;
+        size_t at = (size_t)(uint32_t)(y - tile->y0) * tile->stride
+                  + (uint32_t)(x0 - tile->x0);
+        piece  p = { tile->key + at, tile->s + at, tile->t + at, tile->n + at, x0, y,
+                     x1 - x0, 0, 0, { { 0, 0 }, { 0, 0 } } };
+        if (level->rolled)
+            draw_rolled(frame, &p);
+        else
+            draw_level(frame, &p, holds_any(p.key, p.count));
+    }
+}
+
+/* -- the method ------------------------------------------------------------------------ */
+
+static void carve_flat(tp_frame_parts *parts, tp_arena *arena, const tp_kit *kit,
+                       const tp_scene *scene, const tp_frame_config *config)
+{
+    parts->level = tp_arena_take(arena, 1, sizeof *parts->level);
+    if (kit->water.swells)
+        tp_frame_carve_slopes(parts, arena, scene, config);
+}
+
+static bool hold_flat(tp_frame *frame)
+{
+    return tp_frame_is_swell(frame) && (!has_waves(frame) || frame->parts.slopes);
+}
+
+static void place_flat(tp_frame *frame)
+{
+    tp_frame_place_level(frame);
+    if (has_waves(frame))
+        tp_frame_place_slopes(frame);
+}
+
+const struct tp_method tp_method_flat = { carve_flat, hold_flat, place_flat, draw_flat };

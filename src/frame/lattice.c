@@ -1,0 +1,132 @@
+/* SPDX-License-Identifier: MIT */
+/* Level water's slopes, at every 8th column and row of the picture: each is evaluated once
+ * a frame, whatever its tiles.  And what all need that take water as level first: that it
+ * is swells and no more, all of them below the eye. */
+#include "frame/frame.h"
+#include "geom/waters.h"
+#include "scene/sides.h"
+
+enum { CELL = TP_LATTICE_CELL };
+
+static uint32_t points_over(uint32_t pixels)
+{
+    return (pixels + CELL - 1) / CELL + 1;
+}
+
+static bool has_waves(const tp_scene *scene)
+{
+    for (int i = 0; i < TP_WAVES; i++) {
+        if (scene->wave[i].amplitude > 0)
+            return true;
+    }
+    return false;
+}
+
+void tp_frame_carve_slopes(tp_frame_parts *parts, tp_arena *arena, const tp_scene *scene,
+                           const tp_frame_config *config)
+{
+    if (!has_waves(scene))
+        return;
+    parts->slope_cols = points_over(config->width);
+    parts->slopes = tp_arena_take(arena, (size_t)parts->slope_cols
+                                             * points_over(config->height),
+                                  sizeof *parts->slopes);
+}
+
+bool tp_frame_is_swell(const tp_frame *frame)
+{
+    const tp_surface *surface = &frame->surface;
+
+    return frame->parts.level && !surface->ocean && !tp_surface_has_relief(surface)
+        && !tp_has_tank(frame->scene)
+        && frame->lens.eye.y >= tp_surface_height(surface) + TP_LEVEL_HEIGHT;
+}
+
+void tp_frame_place_level(tp_frame *frame)
+{
+    const tp_scene *scene = frame->scene;
+    tp_grid_extent across = tp_lines_extent((uint32_t)scene->grid.cols, &frame->grid_view,
+                                            false);
+    tp_grid_extent along = tp_lines_extent((uint32_t)scene->grid.rows, &frame->grid_view,
+                                           true);
+
+    tp_level_begin(frame->parts.level, &frame->lens, &across, &along);
+}
+
+/* -- slopes ---------------------------------------------------------------------------- */
+
+/* A row of points: what is the same for all of them if the picture does not roll. */
+typedef struct {
+    int64_t down, step;         /* of the first, and a point on */
+    tp_level_reach reach, beyond;
+} row_of_points;
+
+static tp_level_reach reach_of(const tp_level *level, int64_t down)
+{
+    return tp_level_reach_of(level, down > 0 ? down : 1);
+}
+
+static row_of_points row_at(const tp_level *level, int32_t y)
+{
+    int64_t down = tp_level_at(&level->down, 0, y);
+    return (row_of_points){ down, level->down.x * CELL, reach_of(level, down),
+                            reach_of(level, down - level->down.y * CELL) };
+}
+
+/* The place of a point, and the ways to its neighbours on the right and farther away. */
+static void rest_at(const tp_level *level, const row_of_points *row, int32_t x, int32_t y,
+                    tp_fx at[2], tp_fx step[2][2])
+{
+    const tp_level_sum *sums[2] = { &level->east, &level->south };
+    const tp_fx eye[2] = { level->x, level->z };
+    tp_level_reach reach = row->reach, beyond = row->beyond;
+
+    if (level->rolled) {
+        int64_t down = tp_level_at(&level->down, x, y);
+        reach = reach_of(level, down);
+        beyond = reach_of(level, down - level->down.y * CELL);
+    }
+    for (int axis = 0; axis < 2; axis++) {
+        int64_t way = tp_level_at(sums[axis], x, y);
+        int64_t here = tp_level_along(reach, way);
+        int64_t far = tp_level_along(beyond, way - sums[axis]->y * CELL);
+        at[axis] = tp_fx_held(eye[axis] + here);
+        step[0][axis] = tp_fx_held(tp_level_along(reach, sums[axis]->x * CELL));
+        step[1][axis] = tp_fx_held(far - here);
+    }
+}
+
+static uint32_t slopes_at(const tp_frame *frame, const row_of_points *row, int32_t x,
+                          int32_t y)
+{
+    const tp_level *level = frame->parts.level;
+    tp_fx at[2], step[2][2];
+
+    rest_at(level, row, x, y, at, step);
+    tp_sea_point point = frame->surface.by->swells->point(level, &frame->surface, at, step);
+    return tp_level_slopes(&point);
+}
+
+/* Above the horizon slopes are 0, and none are evaluated. */
+static void place_row(tp_frame *frame, int32_t y, uint32_t cols, uint32_t *slopes)
+{
+    const row_of_points row = row_at(frame->parts.level, y);
+    int64_t down = row.down;
+
+    for (uint32_t i = 0; i < cols; i++, down += row.step) {
+        slopes[i] = 0;
+        if (down <= 0)
+            continue;
+        slopes[i] = slopes_at(frame, &row, (int32_t)i * CELL, y);
+        frame->stats.vertices++;
+    }
+}
+
+void tp_frame_place_slopes(tp_frame *frame)
+{
+    const uint32_t cols = frame->parts.slope_cols;
+    const uint32_t rows = points_over(frame->config.height);
+
+    for (uint32_t j = 0; j < rows; j++)
+        place_row(frame, (int32_t)j * CELL, cols, frame->parts.slopes + j * cols);
+}

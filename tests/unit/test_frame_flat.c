@@ -1,0 +1,277 @@
+/* SPDX-License-Identifier: MIT */
+/* Level water pixel by pixel is the level mesh's picture, for any camera above it. */
+#include <stdarg.h>
+#include <stddef.h>
+#include <setjmp.h>
+#include <stdint.h>
+#include <cmocka.h>
+#include "levels.h"
+
+static uint64_t chance;
+static test_boat boat;
+
+static tp_scene calm_scene(void)
+{
+    tp_scene s = scene_plain();
+
+    for (int i = 0; i < TP_WAVES; i++)
+        s.wave[i].amplitude = 0;
+    s.camera.near = TP_FX(0.05);
+    return s;
+}
+
+/* Anywhere above the water; every third time aboard a boat, which rolls. */
+static tp_scene any_view(bool calm)
+{
+    tp_scene s = calm ? calm_scene() : scene_plain();
+
+    s.camera.x = chance_fx(&chance, -300, 300);
+    s.camera.z = chance_fx(&chance, -300, 300);
+    s.camera.y = chance_scale(&chance, 0.5, 200);
+    s.camera.heading = chance_fx(&chance, 0, 360);
+    s.camera.pitch = chance_fx(&chance, -89, 20);
+    s.camera.fov = chance_fx(&chance, 20, 100);
+    s.grid.follow = (int32_t)random_below(&chance, 2);
+    s.grid.reach = (int32_t)random_below(&chance, 2) * 8000 * TP_FX_ONE;
+    if (!s.grid.follow) {
+        s.camera.x /= 8;
+        s.camera.z /= 8;
+    }
+    return s;
+}
+
+static double metres(uint32_t place)
+{
+    return (int32_t)place / 65536.0;
+}
+
+/* Along an axis of the world, pixels. */
+static double ray_in_doubles(const tp_lens *lens, int i, int32_t right, int32_t up,
+                             int32_t ahead)
+{
+    const double u = i % LEVEL_WIDTH + 0.5 - lens->u0 / 16.0,
+                 v = lens->v0 / 16.0 - i / LEVEL_WIDTH - 0.5;
+    return (lens->focal / 65536.0 * ahead + u * right + v * up) / TP_Q30_ONE;
+}
+
+/* near / depth of level water, in parts of 2^24. */
+static double zi_in_doubles(const tp_lens *lens, int i)
+{
+    const double down = -ray_in_doubles(lens, i, lens->turn.x.y, lens->turn.y.y,
+                                        lens->ahead.y);
+    return 16777216.0 * lens->zi_near / lens->eye.y * down / (lens->focal / 65536.0);
+}
+
+/* Where the ray of pixel i meets the level. */
+static void place_in_doubles(const tp_lens *lens, int i, double place[2])
+{
+    const double down = -ray_in_doubles(lens, i, lens->turn.x.y, lens->turn.y.y,
+                                        lens->ahead.y);
+    const double reach = lens->eye.y / 65536.0 / down;
+
+    place[0] = lens->eye.x / 65536.0
+             + reach * ray_in_doubles(lens, i, lens->turn.x.x, lens->turn.y.x,
+                                      lens->ahead.x);
+    place[1] = lens->eye.z / 65536.0
+             + reach * ray_in_doubles(lens, i, lens->turn.x.z, lens->turn.y.z,
+                                      lens->ahead.z);
+}
+
+/* How far the sample's place lies from there as the eye sees it, pixels. */
+static double off_in_pixels(const tp_lens *lens, const level_shot *shot, int i)
+{
+    double at[2];
+
+    place_in_doubles(lens, i, at);
+    const double x = at[0] - lens->eye.x / 65536.0, z = at[1] - lens->eye.z / 65536.0;
+    const double h = lens->eye.y / 65536.0, way2 = x * x + z * z + h * h;
+    const double ds = metres(shot->s[i]) - at[0], dt = metres(shot->t[i]) - at[1];
+    const double along = (ds * x + dt * z) / sqrt(way2);
+    return sqrt(fmax(0, ds * ds + dt * dt - along * along) / way2) * lens->focal / 65536.0;
+}
+
+static void level_water_is_the_level_mesh(void **state)
+{
+    (void)state;
+    const tp_assets none = { 0 };
+    double most = 0, sum = 0, deep = 0;
+    int    apart = 0, seen = 0;
+
+    for (int n = 0; n < 200; n++) {
+        static level_shot mesh, flat;
+        tp_scene scene = any_view(true);
+        level_draw(&mesh, &scene, &none, TP_VISIBILITY_TRIANGLES, 0);
+        level_draw(&flat, &scene, &none, TP_VISIBILITY_FLAT, 0);
+        assert_int_equal(flat.frame.frame->visibility, TP_VISIBILITY_FLAT);
+        assert_int_equal(flat.frame.frame->stats.vertices, 0);
+        const int differ = level_apart(&mesh, &flat);
+        apart += differ;
+        /* The mesh's corners lie on sixteenths of a pixel: a row of its edge's may be. */
+        assert_in_range(differ, 0, LEVEL_WIDTH);
+        for (int i = 0; i < LEVEL_PIXELS; i++) {
+            if (!level_is_water(&mesh, i) || !level_is_water(&flat, i))
+                continue;
+            const double off = off_in_pixels(&flat.frame.frame->lens, &flat, i);
+            const double depth = zi_in_doubles(&flat.frame.frame->lens, i);
+            most = fmax(most, off);
+            sum += off;
+            deep = fmax(deep, fabs(depth - (flat.key[i] >> 8) - 0.5));
+            seen++;
+        }
+        frame_free(&mesh.frame);
+        frame_free(&flat.frame);
+    }
+    print_message("%d of %d pixels apart; places %.3f px at the most, %.4f in the mean; "
+                  "depths %.2f of 2^24 at the most\n", apart, seen, most, sum / seen, deep);
+    assert_true(apart < seen / 2000);
+    assert_true(most < 0.1);
+    assert_true(sum / seen < 0.005);
+    assert_true(deep < 2);
+}
+
+/* With waves, from a camera that rolls: the lattice of slopes and the single pixels. */
+static void every_tiling_of_flat_water_is_the_same(void **state)
+{
+    (void)state;
+    static const uint32_t sizes[][2] = { { 0, 1 }, { 0, 7 }, { 16, 0 }, { 48, 13 },
+                                         { 64, 16 } };
+    const tp_assets assets = { .boat = &boat.mesh, .layer[0] = &boat.texture[0] };
+    int rolled = 0;
+
+    for (int n = 0; n < 40; n++) {
+        static level_shot whole;
+        tp_scene scene = any_view(false);
+        if (n % 3 == 0) {
+            scene.camera.follow = TP_FOLLOW_BOAT;
+            scene.camera.x = scene.camera.z = 0;
+            scene.camera.y = 4 * TP_FX_ONE;
+            scene.boat.mode = TP_BOAT_KINEMATIC;
+        }
+        level_draw(&whole, &scene, &assets, TP_VISIBILITY_FLAT, 17);
+        rolled += whole.frame.frame->visibility == TP_VISIBILITY_FLAT
+               && whole.frame.frame->parts.level->rolled;
+        for (size_t i = 0; i < sizeof sizes / sizeof *sizes; i++) {
+            const tp_frame_config config = { LEVEL_WIDTH, LEVEL_HEIGHT, sizes[i][0],
+                                             sizes[i][1], TP_FORMAT_XRGB8888 };
+            test_frame f = frame_of(&scene, &assets, &config);
+            tp_frame_begin(f.frame, &whole.world);
+            level_compare_tiles(&f, whole.pixels);
+            frame_free(&f);
+        }
+        frame_free(&whole.frame);
+    }
+    print_message("%d pictures of 40 roll\n", rolled);
+    assert_true(rolled > 3);
+}
+
+/* The slopes of waves that the lattice carries, against those of the mesh: swells so low
+ * that both see the same place, and long beside 8 pixels where they are looked at. */
+static void long_waves_have_the_slopes_of_the_mesh(void **state)
+{
+    (void)state;
+    const tp_assets none = { 0 };
+    double most = 0, sum = 0;
+    int    seen = 0;
+
+    for (int n = 0; n < 60; n++) {
+        static level_shot mesh, flat;
+        tp_scene scene = any_view(true);
+        for (int i = 0; i < 2; i++)
+            scene.wave[i] = (tp_wave){ .amplitude = TP_FX(0.02), .steepness = 0,
+                                       .length = chance_fx(&chance, 10, 16),
+                                       .heading = chance_fx(&chance, 0, 360) };
+        scene.camera.y = chance_fx(&chance, 3, 8);
+        scene.camera.pitch = chance_fx(&chance, -85, -60);
+        scene.camera.fov = chance_fx(&chance, 30, 60);
+        scene.grid.reach = 0;
+        scene.grid.follow = 1;
+        scene.grid.cell = TP_FX(0.5);
+        scene.grid.cols = scene.grid.rows = 90;
+        level_draw(&mesh, &scene, &none, TP_VISIBILITY_TRIANGLES, 90);
+        level_draw(&flat, &scene, &none, TP_VISIBILITY_FLAT, 90);
+        assert_int_equal(flat.frame.frame->visibility, TP_VISIBILITY_FLAT);
+        for (int i = 0; i < LEVEL_PIXELS; i++) {
+            if (!level_is_water(&mesh, i) || !level_is_water(&flat, i))
+                continue;
+            const double off = hypot((int16_t)(mesh.n[i] >> 16) - (int16_t)(flat.n[i] >> 16),
+                                     (int16_t)mesh.n[i] - (int16_t)flat.n[i]);
+            most = fmax(most, off);
+            sum += off * off;
+            seen++;
+        }
+        frame_free(&mesh.frame);
+        frame_free(&flat.frame);
+    }
+    print_message("slopes of %d pixels: %.1f of 4096 at the most, rms %.2f\n", seen, most,
+                  sqrt(sum / seen));
+    assert_true(seen > 100000);
+    assert_true(most < 30);
+    assert_true(sqrt(sum / seen) < 3);
+}
+
+/* What it cannot show goes by triangles. */
+static void water_that_is_not_level_goes_by_triangles(void **state)
+{
+    (void)state;
+    const tp_assets none = { 0 };
+    static level_shot shot;
+
+    for (int n = 0; n < 6; n++) {
+        tp_scene scene = scene_plain();
+        const tp_visibility want = n == 0 ? TP_VISIBILITY_FLAT : TP_VISIBILITY_TRIANGLES;
+        if (n == 1)
+            scene.camera.y = TP_FX(1.1);            /* crests are 1.2 m high */
+        if (n == 2)
+            scene.camera.y = -2 * TP_FX_ONE;
+        if (n == 3)
+            scene.pool.cols = scene.pool.rows = 16;
+        if (n == 4)
+            scene.wind.strength = 8 * TP_FX_ONE;
+        if (n == 5)
+            scene.floor.depth = 4 * TP_FX_ONE;
+        const tp_frame_config config = { LEVEL_WIDTH, LEVEL_HEIGHT, 0, 0,
+                                         TP_FORMAT_XRGB8888 };
+        scene.quality.visibility = TP_VISIBILITY_FLAT;
+        shot.frame = frame_of(&scene, &none, &config);
+        tp_world *world = scene_world(&scene, &none);
+        tp_frame_begin(shot.frame.frame, world);
+        assert_int_equal(shot.frame.frame->visibility, want);
+        free(world);
+        frame_free(&shot.frame);
+    }
+}
+
+/* A camera that comes down to calm water is shown the same on both sides of the border. */
+static void nothing_jumps_at_the_border(void **state)
+{
+    (void)state;
+    const tp_assets none = { 0 };
+    int ways[2] = { 0, 0 };
+
+    for (int n = 0; n < 12; n++) {
+        static level_shot mesh, flat;
+        tp_scene scene = calm_scene();
+        scene.camera.y = TP_LEVEL_HEIGHT + (n - 6) * 256;
+        level_draw(&mesh, &scene, &none, TP_VISIBILITY_TRIANGLES, 0);
+        level_draw(&flat, &scene, &none, TP_VISIBILITY_FLAT, 0);
+        ways[flat.frame.frame->visibility == TP_VISIBILITY_FLAT]++;
+        assert_true(level_colour_apart(&mesh, &flat) < 0.5);
+        frame_free(&mesh.frame);
+        frame_free(&flat.frame);
+    }
+    assert_true(ways[0] > 0 && ways[1] > 0);
+}
+
+int main(void)
+{
+    chance = random_seed();
+    boat_make(&boat, &chance);
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(level_water_is_the_level_mesh),
+        cmocka_unit_test(every_tiling_of_flat_water_is_the_same),
+        cmocka_unit_test(long_waves_have_the_slopes_of_the_mesh),
+        cmocka_unit_test(water_that_is_not_level_goes_by_triangles),
+        cmocka_unit_test(nothing_jumps_at_the_border),
+    };
+    return cmocka_run_group_tests_name("flat", tests, NULL, NULL);
+}
