@@ -31,9 +31,9 @@ CORE := $(addprefix src/, \
     wave/ring.c wave/scaled.c wave/sharp.c wave/shoal.c wave/swell.c wave/wind.c \
     pool/feed.c pool/flux.c pool/gears.c pool/hat.c pool/init.c pool/look.c \
     pool/sample.c pool/slopes.c pool/tune.c pool/walls.c \
-    geom/clip.c geom/grid.c geom/lens.c geom/level.c geom/lines.c geom/sheet.c \
-    geom/surface.c geom/vertex.c geom/vertex_more.c geom/vertex_row.c geom/waters.c \
-    raster/rows.c raster/span.c \
+    geom/clip.c geom/grid.c geom/lens.c geom/level.c geom/lines.c geom/lod.c \
+    geom/sheet.c geom/surface.c geom/vertex.c geom/vertex_more.c geom/vertex_row.c \
+    geom/waters.c raster/rows.c raster/span.c \
     shade/absorb.c shade/around.c shade/behind.c shade/below.c shade/bend.c \
     shade/cube.c shade/dome.c shade/drop.c shade/expose.c shade/exposure.c \
     shade/foam.c shade/haze.c shade/inside.c shade/layer.c shade/light.c \

@@ -98,6 +98,7 @@ TP_FORMAT_LIST(X)
 #define TP_WATER_LIST(X) \
     X(swells)       /* without them the sea is level */ \
     X(sharp)        /* their sharpened crests (wave.power) */ \
+    X(lod)          /* fewer lines of their mesh far away; needs swells */ \
     X(ocean)        /* over a floor, or in a wind; needs swells */ \
     X(rings) X(pools)
 

@@ -2,6 +2,7 @@
 /* A frame's memory: one block, laid out as the scene asks at init.  Nothing is taken
  * after that. */
 #include "frame/frame.h"
+#include "geom/waters.h"
 #include "scene/prices.h"
 
 uint32_t tp_frame_materials(const tp_assets *assets)
@@ -56,6 +57,8 @@ static void carve_places(tp_frame_parts *p, tp_arena *arena, const tp_kit *kit,
         if (p->reach.visibility >> v & 1 && method)
             method->carve(p, arena, kit, scene, config);
     }
+    if (p->reach.lod >> TP_LOD_ON & 1 && kit->water.lod && kit->method.triangles)
+        kit->water.lod->carve(&p->grid, arena);
     if (assets->boat)
         p->boat_vertex = tp_arena_take(arena, assets->boat->n_vertices,
                                        sizeof *p->boat_vertex);

@@ -85,6 +85,12 @@ static tp_fx cell_of(const tp_scene *scene)
     return scene->grid.cell < most ? scene->grid.cell : most;
 }
 
+/* Swells whose sums the grid takes apart, wave by wave. */
+static bool is_plain(const tp_surface *surface)
+{
+    return !surface->ocean && !surface->sea->sharpened && !tp_surface_has_relief(surface);
+}
+
 /* How the water's grid lies, whether it is drawn by it or not. */
 static void view_water(tp_frame *frame)
 {
@@ -96,6 +102,8 @@ static void view_water(tp_frame *frame)
         .cell = cell_of(frame->scene),
         .reach = frame->scene->grid.reach,
         .follow = frame->scene->grid.follow != 0,
+        .lod = frame->rungs.lod == TP_LOD_ON && frame->surface.by->lod
+            && is_plain(&frame->surface),
     };
 }
 

@@ -5,8 +5,8 @@
 
 void tp_grid_carve(tp_grid *grid, tp_arena *arena, uint32_t cols, uint32_t rows)
 {
-    grid->cols = cols;
-    grid->rows = rows;
+    grid->cols = grid->most_cols = cols;
+    grid->rows = grid->most_rows = rows;
     grid->blocks = (cols - 2) / TP_GRID_BLOCK + 1;
     grid->column = tp_arena_take(arena, cols, sizeof *grid->column);
     grid->row = tp_arena_take(arena, rows, sizeof *grid->row);
@@ -23,6 +23,7 @@ void tp_grid_carve(tp_grid *grid, tp_arena *arena, uint32_t cols, uint32_t rows)
                               sizeof *grid->box);
     grid->sheet[0] = grid->sheet[1] = grid->sheet[2] = NULL;
     grid->dry = NULL;
+    grid->lod = NULL;
 }
 
 void tp_grid_carve_ocean(tp_grid *grid, tp_arena *arena)
@@ -231,14 +232,25 @@ tp_grid_span tp_grid_needed(const tp_grid *grid, uint32_t j)
     return (tp_grid_span){ (uint16_t)first, (uint16_t)end };
 }
 
+static void lay(tp_grid *grid, const tp_grid_view *view)
+{
+    grid->cols = grid->most_cols;
+    grid->rows = grid->most_rows;
+    tp_lines_lay(grid->column, grid->cols, view, false);
+    tp_lines_lay(grid->row, grid->rows, view, true);
+    grid->frame.lod = view->lod ? grid->lod : NULL;
+    if (grid->frame.lod)
+        view->surface->by->lod->thin(grid, view);
+    grid->blocks = (grid->cols - 2) / TP_GRID_BLOCK + 1;
+}
+
 void tp_grid_place(tp_grid *grid, const tp_grid_view *view)
 {
     tp_plane planes[TP_LENS_PLANES];
     uint32_t side[TP_LENS_PLANES] = { 0 };
     tp_vertex_frame *frame = &grid->frame;
 
-    tp_lines_lay(grid->column, grid->cols, view, false);
-    tp_lines_lay(grid->row, grid->rows, view, true);
+    lay(grid, view);
     tp_lens_planes(view->lens, view->width, view->height, planes);
     frame->lens = view->lens;
     frame->surface = view->surface;

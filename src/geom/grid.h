@@ -28,6 +28,7 @@ typedef struct {
 
 typedef struct {
     uint32_t cols, rows;        /* lines; cells are one less */
+    uint32_t most_cols, most_rows;      /* of which some may be left out, see lod.h */
     uint32_t blocks;            /* of a row of cells */
     tp_grid_line   *column, *row;
     tp_grid_vertex *vertex;     /* rows x cols */
@@ -35,6 +36,7 @@ typedef struct {
     tp_grid_box    *box;        /* (rows - 1) x blocks */
     uint32_t vertices;          /* evaluated by the last tp_grid_place */
     tp_vertex_frame   frame;
+    struct tp_thinning *lod;    /* of columns and rows; NULL: there is no memory */
     tp_vertex_columns columns;
     tp_grid_span      waves;    /* columns that have any */
     tp_vec3  *sheet[3];         /* an ocean's displaced crossings: of three rows */
@@ -54,6 +56,7 @@ typedef struct {
     uint32_t width, height;     /* of the picture */
     tp_fx cell, reach;
     bool  follow;
+    bool  lod;                  /* water is the sea's plain swells alone */
 } tp_grid_view;
 
 static inline bool tp_grid_is_dry(const tp_grid *grid, uint32_t i, uint32_t j)

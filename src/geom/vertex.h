@@ -48,9 +48,12 @@ typedef struct {
     int32_t bend_xx, bend_xz, bend_zz;  /* QkA D D, Q.29; not crossed: xx is QkA */
 } tp_vertex_swell;
 
+struct tp_thinning;                     /* geom/lod.h */
+
 typedef struct {
     const tp_lens    *lens;
     const tp_surface *surface;
+    const struct tp_thinning *lod;      /* of columns and rows; NULL: lines are even */
     tp_vertex_swell   swell[TP_WAVES];
     uint32_t count;                     /* of swells */
     int      tilt;                      /* bits of slopes, 9..19 */
@@ -77,12 +80,12 @@ typedef struct {
 typedef struct {
     tp_grid_line   line;
     int32_t        rest[3];
-    tp_vertex_turn turn[TP_WAVES];      /* of the phase, faded as the columns' are */
+    tp_vertex_turn turn[TP_WAVES];      /* of the phase, faded as the columns' pairs are */
     tp_vertex_turn place[3][TP_WAVES];  /* m of x, y and depth per sine and cosine, Q.18 */
     tp_vertex_tilt tilt[TP_WAVES];
 } tp_vertex_row;
 
-/* lens and surface set, the rest is filled in, for water in x0..x1 and z0..z1. */
+/* lens, surface and lod set, the rest is filled in, for water in x0..x1 and z0..z1. */
 void tp_vertex_begin(tp_vertex_frame *frame, tp_fx x0, tp_fx x1, tp_fx z0, tp_fx z1);
 
 /* Of a frame that has begun, the swells' numbers. */

@@ -156,38 +156,57 @@ static tp_vertex_turn faded(tp_vertex_turn turn, tp_fx fade)
     return (tp_vertex_turn){ tp_fx_mul(turn.sin, fade), tp_fx_mul(turn.cos, fade) };
 }
 
-/* Of one swell.  Within a run phases go on by one rotation, which adds 2^-31 each time;
- * every run begins anew. */
-static void set_column_turns(const tp_vertex_columns *columns, uint32_t stride,
-                             uint32_t k, int64_t turns_x, uint32_t first, uint32_t end,
-                             tp_fx cell, bool fading)
+static uint32_t pair_of_turn(tp_vertex_turn turn)
 {
+    return pair_of((turn.sin + (1 << 14)) >> 15, (turn.cos + (1 << 14)) >> 15);
+}
+
+/* What is left of a swell on a line of columns (`way` 0) or rows. */
+static tp_lod_share share_of(const tp_vertex_frame *frame, int way, tp_fx place,
+                             int64_t turns)
+{
+    const struct tp_water_lod *lod = frame->surface->by->lod;
+
+    if (!frame->lod)
+        return (tp_lod_share){ TP_FX_ONE, TP_FX_ONE };
+    return lod->share(&frame->lod[way], lod->step(&frame->lod[way], place), turns);
+}
+
+static tp_vertex_turn kept(tp_vertex_turn turn, tp_fx fade)
+{
+    return fade == TP_FX_ONE ? turn : faded(turn, fade);
+}
+
+/* Of one swell.  Within a run phases go on by one rotation a cell, which adds 2^-31 each
+ * time; every run begins anew. */
+static void set_column_turns(const tp_vertex_frame *frame,
+                             const tp_vertex_columns *columns, uint32_t k, uint32_t first,
+                             uint32_t end, tp_fx cell)
+{
+    const int64_t turns_x = frame->surface->sea->swell[k].turns_x;
+    const bool fading = !frame->surface->sea->sharpened;
     tp_vertex_turn step = tp_vertex_turn_of(tp_swell_turns(turns_x, cell));
     tp_vertex_turn now = { 0, 0 };
 
     for (uint32_t i = first; i < end; i++) {
         const tp_grid_line *line = &columns->line[i];
-        if ((i - first) % TP_VERTEX_RUN == 0)
+        size_t at = (size_t)i * frame->count + k;
+        if ((i - first) % TP_VERTEX_RUN == 0 || line->place - line[-1].place != cell)
             now = tp_vertex_turn_of(tp_swell_turns(turns_x, line->place));
         else
             now = tp_vertex_turned(now, step);
-        tp_vertex_turn kept = now;
-        if (fading && line->fade != TP_FX_ONE)
-            kept = faded(now, line->fade);
-        columns->turn[(size_t)i * stride + k] = kept;
-        columns->pair[(size_t)i * stride + k] = pair_of((kept.sin + (1 << 14)) >> 15,
-                                                        (kept.cos + (1 << 14)) >> 15);
+        tp_vertex_turn turn = fading ? kept(now, line->fade) : now;
+        tp_lod_share share = share_of(frame, 0, line->place, turns_x);
+        columns->turn[at] = kept(turn, share.height);
+        columns->pair[at] = pair_of_turn(kept(turn, share.slope));
     }
 }
 
 void tp_vertex_set_columns(const tp_vertex_frame *frame, const tp_vertex_columns *columns,
                            uint32_t first, uint32_t end, tp_fx cell)
 {
-    const tp_sea *sea = frame->surface->sea;
-
     for (uint32_t k = 0; k < frame->count; k++)
-        set_column_turns(columns, frame->count, k, sea->swell[k].turns_x, first, end, cell,
-                         !sea->sharpened);
+        set_column_turns(frame, columns, k, first, end, cell);
 }
 
 /* -- rows ------------------------------------------------------------------------------ */
@@ -216,12 +235,14 @@ static void set_places(const tp_vertex_frame *frame, tp_vertex_row *row)
 
     for (uint32_t k = 0; k < frame->count; k++) {
         const tp_vertex_swell *w = &frame->swell[k];
-        tp_vertex_turn b = tp_vertex_turn_of(
-            surface->phases[k]
-            + tp_swell_turns(surface->sea->swell[k].turns_z, row->line.place));
-        if (row->line.fade != TP_FX_ONE && !surface->sea->sharpened)
-            b = faded(b, row->line.fade);
-        row->turn[k] = b;
+        const int64_t turns_z = surface->sea->swell[k].turns_z;
+        tp_vertex_turn b = tp_vertex_turn_of(surface->phases[k]
+                                             + tp_swell_turns(turns_z, row->line.place));
+        tp_lod_share share = share_of(frame, 1, row->line.place, turns_z);
+        if (!surface->sea->sharpened)
+            b = kept(b, row->line.fade);
+        row->turn[k] = kept(b, share.slope);
+        b = kept(b, share.height);
         row->place[0][k] = split(w->x, 0, b);
         row->place[1][k] = split(w->y, w->rise_y, b);
         row->place[2][k] = split(w->depth, w->rise_depth, b);

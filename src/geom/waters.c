@@ -21,3 +21,7 @@ const struct tp_water_ocean tp_water_ocean = {
     .reach = tp_ocean_reach, .height = tp_ocean_height, .above = tp_surface_ocean_above,
     .carve = tp_grid_carve_ocean, .row = tp_sheet_place_row, .corner = tp_sheet_corner,
 };
+
+const struct tp_water_lod tp_water_lod = {
+    tp_lod_carve, tp_lod_thin, tp_lod_step, tp_lod_share_of,
+};

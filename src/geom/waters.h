@@ -4,6 +4,7 @@
 #ifndef TP_GEOM_WATERS_H
 #define TP_GEOM_WATERS_H
 #include "geom/level.h"
+#include "geom/lod.h"
 #include "geom/run.h"
 #include "geom/sheet.h"
 

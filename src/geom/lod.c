@@ -1,0 +1,153 @@
+/* SPDX-License-Identifier: MIT */
+/* Fewer lines of the grid where they lie close; see the header for the idea. */
+#include "geom/lod.h"
+
+/* -- how far apart --------------------------------------------------------------------- */
+
+/* A ray in pixels, Q.16: along the camera's heading, across it, down. */
+typedef struct {
+    int64_t ahead, aside, down;
+} ray;
+
+static int64_t along(const tp_lens *lens, int32_t u, int32_t v, tp_q30 right, tp_q30 up,
+                     tp_q30 ahead)
+{
+    return ((int64_t)lens->focal * ahead + (int64_t)u * 4096 * right
+            + (int64_t)v * 4096 * up) >> 30;
+}
+
+/* Of the picture's corner (u, v), 28.4 from its centre, with heading (hx, hz). */
+static ray ray_of(const tp_lens *lens, int32_t u, int32_t v, tp_q30 hx, tp_q30 hz)
+{
+    int64_t x = along(lens, u, v, lens->turn.x.x, lens->turn.y.x, lens->ahead.x);
+    int64_t y = along(lens, u, v, lens->turn.x.y, lens->turn.y.y, lens->ahead.y);
+    int64_t z = along(lens, u, v, lens->turn.x.z, lens->turn.y.z, lens->ahead.z);
+    int64_t aside = (x * hz - z * hx) >> 30;
+
+    return (ray){ (x * hx + z * hz) >> 30, aside < 0 ? -aside : aside, -y };
+}
+
+/* The picture's corners: the widest tangent to the heading (0: some ray leads back) and
+ * the steepest fall, pixels. */
+static tp_fx widest_of(const tp_lens *lens, tp_dir3 heading, int64_t *down)
+{
+    tp_fx wide = 1;
+
+    *down = 1;
+    for (int k = 0; k < 4; k++) {
+        ray r = ray_of(lens, k & 1 ? lens->u0 : -lens->u0, k & 2 ? lens->v0 : -lens->v0,
+                       heading.x, heading.z);
+        *down = r.down > *down ? r.down : *down;
+        if (r.ahead <= 0 || r.aside >= r.ahead * 64)
+            return 0;
+        tp_fx tangent = (tp_fx)(r.aside * TP_FX_ONE / r.ahead);
+        wide = tangent > wide ? tangent : wide;
+    }
+    return wide;
+}
+
+/* TP_LOD_PIXELS over focal and cos + sin tan, of the angle between the heading and the
+ * way to a side's lines; where that is not above 0, they are not seen. */
+static int32_t rate_of(const tp_lens *lens, tp_fx wide, tp_q30 cosine, tp_q30 sine)
+{
+    int64_t share = cosine + ((int64_t)tp_abs(sine) * wide >> 16);     /* Q.30 */
+    int64_t most = (int64_t)1 << 24;
+
+    if (wide == 0 || share <= 0)
+        return wide == 0 ? 0 : (int32_t)most;
+    int64_t rate = ((int64_t)TP_LOD_PIXELS << 46) / ((lens->focal * (share >> 4)) >> 20);
+    return (int32_t)(rate < most ? rate : most);
+}
+
+/* Of water no higher than `height`. */
+static void begin(tp_thinning lod[2], const tp_lens *lens, tp_fx height, tp_fx cell)
+{
+    tp_dir3 heading = tp_normalise(lens->ahead.x, 0, lens->ahead.z);
+    int64_t down;
+    tp_fx   wide = widest_of(lens, heading, &down);
+    tp_fx   over = lens->eye.y - height;
+    int64_t least = over > 0 ? (int64_t)over * TP_LOD_PIXELS * TP_FX_ONE / down : 0;
+
+    lod[0] = (tp_thinning){
+        lens->eye.x, cell, tp_fx_held(least),
+        { rate_of(lens, wide, -heading.x, heading.z),
+          rate_of(lens, wide, heading.x, heading.z) },
+    };
+    lod[1] = (tp_thinning){
+        lens->eye.z, cell, tp_fx_held(least),
+        { rate_of(lens, wide, -heading.z, heading.x),
+          rate_of(lens, wide, heading.z, heading.x) },
+    };
+}
+
+tp_fx tp_lod_step(const tp_thinning *lod, tp_fx place)
+{
+    int64_t way = (int64_t)place - lod->eye;
+    int64_t step = (way < 0 ? -way : way) * lod->rate[way >= 0] >> 24;
+
+    return tp_fx_held(step > lod->least ? step : lod->least);
+}
+
+/* -- lines ----------------------------------------------------------------------------- */
+
+/* The cell that a place lies in, from the world's origin; lines may lie in their middles. */
+static int32_t cell_at(const tp_thinning *lod, tp_fx place)
+{
+    int64_t cells = (int64_t)place / lod->cell;
+    return (int32_t)(cells - ((int64_t)place < cells * lod->cell));
+}
+
+/* Lines between the flanks are a cell apart, and the outer ones stay; those behind move
+ * up.  Returns how many of `count` are left. */
+static uint32_t thin(const tp_thinning *lod, tp_grid_line *line, uint32_t count,
+                     uint32_t flank)
+{
+    uint32_t first = flank, last = count - 1 - flank;
+    uint32_t at = (uint32_t)cell_at(lod, line[first].place), left = first + 1;
+
+    for (uint32_t k = first + 1; k < count; k++) {
+        uint32_t level = 0;
+        tp_fx    step = k < last ? tp_lod_step(lod, line[k].place) : 0;
+        while (level < TP_LOD_LEVELS && step >> (level + 1) >= lod->cell)
+            level++;
+        if (((at + (k - first)) & ((1u << level) - 1)) == 0 || k >= last)
+            line[left++] = line[k];
+    }
+    return left;
+}
+
+void tp_lod_thin(tp_grid *grid, const tp_grid_view *view)
+{
+    begin(grid->lod, view->lens, tp_surface_height(view->surface), view->cell);
+    grid->cols = thin(&grid->lod[0], grid->column, grid->cols,
+                      tp_lines_flank(grid->cols, view));
+    grid->rows = thin(&grid->lod[1], grid->row, grid->rows,
+                      tp_lines_flank(grid->rows, view));
+}
+
+void tp_lod_carve(tp_grid *grid, tp_arena *arena)
+{
+    grid->lod = tp_arena_take(arena, 2, sizeof *grid->lod);
+}
+
+/* -- waves ----------------------------------------------------------------------------- */
+
+/* Turns of a wave in a step, 16.16 times 6 or 4: whole up to 1, nothing from 2 on, but no
+ * less than `still`. */
+static tp_fx carried(uint64_t turns, tp_fx still)
+{
+    tp_fx share = turns >= 2 * TP_FX_ONE ? 0 : tp_smoothstep(2 * TP_FX_ONE - (tp_fx)turns);
+    return share > still ? share : still;
+}
+
+tp_lod_share tp_lod_share_of(const tp_thinning *lod, tp_fx step, int64_t turns)
+{
+    uint64_t of_step = (uint64_t)(turns < 0 ? -turns : turns) * (uint32_t)step >> 32;
+    tp_fx    still = 0;
+
+    if (step <= lod->cell || of_step * 6 <= TP_FX_ONE)
+        return (tp_lod_share){ TP_FX_ONE, TP_FX_ONE };
+    if (step < 2 * lod->cell)
+        still = tp_fx_div(2 * lod->cell - step, lod->cell);
+    return (tp_lod_share){ carried(of_step * 6, still), carried(of_step * 4, still) };
+}
