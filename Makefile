@@ -50,8 +50,8 @@ CORE := $(addprefix src/, \
     frame/clipped.c frame/drops.c frame/flat.c frame/frame.c frame/glass.c \
     frame/half.c frame/kit.c frame/land.c frame/lattice.c frame/plan.c \
     frame/plan_depth.c frame/plan_foam.c frame/plan_layers.c \
-    frame/plan_quick_layers.c frame/plan_sky.c frame/planned.c frame/sight.c \
-    frame/spray.c frame/tank.c frame/tile.c frame/visibility.c frame/water.c)
+    frame/plan_quick_layers.c frame/plan_sky.c frame/planned.c frame/projected.c \
+    frame/sight.c frame/spray.c frame/tank.c frame/tile.c frame/visibility.c frame/water.c)
 
 # -- the program, for machines with files and threads ----------------------------------
 

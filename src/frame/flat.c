@@ -262,11 +262,12 @@ static bool holds_any(const uint32_t *key, int32_t count)
     return any != 0;
 }
 
-static void draw_flat(const tp_frame *frame, tp_samples *tile)
+static void draw_flat(const tp_frame *frame, tp_samples *tile, void *memory)
 {
     const tp_level *level = frame->parts.level;
     unsigned mask = tp_level_mask(level, tile->x0, tile->y0, tile->x1, tile->y1);
 
+    (void)memory;
     for (int32_t y = tile->y0; y < tile->y1; y++) {
         int32_t x0 = tile->x0, x1 = tile->x1;
         tp_level_span(level, mask, y, &x0, &x1);

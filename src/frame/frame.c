@@ -64,15 +64,16 @@ static size_t tile_samples(const tp_frame_config *c)
     return (size_t)c->tile_width * c->tile_height;
 }
 
-/* Four planes of samples, then the pixels. */
+/* Four planes of samples, then the pixels; before there are any, columns use the place. */
 size_t tp_frame_scratch_bytes(const tp_frame_config *config)
 {
     tp_frame_config c = filled(config);
 
     if (check(&c, NULL) != TP_OK)
         return 0;
-    return 4 * tile_samples(&c) * sizeof(uint32_t)
-         + tp_format_row_bytes(c.format, (int)c.tile_width) * c.tile_height;
+    size_t pixels = tp_format_row_bytes(c.format, (int)c.tile_width) * c.tile_height;
+    size_t columns = tp_rows_bytes(c.tile_width);
+    return 4 * tile_samples(&c) * sizeof(uint32_t) + (pixels > columns ? pixels : columns);
 }
 
 /* Tables that last, and those that the first frame needs. */

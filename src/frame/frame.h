@@ -4,6 +4,7 @@
 #define TP_FRAME_INSIDE_H
 #include "frame/sight.h"
 #include "geom/level.h"
+#include "raster/rows.h"
 #include "scene/drawn.h"
 #include "scene/sides.h"
 #include "tidepool/plan.h"
@@ -99,6 +100,15 @@ typedef struct {
     int32_t x, z, lit_x, lit_z;
 } tp_caustic_corner;
 
+/* Lines of points parallel to the horizon, see projected.c. */
+typedef struct {
+    tp_level_line horizon, top[TP_LEVEL_SIDES];     /* where the water ends */
+    int     tops;
+    int32_t start;              /* pixels from the horizon to the nearest line */
+    tp_fx   towards;            /* the most that waves move a point nearer, m ... */
+    tp_fx   share;              /* ... and of -d.y, aside, in pixels of the picture */
+} tp_projected;
+
 /* Memory of a picture at half the size. */
 #define TP_HALF_BAND 4          /* rows that are drawn at a time */
 
@@ -140,6 +150,7 @@ typedef struct {
     tp_grid          grid;
     tp_reach         reach;             /* rungs that there is memory for */
     tp_level        *level;             /* of water that is level at first */
+    tp_projected    *projected;
     uint32_t        *slopes;            /* of flat: points of the lattice, row by row */
     uint32_t         slope_cols;
     tp_thin_sea     *thin;
@@ -223,7 +234,7 @@ tp_reach tp_frame_reach(const tp_kit *kit, const tp_scene *scene, const tp_asset
                         const tp_frame_config *config);
 void tp_frame_choose_visibility(tp_frame *frame);
 void tp_frame_place_surface(tp_frame *frame);
-void tp_frame_draw_surface(const tp_frame *frame, tp_samples *tile);
+void tp_frame_draw_surface(const tp_frame *frame, tp_samples *tile, void *memory);
 
 /* lattice.c: water that is level at first.  Whether it is swells and no more, all below
  * the eye, and has memory; its outline; slopes of flat, and their memory. */

@@ -12,7 +12,8 @@ struct tp_method {
                   const tp_scene *scene, const tp_frame_config *config);
     bool (*holds)(tp_frame *frame);     /* for this frame; NULL: always */
     void (*place)(tp_frame *frame);
-    void (*draw)(const tp_frame *frame, tp_samples *tile);
+    /* `memory` is tp_rows_bytes of a tile's width. */
+    void (*draw)(const tp_frame *frame, tp_samples *tile, void *memory);
 };
 
 typedef struct {

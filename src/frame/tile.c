@@ -104,7 +104,8 @@ void tp_frame_colour_row(const tp_frame *frame, const tp_samples *tile, int32_t 
 }
 
 /* All that is there, the water after what it hides. */
-static void draw_samples(const tp_frame *frame, tp_samples *samples)
+/* `memory` is the pixels', before there are any. */
+static void draw_samples(const tp_frame *frame, tp_samples *samples, void *memory)
 {
     const tp_draws *draw = &frame->kit->draw;
     const bool boat = frame->assets.boat != NULL;
@@ -122,7 +123,7 @@ static void draw_samples(const tp_frame *frame, tp_samples *samples)
         draw->glass->draw(frame, samples);
     if (boat)
         draw->boat->lids(frame, &frame->sight, samples);
-    tp_frame_draw_surface(frame, samples);
+    tp_frame_draw_surface(frame, samples, memory);
     if (frame->specks > 0)
         draw->spray->draw(frame, samples);
 }
@@ -142,8 +143,8 @@ bool tp_frame_tile(const tp_frame *frame, uint32_t i, void *scratch, tp_tile *ti
     tile->stride = tp_format_row_bytes(c->format, (int)c->tile_width);
 
     tp_samples samples = samples_of(frame, scratch, tile);
-    draw_samples(frame, &samples);
     uint8_t *row = pixels_of(frame, scratch);
+    draw_samples(frame, &samples, row);
     for (int32_t y = samples.y0; y < samples.y1; y++, row += tile->stride)
         shade_row(frame, &samples, y, row);
     return true;

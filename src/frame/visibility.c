@@ -57,6 +57,7 @@ const struct tp_method *tp_frame_method(const tp_kit *kit, tp_visibility visibil
 {
     const tp_methods *method = &kit->method;
     return visibility == TP_VISIBILITY_TRIANGLES ? method->triangles
+         : visibility == TP_VISIBILITY_PROJECTED ? method->projected
          : visibility == TP_VISIBILITY_FLAT ? method->flat : NULL;
 }
 
@@ -126,10 +127,10 @@ void tp_frame_place_surface(tp_frame *frame)
         method->place(frame);
 }
 
-void tp_frame_draw_surface(const tp_frame *frame, tp_samples *tile)
+void tp_frame_draw_surface(const tp_frame *frame, tp_samples *tile, void *memory)
 {
     const struct tp_method *method = tp_frame_method(frame->kit, frame->visibility);
 
     if (method)
-        method->draw(frame, tile);
+        method->draw(frame, tile, memory);
 }

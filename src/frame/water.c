@@ -145,10 +145,11 @@ static void place_water(tp_frame *frame)
 
 /* -- drawing ------------------------------------------------------------------------- */
 
-static void draw_water(const tp_frame *frame, tp_samples *tile)
+static void draw_water(const tp_frame *frame, tp_samples *tile, void *memory)
 {
     const tp_grid *grid = &frame->parts.grid;
 
+    (void)memory;
     tile->front_only = frame->cull_water;
     for (uint32_t j = 0; j + 1 < grid->rows; j++) {
         tp_grid_span span = grid->span[j];

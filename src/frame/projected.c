@@ -1,0 +1,365 @@
+/* SPDX-License-Identifier: MIT */
+/* Water by lines of points that are laid over the picture: level places, displaced by the
+ * waves and projected again, for raster/rows.h.  No vertex is kept, and water of any size
+ * takes as many points as the picture has.
+ *
+ * Lines are parallel to the horizon, so that depth and its reciprocal are those of a line;
+ * they lie closer the nearer they are to it, and points at every 8th column.  They begin
+ * so far below the picture that crests of water there rise into it, and reach as far to
+ * the sides; the last line is the water's end.  A tile walks those that may touch it:
+ * strips take fewest.
+ *
+ * The border: below, a line at depth D, as level water lies, comes no higher than the ray
+ * that falls T a metre of depth if D T >= h + G, and stays below it if D T <= h - G:
+ *     |A sin th + T QA cos th| <= sqrt(A^2 + (T QA)^2), G their sum over the waves.
+ * Points stay left to right on a line while
+ *     B (1 + sec phi) / 2 + K (tan phi sin pitch + sin roll) < 1,
+ * B the sum of Q k A, K that of k A, phi the widest angle between a ray and the camera's
+ * heading.  Rays must lead forwards, so that lines hide those above them. */
+#include "frame/parts.h"
+#include "geom/waters.h"
+#include "wave/wave.h"
+
+enum { CELL = 8, RUN = 16 };
+
+static bool has_waves(const tp_frame *frame)
+{
+    return frame->surface.sea->count > 0 && frame->kit->water.swells;
+}
+
+/* -- where lines may lie --------------------------------------------------------------- */
+
+/* G of the header for a ray that falls `fall` a metre. */
+static tp_fx rise_of(const tp_sea *sea, tp_fx fall)
+{
+    int64_t sum = 0;
+
+    for (uint32_t i = 0; i < sea->count; i++) {
+        const tp_swell *w = &sea->swell[i];
+        int64_t a = tp_sharp_height(w->amplitude, w->power);
+        int64_t q = tp_isqrt64((uint64_t)((int64_t)w->reach_x * w->reach_x
+                                          + (int64_t)w->reach_z * w->reach_z));
+        q = (q * fall >> 16) + 2;
+        q = q < INT32_MAX ? q : INT32_MAX;
+        sum += tp_isqrt64((uint64_t)(a * a + q * q)) + 1;
+    }
+    return tp_fx_held(sum);
+}
+
+/* How far a ray falls in a metre of depth, from its pixels in Q.30. */
+static tp_fx fall_of(const tp_frame *frame, int64_t down)
+{
+    return tp_fx_div((tp_fx)(down >> 14), frame->lens.focal);
+}
+
+/* The first line, pixels below the horizon and a multiple of 4, that lies below a ray
+ * wherever waves lift it; 0: none does. */
+static int32_t start_below(const tp_frame *frame, int64_t down)
+{
+    const tp_level *level = frame->parts.level;
+    tp_fx h = level->height, low = h - rise_of(frame->surface.sea, fall_of(frame, down));
+
+    if (low < h / 4)
+        return 0;
+    int64_t rows = (down >> 14) * tp_fx_div(h, low) / (level->down.y >> 14);
+    return ((int32_t)(rows >> 16) + 8) & ~3;
+}
+
+/* How many pixels to the side a line goes on: f / D is -d.y / h. */
+static int32_t margin_of(const tp_frame *frame, int64_t down)
+{
+    const tp_projected *p = frame->parts.projected;
+    return (int32_t)((down >> 14) * p->share >> 32) + 2 * CELL;
+}
+
+/* -- whether they can ------------------------------------------------------------------ */
+
+static int64_t row_below(const tp_projected *p, int32_t x, int32_t rows)
+{
+    return p->horizon.at + p->horizon.x * x + (int64_t)rows * TP_Q30_ONE;
+}
+
+/* The condition of the header for what comes to pixel (x, y). */
+static bool is_ordered(const tp_frame *frame, int32_t x, int32_t y)
+{
+    const tp_level *level = frame->parts.level;
+    const tp_lens  *lens = &frame->lens;
+    const tp_sea   *sea = frame->surface.sea;
+    int64_t east = tp_level_at(&level->east, x, y) >> 14;
+    int64_t south = tp_level_at(&level->south, x, y) >> 14;
+    int64_t down = tp_level_at(&level->down, x, y) >> 14;
+    int64_t ahead = (east * lens->ahead.x + south * lens->ahead.z) >> 30;
+    int64_t aside = (east * lens->ahead.z - south * lens->ahead.x) >> 30;
+    tp_fx   tilt = 0;
+
+    if (ahead * 4 < down || ahead <= 0)
+        return false;
+    for (uint32_t i = 0; i < sea->count; i++)
+        tilt += sea->swell[i].tilt;
+    aside = aside < 0 ? -aside : aside;
+    int64_t slant = ahead + tp_isqrt64((uint64_t)(ahead * ahead + aside * aside));
+    int64_t turned = aside * tp_abs(lens->ahead.y) + ahead * tp_abs(lens->turn.x.y);
+    return (slant * sea->bend >> 31) + ((turned >> 30) * tilt >> 16)
+        <= ahead * 15 / 16;
+}
+
+/* Whether a side of the water ends it at the top of columns x0 to x1, or nowhere. */
+static bool add_side(tp_projected *p, const tp_level_sum *side, int32_t x0, int32_t x1)
+{
+    int64_t below[2] = { row_below(p, x0, p->start), row_below(p, x1, p->start) };
+    int64_t above[2] = { row_below(p, x0, 0), row_below(p, x1, 0) };
+
+    if (tp_level_at_row(side, x0, below[0]) < 0 || tp_level_at_row(side, x1, below[1]) < 0)
+        return false;
+    if (tp_level_at_row(side, x0, above[0]) >= 0 && tp_level_at_row(side, x1, above[1]) >= 0)
+        return true;
+    if (side->y <= 0 || side->y < side->x || side->y < -side->x)
+        return false;
+    p->top[p->tops++] = tp_level_zero(side);
+    return true;
+}
+
+static int64_t down_at(const tp_frame *frame, int32_t rows)
+{
+    return frame->parts.level->down.y * rows;
+}
+
+/* Lines from below the picture's lower edge to the water's end. */
+static bool place(tp_frame *frame)
+{
+    const tp_level *level = frame->parts.level;
+    tp_projected *p = frame->parts.projected;
+    const int32_t wide = (int32_t)frame->config.width, high = (int32_t)frame->config.height;
+    int64_t left = tp_level_at(&level->down, 0, high);
+    int64_t down = left + (level->down.x > 0 ? level->down.x * wide : 0);
+
+    p->start = down > 0 ? start_below(frame, down) : 4;
+    if (p->start == 0 || p->start > 4096)
+        return false;
+    down = down_at(frame, p->start);
+    int64_t depth = (int64_t)frame->lens.focal * level->height / (down >> 14);
+    if (depth < 2 * (int64_t)frame->lens.near + p->towards)
+        return false;
+    int32_t x0 = -margin_of(frame, down), x1 = wide - x0;
+    if (x1 > 6000 || !is_ordered(frame, -CELL, high + CELL)
+        || !is_ordered(frame, wide + CELL, high + CELL))
+        return false;
+    for (int k = 0; k < TP_LEVEL_SIDES; k++) {
+        if (!add_side(p, &level->side[k], x0, x1))
+            return false;
+    }
+    return true;
+}
+
+/* How far waves move a point towards the camera, and to the side of a ray at the picture's
+ * edge, tan phi = w: QA sqrt(1 + w^2), and by the depth and the roll of its height. */
+static void set_ways(tp_frame *frame)
+{
+    const tp_lens *lens = &frame->lens;
+    tp_projected *p = frame->parts.projected;
+    tp_fx wide = tp_fx_div((tp_fx)(frame->config.width << 15), lens->focal);
+    tp_fx slant = tp_fx_sqrt(tp_fx_mul(wide, wide) + TP_FX_ONE);
+    tp_fx sideways = tp_surface_reach(&frame->surface);
+    tp_fx high = tp_surface_height(&frame->surface);
+    tp_fx aside = tp_fx_mul(sideways, slant)
+                + tp_fx_mul(tp_q30_mul(high, tp_abs(lens->ahead.y)), wide)
+                + tp_q30_mul(high, tp_abs(lens->turn.x.y));
+
+    p->towards = sideways + tp_q30_mul(high, tp_abs(lens->ahead.y));
+    p->share = tp_fx_div(aside, lens->eye.y);
+}
+
+static bool hold_projected(tp_frame *frame)
+{
+    tp_projected *p = frame->parts.projected;
+
+    if (!tp_frame_is_swell(frame) || !p)
+        return false;
+    tp_frame_place_level(frame);
+    const tp_level_sum *down = &frame->parts.level->down;
+    if (down->y < TP_Q30_ONE / 2 || tp_abs((int32_t)down->x) > down->y / 4)
+        return false;
+    p->horizon = tp_level_zero(down);
+    p->tops = 0;
+    set_ways(frame);
+    return place(frame);
+}
+
+/* -- points ---------------------------------------------------------------------------- */
+
+typedef struct {
+    const tp_frame *frame;
+    int32_t rows;               /* pixels below the horizon; 0: at the water's end */
+    int64_t gap;                /* to the next line, in -d.y */
+    tp_level_reach reach, beyond;
+} line;
+
+static tp_level_reach reach_of(const tp_level *level, int64_t down)
+{
+    return tp_level_reach_of(level, down > 0 ? down : 1);
+}
+
+/* Where water ends in column x. */
+static int64_t end_of(const tp_projected *p, int32_t x)
+{
+    int64_t row = p->horizon.at + p->horizon.x * x;
+
+    for (int k = 0; k < p->tops; k++) {
+        int64_t top = p->top[k].at + p->top[k].x * x;
+        row = top > row ? top : row;
+    }
+    return row;
+}
+
+/* A point at rest: the place of column x and a row of it, and the lattice's steps. */
+static void rest_at(const line *l, int32_t x, int64_t row, bool ends, tp_fx at[2],
+                    tp_fx step[2][2])
+{
+    const tp_level *level = l->frame->parts.level;
+    const tp_level_sum *sums[2] = { &level->east, &level->south };
+    const tp_fx eye[2] = { level->x, level->z };
+    tp_level_reach reach = l->reach, beyond = l->beyond;
+
+    if (ends) {
+        int64_t down = tp_level_at_row(&level->down, x, row);
+        reach = reach_of(level, down);
+        beyond = reach_of(level, down - l->gap);
+    }
+    for (int axis = 0; axis < 2; axis++) {
+        const tp_level_sum *sum = sums[axis];
+        int64_t way = tp_level_at_row(sum, x, row);
+        int64_t across = sum->x + (sum->y * l->frame->parts.projected->horizon.x >> 30);
+        int64_t farther = way - (sum->y * (l->gap >> 14) / (level->down.y >> 14));
+        int64_t here = tp_level_along(reach, way);
+        at[axis] = tp_fx_held(eye[axis] + here);
+        step[0][axis] = tp_fx_held(tp_level_along(reach, across * CELL));
+        step[1][axis] = tp_fx_held(tp_level_along(beyond, farther) - here);
+    }
+}
+
+/* Displaced and projected; what the lens does not hold, which waves of a legal sea do not
+ * come to, stays where it is at rest. */
+static void project(const tp_frame *frame, const tp_sea_point *from, tp_row_point *to)
+{
+    tp_view_corner c = { .s = 0 };
+
+    tp_lens_view(&frame->lens, from->position, &c);
+    if (tp_lens_holds(&frame->lens, &c))
+        tp_lens_project(&frame->lens, &c, &to->u, &to->v, &to->zi);
+}
+
+static tp_row_point point_at(const line *l, int32_t x)
+{
+    const tp_frame *frame = l->frame;
+    const tp_level *level = frame->parts.level;
+    int64_t row = row_below(frame->parts.projected, x, l->rows);
+    int64_t end = end_of(frame->parts.projected, x);
+    tp_fx   at[2], step[2][2];
+
+    bool ends = row <= end;
+    row = ends ? end : row;
+    rest_at(l, x, row, ends, at, step);
+    tp_row_point p = {
+        .u = 16 * x + 8, .v = (int32_t)((row + (1 << 25)) >> 26) + 8,
+        .zi = (uint32_t)(tp_level_at_row(&level->zi, x, row) >> TP_LEVEL_ZI),
+        .s = at[0], .t = at[1],
+    };
+    if (has_waves(frame)) {
+        tp_sea_point from = frame->surface.by->swells->point(level, &frame->surface, at,
+                                                             step);
+        p.n = tp_level_slopes(&from);
+        if (from.position.x != at[0] || from.position.y != 0 || from.position.z != at[1])
+            project(frame, &from, &p);
+    }
+    return p;
+}
+
+/* -- lines ----------------------------------------------------------------------------- */
+
+/* A sixteenth of the way to the horizon, but 4 pixels at the most. */
+static int32_t next_of(int32_t rows)
+{
+    return rows > 64 ? rows - 4 : rows > 32 ? rows - 2 : rows - 1;
+}
+
+static void lay_line(const line *l, tp_rows *rows, int32_t x0, int32_t x1)
+{
+    tp_row_point run[RUN + 1];
+    uint32_t count = 0;
+
+    for (int32_t x = x0; x <= x1; x += CELL) {
+        run[count++] = point_at(l, x);
+        if (count == RUN + 1 || x + CELL > x1) {
+            tp_rows_line(rows, run, count);
+            run[0] = run[count - 1];
+            count = 1;
+        }
+    }
+}
+
+static void lay(const tp_frame *frame, tp_rows *rows, int32_t below)
+{
+    const tp_samples *tile = rows->tile;
+    const tp_level *level = frame->parts.level;
+    int32_t next = below > 0 ? next_of(below) : 0;
+    int64_t down = down_at(frame, below > 0 ? below : 1);
+    line l = { frame, below, down_at(frame, below > 0 ? below - next : 1),
+               reach_of(level, down), reach_of(level, down_at(frame, next)) };
+    int32_t margin = has_waves(frame) ? margin_of(frame, down) : 2 * CELL;
+
+    lay_line(&l, rows, (tile->x0 - margin) & ~(CELL - 1), tile->x1 + margin);
+}
+
+/* The farthest line that lies before the end of some column. */
+static int32_t last_line(const tp_frame *frame, const tp_samples *tile)
+{
+    const tp_projected *p = frame->parts.projected;
+    int64_t least = (int64_t)4096 * TP_Q30_ONE;
+
+    for (int32_t x = tile->x0 & ~(CELL - 1); x < tile->x1 + CELL; x += CELL) {
+        int64_t below = end_of(p, x) - p->horizon.at - p->horizon.x * x;
+        least = below < least ? below : least;
+    }
+    return (int32_t)(least >> 30);
+}
+
+static void draw_projected(const tp_frame *frame, tp_samples *tile, void *memory)
+{
+    const tp_level *level = frame->parts.level;
+    const tp_projected *p = frame->parts.projected;
+    int32_t side = level->down.x > 0 ? tile->x1 : tile->x0;
+    int64_t down = tp_level_at(&level->down, side, tile->y1);
+    tp_rows rows;
+
+    if (down <= 0)
+        return;
+    tp_rows_begin(&rows, tile, memory, true);
+    int32_t below = start_below(frame, down), last = last_line(frame, tile);
+    below = below > 0 && below < p->start ? below : p->start;
+    for (; below > last && rows.open > 0; below = next_of(below))
+        lay(frame, &rows, below);
+    if (rows.open > 0)
+        lay(frame, &rows, 0);
+}
+
+/* -- the method ------------------------------------------------------------------------ */
+
+/* Flat, if it is in reach too, has taken a level before. */
+static void carve_projected(tp_frame_parts *parts, tp_arena *arena, const tp_kit *kit,
+                            const tp_scene *scene, const tp_frame_config *config)
+{
+    (void)scene, (void)config;
+    if (!(parts->reach.visibility >> TP_VISIBILITY_FLAT & 1) || !kit->method.flat)
+        parts->level = tp_arena_take(arena, 1, sizeof *parts->level);
+    parts->projected = tp_arena_take(arena, 1, sizeof *parts->projected);
+}
+
+/* What it holds by is all that it draws by. */
+static void place_projected(tp_frame *frame)
+{
+    (void)frame;
+}
+
+const struct tp_method tp_method_projected = {
+    carve_projected, hold_projected, place_projected, draw_projected,
+};

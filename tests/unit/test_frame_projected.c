@@ -1,0 +1,216 @@
+/* SPDX-License-Identifier: MIT */
+/* Water by lines laid over the picture is the picture of a fine mesh, up to the border of
+ * where it holds. */
+#include <stdarg.h>
+#include <stddef.h>
+#include <setjmp.h>
+#include <stdint.h>
+#include <cmocka.h>
+#define LEVEL_WIDTH  320
+#define LEVEL_HEIGHT 200
+#include "levels.h"
+
+static uint64_t chance;
+static test_boat boat;
+
+/* Three swells, a mesh so fine that it is what they are. */
+static tp_scene fine_scene(void)
+{
+    tp_scene s = scene_plain();
+
+    for (int i = 0; i < 3; i++) {
+        s.wave[i].length = chance_fx(&chance, 6, 30);
+        s.wave[i].amplitude = (tp_fx)(s.wave[i].length * chance_double(&chance, 0, 0.02));
+        s.wave[i].steepness = chance_fx(&chance, 0, 0.2);
+        s.wave[i].heading = chance_fx(&chance, 0, 360);
+    }
+    s.camera.y = chance_fx(&chance, 2.5, 12);
+    s.camera.heading = chance_fx(&chance, 0, 360);
+    s.camera.pitch = chance_fx(&chance, -50, 5);
+    s.camera.fov = chance_fx(&chance, 30, 70);
+    s.grid.cols = s.grid.rows = 320;
+    s.grid.cell = TP_FX(0.5);
+    return s;
+}
+
+/* The topmost row of water in a column; below it all is, or -1: there is a hole. */
+static int top_of(const level_shot *shot, int x)
+{
+    int y = 0;
+
+    while (y < LEVEL_HEIGHT && !level_is_water(shot, y * LEVEL_WIDTH + x))
+        y++;
+    const int top = y;
+    while (y < LEVEL_HEIGHT && level_is_water(shot, y * LEVEL_WIDTH + x))
+        y++;
+    return y == LEVEL_HEIGHT ? top : -1;
+}
+
+typedef struct {
+    int    most, columns;       /* rows that outlines are apart, at the most */
+    double sum, colour;         /* of rows; mean of 255 */
+} difference;
+
+static difference compare(const level_shot *mesh, const level_shot *lines)
+{
+    difference d = { 0, LEVEL_WIDTH, 0, level_colour_apart(mesh, lines) };
+
+    for (int x = 0; x < LEVEL_WIDTH; x++) {
+        const int a = top_of(mesh, x), b = top_of(lines, x);
+        assert_int_not_equal(b, -1);
+        const int apart = a < 0 ? 0 : abs(a - b);
+        d.most = apart > d.most ? apart : d.most;
+        d.sum += apart;
+    }
+    return d;
+}
+
+static void add(difference *all, const difference *d)
+{
+    all->most = d->most > all->most ? d->most : all->most;
+    all->columns += d->columns;
+    all->sum += d->sum;
+    all->colour = fmax(all->colour, d->colour);
+}
+
+/* Whether projected holds; then the two are compared. */
+static bool look(tp_scene *scene, const tp_assets *assets, difference *all)
+{
+    static level_shot mesh, lines;
+
+    level_draw(&lines, scene, assets, TP_VISIBILITY_PROJECTED, 40);
+    const bool holds = lines.frame.frame->visibility == TP_VISIBILITY_PROJECTED;
+    if (holds) {
+        level_draw(&mesh, scene, assets, TP_VISIBILITY_TRIANGLES, 40);
+        const difference d = compare(&mesh, &lines);
+        add(all, &d);
+        assert_true(d.colour < 4);
+        assert_true(d.sum / d.columns < 0.5);
+        assert_in_range(d.most, 0, 3);
+        frame_free(&mesh.frame);
+    }
+    frame_free(&lines.frame);
+    return holds;
+}
+
+static void print(const char *what, int views, const difference *d)
+{
+    print_message("%s: %d views, outlines %d rows apart at the most, %.3f in the mean, "
+                  "colours %.2f at the most\n", what, views, d->most,
+                  d->sum / (d->columns ? d->columns : 1), d->colour);
+}
+
+static void lines_over_the_picture_are_the_fine_mesh(void **state)
+{
+    (void)state;
+    const tp_assets assets = { .layer[0] = &boat.texture[0] };
+    difference all = { 0, 0, 0, 0 };
+    int held = 0;
+
+    for (int n = 0; n < 60; n++) {
+        tp_scene scene = fine_scene();
+        scene.layer[0].map.size = 40 * TP_FX_ONE;
+        held += look(&scene, &assets, &all);
+    }
+    print("any view", held, &all);
+    assert_in_range(held, 15, 59);
+}
+
+/* One number of a scene goes from where projected holds to where it does not: up to the
+ * last step it shows what the mesh shows. */
+typedef struct {
+    const char *name;
+    int32_t     from, to;
+} sweep;
+
+static void set(tp_scene *s, int which, int32_t to)
+{
+    if (which == 0)
+        s->camera.pitch = to;
+    else if (which == 1)
+        s->camera.y = to;
+    else if (which == 2)
+        s->wave[0].steepness = to;
+    else
+        s->camera.fov = to;
+}
+
+static void up_to_the_border_it_is_the_mesh(void **state)
+{
+    (void)state;
+    static const sweep sweeps[] = {
+        { "pitch", 0, -89 * TP_FX_ONE }, { "height", 6 * TP_FX_ONE, TP_FX(0.5) },
+        { "steepness", 0, TP_FX_ONE }, { "fov", 40 * TP_FX_ONE, 100 * TP_FX_ONE },
+    };
+    const tp_assets none = { 0 };
+
+    for (int k = 0; k < 4; k++) {
+        difference all = { 0, 0, 0, 0 };
+        int views = 0;
+        for (int n = 0; n < 3; n++) {
+            tp_scene scene = fine_scene();
+            scene.camera.pitch = k == 3 ? -25 * TP_FX_ONE : -4 * TP_FX_ONE;
+            scene.camera.y = 5 * TP_FX_ONE;
+            int32_t low = sweeps[k].from, high = sweeps[k].to;
+            set(&scene, k, low);
+            if (!look(&scene, &none, &all))
+                continue;
+            for (int i = 0; i < 9; i++) {
+                const int32_t middle = (low + high) / 2;
+                set(&scene, k, middle);
+                const bool holds = look(&scene, &none, &all);
+                views += holds;
+                low = holds ? middle : low;
+                high = holds ? high : middle;
+            }
+        }
+        print(sweeps[k].name, views, &all);
+        assert_true(views > 2);
+    }
+}
+
+static void every_tiling_of_projected_water_is_the_same(void **state)
+{
+    (void)state;
+    static const uint32_t sizes[][2] = { { 0, 1 }, { 0, 7 }, { 16, 0 }, { 48, 13 } };
+    const tp_assets assets = { .boat = &boat.mesh, .layer[0] = &boat.texture[0] };
+    int held = 0, rolled = 0;
+
+    for (int n = 0; n < 12; n++) {
+        static level_shot whole;
+        tp_scene scene = fine_scene();
+        if (n % 3 == 0) {
+            scene.camera.follow = TP_FOLLOW_BOAT;
+            scene.camera.y = 5 * TP_FX_ONE;
+            scene.camera.pitch = -10 * TP_FX_ONE;
+            scene.boat.mode = TP_BOAT_KINEMATIC;
+        }
+        level_draw(&whole, &scene, &assets, TP_VISIBILITY_PROJECTED, 17);
+        const bool holds = whole.frame.frame->visibility == TP_VISIBILITY_PROJECTED;
+        held += holds;
+        rolled += holds && whole.frame.frame->parts.level->rolled;
+        for (size_t i = 0; holds && i < sizeof sizes / sizeof *sizes; i++) {
+            const tp_frame_config config = { LEVEL_WIDTH, LEVEL_HEIGHT, sizes[i][0],
+                                             sizes[i][1], TP_FORMAT_XRGB8888 };
+            test_frame f = frame_of(&scene, &assets, &config);
+            tp_frame_begin(f.frame, &whole.world);
+            level_compare_tiles(&f, whole.pixels);
+            frame_free(&f);
+        }
+        frame_free(&whole.frame);
+    }
+    print_message("%d pictures, %d of them roll\n", held, rolled);
+    assert_true(held > 4 && rolled > 0);
+}
+
+int main(void)
+{
+    chance = random_seed();
+    boat_make(&boat, &chance);
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(lines_over_the_picture_are_the_fine_mesh),
+        cmocka_unit_test(up_to_the_border_it_is_the_mesh),
+        cmocka_unit_test(every_tiling_of_projected_water_is_the_same),
+    };
+    return cmocka_run_group_tests_name("projected", tests, NULL, NULL);
+}
