@@ -33,7 +33,7 @@ CORE := $(addprefix src/, \
     pool/sample.c pool/slopes.c pool/tune.c pool/walls.c \
     geom/clip.c geom/grid.c geom/lens.c geom/level.c geom/lines.c geom/lod.c \
     geom/sheet.c geom/surface.c geom/vertex.c geom/vertex_more.c geom/vertex_row.c \
-    geom/waters.c raster/rows.c raster/span.c \
+    geom/waters.c raster/cover.c raster/rows.c raster/span.c \
     shade/absorb.c shade/around.c shade/behind.c shade/below.c shade/bend.c \
     shade/cube.c shade/dome.c shade/drop.c shade/expose.c shade/exposure.c \
     shade/foam.c shade/haze.c shade/inside.c shade/layer.c shade/light.c \

@@ -22,13 +22,18 @@ typedef struct {
     uint32_t n;                 /* slopes x:z, Q3.12 each */
 } tp_row_point;
 
-/* What a column of pixels remembers: how high it is covered, and the last line there. */
+/* A line at a column of pixels. */
 typedef struct {
-    int32_t  limit;             /* what rises to it covers more: 16.16 rows */
     int32_t  v;                 /* 16.16 rows, or TP_ROW_NONE */
     uint32_t zi;
     int32_t  s, t;
     uint32_t n;
+} tp_row_sample;
+
+/* What a column remembers: how high it is covered, and the last line there. */
+typedef struct {
+    int32_t  limit;             /* what rises to it covers more: 16.16 rows */
+    tp_row_sample line;
 } tp_row_column;
 
 #define TP_ROW_NONE (-(1 << 30))  /* below all lines by less than 2^31 */

@@ -1,0 +1,282 @@
+/* SPDX-License-Identifier: MIT */
+/* Down a column of pixels, from one line of water to the next.
+ *
+ * zi and slopes are linear from row to row, and s and t too but in pieces long and deep
+ * enough to show the perspective: there they are true at multiples of 16 rows and at the
+ * piece's own ends, and linear between.  Every piece counts from its own upper end,
+ * wherever the tile begins. */
+#include "raster/piece.h"
+#include "tidepool/fx.h"
+
+#define FEW  2                  /* rows up to which each is worked out for itself */
+#define DEEP 4                  /* rows from which on perspective is asked for */
+
+/* The share of s and t where that of the screen is given: share zb / z.  share zb is no
+ * more than z, and its quotient is kept below 2^31. */
+int32_t tp_row_deep_share(int32_t share, uint32_t za, uint32_t zb)
+{
+    uint32_t z = (uint32_t)part((int32_t)za, difference((int32_t)za, (int32_t)zb), share);
+    uint64_t over = (uint64_t)(uint32_t)share * zb >> 31;
+    int      shift = tp_clz(z | 1);
+    uint64_t q = over * tp_recip_norm((z | 1) << shift) >> (32 - shift);
+
+    return q < INT32_MAX ? (int32_t)q : INT32_MAX;
+}
+
+/* 65536 / n for the rows or columns between two true places. */
+static const uint32_t over[17] = { 0, 65536, 32768, 21845, 16384, 13107, 10923, 9362,
+                                   8192, 7282, 6554, 5958, 5461, 5041, 4681, 4369, 4096 };
+
+uint32_t tp_row_step_between(uint32_t from, uint32_t to, int32_t n)
+{
+    return (uint32_t)((int64_t)(int32_t)(to - from) * over[n] >> 16);
+}
+
+/* A pixel of a column, or what is added from row to row. */
+typedef struct {
+    uint32_t key, s, t, n;
+} sample;
+
+TP_ALWAYS_INLINE uint32_t key_of(uint32_t zi)
+{
+    return (zi << 1 & ~(uint32_t)0xff) | TP_MARK_WATER;
+}
+
+/* A step of keys leaves the mark alone. */
+TP_ALWAYS_INLINE uint32_t key_step(int32_t zi_step)
+{
+    return ((uint32_t)zi_step * 2 + 128) & ~(uint32_t)0xff;
+}
+
+TP_ALWAYS_INLINE void put(const tp_samples *tile, size_t at, const sample *p, int tested)
+{
+    if (tested && p->key <= (tile->key[at] | 0xff))
+        return;
+    tile->key[at] = p->key;
+    tile->s[at] = p->s;
+    tile->t[at] = p->t;
+    tile->n[at] = p->n;
+}
+
+TP_ALWAYS_INLINE size_t place_in(const tp_samples *tile, int32_t x, int32_t y)
+{
+    return (size_t)(uint32_t)(y - tile->y0) * tile->stride + (uint32_t)(x - tile->x0);
+}
+
+TP_ALWAYS_INLINE void step_down(sample *p, const sample *step, uint32_t rows)
+{
+    p->key += step->key * rows;
+    p->s += step->s * rows;
+    p->t += step->t * rows;
+    p->n += step->n * rows;
+}
+
+/* Rows [y, end), `now` that of row `top`.  The planes lie one behind the other, so one
+ * place and their distance tell all four. */
+TP_ALWAYS_INLINE void fill(const tp_samples *tile, int32_t x, int32_t y, int32_t end,
+                           int32_t top, sample now, sample step, int tested)
+{
+    const size_t plane = (size_t)(tile->s - tile->key), stride = tile->stride;
+    uint32_t *at = tile->key + place_in(tile, x, y);
+
+    if (y > top)
+        step_down(&now, &step, (uint32_t)(y - top));
+    for (int32_t count = end - y; count > 0; count--) {
+        if (!tested || now.key > (at[0] | 0xff)) {
+            at[0] = now.key;
+            at[plane] = now.s;
+            at[2 * plane] = now.t;
+            at[3 * plane] = now.n;
+        }
+        step_down(&now, &step, 1);
+        at += stride;
+    }
+}
+
+static __attribute__((noinline)) void fill_tested(const tp_samples *tile, int32_t x,
+                                                  int32_t y, int32_t end, int32_t top,
+                                                  const sample *now, const sample *step)
+{
+    fill(tile, x, y, end, top, *now, *step, 1);
+}
+
+/* The lower line `near`, the upper one `far`, and shares of the way down. */
+typedef struct {
+    const tp_row_sample *far, *near;
+    uint32_t inverse;           /* 2^31 over the rows between, Q8 */
+    int32_t  up;                /* what a row is of the way, negative, Q.30; of more
+                                 * than one */
+} between;
+
+TP_ALWAYS_INLINE between between_of(const tp_row_sample *far, const tp_row_sample *near)
+{
+    uint32_t inverse = 0x7fffffffu / ((uint32_t)(near->v - far->v) >> 8);
+    return (between){ far, near, inverse, (int32_t)(0u - 128 * inverse) };
+}
+
+TP_ALWAYS_INLINE int32_t share_at(const between *b, int32_t y)
+{
+    return (int32_t)((uint32_t)((y * ROW + ROW / 2 - b->far->v) >> 8) * b->inverse);
+}
+
+/* s and t as on the screen. */
+TP_ALWAYS_INLINE void set_straight(const between *b, int32_t y, sample *now, sample *step)
+{
+    const tp_row_sample *far = b->far, *near = b->near;
+    int32_t share = share_at(b, y), up = b->up, d;
+
+    d = difference((int32_t)far->zi, (int32_t)near->zi);
+    now->key = key_of((uint32_t)part((int32_t)far->zi, d, share));
+    step->key = key_step(-tp_mul_upper(d, up) * 4);
+    d = difference(far->s, near->s);
+    now->s = (uint32_t)part(far->s, d, share);
+    step->s = 0u - (uint32_t)tp_mul_upper(d, up) * 4;
+    d = difference(far->t, near->t);
+    now->t = (uint32_t)part(far->t, d, share);
+    step->t = 0u - (uint32_t)tp_mul_upper(d, up) * 4;
+    now->n = slopes_between(far->n, near->n, share);
+    step->n = slopes_step(near->n, far->n, up);
+}
+
+typedef struct {
+    uint32_t s, t;
+} place;
+
+static place place_at(const between *b, int32_t y)
+{
+    const tp_row_sample *far = b->far, *near = b->near;
+    int32_t share = tp_row_deep_share(share_at(b, y), far->zi, near->zi);
+
+    return (place){ (uint32_t)part(far->s, difference(far->s, near->s), share),
+                    (uint32_t)part(far->t, difference(far->t, near->t), share) };
+}
+
+/* Rows [y, end) of a piece that begins at row `top`, true in perspective at multiples of
+ * 16 rows and at its own ends. */
+static __attribute__((noinline)) void fill_deep(const tp_rows *rows,
+                                                const tp_row_sample *near,
+                                                const tp_row_sample *far, int32_t x,
+                                                int32_t y, int32_t end, int32_t top)
+{
+    const between b = between_of(far, near);
+    int32_t last = first_row(near->v) - 1;
+    int32_t from = (y & ~15) > top ? y & ~15 : top;
+    place   p = place_at(&b, from);
+    sample  now, step;
+
+    for (int32_t stop; y < end; y = from = stop) {
+        int32_t next = (from | 15) + 1, to = next < last ? next : last;
+        place   q = to > from ? place_at(&b, to) : p;
+        stop = next < end ? next : end;
+        set_straight(&b, from, &now, &step);
+        now.s = p.s;
+        now.t = p.t;
+        step.s = to > from ? tp_row_step_between(p.s, q.s, to - from) : 0;
+        step.t = to > from ? tp_row_step_between(p.t, q.t, to - from) : 0;
+        fill_tested(rows->tile, x, y, stop, from, &now, &step);
+        p = q;
+    }
+}
+
+/* What lies below row y of a column is covered. */
+TP_ALWAYS_INLINE void close(tp_rows *rows, tp_row_column *column, int32_t y)
+{
+    column->limit = limit_of(y);
+    if (y == rows->tile->y0) {
+        column->limit = INT32_MIN;
+        rows->open--;
+    }
+}
+
+/* Column x of the line where it lies at one pixel. */
+static void put_alone(const tp_rows *rows, const tp_row_sample *line, int32_t x,
+                      int32_t y)
+{
+    const sample p = { key_of(line->zi), (uint32_t)line->s, (uint32_t)line->t, line->n };
+
+    if (rows->solid)
+        put(rows->tile, place_in(rows->tile, x, y), &p, 1);
+    else
+        put(rows->tile, place_in(rows->tile, x, y), &p, 0);
+}
+
+/* Rows [y, end) of a piece that has two at the most: each for itself. */
+static __attribute__((noinline)) void fill_few(const tp_rows *rows,
+                                               const tp_row_sample *near,
+                                               const tp_row_sample *far, int32_t x,
+                                               int32_t y, int32_t end)
+{
+    const tp_samples *tile = rows->tile;
+    const uint32_t inverse = 0x7fffffffu / ((uint32_t)(near->v - far->v) >> 8);
+    uint32_t share = (uint32_t)((y * ROW + ROW / 2 - far->v) >> 8) * inverse;
+
+    for (; y < end; y++, share += 256 * inverse) {
+        const int32_t w = (int32_t)share;
+        const sample now = {
+            key_of((uint32_t)part((int32_t)far->zi,
+                                  difference((int32_t)far->zi, (int32_t)near->zi), w)),
+            (uint32_t)part(far->s, difference(far->s, near->s), w),
+            (uint32_t)part(far->t, difference(far->t, near->t), w),
+            slopes_between(far->n, near->n, w),
+        };
+        if (rows->solid)
+            put(tile, place_in(tile, x, y), &now, 1);
+        else
+            put(tile, place_in(tile, x, y), &now, 0);
+    }
+}
+
+static void fill_piece(const tp_rows *rows, const tp_row_sample *near,
+                       const tp_row_sample *far, int32_t x, int32_t y, int32_t end,
+                       int32_t top)
+{
+    uint32_t apart = (uint32_t)(near->v - far->v);
+    sample now, step;
+
+    if (apart >= DEEP * ROW && is_deep(far->zi, near->zi, apart >> 16)) {
+        fill_deep(rows, near, far, x, y, end, top);
+        return;
+    }
+    if (first_row(near->v) - top <= FEW) {
+        fill_few(rows, near, far, x, y, end);
+        return;
+    }
+    const between b = between_of(far, near);
+    set_straight(&b, top, &now, &step);
+    if (rows->solid)
+        fill_tested(rows->tile, x, y, end, top, &now, &step);
+    else
+        fill(rows->tile, x, y, end, top, now, step, 0);
+}
+
+/* Of lines less than a quarter of a row apart the far one is near enough. */
+void tp_row_cover(tp_rows *rows, tp_row_column *column, const tp_row_sample *far)
+{
+    const tp_samples *tile = rows->tile;
+    int32_t top = first_row(far->v), y = top > tile->y0 ? top : tile->y0;
+    int32_t end = (column->limit + ROW / 2) >> 16, apart = column->line.v - far->v;
+    int32_t x = tile->x0 + (int32_t)(column - rows->column);
+
+    close(rows, column, y);
+    if (y < end && column->line.v != TP_ROW_NONE) {
+        if (apart >= ROW / 4)
+            fill_piece(rows, &column->line, far, x, y, end, top);
+        else
+            put_alone(rows, far, x, y);
+    }
+    column->line = *far;
+}
+
+void tp_row_start(tp_rows *rows, tp_row_column *column, const tp_row_sample *line,
+                  bool joined)
+{
+    const tp_samples *tile = rows->tile;
+    int32_t top = first_row(line->v), y = top > tile->y0 ? top : tile->y0;
+    int32_t end = (column->limit + ROW / 2) >> 16;
+
+    close(rows, column, y);
+    if (joined && top >= tile->y0 && top < end)
+        put_alone(rows, line, tile->x0 + (int32_t)(column - rows->column), top);
+    column->line = *line;
+}
+
