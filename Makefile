@@ -48,10 +48,11 @@ CORE := $(addprefix src/, \
     scene/value.c scene/wake.c scene/world.c \
     frame/around.c frame/boat.c frame/bump.c frame/carve.c frame/caustics.c \
     frame/clipped.c frame/drops.c frame/flat.c frame/frame.c frame/glass.c \
-    frame/half.c frame/kit.c frame/land.c frame/lattice.c frame/plan.c \
-    frame/plan_depth.c frame/plan_foam.c frame/plan_layers.c \
+    frame/half.c frame/holds.c frame/kit.c frame/land.c frame/lattice.c frame/lines.c \
+    frame/plan.c frame/plan_depth.c frame/plan_foam.c frame/plan_layers.c \
     frame/plan_quick_layers.c frame/plan_sky.c frame/planned.c frame/projected.c \
-    frame/sight.c frame/spray.c frame/tank.c frame/tile.c frame/visibility.c frame/water.c)
+    frame/rows.c frame/sight.c frame/spray.c frame/tank.c frame/tile.c \
+    frame/visibility.c frame/water.c)
 
 # -- the program, for machines with files and threads ----------------------------------
 

@@ -165,6 +165,7 @@ typedef struct {
 /* Methods of finding the water in the picture, tp_visibility. */
 #define TP_METHOD_LIST(X) \
     X(triangles)    /* which the others go by where they do not hold */ \
+    X(rows)         /* the grid's lines; needs triangles */ \
     X(projected)    /* displaced lines over the picture */ \
     X(flat)         /* level water, with the slopes of its waves */
 

@@ -71,8 +71,8 @@ size_t tp_frame_scratch_bytes(const tp_frame_config *config)
 
     if (check(&c, NULL) != TP_OK)
         return 0;
-    size_t pixels = tp_format_row_bytes(c.format, (int)c.tile_width) * c.tile_height;
-    size_t columns = tp_rows_bytes(c.tile_width);
+    const size_t pixels = tp_format_row_bytes(c.format, (int)c.tile_width) * c.tile_height;
+    const size_t columns = TP_METHOD_BYTES * c.tile_width;
     return 4 * tile_samples(&c) * sizeof(uint32_t) + (pixels > columns ? pixels : columns);
 }
 

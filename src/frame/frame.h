@@ -157,6 +157,7 @@ typedef struct {
     tp_boat_vertex  *boat_vertex;       /* of the sight that was placed last */
     tp_land_vertex  *land_vertex;       /* rows x cols of the grid */
     tp_land_band    *land_band;         /* of each row of cells */
+    struct tp_frame_lines *lines;       /* of the grid, lines.h; NULL: rows draw nothing */
     tp_grid_box     *drop_box;          /* of each drop in the air, then the sphere */
     tp_ring_now     *ring;              /* as they lie at the drawn moment */
     tp_frame_speck  *speck;             /* those that are seen */
@@ -244,6 +245,16 @@ void tp_frame_place_level(tp_frame *frame);
 void tp_frame_carve_slopes(tp_frame_parts *parts, tp_arena *arena, const tp_scene *scene,
                            const tp_frame_config *config);
 void tp_frame_place_slopes(tp_frame *frame);
+/* water.c: the grid's points, and cells [first, end) of row j: drawn, and the box of what
+ * the lens leaves of them */
+void tp_frame_place_water(tp_frame *frame);
+void tp_frame_draw_cells(const tp_frame *frame, const tp_samples *tile, uint32_t j,
+                         uint32_t first, uint32_t end);
+tp_grid_box tp_frame_cells_box(const tp_frame *frame, uint32_t j, uint32_t first,
+                               uint32_t end);
+
+/* holds.c: whether rows draw this frame as triangles would */
+bool tp_frame_rows_hold(tp_frame *frame);
 
 /* Room for them, and a world's: one made anew may have none. */
 static inline bool tp_frame_has_drops(const tp_frame *frame)

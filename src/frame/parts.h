@@ -6,15 +6,17 @@
 #define TP_FRAME_PARTS_H
 #include "frame/frame.h"
 
-/* A way to find the water: visibility.c. */
+/* A way to find the water: visibility.c.  `memory` is free until there are pixels, and of
+ * TP_METHOD_BYTES for each of the tile's columns. */
 struct tp_method {
     void (*carve)(tp_frame_parts *parts, tp_arena *arena, const tp_kit *kit,
                   const tp_scene *scene, const tp_frame_config *config);
     bool (*holds)(tp_frame *frame);     /* for this frame; NULL: always */
     void (*place)(tp_frame *frame);
-    /* `memory` is tp_rows_bytes of a tile's width. */
     void (*draw)(const tp_frame *frame, tp_samples *tile, void *memory);
 };
+
+#define TP_METHOD_BYTES sizeof(tp_row_column)
 
 typedef struct {
     void (*place)(tp_frame *frame, tp_sight *sight);

@@ -44,14 +44,6 @@ void tp_sight_begin(tp_frame *frame, const tp_sight *sight)
         frame->kit->draw.inside->view(frame);
 }
 
-static void join(tp_grid_box *to, const tp_grid_box *box)
-{
-    to->x0 = box->x0 < to->x0 ? box->x0 : to->x0;
-    to->x1 = box->x1 > to->x1 ? box->x1 : to->x1;
-    to->y0 = box->y0 < to->y0 ? box->y0 : to->y0;
-    to->y1 = box->y1 > to->y1 ? box->y1 : to->y1;
-}
-
 tp_grid_box tp_sight_place(tp_frame *frame, tp_sight *sight)
 {
     tp_grid_box box = TP_BOX_NONE;
@@ -61,8 +53,8 @@ tp_grid_box tp_sight_place(tp_frame *frame, tp_sight *sight)
         frame->kit->draw.boat->solid.place(frame, sight);
     if (tp_frame_has_drops(frame))
         frame->kit->draw.drops->solid.place(frame, sight);
-    join(&box, &sight->boat_box);
-    join(&box, &sight->drops_box);
+    tp_box_join(&box, &sight->boat_box);
+    tp_box_join(&box, &sight->drops_box);
     if (sight->walls && tp_sight_has_walls(frame))       /* which may be anywhere */
         return (tp_grid_box){ INT16_MIN, INT16_MIN, INT16_MAX, INT16_MAX };
     return box;

@@ -48,6 +48,14 @@ static inline void tp_box_widen(tp_grid_box *box, int32_t u, int32_t v)
     box->y1 = y > box->y1 ? y : box->y1;
 }
 
+static inline void tp_box_join(tp_grid_box *to, const tp_grid_box *box)
+{
+    to->x0 = box->x0 < to->x0 ? box->x0 : to->x0;
+    to->x1 = box->x1 > to->x1 ? box->x1 : to->x1;
+    to->y0 = box->y0 < to->y0 ? box->y0 : to->y0;
+    to->y1 = box->y1 > to->y1 ? box->y1 : to->y1;
+}
+
 /* The height of still water where the solids are: a boat's waterline, else 0. */
 tp_fx tp_sight_level(const tp_frame *frame);
 

@@ -104,7 +104,6 @@ void tp_frame_colour_row(const tp_frame *frame, const tp_samples *tile, int32_t 
 }
 
 /* All that is there, the water after what it hides. */
-/* `memory` is the pixels', before there are any. */
 static void draw_samples(const tp_frame *frame, tp_samples *samples, void *memory)
 {
     const tp_draws *draw = &frame->kit->draw;
@@ -143,8 +142,8 @@ bool tp_frame_tile(const tp_frame *frame, uint32_t i, void *scratch, tp_tile *ti
     tile->stride = tp_format_row_bytes(c->format, (int)c->tile_width);
 
     tp_samples samples = samples_of(frame, scratch, tile);
+    draw_samples(frame, &samples, pixels_of(frame, scratch));
     uint8_t *row = pixels_of(frame, scratch);
-    draw_samples(frame, &samples, row);
     for (int32_t y = samples.y0; y < samples.y1; y++, row += tile->stride)
         shade_row(frame, &samples, y, row);
     return true;

@@ -57,6 +57,7 @@ const struct tp_method *tp_frame_method(const tp_kit *kit, tp_visibility visibil
 {
     const tp_methods *method = &kit->method;
     return visibility == TP_VISIBILITY_TRIANGLES ? method->triangles
+         : visibility == TP_VISIBILITY_ROWS ? method->rows
          : visibility == TP_VISIBILITY_PROJECTED ? method->projected
          : visibility == TP_VISIBILITY_FLAT ? method->flat : NULL;
 }

@@ -58,9 +58,9 @@ static void draw_cell(const tp_frame *frame, const tp_samples *tile,
     }
 }
 
-/* Cells [first, end) of row j.  Each cell's right side is the next one's left. */
-static void draw_cells(const tp_frame *frame, const tp_samples *tile, uint32_t j,
-                       uint32_t first, uint32_t end)
+/* Each cell's right side is the next one's left. */
+void tp_frame_draw_cells(const tp_frame *frame, const tp_samples *tile, uint32_t j,
+                         uint32_t first, uint32_t end)
 {
     tp_corner side[2][2] = { { corner_of(&frame->parts.grid, first, j),
                                corner_of(&frame->parts.grid, first, j + 1) } };
@@ -92,8 +92,8 @@ static void widen_by_cut(const tp_frame *frame, tp_grid_box *box, uint32_t i, ui
             tp_box_widen(box, corner[k].u, corner[k].v);
 }
 
-/* The box of what the lens leaves of cells [first, end) of row j. */
-static tp_grid_box cut_box(const tp_frame *frame, uint32_t j, uint32_t first, uint32_t end)
+tp_grid_box tp_frame_cells_box(const tp_frame *frame, uint32_t j, uint32_t first,
+                               uint32_t end)
 {
     tp_grid_box box = TP_BOX_NONE;
 
@@ -126,12 +126,12 @@ static void place_cut_boxes(tp_frame *frame)
             end = end < span.end ? end : span.end;
             tp_grid_box *box = &grid->box[(size_t)j * grid->blocks + b];
             if (box->x0 == INT16_MIN)
-                *box = cut_box(frame, j, first, end);
+                *box = tp_frame_cells_box(frame, j, first, end);
         }
     }
 }
 
-static void place_water(tp_frame *frame)
+void tp_frame_place_water(tp_frame *frame)
 {
     tp_grid_place(&frame->parts.grid, &frame->grid_view);
     frame->cull_water = frame->lens.eye.y > tp_surface_height(&frame->surface);
@@ -139,7 +139,7 @@ static void place_water(tp_frame *frame)
     for (uint32_t j = 0; j + 1 < frame->parts.grid.rows; j++)
         frame->stats.triangles += 2u * (uint32_t)(frame->parts.grid.span[j].end
                                                   - frame->parts.grid.span[j].first);
-    if (tp_frame_tiles(frame) > 1)
+    if (tp_frame_tiles(frame) > 1 || frame->visibility == TP_VISIBILITY_ROWS)
         place_cut_boxes(frame);
 }
 
@@ -159,7 +159,7 @@ static void draw_water(const tp_frame *frame, tp_samples *tile, void *memory)
             first = first > span.first ? first : span.first;
             end = end < span.end ? end : span.end;
             if (first < end && tp_sight_touches(&box[b], tile))
-                draw_cells(frame, tile, j, first, end);
+                tp_frame_draw_cells(frame, tile, j, first, end);
         }
     }
 }
@@ -177,5 +177,5 @@ static void carve_water(tp_frame_parts *parts, tp_arena *arena, const tp_kit *ki
 }
 
 const struct tp_method tp_method_triangles = {
-    .carve = carve_water, .place = place_water, .draw = draw_water,
+    .carve = carve_water, .place = tp_frame_place_water, .draw = draw_water,
 };

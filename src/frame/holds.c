@@ -1,0 +1,96 @@
+/* SPDX-License-Identifier: MIT */
+/* When rows draw what triangles would, by camera and sea alone.
+ *
+ * Rows ask that a column of pixels, gone up, meets the lines of the grid one after the
+ * other and each of them once.  So the eye must stand above all water, every ray of the
+ * picture must lead away across the lines, and the camera must not roll.  Nor may lines
+ * change places along a ray.  Where it goes t metres along the lines for each across them,
+ * the displaced lines are met in order while J_mm - t J_km > 0, k across, m along:
+ *     sum |bend_mm - t bend_km| < 1,
+ * whatever the phases; the sum is convex in t, so the picture's corners tell.  What lies on
+ * the swells is a height and moves nothing sideways.  Where waves may break they hang over.
+ *
+ * The widest ray also bounds how far apart along it the lines lie, and so how far what is
+ * drawn strays from the triangles. */
+#include "frame/frame.h"
+
+#define STEEP   3                       /* t of the widest ray: 71.6 degrees */
+#define ROLL    (TP_FX_ONE / 64)        /* sine of it */
+#define ABOVE   (TP_FX_ONE / 8)         /* m over the highest crest */
+#define FOLDS   (TP_FX_ONE * 9 / 10)    /* of the sum; over an ocean, whose waves steepen */
+#define STEEPENS (TP_FX_ONE * 3 / 4)    /* before the wind and lean, less */
+
+/* A ray as it leads across the lines and along them, of no particular length. */
+typedef struct {
+    int64_t across, along;
+} level_ray;
+
+static bool is_upright(const tp_frame *frame)
+{
+    const tp_dir3 *back = &frame->lens.turn.z;
+    return tp_abs(back->x) > tp_abs(back->z);
+}
+
+/* Through a corner of the picture, 16.16; pixels below 2^12 from the centre, a focal
+ * length below 2^16. */
+static level_ray corner_ray(const tp_frame *frame, int corner)
+{
+    const tp_rotation *turn = &frame->lens.turn;
+    int64_t u = (int64_t)frame->config.width << 15, v = (int64_t)frame->config.height << 15;
+    int64_t far = frame->lens.focal;
+
+    u = corner & 1 ? u : -u;
+    v = corner & 2 ? v : -v;
+    int64_t x = (turn->x.x * u + turn->y.x * v - turn->z.x * far) >> 30;
+    int64_t z = (turn->x.z * u + turn->y.z * v - turn->z.z * far) >> 30;
+    return is_upright(frame) ? (level_ray){ x, z } : (level_ray){ z, x };
+}
+
+static bool stays_in_order(const tp_frame *frame, tp_fx t)
+{
+    const tp_sea *sea = frame->surface.sea;
+    int64_t sum = 0;
+
+    for (uint32_t i = 0; i < sea->count; i++) {
+        const tp_swell *w = &sea->swell[i];
+        tp_q30  mm = is_upright(frame) ? w->bend_zz : w->bend_xx;
+        int64_t b = (mm - ((int64_t)w->bend_xz * t >> 16)) >> 14;
+        sum += b < 0 ? -b : b;
+    }
+    return sum < (frame->surface.ocean ? STEEPENS : FOLDS);
+}
+
+/* All corners lead away, not too wide, and what they see keeps its order. */
+static bool rays_hold(const tp_frame *frame)
+{
+    const tp_dir3 *back = &frame->lens.turn.z;
+    bool behind = (is_upright(frame) ? back->x : back->z) > 0;
+
+    for (int corner = 0; corner < 4; corner++) {
+        level_ray ray = corner_ray(frame, corner);
+        int64_t across = behind ? -ray.across : ray.across;
+        int64_t along = behind ? -ray.along : ray.along;
+        if (across < TP_FX_ONE || (along < 0 ? -along : along) >= STEEP * across)
+            return false;
+        if (!stays_in_order(frame, (tp_fx)(along * TP_FX_ONE / across)))
+            return false;
+    }
+    return true;
+}
+
+static bool may_break(const tp_ocean *ocean)
+{
+    for (uint32_t i = 0; i < ocean->count; i++)
+        if (ocean->wave[i].stretch > 0 && (ocean->slope > 0 || ocean->map_cols > 0))
+            return true;
+    return false;
+}
+
+bool tp_frame_rows_hold(tp_frame *frame)
+{
+    return frame->parts.lines
+        && tp_abs(frame->lens.turn.x.y >> 14) < ROLL
+        && frame->lens.eye.y > tp_surface_height(&frame->surface) + ABOVE
+        && rays_hold(frame)
+        && !(frame->surface.ocean && may_break(frame->surface.ocean));
+}
