@@ -72,7 +72,7 @@ TP_ALWAYS_INLINE uint32_t tp_smlabb(uint32_t a, uint32_t b, uint32_t sum)
 
 static inline int32_t tp_low16(uint32_t a)
 {
-    return (int16_t)(a & 0xffff);
+    return (int32_t)(a << 16) >> 16;
 }
 
 static inline int32_t tp_high16(uint32_t a)
@@ -83,6 +83,39 @@ static inline int32_t tp_high16(uint32_t a)
 static inline uint32_t tp_pair16(int32_t high, int32_t low)
 {
     return (uint32_t)high << 16 | ((uint32_t)low & 0xffff);
+}
+
+/* The lower, or the upper, halves of a and b, b's above. */
+TP_ALWAYS_INLINE uint32_t tp_low_halves(uint32_t a, uint32_t b)
+{
+#if TP_DSP
+    uint32_t halves;
+    __asm__("pkhbt %0, %1, %2, lsl #16" : "=r"(halves) : "r"(a), "r"(b));
+    return halves;
+#else
+    return (a & 0xffff) | b << 16;
+#endif
+}
+
+TP_ALWAYS_INLINE uint32_t tp_high_halves(uint32_t a, uint32_t b)
+{
+#if TP_DSP
+    uint32_t halves;
+    __asm__("pkhtb %0, %2, %1, asr #16" : "=r"(halves) : "r"(a), "r"(b));
+    return halves;
+#else
+    return a >> 16 | (b & 0xffff0000u);
+#endif
+}
+
+/* A constant that the compiler is to keep in a register: products with known ones become
+ * shifts and sums, which a core that multiplies in one cycle has no gain from. */
+TP_ALWAYS_INLINE uint32_t tp_kept(uint32_t constant)
+{
+#if TP_DSP
+    __asm__("" : "+r"(constant));
+#endif
+    return constant;
 }
 
 /* The sum of the products of the upper and the lower halves, and c; it wraps. */
@@ -152,6 +185,17 @@ TP_ALWAYS_INLINE uint32_t tp_shsub16(uint32_t a, uint32_t b)
 #endif
 }
 
+/* Halves of the sums of the halves, cut. */
+TP_ALWAYS_INLINE uint32_t tp_shadd16(uint32_t a, uint32_t b)
+{
+#if TP_DSP
+    return (uint32_t)__shadd16((int16x2_t)a, (int16x2_t)b);
+#else
+    return tp_pair16((tp_high16(a) + tp_high16(b)) >> 1,
+                     (tp_low16(a) + tp_low16(b)) >> 1);
+#endif
+}
+
 /* Bytes 0 and 2 as halves; bytes 1 and 3; a with those added to its halves. */
 TP_ALWAYS_INLINE uint32_t tp_even_bytes(uint32_t a)
 {
@@ -185,12 +229,30 @@ TP_ALWAYS_INLINE uint32_t tp_add_odd_bytes(uint32_t a, uint32_t b)
 #endif
 }
 
+/* x / 2^shift, held in -2^(bits - 1)..2^(bits - 1) - 1; the same. */
+TP_ALWAYS_INLINE int32_t tp_ssat(int32_t x, int shift, int bits)
+{
+#if TP_DSP
+    int32_t held;
+    __asm__("ssat %0, %2, %1, asr %3" : "=r"(held) : "r"(x), "i"(bits), "i"(shift));
+    return held;
+#else
+    int32_t y = x >> shift, end = (int32_t)(1u << (bits - 1));
+    y = y > -end ? y : -end;
+    return y < end ? y : end - 1;
+#endif
+}
+
 /* x / 2^shift, held in 0..2^bits - 1; shift and bits are literals. */
 TP_ALWAYS_INLINE int32_t tp_usat(int32_t x, int shift, int bits)
 {
 #if TP_DSP
     int32_t held;
-    __asm__("usat %0, %2, %1, asr %3" : "=r"(held) : "r"(x), "i"(bits), "i"(shift));
+    if (shift == 0)
+        __asm__("usat %0, %2, %1" : "=r"(held) : "r"(x), "i"(bits));
+    else
+        __asm__("usat %0, %2, %1, asr %3" : "=r"(held)
+                : "r"(x), "i"(bits), "i"(shift ? shift : 1));
     return held;
 #else
     int32_t y = x >> shift, end = (int32_t)((1u << bits) - 1);

@@ -8,6 +8,7 @@
  * Source: B. E. Bayer, An optimum method for two-level rendition of continuous-tone
  * pictures, ICC 1973. */
 #include "base/base.h"
+#include "pixel/rgb565.h"
 #include "tidepool/kit.h"
 
 static const uint8_t bayer[8][8] = {
@@ -20,16 +21,6 @@ static const uint8_t bayer[8][8] = {
     { 15, 47,  7, 39, 13, 45,  5, 37 },
     { 63, 31, 55, 23, 61, 29, 53, 21 },
 };
-
-/* The nearest level of each part.  (31 c + 127)/255 = (249 c + 1014) >> 11 and
- * (63 c + 127)/255 = (253 c + 505) >> 10 for all c = 0..255; 249 c + 1014 < 2^16, so red
- * and blue go through one multiply. */
-static inline uint32_t to_rgb565(uint32_t colour)
-{
-    const uint32_t red_blue = (colour & 0xff00ff) * 249 + (1014u << 16 | 1014u);
-    const uint32_t green = (colour >> 8 & 0xff) * 253 + 505;
-    return (red_blue >> 16 & 0xf800) | (green >> 5 & 0x7e0) | (red_blue >> 11 & 0x1f);
-}
 
 /* Luma of BT.601 in 8.8: weights 77, 150, 29 of 256, so white is 255 * 256. */
 static inline uint32_t luma_q8(uint32_t colour)
@@ -57,29 +48,54 @@ void tp_store_xrgb8888(void *row, int x_in_row, int x, int y, const uint32_t *co
     memcpy((uint32_t *)row + x_in_row, colours, (size_t)count * sizeof *colours);
 }
 
+#if TP_DSP
+TP_ALWAYS_INLINE void put_pair(uint8_t *to, uint32_t pair, int be)
+{
+    if (be)
+        pair = (pair & 0x00ff00ff) << 8 | (pair >> 8 & 0x00ff00ff);
+    __builtin_memcpy(to, &pair, sizeof pair);
+}
+#endif
+
+/* Two pixels at a time where a word holds both at once; compilers do better of the plain
+ * loop elsewhere.  Big endian ones have their bytes changed over. */
+TP_ALWAYS_INLINE void store_rgb565(uint8_t *to, const uint32_t *colours, int count,
+                                   int be)
+{
+    int i = 0;
+#if TP_DSP
+    const tp_rgb565_kept kept = tp_rgb565_keep();
+    for (; i + 3 < count; i += 4) {
+        const uint32_t *c = colours + i;
+        put_pair(to + 2 * i, tp_rgb565_pair(&kept, c[0], c[1]), be);
+        put_pair(to + 2 * i + 4, tp_rgb565_pair(&kept, c[2], c[3]), be);
+    }
+#endif
+    for (; i < count; i++) {
+        const uint32_t pixel = tp_rgb565(colours[i]);
+        if (be) {
+            to[2 * i] = (uint8_t)(pixel >> 8);
+            to[2 * i + 1] = (uint8_t)pixel;
+        } else {
+            ((uint16_t *)(void *)to)[i] = (uint16_t)pixel;
+        }
+    }
+}
+
 void tp_store_rgb565(void *row, int x_in_row, int x, int y, const uint32_t *colours,
                      int count)
 {
-    uint16_t *to = (uint16_t *)row + x_in_row;
-
     (void)x;
     (void)y;
-    for (int i = 0; i < count; i++)
-        to[i] = (uint16_t)to_rgb565(colours[i]);
+    store_rgb565((uint8_t *)row + 2 * x_in_row, colours, count, 0);
 }
 
 void tp_store_rgb565be(void *row, int x_in_row, int x, int y, const uint32_t *colours,
                        int count)
 {
-    uint8_t *to = (uint8_t *)row + 2 * x_in_row;
-
     (void)x;
     (void)y;
-    for (int i = 0; i < count; i++, to += 2) {
-        const uint32_t pixel = to_rgb565(colours[i]);
-        to[0] = (uint8_t)(pixel >> 8);
-        to[1] = (uint8_t)pixel;
-    }
+    store_rgb565((uint8_t *)row + 2 * x_in_row, colours, count, 1);
 }
 
 void tp_store_p8(void *row, int x_in_row, int x, int y, const uint32_t *colours,

@@ -7,6 +7,7 @@
 #include <string.h>
 #include <cmocka.h>
 #include "measure.h"
+#include "pixel/rgb565.h"
 #include "tidepool/kit.h"
 
 enum { FLAT_COLOURS = 20000, WIDTH = 40 };
@@ -43,6 +44,19 @@ static void rgb565_takes_the_nearest_levels(void **state)
                 || (unsigned)(big[2 * low] << 8 | big[2 * low + 1]) != want)
                 fail_msg("%06x is stored as %04x", (unsigned)colours[low], native[low]);
         }
+    }
+}
+
+/* As cores that hold two pixels in a word do it: every level of every part, beside others. */
+static void pairs_of_pixels_are_two_pixels(void **state)
+{
+    (void)state;
+    const tp_rgb565_kept kept = tp_rgb565_keep();
+
+    for (uint32_t i = 0; i < 1 << 16; i++) {
+        const uint32_t a = i * 2654435761u >> 8, b = i * 0x010101u & 0xffffff;
+        assert_int_equal(tp_rgb565_pair(&kept, a, b), tp_rgb565(b) << 16 | tp_rgb565(a));
+        assert_int_equal(tp_rgb565_pair(&kept, b, a), tp_rgb565(a) << 16 | tp_rgb565(b));
     }
 }
 
@@ -262,6 +276,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(rgb565_takes_the_nearest_levels),
+        cmocka_unit_test(pairs_of_pixels_are_two_pixels),
         cmocka_unit_test(formats_without_dither_read_back_what_they_can_hold),
         cmocka_unit_test(p8_keeps_the_mean_of_flat_colours),
         cmocka_unit_test(l8_keeps_the_mean_of_flat_colours),

@@ -1,0 +1,49 @@
+/* SPDX-License-Identifier: MIT */
+/* Colours to 16 bits: the nearest level of each part.
+ *
+ * (31 c + 127)/255 = (249 c + 1014) >> 11 and (63 c + 127)/255 = (253 c + 505) >> 10 for
+ * all c = 0..255; both sums are below 2^16, so halves of a word go through one multiply:
+ * red and blue of one colour, or the same part of two. */
+#ifndef TP_PIXEL_RGB565_H
+#define TP_PIXEL_RGB565_H
+#include "base/dsp.h"
+
+#define TP_RB_SCALE 249u
+#define TP_RB_HALF  (1014u << 16 | 1014u)
+#define TP_G_SCALE  253u
+#define TP_G_HALF   505u
+
+TP_ALWAYS_INLINE uint32_t tp_rgb565(uint32_t colour)
+{
+    const uint32_t red_blue = (colour & 0xff00ff) * TP_RB_SCALE + TP_RB_HALF;
+    const uint32_t green = (colour >> 8 & 0xff) * TP_G_SCALE + TP_G_HALF;
+    return (red_blue >> 16 & 0xf800) | (green >> 5 & 0x7e0) | (red_blue >> 11 & 0x1f);
+}
+
+/* The constants of pairs, to be kept while they last. */
+typedef struct {
+    uint32_t rb_scale, rb_half, g_scale, g_half, red, green, blue;
+} tp_rgb565_kept;
+
+TP_ALWAYS_INLINE tp_rgb565_kept tp_rgb565_keep(void)
+{
+    return (tp_rgb565_kept){
+        tp_kept(TP_RB_SCALE), tp_kept(TP_RB_HALF), tp_kept(TP_G_SCALE),
+        tp_kept(TP_G_HALF << 16 | TP_G_HALF), 0xf800f800, tp_kept(0x07e007e0),
+        tp_kept(0x001f001f),
+    };
+}
+
+/* The first colour's pixel below the second's. */
+TP_ALWAYS_INLINE uint32_t tp_rgb565_pair(const tp_rgb565_kept *k, uint32_t first,
+                                         uint32_t second)
+{
+    const uint32_t a = tp_even_bytes(first) * k->rb_scale + k->rb_half;
+    const uint32_t b = tp_even_bytes(second) * k->rb_scale + k->rb_half;
+    const uint32_t green = tp_low_halves(tp_odd_bytes(first), tp_odd_bytes(second))
+                         * k->g_scale + k->g_half;
+
+    return (tp_high_halves(a, b) & k->red) | (green >> 5 & k->green)
+         | (tp_low_halves(a, b) >> 11 & k->blue);
+}
+#endif
