@@ -26,6 +26,7 @@ typedef void (*tp_stage)(const struct tp_shade *shade, struct tp_run *run);
 #define TP_STAGE_LIST(X) \
     /* colour of the empty view */ \
     X(sky) X(sky_dome) X(sky_dome_hdr) X(sky_cube) X(sky_cube_hdr) \
+    X(quick_sky_dome) \
     X(stars)                /* added to a dome */ \
     /* colour of the water: without texture, and with the first layer */ \
     X(plain) X(texture) X(texture_tinted) X(texture_linear) X(texture_linear_tinted) \
@@ -43,6 +44,10 @@ typedef void (*tp_stage)(const struct tp_shade *shade, struct tp_run *run);
     X(quick_layers)         /* colour: all layers */ \
     X(quick_layers_thin)    /* of those columns, and the ones between */ \
     X(quick_ripple) X(quick_slopes)     /* slope: with ripples, and without */ \
+    /* colour of slope: light, what is mirrored, and glints */ \
+    X(quick_gradient) X(quick_gradient_phong) X(quick_gradient_blinn) \
+    X(quick_dome_phong) X(quick_dome_blinn) \
+    X(quick_cube) X(quick_cube_phong) X(quick_cube_blinn) \
     X(view)                 /* vx vy vz, lv: world axes */ \
     X(diffuse) X(diffuse_rippled)   /* colour; needs no view */ \
     X(light) X(light_rippled) X(light_blinn) X(light_blinn_rippled) /* nv up glint */ \
@@ -160,7 +165,8 @@ typedef struct {
     X(dome) X(cube) X(stars)        /* skies */ \
     X(fresnel)      /* tables of what mirrors or is clear; mirror, fresnel ... */ \
     X(glint)        /* tables of what shines */ \
-    X(exposure)
+    X(exposure) \
+    X(quick_light)  /* of the quick rung; stages quick_gradient ... */
 
 /* Methods of finding the water in the picture, tp_visibility. */
 #define TP_METHOD_LIST(X) \

@@ -169,9 +169,11 @@ tp_frame *tp_frame_carve(const tp_kit *kit, tp_frame_parts *parts, tp_frame_ram 
     carve_depth(parts, arena, kit, scene);
     const size_t placed = arena->used;
     carve_tables(parts, arena, kit, scene, assets);
-    if (tp_frame_wants(parts, parts->reach.shading & 1 << TP_SHADING_QUICK,
-                       kit->draw.quick_layers))
+    const bool quick = parts->reach.shading & 1 << TP_SHADING_QUICK;
+    if (tp_frame_wants(parts, quick, kit->draw.quick_layers))
         parts->quick = kit->draw.quick_layers->carve(arena, assets);
+    if (tp_frame_wants(parts, quick, kit->draw.quick_light))
+        kit->draw.quick_light->carve(parts, arena);
     const size_t tabled = arena->used;
     carve_looks(parts, arena, kit, scene, assets, config);
     *ram = (tp_frame_ram){

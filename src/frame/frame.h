@@ -136,6 +136,7 @@ typedef struct {
     uint32_t colour;
 } tp_quick_wish;
 
+#define TP_QUICK_KEY 16
 #define TP_QUICK_PICTURES (TP_LAYERS + 2)
 
 typedef struct {
@@ -176,6 +177,7 @@ typedef struct {
     tp_half_store    mirrored, sunken;
     tp_frame_quick  *quick;             /* NULL: nothing is prepared here */
     tp_around_store  around;
+    struct tp_quick_light *quick_light;
 } tp_frame_parts;
 
 struct tp_frame {
@@ -215,6 +217,7 @@ struct tp_frame {
     tp_rectangle     caustic_place;
     int32_t          caustic_still_x, caustic_still_z;  /* fall of the sun, Q16.16 */
 
+    int32_t          quick_key[TP_QUICK_KEY];   /* that tables were made for */
     tp_shade         shade;
     tp_plan          sky, water, solids, land, drops, tank, side, spray;
 };

@@ -150,6 +150,12 @@ struct tp_draw_glint {
     void (*plan)(tp_frame *frame);
 };
 
+/* The quick rung: false where water needs more than that has. */
+struct tp_draw_quick_light {
+    void (*carve)(tp_frame_parts *parts, tp_arena *arena);
+    bool (*plan)(tp_frame *frame, tp_plan *water);
+};
+
 /* The water's share of what it mirrors. */
 struct tp_draw_fresnel {
     void (*init)(tp_frame *frame);

@@ -105,6 +105,11 @@ static void choose_water(tp_frame *frame)
     bool shines = frame->scene->water.specular > 0;
 
     *water = (tp_plan){ .lacks = 0 };
+    if (frame->rungs.shading == TP_SHADING_QUICK && frame->kit->draw.quick_light
+        && frame->kit->draw.quick_light->plan(frame, water)) {
+        tp_frame_add_air(frame, water);
+        return;
+    }
     bool rippled = tp_plan_add_layers(frame, water);
     shines = add_light(frame, water, rippled, shines);
     if (frame->kit->draw.foam && tp_world_foam(frame->world))

@@ -169,7 +169,9 @@ void tp_frame_add_sky(const tp_frame *frame, tp_plan *plan)
     tp_stage sky = stages->sky;
 
     if (env->kind == TP_ENV_DOME)
-        sky = env->beyond ? stages->sky_dome_hdr : stages->sky_dome;
+        sky = env->beyond ? stages->sky_dome_hdr
+            : frame->rungs.shading == TP_SHADING_QUICK && env->stars == 0
+              && stages->quick_sky_dome ? stages->quick_sky_dome : stages->sky_dome;
     else if (env->kind == TP_ENV_CUBE)
         sky = env->beyond ? stages->sky_cube_hdr : stages->sky_cube;
     tp_plan_add(plan, tp_plan_pick(plan, sky, stages->sky));

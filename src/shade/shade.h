@@ -47,14 +47,24 @@ typedef struct tp_run {
     const uint32_t *key, *s, *t, *n;    /* the samples */
     const uint32_t *ls, *lt;    /* where layers are sampled: s and t, unless bent */
     uint32_t colour[TP_RUN];
-    int16_t  vx[TP_RUN], vy[TP_RUN], vz[TP_RUN];    /* to the eye */
-    int16_t  lv[TP_RUN];        /* light . view */
+    union {
+        struct {
+            int16_t  vx[TP_RUN], vy[TP_RUN], vz[TP_RUN];    /* to the eye */
+            int16_t  lv[TP_RUN];        /* light . view */
+        };
+        struct { uint32_t back[TP_RUN]; int32_t view_y[TP_RUN]; };  /* quick_light.h */
+    };
     union {                     /* slopes, once a ripple has bent them */
         struct { int16_t sx[TP_RUN], sz[TP_RUN]; };
         uint32_t slope[TP_RUN]; /* of quick stages: x:z, Q3.12 each */
     };
-    int16_t  nv[TP_RUN];        /* normal . view, 0..1 */
-    int16_t  up[TP_RUN];        /* y of the mirrored view, -1..1 */
+    union {
+        struct {
+            int16_t  nv[TP_RUN];        /* normal . view, 0..1 */
+            int16_t  up[TP_RUN];        /* y of the mirrored view, -1..1 */
+        };
+        int32_t view_l[TP_RUN];         /* quick_light.h */
+    };
     uint16_t glint[TP_RUN];     /* specular, 256 is the light's full colour, or more */
     union {                     /* once layers are laid, bent places are not needed */
         struct {
@@ -63,6 +73,7 @@ typedef struct tp_run {
         };
         struct { uint32_t bent_s[TP_RUN], bent_t[TP_RUN]; };
         uint32_t place[2 * TP_RUN];         /* the same, of quick stages */
+        struct { uint32_t half[TP_RUN], column[TP_RUN]; };  /* quick_light.h */
     };
 } tp_run;
 
@@ -131,6 +142,7 @@ typedef struct tp_shade {
     uint32_t sky[TP_SKY + 1];
     tp_env   env;               /* what else the sky is */
     const uint8_t *tone;        /* 256 entries: the camera's exposure */
+    const struct tp_quick_light *quick; /* of quick light alone */
 } tp_shade;
 
 /* The stages are those of TP_STAGE_LIST.  Variants of one body: */

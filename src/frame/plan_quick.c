@@ -1,0 +1,97 @@
+/* SPDX-License-Identifier: MIT */
+/* The quick rung's plan for water: prepared pictures, then one stage of light, then air
+ * and exposure.  It knows a sky's mirror, ripples and glints; what scenes ask for beyond
+ * (objects in the mirror, foam, clear water, bumps of pools, light beyond white, smooth
+ * water under a dome or a cube) they get by exact stages alone, as those hand on more
+ * than a colour. */
+#include "frame/parts.h"
+#include "shade/quick_light.h"
+
+static bool is_rippled(const tp_frame *frame)
+{
+    return frame->shade.quick_layers.ripple.level && frame->scene->ripple.bump > 0;
+}
+
+/* Smooth water would show the cells of a dome or a cube. */
+static bool has_beyond(const tp_frame *frame)
+{
+    const tp_scene *scene = frame->scene;
+    const tp_pool_bump *pool = frame->shade.bumps.pool;
+    const int objects = scene->mirror.objects;
+
+    return scene->water.clear > 0 || frame->shade.env.beyond > 0
+        || (frame->shade.env.kind != TP_ENV_GRADIENT && !is_rippled(frame))
+        || pool[0].slope || pool[1].slope
+        || (frame->kit->draw.foam && tp_world_foam(frame->world))
+        || (objects == TP_MIRROR_STENCIL && frame->parts.mirrored.colour)
+        || (objects == TP_MIRROR_CUBE && frame->parts.around.colour);
+}
+
+/* A dome's glow is in its lobe's table: it always has one. */
+static tp_lobe lobe_of(const tp_frame *frame)
+{
+    if (frame->scene->water.specular <= 0 && frame->shade.env.kind != TP_ENV_DOME)
+        return TP_LOBE_NONE;
+    return frame->scene->light.model == TP_LIGHT_BLINN ? TP_LOBE_BLINN : TP_LOBE_PHONG;
+}
+
+static tp_stage stage_of(const tp_frame *frame, tp_lobe lobe)
+{
+    const tp_stages *s = &frame->kit->stage;
+    const tp_stage stage[3][3] = {
+        { s->quick_gradient, s->quick_gradient_phong, s->quick_gradient_blinn },
+        { NULL,              s->quick_dome_phong,     s->quick_dome_blinn },
+        { s->quick_cube,     s->quick_cube_phong,     s->quick_cube_blinn },
+    };
+    return stage[frame->shade.env.kind][lobe];
+}
+
+/* All that the tables are made of; the camera's pitch in steps of a degree. */
+static void key_of(int32_t key[TP_QUICK_KEY], const tp_frame *frame, tp_lobe lobe)
+{
+    const tp_scene *scene = frame->scene;
+    const tp_shade *shade = &frame->shade;
+    const int32_t numbers[TP_QUICK_KEY] = {
+        (int32_t)shade->env.kind, (int32_t)lobe, shade->world.lx, shade->world.ly,
+        shade->world.lz, shade->mirror, scene->light.colour,
+        scene->water.shininess, scene->water.specular, scene->water.fresnel,
+        scene->sky.horizon, scene->sky.zenith, scene->sky.kind,
+        shade->world.back.y >> 24, (int32_t)shade->env.least, is_rippled(frame),
+    };
+    memcpy(key, numbers, sizeof numbers);
+}
+
+static void make_tables(tp_frame *frame, tp_lobe lobe)
+{
+    struct tp_quick_light *quick = frame->parts.quick_light;
+    int32_t key[TP_QUICK_KEY];
+
+    key_of(key, frame, lobe);
+    frame->shade.quick = quick;
+    if (memcmp(key, frame->quick_key, sizeof key) == 0)
+        return;
+    memcpy(frame->quick_key, key, sizeof key);
+    tp_quick_light_init(quick, &frame->shade, lobe, frame->scene->water.specular > 0,
+                        is_rippled(frame));
+}
+
+static void carve(tp_frame_parts *parts, tp_arena *arena)
+{
+    parts->quick_light = tp_arena_take(arena, 1, sizeof *parts->quick_light);
+}
+
+/* Of the tables that the exact stages' parts have made for this frame. */
+static bool plan(tp_frame *frame, tp_plan *water)
+{
+    const tp_lobe  lobe = lobe_of(frame);
+    const tp_stage light = stage_of(frame, lobe);
+
+    if (!frame->parts.quick_light || !light || has_beyond(frame))
+        return false;
+    make_tables(frame, lobe);
+    tp_plan_add_quick_layers(frame, water);
+    tp_plan_add(water, light);
+    return true;
+}
+
+const struct tp_draw_quick_light tp_draw_quick_light = { carve, plan };

@@ -1,0 +1,54 @@
+/* SPDX-License-Identifier: MIT */
+#include "shade/quick_sky.h"
+#include "shade/env.h"
+#include "shade/quick_light.h"
+#if TP_DSP
+#define FILL tp_packed_fill
+#else
+#define FILL tp_plain_fill
+#endif
+
+#define CLOSE (1u << 23)        /* the square of 10 degrees: beyond, glow is smooth */
+
+static uint32_t colour_of(const tp_shade *shade, tp_ray v)
+{
+    return tp_env_dome(shade, 0, -v.x, -v.y, -v.z) & 0x00ffffff;
+}
+
+static bool is_close(const tp_shade *shade, tp_ray v)
+{
+    return tp_square_of(v.x + shade->world.lx, v.y + shade->world.ly,
+                        v.z + shade->world.lz) < CLOSE;
+}
+
+/* Columns [k, end) of the 16 from a to b. */
+static void look(const tp_shade *shade, uint32_t *colour, tp_ray a, tp_ray b, int32_t k,
+                 int32_t end)
+{
+    for (; k < end; k++) {
+        tp_ray v = { a.x + ((b.x - a.x) * k >> 4), a.y + ((b.y - a.y) * k >> 4),
+                     a.z + ((b.z - a.z) * k >> 4), 0 };
+        *colour++ = colour_of(shade, v);
+    }
+}
+
+void tp_stage_quick_sky_dome(const tp_shade *shade, tp_run *run)
+{
+    const tp_quick_row row = tp_quick_row_at(shade, run->y);
+    int32_t  x = run->x, end = run->x + run->count;
+    tp_ray   a = tp_quick_ray(shade, &row, 16 * (x & ~15) + 8);
+    uint32_t here = colour_of(shade, a);
+
+    while (x < end) {
+        int32_t  from = x & ~15, stop = from + 16 < end ? from + 16 : end;
+        tp_ray   b = tp_quick_ray(shade, &row, 16 * from + 16 * 16 + 8);
+        uint32_t there = colour_of(shade, b), *colour = run->colour + (x - run->x);
+        if (is_close(shade, a) || is_close(shade, b))
+            look(shade, colour, a, b, x - from, stop - from);
+        else
+            FILL(colour, tp_quick_between(here, there), x - from, stop - from);
+        x = stop;
+        a = b;
+        here = there;
+    }
+}
