@@ -16,8 +16,9 @@ const tp_kit features_kit = {
     .stage.diffuse = tp_stage_diffuse,
     .stage.haze = tp_stage_haze,
     .store[TP_FORMAT_RGB565] = tp_store_rgb565,
+    .method.flat = &tp_method_flat,
+#if FEATURES >= 1       /* waves, as triangles */
     .method.triangles = &tp_method_triangles,
-#if FEATURES >= 1       /* waves */
     .water.swells = &tp_water_swells,
 #endif
 #if FEATURES >= 2       /* bilinear texels */
