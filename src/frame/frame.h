@@ -136,7 +136,6 @@ typedef struct {
     uint32_t colour;
 } tp_quick_wish;
 
-#define TP_QUICK_KEY 16
 #define TP_QUICK_PICTURES (TP_LAYERS + 2)
 
 typedef struct {
@@ -217,7 +216,6 @@ struct tp_frame {
     tp_rectangle     caustic_place;
     int32_t          caustic_still_x, caustic_still_z;  /* fall of the sun, Q16.16 */
 
-    int32_t          quick_key[TP_QUICK_KEY];   /* that tables were made for */
     tp_shade         shade;
     tp_plan          sky, water, solids, land, drops, tank, side, spray;
 };

@@ -68,9 +68,9 @@ static void make_tables(tp_frame *frame, tp_lobe lobe)
 
     key_of(key, frame, lobe);
     frame->shade.quick = quick;
-    if (memcmp(key, frame->quick_key, sizeof key) == 0)
+    if (memcmp(key, quick->made_for, sizeof key) == 0)
         return;
-    memcpy(frame->quick_key, key, sizeof key);
+    memcpy(quick->made_for, key, sizeof key);
     tp_quick_light_init(quick, &frame->shade, lobe, frame->scene->water.specular > 0,
                         is_rippled(frame));
 }
@@ -78,6 +78,8 @@ static void make_tables(tp_frame *frame, tp_lobe lobe)
 static void carve(tp_frame_parts *parts, tp_arena *arena)
 {
     parts->quick_light = tp_arena_take(arena, 1, sizeof *parts->quick_light);
+    if (parts->quick_light)
+        parts->quick_light->made_for[0] = -1;
 }
 
 /* Of the tables that the exact stages' parts have made for this frame. */

@@ -31,6 +31,7 @@
 #define TP_QUICK_HEIGHTS 64     /* of the mirrored view, a 32nd each; half are below 0 */
 #define TP_QUICK_STEP(lobe) ((lobe) == TP_LOBE_PHONG ? 2 : 4)       /* columns */
 #define TP_QUICK_SPAN(lobe) (8 * TP_QUICK_STEP(lobe))
+#define TP_QUICK_KEY    16
 #define TP_QUICK_SIDE   32      /* of the map of a cube's sky */
 
 typedef enum { TP_LOBE_NONE, TP_LOBE_PHONG, TP_LOBE_BLINN } tp_lobe;
@@ -40,6 +41,7 @@ struct tp_quick_light {
     uint32_t lobe[TP_QUICK_LOBE];       /* colours */
     uint32_t sky[TP_QUICK_SIDE * TP_QUICK_SIDE];    /* columns of heights, or a map */
     int32_t  least;             /* that n is taken to be, Q26 */
+    int32_t  made_for[TP_QUICK_KEY];    /* the frame's: numbers, the first not negative */
 };
 
 /* name, kind of environment, lobe */
