@@ -29,6 +29,8 @@ void tp_frame_carve_sky(tp_frame_parts *parts, tp_arena *arena, const tp_kit *ki
 
     if (tp_frame_wants(parts, tp_has_dome(scene), draw->dome))
         sky->dome = tp_arena_take(arena, 1, sizeof *sky->dome);
+    if (sky->dome)
+        sky->dome->made_of.sun = -1;    /* of nothing yet */
     if (cube)
         sky->cube = tp_arena_take(arena, 1, sizeof *sky->cube);
     if (cube || stars)
@@ -62,12 +64,19 @@ static void init_stars(tp_frame *frame)
 
 /* -- each frame ----------------------------------------------------------------------- */
 
+static bool is_same(const tp_dome_config *a, const tp_dome_config *b)
+{
+    return a->kind == b->kind && a->horizon == b->horizon && a->zenith == b->zenith
+        && a->light == b->light && a->sun == b->sun;
+}
+
 static void plan_dome(tp_frame *frame)
 {
     const tp_scene *scene = frame->scene;
     const tp_dome_config config = tp_dome_of(scene);
 
-    tp_dome_init(frame->parts.heaven.dome, &config);
+    if (!is_same(&config, &frame->parts.heaven.dome->made_of))
+        tp_dome_init(frame->parts.heaven.dome, &config);
     if (scene->water.specular > 0)      /* the disc's image is the glitter */
         frame->shade.env.least = TP_DISC_END;
     frame->shade.env.kind = TP_ENV_DOME;

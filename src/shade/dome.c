@@ -113,6 +113,7 @@ uint32_t tp_glow_square(uint32_t i)
 
 void tp_dome_init(tp_dome *dome, const tp_dome_config *config)
 {
+    dome->made_of = *config;
     for (int32_t i = 0; i <= TP_SKY; i++) {
         dome->away[i] = tp_dome_gradient(config, false, i);
         dome->towards[i] = tp_dome_gradient(config, true, i);

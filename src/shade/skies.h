@@ -10,11 +10,21 @@
 #define TP_GLOW_LOG2 14         /* of the least square, 0.45 degrees from the light */
 #define TP_GLOW      (TP_GLOW_STEP * (30 - TP_GLOW_LOG2))
 
+typedef enum { TP_DOME_DAY, TP_DOME_DUSK, TP_DOME_NIGHT } tp_dome_kind;
+
+typedef struct {
+    tp_dome_kind kind;
+    uint32_t horizon, zenith;   /* of day */
+    uint32_t light;             /* the light's colour */
+    tp_fx    sun;               /* intensity of its disc, 0..TP_WHITES */
+} tp_dome_config;
+
 /* A generated sky: two gradients, that on the light's side and the other, and what is
  * added around the light by the square of the distance to it, on the unit sphere. */
 typedef struct {
     uint32_t away[TP_SKY + 1], towards[TP_SKY + 1];
     uint32_t glow[TP_GLOW + 1];         /* 0xAARRGGBB, the disc included */
+    tp_dome_config made_of;
 } tp_dome;
 
 #define TP_RECIP 256            /* 1 / m for m from 1/2 to 1 */
@@ -41,15 +51,6 @@ typedef struct {
 } tp_env;
 
 #define TP_WHITES 16            /* an alpha of 1 is light of so many whites more */
-
-typedef enum { TP_DOME_DAY, TP_DOME_DUSK, TP_DOME_NIGHT } tp_dome_kind;
-
-typedef struct {
-    tp_dome_kind kind;
-    uint32_t horizon, zenith;   /* of day */
-    uint32_t light;             /* the light's colour */
-    tp_fx    sun;               /* intensity of its disc, 0..TP_WHITES */
-} tp_dome_config;
 
 /* Single entries, for tables smaller than the sky's: the gradient at a sine in 256ths, and
  * the glow at a square of 28 places. */
