@@ -22,7 +22,7 @@ typedef struct {
     tp_dome  *dome;
     tp_cube  *cube;
     uint32_t *recip;            /* TP_RECIP + 2 */
-    uint8_t  *tone;             /* 256 */
+    tp_entry8 *tone;            /* 256 */
 } tp_frame_sky;
 
 /* A corner of the boat, projected; see boat.c for u of those that are not. */

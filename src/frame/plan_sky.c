@@ -36,7 +36,7 @@ void tp_frame_carve_sky(tp_frame_parts *parts, tp_arena *arena, const tp_kit *ki
     if (cube || stars)
         sky->recip = tp_arena_take(arena, TP_RECIP + 2, sizeof *sky->recip);
     if (tp_frame_wants(parts, exposes(scene), draw->exposure))
-        sky->tone = tp_arena_take(arena, 1, 256);
+        sky->tone = tp_arena_take(arena, 256, sizeof *sky->tone);
 }
 
 void tp_frame_init_sky(tp_frame *frame)

@@ -109,28 +109,77 @@ TP_ALWAYS_INLINE tp_cube_place tp_cube_at(const uint32_t *recip, int32_t x, int3
     };
 }
 
-/* Four texels, held at the picture's edges. */
+/* One picture at a level. */
+typedef struct {
+    const uint32_t *texel;
+    int32_t log2_w, log2_h;
+} tp_cube_side;
+
+TP_ALWAYS_INLINE tp_cube_side tp_cube_side_at(const tp_texture *face, int level)
+{
+    int l = level < face->levels ? level : face->levels - 1;
+    return (tp_cube_side){ face->level[l], face->log2_w > l ? face->log2_w - l : 0,
+                           face->log2_h > l ? face->log2_h - l : 0 };
+}
+
+/* Four texels held at the picture's edges: the first one's place, how far after it the
+ * next to the right and the lower one lie (0 at an edge), and their weights. */
+typedef struct {
+    int32_t  first, right, below;
+    uint32_t fu, fv;
+} tp_cube_four;
+
+/* 256ths of a texel; `ratio` is -1/2..1/2 of a side, or a little beyond. */
+TP_ALWAYS_INLINE int32_t tp_cube_texel(int32_t ratio, int32_t log2)
+{
+    int32_t u = ((32768 + ratio) * (1 << log2) >> 8) - 128;
+    return tp_clamp(u, 0, (256 << log2) - 256);
+}
+
+TP_ALWAYS_INLINE tp_cube_four tp_cube_around(const uint32_t *recip, int32_t m,
+                                             int32_t right, int32_t down, int32_t log2_w,
+                                             int32_t log2_h)
+{
+    int32_t r = tp_cube_recip(recip, m), w = 1 << log2_w, h = 1 << log2_h;
+    int32_t u = tp_cube_texel(right * r >> 14, log2_w);
+    int32_t v = tp_cube_texel(down * r >> 14, log2_h);
+    int32_t u0 = u >> 8, v0 = v >> 8;
+
+    return (tp_cube_four){ v0 * w + u0, u0 < w - 1, v0 < h - 1 ? w : 0,
+                           (uint32_t)u & 255, (uint32_t)v & 255 };
+}
+
+/* Of texels a b over c d, all four bytes; cut, not rounded. */
+TP_ALWAYS_INLINE uint32_t tp_cube_mix(uint32_t a, uint32_t b, uint32_t c, uint32_t d,
+                                      uint32_t fu, uint32_t fv)
+{
+    const uint32_t m = 0x00ff00ff, gu = 256 - fu, gv = 256 - fv;
+    uint32_t rb = ((a & m) * gu + (b & m) * fu) >> 8 & m;
+    uint32_t ag = ((a >> 8 & m) * gu + (b >> 8 & m) * fu) >> 8 & m;
+    uint32_t low_rb = ((c & m) * gu + (d & m) * fu) >> 8 & m;
+    uint32_t low_ag = ((c >> 8 & m) * gu + (d >> 8 & m) * fu) >> 8 & m;
+
+    return ((rb * gv + low_rb * fv) >> 8 & m) | ((ag * gv + low_ag * fv) & ~m);
+}
+
+TP_ALWAYS_INLINE uint32_t tp_cube_look(const tp_shade *shade, const tp_cube_ray *ray,
+                                       const tp_cube_side *side)
+{
+    tp_cube_four f = tp_cube_around(shade->env.recip, ray->m, ray->right, ray->down,
+                                    side->log2_w, side->log2_h);
+    const uint32_t *at = side->texel + f.first, *low = at + f.below;
+
+    return tp_cube_mix(at[0], at[f.right], low[0], low[f.right], f.fu, f.fv)
+         & shade->env.cube->mask[ray->face];
+}
+
 TP_ALWAYS_INLINE uint32_t tp_env_cube(const tp_shade *shade, int level, int32_t x,
                                       int32_t y, int32_t z)
 {
-    const tp_cube *cube = shade->env.cube;
-    tp_cube_place p = tp_cube_at(shade->env.recip, x, y, z);
-    const tp_texture *face = cube->face[p.face];
-    int l = level < face->levels ? level : face->levels - 1;
-    int lw = face->log2_w > l ? face->log2_w - l : 0;
-    int lh = face->log2_h > l ? face->log2_h - l : 0;
-    int32_t last_u = (1 << lw) - 1, last_v = (1 << lh) - 1;
-    int32_t u = tp_clamp((p.s << lw >> 8) - 128, 0, last_u << 8);
-    int32_t v = tp_clamp((p.t << lh >> 8) - 128, 0, last_v << 8);
-    int32_t u0 = u >> 8, u1 = u0 < last_u ? u0 + 1 : u0;
-    int32_t v0 = v >> 8, v1 = v0 < last_v ? v0 + 1 : v0;
-    const uint32_t *row = face->level[l] + ((size_t)v0 << lw);
-    const uint32_t *below = face->level[l] + ((size_t)v1 << lw);
-    uint32_t fu = (uint32_t)u & 255, fv = (uint32_t)v & 255;
+    tp_cube_ray  ray = tp_cube_face(x, y, z);
+    tp_cube_side side = tp_cube_side_at(shade->env.cube->face[ray.face], level);
 
-    return tp_light_mix(tp_light_mix(row[u0], row[u1], fu),
-                        tp_light_mix(below[u0], below[u1], fu), fv)
-         & cube->mask[p.face];
+    return tp_cube_look(shade, &ray, &side);
 }
 
 /* -- whichever -------------------------------------------------------------------------- */

@@ -7,7 +7,7 @@
  * are their product; darkening takes 4, so that only what is close to white is held. */
 #include "shade/shade.h"
 
-void tp_shade_tone(uint8_t tone[256], tp_fx exposure)
+void tp_shade_tone(tp_entry8 tone[256], tp_fx exposure)
 {
     int64_t e = tp_clamp(exposure, TP_FX_ONE / 8, 8 * TP_FX_ONE);
 
@@ -19,11 +19,12 @@ void tp_shade_tone(uint8_t tone[256], tp_fx exposure)
     }
 }
 
-void tp_stage_expose(const tp_shade *shade, tp_run *run)
+void tp_stage_expose(const tp_shade *restrict shade, tp_run *restrict run)
 {
-    const uint8_t *tone = shade->tone;
+    const tp_entry8 *tone = shade->tone;
+    const int32_t count = run->count;
 
-    for (int32_t i = 0; i < run->count; i++) {
+    for (int32_t i = 0; i < count; i++) {
         uint32_t c = run->colour[i];
         run->colour[i] = (uint32_t)tone[c >> 16 & 0xff] << 16
                        | (uint32_t)tone[c >> 8 & 0xff] << 8 | tone[c & 0xff];

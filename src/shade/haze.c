@@ -14,11 +14,12 @@ TP_ALWAYS_INLINE uint32_t share_of(const tp_shade *shade, uint32_t key)
     return shade->haze[entry < TP_HAZE ? entry : TP_HAZE];
 }
 
-void tp_stage_haze(const tp_shade *shade, tp_run *run)
+void tp_stage_haze(const tp_shade *restrict shade, tp_run *restrict run)
 {
-    uint32_t horizon = shade->sky[0];
+    const uint32_t horizon = shade->sky[0];
+    const int32_t  count = run->count;
 
-    for (int32_t i = 0; i < run->count; i++)
+    for (int32_t i = 0; i < count; i++)
         run->colour[i] = tp_colour_mix(run->colour[i], horizon,
                                        share_of(shade, run->key[i]));
 }
@@ -35,7 +36,7 @@ TP_ALWAYS_INLINE uint32_t horizon_at(const tp_shade *shade, tp_env_kind kind, in
     return tp_light_colour(shade, light);
 }
 
-TP_ALWAYS_INLINE void haze(const tp_shade *shade, tp_run *run, tp_env_kind kind)
+TP_ALWAYS_INLINE void haze(const tp_shade *restrict shade, tp_run *restrict run, tp_env_kind kind)
 {
     int32_t  x = run->x, end = run->x + run->count;
     uint32_t a = horizon_at(shade, kind, x & ~15, run->y);
@@ -52,12 +53,12 @@ TP_ALWAYS_INLINE void haze(const tp_shade *shade, tp_run *run, tp_env_kind kind)
     }
 }
 
-void tp_stage_haze_dome(const tp_shade *shade, tp_run *run)
+void tp_stage_haze_dome(const tp_shade *restrict shade, tp_run *restrict run)
 {
     haze(shade, run, TP_ENV_DOME);
 }
 
-void tp_stage_haze_cube(const tp_shade *shade, tp_run *run)
+void tp_stage_haze_cube(const tp_shade *restrict shade, tp_run *restrict run)
 {
     haze(shade, run, TP_ENV_CUBE);
 }

@@ -260,9 +260,11 @@ static inline int32_t cos_in_air(int32_t ci)
 /* Between the table's entries: near the window's rim they lie 6 levels apart. */
 static inline uint32_t share_of(const tp_shade *shade, int32_t cosine)
 {
-    const uint8_t *at = shade->fresnel + (cosine >> 6);
-    return cosine < 16384 ? (uint32_t)(at[0] + ((at[1] - at[0]) * (cosine & 63) >> 6))
-                          : at[0];
+    const tp_entry8 *at = shade->fresnel + (cosine >> 6);
+    if (cosine >= 16384)
+        return at[0];
+    int32_t a = (int32_t)at[0], b = (int32_t)at[1];
+    return (uint32_t)(a + ((b - a) * (cosine & 63) >> 6));
 }
 
 uint32_t tp_inside_up(const tp_shade *shade, const tp_bed *bed, const tp_beam *beam,

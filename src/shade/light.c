@@ -10,7 +10,7 @@
 
 /* The diffuse term alone, for water that neither shines nor mirrors: the root's nearest
  * entry is within 0.2 %, half a level of 255. */
-TP_ALWAYS_INLINE void diffuse(const tp_shade *shade, tp_run *run, int rippled)
+TP_ALWAYS_INLINE void diffuse(const tp_shade *restrict shade, tp_run *restrict run, int rippled)
 {
     int32_t ambient = shade->ambient, direct = 256 - ambient, count = run->count;
     int32_t lx = shade->world.lx * direct >> 8, ly = shade->world.ly * direct >> 8;
@@ -32,11 +32,12 @@ TP_ALWAYS_INLINE void diffuse(const tp_shade *shade, tp_run *run, int rippled)
 TP_ALWAYS_INLINE int32_t shine_of(const tp_shade *shade, int32_t rv)
 {
     rv = tp_clamp(rv, 0, 16384);
-    int32_t here = shade->shine[rv >> 4];
-    if (here == 0)
+    int32_t here = (int32_t)shade->shine[rv >> 4];
+    if (!TP_WIDE && here == 0)
         return 0;
-    int32_t next = shade->shine[(rv + 15) >> 4];
-    return here + ((next - here) * (rv & 15) >> 4);
+    int32_t next = (int32_t)shade->shine[(rv + 15) >> 4];
+    int32_t between = here + ((next - here) * (rv & 15) >> 4);
+    return here ? between : 0;
 }
 
 /* Ripples too small for a pixel keep a part of the water turned to the eye, however
@@ -46,7 +47,7 @@ TP_ALWAYS_INLINE int32_t shine_of(const tp_shade *shade, int32_t rv)
 
 /* The lobe takes N.V as it is: a crest that turns away shows the eye no more light than
  * one that it just grazes. */
-TP_ALWAYS_INLINE void light(const tp_shade *shade, tp_run *run, int rippled, int blinn)
+TP_ALWAYS_INLINE void light(const tp_shade *restrict shade, tp_run *restrict run, int rippled, int blinn)
 {
     int32_t lx = shade->world.lx, ly = shade->world.ly, lz = shade->world.lz;
     int32_t ambient = shade->ambient, count = run->count;
@@ -65,33 +66,35 @@ TP_ALWAYS_INLINE void light(const tp_shade *shade, tp_run *run, int rippled, int
         int32_t up = (2 * nv * ny >> 14) - vy;
         run->nv[i] = (int16_t)nv;
         run->up[i] = (int16_t)(up > 16384 ? 16384 : up);    /* vy is at most 1 */
-        run->glint[i] = (uint16_t)(nl > 0 ? shine_of(shade, rv) : 0);
+        int32_t shine = TP_WIDE || nl > 0 ? shine_of(shade, rv) : 0;
+        run->glint[i] = (uint16_t)(nl > 0 ? shine : 0);
         run->colour[i] = tp_colour_scale(run->colour[i],
                                          (uint32_t)tp_lit_share(ambient, nl));
     }
 }
 
 #define DIFFUSE_STAGE(name, rippled) \
-    void tp_stage_##name(const tp_shade *shade, tp_run *run) \
+    void tp_stage_##name(const tp_shade *restrict shade, tp_run *restrict run) \
     { diffuse(shade, run, rippled); }
 DIFFUSE_STAGE(diffuse, 0)
 DIFFUSE_STAGE(diffuse_rippled, 1)
 
 #define LIGHT_STAGE(name, rippled, blinn) \
-    void tp_stage_##name(const tp_shade *shade, tp_run *run) \
+    void tp_stage_##name(const tp_shade *restrict shade, tp_run *restrict run) \
     { light(shade, run, rippled, blinn); }
 LIGHT_STAGE(light, 0, 0)
 LIGHT_STAGE(light_rippled, 1, 0)
 LIGHT_STAGE(light_blinn, 0, 1)
 LIGHT_STAGE(light_blinn_rippled, 1, 1)
 
-void tp_stage_glint(const tp_shade *shade, tp_run *run)
+void tp_stage_glint(const tp_shade *restrict shade, tp_run *restrict run)
 {
-    uint32_t light = shade->light_colour;
+    const uint32_t light = shade->light_colour;
+    const int32_t  count = run->count;
 
-    for (int32_t i = 0; i < run->count; i++) {
+    for (int32_t i = 0; i < count; i++) {
         uint32_t share = run->glint[i];
-        if (share == 0)         /* most of the water, most of the time */
+        if (!TP_WIDE && share == 0)         /* most of the water, most of the time */
             continue;
         share = share > 256 ? 256 : share;
         run->colour[i] = tp_colour_add(run->colour[i], tp_colour_scale(light, share));

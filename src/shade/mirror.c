@@ -5,7 +5,7 @@
  * are looked up by the whole vector R = 2 (N.V) N - V [F3], whose height is at hand: with
  * k = Ry + Vy = 2 (N.V) Ny and N = Ny (-sx, 1, -sz) the others are -k sx - Vx and
  * -k sz - Vz.  Then they are mixed in, as light that may be beyond white [F8]. */
-#include "shade/env.h"
+#include "shade/cubes.h"
 #include "shade/slope.h"
 
 /* A mirrored ray that goes down meets other water, which is half as bright as the
@@ -28,9 +28,11 @@ TP_ALWAYS_INLINE uint32_t fine_share_of(const tp_shade *shade, int32_t nv, int32
     return share * above_of(up) >> 8;
 }
 
-void tp_stage_mirror(const tp_shade *shade, tp_run *run)
+void tp_stage_mirror(const tp_shade *restrict shade, tp_run *restrict run)
 {
-    for (int32_t i = 0; i < run->count; i++) {
+    const int32_t count = run->count;
+
+    for (int32_t i = 0; i < count; i++) {
         uint32_t sky = tp_env_gradient(shade, run->up[i]);
         run->colour[i] = tp_colour_mix(run->colour[i], sky,
                                        share_of(shade, run->nv[i], run->up[i]));
@@ -38,43 +40,88 @@ void tp_stage_mirror(const tp_shade *shade, tp_run *run)
 }
 
 /* The slopes as sampled, for stages that ask no more whether ripples have bent them. */
-void tp_stage_slopes(const tp_shade *shade, tp_run *run)
+void tp_stage_slopes(const tp_shade *restrict shade, tp_run *restrict run)
 {
+    const int32_t count = run->count;
+
     (void)shade;
-    for (int32_t i = 0; i < run->count; i++) {
+    for (int32_t i = 0; i < count; i++) {
         run->sx[i] = (int16_t)tp_slope_x(run, i, 0);
         run->sz[i] = (int16_t)tp_slope_z(run, i, 0);
     }
 }
 
-/* A level of a cube is chosen for 16 columns: far water has more waves in a pixel than it
- * has normals, and they scatter what is mirrored. */
-TP_ALWAYS_INLINE void reflect(const tp_shade *shade, tp_run *run, tp_env_kind kind)
+/* Fills rx and rz of sample i; Q1.14. */
+TP_ALWAYS_INLINE tp_ray mirrored_at(tp_run *run, int32_t i)
 {
-    for (int32_t i = 0; i < run->count; ) {
-        int32_t depth = tp_log_depth(shade, run->key[i]);
-        int     level = tp_env_level(shade, kind, 128 + (depth > 0 ? depth / 2 : 0));
-        int32_t stop = tp_block_end(run, i);
-        for (; i < stop; i++) {
-            int32_t up = run->up[i], k = up + run->vy[i];
-            int32_t rx = -(k * run->sx[i] >> 12) - run->vx[i];
-            int32_t rz = -(k * run->sz[i] >> 12) - run->vz[i];
-            rx = tp_clamp(rx, -16384, 16384);
-            rz = tp_clamp(rz, -16384, 16384);
-            run->rx[i] = (int16_t)rx;
-            run->rz[i] = (int16_t)rz;
-            up = up > 0 ? up : 0;
-            run->mirror[i] = kind == TP_ENV_DOME
-                                 ? tp_env_dome(shade, shade->env.least, rx, up, rz)
-                                 : tp_env_of(shade, kind, level, rx, up, rz);
-        }
+    int32_t up = run->up[i], k = up + run->vy[i];
+    int32_t rx = -(k * run->sx[i] >> 12) - run->vx[i];
+    int32_t rz = -(k * run->sz[i] >> 12) - run->vz[i];
+
+    rx = tp_clamp(rx, -16384, 16384);
+    rz = tp_clamp(rz, -16384, 16384);
+    run->rx[i] = (int16_t)rx;
+    run->rz[i] = (int16_t)rz;
+    return (tp_ray){ rx, up > 0 ? up : 0, rz, 0 };
+}
+
+void tp_stage_reflect_gradient(const tp_shade *restrict shade, tp_run *restrict run)
+{
+    const int32_t count = run->count;
+
+    for (int32_t i = 0; i < count; i++) {
+        tp_ray to = mirrored_at(run, i);
+        run->mirror[i] = tp_env_gradient(shade, to.y);
     }
 }
 
-#define REFLECT_STAGE(name, kind) \
-    void tp_stage_reflect_##name(const tp_shade *shade, tp_run *run) \
-    { reflect(shade, run, kind); }
-TP_ENV_KINDS(REFLECT_STAGE)
+void tp_stage_reflect_dome(const tp_shade *restrict shade, tp_run *restrict run)
+{
+    const int32_t count = run->count;
+
+    for (int32_t i = 0; i < count; i++) {
+        tp_ray to = mirrored_at(run, i);
+        run->mirror[i] = tp_env_dome(shade, shade->env.least, to.x, to.y, to.z);
+    }
+}
+
+/* Samples [i, stop), no more than TP_CUBE_ROW. */
+TP_ALWAYS_INLINE void reflect_wide(const tp_shade *restrict shade, tp_run *restrict run,
+                                   const tp_cube_side *side, int32_t i, int32_t stop)
+{
+    int32_t x[TP_CUBE_ROW], y[TP_CUBE_ROW], z[TP_CUBE_ROW], count = stop - i;
+
+    for (int32_t k = 0; k < count; k++) {
+        tp_ray to = mirrored_at(run, i + k);
+        x[k] = to.x;
+        y[k] = to.y;
+        z[k] = to.z;
+    }
+    tp_cube_row_wide(shade, side, x, y, z, count, run->mirror + i);
+}
+
+/* A level of a cube is chosen for 16 columns: far water has more waves in a pixel than it
+ * has normals, and they scatter what is mirrored. */
+void tp_stage_reflect_cube(const tp_shade *restrict shade, tp_run *restrict run)
+{
+    tp_cube_sides sides = { .level = -1 };
+
+    for (int32_t i = 0; i < run->count; ) {
+        int32_t depth = tp_log_depth(shade, run->key[i]), stop = tp_block_end(run, i);
+        int     coarser = 128 + (depth > 0 ? depth / 2 : 0);
+        tp_cube_sides_at(&sides, shade->env.cube,
+                         tp_env_level(shade, TP_ENV_CUBE, coarser));
+        if (TP_WIDE) {
+            reflect_wide(shade, run, sides.side, i, stop);
+            i = stop;
+        }
+        for (; i < stop; i++) {
+            tp_ray to = mirrored_at(run, i);
+            tp_cube_ray ray = tp_cube_face(to.x, to.y, to.z);
+            run->mirror[i] = tp_cube_look(shade, &ray, &sides.side[ray.face]);
+        }
+    }
+}
 
 /* Light beyond white times a small share need not be beyond it: the share comes first. */
 TP_ALWAYS_INLINE uint32_t bright_mix(uint32_t a, uint32_t light, uint32_t share,
@@ -89,20 +136,23 @@ TP_ALWAYS_INLINE uint32_t bright_mix(uint32_t a, uint32_t light, uint32_t share,
     return sum;
 }
 
-TP_ALWAYS_INLINE void fresnel(const tp_shade *shade, tp_run *run, int hdr)
+TP_ALWAYS_INLINE void fresnel(const tp_shade *restrict shade, tp_run *restrict run, int hdr)
 {
-    for (int32_t i = 0; i < run->count; i++) {
-        uint32_t light = run->mirror[i], colour = run->colour[i];
+    const int32_t count = run->count;
+
+    for (int32_t i = 0; i < count; i++) {
+        uint32_t light = run->mirror[i], colour = run->colour[i], bright = 0;
         int32_t  nv = run->nv[i], up = run->up[i];
-        run->colour[i] = hdr && light >> 24
-                             ? bright_mix(colour, light, fine_share_of(shade, nv, up),
-                                          tp_light_gain(shade, light))
-                             : tp_colour_mix(colour, light, share_of(shade, nv, up));
+        if (hdr && (TP_WIDE || light >> 24))
+            bright = bright_mix(colour, light, fine_share_of(shade, nv, up),
+                                tp_light_gain(shade, light));
+        uint32_t mixed = tp_colour_mix(colour, light, share_of(shade, nv, up));
+        run->colour[i] = hdr && light >> 24 ? bright : mixed;
     }
 }
 
 #define FRESNEL_STAGE(name, hdr) \
-    void tp_stage_##name(const tp_shade *shade, tp_run *run) \
+    void tp_stage_##name(const tp_shade *restrict shade, tp_run *restrict run) \
     { fresnel(shade, run, hdr); }
 FRESNEL_STAGE(fresnel, 0)
 FRESNEL_STAGE(fresnel_hdr, 1)

@@ -29,6 +29,7 @@
 #include "shade/pool_bump.h"
 #include "shade/quick_layers.h"
 #include "shade/skies.h"
+#include "shade/wide.h"
 #include "tidepool/asset.h"
 #include "tidepool/fx.h"
 #include "tidepool/kit.h"
@@ -135,13 +136,13 @@ typedef struct tp_shade {
     tp_shade_foam foam;
 
     uint32_t haze_scale;        /* zi to haze entries, Q0.32 */
-    uint16_t steep[TP_STEEP + 1];       /* Q1.14 */
-    uint16_t shine[TP_SHINE + 1];       /* 256 at 1, times the specular */
-    uint8_t  fresnel[257];              /* share of the reflection at N.V = i / 256 */
-    uint8_t  haze[TP_HAZE + 1];         /* share of the horizon */
+    tp_entry16 steep[TP_STEEP + 1];     /* Q1.14 */
+    tp_entry16 shine[TP_SHINE + 1];     /* 256 at 1, times the specular */
+    tp_entry8  fresnel[257];            /* share of the reflection at N.V = i / 256 */
+    tp_entry8  haze[TP_HAZE + 1];       /* share of the horizon */
     uint32_t sky[TP_SKY + 1];
     tp_env   env;               /* what else the sky is */
-    const uint8_t *tone;        /* 256 entries: the camera's exposure */
+    const tp_entry8 *tone;      /* 256 entries: the camera's exposure */
     const struct tp_quick_light *quick; /* of quick light alone */
 } tp_shade;
 
@@ -189,7 +190,7 @@ void tp_shade_gloss(uint8_t gloss[TP_GLOSS], tp_fx shininess);
 void tp_shade_schlick(tp_shade *shade);                     /* fresnel, by the shortcut */
 void tp_shade_shine_blinn(tp_shade *shade, tp_fx shininess, tp_fx strength);
 void tp_shade_gloss_blinn(uint8_t gloss[TP_GLOSS], tp_fx shininess);
-void tp_shade_tone(uint8_t tone[256], tp_fx exposure);      /* 1/8..8 */
+void tp_shade_tone(tp_entry8 tone[256], tp_fx exposure);      /* 1/8..8 */
 
 /* -- for stages ---------------------------------------------------------------------- */
 

@@ -30,6 +30,14 @@ TP_ALWAYS_INLINE int tp_steep_halved(uint32_t *q)
 {
     int times = 0;
 
+    if (TP_WIDE) {
+        for (int n = 0; n < 3; n++) {
+            int over = *q >= TP_SLOPE_END;
+            *q = over ? (*q - TP_SLOPE_END / 4 * 3) / 4 : *q;
+            times += over;
+        }
+        return times;
+    }
     for (; *q >= TP_SLOPE_END; times++)
         *q = (*q - TP_SLOPE_END / 4 * 3) / 4;
     return times;
@@ -39,16 +47,16 @@ TP_ALWAYS_INLINE int tp_steep_halved(uint32_t *q)
 TP_ALWAYS_INLINE int32_t tp_steep(const tp_shade *shade, uint32_t q)
 {
     int      times = tp_steep_halved(&q);
-    uint32_t i = q >> 17, f = q >> 10 & 0x7f;
-    int32_t  a = shade->steep[i], b = shade->steep[i + 1];
-    return (a + ((b - a) * (int32_t)f >> 7)) >> times;
+    int32_t i = (int32_t)(q >> 17), f = (int32_t)(q >> 10 & 0x7f);
+    int32_t a = (int32_t)shade->steep[i], b = (int32_t)shade->steep[i + 1];
+    return (a + ((b - a) * f >> 7)) >> times;
 }
 
 /* The nearest entry, within 0.2 %. */
 TP_ALWAYS_INLINE int32_t tp_steep_near(const tp_shade *shade, uint32_t q)
 {
     int times = tp_steep_halved(&q);
-    return shade->steep[(q + 0x10000) >> 17] >> times;
+    return (int32_t)shade->steep[(q + 0x10000) >> 17] >> times;
 }
 
 TP_ALWAYS_INLINE tp_ray tp_slope_normal(const tp_shade *shade, int32_t sx, int32_t sz)

@@ -22,7 +22,7 @@ static void tones_follow_their_formula(void **state)
 
     for (int n = 0; n < 1000; n++) {
         const tp_fx e = chance_scale(&chance, 0.125, 8);
-        uint8_t tone[256];
+        tp_entry8 tone[256];
         tp_shade s = { .tone = tone };
         test_run r;
         tp_shade_tone(tone, e);
@@ -43,7 +43,7 @@ static void tones_follow_their_formula(void **state)
 static void an_exposure_of_1_is_nothing_and_white_stays_white(void **state)
 {
     (void)state;
-    uint8_t tone[256];
+    tp_entry8 tone[256];
 
     tp_shade_tone(tone, TP_FX_ONE);
     for (int i = 0; i < 256; i++)

@@ -147,7 +147,8 @@ static void runs_may_be_cut_anywhere(void **state)
 
     for (int n = 0; n < 300 * STAGES; n++) {
         tp_shade s = shade_any(&chance);
-        uint8_t gloss[TP_GLOSS], tone[256];
+        uint8_t gloss[TP_GLOSS];
+        tp_entry8 tone[256];
         const tp_solid solid = solid_any(gloss, &chance);
         test_run r;
         run_any(&r, 5000, &chance);

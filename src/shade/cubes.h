@@ -1,0 +1,59 @@
+/* SPDX-License-Identifier: MIT */
+/* A cube looked up along many directions at one level: as env.h does it, but what its
+ * pictures are at that level is found once; and where processors are wide, what can be
+ * done for eight directions at once is. */
+#ifndef TP_SHADE_CUBES_H
+#define TP_SHADE_CUBES_H
+#include "shade/env.h"
+
+typedef struct {
+    int level;                  /* -1: none yet */
+    tp_cube_side side[TP_CUBE_FACES];
+} tp_cube_sides;
+
+TP_ALWAYS_INLINE void tp_cube_sides_at(tp_cube_sides *sides, const tp_cube *cube,
+                                       int level)
+{
+    if (sides->level == level)
+        return;
+    sides->level = level;
+    for (int i = 0; i < TP_CUBE_FACES; i++)
+        sides->side[i] = tp_cube_side_at(cube->face[i], level);
+}
+
+#define TP_CUBE_ROW 16
+
+/* Up to TP_CUBE_ROW directions: of eight at once their faces and places, one by one their
+ * texels, and of eight at once their colours. */
+TP_ALWAYS_INLINE void tp_cube_row_wide(const tp_shade *restrict shade,
+                                       const tp_cube_side *restrict side,
+                                       const int32_t *restrict x, const int32_t *restrict y,
+                                       const int32_t *restrict z, int32_t count,
+                                       uint32_t *restrict out)
+{
+    int32_t  face[TP_CUBE_ROW], first[TP_CUBE_ROW], right[TP_CUBE_ROW], below[TP_CUBE_ROW];
+    uint32_t fu[TP_CUBE_ROW], fv[TP_CUBE_ROW], four[4][TP_CUBE_ROW];
+
+    for (int32_t i = 0; i < count; i++) {
+        tp_cube_ray  c = tp_cube_face(x[i], y[i], z[i]);
+        tp_cube_four f = tp_cube_around(shade->env.recip, c.m, c.right, c.down,
+                                        side[c.face].log2_w, side[c.face].log2_h);
+        face[i] = c.face;
+        first[i] = f.first;
+        right[i] = f.right;
+        below[i] = f.below;
+        fu[i] = f.fu;
+        fv[i] = f.fv;
+    }
+    for (int32_t i = 0; i < count; i++) {
+        const uint32_t *at = side[face[i]].texel + first[i], *low = at + below[i];
+        four[0][i] = at[0];
+        four[1][i] = at[right[i]];
+        four[2][i] = low[0];
+        four[3][i] = low[right[i]];
+    }
+    for (int32_t i = 0; i < count; i++)
+        out[i] = tp_cube_mix(four[0][i], four[1][i], four[2][i], four[3][i], fu[i], fv[i])
+               & shade->env.cube->mask[face[i]];
+}
+#endif
