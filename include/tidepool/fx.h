@@ -56,6 +56,27 @@ static inline tp_fx tp_fx_held(int64_t x)
     return x > TP_FX_MAX ? TP_FX_MAX : x < TP_FX_MIN ? TP_FX_MIN : (tp_fx)x;
 }
 
+/* a + b and a - b, saturating, in 32 bits. */
+static inline tp_fx tp_fx_plus(tp_fx a, tp_fx b)
+{
+#if defined(__GNUC__)
+    tp_fx sum;
+    return __builtin_add_overflow(a, b, &sum) ? a < 0 ? TP_FX_MIN : TP_FX_MAX : sum;
+#else
+    return tp_fx_held((int64_t)a + b);
+#endif
+}
+
+static inline tp_fx tp_fx_minus(tp_fx a, tp_fx b)
+{
+#if defined(__GNUC__)
+    tp_fx left;
+    return __builtin_sub_overflow(a, b, &left) ? a < 0 ? TP_FX_MIN : TP_FX_MAX : left;
+#else
+    return tp_fx_held((int64_t)a - b);
+#endif
+}
+
 /* n / d, halves away from 0, so that there and back is nothing; d > 0, and |n| + d / 2
  * fits. */
 static inline int64_t tp_quotient(int64_t n, int64_t d)

@@ -9,6 +9,8 @@
 /* -- places and ways ------------------------------------------------------------------ */
 
 /* A place that is seen, and a way from there, a unit vector in Q1.14. */
+#define TP_INSIDE_ROW 16        /* as many as are worked out together */
+
 typedef struct {
     tp_vec3 at;
     tp_ray  way;
@@ -25,21 +27,30 @@ TP_ALWAYS_INLINE int32_t tp_inside_rest(uint32_t x)
     return at[0] - ((at[0] - at[1]) * (int32_t)(x >> 8 & 0x3fff) >> 14);
 }
 
-/* [F4] into the water: `in` goes towards the surface, `n` is its normal out of the water,
- * all Q1.14; ci = -in . n. */
-TP_ALWAYS_INLINE tp_ray tp_inside_bent(const tp_inside *inside, int channel, tp_ray in,
-                                       tp_ray n)
+/* -in . n, held within 1. */
+TP_ALWAYS_INLINE int32_t tp_inside_cosine(tp_ray in, tp_ray n)
 {
-    int32_t ci = -((in.x * n.x + in.y * n.y + in.z * n.z) >> 14);
-    int32_t eta = inside->eta[channel];
+    return tp_clamp(-((in.x * n.x + in.y * n.y + in.z * n.z) >> 14), -16384, 16384);
+}
 
-    ci = tp_clamp(ci, -16384, 16384);
+/* [F4] into the water: `in` goes towards the surface, `n` is its normal out of the water,
+ * `ci` the cosine between them, all Q1.14. */
+TP_ALWAYS_INLINE tp_ray tp_inside_bent_at(const tp_inside *inside, int channel, tp_ray in,
+                                          tp_ray n, int32_t ci)
+{
+    int32_t  eta = inside->eta[channel];
     uint32_t s2 = (1u << 28) - (uint32_t)(ci * ci);
     int32_t ct = tp_inside_rest((uint32_t)((uint64_t)s2 * (uint32_t)inside->eta2[channel]
                                            >> 14));
     int32_t lean = (eta * ci >> 14) - ct;
     return (tp_ray){ (eta * in.x + lean * n.x) >> 14, (eta * in.y + lean * n.y) >> 14,
                      (eta * in.z + lean * n.z) >> 14, 0 };
+}
+
+TP_ALWAYS_INLINE tp_ray tp_inside_bent(const tp_inside *inside, int channel, tp_ray in,
+                                       tp_ray n)
+{
+    return tp_inside_bent_at(inside, channel, in, n, tp_inside_cosine(in, n));
 }
 
 /* Fills `beam` with where samples [i, stop) of a run lie; their ways are left alone. */
@@ -51,12 +62,18 @@ void tp_inside_places(const tp_shade *shade, const tp_run *run, int32_t i, int32
 /* The floor around what a beam would meet. */
 tp_bed tp_inside_bed(const tp_shade *shade, const tp_beam *beam);
 
-/* Between two of them, `share` of 16 of b, as it lies under a place. */
-tp_bed tp_inside_bed_between(const tp_bed *a, const tp_bed *b, int32_t share, tp_vec3 at);
-
 /* What comes along a beam; `body` is what comes from the water itself. */
 uint32_t tp_inside_at(const tp_shade *shade, const tp_bed *bed, const tp_beam *beam,
                       uint32_t body);
+
+/* The same for up to 16 neighbours whose beams go down, between the beds of the first and
+ * the last.  And the channel at bit `shift` alone of each, which is put into what is seen
+ * of the others. */
+void tp_inside_row(const tp_shade *shade, const tp_bed ends[2], const tp_beam *beam,
+                   int32_t count, const uint32_t *body, uint32_t *seen);
+void tp_inside_row_channel(const tp_shade *shade, const tp_bed ends[2],
+                           const tp_beam *beam, int32_t count, const uint32_t *body,
+                           int shift, uint32_t *seen);
 
 /* The same where a beam that goes up has reached the surface, whose normal is n: the sky
  * through Snell's window, and the water mirrored by Fresnel's share, all of it beyond

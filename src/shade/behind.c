@@ -12,33 +12,52 @@
 #include "shade/half.h"
 #include "shade/slope.h"
 
-#define PIECE 16
+/* The surface at a sample, Q1.14: its normal, and the cosine that it is seen by. */
+typedef struct {
+    int16_t x, y, z, cosine;
+} facet;
 
-/* Places and ways of samples [i, stop), bent for one channel. */
-TP_ALWAYS_INLINE void bend(const tp_shade *shade, const tp_run *run, int32_t i,
-                           int32_t stop, int rippled, int channel, tp_beam *beam)
+TP_ALWAYS_INLINE tp_ray seen_along(const tp_run *run, int32_t i)
 {
-    for (; i < stop; i++, beam++) {
-        tp_ray in = { -run->vx[i], -run->vy[i], -run->vz[i], 0 };
+    return (tp_ray){ -run->vx[i], -run->vy[i], -run->vz[i], 0 };
+}
+
+TP_ALWAYS_INLINE void facets(const tp_shade *shade, const tp_run *run, int32_t i,
+                             int32_t stop, int rippled, facet *to)
+{
+    for (; i < stop; i++, to++) {
         tp_ray n = tp_slope_normal_of(shade, run, i, rippled);
-        beam->way = tp_inside_bent(&shade->inside, channel, in, n);
-        if (beam->way.y > -1638)    /* a steep ripple would throw it out of the water */
-            beam->way.y = -1638;
+        *to = (facet){ (int16_t)n.x, (int16_t)n.y, (int16_t)n.z,
+                       (int16_t)tp_inside_cosine(seen_along(run, i), n) };
+    }
+}
+
+/* The ways of samples [i, stop), bent for one channel. */
+TP_ALWAYS_INLINE void bend(const tp_shade *shade, const tp_run *run, int32_t i,
+                           int32_t stop, const facet *at, int channel, tp_beam *beam)
+{
+    for (; i < stop; i++, at++, beam++) {
+        tp_ray n = { at->x, at->y, at->z, 0 };
+        tp_ray way = tp_inside_bent_at(&shade->inside, channel, seen_along(run, i), n,
+                                       at->cosine);
+        if (way.y > -1638)      /* a steep ripple would throw it out of the water */
+            way.y = -1638;
+        beam->way = way;
     }
 }
 
 /* What of shade.sunken lies there: bent as if half a metre under the surface, by a
  * quarter of the slope [F4]. */
 static uint32_t with_sunken(const tp_shade *shade, const tp_run *run, int32_t i,
-                            const tp_beam *beam, tp_ray n, uint32_t colour)
+                            tp_fx metres, int32_t nx, int32_t nz, uint32_t colour)
 {
     const tp_half *half = &shade->sunken;
     const tp_view_axes *axes = &shade->world;
-    int32_t across = (int32_t)(((int64_t)axes->right.x * n.x + (int64_t)axes->right.z * n.z)
+    int32_t across = (int32_t)(((int64_t)axes->right.x * nx + (int64_t)axes->right.z * nz)
                                >> 30);
-    int32_t along = (int32_t)(((int64_t)axes->up.x * n.x + (int64_t)axes->up.z * n.z)
+    int32_t along = (int32_t)(((int64_t)axes->up.x * nx + (int64_t)axes->up.z * nz)
                               >> 30);
-    uint32_t far = (uint32_t)beam->far | 1;
+    uint32_t far = (uint32_t)metres | 1;
     int      shift = tp_clz(far);
     int64_t  each = tp_recip_rough(far << shift);       /* 2^46 / m / 2^shift */
     int64_t  focal = shade->focal;
@@ -51,53 +70,37 @@ static uint32_t with_sunken(const tp_shade *shade, const tp_run *run, int32_t i,
     return tp_colour_mix(colour, over, share);
 }
 
-/* 16 / n in Q8. */
-static const uint16_t over[PIECE] = { 0, 4096, 2048, 1365, 1024, 819, 683, 585, 512, 455,
-                                      410, 372, 341, 315, 293, 273 };
-
-/* The floor is looked up under the piece's ends and joined between them. */
-static void see(const tp_shade *shade, const tp_beam *beam, int32_t count,
-                const uint32_t *body, uint32_t *seen)
-{
-    tp_bed a = tp_inside_bed(shade, &beam[0]), b = a;
-
-    if (!shade->inside.ocean) {
-        for (int32_t k = 0; k < count; k++)
-            seen[k] = tp_inside_at(shade, &a, &beam[k], body[k]);
-        return;
-    }
-    b = tp_inside_bed(shade, &beam[count - 1]);
-    for (int32_t k = 0; k < count; k++) {
-        tp_bed bed = tp_inside_bed_between(&a, &b, k * over[count - 1] >> 8, beam[k].at);
-        seen[k] = tp_inside_at(shade, &bed, &beam[k], body[k]);
-    }
-}
-
 TP_ALWAYS_INLINE void behind(const tp_shade *shade, tp_run *run, int rippled,
                              int dispersed)
 {
-    uint32_t body[PIECE], seen[3][PIECE];
-    tp_beam  beam[PIECE];
+    uint32_t body[TP_INSIDE_ROW], seen[TP_INSIDE_ROW];
+    tp_beam  beam[TP_INSIDE_ROW];
+    facet    surface[TP_INSIDE_ROW];
+    tp_bed   ends[2];
 
     for (int32_t i = 0; i < run->count; ) {
-        int32_t stop = i + PIECE - ((run->x + i) & (PIECE - 1));
-        stop = stop < run->count ? stop : run->count;
-        for (int32_t k = 0; k < stop - i; k++)
+        int32_t stop = tp_block_end(run, i), count = stop - i;
+        for (int32_t k = 0; k < count; k++) {
             body[k] = tp_colour_mix(shade->inside.deep, run->colour[i + k], 64);
+            seen[k] = 0;
+        }
         tp_inside_places(shade, run, i, stop, beam);
+        facets(shade, run, i, stop, rippled, surface);
         for (int channel = dispersed ? 0 : 1; channel < (dispersed ? 3 : 2); channel++) {
-            bend(shade, run, i, stop, rippled, channel, beam);
-            see(shade, beam, stop - i, body, seen[channel]);
-        }
-        for (int32_t k = 0; i < stop; i++, k++) {
-            uint32_t c = seen[1][k];
+            bend(shade, run, i, stop, surface, channel, beam);
+            ends[0] = tp_inside_bed(shade, beam);
+            ends[1] = tp_inside_bed(shade, &beam[count - 1]);
             if (dispersed)
-                c = (seen[0][k] & 0xff0000) | (c & 0xff00) | (seen[2][k] & 0xff);
-            if (shade->sunken.colour)
-                c = with_sunken(shade, run, i, &beam[k],
-                                tp_slope_normal_of(shade, run, i, rippled), c);
-            run->colour[i] = c;
+                tp_inside_row_channel(shade, ends, beam, count, body, 16 - 8 * channel,
+                                      seen);
+            else
+                tp_inside_row(shade, ends, beam, count, body, seen);
         }
+        for (int32_t k = 0; k < count; i++, k++)
+            run->colour[i] = shade->sunken.colour
+                                 ? with_sunken(shade, run, i, beam[k].far, surface[k].x,
+                                               surface[k].z, seen[k])
+                                 : seen[k];
     }
 }
 

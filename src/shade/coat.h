@@ -4,17 +4,40 @@
 #define TP_SHADE_COAT_H
 #include "shade/sampler.h"
 
+TP_ALWAYS_INLINE tp_level tp_coat_level(const tp_coat *coat, tp_fx far, bool ground)
+{
+    int32_t log_far = tp_log2_q8((uint32_t)far | 1) - 16 * 256;
+    return tp_level_at(coat->texture, tp_level_of(coat->lod, log_far, ground,
+                                                  coat->texture->levels));
+}
+
 /* At (x, z) metres of its plane, which may be the ground, seen from `far` metres away. */
 TP_ALWAYS_INLINE uint32_t tp_coat_at(const tp_coat *coat, tp_fx x, tp_fx z, tp_fx far,
                                      bool ground)
 {
     if (!coat->texture)
         return coat->colour;
-    int32_t log_far = tp_log2_q8((uint32_t)far | 1) - 16 * 256;
-    int     l = tp_level_of(coat->lod, log_far, ground, coat->texture->levels);
-    tp_level level = tp_level_at(coat->texture, l);
+    tp_level level = tp_coat_level(coat, far, ground);
     uint32_t texel = tp_linear(&level, (uint32_t)x * coat->per_metre,
                                (uint32_t)z * coat->per_metre);
     return tp_colour_times(texel, coat->colour);
+}
+
+/* Its channel at bit `shift` alone, 0..255. */
+TP_ALWAYS_INLINE uint32_t tp_coat_channel(const tp_coat *coat, tp_fx x, tp_fx z,
+                                          tp_fx far, bool ground, int shift)
+{
+    uint32_t colour = coat->colour >> shift & 0xff;
+
+    if (!coat->texture)
+        return colour;
+    tp_level level = tp_coat_level(coat, far, ground);
+    tp_four  f = tp_four_around(&level, (uint32_t)x * coat->per_metre,
+                                (uint32_t)z * coat->per_metre);
+    uint32_t above = tp_channel_mix(f.texel[0] >> shift & 0xff,
+                                    f.texel[1] >> shift & 0xff, f.fs);
+    uint32_t below = tp_channel_mix(f.texel[2] >> shift & 0xff,
+                                    f.texel[3] >> shift & 0xff, f.fs);
+    return tp_of_255(tp_channel_mix(above, below, f.ft) * colour);
 }
 #endif

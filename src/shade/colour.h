@@ -31,6 +31,12 @@ static inline uint32_t tp_colour_mix(uint32_t a, uint32_t b, uint32_t share)
     return (rb & 0x00ff00ffu) | (g & 0x0000ff00u);
 }
 
+/* The same of one channel, 0..255. */
+static inline uint32_t tp_channel_mix(uint32_t a, uint32_t b, uint32_t share)
+{
+    return (a * (256 - share) + b * share + 128) >> 8;
+}
+
 /* n / 255 of n <= 255 * 255, rounded. */
 static inline uint32_t tp_of_255(uint32_t n)
 {
@@ -58,17 +64,18 @@ static inline uint32_t tp_colour_add(uint32_t a, uint32_t b)
     return (rb & 0x00ff00ffu) | (g & 0xff) << 8;
 }
 
-/* Each channel times gain / 256, cut and held at 255: light that gathers may
- * be more than 1. */
+/* Times gain / 256, cut and held at 255: light that gathers may be more than 1. */
+static inline uint32_t tp_channel_brighten(uint32_t c, uint32_t gain)
+{
+    c = c * gain >> 8;
+    return c < 255 ? c : 255;
+}
+
 static inline uint32_t tp_colour_brighten(uint32_t colour, uint32_t gain)
 {
-    uint32_t r = (colour >> 16 & 0xff) * gain >> 8, g = (colour >> 8 & 0xff) * gain >> 8;
-    uint32_t b = (colour & 0xff) * gain >> 8;
-
-    r = r < 255 ? r : 255;
-    g = g < 255 ? g : 255;
-    b = b < 255 ? b : 255;
-    return r << 16 | g << 8 | b;
+    return tp_channel_brighten(colour >> 16 & 0xff, gain) << 16
+         | tp_channel_brighten(colour >> 8 & 0xff, gain) << 8
+         | tp_channel_brighten(colour & 0xff, gain);
 }
 
 /* The share of a matt colour that light leaves: all of the ambient, and of the rest N.L in

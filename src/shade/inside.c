@@ -45,33 +45,64 @@ static inline tp_fx way_for(tp_fx gap, int32_t speed)
     return way < TP_INSIDE_FAR ? (tp_fx)way : TP_INSIDE_FAR;
 }
 
+/* 0 <= metres <= TP_INSIDE_FAR: each part of the way fits 32 bits. */
 static inline tp_vec3 gone(tp_vec3 from, tp_ray way, tp_fx metres)
 {
-    return (tp_vec3){ tp_fx_held(from.x + ((int64_t)way.x * metres >> 14)),
-                      tp_fx_held(from.y + ((int64_t)way.y * metres >> 14)),
-                      tp_fx_held(from.z + ((int64_t)way.z * metres >> 14)) };
+    return (tp_vec3){ tp_fx_plus(from.x, (tp_fx)((int64_t)way.x * metres >> 14)),
+                      tp_fx_plus(from.y, (tp_fx)((int64_t)way.y * metres >> 14)),
+                      tp_fx_plus(from.z, (tp_fx)((int64_t)way.z * metres >> 14)) };
 }
 
 /* -- the floor ------------------------------------------------------------------------ */
 
+/* The plane's rise from the world's middle to a place, Q32; sums may wrap. */
+static inline uint64_t rise_to(const tp_bed *bed, tp_fx x, tp_fx z)
+{
+    return (uint64_t)((int64_t)bed->rise_x * x) + (uint64_t)((int64_t)bed->rise_z * z);
+}
+
 /* Depth of the plane under a place; held within 16 km. */
 static inline tp_fx depth_under(const tp_bed *bed, tp_vec3 at)
 {
-    int64_t rise = (int64_t)bed->rise_x * ((int64_t)at.x - bed->x)
-                 + (int64_t)bed->rise_z * ((int64_t)at.z - bed->z);
+    int64_t rise = (int64_t)(rise_to(bed, at.x, at.z) - rise_to(bed, bed->x, bed->z));
     return (tp_fx)tp_limit(bed->depth - (rise >> 16), TP_INSIDE_FAR);
 }
 
-/* A ray that runs along the floor meets it at a grade of 1/16 at the least. */
-static inline tp_fx way_to_floor(const tp_bed *bed, tp_vec3 from, tp_ray way)
+/* The floor as it lies under a place: its depth there. */
+typedef struct {
+    tp_fx   depth, rise_x, rise_z;
+    int32_t nl;
+} ground;
+
+static inline ground ground_under(const tp_bed *bed, tp_vec3 at)
 {
-    int64_t gap = (int64_t)from.y + depth_under(bed, from);
-    int32_t down = (int32_t)(((int64_t)bed->rise_x * way.x
-                              + (int64_t)bed->rise_z * way.z) >> 16) - way.y;
+    return (ground){ depth_under(bed, at), bed->rise_x, bed->rise_z, bed->nl };
+}
+
+/* `share` of 16 of b, the rest of a.  Depths differ by less than 2^31. */
+static inline ground ground_between(const tp_bed *a, const tp_bed *b, int32_t share,
+                                    tp_vec3 at)
+{
+    int32_t one = depth_under(a, at), other = depth_under(b, at);
+
+    return (ground){
+        one + (int32_t)((int64_t)(other - one) * share >> 4),
+        a->rise_x + ((b->rise_x - a->rise_x) * share >> 4),
+        a->rise_z + ((b->rise_z - a->rise_z) * share >> 4),
+        a->nl + ((b->nl - a->nl) * share >> 4),
+    };
+}
+
+/* A ray that runs along the floor meets it at a grade of 1/16 at the least. */
+static inline tp_fx way_to_floor(const ground *under, tp_fx from_y, tp_ray way)
+{
+    tp_fx   gap = tp_fx_plus(from_y, under->depth);
+    int32_t down = (int32_t)(((int64_t)under->rise_x * way.x
+                              + (int64_t)under->rise_z * way.z) >> 16) - way.y;
 
     if (gap <= 0)
         return 0;
-    return down < 16 ? TP_INSIDE_FAR : way_for(tp_fx_held(gap), down);
+    return down < 16 ? TP_INSIDE_FAR : way_for(gap, down);
 }
 
 static int32_t lit_floor(const tp_inside *in, tp_fx rise_x, tp_fx rise_z)
@@ -99,7 +130,8 @@ tp_bed tp_inside_bed(const tp_shade *shade, const tp_beam *beam)
         return in->bed;
     tp_bed here = bed_under(in, beam->at), bed = here;
     for (int n = 0; n < 2; n++) {
-        tp_fx way = way_to_floor(&bed, beam->at, down);
+        ground under = ground_under(&bed, beam->at);
+        tp_fx  way = way_to_floor(&under, beam->at.y, down);
         way = way < 200 * TP_FX_ONE ? way : 200 * TP_FX_ONE;
         bed = bed_under(in, gone(beam->at, down, way));
     }
@@ -107,19 +139,6 @@ tp_bed tp_inside_bed(const tp_shade *shade, const tp_beam *beam)
         bed = here;             /* a far bank's slope does not pass under this place */
     bed.nl = lit_floor(in, bed.rise_x, bed.rise_z);
     return bed;
-}
-
-tp_bed tp_inside_bed_between(const tp_bed *a, const tp_bed *b, int32_t share, tp_vec3 at)
-{
-    int32_t one = depth_under(a, at), other = depth_under(b, at);
-
-    return (tp_bed){
-        .x = at.x, .z = at.z,
-        .depth = one + (int32_t)(((int64_t)other - one) * share >> 4),
-        .rise_x = a->rise_x + ((b->rise_x - a->rise_x) * share >> 4),
-        .rise_z = a->rise_z + ((b->rise_z - a->rise_z) * share >> 4),
-        .nl = a->nl + ((b->nl - a->nl) * share >> 4),
-    };
 }
 
 /* -- light ---------------------------------------------------------------------------- */
@@ -169,11 +188,12 @@ int32_t tp_caustic_at(const tp_caustic *c, tp_vec3 at)
     return light > 0 ? light : 0;
 }
 
-static inline uint32_t lit(const tp_shade *shade, uint32_t colour, int32_t nl, tp_vec3 at)
+/* What light at a place makes of a colour, Q8. */
+static inline uint32_t light_at(const tp_shade *shade, int32_t nl, tp_vec3 at)
 {
     int32_t sun = (256 - shade->ambient) * (nl < 16384 ? nl : 16384) >> 14;
     int32_t light = tp_caustic_at(&shade->inside.caustic, at);
-    return tp_colour_brighten(colour, (uint32_t)(shade->ambient + (sun * light >> 8)));
+    return (uint32_t)(shade->ambient + (sun * light >> 8));
 }
 
 /* -- what a ray meets ----------------------------------------------------------------- */
@@ -192,20 +212,20 @@ static inline hit nearer(hit a, face what, tp_fx way)
 
 static inline tp_fx way_to_side(tp_fx from, int32_t speed, tp_fx low, tp_fx high)
 {
-    int64_t gap = speed > 0 ? (int64_t)high - from : (int64_t)from - low;
+    tp_fx gap = speed > 0 ? tp_fx_minus(high, from) : tp_fx_minus(from, low);
 
     if (speed == 0)
         return TP_INSIDE_FAR;
-    return gap > 0 ? way_for(tp_fx_held(gap), speed > 0 ? speed : -speed) : 0;
+    return gap > 0 ? way_for(gap, speed > 0 ? speed : -speed) : 0;
 }
 
-static inline hit first_hit(const tp_inside *in, const tp_bed *bed, tp_vec3 from,
+static inline hit first_hit(const tp_inside *in, const ground *under, tp_vec3 from,
                             tp_ray way)
 {
     hit h = { NOTHING, TP_INSIDE_FAR };
 
     if (in->floored)
-        h = nearer(h, FLOOR, way_to_floor(bed, from, way));
+        h = nearer(h, FLOOR, way_to_floor(under, from.y, way));
     if (in->walled) {
         h = nearer(h, WALL_X, way_to_side(from.x, way.x, in->x0, in->x1));
         h = nearer(h, WALL_Z, way_to_side(from.z, way.z, in->z0, in->z1));
@@ -213,30 +233,88 @@ static inline hit first_hit(const tp_inside *in, const tp_bed *bed, tp_vec3 from
     return h;
 }
 
+/* The coat of what is met, where on it, and the light there. */
+typedef struct {
+    const tp_coat *coat;
+    tp_fx    x, z, far;
+    bool     ground;
+    uint32_t light;
+} spot;
+
 /* Walls are lit from inside: their normal is against the way. */
-static inline uint32_t colour_of(const tp_shade *shade, const tp_bed *bed, hit h,
-                                 tp_vec3 at, tp_ray way, tp_fx far)
+static inline spot spot_of(const tp_shade *shade, int32_t floor_nl, hit h, tp_vec3 from,
+                           tp_ray way, tp_fx far)
 {
     const tp_inside *in = &shade->inside;
+    tp_vec3 at = gone(from, way, h.way);
+    tp_fx   from_eye = tp_fx_plus(far, h.way);
 
     if (h.what == FLOOR)
-        return lit(shade, tp_coat_at(&in->floor, at.x, at.z, far, true), bed->nl, at);
+        return (spot){ &in->floor, at.x, at.z, from_eye, true,
+                       light_at(shade, floor_nl, at) };
     int32_t across = h.what == WALL_X ? way.x : way.z;
     int32_t sun = h.what == WALL_X ? in->sun_x : in->sun_z;
     int32_t nl = across > 0 ? -sun : sun;
-    tp_fx   along = h.what == WALL_X ? at.z : at.x;
-    return lit(shade, tp_coat_at(&in->wall, along, -at.y, far, false), nl > 0 ? nl : 0, at);
+    return (spot){ &in->wall, h.what == WALL_X ? at.z : at.x, -at.y, from_eye, false,
+                   light_at(shade, nl > 0 ? nl : 0, at) };
 }
 
 /* From `from` on, without the surface; what is met, through the water up to there. */
-static inline uint32_t seen_along(const tp_shade *shade, const tp_bed *bed, hit h,
+static inline uint32_t seen_along(const tp_shade *shade, int32_t floor_nl, hit h,
                                   tp_vec3 from, tp_ray way, tp_fx far, uint32_t body)
 {
     if (h.what == NOTHING)
         return body;
-    uint32_t colour = colour_of(shade, bed, h, gone(from, way, h.way), way,
-                                tp_fx_held((int64_t)far + h.way));
-    return tp_absorb_at(&shade->absorb, colour, body, h.way);
+    spot s = spot_of(shade, floor_nl, h, from, way, far);
+    uint32_t colour = tp_coat_at(s.coat, s.x, s.z, s.far, s.ground);
+    return tp_absorb_at(&shade->absorb, tp_colour_brighten(colour, s.light), body, h.way);
+}
+
+/* One channel of it, where it belongs in a colour. */
+static inline uint32_t channel_along(const tp_shade *shade, int32_t floor_nl, hit h,
+                                     const tp_beam *beam, uint32_t body, int shift)
+{
+    if (h.what == NOTHING)
+        return body & (uint32_t)0xff << shift;
+    spot s = spot_of(shade, floor_nl, h, beam->at, beam->way, beam->far);
+    uint32_t c = tp_coat_channel(s.coat, s.x, s.z, s.far, s.ground, shift);
+    return tp_absorbed_channel(shade->absorb.halvings[2 - shift / 8], h.way,
+                               tp_channel_brighten(c, s.light), body >> shift) << shift;
+}
+
+/* 16 / n in Q8. */
+static const uint16_t over[TP_INSIDE_ROW] = { 0, 4096, 2048, 1365, 1024, 819, 683, 585, 512,
+                                              455, 410, 372, 341, 315, 293, 273 };
+
+TP_ALWAYS_INLINE void row(const tp_shade *shade, const tp_bed ends[2],
+                          const tp_beam *beam, int32_t count, const uint32_t *body,
+                          int one, int shift, uint32_t *seen)
+{
+    const tp_inside *in = &shade->inside;
+    const int32_t each = over[count - 1];
+
+    for (int32_t k = 0; k < count; k++, beam++) {
+        ground g = in->ocean ? ground_between(&ends[0], &ends[1], k * each >> 8, beam->at)
+                             : ground_under(&ends[0], beam->at);
+        hit h = first_hit(in, &g, beam->at, beam->way);
+        if (one)
+            seen[k] |= channel_along(shade, g.nl, h, beam, body[k], shift);
+        else
+            seen[k] = seen_along(shade, g.nl, h, beam->at, beam->way, beam->far, body[k]);
+    }
+}
+
+void tp_inside_row(const tp_shade *shade, const tp_bed ends[2], const tp_beam *beam,
+                   int32_t count, const uint32_t *body, uint32_t *seen)
+{
+    row(shade, ends, beam, count, body, 0, 0, seen);
+}
+
+void tp_inside_row_channel(const tp_shade *shade, const tp_bed ends[2],
+                           const tp_beam *beam, int32_t count, const uint32_t *body,
+                           int shift, uint32_t *seen)
+{
+    row(shade, ends, beam, count, body, 1, shift, seen);
 }
 
 /* -- the surface from below ------------------------------------------------------------ */
@@ -286,19 +364,21 @@ uint32_t tp_inside_up(const tp_shade *shade, const tp_bed *bed, const tp_beam *b
                     way.z - (2 * ci * n.z >> 14), 0 };
     if (back.y > -64)           /* a slope that throws it up again: level, then */
         back.y = -64;
-    hit h = first_hit(&shade->inside, bed, beam->at, back);
-    uint32_t mirrored = seen_along(shade, bed, h, beam->at, back, beam->far, body);
+    ground under = ground_under(bed, beam->at);
+    hit h = first_hit(&shade->inside, &under, beam->at, back);
+    uint32_t mirrored = seen_along(shade, bed->nl, h, beam->at, back, beam->far, body);
     return tp_colour_mix(sky, mirrored, share);
 }
 
 uint32_t tp_inside_at(const tp_shade *shade, const tp_bed *bed, const tp_beam *beam,
                       uint32_t body)
 {
-    hit   h = first_hit(&shade->inside, bed, beam->at, beam->way);
-    tp_fx deep = beam->at.y < 0 ? -(beam->at.y + (beam->at.y == TP_FX_MIN)) : 0;
+    ground under = ground_under(bed, beam->at);
+    hit    h = first_hit(&shade->inside, &under, beam->at, beam->way);
+    tp_fx  deep = beam->at.y < 0 ? -(beam->at.y + (beam->at.y == TP_FX_MIN)) : 0;
 
     if (beam->way.y <= 0 || way_for(deep, beam->way.y) >= h.way)
-        return seen_along(shade, bed, h, beam->at, beam->way, beam->far, body);
+        return seen_along(shade, bed->nl, h, beam->at, beam->way, beam->far, body);
     tp_fx   way = way_for(deep, beam->way.y);
     tp_beam on = { gone(beam->at, beam->way, way), beam->way,
                    tp_fx_held((int64_t)beam->far + way) };
