@@ -66,12 +66,21 @@ tp_bed tp_inside_bed(const tp_shade *shade, const tp_beam *beam);
 uint32_t tp_inside_at(const tp_shade *shade, const tp_bed *bed, const tp_beam *beam,
                       uint32_t body);
 
-/* The same for up to 16 neighbours whose beams go down, between the beds of the first and
- * the last.  And the channel at bit `shift` alone of each, which is put into what is seen
- * of the others. */
+/* The floor as it lies under a place: its depth there. */
+typedef struct {
+    tp_fx   depth, rise_x, rise_z;
+    int32_t nl;
+} tp_ground;
+
+/* For up to 16 neighbours, between the beds of the first and the last. */
+void tp_inside_ground(const tp_shade *shade, const tp_bed ends[2], const tp_beam *beam,
+                      int32_t count, tp_ground *under);
+
+/* What comes along their beams, which go down.  And the channel at bit `shift` alone of
+ * each, which is put into what is seen of the others. */
 void tp_inside_row(const tp_shade *shade, const tp_bed ends[2], const tp_beam *beam,
                    int32_t count, const uint32_t *body, uint32_t *seen);
-void tp_inside_row_channel(const tp_shade *shade, const tp_bed ends[2],
+void tp_inside_row_channel(const tp_shade *shade, const tp_ground *under,
                            const tp_beam *beam, int32_t count, const uint32_t *body,
                            int shift, uint32_t *seen);
 

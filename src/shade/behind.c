@@ -70,37 +70,52 @@ static uint32_t with_sunken(const tp_shade *shade, const tp_run *run, int32_t i,
     return tp_colour_mix(colour, over, share);
 }
 
+/* The beams have green's ways, and so has the floor between the ends been looked up: red
+ * and blue go some millimetres beside it for each metre of depth, where the floor is the
+ * same plane. */
+static void parted(const tp_shade *shade, const tp_run *run, int32_t i, int32_t stop,
+                   const facet *surface, const tp_bed ends[2], tp_beam *beam,
+                   const uint32_t *body, uint32_t *seen)
+{
+    const int32_t count = stop - i;
+    tp_ground under[TP_INSIDE_ROW];
+
+    tp_inside_ground(shade, ends, beam, count, under);
+    for (int32_t k = 0; k < count; k++)
+        seen[k] = 0;
+    tp_inside_row_channel(shade, under, beam, count, body, 8, seen);
+    for (int channel = 0; channel < 3; channel += 2) {
+        bend(shade, run, i, stop, surface, channel, beam);
+        tp_inside_row_channel(shade, under, beam, count, body, 16 - 8 * channel, seen);
+    }
+}
+
 TP_ALWAYS_INLINE void behind(const tp_shade *shade, tp_run *run, int rippled,
                              int dispersed)
 {
-    uint32_t body[TP_INSIDE_ROW], seen[TP_INSIDE_ROW];
+    uint32_t body[TP_INSIDE_ROW];
     tp_beam  beam[TP_INSIDE_ROW];
     facet    surface[TP_INSIDE_ROW];
     tp_bed   ends[2];
 
     for (int32_t i = 0; i < run->count; ) {
-        int32_t stop = tp_block_end(run, i), count = stop - i;
-        for (int32_t k = 0; k < count; k++) {
-            body[k] = tp_colour_mix(shade->inside.deep, run->colour[i + k], 64);
-            seen[k] = 0;
-        }
+        int32_t   stop = tp_block_end(run, i), count = stop - i;
+        uint32_t *seen = run->colour + i;
+        for (int32_t k = 0; k < count; k++)
+            body[k] = tp_colour_mix(shade->inside.deep, seen[k], 64);
         tp_inside_places(shade, run, i, stop, beam);
         facets(shade, run, i, stop, rippled, surface);
-        for (int channel = dispersed ? 0 : 1; channel < (dispersed ? 3 : 2); channel++) {
-            bend(shade, run, i, stop, surface, channel, beam);
-            ends[0] = tp_inside_bed(shade, beam);
-            ends[1] = tp_inside_bed(shade, &beam[count - 1]);
-            if (dispersed)
-                tp_inside_row_channel(shade, ends, beam, count, body, 16 - 8 * channel,
-                                      seen);
-            else
-                tp_inside_row(shade, ends, beam, count, body, seen);
-        }
-        for (int32_t k = 0; k < count; i++, k++)
-            run->colour[i] = shade->sunken.colour
-                                 ? with_sunken(shade, run, i, beam[k].far, surface[k].x,
-                                               surface[k].z, seen[k])
-                                 : seen[k];
+        bend(shade, run, i, stop, surface, 1, beam);
+        ends[0] = tp_inside_bed(shade, beam);
+        ends[1] = tp_inside_bed(shade, &beam[count - 1]);
+        if (dispersed)
+            parted(shade, run, i, stop, surface, ends, beam, body, seen);
+        else
+            tp_inside_row(shade, ends, beam, count, body, seen);
+        for (int32_t k = 0; shade->sunken.colour && k < count; k++)
+            seen[k] = with_sunken(shade, run, i + k, beam[k].far, surface[k].x,
+                                  surface[k].z, seen[k]);
+        i = stop;
     }
 }
 

@@ -68,24 +68,18 @@ static inline tp_fx depth_under(const tp_bed *bed, tp_vec3 at)
     return (tp_fx)tp_limit(bed->depth - (rise >> 16), TP_INSIDE_FAR);
 }
 
-/* The floor as it lies under a place: its depth there. */
-typedef struct {
-    tp_fx   depth, rise_x, rise_z;
-    int32_t nl;
-} ground;
-
-static inline ground ground_under(const tp_bed *bed, tp_vec3 at)
+static inline tp_ground ground_under(const tp_bed *bed, tp_vec3 at)
 {
-    return (ground){ depth_under(bed, at), bed->rise_x, bed->rise_z, bed->nl };
+    return (tp_ground){ depth_under(bed, at), bed->rise_x, bed->rise_z, bed->nl };
 }
 
 /* `share` of 16 of b, the rest of a.  Depths differ by less than 2^31. */
-static inline ground ground_between(const tp_bed *a, const tp_bed *b, int32_t share,
+static inline tp_ground ground_between(const tp_bed *a, const tp_bed *b, int32_t share,
                                     tp_vec3 at)
 {
     int32_t one = depth_under(a, at), other = depth_under(b, at);
 
-    return (ground){
+    return (tp_ground){
         one + (int32_t)((int64_t)(other - one) * share >> 4),
         a->rise_x + ((b->rise_x - a->rise_x) * share >> 4),
         a->rise_z + ((b->rise_z - a->rise_z) * share >> 4),
@@ -94,7 +88,7 @@ static inline ground ground_between(const tp_bed *a, const tp_bed *b, int32_t sh
 }
 
 /* A ray that runs along the floor meets it at a grade of 1/16 at the least. */
-static inline tp_fx way_to_floor(const ground *under, tp_fx from_y, tp_ray way)
+static inline tp_fx way_to_floor(const tp_ground *under, tp_fx from_y, tp_ray way)
 {
     tp_fx   gap = tp_fx_plus(from_y, under->depth);
     int32_t down = (int32_t)(((int64_t)under->rise_x * way.x
@@ -130,7 +124,7 @@ tp_bed tp_inside_bed(const tp_shade *shade, const tp_beam *beam)
         return in->bed;
     tp_bed here = bed_under(in, beam->at), bed = here;
     for (int n = 0; n < 2; n++) {
-        ground under = ground_under(&bed, beam->at);
+        tp_ground under = ground_under(&bed, beam->at);
         tp_fx  way = way_to_floor(&under, beam->at.y, down);
         way = way < 200 * TP_FX_ONE ? way : 200 * TP_FX_ONE;
         bed = bed_under(in, gone(beam->at, down, way));
@@ -219,7 +213,7 @@ static inline tp_fx way_to_side(tp_fx from, int32_t speed, tp_fx low, tp_fx high
     return gap > 0 ? way_for(gap, speed > 0 ? speed : -speed) : 0;
 }
 
-static inline hit first_hit(const tp_inside *in, const ground *under, tp_vec3 from,
+static inline hit first_hit(const tp_inside *in, const tp_ground *under, tp_vec3 from,
                             tp_ray way)
 {
     hit h = { NOTHING, TP_INSIDE_FAR };
@@ -286,35 +280,43 @@ static inline uint32_t channel_along(const tp_shade *shade, int32_t floor_nl, hi
 static const uint16_t over[TP_INSIDE_ROW] = { 0, 4096, 2048, 1365, 1024, 819, 683, 585, 512,
                                               455, 410, 372, 341, 315, 293, 273 };
 
-TP_ALWAYS_INLINE void row(const tp_shade *shade, const tp_bed ends[2],
-                          const tp_beam *beam, int32_t count, const uint32_t *body,
-                          int one, int shift, uint32_t *seen)
+TP_ALWAYS_INLINE tp_ground ground_of(const tp_inside *in, const tp_bed ends[2],
+                                     int32_t sixteenths, tp_vec3 at)
 {
-    const tp_inside *in = &shade->inside;
+    return in->ocean ? ground_between(&ends[0], &ends[1], sixteenths, at)
+                     : ground_under(&ends[0], at);
+}
+
+void tp_inside_ground(const tp_shade *shade, const tp_bed ends[2], const tp_beam *beam,
+                      int32_t count, tp_ground *under)
+{
     const int32_t each = over[count - 1];
 
-    for (int32_t k = 0; k < count; k++, beam++) {
-        ground g = in->ocean ? ground_between(&ends[0], &ends[1], k * each >> 8, beam->at)
-                             : ground_under(&ends[0], beam->at);
-        hit h = first_hit(in, &g, beam->at, beam->way);
-        if (one)
-            seen[k] |= channel_along(shade, g.nl, h, beam, body[k], shift);
-        else
-            seen[k] = seen_along(shade, g.nl, h, beam->at, beam->way, beam->far, body[k]);
-    }
+    for (int32_t k = 0; k < count; k++)
+        under[k] = ground_of(&shade->inside, ends, k * each >> 8, beam[k].at);
 }
 
 void tp_inside_row(const tp_shade *shade, const tp_bed ends[2], const tp_beam *beam,
                    int32_t count, const uint32_t *body, uint32_t *seen)
 {
-    row(shade, ends, beam, count, body, 0, 0, seen);
+    const tp_inside *in = &shade->inside;
+    const int32_t each = over[count - 1];
+
+    for (int32_t k = 0; k < count; k++, beam++) {
+        tp_ground g = ground_of(in, ends, k * each >> 8, beam->at);
+        hit h = first_hit(in, &g, beam->at, beam->way);
+        seen[k] = seen_along(shade, g.nl, h, beam->at, beam->way, beam->far, body[k]);
+    }
 }
 
-void tp_inside_row_channel(const tp_shade *shade, const tp_bed ends[2],
+void tp_inside_row_channel(const tp_shade *shade, const tp_ground *under,
                            const tp_beam *beam, int32_t count, const uint32_t *body,
                            int shift, uint32_t *seen)
 {
-    row(shade, ends, beam, count, body, 1, shift, seen);
+    for (int32_t k = 0; k < count; k++, beam++, under++) {
+        hit h = first_hit(&shade->inside, under, beam->at, beam->way);
+        seen[k] |= channel_along(shade, under->nl, h, beam, body[k], shift);
+    }
 }
 
 /* -- the surface from below ------------------------------------------------------------ */
@@ -364,7 +366,7 @@ uint32_t tp_inside_up(const tp_shade *shade, const tp_bed *bed, const tp_beam *b
                     way.z - (2 * ci * n.z >> 14), 0 };
     if (back.y > -64)           /* a slope that throws it up again: level, then */
         back.y = -64;
-    ground under = ground_under(bed, beam->at);
+    tp_ground under = ground_under(bed, beam->at);
     hit h = first_hit(&shade->inside, &under, beam->at, back);
     uint32_t mirrored = seen_along(shade, bed->nl, h, beam->at, back, beam->far, body);
     return tp_colour_mix(sky, mirrored, share);
@@ -373,7 +375,7 @@ uint32_t tp_inside_up(const tp_shade *shade, const tp_bed *bed, const tp_beam *b
 uint32_t tp_inside_at(const tp_shade *shade, const tp_bed *bed, const tp_beam *beam,
                       uint32_t body)
 {
-    ground under = ground_under(bed, beam->at);
+    tp_ground under = ground_under(bed, beam->at);
     hit    h = first_hit(&shade->inside, &under, beam->at, beam->way);
     tp_fx  deep = beam->at.y < 0 ? -(beam->at.y + (beam->at.y == TP_FX_MIN)) : 0;
 
