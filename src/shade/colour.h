@@ -6,7 +6,7 @@
  * a picture's, whose alpha is the share that it covers. */
 #ifndef TP_SHADE_COLOUR_H
 #define TP_SHADE_COLOUR_H
-#include "base/base.h"
+#include "base/dsp.h"
 
 /* Half a level in each lane: products are rounded, so that a list of stages does not
  * darken the picture by half a level each. */
@@ -16,9 +16,8 @@
 /* share / 256 of each channel. */
 static inline uint32_t tp_colour_scale(uint32_t colour, uint32_t share)
 {
-    uint32_t rb = ((colour & 0x00ff00ffu) * share + TP_HALF_RB) >> 8 & 0x00ff00ffu;
-    uint32_t g = ((colour & 0x0000ff00u) * share + TP_HALF_G) >> 8 & 0x0000ff00u;
-    return rb | g;
+    uint32_t rb = tp_odd_bytes(tp_even_bytes(colour) * share + TP_HALF_RB);
+    return rb | (((colour >> 8 & 0xff) * share + 128) & 0xff00);
 }
 
 /* share 0..256 of b, the rest of a. */
@@ -37,6 +36,31 @@ static inline uint32_t tp_channel_mix(uint32_t a, uint32_t b, uint32_t share)
     return (a * (256 - share) + b * share + 128) >> 8;
 }
 
+/* Red and blue in halves of a word, and green: apart where more than one thing is done to
+ * them. */
+typedef struct {
+    uint32_t rb, g;
+} tp_parted;
+
+TP_ALWAYS_INLINE tp_parted tp_parted_of(uint32_t colour)
+{
+    return (tp_parted){ tp_even_bytes(colour), colour >> 8 & 0xff };
+}
+
+TP_ALWAYS_INLINE uint32_t tp_parted_whole(tp_parted p)
+{
+    return p.rb | p.g << 8;
+}
+
+/* tp_colour_mix */
+TP_ALWAYS_INLINE tp_parted tp_parted_mix(tp_parted a, tp_parted b, uint32_t share)
+{
+    return (tp_parted){
+        tp_odd_bytes(a.rb * (256 - share) + b.rb * share + TP_HALF_RB),
+        tp_channel_mix(a.g, b.g, share),
+    };
+}
+
 /* n / 255 of n <= 255 * 255, rounded. */
 static inline uint32_t tp_of_255(uint32_t n)
 {
@@ -44,24 +68,28 @@ static inline uint32_t tp_of_255(uint32_t n)
     return (n + (n >> 8)) >> 8;
 }
 
-/* Each channel's product, 255 standing for 1. */
+/* Each channel's product, 255 standing for 1; red and blue are tp_of_255 in halves. */
+TP_ALWAYS_INLINE uint32_t tp_parted_times(tp_parted a, tp_parted b)
+{
+    uint32_t rb = (a.rb >> 16) * (b.rb >> 16) << 16 | (a.rb & 0xff) * (b.rb & 0xff);
+    uint32_t g = a.g * b.g + 128;
+
+    rb += TP_HALF_RB;
+    return tp_odd_bytes(tp_add_odd_bytes(rb, rb)) | ((g + (g >> 8)) & 0xff00);
+}
+
 static inline uint32_t tp_colour_times(uint32_t a, uint32_t b)
 {
-    return tp_of_255((a >> 16 & 0xff) * (b >> 16 & 0xff)) << 16
-         | tp_of_255((a >> 8 & 0xff) * (b >> 8 & 0xff)) << 8
-         | tp_of_255((a & 0xff) * (b & 0xff));
+    return tp_parted_times(tp_parted_of(a), tp_parted_of(b));
 }
 
 /* Each channel's sum, held at 255. */
 static inline uint32_t tp_colour_add(uint32_t a, uint32_t b)
 {
-    uint32_t rb = (a & 0x00ff00ffu) + (b & 0x00ff00ffu);
-    uint32_t g = (a >> 8 & 0xff) + (b >> 8 & 0xff);
-    uint32_t over = rb & 0x01000100u;
-
-    rb |= over - (over >> 8);
-    g |= 0u - (g >> 8);
-    return (rb & 0x00ff00ffu) | (g & 0xff) << 8;
+    if (TP_DSP)
+        return tp_uqadd8(a, b) & 0xffffff;
+    uint32_t over = ((a & b) + ((a ^ b) >> 1 & 0x7f7f7f)) & 0x808080, carry = over << 1;
+    return ((a & 0xffffff) + (b & 0xffffff) - carry) | (carry - (over >> 7));
 }
 
 /* Times gain / 256, cut and held at 255: light that gathers may be more than 1. */

@@ -7,7 +7,7 @@
  * all of it is done in Q8 and rounded once. */
 #ifndef TP_SHADE_GRADE_H
 #define TP_SHADE_GRADE_H
-#include "base/base.h"
+#include "shade/colour.h"
 #include "shade/layer.h"
 
 /* v <= span, span gain <= 255 << 24 rounded down: a half more still fits. */
@@ -20,9 +20,9 @@ TP_ALWAYS_INLINE uint32_t tp_graded_channel(const tp_grade *grade, int32_t grey,
     return ((uint32_t)v * grade->gain[channel] + (1u << 23)) >> 24;
 }
 
-TP_ALWAYS_INLINE uint32_t tp_graded(const tp_grade *grade, uint32_t texel)
+TP_ALWAYS_INLINE uint32_t tp_graded(const tp_grade *grade, tp_parted texel)
 {
-    uint32_t r = texel >> 16 & 0xff, g = texel >> 8 & 0xff, b = texel & 0xff;
+    uint32_t r = texel.rb >> 16, g = texel.g, b = texel.rb & 0xff;
     int32_t  grey = (int32_t)(77 * r + 150 * g + 29 * b);
 
     grey = (grey * (256 - grade->saturation) >> 8) - grade->clamp;

@@ -19,34 +19,44 @@ tp_grade tp_grade_of(tp_fx saturation, tp_fx clamp, uint32_t colour)
 enum { TINTED, GRADED };
 
 /* `filter`, `how` and `add` are literals. */
-TP_ALWAYS_INLINE void lay(const tp_shade *shade, tp_run *run, const tp_layer *layer,
-                          const tp_grade *grade, uint32_t tint, int filter, int how,
-                          int add)
+TP_ALWAYS_INLINE void lay(const tp_sampler *sampler, const tp_grade *grade, uint32_t tint,
+                          const tp_stretch *over, uint32_t *restrict colour, int filter,
+                          int how, int add)
 {
-    const uint32_t *place_s = run->ls, *place_t = run->lt;
-    const tp_grade  g = *grade;
+    const tp_sampler p = *sampler;
+    const tp_grade   g = *grade;
+    const tp_parted  with = tp_parted_of(tint);
+    const uint32_t *restrict s = over->s, *restrict t = over->t;
+    const int32_t count = over->count;
 
-    for (int32_t i = 0; i < run->count; ) {
-        tp_level l = tp_level_for(shade, layer, run->key[i]);
-        int32_t  stop = tp_block_end(run, i);
-        for (; i < stop; i++) {
-            uint32_t s = place_s[i] * layer->per_metre + layer->drift_s;
-            uint32_t t = place_t[i] * layer->per_metre + layer->drift_t;
-            uint32_t texel = filter ? tp_linear(&l, s, t) : tp_nearest(&l, s, t);
-            texel = how == GRADED ? tp_graded(&g, texel) : tp_colour_times(texel, tint);
-            run->colour[i] = add ? tp_colour_add(run->colour[i], texel) : texel;
-        }
+    for (int32_t i = 0; i < count; i++) {
+        tp_parted texel = tp_sampled(&p, s[i], t[i], filter);
+        uint32_t  c = how == GRADED ? tp_graded(&g, texel) : tp_parted_times(texel, with);
+        colour[i] = add ? tp_colour_add(colour[i], c) : c;
+    }
+}
+
+TP_ALWAYS_INLINE void lay_all(const tp_shade *shade, tp_run *run, const tp_layer *layer,
+                              const tp_grade *grade, uint32_t tint, int filter, int how,
+                              int add)
+{
+    tp_stretch w;
+
+    for (int32_t i = 0; i < run->count; i += w.count) {
+        w = tp_stretch_from(shade, run, layer, run->ls, run->lt, i);
+        const tp_sampler p = tp_sampler_for(layer, w.level, filter);
+        lay(&p, grade, tint, &w, run->colour + i, filter, how, add);
     }
 }
 
 void tp_stage_texture_graded(const tp_shade *shade, tp_run *run)
 {
-    lay(shade, run, &shade->water, &shade->layers.grade[0], 0, 0, GRADED, 0);
+    lay_all(shade, run, &shade->water, &shade->layers.grade[0], 0, 0, GRADED, 0);
 }
 
 void tp_stage_texture_linear_graded(const tp_shade *shade, tp_run *run)
 {
-    lay(shade, run, &shade->water, &shade->layers.grade[0], 0, 1, GRADED, 0);
+    lay_all(shade, run, &shade->water, &shade->layers.grade[0], 0, 1, GRADED, 0);
 }
 
 TP_ALWAYS_INLINE void lay_added(const tp_shade *shade, tp_run *run, int filter)
@@ -57,9 +67,9 @@ TP_ALWAYS_INLINE void lay_added(const tp_shade *shade, tp_run *run, int filter)
         const tp_layer *layer = &layers->added[k];
         const tp_grade *grade = &layers->grade[1 + k];
         if (layer->texture && layers->graded[k])
-            lay(shade, run, layer, grade, 0, filter, GRADED, 1);
+            lay_all(shade, run, layer, grade, 0, filter, GRADED, 1);
         else if (layer->texture)
-            lay(shade, run, layer, grade, layers->colour[k], filter, TINTED, 1);
+            lay_all(shade, run, layer, grade, layers->colour[k], filter, TINTED, 1);
     }
 }
 

@@ -80,7 +80,8 @@ tp_quick_map tp_quick_map_of(const tp_layer *layer)
 
 static uint32_t graded_texel(const work *w, uint32_t texel)
 {
-    return w->graded ? tp_graded(&w->grade, texel) : tp_colour_times(texel, w->tint);
+    return w->graded ? tp_graded(&w->grade, tp_parted_of(texel))
+                     : tp_colour_times(texel, w->tint);
 }
 
 void tp_quick_graded(tp_texture *to, const tp_texture *from, tp_fx saturation, tp_fx clamp,

@@ -35,27 +35,28 @@ TP_ALWAYS_INLINE int32_t signed_mix(uint32_t above, uint32_t below, uint32_t ft)
 
 /* The first mixes fill halves of a word, the second ones 24 bits: with 8 a ripple near
  * the eye would have steps of half a degree. */
-TP_ALWAYS_INLINE bump bump_at(const tp_level *l, uint32_t s, uint32_t t, int32_t gain)
+TP_ALWAYS_INLINE bump bump_of(const tp_four *f, int32_t gain)
 {
-    tp_four  f = tp_four_around(l, s, t);
-    uint32_t rb[2], g[2];
+    const uint32_t fs = f->fs, gs = 256 - fs;
+    uint32_t rb = tp_even_bytes(f->texel[0]) * gs + tp_even_bytes(f->texel[1]) * fs;
+    uint32_t rb_below = tp_even_bytes(f->texel[2]) * gs + tp_even_bytes(f->texel[3]) * fs;
+    uint32_t g = (f->texel[0] >> 8 & 0xff) * gs + (f->texel[1] >> 8 & 0xff) * fs;
+    uint32_t g_below = (f->texel[2] >> 8 & 0xff) * gs + (f->texel[3] >> 8 & 0xff) * fs;
+    int32_t  up = signed_mix(rb & 0xffff, rb_below & 0xffff, f->ft) >> 3;
 
-    for (int k = 0; k < 2; k++) {
-        uint32_t left = f.texel[2 * k], right = f.texel[2 * k + 1];
-        rb[k] = (left & 0xff00ff) * (256 - f.fs) + (right & 0xff00ff) * f.fs;
-        g[k] = (left >> 8 & 0xff) * (256 - f.fs) + (right >> 8 & 0xff) * f.fs;
-    }
-    int32_t up = signed_mix(rb[0] & 0xffff, rb[1] & 0xffff, f.ft) >> 3;
     return (bump){
-        .nx = signed_mix(rb[0] >> 16, rb[1] >> 16, f.ft) * gain >> 11,
-        .ny = signed_mix(g[0], g[1], f.ft) * gain >> 11,
+        .nx = signed_mix(rb >> 16, rb_below >> 16, f->ft) * gain >> 11,
+        .ny = signed_mix(g, g_below, f->ft) * gain >> 11,
         .nz = up < UP_LEAST ? UP_LEAST : up,
     };
 }
 
-/* x y / 2^n: products of steep slopes and ripples have 33 bits. */
+/* x y / 2^n: products of steep slopes and ripples have 34 bits.  |x| < 2^17, n <= 13: by
+ * parts of y each fits a word. */
 TP_ALWAYS_INLINE int32_t times(int32_t x, int32_t y, int n)
 {
+    if (TP_WIDE)
+        return x * (y >> n) + (x * (y & ((1 << n) - 1)) >> n);
     return (int32_t)((int64_t)x * y >> n);
 }
 
@@ -66,15 +67,30 @@ TP_ALWAYS_INLINE int32_t root_of(const tp_shade *shade, uint32_t q)
 }
 
 /* n / y in Q12, both below 2^21 and of one scale. */
-TP_ALWAYS_INLINE int16_t slope_of(int32_t n, int32_t recip, int shift)
+TP_ALWAYS_INLINE int32_t slope_of(int32_t n, int32_t recip, int shift)
 {
-    return (int16_t)tp_clamp(tp_mul_upper(n * 1024, recip) >> (28 - shift), -32000,
-                             32000);
+    return tp_clamp(tp_mul_upper(n * 1024, recip) >> (28 - shift), -32000, 32000);
 }
 
+/* tp_clz of y in [2^9, 2^21), where vector units have none. */
+TP_ALWAYS_INLINE int zeros_of(uint32_t y)
+{
+    if (!TP_WIDE)
+        return tp_clz(y);
+    int n = 11;
+    n += y << n >> 24 ? 0 : 8;
+    n += y << n >> 28 ? 0 : 4;
+    n += y << n >> 30 ? 0 : 2;
+    return n + (y << n >> 31 ? 0 : 1);
+}
+
+/* Slopes of x and z. */
+typedef struct {
+    int32_t x, z;
+} slopes;
+
 /* Slopes are below 8, nx and ny within 4: sums are below 2^21. */
-TP_ALWAYS_INLINE void turn(const tp_shade *shade, tp_run *run, int32_t i, int32_t sx,
-                           int32_t sz, bump m)
+TP_ALWAYS_INLINE slopes turned(const tp_shade *shade, int32_t sx, int32_t sz, bump m)
 {
     uint32_t qx = (uint32_t)(sx * sx), qz = (uint32_t)(sz * sz);
     int32_t  a = root_of(shade, qx), w = root_of(shade, qx + qz);
@@ -84,55 +100,65 @@ TP_ALWAYS_INLINE void turn(const tp_shade *shade, tp_run *run, int32_t i, int32_
     int32_t  y = up + times(sx, along, 12);
 
     y = y < UP_LEAST ? UP_LEAST : y;
-    int      shift = tp_clz((uint32_t)y);
+    int      shift = zeros_of((uint32_t)y);
     int32_t  recip = tp_recip_rough((uint32_t)y << shift);
-    run->sx[i] = slope_of(times(sx, up, 12) - along, recip, shift);
-    run->sz[i] = slope_of(times(a, side, 13), recip, shift);
+    return (slopes){ slope_of(times(sx, up, 12) - along, recip, shift),
+                     slope_of(times(a, side, 13), recip, shift) };
 }
 
-TP_ALWAYS_INLINE void ripple(const tp_shade *shade, tp_run *run, int over)
+/* Slopes of -nx / nz along s and ny / nz along t; 1 / nz is taken as 2 - nz. */
+TP_ALWAYS_INLINE slopes added(int32_t sx, int32_t sz, bump m)
+{
+    sx -= m.nx * (2 * 4096 - m.nz) >> 12;
+    sz += m.ny * (2 * 4096 - m.nz) >> 12;
+    return (slopes){ tp_clamp(sx, -32000, 32000), tp_clamp(sz, -32000, 32000) };
+}
+
+enum { TURNED, OVER, GENTLE };
+
+/* `n` is as sampled, x:z, of which TURNED and GENTLE make sx and sz; OVER reads those. */
+TP_ALWAYS_INLINE void bend(const tp_shade *shade, const tp_sampler *sampler,
+                           const tp_stretch *over, const uint32_t *restrict n,
+                           int16_t *restrict sx, int16_t *restrict sz, int how)
+{
+    const tp_sampler p = *sampler;
+    const uint32_t *restrict s = over->s, *restrict t = over->t;
+    const int32_t count = over->count, gain = shade->ripple.slope_gain;
+
+    for (int32_t i = 0; i < count; i++) {
+        tp_four f = tp_sampler_four(&p, s[i], t[i]);
+        bump    m = bump_of(&f, gain);
+        int32_t x = how == OVER ? sx[i] : (int32_t)n[i] >> 16;
+        int32_t z = how == OVER ? sz[i] : (int16_t)(n[i] & 0xffff);
+        slopes  to = how == GENTLE ? added(x, z, m) : turned(shade, x, z, m);
+        sx[i] = (int16_t)to.x;
+        sz[i] = (int16_t)to.z;
+    }
+}
+
+TP_ALWAYS_INLINE void ripple(const tp_shade *shade, tp_run *run, int how)
 {
     const tp_layer *layer = &shade->ripple;
+    tp_stretch w;
 
-    for (int32_t i = 0; i < run->count; ) {
-        tp_level l = tp_level_for(shade, layer, run->key[i]);
-        int32_t  stop = tp_block_end(run, i);
-        for (; i < stop; i++) {
-            uint32_t s = run->s[i] * layer->per_metre + layer->drift_s;
-            uint32_t t = run->t[i] * layer->per_metre + layer->drift_t;
-            int32_t  sx = tp_slope_x(run, i, over), sz = tp_slope_z(run, i, over);
-            turn(shade, run, i, sx, sz, bump_at(&l, s, t, layer->slope_gain));
-        }
+    for (int32_t i = 0; i < run->count; i += w.count) {
+        w = tp_stretch_from(shade, run, layer, run->s, run->t, i);
+        const tp_sampler p = tp_sampler_linear(layer, w.level);
+        bend(shade, &p, &w, run->n + i, run->sx + i, run->sz + i, how);
     }
 }
 
 void tp_stage_ripple(const tp_shade *shade, tp_run *run)
 {
-    ripple(shade, run, 0);
+    ripple(shade, run, TURNED);
 }
 
 void tp_stage_ripple_over(const tp_shade *shade, tp_run *run)
 {
-    ripple(shade, run, 1);
+    ripple(shade, run, OVER);
 }
 
-/* Slopes of -nx / nz along s and ny / nz along t; 1 / nz is taken as 2 - nz. */
 void tp_stage_ripple_gentle(const tp_shade *shade, tp_run *run)
 {
-    const tp_layer *layer = &shade->ripple;
-
-    for (int32_t i = 0; i < run->count; ) {
-        tp_level l = tp_level_for(shade, layer, run->key[i]);
-        int32_t  stop = tp_block_end(run, i);
-        for (; i < stop; i++) {
-            uint32_t s = run->s[i] * layer->per_metre + layer->drift_s;
-            uint32_t t = run->t[i] * layer->per_metre + layer->drift_t;
-            bump     m = bump_at(&l, s, t, layer->slope_gain);
-            int32_t  sx = tp_slope_x(run, i, 0), sz = tp_slope_z(run, i, 0);
-            sx -= m.nx * (2 * 4096 - m.nz) >> 12;
-            sz += m.ny * (2 * 4096 - m.nz) >> 12;
-            run->sx[i] = (int16_t)tp_clamp(sx, -32000, 32000);
-            run->sz[i] = (int16_t)tp_clamp(sz, -32000, 32000);
-        }
-    }
+    ripple(shade, run, GENTLE);
 }

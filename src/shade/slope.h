@@ -31,11 +31,9 @@ TP_ALWAYS_INLINE int tp_steep_halved(uint32_t *q)
     int times = 0;
 
     if (TP_WIDE) {
-        for (int n = 0; n < 3; n++) {
-            int over = *q >= TP_SLOPE_END;
-            *q = over ? (*q - TP_SLOPE_END / 4 * 3) / 4 : *q;
-            times += over;
-        }
+        const uint32_t one = TP_SLOPE_END / 4;
+        times = (*q >= TP_SLOPE_END) + (*q >= 19 * one) + (*q >= 79 * one);
+        *q = ((*q + one) >> 2 * times) - one;
         return times;
     }
     for (; *q >= TP_SLOPE_END; times++)
@@ -56,7 +54,7 @@ TP_ALWAYS_INLINE int32_t tp_steep(const tp_shade *shade, uint32_t q)
 TP_ALWAYS_INLINE int32_t tp_steep_near(const tp_shade *shade, uint32_t q)
 {
     int times = tp_steep_halved(&q);
-    return (int32_t)shade->steep[(q + 0x10000) >> 17] >> times;
+    return (int32_t)shade->steep[(int32_t)((q + 0x10000) >> 17)] >> times;
 }
 
 TP_ALWAYS_INLINE tp_ray tp_slope_normal(const tp_shade *shade, int32_t sx, int32_t sz)

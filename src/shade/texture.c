@@ -9,23 +9,31 @@ void tp_stage_plain(const tp_shade *shade, tp_run *run)
         run->colour[i] = shade->water_colour;
 }
 
+/* `filter` and `tinted` are literals. */
+TP_ALWAYS_INLINE void lay(const tp_sampler *sampler, uint32_t tint,
+                          const tp_stretch *over, uint32_t *restrict colour, int filter,
+                          int tinted)
+{
+    const tp_sampler p = *sampler;
+    const tp_parted  with = tp_parted_of(tint);
+    const uint32_t *restrict s = over->s, *restrict t = over->t;
+    const int32_t count = over->count;
+
+    for (int32_t i = 0; i < count; i++) {
+        tp_parted texel = tp_sampled(&p, s[i], t[i], filter);
+        colour[i] = tinted ? tp_parted_times(texel, with) : tp_parted_whole(texel);
+    }
+}
+
 TP_ALWAYS_INLINE void texture(const tp_shade *shade, tp_run *run, int filter, int tinted)
 {
     const tp_layer *layer = &shade->water;
-    const uint32_t *place_s = run->ls, *place_t = run->lt;
-    uint32_t tint = shade->water_colour, per_metre = layer->per_metre;
-    uint32_t drift_s = layer->drift_s, drift_t = layer->drift_t;
-    int32_t  count = run->count;
+    tp_stretch w;
 
-    for (int32_t i = 0; i < count; ) {
-        tp_level l = tp_level_for(shade, layer, run->key[i]);
-        int32_t  stop = tp_block_end(run, i);
-        for (; i < stop; i++) {
-            uint32_t s = place_s[i] * per_metre + drift_s;
-            uint32_t t = place_t[i] * per_metre + drift_t;
-            uint32_t texel = filter ? tp_linear(&l, s, t) : tp_nearest(&l, s, t);
-            run->colour[i] = tinted ? tp_colour_times(texel, tint) : texel & 0xffffff;
-        }
+    for (int32_t i = 0; i < run->count; i += w.count) {
+        w = tp_stretch_from(shade, run, layer, run->ls, run->lt, i);
+        const tp_sampler p = tp_sampler_for(layer, w.level, filter);
+        lay(&p, shade->water_colour, &w, run->colour + i, filter, tinted);
     }
 }
 
