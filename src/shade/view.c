@@ -6,65 +6,112 @@
  * left are cuts to Q1.14. */
 #include "shade/shade.h"
 
-static int32_t q14_of(int64_t x)
-{
-    return (int32_t)(x >> 20);
-}
-
-/* right (u - u0) + up (v0 - v) - back focal, towards the scene, turned round.  Each
+/* right (u - u0) + up (v0 - v) - back focal, towards the scene, turned round; Q30.  Each
  * product has 30 + 18 bits. */
-tp_ray tp_view_ray(const tp_shade *shade, const tp_view_axes *a, int32_t x, int32_t y)
+typedef struct {
+    int64_t x, y, z;
+} way;
+
+static way way_at(const tp_shade *shade, const tp_view_axes *a, int32_t x, int32_t y)
 {
     int64_t u = 16 * x + 8 - shade->u0, v = shade->v0 - 16 * y - 8, f = shade->focal;
-    tp_dir3 d = tp_normalise(q14_of(f * a->back.x - u * a->right.x - v * a->up.x),
-                             q14_of(f * a->back.y - u * a->right.y - v * a->up.y),
-                             q14_of(f * a->back.z - u * a->right.z - v * a->up.z));
+
+    return (way){
+        f * a->back.x - u * a->right.x - v * a->up.x,
+        f * a->back.y - u * a->right.y - v * a->up.y,
+        f * a->back.z - u * a->right.z - v * a->up.z,
+    };
+}
+
+/* Q10, of which tp_normalise makes a unit vector. */
+static tp_ray ray_along(const tp_view_axes *a, way w)
+{
+    tp_dir3 d = tp_normalise((int32_t)(w.x >> 20), (int32_t)(w.y >> 20),
+                             (int32_t)(w.z >> 20));
     tp_ray r = { d.x >> 16, d.y >> 16, d.z >> 16, 0 };
 
     r.l = (r.x * a->lx + r.y * a->ly + r.z * a->lz) >> 14;
     return r;
 }
 
-/* a + step k / 16 + bow k (16 - k) / 1024 of the way from a to b. */
-typedef struct {
-    tp_ray step, bow;
-} bend;
-
-static bend bend_of(tp_ray before, tp_ray a, tp_ray b, tp_ray after)
+tp_ray tp_view_ray(const tp_shade *shade, const tp_view_axes *a, int32_t x, int32_t y)
 {
-    return (bend){
-        { b.x - a.x, b.y - a.y, b.z - a.z, b.l - a.l },
-        { a.x + b.x - before.x - after.x, a.y + b.y - before.y - after.y,
-          a.z + b.z - before.z - after.z, a.l + b.l - before.l - after.l },
-    };
+    return ray_along(a, way_at(shade, a, x, y));
 }
 
-TP_ALWAYS_INLINE int16_t along(int32_t a, int32_t step, int32_t bow, int32_t k)
+/* The ray 16 columns on: the way is a straight line, to the last bit. */
+static tp_ray next_ray(const tp_view_axes *a, way *w)
 {
-    return (int16_t)(a + ((step * 64 + bow * (16 - k)) * k >> 10));
+    w->x -= 256 * (int64_t)a->right.x;
+    w->y -= 256 * (int64_t)a->right.y;
+    w->z -= 256 * (int64_t)a->right.z;
+    return ray_along(a, *w);
+}
+
+/* A component between the knots a and b, and on both sides of them what comes before and
+ * after: begin + step k + bow k (16 - k), Q10, at column k of 16. */
+typedef struct {
+    int32_t begin, step, bow;
+} arc;
+
+static inline arc arc_of(int32_t before, int32_t a, int32_t b, int32_t after)
+{
+    return (arc){ a * 1024, (b - a) * 64, a + b - before - after };
+}
+
+/* Two of them at `count` columns from k on: by steps, or each by itself. */
+static void between(arc a, arc b, int32_t k, int32_t count, int16_t *restrict to_a,
+                    int16_t *restrict to_b)
+{
+    if (TP_WIDE) {
+        for (int32_t i = 0; i < count; i++) {
+            int32_t here = k + i, square = (16 - here) * here;
+            to_a[i] = (int16_t)((a.begin + a.step * here + a.bow * square) >> 10);
+            to_b[i] = (int16_t)((b.begin + b.step * here + b.bow * square) >> 10);
+        }
+        return;
+    }
+    int32_t at_a = a.begin + (a.step + a.bow * (16 - k)) * k;
+    int32_t at_b = b.begin + (b.step + b.bow * (16 - k)) * k;
+    int32_t step_a = a.step + a.bow * (15 - 2 * k);
+    int32_t step_b = b.step + b.bow * (15 - 2 * k);
+    for (int32_t i = 0; i < count; i++) {
+        to_a[i] = (int16_t)(at_a >> 10);
+        to_b[i] = (int16_t)(at_b >> 10);
+        at_a += step_a;
+        at_b += step_b;
+        step_a -= 2 * a.bow;
+        step_b -= 2 * b.bow;
+    }
+}
+
+static void between_knots(const tp_ray knot[4], int32_t k, int32_t count, tp_run *run,
+                          int32_t at)
+{
+    const tp_ray *a = knot, *b = knot + 1, *c = knot + 2, *d = knot + 3;
+
+    between(arc_of(a->x, b->x, c->x, d->x), arc_of(a->y, b->y, c->y, d->y), k, count,
+            run->vx + at, run->vy + at);
+    between(arc_of(a->z, b->z, c->z, d->z), arc_of(a->l, b->l, c->l, d->l), k, count,
+            run->vz + at, run->lv + at);
 }
 
 void tp_view_run(const tp_shade *shade, const tp_view_axes *axes, tp_run *run)
 {
-    int32_t x = run->x, end = run->x + run->count, y = run->y, from = x & ~15;
-    tp_ray before = tp_view_ray(shade, axes, from - 16, y);
-    tp_ray a = tp_view_ray(shade, axes, from, y);
-    tp_ray b = tp_view_ray(shade, axes, from + 16, y);
+    int32_t from = run->x & ~15;
+    way     w = way_at(shade, axes, from - 16, run->y);
+    tp_ray  knot[4] = { ray_along(axes, w) };
 
-    for (int32_t i = 0; x < end; from += 16) {
-        tp_ray after = tp_view_ray(shade, axes, from + 32, y);
-        bend   to = bend_of(before, a, b, after);
-        int32_t stop = from + 16 < end ? from + 16 : end;
-        for (; x < stop; x++, i++) {
-            int32_t k = x - from;
-            run->vx[i] = along(a.x, to.step.x, to.bow.x, k);
-            run->vy[i] = along(a.y, to.step.y, to.bow.y, k);
-            run->vz[i] = along(a.z, to.step.z, to.bow.z, k);
-            run->lv[i] = along(a.l, to.step.l, to.bow.l, k);
-        }
-        before = a;
-        a = b;
-        b = after;
+    knot[1] = next_ray(axes, &w);
+    knot[2] = next_ray(axes, &w);
+    for (int32_t i = 0; i < run->count; ) {
+        int32_t stop = tp_block_end(run, i), k = (run->x + i) & 15;
+        knot[3] = next_ray(axes, &w);
+        between_knots(knot, k, stop - i, run, i);
+        i = stop;
+        knot[0] = knot[1];
+        knot[1] = knot[2];
+        knot[2] = knot[3];
     }
 }
 
