@@ -71,10 +71,16 @@ static inline uint32_t tp_of_255(uint32_t n)
 /* Each channel's product, 255 standing for 1; red and blue are tp_of_255 in halves. */
 TP_ALWAYS_INLINE uint32_t tp_parted_times(tp_parted a, tp_parted b)
 {
-    uint32_t rb = (a.rb >> 16) * (b.rb >> 16) << 16 | (a.rb & 0xff) * (b.rb & 0xff);
-    uint32_t g = a.g * b.g + 128;
+    uint32_t r, blue, g = a.g * b.g + 128;
 
-    rb += TP_HALF_RB;
+    if (TP_DSP) {
+        r = tp_smlatb(a.rb, b.rb >> 16, 128);
+        blue = tp_smlabb(a.rb, b.rb, 128);
+    } else {
+        r = (a.rb >> 16) * (b.rb >> 16) + 128;
+        blue = (a.rb & 0xff) * (b.rb & 0xff) + 128;
+    }
+    uint32_t rb = r << 16 | blue;
     return tp_odd_bytes(tp_add_odd_bytes(rb, rb)) | ((g + (g >> 8)) & 0xff00);
 }
 

@@ -66,10 +66,18 @@ TP_ALWAYS_INLINE int32_t root_of(const tp_shade *shade, uint32_t q)
     return (int32_t)((((1u << 24) + q) >> 10) * (uint32_t)tp_steep_near(shade, q) >> 15);
 }
 
+/* Within +-32000.  Most are: one test finds them. */
+TP_ALWAYS_INLINE int32_t held(int32_t slope)
+{
+    if (!TP_WIDE && (uint32_t)slope + 32000 <= 64000)
+        return slope;
+    return tp_clamp(slope, -32000, 32000);
+}
+
 /* n / y in Q12, both below 2^21 and of one scale. */
 TP_ALWAYS_INLINE int32_t slope_of(int32_t n, int32_t recip, int shift)
 {
-    return tp_clamp(tp_mul_upper(n * 1024, recip) >> (28 - shift), -32000, 32000);
+    return held(tp_mul_upper(n * 1024, recip) >> (28 - shift));
 }
 
 /* tp_clz of y in [2^9, 2^21), where vector units have none. */
@@ -111,7 +119,7 @@ TP_ALWAYS_INLINE slopes added(int32_t sx, int32_t sz, bump m)
 {
     sx -= m.nx * (2 * 4096 - m.nz) >> 12;
     sz += m.ny * (2 * 4096 - m.nz) >> 12;
-    return (slopes){ tp_clamp(sx, -32000, 32000), tp_clamp(sz, -32000, 32000) };
+    return (slopes){ held(sx), held(sz) };
 }
 
 enum { TURNED, OVER, GENTLE };

@@ -53,6 +53,8 @@ TP_ALWAYS_INLINE int32_t tp_steep(const tp_shade *shade, uint32_t q)
 /* The nearest entry, within 0.2 %. */
 TP_ALWAYS_INLINE int32_t tp_steep_near(const tp_shade *shade, uint32_t q)
 {
+    if (!TP_WIDE && q < TP_SLOPE_END)
+        return (int32_t)shade->steep[(q + 0x10000) >> 17];
     int times = tp_steep_halved(&q);
     return (int32_t)shade->steep[(int32_t)((q + 0x10000) >> 17)] >> times;
 }
