@@ -1,0 +1,126 @@
+/* SPDX-License-Identifier: MIT */
+/* The water's pictures, ripples and views have the same bits by every kit that this
+ * processor can run: over random runs of any length, slopes up to 8, pictures of any side,
+ * and of levels that change within a run. */
+#include <stdarg.h>
+#include <stddef.h>
+#include <setjmp.h>
+#include <stdint.h>
+#include <cmocka.h>
+#include "host/machine.h"
+#include "layers.h"
+#include "shades.h"
+
+enum { ROUNDS = 4000 };
+
+static uint64_t chance;
+static tp_texture texture[SIDES];
+
+#define OF_PICTURES(X) \
+    X(plain) X(texture) X(texture_tinted) X(texture_linear) X(texture_linear_tinted) \
+    X(texture_graded) X(texture_linear_graded) X(layers) X(layers_linear) X(bend) \
+    X(ripple) X(ripple_gentle) X(ripple_over) X(view)
+
+typedef struct {
+    const char *name;
+    size_t      at;             /* of its pointer in tp_stages */
+} row;
+
+static const row rows[] = {
+#define X(name) { #name, offsetof(tp_stages, name) },
+    OF_PICTURES(X)
+#undef X
+};
+enum { ROWS = sizeof rows / sizeof rows[0] };
+
+static stage *stage_of(const machine *m, const row *r)
+{
+    stage *s;
+    memcpy(&s, (const char *)&m->kit->stage + r->at, sizeof s);
+    return s;
+}
+
+static tp_layer any_layer(void)
+{
+    tp_layer layer = layer_any(&chance, &texture[chance_int(&chance, 0, SIDES - 1)]);
+    layer.lod = chance_int(&chance, -2000, 3000);
+    return layer;
+}
+
+static tp_shade any_shade(void)
+{
+    tp_shade s = shade_any(&chance);
+
+    s.water = any_layer();
+    s.ripple = any_layer();
+    s.layers.bend = any_layer();
+    s.layers.strength = chance_int(&chance, 0, TP_FX(20));
+    for (int k = 0; k < 1 + TP_LAYERS_ADDED; k++)
+        s.layers.grade[k] = tp_grade_of(chance_int(&chance, 0, TP_FX(4)),
+                                        chance_int(&chance, 0, TP_FX(0.95)),
+                                        (uint32_t)random_next(&chance) & 0xffffff);
+    for (int k = 0; k < TP_LAYERS_ADDED; k++) {
+        s.layers.added[k] = any_layer();
+        s.layers.colour[k] = (uint32_t)random_next(&chance) & 0xffffff;
+        s.layers.graded[k] = chance_int(&chance, 0, 1);
+    }
+    return s;
+}
+
+static tp_run any_run(test_run *r)
+{
+    run_any(r, chance_int(&chance, 0, 3) ? chance_int(&chance, 1, 4096) : 32767, &chance);
+    if (chance_int(&chance, 0, 3) == 0)
+        r->n[chance_int(&chance, 0, TP_RUN - 1)] = 0x80008000u;
+    for (int i = 0; i < TP_RUN; i++) {
+        if (i % 16 && chance_int(&chance, 0, 1))
+            r->key[i] = r->key[i - 1];
+        r->run.sx[i] = (int16_t)chance_int(&chance, -32000, 32000);
+        r->run.sz[i] = (int16_t)chance_int(&chance, -32000, 32000);
+    }
+    int32_t from = chance_int(&chance, 0, TP_RUN - 1);
+    return run_part(&r->run, from, chance_int(&chance, from + 1, TP_RUN));
+}
+
+/* All that stages write: the run from its colours on. */
+static void compare(const row *r, const machine *a, const machine *b)
+{
+    const tp_shade shade = any_shade();
+    test_run samples;
+    const tp_run begin = any_run(&samples);
+    tp_run by_a = begin, by_b = begin;
+    const size_t skipped = offsetof(tp_run, colour);
+
+    stage_of(a, r)(&shade, &by_a);
+    stage_of(b, r)(&shade, &by_b);
+    if (memcmp((const char *)&by_a + skipped, (const char *)&by_b + skipped,
+               sizeof by_a - skipped))
+        fail_msg("%s by %s is not as by %s", r->name, a->name, b->name);
+}
+
+static void every_kit_lays_and_bends_water_alike(void **state)
+{
+    size_t count;
+    const machine *machines = machine_kits(&count);
+    (void)state;
+
+    for (size_t m = 0; m + 1 < count; m++)
+        for (int k = 0; k < ROWS; k++)
+            for (int n = 0; n < ROUNDS; n++)
+                compare(&rows[k], &machines[m], &machines[count - 1]);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(every_kit_lays_and_bends_water_alike),
+    };
+
+    chance = random_seed();
+    for (int i = 0; i < SIDES; i++)
+        texture[i] = layer_texture(&chance, sides[i][0], sides[i][1]);
+    const int failed = cmocka_run_group_tests(tests, NULL, NULL);
+    for (int i = 0; i < SIDES; i++)
+        layer_free(&texture[i]);
+    return failed;
+}
