@@ -27,11 +27,13 @@ TP_ALWAYS_INLINE void tp_cube_sides_at(tp_cube_sides *sides, const tp_cube *cube
  * texels, and of eight at once their colours. */
 TP_ALWAYS_INLINE void tp_cube_row_wide(const tp_shade *restrict shade,
                                        const tp_cube_side *restrict side,
-                                       const int32_t *restrict x, const int32_t *restrict y,
+                                       const int32_t *restrict x,
+                                       const int32_t *restrict y,
                                        const int32_t *restrict z, int32_t count,
                                        uint32_t *restrict out)
 {
-    int32_t  face[TP_CUBE_ROW], first[TP_CUBE_ROW], right[TP_CUBE_ROW], below[TP_CUBE_ROW];
+    int32_t  face[TP_CUBE_ROW], first[TP_CUBE_ROW];
+    int32_t  right[TP_CUBE_ROW], below[TP_CUBE_ROW];
     uint32_t fu[TP_CUBE_ROW], fv[TP_CUBE_ROW], four[4][TP_CUBE_ROW];
 
     for (int32_t i = 0; i < count; i++) {

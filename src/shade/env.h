@@ -43,24 +43,42 @@ TP_ALWAYS_INLINE uint32_t tp_towards_light(uint32_t square)
     return t * t >> 8;
 }
 
-/* Below the horizon it grows dark, to a quarter within 11 degrees.  Squares count as
- * `least` at the least, which leaves the disc out. */
-TP_ALWAYS_INLINE uint32_t tp_env_dome(const tp_shade *shade, uint32_t least, int32_t x,
-                                      int32_t y, int32_t z)
+TP_ALWAYS_INLINE uint32_t tp_from_light(const tp_shade *shade, int32_t x, int32_t y,
+                                        int32_t z)
 {
-    const tp_dome *dome = shade->env.dome;
-    uint32_t square = tp_square_of(x - shade->world.lx, y - shade->world.ly,
-                                   z - shade->world.lz);
+    return tp_square_of(x - shade->world.lx, y - shade->world.ly, z - shade->world.lz);
+}
+
+/* Squares count as `least` at the least, which leaves the disc out. */
+TP_ALWAYS_INLINE uint32_t tp_dome_halo(const tp_dome *dome, uint32_t least,
+                                       uint32_t square)
+{
+    return dome->glow[tp_glow_entry(square > least ? square : least)];
+}
+
+/* The gradients at height y, this far from the light, and the glow there.  Below the
+ * horizon it grows dark, to a quarter within 11 degrees. */
+TP_ALWAYS_INLINE uint32_t tp_dome_with(const tp_dome *dome, uint32_t square, int32_t y,
+                                       uint32_t glow)
+{
     int32_t  sine = y >> 6, i = tp_clamp(sine, 0, TP_SKY);
     uint32_t base = tp_colour_mix(dome->away[i], dome->towards[i],
                                   tp_towards_light(square));
-    uint32_t glow = dome->glow[tp_glow_entry(square > least ? square : least)];
 
     if (sine < 0) {
         uint32_t left = (uint32_t)tp_clamp(256 + 4 * sine, 64, 256);
         return tp_colour_scale(tp_colour_add(base, glow), left);
     }
     return tp_colour_add(base, glow) | (glow & 0xff000000u);
+}
+
+TP_ALWAYS_INLINE uint32_t tp_env_dome(const tp_shade *shade, uint32_t least, int32_t x,
+                                      int32_t y, int32_t z)
+{
+    const tp_dome *dome = shade->env.dome;
+    uint32_t square = tp_from_light(shade, x, y, z);
+
+    return tp_dome_with(dome, square, y, tp_dome_halo(dome, least, square));
 }
 
 /* -- the cube ----------------------------------------------------------------------------- */

@@ -36,7 +36,8 @@ TP_ALWAYS_INLINE uint32_t horizon_at(const tp_shade *shade, tp_env_kind kind, in
     return tp_light_colour(shade, light);
 }
 
-TP_ALWAYS_INLINE void haze(const tp_shade *restrict shade, tp_run *restrict run, tp_env_kind kind)
+TP_ALWAYS_INLINE void haze(const tp_shade *restrict shade, tp_run *restrict run,
+                           tp_env_kind kind)
 {
     int32_t  x = run->x, end = run->x + run->count;
     uint32_t a = horizon_at(shade, kind, x & ~15, run->y);

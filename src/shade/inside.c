@@ -186,7 +186,8 @@ int32_t tp_caustic_at(const tp_caustic *c, tp_vec3 at)
 static inline uint32_t light_at(const tp_shade *shade, int32_t nl, tp_vec3 at)
 {
     int32_t sun = (256 - shade->ambient) * (nl < 16384 ? nl : 16384) >> 14;
-    int32_t light = tp_caustic_at(&shade->inside.caustic, at);
+    const tp_caustic *caustic = &shade->inside.caustic;
+    int32_t light = caustic->light ? tp_caustic_at(caustic, at) : 256;
     return (uint32_t)(shade->ambient + (sun * light >> 8));
 }
 
@@ -277,8 +278,8 @@ static inline uint32_t channel_along(const tp_shade *shade, int32_t floor_nl, hi
 }
 
 /* 16 / n in Q8. */
-static const uint16_t over[TP_INSIDE_ROW] = { 0, 4096, 2048, 1365, 1024, 819, 683, 585, 512,
-                                              455, 410, 372, 341, 315, 293, 273 };
+static const uint16_t over[TP_INSIDE_ROW] = { 0, 4096, 2048, 1365, 1024, 819, 683, 585,
+                                              512, 455, 410, 372, 341, 315, 293, 273 };
 
 TP_ALWAYS_INLINE tp_ground ground_of(const tp_inside *in, const tp_bed ends[2],
                                      int32_t sixteenths, tp_vec3 at)

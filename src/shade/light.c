@@ -10,7 +10,8 @@
 
 /* The diffuse term alone, for water that neither shines nor mirrors: the root's nearest
  * entry is within 0.2 %, half a level of 255. */
-TP_ALWAYS_INLINE void diffuse(const tp_shade *restrict shade, tp_run *restrict run, int rippled)
+TP_ALWAYS_INLINE void diffuse(const tp_shade *restrict shade, tp_run *restrict run,
+                              int rippled)
 {
     int32_t ambient = shade->ambient, direct = 256 - ambient, count = run->count;
     int32_t lx = shade->world.lx * direct >> 8, ly = shade->world.ly * direct >> 8;
@@ -47,7 +48,8 @@ TP_ALWAYS_INLINE int32_t shine_of(const tp_shade *shade, int32_t rv)
 
 /* The lobe takes N.V as it is: a crest that turns away shows the eye no more light than
  * one that it just grazes. */
-TP_ALWAYS_INLINE void light(const tp_shade *restrict shade, tp_run *restrict run, int rippled, int blinn)
+TP_ALWAYS_INLINE void light(const tp_shade *restrict shade, tp_run *restrict run,
+                            int rippled, int blinn)
 {
     int32_t lx = shade->world.lx, ly = shade->world.ly, lz = shade->world.lz;
     int32_t ambient = shade->ambient, count = run->count;

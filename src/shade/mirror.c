@@ -75,10 +75,41 @@ void tp_stage_reflect_gradient(const tp_shade *restrict shade, tp_run *restrict 
     }
 }
 
+TP_ALWAYS_INLINE void dome_wide(const tp_dome *restrict dome,
+                                const uint32_t *restrict square,
+                                const int16_t *restrict up,
+                                const uint32_t *restrict glow, int32_t count,
+                                uint32_t *restrict out)
+{
+    for (int32_t i = 0; i < count; i++)
+        out[i] = tp_dome_with(dome, square[i], up[i] > 0 ? up[i] : 0, glow[i]);
+}
+
+/* In three loops: a logarithm, which the glow is looked up by, is for one at a time. */
+TP_ALWAYS_INLINE void reflect_dome_wide(const tp_shade *restrict shade,
+                                        tp_run *restrict run)
+{
+    const tp_dome *dome = shade->env.dome;
+    const int32_t count = run->count;
+    uint32_t square[TP_RUN], glow[TP_RUN];
+
+    for (int32_t i = 0; i < count; i++) {
+        tp_ray to = mirrored_at(run, i);
+        square[i] = tp_from_light(shade, to.x, to.y, to.z);
+    }
+    for (int32_t i = 0; i < count; i++)
+        glow[i] = tp_dome_halo(dome, shade->env.least, square[i]);
+    dome_wide(dome, square, run->up, glow, count, run->mirror);
+}
+
 void tp_stage_reflect_dome(const tp_shade *restrict shade, tp_run *restrict run)
 {
     const int32_t count = run->count;
 
+    if (TP_WIDE) {
+        reflect_dome_wide(shade, run);
+        return;
+    }
     for (int32_t i = 0; i < count; i++) {
         tp_ray to = mirrored_at(run, i);
         run->mirror[i] = tp_env_dome(shade, shade->env.least, to.x, to.y, to.z);
@@ -136,7 +167,8 @@ TP_ALWAYS_INLINE uint32_t bright_mix(uint32_t a, uint32_t light, uint32_t share,
     return sum;
 }
 
-TP_ALWAYS_INLINE void fresnel(const tp_shade *restrict shade, tp_run *restrict run, int hdr)
+TP_ALWAYS_INLINE void fresnel(const tp_shade *restrict shade, tp_run *restrict run,
+                              int hdr)
 {
     const int32_t count = run->count;
 

@@ -28,7 +28,7 @@ typedef struct {
 } push;
 
 typedef struct {
-    int64_t x, y, z;            /* Q16 */
+    int32_t x, y, z;            /* Q16 */
 } axis;
 
 static axis axis_of(tp_dir3 d, int sign)
@@ -42,28 +42,42 @@ static int32_t way(int64_t q16, int32_t focal)
     return (int32_t)tp_limit(q16 * focal >> 16, 1 << 20);
 }
 
-/* Wide views have rays up to 300: 2^25 in Q16; products of two stay below 2^50. */
+static int32_t ray_of(const tp_shade *shade, int32_t sixteenths)
+{
+    return (int32_t)tp_limit(tp_over_focal(shade, sixteenths), 1 << 27);
+}
+
+/* a b - c d in the format of one of them. */
+TP_ALWAYS_INLINE int64_t crossed(int32_t a, int32_t b, int32_t c, int32_t d)
+{
+    return ((int64_t)a * b - (int64_t)c * d) >> 16;
+}
+
+/* Wide views have rays up to 300: 2^25 in Q16.  Held at 2048, so that cross products with
+ * an axis stay below 2^30 and the products of two below 2^58. */
 static push push_at(const tp_shade *shade, int32_t x, int32_t y)
 {
     const tp_view_axes *axes = &shade->world;
     const axis r = axis_of(axes->right, 1), up = axis_of(axes->up, 1),
                a = axis_of(axes->back, -1);
-    const int64_t qu = tp_over_focal(shade, 16 * x + 8 - shade->u0);
-    const int64_t qv = tp_over_focal(shade, shade->v0 - 16 * y - 8);
-    const int64_t dx = a.x + ((qu * r.x + qv * up.x) >> 16);
-    const int64_t dy = a.y + ((qu * r.y + qv * up.y) >> 16);
-    const int64_t dz = a.z + ((qu * r.z + qv * up.z) >> 16);
-    const int64_t ax = (dy * a.x - dx * a.y) >> 16, az = (dy * a.z - dz * a.y) >> 16;
-    const int64_t xu = ((dy * r.x - dx * r.y) >> 16) - (qu * ax >> 16);
-    const int64_t zu = ((dy * r.z - dz * r.y) >> 16) - (qu * az >> 16);
-    const int64_t xv = ((dy * up.x - dx * up.y) >> 16) - (qv * ax >> 16);
-    const int64_t zv = ((dy * up.z - dz * up.y) >> 16) - (qv * az >> 16);
+    const int32_t qu = ray_of(shade, 16 * x + 8 - shade->u0);
+    const int32_t qv = ray_of(shade, shade->v0 - 16 * y - 8);
+    const int32_t dx = a.x + (int32_t)crossed(qu, r.x, -qv, up.x);
+    const int32_t dy = a.y + (int32_t)crossed(qu, r.y, -qv, up.y);
+    const int32_t dz = a.z + (int32_t)crossed(qu, r.z, -qv, up.z);
+    const int32_t ax = (int32_t)crossed(dy, a.x, dx, a.y);
+    const int32_t az = (int32_t)crossed(dy, a.z, dz, a.y);
+    const int64_t xu = crossed(dy, r.x, dx, r.y) - ((int64_t)qu * ax >> 16);
+    const int64_t zu = crossed(dy, r.z, dz, r.y) - ((int64_t)qu * az >> 16);
+    const int64_t xv = crossed(dy, up.x, dx, up.y) - ((int64_t)qv * ax >> 16);
+    const int64_t zv = crossed(dy, up.z, dz, up.y) - ((int64_t)qv * az >> 16);
     const int32_t focal = shade->focal;
 
     return (push){
         way(2 * xu, focal), way(-2 * xv, focal), way(2 * zu, focal), way(-2 * zv, focal),
-        way(-2 * (r.y - (qu * a.y >> 16)), focal),
-        way(2 * (up.y - (qv * a.y >> 16)), focal), (int32_t)tp_limit(dy, 1 << 26),
+        way(-2 * (r.y - ((int64_t)qu * a.y >> 16)), focal),
+        way(2 * (up.y - ((int64_t)qv * a.y >> 16)), focal),
+        (int32_t)tp_limit(dy, 1 << 26),
     };
 }
 
@@ -88,12 +102,13 @@ TP_ALWAYS_INLINE int32_t depth_ratio(uint32_t zi_mirror, uint32_t key)
     return ratio < 131071 ? (int32_t)ratio : 131071;
 }
 
-/* Ways stay below 2048 pixels. */
+/* Ways stay below 2048 pixels.  Those of slopes fit 32 bits: factors below 2^20.6 times
+ * slopes below 2^15. */
 TP_ALWAYS_INLINE int32_t moved(int32_t by_x, int32_t sx, int32_t by_z, int32_t sz,
                                int32_t share, int32_t by_h, int32_t h)
 {
-    int64_t slope = ((int64_t)by_x * sx + (int64_t)by_z * sz) >> 12;
-    return (int32_t)tp_limit((slope * share + (int64_t)by_h * h) >> 16, 1 << 15);
+    int32_t slope = (int32_t)(((int64_t)by_x * sx + (int64_t)by_z * sz) >> 12);
+    return (int32_t)tp_limit(((int64_t)slope * share + (int64_t)by_h * h) >> 16, 1 << 15);
 }
 
 #define BESIDE (65536 + 8192)
