@@ -32,7 +32,7 @@ void tp_shade_foam_rank(tp_shade_foam *foam, const tp_texture *texture)
 /* -- cover --------------------------------------------------------------------------- */
 
 /* Bilinear between cells' middles, 0..255; u and w in cells from the corner, Q16. */
-static uint32_t cover_at(const tp_shade_foam *f, uint32_t u, uint32_t w)
+TP_ALWAYS_INLINE uint32_t cover_at(const tp_shade_foam *f, uint32_t u, uint32_t w)
 {
     uint32_t n = f->cells;
     uint32_t a = u + n * 65536 - 32768, b = w + n * 65536 - 32768;
@@ -60,7 +60,7 @@ static uint32_t inside(const tp_shade_foam *f, uint32_t u, uint32_t w)
 }
 
 /* 0..255 where the field covers a place, 0 outside. */
-static uint32_t covered(const tp_shade_foam *f, uint32_t s, uint32_t t)
+TP_ALWAYS_INLINE uint32_t covered(const tp_shade_foam *f, uint32_t s, uint32_t t)
 {
     uint32_t ds = s - (uint32_t)f->low_s, dt = t - (uint32_t)f->low_t;
 
@@ -97,20 +97,19 @@ static void soften(lace *l, int32_t n, int32_t mean)
     l->middle = 128 + (mean - 128) * n * 51 / 256;
 }
 
-static lace lace_for(const tp_shade *shade, uint32_t key)
+static void lace_for(const tp_shade *shade, uint32_t key, lace *l)
 {
     const tp_shade_foam *f = &shade->foam;
     const tp_texture *texture = f->texture;
-    lace l = { .level = { .texel = NULL } };
 
     if (!texture) {
-        soften(&l, SOFTS, 128);
-        return l;
+        l->level.texel = NULL;
+        soften(l, SOFTS, 128);
+        return;
     }
     int n = tp_level_of(f->lod, tp_log_depth(shade, key), true, texture->levels);
-    l.level = tp_level_at(texture, n);
-    soften(&l, n, f->mean);
-    return l;
+    l->level = tp_level_at(texture, n);
+    soften(l, n, f->mean);
 }
 
 static uint32_t green(uint32_t texel)
@@ -169,12 +168,16 @@ TP_ALWAYS_INLINE void foam(const tp_shade *shade, tp_run *run, int rippled, int 
     const tp_shade_foam *f = &shade->foam;
 
     for (int32_t i = 0; i < run->count; ) {
-        lace    l = lace_for(shade, run->key[i]);
-        int32_t stop = tp_block_end(run, i);
+        int32_t first = i, stop = tp_block_end(run, i);
+        lace    l;
+        bool    laced = false;
         for (; i < stop; i++) {
             uint32_t cover = covered(f, run->s[i], run->t[i]);
             if (cover == 0)     /* most of the water */
                 continue;
+            if (!laced)
+                lace_for(shade, run->key[first], &l);
+            laced = true;
             uint32_t share = white(f, &l, cover, run->s[i], run->t[i]) * OPAQUE >> 8;
             uint32_t colour = tp_colour_scale(f->colour, lit(shade, run, i, rippled));
             run->colour[i] = tp_colour_mix(run->colour[i], colour, share);
