@@ -38,9 +38,10 @@ CORE := $(addprefix src/, \
     shade/cube.c shade/dome.c shade/drop.c shade/expose.c shade/exposure.c \
     shade/foam.c shade/haze.c shade/inside.c shade/layer.c shade/light.c \
     shade/mirror.c shade/mirrored.c shade/optics.c shade/pool_bump.c \
-    shade/quick_layers.c shade/quick_light.c shade/quick_pictures.c shade/quick_sky.c \
-    shade/quick_tables.c shade/quick_view.c shade/ripple.c shade/side.c shade/sky.c \
-    shade/solid.c shade/stars.c shade/tables.c shade/texture.c shade/view.c \
+    shade/quick_even.c shade/quick_layers.c shade/quick_light.c \
+    shade/quick_pictures.c shade/quick_sky.c shade/quick_tables.c \
+    shade/quick_view.c shade/ripple.c shade/side.c shade/sky.c shade/solid.c \
+    shade/stars.c shade/tables.c shade/texture.c shade/view.c \
     scene/boat.c scene/clock.c scene/drawn.c scene/drop.c scene/drops.c scene/faint.c \
     scene/float.c scene/foam.c scene/foam_made.c scene/governor.c scene/light.c \
     scene/meter.c scene/moves.c scene/outlook.c scene/paddle.c scene/params.c \

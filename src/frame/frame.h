@@ -302,7 +302,7 @@ void tp_frame_add_air(const tp_frame *frame, tp_plan *plan);
 void tp_frame_add_exposure(const tp_frame *frame, tp_plan *plan);
 
 /* plan_quick_layers.c: stages of the layers and ripples of the quick rung */
-void tp_plan_add_quick_layers(const tp_frame *frame, tp_plan *water);
+void tp_plan_add_quick_layers(const tp_frame *frame, tp_plan *water, bool even);
 
 /* plan_layers.c: the water's pictures, ripples and bumps.  Of the stages that it adds:
  * whether they bend the normals. */

@@ -46,6 +46,27 @@ static tp_stage stage_of(const tp_frame *frame, tp_lobe lobe)
     return stage[frame->shade.env.kind][lobe];
 }
 
+/* Light and mirror of every second column; a kit may lack some of it. */
+static bool add_halves(const tp_frame *frame, tp_plan *water, tp_lobe lobe)
+{
+    const tp_stages *s = &frame->kit->stage;
+    const tp_stage light[] = { s->quick_gradient_even, s->quick_dome_even,
+                               s->quick_cube_even };
+    const tp_stage glint[] = { s->quick_between, s->quick_glint_phong,
+                               s->quick_glint_blinn };
+    const tp_env_kind kind = frame->shade.env.kind;
+
+    if (frame->rungs.rate != TP_RATE_COLOUR || !s->quick_layers_even || !light[kind]
+        || !s->quick_between || !glint[lobe])
+        return false;
+    tp_plan_add_quick_layers(frame, water, true);
+    tp_plan_add(water, light[kind]);
+    tp_plan_add(water, s->quick_between);
+    if (lobe != TP_LOBE_NONE)
+        tp_plan_add(water, glint[lobe]);
+    return true;
+}
+
 /* All that the tables are made of; the camera's pitch in steps of a degree. */
 static void key_of(int32_t key[TP_QUICK_KEY], const tp_frame *frame, tp_lobe lobe)
 {
@@ -91,8 +112,10 @@ static bool plan(tp_frame *frame, tp_plan *water)
     if (!frame->parts.quick_light || !light || has_beyond(frame))
         return false;
     make_tables(frame, lobe);
-    tp_plan_add_quick_layers(frame, water);
-    tp_plan_add(water, light);
+    if (!add_halves(frame, water, lobe)) {
+        tp_plan_add_quick_layers(frame, water, false);
+        tp_plan_add(water, light);
+    }
     return true;
 }
 

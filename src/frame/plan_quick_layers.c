@@ -122,12 +122,12 @@ static bool has_layers(const tp_quick_layers *quick)
     return false;
 }
 
-void tp_plan_add_quick_layers(const tp_frame *frame, tp_plan *water)
+void tp_plan_add_quick_layers(const tp_frame *frame, tp_plan *water, bool even)
 {
     const tp_stages *stages = &frame->kit->stage;
     const tp_quick_layers *quick = &frame->shade.quick_layers;
     bool layers = has_layers(quick);
-    bool thin = frame->rungs.rate == TP_RATE_LAYERS;
+    bool thin = even || frame->rungs.rate == TP_RATE_LAYERS;
     bool ripples = quick->ripple.level && frame->scene->ripple.bump > 0;
     bool bends = quick->bend.level && frame->scene->distortion.strength > 0;
 
@@ -137,7 +137,7 @@ void tp_plan_add_quick_layers(const tp_frame *frame, tp_plan *water)
         tp_plan_add(water, bends ? stages->quick_bend_thin : stages->quick_still_thin);
     else if (layers)
         tp_plan_add(water, bends ? stages->quick_bend : stages->quick_still);
-    tp_plan_add(water, !layers ? stages->plain
+    tp_plan_add(water, even ? stages->quick_layers_even : !layers ? stages->plain
                        : thin ? stages->quick_layers_thin : stages->quick_layers);
     tp_plan_add(water, ripples ? stages->quick_ripple : stages->quick_slopes);
 }

@@ -7,7 +7,7 @@
  *
  * Thin stages have places and layers for every second column alone: the even ones of the
  * picture and the run's first.  Their places lie close together until the layers are laid
- * and the columns between are filled. */
+ * and the columns between are filled; or, if light comes first, until it has lit them. */
 #include "base/dsp.h"
 #include "shade/depth.h"
 #if TP_DSP
@@ -123,7 +123,7 @@ TP_ALWAYS_INLINE void lay_all(const tp_shade *shade, const tp_run *run, uint32_t
     if (layer[0].level)
         lay(&layer[0], run, colour, thin, 0);
     else
-        for (int32_t i = 0; i < run->count; i++)
+        for (int32_t i = 0; i < (thin ? thin_places(run, run->count) : run->count); i++)
             colour[i] = shade->water_colour;
     for (int k = 1; k < TP_QUICK_LAYERS; k++)
         if (layer[k].level)
@@ -159,6 +159,17 @@ void tp_stage_quick_layers_thin(const tp_shade *shade, tp_run *run)
 {
     lay_all(shade, run, run->slope, 1);
     fill_between(run->slope, run);
+}
+
+void tp_stage_quick_layers_even(const tp_shade *shade, tp_run *run)
+{
+    lay_all(shade, run, run->even, 1);
+}
+
+void tp_stage_quick_between(const tp_shade *shade, tp_run *run)
+{
+    (void)shade;
+    fill_between(run->even, run);
 }
 
 /* -- slopes ---------------------------------------------------------------------------- */

@@ -19,11 +19,11 @@ TP_ALWAYS_INLINE uint32_t packed_cube_colour(const uint32_t *sky, uint32_t slope
     return sky[(v + 16) * TP_QUICK_SIDE + u + 16];
 }
 
-/* What the eye sees of one column. */
-TP_ALWAYS_INLINE uint32_t packed_seen(const struct tp_quick_light *quick,
-                                      const uint32_t *sky, tp_quick_sun sun,
-                                      tp_quick_view v, uint32_t slope, uint32_t colour,
-                                      int env, int lobe)
+/* Light and mirror of one column. */
+TP_ALWAYS_INLINE uint32_t packed_mirrored(const struct tp_quick_light *quick,
+                                          const uint32_t *sky, tp_quick_sun sun,
+                                          tp_quick_view v, uint32_t slope,
+                                          uint32_t colour, int env)
 {
     int32_t  n = tp_smlad(slope, v.back, v.y), up = 2 * tp_usat(n, 0, 27) - v.y;
     int32_t  l = tp_smlad(slope, sun.back, sun.y);
@@ -36,8 +36,16 @@ TP_ALWAYS_INLINE uint32_t packed_seen(const struct tp_quick_light *quick,
     uint32_t rb = tp_even_bytes(colour) * keeps + tp_even_bytes(light) * mirrors;
     uint32_t g = tp_odd_bytes(colour) * keeps + tp_odd_bytes(light) * mirrors;
 
-    colour = tp_add_odd_bytes(g & 0xff00ff00, rb);
+    return tp_add_odd_bytes(g & 0xff00ff00, rb);
+}
+
+/* With the glint. */
+TP_ALWAYS_INLINE uint32_t packed_gleaming(const struct tp_quick_light *quick,
+                                          tp_quick_sun sun, tp_quick_view v,
+                                          uint32_t slope, uint32_t colour, int lobe)
+{
     if (lobe == TP_LOBE_PHONG) {
+        int32_t n = tp_smlad(slope, v.back, v.y), l = tp_smlad(slope, sun.back, sun.y);
         int32_t way = tp_smulwt(tp_smlad(slope, slope, 1 << 24), (uint32_t)v.lv)
                     - (tp_smulwb(n + quick->least, (uint32_t)tp_usat(l, 12, 14)) >> 1);
         return tp_uqadd8(colour, quick->lobe[tp_usat(way, 11, 9)]);
@@ -47,6 +55,16 @@ TP_ALWAYS_INLINE uint32_t packed_seen(const struct tp_quick_light *quick,
         return tp_uqadd8(colour, quick->lobe[tp_usat(tp_smuad(away, away), 11, 9)]);
     }
     return colour;
+}
+
+/* What the eye sees of one column. */
+TP_ALWAYS_INLINE uint32_t packed_seen(const struct tp_quick_light *quick,
+                                      const uint32_t *sky, tp_quick_sun sun,
+                                      tp_quick_view v, uint32_t slope, uint32_t colour,
+                                      int env, int lobe)
+{
+    colour = packed_mirrored(quick, sky, sun, v, slope, colour, env);
+    return packed_gleaming(quick, sun, v, slope, colour, lobe);
 }
 
 /* A word of a run, `place` bytes into it and into the first of its samples' arrays. */

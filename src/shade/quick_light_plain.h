@@ -31,44 +31,87 @@ TP_ALWAYS_INLINE uint32_t plain_mixed(uint32_t colour, uint32_t sky, uint32_t ke
     return (rb >> 8 & 0xff00ff) | (g & 0xff00);
 }
 
-/* The arrays of a run and the tables, which do not overlap. */
-TP_ALWAYS_INLINE void plain_lit(const struct tp_quick_light *restrict quick,
-                                tp_quick_sun sun, const tp_run *restrict run,
+/* What is read of the tables and the light; the tables do not overlap. */
+typedef struct {
+    const uint32_t *restrict sky, *restrict shares, *restrict lobes;
+    tp_quick_sun sun;
+    int32_t least, lx, lz;
+} plain_tables;
+
+TP_ALWAYS_INLINE plain_tables plain_tables_of(const tp_shade *shade, int env)
+{
+    const struct tp_quick_light *quick = shade->quick;
+    const tp_quick_sun sun = tp_quick_sun_of(shade);
+
+    return (plain_tables){
+        quick->sky + (env == TP_ENV_CUBE ? 0 : TP_QUICK_HEIGHTS / 2), quick->share,
+        quick->lobe, sun, quick->least, tp_high16(sun.back), tp_low16(sun.back),
+    };
+}
+
+/* Of one column: slopes, -V, and n and l. */
+typedef struct {
+    int32_t sx, sz, vx, vz, y, n, l;
+} plain_column;
+
+TP_ALWAYS_INLINE plain_column plain_column_of(const plain_tables *t, uint32_t slope,
+                                              uint32_t back, int32_t y)
+{
+    int32_t sx = tp_high16(slope), sz = tp_low16(slope);
+    int32_t vx = tp_high16(back), vz = tp_low16(back);
+
+    return (plain_column){ sx, sz, vx, vz, y, y + sx * vx + sz * vz,
+                           t->sun.y + sx * t->lx + sz * t->lz };
+}
+
+/* Light and mirror; `column` of a dome's sky. */
+TP_ALWAYS_INLINE uint32_t plain_mirrored(const plain_tables *t, plain_column c,
+                                         uint32_t column, uint32_t colour, int env)
+{
+    int32_t up = 2 * tp_usat(c.n, 0, 27) - c.y;
+    int32_t place = env == TP_ENV_CUBE
+                        ? plain_cube_place(c.sx, c.sz, c.vx, c.vz, c.n + t->least, up)
+                  : env == TP_ENV_DOME ? (int32_t)column + tp_ssat(up, 21, 6)
+                                       : tp_ssat(up, 21, 6);
+    uint32_t share = t->shares[tp_usat(c.n, 18, 8)];
+    uint32_t lit = (uint32_t)(t->sun.ambient + t->sun.direct * tp_usat(c.l, 18, 8));
+
+    return plain_mixed(colour, t->sky[place], lit * (share >> 16) >> 16, share & 0xffff);
+}
+
+TP_ALWAYS_INLINE uint32_t plain_phong(const plain_tables *t, plain_column c,
+                                      int32_t view_l, uint32_t colour)
+{
+    int32_t one_q = (int32_t)((1u << 24) + tp_slope_square(c.sx, c.sz));
+    int32_t way = tp_smulwt(one_q, (uint32_t)view_l)
+                - (tp_smulwb(c.n + t->least, (uint32_t)tp_usat(c.l, 12, 14)) >> 1);
+
+    return tp_colour_add(colour, t->lobes[tp_usat(way, 11, 9)]);
+}
+
+TP_ALWAYS_INLINE uint32_t plain_blinn(const plain_tables *t, uint32_t slope,
+                                      uint32_t half, uint32_t colour)
+{
+    int32_t dx = (tp_high16(slope) - tp_high16(half)) >> 1;
+    int32_t dz = (tp_low16(slope) - tp_low16(half)) >> 1;
+
+    return tp_colour_add(colour, t->lobes[tp_usat(dx * dx + dz * dz, 11, 9)]);
+}
+
+/* The arrays of a run, which do not overlap. */
+TP_ALWAYS_INLINE void plain_lit(const plain_tables tables, const tp_run *restrict run,
                                 uint32_t *restrict colours, int32_t count, int env,
                                 int lobe)
 {
-    const uint32_t *sky = quick->sky + (env == TP_ENV_CUBE ? 0 : TP_QUICK_HEIGHTS / 2);
-    const uint32_t *shares = quick->share, *lobes = quick->lobe;
-    const int32_t least = quick->least;
-    const int32_t lx = tp_high16(sun.back), lz = tp_low16(sun.back);
-
     for (int32_t i = 0; i < count; i++) {
-        int32_t sx = tp_high16(run->slope[i]), sz = tp_low16(run->slope[i]);
-        int32_t vx = tp_high16(run->back[i]), vz = tp_low16(run->back[i]);
-        int32_t n = run->view_y[i] + sx * vx + sz * vz;
-        int32_t l = sun.y + sx * lx + sz * lz;
-        int32_t up = 2 * tp_usat(n, 0, 27) - run->view_y[i];
-        int32_t place = env == TP_ENV_CUBE
-                            ? plain_cube_place(sx, sz, vx, vz, n + least, up)
-                      : env == TP_ENV_DOME
-                            ? (int32_t)run->column[i] + tp_ssat(up, 21, 6)
-                            : tp_ssat(up, 21, 6);
-        uint32_t light = sky[place];
-        uint32_t share = shares[tp_usat(n, 18, 8)];
-        uint32_t lit = (uint32_t)(sun.ambient + sun.direct * tp_usat(l, 18, 8));
-        uint32_t colour = plain_mixed(colours[i], light, lit * (share >> 16) >> 16,
-                                      share & 0xffff);
-        if (lobe == TP_LOBE_PHONG) {
-            int32_t one_q = (int32_t)((1u << 24) + tp_slope_square(sx, sz));
-            int32_t way = tp_smulwt(one_q, (uint32_t)run->view_l[i])
-                        - (tp_smulwb(n + least, (uint32_t)tp_usat(l, 12, 14)) >> 1);
-            colour = tp_colour_add(colour, lobes[tp_usat(way, 11, 9)]);
-        }
-        if (lobe == TP_LOBE_BLINN) {
-            int32_t dx = (sx - tp_high16(run->half[i])) >> 1;
-            int32_t dz = (sz - tp_low16(run->half[i])) >> 1;
-            colour = tp_colour_add(colour, lobes[tp_usat(dx * dx + dz * dz, 11, 9)]);
-        }
+        plain_column c = plain_column_of(&tables, run->slope[i], run->back[i],
+                                         run->view_y[i]);
+        uint32_t column = env == TP_ENV_DOME ? run->column[i] : 0;
+        uint32_t colour = plain_mirrored(&tables, c, column, colours[i], env);
+        if (lobe == TP_LOBE_PHONG)
+            colour = plain_phong(&tables, c, run->view_l[i], colour);
+        if (lobe == TP_LOBE_BLINN)
+            colour = plain_blinn(&tables, run->slope[i], run->half[i], colour);
         colours[i] = colour;
     }
 }
@@ -76,7 +119,6 @@ TP_ALWAYS_INLINE void plain_lit(const struct tp_quick_light *restrict quick,
 TP_ALWAYS_INLINE void plain_light(const tp_shade *shade, tp_run *run, int env, int lobe)
 {
     tp_quick_view_run(shade, run, lobe);
-    plain_lit(shade->quick, tp_quick_sun_of(shade), run, run->colour, run->count, env,
-              lobe);
+    plain_lit(plain_tables_of(shade, env), run, run->colour, run->count, env, lobe);
 }
 #endif

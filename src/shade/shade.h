@@ -66,7 +66,10 @@ typedef struct tp_run {
         };
         int32_t view_l[TP_RUN];         /* quick_light.h */
     };
-    uint16_t glint[TP_RUN];     /* specular, 256 is the light's full colour, or more */
+    union {
+        uint16_t glint[TP_RUN]; /* specular, 256 is the light's full colour, or more */
+        uint32_t even[TP_RUN / 2 + 1];  /* quick colours of every second column */
+    };
     union {                     /* once layers are laid, bent places are not needed */
         struct {
             int16_t  rx[TP_RUN], rz[TP_RUN];    /* of the mirrored view, with up */
