@@ -49,9 +49,10 @@ typedef void (*tp_stage)(const struct tp_shade *shade, struct tp_run *run);
     X(quick_gradient) X(quick_gradient_phong) X(quick_gradient_blinn) \
     X(quick_dome_phong) X(quick_dome_blinn) \
     X(quick_cube) X(quick_cube_phong) X(quick_cube_blinn) \
-    /* the same in parts: light and mirror of every second column, the ones between, */ \
-    X(quick_gradient_even) X(quick_dome_even) X(quick_cube_even) X(quick_between) \
-    X(quick_glint_phong) X(quick_glint_blinn)   /* and glints of all */ \
+    /* the same in parts: light and mirror of every second column; */ \
+    X(quick_gradient_even) X(quick_dome_even) X(quick_cube_even) \
+    X(quick_between)        /* the ones between; */ \
+    X(quick_glint_phong) X(quick_glint_blinn)   /* those, and glints of all */ \
     X(view)                 /* vx vy vz, lv: world axes */ \
     X(diffuse) X(diffuse_rippled)   /* colour; needs no view */ \
     X(light) X(light_rippled) X(light_blinn) X(light_blinn_rippled) /* nv up glint */ \

@@ -52,18 +52,16 @@ static bool add_halves(const tp_frame *frame, tp_plan *water, tp_lobe lobe)
     const tp_stages *s = &frame->kit->stage;
     const tp_stage light[] = { s->quick_gradient_even, s->quick_dome_even,
                                s->quick_cube_even };
-    const tp_stage glint[] = { s->quick_between, s->quick_glint_phong,
-                               s->quick_glint_blinn };
+    const tp_stage rest[] = { s->quick_between, s->quick_glint_phong,
+                              s->quick_glint_blinn };
     const tp_env_kind kind = frame->shade.env.kind;
 
     if (frame->rungs.rate != TP_RATE_COLOUR || !s->quick_layers_even || !light[kind]
-        || !s->quick_between || !glint[lobe])
+        || !rest[lobe])
         return false;
     tp_plan_add_quick_layers(frame, water, true);
     tp_plan_add(water, light[kind]);
-    tp_plan_add(water, s->quick_between);
-    if (lobe != TP_LOBE_NONE)
-        tp_plan_add(water, glint[lobe]);
+    tp_plan_add(water, rest[lobe]);
     return true;
 }
 

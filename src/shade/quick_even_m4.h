@@ -3,17 +3,17 @@
  * the bits are those of quick_even_plain.h. */
 #ifndef TP_SHADE_QUICK_EVEN_M4_H
 #define TP_SHADE_QUICK_EVEN_M4_H
+#include "shade/pairs_m4.h"
 #include "shade/quick_light_m4.h"
 
 #define SPAN TP_QUICK_SPAN(TP_LOBE_BLINN)
 
 /* Columns x to stop of one span: x is even, or the run's first. */
-TP_ALWAYS_INLINE void packed_even_span(const tp_shade *shade, tp_run *run,
-                                       tp_quick_view v, tp_quick_view step, int32_t x,
-                                       int32_t stop, int env)
+TP_ALWAYS_INLINE void packed_even_span(const tp_shade *shade, tp_quick_sun sun,
+                                       tp_run *run, tp_quick_view v, tp_quick_view step,
+                                       int32_t x, int32_t stop, int env)
 {
     const struct tp_quick_light *quick = shade->quick;
-    const tp_quick_sun sun = tp_quick_sun_of(shade);
     const uint32_t *sky = quick->sky + (env == TP_ENV_CUBE ? 0 : TP_QUICK_HEIGHTS / 2)
                         + (env == TP_ENV_DOME ? tp_quick_column(shade, &v) : 0);
     const uint32_t *slope = run->slope + (x - run->x);
@@ -21,9 +21,12 @@ TP_ALWAYS_INLINE void packed_even_span(const tp_shade *shade, tp_run *run,
 
     if (x & (SPAN - 1))
         v = tp_quick_at(v, step, (x & (SPAN - 1)) >> 2);
+    uint32_t back = v.back;
+    int32_t  y = v.y;
 #define SEEN(i) \
-    even[i] = packed_mirrored(quick, sky, sun, v, slope[2 * (i)], even[i], env)
-#define WALK() (v.back = tp_sadd16(v.back, step.back), v.y += step.y)
+    even[i] = packed_mirrored(quick, sky, sun, (tp_quick_view){ .back = back, .y = y }, \
+                              slope[2 * (i)], even[i], env)
+#define WALK() (back = tp_sadd16(back, step.back), y += step.y)
     if (x & 1) {
         SEEN(0);
         even++, slope++;
@@ -52,6 +55,7 @@ TP_ALWAYS_INLINE void packed_even_span(const tp_shade *shade, tp_run *run,
 /* The half vectors where spans begin and end stay in the run for the glints. */
 TP_ALWAYS_INLINE void packed_even(const tp_shade *shade, tp_run *run, int env)
 {
+    const tp_quick_sun sun = tp_quick_sun_of(shade);
     const tp_quick_row row = tp_quick_row_at(shade, run->y);
     int32_t   x = run->x, end = run->x + run->count;
     uint32_t *half = run->half;
@@ -61,7 +65,8 @@ TP_ALWAYS_INLINE void packed_even(const tp_shade *shade, tp_run *run, int env)
     while (x < end) {
         int32_t next = (x & -SPAN) + SPAN, stop = next < end ? next : end;
         const tp_quick_view to = tp_quick_blinn_at(shade, &row, next);
-        packed_even_span(shade, run, v, tp_quick_step(v, to, TP_LOBE_BLINN), x, stop, env);
+        packed_even_span(shade, sun, run, v, tp_quick_step(v, to, TP_LOBE_BLINN), x, stop,
+                         env);
         *half++ = to.half;
         v = to;
         x = stop;
@@ -70,67 +75,124 @@ TP_ALWAYS_INLINE void packed_even(const tp_shade *shade, tp_run *run, int env)
 
 /* -- glints -------------------------------------------------------------------------- */
 
-/* Columns x to stop of one span. */
-TP_ALWAYS_INLINE void packed_glint_span(const tp_shade *shade, tp_run *run,
-                                        tp_quick_view v, tp_quick_view step, int32_t x,
-                                        int32_t stop, int lobe)
+/* Phong's, of columns x to stop of one span, over colours between. */
+TP_ALWAYS_INLINE void packed_phong_span(const struct tp_quick_light *quick,
+                                        tp_quick_sun sun, tp_run *run, tp_quick_view v,
+                                        tp_quick_view step, int32_t x, int32_t stop)
 {
-    const struct tp_quick_light *quick = shade->quick;
-    const tp_quick_sun sun = tp_quick_sun_of(shade);
-    const int width = TP_QUICK_STEP(lobe);
     const uint32_t *slope = run->slope + (x - run->x);
-    uint32_t *colour = run->colour + (x - run->x), *const end = colour + (stop - x);
-    int32_t begun = x & (TP_QUICK_SPAN(lobe) - 1), left = -x & (width - 1);
+    uint32_t *colour = run->colour + (x - run->x);
 
-    if (begun)
-        v = tp_quick_at(v, step, begun / width);
-#define GLEAM(i) \
-    colour[i] = packed_gleaming(quick, sun, v, slope[i], colour[i], lobe)
-#define WALK() \
-    (v.back = tp_sadd16(v.back, step.back), v.half = tp_sadd16(v.half, step.half), \
-     v.y += step.y, v.lv += step.lv)
-    for (; left > 0 && colour < end; colour++, slope++) {
-        GLEAM(0);
-        if (--left == 0)
-            WALK();
+    v = tp_quick_at(v, step, (x & (TP_QUICK_SPAN(TP_LOBE_PHONG) - 1)) >> 1);
+    for (; x < stop; x++) {
+        *colour = packed_gleaming(quick, sun, v, *slope++, *colour, TP_LOBE_PHONG);
+        colour++;
+        if (x & 1)
+            v = tp_quick_at(v, step, 1);
     }
-    for (; end - colour >= width; colour += width, slope += width) {
-        GLEAM(0);
-        GLEAM(1);
-        if (width == 4) {
-            GLEAM(2);
-            GLEAM(3);
-        }
-        WALK();
-    }
-    for (; colour < end; colour++, slope++)
-        GLEAM(0);
-#undef GLEAM
-#undef WALK
 }
 
-TP_ALWAYS_INLINE tp_quick_view packed_half(uint32_t half)
+TP_ALWAYS_INLINE void packed_phong(const tp_shade *shade, tp_run *run)
 {
-    return (tp_quick_view){ .half = half };
+    const tp_quick_sun sun = tp_quick_sun_of(shade);
+    const tp_quick_row row = tp_quick_row_at(shade, run->y);
+    const int32_t end = run->x + run->count, span = TP_QUICK_SPAN(TP_LOBE_PHONG);
+    int32_t x = run->x;
+    tp_quick_view v = tp_quick_phong_at(shade, &row, x & -span);
+
+    tp_quick_fill_between(run);
+    while (x < end) {
+        int32_t next = (x & -span) + span, stop = next < end ? next : end;
+        const tp_quick_view to = tp_quick_phong_at(shade, &row, next);
+        packed_phong_span(shade->quick, sun, run, v, tp_quick_step(v, to, TP_LOBE_PHONG),
+                          x, stop);
+        v = to;
+        x = stop;
+    }
+}
+
+TP_ALWAYS_INLINE uint32_t packed_blinn(const uint32_t *lobe, uint32_t slope,
+                                       uint32_t half, uint32_t colour)
+{
+    uint32_t away = tp_shsub16(slope, half);
+    return tp_uqadd8(colour, lobe[tp_usat(tp_smuad(away, away), 11, 9)]);
+}
+
+/* Four columns with the colours a and b and what lies between, c being the next. */
+TP_ALWAYS_INLINE void packed_blinn_four(const uint32_t *lobe, const uint32_t *slope,
+                                        uint32_t half, uint32_t *colour, uint32_t a,
+                                        uint32_t b, uint32_t c)
+{
+    const pair s = pair_at(slope, 0), t = pair_at(slope, 2);
+
+    pair_to(colour, 0, packed_blinn(lobe, s.first, half, a),
+            packed_blinn(lobe, s.second, half, tp_uhadd8(a, b)));
+    pair_to(colour, 2, packed_blinn(lobe, t.first, half, b),
+            packed_blinn(lobe, t.second, half, tp_uhadd8(b, c)));
+}
+
+/* All 16 columns of a block. */
+TP_ALWAYS_INLINE void packed_blinn_block(const uint32_t *lobe, const uint32_t *slope,
+                                         uint32_t half, uint32_t step,
+                                         const uint32_t *even, uint32_t *colour)
+{
+    uint32_t *const last = colour + 12;
+    uint32_t a = *even;
+
+    for (; colour != last; colour += 4, slope += 4, even += 2) {
+        uint32_t b = even[1], c = even[2];
+        packed_blinn_four(lobe, slope, half, colour, a, b, c);
+        half = tp_sadd16(half, step);
+        a = c;
+    }
+    packed_blinn_four(lobe, slope, half, colour, a, even[1], even[1]);
+}
+
+/* The colour of column i, as tp_quick_fill_between has it. */
+TP_ALWAYS_INLINE uint32_t packed_between(const tp_run *run, int32_t i)
+{
+    const int32_t odd = run->x & 1, x = run->x + i;
+    const uint32_t *even = run->even + ((i + odd) >> 1);
+
+    if (i == 0 || (x & 1) == 0)
+        return even[0];
+    even = run->even + ((i - 1 + odd) >> 1);
+    return (x & 15) == 15 || i + 1 == run->count ? even[0] : tp_uhadd8(even[0], even[1]);
+}
+
+/* By the half vectors that the light has left where spans begin and end. */
+TP_ALWAYS_INLINE void packed_blinn_run(const uint32_t *lobe, tp_run *run)
+{
+    const uint32_t *half = run->half;
+    uint32_t step = tp_quick_eighth(half[0], half[1]);
+
+#if TP_DSP
+    __asm__("" : "+r"(lobe));   /* by its own address, not the tables' */
+#endif
+    for (int32_t i = 0; i < run->count; ) {
+        const int32_t x = run->x + i, end = tp_block_end(run, i);
+        const uint32_t *even = run->even + ((i + (run->x & 1)) >> 1);
+        if (i > 0 && (x & (SPAN - 1)) == 0) {
+            half++;
+            step = tp_quick_eighth(half[0], half[1]);
+        }
+        if (end - i == 16)
+            packed_blinn_block(lobe, run->slope + i,
+                               tp_quick_plus(*half, step, x & 16 ? 4 : 0), step, even,
+                               run->colour + i);
+        for (i = end - i == 16 ? end : i; i < end; i++)
+            run->colour[i] = packed_blinn(lobe, run->slope[i],
+                tp_quick_plus(*half, step, ((run->x + i) & (SPAN - 1)) >> 2),
+                packed_between(run, i));
+    }
 }
 
 TP_ALWAYS_INLINE void packed_glint(const tp_shade *shade, tp_run *run, int lobe)
 {
-    const tp_quick_row row = tp_quick_row_at(shade, run->y);
-    const uint32_t *half = run->half;
-    int32_t x = run->x, end = run->x + run->count, span = TP_QUICK_SPAN(lobe);
-    tp_quick_view v = lobe == TP_LOBE_BLINN ? packed_half(*half++)
-                                            : tp_quick_phong_at(shade, &row, x & -span);
-
-    while (x < end) {
-        int32_t next = (x & -span) + span, stop = next < end ? next : end;
-        const tp_quick_view to = lobe == TP_LOBE_BLINN
-                                     ? packed_half(*half++)
-                                     : tp_quick_phong_at(shade, &row, next);
-        packed_glint_span(shade, run, v, tp_quick_step(v, to, lobe), x, stop, lobe);
-        v = to;
-        x = stop;
-    }
+    if (lobe == TP_LOBE_PHONG)
+        packed_phong(shade, run);
+    else
+        packed_blinn_run(shade->quick->lobe, run);
 }
 #undef SPAN
 #endif

@@ -41,6 +41,7 @@ TP_ALWAYS_INLINE void plain_glint(const tp_shade *shade, tp_run *run, int lobe)
     const plain_tables tables = plain_tables_of(shade, TP_ENV_GRADIENT);
     uint32_t *restrict colour = run->colour;
 
+    tp_quick_fill_between(run);
     if (lobe == TP_LOBE_PHONG)
         tp_quick_view_run(shade, run, lobe);
     for (int32_t i = 0; i < run->count; i++) {

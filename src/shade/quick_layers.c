@@ -10,6 +10,7 @@
  * and the columns between are filled; or, if light comes first, until it has lit them. */
 #include "base/dsp.h"
 #include "shade/depth.h"
+#include "shade/quick_light.h"
 #if TP_DSP
 #include "shade/quick_layers_m4.h"
 #define LOOP(name) packed_##name
@@ -166,10 +167,15 @@ void tp_stage_quick_layers_even(const tp_shade *shade, tp_run *run)
     lay_all(shade, run, run->even, 1);
 }
 
+void tp_quick_fill_between(tp_run *run)
+{
+    fill_between(run->even, run);
+}
+
 void tp_stage_quick_between(const tp_shade *shade, tp_run *run)
 {
     (void)shade;
-    fill_between(run->even, run);
+    tp_quick_fill_between(run);
 }
 
 /* -- slopes ---------------------------------------------------------------------------- */

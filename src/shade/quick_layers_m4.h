@@ -4,53 +4,8 @@
  * quick_plain.h, which says what they do; compiled and compared on every machine. */
 #ifndef TP_SHADE_QUICK_LAYERS_M4_H
 #define TP_SHADE_QUICK_LAYERS_M4_H
-#include "base/dsp.h"
+#include "shade/pairs_m4.h"
 #include "shade/quick_loops.h"
-
-/* -- two words by one instruction: any two registers, a word's alignment ---------------- */
-
-typedef struct {
-    uint32_t first, second;
-} pair;
-
-/* `skip` is a literal, words. */
-TP_ALWAYS_INLINE pair pair_at(const uint32_t *from, int skip)
-{
-    pair p;
-#if TP_DSP
-    __asm__("ldrd %0, %1, [%2, %3]" : "=r"(p.first), "=r"(p.second)
-            : "r"(from), "i"(4 * skip), "m"(from[skip]), "m"(from[skip + 1]));
-#else
-    p.first = from[skip];
-    p.second = from[skip + 1];
-#endif
-    return p;
-}
-
-TP_ALWAYS_INLINE pair pair_next(const uint32_t **from)
-{
-    pair p;
-#if TP_DSP
-    __asm__("ldrd %0, %1, [%2], #8" : "=&r"(p.first), "=&r"(p.second), "+r"(*from)
-            : "m"((*from)[0]), "m"((*from)[1]));
-#else
-    p.first = (*from)[0];
-    p.second = (*from)[1];
-    *from += 2;
-#endif
-    return p;
-}
-
-TP_ALWAYS_INLINE void pair_to(uint32_t *to, int skip, uint32_t first, uint32_t second)
-{
-#if TP_DSP
-    __asm__("strd %2, %3, [%4, %5]" : "=m"(to[skip]), "=m"(to[skip + 1])
-            : "r"(first), "r"(second), "r"(to), "i"(4 * skip));
-#else
-    to[skip] = first;
-    to[skip + 1] = second;
-#endif
-}
 
 /* -- lookups ---------------------------------------------------------------------------- */
 
@@ -192,8 +147,10 @@ TP_LOOP packed_bent_thin(const tp_quick_map *map, int32_t far, const tp_columns 
     }
     const uint32_t *end = place + (count >> 2 << 1);
     for (; place != end; place += 2, s += 4, t += 4) {
-        packed_bent_place(&l, s[0], t[0], place);
-        packed_bent_place(&l, s[2], t[2], place + 1);
+        const uint32_t a = packed_texel(&l, s[0], t[0]), b = packed_texel(&l, s[2], t[2]);
+        pair_to(place, 0, packed_along_s(s[0], a), packed_along_s(s[2], b));
+        pair_to(place, TP_RUN, packed_along_t(t[0], a << 16),
+                packed_along_t(t[2], b << 16));
     }
     if (count & 3)
         packed_bent_place(&l, s[0], t[0], place);

@@ -59,6 +59,9 @@ struct tp_quick_light {
 void tp_quick_light_init(struct tp_quick_light *quick, const tp_shade *shade,
                          tp_lobe lobe, bool shiny, bool rippled);
 
+/* quick_layers.c: colours of all columns, by those of the even ones. */
+void tp_quick_fill_between(tp_run *run);
+
 /* -- the view -------------------------------------------------------------------------- */
 
 /* Of a step's columns: -V as x : z in Q1.14, h as x : z in Q3.12, Vy less the least n Q26,

@@ -24,15 +24,17 @@ typedef struct {
     static void plain_##name(const tp_shade *shade, tp_run *run) \
     { \
         plain_even(shade, run, env); \
-        tp_stage_quick_between(shade, run); \
-        if (lobe != TP_LOBE_NONE) \
+        if (lobe == TP_LOBE_NONE) \
+            tp_quick_fill_between(run); \
+        else \
             plain_glint(shade, run, lobe); \
     } \
     static void packed_##name(const tp_shade *shade, tp_run *run) \
     { \
         packed_even(shade, run, env); \
-        tp_stage_quick_between(shade, run); \
-        if (lobe != TP_LOBE_NONE) \
+        if (lobe == TP_LOBE_NONE) \
+            tp_quick_fill_between(run); \
+        else \
             packed_glint(shade, run, lobe); \
     }
 TP_QUICK_LIGHT_STAGES(X)
