@@ -5,6 +5,7 @@
 #define TP_SHADE_QUICK_EVEN_M4_H
 #include "shade/pairs_m4.h"
 #include "shade/quick_light_m4.h"
+#include "shade/quick_loops.h"
 
 #define SPAN TP_QUICK_SPAN(TP_LOBE_BLINN)
 
@@ -118,34 +119,19 @@ TP_ALWAYS_INLINE uint32_t packed_blinn(const uint32_t *lobe, uint32_t slope,
     return tp_uqadd8(colour, lobe[tp_usat(tp_smuad(away, away), 11, 9)]);
 }
 
-/* Four columns with the colours a and b and what lies between, c being the next. */
-TP_ALWAYS_INLINE void packed_blinn_four(const uint32_t *lobe, const uint32_t *slope,
-                                        uint32_t half, uint32_t *colour, uint32_t a,
-                                        uint32_t b, uint32_t c)
+/* Four columns with the colours a and b and what lies between, c being the next; slopes
+ * are so many words beyond colours. */
+#define SLOPES ((int)((offsetof(tp_run, slope) - offsetof(tp_run, colour)) / 4))
+TP_ALWAYS_INLINE void packed_blinn_four(const uint32_t *lobe, uint32_t half,
+                                        uint32_t *colour, uint32_t a, uint32_t b,
+                                        uint32_t c)
 {
-    const pair s = pair_at(slope, 0), t = pair_at(slope, 2);
+    const pair s = pair_at(colour, SLOPES), t = pair_at(colour, SLOPES + 2);
 
     pair_to(colour, 0, packed_blinn(lobe, s.first, half, a),
             packed_blinn(lobe, s.second, half, tp_uhadd8(a, b)));
     pair_to(colour, 2, packed_blinn(lobe, t.first, half, b),
             packed_blinn(lobe, t.second, half, tp_uhadd8(b, c)));
-}
-
-/* All 16 columns of a block. */
-TP_ALWAYS_INLINE void packed_blinn_block(const uint32_t *lobe, const uint32_t *slope,
-                                         uint32_t half, uint32_t step,
-                                         const uint32_t *even, uint32_t *colour)
-{
-    uint32_t *const last = colour + 12;
-    uint32_t a = *even;
-
-    for (; colour != last; colour += 4, slope += 4, even += 2) {
-        uint32_t b = even[1], c = even[2];
-        packed_blinn_four(lobe, slope, half, colour, a, b, c);
-        half = tp_sadd16(half, step);
-        a = c;
-    }
-    packed_blinn_four(lobe, slope, half, colour, a, even[1], even[1]);
 }
 
 /* The colour of column i, as tp_quick_fill_between has it. */
@@ -160,31 +146,63 @@ TP_ALWAYS_INLINE uint32_t packed_between(const tp_run *run, int32_t i)
     return (x & 15) == 15 || i + 1 == run->count ? even[0] : tp_uhadd8(even[0], even[1]);
 }
 
-/* By the half vectors that the light has left where spans begin and end. */
+/* The half vector at column x, by those that the light has left where spans begin and
+ * end; what is added every four columns. */
+TP_ALWAYS_INLINE uint32_t packed_half_at(const tp_run *run, int32_t x, uint32_t *step)
+{
+    const uint32_t *half = run->half + ((x >> 5) - (run->x >> 5));
+
+    *step = tp_quick_eighth(half[0], half[1]);
+    return tp_quick_plus(half[0], *step, (x & (SPAN - 1)) >> 2);
+}
+
+/* Columns of a block that is not whole. */
+TP_LOOP packed_blinn_part(const uint32_t *lobe, tp_run *run, int32_t i, int32_t end)
+{
+    for (; i < end; i++) {
+        uint32_t step, half = packed_half_at(run, run->x + i, &step);
+        run->colour[i] = packed_blinn(lobe, run->slope[i], half, packed_between(run, i));
+    }
+}
+
+/* Whole blocks of 16 columns, [i, end), one behind the other. */
+TP_ALWAYS_INLINE void packed_blinn_blocks(const uint32_t *lobe, tp_run *run, int32_t i,
+                                          int32_t end)
+{
+    const uint32_t *even = run->even + ((i + (run->x & 1)) >> 1);
+    uint32_t *colour = run->colour + i, half = 0, step = 0;
+
+    for (bool begun = false; i < end; i += 16, begun = true) {
+        if (!begun || ((run->x + i) & (SPAN - 1)) == 0)
+            half = packed_half_at(run, run->x + i, &step);
+        uint32_t a = even[0];
+        for (uint32_t *const last = colour + 12; colour != last; colour += 4, even += 2) {
+            const uint32_t b = even[1], c = even[2];
+            packed_blinn_four(lobe, half, colour, a, b, c);
+            half = tp_sadd16(half, step);
+            a = c;
+        }
+        packed_blinn_four(lobe, half, colour, a, even[1], even[1]);
+        half = tp_sadd16(half, step);
+        colour += 4;
+        even += 2;
+    }
+}
+
 TP_ALWAYS_INLINE void packed_blinn_run(const uint32_t *lobe, tp_run *run)
 {
-    const uint32_t *half = run->half;
-    uint32_t step = tp_quick_eighth(half[0], half[1]);
+    const int32_t begin = -run->x & 15, end = run->count - ((run->x + run->count) & 15);
 
 #if TP_DSP
     __asm__("" : "+r"(lobe));   /* by its own address, not the tables' */
 #endif
-    for (int32_t i = 0; i < run->count; ) {
-        const int32_t x = run->x + i, end = tp_block_end(run, i);
-        const uint32_t *even = run->even + ((i + (run->x & 1)) >> 1);
-        if (i > 0 && (x & (SPAN - 1)) == 0) {
-            half++;
-            step = tp_quick_eighth(half[0], half[1]);
-        }
-        if (end - i == 16)
-            packed_blinn_block(lobe, run->slope + i,
-                               tp_quick_plus(*half, step, x & 16 ? 4 : 0), step, even,
-                               run->colour + i);
-        for (i = end - i == 16 ? end : i; i < end; i++)
-            run->colour[i] = packed_blinn(lobe, run->slope[i],
-                tp_quick_plus(*half, step, ((run->x + i) & (SPAN - 1)) >> 2),
-                packed_between(run, i));
+    if (begin >= end) {
+        packed_blinn_part(lobe, run, 0, run->count);
+        return;
     }
+    packed_blinn_part(lobe, run, 0, begin);
+    packed_blinn_blocks(lobe, run, begin, end);
+    packed_blinn_part(lobe, run, end, run->count);
 }
 
 TP_ALWAYS_INLINE void packed_glint(const tp_shade *shade, tp_run *run, int lobe)
@@ -195,4 +213,5 @@ TP_ALWAYS_INLINE void packed_glint(const tp_shade *shade, tp_run *run, int lobe)
         packed_blinn_run(shade->quick->lobe, run);
 }
 #undef SPAN
+#undef SLOPES
 #endif
