@@ -76,6 +76,7 @@ static void carve_drops(tp_frame_parts *p, tp_arena *arena, const tp_kit *kit,
         p->ring_capacity = (uint32_t)scene->drops.rings;
         p->drop_box = tp_arena_take(arena, p->drop_capacity + 1, sizeof *p->drop_box);
         p->ring = tp_arena_take(arena, p->ring_capacity, sizeof *p->ring);
+        p->ball = tp_arena_take(arena, TP_BALL, sizeof *p->ball);
     }
     if (tp_frame_wants(p, scene->spray.count > 0, kit->draw.spray && kit->stage.spray)) {
         p->speck_capacity = (uint32_t)scene->spray.count;

@@ -53,7 +53,7 @@ typedef struct {
 static tp_fall fall_through(const tp_shade *shade, tp_fx slope_x, tp_fx slope_z)
 {
     tp_ray in = { -shade->world.lx, -shade->world.ly, -shade->world.lz, 0 };
-    tp_ray n = tp_slope_normal(shade, tp_clamp(slope_x >> 4, -16000, 16000),
+    tp_ray n = tp_slope_normal(tp_clamp(slope_x >> 4, -16000, 16000),
                                tp_clamp(slope_z >> 4, -16000, 16000));
     tp_ray t = tp_inside_bent(&shade->inside, 1, in, n);
     int32_t down = t.y < -1638 ? -t.y : 1638;

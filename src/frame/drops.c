@@ -11,7 +11,7 @@
 /* North pole, parallels from north to south, south pole. */
 static void make_ball(tp_frame *frame)
 {
-    tp_ball_point *to = frame->ball;
+    tp_ball_point *to = frame->parts.ball;
 
     *to++ = (tp_ball_point){ 0, 16384, 0 };
     for (uint32_t j = 1; j <= TP_BALL_RINGS; j++) {
@@ -82,8 +82,8 @@ static void see_ring(const tp_frame *frame, const tp_sight *sight, const spheroi
                      uint32_t j, uint32_t step, tp_view_corner to[TP_BALL_ROUND])
 {
     const bool north = j == 0, south = j > TP_BALL_RINGS;
-    const tp_ball_point *ring = &frame->ball[south ? TP_BALL - 1
-                                             : north ? 0 : 1 + (j - 1) * TP_BALL_ROUND];
+    const tp_ball_point *ring = &frame->parts.ball[south ? TP_BALL - 1
+                                                   : north ? 0 : 1 + (j - 1) * TP_BALL_ROUND];
 
     for (uint32_t i = 0; i < TP_BALL_ROUND; i += step)
         to[i] = (north || south) && i > 0 ? to[0] : corner_of(sight, s, &ring[i]);
@@ -197,12 +197,6 @@ static void draw_drops(const tp_frame *frame, const tp_sight *sight, tp_samples 
     }
 }
 
-static void init_drops(tp_frame *frame)
-{
-    make_ball(frame);
-    tp_shade_gloss(frame->drop_gloss, 40 * TP_FX_ONE);
-}
-
 const struct tp_draw_drops tp_draw_drops = {
-    .solid = { place_drops, draw_drops }, .init = init_drops,
+    .solid = { place_drops, draw_drops }, .init = make_ball,
 };

@@ -159,6 +159,7 @@ typedef struct {
     tp_land_band    *land_band;         /* of each row of cells */
     struct tp_frame_lines *lines;       /* of the grid, lines.h; NULL: rows draw nothing */
     tp_grid_box     *drop_box;          /* of each drop in the air, then the sphere */
+    tp_ball_point   *ball;              /* TP_BALL, of a sphere */
     tp_ring_now     *ring;              /* as they lie at the drawn moment */
     tp_frame_speck  *speck;             /* those that are seen */
     uint32_t         drop_capacity, ring_capacity, speck_capacity;
@@ -202,12 +203,10 @@ struct tp_frame {
     tp_visibility    visibility;        /* of this frame */
 
     tp_sight         sight;             /* the picture itself */
-    tp_ball_point    ball[TP_BALL];     /* of a sphere, once */
     uint32_t         drops_seen;
-    uint8_t          drop_gloss[TP_GLOSS];
 
     uint32_t         specks;
-    int32_t          fresnel, model;    /* that tables were made for */
+    int32_t          model;             /* that tables were made for */
     bool             under;             /* the eye is in the water */
     uint32_t         glasses;
     uint32_t         blocks, blocks_dropped;

@@ -158,7 +158,6 @@ struct tp_draw_quick_light {
 
 /* The water's share of what it mirrors. */
 struct tp_draw_fresnel {
-    void (*init)(tp_frame *frame);
     void (*plan)(tp_frame *frame);
 };
 #endif

@@ -172,9 +172,9 @@ void tp_frame_plan(tp_frame *frame)
     if (frame->assets.boat)
         draw->boat->plan(frame);
     shade->land = (tp_solid){ .diffuse = (uint32_t)scene->floor.colour,
-                              .gloss = frame->drop_gloss };
+                              .gloss = tp_drop_gloss };
     shade->drop = (tp_solid){ .diffuse = (uint32_t)scene->drops.colour,
-                              .specular = 0xffffff, .gloss = frame->drop_gloss };
+                              .specular = 0xffffff, .gloss = tp_drop_gloss };
     if (draw->foam)
         draw->foam->plan(frame);
     choose_stages(frame);

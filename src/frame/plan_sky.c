@@ -47,8 +47,6 @@ void tp_frame_init_sky(tp_frame *frame)
         draw->cube->init(frame);
     else if (frame->parts.heaven.recip)
         draw->stars->init(frame);
-    if (draw->fresnel)
-        draw->fresnel->init(frame);
 }
 
 static void init_cube(tp_frame *frame)
@@ -106,21 +104,10 @@ static void plan_stars(tp_frame *frame)
     frame->shade.env.star = (1u << 24) / (radius * radius);
 }
 
-/* Fresnel's table follows the exact law until the scene asks for another. */
 static void plan_fresnel(tp_frame *frame)
 {
-    if (frame->fresnel == frame->scene->water.fresnel)
-        return;
-    frame->fresnel = frame->scene->water.fresnel;
-    if (frame->fresnel == TP_FRESNEL_SCHLICK)
-        tp_shade_schlick(&frame->shade);
-    else
-        tp_shade_fresnel(&frame->shade);
-}
-
-static void init_fresnel(tp_frame *frame)
-{
-    tp_shade_fresnel(&frame->shade);
+    const bool shortcut = frame->scene->water.fresnel == TP_FRESNEL_SCHLICK;
+    frame->shade.fresnel = shortcut ? tp_schlick_table : tp_fresnel_table;
 }
 
 static void plan_exposure(tp_frame *frame)
@@ -143,16 +130,18 @@ static void plan_glint(tp_frame *frame)
 const struct tp_draw_dome tp_draw_dome = { plan_dome };
 const struct tp_draw_cube tp_draw_cube = { init_cube, plan_cube };
 const struct tp_draw_stars tp_draw_stars = { init_stars, plan_stars };
-const struct tp_draw_fresnel tp_draw_fresnel = { init_fresnel, plan_fresnel };
+const struct tp_draw_fresnel tp_draw_fresnel = { plan_fresnel };
 const struct tp_draw_exposure tp_draw_exposure = { plan_exposure };
 const struct tp_draw_glint tp_draw_glint = { plan_glint };
 
 void tp_frame_plan_sky(tp_frame *frame)
 {
     const tp_scene *scene = frame->scene;
+    static const tp_entry8 none[257] = { 0 };
     const tp_draws *draw = &frame->kit->draw;
     tp_shade *shade = &frame->shade;
 
+    shade->fresnel = none;
     if (draw->fresnel)
         draw->fresnel->plan(frame);
     tp_shade_sky(shade, (uint32_t)scene->sky.horizon, (uint32_t)scene->sky.zenith);

@@ -22,11 +22,11 @@ TP_ALWAYS_INLINE tp_ray seen_along(const tp_run *run, int32_t i)
     return (tp_ray){ -run->vx[i], -run->vy[i], -run->vz[i], 0 };
 }
 
-TP_ALWAYS_INLINE void facets(const tp_shade *shade, const tp_run *run, int32_t i,
-                             int32_t stop, int rippled, facet *to)
+TP_ALWAYS_INLINE void facets(const tp_run *run, int32_t i, int32_t stop, int rippled,
+                             facet *to)
 {
     for (; i < stop; i++, to++) {
-        tp_ray n = tp_slope_normal_of(shade, run, i, rippled);
+        tp_ray n = tp_slope_normal_of(run, i, rippled);
         *to = (facet){ (int16_t)n.x, (int16_t)n.y, (int16_t)n.z,
                        (int16_t)tp_inside_cosine(seen_along(run, i), n) };
     }
@@ -104,7 +104,7 @@ TP_ALWAYS_INLINE void behind(const tp_shade *shade, tp_run *run, int rippled,
         for (int32_t k = 0; k < count; k++)
             body[k] = tp_colour_mix(shade->inside.deep, seen[k], 64);
         tp_inside_places(shade, run, i, stop, beam);
-        facets(shade, run, i, stop, rippled, surface);
+        facets(run, i, stop, rippled, surface);
         bend(shade, run, i, stop, surface, 1, beam);
         ends[0] = tp_inside_bed(shade, beam);
         ends[1] = tp_inside_bed(shade, &beam[count - 1]);

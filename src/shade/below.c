@@ -28,7 +28,7 @@ TP_ALWAYS_INLINE void below(const tp_shade *shade, tp_run *run, int rippled)
     const tp_inside *in = &shade->inside;
 
     for (int32_t i = 0; i < run->count; i++) {
-        tp_ray  n = tp_slope_normal_of(shade, run, i, rippled);
+        tp_ray  n = tp_slope_normal_of(run, i, rippled);
         tp_beam beam;
         tp_inside_places(shade, run, i, i + 1, &beam);
         beam.way = seen_along(run, i);

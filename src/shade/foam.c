@@ -156,7 +156,7 @@ TP_ALWAYS_INLINE uint32_t lit(const tp_shade *shade, const tp_run *run, int32_t 
 {
     int32_t sx = tp_slope_x(run, i, rippled), sz = tp_slope_z(run, i, rippled);
     uint32_t q = tp_slope_square(sx, sz);
-    int32_t ny = (int32_t)shade->steep[(q < TP_SLOPE_END ? q : TP_SLOPE_END - 1) >> 17];
+    int32_t ny = (int32_t)tp_steep_table[(q < TP_SLOPE_END ? q : TP_SLOPE_END - 1) >> 17];
     int32_t nl = shade->world.ly - ((sx * shade->world.lx + sz * shade->world.lz) >> 12);
 
     nl = tp_clamp(nl * (ny >> 2) >> 12, 0, 16384);

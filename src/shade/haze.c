@@ -11,7 +11,7 @@
 TP_ALWAYS_INLINE uint32_t share_of(const tp_shade *shade, uint32_t key)
 {
     uint32_t entry = (uint32_t)((uint64_t)(key >> 1) * shade->haze_scale >> 32);
-    return shade->haze[entry < TP_HAZE ? entry : TP_HAZE];
+    return tp_haze_table[entry < TP_HAZE ? entry : TP_HAZE];
 }
 
 void tp_stage_haze(const tp_shade *restrict shade, tp_run *restrict run)

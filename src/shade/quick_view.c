@@ -44,7 +44,7 @@ TP_ALWAYS_INLINE tp_ray ray_at(const tp_shade *shade, const tp_quick_row *row,
     const tp_view_axes *a = &shade->world;
     int32_t  u = over_focal(shade, sixteenths - shade->u0);
     uint32_t q = row->square + ((uint32_t)u * (uint32_t)u >> 4);
-    int32_t  unit = tp_steep(shade, q);
+    int32_t  unit = tp_steep(q);
     int32_t  y = (row->y - (u * (a->right.y >> 16) >> 14)) * unit;
 
     return (tp_ray){ (row->x - (u * (a->right.x >> 16) >> 14)) * unit >> 14, y >> 14,

@@ -61,9 +61,9 @@ TP_ALWAYS_INLINE int32_t times(int32_t x, int32_t y, int n)
 }
 
 /* sqrt(1 + q), Q13, from the table of its inverse. */
-TP_ALWAYS_INLINE int32_t root_of(const tp_shade *shade, uint32_t q)
+TP_ALWAYS_INLINE int32_t root_of(uint32_t q)
 {
-    return (int32_t)((((1u << 24) + q) >> 10) * (uint32_t)tp_steep_near(shade, q) >> 15);
+    return (int32_t)((((1u << 24) + q) >> 10) * (uint32_t)tp_steep_near(q) >> 15);
 }
 
 /* Within +-32000.  Most are: one test finds them. */
@@ -98,10 +98,10 @@ typedef struct {
 } slopes;
 
 /* Slopes are below 8, nx and ny within 4: sums are below 2^21. */
-TP_ALWAYS_INLINE slopes turned(const tp_shade *shade, int32_t sx, int32_t sz, bump m)
+TP_ALWAYS_INLINE slopes turned(int32_t sx, int32_t sz, bump m)
 {
     uint32_t qx = (uint32_t)(sx * sx), qz = (uint32_t)(sz * sz);
-    int32_t  a = root_of(shade, qx), w = root_of(shade, qx + qz);
+    int32_t  a = root_of(qx), w = root_of(qx + qz);
     int32_t  up = (a * m.nz >> 13) - (sz * m.ny >> 12);
     int32_t  side = (a * m.ny >> 13) + (sz * m.nz >> 12);
     int32_t  along = w * (m.nx >> 1) >> 12;
@@ -138,7 +138,7 @@ TP_ALWAYS_INLINE void bend(const tp_shade *shade, const tp_sampler *sampler,
         bump    m = bump_of(&f, gain);
         int32_t x = how == OVER ? sx[i] : (int32_t)n[i] >> 16;
         int32_t z = how == OVER ? sz[i] : (int16_t)(n[i] & 0xffff);
-        slopes  to = how == GENTLE ? added(x, z, m) : turned(shade, x, z, m);
+        slopes  to = how == GENTLE ? added(x, z, m) : turned(x, z, m);
         sx[i] = (int16_t)to.x;
         sz[i] = (int16_t)to.z;
     }

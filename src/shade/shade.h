@@ -139,10 +139,8 @@ typedef struct tp_shade {
     tp_shade_foam foam;
 
     uint32_t haze_scale;        /* zi to haze entries, Q0.32 */
-    tp_entry16 steep[TP_STEEP + 1];     /* Q1.14 */
     tp_entry16 shine[TP_SHINE + 1];     /* 256 at 1, times the specular */
-    tp_entry8  fresnel[257];            /* share of the reflection at N.V = i / 256 */
-    tp_entry8  haze[TP_HAZE + 1];       /* share of the horizon */
+    const tp_entry8 *fresnel;           /* share of the reflection at N.V = i / 256 */
     uint32_t sky[TP_SKY + 1];
     tp_env   env;               /* what else the sky is */
     const tp_entry8 *tone;      /* 256 entries: the camera's exposure */
@@ -183,14 +181,19 @@ typedef struct tp_shade {
 void tp_shade_glaze(const tp_shade *shade, tp_run *run, int32_t i, int32_t stop,
                     uint32_t way);
 
-/* -- for the frame, that fills the tables ------------------------------------------- */
+/* -- tables of every scene ----------------------------------------------------------- */
 
-void tp_shade_tables(tp_shade *shade);                      /* steep, haze */
-void tp_shade_fresnel(tp_shade *shade);
+extern const tp_entry16 tp_steep_table[TP_STEEP + 1];       /* Q1.14 */
+extern const tp_entry8 tp_haze_table[TP_HAZE + 1];          /* share of the horizon */
+extern const tp_entry8 tp_fresnel_table[257];               /* the exact law, */
+extern const tp_entry8 tp_schlick_table[257];               /* and the shortcut [F2] */
+extern const uint8_t tp_drop_gloss[TP_GLOSS];               /* of drops and land */
+
+/* -- for the frame, that fills the others -------------------------------------------- */
+
 void tp_shade_shine(tp_shade *shade, tp_fx shininess, tp_fx strength);
 void tp_shade_sky(tp_shade *shade, uint32_t horizon, uint32_t zenith);
 void tp_shade_gloss(uint8_t gloss[TP_GLOSS], tp_fx shininess);
-void tp_shade_schlick(tp_shade *shade);                     /* fresnel, by the shortcut */
 void tp_shade_shine_blinn(tp_shade *shade, tp_fx shininess, tp_fx strength);
 void tp_shade_gloss_blinn(uint8_t gloss[TP_GLOSS], tp_fx shininess);
 void tp_shade_tone(tp_entry8 tone[256], tp_fx exposure);      /* 1/8..8 */

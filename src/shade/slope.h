@@ -42,33 +42,32 @@ TP_ALWAYS_INLINE int tp_steep_halved(uint32_t *q)
 }
 
 /* Q1.14, interpolated, for lobes that would show the table's steps. */
-TP_ALWAYS_INLINE int32_t tp_steep(const tp_shade *shade, uint32_t q)
+TP_ALWAYS_INLINE int32_t tp_steep(uint32_t q)
 {
     int      times = tp_steep_halved(&q);
     int32_t i = (int32_t)(q >> 17), f = (int32_t)(q >> 10 & 0x7f);
-    int32_t a = (int32_t)shade->steep[i], b = (int32_t)shade->steep[i + 1];
+    int32_t a = (int32_t)tp_steep_table[i], b = (int32_t)tp_steep_table[i + 1];
     return (a + ((b - a) * f >> 7)) >> times;
 }
 
 /* The nearest entry, within 0.2 %. */
-TP_ALWAYS_INLINE int32_t tp_steep_near(const tp_shade *shade, uint32_t q)
+TP_ALWAYS_INLINE int32_t tp_steep_near(uint32_t q)
 {
     if (!TP_WIDE && q < TP_SLOPE_END)
         return (int32_t)shade->steep[(q + 0x10000) >> 17];
     int times = tp_steep_halved(&q);
-    return (int32_t)shade->steep[(int32_t)((q + 0x10000) >> 17)] >> times;
+    return (int32_t)tp_steep_table[(int32_t)((q + 0x10000) >> 17)] >> times;
 }
 
-TP_ALWAYS_INLINE tp_ray tp_slope_normal(const tp_shade *shade, int32_t sx, int32_t sz)
+TP_ALWAYS_INLINE tp_ray tp_slope_normal(int32_t sx, int32_t sz)
 {
-    int32_t ny = tp_steep(shade, tp_slope_square(sx, sz));
+    int32_t ny = tp_steep(tp_slope_square(sx, sz));
     return (tp_ray){ -(sx * ny >> 12), ny, -(sz * ny >> 12), 0 };
 }
 
-TP_ALWAYS_INLINE tp_ray tp_slope_normal_of(const tp_shade *shade, const tp_run *run,
-                                           int32_t i, int rippled)
+TP_ALWAYS_INLINE tp_ray tp_slope_normal_of(const tp_run *run, int32_t i,
+                                           int rippled)
 {
-    return tp_slope_normal(shade, tp_slope_x(run, i, rippled),
-                           tp_slope_z(run, i, rippled));
+    return tp_slope_normal(tp_slope_x(run, i, rippled), tp_slope_z(run, i, rippled));
 }
 #endif

@@ -1,7 +1,27 @@
 /* SPDX-License-Identifier: MIT */
-/* The tables that stages look into, made in integers at init or when a number changes. */
+/* The tables that stages look into: constant ones, and those made in integers when a
+ * number of the scene changes. */
 #include "shade/shade.h"
-#include "tidepool/light.h"
+
+const tp_entry16 tp_steep_table[TP_STEEP + 1] = {
+#include "shade/steep_table.inc"
+};
+
+const tp_entry8 tp_haze_table[TP_HAZE + 1] = {
+#include "shade/haze_table.inc"
+};
+
+const tp_entry8 tp_fresnel_table[257] = {
+#include "shade/fresnel_table.inc"
+};
+
+const tp_entry8 tp_schlick_table[257] = {
+#include "shade/schlick_table.inc"
+};
+
+const uint8_t tp_drop_gloss[TP_GLOSS] = {
+#include "shade/gloss_table.inc"
+};
 
 /* base^n for base in Q2.30, 0..1, by squaring. */
 static tp_q30 power(tp_q30 base, uint32_t n)
@@ -14,32 +34,6 @@ static tp_q30 power(tp_q30 base, uint32_t n)
         base = tp_q30_mul(base, base);
     }
     return result;
-}
-
-void tp_shade_tables(tp_shade *shade)
-{
-    for (uint32_t i = 0; i <= TP_STEEP; i++)            /* 1 / sqrt(1 + i / 128) */
-        shade->steep[i] = (uint16_t)(tp_isqrt64(((uint64_t)128 << 32) / (128 + i) << 28)
-                                     >> 16);
-    for (uint32_t i = 0; i <= TP_HAZE; i++)             /* 32^2 / (32^2 + i^2) */
-        shade->haze[i] = (uint8_t)(255 * 1024 / (1024 + i * i));
-}
-
-void tp_shade_fresnel(tp_shade *shade)
-{
-    for (int32_t i = 0; i <= 256; i++) {
-        tp_q30 r = tp_fresnel(i * (TP_Q30_ONE / 256));
-        shade->fresnel[i] = (uint8_t)tp_clamp((r + (1 << 21)) >> 22, 0, 255);
-    }
-}
-
-/* Schlick's rule [F2] in the same place. */
-void tp_shade_schlick(tp_shade *shade)
-{
-    for (int32_t i = 0; i <= 256; i++) {
-        tp_q30 r = tp_fresnel_schlick(i * (TP_Q30_ONE / 256));
-        shade->fresnel[i] = (uint8_t)tp_clamp((r + (1 << 21)) >> 22, 0, 255);
-    }
 }
 
 static uint32_t exponent(tp_fx shininess)

@@ -32,7 +32,7 @@ static inline tp_shade shade_any(uint64_t *state)
         .haze_scale = (uint32_t)random_next(state) >> chance_int(state, 0, 31),
     };
     s.mesh = s.world;
-    tp_shade_tables(&s);
+    s.fresnel = tp_fresnel_table;
     tp_shade_sky(&s, (uint32_t)random_next(state) & 0xffffff,
                  (uint32_t)random_next(state) & 0xffffff);
     return s;

@@ -19,8 +19,8 @@ static tp_shade level_view(void)
         .world = { { TP_Q30_ONE, 0, 0 }, { 0, TP_Q30_ONE, 0 }, { 0, 0, TP_Q30_ONE },
                    0, 16384, 0 },
         .ambient = 256, .drop = { .diffuse = 0xffffff, .gloss = gloss },
+        .fresnel = tp_fresnel_table,
     };
-    tp_shade_tables(&s);
     tp_shade_sky(&s, 0xffffff, 0x0000ff);
     return s;
 }

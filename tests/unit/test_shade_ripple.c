@@ -77,7 +77,6 @@ static tally compare(stage *ripples, double surface, double ripple)
         run_any(&r, (int32_t)(surface * Q12), &chance);
         layer.slope_gain = 256;
         tp_shade s = layer_at_level(&r, &layer, level);
-        tp_shade_tables(&s);
         s.ripple = layer;
         ripples(&s, &r.run);
         for (int i = 0; i < TP_RUN; i++) {
@@ -134,7 +133,6 @@ static void no_ripple_turns_the_water_upside_down(void **state)
         if (n % 3 == 0)
             r.n[0] = 0x80008000;
         tp_shade s = layer_at_level(&r, &layer, level);
-        tp_shade_tables(&s);
         s.ripple = layer;
         tp_stage_ripple(&s, &r.run);
         for (int i = 0; i < TP_RUN; i++) {
@@ -166,7 +164,6 @@ static void a_flat_map_leaves_the_surface(void **state)
     assert_int_equal(tp_texture_init(&t, &up, 1, 1, mem, NULL), TP_OK);
     run_any(&r, 20000, &chance);
     tp_shade s = { .zi_log = 29 * 256, .ripple = { .texture = &t, .slope_gain = 1024 } };
-    tp_shade_tables(&s);
     tp_stage_ripple(&s, &r.run);
     for (int i = 0; i < TP_RUN; i++) {
         assert_in_range(r.run.sx[i] - (int16_t)(r.n[i] >> 16) + 8, 0, 16);
@@ -217,7 +214,6 @@ static void ripples_lie_on_what_pools_have_bent(void **state)
     for (int n = 0; n < 100; n++) {
         test_run r;
         tp_shade s = { .zi_log = 29 * 256, .ripple = layer_any(&chance, &t) };
-        tp_shade_tables(&s);
         run_any(&r, 9000, &chance);
         tp_run over = r.run;
         for (int i = 0; i < TP_RUN; i++) {
@@ -242,7 +238,6 @@ static void runs_may_be_cut_at_sixteenths(void **state)
     for (int n = 0; n < 600; n++) {
         test_run r;
         tp_shade s = { .zi_log = 29 * 256, .ripple = layer_any(&chance, &t) };
-        tp_shade_tables(&s);
         run_any(&r, 5000, &chance);
         memset(r.run.sx, 17, sizeof r.run.sx);
         memset(r.run.sz, 3, sizeof r.run.sz);

@@ -25,6 +25,7 @@ static tp_shade shade_of(const view *v)
         .world = { turn->x, turn->y, turn->z, light.y.x >> 16, light.y.y >> 16,
                    light.y.z >> 16 },
         .zi_log = tp_log2_q8((uint32_t)v->lens.zi_near) + 15 * 256,
+        .fresnel = tp_fresnel_table,
     };
     return s;
 }
@@ -184,7 +185,6 @@ static void a_level_is_that_of_the_first_sample_of_16_columns(void **state)
     const tp_texture t = numbered(texel);
     tp_shade s = { .zi_log = tp_log2_q8(0x4000) + 15 * 256 };
 
-    tp_shade_tables(&s);
     for (int n = 0; n < RUNS; n++) {
         uint32_t taken[TP_RUN];
         test_run r;
@@ -225,7 +225,6 @@ static void rippled_water_stays_turned_to_the_eye(void **state)
         const view v = view_any(&chance);
         tp_shade s = shade_of(&v);
         test_run r;
-        tp_shade_tables(&s);
         tp_shade_shine(&s, 20 * TP_FX_ONE, TP_FX_ONE);
         run_any(&r, 4096, &chance);
         tp_stage_view(&s, &r.run);

@@ -9,6 +9,7 @@
 #include "../reference/shading.h"
 #include "chance.h"
 #include "shade/depth.h"
+#include "tidepool/light.h"
 
 #define Q14 16384.0
 
@@ -34,15 +35,14 @@ static void fresnel_is_the_exact_formula_within_a_level(void **state)
     (void)state;
     measure m = { .what = "fresnel", .unit = "/256" };
 
-    tp_shade_tables(&shade);
     for (int i = 0; i <= 256; i++) {
         const double want = 256 * ref_fresnel(i / 256.0);
-        measure_add(&m, shade.fresnel[i] - want, i, 0, 0);
-        assert_true(fabs(shade.fresnel[i] - want) <= (want > 255.5 ? 1 : 0.51));
-        assert_true(i == 0 || shade.fresnel[i] <= shade.fresnel[i - 1]);
+        measure_add(&m, tp_fresnel_table[i] - want, i, 0, 0);
+        assert_true(fabs(tp_fresnel_table[i] - want) <= (want > 255.5 ? 1 : 0.51));
+        assert_true(i == 0 || tp_fresnel_table[i] <= tp_fresnel_table[i - 1]);
     }
-    assert_int_equal(shade.fresnel[0], 255);
-    assert_int_equal(shade.fresnel[256], 5);        /* 2.04 % */
+    assert_int_equal(tp_fresnel_table[0], 255);
+    assert_int_equal(tp_fresnel_table[256], 5);        /* 2.04 % */
     measure_print(&m);
 }
 
@@ -52,13 +52,12 @@ static void steep_is_the_root_cut_to_its_format(void **state)
     (void)state;
     measure m = { .what = "steep", .unit = "of Q14" };
 
-    tp_shade_tables(&shade);
     for (int i = 0; i <= TP_STEEP; i++) {
         const double want = Q14 / sqrt(1 + i / 128.0);
-        measure_add(&m, shade.steep[i] - want, i, 0, 0);
-        assert_true(shade.steep[i] <= want && shade.steep[i] > want - 1.001);
+        measure_add(&m, tp_steep_table[i] - want, i, 0, 0);
+        assert_true(tp_steep_table[i] <= want && tp_steep_table[i] > want - 1.001);
     }
-    assert_int_equal(shade.steep[0], 16384);
+    assert_int_equal(tp_steep_table[0], 16384);
     measure_print(&m);
 }
 
@@ -66,13 +65,37 @@ static void haze_is_the_rule_cut_to_255ths(void **state)
 {
     (void)state;
 
-    tp_shade_tables(&shade);
     for (int i = 0; i <= TP_HAZE; i++) {
         const double want = 255 / (1 + i / 32.0 * (i / 32.0));      /* i = 32 h / z */
-        assert_true(shade.haze[i] <= want && shade.haze[i] > want - 1);
+        assert_true(tp_haze_table[i] <= want && tp_haze_table[i] > want - 1);
     }
-    assert_int_equal(shade.haze[32], 127);          /* a half, at h */
-    assert_int_equal(shade.haze[TP_HAZE], 0);       /* none within h / 16 */
+    assert_int_equal(tp_haze_table[32], 127);          /* a half, at h */
+    assert_int_equal(tp_haze_table[TP_HAZE], 0);       /* none within h / 16 */
+}
+
+/* Of a Q2.30 in 256ths. */
+static uint8_t share_of(tp_q30 r)
+{
+    return (uint8_t)tp_clamp((r + (1 << 21)) >> 22, 0, 255);
+}
+
+/* Each by the rule at its head, to the bit. */
+static void constant_tables_are_as_generated(void **state)
+{
+    (void)state;
+    uint8_t gloss[TP_GLOSS];
+
+    for (uint32_t i = 0; i <= TP_STEEP; i++)
+        assert_int_equal(tp_steep_table[i],
+                         tp_isqrt64(((uint64_t)128 << 32) / (128 + i) << 28) >> 16);
+    for (uint32_t i = 0; i <= TP_HAZE; i++)
+        assert_int_equal(tp_haze_table[i], 255 * 1024 / (1024 + i * i));
+    for (int32_t i = 0; i <= 256; i++) {
+        assert_int_equal(tp_fresnel_table[i], share_of(tp_fresnel(i * (1 << 22))));
+        assert_int_equal(tp_schlick_table[i], share_of(tp_fresnel_schlick(i * (1 << 22))));
+    }
+    tp_shade_gloss(gloss, 40 * TP_FX_ONE);
+    assert_memory_equal(gloss, tp_drop_gloss, sizeof gloss);
 }
 
 /* Roundings of the squares to 2^-31 add up to less than n / 2^30, 1e-6 at 1000.  The lobe
@@ -285,6 +308,7 @@ int main(void)
         cmocka_unit_test(fresnel_is_the_exact_formula_within_a_level),
         cmocka_unit_test(steep_is_the_root_cut_to_its_format),
         cmocka_unit_test(haze_is_the_rule_cut_to_255ths),
+        cmocka_unit_test(constant_tables_are_as_generated),
         cmocka_unit_test(shine_is_a_power),
         cmocka_unit_test(gloss_is_a_power),
         cmocka_unit_test(an_exponent_outside_its_range_is_held),
