@@ -108,6 +108,14 @@ uint32_t tp_frame_tiles(const tp_frame *frame);
  * to 8), where tile->pixels then points.  False: there is no such tile. */
 bool tp_frame_tile(const tp_frame *frame, uint32_t i, void *scratch, tp_tile *tile);
 
+/* Pictures as the quick rung wants them, made beforehand for whoever puts them in ROM:
+ * assets.graded by the layer, then offsets, then slopes.  0: the scene has none; memory
+ * aligned to 4. */
+#define TP_PREPARED (TP_LAYERS + 2)
+size_t tp_prepared_bytes(const tp_assets *assets, int i);
+void   tp_prepare(tp_texture *to, const tp_scene *scene, const tp_assets *assets, int i,
+                  void *memory);
+
 tp_frame_stats tp_frame_last_stats(const tp_frame *frame);
 tp_frame_ram   tp_frame_memory(const tp_frame *frame);
 

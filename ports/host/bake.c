@@ -23,6 +23,11 @@ static const struct { const char *member, *part; size_t offset; } pictures[] = {
     { "distortion", "distortion", offsetof(tp_assets, distortion) },
     { "ripple", "ripple", offsetof(tp_assets, ripple) },
     { "foam", "foam", offsetof(tp_assets, foam) },
+    { "graded[0]", "graded0", offsetof(tp_assets, graded[0]) },
+    { "graded[1]", "graded1", offsetof(tp_assets, graded[1]) },
+    { "graded[2]", "graded2", offsetof(tp_assets, graded[2]) },
+    { "offsets", "offsets", offsetof(tp_assets, offsets) },
+    { "slopes", "slopes", offsetof(tp_assets, slopes) },
     { "sky[0]", "sky_east", offsetof(tp_assets, sky[0]) },
     { "sky[1]", "sky_west", offsetof(tp_assets, sky[1]) },
     { "sky[2]", "sky_up", offsetof(tp_assets, sky[2]) },
@@ -203,6 +208,65 @@ static void put_all(const bake *b, const options *o, const stage *s)
     put_assets(b, names);
 }
 
+/* -- pictures of the quick rung ------------------------------------------------------ */
+
+/* The picture that a plan may be made for: a board's. */
+enum { WIDTH = 320, HEIGHT = 240 };
+
+static bool may_be_quick(const tp_scene *scene, const tp_assets *names)
+{
+    const tp_ladder ladder = tp_ladder_of(scene, names, WIDTH, HEIGHT);
+    return tp_reach_of(&ladder).shading >> TP_SHADING_QUICK & 1;
+}
+
+/* Whether nothing looks at the pictures that quick ones are made of: exact stages draw
+ * what the quick rung does not know, and exposure by itself meters the first layer. */
+static bool is_all_quick(const tp_scene *scene)
+{
+    return scene->quality.shading == TP_SHADING_QUICK && scene->quality.frame_ms == 0
+        && scene->water.clear == 0 && scene->hdr.share == 0 && scene->foam.cells == 0
+        && scene->water.pool_bump == 0 && scene->mirror.objects == TP_MIRROR_NONE
+        && scene->hdr.exposure == TP_EXPOSURE_FIXED;
+}
+
+static const tp_texture **place_of(tp_assets *names, int i)
+{
+    return i < TP_LAYERS ? &names->graded[i] : i == TP_LAYERS ? &names->offsets
+                                                              : &names->slopes;
+}
+
+static void drop_sources(tp_assets *names)
+{
+    for (int i = 0; i < TP_LAYERS; i++)
+        names->layer[i] = NULL;
+    names->distortion = names->ripple = NULL;
+}
+
+/* *names with prepared pictures, in memory of `memory` and `made`. */
+static int prepare(tp_assets *names, const tp_scene *scene, void *memory[TP_PREPARED],
+                   tp_texture made[TP_PREPARED])
+{
+    const tp_assets from = *names;
+
+    if (!may_be_quick(scene, names))
+        return EXIT_DONE;
+    for (int i = 0; i < TP_PREPARED; i++) {
+        const size_t bytes = tp_prepared_bytes(&from, i);
+        if (bytes == 0)
+            continue;
+        memory[i] = malloc(bytes);
+        if (!memory[i])
+            return fail_memory(bytes);
+        tp_prepare(&made[i], scene, &from, i, memory[i]);
+        *place_of(names, i) = &made[i];
+    }
+    if (is_all_quick(scene))
+        drop_sources(names);
+    return EXIT_DONE;
+}
+
+/* -- the command ---------------------------------------------------------------------- */
+
 static int write_file(bake *b, const options *o, const stage *s)
 {
     output out;
@@ -222,6 +286,8 @@ static int run(stage *s, const options *o)
 {
     char name[IDENTIFIER_BYTES];
     bake b = { .name = name };
+    void *memory[TP_PREPARED] = { NULL };
+    tp_texture made[TP_PREPARED];
     if (o->name && !can_be_name(o->name))
         return fail(EXIT_USAGE, "tidepool bake: --name %.40s: expected a name in C that"
                     " begins with a letter, not with tp_", o->name);
@@ -229,10 +295,14 @@ static int run(stage *s, const options *o)
     if (code)
         return code;
     name_after(o->name ? o->name : s->file.name, name);
-    code = list_pictures(&b, &s->assets.names);
+    code = prepare(&s->assets.names, &s->file.scene, memory, made);
+    if (!code)
+        code = list_pictures(&b, &s->assets.names);
     if (!code)
         code = write_file(&b, o, s);
     free(b.pictures);
+    for (int i = 0; i < TP_PREPARED; i++)
+        free(memory[i]);
     return code;
 }
 

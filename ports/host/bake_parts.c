@@ -96,9 +96,12 @@ size_t bake_texture_bytes(const tp_texture *texture)
 
 static bool are_same(const tp_texture *a, const tp_texture *b)
 {
-    const size_t bytes = texels_of(a, 0) * sizeof(uint32_t);
-    return a->log2_w == b->log2_w && a->log2_h == b->log2_h
-           && memcmp(a->level[0], b->level[0], bytes) == 0;
+    if (a->log2_w != b->log2_w || a->log2_h != b->log2_h)
+        return false;
+    for (uint32_t l = 0; l < a->levels; l++)
+        if (memcmp(a->level[l], b->level[l], texels_of(a, l) * sizeof(uint32_t)) != 0)
+            return false;
+    return true;
 }
 
 const bake_picture *bake_find(const bake *b, const tp_texture *texture)
@@ -112,8 +115,8 @@ const bake_picture *bake_find(const bake *b, const tp_texture *texture)
 void bake_texture(const bake *b, const bake_picture *picture)
 {
     const tp_texture *t = picture->texture;
-    fprintf(b->out, "\n/* %s: %" PRIu32 " x %" PRIu32 " texels 0xAARRGGBB and their"
-            " halves: %zu bytes. */\n", picture->name, side(t->log2_w, 0),
+    fprintf(b->out, "\n/* %s: %" PRIu32 " x %" PRIu32 " texels and their halves:"
+            " %zu bytes. */\n", picture->name, side(t->log2_w, 0),
             side(t->log2_h, 0), bake_texture_bytes(t));
     for (uint32_t level = 0; level < t->levels; level++) {
         const size_t count = texels_of(t, level);

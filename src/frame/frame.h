@@ -136,7 +136,7 @@ typedef struct {
     uint32_t colour;
 } tp_quick_wish;
 
-#define TP_QUICK_PICTURES (TP_LAYERS + 2)
+#define TP_QUICK_PICTURES TP_PREPARED
 
 typedef struct {
     void         *memory[TP_QUICK_PICTURES];    /* NULL: not made here */

@@ -2,6 +2,7 @@
 /* The quick rung's pictures of a frame: prepared by whoever made the assets, or here, into
  * the frame's block, and again whenever a number changes that they were made for. */
 #include "frame/parts.h"
+#include "shade/colour.h"
 
 enum { OFFSETS = TP_LAYERS, SLOPES };
 
@@ -36,17 +37,26 @@ static tp_frame_quick *carve_quick(tp_arena *arena, const tp_assets *assets)
 
 /* -- what pictures are made for -------------------------------------------------------- */
 
-static tp_quick_wish wish_of(const tp_frame *frame, int i)
+/* The first layer's with the water's colour, as plan_layers.c has it. */
+static uint32_t colour_of(const tp_scene *scene, const tp_assets *assets, int i)
 {
-    const tp_scene *scene = frame->scene;
+    const uint32_t colour = (uint32_t)scene->layer[i].colour;
 
+    if (i > 0)
+        return colour;
+    return assets->layer[0] ? tp_colour_times((uint32_t)scene->water.colour, colour)
+                            : (uint32_t)scene->water.colour;
+}
+
+static tp_quick_wish wish_of(const tp_scene *scene, const tp_assets *assets, int i)
+{
     if (i == OFFSETS)
         return (tp_quick_wish){ .amount = scene->distortion.strength };
     if (i == SLOPES)
         return (tp_quick_wish){ .amount = scene->ripple.bump };
     return (tp_quick_wish){
         .amount = scene->layer[i].saturation, .clamp = scene->layer[i].clamp,
-        .colour = i == 0 ? frame->shade.water_colour : (uint32_t)scene->layer[i].colour,
+        .colour = colour_of(scene, assets, i),
     };
 }
 
@@ -55,33 +65,44 @@ static bool is_same(const tp_quick_wish *a, const tp_quick_wish *b)
     return a->amount == b->amount && a->clamp == b->clamp && a->colour == b->colour;
 }
 
-static void make(tp_frame_quick *quick, int i, const tp_texture *source,
-                 const tp_quick_wish *wish)
+static void make(tp_texture *to, int i, const tp_texture *source,
+                 const tp_quick_wish *wish, void *memory)
 {
-    tp_texture *to = &quick->picture[i];
-
     if (i == OFFSETS)
-        tp_quick_offsets(to, source, wish->amount, quick->memory[i]);
+        tp_quick_offsets(to, source, wish->amount, memory);
     else if (i == SLOPES)
-        tp_quick_slopes(to, source, wish->amount, quick->memory[i]);
+        tp_quick_slopes(to, source, wish->amount, memory);
     else
-        tp_quick_graded(to, source, wish->amount, wish->clamp, wish->colour,
-                        quick->memory[i]);
-    quick->made[i] = *wish;
+        tp_quick_graded(to, source, wish->amount, wish->clamp, wish->colour, memory);
+}
+
+size_t tp_prepared_bytes(const tp_assets *assets, int i)
+{
+    const tp_texture *source = source_of(assets, i);
+    return source ? tp_quick_bytes(source) : 0;
+}
+
+void tp_prepare(tp_texture *to, const tp_scene *scene, const tp_assets *assets, int i,
+                void *memory)
+{
+    const tp_quick_wish wish = wish_of(scene, assets, i);
+    make(to, i, source_of(assets, i), &wish, memory);
 }
 
 /* NULL: there is none. */
 static const tp_texture *picture_of(tp_frame *frame, int i)
 {
     tp_frame_quick *quick = frame->parts.quick;
-    const tp_quick_wish wish = wish_of(frame, i);
+    const tp_quick_wish wish = wish_of(frame->scene, &frame->assets, i);
 
     if (ready_of(&frame->assets, i))
         return ready_of(&frame->assets, i);
     if (!quick || !quick->memory[i])
         return NULL;
     if (quick->picture[i].levels == 0 || !is_same(&quick->made[i], &wish))
-        make(quick, i, source_of(&frame->assets, i), &wish);
+        make(&quick->picture[i], i, source_of(&frame->assets, i), &wish,
+             quick->memory[i]);
+    quick->made[i] = wish;
     return &quick->picture[i];
 }
 

@@ -160,17 +160,24 @@ static uint32_t viewed_spots(const stand *at, const tp_scene *s)
 
 /* -- what water goes through --------------------------------------------------------- */
 
+/* As a picture, or as one prepared for the quick rung. */
+static bool has_layer(const tp_assets *a, int k)
+{
+    return a->layer[k] || a->graded[k];
+}
+
 static void list_pictures(tp_outlook *o, const tp_scene *s, const tp_assets *a)
 {
-    const uint8_t added = (uint8_t)((a->layer[1] != NULL) + (a->layer[2] != NULL));
+    const uint8_t added = (uint8_t)(has_layer(a, 1) + has_layer(a, 2));
+    const bool first = has_layer(a, 0);
 
-    o->trait[TP_TRAIT_texture] = a->layer[0] != NULL;
+    o->trait[TP_TRAIT_texture] = first;
     o->trait[TP_TRAIT_linear] = s->water.filter == TP_FILTER_LINEAR
-                              ? (uint8_t)(added + (a->layer[0] != NULL)) : 0;
-    o->trait[TP_TRAIT_bend] = a->distortion && s->distortion.strength > 0
-                           && (a->layer[0] || added);
+                              ? (uint8_t)(added + first) : 0;
+    o->trait[TP_TRAIT_bend] = (a->distortion || a->offsets)
+                           && s->distortion.strength > 0 && (first || added);
     o->trait[TP_TRAIT_layer] = added;
-    o->trait[TP_TRAIT_ripple] = a->ripple && s->ripple.bump > 0;
+    o->trait[TP_TRAIT_ripple] = (a->ripple || a->slopes) && s->ripple.bump > 0;
     o->trait[TP_TRAIT_bump] = s->water.pool_bump > 0
                            && (s->pool.cols > 0 || s->field.cols > 0);
 }

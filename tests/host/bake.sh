@@ -86,19 +86,32 @@ for compiler in gcc clang; do
     same "so do odd names by $compiler" "$? $(head -n 3 err)" "0 "
 done
 
-# The same frames from constants as from files, with smaller pictures and a setting.
-for scene in three-swells harbour; do
-    change="--texels 16 --set camera.y=6"
+run bake count-64 -o g.c --set quality.shading=quick --texels 8
+same "pictures are baked as the quick rung wants them, and not beside" \
+    "$(grep -c '\.graded\[0\] = \|\.slopes = ' g.c) $(grep -c '\.layer\[0\] = &' g.c)" \
+    "2 0"
+run bake count-64 -o g.c --texels 8 --set quality.shading=quick --set water.clear=3
+same "but beside what exact stages will ask for" \
+    "$(grep -c '\.graded\[0\] = &\|\.layer\[0\] = &' g.c)" 2
+
+# The same frames from constants as from files, with smaller pictures and settings.
+draws()         # SCENE [SETTING]
+{
+    change="--texels 16 --set camera.y=6 ${2:+--set $2}"
     # shellcheck disable=SC2086
     {
-    run bake $scene -o small.c --name baked $change
+    run bake $1 -o small.c --name baked $change
     ${CC:-cc} $strict -I"$root" -I"$root/ports" "$root/tests/cross/frames.c" small.c \
         "$root/build/host/libtidepool.a" -o frames 2>err
     ./frames 64x48 0:1 xrgb8888 0x0 >drawn 2>/dev/null
-    run render $scene --size 64x48 --frames 0:1 --hash $change
+    run render $1 --size 64x48 --frames 0:1 --hash $change
     }
-    same "$scene draws the same from constants" \
+    same "$1 draws the same from constants${2:+ with $2}" \
         "$(grep -c crc32 drawn) $(cat drawn)" "2 $(cat out)"
-done
+}
+draws three-swells
+draws harbour
+draws count-64 quality.shading=quick
+draws three-swells quality.shading=quick
 
 finish
