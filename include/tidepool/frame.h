@@ -70,6 +70,7 @@ typedef struct tp_frame tp_frame;   /* lies at the start of the block */
 size_t tp_frame_bytes_with(const tp_kit *kit, const tp_scene *scene,
                            const tp_assets *assets, const tp_frame_config *config);
 size_t tp_frame_scratch_bytes(const tp_frame_config *config);
+size_t tp_frame_scratch_into_bytes(const tp_frame_config *config);      /* see below */
 
 /* `block`: tp_frame_bytes() bytes aligned to 8.  Kit, scene and assets must outlive the
  * frame, which keeps pointers to them.  TP_E_KIT: a kit has at least the stages sky and
@@ -115,6 +116,12 @@ bool tp_frame_tile(const tp_frame *frame, uint32_t i, void *scratch, tp_tile *ti
 size_t tp_prepared_bytes(const tp_assets *assets, int i);
 void   tp_prepare(tp_texture *to, const tp_scene *scene, const tp_assets *assets, int i,
                   void *memory);
+
+/* The same into a picture of the caller's, as a board has that has a frame buffer: row y
+ * is at picture + y stride, aligned as tp_store wants it.  No pixels lie in the scratch
+ * then: tp_frame_scratch_into_bytes(). */
+bool tp_frame_tile_into(const tp_frame *frame, uint32_t i, void *scratch, void *picture,
+                        size_t stride, tp_tile *tile);
 
 tp_frame_stats tp_frame_last_stats(const tp_frame *frame);
 tp_frame_ram   tp_frame_memory(const tp_frame *frame);

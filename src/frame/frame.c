@@ -64,7 +64,17 @@ static size_t tile_samples(const tp_frame_config *c)
     return (size_t)c->tile_width * c->tile_height;
 }
 
-/* Four planes of samples, then the pixels; before there are any, columns use the place. */
+/* Four planes of samples, then what columns of rows remember. */
+size_t tp_frame_scratch_into_bytes(const tp_frame_config *config)
+{
+    tp_frame_config c = filled(config);
+
+    if (check(&c, NULL) != TP_OK)
+        return 0;
+    return 4 * tile_samples(&c) * sizeof(uint32_t) + TP_METHOD_BYTES * c.tile_width;
+}
+
+/* The pixels, where there are any, come after the columns and take their place. */
 size_t tp_frame_scratch_bytes(const tp_frame_config *config)
 {
     tp_frame_config c = filled(config);
@@ -73,7 +83,8 @@ size_t tp_frame_scratch_bytes(const tp_frame_config *config)
         return 0;
     const size_t pixels = tp_format_row_bytes(c.format, (int)c.tile_width) * c.tile_height;
     const size_t columns = TP_METHOD_BYTES * c.tile_width;
-    return 4 * tile_samples(&c) * sizeof(uint32_t) + (pixels > columns ? pixels : columns);
+    return tp_frame_scratch_into_bytes(config) - columns
+         + (pixels > columns ? pixels : columns);
 }
 
 /* Tables that last, and those that the first frame needs. */

@@ -127,7 +127,8 @@ static void draw_samples(const tp_frame *frame, tp_samples *samples, void *memor
         draw->spray->draw(frame, samples);
 }
 
-bool tp_frame_tile(const tp_frame *frame, uint32_t i, void *scratch, tp_tile *tile)
+/* False: there is no such tile. */
+static bool place_tile(const tp_frame *frame, uint32_t i, tp_tile *tile)
 {
     const tp_frame_config *c = &frame->config;
 
@@ -138,14 +139,44 @@ bool tp_frame_tile(const tp_frame *frame, uint32_t i, void *scratch, tp_tile *ti
     tile->x1 = tile->x0 + c->tile_width < c->width ? tile->x0 + c->tile_width : c->width;
     tile->y1 = tile->y0 + c->tile_height < c->height ? tile->y0 + c->tile_height
                                                      : c->height;
-    tile->pixels = pixels_of(frame, scratch);
-    tile->stride = tp_format_row_bytes(c->format, (int)c->tile_width);
+    return true;
+}
 
+/* Rows of pixels go to `row` and on by the tile's stride. */
+static void draw_tile(const tp_frame *frame, void *scratch, const tp_tile *tile,
+                      uint8_t *row)
+{
     tp_samples samples = samples_of(frame, scratch, tile);
     draw_samples(frame, &samples, pixels_of(frame, scratch));
-    uint8_t *row = pixels_of(frame, scratch);
     for (int32_t y = samples.y0; y < samples.y1; y++, row += tile->stride)
         shade_row(frame, &samples, y, row);
+}
+
+bool tp_frame_tile(const tp_frame *frame, uint32_t i, void *scratch, tp_tile *tile)
+{
+    const tp_frame_config *c = &frame->config;
+
+    if (!place_tile(frame, i, tile))
+        return false;
+    tile->pixels = pixels_of(frame, scratch);
+    tile->stride = tp_format_row_bytes(c->format, (int)c->tile_width);
+    draw_tile(frame, scratch, tile, pixels_of(frame, scratch));
+    return true;
+}
+
+/* Tiles begin at whole bytes, as their widths are multiples of 16. */
+bool tp_frame_tile_into(const tp_frame *frame, uint32_t i, void *scratch, void *picture,
+                        size_t stride, tp_tile *tile)
+{
+    uint8_t *pixels = picture;
+
+    if (!place_tile(frame, i, tile))
+        return false;
+    pixels += tile->y0 * stride
+            + tp_format_row_bytes(frame->config.format, (int)tile->x0);
+    tile->pixels = pixels;
+    tile->stride = stride;
+    draw_tile(frame, scratch, tile, pixels);
     return true;
 }
 
