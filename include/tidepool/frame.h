@@ -72,6 +72,12 @@ size_t tp_frame_bytes_with(const tp_kit *kit, const tp_scene *scene,
 size_t tp_frame_scratch_bytes(const tp_frame_config *config);
 size_t tp_frame_scratch_into_bytes(const tp_frame_config *config);      /* see below */
 
+/* By a kit that streams crossings (tp_method_streamed) and two lines of them more. */
+size_t tp_frame_scratch_with(const tp_kit *kit, const tp_scene *scene,
+                             const tp_frame_config *config);
+size_t tp_frame_scratch_into_with(const tp_kit *kit, const tp_scene *scene,
+                                  const tp_frame_config *config);
+
 /* `block`: tp_frame_bytes() bytes aligned to 8.  Kit, scene and assets must outlive the
  * frame, which keeps pointers to them.  TP_E_KIT: a kit has at least the stages sky and
  * plain, and the format's store. */
@@ -105,8 +111,8 @@ void tp_frame_begin(tp_frame *frame, const tp_world *world);
 
 uint32_t tp_frame_tiles(const tp_frame *frame);
 
-/* Draws tile i, row by row of tiles, into `scratch` (tp_frame_scratch_bytes(), aligned
- * to 8), where tile->pixels then points.  False: there is no such tile. */
+/* Draws tile i, row by row of tiles, into `scratch` (tp_frame_scratch_bytes() or _with(),
+ * aligned to 8), where tile->pixels then points.  False: there is no such tile. */
 bool tp_frame_tile(const tp_frame *frame, uint32_t i, void *scratch, tp_tile *tile);
 
 /* Pictures as the quick rung wants them, made beforehand for whoever puts them in ROM:
@@ -119,7 +125,7 @@ void   tp_prepare(tp_texture *to, const tp_scene *scene, const tp_assets *assets
 
 /* The same into a picture of the caller's, as a board has that has a frame buffer: row y
  * is at picture + y stride, aligned as tp_store wants it.  No pixels lie in the scratch
- * then: tp_frame_scratch_into_bytes(). */
+ * then: tp_frame_scratch_into_bytes() or _into_with(). */
 bool tp_frame_tile_into(const tp_frame *frame, uint32_t i, void *scratch, void *picture,
                         size_t stride, tp_tile *tile);
 

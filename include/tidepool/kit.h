@@ -193,6 +193,14 @@ typedef struct {
 
 #define TP_METHOD(name) .name = &tp_method_##name
 
+/* In place of triangles, for little RAM: crossings of the water's grid are not stored but
+ * evaluated line by line in tp_frame_begin, and again for each tile that they touch.  The
+ * same bits are drawn, by rows too, but as triangles where the camera looks along x.  Two
+ * lines of crossings, 32 bytes for each of grid.cols, lie in the block and two in the
+ * scratch of tp_frame_scratch_with(); only as many waves as there are at init have room.
+ * An ocean, over a floor, is stored all the same. */
+extern const struct tp_method tp_method_streamed;
+
 #define X(name) extern const struct tp_draw_##name tp_draw_##name;
 TP_DRAW_LIST(X)
 #undef X

@@ -306,4 +306,6 @@ static void place_flat(tp_frame *frame)
         tp_frame_place_slopes(frame);
 }
 
-const struct tp_method tp_method_flat = { carve_flat, hold_flat, place_flat, draw_flat };
+const struct tp_method tp_method_flat = {
+    .carve = carve_flat, .holds = hold_flat, .place = place_flat, .draw = draw_flat,
+};

@@ -64,27 +64,47 @@ static size_t tile_samples(const tp_frame_config *c)
     return (size_t)c->tile_width * c->tile_height;
 }
 
-/* Four planes of samples, then what columns of rows remember. */
-size_t tp_frame_scratch_into_bytes(const tp_frame_config *config)
-{
-    tp_frame_config c = filled(config);
-
-    if (check(&c, NULL) != TP_OK)
-        return 0;
-    return 4 * tile_samples(&c) * sizeof(uint32_t) + TP_METHOD_BYTES * c.tile_width;
-}
-
-/* The pixels, where there are any, come after the columns and take their place. */
-size_t tp_frame_scratch_bytes(const tp_frame_config *config)
+/* Four planes of samples, then the pixels, if they are drawn here; before there are any,
+ * columns and the window of a grid of `cols` lines use the place. */
+static size_t scratch_of(const tp_frame_config *config, uint32_t cols, bool into)
 {
     tp_frame_config c = filled(config);
 
     if (check(&c, NULL) != TP_OK)
         return 0;
     const size_t pixels = tp_format_row_bytes(c.format, (int)c.tile_width) * c.tile_height;
-    const size_t columns = TP_METHOD_BYTES * c.tile_width;
-    return tp_frame_scratch_into_bytes(config) - columns
-         + (pixels > columns ? pixels : columns);
+    const size_t method = TP_METHOD_BYTES * c.tile_width + TP_GRID_WINDOW(cols);
+    return 4 * tile_samples(&c) * sizeof(uint32_t)
+         + (pixels > method && !into ? pixels : method);
+}
+
+size_t tp_frame_scratch_bytes(const tp_frame_config *config)
+{
+    return scratch_of(config, 0, false);
+}
+
+size_t tp_frame_scratch_into_bytes(const tp_frame_config *config)
+{
+    return scratch_of(config, 0, true);
+}
+
+static uint32_t streamed_cols(const tp_kit *kit, const tp_scene *scene)
+{
+    const struct tp_method *method = kit->method.triangles;
+    return method && method->streams && !tp_has_ocean(scene) ? (uint32_t)scene->grid.cols
+                                                             : 0;
+}
+
+size_t tp_frame_scratch_with(const tp_kit *kit, const tp_scene *scene,
+                             const tp_frame_config *config)
+{
+    return scratch_of(config, streamed_cols(kit, scene), false);
+}
+
+size_t tp_frame_scratch_into_with(const tp_kit *kit, const tp_scene *scene,
+                                  const tp_frame_config *config)
+{
+    return scratch_of(config, streamed_cols(kit, scene), true);
 }
 
 /* Tables that last, and those that the first frame needs. */
@@ -126,7 +146,7 @@ tp_status tp_frame_init_with(const tp_kit *kit, tp_frame **out, const tp_scene *
     frame->down = (c.height + c.tile_height - 1) / c.tile_height;
     frame->parts = parts;
     frame->ram = ram;
-    frame->ram.scratch = tp_frame_scratch_bytes(&c);
+    frame->ram.scratch = tp_frame_scratch_with(kit, scene, &c);
     frame->shade.boat = known.boat;
     frame->shade.solid = parts.solid;
     tp_frame_choose_rungs(frame);

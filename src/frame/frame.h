@@ -245,13 +245,16 @@ void tp_frame_place_level(tp_frame *frame);
 void tp_frame_carve_slopes(tp_frame_parts *parts, tp_arena *arena, const tp_scene *scene,
                            const tp_frame_config *config);
 void tp_frame_place_slopes(tp_frame *frame);
-/* water.c: the grid's points, and cells [first, end) of row j: drawn, and the box of what
- * the lens leaves of them */
-void tp_frame_place_water(tp_frame *frame);
-void tp_frame_draw_cells(const tp_frame *frame, const tp_samples *tile, uint32_t j,
-                         uint32_t first, uint32_t end);
-tp_grid_box tp_frame_cells_box(const tp_frame *frame, uint32_t j, uint32_t first,
-                               uint32_t end);
+/* water.c: the grid's lines, then the points of line j, from the first on.  A tile looks
+ * at them by a window in its method's memory.  Cells [first, end) of row j: drawn, and the
+ * box of what the lens leaves of them, of the line that was placed last and the one before
+ * or of any that are stored. */
+void tp_frame_begin_water(tp_frame *frame);
+void tp_frame_place_line(tp_frame *frame, uint32_t j);
+tp_grid_window tp_frame_window(const tp_frame *frame, void *memory);
+void tp_frame_draw_cells(const tp_frame *frame, const tp_samples *tile,
+                         tp_grid_window *window, uint32_t j, uint32_t first, uint32_t end);
+tp_grid_box tp_frame_cells_box(tp_frame *frame, uint32_t j, uint32_t first, uint32_t end);
 
 /* holds.c: whether rows draw this frame as triangles would */
 bool tp_frame_rows_hold(tp_frame *frame);

@@ -15,22 +15,26 @@ void tp_lines_carve(tp_frame_parts *parts, tp_arena *arena, const tp_kit *kit,
     size_t upright = cols * ((rows - 2) / TP_GRID_BLOCK + 1);
     size_t level = rows * ((cols - 2) / TP_GRID_BLOCK + 1);
 
+    const bool streams = parts->grid.streams;       /* then none are upright */
+
     (void)kit, (void)config;
     tp_frame_lines *to = tp_arena_take(arena, 1, sizeof *to);
     const tp_frame_lines l = {
         .line = tp_arena_take(arena, lines, sizeof *l.line),
-        .line_box = tp_arena_take(arena, upright, sizeof *l.line_box),
-        .reach = tp_arena_take(arena, upright > level ? upright : level, sizeof *l.reach),
+        .line_box = streams ? NULL : tp_arena_take(arena, upright, sizeof *l.line_box),
+        .reach = tp_arena_take(arena, upright > level && !streams ? upright : level,
+                               sizeof *l.reach),
     };
     if (to)
         *to = l;
     parts->lines = to;
 }
 
-tp_row_point tp_line_point(const tp_frame *frame, uint32_t k, uint32_t m)
+tp_row_point tp_line_point(const tp_frame *frame, const tp_grid_window *window, uint32_t k,
+                           uint32_t m)
 {
     const tp_grid *grid = &frame->parts.grid;
-    const tp_grid_vertex *v = tp_line_vertex(frame, k, m);
+    const tp_grid_vertex *v = tp_line_vertex(frame, window, k, m);
     const bool upright = frame->parts.lines->upright;
     uint32_t i = upright ? k : m, j = upright ? m : k;
 
@@ -55,17 +59,17 @@ tp_grid_span tp_line_points(const tp_frame *frame, uint32_t k)
                            (uint16_t)((a.end > b.end ? a.end : b.end) + 1) };
 }
 
-void tp_line_ends(const tp_frame *frame, uint32_t k, tp_row_point end[2])
+void tp_line_ends(const tp_frame *frame, const tp_grid_window *window, uint32_t k,
+                  tp_row_point end[2])
 {
     tp_grid_span points = tp_line_points(frame, k);
     bool back = frame->parts.lines->points_back;
 
-    end[back] = tp_line_point(frame, k, points.first);
-    end[!back] = tp_line_point(frame, k, points.end - 1u);
+    end[back] = tp_line_point(frame, window, k, points.first);
+    end[!back] = tp_line_point(frame, window, k, points.end - 1u);
 }
 
-static tp_grid_box box_of_cells(const tp_frame *frame, uint32_t k, uint32_t first,
-                                uint32_t end)
+static tp_grid_box box_of_cells(tp_frame *frame, uint32_t k, uint32_t first, uint32_t end)
 {
     tp_grid_box box = TP_BOX_NONE;
 
@@ -125,16 +129,17 @@ static void set_cells(tp_frame *frame)
 }
 
 /* Whether the lens cuts a row's cells where the picture has columns. */
-static bool is_cut(const tp_frame *frame, uint32_t k)
+static bool is_cut(tp_frame *frame, uint32_t k)
 {
+    const tp_grid_window *seen = &frame->parts.grid.window;
     const tp_frame_line *line = &frame->parts.lines->line[k];
     int32_t width = (int32_t)frame->config.width;
 
     for (uint32_t m = line->cells.first; m < line->cells.end; m++) {
-        if (tp_line_vertex(frame, k, m)->u != TP_GRID_CUT
-            && tp_line_vertex(frame, k, m + 1)->u != TP_GRID_CUT
-            && tp_line_vertex(frame, k + 1, m)->u != TP_GRID_CUT
-            && tp_line_vertex(frame, k + 1, m + 1)->u != TP_GRID_CUT)
+        if (tp_line_vertex(frame, seen, k, m)->u != TP_GRID_CUT
+            && tp_line_vertex(frame, seen, k, m + 1)->u != TP_GRID_CUT
+            && tp_line_vertex(frame, seen, k + 1, m)->u != TP_GRID_CUT
+            && tp_line_vertex(frame, seen, k + 1, m + 1)->u != TP_GRID_CUT)
             continue;
         tp_grid_box box = box_of_cells(frame, k, m, m + 1);
         if (box.x0 < width && box.x1 >= 0)
@@ -170,7 +175,7 @@ static bool is_sided(const tp_frame *frame, uint32_t k)
 {
     for (uint32_t far = 0; far < 2; far++) {
         tp_row_point end[2];
-        tp_line_ends(frame, k + far, end);
+        tp_line_ends(frame, &frame->parts.grid.window, k + far, end);
         if (is_inside(frame, end[0].u) || is_inside(frame, end[1].u))
             return true;
     }
@@ -188,7 +193,7 @@ static void set_reach(tp_frame *frame, uint32_t k)
         tp_grid_span part = tp_line_block_segments(points, b);
         *reach = (tp_line_reach){ INT16_MAX, INT16_MIN };
         for (uint32_t m = part.first; part.first < part.end && m <= part.end; m++) {
-            int32_t u = tp_line_vertex(frame, k, m)->u;
+            int32_t u = tp_line_vertex(frame, &frame->parts.grid.window, k, m)->u;
             if (u == TP_GRID_CUT)
                 continue;
             reach->x0 = u >> 4 < reach->x0 ? (int16_t)(u >> 4) : reach->x0;
@@ -197,30 +202,40 @@ static void set_reach(tp_frame *frame, uint32_t k)
     }
 }
 
-void tp_lines_place(tp_frame *frame)
+static void set_row(tp_frame *frame, uint32_t k)
 {
     const tp_samples picture = { .x1 = (int32_t)frame->config.width,
                                  .y1 = (int32_t)frame->config.height };
-
     const int32_t wide = is_tilted(frame) ? WIDE_TILTED : WIDE_CELL;
+    tp_frame_line *line = &frame->parts.lines->line[k];
 
-    tp_frame_place_water(frame);
+    line->is = 0;
+    set_box(frame, k);
+    if (line->cells.first >= line->cells.end || !tp_sight_touches(&line->box, &picture))
+        return;
+    if (is_cut(frame, k))
+        line->is |= TP_LINE_CUT;
+    if (is_sided(frame, k))
+        line->is |= TP_LINE_SIDED;
+    if (line->box.x1 - line->box.x0 > wide * (line->cells.end - line->cells.first))
+        line->is |= TP_LINE_WIDE;
+}
+
+/* Lines that are rows of the grid are looked at as they are placed: they may not stay. */
+void tp_lines_place(tp_frame *frame)
+{
+    const tp_frame_lines *lines = frame->parts.lines;
+
+    tp_frame_begin_water(frame);
     turn(frame);
     set_cells(frame);
-    for (uint32_t k = 0; k < frame->parts.lines->lines; k++)
+    for (uint32_t j = 0; lines->upright && j < frame->parts.grid.rows; j++)
+        tp_frame_place_line(frame, j);
+    for (uint32_t k = 0; k < lines->lines; k++) {
+        if (!lines->upright)
+            tp_frame_place_line(frame, k);
         set_reach(frame, k);
-    for (uint32_t k = 0; k + 1 < frame->parts.lines->lines; k++) {
-        tp_frame_line *line = &frame->parts.lines->line[k];
-        line->is = 0;
-        set_box(frame, k);
-        if (line->cells.first >= line->cells.end
-            || !tp_sight_touches(&line->box, &picture))
-            continue;
-        if (is_cut(frame, k))
-            line->is |= TP_LINE_CUT;
-        if (is_sided(frame, k))
-            line->is |= TP_LINE_SIDED;
-        if (line->box.x1 - line->box.x0 > wide * (line->cells.end - line->cells.first))
-            line->is |= TP_LINE_WIDE;
+        if (k > 0)
+            set_row(frame, k - 1);
     }
 }

@@ -34,12 +34,14 @@ typedef struct tp_frame_lines {
     tp_line_reach  *reach;      /* of each block of each line */
 } tp_frame_lines;
 
-static inline const tp_grid_vertex *tp_line_vertex(const tp_frame *frame, uint32_t k,
-                                                   uint32_t m)
+/* Of a line that the window sees, where lines are rows. */
+static inline const tp_grid_vertex *tp_line_vertex(const tp_frame *frame,
+                                                   const tp_grid_window *window,
+                                                   uint32_t k, uint32_t m)
 {
     const tp_grid *grid = &frame->parts.grid;
     return frame->parts.lines->upright ? &grid->vertex[(size_t)m * grid->cols + k]
-                                : &grid->vertex[(size_t)k * grid->cols + m];
+                                       : &window->line[k & 1][m];
 }
 
 static inline bool tp_line_is_dry(const tp_frame *frame, uint32_t k, uint32_t m)
@@ -70,10 +72,12 @@ static inline tp_grid_span tp_line_block_segments(tp_grid_span points, uint32_t 
 
 /* Points of line k that the rows at either side have. */
 tp_grid_span tp_line_points(const tp_frame *frame, uint32_t k);
-tp_row_point tp_line_point(const tp_frame *frame, uint32_t k, uint32_t m);
+tp_row_point tp_line_point(const tp_frame *frame, const tp_grid_window *window, uint32_t k,
+                           uint32_t m);
 
 /* Both ends of line k, in the order of the screen; the cut ones lie outside of it. */
-void tp_line_ends(const tp_frame *frame, uint32_t k, tp_row_point end[2]);
+void tp_line_ends(const tp_frame *frame, const tp_grid_window *window, uint32_t k,
+                  tp_row_point end[2]);
 
 void tp_lines_carve(tp_frame_parts *parts, tp_arena *arena, const tp_kit *kit,
                     const tp_scene *scene, const tp_frame_config *config);

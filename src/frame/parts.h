@@ -7,13 +7,15 @@
 #include "frame/frame.h"
 
 /* A way to find the water: visibility.c.  `memory` is free until there are pixels, and of
- * TP_METHOD_BYTES for each of the tile's columns. */
+ * TP_METHOD_BYTES for each of the tile's columns; behind it, if crossings are streamed, a
+ * window's. */
 struct tp_method {
     void (*carve)(tp_frame_parts *parts, tp_arena *arena, const tp_kit *kit,
                   const tp_scene *scene, const tp_frame_config *config);
     bool (*holds)(tp_frame *frame);     /* for this frame; NULL: always */
     void (*place)(tp_frame *frame);
     void (*draw)(const tp_frame *frame, tp_samples *tile, void *memory);
+    bool streams;                       /* of triangles: crossings are not stored */
 };
 
 #define TP_METHOD_BYTES sizeof(tp_row_column)

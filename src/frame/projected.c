@@ -361,5 +361,6 @@ static void place_projected(tp_frame *frame)
 }
 
 const struct tp_method tp_method_projected = {
-    carve_projected, hold_projected, place_projected, draw_projected,
+    .carve = carve_projected, .holds = hold_projected,
+    .place = place_projected, .draw = draw_projected,
 };

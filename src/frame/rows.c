@@ -4,22 +4,24 @@
  * cuts in the picture's own columns, few and at its lower edge, are drawn as triangles. */
 #include "frame/lines.h"
 
-static void draw_cells(const tp_frame *frame, const tp_samples *tile, uint32_t k,
-                       uint32_t first, uint32_t end)
-{
-    if (!frame->parts.lines->upright) {
-        tp_frame_draw_cells(frame, tile, k, first, end);
-        return;
-    }
-    for (uint32_t m = first; m < end; m++)
-        tp_frame_draw_cells(frame, tile, m, k, k + 1);
-}
-
 typedef struct {
     const tp_frame *frame;
+    tp_grid_window  window;
     tp_rows  rows;
     int32_t  x0, x1;            /* columns of the row of cells at hand; none: x0 >= x1 */
 } walk;
+
+static void draw_cells(walk *w, uint32_t k, uint32_t first, uint32_t end)
+{
+    const tp_samples *tile = w->rows.tile;
+
+    if (!w->frame->parts.lines->upright) {
+        tp_frame_draw_cells(w->frame, tile, &w->window, k, first, end);
+        return;
+    }
+    for (uint32_t m = first; m < end; m++)
+        tp_frame_draw_cells(w->frame, tile, &w->window, m, k, k + 1);
+}
 
 enum { GAP, JOIN, ON };
 
@@ -55,7 +57,7 @@ static void find_columns(const walk *w, uint32_t k, int32_t *x0, int32_t *x1)
     *x1 = *x1 < tile->x1 ? *x1 : tile->x1;
 }
 
-static void draw_triangles(const walk *w, uint32_t k)
+static void draw_triangles(walk *w, uint32_t k)
 {
     const tp_frame_line *line = &w->frame->parts.lines->line[k];
     const tp_grid_box *box = boxes_of(w->frame, k);
@@ -64,7 +66,7 @@ static void draw_triangles(const walk *w, uint32_t k)
          b * TP_GRID_BLOCK < line->cells.end; b++) {
         tp_grid_span cells = tp_line_block_cells(line, b);
         if (cells.first < cells.end && tp_sight_touches(&box[b], w->rows.tile))
-            draw_cells(w->frame, w->rows.tile, k, cells.first, cells.end);
+            draw_cells(w, k, cells.first, cells.end);
     }
 }
 
@@ -95,13 +97,13 @@ static void lay_segments(walk *w, uint32_t k, tp_grid_span part, int how)
     const tp_frame *frame = w->frame;
     bool     back = frame->parts.lines->points_back, land = frame->parts.grid.dry != NULL;
     int32_t  way = back ? -1 : 1, m = back ? part.end : part.first;
-    int32_t  left = tp_line_vertex(frame, k, (uint32_t)m)->u;
+    int32_t  left = tp_line_vertex(frame, &w->window, k, (uint32_t)m)->u;
     tp_row_point run[TP_GRID_BLOCK + 1];
     uint32_t count = 0;
 
     for (int32_t n = part.end - part.first; n > 0; n--, m += way) {
         int32_t from = left;
-        left = tp_line_vertex(frame, k, (uint32_t)(m + way))->u;
+        left = tp_line_vertex(frame, &w->window, k, (uint32_t)(m + way))->u;
         bool out = is_out(w, from, left);
         if (!out && land && is_land(frame, k, (uint32_t)(back ? m - 1 : m))) {
             tp_rows_gap(&w->rows, from, left);
@@ -113,10 +115,34 @@ static void lay_segments(walk *w, uint32_t k, tp_grid_span part, int how)
             continue;
         }
         if (count == 0)
-            run[count++] = tp_line_point(frame, k, (uint32_t)m);
-        run[count++] = tp_line_point(frame, k, (uint32_t)(m + way));
+            run[count++] = tp_line_point(frame, &w->window, k, (uint32_t)m);
+        run[count++] = tp_line_point(frame, &w->window, k, (uint32_t)(m + way));
     }
     lay(w, run, count, how);
+}
+
+static bool is_reached(const walk *w, tp_line_reach reach)
+{
+    return reach.x0 < w->rows.x1 && reach.x1 >= w->rows.x0;
+}
+
+/* Has the window see what is walked of line k, or all of it. */
+static void see_line(walk *w, uint32_t k, bool whole)
+{
+    const tp_frame_lines *lines = w->frame->parts.lines;
+    const tp_line_reach *reach = &lines->reach[(size_t)k * lines->blocks];
+    tp_grid_span points = tp_line_points(w->frame, k);
+    uint32_t first = UINT32_MAX, end = 0;
+
+    for (uint32_t b = 0; b < lines->blocks; b++) {
+        tp_grid_span part = tp_line_block_segments(points, b);
+        if (part.first >= part.end || !(whole || is_reached(w, reach[b])))
+            continue;
+        first = part.first < first ? part.first : first;
+        end = part.end + 1u;
+    }
+    if (first < end && !lines->upright)
+        tp_grid_see(&w->frame->parts.grid, &w->window, k, first, end);
 }
 
 static void lay_line(walk *w, uint32_t k, int how)
@@ -127,7 +153,7 @@ static void lay_line(walk *w, uint32_t k, int how)
 
     for (uint32_t n = 0; n < lines->blocks; n++) {
         uint32_t b = lines->points_back ? lines->blocks - 1 - n : n;
-        if (reach[b].x0 < w->rows.x1 && reach[b].x1 >= w->rows.x0)
+        if (is_reached(w, reach[b]))
             lay_segments(w, k, tp_line_block_segments(points, b), how);
     }
 }
@@ -154,12 +180,13 @@ static tp_row_point middle_of(const tp_row_point *a, const tp_row_point *b)
 
 /* Middles of the edges of cell m of row k from its left side on: that one, the diagonal,
  * the right side.  False: it has a cut corner, or is land. */
-static bool middles_of(const tp_frame *frame, uint32_t k, uint32_t m, tp_row_point to[3])
+static bool middles_of(const walk *w, uint32_t k, uint32_t m, tp_row_point to[3])
 {
+    const tp_frame *frame = w->frame;
     tp_row_point p[4];
 
     for (uint32_t i = 0; i < 4; i++)
-        p[i] = tp_line_point(frame, k + i % 2, m + i / 2);
+        p[i] = tp_line_point(frame, &w->window, k + i % 2, m + i / 2);
     bool back = frame->parts.lines->points_back;
 
     for (int i = 0; i < 4; i++)
@@ -177,7 +204,7 @@ static bool is_beside_cell(const walk *w, uint32_t k, uint32_t m)
     int32_t  least = INT32_MAX, most = INT32_MIN;
 
     for (uint32_t i = 0; i < 4; i++) {
-        int32_t u = tp_line_vertex(frame, k + i % 2, m + i / 2)->u;
+        int32_t u = tp_line_vertex(frame, &w->window, k + i % 2, m + i / 2)->u;
         least = u < least ? u : least;
         most = u > most ? u : most;
     }
@@ -194,7 +221,7 @@ static void lay_between(walk *w, uint32_t k)
         bool     back = frame->parts.lines->points_back;
         uint32_t m = back ? cells.end - 1u - (n - cells.first) : n;
         tp_row_point run[3];
-        if (!is_beside_cell(w, k, m) && middles_of(frame, k, m, run))
+        if (!is_beside_cell(w, k, m) && middles_of(w, k, m, run))
             tp_rows_line(&w->rows, run, 3);
     }
 }
@@ -210,8 +237,8 @@ static void lay_sided(walk *w, uint32_t last, uint32_t row, uint32_t k)
 {
     tp_row_point was[2], now[2];
 
-    tp_line_ends(w->frame, last, was);
-    tp_line_ends(w->frame, k, now);
+    tp_line_ends(w->frame, &w->window, last, was);
+    tp_line_ends(w->frame, &w->window, k, now);
     bool left = was[0].u != TP_GRID_CUT && now[0].u != TP_GRID_CUT;
     bool right = was[1].u != TP_GRID_CUT && now[1].u != TP_GRID_CUT;
     if (left)
@@ -243,6 +270,10 @@ static void go_to(walk *w, uint32_t last, uint32_t k, uint32_t next, int how)
     w->rows.x1 = !before || (behind && next1 > x1) ? next1 : x1;
     uint32_t row = last < k ? last : k;
     uint32_t is = how == ON && before ? w->frame->parts.lines->line[row].is : 0;
+    bool whole = is & (TP_LINE_SIDED | TP_LINE_WIDE);
+    if (whole)
+        see_line(w, last, true);
+    see_line(w, k, whole);
     if (is & TP_LINE_SIDED) {
         lay_sided(w, last, row, k);
         return;
@@ -261,7 +292,7 @@ static bool has_solids(const tp_frame *frame)
 static void draw_rows(const tp_frame *frame, tp_samples *tile, void *memory)
 {
     const tp_frame_lines *lines = frame->parts.lines;
-    walk w = { .frame = frame };
+    walk w = { .frame = frame, .window = tp_frame_window(frame, memory) };
     int  how = GAP;
 
     tile->front_only = frame->cull_water;

@@ -3,9 +3,10 @@
 #include "frame/frame.h"
 #include "geom/waters.h"
 
-static tp_corner corner_of(const tp_grid *grid, uint32_t i, uint32_t j)
+static tp_corner corner_of(const tp_grid *grid, const tp_grid_window *window, uint32_t i,
+                           uint32_t j)
 {
-    const tp_grid_vertex *vertex = &grid->vertex[(size_t)j * grid->cols + i];
+    const tp_grid_vertex *vertex = &window->line[j & 1][i];
     return (tp_corner){
         .u = vertex->u, .v = vertex->v, .zi = vertex->zi,
         .s = grid->column[i].place, .t = grid->row[j].place,
@@ -23,11 +24,13 @@ static bool is_cut(const tp_corner *const p[4])
         || p[2]->u == TP_GRID_CUT || p[3]->u == TP_GRID_CUT;
 }
 
-static void view_cell(const tp_frame *frame, uint32_t i, uint32_t j, tp_view_corner c[4])
+static void view_cell(const tp_frame *frame, const tp_grid_window *window, uint32_t i,
+                      uint32_t j, tp_view_corner c[4])
 {
-    for (uint32_t k = 0; k < 4; k++)
-        c[k] = tp_grid_corner(&frame->parts.grid, &frame->grid_view,
-                              i + (k == 1 || k == 2), j + k / 2);
+    for (uint32_t k = 0; k < 4; k++) {
+        uint32_t x = i + (k == 1 || k == 2), y = j + k / 2;
+        c[k] = tp_grid_corner(&frame->parts.grid, &window->line[y & 1][x], x, y);
+    }
 }
 
 /* What the lens leaves of a half of a cell: returns how many corners. */
@@ -41,7 +44,8 @@ static int cut_half(const tp_frame *frame, const tp_view_corner c[4], int half,
 }
 
 static void draw_cell(const tp_frame *frame, const tp_samples *tile,
-                      const tp_corner *const p[4], uint32_t i, uint32_t j)
+                      const tp_grid_window *window, const tp_corner *const p[4],
+                      uint32_t i, uint32_t j)
 {
     if (!is_cut(p)) {
         tp_tri_water(tile, p[0], p[3], p[2]);
@@ -50,7 +54,7 @@ static void draw_cell(const tp_frame *frame, const tp_samples *tile,
     }
     tp_view_corner c[4];
     tp_corner corner[TP_CLIP_CORNERS];
-    view_cell(frame, i, j, c);
+    view_cell(frame, window, i, j, c);
     for (int half = 0; half < 2; half++) {
         int count = cut_half(frame, c, half, corner);
         for (int k = 2; k < count; k++)
@@ -59,24 +63,38 @@ static void draw_cell(const tp_frame *frame, const tp_samples *tile,
 }
 
 /* Each cell's right side is the next one's left. */
-void tp_frame_draw_cells(const tp_frame *frame, const tp_samples *tile, uint32_t j,
-                         uint32_t first, uint32_t end)
+void tp_frame_draw_cells(const tp_frame *frame, const tp_samples *tile,
+                         tp_grid_window *window, uint32_t j, uint32_t first, uint32_t end)
 {
-    tp_corner side[2][2] = { { corner_of(&frame->parts.grid, first, j),
-                               corner_of(&frame->parts.grid, first, j + 1) } };
+    const tp_grid *grid = &frame->parts.grid;
+
+    tp_grid_see(grid, window, j, first, end + 1);
+    tp_grid_see(grid, window, j + 1, first, end + 1);
+    tp_corner side[2][2] = { { corner_of(grid, window, first, j),
+                               corner_of(grid, window, first, j + 1) } };
     int left = 0;
 
     for (uint32_t i = first; i < end; i++) {
-        bool dry = tp_grid_cell_is_dry(&frame->parts.grid, i, j);
+        bool dry = tp_grid_cell_is_dry(grid, i, j);
         int right = 1 - left;
-        side[right][0] = corner_of(&frame->parts.grid, i + 1, j);
-        side[right][1] = corner_of(&frame->parts.grid, i + 1, j + 1);
+        side[right][0] = corner_of(grid, window, i + 1, j);
+        side[right][1] = corner_of(grid, window, i + 1, j + 1);
         const tp_corner *const p[4] = { &side[left][0], &side[right][0],
                                         &side[right][1], &side[left][1] };
         if (!dry)
-            draw_cell(frame, tile, p, i, j);
+            draw_cell(frame, tile, window, p, i, j);
         left = right;
     }
+}
+
+/* Cells of block b that may be seen. */
+static tp_grid_span block_of(tp_grid_span span, uint32_t b)
+{
+    uint32_t first = b * TP_GRID_BLOCK, end = first + TP_GRID_BLOCK;
+
+    first = first > span.first ? first : span.first;
+    end = end < span.end ? end : span.end;
+    return (tp_grid_span){ (uint16_t)first, (uint16_t)end };
 }
 
 /* -- placing ------------------------------------------------------------------------- */
@@ -86,22 +104,25 @@ static void widen_by_cut(const tp_frame *frame, tp_grid_box *box, uint32_t i, ui
     tp_view_corner c[4];
     tp_corner corner[TP_CLIP_CORNERS];
 
-    view_cell(frame, i, j, c);
+    view_cell(frame, &frame->parts.grid.window, i, j, c);
     for (int half = 0; half < 2; half++)
         for (int k = cut_half(frame, c, half, corner) - 1; k >= 0; k--)
             tp_box_widen(box, corner[k].u, corner[k].v);
 }
 
-tp_grid_box tp_frame_cells_box(const tp_frame *frame, uint32_t j, uint32_t first,
-                               uint32_t end)
+tp_grid_box tp_frame_cells_box(tp_frame *frame, uint32_t j, uint32_t first, uint32_t end)
 {
+    tp_grid *grid = &frame->parts.grid;
+    tp_grid_window *window = &grid->window;
     tp_grid_box box = TP_BOX_NONE;
 
+    tp_grid_see(grid, window, j, first, end + 1);
+    tp_grid_see(grid, window, j + 1, first, end + 1);
     for (uint32_t i = first; i < end; i++) {
-        const tp_corner c[4] = { corner_of(&frame->parts.grid, i, j),
-                                 corner_of(&frame->parts.grid, i + 1, j),
-                                 corner_of(&frame->parts.grid, i + 1, j + 1),
-                                 corner_of(&frame->parts.grid, i, j + 1) };
+        const tp_corner c[4] = { corner_of(grid, window, i, j),
+                                 corner_of(grid, window, i + 1, j),
+                                 corner_of(grid, window, i + 1, j + 1),
+                                 corner_of(grid, window, i, j + 1) };
         const tp_corner *const p[4] = { &c[0], &c[1], &c[2], &c[3] };
         if (is_cut(p))
             widen_by_cut(frame, &box, i, j);
@@ -114,55 +135,77 @@ tp_grid_box tp_frame_cells_box(const tp_frame *frame, uint32_t j, uint32_t first
 
 /* Blocks with cut crossings may lie anywhere, says the grid.  Where there are many tiles
  * it pays to clip their cells once more than each tile does, and know. */
-static void place_cut_boxes(tp_frame *frame)
+static void place_cut_boxes(tp_frame *frame, uint32_t j)
 {
     const tp_grid *grid = &frame->parts.grid;
+    tp_grid_span span = grid->span[j];
 
-    for (uint32_t j = 0; j + 1 < grid->rows; j++) {
-        tp_grid_span span = grid->span[j];
-        for (uint32_t b = span.first / TP_GRID_BLOCK; b * TP_GRID_BLOCK < span.end; b++) {
-            uint32_t first = b * TP_GRID_BLOCK, end = first + TP_GRID_BLOCK;
-            first = first > span.first ? first : span.first;
-            end = end < span.end ? end : span.end;
-            tp_grid_box *box = &grid->box[(size_t)j * grid->blocks + b];
-            if (box->x0 == INT16_MIN)
-                *box = tp_frame_cells_box(frame, j, first, end);
-        }
+    for (uint32_t b = span.first / TP_GRID_BLOCK; b * TP_GRID_BLOCK < span.end; b++) {
+        tp_grid_span cells = block_of(span, b);
+        tp_grid_box *box = &grid->box[(size_t)j * grid->blocks + b];
+        if (box->x0 == INT16_MIN)
+            *box = tp_frame_cells_box(frame, j, cells.first, cells.end);
     }
 }
 
-void tp_frame_place_water(tp_frame *frame)
+void tp_frame_begin_water(tp_frame *frame)
 {
-    tp_grid_place(&frame->parts.grid, &frame->grid_view);
+    const tp_grid *grid = &frame->parts.grid;
+
+    tp_grid_begin(&frame->parts.grid, &frame->grid_view);
     frame->cull_water = frame->lens.eye.y > tp_surface_height(&frame->surface);
-    frame->stats.vertices += frame->parts.grid.vertices;
-    for (uint32_t j = 0; j + 1 < frame->parts.grid.rows; j++)
-        frame->stats.triangles += 2u * (uint32_t)(frame->parts.grid.span[j].end
-                                                  - frame->parts.grid.span[j].first);
-    if (tp_frame_tiles(frame) > 1 || frame->visibility == TP_VISIBILITY_ROWS)
-        place_cut_boxes(frame);
+    for (uint32_t j = 0; j + 1 < grid->rows; j++)
+        frame->stats.triangles += 2u * (uint32_t)(grid->span[j].end - grid->span[j].first);
+}
+
+void tp_frame_place_line(tp_frame *frame, uint32_t j)
+{
+    const uint32_t before = frame->parts.grid.vertices;
+
+    tp_grid_place_row(&frame->parts.grid, j);
+    frame->stats.vertices += frame->parts.grid.vertices - before;
+    if (j > 0 && (tp_frame_tiles(frame) > 1 || frame->visibility == TP_VISIBILITY_ROWS))
+        place_cut_boxes(frame, j - 1);
+}
+
+static void place_water(tp_frame *frame)
+{
+    tp_frame_begin_water(frame);
+    for (uint32_t j = 0; j < frame->parts.grid.rows; j++)
+        tp_frame_place_line(frame, j);
 }
 
 /* -- drawing ------------------------------------------------------------------------- */
 
-static void draw_water(const tp_frame *frame, tp_samples *tile, void *memory)
+tp_grid_window tp_frame_window(const tp_frame *frame, void *memory)
+{
+    void *rows = (uint8_t *)memory + TP_METHOD_BYTES * frame->config.tile_width;
+    return tp_grid_window_over(rows);
+}
+
+static void draw_blocks(const tp_frame *frame, const tp_samples *tile,
+                        tp_grid_window *window, uint32_t j)
 {
     const tp_grid *grid = &frame->parts.grid;
+    const tp_grid_box *box = grid->box + (size_t)j * grid->blocks;
+    tp_grid_span span = grid->span[j];
 
-    (void)memory;
-    tile->front_only = frame->cull_water;
-    for (uint32_t j = 0; j + 1 < grid->rows; j++) {
-        tp_grid_span span = grid->span[j];
-        const tp_grid_box *box = grid->box + (size_t)j * grid->blocks;
-        for (uint32_t b = span.first / TP_GRID_BLOCK; b * TP_GRID_BLOCK < span.end; b++) {
-            uint32_t first = b * TP_GRID_BLOCK, end = first + TP_GRID_BLOCK;
-            first = first > span.first ? first : span.first;
-            end = end < span.end ? end : span.end;
-            if (first < end && tp_sight_touches(&box[b], tile))
-                tp_frame_draw_cells(frame, tile, j, first, end);
-        }
+    for (uint32_t b = span.first / TP_GRID_BLOCK; b * TP_GRID_BLOCK < span.end; b++) {
+        tp_grid_span cells = block_of(span, b);
+        if (cells.first < cells.end && tp_sight_touches(&box[b], tile))
+            tp_frame_draw_cells(frame, tile, window, j, cells.first, cells.end);
     }
 }
+
+static void draw_water(const tp_frame *frame, tp_samples *tile, void *memory)
+{
+    tp_grid_window window = tp_frame_window(frame, memory);
+
+    tile->front_only = frame->cull_water;
+    for (uint32_t j = 0; j + 1 < frame->parts.grid.rows; j++)
+        draw_blocks(frame, tile, &window, j);
+}
+
 
 static void carve_water(tp_frame_parts *parts, tp_arena *arena, const tp_kit *kit,
                         const tp_scene *scene, const tp_frame_config *config)
@@ -176,6 +219,26 @@ static void carve_water(tp_frame_parts *parts, tp_arena *arena, const tp_kit *ki
         ocean->carve(&parts->grid, arena);
 }
 
+/* An ocean's crossings lean on those around them, and are stored. */
+static void carve_streamed(tp_frame_parts *parts, tp_arena *arena, const tp_kit *kit,
+                           const tp_scene *scene, const tp_frame_config *config)
+{
+    uint32_t waves = 0;
+
+    if (tp_has_ocean(scene)) {
+        carve_water(parts, arena, kit, scene, config);
+        return;
+    }
+    for (int i = 0; i < TP_WAVES; i++)
+        waves += scene->wave[i].amplitude > 0;
+    tp_grid_carve_streamed(&parts->grid, arena, (uint32_t)scene->grid.cols,
+                           (uint32_t)scene->grid.rows, waves);
+}
+
+const struct tp_method tp_method_streamed = {
+    .carve = carve_streamed, .place = place_water, .draw = draw_water, .streams = true,
+};
+
 const struct tp_method tp_method_triangles = {
-    .carve = carve_water, .place = tp_frame_place_water, .draw = draw_water,
+    .carve = carve_water, .place = place_water, .draw = draw_water,
 };

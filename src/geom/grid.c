@@ -3,7 +3,9 @@
 #include "geom/grid.h"
 #include "geom/waters.h"
 
-void tp_grid_carve(tp_grid *grid, tp_arena *arena, uint32_t cols, uint32_t rows)
+/* All but the crossings. */
+static void carve_lines(tp_grid *grid, tp_arena *arena, uint32_t cols, uint32_t rows,
+                        uint32_t waves)
 {
     grid->cols = grid->most_cols = cols;
     grid->rows = grid->most_rows = rows;
@@ -13,17 +15,33 @@ void tp_grid_carve(tp_grid *grid, tp_arena *arena, uint32_t cols, uint32_t rows)
     grid->columns.line = grid->column;
     for (int axis = 0; axis < 3; axis++)
         grid->columns.rest[axis] = tp_arena_take(arena, cols, sizeof(int32_t));
-    grid->columns.turn = tp_arena_take(arena, cols * TP_WAVES,
-                                       sizeof *grid->columns.turn);
-    grid->columns.pair = tp_arena_take(arena, cols * TP_WAVES,
-                                       sizeof *grid->columns.pair);
-    grid->vertex = tp_arena_take(arena, (size_t)cols * rows, sizeof *grid->vertex);
+    grid->frame.most = waves;
+    grid->columns.turn = tp_arena_take(arena, cols * waves, sizeof *grid->columns.turn);
+    grid->columns.pair = tp_arena_take(arena, cols * waves, sizeof *grid->columns.pair);
     grid->span = tp_arena_take(arena, rows - 1, sizeof *grid->span);
     grid->box = tp_arena_take(arena, (size_t)(rows - 1) * grid->blocks,
                               sizeof *grid->box);
     grid->sheet[0] = grid->sheet[1] = grid->sheet[2] = NULL;
     grid->dry = NULL;
     grid->lod = NULL;
+}
+
+void tp_grid_carve(tp_grid *grid, tp_arena *arena, uint32_t cols, uint32_t rows)
+{
+    carve_lines(grid, arena, cols, rows, TP_WAVES);
+    grid->vertex = tp_arena_take(arena, (size_t)cols * rows, sizeof *grid->vertex);
+    grid->streams = false;
+    grid->window = tp_grid_window_over(NULL);
+}
+
+void tp_grid_carve_streamed(tp_grid *grid, tp_arena *arena, uint32_t cols, uint32_t rows,
+                            uint32_t waves)
+{
+    carve_lines(grid, arena, cols, rows, waves);
+    grid->vertex = NULL;
+    grid->streams = true;
+    grid->window = tp_grid_window_over(
+        tp_arena_take(arena, 2 * (size_t)cols, sizeof *grid->vertex));
 }
 
 void tp_grid_carve_ocean(tp_grid *grid, tp_arena *arena)
@@ -133,26 +151,26 @@ static tp_view_corner corner_of(const tp_grid *grid, uint32_t i, uint32_t j)
     return tp_vertex_corner(&grid->frame, &grid->columns, &row, i, is_still(grid, i, j));
 }
 
-tp_view_corner tp_grid_corner(const tp_grid *grid, const tp_grid_view *view,
+tp_view_corner tp_grid_corner(const tp_grid *grid, const tp_grid_vertex *vertex,
                               uint32_t i, uint32_t j)
 {
-    const tp_grid_vertex *vertex = &grid->vertex[(size_t)j * grid->cols + i];
     tp_view_corner c = tp_sheet_is(grid)
                      ? grid->frame.surface->by->ocean->corner(grid, i, j)
                      : corner_of(grid, i, j);
 
-    (void)view;
     c.n[0] = vertex->slope_x;
     c.n[1] = vertex->slope_z;
     return c;
 }
 
 /* Crossings in runs that end where blocks do and where waves begin or end. */
-static void place_row(tp_grid *grid, uint32_t j, uint32_t first, uint32_t end)
+static void place_row(const tp_grid *grid, uint32_t j, uint32_t first, uint32_t end,
+                      tp_grid_vertex *vertex)
 {
-    tp_grid_vertex *vertex = grid->vertex + (size_t)j * grid->cols;
     tp_vertex_row row;
 
+    if (first >= end)
+        return;
     set_row(grid, j, true, &row);
     for (uint32_t i = first, stop; i < end; i = stop) {
         stop = (i / TP_VERTEX_RUN + 1) * TP_VERTEX_RUN;
@@ -163,6 +181,38 @@ static void place_row(tp_grid *grid, uint32_t j, uint32_t first, uint32_t end)
             stop = grid->waves.end;
         tp_vertex_place(&grid->frame, &grid->columns, &row, i, stop - i,
                         is_still(grid, i, j), vertex + i);
+    }
+}
+
+/* -- windows ------------------------------------------------------------------------- */
+
+tp_grid_window tp_grid_window_over(void *memory)
+{
+    return (tp_grid_window){ .memory = memory, .row = { UINT32_MAX, UINT32_MAX } };
+}
+
+void tp_grid_see(const tp_grid *grid, tp_grid_window *window, uint32_t j, uint32_t first,
+                 uint32_t end)
+{
+    const uint32_t side = j & 1;
+    tp_grid_span *done = &window->done[side];
+
+    if (!grid->streams) {
+        window->line[side] = grid->vertex + (size_t)j * grid->cols;
+        return;
+    }
+    tp_grid_vertex *to = window->memory + side * grid->most_cols;
+    if (window->row[side] != j)
+        *done = (tp_grid_span){ (uint16_t)first, (uint16_t)first };
+    window->row[side] = j;
+    window->line[side] = to;
+    if (first < done->first) {
+        place_row(grid, j, first, done->first, to);
+        done->first = (uint16_t)first;
+    }
+    if (end > done->end) {
+        place_row(grid, j, done->end, end, to);
+        done->end = (uint16_t)end;
     }
 }
 
@@ -198,7 +248,7 @@ static tp_grid_box both(tp_grid_box a, tp_grid_box b)
  * behind.  All that a seen cell needs lies in [first, end). */
 static void place_boxes(tp_grid *grid, uint32_t j, uint32_t first, uint32_t end)
 {
-    const tp_grid_vertex *vertex = grid->vertex + (size_t)j * grid->cols;
+    const tp_grid_vertex *vertex = grid->window.line[j & 1];
 
     for (uint32_t b = first / TP_GRID_BLOCK; b * TP_GRID_BLOCK + 1 < end; b++) {
         uint32_t from = b * TP_GRID_BLOCK, to = from + TP_GRID_BLOCK + 1;
@@ -244,7 +294,7 @@ static void lay(tp_grid *grid, const tp_grid_view *view)
     grid->blocks = (grid->cols - 2) / TP_GRID_BLOCK + 1;
 }
 
-void tp_grid_place(tp_grid *grid, const tp_grid_view *view)
+void tp_grid_begin(tp_grid *grid, const tp_grid_view *view)
 {
     tp_plane planes[TP_LENS_PLANES];
     uint32_t side[TP_LENS_PLANES] = { 0 };
@@ -258,20 +308,33 @@ void tp_grid_place(tp_grid *grid, const tp_grid_view *view)
                     grid->row[0].place, grid->row[grid->rows - 1].place);
     grid->waves = wave_columns(grid);
 
+    grid->window = tp_grid_window_over(grid->window.memory);
     grid->vertices = 0;
     grid->sheets = 0;
     for (uint32_t j = 0; j + 1 < grid->rows; j++)
         grid->span[j] = seen_cells(grid, planes, j, frame->reach, side);
     set_columns(grid, view->cell);
-    for (uint32_t j = 0; j < grid->rows; j++) {
-        tp_grid_span needed = tp_grid_needed(grid, j);
-        if (needed.first >= needed.end)
-            continue;
-        if (tp_sheet_is(grid))
-            frame->surface->by->ocean->row(grid, j, needed);
-        else
-            place_row(grid, j, needed.first, needed.end);
-        grid->vertices += (uint32_t)(needed.end - needed.first);
-        place_boxes(grid, j, needed.first, needed.end);
-    }
+}
+
+void tp_grid_place_row(tp_grid *grid, uint32_t j)
+{
+    tp_grid_span needed = tp_grid_needed(grid, j);
+
+    if (needed.first >= needed.end)
+        return;
+    if (tp_sheet_is(grid))
+        grid->frame.surface->by->ocean->row(grid, j, needed);
+    else if (!grid->streams)
+        place_row(grid, j, needed.first, needed.end,
+                  grid->vertex + (size_t)j * grid->cols);
+    tp_grid_see(grid, &grid->window, j, needed.first, needed.end);
+    grid->vertices += (uint32_t)(needed.end - needed.first);
+    place_boxes(grid, j, needed.first, needed.end);
+}
+
+void tp_grid_place(tp_grid *grid, const tp_grid_view *view)
+{
+    tp_grid_begin(grid, view);
+    for (uint32_t j = 0; j < grid->rows; j++)
+        tp_grid_place_row(grid, j);
 }

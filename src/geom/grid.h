@@ -26,12 +26,22 @@ typedef struct {
     uint16_t first, end;        /* cells of this row that may be seen */
 } tp_grid_span;
 
+/* Two neighbouring rows of crossings at hand: row j is line[j & 1]. */
+typedef struct {
+    const tp_grid_vertex *line[2];
+    tp_grid_vertex *memory;     /* of a streamed grid: two rows */
+    uint32_t        row[2];     /* that lie there, and which of their crossings */
+    tp_grid_span    done[2];
+} tp_grid_window;
+
 typedef struct {
     uint32_t cols, rows;        /* lines; cells are one less */
     uint32_t most_cols, most_rows;      /* of which some may be left out, see lod.h */
     uint32_t blocks;            /* of a row of cells */
     tp_grid_line   *column, *row;
-    tp_grid_vertex *vertex;     /* rows x cols */
+    tp_grid_vertex *vertex;     /* rows x cols, of a grid that does not stream */
+    bool            streams;
+    tp_grid_window  window;     /* for tp_grid_place_row and until the next */
     tp_grid_span   *span;       /* of each row of cells */
     tp_grid_box    *box;        /* (rows - 1) x blocks */
     uint32_t vertices;          /* evaluated by the last tp_grid_place */
@@ -45,6 +55,11 @@ typedef struct {
 } tp_grid;
 
 void tp_grid_carve(tp_grid *grid, tp_arena *arena, uint32_t cols, uint32_t rows);
+
+/* Without a store: crossings are evaluated again whenever a window sees them, the same bit
+ * by bit.  Not for an ocean, and for `waves` swells; more are left out. */
+void tp_grid_carve_streamed(tp_grid *grid, tp_arena *arena, uint32_t cols, uint32_t rows,
+                            uint32_t waves);
 
 /* What an ocean takes besides. */
 void tp_grid_carve_ocean(tp_grid *grid, tp_arena *arena);
@@ -89,11 +104,24 @@ tp_grid_extent tp_lines_extent(uint32_t count, const tp_grid_view *view, bool al
 /* Of waves at any place, as tp_grid_line's. */
 tp_fx tp_lines_fade(const tp_grid_extent *extent, tp_fx place);
 
-/* Lays the lines, evaluates the crossings that may be seen. */
+/* Lays the lines, evaluates the crossings that may be seen: all, or row by row, where row
+ * j completes the boxes of the cells before it. */
 void tp_grid_place(tp_grid *grid, const tp_grid_view *view);
+void tp_grid_begin(tp_grid *grid, const tp_grid_view *view);
+void tp_grid_place_row(tp_grid *grid, uint32_t j);
+
+/* A window of one's own: several threads may look at a grid that is placed.  `memory` is
+ * of TP_GRID_WINDOW(most_cols) bytes, and not used where crossings are stored. */
+#define TP_GRID_WINDOW(cols) (2 * (size_t)(cols) * sizeof(tp_grid_vertex))
+tp_grid_window tp_grid_window_over(void *memory);
+
+/* Crossings first to end - 1 of row j, in place of those of row j - 2 and j + 2.  They
+ * join those of row j that are there. */
+void tp_grid_see(const tp_grid *grid, tp_grid_window *window, uint32_t j, uint32_t first,
+                 uint32_t end);
 
 /* A corner of a seen cell again, before projection, for those that must be clipped.  Lens
- * and surface are those of the last tp_grid_place. */
-tp_view_corner tp_grid_corner(const tp_grid *grid, const tp_grid_view *view,
+ * and surface are those of the last tp_grid_place, slopes those of `vertex`. */
+tp_view_corner tp_grid_corner(const tp_grid *grid, const tp_grid_vertex *vertex,
                               uint32_t i, uint32_t j);
 #endif

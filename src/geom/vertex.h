@@ -55,6 +55,7 @@ typedef struct {
     const tp_surface *surface;
     const struct tp_thinning *lod;      /* of columns and rows; NULL: lines are even */
     tp_vertex_swell   swell[TP_WAVES];
+    uint32_t most;                      /* swells that columns have room for */
     uint32_t count;                     /* of swells */
     int      tilt;                      /* bits of slopes, 9..19 */
     tp_fx    reach;                     /* no crossing lies farther from its rest ... */

@@ -105,7 +105,9 @@ void tp_vertex_begin(tp_vertex_frame *frame, tp_fx x0, tp_fx x1, tp_fx z0, tp_fx
     const tp_sea *sea = frame->surface->sea;
     const tp_fx x[2] = { x0, x1 }, z[2] = { z0, z1 };
 
-    frame->count = frame->surface->by->swells ? sea->count : 0;
+    frame->count = sea->count < frame->most ? sea->count : frame->most;
+    if (!frame->surface->by->swells)
+        frame->count = 0;
     frame->reach = tp_surface_height(frame->surface) + tp_surface_reach(frame->surface);
     frame->margin = frame->reach + frame->reach / 2 + 4;
     frame->far = 1 << (6 + frame->lens->m);

@@ -54,7 +54,7 @@ TP_ALWAYS_INLINE int32_t tp_steep(uint32_t q)
 TP_ALWAYS_INLINE int32_t tp_steep_near(uint32_t q)
 {
     if (!TP_WIDE && q < TP_SLOPE_END)
-        return (int32_t)shade->steep[(q + 0x10000) >> 17];
+        return (int32_t)tp_steep_table[(q + 0x10000) >> 17];
     int times = tp_steep_halved(&q);
     return (int32_t)tp_steep_table[(int32_t)((q + 0x10000) >> 17)] >> times;
 }

@@ -167,7 +167,7 @@ static inline test_frame frame_by(const tp_kit *by, const tp_scene *scene,
                                   const tp_assets *assets, const tp_frame_config *config)
 {
     test_frame f = { .bytes = tp_frame_bytes_with(by, scene, assets, config),
-                     .scratch_bytes = tp_frame_scratch_bytes(config) };
+                     .scratch_bytes = tp_frame_scratch_with(by, scene, config) };
 
     f.block = frame_block(f.bytes);
     f.scratch = frame_block(f.scratch_bytes);

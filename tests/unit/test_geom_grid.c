@@ -14,6 +14,12 @@
 static uint64_t chance;
 
 /* A grid with its memory and all that it looks at. */
+/* A corner of a placed grid that keeps its crossings. */
+static tp_view_corner grid_corner(const tp_grid *grid, uint32_t i, uint32_t j)
+{
+    return tp_grid_corner(grid, &grid->vertex[j * grid->cols + i], i, j);
+}
+
 typedef struct {
     tp_grid grid;
     void   *block;
@@ -220,7 +226,7 @@ static void crossings_are_points_of_the_sea(void **state)
             const uint32_t i = random_below(&chance, p.grid.cols);
             const uint32_t j = random_below(&chance, p.grid.rows);
             const tp_grid_line *column = &p.grid.column[i], *row = &p.grid.row[j];
-            const tp_view_corner got = tp_grid_corner(&p.grid, &p.look, i, j);
+            const tp_view_corner got = grid_corner(&p.grid, i, j);
             const tp_fx fade = tp_fx_mul(column->fade, row->fade);
             tp_sea_point at = { .position = { column->place, 0, row->place } };
             if (fade > 0 && fade < TP_FX_ONE)
@@ -261,7 +267,7 @@ static void every_corner_of_a_seen_cell_is_there(void **state)
                 for (uint32_t k = 0; k < 4; k++) {
                     const uint32_t x = i + (k & 1), y = j + (k >> 1);
                     const tp_grid_vertex *got = &p.grid.vertex[y * p.grid.cols + x];
-                    const tp_view_corner c = tp_grid_corner(&p.grid, &p.look, x, y);
+                    const tp_view_corner c = grid_corner(&p.grid, x, y);
                     int32_t u = TP_GRID_CUT, w = got->v;
                     uint32_t zi = got->zi;
                     if (tp_lens_holds(&p.v.lens, &c))
@@ -292,7 +298,7 @@ static bool is_seen(const pond *p, const uint32_t at[3][2])
     ref_clip_corner corner[3], left[8];
 
     for (int k = 0; k < 3; k++) {
-        const tp_view_corner c = tp_grid_corner(&p->grid, &p->look, at[k][0], at[k][1]);
+        const tp_view_corner c = grid_corner(&p->grid, at[k][0], at[k][1]);
         corner[k] = (ref_clip_corner){ c.x * LSB * p->v.height / p->v.width, c.y * LSB,
                                        c.depth * LSB };
     }

@@ -12,6 +12,12 @@
 
 static uint64_t chance;
 
+/* A corner of a placed grid that keeps its crossings. */
+static tp_view_corner grid_corner(const tp_grid *grid, uint32_t i, uint32_t j)
+{
+    return tp_grid_corner(grid, &grid->vertex[j * grid->cols + i], i, j);
+}
+
 typedef struct {
     tp_grid grid;
     void   *block;
@@ -105,7 +111,7 @@ static void crossings_are_the_oceans_points(void **state)
                 if (!is_needed(&s, i, j))
                     continue;
                 const tp_ocean_point p = point_at(&s, i, j);
-                const tp_view_corner got = tp_grid_corner(&s.grid, &s.look, i, j);
+                const tp_view_corner got = grid_corner(&s.grid, i, j);
                 const tp_grid_vertex *vertex = &s.grid.vertex[j * s.grid.cols + i];
                 tp_view_corner want;
                 tp_lens_view(&s.v.lens, p.position, &want);

@@ -1,0 +1,184 @@
+/* SPDX-License-Identifier: MIT */
+/* Crossings that are not stored draw what stored ones do, bit for bit, and nothing else
+ * is written: whatever the scene, the tiles, the method. */
+#include <stdarg.h>
+#include <stddef.h>
+#include <setjmp.h>
+#include <stdint.h>
+#include <cmocka.h>
+#include "twice.h"
+
+enum { WIDTH = TWICE_WIDTH, HEIGHT = TWICE_HEIGHT };
+
+static uint64_t chance;
+static test_kit kit;
+static tp_kit   small;          /* everything, without a store */
+
+typedef struct {
+    uint32_t drawn, streamed, cut, rows, thinned;
+} counts;
+
+static bool is_cut(const tp_grid *grid)
+{
+    for (uint32_t j = 0; !grid->streams && j + 1 < grid->rows; j++)
+        for (uint32_t i = grid->span[j].first; i < grid->span[j].end; i++)
+            if (grid->vertex[(size_t)j * grid->cols + i].u == TP_GRID_CUT)
+                return true;
+    return false;
+}
+
+/* By the method of the streamed frame: where the camera looks along x it has no rows. */
+static void compare(const tp_scene *scene, const tp_assets *assets, const tp_world *world,
+                    counts *count)
+{
+    static uint32_t picture[2][WIDTH * HEIGHT];
+    const tp_frame_config whole = { WIDTH, HEIGHT, 0, 0, TP_FORMAT_XRGB8888 };
+    const tp_frame_config tiled = { WIDTH, HEIGHT, 16 * random_below(&chance, 5),
+                                    random_below(&chance, HEIGHT), TP_FORMAT_XRGB8888 };
+    test_frame kept = frame_of(scene, assets, &whole);
+    test_frame some = frame_by(&small, scene, assets, &tiled);
+
+    for (int k = 0; k < 2; k++) {               /* the second in memory full of the first */
+        tp_frame_begin(some.frame, world);
+        tp_rungs rungs = some.frame->rungs;
+        rungs.visibility = some.frame->visibility;
+        tp_frame_set_rungs(kept.frame, &rungs);
+        tp_frame_begin(kept.frame, world);
+        twice_paint(&kept, whole.format, picture[0]);
+        twice_paint(&some, tiled.format, picture[1]);
+        assert_memory_equal(picture[0], picture[1], sizeof picture[0]);
+        assert_int_equal(tp_frame_last_stats(kept.frame).vertices,
+                         tp_frame_last_stats(some.frame).vertices);
+    }
+    const tp_grid *grid = &some.frame->parts.grid;
+    count->drawn++;
+    if (grid->streams && some.frame->visibility <= TP_VISIBILITY_ROWS) {
+        count->streamed++;
+        count->cut += is_cut(&kept.frame->parts.grid);
+        count->rows += some.frame->visibility == TP_VISIBILITY_ROWS;
+        count->thinned += grid->cols < grid->most_cols || grid->rows < grid->most_rows;
+    }
+    frame_free(&kept);
+    frame_free(&some);
+}
+
+static void any_scene_is_drawn_the_same(void **state)
+{
+    (void)state;
+    counts count = { .drawn = 0 };
+
+    for (int n = 0; n < 300; n++) {
+        tp_scene scene = kit_scene(&chance, 60, 24);
+        const tp_assets assets = kit_assets(&kit, &scene, &chance);
+        if (n % 4) {
+            scene.floor.depth = 0;
+            scene.floor.map[0] = '\0';
+            scene.quality.visibility = chance_int(&chance, TP_VISIBILITY_TRIANGLES,
+                                                  TP_VISIBILITY_ROWS);
+        }
+        tp_world *world = scene_world(&scene, &assets);
+        if (world)
+            compare(&scene, &assets, world, &count);
+        free(world);
+    }
+    printf("# drawn %" PRIu32 ", streamed %" PRIu32 ", with cut cells %" PRIu32 "\n",
+           count.drawn, count.streamed, count.cut);
+    assert_true(count.streamed > 50 && count.cut > 20);
+}
+
+/* Seen from where rows hold, or nearly, with and without LOD. */
+static void rows_are_drawn_the_same(void **state)
+{
+    (void)state;
+    counts count = { .drawn = 0 };
+    const tp_assets none = { .boat = NULL };
+
+    for (int n = 0; n < 300; n++) {
+        tp_scene scene = scene_plain();
+        scene.camera.x = chance_fx(&chance, -40, 40);
+        scene.camera.z = chance_fx(&chance, -40, 40);
+        scene.camera.y = chance_fx(&chance, 2, 12);
+        scene.camera.heading = chance_fx(&chance, -60, 60) + n % 2 * 180 * TP_FX_ONE;
+        scene.camera.pitch = chance_fx(&chance, -20, 0);
+        scene.grid.cols = chance_int(&chance, 2, 90);
+        scene.grid.rows = chance_int(&chance, 2, 90);
+        scene.grid.cell = chance_fx(&chance, 0.3, 3);
+        scene.grid.follow = chance_int(&chance, 0, 1);
+        scene.quality.visibility = TP_VISIBILITY_ROWS;
+        scene.quality.lod = chance_int(&chance, TP_LOD_OFF, TP_LOD_ON);
+        tp_world *world = scene_world(&scene, &none);
+        compare(&scene, &none, world, &count);
+        free(world);
+    }
+    printf("# by rows %" PRIu32 ", cut %" PRIu32 ", thinned %" PRIu32 "\n", count.rows,
+           count.cut, count.thinned);
+    assert_true(count.rows > 60 && count.cut > 20 && count.thinned > 20);
+}
+
+static void an_oceans_crossings_are_stored(void **state)
+{
+    (void)state;
+    const tp_frame_config config = { WIDTH, HEIGHT, 0, 0, TP_FORMAT_P8 };
+    const tp_assets none = { .boat = NULL };
+    tp_scene scene = scene_plain();
+
+    scene.floor.depth = 4 * TP_FX_ONE;
+    assert_int_equal(tp_frame_bytes_with(&small, &scene, &none, &config),
+                     tp_frame_bytes(&scene, &none, &config));
+    assert_int_equal(tp_frame_scratch_with(&small, &scene, &config),
+                     tp_frame_scratch_bytes(&config));
+}
+
+static void what_is_not_stored_takes_no_memory(void **state)
+{
+    (void)state;
+    const tp_frame_config config = { WIDTH, HEIGHT, 32, 4, TP_FORMAT_RGB565 };
+    const tp_assets none = { .boat = NULL };
+    tp_scene scene = scene_plain();
+
+    scene.grid.cols = scene.grid.rows = 64;
+    scene.quality.visibility = TP_VISIBILITY_TRIANGLES;
+    const size_t saved = tp_frame_bytes(&scene, &none, &config)
+                       - tp_frame_bytes_with(&small, &scene, &none, &config);
+    const size_t waves = TP_WAVES - 3;          /* the plain scene's are three */
+    assert_int_equal(saved, (62 * sizeof(tp_grid_vertex)
+                             + waves * (sizeof(tp_vertex_turn) + 4)) * 64);
+    assert_true(tp_frame_scratch_with(&small, &scene, &config)
+                <= tp_frame_scratch_bytes(&config) + TP_GRID_WINDOW(64));
+}
+
+/* Their columns' tables have no room. */
+static void waves_beyond_those_at_init_are_left_out(void **state)
+{
+    (void)state;
+    static uint32_t picture[WIDTH * HEIGHT];
+    const tp_frame_config config = { WIDTH, HEIGHT, 0, 0, TP_FORMAT_XRGB8888 };
+    const tp_assets none = { .boat = NULL };
+    tp_scene scene = scene_plain();
+    test_frame f = frame_by(&small, &scene, &none, &config);
+
+    for (int i = 3; i < TP_WAVES; i++)
+        scene.wave[i] = (tp_wave){ .amplitude = TP_FX(0.5), .length = 9 * TP_FX_ONE };
+    tp_world *world = scene_world(&scene, &none);
+    tp_frame_begin(f.frame, world);
+    assert_int_equal(f.frame->parts.grid.frame.count, 3);
+    twice_paint(&f, config.format, picture);
+    free(world);
+    frame_free(&f);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(any_scene_is_drawn_the_same),
+        cmocka_unit_test(rows_are_drawn_the_same),
+        cmocka_unit_test(an_oceans_crossings_are_stored),
+        cmocka_unit_test(what_is_not_stored_takes_no_memory),
+        cmocka_unit_test(waves_beyond_those_at_init_are_left_out),
+    };
+    chance = 20;
+    kit_make(&kit, &chance);
+    small = tp_kit_all;
+    small.method.triangles = &tp_method_streamed;
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
