@@ -275,6 +275,9 @@ $(BUILD)/textures: $(patsubst %.c,$(BUILD)/%.o,$(wildcard assets/textures/*.c))
 build/baked/%.c: $(BAKES) $(SHIPPED) | build/host/tidepool
 	@mkdir -p $(@D)
 	$(SAY)build/host/tidepool bake assets/scenes/$(basename $(@F)).ini --name baked -o $@
+build/baked/board-%.c: tests/budgets/board-%.ini $(BAKES) $(SHIPPED) | build/host/tidepool
+	@mkdir -p $(@D)
+	$(SAY)build/host/tidepool bake $< --name baked -o $@
 build/baked/prices.c: tests/budgets/prices.ini $(BAKES) $(SHIPPED) | build/host/tidepool
 	@mkdir -p $(@D)
 	$(SAY)build/host/tidepool bake $< --name baked -o $@

@@ -56,8 +56,9 @@ typedef struct {
  *    generated or cube sky, the exposure, the boat's materials, slopes of pools that bend
  *    the light only
  *  - mirror: with mirror.objects = stencil a picture of half the size and four rows of
- *    samples, 88320 bytes at 320x240; as much again for objects seen under water
- *    (water.clear); with mirror.objects = cube 24576 bytes at any size. */
+ *    samples, 88320 bytes at 320x240; with mirror.size = quarter 24960.  88320 more for
+ *    objects seen under water (water.clear).  With mirror.objects = cube 24576 bytes at
+ *    any size. */
 
 typedef struct tp_frame tp_frame;   /* lies at the start of the block */
 

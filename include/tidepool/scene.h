@@ -102,7 +102,10 @@ typedef struct {
     tp_scene_layer layer[TP_LAYERS];
     struct { tp_scene_map map; tp_fx strength; } distortion;        /* m */
     struct { tp_scene_map map; tp_fx bump; } ripple;    /* normal map; 1 = as it says */
-    struct { int32_t objects; tp_fx bend; } mirror;     /* tp_mirror_kind */
+    struct {
+        int32_t objects, size;              /* tp_mirror_kind, tp_mirror_size */
+        tp_fx   bend;
+    } mirror;
     struct {                                /* of the pool's sides */
         int32_t kind;                       /* tp_tank_kind */
         tp_fx   depth, rim, tile;           /* m: down, above still water, of a repeat */
@@ -162,6 +165,7 @@ typedef enum { TP_SKY_GRADIENT, TP_SKY_DAY, TP_SKY_DUSK, TP_SKY_NIGHT, TP_SKY_CU
 typedef enum { TP_EXPOSURE_FIXED, TP_EXPOSURE_AUTO } tp_exposure_mode;
 typedef enum { TP_FRESNEL_TABLE, TP_FRESNEL_SCHLICK } tp_fresnel_rule;
 typedef enum { TP_MIRROR_NONE, TP_MIRROR_STENCIL, TP_MIRROR_CUBE } tp_mirror_kind;
+typedef enum { TP_MIRROR_HALF, TP_MIRROR_QUARTER } tp_mirror_size;
 typedef enum { TP_TANK_NONE, TP_TANK_STONE, TP_TANK_GLASS } tp_tank_kind;
 
 typedef enum {

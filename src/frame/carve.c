@@ -131,6 +131,13 @@ static void carve_tables(tp_frame_parts *p, tp_arena *arena, const tp_kit *kit,
     }
 }
 
+/* Small pictures' lenses can be halved once. */
+static uint32_t halvings_of(const tp_scene *scene, const tp_frame_config *c)
+{
+    return scene->mirror.size == TP_MIRROR_QUARTER && c->width >= 64 && c->height >= 64
+         ? 2 : 1;
+}
+
 /* Pictures that water looks into, of scenes with something to see there. */
 static void carve_looks(tp_frame_parts *p, tp_arena *arena, const tp_kit *kit,
                         const tp_scene *scene, const tp_assets *assets,
@@ -145,11 +152,12 @@ static void carve_looks(tp_frame_parts *p, tp_arena *arena, const tp_kit *kit,
                               && (has_blocks(scene) || tp_has_tank(scene))));
 
     if (tp_frame_wants(p, mirrors && kind == TP_MIRROR_STENCIL, draw->mirrored))
-        draw->mirrored->carve(&p->mirrored, arena, c->width, c->height);
+        draw->mirrored->carve(&p->mirrored, arena, c->width, c->height,
+                              halvings_of(scene, c));
     if (tp_frame_wants(p, mirrors && moves && kind == TP_MIRROR_CUBE, draw->around))
         draw->around->carve(&p->around, arena);
     if (tp_frame_wants(p, moves && clear, draw->sunken && draw->inside))
-        draw->sunken->carve(&p->sunken, arena, c->width, c->height);
+        draw->sunken->carve(&p->sunken, arena, c->width, c->height, 1);
 }
 
 tp_frame *tp_frame_carve(const tp_kit *kit, tp_frame_parts *parts, tp_frame_ram *ram,

@@ -117,6 +117,7 @@ typedef struct {
     tp_mirrored_zi *zi;         /* of each column */
     uint32_t *samples;          /* four planes of a band */
     uint32_t  cols, rows;
+    uint32_t  halvings;         /* of the picture's sides: 1 or 2 */
 } tp_half_store;
 
 typedef struct {

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* Pictures at half the size that water looks into: objects mirrored at the level, and
- * objects under it.  Both are whole pictures of their own, drawn before any tile, a few
- * rows at a time so that the samples stay small.
+/* Pictures at half the size, or a quarter, that water looks into: objects mirrored at the
+ * level, and objects under it.  Both are whole pictures of their own, drawn before any
+ * tile, a few rows at a time so that the samples stay small.
  *
  * The mirrored one is what an eye as deep under the level as the camera is above it sees
  * when it looks up as far as the camera looks down, upside down [F4]; the sunken one has
@@ -10,10 +10,11 @@
 #include "tidepool/light.h"
 
 static void carve_half(tp_half_store *store, tp_arena *arena, uint32_t width,
-                         uint32_t height)
+                       uint32_t height, uint32_t halvings)
 {
-    store->cols = (width + 1) / 2;
-    store->rows = (height + 1) / 2;
+    store->halvings = halvings;
+    store->cols = (width + (1u << halvings) - 1) >> halvings;
+    store->rows = (height + (1u << halvings) - 1) >> halvings;
     store->colour = tp_arena_take(arena, (size_t)store->cols * store->rows,
                                   sizeof *store->colour);
     store->zi = tp_arena_take(arena, store->cols, sizeof *store->zi);
@@ -29,6 +30,7 @@ static bool begin(const tp_half_store *store, const tp_grid_box *box, tp_half *h
     *half = (tp_half){
         store->colour, tp_clamp(box->x0, 0, cols), tp_clamp(box->y0, 0, rows),
         tp_clamp(box->x1 + 1, 0, cols), tp_clamp(box->y1 + 1, 0, rows),
+        (int32_t)store->halvings - 1,
     };
     if (half->x0 < half->x1 && half->y0 < half->y1)
         return true;
@@ -89,7 +91,8 @@ static tp_lens mirror_lens(const tp_frame *frame, tp_fx level)
     tp_lens_turned(&lens, (tp_vec3){ from->eye.x, 2 * level - from->eye.y, from->eye.z },
                    turn, frame->scene->camera.fov, from->near, frame->config.width,
                    frame->config.height);
-    lens = tp_lens_halved(&lens);
+    for (uint32_t n = 0; n < frame->parts.mirrored.halvings; n++)
+        lens = tp_lens_halved(&lens);
     lens.v0 = 16 * (int32_t)frame->parts.mirrored.rows - lens.v0;
     return lens;
 }
@@ -158,7 +161,7 @@ static void draw_mirrored(tp_frame *frame)
     set_bending(frame, level);
     draw_mirror(frame, &sight, half);
     *half = (tp_half){ half->colour, half->x0, rows - half->y1, half->x1,
-                       rows - half->y0 };
+                       rows - half->y0, half->coarser };
 }
 
 /* -- sunken ------------------------------------------------------------------------- */

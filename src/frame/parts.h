@@ -78,14 +78,16 @@ struct tp_draw_spray {
     void (*draw)(const tp_frame *frame, const tp_samples *tile);
 };
 
-/* Pictures of half the size that water looks into, before any tile. */
+/* Pictures of half the size, or a quarter, that water looks into, before any tile. */
 struct tp_draw_mirrored {
-    void (*carve)(tp_half_store *store, tp_arena *arena, uint32_t width, uint32_t height);
+    void (*carve)(tp_half_store *store, tp_arena *arena, uint32_t width, uint32_t height,
+                  uint32_t halvings);
     void (*draw)(tp_frame *frame);
 };
 
 struct tp_draw_sunken {
-    void (*carve)(tp_half_store *store, tp_arena *arena, uint32_t width, uint32_t height);
+    void (*carve)(tp_half_store *store, tp_arena *arena, uint32_t width, uint32_t height,
+                  uint32_t halvings);
     void (*draw)(tp_frame *frame);
 };
 

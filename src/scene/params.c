@@ -184,6 +184,8 @@ static const tp_param rows[] = {
 
     CHOICE("mirror.objects", mirror.objects, "none|stencil|cube", TP_MIRROR_CUBE,
            TP_MIRROR_NONE, "boat and drops in the water: sharp, or by a small cube"),
+    CHOICE("mirror.size", mirror.size, "half|quarter", TP_MIRROR_QUARTER, TP_MIRROR_HALF,
+           "a side of stencil's picture of them, of the whole one's"),
     NUMBER("mirror.bend", mirror.bend, "", 0, 4, 1,
            "how far slopes push the mirrored picture"),
 

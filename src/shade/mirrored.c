@@ -121,7 +121,7 @@ TP_ALWAYS_INLINE uint32_t seen(const tp_shade *shade, int32_t y, const push *a,
     const tp_half *half = &shade->mirrored;
     int32_t k = x & 15, last = half->x1 - half->x0 - 1;
     const tp_mirrored_zi *column =
-        &shade->bending.zi[tp_clamp((x >> 1) - half->x0, 0, last)];
+        &shade->bending.zi[tp_clamp((x >> (1 + half->coarser)) - half->x0, 0, last)];
     uint32_t zi = column->near;
     int32_t ratio = depth_ratio(zi, key);
     if (ratio > BESIDE) {
@@ -139,7 +139,8 @@ TP_ALWAYS_INLINE uint32_t seen(const tp_shade *shade, int32_t y, const push *a,
                        at(a->hu, step->hu, k), h);
     int32_t dv = moved(at(a->xv, step->xv, k), sx, at(a->zv, step->zv, k), sz, share,
                        at(a->hv, step->hv, k), h);
-    return tp_half_at(half, 16 * x + 8 + du, 16 * y + 8 + dv);
+    return tp_half_at(half, (16 * x + 8 + du) >> half->coarser,
+                      (16 * y + 8 + dv) >> half->coarser);
 }
 
 void tp_stage_mirrored(const tp_shade *shade, tp_run *run)

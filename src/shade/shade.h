@@ -95,12 +95,14 @@ typedef struct {
     const uint8_t *gloss;       /* TP_GLOSS entries */
 } tp_solid;
 
-/* A picture at half the picture's resolution, drawn before any tile, that water looks
+/* A picture at half the picture's resolution (or a quarter, then places in it are halved
+ * first), drawn before any tile, that water looks
  * into: 0xAARRGGBB, alpha the share that something covers.  Half pixel (i, j) stands for
  * the picture's pixels 2 i, 2 i + 1 and 2 j, 2 j + 1. */
 typedef struct {
     const uint32_t *colour;     /* row-major from (x0, y0); NULL: nothing is there */
     int32_t x0, y0, x1, y1;     /* in half pixels, x1 and y1 not included */
+    int32_t coarser;            /* 1: of a quarter's */
 } tp_half;
 
 #define TP_SHINE 1024           /* entries: the lobe over 0..1 */

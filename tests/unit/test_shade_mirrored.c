@@ -93,7 +93,7 @@ static tp_shade any_mirror(double zm, double height)
 
     for (int i = 0; i < SIDE; i++)
         zi[i].near = zi[i].far = (uint32_t)(2147483648.0 / zm);
-    s.mirrored = (tp_half){ ramp, 0, 0, SIDE, SIDE };
+    s.mirrored = (tp_half){ ramp, 0, 0, SIDE, SIDE, 0 };
     s.per_focal = (uint32_t)(4294967296.0 / s.focal);
     s.bending = (tp_mirrored){ chance_int(&chance, 0, 512),
                                (int64_t)lround(height * 4096), zi };

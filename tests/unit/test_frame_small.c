@@ -1,0 +1,234 @@
+/* SPDX-License-Identifier: MIT */
+/* Frames for little memory: crossings streamed, pixels straight into the picture.  They
+ * draw what others draw, bit for bit. */
+#include <stdarg.h>
+#include <stddef.h>
+#include <setjmp.h>
+#include <stdint.h>
+#include <cmocka.h>
+#include "frame/frame.h"
+#include "kit.h"
+
+enum { WIDTH = 160, HEIGHT = 90, STRIDE = 4 * WIDTH + 8 };
+
+static uint64_t chance;
+static test_kit kit;
+static tp_kit   streamed;
+static uint32_t by_rows, by_streams;
+
+/* With as much as asked for, and anything in it. */
+static void draw_into(const test_frame *f, const tp_frame_config *config, uint8_t *picture)
+{
+    const size_t bytes = tp_frame_scratch_into_bytes(config);
+    uint8_t *scratch = malloc(bytes + 64);
+    tp_tile  tile;
+
+    memset(scratch, 0x5a, bytes + 64);
+    for (uint32_t i = 0; tp_frame_tile_into(f->frame, i, scratch, picture, STRIDE, &tile);
+         i++)
+        assert_ptr_equal(tile.pixels, picture + tile.y0 * STRIDE
+                         + tp_format_row_bytes(config->format, (int)tile.x0));
+    for (int i = 0; i < 64; i++)
+        assert_int_equal(scratch[bytes + (size_t)i], 0x5a);
+    assert_true(frame_guard_holds(f->block, f->bytes));
+    free(scratch);
+}
+
+static void draw_tiles(const test_frame *f, const tp_frame_config *config,
+                       uint8_t *picture)
+{
+    const size_t row_bytes = tp_format_row_bytes(config->format, WIDTH);
+    tp_tile tile;
+
+    for (uint32_t i = 0; tp_frame_tile(f->frame, i, f->scratch, &tile); i++)
+        for (uint32_t y = tile.y0; y < tile.y1; y++)
+            memcpy(picture + y * STRIDE,
+                   (const uint8_t *)tile.pixels + (y - tile.y0) * tile.stride, row_bytes);
+}
+
+/* By the small frame's method: it has no lines of columns, and draws triangles there. */
+static void compare(const tp_scene *scene, const tp_assets *assets, const tp_world *world)
+{
+    static uint8_t picture[2][HEIGHT * STRIDE];
+    const tp_format format = (tp_format)random_below(&chance, TP_FORMAT_COUNT);
+    const tp_frame_config whole = { WIDTH, HEIGHT, 0, 0, format };
+    const tp_frame_config tiled = { WIDTH, HEIGHT, 16 * random_below(&chance, 10),
+                                    random_below(&chance, HEIGHT), format };
+    test_frame kept = frame_by(&tp_kit_all, scene, assets, &whole);
+    test_frame small = frame_by(&streamed, scene, assets, &tiled);
+
+    memset(picture, 0, sizeof picture);
+    assert_true(small.bytes <= kept.bytes);
+    by_streams += small.frame->parts.grid.streams;
+    for (int k = 0; k < 2; k++) {               /* the second in memory full of the first */
+        tp_frame_begin(small.frame, world);
+        tp_rungs rungs = small.frame->rungs;
+        rungs.visibility = small.frame->visibility;
+        tp_frame_set_rungs(kept.frame, &rungs);
+        tp_frame_begin(kept.frame, world);
+        draw_tiles(&kept, &whole, picture[0]);
+        draw_into(&small, &tiled, picture[1]);
+        assert_memory_equal(picture[0], picture[1], sizeof picture[0]);
+    }
+    by_rows += small.frame->visibility == TP_VISIBILITY_ROWS;
+    frame_free(&kept);
+    frame_free(&small);
+}
+
+/* Every kind of scene but an ocean, whose crossings are kept. */
+static void streamed_crossings_draw_the_same(void **state)
+{
+    (void)state;
+
+    for (int n = 0; n < 60; n++) {
+        tp_scene scene = scene_plain();
+        kit_gather(&scene, &chance);
+        kit_switch_on(&scene, &chance);
+        scene.floor.depth = scene.wind.strength = 0;
+        scene.floor.map[0] = '\0';
+        scene.quality.visibility = chance_int(&chance, TP_VISIBILITY_TRIANGLES,
+                                              TP_VISIBILITY_FLAT);
+        scene.camera.pitch = chance_fx(&chance, -30, 5);
+        const tp_assets assets = kit_assets(&kit, &scene, &chance);
+        tp_world *world = scene_world(&scene, &assets);
+        assert_non_null(world);
+        compare(&scene, &assets, world);
+        free(world);
+    }
+    printf("# streamed: %" PRIu32 "\n", by_streams);
+    assert_true(by_streams > 30);
+}
+
+/* The plain scene, from where rows hold: along z they are streamed, along x triangles. */
+static void streamed_rows_draw_the_same(void **state)
+{
+    (void)state;
+    const tp_assets none = { .boat = NULL };
+
+    by_rows = 0;
+    for (int n = 0; n < 40; n++) {
+        tp_scene scene = scene_plain();
+        scene.camera.y = chance_fx(&chance, 3, 12);
+        scene.camera.heading = chance_int(&chance, 0, 3) * 90 * TP_FX_ONE;
+        scene.camera.pitch = chance_fx(&chance, -15, 0);
+        scene.quality.visibility = n % 4 ? TP_VISIBILITY_ROWS : TP_VISIBILITY_TRIANGLES;
+        scene.quality.lod = chance_int(&chance, TP_LOD_OFF, TP_LOD_ON);
+        tp_world *world = scene_world(&scene, &none);
+        compare(&scene, &none, world);
+        free(world);
+    }
+    printf("# by rows: %" PRIu32 "\n", by_rows);
+    assert_true(by_rows > 5);
+}
+
+static void an_ocean_is_kept(void **state)
+{
+    (void)state;
+    const tp_frame_config config = { WIDTH, HEIGHT, 0, 0, TP_FORMAT_P8 };
+    const tp_assets none = { .boat = NULL };
+    tp_scene scene = scene_plain();
+
+    scene.floor.depth = 4 * TP_FX_ONE;
+    assert_int_equal(tp_frame_bytes_with(&streamed, &scene, &none, &config),
+                     tp_frame_bytes(&scene, &none, &config));
+}
+
+static void waves_beyond_those_at_init_are_left_out(void **state)
+{
+    (void)state;
+    static uint8_t picture[2][HEIGHT * STRIDE];
+    const tp_frame_config config = { WIDTH, HEIGHT, 0, 0, TP_FORMAT_XRGB8888 };
+    const tp_assets none = { .boat = NULL };
+    tp_scene scene = scene_plain();
+    test_frame f = frame_by(&streamed, &scene, &none, &config);
+
+    for (int k = 0; k < 2; k++) {
+        tp_world *world = scene_world(&scene, &none);
+        tp_frame_begin(f.frame, world);
+        draw_into(&f, &config, picture[k]);
+        free(world);
+        for (int i = 0; i < TP_WAVES; i++)
+            if (scene.wave[i].amplitude == 0)
+                scene.wave[i] = (tp_wave){ .amplitude = TP_FX(0.5),
+                                           .length = 9 * TP_FX_ONE };
+    }
+    assert_true(frame_guard_holds(f.block, f.bytes));
+    frame_free(&f);
+}
+
+/* Calm water that mirrors a boat and no sky of its own. */
+static tp_scene mirror_scene(void)
+{
+    tp_scene s = scene_plain();
+
+    s.camera.y = 3 * TP_FX_ONE;
+    s.camera.pitch = -12 * TP_FX_ONE;
+    s.water.reflection = TP_FX_ONE;
+    s.wave[0].amplitude = TP_FX(0.02);
+    s.boat.z = -14 * TP_FX_ONE;
+    s.boat.scale = 4 * TP_FX_ONE;
+    s.boat.length = 4 * TP_FX_ONE;
+    s.boat.beam = 2 * TP_FX_ONE;
+    s.boat.heading = chance_fx(&chance, 0, 360);
+    return s;
+}
+
+static void draw_mirror(tp_scene *s, int32_t objects, int32_t size, uint8_t *picture)
+{
+    const tp_frame_config config = { WIDTH, HEIGHT, 0, 0, TP_FORMAT_XRGB8888 };
+    const tp_assets boat = { .boat = &kit.boat.mesh };
+
+    s->mirror.objects = objects;
+    s->mirror.size = size;
+    test_frame f = frame_of(s, &boat, &config);
+    tp_world *world = scene_world(s, &boat);
+    tp_frame_begin(f.frame, world);
+    draw_tiles(&f, &config, picture);
+    assert_true(frame_guard_holds(f.block, f.bytes));
+    free(world);
+    frame_free(&f);
+}
+
+static int64_t difference(const uint8_t *a, const uint8_t *b)
+{
+    int64_t sum = 0;
+
+    for (int i = 0; i < HEIGHT * STRIDE; i++)
+        sum += a[i] > b[i] ? a[i] - b[i] : b[i] - a[i];
+    return sum;
+}
+
+/* Coarser, in the same place. */
+static void a_quarter_mirror_shows_what_a_half_one_does(void **state)
+{
+    (void)state;
+    static uint8_t none[HEIGHT * STRIDE], half[HEIGHT * STRIDE], quarter[HEIGHT * STRIDE];
+    int64_t mirrored = 0, off = 0;
+
+    for (int n = 0; n < 40; n++) {
+        tp_scene s = mirror_scene();
+        draw_mirror(&s, TP_MIRROR_NONE, TP_MIRROR_HALF, none);
+        draw_mirror(&s, TP_MIRROR_STENCIL, TP_MIRROR_HALF, half);
+        draw_mirror(&s, TP_MIRROR_STENCIL, TP_MIRROR_QUARTER, quarter);
+        mirrored += difference(none, half);
+        off += difference(half, quarter);
+    }
+    printf("# mirrored %" PRId64 ", off %" PRId64 "\n", mirrored, off);
+    assert_true(mirrored > 100000 && off > 0 && 5 * off < 2 * mirrored);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(streamed_crossings_draw_the_same),
+        cmocka_unit_test(streamed_rows_draw_the_same),
+        cmocka_unit_test(an_ocean_is_kept),
+        cmocka_unit_test(waves_beyond_those_at_init_are_left_out),
+        cmocka_unit_test(a_quarter_mirror_shows_what_a_half_one_does),
+    };
+    chance = random_seed();
+    kit_make(&kit, &chance);
+    streamed = tp_kit_all;
+    streamed.method.triangles = &tp_method_streamed;
+    return cmocka_run_group_tests_name("frame small", tests, NULL, NULL);
+}
