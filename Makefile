@@ -156,6 +156,9 @@ count: $(PROGRAM) build/host/count.so
 	@tests/budgets/scenes-count.sh $(if $(WRITE),--write) $(ONE)
 	@$(if $(ONE),tests/budgets/host-count.sh $(ONE),tests/budgets/models-count.sh \
 	    $(if $(WRITE),--write))
+## what two scenes take of a board's memory, by use and size of tile
+ram: $(PROGRAM) build/host/count.so
+	@tests/budgets/ram.sh
 ## times and instructions of the scene that other renderers were measured on
 bench: $(PROGRAM) $(BUILD)/tests/bench/scene_s
 	@$(PROGRAM) bench
@@ -218,7 +221,8 @@ host-tests: everything
 more-tests: everything build/host/count.so build/host/tally.so
 	@$(RUN) build/log/more tests/gates/arm.sh tests/gates/clang.sh tests/host/view.sh \
 	    tests/host/threads.sh tests/bench/views.sh tests/cross/run.sh \
-	    tests/budgets/scenes-count.sh tests/budgets/kits.sh tests/budgets/models-count.sh \
+	    tests/budgets/scenes-count.sh tests/budgets/ram.sh tests/budgets/kits.sh \
+	    tests/budgets/models-count.sh \
 	    tests/budgets/prices.sh tests/fuzz/run.sh
 fuzzers: $(FUZZ)
 # Other renderers for `tidepool bench --peers`, of whatever packages are there.
@@ -341,7 +345,7 @@ $(BUILD)/flags: force
 	@mkdir -p $(@D)
 	@echo '$(COMPILE) $(SDL_CFLAGS)' | cmp -s - $@ || echo '$(COMPILE) $(SDL_CFLAGS)' >$@
 
-.PHONY: all lib run test test-all soak count bench fuzz golden gallery assets install format \
+.PHONY: all lib run test test-all soak count ram bench fuzz golden gallery assets install format \
     views clean help unit everything host-tests more-tests fuzzers elf elves frames \
     list-core list-scenes list-cross reference peers force
 .SECONDARY:

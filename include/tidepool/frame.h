@@ -52,7 +52,7 @@ typedef struct {
 /* The frame's block holds what the scene needs at init, nothing for what it lacks:
  *  - vertices: the grid's crossings, the boat's and the land's corners, drops, rings,
  *    specks of spray; glass, walls inside a pool, the map of caustics (2 bytes a cell)
- *  - tables: those of every scene (shininess, Fresnel, haze, a sky's gradient); of a
+ *  - tables: those of every scene (shininess, a sky's gradient); of a
  *    generated or cube sky, the exposure, the boat's materials, slopes of pools that bend
  *    the light only
  *  - mirror: with mirror.objects = stencil a picture of half the size and four rows of

@@ -187,7 +187,8 @@ tp_frame *tp_frame_carve(const tp_kit *kit, tp_frame_parts *parts, tp_frame_ram 
     carve_looks(parts, arena, kit, scene, assets, config);
     *ram = (tp_frame_ram){
         .frame = arena->used, .vertices = placed - fixed,
-        .tables = tabled - placed + sizeof frame->shade, .mirror = arena->used - tabled,
+        .tables = tabled - placed + sizeof frame->shade.shine + sizeof frame->shade.sky,
+        .mirror = arena->used - tabled,
     };
     return frame;
 }

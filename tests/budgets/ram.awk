@@ -1,0 +1,36 @@
+# SPDX-License-Identifier: MIT
+# A scene's working memory as a table for people.
+#
+#   awk -v scene=NAME -v goal=BYTES -f tests/budgets/ram.awk COUNTS SAID
+#
+# A section of the counts is a line of what was said.  `in all` is what the scene takes
+# beside its tables; the least of all rows is held against the goal.
+$1 == "count" { insns[$2] += $5; next }
+$1 == "ram" {
+    for (i = 3; i < NF; i += 2)
+        value[$i] = $(i + 1)
+    fixed = value["frame"] - value["vertices"] - value["tables"] - value["mirror"]
+    sum = value["frame"] - value["tables"] + value["scratch"] + value["world"]
+    if (!rows++) {
+        print "\n" scene ", bytes      frame vertices  mirror    tile   world  in all" \
+            "  tables  million instructions"
+    }
+    printf "%-9s %7s tiles %5d %8d %7d %7d %7d %7d %7d %7.2f\n", $2, value["tile"], \
+        fixed, value["vertices"], value["mirror"], value["scratch"], value["world"], \
+        sum, value["tables"], insns[rows] / 1e6
+    if (sum <= goal && (!met || insns[rows] < cheapest)) {
+        met = sum
+        cheapest = insns[rows]
+        by = $2 " " value["tile"]
+    }
+    if (!least || sum < least)
+        least = sum
+    stack = value["stack"] > stack ? value["stack"] : stack
+}
+END {
+    print "stack " stack " beside it; vertices: crossings of the grid, corners of meshes"
+    if (met)
+        printf "met: %s working-bytes %d, goal %d; cheapest by %s\n", scene, met, goal, by
+    else
+        printf "MISSED: %s working-bytes %d, goal %d\n", scene, least, goal
+}
