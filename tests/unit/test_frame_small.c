@@ -19,7 +19,7 @@ static uint32_t by_rows, by_streams;
 /* With as much as asked for, and anything in it. */
 static void draw_into(const test_frame *f, const tp_frame_config *config, uint8_t *picture)
 {
-    const size_t bytes = tp_frame_scratch_into_bytes(config);
+    const size_t bytes = tp_frame_scratch_into_with(&streamed, f->frame->scene, config);
     uint8_t *scratch = malloc(bytes + 64);
     tp_tile  tile;
 

@@ -1,0 +1,119 @@
+/* SPDX-License-Identifier: MIT */
+/* What a scene takes of a bare Cortex-M's memory, tile by tile size: the baked scene is
+ * drawn into a picture of the whole size, once with its crossings kept and then with them
+ * streamed, by a frame in memory of exactly the bytes asked for.
+ *
+ * Says for each what the memory is for, and the picture's CRC, which is one for all; the
+ * marks let the plugin count the frame's instructions. */
+#include "cortex-m/baked.h"
+#include "cortex-m/board.h"
+#include "cortex-m/semihost.h"
+
+enum { WIDTH = 320, HEIGHT = 240, FIRST = 60 };
+
+#define MARK(name) \
+    void name(void); \
+    __attribute__((noinline)) void name(void) { __asm__ volatile("" ::: "memory"); }
+MARK(count_as_frame)
+MARK(count_as_tiles)
+MARK(count_end)
+MARK(count_section)
+
+static const uint32_t sizes[][2] = {
+    { 320, 16 }, { 320, 4 }, { 160, 8 }, { 64, 16 }, { 64, 8 }, { 32, 32 }, { 32, 16 },
+    { 16, 16 },
+};
+
+static uint16_t picture[WIDTH * HEIGHT];
+static tp_kit   kit;
+
+static void put_number(const char *before, size_t n)
+{
+    char  text[12];
+    char *c = text + sizeof text - 1;
+
+    *c = '\0';
+    do
+        *--c = (char)('0' + n % 10);
+    while (n /= 10);
+    semihost_write(before);
+    semihost_write(c);
+}
+
+_Noreturn static void stop(const char *why)
+{
+    semihost_write(why);
+    semihost_write("\n");
+    semihost_exit(1);
+}
+
+static uint32_t draw(tp_frame *frame, void *scratch, const tp_world *world)
+{
+    uint32_t crc = 0;
+    tp_tile  tile;
+
+    tp_frame_begin(frame, world);           /* the first fills tables */
+    count_as_frame();
+    tp_frame_begin(frame, world);
+    count_as_tiles();
+    for (uint32_t i = 0; tp_frame_tile_into(frame, i, scratch, picture, 2 * WIDTH, &tile);
+         i++)
+        continue;
+    count_end();
+    for (uint32_t y = 0; y < HEIGHT; y++)
+        crc = tp_crc32_pixels(crc, TP_FORMAT_RGB565, picture + y * WIDTH, WIDTH);
+    return crc;
+}
+
+static void say(const char *how, const uint32_t size[2], tp_frame_ram ram,
+                size_t scratch, size_t world, uint32_t crc)
+{
+    semihost_write("ram ");
+    semihost_write(how);
+    put_number(" tile ", size[0]);
+    put_number("x", size[1]);
+    put_number(" frame ", ram.frame);
+    put_number(" vertices ", ram.vertices);
+    put_number(" tables ", ram.tables);
+    put_number(" mirror ", ram.mirror);
+    put_number(" scratch ", scratch);
+    put_number(" world ", world);
+    put_number(" stack ", board_stack_used());
+    put_number(" crc ", crc);
+    semihost_write("\n");
+    count_section();
+}
+
+static void measure(const char *how, const uint32_t size[2])
+{
+    const tp_frame_config config = { WIDTH, HEIGHT, size[0], size[1], TP_FORMAT_RGB565 };
+    const size_t world_bytes = tp_world_bytes(&baked_scene, &baked_assets);
+    const size_t scratch_bytes = tp_frame_scratch_into_with(&kit, &baked_scene, &config);
+    tp_arena  arena = tp_arena_over(arena_start, (size_t)(arena_end - arena_start));
+    void     *block = tp_arena_take(&arena, 1, tp_frame_bytes_with(&kit, &baked_scene,
+                                                                   &baked_assets, &config));
+    void     *scratch = tp_arena_take(&arena, 1, scratch_bytes);
+    tp_world *world = tp_arena_take(&arena, 1, world_bytes);
+    tp_frame *frame;
+
+    if (arena.failed
+        || tp_frame_init_with(&kit, &frame, &baked_scene, &baked_assets, &config, block,
+                              NULL)
+        || tp_world_init(world, world_bytes, &baked_scene, &baked_assets, NULL))
+        stop("the scene does not fit");
+    while (world->tick < FIRST)
+        tp_world_step(world, &baked_scene, NULL);
+    const uint32_t crc = draw(frame, scratch, world);
+    say(how, size, tp_frame_memory(frame), scratch_bytes, world_bytes, crc);
+}
+
+int main(void)
+{
+    kit = tp_kit_all;
+    for (size_t i = 0; i < sizeof sizes / sizeof *sizes; i++)
+        measure("kept", sizes[i]);
+    kit.method.triangles = &tp_method_streamed;
+    for (size_t i = 0; i < sizeof sizes / sizeof *sizes; i++)
+        measure("streamed", sizes[i]);
+    return 0;
+}
