@@ -137,6 +137,13 @@ static const char *read_kit(options *o, const char *value)
     return o->machine ? NULL : "a kit that runs here: baseline, x86-64-v3";
 }
 
+static const char *read_stream(options *o, const char *value)
+{
+    (void)value;
+    o->stream = true;
+    return NULL;
+}
+
 static const char *read_hash(options *o, const char *value)
 {
     (void)value;
@@ -268,6 +275,8 @@ static const option_row rows[] = {
     { "--threads", "N", FOR_RENDER | FOR_VIEW, read_threads, "draw tiles in N threads" },
     { "--memory", "BYTES", FOR_RENDER | FOR_VIEW, read_memory,
       "refuse to draw with more; 96k, 2M" },
+    { "--stream", NULL, FOR_RENDER | FOR_VIEW, read_stream,
+      "keep no vertices of the water: less memory, more work, same bits" },
     { "--texels", "N", FOR_RENDER | FOR_VIEW | FOR_BAKE, read_texels,
       "use pictures of no more than N texels a side" },
     { "--visibility", "HOW", FOR_RENDER | FOR_VIEW | FOR_PLAN, read_visibility,

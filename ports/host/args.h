@@ -19,6 +19,7 @@ typedef struct {
     uint64_t     memory;            /* bytes that it may take, 0: any */
     int32_t      visibility;        /* tp_visibility; auto: the scene's own */
     bool         hash, stats, csv;
+    bool         stream;            /* also if it takes that to keep to `memory` */
     const char  *expect;            /* list of hashes */
     const char  *tape;              /* of inputs: render plays it, view records it */
     const char  *vectors;           /* folder of tables */

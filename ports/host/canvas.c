@@ -38,8 +38,16 @@ void canvas_plan(canvas *c, const tp_scene *scene, const tp_assets *assets,
     c->picture.row_bytes = tp_format_row_bytes(config->format, (int)config->width);
     size_t kits;
     c->machine = machine_kits(&kits);
-    c->frame_bytes = tp_frame_bytes_with(c->machine->kit, scene, assets, &c->config);
-    c->scratch_bytes = c->threads * tp_frame_scratch_bytes(&c->config);
+    canvas_count(c, scene, assets);
+}
+
+void canvas_count(canvas *c, const tp_scene *scene, const tp_assets *assets)
+{
+    c->kit = *c->machine->kit;
+    if (c->stream)
+        c->kit.method.triangles = &tp_method_streamed;
+    c->frame_bytes = tp_frame_bytes_with(&c->kit, scene, assets, &c->config);
+    c->scratch_bytes = c->threads * tp_frame_scratch_with(&c->kit, scene, &c->config);
 }
 
 static int allocate(canvas *c)
@@ -63,7 +71,7 @@ int canvas_open(canvas *c, const tp_scene *scene, const tp_assets *assets)
     if (code)
         return code;
     tp_error err = { 0 };
-    if (tp_frame_init_with(c->machine->kit, &c->frame, scene, assets, &c->config, c->block,
+    if (tp_frame_init_with(&c->kit, &c->frame, scene, assets, &c->config, c->block,
                            &err))
         return fail_at("tidepool", &err);
     c->crew = crew_open(c->threads - 1);

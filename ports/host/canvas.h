@@ -12,7 +12,9 @@
 typedef struct {
     picture   picture;          /* of the last canvas_draw */
     tp_frame *frame;
-    const machine *machine;     /* whose kit draws */
+    const machine *machine;     /* whose kit draws ... */
+    tp_kit    kit;              /* ... as the frame has it */
+    bool      stream;           /* without stored crossings */
     void     *block;            /* that the frame lies in */
     size_t    frame_bytes, scratch_bytes;       /* scratch: of all threads */
     uint32_t  threads;
@@ -23,10 +25,11 @@ typedef struct {
 } canvas;
 
 /* How the picture will be drawn, and how many bytes that takes; nothing is allocated.
- * Tile sides of 0 let the canvas choose.  It takes the best kit that runs here; another may be
- * put in its place, all need the same bytes. */
+ * Tile sides of 0 let the canvas choose.  It takes the best kit that runs here, and stores
+ * crossings; if another machine or `stream` is put in place, it must be counted again. */
 void canvas_plan(canvas *c, const tp_scene *scene, const tp_assets *assets,
                  const tp_frame_config *config, uint32_t threads);
+void canvas_count(canvas *c, const tp_scene *scene, const tp_assets *assets);
 
 /* After the plan, with the same scene and assets, which must outlive it.  Returns an exit
  * code and has said why; close in any case. */

@@ -65,12 +65,32 @@ int stage_world(stage *s)
     return EXIT_DONE;
 }
 
-/* What a board would need beside the picture; what it names may lie in ROM there. */
+/* What a board would need beside the picture. */
+static size_t bytes_of(const stage *s)
+{
+    return s->canvas.frame_bytes + s->world_bytes + s->canvas.scratch_bytes;
+}
+
+/* Crossings are not stored if there is no room for them. */
+static void choose_store(stage *s, const options *o)
+{
+    const tp_scene *scene = &s->file.scene;
+    const tp_assets *names = &s->assets.names;
+
+    s->canvas.stream = o->stream;
+    canvas_count(&s->canvas, scene, names);
+    if (o->memory && bytes_of(s) > o->memory) {
+        s->canvas.stream = true;
+        canvas_count(&s->canvas, scene, names);
+    }
+}
+
+/* What the scene names may lie in ROM there. */
 static int check_memory(const stage *s, uint64_t allowed)
 {
     const canvas *c = &s->canvas;
     const size_t named = s->assets.mesh_bytes + s->assets.texture_bytes;
-    const size_t bytes = c->frame_bytes + s->world_bytes + c->scratch_bytes;
+    const size_t bytes = bytes_of(s);
     char rom[80] = "";
     if (!allowed || bytes <= allowed)
         return EXIT_DONE;
@@ -92,6 +112,7 @@ int stage_canvas(stage *s, const options *o)
     canvas_plan(&s->canvas, &s->file.scene, &s->assets.names, &config, o->threads);
     if (o->machine)
         s->canvas.machine = o->machine;
+    choose_store(s, o);
     const int code = check_memory(s, o->memory);
     return code ? code : canvas_open(&s->canvas, &s->file.scene, &s->assets.names);
 }
