@@ -32,35 +32,10 @@ uint32_t tp_row_step_between(uint32_t from, uint32_t to, int32_t n)
     return (uint32_t)((int64_t)(int32_t)(to - from) * over[n] >> 16);
 }
 
-/* A pixel of a column, or what is added from row to row. */
-typedef struct {
-    uint32_t key, s, t, n;
-} sample;
-
-TP_ALWAYS_INLINE uint32_t key_of(uint32_t zi)
-{
-    return (zi << 1 & ~(uint32_t)0xff) | TP_MARK_WATER;
-}
-
 /* A step of keys leaves the mark alone. */
 TP_ALWAYS_INLINE uint32_t key_step(int32_t zi_step)
 {
     return ((uint32_t)zi_step * 2 + 128) & ~(uint32_t)0xff;
-}
-
-TP_ALWAYS_INLINE void put(const tp_samples *tile, size_t at, const sample *p, int tested)
-{
-    if (tested && p->key <= (tile->key[at] | 0xff))
-        return;
-    tile->key[at] = p->key;
-    tile->s[at] = p->s;
-    tile->t[at] = p->t;
-    tile->n[at] = p->n;
-}
-
-TP_ALWAYS_INLINE size_t place_in(const tp_samples *tile, int32_t x, int32_t y)
-{
-    return (size_t)(uint32_t)(y - tile->y0) * tile->stride + (uint32_t)(x - tile->x0);
 }
 
 TP_ALWAYS_INLINE void step_down(sample *p, const sample *step, uint32_t rows)
@@ -71,25 +46,18 @@ TP_ALWAYS_INLINE void step_down(sample *p, const sample *step, uint32_t rows)
     p->n += step->n * rows;
 }
 
-/* Rows [y, end), `now` that of row `top`.  The planes lie one behind the other, so one
- * place and their distance tell all four. */
+/* Rows [y, end), `now` that of row `top`. */
 TP_ALWAYS_INLINE void fill(const tp_samples *tile, int32_t x, int32_t y, int32_t end,
-                           int32_t top, sample now, sample step, int tested)
+                           int32_t top, sample now, sample step, bool tested)
 {
-    const size_t plane = (size_t)(tile->s - tile->key), stride = tile->stride;
-    uint32_t *at = tile->key + place_in(tile, x, y);
+    const size_t plane = plane_of(tile), stride = tile->stride;
+    uint32_t *at = place_in(tile, x, y);
 
     if (y > top)
         step_down(&now, &step, (uint32_t)(y - top));
-    for (int32_t count = end - y; count > 0; count--) {
-        if (!tested || now.key > (at[0] | 0xff)) {
-            at[0] = now.key;
-            at[plane] = now.s;
-            at[2 * plane] = now.t;
-            at[3 * plane] = now.n;
-        }
+    for (int32_t count = end - y; count > 0; count--, at += stride) {
+        put(at, plane, &now, tested);
         step_down(&now, &step, 1);
-        at += stride;
     }
 }
 
@@ -178,93 +146,58 @@ static __attribute__((noinline)) void fill_deep(const tp_rows *rows,
     }
 }
 
-/* What lies below row y of a column is covered. */
-TP_ALWAYS_INLINE void close(tp_rows *rows, tp_row_column *column, int32_t y)
-{
-    column->limit = limit_of(y);
-    if (y == rows->tile->y0) {
-        column->limit = INT32_MIN;
-        rows->open--;
-    }
-}
-
-/* Column x of the line where it lies at one pixel. */
-static void put_alone(const tp_rows *rows, const tp_row_sample *line, int32_t x,
-                      int32_t y)
-{
-    const sample p = { key_of(line->zi), (uint32_t)line->s, (uint32_t)line->t, line->n };
-
-    if (rows->solid)
-        put(rows->tile, place_in(rows->tile, x, y), &p, 1);
-    else
-        put(rows->tile, place_in(rows->tile, x, y), &p, 0);
-}
-
 /* Rows [y, end) of a piece that has two at the most: each for itself. */
-static __attribute__((noinline)) void fill_few(const tp_rows *rows,
-                                               const tp_row_sample *near,
-                                               const tp_row_sample *far, int32_t x,
-                                               int32_t y, int32_t end)
+TP_ALWAYS_INLINE void fill_few(const tp_rows *rows, const tp_row_sample *near,
+                               const tp_row_sample *far, int32_t x, int32_t y,
+                               int32_t end)
 {
     const tp_samples *tile = rows->tile;
+    const size_t plane = plane_of(tile);
     const uint32_t inverse = 0x7fffffffu / ((uint32_t)(near->v - far->v) >> 8);
+    const int32_t dz = difference((int32_t)far->zi, (int32_t)near->zi);
+    const int32_t ds = difference(far->s, near->s), dt = difference(far->t, near->t);
     uint32_t share = (uint32_t)((y * ROW + ROW / 2 - far->v) >> 8) * inverse;
+    uint32_t *at = place_in(tile, x, y);
 
-    for (; y < end; y++, share += 256 * inverse) {
+    do {
         const int32_t w = (int32_t)share;
         const sample now = {
-            key_of((uint32_t)part((int32_t)far->zi,
-                                  difference((int32_t)far->zi, (int32_t)near->zi), w)),
-            (uint32_t)part(far->s, difference(far->s, near->s), w),
-            (uint32_t)part(far->t, difference(far->t, near->t), w),
+            key_of((uint32_t)part((int32_t)far->zi, dz, w)),
+            (uint32_t)part(far->s, ds, w), (uint32_t)part(far->t, dt, w),
             slopes_between(far->n, near->n, w),
         };
-        if (rows->solid)
-            put(tile, place_in(tile, x, y), &now, 1);
-        else
-            put(tile, place_in(tile, x, y), &now, 0);
-    }
+        put(at, plane, &now, rows->solid);
+        at += tile->stride;
+        share += 256 * inverse;
+    } while (++y < end);
 }
 
-static void fill_piece(const tp_rows *rows, const tp_row_sample *near,
-                       const tp_row_sample *far, int32_t x, int32_t y, int32_t end,
-                       int32_t top)
+static __attribute__((noinline)) void fill_many(const tp_rows *rows,
+                                                const tp_row_sample *near,
+                                                const tp_row_sample *far, int32_t x,
+                                                int32_t y, int32_t end, int32_t top)
 {
-    uint32_t apart = (uint32_t)(near->v - far->v);
+    const between b = between_of(far, near);
     sample now, step;
 
-    if (apart >= DEEP * ROW && is_deep(far->zi, near->zi, apart >> 16)) {
-        fill_deep(rows, near, far, x, y, end, top);
-        return;
-    }
-    if (first_row(near->v) - top <= FEW) {
-        fill_few(rows, near, far, x, y, end);
-        return;
-    }
-    const between b = between_of(far, near);
     set_straight(&b, top, &now, &step);
     if (rows->solid)
         fill_tested(rows->tile, x, y, end, top, &now, &step);
     else
-        fill(rows->tile, x, y, end, top, now, step, 0);
+        fill(rows->tile, x, y, end, top, now, step, false);
 }
 
-/* Of lines less than a quarter of a row apart the far one is near enough. */
-void tp_row_cover(tp_rows *rows, tp_row_column *column, const tp_row_sample *far)
+void tp_row_piece(const tp_rows *rows, const tp_row_sample *near,
+                  const tp_row_sample *far, int32_t x, int32_t y, int32_t end, int32_t top)
 {
-    const tp_samples *tile = rows->tile;
-    int32_t top = first_row(far->v), y = top > tile->y0 ? top : tile->y0;
-    int32_t end = (column->limit + ROW / 2) >> 16, apart = column->line.v - far->v;
-    int32_t x = tile->x0 + (int32_t)(column - rows->column);
+    uint32_t apart = (uint32_t)(near->v - far->v);
 
-    close(rows, column, y);
-    if (y < end && column->line.v != TP_ROW_NONE) {
-        if (apart >= ROW / 4)
-            fill_piece(rows, &column->line, far, x, y, end, top);
-        else
-            put_alone(rows, far, x, y);
-    }
-    column->line = *far;
+    if (first_row(near->v) - top <= FEW)
+        fill_few(rows, near, far, x, y, end);
+    else if (apart >= DEEP * ROW && is_deep(far->zi, near->zi, apart >> 16))
+        fill_deep(rows, near, far, x, y, end, top);
+    else
+        fill_many(rows, near, far, x, y, end, top);
 }
 
 void tp_row_start(tp_rows *rows, tp_row_column *column, const tp_row_sample *line,
@@ -273,10 +206,10 @@ void tp_row_start(tp_rows *rows, tp_row_column *column, const tp_row_sample *lin
     const tp_samples *tile = rows->tile;
     int32_t top = first_row(line->v), y = top > tile->y0 ? top : tile->y0;
     int32_t end = (column->limit + ROW / 2) >> 16;
+    const sample p = { key_of(line->zi), (uint32_t)line->s, (uint32_t)line->t, line->n };
 
-    close(rows, column, y);
+    close_column(rows, column, y);
     if (joined && top >= tile->y0 && top < end)
-        put_alone(rows, line, tile->x0 + (int32_t)(column - rows->column), top);
-    column->line = *line;
+        put(place_in(tile, tile->x0 + (int32_t)(column - rows->column), top),
+            plane_of(tile), &p, rows->solid);
 }
-

@@ -6,6 +6,7 @@
  * 2^31. */
 #ifndef TP_RASTER_PIECE_H
 #define TP_RASTER_PIECE_H
+#include "base/dsp.h"
 #include "raster/rows.h"
 
 #define ROW 65536               /* 16.16 */
@@ -33,35 +34,25 @@ TP_ALWAYS_INLINE int32_t difference(int32_t from, int32_t to)
     return (int32_t)((uint32_t)to - (uint32_t)from);
 }
 
-TP_ALWAYS_INLINE int32_t high(uint32_t n)
-{
-    return (int32_t)n >> 16;
-}
-
-TP_ALWAYS_INLINE int32_t low(uint32_t n)
-{
-    return (int16_t)n;
-}
-
-TP_ALWAYS_INLINE uint32_t packed(int32_t x, int32_t z)
-{
-    return (uint32_t)x << 16 | ((uint32_t)z & 0xffff);
-}
-
-/* Slopes between two, share in Q.14: differences of 17 bits. */
+/* Slopes between two, share in Q.31: half of their difference is cut to a bit, and the
+ * sum wraps back into 16 bits, as slopes between two others fit. */
 TP_ALWAYS_INLINE uint32_t slopes_between(uint32_t from, uint32_t to, int32_t share)
 {
-    int32_t w = share >> 17;
-    return packed(high(from) + (((high(to) - high(from)) * w + 8192) >> 14),
-                  low(from) + (((low(to) - low(from)) * w + 8192) >> 14));
+    uint32_t half = tp_shsub16(to, from);
+    uint32_t z = (uint32_t)(tp_smulwb(share, half) >> 14);
+    uint32_t x = (uint32_t)tp_smulwt(share, half) << 2;
+
+    return tp_sadd16(from, (x & 0xffff0000u) | (z & 0xffff));
 }
 
-/* A step of both: the low one may carry into the high one, an LSB of 2^-12. */
+/* A step of both, `per` in Q.30: the low one may carry into the high one, an LSB of
+ * 2^-12. */
 TP_ALWAYS_INLINE uint32_t slopes_step(uint32_t from, uint32_t to, int32_t per)
 {
-    int32_t x = (high(to) - high(from)) * 16384, z = (low(to) - low(from)) * 16384;
-    return (uint32_t)((tp_mul_upper(x, per) + 2048) >> 12) * 65536u
-         + (uint32_t)((tp_mul_upper(z, per) + 2048) >> 12);
+    uint32_t half = tp_shsub16(to, from);
+    int32_t  x = (tp_smulwt(per, half) + 4096) >> 13;
+
+    return ((uint32_t)x << 16) + (uint32_t)((tp_smulwb(per, half) + 4096) >> 13);
 }
 
 /* s and t between two places of different depth stray from straight by a quarter of
@@ -72,16 +63,60 @@ static inline bool is_deep(uint32_t za, uint32_t zb, uint32_t length)
     return (uint64_t)(more >> 1) * (length + 1) > least;
 }
 
+/* A pixel of a column, or what is added from row to row. */
+typedef struct {
+    uint32_t key, s, t, n;
+} sample;
+
+TP_ALWAYS_INLINE uint32_t key_of(uint32_t zi)
+{
+    return (zi << 1 & ~(uint32_t)0xff) | TP_MARK_WATER;
+}
+
+/* The planes lie one behind the other, so one place and their distance tell all four. */
+TP_ALWAYS_INLINE void put(uint32_t *at, size_t plane, const sample *p, bool tested)
+{
+    if (tested && p->key <= (at[0] | 0xff))
+        return;
+    at[0] = p->key;
+    at[plane] = p->s;
+    at[2 * plane] = p->t;
+    at[3 * plane] = p->n;
+}
+
+TP_ALWAYS_INLINE size_t plane_of(const tp_samples *tile)
+{
+    return (size_t)(tile->s - tile->key);
+}
+
+TP_ALWAYS_INLINE uint32_t *place_in(const tp_samples *tile, int32_t x, int32_t y)
+{
+    return tile->key + (size_t)(uint32_t)(y - tile->y0) * tile->stride
+         + (uint32_t)(x - tile->x0);
+}
+
+/* What lies below row y of a column is covered. */
+TP_ALWAYS_INLINE void close_column(tp_rows *rows, tp_row_column *column, int32_t y)
+{
+    column->limit = limit_of(y);
+    if (y == rows->tile->y0) {
+        column->limit = INT32_MIN;
+        rows->open--;
+    }
+}
+
 /* cover.c: the share of s and t where that of the screen is given. */
 int32_t tp_row_deep_share(int32_t share, uint32_t za, uint32_t zb);
 
 /* A step between true places, n = 1..16 rows or columns apart. */
 uint32_t tp_row_step_between(uint32_t from, uint32_t to, int32_t n);
 
-/* Column of a line that rises to its limit: what is seen between the line that it
- * remembers and this one, which covers it from now on; or, without a line before, the
- * pixel at this one if it is `joined`. */
-void tp_row_cover(tp_rows *rows, tp_row_column *column, const tp_row_sample *line);
+/* Rows [y, end) of column x between two lines, the whole piece beginning at row `top`. */
+void tp_row_piece(const tp_rows *rows, const tp_row_sample *near,
+                  const tp_row_sample *far, int32_t x, int32_t y, int32_t end, int32_t top);
+
+/* Column of a line that rises to its limit and begins anew: the pixel at it if it is
+ * `joined`. */
 void tp_row_start(tp_rows *rows, tp_row_column *column, const tp_row_sample *line,
                   bool joined);
 #endif

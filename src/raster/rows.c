@@ -50,31 +50,82 @@ typedef struct {
 
 enum { LINE, START, JOINED, SIDE };
 
+/* Of lines nearer to each other the one next to a pixel between is near enough. */
+#define CLOSE (ROW / 2)
+
+/* Of column x the one row that has its centre between two close lines. */
+TP_ALWAYS_INLINE void put_close(const tp_rows *rows, const tp_row_sample *near,
+                                const tp_row_sample *far, int32_t x, int32_t y)
+{
+    const tp_samples *tile = rows->tile;
+    uint32_t *at = place_in(tile, x, y);
+    const size_t plane = plane_of(tile);
+    const int32_t down = y * ROW + ROW / 2 - far->v;
+
+    if (down > near->v - far->v - down) {
+        const sample p = { key_of(near->zi), (uint32_t)near->s, (uint32_t)near->t,
+                           near->n };
+        put(at, plane, &p, rows->solid);
+    } else {
+        const sample p = { key_of(far->zi), (uint32_t)far->s, (uint32_t)far->t, far->n };
+        put(at, plane, &p, rows->solid);
+    }
+}
+
+/* A column of a line that rises to its limit: what is seen between the line before and
+ * this one, which covers it from now on. */
+TP_ALWAYS_INLINE void cover(tp_rows *rows, tp_row_column *column,
+                            const tp_row_sample *far, int32_t x)
+{
+    const int32_t y0 = rows->tile->y0, end = (column->limit + ROW / 2) >> 16;
+    const int32_t near = column->line.v, top = first_row(far->v);
+    int32_t y = top;
+
+    if (top > y0) {
+        column->limit = limit_of(top);
+    } else {
+        y = y0;
+        column->limit = INT32_MIN;
+        rows->open--;
+    }
+    if (y >= end || near == TP_ROW_NONE)
+        return;
+    if (near - far->v < CLOSE) {
+        put_close(rows, &column->line, far, x, y);
+    } else {
+        const tp_row_sample line = *far;
+        tp_row_piece(rows, &column->line, &line, x, y, end, top);
+    }
+}
+
 /* Columns [x, end), beginning with `now` at x. */
 TP_ALWAYS_INLINE void walk(tp_rows *rows, const tp_row_sample *now,
                            const tp_row_sample *step, int32_t x, int32_t end, int kind)
 {
     tp_row_column *column = rows->column + (x - rows->tile->x0);
-    tp_row_column *stop = column + (end - x);
     uint32_t v = (uint32_t)now->v, zi = now->zi, s = (uint32_t)now->s;
     uint32_t t = (uint32_t)now->t, n = now->n;
 
     do {
-        if ((int32_t)v > column->limit) {
-            column->line = (tp_row_sample){ (int32_t)v, zi, (int32_t)s, (int32_t)t, n };
-        } else {
-            const tp_row_sample line = { (int32_t)v, zi, (int32_t)s, (int32_t)t, n };
+        const tp_row_sample line = { (int32_t)v, zi, (int32_t)s, (int32_t)t, n };
+        if ((int32_t)v <= column->limit) {
             if (kind == LINE)
-                tp_row_cover(rows, column, &line);
+                cover(rows, column, &line, x);
             else
                 tp_row_start(rows, column, &line, kind == JOINED);
         }
+        column->line.v = (int32_t)v;
+        column->line.zi = zi;
+        column->line.s = (int32_t)s;
+        column->line.t = (int32_t)t;
+        column->line.n = n;
+        column++;
         v += (uint32_t)step->v;
         zi += step->zi;
         s += (uint32_t)step->s;
         t += (uint32_t)step->t;
         n += step->n;
-    } while (++column < stop);
+    } while (++x < end);
 }
 
 /* A segment and shares of the way from a to b. */

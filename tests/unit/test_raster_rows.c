@@ -205,7 +205,7 @@ static void lines_are_drawn_as_in_double_precision(void **state)
                 const value far = value_at(&f, k, x);
                 for (int32_t y = 0; y < HEIGHT; y++)     /* pixels near an edge are left */
                     if (y + 0.5 > far.v + 0.02 && y + 0.5 < horizon - 0.02
-                        && near.v - far.v > 0.3)
+                        && near.v - far.v > 0.52)
                         judge(&e, &tile, x, y, &near, &far);
                 horizon = far.v < horizon ? far.v : horizon;
                 near = far;
