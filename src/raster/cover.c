@@ -159,7 +159,7 @@ TP_ALWAYS_INLINE void fill_few(const tp_rows *rows, const tp_row_sample *near,
     uint32_t share = (uint32_t)((y * ROW + ROW / 2 - far->v) >> 8) * inverse;
     uint32_t *at = place_in(tile, x, y);
 
-    do {
+    for (;;) {
         const int32_t w = (int32_t)share;
         const sample now = {
             key_of((uint32_t)part((int32_t)far->zi, dz, w)),
@@ -167,9 +167,11 @@ TP_ALWAYS_INLINE void fill_few(const tp_rows *rows, const tp_row_sample *near,
             slopes_between(far->n, near->n, w),
         };
         put(at, plane, &now, rows->solid);
+        if (++y >= end)
+            break;
         at += tile->stride;
         share += 256 * inverse;
-    } while (++y < end);
+    }
 }
 
 static __attribute__((noinline)) void fill_many(const tp_rows *rows,
@@ -188,11 +190,14 @@ static __attribute__((noinline)) void fill_many(const tp_rows *rows,
 }
 
 void tp_row_piece(const tp_rows *rows, const tp_row_sample *near,
-                  const tp_row_sample *far, int32_t x, int32_t y, int32_t end, int32_t top)
+                  const tp_row_sample *far, int32_t x, int32_t y, int32_t end,
+                  int32_t top)
 {
     uint32_t apart = (uint32_t)(near->v - far->v);
 
-    if (first_row(near->v) - top <= FEW)
+    if (end - y == 1 && first_row(near->v) - top <= FEW)
+        fill_few(rows, near, far, x, y, y + 1);
+    else if (first_row(near->v) - top <= FEW)
         fill_few(rows, near, far, x, y, end);
     else if (apart >= DEEP * ROW && is_deep(far->zi, near->zi, apart >> 16))
         fill_deep(rows, near, far, x, y, end, top);

@@ -113,7 +113,8 @@ uint32_t tp_row_step_between(uint32_t from, uint32_t to, int32_t n);
 
 /* Rows [y, end) of column x between two lines, the whole piece beginning at row `top`. */
 void tp_row_piece(const tp_rows *rows, const tp_row_sample *near,
-                  const tp_row_sample *far, int32_t x, int32_t y, int32_t end, int32_t top);
+                  const tp_row_sample *far, int32_t x, int32_t y, int32_t end,
+                  int32_t top);
 
 /* Column of a line that rises to its limit and begins anew: the pixel at it if it is
  * `joined`. */
