@@ -4,6 +4,7 @@
 #define TP_FRAME_INSIDE_H
 #include "frame/sight.h"
 #include "geom/level.h"
+#include "pixel/toned.h"
 #include "raster/rows.h"
 #include "scene/drawn.h"
 #include "scene/sides.h"
@@ -23,6 +24,8 @@ typedef struct {
     tp_cube  *cube;
     uint32_t *recip;            /* TP_RECIP + 2 */
     tp_entry8 *tone;            /* 256 */
+    tp_toned *toned;            /* the same of pixels */
+    tp_fx    exposure;          /* that they were made for; 0: none yet */
 } tp_frame_sky;
 
 /* A corner of the boat, projected; see boat.c for u of those that are not. */
@@ -217,6 +220,7 @@ struct tp_frame {
     int32_t          caustic_still_x, caustic_still_z;  /* fall of the sun, Q16.16 */
 
     tp_shade         shade;
+    const tp_toned  *toned;             /* pixels are exposed as they are stored; or NULL */
     tp_plan          sky, water, solids, land, drops, tank, side, spray;
 };
 

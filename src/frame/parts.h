@@ -148,6 +148,7 @@ struct tp_draw_stars {
 
 struct tp_draw_exposure {
     void (*plan)(tp_frame *frame);
+    void (*store)(const tp_toned *toned, uint16_t *to, const uint32_t *colours, int count);
 };
 
 struct tp_draw_glint {

@@ -80,7 +80,11 @@ static void shade_row(const tp_frame *frame, const tp_samples *tile, int32_t y, 
             plan->stage[k](&frame->shade, &run);
         if (frame->glasses > 0)
             frame->kit->draw.glass->glaze(frame, glass, &run);
-        store(row, x - tile->x0, x, y, run.colour, run.count);
+        if (frame->toned)
+            frame->kit->draw.exposure->store(frame->toned, (uint16_t *)row + x - tile->x0,
+                                             run.colour, run.count);
+        else
+            store(row, x - tile->x0, x, y, run.colour, run.count);
     }
 }
 

@@ -9,6 +9,7 @@
  * pictures, ICC 1973. */
 #include "base/base.h"
 #include "pixel/rgb565.h"
+#include "pixel/toned.h"
 #include "tidepool/kit.h"
 
 static const uint8_t bayer[8][8] = {
@@ -88,6 +89,28 @@ void tp_store_rgb565(void *row, int x_in_row, int x, int y, const uint32_t *colo
     (void)x;
     (void)y;
     store_rgb565((uint8_t *)row + 2 * x_in_row, colours, count, 0);
+}
+
+TP_ALWAYS_INLINE uint32_t toned(const tp_toned *t, uint32_t c)
+{
+    return (uint32_t)t->five[c >> 16 & 0xff] << 11 | (uint32_t)t->six[c >> 8 & 0xff] << 5
+         | t->five[c & 0xff];
+}
+
+void tp_store_rgb565_toned(const tp_toned *t, uint16_t *to, const uint32_t *colours,
+                           int count)
+{
+    int i = 0;
+
+#if TP_DSP
+    for (; i + 3 < count; i += 4) {
+        const uint32_t *c = colours + i;
+        put_pair((uint8_t *)(to + i), toned(t, c[0]) | toned(t, c[1]) << 16, 0);
+        put_pair((uint8_t *)(to + i + 2), toned(t, c[2]) | toned(t, c[3]) << 16, 0);
+    }
+#endif
+    for (; i < count; i++)
+        to[i] = (uint16_t)toned(t, colours[i]);
 }
 
 void tp_store_rgb565be(void *row, int x_in_row, int x, int y, const uint32_t *colours,

@@ -8,6 +8,7 @@
 #include <cmocka.h>
 #include "measure.h"
 #include "pixel/rgb565.h"
+#include "pixel/toned.h"
 #include "tidepool/kit.h"
 
 enum { FLAT_COLOURS = 20000, WIDTH = 40 };
@@ -272,11 +273,36 @@ static void a_strip_has_the_dither_of_the_picture(void **state)
         }
 }
 
+/* One look has the tone and its level. */
+static void a_toned_pixel_is_that_of_the_toned_colour(void **state)
+{
+    (void)state;
+    tp_toned toned;
+    uint8_t tone[256];
+    for (uint32_t i = 0; i < 256; i++) {
+        tone[i] = (uint8_t)random_next(&seed);
+        tp_toned_set(&toned, i, tone[i]);
+    }
+    for (int count = 0; count < 40; count++) {
+        uint32_t colours[40], exposed[40];
+        uint16_t got[40] = { 0 }, wanted[40] = { 0 };
+        for (int i = 0; i < 40; i++) {
+            const uint32_t c = colours[i] = (uint32_t)(count * 40 + i) * 2654435761u >> 8;
+            exposed[i] = (uint32_t)tone[c >> 16] << 16 | (uint32_t)tone[c >> 8 & 255] << 8
+                       | tone[c & 255];
+        }
+        tp_store_rgb565_toned(&toned, got, colours, count);
+        tp_store_rgb565(wanted, 0, 0, 0, exposed, count);
+        assert_memory_equal(got, wanted, sizeof got);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(rgb565_takes_the_nearest_levels),
         cmocka_unit_test(pairs_of_pixels_are_two_pixels),
+        cmocka_unit_test(a_toned_pixel_is_that_of_the_toned_colour),
         cmocka_unit_test(formats_without_dither_read_back_what_they_can_hold),
         cmocka_unit_test(p8_keeps_the_mean_of_flat_colours),
         cmocka_unit_test(l8_keeps_the_mean_of_flat_colours),
