@@ -64,7 +64,6 @@ static tp_shade shade_for(const bodies *b)
     if (b->env == TP_ENV_CUBE)
         sky_cube(&sky, &s, smooth, NULL);
     s.env.beyond = 0;
-    tp_shade_fresnel(&s);
     s.per_focal = (uint32_t)(((uint64_t)1 << 32) / (uint32_t)s.focal);
     s.env.least = b->lobe == TP_LOBE_NONE ? 0 : TP_DISC_END;
     const tp_fx shininess = chance_int(&chance, 10, 200) * TP_FX_ONE;
