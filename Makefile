@@ -312,17 +312,6 @@ $(BUILD)/scenes/%.elf: build/baked/$(MACHINE)/%.o $(BOARD_O) $(LIB) \
           ports/$(BOARD)/board.ld
 	@mkdir -p $(@D)
 	$(SAY)$(LINK_ELF)
-# The counting scenes as boards of little RAM draw them: of the tiles that leave count-64
-# 24 KB those that cost least.
-SMALL := -DBOARD_STREAM=1 -DBOARD_STRIP=64 -DBOARD_BAND=6
-$(BUILD)/scenes/count-%.elf: build/baked/$(MACHINE)/count-%.o \
-          $(BUILD)/ports/$(BOARD)/main-small.o $(filter-out %/main.o,$(BOARD_O)) $(LIB) \
-          ports/$(BOARD)/board.ld
-	@mkdir -p $(@D)
-	$(SAY)$(LINK_ELF)
-$(BUILD)/ports/$(BOARD)/main-small.o: ports/$(BOARD)/main.c $(BUILD)/flags
-	@mkdir -p $(@D)
-	$(SAY)$(COMPILE) $(SMALL) -c $< -o $@
 $(BUILD)/prices.elf: $(BUILD)/tests/budgets/prices.o build/baked/$(MACHINE)/prices.o \
           $(filter-out %/main.o,$(BOARD_O)) $(LIB) ports/$(BOARD)/board.ld
 	$(SAY)$(LINK_ELF)

@@ -11,9 +11,6 @@
 #ifndef BOARD_SIZE
 #define BOARD_SIZE 320, 240
 #endif
-#ifndef BOARD_STRIP
-#define BOARD_STRIP 0           /* the picture's whole width */
-#endif
 #ifndef BOARD_BAND
 #define BOARD_BAND 16
 #endif
@@ -22,9 +19,6 @@
 #endif
 #ifndef BOARD_FRAMES
 #define BOARD_FRAMES 2
-#endif
-#ifndef BOARD_STREAM
-#define BOARD_STREAM 0          /* 1: the water's crossings are not stored */
 #endif
 
 #define MARK(name) \
@@ -62,23 +56,11 @@ _Noreturn static void stop(const char *why)
 
 /* -- a picture ----------------------------------------------------------------- */
 
-/* A tile's left edge is at a whole byte. */
-static void place(const tp_tile *tile, const tp_frame_config *config, uint8_t *picture)
-{
-    const size_t row_bytes = tp_format_row_bytes(config->format, (int)config->width);
-    const size_t left = tp_format_row_bytes(config->format, (int)tile->x0);
-    const size_t bytes = tp_format_row_bytes(config->format, (int)(tile->x1 - tile->x0));
-    const uint8_t *row = tile->pixels;
-    for (uint32_t y = tile->y0; y < tile->y1; y++, row += tile->stride)
-        for (size_t k = 0; k < bytes; k++)
-            picture[y * row_bytes + left + k] = row[k];
-}
-
-/* Draws one frame; its CRC. */
+/* Draws one frame; its CRC.  A band takes the picture's whole width, so the rows of the
+ * tiles follow each other. */
 static uint32_t draw(tp_frame *frame, const tp_frame_config *config, void *scratch,
-                     uint8_t *picture, const tp_world *world, uint32_t *water_pixels)
+                     const tp_world *world, uint32_t *water_pixels)
 {
-    const size_t row_bytes = tp_format_row_bytes(config->format, (int)config->width);
     tp_tile  tile;
     uint32_t crc = 0;
     *water_pixels = 0;
@@ -87,14 +69,13 @@ static uint32_t draw(tp_frame *frame, const tp_frame_config *config, void *scrat
     count_as_tiles();
     for (uint32_t i = 0; tp_frame_tile(frame, i, scratch, &tile); i++) {
         count_end();
-        place(&tile, config, picture);
+        const uint8_t *row = tile.pixels;
+        for (uint32_t y = tile.y0; y < tile.y1; y++, row += tile.stride)
+            crc = tp_crc32_pixels(crc, config->format, row, (int)config->width);
         *water_pixels += tp_frame_water_pixels(frame, scratch, &tile);
         count_as_tiles();
     }
     count_end();
-    for (uint32_t y = 0; y < config->height; y++)
-        crc = tp_crc32_pixels(crc, config->format, picture + y * row_bytes,
-                              (int)config->width);
     return crc;
 }
 
@@ -128,35 +109,20 @@ static void say_ram(tp_frame_ram ram, size_t world_bytes)
     semihost_write("\n");
 }
 
-static tp_kit kit_of(void)
-{
-    tp_kit kit = tp_kit_all;
-    if (BOARD_STREAM)
-        kit.method.triangles = &tp_method_streamed;
-    return kit;
-}
-
 int main(void)
 {
-    const tp_frame_config config = { BOARD_SIZE, BOARD_STRIP, BOARD_BAND,
-                                     TP_FORMAT_RGB565 };
-    const tp_kit kit = kit_of();
+    const tp_frame_config config = { BOARD_SIZE, 0, BOARD_BAND, TP_FORMAT_RGB565 };
     const size_t world_bytes = tp_world_bytes(&baked_scene, &baked_assets);
     tp_arena  arena = tp_arena_over(arena_start, (size_t)(arena_end - arena_start));
-    void     *block = tp_arena_take(&arena, 1,
-                                    tp_frame_bytes_with(&kit, &baked_scene, &baked_assets,
-                                                        &config));
-    void     *scratch = tp_arena_take(&arena, 1,
-                                      tp_frame_scratch_with(&kit, &baked_scene, &config));
-    uint8_t  *picture = tp_arena_take(&arena, config.height, tp_format_row_bytes(
-                                          config.format, (int)config.width));
+    void     *block = tp_arena_take(&arena, 1, tp_frame_bytes(&baked_scene, &baked_assets,
+                                                              &config));
+    void     *scratch = tp_arena_take(&arena, 1, tp_frame_scratch_bytes(&config));
     tp_world *world = tp_arena_take(&arena, 1, world_bytes);
     tp_frame *frame;
     tp_error  err;
 
     if (arena.failed
-        || tp_frame_init_with(&kit, &frame, &baked_scene, &baked_assets, &config, block,
-                              &err))
+        || tp_frame_init(&frame, &baked_scene, &baked_assets, &config, block, &err))
         stop("the frame does not fit");
     if (tp_world_init(world, world_bytes, &baked_scene, &baked_assets, &err))
         stop("the world cannot be made");
@@ -164,7 +130,7 @@ int main(void)
         tp_world_step(world, &baked_scene, NULL);
     for (uint32_t n = 0; n < BOARD_FRAMES; n++) {
         uint32_t water;
-        const uint32_t crc = draw(frame, &config, scratch, picture, world, &water);
+        const uint32_t crc = draw(frame, &config, scratch, world, &water);
         say_frame(BOARD_FIRST + n, crc, water, tp_frame_last_stats(frame));
         tick(world);
     }
