@@ -20,8 +20,8 @@ MARK(count_end)
 MARK(count_section)
 
 static const uint32_t sizes[][2] = {
-    { 320, 16 }, { 320, 4 }, { 160, 8 }, { 64, 16 }, { 64, 8 }, { 32, 32 }, { 32, 16 },
-    { 16, 16 },
+    { 320, 16 }, { 320, 4 }, { 160, 8 }, { 64, 16 }, { 64, 8 }, { 64, 6 }, { 32, 32 },
+    { 32, 16 },
 };
 
 static uint16_t picture[WIDTH * HEIGHT];
