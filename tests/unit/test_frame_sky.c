@@ -115,7 +115,7 @@ static void skies_are_carved_for_those_who_have_them(void **state)
                     plain + sizeof(tp_dome) + 16);
     s.sky.kind = TP_SKY_GRADIENT;
     s.hdr.value = 2 * TP_FX_ONE;
-    const size_t toned = plain + 256 * sizeof(tp_entry8);
+    const size_t toned = plain + 256 * sizeof(tp_entry8) + sizeof(tp_toned);
     assert_in_range(tp_frame_bytes(&s, &none, &c), toned, toned + 16);
 }
 
