@@ -46,8 +46,8 @@ tp_rungs tp_rungs_of(const tp_scene *scene, const tp_assets *assets, uint32_t wi
 
 typedef struct {
     uint64_t cost;              /* instructions of a Cortex-M4, a frame */
-    tp_fx    error_px;          /* of outlines */
-    tp_fx    error_colour;      /* rms of 255 */
+    tp_fx    error_px;          /* px of outlines, and ... */
+    tp_fx    error_colour;      /* ... rms of 255, beyond the exact rungs' */
     bool     known;             /* it has been measured */
 } tp_price;
 
@@ -58,7 +58,8 @@ typedef enum {
     TP_WHY_ERROR,               /* beyond the budget, alone or with the others */
     TP_WHY_COST,                /* dearer */
     TP_WHY_UNKNOWN,             /* not measured */
-    TP_WHY_UNFIT                /* the camera, or the sea, is none for it */
+    TP_WHY_UNFIT                /* it is drawn by the exact one: the camera, or
+                                   what the scene has, is none for it */
 } tp_why;
 
 /* A rung put in place of the chosen one, the other kinds' as chosen. */

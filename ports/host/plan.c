@@ -20,7 +20,7 @@ static const char *const whys[] = {
     [TP_WHY_CHOSEN] = "chosen", [TP_WHY_NAMED] = "as the scene says",
     [TP_WHY_OTHER_NAMED] = "the scene says otherwise", [TP_WHY_ERROR] = "over the budget",
     [TP_WHY_COST] = "no cheaper", [TP_WHY_UNKNOWN] = "has no price yet",
-    [TP_WHY_UNFIT] = "not for this view",
+    [TP_WHY_UNFIT] = "not for this scene",
 };
 
 typedef struct {
@@ -162,7 +162,7 @@ static void print_total(const plan *p)
            " %zu, world %zu\n", ram.frame, ram.vertices, ram.tables, ram.mirror,
            ram.scratch, p->stage->world_bytes);
     puts("Instructions are a Cortex-M4's for water and sky, without boat, drops, tank and"
-         "\nticks.  Errors are the most that was measured against the exact rungs.");
+         "\nticks.  Errors are the most that was measured, beyond the exact rungs' own.");
 }
 
 static int run(const options *o)
@@ -199,6 +199,8 @@ int plan_command(int argc, char **argv)
         puts("usage: tidepool plan SCENE [OPTION]...\n"
              "Prints by which methods the scene is drawn: for each what a frame costs a\n"
              "Cortex-M4 with it, how far outlines and colours may be off, and its bytes.\n"
+             "Both are measured against the truth, a mesh and pixels many times finer;\n"
+             "what counts is how much farther off it a rung is than the exact one.\n"
              "The cheapest within quality.error_px and quality.error_colour are taken;\n"
              "what the scene names (quality.visibility, shading, rate, lod) is taken\n"
              "whatever its error.\n");

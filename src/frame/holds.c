@@ -13,6 +13,7 @@
  * The widest ray also bounds how far apart along it the lines lie, and so how far what is
  * drawn strays from the triangles. */
 #include "frame/frame.h"
+#include "wave/ocean.h"
 
 #define STEEP   3                       /* t of the widest ray: 71.6 degrees */
 #define ROLL    (TP_FX_ONE / 64)        /* sine of it */
@@ -81,7 +82,7 @@ static bool rays_hold(const tp_frame *frame)
 static bool may_break(const tp_ocean *ocean)
 {
     for (uint32_t i = 0; i < ocean->count; i++)
-        if (ocean->wave[i].stretch > 0 && (ocean->slope > 0 || ocean->map_cols > 0))
+        if (tp_may_break(ocean->wave[i].stretch, ocean->slope, ocean->map_cols > 0))
             return true;
     return false;
 }

@@ -8,8 +8,11 @@
 #include "scene/light.h"
 #include "scene/prices.h"
 #include "scene/sides.h"
+#include "wave/ocean.h"
 
 #define RAYS   32               /* each way */
+#define BAND   16               /* rows of a tile, as a board draws */
+#define POINTS (1 << 20)        /* at the most */
 #define SPOTS  32               /* of the grid, each way */
 
 typedef struct {
@@ -158,6 +161,78 @@ static uint32_t viewed_spots(const stand *at, const tp_scene *s)
     return viewed;
 }
 
+/* -- points of a lattice over the picture -------------------------------------------- */
+
+/* Lines of the projected method up to so many rows below the horizon (frame/projected.c),
+ * to 4 times as many at a step there. */
+static int64_t lines_below(int64_t rows)
+{
+    return rows > 64 ? 48 + (rows - 64) / 4 : rows > 32 ? 32 + (rows - 32) / 2
+         : rows > 0 ? rows : 0;
+}
+
+/* Rows from the horizon down to the picture's lower edge. */
+static int64_t rows_below(const stand *at, int32_t focal, uint32_t height)
+{
+    const int64_t up = at->turn.y.y > 1 << 20
+                     ? (int64_t)focal * at->turn.z.y / at->turn.y.y : 4096;
+    return tp_limit(up + height / 2, 4096);
+}
+
+/* Tiles of BAND rows walk again the lines that waves, so high, may raise into them. */
+static uint32_t projected_points(const stand *at, int32_t focal, int64_t waves,
+                                 uint32_t width, uint32_t height)
+{
+    const int64_t below = rows_below(at, focal, height), eye = at->eye.y;
+    int64_t lines = 0;
+
+    if (eye <= waves)
+        return 0;
+    for (int64_t low = below; low > 0 && low > below - height; low -= BAND) {
+        const int64_t first = low * eye / (eye - waves) + (waves > 0 ? 8 : 4);
+        const int64_t last = (low - BAND) * eye / (eye + waves);
+        lines += lines_below(first) - lines_below(last) + 1;
+    }
+    return (uint32_t)tp_limit(lines * (width / 8 + 5), POINTS);
+}
+
+/* Every 8th pixel of every 8th row, of water that has waves. */
+static uint32_t flat_points(const stand *at, int32_t focal, int64_t waves, uint32_t width,
+                            uint32_t height)
+{
+    const int64_t below = rows_below(at, focal, height);
+    const int64_t rows = below < height ? below : height;
+
+    return waves > 0 && rows > 0 ? (uint32_t)((rows / 8 + 1) * (width / 8 + 1)) : 0;
+}
+
+static void list_points(tp_outlook *o, const stand *at, int64_t waves, uint32_t width,
+                        uint32_t height)
+{
+    o->points[TP_VISIBILITY_TRIANGLES - 1] = o->vertices;
+    o->points[TP_VISIBILITY_ROWS - 1] = o->vertices;
+    o->points[TP_VISIBILITY_PROJECTED - 1] =
+        projected_points(at, o->focal, waves, width, height);
+    o->points[TP_VISIBILITY_FLAT - 1] = flat_points(at, o->focal, waves, width, height);
+}
+
+/* -- which methods draw it ----------------------------------------------------------- */
+
+/* The frame decides by its own camera; here by the scene's, and a little strictly. */
+static void list_fits(tp_outlook *o, const tp_scene *s, const stand *at, int64_t waves,
+                      bool ahead)
+{
+    const bool ocean = tp_has_ocean(s), stirred = s->pool.cols > 0 || s->field.cols > 0;
+    const bool over = at->eye.y > waves + TP_FX_ONE / 8;
+    const bool swell = over && !ocean && !stirred && s->drops.count == 0;
+
+    o->fits[TP_VISIBILITY_TRIANGLES - 1] = 1;
+    o->fits[TP_VISIBILITY_ROWS - 1] = over && ahead
+        && !(ocean && tp_may_break(s->surf.stretch, s->floor.slope, s->floor.map[0]));
+    o->fits[TP_VISIBILITY_PROJECTED - 1] = swell && ahead && waves < at->eye.y * 3 / 4;
+    o->fits[TP_VISIBILITY_FLAT - 1] = swell;
+}
+
 /* -- what water goes through --------------------------------------------------------- */
 
 /* As a picture, or as one prepared for the quick rung. */
@@ -203,6 +278,17 @@ static void list_light(tp_outlook *o, const tp_scene *s, const tp_assets *a)
                              || s->hdr.value != TP_FX_ONE;
 }
 
+/* frame/plan_quick.c has the rule: what the quick stages do not know is drawn by exact
+ * ones. */
+static bool is_quick(const tp_outlook *o, const tp_scene *s, const tp_assets *a)
+{
+    const bool sky = tp_has_dome(s) || (s->sky.kind == TP_SKY_CUBE && a->sky[0]);
+
+    return !o->trait[TP_TRAIT_behind] && !o->trait[TP_TRAIT_bump]
+        && !o->trait[TP_TRAIT_foam] && !o->trait[TP_TRAIT_objects]
+        && !(sky && !o->trait[TP_TRAIT_ripple]) && s->hdr.share <= 0;
+}
+
 /* The lobe's steepest place is about its height times the root of its exponent. */
 static int gloss_of(const tp_scene *s)
 {
@@ -225,7 +311,8 @@ static uint8_t sea_of(const tp_scene *s, uint32_t *waves)
         slope += (int64_t)s->wave[i].amplitude * 411775 / s->wave[i].length;    /* 2 pi */
         ++*waves;
     }
-    const int steep = slope > TP_FX_ONE / 4 ? TP_SEA_STEEP
+    const int most = tp_has_ocean(s) ? TP_SEA_OCEAN : TP_SEA_STEEP;
+    const int steep = slope > TP_FX_ONE / 4 ? most
                     : slope > 0 || stirred ? TP_SEA_GENTLE : TP_SEA_LEVEL;
     return (uint8_t)(steep + gloss_of(s));
 }
@@ -240,7 +327,7 @@ tp_outlook tp_outlook_of(const tp_scene *scene, const tp_assets *assets, uint32_
     const tp_vec3 low = ray_of(&at, 0, -at.high);
     const int64_t ahead = (int64_t)low.x * -at.turn.z.x + (int64_t)low.z * -at.turn.z.z;
     tp_outlook o = { .focal = (int32_t)(((int64_t)height << 15) / at.high) };
-    int64_t crests = at.eye.y;
+    int64_t waves = 0;
 
     o.water_pixels = (uint32_t)(pixels * water_rays(&at) / (RAYS * RAYS));
     o.other_pixels = (uint32_t)pixels - o.water_pixels;
@@ -250,12 +337,14 @@ tp_outlook tp_outlook_of(const tp_scene *scene, const tp_assets *assets, uint32_
     o.pools = scene->water.pool_bump > 0 ? 0 : (uint8_t)((scene->pool.cols > 0)
                                                          + (scene->field.cols > 0));
     o.ocean = tp_has_ocean(scene);
-    o.overlooks = at.eye.y > 0 && (low.y >= 0 || ahead > 0) && !tp_has_ocean(scene);
     for (int i = 0; i < TP_WAVES; i++)
-        crests -= scene->wave[i].amplitude;
-    o.near = tp_faint_near(tp_fx_held(crests), &at.turn, scene->camera.fov);
+        waves += scene->wave[i].amplitude > 0 ? scene->wave[i].amplitude : 0;
+    o.near = tp_faint_near(tp_fx_held(at.eye.y - waves), &at.turn, scene->camera.fov);
+    list_points(&o, &at, waves, width, height);
+    list_fits(&o, scene, &at, waves, low.y >= 0 || ahead > 0);
     o.trait[TP_TRAIT_plain] = 1;
     list_pictures(&o, scene, assets);
     list_light(&o, scene, assets);
+    o.quick = is_quick(&o, scene, assets);
     return o;
 }

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* What methods cost and how far they are off, as measured: instructions of a Cortex-M4,
- * errors against the exact rungs.  The table is made from tests/budgets/prices.csv. */
+/* What methods cost and how far they are off, as measured: instructions of a Cortex-M4;
+ * errors against the truth (tests/budgets/truth.h), beyond those of the exact rungs.  The
+ * table is made from tests/budgets/prices.csv. */
 #ifndef TP_SCENE_PRICES_H
 #define TP_SCENE_PRICES_H
 #include "tidepool/plan.h"
@@ -23,18 +24,20 @@ enum {
 };
 
 /* Seas by what makes errors: their slopes, and how they glitter; sparks: by a lobe so
- * sharp and bright that its points are smaller than pixels. */
+ * sharp and bright that its points are smaller than pixels; ocean: steep, over a bed or
+ * in a wind. */
 enum {
     TP_SEA_LEVEL, TP_SEA_LEVEL_GLOSSY, TP_SEA_LEVEL_SPARKS,
     TP_SEA_GENTLE, TP_SEA_GENTLE_GLOSSY, TP_SEA_GENTLE_SPARKS,
-    TP_SEA_STEEP, TP_SEA_STEEP_GLOSSY, TP_SEA_STEEP_SPARKS, TP_SEA_CLASSES
+    TP_SEA_STEEP, TP_SEA_STEEP_GLOSSY, TP_SEA_STEEP_SPARKS,
+    TP_SEA_OCEAN, TP_SEA_OCEAN_GLOSSY, TP_SEA_OCEAN_SPARKS, TP_SEA_CLASSES
 };
 
 /* Of a way to find the water. */
 typedef struct {
     bool  known;
     tp_fx pixel;                /* instructions a water pixel */
-    tp_fx vertex;               /* a crossing of the grid in view; there besides ... */
+    tp_fx vertex;               /* a point that it works out; there besides ... */
     tp_fx wave, pool, ocean;    /* ... for each wave, each pool, an ocean */
 } tp_seen_price;
 
@@ -79,8 +82,9 @@ typedef struct {
     uint8_t  trait[TP_TRAIT_COUNT];     /* how often */
     uint8_t  sea;               /* its class */
     uint8_t  pools, ocean;      /* that displace the grid */
-    bool     overlooks;         /* the eye is above the water and looks ahead, and nothing
-                                   of the sea may overhang */
+    uint32_t points[TP_VISIBILITIES];   /* that each method works out */
+    uint8_t  fits[TP_VISIBILITIES];     /* whether it draws this view */
+    uint8_t  quick;             /* whether the quick stages know all that the water has */
 } tp_outlook;
 
 tp_outlook tp_outlook_of(const tp_scene *scene, const tp_assets *assets, uint32_t width,

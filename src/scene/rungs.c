@@ -2,6 +2,7 @@
 /* Which rungs a scene is drawn by: of all combinations of those that it leaves open, the
  * cheapest whose errors stay within the budget.
  *
+ * A rung's error is what it adds to that of the exact one, which is off the truth too.
  * Errors add up: that is the most that they can do.  What the scene names is not held
  * against its budget, but leaves less of it to the rest.  The exact rungs are always
  * within it, so there is always a plan; a larger budget has all the plans of a smaller
@@ -47,9 +48,38 @@ static tp_rungs rungs_of(choice c)
 
 /* -- prices -------------------------------------------------------------------------- */
 
+/* The frame draws by the exact rung of a kind what another does not know. */
+static bool is_fit(const ground *g, int kind, int rung)
+{
+    return kind == TP_KIND_VISIBILITY ? g->outlook.fits[rung] != 0
+         : kind != TP_KIND_SHADING || rung == 0 || g->outlook.quick;
+}
+
 static tp_error_price error_of(const ground *g, int kind, int rung)
 {
-    return g->prices->error[kind][rung][g->outlook.sea];
+    return g->prices->error[kind][is_fit(g, kind, rung) ? rung : 0][g->outlook.sea];
+}
+
+static int method_of(const ground *g, choice c)
+{
+    const int v = c.of[TP_KIND_VISIBILITY];
+    return is_fit(g, TP_KIND_VISIBILITY, v) ? v : 0;
+}
+
+/* Rates and left-out lines that were counted and change nothing have no prices of their
+ * own: they are drawn as without. */
+static const tp_seen_price *seen_of(const ground *g, choice c)
+{
+    const tp_seen_price *seen = g->prices->seen[method_of(g, c)];
+    return &seen[seen[c.of[TP_KIND_LOD]].known ? c.of[TP_KIND_LOD] : 0];
+}
+
+static const tp_shaded_price *shaded_of(const ground *g, choice c)
+{
+    const int s = c.of[TP_KIND_SHADING];
+    const int drawn = is_fit(g, TP_KIND_SHADING, s) ? s : 0;
+    const tp_shaded_price *shaded = g->prices->shaded[drawn];
+    return &shaded[shaded[c.of[TP_KIND_RATE]].known ? c.of[TP_KIND_RATE] : 0];
 }
 
 static bool is_open(const ground *g, int kind)
@@ -71,14 +101,14 @@ static tp_price price_of(const ground *g, choice c)
 {
     const tp_prices *p = g->prices;
     const tp_outlook *o = &g->outlook;
-    const tp_seen_price *seen = &p->seen[c.of[TP_KIND_VISIBILITY]][c.of[TP_KIND_LOD]];
-    const tp_shaded_price *shaded = &p->shaded[c.of[TP_KIND_SHADING]][c.of[TP_KIND_RATE]];
+    const tp_seen_price *seen = seen_of(g, c);
+    const tp_shaded_price *shaded = shaded_of(g, c);
     const int64_t vertex = seen->vertex + (int64_t)seen->wave * g->faint.left
                          + (int64_t)seen->pool * o->pools
                          + (int64_t)seen->ocean * o->ocean;
     const int64_t cost = (int64_t)p->frame * 1000 + (int64_t)p->sky * o->other_pixels
                        + (seen->pixel + pixel_price(o, shaded)) * o->water_pixels
-                       + vertex * o->vertices;
+                       + vertex * o->points[method_of(g, c)];
     tp_price price = { .cost = cost > 0 ? (uint64_t)cost >> 16 : 0,
                        .error_px = g->faint.px, .error_colour = g->faint.colour,
                        .known = seen->known && shaded->known };
@@ -94,10 +124,13 @@ static tp_price price_of(const ground *g, choice c)
 
 /* -- which may be taken -------------------------------------------------------------- */
 
-static bool is_fit(const ground *g, choice c)
+/* What the scene names may be unfit. */
+static bool all_fit(const ground *g, choice c)
 {
-    return c.of[TP_KIND_VISIBILITY] == 0 || g->outlook.overlooks
-        || !is_open(g, TP_KIND_VISIBILITY);
+    for (int k = 0; k < TP_KINDS; k++)
+        if (is_open(g, k) && !is_fit(g, k, c.of[k]))
+            return false;
+    return true;
 }
 
 /* Of the open kinds alone. */
@@ -138,7 +171,7 @@ static choice cheapest_of(const ground *g)
     for (uint32_t i = 0; least.known && i < COMBINATIONS; i++) {
         const choice   c = choice_of(i);
         const tp_price price = price_of(g, c);
-        if (price.known && price.cost < least.cost && is_named_so(g, c) && is_fit(g, c)
+        if (price.known && price.cost < least.cost && is_named_so(g, c) && all_fit(g, c)
             && is_within(g, c)) {
             best = c;
             least = price;
@@ -207,10 +240,10 @@ static tp_why why_of(const ground *g, int kind, choice chosen, choice c)
         return is_open(g, kind) ? TP_WHY_CHOSEN : TP_WHY_NAMED;
     if (!is_open(g, kind))
         return TP_WHY_OTHER_NAMED;
+    if (!is_fit(g, kind, c.of[kind]))
+        return TP_WHY_UNFIT;
     if (!price.known)
         return TP_WHY_UNKNOWN;
-    if (!is_fit(g, c))
-        return TP_WHY_UNFIT;
     return is_within(g, c) ? TP_WHY_COST : TP_WHY_ERROR;
 }
 
@@ -273,7 +306,7 @@ static bool step_down(const ground *g, choice *from)
             choice c = *from;
             c.of[k] = i;
             const tp_price p = price_of(g, c);
-            if (!p.known || p.cost >= here.cost || !is_fit(g, c))
+            if (!p.known || p.cost >= here.cost || !all_fit(g, c))
                 continue;
             const uint64_t save = here.cost - p.cost;
             const uint64_t more = harm_of(p) > harm_of(here) ? harm_of(p) - harm_of(here)

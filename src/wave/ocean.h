@@ -35,6 +35,12 @@ static inline int32_t tp_ocean_mix(int32_t a, int32_t b, int32_t part)
 #define TP_OCEAN_FIRST 12       /* 1/16 m is 2^12 in 16.16 ... */
 #define TP_OCEAN_LAST  27       /* ... and 2048 m is 2^27 */
 
+/* Whether waves so stretched may hang over: where the bed rises at all. */
+static inline bool tp_may_break(tp_fx stretch, tp_fx slope, bool mapped)
+{
+    return stretch > 0 && (slope > 0 || mapped);
+}
+
 typedef struct {
     uint32_t depth, phase;          /* the nodes above */
     int32_t  depth_part, phase_part;/* Q16 */

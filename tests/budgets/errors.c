@@ -1,29 +1,17 @@
 /* SPDX-License-Identifier: MIT */
-/* How far each rung is off: shipped scenes at 320x240 by it and by the exact rungs.
+/* How far each rung is off: shipped scenes at 320x240 by it, beside the truth (truth.h).
  *
  *     errors SCENE.ini...
  *
- * Lines: error RUNG CLASS PX COLOUR SCENE TICK.  Outlines: pixels that are water in one
- * picture alone, over the exact picture's borders of water met going down its columns.
- * Colours: the rms of 255 of the worst channel, of pixels that are water in both.  And
- *     slope COLOUR SCENE: such a rms over the rms of an added small wave's slopes */
-#include <math.h>
+ * Lines: error RUNG CLASS PX COLOUR SCENE TICK, what the rung adds to the errors of the
+ * exact one; lines "exact ..." of those themselves; and
+ *     slope COLOUR SCENE: the rms that an added small wave makes over its slopes' */
 #include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
-#include "host/stage.h"
-#include "raster/raster.h"
 #include "scene/prices.h"
-
-enum { WIDTH = 320, HEIGHT = 240, COUNT = WIDTH * HEIGHT, LATE = 100 };
+#include "truth.h"
 
 #define SMALL_SLOPE  0.02       /* k A */
 #define SMALL_LENGTH 4          /* m */
-
-typedef struct {
-    uint32_t pixel[COUNT];
-    bool     water[COUNT];
-} drawing;
 
 static const char *const rungs[TP_KINDS][TP_KIND_RUNGS] = {
     { "triangles", "rows", "projected", "flat" }, { "exact", "quick" },
@@ -33,60 +21,8 @@ static const char *const rungs[TP_KINDS][TP_KIND_RUNGS] = {
 static const char *const classes[] = {
     "level", "level_glossy", "level_sparks", "gentle", "gentle_glossy", "gentle_sparks",
     "steep", "steep_glossy", "steep_sparks",
+    "ocean", "ocean_glossy", "ocean_sparks",
 };
-
-/* One tile over all; the samples' keys are the first plane of its scratch. */
-static void draw(drawing *to, const stage *s, const tp_scene *scene,
-                 const tp_world *world)
-{
-    const tp_frame_config config = { .width = WIDTH, .height = HEIGHT };
-    void *block = malloc(tp_frame_bytes(scene, &s->assets.names, &config));
-    uint32_t *scratch = malloc(tp_frame_scratch_bytes(&config));
-    tp_frame *frame;
-    tp_tile   tile;
-
-    if (!block || !scratch
-        || tp_frame_init(&frame, scene, &s->assets.names, &config, block, NULL))
-        abort();
-    tp_frame_begin(frame, world);
-    tp_frame_tile(frame, 0, scratch, &tile);
-    for (size_t i = 0; i < COUNT; i++)
-        to->water[i] = TP_MARK(scratch[i]) == TP_MARK_WATER;
-    memcpy(to->pixel, tile.pixels, sizeof to->pixel);
-    free(scratch);
-    free(block);
-}
-
-static double rms_of(const drawing *a, const drawing *b)
-{
-    double sum[3] = { 0, 0, 0 }, worst = 0;
-    uint32_t count = 0;
-
-    for (size_t i = 0; i < COUNT; i++) {
-        if (!a->water[i] || !b->water[i])
-            continue;
-        count++;
-        for (int c = 0; c < 3; c++) {
-            const int off = (int)(a->pixel[i] >> 8 * c & 255)
-                          - (int)(b->pixel[i] >> 8 * c & 255);
-            sum[c] += off * off;
-        }
-    }
-    for (int c = 0; c < 3; c++)
-        worst = fmax(worst, sum[c]);
-    return count ? sqrt(worst / count) : 0;
-}
-
-static double px_of(const drawing *exact, const drawing *b)
-{
-    uint32_t elsewhere = 0, borders = 0;
-
-    for (size_t i = 0; i < COUNT; i++) {
-        elsewhere += exact->water[i] != b->water[i];
-        borders += i >= WIDTH && exact->water[i] != exact->water[i - WIDTH];
-    }
-    return borders ? (double)elsewhere / borders : 0;
-}
 
 static const uint8_t counts[TP_KINDS] = { TP_VISIBILITIES, TP_SHADINGS, TP_RATES,
                                           TP_LODS };
@@ -107,19 +43,38 @@ static tp_scene scene_by(const stage *s, choice c)
     return scene;
 }
 
-/* All of a kind against its exact one, the other kinds as in `base`. */
-static void compare(const stage *s, uint32_t tick, const tp_outlook *o, choice base,
-                    int kind)
+typedef struct {
+    drawing    truth[2];        /* of methods, of shading */
+    error      exact[2];        /* off them */
+    tp_outlook outlook;
+    uint32_t   tick;
+} ground;
+
+static void say(const stage *s, const ground *g, const char *rung, error e)
 {
-    static drawing exact, other;
+    printf("error %s %s %.4f %.4f %s %u\n", rung, classes[g->outlook.sea], e.px, e.colour,
+           s->file.name, (unsigned)g->tick);
+}
+
+/* All of a kind, the other kinds as in `base`; beyond the first of it, or the exact
+ * rungs where those are off farther. */
+static void compare(const stage *s, const ground *g, choice base, int kind)
+{
+    static drawing other;
+    const bool shaded = kind == TP_KIND_SHADING || kind == TP_KIND_RATE;
+    error first = { 0, 0 };
 
     for (uint8_t i = 0; i < counts[kind]; i++) {
+        if (kind == TP_KIND_VISIBILITY && !g->outlook.fits[i])
+            continue;
+        if (kind == TP_KIND_SHADING && i > 0 && !g->outlook.quick)
+            continue;
         base.of[kind] = i;
         const tp_scene scene = scene_by(s, base);
-        draw(i ? &other : &exact, s, &scene, s->world);
-        printf("error %s %s %.4f %.4f %s %u\n", rungs[kind][i], classes[o->sea],
-               i ? px_of(&exact, &other) : 0, i ? rms_of(&exact, &other) : 0,
-               s->file.name, (unsigned)tick);
+        draw(&other, s, &scene, s->world);
+        const error e = error_of(&g->truth[shaded], &other);
+        first = i ? first : worse(e, g->exact[shaded]);
+        say(s, g, rungs[kind][i], beyond(e, first));
     }
 }
 
@@ -127,20 +82,31 @@ static void compare(const stage *s, uint32_t tick, const tp_outlook *o, choice b
  * what a rung spoils may depend on the others. */
 static void compare_all(const stage *s, uint32_t tick)
 {
-    const tp_outlook o = tp_outlook_of(&s->file.scene, &s->assets.names, WIDTH, HEIGHT);
+    static drawing exact;
+    static ground  g;
+    const tp_scene scene = exact_scene(s);
     choice base = { { 0, 0, 0, 0 } };
 
-    if (o.overlooks)
-        compare(s, tick, &o, base, TP_KIND_VISIBILITY);
-    compare(s, tick, &o, base, TP_KIND_SHADING);
-    for (uint8_t i = 0; i < TP_SHADINGS; i++) {
+    g.outlook = tp_outlook_of(&s->file.scene, &s->assets.names, WIDTH, HEIGHT);
+    g.tick = tick;
+    draw(&exact, s, &scene, s->world);
+    for (uint32_t i = 0; i < 2; i++) {
+        draw_truth(&g.truth[i], s, s->world, i + 1);
+        g.exact[i] = error_of(&g.truth[i], &exact);
+        printf("exact %.4f %.4f %s %u\n", g.exact[i].px, g.exact[i].colour, s->file.name,
+               (unsigned)tick);
+    }
+    compare(s, &g, base, TP_KIND_VISIBILITY);
+    compare(s, &g, base, TP_KIND_SHADING);
+    for (uint8_t i = 0; i < (g.outlook.quick ? TP_SHADINGS : 1); i++) {
         base.of[TP_KIND_SHADING] = i;
-        compare(s, tick, &o, base, TP_KIND_RATE);
+        compare(s, &g, base, TP_KIND_RATE);
     }
     base.of[TP_KIND_SHADING] = 0;
-    for (uint8_t i = 0; i < (o.overlooks ? TP_VISIBILITIES : 1); i++) {
+    for (uint8_t i = 0; i < TP_VISIBILITIES; i++) {
         base.of[TP_KIND_VISIBILITY] = i;
-        compare(s, tick, &o, base, TP_KIND_LOD);
+        if (g.outlook.fits[i])
+            compare(s, &g, base, TP_KIND_LOD);
     }
 }
 
@@ -161,7 +127,8 @@ static void lay_a_wave(stage *s)
         exit(1);
     scene = scene_by(s, (choice){ { 0, 0, 0, 0 } });
     draw(&more, s, &scene, s->world);
-    printf("slope %.4f %s\n", rms_of(&without, &more) / (SMALL_SLOPE * sqrt(0.5)),
+    printf("slope %.4f %s\n",
+           error_of(&without, &more).colour / (SMALL_SLOPE * sqrt(0.5)),
            s->file.name);
 }
 

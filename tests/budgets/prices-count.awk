@@ -4,7 +4,8 @@
 #   awk -f tests/budgets/prices-count.awk SHADE SAID COUNTS
 #
 # SHADE lists the functions of src/shade.  A figure is a difference of two pictures, over
-# what differs between them.  Rungs that draw with the same instructions as the ones that
+# what differs between them; those of what is seen fit all views (predictions and counts
+# go to the standard error).  Rungs that draw with the same instructions as the ones that
 # they stand for are not there yet, and have no rows.
 FNR == 1 { file++ }
 file == 1 { shades[$1]; next }
@@ -29,25 +30,58 @@ function row(what, rung, item, figure)
     printf "%s,%s,%s,%.3f\n", what, rung, item, figure
 }
 
-# What a vertex pays for it.
+# What a point pays for it.
 function more(item, near)
 {
     sub(/near$/, "", near)
     return (cost[near item] - cost[near "near"]) / vertices[near "near"]
 }
 
-function seen(rung,    near, dense, one, vertex, wave, rest)
+# pixel n + vertex P + wave W P of each view, as near its cost as can be in shares of it,
+# none of them below 0: steps down along one of the three, again and again.
+function fit(rung,    item, views, v, name, i, j, k, rest, a, b, part, off)
+{
+    views = split("near dense small one", item, " ")
+    for (v = 1; v <= views; v++) {
+        name = "seen " rung " " item[v]
+        rest = cost[name] - whole - sky * (pixels[name] - water[name]) - \
+               plain * water[name]
+        part[1] = water[name] / cost[name]
+        part[2] = vertices[name] / cost[name]
+        part[3] = part[2] * waves[name]
+        for (i = 1; i <= 3; i++) {
+            b[i] += part[i] * rest / cost[name]
+            for (j = 1; j <= 3; j++)
+                a[i, j] += part[i] * part[j]
+        }
+    }
+    coefficient[1] = coefficient[2] = coefficient[3] = 0
+    for (k = 0; k < 50000; k++)
+        for (i = 1; i <= 3; i++) {
+            off = b[i]
+            for (j = 1; j <= 3; j++)
+                off -= j == i ? 0 : a[i, j] * coefficient[j]
+            coefficient[i] = off > 0 && a[i, i] > 0 ? off / a[i, i] : 0
+        }
+    for (v = 1; v <= views; v++) {
+        name = "seen " rung " " item[v]
+        rest = whole + sky * (pixels[name] - water[name]) + plain * water[name] + \
+               coefficient[1] * water[name] + \
+               (coefficient[2] + coefficient[3] * waves[name]) * vertices[name]
+        printf "    %s: %.2f M predicted, %.2f M counted, %.2f\n", name, rest / 1e6, \
+               cost[name] / 1e6, rest / cost[name] >"/dev/stderr"
+    }
+}
+
+function seen(rung,    near)
 {
     near = "seen " rung " near"
-    dense = "seen " rung " dense"
-    one = "seen " rung " one"
-    wave = (cost[near] - cost[one]) / vertices[near] / (waves[near] - waves[one])
-    vertex = (cost[dense] - cost[near]) / (vertices[dense] - vertices[near])
-    rest = cost[near] - whole - sky * (pixels[near] - water[near]) - \
-           vertex * vertices[near]
-    row("seen", rung, "pixel", rest / water[near] - plain)
-    row("seen", rung, "vertex", vertex - wave * waves[near])
-    row("seen", rung, "wave", wave)
+    fit(rung)
+    row("seen", rung, "pixel", coefficient[1])
+    row("seen", rung, "vertex", coefficient[2])
+    row("seen", rung, "wave", coefficient[3])
+    if (rung !~ /^(triangles|rows)/)
+        return                              # these know swells alone
     row("seen", rung, "pool", more("pool", near))
     row("seen", rung, "ocean", more("ocean", near))
 }
@@ -96,7 +130,7 @@ function shaded(rung,    n)
 
 function there_seen(rung, than,    i, item)
 {
-    for (i = split("near dense one pool ocean", item, " "); i > 0; i--)
+    for (i = split("near dense small one pool ocean", item, " "); i > 0; i--)
         if (cost["seen " rung " " item[i]] != cost["seen " than " " item[i]])
             return 1
     return 0

@@ -5,7 +5,7 @@
 #include "cortex-m/baked.h"
 #include "cortex-m/board.h"
 #include "cortex-m/semihost.h"
-#include "tidepool/plan.h"
+#include "scene/prices.h"
 
 #define BAND 16
 
@@ -55,6 +55,7 @@ static const row shaded[] = {
 static const row seen[] = {
     { "near", "" },
     { "dense", "grid.cols=100 grid.rows=100 grid.cell=1.06" },
+    { "small", "" },            /* 160x112 */
     { "one", "wave1.amplitude=0 wave2.amplitude=0" },
     { "pool", "pool.cols=64 pool.cells=32 pool.cell=2" },
     { "ocean", "floor.depth=20" },
@@ -185,8 +186,9 @@ static void draw(const char *what, const char *rung, const char *other, const ch
     semihost_write(item);
     put_number(" ", width * height);
     put_number(" ", water);
-    put_number(" ", tp_plan_of(&scene, &assets, width, height).vertices);
-    put_number(" ", tp_plan_of(&scene, &assets, width, height).waves);
+    const tp_outlook outlook = tp_outlook_of(&scene, &assets, width, height);
+    put_number(" ", outlook.points[scene.quality.visibility - 1]);
+    put_number(" ", outlook.waves);
     semihost_write("\n");
     count_section();
 }
@@ -204,7 +206,9 @@ static void draw_seen(void)
                 rungs.lod = (tp_lod)(l + 1);
                 begin(&rungs);
                 set(seen[i].set);
-                draw("seen", visibilities[v], lods[l], seen[i].name, 320, 240);
+                const bool small = seen[i].name[0] == 's';
+                draw("seen", visibilities[v], lods[l], seen[i].name, small ? 160 : 320,
+                     small ? 112 : 240);
             }
 }
 

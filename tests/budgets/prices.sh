@@ -27,7 +27,7 @@ measure()
 {
     shade_functions >"$scratch/shade"
     awk -f tests/budgets/prices-count.awk "$scratch/shade" "$scratch/said" \
-        "$scratch/counts" >"$scratch/costs" &&
+        "$scratch/counts" >"$scratch/costs" 2>"$scratch/fit" &&
         awk -f tests/budgets/prices-error.awk "$scratch/costs" \
             "$scratch/errors" >"$scratch/offs" &&
         { sed -n '/^#/p' $table; echo "what,rung,item,figure"
@@ -41,6 +41,7 @@ check "the board draws every rung" emulate $elf "$scratch/said" "$scratch/counts
 check "the scenes are compared" sh -c \
     "build/host/tests/budgets/errors assets/scenes/*.ini >'$scratch/errors'"
 check "prices come of it" measure
+if [ -f "$scratch/fit" ]; then sort "$scratch/fit"; fi
 [ "$failures" = 0 ] || exit 1
 
 if [ "${1:-}" = --write ]; then

@@ -1,0 +1,136 @@
+/* SPDX-License-Identifier: MIT */
+/* The truth about a scene's picture, and how far others are off it.  Triangles, rows and
+ * exact stages are all approximations of one surface and its light: the truth is drawn by
+ * the exact rungs on a mesh four times finer each way.  For shading it is drawn at twice
+ * the picture's size too, each pixel the mean of four: glints smaller than pixels then
+ * count for exact and quick stages alike.  For ways to see the water it has the picture's
+ * own samples: those glints would drown what they differ by.
+ *
+ * Outlines: pixels that are water in one picture alone, over the truth's borders of water
+ * met going down its columns.  Colours: the rms of 255 of the worst channel, of pixels
+ * that are water in both.  What counts of a rung is what it adds to the error of the
+ * exact one: max(0, e - e_exact).  As squares of independent errors add up, those of
+ * several rungs together add at most the sum. */
+#ifndef TP_TRUTH_H
+#define TP_TRUTH_H
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include "host/stage.h"
+#include "raster/raster.h"
+
+enum { WIDTH = 320, HEIGHT = 240, COUNT = WIDTH * HEIGHT, FINER = 4, LATE = 100 };
+
+typedef struct {
+    uint32_t pixel[COUNT];
+    uint8_t  water[COUNT];      /* of its samples, 4 if all are */
+    uint32_t vertices;
+} drawing;
+
+typedef struct {
+    double px, colour;
+} error;
+
+/* `parts` samples each way; in one tile over all the samples' keys are the first plane of
+ * its scratch. */
+static inline void draw_at(drawing *to, const stage *s, const tp_scene *scene,
+                           const tp_world *world, uint32_t parts)
+{
+    const tp_frame_config config = { .width = WIDTH * parts, .height = HEIGHT * parts };
+    void *block = malloc(tp_frame_bytes(scene, &s->assets.names, &config));
+    uint32_t *scratch = malloc(tp_frame_scratch_bytes(&config));
+    tp_frame *frame;
+    tp_tile   tile;
+
+    if (!block || !scratch
+        || tp_frame_init(&frame, scene, &s->assets.names, &config, block, NULL))
+        abort();
+    tp_frame_begin(frame, world);
+    tp_frame_tile(frame, 0, scratch, &tile);
+    for (uint32_t i = 0; i < COUNT; i++) {
+        uint32_t sum[3] = { 0, 0, 0 }, water = 0;
+        for (uint32_t k = 0; k < parts * parts; k++) {
+            const uint32_t x = i % WIDTH * parts + k % parts;
+            const uint32_t at = (i / WIDTH * parts + k / parts) * config.width + x;
+            water += TP_MARK(scratch[at]) == TP_MARK_WATER;
+            for (int c = 0; c < 3; c++)
+                sum[c] += ((const uint32_t *)tile.pixels)[at] >> 8 * c & 255;
+        }
+        const uint32_t n = parts * parts;
+        to->pixel[i] = 0;
+        for (int c = 0; c < 3; c++)
+            to->pixel[i] |= (sum[c] + n / 2) / n << 8 * c;
+        to->water[i] = (uint8_t)(water * 4 / n);
+    }
+    to->vertices = tp_frame_last_stats(frame).vertices;
+    free(scratch);
+    free(block);
+}
+
+static inline void draw(drawing *to, const stage *s, const tp_scene *scene,
+                        const tp_world *world)
+{
+    draw_at(to, s, scene, world, 1);
+}
+
+static inline tp_scene exact_scene(const stage *s)
+{
+    tp_scene scene = s->file.scene;
+
+    scene.quality.visibility = TP_VISIBILITY_TRIANGLES;
+    scene.quality.shading = TP_SHADING_EXACT;
+    scene.quality.rate = TP_RATE_FULL;
+    scene.quality.lod = TP_LOD_OFF;
+    scene.quality.error_px = scene.quality.error_colour = 0;
+    return scene;
+}
+
+static inline int32_t finer(int32_t lines)
+{
+    const int32_t more = FINER * (lines - 1) + 1;
+    return more < 1024 ? more : 1024;
+}
+
+static inline void draw_truth(drawing *to, const stage *s, const tp_world *world,
+                              uint32_t parts)
+{
+    tp_scene scene = exact_scene(s);
+
+    scene.grid.cell = scene.grid.cell / FINER;
+    scene.grid.cols = finer(scene.grid.cols);
+    scene.grid.rows = finer(scene.grid.rows);
+    draw_at(to, s, &scene, world, parts);
+}
+
+static inline error error_of(const drawing *truth, const drawing *b)
+{
+    double   sum[3] = { 0, 0, 0 };
+    uint32_t count = 1, elsewhere = 0, borders = 1;
+
+    for (size_t i = 0; i < COUNT; i++) {
+        const bool water = truth->water[i] >= 2;
+        elsewhere += water != (b->water[i] >= 2);
+        borders += i >= WIDTH && water != (truth->water[i - WIDTH] >= 2);
+        if (truth->water[i] < 4 || b->water[i] < 4)
+            continue;
+        count++;
+        for (int c = 0; c < 3; c++) {
+            const int off = (int)(truth->pixel[i] >> 8 * c & 255)
+                          - (int)(b->pixel[i] >> 8 * c & 255);
+            sum[c] += off * off;
+        }
+    }
+    return (error){ (double)elsewhere / borders,
+                    sqrt(fmax(sum[0], fmax(sum[1], sum[2])) / count) };
+}
+
+static inline error beyond(error e, error base)
+{
+    return (error){ fmax(0, e.px - base.px), fmax(0, e.colour - base.colour) };
+}
+
+static inline error worse(error a, error b)
+{
+    return (error){ fmax(a.px, b.px), fmax(a.colour, b.colour) };
+}
+#endif
