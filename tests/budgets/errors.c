@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* How far each rung is off: shipped scenes at 320x240 by it, beside the truth (truth.h).
+/* How far each rung is off: shipped scenes at 160x120 by it, beside the truth (truth.h).
  *
  *     errors SCENE.ini...
  *

@@ -4,7 +4,8 @@
  * the exact rungs on a mesh four times finer each way.  For shading it is drawn at twice
  * the picture's size too, each pixel the mean of four: glints smaller than pixels then
  * count for exact and quick stages alike.  For ways to see the water it has the picture's
- * own samples: those glints would drown what they differ by.
+ * own samples: those glints would drown what they differ by.  All of it at 160x120, where
+ * cells cover fewer pixels than in larger pictures: what holds there holds in those.
  *
  * Outlines: pixels that are water in one picture alone, over the truth's borders of water
  * met going down its columns.  Colours: the rms of 255 of the worst channel, of pixels
@@ -19,7 +20,7 @@
 #include "host/stage.h"
 #include "raster/raster.h"
 
-enum { WIDTH = 320, HEIGHT = 240, COUNT = WIDTH * HEIGHT, FINER = 4, LATE = 100 };
+enum { WIDTH = 160, HEIGHT = 120, COUNT = WIDTH * HEIGHT, FINER = 4, LATE = 100 };
 
 typedef struct {
     uint32_t pixel[COUNT];
