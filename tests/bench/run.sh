@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# Scene S in instructions, by callgrind, inside tp_frame_begin and tp_frame_tile: a whole
-# frame, waves and sky included, on 128 x 128 points.
+# Scene S in instructions, by callgrind, of a second tp_frame_begin and tp_frame_tile: a
+# whole frame, waves and sky included, on 128 x 128 points.
 #
 #   tests/bench/run.sh SCENE_S [NAME=VALUE]...         (quality.visibility=rows)
 . tests/gates/lib.sh
@@ -13,9 +13,8 @@ printf '%-9s %-7s %9s %13s %13s %11s\n' size work 'water px' 'insns a frame' 'it
 for size in 640x480 320x240; do
     for work in plain full smooth; do
         valgrind --tool=callgrind --callgrind-out-file="$scratch/profile" \
-            --collect-atstart=no --toggle-collect=tp_frame_begin \
-            --toggle-collect=tp_frame_tile "$scene_s" "${size%x*}" "${size#*x}" 128 \
-            $work "$@" >"$scratch/held" 2>/dev/null || exit 1
+            --collect-atstart=no --toggle-collect=counted \
+            "$scene_s" "${size%x*}" "${size#*x}" 128 $work "$@" >"$scratch/held" 2>/dev/null || exit 1
         callgrind_annotate --auto=no --threshold=100 --inclusive=yes "$scratch/profile" \
             2>/dev/null | awk -v size=$size -v work=$work '
             $1 == "water_pixels"                 { water = $2 }
