@@ -126,6 +126,9 @@ static void a_kit_of_what_a_scene_needs_draws_it_as_all_does(void **state)
     (void)state;
     tp_scene_default(&scene);
     scene.water.reflection = scene.water.specular = 0;
+    scene.quality.visibility = TP_VISIBILITY_TRIANGLES;     /* the plan is not in it */
+    scene.quality.shading = TP_SHADING_EXACT;
+    scene.quality.lod = TP_LOD_OFF;
     own.stage.texture = tp_stage_texture;
     own.stage.texture_tinted = tp_stage_texture_tinted;
     own.stage.texture_linear = tp_stage_texture_linear;
