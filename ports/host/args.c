@@ -276,7 +276,7 @@ static const option_row rows[] = {
     { "--memory", "BYTES", FOR_RENDER | FOR_VIEW, read_memory,
       "refuse to draw with more; 96k, 2M" },
     { "--stream", NULL, FOR_RENDER | FOR_VIEW, read_stream,
-      "keep no vertices of the water: less memory, more work, same bits" },
+      "keep no vertices of the water: less memory, same bits" },
     { "--texels", "N", FOR_RENDER | FOR_VIEW | FOR_BAKE, read_texels,
       "use pictures of no more than N texels a side" },
     { "--visibility", "HOW", FOR_RENDER | FOR_VIEW | FOR_PLAN, read_visibility,

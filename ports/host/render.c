@@ -27,8 +27,7 @@ typedef struct {
 static void print_help(void)
 {
     puts("usage: tidepool render SCENE [OPTION]...\n"
-         "Draws frames of a scene: to PNG files, to a film, or to nowhere, to measure.\n"
-         "SCENE is the name of a shipped scene or the path of an INI file.\n");
+         "Draws SCENE, a shipped one or an INI file: to PNGs, to a film, or to measure.\n");
     args_print(FOR_RENDER);
     puts("\nExit: 0 done, 1 a frame differs from --expect, 2 usage,"
          " 3 bad input or output.");

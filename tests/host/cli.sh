@@ -304,7 +304,7 @@ absent "a picture that needs too much" "refused.png\|tidepool-"
 bytes=$(sed -n 's/.* needs \([0-9]*\) bytes.*/\1/p' err)
 expect "exactly the memory that is allowed" 0 "" render $need --memory "$bytes"
 expect "one byte less" 3 "needs $bytes bytes" render $need --memory $((bytes - 1))
-run render $need --stats
+run render $need --stream --stats    # as is tried before it is refused
 sum=$(sed -n 's/.*"world": \([0-9]*\), "frame": \([0-9]*\),.*"scratch": \([0-9]*\),.*/'\
 '\1 + \2 + \3/p' out)
 same "figures add up to what is needed" "$(($sum))" "$bytes"
