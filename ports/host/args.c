@@ -288,7 +288,7 @@ static const option_row rows[] = {
     { "--tape", "FILE", FOR_RENDER, read_tape, "play the inputs recorded there" },
     { "--tape", "FILE", FOR_VIEW, read_tape, "record your inputs there" },
     { "--kit", "NAME", FOR_RENDER, read_kit,
-      "baseline, or x86-64-v3 where it runs (default: the best; same bits)" },
+      "baseline or x86-64-v3, the same bits; else the best" },
     { "--stats", NULL, FOR_RENDER, read_stats, "print times, counts and RAM as JSON" },
     { "--verbose", NULL, ALL, read_verbose, "name the check that refused something" },
     { "--help", NULL, ALL, read_help, "this text" },
