@@ -1,11 +1,12 @@
 /* SPDX-License-Identifier: MIT */
-/* Lanes of a word by one instruction each on processors with Arm's DSP extension, and
- * the same in plain C elsewhere: packed bodies are tested on every machine. */
+/* Lanes of a word by one instruction each on microcontrollers with Arm's DSP extension,
+ * and the same in plain C elsewhere (larger Arms have vectors, and compilers that know
+ * the lanes by other names): packed bodies are tested on every machine. */
 #ifndef TP_BASE_DSP_H
 #define TP_BASE_DSP_H
 #include "base/base.h"
 
-#if defined(__ARM_FEATURE_DSP) && __ARM_FEATURE_DSP
+#if defined(__ARM_FEATURE_DSP) && __ARM_FEATURE_DSP && __ARM_ARCH_PROFILE == 'M'
 #define TP_DSP 1
 #include <arm_acle.h>
 #else
