@@ -102,12 +102,21 @@ static void carve(tp_frame_parts *parts, tp_arena *arena)
 }
 
 /* Of the tables that the exact stages' parts have made for this frame. */
+/* A stage reads what the one before left: a kit has all of a list or its water is exact. */
+static bool has_list(const tp_stages *s)
+{
+    return s->quick_far && s->quick_bend && s->quick_bend_thin && s->quick_still
+        && s->quick_still_thin && s->quick_layers && s->quick_layers_thin
+        && s->quick_ripple && s->quick_slopes;
+}
+
 static bool plan(tp_frame *frame, tp_plan *water)
 {
     const tp_lobe  lobe = lobe_of(frame);
     const tp_stage light = stage_of(frame, lobe);
 
-    if (!frame->parts.quick_light || !light || has_beyond(frame))
+    if (!frame->parts.quick_light || !light || has_beyond(frame)
+        || !has_list(&frame->kit->stage))
         return false;
     make_tables(frame, lobe);
     if (!add_halves(frame, water, lobe)) {
