@@ -118,7 +118,7 @@ endif
 # Scenes whose frames every processor must draw: between them, every model.
 SCENES  := $(patsubst assets/scenes/%.ini,%,$(wildcard assets/scenes/*.ini))
 ONE     := $(if $(filter command,$(firstword $(origin SCENE))),$(SCENE))
-CROSS   := three-swells raindrops tank pond harbour shallows shore-break deep-sea storm
+CROSS   := three-swells raindrops tank pond shore-break deep-sea storm count-64
 FRAMES  := $(CROSS:%=$(BUILD)/tests/cross/frames-%)
 BAKES   := $(wildcard ports/host/bake*.c ports/host/assets.c ports/host/png_read.c \
                ports/host/scene*.c src/asset/*.c src/scene/params.c include/tidepool/*.h)
@@ -168,7 +168,7 @@ views: $(BUILD)/tests/bench/views build/host/tally.so
 	@tests/bench/views.sh 10000
 ## the slow renderer in double precision that pictures are judged by
 reference: $(BUILD)/reference
-## feed the readers random input, FUZZ_SECONDS (20) for each
+## feed the readers random input, FUZZ_SECONDS (10) for each
 fuzz:
 	@tests/fuzz/run.sh
 ## write the reference pictures anew; say in the commit why, and the PSNR it prints

@@ -1,6 +1,6 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# Feeds every fuzz target random input for FUZZ_SECONDS (20) under ASan and UBSan.  Seeds
+# Feeds every fuzz target random input for FUZZ_SECONDS (10) under ASan and UBSan.  Seeds
 # lie in tests/fuzz/NAME/; what breaks a target is kept as build/fuzz/NAME-...
 . tests/gates/lib.sh
 
@@ -19,8 +19,8 @@ for source in tests/fuzz/fuzz_*.c; do
     mkdir -p "$scratch/$name"
     set --
     [ ! -d "tests/fuzz/${name#fuzz_}" ] || set -- "tests/fuzz/${name#fuzz_}"
-    check "$name finds nothing in ${FUZZ_SECONDS:-20} s" "build/fuzz/tests/fuzz/$name" \
-        -max_total_time="${FUZZ_SECONDS:-20}" -rss_limit_mb=2048 -timeout=10 \
+    check "$name finds nothing in ${FUZZ_SECONDS:-10} s" "build/fuzz/tests/fuzz/$name" \
+        -max_total_time="${FUZZ_SECONDS:-10}" -rss_limit_mb=2048 -timeout=10 \
         -artifact_prefix="build/fuzz/$name-" -print_final_stats=1 "$scratch/$name" "$@"
     sed -n 's/^stat::number_of_executed_units: */    runs: /p' "$scratch/output"
 done
