@@ -14,7 +14,8 @@ for size in 640x480 320x240; do
     for work in plain full smooth; do
         valgrind --tool=callgrind --callgrind-out-file="$scratch/profile" \
             --collect-atstart=no --toggle-collect=counted \
-            "$scene_s" "${size%x*}" "${size#*x}" 128 $work "$@" >"$scratch/held" 2>/dev/null || exit 1
+            "$scene_s" "${size%x*}" "${size#*x}" 128 $work "$@" \
+            >"$scratch/held" 2>/dev/null || exit 1
         callgrind_annotate --auto=no --threshold=100 --inclusive=yes "$scratch/profile" \
             2>/dev/null | awk -v size=$size -v work=$work '
             $1 == "water_pixels"                 { water = $2 }
