@@ -116,9 +116,9 @@ function shaded(rung,    n)
     part(rung, "bump", "bump", "plain", n)
     part(rung, "haze", "haze", "plain", n)
     row("shaded", rung, "dome", (of(rung, "dome") - of(rung, "dome0") - \
-        of(rung, "mirror") + of(rung, "plain")) / n)
+        of(rung, "mirror1") + of(rung, "ripple")) / n)
     row("shaded", rung, "cube", (of(rung, "cube") - of(rung, "cube0") - \
-        of(rung, "mirror") + of(rung, "plain")) / n)
+        of(rung, "mirror1") + of(rung, "ripple")) / n)
     part(rung, "objects", "objects", "objects0", n)
     part(rung, "behind", "behind", "mirror", n)
     row("shaded", rung, "bed", (of(rung, "bed") - of(rung, "bed0") - \
