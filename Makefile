@@ -165,7 +165,7 @@ bench: $(PROGRAM) $(BUILD)/tests/bench/scene_s
 	@tests/bench/run.sh $(BUILD)/tests/bench/scene_s
 ## the dearest of 10000 random views of scenes, over the median, in instructions
 views: $(BUILD)/tests/bench/views build/host/tally.so
-	@tests/bench/views.sh 10000
+	@TP_VIEWS=10000 tests/bench/views.sh
 ## the slow renderer in double precision that pictures are judged by
 reference: $(BUILD)/reference
 ## feed the readers random input, FUZZ_SECONDS (10) for each

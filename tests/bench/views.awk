@@ -14,8 +14,10 @@ function show(what, k,    f)
 }
 
 END {
-    if (!NR)
+    if (!NR) {
+        print "no view was counted"
         exit 1
+    }
     middle = int((NR + 1) / 2)
     ratio = insns[NR] / insns[middle]
     printf "%d views, worst %.2f medians, 99 of 100 below %.2f\n", NR, ratio,

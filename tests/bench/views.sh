@@ -3,12 +3,13 @@
 # The dearest frame of random views, over the median: exact instructions of whole frames
 # at 320x240, by QEMU's user mode.  A view counts if a tenth of it is water.
 #
-#   tests/bench/views.sh [VIEWS [SCENE[,NAME=VALUE]...]...]
+#   tests/bench/views.sh [PROGRAM [SCENE[,NAME=VALUE]...]...]
 #
-# TP_SEED sets the places.  A case fails beyond TP_MOST medians, 4 if not set.
+# TP_VIEWS (200) of each scene, TP_SEED sets the places.  A case fails beyond TP_MOST
+# medians, 4 if not set.  PROGRAM is what every test is given and no use is made of.
 . tests/gates/lib.sh
 
-views=${1:-200}
+views=${TP_VIEWS:-200}
 [ $# -gt 0 ] && shift
 [ $# -gt 0 ] || set -- count-64 three-swells,boat.mesh= three-swells
 build=${TP_BUILD:-build/host}
