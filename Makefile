@@ -107,6 +107,8 @@ UNIT    := $(patsubst %.c,$(BUILD)/%,$(wildcard tests/unit/test_*.c tests/host/t
                tests/stability/test_*.c tests/accuracy/test_*.c))
 REF_O   := $(patsubst %.c,$(BUILD)/%.o,$(filter-out %/reference.c,\
                $(wildcard tests/reference/*.c)))
+KERNELS_O := $(patsubst %.c,$(BUILD)/%.o,$(wildcard tests/charts/kernels*.c))
+CHARTS  := $(addprefix $(BUILD)/tests/charts/,errors kernels)
 FUZZ    := $(patsubst %.c,$(BUILD)/%,$(wildcard tests/fuzz/fuzz_*.c))
 GOLDEN  := $(BUILD)/tests/golden/test_frames $(BUILD)/tests/golden/test_harness
 CMOCKA  := -lcmocka
@@ -166,6 +168,9 @@ bench: $(PROGRAM) $(BUILD)/tests/bench/scene_s
 ## the dearest of 10000 random views of scenes, over the median, in instructions
 views: $(BUILD)/tests/bench/views build/host/tally.so
 	@TP_VIEWS=10000 tests/bench/views.sh
+## what `tidepool charts` measures with
+charts-tools: all build/host/count.so $(CHARTS)
+	@$(MAKE) --no-print-directory BOARD=cortex-m TARGET=charts-m4 build/charts-m4/kernels.elf
 ## the slow renderer in double precision that pictures are judged by
 reference: $(BUILD)/reference
 ## feed the readers random input, FUZZ_SECONDS (10) for each
@@ -303,6 +308,12 @@ MODELS_O := $(patsubst %.c,$(BUILD)/%.o,$(wildcard tests/budgets/models*.c))
 # By a board's mem*: the C library picks its own by the processor that it runs on.
 $(BUILD)/tests/budgets/models: $(MODELS_O) $(BUILD)/ports/cortex-m/memory.o $(LIB)
 	$(SAY)$(LINK) $^ -o $@
+$(BUILD)/tests/charts/kernels: $(KERNELS_O) $(BUILD)/tests/charts/kernel_lists.o $(LIB)
+	$(SAY)$(LINK) $^ -lm -o $@
+$(BUILD)/tests/charts/errors: $(patsubst %.c,$(BUILD)/%.o,$(wildcard tests/charts/errors*.c)) \
+          $(filter-out %/kernels.o,$(KERNELS_O)) $(BUILD)/tests/charts/kernel_lists.o \
+          $(BUILD)/ports.a $(LIB)
+	$(SAY)$(LINK) $^ $(LIBS) -o $@
 build/host/count.so: tests/budgets/count.c $(BUILD)/flags
 	$(SAY)$(COMPILE) -D_POSIX_C_SOURCE=200809L -fPIC -shared $< -o $@
 build/host/tally.so: tests/bench/tally.c $(BUILD)/flags
@@ -320,6 +331,9 @@ $(BUILD)/ram/%.elf: $(BUILD)/tests/budgets/ram.o build/baked/$(MACHINE)/%.o \
 	@mkdir -p $(@D)
 	$(SAY)$(LINK_ELF)
 $(BUILD)/models.elf: $(MODELS_O) \
+          $(filter-out %/main.o,$(BOARD_O)) $(LIB) ports/$(BOARD)/board.ld
+	$(SAY)$(LINK_ELF)
+$(BUILD)/kernels.elf: $(KERNELS_O) $(BUILD)/tests/charts/kernel_lists.o \
           $(filter-out %/main.o,$(BOARD_O)) $(LIB) ports/$(BOARD)/board.ld
 	$(SAY)$(LINK_ELF)
 $(BUILD)/kit_v3.o: $(V3_C:%.c=$(BUILD)/v3/%.o)
@@ -352,6 +366,6 @@ $(BUILD)/flags: force
 
 .PHONY: all lib run test test-all soak count ram bench fuzz golden gallery assets install format \
     views clean help unit everything host-tests more-tests fuzzers elf elves frames \
-    list-core list-scenes list-cross reference peers force
+    list-core list-scenes list-cross reference peers charts-tools force
 .SECONDARY:
 -include $(shell find $(BUILD) -name '*.d' 2>/dev/null)
