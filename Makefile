@@ -147,12 +147,13 @@ test-all:
 	@ports/setup.sh all
 	@$(if $(TESTED),,$(MAKE) --no-print-directory host-tests)
 	@$(MAKE) --no-print-directory more-tests
-## the long sweeps: 100000 random scenes, 10^6 ticks of feed, under the sanitizers
+## the long sweeps: 100000 random scenes, 10^6 ticks of feed; every build's frames
 soak:
-	@ports/setup.sh test
+	@ports/setup.sh all
 	@$(MAKE) --no-print-directory $(SAN) unit
 	@TP_SOAK=1 TP_SCENES=100000 TP_TIMEOUT=7200 TP_BUILD=build/san tests/run.sh \
-	    build/log/soak $(patsubst build/host/%,build/san/%,$(filter %/stability/%,$(UNIT)))
+	    build/log/soak tests/cross/run.sh \
+	    $(patsubst build/host/%,build/san/%,$(filter %/stability/%,$(UNIT)))
 ## what scenes and models cost, against their budgets; SCENE=x by function; WRITE=1
 count: $(PROGRAM) build/host/count.so
 	@tests/budgets/scenes-count.sh $(if $(WRITE),--write) $(ONE)
