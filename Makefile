@@ -313,7 +313,7 @@ $(BUILD)/tests/charts/kernels: $(KERNELS_O) $(BUILD)/tests/charts/kernel_lists.o
 	$(SAY)$(LINK) $^ -lm -o $@
 $(BUILD)/tests/charts/errors: $(patsubst %.c,$(BUILD)/%.o,$(wildcard tests/charts/errors*.c)) \
           $(filter-out %/kernels.o,$(KERNELS_O)) $(BUILD)/tests/charts/kernel_lists.o \
-          $(BUILD)/ports.a $(LIB)
+          $(BUILD)/tests/charts/used.o $(BUILD)/ports.a $(LIB)
 	$(SAY)$(LINK) $^ $(LIBS) -o $@
 build/host/count.so: tests/budgets/count.c $(BUILD)/flags
 	$(SAY)$(COMPILE) -D_POSIX_C_SOURCE=200809L -fPIC -shared $< -o $@
