@@ -6,6 +6,7 @@
  * whole frame, for its tiles and for a tick of the world. */
 #include "baked.h"
 #include "board.h"
+#include "marks.h"
 #include "semihost.h"
 
 #ifndef BOARD_SIZE
@@ -21,38 +22,10 @@
 #define BOARD_FRAMES 2
 #endif
 
-#define MARK(name) \
-    void name(void); \
-    __attribute__((noinline)) void name(void) { __asm__ volatile("" ::: "memory"); }
 MARK(count_as_frame)
 MARK(count_as_tiles)
 MARK(count_as_tick)
 MARK(count_end)
-
-/* -- words --------------------------------------------------------------------- */
-
-static void put_number(const char *before, uint32_t n, uint32_t base, int least_digits)
-{
-    char  text[12];
-    char *c = text + sizeof text - 1;
-    *c = '\0';
-    for (; n || least_digits > 0; n /= base, least_digits--)
-        *--c = "0123456789abcdef"[n % base];
-    semihost_write(before);
-    semihost_write(c);
-}
-
-static void put_decimal(const char *before, uint32_t n)
-{
-    put_number(before, n, 10, 1);
-}
-
-_Noreturn static void stop(const char *why)
-{
-    semihost_write(why);
-    semihost_write("\n");
-    semihost_exit(1);
-}
 
 /* -- a picture ----------------------------------------------------------------- */
 
@@ -88,24 +61,24 @@ static void tick(tp_world *world)
 
 static void say_frame(uint32_t n, uint32_t crc, uint32_t water, tp_frame_stats held)
 {
-    put_number("frame ", n, 10, 4);
-    put_number(" crc32 ", crc, 16, 8);
-    put_decimal("\nwater ", water);
-    put_decimal(" vertices ", held.vertices);
-    put_decimal(" triangles ", held.triangles);
-    put_decimal(" dropped ", held.dropped);
+    semihost_number("frame ", n, 10, 4);
+    semihost_number(" crc32 ", crc, 16, 8);
+    semihost_decimal("\nwater ", water);
+    semihost_decimal(" vertices ", held.vertices);
+    semihost_decimal(" triangles ", held.triangles);
+    semihost_decimal(" dropped ", held.dropped);
     semihost_write("\n");
 }
 
 static void say_ram(tp_frame_ram ram, size_t world_bytes)
 {
-    put_decimal("ram frame ", (uint32_t)ram.frame);
-    put_decimal(" vertices ", (uint32_t)ram.vertices);
-    put_decimal(" tables ", (uint32_t)ram.tables);
-    put_decimal(" mirror ", (uint32_t)ram.mirror);
-    put_decimal(" scratch ", (uint32_t)ram.scratch);
-    put_decimal(" world ", (uint32_t)world_bytes);
-    put_decimal(" stack ", board_stack_used());
+    semihost_decimal("ram frame ", (uint32_t)ram.frame);
+    semihost_decimal(" vertices ", (uint32_t)ram.vertices);
+    semihost_decimal(" tables ", (uint32_t)ram.tables);
+    semihost_decimal(" mirror ", (uint32_t)ram.mirror);
+    semihost_decimal(" scratch ", (uint32_t)ram.scratch);
+    semihost_decimal(" world ", (uint32_t)world_bytes);
+    semihost_decimal(" stack ", board_stack_used());
     semihost_write("\n");
 }
 
@@ -123,9 +96,9 @@ int main(void)
 
     if (arena.failed
         || tp_frame_init(&frame, &baked_scene, &baked_assets, &config, block, &err))
-        stop("the frame does not fit");
+        semihost_stop("the frame does not fit");
     if (tp_world_init(world, world_bytes, &baked_scene, &baked_assets, &err))
-        stop("the world cannot be made");
+        semihost_stop("the world cannot be made");
     while (world->tick < BOARD_FIRST)
         tp_world_step(world, &baked_scene, NULL);
     for (uint32_t n = 0; n < BOARD_FRAMES; n++) {

@@ -26,3 +26,27 @@ _Noreturn void semihost_exit(int code)
     for (;;)
         ;
 }
+
+void semihost_number(const char *before, uint32_t n, uint32_t base, int least_digits)
+{
+    char  text[34];
+    char *c = text + sizeof text - 1;
+
+    *c = '\0';
+    for (; n || least_digits > 0; n /= base, least_digits--)
+        *--c = "0123456789abcdef"[n % base];
+    semihost_write(before);
+    semihost_write(c);
+}
+
+void semihost_decimal(const char *before, uint32_t n)
+{
+    semihost_number(before, n, 10, 1);
+}
+
+_Noreturn void semihost_stop(const char *why)
+{
+    semihost_write(why);
+    semihost_write("\n");
+    semihost_exit(1);
+}

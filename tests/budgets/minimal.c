@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /* The baked scene on a bare Cortex-M by a kit of its own, and nothing else of the core:
  * what it costs who needs the least.  Bands of 16 rows are drawn and thrown away. */
-#include "../../ports/cortex-m/board.h"
-#include "../../ports/cortex-m/semihost.h"
+#include "cortex-m/board.h"
+#include "cortex-m/marks.h"
+#include "cortex-m/semihost.h"
 #include "features.h"
 
 extern const tp_scene  baked_scene;
@@ -10,26 +11,10 @@ extern const tp_assets baked_assets;
 
 #define FRAMES 2
 
-#define MARK(name) \
-    void name(void); \
-    __attribute__((noinline)) void name(void) { __asm__ volatile("" ::: "memory"); }
 MARK(count_as_frame)
 MARK(count_as_tiles)
 MARK(count_end)
 MARK(count_section)
-
-static void put(const char *before, uint32_t n)
-{
-    char  text[12];
-    char *c = text + sizeof text - 1;
-
-    *c = '\0';
-    do
-        *--c = "0123456789"[n % 10];
-    while (n /= 10);
-    semihost_write(before);
-    semihost_write(c);
-}
 
 /* Water pixels. */
 static uint32_t draw(tp_frame *frame, void *scratch, const tp_world *world)
@@ -67,18 +52,18 @@ static int run(void)
         return 1;
     semihost_write("size 320x240\n");
     for (uint32_t n = 0; n < FRAMES; n++) {
-        put("frame ", n);
-        put("\nwater ", draw(frame, at, world));
-        put(" vertices ", tp_frame_last_stats(frame).vertices);
-        put(" triangles ", tp_frame_last_stats(frame).triangles);
-        put(" dropped ", tp_frame_last_stats(frame).dropped);
+        semihost_decimal("frame ", n);
+        semihost_decimal("\nwater ", draw(frame, at, world));
+        semihost_decimal(" vertices ", tp_frame_last_stats(frame).vertices);
+        semihost_decimal(" triangles ", tp_frame_last_stats(frame).triangles);
+        semihost_decimal(" dropped ", tp_frame_last_stats(frame).dropped);
         semihost_write("\n");
         tp_world_step_with(kit, world, &baked_scene, NULL);
     }
-    put("ram frame ", (uint32_t)block);
-    put(" scratch ", (uint32_t)scratch);
-    put(" world ", (uint32_t)bytes);
-    put(" stack ", board_stack_used());
+    semihost_decimal("ram frame ", (uint32_t)block);
+    semihost_decimal(" scratch ", (uint32_t)scratch);
+    semihost_decimal(" world ", (uint32_t)bytes);
+    semihost_decimal(" stack ", board_stack_used());
     semihost_write("\n");
     count_section();
     return 0;

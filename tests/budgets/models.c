@@ -12,7 +12,9 @@
  * Freestanding where the compiler is told so: static memory, words by semihosting.  What
  * a row promises (no breaking, water that moves, all in view) is looked at as it runs;
  * a row that does not hold ends the program with 1. */
+#include "cortex-m/marks.h"
 #include "tests/budgets/models.h"
+#include "tests/budgets/say.h"
 
 model_place model;
 static const char *broken;
@@ -23,35 +25,9 @@ void model_expect(bool holds, const char *otherwise)
         broken = otherwise;
 }
 
-/* -- marks and words ----------------------------------------------------------------- */
-
-#define MARK(name) \
-    void name(void); \
-    __attribute__((noinline)) void name(void) { __asm__ volatile("" ::: "memory"); }
 MARK(count_as_model)
 MARK(count_end)
 MARK(count_section)
-
-#if __STDC_HOSTED__
-#include <stdio.h>
-static void say(const char *text) { fputs(text, stdout); }
-#else
-#include "cortex-m/semihost.h"
-static void say(const char *text) { semihost_write(text); }
-#endif
-
-static void say_number(const char *before, uint32_t n)
-{
-    char  text[11];
-    char *c = text + sizeof text - 1;
-
-    *c = '\0';
-    do
-        *--c = (char)('0' + n % 10);
-    while ((n /= 10) > 0);
-    say(before);
-    say(c);
-}
 
 /* -- all of them --------------------------------------------------------------------- */
 

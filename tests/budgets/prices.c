@@ -4,14 +4,12 @@
  * which section of the plugin's counts; prices-count.awk takes the differences. */
 #include "cortex-m/baked.h"
 #include "cortex-m/board.h"
+#include "cortex-m/marks.h"
 #include "cortex-m/semihost.h"
 #include "scene/prices.h"
 
 #define BAND 16
 
-#define MARK(name) \
-    void name(void); \
-    __attribute__((noinline)) void name(void) { __asm__ volatile("" ::: "memory"); }
 MARK(count_as_frame)
 MARK(count_as_tiles)
 MARK(count_end)
@@ -74,28 +72,6 @@ static const char *const rates[] = { "full", "layers", "colour" };
 
 #define COUNT(of) (sizeof of / sizeof *of)
 
-/* -- words --------------------------------------------------------------------------- */
-
-static void put_number(const char *before, uint32_t n)
-{
-    char  text[12];
-    char *c = text + sizeof text - 1;
-
-    *c = '\0';
-    do
-        *--c = (char)('0' + n % 10);
-    while (n /= 10);
-    semihost_write(before);
-    semihost_write(c);
-}
-
-_Noreturn static void stop(const char *why)
-{
-    semihost_write(why);
-    semihost_write("\n");
-    semihost_exit(1);
-}
-
 /* -- scenes -------------------------------------------------------------------------- */
 
 static tp_scene  scene;
@@ -119,7 +95,7 @@ static void keep(const char *name)
     case 'd': assets.distortion = baked_assets.distortion; break;
     case 'r': assets.ripple = baked_assets.ripple; break;
     case 'f': assets.foam = baked_assets.foam; break;
-    default:  stop(name);
+    default:  semihost_stop(name);
     }
 }
 
@@ -132,7 +108,7 @@ static void set(const char *text)
             keep(text);
         else if (tp_param_set(&scene, tp_param_find(text, name), text + name + 1,
                               bytes - name - 1, &err))
-            stop(text);
+            semihost_stop(text);
         text += bytes + (text[bytes] == ' ');
     }
 }
@@ -167,7 +143,7 @@ static void draw(const char *what, const char *rung, const char *other, const ch
 
     if (arena.failed || tp_frame_init(&frame, &scene, &assets, &config, block, NULL)
         || tp_world_init(world, world_bytes, &scene, &assets, NULL))
-        stop("a scene does not fit");
+        semihost_stop("a scene does not fit");
     tp_frame_begin(frame, world);           /* the first fills tables */
     count_as_frame();
     tp_frame_begin(frame, world);
@@ -186,11 +162,11 @@ static void draw(const char *what, const char *rung, const char *other, const ch
     semihost_write(other);
     semihost_write(" ");
     semihost_write(item);
-    put_number(" ", width * height);
-    put_number(" ", water);
+    semihost_decimal(" ", width * height);
+    semihost_decimal(" ", water);
     const tp_outlook outlook = tp_outlook_of(&scene, &assets, width, height);
-    put_number(" ", outlook.points[scene.quality.visibility - 1]);
-    put_number(" ", outlook.waves);
+    semihost_decimal(" ", outlook.points[scene.quality.visibility - 1]);
+    semihost_decimal(" ", outlook.waves);
     semihost_write("\n");
     count_section();
 }

@@ -7,13 +7,11 @@
  * marks let the plugin count the frame's instructions. */
 #include "cortex-m/baked.h"
 #include "cortex-m/board.h"
+#include "cortex-m/marks.h"
 #include "cortex-m/semihost.h"
 
 enum { WIDTH = 320, HEIGHT = 240, FIRST = 60 };
 
-#define MARK(name) \
-    void name(void); \
-    __attribute__((noinline)) void name(void) { __asm__ volatile("" ::: "memory"); }
 MARK(count_as_frame)
 MARK(count_as_tiles)
 MARK(count_end)
@@ -26,26 +24,6 @@ static const uint32_t sizes[][2] = {
 
 static uint16_t picture[WIDTH * HEIGHT];
 static tp_kit   kit;
-
-static void put_number(const char *before, size_t n)
-{
-    char  text[12];
-    char *c = text + sizeof text - 1;
-
-    *c = '\0';
-    do
-        *--c = (char)('0' + n % 10);
-    while (n /= 10);
-    semihost_write(before);
-    semihost_write(c);
-}
-
-_Noreturn static void stop(const char *why)
-{
-    semihost_write(why);
-    semihost_write("\n");
-    semihost_exit(1);
-}
 
 static uint32_t draw(tp_frame *frame, void *scratch, const tp_world *world)
 {
@@ -70,16 +48,16 @@ static void say(const char *how, const uint32_t size[2], tp_frame_ram ram,
 {
     semihost_write("ram ");
     semihost_write(how);
-    put_number(" tile ", size[0]);
-    put_number("x", size[1]);
-    put_number(" frame ", ram.frame);
-    put_number(" vertices ", ram.vertices);
-    put_number(" tables ", ram.tables);
-    put_number(" mirror ", ram.mirror);
-    put_number(" scratch ", scratch);
-    put_number(" world ", world);
-    put_number(" stack ", board_stack_used());
-    put_number(" crc ", crc);
+    semihost_decimal(" tile ", size[0]);
+    semihost_decimal("x", size[1]);
+    semihost_decimal(" frame ", ram.frame);
+    semihost_decimal(" vertices ", ram.vertices);
+    semihost_decimal(" tables ", ram.tables);
+    semihost_decimal(" mirror ", ram.mirror);
+    semihost_decimal(" scratch ", scratch);
+    semihost_decimal(" world ", world);
+    semihost_decimal(" stack ", board_stack_used());
+    semihost_decimal(" crc ", crc);
     semihost_write("\n");
     count_section();
 }
@@ -100,7 +78,7 @@ static void measure(const char *how, const uint32_t size[2])
         || tp_frame_init_with(&kit, &frame, &baked_scene, &baked_assets, &config, block,
                               NULL)
         || tp_world_init(world, world_bytes, &baked_scene, &baked_assets, NULL))
-        stop("the scene does not fit");
+        semihost_stop("the scene does not fit");
     while (world->tick < FIRST)
         tp_world_step(world, &baked_scene, NULL);
     const uint32_t crc = draw(frame, scratch, world);

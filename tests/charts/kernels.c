@@ -3,28 +3,15 @@
  * was:
  *     kernel CHART POINT
  * Freestanding where the compiler is told so: static memory, words by semihosting. */
+#include "cortex-m/marks.h"
+#include "tests/budgets/say.h"
 #include "tests/charts/kernels.h"
 
 static int32_t in[KERNEL_UNITS * KERNEL_WIDTH], out[KERNEL_UNITS * KERNEL_WIDTH];
 
-/* -- marks and words ----------------------------------------------------------------- */
-
-#define MARK(name) \
-    void name(void); \
-    __attribute__((noinline)) void name(void) { __asm__ volatile("" ::: "memory"); }
 MARK(count_as_kernel)
 MARK(count_end)
 MARK(count_section)
-
-#if __STDC_HOSTED__
-#include <stdio.h>
-static void say(const char *text) { fputs(text, stdout); }
-#else
-#include "cortex-m/semihost.h"
-static void say(const char *text) { semihost_write(text); }
-#endif
-
-/* -- all of them --------------------------------------------------------------------- */
 
 int main(void)
 {
