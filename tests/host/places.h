@@ -78,11 +78,15 @@ static inline int open_one(const char *row, const char *name)
 
 /* -- a folder of their own ------------------------------------------------------------- */
 
-static char folder[] = "/tmp/tidepool-images-XXXXXX";
+static char folder[4096];
 
 static inline int enter(void **state)
 {
+    const char *place = getenv("TMPDIR");
+
     (void)state;
+    snprintf(folder, sizeof folder, "%s/tidepool-images-XXXXXX",
+             place && *place ? place : P_tmpdir);
     return mkdtemp(folder) && chdir(folder) == 0 ? 0 : -1;
 }
 

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Pictures that cannot be used, in every place that a scene can name one: refused in one
  * line with the scene's line, the file and a reason, and nothing is half-loaded. */
-#define _POSIX_C_SOURCE 200809L
+#define _XOPEN_SOURCE 700
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
