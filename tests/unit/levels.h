@@ -81,4 +81,29 @@ static inline void level_compare_tiles(const test_frame *f, const uint32_t *pict
     assert_true(frame_guard_holds(f->block, f->bytes));
     assert_true(frame_guard_holds(f->scratch, f->scratch_bytes));
 }
+
+/* Every tiling of the frame that was drawn whole. */
+static inline void level_compare_tilings(const level_shot *whole, const tp_scene *scene,
+                                         const tp_assets *assets)
+{
+    static const uint32_t sizes[][2] = { { 0, 1 }, { 0, 7 }, { 16, 0 }, { 48, 13 },
+                                         { 64, 16 } };
+
+    for (size_t i = 0; i < sizeof sizes / sizeof *sizes; i++) {
+        const tp_frame_config config = { LEVEL_WIDTH, LEVEL_HEIGHT, sizes[i][0],
+                                         sizes[i][1], TP_FORMAT_XRGB8888 };
+        test_frame f = frame_of(scene, assets, &config);
+        tp_frame_begin(f.frame, &whole->world);
+        level_compare_tiles(&f, whole->pixels);
+        frame_free(&f);
+    }
+}
+
+/* Aboard a boat, which rolls. */
+static inline void level_board(tp_scene *scene, tp_fx height)
+{
+    scene->camera.follow = TP_FOLLOW_BOAT;
+    scene->camera.y = height;
+    scene->boat.mode = TP_BOAT_KINEMATIC;
+}
 #endif

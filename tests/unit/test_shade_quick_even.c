@@ -8,11 +8,10 @@
 #include <cmocka.h>
 #include "shade/quick_even_m4.h"
 #include "shade/quick_even_plain.h"
-#include "skies.h"
+#include "quick_lights.h"
 
 static uint64_t chance;
-static test_sky sky;
-static struct tp_quick_light quick;
+static quick_lights lights;
 
 typedef struct {
     stage *plain, *packed, *whole;
@@ -48,34 +47,6 @@ static const bodies all[] = {
 };
 enum { ALL = sizeof all / sizeof *all };
 
-static uint32_t smooth(ref_dir d, void *with)
-{
-    (void)with;
-    return (uint32_t)(128 + 100 * d.x) << 16 | (uint32_t)(128 + 100 * d.y) << 8
-         | (uint32_t)(128 + 100 * d.z);
-}
-
-static tp_shade shade_for(const bodies *b)
-{
-    tp_shade s = shade_any(&chance);
-
-    if (b->env == TP_ENV_DOME)
-        sky_dome(&sky, &s, &chance);
-    if (b->env == TP_ENV_CUBE)
-        sky_cube(&sky, &s, smooth, NULL);
-    s.env.beyond = 0;
-    s.per_focal = (uint32_t)(((uint64_t)1 << 32) / (uint32_t)s.focal);
-    s.env.least = b->lobe == TP_LOBE_NONE ? 0 : TP_DISC_END;
-    const tp_fx shininess = chance_int(&chance, 10, 200) * TP_FX_ONE;
-    if (b->lobe == TP_LOBE_BLINN)
-        tp_shade_shine_blinn(&s, shininess, TP_FX_ONE);
-    else
-        tp_shade_shine(&s, shininess, TP_FX_ONE);
-    s.quick = &quick;
-    tp_quick_light_init(&quick, &s, (tp_lobe)b->lobe, b->lobe != TP_LOBE_NONE, true);
-    return s;
-}
-
 /* Columns [from, end) with slopes and the layers' colours of every second one. */
 static tp_run part_of(const test_run *r, const uint32_t *slope, int32_t from, int32_t end)
 {
@@ -89,24 +60,15 @@ static tp_run part_of(const test_run *r, const uint32_t *slope, int32_t from, in
     return part;
 }
 
-static void any_run(test_run *r, uint32_t *slope, int32_t steep)
-{
-    run_any(r, steep, &chance);
-    for (int i = 0; i < TP_RUN; i++)
-        slope[i] = steep > 30000 && i % 8 == 0
-                       ? 0x80008000u ^ (uint32_t)chance_int(&chance, 0, 3) * 0xffff
-                       : r->n[i];
-}
-
 static void both_bodies_have_the_same_bits(void **state)
 {
     (void)state;
     for (int n = 0; n < 4000; n++) {
         const bodies *b = &all[n % ALL];
-        const tp_shade s = shade_for(b);
+        const tp_shade s = quick_shade(&lights, b->env, b->lobe, &chance);
         uint32_t slope[TP_RUN];
         test_run r;
-        any_run(&r, slope, n / ALL % 2 ? 32000 : 3000);
+        quick_run(&r, slope, n / ALL % 2 ? 32000 : 3000, &chance);
         const int32_t from = n % 3 ? chance_int(&chance, 0, TP_RUN - 1) : 0;
         tp_run plain = part_of(&r, slope, from, n % 3 == 1 ? TP_RUN
                                                 : chance_int(&chance, from + 1, TP_RUN));
@@ -125,10 +87,10 @@ static void where_tiles_begin_does_not_show(void **state)
     (void)state;
     for (int n = 0; n < 2000; n++) {
         const bodies *b = &all[n % ALL];
-        const tp_shade s = shade_for(b);
+        const tp_shade s = quick_shade(&lights, b->env, b->lobe, &chance);
         uint32_t slope[TP_RUN];
         test_run r;
-        any_run(&r, slope, 4000);
+        quick_run(&r, slope, 4000, &chance);
         const int32_t from = chance_int(&chance, 0, 15), cut = 16 * chance_int(&chance, 1, 3);
         tp_run whole = part_of(&r, slope, from, TP_RUN);
         tp_run left = part_of(&r, slope, from, cut);
@@ -148,10 +110,10 @@ static void even_columns_are_those_of_the_whole_rate(void **state)
     (void)state;
     for (int n = 0; n < 2000; n++) {
         const bodies *b = &all[n % ALL];
-        const tp_shade s = shade_for(b);
+        const tp_shade s = quick_shade(&lights, b->env, b->lobe, &chance);
         uint32_t slope[TP_RUN];
         test_run r;
-        any_run(&r, slope, 4000);
+        quick_run(&r, slope, 4000, &chance);
         tp_run half = part_of(&r, slope, 0, TP_RUN), whole = half;
         if (b->lobe == TP_LOBE_PHONG)
             continue;

@@ -8,11 +8,10 @@
 #include <cmocka.h>
 #include "shade/quick_light_m4.h"
 #include "shade/quick_light_plain.h"
-#include "skies.h"
+#include "quick_lights.h"
 
 static uint64_t chance;
-static test_sky sky;
-static struct tp_quick_light quick;
+static quick_lights lights;
 
 typedef struct {
     stage *plain, *packed;
@@ -34,53 +33,14 @@ static const bodies all[] = {
 };
 enum { ALL = sizeof all / sizeof *all };
 
-/* A sky that changes slowly. */
-static uint32_t smooth(ref_dir d, void *with)
-{
-    (void)with;
-    return (uint32_t)(128 + 100 * d.x) << 16 | (uint32_t)(128 + 100 * d.y) << 8
-         | (uint32_t)(128 + 100 * d.z);
-}
-
-static tp_shade shade_for(const bodies *b)
-{
-    tp_shade s = shade_any(&chance);
-
-    if (b->env == TP_ENV_DOME)
-        sky_dome(&sky, &s, &chance);
-    if (b->env == TP_ENV_CUBE)
-        sky_cube(&sky, &s, smooth, NULL);
-    s.env.beyond = 0;
-    s.per_focal = (uint32_t)(((uint64_t)1 << 32) / (uint32_t)s.focal);
-    s.env.least = b->lobe == TP_LOBE_NONE ? 0 : TP_DISC_END;
-    const tp_fx shininess = chance_int(&chance, 10, 200) * TP_FX_ONE;
-    if (b->lobe == TP_LOBE_BLINN)
-        tp_shade_shine_blinn(&s, shininess, TP_FX_ONE);
-    else
-        tp_shade_shine(&s, shininess, TP_FX_ONE);
-    s.quick = &quick;
-    tp_quick_light_init(&quick, &s, (tp_lobe)b->lobe, b->lobe != TP_LOBE_NONE, true);
-    return s;
-}
-
-/* The slopes as sampled; every eighth as steep as 16 bits go. */
-static void run_of(test_run *r, int32_t steep)
-{
-    run_any(r, steep, &chance);
-    for (int i = 0; i < TP_RUN; i++)
-        r->run.slope[i] = steep > 30000 && i % 8 == 0
-                              ? 0x80008000u ^ (uint32_t)chance_int(&chance, 0, 3) * 0xffff
-                              : r->n[i];
-}
-
 static void both_bodies_have_the_same_bits(void **state)
 {
     (void)state;
     for (int n = 0; n < 4000; n++) {
         const bodies *b = &all[n % ALL];
-        const tp_shade s = shade_for(b);
+        const tp_shade s = quick_shade(&lights, b->env, b->lobe, &chance);
         test_run r;
-        run_of(&r, n / ALL % 2 ? 32000 : 3000);
+        quick_run(&r, r.run.slope, n / ALL % 2 ? 32000 : 3000, &chance);
         const int32_t from = chance_int(&chance, 0, TP_RUN - 1);
         tp_run plain = run_part(&r.run, from, chance_int(&chance, from + 1, TP_RUN));
         memmove(plain.slope, r.run.slope + from, (size_t)plain.count * 4);
@@ -98,9 +58,9 @@ static void where_a_run_is_cut_does_not_show(void **state)
     (void)state;
     for (int n = 0; n < 2000; n++) {
         const bodies *b = &all[n % ALL];
-        const tp_shade s = shade_for(b);
+        const tp_shade s = quick_shade(&lights, b->env, b->lobe, &chance);
         test_run r;
-        run_of(&r, 4000);
+        quick_run(&r, r.run.slope, 4000, &chance);
         const int32_t cut = chance_int(&chance, 1, TP_RUN - 1);
         tp_run whole = r.run, left = run_part(&r.run, 0, cut);
         tp_run right = run_part(&r.run, cut, TP_RUN);
@@ -149,13 +109,13 @@ static double compare(const bodies *b, const char *what, int32_t steep, bool shi
     tally off = { .what = what };
 
     for (int n = 0; n < 3000; n++) {
-        tp_shade s = shade_for(b);
+        tp_shade s = quick_shade(&lights, b->env, b->lobe, &chance);
         if (!shiny) {
             memset(s.shine, 0, sizeof s.shine);
-            tp_quick_light_init(&quick, &s, (tp_lobe)b->lobe, false, true);
+            tp_quick_light_init(&lights.quick, &s, (tp_lobe)b->lobe, false, true);
         }
         test_run r;
-        run_of(&r, steep);
+        quick_run(&r, r.run.slope, steep, &chance);
         tp_run fast = r.run;
         exact(b, &s, &r.run);
         b->plain(&s, &fast);

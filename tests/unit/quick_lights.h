@@ -1,0 +1,52 @@
+/* SPDX-License-Identifier: MIT */
+/* Shades for tests of quick light, of any sky and lobe. */
+#ifndef TP_TESTS_QUICK_LIGHTS_H
+#define TP_TESTS_QUICK_LIGHTS_H
+#include "shade/quick_light.h"
+#include "skies.h"
+
+typedef struct {
+    test_sky sky;
+    struct tp_quick_light quick;
+} quick_lights;
+
+/* A sky that changes slowly. */
+static inline uint32_t quick_smooth(ref_dir d, void *with)
+{
+    (void)with;
+    return (uint32_t)(128 + 100 * d.x) << 16 | (uint32_t)(128 + 100 * d.y) << 8
+         | (uint32_t)(128 + 100 * d.z);
+}
+
+/* Valid as long as `kept` is. */
+static inline tp_shade quick_shade(quick_lights *kept, int env, int lobe, uint64_t *state)
+{
+    tp_shade s = shade_any(state);
+
+    if (env == TP_ENV_DOME)
+        sky_dome(&kept->sky, &s, state);
+    if (env == TP_ENV_CUBE)
+        sky_cube(&kept->sky, &s, quick_smooth, NULL);
+    s.env.beyond = 0;
+    s.per_focal = (uint32_t)(((uint64_t)1 << 32) / (uint32_t)s.focal);
+    s.env.least = lobe == TP_LOBE_NONE ? 0 : TP_DISC_END;
+    const tp_fx shininess = chance_int(state, 10, 200) * TP_FX_ONE;
+    if (lobe == TP_LOBE_BLINN)
+        tp_shade_shine_blinn(&s, shininess, TP_FX_ONE);
+    else
+        tp_shade_shine(&s, shininess, TP_FX_ONE);
+    s.quick = &kept->quick;
+    tp_quick_light_init(&kept->quick, &s, (tp_lobe)lobe, lobe != TP_LOBE_NONE, true);
+    return s;
+}
+
+/* Slopes as sampled; of steep ones every eighth as steep as 16 bits go. */
+static inline void quick_run(test_run *r, uint32_t *slope, int32_t steep, uint64_t *state)
+{
+    run_any(r, steep, state);
+    for (int i = 0; i < TP_RUN; i++)
+        slope[i] = steep > 30000 && i % 8 == 0
+                       ? 0x80008000u ^ (uint32_t)chance_int(state, 0, 3) * 0xffff
+                       : r->n[i];
+}
+#endif
