@@ -1,7 +1,65 @@
 /* SPDX-License-Identifier: MIT */
+/* Points of the sea against [A7]-[A10] in double precision, from the numbers of the waves
+ * alone.  `normal` is what is off the exact normal; `rounding` what fixed point alone is
+ * off, against the same form in double. */
 #include "tests/charts/errors.h"
+#include "tests/charts/gerstner.h"
+#include "tests/charts/used.h"
+#include "tests/reference/sea.h"
+
+#define LSB (1 / 65536.0)
+
+static double degrees_between(const ref_point *p, const double n[3])
+{
+    const double x = p->ny * n[2] - p->nz * n[1], y = p->nz * n[0] - p->nx * n[2];
+    const double z = p->nx * n[1] - p->ny * n[0];
+    const double dot = p->nx * n[0] + p->ny * n[1] + p->nz * n[2];
+
+    return atan2(sqrt(x * x + y * y + z * z), dot) * 180 / PI;
+}
+
+/* The scenes of that many waves whose sea takes the form; up to a sum of 0.3 they stand
+ * with the gentle one. */
+static bool takes(const tp_scene *scene, int32_t point)
+{
+    const char form = (char)(point & 0xff);
+    tp_sea sea;
+
+    tp_sea_init(&sea, scene->wave, TP_WAVES, scene->water.gravity);
+    return sea.count == (uint32_t)point >> 16
+        && (sea.steepness > TP_FX(0.3)) == (point >> 8 & 1)
+        && form == (sea.sharpened ? 's' : sea.crossed ? 'e' : 'c');
+}
+
+static void say_used(const kernel *k)
+{
+    const int32_t count = k->point[0] - '0', steep = k->point[4] > '3';
+    used_row(k->chart, k->point, takes, count << 16 | steep << 8 | gerstner_form(k->point));
+}
 
 void judge_gerstner(const kernel *k, const int32_t *in, const int32_t *out)
 {
-    (void)k, (void)in, (void)out;
+    tp_wave wave[GERSTNER_MOST];
+    const int count = (int)gerstner_waves(k->point, wave);
+    const ref_sea sea = ref_sea_of(wave, count, GERSTNER_GRAVITY);
+    double phase[TP_WAVES], place = 0, worst = 0, sum = 0, rounding = 0;
+
+    ref_phases(&sea, GERSTNER_TICK, phase);
+    for (uint32_t i = 0; i < KERNEL_UNITS; i++, in += 2, out += 5) {
+        const ref_point want = ref_at_rest(&sea, phase, in[0] * LSB, in[1] * LSB);
+        const ref_point same = gerstner_form(k->point) == 'c' ? ref_uncrossed(want) : want;
+        const double n[3] = { -out[3] * LSB, 1, -out[4] * LSB };
+        const double x = out[0] * LSB - want.x, y = out[1] * LSB - want.y;
+        const double z = out[2] * LSB - want.z, angle = degrees_between(&want, n);
+
+        place = fmax(place, 1000 * sqrt(x * x + y * y + z * z));
+        worst = fmax(worst, angle);
+        sum += angle * angle;
+        rounding = fmax(rounding, degrees_between(&same, n));
+    }
+    error_row(k, "place_max", place);
+    error_row(k, "normal_max", worst);
+    error_row(k, "normal_rms", sqrt(sum / KERNEL_UNITS));
+    error_row(k, "rounding_max", rounding);
+    say_used(k);
 }

@@ -1,7 +1,66 @@
 /* SPDX-License-Identifier: MIT */
+/* Normals against the exact one [A10] of the same place of the world, in double
+ * precision: the place at rest is solved for there too. */
+#include <string.h>
 #include "tests/charts/errors.h"
+#include "tests/charts/normals.h"
+#include "tests/charts/used.h"
+#include "tests/reference/sea.h"
+
+#define LSB (1 / 65536.0)
+
+/* Degrees between the surface's normal and that of slopes in 16.16. */
+static double degrees_off(const ref_point *p, const int32_t slope[2])
+{
+    const double n[3] = { -slope[0] * LSB, 1, -slope[1] * LSB };
+    const double x = p->ny * n[2] - p->nz * n[1], y = p->nz * n[0] - p->nx * n[2];
+    const double z = p->nx * n[1] - p->ny * n[0];
+    const double dot = p->nx * n[0] + p->ny * n[1] + p->nz * n[2];
+
+    return atan2(sqrt(x * x + y * y + z * z), dot) * 180 / PI;
+}
+
+/* By the method's first letter: waves whose normals have cross terms, or none; a pool,
+ * whose slopes are taken over one cell; maps of ripples, which have 8 bits. */
+static bool takes(const tp_scene *scene, int32_t method)
+{
+    tp_sea sea;
+
+    tp_sea_init(&sea, scene->wave, TP_WAVES, scene->water.gravity);
+    switch (method) {
+    case 'e': return sea.count > 0 && sea.crossed;
+    case 'c': return sea.count > 0 && !sea.crossed;
+    case 'f': return scene->pool.cols > 0 || scene->field.cols > 0;
+    case 'm': return scene->ripple.map.texture[0] != '\0' && scene->ripple.bump > 0;
+    default:  return false;
+    }
+}
+
+/* 0 of those that no scene could use. */
+static int32_t method_of(const char *point)
+{
+    static const char *const engine[] = { "exact", "cheap", "five-1", "map-8" };
+
+    for (size_t i = 0; i < sizeof engine / sizeof *engine; i++)
+        if (strcmp(point, engine[i]) == 0)
+            return point[0];
+    return 0;
+}
 
 void judge_normals(const kernel *k, const int32_t *in, const int32_t *out)
 {
-    (void)k, (void)in, (void)out;
+    const ref_sea sea = ref_sea_of(normals_wave, NORMALS_WAVES, NORMALS_GRAVITY);
+    double phase[TP_WAVES], worst = 0, sum = 0;
+
+    (void)in;
+    ref_phases(&sea, NORMALS_TICK, phase);
+    for (uint32_t i = 0; i < KERNEL_UNITS; i++, out += 2) {
+        const ref_point p = ref_above(&sea, phase, normals_x(i) * LSB, normals_z(i) * LSB);
+        const double off = degrees_off(&p, out);
+        worst = fmax(worst, off);
+        sum += off * off;
+    }
+    error_row(k, "normal_max", worst);
+    error_row(k, "normal_rms", sqrt(sum / KERNEL_UNITS));
+    used_row(k->chart, k->point, takes, method_of(k->point));
 }

@@ -1,0 +1,56 @@
+# SPDX-License-Identifier: MIT
+# Gerstner waves: what a vertex costs, against the error of its normal, above, and of its
+# place, below.  On each line lie the points of 1, 2, 3, 4 and 8 waves, as the numbers say.
+# Exact and sharpened ones of steepness 0.3 lie on those of 0.7.
+of(name, form, sum) = strcol("form") eq form && column("steepness") == sum ? \
+    column(name) : NaN
+series(name, i) = of(name, word("cheap cheap exact sharp", i), i == 2 ? 0.3 : 0.7)
+kind(form) = form eq "sharp" ? 4 : form eq "exact" ? 3 : column("steepness") < 0.5 ? 2 : 1
+taken(name, i) = is_used(strcol("used")) && kind(strcol("form")) == i ? column(name) : NaN
+array title[4] = ["cheap, steepness 0.7", "cheap, 0.3", "exact", "exact, sharpened"]
+lines_ = 'with linespoints linetype i pointsize 1.1'
+used_  = 'with points linetype i pointtype int(word(shapes, i)) + 1 pointsize 1.9 notitle'
+
+upper = 'set tmargin at screen 0.87; set bmargin at screen 0.45; unset xlabel; ' . \
+        'set xtics (200, 500, 1000, 2000); set format x ""; set ytics autofreq; @decades_y; ' . \
+        'set yrange [1e-4:50]'
+lower = 'set format x; set tmargin at screen 0.40; set bmargin at screen 0.14; ' . \
+        'unset logscale y; set format y "%g"; set ytics 0.02; set yrange [0:0.06]'
+normals = 'plot for [i=1:4] csv using (series(cost, i)):"normal_max" @lines_ title title[i], ' . \
+          'for [i=1:4] "" using (taken(cost, i)):"normal_max" @used_'
+counts  = ', "" using (series(cost, 1)):"normal_max":(strcol("waves")) ' . \
+          'with labels offset 0,0.8 textcolor linetype 1 notitle' . \
+          ', "" using (series(cost, 3)):"normal_max":(strcol("waves")) ' . \
+          'with labels offset 0,-0.8 textcolor linetype 3 notitle' . \
+          ', "" using (series(cost, 4)):"normal_max":(strcol("waves")) ' . \
+          'with labels offset 0,0.8 textcolor linetype 4 notitle'
+places  = 'plot for [i=1:4] csv using (series(cost, i)):"place_max" @lines_ notitle, ' . \
+          'for [i=1:4] "" using (taken(cost, i)):"place_max" @used_'
+
+set key at screen 0.11,0.985 horizontal maxrows 2 width -4
+set multiplot
+@log_x
+@first
+set xrange [240:2000]
+cost = "m4"
+@upper
+set ylabel "normal, degrees at most" offset 0.5,0
+@normals @counts
+@lower
+@log_x
+set ylabel "place, mm" offset 0.5,0
+set xlabel "Cortex-M4 instructions a vertex"
+@places
+
+@second
+set xrange [150:1500]
+cost = "x86"
+@upper
+set format y ""
+@normals
+@lower
+set format y ""
+@log_x
+set xlabel "x86-64 instructions"
+@places
+unset multiplot

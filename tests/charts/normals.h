@@ -1,0 +1,24 @@
+/* SPDX-License-Identifier: MIT */
+/* The water of the chart "normals", which kernels and judge make alike: three-swells', its
+ * steepnesses adding up to 0.7, over places of the world spread around the origin. */
+#ifndef CHARTS_NORMALS_H
+#define CHARTS_NORMALS_H
+#include "tests/charts/kernels.h"
+
+enum { NORMALS_WAVES = 3, NORMALS_TICK = 1234 };
+
+#define NORMALS_GRAVITY TP_FX(9.81)
+#define NORMALS_CELL    TP_FX(0.25)     /* m: the shortest wave is 28 of them */
+
+extern const tp_wave normals_wave[NORMALS_WAVES];
+
+static inline tp_fx normals_x(uint32_t i)
+{
+    return kernel_spread(i, KERNEL_STEP, TP_FX(200));
+}
+
+static inline tp_fx normals_z(uint32_t i)
+{
+    return kernel_spread(i, KERNEL_CROSS, TP_FX(200));
+}
+#endif
