@@ -7,31 +7,37 @@ of(name, form, sum) = strcol("form") eq form && column("steepness") == sum ? \
 series(name, i) = of(name, word("cheap cheap exact sharp", i), i == 2 ? 0.3 : 0.7)
 kind(form) = form eq "sharp" ? 4 : form eq "exact" ? 3 : column("steepness") < 0.5 ? 2 : 1
 taken(name, i) = is_used(strcol("used")) && kind(strcol("form")) == i ? column(name) : NaN
-array title[4] = ["cheap, steepness 0.7", "cheap, 0.3", "exact", "exact, sharpened"]
+array name[4] = ["cheap at 0.7", "cheap at 0.3", "exact", "sharpened"]
+said(i) = name[i]
+last(i, y) = column("waves") == 8 ? series(y, i) : NaN
 lines_ = 'with linespoints linetype i pointsize 1.1'
 used_  = 'with points linetype i pointtype int(word(shapes, i)) + 1 pointsize 1.9 notitle'
 
-upper = 'set tmargin at screen 0.87; set bmargin at screen 0.45; unset xlabel; ' . \
+upper = 'set tmargin at screen 0.96; set bmargin at screen 0.47; unset xlabel; ' . \
         'set xtics (200, 500, 1000, 2000); set format x ""; set ytics autofreq; @decades_y; ' . \
-        'set yrange [1e-4:50]'
-lower = 'set format x; set tmargin at screen 0.40; set bmargin at screen 0.14; ' . \
+        'set yrange [2e-5:90]'
+lower = 'set format x; set tmargin at screen 0.42; set bmargin at screen 0.14; ' . \
         'unset logscale y; set format y "%g"; set ytics 0.02; set yrange [0:0.06]'
-normals = 'plot for [i=1:4] csv using (series(cost, i)):"normal_max" @lines_ title title[i], ' . \
+normals = 'plot for [i=1:4] csv using (series(cost, i)):"normal_max" @lines_ notitle, ' . \
           'for [i=1:4] "" using (taken(cost, i)):"normal_max" @used_'
 counts  = ', "" using (series(cost, 1)):"normal_max":(strcol("waves")) ' . \
           'with labels offset 0,0.8 textcolor linetype 1 notitle' . \
           ', "" using (series(cost, 3)):"normal_max":(strcol("waves")) ' . \
           'with labels offset 0,-0.8 textcolor linetype 3 notitle' . \
           ', "" using (series(cost, 4)):"normal_max":(strcol("waves")) ' . \
-          'with labels offset 0,0.8 textcolor linetype 4 notitle'
+          'with labels offset 0,0.8 textcolor linetype 4 notitle' . \
+          ', for [i=1:2] "" using (series(cost, i)):(last(i, "normal_max")):(said(i)) ' . \
+          'with labels left offset 1,0 textcolor linetype i notitle' . \
+          ', for [i=3:4] "" using (series(cost, i)):(last(i, "normal_max")):(said(i)) ' . \
+          'with labels left offset -1,(i == 3 ? -1.9 : 1.9) textcolor linetype i notitle'
 places  = 'plot for [i=1:4] csv using (series(cost, i)):"place_max" @lines_ notitle, ' . \
           'for [i=1:4] "" using (taken(cost, i)):"place_max" @used_'
 
-set key at screen 0.11,0.985 horizontal maxrows 2 width -4
+unset key
 set multiplot
 @log_x
 @first
-set xrange [240:2000]
+set xrange [240:2500]
 cost = "m4"
 @upper
 set ylabel "normal, degrees at most" offset 0.5,0
