@@ -60,13 +60,15 @@ CORE := $(addprefix src/, \
 PORTS := $(addprefix ports/, \
     host/args.c host/assets.c host/bake.c host/bake_parts.c host/bench.c \
     host/bench_draw.c host/bench_maps.c host/bench_peers.c host/bench_print.c \
-    host/bench_scene.c host/canvas.c host/check.c host/check_depth.c \
+    host/bench_scene.c host/canvas.c host/charts.c host/charts_draw.c \
+    host/charts_ini.c host/charts_jobs.c host/charts_page.c host/charts_rows.c \
+    host/charts_run.c host/charts_table.c host/check.c host/check_depth.c \
     host/check_drops.c host/check_light.c host/check_numbers.c host/check_ocean.c \
     host/check_pool.c host/check_settle.c host/check_waves.c host/crew.c host/csv.c \
-    host/deck.c host/film.c host/governing.c host/hashes.c host/lists.c host/machine.c \
-    host/nearest.c host/output.c host/path.c host/picture.c host/plan.c \
+    host/deck.c host/film.c host/governing.c host/hashes.c host/ini_read.c \
+    host/lists.c host/machine.c host/nearest.c host/output.c host/path.c host/picture.c host/plan.c \
     host/png_read.c host/png_write.c host/render.c host/say.c host/scene_file.c \
-    host/scene_ini.c host/sink.c host/stage.c host/timing.c \
+    host/scene_ini.c host/sink.c host/stage.c host/timing.c host/words.c \
     null/null.c)
 MAIN  := ports/host/main.c
 ifneq ($(shell pkg-config --exists sdl2 2>/dev/null && echo yes),)
@@ -123,7 +125,8 @@ ONE     := $(if $(filter command,$(firstword $(origin SCENE))),$(SCENE))
 CROSS   := three-swells raindrops tank pond shore-break deep-sea storm count-64
 FRAMES  := $(CROSS:%=$(BUILD)/tests/cross/frames-%)
 BAKES   := $(wildcard ports/host/bake*.c ports/host/assets.c ports/host/png_read.c \
-               ports/host/scene*.c src/asset/*.c src/scene/params.c include/tidepool/*.h)
+               ports/host/scene*.c ports/host/ini_read.c src/asset/*.c \
+               src/scene/params.c include/tidepool/*.h)
 SHIPPED := $(wildcard assets/scenes/* assets/boats/*.[mop]* assets/textures/*.png \
                assets/skies/*.png)
 
@@ -169,6 +172,9 @@ bench: $(PROGRAM) $(BUILD)/tests/bench/scene_s
 ## the dearest of 10000 random views of scenes, over the median, in instructions
 views: $(BUILD)/tests/bench/views build/host/tally.so
 	@TP_VIEWS=10000 tests/bench/views.sh
+## speed against accuracy: the whole sweep into assets/charts
+charts: $(PROGRAM)
+	@$(PROGRAM) charts assets/charts
 ## what `tidepool charts` measures with
 charts-tools: all build/host/count.so $(CHARTS)
 	@$(MAKE) --no-print-directory BOARD=cortex-m TARGET=charts-m4 build/charts-m4/kernels.elf
@@ -366,7 +372,7 @@ $(BUILD)/flags: force
 	@echo '$(COMPILE) $(SDL_CFLAGS)' | cmp -s - $@ || echo '$(COMPILE) $(SDL_CFLAGS)' >$@
 
 .PHONY: all lib run test test-all soak count ram bench fuzz golden gallery assets install format \
-    views clean help unit everything host-tests more-tests fuzzers elf elves frames \
+    views charts clean help unit everything host-tests more-tests fuzzers elf elves frames \
     list-core list-scenes list-cross reference peers charts-tools force
 .SECONDARY:
 -include $(shell find $(BUILD) -name '*.d' 2>/dev/null)

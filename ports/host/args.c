@@ -213,6 +213,45 @@ static const char *read_peers(options *o, const char *value)
     return NULL;
 }
 
+static const char *read_jobs(options *o, const char *value)
+{
+    return read_count(value, NULL, 1, 1024, &o->jobs) ? NULL : "1..1024";
+}
+
+static const char *read_from(options *o, const char *value)
+{
+    o->from = value;
+    return *value ? NULL : "a folder";
+}
+
+static const char *read_small(options *o, const char *value)
+{
+    (void)value;
+    o->small = true;
+    return NULL;
+}
+
+static const char *read_list(options *o, const char *value)
+{
+    (void)value;
+    o->list = true;
+    return NULL;
+}
+
+static const char *read_collect(options *o, const char *value)
+{
+    (void)value;
+    o->collect = true;
+    return NULL;
+}
+
+static const char *read_resume(options *o, const char *value)
+{
+    (void)value;
+    o->resume = true;
+    return NULL;
+}
+
 static const char *read_stats(options *o, const char *value)
 {
     (void)value;
@@ -243,7 +282,8 @@ static const char *read_help(options *o, const char *value)
 }
 
 #define ALL (FOR_RENDER | FOR_VIEW | FOR_PARAMS | FOR_SCENES | FOR_CHECK | FOR_BAKE \
-             | FOR_PLAN | FOR_BENCH)
+             | FOR_PLAN | FOR_BENCH | FOR_CHARTS | FOR_JOIN)
+#define MANY (FOR_CHARTS | FOR_JOIN)
 
 static const option_row rows[] = {
     { "--size", "WxH", FOR_RENDER | FOR_VIEW | FOR_PLAN, read_size,
@@ -279,6 +319,15 @@ static const option_row rows[] = {
       "keep no vertices of the water: less memory, same bits" },
     { "--texels", "N", FOR_RENDER | FOR_VIEW | FOR_BAKE, read_texels,
       "use pictures of no more than N texels a side" },
+    { "--jobs", "N", FOR_CHARTS, read_jobs, "so many at a time; else one a processor" },
+    { "--only", "NAME,...", FOR_CHARTS, read_only, "these charts alone" },
+    { "--small", NULL, FOR_CHARTS, read_small, "without what takes long, and times" },
+    { "--resume", NULL, FOR_CHARTS, read_resume,
+      "take the jobs that an interrupted sweep finished" },
+    { "--list", NULL, FOR_CHARTS, read_list, "print the jobs, and run none" },
+    { "--collect", NULL, FOR_CHARTS, read_collect, "run none: merge files of their rows" },
+    { "--from", "FOLDER", FOR_CHARTS, read_from,
+      "other charts than the project's; nothing is built" },
     { "--visibility", "HOW", FOR_RENDER | FOR_VIEW | FOR_PLAN, read_visibility,
       "auto triangles rows projected flat" },
     { "--hash", NULL, FOR_RENDER, read_hash, "print the CRC-32 of every frame" },
@@ -356,17 +405,47 @@ static int read_option(options *o, unsigned command, int argc, char **argv, int 
     return refuse(o, what);
 }
 
+/* What must be there, and what cannot be together. */
+static int check(const options *o, unsigned command)
+{
+    const bool all = !o->help;
+    if (o->band && o->strip)
+        return refuse(o, "--band and --strip exclude each other");
+    if (o->rungs && o->peers)
+        return refuse(o, "--rungs and --peers exclude each other");
+    if (o->list + o->collect + o->resume > 1)
+        return refuse(o, "--list, --collect and --resume exclude each other");
+    if (!o->scene && all && (command & (FOR_RENDER | FOR_VIEW | FOR_BAKE | FOR_PLAN)))
+        return refuse(o, "which scene?");
+    if (!o->out && all && (command & FOR_BAKE))
+        return refuse(o, "which file?  It takes -o FILE.c");
+    if (!o->vectors && all && (command & FOR_CHECK))
+        return refuse(o, "which folder?  It takes --vectors DIR");
+    if (!all || !(command & MANY))
+        return EXIT_DONE;
+    const uint32_t least = o->list ? 0 : command & FOR_JOIN || o->collect ? 2 : 1;
+    if (o->n_names < least)
+        return refuse(o, least == 1 ? "which folder?" : command & FOR_JOIN
+                      ? "which film, and which parts?" : "which files, and which folder?");
+    if (command & FOR_CHARTS && !o->collect && o->n_names > least)
+        return refuse(o, "too many names");
+    return EXIT_DONE;
+}
+
 int args_read(options *o, unsigned command, int argc, char **argv)
 {
     *o = (options){ .command = argv[0], .width = 640, .height = 480,
                       .work = -1 };
-    o->settings = calloc((size_t)argc, sizeof *o->settings);
+    o->settings = calloc(2 * (size_t)argc, sizeof *o->settings);
     if (!o->settings)
-        return fail_memory((size_t)argc * sizeof *o->settings);
+        return fail_memory(2 * (size_t)argc * sizeof *o->settings);
+    o->names = o->settings + argc;
     for (int i = 1; i < argc; i++) {
         int code = EXIT_DONE;
-        if (argv[i][0] == '-')
+        if (argv[i][0] == '-' && (argv[i][1] || !(command & MANY)))
             code = read_option(o, command, argc, argv, &i);
+        else if (command & MANY)
+            o->names[o->n_names++] = argv[i];
         else if (o->scene || (command & (FOR_SCENES | FOR_CHECK | FOR_BENCH)))
             code = refuse(o, "too many names");
         else
@@ -374,16 +453,5 @@ int args_read(options *o, unsigned command, int argc, char **argv)
         if (code)
             return code;
     }
-    if (o->band && o->strip)
-        return refuse(o, "--band and --strip exclude each other");
-    if (o->rungs && o->peers)
-        return refuse(o, "--rungs and --peers exclude each other");
-    if (!o->scene && !o->help
-        && (command & (FOR_RENDER | FOR_VIEW | FOR_BAKE | FOR_PLAN)))
-        return refuse(o, "which scene?");
-    if (!o->out && !o->help && (command & FOR_BAKE))
-        return refuse(o, "which file?  It takes -o FILE.c");
-    if (!o->vectors && !o->help && (command & FOR_CHECK))
-        return refuse(o, "which folder?  It takes --vectors DIR");
-    return EXIT_DONE;
+    return check(o, command);
 }

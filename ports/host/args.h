@@ -31,12 +31,17 @@ typedef struct {
     uint32_t     points;            /* of the benchmark's grid, 0: not given */
     int32_t      work;              /* bench_work, -1: not given */
     bool         rungs, peers;
+    const char **names;             /* of commands that take several */
+    uint32_t     n_names;
+    uint32_t     jobs;              /* at a time, 0: not given */
+    const char  *from;              /* folder of charts; NULL: the project's */
+    bool         small, list, collect, resume;
     bool         help;
 } options;
 
 /* Commands, for the table's masks. */
 enum { FOR_RENDER = 1, FOR_VIEW = 2, FOR_PARAMS = 4, FOR_SCENES = 8, FOR_CHECK = 16,
-       FOR_BAKE = 32, FOR_PLAN = 64, FOR_BENCH = 128 };
+       FOR_BAKE = 32, FOR_PLAN = 64, FOR_BENCH = 128, FOR_CHARTS = 256, FOR_JOIN = 512 };
 
 /* `command` is one of FOR_...; argv[0] is its name.  EXIT_USAGE: said why.  The caller
  * frees settings in any case. */

@@ -40,6 +40,8 @@ static const struct {
       check_command },
     { "bench", "[OPTION]...", "times of one scene, beside other renderers'",
       bench_command },
+    { "charts", "DIR [OPTION]...", "speed against accuracy: tables, pictures, a page",
+      charts_command },
 };
 
 #define COMMANDS (sizeof commands / sizeof *commands)

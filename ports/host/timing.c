@@ -100,3 +100,17 @@ void progress_figure(progress *p, uint32_t done, uint32_t total, const char *wha
              (unsigned)done + 1, (unsigned)total, what, by, left);
     say_progress(text);
 }
+
+void progress_jobs(progress *p, uint32_t done, uint32_t total, const char *what)
+{
+    static const char full[] = "####################", empty[] = "....................";
+    const int width = (int)sizeof full - 1;
+    char text[96];
+    unsigned left;
+    if (!is_due(p, done, total, &left))
+        return;
+    const int part = (int)((uint64_t)done * (unsigned)width / (total ? total : 1));
+    snprintf(text, sizeof text, "[%.*s%.*s] %u of %u %.16s, about %u s left", part, full,
+             width - part, empty, (unsigned)done, (unsigned)total, what, left);
+    say_progress(text);
+}

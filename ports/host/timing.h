@@ -27,4 +27,6 @@ progress progress_begin(void);
 void     progress_show(progress *p, uint32_t done, uint32_t total);
 void     progress_figure(progress *p, uint32_t done, uint32_t total, const char *what,
                          const char *by);
+/* The same as a bar, of what several do at once. */
+void     progress_jobs(progress *p, uint32_t done, uint32_t total, const char *what);
 #endif

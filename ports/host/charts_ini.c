@@ -1,0 +1,233 @@
+/* SPDX-License-Identifier: MIT */
+/* What describes a chart, NAME.ini:
+ *
+ *     [chart]
+ *     title  = Sine: instructions against error
+ *     keys   = method                     the table's first columns
+ *     values = m4 x86 error_max used      then these
+ *     units  = m4:instructions            what values are in, for people
+ *     pareto = m4 error_max               a column `front`: 1 where no row is better in
+ *                                         one and as good in the other; lower is better
+ *     group  = scene                      with a front for each of these keys
+ *     job    = COMMAND                    prints rows; {scene}: one for each shipped scene
+ *     large  = COMMAND                    likewise, but not in the small sweep
+ *     times  = ms                         columns of NAME.time.csv
+ *     time   = COMMAND                    prints rows of them; runs alone
+ *
+ * Lists and commands may go on in another line of the same name. */
+#include "charts.h"
+#include <stddef.h>
+#include <stdlib.h>
+#include <string.h>
+#include "ini_read.h"
+#include "nearest.h"
+#include "path.h"
+#include "say.h"
+
+static const struct {
+    const char *name;
+    size_t      at;             /* of its words */
+    bool        whole;          /* a line is one of them */
+} lists[] = {
+    { "keys", offsetof(chart, keys), false },
+    { "values", offsetof(chart, values), false },
+    { "times", offsetof(chart, times), false },
+    { "units", offsetof(chart, units), false },
+    { "pareto", offsetof(chart, pareto), false },
+    { "group", offsetof(chart, group), false },
+    { "job", offsetof(chart, commands[CHART_JOB]), true },
+    { "large", offsetof(chart, commands[CHART_LARGE]), true },
+    { "time", offsetof(chart, commands[CHART_TIME]), true },
+};
+
+#define LISTS (sizeof lists / sizeof *lists)
+
+static words *list_at(chart *c, size_t i)
+{
+    return (words *)(void *)((char *)c + lists[i].at);
+}
+
+static bool refuse_name(const chart *c, uint32_t line, const char *name)
+{
+    nearest best = nearest_to(name);
+    nearest_offer(&best, "title");
+    for (size_t i = 0; i < LISTS; i++)
+        nearest_offer(&best, lists[i].name);
+    if (best.name)
+        say("%s:%u: nothing is called %s; did you mean %s?", c->path, (unsigned)line,
+            name, best.name);
+    else
+        say("%s:%u: nothing is called %s", c->path, (unsigned)line, name);
+    return false;
+}
+
+static bool take(void *user, uint32_t line, const char *section, const char *name,
+                 const char *value)
+{
+    chart *c = user;
+    if (strcmp(section, "chart") != 0) {
+        say("%s:%u: [%s]; expected [chart]", c->path, (unsigned)line, section);
+        return false;
+    }
+    if (!*value || (strcmp(name, "title") == 0 && c->title)) {
+        say("%s:%u: %s: %s", c->path, (unsigned)line, name, *value ? "twice" : "empty");
+        return false;
+    }
+    bool held = true, known = strcmp(name, "title") == 0;
+    if (known)
+        held = (c->title = path_copy(value, strlen(value))) != NULL;
+    for (size_t i = 0; i < LISTS && !known; i++)
+        if (strcmp(name, lists[i].name) == 0) {
+            known = true;
+            held = lists[i].whole ? words_add(list_at(c, i), value, strlen(value))
+                                  : words_cut(list_at(c, i), value, " \t");
+        }
+    if (!held)
+        fail_memory(strlen(value));
+    return held && (known || refuse_name(c, line, name));
+}
+
+/* -- whether it fits together ------------------------------------------------------- */
+
+static int wrong(const chart *c, const char *what, const char *word)
+{
+    return fail(EXIT_INPUT, "%s: %s%s", c->path, what, word);
+}
+
+/* Names of columns are there once, and none is ours. */
+static int check_columns(const chart *c)
+{
+    const words *const all[] = { &c->keys, &c->values, &c->times };
+    for (int a = 0; a < 3; a++)
+        for (size_t i = 0; i < all[a]->count; i++) {
+            const char *name = all[a]->of[i];
+            int found = strcmp(name, "front") == 0;
+            for (int b = 0; b < 3; b++)
+                for (size_t k = 0; k < all[b]->count; k++)
+                    found += strcmp(all[b]->of[k], name) == 0;
+            if (found > 1)
+                return wrong(c, "two columns are called ", name);
+            if (strpbrk(name, ",;\""))
+                return wrong(c, "a column cannot be called ", name);
+        }
+    return EXIT_DONE;
+}
+
+static int check_names(const chart *c)
+{
+    for (size_t i = 0; i < c->pareto.count; i++)
+        if (words_find(&c->values, c->pareto.of[i]) < 0)
+            return wrong(c, "pareto: no value is called ", c->pareto.of[i]);
+    for (size_t i = 0; i < c->group.count; i++)
+        if (words_find(&c->keys, c->group.of[i]) < 0)
+            return wrong(c, "group: no key is called ", c->group.of[i]);
+    for (size_t i = 0; i < c->units.count; i++) {
+        char name[64];
+        const char *unit = c->units.of[i];
+        const size_t bytes = strcspn(unit, ":");
+        if (!unit[bytes] || !unit[bytes + 1] || bytes >= sizeof name)
+            return wrong(c, "units: expected COLUMN:UNIT, found ", unit);
+        memcpy(name, unit, bytes);
+        name[bytes] = 0;
+        if (words_find(&c->values, name) < 0 && words_find(&c->times, name) < 0)
+            return wrong(c, "units: no value is called ", name);
+    }
+    return EXIT_DONE;
+}
+
+static int check(const chart *c)
+{
+    if (!c->title || !c->keys.count || !c->values.count)
+        return wrong(c, "it takes a title, keys and values", "");
+    if (c->pareto.count != 0 && c->pareto.count != 2)
+        return wrong(c, "pareto: expected two values", "");
+    if (c->group.count && !c->pareto.count)
+        return wrong(c, "group: of what is not there, pareto", "");
+    if (!c->commands[CHART_JOB].count && !c->commands[CHART_LARGE].count)
+        return wrong(c, "no job", "");
+    if (!c->times.count != !c->commands[CHART_TIME].count)
+        return wrong(c, "times (columns) and time (a command) go together", "");
+    const int code = check_columns(c);
+    return code ? code : check_names(c);
+}
+
+/* -- all of them -------------------------------------------------------------------- */
+
+char *chart_path(const char *folder, const chart *of, const char *suffix)
+{
+    return path_join(folder, of->name, suffix);
+}
+
+chart *charts_find(const charts *c, const char *name)
+{
+    for (size_t i = 0; i < c->count; i++)
+        if (strcmp(c->of[i].name, name) == 0)
+            return &c->of[i];
+    return NULL;
+}
+
+static int refuse_chart(const charts *c, const char *name)
+{
+    nearest best = nearest_to(name);
+    for (size_t i = 0; i < c->count; i++)
+        nearest_offer(&best, c->of[i].name);
+    if (best.name)
+        return fail(EXIT_USAGE, "tidepool charts: no chart %s; did you mean %s?", name,
+                    best.name);
+    return fail(EXIT_USAGE, "tidepool charts: no chart %s", name);
+}
+
+static int ask(charts *c, const char *only)
+{
+    words names = { 0 };
+    int code = EXIT_DONE;
+    if (only && !words_cut(&names, only, ","))
+        code = fail_memory(strlen(only));
+    for (size_t i = 0; i < c->count; i++)
+        c->of[i].asked = !only;
+    for (size_t i = 0; i < names.count && !code; i++) {
+        chart *of = charts_find(c, names.of[i]);
+        if (of)
+            of->asked = true;
+        else
+            code = refuse_chart(c, names.of[i]);
+    }
+    words_free(&names);
+    return code;
+}
+
+int charts_read(charts *c, const char *folder, const char *only)
+{
+    size_t count;
+    int code = EXIT_DONE;
+    char **names = path_scene_names(folder, &count);
+    *c = (charts){ .folder = folder, .of = calloc(count + 1, sizeof *c->of) };
+    if (!c->of)
+        code = fail_memory((count + 1) * sizeof *c->of);
+    for (size_t i = 0; i < count && !code; i++) {
+        chart *of = &c->of[c->count++];
+        of->name = path_copy(names[i], strlen(names[i]));
+        of->path = of->name ? chart_path(folder, of, ".ini") : NULL;
+        code = of->path ? ini_read(of->path, take, of) : fail_memory(strlen(names[i]));
+        if (!code)
+            code = check(of);
+    }
+    path_free_names(names, count);
+    if (!code && !count)
+        code = fail(EXIT_INPUT, "%s: no chart is described there", folder);
+    return code ? code : ask(c, only);
+}
+
+void charts_free(charts *c)
+{
+    for (size_t i = 0; i < c->count; i++) {
+        chart *of = &c->of[i];
+        free(of->name);
+        free(of->path);
+        free(of->title);
+        for (size_t k = 0; k < LISTS; k++)
+            words_free(list_at(of, k));
+    }
+    free(c->of);
+    *c = (charts){ 0 };
+}
