@@ -75,12 +75,6 @@ static const char *read_set(options *o, const char *value)
     return NULL;
 }
 
-static const char *read_out(options *o, const char *value)
-{
-    o->out = value;
-    return *value ? NULL : "a file name";
-}
-
 static const char *read_format(options *o, const char *value)
 {
     const int format = tp_format_of(value, (uint32_t)strlen(value));
@@ -137,50 +131,6 @@ static const char *read_kit(options *o, const char *value)
     return o->machine ? NULL : "a kit that runs here: baseline, x86-64-v3";
 }
 
-static const char *read_stream(options *o, const char *value)
-{
-    (void)value;
-    o->stream = true;
-    return NULL;
-}
-
-static const char *read_hash(options *o, const char *value)
-{
-    (void)value;
-    o->hash = true;
-    return NULL;
-}
-
-static const char *read_expect(options *o, const char *value)
-{
-    o->expect = value;
-    return *value ? NULL : "a file name";
-}
-
-static const char *read_vectors(options *o, const char *value)
-{
-    o->vectors = value;
-    return *value ? NULL : "a folder";
-}
-
-static const char *read_tape(options *o, const char *value)
-{
-    o->tape = value;
-    return *value ? NULL : "a file name";
-}
-
-static const char *read_only(options *o, const char *value)
-{
-    o->only = value;
-    return *value ? NULL : "the beginning of a name";
-}
-
-static const char *read_name(options *o, const char *value)
-{
-    o->name = value;
-    return *value ? NULL : "a name in C";
-}
-
 static const char *read_texels(options *o, const char *value)
 {
     return read_count(value, NULL, 1, SIDE_HIGH, &o->texels) ? NULL : "texels, 1..4096";
@@ -199,85 +149,42 @@ static const char *read_work(options *o, const char *value)
     return o->work < 0 ? "plain, full or smooth" : NULL;
 }
 
-static const char *read_rungs(options *o, const char *value)
-{
-    (void)value;
-    o->rungs = true;
-    return NULL;
-}
-
-static const char *read_peers(options *o, const char *value)
-{
-    (void)value;
-    o->peers = true;
-    return NULL;
-}
-
 static const char *read_jobs(options *o, const char *value)
 {
     return read_count(value, NULL, 1, 1024, &o->jobs) ? NULL : "1..1024";
 }
 
-static const char *read_from(options *o, const char *value)
-{
-    o->from = value;
-    return *value ? NULL : "a folder";
-}
-
-static const char *read_small(options *o, const char *value)
-{
-    (void)value;
-    o->small = true;
-    return NULL;
-}
-
-static const char *read_list(options *o, const char *value)
-{
-    (void)value;
-    o->list = true;
-    return NULL;
-}
-
-static const char *read_collect(options *o, const char *value)
-{
-    (void)value;
-    o->collect = true;
-    return NULL;
-}
-
-static const char *read_resume(options *o, const char *value)
-{
-    (void)value;
-    o->resume = true;
-    return NULL;
-}
-
-static const char *read_stats(options *o, const char *value)
-{
-    (void)value;
-    o->stats = true;
-    return NULL;
-}
-
-static const char *read_csv(options *o, const char *value)
-{
-    (void)value;
-    o->csv = true;
-    return NULL;
-}
+/* Switches, and words that may be anything but empty. */
+#define SWITCH(name) \
+    static const char *read_##name(options *o, const char *value) \
+    { (void)value; o->name = true; return NULL; }
+#define WORD(name, what) \
+    static const char *read_##name(options *o, const char *value) \
+    { o->name = value; return *value ? NULL : what; }
+SWITCH(stream)
+SWITCH(hash)
+SWITCH(rungs)
+SWITCH(peers)
+SWITCH(small)
+SWITCH(list)
+SWITCH(collect)
+SWITCH(resume)
+SWITCH(stats)
+SWITCH(csv)
+SWITCH(help)
+WORD(out, "a file name")
+WORD(expect, "a file name")
+WORD(vectors, "a folder")
+WORD(tape, "a file name")
+WORD(only, "the beginning of a name")
+WORD(name, "a name in C")
+WORD(from, "a folder")
 
 static const char *read_verbose(options *o, const char *value)
 {
     (void)o;
     (void)value;
     say_verbose();
-    return NULL;
-}
-
-static const char *read_help(options *o, const char *value)
-{
-    (void)value;
-    o->help = true;
     return NULL;
 }
 
