@@ -66,7 +66,7 @@ PORTS := $(addprefix ports/, \
     host/check_drops.c host/check_light.c host/check_numbers.c host/check_ocean.c \
     host/check_pool.c host/check_settle.c host/check_waves.c host/crew.c host/csv.c \
     host/deck.c host/film.c host/governing.c host/hashes.c host/ini_read.c \
-    host/lists.c host/machine.c host/nearest.c host/output.c host/path.c \
+    host/join.c host/lists.c host/machine.c host/nearest.c host/output.c host/path.c \
     host/picture.c host/plan.c host/png_read.c host/png_write.c host/render.c \
     host/say.c host/scene_file.c host/scene_ini.c host/sink.c host/stage.c \
     host/timing.c host/words.c \

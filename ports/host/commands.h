@@ -12,6 +12,7 @@ int check_command(int argc, char **argv);
 int plan_command(int argc, char **argv);
 int bench_command(int argc, char **argv);
 int charts_command(int argc, char **argv);
+int join_command(int argc, char **argv);
 
 /* Ends what was printed on standard output: a full disk or a closed pipe is an error. */
 int finish_stdout(void);

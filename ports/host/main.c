@@ -30,6 +30,8 @@ static const struct {
       render_command },
     { "view", "SCENE [OPTION]...", "a window to look around in", view_command },
     { "scenes", "", "the scenes that come with the program", scenes_command },
+    { "join", "FILM.y4m PART...", "one film of parts that were drawn apart",
+      join_command },
     { "params", "[SCENE]", "what can be changed: names, units, ranges, values",
       params_command },
     { "bake", "SCENE -o FILE.c", "a scene as constant C, for a board without files",

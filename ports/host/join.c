@@ -1,0 +1,166 @@
+/* SPDX-License-Identifier: MIT */
+/* tidepool join: films of ranges, drawn wherever, into one.  A YUV4MPEG2 film is a head
+ * and frames, so the frames of parts with the same head are the film's, byte for byte;
+ * each part is read to its end, and one that was cut off is refused. */
+#define _POSIX_C_SOURCE 200809L
+#include <errno.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+#include "args.h"
+#include "commands.h"
+#include "output.h"
+#include "path.h"
+#include "say.h"
+
+#define HEAD_BYTES 256          /* ours has 70 */
+#define SIDE_HIGH  65536u
+
+typedef struct {
+    FILE       *file;
+    const char *name;
+    char        head[HEAD_BYTES];
+} part;
+
+typedef struct {
+    output      out;
+    const char *first;          /* part, which the others must fit */
+    char        head[HEAD_BYTES];
+    uint8_t    *frame;
+    size_t      bytes;          /* of a frame, without its mark */
+} joined;
+
+static void print_help(void)
+{
+    puts("usage: tidepool join FILM.y4m PART.y4m...\n"
+         "Makes one film of parts in their order, as `render --frames A:B` draws them on\n"
+         "one machine or on many: the same bits as drawn in one go.  FILM may be -.\n");
+    args_print(FOR_JOIN);
+    puts("\nExit: 0 done, 2 usage, 3 bad input or output.");
+}
+
+/* A line without its end; false: none, or it is too long. */
+static bool read_line(FILE *file, char line[HEAD_BYTES])
+{
+    if (!fgets(line, HEAD_BYTES, file))
+        return false;
+    const size_t bytes = strcspn(line, "\n");
+    const bool whole = line[bytes] == '\n';
+    line[bytes] = 0;
+    return whole;
+}
+
+/* "W640" in a head: the number behind the letter, or 0. */
+static uint32_t side_of(const char *head, char letter)
+{
+    const char mark[] = { ' ', letter, 0 };
+    const char *at = strstr(head, mark);
+    const unsigned long side = at ? strtoul(at + 2, NULL, 10) : 0;
+    return side <= SIDE_HIGH ? (uint32_t)side : 0;
+}
+
+static int open_part(part *p, const char *name)
+{
+    *p = (part){ .file = fopen(name, "rb"), .name = name };
+    if (!p->file)
+        return fail(EXIT_INPUT, "%s: %s", name, strerror(errno));
+    errno = 0;
+    if (!read_line(p->file, p->head) || strncmp(p->head, "YUV4MPEG2 ", 10) != 0)
+        return fail(EXIT_INPUT, "%s: %s", name, errno ? strerror(errno)
+                                                      : "no YUV4MPEG2 film");
+    return EXIT_DONE;
+}
+
+/* The head is that of the first part; its frames' size follows from it. */
+static int take_head(joined *j, const part *p)
+{
+    const uint32_t w = side_of(p->head, 'W'), h = side_of(p->head, 'H');
+    if (!w || !h || !strstr(p->head, " C420"))
+        return fail(EXIT_INPUT, "%s: no film of 4:2:0 with a width and a height",
+                    p->name);
+    j->first = p->name;
+    memcpy(j->head, p->head, sizeof j->head);
+    j->bytes = (size_t)w * h + 2 * (size_t)((w + 1) / 2) * ((h + 1) / 2);
+    j->frame = malloc(j->bytes);
+    if (!j->frame)
+        return fail_memory(j->bytes);
+    fprintf(j->out.file, "%s\n", j->head);
+    return EXIT_DONE;
+}
+
+static int add_frames(joined *j, const part *p)
+{
+    char mark[HEAD_BYTES];
+    unsigned count = 0;
+    for (;; count++) {
+        const int c = getc(p->file);
+        if (c == EOF)
+            break;
+        ungetc(c, p->file);
+        if (!read_line(p->file, mark)
+            || (strcmp(mark, "FRAME") != 0 && strncmp(mark, "FRAME ", 6) != 0))
+            return fail(EXIT_INPUT, "%s: where frame %u begins there is none", p->name,
+                        count);
+        if (fread(j->frame, 1, j->bytes, p->file) != j->bytes)
+            return fail(EXIT_INPUT, "%s: ends inside of frame %u", p->name, count);
+        if (fprintf(j->out.file, "%s\n", mark) < 0
+            || fwrite(j->frame, 1, j->bytes, j->out.file) != j->bytes)
+            return fail(EXIT_INPUT, "%s: %s", j->out.name, strerror(errno));
+    }
+    if (ferror(p->file))
+        return fail(EXIT_INPUT, "%s: %s", p->name, strerror(errno));
+    return count ? EXIT_DONE : fail(EXIT_INPUT, "%s: a film without frames", p->name);
+}
+
+static int add_part(joined *j, const char *name)
+{
+    part p;
+    int code = open_part(&p, name);
+    if (!code && !j->first)
+        code = take_head(j, &p);
+    if (!code && strcmp(p.head, j->head) != 0)
+        code = fail(EXIT_INPUT, "%s: its head is not that of %s: %s; %s", name, j->first,
+                    p.head + 10, j->head + 10);
+    if (!code)
+        code = add_frames(j, &p);
+    if (p.file)
+        fclose(p.file);
+    return code;
+}
+
+static int run(const options *o)
+{
+    joined j = { .first = NULL };
+    const bool to_stdout = strcmp(o->names[0], "-") == 0;
+    if (!to_stdout && !path_ends(o->names[0], ".y4m"))
+        return fail(EXIT_USAGE, "tidepool join: %s: a film's name ends in .y4m, or is -"
+                    " for standard output", o->names[0]);
+    if (to_stdout && isatty(STDOUT_FILENO))
+        return fail(EXIT_USAGE, "tidepool join: standard output is a terminal; lead it"
+                    " into a file or a player");
+    int code = output_open(&j.out, o->names[0]);
+    if (code)
+        return code;
+    for (uint32_t i = 1; i < o->n_names && !code; i++)
+        code = add_part(&j, o->names[i]);
+    if (code)
+        output_discard(&j.out);
+    else
+        code = output_close(&j.out);
+    free(j.frame);
+    return code;
+}
+
+int join_command(int argc, char **argv)
+{
+    options o;
+    int code = args_read(&o, FOR_JOIN, argc, argv);
+    if (!code && o.help)
+        print_help();
+    else if (!code)
+        code = run(&o);
+    const int end = o.help ? finish_stdout() : EXIT_DONE;
+    free(o.settings);
+    return code ? code : end;
+}
