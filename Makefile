@@ -233,7 +233,7 @@ host-tests: everything
 	    tests/host/readme.sh
 more-tests: everything build/host/count.so build/host/tally.so
 	@$(RUN) build/log/more tests/gates/arm.sh tests/gates/clang.sh tests/host/view.sh \
-	    tests/host/threads.sh tests/bench/views.sh tests/cross/run.sh \
+	    tests/host/threads.sh tests/bench/views.sh tests/cross/run.sh tests/cross/film.sh \
 	    tests/budgets/scenes-count.sh tests/budgets/ram.sh tests/budgets/kits.sh \
 	    tests/budgets/models-count.sh \
 	    tests/budgets/prices.sh tests/fuzz/run.sh
@@ -308,6 +308,12 @@ build/host/tidepool:
 endif
 $(SCENES:%=$(BUILD)/tests/cross/frames-%): \
           $(BUILD)/tests/cross/frames-%: $(BUILD)/tests/cross/frames.o \
+          build/baked/$(MACHINE)/%.o $(LIB)
+	$(SAY)$(LINK) $^ -o $@
+# And as a film: of the program that part alone.
+FILM_O  := $(addprefix $(BUILD)/ports/host/,film.o output.o path.o picture.o say.o)
+$(SCENES:%=$(BUILD)/tests/cross/film-%): \
+          $(BUILD)/tests/cross/film-%: $(BUILD)/tests/cross/film.o $(FILM_O) \
           build/baked/$(MACHINE)/%.o $(LIB)
 	$(SAY)$(LINK) $^ -o $@
 $(BUILD)/tests/budgets/errors: $(BUILD)/tests/budgets/errors.o $(BUILD)/ports.a $(LIB)

@@ -51,7 +51,7 @@ try()
     gcc)   cc=${triple:+$triple-}gcc ;;
     clang) cc="clang${triple:+ --target=$triple -isystem /usr/$triple/include}" ;;
     esac
-    if ! build TARGET="$target" MACHINE="$1" CC="$cc" AR="${triple:+$triple-}ar" \
+    if ! alone build TARGET="$target" MACHINE="$1" CC="$cc" AR="${triple:+$triple-}ar" \
         OPT="-$3" LDFLAGS="${triple:+-static}" frames >"$scratch/log" 2>&1; then
         tail -n 5 "$scratch/log"
         verdict=unbuilt

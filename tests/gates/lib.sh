@@ -40,6 +40,13 @@ build()         # [VARIABLE=VALUE]... GOAL...
     env -u MAKEFLAGS -u MAKELEVEL -u MFLAGS make -j2 --no-print-directory "$@"
 }
 
+# alone COMMAND...: of those that build for other processors one at a time, since several
+# tests use what they make.
+alone()
+{
+    mkdir -p build/cross && (flock 9 && "$@") 9<build/cross
+}
+
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 gates=tests/gates

@@ -1,0 +1,76 @@
+/* SPDX-License-Identifier: MIT */
+/* The baked scene's frames as a film, by the program's own conversion, on machines that
+ * the program itself is not built for:
+ *
+ *   film WxH FIRST:LAST FILE.y4m */
+#include <inttypes.h>
+#include <stdlib.h>
+#include "cortex-m/baked.h"
+#include "host/film.h"
+#include "host/say.h"
+
+static void *claim(size_t bytes)
+{
+    void *memory = bytes ? malloc(bytes) : NULL;
+    if (!memory)
+        exit(fail_memory(bytes));
+    return memory;
+}
+
+static tp_world *world_begin(void)
+{
+    const size_t bytes = tp_world_bytes(&baked_scene, &baked_assets);
+    tp_world *world = claim(bytes);
+    tp_error  err = { 0 };
+    if (tp_world_init(world, bytes, &baked_scene, &baked_assets, &err))
+        exit(fail_at("film", &err));
+    return world;
+}
+
+/* One tile is the whole picture. */
+static int add_frame(film *to, const picture *p, tp_frame *frame, const tp_world *world,
+                     void *scratch)
+{
+    tp_tile tile;
+    tp_frame_begin(frame, world);
+    tp_frame_tile_into(frame, 0, scratch, p->rows, p->row_bytes, &tile);
+    return film_add(to, p);
+}
+
+static int draw(const char *name, tp_frame_config config, uint32_t first, uint32_t last)
+{
+    const size_t row_bytes = tp_format_row_bytes(config.format, (int)config.width);
+    const picture p = { config.format, config.width, config.height, row_bytes,
+                        claim(row_bytes * config.height) };
+    tp_world *world = world_begin();
+    void *block = claim(tp_frame_bytes(&baked_scene, &baked_assets, &config));
+    void *scratch = claim(tp_frame_scratch_into_bytes(&config));
+    tp_frame *frame;
+    tp_error  err = { 0 };
+    film to;
+    if (tp_frame_init(&frame, &baked_scene, &baked_assets, &config, block, &err))
+        return fail_at("film", &err);
+    int code = film_open(&to, name, config.width, config.height);
+    for (uint32_t n = 0; n <= last && !code; n++) {
+        for (uint32_t ticks = n ? tp_world_frame(world) : 0; ticks > 0; ticks--)
+            tp_world_step(world, &baked_scene, NULL);
+        if (n >= first)
+            code = add_frame(&to, &p, frame, world, scratch);
+    }
+    free(scratch);
+    free(block);
+    free(world);
+    free(p.rows);
+    return code ? code : film_close(&to);
+}
+
+int main(int argc, char **argv)
+{
+    tp_frame_config config = { .format = TP_FORMAT_XRGB8888 };
+    uint32_t first, last;
+    if (argc == 4
+        && sscanf(argv[1], "%" SCNu32 "x%" SCNu32, &config.width, &config.height) == 2
+        && sscanf(argv[2], "%" SCNu32 ":%" SCNu32, &first, &last) == 2)
+        return draw(argv[3], config, first, last);
+    return fail(EXIT_USAGE, "usage: film WxH FIRST:LAST FILE.y4m");
+}

@@ -1,0 +1,59 @@
+#!/bin/sh
+# SPDX-License-Identifier: MIT
+# A film whose ranges were drawn on two machines, this one and an emulated aarch64, has
+# the bits of a single run.
+#     film.sh PROGRAM
+. tests/gates/lib.sh
+
+program=$1
+scenes='storm raindrops'
+size=96x72
+triple=aarch64-linux-gnu
+target=cross/aarch64-gcc-O2
+
+lacks $triple-gcc gcc-$triple "a film of ranges from two machines" && exit 0
+lacks qemu-aarch64 qemu-user "a film of ranges from two machines" && exit 0
+if [ ! -d /usr/$triple/include ]; then
+    echo "skipped: a film of ranges from two machines (package libc6-dev-arm64-cross)"
+    exit 0
+fi
+
+goals=
+for scene in $scenes; do
+    goals="$goals build/$target/tests/cross/film-$scene"
+done
+built()
+{
+    alone build TARGET=$target MACHINE=aarch64 CC=$triple-gcc AR=$triple-ar OPT=-O2 \
+        LDFLAGS=-static $goals
+}
+here()          # RANGE FILE
+{
+    "$program" render "$scene" --size $size --frames "$1" --out "$scratch/$2"
+}
+there()
+{
+    qemu-aarch64 "build/$target/tests/cross/film-$scene" $size "$1" "$scratch/$2"
+}
+joined()        # PART...: they are the single run
+{
+    (cd "$scratch" && "$program" join film.y4m "$@" && cmp film.y4m all.y4m)
+}
+differs()       # PART...: they make a film, which is another one
+{
+    (cd "$scratch" && "$program" join film.y4m "$@" && ! cmp -s film.y4m all.y4m)
+}
+program=$(realpath "$program")
+check "the programs for aarch64 are built" built
+for scene in $scenes; do
+    check "$scene: a single run" here 0:23 all.y4m
+    check "$scene: frames 0 to 8, here" here 0:8 a.y4m
+    check "$scene: frames 9 to 16, by aarch64" there 9:16 b.y4m
+    check "$scene: frames 17 to 23, here" here 17:23 c.y4m
+    check "$scene: joined, they are the single run" joined a.y4m b.y4m c.y4m
+    check "$scene: in another order they are not" differs b.y4m a.y4m c.y4m
+    check "$scene: nor without a part" differs a.y4m c.y4m
+    check "$scene: frames 0 to 8, by aarch64" there 0:8 a.y4m
+    check "$scene: it goes on from either machine" joined a.y4m b.y4m c.y4m
+done
+exit $((failures > 0))
