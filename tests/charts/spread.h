@@ -1,0 +1,44 @@
+/* SPDX-License-Identifier: MIT */
+/* How far a method is off over many more inputs than it is counted over: its kernel is run
+ * block after block, and the largest and the rms of its errors are kept. */
+#ifndef SPREAD_H
+#define SPREAD_H
+#include <string.h>
+#include "tests/charts/errors.h"
+
+typedef struct {
+    double   most, squares;
+    uint32_t count;
+} spread;
+
+static inline void spread_add(spread *s, double error)
+{
+    s->most = fmax(s->most, fabs(error));
+    s->squares += error * error;
+    s->count++;
+}
+
+static inline double spread_rms(const spread *s)
+{
+    return sqrt(s->squares / s->count);
+}
+
+/* Columns error_max and error_rms. */
+static inline void spread_rows(const kernel *k, const spread *s)
+{
+    error_row(k, "error_max", s->most);
+    error_row(k, "error_rms", spread_rms(s));
+}
+
+/* The method of a point "what;method". */
+static inline const char *method_of(const kernel *k)
+{
+    const char *parted = strrchr(k->point, ';');
+    return parted ? parted + 1 : k->point;
+}
+
+static inline bool begins(const char *text, const char *with)
+{
+    return strncmp(text, with, strlen(with)) == 0;
+}
+#endif
