@@ -1,6 +1,213 @@
 /* SPDX-License-Identifier: MIT */
+/* Unit normals (-sx, 1, -sz) / sqrt(1 + sx^2 + sz^2) of slopes within 1, Q3.12, as the
+ * engine's stages have them: to the last bit, by a root's table with and without Newton's
+ * steps, by the first terms of its series, and left as slopes.
+ *
+ * Results are Q2.30 or coarser; errors_normalise.c knows which. */
 #include "tests/charts/kernels.h"
+#include "shade/normal.h"
+#include "shade/slope.h"
 
+enum { ONE = 4096 };
+
+#define METHOD static __attribute__((noinline)) tp_dir3
+#define RUN(method) \
+    static void run_##method(const int32_t *in, int32_t *out) \
+    { \
+        for (uint32_t i = 0; i < KERNEL_UNITS; i++) { \
+            const tp_dir3 n = method(in[2 * i], in[2 * i + 1]); \
+            out[3 * i] = n.x; \
+            out[3 * i + 1] = n.y; \
+            out[3 * i + 2] = n.z; \
+        } \
+    }
+
+static uint16_t table[64];          /* 1 / sqrt by the top 6 bits, Q0.16 of Q1.31 */
+
+static void fill(int32_t *in)
+{
+    for (uint32_t i = 0; i < KERNEL_UNITS; i++) {
+        in[2 * i] = kernel_spread(i, KERNEL_STEP, ONE);
+        in[2 * i + 1] = kernel_spread(i, KERNEL_CROSS, ONE);
+    }
+    for (uint32_t i = 16; i < 64; i++)
+        table[i] = (uint16_t)tp_isqrt64(((uint64_t)1 << 62) / ((2 * i + 1) << 25));
+}
+
+static void fill_packed(int32_t *in)
+{
+    fill(in);
+    for (uint32_t i = 0; i < 2 * KERNEL_UNITS; i += 2)
+        in[i] = (int32_t)tp_dir_pack(tp_normalise(-in[i], ONE, -in[i + 1]));
+}
+
+static inline uint32_t high(uint32_t a, uint32_t b)
+{
+    return (uint32_t)((uint64_t)a * b >> 32);
+}
+
+/* -- the engine's -------------------------------------------------------------------- */
+
+METHOD whole(int32_t sx, int32_t sz) { return tp_normalise(-sx, ONE, -sz); }
+RUN(whole)
+
+METHOD short_of_whole(int32_t sx, int32_t sz)
+{
+    const tp_vec_q14 n = tp_vec_q14_unit(-sx, ONE, -sz);
+    return (tp_dir3){ n.x, n.y, n.z };
+}
+RUN(short_of_whole)
+
+METHOD steep(int32_t sx, int32_t sz)
+{
+    const tp_ray n = tp_slope_normal(sx, sz);
+    return (tp_dir3){ n.x, n.y, n.z };
+}
+RUN(steep)
+
+METHOD steep_near(int32_t sx, int32_t sz)
+{
+    const int32_t ny = tp_steep_near(tp_slope_square(sx, sz));
+    return (tp_dir3){ -(sx * ny >> 12), ny, -(sz * ny >> 12) };
+}
+RUN(steep_near)
+
+/* From one word with ten bits of each part, as meshes keep normals: as it is, and made a
+ * unit. */
+METHOD packed(int32_t word, int32_t unused)
+{
+    const tp_packed_dir n = (tp_packed_dir)word;
+    (void)unused;
+    return (tp_dir3){ tp_dir_x(n), tp_dir_y(n), tp_dir_z(n) };
+}
+RUN(packed)
+
+METHOD packed_unit(int32_t word, int32_t unused)
+{
+    const tp_vec_q14 n = tp_vec_q14_packed((tp_packed_dir)word);
+    (void)unused;
+    return (tp_dir3){ n.x, n.y, n.z };
+}
+RUN(packed_unit)
+
+/* The same bits by a sum of 20 bits, moved up to 2^30..2^32 by 2 half, and products that
+ * are rounded once: (x 2^half inverse) / 2^33 as Q2.30, cut to Q1.14. */
+static inline int32_t part_of(int32_t x, int half, uint32_t inverse)
+{
+    return (int32_t)(((int64_t)(x * (1 << (half - 1))) * inverse + 0x8000) >> 32);
+}
+
+METHOD packed_32(int32_t word, int32_t unused)
+{
+    const tp_packed_dir n = (tp_packed_dir)word;
+    const int32_t x = tp_dir_x(n), y = tp_dir_y(n), z = tp_dir_z(n);
+    const uint32_t sum = (uint32_t)(x * x + y * y + z * z);
+    const int half = tp_clz(sum | 1) >> 1;
+    const uint32_t inverse = tp_rsqrt_norm((sum | (sum == 0)) << 2 * half);
+    (void)unused;
+    return (tp_dir3){ part_of(x, half, inverse), part_of(y, half, inverse),
+                      part_of(z, half, inverse) };
+}
+RUN(packed_32)
+
+/* -- the sum in 32 bits -------------------------------------------------------------- */
+
+/* Slopes below 1.2 each leave 1 + sx^2 + sz^2 below 4: as Q26 it is between 2^26 and
+ * 2^28, and 64 of it lie in the range of tp_rsqrt_norm, with no zeros to count. */
+static inline uint32_t normal_sum(int32_t sx, int32_t sz)
+{
+    return ((1u << 24) + tp_slope_square(sx, sz)) << 6;
+}
+
+/* By 1 / sqrt of that sum, Q1.31 of twice the root's own. */
+static inline tp_dir3 by_root(int32_t sx, int32_t sz, uint32_t r)
+{
+    const int32_t half = (int32_t)(r >> 1);
+    return (tp_dir3){ -(int32_t)((int64_t)sx * half >> 13), half >> 1,
+                      -(int32_t)((int64_t)sz * half >> 13) };
+}
+
+METHOD sum_32(int32_t sx, int32_t sz)
+{
+    return by_root(sx, sz, tp_rsqrt_norm(normal_sum(sx, sz)));
+}
+RUN(sum_32)
+
+static const uint16_t lines[193] = {
+#include "fx/rsqrt_table.inc"
+};
+
+/* tp_rsqrt_norm without its step of Newton. */
+METHOD sum_lines(int32_t sx, int32_t sz)
+{
+    const uint32_t n = normal_sum(sx, sz);
+    const uint16_t *at = lines + ((n >> 24) - 64);
+    const int32_t rise = at[1] - at[0];
+    return by_root(sx, sz, ((0x10000u + at[0]) << 15)
+                           + (uint32_t)(rise * (int32_t)(n >> 8 & 0xffff) >> 1));
+}
+RUN(sum_lines)
+
+/* From the nearest of 48 entries; steps r (3 - n r^2) / 2, r in Q2.30. */
+static inline tp_dir3 by_table(int32_t sx, int32_t sz, int steps)
+{
+    const uint32_t n = normal_sum(sx, sz);
+    uint32_t r = (uint32_t)table[n >> 26] << 15;
+    for (int i = 0; i < steps; i++)
+        r = (uint32_t)((uint64_t)r * ((3u << 28) - high(n, high(r, r))) >> 29);
+    return by_root(sx, sz, r >> 31 ? UINT32_MAX : 2 * r);
+}
+
+METHOD newton_0(int32_t sx, int32_t sz) { return by_table(sx, sz, 0); }
+METHOD newton_1(int32_t sx, int32_t sz) { return by_table(sx, sz, 1); }
+METHOD newton_2(int32_t sx, int32_t sz) { return by_table(sx, sz, 2); }
+RUN(newton_0)
+RUN(newton_1)
+RUN(newton_2)
+
+/* -- without a root ------------------------------------------------------------------ */
+
+/* 1 - q/2 and 1 - q/2 + 3 q^2 / 8, Q2.30 of a q that is Q24. */
+METHOD series_1(int32_t sx, int32_t sz)
+{
+    const int32_t ny = TP_Q30_ONE - (int32_t)(tp_slope_square(sx, sz) << 5);
+    return (tp_dir3){ -(int32_t)((int64_t)sx * ny >> 12), ny,
+                      -(int32_t)((int64_t)sz * ny >> 12) };
+}
+RUN(series_1)
+
+METHOD series_2(int32_t sx, int32_t sz)
+{
+    const uint32_t half = tp_slope_square(sx, sz) << 5;
+    const int32_t ny = TP_Q30_ONE - (int32_t)(half - (high(half, half) * 6));
+    return (tp_dir3){ -(int32_t)((int64_t)sx * ny >> 12), ny,
+                      -(int32_t)((int64_t)sz * ny >> 12) };
+}
+RUN(series_2)
+
+METHOD slopes(int32_t sx, int32_t sz) { return (tp_dir3){ -sx, ONE, -sz }; }
+RUN(slopes)
+
+/* -- all of them --------------------------------------------------------------------- */
+
+#define ROW(name, method, bytes) { "normalise", name, fill, run_##method, 2, 3, bytes }
+#define PACKED(name, method, bytes) \
+    { "normalise", name, fill_packed, run_##method, 2, 3, bytes }
 const kernel kernels_normalise[] = {
+    ROW("tp_normalise", whole, 386),
+    ROW("tp_vec_q14_unit", short_of_whole, 386),
+    ROW("tp_slope_normal", steep, 1026),
+    ROW("tp_steep_near", steep_near, 1026),
+    PACKED("packed", packed, 0),
+    PACKED("packed-tp_vec_q14_packed", packed_unit, 386),
+    PACKED("packed-unit-32", packed_32, 386),
+    ROW("sum-32", sum_32, 386),
+    ROW("sum-32-lines", sum_lines, 386),
+    ROW("sum-32-table-newton-0", newton_0, 96),
+    ROW("sum-32-table-newton-1", newton_1, 96),
+    ROW("sum-32-table-newton-2", newton_2, 96),
+    ROW("series-1", series_1, 0),
+    ROW("series-2", series_2, 0),
+    ROW("slopes", slopes, 0),
     { NULL, NULL, NULL, NULL, 0, 0, 0 },
 };

@@ -28,6 +28,11 @@ static inline uint32_t q31_of(uint32_t q30)
     return q30 >> 31 ? UINT32_MAX : 2 * q30;
 }
 
+static inline uint32_t q31_of_fx(tp_fx x)
+{
+    return x >> 17 ? UINT32_MAX : (uint32_t)x << 15;
+}
+
 /* -- numbers and tables -------------------------------------------------------------- */
 
 static uint16_t table[256];         /* the result at each step's middle, its high half */
@@ -78,11 +83,8 @@ FILL(rsqrt, 4) FILL(rsqrt, 6) FILL(rsqrt, 8)
 
 RUN(tp_recip_norm)
 
-METHOD fx_recip(uint32_t n) { return (uint32_t)tp_fx_recip((tp_fx)(n >> 16)) << 15; }
-METHOD fx_div(uint32_t n)
-{
-    return (uint32_t)tp_fx_div(TP_FX_ONE, (tp_fx)(n >> 16)) << 15;
-}
+METHOD fx_recip(uint32_t n) { return q31_of_fx(tp_fx_recip((tp_fx)(n >> 16))); }
+METHOD fx_div(uint32_t n) { return q31_of_fx(tp_fx_div(TP_FX_ONE, (tp_fx)(n >> 16))); }
 METHOD divide_32(uint32_t n) { return UINT32_MAX / (n >> 16) << 15; }
 METHOD divide_64(uint32_t n)
 {
@@ -196,7 +198,7 @@ RUN(heron_2)
 
 RUN(tp_rsqrt_norm)
 
-METHOD fx_rsqrt(uint32_t n) { return (uint32_t)tp_fx_rsqrt((tp_fx)(n >> 16)) << 15; }
+METHOD fx_rsqrt(uint32_t n) { return q31_of_fx(tp_fx_rsqrt((tp_fx)(n >> 16))); }
 METHOD divide_root(uint32_t n)
 {
     return (uint32_t)((((uint64_t)1 << 63) - 1) / tp_isqrt64((uint64_t)n << 32));
@@ -259,19 +261,19 @@ const kernel kernels_roots[] = {
     ROW("recip;divide-32", fill_halves, divide_32, 0),
     ROW("recip;divide-64", fill_halves, divide_64, 0),
     ROW("recip;lines-256", fill_halves, lines_recip, 514),
-    RECIPS("table-16", 4, 0, 32), RECIPS("table-16-newton-1", 4, 1, 32),
-    RECIPS("table-16-newton-2", 4, 2, 32), RECIPS("table-16-newton-3", 4, 3, 32),
-    RECIPS("table-64", 6, 0, 128), RECIPS("table-64-newton-1", 6, 1, 128),
-    RECIPS("table-64-newton-2", 6, 2, 128),
-    RECIPS("table-256", 8, 0, 512), RECIPS("table-256-newton-1", 8, 1, 512),
-    RECIPS("table-256-newton-2", 8, 2, 512),
+    RECIPS("table-4-bits", 4, 0, 32), RECIPS("table-4-bits-newton-1", 4, 1, 32),
+    RECIPS("table-4-bits-newton-2", 4, 2, 32), RECIPS("table-4-bits-newton-3", 4, 3, 32),
+    RECIPS("table-6-bits", 6, 0, 128), RECIPS("table-6-bits-newton-1", 6, 1, 128),
+    RECIPS("table-6-bits-newton-2", 6, 2, 128),
+    RECIPS("table-8-bits", 8, 0, 512), RECIPS("table-8-bits-newton-1", 8, 1, 512),
+    RECIPS("table-8-bits-newton-2", 8, 2, 512),
     ROW("recip;line-newton-1", fill_halves, recip_line_1, 0),
     ROW("recip;line-newton-2", fill_halves, recip_line_2, 0),
     ROW("recip;line-newton-3", fill_halves, recip_line_3, 0),
     ROW("root;tp_isqrt64", fill_quarters, isqrt64, 386),
     ROW("root;tp_fx_sqrt", fill_quarters, fx_sqrt, 386),
     ROW("root;tp_rsqrt_norm-times-n", fill_quarters, by_rsqrt, 386),
-    ROW("root;table-192", fill_root, root_256, 384),
+    ROW("root;table-8-bits", fill_root, root_256, 384),
     ROW("root;bitwise-16", fill_quarters, bits_16, 0),
     ROW("root;bitwise-32", fill_quarters, bits_32, 0),
     ROW("root;line-heron-1", fill_quarters, heron_1, 0),
@@ -280,12 +282,12 @@ const kernel kernels_roots[] = {
     ROW("rsqrt;tp_fx_rsqrt", fill_quarters, fx_rsqrt, 386),
     ROW("rsqrt;tp_isqrt64-divide-64", fill_quarters, divide_root, 386),
     ROW("rsqrt;lines-192", fill_quarters, lines_rsqrt, 386),
-    RSQRTS("table-12", 4, 0, 24), RSQRTS("table-12-newton-1", 4, 1, 24),
-    RSQRTS("table-12-newton-2", 4, 2, 24), RSQRTS("table-12-newton-3", 4, 3, 24),
-    RSQRTS("table-48", 6, 0, 96), RSQRTS("table-48-newton-1", 6, 1, 96),
-    RSQRTS("table-48-newton-2", 6, 2, 96),
-    RSQRTS("table-192", 8, 0, 384), RSQRTS("table-192-newton-1", 8, 1, 384),
-    RSQRTS("table-192-newton-2", 8, 2, 384),
+    RSQRTS("table-4-bits", 4, 0, 24), RSQRTS("table-4-bits-newton-1", 4, 1, 24),
+    RSQRTS("table-4-bits-newton-2", 4, 2, 24), RSQRTS("table-4-bits-newton-3", 4, 3, 24),
+    RSQRTS("table-6-bits", 6, 0, 96), RSQRTS("table-6-bits-newton-1", 6, 1, 96),
+    RSQRTS("table-6-bits-newton-2", 6, 2, 96),
+    RSQRTS("table-8-bits", 8, 0, 384), RSQRTS("table-8-bits-newton-1", 8, 1, 384),
+    RSQRTS("table-8-bits-newton-2", 8, 2, 384),
     ROW("rsqrt;line-newton-1", fill_quarters, rsqrt_line_1, 0),
     ROW("rsqrt;line-newton-2", fill_quarters, rsqrt_line_2, 0),
     ROW("rsqrt;line-newton-3", fill_quarters, rsqrt_line_3, 0),
