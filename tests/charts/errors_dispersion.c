@@ -1,7 +1,82 @@
 /* SPDX-License-Identifier: MIT */
-#include "tests/charts/errors.h"
+/* Wave numbers over a depth against x tanh x = y in double precision, for k h from 0.01 to
+ * 10, evenly by its logarithm. */
+#include "scene/sides.h"
+#include "tests/charts/spread.h"
+#include "tests/charts/used.h"
 
-void judge_dispersion(const kernel *k, const int32_t *in, const int32_t *out)
+#define TWO_32 4294967296.0
+#define LEAST  0.01
+#define MOST   10.0
+
+enum { BLOCKS = 32 };
+
+/* Newton's steps from a place near by, until they stand still. */
+static double depth_of(double y, double x)
 {
-    (void)k, (void)in, (void)out;
+    for (int i = 0; i < 8; i++) {
+        const double t = tanh(x);
+        x -= (x * t - y) / (t + x * (1 - t * t));
+    }
+    return x;
+}
+
+/* The n-th wave, and its true k h: of the numbers as rounded. */
+static double wave_of(uint32_t n, int32_t *in)
+{
+    const double x = LEAST * pow(MOST / LEAST, n / (BLOCKS * KERNEL_UNITS - 1.0));
+    const tp_fx h = TP_FX(1.75) + kernel_spread(n, KERNEL_STEP, TP_FX(1.25));
+    const double depth = h / 65536.0;
+    const uint64_t k = (uint64_t)(x * tanh(x) / depth * TWO_32 + 0.5);
+
+    in[0] = (int32_t)(uint32_t)k;
+    in[1] = (int32_t)(k >> 32);
+    in[2] = h;
+    return depth_of((double)k / TWO_32 * depth, x);
+}
+
+static double number_of(const int32_t *out)
+{
+    return ((double)out[1] * TWO_32 + (uint32_t)out[0]) / TWO_32;
+}
+
+/* Swells over a floor, or under wind. */
+static bool has_ocean(const tp_scene *s, int32_t unused)
+{
+    bool waves = false;
+
+    (void)unused;
+    for (int i = 0; i < TP_WAVES; i++)
+        waves = waves || s->wave[i].amplitude > 0;
+    return waves && tp_has_ocean(s);
+}
+
+static bool never(const tp_scene *s, int32_t unused)
+{
+    (void)s, (void)unused;
+    return false;
+}
+
+/* Such seas are made with the exact one; the engine calls no other. */
+static used_test *user_of(const kernel *k)
+{
+    return strcmp(k->point, "tp_depth_number_exact") == 0 ? has_ocean : never;
+}
+
+void judge_dispersion(const kernel *k, const int32_t *counted, const int32_t *counted_out)
+{
+    static int32_t in[3 * KERNEL_UNITS], out[2 * KERNEL_UNITS];
+    static double  x[KERNEL_UNITS];
+    spread s = { 0 };
+
+    (void)counted, (void)counted_out;
+    for (uint32_t block = 0; block < BLOCKS; block++) {
+        for (uint32_t i = 0; i < KERNEL_UNITS; i++)
+            x[i] = wave_of(block * KERNEL_UNITS + i, in + 3 * i);
+        k->run(in, out);
+        for (uint32_t i = 0; i < KERNEL_UNITS; i++)
+            spread_add(&s, number_of(out + 2 * i) * (in[3 * i + 2] / 65536.0) / x[i] - 1);
+    }
+    spread_rows(k, &s);
+    used_row(k->chart, k->point, user_of(k), 0);
 }

@@ -1,7 +1,63 @@
 /* SPDX-License-Identifier: MIT */
-#include "tests/charts/errors.h"
+/* Shares of mirrored light against the exact law of [F1] in double precision, at every N.V
+ * that Q1.14 has. */
+#include "tests/charts/spread.h"
+#include "tests/charts/used.h"
+#include "tidepool/light.h"
 
-void judge_fresnel(const kernel *k, const int32_t *in, const int32_t *out)
+enum { ONE = 16384 };
+
+static double law(double c)
 {
-    (void)k, (void)in, (void)out;
+    const double n = TP_WATER_INDEX, ct = sqrt(1 - (1 - c * c) / (n * n));
+    const double s = (c - n * ct) / (c + n * ct), p = (ct - n * c) / (ct + n * c);
+
+    return (s * s + p * p) / 2;
+}
+
+/* What stands for 1 in a method's results: formulas are Q30, lines and Schlick's in 32
+ * bits Q16, bytes 256ths. */
+static double one_of(const kernel *k)
+{
+    return begins(k->point, "law") || begins(k->point, "schlick;") ? TP_Q30_ONE
+         : begins(k->point, "lines") || begins(k->point, "schlick-16") ? 65536 : 256;
+}
+
+static bool has_rule(const tp_scene *s, int32_t rule)
+{
+    return s->water.reflection > 0 && s->water.fresnel == rule;
+}
+
+static bool never(const tp_scene *s, int32_t unused)
+{
+    (void)s, (void)unused;
+    return false;
+}
+
+static void say_who(const kernel *k)
+{
+    if (begins(k->point, "table;"))
+        used_row(k->chart, k->point, has_rule, TP_FRESNEL_TABLE);
+    else if (begins(k->point, "schlick-table;"))
+        used_row(k->chart, k->point, has_rule, TP_FRESNEL_SCHLICK);
+    else
+        used_row(k->chart, k->point, never, 0);
+}
+
+void judge_fresnel(const kernel *k, const int32_t *counted, const int32_t *counted_out)
+{
+    static int32_t in[KERNEL_UNITS], out[KERNEL_UNITS];
+    const double one = one_of(k);
+    spread s = { 0 };
+
+    (void)counted, (void)counted_out;
+    for (int32_t block = 0; block <= ONE; block += KERNEL_UNITS) {
+        for (int32_t i = 0; i < KERNEL_UNITS; i++)
+            in[i] = block + i <= ONE ? block + i : ONE;
+        k->run(in, out);
+        for (int32_t i = 0; i < KERNEL_UNITS && block + i <= ONE; i++)
+            spread_add(&s, out[i] / one - law(in[i] / (double)ONE));
+    }
+    spread_rows(k, &s);
+    say_who(k);
 }
