@@ -164,9 +164,10 @@ static inline int64_t by_table(int64_t k_inf, tp_fx depth, int bits, int steps)
     const tp_scaled y = tp_scaled_mul(k, h);
     const uint32_t y_q24 = tp_depth_argument(y);
 
-    if (y_q24 >= (uint32_t)TABLE_END << 24)
+    if (y_q24 >= TP_DEPTH_DEEP_Q24)
         return k_inf;
-    const tp_scaled found = near_number(k, y, y_q24, bits);
+    const bool in_table = y_q24 < (uint32_t)TABLE_END << 24;
+    const tp_scaled found = in_table ? near_number(k, y, y_q24, bits) : k;
     return tp_scaled_fixed(steps ? step(found, h, y) : found, 32);
 }
 
