@@ -112,6 +112,12 @@ REF_O   := $(patsubst %.c,$(BUILD)/%.o,$(filter-out %/reference.c,\
                $(wildcard tests/reference/*.c)))
 KERNELS_O := $(patsubst %.c,$(BUILD)/%.o,$(wildcard tests/charts/kernels*.c))
 CHARTS  := $(addprefix $(BUILD)/tests/charts/,errors kernels)
+SPAN_SCENES := from-above three-swells
+SPAN_STEPS  := 0 1 8 16 32
+SPAN_O  := $(addprefix $(BUILD)/tests/charts/,span_scene.o span_steps.o span_true.o \
+               $(SPAN_STEPS:%=span_step_%.o))
+CHARTS  += $(foreach s,$(SPAN_SCENES),$(addprefix $(BUILD)/tests/charts/, \
+               span-$s span_errors-$s))
 FUZZ    := $(patsubst %.c,$(BUILD)/%,$(wildcard tests/fuzz/fuzz_*.c))
 GOLDEN  := $(BUILD)/tests/golden/test_frames $(BUILD)/tests/golden/test_harness
 CMOCKA  := -lcmocka
@@ -178,7 +184,8 @@ charts: $(PROGRAM)
 	@$(PROGRAM) charts assets/charts
 ## what `tidepool charts` measures with
 charts-tools: all build/host/count.so $(CHARTS)
-	@$(MAKE) --no-print-directory BOARD=cortex-m TARGET=charts-m4 build/charts-m4/kernels.elf
+	@$(MAKE) --no-print-directory BOARD=cortex-m TARGET=charts-m4 build/charts-m4/kernels.elf \
+	    $(SPAN_SCENES:%=build/charts-m4/span-%.elf)
 ## the slow renderer in double precision that pictures are judged by
 reference: $(BUILD)/reference
 ## feed the readers random input, FUZZ_SECONDS (10) for each
@@ -328,6 +335,22 @@ $(BUILD)/tests/charts/errors: $(patsubst %.c,$(BUILD)/%.o,$(wildcard tests/chart
           $(filter-out %/kernels.o,$(KERNELS_O)) $(BUILD)/tests/charts/kernel_lists.o \
           $(BUILD)/tests/charts/used.o $(BUILD)/ports.a $(LIB)
 	$(SAY)$(LINK) $^ $(LIBS) -o $@
+# Rows of triangles at other steps, instead of the library's.  Of affine ones alone, which
+# are inlined further, compilers do not see that an edge left unset is never walked.
+$(SPAN_STEPS:%=$(BUILD)/tests/charts/span_step_%.o): \
+          $(BUILD)/tests/charts/span_step_%.o: src/raster/span.c $(BUILD)/flags
+	@mkdir -p $(@D)
+	$(SAY)$(COMPILE) $(BARE) -DTP_SPAN_STEP=$* $(foreach f,tri_water tri_solid tri_lid \
+	    samples_clear,-Dtp_$f=tp_$f_$*) $(if $(*:0=),,-Wno-maybe-uninitialized) \
+	    -c $< -o $@
+$(SPAN_SCENES:%=$(BUILD)/tests/charts/span-%): $(BUILD)/tests/charts/span-%: \
+          $(BUILD)/tests/charts/span.o $(SPAN_O) build/baked/$(MACHINE)/%.o \
+          $(BUILD)/ports/cortex-m/memory.o $(LIB)
+	$(SAY)$(LINK) $^ -lm -o $@
+$(SPAN_SCENES:%=$(BUILD)/tests/charts/span_errors-%): $(BUILD)/tests/charts/span_errors-%: \
+          $(BUILD)/tests/charts/span_errors.o $(SPAN_O) build/baked/$(MACHINE)/%.o \
+          $(BUILD)/tests/charts/span_used.o $(BUILD)/reference.a $(BUILD)/ports.a $(LIB)
+	$(SAY)$(LINK) $^ $(LIBS) -o $@
 build/host/count.so: tests/budgets/count.c $(BUILD)/flags
 	$(SAY)$(COMPILE) -D_POSIX_C_SOURCE=200809L -fPIC -shared $< -o $@
 build/host/tally.so: tests/bench/tally.c $(BUILD)/flags
@@ -345,6 +368,10 @@ $(BUILD)/ram/%.elf: $(BUILD)/tests/budgets/ram.o build/baked/$(MACHINE)/%.o \
 	@mkdir -p $(@D)
 	$(SAY)$(LINK_ELF)
 $(BUILD)/models.elf: $(MODELS_O) \
+          $(filter-out %/main.o,$(BOARD_O)) $(LIB) ports/$(BOARD)/board.ld
+	$(SAY)$(LINK_ELF)
+$(SPAN_SCENES:%=$(BUILD)/span-%.elf): $(BUILD)/span-%.elf: \
+          $(BUILD)/tests/charts/span.o $(SPAN_O) build/baked/$(MACHINE)/%.o \
           $(filter-out %/main.o,$(BOARD_O)) $(LIB) ports/$(BOARD)/board.ld
 	$(SAY)$(LINK_ELF)
 $(BUILD)/kernels.elf: $(KERNELS_O) $(BUILD)/tests/charts/kernel_lists.o \

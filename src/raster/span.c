@@ -4,8 +4,9 @@
  * The fill loop is written once and made three times: for water, whose s and t are 32-bit
  * places and whose normal is a pair of slopes, for solids, and for lids, which are depth
  * and nothing else.  s and t are affine in
- * small triangles; in large ones they are exact every 16 pixels (at multiples of 16 and
- * at the row's own ends) and linear between. */
+ * small triangles; in large ones they are exact every TP_SPAN_STEP pixels (at multiples
+ * of it and at the row's own ends) and linear between. */
+#include "raster/step.h"
 #include "raster/tri.h"
 
 enum { WATER, SOLID, LID };
@@ -147,13 +148,9 @@ static place place_at(const perspective *p, const tp_tri *tri, int32_t x, int32_
     };
 }
 
-/* 65536 / n for the pixels between two exact places. */
-static const uint32_t over[17] = { 0, 65536, 32768, 21845, 16384, 13107, 10923, 9362,
-                                   8192, 7282, 6554, 5958, 5461, 5041, 4681, 4369, 4096 };
-
 static uint32_t step_between(uint32_t from, uint32_t to, int32_t n)
 {
-    return (uint32_t)((int64_t)(int32_t)(to - from) * over[n] >> 16);
+    return (uint32_t)((int64_t)(int32_t)(to - from) * tp_span_over[n] >> 16);
 }
 
 /* -- rows ---------------------------------------------------------------------------- */
@@ -189,12 +186,12 @@ TP_ALWAYS_INLINE void fill_perspective(const painter *p, span *sp, int32_t y,
                                        int32_t left, int32_t right, int32_t x,
                                        int32_t end, int kind)
 {
-    int32_t from = x & ~15;
+    int32_t from = x & -TP_SPAN_STEP;
 
     from = from > left ? from : left;
     place a = place_at(&p->persp, p->tri, from, y);
     while (x < end) {
-        int32_t next = (from | 15) + 1;
+        int32_t next = (from | (TP_SPAN_STEP - 1)) + 1;
         int32_t to = next < right ? next : right - 1;
         int32_t stop = next < end ? next : end;
         place   b = to > from ? place_at(&p->persp, p->tri, to, y) : a;
@@ -280,7 +277,7 @@ TP_ALWAYS_INLINE void set_places(painter *p)
     const tp_tri *tri = p->tri;
 
     p->zi = tp_tri_gradient(tri, tri->a->zi, tri->b->zi, tri->c->zi, 0);
-    if (tri->perspective) {
+    if (TP_SPAN_STEP && tri->perspective) {
         p->persp = perspective_of(tri);
     } else {
         p->s = tp_tri_gradient(tri, tri->a->s, tri->b->s, tri->c->s, 0);
@@ -301,7 +298,7 @@ void tp_tri_water(const tp_samples *tile, const tp_corner *a, const tp_corner *b
     set_places(&p);
     p.n0 = normal_gradient(&tri, 0, SLOPE_SHIFT);
     p.n1 = normal_gradient(&tri, 1, SLOPE_SHIFT);
-    if (tri.perspective)
+    if (TP_SPAN_STEP && tri.perspective)
         rows(&p, tile, WATER, 1);
     else
         rows(&p, tile, WATER, 0);
@@ -335,7 +332,7 @@ void tp_tri_solid(const tp_samples *tile, const tp_corner *a, const tp_corner *b
     p.n0 = normal_gradient(&tri, 0, NORMAL_SHIFT);
     p.n1 = normal_gradient(&tri, 1, NORMAL_SHIFT);
     p.n2 = normal_gradient(&tri, 2, NORMAL_SHIFT);
-    if (tri.perspective)
+    if (TP_SPAN_STEP && tri.perspective)
         rows(&p, tile, SOLID, 1);
     else
         rows(&p, tile, SOLID, 0);

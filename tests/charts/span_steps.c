@@ -1,0 +1,50 @@
+/* SPDX-License-Identifier: MIT */
+/* src/raster/span.c, compiled once for each step, stands here in place of the library's:
+ * its functions' names then end in _STEP. */
+#include "raster/raster.h"
+#include "tests/charts/span.h"
+#include "tests/charts/span_true.h"
+
+int32_t span_step = 16;
+
+#define CORNERS const tp_corner *a, const tp_corner *b, const tp_corner *c
+#define DECLARE(step) \
+    void tp_tri_water_##step(const tp_samples *tile, CORNERS); \
+    void tp_tri_solid_##step(const tp_samples *tile, CORNERS, uint32_t mark, \
+                             uint32_t face, int opacity); \
+    void tp_tri_lid_##step(const tp_samples *tile, CORNERS); \
+    void tp_samples_clear_##step(const tp_samples *tile);
+DECLARE(0)
+DECLARE(1)
+DECLARE(8)
+DECLARE(16)
+DECLARE(32)
+
+void tp_tri_water(const tp_samples *tile, CORNERS)
+{
+    switch (span_step) {
+    case SPAN_TRUE: span_true(tile, a, b, c, tp_tri_water_1); break;
+    case 0:  tp_tri_water_0(tile, a, b, c); break;
+    case 1:  tp_tri_water_1(tile, a, b, c); break;
+    case 8:  tp_tri_water_8(tile, a, b, c); break;
+    case 32: tp_tri_water_32(tile, a, b, c); break;
+    default: tp_tri_water_16(tile, a, b, c);
+    }
+}
+
+/* What is no water is drawn as the engine does it. */
+void tp_tri_solid(const tp_samples *tile, CORNERS, uint32_t mark, uint32_t face,
+                  int opacity)
+{
+    tp_tri_solid_16(tile, a, b, c, mark, face, opacity);
+}
+
+void tp_tri_lid(const tp_samples *tile, CORNERS)
+{
+    tp_tri_lid_16(tile, a, b, c);
+}
+
+void tp_samples_clear(const tp_samples *tile)
+{
+    tp_samples_clear_16(tile);
+}
