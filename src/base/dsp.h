@@ -175,6 +175,16 @@ TP_ALWAYS_INLINE uint32_t tp_sadd16(uint32_t a, uint32_t b)
 #endif
 }
 
+/* The halves of b taken from those of a. */
+TP_ALWAYS_INLINE uint32_t tp_ssub16(uint32_t a, uint32_t b)
+{
+#if TP_DSP
+    return (uint32_t)__ssub16((int16x2_t)a, (int16x2_t)b);
+#else
+    return ((a | 0x80008000u) - (b & 0x7fff7fffu)) ^ ((a ^ ~b) & 0x80008000u);
+#endif
+}
+
 /* Halves of the differences of the halves, cut. */
 TP_ALWAYS_INLINE uint32_t tp_shsub16(uint32_t a, uint32_t b)
 {

@@ -119,19 +119,24 @@ TP_ALWAYS_INLINE uint32_t packed_blinn(const uint32_t *lobe, uint32_t slope,
     return tp_uqadd8(colour, lobe[tp_usat(tp_smuad(away, away), 11, 9)]);
 }
 
-/* Four columns with the colours a and b and what lies between, c being the next; slopes
- * are so many words beyond colours. */
+/* Four columns with the colours a and b and what lies between, c being the next, and
+ * with half vectors from this one on, to the next; slopes are so many words beyond
+ * colours. */
 #define SLOPES ((int)((offsetof(tp_run, slope) - offsetof(tp_run, colour)) / 4))
-TP_ALWAYS_INLINE void packed_blinn_four(const uint32_t *lobe, uint32_t half,
-                                        uint32_t *colour, uint32_t a, uint32_t b,
-                                        uint32_t c)
+TP_ALWAYS_INLINE uint32_t packed_blinn_four(const uint32_t *lobe, uint32_t half,
+                                            tp_quick_walk walk, uint32_t *colour,
+                                            uint32_t a, uint32_t b, uint32_t c)
 {
     const pair s = pair_at(colour, SLOPES), t = pair_at(colour, SLOPES + 2);
+    const uint32_t second = tp_sadd16(half, walk.quarter);
+    const uint32_t third = tp_sadd16(second, walk.quarter);
+    const uint32_t fourth = tp_sadd16(third, walk.quarter);
 
     pair_to(colour, 0, packed_blinn(lobe, s.first, half, a),
-            packed_blinn(lobe, s.second, half, tp_uhadd8(a, b)));
-    pair_to(colour, 2, packed_blinn(lobe, t.first, half, b),
-            packed_blinn(lobe, t.second, half, tp_uhadd8(b, c)));
+            packed_blinn(lobe, s.second, second, tp_uhadd8(a, b)));
+    pair_to(colour, 2, packed_blinn(lobe, t.first, third, b),
+            packed_blinn(lobe, t.second, fourth, tp_uhadd8(b, c)));
+    return tp_sadd16(fourth, walk.rest);
 }
 
 /* The colour of column i, as tp_quick_fill_between has it. */
@@ -146,21 +151,24 @@ TP_ALWAYS_INLINE uint32_t packed_between(const tp_run *run, int32_t i)
     return (x & 15) == 15 || i + 1 == run->count ? even[0] : tp_uhadd8(even[0], even[1]);
 }
 
-/* The half vector at column x, by those that the light has left where spans begin and
- * end; what is added every four columns. */
-TP_ALWAYS_INLINE uint32_t packed_half_at(const tp_run *run, int32_t x, uint32_t *step)
+/* The half vector of column x, by those that the light has left where spans begin and
+ * end, and how it goes on. */
+TP_ALWAYS_INLINE uint32_t packed_half_at(const tp_run *run, int32_t x,
+                                         tp_quick_walk *walk)
 {
     const uint32_t *half = run->half + ((x >> 5) - (run->x >> 5));
+    const uint32_t step = tp_quick_eighth(half[0], half[1]);
 
-    *step = tp_quick_eighth(half[0], half[1]);
-    return tp_quick_plus(half[0], *step, (x & (SPAN - 1)) >> 2);
+    *walk = tp_quick_walk_of(step);
+    return tp_quick_half_at(tp_quick_half_first(half[0], *walk), step, x & (SPAN - 1));
 }
 
 /* Columns of a block that is not whole. */
 TP_LOOP packed_blinn_part(const uint32_t *lobe, tp_run *run, int32_t i, int32_t end)
 {
     for (; i < end; i++) {
-        uint32_t step, half = packed_half_at(run, run->x + i, &step);
+        tp_quick_walk walk;
+        uint32_t half = packed_half_at(run, run->x + i, &walk);
         run->colour[i] = packed_blinn(lobe, run->slope[i], half, packed_between(run, i));
     }
 }
@@ -170,20 +178,19 @@ TP_ALWAYS_INLINE void packed_blinn_blocks(const uint32_t *lobe, tp_run *run, int
                                           int32_t end)
 {
     const uint32_t *even = run->even + ((i + (run->x & 1)) >> 1);
-    uint32_t *colour = run->colour + i, half = 0, step = 0;
+    uint32_t *colour = run->colour + i, half = 0;
+    tp_quick_walk walk = { 0 };
 
     for (bool begun = false; i < end; i += 16, begun = true) {
         if (!begun || ((run->x + i) & (SPAN - 1)) == 0)
-            half = packed_half_at(run, run->x + i, &step);
+            half = packed_half_at(run, run->x + i, &walk);
         uint32_t a = even[0];
         for (uint32_t *const last = colour + 12; colour != last; colour += 4, even += 2) {
             const uint32_t b = even[1], c = even[2];
-            packed_blinn_four(lobe, half, colour, a, b, c);
-            half = tp_sadd16(half, step);
+            half = packed_blinn_four(lobe, half, walk, colour, a, b, c);
             a = c;
         }
-        packed_blinn_four(lobe, half, colour, a, even[1], even[1]);
-        half = tp_sadd16(half, step);
+        half = packed_blinn_four(lobe, half, walk, colour, a, even[1], even[1]);
         colour += 4;
         even += 2;
     }

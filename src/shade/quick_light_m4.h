@@ -88,35 +88,41 @@ TP_ALWAYS_INLINE void packed_span(const tp_shade *shade, tp_quick_sun sun, tp_ru
     char *at = (char *)run + 4 * (x - run->x), *end = at + 4 * (stop - x);
     int32_t begun = x & (TP_QUICK_SPAN(lobe) - 1), left = -x & (width - 1);
 
-    if (begun)
+    const tp_quick_walk walk = tp_quick_walk_of(step.half);
+    uint32_t half = tp_quick_half_first(v.half, walk);
+    if (begun) {
+        half = tp_quick_half_at(half, step.half, begun);
         v = tp_quick_at(v, step, begun / width);
-    uint32_t back = v.back, half = v.half;
+    }
+    uint32_t back = v.back;
     int32_t  y = v.y, lv = v.lv;
 
 #define SEEN(i) \
     COLOUR(at, i) = packed_seen(quick, sky, sun, (tp_quick_view){ back, half, y, lv }, \
                                 SLOPE(at, i), COLOUR(at, i), env, lobe)
-#define WALK() \
-    (back = tp_sadd16(back, step.back), half = tp_sadd16(half, step.half), y += step.y, \
-     lv += step.lv)
-    for (; left > 0 && at < end; at += 4) {
-        SEEN(0);
-        if (--left == 0)
-            WALK();
+#define SEEN_AND_ON(i) (SEEN(i), half = tp_sadd16(half, walk.quarter))
+#define SEEN_LAST(i) \
+    (SEEN(i), half = tp_sadd16(half, walk.rest), back = tp_sadd16(back, step.back), \
+     y += step.y, lv += step.lv)
+    for (; left > 1 && at < end; left--, at += 4)
+        SEEN_AND_ON(0);
+    if (left == 1 && at < end) {
+        SEEN_LAST(0);
+        at += 4;
     }
     for (; at + 4 * width <= end; at += 4 * width) {
-        SEEN(0);
-        SEEN(1);
+        SEEN_AND_ON(0);
         if (width == 4) {
-            SEEN(2);
-            SEEN(3);
+            SEEN_AND_ON(1);
+            SEEN_AND_ON(2);
         }
-        WALK();
+        SEEN_LAST(width - 1);
     }
     for (; at < end; at += 4)
-        SEEN(0);
+        SEEN_AND_ON(0);
 #undef SEEN
-#undef WALK
+#undef SEEN_AND_ON
+#undef SEEN_LAST
 }
 
 TP_ALWAYS_INLINE void packed_light(const tp_shade *shade, tp_run *run, int env, int lobe)

@@ -103,6 +103,8 @@ TP_ALWAYS_INLINE void fill(tp_run *restrict run, int32_t i, int32_t stop, int32_
     uint32_t *restrict back = run->back, *restrict half = run->half;
     int32_t  *restrict y = run->view_y, *restrict lv = run->view_l;
     uint32_t *restrict columns = run->column;
+    const uint32_t first = tp_quick_half_first(v->half,
+                                               tp_quick_walk_of(step->half));
 
     for (; i < stop; i++, k++) {
         tp_quick_view at = tp_quick_at(*v, *step, k >> (lobe == TP_LOBE_PHONG ? 1 : 2));
@@ -110,7 +112,7 @@ TP_ALWAYS_INLINE void fill(tp_run *restrict run, int32_t i, int32_t stop, int32_
         y[i] = at.y;
         columns[i] = column;
         if (lobe == TP_LOBE_BLINN)
-            half[i] = at.half;
+            half[i] = tp_quick_half_at(first, step->half, k);
         if (lobe == TP_LOBE_PHONG)
             lv[i] = at.lv;
     }
