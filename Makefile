@@ -183,9 +183,10 @@ views: $(BUILD)/tests/bench/views build/host/tally.so
 charts: $(PROGRAM)
 	@$(PROGRAM) charts assets/charts
 ## what `tidepool charts` measures with
-charts-tools: all build/host/count.so $(CHARTS)
-	@$(MAKE) --no-print-directory BOARD=cortex-m TARGET=charts-m4 build/charts-m4/kernels.elf \
-	    $(SPAN_SCENES:%=build/charts-m4/span-%.elf)
+charts-tools: all build/host/count.so $(CHARTS) $(SCENES:%=$(BUILD)/tests/charts/board-%)
+	@$(MAKE) --no-print-directory BOARD=cortex-m TARGET=charts-m4 MACHINE=cortex-m \
+	    $(patsubst %,build/charts-m4/%.elf,kernels $(SCENES:%=charts/%) \
+	    $(SPAN_SCENES:%=span-%))
 ## the slow renderer in double precision that pictures are judged by
 reference: $(BUILD)/reference
 ## feed the readers random input, FUZZ_SECONDS (10) for each
@@ -331,6 +332,10 @@ $(BUILD)/tests/budgets/models: $(MODELS_O) $(BUILD)/ports/cortex-m/memory.o $(LI
 	$(SAY)$(LINK) $^ -o $@
 $(BUILD)/tests/charts/kernels: $(KERNELS_O) $(BUILD)/tests/charts/kernel_lists.o $(LIB)
 	$(SAY)$(LINK) $^ -lm -o $@
+$(SCENES:%=$(BUILD)/tests/charts/board-%): \
+          $(BUILD)/tests/charts/board-%: $(BUILD)/tests/charts/board.o \
+          build/baked/$(MACHINE)/%.o $(BUILD)/ports/cortex-m/memory.o $(LIB)
+	$(SAY)$(LINK) -no-pie $^ -o $@
 $(BUILD)/tests/charts/errors: $(patsubst %.c,$(BUILD)/%.o,$(wildcard tests/charts/errors*.c)) \
           $(filter-out %/kernels.o,$(KERNELS_O)) $(BUILD)/tests/charts/kernel_lists.o \
           $(BUILD)/tests/charts/used.o $(BUILD)/ports.a $(LIB)
@@ -376,6 +381,10 @@ $(SPAN_SCENES:%=$(BUILD)/span-%.elf): $(BUILD)/span-%.elf: \
 	$(SAY)$(LINK_ELF)
 $(BUILD)/kernels.elf: $(KERNELS_O) $(BUILD)/tests/charts/kernel_lists.o \
           $(filter-out %/main.o,$(BOARD_O)) $(LIB) ports/$(BOARD)/board.ld
+	$(SAY)$(LINK_ELF)
+$(BUILD)/charts/%.elf: $(BUILD)/tests/charts/board.o build/baked/$(MACHINE)/%.o \
+          $(filter-out %/main.o,$(BOARD_O)) $(LIB) ports/$(BOARD)/board.ld
+	@mkdir -p $(@D)
 	$(SAY)$(LINK_ELF)
 $(BUILD)/kit_v3.o: $(V3_C:%.c=$(BUILD)/v3/%.o)
 	$(SAY)$(LD) -r $^ -o $@

@@ -3,20 +3,27 @@
  * with the operation in r0 and its argument in r1. */
 #include "semihost.h"
 
-enum { SYS_WRITE0 = 0x04, SYS_EXIT_EXTENDED = 0x20 };
+enum { SYS_WRITE0 = 0x04, SYS_GET_CMDLINE = 0x15, SYS_EXIT_EXTENDED = 0x20 };
 
 #define APPLICATION_EXIT 0x20026u
 
-static void call(uint32_t operation, const void *argument)
+static uint32_t call(uint32_t operation, const void *argument)
 {
     register uint32_t    r0 __asm__("r0") = operation;
     register const void *r1 __asm__("r1") = argument;
     __asm__ volatile("bkpt 0xab" : "+r"(r0) : "r"(r1) : "memory");
+    return r0;
 }
 
 void semihost_write(const char *text)
 {
     call(SYS_WRITE0, text);
+}
+
+bool semihost_words(char *buffer, size_t size)
+{
+    struct { char *text; size_t size; } block = { buffer, size };
+    return call(SYS_GET_CMDLINE, &block) == 0;
 }
 
 _Noreturn void semihost_exit(int code)

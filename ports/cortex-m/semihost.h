@@ -2,9 +2,13 @@
 /* Arm semihosting: words and exit codes to the debugger or emulator that we run under. */
 #ifndef SEMIHOST_H
 #define SEMIHOST_H
+#include <stdbool.h>
+#include <stddef.h>
 #include <stdint.h>
 
 void semihost_write(const char *text);
+/* The command line that the program was given, terminated; false: it does not fit. */
+bool semihost_words(char *buffer, size_t size);
 _Noreturn void semihost_exit(int code);
 
 /* Of base 2 to 16, with zeros before it up to `least_digits`. */

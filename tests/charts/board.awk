@@ -1,0 +1,57 @@
+# SPDX-License-Identifier: MIT
+# What board.c said and the plugin counted, a line a picture; see board.sh.
+#
+#   awk -v pictures=N -f tests/charts/board.awk SYMBOLS SAID COUNTS
+#
+# SYMBOLS are nm's, sorted, in decimal, with files.
+FNR == 1 { file++ }
+file == 1 {
+    if (tolower($2) == "t" || $2 == "W") {
+        start[++symbols] = $1 + 0
+        folder[symbols] = match($4, /src\/[a-z]+\//) ? \
+            substr($4, RSTART + 4, RLENGTH - 5) : "helpers"
+    }
+    next
+}
+file == 2 && $1 == "run" {
+    said[++runs] = $2 " " $3 " " $5 " " $6
+    crc[runs] = $9
+    next
+}
+$1 == "count" {
+    total[$2, $3] += $5
+    if (finds($3, folder[symbol_at($6 + 0)]))
+        seen[$2] += $5
+}
+
+# Whether it helps to find the water, and is not of its colours.
+function finds(account, place)
+{
+    return account == "frame" ? place !~ /^(shade|pixel)$/ \
+         : account == "tiles" && place ~ /^(geom|raster|frame|wave)$/
+}
+
+function symbol_at(address,    low, high, middle)
+{
+    low = 1
+    high = symbols
+    while (low < high) {
+        middle = int((low + high + 1) / 2)
+        if (start[middle] <= address)
+            low = middle
+        else
+            high = middle - 1
+    }
+    return low
+}
+
+END {
+    if (runs != pictures || !total[runs, "tiles"]) {
+        print "board.awk: " runs + 0 " pictures of " pictures " were drawn and counted" \
+            >"/dev/stderr"
+        exit 1
+    }
+    for (i = 1; i <= runs; i++)
+        printf "%d %s %.0f %.0f %.0f %.0f %s\n", i, said[i], total[i, "tick"], \
+            total[i, "frame"], total[i, "tiles"], seen[i], crc[i]
+}

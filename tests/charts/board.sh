@@ -1,0 +1,47 @@
+#!/bin/sh
+# SPDX-License-Identifier: MIT
+# Exact instructions of a shipped scene's pictures, drawn by board.c in one go.
+#
+#   tests/charts/board.sh m4|x86 SCENE SIZE TICK GROUP...
+#
+# Each GROUP is an argument of settings, parted by blanks, and of size and tick if they
+# are others; '' is the scene as it is.  For each a line of words
+#     N WIDTH HEIGHT WATER_PIXELS VERTICES TICK FRAME TILES SEEN CRC32
+# with the instructions of the tick that led there, of a frame's beginning, of all its
+# tiles; and of both the part that finds the water: in tiles what src/geom, raster, frame
+# and wave execute themselves, before them all but src/shade and src/pixel.
+#
+# m4: an emulated Cortex-M4, the board's compiler at -O2; x86: x86-64 as any has it, -O2,
+# by QEMU's user mode.  `make charts-tools` builds what is run here.
+. tests/gates/lib.sh
+plugin=build/host/count.so
+
+[ $# -ge 5 ] || { echo "usage: board.sh m4|x86 SCENE SIZE TICK GROUP..." >&2; exit 2; }
+column=$1 scene=$2 words="$3 $4"
+shift 4
+words="$words $1"
+pictures=$#
+shift
+for group; do
+    words="$words / $group"
+done
+
+case $column in
+m4)
+    elf=build/charts-m4/charts/$scene.elf nm=arm-none-eabi-nm
+    timeout 300 qemu-system-arm -M mps2-an386 -nographic -monitor none -serial null \
+        -chardev file,id=said,path="$scratch/said" -kernel "$elf" -plugin $plugin \
+        -semihosting-config "enable=on,target=native,chardev=said,arg=$words" \
+        2>"$scratch/counts" </dev/null ;;
+x86)
+    elf=build/host/tests/charts/board-$scene nm=nm
+    # Words are one argument, as they are of semihosting.
+    timeout 300 qemu-x86_64 -cpu Nehalem -plugin $plugin "$elf" "$words" \
+        >"$scratch/said" 2>"$scratch/counts" </dev/null ;;
+*)
+    echo "board.sh: m4 or x86, not $column" >&2; exit 2 ;;
+esac || { cat "$scratch/said" >&2; grep -v ^count "$scratch/counts" >&2; exit 1; }
+
+$nm -t d -n -l --defined-only "$elf" >"$scratch/symbols" &&
+    awk -v pictures="$pictures" -f tests/charts/board.awk "$scratch/symbols" \
+        "$scratch/said" "$scratch/counts"
