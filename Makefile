@@ -111,7 +111,7 @@ UNIT    := $(patsubst %.c,$(BUILD)/%,$(wildcard tests/unit/test_*.c tests/host/t
 REF_O   := $(patsubst %.c,$(BUILD)/%.o,$(filter-out %/reference.c,\
                $(wildcard tests/reference/*.c)))
 KERNELS_O := $(patsubst %.c,$(BUILD)/%.o,$(wildcard tests/charts/kernels*.c))
-CHARTS  := $(addprefix $(BUILD)/tests/charts/,errors kernels)
+CHARTS  := $(addprefix $(BUILD)/tests/charts/,errors kernels frames)
 SPAN_SCENES := from-above three-swells
 SPAN_STEPS  := 0 1 8 16 32
 SPAN_O  := $(addprefix $(BUILD)/tests/charts/,span_scene.o span_steps.o span_true.o \
@@ -332,6 +332,7 @@ $(BUILD)/tests/budgets/models: $(MODELS_O) $(BUILD)/ports/cortex-m/memory.o $(LI
 	$(SAY)$(LINK) $^ -o $@
 $(BUILD)/tests/charts/kernels: $(KERNELS_O) $(BUILD)/tests/charts/kernel_lists.o $(LIB)
 	$(SAY)$(LINK) $^ -lm -o $@
+$(BUILD)/tests/charts/frames: $(BUILD)/reference.a
 $(SCENES:%=$(BUILD)/tests/charts/board-%): \
           $(BUILD)/tests/charts/board-%: $(BUILD)/tests/charts/board.o \
           build/baked/$(MACHINE)/%.o $(BUILD)/ports/cortex-m/memory.o $(LIB)

@@ -2,68 +2,50 @@
 /* A baked scene as its settings want it, picture after picture: one program a scene on a
  * bare Cortex-M and on this machine, for whoever counts what they cost.
  *
- *     WIDTHxHEIGHT TICK [NAME=VALUE]... / [WIDTHxHEIGHT] [TICK] [NAME=VALUE]... / ...
+ *     WIDTHxHEIGHT TICK [WORD]... / [WIDTHxHEIGHT] [TICK] [WORD]... / ...
  *
- * Words parted by blanks, of the command line or the semihosting one; each "/" begins
+ * Words (words.h) parted by blanks, of the command line or the semihosting one; each "/" begins
  * another picture, of the scene as it was baked; size and tick stay as they were if they
  * are not told anew.  Of each a line
  *     run WIDTH HEIGHT TICK WATER_PIXELS VERTICES TRIANGLES DROPPED CRC32
  *
  * The marks count a tick, the one that leads to TICK, a frame's beginning and its tiles,
  * after a frame that has filled what is filled once. */
-#if __STDC_HOSTED__
-#include <stdio.h>
-#include <stdlib.h>
-#endif
 #include "cortex-m/baked.h"
+#include "cortex-m/marks.h"
+#include "tests/budgets/say.h"
+#include "tests/charts/words.h"
 
 enum { BAND = 16, WORDS = 16384 };
 static const tp_format format = TP_FORMAT_RGB565;
 
 void *memcpy(void *restrict to, const void *restrict from, size_t bytes);
 
-#define MARK(name) \
-    void name(void); \
-    __attribute__((noinline)) void name(void) { __asm__ volatile("" ::: "memory"); }
 MARK(count_as_tick)
 MARK(count_as_frame)
 MARK(count_as_tiles)
 MARK(count_end)
 MARK(count_section)
 
-/* -- words and memory ---------------------------------------------------------------- */
+/* -- memory -------------------------------------------------------------------------- */
 
 #if __STDC_HOSTED__
+#include <stdlib.h>
+
 static _Alignas(64) uint8_t memory[16 << 20];
 
 static tp_arena whole_arena(void) { return tp_arena_over(memory, sizeof memory); }
-static void say(const char *text) { fputs(text, stdout); }
 _Noreturn static void leave(int code) { exit(code); }
 #else
 #include "cortex-m/board.h"
-#include "cortex-m/semihost.h"
 
 static tp_arena whole_arena(void)
 {
     return tp_arena_over(arena_start, (size_t)(arena_end - arena_start));
 }
 
-static void say(const char *text) { semihost_write(text); }
 _Noreturn static void leave(int code) { semihost_exit(code); }
 #endif
-
-static void say_number(const char *before, uint32_t n)
-{
-    char  text[12];
-    char *c = text + sizeof text - 1;
-
-    *c = '\0';
-    do
-        *--c = (char)('0' + n % 10);
-    while (n /= 10);
-    say(before);
-    say(c);
-}
 
 _Noreturn static void stop(const char *why, const char *what)
 {
@@ -82,55 +64,20 @@ typedef struct {
     bool     still;             /* nothing was set that the world knows of */
 } wish;
 
-static size_t until(const char *text, char end)
-{
-    size_t n = 0;
-
-    while (text[n] && text[n] != ' ' && text[n] != end)
-        n++;
-    return n;
-}
-
-static uint32_t number_of(const char *text, size_t bytes)
-{
-    uint32_t n = 0;
-
-    for (size_t i = 0; i < bytes; i++) {
-        if (text[i] < '0' || text[i] > '9')
-            stop("no number: ", text);
-        n = n * 10 + (uint32_t)(text[i] - '0');
-    }
-    return n;
-}
-
-static bool begins(const char *text, const char *with)
-{
-    while (*with && *text == *with)
-        text++, with++;
-    return !*with;
-}
-
-static void set(wish *w, const char *word, size_t bytes)
-{
-    const size_t name = until(word, '=');
-    const tp_param *param = name < bytes ? tp_param_find(word, name) : NULL;
-
-    if (!param || tp_param_set(&w->scene, param, word + name + 1, bytes - name - 1, NULL))
-        stop("not understood: ", word);
-    w->still = w->still && (begins(word, "quality.") || begins(word, "grid."));
-}
-
 static void read_word(wish *w, const char *word, size_t bytes)
 {
-    const size_t by = until(word, 'x');
+    const size_t by = word_until(word, 'x');
+    bool still = true;
 
-    if (*word < '0' || *word > '9')
-        set(w, word, bytes);
-    else if (by == bytes)
-        w->tick = number_of(word, bytes);
+    if (*word < '0' || *word > '9') {
+        if (!word_set(&w->scene, word, bytes, &still))
+            stop("not understood: ", word);
+        w->still = w->still && still;
+    } else if (by == bytes)
+        w->tick = word_number(word);
     else {
-        w->width = number_of(word, by);
-        w->height = number_of(word + by + 1, bytes - by - 1);
+        w->width = word_number(word);
+        w->height = word_number(word + by + 1);
     }
 }
 
@@ -140,7 +87,7 @@ static const char *read_wish(wish *w, const char *text)
     w->scene = baked_scene;
     w->still = true;
     for (; *text && *text != '/'; text += *text == ' ') {
-        const size_t bytes = until(text, ' ');
+        const size_t bytes = word_until(text, ' ');
         if (bytes > 0)
             read_word(w, text, bytes);
         text += bytes;

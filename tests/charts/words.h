@@ -1,0 +1,78 @@
+/* SPDX-License-Identifier: MIT */
+/* A picture's settings as words of a chart's job, for whoever draws it, counted or judged.
+ *
+ *     NAME=VALUE      a parameter of the scene
+ *     grid=N          N lines of the grid each way, over the same stretch of water
+ *     grid/N          one line of N */
+#ifndef WORDS_H
+#define WORDS_H
+#include "tidepool/scene.h"
+
+/* Characters up to a blank, `end` or the text's end. */
+static inline size_t word_until(const char *text, char end)
+{
+    size_t n = 0;
+
+    while (text[n] && text[n] != ' ' && text[n] != end)
+        n++;
+    return n;
+}
+
+static inline uint32_t word_number(const char *text)
+{
+    uint32_t n = 0;
+
+    for (; *text >= '0' && *text <= '9'; text++)
+        n = n * 10 + (uint32_t)(*text - '0');
+    return n;
+}
+
+static inline bool word_begins(const char *word, const char *with)
+{
+    while (*with && *word == *with)
+        word++, with++;
+    return !*with;
+}
+
+static inline void word_grid(tp_scene *scene, int32_t cols, int32_t rows)
+{
+    cols = cols < 2 ? 2 : cols;
+    scene->grid.cell = (tp_fx)((int64_t)scene->grid.cell * (scene->grid.cols - 1)
+                               / (cols - 1));
+    scene->grid.cols = cols;
+    scene->grid.rows = rows < 2 ? 2 : rows;
+}
+
+/* False: it is not understood.  *still becomes false if the world knows of what is set. */
+static inline bool word_set(tp_scene *scene, const char *word, size_t bytes, bool *still)
+{
+    const size_t name = word_until(word, '=');
+    const tp_param *param = name < bytes ? tp_param_find(word, name) : NULL;
+
+    if (word_begins(word, "grid=")) {
+        const int32_t lines = (int32_t)word_number(word + 5);
+        word_grid(scene, lines, lines);
+        return true;
+    }
+    if (word_begins(word, "grid/") && word_number(word + 5) > 0) {
+        const int32_t by = (int32_t)word_number(word + 5);
+        word_grid(scene, (scene->grid.cols - 1) / by + 1, (scene->grid.rows - 1) / by + 1);
+        return true;
+    }
+    *still = word_begins(word, "quality.") || word_begins(word, "grid.");
+    return param && !tp_param_set(scene, param, word + name + 1, bytes - name - 1, NULL);
+}
+
+/* All words of a text. */
+static inline bool words_set(tp_scene *scene, const char *text)
+{
+    bool still = true, done = true;
+
+    while (*text && done) {
+        const size_t bytes = word_until(text, ' ');
+        done = bytes == 0 || word_set(scene, text, bytes, &still);
+        text += bytes + (text[bytes] == ' ');
+    }
+    return done;
+}
+#endif
