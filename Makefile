@@ -180,7 +180,7 @@ bench: $(PROGRAM) $(BUILD)/tests/bench/scene_s
 views: $(BUILD)/tests/bench/views build/host/tally.so
 	@TP_VIEWS=10000 tests/bench/views.sh
 ## speed against accuracy: the whole sweep into assets/charts
-charts: $(PROGRAM)
+charts: charts-tools
 	@$(PROGRAM) charts assets/charts
 ## what `tidepool charts` measures with
 charts-tools: all build/host/count.so $(CHARTS) $(SCENES:%=$(BUILD)/tests/charts/board-%)
@@ -237,13 +237,13 @@ host-tests: everything
 	@$(RUN) build/log/host $(UNIT) $(UNIT:build/host/%=build/san/%) $(GOLDEN) \
 	    tests/gates/host.sh tests/gates/selftest.sh tests/host/cli.sh \
 	    tests/host/bake.sh tests/host/check.sh tests/host/tape.sh \
-	    tests/gates/sanitized.sh tests/host/generators.sh \
+	    tests/host/charts.sh tests/gates/sanitized.sh tests/host/generators.sh \
 	    tests/host/readme.sh
 more-tests: everything build/host/count.so build/host/tally.so
 	@$(RUN) build/log/more tests/gates/arm.sh tests/gates/clang.sh tests/host/view.sh \
 	    tests/host/threads.sh tests/bench/views.sh tests/cross/run.sh tests/cross/film.sh \
 	    tests/budgets/scenes-count.sh tests/budgets/ram.sh tests/budgets/kits.sh \
-	    tests/budgets/models-count.sh \
+	    tests/budgets/models-count.sh tests/charts/sweep.sh \
 	    tests/budgets/prices.sh tests/fuzz/run.sh
 fuzzers: $(FUZZ)
 # Other renderers for `tidepool bench --peers`, of whatever packages are there.

@@ -43,6 +43,8 @@ all  | libc6-dev-riscv64-cross   | dir /usr/riscv64-linux-gnu/include   | riscv6
 all  | libc6-dev-s390x-cross     | dir /usr/s390x-linux-gnu/include     | s390x
 all  | xvfb                      | cmd Xvfb                    | a display for the preview
 all  | xdotool                   | cmd xdotool                 | its keys and mouse
+all  | gnuplot-nox               | cmd gnuplot                 | draws the charts
+all  | parallel                  | gnu parallel                | runs their jobs anywhere
 all  | procps                    | cmd pgrep                   | finds its process
 all  | imagemagick               | cmd import                  | its screenshots
 '
@@ -52,6 +54,7 @@ present()       # KIND NAME
     case $1 in
     cmd) command -v "$2" >/dev/null ;;
     pkg) pkg-config --exists "$2" 2>/dev/null ;;
+    gnu) "$2" --version 2>/dev/null </dev/null | grep -q GNU ;;
     inc) echo "#include <$2>" | gcc -E - >/dev/null 2>&1 ;;
     dir) [ -d "$2" ] ;;
     lib) find /usr/lib /usr/lib/llvm-* -name "*$2*.a" 2>/dev/null | grep -q . ;;

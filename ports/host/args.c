@@ -228,7 +228,7 @@ static const option_row rows[] = {
       "use pictures of no more than N texels a side" },
     { "--jobs", "N", FOR_CHARTS, read_jobs, "so many at a time; else one a processor" },
     { "--only", "NAME,...", FOR_CHARTS, read_only, "these charts alone" },
-    { "--small", NULL, FOR_CHARTS, read_small, "without what takes long, and times" },
+    { "--small", NULL, FOR_CHARTS, read_small, "without what takes long, times and pictures" },
     { "--resume", NULL, FOR_CHARTS, read_resume,
       "take the jobs that an interrupted sweep finished" },
     { "--list", NULL, FOR_CHARTS, read_list, "print the jobs, and run none" },

@@ -19,12 +19,12 @@ static void print_help(void)
     puts("usage: tidepool charts DIR [OPTION]...\n"
          "       tidepool charts --list [OPTION]...\n"
          "       tidepool charts --collect FILE... DIR [OPTION]...\n"
-         "Runs what " CHARTS_FOLDER " describes, in the project's folder, into DIR: tables,"
-         "\npictures (by gnuplot) and README.md.  --list prints the jobs, a command a line;"
-         "\n--collect merges what they print, in any order (FILE may be -).\n");
+         "Runs what " CHARTS_FOLDER " describes, in the project's folder, into DIR:\n"
+         "tables, pictures (if gnuplot is there) and README.md.  --list prints the jobs,\n"
+         "a command a line; --collect merges what they print, in any order (FILE may be\n"
+         "- for standard input).\n");
     args_print(FOR_CHARTS);
-    puts("\nExit: 0 done, even without gnuplot; 1 a job failed, 2 usage,"
-         " 3 bad input or output.");
+    puts("\nExit: 0 done, 1 a job failed, 2 usage, 3 bad input or output.");
 }
 
 /* -- what is needed ----------------------------------------------------------------- */
@@ -39,7 +39,10 @@ static int check_place(const options *o)
 
 static int build_tools(const options *o)
 {
-    if (!o->from && system("make -s --no-print-directory charts-tools >&2"))
+    char make[128];
+    snprintf(make, sizeof make, "env -u MAKEFLAGS -u MAKELEVEL -u MFLAGS make -s -j%u"
+             " --no-print-directory charts-tools >&2", (unsigned)o->jobs);
+    if (!o->from && system(make))
         return fail(EXIT_INPUT, "tidepool charts: what it measures with cannot be built");
     return EXIT_DONE;
 }
@@ -92,11 +95,9 @@ static int read_job(cells *all, charts *c, const chart_job *job)
         code = fail(EXIT_INPUT, "%s: %s", job->rows, strerror(errno));
     const size_t before = all->count;
     if (file)
-        code = cells_read(all, c, file, job->rows, job->mine, job->timed);
+        code = cells_read(all, c, file, job->command, job->mine, job->timed);
     if (file && !code && all->count == before)
-        code = fail(EXIT_INPUT, "%s: no rows", job->rows);
-    if (code)
-        say("tidepool charts: they are of %s", job->command);
+        code = fail(EXIT_INPUT, "%s: no rows", job->command);
     if (file)
         fclose(file);
     if (code || !job->done)
@@ -145,7 +146,7 @@ static int write_charts(const charts *c, const cells *all, const options *o,
         if (!code && !written[i] && !o->small)
             say("chart %s: no rows, so no table", of->name);
     }
-    if (!code)
+    if (!code && !o->small)
         code = charts_draw(c, written, dir, o->jobs);
     return code ? code : charts_page(c, dir);
 }

@@ -93,7 +93,10 @@ static void put_picture(command *c, const char *folder, const char *dir, const c
     free(own);
 }
 
-/* gnuplot goes on after some mistakes and says so alone: then there is no picture. */
+/* gnuplot goes on after some mistakes and says so alone: then there is no picture.  That
+ * no row is used by a scene, or all are, is none. */
+#define NO_POINTS "Skipping data file with no valid points"
+
 static bool add_picture(chart_jobs *jobs, const charts *c, const chart *of,
                         const char *dir)
 {
@@ -103,7 +106,8 @@ static bool add_picture(chart_jobs *jobs, const charts *c, const chart *of,
         put(&both, i == 0 ? "" : " && ");
         put_picture(&both, c->folder, dir, of, suffixes[i]);
     }
-    put(&both, "; } 2>&1) && [ -z \"$said\" ] || { echo \"$said\"; exit 1; }");
+    put(&both, "; } 2>&1); code=$?; said=$(echo \"$said\" | grep -v '" NO_POINTS "');"
+               " [ $code = 0 ] && [ -z \"$said\" ] || { echo \"$said\"; exit 1; }");
     if (!chart_jobs_add(jobs, both.text, NULL))
         return false;
     jobs->of[jobs->count - 1].title = of->title;

@@ -25,14 +25,16 @@ static void stop(int signal_number)
     stopped = signal_number;
 }
 
-/* Without SA_RESTART: a wait ends when a signal comes. */
+/* Signals that are ignored stay so.  Without SA_RESTART: a wait ends when one comes. */
 static void watch(struct sigaction before[DEADLY])
 {
     struct sigaction ours = { .sa_handler = stop };
     sigemptyset(&ours.sa_mask);
     stopped = 0;
     for (size_t i = 0; i < DEADLY; i++)
-        sigaction(deadly[i], &ours, &before[i]);
+        if (sigaction(deadly[i], NULL, &before[i]) == 0
+            && before[i].sa_handler == SIG_DFL)
+            sigaction(deadly[i], &ours, NULL);
 }
 
 static void unwatch(const struct sigaction before[DEADLY])

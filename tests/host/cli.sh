@@ -16,7 +16,7 @@ absent() {
 # -- help and usage -----------------------------------------------------------------
 
 fits --help
-for command in render view scenes params bake plan check bench; do
+for command in render view scenes params bake plan check bench charts join; do
     fits "$command" --help
 done
 run --version
@@ -54,6 +54,47 @@ expect "visibility of no kind" 2 "auto, triangles" render minimal --visibility c
 expect "output of unknown kind" 2 "ends in .png or .y4m" render minimal --out picture.jpg
 expect "several frames, one name" 2 "need a place" render minimal --frames 2 --out f.png
 expect "a % that is no number" 2 "%04d" render minimal --out f-%s.png
+
+# -- films in parts -----------------------------------------------------------------
+
+for range in 0:6 0:2 3:3 4:6; do
+    run render storm --size 33x17 --frames $range --out "$range.y4m"
+done
+same "parts are drawn" "$(ls ?:?.y4m | wc -l)" 4
+expect "parts are joined" 0 "" join all.y4m 0:2.y4m 3:3.y4m 4:6.y4m
+verdict "to the film of one run" "$(cmp all.y4m 0:6.y4m 2>&1)"
+run join - 0:2.y4m 3:3.y4m 4:6.y4m
+verdict "and by standard output" "$(cmp out 0:6.y4m 2>&1)"
+expect "a film may be a part of itself" 0 "" join 0:2.y4m 0:2.y4m 3:3.y4m
+run join 0:2.y4m 0:2.y4m 4:6.y4m
+verdict "which it then is" "$(cmp 0:2.y4m 0:6.y4m 2>&1)"
+rm all.y4m
+run render storm --size 32x17 --frames 1 --out other.y4m
+head -c -1 3:3.y4m >cut.y4m
+head -c 200 3:3.y4m >half.y4m
+head -n 1 3:3.y4m >empty.y4m
+{ cat 3:3.y4m; echo WHAT; } >more.y4m
+sed '1s/C420jpeg/C444/' 3:3.y4m >full.y4m
+: >nothing.y4m
+refused() {     # NAME PATTERN PART...
+    expect "$1" 3 "$2" join all.y4m 0:6.y4m $3
+    verdict "$1: no film" "$(ls -A | grep -e '^all' -e tidepool-)"
+}
+refused "a part of another size" \
+    "^other.y4m: its head is not that of 0:6.y4m: W32 H17 .*; W33 H17" other.y4m
+refused "a part cut off" "^cut.y4m: ends inside of frame 0$" cut.y4m
+refused "in its first row" "^half.y4m: ends inside of frame 0$" half.y4m
+refused "a part without frames" "^empty.y4m: a film without frames$" empty.y4m
+refused "a part with more behind" "^more.y4m: where frame 1 begins there is none" more.y4m
+refused "a part of no bytes" "^nothing.y4m: no YUV4MPEG2 film$" nothing.y4m
+echo "; a scene" >a.ini
+refused "a part that is no film" "^a.ini: no YUV4MPEG2 film$" a.ini
+refused "a part that is not there" "^nowhere.y4m: No such file" nowhere.y4m
+refused "a folder" "^\.: Is a directory$" .
+expect "a film of another kind" 3 "full.y4m: no film of 4:2:0" join all.y4m full.y4m
+expect "no parts" 2 "which film, and which parts?" join all.y4m
+expect "a name that is no film's" 2 "a film's name ends in .y4m" join all.mp4 0:6.y4m
+rm -f ./*.y4m
 
 # -- scenes -------------------------------------------------------------------------
 

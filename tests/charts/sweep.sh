@@ -1,0 +1,150 @@
+#!/bin/sh
+# SPDX-License-Identifier: MIT
+# The charts that are shipped: each is whole, and a small sweep makes the same counts on
+# the Cortex-M4 and the same errors, cell by cell.  Counts of x86-64, which are of this
+# machine's compiler, and times are compared with nothing.
+#     sweep.sh PROGRAM
+. tests/gates/lib.sh
+. tests/budgets/hold.sh
+
+program=${1:-build/host/tidepool}
+shipped=assets/charts
+
+# -- what lies there --------------------------------------------------------------------
+
+whole()         # CHART: its description, drawing, text, table and pictures
+{
+    for file in "tests/charts/$1.gp" "tests/charts/$1.txt" $shipped/"$1.csv" \
+        $shipped/"$1.png" $shipped/"$1.svg"; do
+        [ -s "$file" ] || { echo "there is no $file"; return 1; }
+    done
+    grep -qF "($1.png)" $shipped/README.md || { echo "the page lacks it"; return 1; }
+}
+described()     # no table without its chart
+{
+    for table in $shipped/*.csv; do
+        [ -e "$table" ] || { echo "there is no table at all"; return 1; }
+        name=$(basename "${table%.time.csv}" .csv)
+        [ -s "tests/charts/$name.ini" ] || { echo "$table is of no chart"; return 1; }
+    done
+}
+light()         # pictures are for a page
+{
+    find $shipped -name '*.png' -size +200k -o -name '*.svg' -size +1000k | grep . && return 1
+    return 0
+}
+charts=
+for chart in tests/charts/*.ini; do
+    chart=$(basename "$chart" .ini)
+    charts="$charts $chart"
+    check "$chart has all that belongs to it" whole "$chart"
+done
+check "every table has its chart" described
+check "no picture is heavy" light
+
+drawn()         # CHART: its table can be drawn, without a word
+{
+    for term in png svg; do
+        gnuplot -e "csv='$shipped/$1.csv'; time_csv='$shipped/$1.time.csv'" \
+            -e "out='$scratch/$1'; term='$term'" tests/charts/style.gp \
+            "tests/charts/$1.gp" 2>&1 | grep -v 'Skipping data file with no valid points' &&
+            return 1
+        [ -s "$scratch/$1.$term" ] || return 1
+    done
+}
+if ! lacks gnuplot gnuplot-nox "drawing the charts"; then
+    for chart in $charts; do
+        check "$chart is drawn" drawn "$chart"
+    done
+fi
+
+# -- a small sweep ----------------------------------------------------------------------
+
+for tool in arm-none-eabi-gcc:gcc-arm-none-eabi qemu-system-arm:qemu-system-arm \
+    qemu-x86_64:qemu-user valgrind:valgrind; do
+    lacks "${tool%:*}" "${tool#*:}" "a small sweep of the charts" && exit $((failures > 0))
+done
+skip=
+pinned tests/budgets/scenes.csv m4 arm-none-eabi-gcc || skip=m4
+
+# same CHART: what the small sweep has is in the shipped table, and the same.
+same()
+{
+    keys=$(awk '$1 == "keys" { n += NF - 2 } END { print n }' "tests/charts/$1.ini")
+    awk -F, -v keys="$keys" -v skip="$skip" '
+        function of(    i, key) {
+            key = $1
+            for (i = 2; i <= keys; i++)
+                key = key "," $i
+            return key
+        }
+        FNR == 1 {
+            file++
+            for (i = 1; i <= NF; i++)
+                name[file, i] = $i
+            if (file == 2)
+                for (i = 1; i <= NF; i++)
+                    held[i] = i > keys && name[2, i] !~ /x86|^front$/ &&
+                              !(skip != "" && name[2, i] ~ skip)
+            next
+        }
+        file == 1 {
+            for (i = keys + 1; i <= NF; i++)
+                value[of(), name[1, i]] = $i
+            there[of()]
+        }
+        file == 2 {
+            if (!(of() in there)) {
+                print "the shipped table has no row of " of()
+                bad = 1
+            }
+            for (i = 1; i <= NF; i++)
+                if (held[i] && $i != "") {
+                    compared++
+                    if ($i != value[of(), name[2, i]]) {
+                        printf "%s of %s is %s, shipped %s\n", name[2, i], of(), $i,
+                               value[of(), name[2, i]]
+                        bad = 1
+                    }
+                }
+        }
+        END {
+            if (!compared)
+                print "nothing was compared"
+            exit bad || !compared
+        }' $shipped/"$1.csv" "$scratch/small/$1.csv"
+}
+altered()       # CHART: the same, with one figure more
+{
+    cp "$scratch/small/$1.csv" "$scratch/kept"
+    awk -F, -v OFS=, 'NR == 2 { for (i = 2; i < NF; i++) if ($i ~ /^[0-9.]+$/) $i += 1 }
+        { print }' "$scratch/kept" >"$scratch/small/$1.csv"
+    same "$1"
+    code=$?
+    cp "$scratch/kept" "$scratch/small/$1.csv"
+    return $code
+}
+check "a small sweep is made" "$program" charts "$scratch/small" --small
+first=
+for chart in $charts; do
+    [ -e "$scratch/small/$chart.csv" ] || continue
+    first=${first:-$chart}
+    check "$chart: what was counted and judged is as shipped" same "$chart"
+done
+[ -n "$first" ] && refuse "another figure would be found" altered "$first"
+
+# -- and by GNU parallel ----------------------------------------------------------------
+
+if parallel --version 2>/dev/null | grep -q GNU; then
+    apart()     # the jobs of one chart, as many machines would run them
+    {
+        "$program" charts --list --only sine >"$scratch/list" &&
+            parallel <"$scratch/list" >"$scratch/rows" &&
+            "$program" charts --collect "$scratch/rows" "$scratch/apart" --only sine &&
+            cmp "$scratch/apart/sine.csv" "$scratch/small/sine.csv"
+    }
+    check "jobs that GNU parallel runs make the same table" apart
+else
+    echo "skipped: jobs that GNU parallel runs (package parallel)"
+fi
+exit $((failures > 0))
