@@ -57,10 +57,10 @@ static bool never(const tp_scene *s, int32_t unused)
     return false;
 }
 
-/* Such seas are made with the exact one; the engine calls no other. */
+/* Such seas are made with tp_depth_number_exact; the engine calls no other. */
 static used_test *user_of(const kernel *k)
 {
-    return strcmp(k->point, "tp_depth_number_exact") == 0 ? has_ocean : never;
+    return strcmp(k->point, "newton-3") == 0 ? has_ocean : never;
 }
 
 void judge_dispersion(const kernel *k, const int32_t *counted, const int32_t *counted_out)

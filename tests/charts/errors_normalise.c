@@ -16,7 +16,7 @@ static double one_of(const kernel *k)
         const char *method;
         double      one;
     } coarse[] = {
-        { "tp_vec_q14", 16384 }, { "tp_slope", 16384 }, { "tp_steep", 16384 },
+        { "unit-14", 16384 }, { "steep", 16384 },
         { "packed-", 16384 }, { "packed", 511 }, { "slopes", ONE },
     };
 
@@ -75,13 +75,13 @@ static void say_who(const kernel *k)
         used_test  *test;
         int32_t     of;
     } engines[] = {
-        { "tp_normalise", NULL, 0 }, { "tp_slope_normal", is_lit, 1 },
-        { "tp_steep_near", is_lit, 0 }, { "tp_vec_q14", has_mesh, 0 },
-        { "packed-tp_vec_q14", has_mesh, 0 },
+        { "tp_normalise", NULL, 0 }, { "steep", is_lit, 1 },
+        { "steep-near", is_lit, 0 }, { "unit-14", has_mesh, 0 },
+        { "packed-unit", has_mesh, 0 },
     };
 
     for (size_t i = 0; i < sizeof engines / sizeof *engines; i++)
-        if (begins(k->point, engines[i].method)) {
+        if (strcmp(k->point, engines[i].method) == 0) {
             used_row(k->chart, k->point, engines[i].test, engines[i].of);
             return;
         }

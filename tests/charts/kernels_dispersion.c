@@ -174,12 +174,15 @@ static inline int64_t by_table(int64_t k_inf, tp_fx depth, int bits, int steps)
 #define TABLE(n, bits) \
     static void fill_##n(int32_t *in) { fill_table(in, bits); } \
     METHOD table_##n(int64_t k_inf, tp_fx h) { return by_table(k_inf, h, bits, 0); } \
-    RUN(table_##n) \
+    RUN(table_##n)
+#define STEPPED(n, bits) \
     METHOD stepped_##n(int64_t k_inf, tp_fx h) { return by_table(k_inf, h, bits, 1); } \
     RUN(stepped_##n)
 TABLE(32, 5)
 TABLE(64, 6)
 TABLE(256, 8)
+STEPPED(32, 5)
+STEPPED(64, 6)
 
 /* -- all of them --------------------------------------------------------------------- */
 
@@ -191,11 +194,11 @@ enum { RECIP = 514, RSQRT = 386, EXP = 256 };
 const kernel kernels_dispersion[] = {
     ROW("deep", fill, deep, 0),
     ROW("shallow", fill, shallow, RECIP + RSQRT),
-    ROW("tp_depth_number_eckart", fill, tp_depth_number_eckart, RECIP + RSQRT + EXP),
-    ROW("tp_depth_number_fenton", fill, tp_depth_number_fenton, RECIP + RSQRT + EXP),
-    ROW("tp_depth_number", fill, tp_depth_number, RECIP + RSQRT + EXP),
+    ROW("eckart", fill, tp_depth_number_eckart, RECIP + RSQRT + EXP),
+    ROW("fenton-mckee", fill, tp_depth_number_fenton, RECIP + RSQRT + EXP),
+    ROW("newton-1", fill, tp_depth_number, RECIP + RSQRT + EXP),
     ROW("newton-2", fill, steps_2, RECIP + RSQRT + EXP),
-    ROW("tp_depth_number_exact", fill, tp_depth_number_exact, RECIP + RSQRT + EXP),
+    ROW("newton-3", fill, tp_depth_number_exact, RECIP + RSQRT + EXP),
     ROW("hunt-5", fill, hunt_5, RECIP + RSQRT + 20),
     ROW("hunt-6", fill, hunt_6, RECIP + RSQRT + 24),
     ROW("table-32", fill_32, table_32, RSQRT + 4 * 33),
@@ -203,6 +206,5 @@ const kernel kernels_dispersion[] = {
     ROW("table-256", fill_256, table_256, RSQRT + 4 * 257),
     ROW("table-32-newton", fill_32, stepped_32, RECIP + RSQRT + EXP + 4 * 33),
     ROW("table-64-newton", fill_64, stepped_64, RECIP + RSQRT + EXP + 4 * 65),
-    ROW("table-256-newton", fill_256, stepped_256, RECIP + RSQRT + EXP + 4 * 257),
     { NULL, NULL, NULL, NULL, 0, 0, 0 },
 };
