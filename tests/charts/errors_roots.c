@@ -22,11 +22,11 @@ static uint32_t given(const kernel *k, uint32_t n)
 }
 
 /* The engine sees, bounds and lights every scene with all of these but tp_fx_recip, which
- * makes fields of foam; it has no call of tp_fx_rsqrt. */
-static bool has_foam(const tp_scene *s, int32_t unused)
+ * is of fields of foam and of pools that bend normals; it has no call of tp_fx_rsqrt. */
+static bool has_cells(const tp_scene *s, int32_t unused)
 {
     (void)unused;
-    return s->foam.cells > 0;
+    return s->foam.cells > 0 || (s->pool.cols > 0 && s->water.pool_bump > 0);
 }
 
 static bool never(const tp_scene *s, int32_t unused)
@@ -40,7 +40,7 @@ static const struct {
     used_test  *test;
 } engines[] = {
     { "tp_recip_norm", NULL }, { "tp_rsqrt_norm", NULL }, { "tp_isqrt64", NULL },
-    { "tp_fx_div", NULL }, { "tp_fx_sqrt", NULL }, { "tp_fx_recip", has_foam },
+    { "tp_fx_div", NULL }, { "tp_fx_sqrt", NULL }, { "tp_fx_recip", has_cells },
 };
 
 static void say_who(const kernel *k)

@@ -119,12 +119,18 @@ static inline uint32_t normal_sum(int32_t sx, int32_t sz)
     return ((1u << 24) + tp_slope_square(sx, sz)) << 6;
 }
 
-/* By 1 / sqrt of that sum, Q1.31 of twice the root's own. */
+/* By the normal's height, Q2.30, with its sign turned: products that are negative keep
+ * compilers from taking them for unsigned ones. */
+static inline tp_dir3 by_height(int32_t sx, int32_t sz, int32_t minus)
+{
+    return (tp_dir3){ (int32_t)((int64_t)sx * minus >> 12), -minus,
+                      (int32_t)((int64_t)sz * minus >> 12) };
+}
+
+/* By 1 / sqrt of that sum, Q1.31 of twice the height. */
 static inline tp_dir3 by_root(int32_t sx, int32_t sz, uint32_t r)
 {
-    const int32_t half = (int32_t)(r >> 1);
-    return (tp_dir3){ -(int32_t)((int64_t)sx * half >> 13), half >> 1,
-                      -(int32_t)((int64_t)sz * half >> 13) };
+    return by_height(sx, sz, -(int32_t)(r >> 2));
 }
 
 METHOD sum_32(int32_t sx, int32_t sz)
@@ -155,7 +161,7 @@ static inline tp_dir3 by_table(int32_t sx, int32_t sz, int steps)
     uint32_t r = (uint32_t)table[n >> 26] << 15;
     for (int i = 0; i < steps; i++)
         r = (uint32_t)((uint64_t)r * ((3u << 28) - high(n, high(r, r))) >> 29);
-    return by_root(sx, sz, r >> 31 ? UINT32_MAX : 2 * r);
+    return by_height(sx, sz, -(int32_t)(r >> 1));
 }
 
 METHOD newton_0(int32_t sx, int32_t sz) { return by_table(sx, sz, 0); }
