@@ -1,16 +1,17 @@
 # SPDX-License-Identifier: MIT
 # Filters and rates: what the water's stages cost, against what the picture is off 8 x 8
-# samples a pixel.  Names ending in -1 have the pictures' first level alone; the line at
-# the bottom is what the samples of level water are off rays.
+# samples a pixel.  Names ending in -1 have the pictures' first level alone; the dashed
+# lines are what the samples of level water are off rays.
 scenes = "three-swells from-above"
-of(name, i) = strcol("scene") eq word(scenes, i) && strcol("filter") ne "samples" ? \
-    column(name) : NaN
+of(name, i) = strcol("scene") eq word(scenes, i) ? column(name) : NaN
 quick(name, i, rate) = strcol("filter") eq "quick" && strcol("rate") eq rate ? \
     of(name, i) : NaN
 exact(name, i, filter) = strstrt(strcol("filter"), filter) == 1 ? of(name, i) : NaN
-taken(name, i) = is_used(strcol("used")) ? of(name, i) : NaN
-rays(i) = strcol("scene") eq word(scenes, i) && strcol("filter") eq "samples" ? \
-    column("colour_rms") : NaN
+# Far outside the picture where it is not, as a set of no points at all is complained of.
+taken(name, i) = is_used(strcol("used")) && strcol("scene") eq word(scenes, i) ? \
+    column(name) : 1e-3
+rays(i) = strcol("filter") eq "linear" ? of("floor_rms", i) : NaN
+best(name, i) = column("front") == 1 ? of(name, i) : NaN
 points_ = 'with points linetype i pointtype int(word("6 8", i))'
 used_   = 'with points linetype i pointtype int(word("7 9", i)) pointsize 2 notitle'
 
@@ -20,18 +21,21 @@ used_   = 'with points linetype i pointtype int(word("7 9", i)) pointsize 2 noti
 set yrange [0.42:4.2]
 
 @first
-set key at screen 0.11,0.985 maxrows 1 width 2
+set key at screen 0.11,0.985 maxrows 1 width -3
 set xrange [30:1000]
 set xlabel "Cortex-M4 instructions of stages, a water pixel"
 set ylabel "off 8 x 8 samples, rms of 255" offset 0.5,0
-plot for [i=1:2] csv using (of("m4", i)):"colour_rms" @points_ title word(scenes, i), \
+plot for [i=1:2] csv using (best("m4", i)):(column("colour_rms")) @front_line \
+         title i == 1 ? "Pareto front" : "", \
+     for [i=1:2] "" using (of("m4", i)):"colour_rms" @points_ title word(scenes, i), \
      for [i=1:2] "" using (taken("m4", i)):"colour_rms" @used_, \
      for [i=1:2] "" using (exact("m4", i, "linear")):"colour_rms":(strcol("filter")) \
          with labels left offset 1,0.1 textcolor linetype i notitle, \
      for [i=1:2] "" using (exact("m4", i, "nearest")):"colour_rms":(strcol("filter")) \
-         with labels right offset -1,0.1 textcolor linetype i notitle, \
+         with labels right offset -1,-0.6 textcolor linetype i notitle, \
      for [i=1:2] "" using (quick("m4", i, "full")):"colour_rms":("quick") \
-         with labels left offset 1,0.1 textcolor linetype i notitle, \
+         with labels left offset (i == 1 ? 1 : 0.3),(i == 1 ? 0.3 : -0.9) \
+         textcolor linetype i notitle, \
      for [i=1:2] "" using (quick("m4", i, "layers")):"colour_rms":("layers") \
          with labels right offset 0,(i == 1 ? 0.8 : -0.9) textcolor linetype i notitle, \
      for [i=1:2] "" using (quick("m4", i, "colour")):"colour_rms":("colour") \

@@ -1,12 +1,18 @@
 # SPDX-License-Identifier: MIT
 # Gerstner waves: what a vertex costs, against the error of its normal, above, and of its
-# place, below.  On each line lie the points of 1, 2, 3, 4 and 8 waves, as the numbers say.
-# Exact and sharpened ones of steepness 0.3 lie on those of 0.7.
+# place, below.  On each line lie the points of 1, 2, 3, 4 and 8 waves, as its numbers
+# say.
+# The grey steps are the Pareto front of so many waves.  Exact and sharpened ones of
+# steepness 0.3 lie on those of 0.7.
 of(name, form, sum) = strcol("form") eq form && column("steepness") == sum ? \
     column(name) : NaN
 series(name, i) = of(name, word("cheap cheap exact sharp", i), i == 2 ? 0.3 : 0.7)
+best(name, n) = column("front") == 1 && column("waves") == n && kind(strcol("form")) < 4 \
+    && column("steepness") > 0.5 ? column(name) : NaN
 kind(form) = form eq "sharp" ? 4 : form eq "exact" ? 3 : column("steepness") < 0.5 ? 2 : 1
-taken(name, i) = is_used(strcol("used")) && kind(strcol("form")) == i ? column(name) : NaN
+# Far outside the picture where it is not, as a set of no points at all is complained of.
+taken(name, i) = is_used(strcol("used")) && kind(strcol("form")) == i ? \
+    column(name) : 1e-3
 array name[4] = ["cheap at 0.7", "cheap at 0.3", "exact", "sharpened"]
 said(i) = name[i]
 last(i, y) = column("waves") == 8 ? series(y, i) : NaN
@@ -14,11 +20,12 @@ lines_ = 'with linespoints linetype i pointsize 1.1'
 used_  = 'with points linetype i pointtype int(word(shapes, i)) + 1 pointsize 1.9 notitle'
 
 upper = 'set tmargin at screen 0.96; set bmargin at screen 0.47; unset xlabel; ' . \
-        'set xtics (200, 500, 1000, 2000); set format x ""; set ytics autofreq; @decades_y; ' . \
-        'set yrange [2e-5:90]'
+        'set xtics (200, 500, 1000, 2000); set format x ""; set ytics autofreq; ' . \
+        '@decades_y; set yrange [2e-5:90]'
 lower = 'set format x; set tmargin at screen 0.42; set bmargin at screen 0.14; ' . \
         'unset logscale y; set format y "%g"; set ytics 0.02; set yrange [0:0.06]'
-normals = 'plot for [i=1:4] csv using (series(cost, i)):"normal_max" @lines_ notitle, ' . \
+normals = 'plot for [i=1:4] csv ' . \
+          'using (series(cost, i)):"normal_max" @lines_ notitle, ' . \
           'for [i=1:4] "" using (taken(cost, i)):"normal_max" @used_'
 counts  = ', "" using (series(cost, 1)):"normal_max":(strcol("waves")) ' . \
           'with labels offset 0,0.8 textcolor linetype 1 notitle' . \
@@ -26,10 +33,15 @@ counts  = ', "" using (series(cost, 1)):"normal_max":(strcol("waves")) ' . \
           'with labels offset 0,-0.8 textcolor linetype 3 notitle' . \
           ', "" using (series(cost, 4)):"normal_max":(strcol("waves")) ' . \
           'with labels offset 0,0.8 textcolor linetype 4 notitle' . \
-          ', for [i=1:2] "" using (series(cost, i)):(last(i, "normal_max")):(said(i)) ' . \
-          'with labels left offset 1,0 textcolor linetype i notitle' . \
-          ', for [i=3:4] "" using (series(cost, i)):(last(i, "normal_max")):(said(i)) ' . \
+          ', for [i=1:2] "" using ' . \
+          '(series(cost, i)):(last(i, "normal_max")):(said(i)) ' . \
+          'with labels left offset 2.6,0 textcolor linetype i notitle' . \
+          ', for [i=3:4] "" using ' . \
+          '(series(cost, i)):(last(i, "normal_max")):(said(i)) ' . \
           'with labels left offset -1,(i == 3 ? -1.9 : 1.9) textcolor linetype i notitle'
+fronts  = ', for [n in "2 3 4 8"] "" ' . \
+          'using (best(cost, n + 0)):(column("normal_max")) ' . \
+          'smooth unique with steps linecolor rgb grey linewidth 0.8 notitle'
 places  = 'plot for [i=1:4] csv using (series(cost, i)):"place_max" @lines_ notitle, ' . \
           'for [i=1:4] "" using (taken(cost, i)):"place_max" @used_'
 
@@ -41,7 +53,7 @@ set xrange [240:2500]
 cost = "m4"
 @upper
 set ylabel "normal, degrees at most" offset 0.5,0
-@normals @counts
+@normals @counts @fronts
 @lower
 @log_x
 set ylabel "place, mm" offset 0.5,0
