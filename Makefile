@@ -284,6 +284,7 @@ $(BUILD)/tests/%: $(BUILD)/tests/%.o $(BUILD)/ports.a $(LIB)
 	    $(CMOCKA) $(LIBS) -o $@
 $(filter $(BUILD)/%,$(GOLDEN)): $(BUILD)/tests/golden/golden.o
 $(filter $(BUILD)/tests/accuracy/%,$(UNIT)): $(BUILD)/reference.a
+$(filter %/test_chart_truths,$(UNIT)): $(filter-out %/span_scene.o,$(SPAN_O))
 $(BUILD)/reference.a: $(REF_O)
 $(BUILD)/reference: $(BUILD)/tests/reference/reference.o $(BUILD)/reference.a \
           $(BUILD)/ports.a $(LIB)
