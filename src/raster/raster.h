@@ -9,7 +9,7 @@
  * is drawn exactly once per layer.
  *
  * Everything is linear in absolute x and y, and the perspective blocks begin at
- * multiples of 16: where a tile cuts a triangle never shows.
+ * multiples of 16 (step.h): where a tile cuts a triangle never shows.
  *
  * Depth and stencil share a word, as they do on GPUs: the high 24 bits are near / depth
  * (larger is nearer), the low 8 say what is there.  Of two things equally near the one
