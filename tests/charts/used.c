@@ -69,3 +69,13 @@ void used_row(const char *chart, const char *point, used_test *test, int32_t of)
 {
     printf("%s,%s,used,%s\n", chart, point, test ? used_by(test, of) : "all");
 }
+
+const tp_scene *used_scene(size_t i, const char **name)
+{
+    if (!n_shipped)
+        read_all();
+    if (i >= n_shipped)
+        return NULL;
+    *name = shipped[i].name;
+    return &shipped[i].scene;
+}

@@ -4,6 +4,7 @@
 #ifndef USED_H
 #define USED_H
 #include <stdbool.h>
+#include <stddef.h>
 #include <stdint.h>
 #include "tidepool/scene.h"
 
@@ -17,4 +18,7 @@ const char *used_by(used_test *test, int32_t of);
 /* The same as a row of the sweep; NULL asks for a method that the engine has alone: all
  * scenes. */
 void used_row(const char *chart, const char *point, used_test *test, int32_t of);
+
+/* The shipped scenes themselves, in the order of their names: NULL beyond the last. */
+const tp_scene *used_scene(size_t i, const char **name);
 #endif
