@@ -111,7 +111,9 @@ UNIT    := $(patsubst %.c,$(BUILD)/%,$(wildcard tests/unit/test_*.c tests/host/t
 REF_O   := $(patsubst %.c,$(BUILD)/%.o,$(filter-out %/reference.c,\
                $(wildcard tests/reference/*.c)))
 KERNELS_O := $(patsubst %.c,$(BUILD)/%.o,$(wildcard tests/charts/kernels*.c))
-CHARTS  := $(addprefix $(BUILD)/tests/charts/,errors kernels frames)
+STABILITY_O := $(patsubst %.c,$(BUILD)/%.o,$(wildcard tests/charts/stability_*.c) \
+               tests/charts/used.c)
+CHARTS  := $(addprefix $(BUILD)/tests/charts/,errors kernels frames stability)
 SPAN_SCENES := from-above three-swells
 SPAN_STEPS  := 0 1 8 16 32
 SPAN_O  := $(addprefix $(BUILD)/tests/charts/,span_scene.o span_steps.o span_true.o \
@@ -358,6 +360,10 @@ $(SPAN_SCENES:%=$(BUILD)/tests/charts/span_errors-%): $(BUILD)/tests/charts/span
           $(BUILD)/tests/charts/span_errors.o $(SPAN_O) build/baked/$(MACHINE)/%.o \
           $(BUILD)/tests/charts/span_used.o $(BUILD)/reference.a $(BUILD)/ports.a $(LIB)
 	$(SAY)$(LINK) $^ $(LIBS) -o $@
+$(BUILD)/tests/charts/stability: $(BUILD)/tests/charts/stability.o $(STABILITY_O) \
+          $(BUILD)/ports.a $(LIB)
+	$(SAY)$(LINK) $^ $(LIBS) -o $@
+$(BUILD)/tests/stability/test_maps: $(STABILITY_O)
 build/host/count.so: tests/budgets/count.c $(BUILD)/flags
 	$(SAY)$(COMPILE) -D_POSIX_C_SOURCE=200809L -fPIC -shared $< -o $@
 build/host/tally.so: tests/bench/tally.c $(BUILD)/flags

@@ -1,0 +1,149 @@
+/* SPDX-License-Identifier: MIT */
+/* The surface above a place [E1]: how far each way of finding it is off, over q, the sum
+ * of steepnesses. */
+#include "tests/charts/stability.h"
+#include "tests/charts/used.h"
+
+#define CHART "stability-buoyancy"
+
+enum { WAVES = 2, SIDE = 16, TIMES = 24, TRUE_STEPS = 4000 };
+
+#define BETWEEN TP_FX(3.21875)  /* m, of the places */
+#define LATER   7               /* ticks, of the times */
+
+typedef struct {
+    double x, y, z;
+} spot;
+
+/* f - mean of [A3], and the sine itself with a power of 1. */
+static double profile(const tp_swell *w, double sine)
+{
+    return w->power > 1 ? 2 * pow((sine + 1) / 2, w->power) - w->mean_q24 / 16777216.0
+                        : sine;
+}
+
+/* The swells' own numbers in double precision, so that what is off is the search. */
+static spot moved(const tp_sea *sea, const tp_turn *phases, double x, double z)
+{
+    const double turn = 2 * STABILITY_PI, whole = 4294967296.0;
+    spot s = { x, 0, z };
+
+    for (uint32_t i = 0; i < sea->count; i++) {
+        const tp_swell *w = &sea->swell[i];
+        double th = turn * (((double)w->turns_x * x + (double)w->turns_z * z
+                             + phases[i]) / whole);
+        s.x += w->reach_x * STABILITY_LSB * cos(th);
+        s.z += w->reach_z * STABILITY_LSB * cos(th);
+        s.y += w->amplitude * STABILITY_LSB * profile(w, sin(th));
+    }
+    return s;
+}
+
+/* Plain steps, each q nearer, until they stay. */
+static double height_above(const tp_sea *sea, const tp_turn *phases, double x, double z)
+{
+    double at_x = x, at_z = z;
+
+    for (int i = 0; i < TRUE_STEPS; i++) {
+        const spot s = moved(sea, phases, at_x, at_z);
+        if (hypot(s.x - x, s.z - z) < 1e-13)
+            break;
+        at_x += x - s.x;
+        at_z += z - s.z;
+    }
+    return moved(sea, phases, at_x, at_z).y;
+}
+
+static tp_sea_point found(const tp_sea *sea, const tp_turn *phases, tp_fx x, tp_fx z,
+                          stability_search how, uint32_t n, tp_fx rest[2])
+{
+    return how == STABILITY_PLAIN ? tp_sea_iterate(sea, phases, x, z, n)
+                                  : tp_sea_above(sea, phases, x, z,
+                                                 how == STABILITY_WARM ? rest : NULL);
+}
+
+/* One place over all times; a warm search begins with a cold one, which counts too. */
+static void look(const tp_sea *sea, tp_fx x, tp_fx z, stability_search how, uint32_t n,
+                 stability_off *off)
+{
+    tp_fx rest[2] = { x, z };
+
+    for (uint64_t tick = 0; tick < TIMES; tick++) {
+        tp_turn phases[TP_WAVES];
+        tp_sea_phases(sea, tick * LATER, 0, phases);
+        const tp_vec3 p = found(sea, phases, x, z, how, n, rest).position;
+        off->along = fmax(off->along, hypot(p.x - x, p.z - z) * STABILITY_LSB);
+        if (stability_sum(sea) >= 1)
+            continue;
+        const double  y = height_above(sea, phases, x * STABILITY_LSB, z * STABILITY_LSB);
+        off->up = fmax(off->up, fabs(p.y * STABILITY_LSB - y));
+    }
+}
+
+stability_off stability_inversion(const tp_sea *sea, stability_search how, uint32_t n)
+{
+    stability_off off = { 0, 0 };
+
+    for (int j = 0; j < SIDE; j++)
+        for (int i = 0; i < SIDE; i++)
+            look(sea, i * BETWEEN, j * BETWEEN, how, n, &off);
+    return off;
+}
+
+double stability_bound(const tp_sea *sea, uint32_t n)
+{
+    return pow(stability_sum(sea), n) * sea->reach * STABILITY_LSB;
+}
+
+/* -- the map --------------------------------------------------------------------------- */
+
+static void rows(const char *method, const tp_sea *sea, stability_search how, uint32_t n,
+                 const char *used)
+{
+    const double q = stability_sum(sea);
+    const stability_off off = stability_inversion(sea, how, n);
+
+    printf(CHART ",%s;%.3g,along,%.3g\n", method, q, off.along);
+    if (q < 1)                                  /* beyond, heights are no function */
+        printf(CHART ",%s;%.3g,up,%.3g\n", method, q, off.up);
+    if (how == STABILITY_PLAIN)
+        printf(CHART ",%s;%.3g,bound,%.3g\n", method, q, stability_bound(sea, n));
+    printf(CHART ",%s;%.3g,used,%s\n", method, q, used);
+}
+
+static void rows_of_scenes(void)
+{
+    const char *name;
+
+    for (size_t i = 0; used_scene(i, &name); i++) {
+        const tp_scene *scene = used_scene(i, &name);
+        tp_sea sea;
+        tp_sea_init(&sea, scene->wave, TP_WAVES, scene->water.gravity);
+        if (scene->boat.mesh[0] && sea.bend > 0)
+            rows(name, &sea, STABILITY_COLD, 0, name);
+    }
+}
+
+/* Plain steps go on to where the clamp does not let the engine's seas go. */
+static void rows_of_plain(uint32_t steps)
+{
+    char name[16];
+
+    snprintf(name, sizeof name, "plain-%u", (unsigned)steps);
+    for (int i = 1; i <= 26; i++) {
+        const tp_sea sea = stability_sea_unheld(WAVES, 0, i / 20.0);
+        rows(name, &sea, STABILITY_PLAIN, steps, "-");
+    }
+}
+
+void stability_buoyancy(void)
+{
+    for (uint32_t steps = 1; steps <= 16; steps *= 2)
+        rows_of_plain(steps);
+    for (int i = 1; i <= 19; i++) {
+        const tp_sea sea = stability_sea(WAVES, 0, i / 20.0);
+        rows("engine", &sea, STABILITY_COLD, 0, "-");
+        rows("engine-warm", &sea, STABILITY_WARM, 0, "-");
+    }
+    rows_of_scenes();
+}

@@ -1,0 +1,67 @@
+/* SPDX-License-Identifier: MIT */
+/* Seas for the maps of the Jacobian and of inversion. */
+#include "tests/charts/stability.h"
+
+#define FIRST_HEADING 30.0      /* off the axes */
+
+/* Lengths have no common measure: all crests come as close together as one likes. */
+tp_sea stability_sea(int waves, double fan, double sum)
+{
+    tp_wave wave[STABILITY_WAVES];
+    double  length = 24;
+    tp_sea  sea;
+
+    for (int i = 0; i < waves; i++, length /= 1.6180339887498949) {
+        const double turned = waves > 1 ? fan * (i / (waves - 1.0) - 0.5) : 0;
+        wave[i] = (tp_wave){
+            .amplitude = TP_FX(length / 40), .length = TP_FX(length),
+            .steepness = TP_FX(sum / waves), .heading = TP_FX(FIRST_HEADING + turned),
+            .speed = TP_FX_ONE,
+        };
+    }
+    tp_sea_init(&sea, wave, (uint32_t)waves, TP_FX(9.81));
+    return sea;
+}
+
+/* Half of it, doubled: below 2 each bend fits its Q2.30.  For the sums of J, and for plain
+ * steps; what a point's slopes need is not there. */
+tp_sea stability_sea_unheld(int waves, double fan, double sum)
+{
+    tp_sea sea = stability_sea(waves, fan, sum / 2);
+
+    for (uint32_t i = 0; i < sea.count; i++) {
+        tp_swell *w = &sea.swell[i];
+        w->bend *= 2;
+        w->bend_xx *= 2;
+        w->bend_xz *= 2;
+        w->bend_zz *= 2;
+        w->reach_x *= 2;
+        w->reach_z *= 2;
+    }
+    sea.bend = 0;               /* which says nothing of it any more */
+    sea.steepness *= 2;
+    sea.reach *= 2;
+    return sea;
+}
+
+double stability_sum(const tp_sea *sea)
+{
+    double sum = 0;
+
+    for (uint32_t i = 0; i < sea->count; i++)
+        sum += sea->swell[i].bend / 1073741824.0;
+    return sum;
+}
+
+double stability_crests(const tp_sea *sea)
+{
+    double xx = 0, xz = 0, zz = 0;
+
+    for (uint32_t i = 0; i < sea->count; i++) {
+        const tp_swell *w = &sea->swell[i];
+        xx += w->bend_xx / 1073741824.0;
+        xz += w->bend_xz / 1073741824.0;
+        zz += w->bend_zz / 1073741824.0;
+    }
+    return 1 - (xx + zz) / 2 - sqrt((xx - zz) * (xx - zz) / 4 + xz * xz);
+}
