@@ -50,8 +50,8 @@ enum { STABILITY_RISES = 57, STABILITY_DEPTHS = 49 };
 double stability_rise(int i);
 double stability_depth(int j);
 
-/* The engine's flags at a point of it. */
-uint32_t stability_flags(int i, int j);
+/* The engine's flags there. */
+uint32_t stability_flags(double rise, double depth);
 
 /* H/L from which a criterion says that a wave breaks. */
 double stability_border(int criterion, double h_over_l);

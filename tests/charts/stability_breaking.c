@@ -18,11 +18,10 @@ double stability_depth(int j)
     return 0.01 * pow(100, j / (STABILITY_DEPTHS - 1.0));
 }
 
-uint32_t stability_flags(int i, int j)
+uint32_t stability_flags(double rise, double depth)
 {
-    return tp_breaking_flags(TP_FX(LENGTH * stability_rise(i)),
-                             tp_depth_number_deep(TP_FX(LENGTH)),
-                             TP_FX(LENGTH * stability_depth(j)));
+    return tp_breaking_flags(TP_FX(LENGTH * rise), tp_depth_number_deep(TP_FX(LENGTH)),
+                             TP_FX(LENGTH * depth));
 }
 
 double stability_border(int criterion, double h_over_l)
@@ -78,6 +77,7 @@ void stability_breaking(void)
 {
     for (int j = 0; j < STABILITY_DEPTHS; j++)
         for (int i = 0; i < STABILITY_RISES; i++)
-            row("map", stability_depth(j), stability_rise(i), stability_flags(i, j), "-");
+            row("map", stability_depth(j), stability_rise(i),
+                stability_flags(stability_rise(i), stability_depth(j)), "-");
     rows_of_scenes();
 }

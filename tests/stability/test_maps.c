@@ -90,6 +90,29 @@ static void points_fold_where_the_jacobian_is_below_0(void **state)
 
 /* -- breaking [B14] [B15] -------------------------------------------------------------- */
 
+static uint32_t flags_at(int i, int j)
+{
+    return stability_flags(stability_rise(i), stability_depth(j));
+}
+
+/* Between them heights of 16.16 m, the least of 8000 units, which bisection finds. */
+static void criteria_begin_where_the_theory_says(void **state)
+{
+    (void)state;
+    for (int c = 0; c < STABILITY_CRITERIA; c++)
+        for (int j = 0; j < STABILITY_DEPTHS; j++) {
+            double low = 0.001, high = 1;
+            for (int n = 0; n < 40; n++) {
+                const double rise = (low + high) / 2;
+                if (stability_flags(rise, stability_depth(j)) >> c & 1)
+                    high = rise;
+                else
+                    low = rise;
+            }
+            assert_true(fabs(low / stability_border(c, stability_depth(j)) - 1) < 3e-4);
+        }
+}
+
 /* In each column of the map the first row whose flag is set is the first beyond the
  * theory, or its neighbour. */
 static void criteria_begin_within_one_step_of_the_theory(void **state)
@@ -99,7 +122,7 @@ static void criteria_begin_within_one_step_of_the_theory(void **state)
         for (int j = 0; j < STABILITY_DEPTHS; j++) {
             const double border = stability_border(c, stability_depth(j));
             int flagged = 0, beyond = 0;
-            while (flagged < STABILITY_RISES && !(stability_flags(flagged, j) >> c & 1))
+            while (flagged < STABILITY_RISES && !(flags_at(flagged, j) >> c & 1))
                 flagged++;
             while (beyond < STABILITY_RISES && stability_rise(beyond) <= border)
                 beyond++;
@@ -112,7 +135,7 @@ static void what_breaks_goes_on_breaking_when_it_is_higher(void **state)
     (void)state;
     for (int j = 0; j < STABILITY_DEPTHS; j++)
         for (int i = 1; i < STABILITY_RISES; i++)
-            assert_int_equal(stability_flags(i - 1, j) & ~stability_flags(i, j), 0);
+            assert_int_equal(flags_at(i - 1, j) & ~flags_at(i, j), 0);
 }
 
 /* -- inversion [E1] -------------------------------------------------------------------- */
@@ -199,6 +222,7 @@ int main(void)
         cmocka_unit_test(loops_begin_at_a_sum_of_1),
         cmocka_unit_test(the_clamp_leaves_a_twentieth_of_the_jacobian),
         cmocka_unit_test(points_fold_where_the_jacobian_is_below_0),
+        cmocka_unit_test(criteria_begin_where_the_theory_says),
         cmocka_unit_test(criteria_begin_within_one_step_of_the_theory),
         cmocka_unit_test(what_breaks_goes_on_breaking_when_it_is_higher),
         cmocka_unit_test(plain_steps_stay_below_their_bound),
