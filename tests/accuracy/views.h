@@ -25,12 +25,20 @@ static inline tp_scene scene_level(void)
 }
 
 /* `v->scene` and `v->assets` are set; waves go on to the end of the water. */
-static inline void view_open(view_of_ref *v, uint32_t width, uint32_t height)
+static inline void view_open_at(view_of_ref *v, uint32_t width, uint32_t height,
+                                uint32_t ticks)
 {
     v->world = scene_world(&v->scene, &v->assets);
     if (!v->world)
         abort();
+    while (v->world->tick < ticks)
+        tp_world_step(v->world, &v->scene, NULL);
     ref_scene_open(&v->ref, &v->scene, &v->assets, v->world, width, height, false);
+}
+
+static inline void view_open(view_of_ref *v, uint32_t width, uint32_t height)
+{
+    view_open_at(v, width, height, 0);
 }
 
 static inline void view_close(view_of_ref *v)

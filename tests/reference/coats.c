@@ -28,8 +28,9 @@ static ref_vec sun_at(const ref_scene *s, bool wet)
 
 /* [F5]: Phong's, or Blinn's of four times the exponent. */
 static double lobe(const ref_scene *s, double shininess, ref_vec n, ref_vec way,
-                   ref_vec sun, double nl)
+                   ref_vec sun)
 {
+    const double nl = ref_dot(n, sun);
     const double rv = -2 * nl * ref_dot(n, way) + ref_dot(sun, way);
 
     if (nl <= 0)
@@ -40,16 +41,19 @@ static double lobe(const ref_scene *s, double shininess, ref_vec n, ref_vec way,
     return pow(ref_clamp(rv, 0, 1), shininess);
 }
 
-/* Colour, normal and the way that is looked along. */
+/* Colour, normal and the way that is looked along.  A narrowed beam has its own share of
+ * light, and a lobe of the same width. */
 static ref_colour phong(const ref_scene *s, const coat *c, ref_vec n, ref_vec way,
                         ref_vec sun)
 {
-    const double nl = ref_clamp(ref_dot(n, sun), 0, 1);
-    const ref_colour light = ref_colour_of((uint32_t)s->scene->light.colour);
+    const double nl = ref_clamp(ref_dot(n, sun), 0, 1), beam = sqrt(ref_dot(sun, sun));
+    const ref_colour light = ref_scale(ref_colour_of((uint32_t)s->scene->light.colour),
+                                       beam);
 
     return ref_add(ref_scale(c->diffuse, s->ambient + (1 - s->ambient) * nl),
                    ref_scale(ref_times(c->specular, light),
-                             lobe(s, c->shininess, n, way, sun, nl)));
+                             beam > 0 ? lobe(s, c->shininess, n, way, ref_unit_vec(sun))
+                                      : 0));
 }
 
 /* -- the boat ------------------------------------------------------------------------ */

@@ -82,9 +82,10 @@ static uint32_t build(ref_mesh *m, uint32_t first, uint32_t count)
     return here;
 }
 
-ref_mesh ref_mesh_of(const tp_mesh *mesh, double scale)
+ref_mesh ref_mesh_of(const tp_mesh *mesh, double scale, bool lids)
 {
     ref_mesh m = { .mesh = mesh, .scale = scale };
+    uint32_t count = 0;
 
     if (!mesh || mesh->n_faces == 0)
         return (ref_mesh){ .mesh = NULL };
@@ -93,8 +94,10 @@ ref_mesh ref_mesh_of(const tp_mesh *mesh, double scale)
     if (!m.face || !m.box)
         abort();
     for (uint32_t i = 0; i < mesh->n_faces; i++)
-        m.face[i] = i;
-    build(&m, 0, mesh->n_faces);
+        if ((mesh->materials[mesh->faces[i].material].opacity == 0) == lids)
+            m.face[count++] = i;
+    if (count > 0)
+        build(&m, 0, count);
     return m;
 }
 
@@ -144,7 +147,7 @@ bool ref_mesh_meets(const ref_mesh *mesh, const ref_ray *ray, double t0, double 
     uint32_t stack[DEPTH], top = 0;
 
     *hit = (ref_face_hit){ .t = t1 };
-    if (!mesh->mesh)
+    if (!mesh->mesh || mesh->boxes == 0)
         return false;
     stack[top++] = 0;
     while (top > 0) {

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* A mesh and a ray: triangles in a tree of boxes, halved at the median of its longest
- * side.  All in the mesh's own frame, in metres after `scale`. */
+ * side.  All in the mesh's own frame, in metres after `scale`.  Of a mesh either what is
+ * seen is taken, or its lids (asset.h): faces of opacity 0. */
 #ifndef TP_REFERENCE_MESH_H
 #define TP_REFERENCE_MESH_H
 #include <stdbool.h>
@@ -27,7 +28,7 @@ typedef struct {
     double   share[3];          /* of its corners */
 } ref_face_hit;
 
-ref_mesh ref_mesh_of(const tp_mesh *mesh, double scale);
+ref_mesh ref_mesh_of(const tp_mesh *mesh, double scale, bool lids);
 void     ref_mesh_free(ref_mesh *mesh);
 
 /* The nearest front face between t0 and t1. */

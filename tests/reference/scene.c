@@ -57,7 +57,8 @@ static void place_boat(ref_scene *s, const tp_world *world, double back)
 {
     const tp_pose *a = &world->last_boat, *b = &world->boat;
 
-    s->boat = ref_mesh_of(s->assets->boat, ref_number(s->scene->boat.scale));
+    s->boat = ref_mesh_of(s->assets->boat, ref_number(s->scene->boat.scale), false);
+    s->lids = ref_mesh_of(s->assets->boat, ref_number(s->scene->boat.scale), true);
     s->boat_rows = ref_rows_of(turn_between(a->heading, b->heading, back),
                                turn_between(a->pitch, b->pitch, back),
                                turn_between(a->roll, b->roll, back));
@@ -157,6 +158,19 @@ static void place_blocks(ref_scene *s)
         add_row(s, c, row, low, high);
 }
 
+/* Beside a tank there is no water. */
+static bool is_sunk(const ref_scene *s)
+{
+    const ref_vec e = s->camera.eye;
+    const ref_tank *b = &s->tank;
+    double rest[2] = { e.x, e.z };
+
+    if (b->kind != TP_TANK_NONE
+        && (e.x <= b->x0 || e.x >= b->x1 || e.z <= b->z0 || e.z >= b->z1))
+        return false;
+    return e.y < ref_surface_height(&s->surface, e.x, e.z, rest, 1e-9);
+}
+
 void ref_scene_open(ref_scene *s, const tp_scene *scene, const tp_assets *assets,
                     const tp_world *world, uint32_t width, uint32_t height, bool meshed)
 {
@@ -175,15 +189,14 @@ void ref_scene_open(ref_scene *s, const tp_scene *scene, const tp_assets *assets
     place_tank(s);
     s->surface = ref_surface_of(scene, world, s->camera.eye, s->camera.ahead, meshed);
     place_blocks(s);
-    double rest[2] = { s->camera.eye.x, s->camera.eye.z };
-    s->sunk = s->camera.eye.y < ref_surface_height(&s->surface, s->camera.eye.x,
-                                                   s->camera.eye.z, rest, 1e-9);
+    s->sunk = is_sunk(s);
 }
 
 void ref_scene_close(ref_scene *s)
 {
     ref_surface_free(&s->surface);
     ref_mesh_free(&s->boat);
+    ref_mesh_free(&s->lids);
     free(s->drop);
     free(s->block);
 }

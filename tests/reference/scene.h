@@ -40,7 +40,7 @@ typedef struct {
     double     exposure;        /* of the camera, 1: as it is */
     double     seconds;         /* since tick 0 */
     bool       sunk;            /* the eye is under water */
-    ref_mesh   boat;
+    ref_mesh   boat, lids;
     ref_rows   boat_rows;
     ref_vec    boat_place;
     ref_drop  *drop;

@@ -14,10 +14,23 @@ static bool is_nearer(ref_solid *solid, double t0, double t, ref_kind kind,
     return true;
 }
 
+static ref_ray in_boat(const ref_scene *s, const ref_ray *ray)
+{
+    return (ref_ray){ ref_into(&s->boat_rows, ref_sub(ray->from, s->boat_place)),
+                      ref_into(&s->boat_rows, ray->way) };
+}
+
+double ref_lid_at(const ref_scene *s, const ref_ray *ray, double t0, double t1)
+{
+    const ref_ray own = in_boat(s, ray);
+    ref_face_hit face;
+
+    return ref_mesh_meets(&s->lids, &own, t0, t1, &face) ? face.t : t1;
+}
+
 static void try_boat(const ref_scene *s, const ref_ray *ray, double t0, ref_solid *solid)
 {
-    const ref_ray own = { ref_into(&s->boat_rows, ref_sub(ray->from, s->boat_place)),
-                          ref_into(&s->boat_rows, ray->way) };
+    const ref_ray own = in_boat(s, ray);
     ref_face_hit face;
 
     if (ref_mesh_meets(&s->boat, &own, t0, solid->t, &face)) {
@@ -140,14 +153,13 @@ static void try_block(const ref_block *b, const ref_ray *ray, double t0,
                       ref_solid *solid)
 {
     const ref_vec f = ray->from, w = ray->way;
-    const double x = ((w.x > 0 ? b->x0 : b->x1) - f.x) / w.x;
-    const double y = ((w.y > 0 ? b->y0 : b->y1) - f.y) / w.y;
-    const double z = ((w.z > 0 ? b->z0 : b->z1) - f.z) / w.z;
-    const double out = fmin(((w.x > 0 ? b->x1 : b->x0) - f.x) / w.x,
-                            fmin(((w.y > 0 ? b->y1 : b->y0) - f.y) / w.y,
-                                 ((w.z > 0 ? b->z1 : b->z0) - f.z) / w.z));
-    const double t = fmax(x, fmax(y, z));
+    double x = -HUGE_VAL, y = -HUGE_VAL, z = -HUGE_VAL, out = HUGE_VAL;
 
+    if (!ref_ray_between(f.x, w.x, b->x0, b->x1, &x, &out)
+        || !ref_ray_between(f.y, w.y, b->y0, b->y1, &y, &out)
+        || !ref_ray_between(f.z, w.z, b->z0, b->z1, &z, &out))
+        return;
+    const double t = fmax(x, fmax(y, z));
     if (!(t <= out))
         return;
     is_nearer(solid, t0, t, REF_WALL, ray,

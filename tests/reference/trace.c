@@ -26,14 +26,15 @@ static double glass_at(const ref_scene *s, const ref_ray *ray, ref_vec *n)
 {
     const ref_tank *b = &s->tank;
     const double dx = ray->way.x, dz = ray->way.z;
-    const double tx = ((dx > 0 ? b->x0 : b->x1) - ray->from.x) / dx;
-    const double tz = ((dz > 0 ? b->z0 : b->z1) - ray->from.z) / dz;
-    const double t = fmax(tx, tz);              /* a box is entered by its last side */
-    const ref_vec at = ref_ray_at(ray, t);
+    double tx = -HUGE_VAL, tz = -HUGE_VAL, out = HUGE_VAL;
 
-    if (b->kind != TP_TANK_GLASS || !(t > 0) || at.x < b->x0 - 1e-9
-        || at.x > b->x1 + 1e-9 || at.z < b->z0 - 1e-9 || at.z > b->z1 + 1e-9
-        || at.y < -b->depth || at.y > b->rim)
+    if (b->kind != TP_TANK_GLASS
+        || !ref_ray_between(ray->from.x, dx, b->x0, b->x1, &tx, &out)
+        || !ref_ray_between(ray->from.z, dz, b->z0, b->z1, &tz, &out))
+        return HUGE_VAL;
+    const double t = fmax(tx, tz);              /* a box is entered by its last side */
+    const double y = ray->from.y + t * ray->way.y;
+    if (!(t > 0 && t <= out && y >= -b->depth && y <= b->rim))
         return HUGE_VAL;
     *n = tx > tz ? (ref_vec){ dx > 0 ? -1 : 1, 0, 0 }
                  : (ref_vec){ 0, 0, dz > 0 ? -1 : 1 };
@@ -99,7 +100,9 @@ static ref_seen bare(const ref_scene *s, const ref_ray *ray, double t0, double *
     const bool hit = ref_solid_meets(s, ray, IN_AIR, t0, FAR, &solid);
 
     *far = solid.t;
-    if (ref_ray_meets(&s->surface, ray, t0, solid.t, false, &m)) {
+    const double wet_to = solid.kind == REF_BOAT ? ref_lid_at(s, ray, t0, solid.t)
+                                                 : solid.t;
+    if (ref_ray_meets(&s->surface, ray, t0, wet_to, false, &m)) {
         *far = m.t;
         return wet(s, &m.water, ray->way);
     }

@@ -1,0 +1,211 @@
+/* SPDX-License-Identifier: MIT */
+/* Looking from a camera in a direction, by angles alone: what the reference draws there
+ * beside closed forms that share nothing with it but the scene's numbers. */
+#ifndef TP_TESTS_ACCURACY_SIGHTS_H
+#define TP_TESTS_ACCURACY_SIGHTS_H
+#include "tests/unit/measure.h"
+#include "views.h"
+
+/* Radians: clockwise from north, -z, and above the horizon. */
+typedef struct {
+    double azimuth, elevation;
+} sight;
+
+/* A colour's channel k, red first. */
+static inline double channel(int32_t colour, int k)
+{
+    return (uint32_t)colour >> (16 - 8 * k) & 255;
+}
+
+static inline double between(double a, double b, double share)
+{
+    return a * (1 - share) + b * share;
+}
+
+static inline double radians(tp_turn turn)
+{
+    return turn * (2 * PI / 4294967296.0);
+}
+
+/* Of the angle between two, by the sides of a spherical triangle. */
+static inline double sight_cos(sight a, sight b)
+{
+    return sin(a.elevation) * sin(b.elevation)
+         + cos(a.elevation) * cos(b.elevation) * cos(a.azimuth - b.azimuth);
+}
+
+/* The world's light, quantised as the world holds it. */
+static inline sight sight_light(const view_of_ref *v)
+{
+    return (sight){ radians(v->world->light_heading),
+                    radians(v->world->light_elevation) };
+}
+
+static inline sight sight_ahead(const view_of_ref *v)
+{
+    return (sight){ radians(v->world->heading),
+                    (int32_t)v->world->pitch * (2 * PI / 4294967296.0) };
+}
+
+/* Where that direction lies in a picture of width x height; false: not in it. */
+static inline bool sight_place(const view_of_ref *v, sight to, uint32_t width,
+                               uint32_t height, double place[2])
+{
+    const sight axis = sight_ahead(v);
+    const double focal = height / 2.0 / tan(v->scene.camera.fov / 65536.0 * PI / 360);
+    const double level = cos(to.elevation) * cos(to.azimuth - axis.azimuth);
+    const double aside = cos(to.elevation) * sin(to.azimuth - axis.azimuth);
+    const double sine = sin(axis.elevation), cosine = cos(axis.elevation);
+    const double deep = level * cosine + sin(to.elevation) * sine;
+    const double up = sin(to.elevation) * cosine - level * sine;
+
+    place[0] = width / 2.0 + focal * aside / deep;
+    place[1] = height / 2.0 - focal * up / deep;
+    return deep > 0 && place[0] > 0 && place[0] < width && place[1] > 0
+        && place[1] < height;
+}
+
+/* Of a view opened as 64x48 pixels, for a direction that it holds. */
+static inline ref_seen sight_look(const view_of_ref *v, sight to)
+{
+    double place[2];
+
+    assert_true(sight_place(v, to, 64, 48, place));
+    return ref_look(&v->ref, place[0], place[1]);
+}
+
+/* Any direction of the picture from one elevation to another. */
+static inline sight sight_any(const view_of_ref *v, uint64_t *state, double low,
+                              double high)
+{
+    const sight axis = sight_ahead(v);
+    double place[2];
+    sight s;
+
+    do
+        s = (sight){ axis.azimuth + chance_double(state, -1, 1) * PI,
+                     chance_double(state, low, high) };
+    while (!sight_place(v, s, 64, 48, place));
+    return s;
+}
+
+/* A light, and water that is seen through, of any kind. */
+static inline tp_scene scene_clear_any(uint64_t *state)
+{
+    tp_scene s = scene_level();
+
+    s.light.heading = chance_fx(state, -180, 180);
+    s.light.elevation = chance_fx(state, 5, 90);
+    s.light.ambient = chance_fx(state, 0, 1);
+    s.light.colour = chance_int(state, 0, 0xffffff);
+    s.water.clear = chance_scale(state, 1, 30);
+    s.water.tint = chance_int(state, 0, 0xffffff) | 0x202020;
+    s.water.deep = chance_int(state, 0, 0xffffff);
+    return s;
+}
+
+/* -- what light does --------------------------------------------------------------- */
+
+#define WATER 1.333
+
+/* Fresnel's laws by sines and tangents of the angles, from index 1 into `e`; not for a
+ * look square to the surface. */
+static inline double fresnel_of(double angle, double e)
+{
+    const double bent = asin(sin(angle) / e);
+    return (pow(sin(angle - bent) / sin(angle + bent), 2)
+            + pow(tan(angle - bent) / tan(angle + bent), 2)) / 2;
+}
+
+/* The gradient's sky: of the zenith's colour all but a square of 1 - sine. */
+static inline double gradient_of(const tp_scene *s, double elevation, int k)
+{
+    const double rest = 1 - fmax(0, sin(elevation));
+    return channel(s->sky.zenith, k)
+         + rest * rest * (channel(s->sky.horizon, k) - channel(s->sky.zenith, k));
+}
+
+/* The light under water is steeper; of what it lays on a face a level one has as much as
+ * it would have dry. */
+static inline double wet_cos(const view_of_ref *v, sight face)
+{
+    const sight light = sight_light(v);
+    const sight bent = { light.azimuth, acos(cos(light.elevation) / WATER) };
+
+    return sight_cos(face, bent) * sin(light.elevation) / sin(bent.elevation);
+}
+
+/* Of `seen` after `way` m of water, what is lost made up by `body`. */
+static inline double beer_of(const tp_scene *s, double seen, double body, double way,
+                             int k)
+{
+    const double clear = s->water.clear > 0 ? s->water.clear / 65536.0 : 4;
+    return between(body, seen, exp(way / clear * log(channel(s->water.tint, k) / 255)));
+}
+
+/* What is lit by the light at a cosine. */
+static inline double lit_of(const tp_scene *s, double cosine)
+{
+    const double ambient = s->light.ambient / 65536.0;
+    return ambient + (1 - ambient) * fmax(0, cosine);
+}
+
+/* A picture of noise. */
+enum { NOISE = 16 };
+
+typedef struct {
+    tp_texture texture;
+    uint32_t   pixel[NOISE * NOISE], texel[2 * NOISE * NOISE];
+} noise_picture;
+
+static inline const tp_texture *noise_of(noise_picture *p, uint64_t *state)
+{
+    for (int i = 0; i < NOISE * NOISE; i++)
+        p->pixel[i] = (uint32_t)random_next(state) | 0xff000000u;
+    if (tp_texture_init(&p->texture, p->pixel, NOISE, NOISE, p->texel, NULL) != TP_OK)
+        abort();
+    return &p->texture;
+}
+
+/* Its channel k between texels' centres, repeated: each texel's share is what is left of
+ * 1 beside its distance, both ways. */
+static inline double tents_of(const noise_picture *p, double x, double y, int k)
+{
+    double sum = 0;
+
+    for (int i = 0; i < NOISE * NOISE; i++) {
+        const double dx = x - (i % NOISE + 0.5) / NOISE;
+        const double dy = y - ((double)(i / NOISE) + 0.5) / NOISE;
+        const double far_x = fabs(dx - round(dx)) * NOISE;
+        const double far_y = fabs(dy - round(dy)) * NOISE;
+        sum += fmax(0, 1 - far_x) * fmax(0, 1 - far_y)
+             * channel((int32_t)p->pixel[i], k);
+    }
+    return sum;
+}
+
+/* Its texel at a place; NAN so near to an edge that either may be meant. */
+static inline double texel_at(const noise_picture *p, double s, double t, int k)
+{
+    const double x = (s - floor(s)) * NOISE, y = (t - floor(t)) * NOISE;
+
+    if (fabs(x - round(x)) < 1e-7 || fabs(y - round(y)) < 1e-7)
+        return (double)NAN;
+    return channel((int32_t)p->pixel[(int)y % NOISE * NOISE + (int)x % NOISE], k);
+}
+
+/* A picture of one colour. */
+typedef struct {
+    tp_texture texture;
+    uint32_t   texel[4];
+} plain_picture;
+
+static inline const tp_texture *plain_of(plain_picture *p, uint32_t colour)
+{
+    const uint32_t pixel = colour | 0xff000000u;
+
+    if (tp_texture_init(&p->texture, &pixel, 1, 1, p->texel, NULL) != TP_OK)
+        abort();
+    return &p->texture;
+}
+#endif
