@@ -73,7 +73,7 @@ static void level_water_mirrors_the_sky_by_fresnels_share(void **state)
     assert_true(off.worst < 1e-8);
 }
 
-/* -- through the water --------------------------------------------------------------- */
+/* -- through the water ------------------------------------------------------------- */
 
 static tp_scene scene_clear(void)
 {
@@ -152,7 +152,7 @@ static void a_sunken_eye_sees_snells_window(void **state)
     view_close(&v);
 }
 
-/* -- mirrored things ----------------------------------------------------------------- */
+/* -- mirrored things --------------------------------------------------------------- */
 
 /* What level water mirrors is what an eye as deep below it sees of the things above. */
 static void a_mirror_is_an_eye_below_the_level(void **state)
