@@ -4,9 +4,9 @@
  *
  *     WIDTHxHEIGHT TICK [WORD]... / [WIDTHxHEIGHT] [TICK] [WORD]... / ...
  *
- * Words (words.h) parted by blanks, of the command line or the semihosting one; each "/" begins
- * another picture, of the scene as it was baked; size and tick stay as they were if they
- * are not told anew.  Of each a line
+ * Words (words.h; "bare" leaves the boat out) parted by blanks, of the command line or the
+ * semihosting one; each "/" begins another picture, of the scene as it was baked; size and
+ * tick stay as they were if they are not told anew.  Of each a line
  *     run WIDTH HEIGHT TICK WATER_PIXELS VERTICES TRIANGLES DROPPED CRC32
  *
  * The marks count a tick, the one that leads to TICK, a frame's beginning and its tiles,
@@ -59,9 +59,10 @@ _Noreturn static void stop(const char *why, const char *what)
 /* -- a picture's wishes -------------------------------------------------------------- */
 
 typedef struct {
-    tp_scene scene;
-    uint32_t width, height, tick;
-    bool     still;             /* nothing was set that the world knows of */
+    tp_scene  scene;
+    tp_assets assets;
+    uint32_t  width, height, tick;
+    bool      still;            /* nothing was set that the world knows of */
 } wish;
 
 static void read_word(wish *w, const char *word, size_t bytes)
@@ -70,9 +71,11 @@ static void read_word(wish *w, const char *word, size_t bytes)
     bool still = true;
 
     if (*word < '0' || *word > '9') {
-        if (!word_set(&w->scene, word, bytes, &still))
+        if (word_begins(word, "bare"))
+            w->assets.boat = NULL;
+        else if (!word_set(&w->scene, word, bytes, &still))
             stop("not understood: ", word);
-        w->still = w->still && still;
+        w->still = w->still && still && w->assets.boat == baked_assets.boat;
     } else if (by == bytes)
         w->tick = word_number(word);
     else {
@@ -85,6 +88,7 @@ static void read_word(wish *w, const char *word, size_t bytes)
 static const char *read_wish(wish *w, const char *text)
 {
     w->scene = baked_scene;
+    w->assets = baked_assets;
     w->still = true;
     for (; *text && *text != '/'; text += *text == ' ') {
         const size_t bytes = word_until(text, ' ');
@@ -111,13 +115,13 @@ static void make_past(past *p, const wish *w)
 
     if (p->world && p->usual && w->still && p->tick == w->tick)
         return;
-    p->bytes = tp_world_bytes(&w->scene, &baked_assets);
+    p->bytes = tp_world_bytes(&w->scene, &w->assets);
     p->world = tp_arena_take(&arena, 1, p->bytes);
     p->left = arena;
     p->tick = w->tick;
     p->usual = w->still;
     if (!p->world || !p->bytes
-        || tp_world_init(p->world, p->bytes, &w->scene, &baked_assets, NULL))
+        || tp_world_init(p->world, p->bytes, &w->scene, &w->assets, NULL))
         stop("the world cannot be made", "");
     while (p->world->tick + 1 < w->tick)
         tp_world_step(p->world, &w->scene, NULL);
@@ -160,12 +164,12 @@ static void draw(const wish *w, const past *p)
     tp_arena  arena = p->left;
     tp_world *world = tp_arena_take(&arena, 1, p->bytes);
     void     *scratch = tp_arena_take(&arena, 1, tp_frame_scratch_bytes(&config));
-    void     *block = tp_arena_take(&arena, 1, tp_frame_bytes(&w->scene, &baked_assets,
+    void     *block = tp_arena_take(&arena, 1, tp_frame_bytes(&w->scene, &w->assets,
                                                               &config));
     uint32_t  crc = 0;
     tp_frame *frame;
 
-    if (arena.failed || tp_frame_init(&frame, &w->scene, &baked_assets, &config, block,
+    if (arena.failed || tp_frame_init(&frame, &w->scene, &w->assets, &config, block,
                                       NULL))
         stop("the frame does not fit", "");
     memcpy(world, p->world, p->bytes);
