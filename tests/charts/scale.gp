@@ -23,7 +23,7 @@ big(v) = v < 1e3 ? sprintf("%.3g", v) : v < 1e6 ? sprintf("%.3g k", v * 1e-3) : 
          sprintf("%.3g M", v * 1e-6)
 equation(i) = big(base[i]) . " + " . big(slope[i]) . " n"
 
-array left[3] = [0.1, 0.415, 0.73]
+array left[3] = [0.115, 0.425, 0.735]
 place = 'k = panel - 1; set lmargin at screen left[k % 3 + 1]; ' . \
         'set rmargin at screen left[k % 3 + 1] + 0.245; ' . \
         'set tmargin at screen (k < 3 ? 0.985 : 0.485); ' . \
@@ -48,7 +48,7 @@ set format x "%.0s%c"
 set xrange [4000:400000]
 set yrange [1.5:900]
 set ytics (2, 5, 20, 50, 200, 500)
-set ylabel "M instructions" offset 0.5,0
+set ylabel "M instructions" offset 1.2,0
 @both
 panel = 2
 @place
@@ -70,7 +70,7 @@ set xtics (300, 3000, 30000)
 set xrange [200:90000]
 set yrange [0.005:40]
 set ytics (0.01, 0.1, 1, 10)
-set ylabel "M instructions" offset 0.5,0
+set ylabel "M instructions" offset 1.2,0
 @both
 
 panel = 5
@@ -85,7 +85,7 @@ set xrange [0.5:*]
 set yrange [0:*]
 set format
 if (timed) {
-    set label 1 "frames/s, 640x480" at graph 0.04,0.93 left
+    set label 1 "frames/s, 640x480" at graph 0.04,0.08 left
     plot time_csv using "n":(strcol("of") eq "threads" ? 1000 / column("ms") : NaN) \
         with linespoints linetype 3 pointtype 9 notitle
 } else {
