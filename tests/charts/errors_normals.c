@@ -2,6 +2,7 @@
 /* Normals against the exact one [A10] of the same place of the world, in double
  * precision: the place at rest is solved for there too. */
 #include <string.h>
+#include "scene/sides.h"
 #include "tests/charts/errors.h"
 #include "tests/charts/normals.h"
 #include "tests/charts/used.h"
@@ -21,12 +22,14 @@ static double degrees_off(const ref_point *p, const int32_t slope[2])
 }
 
 /* By the method's first letter: waves whose normals have cross terms, or none; a pool,
- * whose slopes are taken over one cell; maps of ripples, which have 8 bits. */
+ * whose slopes are taken over one cell; maps of ripples, which have 8 bits.  Waves over
+ * a floor or in wind are an ocean's, not these. */
 static bool takes(const tp_scene *scene, int32_t method)
 {
     tp_sea sea;
 
-    tp_sea_init(&sea, scene->wave, TP_WAVES, scene->water.gravity);
+    tp_sea_init(&sea, scene->wave, tp_has_ocean(scene) ? 0 : TP_WAVES,
+                scene->water.gravity);
     switch (method) {
     case 'e': return sea.count > 0 && sea.crossed;
     case 'c': return sea.count > 0 && !sea.crossed;
