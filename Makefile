@@ -350,7 +350,8 @@ $(SPAN_STEPS:%=$(BUILD)/tests/charts/span_step_%.o): \
           $(BUILD)/tests/charts/span_step_%.o: src/raster/span.c $(BUILD)/flags
 	@mkdir -p $(@D)
 	$(SAY)$(COMPILE) $(BARE) -DTP_SPAN_STEP=$* $(foreach f,tri_water tri_solid tri_lid \
-	    samples_clear,-Dtp_$f=tp_$f_$*) $(if $(*:0=),,-Wno-maybe-uninitialized) \
+	    samples_clear,-Dtp_$f=tp_$f_$*) $(if $(*:0=),,-Wno-unknown-warning-option \
+	    -Wno-maybe-uninitialized) \
 	    -c $< -o $@
 $(SPAN_SCENES:%=$(BUILD)/tests/charts/span-%): $(BUILD)/tests/charts/span-%: \
           $(BUILD)/tests/charts/span.o $(SPAN_O) build/baked/$(MACHINE)/%.o \
