@@ -6,7 +6,7 @@ scenes = "three-swells from-above"
 of(name, i) = strcol("scene") eq word(scenes, i) ? column(name) : NaN
 quick(name, i, rate) = strcol("filter") eq "quick" && strcol("rate") eq rate ? \
     of(name, i) : NaN
-exact(name, i, filter) = strstrt(strcol("filter"), filter) == 1 ? of(name, i) : NaN
+exact(name, i, filter) = strcol("filter") eq filter ? of(name, i) : NaN
 # Far outside the picture where it is not, as a set of no points at all is complained of.
 taken(name, i) = is_used(strcol("used")) && strcol("scene") eq word(scenes, i) ? \
     column(name) : 1e-3
@@ -29,12 +29,15 @@ plot for [i=1:2] csv using (best("m4", i)):(column("colour_rms")) @front_line \
          title i == 1 ? "Pareto front" : "", \
      for [i=1:2] "" using (of("m4", i)):"colour_rms" @points_ title word(scenes, i), \
      for [i=1:2] "" using (taken("m4", i)):"colour_rms" @used_, \
-     for [i=1:2] "" using (exact("m4", i, "linear")):"colour_rms":(strcol("filter")) \
+     for [i=1:2] for [f in "linear linear-1"] "" \
+         using (exact("m4", i, f)):"colour_rms":(f) \
          with labels left offset 1,0.1 textcolor linetype i notitle, \
-     for [i=1:2] "" using (exact("m4", i, "nearest")):"colour_rms":(strcol("filter")) \
-         with labels right offset -1,-0.6 textcolor linetype i notitle, \
+     for [i=1:2] for [f in "nearest nearest-1"] "" \
+         using (exact("m4", i, f)):"colour_rms":(f) \
+         with labels right offset -1,(f eq "nearest" ? -0.6 : 0.2) \
+         textcolor linetype i notitle, \
      for [i=1:2] "" using (quick("m4", i, "full")):"colour_rms":("quick") \
-         with labels left offset (i == 1 ? 1 : 0.3),(i == 1 ? 0.3 : -0.9) \
+         with labels left offset (i == 1 ? 1 : -0.5),(i == 1 ? 0.3 : -1.7) \
          textcolor linetype i notitle, \
      for [i=1:2] "" using (quick("m4", i, "layers")):"colour_rms":("layers") \
          with labels right offset 0,(i == 1 ? 0.8 : -0.9) textcolor linetype i notitle, \
