@@ -148,7 +148,8 @@ static int write_charts(const charts *c, const cells *all, const options *o,
     }
     if (!code && !o->small)
         code = charts_draw(c, written, dir, o->jobs);
-    return code ? code : charts_page(c, dir);
+    const int page = charts_page(c, dir);
+    return code ? code : page;
 }
 
 static int prepare(const charts *c, chart_jobs *jobs, const options *o)

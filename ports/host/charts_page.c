@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* The page of all charts, DIR/README.md: the folder's page.md, in which a line @NAME is
- * the place of a chart.  Charts that it does not name come behind, by name; those without
- * a table in DIR are left out. */
+ * the place of a chart, and @NAME* of those left whose names begin so.  Charts that it
+ * does not name come behind, by name; those without a table in DIR are left out. */
 #include <errno.h>
 #include <stdlib.h>
 #include <string.h>
@@ -74,18 +74,39 @@ static void print_chart(page *p, const chart *of)
     p->blank = false;
 }
 
+static void print_text(page *p, const char *line)
+{
+    const bool blank = line[0] == '\n';
+    if (!blank || !p->blank)
+        fputs(line, p->file);
+    p->blank = blank;
+}
+
+/* Those that are left of a prefix's; "" is every chart's. */
+static void print_left(page *p, const char *prefix)
+{
+    for (size_t i = 0; i < p->charts->count; i++) {
+        const chart *of = &p->charts->of[i];
+        if (p->shown[i] || strncmp(of->name, prefix, strlen(prefix)) != 0)
+            continue;
+        print_text(p, "\n");
+        print_chart(p, of);
+    }
+}
+
 static void print_line(page *p, char *line)
 {
     if (line[0] != '@') {
-        const bool blank = line[0] == '\n';
-        if (!blank || !p->blank)
-            fputs(line, p->file);
-        p->blank = blank;
+        print_text(p, line);
         return;
     }
-    line[strcspn(line, "\r\n")] = 0;
+    const size_t bytes = strcspn(line, "*\r\n");
+    const bool many = line[bytes] == '*';
+    line[bytes] = 0;
     const chart *of = charts_find(p->charts, line + 1);
-    if (of)
+    if (many)
+        print_left(p, line + 1);
+    else if (of)
         print_chart(p, of);
 }
 
@@ -94,11 +115,7 @@ static void print_page(page *p, FILE *frame)
     char line[512];
     while (fgets(line, sizeof line, frame))
         print_line(p, line);
-    for (size_t i = 0; i < p->charts->count; i++)
-        if (!p->shown[i]) {
-            print_line(p, (char[]){ "\n" });
-            print_chart(p, &p->charts->of[i]);
-        }
+    print_left(p, "");
 }
 
 int charts_page(const charts *c, const char *dir)

@@ -24,8 +24,8 @@ described()     # no table without its chart
 {
     for table in $shipped/*.csv; do
         [ -e "$table" ] || { echo "there is no table at all"; return 1; }
-        name=$(basename "${table%.time.csv}" .csv)
-        [ -s "tests/charts/$name.ini" ] || { echo "$table is of no chart"; return 1; }
+        of=$(basename "${table%.time.csv}" .csv)
+        [ -s "tests/charts/$of.ini" ] || { echo "$table is of no chart"; return 1; }
     done
 }
 light()         # pictures are for a page
