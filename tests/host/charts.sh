@@ -350,9 +350,10 @@ job    = echo 2 >>ran; echo slow,2,v,1
 job    = echo 3 >>ran; [ -e go ] || sleep 321; echo slow,3,v,1
 job    = echo 4 >>ran; echo slow,4,v,1
 END
+sed -i "s/sleep 321/sleep 321.$$/" slow/slow.ini        # ours, and nobody else's
 echo text >slow/slow.txt
 sleeping() {    # whether the third job sleeps
-    cat /proc/[0-9]*/cmdline 2>/dev/null | tr '\0' ' ' | grep -q 'sleep 321 '
+    cat /proc/[0-9]*/cmdline 2>/dev/null | tr '\0' ' ' | grep -q "[s]leep 321.$$ "
 }
 for signal in 1 15; do
     rm -rf ran kept build slowly
