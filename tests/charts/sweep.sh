@@ -133,18 +133,44 @@ for chart in $charts; do
 done
 [ -n "$first" ] && refuse "another figure would be found" altered "$first"
 
-# -- and by GNU parallel ----------------------------------------------------------------
+# -- and by GNU parallel, on two machines -----------------------------------------------
 
-if parallel --version 2>/dev/null | grep -q GNU; then
-    apart()     # the jobs of one chart, as many machines would run them
-    {
-        "$program" charts --list --only sine >"$scratch/list" &&
-            parallel <"$scratch/list" >"$scratch/rows" &&
-            "$program" charts --collect "$scratch/rows" "$scratch/apart" --only sine &&
-            cmp "$scratch/apart/sine.csv" "$scratch/small/sine.csv"
-    }
-    check "jobs that GNU parallel runs make the same table" apart
+program=$(realpath "$program")
+cat >"$scratch/ssh" <<'END'
+#!/bin/sh
+# In the place of ssh, which needs machines: [OPTION]... HOST [--] COMMAND...
+while [ "${1#-}" != "$1" ]; do shift; done
+echo "$1" >>"$0.hosts"
+shift
+[ "$1" != -- ] || shift
+cd / && exec sh -c "$*"
+END
+chmod +x "$scratch/ssh"
+on_two()        # [OPTION]... [COMMAND]...
+{
+    rm -f "$scratch/ssh.hosts"
+    parallel --ssh "$scratch/ssh" -S 1/one,1/two --wd "$PWD" "$@" &&
+        [ "$(sort -u "$scratch/ssh.hosts" | wc -l)" = 2 ]
+}
+jobs()          # of one chart
+{
+    "$program" charts --list --only sine >"$scratch/list" &&
+        on_two <"$scratch/list" >"$scratch/rows" &&
+        "$program" charts --collect "$scratch/rows" "$scratch/apart" --only sine &&
+        cmp "$scratch/apart/sine.csv" "$scratch/small/sine.csv"
+}
+film()          # of three ranges
+{
+    on_two --results "$scratch/{#}.y4m" "$program" render storm --size 64x48 \
+        --frames {} --out - ::: 0:9 10:19 20:29 >/dev/null &&
+        "$program" render storm --size 64x48 --frames 30 --out "$scratch/one.y4m" &&
+        "$program" join "$scratch/film.y4m" "$scratch"/[123].y4m &&
+        cmp "$scratch/film.y4m" "$scratch/one.y4m"
+}
+if parallel --version 2>/dev/null </dev/null | grep -q GNU; then
+    check "jobs on two machines make the same table" jobs
+    check "ranges of frames on two machines make the same film" film
 else
-    echo "skipped: jobs that GNU parallel runs (package parallel)"
+    echo "skipped: jobs and frames on two machines (package parallel)"
 fi
 exit $((failures > 0))

@@ -261,7 +261,8 @@ expect "a value of a time job" 3 "a .time. job prints times alone: cost" charts 
 cp t.good rows/t
 echo "demo,lin;8,cost,21" >rows/c
 kept
-expect "two values for one cell" 3 "^cat rows/c:1: chart demo: cost of lin;8 is 21; cat rows/[ab]:[19] has 20$" \
+expect "two values for one cell" 3 \
+    "^cat rows/c:1: chart demo: cost of lin;8 is 21; cat rows/[ab]:[19] has 20$" \
     charts bad --from charts
 echo "demo,lin;2.5,cost,cheap" >rows/c
 expect "a word on a front" 3 "chart demo: cost of lin;2.5 is cheap; a front takes" \
