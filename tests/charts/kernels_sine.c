@@ -127,12 +127,13 @@ METHOD parabolas(tp_turn angle)
 }
 RUN(parabolas)
 
-/* sin(a + d) = sin a + d cos a - d^2/2 sin a from the nearest entry; d in radians, Q0.32. */
+/* sin(a + d) = sin a + d cos a - d^2/2 sin a from the nearest entry; d in radians. */
+#define TWO_PI_Q32 26986075409
 #define KNOTS(n, bits) \
     METHOD knots_##n(tp_turn a) \
     { \
         const tp_q30 *at = table + ((a + (1u << (31 - bits))) >> (32 - bits)) % n; \
-        const int32_t d = high((int32_t)(a << bits), (int32_t)(6.283185307 / n * 4294967296)); \
+        const int32_t d = high((int32_t)(a << bits), (int32_t)(TWO_PI_Q32 / n)); \
         return at[0] + high(d, at[n / 4]) - high(at[0], high(d, d) >> 1); \
     } \
     RUN(knots_##n)
