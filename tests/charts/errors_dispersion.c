@@ -1,38 +1,42 @@
 /* SPDX-License-Identifier: MIT */
-/* Wave numbers over a depth against x tanh x = y in double precision, for k h from 0.01 to
- * 10, evenly by its logarithm. */
+/* Wave numbers over a depth against x tanh x = y in double precision, for y from 1e-4 to
+ * 10, which is k h of 0.01 to 10, each so many times the last.  The numbers are made in
+ * integers: no C library's logarithm moves them. */
+#include <stdlib.h>
 #include "scene/sides.h"
 #include "tests/charts/spread.h"
 #include "tests/charts/used.h"
 
 #define TWO_32 4294967296.0
-#define LEAST  0.01
-#define MOST   10.0
 
 enum { BLOCKS = 32 };
 
-/* Newton's steps from a place near by, until they stand still. */
-static double depth_of(double y, double x)
+/* From Eckart's by Newton's steps; that they have ended is asked of the law itself. */
+static double depth_of(double y)
 {
+    double x = y / sqrt(tanh(y));
+
     for (int i = 0; i < 8; i++) {
         const double t = tanh(x);
         x -= (x * t - y) / (t + x * (1 - t * t));
     }
+    if (!(fabs(x * tanh(x) / y - 1) < 1e-14)) {
+        fprintf(stderr, "dispersion: x tanh x is not %g at %g\n", y, x);
+        exit(EXIT_FAILURE);
+    }
     return x;
 }
 
-/* The n-th wave, and its true k h: of the numbers as rounded. */
-static double wave_of(uint32_t n, int32_t *in)
+/* The wave of y in Q40 over the n-th depth, and its true k h: of the numbers as rounded. */
+static double wave_of(uint64_t y, uint32_t n, int32_t *in)
 {
-    const double x = LEAST * pow(MOST / LEAST, n / (BLOCKS * KERNEL_UNITS - 1.0));
     const tp_fx h = TP_FX(1.75) + kernel_spread(n, KERNEL_STEP, TP_FX(1.25));
-    const double depth = h / 65536.0;
-    const uint64_t k = (uint64_t)(x * tanh(x) / depth * TWO_32 + 0.5);
+    const uint64_t k = (y >> 8 << 16) / (uint32_t)h;
 
     in[0] = (int32_t)(uint32_t)k;
     in[1] = (int32_t)(k >> 32);
     in[2] = h;
-    return depth_of((double)k / TWO_32 * depth, x);
+    return depth_of((double)k / TWO_32 * h / 65536);
 }
 
 static double number_of(const int32_t *out)
@@ -67,12 +71,15 @@ void judge_dispersion(const kernel *k, const int32_t *counted, const int32_t *co
 {
     static int32_t in[3 * KERNEL_UNITS], out[2 * KERNEL_UNITS];
     static double  x[KERNEL_UNITS];
+    uint64_t y = 109951163;             /* 1e-4, and 10^(5/32767) - 1 as Q32 */
     spread s = { 0 };
 
     (void)counted, (void)counted_out;
     for (uint32_t block = 0; block < BLOCKS; block++) {
-        for (uint32_t i = 0; i < KERNEL_UNITS; i++)
-            x[i] = wave_of(block * KERNEL_UNITS + i, in + 3 * i);
+        for (uint32_t i = 0; i < KERNEL_UNITS; i++) {
+            x[i] = wave_of(y, block * KERNEL_UNITS + i, in + 3 * i);
+            y += (y >> 8) * 1509333 >> 24;
+        }
         k->run(in, out);
         for (uint32_t i = 0; i < KERNEL_UNITS; i++)
             spread_add(&s, number_of(out + 2 * i) * (in[3 * i + 2] / 65536.0) / x[i] - 1);

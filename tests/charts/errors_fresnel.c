@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Shares of mirrored light against the exact law of [F1] in double precision, at every N.V
  * that Q1.14 has. */
+#include <stdlib.h>
 #include "tests/charts/spread.h"
 #include "tests/charts/used.h"
 #include "tidepool/light.h"
@@ -13,6 +14,21 @@ static double law(double c)
     const double s = (c - n * ct) / (c + n * ct), p = (ct - n * c) / (ct + n * c);
 
     return (s * s + p * p) / 2;
+}
+
+/* The same by the angles, Rs = (sin(i - t) / sin(i + t))^2 and Rp with tangents: what the
+ * truth is held to before anything is held to it. */
+static void prove_law(void)
+{
+    for (int32_t nv = 1; nv < ONE; nv++) {
+        const double i = acos(nv / (double)ONE), t = asin(sin(i) / TP_WATER_INDEX);
+        const double s = sin(i - t) / sin(i + t), p = tan(i - t) / tan(i + t);
+        const double off = (s * s + p * p) / 2 - law(nv / (double)ONE);
+        if (!(fabs(off) < 1e-12)) {
+            fprintf(stderr, "fresnel: two forms of the law differ by %g\n", off);
+            exit(EXIT_FAILURE);
+        }
+    }
 }
 
 /* What stands for 1 in a method's results: formulas are Q30, lines and Schlick's in 32
@@ -51,6 +67,7 @@ void judge_fresnel(const kernel *k, const int32_t *counted, const int32_t *count
     spread s = { 0 };
 
     (void)counted, (void)counted_out;
+    prove_law();
     for (int32_t block = 0; block <= ONE; block += KERNEL_UNITS) {
         for (int32_t i = 0; i < KERNEL_UNITS; i++)
             in[i] = block + i <= ONE ? block + i : ONE;
