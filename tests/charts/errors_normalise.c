@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /* Unit normals against those of double precision, over slopes spread evenly within 1. */
-#include "asset/mesh.h"
+#include <stdlib.h>
 #include "scene/sides.h"
+#include "shade/normal.h"
 #include "tests/charts/spread.h"
 #include "tests/charts/used.h"
 
@@ -105,6 +106,18 @@ static void give(const kernel *k, const int32_t *slope, int32_t *in)
         in[i] = (int32_t)tp_dir_pack(tp_normalise(-slope[i], ONE, -slope[i + 1]));
 }
 
+/* packed-32 is there for having the engine's bits. */
+static void prove_bits(const kernel *k, const int32_t *in, const int32_t *out)
+{
+    for (uint32_t i = 0; strcmp(k->point, "packed-32") == 0 && i < KERNEL_UNITS; i++) {
+        const tp_vec_q14 n = tp_vec_q14_packed((tp_packed_dir)in[2 * i]);
+        if (out[3 * i] != n.x || out[3 * i + 1] != n.y || out[3 * i + 2] != n.z) {
+            fprintf(stderr, "normalise: packed-32 has other bits\n");
+            exit(EXIT_FAILURE);
+        }
+    }
+}
+
 void judge_normalise(const kernel *k, const int32_t *counted, const int32_t *counted_out)
 {
     static int32_t slope[2 * KERNEL_UNITS], in[2 * KERNEL_UNITS], out[3 * KERNEL_UNITS];
@@ -119,6 +132,7 @@ void judge_normalise(const kernel *k, const int32_t *counted, const int32_t *cou
         }
         give(k, slope, in);
         k->run(in, out);
+        prove_bits(k, in, out);
         for (uint32_t i = 0; i < KERNEL_UNITS; i++)
             judge_one(&e, slope + 2 * i, out + 3 * i, one);
     }
