@@ -120,6 +120,8 @@ SPAN_O  := $(addprefix $(BUILD)/tests/charts/,span_scene.o span_steps.o span_tru
                $(SPAN_STEPS:%=span_step_%.o))
 CHARTS  += $(foreach s,$(SPAN_SCENES),$(addprefix $(BUILD)/tests/charts/, \
                span-$s span_errors-$s))
+POOLS_O := $(addprefix $(BUILD)/tests/charts/,pool_rules.o pool_runs.o pool_truth.o)
+CHARTS  += $(addprefix $(BUILD)/tests/charts/,pool_count pools)
 FUZZ    := $(patsubst %.c,$(BUILD)/%,$(wildcard tests/fuzz/fuzz_*.c))
 GOLDEN  := $(BUILD)/tests/golden/test_frames $(BUILD)/tests/golden/test_harness
 CMOCKA  := -lcmocka
@@ -187,7 +189,7 @@ charts: charts-tools
 ## what `tidepool charts` measures with
 charts-tools: all build/host/count.so $(CHARTS) $(SCENES:%=$(BUILD)/tests/charts/board-%)
 	@$(MAKE) --no-print-directory BOARD=cortex-m TARGET=charts-m4 MACHINE=cortex-m \
-	    $(patsubst %,build/charts-m4/%.elf,kernels $(SCENES:%=charts/%) \
+	    $(patsubst %,build/charts-m4/%.elf,kernels pool_count $(SCENES:%=charts/%) \
 	    $(SPAN_SCENES:%=span-%))
 ## the slow renderer in double precision that pictures are judged by
 reference: $(BUILD)/reference
@@ -287,6 +289,7 @@ $(BUILD)/tests/%: $(BUILD)/tests/%.o $(BUILD)/ports.a $(LIB)
 $(filter $(BUILD)/%,$(GOLDEN)): $(BUILD)/tests/golden/golden.o
 $(filter $(BUILD)/tests/accuracy/%,$(UNIT)): $(BUILD)/reference.a
 $(filter %/test_chart_truths,$(UNIT)): $(filter-out %/span_scene.o,$(SPAN_O))
+$(filter %/test_pool_truth %/test_pool_maps,$(UNIT)): $(POOLS_O)
 $(BUILD)/reference.a: $(REF_O)
 $(BUILD)/reference: $(BUILD)/tests/reference/reference.o $(BUILD)/reference.a \
           $(BUILD)/ports.a $(LIB)
@@ -314,7 +317,7 @@ build/baked/$(MACHINE)/%.o: build/baked/%.c
 	$(SAY)$(COMPILE) -c $< -o $@
 # Made if it is not there, as if nothing had been said of boards and compilers.
 ifneq ($(PROGRAM),build/host/tidepool)
-build/host/tidepool:
+build/host/tidepool build/host/tests/charts/pool_points:
 	@env -i PATH="$$PATH" HOME="$$HOME" $(MAKE) -j2 --no-print-directory $@
 endif
 $(SCENES:%=$(BUILD)/tests/cross/frames-%): \
@@ -365,6 +368,17 @@ $(BUILD)/tests/charts/stability: $(BUILD)/tests/charts/stability.o $(STABILITY_O
           $(BUILD)/ports.a $(LIB)
 	$(SAY)$(LINK) $^ $(LIBS) -o $@
 $(BUILD)/tests/stability/test_maps: $(STABILITY_O)
+# Baked as scenes are, which boards cannot read.
+build/baked/pool_points.c: tests/charts/pool_points.c $(BAKES) $(SHIPPED) \
+          | build/host/tests/charts/pool_points
+	@mkdir -p $(@D)
+	$(SAY)build/host/tests/charts/pool_points >$@
+build/baked/$(MACHINE)/pool_points.o: FLAGS += -I.
+$(BUILD)/tests/charts/pool_count: $(BUILD)/tests/charts/pool_count.o \
+          build/baked/$(MACHINE)/pool_points.o $(BUILD)/ports/cortex-m/memory.o $(LIB)
+	$(SAY)$(LINK) $^ -o $@
+$(BUILD)/tests/charts/pools: $(POOLS_O) $(BUILD)/tests/charts/used.o \
+          build/baked/$(MACHINE)/pool_points.o
 build/host/count.so: tests/budgets/count.c $(BUILD)/flags
 	$(SAY)$(COMPILE) -D_POSIX_C_SOURCE=200809L -fPIC -shared $< -o $@
 build/host/tally.so: tests/bench/tally.c $(BUILD)/flags
@@ -394,6 +408,10 @@ $(BUILD)/kernels.elf: $(KERNELS_O) $(BUILD)/tests/charts/kernel_lists.o \
 $(BUILD)/charts/%.elf: $(BUILD)/tests/charts/board.o build/baked/$(MACHINE)/%.o \
           $(filter-out %/main.o,$(BOARD_O)) $(LIB) ports/$(BOARD)/board.ld
 	@mkdir -p $(@D)
+	$(SAY)$(LINK_ELF)
+$(BUILD)/pool_count.elf: $(BUILD)/tests/charts/pool_count.o \
+          build/baked/$(MACHINE)/pool_points.o \
+          $(filter-out %/main.o,$(BOARD_O)) $(LIB) ports/$(BOARD)/board.ld
 	$(SAY)$(LINK_ELF)
 $(BUILD)/kit_v3.o: $(V3_C:%.c=$(BUILD)/v3/%.o)
 	$(SAY)$(LD) -r $^ -o $@
