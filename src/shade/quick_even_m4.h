@@ -66,7 +66,7 @@ TP_ALWAYS_INLINE void packed_even(const tp_shade *shade, tp_run *run, int env)
     while (x < end) {
         int32_t next = (x & -SPAN) + SPAN, stop = next < end ? next : end;
         const tp_quick_view to = tp_quick_blinn_at(shade, &row, next);
-        packed_even_span(shade, sun, run, v, tp_quick_step(v, to, TP_LOBE_BLINN), x, stop,
+        packed_even_span(shade, sun, run, v, tp_quick_step(v, to, TP_LOBE_NONE), x, stop,
                          env);
         *half++ = to.half;
         v = to;

@@ -115,7 +115,7 @@ TP_ALWAYS_INLINE tp_quick_view tp_quick_step(tp_quick_view a, tp_quick_view b, i
 {
     return (tp_quick_view){
         tp_quick_eighth(a.back, b.back),
-        lobe == TP_LOBE_PHONG ? 0 : tp_quick_eighth(a.half, b.half),
+        lobe == TP_LOBE_BLINN ? tp_quick_eighth(a.half, b.half) : 0,
         (b.y - a.y) >> 3, lobe == TP_LOBE_PHONG ? (b.lv - a.lv) >> 3 : 0,
     };
 }

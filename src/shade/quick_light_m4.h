@@ -76,7 +76,9 @@ TP_ALWAYS_INLINE uint32_t *packed_word_at(char *sample, size_t place)
 #define COLOUR(sample, i) packed_word_at(sample, offsetof(tp_run, colour))[i]
 #define SLOPE(sample, i)  packed_word_at(sample, offsetof(tp_run, slope))[i]
 
-/* Columns of one span, x to stop: one pointer for all arrays, as registers are few. */
+/* Columns of one span, x to stop: one pointer for all arrays, as registers are few.  Half
+ * vectors are for Blinn's lobe alone: lanes set flags, so that compilers keep even those
+ * that nobody reads. */
 TP_ALWAYS_INLINE void packed_span(const tp_shade *shade, tp_quick_sun sun, tp_run *run,
                                   tp_quick_view v, tp_quick_view step, int32_t x,
                                   int32_t stop, int env, int lobe)
@@ -88,22 +90,27 @@ TP_ALWAYS_INLINE void packed_span(const tp_shade *shade, tp_quick_sun sun, tp_ru
     char *at = (char *)run + 4 * (x - run->x), *end = at + 4 * (stop - x);
     int32_t begun = x & (TP_QUICK_SPAN(lobe) - 1), left = -x & (width - 1);
 
-    const tp_quick_walk walk = tp_quick_walk_of(step.half);
-    uint32_t half = tp_quick_half_first(v.half, walk);
-    if (begun) {
-        half = tp_quick_half_at(half, step.half, begun);
-        v = tp_quick_at(v, step, begun / width);
+    tp_quick_walk walk = { 0 };
+    uint32_t half = 0;
+    if (lobe == TP_LOBE_BLINN) {
+        walk = tp_quick_walk_of(step.half);
+        half = tp_quick_half_first(v.half, walk);
+        if (begun)
+            half = tp_quick_half_at(half, step.half, begun);
     }
+    if (begun)
+        v = tp_quick_at(v, step, begun / width);
     uint32_t back = v.back;
     int32_t  y = v.y, lv = v.lv;
 
 #define SEEN(i) \
     COLOUR(at, i) = packed_seen(quick, sky, sun, (tp_quick_view){ back, half, y, lv }, \
                                 SLOPE(at, i), COLOUR(at, i), env, lobe)
-#define SEEN_AND_ON(i) (SEEN(i), half = tp_sadd16(half, walk.quarter))
+#define TO_NEXT(by) (half = lobe == TP_LOBE_BLINN ? tp_sadd16(half, by) : 0)
+#define SEEN_AND_ON(i) (SEEN(i), TO_NEXT(walk.quarter))
 #define SEEN_LAST(i) \
-    (SEEN(i), half = tp_sadd16(half, walk.rest), back = tp_sadd16(back, step.back), \
-     y += step.y, lv += step.lv)
+    (SEEN(i), TO_NEXT(walk.rest), back = tp_sadd16(back, step.back), y += step.y, \
+     lv += step.lv)
     for (; left > 1 && at < end; left--, at += 4)
         SEEN_AND_ON(0);
     if (left == 1 && at < end) {
@@ -121,6 +128,7 @@ TP_ALWAYS_INLINE void packed_span(const tp_shade *shade, tp_quick_sun sun, tp_ru
     for (; at < end; at += 4)
         SEEN_AND_ON(0);
 #undef SEEN
+#undef TO_NEXT
 #undef SEEN_AND_ON
 #undef SEEN_LAST
 }
