@@ -32,7 +32,8 @@ set label 1 "all three: it breaks" at 0.011,0.26 front
 set label 2 "depth and Miche" at 0.0115,0.07 front
 set label 3 "steepness, Miche" at 0.97,0.2 right front
 set label 4 "does not break" at 0.02,0.0055 front
-set label 5 "depth: H = 0.78 h" at 0.023,0.0128 rotate by 41 front textcolor rgb vermillion
+set label 5 "depth: H = 0.78 h" at 0.023,0.0128 rotate by 41 front \
+    textcolor rgb vermillion
 set label 6 "steepness: H = L / 7" at 0.011,0.168 front textcolor rgb "#8A4A75"
 set label 7 "Miche: H = 0.142 L tanh kh" at 0.97,0.115 right front textcolor rgb blue
 set label 8 "dots: shipped scenes' waves, hollow from where they break" \

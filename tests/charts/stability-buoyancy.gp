@@ -10,7 +10,6 @@ of(name, method) = strcol("method") eq method ? column(name) : NaN
 at_end(name, method, q) = column("q") == q ? of(name, method) : NaN
 steps = "1 2 4 8 16"
 plain(i) = "plain-" . word(steps, i)
-note(i) = word(steps, i) . (i == 1 ? " plain step" : "")
 lines_ = 'with lines linetype i linewidth 2.2'
 engine_ = 'with linespoints linecolor rgb black pointtype 2 pointsize 1'
 
@@ -26,8 +25,10 @@ set label 2 "along" at graph 0.04,0.95
 plot for [i=1:5] csv using "q":(of("along", plain(i))) @lines_, \
      for [i=1:5] "" using "q":(of("bound", plain(i))) with lines linetype i linewidth 1 \
          dashtype 2, \
-     for [i=1:5] "" using "q":(at_end("along", plain(i), 0.65)):(note(i)) \
+     for [i=2:5] "" using "q":(at_end("along", plain(i), 0.65)):(word(steps, i)) \
          with labels left offset 0.5,-0.7 textcolor linetype i, \
+     "" using "q":(at_end("bound", plain(1), 0.3)):("1 plain step") with labels \
+         offset 0,1 textcolor linetype 1, \
      "" using "q":(of("along", "engine")) @engine_, \
      "" using "q":(at_end("along", "engine", 0.95)):("the engine") with labels \
          left offset 1,0, \

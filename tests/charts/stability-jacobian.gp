@@ -47,7 +47,7 @@ plot for [i=1:3] csv using "sum":(of("engine", sea[i], many[i])) @solid, \
      for [i=2:3] "" using "sum":(at(where[i], "unheld", sea[i], many[i])):(said[i]) \
          @said_left, \
      "" using "sum":(used("engine")) @filled, \
-     "" using "sum":(high(used("engine"))):(who(strcol("used"))) with labels left @slanted \
-         offset 0.6,0.6, \
-     "" using "sum":(low(used("engine"))):(who(strcol("used"))) with labels right @slanted \
-         offset -0.6,-0.6
+     "" using "sum":(high(used("engine"))):(who(strcol("used"))) with labels \
+         left @slanted offset 0.6,0.6, \
+     "" using "sum":(low(used("engine"))):(who(strcol("used"))) with labels \
+         right @slanted offset -0.6,-0.6

@@ -18,7 +18,7 @@
 void stability_jacobian(void), stability_breaking(void), stability_buoyancy(void),
      stability_dispersion(void);
 
-/* -- seas of equal shares: stability_seas.c -------------------------------------------- */
+/* -- seas of equal shares: stability_seas.c ------------------------------------------ */
 
 #define STABILITY_WAVES 8
 
@@ -26,8 +26,9 @@ void stability_jacobian(void), stability_breaking(void), stability_buoyancy(void
  * add up to `sum`; their headings are spread evenly over `fan` degrees. */
 tp_sea stability_sea(int waves, double fan, double sum);
 
-/* The same sea without the clamp of [A11], for a sum up to 1.9. */
+/* The same sea without the clamp of [A11], for a sum up to 1.9; and any waves' sea. */
 tp_sea stability_sea_unheld(int waves, double fan, double sum);
+tp_sea stability_unheld(const tp_wave *wave, uint32_t count, tp_fx gravity);
 
 /* Sum of QkA as it is. */
 double stability_sum(const tp_sea *sea);
@@ -35,13 +36,13 @@ double stability_sum(const tp_sea *sea);
 /* 1 less the greatest eigenvalue of sum QkA D D^T: where all crests meet [A11]. */
 double stability_crests(const tp_sea *sea);
 
-/* -- the Jacobian [A9] [A11] ----------------------------------------------------------- */
+/* -- the Jacobian [A9] [A11] --------------------------------------------------------- */
 
 /* Its smaller eigenvalue, of the engine's sums: least over a sweep of the surface and
  * time, and then downhill from the least of each time. */
 double stability_least(const tp_sea *sea);
 
-/* -- breaking [B14] [B15] -------------------------------------------------------------- */
+/* -- breaking [B14] [B15] ------------------------------------------------------------ */
 
 enum { STABILITY_STEEP, STABILITY_DEPTH, STABILITY_MICHE, STABILITY_CRITERIA };
 enum { STABILITY_RISES = 57, STABILITY_DEPTHS = 49 };
@@ -56,7 +57,7 @@ uint32_t stability_flags(double rise, double depth);
 /* H/L from which a criterion says that a wave breaks. */
 double stability_border(int criterion, double h_over_l);
 
-/* -- inversion [E1] -------------------------------------------------------------------- */
+/* -- inversion [E1] ------------------------------------------------------------------ */
 
 typedef enum {
     STABILITY_PLAIN,            /* so many plain steps */
@@ -71,10 +72,11 @@ typedef struct {
 } stability_off;
 stability_off stability_inversion(const tp_sea *sea, stability_search how, uint32_t n);
 
-/* Above which no plain search of n steps ends: q^n of the first distance off. */
-double stability_bound(const tp_sea *sea, uint32_t n);
+/* Above which no search ends: of n plain steps q^n of the first distance off; of the
+ * engine's the 2 LSB of x and of z with which it is content. */
+double stability_bound(const tp_sea *sea, stability_search how, uint32_t n);
 
-/* -- wave numbers [B2]-[B6] ------------------------------------------------------------ */
+/* -- wave numbers [B2]-[B6] ---------------------------------------------------------- */
 
 /* x with x tanh x = y, to 1e-15 of it. */
 double stability_kh(double y);

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* Which criterion says that a wave breaks [B14] [B15], over its height and the depth, both
- * in lengths of the wave there; and the way of the shipped scenes' waves up to the shore,
- * which shoal [B7] and are not yet held down. */
+/* Which criterion says that a wave breaks [B14] [B15], over its height and the depth,
+ * both in lengths of the wave there; and the way of the shipped scenes' waves up to the
+ * shore, which shoal [B7] and are not yet held down. */
 #include "tests/charts/stability.h"
 #include "tests/charts/used.h"
 
@@ -31,7 +31,7 @@ double stability_border(int criterion, double h_over_l)
                                         : 0.142 * tanh(2 * STABILITY_PI * h_over_l);
 }
 
-/* -- the map --------------------------------------------------------------------------- */
+/* -- the map ------------------------------------------------------------------------- */
 
 static void row(const char *set, double h, double rise, uint32_t flags, const char *used)
 {

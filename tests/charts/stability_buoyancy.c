@@ -90,12 +90,14 @@ stability_off stability_inversion(const tp_sea *sea, stability_search how, uint3
     return off;
 }
 
-double stability_bound(const tp_sea *sea, uint32_t n)
+double stability_bound(const tp_sea *sea, stability_search how, uint32_t n)
 {
+    if (how != STABILITY_PLAIN)
+        return hypot(2, 2) * STABILITY_LSB;
     return pow(stability_sum(sea), n) * sea->reach * STABILITY_LSB;
 }
 
-/* -- the map --------------------------------------------------------------------------- */
+/* -- the map ------------------------------------------------------------------------- */
 
 static void rows(const char *method, const tp_sea *sea, stability_search how, uint32_t n,
                  const char *used)
@@ -104,10 +106,11 @@ static void rows(const char *method, const tp_sea *sea, stability_search how, ui
     const stability_off off = stability_inversion(sea, how, n);
 
     printf(CHART ",%s;%.3g,along,%.3g\n", method, q, off.along);
-    if (q < 1)                                  /* beyond, heights are no function */
+    if (q < 1)
         printf(CHART ",%s;%.3g,up,%.3g\n", method, q, off.up);
-    if (how == STABILITY_PLAIN)
-        printf(CHART ",%s;%.3g,bound,%.3g\n", method, q, stability_bound(sea, n));
+    else                                        /* there are several heights */
+        printf(CHART ",%s;%.3g,up,-\n", method, q);
+    printf(CHART ",%s;%.3g,bound,%.3g\n", method, q, stability_bound(sea, how, n));
     printf(CHART ",%s;%.3g,used,%s\n", method, q, used);
 }
 

@@ -83,7 +83,7 @@ double stability_formula_off(const stability_number *n, double kh)
     return n->formula(y) / stability_kh(y) - 1;
 }
 
-/* -- the map --------------------------------------------------------------------------- */
+/* -- the map ------------------------------------------------------------------------- */
 
 static const double lengths[] = { 5, 40, 300 };     /* m on deep water */
 

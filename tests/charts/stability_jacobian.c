@@ -96,7 +96,7 @@ double stability_least(const tp_sea *sea)
     return least;
 }
 
-/* -- the map --------------------------------------------------------------------------- */
+/* -- the map ------------------------------------------------------------------------- */
 
 static void row(const char *sea, int waves, double sum, const char *column, double value)
 {
@@ -151,7 +151,10 @@ static void rows_of_scenes(void)
         const double sum = sea.steepness * STABILITY_LSB;
         if (sum <= 0 || is_told(i))
             continue;
-        row(name, (int)sea.count, sum, "crests", stability_crests(&sea));
+        const tp_sea unheld = stability_unheld(scene->wave, TP_WAVES,
+                                               scene->water.gravity);
+        row(name, (int)sea.count, sum, "crests", stability_crests(&unheld));
+        row(name, (int)sea.count, sum, "unheld", stability_least(&unheld));
         row(name, (int)sea.count, sum, "engine", stability_least(&sea));
         printf(CHART ",%s;%d;%.3g,used,%s\n", name, (int)sea.count, sum,
                used_by(is_same_sea, (int32_t)i));

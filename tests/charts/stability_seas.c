@@ -4,12 +4,12 @@
 
 #define FIRST_HEADING 30.0      /* off the axes */
 
+#define GRAVITY       TP_FX(9.81)
+
 /* Lengths have no common measure: all crests come as close together as one likes. */
-tp_sea stability_sea(int waves, double fan, double sum)
+static void waves_of(tp_wave wave[STABILITY_WAVES], int waves, double fan, double sum)
 {
-    tp_wave wave[STABILITY_WAVES];
-    double  length = 24;
-    tp_sea  sea;
+    double length = 24;
 
     for (int i = 0; i < waves; i++, length /= 1.6180339887498949) {
         const double turned = waves > 1 ? fan * (i / (waves - 1.0) - 0.5) : 0;
@@ -19,16 +19,38 @@ tp_sea stability_sea(int waves, double fan, double sum)
             .speed = TP_FX_ONE,
         };
     }
-    tp_sea_init(&sea, wave, (uint32_t)waves, TP_FX(9.81));
+}
+
+tp_sea stability_sea(int waves, double fan, double sum)
+{
+    tp_wave wave[STABILITY_WAVES];
+    tp_sea  sea;
+
+    waves_of(wave, waves, fan, sum);
+    tp_sea_init(&sea, wave, (uint32_t)waves, GRAVITY);
     return sea;
 }
 
-/* Half of it, doubled: below 2 each bend fits its Q2.30.  For the sums of J, and for plain
- * steps; what a point's slopes need is not there. */
 tp_sea stability_sea_unheld(int waves, double fan, double sum)
 {
-    tp_sea sea = stability_sea(waves, fan, sum / 2);
+    tp_wave wave[STABILITY_WAVES];
 
+    waves_of(wave, waves, fan, sum);
+    return stability_unheld(wave, (uint32_t)waves, GRAVITY);
+}
+
+/* Half of it, doubled: below 2 each bend fits its Q2.30.  For the sums of J, and for
+ * plain steps; what a point's slopes need is not there. */
+tp_sea stability_unheld(const tp_wave *wave, uint32_t count, tp_fx gravity)
+{
+    tp_wave half[TP_WAVES];
+    tp_sea  sea;
+
+    for (uint32_t i = 0; i < count; i++) {
+        half[i] = wave[i];
+        half[i].steepness /= 2;
+    }
+    tp_sea_init(&sea, half, count, gravity);
     for (uint32_t i = 0; i < sea.count; i++) {
         tp_swell *w = &sea.swell[i];
         w->bend *= 2;
