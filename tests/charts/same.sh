@@ -1,0 +1,40 @@
+#!/bin/sh
+# SPDX-License-Identifier: MIT
+# What the charts count is what is drawn: board.c's pictures on the emulated Cortex-M4 and
+# on this machine, by other rungs, grids and sizes, have the same CRCs, and as
+# the scene is the program's; no two in a row are one.
+#
+#   tests/charts/same.sh [PROGRAM [SCENE...]]
+. tests/gates/lib.sh
+
+program=${1:-build/host/tidepool}
+[ $# -gt 0 ] && shift
+[ $# -gt 0 ] || set -- count-64 harbour
+lacks arm-none-eabi-gcc gcc-arm-none-eabi "charts' pictures" && exit 77
+lacks qemu-system-arm qemu-system-arm "charts' pictures" && exit 77
+lacks qemu-x86_64 qemu-user "charts' pictures" && exit 77
+
+crcs()          # m4|x86 SCENE
+{
+    tests/charts/board.sh "$1" "$2" 160x120 20 '' quality.visibility=triangles grid/2 \
+        '96x64 3 grid=40 quality.lod=on' 'bare water.specular=0.25' >"$scratch/pictures" &&
+        awk '{ printf "%08x\n", $NF }' "$scratch/pictures"
+}
+
+same()          # SCENE
+{
+    crcs m4 "$1" >"$scratch/m4" || return 1
+    crcs x86 "$1" >"$scratch/x86" || return 1
+    "$program" render "assets/scenes/$1.ini" --size 160x120 --frames 20:20 \
+        --format rgb565 --hash >"$scratch/hash" || return 1
+    paste -d ' ' "$scratch/m4" "$scratch/x86" "$scratch/hash" >"$scratch/all"
+    cat "$scratch/all"
+    awk '$1 != $2 || $1 == last || (NR == 1 && $1 != $6) { off = 1 }
+         { last = $1 }
+         END { exit off || NR != 5 }' "$scratch/all"
+}
+
+for scene; do
+    check "$scene: what is counted is what is drawn" same "$scene"
+done
+exit $((failures > 0))
