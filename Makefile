@@ -247,7 +247,7 @@ more-tests: everything build/host/count.so build/host/tally.so
 	@$(RUN) build/log/more tests/gates/arm.sh tests/gates/clang.sh tests/host/view.sh \
 	    tests/host/threads.sh tests/bench/views.sh tests/cross/run.sh tests/cross/film.sh \
 	    tests/budgets/scenes-count.sh tests/budgets/ram.sh tests/budgets/kits.sh \
-	    tests/budgets/models-count.sh tests/charts/sweep.sh \
+	    tests/budgets/models-count.sh tests/charts/sweep.sh tests/charts/same.sh \
 	    tests/budgets/prices.sh tests/fuzz/run.sh
 fuzzers: $(FUZZ)
 # Other renderers for `tidepool bench --peers`, of whatever packages are there.

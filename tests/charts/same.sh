@@ -14,6 +14,9 @@ lacks arm-none-eabi-gcc gcc-arm-none-eabi "charts' pictures" && exit 77
 lacks qemu-system-arm qemu-system-arm "charts' pictures" && exit 77
 lacks qemu-x86_64 qemu-user "charts' pictures" && exit 77
 
+check "what draws for the charts builds" build charts-tools
+[ "$failures" = 0 ] || exit 1
+
 crcs()          # m4|x86 SCENE
 {
     tests/charts/board.sh "$1" "$2" 160x120 20 '' quality.visibility=triangles grid/2 \
