@@ -7,9 +7,9 @@ exact(y) = strcol("rung") eq "exact" ? column(y) : NaN
 taken(y) = is_used(strcol("used")) ? column(y) : NaN
 
 # Names stand right of their points, but for these.
-left  = " calm-bay flat-calm from-above "
-above = " minimal raindrops count-100 harbour shore-break "
-below = " lava shallows count-64 "
+left  = " calm-bay storm from-above tank "
+above = " minimal raindrops count-100 harbour shallows "
+below = " lava count-64 shore-break "
 placed(list) = strstrt(list, " " . strcol("scene") . " ") > 0 ? strcol("scene") : ""
 aside(s) = strstrt(left . above . below, " " . s . " ") > 0 ? "" : s
 names_ = 'notitle with labels noenhanced textcolor rgb "#202020"'
@@ -27,7 +27,7 @@ set bmargin at screen 0.135
 set lmargin at screen 0.085
 set rmargin at screen 0.73
 set xrange [85:4000]
-set ylabel "dB from the reference (PSNR)" offset 0.8,0
+set ylabel "PSNR to the reference, dB" offset 0.8,0
 set xlabel "Cortex-M4 instructions a pixel"
 set label 1 "●" at graph 0.62,0.95 textcolor rgb vermillion
 set label 2 "the plan's rung" at graph 0.655,0.95
