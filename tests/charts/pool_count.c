@@ -1,11 +1,12 @@
 /* SPDX-License-Identifier: MIT */
 /* Steps every pool of the chart between the marks that pool-count.sh counts by, and says
  * which it was:
- *     pool KEYS COLUMN CELLS
+ *     pool KEYS wall|sponge CELLS
  * once between walls, and once in a sponge, as pools of scenes are.  Standing waves of 16
  * cells and more, so that all cells move; in gear A.  Freestanding where the compiler is
  * told so: static memory, words by semihosting. */
 #include "cortex-m/marks.h"
+#include "tests/budgets/say.h"
 #include "tests/charts/pool_points.h"
 #include "tidepool/tidepool.h"
 
@@ -15,33 +16,9 @@ enum { TICKS = 2, ROOM = 900 << 10 };
 static union { uint64_t aligned; uint8_t byte[ROOM]; } block;
 static tp_pool *const pool = (tp_pool *)(void *)&block;
 
-/* -- marks and words ----------------------------------------------------------------- */
-
 MARK(count_as_pool)
 MARK(count_end)
 MARK(count_section)
-
-#if __STDC_HOSTED__
-#include <stdio.h>
-static void say(const char *text) { fputs(text, stdout); }
-#else
-#include "cortex-m/semihost.h"
-static void say(const char *text) { semihost_write(text); }
-#endif
-
-static void say_number(uint32_t n)
-{
-    char  text[12];
-    char *c = text + sizeof text - 1;
-
-    *c = '\0';
-    do
-        *--c = (char)('0' + n % 10);
-    while ((n /= 10) > 0);
-    say(c);
-}
-
-/* -- all of them --------------------------------------------------------------------- */
 
 static void ruffle(int32_t high)
 {
@@ -78,7 +55,7 @@ static __attribute__((noinline)) void run_steps(void)
         tp_pool_step(pool);
 }
 
-static bool count(const pool_point *point, tp_edges edges, const char *column)
+static bool count(const pool_point *point, tp_edges edges, const char *edge)
 {
     if (!prepare(point, edges))
         return false;
@@ -88,8 +65,7 @@ static bool count(const pool_point *point, tp_edges edges, const char *column)
     count_section();
     say("pool ");
     say(point->keys);
-    say(column);
-    say_number(TICKS * point->cols * point->rows);
+    say_number(edge, TICKS * point->cols * point->rows);
     say("\n");
     return !pool->at_rest;
 }
