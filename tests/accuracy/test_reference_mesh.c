@@ -206,9 +206,12 @@ static void a_lid_keeps_water_out(void **state)
                                                  -2 * TP_FX_ONE } });
         const sight to = { atan2(x, 2 - z), -atan2(90 - high, hypot(x, 2 - z)) };
         const bool covered = fabs(x) < 0.9 && fabs(z) < 0.9;
+        const ref_seen seen = sight_look(&v, to);
+        const double lit = lit_of(&v.scene, sin(sight_light(&v).elevation));
         if (covered || fabs(x) > 1.1 || fabs(z) > 1.1)
-            assert_int_equal(sight_look(&v, to).kind, covered && high > 0 ? REF_BOAT
-                                                                         : REF_WATER);
+            assert_int_equal(seen.kind, covered && high > 0 ? REF_BOAT : REF_WATER);
+        for (int k = 0; k < 3 && seen.kind == REF_BOAT; k++)
+            assert_true(fabs(seen.colour.c[k] - channel(0x804020, k) * lit) < 1e-9);
         view_close(&v);
     }
 }

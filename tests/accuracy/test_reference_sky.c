@@ -26,7 +26,7 @@ static tp_scene scene_sky(int32_t kind)
     return s;
 }
 
-/* A place with no water below it. */
+/* A place with no water below it; it may still be seen, far away. */
 static void go_ashore(tp_scene *s)
 {
     s->camera.x = 4000 * TP_FX_ONE;
@@ -123,18 +123,25 @@ static void a_day_grows_dark_below_the_horizon(void **state)
         go_ashore(&v.scene);
         v.scene.camera.pitch = -20 * TP_FX_ONE;
         v.scene.hdr.share = TP_FX_ONE;
+        if (n % 2) {            /* half of its disc has set */
+            v.scene.camera.heading = v.scene.light.heading;
+            v.scene.light.elevation = TP_FX_ONE;
+        }
         view_open(&v, 64, 48);
-        const sight to = sight_any(&v, &seed, -0.5, 0);
+        sight to = sight_any(&v, &seed, -0.5, 0);
+        if (n % 2)
+            to = (sight){ sight_light(&v).azimuth + chance_double(&seed, -0.01, 0.01),
+                          chance_double(&seed, -0.004, 0) };
         const double cosine = sight_cos(to, sight_light(&v));
         const ref_seen seen = sight_look(&v, to);
-        assert_int_equal(seen.kind, REF_SKY);
-        for (int k = 0; k < 3; k++)
+        for (int k = 0; k < 3 && seen.kind == REF_SKY; k++)
             measure_add(&off, seen.colour.c[k]
                         - fmax(0.25, 1 + 4 * sin(to.elevation))
                           * fmin(255, day_of(&v.scene, to, cosine, true, k)), n, k, 0);
         view_close(&v);
     }
     measure_print(&off);
+    assert_true(off.inputs > 1200);
     assert_true(off.worst < 1e-8);
 }
 
@@ -315,7 +322,8 @@ static void a_cube_shows_the_face_that_lies_there(void **state)
                                        : 0;
         const ref_seen seen = sight_look(&v, to);
         faces |= 1 << cube_place((sight){ to.azimuth, up }, place);
-        for (int k = 0; k < 3 && !(mirrored && up < 1e-3); k++)
+        const bool far = mirrored ? up < 1e-3 : seen.kind != REF_SKY;
+        for (int k = 0; k < 3 && !far; k++)
             measure_add(&off, seen.colour.c[k]
                         - fmin(255, (1 - share) * channel(v.scene.water.colour, k)
                                + share * (1 + more)
@@ -328,6 +336,38 @@ static void a_cube_shows_the_face_that_lies_there(void **state)
     assert_true(off.worst < 1e-9);
 }
 
+/* Of water tilted away a look down by less than twice the tilt is mirrored downwards: what
+ * lies at the horizon below is seen, darker as it goes down. */
+static void a_mirrored_look_ends_at_the_horizon(void **state)
+{
+    static ramps r;
+    measure off = { .what = "mirrored down", .unit = "of 255" };
+    const double tilt = atan2(40, 64);
+    plain_picture ripple;
+
+    (void)state;
+    for (int n = 0; n < 300; n++) {
+        view_of_ref v = { .scene = scene_sky(TP_SKY_CUBE) };
+        paint_cube(&r, &v, 0);
+        v.scene.camera.heading = 0;
+        v.scene.camera.pitch = -45 * TP_FX_ONE;
+        v.scene.ripple.bump = TP_FX_ONE;
+        v.assets.ripple = plain_of(&ripple, 0x80a8c0);
+        view_open(&v, 64, 48);
+        const double down = chance_double(&seed, tilt + 0.11, 2 * tilt);
+        const double share = fresnel_of(PI / 2 - down + tilt, WATER)
+                           * fmax(0.5, 1 + 4 * sin(down - 2 * tilt));
+        const ref_seen seen = sight_look(&v, (sight){ 0, -down });
+        for (int k = 0; k < 3; k++)
+            measure_add(&off, seen.colour.c[k]
+                        - between(channel(v.scene.water.colour, k),
+                                  ramp_of((sight){ 0, 0 }, k), share), n, k, 0);
+        view_close(&v);
+    }
+    measure_print(&off);
+    assert_true(off.worst < 1e-9);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -336,6 +376,7 @@ int main(void)
         cmocka_unit_test(level_water_mirrors_a_day),
         cmocka_unit_test(dusk_and_night_have_two_sides_and_halos),
         cmocka_unit_test(a_cube_shows_the_face_that_lies_there),
+        cmocka_unit_test(a_mirrored_look_ends_at_the_horizon),
     };
     seed = random_seed();
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -113,6 +113,35 @@ static void a_tank_is_seen_through_its_glass(void **state)
     assert_true(wet.worst < 1e-8 && dry.worst < 1e-8);
 }
 
+/* Of a sky that has another colour on each side the southern one. */
+static void glass_mirrors_what_is_behind_the_eye(void **state)
+{
+    measure off = { .what = "mirror of glass", .unit = "of 255" };
+
+    (void)state;
+    for (int n = 0; n < 200; n++) {
+        plain_picture side[TP_FACES];
+        view_of_ref v = { .scene = scene_tank() };
+        for (int i = 0; i < TP_FACES; i++)
+            v.assets.sky[i] = plain_of(&side[i], 0x201008u * (uint32_t)(i + 1));
+        v.scene.sky.kind = TP_SKY_CUBE;
+        v.scene.tank.glass = TP_FX_ONE;
+        view_open(&v, 64, 48);
+        const double up = chance_double(&seed, -0.2, 0.2);
+        const double height = v.world->eye.y / 65536.0 + HALF * tan(up);
+        const ref_seen seen = sight_look(&v, (sight){ 0, up });
+        for (int k = 0; k < 3 && height > -1 && height < 1; k++)
+            measure_add(&off, seen.colour.c[k]
+                        - between(channel(v.scene.tank.glass_colour, k),
+                                  channel(5 * 0x201008, k), fresnel_of(fabs(up), WATER)),
+                        n, k, 0);
+        view_close(&v);
+    }
+    measure_print(&off);
+    assert_true(off.inputs > 200);
+    assert_true(off.worst < 1e-9);
+}
+
 /* -- a drop ------------------------------------------------------------------------ */
 
 /* The sky, and below the horizon the lit water with a quarter of it. */
@@ -172,6 +201,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_tank_is_seen_through_its_glass),
+        cmocka_unit_test(glass_mirrors_what_is_behind_the_eye),
         cmocka_unit_test(a_drop_turns_light_as_a_ball_does),
     };
     seed = random_seed();
