@@ -113,7 +113,8 @@ REF_O   := $(patsubst %.c,$(BUILD)/%.o,$(filter-out %/reference.c,\
 KERNELS_O := $(patsubst %.c,$(BUILD)/%.o,$(wildcard tests/charts/kernels*.c))
 STABILITY_O := $(patsubst %.c,$(BUILD)/%.o,$(wildcard tests/charts/stability_*.c) \
                tests/charts/used.c)
-CHARTS  := $(addprefix $(BUILD)/tests/charts/,errors kernels frames stability visibility)
+CHARTS  := $(addprefix $(BUILD)/tests/charts/,errors kernels frames reference stability \
+               visibility)
 SPAN_SCENES := from-above three-swells
 SPAN_STEPS  := 0 1 8 16 32
 SPAN_O  := $(addprefix $(BUILD)/tests/charts/,span_scene.o span_steps.o span_true.o \
@@ -338,7 +339,7 @@ $(BUILD)/tests/budgets/models: $(MODELS_O) $(BUILD)/ports/cortex-m/memory.o $(LI
 	$(SAY)$(LINK) $^ -o $@
 $(BUILD)/tests/charts/kernels: $(KERNELS_O) $(BUILD)/tests/charts/kernel_lists.o $(LIB)
 	$(SAY)$(LINK) $^ -lm -o $@
-$(addprefix $(BUILD)/tests/charts/,frames visibility): $(BUILD)/reference.a
+$(addprefix $(BUILD)/tests/charts/,frames reference visibility): $(BUILD)/reference.a
 $(SCENES:%=$(BUILD)/tests/charts/board-%): \
           $(BUILD)/tests/charts/board-%: $(BUILD)/tests/charts/board.o \
           build/baked/$(MACHINE)/%.o $(BUILD)/ports/cortex-m/memory.o $(LIB)

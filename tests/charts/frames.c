@@ -20,7 +20,7 @@
 
 #define FOLDER "assets/scenes/"
 
-enum { SAMPLES = 16, THREADS = 2, RUNGS = 16, WORDS_BYTES = 320 };
+enum { THREADS = 2, RUNGS = 16, WORDS_BYTES = 320 };
 
 static const char *const off[] = {
     "foam.cells=0", "spray.count=0", "water.caustics=0", "sky.stars=0", "mirror.bend=1",
@@ -130,7 +130,7 @@ static view truth_of(const ref_stand *stand, uint32_t width, uint32_t height)
 
     ref_scene_open(&scene, &stand->file.scene, &stand->assets.names, stand->world, width,
                    height, false);
-    ref_image_draw(&image, &scene, width, height, SAMPLES, THREADS);
+    ref_image_draw(&image, &scene, width, height, REF_SAMPLES, THREADS);
     for (uint32_t i = 0; i < width * height; i++)
         v.pixel[i] = ref_image_pixel(&image, i % width, i / width);
     ref_image_free(&image);

@@ -4,6 +4,8 @@
 #define TP_REFERENCE_IMAGE_H
 #include "trace.h"
 
+enum { REF_SAMPLES = 16 };      /* a pixel, of pictures that others are judged by */
+
 typedef struct {
     uint32_t    width, height;
     ref_colour *colour;         /* of each pixel, the mean of its samples */

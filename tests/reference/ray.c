@@ -3,7 +3,6 @@
 #include "ray.h"
 
 #define STEEPEST 6
-#define CLOSE    1e-10          /* m, of a root */
 #define ROUGH    1e-4           /* m, along, while marching */
 
 typedef struct {
@@ -22,7 +21,7 @@ static double off_at(probe *p, double t, double along)
 static double sign_at(probe *p, double t)
 {
     const double f = off_at(p, t, ROUGH);
-    return fabs(f) < 20 * ROUGH ? off_at(p, t, 1e-12) : f;
+    return fabs(f) < 20 * ROUGH ? off_at(p, t, p->surface->close / 100) : f;
 }
 
 /* The root between a and b, where F has different signs: regula falsi after Illinois,
@@ -34,10 +33,10 @@ static double root_between(probe *p, double a, double b, double fa, double fb)
     for (int n = 0; n < 200 && fa != fb; n++) {
         const bool halve = n % 3 == 2 && b - a > wide / 2;
         const double t = halve ? (a + b) / 2 : (a * fb - b * fa) / (fb - fa);
-        const double f = off_at(p, t, 1e-12);
+        const double f = off_at(p, t, p->surface->close / 100);
         if (n % 3 == 2)
             wide = b - a;
-        if (fabs(f) < CLOSE || b - a < 1e-13 * (1 + b))
+        if (fabs(f) < p->surface->close || b - a < 1e-13 * (1 + b))
             return t;
         if ((f < 0) == (fa < 0)) {
             a = t;

@@ -6,7 +6,8 @@
  * below a least step: 1/128 of the shortest wave, at a distance t no less than t / 4000.
  * What lies within one such step, the tip of a crest that a grazing ray only shaves
  * (by less than k A k s^2 / 8 of a step s), is missed.  Slopes above 6 count as 6 in the
- * bound.  The root is then closed in by regula falsi (Illinois) to |F| < 1e-10 m. */
+ * bound.  The root is then closed in by regula falsi (Illinois) to |F| < surface->close,
+ * with heights a hundred times as sharp. */
 #ifndef TP_REFERENCE_RAY_H
 #define TP_REFERENCE_RAY_H
 #include "surface.h"

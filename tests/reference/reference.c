@@ -124,7 +124,8 @@ static int draw(const wishes *w, const ref_stand *stand)
 
 int main(int argc, char **argv)
 {
-    wishes w = { .width = 320, .height = 240, .samples = 16, .threads = 2 };
+    wishes w = { .width = 320, .height = 240, .samples = REF_SAMPLES,
+                 .threads = 2 };
     ref_stand stand = { 0 };
 
     if (argc < 2 || strcmp(argv[1], "--help") == 0) {

@@ -82,6 +82,7 @@ ref_surface ref_surface_of(const tp_scene *scene, const tp_world *world, ref_vec
         .sea = ref_sea_of(scene->wave, TP_WAVES, scene->water.gravity),
         .relief = ref_relief_of(world, ref_number(scene->water.pool_bump)),
         .extent = extent_of(scene, eye, ahead, fading),
+        .close = REF_CLOSE,
     };
     const double back = ref_number(world->back);
 

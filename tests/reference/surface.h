@@ -21,6 +21,8 @@ typedef struct {
     double fade;                /* m inside of the even cells' edge; 0: no fading */
 } ref_extent;
 
+#define REF_CLOSE 1e-10         /* m; tests/charts/reference.c shows what for */
+
 typedef struct {
     ref_sea    sea;
     ref_ocean *ocean;           /* or NULL */
@@ -29,6 +31,7 @@ typedef struct {
     ref_extent extent;
     double     high, reach;     /* no point is farther from its rest, up and sideways */
     double     steep, fine;     /* bounds of slopes; m, the shortest thing */
+    double     close;           /* m: a ray's root is so close; REF_CLOSE to begin with */
 } ref_surface;
 
 /* A point of it. */
