@@ -110,19 +110,6 @@ UNIT    := $(patsubst %.c,$(BUILD)/%,$(wildcard tests/unit/test_*.c tests/host/t
                tests/stability/test_*.c tests/accuracy/test_*.c))
 REF_O   := $(patsubst %.c,$(BUILD)/%.o,$(filter-out %/reference.c,\
                $(wildcard tests/reference/*.c)))
-KERNELS_O := $(patsubst %.c,$(BUILD)/%.o,$(wildcard tests/charts/kernels*.c))
-STABILITY_O := $(patsubst %.c,$(BUILD)/%.o,$(wildcard tests/charts/stability_*.c) \
-               tests/charts/used.c)
-CHARTS  := $(addprefix $(BUILD)/tests/charts/,errors kernels frames reference stability \
-               visibility)
-SPAN_SCENES := from-above three-swells
-SPAN_STEPS  := 0 1 8 16 32
-SPAN_O  := $(addprefix $(BUILD)/tests/charts/,span_scene.o span_steps.o span_true.o \
-               $(SPAN_STEPS:%=span_step_%.o))
-CHARTS  += $(foreach s,$(SPAN_SCENES),$(addprefix $(BUILD)/tests/charts/, \
-               span-$s span_errors-$s))
-POOLS_O := $(addprefix $(BUILD)/tests/charts/,pool_rules.o pool_runs.o pool_truth.o)
-CHARTS  += $(addprefix $(BUILD)/tests/charts/,pool_count pools)
 FUZZ    := $(patsubst %.c,$(BUILD)/%,$(wildcard tests/fuzz/fuzz_*.c))
 GOLDEN  := $(BUILD)/tests/golden/test_frames $(BUILD)/tests/golden/test_harness
 CMOCKA  := -lcmocka
@@ -187,11 +174,6 @@ views: $(BUILD)/tests/bench/views build/host/tally.so
 ## speed against accuracy: the whole sweep into assets/charts
 charts: charts-tools
 	@$(PROGRAM) charts assets/charts
-## what `tidepool charts` measures with
-charts-tools: all build/host/count.so $(CHARTS) $(SCENES:%=$(BUILD)/tests/charts/board-%)
-	@$(MAKE) --no-print-directory BOARD=cortex-m TARGET=charts-m4 MACHINE=cortex-m \
-	    $(patsubst %,build/charts-m4/%.elf,kernels pool_count $(SCENES:%=charts/%) \
-	    $(SPAN_SCENES:%=span-%))
 ## the slow renderer in double precision that pictures are judged by
 reference: $(BUILD)/reference
 ## feed the readers random input, FUZZ_SECONDS (10) for each
@@ -289,8 +271,6 @@ $(BUILD)/tests/%: $(BUILD)/tests/%.o $(BUILD)/ports.a $(LIB)
 	    $(CMOCKA) $(LIBS) -o $@
 $(filter $(BUILD)/%,$(GOLDEN)): $(BUILD)/tests/golden/golden.o
 $(filter $(BUILD)/tests/accuracy/%,$(UNIT)): $(BUILD)/reference.a
-$(filter %/test_chart_truths,$(UNIT)): $(filter-out %/span_scene.o,$(SPAN_O))
-$(filter %/test_pool_truth %/test_pool_maps,$(UNIT)): $(POOLS_O)
 $(BUILD)/reference.a: $(REF_O)
 $(BUILD)/reference: $(BUILD)/tests/reference/reference.o $(BUILD)/reference.a \
           $(BUILD)/ports.a $(LIB)
@@ -337,49 +317,6 @@ MODELS_O := $(patsubst %.c,$(BUILD)/%.o,$(wildcard tests/budgets/models*.c))
 # By a board's mem*: the C library picks its own by the processor that it runs on.
 $(BUILD)/tests/budgets/models: $(MODELS_O) $(BUILD)/ports/cortex-m/memory.o $(LIB)
 	$(SAY)$(LINK) $^ -o $@
-$(BUILD)/tests/charts/kernels: $(KERNELS_O) $(BUILD)/tests/charts/kernel_lists.o $(LIB)
-	$(SAY)$(LINK) $^ -lm -o $@
-$(addprefix $(BUILD)/tests/charts/,frames reference visibility): $(BUILD)/reference.a
-$(SCENES:%=$(BUILD)/tests/charts/board-%): \
-          $(BUILD)/tests/charts/board-%: $(BUILD)/tests/charts/board.o \
-          build/baked/$(MACHINE)/%.o $(BUILD)/ports/cortex-m/memory.o $(LIB)
-	$(SAY)$(LINK) -no-pie $^ -o $@
-$(BUILD)/tests/charts/errors: $(patsubst %.c,$(BUILD)/%.o,$(wildcard tests/charts/errors*.c)) \
-          $(filter-out %/kernels.o,$(KERNELS_O)) $(BUILD)/tests/charts/kernel_lists.o \
-          $(BUILD)/tests/charts/used.o $(BUILD)/ports.a $(LIB)
-	$(SAY)$(LINK) $^ $(LIBS) -o $@
-# Rows of triangles at other steps, instead of the library's.  Of affine ones alone, which
-# are inlined further, compilers do not see that an edge left unset is never walked.
-$(SPAN_STEPS:%=$(BUILD)/tests/charts/span_step_%.o): \
-          $(BUILD)/tests/charts/span_step_%.o: src/raster/span.c $(BUILD)/flags
-	@mkdir -p $(@D)
-	$(SAY)$(COMPILE) $(BARE) -DTP_SPAN_STEP=$* $(foreach f,tri_water tri_solid tri_lid \
-	    samples_clear,-Dtp_$f=tp_$f_$*) $(if $(*:0=),,-Wno-unknown-warning-option \
-	    -Wno-maybe-uninitialized) \
-	    -c $< -o $@
-$(SPAN_SCENES:%=$(BUILD)/tests/charts/span-%): $(BUILD)/tests/charts/span-%: \
-          $(BUILD)/tests/charts/span.o $(SPAN_O) build/baked/$(MACHINE)/%.o \
-          $(BUILD)/ports/cortex-m/memory.o $(LIB)
-	$(SAY)$(LINK) $^ -lm -o $@
-$(SPAN_SCENES:%=$(BUILD)/tests/charts/span_errors-%): $(BUILD)/tests/charts/span_errors-%: \
-          $(BUILD)/tests/charts/span_errors.o $(SPAN_O) build/baked/$(MACHINE)/%.o \
-          $(BUILD)/tests/charts/span_used.o $(BUILD)/reference.a $(BUILD)/ports.a $(LIB)
-	$(SAY)$(LINK) $^ $(LIBS) -o $@
-$(BUILD)/tests/charts/stability: $(BUILD)/tests/charts/stability.o $(STABILITY_O) \
-          $(BUILD)/ports.a $(LIB)
-	$(SAY)$(LINK) $^ $(LIBS) -o $@
-$(BUILD)/tests/stability/test_maps: $(STABILITY_O)
-# Baked as scenes are, which boards cannot read.
-build/baked/pool_points.c: tests/charts/pool_points.c $(BAKES) $(SHIPPED) \
-          | build/host/tests/charts/pool_points
-	@mkdir -p $(@D)
-	$(SAY)build/host/tests/charts/pool_points >$@
-build/baked/$(MACHINE)/pool_points.o: FLAGS += -I.
-$(BUILD)/tests/charts/pool_count: $(BUILD)/tests/charts/pool_count.o \
-          build/baked/$(MACHINE)/pool_points.o $(BUILD)/ports/cortex-m/memory.o $(LIB)
-	$(SAY)$(LINK) $^ -o $@
-$(BUILD)/tests/charts/pools: $(POOLS_O) $(BUILD)/tests/charts/used.o \
-          build/baked/$(MACHINE)/pool_points.o
 build/host/count.so: tests/budgets/count.c $(BUILD)/flags
 	$(SAY)$(COMPILE) -D_POSIX_C_SOURCE=200809L -fPIC -shared $< -o $@
 build/host/tally.so: tests/bench/tally.c $(BUILD)/flags
@@ -397,21 +334,6 @@ $(BUILD)/ram/%.elf: $(BUILD)/tests/budgets/ram.o build/baked/$(MACHINE)/%.o \
 	@mkdir -p $(@D)
 	$(SAY)$(LINK_ELF)
 $(BUILD)/models.elf: $(MODELS_O) \
-          $(filter-out %/main.o,$(BOARD_O)) $(LIB) ports/$(BOARD)/board.ld
-	$(SAY)$(LINK_ELF)
-$(SPAN_SCENES:%=$(BUILD)/span-%.elf): $(BUILD)/span-%.elf: \
-          $(BUILD)/tests/charts/span.o $(SPAN_O) build/baked/$(MACHINE)/%.o \
-          $(filter-out %/main.o,$(BOARD_O)) $(LIB) ports/$(BOARD)/board.ld
-	$(SAY)$(LINK_ELF)
-$(BUILD)/kernels.elf: $(KERNELS_O) $(BUILD)/tests/charts/kernel_lists.o \
-          $(filter-out %/main.o,$(BOARD_O)) $(LIB) ports/$(BOARD)/board.ld
-	$(SAY)$(LINK_ELF)
-$(BUILD)/charts/%.elf: $(BUILD)/tests/charts/board.o build/baked/$(MACHINE)/%.o \
-          $(filter-out %/main.o,$(BOARD_O)) $(LIB) ports/$(BOARD)/board.ld
-	@mkdir -p $(@D)
-	$(SAY)$(LINK_ELF)
-$(BUILD)/pool_count.elf: $(BUILD)/tests/charts/pool_count.o \
-          build/baked/$(MACHINE)/pool_points.o \
           $(filter-out %/main.o,$(BOARD_O)) $(LIB) ports/$(BOARD)/board.ld
 	$(SAY)$(LINK_ELF)
 $(BUILD)/kit_v3.o: $(V3_C:%.c=$(BUILD)/v3/%.o)
@@ -441,6 +363,8 @@ $(BUILD)/%.o: %.c $(BUILD)/flags
 $(BUILD)/flags: force
 	@mkdir -p $(@D)
 	@echo '$(COMPILE) $(SDL_CFLAGS)' | cmp -s - $@ || echo '$(COMPILE) $(SDL_CFLAGS)' >$@
+
+include tests/charts/charts.mk
 
 .PHONY: all lib run test test-all soak count ram bench fuzz golden gallery assets install format \
     views charts clean help unit everything host-tests more-tests fuzzers elf elves frames \

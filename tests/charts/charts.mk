@@ -1,0 +1,93 @@
+# SPDX-License-Identifier: MIT
+# What `tidepool charts` measures with: programs of this machine and of an emulated board.
+# Part of the Makefile, which has the names used here.
+
+AT := $(BUILD)/tests/charts
+
+KERNELS_O   := $(patsubst %.c,$(BUILD)/%.o,$(wildcard tests/charts/kernels*.c)) \
+               $(AT)/kernel_lists.o
+STABILITY_O := $(patsubst %.c,$(BUILD)/%.o,$(wildcard tests/charts/stability_*.c)) \
+               $(AT)/used.o
+POOLS_O     := $(addprefix $(AT)/,pool_rules.o pool_runs.o pool_truth.o)
+SPAN_SCENES := from-above three-swells
+SPAN_STEPS  := 0 1 8 16 32
+SPAN_O      := $(addprefix $(AT)/,span_scene.o span_steps.o span_true.o \
+                   $(SPAN_STEPS:%=span_step_%.o))
+CHARTS      := $(addprefix $(AT)/,errors frames kernels pool_count pools reference \
+                   stability visibility $(SPAN_SCENES:%=span-%) \
+                   $(SPAN_SCENES:%=span_errors-%) $(SCENES:%=board-%))
+CHARTS_ELF  := $(patsubst %,build/charts-m4/%.elf,kernels pool_count \
+                   $(SPAN_SCENES:%=span-%) $(SCENES:%=charts/%))
+
+charts-tools: all build/host/count.so $(CHARTS)
+	@$(MAKE) --no-print-directory BOARD=cortex-m TARGET=charts-m4 MACHINE=cortex-m \
+	    $(CHARTS_ELF)
+
+# -- of this machine ---------------------------------------------------------------------
+
+$(AT)/kernels: $(KERNELS_O) $(LIB)
+	$(SAY)$(LINK) $^ -lm -o $@
+$(addprefix $(AT)/,frames reference visibility): $(BUILD)/reference.a
+$(SCENES:%=$(AT)/board-%): \
+          $(AT)/board-%: $(AT)/board.o \
+          build/baked/$(MACHINE)/%.o $(BUILD)/ports/cortex-m/memory.o $(LIB)
+	$(SAY)$(LINK) -no-pie $^ -o $@
+$(AT)/errors: $(patsubst %.c,$(BUILD)/%.o,$(wildcard tests/charts/errors*.c)) \
+          $(filter-out %/kernels.o,$(KERNELS_O)) \
+          $(AT)/used.o $(BUILD)/ports.a $(LIB)
+	$(SAY)$(LINK) $^ $(LIBS) -o $@
+# Rows of triangles at other steps, instead of the library's.  Of affine ones alone, which
+# are inlined further, compilers do not see that an edge left unset is never walked.
+$(SPAN_STEPS:%=$(AT)/span_step_%.o): \
+          $(AT)/span_step_%.o: src/raster/span.c $(BUILD)/flags
+	@mkdir -p $(@D)
+	$(SAY)$(COMPILE) $(BARE) -DTP_SPAN_STEP=$* $(foreach f,tri_water tri_solid tri_lid \
+	    samples_clear,-Dtp_$f=tp_$f_$*) $(if $(*:0=),,-Wno-unknown-warning-option \
+	    -Wno-maybe-uninitialized) \
+	    -c $< -o $@
+$(SPAN_SCENES:%=$(AT)/span-%): $(AT)/span-%: \
+          $(AT)/span.o $(SPAN_O) build/baked/$(MACHINE)/%.o \
+          $(BUILD)/ports/cortex-m/memory.o $(LIB)
+	$(SAY)$(LINK) $^ -lm -o $@
+$(SPAN_SCENES:%=$(AT)/span_errors-%): $(AT)/span_errors-%: \
+          $(AT)/span_errors.o $(SPAN_O) build/baked/$(MACHINE)/%.o \
+          $(AT)/span_used.o $(BUILD)/reference.a $(BUILD)/ports.a $(LIB)
+	$(SAY)$(LINK) $^ $(LIBS) -o $@
+$(AT)/stability: $(AT)/stability.o $(STABILITY_O) \
+          $(BUILD)/ports.a $(LIB)
+	$(SAY)$(LINK) $^ $(LIBS) -o $@
+# Baked as scenes are, which boards cannot read.
+build/baked/pool_points.c: tests/charts/pool_points.c $(BAKES) $(SHIPPED) \
+          | build/host/tests/charts/pool_points
+	@mkdir -p $(@D)
+	$(SAY)build/host/tests/charts/pool_points >$@
+build/baked/$(MACHINE)/pool_points.o: FLAGS += -I.
+$(AT)/pool_count: $(AT)/pool_count.o \
+          build/baked/$(MACHINE)/pool_points.o $(BUILD)/ports/cortex-m/memory.o $(LIB)
+	$(SAY)$(LINK) $^ -o $@
+$(AT)/pools: $(POOLS_O) $(AT)/used.o \
+          build/baked/$(MACHINE)/pool_points.o
+
+# -- of the board ----------------------------------------------------------------------
+
+$(SPAN_SCENES:%=$(BUILD)/span-%.elf): $(BUILD)/span-%.elf: \
+          $(AT)/span.o $(SPAN_O) build/baked/$(MACHINE)/%.o \
+          $(filter-out %/main.o,$(BOARD_O)) $(LIB) ports/$(BOARD)/board.ld
+	$(SAY)$(LINK_ELF)
+$(BUILD)/kernels.elf: $(KERNELS_O) \
+          $(filter-out %/main.o,$(BOARD_O)) $(LIB) ports/$(BOARD)/board.ld
+	$(SAY)$(LINK_ELF)
+$(BUILD)/charts/%.elf: $(AT)/board.o build/baked/$(MACHINE)/%.o \
+          $(filter-out %/main.o,$(BOARD_O)) $(LIB) ports/$(BOARD)/board.ld
+	@mkdir -p $(@D)
+	$(SAY)$(LINK_ELF)
+$(BUILD)/pool_count.elf: $(AT)/pool_count.o \
+          build/baked/$(MACHINE)/pool_points.o \
+          $(filter-out %/main.o,$(BOARD_O)) $(LIB) ports/$(BOARD)/board.ld
+	$(SAY)$(LINK_ELF)
+
+# -- tests -----------------------------------------------------------------------------
+
+$(filter %/test_maps,$(UNIT)): $(STABILITY_O)
+$(filter %/test_chart_truths,$(UNIT)): $(filter-out %/span_scene.o,$(SPAN_O))
+$(filter %/test_pool_truth %/test_pool_maps,$(UNIT)): $(POOLS_O)
