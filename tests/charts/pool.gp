@@ -78,6 +78,6 @@ plot for [n=1:3] csv using "m":(along(n, "rest")) with linespoints \
          pointtype shape(4 * 2**n) linecolor rgb colour(n) pointsize 1.2, \
      "" using "m":(used("rest")):(shape(column("bits")) + 1):(rgb_of(column("bits"))) \
          @filled_ones, \
-     "" using "m":(used("rest")):(strcol("used")) with labels left offset 0.6,-0.7 \
+     "" using "m":(used("rest")):(strcol("used")) with labels right offset -0.5,0.6 \
          noenhanced font font . ",13" textcolor rgb "#303030"
 unset multiplot

@@ -22,7 +22,8 @@ static char     known[POINTS][KEYS_BYTES];
 static unsigned n_known;
 
 /* A point once, with what the engine has it at. */
-static void print_point(int32_t cells, uint32_t cols, uint32_t rows, uint32_t m, tp_fx courant)
+static void print_point(int32_t cells, uint32_t cols, uint32_t rows, uint32_t m,
+                        tp_fx courant)
 {
     char side[24], keys[KEYS_BYTES];
 
@@ -79,7 +80,8 @@ int main(void)
     char **names = path_scene_names(FOLDER, &count);
     bool good = count > 0;
 
-    printf("#include \"tests/charts/pool_points.h\"\nconst pool_point pool_points[] = {\n");
+    printf("#include \"tests/charts/pool_points.h\"\n"
+           "const pool_point pool_points[] = {\n");
     print_grid();
     for (size_t i = 0; i < count; i++)
         good &= print_scene(names[i]);

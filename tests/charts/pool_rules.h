@@ -23,9 +23,9 @@ double pool_neumann_r2(tp_cells cells, uint32_t m);
 double pool_bound_r2(uint32_t m);
 
 /* The r below which gear A's roundings add more energy than damping takes from noise of
- * rms h LSB [C8].  Each S is off by what is carried on less what was carried here, 1 / 6 in
- * the mean square, half of which is its energy; damping takes delta of the energy, which is
- * r^2 / 2 times 4 h^2: r^2 = 2^m / 24 h^2. */
+ * rms h LSB [C8].  Each S is off by what is carried on less what was carried here, 1 / 6
+ * in the mean square, half of which is its energy; damping takes delta of the energy,
+ * which is r^2 / 2 times 4 h^2: r^2 = 2^m / 24 h^2. */
 double pool_noise_r(double rms, uint32_t m);
 
 /* The r below which the tank's longest wave does not swing any more but creeps: damping

@@ -28,15 +28,16 @@ void pool_tank_errors(const pool_tank *tank, double r, const uint32_t *ticks, in
 
 /* From noise, in gear A: what a tick multiplies the water by, measured, and by the rule
  * without rounding from the same start over the same ticks.  Up to von Neumann's line the
- * root of the energy [C3], over GROWTH_TICKS, from a fourth of the range; beyond it, where
- * that is no energy, the rms of heights, from a 32nd of the range until a cell is at half of
- * it: fluxes are held from there on. */
+ * root of the energy [C3], over GROWTH_TICKS, from a fourth of the range; beyond it,
+ * where that is no energy, the rms of heights, from a 32nd of the range until a cell is
+ * at half of it: fluxes are held from there on. */
 enum { GROWTH_TICKS = 64, GROWTH_SIDE = 32, FULL_TICKS = 500 };
 typedef struct {
     double  growth, unrounded;      /* 1 is none */
     double  rms;                    /* of the noise, LSB */
-    int32_t full_at;                /* tick at which a height or velocity is at its range's
-                                     * end, from a fourth of it; 0: none of FULL_TICKS */
+    int32_t full_at;                /* tick at which a height or velocity is at its
+                                     * range's end, from a fourth of it; 0: none of
+                                     * FULL_TICKS */
 } pool_growth;
 pool_growth pool_tank_growth(const pool_tank *tank);
 
@@ -46,7 +47,7 @@ typedef struct {
     pool_ending ending;
     uint32_t    ticks;
     bool        full;               /* was at its range's end */
-    double      drift, drift_a;     /* largest |mean height|, LSB: ever, and before gear B */
+    double      drift, drift_a;     /* largest |mean height|, LSB: ever, before gear B */
     int32_t     residue;            /* highest |height| at the end, LSB */
 } pool_rest;
 pool_rest pool_tank_rest(const pool_tank *tank, uint32_t most);

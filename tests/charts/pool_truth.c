@@ -118,7 +118,8 @@ static double omega_of(const pool_truth *truth, uint32_t p, uint32_t q)
 void pool_truth_init(pool_truth *truth, uint32_t cols, uint32_t rows, double r,
                      double rho, const double *now, const double *before)
 {
-    *truth = (pool_truth){ cols, rows, r, -log(rho) / 2, modes_of(now, cols, rows), NULL };
+    *truth = (pool_truth){ .cols = cols, .rows = rows, .r = r, .gamma = -log(rho) / 2 };
+    truth->height = modes_of(now, cols, rows);
     truth->speed = before ? modes_of(before, cols, rows)
                           : calloc((size_t)cols * rows, sizeof(double));
     for (uint32_t i = 0; before && i < cols * rows; i++)

@@ -3,14 +3,14 @@
  *
  *     h_tt + 2 g h_t = c^2 (h_xx + h_zz),     in cells and ticks: c = r, e^-g = sqrt(rho)
  *
- * with rho = 1 - delta, [C6] of the models.  A field that is known at the cells' centres is
- * the sum of the tank's standing modes, a cosine transform of it; each mode has a closed
- * form in time, so the field is known at any moment and anywhere between the cells. */
+ * with rho = 1 - delta, [C6] of the models.  A field that is known at the cells' centres
+ * is the sum of the tank's standing modes, a cosine transform of it; each mode has a
+ * closed form in time, so the field is known at any moment and anywhere between cells. */
 #ifndef POOL_TRUTH_H
 #define POOL_TRUTH_H
 #include <stdint.h>
 
-/* Height at time t of one mode of frequency omega, which has `height` and `speed` at 0. */
+/* Height at time t of a mode of frequency omega that has `height` and `speed` at 0. */
 double pool_truth_mode(double omega, double gamma, double height, double speed, double t);
 
 /* The speed at 0 of the mode that has `height` at 0 and had `before` at -1. */

@@ -43,7 +43,8 @@ static void a_mode_grows_by_its_root(void **state)
         pool_field w = pool_field_of(pool);
         double before = 0;
         for (uint32_t i = 0; i < 256; i++)
-            w.h[i] = cos(PI * 15 * (i % 16 + 0.5) / 16) * cos(PI * 15 * (i / 16 + 0.5) / 16);
+            w.h[i] = cos(PI * 15 * (i % 16 + 0.5) / 16)
+                   * cos(PI * 15 * (i / 16 + 0.5) / 16);
         for (int tick = 0; tick < 300 && fabs(w.h[0]) < 1e100; tick++) {
             before = w.h[0];
             pool_field_step(&w, rule);
@@ -77,8 +78,8 @@ static void within_the_bound_noise_dies_away_as_theory_says(void **state)
         assert_true(g.growth < 1);
         assert_int_equal(g.full_at, 0);
     }
-    printf("# a tick multiplies noise by 1 %+.5f at the most; %.1e off without rounding\n",
-           worst, apart);
+    printf("# a tick multiplies noise by 1 %+.5f at the most; %.1e off without "
+           "rounding\n", worst, apart);
     assert_true(apart < 1e-4);
 }
 
@@ -112,7 +113,8 @@ static void beyond_von_neumann_noise_grows_to_the_ranges_end(void **state)
 static void eight_bits_are_fed_by_rounding_left_of_the_line(void **state)
 {
     (void)state;
-    printf("# 8 bits: noise grows left of r and dies right of it\n#  m   line  left, right\n");
+    printf("# 8 bits: noise grows left of r and dies right of it\n"
+           "#  m   line  left, right\n");
     for (uint32_t m = 6; m <= 10; m++) {
         const pool_tank any = tank_of(TP_CELLS_8, GROWTH_SIDE, m, 0.4);
         const double line = pool_noise_r(pool_tank_growth(&any).rms, m);

@@ -67,7 +67,7 @@ static double hat(double x, double z)
     return (1 - s / 2) * exp(-s / 2);
 }
 
-/* Of sigma 3 cells at (13.2, 10.6), with its images in the four walls: no wall cuts it. */
+/* Of sigma 3 cells at (13.2, 10.6), with its images in the walls: no wall cuts it. */
 static double hat_at(double x, double z)
 {
     double h = 0;
