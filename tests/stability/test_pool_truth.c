@@ -7,6 +7,7 @@
 #include <setjmp.h>
 #include <stdint.h>
 #include <cmocka.h>
+#include "tests/charts/pool_rules.h"
 #include "tests/charts/pool_truth.h"
 #include "tests/unit/chance.h"
 
@@ -54,6 +55,22 @@ static void a_mode_begins_as_it_is_told(void **state)
                               - pool_truth_mode(omega, gamma, a, v, -e)) / (2 * e);
         assert_true(fabs(pool_truth_mode(omega, gamma, a, v, -1) - b) < 1e-11);
         assert_true(fabs(slope - v) < 1e-7);
+    }
+}
+
+/* The cells' rules lose as much: a swinging mode's root is e^-g of the same damping. */
+static void the_rules_of_cells_are_damped_alike(void **state)
+{
+    (void)state;
+    for (int n = 0; n < 30; n++) {
+        const tp_cells cells = n % 2 ? TP_CELLS_16 : TP_CELLS_32;
+        const uint32_t m = 4 + (uint32_t)n / 2 % 7;
+        const double h = 1, rho = 1 - ldexp(1, -(int)m);
+        pool_truth truth;
+        pool_truth_init(&truth, 1, 1, 0.4, rho, &h, NULL);
+        assert_true(fabs(pool_rule_root(pool_rule_of(cells, 0.16, m), 1)
+                         - exp(-truth.gamma)) < 1e-12);
+        pool_truth_free(&truth);
     }
 }
 
@@ -121,14 +138,14 @@ static void step_fine(double *h, double *before, uint32_t finer, double gamma, i
 }
 
 /* The rms by which `ticks` of cells `finer` times as small miss the truth. */
-static double miss(const pool_truth *truth, uint32_t finer, uint32_t ticks)
+static double miss(const pool_truth *truth, double gamma, uint32_t finer, uint32_t ticks)
 {
     static double h[CELLS], before[CELLS], right[CELLS];
     const uint32_t count = COLS * ROWS * finer * finer;
 
     lay(h, finer);
     for (uint32_t n = 0; n < ticks * finer; n++)
-        step_fine(h, before, finer, truth->gamma, n == 0);
+        step_fine(h, before, finer, gamma, n == 0);
     pool_truth_at(truth, ticks, finer, right);
     return rms_of(h, right, count) / rms_of(right, NULL, count);
 }
@@ -144,13 +161,14 @@ static void finer_cells_and_ticks_converge_on_it(void **state)
     lay(start, 1);
     printf("# rms off the truth, %%: cells and ticks 1, 1/2, 1/4, 1/8; their limit\n");
     for (int n = 0; n < 6; n++) {
+        const uint32_t m = n % 2 ? 6 : 10;
+        const double delta = ldexp(1, -(int)m), gamma = -log1p(-delta) / 2;
         pool_truth truth;
         double off[4];
-        pool_truth_init(&truth, COLS, ROWS, 0.484, 1 - (n % 2 ? 0.015625 : 0.0009765625),
-                        start, NULL);
+        pool_truth_init(&truth, COLS, ROWS, 0.484, 1 - delta, start, NULL);
         for (uint32_t k = 0; k < 4; k++)
-            off[k] = 100 * miss(&truth, 1u << k, ticks[n / 2]);
-        printf("# damping 2^-%-2d tick %3d  %8.4f %8.4f %8.4f %8.4f\n", n % 2 ? 6 : 10,
+            off[k] = 100 * miss(&truth, gamma, 1u << k, ticks[n / 2]);
+        printf("# damping 2^-%-2d tick %3d  %8.4f %8.4f %8.4f %8.4f\n", (int)m,
                (int)ticks[n / 2], off[0], off[1], off[2], off[3]);
         assert_true(off[3] < off[2] / 3.8 && off[3] > off[2] / 4.2);
         pool_truth_free(&truth);
@@ -217,6 +235,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_mode_obeys_its_equation),
         cmocka_unit_test(a_mode_begins_as_it_is_told),
+        cmocka_unit_test(the_rules_of_cells_are_damped_alike),
         cmocka_unit_test(finer_cells_and_ticks_converge_on_it),
         cmocka_unit_test(without_damping_it_is_two_waves_running_apart),
         cmocka_unit_test(a_field_passes_through_its_start),
