@@ -93,6 +93,28 @@ static void put_picture(command *c, const char *folder, const char *dir, const c
     free(own);
 }
 
+/* The SVG's points as the PNG's, see svg.awk. */
+static void put_points(command *c, const char *folder, const char *dir, const chart *of)
+{
+    char *awk = path_join(folder, "svg.awk", ""), *svg = hidden_path(dir, of, ".svg");
+    char *part = hidden_path(dir, of, ".part");
+    if (awk && svg && part) {
+        put(c, "awk -f ");
+        put_word(c, awk);
+        put(c, " ");
+        put_word(c, svg);
+        put(c, " >");
+        put_word(c, part);
+        put(c, " && mv ");
+        put_word(c, part);
+        put(c, " ");
+        put_word(c, svg);
+    }
+    free(awk);
+    free(svg);
+    free(part);
+}
+
 /* gnuplot goes on after some mistakes and says so alone: then there is no picture.  That
  * no row is used by a scene, or all are, is none. */
 #define NO_POINTS "Skipping data file with no valid points"
@@ -103,9 +125,10 @@ static bool add_picture(chart_jobs *jobs, const charts *c, const chart *of,
     command both = { .text = calloc(1, 1) };
     put(&both, "said=$({ ");
     for (int i = 0; i < 2; i++) {
-        put(&both, i == 0 ? "" : " && ");
         put_picture(&both, c->folder, dir, of, suffixes[i]);
+        put(&both, " && ");
     }
+    put_points(&both, c->folder, dir, of);
     put(&both, "; } 2>&1); code=$?; said=$(echo \"$said\" | grep -v '" NO_POINTS "');"
                " [ $code = 0 ] && [ -z \"$said\" ] || { echo \"$said\"; exit 1; }");
     if (!chart_jobs_add(jobs, both.text, NULL))
@@ -117,14 +140,13 @@ static bool add_picture(chart_jobs *jobs, const charts *c, const chart *of,
 /* The pictures become what they are called, or nothing is left of them. */
 static int settle(const chart *of, const char *dir, bool drawn)
 {
+    static const char *const parts[] = { ".part", ".png", ".svg" };
     int code = EXIT_DONE;
-    for (int i = 0; i < 2 && !code; i++) {
-        char suffix[8];
-        snprintf(suffix, sizeof suffix, ".%s", suffixes[i]);
-        char *from = hidden_path(dir, of, suffix), *to = chart_path(dir, of, suffix);
+    for (int i = 0; i < 3 && !code; i++) {
+        char *from = hidden_path(dir, of, parts[i]), *to = chart_path(dir, of, parts[i]);
         if (!from || !to)
             code = fail_memory(strlen(dir));
-        else if (!drawn)
+        else if (!drawn || i == 0)
             unlink(from);
         else if (rename(from, to) != 0)
             code = fail(EXIT_INPUT, "%s: %s", to, strerror(errno));

@@ -11,7 +11,7 @@
 font = "DejaVu Sans"
 if (term eq "svg") {
     set terminal svg size 900,600 dynamic enhanced background "white" \
-        font font . ",21" linewidth 1.6
+        font font . ",20" linewidth 1.6
 } else {
     if (strstrt(GPVAL_TERMINALS, "pngcairo") > 0) {
         set terminal pngcairo size 900,600 enhanced font font . ",15" linewidth 1.6

@@ -42,6 +42,7 @@ echo "What to choose." >charts/demo.txt
 echo "All scenes are one." >charts/scenes.txt
 printf '# Page\n\n@sce*\n\n@nothing\n\n## More\n' >charts/page.md
 : >charts/style.gp
+echo '{ print "<" $0 ">" }' >charts/svg.awk
 cat >rows/a <<'END'
 demo,lin;8,cost,20
 demo,lin;8,error,0.5
@@ -101,9 +102,9 @@ same "{scene} is every shipped scene" "$(sed 1d whole/scenes.csv | LC_ALL=C sort
 same "pictures are drawn in both forms, and nothing else is there" \
     "$(ls -A whole | tr '\n' ' ')" "README.md demo.csv demo.png demo.svg demo.time.csv \
 scenes.csv scenes.png scenes.svg "
-same "gnuplot is told of files and form" "$(cat whole/demo.svg)" "csv='whole/demo.csv'; \
+same "gnuplot is told of files and form" "$(cat whole/demo.svg)" "<csv='whole/demo.csv'; \
 time_csv='whole/demo.time.csv'; out='whole/.demo'; term='svg';  charts/style.gp \
-charts/demo.gp"
+charts/demo.gp>"
 same "the page has both charts, in its order" "$(grep '^#' whole/README.md)" "# Page
 ### Scenes
 ## More
@@ -149,7 +150,7 @@ same "one chart alone" "$code $(cd one && echo *.csv)" "0 demo.csv demo.time.csv
 # -- the front --------------------------------------------------------------------------
 
 mkdir fronts
-cp charts/page.md charts/style.gp fronts
+cp charts/page.md charts/style.gp charts/svg.awk fronts
 cat >fronts/cloud.ini <<'END'
 [chart]
 title  = Cloud
@@ -340,7 +341,7 @@ expect "a chart without a text" 0 "chart demo: no text (charts/demo.txt)" charts
 # -- interruptions ----------------------------------------------------------------------
 
 mkdir slow
-cp charts/page.md charts/style.gp slow
+cp charts/page.md charts/style.gp charts/svg.awk slow
 cat >slow/slow.ini <<'END'
 [chart]
 title  = Slow
