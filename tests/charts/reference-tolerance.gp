@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: MIT
-# The reference's picture by how close a ray's root is: what it is off, above, and the time
-# that it takes, below, where times were measured.  Of the pictures of 80x60.
+# The reference's picture by how close a ray's root is: what it is off, above, and the
+# time that it takes, below, where times were measured.  Of the pictures of 80x60.
 scenes = "three-swells storm shore-break tank"
 size   = "80x60"
-of(name, i) = strcol("scene") eq word(scenes, i) && strcol("size") eq size ? column(name) : NaN
+of(name, i) = strcol("scene") eq word(scenes, i) && strcol("size") eq size \
+              ? column(name) : NaN
 taken(i)    = is_used(strcol("used")) ? of("rms", i) : NaN
 timed = int(system(sprintf("test -s '%s' && echo 1 || echo 0", time_csv)))
 

@@ -2,16 +2,16 @@
 /* The reference renderer judged by itself: how its picture converges.
  *
  *     reference samples WIDTH HEIGHT TICK SCENE...
- *         rows of the chart reference-samples: 1, 4, 16 and 64 samples a pixel against 256,
- *         and the slope of a line through their logarithms
+ *         rows of the chart reference-samples: 1, 4, 16 and 64 samples a pixel against
+ *         256, and the slope of a line through their logarithms
  *     reference tolerance WIDTH HEIGHT TICK SCENE...
- *         rows of reference-tolerance: how close a ray's root is, 1e-2 to 1e-10 m, against
- *         1e-12, of one sample a pixel
+ *         rows of reference-tolerance: how close a ray's root is, 1e-2 to 1e-10 m,
+ *         against 1e-12, of one sample a pixel
  *     reference times WIDTH HEIGHT TICK SCENE...
  *         what those pictures take: ms of this machine, the least of three
  *
- * Differences are of 255, before they are rounded.  What is less than 1e-6 counts as that:
- * there the C library's functions show. */
+ * Differences are of 255, before they are rounded.  What is less than 1e-6 counts as
+ * that: there the C library's functions show. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -192,6 +192,7 @@ int main(int argc, char **argv)
                          word_number(argv[4]), ways[w].how);
         return code;
     }
-    fprintf(stderr, "usage: reference samples|tolerance|times WIDTH HEIGHT TICK SCENE...\n");
+    fprintf(stderr, "usage: reference samples|tolerance|times WIDTH HEIGHT TICK "
+                    "SCENE...\n");
     return 2;
 }
