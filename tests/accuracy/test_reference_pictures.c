@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The pictures on the reference's water against closed forms: layers, their filter, tones
- * and drift, and the distortion. */
+/* What lies on the reference's water against closed forms: layers, their filter, tones and
+ * drift, the distortion, ripples, and pools. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -206,6 +206,79 @@ static void ripples_lie_as_their_map_says(void **state)
     assert_true(off.worst < 1e-8);
 }
 
+/* -- pools ------------------------------------------------------------------------- */
+
+enum { CELLS = 32 };
+#define CELL 0.5                /* m */
+
+static double height_at(const view_of_ref *v, int col, int row)
+{
+    return tp_pool_height(tp_world_pool(v->world), (uint32_t)col, (uint32_t)row)
+         * (v->scene.pool.range / 65536.0) / 32767;
+}
+
+/* A pool that was poked, from 6 m above and 5 m before its middle. */
+static void open_poked(view_of_ref *v, bool bump)
+{
+    tp_scene *s = &v->scene;
+    const tp_input poke = { .poke = TP_FX(0.8), .poke_x = chance_fx(&seed, -3, 3),
+                            .poke_z = chance_fx(&seed, -3, 3) };
+
+    s->pool.cols = s->pool.rows = CELLS;
+    s->pool.cells = TP_CELLS_16;
+    s->pool.cell = TP_FX(CELL);
+    s->pool.range = TP_FX_ONE;
+    s->water.pool_bump = bump ? chance_fx(&seed, 0.5, 2) : 0;
+    s->camera.heading = 0;
+    s->camera.x = 0;
+    s->camera.y = 6 * TP_FX_ONE;
+    s->camera.z = 5 * TP_FX_ONE;
+    v->world = scene_world(s, &v->assets);
+    tp_world_step(v->world, s, &poke);
+    while (v->world->tick < 12)
+        tp_world_step(v->world, s, NULL);
+    ref_scene_open(&v->ref, s, &v->assets, v->world, 64, 48, false);
+}
+
+/* At the centre of a cell the slope is that between the cells beside it, times the bump;
+ * else the water is as high as the cell too. */
+static void pools_are_as_steep_as_their_cells(void **state)
+{
+    (void)state;
+    for (int bump = 0; bump < 2; bump++) {
+        measure off = { .what = bump ? "bent by a pool" : "a pool", .unit = "of 255" };
+        double most = 0;
+        for (int n = 0; n < 100; n++) {
+            view_of_ref v = { .scene = scene_pictured(false) };
+            v.scene.light.ambient = 0;
+            v.scene.light.elevation = 50 * TP_FX_ONE;
+            open_poked(&v, bump);
+            const int col = chance_int(&seed, 12, 19), row = chance_int(&seed, 12, 19);
+            const double by = bump ? v.scene.water.pool_bump / 65536.0 : 1;
+            const double x = (col + 0.5 - CELLS / 2) * CELL;
+            const double z = (row + 0.5 - CELLS / 2) * CELL;
+            const double high = bump ? 0 : height_at(&v, col, row);
+            const double east = by * (height_at(&v, col + 1, row)
+                                      - height_at(&v, col - 1, row)) / (2 * CELL);
+            const double south = by * (height_at(&v, col, row + 1)
+                                       - height_at(&v, col, row - 1)) / (2 * CELL);
+            const sight normal = { atan2(-east, south), atan2(1, hypot(east, south)) };
+            const double cosine = fmax(0, sight_cos(normal, sight_light(&v)));
+            const ref_seen seen = sight_look(&v, (sight){ atan2(x, 5 - z),
+                                                  -atan2(6 - high, hypot(x, 5 - z)) });
+            most = fmax(most, hypot(east, south));
+            for (int k = 0; k < 3; k++)
+                add(&off, seen.colour.c[k], channel(v.scene.water.colour, k) * cosine, n,
+                    k);
+            view_close(&v);
+        }
+        measure_print(&off);
+        printf("    slopes up to %.3f\n", most);
+        assert_true(most > 0.05);
+        assert_true(off.worst < 1e-7);      /* roots are within 1e-10 m */
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -213,6 +286,7 @@ int main(void)
         cmocka_unit_test(a_layer_is_toned),
         cmocka_unit_test(a_distortion_moves_the_layers),
         cmocka_unit_test(ripples_lie_as_their_map_says),
+        cmocka_unit_test(pools_are_as_steep_as_their_cells),
     };
     seed = random_seed();
     return cmocka_run_group_tests(tests, NULL, NULL);
