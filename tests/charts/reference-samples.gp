@@ -12,7 +12,7 @@ said(i)  = sprintf("%s, slope %.2f", word(scenes, i), column("slope"))
 
 set logscale x
 set xtics (1, 4, 16, 64)
-set xrange [0.8:500]
+set xrange [0.8:700]
 @log_y
 set yrange [0.2:30]
 set xlabel "samples a pixel"
@@ -26,4 +26,5 @@ plot half(x) with lines linecolor rgb grey dashtype 2 linewidth 1.2 notitle, \
      for [i=1:4] "" using "samples":(taken(i)) \
          with points linetype i pointtype int(word(shapes, i)) + 1 pointsize 2 notitle, \
      for [i=1:4] "" using "samples":(last(i)):(said(i)) \
-         with labels left offset 1,0 noenhanced textcolor linetype i notitle
+         with labels left offset 1,(i == 1 ? 0.6 : i == 2 ? -0.6 : 0) noenhanced \
+         textcolor linetype i notitle
