@@ -16,7 +16,7 @@ enum { CHART_JOB, CHART_LARGE, CHART_TIME, CHART_KINDS };
 /* What NAME.ini says; see charts_ini.c. */
 typedef struct {
     char *name, *path, *title;
-    words keys, values, times, units, pareto, group;
+    words keys, values, times, units, pareto, group, sparse;
     words commands[CHART_KINDS];
     bool  asked;                /* for by --only, or by nothing */
     bool  failed;               /* a job of it, and nothing is written */

@@ -9,6 +9,7 @@
  *     pareto = m4 error_max               a column `front`: 1 where no row is better in
  *                                         one and as good in the other; lower is better
  *     group  = scene                      with a front for each of these keys
+ *     sparse = used                       values that rows may lack without a word
  *     job    = COMMAND                    prints rows; {scene}: one for each shipped scene
  *     large  = COMMAND                    likewise, but not in the small sweep
  *     times  = ms                         columns of NAME.time.csv
@@ -35,6 +36,7 @@ static const struct {
     { "units", offsetof(chart, units), false },
     { "pareto", offsetof(chart, pareto), false },
     { "group", offsetof(chart, group), false },
+    { "sparse", offsetof(chart, sparse), false },
     { "job", offsetof(chart, commands[CHART_JOB]), true },
     { "large", offsetof(chart, commands[CHART_LARGE]), true },
     { "time", offsetof(chart, commands[CHART_TIME]), true },
@@ -121,6 +123,9 @@ static int check_names(const chart *c)
     for (size_t i = 0; i < c->group.count; i++)
         if (words_find(&c->keys, c->group.of[i]) < 0)
             return wrong(c, "group: no key is called ", c->group.of[i]);
+    for (size_t i = 0; i < c->sparse.count; i++)
+        if (words_find(&c->values, c->sparse.of[i]) < 0)
+            return wrong(c, "sparse: no value is called ", c->sparse.of[i]);
     for (size_t i = 0; i < c->units.count; i++) {
         char name[64];
         const char *unit = c->units.of[i];

@@ -131,7 +131,8 @@ static void tell_missing(const table *t)
     const size_t columns = t->columns->count;
     size_t missing = 0;
     for (size_t i = 0; i < t->rows * columns; i++)
-        if (!t->value[i] && missing++ < TOLD)
+        if (!t->value[i] && words_find(&t->of->sparse, t->columns->of[i % columns]) < 0
+            && missing++ < TOLD)
             say("chart %s: %s has no %s", t->of->name, t->keys[i / columns],
                 t->columns->of[i % columns]);
     if (missing > TOLD)

@@ -304,12 +304,16 @@ ini "no job" " no job" '/cat rows.[abc]/d'
 ini "a front of one value" " pareto: expected two values" 's/cost error$/cost/;5!b'
 ini "a front of no value" " pareto: no value is called ms" '/pareto/s/error/ms/'
 ini "a group that is no key" " group: no key is called cost" '/pareto/s/$/\ngroup=cost/'
+ini "a sparse key" " sparse: no value is called size" '/pareto/s/$/\nsparse=used size/'
 ini "a unit of nothing" " units: no value is called errors" 's/error:/errors:/'
 ini "a unit without one" " units: expected COLUMN:UNIT, found ms" 's/ms:ms/ms/'
 ini "times without a job" " times (columns) and time (a command) go" '/^time /d'
 ini "a job without times" " times (columns) and time (a command) go" '/^times/d'
 ini "a column twice" " two columns are called size" '/used/s/used/used size/'
 ini "a column of ours" " two columns are called front" '/used/s/used/front/'
+sed '/pareto/s/$/\nsparse = used/' ini.good >charts/demo.ini
+expect "what may be missing is not told of" 0 "" charts sparse --from charts
+alike "and changes nothing" wanted.csv sparse/demo.csv
 cp ini.good charts/demo.ini
 
 # -- pictures ---------------------------------------------------------------------------
