@@ -45,8 +45,10 @@ CORE := $(addprefix src/, \
     scene/boat.c scene/clock.c scene/drawn.c scene/drop.c scene/drops.c scene/faint.c \
     scene/float.c scene/foam.c scene/foam_made.c scene/governor.c scene/light.c \
     scene/meter.c scene/moves.c scene/outlook.c scene/paddle.c scene/params.c \
-    scene/parts.c scene/piece.c scene/prices.c scene/rungs.c scene/spray.c scene/tape.c \
-    scene/value.c scene/wake.c scene/world.c \
+    scene/parts.c scene/piece.c scene/prices.c scene/rungs.c scene/spray.c \
+    scene/stand.c scene/tape.c \
+    scene/value.c scene/wake.c scene/works.c scene/works_land.c scene/works_more.c \
+    scene/world.c \
     frame/around.c frame/boat.c frame/bump.c frame/carve.c frame/caustics.c \
     frame/clipped.c frame/drops.c frame/flat.c frame/frame.c frame/glass.c \
     frame/half.c frame/holds.c frame/kit.c frame/land.c frame/lattice.c frame/lines.c \
@@ -231,6 +233,7 @@ more-tests: everything build/host/count.so build/host/tally.so
 	    tests/host/threads.sh tests/bench/views.sh tests/cross/run.sh tests/cross/film.sh \
 	    tests/budgets/scenes-count.sh tests/budgets/ram.sh tests/budgets/kits.sh \
 	    tests/budgets/models-count.sh tests/charts/sweep.sh tests/charts/same.sh \
+	    tests/budgets/plan-count.sh \
 	    tests/budgets/prices.sh tests/fuzz/run.sh
 fuzzers: $(FUZZ)
 # Other renderers for `tidepool bench --peers`, of whatever packages are there.

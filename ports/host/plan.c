@@ -161,8 +161,8 @@ static void print_total(const plan *p)
     printf("bytes: frame %zu (vertices %zu, tables %zu, mirror %zu),\n  a tile's scratch"
            " %zu, world %zu\n", ram.frame, ram.vertices, ram.tables, ram.mirror,
            ram.scratch, p->stage->world_bytes);
-    puts("Instructions are a Cortex-M4's for water and sky, without boat, drops, tank and"
-         "\nticks.  Errors are the most that was measured, beyond the exact rungs' own.");
+    puts("Instructions are a Cortex-M4's of a frame at the scene's start, without ticks."
+         "\nErrors are the most that was measured, beyond the exact rungs' own.");
 }
 
 static int run(const options *o)

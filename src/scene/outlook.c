@@ -7,7 +7,7 @@
 #include "scene/faint.h"
 #include "scene/light.h"
 #include "scene/prices.h"
-#include "scene/sides.h"
+#include "scene/stand.h"
 #include "wave/ocean.h"
 
 #define RAYS   32               /* each way */
@@ -15,128 +15,52 @@
 #define POINTS (1 << 20)        /* at the most */
 #define SPOTS  32               /* of the grid, each way */
 
-typedef struct {
-    tp_vec3     eye;
-    tp_rotation turn;
-    int64_t     wide, high;     /* tangents of half the picture, Q16 */
-    int64_t     x, z;           /* the grid's centre */
-    tp_rectangle water;         /* that there is */
-} stand;
-
-/* -- the lay of the land ------------------------------------------------------------- */
-
-/* From the grid's centre to the end of its even cells. */
-static int64_t half_of(const tp_scene *s, int32_t lines, int32_t *flank)
-{
-    *flank = s->grid.reach > 0 ? lines / 8 : 0;
-    *flank = *flank < TP_GRID_FLANK ? *flank : TP_GRID_FLANK;
-    return (int64_t)s->grid.cell * (lines - 2 * *flank - 1) / 2;
-}
-
-/* Aboard the place is the deck's. */
-static tp_vec3 eye_of(const tp_scene *s)
-{
-    tp_vec3 eye = { s->camera.x, s->camera.y, s->camera.z };
-
-    if (s->camera.follow == TP_FOLLOW_BOAT) {
-        const tp_turn heading = tp_turn_of_degrees(s->boat.heading);
-        const tp_rotation boat = tp_rotation_of(heading, 0, 0);
-        eye = tp_rotate_back(&boat, eye);
-        eye.x = tp_fx_held((int64_t)eye.x + s->boat.x);
-        eye.z = tp_fx_held((int64_t)eye.z + s->boat.z);
-    }
-    return eye;
-}
-
-static void place_water(stand *at, const tp_scene *s)
-{
-    int32_t flank;
-    int64_t wide = half_of(s, s->grid.cols, &flank) + s->grid.reach;
-    int64_t deep = half_of(s, s->grid.rows, &flank) + s->grid.reach;
-
-    at->x = at->z = 0;
-    if (s->grid.follow) {
-        at->x = at->eye.x - ((int64_t)s->grid.cell * s->grid.cols * 3 / 10
-                             * at->turn.z.x >> 30);
-        at->z = at->eye.z - ((int64_t)s->grid.cell * s->grid.rows * 3 / 10
-                             * at->turn.z.z >> 30);
-    }
-    at->water = (tp_rectangle){ tp_fx_held(at->x - wide), tp_fx_held(at->x + wide),
-                                tp_fx_held(at->z - deep), tp_fx_held(at->z + deep) };
-    if (tp_has_tank(s))
-        at->water = tp_pool_sides(s);
-}
-
-static stand stand_of(const tp_scene *s, uint32_t width, uint32_t height)
-{
-    const tp_dir3 half = tp_rotation_of(tp_turn_of_degrees(s->camera.fov) / 2, 0, 0).x;
-    const tp_turn aboard = s->camera.follow == TP_FOLLOW_BOAT
-                         ? tp_turn_of_degrees(s->boat.heading) : 0;
-    stand at = { .eye = eye_of(s) };
-
-    at.turn = tp_rotation_of(aboard + tp_turn_of_degrees(s->camera.heading),
-                             tp_turn_of_degrees(s->camera.pitch), 0);
-    at.high = ((int64_t)half.z * 65536) / half.x;
-    at.wide = at.high * width / height;
-    place_water(&at, s);
-    return at;
-}
-
 /* -- pixels -------------------------------------------------------------------------- */
 
-/* The ray through x, y of the picture: tangents, Q16 of one ahead, below 2^26. */
-static tp_vec3 ray_of(const stand *at, int64_t x, int64_t y)
-{
-    return tp_rotate_back(&at->turn, (tp_vec3){ (tp_fx)x, (tp_fx)y, -TP_FX_ONE });
-}
-
-static bool sees_water(const stand *at, int64_t x, int64_t y)
-{
-    const tp_vec3 ray = ray_of(at, x, y);
-
-    if (ray.y == 0 || at->eye.y == 0 || (ray.y < 0) != (at->eye.y > 0))
-        return false;
-    const int64_t far = (int64_t)at->eye.y * 65536 / -ray.y;    /* Q16, up to 2^47 */
-    if (far > (int64_t)1 << 32)
-        return false;
-    const int64_t px = at->eye.x + (far * ray.x >> 16);
-    const int64_t pz = at->eye.z + (far * ray.z >> 16);
-    return px >= at->water.x0 && px <= at->water.x1
-        && pz >= at->water.z0 && pz <= at->water.z1;
-}
-
-static uint32_t water_rays(const stand *at)
+static uint32_t water_rays(const tp_stand *at)
 {
     uint32_t seen = 0;
 
     for (int32_t j = 0; j < RAYS; j++)
         for (int32_t i = 0; i < RAYS; i++)
-            seen += sees_water(at, at->wide * (2 * i + 1 - RAYS) / RAYS,
-                               at->high * (2 * j + 1 - RAYS) / RAYS);
+            seen += tp_stand_water(at, at->wide * (2 * i + 1 - RAYS) / RAYS,
+                                   at->high * (2 * j + 1 - RAYS) / RAYS) > 0;
     return seen;
 }
 
 /* -- vertices ------------------------------------------------------------------------ */
 
-/* Where the n-th of SPOTS lies on an axis of `lines` lines; those of the flanks grow. */
+/* Where the n-th of SPOTS lies on an axis of `lines` lines. */
 static int64_t spot_of(const tp_scene *s, int32_t lines, int64_t centre, int32_t n)
 {
-    int32_t flank;
-    const int64_t half = half_of(s, lines, &flank);
-    const int64_t line = (int64_t)(lines - 1) * (2 * n + 1 - SPOTS) * 32768 / SPOTS;
-    const int64_t core = (int64_t)(lines - 1 - 2 * flank) * 32768;
-    const int64_t out = line < 0 ? -line - core : line - core;      /* lines, Q16 */
+    return tp_stand_line(s, lines, centre,
+                         (int64_t)(lines - 1) * (2 * n + 1 - SPOTS) * 32768 / SPOTS);
+}
 
-    if (out <= 0)
-        return centre + (line * s->grid.cell >> 16);
-    const int64_t share = out / flank;          /* of the flank, Q16; cubed */
-    const int64_t way = half + (s->grid.reach * (share * share * share >> 32) >> 16);
-    return centre + (line < 0 ? -way : way);
+/* Of the grid's crossings in view; and of their cells, which get a pixel, Q8. */
+typedef struct {
+    uint32_t spots, drawn;
+} viewed;
+
+/* Whether a level cell at such a depth gets a pixel, Q8: its image is its area times
+ * focal^2 height / depth^3.  It is drawn once for each tile that its rows touch. */
+static uint32_t pixels_of_cell(const tp_stand *at, const tp_scene *s, int32_t focal,
+                               int64_t depth)
+{
+    const int64_t height = tp_abs(at->eye.y);
+
+    if (depth <= s->grid.cell)
+        return 512;
+    const int64_t side = tp_limit((int64_t)focal * s->grid.cell * 256 / depth, 1 << 20);
+    const int64_t steep = tp_limit(height * 256 / depth, 1024);
+    const int64_t area = side * side * steep >> 16, rows = side * steep >> 8;
+    return (uint32_t)((area < 256 ? area : 256) * (256 + rows / BAND) >> 8);
 }
 
 /* Within the picture and a little around it, at the level or the crests.  What is 8 km
  * off is as well there. */
-static bool is_viewed(const stand *at, const tp_scene *s, int64_t x, int64_t z)
+static void view_spot(viewed *to, const tp_stand *at, const tp_scene *s, int32_t focal,
+                      int64_t x, int64_t z)
 {
     const int64_t most = 1 << 29;
     const tp_vec3 v = tp_rotate(&at->turn, (tp_vec3){
@@ -146,19 +70,22 @@ static bool is_viewed(const stand *at, const tp_scene *s, int64_t x, int64_t z)
     const int64_t wide = (-v.z * at->wide >> 16) + room;
     const int64_t high = (-v.z * at->high >> 16) + room;
 
-    return -v.z > -room && tp_abs(v.x) <= wide && tp_abs(v.y) <= high;
+    if (-v.z > -room && tp_abs(v.x) <= wide && tp_abs(v.y) <= high) {
+        to->spots++;
+        to->drawn += pixels_of_cell(at, s, focal, -v.z);
+    }
 }
 
-static uint32_t viewed_spots(const stand *at, const tp_scene *s)
+static viewed viewed_spots(const tp_stand *at, const tp_scene *s, int32_t focal)
 {
-    uint32_t viewed = 0;
+    viewed all = { 0, 0 };
 
     for (int32_t j = 0; j < SPOTS; j++) {
         const int64_t z = spot_of(s, s->grid.rows, at->z, j);
         for (int32_t i = 0; i < SPOTS; i++)
-            viewed += is_viewed(at, s, spot_of(s, s->grid.cols, at->x, i), z);
+            view_spot(&all, at, s, focal, spot_of(s, s->grid.cols, at->x, i), z);
     }
-    return viewed;
+    return all;
 }
 
 /* -- points of a lattice over the picture -------------------------------------------- */
@@ -172,7 +99,7 @@ static int64_t lines_below(int64_t rows)
 }
 
 /* Rows from the horizon down to the picture's lower edge. */
-static int64_t rows_below(const stand *at, int32_t focal, uint32_t height)
+static int64_t rows_below(const tp_stand *at, int32_t focal, uint32_t height)
 {
     const int64_t up = at->turn.y.y > 1 << 20
                      ? (int64_t)focal * at->turn.z.y / at->turn.y.y : 4096;
@@ -180,7 +107,7 @@ static int64_t rows_below(const stand *at, int32_t focal, uint32_t height)
 }
 
 /* Tiles of BAND rows walk again the lines that waves, so high, may raise into them. */
-static uint32_t projected_points(const stand *at, int32_t focal, int64_t waves,
+static uint32_t projected_points(const tp_stand *at, int32_t focal, int64_t waves,
                                  uint32_t width, uint32_t height)
 {
     const int64_t below = rows_below(at, focal, height), eye = at->eye.y;
@@ -197,7 +124,7 @@ static uint32_t projected_points(const stand *at, int32_t focal, int64_t waves,
 }
 
 /* Every 8th pixel of every 8th row, of water that has waves. */
-static uint32_t flat_points(const stand *at, int32_t focal, int64_t waves, uint32_t width,
+static uint32_t flat_points(const tp_stand *at, int32_t focal, int64_t waves, uint32_t width,
                             uint32_t height)
 {
     const int64_t below = rows_below(at, focal, height);
@@ -206,7 +133,7 @@ static uint32_t flat_points(const stand *at, int32_t focal, int64_t waves, uint3
     return waves > 0 && rows > 0 ? (uint32_t)((rows / 8 + 1) * (width / 8 + 1)) : 0;
 }
 
-static void list_points(tp_outlook *o, const stand *at, int64_t waves, uint32_t width,
+static void list_points(tp_outlook *o, const tp_stand *at, int64_t waves, uint32_t width,
                         uint32_t height)
 {
     o->points[TP_VISIBILITY_TRIANGLES - 1] = o->vertices;
@@ -218,8 +145,61 @@ static void list_points(tp_outlook *o, const stand *at, int64_t waves, uint32_t 
 
 /* -- which methods draw it ----------------------------------------------------------- */
 
+#define FOLDS    (TP_FX_ONE * 9 / 10)   /* as in frame/holds.c */
+#define STEEPENS (TP_FX_ONE * 3 / 4)
+
+/* Bends along the lines less t times those across, of waves held to a sum of 0.95. */
+static bool stays_in_order(const tp_scene *s, bool upright, int64_t t)
+{
+    int64_t sum = 0, steepness = 0;
+
+    for (int i = 0; i < TP_WAVES; i++) {
+        const tp_wave *w = &s->wave[i];
+        const tp_dir3  d = tp_rotation_of(tp_turn_of_degrees(w->heading), 0, 0).x;
+        const int64_t  m = upright ? d.x >> 14 : d.z >> 14, k = upright ? d.z >> 14
+                                                                        : d.x >> 14;
+        const int64_t  bend = (m * m + (t * m >> 16) * k) >> 16;
+        if (w->amplitude <= 0)
+            continue;
+        sum += (bend < 0 ? -bend : bend) * w->steepness >> 16;
+        steepness += w->steepness;
+    }
+    if (steepness > TP_FX(0.95))
+        sum = sum * TP_FX(0.95) / steepness;
+    return sum < (tp_has_ocean(s) ? STEEPENS : FOLDS);
+}
+
+/* All corners of the picture lead away across the lines, and what they see keeps its
+ * order: frame/holds.c has the rule. */
+static bool rows_hold(const tp_scene *s, const tp_stand *at)
+{
+    const tp_dir3 *back = &at->turn.z;
+    const bool upright = tp_abs(back->x) > tp_abs(back->z);
+    const bool behind = (upright ? back->x : back->z) > 0;
+
+    for (int corner = 0; corner < 4; corner++) {
+        const tp_vec3 ray = tp_stand_ray(at, corner & 1 ? at->wide : -at->wide,
+                                         corner & 2 ? at->high : -at->high);
+        const int64_t across = (upright ? ray.x : ray.z) * (behind ? -1 : 1);
+        const int64_t along = (upright ? ray.z : ray.x) * (behind ? -1 : 1);
+        if (across < 256 || (along < 0 ? -along : along) >= 3 * across
+            || !stays_in_order(s, upright, along * TP_FX_ONE / across))
+            return false;
+    }
+    return true;
+}
+
+/* Metres along the lines for each across them, straight ahead. */
+static tp_fx slant_of(const tp_stand *at)
+{
+    const int64_t x = tp_abs(at->turn.z.x), z = tp_abs(at->turn.z.z);
+    const int64_t across = x > z ? x : z, along = x > z ? z : x;
+
+    return across > 0 ? (tp_fx)(along * TP_FX_ONE / across) : 0;
+}
+
 /* The frame decides by its own camera; here by the scene's, and a little strictly. */
-static void list_fits(tp_outlook *o, const tp_scene *s, const stand *at, int64_t waves,
+static void list_fits(tp_outlook *o, const tp_scene *s, const tp_stand *at, int64_t waves,
                       bool ahead)
 {
     const bool ocean = tp_has_ocean(s), stirred = s->pool.cols > 0 || s->field.cols > 0;
@@ -227,7 +207,7 @@ static void list_fits(tp_outlook *o, const tp_scene *s, const stand *at, int64_t
     const bool swell = over && !ocean && !stirred && s->drops.count == 0;
 
     o->fits[TP_VISIBILITY_TRIANGLES - 1] = 1;
-    o->fits[TP_VISIBILITY_ROWS - 1] = over && ahead
+    o->fits[TP_VISIBILITY_ROWS - 1] = over && ahead && rows_hold(s, at)
         && !(ocean && tp_may_break(s->surf.stretch, s->floor.slope, s->floor.map[0]));
     o->fits[TP_VISIBILITY_PROJECTED - 1] = swell && ahead && waves < at->eye.y * 3 / 4;
     o->fits[TP_VISIBILITY_FLAT - 1] = swell;
@@ -244,17 +224,17 @@ static bool has_layer(const tp_assets *a, int k)
 static void list_pictures(tp_outlook *o, const tp_scene *s, const tp_assets *a)
 {
     const uint8_t added = (uint8_t)(has_layer(a, 1) + has_layer(a, 2));
-    const bool first = has_layer(a, 0);
+    const bool first = has_layer(a, 0), linear = s->water.filter == TP_FILTER_LINEAR;
 
     o->trait[TP_TRAIT_texture] = first;
-    o->trait[TP_TRAIT_linear] = s->water.filter == TP_FILTER_LINEAR
-                              ? (uint8_t)(added + first) : 0;
+    o->trait[TP_TRAIT_linear] = linear && first;
     o->trait[TP_TRAIT_bend] = (a->distortion || a->offsets)
                            && s->distortion.strength > 0 && (first || added);
-    o->trait[TP_TRAIT_layer] = added;
+    o->trait[TP_TRAIT_layer] = linear ? 0 : added;
+    o->trait[TP_TRAIT_lined] = linear ? added : 0;
     o->trait[TP_TRAIT_ripple] = (a->ripple || a->slopes) && s->ripple.bump > 0;
-    o->trait[TP_TRAIT_bump] = s->water.pool_bump > 0
-                           && (s->pool.cols > 0 || s->field.cols > 0);
+    o->trait[TP_TRAIT_bump] = s->water.pool_bump <= 0 ? 0
+                            : (uint8_t)((s->pool.cols > 0) + (s->field.cols > 0));
 }
 
 static void list_light(tp_outlook *o, const tp_scene *s, const tp_assets *a)
@@ -271,7 +251,11 @@ static void list_light(tp_outlook *o, const tp_scene *s, const tp_assets *a)
     o->trait[TP_TRAIT_objects] = mirrors && s->mirror.objects != TP_MIRROR_NONE
                               && (a->boat || s->drops.count > 0 || tp_has_tank(s));
     o->trait[TP_TRAIT_behind] = clear;
-    o->trait[TP_TRAIT_bed] = clear && (tp_has_floor(s) || tp_has_tank(s));
+    o->trait[TP_TRAIT_tank] = clear && tp_has_tank(s);
+    o->trait[TP_TRAIT_bed] = clear && !tp_has_tank(s) && o->floor == 1;
+    o->trait[TP_TRAIT_chart] = clear && !tp_has_tank(s) && o->floor == 2;
+    o->trait[TP_TRAIT_caustic] = clear && s->water.caustics > 0
+                              && (tp_has_tank(s) || tp_has_floor(s));
     o->trait[TP_TRAIT_dispersion] = clear && s->water.dispersion > 0;
     o->trait[TP_TRAIT_foam] = s->foam.cells > 0;
     o->trait[TP_TRAIT_expose] = s->hdr.exposure == TP_EXPOSURE_AUTO
@@ -317,26 +301,41 @@ static uint8_t sea_of(const tp_scene *s, uint32_t *waves)
     return (uint8_t)(steep + gloss_of(s));
 }
 
+static void list_waves(tp_outlook *o, const tp_scene *s)
+{
+    const bool stirred = o->pools > 0 || s->drops.count > 0;
+
+    for (int i = 0; i < TP_WAVES; i++)
+        o->sharp |= s->wave[i].amplitude > 0 && s->wave[i].power > 1;
+    o->still = o->waves == 0 && !stirred && !o->ocean;
+    o->plain = !o->sharp && !stirred && !o->ocean;
+}
+
 /* -- all ----------------------------------------------------------------------------- */
 
 tp_outlook tp_outlook_of(const tp_scene *scene, const tp_assets *assets, uint32_t width,
                          uint32_t height)
 {
-    const stand at = stand_of(scene, width, height);
+    const tp_stand at = tp_stand_of(scene, width, height);
     const uint64_t pixels = (uint64_t)width * height;
-    const tp_vec3 low = ray_of(&at, 0, -at.high);
+    const tp_vec3 low = tp_stand_ray(&at, 0, -at.high);
     const int64_t ahead = (int64_t)low.x * -at.turn.z.x + (int64_t)low.z * -at.turn.z.z;
     tp_outlook o = { .focal = (int32_t)(((int64_t)height << 15) / at.high) };
     int64_t waves = 0;
 
     o.water_pixels = (uint32_t)(pixels * water_rays(&at) / (RAYS * RAYS));
     o.other_pixels = (uint32_t)pixels - o.water_pixels;
-    o.vertices = (uint32_t)((uint64_t)scene->grid.cols * (uint64_t)scene->grid.rows
-                            * viewed_spots(&at, scene) / (SPOTS * SPOTS));
+    const viewed spots = viewed_spots(&at, scene, o.focal);
+    const uint64_t crossings = (uint64_t)scene->grid.cols * (uint64_t)scene->grid.rows;
+    o.vertices = (uint32_t)(crossings * spots.spots / (SPOTS * SPOTS));
+    o.drawn = (uint32_t)(crossings * spots.drawn / (256 * SPOTS * SPOTS));
     o.sea = sea_of(scene, &o.waves);
     o.pools = scene->water.pool_bump > 0 ? 0 : (uint8_t)((scene->pool.cols > 0)
                                                          + (scene->field.cols > 0));
     o.ocean = tp_has_ocean(scene);
+    o.floor = (uint8_t)(tp_has_floor(scene) + (tp_has_floor(scene) && assets->floor));
+    o.slant = slant_of(&at);
+    list_waves(&o, scene);
     for (int i = 0; i < TP_WAVES; i++)
         waves += scene->wave[i].amplitude > 0 ? scene->wave[i].amplitude : 0;
     o.near = tp_faint_near(tp_fx_held(at.eye.y - waves), &at.turn, scene->camera.fov);

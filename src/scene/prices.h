@@ -10,11 +10,13 @@ enum { TP_KIND_VISIBILITY, TP_KIND_SHADING, TP_KIND_RATE, TP_KIND_LOD };
 enum { TP_VISIBILITIES = 4, TP_SHADINGS = 2, TP_RATES = 3, TP_LODS = 2 };
 
 /* What the water's pixels may have, each with its price; plain: what all have; look: the
- * view that gloss, mirror and depth share; objects: in the mirror; bed: ground below. */
+ * view that gloss, mirror and depth share; objects: in the mirror; lined: a
+ * layer of linear texels; bed, chart, tank: a plane below, a map, a box. */
 #define TP_TRAITS(X) \
-    X(plain) X(texture) X(linear) X(bend) X(layer) X(ripple) X(bump) X(look) X(mirror) \
+    X(plain) X(texture) X(linear) X(bend) X(layer) X(lined) X(ripple) X(bump) \
+    X(look) X(mirror) \
     X(glint) X(haze) X(dome) X(cube) X(objects) X(behind) X(bed) \
-    X(dispersion) X(foam) X(expose)
+    X(chart) X(tank) X(caustic) X(dispersion) X(foam) X(expose)
 
 enum {
 #define X(name) TP_TRAIT_##name,
@@ -38,7 +40,11 @@ typedef struct {
     bool  known;
     tp_fx pixel;                /* instructions a water pixel */
     tp_fx vertex;               /* a point that it works out; there besides ... */
-    tp_fx wave, pool, ocean;    /* ... for each wave, each pool, an ocean */
+    tp_fx wave, sharp, pool;    /* ... for each wave, of a sharp sea more, each pool */
+    tp_fx ocean, floor, map;    /* ... an ocean; one over a plane, over a map */
+    tp_fx drawn;                /* a cell of the grid that gets a pixel */
+    tp_fx slant;                /* ... by how the view goes along the lines for across */
+    tp_fx still;                /* instead of `pixel` of level water */
 } tp_seen_price;
 
 /* Of a way to shade it, a pixel; some are below 0. */
@@ -52,12 +58,38 @@ typedef struct {
     tp_fx px, colour;
 } tp_error_price;
 
+/* Work besides finding and shading water, counted by works.c: each with its price.  Of the
+ * boat: faces that a picture places; looked through for a band of rows; behind, in front,
+ * in a band, and their pixels; cut by the level or the view, in a band. */
+#define TP_WORKS(X) \
+    X(sky_dome) X(sky_quick) X(sky_stars) X(sky_cube) X(sky_hdr) \
+    X(haze) X(haze_dome) X(haze_cube) X(hdr) X(solid) \
+    X(boat_face) X(boat_scan) X(boat_back) X(boat_piece) X(boat_fill) X(boat_cut) \
+    X(mirror_fill) X(looked) X(looked_near) X(rings) X(ball) X(wall) X(walled) \
+    X(wall_face)     X(pane) X(side) X(side_face) \
+    X(caustic_pool) X(caustic_sea) X(land) X(land_row) X(land_cell) X(land_cut) \
+    X(land_off)     X(surf) X(land_drawn) X(land_fill)
+
+enum {
+#define X(name) TP_WORK_##name,
+    TP_WORKS(X)
+#undef X
+    TP_WORK_COUNT
+};
+
+typedef struct {
+    uint32_t of[TP_WORK_COUNT];
+    uint32_t hidden;            /* pixels of water behind what is not water */
+    uint32_t solid;             /* pixels of that */
+} tp_works;
+
 typedef struct {
     tp_fx frame;                /* thousands a frame */
     tp_fx sky;                  /* a pixel */
     tp_fx slope_colour;         /* rms of 255 that slopes of rms 1 make */
     tp_seen_price   seen[TP_VISIBILITIES][TP_LODS];
     tp_shaded_price shaded[TP_SHADINGS][TP_RATES];
+    tp_fx           work[TP_WORK_COUNT];
     tp_error_price  error[TP_KINDS][TP_KIND_RUNGS][TP_SEA_CLASSES];
 } tp_prices;
 
@@ -82,6 +114,10 @@ typedef struct {
     uint8_t  trait[TP_TRAIT_COUNT];     /* how often */
     uint8_t  sea;               /* its class */
     uint8_t  pools, ocean;      /* that displace the grid */
+    uint8_t  floor;             /* 1: a plane, 2: a map */
+    uint32_t drawn;             /* cells of the grid that get a pixel */
+    tp_fx    slant;             /* of the view to the grid's lines, up to 3 */
+    uint8_t  sharp, still, plain;       /* some wave is no sine; level; swells alone */
     uint32_t points[TP_VISIBILITIES];   /* that each method works out */
     uint8_t  fits[TP_VISIBILITIES];     /* whether it draws this view */
     uint8_t  quick;             /* whether the quick stages know all that the water has */
@@ -89,4 +125,11 @@ typedef struct {
 
 tp_outlook tp_outlook_of(const tp_scene *scene, const tp_assets *assets, uint32_t width,
                          uint32_t height);
+
+/* -- works.c: what else is done ------------------------------------------------------ */
+
+/* `quick`: by the quick stages. */
+tp_works tp_works_of(const tp_scene *scene, const tp_assets *assets,
+                     const tp_outlook *outlook, uint32_t width, uint32_t height,
+                     bool quick);
 #endif

@@ -27,6 +27,8 @@ typedef struct {
     tp_faint   faint;
     int8_t     named[TP_KINDS];         /* -1: open */
     tp_fx      left_px, left_colour;    /* of the budget, to what is open */
+    int64_t    works;                   /* what else is done, Q16 */
+    uint32_t   hidden;                  /* pixels of water */
 } ground;
 
 static choice choice_of(uint32_t number)
@@ -52,6 +54,7 @@ static tp_rungs rungs_of(choice c)
 static bool is_fit(const ground *g, int kind, int rung)
 {
     return kind == TP_KIND_VISIBILITY ? g->outlook.fits[rung] != 0
+         : kind == TP_KIND_LOD ? rung == 0 || g->outlook.plain
          : kind != TP_KIND_SHADING || rung == 0 || g->outlook.quick;
 }
 
@@ -71,7 +74,8 @@ static int method_of(const ground *g, choice c)
 static const tp_seen_price *seen_of(const ground *g, choice c)
 {
     const tp_seen_price *seen = g->prices->seen[method_of(g, c)];
-    return &seen[seen[c.of[TP_KIND_LOD]].known ? c.of[TP_KIND_LOD] : 0];
+    const int lod = c.of[TP_KIND_LOD];
+    return &seen[is_fit(g, TP_KIND_LOD, lod) && seen[lod].known ? lod : 0];
 }
 
 static const tp_shaded_price *shaded_of(const ground *g, choice c)
@@ -96,6 +100,16 @@ static int64_t pixel_price(const tp_outlook *o, const tp_shaded_price *shaded)
     return sum;
 }
 
+static int64_t point_price(const ground *g, const tp_seen_price *seen)
+{
+    const tp_outlook *o = &g->outlook;
+    const int64_t wave = (int64_t)seen->wave + (o->sharp ? seen->sharp : 0);
+    const tp_fx   ocean = o->floor > 1 ? seen->map : o->floor ? seen->floor : seen->ocean;
+
+    return seen->vertex + wave * g->faint.left + (int64_t)seen->pool * o->pools
+         + ((int64_t)seen->slant * o->slant >> 16) + (o->ocean ? ocean : 0);
+}
+
 /* Prices are below 2^31, pixels and vertices below 2^24 and 2^20, waves 16. */
 static tp_price price_of(const ground *g, choice c)
 {
@@ -103,12 +117,11 @@ static tp_price price_of(const ground *g, choice c)
     const tp_outlook *o = &g->outlook;
     const tp_seen_price *seen = seen_of(g, c);
     const tp_shaded_price *shaded = shaded_of(g, c);
-    const int64_t vertex = seen->vertex + (int64_t)seen->wave * g->faint.left
-                         + (int64_t)seen->pool * o->pools
-                         + (int64_t)seen->ocean * o->ocean;
+    const tp_fx pixel = o->still ? seen->still : seen->pixel;
     const int64_t cost = (int64_t)p->frame * 1000 + (int64_t)p->sky * o->other_pixels
-                       + (seen->pixel + pixel_price(o, shaded)) * o->water_pixels
-                       + vertex * o->points[method_of(g, c)];
+                       + (pixel + pixel_price(o, shaded)) * o->water_pixels
+                       + (int64_t)seen->drawn * o->drawn
+                       + point_price(g, seen) * o->points[method_of(g, c)] + g->works;
     tp_price price = { .cost = cost > 0 ? (uint64_t)cost >> 16 : 0,
                        .error_px = g->faint.px, .error_colour = g->faint.colour,
                        .known = seen->known && shaded->known };
@@ -232,6 +245,30 @@ tp_rungs tp_rungs_of(const tp_scene *scene, const tp_assets *assets, uint32_t wi
 
 /* -- reports ------------------------------------------------------------------------- */
 
+/* A pixel of water by the exact rungs, more than one of sky. */
+static int64_t exact_pixel(const ground *g)
+{
+    const tp_seen_price *seen = &g->prices->seen[0][0];
+
+    return (g->outlook.still ? seen->still : seen->pixel)
+         + pixel_price(&g->outlook, &g->prices->shaded[0][0]) - g->prices->sky;
+}
+
+/* What else is done is added once the rungs are chosen, and the water that it hides is
+ * taken off, as dear as it is by the exact rungs: it is the same for all of them. */
+static void add_works(ground *g, choice chosen, const tp_scene *scene,
+                      const tp_assets *assets, uint32_t width, uint32_t height)
+{
+    const bool quick = chosen.of[TP_KIND_SHADING] > 0 && g->outlook.quick;
+    const tp_works works = tp_works_of(scene, assets, &g->outlook, width, height, quick);
+    int64_t sum = -exact_pixel(g) * works.hidden;
+
+    for (int i = 0; i < TP_WORK_COUNT; i++)
+        sum += (int64_t)g->prices->work[i] * works.of[i];
+    g->works = sum;
+    g->hidden = works.hidden;
+}
+
 static tp_why why_of(const ground *g, int kind, choice chosen, choice c)
 {
     const tp_price price = price_of(g, c);
@@ -262,11 +299,12 @@ static tp_rung_report report_of(const ground *g, int kind, choice chosen, int ru
 tp_plan_report tp_plan_by(const tp_prices *prices, const tp_scene *scene,
                           const tp_assets *assets, uint32_t width, uint32_t height)
 {
-    const ground g = ground_of(prices, scene, assets, width, height);
+    ground g = ground_of(prices, scene, assets, width, height);
     const choice chosen = cheapest_of(&g);
+    add_works(&g, chosen, scene, assets, width, height);
     tp_plan_report r = {
         .rungs = rungs_of(chosen), .total = price_of(&g, chosen),
-        .water_pixels = g.outlook.water_pixels, .vertices = g.outlook.vertices,
+        .water_pixels = g.outlook.water_pixels - g.hidden, .vertices = g.outlook.vertices,
         .waves = g.faint.left, .waves_dropped = g.outlook.waves - g.faint.left,
         .waves_px = g.faint.px, .waves_colour = g.faint.colour,
     };

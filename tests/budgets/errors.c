@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* How far each rung is off: shipped scenes at 160x120 by it, beside the truth (truth.h).
+/* How far each rung is off: shipped scenes by it, at 160x120 and 320x240, beside the
+ * truth (truth.h).
  *
  *     errors SCENE.ini...
  *
@@ -87,7 +88,7 @@ static void compare_all(const stage *s, uint32_t tick)
     const tp_scene scene = exact_scene(s);
     choice base = { { 0, 0, 0, 0 } };
 
-    g.outlook = tp_outlook_of(&s->file.scene, &s->assets.names, WIDTH, HEIGHT);
+    g.outlook = tp_outlook_of(&s->file.scene, &s->assets.names, width, height);
     g.tick = tick;
     draw(&exact, s, &scene, s->world);
     for (uint32_t i = 0; i < 2; i++) {
@@ -134,15 +135,16 @@ static void lay_a_wave(stage *s)
 
 static int measure(const char *path)
 {
-    options o = { .command = "errors", .scene = path, .width = WIDTH, .height = HEIGHT };
+    options o = { .command = "errors", .scene = path, .width = width, .height = height };
     stage s;
     int code = stage_open(&s, &o);
 
     if (!code) {
-        compare_all(&s, 0);
-        for (int i = 0; i < LATE; i++)
+        for (uint32_t tick = 0; tick <= LAST; tick++) {
+            if (is_looked_at(tick))
+                compare_all(&s, tick);
             tp_world_step(s.world, &s.file.scene, NULL);
-        compare_all(&s, LATE);
+        }
         if (!stage_world(&s))
             lay_a_wave(&s);
     }
@@ -154,7 +156,11 @@ int main(int argc, char **argv)
 {
     int code = 0;
 
-    for (int i = 1; i < argc && !code; i++)
-        code = measure(argv[i]);
+    for (uint32_t size = 1; size <= 2 && !code; size++) {
+        width = 160 * size;
+        height = 120 * size;
+        for (int i = 1; i < argc && !code; i++)
+            code = measure(argv[i]);
+    }
     return code;
 }

@@ -16,11 +16,27 @@ file == 2 && $1 == "run" {
     water[name] = $6
     vertices[name] = $7
     waves[name] = $8
+    slant[name] = $9 / 65536
+    drawn[name] = $10
+    next
+}
+file == 2 && $1 == "beside" {
+    beside[name] = $2 == "-" ? "" : "work - " substr($2, 2)
+    next
+}
+file == 2 && $1 == "work" {
+    if (!($2 in item_at)) {
+        item[++items] = $2
+        item_at[$2] = items
+    }
+    work[name, item_at[$2]] = $3
     next
 }
 file == 3 && $1 == "count" && $2 <= runs {
     name = run[$2]
     cost[name] += $5
+    if ($3 == "tiles")
+        tiles[name] += $5
     if ($3 == "tiles" && $4 in shades)
         shading[name] += $5
 }
@@ -37,11 +53,15 @@ function more(item, near)
     return (cost[near item] - cost[near "near"]) / vertices[near "near"]
 }
 
-# pixel n + vertex P + wave W P of each view, as near its cost as can be in shares of it,
-# none of them below 0: steps down along one of the three, again and again.
-function fit(rung,    item, views, v, name, i, j, k, rest, a, b, part, off)
+# pixel n + vertex P + wave W P + a fourth of each view, as near its cost as can be in
+# shares of it, none of them below 0: steps down along one of the four, again and again.
+# The fourth is slant S P of rows, who mind how lines lie to the view, drawn D of triangles,
+# of which those without a pixel are soon done.
+function fit(rung,    item, views, v, name, i, j, k, rest, a, b, part, off, some)
 {
-    views = split("near dense small one", item, " ")
+    some = rung ~ /^(rows|triangles)/ ? 4 : 3
+    views = split("near dense small one low rough turned swell" \
+                  (rung ~ /^tri/ ? " above" : ""), item, " ")
     for (v = 1; v <= views; v++) {
         name = "seen " rung " " item[v]
         rest = cost[name] - whole - sky * (pixels[name] - water[name]) - \
@@ -49,17 +69,19 @@ function fit(rung,    item, views, v, name, i, j, k, rest, a, b, part, off)
         part[1] = water[name] / cost[name]
         part[2] = vertices[name] / cost[name]
         part[3] = part[2] * waves[name]
-        for (i = 1; i <= 3; i++) {
+        part[4] = fourth(rung, name) / cost[name]
+        for (i = 1; i <= some; i++) {
             b[i] += part[i] * rest / cost[name]
-            for (j = 1; j <= 3; j++)
+            for (j = 1; j <= some; j++)
                 a[i, j] += part[i] * part[j]
         }
     }
-    coefficient[1] = coefficient[2] = coefficient[3] = 0
+    for (i = 1; i <= 4; i++)
+        coefficient[i] = 0
     for (k = 0; k < 50000; k++)
-        for (i = 1; i <= 3; i++) {
+        for (i = 1; i <= some; i++) {
             off = b[i]
-            for (j = 1; j <= 3; j++)
+            for (j = 1; j <= some; j++)
                 off -= j == i ? 0 : a[i, j] * coefficient[j]
             coefficient[i] = off > 0 && a[i, i] > 0 ? off / a[i, i] : 0
         }
@@ -67,23 +89,48 @@ function fit(rung,    item, views, v, name, i, j, k, rest, a, b, part, off)
         name = "seen " rung " " item[v]
         rest = whole + sky * (pixels[name] - water[name]) + plain * water[name] + \
                coefficient[1] * water[name] + \
-               (coefficient[2] + coefficient[3] * waves[name]) * vertices[name]
+               (coefficient[2] + coefficient[3] * waves[name]) * vertices[name] + \
+               coefficient[4] * fourth(rung, name)
         printf "    %s: %.2f M predicted, %.2f M counted, %.2f\n", name, rest / 1e6, \
                cost[name] / 1e6, rest / cost[name] >"/dev/stderr"
     }
+}
+
+function fourth(rung, name)
+{
+    return rung ~ /^rows/ ? slant[name] * vertices[name] : drawn[name]
 }
 
 function seen(rung,    near)
 {
     near = "seen " rung " near"
     fit(rung)
+    if (rung == "triangles.off")
+        off_pixel = coefficient[1]
     row("seen", rung, "pixel", coefficient[1])
     row("seen", rung, "vertex", coefficient[2])
     row("seen", rung, "wave", coefficient[3])
+    if (rung ~ /^(rows|triangles)/)
+        row("seen", rung, rung ~ /^rows/ ? "slant" : "drawn", coefficient[4])
+    row("seen", rung, "still", still(rung))
     if (rung !~ /^(triangles|rows)/)
         return                              # these know swells alone
+    row("seen", rung, "sharp", more("sharp", near) / waves[near])
     row("seen", rung, "pool", more("pool", near))
     row("seen", rung, "ocean", more("ocean", near))
+    row("seen", rung, "floor", more("floor", near))
+    row("seen", rung, "map", more("map", near))
+
+}
+
+# A pixel of level water.
+function still(rung,    name, points)
+{
+    name = "seen " rung " still"
+    points = rung ~ /^(triangles|rows)/ ? vertices[name] : 0
+    return (cost[name] - whole - sky * (pixels[name] - water[name]) - \
+            coefficient[2] * points - \
+            (rung ~ /^tri/ ? coefficient[4] * drawn[name] : 0)) / water[name] - plain
 }
 
 # Of a thing, what the pixels of water (or all) pay for it over what is drawn without it.
@@ -99,6 +146,13 @@ function of(rung, item)
     return cost["shaded " rung " " item]
 }
 
+# What is seen below, without what `behind` has of it.
+function ground(rung, item, n)
+{
+    row("shaded", rung, item, (of(rung, item) - of(rung, item "0") - \
+        of(rung, "behind") + of(rung, "mirror")) / n)
+}
+
 function shaded(rung,    n)
 {
     n = water["shaded " rung " plain"]
@@ -112,6 +166,7 @@ function shaded(rung,    n)
     part(rung, "linear", "linear", "texture", n)
     part(rung, "bend", "bend", "texture", n)
     part(rung, "layer", "layer", "texture", n)
+    part(rung, "lined", "lined", "linear", 2 * n)
     part(rung, "ripple", "ripple", "plain", n)
     part(rung, "bump", "bump", "plain", n)
     part(rung, "haze", "haze", "plain", n)
@@ -120,12 +175,63 @@ function shaded(rung,    n)
     row("shaded", rung, "cube", (of(rung, "cube") - of(rung, "cube0") - \
         of(rung, "mirror1") + of(rung, "ripple")) / n)
     part(rung, "objects", "objects", "objects0", n)
+    if (rung == "exact.full")
+        objects = (of(rung, "objects") - of(rung, "objects0")) / n
     part(rung, "behind", "behind", "mirror", n)
-    row("shaded", rung, "bed", (of(rung, "bed") - of(rung, "bed0") - \
-        of(rung, "behind") + of(rung, "mirror")) / n)
+    ground(rung, "bed", n)
+    ground(rung, "chart", n)
+    ground(rung, "tank", n)
+    row("shaded", rung, "caustic", (tiles["shaded " rung " caustic"] - \
+        tiles["shaded " rung " bed"]) / n)
     part(rung, "dispersion", "spread", "bed", n)
     part(rung, "foam", "foam", "plain", n)
     part(rung, "expose", "expose", "plain", pixels["shaded " rung " plain"])
+}
+
+# Pairs of pictures: what the second costs more than the first, over what it has more of;
+# none of them below 0.  Pixels of water and sky are known.
+function works(    r, name, than, i, j, k, off, sum, share, right, square)
+{
+    for (r = 1; r <= runs; r++) {
+        name = run[r]
+        if (name !~ /^work / || beside[name] == "")
+            continue
+        than = beside[name]
+        left[name] = cost[name] - cost[than] - (water[name] - water[than]) * \
+                     (off_pixel + plain - sky)
+        if (name ~ / (lit|sunny)$/)         # the tiles' part is the pixels' own
+            left[name] -= tiles[name] - tiles[than]
+        if (name ~ /_mirror$/)
+            left[name] -= objects * water[name]
+        for (i = 1; i <= items; i++) {
+            share[i] = (work[name, i] - work[than, i]) / cost[name]
+            right[i] += share[i] * left[name] / cost[name]
+        }
+        for (i = 1; i <= items; i++)
+            for (j = 1; j <= items; j++)
+                square[i, j] += share[i] * share[j]
+    }
+    for (k = 0; k < 20000; k++)
+        for (i = 1; i <= items; i++) {
+            off = right[i]
+            for (j = 1; j <= items; j++)
+                off -= j == i ? 0 : square[i, j] * price[j]
+            price[i] = square[i, i] > 0 && (off > 0 || item[i] ~ /^sky_/) ? \
+                       off / square[i, i] : 0
+        }
+    for (i = 1; i <= items; i++)
+        row("work", "-", item[i], price[i])
+    for (r = 1; r <= runs; r++) {
+        name = run[r]
+        if (!(name in left))
+            continue
+        sum = 0
+        for (i = 1; i <= items; i++)
+            sum += (work[name, i] - work[beside[name], i]) * price[i]
+        printf "    %s: %.2f M more predicted, %.2f M counted, of %.2f M, %+.1f %%\n", \
+               name, sum / 1e6, left[name] / 1e6, cost[name] / 1e6, \
+               100 * (sum - left[name]) / cost[name] >"/dev/stderr"
+    }
 }
 
 function there_seen(rung, than,    i, item)
@@ -178,6 +284,7 @@ END {
                  (r == 1 || there_shaded(rung, shade[s] ".full"))))
                 shaded(rung)
         }
+    works()
 }
 
 function sky_shading()

@@ -54,6 +54,7 @@ function known(path)
 /^#/ || /^what,/ { next }
 NF != 4 || $4 !~ /^-?[0-9]+(\.[0-9]+)?$/ { wrong("expected what,rung,item,figure") }
 $1 == "whole" { printf "    .%s = TP_FX(%s),\n", $3, $4; next }
+$1 == "work" { printf "    .work[TP_WORK_%s] = TP_FX(%s),\n", $3, $4; next }
 $1 == "seen" {
     path = ".seen" places($2)
     known(path)

@@ -7,63 +7,15 @@
 #include "cortex-m/marks.h"
 #include "cortex-m/semihost.h"
 #include "scene/prices.h"
+#include "prices_scenes.h"
 
-#define BAND 16
+#define BAND  16
+#define STEPS 60                /* of pools and foam, until all of it moves */
 
 MARK(count_as_frame)
 MARK(count_as_tiles)
 MARK(count_end)
 MARK(count_section)
-
-/* Settings, parted by blanks; a name without "=" keeps the picture that it names. */
-typedef struct {
-    const char *name, *set;
-} row;
-
-#define OFF "water.specular=0 water.reflection=0 sky.haze=0 water.filter=nearest " \
-            "sky.kind=gradient ripple.bump=0 distortion.strength=0 "
-
-static const row shaded[] = {
-    { "plain", "" },
-    { "texture", "layer0" },
-    { "linear", "layer0 water.filter=linear" },
-    { "bend", "layer0 distortion distortion.strength=0.9" },
-    { "layer", "layer0 layer1" },
-    { "ripple", "ripple ripple.bump=0.8" },
-    { "mirror", "water.reflection=0.6" },
-    { "glint", "water.specular=1" },
-    { "both", "water.reflection=0.6 water.specular=1" },
-    { "haze", "sky.haze=2000" },
-    /* rippled: the quick stages leave smooth water under these skies to the exact ones */
-    { "mirror1", "ripple ripple.bump=0.8 water.reflection=0.6" },
-    { "dome0", "ripple ripple.bump=0.8 sky.kind=day" },
-    { "dome", "ripple ripple.bump=0.8 sky.kind=day water.reflection=0.6" },
-    { "cube0", "ripple ripple.bump=0.8 sky.kind=cube" },
-    { "cube", "ripple ripple.bump=0.8 sky.kind=cube water.reflection=0.6" },
-    { "objects0", "water.reflection=0.6 drops.count=1" },
-    { "objects", "water.reflection=0.6 drops.count=1 mirror.objects=stencil" },
-    { "behind", "water.reflection=0.6 water.clear=8" },
-    { "bed0", "water.reflection=0.6 floor.depth=3" },
-    { "bed", "water.reflection=0.6 floor.depth=3 water.clear=8" },
-    { "spread", "water.reflection=0.6 floor.depth=3 water.clear=8 "
-                "water.dispersion=0.02" },
-    { "foam", "foam foam.cells=64" },
-    { "expose", "hdr.value=1.25" },
-    { "bump", "pool.cols=64 pool.cells=32 pool.cell=2 water.pool_bump=1" },
-};
-
-static const row seen[] = {
-    { "near", "" },
-    { "dense", "grid.cols=100 grid.rows=100 grid.cell=1.06" },
-    { "small", "" },            /* 160x112 */
-    { "one", "wave1.amplitude=0 wave2.amplitude=0" },
-    { "pool", "pool.cols=64 pool.cells=32 pool.cell=2" },
-    { "ocean", "floor.depth=20" },
-};
-
-static const row sky[] = {
-    { "large", "camera.pitch=60" }, { "small", "camera.pitch=60" },
-};
 
 static const char *const visibilities[] = { "triangles", "rows", "projected", "flat" };
 static const char *const lods[] = { "off", "on" };
@@ -87,7 +39,8 @@ static size_t until(const char *text, char a, char b)
     return n;
 }
 
-/* Of the pictures, by their first letters: layer0, layer1, distortion, ripple, foam. */
+/* By their first letters: layer0, layer1, distortion, ripple, foam, boat, map and sand of
+ * the floor, tank, walls of a pool. */
 static void keep(const char *name)
 {
     switch (name[0]) {
@@ -95,6 +48,20 @@ static void keep(const char *name)
     case 'd': assets.distortion = baked_assets.distortion; break;
     case 'r': assets.ripple = baked_assets.ripple; break;
     case 'f': assets.foam = baked_assets.foam; break;
+    case 'b':
+        assets.boat = baked_assets.boat;
+        scene.boat.mesh[0] = baked_scene.boat.mesh[0];
+        break;
+    case 'm':
+        assets.floor = baked_assets.floor;
+        scene.floor.map[0] = baked_scene.floor.map[0];
+        break;
+    case 's': assets.floor_texture = baked_assets.floor_texture; break;
+    case 't':
+        assets.tank_wall = baked_assets.tank_wall;
+        assets.tank_floor = baked_assets.tank_floor;
+        break;
+    case 'w': assets.pool_mask = baked_assets.pool_mask; break;
     default:  semihost_stop(name);
     }
 }
@@ -123,6 +90,7 @@ static void begin(const tp_rungs *rungs)
     scene.quality.shading = (int32_t)rungs->shading;
     scene.quality.rate = (int32_t)rungs->rate;
     scene.quality.lod = (int32_t)rungs->lod;
+    scene.boat.mesh[0] = scene.floor.map[0] = '\0';
     set(OFF);
 }
 
@@ -144,6 +112,9 @@ static void draw(const char *what, const char *rung, const char *other, const ch
     if (arena.failed || tp_frame_init(&frame, &scene, &assets, &config, block, NULL)
         || tp_world_init(world, world_bytes, &scene, &assets, NULL))
         semihost_stop("a scene does not fit");
+    const bool moves = scene.pool.cols > 0 || scene.drops.count > 1 || assets.foam;
+    for (int i = 0; i < STEPS && moves; i++)
+        tp_world_step(world, &scene, NULL);
     tp_frame_begin(frame, world);           /* the first fills tables */
     count_as_frame();
     tp_frame_begin(frame, world);
@@ -167,12 +138,41 @@ static void draw(const char *what, const char *rung, const char *other, const ch
     const tp_outlook outlook = tp_outlook_of(&scene, &assets, width, height);
     semihost_decimal(" ", outlook.points[scene.quality.visibility - 1]);
     semihost_decimal(" ", outlook.waves);
+    semihost_decimal(" ", (uint32_t)outlook.slant);
+    semihost_decimal(" ", outlook.drawn);
     semihost_write("\n");
-    count_section();
 }
 
 static const tp_rungs exact = { TP_VISIBILITY_TRIANGLES, TP_SHADING_EXACT, TP_RATE_FULL,
                                 TP_LOD_OFF };
+
+static const char *const work_names[] = {
+#define X(name) #name,
+    TP_WORKS(X)
+#undef X
+};
+
+static void draw_works(void)
+{
+    for (size_t i = 0; i < COUNT(works); i++) {
+        begin(&exact);
+        set(works[i].set);
+        draw("work", "-", "", works[i].name, 320, 240);
+        semihost_write("beside -");
+        semihost_write(works[i].beside);
+        semihost_write("\n");
+        const tp_outlook outlook = tp_outlook_of(&scene, &assets, 320, 240);
+        const tp_works done = tp_works_of(&scene, &assets, &outlook, 320, 240,
+                                          scene.quality.shading == TP_SHADING_QUICK);
+        for (size_t k = 0; k < TP_WORK_COUNT; k++) {
+            semihost_write("work ");
+            semihost_write(work_names[k]);
+            semihost_decimal(" ", done.of[k]);
+            semihost_write("\n");
+        }
+        count_section();
+    }
+}
 
 static void draw_seen(void)
 {
@@ -184,9 +184,10 @@ static void draw_seen(void)
                 rungs.lod = (tp_lod)(l + 1);
                 begin(&rungs);
                 set(seen[i].set);
-                const bool small = seen[i].name[0] == 's';
+                const bool small = seen[i].name[1] == 'm';
                 draw("seen", visibilities[v], lods[l], seen[i].name, small ? 160 : 320,
                      small ? 112 : 240);
+                count_section();
             }
 }
 
@@ -201,6 +202,7 @@ static void draw_shaded(void)
                 begin(&rungs);
                 set(shaded[i].set);
                 draw("shaded", shadings[s], rates[r], shaded[i].name, 320, 240);
+                count_section();
             }
 }
 
@@ -210,8 +212,10 @@ int main(void)
         begin(&exact);
         set(sky[i].set);
         draw("sky", "-", "", sky[i].name, i ? 160 : 320, i ? 112 : 240);
+        count_section();
     }
     draw_seen();
     draw_shaded();
+    draw_works();
     return 0;
 }

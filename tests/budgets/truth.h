@@ -4,8 +4,8 @@
  * the exact rungs on a mesh four times finer each way.  For shading it is drawn at twice
  * the picture's size too, each pixel the mean of four: glints smaller than pixels then
  * count for exact and quick stages alike.  For ways to see the water it has the picture's
- * own samples: those glints would drown what they differ by.  All of it at 160x120, where
- * cells cover fewer pixels than in larger pictures: what holds there holds in those.
+ * own samples: those glints would drown what they differ by.  At several ticks, and
+ * in two sizes.
  *
  * Outlines: pixels that are water in one picture alone, over the truth's borders of water
  * met going down its columns.  Colours: the rms of 255 of the worst channel, of pixels
@@ -20,11 +20,20 @@
 #include "host/stage.h"
 #include "raster/raster.h"
 
-enum { WIDTH = 160, HEIGHT = 120, COUNT = WIDTH * HEIGHT, FINER = 4, LATE = 100 };
+enum { FINER = 4, LAST = 300, MOST = 320 * 240 };
+
+/* Of the pictures that are compared; no more than MOST in all. */
+static uint32_t width = 160, height = 120;
+
+static inline bool is_looked_at(uint32_t tick)
+{
+    return tick == 0 || tick == 30 || tick == 60 || tick == 100 || tick == 200
+        || tick == LAST;
+}
 
 typedef struct {
-    uint32_t pixel[COUNT];
-    uint8_t  water[COUNT];      /* of its samples, 4 if all are */
+    uint32_t pixel[MOST];
+    uint8_t  water[MOST];      /* of its samples, 4 if all are */
     uint32_t vertices;
 } drawing;
 
@@ -37,7 +46,7 @@ typedef struct {
 static inline void draw_at(drawing *to, const stage *s, const tp_scene *scene,
                            const tp_world *world, uint32_t parts)
 {
-    const tp_frame_config config = { .width = WIDTH * parts, .height = HEIGHT * parts };
+    const tp_frame_config config = { .width = width * parts, .height = height * parts };
     void *block = malloc(tp_frame_bytes(scene, &s->assets.names, &config));
     uint32_t *scratch = malloc(tp_frame_scratch_bytes(&config));
     tp_frame *frame;
@@ -48,11 +57,11 @@ static inline void draw_at(drawing *to, const stage *s, const tp_scene *scene,
         abort();
     tp_frame_begin(frame, world);
     tp_frame_tile(frame, 0, scratch, &tile);
-    for (uint32_t i = 0; i < COUNT; i++) {
+    for (uint32_t i = 0; i < width * height; i++) {
         uint32_t sum[3] = { 0, 0, 0 }, water = 0;
         for (uint32_t k = 0; k < parts * parts; k++) {
-            const uint32_t x = i % WIDTH * parts + k % parts;
-            const uint32_t at = (i / WIDTH * parts + k / parts) * config.width + x;
+            const uint32_t x = i % width * parts + k % parts;
+            const uint32_t at = (i / width * parts + k / parts) * config.width + x;
             water += TP_MARK(scratch[at]) == TP_MARK_WATER;
             for (int c = 0; c < 3; c++)
                 sum[c] += ((const uint32_t *)tile.pixels)[at] >> 8 * c & 255;
@@ -108,10 +117,10 @@ static inline error error_of(const drawing *truth, const drawing *b)
     double   sum[3] = { 0, 0, 0 };
     uint32_t count = 1, elsewhere = 0, borders = 1;
 
-    for (size_t i = 0; i < COUNT; i++) {
+    for (size_t i = 0; i < width * height; i++) {
         const bool water = truth->water[i] >= 2;
         elsewhere += water != (b->water[i] >= 2);
-        borders += i >= WIDTH && water != (truth->water[i - WIDTH] >= 2);
+        borders += i >= width && water != (truth->water[i - width] >= 2);
         if (truth->water[i] < 4 || b->water[i] < 4)
             continue;
         count++;

@@ -1,0 +1,263 @@
+/* SPDX-License-Identifier: MIT */
+/* Work of the land that a sea floor becomes, as frame/land.c goes through it: rows of its
+ * cells for each tile that they touch, and in them every cell that is not all deep or all
+ * behind; and what else a floor asks for. */
+#include "base/base.h"
+#include "geom/geom.h"
+#include "scene/works.h"
+#include "tidepool/depth.h"
+#include "wave/ocean.h"
+
+#define KEPT_RATE TP_FX(0.1)    /* as wave/ocean_tables.c has it */
+
+/* How far a wave may stand over the level where the floor shoals it, m, as wave/ocean.c
+ * bounds it: it grows, its orbit tilts with the floor, its crest is thrown; not on a map,
+ * whose mean rise counts. */
+static tp_fx crest_of(const tp_scene *s, const tp_wave *wave, tp_fx slope)
+{
+    const int64_t k_inf = tp_depth_number_deep(wave->length);
+    const tp_breaker_type type = tp_breaker_type_of(
+        tp_iribarren(slope * (1 << 14), 2 * wave->amplitude, wave->length));
+    const bool throws = type == TP_BREAKER_PLUNGING && !s->floor.map[0];
+    const int64_t lips = throws ? 3 * (int64_t)s->surf.stretch : 0;
+    int64_t highest = wave->amplitude;
+
+    for (uint32_t n = 1; n < TP_OCEAN_DEPTHS - 8; n += 4) {
+        const tp_fx   h = tp_ocean_node_depth(n, 3);
+        const int64_t k = tp_ocean_number_at(k_inf, h);
+        const tp_fx   a = tp_depth_amplitude(wave->amplitude,
+                                             tp_depth_shoaling(k_inf, k, h), TP_FX_ONE, h);
+        const tp_orbit_scale sc = tp_orbit_scale_of(h, s->surf.kx, s->surf.ky);
+        const int64_t most = ((int64_t)TP_FX(0.95) << 32) / k;
+        const int64_t reach = ((int64_t)wave->steepness << 32) / k_inf;
+        const int64_t round = reach * a / wave->amplitude * (sc.x_q24 >> 8) >> 16;
+        const int64_t along = round < most ? round : most;
+        const int64_t tilt = (along * slope >> 16)
+                           * (tp_orbit_fall(s->surf.k0, h) >> 16) >> 16;
+        const int64_t lip = 4 * (int64_t)a > h
+                          ? ((int64_t)a * tp_orbit_fall(KEPT_RATE, h) >> 32) * lips >> 16
+                          : 0;
+        const int64_t high = ((int64_t)a * (sc.y_q24 >> 8) >> 16) + tilt + lip;
+        highest = high > highest ? high : highest;
+    }
+    return tp_fx_held(highest);
+}
+
+typedef struct {
+    const tp_scene *scene;
+    tp_floor floor;
+    tp_lens  lens;
+    int64_t  x, z;              /* the grid's centre */
+    int64_t  deepest;           /* m that may be bare, Q16 */
+    int32_t  cols, rows;        /* of pixels */
+} ground;
+
+static tp_floor floor_of(const tp_site *w)
+{
+    const tp_scene *s = w->scene;
+
+    return (tp_floor){ .depth = s->floor.depth, .slope = s->floor.slope,
+                       .heading = s->floor.heading, .map = w->assets->floor,
+                       .map_x = s->floor.map_x, .map_z = s->floor.map_z,
+                       .map_size = s->floor.map_size, .map_low = s->floor.map_low,
+                       .map_high = s->floor.map_high };
+}
+
+/* A corner of a cell. */
+typedef struct {
+    bool    deep, behind, cut;
+    int32_t u, v;
+} corner;
+
+static int64_t depth_at(const ground *g, int64_t x, int64_t z)
+{
+    return tp_floor_under(&g->floor, tp_fx_held(x), tp_fx_held(z)).depth;
+}
+
+/* Of a map the steepest rise across two cells of a lattice of 64 each way: the ocean's own
+ * are smoothed. */
+static tp_fx steepest(const ground *g)
+{
+    const tp_scene *s = g->scene;
+    const int64_t d = s->floor.map_size / 64;
+    int64_t most = 0;
+
+    if (!g->floor.map || d <= 0)
+        return s->floor.slope;
+    for (int64_t n = 0; n < 64 * 64; n++) {
+        const int64_t x = s->floor.map_x + s->floor.map_size * (2 * (n % 64) - 63) / 128;
+        const int64_t z = s->floor.map_z + s->floor.map_size * (2 * (n / 64) - 63) / 128;
+        const int64_t over_x = depth_at(g, x + d, z) - depth_at(g, x - d, z);
+        const int64_t over_z = depth_at(g, x, z + d) - depth_at(g, x, z - d);
+        const int64_t rise = over_x * over_x + over_z * over_z;
+        most = rise > most ? rise : most;
+    }
+    return (tp_fx)((int64_t)tp_isqrt64((uint64_t)most) * TP_FX_ONE / (2 * d));
+}
+
+static corner corner_of(const ground *g, int32_t i, int32_t j)
+{
+    const tp_scene *s = g->scene;
+    const int64_t x = tp_stand_line(s, s->grid.cols, g->x,
+                                    (2 * (int64_t)i + 1 - s->grid.cols) * 32768);
+    const int64_t z = tp_stand_line(s, s->grid.rows, g->z,
+                                    (2 * (int64_t)j + 1 - s->grid.rows) * 32768);
+    const tp_floor_at at = tp_floor_under(&g->floor, tp_fx_held(x), tp_fx_held(z));
+    const int64_t most = 24000 * (int64_t)TP_FX_ONE;
+    tp_view_corner c;
+    uint32_t zi;
+
+    tp_lens_view(&g->lens, (tp_vec3){ tp_fx_held(x),
+                                      (tp_fx)tp_limit(-(int64_t)at.depth, most),
+                                      tp_fx_held(z) }, &c);
+    corner to = { at.depth > g->deepest, c.depth < g->lens.near,
+                  !tp_lens_holds(&g->lens, &c), 0, 0 };
+    if (!to.cut)
+        tp_lens_project(&g->lens, &c, &to.u, &to.v, &zi);
+    return to;
+}
+
+/* Of a row of cells. */
+typedef struct {
+    uint32_t tries, cuts, offs; /* drawn; cut, some of it held; none of it */
+    uint32_t seen;              /* in the picture: over them waves are broken too */
+    uint64_t drawn, fill;       /* that get a pixel, once a tile, Q8; pixels */
+    int32_t  top, bottom;       /* rows of pixels */
+} strip;
+
+static int32_t least(int32_t a, int32_t b)
+{
+    return a < b ? a : b;
+}
+
+static int32_t most(int32_t a, int32_t b)
+{
+    return a > b ? a : b;
+}
+
+/* A front cell that some of the picture shows: its diagonals' product is twice its area. */
+static void add_drawn(const ground *g, strip *to, const corner p[4])
+{
+    const int64_t area = ((int64_t)p[3].v - p[0].v) * ((int64_t)p[2].u - p[1].u)
+                       - ((int64_t)p[3].u - p[0].u) * ((int64_t)p[2].v - p[1].v);
+    const int32_t left = least(least(p[0].u, p[1].u), least(p[2].u, p[3].u)) >> 4;
+    const int32_t right = most(most(p[0].u, p[1].u), most(p[2].u, p[3].u)) >> 4;
+    const int32_t top = least(least(p[0].v, p[1].v), least(p[2].v, p[3].v)) >> 4;
+    const int32_t low = most(most(p[0].v, p[1].v), most(p[2].v, p[3].v)) >> 4;
+    const int64_t across = most(left, 0) < least(right, g->cols)
+                         ? least(right, g->cols) - most(left, 0) : 0;
+    const int64_t down = most(top, 0) < least(low, g->rows)
+                       ? least(low, g->rows) - most(top, 0) : 0;
+    const int64_t whole = ((int64_t)right - left + 1) * ((int64_t)low - top + 1);
+
+    if (right < 0 || low < 0 || left >= g->cols || top >= g->rows)
+        return;
+    to->seen++;
+    if (area <= 0)
+        return;
+    to->drawn += (uint64_t)(area < 512 ? area / 2 : 256)
+               * (uint64_t)(TP_WORK_BAND + down) / TP_WORK_BAND;
+    to->fill += (uint64_t)(area / 512 * (across + 1) * (down + 1) / whole);
+}
+
+static void add_cell(const ground *g, strip *to, const corner p[4])
+{
+    const bool cut = p[0].cut || p[1].cut || p[2].cut || p[3].cut;
+    const bool none = p[0].cut && p[1].cut && p[2].cut && p[3].cut;
+
+    if ((p[0].deep && p[1].deep && p[2].deep && p[3].deep)
+        || (p[0].behind && p[1].behind && p[2].behind && p[3].behind))
+        return;
+    to->tries += !cut;
+    to->cuts += cut && !none;
+    to->offs += none;
+    if (!cut)
+        add_drawn(g, to, p);
+    for (int k = 0; k < 4; k++) {
+        const int32_t low = cut ? INT16_MIN : p[k].v >> 4;
+        const int32_t high = cut ? INT16_MAX : p[k].v >> 4;
+        to->top = low < to->top ? low : to->top;
+        to->bottom = high > to->bottom ? high : to->bottom;
+    }
+}
+
+static strip strip_of(const ground *g, int32_t j)
+{
+    strip to = { 0, 0, 0, 0, 0, 0, INT32_MAX, INT32_MIN };
+    corner left[2] = { corner_of(g, 0, j), corner_of(g, 0, j + 1) };
+
+    for (int32_t i = 0; i + 1 < g->scene->grid.cols; i++) {
+        const corner right[2] = { corner_of(g, i + 1, j), corner_of(g, i + 1, j + 1) };
+        const corner all[4] = { left[0], left[1], right[0], right[1] };
+        add_cell(g, &to, all);
+        left[0] = right[0];
+        left[1] = right[1];
+    }
+    return to;
+}
+
+static uint32_t tiles_of(const ground *g, const strip *s)
+{
+    const int32_t top = s->top < 0 ? 0 : s->top;
+    const int32_t bottom = s->bottom < g->rows ? s->bottom : g->rows - 1;
+
+    return top > bottom ? 0
+         : (uint32_t)(bottom / TP_WORK_BAND - top / TP_WORK_BAND + 1);
+}
+
+static void add_land(tp_site *w)
+{
+    const tp_scene *s = w->scene;
+    ground g = { .scene = s, .floor = floor_of(w), .x = w->at.x, .z = w->at.z,
+                 .deepest = TP_FX_ONE, .cols = (int32_t)w->width,
+                 .rows = (int32_t)w->height };
+    uint64_t drawn = 0;
+
+    const tp_fx slope = steepest(&g);
+    for (int i = 0; i < TP_WAVES; i++)
+        g.deepest += s->wave[i].amplitude > 0 ? crest_of(s, &s->wave[i], slope) : 0;
+    tp_lens_turned(&g.lens, w->at.eye, w->at.turn, s->camera.fov, s->camera.near, w->width,
+                   w->height);
+    for (int32_t j = 0; j + 1 < s->grid.rows; j++) {
+        const strip row = strip_of(&g, j);
+        const uint32_t tiles = tiles_of(&g, &row);
+        w->works.of[TP_WORK_land_row] += tiles * (uint32_t)(s->grid.cols - 1);
+        w->works.of[TP_WORK_land_cell] += tiles * row.tries;
+        w->works.of[TP_WORK_land_cut] += tiles * row.cuts;
+        w->works.of[TP_WORK_land_off] += tiles * row.offs;
+        w->works.of[TP_WORK_surf] += row.seen;
+        w->works.of[TP_WORK_land_fill] += (uint32_t)row.fill;
+        drawn += row.drawn;
+    }
+    w->works.of[TP_WORK_land_drawn] = (uint32_t)(drawn >> 8);
+}
+
+bool tp_site_land(const tp_site *w, tp_vec3 ray, int64_t far)
+{
+    const tp_floor floor = floor_of(w);
+    const tp_fx x = tp_fx_held(w->at.eye.x + (far * ray.x >> 16));
+    const tp_fx z = tp_fx_held(w->at.eye.z + (far * ray.z >> 16));
+
+    return tp_has_floor(w->scene) && !tp_has_tank(w->scene)
+        && tp_floor_under(&floor, x, z).depth <= 0;
+}
+
+static void add_caustics(tp_site *w)
+{
+    const tp_scene *s = w->scene;
+    const uint32_t cells = (uint32_t)(s->water.caustic_cells * s->water.caustic_cells);
+
+    if (s->water.clear <= 0 || s->water.caustics <= 0)
+        return;
+    if (tp_has_tank(s))
+        w->works.of[TP_WORK_caustic_pool] = cells;
+    else if (tp_has_floor(s))
+        w->works.of[TP_WORK_caustic_sea] = cells;
+}
+
+void tp_site_add_bed(tp_site *w)
+{
+    add_caustics(w);
+    if (tp_has_floor(w->scene))
+        add_land(w);
+}

@@ -1,0 +1,49 @@
+#!/bin/sh
+# SPDX-License-Identifier: MIT
+# What the plan says that a frame costs, beside what was counted: within 10 % for every
+# shipped scene.  scenes-count.sh holds scenes.csv to the counts; nothing is drawn here.
+#
+#   tests/budgets/plan-count.sh             the test
+#   tests/budgets/plan-count.sh --rows      rows of the chart `plan`
+. tests/gates/lib.sh
+
+rows=
+case ${1:-} in --rows) rows=1 ;; esac
+program=${TP_PROGRAM:-build/host/tidepool}
+
+# scene predicted counted error_px error_colour
+both()
+{
+    for scene in assets/scenes/*.ini; do
+        name=${scene##*/} name=${name%.ini}
+        counted=$(awk -F, -v s="$name" '$1 == s && $2 == "instructions" { print $3 }' \
+            tests/budgets/scenes.csv)
+        "$program" plan "$scene" --size 320x240 --csv |
+            awk -F, -v s="$name" -v counted="$counted" \
+                '$1 == "total" { print s, $4, counted, $5, $6 }'
+    done
+}
+
+if [ -n "$rows" ]; then
+    both | awk '{ print "plan," $1 ",predicted," $2
+                  print "plan," $1 ",counted," $3
+                  print "plan," $1 ",error_px," $4
+                  print "plan," $1 ",error_colour," $5 }'
+    exit
+fi
+
+near()          # FILE PERCENT
+{
+    awk -v room="$2" '
+        { off = 100 * $2 / $3 - 100; scenes++
+          printf "    %-14s %8.2f M predicted %8.2f M counted %+6.1f %%\n", $1, $2 / 1e6,
+              $3 / 1e6, off
+          if (off > room || off < -room) bad = 1 }
+        END { exit bad || scenes < 10 }' "$1"
+}
+
+both >"$scratch/both"
+check "every scene costs what the plan says, within 10 %" near "$scratch/both" 10
+awk '{ $2 *= 1.25; print }' "$scratch/both" >"$scratch/dear"
+refuse "prices that are a quarter dearer" near "$scratch/dear" 10
+exit $((failures > 0))
