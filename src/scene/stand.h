@@ -2,6 +2,7 @@
 /* Where a scene's camera stands at the start, and what it would see of level water. */
 #ifndef TP_SCENE_STAND_H
 #define TP_SCENE_STAND_H
+#include "base/base.h"
 #include "scene/sides.h"
 
 typedef struct {
@@ -26,4 +27,14 @@ tp_vec3 tp_stand_ray(const tp_stand *at, int64_t x, int64_t y);
 
 /* How far ahead, m in Q16, it meets the level water; 0: it does not. */
 int64_t tp_stand_water(const tp_stand *at, int64_t x, int64_t y);
+
+/* From one place to another, held within 8 km along each axis. */
+static inline tp_vec3 tp_stand_way(tp_vec3 from, tp_vec3 to)
+{
+    const int64_t most = 1 << 29;
+
+    return (tp_vec3){ (tp_fx)tp_limit((int64_t)to.x - from.x, most),
+                      (tp_fx)tp_limit((int64_t)to.y - from.y, most),
+                      (tp_fx)tp_limit((int64_t)to.z - from.z, most) };
+}
 #endif

@@ -60,7 +60,7 @@ static void place_lens(look *l, const tp_scene *s)
     const tp_vec3 place = { s->boat.x, s->boat.lift, s->boat.z };
 
     place_level(l, s);
-    l->lens.eye = tp_rotate(&turn, tp_vec3_sub(l->lens.eye, place));
+    l->lens.eye = tp_rotate(&turn, tp_stand_way(place, l->lens.eye));
     l->lens.right = turned(&turn, l->lens.right);
     l->lens.up = turned(&turn, l->lens.up);
     l->lens.ahead = turned(&turn, l->lens.ahead);

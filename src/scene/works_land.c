@@ -13,8 +13,15 @@
 /* How far a wave may stand over the level where the floor shoals it, m, as wave/ocean.c
  * bounds it: it grows, its orbit tilts with the floor, its crest is thrown; not on a map,
  * whose mean rise counts. */
-static tp_fx crest_of(const tp_scene *s, const tp_wave *wave, tp_fx slope)
+static tp_fx crest_of(const tp_scene *s, const tp_wave *given, tp_fx steep)
 {
+    const tp_fx   slope = tp_clamp(steep, 0, TP_FX_ONE);
+    const tp_wave held = {
+        .amplitude = tp_clamp(given->amplitude, 1, 16 * TP_FX_ONE),
+        .length = tp_clamp(given->length, TP_FX(0.25), TP_FX(2000)),
+        .steepness = tp_clamp(given->steepness, 0, TP_FX_ONE),
+    };
+    const tp_wave *wave = &held;
     const int64_t k_inf = tp_depth_number_deep(wave->length);
     const tp_breaker_type type = tp_breaker_type_of(
         tp_iribarren(slope * (1 << 14), 2 * wave->amplitude, wave->length));
@@ -103,13 +110,12 @@ static corner corner_of(const ground *g, int32_t i, int32_t j)
     const int64_t z = tp_stand_line(s, s->grid.rows, g->z,
                                     (2 * (int64_t)j + 1 - s->grid.rows) * 32768);
     const tp_floor_at at = tp_floor_under(&g->floor, tp_fx_held(x), tp_fx_held(z));
-    const int64_t most = 24000 * (int64_t)TP_FX_ONE;
+    const tp_vec3 place = { tp_fx_held(x), tp_fx_held(-(int64_t)at.depth),
+                            tp_fx_held(z) };
     tp_view_corner c;
     uint32_t zi;
 
-    tp_lens_view(&g->lens, (tp_vec3){ tp_fx_held(x),
-                                      (tp_fx)tp_limit(-(int64_t)at.depth, most),
-                                      tp_fx_held(z) }, &c);
+    tp_lens_view(&g->lens, tp_vec3_add(g->lens.eye, tp_stand_way(g->lens.eye, place)), &c);
     corner to = { at.depth > g->deepest, c.depth < g->lens.near,
                   !tp_lens_holds(&g->lens, &c), 0, 0 };
     if (!to.cut)

@@ -17,8 +17,8 @@ static uint32_t bands(int64_t rows, int32_t band)
 void tp_site_add_drops(tp_site *w, const tp_outlook *o)
 {
     const tp_scene *s = w->scene;
-    const tp_vec3 way = { s->drops.x - w->at.eye.x, s->drops.y - w->at.eye.y,
-                          s->drops.z - w->at.eye.z };
+    const tp_vec3 sphere = { s->drops.x, s->drops.y, s->drops.z };
+    const tp_vec3 way = tp_stand_way(w->at.eye, sphere);
     const tp_vec3 view = tp_rotate(&w->at.turn, way);
     uint32_t *work = w->works.of;
 
