@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* What methods cost and how far they are off, as measured: instructions of a Cortex-M4;
  * errors against the truth (tests/budgets/truth.h), beyond those of the exact rungs.  The
- * table is made from tests/budgets/prices.csv. */
+ * table is made from assets/charts/prices.csv. */
 #ifndef TP_SCENE_PRICES_H
 #define TP_SCENE_PRICES_H
 #include "tidepool/plan.h"

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # The table of prices as C, from its CSV: one initializer a row.
 #
-#   awk -f tests/budgets/prices.awk tests/budgets/prices.csv >src/scene/prices.inc
+#   awk -f tests/budgets/prices.awk assets/charts/prices.csv >src/scene/prices.inc
 #
 # Rows: what,rung,item,figure.  A rung without rows is not known to the plan.
 BEGIN {
@@ -15,7 +15,7 @@ BEGIN {
     index_of(rate, n["rate"])
     index_of(lod, n["lod"])
     print "/* SPDX-License-Identifier: MIT */"
-    print "/* Made by tests/budgets/prices.awk from prices.csv; not to be edited. */"
+    print "/* Made by tests/budgets/prices.awk from assets/charts/prices.csv; not to be edited. */"
 }
 
 function index_of(names, count,    i)

@@ -3,16 +3,23 @@
 # The plan's prices, measured: instructions on an emulated Cortex-M4, errors on this
 # machine over the shipped scenes.
 #
-#   tests/budgets/prices.sh             whether prices.csv is what is measured here
-#   tests/budgets/prices.sh --write     writes prices.csv and src/scene/prices.inc anew
+#   tests/budgets/prices.sh             whether the chart `prices` is what is measured here
+#   tests/budgets/prices.sh --rows      rows of that chart
+#   tests/budgets/prices.sh --write     writes the chart and src/scene/prices.inc anew
 #
 # Then build again: the plan of a scene may be another one, and so its pictures.
 . tests/gates/lib.sh
 . tests/budgets/board.sh
 
-table=tests/budgets/prices.csv
+table=assets/charts/prices.csv
 made=src/scene/prices.inc
 elf=build/cortex-m/prices.elf
+
+if [ "${1:-}" = --write ]; then
+    build all && build/host/tidepool charts assets/charts --only prices || exit
+    awk -f tests/budgets/prices.awk $table >"$scratch/made" && cp "$scratch/made" $made
+    exit
+fi
 
 lacks arm-none-eabi-gcc gcc-arm-none-eabi "prices on a Cortex-M4" && exit 77
 lacks qemu-system-arm qemu-system-arm "prices on a Cortex-M4" && exit 77
@@ -30,10 +37,13 @@ measure()
         "$scratch/counts" >"$scratch/costs" 2>"$scratch/fit" &&
         awk -f tests/budgets/prices-error.awk "$scratch/costs" \
             "$scratch/errors" >"$scratch/offs" &&
-        { sed -n '/^#/p' $table; echo "what,rung,item,figure"
+        { echo "what,rung,item,figure"
           cat "$scratch/costs" "$scratch/offs"; } >"$scratch/table"
 }
 
+if [ "${1:-}" = --rows ]; then
+    exec 3>&1 1>&2
+fi
 check "the board's program builds" build BOARD=cortex-m $elf
 check "the plugin and the comparing program build" build $plugin \
     build/host/tests/budgets/errors
@@ -43,10 +53,9 @@ check "the scenes are compared" sh -c \
 check "prices come of it" measure
 if [ -f "$scratch/fit" ]; then sort "$scratch/fit"; fi
 [ "$failures" = 0 ] || exit 1
-
-if [ "${1:-}" = --write ]; then
-    cp "$scratch/table" $table
-    awk -f tests/budgets/prices.awk $table >"$scratch/made" && cp "$scratch/made" $made
+if [ "${1:-}" = --rows ]; then
+    awk -F, 'NR > 1 { print "prices," $1 ";" $2 ";" $3 ",figure," $4 }' \
+        "$scratch/table" >&3
     exit
 fi
 
