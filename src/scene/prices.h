@@ -98,6 +98,12 @@ extern const tp_prices tp_prices_measured;
 /* The plan by any table. */
 tp_plan_report tp_plan_by(const tp_prices *prices, const tp_scene *scene,
                           const tp_assets *assets, uint32_t width, uint32_t height);
+
+/* What the choice weighs: the chosen rungs' price without what no rung changes much, the
+ * works, which only reports add. */
+tp_price tp_price_by(const tp_prices *prices, const tp_scene *scene,
+                     const tp_assets *assets, uint32_t width, uint32_t height);
+
 tp_ladder tp_ladder_by(const tp_prices *prices, const tp_scene *scene,
                        const tp_assets *assets, uint32_t width, uint32_t height);
 

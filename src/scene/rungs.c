@@ -296,6 +296,13 @@ static tp_rung_report report_of(const ground *g, int kind, choice chosen, int ru
     return report;
 }
 
+tp_price tp_price_by(const tp_prices *prices, const tp_scene *scene,
+                     const tp_assets *assets, uint32_t width, uint32_t height)
+{
+    const ground g = ground_of(prices, scene, assets, width, height);
+    return price_of(&g, cheapest_of(&g));
+}
+
 tp_plan_report tp_plan_by(const tp_prices *prices, const tp_scene *scene,
                           const tp_assets *assets, uint32_t width, uint32_t height)
 {

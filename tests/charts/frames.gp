@@ -8,7 +8,7 @@ taken(y) = is_used(strcol("used")) ? column(y) : NaN
 
 # Names stand right of their points, but for these.
 left  = " calm-bay storm from-above "
-above = " minimal raindrops count-100 harbour shallows "
+above = " minimal count-100 harbour shallows "
 below = " lava count-64 shore-break tank "
 placed(list) = strstrt(list, " " . strcol("scene") . " ") > 0 ? strcol("scene") : ""
 aside(s) = strstrt(left . above . below, " " . s . " ") > 0 ? "" : s

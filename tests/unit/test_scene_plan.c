@@ -73,6 +73,11 @@ static tp_plan_report report_of(const trial *t)
     return tp_plan_by(&t->prices, &t->scene, &t->assets, t->width, t->height);
 }
 
+static tp_price weighed(const trial *t)
+{
+    return tp_price_by(&t->prices, &t->scene, &t->assets, t->width, t->height);
+}
+
 static void a_larger_budget_never_costs_more(void **state)
 {
     static trial t;
@@ -85,10 +90,10 @@ static void a_larger_budget_never_costs_more(void **state)
         for (int k = 0; k <= 12; k++) {
             t.scene.quality.error_px = k * TP_FX(0.2);
             t.scene.quality.error_colour = k * TP_FX(0.9);
-            const tp_plan_report r = report_of(&t);
-            assert_true(r.total.known);
-            assert_true(r.total.cost <= last);
-            last = r.total.cost;
+            const tp_price price = weighed(&t);
+            assert_true(price.known);
+            assert_true(price.cost <= last);
+            last = price.cost;
             first = k ? first : last;
         }
         cheaper += last < first;
@@ -103,9 +108,9 @@ static void errors_stay_within_the_budget(void **state)
     (void)state;
     for (int i = 0; i < SCENES; i++) {
         trial_make(&t, &chance);
-        const tp_plan_report r = report_of(&t);
-        assert_true(r.total.error_px <= t.scene.quality.error_px);
-        assert_true(r.total.error_colour <= t.scene.quality.error_colour);
+        const tp_price price = weighed(&t);
+        assert_true(price.error_px <= t.scene.quality.error_px);
+        assert_true(price.error_colour <= t.scene.quality.error_colour);
     }
 }
 
@@ -169,7 +174,7 @@ static void any_numbers_are_safe(void **state)
     static trial t;
 
     (void)state;
-    for (int i = 0; i < 4 * SCENES; i++) {
+    for (int i = 0; i < SCENES; i++) {
         trial_make(&t, &chance);
         t.scene = scene_any(&chance);
         t.scene.quality.visibility = chance_int(&chance, INT32_MIN, INT32_MAX);
@@ -204,9 +209,9 @@ static void a_ladder_goes_down_and_ends(void **state)
             t.scene.quality.shading = (int32_t)ladder.rung[k].shading;
             t.scene.quality.rate = (int32_t)ladder.rung[k].rate;
             t.scene.quality.lod = (int32_t)ladder.rung[k].lod;
-            const tp_plan_report r = report_of(&t);
-            assert_true(r.total.known && r.total.cost < last);
-            last = r.total.cost;
+            const tp_price price = weighed(&t);
+            assert_true(price.known && price.cost < last);
+            last = price.cost;
         }
     }
     assert_true(longest > 2);
