@@ -31,7 +31,7 @@ static void tilt_any(tilt *t, view_of_ref *v, bool north)
 /* The normal as a direction. */
 static sight tilt_normal(const tilt *t)
 {
-    return (sight){ t->north ? 0 : PI / 2, PI / 2 - t->north - t->east };
+    return (sight){ t->north != 0 ? 0 : PI / 2, PI / 2 - t->north - t->east };
 }
 
 static tp_scene scene_tilted(void)
@@ -51,13 +51,13 @@ static tp_scene scene_tilted(void)
  * tilt, in the plane of both, or about the look's own axis. */
 static double mirrored_up(const tilt *t, double down)
 {
-    return t->north ? down - 2 * t->north : asin(sin(down) * cos(2 * t->east));
+    return t->north != 0 ? down - 2 * t->north : asin(sin(down) * cos(2 * t->east));
 }
 
 /* The angle at which the surface is met. */
 static double met_at(const tilt *t, double down)
 {
-    return t->north ? fabs(PI / 2 - down + t->north) : acos(sin(down) * cos(t->east));
+    return t->north != 0 ? fabs(PI / 2 - down + t->north) : acos(sin(down) * cos(t->east));
 }
 
 /* Schlick's share [F2] of indices 1 and 1.333. */

@@ -19,7 +19,8 @@ check "what draws for the charts builds" build charts-tools
 
 crcs()          # m4|x86 SCENE
 {
-    tests/charts/board.sh "$1" "$2" 160x120 20 '' quality.visibility=triangles grid/2 \
+    tests/charts/board.sh "$1" "$2" 160x120 20 '' \
+        'quality.visibility=triangles water.specular=0.5' grid/2 \
         '96x64 3 grid=40 quality.lod=on' 'bare water.specular=0.25' >"$scratch/pictures" &&
         awk '{ printf "%08x\n", $NF }' "$scratch/pictures"
 }

@@ -78,11 +78,15 @@ static double settled(const tp_sea *sea, spot at)
     int64_t step = BETWEEN / 2, ticks = 64;
 
     for (int n = 0; n < HALVINGS; n++, step /= 2, ticks = ticks > 1 ? ticks / 2 : 1) {
+        const int64_t ways[6][3] = { { step }, { -step }, { 0, step }, { 0, -step },
+                                     { 0, 0, ticks }, { 0, 0, -ticks } };
         bool moved = true;
-        for (int turns = 0; moved && turns < 50; turns++)
-            moved = better(sea, &at, step, 0, 0) | better(sea, &at, -step, 0, 0)
-                  | better(sea, &at, 0, step, 0) | better(sea, &at, 0, -step, 0)
-                  | better(sea, &at, 0, 0, ticks) | better(sea, &at, 0, 0, -ticks);
+        for (int turns = 0; moved && turns < 50; turns++) {
+            moved = false;
+            for (int k = 0; k < 6; k++)
+                if (better(sea, &at, ways[k][0], ways[k][1], ways[k][2]))
+                    moved = true;
+        }
     }
     return at.least;
 }
