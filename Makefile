@@ -156,7 +156,7 @@ soak:
 	@ports/setup.sh all
 	@$(MAKE) --no-print-directory $(SAN) unit
 	@TP_SOAK=1 TP_SCENES=100000 TP_TIMEOUT=7200 TP_BUILD=build/san tests/run.sh \
-	    build/log/soak tests/cross/run.sh \
+	    build/log/soak tests/cross/run.sh tests/budgets/prices.sh \
 	    $(patsubst build/host/%,build/san/%,$(filter %/stability/%,$(UNIT)))
 ## what scenes and models cost, against their budgets; SCENE=x by function; WRITE=1
 count: $(PROGRAM) build/host/count.so
