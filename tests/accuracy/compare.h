@@ -10,6 +10,10 @@
 #include "tests/reference/image.h"
 #include "tests/reference/stand.h"
 
+/* Settings without what the reference does not draw, or not as the engine draws it. */
+#define REF_WITHOUT "foam.cells=0", "spray.count=0", "water.caustics=0", \
+                    "sky.stars=0", "mirror.bend=1"
+
 /* The engine's: colours, and what is there. */
 typedef struct {
     uint32_t  width, height;

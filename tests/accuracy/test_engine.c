@@ -25,9 +25,8 @@ typedef struct {
     const char *set[SETTINGS];  /* besides; ended by NULL */
 } row;
 
-/* What the reference does not draw, or not as the engine draws it. */
 static const char *const off[] = {
-    "foam.cells=0", "spray.count=0", "water.caustics=0", "sky.stars=0", "mirror.bend=1",
+    REF_WITHOUT,
     "quality.visibility=triangles", "quality.shading=exact", "quality.rate=full",
     "quality.lod=off",          /* what the others are judged by; test_plan.c */
 };

@@ -22,9 +22,7 @@
 
 enum { THREADS = 2, RUNGS = 16, WORDS_BYTES = 320 };
 
-static const char *const off[] = {
-    "foam.cells=0", "spray.count=0", "water.caustics=0", "sky.stars=0", "mirror.bend=1",
-};
+static const char *const off[] = { REF_WITHOUT };
 
 /* Each but the plan's and the ladder's differs from the exact rung by what it names. */
 #define EXACT "quality.visibility=triangles quality.shading=exact quality.rate=full " \

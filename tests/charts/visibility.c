@@ -23,7 +23,7 @@
 #define FOLDER "assets/scenes/"
 
 static const char *const off[] = {
-    "foam.cells=0", "spray.count=0", "water.caustics=0", "sky.stars=0", "mirror.bend=1",
+    REF_WITHOUT,
     "boat.mesh=", "quality.shading=exact", "quality.rate=full", "quality.lod=off",
     "quality.error_px=0", "quality.error_colour=0",
 };
@@ -59,7 +59,6 @@ static error error_of(const drawn_image *a, const ref_image *b)
 /* Grids beside the scene's own. */
 static const int32_t grids[] = { 32, 64, 128, 256 };
 static const char *const methods[] = { "triangles", "rows", "projected", "flat" };
-
 
 enum { GRIDS = sizeof grids / sizeof *grids, METHODS = 4, POINTS = METHODS * (GRIDS + 1) };
 
