@@ -143,7 +143,7 @@ while [ "${1#-}" != "$1" ]; do shift; done
 echo "$1" >>"$0.hosts"
 shift
 [ "$1" != -- ] || shift
-cd / && exec sh -c "$*"
+cd / && SHELL=/bin/sh exec sh -c "$*"      # SHELL as of a login
 END
 chmod +x "$scratch/ssh"
 on_two()        # [OPTION]... [COMMAND]...
