@@ -12,7 +12,12 @@ SCENE   ?= three-swells
 OBJCOPY ?= objcopy
 all:
 ifdef BOARD
-include ports/$(BOARD)/board.mk
+include ports/$(BOARD)/board.mk # TRIPLE- of its compiler, ARCH, BOARD_C; BOARD_LD
+TARGET   := $(notdir $(BOARD))
+CC       := $(TRIPLE)gcc
+AR       := $(TRIPLE)ar
+OBJCOPY  := $(TRIPLE)objcopy
+BOARD_LD ?= ports/$(BOARD)/board.ld
 endif
 BUILD  := build/$(TARGET)
 
@@ -324,20 +329,20 @@ build/host/count.so: tests/budgets/count.c $(BUILD)/flags
 	$(SAY)$(COMPILE) -D_POSIX_C_SOURCE=200809L -fPIC -shared $< -o $@
 build/host/tally.so: tests/bench/tally.c $(BUILD)/flags
 	$(SAY)$(COMPILE) -fPIC -shared $< -o $@
-BOARD_O := $(BOARD_C:%.c=$(BUILD)/ports/$(BOARD)/%.o)
+BOARD_O := $(BOARD_C:%.c=$(BUILD)/%.o)
 $(BUILD)/scenes/%.elf: build/baked/$(MACHINE)/%.o $(BOARD_O) $(LIB) \
-          ports/$(BOARD)/board.ld
+          $(BOARD_LD)
 	@mkdir -p $(@D)
 	$(SAY)$(LINK_ELF)
 $(BUILD)/prices.elf: $(BUILD)/tests/budgets/prices.o build/baked/$(MACHINE)/prices.o \
-          $(filter-out %/main.o,$(BOARD_O)) $(LIB) ports/$(BOARD)/board.ld
+          $(filter-out %/main.o,$(BOARD_O)) $(LIB) $(BOARD_LD)
 	$(SAY)$(LINK_ELF)
 $(BUILD)/ram/%.elf: $(BUILD)/tests/budgets/ram.o build/baked/$(MACHINE)/%.o \
-          $(filter-out %/main.o,$(BOARD_O)) $(LIB) ports/$(BOARD)/board.ld
+          $(filter-out %/main.o,$(BOARD_O)) $(LIB) $(BOARD_LD)
 	@mkdir -p $(@D)
 	$(SAY)$(LINK_ELF)
 $(BUILD)/models.elf: $(MODELS_O) \
-          $(filter-out %/main.o,$(BOARD_O)) $(LIB) ports/$(BOARD)/board.ld
+          $(filter-out %/main.o,$(BOARD_O)) $(LIB) $(BOARD_LD)
 	$(SAY)$(LINK_ELF)
 $(BUILD)/kit_v3.o: $(V3_C:%.c=$(BUILD)/v3/%.o)
 	$(SAY)$(LD) -r $^ -o $@
@@ -353,7 +358,7 @@ $(KITS:%=%.o): $(BUILD)/kits/%.o: tests/budgets/features.c $(BUILD)/flags
 	$(SAY)$(COMPILE) -DFEATURES=$* -c $< -o $@
 $(KITS:%=%.elf): %.elf: %.o $(BUILD)/tests/budgets/minimal.o \
           $(filter-out %/main.o,$(BOARD_O)) build/baked/$(MACHINE)/minimal.o $(LIB) \
-          ports/$(BOARD)/board.ld
+          $(BOARD_LD)
 	$(SAY)$(LINK_ELF) -Wl,-Map=$(@:.elf=.map)
 
 $(BUILD)/src/%.o: src/%.c $(BUILD)/flags

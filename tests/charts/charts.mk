@@ -72,18 +72,18 @@ $(AT)/pools: $(POOLS_O) $(AT)/used.o \
 
 $(SPAN_SCENES:%=$(BUILD)/span-%.elf): $(BUILD)/span-%.elf: \
           $(AT)/span.o $(SPAN_O) build/baked/$(MACHINE)/%.o \
-          $(filter-out %/main.o,$(BOARD_O)) $(LIB) ports/$(BOARD)/board.ld
+          $(filter-out %/main.o,$(BOARD_O)) $(LIB) $(BOARD_LD)
 	$(SAY)$(LINK_ELF)
 $(BUILD)/kernels.elf: $(KERNELS_O) \
-          $(filter-out %/main.o,$(BOARD_O)) $(LIB) ports/$(BOARD)/board.ld
+          $(filter-out %/main.o,$(BOARD_O)) $(LIB) $(BOARD_LD)
 	$(SAY)$(LINK_ELF)
 $(BUILD)/charts/%.elf: $(AT)/board.o build/baked/$(MACHINE)/%.o \
-          $(filter-out %/main.o,$(BOARD_O)) $(LIB) ports/$(BOARD)/board.ld
+          $(filter-out %/main.o,$(BOARD_O)) $(LIB) $(BOARD_LD)
 	@mkdir -p $(@D)
 	$(SAY)$(LINK_ELF)
 $(BUILD)/pool_count.elf: $(AT)/pool_count.o \
           build/baked/$(MACHINE)/pool_points.o \
-          $(filter-out %/main.o,$(BOARD_O)) $(LIB) ports/$(BOARD)/board.ld
+          $(filter-out %/main.o,$(BOARD_O)) $(LIB) $(BOARD_LD)
 	$(SAY)$(LINK_ELF)
 
 # -- tests -----------------------------------------------------------------------------
