@@ -28,7 +28,8 @@ host()          # BUILD TARGET OPT ARCH
 {
     program=build/$2/tests/budgets/models
     mkdir "$scratch/$1"
-    check "$1: the counting program builds" build TARGET="$2" OPT="$3" ARCH="$4" $program
+    check "$1: the counting program builds" alone build TARGET="$2" OPT="$3" ARCH="$4" \
+        $program
     check "$1: it runs to its end" profile $1 $program
     awk -f tests/budgets/callgrind.awk "$scratch/$1"/dump.* >"$scratch/$1/counts"
     runs="$runs build=$1 $scratch/$1/said $scratch/$1/counts"
@@ -37,7 +38,7 @@ host()          # BUILD TARGET OPT ARCH
 board()         # BUILD ELF
 {
     mkdir "$scratch/$1"
-    check "$1: the counting program builds" build BOARD=cortex-m TARGET="count-$1" "$2"
+    check "$1: the counting program builds" build BOARD=cortex-m "$2"
     check "$1: the plugin builds" build $plugin
     check "$1: it runs to its end" emulate "$2" "$scratch/$1/said" "$scratch/$1/counts"
     runs="$runs build=$1 $scratch/$1/said $scratch/$1/counts"
@@ -50,7 +51,7 @@ elif lacks valgrind valgrind "models on x86-64"; then
     skip="o2 o3 v3"
 else
     host o2 host "-O2 -g"
-    host o3 count-o3 -O3
+    host o3 cross/host-gcc-O3 -O3
     if grep -qw avx2 /proc/cpuinfo; then
         host v3 count-v3 -O3 -march=x86-64-v3
     else
@@ -64,7 +65,7 @@ if lacks arm-none-eabi-gcc gcc-arm-none-eabi "models on a Cortex-M4" ||
     lacks qemu-system-arm qemu-system-arm "models on a Cortex-M4"; then
     skip="$skip m4"
 else
-    board m4 build/count-m4/models.elf      # apart from what scenes-count.sh builds
+    board m4 build/cortex-m/models.elf
     [ -n "$write" ] || pinned $budgets m4 arm-none-eabi-gcc || skip="$skip m4"
 fi
 

@@ -28,7 +28,7 @@ done
 
 case $column in
 m4)
-    elf=build/charts-m4/charts/$scene.elf nm=arm-none-eabi-nm
+    elf=build/cortex-m/charts/$scene.elf nm=arm-none-eabi-nm
     timeout 300 qemu-system-arm -M mps2-an386 -nographic -monitor none -serial null \
         -chardev file,id=said,path="$scratch/said" -kernel "$elf" -plugin $plugin \
         -semihosting-config "enable=on,target=native,chardev=said,arg=$words" \

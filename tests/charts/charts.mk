@@ -16,12 +16,11 @@ SPAN_O      := $(addprefix $(AT)/,span_scene.o span_steps.o span_true.o \
 CHARTS      := $(addprefix $(AT)/,errors frames kernels pool_count pools reference \
                    stability visibility $(SPAN_SCENES:%=span-%) \
                    $(SPAN_SCENES:%=span_errors-%) $(SCENES:%=board-%))
-CHARTS_ELF  := $(patsubst %,build/charts-m4/%.elf,kernels pool_count \
+CHARTS_ELF  := $(patsubst %,build/cortex-m/%.elf,kernels pool_count \
                    $(SPAN_SCENES:%=span-%) $(SCENES:%=charts/%))
 
 charts-tools: all build/host/count.so $(CHARTS)
-	@$(MAKE) --no-print-directory BOARD=cortex-m TARGET=charts-m4 MACHINE=cortex-m \
-	    $(CHARTS_ELF)
+	@$(MAKE) --no-print-directory BOARD=cortex-m $(CHARTS_ELF)
 
 # -- of this machine ---------------------------------------------------------------------
 

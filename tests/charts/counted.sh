@@ -7,7 +7,7 @@ counted()
 {
     case $1 in
     m4)
-        emulate "build/charts-m4/$2.elf" "$scratch/said" "$scratch/counts" ;;
+        emulate "build/cortex-m/$2.elf" "$scratch/said" "$scratch/counts" ;;
     x86)
         valgrind --tool=callgrind --callgrind-out-file="$scratch/dump" \
             --dump-before=count_section --collect-atstart=no --toggle-collect='run_*' \

@@ -12,8 +12,8 @@
 column=$1 chart=$2 scene=$3
 case $column in
 m4)
-    built=build/charts-m4 nm=arm-none-eabi-nm
-    emulate "build/charts-m4/span-$scene.elf" "$scratch/said" "$scratch/counts" ;;
+    built=build/cortex-m nm=arm-none-eabi-nm
+    emulate "build/cortex-m/span-$scene.elf" "$scratch/said" "$scratch/counts" ;;
 x86)
     # QEMU 7.2 falls over gathers of newer processors.
     built=build/host nm=nm

@@ -1,9 +1,9 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
 # The same bits everywhere: builds the core and tests/cross/frames for each machine,
-# compiler and level of optimisation, and compares the golden frames' CRCs.  On machines
-# that differ from another in no way that C can tell, the levels are dealt out to the
-# compilers; with TP_SOAK set each has them all.
+# compiler and level of optimisation, and compares the golden frames' CRCs.  Every machine
+# has every level and both compilers; the levels are dealt out to them, but with TP_SOAK
+# set, when each has them all.  This machine's gcc at -O2 is what the golden tests run by.
 . tests/gates/lib.sh
 
 scenes=$(build -s list-cross)
@@ -11,11 +11,11 @@ scenes=$(build -s list-cross)
 # name | GNU triple | emulator | Debian's name of the machine | levels of gcc, of clang
 all='O0 O2 O3'
 machines="
-host    |                     |              |         | $all | $all
-armhf   | arm-linux-gnueabihf | qemu-arm     | armhf   | $all | $all
+host    |                     |              |         | O0 O3 | $all
+armhf   | arm-linux-gnueabihf | qemu-arm     | armhf   | O0 O3 | O2
 aarch64 | aarch64-linux-gnu   | qemu-aarch64 | arm64   | O2   | O0 O3
 riscv64 | riscv64-linux-gnu   | qemu-riscv64 | riscv64 | O0 O3 | O2
-s390x   | s390x-linux-gnu     | qemu-s390x   | s390x   | $all | $all
+s390x   | s390x-linux-gnu     | qemu-s390x   | s390x   | O2   | O0 O3
 "
 
 # "three-swells rgb565 frame 0000 crc32 1234abcd": as referred to, and as drawn.

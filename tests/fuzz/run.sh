@@ -11,7 +11,7 @@ clang -fsanitize=fuzzer "$scratch/try.c" -o "$scratch/try" 2>/dev/null ||
 
 sanitize=address,undefined
 check "the fuzz targets build" build TARGET=fuzz CC=clang \
-    OPT="-O1 -g -fsanitize=fuzzer-no-link,$sanitize -fno-sanitize-recover=all" \
+    OPT="-O1 -g1 -fsanitize=fuzzer-no-link,$sanitize -fno-sanitize-recover=all" \
     LDFLAGS="-fsanitize=$sanitize" fuzzers
 for source in tests/fuzz/fuzz_*.c; do
     [ -f "$source" ] || continue

@@ -5,5 +5,5 @@
 
 lacks clang clang "clang's warnings" && exit 77
 check "clang compiles everything without a warning" \
-    build TARGET=clang CC=clang everything
+    alone build TARGET=cross/host-clang-O0 MACHINE=host CC=clang OPT=-O0 everything
 exit $((failures > 0))
