@@ -162,7 +162,8 @@ soak:
 	@$(MAKE) --no-print-directory $(SAN) unit
 	@TP_SOAK=1 TP_SCENES=100000 TP_TIMEOUT=7200 TP_BUILD=build/san tests/run.sh \
 	    build/log/soak tests/cross/run.sh tests/budgets/prices.sh \
-	    $(patsubst build/host/%,build/san/%,$(filter %/stability/% %/accuracy/%,$(UNIT)))
+	    $(patsubst build/host/%,build/san/%,$(filter $(BUILD)/tests/stability/% \
+	        $(BUILD)/tests/accuracy/%,$(UNIT)))
 ## what scenes and models cost, against their budgets; SCENE=x by function; WRITE=1
 count: $(PROGRAM) build/host/count.so
 	@tests/budgets/scenes-count.sh $(if $(WRITE),--write) $(ONE)
@@ -219,12 +220,13 @@ help:
 
 # -- tests -----------------------------------------------------------------------------
 
-# Under the sanitizers, where the second kit need not be quick.  What is off a formula is
-# told without them, but in the soak.
+# Under the sanitizers, where the second kit need not be quick.  How far something is off
+# is told without them, but in the soak; threads have a sanitizer of their own.
 V3_LITE := V3_OPT='-O1 -march=x86-64-v3'
 SAN := TARGET=san OPT='-O1 -g1 -fsanitize=address,undefined -fno-sanitize-recover=all' \
        $(V3_LITE)
-SAN_UNIT := $(filter-out %/accuracy/%,$(UNIT))
+SAN_UNIT := $(filter-out $(BUILD)/tests/accuracy/% %/test_shade_quick_light \
+               %/test_shade_quick_even %/test_threads,$(UNIT))
 RUN := TP_BUILD=$(BUILD) TP_PROGRAM=$(PROGRAM) tests/run.sh
 
 unit: $(UNIT)
@@ -244,12 +246,12 @@ host-tests: everything
 more-tests: everything build/host/count.so build/host/tally.so
 	@! command -v arm-none-eabi-gcc >/dev/null || \
 	    $(MAKE) --no-print-directory BOARD=cortex-m elves
-	@FUZZ_SECONDS=$${FUZZ_SECONDS:-5} $(RUN) build/log/more tests/gates/arm.sh tests/gates/clang.sh tests/host/view.sh \
+	@FUZZ_SECONDS=$${FUZZ_SECONDS:-5} $(RUN) build/log/more \
+	    tests/gates/arm.sh tests/gates/clang.sh tests/host/view.sh \
 	    tests/host/threads.sh tests/bench/views.sh tests/cross/run.sh tests/cross/film.sh \
 	    tests/budgets/scenes-count.sh tests/budgets/ram.sh tests/budgets/kits.sh \
 	    tests/budgets/models-count.sh tests/charts/sweep.sh tests/charts/same.sh \
-	    tests/budgets/plan-count.sh \
-	    tests/budgets/prices.sh tests/fuzz/run.sh
+	    tests/budgets/plan-count.sh tests/budgets/prices.sh tests/fuzz/run.sh
 fuzzers: $(FUZZ)
 # Other renderers for `tidepool bench --peers`, of whatever packages are there.
 PEERS := $(BUILD)/tests/bench/peers
@@ -384,8 +386,9 @@ $(BUILD)/flags: force
 
 include tests/charts/charts.mk
 
-.PHONY: all lib run test test-all soak count ram bench fuzz golden gallery assets install format \
-    views charts clean help unit sanitized everything host-tests more-tests fuzzers elf elves frames \
-    list-core list-scenes list-cross reference peers charts-tools force
+.PHONY: all lib run test test-all soak count ram bench views charts reference fuzz golden \
+    gallery assets install format clean help unit sanitized everything host-tests \
+    more-tests fuzzers peers charts-tools elf elves frames kits list-core list-scenes \
+    list-cross force
 .SECONDARY:
 -include $(shell find $(BUILD) -name '*.d' 2>/dev/null)
