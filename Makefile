@@ -2,6 +2,7 @@
 # Tidepool.  `make help` lists the targets.  What is made lies under build/TARGET/, so
 # that builds of several kinds live side by side:  make TARGET=clang CC=clang
 # A board is a target of its own, described in its folder:  make BOARD=cortex-m elf
+# (and tells its stacks, for tests/gates/arm.sh)
 
 TARGET  ?= host
 MACHINE ?= $(TARGET)
@@ -14,6 +15,7 @@ all:
 ifdef BOARD
 include ports/$(BOARD)/board.mk # TRIPLE- of its compiler, ARCH, BOARD_C; BOARD_LD
 TARGET   := $(notdir $(BOARD))
+ARCH     += -fstack-usage -fcallgraph-info=su
 CC       := $(TRIPLE)gcc
 AR       := $(TRIPLE)ar
 OBJCOPY  := $(TRIPLE)objcopy

@@ -6,15 +6,19 @@
 stack_limit=4096
 
 lacks arm-none-eabi-gcc gcc-arm-none-eabi "gates on Cortex-M code" && exit 77
-for cpu in cortex-m0plus cortex-m4; do
-    whole=build/$cpu/libtidepool.a
-    check "$cpu: the core compiles" build TARGET=$cpu CC=arm-none-eabi-gcc \
-        AR=arm-none-eabi-ar ARCH="-mcpu=$cpu -mthumb -mfloat-abi=soft" \
-        OPT='-O2 -fstack-usage -fcallgraph-info=su' $whole
-    check "$cpu: no soft float, nothing but mem* and helpers" \
+for board in cortex-m cortex-m0plus; do
+    whole=build/$board/libtidepool.a
+    case $board in
+    cortex-m) set -- BOARD=$board ;;
+    *) set -- TARGET=$board CC=arm-none-eabi-gcc AR=arm-none-eabi-ar \
+           ARCH="-mcpu=$board -mthumb -mfloat-abi=soft" \
+           OPT='-O2 -fstack-usage -fcallgraph-info=su' ;;
+    esac
+    check "$board: the core compiles" build "$@" $whole
+    check "$board: no soft float, nothing but mem* and helpers" \
         symbols arm-none-eabi- $whole
-    check "$cpu: no mutable state" no_state arm-none-eabi- $whole
-    check "$cpu: no recursion, and a stack below $stack_limit bytes" \
-        no_deeper $stack_limit $(find build/$cpu/src -name '*.ci')
+    check "$board: no mutable state" no_state arm-none-eabi- $whole
+    check "$board: no recursion, and a stack below $stack_limit bytes" \
+        no_deeper $stack_limit $(find build/$board/src -name '*.ci')
 done
 exit $((failures > 0))
