@@ -3,7 +3,7 @@
  * memory, OLEDs and e-paper.
  *
  *     static uint64_t memory[N];                      N: lcd_bytes(&config) / 8
- *     if (lcd_open(&panel, &config, memory)) ...      reset, orientation, on
+ *     if (lcd_open(&panel, &config, memory)) ...      reset, orientation
  *     tp_frame_begin(frame, &world);
  *     if (lcd_show(&panel, frame, scratch)) ...       every tile, then the update
  *
@@ -71,6 +71,8 @@ enum { LCD_PAUSE = 0x80, LCD_BUSY = 0x40, LCD_COUNT = 0x3f };
  * columns from the right, rows and columns exchanged, blue first. */
 enum { LCD_MY = 0x80, LCD_MX = 0x40, LCD_MV = 0x20, LCD_BGR = 0x08 };
 
+enum { LCD_ALIGN = 32 };     /* what each buffer is rounded up to: a line of a cache */
+
 enum {
     LCD_LOW_FIRST = 1,      /* addresses of two bytes: the low one first */
     LCD_ALL_COMMANDS = 2    /* arguments are sent as commands are, D/C low */
@@ -85,13 +87,15 @@ typedef struct {
     uint8_t   set_x, set_y;         /* commands: first and last column address, row */
     uint8_t   at_x, at_y;           /* commands: where to begin; 0: there are none */
     uint8_t   write;                /* command before pixels; 0: there is none */
+    uint8_t   write_old;            /* e-paper: into the memory of what is shown; or 0 */
     uint8_t   x_bytes, y_bytes;     /* of an address: 1, 2 */
     uint8_t   flags;                /* LCD_LOW_FIRST, LCD_ALL_COMMANDS */
     uint8_t   upright;              /* MX MY BGR that show a picture upright */
     uint8_t   able;                 /* MX MY MV BGR that can be other than that */
     uint8_t   set_turn;             /* command that takes them; 0: there is none */
     uint8_t (*turned)(uint8_t bits);        /* its argument; NULL: the bits */
-    lcd_script start;               /* after the reset line, up to the display on */
+    lcd_script start;               /* after the reset line */
+    lcd_script on;                  /* after the first frame: light, where there is any */
     lcd_script update;              /* after a frame's last tile: whole; empty: none */
     lcd_script partly;              /* the same of what has changed */
     /* `pixels`, a multiple of `unit`, as they are sent; NULL: as they are drawn. */
@@ -124,11 +128,13 @@ typedef struct {
     uint32_t   windows;             /* set, ever */
     uint64_t   sent;                /* bytes, ever, commands too */
     /* private */
-    uint32_t   x0, x1, next;        /* the open window's columns; its next row, or none */
+    int32_t    x0, x1, next;        /* the open window's columns, and its next row or -1 */
     uint16_t   width, height;       /* of the glass as turned */
-    uint16_t   dx, dy;              /* of the glass in the memory as turned */
-    uint8_t    bits, turn;
+    uint16_t   dx, dy;              /* where it begins in the memory walked so */
+    uint32_t   since;               /* the last whole update, and that */
+    uint8_t    bits, turn;          /* of the walk; the buffer to pack into */
     bool       flying;              /* a data() that was not waited for */
+    bool       whole, done;         /* this update is; the last one came to its end */
     uint8_t    arguments[8];
 } lcd;
 
