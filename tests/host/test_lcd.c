@@ -1,0 +1,266 @@
+/* SPDX-License-Identifier: MIT */
+/* Colour panels: what models of ILI9341 and ST7789 show after a frame is the golden frame,
+ * for strips and bands of several sizes, every turn, and wires that are late. */
+#include <stdarg.h>
+#include <stddef.h>
+#include <setjmp.h>
+#include <stdint.h>
+#include <cmocka.h>
+#include "test_lcd.h"
+
+typedef struct {
+    const char      *name;
+    const lcd_panel *panel;
+    panel_kind       kind;
+} glass;
+
+static const glass glasses[] = {
+    { "ili9341 240x320", &lcd_ili9341, PANEL_ILI9341 },
+    { "st7789 240x320", &lcd_st7789, PANEL_ST7789 },
+    { "st7789 240x240", &lcd_st7789_240x240, PANEL_ST7789 },
+    { "st7789 135x240", &lcd_st7789_135x240, PANEL_ST7789 },
+};
+enum { GLASSES = sizeof glasses / sizeof *glasses, WALKS = 8 };
+
+static const tp_format format = TP_FORMAT_RGB565BE;
+
+static lcd_config config_of(const lcd_panel *table, const drawing *d)
+{
+    return (lcd_config){ .panel = table, .frame = d->config };
+}
+
+static screen *opened(const glass *g, lcd_config config)
+{
+    screen *s = screen_power(g->kind);
+    assert_int_equal(screen_open(s, config), LCD_OK);
+    return s;
+}
+
+/* -- pictures ----------------------------------------------------------------------- */
+
+/* Every glass by every walk, given the same tiles. */
+static uint32_t wrong_on_all(const drawing *d, const uint32_t *right)
+{
+    screen *all[GLASSES * WALKS];
+    tp_tile tile;
+    uint32_t wrong = 0;
+    for (unsigned i = 0; i < GLASSES * WALKS; i++) {
+        lcd_config c = config_of(glasses[i / WALKS].panel, d);
+        c.turn = i & 3;
+        c.mirror = i & 4;
+        all[i] = opened(&glasses[i / WALKS], c);
+        lcd_begin(&all[i]->driver);
+    }
+    for (uint32_t t = 0; tp_frame_tile(d->frame, t, d->scratch, &tile); t++)
+        for (unsigned i = 0; i < GLASSES * WALKS; i++)
+            assert_int_equal(lcd_tile(&all[i]->driver, &tile), LCD_OK);
+    for (unsigned i = 0; i < GLASSES * WALKS; i++) {
+        assert_int_equal(lcd_end(&all[i]->driver), LCD_OK);
+        const uint32_t here = screen_wrong(all[i], right) + all[i]->model.faults;
+        if (here)
+            printf("%s walk %u, tiles %ux%u: %u wrong, %s\n", glasses[i / WALKS].name,
+                   i % WALKS, d->config.tile_width, d->config.tile_height, here,
+                   all[i]->model.fault ? all[i]->model.fault : "no fault");
+        wrong += here;
+        assert_int_equal(all[i]->model.bytes, all[i]->driver.sent);
+        assert_int_equal(all[i]->model.overwritten, 0);
+        screen_close(all[i]);
+    }
+    return wrong;
+}
+
+static void every_tiling_and_turn_shows_the_golden_frame(void **state)
+{
+    (void)state;
+    static const uint32_t strips[] = { 0, 16, 48, 64 }, bands[] = { 7, 1, 16, 0 };
+    uint32_t *right = golden_picture(format), wrong = 0;
+    for (unsigned i = 0; i < 16; i++) {
+        drawing d = drawing_open(GOLDEN_WIDTH, GOLDEN_HEIGHT, strips[i / 4], bands[i % 4],
+                                 format);
+        wrong += wrong_on_all(&d, right);
+        drawing_close(&d);
+    }
+    free(right);
+    assert_int_equal(wrong, 0);
+}
+
+static void another_pixel_is_found(void **state)
+{
+    (void)state;
+    drawing d = drawing_open(GOLDEN_WIDTH, GOLDEN_HEIGHT, 0, 16, format);
+    uint32_t *right = golden_picture(format);
+    screen *s = opened(&glasses[0], config_of(&lcd_ili9341, &d));
+    assert_int_equal(lcd_show(&s->driver, d.frame, d.scratch), LCD_OK);
+    assert_int_equal(screen_wrong(s, right), 0);
+    s->model.memory[50 * PANEL_COLS + 200] ^= 1;
+    assert_int_equal(screen_wrong(s, right), 1);
+    screen_close(s);
+    free(right);
+    drawing_close(&d);
+}
+
+/* A driver that takes one panel for another one shows another picture. */
+static void the_wrong_table_is_found(void **state)
+{
+    (void)state;
+    drawing d = drawing_open(GOLDEN_WIDTH, GOLDEN_HEIGHT, 0, 16, format);
+    uint32_t *right = golden_picture(format);
+    lcd_panel not_this = lcd_ili9341;
+    not_this.upright = 0;
+    screen *s = opened(&glasses[0], config_of(&not_this, &d));
+    assert_int_equal(lcd_show(&s->driver, d.frame, d.scratch), LCD_OK);
+    assert_true(screen_wrong(s, right) > GOLDEN_WIDTH * GOLDEN_HEIGHT / 2);
+    screen_close(s);
+    free(right);
+    drawing_close(&d);
+}
+
+static void the_other_order_of_colours_is_for_the_other_glass(void **state)
+{
+    (void)state;
+    drawing d = drawing_open(GOLDEN_WIDTH, GOLDEN_HEIGHT, 0, 16, format);
+    uint32_t *right = golden_picture(format);
+    lcd_config c = config_of(&lcd_st7789, &d);
+    c.bgr = true;
+    screen *s = opened(&glasses[1], c);
+    assert_int_equal(lcd_show(&s->driver, d.frame, d.scratch), LCD_OK);
+    for (uint32_t i = 0; i < GOLDEN_WIDTH * GOLDEN_HEIGHT; i++)
+        right[i] = right[i] >> 16 | (right[i] & 0xff00) | (right[i] & 0xff) << 16;
+    assert_int_equal(screen_wrong(s, right), 0);
+    screen_close(s);
+    free(right);
+    drawing_close(&d);
+}
+
+/* -- places ------------------------------------------------------------------------- */
+
+static void a_picture_may_lie_anywhere(void **state)
+{
+    (void)state;
+    static const int16_t place[][2] = { { 16, 85 }, { -37, 0 }, { 0, -91 }, { 131, 300 },
+                                        { -200, -149 }, { 112, -8 }, { -1, 319 } };
+    drawing d = drawing_open(GOLDEN_WIDTH, GOLDEN_HEIGHT, 48, 7, format);
+    uint32_t *right = golden_picture(format);
+    for (size_t i = 0; i < sizeof place / sizeof *place; i++) {
+        lcd_config c = config_of(&lcd_st7789, &d);
+        c.x = place[i][0];
+        c.y = place[i][1];
+        screen *s = opened(&glasses[1], c);
+        assert_int_equal(lcd_show(&s->driver, d.frame, d.scratch), LCD_OK);
+        assert_int_equal(screen_wrong(s, right), 0);
+        assert_int_equal(s->model.faults, 0);
+        assert_int_equal(s->model.wraps <= s->driver.windows, true);
+        screen_close(s);
+    }
+    free(right);
+    drawing_close(&d);
+}
+
+static void a_picture_larger_than_the_glass_is_cut(void **state)
+{
+    (void)state;
+    drawing d = drawing_open(640, 480, 64, 50, format);
+    uint32_t *right = drawn_whole(640, 480, format);
+    for (unsigned i = 0; i < GLASSES; i++) {
+        lcd_config c = config_of(glasses[i].panel, &d);
+        c.x = -201;
+        c.y = -153;
+        c.turn = i & 3;
+        screen *s = opened(&glasses[i], c);
+        assert_int_equal(lcd_show(&s->driver, d.frame, d.scratch), LCD_OK);
+        assert_int_equal(screen_wrong(s, right), 0);
+        assert_int_equal(s->model.faults, 0);
+        assert_int_equal(s->model.pixels, s->driver.width * s->driver.height);
+        screen_close(s);
+    }
+    free(right);
+    drawing_close(&d);
+}
+
+/* -- bytes -------------------------------------------------------------------------- */
+
+/* Columns, rows and the write: 11 bytes a window; two bytes a pixel. */
+static void bands_take_one_window_and_strips_one_each(void **state)
+{
+    (void)state;
+    static const uint32_t tiling[][2] = { { 0, 0 }, { 0, 16 }, { 0, 1 }, { 160, 16 },
+                                          { 64, 16 }, { 64, 6 }, { 16, 240 } };
+    uint32_t *right = drawn_whole(320, 240, format);
+    for (size_t i = 0; i < sizeof tiling / sizeof *tiling; i++) {
+        drawing d = drawing_open(320, 240, tiling[i][0], tiling[i][1], format);
+        lcd_config c = config_of(&lcd_ili9341, &d);
+        c.turn = 1;
+        screen *s = opened(&glasses[0], c);
+        const uint32_t tiles = tp_frame_tiles(d.frame);
+        assert_int_equal(lcd_show(&s->driver, d.frame, d.scratch), LCD_OK);
+        const uint64_t before = s->driver.sent;
+        const uint32_t windows = s->driver.windows;
+        assert_int_equal(windows, tiling[i][0] && tiling[i][0] < 320 ? tiles : 1);
+        assert_int_equal(lcd_show(&s->driver, d.frame, d.scratch), LCD_OK);
+        const uint64_t bytes = s->driver.sent - before;
+        assert_int_equal(bytes, 320 * 240 * 2 + 11 * windows);
+        assert_int_equal(screen_wrong(s, right), 0);
+        printf("320x240 in tiles of %ux%u: %u bytes a frame, %u windows; buffers %zu\n",
+               s->driver.config.frame.tile_width, s->driver.config.frame.tile_height,
+               (unsigned)bytes, windows, lcd_bytes(&s->driver.config, NULL));
+        screen_close(s);
+        drawing_close(&d);
+    }
+    free(right);
+}
+
+static void tiles_may_come_in_any_order(void **state)
+{
+    (void)state;
+    drawing d = drawing_open(GOLDEN_WIDTH, GOLDEN_HEIGHT, 0, 16, format);
+    uint32_t *right = golden_picture(format);
+    screen *s = opened(&glasses[0], config_of(&lcd_ili9341, &d));
+    tp_tile tile;
+    lcd_begin(&s->driver);
+    for (uint32_t i = tp_frame_tiles(d.frame); i-- > 0;) {
+        assert_true(tp_frame_tile(d.frame, i, d.scratch, &tile));
+        assert_int_equal(lcd_tile(&s->driver, &tile), LCD_OK);
+    }
+    assert_int_equal(lcd_end(&s->driver), LCD_OK);
+    assert_int_equal(screen_wrong(s, right), 0);
+    assert_int_equal(s->model.faults, 0);
+    screen_close(s);
+    free(right);
+    drawing_close(&d);
+}
+
+/* The glass stays dark until the first frame is whole. */
+static void it_is_lit_when_there_is_a_picture(void **state)
+{
+    (void)state;
+    drawing d = drawing_open(GOLDEN_WIDTH, GOLDEN_HEIGHT, 0, 16, format);
+    for (unsigned i = 0; i < GLASSES; i++) {
+        screen *s = opened(&glasses[i], config_of(glasses[i].panel, &d));
+        assert_true(s->model.awake);
+        assert_false(s->model.lit);
+        assert_int_equal(lcd_show(&s->driver, d.frame, d.scratch), LCD_OK);
+        assert_true(s->model.lit);
+        const uint64_t sent = s->driver.sent;
+        assert_int_equal(lcd_show(&s->driver, d.frame, d.scratch), LCD_OK);
+        assert_true(s->driver.sent - sent > 0);
+        assert_int_equal(s->model.faults, 0);
+        screen_close(s);
+    }
+    drawing_close(&d);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(every_tiling_and_turn_shows_the_golden_frame),
+        cmocka_unit_test(another_pixel_is_found),
+        cmocka_unit_test(the_wrong_table_is_found),
+        cmocka_unit_test(the_other_order_of_colours_is_for_the_other_glass),
+        cmocka_unit_test(a_picture_may_lie_anywhere),
+        cmocka_unit_test(a_picture_larger_than_the_glass_is_cut),
+        cmocka_unit_test(bands_take_one_window_and_strips_one_each),
+        cmocka_unit_test(tiles_may_come_in_any_order),
+        cmocka_unit_test(it_is_lit_when_there_is_a_picture),
+    };
+    return cmocka_run_group_tests_name("colour panels", tests, open_shown, close_shown);
+}
