@@ -62,7 +62,7 @@ static void drawing_close(drawing *d)
 }
 
 /* A picture drawn whole by the core, without any panel; to free. */
-static uint32_t *drawn_whole(uint32_t width, uint32_t height, tp_format format)
+static inline uint32_t *drawn_whole(uint32_t width, uint32_t height, tp_format format)
 {
     drawing d = drawing_open(width, height, 0, 0, format);
     uint32_t *pixels = malloc(sizeof *pixels * width * height);
@@ -77,7 +77,7 @@ static uint32_t *drawn_whole(uint32_t width, uint32_t height, tp_format format)
 }
 
 /* The golden frame as it is kept in tests/golden; to free. */
-static uint32_t *golden_picture(tp_format format)
+static inline uint32_t *golden_picture(tp_format format)
 {
     char path[128];
     uint32_t width, height;
@@ -187,7 +187,7 @@ static uint32_t screen_seen(const screen *s, int32_t x, int32_t y)
 
 /* How many pixels of the glass are not as they must be: the picture where it lies, and
  * nothing beside it. */
-static uint32_t screen_wrong(const screen *s, const uint32_t *right)
+static inline uint32_t screen_wrong(const screen *s, const uint32_t *right)
 {
     const lcd_config *c = &s->driver.config;
     const int32_t w = (int32_t)c->frame.width, h = (int32_t)c->frame.height;
