@@ -1,0 +1,198 @@
+/* SPDX-License-Identifier: MIT */
+/* E-paper: the dithered picture of 1 bit a pixel, whole and partial updates, BUSY. */
+#include <stdarg.h>
+#include <stddef.h>
+#include <setjmp.h>
+#include <stdint.h>
+#include <cmocka.h>
+#include "test_lcd.h"
+
+enum { WIDTH = 122, HEIGHT = 250, EVERY = 12 };
+
+static const tp_format format = TP_FORMAT_I1;
+
+static lcd_config config_of(const drawing *d, uint16_t whole_every)
+{
+    return (lcd_config){ .panel = &lcd_ssd1680, .frame = d->config,
+                         .whole_every = whole_every };
+}
+
+static screen *opened(lcd_config config)
+{
+    screen *s = screen_power(PANEL_SSD1680);
+    assert_int_equal(screen_open(s, config), LCD_OK);
+    return s;
+}
+
+/* Pixels of the glass that are not the picture's, which covers it. */
+static uint32_t wrong(const screen *s, const uint32_t *right, uint32_t width)
+{
+    uint32_t n = 0;
+    for (uint32_t y = 0; y < HEIGHT; y++)
+        for (uint32_t x = 0; x < WIDTH; x++)
+            n += panel_seen(&s->model, x, y) != right[y * width + x];
+    return n;
+}
+
+static void every_tiling_shows_the_picture(void **state)
+{
+    (void)state;
+    static const uint32_t strips[] = { 0, 16, 48, 64 }, bands[] = { 8, 1, 33, 0 };
+    uint32_t *right = drawn_whole(WIDTH, HEIGHT, format);
+    for (unsigned i = 0; i < 16; i++) {
+        drawing d = drawing_open(WIDTH, HEIGHT, strips[i / 4], bands[i % 4], format);
+        screen *s = opened(config_of(&d, 1));
+        assert_int_equal(lcd_show(&s->driver, d.frame, d.scratch), LCD_OK);
+        assert_int_equal(wrong(s, right, WIDTH), 0);
+        assert_int_equal(s->model.faults, 0);
+        assert_int_equal(s->model.bytes, s->driver.sent);
+        screen_close(s);
+        drawing_close(&d);
+    }
+    free(right);
+}
+
+/* The golden frame is wider than the glass, and not as high. */
+static void the_golden_frame_is_cut_to_the_glass(void **state)
+{
+    (void)state;
+    uint32_t *right = golden_picture(format);
+    for (int16_t x = 0; x >= -80; x -= 40) {
+        drawing d = drawing_open(GOLDEN_WIDTH, GOLDEN_HEIGHT, 48, 7, format);
+        lcd_config c = config_of(&d, 1);
+        c.x = x;
+        c.y = 50;
+        screen *s = opened(c);
+        assert_int_equal(lcd_show(&s->driver, d.frame, d.scratch), LCD_OK);
+        uint32_t apart = 0;
+        for (uint32_t y = 0; y < GOLDEN_HEIGHT; y++)
+            for (uint32_t u = 0; u < WIDTH; u++)
+                apart += panel_seen(&s->model, u, y + 50)
+                         != right[y * GOLDEN_WIDTH + u + (uint32_t)-x];
+        assert_int_equal(apart, 0);
+        assert_int_equal(s->model.faults, 0);
+        s->model.paper[100 * PANEL_COLS / 8 + 3] ^= 4;
+        assert_true(panel_seen(&s->model, 29, 100)
+                    != right[50 * GOLDEN_WIDTH + 29 + (uint32_t)-x]);
+        screen_close(s);
+        drawing_close(&d);
+    }
+    free(right);
+}
+
+typedef struct {
+    uint32_t wrong, updates, partial, faults;
+    uint64_t bytes;
+} film;
+
+/* A world that runs, shown every EVERY ticks; the glass is compared each time. */
+static film filmed(const lcd_panel *table, uint16_t whole_every, uint32_t frames,
+                   uint32_t blocked_at)
+{
+    const size_t bytes = tp_world_bytes(&shown.file.scene, &shown.assets.names);
+    tp_world *world = malloc(bytes);
+    memcpy(world, shown.world[LATE_INDEX], bytes);
+    drawing d = drawing_open(WIDTH, HEIGHT, 0, 25, format);
+    lcd_config c = config_of(&d, whole_every);
+    c.panel = table;
+    screen *s = opened(c);
+    uint32_t *right = malloc(sizeof *right * WIDTH * HEIGHT);
+    film f = { 0 };
+    for (uint32_t n = 0; n < frames; n++) {
+        tp_frame_begin(d.frame, world);
+        tp_tile tile;
+        for (uint32_t i = 0; tp_frame_tile(d.frame, i, d.scratch, &tile); i++)
+            for (uint32_t y = tile.y0; y < tile.y1; y++)
+                for (uint32_t x = 0; x < WIDTH; x++)
+                    right[y * WIDTH + x] = tp_pixel_read(format, (const uint8_t *)tile.pixels
+                                           + (y - tile.y0) * tile.stride, (int)x);
+        if (blocked_at && n == blocked_at) {
+            s->wires.waits = 0;
+            s->wires.blocked_from = 9;
+            assert_int_equal(lcd_show(&s->driver, d.frame, d.scratch), LCD_E_BLOCKED);
+            s->wires.blocked_from = 0;
+        }
+        const uint64_t sent = s->driver.sent;
+        assert_int_equal(lcd_show(&s->driver, d.frame, d.scratch), LCD_OK);
+        f.bytes = s->driver.sent - sent;
+        f.wrong += wrong(s, right, WIDTH);
+        for (uint32_t i = 0; i < EVERY; i++)
+            tp_world_step(world, &shown.file.scene, NULL);
+    }
+    f.updates = s->model.updates;
+    f.partial = s->model.partial;
+    f.faults = s->model.faults;
+    free(right);
+    free(world);
+    screen_close(s);
+    drawing_close(&d);
+    return f;
+}
+
+static void partial_updates_show_each_frame(void **state)
+{
+    (void)state;
+    const film whole = filmed(&lcd_ssd1680, 0, 9, 0), part = filmed(&lcd_ssd1680, 4, 9, 0);
+    const film last = filmed(&lcd_ssd1680, 4, 8, 0);
+    assert_int_equal(whole.wrong + whole.faults + part.wrong + part.faults, 0);
+    assert_int_equal(whole.updates, 9);
+    assert_int_equal(whole.partial, 0);
+    assert_int_equal(part.updates, 9);
+    assert_int_equal(part.partial, 6);                  /* frames 0, 4 and 8 are whole */
+    printf("e-paper %dx%d: %u bytes a whole update, %u a partial one\n", WIDTH, HEIGHT,
+           (unsigned)whole.bytes, (unsigned)last.bytes);
+    assert_true(last.bytes < whole.bytes * 6 / 10);
+}
+
+/* A driver that forgets what the glass shows would leave pixels as they were. */
+static void a_forgotten_old_picture_is_found(void **state)
+{
+    (void)state;
+    lcd_panel forgetful = lcd_ssd1680;
+    forgetful.write_old = 0;
+    assert_true(filmed(&forgetful, 4, 3, 0).wrong > 0);
+    assert_int_equal(filmed(&forgetful, 1, 3, 0).wrong, 0);
+}
+
+/* What was given up leaves half a picture in the memory: the next update is whole. */
+static void after_a_blocked_frame_an_update_is_whole(void **state)
+{
+    (void)state;
+    const film f = filmed(&lcd_ssd1680, 100, 6, 3);
+    assert_int_equal(f.wrong + f.faults, 0);
+    assert_int_equal(f.updates, 6);
+    assert_int_equal(f.partial, 4);
+}
+
+static bool no_busy(void *user, lcd_until until)
+{
+    return until == LCD_IDLE || bus_wait(user, until);
+}
+
+static void a_driver_that_ignores_busy_is_found(void **state)
+{
+    (void)state;
+    drawing d = drawing_open(WIDTH, HEIGHT, 0, 25, format);
+    screen *s = opened(config_of(&d, 1));
+    assert_int_equal(lcd_show(&s->driver, d.frame, d.scratch), LCD_OK);
+    assert_int_equal(s->model.faults, 0);
+    s->driver.config.wires.wait = no_busy;
+    assert_int_equal(lcd_show(&s->driver, d.frame, d.scratch), LCD_OK);
+    assert_int_equal(lcd_show(&s->driver, d.frame, d.scratch), LCD_OK);
+    assert_true(s->model.faults > 0);
+    screen_close(s);
+    drawing_close(&d);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(every_tiling_shows_the_picture),
+        cmocka_unit_test(the_golden_frame_is_cut_to_the_glass),
+        cmocka_unit_test(partial_updates_show_each_frame),
+        cmocka_unit_test(a_forgotten_old_picture_is_found),
+        cmocka_unit_test(after_a_blocked_frame_an_update_is_whole),
+        cmocka_unit_test(a_driver_that_ignores_busy_is_found),
+    };
+    return cmocka_run_group_tests_name("e-paper", tests, open_shown, close_shown);
+}
