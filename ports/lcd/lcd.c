@@ -1,14 +1,13 @@
 /* SPDX-License-Identifier: MIT */
 /* The driver of all panels: windows, strips and bands, two buffers.
  *
- * A window reaches from a tile's first row to the picture's last one, so that bands as wide
- * as the picture follow each other without another command; a strip beside the last one
- * sets its own.  Every frame sets its first window anew: a byte that a panel missed spoils
- * one frame.
+ * A window reaches from a tile's first row to the picture's last, so that bands as wide
+ * as the picture need no other command; a strip beside the last one sets its own.  Each
+ * frame sets its first window anew: a byte that a panel missed spoils one frame.
  *
- * At most one transfer is on its way, and tiles are packed into the buffer that is not in
- * it: so it is also after a wait that gave up, since nothing is sent, and no buffer takes
- * the other one's place, before a wait has gone well. */
+ * At most one transfer is on its way, and tiles are packed into the buffer that is not
+ * in it.  That holds after a wait that gave up, too: until one has gone well nothing is
+ * sent, and no buffer takes the other's place. */
 #include "lcd.h"
 
 void *memcpy(void *restrict to, const void *restrict from, size_t bytes);
@@ -55,11 +54,6 @@ static tp_frame_config filled(const lcd_config *c)
     return f;
 }
 
-static bool meets(int32_t from, uint32_t length, int32_t side)
-{
-    return from < side && from + (int32_t)length > 0;
-}
-
 /* The glass as the picture sees it, and where it begins in the memory walked so. */
 static void place_glass(lcd *l)
 {
@@ -79,7 +73,6 @@ static lcd_status check(const lcd_config *c)
     const tp_frame_config *f = &c->frame;
     const unsigned bits = walk(c);
     const bool swap = bits & LCD_MV;
-
     if (!c->wires.command || !c->wires.data || !c->wires.pause
         || (p->update.count && !c->wires.wait))
         return LCD_E_WIRES;
@@ -87,8 +80,9 @@ static lcd_status check(const lcd_config *c)
         return LCD_E_TURN;
     if (f->format != p->format)
         return LCD_E_FORMAT;
-    if (!tp_frame_scratch_bytes(f) || !meets(c->x, f->width, swap ? p->height : p->width)
-        || !meets(c->y, f->height, swap ? p->width : p->height))
+    if (!tp_frame_scratch_bytes(f) || c->x >= (swap ? p->height : p->width)
+        || c->y >= (swap ? p->width : p->height) || c->x + (int32_t)f->width <= 0
+        || c->y + (int32_t)f->height <= 0)
         return LCD_E_SIZE;
     if (c->x % p->unit || (p->pack && f->width % p->unit))
         return LCD_E_PLACE;
@@ -176,11 +170,9 @@ lcd_status lcd_open(lcd *l, const lcd_config *config, void *memory)
     l->buffer[1] = l->buffer[0] + buffer_bytes(config);
     l->bits = walk(config) ^ p->upright;
     place_glass(l);
-    TRY(run(l, p->start));
-    if (!p->set_turn)
-        return LCD_OK;
     l->arguments[0] = p->turned ? p->turned(l->bits) : l->bits;
-    return order(l, p->set_turn, l->arguments, 1);
+    TRY(run(l, p->start));
+    return p->set_turn ? order(l, p->set_turn, l->arguments, 1) : LCD_OK;
 }
 
 /* -- pixels ------------------------------------------------------------------------- */
@@ -267,7 +259,6 @@ lcd_status lcd_tile(lcd *l, const tp_tile *tile)
     const tp_frame_config *f = &l->config.frame;
     const part w = seen(l, tile);
     uint8_t *const buffer = l->buffer[l->turn];
-
     if (tile->x1 - tile->x0 > f->tile_width || tile->y1 - tile->y0 > f->tile_height)
         return LCD_E_SIZE;
     if (w.x0 >= w.x1 || w.y0 >= w.y1)

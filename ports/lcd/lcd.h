@@ -1,17 +1,17 @@
 /* SPDX-License-Identifier: MIT */
-/* Panels that take commands and data over a few wires: SPI or 8080 displays with their own
- * memory, OLEDs and e-paper.
+/* Panels that take commands and data over a few wires: SPI or 8080 displays with a memory
+ * of their own, OLEDs and e-paper.
  *
  *     static uint64_t memory[N];                      N: lcd_bytes(&config) / 8
  *     if (lcd_open(&panel, &config, memory)) ...      reset, orientation
  *     tp_frame_begin(frame, &world);
  *     if (lcd_show(&panel, frame, scratch)) ...       every tile, then the update
  *
- * A panel is a table of constants (lcd_panel); the board is four functions (lcd_wires), of
- * which two matter.  Two buffers of one tile each hold what is sent: while one is on the
- * wires the core draws the next tile into its scratch, which is packed into the other.
- * Nothing here is kept of the world or the frame: after a failure the next frame is whole
- * again. */
+ * A panel is a table of constants (lcd_panel); the board is four functions (lcd_wires),
+ * of which two matter.  Two buffers of one tile each hold what is sent: while one is on
+ * the wires the core draws the next tile into its scratch, which is packed into the
+ * other.  Nothing here is kept of the world or the frame: after a failure the next frame
+ * is whole again. */
 #ifndef LCD_H
 #define LCD_H
 #include <stdbool.h>
@@ -111,14 +111,14 @@ extern const lcd_panel lcd_ssd1680;         /* e-paper, 122x250 */
 typedef struct {
     const lcd_panel *panel;
     lcd_wires        wires;
-    tp_frame_config  frame;         /* the one the frame is made with; the panel's format */
+    tp_frame_config  frame;         /* as the frame is made; the panel's format */
     int16_t          x, y;          /* the picture's corner on the glass as turned; what
                                      * is beside the glass is drawn but not sent */
     uint8_t          turn;          /* quarters, clockwise: 0..3 */
     bool             mirror;        /* left and right exchanged */
     bool             bgr;           /* red and blue exchanged: glass of the other order */
-    uint16_t         whole_every;   /* of an e-paper's updates one in so many is whole, the
-                                     * others partial; 0, 1: all */
+    uint16_t         whole_every;   /* of an e-paper's updates one in so many is whole,
+                                     * the others partial; 0, 1: all */
 } lcd_config;
 
 typedef struct {
@@ -128,7 +128,7 @@ typedef struct {
     uint32_t   windows;             /* set, ever */
     uint64_t   sent;                /* bytes, ever, commands too */
     /* private */
-    int32_t    x0, x1, next;        /* the open window's columns, and its next row or -1 */
+    int32_t    x0, x1, next;        /* the open window: columns, next row or -1 */
     uint16_t   width, height;       /* of the glass as turned */
     uint16_t   dx, dy;              /* where it begins in the memory walked so */
     uint32_t   since;               /* the last whole update, and that */
@@ -149,9 +149,9 @@ lcd_status lcd_open(lcd *l, const lcd_config *config, void *memory);
  * the last byte is sent, of e-paper when BUSY is free again. */
 lcd_status lcd_show(lcd *l, const tp_frame *frame, void *scratch);
 
-/* The parts of it, for programs with a loop of their own: lcd_begin, lcd_tile for each, in
- * any order, lcd_end.  lcd_tile returns while its bytes are on their way: the tile's memory
- * is free, the panel's buffer is not. */
+/* The parts of it, for programs with a loop of their own: lcd_begin, lcd_tile for each,
+ * in any order, lcd_end.  lcd_tile returns while its bytes are on their way: the tile's
+ * memory is free then, the panel's buffer is not. */
 void       lcd_begin(lcd *l);
 lcd_status lcd_tile(lcd *l, const tp_tile *tile);
 lcd_status lcd_end(lcd *l);

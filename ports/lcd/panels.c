@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Panels as tables: what their controllers' data sheets call for, and no more.
  *
- * Colours: ILI9341 (ILITEK, V1.11) and ST7789V (Sitronix) keep to the commands of MIPI DCS:
+ * Colours: ILI9341 (ILITEK, V1.11) and ST7789V (Sitronix) keep to commands of MIPI DCS:
  *     01h SWRESET   reset; 5 ms until the next command, 120 ms until 11h
  *     11h SLPOUT    out of sleep: the charge pumps run; 5 ms, 120 ms until they are up
  *     3Ah COLMOD    55h: 16 bits a pixel, high byte first
@@ -27,14 +27,14 @@ enum { EVERY_WALK = LCD_MX | LCD_MY | LCD_MV | LCD_BGR };
 static const uint8_t display_on[] = { 0x29, 0 };
 
 #define DCS_565 \
-    .format = TP_FORMAT_RGB565BE, .unit = 1, .unit_bytes = 2, .x_bytes = 2, .y_bytes = 2, \
-    .set_x = 0x2a, .set_y = 0x2b, .write = 0x2c, .set_turn = 0x36, .able = EVERY_WALK, \
-    .cols = 240, .rows = 320, .on = LCD_SCRIPT(display_on)
+    .format = TP_FORMAT_RGB565BE, .unit = 1, .unit_bytes = 2, .cols = 240, .rows = 320, \
+    .x_bytes = 2, .y_bytes = 2, .set_x = 0x2a, .set_y = 0x2b, .write = 0x2c, \
+    .set_turn = 0x36, .able = EVERY_WALK, .on = LCD_SCRIPT(display_on)
 
 /* -- ILI9341, 240x320 --------------------------------------------------------------- */
 
-/* Voltages and gate timing as modules of 2.2 to 3.2 inches are sold for; the rest stays as
- * the reset left it.  Its glass shows the memory's columns from the right, blue first. */
+/* Voltages and rate as modules of 2.2 to 3.2 inches want them; the rest stays as the
+ * reset left it.  The glass shows the memory's columns from the right, blue first. */
 static const uint8_t ili9341_start[] = {
     0x01, LCD_PAUSE | 0, 120,           /* SWRESET */
     0xc0, 1, 0x23,                      /* PWCTRL1: GVDD 4.6 V */
@@ -77,8 +77,8 @@ const lcd_panel lcd_st7789_135x240 = {
 /* -- SSD1680, 122x250 of 176x296 ---------------------------------------------------- */
 
 /* Two memories: 24h what is to be shown, 26h what is.  A whole update (display mode 1)
- * blinks through black and white; a partial one (mode 2) drives the pixels that differ, and
- * with the ping-pong of 37h exchanges the memories after it. */
+ * blinks through black and white; a partial one (mode 2) drives the pixels that differ,
+ * and with the ping-pong of 37h exchanges the memories after it. */
 static const uint8_t ssd1680_start[] = {
     0x12, LCD_PAUSE | LCD_BUSY | 0, 10, /* SWRESET */
     0x01, 3, 0xf9, 0x00, 0x00,          /* gates: 250 */

@@ -1,0 +1,123 @@
+#!/bin/sh
+# SPDX-License-Identifier: MIT
+# The program in ports/README.md, whole, over the callbacks that it gives for each maker's
+# functions, which stand-ins have here: it shows the right picture on a model of the panel.
+. tests/gates/lib.sh
+
+page=ports/README.md
+program=${TP_PROGRAM:-build/host/tidepool}
+warn="-std=c11 -Wall -Wextra -Wno-unused-parameter -Wno-unused-variable -Werror"
+
+code()          # HEADING FROM: the code after a heading, from the block that holds FROM
+{
+    awk -v heading="$1" -v from="$2" '
+        /^#/ { within = index($0, heading) > 0 }
+        within && /^    / && index($0, from) { on = 1 }
+        within && on && /^[^ ]/ { exit }
+        within && on { print substr($0, 5) }' $page
+}
+
+made()          # NAME HEADING FROM: a program of the example and one maker's callbacks
+{
+    {
+        echo '#include "lcd/lcd.h"'
+        echo "#include \"tests/boards/sdk/$1.h\""
+        code "$2" "$3"
+        echo 'static void pause(void *user, uint32_t ms) { (void)user; PAUSE(ms); }'
+        echo 'extern const lcd_wires board_wires;'
+        echo 'const lcd_wires board_wires = { NULL, command, data, wait_for, pause };'
+    } >"$scratch/$1.c"
+    # shellcheck disable=SC2086
+    cc $warn -Iinclude -Iports -I. "$scratch/$1.c" "$scratch/example.o" "$scratch/scene.o" \
+        "$scratch/readme.o" "$scratch/panel.o" "$scratch/lcd.o" "$scratch/panels.o" \
+        build/host/libtidepool.a -o "$scratch/$1"
+}
+
+# A program may not wait for ever: three frames stand for its endless loop.
+example()
+{
+    code "The worked example" '#include "lcd/lcd.h"' |
+        sed -e 's/for (;;)/for (int n = 0; n < 3; n++)/' \
+            -e 's/^int main(void)/int example(void);\nint example(void)/' \
+            -e 's/^}$/    return 0;\n}/' >"$scratch/example.c"
+    grep -q 'n < 3' "$scratch/example.c" || return 1
+    # shellcheck disable=SC2086
+    cc $warn -Iinclude -Iports -c "$scratch/example.c" -o "$scratch/example.o"
+}
+
+ready()
+{
+    "$program" bake count-64 --name baked -o "$scratch/scene.c" &&
+        for file in "$scratch/scene.c" tests/boards/readme.c tests/boards/panel.c \
+            ports/lcd/lcd.c ports/lcd/panels.c; do
+            cc -std=c11 -O1 -Iinclude -Iports -I. -c "$file" \
+                -o "$scratch/$(basename "$file" .c).o" || return 1
+        done
+}
+
+parallel()      # the callbacks for a parallel bus, which nothing here can run
+{
+    {
+        echo '#include "lcd/lcd.h"'
+        code "### STM32" "*const code"
+        echo 'extern const lcd_wires board_wires;'
+        echo 'const lcd_wires board_wires = { NULL, command, data, NULL, NULL };'
+    } >"$scratch/parallel.c"
+    # shellcheck disable=SC2086
+    cc $warn -Iinclude -Iports -c "$scratch/parallel.c" -o "$scratch/parallel.o"
+}
+
+check "what the program needs is there" ready
+check "the worked example compiles without a warning" example
+for maker in "pico:### Raspberry Pi Pico:static uint dma" "esp:### ESP32-S3:static spi" \
+    "stm32:### STM32:static void command"; do
+    sdk=${maker%%:*} rest=${maker#*:}
+    check "$sdk: the callbacks compile" made "$sdk" "${rest%%:*}" "${rest#*:}"
+    check "$sdk: they show the frame" "$scratch/$sdk"
+    check "$sdk: a panel that is stuck is told" timeout 20 "$scratch/$sdk" stuck
+done
+"$scratch/pico"
+check "the callbacks for a parallel bus compile" parallel
+
+# The page's figures: two bytes a pixel and 11 for a window, as test_lcd holds the driver to.
+figures()
+{
+    used=$("$scratch/pico" | awk '{ print $(NF - 1); exit }')
+    for figure in "$used" $((320 * 240 * 2 + 11)) $((320 * 240 * 2 + 11 * 5 * 15)); do
+        grep -q "$(echo "$figure" | sed 's/\(...\)$/,\1/')" $page || { echo "$figure"; return 1; }
+    done
+}
+check "the page gives the figures that are measured" figures
+
+# The port is freestanding: registers alone, memcpy and memset, no memory of its own.
+bare()
+{
+    for file in lcd panels; do
+        cc -std=c11 -Wall -Wextra -Wpedantic -Wconversion -Werror -O2 -ffreestanding -Iinclude \
+            -mgeneral-regs-only -fno-pie -c ports/lcd/$file.c -o "$scratch/bare-$file.o" ||
+            return 1
+    done
+    nm -u "$scratch/bare-lcd.o" "$scratch/bare-panels.o" | awk '
+        NF == 2 && $2 !~ /^(memcpy|memset|tp_frame_tile|tp_frame_scratch_bytes|tp_format_row_bytes)$/ {
+            print; bad = 1 }
+        END { exit bad }' &&
+        size "$scratch"/bare-*.o | awk 'NR > 1 && $3 > 0 { print; bad = 1 } END { exit bad }'
+}
+short() { [ "$(wc -l <ports/lcd/lcd.c)" -le 300 ] && [ "$(wc -l <ports/lcd/panels.c)" -le 300 ]; }
+check "the driver is freestanding, and has no memory of its own" bare
+check "it is no longer than 300 lines" short
+
+# What a reader could get wrong is found.
+broken()        # NAME SED: the same callbacks, changed
+{
+    sed "$2" "$scratch/pico.c" >"$scratch/$1.c"
+    cmp -s "$scratch/$1.c" "$scratch/pico.c" && return 0
+    cc -std=c11 -Iinclude -Iports -I. "$scratch/$1.c" "$scratch/example.o" \
+        "$scratch/scene.o" "$scratch/readme.o" "$scratch/panel.o" "$scratch/lcd.o" \
+        "$scratch/panels.o" build/host/libtidepool.a -o "$scratch/$1" || return 0
+    "$scratch/$1"
+}
+refuse "D/C that moves before the last byte" broken early 's/ || spi_is_busy(spi0)//'
+refuse "a D/C that stays low" broken low 's/gpio_put(DC, 1)/gpio_put(DC, 0)/'
+refuse "words in place of bytes" broken words 's/DMA_SIZE_8/DMA_SIZE_32/'
+exit $((failures > 0))
