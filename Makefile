@@ -242,7 +242,8 @@ host-tests: everything
 	    $(filter-out %/test_scenes,$(UNIT)) $(GOLDEN) \
 	    tests/gates/host.sh tests/gates/selftest.sh tests/host/cli.sh \
 	    tests/host/bake.sh tests/host/check.sh tests/host/tape.sh \
-	    tests/host/charts.sh tests/gates/sanitized.sh tests/host/generators.sh \
+	    tests/host/charts.sh tests/boards/readme.sh tests/gates/sanitized.sh \
+	    tests/host/generators.sh \
 	    tests/host/readme.sh
 # First what several of them want of the board's compiler.
 more-tests: everything build/host/count.so build/host/tally.so
