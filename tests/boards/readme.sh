@@ -97,10 +97,9 @@ bare()
             -mgeneral-regs-only -fno-pie -c ports/lcd/$file.c -o "$scratch/bare-$file.o" ||
             return 1
     done
-    nm -u "$scratch/bare-lcd.o" "$scratch/bare-panels.o" | awk '
-        NF == 2 && $2 !~ /^(memcpy|memset|tp_frame_tile|tp_frame_scratch_bytes|tp_format_row_bytes)$/ {
-            print; bad = 1 }
-        END { exit bad }' &&
+    nm -u "$scratch/bare-lcd.o" "$scratch/bare-panels.o" | awk 'NF == 2 && $2 !~ \
+        /^(mem(cpy|set)|tp_frame_tile|tp_frame_scratch_bytes|tp_format_row_bytes)$/ {
+            print; bad = 1 } END { exit bad }' &&
         size "$scratch"/bare-*.o | awk 'NR > 1 && $3 > 0 { print; bad = 1 } END { exit bad }'
 }
 short() { [ "$(wc -l <ports/lcd/lcd.c)" -le 300 ] && [ "$(wc -l <ports/lcd/panels.c)" -le 300 ]; }
