@@ -229,6 +229,27 @@ static void tiles_may_come_in_any_order(void **state)
     drawing_close(&d);
 }
 
+/* Tiles of no frame: the second one goes on below the first, but is not as wide. */
+static void a_narrower_tile_has_a_window_of_its_own(void **state)
+{
+    (void)state;
+    static uint8_t pixels[32 * 8 * 2];
+    const tp_frame_config f = { 32, 16, 0, 8, format };
+    screen *s = opened(&glasses[1], (lcd_config){ .panel = &lcd_st7789, .frame = f });
+    const tp_tile tiles[] = { { 0, 0, 32, 8, pixels, 64 }, { 0, 8, 16, 16, pixels, 64 } };
+    memset(pixels, 0x5a, sizeof pixels);
+    lcd_begin(&s->driver);
+    for (int i = 0; i < 2; i++)
+        assert_int_equal(lcd_tile(&s->driver, &tiles[i]), LCD_OK);
+    assert_int_equal(lcd_end(&s->driver), LCD_OK);
+    for (uint32_t y = 0; y < 17; y++)
+        for (uint32_t x = 0; x < 33; x++)
+            assert_int_equal(s->model.memory[y * PANEL_COLS + x] == 0x5a5a,
+                             x < (y < 8 ? 32u : y < 16 ? 16u : 0u));
+    assert_int_equal(s->model.faults, 0);
+    screen_close(s);
+}
+
 /* The glass stays dark until the first frame is whole. */
 static void it_is_lit_when_there_is_a_picture(void **state)
 {
@@ -260,6 +281,7 @@ int main(void)
         cmocka_unit_test(a_picture_larger_than_the_glass_is_cut),
         cmocka_unit_test(bands_take_one_window_and_strips_one_each),
         cmocka_unit_test(tiles_may_come_in_any_order),
+        cmocka_unit_test(a_narrower_tile_has_a_window_of_its_own),
         cmocka_unit_test(it_is_lit_when_there_is_a_picture),
     };
     return cmocka_run_group_tests_name("colour panels", tests, open_shown, close_shown);

@@ -161,6 +161,7 @@ static lcd_status screen_open(screen *s, lcd_config config)
         return why;
     free(s->memory);
     s->memory = malloc(bytes);                  /* to the byte: a sanitizer watches it */
+    assert_non_null(s->memory);
     return lcd_open(&s->driver, &config, s->memory);
 }
 
