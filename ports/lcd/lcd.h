@@ -145,6 +145,10 @@ size_t lcd_bytes(const lcd_config *config, lcd_status *why);
  * certain RAM.  The board has pulled the reset line before, if it has one. */
 lcd_status lcd_open(lcd *l, const lcd_config *config, void *memory);
 
+/* The glass in pixels of one byte (e-paper: ffh is white), where the picture leaves some of
+ * it free; clear.c.  E-paper shows it with the next frame, which then is whole. */
+lcd_status lcd_clear(lcd *l, uint8_t byte);
+
 /* Draws and sends a frame that has begun; `scratch` as for tp_frame_tile().  Returns when
  * the last byte is sent, of e-paper when BUSY is free again. */
 lcd_status lcd_show(lcd *l, const tp_frame *frame, void *scratch);

@@ -177,6 +177,37 @@ static void a_picture_larger_than_the_glass_is_cut(void **state)
     drawing_close(&d);
 }
 
+/* A glass that is cleared first is black where no picture lies, and takes a window for each
+ * sixteen columns. */
+static void a_cleared_glass_is_black_beside_the_picture(void **state)
+{
+    (void)state;
+    drawing d = drawing_open(112, 96, 48, 7, format);
+    uint32_t *right = drawn_whole(112, 96, format);
+    for (unsigned i = 0; i < GLASSES * WALKS; i++) {
+        lcd_config c = config_of(glasses[i / WALKS].panel, &d);
+        c.turn = i & 3;
+        c.mirror = i & 4;
+        c.x = 11;
+        c.y = 20;
+        screen *s = opened(&glasses[i / WALKS], c);
+        assert_int_equal(lcd_clear(&s->driver, 0), LCD_OK);
+        assert_int_equal(s->driver.windows, (s->driver.width + 15) / 16);
+        assert_int_equal(lcd_show(&s->driver, d.frame, d.scratch), LCD_OK);
+        assert_int_equal(s->model.pixels, s->driver.width * s->driver.height + 112 * 96);
+        assert_int_equal(s->model.faults + s->model.overwritten, 0);
+        for (int32_t y = 0; y < s->driver.height; y++)
+            for (int32_t x = 0; x < s->driver.width; x++) {
+                const int32_t u = x - c.x, v = y - c.y;
+                const bool in = u >= 0 && v >= 0 && u < 112 && v < 96;
+                assert_int_equal(screen_seen(s, x, y), in ? right[v * 112 + u] : 0);
+            }
+        screen_close(s);
+    }
+    free(right);
+    drawing_close(&d);
+}
+
 /* -- bytes -------------------------------------------------------------------------- */
 
 /* Columns, rows and the write: 11 bytes a window; two bytes a pixel. */
@@ -279,6 +310,7 @@ int main(void)
         cmocka_unit_test(the_other_order_of_colours_is_for_the_other_glass),
         cmocka_unit_test(a_picture_may_lie_anywhere),
         cmocka_unit_test(a_picture_larger_than_the_glass_is_cut),
+        cmocka_unit_test(a_cleared_glass_is_black_beside_the_picture),
         cmocka_unit_test(bands_take_one_window_and_strips_one_each),
         cmocka_unit_test(tiles_may_come_in_any_order),
         cmocka_unit_test(a_narrower_tile_has_a_window_of_its_own),

@@ -80,6 +80,33 @@ static void the_golden_frame_is_cut_to_the_glass(void **state)
     free(right);
 }
 
+/* Cleared, then shown with a picture that is smaller: white beside it, in both memories. */
+static void a_cleared_paper_is_white_beside_the_picture(void **state)
+{
+    (void)state;
+    drawing d = drawing_open(64, 100, 16, 9, format);
+    uint32_t *right = drawn_whole(64, 100, format);
+    lcd_config c = config_of(&d, 5);
+    c.x = 24;
+    c.y = 60;
+    screen *s = opened(c);
+    assert_int_equal(lcd_clear(&s->driver, 0xff), LCD_OK);
+    for (int i = 0; i < 3; i++) {
+        assert_int_equal(lcd_show(&s->driver, d.frame, d.scratch), LCD_OK);
+        for (uint32_t y = 0; y < HEIGHT; y++)
+            for (uint32_t x = 0; x < WIDTH; x++) {
+                const bool in = x >= 24 && x < 88 && y >= 60 && y < 160;
+                assert_int_equal(panel_seen(&s->model, x, y),
+                                 in ? right[(y - 60) * 64 + x - 24] : 0xffffff);
+            }
+    }
+    assert_int_equal(s->model.partial, 2);
+    assert_int_equal(s->model.faults, 0);
+    screen_close(s);
+    free(right);
+    drawing_close(&d);
+}
+
 typedef struct {
     uint32_t wrong, updates, partial, faults;
     uint64_t bytes;
@@ -189,6 +216,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(every_tiling_shows_the_picture),
         cmocka_unit_test(the_golden_frame_is_cut_to_the_glass),
+        cmocka_unit_test(a_cleared_paper_is_white_beside_the_picture),
         cmocka_unit_test(partial_updates_show_each_frame),
         cmocka_unit_test(a_forgotten_old_picture_is_found),
         cmocka_unit_test(after_a_blocked_frame_an_update_is_whole),
