@@ -104,7 +104,7 @@ typedef struct {
 
 extern const lcd_panel lcd_ili9341, lcd_st7789, lcd_st7789_240x240, lcd_st7789_135x240;
 extern const lcd_panel lcd_ssd1680;         /* e-paper, 122x250 */
-/* SSD0323, 128x64 greys: ssd0323.c */
+extern const lcd_panel lcd_ssd0323;         /* OLED of greys, 128x64 */
 
 /* -- the driver ---------------------------------------------------------------------- */
 
@@ -159,4 +159,12 @@ lcd_status lcd_show(lcd *l, const tp_frame *frame, void *scratch);
 void       lcd_begin(lcd *l);
 lcd_status lcd_tile(lcd *l, const tp_tile *tile);
 lcd_status lcd_end(lcd *l);
+
+/* For e-paper, which cannot be turned by lcd_config.turn: a tile of i1 as it lies in the
+ * picture turned by quarters, clockwise, which is then what config.frame describes and
+ * lcd_tile takes; turn.c.  `to`: a byte for each eight pixels of a turned row.  Rows of
+ * tiles, and the side that becomes the width, are multiples of 8: of 122x250 glass a
+ * picture of 250x128 has six rows beside it, the upper ones turned by 1, else the lower. */
+tp_tile lcd_turned(const tp_tile *tile, const tp_frame_config *picture, unsigned turn,
+                   uint8_t *to);
 #endif

@@ -92,13 +92,13 @@ check "the page gives the figures that are measured" figures
 # The port is freestanding: registers alone, memcpy and memset, no memory of its own.
 bare()
 {
-    for file in clear lcd panels; do
+    for file in clear lcd panels turn; do
         cc -std=c11 -Wall -Wextra -Wpedantic -Wconversion -Werror -O2 -ffreestanding -Iinclude \
             -mgeneral-regs-only -fno-pie -c ports/lcd/$file.c -o "$scratch/bare-$file.o" ||
             return 1
     done
     nm -u "$scratch"/bare-*.o | awk 'NF == 2 && $2 !~ \
-        /^(mem(cpy|set)|lcd_(begin|tile)|tp_frame_tile|tp_frame_scratch_bytes|tp_format_row_bytes)$/ {
+        /^(mem(cpy|set)|lcd_(begin|tile)|tp_frame_(tile|scratch_bytes)|tp_format_row_bytes)$/ {
             print; bad = 1 } END { exit bad }' &&
         size "$scratch"/bare-*.o | awk 'NR > 1 && $3 > 0 { print; bad = 1 } END { exit bad }'
 }

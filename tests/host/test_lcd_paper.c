@@ -107,6 +107,48 @@ static void a_cleared_paper_is_white_beside_the_picture(void **state)
     drawing_close(&d);
 }
 
+/* The paper hung by a quarter or a half: the picture's six rows or columns that become the
+ * memory's last six columns are beside the glass. */
+static uint32_t wrong_turned(unsigned turn, uint32_t strip, uint32_t band)
+{
+    const uint32_t width = turn & 1 ? 250 : 128, height = turn & 1 ? 128 : 250;
+    drawing d = drawing_open(width, height, strip, band, format);
+    uint32_t *right = drawn_whole(width, height, format), n = 0;
+    lcd_config c = config_of(&d, 1);
+    c.frame = (tp_frame_config){ 128, 250, 0, 250, format };
+    screen *s = opened(c);
+    uint8_t *turned = malloc(128 / 8 * 250);
+    tp_tile tile;
+    lcd_begin(&s->driver);
+    for (uint32_t i = 0; tp_frame_tile(d.frame, i, d.scratch, &tile); i++) {
+        const tp_tile t = lcd_turned(&tile, &d.config, turn, turned);
+        assert_int_equal(lcd_tile(&s->driver, &t), LCD_OK);
+    }
+    assert_int_equal(lcd_end(&s->driver), LCD_OK);
+    for (uint32_t y = 0; y < HEIGHT; y++)
+        for (uint32_t x = 0; x < WIDTH; x++) {
+            const uint32_t from[4][2] = { { x, y }, { y, 127 - x }, { 127 - x, 249 - y },
+                                          { 249 - y, x } };
+            n += panel_seen(&s->model, x, y) != right[from[turn][1] * width + from[turn][0]];
+        }
+    n += s->model.faults;
+    free(turned);
+    free(right);
+    screen_close(s);
+    drawing_close(&d);
+    return n;
+}
+
+static void paper_may_hang_any_way(void **state)
+{
+    (void)state;
+    for (unsigned turn = 0; turn < 4; turn++) {
+        assert_int_equal(wrong_turned(turn, 0, turn & 1 ? 8 : 25), 0);
+        assert_int_equal(wrong_turned(turn, 0, turn & 1 ? 128 : 250), 0);
+        assert_int_equal(wrong_turned(turn, 64, 16), 0);
+    }
+}
+
 typedef struct {
     uint32_t wrong, updates, partial, faults;
     uint64_t bytes;
@@ -217,6 +259,7 @@ int main(void)
         cmocka_unit_test(every_tiling_shows_the_picture),
         cmocka_unit_test(the_golden_frame_is_cut_to_the_glass),
         cmocka_unit_test(a_cleared_paper_is_white_beside_the_picture),
+        cmocka_unit_test(paper_may_hang_any_way),
         cmocka_unit_test(partial_updates_show_each_frame),
         cmocka_unit_test(a_forgotten_old_picture_is_found),
         cmocka_unit_test(after_a_blocked_frame_an_update_is_whole),
