@@ -1,7 +1,11 @@
 /* SPDX-License-Identifier: MIT */
 /* A screen without a window system.  A port supplies one screen_port: its functions alone
  * touch the device.  The loop (loop.h) draws, waits and reads keys; the console
- * (console.h) owns the virtual terminal and brings all of it back. */
+ * (console.h) owns the virtual terminal.
+ *
+ * Two processes share an open screen.  The parent opens it, forks, and does nothing but
+ * wait; its child draws.  However the child has ended, the parent then closes the screen,
+ * with the state as open() left it: close() may rely on nothing that the child did. */
 #ifndef SCREEN_SCREEN_H
 #define SCREEN_SCREEN_H
 #include <stdbool.h>
@@ -30,6 +34,9 @@ typedef struct {
      * that is smaller than the screen is centred. */
     int  (*show)(screen *s, const picture *p);
     bool (*ready)(const screen *s);     /* a picture may be shown now: no flip is pending */
+
+    /* What its pixels take best; NULL: xrgb8888. */
+    tp_format (*format)(const screen *s);
 
     int  (*away)(screen *s);    /* another virtual terminal takes over */
     int  (*back)(screen *s);    /* and gives back: the picture will be shown anew */
