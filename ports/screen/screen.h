@@ -14,6 +14,7 @@
 
 typedef struct screen screen;   /* a port's own, opaque */
 
+/* fds, events, ready, format, away and back may be NULL where there is nothing to do. */
 typedef struct {
     const char *name;           /* what --on says */
     const char *device;         /* that is taken unless another one is named */

@@ -1,0 +1,306 @@
+/* SPDX-License-Identifier: MIT */
+/* /dev/fb0: the frame buffer of Linux, mapped into memory.
+ *
+ * Its mode is taken as it is: 8, 16, 24 or 32 bits a pixel, channels anywhere, rows of any
+ * length (../screen/layout.h).  Where the memory holds two screens, pictures are written
+ * into the one that is not shown and panned to; else into the one there is, after its
+ * vertical blank where the driver tells it.  What was on the screen, its offset and its
+ * table of colours are kept by open and put back by close. */
+#define _GNU_SOURCE             /* flock */
+#include <errno.h>
+#include <fcntl.h>
+#include <linux/fb.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/file.h>
+#include <sys/ioctl.h>
+#include <sys/mman.h>
+#include <unistd.h>
+#include "../host/say.h"
+#include "../screen/layout.h"
+#include "../screen/screen.h"
+
+#define COLOURS 256
+
+typedef struct { uint16_t red[COLOURS], green[COLOURS], blue[COLOURS]; } colours;
+
+struct screen {
+    const char *device;
+    int       fd;
+    struct fb_var_screeninfo var;       /* as they were found */
+    struct fb_fix_screeninfo fix;
+    colours   found;                    /* the table, if it has one: for indices, or for */
+    bool      tabled;                   /* each channel */
+    int       table_of;                 /* the format whose table is set, -1: none */
+    layout    layout;
+    uint32_t  width, height;            /* of pictures */
+    uint8_t  *map;
+    uint8_t  *saved;                    /* the rows that were shown */
+    uint8_t  *row;                      /* one in the making: the map is slow to write */
+    bool      pan, blank;               /* two pages; FBIO_WAITFORVSYNC works */
+    uint32_t  page;                     /* shown, 0 or 1 */
+    uint32_t  cleared;                  /* pages whose borders are black, a bit each */
+};
+
+static int refuse(const screen *s, const char *why)
+{
+    return fail(EXIT_INPUT, "%s: %s", s->device, why);
+}
+
+static int refuse_call(const screen *s, const char *call)
+{
+    return fail(EXIT_INPUT, "%s: %s: %s", s->device, call, strerror(errno));
+}
+
+/* -- what is there --------------------------------------------------------------- */
+
+static channel channel_of(const struct fb_bitfield *field)
+{
+    return (channel){ (uint8_t)(field->offset < 255 ? field->offset : 255),
+                      (uint8_t)(field->length < 255 ? field->length : 255) };
+}
+
+static bool describe(screen *s)
+{
+    const struct fb_var_screeninfo *v = &s->var;
+    const uint32_t visual = s->fix.visual;
+    const bool indexed = visual == FB_VISUAL_PSEUDOCOLOR && !v->grayscale;
+    const bool fixed = visual == FB_VISUAL_STATIC_PSEUDOCOLOR && v->grayscale;
+    s->tabled = visual == FB_VISUAL_PSEUDOCOLOR || visual == FB_VISUAL_DIRECTCOLOR;
+    if (s->fix.type != FB_TYPE_PACKED_PIXELS || v->nonstd || v->grayscale > 1
+        || (!s->tabled && !fixed && visual != FB_VISUAL_TRUECOLOR))
+        return false;
+    s->layout = (layout){
+        .bits = v->bits_per_pixel, .indexed = indexed, .grey = v->grayscale == 1,
+        .big = machine_is_big(), .red = channel_of(&v->red),
+        .green = channel_of(&v->green), .blue = channel_of(&v->blue),
+        .spare = channel_of(&v->transp),
+    };
+    return layout_known(&s->layout);
+}
+
+static size_t pixel_bytes(const screen *s)
+{
+    return s->layout.bits / 8;
+}
+
+/* What is mapped must hold what will be written. */
+static bool fits(const screen *s)
+{
+    const uint64_t rows = (uint64_t)s->var.yoffset + s->var.yres;
+    return s->fix.line_length >= (s->var.xoffset + (uint64_t)s->var.xres) * pixel_bytes(s)
+        && rows * s->fix.line_length <= s->fix.smem_len;
+}
+
+static int look(screen *s)
+{
+    const struct fb_var_screeninfo *v = &s->var;
+    if (ioctl(s->fd, FBIOGET_VSCREENINFO, &s->var)
+        || ioctl(s->fd, FBIOGET_FSCREENINFO, &s->fix))
+        return errno == ENOTTY || errno == EINVAL ? refuse(s, "is no frame buffer")
+                                                  : refuse_call(s, "its mode");
+    if (!describe(s) || !fits(s))
+        return fail(EXIT_INPUT, "%s: a layout that is not known: %ux%u of %u bits, type %u,"
+                    " visual %u, red %u/%u, green %u/%u, blue %u/%u, lines of %u bytes",
+                    s->device, v->xres, v->yres, v->bits_per_pixel, s->fix.type,
+                    s->fix.visual, v->red.offset, v->red.length, v->green.offset,
+                    v->green.length, v->blue.offset, v->blue.length, s->fix.line_length);
+    s->pan = s->fix.ypanstep > 0 && v->yres % s->fix.ypanstep == 0 && v->xoffset == 0
+        && v->yres_virtual >= 2 * v->yres
+        && 2 * (uint64_t)v->yres * s->fix.line_length <= s->fix.smem_len;
+    return EXIT_DONE;
+}
+
+static int choose_size(screen *s, uint32_t width, uint32_t height)
+{
+    s->width = width ? width : s->var.xres;
+    s->height = height ? height : s->var.yres;
+    if (s->width <= s->var.xres && s->height <= s->var.yres)
+        return EXIT_DONE;
+    return fail(EXIT_INPUT, "%s: %ux%u pixels, smaller than the picture of %ux%u",
+                s->device, s->var.xres, s->var.yres, s->width, s->height);
+}
+
+/* -- its table of colours -------------------------------------------------------- */
+
+static int table_call(const screen *s, unsigned long request, colours *c)
+{
+    struct fb_cmap map = { 0, COLOURS, c->red, c->green, c->blue, NULL };
+    return ioctl(s->fd, request, &map);
+}
+
+/* Indices have the format's colours, channels an even ramp. */
+static int set_table(screen *s, tp_format format)
+{
+    colours c;
+    const int of = s->layout.indexed ? (int)format : 0;
+    if (!s->tabled || s->table_of == of)
+        return EXIT_DONE;
+    for (uint32_t i = 0; i < COLOURS; i++) {
+        const uint32_t rgb = s->layout.indexed ? layout_colour(format, i) : i * 0x010101u;
+        c.red[i] = (uint16_t)((rgb >> 16 & 255) * 257);
+        c.green[i] = (uint16_t)((rgb >> 8 & 255) * 257);
+        c.blue[i] = (uint16_t)((rgb & 255) * 257);
+    }
+    s->table_of = of;
+    return table_call(s, FBIOPUTCMAP, &c) ? refuse_call(s, "its colours") : EXIT_DONE;
+}
+
+/* -- pictures -------------------------------------------------------------------- */
+
+/* The first line of the page that the next picture goes to. */
+static uint32_t first_line(const screen *s)
+{
+    return s->pan ? (1 - s->page) * s->var.yres : s->var.yoffset;
+}
+
+static uint8_t *line(const screen *s, uint32_t y)
+{
+    return s->map + (first_line(s) + (size_t)y) * s->fix.line_length
+         + s->var.xoffset * pixel_bytes(s);
+}
+
+/* Centred, black around it; index 0 is black in every table of colours. */
+static void write_page(screen *s, const picture *p)
+{
+    const size_t bytes = pixel_bytes(s);
+    const uint32_t left = (s->var.xres - p->width) / 2, top = (s->var.yres - p->height) / 2;
+    const uint32_t bit = s->pan ? 2u - s->page : 1u;
+    for (uint32_t y = 0; y < s->var.yres && !(s->cleared & bit); y++)
+        memset(line(s, y), 0, s->var.xres * bytes);
+    s->cleared |= bit;
+    for (uint32_t y = 0; y < p->height; y++) {
+        layout_row(&s->layout, s->row, p, y);
+        memcpy(line(s, top + y) + left * bytes, s->row, p->width * bytes);
+    }
+}
+
+static void wait_blank(screen *s)
+{
+    uint32_t zero = 0;
+    if (s->blank)
+        s->blank = ioctl(s->fd, FBIO_WAITFORVSYNC, &zero) == 0;
+}
+
+static bool pan(screen *s)
+{
+    struct fb_var_screeninfo to = s->var;
+    to.yoffset = first_line(s);
+    s->pan = ioctl(s->fd, FBIOPAN_DISPLAY, &to) == 0;
+    s->page = s->pan ? 1 - s->page : 0;
+    return s->pan;
+}
+
+/* A driver that does not pan after all has one page from now on. */
+static int fb_show(screen *s, const picture *p)
+{
+    if (p->width > s->width || p->height > s->height)
+        return refuse(s, "the picture does not fit");
+    if (!layout_takes(&s->layout, p->format))
+        return fail(EXIT_INPUT, "%s: 8 bits a pixel take %s, not %s", s->device,
+                    s->layout.grey ? "l8 or i1" : "p8, l8 or i1",
+                    tp_format_name(p->format));
+    const int code = set_table(s, p->format);
+    if (code)
+        return code;
+    if (s->pan) {
+        write_page(s, p);
+        if (pan(s)) {
+            wait_blank(s);
+            return EXIT_DONE;
+        }
+        s->cleared = 0;
+    }
+    wait_blank(s);
+    write_page(s, p);
+    return EXIT_DONE;
+}
+
+static void fb_size(const screen *s, uint32_t *width, uint32_t *height)
+{
+    *width = s->width;
+    *height = s->height;
+}
+
+static tp_format fb_format(const screen *s)
+{
+    return layout_format(&s->layout);
+}
+
+/* The console has written into its memory meanwhile, and may have changed the rest. */
+static int fb_back(screen *s)
+{
+    s->cleared = 0;
+    s->table_of = -1;
+    return EXIT_DONE;
+}
+
+/* -- beginning and end ----------------------------------------------------------- */
+
+static void restore(screen *s)
+{
+    const size_t bytes = s->fix.line_length;
+    memcpy(s->map + s->var.yoffset * bytes, s->saved, s->var.yres * bytes);
+    if (s->pan)
+        (void)ioctl(s->fd, FBIOPAN_DISPLAY, &s->var);
+    if (s->tabled)
+        (void)table_call(s, FBIOPUTCMAP, &s->found);
+}
+
+static void fb_close(screen *s)
+{
+    if (s->saved)
+        restore(s);
+    if (s->map)
+        munmap(s->map, s->fix.smem_len);
+    if (s->fd >= 0)
+        close(s->fd);
+    free(s->saved);
+    free(s->row);
+    free(s);
+}
+
+static int save(screen *s)
+{
+    const size_t bytes = (size_t)s->fix.line_length * s->var.yres;
+    if (s->tabled && table_call(s, FBIOGETCMAP, &s->found))
+        return refuse_call(s, "its colours");
+    void *at = mmap(NULL, s->fix.smem_len, PROT_READ | PROT_WRITE, MAP_SHARED, s->fd, 0);
+    if (at == MAP_FAILED)
+        return refuse_call(s, "its memory");
+    s->map = at;
+    s->row = malloc(s->width * pixel_bytes(s));
+    s->saved = s->row ? malloc(bytes) : NULL;
+    if (!s->saved)
+        return fail_memory(bytes);
+    memcpy(s->saved, s->map + (size_t)s->fix.line_length * s->var.yoffset, bytes);
+    s->page = s->var.yoffset >= s->var.yres;
+    return EXIT_DONE;
+}
+
+static int fb_open(screen **to, const char *device, uint32_t width, uint32_t height)
+{
+    screen *s = calloc(1, sizeof *s);
+    if (!s)
+        return fail_memory(sizeof *s);
+    s->device = device;
+    s->blank = true;
+    s->table_of = -1;
+    s->fd = open(device, O_RDWR | O_CLOEXEC);
+    int code = s->fd < 0 ? refuse(s, strerror(errno)) : EXIT_DONE;
+    if (!code && flock(s->fd, LOCK_EX | LOCK_NB) && errno == EWOULDBLOCK)
+        code = refuse(s, "is busy: another program shows a scene there");
+    code = code ? code : look(s);
+    code = code ? code : choose_size(s, width, height);
+    code = code ? code : save(s);
+    *to = code ? NULL : s;
+    if (code)
+        fb_close(s);
+    return code;
+}
+
+const screen_port screen_fb = {
+    .name = "fb", .device = "/dev/fb0",
+    .open = fb_open, .size = fb_size, .show = fb_show, .format = fb_format,
+    .back = fb_back, .close = fb_close,
+};
