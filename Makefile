@@ -78,7 +78,7 @@ PORTS := $(addprefix ports/, \
     host/join.c host/lists.c host/machine.c host/nearest.c host/output.c host/path.c \
     host/picture.c host/plan.c host/png_read.c host/png_write.c host/render.c \
     host/say.c host/scene_file.c host/scene_ini.c host/sink.c host/stage.c \
-    host/timing.c host/words.c \
+    host/timing.c host/wish.c host/words.c \
     null/null.c)
 MAIN  := ports/host/main.c
 ifneq ($(shell pkg-config --exists sdl2 2>/dev/null && echo yes),)

@@ -42,11 +42,6 @@ struct screen {
     uint32_t  cleared;                  /* pages whose borders are black, a bit each */
 };
 
-static int refuse(const screen *s, const char *why)
-{
-    return fail(EXIT_INPUT, "%s: %s", s->device, why);
-}
-
 static int refuse_call(const screen *s, const char *call)
 {
     return fail(EXIT_INPUT, "%s: %s: %s", s->device, call, strerror(errno));
@@ -97,8 +92,9 @@ static int look(screen *s)
     const struct fb_var_screeninfo *v = &s->var;
     if (ioctl(s->fd, FBIOGET_VSCREENINFO, &s->var)
         || ioctl(s->fd, FBIOGET_FSCREENINFO, &s->fix))
-        return errno == ENOTTY || errno == EINVAL ? refuse(s, "is no frame buffer")
-                                                  : refuse_call(s, "its mode");
+        return errno == ENOTTY || errno == EINVAL
+             ? fail(EXIT_INPUT, "%s: is no frame buffer", s->device)
+             : refuse_call(s, "its mode");
     if (!describe(s) || !fits(s))
         return fail(EXIT_INPUT, "%s: a layout that is not known: %ux%u of %u bits, type %u,"
                     " visual %u, red %u/%u, green %u/%u, blue %u/%u, lines of %u bytes",
@@ -195,7 +191,7 @@ static bool pan(screen *s)
 static int fb_show(screen *s, const picture *p)
 {
     if (p->width > s->width || p->height > s->height)
-        return refuse(s, "the picture does not fit");
+        return fail(EXIT_INPUT, "%s: the picture does not fit", s->device);
     if (!layout_takes(&s->layout, p->format))
         return fail(EXIT_INPUT, "%s: 8 bits a pixel take %s, not %s", s->device,
                     s->layout.grey ? "l8 or i1" : "p8, l8 or i1",
@@ -287,9 +283,9 @@ static int fb_open(screen **to, const char *device, uint32_t width, uint32_t hei
     s->blank = true;
     s->table_of = -1;
     s->fd = open(device, O_RDWR | O_CLOEXEC);
-    int code = s->fd < 0 ? refuse(s, strerror(errno)) : EXIT_DONE;
+    int code = s->fd < 0 ? refuse_call(s, "cannot be opened") : EXIT_DONE;
     if (!code && flock(s->fd, LOCK_EX | LOCK_NB) && errno == EWOULDBLOCK)
-        code = refuse(s, "is busy: another program shows a scene there");
+        code = fail(EXIT_INPUT, "%s: busy, another program shows a scene there", device);
     code = code ? code : look(s);
     code = code ? code : choose_size(s, width, height);
     code = code ? code : save(s);

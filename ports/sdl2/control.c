@@ -3,19 +3,7 @@
  * under the left hand on every layout. */
 #include "control.h"
 #include <stdio.h>
-
-/* Steps of a tick of 1/60 s: 4 m/s, or 16 m/s with Shift; 60 degrees a second. */
-#define WALK TP_FX(4.0 / TP_TICKS_PER_SECOND)
-#define RUN  TP_FX(16.0 / TP_TICKS_PER_SECOND)
-#define TURN ((int32_t)TP_DEG(60.0 / TP_TICKS_PER_SECOND))
-
-/* The light's: 45 degrees a second. */
-#define LIGHT ((int32_t)TP_DEG(45.0 / TP_TICKS_PER_SECOND))
-
-/* The sphere's and the boat's: 1.5 m/s, 4 m/s, 20 degrees a second. */
-#define STEER  TP_FX(1.5 / TP_TICKS_PER_SECOND)
-#define SAIL   TP_FX(4)
-#define RUDDER TP_FX(20)
+#include "../host/wish.h"
 
 /* Of a pixel dragged; 400 of them are 80 degrees, far from where 32 bits wrap. */
 #define DRAG     ((int32_t)TP_DEG(0.2))
@@ -99,22 +87,22 @@ static int axis(const uint8_t *keys, SDL_Scancode more, SDL_Scancode less)
 tp_input control_input(control *c)
 {
     const uint8_t *keys = SDL_GetKeyboardState(NULL);
-    const tp_fx step = SDL_GetModState() & KMOD_SHIFT ? RUN : WALK;
+    const tp_fx step = SDL_GetModState() & KMOD_SHIFT ? WISH_RUN : WISH_WALK;
     const tp_input input = {
         .ahead = step * axis(keys, SDL_SCANCODE_W, SDL_SCANCODE_S),
         .aside = step * axis(keys, SDL_SCANCODE_D, SDL_SCANCODE_A),
         .up    = step * axis(keys, SDL_SCANCODE_E, SDL_SCANCODE_Q),
-        .turn  = TURN * axis(keys, SDL_SCANCODE_RIGHT, SDL_SCANCODE_LEFT)
+        .turn  = WISH_TURN * axis(keys, SDL_SCANCODE_RIGHT, SDL_SCANCODE_LEFT)
                + DRAG * c->drag_x,
-        .tilt  = TURN * axis(keys, SDL_SCANCODE_UP, SDL_SCANCODE_DOWN)
+        .tilt  = WISH_TURN * axis(keys, SDL_SCANCODE_UP, SDL_SCANCODE_DOWN)
                - DRAG * c->drag_y,
-        .sphere_x = STEER * axis(keys, SDL_SCANCODE_L, SDL_SCANCODE_J),
-        .sphere_z = STEER * axis(keys, SDL_SCANCODE_K, SDL_SCANCODE_I),
-        .throttle = SAIL * axis(keys, SDL_SCANCODE_I, SDL_SCANCODE_K),
-        .rudder   = RUDDER * axis(keys, SDL_SCANCODE_L, SDL_SCANCODE_J),
-        .light_turn = LIGHT * axis(keys, SDL_SCANCODE_RIGHTBRACKET,
+        .sphere_x = WISH_STEER * axis(keys, SDL_SCANCODE_L, SDL_SCANCODE_J),
+        .sphere_z = WISH_STEER * axis(keys, SDL_SCANCODE_K, SDL_SCANCODE_I),
+        .throttle = WISH_SAIL * axis(keys, SDL_SCANCODE_I, SDL_SCANCODE_K),
+        .rudder   = WISH_RUDDER * axis(keys, SDL_SCANCODE_L, SDL_SCANCODE_J),
+        .light_turn = WISH_LIGHT * axis(keys, SDL_SCANCODE_RIGHTBRACKET,
                                    SDL_SCANCODE_LEFTBRACKET),
-        .light_tilt = LIGHT * axis(keys, SDL_SCANCODE_PAGEUP, SDL_SCANCODE_PAGEDOWN),
+        .light_tilt = WISH_LIGHT * axis(keys, SDL_SCANCODE_PAGEUP, SDL_SCANCODE_PAGEDOWN),
         .drops    = c->drops,
         .slower   = c->slower,
     };
@@ -123,26 +111,4 @@ tp_input control_input(control *c)
     c->drops = 0;
     c->slower = 0;
     return input;
-}
-
-void control_add(tp_input *to, const tp_input *more)
-{
-    to->ahead += more->ahead;
-    to->aside += more->aside;
-    to->up += more->up;
-    to->turn += more->turn;
-    to->tilt += more->tilt;
-    to->sphere_x += more->sphere_x;
-    to->sphere_z += more->sphere_z;
-    to->throttle = more->throttle;
-    to->rudder = more->rudder;
-    to->drops += more->drops;
-    to->slower += more->slower;
-    to->light_turn += more->light_turn;
-    to->light_tilt += more->light_tilt;
-}
-
-bool control_moves(const tp_input *input)
-{
-    return input->ahead || input->aside || input->up || input->turn || input->tilt;
 }

@@ -22,6 +22,4 @@ void     control_event(control *c, const SDL_Event *event, uint64_t now);
 
 /* What is wished for the next tick, but for pokes; takes the drag and the events. */
 tp_input control_input(control *c);
-void     control_add(tp_input *to, const tp_input *more);
-bool     control_moves(const tp_input *input);
 #endif

@@ -14,6 +14,7 @@
 #include "../host/say.h"
 #include "../host/stage.h"
 #include "../host/timing.h"
+#include "../host/wish.h"
 #include "control.h"
 #include "window.h"
 
@@ -90,13 +91,13 @@ static void step(view *v)
 static void tick(view *v)
 {
     const tp_input input = control_input(&v->control);
-    control_add(&v->wish, &input);
+    wish_add(&v->wish, &input);
     if (v->control.poke)
         aim(v, &v->wish);
     if (!v->control.pause) {
         step(v);
         v->stale = true;
-    } else if (control_moves(&input)) {
+    } else if (wish_moves(&input)) {
         tp_world_look(v->stage.world, &input);
         v->wish = (tp_input){ 0 };
         v->stale = true;

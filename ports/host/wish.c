@@ -1,0 +1,25 @@
+/* SPDX-License-Identifier: MIT */
+/* Wishes of several moments for one tick: ways add up, levers stay where they are. */
+#include "wish.h"
+
+void wish_add(tp_input *to, const tp_input *more)
+{
+    to->ahead += more->ahead;
+    to->aside += more->aside;
+    to->up += more->up;
+    to->turn += more->turn;
+    to->tilt += more->tilt;
+    to->sphere_x += more->sphere_x;
+    to->sphere_z += more->sphere_z;
+    to->throttle = more->throttle;
+    to->rudder = more->rudder;
+    to->drops += more->drops;
+    to->slower += more->slower;
+    to->light_turn += more->light_turn;
+    to->light_tilt += more->light_tilt;
+}
+
+bool wish_moves(const tp_input *input)
+{
+    return input->ahead || input->aside || input->up || input->turn || input->tilt;
+}
