@@ -79,7 +79,7 @@ PORTS := $(addprefix ports/, \
     host/picture.c host/plan.c host/png_read.c host/png_write.c host/render.c \
     host/say.c host/scene_file.c host/scene_ini.c host/sink.c host/stage.c \
     host/timing.c host/wish.c host/words.c \
-    null/null.c)
+    null/null.c screen/keys.c screen/layout.c)
 MAIN  := ports/host/main.c
 ifneq ($(shell pkg-config --exists sdl2 2>/dev/null && echo yes),)
 PORTS += $(addprefix ports/, sdl2/control.c sdl2/view.c sdl2/window.c)
