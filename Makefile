@@ -77,9 +77,10 @@ PORTS := $(addprefix ports/, \
     host/deck.c host/film.c host/governing.c host/hashes.c host/ini_read.c \
     host/join.c host/lists.c host/machine.c host/nearest.c host/output.c host/path.c \
     host/picture.c host/plan.c host/png_read.c host/png_write.c host/render.c \
-    host/say.c host/scene_file.c host/scene_ini.c host/sink.c host/stage.c \
+    host/say.c host/scene_file.c host/scene_ini.c host/show.c host/sink.c host/stage.c \
     host/timing.c host/wish.c host/words.c \
-    null/null.c screen/keys.c screen/layout.c)
+    null/null.c screen/console.c screen/keep.c screen/keys.c screen/layout.c \
+    screen/loop.c screen/watch.c linuxfb/linuxfb.c)
 MAIN  := ports/host/main.c
 ifneq ($(shell pkg-config --exists sdl2 2>/dev/null && echo yes),)
 PORTS += $(addprefix ports/, sdl2/control.c sdl2/view.c sdl2/window.c)

@@ -58,6 +58,7 @@ static const char *read_frames(options *o, const char *value)
 {
     const char *end;
     uint32_t count;
+    o->counted = true;
     if (read_count(value, NULL, 1, FRAME_HIGH, &count)) {
         o->first = 0;
         o->last = count - 1;
@@ -79,6 +80,7 @@ static const char *read_format(options *o, const char *value)
 {
     const int format = tp_format_of(value, (uint32_t)strlen(value));
     o->format = (tp_format)(format < 0 ? 0 : format);
+    o->formatted = true;
     return format < 0 ? "xrgb8888, rgb565, rgb565be, p8, l8 or i1" : NULL;
 }
 
@@ -169,6 +171,7 @@ SWITCH(small)
 SWITCH(list)
 SWITCH(collect)
 SWITCH(resume)
+SWITCH(hold)
 SWITCH(stats)
 SWITCH(csv)
 SWITCH(help)
@@ -179,6 +182,9 @@ WORD(tape, "a file name")
 WORD(only, "the beginning of a name")
 WORD(name, "a name in C")
 WORD(from, "a folder")
+WORD(on, "fb or kms")
+WORD(device, "a path")
+WORD(keep, "a file name")
 
 static const char *read_verbose(options *o, const char *value)
 {
@@ -189,7 +195,8 @@ static const char *read_verbose(options *o, const char *value)
 }
 
 #define ALL (FOR_RENDER | FOR_VIEW | FOR_PARAMS | FOR_SCENES | FOR_CHECK | FOR_BAKE \
-             | FOR_PLAN | FOR_BENCH | FOR_CHARTS | FOR_JOIN)
+             | FOR_PLAN | FOR_BENCH | FOR_CHARTS | FOR_JOIN | FOR_SHOW)
+#define DRAWERS (FOR_RENDER | FOR_VIEW | FOR_SHOW)
 #define MANY (FOR_CHARTS | FOR_JOIN)
 
 static const option_row rows[] = {
@@ -204,27 +211,34 @@ static const option_row rows[] = {
       "and by other renderers that are built now, 128 points" },
     { "--frames", "N|A:B", FOR_RENDER, read_frames,
       "0..N-1 or A..B; n is the world after n ticks of 1/60 s" },
+    { "--on", "PORT", FOR_SHOW, read_on, "fb, the frame buffer, or kms; fb by default" },
+    { "--device", "PATH", FOR_SHOW, read_device, "else /dev/fb0 or /dev/dri/card0" },
+    { "--size", "WxH", FOR_SHOW, read_size, "of the picture; the screen's by default" },
+    { "--frames", "N|A:B", FOR_SHOW, read_frames,
+      "0..N-1 or A..B, each of them, and end; else for ever" },
+    { "--hold", NULL, FOR_SHOW, read_hold, "stay on the last of them" },
+    { "--keep", "FILE", FOR_SHOW, read_keep,
+      "keep the world there each second, and go on from it" },
     { "-o", "FILE", FOR_BAKE, read_out, "the C file, or - for standard output; needed" },
     { "--name", "NAME", FOR_BAKE, read_name,
       "what its names begin with; else the scene's name" },
-    { "--set", "NAME=VALUE", FOR_RENDER | FOR_VIEW | FOR_PARAMS | FOR_BAKE | FOR_PLAN,
-      read_set,
+    { "--set", "NAME=VALUE", DRAWERS | FOR_PARAMS | FOR_BAKE | FOR_PLAN, read_set,
       "change one parameter of the scene; may be repeated" },
     { "--only", "WORD", FOR_PARAMS, read_only,
       "names that begin so: water, wave0., boat.m" },
     { "--out", "FILE", FOR_RENDER, read_out,
       "f-%04d.png, film.y4m, or - for a film to stdout" },
-    { "--format", "NAME", FOR_RENDER | FOR_VIEW | FOR_PLAN, read_format,
+    { "--format", "NAME", DRAWERS | FOR_PLAN, read_format,
       "xrgb8888 rgb565 rgb565be p8 l8 i1" },
     { "--csv", NULL, FOR_PLAN | FOR_BENCH, read_csv, "a table for programs" },
     { "--band", "ROWS", FOR_RENDER | FOR_PLAN, read_band, "draw in bands of so many rows" },
     { "--strip", "COLS", FOR_RENDER | FOR_PLAN, read_strip, "draw in strips, columns in 16s" },
-    { "--threads", "N", FOR_RENDER | FOR_VIEW, read_threads, "draw tiles in N threads" },
-    { "--memory", "BYTES", FOR_RENDER | FOR_VIEW, read_memory,
+    { "--threads", "N", DRAWERS, read_threads, "draw tiles in N threads" },
+    { "--memory", "BYTES", DRAWERS, read_memory,
       "refuse to draw with more; 96k, 2M" },
-    { "--stream", NULL, FOR_RENDER | FOR_VIEW, read_stream,
+    { "--stream", NULL, DRAWERS, read_stream,
       "keep no vertices of the water: less memory, same bits" },
-    { "--texels", "N", FOR_RENDER | FOR_VIEW | FOR_BAKE, read_texels,
+    { "--texels", "N", DRAWERS | FOR_BAKE, read_texels,
       "use pictures of no more than N texels a side" },
     { "--jobs", "N", FOR_CHARTS, read_jobs, "so many at a time; else one a processor" },
     { "--only", "NAME,...", FOR_CHARTS, read_only, "these charts alone" },
@@ -235,15 +249,15 @@ static const option_row rows[] = {
     { "--collect", NULL, FOR_CHARTS, read_collect, "run none: merge files of their rows" },
     { "--from", "FOLDER", FOR_CHARTS, read_from,
       "other charts than the project's; nothing is built" },
-    { "--visibility", "HOW", FOR_RENDER | FOR_VIEW | FOR_PLAN, read_visibility,
+    { "--visibility", "HOW", DRAWERS | FOR_PLAN, read_visibility,
       "auto triangles rows projected flat" },
-    { "--hash", NULL, FOR_RENDER, read_hash, "print the CRC-32 of every frame" },
+    { "--hash", NULL, FOR_RENDER | FOR_SHOW, read_hash, "print the CRC-32 of every frame" },
     { "--expect", "FILE", FOR_RENDER, read_expect,
       "compare with such a list; exit 1 where it differs" },
     { "--vectors", "DIR", FOR_CHECK, read_vectors, "the folder of tables; needed" },
-    { "--tape", "FILE", FOR_RENDER, read_tape, "play the inputs recorded there" },
+    { "--tape", "FILE", FOR_RENDER | FOR_SHOW, read_tape, "play the inputs recorded there" },
     { "--tape", "FILE", FOR_VIEW, read_tape, "record your inputs there" },
-    { "--kit", "NAME", FOR_RENDER, read_kit,
+    { "--kit", "NAME", FOR_RENDER | FOR_SHOW, read_kit,
       "baseline or x86-64-v3, the same bits; else the best" },
     { "--stats", NULL, FOR_RENDER, read_stats, "print times, counts and RAM as JSON" },
     { "--verbose", NULL, ALL, read_verbose, "name the check that refused something" },
@@ -322,10 +336,12 @@ static int check(const options *o, unsigned command)
         return refuse(o, "--rungs and --peers exclude each other");
     if (o->list + o->collect + o->resume > 1)
         return refuse(o, "--list, --collect and --resume exclude each other");
-    if (!o->scene && all && (command & (FOR_RENDER | FOR_VIEW | FOR_BAKE | FOR_PLAN)))
+    if (!o->scene && all && (command & (DRAWERS | FOR_BAKE | FOR_PLAN)))
         return refuse(o, "which scene?");
     if (!o->out && all && (command & FOR_BAKE))
         return refuse(o, "which file?  It takes -o FILE.c");
+    if (o->hold && !o->counted)
+        return refuse(o, "--hold is of the last of --frames");
     if (!o->vectors && all && (command & FOR_CHECK))
         return refuse(o, "which folder?  It takes --vectors DIR");
     if (!all || !(command & MANY))

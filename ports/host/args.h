@@ -36,12 +36,16 @@ typedef struct {
     uint32_t     jobs;              /* at a time, 0: not given */
     const char  *from;              /* folder of charts; NULL: the project's */
     bool         small, list, collect, resume;
+    const char  *on, *device;       /* the raw screen's port and path; NULL: its own */
+    const char  *keep;              /* file of the world's bytes */
+    bool         hold, counted, formatted;  /* --frames, --format were given */
     bool         help;
 } options;
 
 /* Commands, for the table's masks. */
 enum { FOR_RENDER = 1, FOR_VIEW = 2, FOR_PARAMS = 4, FOR_SCENES = 8, FOR_CHECK = 16,
-       FOR_BAKE = 32, FOR_PLAN = 64, FOR_BENCH = 128, FOR_CHARTS = 256, FOR_JOIN = 512 };
+       FOR_BAKE = 32, FOR_PLAN = 64, FOR_BENCH = 128, FOR_CHARTS = 256, FOR_JOIN = 512,
+       FOR_SHOW = 1024 };
 
 /* `command` is one of FOR_...; argv[0] is its name.  EXIT_USAGE: said why.  The caller
  * frees settings in any case. */

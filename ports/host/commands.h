@@ -5,6 +5,7 @@
 #define HOST_COMMANDS_H
 int render_command(int argc, char **argv);
 int view_command(int argc, char **argv);
+int show_command(int argc, char **argv);
 int scenes_command(int argc, char **argv);
 int params_command(int argc, char **argv);
 int bake_command(int argc, char **argv);

@@ -29,6 +29,8 @@ static const struct {
     { "render", "SCENE [OPTION]...", "frames to PNG files or a film; hashes, figures",
       render_command },
     { "view", "SCENE [OPTION]...", "a window to look around in", view_command },
+    { "show", "SCENE [OPTION]...", "a scene on a raw screen, without a window system",
+      show_command },
     { "scenes", "", "the scenes that come with the program", scenes_command },
     { "join", "FILM.y4m PART...", "one film of parts that were drawn apart",
       join_command },

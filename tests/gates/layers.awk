@@ -5,7 +5,8 @@
 #
 # Ranks low to high; modules on one line are peers and do not see each other.  A public
 # header has the rank of the module that implements it.  A port sees the public headers
-# and itself; sdl2 and null are parts of the host program and see host as well.
+# and itself; sdl2 and null are parts of the host program and see host as well.  Raw
+# screens, linuxfb and kms, are shown by screen, which host hands its pictures to.
 BEGIN {
     levels = split("base|fx|pixel|asset wave pool|geom|raster shade|scene|frame", level,
                    "|")
@@ -24,7 +25,10 @@ BEGIN {
     split("stddef.h stdint.h stdbool.h limits.h", system_header, " ")
     for (i in system_header)
         free[system_header[i]]
-    guest["sdl2"] = guest["null"] = "host"
+    split("sdl2=host null=host host=screen screen=host screen=cortex-m linuxfb=screen " \
+          "linuxfb=host kms=screen kms=host", sights, " ")
+    for (i in sights)
+        guest[sights[i]]
 }
 
 # The module of a public header, by its name without folder and ".h".
@@ -65,7 +69,8 @@ FNR == 1 {
             next                                    # the system's
         if (step[1] == "..")
             step[1] = step[2]
-        if (public || name !~ /\// || step[1] == folder || step[1] == guest[folder])
+        if (public || name !~ /\// || step[1] == folder
+            || folder "=" step[1] in guest)
             next
         wrong("a port includes public headers and its own alone")
     } else if ($0 ~ /</) {

@@ -1,0 +1,116 @@
+/* SPDX-License-Identifier: MIT */
+/* tidepool show: a scene on a screen without a window system.  The loop, the console and
+ * the screens are in ../screen; here is what the program adds: files, threads, a tape. */
+#define _POSIX_C_SOURCE 200809L
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+#include "../screen/show.h"
+#include "commands.h"
+#include "deck.h"
+#include "governing.h"
+#include "say.h"
+#include "stage.h"
+#include "timing.h"
+
+#define THREADS 8
+
+typedef struct {
+    options  *options;
+    stage     stage;
+    deck      tape;
+    governing governing;
+} shown;
+
+static void print_help(void)
+{
+    puts("usage: tidepool show SCENE [OPTION]...\n"
+         "Shows SCENE on a raw screen, the whole of it unless --size is less.  On the\n"
+         "console W A S D Q E and the arrows move, [ ] turns the light, F lets a drop\n"
+         "fall, Space pauses, Esc ends.\n");
+    args_print(FOR_SHOW);
+    puts("\nExit: 0 done, 2 usage, 3 bad input or output; ended by a signal, that signal.");
+}
+
+/* -- what the loop asks for ------------------------------------------------------ */
+
+static int prepare(void *user, uint32_t width, uint32_t height, tp_format format)
+{
+    shown *s = user;
+    options *o = s->options;
+    o->width = width;
+    o->height = height;
+    o->format = o->formatted ? o->format : format;
+    const int code = stage_canvas(&s->stage, o);
+    if (!code)
+        governing_begin(&s->governing, &s->stage);
+    return code;
+}
+
+static const picture *draw(void *user, const tp_world *world, uint32_t frame)
+{
+    shown *s = user;
+    const uint64_t begin = now_us();
+    canvas_draw(&s->stage.canvas, world);
+    governing_add(&s->governing, frame, now_us() - begin);
+    return &s->stage.canvas.picture;
+}
+
+static const tp_input *taped(void *user, uint64_t tick)
+{
+    shown *s = user;
+    return deck_input(&s->tape, tick);
+}
+
+/* -- the command ----------------------------------------------------------------- */
+
+/* All processors unless told otherwise. */
+static uint32_t processors(void)
+{
+    const long n = sysconf(_SC_NPROCESSORS_ONLN);
+    return n < 1 ? 1 : n > THREADS ? THREADS : (uint32_t)n;
+}
+
+static int run(shown *s, options *o)
+{
+    const screen_port *port = show_port(o->on ? o->on : "fb");
+    if (!port)
+        return fail(EXIT_USAGE, "tidepool show: --on %s: expected " SHOW_PORTS, o->on);
+    int code = stage_load(&s->stage, o);
+    if (!code && o->tape)
+        code = deck_read(&s->tape, o->tape, s->stage.file.name);
+    if (code)
+        return code;
+    const show what = {
+        .port = port, .device = o->device,
+        .width = o->sized ? o->width : 0, .height = o->sized ? o->height : 0,
+        .counted = o->counted, .first = o->first, .last = o->last,
+        .hold = o->hold, .hash = o->hash, .keep = o->keep,
+        .scene = &s->stage.file.scene, .assets = &s->stage.assets.names,
+        .world = s->stage.world, .world_bytes = s->stage.world_bytes,
+        .user = s, .prepare = prepare, .draw = draw, .taped = o->tape ? taped : NULL,
+    };
+    return show_run(&what);
+}
+
+int show_command(int argc, char **argv)
+{
+    options o;
+    shown s;
+    memset(&s, 0, sizeof s);
+    s.options = &o;
+    int code = args_read(&o, FOR_SHOW, argc, argv);
+    if (!o.threads)
+        o.threads = processors();
+    if (!code && o.help) {
+        print_help();
+        code = finish_stdout();
+    } else if (!code) {
+        code = run(&s, &o);
+    }
+    deck_close(&s.tape);
+    stage_close(&s.stage);
+    free(o.settings);
+    return code;
+}

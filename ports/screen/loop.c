@@ -1,0 +1,260 @@
+/* SPDX-License-Identifier: MIT */
+/* The loop that draws.  Ticks of 1/60 s follow the clock whatever the screen does; a
+ * picture is drawn when a tick has changed it and the screen takes one.  Frames that are
+ * counted are shown each, at that pace or slower.  Signals come only while it waits.
+ *
+ * Time in which nothing could be done, stopped or while another terminal is in front, is
+ * not made up for: behind by more than a few ticks, the water slows down. */
+#define _GNU_SOURCE             /* ppoll */
+#include <errno.h>
+#include <signal.h>
+#include <stdio.h>
+#include <string.h>
+#include "../host/hashes.h"
+#include "../host/say.h"
+#include "../host/timing.h"
+#include "../host/wish.h"
+#include "show.h"
+
+#define TICKS_AT_ONCE 8
+#define SECOND_US     1000000u
+#define KEEP_US       1000000u
+#define ESC_US        50000u    /* nothing came behind it: a key, not a sequence */
+#define SIDE_HIGH     4096u
+#define LOOK_FRAMES   64        /* on the way to the first frame: then signals are seen */
+
+typedef struct {
+    const show *what;
+    screen     *on;
+    console    *tty;
+    keys        keys;
+    keep        keep;
+    tp_input    wish;               /* for the next tick */
+    uint64_t    clock, owed;        /* us; ticks not yet made, in 1/1000000 */
+    uint64_t    kept_at, key_at;    /* us */
+    uint32_t    width, height;      /* of pictures */
+    uint32_t    frame, kept;        /* the world's, now and on disk */
+    bool        stale;              /* the screen is older than the world */
+    bool        away;               /* another terminal is in front */
+    bool        over;
+} loop;
+
+/* -- signals --------------------------------------------------------------------- */
+
+static volatile sig_atomic_t ended_by, asked_away, asked_back;
+
+static void on_signal(int signal)
+{
+    if (signal == CONSOLE_AWAY)
+        asked_away = 1;
+    else if (signal == CONSOLE_BACK)
+        asked_back = 1;
+    else
+        ended_by = signal;
+}
+
+static const int heard[] = { SIGINT, SIGTERM, SIGHUP, SIGQUIT, CONSOLE_AWAY, CONSOLE_BACK };
+
+void loop_signals(sigset_t *set)
+{
+    sigemptyset(set);
+    for (size_t i = 0; i < sizeof heard / sizeof *heard; i++)
+        sigaddset(set, heard[i]);
+}
+
+static void listen_to_signals(void)
+{
+    struct sigaction act = { .sa_handler = on_signal };
+    for (size_t i = 0; i < sizeof heard / sizeof *heard; i++)
+        sigaction(heard[i], &act, NULL);
+}
+
+/* -- time ------------------------------------------------------------------------ */
+
+/* One picture further; its first tick takes the input. */
+static void step(loop *l)
+{
+    static const tp_input nothing;
+    const show *what = l->what;
+    for (uint32_t n = tp_world_frame(what->world); n > 0; n--) {
+        const uint64_t tick = what->world->tick;
+        tp_world_step(what->world, what->scene,
+                      what->taped ? what->taped(what->user, tick) : &l->wish);
+        l->wish = nothing;
+    }
+    l->frame++;
+    l->stale = true;
+}
+
+static void tick(loop *l)
+{
+    const tp_input input = keys_input(&l->keys);
+    wish_add(&l->wish, &input);
+    if (!l->keys.pause) {
+        step(l);
+    } else if (wish_moves(&input)) {
+        tp_world_look(l->what->world, &input);
+        l->wish = (tp_input){ 0 };
+        l->stale = true;
+    }
+}
+
+/* Of counted frames none is left out, and none comes after the last. */
+static void advance(loop *l, uint64_t now)
+{
+    const show *what = l->what;
+    l->owed += (now - l->clock) * TP_TICKS_PER_SECOND;
+    l->clock = now;
+    if (l->away)
+        l->owed = 0;
+    for (int i = 0; i < TICKS_AT_ONCE && l->owed >= SECOND_US; i++) {
+        if (what->counted && (l->stale || l->frame >= what->last))
+            break;
+        tick(l);
+        l->owed -= SECOND_US;
+    }
+    l->owed %= what->counted && l->stale ? 2 * SECOND_US : SECOND_US;
+}
+
+/* -- pictures -------------------------------------------------------------------- */
+
+/* Of the screen as it is now. */
+static int prepare(loop *l)
+{
+    const show *what = l->what;
+    uint32_t width, height;
+    what->port->size(l->on, &width, &height);
+    width = width < SIDE_HIGH ? width : SIDE_HIGH;
+    height = height < SIDE_HIGH ? height : SIDE_HIGH;
+    if (width == l->width && height == l->height)
+        return EXIT_DONE;
+    l->width = width;
+    l->height = height;
+    l->stale = true;
+    return what->prepare(what->user, width, height,
+                         what->port->format ? what->port->format(l->on)
+                                            : TP_FORMAT_XRGB8888);
+}
+
+static int draw(loop *l)
+{
+    const show *what = l->what;
+    if (!l->stale || l->away || (what->port->ready && !what->port->ready(l->on)))
+        return EXIT_DONE;
+    const picture *p = what->draw(what->user, what->world, l->frame);
+    const int code = what->port->show(l->on, p);
+    l->stale = false;
+    if (code)
+        return code;
+    if (what->hash) {
+        hash_print(stdout, l->frame, picture_crc(p));
+        fflush(stdout);
+    }
+    l->over = l->over || (what->counted && !what->hold && l->frame >= what->last);
+    return EXIT_DONE;
+}
+
+/* -- what comes from outside ----------------------------------------------------- */
+
+static int switch_console(loop *l)
+{
+    const screen_port *port = l->what->port;
+    int code = EXIT_DONE;
+    if (asked_away) {
+        asked_away = 0;
+        l->away = true;
+        code = port->away ? port->away(l->on) : EXIT_DONE;
+        console_give(l->tty);
+    }
+    if (asked_back && !code) {
+        asked_back = 0;
+        console_taken_back(l->tty);
+        code = port->back ? port->back(l->on) : EXIT_DONE;
+        l->away = false;
+        l->stale = true;
+    }
+    return code;
+}
+
+/* Until something comes, or the next tick. */
+static int wait_for(loop *l)
+{
+    const screen_port *port = l->what->port;
+    struct pollfd fds[CONSOLE_KEYS + 1];
+    const int n = console_fds(l->tty, fds);
+    const int event = port->fds ? port->fds(l->on) : -1;
+    const uint64_t us = l->owed < SECOND_US ? (SECOND_US - l->owed) / TP_TICKS_PER_SECOND
+                                            : 0;
+    const struct timespec wait = { 0, (long)us * 1000 + 1000 };
+    sigset_t open;
+    fds[n] = (struct pollfd){ .fd = event, .events = POLLIN };
+    sigprocmask(SIG_SETMASK, NULL, &open);
+    for (size_t i = 0; i < sizeof heard / sizeof *heard; i++)
+        sigdelset(&open, heard[i]);
+    const int came = ppoll(fds, (nfds_t)n + 1, &wait, &open);
+    const uint64_t now = now_us();
+    if (came > 0) {
+        console_read(l->tty, fds, n, &l->keys);
+        l->key_at = now;
+    } else if (now - l->key_at > ESC_US) {
+        keys_rest(&l->keys);
+    }
+    if (l->keys.interrupt)
+        ended_by = SIGINT;
+    l->over = l->over || l->keys.quit || ended_by;
+    const int code = switch_console(l);
+    return code || came <= 0 || !fds[n].revents || !port->events ? code
+                                                                 : port->events(l->on);
+}
+
+/* -- the whole of it ------------------------------------------------------------- */
+
+static int turn(loop *l)
+{
+    int code = wait_for(l);
+    if (!code)
+        code = prepare(l);
+    const uint64_t now = now_us();
+    advance(l, now);
+    if (!code && !l->over)
+        code = draw(l);
+    if (!code && l->frame != l->kept && now - l->kept_at >= KEEP_US) {
+        l->kept_at = now;
+        l->kept = l->frame;
+        (void)keep_put(&l->keep, l->what->world, l->what->world_bytes, l->frame);
+    }
+    return code;
+}
+
+/* Undrawn to the first frame. */
+static int skip(loop *l)
+{
+    int code = EXIT_DONE;
+    while (l->what->counted && l->frame < l->what->first && !l->over && !code) {
+        step(l);
+        if (l->frame % LOOK_FRAMES == 0)
+            code = wait_for(l);
+    }
+    l->clock = l->kept_at = now_us();
+    l->owed = 0;
+    return code;
+}
+
+int loop_run(const show *what, screen *on, console *tty, const keep *kept, uint32_t frame,
+             int *signal)
+{
+    loop l = { .what = what, .on = on, .tty = tty, .keep = *kept, .frame = frame,
+               .kept = frame, .stale = true };
+    listen_to_signals();
+    int code = prepare(&l);
+    if (!code)
+        code = console_take(tty);
+    l.away = !console_front(tty);
+    if (!code)
+        code = skip(&l);
+    while (!code && !l.over)
+        code = turn(&l);
+    const int end = keep_put(&l.keep, what->world, what->world_bytes, l.frame);
+    *signal = ended_by;
+    return code ? code : end;
+}

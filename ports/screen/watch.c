@@ -1,0 +1,199 @@
+/* SPDX-License-Identifier: MIT */
+/* Two processes: one opens the screen and waits, its child draws.  Whatever ends the
+ * child, and be it SIGKILL, the parent gives the screen and the console back, and ends in
+ * the same way.  If the parent is killed the kernel tells the child, which then gives
+ * back instead.
+ *
+ * Signals to the parent are handed on.  A child that has not ended three seconds after
+ * one of them, since it is stopped or the panel blocks it, is killed. */
+#define _GNU_SOURCE             /* prctl's neighbours, sigtimedwait */
+#include <errno.h>
+#include <signal.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/prctl.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+#include "../host/say.h"
+#include "show.h"
+
+#define PATIENCE_S 3
+#define SIDE_LOW   16u          /* of a picture, as the core takes it */
+
+static const screen_port *const ports[] = {
+    &screen_fb,
+#ifdef TP_HAVE_KMS
+    &screen_kms,
+#endif
+};
+
+const screen_port *show_port(const char *name)
+{
+    for (size_t i = 0; i < sizeof ports / sizeof *ports; i++)
+        if (strcmp(ports[i]->name, name) == 0)
+            return ports[i];
+    return NULL;
+}
+
+/* -- the child ------------------------------------------------------------------- */
+
+typedef struct {
+    const show *what;
+    screen     *on;
+    console     tty;
+    pid_t       parent, child;
+    keep        kept;
+    uint32_t    frame;              /* to begin with */
+} watch;
+
+static void give_back(watch *w)
+{
+    w->what->port->close(w->on);
+    console_restore(&w->tty);
+    console_close(&w->tty);
+}
+
+/* As if it had never been caught.  A core of the parent would tell nothing. */
+static void die_of(int signal)
+{
+    sigset_t set;
+    struct sigaction plain = { .sa_handler = SIG_DFL };
+    const struct rlimit none = { 0, 0 };
+    setrlimit(RLIMIT_CORE, &none);
+    sigaction(signal, &plain, NULL);
+    sigemptyset(&set);
+    sigaddset(&set, signal);
+    raise(signal);
+    sigprocmask(SIG_UNBLOCK, &set, NULL);
+}
+
+static void child_run(watch *w, const sigset_t *before)
+{
+    const watch found = *w;
+    sigset_t own;
+    int signal = 0;
+    sigprocmask(SIG_SETMASK, before, NULL);
+    loop_signals(&own);
+    sigprocmask(SIG_BLOCK, &own, NULL);
+    prctl(PR_SET_PDEATHSIG, SIGHUP);
+    int code = getppid() == w->parent ? EXIT_DONE : EXIT_INPUT;
+    if (!code)
+        code = loop_run(w->what, w->on, &w->tty, &w->kept, w->frame, &signal);
+    if (fflush(stdout) && !code)
+        code = fail(EXIT_INPUT, "standard output: %s", strerror(errno));
+    if (getppid() != w->parent) {
+        *w = found;
+        give_back(w);
+    }
+    if (signal)
+        die_of(signal);
+    _exit(code);
+}
+
+/* -- the parent ------------------------------------------------------------------ */
+
+/* What people and programs send to end something, faults among it: those of our own
+ * would end the parent, and the child would give back. */
+static const int handed_on[] = { SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGSEGV, SIGABRT, SIGBUS,
+                                 SIGFPE, SIGILL };
+
+static void watched_signals(sigset_t *set)
+{
+    sigemptyset(set);
+    for (size_t i = 0; i < sizeof handed_on / sizeof *handed_on; i++)
+        sigaddset(set, handed_on[i]);
+    sigaddset(set, SIGCHLD);
+}
+
+/* How the child ended, as wait tells it. */
+static int wait_for(const watch *w, const sigset_t *set)
+{
+    const struct timespec patience = { PATIENCE_S, 0 };
+    bool asked = false;
+    int status;
+    while (waitpid(w->child, &status, WNOHANG) == 0) {
+        const int signal = sigtimedwait(set, NULL, asked ? &patience : NULL);
+        if (signal < 0 && errno == EAGAIN)
+            kill(w->child, SIGKILL);
+        if (signal <= 0 || signal == SIGCHLD)
+            continue;
+        kill(w->child, signal);
+        kill(w->child, SIGCONT);
+        asked = true;
+    }
+    return status;
+}
+
+static int watch_run(watch *w)
+{
+    sigset_t set, before;
+    fflush(stdout);
+    watched_signals(&set);
+    sigprocmask(SIG_BLOCK, &set, &before);
+    signal(SIGTSTP, SIG_IGN);           /* a screen that stands in graphics mode */
+    signal(SIGTTIN, SIG_IGN);
+    signal(SIGTTOU, SIG_IGN);
+    w->parent = getpid();
+    w->child = fork();
+    if (w->child == 0)
+        child_run(w, &before);
+    const int error = errno, status = w->child < 0 ? 0 : wait_for(w, &set);
+    give_back(w);
+    if (w->child < 0)
+        return fail(EXIT_INPUT, "tidepool: no process to draw in: %s", strerror(error));
+    if (WIFSIGNALED(status))
+        die_of(WTERMSIG(status));
+    sigprocmask(SIG_SETMASK, &before, NULL);
+    return WEXITSTATUS(status);
+}
+
+/* -- both ------------------------------------------------------------------------ */
+
+static int check_size(const show *what, const screen *on, const char *device)
+{
+    uint32_t width, height;
+    what->port->size(on, &width, &height);
+    if (width >= SIDE_LOW && height >= SIDE_LOW)
+        return EXIT_DONE;
+    return fail(EXIT_INPUT, "%s: %ux%u pixels; a scene takes %ux%u at the least", device,
+                width, height, SIDE_LOW, SIDE_LOW);
+}
+
+static int take_kept(watch *w)
+{
+    const show *what = w->what;
+    w->kept = keep_begin(what->keep, what->scene, what->assets);
+    if (!keep_take(&w->kept, what->world, what->world_bytes, &w->frame))
+        return EXIT_DONE;
+    if (what->counted && w->frame > what->last)
+        return fail(EXIT_INPUT, "%s: is at frame %u already, past %u", what->keep,
+                    w->frame, what->last);
+    say("%s: goes on at frame %u", what->keep, w->frame);
+    return EXIT_DONE;
+}
+
+static int open_both(watch *w)
+{
+    const show *what = w->what;
+    const char *device = what->device ? what->device : what->port->device;
+    int code = what->port->open(&w->on, device, what->width, what->height);
+    if (code)
+        return code;
+    code = check_size(what, w->on, device);
+    if (!code)
+        code = console_open(&w->tty);
+    if (code)
+        what->port->close(w->on);
+    return code;
+}
+
+int show_run(const show *what)
+{
+    watch w = { .what = what };
+    int code = take_kept(&w);
+    if (!code)
+        code = open_both(&w);
+    return code ? code : watch_run(&w);
+}
