@@ -236,7 +236,8 @@ unit: $(UNIT)
 sanitized: $(SAN_UNIT) $(PROGRAM)
 everything: all unit $(GOLDEN) $(FRAMES) $(BUILD)/tests/bench/scene_s \
           $(BUILD)/tests/bench/views \
-          $(BUILD)/longship $(BUILD)/textures $(BUILD)/tests/host/same_pixels
+          $(BUILD)/longship $(BUILD)/textures $(BUILD)/tests/host/same_pixels \
+          $(BUILD)/screen_fake.so $(BUILD)/tests/host/screen_crc
 host-tests: everything
 	@$(MAKE) --no-print-directory $(SAN) sanitized
 	@$(RUN) build/log/host $(SAN_UNIT:build/host/%=build/san/%) \
@@ -346,6 +347,8 @@ $(BUILD)/tests/budgets/models: $(MODELS_O) $(BUILD)/ports/cortex-m/memory.o $(LI
 	$(SAY)$(LINK) $^ -o $@
 build/host/count.so: tests/budgets/count.c $(BUILD)/flags
 	$(SAY)$(COMPILE) -D_POSIX_C_SOURCE=200809L -fPIC -shared $< -o $@
+$(BUILD)/screen_fake.so: tests/host/screen_fake.c $(BUILD)/flags
+	$(SAY)$(COMPILE) -fPIC -shared $< -ldl -o $@
 build/host/tally.so: tests/bench/tally.c $(BUILD)/flags
 	$(SAY)$(COMPILE) -fPIC -shared $< -o $@
 BOARD_O := $(BOARD_C:%.c=$(BUILD)/%.o)
