@@ -1,0 +1,135 @@
+/* SPDX-License-Identifier: MIT */
+/* A baked scene on a raw screen: one file, to be copied to a small Linux board.
+ *
+ *   SCENE-screen [--on fb|kms] [--device PATH] [--size WxH] [--frames N|A:B] [--hold]
+ *                [--hash] [--keep FILE] */
+#include <inttypes.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include "../cortex-m/baked.h"
+#include "../host/say.h"
+#include "show.h"
+
+#define BAND_ROWS 32            /* drawn at a time, straight into the picture */
+
+typedef struct {
+    picture   picture;
+    tp_frame *frame;
+    void     *block, *scratch;
+} drawing;
+
+static void *claim(size_t bytes)
+{
+    void *memory = malloc(bytes);
+    if (!memory)
+        exit(fail_memory(bytes));
+    return memory;
+}
+
+/* -- what the loop asks for ------------------------------------------------------ */
+
+static int prepare(void *user, uint32_t width, uint32_t height, tp_format format)
+{
+    drawing *d = user;
+    const tp_frame_config config = { .width = width, .height = height, .format = format,
+                                     .tile_height = height < BAND_ROWS ? height
+                                                                       : BAND_ROWS };
+    const size_t row_bytes = tp_format_row_bytes(format, (int)width);
+    tp_error err = { 0 };
+    free(d->picture.rows);
+    free(d->block);
+    free(d->scratch);
+    d->picture = (picture){ format, width, height, row_bytes, claim(row_bytes * height) };
+    d->block = claim(tp_frame_bytes(&baked_scene, &baked_assets, &config));
+    d->scratch = claim(tp_frame_scratch_into_bytes(&config));
+    if (tp_frame_init(&d->frame, &baked_scene, &baked_assets, &config, d->block, &err))
+        return fail_at("screen", &err);
+    return EXIT_DONE;
+}
+
+static const picture *draw(void *user, const tp_world *world, uint32_t frame)
+{
+    drawing *d = user;
+    tp_tile tile;
+    (void)frame;
+    tp_frame_begin(d->frame, world);
+    for (uint32_t i = 0; tp_frame_tile_into(d->frame, i, d->scratch, d->picture.rows,
+                                            d->picture.row_bytes, &tile); i++)
+        ;
+    return &d->picture;
+}
+
+/* -- the command line ------------------------------------------------------------ */
+
+static int refuse(const char *word)
+{
+    return fail(EXIT_USAGE, "%s: not understood; it takes --on " SHOW_PORTS ", --device"
+                " PATH, --size WxH, --frames N|A:B, --hold, --hash, --keep FILE", word);
+}
+
+static bool read_frames(show *s, const char *value)
+{
+    char end;
+    uint32_t count;
+    s->counted = true;
+    if (sscanf(value, "%" SCNu32 ":%" SCNu32 "%c", &s->first, &s->last, &end) == 2)
+        return s->first <= s->last;
+    if (sscanf(value, "%" SCNu32 "%c", &count, &end) != 1 || count == 0)
+        return false;
+    s->first = 0;
+    s->last = count - 1;
+    return true;
+}
+
+static bool read_size(show *s, const char *value)
+{
+    char end;
+    return sscanf(value, "%" SCNu32 "x%" SCNu32 "%c", &s->width, &s->height, &end) == 2
+        && s->width >= 16 && s->width <= 4096 && s->height >= 16 && s->height <= 4096;
+}
+
+/* An option with its value; false: there is none such, or the value is wrong. */
+static bool read_option(show *s, const char *name, const char *value)
+{
+    if (strcmp(name, "--on") == 0)
+        return (s->port = show_port(value)) != NULL;
+    if (strcmp(name, "--device") == 0)
+        return *(s->device = value) != 0;
+    if (strcmp(name, "--keep") == 0)
+        return *(s->keep = value) != 0;
+    if (strcmp(name, "--size") == 0)
+        return read_size(s, value);
+    return strcmp(name, "--frames") == 0 && read_frames(s, value);
+}
+
+static int read_all(show *s, int argc, char **argv)
+{
+    for (int i = 1; i < argc; i++) {
+        if (strcmp(argv[i], "--hold") == 0)
+            s->hold = true;
+        else if (strcmp(argv[i], "--hash") == 0)
+            s->hash = true;
+        else if (i + 1 == argc || !read_option(s, argv[i], argv[i + 1]))
+            return refuse(argv[i]);
+        else
+            i++;
+    }
+    return EXIT_DONE;
+}
+
+int main(int argc, char **argv)
+{
+    drawing d = { 0 };
+    show s = { .port = &screen_fb, .scene = &baked_scene, .assets = &baked_assets,
+               .user = &d, .prepare = prepare, .draw = draw };
+    tp_error err = { 0 };
+    const int code = read_all(&s, argc, argv);
+    if (code)
+        return code;
+    s.world_bytes = tp_world_bytes(&baked_scene, &baked_assets);
+    s.world = claim(s.world_bytes);
+    if (tp_world_init(s.world, s.world_bytes, &baked_scene, &baked_assets, &err))
+        return fail_at("screen", &err);
+    return show_run(&s);
+}
