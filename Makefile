@@ -82,6 +82,10 @@ PORTS := $(addprefix ports/, \
     null/null.c screen/console.c screen/keep.c screen/keys.c screen/layout.c \
     screen/loop.c screen/watch.c linuxfb/linuxfb.c)
 MAIN  := ports/host/main.c
+# Linux's screens, where the kernel's headers are.
+ifeq ($(shell $(CC) -E ports/kms/choose.h >/dev/null 2>&1 && echo yes),yes)
+PORTS += $(addprefix ports/kms/, buffer.c card.c choose.c heads.c kms.c)
+endif
 ifneq ($(shell pkg-config --exists sdl2 2>/dev/null && echo yes),)
 PORTS += $(addprefix ports/, sdl2/control.c sdl2/view.c sdl2/window.c)
 SDL_CFLAGS := $(patsubst -I%,-isystem %,$(shell pkg-config --cflags sdl2)) -DTP_HAVE_SDL2

@@ -1,0 +1,168 @@
+/* SPDX-License-Identifier: MIT */
+/* Opening, becoming master, choosing, lighting; each step undone if a later one fails. */
+#define _POSIX_C_SOURCE 200809L
+#include <errno.h>
+#include <fcntl.h>
+#include <stdio.h>
+#include <string.h>
+#include <sys/epoll.h>
+#include <unistd.h>
+#include "card.h"
+
+#define SIDE 4096               /* of a picture */
+
+static bool ask(const kms_card *c, unsigned long request, void *what)
+{
+    return kms_ask(c->fd, request, what);
+}
+
+/* False, and why: for people, if they are told. */
+static bool cannot(kms_card *c, const char *what)
+{
+    snprintf(c->why, sizeof c->why, "%s: %s", what, strerror(errno));
+    return false;
+}
+
+void kms_close_card(kms_card *c)
+{
+    if (c->fd >= 0)
+        close(c->fd);
+    c->fd = -1;
+    c->master = false;
+}
+
+static bool is_card(kms_card *c)
+{
+    struct drm_version version = { 0 };
+    struct drm_get_cap dumb = { .capability = DRM_CAP_DUMB_BUFFER };
+    struct epoll_event wanted = { .events = EPOLLIN };
+    if (!ask(c, DRM_IOCTL_VERSION, &version))
+        return cannot(c, "is no graphics card");
+    if (!ask(c, DRM_IOCTL_GET_CAP, &dumb))
+        return cannot(c, "does not say whether it has plain buffers");
+    if (!dumb.value) {
+        errno = EOPNOTSUPP;
+        return cannot(c, "has no plain buffers");
+    }
+    return epoll_ctl(c->both, EPOLL_CTL_ADD, c->fd, &wanted) == 0
+        || cannot(c, "has no events");
+}
+
+static bool open_card(kms_card *c)
+{
+    c->fd = open(c->device, O_RDWR | O_CLOEXEC | O_NONBLOCK);
+    if (c->fd < 0)
+        return cannot(c, "cannot be opened");
+    if (is_card(c))
+        return true;
+    kms_close_card(c);
+    return false;
+}
+
+uint32_t kms_crtc(const kms_card *c)
+{
+    return c->now.crtc < KMS_LIMIT ? c->heads.crtcs[c->now.crtc] : 0;
+}
+
+bool kms_set_crtc(kms_card *c, const kms_buffer *b)
+{
+    struct drm_mode_crtc to = { .crtc_id = kms_crtc(c), .fb_id = b->fb,
+                                .mode = c->now.mode, .mode_valid = 1,
+                                .count_connectors = 1,
+                                .set_connectors_ptr = (uintptr_t)&c->now.connector };
+    return ask(c, DRM_IOCTL_MODE_SETCRTC, &to);
+}
+
+void kms_darken(kms_card *c)
+{
+    kms_buffer_free(c->fd, &c->buffers[0]);
+    kms_buffer_free(c->fd, &c->buffers[1]);
+    c->lit = false;
+}
+
+static uint32_t side(uint32_t wanted, uint32_t mode)
+{
+    uint32_t most = mode < SIDE ? mode : SIDE;
+    return wanted && wanted < most ? wanted : most;
+}
+
+/* Black, in 32 bits a pixel or, where they are refused, 16. */
+static bool light(kms_card *c)
+{
+    uint32_t w = c->now.mode.hdisplay, h = c->now.mode.vdisplay;
+    for (uint32_t bits = 32; bits >= 16; bits -= 16) {
+        c->lit = kms_buffer_make(c->fd, &c->buffers[0], w, h, bits)
+              && kms_set_crtc(c, &c->buffers[0]);
+        if (c->lit) {
+            c->n_buffers = kms_buffer_make(c->fd, &c->buffers[1], w, h, bits) ? 2 : 1;
+            c->front = 0;
+            c->width = side(c->wanted_w, w);
+            c->height = side(c->wanted_h, h);
+            return true;
+        }
+        cannot(c, "cannot show a picture");
+        kms_darken(c);
+    }
+    return false;
+}
+
+/* What the console, or whoever had the screen, showed. */
+static bool remember(kms_card *c)
+{
+    struct drm_mode_crtc was = { .crtc_id = kms_crtc(c) };
+    if (c->before.crtc_id)
+        return true;
+    if (!ask(c, DRM_IOCTL_MODE_GETCRTC, &was))
+        return cannot(c, "does not say what it shows");
+    was.count_connectors = 0;
+    for (uint32_t i = 0; i < c->heads.n_connectors; i++)
+        if (c->heads.driven_by[i] == was.crtc_id)
+            c->before_on[was.count_connectors++] = c->heads.connectors[i];
+    c->before = was;
+    return true;
+}
+
+bool kms_take(kms_card *c, bool fits)
+{
+    static const char *const lacks[] = {
+        [KMS_NOTHING] = "nothing is connected to it",
+        [KMS_NO_MODE] = "what is connected to it has no mode",
+        [KMS_NO_CRTC] = "it cannot drive what is connected to it",
+    };
+    if (c->fd < 0 && !open_card(c))
+        return false;
+    c->master = c->master || ask(c, DRM_IOCTL_SET_MASTER, NULL);
+    if (!c->master)
+        return cannot(c, "another program has the screen");
+    if (!kms_scan(c->fd, &c->heads, c->wanted_w, c->wanted_h, &c->now))
+        return cannot(c, "sets no modes");
+    if (c->now.verdict < KMS_SMALL)
+        snprintf(c->why, sizeof c->why, "%s", lacks[c->now.verdict]);
+    else if (c->now.verdict == KMS_SMALL && fits)
+        snprintf(c->why, sizeof c->why, "its mode of %ux%u is smaller than %ux%u",
+                 c->now.mode.hdisplay, c->now.mode.vdisplay, c->wanted_w, c->wanted_h);
+    else
+        return remember(c) && light(c);
+    return false;
+}
+
+bool kms_still_ours(kms_card *c, bool probe)
+{
+    struct drm_mode_crtc is = { .crtc_id = kms_crtc(c) };
+    return c->lit && kms_still(c->fd, &c->heads, &c->now, probe)
+        && ask(c, DRM_IOCTL_MODE_GETCRTC, &is) && is.fb_id != 0
+        && (is.fb_id == c->buffers[0].fb || is.fb_id == c->buffers[1].fb);
+}
+
+/* The old picture before ours goes: a CRTC whose buffer goes is turned off. */
+void kms_give_back(kms_card *c)
+{
+    struct drm_mode_crtc to = { .crtc_id = c->before.crtc_id };
+    if (c->before.mode_valid && c->before.fb_id && c->before.count_connectors > 0) {
+        to = c->before;
+        to.set_connectors_ptr = (uintptr_t)c->before_on;
+    }
+    if (c->master && to.crtc_id)
+        ask(c, DRM_IOCTL_MODE_SETCRTC, &to);
+    kms_darken(c);
+}
