@@ -303,6 +303,7 @@ LCD_O := $(patsubst %,$(BUILD)/%.o,$(addprefix ports/lcd/,clear lcd panels turn)
                tests/boards/panel tests/golden/golden)
 $(filter $(BUILD)/tests/host/test_lcd%,$(UNIT)): $(LCD_O)
 $(filter $(BUILD)/tests/accuracy/%,$(UNIT)): $(BUILD)/reference.a
+$(BUILD)/tests/host/test_kms: $(BUILD)/tests/host/fake_kms.o
 $(BUILD)/reference.a: $(REF_O)
 $(BUILD)/reference: $(BUILD)/tests/reference/reference.o $(BUILD)/reference.a \
           $(BUILD)/ports.a $(LIB)

@@ -1,0 +1,659 @@
+/* SPDX-License-Identifier: MIT */
+/* The port for DRM/KMS on a card that fails in every way. */
+#define _POSIX_C_SOURCE 200809L
+#include <stdarg.h>
+#include <stddef.h>
+#include <setjmp.h>
+#include <stdint.h>
+#include <errno.h>
+#include <fcntl.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+#include "../../ports/host/say.h"
+#include <cmocka.h>
+#include "../../ports/screen/screen.h"
+#include "fake_kms.h"
+
+static const screen_port *const port = &screen_kms;
+static char folder[] = "/tmp/test-kms-XXXXXX", pipe_name[64], plain_name[64];
+static char said[400];
+static uint32_t pixels[128 * 128];
+
+/* -- helpers ----------------------------------------------------------------------- */
+
+static unsigned open_files(void)
+{
+    unsigned n = 0;
+    for (int fd = 0; fd < 256; fd++)
+        n += fcntl(fd, F_GETFD) != -1;
+    return n;
+}
+
+/* With what it says in `said`. */
+static int try_open(screen **s, const char *device, uint32_t width, uint32_t height)
+{
+    FILE *to = tmpfile();
+    int old = dup(2);
+    assert_non_null(to);
+    dup2(fileno(to), 2);
+    int code = port->open(s, device, width, height);
+    dup2(old, 2);
+    close(old);
+    rewind(to);
+    said[fread(said, 1, sizeof said - 1, to)] = 0;
+    fclose(to);
+    return code;
+}
+
+/* The test's end of the kernel's news. */
+static void close_plug(void)
+{
+    if (fake.plug >= 0)
+        close(fake.plug);
+    fake.plug = -1;
+}
+
+static screen *opened(uint32_t width, uint32_t height)
+{
+    screen *s = NULL;
+    int code = try_open(&s, pipe_name, width, height);
+    assert_string_equal(said, "");
+    assert_int_equal(code, EXIT_DONE);
+    assert_non_null(s);
+    return s;
+}
+
+static picture picture_of(uint32_t width, uint32_t height, uint32_t seed)
+{
+    picture p = { .format = TP_FORMAT_XRGB8888, .width = width, .height = height,
+                  .row_bytes = width * 4, .rows = (uint8_t *)pixels };
+    for (uint32_t i = 0; i < width * height; i++)
+        pixels[i] = (seed + i) * 2654435761u >> 8;
+    return p;
+}
+
+/* What is shown at a place, as 0x00RRGGBB, in 565 with low bits of 0. */
+static uint32_t shown_at(const fake_buffer *b, uint32_t x, uint32_t y)
+{
+    const uint8_t *row = b->memory + (size_t)y * b->pitch;
+    uint32_t wide;
+    uint16_t narrow;
+    memcpy(&wide, row + (b->bits == 32 ? x * 4 : 0), 4);
+    memcpy(&narrow, row + (b->bits == 16 ? x * 2 : 0), 2);
+    if (b->bits == 32)
+        return wide;
+    return (narrow & 0xf800u) << 8 | (narrow & 0x07e0u) << 5 | (narrow & 0x001fu) << 3;
+}
+
+/* Pixels of the screen that differ from the picture in its middle, black around it. */
+static unsigned differences(const picture *p)
+{
+    const fake_buffer *b = fake_shown();
+    unsigned n = 0;
+    assert_non_null(b);
+    const uint32_t mask = b->bits == 32 ? 0xffffff : 0xf8fcf8;
+    int left = ((int)b->width - (int)p->width) / 2;
+    int top = ((int)b->height - (int)p->height) / 2;
+    for (int y = 0; y < (int)b->height; y++)
+        for (int x = 0; x < (int)b->width; x++) {
+            int u = x - left, v = y - top;
+            bool in = u >= 0 && v >= 0 && u < (int)p->width && v < (int)p->height;
+            uint32_t want = in ? pixels[v * (int)p->width + u] & mask : 0;
+            n += shown_at(b, (uint32_t)x, (uint32_t)y) != want;
+        }
+    return n;
+}
+
+static void show(screen *s, uint32_t width, uint32_t height, uint32_t seed)
+{
+    picture p = picture_of(width, height, seed);
+    assert_int_equal(port->show(s, &p), EXIT_DONE);
+    assert_int_equal(differences(&p), 0);
+    pixels[(height / 2) * width + width / 2] ^= 0x800000;       /* another one is seen */
+    assert_int_equal(differences(&p), 1);
+}
+
+static void show_nothing(screen *s)
+{
+    unsigned flips = fake.flips, sets = fake.sets;
+    picture p = picture_of(64, 48, 9);
+    assert_int_equal(port->show(s, &p), EXIT_DONE);
+    assert_int_equal(fake.flips + fake.sets, flips + sets);
+    assert_null(fake_shown());
+}
+
+static void assert_size(const screen *s, uint32_t width, uint32_t height)
+{
+    uint32_t w = 0, h = 0;
+    port->size(s, &w, &h);
+    assert_int_equal(w, width);
+    assert_int_equal(h, height);
+}
+
+static void refuse(int i, unsigned long request, int error, unsigned from)
+{
+    fake.refuse[i].request = request;
+    fake.refuse[i].error = error;
+    fake.refuse[i].from = from;
+}
+
+static void assert_console_is_back(void)
+{
+    assert_int_equal(fake.crtc.crtc_id, FAKE_CRTC);
+    assert_int_equal(fake.crtc.fb_id, FAKE_CONSOLE);
+    assert_int_equal(fake.crtc.mode.hdisplay, 48);
+    assert_int_equal(fake.connector, FAKE_CONNECTOR);
+    assert_int_equal(fake_left(), 0);
+}
+
+static void close_and_look(screen *s)
+{
+    port->close(s);
+    assert_console_is_back();
+}
+
+/* -- start-up ---------------------------------------------------------------------- */
+
+/* Whichever call fails, of those until it is open: nothing of us is left, and the console
+ * is there; what can be done without is done without. */
+static void nothing_is_left_wherever_start_up_fails(void **state)
+{
+    (void)state;
+    static const int errors[] = { ENOMEM, EINVAL, EACCES, ENODEV, EBUSY };
+    unsigned refused = 0, did = 0;
+    for (unsigned e = 0; e < sizeof errors / sizeof *errors; e++) {
+        unsigned last = 0;
+        for (unsigned n = 1; last == 0 || n <= last; n++) {
+            screen *s = NULL;
+            fake_reset();
+            fake.fail_call = n;
+            fake.fail_errno = errors[e];
+            unsigned files = open_files();
+            int code = try_open(&s, pipe_name, 0, 0);
+            fake.fail_call = 0;
+            if (code == EXIT_DONE) {
+                did++;
+                last = fake.calls < n ? n : 0;
+                port->close(s);
+            } else {
+                refused++;
+                assert_int_equal(code, EXIT_INPUT);
+                assert_ptr_equal(strchr(said, '\n'), said + strlen(said) - 1);
+                assert_non_null(strstr(said, pipe_name));
+            }
+            close_plug();
+            assert_console_is_back();
+            assert_int_equal(open_files(), files);
+            assert_true(n < 100);
+            if (last)
+                break;
+        }
+    }
+    assert_true(refused >= 5 * 7);
+    assert_true(did >= 5 * 3);
+}
+
+static void expect_refusal(const char *device, uint32_t width, const char *words)
+{
+    screen *s = NULL;
+    unsigned files = open_files();
+    assert_int_equal(try_open(&s, device, width, 0), EXIT_INPUT);
+    assert_ptr_equal(strchr(said, '\n'), said + strlen(said) - 1);
+    if (!strstr(said, words) || strncmp(said, device, strlen(device)) != 0)
+        fail_msg("said: %s", said);
+    close_plug();
+    assert_int_equal(open_files(), files);
+    assert_int_equal(fake_left(), 0);
+    assert_int_equal(fake.sets, 0);
+    fake_reset();
+}
+
+static void bad_devices_are_told_in_a_line(void **state)
+{
+    (void)state;
+    fake_reset();
+    expect_refusal("/nowhere/card0", 0, "No such file");
+    expect_refusal("/tmp", 0, "cannot be opened");
+    fake.no_card = true;
+    expect_refusal(plain_name, 0, "is no graphics card");
+    fake.no_dumb = true;
+    expect_refusal(pipe_name, 0, "plain buffers");
+    fake.taken = true;
+    expect_refusal(pipe_name, 0, "another program has the screen");
+    refuse(0, DRM_IOCTL_MODE_GETRESOURCES, EOPNOTSUPP, 0);
+    expect_refusal(pipe_name, 0, "sets no modes");
+    fake.status = KMS_DISCONNECTED;
+    expect_refusal(pipe_name, 0, "nothing is connected");
+    fake.n_modes = 0;
+    expect_refusal(pipe_name, 0, "has no mode");
+    fake.no_crtc = true;
+    expect_refusal(pipe_name, 0, "cannot drive");
+    expect_refusal(pipe_name, 65, "48x32 is smaller than 65x0");
+}
+
+/* -- pictures ---------------------------------------------------------------------- */
+
+static void every_picture_is_shown_exactly(void **state)
+{
+    (void)state;
+    fake_reset();
+    screen *s = opened(64, 48);
+    assert_size(s, 64, 48);
+    assert_int_equal(port->format(s), TP_FORMAT_XRGB8888);
+    assert_true(port->fds(s) >= 0);
+    for (uint32_t i = 0; i < 5; i++)
+        show(s, 64, 48, i);
+    show(s, 33, 21, 7);         /* in the middle; what was around it goes */
+    show(s, 33, 21, 8);
+    show(s, 80, 60, 9);         /* of a larger one the middle */
+    show(s, 17, 100, 9);
+    assert_int_equal(fake.flips, 9);
+    assert_int_equal(fake.drawn_while_shown, 0);
+    assert_int_equal(fake.sets, 1);
+    assert_int_equal(fake.dirties, 0);
+    close_and_look(s);
+    close_plug();
+
+    fake_reset();               /* a smaller picture by the wish, the preferred mode */
+    s = opened(20, 10);
+    assert_size(s, 20, 10);
+    show(s, 20, 10, 3);
+    assert_int_equal(fake_shown()->width, 48);
+    close_and_look(s);
+    close_plug();
+}
+
+static void in_sixteen_bits_where_there_are_no_more(void **state)
+{
+    (void)state;
+    const unsigned long at[] = { DRM_IOCTL_MODE_CREATE_DUMB, DRM_IOCTL_MODE_ADDFB,
+                                 DRM_IOCTL_MODE_SETCRTC };
+    for (int i = 0; i < 3; i++) {
+        fake_reset();
+        fake.no_wide = at[i];
+        screen *s = opened(0, 0);
+        assert_int_equal(port->format(s), TP_FORMAT_RGB565);
+        show(s, 48, 32, 1);
+        show(s, 48, 32, 2);
+        show(s, 30, 20, 2);
+        show(s, 50, 40, 3);
+        assert_int_equal(fake_shown()->bits, 16);
+        close_and_look(s);
+        close_plug();
+    }
+}
+
+static void a_flip_is_awaited(void **state)
+{
+    (void)state;
+    fake_reset();
+    fake.stalls = true;
+    screen *s = opened(64, 48);
+    show(s, 64, 48, 1);
+    assert_false(port->ready(s));
+    fake_report(fake.flip_number + 1);          /* another one's */
+    assert_int_equal(port->events(s), EXIT_DONE);
+    assert_false(port->ready(s));
+    fake_vblank();
+    assert_int_equal(port->events(s), EXIT_DONE);
+    assert_true(port->ready(s));
+
+    show(s, 64, 48, 2);                         /* one that is never done */
+    fake.later_ms += 100;
+    assert_false(port->ready(s));
+    fake.later_ms += 200;
+    assert_true(port->ready(s));
+    unsigned sets = fake.sets;
+    show(s, 64, 48, 3);                         /* the kernel still waits: set */
+    assert_int_equal(fake.sets, sets + 1);
+    fake_vblank();
+    fake.stalls = false;
+    unsigned flips = fake.flips;
+    show(s, 64, 48, 4);                         /* and flips again after it */
+    assert_int_equal(fake.flips, flips + 1);
+    close_and_look(s);
+    close_plug();
+}
+
+static void without_flips_buffers_are_set_and_told(void **state)
+{
+    (void)state;
+    fake_reset();
+    refuse(0, DRM_IOCTL_MODE_PAGE_FLIP, EINVAL, 0);
+    screen *s = opened(64, 48);
+    const fake_buffer *first = fake_shown();
+    show(s, 64, 48, 1);
+    assert_ptr_not_equal(fake_shown(), first);
+    show(s, 64, 48, 2);
+    assert_ptr_equal(fake_shown(), first);
+    assert_int_equal(fake.sets, 3);
+    assert_int_equal(fake.dirties, 2);
+    refuse(1, DRM_IOCTL_MODE_DIRTYFB, EIO, 0);        /* passes */
+    show(s, 64, 48, 3);
+    refuse(1, 0, 0, 0);
+    show(s, 64, 48, 4);
+    assert_int_equal(fake.dirties, 3);
+    refuse(1, DRM_IOCTL_MODE_DIRTYFB, ENOSYS, 0);       /* it needs none: not asked again */
+    show(s, 64, 48, 5);
+    unsigned calls = fake.calls;
+    show(s, 64, 48, 6);
+    assert_int_equal(fake.calls, calls + 1);
+    close_and_look(s);
+    close_plug();
+}
+
+static void without_room_for_two_the_shown_one_is_drawn_into(void **state)
+{
+    (void)state;
+    fake_reset();
+    refuse(0, DRM_IOCTL_MODE_CREATE_DUMB, ENOMEM, 2);
+    screen *s = opened(64, 48);
+    for (uint32_t i = 0; i < 3; i++)
+        show(s, 64, 48, i);
+    assert_int_equal(fake.sets, 1);
+    assert_int_equal(fake.flips, 0);
+    assert_int_equal(fake.dirties, 3);
+    close_and_look(s);
+    close_plug();
+
+    for (unsigned at = 1; at < 4; at++) {       /* or not both in the card's memory */
+        fake_reset();
+        s = opened(64, 48);
+        for (uint32_t i = 1; i < at; i++)
+            show(s, 64, 48, i);
+        refuse(0, DRM_IOCTL_MODE_PAGE_FLIP, ENOMEM, 0);
+        refuse(1, DRM_IOCTL_MODE_SETCRTC, ENOMEM, 0);
+        for (uint32_t i = 0; i < 3; i++)
+            show(s, 64, 48, 10 + i);
+        assert_int_equal(fake.dirties, 3);
+        assert_int_equal(fake_left(), 3);
+        refuse(1, 0, 0, 0);
+        close_and_look(s);
+        close_plug();
+    }
+}
+
+/* -- plugs ------------------------------------------------------------------------- */
+
+static void unplug(screen *s)
+{
+    fake.status = KMS_DISCONNECTED;
+    fake_uevent("drm");
+    assert_int_equal(port->events(s), EXIT_DONE);
+}
+
+static void a_monitor_goes_and_another_comes(void **state)
+{
+    (void)state;
+    fake_reset();
+    screen *s = opened(0, 0);
+    assert_size(s, 48, 32);
+    show(s, 48, 32, 1);
+    unsigned probes = fake.probes;
+    fake_uevent("usb");                 /* not ours */
+    assert_int_equal(port->events(s), EXIT_DONE);
+    assert_int_equal(fake.probes, probes);
+    fake_uevent("drm");                 /* of nothing */
+    assert_int_equal(port->events(s), EXIT_DONE);
+    assert_true(fake.probes > probes);
+    assert_int_equal(fake.sets, 1);
+    unplug(s);
+    assert_int_equal(fake_left(), 0);
+    assert_size(s, 48, 32);
+    show_nothing(s);
+    fake.later_ms += 5000;
+    show_nothing(s);
+    fake.status = KMS_CONNECTED;
+    fake_mode(1, 100, 60, true);
+    fake_uevent("drm");
+    assert_int_equal(port->events(s), EXIT_DONE);
+    assert_size(s, 100, 60);
+    show(s, 48, 32, 2);                 /* whoever has not noticed yet */
+    show(s, 100, 60, 3);
+    show(s, 100, 60, 4);
+    assert_int_equal(fake.crtc.mode.hdisplay, 100);
+    close_and_look(s);
+    close_plug();
+}
+
+static void a_smaller_one_gets_pictures_of_its_own_size(void **state)
+{
+    (void)state;
+    fake_reset();
+    screen *s = opened(64, 48);
+    unplug(s);
+    fake.status = KMS_CONNECTED;
+    fake.n_modes = 1;
+    fake_mode(0, 50, 60, true);
+    fake_uevent("drm");
+    assert_int_equal(port->events(s), EXIT_DONE);
+    assert_size(s, 50, 48);
+    show(s, 64, 48, 3);
+    close_and_look(s);
+    close_plug();
+}
+
+static void plugs_are_seen_without_news(void **state)
+{
+    (void)state;
+    fake_reset();
+    fake.no_netlink = true;
+    screen *s = opened(0, 0);
+    show(s, 48, 32, 1);
+    unsigned probes = fake.probes;
+    fake.status = KMS_DISCONNECTED;
+    show(s, 48, 32, 1);                 /* not yet */
+    fake.later_ms += 1000;
+    show_nothing(s);
+    fake.status = KMS_CONNECTED;
+    fake.later_ms += 1000;
+    show(s, 48, 32, 2);
+    probes = fake.probes;
+    fake.later_ms += 1000;
+    show(s, 48, 32, 2);
+    assert_int_equal(fake.probes, probes);      /* nothing slow while all is well */
+    close_and_look(s);
+}
+
+static void a_monitor_changed_between_two_looks_is_seen(void **state)
+{
+    (void)state;
+    fake_reset();
+    screen *s = opened(0, 0);
+    fake_mode(1, 40, 20, true);
+    fake_uevent("drm");
+    assert_int_equal(port->events(s), EXIT_DONE);
+    assert_size(s, 40, 20);
+    show(s, 40, 20, 1);
+    close_and_look(s);
+    close_plug();
+}
+
+static void a_card_goes_and_comes_back(void **state)
+{
+    (void)state;
+    fake_reset();
+    screen *s = opened(0, 0);
+    show(s, 48, 32, 1);
+    unsigned files = open_files();
+    picture p = picture_of(48, 32, 2);
+    fake.gone = true;
+    assert_int_equal(port->show(s, &p), EXIT_DONE);
+    assert_int_equal(port->events(s), EXIT_DONE);
+    fake.later_ms += 1000;
+    assert_int_equal(port->show(s, &p), EXIT_DONE);
+    assert_int_equal(open_files(), files - 1);  /* or the kernel never lets go of it */
+    fake_new_card();
+    assert_int_equal(port->show(s, &p), EXIT_DONE);
+    assert_int_equal(open_files(), files - 1);
+    fake.later_ms += 1000;
+    show(s, 48, 32, 3);
+    assert_int_equal(open_files(), files);
+    show(s, 48, 32, 4);
+    assert_true(fake.flips >= 3);
+    close_and_look(s);
+    close_plug();
+}
+
+/* -- other programs ---------------------------------------------------------------- */
+
+static void other_terminals_find_what_they_had(void **state)
+{
+    (void)state;
+    fake_reset();
+    fake.stalls = true;
+    screen *s = opened(0, 0);
+    show(s, 48, 32, 1);
+    fake_vblank();
+    assert_int_equal(port->away(s), EXIT_DONE);
+    assert_console_is_back();
+    assert_false(fake.master);
+    unsigned calls = fake.calls;
+    fake.later_ms += 5000;
+    show_nothing(s);
+    fake_uevent("drm");
+    assert_int_equal(port->events(s), EXIT_DONE);
+    assert_int_equal(fake.calls, calls);        /* it is left alone */
+    assert_size(s, 48, 32);
+    assert_int_equal(port->back(s), EXIT_DONE);
+    assert_true(fake.master);
+    fake.stalls = false;
+    show(s, 48, 32, 2);
+    show(s, 48, 32, 3);
+
+    assert_int_equal(port->away(s), EXIT_DONE);
+    fake.taken = true;
+    assert_int_equal(port->back(s), EXIT_DONE); /* the other one has not let go yet */
+    show_nothing(s);
+    fake.later_ms += 1000;
+    show_nothing(s);
+    fake.taken = false;
+    show_nothing(s);
+    fake.later_ms += 1000;
+    show(s, 48, 32, 4);
+    close_and_look(s);
+    close_plug();
+}
+
+static void a_screen_that_another_program_takes_is_missed(void **state)
+{
+    (void)state;
+    fake_reset();
+    screen *s = opened(0, 0);
+    picture p = picture_of(48, 32, 2);
+    show(s, 48, 32, 1);
+    fake.taken = true;                          /* and it is master no longer */
+    fake.master = false;
+    assert_int_equal(port->show(s, &p), EXIT_DONE);
+    show_nothing(s);
+    fake.taken = false;
+    fake.later_ms += 1000;
+    show(s, 48, 32, 2);
+    fake.crtc.fb_id = 77;                       /* somebody has set another picture */
+    fake.later_ms += 1000;
+    show(s, 48, 32, 3);
+    assert_int_equal(fake_left(), 6);
+    close_and_look(s);
+    close_plug();
+}
+
+static void closing_while_away_touches_nothing(void **state)
+{
+    (void)state;
+    fake_reset();
+    screen *s = opened(0, 0);
+    show(s, 48, 32, 1);
+    assert_int_equal(port->away(s), EXIT_DONE);
+    fake.taken = true;
+    fake.crtc.fb_id = 77;
+    unsigned sets = fake.sets;
+    port->close(s);
+    assert_int_equal(fake.sets, sets);
+    assert_int_equal(fake.crtc.fb_id, 77);
+    assert_int_equal(fake_left(), 0);
+    close_plug();
+}
+
+static void a_screen_that_was_off_is_off_again(void **state)
+{
+    (void)state;
+    fake_reset();
+    fake.crtc = (struct drm_mode_crtc){ .crtc_id = FAKE_CRTC };
+    fake.connector = 0;
+    unsigned files = open_files();
+    screen *s = opened(0, 0);
+    assert_int_equal(fake.crtc.crtc_id, 40);
+    show(s, 48, 32, 1);
+    port->close(s);
+    close_plug();
+    assert_int_equal(fake.crtc.fb_id, 0);
+    assert_int_equal(fake_left(), 0);
+    assert_int_equal(open_files(), files);
+}
+
+static void signals_break_nothing_off(void **state)
+{
+    (void)state;
+    fake_reset();
+    fake.interrupts = true;                     /* every call, once */
+    screen *s = opened(64, 48);
+    show(s, 64, 48, 1);
+    show(s, 64, 48, 2);
+    fake.later_ms += 1000;
+    show(s, 64, 48, 3);
+    assert_int_equal(fake.flips, 3);
+    unplug(s);
+    fake.status = KMS_CONNECTED;
+    fake_uevent("drm");
+    assert_int_equal(port->events(s), EXIT_DONE);
+    show(s, 64, 48, 4);
+    close_and_look(s);
+    close_plug();
+}
+
+/* -- the pipe ---------------------------------------------------------------------- */
+
+static int make_names(void **state)
+{
+    (void)state;
+    if (!mkdtemp(folder))
+        return 1;
+    snprintf(pipe_name, sizeof pipe_name, "%s/card0", folder);
+    snprintf(plain_name, sizeof plain_name, "%s/plain", folder);
+    int fd = open(plain_name, O_CREAT | O_WRONLY, 0600);
+    return fd < 0 || close(fd) != 0 || mkfifo(pipe_name, 0600) != 0;
+}
+
+static int remove_names(void **state)
+{
+    (void)state;
+    fake_reset();
+    return remove(pipe_name) + remove(plain_name) + remove(folder);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(nothing_is_left_wherever_start_up_fails),
+        cmocka_unit_test(bad_devices_are_told_in_a_line),
+        cmocka_unit_test(every_picture_is_shown_exactly),
+        cmocka_unit_test(in_sixteen_bits_where_there_are_no_more),
+        cmocka_unit_test(a_flip_is_awaited),
+        cmocka_unit_test(without_flips_buffers_are_set_and_told),
+        cmocka_unit_test(without_room_for_two_the_shown_one_is_drawn_into),
+        cmocka_unit_test(a_monitor_goes_and_another_comes),
+        cmocka_unit_test(a_smaller_one_gets_pictures_of_its_own_size),
+        cmocka_unit_test(plugs_are_seen_without_news),
+        cmocka_unit_test(a_monitor_changed_between_two_looks_is_seen),
+        cmocka_unit_test(a_card_goes_and_comes_back),
+        cmocka_unit_test(other_terminals_find_what_they_had),
+        cmocka_unit_test(a_screen_that_another_program_takes_is_missed),
+        cmocka_unit_test(closing_while_away_touches_nothing),
+        cmocka_unit_test(a_screen_that_was_off_is_off_again),
+        cmocka_unit_test(signals_break_nothing_off),
+    };
+    return cmocka_run_group_tests_name("kms", tests, make_names, remove_names);
+}

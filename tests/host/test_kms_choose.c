@@ -1,0 +1,196 @@
+/* SPDX-License-Identifier: MIT */
+/* Which connector, mode and CRTC are taken. */
+#include <stdarg.h>
+#include <stddef.h>
+#include <setjmp.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+#include <cmocka.h>
+#include "../../ports/kms/choose.h"
+
+enum { PREFERRED = 1, INTERLACED = 2 };
+
+static void add(kms_head *h, uint32_t width, uint32_t height, int what)
+{
+    struct drm_mode_modeinfo *m = &h->modes[h->n_modes++];
+    *m = (struct drm_mode_modeinfo){ .hdisplay = (uint16_t)width,
+                                     .vdisplay = (uint16_t)height, .clock = h->n_modes };
+    m->type = what & PREFERRED ? DRM_MODE_TYPE_PREFERRED : DRM_MODE_TYPE_DRIVER;
+    m->flags = what & INTERLACED ? DRM_MODE_FLAG_INTERLACE : 0;
+}
+
+/* Connected, 3 CRTCs, none of them its own. */
+static kms_head *head_of(uint32_t id)
+{
+    kms_head *h = test_calloc(1, sizeof *h);
+    assert_non_null(h);
+    h->connector = id;
+    h->status = KMS_CONNECTED;
+    h->crtcs = 7;
+    h->crtc = KMS_OFF;
+    return h;
+}
+
+static kms_choice one(const kms_head *h, uint32_t width, uint32_t height)
+{
+    kms_choice c = { 0 };
+    kms_offer(&c, h, width, height);
+    return c;
+}
+
+/* The mode taken, by the order in which it was added; 0: none. */
+static uint32_t mode_of(const kms_head *h, uint32_t width, uint32_t height)
+{
+    kms_choice c = one(h, width, height);
+    return c.verdict == KMS_FITS ? c.mode.clock : 0;
+}
+
+static void the_size_wanted_then_the_preferred_then_the_first(void **state)
+{
+    (void)state;
+    kms_head *h = head_of(1);
+    add(h, 800, 600, 0);
+    add(h, 1024, 768, PREFERRED);
+    add(h, 640, 480, INTERLACED);
+    add(h, 640, 480, 0);
+    add(h, 640, 480, 0);
+    add(h, 1920, 1080, 0);
+    assert_int_equal(mode_of(h, 0, 0), 2);
+    assert_int_equal(mode_of(h, 640, 480), 4);          /* not the one of half lines */
+    assert_int_equal(mode_of(h, 1024, 768), 2);
+    assert_int_equal(mode_of(h, 320, 240), 2);
+    assert_int_equal(mode_of(h, 1100, 100), 6);         /* all that holds it */
+    assert_int_equal(mode_of(h, 641, 480), 2);
+    h->modes[1].type = 0;
+    assert_int_equal(mode_of(h, 0, 0), 1);
+    assert_int_equal(mode_of(h, 700, 0), 1);
+    h->modes[0].flags = DRM_MODE_FLAG_INTERLACE;
+    assert_int_equal(mode_of(h, 700, 0), 2);
+    test_free(h);
+}
+
+static void what_is_too_small_is_named(void **state)
+{
+    (void)state;
+    kms_head *h = head_of(1);
+    add(h, 800, 600, 0);
+    add(h, 1024, 768, PREFERRED);
+    kms_choice c = one(h, 1025, 700);
+    assert_int_equal(c.verdict, KMS_SMALL);
+    assert_int_equal(c.mode.hdisplay, 1024);
+    assert_int_equal(one(h, 100, 769).verdict, KMS_SMALL);
+    assert_int_equal(one(h, 1024, 768).verdict, KMS_FITS);
+    test_free(h);
+}
+
+static void its_own_crtc_then_a_free_one_then_any(void **state)
+{
+    (void)state;
+    kms_head *h = head_of(1);
+    add(h, 800, 600, 0);
+    assert_int_equal(one(h, 0, 0).crtc, 0);
+    h->busy = 3;
+    assert_int_equal(one(h, 0, 0).crtc, 2);
+    h->crtc = 1;
+    assert_int_equal(one(h, 0, 0).crtc, 1);
+    h->crtcs = 4 | 8;                   /* its encoders cannot take the one it has */
+    assert_int_equal(one(h, 0, 0).crtc, 2);
+    h->busy = 4 | 8;
+    assert_int_equal(one(h, 0, 0).crtc, 2);
+    h->busy = 4;
+    assert_int_equal(one(h, 0, 0).crtc, 3);
+    h->crtcs = h->busy = 1u << 31;
+    assert_int_equal(one(h, 0, 0).crtc, 31);
+    h->crtcs = 0;
+    assert_int_equal(one(h, 0, 0).crtc, KMS_OFF);
+    assert_int_equal(one(h, 0, 0).verdict, KMS_NO_CRTC);
+    test_free(h);
+}
+
+static void nothing_is_had_of_what_is_not_connected(void **state)
+{
+    (void)state;
+    kms_head *h = head_of(1);
+    assert_int_equal(one(h, 0, 0).verdict, KMS_NO_MODE);
+    h->status = KMS_UNKNOWN;
+    assert_int_equal(one(h, 0, 0).verdict, KMS_NOTHING);
+    add(h, 800, 600, 0);
+    assert_int_equal(one(h, 0, 0).verdict, KMS_FITS);
+    h->status = KMS_DISCONNECTED;
+    assert_int_equal(one(h, 0, 0).verdict, KMS_NOTHING);
+    test_free(h);
+}
+
+/* The best of two, in both orders; 0: none. */
+static uint32_t better(const kms_head *a, const kms_head *b, uint32_t width)
+{
+    kms_choice ab = { 0 }, ba = { 0 };
+    kms_offer(&ab, a, width, 0);
+    kms_offer(&ab, b, width, 0);
+    kms_offer(&ba, b, width, 0);
+    kms_offer(&ba, a, width, 0);
+    assert_int_equal(ab.connector, ba.connector);
+    return ab.connector;
+}
+
+static void the_best_connector_whatever_the_order(void **state)
+{
+    (void)state;
+    kms_head *a = head_of(1), *b = head_of(2);
+    kms_choice c = { 0 };
+    add(a, 800, 600, 0);
+    add(b, 640, 480, 0);
+    kms_offer(&c, a, 0, 0);
+    kms_offer(&c, b, 0, 0);
+    assert_int_equal(c.connector, 1);           /* both are good: the first */
+    assert_int_equal(better(a, b, 700), 1);     /* the other one is too small */
+    b->modes[0].hdisplay = 700;
+    c = (kms_choice){ 0 };
+    kms_offer(&c, a, 700, 480);
+    kms_offer(&c, b, 700, 480);
+    assert_int_equal(c.connector, 2);           /* exactly what is wanted */
+    a->status = KMS_UNKNOWN;
+    assert_int_equal(better(a, b, 0), 2);       /* sure to be there */
+    b->crtcs = 0;
+    assert_int_equal(better(a, b, 0), 1);       /* but must be driven */
+    b->crtcs = 1;
+    b->n_modes = 0;
+    assert_int_equal(better(a, b, 0), 1);
+    test_free(a);
+    test_free(b);
+}
+
+static void a_mode_is_known_by_its_timing(void **state)
+{
+    (void)state;
+    kms_head *h = head_of(1);
+    add(h, 800, 600, 0);
+    add(h, 800, 600, PREFERRED);
+    struct drm_mode_modeinfo m = h->modes[1];
+    m.type = 0;
+    memset(m.name, 'x', sizeof m.name);
+    assert_true(kms_has_mode(h, &m));
+    m.clock++;
+    assert_false(kms_has_mode(h, &m));
+    m.clock--;
+    m.vdisplay--;
+    assert_false(kms_has_mode(h, &m));
+    m.vdisplay++;
+    m.htotal++;
+    assert_false(kms_has_mode(h, &m));
+    test_free(h);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(the_size_wanted_then_the_preferred_then_the_first),
+        cmocka_unit_test(what_is_too_small_is_named),
+        cmocka_unit_test(its_own_crtc_then_a_free_one_then_any),
+        cmocka_unit_test(nothing_is_had_of_what_is_not_connected),
+        cmocka_unit_test(the_best_connector_whatever_the_order),
+        cmocka_unit_test(a_mode_is_known_by_its_timing),
+    };
+    return cmocka_run_group_tests_name("kms choose", tests, NULL, NULL);
+}
