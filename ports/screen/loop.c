@@ -139,6 +139,8 @@ static int prepare(loop *l)
 static int draw(loop *l)
 {
     const show *what = l->what;
+    if (what->port->lacks && what->port->lacks(l->on))
+        l->stale = true;        /* a monitor was plugged in */
     if (!l->stale || l->away || (what->port->ready && !what->port->ready(l->on)))
         return EXIT_DONE;
     const picture *p = what->draw(what->user, what->world, l->frame);
@@ -187,13 +189,13 @@ static int wait_for(loop *l)
                                             : 0;
     const struct timespec wait = { 0, (long)us * 1000 + 1000 };
     sigset_t open;
-    fds[n] = (struct pollfd){ .fd = event, .events = POLLIN };
+    fds[n] = (struct pollfd){ .fd = event, .events = POLLIN };      /* not a key */
     sigprocmask(SIG_SETMASK, NULL, &open);
     for (size_t i = 0; i < sizeof heard / sizeof *heard; i++)
         sigdelset(&open, heard[i]);
     const int came = ppoll(fds, (nfds_t)n + 1, &wait, &open);
     const uint64_t now = now_us();
-    if (came > 0) {
+    if (came > (fds[n].revents ? 1 : 0)) {
         console_read(l->tty, fds, n, &l->keys);
         l->key_at = now;
     } else if (now - l->key_at > ESC_US) {

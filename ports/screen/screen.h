@@ -36,6 +36,8 @@ typedef struct {
     int  (*show)(screen *s, const picture *p);
     bool (*ready)(const screen *s);     /* a picture may be shown now: no flip is pending */
 
+    bool (*lacks)(const screen *s);     /* it shows none, and could; NULL: never */
+
     /* What its pixels take best; NULL: xrgb8888. */
     tp_format (*format)(const screen *s);
 
