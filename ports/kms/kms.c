@@ -17,6 +17,7 @@
 #include <string.h>
 #include <sys/epoll.h>
 #include <sys/socket.h>
+#include <sys/timerfd.h>
 #include <time.h>
 #include <unistd.h>
 #include <linux/netlink.h>
@@ -29,8 +30,9 @@
 
 struct screen {
     kms_card card;
-    int      plugs;             /* the kernel's news of hardware; -1: not to be had */
+    int      plugs, second;     /* the kernel's news of hardware; every second; or -1 */
     bool     away;
+    bool     drawn;             /* a picture since it was lit */
     bool     flips, dirty;      /* what the driver is thought to know */
     uint64_t flip, pending;     /* numbers of flips; 0: none */
     int64_t  flipped, looked;   /* when, ms */
@@ -85,6 +87,15 @@ static int open_plugs(void)
     return fd;
 }
 
+static int open_second(void)
+{
+    const struct itimerspec every = { .it_interval.tv_sec = 1, .it_value.tv_sec = 1 };
+    int fd = timerfd_create(CLOCK_MONOTONIC, TFD_CLOEXEC | TFD_NONBLOCK);
+    if (fd >= 0)
+        timerfd_settime(fd, 0, &every, NULL);
+    return fd;
+}
+
 /* Whether something happened to a graphics card: a message is words that end in 0. */
 static bool read_plugs(screen *s)
 {
@@ -105,6 +116,7 @@ static bool read_plugs(screen *s)
 static bool take(screen *s, bool fits)
 {
     s->pending = 0;
+    s->drawn = false;
     s->flips = s->dirty = true;
     return kms_take(&s->card, fits);
 }
@@ -123,10 +135,12 @@ static void look(screen *s, bool probe)
 
 static int kms_events(screen *s)
 {
+    uint64_t seconds;
     bool well = s->card.fd < 0 || read_flips(s);
     bool plugged = s->plugs >= 0 && read_plugs(s);
-    if (plugged || !well)
-        look(s, true);
+    bool second = s->second >= 0 && read(s->second, &seconds, sizeof seconds) > 0;
+    if (plugged || !well || second || now_ms() - s->looked >= LOOK_MS)
+        look(s, plugged || !well);
     return EXIT_DONE;
 }
 
@@ -183,6 +197,7 @@ static int kms_show(screen *s, const picture *p)
     if (s->away || !c->lit)
         return EXIT_DONE;
     wait_flip(s);
+    s->drawn = true;
     uint32_t back = c->n_buffers == 2 ? 1 - c->front : c->front;
     kms_buffer_draw(&c->buffers[back], p);
     bool flipped = back != c->front && flip(s, &c->buffers[back]);
@@ -201,6 +216,11 @@ static bool kms_ready(const screen *s)
     return !s->pending || now_ms() - s->flipped >= LOST_MS;
 }
 
+static bool kms_lacks(const screen *s)
+{
+    return s->card.lit && !s->drawn;
+}
+
 /* -- the port ---------------------------------------------------------------------- */
 
 static void kms_close(screen *s)
@@ -208,10 +228,10 @@ static void kms_close(screen *s)
     wait_flip(s);
     kms_give_back(&s->card);
     kms_close_card(&s->card);
-    if (s->plugs >= 0)
-        close(s->plugs);
-    if (s->card.both >= 0)
-        close(s->card.both);
+    const int fds[] = { s->plugs, s->second, s->card.both };
+    for (int i = 0; i < 3; i++)
+        if (fds[i] >= 0)
+            close(fds[i]);
     free(s);
 }
 
@@ -223,9 +243,10 @@ static int kms_open(screen **to, const char *device, uint32_t width, uint32_t he
         return fail_memory(sizeof *s);
     s->card = (kms_card){ .device = device, .fd = -1, .wanted_w = width,
                           .wanted_h = height, .both = epoll_create1(EPOLL_CLOEXEC) };
-    s->plugs = open_plugs();
-    if (s->plugs >= 0)
-        epoll_ctl(s->card.both, EPOLL_CTL_ADD, s->plugs, &wanted);
+    const int fds[] = { s->plugs = open_plugs(), s->second = open_second() };
+    for (int i = 0; i < 2; i++)
+        if (fds[i] >= 0)
+            epoll_ctl(s->card.both, EPOLL_CTL_ADD, fds[i], &wanted);
     s->looked = now_ms();
     if (take(s, true)) {
         *to = s;
@@ -273,5 +294,6 @@ static int kms_back(screen *s)
 const screen_port screen_kms = {
     .name = "kms", .device = "/dev/dri/card0", .open = kms_open, .size = kms_size,
     .fds = kms_fds, .events = kms_events, .show = kms_show, .ready = kms_ready,
-    .format = kms_format, .away = kms_away, .back = kms_back, .close = kms_close,
+    .lacks = kms_lacks, .format = kms_format, .away = kms_away, .back = kms_back,
+    .close = kms_close,
 };

@@ -111,6 +111,7 @@ static void show(screen *s, uint32_t width, uint32_t height, uint32_t seed)
 {
     picture p = picture_of(width, height, seed);
     assert_int_equal(port->show(s, &p), EXIT_DONE);
+    assert_false(port->lacks(s));
     assert_int_equal(differences(&p), 0);
     pixels[(height / 2) * width + width / 2] ^= 0x800000;       /* another one is seen */
     assert_int_equal(differences(&p), 1);
@@ -122,6 +123,7 @@ static void show_nothing(screen *s)
     picture p = picture_of(64, 48, 9);
     assert_int_equal(port->show(s, &p), EXIT_DONE);
     assert_int_equal(fake.flips + fake.sets, flips + sets);
+    assert_false(port->lacks(s));
     assert_null(fake_shown());
 }
 
@@ -411,6 +413,7 @@ static void a_monitor_goes_and_another_comes(void **state)
     fake_uevent("drm");
     assert_int_equal(port->events(s), EXIT_DONE);
     assert_size(s, 100, 60);
+    assert_true(port->lacks(s));
     show(s, 48, 32, 2);                 /* whoever has not noticed yet */
     show(s, 100, 60, 3);
     show(s, 100, 60, 4);
@@ -450,6 +453,8 @@ static void plugs_are_seen_without_news(void **state)
     show_nothing(s);
     fake.status = KMS_CONNECTED;
     fake.later_ms += 1000;
+    assert_int_equal(port->events(s), EXIT_DONE);       /* though nothing is drawn */
+    assert_true(port->lacks(s));
     show(s, 48, 32, 2);
     probes = fake.probes;
     fake.later_ms += 1000;
