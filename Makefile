@@ -85,6 +85,7 @@ MAIN  := ports/host/main.c
 # Linux's screens, where the kernel's headers are.
 ifeq ($(shell $(CC) -E ports/kms/choose.h >/dev/null 2>&1 && echo yes),yes)
 PORTS += $(addprefix ports/kms/, buffer.c card.c choose.c heads.c kms.c)
+KMS_CFLAGS := -DTP_HAVE_KMS
 endif
 ifneq ($(shell pkg-config --exists sdl2 2>/dev/null && echo yes),)
 PORTS += $(addprefix ports/, sdl2/control.c sdl2/view.c sdl2/window.c)
@@ -100,7 +101,7 @@ WARN   := -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wvla -Wdouble-promotio
 FLAGS  := -std=c11 $(WARN) -Iinclude -MMD -MP -fmacro-prefix-map=$(CURDIR)/= \
           $(OPT) $(ARCH)
 BARE   := -Isrc -ffreestanding -ffunction-sections -fdata-sections
-HOSTED := -Iports -Isrc -I. $(SDL_CFLAGS)
+HOSTED := -Iports -Isrc -I. $(SDL_CFLAGS) $(KMS_CFLAGS)
 COMPILE = $(CC) $(FLAGS) $(CPPFLAGS) $(CFLAGS)
 LINK    = $(CC) $(OPT) $(ARCH) $(LDFLAGS)
 LINK_ELF = $(LINK) -nostdlib -T $(filter %.ld,$^) -Wl,--gc-sections $(filter %.o,$^) \
