@@ -35,7 +35,7 @@ struct screen {
     layout    layout;
     uint32_t  width, height;            /* of pictures */
     uint8_t  *map;
-    uint8_t  *saved;                    /* the rows that were shown */
+    uint8_t  *saved;                    /* what was there */
     uint8_t  *row;                      /* one in the making: the map is slow to write */
     bool      pan, blank;               /* two pages; FBIO_WAITFORVSYNC works */
     uint32_t  page;                     /* shown, 0 or 1 */
@@ -233,10 +233,19 @@ static int fb_back(screen *s)
 
 /* -- beginning and end ----------------------------------------------------------- */
 
+/* What will be written into: the rows that are shown, or both pages. */
+static uint8_t *touched(const screen *s, size_t *bytes)
+{
+    const size_t of_line = s->fix.line_length;
+    *bytes = (s->pan ? 2 : 1) * of_line * s->var.yres;
+    return s->map + (s->pan ? 0 : s->var.yoffset) * of_line;
+}
+
 static void restore(screen *s)
 {
-    const size_t bytes = s->fix.line_length;
-    memcpy(s->map + s->var.yoffset * bytes, s->saved, s->var.yres * bytes);
+    size_t bytes;
+    uint8_t *to = touched(s, &bytes);
+    memcpy(to, s->saved, bytes);
     if (s->pan)
         (void)ioctl(s->fd, FBIOPAN_DISPLAY, &s->var);
     if (s->tabled)
@@ -258,7 +267,7 @@ static void fb_close(screen *s)
 
 static int save(screen *s)
 {
-    const size_t bytes = (size_t)s->fix.line_length * s->var.yres;
+    size_t bytes;
     if (s->tabled && table_call(s, FBIOGETCMAP, &s->found))
         return refuse_call(s, "its colours");
     void *at = mmap(NULL, s->fix.smem_len, PROT_READ | PROT_WRITE, MAP_SHARED, s->fd, 0);
@@ -266,10 +275,11 @@ static int save(screen *s)
         return refuse_call(s, "its memory");
     s->map = at;
     s->row = malloc(s->width * pixel_bytes(s));
+    const uint8_t *found = touched(s, &bytes);
     s->saved = s->row ? malloc(bytes) : NULL;
     if (!s->saved)
         return fail_memory(bytes);
-    memcpy(s->saved, s->map + (size_t)s->fix.line_length * s->var.yoffset, bytes);
+    memcpy(s->saved, found, bytes);
     s->page = s->var.yoffset >= s->var.yres;
     return EXIT_DONE;
 }

@@ -68,11 +68,19 @@ static int refuse(const char *word)
                 " PATH, --size WxH, --frames N|A:B, --hold, --hash, --keep FILE", word);
 }
 
+/* sscanf takes signs and blanks too. */
+static bool is_plain(const char *value)
+{
+    return value[strspn(value, "0123456789:x")] == '\0';
+}
+
 static bool read_frames(show *s, const char *value)
 {
     char end;
     uint32_t count;
     s->counted = true;
+    if (!is_plain(value))
+        return false;
     if (sscanf(value, "%" SCNu32 ":%" SCNu32 "%c", &s->first, &s->last, &end) == 2)
         return s->first <= s->last;
     if (sscanf(value, "%" SCNu32 "%c", &count, &end) != 1 || count == 0)
@@ -85,7 +93,8 @@ static bool read_frames(show *s, const char *value)
 static bool read_size(show *s, const char *value)
 {
     char end;
-    return sscanf(value, "%" SCNu32 "x%" SCNu32 "%c", &s->width, &s->height, &end) == 2
+    return is_plain(value)
+        && sscanf(value, "%" SCNu32 "x%" SCNu32 "%c", &s->width, &s->height, &end) == 2
         && s->width >= 16 && s->width <= 4096 && s->height >= 16 && s->height <= 4096;
 }
 

@@ -1,0 +1,329 @@
+#!/bin/sh
+# SPDX-License-Identifier: MIT
+# Raw screens without a screen: a frame buffer and a console that are faked under the
+# program (screen_fake.c).  What is refused, what pictures stand in memory, and that all of
+# it is given back however the program dies.  Real ones: tests/boards.
+#     screen.sh PROGRAM
+build=$(realpath "${TP_BUILD:-build/host}") || exit 2
+. tests/host/lib.sh
+fake=$build/screen_fake.so
+crc_of=$build/tests/host/screen_crc
+
+scene=minimal
+wide="96 64 32 384 64 2 16 8 8 8 0 8 24 8 0 0"      # screen_fake.c: what they mean
+export FAKE_LOG="$work/log"
+
+# memory DESCRIPTION: the screen's, of noise, and a copy of it.
+memory() {
+    FAKE_FB=$1
+    export FAKE_FB
+    set -- $FAKE_FB
+    yes 'what was on the screen' | head -c $(($4 * $5)) >fb0
+    cp fb0 before
+    : >log
+}
+
+# begin ARGUMENT...: the program in the background; it has drawn when this returns.
+begin() {
+    rm -f out
+    LD_PRELOAD=$fake "$program" show "$scene" --device fb0 --hash "$@" \
+        >out 2>err </dev/null &
+    parent=$!
+    waited=0
+    until grep -qs '^frame' out || ! kill -0 $parent 2>/dev/null; do
+        waited=$((waited + 1))
+        [ $waited -lt 600 ] || break
+        sleep 0.05
+    done
+    child=$(cat /proc/$parent/task/$parent/children 2>/dev/null)
+    child=${child%% *}
+}
+
+# end SIGNAL PROCESS: its exit code, as a shell tells it, in $code.
+end() {
+    kill -s "$1" "$2"
+    { wait $parent; } 2>/dev/null
+    code=$?
+}
+
+# gone PROCESS: it is, within a while.
+gone() {
+    waited=0
+    while kill -0 "${1:-0}" 2>/dev/null && [ $waited -lt 200 ]; do
+        waited=$((waited + 1))
+        sleep 0.02
+    done
+}
+
+# given_back: "", or what is not as it was found.
+given_back() {
+    cmp -s fb0 before || echo "the screen has changed"
+    [ -z "$FAKE_VT" ] || [ "$(grep '^mode' log | tail -1)" = "mode 0" ] ||
+        echo "the console is in graphics mode"
+    [ -z "$FAKE_VT" ] || [ "$(grep '^switching' log | tail -1)" = "switching 0" ] ||
+        echo "the console's switching has changed"
+    case $FAKE_FB in *' 1') [ "$(grep '^pan' log | tail -1)" = "pan 0" ] ||
+        echo "it is panned" ;; esac
+}
+
+# -- what is refused ------------------------------------------------------------------
+
+echo text >text
+mkdir folder
+expect "no such device" 3 "^nowhere: cannot be opened: No such file" \
+    show $scene --device nowhere
+same "and that in one line" "$(wc -l <err)" 1
+expect "a folder" 3 "^folder: cannot be opened: Is a directory" show $scene --device folder
+expect "a file" 3 "^text: is no frame buffer$" show $scene --device text
+expect "another device" 3 "^/dev/null: is no frame buffer$" show $scene --device /dev/null
+expect "no such port" 2 "expected fb or kms" show $scene --on paper
+expect "--hold without --frames" 2 "hold" show $scene --hold
+expect "no such scene" 3 "nothing.ini" show nothing.ini --device text
+
+# refused NAME PATTERN ARGUMENT...: of the fake one; nothing has changed.
+refused() {
+    name=$1 pattern=$2
+    shift 2
+    LD_PRELOAD=$fake timeout 20 "$program" show $scene --device fb0 "$@" \
+        >out 2>err </dev/null
+    code=$?
+    judge "$name" 3 "$pattern"
+    [ "$(wc -l <err)" -eq 1 ] || verdict "$name: one line" "$(cat err)"
+    cmp -s fb0 before || verdict "$name: nothing has changed" "the screen has"
+}
+printf '[wave0]\namplitude = 0.3\nlength = 8\n' >plain.ini
+memory "$wide"
+chmod 755 .
+chmod 000 fb0
+as=
+[ "$(id -u)" -ne 0 ] || as='setpriv --reuid 65534 --clear-groups'
+cp "$program" copy
+$as ./copy show plain.ini --device fb0 >out 2>err </dev/null
+code=$?
+judge "no permission" 3 "^fb0: cannot be opened: Permission denied"
+chmod 600 fb0
+rm -f copy
+memory "$wide"
+refused "smaller than the picture" "^fb0: 96x64 pixels, smaller than .* 97x64$" --size 97x64
+memory "15 64 32 384 64 2 16 8 8 8 0 8 24 8 0 0"
+refused "smaller than any picture" "15x64 pixels; a scene takes 16x16 at the least"
+for bad in "96 64 4 384 64 2 0 4 0 4 0 4 0 0 0 0" "96 64 32 384 64 2 16 8 16 8 0 8 0 0 0 0" \
+           "96 64 32 384 64 0 16 8 8 8 0 8 0 0 0 0" "96 64 32 380 64 2 16 8 8 8 0 8 0 0 0 0" \
+           "96 64 32 384 60 2 16 8 8 8 0 8 0 0 0 0" "96 64 8 96 64 4 0 8 0 8 0 8 0 0 0 0"; do
+    memory "$bad"
+    refused "a strange layout: $bad" "^fb0: a layout that is not known"
+done
+memory "96 64 8 96 64 3 0 8 0 8 0 8 0 0 0 0"
+refused "colours that indices do not have" "8 bits a pixel take p8, l8 or i1, not rgb565" \
+    --format rgb565
+memory "$wide"
+export FAKE_VT=1
+refused "a console that another program draws on" "^the console is busy"
+FAKE_VT=0
+begin --frames 0:0 --hold
+LD_PRELOAD=$fake timeout 20 "$program" show $scene --device fb0 >out2 2>err </dev/null
+code=$?
+judge "a screen that shows a scene already" 3 "^fb0: busy"
+end TERM $parent
+verdict "it went on, and gave back" "$(given_back)"
+
+# -- pictures ------------------------------------------------------------------------
+
+# drawn NAME DESCRIPTION FIRST_LINE FORMAT [TABLE]: frame 7 stands in memory.
+drawn() {
+    name=$1 first=$3 format=$4 table=$5
+    memory "$2"
+    want=$("$program" render $scene --size 96x64 --format $format --frames 7:7 --hash |
+           awk '{ print $4 }')
+    begin --frames 5:7 --hold
+    while [ "$(grep -c '^frame' out)" -lt 3 ] && kill -0 $parent 2>/dev/null; do
+        sleep 0.05
+    done
+    sleep 0.05
+    same "$name" "$("$crc_of" fb0 "$FAKE_FB" $first 0 0 96 64 $table)" "$want"
+    same "$name: so does the program" "$(awk '/0007/ { print $4 }' out)" "$want"
+    end TERM $parent
+    verdict "$name: given back" "$(given_back)"
+}
+drawn "32 bits" "$wide" 0 xrgb8888
+drawn "32 bits, blue high, long lines" "96 64 32 500 64 2 0 8 8 8 16 8 24 8 0 0" 0 xrgb8888
+drawn "24 bits" "96 64 24 288 64 2 16 8 8 8 0 8 0 0 0 0" 0 xrgb8888
+drawn "16 bits" "96 64 16 192 64 2 11 5 5 6 0 5 0 0 0 0" 0 rgb565
+drawn "two pages, the third picture in the second" \
+    "96 64 32 384 128 2 16 8 8 8 0 8 24 8 0 1" 64 xrgb8888
+same "the second page was panned to" "$(grep '^pan' log | tr '\n' ' ')" \
+    "pan 64 pan 0 pan 64 pan 0 "
+drawn "8 bits of a table" "96 64 8 96 64 3 0 8 0 8 0 8 0 0 0 0" 0 p8 p8
+same "the table was set and given back" "$(grep '^table' log | tr '\n' ' ')" \
+    "table 0000 2b2b 3333 table 0000 0000 0000 "
+drawn "greys" "96 64 8 96 64 2 0 8 0 8 0 8 0 0 1 0" 0 l8 l8
+drawn "channels through a table" "96 64 16 200 64 4 11 5 5 6 0 5 0 0 0 0" 0 rgb565
+memory "$wide"
+want=$("$program" render $scene --size 64x48 --hash | awk '{ print $4 }')
+begin --frames 0:0 --hold --size 64x48
+sleep 0.05
+same "a smaller picture is centred" "$("$crc_of" fb0 "$wide" 0 16 8 64 48)" "$want"
+same "and nowhere else" "$("$crc_of" fb0 "$wide" 0 15 8 64 48 | grep -c "$want")" 0
+same "black is above it" "$("$crc_of" fb0 "$wide" 0 0 0 96 8)" \
+    "$(head -c 3072 /dev/zero >zero; "$crc_of" zero "$wide" 0 0 0 96 8)"
+end TERM $parent
+
+# -- ways to die ---------------------------------------------------------------------
+
+memory "96 64 32 384 128 2 16 8 8 8 0 8 24 8 0 1"
+LD_PRELOAD=$fake timeout 20 "$program" show $scene --device fb0 --frames 3 >out 2>err \
+    </dev/null
+same "it ends by itself" "$? $(wc -l <err)" "0 0"
+verdict "and gives back" "$(given_back)"
+for signal in INT TERM HUP QUIT SEGV ABRT BUS KILL; do
+    for to in child parent; do
+        : >log
+        begin --frames 0:0 --hold
+        who=$parent
+        [ $to = parent ] || who=$child
+        cmp -s fb0 before && verdict "SIG$signal: something was drawn" "nothing was"
+        end $signal $who
+        gone "$child"
+        same "SIG$signal to the $to ends it so" "$(kill -l $code)" $signal
+        verdict "SIG$signal to the $to: given back" "$(given_back)"
+    done
+done
+
+# Every call on the way to the first picture fails in its turn.
+failing=1 begun=0
+while [ $failing -lt 30 ]; do
+    : >log
+    FAKE_FAIL=$failing LD_PRELOAD=$fake timeout 20 "$program" show $scene --device fb0 \
+        --frames 1 --hash >out 2>err </dev/null
+    code=$?
+    wrong=$(given_back)
+    [ $code -ne 0 ] || break
+    case $wrong in *graphics*|*switching*) [ "$(grep -c '^mode' log)" -gt 0 ] || wrong= ;; esac
+    case $wrong in *panned*) grep -q '^pan' log || wrong= ;; esac
+    same "call $failing fails: exit 3 in one line" "$code $(wc -l <err)" "3 1"
+    verdict "call $failing fails: given back" "$wrong"
+    failing=$((failing + 1))
+done
+same "those were several" "$((failing > 5))" 1
+
+: >log
+begin --frames 0:0 --hold
+kill -s STOP "$child"
+end TERM $parent
+same "one that is stopped is killed in the end" "$(kill -l $code)" KILL
+verdict "and the parent gives back" "$(given_back)"
+
+# -- another terminal in front -----------------------------------------------------------
+
+begin
+kill -s USR1 "$child"
+sleep 0.3
+shown=$(grep -c '^frame' out)
+sleep 0.3
+same "away: no picture is drawn" "$(grep -c '^frame' out)" "$shown"
+same "and the kernel was told" "$(tail -1 log)" "release 1"
+kill -s USR2 "$child"
+sleep 0.4
+[ "$(grep -c '^frame' out)" -gt "$shown" ]
+same "back: they go on" $? 0
+same "and the kernel was told of that" "$(grep '^release' log | tail -1)" "release 2"
+end INT $parent
+verdict "and it gives back" "$(given_back)"
+
+# -- time ---------------------------------------------------------------------------
+
+begin
+kill -s STOP "$child"
+sleep 2
+before_it=$(tail -1 out | awk '{ print $2 + 0 }')
+kill -s CONT "$child"
+sleep 0.2
+end TERM $parent
+after=$(tail -1 out | awk '{ print $2 + 0 }')
+[ "$after" -gt "$before_it" ] && [ $((after - before_it)) -lt 60 ]
+same "stopped for two seconds, it does not make them up" $? 0
+
+# -- keys ----------------------------------------------------------------------------
+
+if command -v script >/dev/null; then
+    unset FAKE_VT
+    cat >keys.sh <<END
+stty -g >modes
+LD_PRELOAD='$fake' '$program' show $scene --device fb0 --hash >out 2>err
+echo \$? >code
+stty -g >>modes
+END
+    typed() { sleep 1; printf "$1"; sleep 1; }
+    typed 'wwd\033' | timeout 20 script -qec 'sh keys.sh' /dev/null >told 2>&1
+    same "Esc ends it" "$(cat code)" 0
+    same "the terminal's mode is as it was" "$(sort -u modes | wc -l)" 1
+    same "keys are not echoed" "$(grep -c w told)" 0
+    typed '\003' | timeout 20 script -qec 'sh keys.sh' /dev/null >told 2>&1
+    same "Ctrl-C is SIGINT" "$(cat code)" 130
+    same "and the terminal's mode is as it was" "$(sort -u modes | wc -l)" 1
+else
+    echo "skipped: keys on a terminal (package bsdutils)"
+fi
+
+# -- worlds that are kept ----------------------------------------------------------------
+
+FAKE_VT=0
+export FAKE_VT
+scene=${keep_scene:-tank}
+memory "$wide"
+whole() {
+    LD_PRELOAD=$fake timeout 60 "$program" show $scene --device fb0 --hash "$@" \
+        >out 2>err </dev/null
+    code=$?
+}
+whole --frames 0:150
+same "an uninterrupted run" "$code $(grep -c '^frame' out)" "0 151"
+mv out all
+begin --frames 0:150 --keep world
+until [ -s world ] || ! kill -0 $parent; do sleep 0.05; done
+sleep 0.4
+end KILL "$child"
+same "killed amid" "$(kill -l $code)" KILL
+reached=$(tail -1 out | awk '{ print $2 + 0 }')
+cp world killed
+whole --frames 0:150 --keep world
+again=$(awk 'NR == 1 { print $2 + 0 }' out)
+same "it goes on" "$code $(grep -c "goes on at frame $again" err)" "0 1"
+[ "$again" -gt 0 ] && [ "$again" -le "$reached" ]
+same "from before it was killed" $? 0
+same "to the end" "$(tail -1 out | awk '{ print $2 + 0 }')" 150
+same "by the frames of the uninterrupted run" "$(tail -n $((151 - again)) all | cmp - out)" ""
+same "and it is not another run" "$(tail -n $((150 - again)) all | cmp -s - out; echo $?)" 1
+whole --frames 0:150 --keep world
+same "at the end it has nothing to draw but the end" "$(cat out)" "$(tail -1 all)"
+whole --frames 0:100 --keep world
+judge "one that is past the frames" 3 "is at frame 150 already, past 100"
+
+# fresh NAME PATTERN: what is kept in `world` is refused, and it begins at frame 0.
+fresh() {
+    whole --frames 0:1 --keep world
+    judge "$1" 0 "^world: $2: a fresh start$"
+    same "$1: from frame 0" "$(cat out)" "$(head -2 all)"
+}
+bytes=$(wc -c <killed)
+head -c $((bytes - 1)) killed >world
+fresh "cut off" "is not whole"
+{ cat killed; printf x; } >world
+fresh "longer" "is not whole"
+{ head -c $((bytes / 2)) killed; printf '\252\125'; tail -c +$((bytes / 2 + 3)) killed; } >world
+fresh "altered" "is not whole"
+: >world
+fresh "empty" "is no kept world"
+cp fb0 world
+fresh "something else" "is no kept world"
+{ head -c 12 killed; printf '\252\125'; tail -c +15 killed; } >world
+fresh "of another build" "was kept by another build"
+cp killed world
+whole --frames 0:1 --keep world --set water.clear=on
+judge "of a changed scene" 0 "^world: is of another scene: a fresh start$"
+rm -rf world && mkdir world world.new
+whole --frames 0:1 --keep world
+judge "what cannot be kept" 3 "^world: cannot be kept: "
+same "is drawn all the same" "$(grep -c '^frame' out)" 2
+
+finish
