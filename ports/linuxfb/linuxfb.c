@@ -20,9 +20,7 @@
 #include "../screen/layout.h"
 #include "../screen/screen.h"
 
-#define COLOURS 256
-
-typedef struct { uint16_t red[COLOURS], green[COLOURS], blue[COLOURS]; } colours;
+typedef struct { uint16_t red[256], green[256], blue[256]; } colours;
 
 struct screen {
     const char *device;
@@ -96,11 +94,11 @@ static int look(screen *s)
              ? fail(EXIT_INPUT, "%s: is no frame buffer", s->device)
              : refuse_call(s, "its mode");
     if (!describe(s) || !fits(s))
-        return fail(EXIT_INPUT, "%s: a layout that is not known: %ux%u of %u bits, type %u,"
-                    " visual %u, red %u/%u, green %u/%u, blue %u/%u, lines of %u bytes",
-                    s->device, v->xres, v->yres, v->bits_per_pixel, s->fix.type,
-                    s->fix.visual, v->red.offset, v->red.length, v->green.offset,
-                    v->green.length, v->blue.offset, v->blue.length, s->fix.line_length);
+        return fail(EXIT_INPUT, "%s: a layout that is not known: %ux%u of %u bits, visual %u,"
+                    " red %u/%u, green %u/%u, blue %u/%u, lines of %u bytes", s->device,
+                    v->xres, v->yres, v->bits_per_pixel, s->fix.visual, v->red.offset,
+                    v->red.length, v->green.offset, v->green.length, v->blue.offset,
+                    v->blue.length, s->fix.line_length);
     s->pan = s->fix.ypanstep > 0 && v->yres % s->fix.ypanstep == 0 && v->xoffset == 0
         && v->yres_virtual >= 2 * v->yres
         && 2 * (uint64_t)v->yres * s->fix.line_length <= s->fix.smem_len;
@@ -121,7 +119,7 @@ static int choose_size(screen *s, uint32_t width, uint32_t height)
 
 static int table_call(const screen *s, unsigned long request, colours *c)
 {
-    struct fb_cmap map = { 0, COLOURS, c->red, c->green, c->blue, NULL };
+    struct fb_cmap map = { 0, 256, c->red, c->green, c->blue, NULL };
     return ioctl(s->fd, request, &map);
 }
 
@@ -132,12 +130,7 @@ static int set_table(screen *s, tp_format format)
     const int of = s->layout.indexed ? (int)format : 0;
     if (!s->tabled || s->table_of == of)
         return EXIT_DONE;
-    for (uint32_t i = 0; i < COLOURS; i++) {
-        const uint32_t rgb = s->layout.indexed ? layout_colour(format, i) : i * 0x010101u;
-        c.red[i] = (uint16_t)((rgb >> 16 & 255) * 257);
-        c.green[i] = (uint16_t)((rgb >> 8 & 255) * 257);
-        c.blue[i] = (uint16_t)((rgb & 255) * 257);
-    }
+    layout_table(s->layout.indexed ? format : TP_FORMAT_L8, c.red, c.green, c.blue);
     s->table_of = of;
     return table_call(s, FBIOPUTCMAP, &c) ? refuse_call(s, "its colours") : EXIT_DONE;
 }
@@ -160,7 +153,8 @@ static uint8_t *line(const screen *s, uint32_t y)
 static void write_page(screen *s, const picture *p)
 {
     const size_t bytes = pixel_bytes(s);
-    const uint32_t left = (s->var.xres - p->width) / 2, top = (s->var.yres - p->height) / 2;
+    const uint32_t left = (s->var.xres - p->width) / 2;
+    const uint32_t top = (s->var.yres - p->height) / 2;
     const uint32_t bit = s->pan ? 2u - s->page : 1u;
     for (uint32_t y = 0; y < s->var.yres && !(s->cleared & bit); y++)
         memset(line(s, y), 0, s->var.xres * bytes);
@@ -289,10 +283,8 @@ static int fb_open(screen **to, const char *device, uint32_t width, uint32_t hei
     screen *s = calloc(1, sizeof *s);
     if (!s)
         return fail_memory(sizeof *s);
-    s->device = device;
-    s->blank = true;
-    s->table_of = -1;
-    s->fd = open(device, O_RDWR | O_CLOEXEC);
+    *s = (screen){ .device = device, .blank = true, .table_of = -1,
+                   .fd = open(device, O_RDWR | O_CLOEXEC) };
     int code = s->fd < 0 ? refuse_call(s, "cannot be opened") : EXIT_DONE;
     if (!code && flock(s->fd, LOCK_EX | LOCK_NB) && errno == EWOULDBLOCK)
         code = fail(EXIT_INPUT, "%s: busy, another program shows a scene there", device);

@@ -71,6 +71,16 @@ uint32_t layout_colour(tp_format format, uint32_t i)
     return format == TP_FORMAT_P8 ? tp_palette()[i] : i * 0x010101u;
 }
 
+void layout_table(tp_format format, uint16_t *red, uint16_t *green, uint16_t *blue)
+{
+    for (uint32_t i = 0; i < 256; i++) {
+        const uint32_t rgb = layout_colour(format, i);
+        red[i] = (uint16_t)((rgb >> 16 & 255) * 257);
+        green[i] = (uint16_t)((rgb >> 8 & 255) * 257);
+        blue[i] = (uint16_t)((rgb & 255) * 257);
+    }
+}
+
 /* 8 bits to `length` bits, at their place. */
 static uint32_t put(channel c, uint32_t value)
 {

@@ -25,7 +25,7 @@ bool layout_known(const layout *l);
 /* The format whose pictures need no change of colours, or the least. */
 tp_format layout_format(const layout *l);
 
-/* Row y of a picture, as bits / 8 bytes a pixel.  Channels of fewer than 8 bits keep the
+/* Row y of a picture, as bits / 8 bytes a pixel.  Channels of less than 8 bits keep the
  * high ones, wider ones repeat them.  Indices and greys are copied: an indexed or grey
  * layout takes p8, l8 and i1 alone. */
 bool layout_takes(const layout *l, tp_format format);
@@ -33,4 +33,7 @@ void layout_row(const layout *l, void *to, const picture *p, uint32_t y);
 
 /* Entry `i` of the table of colours that such a picture is shown with, 0x00RRGGBB. */
 uint32_t layout_colour(tp_format format, uint32_t i);
+
+/* All 256 of them, 0..65535. */
+void layout_table(tp_format format, uint16_t *red, uint16_t *green, uint16_t *blue);
 #endif

@@ -4,9 +4,11 @@
  *
  *   FAKE_FB   "width height bits line rows visual red/len green/len blue/len spare/len
  *             grey pan": numbers, with blanks for the slashes
- *   FAKE_VT   standard input is a virtual terminal, in this mode (0: text)
+ *   FAKE_VT   standard input is a virtual terminal, in this mode (0: text); else there is
+ *             none
  *   FAKE_LOG  each call that changes something, a line
- *   FAKE_FAIL the so-manieth of all calls fails */
+ *   FAKE_FAIL the so-manieth of all calls fails
+ *   FAKE_HANG panning never returns */
 #define _GNU_SOURCE
 #include <dlfcn.h>
 #include <errno.h>
@@ -27,6 +29,7 @@ enum { WIDTH, HEIGHT, BITS, LINE, ROWS, VISUAL, RED, GREEN = RED + 2, BLUE = GRE
 
 /* What a driver knows, shared by the processes. */
 typedef struct {
+    pid_t    opener;            /* in which panning returns all the same */
     unsigned calls, yoffset, red[256], green[256], blue[256];
 } driver;
 
@@ -36,6 +39,7 @@ __attribute__((constructor)) static void begin(void)
 {
     state = mmap(NULL, sizeof *state, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS,
                  -1, 0);
+    state->opener = getpid();
 }
 
 static void note(const char *format, ...)
@@ -113,6 +117,8 @@ static int frame_buffer(unsigned long request, void *to)
     case FBIOGETCMAP: table(to, 0); return 0;
     case FBIOPUTCMAP: table(to, 1); return 0;
     case FBIOPAN_DISPLAY:
+        while (getenv("FAKE_HANG") && getpid() != state->opener)
+            sleep(1);
         state->yoffset = ((struct fb_var_screeninfo *)to)->yoffset;
         note("pan %u\n", state->yoffset);
         return 0;
@@ -129,7 +135,8 @@ static int terminal(unsigned long request, void *to)
     case VT_GETMODE: memset(to, 0, sizeof(struct vt_mode)); return 0;
     case VT_SETMODE: note("switching %d\n", ((struct vt_mode *)to)->mode); return 0;
     case KDSETMODE: note("mode %d\n", (int)(intptr_t)to); return 0;
-    default: note("release %d\n", (int)(intptr_t)to); return 0;
+    case VT_RELDISP: note("release %d\n", (int)(intptr_t)to); return 0;
+    default: errno = EINVAL; return -1;
     }
 }
 
@@ -143,11 +150,13 @@ int ioctl(int fd, unsigned long request, ...)
     va_start(list, request);
     void *to = va_arg(list, void *);
     va_end(list);
-    const int is_fb = request >> 8 == 'F', is_vt = fd == 0 && getenv("FAKE_VT")
-        && (request == KDGETMODE || request == KDSETMODE || request == VT_GETMODE
-            || request == VT_SETMODE || request == VT_RELDISP);
-    if (!is_fb && !is_vt)
+    const int is_fb = request >> 8 == 'F';
+    if (!is_fb && request >> 8 != 'K' && request >> 8 != 'V')
         return real(fd, request, to);
+    if (!is_fb && (fd != 0 || !getenv("FAKE_VT"))) {
+        errno = ENOTTY;
+        return -1;
+    }
     const char *fail = getenv("FAKE_FAIL");
     if (fail && ++state->calls == (unsigned)atoi(fail)) {
         note("failed %lx\n", request);
