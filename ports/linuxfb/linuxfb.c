@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: MIT */
 /* /dev/fb0: the frame buffer of Linux, mapped into memory.
  *
- * Its mode is taken as it is: 8, 16, 24 or 32 bits a pixel, channels anywhere, rows of any
- * length (../screen/layout.h).  Where the memory holds two screens, pictures are written
- * into the one that is not shown and panned to; else into the one there is, after its
- * vertical blank where the driver tells it.  What was on the screen, its offset and its
- * table of colours are kept by open and put back by close. */
+ * Its mode is taken as it is: 8, 16, 24 or 32 bits a pixel, channels anywhere, lines of
+ * any length (../screen/layout.h).  Where the memory holds two screens, pictures are
+ * written into the one that is not shown and panned to; else into the one there is, after
+ * its vertical blank where the driver tells it.  What was on the screen, its offset and
+ * its table of colours are kept by open and put back by close. */
 #define _GNU_SOURCE             /* flock */
 #include <errno.h>
 #include <fcntl.h>
@@ -27,8 +27,8 @@ struct screen {
     int       fd;
     struct fb_var_screeninfo var;       /* as they were found */
     struct fb_fix_screeninfo fix;
-    colours   found;                    /* the table, if it has one: for indices, or for */
-    bool      tabled;                   /* each channel */
+    colours   found;                    /* its table, if it has one, ... */
+    bool      tabled;                   /* ... for indices or for each channel */
     int       table_of;                 /* the format whose table is set, -1: none */
     layout    layout;
     uint32_t  width, height;            /* of pictures */
@@ -36,13 +36,12 @@ struct screen {
     uint8_t  *saved;                    /* what was there */
     uint8_t  *row;                      /* one in the making: the map is slow to write */
     bool      pan, blank;               /* two pages; FBIO_WAITFORVSYNC works */
-    uint32_t  page;                     /* shown, 0 or 1 */
-    uint32_t  cleared;                  /* pages whose borders are black, a bit each */
+    uint32_t  page, cleared;            /* shown; with black borders, a bit each */
 };
 
-static int refuse_call(const screen *s, const char *call)
+static int refuse(const screen *s, const char *what)
 {
-    return fail(EXIT_INPUT, "%s: %s: %s", s->device, call, strerror(errno));
+    return fail(EXIT_INPUT, "%s: %s: %s", s->device, what, strerror(errno));
 }
 
 /* -- what is there --------------------------------------------------------------- */
@@ -81,7 +80,8 @@ static size_t pixel_bytes(const screen *s)
 static bool fits(const screen *s)
 {
     const uint64_t rows = (uint64_t)s->var.yoffset + s->var.yres;
-    return s->fix.line_length >= (s->var.xoffset + (uint64_t)s->var.xres) * pixel_bytes(s)
+    const uint64_t columns = (uint64_t)s->var.xoffset + s->var.xres;
+    return s->fix.line_length >= columns * pixel_bytes(s)
         && rows * s->fix.line_length <= s->fix.smem_len;
 }
 
@@ -92,13 +92,13 @@ static int look(screen *s)
         || ioctl(s->fd, FBIOGET_FSCREENINFO, &s->fix))
         return errno == ENOTTY || errno == EINVAL
              ? fail(EXIT_INPUT, "%s: is no frame buffer", s->device)
-             : refuse_call(s, "its mode");
+             : refuse(s, "its mode");
     if (!describe(s) || !fits(s))
-        return fail(EXIT_INPUT, "%s: a layout that is not known: %ux%u of %u bits, visual %u,"
-                    " red %u/%u, green %u/%u, blue %u/%u, lines of %u bytes", s->device,
-                    v->xres, v->yres, v->bits_per_pixel, s->fix.visual, v->red.offset,
-                    v->red.length, v->green.offset, v->green.length, v->blue.offset,
-                    v->blue.length, s->fix.line_length);
+        return fail(EXIT_INPUT, "%s: a layout that is not known: %u bits, red %u/%u,"
+                    " green %u/%u, blue %u/%u, visual %u, %ux%u, lines of %u bytes",
+                    s->device, v->bits_per_pixel, v->red.offset, v->red.length,
+                    v->green.offset, v->green.length, v->blue.offset, v->blue.length,
+                    s->fix.visual, v->xres, v->yres, s->fix.line_length);
     s->pan = s->fix.ypanstep > 0 && v->yres % s->fix.ypanstep == 0 && v->xoffset == 0
         && v->yres_virtual >= 2 * v->yres
         && 2 * (uint64_t)v->yres * s->fix.line_length <= s->fix.smem_len;
@@ -132,7 +132,7 @@ static int set_table(screen *s, tp_format format)
         return EXIT_DONE;
     layout_table(s->layout.indexed ? format : TP_FORMAT_L8, c.red, c.green, c.blue);
     s->table_of = of;
-    return table_call(s, FBIOPUTCMAP, &c) ? refuse_call(s, "its colours") : EXIT_DONE;
+    return table_call(s, FBIOPUTCMAP, &c) ? refuse(s, "its colours") : EXIT_DONE;
 }
 
 /* -- pictures -------------------------------------------------------------------- */
@@ -145,23 +145,21 @@ static uint32_t first_line(const screen *s)
 
 static uint8_t *line(const screen *s, uint32_t y)
 {
-    return s->map + (first_line(s) + (size_t)y) * s->fix.line_length
-         + s->var.xoffset * pixel_bytes(s);
+    const size_t line = first_line(s) + (size_t)y;
+    return s->map + line * s->fix.line_length + s->var.xoffset * pixel_bytes(s);
 }
 
 /* Centred, black around it; index 0 is black in every table of colours. */
 static void write_page(screen *s, const picture *p)
 {
-    const size_t bytes = pixel_bytes(s);
-    const uint32_t left = (s->var.xres - p->width) / 2;
-    const uint32_t top = (s->var.yres - p->height) / 2;
-    const uint32_t bit = s->pan ? 2u - s->page : 1u;
+    const size_t bytes = pixel_bytes(s), left = (s->var.xres - p->width) / 2 * bytes;
+    const uint32_t top = (s->var.yres - p->height) / 2, bit = s->pan ? 2u - s->page : 1u;
     for (uint32_t y = 0; y < s->var.yres && !(s->cleared & bit); y++)
         memset(line(s, y), 0, s->var.xres * bytes);
     s->cleared |= bit;
     for (uint32_t y = 0; y < p->height; y++) {
         layout_row(&s->layout, s->row, p, y);
-        memcpy(line(s, top + y) + left * bytes, s->row, p->width * bytes);
+        memcpy(line(s, top + y) + left, s->row, p->width * bytes);
     }
 }
 
@@ -184,8 +182,6 @@ static bool pan(screen *s)
 /* A driver that does not pan after all has one page from now on. */
 static int fb_show(screen *s, const picture *p)
 {
-    if (p->width > s->width || p->height > s->height)
-        return fail(EXIT_INPUT, "%s: the picture does not fit", s->device);
     if (!layout_takes(&s->layout, p->format))
         return fail(EXIT_INPUT, "%s: 8 bits a pixel take %s, not %s", s->device,
                     s->layout.grey ? "l8 or i1" : "p8, l8 or i1",
@@ -263,10 +259,10 @@ static int save(screen *s)
 {
     size_t bytes;
     if (s->tabled && table_call(s, FBIOGETCMAP, &s->found))
-        return refuse_call(s, "its colours");
+        return refuse(s, "its colours");
     void *at = mmap(NULL, s->fix.smem_len, PROT_READ | PROT_WRITE, MAP_SHARED, s->fd, 0);
     if (at == MAP_FAILED)
-        return refuse_call(s, "its memory");
+        return refuse(s, "its memory");
     s->map = at;
     s->row = malloc(s->width * pixel_bytes(s));
     const uint8_t *found = touched(s, &bytes);
@@ -285,13 +281,13 @@ static int fb_open(screen **to, const char *device, uint32_t width, uint32_t hei
         return fail_memory(sizeof *s);
     *s = (screen){ .device = device, .blank = true, .table_of = -1,
                    .fd = open(device, O_RDWR | O_CLOEXEC) };
-    int code = s->fd < 0 ? refuse_call(s, "cannot be opened") : EXIT_DONE;
+    int code = s->fd < 0 ? refuse(s, "cannot be opened") : EXIT_DONE;
     if (!code && flock(s->fd, LOCK_EX | LOCK_NB) && errno == EWOULDBLOCK)
         code = fail(EXIT_INPUT, "%s: busy, another program shows a scene there", device);
     code = code ? code : look(s);
     code = code ? code : choose_size(s, width, height);
     code = code ? code : save(s);
-    *to = code ? NULL : s;
+    *to = s;
     if (code)
         fb_close(s);
     return code;
