@@ -79,8 +79,8 @@ PORTS := $(addprefix ports/, \
     host/picture.c host/plan.c host/png_read.c host/png_write.c host/render.c \
     host/say.c host/scene_file.c host/scene_ini.c host/show.c host/sink.c host/stage.c \
     host/timing.c host/wish.c host/words.c \
-    null/null.c screen/console.c screen/keep.c screen/keys.c screen/layout.c \
-    screen/loop.c screen/watch.c linuxfb/linuxfb.c)
+    null/null.c screen/console.c screen/keep.c screen/keeper.c screen/keys.c \
+    screen/layout.c screen/loop.c screen/watch.c linuxfb/linuxfb.c)
 MAIN  := ports/host/main.c
 # Linux's screens, where the kernel's headers are.
 ifeq ($(shell $(CC) -E ports/kms/choose.h >/dev/null 2>&1 && echo yes),yes)
@@ -352,7 +352,7 @@ SCREEN_O := $(patsubst %.c,$(BUILD)/%.o,$(filter ports/linuxfb/% ports/kms/% \
 $(SCENES:%=$(BUILD)/scenes/%-screen): $(BUILD)/scenes/%-screen: $(SCREEN_O) \
           build/baked/$(MACHINE)/%.o $(LIB)
 	@mkdir -p $(@D)
-	$(SAY)$(LINK) $^ -o $@
+	$(SAY)$(LINK) $^ -lpthread -o $@
 $(BUILD)/tests/budgets/errors: $(BUILD)/tests/budgets/errors.o $(BUILD)/ports.a $(LIB)
 	$(SAY)$(LINK) $^ $(LIBS) -o $@
 MODELS_O := $(patsubst %.c,$(BUILD)/%.o,$(wildcard tests/budgets/models*.c))

@@ -14,6 +14,7 @@
 #include "../host/say.h"
 #include "../host/timing.h"
 #include "../host/wish.h"
+#include "keeper.h"
 #include "show.h"
 
 #define TICKS_AT_ONCE 8
@@ -28,7 +29,7 @@ typedef struct {
     screen     *on;
     console    *tty;
     keys        keys;
-    keep        keep;
+    keeper     *keeper;             /* NULL: nothing is kept, or the end alone */
     tp_input    wish;               /* for the next tick */
     uint64_t    clock, owed;        /* us; ticks not yet made, in 1/1000000 */
     uint64_t    kept_at, key_at;    /* us */
@@ -222,8 +223,8 @@ static int turn(loop *l)
         code = draw(l);
     if (!code && l->frame != l->kept && now - l->kept_at >= KEEP_US) {
         l->kept_at = now;
-        l->kept = l->frame;
-        (void)keep_put(&l->keep, l->what->world, l->what->world_bytes, l->frame);
+        if (keeper_offer(l->keeper, l->what->world, l->frame))
+            l->kept = l->frame;
     }
     return code;
 }
@@ -245,9 +246,11 @@ static int skip(loop *l)
 int loop_run(const show *what, screen *on, console *tty, const keep *kept, uint32_t frame,
              int *signal)
 {
-    loop l = { .what = what, .on = on, .tty = tty, .keep = *kept, .frame = frame,
-               .kept = frame, .stale = true };
+    loop l = { .what = what, .on = on, .tty = tty, .frame = frame, .kept = frame,
+               .stale = true };
+    keep last = *kept;
     listen_to_signals();
+    l.keeper = kept->name ? keeper_begin(kept, what->world_bytes) : NULL;
     int code = prepare(&l);
     if (!code)
         code = console_take(tty);
@@ -256,7 +259,8 @@ int loop_run(const show *what, screen *on, console *tty, const keep *kept, uint3
         code = skip(&l);
     while (!code && !l.over)
         code = turn(&l);
-    const int end = keep_put(&l.keep, what->world, what->world_bytes, l.frame);
+    last.failed = !keeper_end(l.keeper);
+    const int end = keep_put(&last, what->world, what->world_bytes, l.frame);
     *signal = ended_by;
     return code ? code : end;
 }

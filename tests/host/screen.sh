@@ -39,6 +39,11 @@ begin() {
     child=${child%% *}
 }
 
+# last_frame: that was shown.
+last_frame() {
+    tail -1 out | awk '{ print $2 + 0 }'
+}
+
 # end SIGNAL PROCESS: its exit code, as a shell tells it, in $code.
 end() {
     kill -s "$1" "$2"
@@ -253,11 +258,11 @@ verdict "and it gives back" "$(given_back)"
 begin
 kill -s STOP "$child"
 sleep 2
-before_it=$(tail -1 out | awk '{ print $2 + 0 }')
+before_it=$(last_frame)
 kill -s CONT "$child"
 sleep 0.2
 end TERM $parent
-after=$(tail -1 out | awk '{ print $2 + 0 }')
+after=$(last_frame)
 [ "$after" -gt "$before_it" ] && [ $((after - before_it)) -lt 60 ]
 same "stopped for two seconds, it does not make them up" $? 0
 
@@ -302,20 +307,32 @@ until [ -s world ] || ! kill -0 $parent; do sleep 0.05; done
 sleep 0.4
 end KILL "$child"
 same "killed amid" "$(kill -l $code)" KILL
-reached=$(tail -1 out | awk '{ print $2 + 0 }')
+reached=$(last_frame)
 cp world killed
 whole --frames 0:150 --keep world
 again=$(awk 'NR == 1 { print $2 + 0 }' out)
 same "it goes on" "$code $(grep -c "goes on at frame $again" err)" "0 1"
 [ "$again" -gt 0 ] && [ "$again" -le "$reached" ]
 same "from before it was killed" $? 0
-same "to the end" "$(tail -1 out | awk '{ print $2 + 0 }')" 150
+same "to the end" "$(last_frame)" 150
 same "by the frames of the uninterrupted run" "$(tail -n $((151 - again)) all | cmp - out)" ""
 same "and it is not another run" "$(tail -n $((150 - again)) all | cmp -s - out; echo $?)" 1
 whole --frames 0:150 --keep world
 same "at the end it has nothing to draw but the end" "$(cat out)" "$(tail -1 all)"
 whole --frames 0:100 --keep world
 judge "one that is past the frames" 3 "is at frame 150 already, past 100"
+
+FAKE_SLOW=1
+export FAKE_SLOW
+begin --keep slow
+sleep 2.5
+shown=$(last_frame)
+same "a slow disk holds up no picture ($shown after 2.5 s)" "$((shown > 90))" 1
+end TERM $parent
+unset FAKE_SLOW
+kept=$(od -An -tu4 -j16 -N4 slow | tr -d ' ')
+same "and has the last one in the end" "$((kept >= $(last_frame)))" 1
+rm slow
 
 # fresh NAME PATTERN: what is kept in `world` is refused, and it begins at frame 0.
 fresh() {

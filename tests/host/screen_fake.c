@@ -8,7 +8,8 @@
  *             none
  *   FAKE_LOG  each call that changes something, a line
  *   FAKE_FAIL the so-manieth of all calls fails
- *   FAKE_HANG panning never returns */
+ *   FAKE_HANG panning never returns
+ *   FAKE_SLOW fsync takes a second */
 #define _GNU_SOURCE
 #include <dlfcn.h>
 #include <errno.h>
@@ -138,6 +139,14 @@ static int terminal(unsigned long request, void *to)
     case VT_RELDISP: note("release %d\n", (int)(intptr_t)to); return 0;
     default: errno = EINVAL; return -1;
     }
+}
+
+int fsync(int fd)
+{
+    (void)fd;
+    if (getenv("FAKE_SLOW"))
+        sleep(1);
+    return 0;
 }
 
 int ioctl(int fd, unsigned long request, ...);
