@@ -32,10 +32,9 @@ struct screen {
     int       table_of;                 /* the format whose table is set, -1: none */
     layout    layout;
     uint32_t  width, height;            /* of pictures */
-    uint8_t  *map;
-    uint8_t  *saved;                    /* what was there */
+    uint8_t  *map, *saved;              /* saved: what was there */
     uint8_t  *row;                      /* one in the making: the map is slow to write */
-    bool      pan, blank;               /* two pages; FBIO_WAITFORVSYNC works */
+    bool      pan, blank, away;         /* two pages; FBIO_WAITFORVSYNC works */
     uint32_t  page, cleared;            /* shown; with black borders, a bit each */
 };
 
@@ -57,10 +56,9 @@ static bool describe(screen *s)
     const struct fb_var_screeninfo *v = &s->var;
     const uint32_t visual = s->fix.visual;
     const bool indexed = visual == FB_VISUAL_PSEUDOCOLOR && !v->grayscale;
-    const bool fixed = visual == FB_VISUAL_STATIC_PSEUDOCOLOR && v->grayscale;
     s->tabled = visual == FB_VISUAL_PSEUDOCOLOR || visual == FB_VISUAL_DIRECTCOLOR;
     if (s->fix.type != FB_TYPE_PACKED_PIXELS || v->nonstd || v->grayscale > 1
-        || (!s->tabled && !fixed && visual != FB_VISUAL_TRUECOLOR))
+        || (!s->tabled && !v->grayscale && visual != FB_VISUAL_TRUECOLOR))
         return false;
     s->layout = (layout){
         .bits = v->bits_per_pixel, .indexed = indexed, .grey = v->grayscale == 1,
@@ -79,10 +77,9 @@ static size_t pixel_bytes(const screen *s)
 /* What is mapped must hold what will be written. */
 static bool fits(const screen *s)
 {
-    const uint64_t rows = (uint64_t)s->var.yoffset + s->var.yres;
-    const uint64_t columns = (uint64_t)s->var.xoffset + s->var.xres;
-    return s->fix.line_length >= columns * pixel_bytes(s)
-        && rows * s->fix.line_length <= s->fix.smem_len;
+    const uint64_t rows = (uint64_t)s->var.yoffset + s->var.yres, line = s->fix.line_length;
+    return line >= (s->var.xoffset + (uint64_t)s->var.xres) * pixel_bytes(s)
+        && rows * line <= s->fix.smem_len;
 }
 
 static int look(screen *s)
@@ -145,8 +142,8 @@ static uint32_t first_line(const screen *s)
 
 static uint8_t *line(const screen *s, uint32_t y)
 {
-    const size_t line = first_line(s) + (size_t)y;
-    return s->map + line * s->fix.line_length + s->var.xoffset * pixel_bytes(s);
+    return s->map + (first_line(s) + (size_t)y) * s->fix.line_length
+         + s->var.xoffset * pixel_bytes(s);
 }
 
 /* Centred, black around it; index 0 is black in every table of colours. */
@@ -176,6 +173,7 @@ static bool pan(screen *s)
     to.yoffset = first_line(s);
     s->pan = ioctl(s->fd, FBIOPAN_DISPLAY, &to) == 0;
     s->page = s->pan ? 1 - s->page : 0;
+    s->cleared = s->pan ? s->cleared : 0;
     return s->pan;
 }
 
@@ -183,22 +181,17 @@ static bool pan(screen *s)
 static int fb_show(screen *s, const picture *p)
 {
     if (!layout_takes(&s->layout, p->format))
-        return fail(EXIT_INPUT, "%s: 8 bits a pixel take %s, not %s", s->device,
-                    s->layout.grey ? "l8 or i1" : "p8, l8 or i1",
-                    tp_format_name(p->format));
+        return fail(EXIT_INPUT, "%s: 8 bits a pixel take %sl8 or i1, not %s", s->device,
+                    s->layout.grey ? "" : "p8, ", tp_format_name(p->format));
     const int code = set_table(s, p->format);
     if (code)
         return code;
-    if (s->pan) {
+    if (s->pan)
         write_page(s, p);
-        if (pan(s)) {
-            wait_blank(s);
-            return EXIT_DONE;
-        }
-        s->cleared = 0;
-    }
+    const bool panned = s->pan && pan(s);
     wait_blank(s);
-    write_page(s, p);
+    if (!panned)
+        write_page(s, p);
     return EXIT_DONE;
 }
 
@@ -213,9 +206,16 @@ static tp_format fb_format(const screen *s)
     return layout_format(&s->layout);
 }
 
+static int fb_away(screen *s)
+{
+    s->away = true;
+    return EXIT_DONE;
+}
+
 /* The console has written into its memory meanwhile, and may have changed the rest. */
 static int fb_back(screen *s)
 {
+    s->away = false;
     s->cleared = 0;
     s->table_of = -1;
     return EXIT_DONE;
@@ -244,7 +244,7 @@ static void restore(screen *s)
 
 static void fb_close(screen *s)
 {
-    if (s->saved)
+    if (s->saved && !s->away)
         restore(s);
     if (s->map)
         munmap(s->map, s->fix.smem_len);
@@ -279,6 +279,7 @@ static int fb_open(screen **to, const char *device, uint32_t width, uint32_t hei
     screen *s = calloc(1, sizeof *s);
     if (!s)
         return fail_memory(sizeof *s);
+    *to = s;
     *s = (screen){ .device = device, .blank = true, .table_of = -1,
                    .fd = open(device, O_RDWR | O_CLOEXEC) };
     int code = s->fd < 0 ? refuse(s, "cannot be opened") : EXIT_DONE;
@@ -287,7 +288,6 @@ static int fb_open(screen **to, const char *device, uint32_t width, uint32_t hei
     code = code ? code : look(s);
     code = code ? code : choose_size(s, width, height);
     code = code ? code : save(s);
-    *to = s;
     if (code)
         fb_close(s);
     return code;
@@ -296,5 +296,5 @@ static int fb_open(screen **to, const char *device, uint32_t width, uint32_t hei
 const screen_port screen_fb = {
     .name = "fb", .device = "/dev/fb0",
     .open = fb_open, .size = fb_size, .show = fb_show, .format = fb_format,
-    .back = fb_back, .close = fb_close,
+    .away = fb_away, .back = fb_back, .close = fb_close,
 };

@@ -12,7 +12,6 @@
 #include <stdio.h>
 #include <string.h>
 #include <sys/ioctl.h>
-#include <sys/stat.h>
 #include <sys/sysmacros.h>
 #include <unistd.h>
 #include "../host/say.h"
@@ -28,14 +27,13 @@ static bool is_vt(int fd)
     return ioctl(fd, KDGETMODE, &mode) == 0;
 }
 
-/* A virtual terminal's own number; of /dev/tty, /dev/tty0 and /dev/console 0. */
+/* A virtual terminal's own number, opened by whatever name; 0: nobody knows. */
 static int number_of(int fd)
 {
-    struct stat s;
-    if (fstat(fd, &s) || !S_ISCHR(s.st_mode) || major(s.st_rdev) != TTY_MAJOR
-        || minor(s.st_rdev) > VTS)
+    unsigned device = 0;
+    if (ioctl(fd, TIOCGDEV, &device) || major(device) != TTY_MAJOR || minor(device) > VTS)
         return 0;
-    return (int)minor(s.st_rdev);
+    return (int)minor(device);
 }
 
 /* The terminal in front when nobody started us from one. */

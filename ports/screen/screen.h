@@ -43,7 +43,7 @@ typedef struct {
 
     int  (*away)(screen *s);    /* another virtual terminal takes over */
     int  (*back)(screen *s);    /* and gives back: the picture will be shown anew */
-    void (*close)(screen *s);   /* the screen as it was found */
+    void (*close)(screen *s);   /* the screen as it was found; when away, as it is now */
 } screen_port;
 
 extern const screen_port screen_fb, screen_kms;

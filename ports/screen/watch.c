@@ -48,9 +48,13 @@ typedef struct {
     uint32_t    frame;              /* to begin with */
 } watch;
 
+/* What another terminal shows now is not ours to change. */
 static void give_back(watch *w)
 {
-    w->what->port->close(w->on);
+    const screen_port *port = w->what->port;
+    if (port->away && !console_front(&w->tty))
+        (void)port->away(w->on);
+    port->close(w->on);
     console_restore(&w->tty);
     console_close(&w->tty);
 }

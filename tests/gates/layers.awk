@@ -70,7 +70,7 @@ FNR == 1 {
         if (step[1] == "..")
             step[1] = step[2]
         if (public || name !~ /\// || step[1] == folder
-            || folder "=" step[1] in guest)
+            || (folder "=" step[1]) in guest)
             next
         wrong("a port includes public headers and its own alone")
     } else if ($0 ~ /</) {
