@@ -69,8 +69,8 @@ FNR == 1 {
             next                                    # the system's
         if (step[1] == "..")
             step[1] = step[2]
-        if (public || name !~ /\// || step[1] == folder
-            || (folder "=" step[1]) in guest)
+        sight = folder "=" step[1]
+        if (public || name !~ /\// || step[1] == folder || sight in guest)
             next
         wrong("a port includes public headers and its own alone")
     } else if ($0 ~ /</) {
