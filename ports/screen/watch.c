@@ -4,8 +4,8 @@
  * the same way.  If the parent is killed the kernel tells the child, which then gives
  * back instead.
  *
- * Signals to the parent are handed on.  A child that has not ended three seconds after
- * one of them, since it is stopped or the panel blocks it, is killed. */
+ * Signals to the parent are handed on.  A child that has not ended some seconds after one
+ * of them, since the panel blocks it, is killed. */
 #define _GNU_SOURCE             /* prctl's neighbours, sigtimedwait */
 #include <errno.h>
 #include <signal.h>
@@ -19,7 +19,8 @@
 #include "../host/say.h"
 #include "show.h"
 
-#define PATIENCE_S 3
+#define PATIENCE_S 3            /* with a child that was asked to end ... */
+#define WRITING_S  10           /* ... and that may wait for a disk */
 #define SIDE_LOW   16u          /* of a picture, as the core takes it */
 
 static const screen_port *const ports[] = {
@@ -114,7 +115,7 @@ static void watched_signals(sigset_t *set)
 /* How the child ended, as wait tells it. */
 static int wait_for(const watch *w, const sigset_t *set)
 {
-    const struct timespec patience = { PATIENCE_S, 0 };
+    const struct timespec patience = { w->what->keep ? WRITING_S : PATIENCE_S, 0 };
     bool asked = false;
     int status;
     while (waitpid(w->child, &status, WNOHANG) == 0) {
