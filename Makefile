@@ -345,14 +345,14 @@ $(SCENES:%=$(BUILD)/tests/cross/film-%): \
           $(BUILD)/tests/cross/film-%: $(BUILD)/tests/cross/film.o $(FILM_O) \
           build/baked/$(MACHINE)/%.o $(LIB)
 	$(SAY)$(LINK) $^ -o $@
-# And on a raw screen: one file for a small Linux board, LDFLAGS=-static.
+# And on a raw screen: one static file for a small Linux board.
 SCREEN_O := $(patsubst %.c,$(BUILD)/%.o,$(filter ports/linuxfb/% ports/kms/% \
                ports/screen/%,$(PORTS)) ports/screen/main.c $(addprefix ports/host/, \
                hashes.c picture.c say.c timing.c wish.c))
 $(SCENES:%=$(BUILD)/scenes/%-screen): $(BUILD)/scenes/%-screen: $(SCREEN_O) \
           build/baked/$(MACHINE)/%.o $(LIB)
 	@mkdir -p $(@D)
-	$(SAY)$(LINK) $^ -lpthread -o $@
+	$(SAY)$(LINK) -static $^ -lpthread -o $@
 $(BUILD)/tests/budgets/errors: $(BUILD)/tests/budgets/errors.o $(BUILD)/ports.a $(LIB)
 	$(SAY)$(LINK) $^ $(LIBS) -o $@
 MODELS_O := $(patsubst %.c,$(BUILD)/%.o,$(wildcard tests/budgets/models*.c))
