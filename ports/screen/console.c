@@ -137,9 +137,26 @@ int console_take(console *c)
     return EXIT_DONE;
 }
 
+/* When who began a session dies, its terminal is hung up: descriptors of it are dead, the
+ * terminal is not. */
+static void open_again(console *c)
+{
+    char name[32];
+    int mode;
+    if (c->vt < 0 || !c->number || ioctl(c->vt, KDGETMODE, &mode) == 0)
+        return;
+    snprintf(name, sizeof name, "/dev/tty%d", c->number);
+    const int fd = open(name, O_RDWR | O_NOCTTY | O_CLOEXEC);
+    for (int i = 0; i < CONSOLE_KEYS && fd >= 0; i++)
+        if (c->keys[i].fd == c->vt)
+            c->keys[i].fd = fd;
+    c->vt = fd >= 0 ? fd : c->vt;
+}
+
 /* The text comes back after the switching: a terminal in front of ours may be drawn. */
 void console_restore(console *c)
 {
+    open_again(c);
     if (c->vt >= 0) {
         (void)ioctl(c->vt, VT_SETMODE, &c->switching);
         (void)ioctl(c->vt, KDSETMODE, c->mode);
