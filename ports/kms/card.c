@@ -9,7 +9,10 @@
 #include <unistd.h>
 #include "card.h"
 
-#define SIDE 4096               /* of a picture */
+#define SIDE  4096              /* of a picture */
+#define CARDS 16
+#define DRI   "/dev/dri/"
+#define HOW   (O_RDWR | O_CLOEXEC | O_NONBLOCK)
 
 static bool ask(const kms_card *c, unsigned long request, void *what)
 {
@@ -48,11 +51,39 @@ static bool is_card(kms_card *c)
         || cannot(c, "has no events");
 }
 
+static void read_seat(const char *device, char seat[128])
+{
+    char name[96];
+    ssize_t n = -1;
+    if (strncmp(device, DRI, sizeof DRI - 1) == 0
+        && snprintf(name, sizeof name, "/sys/class/drm/%s/device",
+                    device + sizeof DRI - 1) < (int)sizeof name)
+        n = readlink(name, seat, 127);
+    seat[n > 0 ? n : 0] = 0;
+}
+
+/* One that was unplugged comes back with another number, while the old one is open in
+ * some process: it is known by where it is plugged in. */
+static int open_again(const kms_card *c)
+{
+    char device[32], seat[128];
+    for (int i = 0; i < CARDS; i++) {
+        snprintf(device, sizeof device, DRI "card%d", i);
+        read_seat(device, seat);
+        if (strcmp(seat, c->seat) == 0)
+            return open(device, HOW);
+    }
+    errno = ENOENT;
+    return -1;
+}
+
 static bool open_card(kms_card *c)
 {
-    c->fd = open(c->device, O_RDWR | O_CLOEXEC | O_NONBLOCK);
+    c->fd = c->seat[0] ? open_again(c) : open(c->device, HOW);
     if (c->fd < 0)
         return cannot(c, "cannot be opened");
+    if (!c->seat[0])
+        read_seat(c->device, c->seat);
     if (is_card(c))
         return true;
     kms_close_card(c);
