@@ -1,0 +1,103 @@
+#!/bin/sh
+# SPDX-License-Identifier: MIT
+# What happens to a screen of ports/kms while it shows a picture, on an emulated PC with a
+# Debian kernel: the monitor is unplugged and plugged in, the whole card goes and comes
+# back; what refuses to start says why in one line.
+#
+#   tests/boards/kms_events.sh [PROGRAM]
+. tests/gates/lib.sh
+. tests/boards/vm.sh
+
+program=${1:-build/host/tidepool}
+scene=three-swells screen=build/host/scenes/three-swells-screen
+
+vm_lacks "events of screens by mode setting" amd64 && exit 0
+build "$program" build/host/tests/boards/same_picture build/host/tests/boards/vm_state \
+    >"$scratch/built" 2>&1
+check "one static file shows a scene" alone build LDFLAGS=-static "$screen"
+[ "$failures" = 0 ] || exit 1
+
+cat >"$scratch/cases" <<'EOF'
+show="three-swells-screen --on kms --size 640x480 --frames 3:3 --hash --hold"
+said=/tmp/said
+
+start()
+{
+    $show </dev/tty1 >$said 2>&1 &
+    shown=$!
+}
+drawn()         # COUNT: that often the picture was drawn
+{
+    [ "$(grep -c "^frame" $said)" -ge "$1" ]
+}
+lit()
+{
+    vm_state /dev/tty1 | grep -q "mode 1 640x480"
+}
+dark()
+{
+    vm_state /dev/tty1 | grep -q "^crtc .*buffer 0 "
+}
+refused()       # WORDS OPTION...: exit 3 and one line, and the console is as before
+{
+    words=$1; shift
+    three-swells-screen --on kms --frames 3:3 "$@" </dev/tty1 >/tmp/refused 2>&1
+    [ $? = 3 ] && cat /tmp/refused && grep -q "$words" /tmp/refused &&
+        [ "$(wc -l </tmp/refused)" = 1 ] && unchanged
+}
+unchanged()
+{
+    vm_state /dev/tty1 >/tmp/now
+    diff /tmp/before /tmp/now
+}
+until_true test -e /dev/dri/card0
+vm_state /dev/tty1 >/tmp/before
+connector=$(echo /sys/class/drm/card0-*)
+
+check "a device that is not there" refused "No such file" --device /dev/dri/card7
+check "a device that is no card" refused "no graphics card" --device /dev/null
+check "a picture larger than every mode" refused "smaller than" --size 4096x4000
+echo off >"$connector/status"
+check "no monitor" refused "nothing is connected"
+echo detect >"$connector/status"
+
+start
+check "it starts" until_true drawn 1
+check "another program has the screen" eval \
+    'vm_state /dev/tty1 >/tmp/before; refused "another program has the screen"'
+ask shot start
+echo off >"$connector/status"
+check "unplugged, it goes on without a screen" until_true dark
+ask shot off
+echo detect >"$connector/status"
+check "plugged in, it draws again" until_true drawn 2
+check "in its mode" lit
+ask shot plugged
+
+bus=$(readlink -f /sys/class/drm/card0/device)
+echo 1 >"$bus/remove"
+check "the card goes" [ ! -e /dev/dri/card0 ]
+usleep 1200000
+check "the program does not" kill -0 $shown
+echo 1 >/sys/bus/pci/rescan
+check "the card comes back, and it draws again" until_true drawn 3
+ask shot back
+kill $shown
+wait $shown
+check "it ends by the signal that was sent" [ $? = 143 ]
+check "and has said nothing else" eval '! grep -v "^frame" $said'
+EOF
+
+"$program" render "$scene" --size 640x480 --frames 3:3 --out "$scratch/want.png" >/dev/null
+same()          # NAME
+{
+    build/host/tests/boards/same_picture "$vm_work/$1.ppm" "$scratch/want.png"
+}
+vm_disk events amd64 "$scratch/cases" bochs "$screen" build/host/tests/boards/vm_state
+check "the machine boots" vm_boot events amd64 "" -vga std
+vm_results events bochs
+for shot in start plugged back; do
+    check "the picture of the host, $shot" same $shot
+done
+refuse "another one while it is unplugged" same off
+exit $((failures > 0))
