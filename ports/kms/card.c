@@ -162,7 +162,7 @@ bool kms_take(kms_card *c, bool fits)
     };
     if (c->fd < 0 && !open_card(c))
         return false;
-    c->master = c->master || ask(c, DRM_IOCTL_SET_MASTER, NULL);
+    c->master = ask(c, DRM_IOCTL_SET_MASTER, NULL);
     if (!c->master)
         return cannot(c, "another program has the screen");
     if (!kms_scan(c->fd, &c->heads, c->wanted_w, c->wanted_h, &c->now))

@@ -92,7 +92,6 @@ bool kms_still(int card, kms_heads *all, const kms_choice *now, bool probe)
                                         .modes_ptr = (uintptr_t)&one };
     if (probe)
         return read_head(card, all, now->connector)
-            && all->head.status != KMS_DISCONNECTED
             && kms_has_mode(&all->head, &now->mode);
     return kms_ask(card, DRM_IOCTL_MODE_GETCONNECTOR, &c)
         && c.connection != KMS_DISCONNECTED;

@@ -194,7 +194,7 @@ static int kms_show(screen *s, const picture *p)
     kms_card *c = &s->card;
     if (now_ms() - s->looked >= LOOK_MS)
         look(s, false);
-    if (s->away || !c->lit)
+    if (!c->lit)
         return EXIT_DONE;
     wait_flip(s);
     s->drawn = true;

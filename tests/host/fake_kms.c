@@ -152,7 +152,9 @@ static int get_connector(struct drm_mode_get_connector *c)
 static int get_encoder(struct drm_mode_get_encoder *e)
 {
     e->possible_crtcs = fake.no_crtc ? 0 : 3;
-    e->crtc_id = e->encoder_id == 50 && fake.connector ? fake.crtc.crtc_id : 0;
+    e->crtc_id = e->encoder_id == 50 && fake.connector ? fake.crtc.crtc_id
+               : e->encoder_id == 51 && fake.other     ? crtcs[0]
+                                                       : 0;
     return 0;
 }
 
@@ -161,6 +163,8 @@ static int set_crtc(const struct drm_mode_crtc *c)
     if (c->fb_id && c->fb_id != FAKE_CONSOLE && !by_fb(c->fb_id))
         return refused(ENOENT);
     if (c->fb_id && (!c->mode_valid || c->count_connectors != 1))
+        return refused(EINVAL);
+    if (!c->fb_id && (c->mode_valid || c->count_connectors))
         return refused(EINVAL);
     fake.sets++;
     fake.crtc = *c;

@@ -29,6 +29,7 @@ typedef struct {
                                 /* from the n-th time on; 0: always */
     bool     no_card, gone, taken, stalls, interrupts;
     bool     no_dumb, no_crtc, no_netlink;
+    bool     other;             /* CRTC 40 drives something else */
     unsigned long no_wide;      /* the request that refuses 32 bits a pixel */
     uint32_t status, n_modes;
     struct drm_mode_modeinfo modes[4];

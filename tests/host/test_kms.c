@@ -1,16 +1,18 @@
 /* SPDX-License-Identifier: MIT */
 /* The port for DRM/KMS on a card that fails in every way. */
-#define _POSIX_C_SOURCE 200809L
+#define _XOPEN_SOURCE 700
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
 #include <stdint.h>
 #include <errno.h>
 #include <fcntl.h>
+#include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
+#include <sys/time.h>
 #include <unistd.h>
 #include "../../ports/host/say.h"
 #include <cmocka.h>
@@ -320,6 +322,33 @@ static void a_flip_is_awaited(void **state)
     close_plug();
 }
 
+static void on_alarm(int signal)
+{
+    (void)signal;
+    fake_vblank();
+}
+
+/* Its end comes while the next picture waits, and a signal with it. */
+static void a_picture_waits_for_the_flip_before_it(void **state)
+{
+    (void)state;
+    const struct itimerval soon = { .it_value.tv_usec = 20000 };
+    struct sigaction old, act = { .sa_handler = on_alarm };
+    fake_reset();
+    fake.stalls = true;
+    screen *s = opened(64, 48);
+    show(s, 64, 48, 1);
+    sigaction(SIGALRM, &act, &old);
+    setitimer(ITIMER_REAL, &soon, NULL);
+    show(s, 64, 48, 2);
+    sigaction(SIGALRM, &old, NULL);
+    assert_int_equal(fake.flips, 2);
+    assert_int_equal(fake.sets, 1);
+    fake_vblank();
+    close_and_look(s);
+    close_plug();
+}
+
 static void without_flips_buffers_are_set_and_told(void **state)
 {
     (void)state;
@@ -351,16 +380,22 @@ static void without_room_for_two_the_shown_one_is_drawn_into(void **state)
 {
     (void)state;
     fake_reset();
-    refuse(0, DRM_IOCTL_MODE_CREATE_DUMB, ENOMEM, 2);
-    screen *s = opened(64, 48);
-    for (uint32_t i = 0; i < 3; i++)
-        show(s, 64, 48, i);
-    assert_int_equal(fake.sets, 1);
-    assert_int_equal(fake.flips, 0);
-    assert_int_equal(fake.dirties, 3);
-    close_and_look(s);
-    close_plug();
-
+    screen *s;
+    for (int i = 0; i < 3; i++) {
+        const unsigned long at[] = { DRM_IOCTL_MODE_CREATE_DUMB, DRM_IOCTL_MODE_ADDFB,
+                                     DRM_IOCTL_MODE_MAP_DUMB };
+        fake_reset();
+        refuse(0, at[i], ENOMEM, 2);
+        s = opened(64, 48);
+        assert_int_equal(fake_left(), 3);
+        for (uint32_t seed = 0; seed < 3; seed++)
+            show(s, 64, 48, seed);
+        assert_int_equal(fake.sets, 1);
+        assert_int_equal(fake.flips, 0);
+        assert_int_equal(fake.dirties, 3);
+        close_and_look(s);
+        close_plug();
+    }
     for (unsigned at = 1; at < 4; at++) {       /* or not both in the card's memory */
         fake_reset();
         s = opened(64, 48);
@@ -494,6 +529,11 @@ static void a_card_goes_and_comes_back(void **state)
     fake_new_card();
     assert_int_equal(port->show(s, &p), EXIT_DONE);
     assert_int_equal(open_files(), files - 1);
+    refuse(0, DRM_IOCTL_GET_CAP, EIO, 0);       /* it is not ready yet */
+    fake.later_ms += 1000;
+    assert_int_equal(port->show(s, &p), EXIT_DONE);
+    assert_int_equal(open_files(), files - 1);
+    refuse(0, 0, 0, 0);
     fake.later_ms += 1000;
     show(s, 48, 32, 3);
     assert_int_equal(open_files(), files);
@@ -582,21 +622,28 @@ static void closing_while_away_touches_nothing(void **state)
     close_plug();
 }
 
+/* Without a mode; with one, but no picture; and where another CRTC is in use. */
 static void a_screen_that_was_off_is_off_again(void **state)
 {
     (void)state;
-    fake_reset();
-    fake.crtc = (struct drm_mode_crtc){ .crtc_id = FAKE_CRTC };
-    fake.connector = 0;
-    unsigned files = open_files();
-    screen *s = opened(0, 0);
-    assert_int_equal(fake.crtc.crtc_id, 40);
-    show(s, 48, 32, 1);
-    port->close(s);
-    close_plug();
-    assert_int_equal(fake.crtc.fb_id, 0);
-    assert_int_equal(fake_left(), 0);
-    assert_int_equal(open_files(), files);
+    for (int i = 0; i < 3; i++) {
+        fake_reset();
+        fake.crtc.mode_valid = i == 1;
+        fake.crtc.fb_id = 0;
+        fake.connector = i == 1 ? FAKE_CONNECTOR : 0;
+        fake.other = i == 2;
+        unsigned files = open_files();
+        screen *s = opened(0, 0);
+        assert_int_equal(fake.crtc.crtc_id, i == 0 ? 40 : FAKE_CRTC);
+        show(s, 48, 32, 1);
+        port->close(s);
+        close_plug();
+        assert_int_equal(fake.crtc.fb_id, 0);
+        assert_int_equal(fake.connector, 0);
+        assert_int_equal(fake.crtc.mode_valid, 0);
+        assert_int_equal(fake_left(), 0);
+        assert_int_equal(open_files(), files);
+    }
 }
 
 static void signals_break_nothing_off(void **state)
@@ -647,6 +694,7 @@ int main(void)
         cmocka_unit_test(every_picture_is_shown_exactly),
         cmocka_unit_test(in_sixteen_bits_where_there_are_no_more),
         cmocka_unit_test(a_flip_is_awaited),
+        cmocka_unit_test(a_picture_waits_for_the_flip_before_it),
         cmocka_unit_test(without_flips_buffers_are_set_and_told),
         cmocka_unit_test(without_room_for_two_the_shown_one_is_drawn_into),
         cmocka_unit_test(a_monitor_goes_and_another_comes),
