@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 # What happens to a screen of ports/kms while it shows a picture, on an emulated PC with a
 # Debian kernel: the monitor is unplugged and plugged in, the whole card goes and comes
-# back; what refuses to start says why in one line.
+# back with a monitor of another size; what refuses to start says why in one line.
 #
 #   tests/boards/kms_events.sh [PROGRAM]
 . tests/gates/lib.sh
@@ -77,10 +77,12 @@ ask shot plugged
 bus=$(readlink -f /sys/class/drm/card0/device)
 echo 1 >"$bus/remove"
 check "the card goes" [ ! -e /dev/dri/card0 ]
+echo edid/800x600.bin >/sys/module/drm/parameters/edid_firmware
 usleep 1200000
 check "the program does not" kill -0 $shown
 echo 1 >/sys/bus/pci/rescan
 check "the card comes back, and it draws again" until_true drawn 3
+check "on another monitor" [ "$(cat /sys/class/drm/card*-*/modes)" = 800x600 ]
 ask shot back
 kill $shown
 wait $shown
@@ -89,15 +91,16 @@ check "and has said nothing else" eval '! grep -v "^frame" $said'
 EOF
 
 "$program" render "$scene" --size 640x480 --frames 3:3 --out "$scratch/want.png" >/dev/null
-same()          # NAME
+same()          # NAME [BITS [centred]]
 {
-    build/host/tests/boards/same_picture "$vm_work/$1.ppm" "$scratch/want.png"
+    shot=$1; shift
+    build/host/tests/boards/same_picture "$vm_work/$shot.ppm" "$scratch/want.png" "$@"
 }
 vm_disk events amd64 "$scratch/cases" bochs "$screen" build/host/tests/boards/vm_state
 check "the machine boots" vm_boot events amd64 "" -vga std
 vm_results events bochs
-for shot in start plugged back; do
-    check "the picture of the host, $shot" same $shot
-done
+check "the picture of the host" same start
+check "the same when it was plugged in" same plugged
+check "the same in the middle of another monitor" same back 888 centred
 refuse "another one while it is unplugged" same off
 exit $((failures > 0))
