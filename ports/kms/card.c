@@ -41,12 +41,10 @@ static bool is_card(kms_card *c)
     struct epoll_event wanted = { .events = EPOLLIN };
     if (!ask(c, DRM_IOCTL_VERSION, &version))
         return cannot(c, "is no graphics card");
-    if (!ask(c, DRM_IOCTL_GET_CAP, &dumb))
-        return cannot(c, "does not say whether it has plain buffers");
-    if (!dumb.value) {
-        errno = EOPNOTSUPP;
-        return cannot(c, "has no plain buffers");
-    }
+    errno = EOPNOTSUPP;
+    c->blind = !ask(c, DRM_IOCTL_GET_CAP, &dumb) || !dumb.value;
+    if (c->blind)
+        return cannot(c, "has no plain buffers for screens");
     return epoll_ctl(c->both, EPOLL_CTL_ADD, c->fd, &wanted) == 0
         || cannot(c, "has no events");
 }
@@ -165,7 +163,8 @@ bool kms_take(kms_card *c, bool fits)
     c->master = ask(c, DRM_IOCTL_SET_MASTER, NULL);
     if (!c->master)
         return cannot(c, "another program has the screen");
-    if (!kms_scan(c->fd, &c->heads, c->wanted_w, c->wanted_h, &c->now))
+    c->blind = !kms_scan(c->fd, &c->heads, c->wanted_w, c->wanted_h, &c->now);
+    if (c->blind)
         return cannot(c, "sets no modes");
     if (c->now.verdict < KMS_SMALL)
         snprintf(c->why, sizeof c->why, "%s", lacks[c->now.verdict]);
@@ -175,6 +174,29 @@ bool kms_take(kms_card *c, bool fits)
     else
         return remember(c) && light(c);
     return false;
+}
+
+bool kms_take_first(kms_card *c)
+{
+    static const char *const all[] = { DRI "card0", DRI "card1", DRI "card2", DRI "card3" };
+    const size_t n = sizeof all / sizeof *all;
+    const char *device = c->device;
+    char why[sizeof c->why];
+    bool took = kms_take(c, true);
+    memcpy(why, c->why, sizeof why);
+    for (size_t i = 1; i < n && !took && c->blind && strcmp(c->device, all[i - 1]) == 0;
+         i++) {
+        kms_close_card(c);
+        c->seat[0] = 0;
+        c->blind = false;
+        c->device = all[i];
+        took = kms_take(c, true);
+    }
+    if (!took && c->fd < 0) {           /* there is no other: the first one's trouble */
+        c->device = device;
+        memcpy(c->why, why, sizeof why);
+    }
+    return took;
 }
 
 bool kms_still_ours(kms_card *c, bool probe)

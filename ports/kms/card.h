@@ -12,6 +12,7 @@ typedef struct {
     uint32_t    wanted_w, wanted_h;     /* 0: any */
     uint32_t    width, height;          /* of pictures; kept while it is dark */
     bool        master, lit;
+    bool        blind;                  /* a card, but not one for screens */
     kms_heads   heads;
     kms_choice  now;                    /* connector, CRTC and mode, if lit */
     struct drm_mode_crtc before;        /* as it was found; crtc_id 0: not yet */
@@ -23,6 +24,10 @@ typedef struct {
 
 /* False: see why.  `fits`: only a mode that holds the picture wanted will do. */
 bool kms_take(kms_card *c, bool fits);
+
+/* The same with `fits`.  Where the card is a blind one, as boards have them that draw by
+ * one and show by another, the next that is not: card1 instead of card0. */
+bool kms_take_first(kms_card *c);
 
 /* Is it as we took it, or has the monitor gone, or somebody taken the CRTC? */
 bool kms_still_ours(kms_card *c, bool probe);

@@ -113,12 +113,12 @@ static bool read_plugs(screen *s)
 
 /* -- dark and lit ------------------------------------------------------------------ */
 
-static bool take(screen *s, bool fits)
+static bool take(screen *s, bool first)
 {
     s->pending = 0;
     s->drawn = false;
     s->flips = s->dirty = true;
-    return kms_take(&s->card, fits);
+    return first ? kms_take_first(&s->card) : kms_take(&s->card, false);
 }
 
 static void look(screen *s, bool probe)
@@ -252,7 +252,7 @@ static int kms_open(screen **to, const char *device, uint32_t width, uint32_t he
         *to = s;
         return EXIT_DONE;
     }
-    int code = fail(EXIT_INPUT, "%s: %s", device, s->card.why);
+    int code = fail(EXIT_INPUT, "%s: %s", s->card.device, s->card.why);
     kms_close(s);
     return code;
 }

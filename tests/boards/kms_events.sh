@@ -88,6 +88,16 @@ kill $shown
 wait $shown
 check "it ends by the signal that was sent" [ $? = 143 ]
 check "and has said nothing else" eval '! grep -v "^frame" $said'
+
+insmod /bin/drm_shmem_helper.ko
+insmod /bin/vgem.ko
+check "the first card has no screens now" eval \
+    'readlink /sys/class/drm/card0/device | grep -q vgem'
+start
+check "the second is taken" until_true drawn 1
+ask shot second
+kill $shown
+wait $shown
 EOF
 
 "$program" render "$scene" --size 640x480 --frames 3:3 --out "$scratch/want.png" >/dev/null
@@ -96,11 +106,13 @@ same()          # NAME [BITS [centred]]
     shot=$1; shift
     build/host/tests/boards/same_picture "$vm_work/$shot.ppm" "$scratch/want.png" "$@"
 }
-vm_disk events amd64 "$scratch/cases" bochs "$screen" build/host/tests/boards/vm_state
+vm_disk events amd64 "$scratch/cases" bochs "$screen" build/host/tests/boards/vm_state \
+    $(vm_modules amd64 vgem | sed "s|^|$vm_folder/amd64/modules/|")
 check "the machine boots" vm_boot events amd64 "" -vga std
 vm_results events bochs
 check "the picture of the host" same start
 check "the same when it was plugged in" same plugged
 check "the same in the middle of another monitor" same back 888 centred
+check "the same on the second card" same second 888 centred
 refuse "another one while it is unplugged" same off
 exit $((failures > 0))
