@@ -178,7 +178,8 @@ bool kms_take(kms_card *c, bool fits)
 
 bool kms_take_first(kms_card *c)
 {
-    static const char *const all[] = { DRI "card0", DRI "card1", DRI "card2", DRI "card3" };
+    static const char *const all[] = { DRI "card0", DRI "card1", DRI "card2",
+                                       DRI "card3" };
     const size_t n = sizeof all / sizeof *all;
     const char *device = c->device;
     char why[sizeof c->why];

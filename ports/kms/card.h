@@ -7,7 +7,7 @@
 
 typedef struct {
     const char *device;
-    char        seat[128];              /* where its hardware is plugged in; "": unknown */
+    char        seat[128];              /* where its hardware is plugged in, or "" */
     int         fd, both;               /* -1: unplugged; the epoll that it belongs to */
     uint32_t    wanted_w, wanted_h;     /* 0: any */
     uint32_t    width, height;          /* of pictures; kept while it is dark */

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Each connector gets a rank, and each of its modes; the first of the highest is taken. */
+/* Each connector gets a rank, and each of its modes; the first of the highest wins. */
 #include "choose.h"
 
 static bool holds(const struct drm_mode_modeinfo *m, uint32_t width, uint32_t height)

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Which monitor, mode and CRTC to show a picture on: judged by what the kernel says of its
- * connectors alone, so that it can be tested without any. */
+/* Which monitor, mode and CRTC to show a picture on: judged by what the kernel says of
+ * its connectors alone, so that it can be tested without any. */
 #ifndef KMS_CHOOSE_H
 #define KMS_CHOOSE_H
 #include <stdbool.h>

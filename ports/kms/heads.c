@@ -33,7 +33,7 @@ static bool read_head(int card, kms_heads *all, uint32_t connector)
     if (!kms_ask(card, DRM_IOCTL_MODE_GETCONNECTOR, &c))
         return false;
     h->status = c.connection;
-    h->n_modes = c.count_modes <= KMS_MODES ? c.count_modes : 0;    /* or none is copied */
+    h->n_modes = c.count_modes <= KMS_MODES ? c.count_modes : 0;    /* none copied */
     for (uint32_t i = 0; i < c.count_encoders && c.count_encoders <= KMS_LIMIT; i++) {
         struct drm_mode_get_encoder e = { .encoder_id = encoders[i] };
         if (!kms_ask(card, DRM_IOCTL_MODE_GETENCODER, &e))

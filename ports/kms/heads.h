@@ -18,6 +18,6 @@ typedef struct {
 bool kms_scan(int card, kms_heads *all, uint32_t width, uint32_t height,
               kms_choice *best);
 
-/* Is the monitor still there, with that mode?  Only a probe, which is slow, sees modes. */
+/* Is the monitor still there, with that mode?  Only a probe, which is slow, sees it. */
 bool kms_still(int card, kms_heads *all, const kms_choice *now, bool probe);
 #endif

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* A screen by Linux's mode setting (DRM/KMS): dumb buffers, the kernel's calls as they are.
+/* A screen by Linux's mode setting (DRM/KMS): dumb buffers and the kernel's bare calls.
  *
  * Two buffers of the mode's size.  A picture is drawn into the one that is not shown, and
  * the kernel flips to it at the next vertical blank.  A driver that has no flips is told
@@ -74,7 +74,7 @@ static void wait_flip(screen *s)
     s->pending = 0;
 }
 
-/* The group that the kernel itself speaks to; without it looking once a second is left. */
+/* The group that the kernel itself speaks to; without it a look each second is left. */
 static int open_plugs(void)
 {
     struct sockaddr_nl from = { .nl_family = AF_NETLINK, .nl_groups = 1 };
@@ -273,7 +273,7 @@ static tp_format kms_format(const screen *s)
     return s->card.buffers[0].bits == 16 ? TP_FORMAT_RGB565 : TP_FORMAT_XRGB8888;
 }
 
-/* Other programs find the screen as we found it; coming back, everything is taken anew. */
+/* Other programs find the screen as we found it; coming back, all is taken anew. */
 static int kms_away(screen *s)
 {
     wait_flip(s);

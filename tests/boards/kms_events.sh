@@ -100,7 +100,8 @@ kill $shown
 wait $shown
 EOF
 
-"$program" render "$scene" --size 640x480 --frames 3:3 --out "$scratch/want.png" >/dev/null
+"$program" render "$scene" --size 640x480 --frames 3:3 \
+    --out "$scratch/want.png" >/dev/null
 same()          # NAME [BITS [centred]]
 {
     shot=$1; shift

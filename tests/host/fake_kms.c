@@ -24,7 +24,8 @@ static const uint32_t crtcs[] = { 40, FAKE_CRTC }, encoders[] = { 50, 51 },
 void fake_mode(int i, uint32_t width, uint32_t height, bool preferred)
 {
     fake.modes[i] = (struct drm_mode_modeinfo){
-        .clock = width * height, .hdisplay = (uint16_t)width, .vdisplay = (uint16_t)height,
+        .clock = width * height,
+        .hdisplay = (uint16_t)width, .vdisplay = (uint16_t)height,
         .htotal = (uint16_t)(width + 8), .vtotal = (uint16_t)(height + 4),
         .type = DRM_MODE_TYPE_DRIVER | (preferred ? DRM_MODE_TYPE_PREFERRED : 0u),
     };

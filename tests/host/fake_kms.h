@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* A graphics card that lies in memory, for what no emulated one does: ioctl, mmap, munmap,
- * socket, bind and clock_gettime of the test's program are its own.  Its device is a pipe
- * with a name, through which flips are reported. */
+/* A graphics card that lies in memory, for what no emulated one does: ioctl, mmap,
+ * munmap, socket, bind and clock_gettime of the test's program are its own.  Its device
+ * is a pipe with a name, through which flips are reported. */
 #ifndef TESTS_FAKE_KMS_H
 #define TESTS_FAKE_KMS_H
 #include <stdbool.h>

@@ -367,7 +367,7 @@ static void without_flips_buffers_are_set_and_told(void **state)
     refuse(1, 0, 0, 0);
     show(s, 64, 48, 4);
     assert_int_equal(fake.dirties, 3);
-    refuse(1, DRM_IOCTL_MODE_DIRTYFB, ENOSYS, 0);       /* it needs none: not asked again */
+    refuse(1, DRM_IOCTL_MODE_DIRTYFB, ENOSYS, 0);       /* needs none: never again */
     show(s, 64, 48, 5);
     unsigned calls = fake.calls;
     show(s, 64, 48, 6);
