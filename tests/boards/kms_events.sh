@@ -14,7 +14,7 @@ scene=three-swells screen=build/host/scenes/three-swells-screen
 vm_lacks "events of screens by mode setting" amd64 && exit 0
 build "$program" build/host/tests/boards/same_picture build/host/tests/boards/vm_state \
     >"$scratch/built" 2>&1
-check "one static file shows a scene" alone build LDFLAGS=-static "$screen"
+check "one static file shows a scene" alone build "$screen"
 [ "$failures" = 0 ] || exit 1
 
 cat >"$scratch/cases" <<'EOF'
