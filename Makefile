@@ -133,6 +133,9 @@ CMOCKA  :=
 UNIT    :=
 GOLDEN  := tests/gates/no-cmocka.sh
 endif
+ifndef KMS_CFLAGS
+UNIT    := $(filter-out %/test_kms %/test_kms_choose,$(UNIT))
+endif
 # Scenes whose frames every processor must draw: between them, every model.
 SCENES  := $(patsubst assets/scenes/%.ini,%,$(wildcard assets/scenes/*.ini))
 ONE     := $(if $(filter command,$(firstword $(origin SCENE))),$(SCENE))

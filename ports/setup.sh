@@ -19,6 +19,7 @@ run  | pkg-config                | cmd pkg-config              | finds the libra
 run  | libpng-dev                | pkg libpng                  | textures in, pictures out
 run  | libinih-dev               | pkg inih                    | scene files
 show | libsdl2-dev               | pkg sdl2                    | the preview window
+test | libdrm-dev               | inc libdrm/drm.h            | headers of raw screens
 test | libcmocka-dev             | pkg cmocka                  | unit tests
 test | binutils                  | cmd objdump                 | gates on the object code
 sheet | imagemagick              | cmd montage                 | lays pictures out
