@@ -264,9 +264,8 @@ more-tests: everything build/host/count.so build/host/tally.so
 	    tests/host/threads.sh tests/bench/views.sh tests/cross/run.sh tests/cross/film.sh \
 	    tests/budgets/scenes-count.sh tests/budgets/ram.sh tests/budgets/kits.sh \
 	    tests/budgets/models-count.sh tests/charts/sweep.sh tests/charts/same.sh \
-	    tests/budgets/plan-count.sh tests/budgets/prices.sh tests/fuzz/run.sh
-	    tests/budgets/plan-count.sh tests/boards/kms_events.sh \
-	    tests/budgets/prices.sh tests/fuzz/run.sh
+	    tests/budgets/plan-count.sh tests/budgets/prices.sh tests/fuzz/run.sh \
+	    tests/boards/kms_events.sh
 fuzzers: $(FUZZ)
 # Other renderers for `tidepool bench --peers`, of whatever packages are there.
 PEERS := $(BUILD)/tests/bench/peers
