@@ -288,7 +288,6 @@ typedef struct {
     tp_world_parts parts;
     tp_vec3  eye, last_eye;     /* the camera now and a tick ago, see aboard */
     tp_turn  heading, pitch, last_heading, last_pitch;
-    tp_sea   sea;
     tp_turn  phases[TP_WAVES];  /* of this tick */
     uint32_t random;            /* of pokes */
     uint32_t rings;             /* on the water now */
@@ -302,10 +301,11 @@ typedef struct {
     tp_clock clock;
     tp_fx    clock_scale;       /* the scene's, when it was last looked at */
     uint32_t aboard;            /* 1: the camera's place and angles are of the deck */
+    tp_sea   sea;               /* the last, without its swells if the kit has none */
 } tp_world;
 
-/* sizeof (tp_world) if the scene has no pool, no floor or wind, no drops; 0 if it cannot
- * be used (tp_world_init says why). */
+/* sizeof (tp_world) if the scene has no pool, no floor or wind, no drops, and less by a
+ * kit without swells; 0 if it cannot be used (tp_world_init says why). */
 size_t tp_world_bytes_with(const tp_kit *kit, const tp_scene *scene,
                            const tp_assets *assets);
 

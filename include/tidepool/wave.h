@@ -58,7 +58,6 @@ typedef struct {
 } tp_swell;
 
 typedef struct {
-    tp_swell swell[TP_WAVES];
     uint32_t count;             /* waves of amplitude 0 are left out */
     tp_fx    height;            /* no point is higher or lower */
     tp_fx    reach;             /* sum QA: no point is farther from its rest */
@@ -69,6 +68,7 @@ typedef struct {
     bool     capped;            /* some amplitude was above 0.3 of its length, and cut */
     bool     sharpened;         /* some power is above 1 */
     bool     crossed;           /* normals are made with the cross terms of [A10] */
+    tp_swell swell[TP_WAVES];   /* the last: worlds without swells end before it */
 } tp_sea;
 
 /* gravity in m/s^2. */

@@ -46,7 +46,7 @@ struct tp_move_paddle {
 };
 
 struct tp_move_ocean {
-    size_t (*bytes)(const tp_scene *scene, const tp_assets *assets, const tp_sea *sea);
+    size_t (*bytes)(const tp_kit *kit, const tp_scene *scene, const tp_assets *assets);
     tp_status (*init)(tp_world *world, const tp_scene *scene, const tp_assets *assets,
                       tp_error *err);
 };

@@ -94,11 +94,14 @@ tp_status tp_parts_take_pools(tp_world_parts *parts, tp_arena *arena,
     return status;
 }
 
-size_t tp_parts_ocean_bytes(const tp_scene *scene, const tp_assets *assets,
-                            const tp_sea *sea)
+size_t tp_parts_ocean_bytes(const tp_kit *kit, const tp_scene *scene,
+                            const tp_assets *assets)
 {
     tp_ocean_config config = ocean_config(scene, assets);
-    return tp_ocean_bytes(&config, sea);
+    tp_sea sea;
+
+    kit->water.swells->init(&sea, scene->wave, TP_WAVES, scene->water.gravity);
+    return tp_ocean_bytes(&config, &sea);
 }
 
 static bool has_ocean(const tp_kit *kit, const tp_scene *scene)
@@ -124,16 +127,16 @@ static void take_rest(const tp_moves *move, tp_world_parts *parts, tp_arena *are
 }
 
 tp_status tp_parts_of(const tp_kit *kit, tp_world_parts *parts, const tp_scene *scene,
-                      const tp_assets *assets, const tp_sea *sea, tp_error *err)
+                      const tp_assets *assets, tp_error *err)
 {
     const tp_moves *move = &kit->move;
     tp_arena  arena = tp_arena_over(NULL, 0);
     tp_status status = TP_OK;
 
     *parts = (tp_world_parts){ .bytes = 0 };
-    take(&arena, sizeof(tp_world));
+    take(&arena, kit->water.swells ? sizeof(tp_world) : offsetof(tp_world, sea.swell));
     if (has_ocean(kit, scene)) {
-        size_t bytes = move->ocean->bytes(scene, assets, sea);
+        size_t bytes = move->ocean->bytes(kit, scene, assets);
         if (bytes == 0)
             return TP_FAIL(err, TP_E_ARG, 0, 0, 0);
         parts->ocean = take(&arena, bytes);

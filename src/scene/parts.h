@@ -8,9 +8,9 @@
 
 /* Where the parts of a scene's world lie, and how large the block is; parts->bytes is 0
  * if the scene cannot be used.  Of a pool that cannot, err->word is the parameter at
- * fault.  `sea` is the scene's. */
+ * fault. */
 tp_status tp_parts_of(const tp_kit *kit, tp_world_parts *parts, const tp_scene *scene,
-                      const tp_assets *assets, const tp_sea *sea, tp_error *err);
+                      const tp_assets *assets, tp_error *err);
 
 /* Fills the parts at world->parts: still water, no drops. */
 tp_status tp_parts_init(const tp_kit *kit, tp_world *world, const tp_scene *scene,
@@ -32,8 +32,9 @@ tp_status tp_parts_init_pools(tp_world *world, const tp_scene *scene,
 bool tp_parts_can_tune_pools(const tp_world *world, const tp_scene *scene);
 void tp_parts_tune_pools(tp_world *world, const tp_scene *scene);
 
-size_t tp_parts_ocean_bytes(const tp_scene *scene, const tp_assets *assets,
-                            const tp_sea *sea);
+/* By a kit with swells, whose number it goes by. */
+size_t tp_parts_ocean_bytes(const tp_kit *kit, const tp_scene *scene,
+                            const tp_assets *assets);
 
 /* Makes the waves of scene->paddle, at a tick; the pool is the scene's. */
 void tp_paddle_push(tp_pool *pool, const tp_scene_pool *scene, uint64_t tick);

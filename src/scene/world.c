@@ -9,28 +9,18 @@
 
 /* -- the beginning ----------------------------------------------------------------- */
 
+/* By a kit without swells it stays all 0, and ends before them. */
 static void make_sea(const tp_kit *kit, tp_sea *sea, const tp_scene *scene)
 {
     if (kit->water.swells)
         kit->water.swells->init(sea, scene->wave, TP_WAVES, scene->water.gravity);
-    else
-        memset(sea, 0, sizeof *sea);
-}
-
-static tp_status layout(const tp_kit *kit, tp_world_parts *parts, const tp_scene *scene,
-                        const tp_assets *assets, tp_error *err)
-{
-    tp_sea sea;
-
-    make_sea(kit, &sea, scene);
-    return tp_parts_of(kit, parts, scene, assets, &sea, err);
 }
 
 size_t tp_world_bytes_with(const tp_kit *kit, const tp_scene *scene,
                            const tp_assets *assets)
 {
     tp_world_parts parts;
-    return layout(kit, &parts, scene, assets, NULL) == TP_OK ? parts.bytes : 0;
+    return tp_parts_of(kit, &parts, scene, assets, NULL) == TP_OK ? parts.bytes : 0;
 }
 
 static void place_camera(tp_world *world, const tp_scene *scene)
@@ -71,7 +61,7 @@ tp_status tp_world_init_with(const tp_kit *kit, tp_world *world, size_t bytes,
                              tp_error *err)
 {
     tp_world_parts parts;
-    tp_status status = layout(kit, &parts, scene, assets, err);
+    tp_status status = tp_parts_of(kit, &parts, scene, assets, err);
 
     if (status != TP_OK)
         return status;
@@ -96,7 +86,7 @@ bool tp_world_refresh_with(const tp_kit *kit, tp_world *world, const tp_scene *s
 {
     tp_world_parts parts;
 
-    if (layout(kit, &parts, scene, assets, NULL) != TP_OK
+    if (tp_parts_of(kit, &parts, scene, assets, NULL) != TP_OK
         || memcmp(&parts, &world->parts, sizeof parts) != 0
         || !tp_parts_can_tune(kit, world, scene))
         return false;

@@ -206,7 +206,9 @@ void tp_sea_init(tp_sea *sea, const tp_wave *waves, uint32_t count, tp_fx gravit
 
 void tp_sea_phases(const tp_sea *sea, uint64_t tick, tp_fx back, tp_turn phases[TP_WAVES])
 {
-    for (uint32_t i = 0; i < TP_WAVES; i++) {       /* those beyond count are all 0 */
+    for (uint32_t i = sea->count; i < TP_WAVES; i++)
+        phases[i] = 0;
+    for (uint32_t i = 0; i < sea->count; i++) {
         const tp_swell *w = &sea->swell[i];
         uint64_t turns = tick * w->turns_tick - (w->turns_tick >> 16) * (uint32_t)back;
         phases[i] = w->phase - (tp_turn)(turns >> 32);
