@@ -51,6 +51,7 @@ static void carve_places(tp_frame_parts *p, tp_arena *arena, const tp_kit *kit,
                          const tp_frame_config *config)
 {
     const size_t cols = (size_t)scene->grid.cols, rows = (size_t)scene->grid.rows;
+    const bool land = kit->draw.land && kit->stage.land && kit->method.triangles;
 
     for (int v = TP_VISIBILITY_TRIANGLES; v <= TP_VISIBILITY_FLAT; v++) {
         const struct tp_method *method = tp_frame_method(kit, (tp_visibility)v);
@@ -58,11 +59,11 @@ static void carve_places(tp_frame_parts *p, tp_arena *arena, const tp_kit *kit,
             method->carve(p, arena, kit, scene, config);
     }
     if (p->reach.lod >> TP_LOD_ON & 1 && kit->water.lod && kit->method.triangles)
-        kit->water.lod->carve(&p->grid, arena);
+        kit->water.lod->carve(p->grid, arena);
     if (assets->boat)
         p->boat_vertex = tp_arena_take(arena, assets->boat->n_vertices,
                                        sizeof *p->boat_vertex);
-    if (tp_frame_wants(p, tp_has_floor(scene), kit->draw.land && kit->stage.land)) {
+    if (tp_frame_wants(p, tp_has_floor(scene), land)) {     /* at the water's crossings */
         p->land_vertex = tp_arena_take(arena, cols * rows, sizeof *p->land_vertex);
         p->land_band = tp_arena_take(arena, rows, sizeof *p->land_band);
     }
@@ -105,7 +106,7 @@ static void carve_depth(tp_frame_parts *p, tp_arena *arena, const tp_kit *kit,
     const bool tank = tp_frame_wants(p, tp_has_tank(scene), tp_kit_has_stone(kit));
     const bool glass = tank && scene->tank.kind == TP_TANK_GLASS;
 
-    if (tp_frame_wants(p, glass, draw->glass && kit->stage.side))
+    if (tp_frame_wants(p, glass, draw->glass && kit->stage.side && kit->method.triangles))
         carve_glass(p, arena, scene);
     if (tp_frame_wants(p, has_blocks(scene), tp_kit_has_stone(kit)))
         p->block = tp_arena_take(arena, TP_BLOCKS, sizeof *p->block);
@@ -117,6 +118,15 @@ static void carve_depth(tp_frame_parts *p, tp_arena *arena, const tp_kit *kit,
     }
 }
 
+/* Whether a stage that the kit has looks into the lobe of the water's glitter. */
+static bool shines(const tp_kit *kit)
+{
+    const tp_stages *stage = &kit->stage;
+
+    return kit->draw.glint || kit->draw.quick_light || stage->light
+        || stage->light_rippled || stage->light_blinn || stage->light_blinn_rippled;
+}
+
 static void carve_tables(tp_frame_parts *p, tp_arena *arena, const tp_kit *kit,
                          const tp_scene *scene, const tp_assets *assets)
 {
@@ -124,6 +134,8 @@ static void carve_tables(tp_frame_parts *p, tp_arena *arena, const tp_kit *kit,
 
     p->solid = tp_arena_take(arena, materials, sizeof *p->solid);
     p->gloss = tp_arena_take(arena, materials, TP_GLOSS);
+    if (shines(kit))
+        p->shine = tp_arena_take(arena, TP_SHINE + 1, sizeof *p->shine);
     tp_frame_carve_sky(p, arena, kit, scene, assets);
     for (int k = 0; k < TP_POOL_BUMPS && kit->draw.bumps; k++) {
         p->bump_cells[k] = tp_frame_bump_cells(scene, k);
@@ -187,7 +199,7 @@ tp_frame *tp_frame_carve(const tp_kit *kit, tp_frame_parts *parts, tp_frame_ram 
     carve_looks(parts, arena, kit, scene, assets, config);
     *ram = (tp_frame_ram){
         .frame = arena->used, .vertices = placed - fixed,
-        .tables = tabled - placed + sizeof frame->shade.shine + sizeof frame->shade.sky,
+        .tables = tabled - placed + sizeof frame->shade.sky,
         .mirror = arena->used - tabled,
     };
     return frame;

@@ -65,27 +65,29 @@ static size_t tile_samples(const tp_frame_config *c)
 }
 
 /* Four planes of samples, then the pixels, if they are drawn here; before there are any,
- * columns and the window of a grid of `cols` lines use the place. */
-static size_t scratch_of(const tp_frame_config *config, uint32_t cols, bool into)
+ * `column` bytes each of the method's and the window of a grid of `cols` lines use the
+ * place. */
+static size_t scratch_of(const tp_frame_config *config, size_t column, uint32_t cols,
+                         bool into)
 {
     tp_frame_config c = filled(config);
 
     if (check(&c, NULL) != TP_OK)
         return 0;
     const size_t pixels = tp_format_row_bytes(c.format, (int)c.tile_width) * c.tile_height;
-    const size_t method = TP_METHOD_BYTES * c.tile_width + TP_GRID_WINDOW(cols);
+    const size_t method = column * c.tile_width + TP_GRID_WINDOW(cols);
     return 4 * tile_samples(&c) * sizeof(uint32_t)
          + (pixels > method && !into ? pixels : method);
 }
 
 size_t tp_frame_scratch_bytes(const tp_frame_config *config)
 {
-    return scratch_of(config, 0, false);
+    return scratch_of(config, TP_METHOD_BYTES, 0, false);
 }
 
 size_t tp_frame_scratch_into_bytes(const tp_frame_config *config)
 {
-    return scratch_of(config, 0, true);
+    return scratch_of(config, TP_METHOD_BYTES, 0, true);
 }
 
 static uint32_t streamed_cols(const tp_kit *kit, const tp_scene *scene)
@@ -98,13 +100,13 @@ static uint32_t streamed_cols(const tp_kit *kit, const tp_scene *scene)
 size_t tp_frame_scratch_with(const tp_kit *kit, const tp_scene *scene,
                              const tp_frame_config *config)
 {
-    return scratch_of(config, streamed_cols(kit, scene), false);
+    return scratch_of(config, tp_method_bytes(kit), streamed_cols(kit, scene), false);
 }
 
 size_t tp_frame_scratch_into_with(const tp_kit *kit, const tp_scene *scene,
                                   const tp_frame_config *config)
 {
-    return scratch_of(config, streamed_cols(kit, scene), true);
+    return scratch_of(config, tp_method_bytes(kit), streamed_cols(kit, scene), true);
 }
 
 /* Tables that last, and those that the first frame needs. */
@@ -149,6 +151,9 @@ tp_status tp_frame_init_with(const tp_kit *kit, tp_frame **out, const tp_scene *
     frame->ram.scratch = tp_frame_scratch_with(kit, scene, &c);
     frame->shade.boat = known.boat;
     frame->shade.solid = parts.solid;
+    frame->shade.shine = parts.shine;
+    if (parts.shine)
+        memset(parts.shine, 0, (TP_SHINE + 1) * sizeof *parts.shine);
     tp_frame_choose_rungs(frame);
     make_tables(frame);
     *out = frame;

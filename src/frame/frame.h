@@ -151,7 +151,7 @@ typedef struct {
 /* What lies behind the frame in its block, as the scene needed it at init: NULL, or 0,
  * where it did not.  What a scene takes up later finds no memory and is left out. */
 typedef struct {
-    tp_grid          grid;
+    tp_grid         *grid;              /* NULL: no method goes by crossings */
     tp_reach         reach;             /* rungs that there is memory for */
     tp_level        *level;             /* of water that is level at first */
     tp_projected    *projected;
@@ -174,6 +174,7 @@ typedef struct {
     uint32_t         caustic_cells;
     tp_solid        *solid;             /* of each of the boat's materials */
     uint8_t         *gloss;             /* TP_GLOSS each */
+    tp_entry16      *shine;             /* TP_SHINE + 1 */
     tp_frame_sky     heaven;
     tp_pool_slope   *bump[TP_POOL_BUMPS];       /* slopes of pool and field */
     uint32_t         bump_cells[TP_POOL_BUMPS]; /* that they have room for */

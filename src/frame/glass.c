@@ -28,7 +28,7 @@ static void place_post(tp_frame *frame, tp_glass *glass, const tp_rectangle *r,
  * surface does. */
 static void place_posts(tp_frame *frame, tp_glass *glass, const tp_rectangle *r)
 {
-    const tp_grid *grid = &frame->parts.grid;
+    const tp_grid *grid = frame->parts.grid;
     const tp_grid_line *line = glass->face & 2 ? grid->column : grid->row;
     uint32_t lines = glass->face & 2 ? grid->cols : grid->rows;
     tp_fx from = glass->face & 2 ? r->x0 : r->z0, to = glass->face & 2 ? r->x1 : r->z1;

@@ -89,8 +89,8 @@ static bool may_break(const tp_ocean *ocean)
 
 bool tp_frame_rows_hold(tp_frame *frame)
 {
-    return frame->parts.lines && frame->parts.grid.column
-        && !(frame->parts.grid.streams && is_upright(frame))    /* row by row */
+    return frame->parts.lines && frame->parts.grid
+        && !(frame->parts.grid->streams && is_upright(frame))    /* row by row */
         && tp_abs(frame->lens.turn.x.y >> 14) < ROLL
         && frame->lens.eye.y > tp_surface_height(&frame->surface) + ABOVE
         && rays_hold(frame)

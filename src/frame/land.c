@@ -10,13 +10,13 @@
 
 static tp_land_vertex *vertex_at(const tp_frame *frame, uint32_t i, uint32_t j)
 {
-    return frame->parts.land_vertex + (size_t)j * frame->parts.grid.cols + i;
+    return frame->parts.land_vertex + (size_t)j * frame->parts.grid->cols + i;
 }
 
 static tp_view_corner corner_at(const tp_frame *frame, uint32_t i, uint32_t j,
                                 tp_floor_at *floor)
 {
-    tp_fx x = frame->parts.grid.column[i].place, z = frame->parts.grid.row[j].place;
+    tp_fx x = frame->parts.grid->column[i].place, z = frame->parts.grid->row[j].place;
     tp_view_corner c;
 
     *floor = tp_ocean_floor(frame->surface.ocean, x, z);
@@ -69,8 +69,8 @@ static void place_band(tp_frame *frame, uint32_t j)
     const tp_land_vertex *at = vertex_at(frame, 0, j);
     tp_land_band band = { INT32_MAX, INT32_MIN };
 
-    for (uint32_t i = 0; i + 1 < frame->parts.grid.cols; i++) {
-        const tp_land_vertex *below = at + i + frame->parts.grid.cols;
+    for (uint32_t i = 0; i + 1 < frame->parts.grid->cols; i++) {
+        const tp_land_vertex *below = at + i + frame->parts.grid->cols;
         const tp_land_vertex *const p[4] = { at + i, at + i + 1, below, below + 1 };
         bool cut = is_cut(p);
         for (int k = 0; k < 4 && !is_out(p); k++) {
@@ -85,7 +85,7 @@ static void place_band(tp_frame *frame, uint32_t j)
 
 static void place_land(tp_frame *frame)
 {
-    const tp_grid *grid = &frame->parts.grid;
+    const tp_grid *grid = frame->parts.grid;
     tp_fx deepest = tp_surface_height(&frame->surface) + TP_FX_ONE;
 
     for (uint32_t j = 0; j < grid->rows; j++) {
@@ -120,7 +120,7 @@ static void draw_clipped(const tp_frame *frame, const tp_samples *tile,
 static void draw_cell(const tp_frame *frame, const tp_samples *tile, uint32_t i, uint32_t j)
 {
     const tp_land_vertex *a = vertex_at(frame, i, j);
-    const tp_land_vertex *b = a + 1, *d = a + frame->parts.grid.cols, *c = d + 1;
+    const tp_land_vertex *b = a + 1, *d = a + frame->parts.grid->cols, *c = d + 1;
 
     const tp_land_vertex *const all[4] = { a, b, c, d };
 
@@ -141,11 +141,11 @@ static void draw_cell(const tp_frame *frame, const tp_samples *tile, uint32_t i,
 static void draw_land(const tp_frame *frame, tp_samples *tile)
 {
     tile->front_only = true;
-    for (uint32_t j = 0; j + 1 < frame->parts.grid.rows; j++) {
+    for (uint32_t j = 0; j + 1 < frame->parts.grid->rows; j++) {
         const tp_land_band *band = &frame->parts.land_band[j];
         if (band->y0 >= tile->y1 || band->y1 < tile->y0)
             continue;
-        for (uint32_t i = 0; i + 1 < frame->parts.grid.cols; i++)
+        for (uint32_t i = 0; i + 1 < frame->parts.grid->cols; i++)
             draw_cell(frame, tile, i, j);
     }
 }

@@ -14,10 +14,10 @@ void tp_lines_carve(tp_frame_parts *parts, tp_arena *arena, const tp_kit *kit,
     size_t lines = cols > rows ? cols : rows;
     size_t upright = cols * ((rows - 2) / TP_GRID_BLOCK + 1);
     size_t level = rows * ((cols - 2) / TP_GRID_BLOCK + 1);
+    const struct tp_method *triangles = kit->method.triangles;
+    const bool streams = triangles && triangles->streams && !tp_has_ocean(scene);
 
-    const bool streams = parts->grid.streams;       /* then none are upright */
-
-    (void)kit, (void)config;
+    (void)config;
     tp_frame_lines *to = tp_arena_take(arena, 1, sizeof *to);
     const tp_frame_lines l = {
         .line = tp_arena_take(arena, lines, sizeof *l.line),
@@ -33,7 +33,7 @@ void tp_lines_carve(tp_frame_parts *parts, tp_arena *arena, const tp_kit *kit,
 tp_row_point tp_line_point(const tp_frame *frame, const tp_grid_window *window, uint32_t k,
                            uint32_t m)
 {
-    const tp_grid *grid = &frame->parts.grid;
+    const tp_grid *grid = frame->parts.grid;
     const tp_grid_vertex *v = tp_line_vertex(frame, window, k, m);
     const bool upright = frame->parts.lines->upright;
     uint32_t i = upright ? k : m, j = upright ? m : k;
@@ -85,7 +85,7 @@ static tp_grid_box box_of_cells(tp_frame *frame, uint32_t k, uint32_t first, uin
 /* Where the camera looks along x, lines are the grid's columns. */
 static void turn(tp_frame *frame)
 {
-    const tp_grid *grid = &frame->parts.grid;
+    const tp_grid *grid = frame->parts.grid;
     const tp_dir3 *back = &frame->lens.turn.z;
     tp_frame_lines *lines = frame->parts.lines;
 
@@ -112,7 +112,7 @@ static bool is_tilted(const tp_frame *frame)
 /* Which cells of its columns the grid sees. */
 static void set_cells(tp_frame *frame)
 {
-    const tp_grid *grid = &frame->parts.grid;
+    const tp_grid *grid = frame->parts.grid;
     tp_frame_line *line = frame->parts.lines->line;
 
     const bool upright = frame->parts.lines->upright;
@@ -131,7 +131,7 @@ static void set_cells(tp_frame *frame)
 /* Whether the lens cuts a row's cells where the picture has columns. */
 static bool is_cut(tp_frame *frame, uint32_t k)
 {
-    const tp_grid_window *seen = &frame->parts.grid.window;
+    const tp_grid_window *seen = &frame->parts.grid->window;
     const tp_frame_line *line = &frame->parts.lines->line[k];
     int32_t width = (int32_t)frame->config.width;
 
@@ -175,7 +175,7 @@ static bool is_sided(const tp_frame *frame, uint32_t k)
 {
     for (uint32_t far = 0; far < 2; far++) {
         tp_row_point end[2];
-        tp_line_ends(frame, &frame->parts.grid.window, k + far, end);
+        tp_line_ends(frame, &frame->parts.grid->window, k + far, end);
         if (is_inside(frame, end[0].u) || is_inside(frame, end[1].u))
             return true;
     }
@@ -193,7 +193,7 @@ static void set_reach(tp_frame *frame, uint32_t k)
         tp_grid_span part = tp_line_block_segments(points, b);
         *reach = (tp_line_reach){ INT16_MAX, INT16_MIN };
         for (uint32_t m = part.first; part.first < part.end && m <= part.end; m++) {
-            int32_t u = tp_line_vertex(frame, &frame->parts.grid.window, k, m)->u;
+            int32_t u = tp_line_vertex(frame, &frame->parts.grid->window, k, m)->u;
             if (u == TP_GRID_CUT)
                 continue;
             reach->x0 = u >> 4 < reach->x0 ? (int16_t)(u >> 4) : reach->x0;
@@ -229,7 +229,7 @@ void tp_lines_place(tp_frame *frame)
     tp_frame_begin_water(frame);
     turn(frame);
     set_cells(frame);
-    for (uint32_t j = 0; lines->upright && j < frame->parts.grid.rows; j++)
+    for (uint32_t j = 0; lines->upright && j < frame->parts.grid->rows; j++)
         tp_frame_place_line(frame, j);
     for (uint32_t k = 0; k < lines->lines; k++) {
         if (!lines->upright)

@@ -39,15 +39,15 @@ static inline const tp_grid_vertex *tp_line_vertex(const tp_frame *frame,
                                                    const tp_grid_window *window,
                                                    uint32_t k, uint32_t m)
 {
-    const tp_grid *grid = &frame->parts.grid;
+    const tp_grid *grid = frame->parts.grid;
     return frame->parts.lines->upright ? &grid->vertex[(size_t)m * grid->cols + k]
                                        : &window->line[k & 1][m];
 }
 
 static inline bool tp_line_is_dry(const tp_frame *frame, uint32_t k, uint32_t m)
 {
-    return frame->parts.lines->upright ? tp_grid_cell_is_dry(&frame->parts.grid, k, m)
-                                : tp_grid_cell_is_dry(&frame->parts.grid, m, k);
+    return frame->parts.lines->upright ? tp_grid_cell_is_dry(frame->parts.grid, k, m)
+                                : tp_grid_cell_is_dry(frame->parts.grid, m, k);
 }
 
 /* Cells [first, end) of block b that may be seen. */

@@ -7,8 +7,8 @@
 #include "frame/frame.h"
 
 /* A way to find the water: visibility.c.  `memory` is free until there are pixels, and of
- * TP_METHOD_BYTES for each of the tile's columns; behind it, if crossings are streamed, a
- * window's. */
+ * tp_method_bytes() for each of the tile's columns; behind it, if crossings are streamed,
+ * a window's. */
 struct tp_method {
     void (*carve)(tp_frame_parts *parts, tp_arena *arena, const tp_kit *kit,
                   const tp_scene *scene, const tp_frame_config *config);
@@ -19,6 +19,12 @@ struct tp_method {
 };
 
 #define TP_METHOD_BYTES sizeof(tp_row_column)
+
+/* None where no method goes by columns. */
+static inline size_t tp_method_bytes(const tp_kit *kit)
+{
+    return kit->method.rows || kit->method.projected ? TP_METHOD_BYTES : 0;
+}
 
 typedef struct {
     void (*place)(tp_frame *frame, tp_sight *sight);

@@ -81,7 +81,7 @@ static void lay(walk *w, const tp_row_point *run, uint32_t count, int how)
 /* Segment m of line k is land on both sides. */
 static bool is_land(const tp_frame *frame, uint32_t k, uint32_t m)
 {
-    return frame->parts.grid.dry && (k == 0 || tp_line_is_dry(frame, k - 1, m))
+    return frame->parts.grid->dry && (k == 0 || tp_line_is_dry(frame, k - 1, m))
         && (k + 1 == frame->parts.lines->lines || tp_line_is_dry(frame, k, m));
 }
 
@@ -95,7 +95,7 @@ static bool is_out(const walk *w, int32_t left, int32_t right)
 static void lay_segments(walk *w, uint32_t k, tp_grid_span part, int how)
 {
     const tp_frame *frame = w->frame;
-    bool     back = frame->parts.lines->points_back, land = frame->parts.grid.dry != NULL;
+    bool     back = frame->parts.lines->points_back, land = frame->parts.grid->dry != NULL;
     int32_t  way = back ? -1 : 1, m = back ? part.end : part.first;
     int32_t  left = tp_line_vertex(frame, &w->window, k, (uint32_t)m)->u;
     tp_row_point run[TP_GRID_BLOCK + 1];
@@ -142,7 +142,7 @@ static void see_line(walk *w, uint32_t k, bool whole)
         end = part.end + 1u;
     }
     if (first < end && !lines->upright)
-        tp_grid_see(&w->frame->parts.grid, &w->window, k, first, end);
+        tp_grid_see(w->frame->parts.grid, &w->window, k, first, end);
 }
 
 static void lay_line(walk *w, uint32_t k, int how)

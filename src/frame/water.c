@@ -29,7 +29,7 @@ static void view_cell(const tp_frame *frame, const tp_grid_window *window, uint3
 {
     for (uint32_t k = 0; k < 4; k++) {
         uint32_t x = i + (k == 1 || k == 2), y = j + k / 2;
-        c[k] = tp_grid_corner(&frame->parts.grid, &window->line[y & 1][x], x, y);
+        c[k] = tp_grid_corner(frame->parts.grid, &window->line[y & 1][x], x, y);
     }
 }
 
@@ -66,7 +66,7 @@ static void draw_cell(const tp_frame *frame, const tp_samples *tile,
 void tp_frame_draw_cells(const tp_frame *frame, const tp_samples *tile,
                          tp_grid_window *window, uint32_t j, uint32_t first, uint32_t end)
 {
-    const tp_grid *grid = &frame->parts.grid;
+    const tp_grid *grid = frame->parts.grid;
 
     tp_grid_see(grid, window, j, first, end + 1);
     tp_grid_see(grid, window, j + 1, first, end + 1);
@@ -104,7 +104,7 @@ static void widen_by_cut(const tp_frame *frame, tp_grid_box *box, uint32_t i, ui
     tp_view_corner c[4];
     tp_corner corner[TP_CLIP_CORNERS];
 
-    view_cell(frame, &frame->parts.grid.window, i, j, c);
+    view_cell(frame, &frame->parts.grid->window, i, j, c);
     for (int half = 0; half < 2; half++)
         for (int k = cut_half(frame, c, half, corner) - 1; k >= 0; k--)
             tp_box_widen(box, corner[k].u, corner[k].v);
@@ -112,7 +112,7 @@ static void widen_by_cut(const tp_frame *frame, tp_grid_box *box, uint32_t i, ui
 
 tp_grid_box tp_frame_cells_box(tp_frame *frame, uint32_t j, uint32_t first, uint32_t end)
 {
-    tp_grid *grid = &frame->parts.grid;
+    tp_grid *grid = frame->parts.grid;
     tp_grid_window *window = &grid->window;
     tp_grid_box box = TP_BOX_NONE;
 
@@ -137,7 +137,7 @@ tp_grid_box tp_frame_cells_box(tp_frame *frame, uint32_t j, uint32_t first, uint
  * it pays to clip their cells once more than each tile does, and know. */
 static void place_cut_boxes(tp_frame *frame, uint32_t j)
 {
-    const tp_grid *grid = &frame->parts.grid;
+    const tp_grid *grid = frame->parts.grid;
     tp_grid_span span = grid->span[j];
 
     for (uint32_t b = span.first / TP_GRID_BLOCK; b * TP_GRID_BLOCK < span.end; b++) {
@@ -150,9 +150,9 @@ static void place_cut_boxes(tp_frame *frame, uint32_t j)
 
 void tp_frame_begin_water(tp_frame *frame)
 {
-    const tp_grid *grid = &frame->parts.grid;
+    const tp_grid *grid = frame->parts.grid;
 
-    tp_grid_begin(&frame->parts.grid, &frame->grid_view);
+    tp_grid_begin(frame->parts.grid, &frame->grid_view);
     frame->cull_water = frame->lens.eye.y > tp_surface_height(&frame->surface);
     for (uint32_t j = 0; j + 1 < grid->rows; j++)
         frame->stats.triangles += 2u * (uint32_t)(grid->span[j].end - grid->span[j].first);
@@ -160,10 +160,10 @@ void tp_frame_begin_water(tp_frame *frame)
 
 void tp_frame_place_line(tp_frame *frame, uint32_t j)
 {
-    const uint32_t before = frame->parts.grid.vertices;
+    const uint32_t before = frame->parts.grid->vertices;
 
-    tp_grid_place_row(&frame->parts.grid, j);
-    frame->stats.vertices += frame->parts.grid.vertices - before;
+    tp_grid_place_row(frame->parts.grid, j);
+    frame->stats.vertices += frame->parts.grid->vertices - before;
     if (j > 0 && (tp_frame_tiles(frame) > 1 || frame->visibility == TP_VISIBILITY_ROWS))
         place_cut_boxes(frame, j - 1);
 }
@@ -171,7 +171,7 @@ void tp_frame_place_line(tp_frame *frame, uint32_t j)
 static void place_water(tp_frame *frame)
 {
     tp_frame_begin_water(frame);
-    for (uint32_t j = 0; j < frame->parts.grid.rows; j++)
+    for (uint32_t j = 0; j < frame->parts.grid->rows; j++)
         tp_frame_place_line(frame, j);
 }
 
@@ -179,14 +179,14 @@ static void place_water(tp_frame *frame)
 
 tp_grid_window tp_frame_window(const tp_frame *frame, void *memory)
 {
-    void *rows = (uint8_t *)memory + TP_METHOD_BYTES * frame->config.tile_width;
+    void *rows = (uint8_t *)memory + tp_method_bytes(frame->kit) * frame->config.tile_width;
     return tp_grid_window_over(rows);
 }
 
 static void draw_blocks(const tp_frame *frame, const tp_samples *tile,
                         tp_grid_window *window, uint32_t j)
 {
-    const tp_grid *grid = &frame->parts.grid;
+    const tp_grid *grid = frame->parts.grid;
     const tp_grid_box *box = grid->box + (size_t)j * grid->blocks;
     tp_grid_span span = grid->span[j];
 
@@ -202,21 +202,31 @@ static void draw_water(const tp_frame *frame, tp_samples *tile, void *memory)
     tp_grid_window window = tp_frame_window(frame, memory);
 
     tile->front_only = frame->cull_water;
-    for (uint32_t j = 0; j + 1 < frame->parts.grid.rows; j++)
+    for (uint32_t j = 0; j + 1 < frame->parts.grid->rows; j++)
         draw_blocks(frame, tile, &window, j);
 }
 
+
+/* Over `counted` where bytes are counted alone. */
+static tp_grid *carve_grid(tp_frame_parts *parts, tp_arena *arena, tp_grid *counted)
+{
+    parts->grid = tp_arena_take(arena, 1, sizeof *parts->grid);
+    tp_grid *grid = parts->grid ? parts->grid : counted;
+    memset(grid, 0, sizeof *grid);
+    return grid;
+}
 
 static void carve_water(tp_frame_parts *parts, tp_arena *arena, const tp_kit *kit,
                         const tp_scene *scene, const tp_frame_config *config)
 {
     const struct tp_water_ocean *ocean = kit->water.ocean;
+    tp_grid  counted;
+    tp_grid *grid = carve_grid(parts, arena, &counted);
 
     (void)config;
-    tp_grid_carve(&parts->grid, arena, (uint32_t)scene->grid.cols,
-                  (uint32_t)scene->grid.rows);
+    tp_grid_carve(grid, arena, (uint32_t)scene->grid.cols, (uint32_t)scene->grid.rows);
     if (tp_frame_wants(parts, tp_has_ocean(scene), ocean))
-        ocean->carve(&parts->grid, arena);
+        ocean->carve(grid, arena);
 }
 
 /* An ocean's crossings lean on those around them, and are stored. */
@@ -224,6 +234,7 @@ static void carve_streamed(tp_frame_parts *parts, tp_arena *arena, const tp_kit 
                            const tp_scene *scene, const tp_frame_config *config)
 {
     uint32_t waves = 0;
+    tp_grid  counted;
 
     if (tp_has_ocean(scene)) {
         carve_water(parts, arena, kit, scene, config);
@@ -231,8 +242,8 @@ static void carve_streamed(tp_frame_parts *parts, tp_arena *arena, const tp_kit 
     }
     for (int i = 0; i < TP_WAVES; i++)
         waves += scene->wave[i].amplitude > 0;
-    tp_grid_carve_streamed(&parts->grid, arena, (uint32_t)scene->grid.cols,
-                           (uint32_t)scene->grid.rows, waves);
+    tp_grid_carve_streamed(carve_grid(parts, arena, &counted), arena,
+                           (uint32_t)scene->grid.cols, (uint32_t)scene->grid.rows, waves);
 }
 
 const struct tp_method tp_method_streamed = {

@@ -127,7 +127,9 @@ void tp_lod_thin(tp_grid *grid, const tp_grid_view *view)
 
 void tp_lod_carve(tp_grid *grid, tp_arena *arena)
 {
-    grid->lod = tp_arena_take(arena, 2, sizeof *grid->lod);
+    struct tp_thinning *lod = tp_arena_take(arena, 2, sizeof *lod);
+    if (lod)                    /* not where bytes are counted alone */
+        grid->lod = lod;
 }
 
 /* -- waves ----------------------------------------------------------------------------- */

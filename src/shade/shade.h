@@ -34,7 +34,11 @@
 #include "tidepool/fx.h"
 #include "tidepool/kit.h"
 
+/* Shorter runs, of 32 or 16, take less stack where that counts: the same bits. */
+#ifndef TP_RUN
 #define TP_RUN 64
+#endif
+_Static_assert(TP_RUN == 64 || TP_RUN == 32 || TP_RUN == 16, "TP_RUN");
 
 typedef struct tp_run {
     int32_t  x, y;              /* of the first sample, in the picture */
@@ -141,7 +145,7 @@ typedef struct tp_shade {
     tp_shade_foam foam;
 
     uint32_t haze_scale;        /* zi to haze entries, Q0.32 */
-    tp_entry16 shine[TP_SHINE + 1];     /* 256 at 1, times the specular */
+    tp_entry16 *shine;          /* TP_SHINE + 1: 256 at 1, times the specular */
     const tp_entry8 *fresnel;           /* share of the reflection at N.V = i / 256 */
     uint32_t sky[TP_SKY + 1];
     tp_env   env;               /* what else the sky is */

@@ -12,6 +12,9 @@
 typedef void stage(const tp_shade *shade, tp_run *run);
 
 /* 640 x 480 at 60 degrees and the like: a focal length of 200 to 1000 pixels. */
+/* Of all shades: tests use one at a time. */
+static tp_entry16 shade_shine[TP_SHINE + 1];
+
 static inline tp_shade shade_any(uint64_t *state)
 {
     const tp_rotation turn =
@@ -30,6 +33,7 @@ static inline tp_shade shade_any(uint64_t *state)
         .ambient = chance_int(state, 0, 256),
         .mirror = chance_int(state, 0, 256),
         .haze_scale = (uint32_t)random_next(state) >> chance_int(state, 0, 31),
+        .shine = shade_shine,
     };
     s.mesh = s.world;
     s.fresnel = tp_fresnel_table;

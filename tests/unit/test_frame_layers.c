@@ -234,10 +234,10 @@ static void bumped_pools_leave_the_mesh(void **state)
     assert_null(f.frame->surface.pool);
     assert_null(f.frame->surface.field);
     assert_true(f.bytes >= g.bytes + (34 * 26 + 18 * 18) * sizeof(tp_pool_slope));
-    const size_t count = (size_t)f.frame->parts.grid.cols * f.frame->parts.grid.rows;
+    const size_t count = (size_t)f.frame->parts.grid->cols * f.frame->parts.grid->rows;
     for (size_t i = 0; i < count; i++) {
-        const tp_grid_vertex *a = &f.frame->parts.grid.vertex[i];
-        const tp_grid_vertex *b = &g.frame->parts.grid.vertex[i];
+        const tp_grid_vertex *a = &f.frame->parts.grid->vertex[i];
+        const tp_grid_vertex *b = &g.frame->parts.grid->vertex[i];
         if (a->u == (int32_t)0xa5a5a5a5)        /* not needed, never set */
             continue;
         assert_int_equal(a->u, b->u);

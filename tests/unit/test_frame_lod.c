@@ -36,7 +36,7 @@ static tp_scene far_scene(void)
 
 static const tp_grid *grid_of(const level_shot *shot)
 {
-    return &shot->frame.frame->parts.grid;
+    return shot->frame.frame->parts.grid;
 }
 
 static void draw(level_shot *shot, tp_scene *scene, tp_visibility how, bool lod)

@@ -50,11 +50,11 @@ static void compare(const tp_scene *scene, const tp_assets *assets, const tp_wor
         assert_int_equal(tp_frame_last_stats(kept.frame).vertices,
                          tp_frame_last_stats(some.frame).vertices);
     }
-    const tp_grid *grid = &some.frame->parts.grid;
+    const tp_grid *grid = some.frame->parts.grid;
     count->drawn++;
     if (grid->streams && some.frame->visibility <= TP_VISIBILITY_ROWS) {
         count->streamed++;
-        count->cut += is_cut(&kept.frame->parts.grid);
+        count->cut += is_cut(kept.frame->parts.grid);
         count->rows += some.frame->visibility == TP_VISIBILITY_ROWS;
         count->thinned += grid->cols < grid->most_cols || grid->rows < grid->most_rows;
     }
@@ -161,7 +161,7 @@ static void waves_beyond_those_at_init_are_left_out(void **state)
         scene.wave[i] = (tp_wave){ .amplitude = TP_FX(0.5), .length = 9 * TP_FX_ONE };
     tp_world *world = scene_world(&scene, &none);
     tp_frame_begin(f.frame, world);
-    assert_int_equal(f.frame->parts.grid.frame.count, 3);
+    assert_int_equal(f.frame->parts.grid->frame.count, 3);
     twice_paint(&f, config.format, picture);
     free(world);
     frame_free(&f);

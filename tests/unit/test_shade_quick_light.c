@@ -111,7 +111,7 @@ static double compare(const bodies *b, const char *what, int32_t steep, bool shi
     for (int n = 0; n < 3000; n++) {
         tp_shade s = quick_shade(&lights, b->env, b->lobe, &chance);
         if (!shiny) {
-            memset(s.shine, 0, sizeof s.shine);
+            memset(s.shine, 0, sizeof shade_shine);
             tp_quick_light_init(&lights.quick, &s, (tp_lobe)b->lobe, false, true);
         }
         test_run r;

@@ -15,6 +15,8 @@ enum { RUNS = 2000 };
 
 static uint64_t chance;
 
+static tp_entry16 shine[TP_SHINE + 1];
+
 static tp_shade shade_of(const view *v)
 {
     const tp_rotation *turn = &v->lens.turn;
@@ -25,7 +27,7 @@ static tp_shade shade_of(const view *v)
         .world = { turn->x, turn->y, turn->z, light.y.x >> 16, light.y.y >> 16,
                    light.y.z >> 16 },
         .zi_log = tp_log2_q8((uint32_t)v->lens.zi_near) + 15 * 256,
-        .fresnel = tp_fresnel_table,
+        .fresnel = tp_fresnel_table, .shine = shine,
     };
     return s;
 }

@@ -14,7 +14,8 @@
 #define Q14 16384.0
 
 static uint64_t chance;
-static tp_shade shade;
+static tp_entry16 shine[TP_SHINE + 1];
+static tp_shade shade = { .shine = shine };
 
 static uint32_t chance_word(void)
 {
