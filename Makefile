@@ -20,6 +20,7 @@ CC       := $(TRIPLE)gcc
 AR       := $(TRIPLE)ar
 OBJCOPY  := $(TRIPLE)objcopy
 BOARD_LD ?= ports/$(BOARD)/board.ld
+LD_FILES := $(BOARD_LD) $(wildcard $(dir $(BOARD_LD))../*.ld)
 endif
 BUILD  := build/$(TARGET)
 
@@ -104,7 +105,7 @@ BARE   := -Isrc -ffreestanding -ffunction-sections -fdata-sections
 HOSTED := -Iports -Isrc -I. $(SDL_CFLAGS) $(KMS_CFLAGS)
 COMPILE = $(CC) $(FLAGS) $(CPPFLAGS) $(CFLAGS)
 LINK    = $(CC) $(OPT) $(ARCH) $(LDFLAGS)
-LINK_ELF = $(LINK) -nostdlib -T $(filter %.ld,$^) -Wl,--gc-sections $(filter %.o,$^) \
+LINK_ELF = $(LINK) -nostdlib -T $(BOARD_LD) -Wl,--gc-sections $(filter %.o,$^) \
            $(LIB) -lgcc -o $@
 # One short line for each thing made; with V=1 the whole command.
 SAY     = $(if $(V),,@echo '  $@';)
@@ -328,6 +329,16 @@ build/baked/%.c: $(BAKES) $(SHIPPED) | build/host/tidepool
 build/baked/board-%.c: tests/budgets/board-%.ini $(BAKES) $(SHIPPED) | build/host/tidepool
 	@mkdir -p $(@D)
 	$(SAY)build/host/tidepool bake $< --name baked -o $@
+# With the pictures cut: SCENE=harbour@32, no more than 32 texels a side.
+define baked_at
+build/baked/%@$1.c: assets/scenes/%.ini $(BAKES) $(SHIPPED) | build/host/tidepool
+	@mkdir -p $$(@D)
+	$$(SAY)build/host/tidepool bake $$< --name baked --texels $1 -o $$@
+build/baked/%@$1.c: ports/cortex-m/scenes/%.ini $(BAKES) $(SHIPPED) | build/host/tidepool
+	@mkdir -p $$(@D)
+	$$(SAY)build/host/tidepool bake $$< --name baked --texels $1 -o $$@
+endef
+$(foreach n,16 32 64 128,$(eval $(call baked_at,$n)))
 build/baked/prices.c: tests/budgets/prices.ini $(BAKES) $(SHIPPED) | build/host/tidepool
 	@mkdir -p $(@D)
 	$(SAY)build/host/tidepool bake $< --name baked -o $@
@@ -371,18 +382,25 @@ build/host/tally.so: tests/bench/tally.c $(BUILD)/flags
 	$(SAY)$(COMPILE) -fPIC -shared $< -o $@
 BOARD_O := $(BOARD_C:%.c=$(BUILD)/%.o)
 $(BUILD)/scenes/%.elf: build/baked/$(MACHINE)/%.o $(BOARD_O) $(LIB) \
-          $(BOARD_LD)
+          $(LD_FILES)
 	@mkdir -p $(@D)
 	$(SAY)$(LINK_ELF)
 $(BUILD)/prices.elf: $(BUILD)/tests/budgets/prices.o build/baked/$(MACHINE)/prices.o \
-          $(filter-out %/main.o,$(BOARD_O)) $(LIB) $(BOARD_LD)
+          $(filter-out %/main.o,$(BOARD_O)) $(LIB) $(LD_FILES)
 	$(SAY)$(LINK_ELF)
 $(BUILD)/ram/%.elf: $(BUILD)/tests/budgets/ram.o build/baked/$(MACHINE)/%.o \
-          $(filter-out %/main.o,$(BOARD_O)) $(LIB) $(BOARD_LD)
+          $(filter-out %/main.o,$(BOARD_O)) $(LIB) $(LD_FILES)
 	@mkdir -p $(@D)
 	$(SAY)$(LINK_ELF)
+FAULTS  := $(addprefix $(BUILD)/faults/,address instruction stack ram)
+$(FAULTS:%=%.o): $(BUILD)/faults/%.o: tests/boards/faults.c $(BUILD)/flags
+	@mkdir -p $(@D)
+	$(SAY)$(COMPILE) $(HOSTED) -DFAULT_$* -c $< -o $@
+$(FAULTS:%=%.elf): $(BUILD)/faults/%.elf: $(BUILD)/faults/%.o \
+          $(filter-out %/main.o %/sum.o,$(BOARD_O)) $(LIB) $(LD_FILES)
+	$(SAY)$(LINK_ELF)
 $(BUILD)/models.elf: $(MODELS_O) \
-          $(filter-out %/main.o,$(BOARD_O)) $(LIB) $(BOARD_LD)
+          $(filter-out %/main.o,$(BOARD_O)) $(LIB) $(LD_FILES)
 	$(SAY)$(LINK_ELF)
 $(BUILD)/kit_v3.o: $(V3_C:%.c=$(BUILD)/v3/%.o)
 	$(SAY)$(LD) -r $^ -o $@
@@ -398,7 +416,7 @@ $(KITS:%=%.o): $(BUILD)/kits/%.o: tests/budgets/features.c $(BUILD)/flags
 	$(SAY)$(COMPILE) -DFEATURES=$* -c $< -o $@
 $(KITS:%=%.elf): %.elf: %.o $(BUILD)/tests/budgets/minimal.o \
           $(filter-out %/main.o,$(BOARD_O)) build/baked/$(MACHINE)/minimal.o $(LIB) \
-          $(BOARD_LD)
+          $(LD_FILES)
 	$(SAY)$(LINK_ELF) -Wl,-Map=$(@:.elf=.map)
 
 $(BUILD)/src/%.o: src/%.c $(BUILD)/flags

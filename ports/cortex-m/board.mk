@@ -2,4 +2,4 @@
 # Arm MPS2 AN386 (Cortex-M4), as QEMU's mps2-an386 emulates it.
 TRIPLE  := arm-none-eabi-
 ARCH    := -mcpu=cortex-m4 -mthumb -mfloat-abi=soft -ffreestanding
-BOARD_C := $(addprefix ports/cortex-m/,main.c start.c semihost.c memory.c)
+BOARD_C := $(addprefix ports/cortex-m/,main.c picture.c sum.c start.c semihost.c memory.c)

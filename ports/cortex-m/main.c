@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The baked scene on a bare Cortex-M: drawn band by band, as a board with an SPI display
- * would, and told in CRCs, which must be the host's.
+/* The baked scene on a bare Cortex-M: drawn tile by tile, as a board with an SPI display
+ * would, and told in CRCs, which must be the host's.  Kit and tiles are the board's.
  *
  * The empty functions are marks for whoever counts instructions: what the core does for a
  * whole frame, for its tiles and for a tick of the world. */
@@ -8,13 +8,8 @@
 #include "board.h"
 #include "marks.h"
 #include "semihost.h"
+#include "sum.h"
 
-#ifndef BOARD_SIZE
-#define BOARD_SIZE 320, 240
-#endif
-#ifndef BOARD_BAND
-#define BOARD_BAND 16
-#endif
 #ifndef BOARD_FIRST
 #define BOARD_FIRST 60          /* a second on, when drops have fallen and foam is made */
 #endif
@@ -29,41 +24,57 @@ MARK(count_end)
 
 /* -- a picture ----------------------------------------------------------------- */
 
-/* Draws one frame; its CRC.  A band takes the picture's whole width, so the rows of the
- * tiles follow each other. */
-static uint32_t draw(tp_frame *frame, const tp_frame_config *config, void *scratch,
-                     const tp_world *world, uint32_t *water_pixels)
+/* What a display would be sent: tiles that continue the last one down the picture need no
+ * window of their own. */
+typedef struct {
+    uint32_t crc, water, bytes, windows;
+} picture;
+
+static void look_at(picture *p, const tp_frame *frame, const void *scratch,
+                    const tp_tile *last, const tp_tile *tile)
 {
-    tp_tile  tile;
-    uint32_t crc = 0;
-    *water_pixels = 0;
+    const bool goes_on = tile->x0 == last->x0 && tile->y0 == last->y1;
+
+    p->crc = sum_tile(p->crc, &board_picture, tile);
+    p->water += tp_frame_water_pixels(frame, scratch, tile);
+    p->windows += !goes_on || tile->y0 == 0;
+    p->bytes += (tile->y1 - tile->y0)
+              * (uint32_t)tp_format_row_bytes(board_picture.format,
+                                              (int)(tile->x1 - tile->x0));
+}
+
+static picture draw(tp_frame *frame, void *scratch, const tp_world *world)
+{
+    tp_tile tile, last = { 0 };
+    picture p = { 0 };
+
     count_as_frame();
     tp_frame_begin(frame, world);
     count_as_tiles();
     for (uint32_t i = 0; tp_frame_tile(frame, i, scratch, &tile); i++) {
         count_end();
-        const uint8_t *row = tile.pixels;
-        for (uint32_t y = tile.y0; y < tile.y1; y++, row += tile.stride)
-            crc = tp_crc32_pixels(crc, config->format, row, (int)config->width);
-        *water_pixels += tp_frame_water_pixels(frame, scratch, &tile);
+        look_at(&p, frame, scratch, &last, &tile);
+        last = tile;
         count_as_tiles();
     }
     count_end();
-    return crc;
+    return p;
 }
 
 static void tick(tp_world *world)
 {
     count_as_tick();
-    tp_world_step(world, &baked_scene, NULL);
+    tp_world_step_with(board_kit, world, &baked_scene, NULL);
     count_end();
 }
 
-static void say_frame(uint32_t n, uint32_t crc, uint32_t water, tp_frame_stats held)
+static void say_frame(uint32_t n, const picture *p, tp_frame_stats held)
 {
     semihost_number("frame ", n, 10, 4);
-    semihost_number(" crc32 ", crc, 16, 8);
-    semihost_decimal("\nwater ", water);
+    semihost_number(" crc32 ", p->crc, 16, 8);
+    semihost_decimal("\nsent ", p->bytes);
+    semihost_decimal(" windows ", p->windows);
+    semihost_decimal("\nwater ", p->water);
     semihost_decimal(" vertices ", held.vertices);
     semihost_decimal(" triangles ", held.triangles);
     semihost_decimal(" dropped ", held.dropped);
@@ -79,32 +90,51 @@ static void say_ram(tp_frame_ram ram, size_t world_bytes)
     semihost_decimal(" scratch ", (uint32_t)ram.scratch);
     semihost_decimal(" world ", (uint32_t)world_bytes);
     semihost_decimal(" stack ", board_stack_used());
+    semihost_decimal(" reserve ", board_stack_bytes());
+    semihost_decimal(" arena ", (uint32_t)(arena_end - arena_start));
     semihost_write("\n");
+}
+
+/* In the arena or, as a refusal says, not. */
+static void *take(tp_arena *arena, size_t bytes, const char *what)
+{
+    const size_t left = arena->bytes - arena->used;
+    void *memory = tp_arena_take(arena, 1, bytes);
+
+    if (!memory) {
+        semihost_decimal(what, (uint32_t)bytes);
+        semihost_decimal(" bytes, left ", (uint32_t)left);
+        semihost_stop("");
+    }
+    return memory;
 }
 
 int main(void)
 {
-    const tp_frame_config config = { BOARD_SIZE, 0, BOARD_BAND, TP_FORMAT_RGB565 };
-    const size_t world_bytes = tp_world_bytes(&baked_scene, &baked_assets);
+    const size_t world_bytes = tp_world_bytes_with(board_kit, &baked_scene,
+                                                   &baked_assets);
     tp_arena  arena = tp_arena_over(arena_start, (size_t)(arena_end - arena_start));
-    void     *block = tp_arena_take(&arena, 1, tp_frame_bytes(&baked_scene, &baked_assets,
-                                                              &config));
-    void     *scratch = tp_arena_take(&arena, 1, tp_frame_scratch_bytes(&config));
-    tp_world *world = tp_arena_take(&arena, 1, world_bytes);
+    void     *block = take(&arena, tp_frame_bytes_with(board_kit, &baked_scene,
+                                                       &baked_assets, &board_picture),
+                           "the frame does not fit: ");
+    void     *scratch = take(&arena, tp_frame_scratch_with(board_kit, &baked_scene,
+                                                           &board_picture),
+                             "the tile does not fit: ");
+    tp_world *world = take(&arena, world_bytes, "the world does not fit: ");
     tp_frame *frame;
     tp_error  err;
 
-    if (arena.failed
-        || tp_frame_init(&frame, &baked_scene, &baked_assets, &config, block, &err))
-        semihost_stop("the frame does not fit");
-    if (tp_world_init(world, world_bytes, &baked_scene, &baked_assets, &err))
+    if (tp_frame_init_with(board_kit, &frame, &baked_scene, &baked_assets, &board_picture,
+                           block, &err))
+        semihost_stop("the frame cannot be made");
+    if (tp_world_init_with(board_kit, world, world_bytes, &baked_scene, &baked_assets,
+                           &err))
         semihost_stop("the world cannot be made");
     while (world->tick < BOARD_FIRST)
-        tp_world_step(world, &baked_scene, NULL);
+        tp_world_step_with(board_kit, world, &baked_scene, NULL);
     for (uint32_t n = 0; n < BOARD_FRAMES; n++) {
-        uint32_t water;
-        const uint32_t crc = draw(frame, &config, scratch, world, &water);
-        say_frame(BOARD_FIRST + n, crc, water, tp_frame_last_stats(frame));
+        const picture p = draw(frame, scratch, world);
+        say_frame(BOARD_FIRST + n, &p, tp_frame_last_stats(frame));
         tick(world);
     }
     say_ram(tp_frame_memory(frame), world_bytes);

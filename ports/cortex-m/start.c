@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* From reset to main: the vector table, the initialised and the cleared memory, a stack
- * painted so that its use can be seen; any fault ends the run with exit code 2. */
+ * painted so that its use can be seen; any fault is told in a line and ends the run with
+ * exit code 2. */
 #include "board.h"
 #include "semihost.h"
 
@@ -14,10 +15,37 @@ void reset(void);
 
 #define PAINT 0xa5a5a5a5u
 
-static void fault(void)
+/* What the processor pushes when it takes an exception, and which word is the place. */
+enum { PUSHED = 8, PUSHED_PC = 6 };
+
+_Noreturn void report_fault(const uint32_t *sp);
+void fault(void);
+
+/* `sp`: where the exception left the stack.  One that had no room to be pushed is the
+ * stack's overflow. */
+_Noreturn __attribute__((used)) void report_fault(const uint32_t *sp)
 {
-    semihost_write("fault\n");
+    uint32_t number;
+
+    __asm__ volatile("mrs %0, ipsr" : "=r"(number));
+    semihost_decimal("fault ", number & 0xff);
+    if (sp < stack_low || sp + PUSHED > stack_top) {
+        semihost_write(": the stack overflowed\n");
+    } else {
+        semihost_number(" at ", sp[PUSHED_PC], 16, 8);
+        semihost_decimal(", bytes of stack left ",
+                         (uint32_t)((uintptr_t)sp - (uintptr_t)stack_low));
+        semihost_write("\n");
+    }
     semihost_exit(2);
+}
+
+/* On a stack begun anew where there may be none left. */
+__attribute__((naked)) void fault(void)
+{
+    __asm__ volatile("mov r0, sp\n\tldr r1, =stack_low + 256\n\t"
+                     "cmp r0, r1\n\tbhs 1f\n\tldr r1, =stack_top\n\tmov sp, r1\n"
+                     "1:\tbl report_fault\n\t.pool");
 }
 
 /* Initial stack, reset, NMI, four faults, four reserved, SVC, debug, reserved, PendSV,
@@ -42,6 +70,11 @@ void reset(void)
     for (uint32_t *word = stack_low; word < sp - 8; word++)     /* below our own frame */
         *word = PAINT;
     semihost_exit(main());
+}
+
+uint32_t board_stack_bytes(void)
+{
+    return (uint32_t)((uintptr_t)stack_top - (uintptr_t)stack_low);
 }
 
 uint32_t board_stack_used(void)

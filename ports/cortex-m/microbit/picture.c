@@ -1,0 +1,14 @@
+/* SPDX-License-Identifier: MIT */
+/* A small colour LCD of 160x128, in 16 KB of RAM: level water with one texture, the
+ * sky, and strips. */
+#include "../board.h"
+
+static const tp_kit kit = {
+    .stage = { TP_STAGE(sky), TP_STAGE(plain), TP_STAGE(texture_linear_graded),
+               TP_STAGE(diffuse), TP_STAGE(haze) },
+    .store[TP_FORMAT_RGB565BE] = tp_store_rgb565be,
+    .method.flat = &tp_method_flat,
+};
+
+const tp_kit *const board_kit = &kit;
+const tp_frame_config board_picture = { 160, 128, 32, 8, TP_FORMAT_RGB565BE };

@@ -1,0 +1,6 @@
+# SPDX-License-Identifier: MIT
+# STM32VLDISCOVERY (STM32F100, Cortex-M3), as QEMU's stm32vldiscovery emulates it.
+TRIPLE  := arm-none-eabi-
+ARCH    := -mcpu=cortex-m3 -mthumb -mfloat-abi=soft -ffreestanding -DTP_RUN=16
+BOARD_C := $(addprefix ports/cortex-m/,stm32vldiscovery/picture.c main.c sum.c start.c \
+               semihost.c memory.c)

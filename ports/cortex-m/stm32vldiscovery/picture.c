@@ -1,0 +1,14 @@
+/* SPDX-License-Identifier: MIT */
+/* An OLED of 128x64 in black and white, in 8 KB of RAM: level water with one texture, the
+ * sky, and small tiles. */
+#include "../board.h"
+
+static const tp_kit kit = {
+    .stage = { TP_STAGE(sky), TP_STAGE(plain), TP_STAGE(texture_linear_graded),
+               TP_STAGE(diffuse), TP_STAGE(haze) },
+    .store[TP_FORMAT_I1] = tp_store_i1,
+    .method.flat = &tp_method_flat,
+};
+
+const tp_kit *const board_kit = &kit;
+const tp_frame_config board_picture = { 128, 64, 16, 4, TP_FORMAT_I1 };

@@ -1,0 +1,46 @@
+/* SPDX-License-Identifier: MIT */
+/* The CRC of a picture whose rows come in pieces.  A CRC is a remainder of polynomials
+ * over two elements: crc(A B) is crc(A) x^(8 bytes of B) + crc(B).  So each piece of a row
+ * counts by itself, times a power of x for the pixels that stand after it. */
+#include "sum.h"
+
+#define ONE   0x80000000u       /* x^0: the first bit is the highest power's */
+#define BYTE  0x00800000u       /* x^8 */
+#define POLYNOMIAL 0xedb88320u
+
+enum { PIXEL_BYTES = 4 };       /* as tp_crc32_pixels reads them */
+
+static uint32_t times(uint32_t a, uint32_t b)
+{
+    uint32_t product = 0;
+
+    for (; a; a <<= 1) {
+        product ^= a & ONE ? b : 0;
+        b = b >> 1 ^ (b & 1 ? POLYNOMIAL : 0);
+    }
+    return product;
+}
+
+static uint32_t power(uint32_t base, uint32_t n)
+{
+    uint32_t result = ONE;
+
+    for (; n; n >>= 1, base = times(base, base)) {
+        if (n & 1)
+            result = times(result, base);
+    }
+    return result;
+}
+
+uint32_t sum_tile(uint32_t sum, const tp_frame_config *config, const tp_tile *tile)
+{
+    const uint8_t *row = tile->pixels;
+
+    for (uint32_t y = tile->y0; y < tile->y1; y++, row += tile->stride) {
+        const uint32_t after = (config->height - y) * config->width - tile->x1;
+        const uint32_t crc = tp_crc32_pixels(0, config->format, row,
+                                             (int)(tile->x1 - tile->x0));
+        sum ^= times(power(BYTE, PIXEL_BYTES * after), crc);
+    }
+    return sum;
+}
