@@ -184,6 +184,9 @@ count: $(PROGRAM) build/host/count.so
 ## what two scenes take of a board's memory, by use and size of tile
 ram: $(PROGRAM) build/host/count.so
 	@tests/budgets/ram.sh
+## memory, flash and instructions of scenes on emulated boards, as the README has them
+boards: $(PROGRAM)
+	@tests/boards/table.sh
 ## times and instructions of the scene that other renderers were measured on
 bench: $(PROGRAM) $(BUILD)/tests/bench/scene_s
 	@$(PROGRAM) bench
@@ -267,6 +270,7 @@ more-tests: everything build/host/count.so build/host/tally.so
 	    tests/budgets/models-count.sh tests/charts/sweep.sh tests/charts/same.sh \
 	    tests/budgets/plan-count.sh tests/budgets/prices.sh tests/fuzz/run.sh \
 	    tests/boards/kms_events.sh
+	    tests/boards/cortex-m.sh
 fuzzers: $(FUZZ)
 # Other renderers for `tidepool bench --peers`, of whatever packages are there.
 PEERS := $(BUILD)/tests/bench/peers
@@ -331,14 +335,12 @@ build/baked/board-%.c: tests/budgets/board-%.ini $(BAKES) $(SHIPPED) | build/hos
 	$(SAY)build/host/tidepool bake $< --name baked -o $@
 # With the pictures cut: SCENE=harbour@32, no more than 32 texels a side.
 define baked_at
-build/baked/%@$1.c: assets/scenes/%.ini $(BAKES) $(SHIPPED) | build/host/tidepool
-	@mkdir -p $$(@D)
-	$$(SAY)build/host/tidepool bake $$< --name baked --texels $1 -o $$@
-build/baked/%@$1.c: ports/cortex-m/scenes/%.ini $(BAKES) $(SHIPPED) | build/host/tidepool
+build/baked/%@$1.c: $2/%.ini $(BAKES) $(SHIPPED) | build/host/tidepool
 	@mkdir -p $$(@D)
 	$$(SAY)build/host/tidepool bake $$< --name baked --texels $1 -o $$@
 endef
-$(foreach n,16 32 64 128,$(eval $(call baked_at,$n)))
+$(foreach n,16 32 64 128,$(foreach folder,assets/scenes ports/cortex-m/scenes \
+    tests/budgets,$(eval $(call baked_at,$n,$(folder)))))
 build/baked/prices.c: tests/budgets/prices.ini $(BAKES) $(SHIPPED) | build/host/tidepool
 	@mkdir -p $(@D)
 	$(SAY)build/host/tidepool bake $< --name baked -o $@
@@ -432,7 +434,7 @@ $(BUILD)/flags: force
 
 include tests/charts/charts.mk
 
-.PHONY: all lib run test test-all soak count ram bench views charts reference fuzz golden \
+.PHONY: all lib run test test-all soak count ram boards bench views charts reference fuzz golden \
     gallery assets install format clean help unit sanitized everything host-tests \
     more-tests fuzzers peers charts-tools elf elves frames kits list-core list-scenes \
     list-cross force

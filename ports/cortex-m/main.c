@@ -95,6 +95,19 @@ static void say_ram(tp_frame_ram ram, size_t world_bytes)
     semihost_write("\n");
 }
 
+static void say_picture(void)
+{
+    const tp_frame_config *c = &board_picture;
+
+    semihost_decimal("picture ", c->width);
+    semihost_decimal("x", c->height);
+    semihost_write(" ");
+    semihost_write(tp_format_name(c->format));
+    semihost_decimal(" ", c->tile_width ? c->tile_width : c->width);
+    semihost_decimal("x", c->tile_height ? c->tile_height : c->height);
+    semihost_write("\n");
+}
+
 /* In the arena or, as a refusal says, not. */
 static void *take(tp_arena *arena, size_t bytes, const char *what)
 {
@@ -138,5 +151,6 @@ int main(void)
         tick(world);
     }
     say_ram(tp_frame_memory(frame), world_bytes);
+    say_picture();
     return 0;
 }

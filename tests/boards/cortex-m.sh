@@ -1,0 +1,147 @@
+#!/bin/sh
+# SPDX-License-Identifier: MIT
+# Bare Cortex-M boards, emulated: their frames are the host's, their memory is enough, what
+# goes wrong on them is told, and README.md's table of them is what is measured.
+#     cortex-m.sh PROGRAM
+. tests/gates/lib.sh
+
+program=$1
+shots=$scratch/shots
+lacks arm-none-eabi-gcc gcc-arm-none-eabi "Cortex-M boards" && exit 0
+lacks qemu-system-arm qemu-system-arm "Cortex-M boards" && exit 0
+
+# -- frames ---------------------------------------------------------------------------
+
+said()          # WORD FILE: what follows it there
+{
+    awk -v word="$1" '{ for (i = 1; i < NF; i++) if ($i == word) print $(i + 1) }' "$2"
+}
+hashes()        # SCENE[@TEXELS] SIZE FORMAT FIRST: of two frames, by the host
+{
+    ini=${1%@*}
+    for folder in ports/cortex-m/scenes tests/budgets; do
+        [ ! -f "$folder/$ini.ini" ] || ini=$folder/$ini.ini
+    done
+    texels=
+    case $1 in *@*) texels="--texels ${1#*@}" ;; esac
+    # shellcheck disable=SC2086
+    "$program" render "$ini" $texels --size "$2" --format "$3" --hash \
+        --frames "$4:$(($4 + 1))" | sed 's/^frame [0-9]* //'
+}
+frames_are()    # BOARD/SCENE FIRST: two frames, beginning there
+{
+    of=$shots/$1.said
+    hashes "${1#*/}" $(awk '/^picture/ { print $2, $3 }' "$of") "$2" >"$scratch/want"
+    sed -n 's/^frame [0-9]* //p' "$of" >"$scratch/got"
+    [ "$(wc -l <"$scratch/got")" = 2 ] && diff "$scratch/want" "$scratch/got"
+}
+whole()         # BOARD/SCENE: nothing was left out
+{
+    [ "$(said dropped "$shots/$1.said" | sort -u)" = 0 ]
+}
+stack_holds()   # BOARD/SCENE: with room for an exception's frame besides
+{
+    of=$shots/$1.said
+    [ "$(($(said stack "$of") + 32))" -le "$(said reserve "$of")" ]
+}
+
+mkdir "$shots"
+check "programs of all boards build, and run to their end" \
+    sh -c "tests/boards/table.sh '$shots' >'$scratch/table'"
+[ "$failures" = 0 ] || exit 1
+for shot in "$shots"/*/*.said; do
+    shot=${shot#"$shots/"} shot=${shot%.said}
+    check "$shot: frames 60 and 61 are the host's" frames_are "$shot" 60
+    refuse "$shot: they are not 61 and 62" frames_are "$shot" 61
+    check "$shot: nothing was left out" whole "$shot"
+    check "$shot: the stack stays in its reserve" stack_holds "$shot"
+done
+
+# -- what goes wrong ------------------------------------------------------------------
+
+# emulate BOARD ELF: its exit code in $code, what it says in $scratch/said
+emulate()
+{
+    timeout 20 qemu-system-arm -M "$1" -nographic -monitor none -serial null \
+        -chardev file,id=said,path="$scratch/said" -kernel "$2" \
+        -semihosting-config enable=on,target=native,chardev=said </dev/null
+    code=$?
+    cat "$scratch/said"
+}
+faults()        # BOARD FOLDER WHAT LINE: ends with 2 and says so, and no more
+{
+    emulate "$1" "$2/faults/$3.elf"
+    [ $code = 2 ] && [ "$(wc -l <"$scratch/said")" = 2 ] &&
+        grep -q "^fault $4" "$scratch/said"
+}
+in_main()       # FOLDER WHAT: the place that was said lies in the function that did it
+{
+    arm-none-eabi-nm -S "$1/faults/$2.elf" | awk -v at="$(sed -n \
+        's/^fault .* at \([0-9a-f]*\),.*/\1/p' "$scratch/said")" '
+        $4 == "main" && at >= $1 { seen = at < sprintf("%08x", 1 + number($1) + number($2)) }
+        function number(hex,    i, n) {
+            for (i = 1; i <= length(hex); i++)
+                n = 16 * n + index("0123456789abcdef", substr(hex, i, 1)) - 1
+            return n
+        }
+        END { exit !seen }'
+}
+too_large()     # BOARD
+{
+    ! alone build -s BOARD="cortex-m/$1" "build/$1/faults/ram.elf" >"$scratch/log" 2>&1 &&
+        grep "region .RAM' overflowed" "$scratch/log"
+}
+faulty()        # BOARD FOLDER WHAT...: their programs
+{
+    kind=$1 folder=$2 goals=
+    shift 2
+    for what; do
+        goals="$goals $folder/faults/$what.elf"
+    done
+    # shellcheck disable=SC2086
+    alone build -s BOARD="$kind" $goals
+}
+
+for board in netduinoplus2 stm32vldiscovery microbit; do
+    check "$board: programs that go wrong build" \
+        faulty cortex-m/$board build/$board address instruction stack
+    check "$board: an address of nothing is told, exit 2" \
+        faults $board build/$board address "3 at "
+    check "$board: with its place" in_main build/$board address
+    check "$board: so is no instruction" faults $board build/$board instruction "3 at "
+    check "$board: and a stack that overflows" \
+        faults $board build/$board stack "3: the stack overflowed"
+    check "$board: more RAM than it has is refused by the linker" too_large $board
+done
+check "mps2-an386: a program that goes wrong builds" faulty cortex-m build/cortex-m \
+    instruction
+check "mps2-an386: no instruction is told, exit 2" \
+    faults mps2-an386 build/cortex-m instruction "3 at "
+check "mps2-an386: count-64 builds" alone build -s BOARD=cortex-m SCENE=count-64 elf
+draws()         # FIRST
+{
+    emulate mps2-an386 build/cortex-m/scenes/count-64.elf
+    mkdir -p "$shots/mps2-an386"
+    cp "$scratch/said" "$shots/mps2-an386/count-64.said"
+    [ $code = 0 ] && frames_are mps2-an386/count-64 "$1"
+}
+check "mps2-an386: its frames are the host's" draws 60
+refuse "mps2-an386: and no others" draws 61
+
+# -- the table ------------------------------------------------------------------------
+
+stands_in()     # README: the table between its two lines of comment
+{
+    sed -n '/^<!-- boards/,/^<!-- \/boards/p' "$1" | sed '1d;$d' | diff - "$scratch/table"
+}
+want=$(sed -n 's/^<!-- boards: make boards, \(.*\) -->$/\1/p' README.md)
+here="arm-none-eabi-gcc $(arm-none-eabi-gcc -dumpfullversion)"
+check "README.md has a table of boards" test -n "$want"
+if [ "$want" = "$here" ]; then
+    check "it is what make boards prints" stands_in README.md
+    sed '/^<!-- boards/,/^<!-- \/boards/s/5912/5911/' README.md >"$scratch/stale"
+    refuse "one with another figure is not" stands_in "$scratch/stale"
+elif [ -n "$want" ]; then
+    echo "skipped: the table of boards by $want, here $here (package ${want% *})"
+fi
+exit $((failures > 0))

@@ -1,0 +1,42 @@
+#!/bin/sh
+# SPDX-License-Identifier: MIT
+# What scenes take of boards, as the table of README.md's part `Boards`: flash, working
+# memory, stack, instructions of a frame and what a display is sent.
+#
+#   tests/boards/table.sh [FOLDER]
+#
+# Programs are run on the emulated boards, and counted by the plugin; FOLDER keeps what
+# each said (BOARD/SCENE.said) for who wants to look at the frames.
+. tests/gates/lib.sh
+
+# board | scene, @ the most texels of a picture's side
+shots='
+netduinoplus2     count-64@64
+netduinoplus2     lava@64
+netduinoplus2     board-96k@64
+microbit          bay@64
+stm32vldiscovery  bay@64
+'
+plugin=build/host/count.so
+to=${1:-$scratch}
+
+shoot()         # BOARD SCENE
+{
+    elf=build/$1/scenes/$2.elf
+    mkdir -p "$to/$1"
+    alone build -s BOARD="cortex-m/$1" SCENE="$2" elf >"$scratch/log" 2>&1 ||
+        { cat "$scratch/log" >&2; return 1; }
+    arm-none-eabi-size -A "$elf" >"$to/$1/$2.size"
+    timeout 60 qemu-system-arm -M "$1" -nographic -monitor none -serial null \
+        -chardev file,id=said,path="$to/$1/$2.said" \
+        -semihosting-config enable=on,target=native,chardev=said -kernel "$elf" \
+        -plugin $plugin 2>"$to/$1/$2.counts" </dev/null ||
+        { cat "$to/$1/$2.said" >&2; return 1; }
+}
+
+alone build -s $plugin >/dev/null || exit 1
+echo "$shots" | while read -r board scene; do
+    [ -z "$board" ] || shoot "$board" "$scene" || exit 1
+    [ -z "$board" ] || echo "$board/$scene"
+done >"$scratch/shots" || exit 1
+awk -v from="$to" -f tests/boards/table.awk "$scratch/shots"
