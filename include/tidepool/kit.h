@@ -124,6 +124,10 @@ typedef struct {
 
 #define TP_WATER(name) .name = &tp_water_##name
 
+/* In place of swells, for little RAM: a world has room for as many as there are at init,
+ * 88 bytes each, not for sixteen; with more of them it must be made anew. */
+extern const struct tp_water_swells tp_water_few_swells;
+
 /* -- parts of a world; src/scene/moves.h -------------------------------------------- */
 
 #define TP_MOVE_LIST(X) \

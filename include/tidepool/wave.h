@@ -74,6 +74,9 @@ typedef struct {
 /* gravity in m/s^2. */
 void tp_sea_init(tp_sea *sea, const tp_wave *waves, uint32_t count, tp_fx gravity);
 
+/* The same of a sea that ends after as many swells as there are amplitudes above 0. */
+void tp_sea_init_few(tp_sea *sea, const tp_wave *waves, uint32_t count, tp_fx gravity);
+
 /* Adds a wave to a sea, at first one that is all 0.  Amplitudes are cut as in
  * tp_sea_init; what the sum of steepnesses would have above 0.95 is taken from this wave
  * alone.  Beyond TP_WAVES waves, or without amplitude, nothing is added. */

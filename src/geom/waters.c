@@ -8,11 +8,16 @@ const struct tp_water_pools tp_water_pools = {
     tp_pool_relief, tp_pool_highest, tp_run_relief,
 };
 
-const struct tp_water_swells tp_water_swells = {
-    .init = tp_sea_init, .above = tp_sea_above,
-    .begin = tp_vertex_set_swells, .columns = tp_vertex_set_columns,
-    .row = tp_vertex_set_row, .sway = tp_run_sway, .slope = tp_run_slope,
-    .point = tp_level_point,
+#define SWELLS(init_by) \
+    .init = init_by, .above = tp_sea_above, \
+    .begin = tp_vertex_set_swells, .columns = tp_vertex_set_columns, \
+    .row = tp_vertex_set_row, .sway = tp_run_sway, .slope = tp_run_slope, \
+    .point = tp_level_point
+
+const struct tp_water_swells tp_water_swells = { SWELLS(tp_sea_init) };
+
+const struct tp_water_swells tp_water_few_swells = {
+    SWELLS(tp_sea_init_few), .few = true,
 };
 
 const struct tp_water_sharp tp_water_sharp = { tp_run_sharpen };

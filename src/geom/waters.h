@@ -39,6 +39,7 @@ struct tp_water_swells {
     /* Of a lattice over the picture. */
     tp_sea_point (*point)(const tp_level *level, const tp_surface *surface,
                           const tp_fx place[2], tp_fx step[2][2]);
+    bool few;                   /* a world has room for those of its scene alone */
 };
 
 struct tp_water_sharp {         /* swells with sharpened crests; needs swells */

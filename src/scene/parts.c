@@ -126,6 +126,18 @@ static void take_rest(const tp_moves *move, tp_world_parts *parts, tp_arena *are
         parts->spray = take(arena, move->spray->bytes(scene));
 }
 
+/* That a world has room for. */
+static size_t swells_of(const tp_kit *kit, const tp_scene *scene)
+{
+    size_t count = 0;
+
+    if (!kit->water.swells || !kit->water.swells->few)
+        return kit->water.swells ? TP_WAVES : 0;
+    for (int i = 0; i < TP_WAVES; i++)
+        count += scene->wave[i].amplitude > 0;
+    return count;
+}
+
 tp_status tp_parts_of(const tp_kit *kit, tp_world_parts *parts, const tp_scene *scene,
                       const tp_assets *assets, tp_error *err)
 {
@@ -134,7 +146,7 @@ tp_status tp_parts_of(const tp_kit *kit, tp_world_parts *parts, const tp_scene *
     tp_status status = TP_OK;
 
     *parts = (tp_world_parts){ .bytes = 0 };
-    take(&arena, kit->water.swells ? sizeof(tp_world) : offsetof(tp_world, sea.swell));
+    take(&arena, offsetof(tp_world, sea.swell) + swells_of(kit, scene) * sizeof(tp_swell));
     if (has_ocean(kit, scene)) {
         size_t bytes = move->ocean->bytes(kit, scene, assets);
         if (bytes == 0)

@@ -2,6 +2,7 @@
 /* From waves as people give them to swells as the core sums them, [A7] and [G1]-[G2] of
  * the models, with the bounds that the sums rely on: amplitudes up to 0.3 of the length,
  * and a sum of Q k A up to 0.95, to which every wave is scaled down alike [A11]. */
+#include "base/base.h"
 #include "wave/wave.h"
 
 #define BEND_MAX     TP_Q30(0.95)
@@ -187,11 +188,17 @@ static tp_fx steepness_of(const tp_wave *waves, uint32_t count)
 
 void tp_sea_init(tp_sea *sea, const tp_wave *waves, uint32_t count, tp_fx gravity)
 {
+    memset(sea, 0, sizeof *sea);
+    tp_sea_init_few(sea, waves, count, gravity);
+}
+
+void tp_sea_init_few(tp_sea *sea, const tp_wave *waves, uint32_t count, tp_fx gravity)
+{
     count = count < TP_WAVES ? count : TP_WAVES;
     tp_fx asked = steepness_of(waves, count);
     bool  clamped = asked > TP_FX(0.95);
 
-    *sea = (tp_sea){ .count = 0 };
+    memset(sea, 0, offsetof(tp_sea, swell));
     for (uint32_t i = 0; i < count; i++) {
         if (waves[i].amplitude <= 0)
             continue;

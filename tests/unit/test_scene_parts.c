@@ -45,6 +45,40 @@ static void a_world_without_parts_is_its_head_alone(void **state)
     assert_int_equal(tp_world_bytes(&scene, NULL), sizeof(tp_world));
 }
 
+/* By a kit with few swells a world ends after its scene's, and moves as with all; another
+ * number of them is another world.  By a kit without it has none. */
+static void a_world_ends_after_the_swells_of_its_kit(void **state)
+{
+    const size_t head = offsetof(tp_world, sea.swell);
+    tp_scene scene = scene_with(&chance, 0);
+    tp_kit few = tp_kit_all, none = tp_kit_all;
+    (void)state;
+
+    few.water.swells = &tp_water_few_swells;
+    none.water.swells = NULL;
+    for (int n = 0; n <= TP_WAVES; n++) {
+        for (int i = 0; i < TP_WAVES; i++)
+            scene.wave[i].amplitude = i < n ? chance_fx(&chance, 0.01, 0.2) : 0;
+        const size_t bytes = head + (size_t)n * sizeof(tp_swell);
+        assert_int_equal(tp_world_bytes_with(&none, &scene, NULL), head);
+        assert_int_equal(tp_world_bytes_with(&few, &scene, NULL), bytes);
+        tp_world *a = malloc(bytes), b;         /* of exactly so many */
+        assert_int_equal(tp_world_init_with(&few, a, bytes, &scene, NULL, NULL), TP_OK);
+        assert_int_equal(tp_world_init(&b, sizeof b, &scene, NULL, NULL), TP_OK);
+        tp_world_step_with(&few, a, &scene, NULL);
+        tp_world_step(&b, &scene, NULL);
+        assert_int_equal(a->sea.count, n);
+        assert_memory_equal(a->phases, b.phases, sizeof b.phases);
+        const tp_sea_point at = tp_world_above_with(&few, a, TP_FX_ONE, TP_FX_ONE);
+        const tp_sea_point want = tp_world_above(&b, TP_FX_ONE, TP_FX_ONE);
+        assert_memory_equal(&at, &want, sizeof at);
+        assert_true(tp_world_refresh_with(&few, a, &scene, NULL));
+        scene.wave[n < TP_WAVES ? n : 0].amplitude = n < TP_WAVES ? TP_FX(0.1) : 0;
+        assert_false(tp_world_refresh_with(&few, a, &scene, NULL));
+        free(a);
+    }
+}
+
 static void a_byte_less_is_no_space(void **state)
 {
     (void)state;
@@ -260,6 +294,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_block_of_the_bytes_asked_for_is_enough),
         cmocka_unit_test(a_world_without_parts_is_its_head_alone),
+        cmocka_unit_test(a_world_ends_after_the_swells_of_its_kit),
         cmocka_unit_test(a_byte_less_is_no_space),
         cmocka_unit_test(parts_are_aligned_and_lie_side_by_side),
         cmocka_unit_test(a_snapshot_goes_on_bit_for_bit),
