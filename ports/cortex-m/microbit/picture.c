@@ -1,12 +1,13 @@
 /* SPDX-License-Identifier: MIT */
-/* A small colour LCD of 160x128, in 16 KB of RAM: level water with one texture, the
- * sky, and strips. */
+/* A small colour LCD of 160x128, in 16 KB of RAM: level water with the light of its waves,
+ * one texture and the sky, in strips. */
 #include "../board.h"
 
 static const tp_kit kit = {
     .stage = { TP_STAGE(sky), TP_STAGE(plain), TP_STAGE(texture_linear_graded),
                TP_STAGE(diffuse), TP_STAGE(haze) },
     .store[TP_FORMAT_RGB565BE] = tp_store_rgb565be,
+    .water.swells = &tp_water_few_swells,
     .method.flat = &tp_method_flat,
 };
 

@@ -1,12 +1,13 @@
 /* SPDX-License-Identifier: MIT */
-/* An OLED of 128x64 in black and white, in 8 KB of RAM: level water with one texture, the
- * sky, and small tiles. */
+/* An OLED of 128x64 in black and white, in 8 KB of RAM: level water with the light of its
+ * waves, one texture and the sky, in small tiles. */
 #include "../board.h"
 
 static const tp_kit kit = {
     .stage = { TP_STAGE(sky), TP_STAGE(plain), TP_STAGE(texture_linear_graded),
                TP_STAGE(diffuse), TP_STAGE(haze) },
     .store[TP_FORMAT_I1] = tp_store_i1,
+    .water.swells = &tp_water_few_swells,
     .method.flat = &tp_method_flat,
 };
 
