@@ -434,8 +434,8 @@ $(BUILD)/flags: force
 
 include tests/charts/charts.mk
 
-.PHONY: all lib run test test-all soak count ram boards bench views charts reference fuzz golden \
-    gallery assets install format clean help unit sanitized everything host-tests \
+.PHONY: all lib run test test-all soak count ram boards bench views charts reference fuzz \
+    golden gallery assets install format clean help unit sanitized everything host-tests \
     more-tests fuzzers peers charts-tools elf elves frames kits list-core list-scenes \
     list-cross force
 .SECONDARY:
