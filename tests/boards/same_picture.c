@@ -1,0 +1,94 @@
+/* SPDX-License-Identifier: MIT */
+/* Compares what a screen shows with what it should show.
+ *
+ *     same_picture A B [565]
+ *
+ * A and B are PNG files, or PPM files of 8 bits a channel as emulators dump them.  Prints
+ * of how many pixels they differ, and the first of them; exits with 1 if there is one or
+ * the sizes differ.  The digits are the bits of red, green and blue that count, the upper
+ * ones: a screen of 16 bits a pixel is shown by some with the lower bits 0, by others with
+ * the upper bits repeated in them. */
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include "host/picture.h"
+
+/* 0x00RRGGBB, one a pixel, to free; NULL: it is no such PPM. */
+static uint32_t *read_ppm(FILE *file, uint32_t *w, uint32_t *h)
+{
+    unsigned most = 0;
+
+    if (fscanf(file, "P6 %u %u %u", w, h, &most) != 3 || most != 255 || getc(file) == EOF
+        || *w - 1 > 4095 || *h - 1 > 4095)
+        return NULL;
+    size_t pixels = (size_t)*w * *h;
+    uint32_t *to = malloc(pixels * sizeof *to);
+    for (size_t i = 0; to && i < pixels; i++) {
+        uint8_t rgb[3];
+        if (fread(rgb, 1, 3, file) != 3) {
+            free(to);
+            return NULL;
+        }
+        to[i] = (uint32_t)rgb[0] << 16 | (uint32_t)rgb[1] << 8 | rgb[2];
+    }
+    return to;
+}
+
+static uint32_t *read_picture(const char *name, uint32_t *w, uint32_t *h)
+{
+    size_t length = strlen(name);
+
+    if (length > 4 && strcmp(name + length - 4, ".png") == 0)
+        return picture_read_png(name, "the command line", w, h);
+    FILE *file = fopen(name, "rb");
+    uint32_t *pixels = file ? read_ppm(file, w, h) : NULL;
+    if (!pixels)
+        fprintf(stderr, "%s: not there, or no PPM of 8 bits a channel\n", name);
+    if (file)
+        fclose(file);
+    return pixels;
+}
+
+/* The bits that count of 0x00RRGGBB, by three digits 1..8; 0: they are none. */
+static uint32_t mask_of(const char *digits)
+{
+    uint32_t mask = 0;
+
+    if (strlen(digits) != 3 || strspn(digits, "12345678") != 3)
+        return 0;
+    for (int i = 0; i < 3; i++)
+        mask = mask << 8 | (0xff00U >> (digits[i] - '0') & 0xff);
+    return mask;
+}
+
+int main(int argc, char **argv)
+{
+    uint32_t w[2], h[2], *pixels[2], differ = 0, first = 0;
+    uint32_t mask = mask_of(argc == 4 ? argv[3] : "888");
+
+    if (argc < 3 || argc > 4 || !mask) {
+        fprintf(stderr, "usage: same_picture A B [565]\n");
+        return 2;
+    }
+    for (int i = 0; i < 2; i++) {
+        pixels[i] = read_picture(argv[i + 1], &w[i], &h[i]);
+        if (!pixels[i])
+            return 3;
+    }
+    if (w[0] != w[1] || h[0] != h[1]) {
+        printf("%ux%u against %ux%u\n", w[0], h[0], w[1], h[1]);
+        return 1;
+    }
+    for (uint32_t i = w[0] * h[0]; i-- > 0; )
+        if ((pixels[0][i] ^ pixels[1][i]) & mask) {
+            differ++;
+            first = i;
+        }
+    printf("%u of %u pixels differ\n", differ, w[0] * h[0]);
+    if (differ)
+        printf("first at %u, %u: %06x against %06x\n", first % w[0], first / w[0],
+               pixels[0][first] & 0xffffff, pixels[1][first] & 0xffffff);
+    free(pixels[0]);
+    free(pixels[1]);
+    return differ > 0;
+}
