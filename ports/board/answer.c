@@ -1,0 +1,131 @@
+/* SPDX-License-Identifier: MIT */
+/* Words of a line, and pieces of its answer, which goes out as it is put together: there
+ * is no second buffer. */
+#include "answer.h"
+
+/* -- words ------------------------------------------------------------------------- */
+
+static bool is_blank(char byte)
+{
+    return byte == ' ' || byte == '\t';
+}
+
+control_word control_next(control_word *rest, char end)
+{
+    control_word word = { rest->text, 0 };
+    size_t n = 0;
+    while (n < rest->bytes && !is_blank(rest->text[n]) && rest->text[n] != end)
+        n++;
+    word.bytes = n;
+    while (n < rest->bytes && is_blank(rest->text[n]))
+        n++;
+    rest->text += n;
+    rest->bytes -= n;
+    return word;
+}
+
+bool control_is(control_word word, const char *name)
+{
+    size_t n = 0;
+    while (n < word.bytes && name[n] != '\0' && word.text[n] == name[n])
+        n++;
+    return n == word.bytes && name[n] == '\0';
+}
+
+const tp_param *control_find(const control *c, control_word name)
+{
+    const tp_param *param = tp_param_find(name.text, name.bytes);
+    if (!param) {
+        tp_error err = { .code = TP_E_NAME };
+        tp_error_word(&err, name.text, name.bytes);
+        refuse_input(c, &err);
+    }
+    return param;
+}
+
+/* -- answers ----------------------------------------------------------------------- */
+
+void answer(const control *c, const char *text)
+{
+    c->setup->write(c->setup->to, text);
+}
+
+void answer_number(const control *c, uint32_t number)
+{
+    char  text[11];
+    char *at = text + sizeof text - 1;
+    *at = '\0';
+    do {
+        *--at = (char)('0' + number % 10);
+    } while (number /= 10);
+    answer(c, at);
+}
+
+static void answer_unit(const control *c, const tp_param *param)
+{
+    if (param->kind != TP_PARAM_CHOICE && param->unit[0]) {
+        answer(c, " ");
+        answer(c, param->unit);
+    }
+}
+
+void answer_value(const control *c, const tp_param *param)
+{
+    char text[TP_NAME_BYTES];
+    tp_param_text(c->setup->shown, param, text, sizeof text);
+    answer(c, param->name);
+    answer(c, " = ");
+    answer(c, text);
+    answer_unit(c, param);
+}
+
+void answer_range(const control *c, const char *before, const tp_param *param)
+{
+    char text[16];
+    if (param->kind == TP_PARAM_BOOL || param->kind == TP_PARAM_CHOICE) {
+        answer(c, before);
+        answer(c, param->kind == TP_PARAM_BOOL ? "off|on" : param->unit);
+    } else if (param->kind == TP_PARAM_FX || param->kind == TP_PARAM_INT) {
+        answer(c, before);
+        tp_param_number_text(param, param->low, text, sizeof text);
+        answer(c, text);
+        answer(c, "..");
+        tp_param_number_text(param, param->high, text, sizeof text);
+        answer(c, text);
+    }
+}
+
+void refuse(const control *c, const char *why)
+{
+    answer(c, "error ");
+    answer(c, why);
+    answer(c, "\n");
+}
+
+void refuse_input(const control *c, const tp_error *err)
+{
+    char text[160];
+    tp_error_text(err, text, sizeof text);
+    refuse(c, text);
+}
+
+void refuse_value(const control *c, const tp_param *param, const tp_error *err)
+{
+    char text[160];
+    answer(c, "error ");
+    answer(c, param->name);
+    switch (err->code) {
+    case TP_E_RANGE:
+    case TP_E_CHOICE:
+        answer(c, " = ");
+        answer(c, err->word);
+        answer_range(c, err->code == TP_E_RANGE ? " is outside " : " is none of ", param);
+        answer_unit(c, param);
+        break;
+    default:
+        tp_error_text(err, text, sizeof text);
+        answer(c, ": ");
+        answer(c, text);
+    }
+    answer(c, "\n");
+}

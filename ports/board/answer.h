@@ -1,0 +1,29 @@
+/* SPDX-License-Identifier: MIT */
+/* What a control's files share: words of a line, and pieces of its answer. */
+#ifndef BOARD_ANSWER_H
+#define BOARD_ANSWER_H
+#include "control.h"
+
+void *memcpy(void *restrict to, const void *restrict from, size_t bytes);
+void *memset(void *to, int value, size_t bytes);
+
+/* A part of the line, not terminated. */
+typedef struct { const char *text; size_t bytes; } control_word;
+
+/* The next word of *rest, up to a blank or `end`; the rest begins after the blanks. */
+control_word control_next(control_word *rest, char end);
+bool control_is(control_word word, const char *name);
+
+/* The parameter called so, or NULL, which then has been answered. */
+const tp_param *control_find(const control *c, control_word name);
+void control_set(control *c, control_word rest);
+
+void answer(const control *c, const char *text);
+void answer_number(const control *c, uint32_t number);
+void answer_value(const control *c, const tp_param *param);     /* "name = 0.8 m" */
+/* What it may be, after `before`: "0..16" or words; nothing of colours and names. */
+void answer_range(const control *c, const char *before, const tp_param *param);
+void refuse(const control *c, const char *why);                 /* whole lines */
+void refuse_input(const control *c, const tp_error *err);
+void refuse_value(const control *c, const tp_param *param, const tp_error *err);
+#endif

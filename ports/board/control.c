@@ -1,0 +1,198 @@
+/* SPDX-License-Identifier: MIT */
+/* Bytes to lines, lines to commands.  A line that is too long, or has a byte in it that is
+ * no text, is dropped whole and said so at its end; the next one is read as ever. */
+#include "control.h"
+#include "answer.h"
+#include "tidepool/tape.h"
+
+#define DROPS_MOST 1024         /* of tp_input */
+
+/* -- commands ------------------------------------------------------------------------ */
+
+static void get(const control *c, control_word rest)
+{
+    const tp_param *param = control_find(c, control_next(&rest, '\0'));
+    if (!param)
+        return;
+    answer(c, "ok ");
+    answer_value(c, param);
+    answer_range(c, " of ", param);
+    answer(c, "\n");
+}
+
+static bool begins(const char *name, control_word prefix)
+{
+    size_t n = 0;
+    while (n < prefix.bytes && name[n] == prefix.text[n])
+        n++;
+    return n == prefix.bytes;
+}
+
+static void list(const control *c, control_word rest)
+{
+    uint32_t count, n = 0;
+    const tp_param *params = tp_params(&count);
+    const control_word prefix = control_next(&rest, '\0');
+    for (uint32_t i = 0; i < count; i++)
+        if (begins(params[i].name, prefix)) {
+            answer_value(c, &params[i]);
+            answer(c, "\n");
+            n++;
+        }
+    answer(c, n ? "ok " : "error ");
+    answer_number(c, n);
+    answer(c, n == 1 ? " parameter\n" : " parameters\n");
+}
+
+/* The next word is one number and nothing else. */
+static bool next_metres(control_word *rest, tp_fx *metres)
+{
+    const control_word word = control_next(rest, '\0');
+    int beyond = 0;
+    return word.bytes > 0
+        && tp_fx_read(word.text, (uint32_t)word.bytes, metres, &beyond) == word.bytes
+        && !beyond;
+}
+
+static void poke(control *c, control_word rest)
+{
+    const tp_world_parts *parts = &c->setup->world->parts;
+    tp_fx x, z, height = c->setup->shown->pool.poke;
+    bool  read = next_metres(&rest, &x) && next_metres(&rest, &z);
+    if (read && rest.bytes > 0)
+        read = next_metres(&rest, &height) && rest.bytes == 0;
+    if (!read) {
+        refuse(c, "expected poke X Z [HEIGHT], in m");
+    } else if (!parts->pool && !parts->field) {
+        refuse(c, "the scene has no pool");
+    } else {
+        c->input.poke = height;
+        c->input.poke_x = x;
+        c->input.poke_z = z;
+        answer(c, "ok poke\n");
+    }
+}
+
+static void drop(control *c)
+{
+    if (!c->setup->world->parts.drops) {
+        refuse(c, "the scene has no drops");
+        return;
+    }
+    c->input.drops += c->input.drops < DROPS_MOST;
+    answer(c, "ok drop\n");
+}
+
+/* A tape's line but for its tick, which is the next one whatever it is called: "input"
+ * becomes "0    ".  What was asked for before and not now stays. */
+static void input(control *c)
+{
+    tp_tape_entry entry;
+    tp_error err = { 0 };
+    memset(c->line, ' ', sizeof "input" - 1);
+    c->line[0] = '0';
+    if (tp_tape_read(&entry, c->line, c->length, &err)) {
+        refuse_input(c, &err);
+        return;
+    }
+    const tp_input before = c->input;
+    c->input = entry.input;
+    c->input.drops = tp_clamp(before.drops + entry.input.drops, 0, DROPS_MOST);
+    if (!c->input.poke) {
+        c->input.poke = before.poke;
+        c->input.poke_x = before.poke_x;
+        c->input.poke_z = before.poke_z;
+    }
+    answer(c, "ok input\n");
+}
+
+static void pause(control *c, bool on)
+{
+    c->paused = on;
+    answer(c, on ? "ok pause\n" : "ok go\n");
+}
+
+static void obey(control *c)
+{
+    control_word rest = { c->line, c->length };
+    const control_word word = control_next(&rest, '\0');
+    if (control_is(word, "set"))
+        control_set(c, rest);
+    else if (control_is(word, "get"))
+        get(c, rest);
+    else if (control_is(word, "list"))
+        list(c, rest);
+    else if (control_is(word, "poke"))
+        poke(c, rest);
+    else if (control_is(word, "drop"))
+        drop(c);
+    else if (control_is(word, "input"))
+        input(c);
+    else if (control_is(word, "pause") || control_is(word, "go"))
+        pause(c, control_is(word, "pause"));
+    else
+        refuse(c, "expected set, get, list, poke, drop, input, pause or go");
+}
+
+/* -- lines --------------------------------------------------------------------------- */
+
+/* Blanks before the first word do not count; a line of them alone is none. */
+static void trim(control *c)
+{
+    uint32_t blanks = 0;
+    while (blanks < c->length && (c->line[blanks] == ' ' || c->line[blanks] == '\t'))
+        blanks++;
+    c->length -= blanks;
+    for (uint32_t i = 0; i < c->length; i++)
+        c->line[i] = c->line[blanks + i];
+}
+
+static bool end_line(control *c)
+{
+    if (c->odd) {
+        answer(c, "error line with byte ");
+        answer_number(c, c->odd - 1);
+        answer(c, ", which is no text\n");
+    } else if (c->length > CONTROL_LINE) {
+        answer(c, "error line longer than ");
+        answer_number(c, CONTROL_LINE);
+        answer(c, " bytes\n");
+    } else {
+        trim(c);
+        if (c->length == 0)
+            return false;
+        obey(c);
+    }
+    return true;
+}
+
+void control_begin(control *c, const control_setup *setup)
+{
+    memset(c, 0, sizeof *c);
+    c->setup = setup;
+    c->frame_bytes = (uint32_t)tp_frame_bytes_with(setup->kit, setup->shown,
+                                                   setup->assets, setup->config);
+}
+
+bool control_byte(control *c, uint8_t byte)
+{
+    if (byte == '\r' || byte == '\n') {
+        const bool done = end_line(c);
+        c->length = 0;
+        c->odd = 0;
+        return done;
+    }
+    if (c->odd == 0 && byte != '\t' && (byte < ' ' || byte > '~'))
+        c->odd = byte + 1u;
+    if (c->length < CONTROL_LINE)
+        c->line[c->length] = (char)byte;
+    c->length += c->length <= CONTROL_LINE;
+    return false;
+}
+
+tp_input control_take(control *c)
+{
+    const tp_input taken = c->input;
+    memset(&c->input, 0, sizeof c->input);
+    return taken;
+}

@@ -1,0 +1,387 @@
+/* SPDX-License-Identifier: MIT */
+/* Control on a board: what lines are answered, that a refused one changes nothing, that
+ * bytes of any kind do no harm, and that pictures are those of the scene so changed. */
+#include <stdarg.h>
+#include <stddef.h>
+#include <setjmp.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <cmocka.h>
+#include "../../ports/board/control.h"
+#include "../unit/scenes.h"
+
+static const tp_frame_config config = { 64, 48, 0, 8, TP_FORMAT_L8 };
+static const tp_assets none;
+
+typedef struct {
+    tp_scene  scene;
+    tp_world *world;
+    tp_frame *frame;
+    uint64_t *block, *scratch;
+    control   control;
+    control_setup setup;
+    char      said[65536];
+    size_t    length;
+} board;
+
+static void hear(void *to, const char *text)
+{
+    board *b = to;
+    const size_t bytes = strlen(text);
+    assert_true(b->length + bytes < sizeof b->said);
+    memcpy(b->said + b->length, text, bytes + 1);
+    b->length += bytes;
+}
+
+static void board_open(board *b)
+{
+    const size_t bytes = tp_world_bytes(&b->scene, &none);
+    b->world = malloc(bytes);
+    b->block = malloc(tp_frame_bytes(&b->scene, &none, &config));
+    b->scratch = malloc(tp_frame_scratch_bytes(&config));
+    assert_int_equal(tp_world_init(b->world, bytes, &b->scene, &none, NULL), TP_OK);
+    assert_int_equal(tp_frame_init(&b->frame, &b->scene, &none, &config, b->block, NULL),
+                     TP_OK);
+    b->setup = (control_setup){ &tp_kit_all, &b->scene, &b->scene, &none, &config,
+                                b->world, hear, b };
+    control_begin(&b->control, &b->setup);
+}
+
+static void board_close(board *b)
+{
+    free(b->world);
+    free(b->block);
+    free(b->scratch);
+}
+
+/* Waves, a pool and drops; the grid's cells stay few. */
+static int set_up(void **state)
+{
+    board *b = calloc(1, sizeof *b);
+    b->scene = scene_plain();
+    b->scene.boat.mesh[0] = '\0';
+    b->scene.grid.cols = b->scene.grid.rows = 24;
+    b->scene.pool.cols = b->scene.pool.rows = 16;
+    b->scene.drops.count = 4;
+    board_open(b);
+    *state = b;
+    return 0;
+}
+
+static int tear_down(void **state)
+{
+    board_close(*state);
+    free(*state);
+    return 0;
+}
+
+/* Feeds a text; what is answered. */
+static const char *answer_to(board *b, const char *text, size_t bytes)
+{
+    b->length = 0;
+    b->said[0] = '\0';
+    for (size_t i = 0; i < bytes; i++)
+        control_byte(&b->control, (uint8_t)text[i]);
+    return b->said;
+}
+
+static const char *ask(board *b, const char *text)
+{
+    return answer_to(b, text, strlen(text));
+}
+
+static uint32_t draw(board *b)
+{
+    uint32_t crc = 0;
+    tp_tile  tile;
+    tp_frame_begin(b->frame, b->world);
+    for (uint32_t i = 0; tp_frame_tile(b->frame, i, b->scratch, &tile); i++)
+        crc = tp_crc32(crc, tile.pixels, tile.stride * (tile.y1 - tile.y0));
+    return crc;
+}
+
+/* -- answers ----------------------------------------------------------------------- */
+
+typedef struct { const char *line, *answer; } exchange;
+
+static void hold(board *b, const exchange *e, size_t count)
+{
+    for (size_t i = 0; i < count; i++)
+        if (strcmp(ask(b, e[i].line), e[i].answer))
+            fail_msg("to '%s': '%s', not '%s'", e[i].line, b->said, e[i].answer);
+}
+
+#define COUNT(list) (sizeof (list) / sizeof (list)[0])
+
+static void lines_are_answered_as_documented(void **state)
+{
+    static const exchange talk[] = {
+        { "set wave0.amplitude 0.8\n", "ok wave0.amplitude = 0.8 m\n" },
+        { "get wave0.amplitude\n", "ok wave0.amplitude = 0.8 m of 0..16\n" },
+        { "set wave0.amplitude=0.5\r", "ok wave0.amplitude = 0.5 m\n" },
+        { "\n", "" },
+        { "  set \t wave0.amplitude  =  +.25 \r\n", "ok wave0.amplitude = 0.25 m\n" },
+        { "get sky.kind\n",
+          "ok sky.kind = gradient of gradient|day|dusk|night|cube\n" },
+        { "set water.colour #204060\n", "ok water.colour = #204060\n" },
+        { "set grid.follow off\n", "ok grid.follow = off\n" },
+        { "set scene.title A pond, ours\n", "ok scene.title = A pond, ours\n" },
+        { "list wave3.sp\n", "wave3.speed = 1\nok 1 parameter\n" },
+        { "list surf.\n", "surf.k0 = 0.1 1/m\nsurf.kx = 0.11 1/m\nsurf.ky = 0.09 1/m\n"
+          "surf.stretch = 1\nsurf.irregular = 0.3\nok 5 parameters\n" },
+        { "drop\n", "ok drop\n" }, { "poke 1 -2\n", "ok poke\n" },
+        { "input light_turn=9 drops=3\n", "ok input\n" },
+        { "pause\n", "ok pause\n" }, { "go\n", "ok go\n" },
+        { "\r\n\r\n \t \n", "" },
+    };
+    hold(*state, talk, COUNT(talk));
+}
+
+static void wrong_lines_say_what_was_expected(void **state)
+{
+    static const exchange talk[] = {
+        { "set wave0.amplitude 99\n",
+          "error wave0.amplitude = 99 is outside 0..16 m\n" },
+        { "set wave0.amplitude 1e9\n",
+          "error wave0.amplitude = 1e9 is outside 0..16 m\n" },
+        { "set wave0.power 2.5\n",
+          "error wave0.power: expected a number, found 2.5\n" },
+        { "set wave0.amplitude\n",
+          "error wave0.amplitude: expected a number, found \n" },
+        { "set sky.kind noon\n",
+          "error sky.kind = noon is none of gradient|day|dusk|night|cube\n" },
+        { "set grid.follow maybe\n", "error grid.follow = maybe is none of off|on\n" },
+        { "set water.colour blue\n", "error water.colour: expected a colour such as "
+          "#204060, found blue\n" },
+        { "set wave99.amplitude 1\n", "error no parameter is called wave99.amplitude\n" },
+        { "set\n", "error no parameter is called \n" },
+        { "set layer0.texture x.png\n",
+          "error layer0.texture is fixed when a scene is baked\n" },
+        { "set grid.cols 24\n", "error grid.cols is fixed when a scene is baked\n" },
+        { "list wavy\n", "error 0 parameters\n" },
+        { "poke 1\n", "error expected poke X Z [HEIGHT], in m\n" },
+        { "poke 1 2 3 4\n", "error expected poke X Z [HEIGHT], in m\n" },
+        { "poke 1 2x\n", "error expected poke X Z [HEIGHT], in m\n" },
+        { "poke 40000 2\n", "error expected poke X Z [HEIGHT], in m\n" },
+        { "input height=3\n", "error no input is called height\n" },
+        { "SET wave0.amplitude 1\n",
+          "error expected set, get, list, poke, drop, input, pause or go\n" },
+        { "setwave0.amplitude 1\n",
+          "error expected set, get, list, poke, drop, input, pause or go\n" },
+    };
+    board *b = *state;
+    const tp_scene before = b->scene;
+    const tp_world world = *b->world;
+    hold(b, talk, COUNT(talk));
+    assert_memory_equal(&before, &b->scene, sizeof before);
+    assert_memory_equal(&world, b->world, sizeof world);
+    assert_false(b->control.changed);
+    assert_int_equal(control_take(&b->control).poke, 0);
+}
+
+static void scenes_without_a_pool_or_drops_say_so(void **state)
+{
+    board *b = *state;
+    board_close(b);
+    b->scene.pool.cols = b->scene.drops.count = 0;
+    board_open(b);
+    assert_string_equal(ask(b, "drop\n"), "error the scene has no drops\n");
+    assert_string_equal(ask(b, "poke 1 2\n"), "error the scene has no pool\n");
+}
+
+static void a_constant_scene_is_read_but_not_set(void **state)
+{
+    board *b = *state;
+    b->setup.scene = NULL;
+    assert_string_equal(ask(b, "set camera.y 9\n"),
+                        "error camera.y cannot change: the scene is constant\n");
+    assert_string_equal(ask(b, "get camera.y\n"), "ok camera.y = 4 m of -100..2000\n");
+}
+
+/* -- memory --------------------------------------------------------------------------- */
+
+static void what_the_world_has_no_room_for_is_taken_back(void **state)
+{
+    board *b = *state;
+    const tp_scene before = b->scene;
+    char said[160];
+    tp_scene more = b->scene;
+    more.pool.rows = 64;
+    snprintf(said, sizeof said, "error pool.rows = 64 cells needs %zu bytes of the world,"
+             " which has %u\n", tp_world_bytes(&more, &none),
+             (unsigned)b->world->parts.bytes);
+    const uint32_t crc = draw(b);
+    assert_string_equal(ask(b, "set pool.rows 64\n"), said + 0);
+    assert_memory_equal(&before, &b->scene, sizeof before);
+    assert_int_equal(draw(b), crc);
+    assert_string_equal(ask(b, "set pool.courant 0.8\n"),
+                        "error pool.courant = 0.8 cannot be had while the water moves\n");
+    assert_memory_equal(&before, &b->scene, sizeof before);
+}
+
+static void what_the_frame_lacks_memory_for_is_said(void **state)
+{
+    board *b = *state;
+    const char *said = ask(b, "set sky.kind day\n");
+    assert_non_null(strstr(said, "ok sky.kind = day, in part: needs "));
+    assert_non_null(strstr(said, " bytes of the frame, which has "));
+    assert_string_equal(ask(b, "set camera.y 3\n"), "ok camera.y = 3 m\n");
+    draw(b);
+}
+
+/* -- pictures ------------------------------------------------------------------------- */
+
+static void a_picture_is_that_of_the_scene_so_changed(void **state)
+{
+    static const char *const lines[] = {
+        "set wave0.amplitude 0.9\n", "set camera.y 2.5\n", "set camera.heading 77\n",
+        "set camera.pitch -20\n", "set camera.x -3\n", "set camera.z 5\n",
+        "set camera.fov 90\n", "set light.elevation 10\n", "set water.colour #ff0000\n",
+        "set sky.zenith #000000\n",
+    };
+    board *b = *state, *fresh = calloc(1, sizeof *fresh);
+    for (size_t i = 0; i < COUNT(lines); i++) {
+        const uint32_t before = draw(b);
+        assert_memory_equal(ask(b, lines[i]), "ok ", 3);
+        fresh->scene = b->scene;
+        board_open(fresh);
+        const uint32_t now = draw(b);
+        assert_int_equal(now, draw(fresh));
+        if (now == before)
+            fail_msg("%s changes nothing", lines[i]);
+        board_close(fresh);
+    }
+    free(fresh);
+}
+
+/* What is taken is left in the scene at any value, and can be drawn and moved. */
+static void every_parameter_takes_its_ends(void **state)
+{
+    uint32_t count, taken = 0;
+    const tp_param *rows = tp_params(&count);
+    board *b = *state;
+    for (uint32_t i = 0; i < 2 * count; i++) {
+        const tp_param *row = &rows[i / 2];
+        char line[256], value[32], want[256];
+        if (!scene_is_number(row))
+            continue;
+        tp_param_number_text(row, i % 2 ? row->high : row->low, value, sizeof value);
+        snprintf(line, sizeof line, "set %s %s\n", row->name, value);
+        const bool ok = memcmp(ask(b, line), "ok ", 3) == 0;
+        snprintf(want, sizeof want, "%s %s = %s", ok ? "ok" : "error", row->name, value);
+        if (memcmp(b->said, want, strlen(want)) && !strstr(b->said, " is fixed when "))
+            fail_msg("to '%s': '%s'", line, b->said);
+        assert_true(!ok || *scene_number(&b->scene, row)
+                           == (i % 2 ? row->high : row->low));
+        taken += ok;
+        draw(b);
+        tp_world_step(b->world, &b->scene, NULL);
+    }
+    assert_true(taken > count);
+}
+
+/* -- input ---------------------------------------------------------------------------- */
+
+static void input_is_taken_once(void **state)
+{
+    board *b = *state;
+    ask(b, "drop\ndrop\ninput ahead=0.5 drops=2\npoke 1.5 -2 0.25\n");
+    const tp_input first = control_take(&b->control), second = control_take(&b->control);
+    const tp_input want = { .ahead = TP_FX(0.5), .drops = 4, .poke = TP_FX(0.25),
+                            .poke_x = TP_FX(1.5), .poke_z = TP_FX(-2) };
+    assert_memory_equal(&first, &want, sizeof want);
+    assert_memory_equal(&second, &(tp_input){ 0 }, sizeof second);
+    ask(b, "poke 1 2\ninput turn=5\n");
+    assert_int_equal(control_take(&b->control).poke, b->scene.pool.poke);
+    for (int i = 0; i < 2000; i++)
+        ask(b, "drop\n");
+    ask(b, "input drops=1000\n");
+    assert_int_equal(control_take(&b->control).drops, 1024);
+}
+
+/* -- hostile bytes -------------------------------------------------------------------- */
+
+static void a_bad_line_does_not_cost_the_next(void **state)
+{
+    char line[4096];
+    board *b = *state;
+    for (size_t bytes = CONTROL_LINE - 2; bytes < sizeof line - 32; bytes += bytes / 8) {
+        memset(line, 'x', bytes);
+        strcpy(line + bytes, "\nget camera.y\n");
+        const char *said = ask(b, line);
+        if (bytes > CONTROL_LINE)
+            assert_string_equal(said, "error line longer than 160 bytes\n"
+                                      "ok camera.y = 4 m of -100..2000\n");
+    }
+    for (int byte = 0; byte < 256; byte++) {
+        char want[80], odd[] = "get camera.y?\nget camera.y\n";
+        if (byte == '\n' || byte == '\r' || byte == '\t' || (byte >= ' ' && byte <= '~'))
+            continue;
+        odd[12] = (char)byte;
+        snprintf(want, sizeof want, "error line with byte %d, which is no text\n"
+                 "ok camera.y = 4 m of -100..2000\n", byte);
+        assert_string_equal(answer_to(b, odd, sizeof odd - 1), want);
+    }
+}
+
+static void the_longest_line_is_read_whole(void **state)
+{
+    char line[CONTROL_LINE + 2];
+    board *b = *state;
+    memset(line, ' ', sizeof line);
+    memcpy(line, "set camera.y", 12);
+    memcpy(line + CONTROL_LINE - 3, "7.5\n", 4);
+    assert_string_equal(answer_to(b, line, CONTROL_LINE + 1), "ok camera.y = 7.5 m\n");
+    memcpy(line + CONTROL_LINE - 2, "7.5\n", 4);
+    assert_string_equal(answer_to(b, line, CONTROL_LINE + 2),
+                        "error line longer than 160 bytes\n");
+}
+
+/* Words of commands and names among random bytes. */
+static uint8_t any_byte(uint64_t *chance)
+{
+    static const char text[] = "set get list poke drop input wave0.length = 0.5 -1 #fff\n\n";
+    const uint32_t kind = random_below(chance, 400);
+    return kind == 0 ? (uint8_t)random_below(chance, 256)
+                     : (uint8_t)text[random_below(chance, sizeof text - 1)];
+}
+
+static void any_bytes_are_answered_by_lines_of_text(void **state)
+{
+    uint64_t chance = random_seed();
+    board *b = *state;
+    for (int n = 0; n < 3000; n++) {
+        char bytes[200];
+        for (size_t i = 0; i < sizeof bytes; i++)
+            bytes[i] = (char)any_byte(&chance);
+        if (n % 3 == 0)
+            memcpy(bytes, "\nlist wave1\n", 12);
+        answer_to(b, bytes, sizeof bytes);
+        for (size_t i = 0; i < b->length; i++)
+            assert_true(b->said[i] == '\n' || (b->said[i] >= ' ' && b->said[i] <= '~'));
+        assert_true(b->length == 0 || b->said[b->length - 1] == '\n');
+        ask(b, "\nget camera.pitch\n");
+        assert_non_null(strstr(b->said, "ok camera.pitch = -6 degrees of -89..89\n"));
+    }
+}
+
+int main(void)
+{
+#define HELD(test) cmocka_unit_test_setup_teardown(test, set_up, tear_down)
+    const struct CMUnitTest tests[] = {
+        HELD(lines_are_answered_as_documented),
+        HELD(wrong_lines_say_what_was_expected),
+        HELD(scenes_without_a_pool_or_drops_say_so),
+        HELD(a_constant_scene_is_read_but_not_set),
+        HELD(what_the_world_has_no_room_for_is_taken_back),
+        HELD(what_the_frame_lacks_memory_for_is_said),
+        HELD(a_picture_is_that_of_the_scene_so_changed),
+        HELD(every_parameter_takes_its_ends),
+        HELD(input_is_taken_once),
+        HELD(a_bad_line_does_not_cost_the_next),
+        HELD(the_longest_line_is_read_whole),
+        HELD(any_bytes_are_answered_by_lines_of_text),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
