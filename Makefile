@@ -84,7 +84,7 @@ PORTS := $(addprefix ports/, \
     screen/layout.c screen/loop.c screen/watch.c linuxfb/linuxfb.c)
     host/say.c host/scene_file.c host/scene_ini.c host/sink.c host/stage.c \
     host/timing.c host/words.c \
-    null/null.c board/answer.c board/control.c board/control_set.c)
+    null/null.c board/answer.c board/control.c board/control_set.c board/buttons.c)
 MAIN  := ports/host/main.c
 # Linux's screens, where the kernel's headers are.
 ifeq ($(shell $(CC) -E ports/kms/choose.h >/dev/null 2>&1 && echo yes),yes)

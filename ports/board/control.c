@@ -6,6 +6,7 @@
 #include "tidepool/tape.h"
 
 #define DROPS_MOST 1024         /* of tp_input */
+#define STEPS_MOST 100000
 
 /* -- commands ------------------------------------------------------------------------ */
 
@@ -112,6 +113,38 @@ static void pause(control *c, bool on)
     answer(c, on ? "ok pause\n" : "ok go\n");
 }
 
+/* "step" or "step N". */
+static void step(control *c, control_word rest)
+{
+    const control_word word = control_next(&rest, '\0');
+    uint32_t ticks = 0;
+    size_t   n = 0;
+    while (n < word.bytes && word.text[n] >= '0' && word.text[n] <= '9'
+           && ticks <= STEPS_MOST)
+        ticks = ticks * 10 + (uint32_t)(word.text[n++] - '0');
+    if (word.bytes == 0)
+        ticks = 1;
+    if (n < word.bytes || ticks > STEPS_MOST || rest.bytes > 0) {
+        refuse(c, "expected step [TICKS], 100000 at the most");
+        return;
+    }
+    c->paused = true;
+    c->steps = ticks;
+    answer(c, "ok step ");
+    answer_number(c, ticks);
+    answer(c, "\n");
+}
+
+static void state(const control *c)
+{
+    const control_setup *s = c->setup;
+    answer(c, "ok tick ");
+    answer_number(c, (uint32_t)s->world->tick);
+    if (s->state)
+        s->state(s->to);
+    answer(c, "\n");
+}
+
 static void obey(control *c)
 {
     control_word rest = { c->line, c->length };
@@ -130,8 +163,12 @@ static void obey(control *c)
         input(c);
     else if (control_is(word, "pause") || control_is(word, "go"))
         pause(c, control_is(word, "pause"));
+    else if (control_is(word, "step"))
+        step(c, rest);
+    else if (control_is(word, "state"))
+        state(c);
     else
-        refuse(c, "expected set, get, list, poke, drop, input, pause or go");
+        refuse(c, "expected set get list drop poke input pause go step state");
 }
 
 /* -- lines --------------------------------------------------------------------------- */
@@ -172,6 +209,20 @@ void control_begin(control *c, const control_setup *setup)
     c->setup = setup;
     c->frame_bytes = (uint32_t)tp_frame_bytes_with(setup->kit, setup->shown,
                                                    setup->assets, setup->config);
+}
+
+bool control_reads(const control *c)
+{
+    return c->steps == 0;
+}
+
+bool control_ticks(control *c)
+{
+    if (c->steps > 0) {
+        c->steps--;
+        return true;
+    }
+    return !c->paused;
 }
 
 bool control_byte(control *c, uint8_t byte)

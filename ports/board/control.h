@@ -9,7 +9,8 @@
  *     drop                        ok drop
  *     poke 1.5 -8                 ok poke; a height may follow, or is pool.poke
  *     input light_turn=9 drops=1  ok input; what tidepool/tape.h lists, for one tick
- *     pause, go                   ok
+ *     pause, go, step 30          ok pause; a step is so many ticks, then it pauses
+ *     state                       ok tick 37, and what the port adds
  *
  * Bytes are fed one by one as they come, between frames: a frame that is being drawn reads
  * the scene.  Every line that is not blank is answered by one that begins with "ok" or
@@ -32,12 +33,14 @@ typedef struct {
     const tp_frame_config *config;
     tp_world        *world;
     void           (*write)(void *to, const char *text);    /* a piece of an answer */
+    void           (*state)(void *to);      /* the rest of that answer; NULL: none */
     void            *to;
 } control_setup;
 
 typedef struct {
     const control_setup *setup;
-    bool     paused;            /* the port makes no ticks */
+    bool     paused;            /* the water stands */
+    uint32_t steps;             /* ticks still to make though it does */
     bool     changed;           /* by a line, since the port took it back */
     tp_input input;             /* for the next tick; see control_take */
 
@@ -51,8 +54,14 @@ typedef struct {
 /* After tp_frame_init and tp_world_init; the setup must outlive the control. */
 void control_begin(control *c, const control_setup *setup);
 
+/* False: the port makes the ticks of a step first, and then reads on. */
+bool control_reads(const control *c);
+
 /* True: the byte ended a line, which has been done and answered. */
 bool control_byte(control *c, uint8_t byte);
+
+/* Whether a tick that is due is to be made. */
+bool control_ticks(control *c);
 
 /* The input of the next tick, which then is empty. */
 tp_input control_take(control *c);

@@ -44,7 +44,7 @@ static void board_open(board *b)
     assert_int_equal(tp_frame_init(&b->frame, &b->scene, &none, &config, b->block, NULL),
                      TP_OK);
     b->setup = (control_setup){ &tp_kit_all, &b->scene, &b->scene, &none, &config,
-                                b->world, hear, b };
+                                b->world, hear, NULL, b };
     control_begin(&b->control, &b->setup);
 }
 
@@ -133,6 +133,8 @@ static void lines_are_answered_as_documented(void **state)
         { "drop\n", "ok drop\n" }, { "poke 1 -2\n", "ok poke\n" },
         { "input light_turn=9 drops=3\n", "ok input\n" },
         { "pause\n", "ok pause\n" }, { "go\n", "ok go\n" },
+        { "step\n", "ok step 1\n" }, { "step 30\n", "ok step 30\n" },
+        { "state\n", "ok tick 0\n" },
         { "\r\n\r\n \t \n", "" },
     };
     hold(*state, talk, COUNT(talk));
@@ -164,11 +166,15 @@ static void wrong_lines_say_what_was_expected(void **state)
         { "poke 1 2 3 4\n", "error expected poke X Z [HEIGHT], in m\n" },
         { "poke 1 2x\n", "error expected poke X Z [HEIGHT], in m\n" },
         { "poke 40000 2\n", "error expected poke X Z [HEIGHT], in m\n" },
+        { "step -1\n", "error expected step [TICKS], 100000 at the most\n" },
+        { "step 100001\n", "error expected step [TICKS], 100000 at the most\n" },
+        { "step 99999999999\n", "error expected step [TICKS], 100000 at the most\n" },
+        { "step 3 4\n", "error expected step [TICKS], 100000 at the most\n" },
         { "input height=3\n", "error no input is called height\n" },
         { "SET wave0.amplitude 1\n",
-          "error expected set, get, list, poke, drop, input, pause or go\n" },
+          "error expected set get list drop poke input pause go step state\n" },
         { "setwave0.amplitude 1\n",
-          "error expected set, get, list, poke, drop, input, pause or go\n" },
+          "error expected set get list drop poke input pause go step state\n" },
     };
     board *b = *state;
     const tp_scene before = b->scene;
@@ -300,6 +306,22 @@ static void input_is_taken_once(void **state)
     assert_int_equal(control_take(&b->control).drops, 1024);
 }
 
+static void a_step_is_so_many_ticks_and_then_it_pauses(void **state)
+{
+    board *b = *state;
+    uint32_t ticks = 0;
+    assert_true(control_reads(&b->control));
+    ask(b, "step 30\n");
+    assert_false(control_reads(&b->control));
+    while (control_ticks(&b->control))
+        ticks++;
+    assert_int_equal(ticks, 30);
+    assert_true(control_reads(&b->control));
+    ask(b, "go\n");
+    for (int i = 0; i < 100; i++)
+        assert_true(control_ticks(&b->control));
+}
+
 /* -- hostile bytes -------------------------------------------------------------------- */
 
 static void a_bad_line_does_not_cost_the_next(void **state)
@@ -379,6 +401,7 @@ int main(void)
         HELD(a_picture_is_that_of_the_scene_so_changed),
         HELD(every_parameter_takes_its_ends),
         HELD(input_is_taken_once),
+        HELD(a_step_is_so_many_ticks_and_then_it_pauses),
         HELD(a_bad_line_does_not_cost_the_next),
         HELD(the_longest_line_is_read_whole),
         HELD(any_bytes_are_answered_by_lines_of_text),

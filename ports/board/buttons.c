@@ -1,0 +1,52 @@
+/* SPDX-License-Identifier: MIT */
+/* Buttons to what is wished for the next tick. */
+#include "buttons.h"
+
+/* Of a click: 10 degrees of the camera, 15 of the light, 0.25 m of the sphere. */
+#define TURN  ((int32_t)TP_DEG(10))
+#define LIGHT ((int32_t)TP_DEG(15))
+#define STEER TP_FX(0.25)
+
+/* Into the pool from x, if there is but one that ends. */
+static tp_fx held(const tp_scene *scene, int32_t cells, tp_fx middle, tp_fx x)
+{
+    const int64_t half = (int64_t)cells * scene->pool.cell / 2;
+    const int64_t from = x < middle - half ? middle - half : x;
+    return scene->field.cols ? x : tp_fx_held(from > middle + half ? middle + half : from);
+}
+
+/* Where the middle of the picture meets still water; nowhere: the pool's middle. */
+static void aim(const tp_world *world, const tp_scene *scene, tp_input *input)
+{
+    const tp_camera camera = tp_world_camera(world);
+    const tp_dir3 *back = &camera.turn.z;
+    tp_fx x = scene->pool.x, z = scene->pool.z;
+
+    if (back->y >> 14 > 0 && camera.eye.y > 0) {
+        const tp_fx far = tp_fx_div(camera.eye.y, back->y >> 14);
+        x = tp_fx_minus(camera.eye.x, tp_q30_mul(far, back->x));
+        z = tp_fx_minus(camera.eye.z, tp_q30_mul(far, back->z));
+    }
+    input->poke = scene->pool.poke;
+    input->poke_x = held(scene, scene->pool.cols, scene->pool.x, x);
+    input->poke_z = held(scene, scene->pool.rows, scene->pool.z, z);
+}
+
+void buttons_read(buttons *b, uint32_t lines, const tp_world *world,
+                  const tp_scene *scene, tp_input *input)
+{
+    const uint32_t up = lines & ~b->lines;
+    const int32_t  side = (up & BUTTON_RIGHT ? 1 : 0) - (up & BUTTON_LEFT ? 1 : 0);
+
+    b->lines = lines;
+    if (up & BUTTON_UP && world->parts.drops)
+        input->drops++;
+    if (up & BUTTON_SELECT && (world->parts.pool || world->parts.field))
+        aim(world, scene, input);
+    if (up & BUTTON_DOWN)
+        input->light_turn += LIGHT;
+    if (world->parts.drops)
+        input->sphere_x += side * STEER;
+    else
+        input->turn += side * TURN;
+}
