@@ -331,6 +331,9 @@ $(BUILD)/textures: $(patsubst %.c,$(BUILD)/%.o,$(wildcard assets/textures/*.c))
 	$(SAY)$(LINK) $^ -lpng -o $@
 # The scene as constants, for what has no files: built once for each processor, and anew
 # when what writes them changes, which most of the program does not.
+build/baked/%.c: ports/cortex-m/scenes/%.ini $(BAKES) $(SHIPPED) | build/host/tidepool
+	@mkdir -p $(@D)
+	$(SAY)build/host/tidepool bake $< --name baked -o $@
 build/baked/%.c: $(BAKES) $(SHIPPED) | build/host/tidepool
 	@mkdir -p $(@D)
 	$(SAY)build/host/tidepool bake assets/scenes/$(basename $(@F)).ini --name baked -o $@

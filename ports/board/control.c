@@ -135,6 +135,21 @@ static void step(control *c, control_word rest)
     answer(c, "\n");
 }
 
+/* The scene as it now is, from its beginning. */
+static void restart(control *c)
+{
+    const control_setup *s = c->setup;
+    tp_error err = { 0 };
+    if (tp_world_init_with(s->kit, s->world, s->world->parts.bytes, s->shown, s->assets,
+                           &err)) {
+        refuse_input(c, &err);
+        return;
+    }
+    memset(&c->input, 0, sizeof c->input);
+    c->changed = true;
+    answer(c, "ok restart\n");
+}
+
 static void state(const control *c)
 {
     const control_setup *s = c->setup;
@@ -165,10 +180,12 @@ static void obey(control *c)
         pause(c, control_is(word, "pause"));
     else if (control_is(word, "step"))
         step(c, rest);
+    else if (control_is(word, "restart"))
+        restart(c);
     else if (control_is(word, "state"))
         state(c);
     else
-        refuse(c, "expected set get list drop poke input pause go step state");
+        refuse(c, "expected set get list drop poke input pause go step restart state");
 }
 
 /* -- lines --------------------------------------------------------------------------- */

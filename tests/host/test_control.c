@@ -172,9 +172,9 @@ static void wrong_lines_say_what_was_expected(void **state)
         { "step 3 4\n", "error expected step [TICKS], 100000 at the most\n" },
         { "input height=3\n", "error no input is called height\n" },
         { "SET wave0.amplitude 1\n",
-          "error expected set get list drop poke input pause go step state\n" },
+          "error expected set get list drop poke input pause go step restart state\n" },
         { "setwave0.amplitude 1\n",
-          "error expected set get list drop poke input pause go step state\n" },
+          "error expected set get list drop poke input pause go step restart state\n" },
     };
     board *b = *state;
     const tp_scene before = b->scene;
@@ -322,6 +322,21 @@ static void a_step_is_so_many_ticks_and_then_it_pauses(void **state)
         assert_true(control_ticks(&b->control));
 }
 
+static void a_restart_is_a_world_of_the_changed_scene(void **state)
+{
+    board *b = *state, *fresh = calloc(1, sizeof *fresh);
+    for (int i = 0; i < 90; i++)
+        tp_world_step(b->world, &b->scene, NULL);
+    ask(b, "set wave0.amplitude 1.2\nset drops.y 3\ndrop\nrestart\n");
+    assert_non_null(strstr(b->said, "ok restart\n"));
+    fresh->scene = b->scene;
+    board_open(fresh);
+    assert_memory_equal(b->world, fresh->world, b->world->parts.bytes);
+    assert_int_equal(control_take(&b->control).drops, 0);
+    board_close(fresh);
+    free(fresh);
+}
+
 /* -- hostile bytes -------------------------------------------------------------------- */
 
 static void a_bad_line_does_not_cost_the_next(void **state)
@@ -402,6 +417,7 @@ int main(void)
         HELD(every_parameter_takes_its_ends),
         HELD(input_is_taken_once),
         HELD(a_step_is_so_many_ticks_and_then_it_pauses),
+        HELD(a_restart_is_a_world_of_the_changed_scene),
         HELD(a_bad_line_does_not_cost_the_next),
         HELD(the_longest_line_is_read_whole),
         HELD(any_bytes_are_answered_by_lines_of_text),

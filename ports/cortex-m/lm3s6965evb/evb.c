@@ -1,0 +1,232 @@
+/* SPDX-License-Identifier: MIT */
+/* Registers of the LM3S6965 and the wires of its evaluation board.
+ *
+ * Bytes that come while a picture is drawn wait in a ring, which an interrupt fills; the
+ * vector table is copied into RAM for that one entry.  While the ring is full the interrupt
+ * is masked: what goes on sending then loses bytes, but for an emulator, which waits. */
+#include "evb.h"
+#include "../board.h"
+
+#define AT(address) (*(volatile uint32_t *)(uintptr_t)(address))
+
+/* System control */
+#define RIS     AT(0x400fe050)
+#define RCC     AT(0x400fe060)
+#define RCGC1   AT(0x400fe104)
+#define RCGC2   AT(0x400fe108)
+#define RCC_FIELDS 0x07c03bf1u          /* SYSDIV USESYSDIV PWRDN BYPASS XTAL OSCSRC ... */
+#define RCC_BYPASS 0x00000800u
+#define RCC_50MHZ  0x01c00380u          /* 200 MHz / 4, crystal of 8 MHz, main oscillator */
+#define PLL_LOCKED 0x00000040u
+
+/* Ports: a mask of the pins lies in the address of the data. */
+enum { GPIO_A = 0x40004000, GPIO_C = 0x40006000, GPIO_E = 0x40024000, GPIO_F = 0x40025000 };
+#define PINS(port, mask) AT((port) + ((mask) << 2))
+#define DIR(port)   AT((port) + 0x400)
+#define AFSEL(port) AT((port) + 0x420)
+#define PUR(port)   AT((port) + 0x510)
+#define DEN(port)   AT((port) + 0x51c)
+#define POWER_PIN 0x40u                 /* PC6: the display's 15 V */
+#define DATA_PIN  0x80u                 /* PC7: its D/C */
+
+#define UART(offset) AT(0x4000c000 + (offset))
+#define UART_EMPTY 0x10u                /* receive FIFO */
+#define UART_FULL  0x20u                /* transmit FIFO */
+#define UART_RX    0x50u                /* interrupts: received, and no more follows */
+
+#define SSI(offset) AT(0x40008000 + (offset))
+#define SSI_ROOM   0x02u
+#define SSI_CAME   0x04u
+#define SSI_BUSY   0x10u
+
+#define SYSTICK(offset) AT(0xe000e010 + (offset))
+#define SYSTICK_BITS 0x00ffffffu
+#define NVIC_ENABLE  AT(0xe000e100)
+#define VTOR         AT(0xe000ed08)
+enum { CORE_VECTORS = 16, UART_IRQ = 5, VECTORS = CORE_VECTORS + UART_IRQ + 1 };
+
+void *memcpy(void *restrict to, const void *restrict from, size_t bytes);
+
+/* -- clock -------------------------------------------------------------------------- */
+
+/* A PLL that does not lock leaves the slow clock on: the water is slow then, and moves. */
+static void open_clock(void)
+{
+    RCC |= RCC_BYPASS;
+    RCC = (RCC & ~RCC_FIELDS) | RCC_BYPASS | RCC_50MHZ;
+    for (int i = 0; i < 100000; i++)
+        if (RIS & PLL_LOCKED) {
+            RCC &= ~RCC_BYPASS;
+            break;
+        }
+    SYSTICK(4) = SYSTICK_BITS;
+    SYSTICK(8) = 0;
+    SYSTICK(0) = 5;                     /* on, by the processor's clock */
+}
+
+uint32_t evb_clocks(void)
+{
+    static uint32_t last;
+    const uint32_t now = SYSTICK_BITS - SYSTICK(8);
+    const uint32_t gone = (now - last) & SYSTICK_BITS;
+    last = now;
+    return gone;
+}
+
+/* -- serial port ---------------------------------------------------------------------- */
+
+enum { RING = 256 };
+
+static volatile uint8_t  ring[RING];
+static volatile uint32_t ring_in, ring_out;     /* each is written by one side alone */
+__attribute__((aligned(128))) static uint32_t vectors_used[VECTORS];
+
+/* All that is there; of UARTDR the upper bits tell of errors of the line: such a byte is
+ * taken for 0, which no line may hold. */
+static void receive(void)
+{
+    while (!(UART(0x18) & UART_EMPTY)) {
+        if (ring_in - ring_out == RING) {
+            UART(0x38) = 0;
+            return;
+        }
+        const uint32_t byte = UART(0);
+        ring[ring_in % RING] = (uint8_t)(byte & 0xf00 ? 0 : byte);
+        ring_in++;
+    }
+    UART(0x44) = UART_RX;
+}
+
+bool evb_byte(uint8_t *byte)
+{
+    if (ring_in == ring_out)
+        return false;
+    *byte = ring[ring_out % RING];
+    ring_out++;
+    UART(0x38) = UART_RX;
+    return true;
+}
+
+static void open_serial(void)
+{
+    AFSEL(GPIO_A) |= 0x03;              /* PA0, PA1 */
+    DEN(GPIO_A) |= 0x03;
+    UART(0x30) = 0;
+    UART(0x24) = 27;                    /* 50 MHz / (16 * 115200) = 27 + 8/64 */
+    UART(0x28) = 8;
+    UART(0x2c) = 0x70;                  /* 8 bits, no parity, FIFOs */
+    UART(0x30) = 0x301;
+    memcpy(vectors_used, (const void *)VTOR, CORE_VECTORS * sizeof *vectors_used);
+    vectors_used[CORE_VECTORS + UART_IRQ] = (uint32_t)(uintptr_t)receive;
+    VTOR = (uint32_t)(uintptr_t)vectors_used;
+    UART(0x38) = UART_RX;
+    NVIC_ENABLE = 1u << UART_IRQ;
+}
+
+void evb_text(void *unused, const char *text)
+{
+    (void)unused;
+    for (; *text; text++) {
+        while (UART(0x18) & UART_FULL)
+            ;
+        UART(0) = (uint8_t)*text;
+    }
+}
+
+void evb_number(uint32_t n, uint32_t base, int least_digits)
+{
+    char  text[34];
+    char *at = text + sizeof text - 1;
+    *at = '\0';
+    for (; n || least_digits > 0; n /= base, least_digits--)
+        *--at = "0123456789abcdef"[n % base];
+    evb_text(NULL, at);
+}
+
+/* -- display -------------------------------------------------------------------------- */
+
+static void open_display(void)
+{
+    AFSEL(GPIO_A) |= 0x2c;              /* PA2 clock, PA3 select, PA5 data */
+    DEN(GPIO_A) |= 0x2c;
+    DIR(GPIO_C) |= POWER_PIN | DATA_PIN;
+    DEN(GPIO_C) |= POWER_PIN | DATA_PIN;
+    PINS(GPIO_C, POWER_PIN) = POWER_PIN;
+    SSI(4) = 0;
+    SSI(0x10) = 14;                     /* 3.6 MHz; 4 are the panel's most */
+    SSI(0) = 0xc7;                      /* 8 bits, clock idle high, taken as it rises */
+    SSI(4) = 2;
+}
+
+/* What came back, which is of no use: while it is not fetched an emulator sends no more. */
+static void fetch(void)
+{
+    while (SSI(0xc) & SSI_CAME)
+        (void)SSI(8);
+}
+
+static void send(uint8_t byte)
+{
+    while (!(SSI(0xc) & SSI_ROOM))
+        fetch();
+    SSI(8) = byte;
+}
+
+/* D/C may change when the last bit is out. */
+static void settle(void)
+{
+    while (SSI(0xc) & SSI_BUSY)
+        fetch();
+    fetch();
+}
+
+void evb_command(void *unused, uint8_t byte)
+{
+    (void)unused;
+    PINS(GPIO_C, DATA_PIN) = 0;
+    send(byte);
+    settle();
+}
+
+void evb_data(void *unused, const uint8_t *bytes, size_t count)
+{
+    (void)unused;
+    PINS(GPIO_C, DATA_PIN) = DATA_PIN;
+    while (count--)
+        send(*bytes++);
+    settle();
+}
+
+void evb_pause(void *unused, uint32_t ms)
+{
+    (void)unused;
+    for (uint32_t gone = evb_clocks(); gone < ms * (EVB_HZ / 1000); )
+        gone += evb_clocks();
+}
+
+/* -- buttons -------------------------------------------------------------------------- */
+
+/* PE0 up, PE1 down, PE2 left, PE3 right, PF1 select, which the board pulls up. */
+uint32_t evb_buttons(void)
+{
+    return PINS(GPIO_E, 0x0fu) | PINS(GPIO_F, 0x02u) << 3;
+}
+
+static void open_buttons(void)
+{
+    DEN(GPIO_E) |= 0x0f;
+    PUR(GPIO_E) |= 0x0f;
+    DEN(GPIO_F) |= 0x02;
+    PUR(GPIO_F) |= 0x02;
+}
+
+void evb_open(void)
+{
+    open_clock();
+    RCGC1 |= 0x11;                      /* UART0, SSI0 */
+    RCGC2 |= 0x35;                      /* ports A, C, E, F */
+    (void)RCGC2;                        /* some clocks until they answer */
+    open_serial();
+    open_display();
+    open_buttons();
+}

@@ -1,0 +1,206 @@
+/* SPDX-License-Identifier: MIT */
+/* The baked scene, live on the evaluation board's OLED: ticks follow the clock, buttons
+ * and lines over the serial port change what is seen (board/buttons.h, board/control.h).
+ *
+ * What buttons and lines put in is written as the lines of a tape (tidepool/tape.h): under
+ * "tape 1 SCENE" and by `tidepool render SCENE --tape` they draw the same pictures
+ * elsewhere.  The scene lies in RAM, where lines change it. */
+#include "../../board/buttons.h"
+#include "../../board/control.h"
+#include "../../lcd/lcd.h"
+#include "../baked.h"
+#include "../board.h"
+#include "evb.h"
+#include "tidepool/tape.h"
+
+#define TICK_CLOCKS   (EVB_HZ / TP_TICKS_PER_SECOND)
+#define TICKS_AT_ONCE 8             /* behind by more, the water slows down */
+
+/* Waves, pools, drops, spray, a boat, foam, layers, ripples and two kinds of sky: 256 KB of
+ * flash hold no more.  Crossings are streamed, since 64 KB would not hold them. */
+static const tp_kit kit = {
+    .stage = {
+        TP_STAGE(sky), TP_STAGE(sky_dome), TP_STAGE(plain), TP_STAGE(texture),
+        TP_STAGE(texture_tinted), TP_STAGE(texture_linear),
+        TP_STAGE(texture_linear_tinted), TP_STAGE(texture_graded),
+        TP_STAGE(texture_linear_graded), TP_STAGE(bend), TP_STAGE(layers),
+        TP_STAGE(layers_linear), TP_STAGE(pool_bump), TP_STAGE(ripple),
+        TP_STAGE(ripple_gentle), TP_STAGE(ripple_over), TP_STAGE(view),
+        TP_STAGE(diffuse), TP_STAGE(diffuse_rippled), TP_STAGE(light),
+        TP_STAGE(light_rippled), TP_STAGE(light_blinn), TP_STAGE(light_blinn_rippled),
+        TP_STAGE(mirror), TP_STAGE(slopes), TP_STAGE(reflect_gradient),
+        TP_STAGE(reflect_dome), TP_STAGE(fresnel), TP_STAGE(foam),
+        TP_STAGE(foam_rippled), TP_STAGE(foam_shiny), TP_STAGE(foam_shiny_rippled),
+        TP_STAGE(spray), TP_STAGE(glint), TP_STAGE(haze), TP_STAGE(haze_dome),
+        TP_STAGE(solid), TP_STAGE(solid_blinn), TP_STAGE(drop),
+    },
+    .store[TP_FORMAT_L8] = tp_store_l8,
+    .water = { TP_WATER(swells), TP_WATER(sharp), TP_WATER(rings), TP_WATER(pools) },
+    .move = { TP_MOVE(boat), TP_MOVE(wake), TP_MOVE(drops), TP_MOVE(pools),
+              TP_MOVE(paddle), TP_MOVE(foam), TP_MOVE(spray) },
+    .draw = { TP_DRAW(boat), TP_DRAW(drops), TP_DRAW(spray), TP_DRAW(foam),
+              TP_DRAW(layers), TP_DRAW(ripple), TP_DRAW(bumps), TP_DRAW(dome),
+              TP_DRAW(fresnel), TP_DRAW(glint) },
+    .method.triangles = &tp_method_streamed,
+};
+
+static const tp_frame_config picture = { 128, 64, 0, 4, TP_FORMAT_L8 };
+
+static tp_scene  scene;
+static control   lines;
+static buttons   pressed;
+static lcd       panel;
+static tp_world *world;
+static tp_frame *frame;
+static void     *scratch;
+static uint32_t  owed;              /* clocks of ticks not yet made */
+static uint64_t  sent_before;       /* the last frame */
+
+/* -- memory ------------------------------------------------------------------------- */
+
+static void *take(tp_arena *arena, size_t bytes)
+{
+    void *memory = tp_arena_take(arena, 1, bytes);
+    if (!memory) {
+        evb_text(NULL, "error no room for ");
+        evb_number((uint32_t)bytes, 10, 1);
+        evb_text(NULL, " bytes\n");
+        for (;;)
+            ;
+    }
+    return memory;
+}
+
+static void stop_on(const char *why)
+{
+    evb_text(NULL, "error ");
+    evb_text(NULL, why);
+    evb_text(NULL, "\n");
+    for (;;)
+        ;
+}
+
+static void open_scene(void)
+{
+    const lcd_config config = {
+        .panel = &lcd_ssd0323, .frame = picture,
+        .wires = { NULL, evb_command, evb_data, NULL, evb_pause },
+    };
+    const size_t bytes = tp_world_bytes_with(&kit, &baked_scene, &baked_assets);
+    tp_arena arena = tp_arena_over(arena_start, (size_t)(arena_end - arena_start));
+    tp_error err;
+    char     text[160];
+
+    scene = baked_scene;
+    world = take(&arena, bytes);
+    scratch = take(&arena, tp_frame_scratch_with(&kit, &scene, &picture));
+    void *block = take(&arena, tp_frame_bytes_with(&kit, &scene, &baked_assets, &picture));
+    const lcd_status status = lcd_open(&panel, &config,
+                                       take(&arena, lcd_bytes(&config, NULL)));
+    if (status != LCD_OK)
+        stop_on("the panel cannot be opened");
+    if (tp_world_init_with(&kit, world, bytes, &scene, &baked_assets, &err)
+        || tp_frame_init_with(&kit, &frame, &scene, &baked_assets, &picture, block, &err)) {
+        tp_error_text(&err, text, sizeof text);
+        stop_on(text);
+    }
+}
+
+/* -- answers ------------------------------------------------------------------------- */
+
+/* The picture once more, for its CRC alone. */
+static uint32_t crc_of_picture(void)
+{
+    tp_tile  tile;
+    uint32_t crc = 0;
+    tp_frame_begin(frame, world);
+    for (uint32_t i = 0; tp_frame_tile(frame, i, scratch, &tile); i++)
+        for (uint32_t y = tile.y0; y < tile.y1; y++)
+            crc = tp_crc32_pixels(crc, picture.format, (const uint8_t *)tile.pixels
+                                  + (y - tile.y0) * tile.stride, (int)picture.width);
+    return crc;
+}
+
+static void say_state(void *unused)
+{
+    evb_text(unused, " crc32 ");
+    evb_number(crc_of_picture(), 16, 8);
+    evb_text(unused, ", bytes sent ");
+    evb_number((uint32_t)(panel.sent - sent_before), 10, 1);
+    evb_text(unused, ", stack ");
+    evb_number(board_stack_used(), 10, 1);
+}
+
+static const control_setup setup = {
+    &kit, &scene, &scene, &baked_assets, &picture, NULL, evb_text, say_state, NULL,
+};
+
+static void say_input(const tp_input *input)
+{
+    const tp_tape_entry entry = { world->tick, *input };
+    char text[TP_TAPE_LINE];
+    if (tp_tape_write(&entry, text, sizeof text)) {
+        evb_text(NULL, text);
+        evb_text(NULL, "\n");
+    }
+}
+
+/* -- time ---------------------------------------------------------------------------- */
+
+static void tick(void)
+{
+    const tp_input input = control_take(&lines);
+    say_input(&input);
+    tp_world_step_with(&kit, world, &scene, &input);
+}
+
+/* Ticks that are due: those of a step at once, others by the clock. */
+static bool make_ticks(void)
+{
+    bool made = false;
+    owed += evb_clocks();
+    if (owed > TICKS_AT_ONCE * TICK_CLOCKS)
+        owed = TICKS_AT_ONCE * TICK_CLOCKS;
+    for (; owed >= TICK_CLOCKS; owed -= TICK_CLOCKS)
+        if (control_reads(&lines) && control_ticks(&lines)) {
+            tick();
+            made = true;
+        }
+    while (!control_reads(&lines) && control_ticks(&lines)) {
+        tick();
+        made = true;
+    }
+    return made;
+}
+
+static void show(void)
+{
+    sent_before = panel.sent;
+    lines.changed = false;
+    tp_frame_begin(frame, world);
+    lcd_show(&panel, frame, scratch);       /* wires that answer nothing cannot fail */
+}
+
+int main(void)
+{
+    static control_setup here;
+    uint8_t byte;
+
+    evb_open();
+    open_scene();
+    here = setup;
+    here.world = world;
+    control_begin(&lines, &here);
+    pressed.lines = evb_buttons();
+    evb_text(NULL, "ok ");
+    evb_text(NULL, scene.title);
+    evb_text(NULL, "\n");
+    show();
+    for (;;) {
+        while (control_reads(&lines) && evb_byte(&byte))
+            control_byte(&lines, byte);
+        buttons_read(&pressed, evb_buttons(), world, &scene, &lines.input);
+        if (make_ticks() || lines.changed)
+            show();
+    }
+}
