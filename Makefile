@@ -254,6 +254,7 @@ everything: all unit $(GOLDEN) $(FRAMES) $(BUILD)/tests/bench/scene_s \
           $(BUILD)/longship $(BUILD)/textures $(BUILD)/tests/host/same_pixels \
           $(BUILD)/screen_fake.so $(BUILD)/tests/host/screen_crc
           $(BUILD)/tests/boards/same_picture
+          $(BUILD)/tests/boards/same_picture $(BUILD)/tests/boards/oled_greys
 host-tests: everything
 	@$(MAKE) --no-print-directory $(SAN) sanitized
 	@$(RUN) build/log/host $(SAN_UNIT:build/host/%=build/san/%) \

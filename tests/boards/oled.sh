@@ -1,0 +1,67 @@
+#!/bin/sh
+# SPDX-License-Identifier: MIT
+# The OLED of the LM3S6965's evaluation board, live under the emulator: its screen is the
+# host's picture in 16 greys, every pixel, also after each of its buttons.
+#
+#   tests/boards/oled.sh [PROGRAM]
+#
+# The board writes what its buttons put in as the lines of a tape, which the host replays.
+. tests/gates/lib.sh
+. tests/boards/live.sh
+
+program=${TP_PROGRAM:-${1:-build/host/tidepool}}
+tools=${TP_BUILD:-build/host}/tests/boards
+check "the tools build" build $tools/oled_greys $tools/same_picture
+ready "the OLED of a Cortex-M3"
+
+shows()         # TICK [OPTION]...: the screen is the host's picture at that tick
+{
+    at=$1; shift
+    "$program" render $scene --size 128x64 --format l8 --frames "$at:$at" \
+        --out "$scratch/host.png" "$@" &&
+        $tools/oled_greys "$scratch/host.png" >"$scratch/host.ppm" &&
+        dump "$scratch/screen.ppm" &&
+        $tools/same_picture "$scratch/screen.ppm" "$scratch/host.ppm"
+}
+
+paused()        { is "$(ask pause)" "ok pause"; }
+check "it pauses" paused
+check "it goes on by steps" is "$(ask 'step 40')" "ok step 40"
+state=$(ask state)
+tick=$(tick_of "$state")
+check "tick $tick is the host's picture" is "$(crc_of "$state")" "$(host_crc "$tick")"
+check "so is the screen, every pixel" shows "$tick"
+refuse "another tick's picture is another" shows $((tick + 1))
+bytes=$(bytes_of "$state")
+check "a frame is its pixels and one window" is "$bytes" $((128 * 64 / 2 + 6))
+
+# Buttons act when they are let go, which takes the emulator some time.
+tape=$scratch/tape
+inputs()        { whole_lines | grep '^[0-9]'; }
+has_input()     { ask step >/dev/null; [ "$(inputs | wc -l)" -eq "$1" ]; }
+pressed=0
+press()         # KEY: and then some ticks
+{
+    pressed=$((pressed + 1))
+    monitor "sendkey $1"
+    until_true has_input $pressed && is "$(ask 'step 45')" "ok step 45"
+}
+for button in ctrl:poke: up:drops= left:sphere_x=-0.25 right:sphere_x=0.25 \
+              down:light_turn=; do
+    key=${button%%:*}
+    effect=${button#*:} effect=${effect%:}
+    check "button $key is input" press "$key"
+    { echo "tape 1 tarn"; inputs; } >"$tape"
+    check "it is what it stands for" grep -q " $effect" "$tape"
+    state=$(ask state)
+    tick=$(tick_of "$state")
+    check "tick $tick is the host's picture with it" \
+        is "$(crc_of "$state")" "$(host_crc "$tick" --tape "$tape")"
+    sed '$d' "$tape" >"$tape.without"
+    refuse "and not without it" is "$(crc_of "$state")" \
+        "$(host_crc "$tick" --tape "$tape.without")"
+done
+check "so is the screen, every pixel" shows "$tick" --tape "$tape"
+refuse "it is not that of untouched water" shows "$tick"
+echo "$bytes bytes a frame to the panel"
+exit $((failures > 0))
