@@ -21,8 +21,8 @@ until_true()    # COMMAND...: within 10 s
     tries=0
     until "$@"; do
         tries=$((tries + 1))
-        [ $tries -lt 400 ] || return 1
-        sleep 0.025
+        [ $tries -lt 1000 ] || return 1
+        sleep 0.01
     done
 }
 
