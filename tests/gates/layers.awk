@@ -22,6 +22,8 @@ BEGIN {
         owner[pair[1]] = pair[2]
     }
     rank["top"] = levels + 1
+    guest["cortex-m=board"]             # what boards share, and panels
+    guest["cortex-m=lcd"]
     split("stddef.h stdint.h stdbool.h limits.h", system_header, " ")
     for (i in system_header)
         free[system_header[i]]

@@ -44,6 +44,12 @@ put ports/sdl2/b.c '#include "tidepool/tidepool.h"' '#include <SDL.h>' \
     '#include "../host/say.h"'
 check  "layers: passes a port that keeps to the API" layers ports/sdl2/b.c
 
+mkdir -p "$scratch/ports/cortex-m"
+put ports/cortex-m/a.c '#include "board/control.h"' '#include "lcd/lcd.h"'
+check  "layers: passes what boards share" layers ports/cortex-m/a.c
+put ports/cortex-m/b.c '#include "host/say.h"'
+refuse "layers: the host program in a board" layers ports/cortex-m/b.c
+
 put src/wave/g.c '/* a double */ int x; /* free' ' float */ const char *s = "malloc";'
 check  "words: passes comments and strings" words src/wave/g.c
 put src/wave/h.c '/* fine */ double x;'
