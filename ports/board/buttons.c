@@ -12,7 +12,8 @@ static tp_fx held(const tp_scene *scene, int32_t cells, tp_fx middle, tp_fx x)
 {
     const int64_t half = (int64_t)cells * scene->pool.cell / 2;
     const int64_t from = x < middle - half ? middle - half : x;
-    return scene->field.cols ? x : tp_fx_held(from > middle + half ? middle + half : from);
+    const int64_t in = from > middle + half ? middle + half : from;
+    return scene->field.cols ? x : tp_fx_held(in);
 }
 
 /* Where the middle of the picture meets still water; nowhere: the pool's middle. */

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Bytes to lines, lines to commands.  A line that is too long, or has a byte in it that is
- * no text, is dropped whole and said so at its end; the next one is read as ever. */
+/* Bytes to lines, lines to commands.  A line that is too long, or has a byte in it that
+ * is no text, is dropped whole and said so at its end; the next one is read as ever. */
 #include "control.h"
 #include "answer.h"
 #include "tidepool/tape.h"

@@ -13,9 +13,9 @@
  *     restart                     ok restart; from tick 0, with the numbers as they are
  *     state                       ok tick 37, and what the port adds
  *
- * Bytes are fed one by one as they come, between frames: a frame that is being drawn reads
- * the scene.  Every line that is not blank is answered by one that begins with "ok" or
- * "error"; a line ends with CR, LF or both.  There is no heap, and nothing waits. */
+ * Bytes are fed one by one as they come, between frames: a frame that is being drawn
+ * reads the scene.  Every line that is not blank is answered by one that begins with "ok"
+ * or "error"; a line ends with CR, LF or both.  There is no heap, and nothing waits. */
 #ifndef BOARD_CONTROL_H
 #define BOARD_CONTROL_H
 #include <stdbool.h>
@@ -29,7 +29,7 @@
 typedef struct {
     const tp_kit    *kit;
     const tp_scene  *shown;
-    tp_scene        *scene;     /* the same in RAM; NULL: it is constant, `set` is refused */
+    tp_scene        *scene;     /* the same in RAM; NULL: constant, `set` is refused */
     const tp_assets *assets;
     const tp_frame_config *config;
     tp_world        *world;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* `set`: a change is made, the world asked to take it, and taken back if the world cannot:
- * no scene is left half changed.
+/* `set`: a change is made, the world asked to take it, and taken back if the world
+ * cannot: no scene is left half changed.
  *
  * What is fixed when a scene is baked, its files and the grid's points, is refused.  What
  * the frame lacks memory for is set, and said to be drawn in part: tidepool/frame.h tells

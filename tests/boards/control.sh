@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# Lines to a live board: what each is answered, and that the board then draws what the host
-# draws of the scene so changed.
+# Lines to a live board: what each is answered, and that the board then draws what the
+# host draws of the scene so changed.
 #
 #   tests/boards/control.sh [PROGRAM]
 . tests/gates/lib.sh
@@ -57,10 +57,14 @@ before=$(answers)
         printf 'get wave%d.length\r\n' $((i % 2))
     done
 } >&3
-burst()         { until_true said_more $((before + 99)); is "$(answers)" $((before + 100)); }
+burst()
+{
+    until_true said_more $((before + 99))
+    is "$(answers)" $((before + 100))
+}
 check "100 lines at once are answered, each once" burst
 
-# -- pictures ------------------------------------------------------------------------------
+# -- pictures ----------------------------------------------------------------------------
 
 restarted()     { answered "restart" "ok restart" && answered "step $1" "ok step $1"; }
 check "it begins anew" restarted 25

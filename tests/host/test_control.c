@@ -205,7 +205,7 @@ static void a_constant_scene_is_read_but_not_set(void **state)
     assert_string_equal(ask(b, "get camera.y\n"), "ok camera.y = 4 m of -100..2000\n");
 }
 
-/* -- memory --------------------------------------------------------------------------- */
+/* -- memory -------------------------------------------------------------------------- */
 
 static void what_the_world_has_no_room_for_is_taken_back(void **state)
 {
@@ -236,7 +236,7 @@ static void what_the_frame_lacks_memory_for_is_said(void **state)
     draw(b);
 }
 
-/* -- pictures ------------------------------------------------------------------------- */
+/* -- pictures ------------------------------------------------------------------------ */
 
 static void a_picture_is_that_of_the_scene_so_changed(void **state)
 {
@@ -287,7 +287,7 @@ static void every_parameter_takes_its_ends(void **state)
     assert_true(taken > count);
 }
 
-/* -- input ---------------------------------------------------------------------------- */
+/* -- input --------------------------------------------------------------------------- */
 
 static void input_is_taken_once(void **state)
 {
@@ -337,7 +337,7 @@ static void a_restart_is_a_world_of_the_changed_scene(void **state)
     free(fresh);
 }
 
-/* -- hostile bytes -------------------------------------------------------------------- */
+/* -- hostile bytes ------------------------------------------------------------------- */
 
 static void a_bad_line_does_not_cost_the_next(void **state)
 {
@@ -378,7 +378,7 @@ static void the_longest_line_is_read_whole(void **state)
 /* Words of commands and names among random bytes. */
 static uint8_t any_byte(uint64_t *chance)
 {
-    static const char text[] = "set get list poke drop input wave0.length = 0.5 -1 #fff\n\n";
+    static const char text[] = "set get list poke drop input wave0.length = 0.5 #fff\n\n";
     const uint32_t kind = random_below(chance, 400);
     return kind == 0 ? (uint8_t)random_below(chance, 256)
                      : (uint8_t)text[random_below(chance, sizeof text - 1)];

@@ -2,10 +2,11 @@
 /* Registers of the LM3S6965 and the wires of its evaluation board.
  *
  * Bytes that come while a picture is drawn wait in a ring, which an interrupt fills; the
- * vector table is copied into RAM for that one entry.  While the ring is full the interrupt
- * is masked: what goes on sending then loses bytes, but for an emulator, which waits. */
+ * vector table is copied into RAM for that one entry.  While the ring is full the
+ * interrupt is masked: what goes on sending then loses bytes, but for an emulator, which
+ * waits. */
 #include "evb.h"
-#include "../board.h"
+#include "cortex-m/board.h"
 
 #define AT(address) (*(volatile uint32_t *)(uintptr_t)(address))
 
@@ -14,13 +15,14 @@
 #define RCC     AT(0x400fe060)
 #define RCGC1   AT(0x400fe104)
 #define RCGC2   AT(0x400fe108)
-#define RCC_FIELDS 0x07c03bf1u          /* SYSDIV USESYSDIV PWRDN BYPASS XTAL OSCSRC ... */
+#define RCC_FIELDS 0x07c03bf1u          /* SYSDIV USESYSDIV PWRDN BYPASS XTAL OSCSRC */
 #define RCC_BYPASS 0x00000800u
-#define RCC_50MHZ  0x01c00380u          /* 200 MHz / 4, crystal of 8 MHz, main oscillator */
+#define RCC_50MHZ  0x01c00380u          /* 200 MHz / 4, by the crystal of 8 MHz */
 #define PLL_LOCKED 0x00000040u
 
 /* Ports: a mask of the pins lies in the address of the data. */
-enum { GPIO_A = 0x40004000, GPIO_C = 0x40006000, GPIO_E = 0x40024000, GPIO_F = 0x40025000 };
+enum { GPIO_A = 0x40004000, GPIO_C = 0x40006000,
+       GPIO_E = 0x40024000, GPIO_F = 0x40025000 };
 #define PINS(port, mask) AT((port) + ((mask) << 2))
 #define DIR(port)   AT((port) + 0x400)
 #define AFSEL(port) AT((port) + 0x420)
@@ -49,7 +51,7 @@ void *memcpy(void *restrict to, const void *restrict from, size_t bytes);
 
 /* -- clock -------------------------------------------------------------------------- */
 
-/* A PLL that does not lock leaves the slow clock on: the water is slow then, and moves. */
+/* A PLL that does not lock leaves the slow clock on: the water is slow then. */
 static void open_clock(void)
 {
     RCC |= RCC_BYPASS;
@@ -73,7 +75,7 @@ uint32_t evb_clocks(void)
     return gone;
 }
 
-/* -- serial port ---------------------------------------------------------------------- */
+/* -- serial port --------------------------------------------------------------------- */
 
 enum { RING = 256 };
 
@@ -143,7 +145,7 @@ void evb_number(uint32_t n, uint32_t base, int least_digits)
     evb_text(NULL, at);
 }
 
-/* -- display -------------------------------------------------------------------------- */
+/* -- display ------------------------------------------------------------------------- */
 
 static void open_display(void)
 {
@@ -158,7 +160,7 @@ static void open_display(void)
     SSI(4) = 2;
 }
 
-/* What came back, which is of no use: while it is not fetched an emulator sends no more. */
+/* What came back, which is of no use; until it is fetched an emulator sends no more. */
 static void fetch(void)
 {
     while (SSI(0xc) & SSI_CAME)
@@ -204,7 +206,7 @@ void evb_pause(void *unused, uint32_t ms)
         gone += evb_clocks();
 }
 
-/* -- buttons -------------------------------------------------------------------------- */
+/* -- buttons ------------------------------------------------------------------------- */
 
 /* PE0 up, PE1 down, PE2 left, PE3 right, PF1 select, which the board pulls up. */
 uint32_t evb_buttons(void)

@@ -11,7 +11,7 @@
 
 void evb_open(void);
 
-/* Time on, in clocks, since the last call; it must be asked within a third of a second. */
+/* Clocks since the last call, which must be within a third of a second. */
 uint32_t evb_clocks(void);
 
 /* A byte that was received; false: there is none. */

@@ -2,22 +2,27 @@
 /* The baked scene, live on the evaluation board's OLED: ticks follow the clock, buttons
  * and lines over the serial port change what is seen (board/buttons.h, board/control.h).
  *
- * What buttons and lines put in is written as the lines of a tape (tidepool/tape.h): under
- * "tape 1 SCENE" and by `tidepool render SCENE --tape` they draw the same pictures
- * elsewhere.  The scene lies in RAM, where lines change it. */
-#include "../../board/buttons.h"
-#include "../../board/control.h"
-#include "../../lcd/lcd.h"
-#include "../baked.h"
-#include "../board.h"
+ * What they put in is written as the lines of a tape (tidepool/tape.h): under "tape 1
+ * SCENE" and by `tidepool render SCENE --tape` they draw the same pictures elsewhere.
+ * The scene lies in RAM, where lines change it.  In a window, arrows and Ctrl are its
+ * buttons:
+ *
+ *     make BOARD=cortex-m/lm3s6965evb SCENE=tarn elf
+ *     qemu-system-arm -M lm3s6965evb -serial stdio \
+ *         -kernel build/lm3s6965evb/scenes/tarn.elf */
+#include "board/buttons.h"
+#include "board/control.h"
+#include "lcd/lcd.h"
+#include "cortex-m/baked.h"
+#include "cortex-m/board.h"
 #include "evb.h"
 #include "tidepool/tape.h"
 
 #define TICK_CLOCKS   (EVB_HZ / TP_TICKS_PER_SECOND)
 #define TICKS_AT_ONCE 8             /* behind by more, the water slows down */
 
-/* Waves, pools, drops, spray, a boat, foam, layers, ripples and two kinds of sky: 256 KB of
- * flash hold no more.  Crossings are streamed, since 64 KB would not hold them. */
+/* Waves, pools, drops, spray, a boat, foam, layers, ripples and two kinds of sky: 256 KB
+ * of flash hold no more.  Crossings are streamed, since 64 KB would not hold them. */
 static const tp_kit kit = {
     .stage = {
         TP_STAGE(sky), TP_STAGE(sky_dome), TP_STAGE(plain), TP_STAGE(texture),
@@ -44,7 +49,7 @@ static const tp_kit kit = {
     .method.triangles = &tp_method_streamed,
 };
 
-static const tp_frame_config picture = { 128, 64, 0, 4, TP_FORMAT_L8 };
+static const tp_frame_config picture = { 128, 64, 0, 8, TP_FORMAT_L8 };
 
 static tp_scene  scene;
 static control   lines;
@@ -58,26 +63,24 @@ static uint64_t  sent_before;       /* the last frame */
 
 /* -- memory ------------------------------------------------------------------------- */
 
-static void *take(tp_arena *arena, size_t bytes)
-{
-    void *memory = tp_arena_take(arena, 1, bytes);
-    if (!memory) {
-        evb_text(NULL, "error no room for ");
-        evb_number((uint32_t)bytes, 10, 1);
-        evb_text(NULL, " bytes\n");
-        for (;;)
-            ;
-    }
-    return memory;
-}
-
-static void stop_on(const char *why)
+_Noreturn static void stop_on(const char *why)
 {
     evb_text(NULL, "error ");
     evb_text(NULL, why);
     evb_text(NULL, "\n");
     for (;;)
         ;
+}
+
+/* Memory of the arena, and how much of it `what` takes, as part of the first line. */
+static void *take(tp_arena *arena, const char *what, size_t bytes)
+{
+    void *memory = tp_arena_take(arena, 1, bytes);
+    evb_text(NULL, what);
+    evb_number((uint32_t)bytes, 10, 1);
+    if (!memory)
+        stop_on("that do not fit");
+    return memory;
 }
 
 static void open_scene(void)
@@ -92,15 +95,20 @@ static void open_scene(void)
     char     text[160];
 
     scene = baked_scene;
-    world = take(&arena, bytes);
-    scratch = take(&arena, tp_frame_scratch_with(&kit, &scene, &picture));
-    void *block = take(&arena, tp_frame_bytes_with(&kit, &scene, &baked_assets, &picture));
-    const lcd_status status = lcd_open(&panel, &config,
-                                       take(&arena, lcd_bytes(&config, NULL)));
+    world = take(&arena, "bytes: world ", bytes);
+    scratch = take(&arena, ", tile ", tp_frame_scratch_with(&kit, &scene, &picture));
+    void *block = take(&arena, ", frame ",
+                       tp_frame_bytes_with(&kit, &scene, &baked_assets, &picture));
+    void *sends = take(&arena, ", panel ", lcd_bytes(&config, NULL));
+    evb_text(NULL, ", left ");
+    evb_number((uint32_t)(arena.bytes - arena.used), 10, 1);
+    evb_text(NULL, "\n");
+    const lcd_status status = lcd_open(&panel, &config, sends);
     if (status != LCD_OK)
-        stop_on("the panel cannot be opened");
+        stop_on(lcd_status_text(status));
     if (tp_world_init_with(&kit, world, bytes, &scene, &baked_assets, &err)
-        || tp_frame_init_with(&kit, &frame, &scene, &baked_assets, &picture, block, &err)) {
+        || tp_frame_init_with(&kit, &frame, &scene, &baked_assets, &picture, block,
+                              &err)) {
         tp_error_text(&err, text, sizeof text);
         stop_on(text);
     }
