@@ -1,0 +1,151 @@
+/* SPDX-License-Identifier: MIT */
+/* Five buttons as input: each does what it stands for, once, when it is let go. */
+#include <stdarg.h>
+#include <stddef.h>
+#include <setjmp.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <cmocka.h>
+#include "../../ports/board/buttons.h"
+#include "../unit/scenes.h"
+
+#define NONE 0x1fu              /* pressed: all lines are high */
+
+static const tp_assets none;
+
+typedef struct { tp_scene scene; tp_world *world; } water;
+
+/* A pool of 8 m a side around (1, -2), and drops. */
+static water water_with(int32_t cols, int32_t drops)
+{
+    water w = { .scene = scene_plain() };
+    w.scene.boat.mesh[0] = '\0';
+    w.scene.pool.cols = cols;
+    w.scene.pool.rows = 16;
+    w.scene.pool.cell = TP_FX(0.5);
+    w.scene.pool.x = TP_FX(1);
+    w.scene.pool.z = TP_FX(-2);
+    w.scene.drops.count = drops;
+    const size_t bytes = tp_world_bytes(&w.scene, &none);
+    w.world = malloc(bytes);
+    assert_int_equal(tp_world_init(w.world, bytes, &w.scene, &none, NULL), TP_OK);
+    return w;
+}
+
+static void water_free(water *w)
+{
+    free(w->world);
+}
+
+/* The input of a button pressed and let go. */
+static tp_input click(const water *w, uint32_t button)
+{
+    buttons  b = { NONE };
+    tp_input input = { 0 };
+    buttons_read(&b, NONE & ~button, w->world, &w->scene, &input);
+    assert_memory_equal(&input, &(tp_input){ 0 }, sizeof input);
+    buttons_read(&b, NONE, w->world, &w->scene, &input);
+    return input;
+}
+
+static void each_button_does_what_it_stands_for(void **state)
+{
+    (void)state;
+    water w = water_with(16, 4);
+    const tp_input drop = { .drops = 1 }, light = { .light_turn = (int32_t)TP_DEG(15) };
+    const tp_input left = { .sphere_x = TP_FX(-0.25) }, right = { .sphere_x = TP_FX(0.25) };
+    tp_input got = click(&w, BUTTON_UP);
+    assert_memory_equal(&got, &drop, sizeof got);
+    got = click(&w, BUTTON_DOWN);
+    assert_memory_equal(&got, &light, sizeof got);
+    got = click(&w, BUTTON_LEFT);
+    assert_memory_equal(&got, &left, sizeof got);
+    got = click(&w, BUTTON_RIGHT);
+    assert_memory_equal(&got, &right, sizeof got);
+    assert_int_equal(click(&w, BUTTON_SELECT).poke, w.scene.pool.poke);
+    water_free(&w);
+}
+
+static void without_drops_the_camera_turns_and_nothing_falls(void **state)
+{
+    (void)state;
+    water w = water_with(0, 0);
+    const tp_input left = { .turn = -(int32_t)TP_DEG(10) }, nothing = { 0 };
+    tp_input got = click(&w, BUTTON_LEFT);
+    assert_memory_equal(&got, &left, sizeof got);
+    got = click(&w, BUTTON_UP);
+    assert_memory_equal(&got, &nothing, sizeof got);
+    got = click(&w, BUTTON_SELECT);
+    assert_memory_equal(&got, &nothing, sizeof got);
+    got = click(&w, BUTTON_LEFT | BUTTON_RIGHT);
+    assert_memory_equal(&got, &nothing, sizeof got);
+    water_free(&w);
+}
+
+/* Lines of an emulator read low until they are first driven. */
+static void only_what_rises_acts(void **state)
+{
+    (void)state;
+    water w = water_with(16, 4);
+    buttons  b = { 0 };
+    tp_input input = { 0 };
+    for (int i = 0; i < 5; i++)
+        buttons_read(&b, 0, w.world, &w.scene, &input);
+    assert_int_equal(input.drops, 0);
+    for (int i = 0; i < 5; i++)
+        buttons_read(&b, BUTTON_UP, w.world, &w.scene, &input);
+    assert_int_equal(input.drops, 1);
+    buttons_read(&b, 0, w.world, &w.scene, &input);
+    buttons_read(&b, BUTTON_UP, w.world, &w.scene, &input);
+    assert_int_equal(input.drops, 2);
+    water_free(&w);
+}
+
+static void aim_from(water *w, double x, double y, double z, double degrees)
+{
+    w->world->eye = (tp_vec3){ (tp_fx)(x * 65536), (tp_fx)(y * 65536),
+                               (tp_fx)(z * 65536) };
+    w->world->pitch = tp_turn_of_degrees((tp_fx)(degrees * 65536));
+    tp_world_look(w->world, &(tp_input){ 0 });
+}
+
+static void a_poke_falls_where_the_middle_looks(void **state)
+{
+    (void)state;
+    water w = water_with(16, 0);
+    aim_from(&w, 2, 3, 2, -45);
+    tp_input got = click(&w, BUTTON_SELECT);
+    assert_in_range(got.poke_x, TP_FX(1.99), TP_FX(2.01));
+    assert_in_range(got.poke_z + TP_FX(5), TP_FX(3.99), TP_FX(4.01));      /* 2 - 3 */
+    water_free(&w);
+}
+
+/* Far away, behind the pool, over the horizon or from below: into the pool still. */
+static void a_poke_falls_into_the_pool(void **state)
+{
+    static const double pitch[] = { -89, -45, -3, -0.01, 0, 20, 89 };
+    static const double eye[][3] = { { 0, 3, 0 }, { 8000, 2000, 8000 }, { -8000, 9, 3 },
+                                     { 1, -4, -2 }, { 7999, 0, -7999 } };
+    (void)state;
+    water w = water_with(16, 0);
+    for (size_t i = 0; i < sizeof pitch / sizeof pitch[0]; i++)
+        for (size_t j = 0; j < sizeof eye / sizeof eye[0]; j++) {
+            aim_from(&w, eye[j][0], eye[j][1], eye[j][2], pitch[i]);
+            const tp_input got = click(&w, BUTTON_SELECT);
+            assert_true(got.poke_x >= TP_FX(-3) && got.poke_x <= TP_FX(5));
+            assert_true(got.poke_z >= TP_FX(-6) && got.poke_z <= TP_FX(2));
+        }
+    water_free(&w);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(each_button_does_what_it_stands_for),
+        cmocka_unit_test(without_drops_the_camera_turns_and_nothing_falls),
+        cmocka_unit_test(only_what_rises_acts),
+        cmocka_unit_test(a_poke_falls_where_the_middle_looks),
+        cmocka_unit_test(a_poke_falls_into_the_pool),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
