@@ -315,7 +315,7 @@ $(BUILD)/tests/%: $(BUILD)/tests/%.o $(BUILD)/ports.a $(LIB)
 	$(SAY)$(LINK) $(filter %.o,$^) $(filter %/reference.a,$^) $(BUILD)/ports.a $(LIB) \
 	    $(CMOCKA) $(LIBS) -o $@
 $(filter $(BUILD)/%,$(GOLDEN)): $(BUILD)/tests/golden/golden.o
-LCD_O := $(patsubst %,$(BUILD)/%.o,$(addprefix ports/lcd/,clear lcd panels turn) \
+LCD_O := $(patsubst %,$(BUILD)/%.o,$(addprefix ports/lcd/,clear lcd panels ssd0323 turn) \
                tests/boards/panel tests/golden/golden)
 $(filter $(BUILD)/tests/host/test_lcd%,$(UNIT)): $(LCD_O)
 $(filter $(BUILD)/tests/accuracy/%,$(UNIT)): $(BUILD)/reference.a

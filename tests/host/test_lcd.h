@@ -143,7 +143,7 @@ typedef struct {
     void  *memory;
 } screen;
 
-static screen *screen_power(panel_kind kind)
+static inline screen *screen_power(panel_kind kind)
 {
     screen *s = calloc(1, sizeof *s);
     panel_power(&s->model, kind);
@@ -152,7 +152,7 @@ static screen *screen_power(panel_kind kind)
     return s;
 }
 
-static lcd_status screen_open(screen *s, lcd_config config)
+static inline lcd_status screen_open(screen *s, lcd_config config)
 {
     lcd_status why;
     config.wires = wires_to(&s->wires);
@@ -165,7 +165,7 @@ static lcd_status screen_open(screen *s, lcd_config config)
     return lcd_open(&s->driver, &config, s->memory);
 }
 
-static void screen_close(screen *s)
+static inline void screen_close(screen *s)
 {
     free(s->memory);
     free(s);
