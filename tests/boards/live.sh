@@ -2,10 +2,10 @@
 # A live board under the emulator, that is talked to over its serial port and its monitor;
 # read by `.` after tests/gates/lib.sh.
 #
-#   begin ELF          starts it and waits until it says "ok NAME"
-#   ask LINE           sends a line; prints its answer, or nothing after 10 s
-#   monitor COMMAND    to the emulator
-#   dump FILE          waits for the picture of the screen
+#   begin ELF [OPTION]...      starts it and waits until it says "ok NAME"
+#   ask LINE                   sends a line; prints its answer, or nothing after 10 s
+#   monitor COMMAND            to the emulator
+#   dump FILE                  waits for the picture of the screen
 #   finish
 #
 # What the board says is in $scratch/said.  No wait is longer than 10 s, no run than 60.
@@ -28,6 +28,8 @@ until_true()    # COMMAND...: within 10 s
 
 begin()
 {
+    kernel=$1; shift
+    rm -f "$scratch/serial" "$scratch/monitor.in" "$scratch/monitor.out"
     mkfifo "$scratch/serial" "$scratch/monitor.in" "$scratch/monitor.out"
     exec 3<>"$scratch/serial" 4<>"$scratch/monitor.in" 5<>"$scratch/monitor.out"
     : >"$scratch/said"
@@ -35,7 +37,7 @@ begin()
     drain=$!
     timeout 60 qemu-system-arm -M lm3s6965evb -display none \
         -monitor "pipe:$scratch/monitor" -chardev stdio,id=serial,signal=off \
-        -serial chardev:serial -kernel "$1" \
+        -serial chardev:serial -kernel "$kernel" "$@" \
         <&3 >"$scratch/said" 2>"$scratch/emulator" 3>&- 4>&- 5>&- &
     emulator=$!
     until_true said_more 0
@@ -76,6 +78,7 @@ finish()
 tick_of()       { echo "$1" | sed 's/ok tick \([0-9]*\).*/\1/'; }
 crc_of()        { echo "$1" | sed 's/.* crc32 \([0-9a-f]*\).*/\1/'; }
 bytes_of()      { echo "$1" | sed 's/.* bytes sent \([0-9]*\).*/\1/'; }
+clocks_of()     { echo "$1" | sed 's/.* clocks \([0-9]*\).*/\1/'; }
 
 # The host's CRC at a tick.
 host_crc()      # TICK [OPTION]...

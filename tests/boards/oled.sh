@@ -63,5 +63,12 @@ for button in ctrl:poke: up:drops= left:sphere_x=-0.25 right:sphere_x=0.25 \
 done
 check "so is the screen, every pixel" shows "$tick" --tape "$tape"
 refuse "it is not that of untouched water" shows "$tick"
-echo "$bytes bytes a frame to the panel"
+
+# With 32 ns for an instruction and 20 for a clock.
+finish
+check "it starts by a clock of instructions" begin $elf -icount shift=5
+ask pause >/dev/null; ask restart >/dev/null; ask "step 40" >/dev/null
+state=$(ask state)
+check "and draws the same" is "$(crc_of "$state")" "$(host_crc 40)"
+echo "$bytes bytes a frame to the panel, $(($(clocks_of "$state") * 20 / 32)) instructions"
 exit $((failures > 0))

@@ -352,7 +352,7 @@ static void a_bad_line_does_not_cost_the_next(void **state)
                                       "ok camera.y = 4 m of -100..2000\n");
     }
     for (int byte = 0; byte < 256; byte++) {
-        char want[80], odd[] = "get camera.y?\nget camera.y\n";
+        char want[128], odd[] = "get camera.y?\nget camera.y\n";
         if (byte == '\n' || byte == '\r' || byte == '\t' || (byte >= ' ' && byte <= '~'))
             continue;
         odd[12] = (char)byte;

@@ -59,7 +59,8 @@ static tp_world *world;
 static tp_frame *frame;
 static void     *scratch;
 static uint32_t  owed;              /* clocks of ticks not yet made */
-static uint64_t  sent_before;       /* the last frame */
+static uint64_t  sent_before;       /* the last frame, */
+static uint32_t  clocks;            /* which took so many */
 
 /* -- memory ------------------------------------------------------------------------- */
 
@@ -135,6 +136,8 @@ static void say_state(void *unused)
     evb_number(crc_of_picture(), 16, 8);
     evb_text(unused, ", bytes sent ");
     evb_number((uint32_t)(panel.sent - sent_before), 10, 1);
+    evb_text(unused, ", clocks ");
+    evb_number(clocks, 10, 1);
     evb_text(unused, ", stack ");
     evb_number(board_stack_used(), 10, 1);
 }
@@ -183,10 +186,13 @@ static bool make_ticks(void)
 
 static void show(void)
 {
+    owed += evb_clocks();
     sent_before = panel.sent;
     lines.changed = false;
     tp_frame_begin(frame, world);
     lcd_show(&panel, frame, scratch);       /* wires that answer nothing cannot fail */
+    clocks = evb_clocks();
+    owed += clocks;
 }
 
 int main(void)
