@@ -50,6 +50,8 @@ check "bytes that are no text" answered "$(printf 'set \377\001')" \
     "error line with byte 255, which is no text"
 check "and the next line is read" answered "get wave0.amplitude" \
     "ok wave0.amplitude = 0.1 m of 0..16"
+# More than its ring holds, while it makes ticks and reads nothing.
+ask "step 400" >/dev/null
 before=$(answers)
 {
     i=0
@@ -62,7 +64,7 @@ burst()
     until_true said_more $((before + 99))
     is "$(answers)" $((before + 100))
 }
-check "100 lines at once are answered, each once" burst
+check "100 lines while it is busy are answered, each once" burst
 
 # -- pictures ----------------------------------------------------------------------------
 
