@@ -391,7 +391,7 @@ $(BUILD)/screen_fake.so: tests/host/screen_fake.c $(BUILD)/flags
 	$(SAY)$(COMPILE) -fPIC -shared $< -ldl -o $@
 build/host/tally.so: tests/bench/tally.c $(BUILD)/flags
 	$(SAY)$(COMPILE) -fPIC -shared $< -o $@
-BOARD_O := $(BOARD_C:%.c=$(BUILD)/%.o)
+BOARD_O := $(addprefix $(BUILD)/,$(addsuffix .o,$(basename $(BOARD_C))))
 $(BUILD)/scenes/%.elf: build/baked/$(MACHINE)/%.o $(BOARD_O) $(LIB) \
           $(LD_FILES)
 	@mkdir -p $(@D)
@@ -436,6 +436,9 @@ $(BUILD)/src/%.o: src/%.c $(BUILD)/flags
 $(BUILD)/%.o: %.c $(BUILD)/flags
 	@mkdir -p $(@D)
 	$(SAY)$(COMPILE) $(HOSTED) -c $< -o $@
+$(BUILD)/%.o: %.S $(BUILD)/flags
+	@mkdir -p $(@D)
+	$(SAY)$(COMPILE) -c $< -o $@
 # Another compiler or other flags are a reason to compile again.
 $(BUILD)/flags: force
 	@mkdir -p $(@D)
