@@ -1,0 +1,112 @@
+/* SPDX-License-Identifier: MIT */
+/* The board's registers: its clock, the serial port and the mailbox to the GPU, by
+ * Broadcom's "BCM2835 ARM Peripherals" and the firmware's list of mailbox properties.
+ * Boards differ in where the registers begin. */
+#include "rpi.h"
+
+enum { TIMER_LOW = 0x3004, MAILBOX_READ = 0xb880, MAILBOX_STATE = 0xb898,
+       MAILBOX_WRITE = 0xb8a0, MAILBOX_OUT_STATE = 0xb8b8, GPIO_SELECT_1 = 0x200004,
+       UART_DATA = 0x201000, UART_FLAGS = 0x201018, UART_WHOLE = 0x201024,
+       UART_PARTS = 0x201028, UART_LINE = 0x20102c, UART_CONTROL = 0x201030 };
+
+static uint32_t take(uint32_t offset)
+{
+    return peripherals[offset / 4];
+}
+
+static void put(uint32_t offset, uint32_t value)
+{
+    peripherals[offset / 4] = value;
+}
+
+uint32_t microseconds(void)
+{
+    return take(TIMER_LOW);
+}
+
+/* -- the GPU ----------------------------------------------------------------------- */
+
+static struct {
+    uint32_t bytes, code;
+    property properties[PROPERTIES];
+    uint32_t end;
+} message __attribute__((section(".bare"), aligned(16)));
+
+/* Waits until a mailbox is not full, or not empty. */
+static bool wait_while(uint32_t state, uint32_t not)
+{
+    const uint32_t begun = microseconds();
+    while (take(state) & not)
+        if (microseconds() - begun > 1000000)
+            return false;
+    return true;
+}
+
+/* The GPU sees our memory, past caches of its own, from 0xc0000000 on.  A property of
+ * number 0 ends the message, so the rest of it is cleared. */
+bool gpu_ask(property *properties, int n)
+{
+    const uint32_t letter = ((uint32_t)(uintptr_t)&message | 0xc0000000u) + 8;
+
+    for (int i = 0; i < PROPERTIES; i++)
+        message.properties[i] = i < n ? properties[i] : (property){ 0 };
+    for (int i = 0; i < n; i++)
+        message.properties[i].bytes = sizeof message.properties[i].value;
+    message.bytes = sizeof message;
+    message.code = message.end = 0;
+    barrier();
+    if (!wait_while(MAILBOX_OUT_STATE, 1u << 31))
+        return false;
+    put(MAILBOX_WRITE, letter);
+    do {
+        if (!wait_while(MAILBOX_STATE, 1u << 30))
+            return false;
+    } while (take(MAILBOX_READ) != letter);
+    barrier();
+    for (int i = 0; i < n; i++)
+        properties[i] = message.properties[i];
+    return message.code == ANSWERED;
+}
+
+/* -- the serial port ---------------------------------------------------------------- */
+
+void uart_open(void)
+{
+    property clock = { .id = GET_CLOCK, .value = { 2 } };
+    uint32_t hertz = 48000000;                      /* the firmware's, if it is silent */
+
+    if (gpu_ask(&clock, 1) && clock.value[1])
+        hertz = clock.value[1];
+    put(UART_CONTROL, 0);
+    put(GPIO_SELECT_1, (take(GPIO_SELECT_1) & ~(077u << 12)) | 044u << 12);
+    put(UART_WHOLE, hertz / (16 * 115200));
+    put(UART_PARTS, hertz / (115200 / 4) % 64);
+    put(UART_LINE, 7 << 4);                         /* 8n1, with queues */
+    put(UART_CONTROL, 0x301);                       /* on, out and in */
+}
+
+int uart_byte(void)
+{
+    return take(UART_FLAGS) & 1 << 4 ? -1 : (int)(take(UART_DATA) & 0xff);
+}
+
+void say(const char *text)
+{
+    for (; *text; text++) {
+        while (take(UART_FLAGS) & 1 << 5)           /* no room for it? */
+            ;
+        put(UART_DATA, (uint8_t)*text);
+    }
+}
+
+void say_number(const char *before, uint32_t n, uint32_t base, int least_digits)
+{
+    char  text[34];
+    char *c = text + sizeof text - 1;
+
+    *c = '\0';
+    for (; n || least_digits > 0; n /= base, least_digits--)
+        *--c = "0123456789abcdef"[n % base];
+    say(before);
+    say(c);
+}

@@ -1,0 +1,216 @@
+/* SPDX-License-Identifier: MIT */
+/* The baked scene on a Raspberry Pi's screen, without an operating system.
+ *
+ * The GPU owns the screen.  It is asked by mailbox for a frame buffer of two pages, one
+ * below the other; bands are drawn straight into the page that is not seen, then the
+ * window is moved over it.  What it answers is compared with what was asked for: if they
+ * differ one line says so and the program ends with 3.
+ *
+ * On the serial port (PL011, 115200 8n1, pins 14 and 15) frames that were asked for are
+ * told as their CRC, read back from the page; it must be the host's.  An emulator with
+ * semihosting says what to draw in its command line, by names and numbers:
+ *     depth 16 or 32 (32), width, height (640x480), first tick (0),
+ *     frames, after which the picture stays (0: it moves on in real time)
+ *
+ * For a board: make BOARD=rpi/raspi2b SCENE=x elf, objcopy -O binary to what board.ld
+ * names, on the card beside the firmware's files.  So far it ran in QEMU alone. */
+#include "rpi.h"
+#include "tidepool/frame.h"
+
+extern const tp_scene  baked_scene;
+extern const tp_assets baked_assets;
+
+#define BAND 16                         /* rows drawn at once */
+
+static _Noreturn void stop(const char *why)
+{
+    say(why);
+    say("\n");
+    halt(3);
+}
+
+/* -- what to draw ------------------------------------------------------------------ */
+
+typedef struct { uint32_t depth, width, height, first, frames; } wish;
+
+/* The number after a name in the command line; else it stays. */
+static void wished(const char *line, const char *name, uint32_t *number)
+{
+    for (; *line; line++) {
+        const char *c = line, *n = name;
+        while (*n && *c == *n)
+            c++, n++;
+        if (*n || *c != ' ')
+            continue;
+        for (*number = 0, c++; *c >= '0' && *c <= '9'; c++)
+            *number = *number * 10 + (uint32_t)(*c - '0');
+        return;
+    }
+}
+
+static wish what_to_draw(void)
+{
+    wish w = { 32, 640, 480, 0, 0 };
+    char line[128] = "";
+    struct { char *text; size_t size; } block = { line, sizeof line };
+
+    if (semihost(0x15, &block) == 0) {
+        wished(line, "depth", &w.depth);
+        wished(line, "width", &w.width);
+        wished(line, "height", &w.height);
+        wished(line, "first", &w.first);
+        wished(line, "frames", &w.frames);
+    }
+    return w;
+}
+
+/* -- the screen -------------------------------------------------------------------- */
+
+typedef struct {
+    uint8_t  *pixels;               /* of the upper page */
+    uint32_t  pitch, width, height;
+    uint32_t  seen;                 /* page 0 or 1 */
+    tp_format format;
+} screen;
+
+/* Ends the program unless a property was answered as it was asked for. */
+static void got(const char *what, const property *p, uint32_t a, uint32_t b)
+{
+    if (p->code & ANSWERED && p->value[0] == a && p->value[1] == b)
+        return;
+    say("no frame buffer: asked for ");
+    say(what);
+    say_number(" ", a, 10, 1);
+    say_number(" ", b, 10, 1);
+    say_number(", got ", p->value[0], 10, 1);
+    say_number(" ", p->value[1], 10, 1);
+    stop("");
+}
+
+/* Of 16 bits red is the high ones in the order called RGB, of 32 in the other.  The
+ * pages are wider than what is seen, since QEMU moves its window over such alone. */
+static screen screen_open(const wish *w)
+{
+    const uint32_t order = w->depth == 16, wide = w->width + 16;
+    property p[] = {
+        { .id = SET_SIZE, .value = { w->width, w->height } },
+        { .id = SET_VIRTUAL_SIZE, .value = { wide, 2 * w->height } },
+        { .id = SET_DEPTH, .value = { w->depth } },
+        { .id = SET_ORDER, .value = { order } },
+        { .id = SET_OFFSET },
+        { .id = ALLOCATE, .value = { 16 } },
+        { .id = GET_PITCH },
+    };
+    screen s = { .width = w->width, .height = w->height };
+
+    if (w->depth != 16 && w->depth != 32)
+        stop("no frame buffer: the depth is 16 or 32");
+    if (!gpu_ask(p, sizeof p / sizeof *p))
+        stop("no frame buffer: the GPU does not answer");
+    got("size", &p[0], w->width, w->height);
+    got("virtual size", &p[1], wide, 2 * w->height);
+    got("depth", &p[2], w->depth, 0);
+    got("order", &p[3], order, 0);
+    got("offset", &p[4], 0, 0);
+    s.format = w->depth == 16 ? TP_FORMAT_RGB565 : TP_FORMAT_XRGB8888;
+    s.pixels = (uint8_t *)(uintptr_t)(p[5].value[0] & 0x3fffffff);
+    s.pitch = p[6].value[0];
+    if (!s.pixels || s.pitch < wide * (w->depth / 8)
+        || p[5].value[1] / s.pitch < 2 * w->height)
+        stop("no frame buffer: too little memory");
+    return s;
+}
+
+static uint8_t *screen_page(const screen *s, uint32_t page)
+{
+    return s->pixels + (size_t)page * s->height * s->pitch;
+}
+
+/* Shows the other page; returns when the last one is no longer sent to the screen. */
+static void screen_flip(screen *s)
+{
+    const uint32_t row = (1 - s->seen) * s->height;
+    property p[] = { { .id = SET_OFFSET, .value = { 0, row } }, { .id = SET_VSYNC } };
+
+    barrier();
+    if (!gpu_ask(p, 2))
+        stop("no frame buffer: the GPU does not answer");
+    got("offset", &p[0], 0, row);
+    s->seen = 1 - s->seen;
+}
+
+/* -- pictures ---------------------------------------------------------------------- */
+
+typedef struct {
+    tp_frame *frame;
+    tp_world *world;
+    void     *scratch;
+} work;
+
+static work work_begin(const screen *s)
+{
+    const tp_frame_config config = { s->width, s->height, 0, BAND, s->format };
+    const size_t world_bytes = tp_world_bytes(&baked_scene, &baked_assets);
+    tp_arena arena = tp_arena_over(arena_start, (size_t)(arena_end - arena_start));
+    void    *block = tp_arena_take(&arena, 1, tp_frame_bytes(&baked_scene, &baked_assets,
+                                                             &config));
+    work     w = { .scratch = tp_arena_take(&arena, 1,
+                                            tp_frame_scratch_into_bytes(&config)),
+                   .world = tp_arena_take(&arena, 1, world_bytes) };
+    tp_error err;
+
+    if (arena.failed
+        || tp_frame_init(&w.frame, &baked_scene, &baked_assets, &config, block, &err))
+        stop("the frame does not fit");
+    if (tp_world_init(w.world, world_bytes, &baked_scene, &baked_assets, &err))
+        stop("the world cannot be made");
+    return w;
+}
+
+static void draw(const work *w, screen *s)
+{
+    uint8_t *page = screen_page(s, 1 - s->seen);
+    tp_tile  tile;
+    tp_frame_begin(w->frame, w->world);
+    for (uint32_t i = 0;
+         tp_frame_tile_into(w->frame, i, w->scratch, page, s->pitch, &tile); i++)
+        ;
+    screen_flip(s);
+}
+
+static void tick(const work *w)
+{
+    tp_world_step(w->world, &baked_scene, NULL);
+}
+
+static void tell(const work *w, const screen *s)
+{
+    const uint8_t *row = screen_page(s, s->seen);
+    uint32_t crc = 0;
+    for (uint32_t y = 0; y < s->height; y++, row += s->pitch)
+        crc = tp_crc32_pixels(crc, s->format, row, (int)s->width);
+    say_number("frame ", (uint32_t)w->world->tick, 10, 4);
+    say_number(" crc32 ", crc, 16, 8);
+    say("\n");
+}
+
+int main(void)
+{
+    uart_open();
+    const wish asked = what_to_draw();
+    screen s = screen_open(&asked);
+    const work w = work_begin(&s);
+
+    while (w.world->tick < asked.first)
+        tick(&w);
+    for (uint32_t n = 0; n < asked.frames; n++) {
+        if (n)
+            tick(&w);
+        draw(&w, &s);
+        tell(&w, &s);
+    }
+    say_number("stack ", stack_used(), 10, 1);
+    say("\n");
+    for (;;)
+        ;
+}

@@ -1,0 +1,115 @@
+/* SPDX-License-Identifier: MIT */
+/* From the first instructions to main: cleared memory, a painted stack, a map of memory
+ * one to one that lets the processor use its caches; and the end, of faults with code 2.
+ *
+ * A map has an entry for each MB (AArch32) or 2 MB (AArch64).  Memory of ours is cached.
+ * Above it the GPU has its own, the frame buffer in it: not cached, or pictures would
+ * stay in the cache, but written in bursts.  Registers keep their order.  The block below
+ * the stack is nobody's, nor is what lies behind the registers.
+ *
+ * Of a core that shares caches with others (Cortex-A7, A53) the firmware's stub has let
+ * it in beforehand. */
+#include "rpi.h"
+
+extern uint8_t  bss_start[], bss_end[], hole_start[], bare_start[], ram_end[];
+extern uint32_t stack_low[], stack_top[];
+
+void *memset(void *to, int value, size_t bytes);
+_Noreturn void reset(void);
+_Noreturn void fault(uint32_t class, uintptr_t pc, uintptr_t address);
+
+#define PAINT 0xa5a5a5a5u
+
+/* -- the map ------------------------------------------------------------------- */
+
+enum { NOBODYS, CACHED, BARE, DEVICE };
+
+#ifdef __aarch64__
+/* Level 2 blocks: valid, attribute of map_on's, for all to see, touched; no code. */
+#define BLOCK   0x200000u
+#define ENTRIES 512
+typedef uint64_t entry;
+static const entry kinds[] = {
+    [CACHED] = 0x701, [BARE] = 0x60000000000705, [DEVICE] = 0x60000000000409,
+};
+#else
+/* Sections: TEX C B (B2.4 of the ARMv6 manual, B3.8 of ARMv7's), open to all; no code. */
+#define BLOCK   0x100000u
+#define ENTRIES 4096
+typedef uint32_t entry;
+static const entry kinds[] = {
+    [CACHED] = 0x1c0e, [BARE] = 0x1c12, [DEVICE] = 0xc16,
+};
+#endif
+
+static _Alignas(sizeof(entry) * ENTRIES) entry map[ENTRIES];
+
+static int kind_of(uintptr_t address)
+{
+    const uintptr_t registers = (uintptr_t)peripherals;
+    if (address >= (uintptr_t)hole_start && address < (uintptr_t)stack_low)
+        return NOBODYS;
+    if (address < (uintptr_t)bare_start)
+        return CACHED;
+    if (address < registers)
+        return BARE;
+    return address - registers < 0x1000000 ? DEVICE : NOBODYS;
+}
+
+static void make_map(void)
+{
+    for (uint32_t i = 0; i < ENTRIES; i++) {
+        const uintptr_t address = (uintptr_t)i * BLOCK;
+        const int kind = kind_of(address);
+        map[i] = kind == NOBODYS ? 0 : (entry)address | kinds[kind];
+    }
+    barrier();
+    map_on(map);
+}
+
+/* -- the beginning and the end ---------------------------------------------------- */
+
+void reset(void)
+{
+    memset(bss_start, 0, (size_t)(bss_end - bss_start));
+    uint32_t *sp = __builtin_frame_address(0);
+    for (uint32_t *word = stack_low; word < sp - 32; word++)    /* below our own frame */
+        *word = PAINT;
+    make_map();
+    halt(main());
+}
+
+uint32_t stack_used(void)
+{
+    const uint32_t *word = stack_low;
+    while (word < stack_top && *word == PAINT)
+        word++;
+    return (uint32_t)((uintptr_t)stack_top - (uintptr_t)word);
+}
+
+/* Ends an emulator with the code; a board stays as it is, its last picture on screen. */
+void halt(int code)
+{
+    const uintptr_t reason[2] = { 0x20026, (uintptr_t)code };   /* the program ended */
+    semihost(0x20, reason);
+    say_number("halted ", (uint32_t)code, 10, 1);
+    say("\n");
+    for (;;)
+#if defined __aarch64__ || __ARM_ARCH >= 7
+        __asm__ volatile("wfi");
+#else
+        __asm__ volatile("mcr p15, 0, %0, c7, c0, 4" : : "r"(0));
+#endif
+}
+
+void fault(uint32_t class, uintptr_t pc, uintptr_t address)
+{
+    say(class == 0      ? "fault: undefined instruction"
+        : class == 0x21 ? "fault: no instruction there"
+        : class == 0x25 ? "fault: no such data"
+                        : "fault");
+    say_number(", pc ", (uint32_t)pc, 16, 8);
+    say_number(" address ", (uint32_t)address, 16, 8);
+    say("\n");
+    halt(2);
+}
