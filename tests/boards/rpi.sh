@@ -1,0 +1,151 @@
+#!/bin/sh
+# SPDX-License-Identifier: MIT
+# The Raspberry Pi's boards, emulated: what the screen shows is the golden frame pixel by
+# pixel, in 32 and in 16 bits, from the ELF file and from the image that lies on a card;
+# frames told on the serial port are the golden CRCs; what goes wrong is one clear line.
+#     rpi.sh [PROGRAM]
+. tests/gates/lib.sh
+
+program=${1:-build/host/tidepool}
+scene=three-swells
+size='width 208 height 150'     # of golden frames
+same=${TP_BUILD:-build/host}/tests/boards/same_picture
+
+# board | emulator | triple | how a card's image gets where the firmware loads it
+loader='-device loader,force-raw=on,cpu-num=0,addr=0x8000,file=@'
+boards="
+raspi0  | arm     | arm-none-eabi     | $loader
+raspi2b | arm     | arm-none-eabi     | $loader
+raspi3b | aarch64 | aarch64-linux-gnu | -kernel @
+"
+
+# -- what the boards say and show ---------------------------------------------------------
+
+# emulate NAME WORDS UNTIL OPTION...: runs until that is said, then takes the screen; with
+# words as a command line if there are any.  Leaves NAME.said, .ppm and .code.
+emulate()
+{
+    name=$scratch/$board-$1 words=$2 until=$3
+    shift 3
+    : >"$name.said"
+    {
+        for i in $(seq 200); do
+            grep -q "$until" "$name.said" && break
+            [ ! -e "$name.code" ] || break
+            sleep 0.05
+        done
+        echo "screendump $name.ppm"
+        echo quit
+    } | {
+        timeout 20 "qemu-system-$emulator" -M "$board" -display none -monitor stdio \
+            -chardev file,id=said,path="$name.said" -serial chardev:said \
+            ${words:+-semihosting-config} \
+            ${words:+"enable=on,target=native,arg=tidepool,arg=$words"} \
+            "$@" >"$name.log" 2>&1
+        echo $? >"$name.code"
+    }
+}
+
+# broken CODE... : the ELF file with these bytes instead of main's first ones.
+broken()
+{
+    at=$("$triple-readelf" -SW "$elf" | awk '$2 == ".text" || $3 == ".text" {
+        for (i = 1; i <= NF; i++) if ($i == "PROGBITS") print $(i + 1), $(i + 2) }')
+    main=$("$triple-nm" "$elf" | awk '$3 == "main" { print $1 }')
+    cp "$elf" "$scratch/$board-broken.elf"
+    printf "$1" | dd of="$scratch/$board-broken.elf" bs=1 conv=notrunc 2>/dev/null \
+        seek=$((0x$main - 0x${at% *} + 0x${at#* }))
+}
+
+run_board()
+{
+    elf=build/$board/scenes/$scene.elf image=$scratch/$board.img
+    "$triple-objcopy" -O binary "$elf" "$image"
+    case $board in
+    raspi3b) undefined='\0\0\0\0' deeper='\375\173\277\251\377\377\377\27' ;;
+    *)       undefined='\360\0\360\347' deeper='\377\137\55\351\375\377\377\352' ;;
+    esac
+    emulate 32 "depth 32 $size first 100 frames 1" '^frame 0100' -kernel "$elf"
+    emulate 16 "depth 16 $size first 99 frames 2" '^frame 0100' $card
+    emulate wide 'depth 32 width 4000 height 16 frames 1' '\.' -kernel "$elf"
+    emulate depth 'depth 12 frames 1' '\.' -kernel "$elf"
+    broken "$undefined"
+    emulate undefined 'frames 1' halted -kernel "$scratch/$board-broken.elf"
+    emulate alone '' halted -kernel "$scratch/$board-broken.elf"
+    broken "$deeper"
+    emulate deeper 'frames 1' halted -kernel "$scratch/$board-broken.elf"
+}
+
+# -- what they should ---------------------------------------------------------------------
+
+for format in xrgb8888 rgb565; do
+    "$program" render $scene --size 208x150 --frames 99:100 --format $format \
+        --out "$scratch/$format-%d.png" || exit 1
+done
+
+said()          # RUN LINE: a whole line
+{
+    tr -d '\r' <"$scratch/$board-$1.said" | grep -qx "$2" || {
+        cat "$scratch/$board-$1.said" "$scratch/$board-$1.log"
+        return 1
+    }
+}
+ended()         # RUN CODE
+{
+    [ "$(cat "$scratch/$board-$1.code")" = "$2" ]
+}
+other()         # PICTURE OTHER [565]: there are both, and they differ
+{
+    $same "$@"
+    [ $? = 1 ]
+}
+golden()        # FORMAT: its line of frame 100
+{
+    grep '^frame 0100 ' tests/golden/$scene/$1.crc
+}
+
+check_board()
+{
+    check "$board tells the golden frame of 32 bits" said 32 "$(golden xrgb8888)"
+    check "$board tells the golden frame of 16 bits" said 16 "$(golden rgb565)"
+    check "$board shows it, 32 bits a pixel" \
+        $same "$scratch/$board-32.ppm" "$scratch/xrgb8888-100.png"
+    check "$board shows it from a card's image, 16 bits a pixel" \
+        $same "$scratch/$board-16.ppm" "$scratch/rgb565-100.png" 565
+    check "$board does not show another frame" \
+        other "$scratch/$board-32.ppm" "$scratch/xrgb8888-99.png"
+    check "$board does not show another frame of 16 bits" \
+        other "$scratch/$board-16.ppm" "$scratch/rgb565-99.png" 565
+    check "$board has no screen of 4000 pixels" \
+        said wide 'no frame buffer: asked for size 4000 16, got 3840 16'
+    check "$board says so to who started it" ended wide 3
+    check "$board has no screen of 12 bits" \
+        said depth 'no frame buffer: the depth is 16 or 32'
+    check "$board stops at that" ended depth 3
+    check "$board tells of an undefined instruction" \
+        said undefined 'fault: undefined instruction, pc 0*[0-9a-f]* address 0*'
+    check "$board ends with 2" ended undefined 2
+    check "$board halts where nobody listens" said alone 'halted 2'
+    check "$board finds its stack overflown" \
+        said deeper 'fault: no such data, pc 0*[0-9a-f]* address 03b[0-9a-f]*'
+    check "$board ends with 2 then" ended deeper 2
+}
+
+tried=
+while IFS='|' read -r board emulator triple card; do
+    board=$(echo $board) emulator=$(echo $emulator) triple=$(echo $triple)
+    card=$(echo "$card" | sed "s,@,$scratch/$board.img,")
+    [ -n "$board" ] || continue
+    lacks "qemu-system-$emulator" qemu-system-arm "$board" && continue
+    lacks "$triple-gcc" "gcc-$triple" "$board" && continue
+    check "$board builds" alone build BOARD=rpi/"$board" SCENE=$scene elf
+    run_board &
+    tried="$tried $board"
+done <<EOF
+$boards
+EOF
+wait
+for board in $tried; do
+    check_board
+done
+exit $((failures > 0))
