@@ -277,6 +277,8 @@ more-tests: everything build/host/count.so build/host/tally.so
 	    tests/boards/kms_events.sh
 	    tests/boards/cortex-m.sh
 	    tests/boards/cortex-m.sh tests/boards/oled.sh tests/boards/control.sh
+	    tests/boards/rpi.sh \
+	    tests/budgets/plan-count.sh tests/budgets/prices.sh tests/fuzz/run.sh
 fuzzers: $(FUZZ)
 # Other renderers for `tidepool bench --peers`, of whatever packages are there.
 PEERS := $(BUILD)/tests/bench/peers
