@@ -8,6 +8,7 @@
 # and itself; sdl2 and null are parts of the host program and see host as well.  Raw
 # screens, linuxfb and kms, are shown by screen, which host hands its pictures to.
 BEGIN {
+    guest["rpi"] = guest["rpi=board"] = "board"     # what boards share
     levels = split("base|fx|pixel|asset wave pool|geom|raster shade|scene|frame", level,
                    "|")
     for (i = 1; i <= levels; i++) {
