@@ -12,15 +12,22 @@
  *     depth 16 or 32 (32), width, height (640x480), first tick (0),
  *     frames, after which the picture stays (0: it moves on in real time)
  *
+ * Lines of board/control.h set the scene's numbers; while the water stands, every frame
+ * that they ask for is told.
+ *
  * For a board: make BOARD=rpi/raspi2b SCENE=x elf, objcopy -O binary to what board.ld
  * names, on the card beside the firmware's files.  So far it ran in QEMU alone. */
 #include "rpi.h"
+#include "board/control.h"
 #include "tidepool/frame.h"
 
 extern const tp_scene  baked_scene;
 extern const tp_assets baked_assets;
 
-#define BAND 16                         /* rows drawn at once */
+void *memcpy(void *restrict to, const void *restrict from, size_t bytes);
+
+enum { BAND = 16,                       /* rows drawn at once */
+       TICK_US = 16667, MOST_TICKS = 8 };       /* of the latter, between frames */
 
 static _Noreturn void stop(const char *why)
 {
@@ -142,45 +149,73 @@ static void screen_flip(screen *s)
 /* -- pictures ---------------------------------------------------------------------- */
 
 typedef struct {
+    tp_frame_config config;
     tp_frame *frame;
     tp_world *world;
     void     *scratch;
+    control_setup setup;
+    control   control;
+    uint32_t  drawn_in;             /* microseconds, the last frame */
 } work;
 
-static work work_begin(const screen *s)
-{
-    const tp_frame_config config = { s->width, s->height, 0, BAND, s->format };
-    const size_t world_bytes = tp_world_bytes(&baked_scene, &baked_assets);
-    tp_arena arena = tp_arena_over(arena_start, (size_t)(arena_end - arena_start));
-    void    *block = tp_arena_take(&arena, 1, tp_frame_bytes(&baked_scene, &baked_assets,
-                                                             &config));
-    work     w = { .scratch = tp_arena_take(&arena, 1,
-                                            tp_frame_scratch_into_bytes(&config)),
-                   .world = tp_arena_take(&arena, 1, world_bytes) };
-    tp_error err;
+static tp_scene scene;              /* the baked one, as it has been set */
 
-    if (arena.failed
-        || tp_frame_init(&w.frame, &baked_scene, &baked_assets, &config, block, &err))
-        stop("the frame does not fit");
-    if (tp_world_init(w.world, world_bytes, &baked_scene, &baked_assets, &err))
-        stop("the world cannot be made");
-    return w;
+static void write(void *to, const char *text)
+{
+    (void)to;
+    say(text);
 }
 
-static void draw(const work *w, screen *s)
+static void say_state(void *to)
 {
+    const work *w = to;
+    say_number(" stack ", stack_used(), 10, 1);
+    say_number(" bytes, a frame in ", w->drawn_in, 10, 1);
+    say(" us");
+}
+
+static void work_begin(work *w, const screen *s)
+{
+    memcpy(&scene, &baked_scene, sizeof scene);
+    w->config = (tp_frame_config){ s->width, s->height, 0, BAND, s->format };
+    const size_t bytes = tp_frame_bytes(&scene, &baked_assets, &w->config);
+    const size_t world_bytes = tp_world_bytes(&scene, &baked_assets);
+    tp_arena arena = tp_arena_over(arena_start, (size_t)(arena_end - arena_start));
+    void    *block = tp_arena_take(&arena, 1, bytes);
+    tp_error err;
+
+    w->scratch = tp_arena_take(&arena, 1, tp_frame_scratch_into_bytes(&w->config));
+    w->world = tp_arena_take(&arena, 1, world_bytes);
+    if (arena.failed
+        || tp_frame_init(&w->frame, &scene, &baked_assets, &w->config, block, &err))
+        stop("the frame does not fit");
+    if (tp_world_init(w->world, world_bytes, &scene, &baked_assets, &err))
+        stop("the world cannot be made");
+    w->setup = (control_setup){
+        .kit = &tp_kit_all, .shown = &scene, .scene = &scene, .assets = &baked_assets,
+        .config = &w->config, .world = w->world, .write = write, .state = say_state,
+        .to = w,
+    };
+    control_begin(&w->control, &w->setup);
+}
+
+static void tick(work *w)
+{
+    const tp_input input = control_take(&w->control);
+    tp_world_step(w->world, &scene, &input);
+}
+
+static void draw(work *w, screen *s)
+{
+    const uint32_t begun = microseconds();
     uint8_t *page = screen_page(s, 1 - s->seen);
     tp_tile  tile;
     tp_frame_begin(w->frame, w->world);
     for (uint32_t i = 0;
          tp_frame_tile_into(w->frame, i, w->scratch, page, s->pitch, &tile); i++)
         ;
+    w->drawn_in = microseconds() - begun;
     screen_flip(s);
-}
-
-static void tick(const work *w)
-{
-    tp_world_step(w->world, &baked_scene, NULL);
 }
 
 static void tell(const work *w, const screen *s)
@@ -194,12 +229,50 @@ static void tell(const work *w, const screen *s)
     say("\n");
 }
 
+/* -- for ever ---------------------------------------------------------------------- */
+
+/* Ticks since `clock`, which moves on; where a scene is too slow some are lost. */
+static uint32_t ticks_due(uint32_t *clock)
+{
+    const uint32_t n = (microseconds() - *clock) / TICK_US;
+    *clock += n * TICK_US;
+    return n < MOST_TICKS ? n : MOST_TICKS;
+}
+
+/* While the water stands frames are told, as they are asked for by steps and sets. */
+static _Noreturn void live(work *w, screen *s)
+{
+    control *c = &w->control;
+    uint32_t clock = microseconds();
+    for (;;) {
+        int byte;
+        while (control_reads(c) && (byte = uart_byte()) >= 0)
+            control_byte(c, (uint8_t)byte);
+        uint32_t due = ticks_due(&clock);
+        for (due = due > c->steps ? due : c->steps; due && control_ticks(c); due--) {
+            tick(w);
+            c->changed = true;
+        }
+        if (!c->changed)
+            continue;
+        c->changed = false;
+        draw(w, s);
+        if (c->paused)
+            tell(w, s);
+    }
+}
+
 int main(void)
 {
+    static work w;
     uart_open();
     const wish asked = what_to_draw();
     screen s = screen_open(&asked);
-    const work w = work_begin(&s);
+    work_begin(&w, &s);
+    say_number("screen ", s.width, 10, 1);
+    say_number("x", s.height, 10, 1);
+    say_number(" of bits ", asked.depth, 10, 1);
+    say("\n");
 
     while (w.world->tick < asked.first)
         tick(&w);
@@ -209,8 +282,6 @@ int main(void)
         draw(&w, &s);
         tell(&w, &s);
     }
-    say_number("stack ", stack_used(), 10, 1);
-    say("\n");
-    for (;;)
-        ;
+    w.control.paused = asked.frames > 0;
+    live(&w, &s);
 }

@@ -2,13 +2,15 @@
 # SPDX-License-Identifier: MIT
 # The Raspberry Pi's boards, emulated: what the screen shows is the golden frame pixel by
 # pixel, in 32 and in 16 bits, from the ELF file and from the image that lies on a card;
-# frames told on the serial port are the golden CRCs; what goes wrong is one clear line.
+# frames told on the serial port are the host's, after lines that set the scene's numbers
+# too; what goes wrong is one clear line.
 #     rpi.sh [PROGRAM]
 . tests/gates/lib.sh
 
 program=${1:-build/host/tidepool}
 scene=three-swells
 size='width 208 height 150'     # of golden frames
+set=wave0.amplitude
 same=${TP_BUILD:-build/host}/tests/boards/same_picture
 
 # board | emulator | triple | how a card's image gets where the firmware loads it
@@ -19,37 +21,44 @@ raspi2b | arm     | arm-none-eabi     | $loader
 raspi3b | aarch64 | aarch64-linux-gnu | -kernel @
 "
 
-# -- what the boards say and show ---------------------------------------------------------
+# -- what the boards say and show --------------------------------------------------------
 
-# emulate NAME WORDS UNTIL OPTION...: runs until that is said, then takes the screen; with
-# words as a command line if there are any.  Leaves NAME.said, .ppm and .code.
+# heard WORDS: waits for them, or the emulator's end, ten seconds at the most.
+heard()
+{
+    for i in $(seq 200); do
+        ! grep -q "$1" "$name.said" 2>/dev/null && [ ! -e "$name.code" ] || break
+        sleep 0.05
+    done
+}
+
+# emulate NAME WORDS LINES UNTIL OPTION...: with words as a command line, if any,
+# and lines for the serial port; takes the screen when UNTIL has been said.  Leaves
+# NAME.said, .ppm and .code.
 emulate()
 {
-    name=$scratch/$board-$1 words=$2 until=$3
-    shift 3
-    : >"$name.said"
+    name=$scratch/$board-$1 words=$2 lines=$3 until=$4
+    shift 4
     {
-        for i in $(seq 200); do
-            grep -q "$until" "$name.said" && break
-            [ ! -e "$name.code" ] || break
-            sleep 0.05
-        done
+        [ -z "$lines" ] || heard "^screen"
+        printf "$lines"
+        heard "$until"
+        printf '\001c'                          # from here on it is the monitor's
         echo "screendump $name.ppm"
         echo quit
     } | {
-        timeout 20 "qemu-system-$emulator" -M "$board" -display none -monitor stdio \
-            -chardev file,id=said,path="$name.said" -serial chardev:said \
+        timeout 20 "qemu-system-$emulator" -M "$board" -display none -serial mon:stdio \
             ${words:+-semihosting-config} \
             ${words:+"enable=on,target=native,arg=tidepool,arg=$words"} \
-            "$@" >"$name.log" 2>&1
+            "$@" >"$name.said" 2>&1
         echo $? >"$name.code"
     }
 }
 
-# broken CODE... : the ELF file with these bytes instead of main's first ones.
+# broken BYTES: the ELF file with these instead of main's first ones.
 broken()
 {
-    at=$("$triple-readelf" -SW "$elf" | awk '$2 == ".text" || $3 == ".text" {
+    at=$("$triple-readelf" -SW "$elf" | awk '/ \.text / {
         for (i = 1; i <= NF; i++) if ($i == "PROGBITS") print $(i + 1), $(i + 2) }')
     main=$("$triple-nm" "$elf" | awk '$3 == "main" { print $1 }')
     cp "$elf" "$scratch/$board-broken.elf"
@@ -59,34 +68,39 @@ broken()
 
 run_board()
 {
-    elf=build/$board/scenes/$scene.elf image=$scratch/$board.img
-    "$triple-objcopy" -O binary "$elf" "$image"
-    case $board in
+    elf=build/$board/scenes/$scene.elf
+    "$triple-objcopy" -O binary "$elf" "$scratch/$board.img"
+    case $board in      # an undefined instruction; main pushes registers and calls itself
     raspi3b) undefined='\0\0\0\0' deeper='\375\173\277\251\377\377\377\27' ;;
     *)       undefined='\360\0\360\347' deeper='\377\137\55\351\375\377\377\352' ;;
     esac
-    emulate 32 "depth 32 $size first 100 frames 1" '^frame 0100' -kernel "$elf"
-    emulate 16 "depth 16 $size first 99 frames 2" '^frame 0100' $card
-    emulate wide 'depth 32 width 4000 height 16 frames 1' '\.' -kernel "$elf"
-    emulate depth 'depth 12 frames 1' '\.' -kernel "$elf"
+    emulate 32 "depth 32 $size first 100 frames 1" '' '^frame 0100' -kernel "$elf"
+    emulate 16 "depth 16 $size first 99 frames 2" '' '^frame 0100' $card
+    emulate set "$size frames 1" "set $set 0.9\nset $set 99\nstep 10\nstate\n" \
+        "^ok tick" -kernel "$elf"
+    emulate alone '' 'pause\nstep 2\nstate\n' '^ok tick' -kernel "$elf"
+    emulate wide 'depth 32 width 4000 height 16 frames 1' '' halted -kernel "$elf"
+    emulate depth 'depth 12 frames 1' '' halted -kernel "$elf"
     broken "$undefined"
-    emulate undefined 'frames 1' halted -kernel "$scratch/$board-broken.elf"
-    emulate alone '' halted -kernel "$scratch/$board-broken.elf"
+    emulate undefined 'frames 1' '' halted -kernel "$scratch/$board-broken.elf"
+    emulate halted '' '' halted -kernel "$scratch/$board-broken.elf"
     broken "$deeper"
-    emulate deeper 'frames 1' halted -kernel "$scratch/$board-broken.elf"
+    emulate deeper 'frames 1' '' halted -kernel "$scratch/$board-broken.elf"
 }
 
-# -- what they should ---------------------------------------------------------------------
+# -- what they should --------------------------------------------------------------------
 
 for format in xrgb8888 rgb565; do
     "$program" render $scene --size 208x150 --frames 99:100 --format $format \
         --out "$scratch/$format-%d.png" || exit 1
 done
+"$program" render $scene --size 208x150 --frames 10:10 --set $set=0.9 --hash \
+    --out "$scratch/set.png" >"$scratch/set" || exit 1
 
 said()          # RUN LINE: a whole line
 {
     tr -d '\r' <"$scratch/$board-$1.said" | grep -qx "$2" || {
-        cat "$scratch/$board-$1.said" "$scratch/$board-$1.log"
+        sed '/QEMU/,$d' "$scratch/$board-$1.said"
         return 1
     }
 }
@@ -94,14 +108,22 @@ ended()         # RUN CODE
 {
     [ "$(cat "$scratch/$board-$1.code")" = "$2" ]
 }
+golden()        # FORMAT: its line of frame 100
+{
+    grep '^frame 0100 ' tests/golden/$scene/$1.crc
+}
 other()         # PICTURE OTHER [565]: there are both, and they differ
 {
     $same "$@"
     [ $? = 1 ]
 }
-golden()        # FORMAT: its line of frame 100
+# The frame that it had come to by itself, and two steps, is the host's of that tick.
+by_itself()
 {
-    grep '^frame 0100 ' tests/golden/$scene/$1.crc
+    frame=$(grep -a '^frame' "$scratch/$board-alone.said" | tail -n 1 | tr -d '\r')
+    tick=$(echo "$frame" | sed 's/frame 0*\([0-9]*\) .*/\1/')
+    [ "$tick" -ge 2 ] && "$program" render $scene --frames "$tick:$tick" --hash |
+        grep -x "$frame"
 }
 
 check_board()
@@ -116,6 +138,11 @@ check_board()
         other "$scratch/$board-32.ppm" "$scratch/xrgb8888-99.png"
     check "$board does not show another frame of 16 bits" \
         other "$scratch/$board-16.ppm" "$scratch/rgb565-99.png" 565
+    check "$board takes a number" said set "ok $set = 0.9 m"
+    check "$board refuses a number" said set "error $set = 99 is outside 0..16 m"
+    check "$board tells what that number makes" said set "$(cat "$scratch/set")"
+    check "$board shows it" $same "$scratch/$board-set.ppm" "$scratch/set.png"
+    check "$board moves on by itself, and stops" by_itself
     check "$board has no screen of 4000 pixels" \
         said wide 'no frame buffer: asked for size 4000 16, got 3840 16'
     check "$board says so to who started it" ended wide 3
@@ -125,7 +152,7 @@ check_board()
     check "$board tells of an undefined instruction" \
         said undefined 'fault: undefined instruction, pc 0*[0-9a-f]* address 0*'
     check "$board ends with 2" ended undefined 2
-    check "$board halts where nobody listens" said alone 'halted 2'
+    check "$board halts where nobody listens" said halted 'halted 2'
     check "$board finds its stack overflown" \
         said deeper 'fault: no such data, pc 0*[0-9a-f]* address 03b[0-9a-f]*'
     check "$board ends with 2 then" ended deeper 2

@@ -2,4 +2,5 @@
 # Raspberry Pi 1 and Zero (BCM2835, one ARM1176), as QEMU's raspi0 emulates it.
 TRIPLE  := arm-none-eabi-
 ARCH    := -mcpu=arm1176jzf-s -marm -mfloat-abi=soft -mno-unaligned-access -ffreestanding
-BOARD_C := $(addprefix ports/rpi/,rpi.c board.c start.c entry.S) ports/cortex-m/memory.c
+BOARD_C := $(addprefix ports/rpi/,rpi.c board.c start.c entry.S) $(addprefix ports/, \
+           board/answer.c board/control.c board/control_set.c cortex-m/memory.c)
