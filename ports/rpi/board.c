@@ -42,11 +42,10 @@ static bool wait_while(uint32_t state, uint32_t not)
     return true;
 }
 
-/* The GPU sees our memory, past caches of its own, from 0xc0000000 on.  A property of
- * number 0 ends the message, so the rest of it is cleared. */
+/* A property of number 0 ends the message, so the rest of it is cleared. */
 bool gpu_ask(property *properties, int n)
 {
-    const uint32_t letter = ((uint32_t)(uintptr_t)&message | 0xc0000000u) + 8;
+    const uint32_t letter = (uint32_t)((uintptr_t)&message | (uintptr_t)gpu_memory) + 8;
 
     for (int i = 0; i < PROPERTIES; i++)
         message.properties[i] = i < n ? properties[i] : (property){ 0 };

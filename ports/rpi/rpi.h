@@ -8,6 +8,7 @@
 
 /* By the linker. */
 extern volatile uint32_t peripherals[];         /* the first register */
+extern uint8_t gpu_memory[];                    /* byte 0 of memory, for the GPU */
 extern uint8_t arena_start[], arena_end[];      /* all memory left, aligned to 16 */
 
 /* entry.S: waits until memory has what was written; gives the processor its map and its
