@@ -84,9 +84,21 @@ void uart_open(void)
     put(UART_CONTROL, 0x301);                       /* on, out and in */
 }
 
+static struct {
+    uint8_t  bytes[256];
+    uint32_t in, out;               /* counted for ever, of which the lower bits tell */
+} heard;
+
+void uart_listen(void)
+{
+    while (heard.in - heard.out < sizeof heard.bytes && !(take(UART_FLAGS) & 1 << 4))
+        heard.bytes[heard.in++ % sizeof heard.bytes] = (uint8_t)take(UART_DATA);
+}
+
 int uart_byte(void)
 {
-    return take(UART_FLAGS) & 1 << 4 ? -1 : (int)(take(UART_DATA) & 0xff);
+    uart_listen();
+    return heard.in == heard.out ? -1 : heard.bytes[heard.out++ % sizeof heard.bytes];
 }
 
 void say(const char *text)

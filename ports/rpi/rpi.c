@@ -213,7 +213,7 @@ static void draw(work *w, screen *s)
     tp_frame_begin(w->frame, w->world);
     for (uint32_t i = 0;
          tp_frame_tile_into(w->frame, i, w->scratch, page, s->pitch, &tile); i++)
-        ;
+        uart_listen();
     w->drawn_in = microseconds() - begun;
     screen_flip(s);
 }

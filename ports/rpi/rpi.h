@@ -23,9 +23,11 @@ uint32_t stack_used(void);                      /* bytes, the deepest so far */
 _Noreturn void halt(int code);                  /* see there */
 
 /* board.c: a clock, and words over the serial port: numbers of base 2 to 16, with zeros
- * before them up to `least_digits`; the byte that came, or -1. */
+ * before them up to `least_digits`; the byte that came, or -1.  The port itself keeps 16
+ * bytes, which come in 1.4 ms: who does something for longer listens now and then. */
 uint32_t microseconds(void);
 void     uart_open(void);
+void     uart_listen(void);
 int      uart_byte(void);
 void     say(const char *text);
 void     say_number(const char *before, uint32_t n, uint32_t base, int least_digits);
