@@ -181,7 +181,7 @@ while IFS='|' read -r board emulator triple card; do
     [ -n "$board" ] || continue
     lacks "qemu-system-$emulator" qemu-system-arm "$board" && continue
     lacks "$triple-gcc" "gcc-$triple" "$board" && continue
-    check "$board builds" alone build BOARD=rpi/"$board" SCENE=$scene elf
+    check "$board builds" alone build OPT=-O2 BOARD=rpi/"$board" SCENE=$scene elf
     [ "$board" != raspi2b ] || check "$board gives up being a hypervisor" hypervisor
     run_board &
     tried="$tried $board"
