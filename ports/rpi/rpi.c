@@ -122,7 +122,8 @@ static screen screen_open(const wish *w)
     s.format = w->depth == 16 ? TP_FORMAT_RGB565 : TP_FORMAT_XRGB8888;
     s.pixels = (uint8_t *)(uintptr_t)(p[5].value[0] & 0x3fffffff);
     s.pitch = p[6].value[0];
-    if (!s.pixels || s.pitch < wide * (w->depth / 8)
+    const uintptr_t room = (uintptr_t)peripherals - (uintptr_t)s.pixels;
+    if (!s.pixels || s.pitch < wide * (w->depth / 8) || p[5].value[1] > room
         || p[5].value[1] / s.pitch < 2 * w->height)
         stop("no frame buffer: too little memory");
     return s;

@@ -81,6 +81,8 @@ run_board()
     emulate alone '' 'pause\nstep 2\nstate\n' '^ok tick' -kernel "$elf"
     emulate wide 'depth 32 width 4000 height 16 frames 1' '' halted -kernel "$elf"
     emulate depth 'depth 12 frames 1' '' halted -kernel "$elf"
+    emulate large 'width 3824 height 1280 frames 1' '' halted -kernel "$elf" \
+        -global bcm2835-fb.vcram-size=33554432
     broken "$undefined"
     emulate undefined 'frames 1' '' halted -kernel "$scratch/$board-broken.elf"
     emulate halted '' '' halted -kernel "$scratch/$board-broken.elf"
@@ -165,6 +167,9 @@ check_board()
     check "$board has no screen of 12 bits" \
         said depth 'no frame buffer: the depth is 16 or 32'
     check "$board stops at that" ended depth 3
+    check "$board has no memory for two pages of 3824x1280" \
+        said large 'no frame buffer: too little memory'
+    check "$board does not try" ended large 3
     check "$board tells of an undefined instruction" \
         said undefined 'fault: undefined instruction, pc 0*[0-9a-f]* address 0*'
     check "$board ends with 2" ended undefined 2
