@@ -139,7 +139,7 @@ here="arm-none-eabi-gcc $(arm-none-eabi-gcc -dumpfullversion)"
 check "README.md has a table of boards" test -n "$want"
 if [ "$want" = "$here" ]; then
     check "it is what make boards prints" stands_in README.md
-    sed '/^<!-- boards/,/^<!-- \/boards/s/5912/5911/' README.md >"$scratch/stale"
+    sed '/^<!-- boards/,/^<!-- \/boards/s/[1-9] |$/0 |/' README.md >"$scratch/stale"
     refuse "one with another figure is not" stands_in "$scratch/stale"
 elif [ -n "$want" ]; then
     echo "skipped: the table of boards by $want, here $here (package ${want% *})"

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* A small colour LCD of 160x128, in 16 KB of RAM: level water with the light of its waves,
  * one texture and the sky, in strips. */
-#include "../board.h"
+#include "cortex-m/board.h"
 
 static const tp_kit kit = {
     .stage = { TP_STAGE(sky), TP_STAGE(plain), TP_STAGE(texture_linear_graded),

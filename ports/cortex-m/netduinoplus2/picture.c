@@ -2,7 +2,7 @@
 /* An LCD of 320x240 in bands, in the order of bytes that it takes them in.  The megabyte
  * of flash holds every effect; crossings are streamed, since 128 KB would not hold them
  * all. */
-#include "../board.h"
+#include "cortex-m/board.h"
 
 static const tp_kit kit = {
 #define X(name) .name = tp_stage_##name,

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* An OLED of 128x64 in black and white, in 8 KB of RAM: level water with the light of its
  * waves, one texture and the sky, in small tiles. */
-#include "../board.h"
+#include "cortex-m/board.h"
 
 static const tp_kit kit = {
     .stage = { TP_STAGE(sky), TP_STAGE(plain), TP_STAGE(texture_linear_graded),
