@@ -50,9 +50,9 @@ typedef struct {
 } tp_frame_ram;
 
 /* The frame's block holds what the scene needs at init, nothing for what it lacks:
- *  - vertices: the grid's crossings, the boat's and the land's corners, drops, rings,
+ *  - vertices: the grid and its crossings, the boat's and the land's corners, drops, rings,
  *    specks of spray; glass, walls inside a pool, the map of caustics (2 bytes a cell)
- *  - tables: those of every scene (shininess, a sky's gradient); of a
+ *  - tables: a sky's gradient; by a kit that lights water, shininess; of a
  *    generated or cube sky, the exposure, the boat's materials, slopes of pools that bend
  *    the light only
  *  - mirror: with mirror.objects = stencil a picture of half the size and four rows of
@@ -73,7 +73,8 @@ size_t tp_frame_bytes_with(const tp_kit *kit, const tp_scene *scene,
 size_t tp_frame_scratch_bytes(const tp_frame_config *config);
 size_t tp_frame_scratch_into_bytes(const tp_frame_config *config);      /* see below */
 
-/* By a kit that streams crossings (tp_method_streamed) and two lines of them more. */
+/* By a kit that streams crossings (tp_method_streamed) two lines of them more; 24 bytes a
+ * column less, if pixels do not take them, where it has neither rows nor projected. */
 size_t tp_frame_scratch_with(const tp_kit *kit, const tp_scene *scene,
                              const tp_frame_config *config);
 size_t tp_frame_scratch_into_with(const tp_kit *kit, const tp_scene *scene,
