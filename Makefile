@@ -187,9 +187,9 @@ count: $(PROGRAM) build/host/count.so
 ## what two scenes take of a board's memory, by use and size of tile
 ram: $(PROGRAM) build/host/count.so
 	@tests/budgets/ram.sh
-## memory, flash and instructions of scenes on emulated boards, as the README has them
+## memory, flash and instructions on emulated boards; WRITE=1: into the README
 boards: $(PROGRAM)
-	@tests/boards/table.sh
+	@tests/boards/table.sh $(if $(WRITE),--write)
 ## times and instructions of the scene that other renderers were measured on
 bench: $(PROGRAM) $(BUILD)/tests/bench/scene_s
 	@$(PROGRAM) bench
@@ -320,6 +320,7 @@ $(filter $(BUILD)/%,$(GOLDEN)): $(BUILD)/tests/golden/golden.o
 LCD_O := $(patsubst %,$(BUILD)/%.o,$(addprefix ports/lcd/,clear lcd panels ssd0323 turn) \
                tests/boards/panel tests/golden/golden)
 $(filter $(BUILD)/tests/host/test_lcd%,$(UNIT)): $(LCD_O)
+$(BUILD)/tests/boards/sent: $(filter %/clear.o %/lcd.o %/panels.o %/turn.o,$(LCD_O))
 $(filter $(BUILD)/tests/accuracy/%,$(UNIT)): $(BUILD)/reference.a
 $(BUILD)/tests/host/test_kms: $(BUILD)/tests/host/fake_kms.o
 $(BUILD)/reference.a: $(REF_O)

@@ -4,9 +4,7 @@
 #   awk -v from=FOLDER -f tests/boards/table.awk SHOTS
 #
 # SHOTS has lines BOARD/SCENE; FOLDER of each what `size -A` tells (.size), what the board
-# said (.said) and what the plugin counted (.counts).  A window of the display is 11 bytes
-# of commands where colours are sent, of DCS: first and last column, row, write; of panels
-# of a bit a pixel 14, as an SSD1680 takes them.
+# said (.said), what the plugin counted (.counts) and what a display is sent (.sent).
 BEGIN {
     FS = "/"
     memory = "| board, scene | frame | water | mirror | tile | world | in all | stack |\n" \
@@ -23,9 +21,11 @@ function look(file,    line, word, n, i)
             size[word[1]] = word[2]
         else if (word[1] == "frame")
             frames++
-        else if (word[1] == "ram" || word[1] == "sent")
-            for (i = word[1] == "ram" ? 2 : 1; i < n; i += 2)
+        else if (word[1] == "ram")
+            for (i = 2; i < n; i += 2)
                 value[word[i]] = word[i + 1]
+        else if (word[1] == "sent")
+            value["sent"] = word[2]
         else if (word[1] == "picture")
             picture = word[2] " " word[3] ", " word[4]
         else if (word[1] == "count" && word[3] ~ /^(frame|tiles)$/)
@@ -41,19 +41,19 @@ function look(file,    line, word, n, i)
     look(from "/" $0 ".size")
     look(from "/" $0 ".said")
     look(from "/" $0 ".counts")
-    if (!frames || !insns || !size[".text"] || !value["frame"]) {
+    look(from "/" $0 ".sent")
+    if (!value["sent"] || !frames || !insns || !size[".text"] || !value["frame"]) {
         print "FAILED - " $0 ": nothing was measured"
         failed = 1
         exit 1
     }
     all = value["frame"] + value["scratch"] + value["world"] + size[".data"] + size[".bss"]
-    window = picture ~ / i1,/ ? 14 : 11
     memory = memory sprintf("| %s, `%s` | %d | %d | %d | %d | %d | %d | %d |\n", $1, $2,
         value["frame"] - value["vertices"] - value["mirror"], value["vertices"],
         value["mirror"], value["scratch"], value["world"], all, value["stack"])
     work = work sprintf("| %s, `%s` | %s | %d | %d | %d | %d | %d |\n", $1, $2, picture,
         size[".text"], size[".rodata"] + size[".exidx"], size[".baked"],
-        insns / frames, value["sent"] + window * value["windows"])
+        insns / frames, value["sent"])
 }
 
 END {

@@ -3,10 +3,11 @@
 # What scenes take of boards, as the table of README.md's part `Boards`: flash, working
 # memory, stack, instructions of a frame and what a display is sent.
 #
-#   tests/boards/table.sh [FOLDER]
+#   tests/boards/table.sh [FOLDER | --write]
 #
 # Programs are run on the emulated boards, and counted by the plugin; FOLDER keeps what
 # each said (BOARD/SCENE.said) for who wants to look at the frames.
+# With --write they take their place in README.md, with the compiler's version.
 . tests/gates/lib.sh
 
 # board | scene, @ the most texels of a picture's side
@@ -18,7 +19,9 @@ microbit          bay@64
 stm32vldiscovery  bay@64
 '
 plugin=build/host/count.so
+sent=build/host/tests/boards/sent
 to=${1:-$scratch}
+[ "$to" != --write ] || to=$scratch
 
 shoot()         # BOARD SCENE
 {
@@ -32,11 +35,24 @@ shoot()         # BOARD SCENE
         -semihosting-config enable=on,target=native,chardev=said -kernel "$elf" \
         -plugin $plugin 2>"$to/$1/$2.counts" </dev/null ||
         { cat "$to/$1/$2.said" >&2; return 1; }
+    # shellcheck disable=SC2046
+    $sent $(awk '/^picture/ { print $2, $4, $3 }' "$to/$1/$2.said") >"$scratch/sent" &&
+        echo "sent $(cat "$scratch/sent")" >"$to/$1/$2.sent"
 }
 
-alone build -s $plugin >/dev/null || exit 1
+alone build -s $plugin $sent >/dev/null || exit 1
 echo "$shots" | while read -r board scene; do
     [ -z "$board" ] || shoot "$board" "$scene" || exit 1
     [ -z "$board" ] || echo "$board/$scene"
 done >"$scratch/shots" || exit 1
-awk -v from="$to" -f tests/boards/table.awk "$scratch/shots"
+awk -v from="$to" -f tests/boards/table.awk "$scratch/shots" >"$scratch/table" || exit 1
+cat "$scratch/table"
+[ "${1:-}" = --write ] || exit 0
+awk -v table="$scratch/table" -v by="$(arm-none-eabi-gcc -dumpfullversion)" '
+    /^<!-- \/boards/ { within = 0 }
+    /^<!-- boards/ {
+        print "<!-- boards: make boards, arm-none-eabi-gcc " by " -->"
+        while ((getline line < table) > 0) print line
+        within = 1
+    }
+    !within' README.md >"$scratch/readme" && cp "$scratch/readme" README.md
