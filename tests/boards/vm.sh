@@ -1,0 +1,203 @@
+# SPDX-License-Identifier: MIT
+# Machines that run Debian's own kernel, emulated; read by `.` after tests/gates/lib.sh.
+#
+# A test makes a boot's first and only file system of busybox, init.sh, programs of ours
+# and a script of cases, and boots it.  The cases print lines on the serial port; those
+# that begin with "vm: " ask this side for what only the machine's outside can do:
+#
+#     vm: shot NAME       the screen as it is shown now, to $vm_work/NAME.ppm
+#     vm: key KEYS        a key, by the monitor's names: ctrl-c, alt-f2
+#     vm: end             all cases were run; the machine is put out
+#
+# Each is answered with a line, so the two sides never wait for a time.  Lines "ok - ..."
+# and "FAILED - ..." are the cases' results: vm_results takes them over.
+#
+# Kernels come from Debian by apt into build/vm/ARCH, with lists of their own: neither
+# root nor this machine's architecture or state matter.  Of a package of 400 MB only what
+# screens need is unpacked.
+
+vm_folder=build/vm
+vm_work=$scratch/vm
+mkdir -p "$vm_work"
+
+# vm_lacks NAME: true, and says so, when a tool is not there or the kernels cannot be had.
+vm_lacks()      # NAME ARCH...
+{
+    name=$1; shift
+    lacks apt-get apt "$name" || lacks dpkg-deb dpkg "$name" || lacks cpio cpio "$name" ||
+        lacks depmod kmod "$name" || lacks flock util-linux "$name" && return 0
+    for arch; do
+        case $arch in
+        amd64) lacks qemu-system-x86_64 qemu-system-x86 "$name" && return 0 ;;
+        arm64) lacks qemu-system-aarch64 qemu-system-arm "$name" &&  return 0
+               lacks aarch64-linux-gnu-gcc gcc-aarch64-linux-gnu "$name" && return 0 ;;
+        esac
+        vm_kernel "$arch" >"$scratch/apt" 2>&1 && continue
+        tail -n 3 "$scratch/apt"
+        echo "skipped: $name (package linux-image-$arch)"
+        return 0
+    done
+    return 1
+}
+
+# What of a kernel's package is needed: itself, and modules for screens.
+vm_paths()
+{
+    cat <<'EOF'
+./boot/vmlinuz-*
+./lib/modules/*/modules.*
+./lib/modules/*/kernel/drivers/gpu/drm/*.ko
+./lib/modules/*/kernel/drivers/virtio/*
+./lib/modules/*/kernel/drivers/video/fbdev/*.ko
+EOF
+}
+
+# vm_kernel ARCH: the kernel, its modules and busybox in build/vm/ARCH, unless they are
+# there.  One at a time: several tests want the same.
+vm_kernel()
+{
+    mkdir -p "$vm_folder" && (
+        flock 9
+        [ -e "$vm_folder/$1/modules" ] || vm_fetch "$1" "$(pwd)/$vm_folder/$1"
+    ) 9<"$vm_folder"
+}
+
+vm_fetch()      # ARCH FOLDER
+{
+    rm -rf "$2" && mkdir -p "$2/lists/partial" || return 1
+    set -- "$1" "$2" -o "APT::Architecture=$1" -o "APT::Architectures=$1" \
+        -o "Dir::State::Lists=$2/lists" -o Dir::Cache::pkgcache= \
+        -o Dir::Cache::srcpkgcache= \
+        -o APT::Sandbox::User=root -o Acquire::Retries=2 -o Acquire::http::Timeout=30
+    arch=$1 to=$2; shift 2
+    (
+        cd "$to" && timeout 300 apt-get "$@" -qq update &&
+            image=$(apt-cache "$@" depends "linux-image-$arch" |
+                awk '$1 == "Depends:" && /linux-image-/ { print $2; exit }') &&
+            timeout 600 apt-get "$@" -qq download "$image" busybox-static &&
+            vm_paths >paths &&
+            dpkg-deb --fsys-tarfile "$image"_*.deb | tar -x --wildcards -T paths &&
+            dpkg-deb --fsys-tarfile busybox-static_*.deb | tar -x ./bin/busybox &&
+            mv boot/vmlinuz-* vmlinuz && cd lib/modules && version=$(echo *) &&
+            depmod -b "$to" "$version" && cd "$to" && rm -rf lists *.deb paths &&
+            mv "lib/modules/$version" modules
+    ) && [ -s "$to/vmlinuz" ] && [ -x "$to/bin/busybox" ]
+}
+
+# vm_modules ARCH MODULE...: their files, each after those it needs, none twice.
+vm_modules()
+{
+    arch=$1; shift
+    for module; do
+        sed -n "s|^\([^:]*/$module\.ko\): *\(.*\)|\2 \1|p" \
+            "$vm_folder/$arch/modules/modules.dep" |
+            awk '{ for (i = NF - 1; i > 0; i--) print $i; print $NF }'
+    done | awk '!seen[$0]++'
+}
+
+# vm_disk NAME ARCH CASES "MODULE..." PROGRAM...: a file system to boot, $vm_work/NAME.gz.
+vm_disk()
+{
+    disk=$vm_work/$1 arch=$2 cases=$3 modules=$4; shift 4
+    rm -rf "$disk" && mkdir -p "$disk/bin" "$disk/modules" "$disk/dev" "$disk/proc" \
+        "$disk/sys" "$disk/tmp" || return 1
+    cp "$vm_folder/$arch/bin/busybox" "$disk/bin" && cp "$cases" "$disk/cases" &&
+        cp tests/boards/init.sh "$disk/init" && chmod +x "$disk/init" || return 1
+    for program; do
+        cp "$program" "$disk/bin" || return 1
+    done
+    i=100
+    for module in $(vm_modules "$arch" $modules); do
+        i=$((i + 1))
+        cp "$vm_folder/$arch/modules/$module" "$disk/modules/$i-${module##*/}" || return 1
+    done
+    (cd "$disk" && find . | cpio -o -H newc --quiet | gzip -1) >"$disk.gz"
+}
+
+# What a machine is, besides what a test says of its screen.
+vm_machine()    # ARCH
+{
+    case $1 in
+    amd64) echo qemu-system-x86_64 -M pc -cpu qemu64 -m 256 ;;
+    arm64) echo qemu-system-aarch64 -M virt -cpu cortex-a53 -m 256 ;;
+    esac
+}
+vm_console()    # ARCH
+{
+    case $1 in amd64) echo ttyS0 ;; arm64) echo ttyAMA0 ;; esac
+}
+
+# vm_boot NAME ARCH WORDS OPTION...: boots disk NAME with WORDS for the kernel, answers,
+# and leaves what the machine said in $vm_work/NAME.log.  At most two minutes.
+vm_boot()
+{
+    boot=$1 arch=$2 words=$3; shift 3
+    quick="nokaslr mitigations=off"         # a second less
+    port=$vm_work/$boot.port monitor=$vm_work/$boot.monitor log=$vm_work/$boot.log
+    rm -f "$port.in" "$port.out" "$monitor"
+    mkfifo "$port.in" "$port.out" "$monitor" || return 1
+    exec 6<>"$port.in" 7<>"$port.out" 8<>"$monitor"
+    {
+        timeout -k 5 "${VM_TIMEOUT:-120}" $(vm_machine "$arch") -display none -no-reboot \
+            -kernel "$vm_folder/$arch/vmlinuz" -initrd "$vm_work/$boot.gz" -nodefaults \
+            -append "console=$(vm_console "$arch") quiet panic=-1 $quick $words" \
+            -serial "pipe:$port" -monitor stdio "$@" <&8 >"$monitor.log" 2>&1 6<&- 7<&-
+        echo "vm: gone $?" >&7
+    } &
+    machine=$!
+    vm_answer <&7 >"$log"
+    answered=$?
+    echo quit >&8
+    wait "$machine"
+    exec 6<&- 7<&- 8<&-
+    [ $answered = 0 ] && return 0
+    tail -n 20 "$log"
+    tail -n 3 "$monitor.log"
+    return 1
+}
+
+# Reads the machine's lines, writes them on, does what they ask for.
+vm_answer()
+{
+    while IFS= read -r line; do
+        line=$(echo "$line" | tr -d '\r')
+        echo "$line"
+        case $line in
+        *"vm: shot "*)
+            vm_shot "${line##*vm: shot }" || return 1
+            echo go >&6 ;;
+        *"vm: key "*)
+            echo "sendkey ${line##*vm: key }" >&8
+            echo go >&6 ;;
+        *"vm: end"*)  return 0 ;;
+        *"vm: gone"*) return 1 ;;
+        esac
+    done
+}
+
+# The monitor does one thing after the other: when it wrote NAME.done, NAME.ppm is whole.
+vm_shot()       # NAME
+{
+    rm -f "$vm_work/$1.done"
+    echo "screendump $vm_work/$1.ppm" >&8
+    echo "pmemsave 0 1 \"$vm_work/$1.done\"" >&8
+    for _ in $(seq 200); do
+        [ -s "$vm_work/$1.done" ] && return 0
+        sleep 0.05
+    done
+    echo "no dump of the screen"
+    return 1
+}
+
+# vm_results NAME [PREFIX]: the results of a boot's cases as this test's own; a boot that
+# told none has failed.
+vm_results()
+{
+    if ! grep -E '^(ok|FAILED) - ' "$vm_work/$1.log" >"$scratch/results"; then
+        echo "FAILED - $2: no case was run"
+        failures=$((failures + 1))
+        return
+    fi
+    sed "s/^\(ok\|FAILED\) - /&$2: /" "$scratch/results"
+    failures=$((failures + $(grep -c '^FAILED' "$scratch/results")))
+}
