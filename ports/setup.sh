@@ -47,6 +47,9 @@ all  | xdotool                   | cmd xdotool                 | its keys and mo
 all  | gnuplot-nox               | cmd gnuplot                 | draws the charts
 all  | parallel                  | gnu parallel                | runs their jobs anywhere
 all  | procps                    | cmd pgrep                   | finds its process
+all  | qemu-system-x86           | cmd qemu-system-x86_64      | Linux, for its screens
+all  | cpio                      | cmd cpio                    | its file system
+all  | kmod                      | cmd kmod                    | its modules
 all  | imagemagick               | cmd import                  | its screenshots
 '
 
