@@ -1,13 +1,14 @@
 /* SPDX-License-Identifier: MIT */
 /* Compares what a screen shows with what it should show.
  *
- *     same_picture A B [565]
+ *     same_picture A B [565 [centred]]
  *
  * A and B are PNG files, or PPM files of 8 bits a channel as emulators dump them.  Prints
  * of how many pixels they differ, and the first of them; exits with 1 if there is one or
  * the sizes differ.  The digits are the bits of red, green and blue that count, the upper
- * ones: a screen of 16 bits a pixel is shown by some with the lower bits 0, by others with
- * the upper bits repeated in them. */
+ * ones: a screen of 16 bits a pixel is shown by some with lower bits 0, by others with
+ * the upper bits repeated in them.  A centred B is in the middle of A, all else black. */
+#include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -61,13 +62,50 @@ static uint32_t mask_of(const char *digits)
     return mask;
 }
 
+/* `from` in the middle of w by h, black around it, to free; frees `from`. */
+static uint32_t *centre(uint32_t *from, uint32_t *from_w, uint32_t *from_h, uint32_t w,
+                        uint32_t h)
+{
+    bool fits = *from_w <= w && *from_h <= h;
+    uint32_t *to = fits ? calloc((size_t)w * h, sizeof *to) : NULL;
+    uint32_t left = (w - *from_w) / 2, top = (h - *from_h) / 2;
+
+    if (!to)
+        return from;
+    for (uint32_t y = 0; y < *from_h; y++)
+        memcpy(to + (size_t)(top + y) * w + left, from + (size_t)y * *from_w,
+               *from_w * sizeof *to);
+    *from_w = w;
+    *from_h = h;
+    free(from);
+    return to;
+}
+
+static int compare(char **names, uint32_t *const *pixels, uint32_t w, uint32_t h,
+                   uint32_t mask)
+{
+    uint32_t differ = 0, first = 0;
+
+    for (uint32_t i = w * h; i-- > 0; )
+        if ((pixels[0][i] ^ pixels[1][i]) & mask) {
+            differ++;
+            first = i;
+        }
+    printf("%s against %s: %u of %u pixels differ\n", names[0], names[1], differ, w * h);
+    if (differ)
+        printf("first at %u, %u: %06x against %06x\n", first % w, first / w,
+               pixels[0][first] & 0xffffff, pixels[1][first] & 0xffffff);
+    return differ > 0;
+}
+
 int main(int argc, char **argv)
 {
-    uint32_t w[2], h[2], *pixels[2], differ = 0, first = 0;
-    uint32_t mask = mask_of(argc == 4 ? argv[3] : "888");
+    uint32_t w[2], h[2], *pixels[2];
+    uint32_t mask = mask_of(argc > 3 ? argv[3] : "888");
+    int code = 1;
 
-    if (argc < 3 || argc > 4 || !mask) {
-        fprintf(stderr, "usage: same_picture A B [565]\n");
+    if (argc < 3 || argc > 5 || !mask || (argc == 5 && strcmp(argv[4], "centred"))) {
+        fprintf(stderr, "usage: same_picture A B [565 [centred]]\n");
         return 2;
     }
     for (int i = 0; i < 2; i++) {
@@ -75,20 +113,13 @@ int main(int argc, char **argv)
         if (!pixels[i])
             return 3;
     }
-    if (w[0] != w[1] || h[0] != h[1]) {
+    if (argc == 5)
+        pixels[1] = centre(pixels[1], &w[1], &h[1], w[0], h[0]);
+    if (w[0] == w[1] && h[0] == h[1])
+        code = compare(argv + 1, pixels, w[0], h[0], mask);
+    else
         printf("%ux%u against %ux%u\n", w[0], h[0], w[1], h[1]);
-        return 1;
-    }
-    for (uint32_t i = w[0] * h[0]; i-- > 0; )
-        if ((pixels[0][i] ^ pixels[1][i]) & mask) {
-            differ++;
-            first = i;
-        }
-    printf("%u of %u pixels differ\n", differ, w[0] * h[0]);
-    if (differ)
-        printf("first at %u, %u: %06x against %06x\n", first % w[0], first / w[0],
-               pixels[0][first] & 0xffffff, pixels[1][first] & 0xffffff);
     free(pixels[0]);
     free(pixels[1]);
-    return differ > 0;
+    return code;
 }

@@ -16,6 +16,7 @@
 # root nor this machine's architecture or state matter.  Of a package of 400 MB only what
 # screens need is unpacked.
 
+PATH=$PATH:/usr/sbin:/sbin       # depmod, for users too
 vm_folder=build/vm
 vm_work=$scratch/vm
 mkdir -p "$vm_work"
@@ -25,7 +26,7 @@ vm_lacks()      # NAME ARCH...
 {
     name=$1; shift
     lacks apt-get apt "$name" || lacks dpkg-deb dpkg "$name" || lacks cpio cpio "$name" ||
-        lacks depmod kmod "$name" || lacks flock util-linux "$name" && return 0
+        lacks kmod kmod "$name" || lacks flock util-linux "$name" && return 0
     for arch; do
         case $arch in
         amd64) lacks qemu-system-x86_64 qemu-system-x86 "$name" && return 0 ;;
