@@ -313,6 +313,8 @@ $(BUILD)/ports.a: $(PORTS_O)
 	$(SAY)$(AR) rcs $@ $^
 $(PROGRAM): $(MAIN:%.c=$(BUILD)/%.o) $(BUILD)/ports.a $(LIB)
 	$(SAY)$(LINK) $^ $(LIBS) -o $@
+$(BUILD)/tests/boards/vm_state: $(BUILD)/tests/boards/vm_state.o
+	$(SAY)$(LINK) -static $^ -o $@
 $(BUILD)/tests/%: $(BUILD)/tests/%.o $(BUILD)/ports.a $(LIB)
 	$(SAY)$(LINK) $(filter %.o,$^) $(filter %/reference.a,$^) $(BUILD)/ports.a $(LIB) \
 	    $(CMOCKA) $(LIBS) -o $@
