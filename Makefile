@@ -255,6 +255,7 @@ everything: all unit $(GOLDEN) $(FRAMES) $(BUILD)/tests/bench/scene_s \
           $(BUILD)/screen_fake.so $(BUILD)/tests/host/screen_crc
           $(BUILD)/tests/boards/same_picture
           $(BUILD)/tests/boards/same_picture $(BUILD)/tests/boards/oled_greys
+          $(BUILD)/longship $(BUILD)/textures $(BUILD)/tests/host/same_pixels
 host-tests: everything
 	@$(MAKE) --no-print-directory $(SAN) sanitized
 	@$(RUN) build/log/host $(SAN_UNIT:build/host/%=build/san/%) \
@@ -313,6 +314,7 @@ $(BUILD)/ports.a: $(PORTS_O)
 	$(SAY)$(AR) rcs $@ $^
 $(PROGRAM): $(MAIN:%.c=$(BUILD)/%.o) $(BUILD)/ports.a $(LIB)
 	$(SAY)$(LINK) $^ $(LIBS) -o $@
+everything: $(BUILD)/tests/boards/same_picture $(BUILD)/tests/boards/vm_state
 $(BUILD)/tests/boards/vm_state: $(BUILD)/tests/boards/vm_state.o
 	$(SAY)$(LINK) -static $^ -o $@
 $(BUILD)/tests/%: $(BUILD)/tests/%.o $(BUILD)/ports.a $(LIB)
