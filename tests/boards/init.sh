@@ -9,8 +9,8 @@ mount -t devtmpfs none /dev
 mount -t proc none /proc
 mount -t sysfs none /sys
 stty -echo </dev/console
-for module in /modules/*.ko; do
-    [ ! -e "$module" ] || insmod "$module" || echo "FAILED - loading $module"
+for module in /modules/*.ko; do          # $module_words: of the kernel's command line
+    [ ! -e "$module" ] || insmod "$module" $module_words || echo "FAILED - $module"
 done
 
 # ask WORDS: what only the outside can do; returns when it was done.
@@ -40,6 +40,28 @@ until_true()
         usleep 50000
     done
     return 1
+}
+
+# show NAME CODE PROGRAM...: it holds its last frame until the screen has been dumped as
+# $boot-NAME; then it is asked to end.
+show()
+{
+    shown=$1; shift
+    setsid -c "$@" --hold --hash </dev/tty1 >/tmp/said 2>&1 &
+    until_true grep -q "^frame" /tmp/said
+    ask shot "$boot-$shown"
+    kill $!
+    wait $! 2>/dev/null
+    check "it shows $shown, and ends by the signal that it was sent" \
+        ended 143 $? "^frame"
+}
+
+# ended WANTED CODE WORDS: how a program ended, and what it said.
+ended()
+{
+    cat /tmp/said
+    echo "exit $2"
+    [ "$2" = "$1" ] && grep -q -- "$3" /tmp/said
 }
 
 . /cases

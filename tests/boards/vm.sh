@@ -17,6 +17,7 @@
 # screens need is unpacked.
 
 PATH=$PATH:/usr/sbin:/sbin       # depmod, for users too
+TP_BUILD=${TP_BUILD:-build/host}
 vm_folder=build/vm
 vm_work=$scratch/vm
 mkdir -p "$vm_work"
@@ -64,41 +65,39 @@ vm_kernel()
 }
 
 vm_fetch()      # ARCH FOLDER
-{
-    rm -rf "$2" && mkdir -p "$2/lists/partial" || return 1
-    set -- "$1" "$2" -o "APT::Architecture=$1" -o "APT::Architectures=$1" \
-        -o "Dir::State::Lists=$2/lists" -o Dir::Cache::pkgcache= \
-        -o Dir::Cache::srcpkgcache= \
-        -o APT::Sandbox::User=root -o Acquire::Retries=2 -o Acquire::http::Timeout=30
-    arch=$1 to=$2; shift 2
-    (
-        cd "$to" && timeout 300 apt-get "$@" -qq update &&
-            image=$(apt-cache "$@" depends "linux-image-$arch" |
-                awk '$1 == "Depends:" && /linux-image-/ { print $2; exit }') &&
-            timeout 600 apt-get "$@" -qq download "$image" busybox-static &&
-            vm_paths >paths &&
-            dpkg-deb --fsys-tarfile "$image"_*.deb | tar -x --wildcards -T paths &&
-            dpkg-deb --fsys-tarfile busybox-static_*.deb | tar -x ./bin/busybox &&
-            mv boot/vmlinuz-* vmlinuz && cd lib/modules && version=$(echo *) &&
-            depmod -b "$to" "$version" && cd "$to" && rm -rf lists *.deb paths &&
-            mv "lib/modules/$version" modules
-    ) && [ -s "$to/vmlinuz" ] && [ -x "$to/bin/busybox" ]
-}
+(
+    arch=$1 to=$2
+    rm -rf "$to" && mkdir -p "$to/lists/partial" && cd "$to" || return 1
+    set -- -o "APT::Architecture=$arch" -o "APT::Architectures=$arch" \
+        -o "Dir::State::Lists=$to/lists" -o Dir::Cache::pkgcache= \
+        -o Dir::Cache::srcpkgcache= -o APT::Sandbox::User=root \
+        -o Acquire::Retries=2 -o Acquire::http::Timeout=30
+    timeout 300 apt-get "$@" -qq update &&
+        image=$(apt-cache "$@" depends "linux-image-$arch" |
+            awk '$1 == "Depends:" && /linux-image-/ { print $2; exit }') &&
+        timeout 600 apt-get "$@" -qq download "$image" busybox-static &&
+        vm_paths >paths &&
+        dpkg-deb --fsys-tarfile "$image"_*.deb | tar -x --wildcards -T paths &&
+        dpkg-deb --fsys-tarfile busybox-static_*.deb | tar -x ./bin/busybox &&
+        mv boot/vmlinuz-* vmlinuz && version=$(ls lib/modules) &&
+        depmod -b "$to" "$version" && rm -rf boot lists *.deb paths &&
+        mv "lib/modules/$version" modules && rmdir lib/modules lib
+)
 
 # vm_modules ARCH MODULE...: their files, each after those it needs, none twice.
 vm_modules()
-{
+(
     arch=$1; shift
     for module; do
         sed -n "s|^\([^:]*/$module\.ko\): *\(.*\)|\2 \1|p" \
             "$vm_folder/$arch/modules/modules.dep" |
             awk '{ for (i = NF - 1; i > 0; i--) print $i; print $NF }'
     done | awk '!seen[$0]++'
-}
+)
 
 # vm_disk NAME ARCH CASES "MODULE..." PROGRAM...: a file system to boot, $vm_work/NAME.gz.
 vm_disk()
-{
+(
     disk=$vm_work/$1 arch=$2 cases=$3 modules=$4; shift 4
     rm -rf "$disk" && mkdir -p "$disk/bin" "$disk/modules" "$disk/dev" "$disk/proc" \
         "$disk/sys" "$disk/tmp" || return 1
@@ -113,7 +112,7 @@ vm_disk()
         cp "$vm_folder/$arch/modules/$module" "$disk/modules/$i-${module##*/}" || return 1
     done
     (cd "$disk" && find . | cpio -o -H newc --quiet | gzip -1) >"$disk.gz"
-}
+)
 
 # What a machine is, besides what a test says of its screen.
 vm_machine()    # ARCH
@@ -131,7 +130,7 @@ vm_console()    # ARCH
 # vm_boot NAME ARCH WORDS OPTION...: boots disk NAME with WORDS for the kernel, answers,
 # and leaves what the machine said in $vm_work/NAME.log.  At most two minutes.
 vm_boot()
-{
+(
     boot=$1 arch=$2 words=$3; shift 3
     quick="nokaslr mitigations=off"         # a second less
     port=$vm_work/$boot.port monitor=$vm_work/$boot.monitor log=$vm_work/$boot.log
@@ -139,8 +138,9 @@ vm_boot()
     mkfifo "$port.in" "$port.out" "$monitor" || return 1
     exec 6<>"$port.in" 7<>"$port.out" 8<>"$monitor"
     {
-        timeout -k 5 "${VM_TIMEOUT:-120}" $(vm_machine "$arch") -display none -no-reboot \
-            -kernel "$vm_folder/$arch/vmlinuz" -initrd "$vm_work/$boot.gz" -nodefaults \
+        timeout --foreground -k 5 "${VM_TIMEOUT:-120}" $(vm_machine "$arch") \
+            -display none -no-reboot -nodefaults \
+            -kernel "$vm_folder/$arch/vmlinuz" -initrd "$vm_work/$boot.gz" \
             -append "console=$(vm_console "$arch") quiet panic=-1 $quick $words" \
             -serial "pipe:$port" -monitor stdio "$@" <&8 >"$monitor.log" 2>&1 6<&- 7<&-
         echo "vm: gone $?" >&7
@@ -155,7 +155,7 @@ vm_boot()
     tail -n 20 "$log"
     tail -n 3 "$monitor.log"
     return 1
-}
+)
 
 # Reads the machine's lines, writes them on, does what they ask for.
 vm_answer()
@@ -176,8 +176,21 @@ vm_answer()
     done
 }
 
+# vm_want NAME PICTURE [565 [centred]]: what the screen is to show by that name.
+vm_want()
+{
+    name=$1; shift
+    echo "$*" >"$vm_work/$name.want"
+}
+
+# vm_same NAME: whether it was shown.
+vm_same()
+{
+    "$TP_BUILD/tests/boards/same_picture" "$vm_work/$1.ppm" $(cat "$vm_work/$1.want")
+}
+
 # The monitor does one thing after the other: when it wrote NAME.done, NAME.ppm is whole.
-vm_shot()       # NAME
+vm_dump()       # NAME
 {
     rm -f "$vm_work/$1.done"
     echo "screendump $vm_work/$1.ppm" >&8
@@ -190,15 +203,26 @@ vm_shot()       # NAME
     return 1
 }
 
-# vm_results NAME [PREFIX]: the results of a boot's cases as this test's own; a boot that
+# A picture that was handed to the kernel may take a moment to the screen: if one is
+# wanted it is waited for, for five seconds.
+vm_shot()       # NAME
+{
+    for _ in $(seq 50); do
+        vm_dump "$1" || return 1
+        [ ! -e "$vm_work/$1.want" ] || vm_same "$1" >/dev/null && return 0
+        sleep 0.1
+    done
+}
+
+# vm_results NAME: the results of a boot's cases as this test's own; a boot that
 # told none has failed.
 vm_results()
 {
     if ! grep -E '^(ok|FAILED) - ' "$vm_work/$1.log" >"$scratch/results"; then
-        echo "FAILED - $2: no case was run"
+        echo "FAILED - $1: no case was run"
         failures=$((failures + 1))
         return
     fi
-    sed "s/^\(ok\|FAILED\) - /&$2: /" "$scratch/results"
+    sed "s/^\(ok\|FAILED\) - /&$1: /" "$scratch/results"
     failures=$((failures + $(grep -c '^FAILED' "$scratch/results")))
 }
