@@ -128,7 +128,7 @@ vm_console()    # ARCH
 }
 
 # vm_boot NAME ARCH WORDS OPTION...: boots disk NAME with WORDS for the kernel, answers,
-# and leaves what the machine said in $vm_work/NAME.log.  At most two minutes.
+# and leaves what the machine said in $vm_work/NAME.log.  At most a minute and a half.
 vm_boot()
 (
     boot=$1 arch=$2 words=$3; shift 3
@@ -138,7 +138,7 @@ vm_boot()
     mkfifo "$port.in" "$port.out" "$monitor" || return 1
     exec 6<>"$port.in" 7<>"$port.out" 8<>"$monitor"
     {
-        timeout --foreground -k 5 "${VM_TIMEOUT:-120}" $(vm_machine "$arch") \
+        timeout --foreground -k 5 "${VM_TIMEOUT:-90}" $(vm_machine "$arch") \
             -display none -no-reboot -nodefaults \
             -kernel "$vm_folder/$arch/vmlinuz" -initrd "$vm_work/$boot.gz" \
             -append "console=$(vm_console "$arch") quiet panic=-1 $quick $words" \
@@ -153,7 +153,7 @@ vm_boot()
     exec 6<&- 7<&- 8<&-
     [ $answered = 0 ] && return 0
     tail -n 20 "$log"
-    tail -n 3 "$monitor.log"
+    grep -v "^(qemu)" "$monitor.log"
     return 1
 )
 

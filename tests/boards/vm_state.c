@@ -3,7 +3,7 @@
  *
  *     vm_state TTY            what the console, its framebuffer and its card are set to
  *     vm_state TTY THING      sets it, as a careless program does:
- *                             graphics, raw, process, pan, colours, crtc, master
+ *                             text, graphics, raw, process, pan, colours, crtc, master
  *
  * What a program of ours has to leave as it found it.  A thing that is not there (no
  * card, no framebuffer) has no lines.  `crtc` and `master` keep the card for a minute. */
@@ -70,7 +70,8 @@ static void tell_framebuffer(int fb)
     if (v.bits_per_pixel > 8 || ioctl(fb, FBIOGETCMAP, &map))
         return;
     for (int i = 0; i < 256; i++)
-        printf("colour %d %04x %04x %04x\n", i, c[0][i], c[1][i], c[2][i]);
+        if (c[0][i] || c[1][i] || c[2][i])
+            printf("colour %d %04x %04x %04x\n", i, c[0][i], c[1][i], c[2][i]);
 }
 
 /* Where nobody is master of the card, who opens it is. */
@@ -79,6 +80,8 @@ static void tell_card(int card)
     uint32_t ids[CRTCS];
     struct drm_mode_card_res r = { .crtc_id_ptr = (uintptr_t)ids, .count_crtcs = CRTCS };
 
+    if (card < 0)
+        return;
     printf("card %s\n", ioctl(card, DRM_IOCTL_SET_MASTER, NULL) ? "taken" : "free");
     if (ioctl(card, DRM_IOCTL_MODE_GETRESOURCES, &r))
         return;
@@ -95,6 +98,8 @@ static int leave_terminal(int tty, const char *thing)
     struct vt_mode process = { .mode = VT_PROCESS };
     struct termios t;
 
+    if (strcmp(thing, "text") == 0)
+        return ioctl(tty, KDSETMODE, KD_TEXT);
     if (strcmp(thing, "graphics") == 0)
         return ioctl(tty, KDSETMODE, KD_GRAPHICS);
     if (strcmp(thing, "process") == 0)
