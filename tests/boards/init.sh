@@ -42,7 +42,7 @@ until_true()
     return 1
 }
 
-# show NAME CODE PROGRAM...: it holds its last frame until the screen has been dumped as
+# show NAME PROGRAM...: it holds its last frame until the screen has been dumped as
 # $boot-NAME; then it is asked to end.
 show()
 {

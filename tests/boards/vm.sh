@@ -24,7 +24,7 @@ mkdir -p "$vm_work"
 
 # vm_lacks NAME: true, and says so, when a tool is not there or the kernels cannot be had.
 vm_lacks()      # NAME ARCH...
-{
+(
     name=$1; shift
     lacks apt-get apt "$name" || lacks dpkg-deb dpkg "$name" || lacks cpio cpio "$name" ||
         lacks kmod kmod "$name" || lacks flock util-linux "$name" && return 0
@@ -40,7 +40,7 @@ vm_lacks()      # NAME ARCH...
         return 0
     done
     return 1
-}
+)
 
 # What of a kernel's package is needed: itself, and modules for screens.
 vm_paths()
@@ -178,10 +178,10 @@ vm_answer()
 
 # vm_want NAME PICTURE [565 [centred]]: what the screen is to show by that name.
 vm_want()
-{
+(
     name=$1; shift
     echo "$*" >"$vm_work/$name.want"
-}
+)
 
 # vm_same NAME: whether it was shown.
 vm_same()
