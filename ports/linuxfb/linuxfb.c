@@ -2,10 +2,9 @@
 /* /dev/fb0: the frame buffer of Linux, mapped into memory.
  *
  * Its mode is taken as it is: 8, 16, 24 or 32 bits a pixel, channels anywhere, lines of
- * any length (../screen/layout.h).  Where the memory holds two screens, pictures are
- * written into the one that is not shown and panned to; else into the one there is, after
- * its vertical blank where the driver tells it.  What was on the screen, its offset and
- * its table of colours are kept by open and put back by close. */
+ * any length (../screen/layout.h).  Where the memory holds two screens, pictures go to the
+ * one that is not shown, which is panned to; else into the one there is, in its vertical
+ * blank if the driver tells it.  What was on the screen is put back by close. */
 #define _GNU_SOURCE             /* flock */
 #include <errno.h>
 #include <fcntl.h>
@@ -183,9 +182,8 @@ static int fb_show(screen *s, const picture *p)
     if (!layout_takes(&s->layout, p->format))
         return fail(EXIT_INPUT, "%s: 8 bits a pixel take %sl8 or i1, not %s", s->device,
                     s->layout.grey ? "" : "p8, ", tp_format_name(p->format));
-    const int code = set_table(s, p->format);
-    if (code)
-        return code;
+    if (set_table(s, p->format))
+        return EXIT_INPUT;
     if (s->pan)
         write_page(s, p);
     const bool panned = s->pan && pan(s);
@@ -206,9 +204,12 @@ static tp_format fb_format(const screen *s)
     return layout_format(&s->layout);
 }
 
+/* There is one table for all consoles, of which they set a few entries. */
 static int fb_away(screen *s)
 {
     s->away = true;
+    if (s->tabled)
+        (void)table_call(s, FBIOPUTCMAP, &s->found);
     return EXIT_DONE;
 }
 
@@ -238,8 +239,7 @@ static void restore(screen *s)
     memcpy(to, s->saved, bytes);
     if (s->pan)
         (void)ioctl(s->fd, FBIOPAN_DISPLAY, &s->var);
-    if (s->tabled)
-        (void)table_call(s, FBIOPUTCMAP, &s->found);
+    (void)fb_away(s);
 }
 
 static void fb_close(screen *s)
