@@ -80,11 +80,9 @@ PORTS := $(addprefix ports/, \
     host/picture.c host/plan.c host/png_read.c host/png_write.c host/render.c \
     host/say.c host/scene_file.c host/scene_ini.c host/show.c host/sink.c host/stage.c \
     host/timing.c host/wish.c host/words.c \
-    null/null.c screen/console.c screen/keep.c screen/keeper.c screen/keys.c \
-    screen/layout.c screen/loop.c screen/watch.c linuxfb/linuxfb.c)
-    host/say.c host/scene_file.c host/scene_ini.c host/sink.c host/stage.c \
-    host/timing.c host/words.c \
-    null/null.c board/answer.c board/control.c board/control_set.c board/buttons.c)
+    board/answer.c board/buttons.c board/control.c board/control_set.c null/null.c \
+    linuxfb/linuxfb.c screen/console.c screen/keep.c screen/keeper.c screen/keys.c \
+    screen/layout.c screen/loop.c screen/watch.c)
 MAIN  := ports/host/main.c
 # Linux's screens, where the kernel's headers are.
 ifeq ($(shell $(CC) -E ports/kms/choose.h >/dev/null 2>&1 && echo yes),yes)
@@ -250,12 +248,10 @@ RUN := TP_BUILD=$(BUILD) TP_PROGRAM=$(PROGRAM) tests/run.sh
 unit: $(UNIT)
 sanitized: $(SAN_UNIT) $(PROGRAM)
 everything: all unit $(GOLDEN) $(FRAMES) $(BUILD)/tests/bench/scene_s \
-          $(BUILD)/tests/bench/views \
-          $(BUILD)/longship $(BUILD)/textures $(BUILD)/tests/host/same_pixels \
-          $(BUILD)/screen_fake.so $(BUILD)/tests/host/screen_crc
-          $(BUILD)/tests/boards/same_picture
-          $(BUILD)/tests/boards/same_picture $(BUILD)/tests/boards/oled_greys
-          $(BUILD)/longship $(BUILD)/textures $(BUILD)/tests/host/same_pixels
+          $(BUILD)/tests/bench/views $(BUILD)/longship $(BUILD)/textures \
+          $(BUILD)/tests/host/same_pixels $(BUILD)/screen_fake.so \
+          $(addprefix $(BUILD)/tests/,host/screen_crc boards/same_picture \
+              boards/oled_greys boards/vm_state)
 host-tests: everything
 	@$(MAKE) --no-print-directory $(SAN) sanitized
 	@$(RUN) build/log/host $(SAN_UNIT:build/host/%=build/san/%) \
@@ -268,17 +264,15 @@ host-tests: everything
 # First what several of them want of the board's compiler.
 more-tests: everything build/host/count.so build/host/tally.so
 	@! command -v arm-none-eabi-gcc >/dev/null || \
-	    $(MAKE) --no-print-directory BOARD=cortex-m elves
+	    { $(MAKE) --no-print-directory BOARD=cortex-m elves && \
+	      $(MAKE) --no-print-directory BOARD=cortex-m/microbit lib; }
 	@FUZZ_SECONDS=$${FUZZ_SECONDS:-5} $(RUN) build/log/more \
 	    tests/gates/arm.sh tests/gates/clang.sh tests/host/view.sh \
 	    tests/host/threads.sh tests/bench/views.sh tests/cross/run.sh tests/cross/film.sh \
+	    $(patsubst %,tests/boards/%.sh,rpi cortex-m oled control linuxfb kms kms_events \
+	        console) \
 	    tests/budgets/scenes-count.sh tests/budgets/ram.sh tests/budgets/kits.sh \
 	    tests/budgets/models-count.sh tests/charts/sweep.sh tests/charts/same.sh \
-	    tests/budgets/plan-count.sh tests/budgets/prices.sh tests/fuzz/run.sh \
-	    tests/boards/kms_events.sh
-	    tests/boards/cortex-m.sh
-	    tests/boards/cortex-m.sh tests/boards/oled.sh tests/boards/control.sh
-	    tests/boards/rpi.sh \
 	    tests/budgets/plan-count.sh tests/budgets/prices.sh tests/fuzz/run.sh
 fuzzers: $(FUZZ)
 # Other renderers for `tidepool bench --peers`, of whatever packages are there.
@@ -314,7 +308,6 @@ $(BUILD)/ports.a: $(PORTS_O)
 	$(SAY)$(AR) rcs $@ $^
 $(PROGRAM): $(MAIN:%.c=$(BUILD)/%.o) $(BUILD)/ports.a $(LIB)
 	$(SAY)$(LINK) $^ $(LIBS) -o $@
-everything: $(BUILD)/tests/boards/same_picture $(BUILD)/tests/boards/vm_state
 $(BUILD)/tests/boards/vm_state: $(BUILD)/tests/boards/vm_state.o
 	$(SAY)$(LINK) -static $^ -o $@
 $(BUILD)/tests/%: $(BUILD)/tests/%.o $(BUILD)/ports.a $(LIB)

@@ -1,24 +1,19 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# The same gates on the core as Cortex-M0+ and Cortex-M4 run it.
+# The same gates on the core as Cortex-M0 and Cortex-M4 run it.
 . tests/gates/lib.sh
 
 stack_limit=4096
 
 lacks arm-none-eabi-gcc gcc-arm-none-eabi "gates on Cortex-M code" && exit 77
-for board in cortex-m cortex-m0plus; do
-    whole=build/$board/libtidepool.a
-    case $board in
-    cortex-m) set -- BOARD=$board ;;
-    *) set -- TARGET=$board CC=arm-none-eabi-gcc AR=arm-none-eabi-ar \
-           ARCH="-mcpu=$board -mthumb -mfloat-abi=soft" \
-           OPT='-O2 -fstack-usage -fcallgraph-info=su' ;;
-    esac
-    check "$board: the core compiles" build "$@" $whole
+for board in cortex-m cortex-m/microbit; do
+    built=build/${board##*/}
+    whole=$built/libtidepool.a
+    check "$board: the core compiles" build BOARD=$board $whole
     check "$board: no soft float, nothing but mem* and helpers" \
         symbols arm-none-eabi- $whole
     check "$board: no mutable state" no_state arm-none-eabi- $whole
     check "$board: no recursion, and a stack below $stack_limit bytes" \
-        no_deeper $stack_limit $(find build/$board/src -name '*.ci')
+        no_deeper $stack_limit $(find $built/src -name '*.ci')
 done
 exit $((failures > 0))

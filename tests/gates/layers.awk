@@ -8,7 +8,6 @@
 # and itself; sdl2 and null are parts of the host program and see host as well.  Raw
 # screens, linuxfb and kms, are shown by screen, which host hands its pictures to.
 BEGIN {
-    guest["rpi"] = guest["rpi=board"] = "board"     # what boards share
     levels = split("base|fx|pixel|asset wave pool|geom|raster shade|scene|frame", level,
                    "|")
     for (i = 1; i <= levels; i++) {
@@ -23,13 +22,11 @@ BEGIN {
         owner[pair[1]] = pair[2]
     }
     rank["top"] = levels + 1
-    guest["cortex-m=board"]             # what boards share, and panels
-    guest["cortex-m=lcd"]
     split("stddef.h stdint.h stdbool.h limits.h", system_header, " ")
     for (i in system_header)
         free[system_header[i]]
     split("sdl2=host null=host host=screen screen=host screen=cortex-m linuxfb=screen " \
-          "linuxfb=host kms=screen kms=host", sights, " ")
+          "linuxfb=host kms=screen kms=host rpi=board cortex-m=board cortex-m=lcd", sights, " ")
     for (i in sights)
         guest[sights[i]]
 }
