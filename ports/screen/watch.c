@@ -112,23 +112,26 @@ static void watched_signals(sigset_t *set)
     sigaddset(set, SIGCHLD);
 }
 
-/* How the child ended, as wait tells it. */
-static int wait_for(const watch *w, const sigset_t *set)
+/* Until the child has ended: its exit code, or *by, the signal that ended it or, if it
+ * had to be killed, was to. */
+static int wait_for(const watch *w, const sigset_t *set, int *by)
 {
     const struct timespec patience = { w->what->keep ? WRITING_S : PATIENCE_S, 0 };
-    bool asked = false;
-    int status;
+    int status, asked = 0;
+    bool killed = false;
     while (waitpid(w->child, &status, WNOHANG) == 0) {
         const int signal = sigtimedwait(set, NULL, asked ? &patience : NULL);
-        if (signal < 0 && errno == EAGAIN)
+        killed = killed || (signal < 0 && errno == EAGAIN);
+        if (killed)
             kill(w->child, SIGKILL);
         if (signal <= 0 || signal == SIGCHLD)
             continue;
         kill(w->child, signal);
         kill(w->child, SIGCONT);
-        asked = true;
+        asked = signal;
     }
-    return status;
+    *by = killed ? asked : WIFSIGNALED(status) ? WTERMSIG(status) : 0;
+    return WIFEXITED(status) ? WEXITSTATUS(status) : EXIT_INPUT;
 }
 
 static int watch_run(watch *w)
@@ -144,14 +147,16 @@ static int watch_run(watch *w)
     w->child = fork();
     if (w->child == 0)
         child_run(w, &before);
-    const int error = errno, status = w->child < 0 ? 0 : wait_for(w, &set);
+    const int error = errno;
+    int by = 0;
+    const int code = w->child < 0 ? EXIT_INPUT : wait_for(w, &set, &by);
     give_back(w);
     if (w->child < 0)
         return fail(EXIT_INPUT, "tidepool: no process to draw in: %s", strerror(error));
-    if (WIFSIGNALED(status))
-        die_of(WTERMSIG(status));
+    if (by)
+        die_of(by);
     sigprocmask(SIG_SETMASK, &before, NULL);
-    return WEXITSTATUS(status);
+    return code;
 }
 
 /* -- both ------------------------------------------------------------------------ */
