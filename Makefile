@@ -273,8 +273,7 @@ more-tests: everything build/host/count.so build/host/tally.so
 	        console) \
 	    tests/budgets/scenes-count.sh tests/budgets/ram.sh tests/budgets/kits.sh \
 	    tests/budgets/models-count.sh tests/charts/sweep.sh tests/charts/same.sh \
-	    tests/budgets/plan-count.sh tests/budgets/prices.sh tests/fuzz/run.sh \
-	    tests/boards/linuxfb.sh tests/boards/kms.sh tests/boards/console.sh
+	    tests/budgets/plan-count.sh tests/budgets/prices.sh tests/fuzz/run.sh
 fuzzers: $(FUZZ)
 # Other renderers for `tidepool bench --peers`, of whatever packages are there.
 PEERS := $(BUILD)/tests/bench/peers
