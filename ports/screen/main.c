@@ -3,6 +3,7 @@
  *
  *   SCENE-screen [--on fb|kms] [--device PATH] [--size WxH] [--frames N|A:B] [--hold]
  *                [--hash] [--keep FILE] */
+#define _POSIX_C_SOURCE 200809L
 #include <inttypes.h>
 #include <stdio.h>
 #include <stdlib.h>
