@@ -189,11 +189,13 @@ static int wait_for(loop *l)
     const uint64_t us = l->owed < SECOND_US ? (SECOND_US - l->owed) / TP_TICKS_PER_SECOND
                                             : 0;
     const struct timespec wait = { 0, (long)us * 1000 + 1000 };
-    sigset_t open;
+    sigset_t open, closed;
     fds[n] = (struct pollfd){ .fd = event, .events = POLLIN };      /* not a key */
     sigprocmask(SIG_SETMASK, NULL, &open);
     for (size_t i = 0; i < sizeof heard / sizeof *heard; i++)
         sigdelset(&open, heard[i]);
+    sigprocmask(SIG_SETMASK, &open, &closed);       /* ppoll hears none of them where a */
+    sigprocmask(SIG_SETMASK, &closed, NULL);        /* descriptor is always ready */
     const int came = ppoll(fds, (nfds_t)n + 1, &wait, &open);
     const uint64_t now = now_us();
     if (came > (fds[n].revents ? 1 : 0)) {
