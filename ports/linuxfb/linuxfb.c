@@ -3,9 +3,9 @@
  *
  * Its mode is taken as it is: 8, 16, 24 or 32 bits a pixel, channels anywhere, lines of
  * any length (../screen/layout.h).  Where the memory holds two screens, pictures go to the
- * one that is not shown, which is panned to; else into the one there is, in its vertical
- * blank if the driver tells it.  What was on the screen is put back by close. */
-#define _GNU_SOURCE             /* flock */
+ * one not shown, which is panned to, but not of DRM drivers, which copy the first alone;
+ * else into the one there is, in its blank.  What was on the screen is put back by close. */
+#define _GNU_SOURCE             /* flock, memmem */
 #include <errno.h>
 #include <fcntl.h>
 #include <linux/fb.h>
@@ -96,7 +96,7 @@ static int look(screen *s)
                     v->green.offset, v->green.length, v->blue.offset, v->blue.length,
                     s->fix.visual, v->xres, v->yres, s->fix.line_length);
     s->pan = s->fix.ypanstep > 0 && v->yres % s->fix.ypanstep == 0 && v->xoffset == 0
-        && v->yres_virtual >= 2 * v->yres
+        && !memmem(s->fix.id, sizeof s->fix.id, "drm", 3) && v->yres_virtual >= 2 * v->yres
         && 2 * (uint64_t)v->yres * s->fix.line_length <= s->fix.smem_len;
     return EXIT_DONE;
 }
