@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: MIT
 # DRM's mode setting of Debian kernels, on an emulated PC (bochs) and an emulated aarch64
 # board (virtio-gpu): what the screen shows, dumped from outside of the machine, is the
-# golden frame and the host's picture, pixel by pixel.  And so
-# is it by /dev/fb0, of two pages that these drivers cannot pan between, though they say so.
+# golden frame and the host's picture, pixel by pixel.  So it does by /dev/fb0, of two pages
+# that these drivers cannot pan between, though they say so.
 #
 #   tests/boards/kms.sh [PROGRAM]
 . tests/gates/lib.sh
