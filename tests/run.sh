@@ -1,6 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# Runs tests, TP_JOBS at a time, and adds up what they say.
+# Runs tests, TP_JOBS at a time, and adds up what they say.  One more than there are
+# processors, since some wait for a screen or a machine.
 #
 #   tests/run.sh LOGS TEST...
 #
@@ -54,7 +55,7 @@ fi
 
 logs=$1; shift
 rm -rf "$logs"; mkdir -p "$logs"
-printf '%s\n' "$@" | xargs -P "${TP_JOBS:-2}" -I{} "$0" -one "$logs" {}
+printf '%s\n' "$@" | xargs -P "${TP_JOBS:-$(($(nproc) + 1))}" -I{} "$0" -one "$logs" {}
 find "$logs" -name '*.result' -exec cat {} + |
     awk -v tests=$# -v strict="${TP_STRICT:-}" '
     { passed += $1; failed += $2; skipped += $3; n++ }
