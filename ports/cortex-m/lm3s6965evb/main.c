@@ -15,6 +15,7 @@
 #include "lcd/lcd.h"
 #include "cortex-m/baked.h"
 #include "cortex-m/board.h"
+#include "cortex-m/marks.h"
 #include "evb.h"
 #include "tidepool/tape.h"
 
@@ -62,25 +63,34 @@ static uint32_t  owed;              /* clocks of ticks not yet made */
 static uint64_t  sent_before;       /* the last frame, */
 static uint32_t  clocks;            /* which took so many */
 
+MARK(count_as_frame)
+MARK(count_as_tiles)
+MARK(count_end)
+
 /* -- memory ------------------------------------------------------------------------- */
+
+static void say(const char *what, size_t n)
+{
+    evb_text(NULL, what);
+    evb_number((uint32_t)n, 10, 1);
+}
 
 _Noreturn static void stop_on(const char *why)
 {
-    evb_text(NULL, "error ");
+    evb_text(NULL, "\nerror ");
     evb_text(NULL, why);
     evb_text(NULL, "\n");
     for (;;)
         ;
 }
 
-/* Memory of the arena, and how much of it `what` takes, as part of the first line. */
+/* Memory of the arena; how much of it stands in the first line. */
 static void *take(tp_arena *arena, const char *what, size_t bytes)
 {
     void *memory = tp_arena_take(arena, 1, bytes);
-    evb_text(NULL, what);
-    evb_number((uint32_t)bytes, 10, 1);
+    say(what, bytes);
     if (!memory)
-        stop_on("that do not fit");
+        stop_on("that does not fit");
     return memory;
 }
 
@@ -96,14 +106,12 @@ static void open_scene(void)
     char     text[160];
 
     scene = baked_scene;
-    world = take(&arena, "bytes: world ", bytes);
-    scratch = take(&arena, ", tile ", tp_frame_scratch_with(&kit, &scene, &picture));
-    void *block = take(&arena, ", frame ",
+    world = take(&arena, "ram world ", bytes);
+    scratch = take(&arena, " scratch ", tp_frame_scratch_with(&kit, &scene, &picture));
+    void *block = take(&arena, " frame ",
                        tp_frame_bytes_with(&kit, &scene, &baked_assets, &picture));
-    void *sends = take(&arena, ", panel ", lcd_bytes(&config, NULL));
-    evb_text(NULL, ", left ");
-    evb_number((uint32_t)(arena.bytes - arena.used), 10, 1);
-    evb_text(NULL, "\n");
+    void *sends = take(&arena, " panel ", lcd_bytes(&config, NULL));
+    say(" left ", arena.bytes - arena.used);
     const lcd_status status = lcd_open(&panel, &config, sends);
     if (status != LCD_OK)
         stop_on(lcd_status_text(status));
@@ -113,20 +121,37 @@ static void open_scene(void)
         tp_error_text(&err, text, sizeof text);
         stop_on(text);
     }
+    const tp_frame_ram ram = tp_frame_memory(frame);
+    say(" vertices ", ram.vertices);
+    say(" mirror ", ram.mirror);
+    say(" reserve ", board_stack_bytes());
+    say("\npicture ", picture.width);
+    say("x", picture.height);
+    evb_text(NULL, " ");
+    evb_text(NULL, tp_format_name(picture.format));
+    say(" ", picture.tile_width ? picture.tile_width : picture.width);
+    say("x", picture.tile_height);
+    evb_text(NULL, "\n");
 }
 
 /* -- answers ------------------------------------------------------------------------- */
 
-/* The picture once more, for its CRC alone. */
+/* The picture once more, for its CRC alone; between the marks is what the core does. */
 static uint32_t crc_of_picture(void)
 {
     tp_tile  tile;
     uint32_t crc = 0;
+    count_as_frame();
     tp_frame_begin(frame, world);
-    for (uint32_t i = 0; tp_frame_tile(frame, i, scratch, &tile); i++)
+    count_as_tiles();
+    for (uint32_t i = 0; tp_frame_tile(frame, i, scratch, &tile); i++) {
+        count_end();
         for (uint32_t y = tile.y0; y < tile.y1; y++)
             crc = tp_crc32_pixels(crc, picture.format, (const uint8_t *)tile.pixels
                                   + (y - tile.y0) * tile.stride, (int)picture.width);
+        count_as_tiles();
+    }
+    count_end();
     return crc;
 }
 
@@ -134,12 +159,10 @@ static void say_state(void *unused)
 {
     evb_text(unused, " crc32 ");
     evb_number(crc_of_picture(), 16, 8);
-    evb_text(unused, ", bytes sent ");
-    evb_number((uint32_t)(panel.sent - sent_before), 10, 1);
-    evb_text(unused, ", clocks ");
-    evb_number(clocks, 10, 1);
-    evb_text(unused, ", stack ");
-    evb_number(board_stack_used(), 10, 1);
+    say(", bytes sent ", (size_t)(panel.sent - sent_before));
+    say(", clocks ", clocks);
+    say(", dropped ", tp_frame_last_stats(frame).dropped);
+    say(", stack ", board_stack_used());
 }
 
 static const control_setup setup = {
