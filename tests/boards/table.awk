@@ -47,10 +47,12 @@ function look(file,    line, word, n, i)
         failed = 1
         exit 1
     }
-    all = value["frame"] + value["scratch"] + value["world"] + size[".data"] + size[".bss"]
+    all = value["frame"] + value["scratch"] + value["panel"] + value["world"] \
+        + size[".data"] + size[".bss"]
     memory = memory sprintf("| %s, `%s` | %d | %d | %d | %d | %d | %d | %d |\n", $1, $2,
         value["frame"] - value["vertices"] - value["mirror"], value["vertices"],
-        value["mirror"], value["scratch"], value["world"], all, value["stack"])
+        value["mirror"], value["scratch"] + value["panel"], value["world"], all,
+        value["stack"])
     work = work sprintf("| %s, `%s` | %s | %d | %d | %d | %d | %d |\n", $1, $2, picture,
         size[".text"], size[".rodata"] + size[".exidx"], size[".baked"],
         insns / frames, value["sent"])

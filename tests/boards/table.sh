@@ -9,27 +9,26 @@
 # each said (BOARD/SCENE.said) for who wants to look at the frames.
 # With --write they take their place in README.md, with the compiler's version.
 . tests/gates/lib.sh
+. tests/boards/live.sh
 
-# board | scene, @ the most texels of a picture's side
+# board | scene, @ the most texels of a picture's side; one of them is live
 shots='
 netduinoplus2     count-64@64
 netduinoplus2     lava@64
 netduinoplus2     board-96k@64
 microbit          bay@64
 stm32vldiscovery  bay@64
+lm3s6965evb       tarn
 '
+live=$board
 plugin=build/host/count.so
 sent=build/host/tests/boards/sent
 to=${1:-$scratch}
 [ "$to" != --write ] || to=$scratch
 
-shoot()         # BOARD SCENE
+# Draws two frames and ends.
+run()           # BOARD SCENE
 {
-    elf=build/$1/scenes/$2.elf
-    mkdir -p "$to/$1"
-    alone build -s BOARD="cortex-m/$1" SCENE="$2" elf >"$scratch/log" 2>&1 ||
-        { cat "$scratch/log" >&2; return 1; }
-    arm-none-eabi-size -A "$elf" >"$to/$1/$2.size"
     timeout 60 qemu-system-arm -M "$1" -nographic -monitor none -serial null \
         -chardev file,id=said,path="$to/$1/$2.said" \
         -semihosting-config enable=on,target=native,chardev=said -kernel "$elf" \
@@ -38,6 +37,38 @@ shoot()         # BOARD SCENE
     # shellcheck disable=SC2046
     $sent $(awk '/^picture/ { print $2, $4, $3 }' "$to/$1/$2.said") >"$scratch/sent" &&
         echo "sent $(cat "$scratch/sent")" >"$to/$1/$2.sent"
+}
+
+# Draws the same two, told to by lines, and counts itself what it sends.  What is counted
+# is the picture that `state` draws: nothing comes meanwhile that would interrupt it.
+talk()          # BOARD SCENE
+{
+    begin "$elf" -plugin $plugin || { finish; cat "$scratch/emulator" >&2; return 1; }
+    for line in pause restart "step 60" state step state; do
+        last=$(ask "$line")
+    done
+    finish
+    cp "$scratch/emulator" "$to/$1/$2.counts"
+    echo "sent $(bytes_of "$last")" >"$to/$1/$2.sent"
+    whole_lines | awk '
+        /^(ram|picture) /
+        /^ok tick / {
+            gsub(",", "")
+            print "frame", $3, $4, $5
+            print $(NF - 3), $(NF - 2)
+            stack = $NF
+        }
+        END { print "ram stack", stack }' >"$to/$1/$2.said"
+}
+
+shoot()         # BOARD SCENE
+{
+    elf=build/$1/scenes/$2.elf
+    mkdir -p "$to/$1"
+    alone build -s BOARD="cortex-m/$1" SCENE="$2" elf >"$scratch/log" 2>&1 ||
+        { cat "$scratch/log" >&2; return 1; }
+    arm-none-eabi-size -A "$elf" >"$to/$1/$2.size"
+    if [ "$1" = "${live#*/}" ]; then talk "$1" "$2"; else run "$1" "$2"; fi
 }
 
 alone build -s $plugin $sent >/dev/null || exit 1
