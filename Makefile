@@ -21,8 +21,12 @@ AR       := $(TRIPLE)ar
 OBJCOPY  := $(TRIPLE)objcopy
 BOARD_LD ?= ports/$(BOARD)/board.ld
 LD_FILES := $(BOARD_LD) $(wildcard $(dir $(BOARD_LD))../*.ld)
+# Boards of one processor share the core's library, which tests make first.
+CORE_AT  := build/$(patsubst -mcpu=%,%,$(filter -mcpu=%,$(ARCH)))$(if \
+              $(filter -DTP_RUN=%,$(ARCH)),-small)
 endif
-BUILD  := build/$(TARGET)
+BUILD   := build/$(TARGET)
+CORE_AT ?= $(BUILD)
 
 # -- the core, by rank -----------------------------------------------------------------
 
@@ -119,9 +123,9 @@ V3_OPT := -O3 -march=x86-64-v3 -mtune=skylake
 HOSTED += -DTP_HAVE_KIT_V3
 endif
 
-LIB     := $(BUILD)/libtidepool.a
+LIB     := $(CORE_AT)/libtidepool.a
 PROGRAM := $(BUILD)/tidepool
-CORE_O  := $(CORE:%.c=$(BUILD)/%.o)
+CORE_O  := $(CORE:%.c=$(CORE_AT)/%.o)
 PORTS_O := $(PORTS:%.c=$(BUILD)/%.o) $(if $(V3_C),$(BUILD)/kit_v3.o)
 UNIT    := $(patsubst %.c,$(BUILD)/%,$(wildcard tests/unit/test_*.c tests/host/test_*.c \
                tests/stability/test_*.c tests/accuracy/test_*.c))
@@ -264,8 +268,10 @@ host-tests: everything
 # First what several of them want of the board's compiler.
 more-tests: everything build/host/count.so build/host/tally.so
 	@! command -v arm-none-eabi-gcc >/dev/null || \
-	    { $(MAKE) --no-print-directory BOARD=cortex-m elves && \
-	      $(MAKE) --no-print-directory BOARD=cortex-m/microbit lib; }
+	    for goals in 'cortex-m elves' 'cortex-m/microbit lib' \
+	            'cortex-m/lm3s6965evb lib'; do \
+	        $(MAKE) --no-print-directory BOARD=$$goals || exit 1; \
+	    done
 	@FUZZ_SECONDS=$${FUZZ_SECONDS:-5} $(RUN) build/log/more \
 	    tests/gates/arm.sh tests/gates/clang.sh tests/host/view.sh \
 	    tests/host/threads.sh tests/bench/views.sh tests/cross/run.sh tests/cross/film.sh \
@@ -430,7 +436,7 @@ $(KITS:%=%.elf): %.elf: %.o $(BUILD)/tests/budgets/minimal.o \
           $(LD_FILES)
 	$(SAY)$(LINK_ELF) -Wl,-Map=$(@:.elf=.map)
 
-$(BUILD)/src/%.o: src/%.c $(BUILD)/flags
+$(CORE_AT)/src/%.o: src/%.c $(CORE_AT)/flags
 	@mkdir -p $(@D)
 	$(SAY)$(COMPILE) $(BARE) -c $< -o $@
 $(BUILD)/%.o: %.c $(BUILD)/flags
@@ -440,7 +446,7 @@ $(BUILD)/%.o: %.S $(BUILD)/flags
 	@mkdir -p $(@D)
 	$(SAY)$(COMPILE) -c $< -o $@
 # Another compiler or other flags are a reason to compile again.
-$(BUILD)/flags: force
+$(sort $(BUILD)/flags $(CORE_AT)/flags): force
 	@mkdir -p $(@D)
 	@echo '$(COMPILE) $(SDL_CFLAGS)' | cmp -s - $@ || echo '$(COMPILE) $(SDL_CFLAGS)' >$@
 
@@ -451,4 +457,4 @@ include tests/charts/charts.mk
     more-tests fuzzers peers charts-tools elf elves frames kits list-core list-scenes \
     list-cross force
 .SECONDARY:
--include $(shell find $(BUILD) -name '*.d' 2>/dev/null)
+-include $(shell find $(sort $(BUILD) $(CORE_AT)) -name '*.d' 2>/dev/null)

@@ -63,7 +63,7 @@ for scene; do
     cat "$scratch/$scene.figures" >>"$scratch/figures"
 done
 if [ -n "$whole" ]; then
-    arm-none-eabi-size -A build/cortex-m/libtidepool.a | awk '
+    arm-none-eabi-size -A build/cortex-m4/libtidepool.a | awk '
         /^\.text/   { text += $2 }
         /^\.rodata/ { constants += $2 }
         END { print "figure core text-bytes", text

@@ -6,8 +6,8 @@
 stack_limit=4096
 
 lacks arm-none-eabi-gcc gcc-arm-none-eabi "gates on Cortex-M code" && exit 77
-for board in cortex-m cortex-m/microbit; do
-    built=build/${board##*/}
+for board in cortex-m:cortex-m4 cortex-m/microbit:cortex-m0-small; do
+    built=build/${board#*:} board=${board%:*}
     whole=$built/libtidepool.a
     check "$board: the core compiles" build BOARD=$board $whole
     check "$board: no soft float, nothing but mem* and helpers" \
