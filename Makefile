@@ -110,6 +110,8 @@ BARE   := -Isrc -ffreestanding -ffunction-sections -fdata-sections
 HOSTED := -Iports -Isrc -I. $(SDL_CFLAGS) $(KMS_CFLAGS)
 COMPILE = $(CC) $(FLAGS) $(CPPFLAGS) $(CFLAGS)
 LINK    = $(CC) $(OPT) $(ARCH) $(LDFLAGS)
+# The quicker linker, where it is, for the hundreds of programs that tests are.
+GOLD    := $(if $(shell command -v ld.gold),-fuse-ld=gold)
 LINK_ELF = $(LINK) -nostdlib -T $(BOARD_LD) -Wl,--gc-sections $(filter %.o,$^) \
            $(LIB) -lgcc -o $@
 # One short line for each thing made; with V=1 the whole command.
@@ -317,8 +319,8 @@ $(PROGRAM): $(MAIN:%.c=$(BUILD)/%.o) $(BUILD)/ports.a $(LIB)
 $(BUILD)/tests/boards/vm_state: $(BUILD)/tests/boards/vm_state.o
 	$(SAY)$(LINK) -static $^ -o $@
 $(BUILD)/tests/%: $(BUILD)/tests/%.o $(BUILD)/ports.a $(LIB)
-	$(SAY)$(LINK) $(filter %.o,$^) $(filter %/reference.a,$^) $(BUILD)/ports.a $(LIB) \
-	    $(CMOCKA) $(LIBS) -o $@
+	$(SAY)$(LINK) $(GOLD) $(filter %.o,$^) $(filter %/reference.a,$^) $(BUILD)/ports.a \
+	    $(LIB) $(CMOCKA) $(LIBS) -o $@
 $(filter $(BUILD)/%,$(GOLDEN)): $(BUILD)/tests/golden/golden.o
 LCD_O := $(patsubst %,$(BUILD)/%.o,$(addprefix ports/lcd/,clear lcd panels ssd0323 turn) \
                tests/boards/panel tests/golden/golden)
