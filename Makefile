@@ -242,8 +242,9 @@ help:
 
 # -- tests -----------------------------------------------------------------------------
 
-# Under the sanitizers, where the second kit need not be quick.  How far something is off
-# is told without them, but in the soak; threads have a sanitizer of their own.
+# Tests run under the sanitizers, where the second kit need not be quick, and alone there.
+# Those that tell how far something is off run without them, but in the soak; threads have
+# a sanitizer of their own.
 V3_LITE := V3_OPT='-O1 -march=x86-64-v3'
 SAN := TARGET=san OPT='-O1 -g1 -fsanitize=address,undefined -fno-sanitize-recover=all' \
        $(V3_LITE)
@@ -253,7 +254,7 @@ RUN := TP_BUILD=$(BUILD) TP_PROGRAM=$(PROGRAM) tests/run.sh
 
 unit: $(UNIT)
 sanitized: $(SAN_UNIT) $(PROGRAM)
-everything: all unit $(GOLDEN) $(FRAMES) $(BUILD)/tests/bench/scene_s \
+everything: all $(filter-out $(SAN_UNIT),$(UNIT)) $(GOLDEN) $(FRAMES) $(BUILD)/tests/bench/scene_s \
           $(BUILD)/tests/bench/views $(BUILD)/longship $(BUILD)/textures \
           $(BUILD)/tests/host/same_pixels $(BUILD)/screen_fake.so \
           $(addprefix $(BUILD)/tests/,host/screen_crc boards/same_picture \
@@ -261,7 +262,7 @@ everything: all unit $(GOLDEN) $(FRAMES) $(BUILD)/tests/bench/scene_s \
 host-tests: everything
 	@$(MAKE) --no-print-directory $(SAN) sanitized
 	@$(RUN) build/log/host $(SAN_UNIT:build/host/%=build/san/%) \
-	    $(filter-out %/test_scenes,$(UNIT)) $(GOLDEN) \
+	    $(filter-out $(SAN_UNIT),$(UNIT)) $(GOLDEN) \
 	    tests/gates/host.sh tests/gates/selftest.sh tests/host/cli.sh \
 	    tests/host/bake.sh tests/host/check.sh tests/host/tape.sh tests/host/screen.sh \
 	    tests/host/charts.sh tests/boards/readme.sh tests/gates/sanitized.sh \
@@ -270,9 +271,9 @@ host-tests: everything
 # First what several of them want of the board's compiler.
 more-tests: everything build/host/count.so build/host/tally.so
 	@! command -v arm-none-eabi-gcc >/dev/null || \
-	    for goals in 'cortex-m elves' 'cortex-m/microbit lib' \
-	            'cortex-m/lm3s6965evb lib'; do \
-	        $(MAKE) --no-print-directory BOARD=$$goals || exit 1; \
+	    for goals in 'BOARD=cortex-m elves' 'BOARD=cortex-m/microbit lib' \
+	            'BOARD=cortex-m/lm3s6965evb lib' charts-tools; do \
+	        $(MAKE) --no-print-directory $$goals || exit 1; \
 	    done
 	@FUZZ_SECONDS=$${FUZZ_SECONDS:-5} $(RUN) build/log/more \
 	    tests/gates/arm.sh tests/gates/clang.sh tests/host/view.sh \

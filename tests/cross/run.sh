@@ -1,8 +1,8 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
 # The same bits everywhere: builds the core and tests/cross/frames for each machine,
-# compiler and level of optimisation, and compares the golden frames' CRCs.  Emulated
-# machines have both compilers, each at one level, and every level of both is somewhere;
+# compiler and level of optimisation, and compares the golden frames' CRCs.  Both compilers
+# and all levels are dealt out to the machines, of which riscv64 is to C what aarch64 is;
 # with TP_SOAK set all have all.  This machine's gcc at -O2 is what the golden tests run by.
 . tests/gates/lib.sh
 
@@ -11,10 +11,10 @@ scenes=$(build -s list-cross)
 # name | GNU triple | emulator | Debian's name of the machine | levels of gcc, of clang
 all='O0 O2 O3'
 machines="
-host    |                     |              |         | O0 O3 | $all
+host    |                     |              |         | O0 O3 | O0 O2
 armhf   | arm-linux-gnueabihf | qemu-arm     | armhf   | O0    | O2
 aarch64 | aarch64-linux-gnu   | qemu-aarch64 | arm64   | O2    | O3
-riscv64 | riscv64-linux-gnu   | qemu-riscv64 | riscv64 | O3    | O0
+riscv64 | riscv64-linux-gnu   | qemu-riscv64 | riscv64 | O3    | -
 s390x   | s390x-linux-gnu     | qemu-s390x   | s390x   | O2    | O3
 "
 
