@@ -1,8 +1,12 @@
 /* SPDX-License-Identifier: MIT */
+#define _POSIX_C_SOURCE 200809L
 #include "crew.h"
 #include <pthread.h>
 #include <stdbool.h>
 #include <stdlib.h>
+#include <unistd.h>
+
+#define USUAL_MOST 8
 
 typedef struct {
     crew     *of;
@@ -48,6 +52,12 @@ static void *live(void *user)
     }
     pthread_mutex_unlock(&c->lock);
     return NULL;
+}
+
+uint32_t crew_usual(void)
+{
+    const long n = sysconf(_SC_NPROCESSORS_ONLN);
+    return n < 1 ? 1 : n > USUAL_MOST ? USUAL_MOST : (uint32_t)n;
 }
 
 crew *crew_open(uint32_t threads)

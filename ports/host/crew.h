@@ -7,6 +7,10 @@
 
 typedef struct crew crew;
 
+/* Threads that a picture is drawn by where nobody says how many: one a processor, up to
+ * eight. */
+uint32_t crew_usual(void);
+
 /* So many threads beside the caller; those that the system refuses are missing.  NULL:
  * none at all, which crew_do and crew_close take too. */
 crew *crew_open(uint32_t threads);

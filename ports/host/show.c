@@ -5,7 +5,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
 #include "../screen/show.h"
 #include "commands.h"
 #include "deck.h"
@@ -14,7 +13,6 @@
 #include "stage.h"
 #include "timing.h"
 
-#define THREADS 8
 
 typedef struct {
     options  *options;
@@ -65,13 +63,6 @@ static const tp_input *taped(void *user, uint64_t tick)
 
 /* -- the command ----------------------------------------------------------------- */
 
-/* All processors unless told otherwise. */
-static uint32_t processors(void)
-{
-    const long n = sysconf(_SC_NPROCESSORS_ONLN);
-    return n < 1 ? 1 : n > THREADS ? THREADS : (uint32_t)n;
-}
-
 static int run(shown *s, options *o)
 {
     const screen_port *port = show_port(o->on ? o->on : "fb");
@@ -102,7 +93,7 @@ int show_command(int argc, char **argv)
     s.options = &o;
     int code = args_read(&o, FOR_SHOW, argc, argv);
     if (!o.threads)
-        o.threads = processors();
+        o.threads = crew_usual();
     if (!code && o.help) {
         print_help();
         code = finish_stdout();

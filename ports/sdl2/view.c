@@ -22,7 +22,6 @@
 #define SETTLE_US     150000u       /* a window that is being dragged larger */
 #define TITLE_US      500000u
 #define WAIT_MS       2             /* for events, when there is nothing to draw */
-#define THREADS       8
 
 typedef struct {
     options *options;
@@ -223,13 +222,6 @@ static int run(view *v)
     return code;
 }
 
-/* All processors unless told otherwise: a preview wants to be quick. */
-static uint32_t processors(void)
-{
-    const long n = sysconf(_SC_NPROCESSORS_ONLN);
-    return n < 1 ? 1 : n > THREADS ? THREADS : (uint32_t)n;
-}
-
 int view_command(int argc, char **argv)
 {
     options o;
@@ -238,7 +230,7 @@ int view_command(int argc, char **argv)
     v.options = &o;
     int code = args_read(&o, FOR_VIEW, argc, argv);
     if (!o.threads)
-        o.threads = processors();
+        o.threads = crew_usual();
     if (!code && o.help) {
         print_help();
         code = finish_stdout();
