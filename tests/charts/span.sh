@@ -12,11 +12,11 @@
 column=$1 chart=$2 scene=$3
 case $column in
 m4)
-    built=build/cortex-m nm=arm-none-eabi-nm
+    built=build/cortex-m core=build/cortex-m4 nm=arm-none-eabi-nm
     emulate "build/cortex-m/span-$scene.elf" "$scratch/said" "$scratch/counts" ;;
 x86)
     # QEMU 7.2 falls over gathers of newer processors.
-    built=build/host nm=nm
+    built=build/host core=build/host nm=nm
     qemu-x86_64 -cpu Nehalem -plugin $plugin "build/host/tests/charts/span-$scene" \
         >"$scratch/said" 2>"$scratch/counts" ;;
 *)
@@ -25,8 +25,9 @@ esac || { cat "$scratch/said" >&2; exit 1; }
 
 case $chart in
 span) $nm "$built"/tests/charts/span_step_*.o ;;
-*)    $nm "$built"/src/shade/*.o | grep -v ' tp_stage_sky' ;;
+*)    $nm "$core"/src/shade/*.o | grep -v ' tp_stage_sky' ;;
 esac | awk '$2 ~ /[tT]/ { print "of", $3 }' >"$scratch/of"
+[ -s "$scratch/of" ] || { echo "span.sh: no functions to count" >&2; exit 1; }
 awk -v column="$column" -v chart="$chart" -v scene="$scene" '
     function point(i)
     {
