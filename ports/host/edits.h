@@ -1,0 +1,31 @@
+/* SPDX-License-Identifier: MIT */
+/* Changes of parameters, to be undone and made again. */
+#ifndef HOST_EDITS_H
+#define HOST_EDITS_H
+#include <stdbool.h>
+#include <stdint.h>
+#include "tidepool/scene.h"
+
+#define EDITS 256               /* that are remembered; older ones are forgotten */
+
+typedef struct {
+    uint32_t row;               /* of the table of parameters */
+    bool     named[2];          /* before and after: set by hand (scene_file.set_at) */
+    char     before[TP_NAME_BYTES + 64], after[TP_NAME_BYTES + 64];
+} edit;
+
+typedef struct {
+    edit     of[EDITS];
+    uint32_t first, count, undone;
+    bool     open;              /* the last one goes on: a drag */
+} edits;
+
+/* `going`: more of the same row's will follow, and all are one. */
+void edits_add(edits *e, uint32_t row, const char *before, const char *after, bool going);
+void edits_part(edits *e);                      /* what follows is a new one */
+
+/* The change to be made now, or NULL: undo wants `before` put in place, redo `after`. */
+const edit *edits_undo(edits *e);
+const edit *edits_redo(edits *e);
+void edits_clear(edits *e);
+#endif

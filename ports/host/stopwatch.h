@@ -1,0 +1,19 @@
+/* SPDX-License-Identifier: MIT */
+/* Nanoseconds by stage: a kit whose stages are timed, put in place of a canvas's while
+ * somebody looks at the figures. */
+#ifndef HOST_STOPWATCH_H
+#define HOST_STOPWATCH_H
+#include <stdbool.h>
+#include <stdint.h>
+#include "canvas.h"
+
+/* Of every stage of the list in kit.h, by its place there. */
+extern const char *const stopwatch_name[];
+extern const uint32_t    stopwatch_stages;
+
+/* Puts timed stages into the canvas's kit, or its own ones back; before tp_frame_begin.
+ * The bits of pictures stay the same.  Threads add up. */
+void     stopwatch_use(canvas *c, bool on);
+void     stopwatch_zero(void);
+uint64_t stopwatch_ns(uint32_t stage);          /* since the last zero */
+#endif
