@@ -110,20 +110,20 @@ void path_free_names(char **names, size_t count)
     free(names);
 }
 
-char **path_scene_names(const char *folder, size_t *count)
+char **path_names(const char *folder, const char *suffix, size_t *count)
 {
     char **names = NULL;
     *count = 0;
     DIR *dir = opendir(folder);
     for (struct dirent *entry; dir && (entry = readdir(dir)) != NULL;) {
         const char *file = entry->d_name;
-        if (file[0] == '.' || !path_ends(file, ".ini"))
+        if (file[0] == '.' || !path_ends(file, suffix))
             continue;
         char **more = realloc(names, (*count + 1) * sizeof *names);
         if (!more)
             break;
         names = more;
-        names[*count] = path_copy(file, strlen(file) - strlen(".ini"));
+        names[*count] = path_copy(file, strlen(file) - strlen(suffix));
         if (names[*count])
             (*count)++;
     }
@@ -132,4 +132,9 @@ char **path_scene_names(const char *folder, size_t *count)
     if (*count)
         qsort(names, *count, sizeof *names, by_name);
     return names;
+}
+
+char **path_scene_names(const char *folder, size_t *count)
+{
+    return path_names(folder, ".ini", count);
 }

@@ -20,8 +20,9 @@ bool  path_ends(const char *path, const char *suffix);
  * NULL if there is none. */
 char *path_of_scenes(void);
 
-/* Names of the shipped scenes, sorted, without ".ini"; *count of them.  Free with
+/* Names of a folder's files that end so, sorted, without that; *count of them.  Free with
  * path_free_names. */
-char **path_scene_names(const char *folder, size_t *count);
+char **path_names(const char *folder, const char *suffix, size_t *count);
+char **path_scene_names(const char *folder, size_t *count);     /* of ".ini" */
 void   path_free_names(char **names, size_t count);
 #endif

@@ -10,7 +10,9 @@
 #include <string.h>
 #include <unistd.h>
 
-static bool progress_shown, verbose;
+static bool     progress_shown, verbose;
+static char     last[512];
+static unsigned lines;
 
 static bool can_rewrite(void)
 {
@@ -31,6 +33,11 @@ static void say_list(const char *format, va_list list) HOST_PRINTF(1, 0);
 
 static void say_list(const char *format, va_list list)
 {
+    va_list again;
+    va_copy(again, list);
+    vsnprintf(last, sizeof last, format, again);    /* cut, if it is longer */
+    va_end(again);
+    lines++;
     say_progress("");
     vfprintf(stderr, format, list);
     fputc('\n', stderr);
@@ -51,6 +58,12 @@ int fail(int code, const char *format, ...)
     say_list(format, list);
     va_end(list);
     return code;
+}
+
+const char *say_last(unsigned *count)
+{
+    *count = lines;
+    return last;
 }
 
 void say_verbose(void)

@@ -33,6 +33,9 @@ const char *say_check(const tp_error *err);
 
 int fail_memory(size_t bytes);
 
+/* The last line that was said, for windows to show, and how many have been; "" and 0. */
+const char *say_last(unsigned *count);
+
 /* One line that is rewritten in place; "" erases it.  Nothing unless stderr is a
  * terminal that can. */
 void say_progress(const char *text);

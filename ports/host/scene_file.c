@@ -162,9 +162,13 @@ char *scene_file_path_of(const scene_file *file, const tp_param *param)
 {
     char name[TP_NAME_BYTES];
     tp_param_text(&file->scene, param, name, sizeof name);
-    if (file->set_at[row_of(param)] == SET_BY_COMMAND)
+    if (file->set_at[row_of(param)] == SET_BY_COMMAND && path_is_file(name))
         return path_copy(name, strlen(name));
-    return path_beside(file->path, name);
+    char *beside = path_beside(file->path, name);
+    if (file->set_at[row_of(param)] != SET_BY_COMMAND || (beside && path_is_file(beside)))
+        return beside;
+    free(beside);
+    return path_copy(name, strlen(name));
 }
 
 int scene_file_refuse(const scene_file *file, const tp_error *err)

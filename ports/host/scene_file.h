@@ -22,8 +22,8 @@ int  scene_file_set(scene_file *file, const char *setting);     /* "name=value" 
 void scene_file_close(scene_file *file);
 
 /* The file that a row of kind mesh or texture names, to free; NULL: no memory.
- * Names in the INI are relative to it, those of the command line to the folder that
- * the program was started in. */
+ * Names in the INI are relative to it; those of the command line to the folder that the
+ * program was started in or, if there is no such file, to the INI too. */
 char *scene_file_path_of(const scene_file *file, const tp_param *param);
 
 /* "harbour.ini:14: boat.mesh", what messages about its file begin with. */
