@@ -72,7 +72,7 @@ CORE := $(addprefix src/, \
 # -- the program, for machines with files and threads ----------------------------------
 
 PORTS := $(addprefix ports/, \
-    host/actions.c host/args.c host/assets.c host/bake.c host/bake_parts.c host/bench.c \
+    host/actions.c host/args.c host/args_rows.c host/assets.c host/bake.c host/bake_parts.c host/bench.c \
     host/bench_draw.c host/bench_maps.c host/bench_peers.c host/bench_print.c \
     host/bench_scene.c host/canvas.c host/charts.c host/charts_draw.c \
     host/charts_ini.c host/charts_jobs.c host/charts_page.c host/charts_rows.c \

@@ -7,7 +7,8 @@
 #include "machine.h"
 
 typedef struct {
-    const char  *command, *scene;   /* scene: NULL if none is given */
+    const char  *command, *scene;   /* NULL if none is given; view then has its own,
+                                     * unless it resumes */
     uint32_t     width, height;
     uint32_t     first, last;       /* frames, both included */
     const char **settings;          /* "name=value", in their order */
@@ -35,9 +36,13 @@ typedef struct {
     uint32_t     n_names;
     uint32_t     jobs;              /* at a time, 0: not given */
     const char  *from;              /* folder of charts; NULL: the project's */
-    bool         small, list, collect, resume;
+    bool         small, list, collect;
+    bool         resume;            /* a sweep, or what the preview did last */
     const char  *on, *device;       /* the raw screen's port and path; NULL: its own */
     const char  *keep;              /* file of the world's bytes */
+    uint32_t     scale, ui;         /* of pixels; of letters, in percent; 0: not given */
+    const char  *play, *keys;       /* of inputs; of keys */
+    bool         no_panel;
     bool         hold, counted, formatted;  /* --frames, --format were given */
     bool         help;
 } options;

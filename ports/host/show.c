@@ -24,9 +24,8 @@ typedef struct {
 static void print_help(void)
 {
     puts("usage: tidepool show SCENE [OPTION]...\n"
-         "Shows SCENE on a raw screen, the whole of it unless --size is less.  On the\n"
-         "console W A S D Q E and the arrows move, [ ] turns the light, F lets a drop\n"
-         "fall, Space pauses, Esc ends.\n");
+         "Shows SCENE on a raw screen.  W A S D Q E and the arrows move, [ ] turns the\n"
+         "light, F lets a drop fall, Space pauses, Esc ends.\n");
     args_print(FOR_SHOW);
     puts("\nExit: 0 done, 2 usage, 3 bad input or output; ended by a signal, that signal.");
 }

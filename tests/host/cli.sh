@@ -16,7 +16,9 @@ absent() {
 # -- help and usage -----------------------------------------------------------------
 
 fits --help
-for command in render view scenes params bake plan check bench charts join; do
+unseen=$("$program" view --help 2>&1 >out | grep "built without")
+[ -n "$unseen" ] || fits view --help
+for command in render show scenes params bake plan check bench charts join; do
     fits "$command" --help
 done
 run --version
@@ -43,6 +45,23 @@ expect "no threads" 2 "1..64" render minimal --threads 0
 for memory in 0 -1 5x 1kk k 99999999999; do
     expect "memory of $memory" 2 "expected bytes" render minimal --memory $memory
 done
+if [ -z "$unseen" ]; then
+for scale in 0 17 2x -1; do
+    expect "pixels $scale times as large" 2 "expected 1..16" view --scale $scale
+done
+for size in 49 401 150% large; do
+    expect "letters of $size" 2 "expected percent, 50..400" view --ui $size
+done
+for frames in 0 2:5 x; do
+    expect "a preview of $frames frames" 2 "expected a count from 1" view --frames $frames
+done
+expect "playing and recording" 2 "exclude" view --play a.tape --tape b.tape
+expect "playing and resuming" 2 "exclude" view --play a.tape --resume
+expect "a tape of no name" 2 "expected a file name" view --play=
+expect "keys of no name" 2 "expected a file name" view --keys=
+expect "two scenes to view" 2 "too many names" view pond tank
+fi
+expect "--scale is the preview's" 2 "no option --scale" render minimal --scale 2
 expect "rungs and peers together" 2 "exclude" bench --rungs --peers
 expect "a bench of no points" 2 "expected 2..1024" bench --points 1
 expect "a bench of unknown work" 2 "plain, full or smooth" bench --work water

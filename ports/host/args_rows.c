@@ -1,0 +1,284 @@
+/* SPDX-License-Identifier: MIT */
+/* The options.  A row of the table names an option, says which commands take it, and
+ * reads its value: a new option is a row and a function of a few lines. */
+#include "args_rows.h"
+#include <string.h>
+#include "bench_scene.h"
+#include "canvas.h"
+#include "say.h"
+
+#define SIDE_LOW   16           /* of a picture, as the core takes it */
+#define SIDE_HIGH  4096
+#define FRAME_HIGH 999999999u   /* half a year of ticks */
+
+/* Decimal digits alone, low..high; *end, if asked for, is where they stop. */
+static bool read_count(const char *text, const char **end, uint32_t low, uint32_t high,
+                       uint32_t *count)
+{
+    uint64_t n = 0;
+    const char *c = text;
+    for (; *c >= '0' && *c <= '9'; c++) {
+        n = n * 10 + (uint64_t)(*c - '0');
+        if (n > high)
+            return false;
+    }
+    if (c == text || n < low || (!end && *c))
+        return false;
+    *count = (uint32_t)n;
+    if (end)
+        *end = c;
+    return true;
+}
+
+static const char *read_size(options *o, const char *value)
+{
+    const char *end;
+    if (read_count(value, &end, SIDE_LOW, SIDE_HIGH, &o->width) && *end == 'x'
+        && read_count(end + 1, NULL, SIDE_LOW, SIDE_HIGH, &o->height)) {
+        o->sized = true;
+        return NULL;
+    }
+    return "WIDTHxHEIGHT, each 16..4096";
+}
+
+static const char *read_frames(options *o, const char *value)
+{
+    const char *end;
+    uint32_t count;
+    o->counted = true;
+    if (read_count(value, NULL, 1, FRAME_HIGH, &count)) {
+        o->first = 0;
+        o->last = count - 1;
+        return NULL;
+    }
+    if (read_count(value, &end, 0, FRAME_HIGH, &o->first) && *end == ':'
+        && read_count(end + 1, NULL, o->first, FRAME_HIGH, &o->last))
+        return NULL;
+    return "a count from 1, or FIRST:LAST with 0 <= FIRST <= LAST <= 999999999";
+}
+
+/* Of a preview, which draws from its beginning. */
+static const char *read_pictures(options *o, const char *value)
+{
+    uint32_t count;
+    if (!read_count(value, NULL, 1, FRAME_HIGH, &count))
+        return "a count from 1";
+    o->counted = true;
+    o->first = 0;
+    o->last = count - 1;
+    return NULL;
+}
+
+static const char *read_set(options *o, const char *value)
+{
+    o->settings[o->n_settings++] = value;
+    return NULL;
+}
+
+static const char *read_format(options *o, const char *value)
+{
+    const int format = tp_format_of(value, (uint32_t)strlen(value));
+    o->format = (tp_format)(format < 0 ? 0 : format);
+    o->formatted = true;
+    return format < 0 ? "xrgb8888, rgb565, rgb565be, p8, l8 or i1" : NULL;
+}
+
+static const char *read_band(options *o, const char *value)
+{
+    return read_count(value, NULL, 1, SIDE_HIGH, &o->band) ? NULL : "rows, 1..4096";
+}
+
+static const char *read_strip(options *o, const char *value)
+{
+    return read_count(value, NULL, 16, SIDE_HIGH, &o->strip) && o->strip % 16 == 0
+           ? NULL : "columns, a multiple of 16 in 16..4096";
+}
+
+static const char *read_threads(options *o, const char *value)
+{
+    return read_count(value, NULL, 1, CANVAS_THREADS, &o->threads) ? NULL : "1..64";
+}
+
+/* k and M are 1024 and 1024 k, as boards' data sheets count. */
+static const char *read_memory(options *o, const char *value)
+{
+    const char *end;
+    uint32_t count;
+    if (!read_count(value, &end, 1, UINT32_MAX, &count))
+        return "bytes from 1, or with a k or M behind";
+    const uint32_t unit = *end == 'k' ? 1u << 10 : *end == 'M' ? 1u << 20 : 1;
+    o->memory = (uint64_t)count * unit;
+    return end[unit > 1] ? "bytes from 1, or with a k or M behind" : NULL;
+}
+
+static const char *read_visibility(options *o, const char *value)
+{
+    const tp_param *row = tp_param_find("quality.visibility", 18);
+    tp_scene scene;
+    tp_error err;
+    if (tp_param_set(&scene, row, value, strlen(value), &err))
+        return "auto, triangles, rows, projected or flat";
+    o->visibility = scene.quality.visibility;
+    return NULL;
+}
+
+static const char *read_kit(options *o, const char *value)
+{
+    size_t count;
+    const machine *of = machine_kits(&count);
+    for (size_t i = 0; i < count; i++)
+        if (!strcmp(of[i].name, value))
+            o->machine = &of[i];
+    return o->machine ? NULL : "a kit that runs here: baseline, x86-64-v3";
+}
+
+static const char *read_texels(options *o, const char *value)
+{
+    return read_count(value, NULL, 1, SIDE_HIGH, &o->texels) ? NULL : "texels, 1..4096";
+}
+
+static const char *read_points(options *o, const char *value)
+{
+    return read_count(value, NULL, 2, 1024, &o->points) ? NULL : "2..1024";
+}
+
+static const char *read_work(options *o, const char *value)
+{
+    for (int i = 0; i < BENCH_WORKS; i++)
+        if (strcmp(value, bench_work_name[i]) == 0)
+            o->work = i;
+    return o->work < 0 ? "plain, full or smooth" : NULL;
+}
+
+static const char *read_scale(options *o, const char *value)
+{
+    return read_count(value, NULL, 1, 16, &o->scale) ? NULL : "1..16";
+}
+
+static const char *read_ui(options *o, const char *value)
+{
+    return read_count(value, NULL, 50, 400, &o->ui) ? NULL : "percent, 50..400";
+}
+
+static const char *read_jobs(options *o, const char *value)
+{
+    return read_count(value, NULL, 1, 1024, &o->jobs) ? NULL : "1..1024";
+}
+
+/* Switches, and words that may be anything but empty. */
+#define SWITCH(name) \
+    static const char *read_##name(options *o, const char *value) \
+    { (void)value; o->name = true; return NULL; }
+#define WORD(name, what) \
+    static const char *read_##name(options *o, const char *value) \
+    { o->name = value; return *value ? NULL : what; }
+SWITCH(stream)
+SWITCH(hash)
+SWITCH(rungs)
+SWITCH(peers)
+SWITCH(small)
+SWITCH(list)
+SWITCH(collect)
+SWITCH(resume)
+SWITCH(hold)
+SWITCH(no_panel)
+SWITCH(stats)
+SWITCH(csv)
+SWITCH(help)
+WORD(out, "a file name")
+WORD(expect, "a file name")
+WORD(vectors, "a folder")
+WORD(tape, "a file name")
+WORD(play, "a file name")
+WORD(keys, "a file name")
+WORD(only, "the beginning of a name")
+WORD(name, "a name in C")
+WORD(from, "a folder")
+WORD(on, "fb or kms")
+WORD(device, "a path")
+WORD(keep, "a file name")
+
+static const char *read_verbose(options *o, const char *value)
+{
+    (void)o;
+    (void)value;
+    say_verbose();
+    return NULL;
+}
+
+const option_row args_rows[] = {
+    { "--size", "WxH", FOR_RENDER | FOR_VIEW | FOR_PLAN, read_size,
+      "picture, 640x480 by default" },
+    { "--size", "WxH", FOR_BENCH, read_size, "of the picture; else 640x480 and 320x240" },
+    { "--points", "N", FOR_BENCH, read_points, "of a side; else 64, 100, 128 and 256" },
+    { "--work", "WORD", FOR_BENCH, read_work, "plain, full or smooth alone" },
+    { "--frames", "N", FOR_BENCH, read_frames, "of each of three rounds, 10 by default" },
+    { "--rungs", NULL, FOR_BENCH, read_rungs, "by every rung of the plan, 128 points" },
+    { "--peers", NULL, FOR_BENCH, read_peers,
+      "and by other renderers that are built now, 128 points" },
+    { "--frames", "N|A:B", FOR_RENDER, read_frames,
+      "0..N-1 or A..B; n is the world after n ticks of 1/60 s" },
+    { "--on", "PORT", FOR_SHOW, read_on, "fb, the frame buffer, or kms; fb by default" },
+    { "--device", "PATH", FOR_SHOW, read_device, "else /dev/fb0 or /dev/dri/card0" },
+    { "--size", "WxH", FOR_SHOW, read_size, "of the picture; the screen's by default" },
+    { "--frames", "N|A:B", FOR_SHOW, read_frames,
+      "0..N-1 or A..B, each of them, and end; else for ever" },
+    { "--hold", NULL, FOR_SHOW, read_hold, "stay on the last of them" },
+    { "--keep", "FILE", FOR_SHOW, read_keep,
+      "keep the world there each second, and go on from it" },
+    { "-o", "FILE", FOR_BAKE, read_out, "the C file, or - for standard output; needed" },
+    { "--name", "NAME", FOR_BAKE, read_name,
+      "what its names begin with; else the scene's name" },
+    { "--set", "NAME=VALUE", DRAWERS | FOR_PARAMS | FOR_BAKE | FOR_PLAN, read_set,
+      "change one parameter of the scene; may be repeated" },
+    { "--only", "WORD", FOR_PARAMS, read_only,
+      "names that begin so: water, wave0., boat.m" },
+    { "--out", "FILE", FOR_RENDER, read_out,
+      "f-%04d.png, film.y4m, or - for a film to stdout" },
+    { "--format", "NAME", DRAWERS | FOR_PLAN, read_format,
+      "xrgb8888 rgb565 rgb565be p8 l8 i1" },
+    { "--csv", NULL, FOR_PLAN | FOR_BENCH, read_csv, "a table for programs" },
+    { "--band", "ROWS", FOR_RENDER | FOR_PLAN, read_band, "draw in bands of so many rows" },
+    { "--strip", "COLS", FOR_RENDER | FOR_PLAN, read_strip, "draw in strips, columns in 16s" },
+    { "--threads", "N", DRAWERS, read_threads, "draw tiles in N threads" },
+    { "--memory", "BYTES", DRAWERS, read_memory,
+      "refuse to draw with more; 96k, 2M" },
+    { "--stream", NULL, DRAWERS, read_stream,
+      "keep no vertices of the water: less memory, same bits" },
+    { "--texels", "N", DRAWERS | FOR_BAKE, read_texels,
+      "use pictures of no more than N texels a side" },
+    { "--jobs", "N", FOR_CHARTS, read_jobs, "so many at a time; else one a processor" },
+    { "--only", "NAME,...", FOR_CHARTS, read_only, "these charts alone" },
+    { "--small", NULL, FOR_CHARTS, read_small, "without what takes long, times and pictures" },
+    { "--resume", NULL, FOR_CHARTS, read_resume,
+      "take the jobs that an interrupted sweep finished" },
+    { "--list", NULL, FOR_CHARTS, read_list, "print the jobs, and run none" },
+    { "--collect", NULL, FOR_CHARTS, read_collect, "run none: merge files of their rows" },
+    { "--from", "FOLDER", FOR_CHARTS, read_from,
+      "other charts than the project's; nothing is built" },
+    { "--visibility", "HOW", DRAWERS | FOR_PLAN, read_visibility,
+      "auto triangles rows projected flat" },
+    { "--hash", NULL, FOR_RENDER | FOR_SHOW, read_hash, "print the CRC-32 of every frame" },
+    { "--expect", "FILE", FOR_RENDER, read_expect,
+      "compare with such a list; exit 1 where it differs" },
+    { "--vectors", "DIR", FOR_CHECK, read_vectors, "the folder of tables; needed" },
+    { "--tape", "FILE", FOR_RENDER | FOR_SHOW, read_tape, "play the inputs recorded there" },
+    { "--scale", "N", FOR_VIEW, read_scale, "pixels N times as large, 1..16" },
+    { "--no-panel", NULL, FOR_VIEW, read_no_panel, "begin with the panel hidden" },
+    { "--ui", "PERCENT", FOR_VIEW, read_ui, "size of the letters, 50..400" },
+    { "--keys", "FILE", FOR_VIEW, read_keys,
+      "other keys; else ~/.config/tidepool/keys.ini" },
+    { "--tape", "FILE", FOR_VIEW, read_tape, "record what you do there" },
+    { "--play", "FILE", FOR_VIEW, read_play, "play such a tape" },
+    { "--resume", NULL, FOR_VIEW, read_resume, "go on where the last one ended" },
+    { "--frames", "N", FOR_VIEW, read_pictures,
+      "draw N pictures as fast as it goes, and end" },
+    { "--kit", "NAME", FOR_RENDER | FOR_SHOW, read_kit,
+      "baseline or x86-64-v3, the same bits; else the best" },
+    { "--stats", NULL, FOR_RENDER | FOR_VIEW, read_stats,
+      "print times, counts and RAM as JSON" },
+    { "--verbose", NULL, ALL, read_verbose, "name the check that refused something" },
+    { "--help", NULL, ALL, read_help, "this text" },
+};
+
+const size_t args_row_count = sizeof args_rows / sizeof *args_rows;
