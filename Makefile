@@ -83,7 +83,7 @@ PORTS := $(addprefix ports/, \
     host/join.c host/lists.c host/machine.c host/nearest.c host/output.c host/path.c \
     host/picture.c host/plan.c host/png_read.c host/png_write.c host/render.c \
     host/say.c host/scene_file.c host/scene_ini.c host/show.c host/sink.c host/stage.c \
-    host/timing.c host/wish.c host/words.c \
+    host/timing.c host/words.c live/wish.c \
     board/answer.c board/buttons.c board/control.c board/control_set.c null/null.c \
     linuxfb/linuxfb.c screen/console.c screen/keep.c screen/keeper.c screen/keys.c \
     screen/layout.c screen/loop.c screen/watch.c)
@@ -383,7 +383,7 @@ $(SCENES:%=$(BUILD)/tests/cross/film-%): \
 # And on a raw screen: one static file for a small Linux board.
 SCREEN_O := $(patsubst %.c,$(BUILD)/%.o,$(filter ports/linuxfb/% ports/kms/% \
                ports/screen/%,$(PORTS)) ports/screen/main.c $(addprefix ports/host/, \
-               hashes.c picture.c say.c timing.c wish.c))
+               hashes.c picture.c say.c timing.c) ports/live/wish.c)
 $(SCENES:%=$(BUILD)/scenes/%-screen): $(BUILD)/scenes/%-screen: $(SCREEN_O) \
           build/baked/$(MACHINE)/%.o $(LIB)
 	@mkdir -p $(@D)

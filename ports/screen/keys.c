@@ -6,7 +6,7 @@
  * given back would be deaf in it. */
 #include "keys.h"
 #include <string.h>
-#include "../host/wish.h"
+#include "../live/wish.h"
 
 #define HOLD_FIRST 16           /* ticks of 1/60 s */
 #define HOLD_NEXT  5

@@ -13,7 +13,7 @@
 #include "../host/hashes.h"
 #include "../host/say.h"
 #include "../host/timing.h"
-#include "../host/wish.h"
+#include "../live/wish.h"
 #include "keeper.h"
 #include "show.h"
 

@@ -3,7 +3,7 @@
  * under the left hand on every layout. */
 #include "control.h"
 #include <stdio.h>
-#include "../host/wish.h"
+#include "../live/wish.h"
 
 /* Of a pixel dragged; 400 of them are 80 degrees, far from where 32 bits wrap. */
 #define DRAG     ((int32_t)TP_DEG(0.2))

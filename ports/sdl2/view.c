@@ -14,7 +14,7 @@
 #include "../host/say.h"
 #include "../host/stage.h"
 #include "../host/timing.h"
-#include "../host/wish.h"
+#include "../live/wish.h"
 #include "control.h"
 #include "window.h"
 

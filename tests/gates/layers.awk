@@ -6,7 +6,8 @@
 # Ranks low to high; modules on one line are peers and do not see each other.  A public
 # header has the rank of the module that implements it.  A port sees the public headers
 # and itself; sdl2 and null are parts of the host program and see host as well.  Raw
-# screens, linuxfb and kms, are shown by screen, which host hands its pictures to.
+# screens, linuxfb and kms, are shown by screen, which host hands its pictures to.  What
+# live knows of input and changes is for every port where somebody acts.
 BEGIN {
     levels = split("base|fx|pixel|asset wave pool|geom|raster shade|scene|frame", level,
                    "|")
@@ -26,7 +27,8 @@ BEGIN {
     for (i in system_header)
         free[system_header[i]]
     split("sdl2=host null=host host=screen screen=host screen=cortex-m linuxfb=screen " \
-          "linuxfb=host kms=screen kms=host rpi=board cortex-m=board cortex-m=lcd", sights, " ")
+          "linuxfb=host kms=screen kms=host rpi=board cortex-m=board cortex-m=lcd " \
+          "sdl2=live screen=live board=live web=live", sights, " ")
     for (i in sights)
         guest[sights[i]]
 }

@@ -6,7 +6,7 @@
 #include <stdint.h>
 #include <string.h>
 #include <cmocka.h>
-#include "../../ports/host/wish.h"
+#include "../../ports/live/wish.h"
 #include "../../ports/screen/keys.h"
 
 static keys k;

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* What a held key wishes for the next tick, in every port that has keys. */
-#ifndef HOST_WISH_H
-#define HOST_WISH_H
+#ifndef LIVE_WISH_H
+#define LIVE_WISH_H
 #include "tidepool/scene.h"
 
 /* Steps of a tick of 1/60 s: 4 m/s, or 16 m/s with Shift; 60 degrees a second. */
