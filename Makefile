@@ -94,7 +94,7 @@ PORTS += $(addprefix ports/kms/, buffer.c card.c choose.c heads.c kms.c)
 KMS_CFLAGS := -DTP_HAVE_KMS
 endif
 ifneq ($(shell pkg-config --exists sdl2 2>/dev/null && echo yes),)
-PORTS += $(addprefix ports/, sdl2/control.c sdl2/view.c sdl2/window.c)
+PORTS += $(addprefix ports/sdl2/, control.c keymap.c view.c window.c)
 SDL_CFLAGS := $(patsubst -I%,-isystem %,$(shell pkg-config --cflags sdl2)) -DTP_HAVE_SDL2
 SDL_LIBS   := $(shell pkg-config --libs sdl2)
 endif
@@ -143,6 +143,9 @@ GOLDEN  := tests/gates/no-cmocka.sh
 endif
 ifndef KMS_CFLAGS
 UNIT    := $(filter-out %/test_kms %/test_kms_choose,$(UNIT))
+endif
+ifndef SDL_CFLAGS
+UNIT    := $(filter-out $(addprefix %/test_,keymap letters overlay pad window),$(UNIT))
 endif
 # Scenes whose frames every processor must draw: between them, every model.
 SCENES  := $(patsubst assets/scenes/%.ini,%,$(wildcard assets/scenes/*.ini))
