@@ -3,7 +3,6 @@
 #define _POSIX_C_SOURCE 200809L
 #include "image.h"
 #include <pthread.h>
-#include <stdatomic.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include "host/say.h"
@@ -15,6 +14,7 @@ typedef struct {
     ref_image *image;
     const ref_scene *scene;
     uint32_t side;              /* of the square of samples */
+    ref_pace *pace;
     atomic_uint row;            /* the next to be drawn */
 } work;
 
@@ -39,13 +39,21 @@ static void draw_pixel(work *w, uint32_t x, uint32_t y)
     w->image->near[(size_t)y * w->image->width + x] = seen.near;
 }
 
+static bool is_wanted(const work *w)
+{
+    return !atomic_load_explicit(&w->pace->stop, memory_order_relaxed);
+}
+
 static bool draw_row(work *w)
 {
     const uint32_t y = atomic_fetch_add(&w->row, 1);
 
-    for (uint32_t x = 0; y < w->image->height && x < w->image->width; x++)
+    if (y >= w->image->height)
+        return false;
+    for (uint32_t x = 0; x < w->image->width && is_wanted(w); x++)
         draw_pixel(w, x, y);
-    return y < w->image->height;
+    atomic_fetch_add(&w->pace->rows, 1);
+    return is_wanted(w);
 }
 
 static void *draw_rows(void *of)
@@ -66,29 +74,66 @@ static void show(progress *p, uint32_t done, uint32_t rows)
     p->shown = now_us();
 }
 
-void ref_image_draw(ref_image *image, const ref_scene *s, uint32_t width, uint32_t height,
-                    uint32_t samples, uint32_t threads)
+static bool allocate(ref_image *image, uint32_t width, uint32_t height)
 {
-    work w = { image, s, (uint32_t)lround(sqrt(samples)), 0 };
-    progress p = progress_begin();
+    const size_t pixels = (size_t)width * height;
+
+    *image = (ref_image){ .width = width, .height = height };
+    image->colour = malloc(pixels * sizeof *image->colour);
+    image->kind = malloc(pixels);
+    image->in_mirror = malloc(pixels);
+    image->near = malloc(pixels * sizeof *image->near);
+    return image->colour && image->kind && image->in_mirror && image->near;
+}
+
+/* By this thread too, which tells of the progress if it has a terminal's line for it. */
+static void draw_all(work *w, uint32_t threads, progress *p)
+{
     pthread_t thread[THREADS];
     uint32_t helpers = 0;
 
-    *image = (ref_image){ .width = width, .height = height };
-    image->colour = malloc((size_t)width * height * sizeof *image->colour);
-    image->kind = malloc((size_t)width * height);
-    image->in_mirror = malloc((size_t)width * height);
-    image->near = malloc((size_t)width * height * sizeof *image->near);
-    if (!image->colour || !image->kind || !image->in_mirror || !image->near)
-        abort();
     while (helpers + 1 < threads && helpers < THREADS
-           && pthread_create(&thread[helpers], NULL, draw_rows, &w) == 0)
+           && pthread_create(&thread[helpers], NULL, draw_rows, w) == 0)
         helpers++;
-    while (draw_row(&w))
-        show(&p, atomic_load(&w.row), height);
+    while (draw_row(w))
+        if (p)
+            show(p, atomic_load(&w->pace->rows), w->image->height);
     for (uint32_t i = 0; i < helpers; i++)
         pthread_join(thread[i], NULL);
+}
+
+static uint32_t side_of(uint32_t samples)
+{
+    return (uint32_t)lround(sqrt(samples));
+}
+
+void ref_image_draw(ref_image *image, const ref_scene *s, uint32_t width, uint32_t height,
+                    uint32_t samples, uint32_t threads)
+{
+    ref_pace pace = { 0, false };
+    work w = { image, s, side_of(samples), &pace, 0 };
+    progress p = progress_begin();
+
+    if (!allocate(image, width, height))
+        abort();
+    draw_all(&w, threads, &p);
     say_progress("");
+}
+
+bool ref_image_draw_at(ref_image *image, const ref_scene *s, uint32_t width,
+                       uint32_t height, uint32_t samples, uint32_t threads,
+                       ref_pace *pace)
+{
+    work w = { image, s, side_of(samples), pace, 0 };
+    const bool there = allocate(image, width, height);
+
+    atomic_store(&pace->rows, 0);
+    if (there)
+        draw_all(&w, threads, NULL);
+    if (there && is_wanted(&w))
+        return true;
+    ref_image_free(image);
+    return false;
 }
 
 void ref_image_free(ref_image *image)

@@ -2,6 +2,7 @@
 /* A whole picture by the reference, rows shared out among threads. */
 #ifndef TP_REFERENCE_IMAGE_H
 #define TP_REFERENCE_IMAGE_H
+#include <stdatomic.h>
 #include "trace.h"
 
 enum { REF_SAMPLES = 16 };      /* a pixel, of pictures that others are judged by */
@@ -18,6 +19,19 @@ typedef struct {
  * ways; 1 is the pixel's centre.  Tells of its progress on a terminal. */
 void ref_image_draw(ref_image *image, const ref_scene *s, uint32_t width, uint32_t height,
                     uint32_t samples, uint32_t threads);
+
+/* How far a picture is that is drawn beside something else, and whether it is still
+ * wanted: both may be looked at and set by another thread. */
+typedef struct {
+    atomic_uint rows;           /* done */
+    atomic_bool stop;           /* after the pixels that are being drawn */
+} ref_pace;
+
+/* The same without a word on the terminal.  False: it was stopped, or there is no memory;
+ * then nothing is to be freed. */
+bool ref_image_draw_at(ref_image *image, const ref_scene *s, uint32_t width,
+                       uint32_t height, uint32_t samples, uint32_t threads,
+                       ref_pace *pace);
 void ref_image_free(ref_image *image);
 
 /* A pixel rounded, 0x00RRGGBB. */
