@@ -166,7 +166,7 @@ static struct timespec tools_made(void)
 void chart_jobs_keep(chart_jobs *jobs, bool resume)
 {
     const struct timespec made = tools_made();
-    size_t taken = 0;
+    size_t taken = 0, old = 0;
     for (size_t i = 0; i < jobs->count; i++) {
         struct stat info;
         if (stat(jobs->of[i].rows, &info) != 0)
@@ -175,9 +175,12 @@ void chart_jobs_keep(chart_jobs *jobs, bool resume)
         jobs->of[i].done = resume && newest.tv_sec == info.st_mtim.tv_sec
                          && newest.tv_nsec == info.st_mtim.tv_nsec;
         taken += jobs->of[i].done;
+        old += resume && !jobs->of[i].done;
         if (!jobs->of[i].done)
             unlink(jobs->of[i].rows);
     }
     if (resume)
         say("tidepool charts: %zu of %zu jobs are done", taken, jobs->count);
+    if (old)
+        say("tidepool charts: %zu more were run by older tools, and run again", old);
 }
