@@ -71,22 +71,11 @@ CORE := $(addprefix src/, \
 
 # -- the program, for machines with files and threads ----------------------------------
 
-PORTS := $(addprefix ports/, \
-    host/actions.c host/args.c host/args_rows.c host/assets.c host/bake.c host/bake_parts.c host/bench.c \
-    host/bench_draw.c host/bench_maps.c host/bench_peers.c host/bench_print.c \
-    host/bench_scene.c host/canvas.c host/charts.c host/charts_draw.c \
-    host/charts_ini.c host/charts_jobs.c host/charts_page.c host/charts_rows.c \
-    host/charts_run.c host/charts_table.c host/check.c host/check_depth.c \
-    host/check_drops.c host/check_light.c host/check_numbers.c host/check_ocean.c \
-    host/check_pool.c host/check_settle.c host/check_waves.c host/crew.c host/csv.c \
-    host/deck.c host/film.c host/governing.c host/hashes.c host/ini_read.c \
-    host/join.c host/lists.c host/machine.c host/nearest.c host/output.c host/path.c \
-    host/picture.c host/plan.c host/png_read.c host/png_write.c host/render.c \
-    host/say.c host/scene_file.c host/scene_ini.c host/show.c host/sink.c host/stage.c \
-    host/timing.c host/words.c live/wish.c \
-    board/answer.c board/buttons.c board/control.c board/control_set.c null/null.c \
-    linuxfb/linuxfb.c screen/console.c screen/keep.c screen/keeper.c screen/keys.c \
-    screen/layout.c screen/loop.c screen/watch.c)
+# Those folders' files but programs' own; the reference of tests, which the preview
+# compares with.
+PORTS := $(filter-out %/main.c %/reference.c,$(wildcard $(addsuffix /*.c,\
+             ports/host ports/live ports/screen ports/linuxfb ports/null tests/reference)) \
+             $(addprefix ports/board/,answer.c buttons.c control.c control_set.c))
 MAIN  := ports/host/main.c
 # Linux's screens, where the kernel's headers are.
 ifeq ($(shell $(CC) -E ports/kms/choose.h >/dev/null 2>&1 && echo yes),yes)
@@ -94,11 +83,11 @@ PORTS += $(addprefix ports/kms/, buffer.c card.c choose.c heads.c kms.c)
 KMS_CFLAGS := -DTP_HAVE_KMS
 endif
 ifneq ($(shell pkg-config --exists sdl2 2>/dev/null && echo yes),)
-PORTS += $(addprefix ports/sdl2/, control.c keymap.c view.c window.c)
+PORTS += $(filter-out %/panel_none.c,$(wildcard ports/sdl2/*.c))
 SDL_CFLAGS := $(patsubst -I%,-isystem %,$(shell pkg-config --cflags sdl2)) -DTP_HAVE_SDL2
 SDL_LIBS   := $(shell pkg-config --libs sdl2)
 endif
-LIBS := -lpng -linih -lpthread -lm $(SDL_LIBS)
+LIBS := -lpng -linih -lpthread -lm $(PANEL_LIBS) $(SDL_LIBS)
 
 # -- how to compile; CFLAGS and LDFLAGS are the user's ---------------------------------
 
@@ -129,10 +118,9 @@ LIB     := $(CORE_AT)/libtidepool.a
 PROGRAM := $(BUILD)/tidepool
 CORE_O  := $(CORE:%.c=$(CORE_AT)/%.o)
 PORTS_O := $(PORTS:%.c=$(BUILD)/%.o) $(if $(V3_C),$(BUILD)/kit_v3.o)
+PORTS_O := $(PORTS_O:%.cpp=$(BUILD)/%.o)
 UNIT    := $(patsubst %.c,$(BUILD)/%,$(wildcard tests/unit/test_*.c tests/host/test_*.c \
                tests/stability/test_*.c tests/accuracy/test_*.c))
-REF_O   := $(patsubst %.c,$(BUILD)/%.o,$(filter-out %/reference.c,\
-               $(wildcard tests/reference/*.c)))
 FUZZ    := $(patsubst %.c,$(BUILD)/%,$(wildcard tests/fuzz/fuzz_*.c))
 GOLDEN  := $(BUILD)/tests/golden/test_frames $(BUILD)/tests/golden/test_harness
 CMOCKA  := -lcmocka
@@ -230,6 +218,13 @@ install: all
 	install $(PROGRAM) $(DESTDIR)$(PREFIX)/bin
 	install -m 644 $(LIB) $(DESTDIR)$(PREFIX)/lib
 	for f in include/tidepool/*.h; do install -Dm 644 $$f $(DESTDIR)$(PREFIX)/$$f; done
+	for f in 'manual=man/man1/tidepool.1' 'manual --scene=man/man5/tidepool-scene.5' \
+	        'completion bash=bash-completion/completions/tidepool' \
+	        'completion zsh=zsh/site-functions/_tidepool' \
+	        'completion fish=fish/vendor_completions.d/tidepool.fish'; do \
+	    $(PROGRAM) $${f%=*} >$(BUILD)/printed && \
+	    install -Dm 644 $(BUILD)/printed $(DESTDIR)$(PREFIX)/share/$${f##*=} || exit 1; \
+	done
 	for f in $(SHIPPED); do \
 	    install -Dm 644 $$f $(DESTDIR)$(PREFIX)/share/tidepool/$${f#assets/}; done
 ## lay the sources out by .clang-format
@@ -323,18 +318,15 @@ $(PROGRAM): $(MAIN:%.c=$(BUILD)/%.o) $(BUILD)/ports.a $(LIB)
 $(BUILD)/tests/boards/vm_state: $(BUILD)/tests/boards/vm_state.o
 	$(SAY)$(LINK) -static $^ -o $@
 $(BUILD)/tests/%: $(BUILD)/tests/%.o $(BUILD)/ports.a $(LIB)
-	$(SAY)$(LINK) $(GOLD) $(filter %.o,$^) $(filter %/reference.a,$^) $(BUILD)/ports.a \
-	    $(LIB) $(CMOCKA) $(LIBS) -o $@
+	$(SAY)$(LINK) $(GOLD) $(filter %.o,$^) $(BUILD)/ports.a $(LIB) $(CMOCKA) $(LIBS) \
+	    -o $@
 $(filter $(BUILD)/%,$(GOLDEN)): $(BUILD)/tests/golden/golden.o
 LCD_O := $(patsubst %,$(BUILD)/%.o,$(addprefix ports/lcd/,clear lcd panels ssd0323 turn) \
                tests/boards/panel tests/golden/golden)
 $(filter $(BUILD)/tests/host/test_lcd%,$(UNIT)): $(LCD_O)
 $(BUILD)/tests/boards/sent: $(filter %/clear.o %/lcd.o %/panels.o %/turn.o,$(LCD_O))
-$(filter $(BUILD)/tests/accuracy/%,$(UNIT)): $(BUILD)/reference.a
 $(BUILD)/tests/host/test_kms: $(BUILD)/tests/host/fake_kms.o
-$(BUILD)/reference.a: $(REF_O)
-$(BUILD)/reference: $(BUILD)/tests/reference/reference.o $(BUILD)/reference.a \
-          $(BUILD)/ports.a $(LIB)
+$(BUILD)/reference: $(BUILD)/tests/reference/reference.o $(BUILD)/ports.a $(LIB)
 	$(SAY)$(LINK) $^ $(LIBS) -o $@
 $(FUZZ): $(BUILD)/%: $(BUILD)/%.o $(LIB)
 	$(SAY)$(LINK) -fsanitize=fuzzer $^ -o $@
@@ -448,6 +440,9 @@ $(CORE_AT)/src/%.o: src/%.c $(CORE_AT)/flags
 $(BUILD)/%.o: %.c $(BUILD)/flags
 	@mkdir -p $(@D)
 	$(SAY)$(COMPILE) $(HOSTED) -c $< -o $@
+$(BUILD)/%.o: %.cpp $(BUILD)/flags
+	@mkdir -p $(@D)
+	$(SAY)$(CXX) $(CXX_FLAGS) -c $< -o $@
 $(BUILD)/%.o: %.S $(BUILD)/flags
 	@mkdir -p $(@D)
 	$(SAY)$(COMPILE) -c $< -o $@

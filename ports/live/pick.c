@@ -1,0 +1,209 @@
+/* SPDX-License-Identifier: MIT */
+/* The place on the water under a pixel: the ray through the pixel's middle is walked
+ * until it is on the surface's other side, and the way between its last two places halved
+ * until nothing is left of it.
+ *
+ * A step is half of how far the ray is over the water, or under it: no wave rises faster
+ * but where it is about to break.  Near the water it is no shorter than what two pixels
+ * are wide there (or 1/512 of the way so far, in large pictures).  What a ray may then
+ * step over is a crest that it cuts by less: of a wave of number k and amplitude A that
+ * is c^2 A k^2 / 8 high, c the step, and never higher than 2 A; seen from where it is
+ * largest less than kA pixels.
+ *
+ * Only that part of the ray is walked that lies between the crests and the troughs,
+ * behind the near plane and, in a tank, between its walls.  Where the bed of the sea
+ * rises out of it the ray meets land. */
+#include "pick.h"
+#include "tidepool/ocean.h"
+#include "tidepool/pool.h"
+
+#define FAR   (8000 * TP_FX_ONE)
+#define LEAST (TP_FX_ONE / 256)         /* of a step */
+#define MOST  (1 << 16)                 /* pixels of a side */
+
+typedef struct {
+    const tp_world *world;
+    tp_vec3   eye;
+    tp_dir3   way;
+    tp_fx     near;             /* m along the ray to the near plane */
+    int32_t   focal_q14;        /* pixels to the tangent 1 */
+    bool      bumps;            /* pools bend the light only: the mesh is without them */
+    bool      floor;
+} ray;
+
+/* -- the ray ------------------------------------------------------------------------ */
+
+/* Pixels in Q14: 2^14 x 2^16 of them from the middle, and the focal length held there,
+ * keep below what tp_rotate_back takes. */
+static ray ray_of(const tp_world *world, const tp_scene *scene, uint32_t width,
+                  uint32_t height, int32_t px, int32_t py)
+{
+    const tp_camera camera = tp_world_camera(world);
+    const tp_turn half = tp_turn_of_degrees(scene->camera.fov) / 2;
+    const int64_t focal = (int64_t)height * (1 << 13) * tp_cos(half) / tp_sin(half);
+    const int64_t u = (2 * (int64_t)px + 1 - width) * (1 << 13);
+    const int64_t v = (height - 2 * (int64_t)py - 1) * (1 << 13);
+    const int64_t most = (1 << 30) - 1;
+    ray r = {
+        .world = world, .eye = camera.eye,
+        .focal_q14 = (int32_t)tp_limit(focal, most),
+        .bumps = scene->water.pool_bump > 0,
+        .floor = tp_world_ocean(world)
+              && (scene->floor.depth > 0 || scene->floor.map[0]),
+    };
+    const tp_vec3 way = tp_rotate_back(&camera.turn, (tp_vec3){
+        (tp_fx)tp_limit(u, most), (tp_fx)tp_limit(v, most), -r.focal_q14 });
+
+    r.way = tp_normalise(way.x, way.y, way.z);
+    r.near = tp_fx_held(((int64_t)scene->camera.near * TP_Q30_ONE)
+                        / tp_clamp(-tp_dir3_dot(r.way, camera.turn.z), 1, TP_Q30_ONE));
+    return r;
+}
+
+static tp_vec3 place_at(const ray *r, int64_t t)
+{
+    const tp_fx far = (tp_fx)t;
+
+    return (tp_vec3){ tp_fx_plus(r->eye.x, tp_q30_mul(far, r->way.x)),
+                      tp_fx_plus(r->eye.y, tp_q30_mul(far, r->way.y)),
+                      tp_fx_plus(r->eye.z, tp_q30_mul(far, r->way.z)) };
+}
+
+/* -- the surface -------------------------------------------------------------------- */
+
+static tp_fx relief_of(const tp_pool *pool, tp_fx x, tp_fx z)
+{
+    return pool ? tp_pool_relief(pool, x, z, 0).height : 0;
+}
+
+static tp_fx water_at(const ray *r, tp_fx x, tp_fx z)
+{
+    const tp_fx high = tp_world_above(r->world, x, z).position.y;
+
+    return !r->bumps ? high
+                     : high - relief_of(tp_world_pool(r->world), x, z)
+                            - relief_of(tp_world_field(r->world), x, z);
+}
+
+static tp_fx land_at(const ray *r, tp_fx x, tp_fx z)
+{
+    const tp_ocean *ocean = tp_world_ocean(r->world);
+    return r->floor ? -tp_ocean_floor(ocean, x, z).depth : TP_FX_MIN;
+}
+
+/* How far the ray is over water or land. */
+static int64_t over(const ray *r, int64_t t)
+{
+    const tp_vec3 p = place_at(r, t);
+    const tp_fx water = water_at(r, p.x, p.z), land = land_at(r, p.x, p.z);
+
+    return (int64_t)p.y - (water > land ? water : land);
+}
+
+/* No water is higher or lower: waves, all rings at their highest, pools. */
+static int64_t highest(const ray *r)
+{
+    const tp_ocean *ocean = tp_world_ocean(r->world);
+    const tp_drops *drops = tp_world_drops(r->world);
+    const tp_pool *pool[2] = { tp_world_pool(r->world), tp_world_field(r->world) };
+    int64_t sum = ocean ? tp_ocean_height(ocean) : r->world->sea.height;
+
+    for (uint32_t i = 0; drops && i < drops->rings; i++)
+        sum += tp_drops_rings(drops)[i].amplitude;
+    for (int k = 0; k < 2 && !r->bumps; k++)
+        sum += pool[k] ? tp_pool_highest(pool[k]) : 0;
+    return sum + LEAST;
+}
+
+/* -- the walk ----------------------------------------------------------------------- */
+
+typedef struct { int64_t from, to; } stretch;       /* m along the ray, 16.16 */
+
+/* Leaves of a stretch what lies between two places of an axis; false: nothing. */
+static bool cut(stretch *s, tp_fx eye, tp_q30 way, int64_t low, int64_t high)
+{
+    if (way == 0)
+        return eye >= low && eye <= high;
+    const int64_t a = (low - eye) * TP_Q30_ONE / way, b = (high - eye) * TP_Q30_ONE / way;
+    const int64_t first = a < b ? a : b, last = a < b ? b : a;
+    s->from = s->from > first ? s->from : first;
+    s->to = s->to < last ? s->to : last;
+    return s->from < s->to;
+}
+
+static bool cut_by_tank(stretch *s, const ray *r, const tp_scene_pool *pool)
+{
+    const int64_t wide = (int64_t)pool->cell * pool->cols / 2;
+    const int64_t deep = (int64_t)pool->cell * pool->rows / 2;
+
+    return cut(s, r->eye.x, r->way.x, pool->x - wide, pool->x + wide)
+        && cut(s, r->eye.z, r->way.z, pool->z - deep, pool->z + deep);
+}
+
+/* Land may stand higher than any water. */
+static bool stretch_of(const ray *r, const tp_scene *scene, stretch *s)
+{
+    const int64_t high = highest(r);
+
+    *s = (stretch){ r->near, FAR };
+    return cut(s, r->eye.y, r->way.y, -high, r->floor ? TP_FX_MAX : high)
+        && (scene->tank.kind == TP_TANK_NONE || scene->pool.cols <= 0
+            || cut_by_tank(s, r, &scene->pool));
+}
+
+static int64_t step_of(const ray *r, int64_t t, int64_t high)
+{
+    const int64_t half = (high < 0 ? -high : high) / 2;
+    const int64_t pixels = t * 2 * (1 << 14) / r->focal_q14;
+    const int64_t part = t / 512, least = pixels > part ? pixels : part;
+    const int64_t by = half > least ? half : least;
+
+    return by > LEAST ? by : LEAST;
+}
+
+/* From one side to the other: the first place that is. */
+static int64_t meeting(const ray *r, int64_t from, int64_t to, bool above)
+{
+    while (to - from > 1) {
+        const int64_t middle = (from + to) / 2;
+        if ((over(r, middle) > 0) == above)
+            from = middle;
+        else
+            to = middle;
+    }
+    return to;
+}
+
+static bool walk(const ray *r, const stretch *s, int64_t *t)
+{
+    int64_t from = s->from, high = over(r, from);
+    const bool above = high > 0;
+
+    while (from < s->to) {
+        const int64_t next = from + step_of(r, from, high);
+        const int64_t to = next < s->to ? next : s->to;
+        high = over(r, to);
+        if ((high > 0) != above) {
+            *t = meeting(r, from, to, above);
+            return true;
+        }
+        from = to;
+    }
+    return false;
+}
+
+bool pick_water(const tp_world *world, const tp_scene *scene, uint32_t width,
+                uint32_t height, int32_t px, int32_t py, tp_vec3 *at)
+{
+    stretch s;
+    int64_t t;
+
+    if (width == 0 || height == 0 || width > MOST || height > MOST)
+        return false;
+    const ray r = ray_of(world, scene, width, height, px, py);
+    if (!stretch_of(&r, scene, &s) || !walk(&r, &s, &t))
+        return false;
+    *at = place_at(&r, t);
+    at->y = water_at(&r, at->x, at->z);
+    return at->y >= land_at(&r, at->x, at->z);
+}

@@ -1,0 +1,352 @@
+/* SPDX-License-Identifier: MIT */
+/* The place under a pixel: it is drawn at that pixel, lies on the water, and no water
+ * that a pixel could show stands before it. */
+#include <stdarg.h>
+#include <stddef.h>
+#include <setjmp.h>
+#include <stdint.h>
+#include <cmocka.h>
+#include "../../ports/live/pick.h"
+#include "parts.h"
+
+#define WIDTH  640
+#define HEIGHT 480
+
+static uint64_t chance;
+
+typedef struct {
+    tp_scene  scene;
+    tp_world *world;
+} water;
+
+static void water_free(water *w)
+{
+    free(w->world);
+}
+
+/* Ticks with pokes, drops and a walk. */
+static water water_of(const tp_scene *scene, int ticks)
+{
+    water w = { *scene, scene_world(scene, NULL) };
+
+    assert_non_null(w.world);
+    for (int i = 0; i < ticks; i++) {
+        const tp_input in = { .drops = i % 7 == 0, .poke = i % 20 ? 0 : scene->pool.poke,
+                              .poke_x = scene->pool.x, .poke_z = scene->pool.z };
+        tp_world_step(w.world, &w.scene, &in);
+    }
+    return w;
+}
+
+/* -- scenes ------------------------------------------------------------------------- */
+
+static tp_scene seas(void)
+{
+    tp_scene s = scene_plain();
+
+    s.boat.mesh[0] = '\0';
+    s.wave[0].amplitude = TP_FX_ONE;
+    s.wave[0].length = 24 * TP_FX_ONE;
+    for (int i = 0; i < 3; i++)
+        s.wave[i].steepness = TP_FX(0.25);
+    return s;
+}
+
+static tp_scene pool(void)
+{
+    tp_scene s = seas();
+
+    for (int i = 0; i < TP_WAVES; i++)
+        s.wave[i].amplitude = 0;
+    s.pool.cols = s.pool.rows = 96;
+    s.pool.cell = TP_FX(0.1);
+    s.pool.z = TP_FX(-6);
+    s.pool.range = TP_FX_ONE;
+    s.pool.poke = TP_FX(0.4);
+    s.drops.count = 20;
+    s.drops.z = TP_FX(-6);
+    s.drops.radius = TP_FX(0.1);
+    s.camera.y = TP_FX(1.7);
+    s.camera.pitch = TP_FX(-15);
+    return s;
+}
+
+static tp_scene deep_sea(void)
+{
+    tp_scene s = seas();
+
+    s.wind.strength = TP_FX(0.22);
+    s.wind.heading = TP_FX(30);
+    return s;
+}
+
+static tp_scene tank(void)
+{
+    tp_scene s = pool();
+
+    s.tank.kind = TP_TANK_GLASS;
+    s.pool.cols = s.pool.rows = 48;
+    s.drops.count = 0;
+    return s;
+}
+
+/* -- what it must be, in double precision ------------------------------------------ */
+
+typedef struct { double u, v, depth; } seen;
+
+static double focal_of(const tp_scene *s)
+{
+    return HEIGHT / 2.0 / tan(s->camera.fov / 65536.0 * 3.14159265358979 / 360);
+}
+
+static double axis(const tp_dir3 *d, const double p[3])
+{
+    return (d->x * p[0] + d->y * p[1] + d->z * p[2]) / TP_Q30_ONE;
+}
+
+static seen seen_at(const water *w, tp_vec3 place)
+{
+    const tp_camera c = tp_world_camera(w->world);
+    const double p[3] = { (place.x - c.eye.x) / 65536.0, (place.y - c.eye.y) / 65536.0,
+                          (place.z - c.eye.z) / 65536.0 };
+    const double depth = -axis(&c.turn.z, p), focal = focal_of(&w->scene);
+    return (seen){ WIDTH / 2.0 + axis(&c.turn.x, p) * focal / depth,
+                   HEIGHT / 2.0 - axis(&c.turn.y, p) * focal / depth, depth };
+}
+
+/* Water that stands before the place by more pixels than this, each half pixel of the
+ * way. */
+static double hidden_by(const water *w, tp_vec3 at)
+{
+    const tp_vec3 eye = tp_world_camera(w->world).eye;
+    const double way[3] = { at.x - eye.x, at.y - eye.y, at.z - eye.z };
+    const double focal = focal_of(&w->scene);
+    const double far = sqrt(way[0] * way[0] + way[1] * way[1] + way[2] * way[2]) / 65536;
+    const double near = w->scene.camera.near / 65536.0;
+    double most = -1e9, side = 0;
+
+    for (double t = 1.3 * near; t < far - 2 * far / focal; t += 0.5 * t / focal + 1e-3) {
+        const tp_fx x = eye.x + (tp_fx)(way[0] * t / far);
+        const tp_fx z = eye.z + (tp_fx)(way[2] * t / far);
+        const double y = eye.y + way[1] * t / far;
+        const double over = (y - tp_world_above(w->world, x, z).position.y) / 65536;
+        if (side == 0)
+            side = over > 0 ? 1 : -1;
+        most = fmax(most, -side * over * focal / t);
+    }
+    return most;
+}
+
+/* A pixel of the usual picture. */
+static bool pick(const water *w, int32_t px, int32_t py, tp_vec3 *at)
+{
+    return pick_water(w->world, &w->scene, WIDTH, HEIGHT, px, py, at);
+}
+
+/* -- tests -------------------------------------------------------------------------- */
+
+static void look_from(water *w, double y, double heading, double pitch)
+{
+    w->world->eye.y = (tp_fx)(y * 65536);
+    w->world->heading = tp_turn_of_degrees((tp_fx)(heading * 65536));
+    w->world->pitch = tp_turn_of_degrees((tp_fx)(pitch * 65536));
+    tp_world_look(w->world, &(tp_input){ 0 });
+}
+
+typedef struct { double pixels, height, hidden; int found; } worst;
+
+static void try_pixel(const water *w, int32_t px, int32_t py, worst *most)
+{
+    tp_vec3 at;
+
+    if (!pick(w, px, py, &at))
+        return;
+    const seen s = seen_at(w, at);
+    const tp_fx high = tp_world_above(w->world, at.x, at.z).position.y;
+    most->found++;
+    most->pixels = fmax(most->pixels, hypot(s.u - px - 0.5, s.v - py - 0.5));
+    most->height = fmax(most->height, abs(high - at.y) / 65.536);
+    most->hidden = fmax(most->hidden, hidden_by(w, at));
+}
+
+static void try_scene(const char *name, tp_scene scene, double low, double high,
+                      int least)
+{
+    worst most = { 0, 0, 0, 0 };
+
+    for (int ticks = 1; ticks < 400; ticks *= 3) {
+        water w = water_of(&scene, ticks);
+        for (int n = 0; n < 60; n++) {
+            look_from(&w, chance_double(&chance, low, high),
+                      scene.pool.cols ? 0 : chance_double(&chance, 0, 360),
+                      chance_double(&chance, -40, low < 0 ? 40 : 3));
+            try_pixel(&w, chance_int(&chance, 0, WIDTH - 1),
+                      chance_int(&chance, 0, HEIGHT - 1), &most);
+        }
+        water_free(&w);
+    }
+    printf("    %-10s %3d places: %.3f px off, %.2f mm over the water, %.2f px hidden\n",
+           name, most.found, most.pixels, most.height, most.hidden);
+    assert_true(most.found >= least);
+    assert_true(most.pixels < 1);
+    assert_true(most.height < 3);
+    assert_true(most.hidden < 1);
+}
+
+static void a_place_is_drawn_at_its_pixel(void **state)
+{
+    (void)state;
+    try_scene("waves", seas(), 3, 12, 150);
+    try_scene("deep sea", deep_sea(), 3, 12, 150);
+    try_scene("pool", pool(), 1, 3, 150);
+}
+
+static void low_over_the_water_crests_hide_what_is_behind(void **state)
+{
+    (void)state;
+    try_scene("waves", seas(), 1.5, 2, 150);
+    try_scene("deep sea", deep_sea(), 1.5, 2, 150);
+}
+
+static void from_below_the_surface_is_met_too(void **state)
+{
+    (void)state;
+    try_scene("waves", seas(), -6, -3, 50);
+    try_scene("pool", pool(), -3, -1.5, 50);
+}
+
+/* Rows above the horizon from above, below it from below. */
+static void sky_and_depth_are_missed(void **state)
+{
+    (void)state;
+    const tp_scene scene = seas();
+    water w = water_of(&scene, 30);
+    tp_vec3 at;
+
+    for (int i = 0; i < 200; i++) {
+        const int32_t px = chance_int(&chance, 0, WIDTH - 1);
+        const int32_t py = chance_int(&chance, 0, HEIGHT / 2 - 1);
+        look_from(&w, 6, chance_double(&chance, 0, 360), 0);
+        assert_false(pick(&w, px, py, &at));
+        assert_true(pick(&w, px, HEIGHT - 60, &at));
+        look_from(&w, -6, chance_double(&chance, 0, 360), 0);
+        assert_false(pick(&w, px, HEIGHT - 1 - py, &at));
+    }
+    water_free(&w);
+}
+
+/* The tank is 4.8 m wide, around z = -6. */
+static void a_tank_has_no_water_beside_it(void **state)
+{
+    (void)state;
+    const tp_scene scene = tank();
+    water w = water_of(&scene, 90);
+    int found = 0;
+
+    look_from(&w, 2.5, 0, -22);
+    for (int py = 0; py < HEIGHT; py += 16)
+        for (int px = 0; px < WIDTH; px += 16) {
+            tp_vec3 at;
+            if (!pick(&w, px, py, &at))
+                continue;
+            found++;
+            assert_true(abs(at.x) <= TP_FX(2.41) && abs(at.z + TP_FX(6)) <= TP_FX(2.41));
+        }
+    assert_in_range(found, 100, 800);
+    water_free(&w);
+}
+
+static void pools_that_bend_the_light_only_have_no_heights(void **state)
+{
+    (void)state;
+    tp_scene scene = pool();
+    scene.water.pool_bump = TP_FX_ONE;
+    scene.drops.count = 0;
+    water w = water_of(&scene, 45);
+    tp_fx highest = 0;
+
+    look_from(&w, 1.7, 0, -15);
+    for (int px = 0; px < WIDTH; px += 16) {
+        tp_vec3 at;
+        assert_true(pick(&w, px, HEIGHT / 2 + 20, &at));
+        assert_in_range(at.y + 2, 0, 4);
+        const tp_fx high = tp_world_above(w.world, at.x, at.z).position.y;
+        highest = abs(high) > highest ? abs(high) : highest;
+    }
+    assert_true(highest > TP_FX(0.01));
+    water_free(&w);
+}
+
+/* A beach that rises towards -z from 2 m below the camera. */
+static void land_is_no_water(void **state)
+{
+    (void)state;
+    tp_scene scene = seas();
+    scene.floor.depth = TP_FX(2);
+    scene.floor.slope = TP_FX(0.1);
+    water w = water_of(&scene, 60);
+    tp_vec3 at;
+
+    look_from(&w, 6, 0, -15);
+    assert_false(pick(&w, WIDTH / 2, HEIGHT / 2 - 40, &at));
+    assert_true(pick(&w, WIDTH / 2, HEIGHT - 1, &at));
+    look_from(&w, 6, 180, -15);
+    assert_true(pick(&w, WIDTH / 2, HEIGHT / 2, &at));
+    water_free(&w);
+}
+
+static void water_before_the_near_plane_is_not_seen(void **state)
+{
+    (void)state;
+    tp_scene scene = pool();
+    scene.camera.near = 2 * TP_FX_ONE;
+    water w = water_of(&scene, 1);
+    tp_vec3 at;
+
+    look_from(&w, 1.5, 0, -89);
+    assert_false(pick(&w, WIDTH / 2, HEIGHT / 2, &at));
+    look_from(&w, 2.5, 0, -89);
+    assert_true(pick(&w, WIDTH / 2, HEIGHT / 2, &at));
+    water_free(&w);
+}
+
+/* Ends of all ranges: nothing but an answer. */
+static void any_scene_and_pixel_is_answered(void **state)
+{
+    (void)state;
+    for (int n = 0; n < 40; n++) {
+        tp_scene scene = scene_any(&chance);
+        scene.pool.cols = scene.field.cols = 0;
+        scene.drops.count = 0;
+        tp_world *world = scene_world(&scene, NULL);
+        tp_vec3 at;
+        if (!world)
+            continue;
+        const water w = { scene, world };
+        tp_world_step(world, &scene, NULL);
+        const uint32_t width = (uint32_t)chance_int(&chance, 1, 8192);
+        const uint32_t height = (uint32_t)chance_int(&chance, 1, 8192);
+        if (pick_water(world, &scene, width, height, chance_int(&chance, -9000, 9000),
+                       chance_int(&chance, INT32_MIN, INT32_MAX), &at))
+            assert_true(seen_at(&w, at).depth > 0);
+        assert_false(pick_water(world, &scene, 0, height, 0, 0, &at));
+        free(world);
+    }
+}
+
+int main(void)
+{
+    chance = random_seed();
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_place_is_drawn_at_its_pixel),
+        cmocka_unit_test(low_over_the_water_crests_hide_what_is_behind),
+        cmocka_unit_test(from_below_the_surface_is_met_too),
+        cmocka_unit_test(sky_and_depth_are_missed),
+        cmocka_unit_test(a_tank_has_no_water_beside_it),
+        cmocka_unit_test(pools_that_bend_the_light_only_have_no_heights),
+        cmocka_unit_test(land_is_no_water),
+        cmocka_unit_test(water_before_the_near_plane_is_not_seen),
+        cmocka_unit_test(any_scene_and_pixel_is_answered),
+    };
+    return cmocka_run_group_tests_name("pick", tests, NULL, NULL);
+}
