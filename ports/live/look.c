@@ -1,0 +1,271 @@
+/* SPDX-License-Identifier: MIT */
+/* Ways to look, by bending input.
+ *
+ * tp_world_step turns and tilts the camera first, and then moves it ahead and aside in
+ * the new heading's frame, so any place and direction is reached by one input: with
+ * (dx, dz) the way to go, s and c the new heading's sine and cosine,
+ *     ahead = (dx s - dz c) / (s^2 + c^2),  aside = (dx c + dz s) / (s^2 + c^2),
+ * within 1 LSB of 16.16, whatever the tables leave of s^2 + c^2 - 1.  Around things the
+ * camera's place follows from what is looked at, how far away and from where; each input
+ * leads there from wherever the camera is, so no error of a tick stays, and a world that
+ * was made anew in between does no harm.
+ *
+ * On the deck the camera is as free as it ever is, in the deck's own axes: only its first
+ * place is given.  So is the way back to where it was free. */
+#include "look.h"
+#include "pick.h"
+
+#define PITCH_MOST  TP_DEG(89)
+#define PLACE_MOST  (8000 * TP_FX_ONE)
+#define AWAY_LEAST  TP_FX_ONE
+#define AWAY_MOST   (4000 * TP_FX_ONE)
+
+/* What is farther is not gone round: 25 m, and 4 times as far as the eye is high. */
+#define AHEAD_MOST  (25 * TP_FX_ONE)
+/* A step is one of 16 m away; from farther it is longer by as much. */
+#define AWAY_USUAL  16
+
+/* Of a boat of 15 m: 7.5 m abaft the middle, 3.4 m high, looking over the bow under its
+ * sail.  The boat's length is all that is known of it in metres. */
+#define DECK_Y      TP_FX(3.4 / 15)
+#define DECK_Z      TP_FX(7.5 / 15)
+#define DECK_PITCH  TP_DEG(-6)
+
+/* Around the boat, when one comes from its deck. */
+#define ROUND_PITCH TP_DEG(-15)
+
+const char *look_name(look_mode mode)
+{
+    static const char *const names[LOOK_MODES] = { "free", "orbit", "top", "boat" };
+    return mode < LOOK_MODES ? names[mode] : "";
+}
+
+tp_camera_follow look_follow(const look *l, const tp_scene *filed)
+{
+    return l->mode == LOOK_BOAT ? TP_FOLLOW_BOAT
+         : l->mode == LOOK_FREE ? (tp_camera_follow)filed->camera.follow : TP_FOLLOW_NONE;
+}
+
+/* -- what is looked at -------------------------------------------------------------- */
+
+static tp_fx held(int64_t x, int64_t most)
+{
+    return (tp_fx)tp_limit(x, most);
+}
+
+/* From `from`, so far along the line that leads backward, or with a minus ahead. */
+static tp_vec3 along(tp_vec3 from, tp_dir3 back, int64_t far)
+{
+    const tp_fx by = held(far, PLACE_MOST);
+
+    return (tp_vec3){ tp_fx_plus(from.x, tp_q30_mul(by, back.x)),
+                      tp_fx_plus(from.y, tp_q30_mul(by, back.y)),
+                      tp_fx_plus(from.z, tp_q30_mul(by, back.z)) };
+}
+
+/* Metres ahead of a camera; sums of three products of 2^61 at the most. */
+static int64_t ahead_of(const tp_camera *camera, tp_vec3 place)
+{
+    const tp_dir3 *back = &camera->turn.z;
+    const int64_t x = (int64_t)place.x - camera->eye.x;
+    const int64_t y = (int64_t)place.y - camera->eye.y;
+    const int64_t z = (int64_t)place.z - camera->eye.z;
+
+    return -((x * back->x >> 30) + (y * back->y >> 30) + (z * back->z >> 30));
+}
+
+/* Whether the boat is in the middle of the picture: within 12 degrees of it, and nearer
+ * than 200 m. */
+static bool sees_boat(const tp_camera *camera, const tp_world *world,
+                      const tp_scene *scene, int64_t *far)
+{
+    if (!scene->boat.mesh[0])
+        return false;
+    *far = ahead_of(camera, world->boat.place);
+    const tp_vec3 foot = along(camera->eye, camera->turn.z, -*far);
+    const int64_t off = tp_vec3_length((tp_vec3){
+        tp_fx_minus(world->boat.place.x, foot.x),
+        tp_fx_minus(world->boat.place.y, foot.y),
+        tp_fx_minus(world->boat.place.z, foot.z) });
+    return *far > 0 && *far < 200 * TP_FX_ONE && off * 5 < *far;
+}
+
+/* How far ahead what is looked at lies: the boat, water, or nothing that is near. */
+static int64_t aim(look *l, const tp_camera *camera, const tp_world *world,
+                   const tp_scene *scene)
+{
+    const uint32_t side = 511;          /* pixel 255 is the middle */
+    const int64_t most = AHEAD_MOST + 4 * (int64_t)tp_abs(camera->eye.y);
+    int64_t far;
+    tp_vec3 at;
+
+    l->with_boat = sees_boat(camera, world, scene, &far);
+    l->boat_x = world->boat.place.x;
+    l->boat_z = world->boat.place.z;
+    if (l->with_boat)
+        return far;
+    if (pick_water(world, scene, side, side, 255, 255, &at))
+        far = ahead_of(camera, at);
+    else
+        far = most;
+    return far < most ? far : most;
+}
+
+/* The camera's angles in the world, wherever it stands. */
+static void face(look *l, const tp_camera *camera, const tp_world *world)
+{
+    const tp_dir3 *back = &camera->turn.z;
+    const int64_t level = (int64_t)back->x * back->x + (int64_t)back->z * back->z;
+
+    l->heading = world->heading;
+    l->pitch = world->pitch;
+    if (world->aboard) {
+        l->heading = tp_atan2(-back->x, back->z);
+        l->pitch = tp_atan2(-back->y, (int32_t)tp_isqrt64((uint64_t)level));
+    }
+}
+
+/* What was in view was the deck. */
+static void leave_deck(look *l, const tp_world *world, const tp_scene *scene)
+{
+    l->with_boat = true;
+    l->about = world->boat.place;
+    l->away = tp_clamp(scene->boat.length * 2, AWAY_LEAST, AWAY_MOST);
+    l->pitch = ROUND_PITCH;
+}
+
+static void begin_around(look *l, const tp_world *world, const tp_scene *scene)
+{
+    const tp_camera camera = tp_world_camera(world);
+    const int64_t far = aim(l, &camera, world, scene);
+
+    face(l, &camera, world);
+    l->about = along(camera.eye, camera.turn.z, -far);
+    l->away = tp_clamp((int32_t)tp_limit(far, AWAY_MOST), AWAY_LEAST, AWAY_MOST);
+    if (world->aboard)
+        leave_deck(l, world, scene);
+    if (l->mode == LOOK_TOP) {
+        l->about.y = 0;
+        l->pitch = (tp_turn)-PITCH_MOST;
+    }
+}
+
+/* -- the ways ----------------------------------------------------------------------- */
+
+static void begin_at(look *l, tp_vec3 eye, tp_turn heading, tp_turn pitch)
+{
+    l->about = eye;
+    l->away = 0;
+    l->heading = heading;
+    l->pitch = pitch;
+    l->with_boat = false;
+}
+
+bool look_begin(look *l, look_mode mode, const tp_world *world, const tp_scene *scene)
+{
+    const tp_fx length = scene->boat.length;
+
+    if (mode >= LOOK_MODES || (mode == LOOK_BOAT && !scene->boat.mesh[0]))
+        return false;
+    if (mode == LOOK_FREE && l->mode == LOOK_FREE)
+        return true;
+    if (l->mode == LOOK_FREE) {
+        l->free_eye = world->eye;
+        l->free_heading = world->heading;
+        l->free_pitch = world->pitch;
+    }
+    l->mode = mode;
+    l->jump = true;
+    if (mode == LOOK_FREE)
+        begin_at(l, l->free_eye, l->free_heading, l->free_pitch);
+    else if (mode == LOOK_BOAT)
+        begin_at(l, (tp_vec3){ 0, tp_fx_mul(length, DECK_Y), tp_fx_mul(length, DECK_Z) },
+                 0, DECK_PITCH);
+    else
+        begin_around(l, world, scene);
+    return true;
+}
+
+/* Steps grow with the distance; 32768 m are the most. */
+static int64_t scaled(const look *l, tp_fx step)
+{
+    const int64_t by = l->away / AWAY_USUAL;
+    return by > TP_FX_ONE ? tp_limit(step * by >> 16, TP_FX_MAX) : step;
+}
+
+static void go_away(look *l, int64_t by, tp_fx near)
+{
+    const int64_t least = near > AWAY_LEAST / 2 ? 2 * (int64_t)near : AWAY_LEAST;
+    const int64_t away = l->away + by;
+
+    l->away = (tp_fx)(away > AWAY_MOST ? AWAY_MOST : away < least ? least : away);
+}
+
+/* A step aside is so much of a turn: 2^32 / 2 pi of it a radian. */
+static void go_round(look *l, const tp_scene *scene, const tp_input *input)
+{
+    const int64_t radian = 683565276;
+    const int64_t aside = scaled(l, input->aside) * radian / l->away;
+
+    l->heading += (tp_turn)input->turn - (tp_turn)aside;
+    l->pitch = (tp_turn)(int32_t)tp_limit((int64_t)(int32_t)l->pitch + input->tilt,
+                                          PITCH_MOST);
+    l->about.y = held(l->about.y + scaled(l, input->up), PLACE_MOST);
+    go_away(l, -scaled(l, input->ahead), scene->camera.near);
+}
+
+static void glide(look *l, const tp_scene *scene, const tp_input *input)
+{
+    const int64_t ahead = scaled(l, input->ahead), aside = scaled(l, input->aside);
+
+    l->heading += (tp_turn)input->turn;
+    const int64_t s = tp_sin(l->heading), c = tp_cos(l->heading);
+    l->about.x = held(l->about.x + ((ahead * s + aside * c) >> 30), PLACE_MOST);
+    l->about.z = held(l->about.z + ((aside * s - ahead * c) >> 30), PLACE_MOST);
+    go_away(l, scaled(l, input->up), scene->camera.near);
+}
+
+/* A boat's heaving is not followed. */
+static void go_with_boat(look *l, const tp_world *world, const tp_scene *scene)
+{
+    const tp_vec3 *boat = &world->boat.place;
+
+    if (!l->with_boat || !scene->boat.mesh[0])
+        return;
+    l->about.x = held((int64_t)l->about.x + boat->x - l->boat_x, PLACE_MOST);
+    l->about.z = held((int64_t)l->about.z + boat->z - l->boat_z, PLACE_MOST);
+    l->boat_x = boat->x;
+    l->boat_z = boat->z;
+}
+
+/* Differences of places are below 2^30, so are sines, and s^2 + c^2 is about that. */
+static void lead(const look *l, const tp_world *world, tp_input *input)
+{
+    const tp_rotation turn = tp_rotation_of(l->heading, l->pitch, 0);
+    const tp_vec3 eye = along(l->about, turn.z, l->away);
+    const int64_t dx = (int64_t)held(eye.x, PLACE_MOST) - world->eye.x;
+    const int64_t dz = (int64_t)held(eye.z, PLACE_MOST) - world->eye.z;
+    const int64_t s = tp_sin(l->heading), c = tp_cos(l->heading);
+    const int64_t one = (s * s + c * c) >> 30;
+
+    input->turn = (int32_t)(l->heading - world->heading);
+    input->tilt = (int32_t)(l->pitch - world->pitch);
+    input->ahead = tp_fx_held(tp_quotient(dx * s - dz * c, one));
+    input->aside = tp_fx_held(tp_quotient(dx * c + dz * s, one));
+    input->up = tp_fx_minus(held(eye.y, PLACE_MOST), world->eye.y);
+}
+
+void look_steer(look *l, const tp_world *world, const tp_scene *scene, tp_input *input)
+{
+    const bool around = l->mode == LOOK_ORBIT || l->mode == LOOK_TOP;
+
+    if (!around && !l->jump)
+        return;
+    go_with_boat(l, world, scene);
+    if (l->mode == LOOK_ORBIT && !l->jump)
+        go_round(l, scene, input);
+    if (l->mode == LOOK_TOP && !l->jump)
+        glide(l, scene, input);
+    lead(l, world, input);
+    l->jump = false;
+}

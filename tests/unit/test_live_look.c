@@ -1,0 +1,277 @@
+/* SPDX-License-Identifier: MIT */
+/* Ways to look: the bent inputs lead the camera exactly where the way wants it, wherever
+ * it was, and replay without the way. */
+#include <stdarg.h>
+#include <stddef.h>
+#include <setjmp.h>
+#include <stdint.h>
+#include <cmocka.h>
+#include "looks.h"
+
+/* Metres between what is looked at and the line through the picture's middle. */
+static double off_centre(const look *l, const tp_world *w)
+{
+    const tp_camera c = tp_world_camera(w);
+    const tp_vec3 local = tp_rotate(&c.turn, tp_vec3_sub(l->about, c.eye));
+    return hypot(local.x, local.y) / 65536;
+}
+
+/* -- free --------------------------------------------------------------------------- */
+
+static void free_input_stays_as_it_is(void **state)
+{
+    (void)state;
+    const tp_scene s = sea();
+    const tp_world w = boat_world(&s);
+    look l = { .mode = LOOK_FREE };
+    const tp_input in = any_input();
+    tp_input out = in;
+
+    assert_true(look_begin(&l, LOOK_FREE, &w, &s));
+    look_steer(&l, &w, &s, &out);
+    assert_memory_equal(&in, &out, sizeof in);
+    assert_int_equal(look_follow(&l, &s), TP_FOLLOW_NONE);
+    tp_scene aboard = s;
+    aboard.camera.follow = TP_FOLLOW_BOAT;
+    assert_int_equal(look_follow(&l, &aboard), TP_FOLLOW_BOAT);
+}
+
+static void leaving_a_way_leads_back_to_where_the_camera_was_free(void **state)
+{
+    (void)state;
+    tp_scene s = sea();
+    tp_world w = boat_world(&s);
+    look l = { .mode = LOOK_FREE };
+
+    for (int n = 0; n < 20; n++)
+        go(&l, &w, &s, any_input());
+    const tp_vec3 eye = w.eye;
+    const tp_turn heading = w.heading, pitch = w.pitch;
+    for (int mode = LOOK_ORBIT; mode < LOOK_MODES; mode++) {
+        begin(&l, (look_mode)mode, &w, &s);
+        for (int n = 0; n < 30; n++)
+            go(&l, &w, &s, any_input());
+    }
+    assert_true(distance(w.eye, eye) > 1);
+    begin(&l, LOOK_FREE, &w, &s);
+    assert_true(l.jump);
+    go(&l, &w, &s, any_input());
+    assert_at(w.eye, eye, NEAR);
+    assert_int_equal(w.heading, heading);
+    assert_int_equal(w.pitch, pitch);
+    assert_false(l.jump);
+    const tp_input in = any_input();
+    tp_input out = in;
+    look_steer(&l, &w, &s, &out);
+    assert_memory_equal(&in, &out, sizeof in);
+}
+
+/* -- round -------------------------------------------------------------------------- */
+
+static void going_round_begins_where_the_camera_is(void **state)
+{
+    (void)state;
+    for (int n = 0; n < 200; n++) {
+        tp_scene s = sea();
+        s.camera.heading = chance_fx(&chance, 0, 200);
+        s.camera.pitch = chance_fx(&chance, -80, 40);
+        s.camera.y = chance_fx(&chance, 2, 50);
+        tp_world w = boat_world(&s);
+        const tp_world before = w;
+        look l = { .mode = LOOK_FREE };
+        begin(&l, LOOK_ORBIT, &w, &s);
+        go(&l, &w, &s, (tp_input){ 0 });
+        assert_at(w.eye, before.eye, NEAR);
+        assert_int_equal(w.heading, before.heading);
+        assert_int_equal(w.pitch, before.pitch);
+        assert_true(l.away <= TP_FX(25) + 4 * s.camera.y);
+    }
+}
+
+static void what_is_looked_at_is_the_water_in_the_middle(void **state)
+{
+    (void)state;
+    const tp_scene s = sea();
+    tp_world w = boat_world(&s);
+    look l = { .mode = LOOK_FREE };
+
+    assert_true(look_begin(&l, LOOK_ORBIT, &w, &s));
+    const tp_fx high = tp_world_above(&w, l.about.x, l.about.z).position.y;
+    assert_true(abs(high - l.about.y) < 66);
+    assert_true(fabs(distance(w.eye, l.about) - l.away / 65536.0) < 0.01);
+}
+
+/* For a thousand ticks of anything it stays in the middle, as far as the way says. */
+static void what_is_looked_at_stays_in_the_middle(void **state)
+{
+    (void)state;
+    for (int mode = LOOK_ORBIT; mode <= LOOK_TOP; mode++) {
+        tp_scene s = sea();
+        tp_world w;
+        look l = started((look_mode)mode, &w, &s);
+        for (int n = 0; n < 1000; n++) {
+            go(&l, &w, &s, any_input());
+            assert_true(off_centre(&l, &w) < 0.001);
+            assert_true(fabs(distance(w.eye, l.about) - l.away / 65536.0) < 0.001);
+            assert_int_equal(w.heading, l.heading);
+            assert_int_equal(w.pitch, l.pitch);
+        }
+    }
+}
+
+static void each_way_round_does_what_it_stands_for(void **state)
+{
+    (void)state;
+    tp_scene s = sea();
+    tp_world w;
+    look l = started(LOOK_ORBIT, &w, &s);
+    go(&l, &w, &s, (tp_input){ 0 });
+    const look from = l;
+    go(&l, &w, &s, (tp_input){ .turn = 5000 });
+    assert_int_equal(l.heading, from.heading + 5000);
+    go(&l, &w, &s, (tp_input){ .turn = -5000, .tilt = 7000 });
+    assert_int_equal(l.pitch, from.pitch + 7000);
+    go(&l, &w, &s, (tp_input){ .tilt = -7000, .ahead = TP_FX(0.2) });
+    assert_int_equal(l.away, from.away - TP_FX(0.2));
+    go(&l, &w, &s, (tp_input){ .up = TP_FX(0.2) });
+    assert_int_equal(l.about.y, from.about.y + TP_FX(0.2));
+    const tp_vec3 eye = w.eye;
+    go(&l, &w, &s, (tp_input){ .aside = TP_FX(0.2) });
+    const double level = cos((int32_t)l.pitch * 6.283185307179586 / 4294967296.0);
+    assert_true(fabs(distance(w.eye, eye) - 0.2 * level) < 0.002);
+    assert_true((int32_t)(l.heading - from.heading) < 0);   /* to the right of it */
+}
+
+static void from_far_away_steps_are_longer(void **state)
+{
+    (void)state;
+    tp_scene s = sea();
+    s.camera.y = TP_FX(160);
+    s.camera.pitch = TP_FX(-89);
+    tp_world w;
+    look l = started(LOOK_ORBIT, &w, &s);
+    go(&l, &w, &s, (tp_input){ 0 });
+    const tp_fx away = l.away;
+    assert_in_range(away, TP_FX(155), TP_FX(165));
+    go(&l, &w, &s, (tp_input){ .ahead = TP_FX(0.2) });
+    assert_in_range(away - l.away, TP_FX(1.9), TP_FX(2.1));
+}
+
+/* -- from above --------------------------------------------------------------------- */
+
+static void from_above_it_glides(void **state)
+{
+    (void)state;
+    tp_scene s = sea();
+    tp_world w;
+    look l = started(LOOK_TOP, &w, &s);
+    go(&l, &w, &s, any_input());        /* the first one jumps, whatever it says */
+    assert_int_equal((int32_t)w.pitch, -(int32_t)TP_DEG(89));
+    assert_int_equal(w.heading, tp_turn_of_degrees(s.camera.heading));
+    l.away = TP_FX(10);
+    const tp_vec3 about = l.about;
+    go(&l, &w, &s, (tp_input){ .ahead = TP_FX(0.3), .aside = TP_FX(0.1), .tilt = 9999 });
+    const double h = 70 * 3.14159265358979 / 180;
+    const double x = 0.3 * sin(h) + 0.1 * cos(h), z = 0.1 * sin(h) - 0.3 * cos(h);
+    assert_true(fabs((l.about.x - about.x) / 65536.0 - x) < 0.0001);
+    assert_true(fabs((l.about.z - about.z) / 65536.0 - z) < 0.0001);
+    assert_int_equal(l.about.y, 0);
+    assert_int_equal((int32_t)w.pitch, -(int32_t)TP_DEG(89));
+    const tp_fx high = w.eye.y;
+    go(&l, &w, &s, (tp_input){ .up = TP_FX(0.25) });
+    assert_in_range(w.eye.y - high, TP_FX(0.249), TP_FX(0.251));
+}
+
+/* -- all ---------------------------------------------------------------------------- */
+
+/* The inputs as they were bent, given to a world that knows of no way. */
+static void bent_inputs_replay_to_the_same_bits(void **state)
+{
+    (void)state;
+    tp_scene s = sea();
+    tp_world w = boat_world(&s), twin = w;
+    look l = { .mode = LOOK_FREE };
+
+    for (int n = 0; n < 400; n++) {
+        if (n % 40 == 20)
+            begin(&l, (look_mode)(n / 40 % LOOK_MODES), &w, &s);
+        tp_input in = any_input();
+        look_steer(&l, &w, &s, &in);
+        assert_true(tp_world_refresh(&twin, &s, NULL));
+        assert_true(tp_world_refresh(&w, &s, NULL));
+        tp_world_step(&w, &s, &in);
+        tp_world_step(&twin, &s, &in);
+        assert_memory_equal(&w, &twin, sizeof w);
+    }
+}
+
+/* From any place to any: exactly, and within the world. */
+static void any_jump_ends_where_it_should(void **state)
+{
+    (void)state;
+    const tp_scene s = sea();
+    for (int n = 0; n < 2000; n++) {
+        tp_world w = boat_world(&s);
+        w.eye = (tp_vec3){ chance_fx(&chance, -8000, 8000), chance_fx(&chance, -99, 2000),
+                           chance_fx(&chance, -8000, 8000) };
+        w.heading = (tp_turn)random_next(&chance);
+        look l = { .mode = LOOK_BOAT, .jump = true,
+                   .heading = (tp_turn)random_next(&chance),
+                   .pitch = tp_turn_of_degrees(chance_fx(&chance, -89, 89)) };
+        l.about = (tp_vec3){ chance_fx(&chance, -8000, 8000),
+                             chance_fx(&chance, -99, 2000),
+                             chance_fx(&chance, -8000, 8000) };
+        tp_input in = any_input();
+        look_steer(&l, &w, &s, &in);
+        tp_world_look(&w, &in);
+        assert_at(w.eye, l.about, NEAR);
+        assert_int_equal(w.heading, l.heading);
+        assert_int_equal(w.pitch, l.pitch);
+    }
+}
+
+static tp_input huge_input(int32_t most)
+{
+    return (tp_input){
+        .ahead = chance_int(&chance, -most, most),
+        .aside = chance_int(&chance, -most, most),
+        .up = chance_int(&chance, -most, most),
+        .turn = chance_int(&chance, -most, most),
+        .tilt = chance_int(&chance, -most, most),
+    };
+}
+
+/* Inputs of any size: nothing overflows, nothing goes through what is looked at. */
+static void no_input_is_too_large(void **state)
+{
+    (void)state;
+    for (int mode = LOOK_ORBIT; mode <= LOOK_TOP; mode++) {
+        tp_scene s = sea();
+        s.camera.near = 3 * TP_FX_ONE;
+        tp_world w;
+        look l = started((look_mode)mode, &w, &s);
+        for (int n = 0; n < 3000; n++) {
+            go(&l, &w, &s, huge_input(n % 3 ? INT32_MAX : 1 << 22));
+            assert_in_range(l.away, n ? TP_FX(6) : 1, TP_FX(4000));
+        }
+    }
+}
+
+int main(void)
+{
+    chance = random_seed();
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(free_input_stays_as_it_is),
+        cmocka_unit_test(leaving_a_way_leads_back_to_where_the_camera_was_free),
+        cmocka_unit_test(going_round_begins_where_the_camera_is),
+        cmocka_unit_test(what_is_looked_at_is_the_water_in_the_middle),
+        cmocka_unit_test(what_is_looked_at_stays_in_the_middle),
+        cmocka_unit_test(each_way_round_does_what_it_stands_for),
+        cmocka_unit_test(from_far_away_steps_are_longer),
+        cmocka_unit_test(from_above_it_glides),
+        cmocka_unit_test(bent_inputs_replay_to_the_same_bits),
+        cmocka_unit_test(any_jump_ends_where_it_should),
+        cmocka_unit_test(no_input_is_too_large),
+    };
+    return cmocka_run_group_tests_name("look", tests, NULL, NULL);
+}
