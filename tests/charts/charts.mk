@@ -26,7 +26,6 @@ charts-tools: all build/host/count.so $(CHARTS)
 
 $(AT)/kernels: $(KERNELS_O) $(LIB)
 	$(SAY)$(LINK) $^ -lm -o $@
-$(addprefix $(AT)/,frames reference visibility): $(BUILD)/reference.a
 $(SCENES:%=$(AT)/board-%): \
           $(AT)/board-%: $(AT)/board.o \
           build/baked/$(MACHINE)/%.o $(BUILD)/ports/cortex-m/memory.o $(LIB)
@@ -50,7 +49,7 @@ $(SPAN_SCENES:%=$(AT)/span-%): $(AT)/span-%: \
 	$(SAY)$(LINK) $^ -lm -o $@
 $(SPAN_SCENES:%=$(AT)/span_errors-%): $(AT)/span_errors-%: \
           $(AT)/span_errors.o $(SPAN_O) build/baked/$(MACHINE)/%.o \
-          $(AT)/span_used.o $(BUILD)/reference.a $(BUILD)/ports.a $(LIB)
+          $(AT)/span_used.o $(BUILD)/ports.a $(LIB)
 	$(SAY)$(LINK) $^ $(LIBS) -o $@
 $(AT)/stability: $(AT)/stability.o $(STABILITY_O) \
           $(BUILD)/ports.a $(LIB)
