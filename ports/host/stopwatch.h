@@ -11,8 +11,9 @@
 extern const char *const stopwatch_name[];
 extern const uint32_t    stopwatch_stages;
 
-/* Puts timed stages into the canvas's kit, or its own ones back; before tp_frame_begin.
- * The bits of pictures stay the same.  Threads add up. */
+/* Puts timed stages into the canvas's kit, or its own ones back; between its pictures, and
+ * again when it has been opened anew.  The bits of pictures stay the same.  Threads add
+ * up.  Canvases that are timed at once are of one machine. */
 void     stopwatch_use(canvas *c, bool on);
 void     stopwatch_zero(void);
 uint64_t stopwatch_ns(uint32_t stage);          /* since the last zero */

@@ -1,0 +1,186 @@
+/* SPDX-License-Identifier: MIT */
+/* Stages that are timed draw the same bits, and their times are those of a picture.
+ * With TP_SOAK=1 it tells what timing costs. */
+#include <stdarg.h>
+#include <stddef.h>
+#include <setjmp.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <cmocka.h>
+#include "../../ports/host/path.h"
+#include "../../ports/host/stage.h"
+#include "../../ports/host/stopwatch.h"
+#include "../../ports/host/timing.h"
+
+#define FOLDER "assets/scenes"
+#define SCENE  FOLDER "/three-swells.ini"
+
+enum { TICKS = 20 };
+
+static void open_scene(stage *s, const char *scene, uint32_t width, uint32_t threads)
+{
+    const options o = { .command = "test", .scene = scene, .width = width,
+                        .height = width * 3 / 4, .threads = threads };
+
+    assert_int_equal(stage_open(s, &o), 0);
+    for (int i = 0; i < TICKS; i++)
+        tp_world_step(s->world, &s->file.scene, NULL);
+}
+
+static uint32_t crc_of(stage *s, bool timed)
+{
+    stopwatch_use(&s->canvas, timed);
+    canvas_draw(&s->canvas, s->world);
+    return picture_crc(&s->canvas.picture);
+}
+
+static uint32_t place_of(const char *name)
+{
+    for (uint32_t i = 0; i < stopwatch_stages; i++)
+        if (strcmp(stopwatch_name[i], name) == 0)
+            return i;
+    fail_msg("no stage %s", name);
+    return 0;
+}
+
+static uint64_t sum_ns(void)
+{
+    uint64_t sum = 0;
+
+    for (uint32_t i = 0; i < stopwatch_stages; i++)
+        sum += stopwatch_ns(i);
+    return sum;
+}
+
+/* ------------------------------------------------------------------------------------ */
+
+static void check_scene(const char *path, uint32_t threads)
+{
+    stage s;
+
+    open_scene(&s, path, 128, threads);
+    const uint32_t plain = crc_of(&s, false);
+    stopwatch_zero();
+    if (crc_of(&s, true) != plain || sum_ns() == 0)
+        fail_msg("%s is another picture when timed, by %u threads", path,
+                 (unsigned)threads);
+    assert_int_equal(crc_of(&s, false), plain);
+    stage_close(&s);
+}
+
+static void every_scene_has_the_same_bits_timed(void **state)
+{
+    size_t count;
+    char **names = path_scene_names(FOLDER, &count);
+    (void)state;
+    assert_true(count > 0);
+    for (size_t i = 0; i < count; i++) {
+        char *path = path_join(FOLDER, names[i], ".ini");
+        check_scene(path, 1);
+        check_scene(path, 2);
+        free(path);
+    }
+    path_free_names(names, count);
+}
+
+static void what_is_timed_is_what_is_drawn(void **state)
+{
+    stage s;
+    (void)state;
+    open_scene(&s, SCENE, 320, 1);
+    stopwatch_zero();
+    assert_int_equal(sum_ns(), 0);
+    crc_of(&s, false);
+    assert_int_equal(sum_ns(), 0);              /* not when it is off */
+
+    crc_of(&s, true);
+    stopwatch_zero();
+    const uint64_t begin = now_us();
+    crc_of(&s, true);
+    const uint64_t most = 1000 * (now_us() - begin + 1);
+    assert_true(stopwatch_ns(place_of("sky_cube_hdr")) > 0);
+    assert_int_equal(stopwatch_ns(place_of("spray")), 0);       /* it has none */
+    assert_int_equal(stopwatch_ns(stopwatch_stages), 0);
+    assert_true(sum_ns() < most + most / 50);   /* two clocks */
+    assert_true(sum_ns() > most / 8);           /* shading is more than that of a frame */
+    stage_close(&s);
+}
+
+static void threads_add_up(void **state)
+{
+    uint64_t one, two = 0;
+    stage s;
+    (void)state;
+    open_scene(&s, SCENE, 320, 1);
+    crc_of(&s, true);
+    stopwatch_zero();
+    crc_of(&s, true);
+    one = sum_ns();
+    stage_close(&s);
+    for (int crews = 0; crews < 20; crews++) {  /* more threads than places, in all */
+        open_scene(&s, SCENE, 320, 2);
+        stopwatch_zero();
+        crc_of(&s, true);
+        two = sum_ns();
+        stage_close(&s);
+    }
+    assert_in_range(two, one / 4, one * 8);     /* machines are busy with other things */
+}
+
+static void a_kit_lacks_what_it_lacked(void **state)
+{
+    tp_kit kit = tp_kit_all;
+    const machine poor = { "poor", &kit };
+    stage s;
+    (void)state;
+    kit.stage.haze = NULL;
+    open_scene(&s, SCENE, 128, 1);
+    s.canvas.machine = &poor;
+    stopwatch_use(&s.canvas, true);
+    assert_null(s.canvas.kit.stage.haze);
+    assert_ptr_not_equal(s.canvas.kit.stage.sky, kit.stage.sky);
+    stopwatch_use(&s.canvas, false);
+    assert_memory_equal(&s.canvas.kit.stage, &kit.stage, sizeof kit.stage);
+    stage_close(&s);
+}
+
+/* -- what it costs --------------------------------------------------------------------- */
+
+enum { ROUNDS = 60 };
+
+static void its_cost_is_told(void **state)
+{
+    timings times[2] = { { 0 }, { 0 } };
+    stage s;
+    (void)state;
+    if (!getenv("TP_SOAK"))
+        skip();
+    open_scene(&s, SCENE, 640, 1);
+    for (int i = 0; i < 2 * ROUNDS; i++) {
+        stopwatch_use(&s.canvas, i % 2);
+        const uint64_t begin = now_us();
+        canvas_draw(&s.canvas, s.world);
+        timings_add(&times[i % 2], now_us() - begin);
+    }
+    const double plain = timings_median(&times[0]), timed = timings_median(&times[1]);
+    print_message("%.2f ms a frame, timed %.2f: %.3f times as long\n", plain / 1000,
+                  timed / 1000, timed / plain);
+    assert_true(timed < 1.25 * plain);
+    timings_free(&times[0]);
+    timings_free(&times[1]);
+    stage_close(&s);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(every_scene_has_the_same_bits_timed),
+        cmocka_unit_test(what_is_timed_is_what_is_drawn),
+        cmocka_unit_test(threads_add_up),
+        cmocka_unit_test(a_kit_lacks_what_it_lacked),
+        cmocka_unit_test(its_cost_is_told),
+    };
+    return cmocka_run_group_tests_name("stopwatch", tests, NULL, NULL);
+}
