@@ -11,6 +11,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
+#include "../host/figures.h"
 
 #ifdef __cplusplus
 extern "C" {
@@ -31,37 +32,6 @@ typedef struct {
     panel_kind  kind;
     double      low, high;      /* of numbers and counts */
 } panel_row;
-
-/* A time of the last pictures, us. */
-typedef struct {
-    const char *name;           /* "water moves", "pixels" ... */
-    float       mean, share;    /* us a picture; 0..1 of all */
-} panel_time;
-
-#define PANEL_HISTORY 240       /* pictures */
-#define PANEL_TIMES   64
-
-typedef struct {
-    float       history[PANEL_HISTORY];     /* ms a picture, oldest first */
-    uint32_t    pictures;                   /* of them, so far */
-    float       limit_ms;                   /* a line in the graph: 1000/60 */
-    float       median_ms, shown_per_s;
-    float       latency_ms;                 /* from the last input to its picture */
-    panel_time  parts[PANEL_TIMES];         /* of a picture, from world to window */
-    uint32_t    part_count;
-    panel_time  stages[PANEL_TIMES];        /* of its pixels, dearest first */
-    uint32_t    stage_count;                /* 0: not measured now */
-    const char *ram;                        /* lines, parted by \n: use, tab, bytes */
-    const char *plan;                       /* lines: kind, tab, rung, tab, why ... */
-    const char *state;                      /* one line: tick, clock, camera, tape, film */
-} panel_figures;
-
-typedef struct {
-    const char *off;            /* "off", "split", "difference" */
-    const char *against;        /* "exact", "rows" ... "reference" */
-    double      psnr;           /* dB; above 99: the same bits; < 0: none yet */
-    const char *note;           /* "the reference draws: 40%"; "" */
-} panel_compare;
 
 typedef struct {
     void            *user;      /* of every function below */
