@@ -7,6 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "say.h"
+#include "timing.h"
 
 /* Bands hold down the memory of a tile, 20 bytes a pixel; of 128 rows they cost 1% more
  * time than one tile of 640x480 (three-swells).  Several threads need enough of them to
@@ -130,7 +131,11 @@ void canvas_draw(canvas *c, const tp_world *world)
     work all = { .canvas = c };
     atomic_init(&all.taken, 0);
     atomic_init(&all.water_pixels, 0);
+    const uint64_t begin = now_us();
     tp_frame_begin(c->frame, world);
+    const uint64_t middle = now_us();
     crew_do(c->crew, draw_tiles, &all);
+    c->begin_us = (uint32_t)(middle - begin);
+    c->tiles_us = (uint32_t)(now_us() - middle);
     c->water_pixels = atomic_load(&all.water_pixels);
 }

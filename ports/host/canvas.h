@@ -21,7 +21,9 @@ typedef struct {
     crew     *crew;             /* that helps the caller; NULL: none */
     void     *scratch[CANVAS_THREADS];
     tp_frame_config config;     /* with the tiles' sides chosen */
-    uint32_t  water_pixels;     /* of the last canvas_draw */
+    uint32_t  water_pixels;     /* of the last canvas_draw ... */
+    uint32_t  begin_us, tiles_us;       /* ... and what its two parts took: geometry, then
+                                           pixels by all threads */
 } canvas;
 
 /* How the picture will be drawn, and how many bytes that takes; nothing is allocated.
