@@ -193,10 +193,12 @@ static int frame(view *v)
         return code;
     if (v->control.shot)
         save_shot(v);
-    if (fresh || v->control.exposed)
+    if (fresh || v->control.exposed) {
+        window_clear(&v->window, 1);
         window_present(&v->window);
-    else
+    } else {
         SDL_WaitEventTimeout(NULL, WAIT_MS);
+    }
     v->control.exposed = false;
     set_title(v, now);
     return EXIT_DONE;
@@ -207,7 +209,7 @@ static int run(view *v)
     char title[TP_NAME_BYTES + 32];
     snprintf(title, sizeof title, "tidepool: %s", name_of(v));
     const int width = (int)v->options->width, height = (int)v->options->height;
-    if (!window_open(&v->window, title, width, height)) {
+    if (!window_open(&v->window, title, width, height, 1, 0)) {
         say("tidepool view: no window can be opened: %s", SDL_GetError());
         return fail(EXIT_INPUT, "Without a display, this draws a picture:"
                     " tidepool render %s --out %s.png", v->options->scene,

@@ -1,8 +1,15 @@
 /* SPDX-License-Identifier: MIT */
-/* Window, renderer, texture.  The texture is ARGB8888, which every renderer of SDL takes
- * as it is: expanding 565 is left to the core, whose bits then reach the screen. */
+/* Window, renderer, texture.  What a processor draws, a processor shows: an OpenGL that
+ * is none of a graphics card's would take several cores to copy a picture, where SDL's
+ * own renderer copies it once. */
 #include "window.h"
 #include "../host/say.h"
+
+#define BAR        6            /* px, between picture and panel */
+#define ROOM_LEAST 64           /* px that the panel leaves */
+#define PANEL_LEAST 120         /* px that the bar can be dragged to */
+
+/* -- opening ----------------------------------------------------------------------- */
 
 /* SDL falls back to drivers that show nothing: those only when somebody asks for them. */
 static bool shows_nothing(void)
@@ -12,9 +19,42 @@ static bool shows_nothing(void)
         && (SDL_strcmp(driver, "offscreen") == 0 || SDL_strcmp(driver, "dummy") == 0);
 }
 
-bool window_open(window *w, const char *title, int width, int height)
+/* Whether the current OpenGL is drawn by the processor. */
+static bool is_software_gl(SDL_Renderer *renderer)
 {
-    *w = (window){ 0 };
+    typedef const unsigned char *get_string(unsigned);
+    static const char *const names[] = { "llvmpipe", "softpipe", "swrast", "SwiftShader",
+                                         "Software Rasterizer" };
+    enum { GL_RENDERER_NAME = 0x1f01 };
+    SDL_RendererInfo info;
+    if (SDL_GetRendererInfo(renderer, &info) != 0 || !SDL_strstr(info.name, "opengl"))
+        return false;
+    void *address = SDL_GL_GetProcAddress("glGetString");
+    get_string *get = NULL;
+    SDL_memcpy(&get, &address, sizeof get);
+    const char *name = get ? (const char *)get(GL_RENDERER_NAME) : NULL;
+    for (size_t i = 0; name && i < SDL_arraysize(names); i++)
+        if (SDL_strstr(name, names[i]))
+            return true;
+    return false;
+}
+
+static SDL_Renderer *make_renderer(SDL_Window *of)
+{
+    SDL_Renderer *renderer = SDL_CreateRenderer(
+        of, -1, SDL_RENDERER_ACCELERATED | SDL_RENDERER_PRESENTVSYNC);
+    if (renderer && !SDL_getenv("SDL_RENDER_DRIVER") && is_software_gl(renderer)) {
+        SDL_DestroyRenderer(renderer);
+        renderer = NULL;
+    }
+    return renderer ? renderer : SDL_CreateRenderer(of, -1, SDL_RENDERER_SOFTWARE);
+}
+
+bool window_open(window *w, const char *title, int width, int height, int scale,
+                 int panel)
+{
+    const int wide = width * scale + (panel ? BAR + panel : 0), high = height * scale;
+    *w = (window){ .panel = panel, .usual = panel ? panel : 320 };
     SDL_SetMainReady();
     if (SDL_Init(SDL_INIT_VIDEO) != 0)
         return false;
@@ -23,13 +63,168 @@ bool window_open(window *w, const char *title, int width, int height)
         return false;
     }
     w->window = SDL_CreateWindow(title, SDL_WINDOWPOS_CENTERED, SDL_WINDOWPOS_CENTERED,
-                                 width, height, SDL_WINDOW_RESIZABLE);
+                                 wide, high, SDL_WINDOW_RESIZABLE);
     if (!w->window)
         return false;
-    w->renderer = SDL_CreateRenderer(w->window, -1, SDL_RENDERER_PRESENTVSYNC);
-    if (!w->renderer)
-        w->renderer = SDL_CreateRenderer(w->window, -1, SDL_RENDERER_SOFTWARE);
+    SDL_SetWindowMinimumSize(w->window, SDL_min(wide, 160), SDL_min(high, 120));
+    w->renderer = make_renderer(w->window);
     return w->renderer != NULL;
+}
+
+void window_close(window *w)
+{
+    if (w->across)
+        SDL_FreeCursor(w->across);
+    if (w->texture)
+        SDL_DestroyTexture(w->texture);
+    if (w->renderer)
+        SDL_DestroyRenderer(w->renderer);
+    if (w->window)
+        SDL_DestroyWindow(w->window);
+    SDL_Quit();
+    *w = (window){ 0 };
+}
+
+void window_full(window *w, bool full)
+{
+    SDL_SetWindowFullscreen(w->window, full ? SDL_WINDOW_FULLSCREEN_DESKTOP : 0);
+}
+
+/* -- where things are -------------------------------------------------------------- */
+
+layout window_layout(const window *w, int scale)
+{
+    layout at = { { 0 }, { 0 }, { 0 }, { 0 } };
+    int wide = 0, high = 0;
+    SDL_GetWindowSize(w->window, &wide, &high);
+    int panel = SDL_min(w->panel, wide - BAR - ROOM_LEAST);
+    panel = w->panel > 0 ? SDL_max(panel, 0) : 0;
+    const int bar = panel ? BAR : 0;
+    at.room = (SDL_Rect){ 0, 0, wide - bar - panel, high };
+    at.bar = (SDL_Rect){ at.room.w, 0, bar, high };
+    at.panel = (SDL_Rect){ at.room.w + bar, 0, panel, high };
+    at.picture.w = w->width * scale;
+    at.picture.h = w->height * scale;
+    at.picture.x = (at.room.w - at.picture.w) / 2;
+    at.picture.y = (at.room.h - at.picture.h) / 2;
+    return at;
+}
+
+void window_fits(const window *w, int scale, uint32_t *width, uint32_t *height)
+{
+    const layout at = window_layout(w, scale);
+    *width = (uint32_t)SDL_clamp(at.room.w / scale, 16, 4096);
+    *height = (uint32_t)SDL_clamp(at.room.h / scale, 16, 4096);
+}
+
+static bool is_in(const SDL_Rect *r, int x, int y)
+{
+    const SDL_Point at = { x, y };
+    return SDL_PointInRect(&at, r);
+}
+
+bool window_pixel(const window *w, int scale, int x, int y, int *px, int *py)
+{
+    const layout at = window_layout(w, scale);
+    if (!is_in(&at.room, x, y) || !is_in(&at.picture, x, y))
+        return false;
+    *px = (x - at.picture.x) / scale;
+    *py = (y - at.picture.y) / scale;
+    return true;
+}
+
+/* -- events ------------------------------------------------------------------------ */
+
+/* The arrow across, as long as the mouse is on the bar or moves it. */
+static void point(window *w, bool over)
+{
+    if (over == w->over)
+        return;
+    w->over = over;
+    if (!w->across)
+        w->across = SDL_CreateSystemCursor(SDL_SYSTEM_CURSOR_SIZEWE);
+    SDL_SetCursor(over && w->across ? w->across : SDL_GetDefaultCursor());
+}
+
+static void drag(window *w, int x)
+{
+    int wide = 0;
+    SDL_GetWindowSize(w->window, &wide, NULL);
+    const int most = SDL_max(wide - BAR - ROOM_LEAST, 1);
+    w->panel = SDL_min(SDL_max(wide - x - BAR / 2, PANEL_LEAST), most);
+}
+
+static bool button(window *w, const SDL_MouseButtonEvent *event)
+{
+    const layout at = window_layout(w, 1);
+    if (event->button != SDL_BUTTON_LEFT)
+        return w->dragged;
+    if (event->type == SDL_MOUSEBUTTONUP) {
+        const bool was = w->dragged;
+        w->dragged = false;
+        return was;
+    }
+    if (!is_in(&at.bar, event->x, event->y))
+        return false;
+    w->dragged = event->clicks < 2;
+    if (event->clicks >= 2)
+        w->panel = w->usual;
+    return true;
+}
+
+static bool motion(window *w, const SDL_MouseMotionEvent *event)
+{
+    if (w->dragged && !(event->state & SDL_BUTTON_LMASK))
+        w->dragged = false;                     /* let go outside of the window */
+    if (w->dragged) {
+        drag(w, event->x);
+        return true;
+    }
+    const layout at = window_layout(w, 1);
+    point(w, is_in(&at.bar, event->x, event->y));
+    return false;
+}
+
+static void lose(window *w)
+{
+    if (w->texture)
+        SDL_DestroyTexture(w->texture);
+    w->texture = NULL;
+    w->lost = true;
+}
+
+bool window_event(window *w, const SDL_Event *event)
+{
+    switch (event->type) {
+    case SDL_RENDER_TARGETS_RESET:
+    case SDL_RENDER_DEVICE_RESET:
+        lose(w);
+        return false;
+    case SDL_MOUSEBUTTONDOWN:
+    case SDL_MOUSEBUTTONUP:
+        return button(w, &event->button);
+    case SDL_MOUSEMOTION:
+        return motion(w, &event->motion);
+    case SDL_WINDOWEVENT:
+        if (event->window.event == SDL_WINDOWEVENT_LEAVE && !w->dragged)
+            point(w, false);
+        return false;
+    default:
+        return false;
+    }
+}
+
+/* -- pictures ---------------------------------------------------------------------- */
+
+/* Of the window's own format where the processor copies it there; else ARGB8888, which
+ * every renderer of SDL takes as it is. */
+static uint32_t pixel_format(const window *w)
+{
+    SDL_RendererInfo info;
+    const uint32_t own = SDL_GetWindowPixelFormat(w->window);
+    const bool software = SDL_GetRendererInfo(w->renderer, &info) == 0
+                       && info.flags & SDL_RENDERER_SOFTWARE;
+    return software && own == SDL_PIXELFORMAT_RGB888 ? own : SDL_PIXELFORMAT_ARGB8888;
 }
 
 static bool fit_texture(window *w, int width, int height)
@@ -38,11 +233,12 @@ static bool fit_texture(window *w, int width, int height)
         return true;
     if (w->texture)
         SDL_DestroyTexture(w->texture);
-    w->texture = SDL_CreateTexture(w->renderer, SDL_PIXELFORMAT_ARGB8888,
+    w->texture = SDL_CreateTexture(w->renderer, pixel_format(w),
                                    SDL_TEXTUREACCESS_STREAMING, width, height);
     w->width = width;
     w->height = height;
-    return w->texture && SDL_SetTextureBlendMode(w->texture, SDL_BLENDMODE_NONE) == 0;
+    return w->texture && SDL_SetTextureBlendMode(w->texture, SDL_BLENDMODE_NONE) == 0
+        && SDL_SetTextureScaleMode(w->texture, SDL_ScaleModeNearest) == 0;
 }
 
 /* Opaque in the alpha byte too: some desktops blend windows by it. */
@@ -60,25 +256,52 @@ bool window_upload(window *w, const picture *p)
             row[x] |= 0xff000000u;
     }
     SDL_UnlockTexture(w->texture);
+    w->lost = false;
     return true;
+}
+
+static void fill(window *w, int x, int y, int wide, int high, uint32_t colour)
+{
+    const SDL_Rect r = { x, y, wide, high };
+    if (wide <= 0 || high <= 0)
+        return;
+    SDL_SetRenderDrawColor(w->renderer, (uint8_t)(colour >> 16), (uint8_t)(colour >> 8),
+                           (uint8_t)colour, 255);
+    SDL_RenderFillRect(w->renderer, &r);
+}
+
+/* What the picture leaves of its room, and no pixel twice. */
+static void fill_around(window *w, const layout *at)
+{
+    const uint32_t dark = 0x0c1014;
+    const SDL_Rect *p = &at->picture, *room = &at->room;
+    const int top = SDL_max(p->y, 0), left = SDL_max(p->x, 0);
+    const int low = SDL_min(p->y + p->h, room->h), right = SDL_min(p->x + p->w, room->w);
+    fill(w, 0, 0, room->w, top, dark);
+    fill(w, 0, low, room->w, room->h - low, dark);
+    fill(w, 0, top, left, low - top, dark);
+    fill(w, right, top, room->w - right, low - top, dark);
+}
+
+void window_clear(window *w, int scale)
+{
+    const layout at = window_layout(w, scale);
+    SDL_SetRenderDrawBlendMode(w->renderer, SDL_BLENDMODE_NONE);
+    if (w->texture) {
+        fill_around(w, &at);
+        SDL_RenderSetClipRect(w->renderer, &at.room);
+        SDL_RenderCopy(w->renderer, w->texture, NULL, &at.picture);
+        SDL_RenderSetClipRect(w->renderer, NULL);
+    } else {
+        fill(w, 0, 0, at.room.w, at.room.h, 0x0c1014);
+    }
+    fill(w, at.bar.x, 0, at.bar.w, at.bar.h, 0x262c34);
+    fill(w, at.bar.x + BAR / 2 - 1, at.bar.h / 2 - 16, at.bar.w ? 2 : 0, 32,
+         w->dragged || w->over ? 0x7ab8e6 : 0x5a646e);
+    fill(w, at.panel.x, 0, at.panel.w, at.panel.h, 0x14181e);
 }
 
 void window_present(window *w)
 {
-    SDL_RenderClear(w->renderer);
-    if (w->texture)
-        SDL_RenderCopy(w->renderer, w->texture, NULL, NULL);
     SDL_RenderPresent(w->renderer);
-}
-
-void window_close(window *w)
-{
-    if (w->texture)
-        SDL_DestroyTexture(w->texture);
-    if (w->renderer)
-        SDL_DestroyRenderer(w->renderer);
-    if (w->window)
-        SDL_DestroyWindow(w->window);
-    SDL_Quit();
-    *w = (window){ 0 };
 }
