@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* A gamepad by SDL: sticks and triggers as held wishes, buttons as actions. */
+/* A gamepad by SDL: sticks and triggers as held wishes, buttons as actions.  window_open()
+ * begins SDL's gamepads; one may come and go while the window is open. */
 #ifndef SDL2_PAD_H
 #define SDL2_PAD_H
 #include <SDL.h>

@@ -66,6 +66,7 @@ bool window_open(window *w, const char *title, int width, int height, int scale,
                                  wide, high, SDL_WINDOW_RESIZABLE);
     if (!w->window)
         return false;
+    SDL_InitSubSystem(SDL_INIT_GAMECONTROLLER);         /* there may be none */
     SDL_SetWindowMinimumSize(w->window, SDL_min(wide, 160), SDL_min(high, 120));
     w->renderer = make_renderer(w->window);
     return w->renderer != NULL;
