@@ -11,13 +11,15 @@
 #include "path.h"
 #include "say.h"
 
-/* The temporary file that exists now, "" if none does: the handler has to find it. */
-static char pending[4096];
+/* The temporary files that exist now, "" where there is none: the handler has to find
+ * them. */
+static char pending[OUTPUTS][4096];
 
 static void remove_pending(int signal_number)
 {
-    if (pending[0])
-        unlink(pending);
+    for (int i = 0; i < OUTPUTS; i++)
+        if (pending[i][0])
+            unlink(pending[i]);
     signal(signal_number, SIG_DFL);
     raise(signal_number);
 }
@@ -40,9 +42,9 @@ static void watch_signals(void)
 }
 
 /* mkstemp makes files private; a result is as readable as any other file. */
-static FILE *open_temporary(void)
+static FILE *open_temporary(char *name)
 {
-    const int descriptor = mkstemp(pending);
+    const int descriptor = mkstemp(name);
     if (descriptor < 0)
         return NULL;
     const mode_t mask = umask(0);
@@ -51,9 +53,18 @@ static FILE *open_temporary(void)
     return fdopen(descriptor, "wb");
 }
 
+static int free_slot(void)
+{
+    int i = 0;
+    while (i < OUTPUTS && pending[i][0])
+        i++;
+    return i;
+}
+
 static int refuse(output *out, int error)
 {
-    pending[0] = 0;
+    if (out->target && out->slot < OUTPUTS)
+        pending[out->slot][0] = 0;
     free(out->target);
     *out = (output){ .name = out->name };
     return fail(EXIT_INPUT, "%s: %s", out->name, strerror(error));
@@ -62,7 +73,7 @@ static int refuse(output *out, int error)
 int output_open(output *out, const char *name)
 {
     struct stat info;
-    *out = (output){ .name = name };
+    *out = (output){ .name = name, .slot = free_slot() };
     watch_signals();
     if (strcmp(name, "-") == 0) {
         out->name = "standard output";
@@ -76,13 +87,16 @@ int output_open(output *out, const char *name)
     }
     out->target = exists ? realpath(name, NULL) : path_copy(name, strlen(name));
     char *temporary = out->target ? path_beside(out->target, ".tidepool-XXXXXX") : NULL;
-    if (!temporary || strlen(temporary) >= sizeof pending) {
+    const int error = !temporary ? ENOMEM : out->slot == OUTPUTS ? EMFILE
+                    : strlen(temporary) >= sizeof *pending ? ENAMETOOLONG : 0;
+    if (error) {
         free(temporary);
-        return refuse(out, temporary ? ENAMETOOLONG : ENOMEM);
+        out->slot = OUTPUTS;
+        return refuse(out, error);
     }
-    strcpy(pending, temporary);
+    strcpy(pending[out->slot], temporary);
     free(temporary);
-    out->file = open_temporary();
+    out->file = open_temporary(pending[out->slot]);
     return out->file ? EXIT_DONE : refuse(out, errno);
 }
 
@@ -90,9 +104,10 @@ void output_discard(output *out)
 {
     if (out->file && out->file != stdout)
         fclose(out->file);
-    if (out->target && pending[0])
-        unlink(pending);
-    pending[0] = 0;
+    if (out->target && pending[out->slot][0])
+        unlink(pending[out->slot]);
+    if (out->target)
+        pending[out->slot][0] = 0;
     free(out->target);
     *out = (output){ .name = out->name };
 }
@@ -112,11 +127,12 @@ int output_close(output *out)
     if (file != stdout && fclose(file) && !error)
         error = errno;
     out->file = NULL;
-    if (!error && out->target && rename(pending, out->target))
+    if (!error && out->target && rename(pending[out->slot], out->target))
         error = errno;
     if (error)
         return output_failed(out, error);
-    pending[0] = 0;
+    if (out->target)
+        pending[out->slot][0] = 0;
     output_discard(out);
     return EXIT_DONE;
 }
