@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* File names and the place of the shipped scenes. */
-#define _POSIX_C_SOURCE 200809L
+#define _XOPEN_SOURCE 700       /* realpath */
 #include "path.h"
 #include <dirent.h>
 #include <stdio.h>
@@ -41,6 +41,59 @@ char *path_beside(const char *from, const char *name)
         memcpy(path, from, folder);
         memcpy(path + folder, name, strlen(name) + 1);
     }
+    return path;
+}
+
+/* The folder that a file lies in, without links and dots; NULL: there is none. */
+static char *folder_of(const char *path)
+{
+    const char *slash = strrchr(path, '/');
+    char *folder = slash ? path_copy(path, (size_t)(slash - path) + 1)
+                         : path_copy(".", 1);
+    char *real = folder ? realpath(folder, NULL) : NULL;
+    free(folder);
+    return real;
+}
+
+bool path_same_folder(const char *a, const char *b)
+{
+    char *of_a = folder_of(a), *of_b = folder_of(b);
+    const bool same = of_a && of_b && strcmp(of_a, of_b) == 0;
+    free(of_a);
+    free(of_b);
+    return same;
+}
+
+/* Two absolute folders: up from one to what they share, then down. */
+static char *way(const char *from, const char *to, const char *base)
+{
+    size_t shared = 0, ups = 0;
+    for (size_t i = 0; from[i] == to[i] || !from[i] || !to[i]; i++) {
+        if ((from[i] == '/' || !from[i]) && (to[i] == '/' || !to[i]))
+            shared = i;
+        if (!from[i] || !to[i])
+            break;
+    }
+    for (const char *c = from + shared; *c; c++)
+        ups += *c == '/' && c[1];
+    const char *down = to + shared + (to[shared] == '/');
+    const size_t room = 3 * ups + strlen(down) + strlen(base) + 2;
+    char *path = malloc(room);
+    for (size_t i = 0; path && i < ups; i++)
+        memcpy(path + 3 * i, "../", 3);
+    if (path)
+        snprintf(path + 3 * ups, room - 3 * ups, "%s%s%s", down, *down ? "/" : "", base);
+    return path;
+}
+
+char *path_from(const char *file, const char *target)
+{
+    const char *slash = strrchr(target, '/');
+    char *from = folder_of(file), *to = folder_of(target);
+    char *path = from && to ? way(from, to, slash ? slash + 1 : target)
+                            : path_copy(target, strlen(target));
+    free(from);
+    free(to);
     return path;
 }
 

@@ -9,6 +9,13 @@
 /* `name` as the file `from` means it: relative to the folder that `from` lies in. */
 char *path_beside(const char *from, const char *name);
 
+/* The other way round: what `file` has to call `target` by.  Where one of the folders
+ * does not exist, `target` as it is. */
+char *path_from(const char *file, const char *target);
+
+/* Whether two files lie in one folder. */
+bool  path_same_folder(const char *a, const char *b);
+
 /* folder/name, or folder/name.ini with suffix ".ini". */
 char *path_join(const char *folder, const char *name, const char *suffix);
 

@@ -13,6 +13,8 @@
 int scene_save(const scene_file *file, const char *name);
 
 /* Where Ctrl+S writes: the scene's own path if that is a person's file that can be
- * written; of a shipped scene NAME.ini in the current folder.  To free; NULL: no memory. */
+ * written; of a shipped scene NAME.ini in the current folder, NAME-2.ini where that is
+ * somebody's: what is saved is from then on the file to work on.  To free; NULL: no
+ * memory. */
 char *scene_save_name(const scene_file *file);
 #endif

@@ -1,0 +1,211 @@
+/* SPDX-License-Identifier: MIT */
+/* Saving a scene by editing the lines of the file that it came from.
+ *
+ * libinih says which line sets which parameter, and to what; where on the line the value
+ * stands follows from that, and all else of the line is a person's spelling and stays.
+ * Behind a value " ;" begins a comment, "#" does not: no text with " ;" can be saved. */
+#define _POSIX_C_SOURCE 200809L
+#include "scene_save.h"
+#include <ctype.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+#include "ini_read.h"
+#include "output.h"
+#include "path.h"
+#include "say.h"
+#include "scene_lines.h"
+
+#define LINE_MOST 199           /* bytes that ini_read takes, without the line's end */
+
+typedef struct {
+    const scene_file *file;
+    const char *name;           /* of the file to be written */
+    scene_lines lines;
+    uint32_t   *at;             /* of each row: the last line that sets it; 0: none */
+    bool       *bad;            /* ... to what it cannot be */
+    tp_scene    filed;          /* as the lines say it */
+    bool        moved;          /* the new file lies in another folder */
+} save;
+
+/* -- what the file says ---------------------------------------------------------- */
+
+static bool take(void *user, uint32_t line, const char *section, const char *name,
+                 const char *value)
+{
+    save *s = user;
+    char full[256];
+    uint32_t count;
+    snprintf(full, sizeof full, "%s%s%s", section, section[0] ? "." : "", name);
+    const tp_param *param = tp_param_find(full, strlen(full));
+    const long row = param ? (long)(param - tp_params(&count)) : LINE_OTHER;
+    scene_lines_value(&s->lines, line, row, strlen(value));
+    if (!param)
+        return true;                    /* it was refused when the scene was read */
+    s->at[row] = line;
+    s->bad[row] = tp_param_set(&s->filed, param, value, strlen(value), NULL) != TP_OK;
+    return true;
+}
+
+/* A file that is gone is begun anew. */
+static int read_lines(save *s)
+{
+    const char *path = s->file->path;
+    if (!path || access(path, F_OK) != 0)
+        return EXIT_DONE;
+    const int code = scene_lines_read(&s->lines, path);
+    return code ? code : ini_read(path, take, s);
+}
+
+/* -- what it is to say ----------------------------------------------------------- */
+
+static bool is_name(const tp_param *param)
+{
+    return param->kind == TP_PARAM_MESH || param->kind == TP_PARAM_TEXTURE
+        || param->kind == TP_PARAM_GREY;
+}
+
+static bool same_file(const char *a, const char *b)
+{
+    struct stat of_a, of_b;
+    return stat(a, &of_a) == 0 && stat(b, &of_b) == 0 && of_a.st_dev == of_b.st_dev
+        && of_a.st_ino == of_b.st_ino;
+}
+
+/* A name that leads from the new file to the same one stays, and so do those that a file
+ * gave as absolute. */
+static char *text_of(const save *s, const tp_param *param, uint32_t row)
+{
+    char text[TP_NAME_BYTES + 64];
+    tp_param_text(&s->file->scene, param, text, sizeof text);
+    const bool by_command = s->file->set_at[row] == SET_BY_COMMAND;
+    if (!is_name(param) || !text[0] || (!by_command && (!s->moved || text[0] == '/')))
+        return path_copy(text, strlen(text));
+    char *target = scene_file_path_of(s->file, param);
+    char *there = path_beside(s->name, text);
+    const bool stays = text[0] != '/' && target && there && same_file(target, there);
+    char *name = stays ? path_copy(text, strlen(text))
+               : target ? path_from(s->name, target) : NULL;
+    free(target);
+    free(there);
+    return name;
+}
+
+/* What an INI file cannot hold is refused before anything is written. */
+static int check_text(const save *s, const tp_param *param, const char *text)
+{
+    bool white = true;
+    if (is_name(param) && strlen(text) >= TP_NAME_BYTES)
+        return fail(EXIT_INPUT, "%s: %s = %s: longer than %d bytes", s->name, param->name,
+                    text, TP_NAME_BYTES - 1);
+    for (const char *c = text; *c; white = isspace((unsigned char)*c++) != 0)
+        if (*c == ';' && white)
+            return fail(EXIT_INPUT, "%s: %s = %s: \" ;\" begins a comment in an INI file;"
+                        " expected a text without", s->name, param->name, text);
+    return EXIT_DONE;
+}
+
+/* Values that came to be the default's are taken away when the others are in place, so
+ * that a section that something was added to stays where it is. */
+static int edit(save *s, const tp_param *param, uint32_t row, const char *text, bool away)
+{
+    char before[TP_NAME_BYTES + 64], normal[64];
+    tp_param_text(&s->filed, param, before, sizeof before);
+    tp_param_number_text(param, param->normal, normal, sizeof normal);
+    if ((strcmp(text, before) == 0 && !s->bad[row])
+        || (strcmp(text, normal) == 0) != away)
+        return EXIT_DONE;
+    if (away) {
+        scene_lines_remove(&s->lines, row);
+        return EXIT_DONE;
+    }
+    const int code = check_text(s, param, text);
+    if (code)
+        return code;
+    const bool done = s->at[row]
+        ? scene_lines_replace(&s->lines, s->at[row], text, LINE_MOST)
+        : scene_lines_append(&s->lines, param->name, text);
+    return done ? EXIT_DONE : fail_memory(strlen(text));
+}
+
+static int edit_all(save *s, bool away)
+{
+    uint32_t count;
+    const tp_param *params = tp_params(&count);
+    int code = EXIT_DONE;
+    for (uint32_t row = 0; row < count && !code; row++) {
+        char *text = text_of(s, &params[row], row);
+        code = text ? edit(s, &params[row], row, text, away) : fail_memory(TP_NAME_BYTES);
+        free(text);
+    }
+    return code;
+}
+
+/* -- the whole of it ------------------------------------------------------------- */
+
+static int write_file(const save *s)
+{
+    output out;
+    const int code = output_open(&out, s->name);
+    if (code)
+        return code;
+    scene_lines_write(&s->lines, out.file);
+    return output_close(&out);
+}
+
+int scene_save(const scene_file *file, const char *name)
+{
+    uint32_t count;
+    tp_params(&count);
+    save s = { .file = file, .name = name,
+               .at = calloc(count, sizeof *s.at), .bad = calloc(count, sizeof *s.bad) };
+    tp_scene_default(&s.filed);
+    s.moved = !file->path || !path_same_folder(file->path, name);
+    int code = s.at && s.bad ? read_lines(&s) : fail_memory(count * sizeof *s.at);
+    if (!code)
+        code = edit_all(&s, false);
+    if (!code)
+        code = edit_all(&s, true);
+    if (!code)
+        code = write_file(&s);
+    scene_lines_free(&s.lines);
+    free(s.at);
+    free(s.bad);
+    return code;
+}
+
+/* -- where to -------------------------------------------------------------------- */
+
+static bool is_shipped(const char *path)
+{
+    char *folder = path_of_scenes();
+    char *beside = folder ? path_join(folder, "x", ".ini") : NULL;
+    const bool shipped = beside && path_same_folder(path, beside);
+    free(folder);
+    free(beside);
+    return shipped;
+}
+
+/* It is replaced by another file: its folder must take one. */
+static bool can_be_written(const char *path)
+{
+    char *folder = path_beside(path, ".");
+    const bool can = folder && access(path, W_OK) == 0 && access(folder, W_OK) == 0;
+    free(folder);
+    return can;
+}
+
+char *scene_save_name(const scene_file *file)
+{
+    if (file->path && !is_shipped(file->path) && can_be_written(file->path))
+        return path_copy(file->path, strlen(file->path));
+    const size_t room = strlen(file->name) + 16;
+    char *name = malloc(room);
+    if (name)
+        snprintf(name, room, "%s.ini", file->name);
+    for (int number = 2; name && access(name, F_OK) == 0 && number < 10000; number++)
+        snprintf(name, room, "%s-%d.ini", file->name, number);
+    return name;
+}
