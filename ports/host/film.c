@@ -76,27 +76,48 @@ static int refuse(film *f)
     return fail(EXIT_INPUT, "%s: %s", f->out.name, strerror(error));
 }
 
-int film_open(film *f, const char *name, uint32_t width, uint32_t height)
+static int make_room(film *f, uint32_t width, uint32_t height)
 {
     const size_t half = (size_t)((width + 1) / 2) * ((height + 1) / 2);
     *f = (film){ .width = width, .height = height };
     f->bytes = (size_t)width * height + 2 * half;
     f->pixels = malloc(2 * width * sizeof *f->pixels);
     f->planes = malloc(f->bytes);
-    if (!f->pixels || !f->planes) {
-        film_discard(f);
-        return fail_memory(f->bytes);
-    }
-    const int code = output_open(&f->out, name);
-    if (code) {
-        film_discard(f);
-        return code;
-    }
+    if (f->pixels && f->planes)
+        return EXIT_DONE;
+    film_discard(f);
+    return fail_memory(f->bytes);
+}
+
+static int put_head(film *f)
+{
     char head[96];
     const int length = snprintf(head, sizeof head,
         "YUV4MPEG2 W%u H%u F%d:1 Ip A1:1 C420jpeg XCOLORRANGE=LIMITED\n",
-        (unsigned)width, (unsigned)height, TP_TICKS_PER_SECOND);
+        (unsigned)f->width, (unsigned)f->height, TP_TICKS_PER_SECOND);
     return put(f, head, (size_t)length) ? EXIT_DONE : refuse(f);
+}
+
+int film_open(film *f, const char *name, uint32_t width, uint32_t height)
+{
+    int code = make_room(f, width, height);
+    if (code)
+        return code;
+    code = output_open(&f->out, name);
+    if (code)
+        film_discard(f);
+    return code ? code : put_head(f);
+}
+
+int film_open_file(film *f, FILE *to, const char *name, uint32_t width, uint32_t height)
+{
+    const int code = make_room(f, width, height);
+    if (code) {
+        fclose(to);
+        return code;
+    }
+    f->out = (output){ .file = to, .name = name };
+    return put_head(f);
 }
 
 int film_add(film *f, const picture *p)

@@ -3,6 +3,7 @@
  * NAME-0001.y4m, and says which and why. */
 #ifndef HOST_RECORDER_H
 #define HOST_RECORDER_H
+#include <stdbool.h>
 #include "film.h"
 
 typedef struct recorder recorder;

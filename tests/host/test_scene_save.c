@@ -228,6 +228,22 @@ static void a_file_that_is_gone_is_written_anew(void **state)
     free(name);
 }
 
+static void what_cannot_be_read_is_put_right(void **state)
+{
+    (void)state;
+    scene_file file;
+    char *name = in_folder("small.ini");
+    spill(name, "[camera]\ny = 1\n");
+    assert_int_equal(scene_file_open(&file, name), 0);
+    spill(name, "[camera]\nx = wide\ny = high\nw = 5\n");
+    assert_int_equal(scene_save(&file, name), 0);
+    char *text = slurp(name);
+    assert_string_equal(text, "[camera]\ny = 1\nw = 5\n");
+    free(text);
+    scene_file_close(&file);
+    free(name);
+}
+
 /* -- shipped scenes -------------------------------------------------------------- */
 
 /* Lines that begin with # or ;. */
@@ -435,6 +451,7 @@ int main(int argc, char **argv)
         cmocka_unit_test(texts_that_begin_comments_are_refused),
         cmocka_unit_test(a_folder_that_is_not_there_is_said),
         cmocka_unit_test(a_file_that_is_gone_is_written_anew),
+        cmocka_unit_test(what_cannot_be_read_is_put_right),
         cmocka_unit_test(unchanged_scenes_are_the_same_bytes),
         cmocka_unit_test(random_changes_read_back),
         cmocka_unit_test(names_of_the_command_line_are_told_from_the_file),
