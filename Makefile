@@ -84,6 +84,21 @@ KMS_CFLAGS := -DTP_HAVE_KMS
 endif
 ifneq ($(shell pkg-config --exists sdl2 2>/dev/null && echo yes),)
 PORTS += $(filter-out %/panel_none.c,$(wildcard ports/sdl2/*.c))
+# The panel is C++, of Dear ImGui; the compiler is of $(CC)'s kind.
+ifeq ($(origin CXX),default)
+CXX := $(if $(findstring clang,$(CC)),$(subst clang,clang++,$(CC)),$(if \
+           $(findstring gcc,$(CC)),$(subst gcc,g++,$(CC)),g++))
+endif
+ifneq ($(shell pkg-config --exists imgui 2>/dev/null && $(CXX) --version 2>/dev/null),)
+PORTS += ports/sdl2/panel.cpp
+CXX_FLAGS = -std=c++17 -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror -fno-rtti \
+            -fno-exceptions -MMD -MP -fmacro-prefix-map=$(CURDIR)/= $(OPT) $(ARCH) \
+            -Iports $(patsubst -I%,-isystem %,$(shell pkg-config --cflags imgui)) \
+            $(SDL_CFLAGS) $(CPPFLAGS) $(CXXFLAGS)
+PANEL_LIBS := $(shell pkg-config --libs imgui) -Wl,--as-needed -lstdc++ -Wl,--no-as-needed
+else
+PORTS += ports/sdl2/panel_none.c
+endif
 SDL_CFLAGS := $(patsubst -I%,-isystem %,$(shell pkg-config --cflags sdl2)) -DTP_HAVE_SDL2
 SDL_LIBS   := $(shell pkg-config --libs sdl2)
 endif

@@ -31,6 +31,7 @@ typedef struct {
     const char *help;
     panel_kind  kind;
     double      low, high;      /* of numbers and counts */
+    const char *normal;         /* the default as text; NULL: the tooltip has none */
 } panel_row;
 
 typedef struct {
@@ -72,13 +73,15 @@ typedef struct {
 
 typedef struct panel panel;
 
-/* NULL: there is no panel in this build, or it could not be made. */
+/* The host and what it points at are read at every picture, and stay until panel_close.
+ * NULL: there is no panel in this build, or it could not be made. */
 panel *panel_open(SDL_Window *window, SDL_Renderer *renderer, const panel_host *host);
 
 /* Every event goes here first.  True: it was the panel's, and nobody else's. */
 bool   panel_event(panel *p, const SDL_Event *event);
 
-/* Between clearing and presenting: into this rectangle of the window. */
+/* Between clearing and presenting: into this rectangle of the window.  NULL: it is
+ * hidden; to be said once, so that it gives the keyboard back and measures nothing. */
 void   panel_draw(panel *p, const SDL_Rect *where);
 
 void   panel_scale(panel *p, float scale);      /* of letters, 1 = as designed */

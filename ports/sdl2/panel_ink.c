@@ -1,0 +1,208 @@
+/* SPDX-License-Identifier: MIT */
+/* How the panel's triangles reach the window.
+ *
+ * A GPU gets them as they are.  SDL's own renderer fills and copies rectangles quickly
+ * and triangles slowly, and nearly all of a panel is rectangles in pairs of triangles:
+ * those are found again here.  A panel at rest is the same from picture to picture, so
+ * what it was drawn to is kept and copied as long as its vertices sum up alike. */
+#include "panel_ink.h"
+#include <string.h>
+
+void ink_begin(ink *k, SDL_Renderer *renderer)
+{
+    SDL_RendererInfo info;
+    *k = (ink){ .renderer = renderer };
+    k->slow = SDL_GetRendererInfo(renderer, &info) == 0
+           && (info.flags & SDL_RENDERER_SOFTWARE) != 0;
+}
+
+static void forget(SDL_Texture **t)
+{
+    if (*t)
+        SDL_DestroyTexture(*t);
+    *t = NULL;
+}
+
+void ink_end(ink *k)
+{
+    forget(&k->atlas);
+    forget(&k->kept);
+}
+
+bool ink_atlas(ink *k, const uint8_t *bytes, int wide, int high, float u, float v)
+{
+    void *pixels;
+    int pitch;
+    ink_end(k);
+    k->atlas = SDL_CreateTexture(k->renderer, SDL_PIXELFORMAT_ARGB8888,
+                                 SDL_TEXTUREACCESS_STREAMING, wide, high);
+    if (!k->atlas || SDL_LockTexture(k->atlas, NULL, &pixels, &pitch) != 0)
+        return false;
+    for (int y = 0; y < high; y++) {
+        uint32_t *const row = (uint32_t *)(void *)((uint8_t *)pixels + y * pitch);
+        for (int x = 0; x < wide; x++)
+            row[x] = (uint32_t)bytes[y * wide + x] << 24 | 0xffffffu;
+    }
+    SDL_UnlockTexture(k->atlas);
+    SDL_SetTextureBlendMode(k->atlas, SDL_BLENDMODE_BLEND);
+    SDL_SetTextureScaleMode(k->atlas, SDL_ScaleModeNearest);
+    k->wide = wide;
+    k->high = high;
+    k->u = u;
+    k->v = v;
+    return true;
+}
+
+/* -- rectangles out of triangles ------------------------------------------------------------ */
+
+static bool same(SDL_Color a, SDL_Color b)
+{
+    return memcmp(&a, &b, sizeof a) == 0;
+}
+
+/* Corners in turn from the upper left, of two triangles 0 1 2 and 0 2 3, in one colour. */
+static bool is_rectangle(const ink_vertex *v, const uint16_t *i)
+{
+    const ink_vertex *const a = &v[i[0]], *const b = &v[i[1]], *const c = &v[i[2]],
+                     *const d = &v[i[5]];
+    return i[3] == i[0] && i[4] == i[2] && a->y == b->y && b->x == c->x && c->y == d->y
+        && d->x == a->x && a->x <= c->x && a->y <= c->y && same(a->colour, b->colour)
+        && same(a->colour, c->colour) && same(a->colour, d->colour);
+}
+
+static int whole(float x)
+{
+    return (int)SDL_floorf(x + 0.5f);
+}
+
+static SDL_Rect between(float x0, float y0, float x1, float y1)
+{
+    const int x = whole(x0), y = whole(y0);
+    return (SDL_Rect){ x, y, whole(x1) - x, whole(y1) - y };
+}
+
+static void rectangle(ink *k, const ink_vertex *a, const ink_vertex *c)
+{
+    const SDL_Rect to = between(a->x, a->y, c->x, c->y);
+    const SDL_Color by = a->colour;
+    if (a->u == k->u && c->u == k->u && a->v == k->v) {
+        SDL_SetRenderDrawBlendMode(k->renderer, by.a == 255 ? SDL_BLENDMODE_NONE
+                                                            : SDL_BLENDMODE_BLEND);
+        SDL_SetRenderDrawColor(k->renderer, by.r, by.g, by.b, by.a);
+        SDL_RenderFillRect(k->renderer, &to);
+        return;
+    }
+    const float wide = (float)k->wide, high = (float)k->high;
+    const SDL_Rect from = between(a->u * wide, a->v * high, c->u * wide, c->v * high);
+    SDL_SetTextureColorMod(k->atlas, by.r, by.g, by.b);
+    SDL_SetTextureAlphaMod(k->atlas, by.a);
+    SDL_RenderCopy(k->renderer, k->atlas, &from, &to);
+}
+
+static void triangles(ink *k, const ink_call *c, int first, int count)
+{
+    const ink_vertex *const v = c->vertex;
+    const bool plain = v[c->index[first]].u == k->u && v[c->index[first]].v == k->v;
+    SDL_SetTextureColorMod(k->atlas, 255, 255, 255);
+    SDL_SetTextureAlphaMod(k->atlas, 255);
+    SDL_SetRenderDrawBlendMode(k->renderer, SDL_BLENDMODE_BLEND);
+    SDL_RenderGeometryRaw(k->renderer, k->slow && plain ? NULL : k->atlas, &v->x,
+                          sizeof *v, &v->colour, sizeof *v, &v->u, sizeof *v,
+                          c->vertices, c->index + first, count, sizeof *c->index);
+}
+
+static void pieces(ink *k, const ink_call *c)
+{
+    for (int i = 0; i < c->indices;) {
+        const uint16_t *const index = c->index + i;
+        if (i + 6 <= c->indices && is_rectangle(c->vertex, index)) {
+            rectangle(k, &c->vertex[index[0]], &c->vertex[index[2]]);
+            i += 6;
+        } else {
+            triangles(k, c, i, 3);
+            i += 3;
+        }
+    }
+}
+
+void ink_draw(ink *k, const ink_call *call, int calls)
+{
+    for (int i = 0; i < calls; i++) {
+        SDL_RenderSetClipRect(k->renderer, &call[i].clip);
+        if (k->slow)
+            pieces(k, &call[i]);
+        else
+            triangles(k, &call[i], 0, call[i].indices);
+    }
+    SDL_RenderSetClipRect(k->renderer, NULL);
+}
+
+/* -- what is kept --------------------------------------------------------------------------- */
+
+/* Of words of four bytes, each in its place: a multiplication by an odd number and a turn
+ * lose nothing of a difference. */
+static uint64_t add(uint64_t sum, const void *data, size_t bytes)
+{
+    const uint8_t *at = data;
+    for (; bytes >= 4; bytes -= 4, at += 4) {
+        uint32_t word;
+        memcpy(&word, at, 4);
+        sum = (sum ^ word) * 0x9e3779b97f4a7c15u;
+        sum ^= sum >> 29;
+    }
+    return sum;
+}
+
+static uint64_t sum_of(const ink_call *call, int calls, const SDL_Rect *where)
+{
+    uint64_t sum = add(1, where, sizeof *where);
+    const ink_vertex *last = NULL;
+    for (int i = 0; i < calls; i++) {
+        const ink_call *const c = &call[i];
+        sum = add(sum, &c->clip, sizeof c->clip);
+        sum = add(sum, c->index, (size_t)c->indices * sizeof *c->index);
+        if (c->vertex != last)
+            sum = add(sum, c->vertex, (size_t)c->vertices * sizeof *c->vertex);
+        last = c->vertex;
+    }
+    return sum;
+}
+
+static bool fit(ink *k, const SDL_Rect *where)
+{
+    if (k->kept && k->where.w == where->w && k->where.h == where->h)
+        return true;
+    forget(&k->kept);
+    k->kept = SDL_CreateTexture(k->renderer, SDL_PIXELFORMAT_ARGB8888,
+                                SDL_TEXTUREACCESS_TARGET, where->w, where->h);
+    k->sum = 0;
+    return k->kept && SDL_SetTextureBlendMode(k->kept, SDL_BLENDMODE_NONE) == 0;
+}
+
+/* A target's corner is at nought: a viewport moves what is drawn there, and its clips. */
+static void draw_kept(ink *k, const ink_call *call, int calls, const SDL_Rect *where)
+{
+    SDL_Texture *const before = SDL_GetRenderTarget(k->renderer);
+    const SDL_Rect moved = { -where->x, -where->y, where->x + where->w,
+                             where->y + where->h };
+    SDL_SetRenderTarget(k->renderer, k->kept);
+    SDL_RenderSetViewport(k->renderer, &moved);
+    ink_draw(k, call, calls);
+    SDL_RenderSetViewport(k->renderer, NULL);
+    SDL_SetRenderTarget(k->renderer, before);
+}
+
+void ink_keep(ink *k, const ink_call *call, int calls, const SDL_Rect *where)
+{
+    if (!k->slow || !fit(k, where)) {
+        ink_draw(k, call, calls);
+        return;
+    }
+    const uint64_t sum = sum_of(call, calls, where);
+    if (sum != k->sum) {
+        k->where = *where;
+        draw_kept(k, call, calls, where);
+        k->sum = sum;
+    }
+    SDL_RenderCopy(k->renderer, k->kept, NULL, where);
+}

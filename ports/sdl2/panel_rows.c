@@ -1,0 +1,151 @@
+/* SPDX-License-Identifier: MIT */
+/* Groups, search and texts of the panel's rows.  They come as the table has them, which
+ * stands in the order that people should read. */
+#include "panel_rows.h"
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+/* -- groups ---------------------------------------------------------------------------- */
+
+static size_t head_bytes(const char *name)
+{
+    return strcspn(name, ".");
+}
+
+uint32_t panel_groups_of(const panel_host *host, panel_group groups[PANEL_GROUPS])
+{
+    uint32_t n = 0;
+    for (uint32_t i = 0; i < host->rows; i++) {
+        const char *const name = host->row[i].name;
+        const size_t bytes = head_bytes(name);
+        panel_group *const last = n > 0 ? &groups[n - 1] : NULL;
+        if (last && strlen(last->name) == bytes && memcmp(last->name, name, bytes) == 0) {
+            last->count++;
+            continue;
+        }
+        if (n == PANEL_GROUPS || bytes >= PANEL_NAME)
+            break;
+        groups[n] = (panel_group){ .first = i, .count = 1 };
+        memcpy(groups[n++].name, name, bytes);
+    }
+    return n;
+}
+
+void panel_group_count(const panel_host *host, panel_group *group, bool fresh)
+{
+    group->changed = 0;
+    for (uint32_t i = 0; i < group->count; i++)
+        group->changed += !host->is_normal(host->user, group->first + i);
+    if (fresh)
+        group->idle = group->changed == 0;
+}
+
+/* -- names and search -------------------------------------------------------------------- */
+
+void panel_label(const panel_row *row, uint32_t letters, char text[PANEL_NAME])
+{
+    const size_t head = head_bytes(row->name);
+    const char *name = row->name + head + (row->name[head] == '.');
+    size_t n = 0;
+    for (; name[n] != '\0' && n < PANEL_NAME - 1u && n < letters; n++)
+        text[n] = name[n] == '_' ? ' ' : name[n];
+    if (name[n] != '\0' && n > 3)
+        text[n - 1] = text[n - 2] = '.';
+    text[n] = '\0';
+}
+
+/* Letters that a search takes for the same. */
+static char plain(char c)
+{
+    return c == '_' || c == '.' ? ' ' : c >= 'A' && c <= 'Z' ? (char)(c - 'A' + 'a') : c;
+}
+
+static bool holds(const char *text, const char *word, size_t bytes)
+{
+    for (; *text != '\0'; text++) {
+        size_t i = 0;
+        while (i < bytes && text[i] != '\0' && plain(text[i]) == plain(word[i]))
+            i++;
+        if (i == bytes)
+            return true;
+    }
+    return false;
+}
+
+bool panel_found(const panel_row *row, const char *wanted)
+{
+    for (;;) {
+        wanted += strspn(wanted, " ._");
+        const size_t bytes = strcspn(wanted, " ._");
+        if (bytes == 0)
+            return true;
+        if (!holds(row->name, wanted, bytes) && !holds(row->help, wanted, bytes))
+            return false;
+        wanted += bytes;
+    }
+}
+
+bool panel_word(const char *list, uint32_t i, char text[PANEL_TEXT])
+{
+    for (; i > 0; i--) {
+        list += strcspn(list, "|");
+        if (*list == '\0')
+            return false;
+        list++;
+    }
+    snprintf(text, PANEL_TEXT, "%.*s", (int)strcspn(list, "|"), list);
+    return true;
+}
+
+/* -- values -------------------------------------------------------------------------------- */
+
+/* Many metres from a few centimetres on are no use on a straight slider. */
+panel_span panel_span_of(const panel_row *row, double value)
+{
+    panel_span s = { row->low, row->high, false };
+    if (strcmp(row->unit, "degrees") == 0 && s.high - s.low > 720) {
+        const double turn = 360 * floor((value + 180) / 360);
+        s.low = fmax(turn - 180, row->low);
+        s.high = fmin(turn + 180, row->high);
+        return s;
+    }
+    s.log = s.low > 0 ? s.high / s.low >= 100 : s.high - s.low >= 100;
+    s.log = s.log && strncmp(row->unit, "degrees", 7) != 0;
+    return s;
+}
+
+/* A thousandth of the span, or of the value if ways multiply; no more than 16.16 tells. */
+void panel_number(double value, const panel_span *span, char text[PANEL_TEXT])
+{
+    const double size = span->log ? fabs(value) : span->high - span->low;
+    int decimals = size > 0 ? (int)ceil(2.5 - log10(size)) : 0;
+    decimals = decimals < 0 ? 0 : decimals > 4 ? 4 : decimals;
+    snprintf(text, PANEL_TEXT, "%.*f", decimals, value);
+    if (strchr(text, '.')) {
+        size_t n = strlen(text);
+        while (text[n - 1] == '0')
+            n--;
+        text[text[n - 1] == '.' ? n - 1 : n] = '\0';
+    }
+    if (strcmp(text, "-0") == 0)
+        memcpy(text, "0", 2);
+}
+
+uint32_t panel_colour(const char *text)
+{
+    unsigned rgb = 0;
+    return strlen(text) == 7 && sscanf(text, "#%6x", &rgb) == 1 ? rgb : 0;
+}
+
+void panel_tip(const panel_row *row, char *text, size_t bytes)
+{
+    const bool number = row->kind == PANEL_NUMBER || row->kind == PANEL_COUNT;
+    const bool normal = row->normal && row->normal[0];
+    int n = snprintf(text, bytes, "%s\n%s", row->name, row->help);
+    if (number && n > 0 && (size_t)n < bytes)
+        n += snprintf(text + n, bytes - (size_t)n, "\n%.6g to %.6g%s%s", row->low,
+                      row->high, row->unit[0] ? " " : "", row->unit);
+    if (normal && n > 0 && (size_t)n < bytes)
+        snprintf(text + n, bytes - (size_t)n, "\ndefault %s", row->normal);
+}
