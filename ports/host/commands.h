@@ -3,6 +3,11 @@
  * has said why it is not 0. */
 #ifndef HOST_COMMANDS_H
 #define HOST_COMMANDS_H
+#include <stddef.h>
+
+#define TP_VERSION "0.1.0"
+#define TP_DATE    "2026-11-22"         /* of the version */
+
 int render_command(int argc, char **argv);
 int view_command(int argc, char **argv);
 int show_command(int argc, char **argv);
@@ -14,6 +19,22 @@ int plan_command(int argc, char **argv);
 int bench_command(int argc, char **argv);
 int charts_command(int argc, char **argv);
 int join_command(int argc, char **argv);
+
+/* All of them, in the order in which people should read them. */
+typedef struct {
+    const char *name, *takes;
+    unsigned    options;                /* FOR_... of args.h */
+    int       (*run)(int argc, char **argv);
+    const char *help;
+} command_row;
+
+extern const command_row commands[];
+extern const size_t      command_count;
+
+/* What the exit codes say. */
+typedef struct { int code; const char *help; } exit_row;
+extern const exit_row exits[];
+extern const size_t   exit_count;
 
 /* Ends what was printed on standard output: a full disk or a closed pipe is an error. */
 int finish_stdout(void);

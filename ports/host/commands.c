@@ -1,0 +1,51 @@
+/* SPDX-License-Identifier: MIT */
+/* The commands.  A new one is a line of the table. */
+#include "commands.h"
+#include "args.h"
+#include "say.h"
+
+#ifndef TP_HAVE_SDL2     /* defined where ports/sdl2 is built in */
+int view_command(int argc, char **argv)
+{
+    (void)argc;
+    (void)argv;
+    return fail(EXIT_INPUT, "tidepool view: built without the preview, which needs SDL2:"
+                " install libsdl2-dev and build again; `tidepool render` needs none");
+}
+#endif
+
+const command_row commands[] = {
+    { "view", "[SCENE] [OPTION]...", FOR_VIEW, view_command,
+      "a window to look around in, and to change everything" },
+    { "render", "SCENE [OPTION]...", FOR_RENDER, render_command,
+      "frames to PNG files or a film; hashes, figures" },
+    { "show", "SCENE [OPTION]...", FOR_SHOW, show_command,
+      "a scene on a raw screen, without a window system" },
+    { "scenes", "", FOR_SCENES, scenes_command,
+      "the scenes that come with the program" },
+    { "join", "FILM.y4m PART...", FOR_JOIN, join_command,
+      "one film of parts that were drawn apart" },
+    { "params", "[SCENE]", FOR_PARAMS, params_command,
+      "what can be changed: names, units, ranges, values" },
+    { "bake", "SCENE -o FILE.c", FOR_BAKE, bake_command,
+      "a scene as constant C, for a board without files" },
+    { "plan", "SCENE [OPTION]...", FOR_PLAN, plan_command,
+      "how a scene is drawn, and why: costs, errors, bytes" },
+    { "check", "--vectors DIR", FOR_CHECK, check_command,
+      "the models against tables of known values" },
+    { "bench", "[OPTION]...", FOR_BENCH, bench_command,
+      "times of one scene, beside other renderers'" },
+    { "charts", "DIR [OPTION]...", FOR_CHARTS, charts_command,
+      "speed against accuracy: tables, pictures, a page" },
+};
+
+const size_t command_count = sizeof commands / sizeof *commands;
+
+const exit_row exits[] = {
+    { EXIT_DONE, "done" },
+    { EXIT_CHECK, "a check failed" },
+    { EXIT_USAGE, "usage" },
+    { EXIT_INPUT, "bad input or output" },
+};
+
+const size_t exit_count = sizeof exits / sizeof *exits;
