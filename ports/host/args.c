@@ -86,6 +86,8 @@ static int check(const options *o, unsigned command)
         return refuse(o, "--play and --resume exclude each other");
     if (!o->scene && all && (command & (FOR_RENDER | FOR_SHOW | FOR_BAKE | FOR_PLAN)))
         return refuse(o, "which scene?");
+    if (!o->scene && all && (command & FOR_COMPLETION))
+        return refuse(o, "which shell?  It knows bash, zsh and fish");
     if (!o->out && all && (command & FOR_BAKE))
         return refuse(o, "which file?  It takes -o FILE.c");
     if (o->hold && !o->counted)
@@ -117,7 +119,8 @@ int args_read(options *o, unsigned command, int argc, char **argv)
             code = read_option(o, command, argc, argv, &i);
         else if (command & MANY)
             o->names[o->n_names++] = argv[i];
-        else if (o->scene || (command & (FOR_SCENES | FOR_CHECK | FOR_BENCH)))
+        else if (o->scene
+                 || (command & (FOR_SCENES | FOR_CHECK | FOR_BENCH | FOR_MANUAL)))
             code = refuse(o, "too many names");
         else
             o->scene = argv[i];

@@ -43,6 +43,7 @@ typedef struct {
     uint32_t     scale, ui;         /* of pixels; of letters, in percent; 0: not given */
     const char  *play, *keys;       /* of inputs; of keys */
     bool         no_panel;
+    bool         scene_page;        /* of the manual */
     bool         hold, counted, formatted;  /* --frames, --format were given */
     bool         help;
 } options;
@@ -50,7 +51,7 @@ typedef struct {
 /* Commands, for the table's masks. */
 enum { FOR_RENDER = 1, FOR_VIEW = 2, FOR_PARAMS = 4, FOR_SCENES = 8, FOR_CHECK = 16,
        FOR_BAKE = 32, FOR_PLAN = 64, FOR_BENCH = 128, FOR_CHARTS = 256, FOR_JOIN = 512,
-       FOR_SHOW = 1024 };
+       FOR_SHOW = 1024, FOR_MANUAL = 2048, FOR_COMPLETION = 4096 };
 
 /* `command` is one of FOR_...; argv[0] is its name.  EXIT_USAGE: said why.  The caller
  * frees settings in any case. */

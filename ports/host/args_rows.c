@@ -181,6 +181,7 @@ SWITCH(list)
 SWITCH(collect)
 SWITCH(resume)
 SWITCH(hold)
+SWITCH(scene_page)
 SWITCH(no_panel)
 SWITCH(stats)
 SWITCH(csv)
@@ -211,7 +212,7 @@ const option_row args_rows[] = {
       "picture, 640x480 by default" },
     { "--size", "WxH", FOR_BENCH, read_size, "of the picture; else 640x480 and 320x240" },
     { "--points", "N", FOR_BENCH, read_points, "of a side; else 64, 100, 128 and 256" },
-    { "--work", "WORD", FOR_BENCH, read_work, "plain, full or smooth alone" },
+    { "--work", "WORK", FOR_BENCH, read_work, "plain, full or smooth alone" },
     { "--frames", "N", FOR_BENCH, read_frames, "of each of three rounds, 10 by default" },
     { "--rungs", NULL, FOR_BENCH, read_rungs, "by every rung of the plan, 128 points" },
     { "--peers", NULL, FOR_BENCH, read_peers,
@@ -231,11 +232,11 @@ const option_row args_rows[] = {
       "what its names begin with; else the scene's name" },
     { "--set", "NAME=VALUE", DRAWERS | FOR_PARAMS | FOR_BAKE | FOR_PLAN, read_set,
       "change one parameter of the scene; may be repeated" },
-    { "--only", "WORD", FOR_PARAMS, read_only,
+    { "--only", "GROUP", FOR_PARAMS, read_only,
       "names that begin so: water, wave0., boat.m" },
     { "--out", "FILE", FOR_RENDER, read_out,
       "f-%04d.png, film.y4m, or - for a film to stdout" },
-    { "--format", "NAME", DRAWERS | FOR_PLAN, read_format,
+    { "--format", "FORMAT", DRAWERS | FOR_PLAN, read_format,
       "xrgb8888 rgb565 rgb565be p8 l8 i1" },
     { "--csv", NULL, FOR_PLAN | FOR_BENCH, read_csv, "a table for programs" },
     { "--band", "ROWS", FOR_RENDER | FOR_PLAN, read_band, "draw in bands of so many rows" },
@@ -273,10 +274,12 @@ const option_row args_rows[] = {
     { "--resume", NULL, FOR_VIEW, read_resume, "go on where the last one ended" },
     { "--frames", "N", FOR_VIEW, read_pictures,
       "draw N pictures as fast as it goes, and end" },
-    { "--kit", "NAME", FOR_RENDER | FOR_SHOW, read_kit,
+    { "--kit", "KIT", FOR_RENDER | FOR_SHOW, read_kit,
       "baseline or x86-64-v3, the same bits; else the best" },
     { "--stats", NULL, FOR_RENDER | FOR_VIEW, read_stats,
       "print times, counts and RAM as JSON" },
+    { "--scene", NULL, FOR_MANUAL, read_scene_page,
+      "the page of a scene's parameters, tidepool-scene(5)" },
     { "--verbose", NULL, ALL, read_verbose, "name the check that refused something" },
     { "--help", NULL, ALL, read_help, "this text" },
 };

@@ -8,7 +8,8 @@
 
 /* Several commands. */
 #define ALL (FOR_RENDER | FOR_VIEW | FOR_PARAMS | FOR_SCENES | FOR_CHECK | FOR_BAKE \
-             | FOR_PLAN | FOR_BENCH | FOR_CHARTS | FOR_JOIN | FOR_SHOW)
+             | FOR_PLAN | FOR_BENCH | FOR_CHARTS | FOR_JOIN | FOR_SHOW | FOR_MANUAL \
+             | FOR_COMPLETION)
 #define DRAWERS (FOR_RENDER | FOR_VIEW | FOR_SHOW)
 #define MANY (FOR_CHARTS | FOR_JOIN)
 

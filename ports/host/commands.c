@@ -37,6 +37,10 @@ const command_row commands[] = {
       "times of one scene, beside other renderers'" },
     { "charts", "DIR [OPTION]...", FOR_CHARTS, charts_command,
       "speed against accuracy: tables, pictures, a page" },
+    { "manual", "[--scene]", FOR_MANUAL, manual_command,
+      "the manual page, for man; --scene: of all parameters" },
+    { "completion", "SHELL", FOR_COMPLETION, completion_command,
+      "what bash, zsh or fish complete of all this" },
 };
 
 const size_t command_count = sizeof commands / sizeof *commands;

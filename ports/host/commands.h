@@ -19,6 +19,8 @@ int plan_command(int argc, char **argv);
 int bench_command(int argc, char **argv);
 int charts_command(int argc, char **argv);
 int join_command(int argc, char **argv);
+int manual_command(int argc, char **argv);
+int completion_command(int argc, char **argv);
 
 /* All of them, in the order in which people should read them. */
 typedef struct {

@@ -9,6 +9,7 @@
 #include "path.h"
 #include "say.h"
 #include "stage.h"
+#include "takes.h"
 
 /* -- scenes ---------------------------------------------------------------------- */
 
@@ -59,33 +60,13 @@ enum { NAME, VALUE, UNIT, RANGE, COLUMNS };
 
 typedef char cells[COLUMNS][CELL_BYTES];
 
-static void range_text(const tp_param *param, char *text, size_t bytes)
-{
-    char low[32], high[32];
-    switch (param->kind) {
-    case TP_PARAM_FX:
-    case TP_PARAM_INT:
-        tp_param_number_text(param, param->low, low, sizeof low);
-        tp_param_number_text(param, param->high, high, sizeof high);
-        snprintf(text, bytes, "%s..%s", low, high);
-        break;
-    case TP_PARAM_BOOL:    snprintf(text, bytes, "off|on"); break;
-    case TP_PARAM_COLOUR:  snprintf(text, bytes, "#rrggbb"); break;
-    case TP_PARAM_CHOICE:  snprintf(text, bytes, "%s", param->unit); break;
-    case TP_PARAM_MESH:    snprintf(text, bytes, "an OBJ file"); break;
-    case TP_PARAM_TEXTURE:
-    case TP_PARAM_GREY:    snprintf(text, bytes, "a PNG file"); break;
-    case TP_PARAM_TEXT:    snprintf(text, bytes, "a text"); break;
-    }
-}
-
 static void fill(cells row, const tp_scene *scene, const tp_param *param)
 {
     snprintf(row[NAME], CELL_BYTES, "%s", param->name);
     tp_param_text(scene, param, row[VALUE], CELL_BYTES);
     snprintf(row[UNIT], CELL_BYTES, "%s",
              param->kind == TP_PARAM_CHOICE ? "" : param->unit);
-    range_text(param, row[RANGE], CELL_BYTES);
+    takes_range(param, row[RANGE], CELL_BYTES);
 }
 
 static void print_row(cells row, const int width[COLUMNS], const char *help)

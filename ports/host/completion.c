@@ -1,0 +1,124 @@
+/* SPDX-License-Identifier: MIT */
+/* tidepool completion SHELL, and what the scripts of all shells have in common. */
+#include "completion.h"
+#include <signal.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* An apostrophe stands outside of the quotes: 'it'\''s'.  No text has a backslash, of
+ * which shells think differently. */
+void print_quoted(const char *text)
+{
+    putchar('\'');
+    for (; *text; text++)
+        if (*text == '\'')
+            fputs("'\\''", stdout);
+        else
+            putchar(*text == '\\' ? '/' : *text);
+    putchar('\'');
+}
+
+void print_words(const char *kind)
+{
+    words list = { 0 };
+    takes_words(&list, kind);
+    for (size_t i = 0; i < list.count; i++)
+        printf("%s%s", i ? " " : "", list.of[i]);
+    words_free(&list);
+}
+
+void print_names(const char *tail)
+{
+    uint32_t count;
+    const tp_param *of = tp_params(&count);
+    for (uint32_t i = 0; i < count; i++)
+        printf("%s%s%s", i ? " " : "", of[i].name, tail);
+}
+
+void print_file_names(const char *tail)
+{
+    uint32_t count;
+    const tp_param *of = tp_params(&count);
+    const char *bar = "";
+    for (uint32_t i = 0; i < count; i++)
+        if (takes_file(&of[i])) {
+            printf("%s%s%s", bar, of[i].name, tail);
+            bar = "|";
+        }
+}
+
+static bool same(const char *a, const char *b)
+{
+    return a && b && strcmp(a, b) == 0;
+}
+
+/* Where in the table a list of choices is met first. */
+static uint32_t first_of(const char *choice)
+{
+    uint32_t count, i = 0;
+    const tp_param *of = tp_params(&count);
+    while (i < count && !same(takes_choice(&of[i]), choice))
+        i++;
+    return i;
+}
+
+const char *next_choice(const char *last)
+{
+    uint32_t count;
+    const tp_param *of = tp_params(&count);
+    for (uint32_t i = last ? first_of(last) + 1 : 0; i < count; i++) {
+        const char *choice = takes_choice(&of[i]);
+        if (choice && first_of(choice) == i)
+            return choice;
+    }
+    return NULL;
+}
+
+void print_choosers(const char *choice, const char *tail)
+{
+    uint32_t count;
+    const tp_param *of = tp_params(&count);
+    const char *bar = "";
+    for (uint32_t i = 0; i < count; i++)
+        if (same(takes_choice(&of[i]), choice)) {
+            printf("%s%s%s", bar, of[i].name, tail);
+            bar = "|";
+        }
+}
+
+static const struct { const char *name; void (*print)(void); } shells[] = {
+    { "bash", completion_bash }, { "zsh", completion_zsh }, { "fish", completion_fish },
+};
+
+static int print_script(const char *shell)
+{
+    for (size_t i = 0; i < sizeof shells / sizeof *shells; i++)
+        if (strcmp(shells[i].name, shell) == 0) {
+            shells[i].print();
+            return EXIT_DONE;
+        }
+    return fail(EXIT_USAGE, "tidepool completion: %.40s: expected bash, zsh or fish",
+                shell);
+}
+
+int completion_command(int argc, char **argv)
+{
+    options o;
+    signal(SIGPIPE, SIG_DFL);
+    int code = args_read(&o, FOR_COMPLETION, argc, argv);
+    if (!code && o.help) {
+        puts("usage: tidepool completion SHELL\n"
+             "Prints what bash, zsh or fish complete: commands, options, scenes, names\n"
+             "and values.  `make install` puts it where they look; by hand:\n"
+             "  eval \"$(tidepool completion bash)\"          # in ~/.bashrc\n"
+             "  tidepool completion zsh >DIR/_tidepool      # DIR: of $fpath\n"
+             "  tidepool completion fish | source           # in config.fish\n");
+        args_print(FOR_COMPLETION);
+    } else if (!code) {
+        code = print_script(o.scene);
+    }
+    free(o.settings);
+    const int end = finish_stdout();
+    return code ? code : end;
+}

@@ -1,0 +1,209 @@
+/* SPDX-License-Identifier: MIT */
+/* tidepool manual: tidepool(1), from the tables of commands, options, keys and exit
+ * codes, and tidepool-scene(5) from that of parameters. */
+#include "manual.h"
+#include <signal.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include "actions.h"
+#include "args_rows.h"
+#include "commands.h"
+#include "roff.h"
+
+typedef struct { const char *name, *help; } entry;
+
+static const entry environment[] = {
+    { "DISPLAY, WAYLAND_DISPLAY", "Where the preview opens its window; without them `make"
+      " run` draws to files." },
+    { "SDL_VIDEODRIVER", "The driver that SDL is to use for it." },
+    { "XDG_CONFIG_HOME", "The folder of tidepool/keys.ini, ~/.config by default." },
+    { "XDG_STATE_HOME", "The folder of what --resume goes on from, ~/.local/state by"
+      " default." },
+    { "TERM", "A terminal that is not dumb is told how far a long drawing is." },
+};
+
+static const entry files[] = {
+    { "~/.config/tidepool/keys.ini", "The preview's keys, as under KEYS." },
+    { "~/.local/state/tidepool/", "What the preview was doing, for --resume." },
+    { "share/tidepool/scenes/", "The shipped scenes, under the prefix of the"
+      " installation." },
+};
+
+static const entry examples[] = {
+    { "tidepool view", "A window on three swells; F1 lists the keys." },
+    { "tidepool render storm --frames 300 --out storm.y4m", "A film of five seconds." },
+    { "tidepool params storm --only wave0.", "What can be changed of a wave." },
+    { "tidepool render storm --set wave0.amplitude=2 --out high.png",
+      "A picture of a higher sea." },
+};
+
+#define COUNT(table) (sizeof (table) / sizeof *(table))
+
+void manual_head(const char *name, int section, const char *book, const char *what)
+{
+    roff_macro(".\\\" Made by `tidepool manual`.");
+    roff_macro(".TH %s %d %s \"tidepool %s\" \"%s\"", name, section, TP_DATE, TP_VERSION,
+               book);
+    roff_macro(".SH NAME");
+    roff_text(what);
+}
+
+static void print_entries(const char *title, const entry *of, size_t count)
+{
+    roff_macro(".SH %s", title);
+    for (size_t i = 0; i < count; i++) {
+        roff_macro(".TP");
+        roff_bold(of[i].name);
+        roff_end();
+        roff_text(of[i].help);
+    }
+}
+
+/* "SCENE [OPTION]...": words in capitals are for others, options stand as they are. */
+static void print_usage(const command_row *of)
+{
+    const char *at = of->takes;
+    roff_bold("tidepool ");
+    roff_bold(of->name);
+    while (*at) {
+        char word[32];
+        const size_t bytes = strcspn(at, " ");
+        snprintf(word, sizeof word, "%.*s", (int)bytes, at);
+        roff_text(" ");
+        if (*word == '-')
+            roff_bold(word);
+        else
+            roff_italic(word);
+        at += bytes + (at[bytes] == ' ');
+    }
+    roff_end();
+}
+
+static void print_option(const option_row *row)
+{
+    roff_macro(".TP");
+    roff_bold(row->name);
+    if (row->value) {
+        roff_text(" ");
+        roff_italic(row->value);
+    }
+    roff_end();
+    roff_text(row->help);
+}
+
+static void print_commands(void)
+{
+    roff_macro(".SH COMMANDS");
+    for (size_t i = 0; i < command_count; i++) {
+        roff_macro(".SS %s", commands[i].name);
+        print_usage(&commands[i]);
+        roff_macro(".PP");
+        roff_text(commands[i].help);
+        for (size_t k = 0; k < args_row_count; k++)
+            if ((args_rows[k].commands & commands[i].options) && args_rows[k].commands != ALL)
+                print_option(&args_rows[k]);
+    }
+    roff_macro(".SH OPTIONS OF EVERY COMMAND");
+    for (size_t k = 0; k < args_row_count; k++)
+        if (args_rows[k].commands == ALL)
+            print_option(&args_rows[k]);
+}
+
+static void print_key(const char *keys, const char *name, const char *help)
+{
+    roff_macro(".TP");
+    roff_bold(keys);
+    if (name) {
+        roff_text(" (");
+        roff_italic(name);
+        roff_text(")");
+    }
+    roff_end();
+    roff_text(help);
+}
+
+/* By groups, in the order in which they first occur. */
+static void print_keys(void)
+{
+    bool done[ACTIONS] = { false };
+    roff_macro(".SH KEYS");
+    roff_text("Of the preview, each with its name in a file of keys, which gives it"
+              " others: a line");
+    roff_macro(".PP");
+    roff_text("    drop = Return Ctrl+D");
+    roff_macro(".PP");
+    roff_text("for each, no key behind = for none.");
+    for (int i = 0; i < ACTIONS; i++) {
+        if (done[i])
+            continue;
+        roff_macro(".SS %s", actions[i].group);
+        for (int k = i; k < ACTIONS; k++)
+            if (strcmp(actions[k].group, actions[i].group) == 0) {
+                print_key(actions[k].keys, actions[k].name, actions[k].help);
+                done[k] = true;
+            }
+    }
+    roff_macro(".SS mouse and gamepad");
+    for (size_t i = 0; i < action_note_count; i++)
+        print_key(action_notes[i].keys, NULL, action_notes[i].help);
+}
+
+static void print_exits(void)
+{
+    roff_macro(".SH EXIT STATUS");
+    for (size_t i = 0; i < exit_count; i++) {
+        char code[12];
+        snprintf(code, sizeof code, "%d", exits[i].code);
+        print_key(code, NULL, exits[i].help);
+    }
+}
+
+static void print_program(void)
+{
+    manual_head("TIDEPOOL", 1, "User Commands", "tidepool - water for small computers");
+    roff_macro(".SH SYNOPSIS");
+    for (size_t i = 0; i < command_count; i++) {
+        if (i)
+            roff_macro(".br");
+        print_usage(&commands[i]);
+    }
+    roff_macro(".SH DESCRIPTION");
+    roff_text("Models seas, pools, drops and a boat in 16.16 fixed point and draws them:"
+              " in a window, on a raw screen, to pictures and films. The same bits come"
+              " out on every machine.");
+    roff_macro(".PP");
+    roff_italic("SCENE");
+    roff_text(" is the name of a shipped scene or the path of an INI file, see ");
+    roff_bold("tidepool-scene");
+    roff_text("(5).");
+    print_commands();
+    print_keys();
+    print_exits();
+    print_entries("ENVIRONMENT", environment, COUNT(environment));
+    print_entries("FILES", files, COUNT(files));
+    print_entries("EXAMPLES", examples, COUNT(examples));
+    roff_macro(".SH SEE ALSO");
+    roff_bold("tidepool-scene");
+    roff_text("(5)");
+    roff_end();
+}
+
+int manual_command(int argc, char **argv)
+{
+    options o;
+    signal(SIGPIPE, SIG_DFL);
+    int code = args_read(&o, FOR_MANUAL, argc, argv);
+    if (!code && o.help) {
+        puts("usage: tidepool manual [--scene] >FILE\n"
+             "Prints the manual page tidepool(1), for `man -l FILE`.\n");
+        args_print(FOR_MANUAL);
+    } else if (!code && o.scene_page) {
+        manual_scene();
+    } else if (!code) {
+        print_program();
+    }
+    free(o.settings);
+    const int end = finish_stdout();
+    return code ? code : end;
+}

@@ -1,0 +1,141 @@
+/* SPDX-License-Identifier: MIT */
+/* tidepool-scene(5): the file of a scene, and all that can stand in it, by groups.  Of
+ * groups that differ in their number alone (wave0 to wave15) the first is told. */
+#include "manual.h"
+#include <stdbool.h>
+#include <stdio.h>
+#include <string.h>
+#include "roff.h"
+#include "takes.h"
+
+static void print_file(void)
+{
+    roff_macro(".SH DESCRIPTION");
+    roff_text("A scene is a text of sections and lines. What it does not name keeps its"
+              " default, so that the least scene is empty; of what it names twice the"
+              " last holds. Comments begin with ; or #, lines have up to 199 bytes. Names"
+              " of files are taken from the scene's own folder. A file that is wrong is"
+              " refused, with the line.");
+    roff_macro(".PP");
+    roff_text("In a command ");
+    roff_bold("--set section.name=value");
+    roff_text(" comes after the file.");
+    roff_macro(".SH EXAMPLE");
+    roff_macro(".EX");
+    roff_macro("[scene]\ntitle = Evening\n[wave0]\namplitude = 0.6 ; m\nlength = 12\n"
+               "[light]\ncolour = #ffd0a0");
+    roff_macro(".EE");
+}
+
+/* "wave" of "wave12.length", and *rest = ".length"; *number = 12, -1: it has none. */
+static size_t split(const char *name, long *number, const char **rest)
+{
+    const size_t letters = strcspn(name, "0123456789."), dot = strcspn(name, ".");
+    *number = -1;
+    if (letters < dot)
+        sscanf(name + letters, "%ld", number);
+    *rest = name + dot;
+    return letters;
+}
+
+/* Of the same group but for its number, and told in the same words. */
+static bool alike(const tp_param *a, const tp_param *b)
+{
+    long m, n;
+    const char *x, *y;
+    const size_t bytes = split(a->name, &m, &x);
+    return bytes == split(b->name, &n, &y) && memcmp(a->name, b->name, bytes) == 0
+        && m >= 0 && n >= 0 && strcmp(x, y) == 0 && strcmp(a->unit, b->unit) == 0
+        && strcmp(a->help, b->help) == 0 && a->kind == b->kind && a->low == b->low
+        && a->high == b->high && a->normal == b->normal;
+}
+
+static bool share_group(const tp_param *a, const tp_param *b)
+{
+    const size_t bytes = strcspn(a->name, ".") + 1;
+    return strncmp(a->name, b->name, bytes) == 0;
+}
+
+/* How many rows from `first` on are one group's. */
+static uint32_t group_size(const tp_param *first, const tp_param *end)
+{
+    uint32_t size = 0;
+    while (first + size < end && share_group(first, first + size))
+        size++;
+    return size;
+}
+
+/* How many groups from `first` on are the same but for their numbers, itself too. */
+static uint32_t repeats(const tp_param *first, uint32_t size, const tp_param *end)
+{
+    uint32_t count = 1;
+    for (; first + (count + 1) * size <= end; count++)
+        for (uint32_t i = 0; i < size; i++)
+            if (!alike(&first[i], &first[count * size + i]))
+                return count;
+    return count;
+}
+
+/* "0..16 m; 0", and what it means. */
+static void print_param(const tp_param *param, bool numbered)
+{
+    tp_scene scene;
+    char range[96], value[TP_NAME_BYTES + 16], name[64];
+    long number;
+    const char *rest;
+    const int letters = (int)split(param->name, &number, &rest);
+    if (numbered)
+        snprintf(name, sizeof name, "%.*sN%s", letters, param->name, rest);
+    else
+        snprintf(name, sizeof name, "%s", param->name);
+    tp_scene_default(&scene);
+    tp_param_text(&scene, param, value, sizeof value);
+    takes_range(param, range, sizeof range);
+    roff_macro(".TP");
+    roff_bold(name);
+    roff_text("  ");
+    roff_text(range);
+    if (*param->unit && !takes_choice(param)) {
+        roff_text(" ");
+        roff_text(param->unit);
+    }
+    if (*value) {
+        roff_text("; ");
+        roff_text(value);
+    }
+    roff_end();
+    roff_text(param->help);
+}
+
+static void print_groups(void)
+{
+    uint32_t count;
+    const tp_param *at = tp_params(&count), *end = at + count;
+    roff_macro(".SH PARAMETERS");
+    roff_text("Each with its range and unit, then its default.");
+    while (at < end) {
+        const uint32_t size = group_size(at, end), times = repeats(at, size, end);
+        const int first = (int)strcspn(at->name, ".");
+        const tp_param *last = at + (times - 1) * size;
+        if (times > 1)
+            roff_macro(".SS %.*s to %.*s", first, at->name, (int)strcspn(last->name, "."),
+                       last->name);
+        else
+            roff_macro(".SS %.*s", first, at->name);
+        for (uint32_t i = 0; i < size; i++)
+            print_param(&at[i], times > 1);
+        at += times * size;
+    }
+}
+
+void manual_scene(void)
+{
+    manual_head("TIDEPOOL-SCENE", 5, "File Formats",
+                "tidepool-scene - what a scene of tidepool's can have");
+    print_file();
+    print_groups();
+    roff_macro(".SH SEE ALSO");
+    roff_bold("tidepool");
+    roff_text("(1)");
+    roff_end();
+}

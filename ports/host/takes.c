@@ -1,0 +1,167 @@
+/* SPDX-License-Identifier: MIT */
+#include "takes.h"
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include "bench_scene.h"
+#include "machine.h"
+#include "path.h"
+#include "screen/show.h"
+
+static bool add(words *list, const char *word)
+{
+    return words_add(list, word, strlen(word));
+}
+
+static bool add_formats(words *list)
+{
+    bool done = true;
+    for (int i = 0; i < TP_FORMAT_COUNT; i++)
+        done = done && add(list, tp_format_name((tp_format)i));
+    return done;
+}
+
+static bool add_visibility(words *list)
+{
+    return words_cut(list, tp_param_find("quality.visibility", 18)->unit, "|");
+}
+
+static bool add_kits(words *list)
+{
+    size_t count;
+    bool done = true;
+    const machine *of = machine_kits(&count);
+    for (size_t i = 0; i < count; i++)
+        done = done && add(list, of[i].name);
+    return done;
+}
+
+static bool add_works(words *list)
+{
+    bool done = true;
+    for (int i = 0; i < BENCH_WORKS; i++)
+        done = done && add(list, bench_work_name[i]);
+    return done;
+}
+
+/* "fb or kms", and of them those that are built in. */
+static bool add_ports(words *list)
+{
+    words all = { 0 };
+    bool done = words_cut(&all, SHOW_PORTS, " ");
+    for (size_t i = 0; i < all.count; i++)
+        if (show_port(all.of[i]))
+            done = done && add(list, all.of[i]);
+    words_free(&all);
+    return done;
+}
+
+static bool add_shells(words *list)
+{
+    return words_cut(list, "bash zsh fish", " ");
+}
+
+static bool add_scenes(words *list)
+{
+    size_t count = 0;
+    bool done = true;
+    char *folder = path_of_scenes();
+    char **names = folder ? path_scene_names(folder, &count) : NULL;
+    for (size_t i = 0; i < count; i++)
+        done = done && add(list, names[i]);
+    path_free_names(names, count);
+    free(folder);
+    return done;
+}
+
+/* "wave0." of every parameter, once. */
+static bool add_groups(words *list)
+{
+    uint32_t count;
+    bool done = true;
+    const tp_param *of = tp_params(&count);
+    for (uint32_t i = 0; i < count && done; i++) {
+        const size_t bytes = strcspn(of[i].name, ".") + 1;
+        if (i == 0 || strncmp(of[i].name, of[i - 1].name, bytes) != 0)
+            done = words_add(list, of[i].name, bytes);
+    }
+    return done;
+}
+
+static const struct {
+    const char *word;
+    takes       kind;
+    bool      (*fill)(words *list);
+} rows[] = {
+    { "SCENE", TAKES_SCENE, add_scenes },
+    { "FORMAT", TAKES_WORD, add_formats },
+    { "HOW", TAKES_WORD, add_visibility },
+    { "KIT", TAKES_WORD, add_kits },
+    { "WORK", TAKES_WORD, add_works },
+    { "PORT", TAKES_WORD, add_ports },
+    { "SHELL", TAKES_WORD, add_shells },
+    { "GROUP", TAKES_WORD, add_groups },
+    { "NAME=VALUE", TAKES_SETTING, NULL },
+    { "FILE", TAKES_FILE, NULL },
+    { "FILM.y4m", TAKES_FILE, NULL },
+    { "PATH", TAKES_FILE, NULL },
+    { "DIR", TAKES_FOLDER, NULL },
+    { "FOLDER", TAKES_FOLDER, NULL },
+};
+
+#define ROWS (sizeof rows / sizeof *rows)
+
+/* The row, or ROWS. */
+static size_t find(const char *word)
+{
+    word += *word == '[';
+    const size_t bytes = strcspn(word, "] ");
+    for (size_t i = 0; i < ROWS; i++)
+        if (strlen(rows[i].word) == bytes && memcmp(rows[i].word, word, bytes) == 0)
+            return i;
+    return ROWS;
+}
+
+takes takes_of(const char *word)
+{
+    const size_t i = find(word);
+    return i < ROWS ? rows[i].kind : TAKES_ANY;
+}
+
+bool takes_words(words *list, const char *word)
+{
+    const size_t i = find(word);
+    return i == ROWS || !rows[i].fill || rows[i].fill(list);
+}
+
+const char *takes_choice(const tp_param *param)
+{
+    return param->kind == TP_PARAM_CHOICE ? param->unit
+         : param->kind == TP_PARAM_BOOL ? "off|on" : NULL;
+}
+
+bool takes_file(const tp_param *param)
+{
+    return param->kind == TP_PARAM_MESH || param->kind == TP_PARAM_TEXTURE
+        || param->kind == TP_PARAM_GREY;
+}
+
+void takes_range(const tp_param *param, char *text, size_t bytes)
+{
+    char low[32], high[32];
+    switch (param->kind) {
+    case TP_PARAM_FX:
+    case TP_PARAM_INT:
+        tp_param_number_text(param, param->low, low, sizeof low);
+        tp_param_number_text(param, param->high, high, sizeof high);
+        snprintf(text, bytes, "%s..%s", low, high);
+        break;
+    case TP_PARAM_BOOL:
+    case TP_PARAM_CHOICE:  snprintf(text, bytes, "%s", takes_choice(param)); break;
+    case TP_PARAM_COLOUR:  snprintf(text, bytes, "#rrggbb"); break;
+    case TP_PARAM_MESH:    snprintf(text, bytes, "an OBJ file"); break;
+    case TP_PARAM_TEXTURE:
+    case TP_PARAM_GREY:    snprintf(text, bytes, "a PNG file"); break;
+    case TP_PARAM_TEXT:    snprintf(text, bytes, "a text"); break;
+    }
+}
