@@ -277,6 +277,7 @@ host-tests: everything
 	@$(RUN) build/log/host $(SAN_UNIT:build/host/%=build/san/%) \
 	    $(filter-out $(SAN_UNIT),$(UNIT)) $(GOLDEN) \
 	    tests/gates/host.sh tests/gates/selftest.sh tests/host/cli.sh \
+	    tests/host/manual.sh \
 	    tests/host/bake.sh tests/host/check.sh tests/host/tape.sh tests/host/screen.sh \
 	    tests/host/charts.sh tests/boards/readme.sh tests/gates/sanitized.sh \
 	    tests/host/generators.sh \

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The script for bash 4.3 and later.  Three functions hold what the tables say; the fourth
+/* The script for bash 4.3 and later.  Four functions hold what the tables say, the fifth
  * tells from the words before which of it is wanted.  Bash may part words at =, whereupon
  * a reply is what follows the last of them. */
 #include <stdio.h>

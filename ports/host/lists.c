@@ -39,7 +39,8 @@ int scenes_command(int argc, char **argv)
     signal(SIGPIPE, SIG_DFL);       /* a list that goes on into `head` ends there */
     int code = args_read(&o, FOR_SCENES, argc, argv);
     if (!code && o.help) {
-        puts("usage: tidepool scenes\nLists the shipped scenes and what each shows.");
+        puts("usage: tidepool scenes\nLists the shipped scenes and what each shows.\n");
+        args_print(FOR_SCENES);
     } else if (!code) {
         char *folder = path_of_scenes();
         code = folder ? list_scenes(folder)

@@ -101,7 +101,8 @@ static void print_commands(void)
         roff_macro(".PP");
         roff_text(commands[i].help);
         for (size_t k = 0; k < args_row_count; k++)
-            if ((args_rows[k].commands & commands[i].options) && args_rows[k].commands != ALL)
+            if (args_rows[k].commands != ALL
+                && (args_rows[k].commands & commands[i].options))
                 print_option(&args_rows[k]);
     }
     roff_macro(".SH OPTIONS OF EVERY COMMAND");

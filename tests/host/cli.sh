@@ -18,7 +18,8 @@ absent() {
 fits --help
 unseen=$("$program" view --help 2>&1 >out | grep "built without")
 [ -n "$unseen" ] || fits view --help
-for command in render show scenes params bake plan check bench charts join; do
+for command in render show scenes params bake plan check bench charts join manual \
+        completion; do
     fits "$command" --help
 done
 run --version
