@@ -22,6 +22,7 @@ show | libsdl2-dev               | pkg sdl2                    | the preview win
 test | libdrm-dev               | inc libdrm/drm.h            | headers of raw screens
 test | libcmocka-dev             | pkg cmocka                  | unit tests
 test | binutils                  | cmd objdump                 | gates on the object code
+test | mandoc                    | cmd mandoc                  | checks the manual page
 sheet | imagemagick              | cmd montage                 | lays pictures out
 sheet | fonts-dejavu-core        | dir /usr/share/fonts/truetype/dejavu | their names
 peers | libosmesa6-dev           | pkg osmesa                  | Mesa, to compare with
