@@ -7,7 +7,8 @@
 # header has the rank of the module that implements it.  A port sees the public headers
 # and itself; sdl2 and null are parts of the host program and see host as well.  Raw
 # screens, linuxfb and kms, are shown by screen, which host hands its pictures to.  What
-# live knows of input and changes is for every port where somebody acts.
+# live knows of input and changes is for every port where somebody acts.  The preview
+# compares its pictures with the reference's, which is in tests.
 BEGIN {
     levels = split("base|fx|pixel|asset wave pool|geom|raster shade|scene|frame", level,
                    "|")
@@ -28,7 +29,7 @@ BEGIN {
         free[system_header[i]]
     split("sdl2=host null=host host=screen screen=host screen=cortex-m linuxfb=screen " \
           "linuxfb=host kms=screen kms=host rpi=board cortex-m=board cortex-m=lcd " \
-          "sdl2=live screen=live board=live web=live", sights, " ")
+          "sdl2=live screen=live board=live web=live host=live host=tests", sights, " ")
     for (i in sights)
         guest[sights[i]]
 }
