@@ -1,0 +1,340 @@
+/* SPDX-License-Identifier: MIT */
+/* The other picture is drawn by a second canvas, of a copy of the scene with other words
+ * in quality.*, over the stage's own world; or it is the reference's (tracer.h).
+ *
+ * The reference lives in tests/reference, where pictures are judged by it, and is part of
+ * the program for this view: it draws what the engine should, by rays that meet the exact
+ * surface, and has no foam, spray, caustics or stars. */
+#include "compare.h"
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include "differ.h"
+#include "timing.h"
+#include "tracer.h"
+
+#define JUDGE_US 250000u        /* between plans, which take 10 ms */
+
+const char *const compare_how_name[COMPARE_HOWS] = { "off", "split", "difference" };
+const char *const compare_against_name[AGAINSTS] = {
+    "exact", "triangles", "rows", "projected", "flat", "quick", "layers", "colour", "lod",
+    "reference",
+};
+
+struct compare {
+    compare_how how;
+    compare_against against;
+    tp_scene given;             /* the stage's, as the other picture was made of it */
+    tp_scene scene;             /* the same but for quality.*: the canvas's */
+    canvas   other;
+    bool     open, failed;      /* the canvas; failed: until something changes */
+    uint64_t judged_at;
+    bool     judged, unfit;
+    tracer  *tracer;
+    bool     delivered;         /* it has, a picture of its world */
+    uint32_t samples;           /* a pixel, of the reference in theirs; 0: none */
+    uint32_t *ours, *theirs;    /* 0x00RRGGBB */
+    picture  shown;
+    double   psnr;
+    char     note[128];
+};
+
+/* -- which other picture ------------------------------------------------------------- */
+
+static const tp_rungs exact = { TP_VISIBILITY_TRIANGLES, TP_SHADING_EXACT, TP_RATE_FULL,
+                                TP_LOD_OFF };
+
+static tp_rungs rungs_of(compare_against against)
+{
+    tp_rungs r = exact;
+
+    switch (against) {
+    case AGAINST_ROWS:      r.visibility = TP_VISIBILITY_ROWS; break;
+    case AGAINST_PROJECTED: r.visibility = TP_VISIBILITY_PROJECTED; break;
+    case AGAINST_FLAT:      r.visibility = TP_VISIBILITY_FLAT; break;
+    case AGAINST_LAYERS:    r.rate = TP_RATE_LAYERS; break;
+    case AGAINST_COLOUR:    r.rate = TP_RATE_COLOUR; break;
+    case AGAINST_LOD:       r.lod = TP_LOD_ON; break;
+    default:                break;
+    }
+    if (against == AGAINST_QUICK || r.rate != TP_RATE_FULL)
+        r.shading = TP_SHADING_QUICK;
+    return r;
+}
+
+static void name_rungs(compare *c, const stage *s)
+{
+    const picture *p = &s->canvas.picture;
+    const bool mine = c->against == AGAINST_TRIANGLES;
+    tp_rungs r = mine ? tp_rungs_of(&c->given, &s->assets.names, p->width, p->height)
+                      : rungs_of(c->against);
+
+    if (mine)
+        r.visibility = TP_VISIBILITY_TRIANGLES;
+    c->scene.quality.visibility = (int32_t)r.visibility;
+    c->scene.quality.shading = (int32_t)r.shading;
+    c->scene.quality.rate = (int32_t)r.rate;
+    c->scene.quality.lod = (int32_t)r.lod;
+    c->scene.quality.frame_ms = 0;
+    if (!mine)
+        c->scene.quality.error_px = c->scene.quality.error_colour = 0;
+}
+
+/* A plan that is left every choice tells what the scene cannot be drawn by. */
+static void judge(compare *c, const stage *s)
+{
+    const tp_rungs r = rungs_of(c->against);
+    tp_scene open = c->given;
+
+    if (c->judged || now_us() - c->judged_at < JUDGE_US)
+        return;
+    open.quality.visibility = TP_VISIBILITY_AUTO;
+    open.quality.shading = TP_SHADING_AUTO;
+    open.quality.rate = TP_RATE_AUTO;
+    open.quality.lod = TP_LOD_AUTO;
+    const tp_plan_report plan = tp_plan_of(&open, &s->assets.names, c->shown.width,
+                                           c->shown.height);
+    c->unfit = plan.rung[0][r.visibility - 1].why == TP_WHY_UNFIT
+            || plan.rung[1][r.shading - 1].why == TP_WHY_UNFIT
+            || plan.rung[3][r.lod - 1].why == TP_WHY_UNFIT;
+    c->judged = true;
+    c->judged_at = now_us();
+}
+
+/* -- memory -------------------------------------------------------------------------- */
+
+static void discard(compare *c)
+{
+    tracer_end(c->tracer);
+    c->tracer = NULL;
+    if (c->open)
+        canvas_close(&c->other);
+    c->open = c->failed = c->judged = c->delivered = false;
+}
+
+void compare_forget(compare *c)
+{
+    discard(c);
+    c->samples = 0;
+    c->psnr = -1;
+}
+
+compare *compare_begin(void)
+{
+    compare *c = calloc(1, sizeof *c);
+
+    if (c)
+        c->psnr = -1;
+    return c;
+}
+
+void compare_end(compare *c)
+{
+    if (!c)
+        return;
+    discard(c);
+    free(c->ours);
+    free(c->theirs);
+    free(c->shown.rows);
+    free(c);
+}
+
+void compare_set(compare *c, compare_how how, compare_against against)
+{
+    if (against != c->against || how == COMPARE_OFF)
+        compare_forget(c);
+    if (against != c->against) {
+        c->unfit = false;
+        c->judged_at = 0;
+    }
+    c->how = how;
+    c->against = against;
+}
+
+/* False: no memory. */
+static bool resize(compare *c, uint32_t width, uint32_t height)
+{
+    const size_t bytes = (size_t)width * height * sizeof *c->ours;
+
+    free(c->ours);
+    free(c->theirs);
+    free(c->shown.rows);
+    c->ours = malloc(bytes);
+    c->theirs = malloc(bytes);
+    c->shown = (picture){ TP_FORMAT_XRGB8888, width, height, (size_t)width * 4,
+                          malloc(bytes) };
+    if (c->ours && c->theirs && c->shown.rows)
+        return true;
+    c->shown.width = 0;
+    return false;
+}
+
+/* Follows the stage's size and values.  False: no memory. */
+static bool follow(compare *c, const stage *s)
+{
+    const picture *p = &s->canvas.picture;
+    const bool sized = c->shown.width == p->width && c->shown.height == p->height;
+
+    if (sized && memcmp(&c->given, &s->file.scene, sizeof c->given) == 0)
+        return !c->failed;
+    compare_forget(c);
+    memcpy(&c->given, &s->file.scene, sizeof c->given);
+    memcpy(&c->scene, &s->file.scene, sizeof c->scene);
+    c->failed = !sized && !resize(c, p->width, p->height);
+    return !c->failed;
+}
+
+/* -- the other picture --------------------------------------------------------------- */
+
+static bool open_other(compare *c, const stage *s)
+{
+    tp_frame_config config = s->canvas.config;
+
+    config.format = TP_FORMAT_XRGB8888;
+    name_rungs(c, s);
+    canvas_plan(&c->other, &c->scene, &s->assets.names, &config, s->canvas.threads);
+    c->other.machine = s->canvas.machine;
+    canvas_count(&c->other, &c->scene, &s->assets.names);
+    c->open = true;
+    c->failed = canvas_open(&c->other, &c->scene, &s->assets.names) != 0;
+    return !c->failed;
+}
+
+static void expand(const picture *p, uint32_t *to)
+{
+    for (uint32_t y = 0; y < p->height; y++)
+        picture_expand_row(p, y, to + (size_t)y * p->width);
+}
+
+static bool draw_rung(compare *c, const stage *s)
+{
+    if (!c->open && !open_other(c, s))
+        return false;
+    judge(c, s);
+    canvas_draw(&c->other, s->world);
+    expand(&s->canvas.picture, c->ours);
+    expand(&c->other.picture, c->theirs);
+    return true;
+}
+
+/* What it has begun it finishes once, however the world moves meanwhile.  Of one that
+ * stands it goes on to more samples; one that has moved on is taken up anew. */
+static bool draw_reference(compare *c, const stage *s)
+{
+    if (c->tracer && tracer_has_news(c->tracer)) {
+        c->samples = tracer_take(c->tracer, c->ours, c->theirs);
+        c->delivered = true;
+    }
+    if (c->delivered && !tracer_is_of(c->tracer, s->world)) {
+        tracer_end(c->tracer);
+        c->tracer = NULL;
+    }
+    if (!c->tracer) {
+        c->tracer = tracer_begin(s);
+        c->delivered = false;
+    }
+    c->failed = !c->tracer;
+    return c->samples > 0;
+}
+
+/* ------------------------------------------------------------------------------------ */
+
+const picture *compare_draw(compare *c, const stage *s)
+{
+    if (c->how == COMPARE_OFF || !follow(c, s))
+        return NULL;
+    if (!(c->against == AGAINST_REFERENCE ? draw_reference(c, s) : draw_rung(c, s)))
+        return NULL;
+    c->psnr = differ_psnr(c->ours, c->theirs, (size_t)c->shown.width * c->shown.height);
+    if (c->how == COMPARE_SPLIT)
+        differ_split(&c->shown, c->ours, c->theirs);
+    else
+        differ_show(&c->shown, c->ours, c->theirs);
+    return &c->shown;
+}
+
+/* -- what is told -------------------------------------------------------------------- */
+
+compare_how compare_how_of(const compare *c)
+{
+    return c->how;
+}
+
+compare_against compare_against_of(const compare *c)
+{
+    return c->against;
+}
+
+double compare_psnr(const compare *c)
+{
+    return c->psnr;
+}
+
+bool compare_moves(const compare *c)
+{
+    return c->how != COMPARE_OFF && c->tracer && tracer_has_news(c->tracer);
+}
+
+/* "; without foam, spray": what the scene has and the reference does not draw. */
+static void add_lacks(const tp_scene *s, char *note, size_t bytes)
+{
+    const struct { bool there; const char *name; } lacks[] = {
+        { s->foam.cells > 0, "foam" },
+        { s->spray.count > 0, "spray" },
+        { s->water.clear > 0 && s->water.caustics > 0, "caustics" },
+        { s->sky.kind == TP_SKY_NIGHT && s->sky.stars > 0, "stars" },
+    };
+    const char *before = "; without ";
+
+    for (size_t i = 0; i < sizeof lacks / sizeof *lacks; i++) {
+        const size_t length = strlen(note);
+        if (!lacks[i].there)
+            continue;
+        snprintf(note + length, bytes - length, "%s%s", before, lacks[i].name);
+        before = ", ";
+    }
+}
+
+static const char *samples_text(uint32_t samples)
+{
+    return samples == 1 ? "1 sample" : samples == 4 ? "4 samples" : "16 samples";
+}
+
+static void note_reference(compare *c)
+{
+    uint32_t percent = 0;
+    const uint32_t draws = c->tracer ? tracer_draws(c->tracer, &percent) : 0;
+    const char *text = samples_text(draws);
+
+    if (c->samples && draws)
+        snprintf(c->note, sizeof c->note, "%s a pixel; %s: %u%%", samples_text(c->samples),
+                 text, (unsigned)percent);
+    else if (c->samples)
+        snprintf(c->note, sizeof c->note, "%s a pixel", samples_text(c->samples));
+    else if (draws)
+        snprintf(c->note, sizeof c->note, "the reference draws: %u%%", (unsigned)percent);
+    else
+        snprintf(c->note, sizeof c->note, "%s",
+                 c->tracer && !tracer_has_news(c->tracer) ? "no memory for the reference"
+                                                          : "the reference draws");
+    add_lacks(&c->given, c->note, sizeof c->note);
+}
+
+const char *compare_note(compare *c)
+{
+    const bool water = c->against >= AGAINST_ROWS && c->against <= AGAINST_FLAT;
+
+    if (c->how == COMPARE_OFF)
+        return "";
+    if (c->failed)
+        return "no memory for the other picture";
+    if (c->against == AGAINST_REFERENCE) {
+        note_reference(c);
+        return c->note;
+    }
+    if (!c->unfit)
+        return "";
+    return water ? "not for this scene: triangles are drawn"
+         : c->against == AGAINST_LOD ? "not for this scene: all lines are drawn"
+                                     : "not for this scene: exact shading is drawn";
+}
