@@ -31,8 +31,8 @@ struct compare {
     uint64_t judged_at;
     bool     judged, unfit;
     tracer  *tracer;
-    bool     delivered;         /* it has, a picture of its world */
-    uint32_t samples;           /* a pixel, of the reference in theirs; 0: none */
+    bool     delivered;         /* it has, a whole picture of its world */
+    tracer_pass pass;           /* of the reference in theirs */
     uint32_t *ours, *theirs;    /* 0x00RRGGBB */
     picture  shown;
     double   psnr;
@@ -115,7 +115,7 @@ static void discard(compare *c)
 void compare_forget(compare *c)
 {
     discard(c);
-    c->samples = 0;
+    c->pass = TRACER_NONE;
     c->psnr = -1;
 }
 
@@ -222,19 +222,19 @@ static bool draw_rung(compare *c, const stage *s)
 static bool draw_reference(compare *c, const stage *s)
 {
     if (c->tracer && tracer_has_news(c->tracer)) {
-        c->samples = tracer_take(c->tracer, c->ours, c->theirs);
-        c->delivered = true;
+        c->pass = tracer_take(c->tracer, c->ours, c->theirs);
+        c->delivered = c->pass >= TRACER_1;
     }
     if (c->delivered && !tracer_is_of(c->tracer, s->world)) {
         tracer_end(c->tracer);
         c->tracer = NULL;
     }
     if (!c->tracer) {
-        c->tracer = tracer_begin(s);
+        c->tracer = tracer_begin(s, c->pass == TRACER_NONE);
         c->delivered = false;
     }
     c->failed = !c->tracer;
-    return c->samples > 0;
+    return c->pass != TRACER_NONE;
 }
 
 /* ------------------------------------------------------------------------------------ */
@@ -245,7 +245,8 @@ const picture *compare_draw(compare *c, const stage *s)
         return NULL;
     if (!(c->against == AGAINST_REFERENCE ? draw_reference(c, s) : draw_rung(c, s)))
         return NULL;
-    c->psnr = differ_psnr(c->ours, c->theirs, (size_t)c->shown.width * c->shown.height);
+    c->psnr = c->pass == TRACER_COARSE ? -1
+            : differ_psnr(c->ours, c->theirs, (size_t)c->shown.width * c->shown.height);
     if (c->how == COMPARE_SPLIT)
         differ_split(&c->shown, c->ours, c->theirs);
     else
@@ -295,28 +296,28 @@ static void add_lacks(const tp_scene *s, char *note, size_t bytes)
     }
 }
 
-static const char *samples_text(uint32_t samples)
-{
-    return samples == 1 ? "1 sample" : samples == 4 ? "4 samples" : "16 samples";
-}
+static const char *const pass_text[] = {
+    [TRACER_NONE] = "", [TRACER_COARSE] = "1 sample for 16 pixels",
+    [TRACER_1] = "1 sample a pixel", [TRACER_4] = "4 samples a pixel",
+    [TRACER_16] = "16 samples a pixel",
+};
 
+/* "1 sample a pixel; 4 samples a pixel: 40%" */
 static void note_reference(compare *c)
 {
     uint32_t percent = 0;
-    const uint32_t draws = c->tracer ? tracer_draws(c->tracer, &percent) : 0;
-    const char *text = samples_text(draws);
+    const tracer_pass draws = c->tracer ? tracer_draws(c->tracer, &percent) : TRACER_NONE;
+    const bool over = draws == TRACER_NONE || draws == c->pass;
 
-    if (c->samples && draws)
-        snprintf(c->note, sizeof c->note, "%s a pixel; %s: %u%%", samples_text(c->samples),
-                 text, (unsigned)percent);
-    else if (c->samples)
-        snprintf(c->note, sizeof c->note, "%s a pixel", samples_text(c->samples));
-    else if (draws)
+    if (c->pass == TRACER_NONE && c->tracer && over && !tracer_has_news(c->tracer))
+        snprintf(c->note, sizeof c->note, "no memory for the reference");
+    else if (c->pass == TRACER_NONE)
         snprintf(c->note, sizeof c->note, "the reference draws: %u%%", (unsigned)percent);
+    else if (over)
+        snprintf(c->note, sizeof c->note, "%s", pass_text[c->pass]);
     else
-        snprintf(c->note, sizeof c->note, "%s",
-                 c->tracer && !tracer_has_news(c->tracer) ? "no memory for the reference"
-                                                          : "the reference draws");
+        snprintf(c->note, sizeof c->note, "%s; %s: %u%%", pass_text[c->pass],
+                 pass_text[draws], (unsigned)percent);
     add_lacks(&c->given, c->note, sizeof c->note);
 }
 

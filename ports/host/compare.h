@@ -32,7 +32,8 @@ void     compare_forget(compare *c);
  * other's with a line between, or the difference, 8 times, grey = none.  Colours are those
  * that are shown; the other's are of 24 bits, whatever the stage's format.  NULL: off, no
  * memory, or nothing to compare with yet.  With the reference: of the last world that it
- * has finished; while the world stands, with ever more samples. */
+ * has finished, the first time soon and coarse, without a PSNR; while the world stands,
+ * with ever more samples. */
 const picture *compare_draw(compare *c, const stage *s);
 
 double   compare_psnr(const compare *c);        /* dB, up to 99 of the whole picture; 100:

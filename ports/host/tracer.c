@@ -7,7 +7,10 @@
 #include <string.h>
 #include "tests/reference/image.h"
 
-static const uint32_t passes[] = { 1, 4, 16 };  /* samples a pixel */
+#define BLOCK 4                 /* pixels, each way, of the coarse pass */
+
+static const uint32_t samples_of[] = { [TRACER_COARSE] = 1, [TRACER_1] = 1, [TRACER_4] = 4,
+                                       [TRACER_16] = 16 };
 
 struct tracer {
     tp_scene   scene;           /* copies, for the thread ... */
@@ -17,51 +20,61 @@ struct tracer {
     uint32_t   width, height;
     uint32_t  *ours;            /* ... and what it is compared with */
     ref_pace   pace;
-    atomic_uint draws;          /* samples a pixel; 0: it is over */
+    atomic_uint height_now;     /* of the pass, rows */
+    tracer_pass first;
+    atomic_uint draws;          /* tracer_pass */
     pthread_t  thread;
     pthread_mutex_t lock;       /* of the last finished picture: */
     uint32_t  *pixel;
-    uint32_t   samples;         /* 0: there is none */
+    tracer_pass last;
     bool       taken;
 };
 
-static void publish(tracer *t, const ref_image *image, uint32_t samples)
+static void publish(tracer *t, const ref_image *image, tracer_pass pass)
 {
+    const uint32_t block = pass == TRACER_COARSE ? BLOCK : 1;
+
     pthread_mutex_lock(&t->lock);
     for (uint32_t y = 0; y < t->height; y++)
         for (uint32_t x = 0; x < t->width; x++)
-            t->pixel[(size_t)y * t->width + x] = ref_image_pixel(image, x, y);
-    t->samples = samples;
+            t->pixel[(size_t)y * t->width + x] =
+                ref_image_pixel(image, x / block, y / block);
+    t->last = pass;
     t->taken = false;
     pthread_mutex_unlock(&t->lock);
 }
 
 /* Half of the processors, as pictures go on meanwhile. */
-static bool draw_pass(tracer *t, const ref_scene *scene, uint32_t samples)
+static bool draw_pass(tracer *t, tracer_pass pass)
 {
+    const uint32_t block = pass == TRACER_COARSE ? BLOCK : 1;
+    const uint32_t width = (t->width + block - 1) / block;
+    const uint32_t height = (t->height + block - 1) / block;
+    ref_scene scene;
     ref_image image;
 
     atomic_store(&t->pace.rows, 0);
-    atomic_store(&t->draws, samples);
-    if (!ref_image_draw_at(&image, scene, t->width, t->height, samples,
-                           (crew_usual() + 1) / 2, &t->pace))
-        return false;
-    publish(t, &image, samples);
-    ref_image_free(&image);
-    return true;
+    atomic_store(&t->height_now, height);
+    atomic_store(&t->draws, pass);
+    ref_scene_open(&scene, &t->scene, t->assets, t->world, width, height, false);
+    const bool done = ref_image_draw_at(&image, &scene, width, height, samples_of[pass],
+                                        (crew_usual() + 1) / 2, &t->pace);
+    ref_scene_close(&scene);
+    if (done) {
+        publish(t, &image, pass);
+        ref_image_free(&image);
+    }
+    return done;
 }
 
 static void *live(void *user)
 {
     tracer *t = user;
-    ref_scene scene;
     bool goes_on = true;
 
-    ref_scene_open(&scene, &t->scene, t->assets, t->world, t->width, t->height, false);
-    for (size_t i = 0; i < sizeof passes / sizeof *passes && goes_on; i++)
-        goes_on = draw_pass(t, &scene, passes[i]);
-    ref_scene_close(&scene);
-    atomic_store(&t->draws, 0);
+    for (tracer_pass pass = t->first; pass <= TRACER_16 && goes_on; pass++)
+        goes_on = draw_pass(t, pass);
+    atomic_store(&t->draws, TRACER_NONE);
     return NULL;
 }
 
@@ -97,7 +110,7 @@ static bool copy(tracer *t, const stage *s)
     return true;
 }
 
-tracer *tracer_begin(const stage *s)
+tracer *tracer_begin(const stage *s, bool coarse)
 {
     tracer *t = calloc(1, sizeof *t);
 
@@ -106,7 +119,9 @@ tracer *tracer_begin(const stage *s)
     pthread_mutex_init(&t->lock, NULL);
     atomic_init(&t->pace.rows, 0);
     atomic_init(&t->pace.stop, false);
-    atomic_init(&t->draws, passes[0]);
+    t->first = coarse ? TRACER_COARSE : TRACER_1;
+    atomic_init(&t->draws, t->first);
+    atomic_init(&t->height_now, 1);
     if (copy(t, s) && pthread_create(&t->thread, NULL, live, t) == 0)
         return t;
     discard(t);
@@ -122,25 +137,25 @@ void tracer_end(tracer *t)
     discard(t);
 }
 
-uint32_t tracer_take(tracer *t, uint32_t *ours, uint32_t *theirs)
+tracer_pass tracer_take(tracer *t, uint32_t *ours, uint32_t *theirs)
 {
     const size_t bytes = (size_t)t->width * t->height * sizeof *ours;
 
     pthread_mutex_lock(&t->lock);
-    const uint32_t samples = t->samples;
-    if (samples) {
+    const tracer_pass last = t->last;
+    if (last) {
         memcpy(ours, t->ours, bytes);
         memcpy(theirs, t->pixel, bytes);
         t->taken = true;
     }
     pthread_mutex_unlock(&t->lock);
-    return samples;
+    return last;
 }
 
 bool tracer_has_news(tracer *t)
 {
     pthread_mutex_lock(&t->lock);
-    const bool news = t->samples && !t->taken;
+    const bool news = t->last && !t->taken;
     pthread_mutex_unlock(&t->lock);
     return news;
 }
@@ -150,8 +165,10 @@ bool tracer_is_of(const tracer *t, const tp_world *world)
     return memcmp(t->world, world, t->world_bytes) == 0;
 }
 
-uint32_t tracer_draws(tracer *t, uint32_t *percent)
+tracer_pass tracer_draws(tracer *t, uint32_t *percent)
 {
-    *percent = atomic_load(&t->pace.rows) * 100 / t->height;
-    return atomic_load(&t->draws);
+    const uint32_t height = atomic_load(&t->height_now), rows = atomic_load(&t->pace.rows);
+
+    *percent = rows < height ? rows * 100 / height : 100;
+    return (tracer_pass)atomic_load(&t->draws);
 }
