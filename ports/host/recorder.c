@@ -1,9 +1,10 @@
 /* SPDX-License-Identifier: MIT */
 /* Films of the preview.  ffmpeg reads Y4M from a pipe and writes under a temporary name,
- * in a process group of its own: Ctrl+C in the terminal ends the preview, which closes the
- * pipe, and ffmpeg then writes the end of its file.
+ * in a process group of its own: Ctrl+C in the terminal ends the preview, which closes
+ * the pipe, and ffmpeg then writes the end of its file.
  *
- * The pipe holds a picture or two; where ffmpeg is slower than the water, the water waits. */
+ * The pipe holds a picture or two: where ffmpeg is slower than the water, the water
+ * waits. */
 #define _GNU_SOURCE             /* pipe2, F_SETPIPE_SZ */
 #include "recorder.h"
 #include <errno.h>

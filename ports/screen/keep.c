@@ -77,6 +77,11 @@ keep keep_begin(const char *name, const tp_scene *scene, const tp_assets *assets
     return k;
 }
 
+void keep_scene(keep *k, const tp_scene *scene, const tp_assets *assets)
+{
+    k->scene = digest_scene(scene, assets);
+}
+
 static uint32_t digest(head h, const void *world)
 {
     h.crc = 0;
@@ -159,21 +164,22 @@ static void sync_folder(const char *name)
     }
 }
 
-static bool put(const keep *k, const head *h, const void *world)
+bool keep_file(const char *name, const void *head_part, size_t head_bytes,
+               const void *body, size_t body_bytes)
 {
-    char name[4096];
-    if (snprintf(name, sizeof name, "%s.new", k->name) >= (int)sizeof name) {
+    char fresh[4096];
+    if (snprintf(fresh, sizeof fresh, "%s.new", name) >= (int)sizeof fresh) {
         errno = ENAMETOOLONG;
         return false;
     }
-    const int fd = open(name, O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+    const int fd = open(fresh, O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
     if (fd < 0)
         return false;
-    bool done = write_all(fd, h, sizeof *h) && write_all(fd, world, h->bytes)
+    bool done = write_all(fd, head_part, head_bytes) && write_all(fd, body, body_bytes)
              && fsync(fd) == 0;
-    done = close(fd) == 0 && done && rename(name, k->name) == 0;
+    done = close(fd) == 0 && done && rename(fresh, name) == 0;
     if (done)
-        sync_folder(k->name);
+        sync_folder(name);
     return done;
 }
 
@@ -185,7 +191,7 @@ int keep_put(keep *k, const tp_world *world, size_t bytes, uint32_t frame)
                .bytes = (uint32_t)bytes };
     memcpy(h.magic, magic, sizeof magic);
     h.crc = digest(h, world);
-    const bool done = put(k, &h, world);
+    const bool done = keep_file(k->name, &h, sizeof h, world, bytes);
     if (!done && !k->failed)
         say("%s: cannot be kept: %s", k->name, strerror(errno));
     k->failed = !done;

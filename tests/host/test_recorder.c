@@ -74,8 +74,9 @@ static void assert_files(size_t count, const char *const *names)
     assert_int_equal(found, count);
 }
 
-#define FILES(...) assert_files(sizeof (const char *[]){ __VA_ARGS__ } / sizeof (char *), \
-                                (const char *const[]){ __VA_ARGS__ })
+#define LIST(...)  (const char *const[]){ __VA_ARGS__ }
+#define FILES(...) assert_files(sizeof LIST(__VA_ARGS__) / sizeof (char *), \
+                                LIST(__VA_ARGS__))
 
 static void record(recorder *r, uint32_t count)
 {
@@ -235,7 +236,8 @@ static void ffmpeg_that_fails_at_the_end_leaves_nothing(void **state)
     recorder *r = recorder_begin("pond", WIDTH, HEIGHT);
     record(r, 2);
     assert_int_equal(recorder_end(r), 3);
-    assert_said("pond-0001.mp4: ffmpeg ended with 7 after 2 pictures; there is no film\n");
+    assert_said("pond-0001.mp4: ffmpeg ended with 7 after 2 pictures;"
+                " there is no film\n");
     assert_files(0, NULL);
 }
 
