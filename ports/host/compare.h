@@ -24,7 +24,7 @@ compare_how     compare_how_of(const compare *c);
 compare_against compare_against_of(const compare *c);
 
 /* What was made of a scene is made anew.  Before the stage's assets are closed: those are
- * in use until it returns, within some ms.  Values and sizes that change it sees itself. */
+ * in use until it returns, within some ms.  Changed values and sizes it sees itself. */
 void     compare_forget(compare *c);
 
 /* After canvas_draw of the stage's canvas with its world.  The picture to be shown in its

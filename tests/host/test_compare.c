@@ -72,7 +72,7 @@ static void the_number_is_that_of_the_formula(void **state)
     (void)state;
     assert_true(differ_psnr(a, a, 4) >= 100);
     assert_float_equal(differ_psnr(white, black, 1), 0, 1e-9);
-    assert_float_equal(differ_psnr(b, a, 4), 36.6432, 1e-3);    /* of (9 + 16 + 144) / 12 */
+    assert_float_equal(differ_psnr(b, a, 4), 36.6432, 1e-3);   /* (9 + 16 + 144) / 12 */
     assert_float_equal(differ_psnr(a, b, 4), differ_psnr(b, a, 4), 0);
 }
 

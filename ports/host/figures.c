@@ -1,0 +1,236 @@
+/* SPDX-License-Identifier: MIT */
+/* Times are kept of each of the last pictures.  The graph shows all of them; parts are
+ * means of the last second's, as means add up to the whole, which medians do not. */
+#include "figures.h"
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include "stopwatch.h"
+
+enum { WINDOW = 60, ANSWERS = 15, TEXT_BYTES = 2048 };
+
+#define STAGES_US 250000u       /* between readings of the stopwatch */
+#define SECOND_US 1000000u
+
+/* Of one picture, us. */
+typedef struct {
+    uint32_t all, part[FIGURE_PARTS];
+} times;
+
+struct figures {
+    times    now;               /* of the picture that is being made */
+    times    last[PANEL_HISTORY];       /* picture n at n % PANEL_HISTORY */
+    uint32_t pictures;
+    uint64_t shown_at[PANEL_HISTORY];   /* likewise */
+    uint32_t shown;
+    uint64_t pressed_at;        /* and no picture since; 0: nothing */
+    uint32_t answer[ANSWERS];   /* from an input to its picture, us */
+    uint32_t answers;
+    float    limit_ms;
+    bool     measures;
+    uint64_t stages_at;         /* when the stopwatch was zeroed, */
+    uint32_t stages_from;       /* and pictures by then */
+    panel_time stage[PANEL_TIMES];
+    uint32_t stage_count;
+    char     text[FIGURE_TEXTS][TEXT_BYTES];
+};
+
+static const char *const part_name[FIGURE_PARTS] = {
+    [FIGURE_WORLD] = "water moves", [FIGURE_GEOMETRY] = "geometry",
+    [FIGURE_PIXELS] = "pixels", [FIGURE_COMPARE] = "the other picture",
+    [FIGURE_UPLOAD] = "upload", [FIGURE_PANEL] = "panel", [FIGURE_PRESENT] = "present",
+};
+
+figures *figures_begin(void)
+{
+    figures *f = calloc(1, sizeof *f);
+
+    if (f)
+        f->limit_ms = 1000.0f / 60;
+    return f;
+}
+
+void figures_end(figures *f)
+{
+    free(f);
+}
+
+/* -- as it happens ------------------------------------------------------------------- */
+
+static uint32_t held(uint64_t us)
+{
+    return us < UINT32_MAX ? (uint32_t)us : UINT32_MAX;
+}
+
+void figures_part(figures *f, figure_part part, uint64_t us)
+{
+    f->now.part[part] = held(f->now.part[part] + us);
+}
+
+void figures_picture(figures *f, uint64_t us)
+{
+    f->now.all = held(us);
+    f->last[f->pictures++ % PANEL_HISTORY] = f->now;
+    f->now = (times){ 0 };
+}
+
+void figures_input(figures *f, uint64_t now)
+{
+    if (!f->pressed_at)
+        f->pressed_at = now;
+}
+
+void figures_shown(figures *f, uint64_t now)
+{
+    f->shown_at[f->shown++ % PANEL_HISTORY] = now;
+    if (f->pressed_at)
+        f->answer[f->answers++ % ANSWERS] = held(now - f->pressed_at);
+    f->pressed_at = 0;
+}
+
+void figures_limit(figures *f, float ms)
+{
+    f->limit_ms = ms;
+}
+
+void figures_measures(figures *f, bool on)
+{
+    f->measures = on;
+    f->stage_count = 0;
+    f->stages_at = 0;
+}
+
+void figures_say(figures *f, figure_text which, const char *text)
+{
+    snprintf(f->text[which], sizeof f->text[which], "%s", text);
+}
+
+/* -- what comes of it ---------------------------------------------------------------- */
+
+static int by_size(const void *a, const void *b)
+{
+    const uint32_t x = *(const uint32_t *)a, y = *(const uint32_t *)b;
+    return (x > y) - (x < y);
+}
+
+/* ms of n <= WINDOW times; 0 of none. */
+static float median_ms(uint32_t *us, uint32_t n)
+{
+    qsort(us, n, sizeof *us, by_size);
+    return n ? (float)(us[(n - 1) / 2] / 2.0 + us[n / 2] / 2.0) / 1000 : 0;
+}
+
+/* The k-th last picture, 1.. */
+static const times *last_of(const figures *f, uint32_t k)
+{
+    return &f->last[(f->pictures - k) % PANEL_HISTORY];
+}
+
+static void fill_history(const figures *f, panel_figures *to)
+{
+    const uint32_t n = f->pictures < PANEL_HISTORY ? f->pictures : PANEL_HISTORY;
+    uint32_t us[WINDOW];
+    uint32_t count = 0;
+
+    memset(to->history, 0, sizeof to->history);
+    for (uint32_t k = 1; k <= n; k++) {
+        to->history[PANEL_HISTORY - k] = (float)last_of(f, k)->all / 1000;
+        if (count < WINDOW)
+            us[count++] = last_of(f, k)->all;
+    }
+    to->pictures = f->pictures;
+    to->median_ms = median_ms(us, count);
+}
+
+static void add_time(panel_time *list, uint32_t *count, const char *name, double mean,
+                     double all)
+{
+    if (mean > 0 && *count < PANEL_TIMES)
+        list[(*count)++] = (panel_time){ name, (float)mean,
+                                         (float)(all > 0 ? mean / all : 0) };
+}
+
+/* Without those that take no time. */
+static void fill_parts(const figures *f, panel_figures *to)
+{
+    const uint32_t n = f->pictures < WINDOW ? f->pictures : WINDOW;
+    double part[FIGURE_PARTS] = { 0 }, all = 0, sum = 0;
+
+    to->part_count = 0;
+    for (uint32_t k = 1; k <= n; k++) {
+        all += (double)last_of(f, k)->all / n;
+        for (int i = 0; i < FIGURE_PARTS; i++)
+            part[i] += (double)last_of(f, k)->part[i] / n;
+    }
+    for (int i = 0; i < FIGURE_PARTS; i++)
+        sum += part[i];
+    if (all < sum)
+        all = sum;
+    for (int i = 0; i < FIGURE_PARTS; i++)
+        add_time(to->parts, &to->part_count, part_name[i], part[i], all);
+    add_time(to->parts, &to->part_count, "the rest", all - sum, all);
+}
+
+/* Between the first and the last of the last second's; 0 if nothing is shown any more. */
+static float rate_of(const figures *f, uint64_t now)
+{
+    const uint32_t n = f->shown < PANEL_HISTORY ? f->shown : PANEL_HISTORY;
+    const uint64_t last = n ? f->shown_at[(f->shown - 1) % PANEL_HISTORY] : 0;
+    uint64_t first = last;
+    uint32_t count = 0;
+
+    for (uint32_t k = 1; k <= n; k++) {
+        const uint64_t at = f->shown_at[(f->shown - k) % PANEL_HISTORY];
+        if (at + SECOND_US < now)
+            break;
+        first = at;
+        count++;
+    }
+    return last > first ? (float)((count - 1) * 1e6 / (double)(last - first)) : 0;
+}
+
+static int dearest(const void *a, const void *b)
+{
+    const float x = ((const panel_time *)a)->mean, y = ((const panel_time *)b)->mean;
+    return (x < y) - (x > y);
+}
+
+/* There are more stages than places, but never so many in one scene. */
+static void read_stages(figures *f, uint64_t now)
+{
+    const double pictures = f->pictures - f->stages_from;
+    double sum = 0;
+
+    if (pictures > 0 && f->stages_at) {
+        f->stage_count = 0;
+        for (uint32_t i = 0; i < stopwatch_stages; i++)
+            sum += (double)stopwatch_ns(i);
+        for (uint32_t i = 0; i < stopwatch_stages; i++)
+            add_time(f->stage, &f->stage_count, stopwatch_name[i],
+                     (double)stopwatch_ns(i) / 1000 / pictures, sum / 1000 / pictures);
+        qsort(f->stage, f->stage_count, sizeof *f->stage, dearest);
+    }
+    stopwatch_zero();
+    f->stages_at = now;
+    f->stages_from = f->pictures;
+}
+
+void figures_fill(figures *f, uint64_t now, panel_figures *to)
+{
+    uint32_t us[ANSWERS];
+    const uint32_t n = f->answers < ANSWERS ? f->answers : ANSWERS;
+
+    fill_history(f, to);
+    fill_parts(f, to);
+    memcpy(us, f->answer, sizeof us);
+    to->latency_ms = median_ms(us, n);
+    to->limit_ms = f->limit_ms;
+    to->shown_per_s = rate_of(f, now);
+    if (f->measures && (!f->stages_at || now - f->stages_at >= STAGES_US))
+        read_stages(f, now);
+    memcpy(to->stages, f->stage, sizeof to->stages);
+    to->stage_count = f->stage_count;
+    to->ram = f->text[FIGURE_RAM];
+    to->plan = f->text[FIGURE_PLAN];
+    to->state = f->text[FIGURE_STATE];
+}

@@ -1,0 +1,156 @@
+/* SPDX-License-Identifier: MIT */
+/* Lines of columns parted by tabs. */
+#include "figures_texts.h"
+#include <inttypes.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <string.h>
+#include "say.h"
+
+/* What does not fit is left out. */
+typedef struct {
+    char   text[2048];
+    size_t length;
+} sheet;
+
+static void add(sheet *to, const char *format, ...) HOST_PRINTF(2, 3);
+
+static void add(sheet *to, const char *format, ...)
+{
+    const size_t room = sizeof to->text - to->length;
+    va_list args;
+
+    va_start(args, format);
+    const int bytes = vsnprintf(to->text + to->length, room, format, args);
+    va_end(args);
+    if (bytes > 0)
+        to->length += (size_t)bytes < room ? (size_t)bytes : room - 1;
+}
+
+/* -- memory -------------------------------------------------------------------------- */
+
+/* "11,953,600" */
+static void add_bytes(sheet *to, const char *use, size_t bytes)
+{
+    char digits[24];
+    const int n = snprintf(digits, sizeof digits, "%zu", bytes);
+
+    add(to, "%s%s\t", to->length ? "\n" : "", use);
+    for (int i = 0; i < n; i++)
+        add(to, i && (n - i) % 3 == 0 ? ",%c" : "%c", digits[i]);
+}
+
+static void tell_memory(figures *f, const stage *s)
+{
+    const canvas *c = &s->canvas;
+    const tp_frame_ram ram = tp_frame_memory(c->frame);
+    const size_t picture_bytes = c->picture.row_bytes * c->picture.height;
+    sheet to = { .length = 0 };
+
+    add_bytes(&to, "frame", ram.frame);
+    add_bytes(&to, "- vertices", ram.vertices);
+    add_bytes(&to, "- tables", ram.tables);
+    add_bytes(&to, "- mirror", ram.mirror);
+    add_bytes(&to, c->threads > 1 ? "scratches" : "scratch", c->scratch_bytes);
+    add_bytes(&to, "picture", picture_bytes);
+    add_bytes(&to, "world", s->world_bytes);
+    add_bytes(&to, "meshes", s->assets.mesh_bytes);
+    add_bytes(&to, "textures", s->assets.texture_bytes);
+    add_bytes(&to, "in all", ram.frame + c->scratch_bytes + picture_bytes + s->world_bytes
+                             + s->assets.mesh_bytes + s->assets.texture_bytes);
+    figures_say(f, FIGURE_RAM, to.text);
+}
+
+/* -- the plan ------------------------------------------------------------------------ */
+
+static void follow(figures_plan *kept, const stage *s)
+{
+    const tp_frame_config *config = &s->canvas.config;
+
+    if (kept->made && kept->width == config->width && kept->height == config->height
+        && memcmp(&kept->scene, &s->file.scene, sizeof kept->scene) == 0)
+        return;
+    kept->made = true;
+    kept->width = config->width;
+    kept->height = config->height;
+    memcpy(&kept->scene, &s->file.scene, sizeof kept->scene);
+    kept->sheet = plan_sheet_of(s);
+}
+
+static bool is_governed(const governing *g)
+{
+    return g && g->governor.limit > 0 && g->governor.ladder.count > 1;
+}
+
+/* "visibility, *rows, 1.34 M, 1.20 MB, chosen": the star is at what is drawn now. */
+static void add_rung(sheet *to, const plan_sheet *p, int kind, int i, int drawn)
+{
+    const tp_rung_report *rung = &p->report.rung[kind][i];
+    const bool stepped = i == drawn && i != plan_rung(p->report.rungs, kind);
+    char word[32], cost[32] = "";
+
+    plan_word(kind, i, word);
+    if (rung->price.known)
+        snprintf(cost, sizeof cost, "%.2f M, ", (double)rung->price.cost / 1e6);
+    add(to, "%s%s\t%s%s\t%s%.2f MB, %s", to->length ? "\n" : "", i ? "" : plan_kind[kind],
+        i == drawn ? "*" : "", word, cost, (double)p->bytes[kind][i] / 1e6,
+        stepped ? "to hold frame_ms" : plan_why[rung->why]);
+}
+
+static void add_total(sheet *to, const tp_plan_report *r)
+{
+    char px[24], colour[24];
+
+    if (r->total.known)
+        add(to, "\nin all\t%.2f M\tinstructions of a Cortex-M4",
+            (double)r->total.cost / 1e6);
+    add(to, "\noff\t%s px\tand %s of 255 rms", plan_number(r->total.error_px, px),
+        plan_number(r->total.error_colour, colour));
+}
+
+static void tell_plan(figures *f, const plan_sheet *p, tp_rungs drawn)
+{
+    sheet to = { .length = 0 };
+
+    for (int k = 0; k < TP_KINDS; k++)
+        for (int i = 0; i < p->report.rung_count[k]; i++)
+            add_rung(&to, p, k, i, plan_rung(drawn, k));
+    add_total(&to, &p->report);
+    figures_say(f, FIGURE_PLAN, to.text);
+}
+
+void figures_stage(figures *f, figures_plan *kept, const stage *s, const governing *g)
+{
+    follow(kept, s);
+    figures_limit(f, is_governed(g) ? (float)g->governor.limit / 1000 : 1000.0f / 60);
+    tell_memory(f, s);
+    tell_plan(f, &kept->sheet, is_governed(g) ? tp_governor_rungs(&g->governor)
+                                              : kept->sheet.report.rungs);
+}
+
+/* -- the world ----------------------------------------------------------------------- */
+
+static double metres(tp_fx x)
+{
+    return x / 65536.0;
+}
+
+static double degrees(tp_turn turn)
+{
+    return (int32_t)turn * (360 / 4294967296.0);
+}
+
+void figures_world(figures *f, const stage *s, const char *more)
+{
+    const tp_world *w = s->world;
+    const tp_vec3 eye = tp_world_camera(w).eye;
+    sheet to = { .length = 0 };
+
+    add(&to, "tick %" PRIu64 ", clock %.3g, camera at %.1f %.1f %.1f m, heading %.0f,"
+        " pitch %.0f%s", w->tick, metres(tp_clock_scale(&w->clock)), metres(eye.x),
+        metres(eye.y), metres(eye.z), degrees(w->heading), degrees(w->pitch),
+        w->aboard ? " of the deck" : "");
+    if (*more)
+        add(&to, "; %s", more);
+    figures_say(f, FIGURE_STATE, to.text);
+}

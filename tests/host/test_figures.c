@@ -1,0 +1,307 @@
+/* SPDX-License-Identifier: MIT */
+/* What the instruments tell, from times that are made up and from a scene. */
+#include <stdarg.h>
+#include <stddef.h>
+#include <setjmp.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <cmocka.h>
+#include "../../ports/host/figures_texts.h"
+#include "../../ports/host/stopwatch.h"
+#include "../../ports/host/timing.h"
+
+#define SEA "assets/scenes/three-swells.ini"
+
+enum { MS = 1000, SECOND = 1000000 };
+
+static panel_figures shown_of(figures *f, uint64_t now)
+{
+    panel_figures p;
+
+    figures_fill(f, now, &p);
+    return p;
+}
+
+static const panel_time *part_of(const panel_figures *p, const char *name)
+{
+    for (uint32_t i = 0; i < p->part_count; i++)
+        if (strcmp(p->parts[i].name, name) == 0)
+            return &p->parts[i];
+    return NULL;
+}
+
+/* ------------------------------------------------------------------------------------ */
+
+static void nothing_is_told_of_nothing(void **state)
+{
+    figures *f = figures_begin();
+    (void)state;
+    const panel_figures p = shown_of(f, SECOND);
+    assert_true(p.pictures == 0 && p.part_count == 0 && p.stage_count == 0);
+    assert_true(p.median_ms <= 0 && p.latency_ms <= 0 && p.shown_per_s <= 0);
+    assert_float_equal(p.limit_ms, 16.6667, 1e-3);
+    assert_string_equal(p.ram, "");
+    assert_string_equal(p.plan, "");
+    assert_string_equal(p.state, "");
+    figures_end(f);
+    figures_end(NULL);
+}
+
+static void the_newest_picture_is_the_last(void **state)
+{
+    figures *f = figures_begin();
+    (void)state;
+    for (uint32_t i = 1; i <= 3; i++)
+        figures_picture(f, i * MS);
+    panel_figures p = shown_of(f, SECOND);
+    assert_int_equal(p.pictures, 3);
+    assert_float_equal(p.history[PANEL_HISTORY - 1], 3, 0);
+    assert_float_equal(p.history[PANEL_HISTORY - 3], 1, 0);
+    assert_float_equal(p.history[PANEL_HISTORY - 4], 0, 0);
+    assert_float_equal(p.median_ms, 2, 0);
+    for (uint32_t i = 4; i <= 1000; i++)
+        figures_picture(f, i * MS);
+    p = shown_of(f, SECOND);
+    assert_int_equal(p.pictures, 1000);
+    for (uint32_t i = 0; i < PANEL_HISTORY; i++)
+        assert_int_equal((int)p.history[i], 761 + i);
+    assert_float_equal(p.median_ms, 970.5, 0);          /* of the last 60 */
+    figures_end(f);
+}
+
+static void parts_add_up_to_the_whole(void **state)
+{
+    figures *f = figures_begin();
+    (void)state;
+    for (int i = 0; i < 100; i++) {
+        figures_part(f, FIGURE_WORLD, 500);
+        figures_part(f, FIGURE_WORLD, 500);             /* a second tick */
+        figures_part(f, FIGURE_PIXELS, i % 2 ? 7000 : 9000);
+        figures_picture(f, i < 40 ? 50000 : 10000);
+    }
+    const panel_figures p = shown_of(f, SECOND);
+    assert_int_equal(p.part_count, 3);
+    assert_string_equal(p.parts[0].name, "water moves");
+    assert_float_equal(part_of(&p, "water moves")->mean, 1000, 0.01);
+    assert_float_equal(part_of(&p, "water moves")->share, 0.1, 1e-5);
+    assert_float_equal(part_of(&p, "pixels")->mean, 8000, 0.01);
+    assert_float_equal(part_of(&p, "the rest")->mean, 1000, 0.01);
+    assert_null(part_of(&p, "panel"));
+    figures_end(f);
+}
+
+static void an_input_waits_for_its_picture(void **state)
+{
+    figures *f = figures_begin();
+    const uint64_t at = 5 * SECOND;
+    (void)state;
+    figures_shown(f, at);
+    figures_input(f, at + 2 * MS);
+    figures_input(f, at + 9 * MS);                      /* the first counts */
+    figures_shown(f, at + 22 * MS);
+    figures_shown(f, at + 39 * MS);                     /* answers nothing */
+    assert_float_equal(shown_of(f, at + 40 * MS).latency_ms, 20, 1e-4);
+    figures_input(f, at + 40 * MS);
+    figures_shown(f, at + 70 * MS);
+    assert_float_equal(shown_of(f, at + 71 * MS).latency_ms, 25, 1e-4);
+    for (int i = 0; i < 15; i++) {
+        figures_input(f, at + SECOND);
+        figures_shown(f, at + SECOND + 8 * MS);
+    }
+    assert_float_equal(shown_of(f, at + 2 * SECOND).latency_ms, 8, 1e-4);
+    figures_end(f);
+}
+
+static void the_rate_is_that_of_the_last_second(void **state)
+{
+    figures *f = figures_begin();
+    uint64_t now = SECOND;
+    (void)state;
+    for (int i = 0; i < 300; i++)
+        figures_shown(f, now += 10 * MS);
+    assert_float_equal(shown_of(f, now).shown_per_s, 100, 1e-3);
+    for (int i = 0; i < 120; i++)
+        figures_shown(f, now += 20 * MS);
+    assert_float_equal(shown_of(f, now).shown_per_s, 50, 1e-3);
+    assert_true(shown_of(f, now + 2 * SECOND).shown_per_s <= 0);
+    figures_end(f);
+}
+
+/* -- of a scene ---------------------------------------------------------------------- */
+
+static void open_scene(stage *s, const char **settings, uint32_t n)
+{
+    const options o = { .command = "test", .scene = SEA, .width = 160, .height = 120,
+                        .threads = 2, .settings = settings, .n_settings = n };
+
+    assert_int_equal(stage_open(s, &o), 0);
+}
+
+static void the_dearest_stages_come_first(void **state)
+{
+    figures *f = figures_begin();
+    stage s;
+    (void)state;
+    open_scene(&s, NULL, 0);
+    stopwatch_use(&s.canvas, true);
+    figures_measures(f, true);
+    assert_int_equal(shown_of(f, SECOND).stage_count, 0);
+    for (int i = 0; i < 4; i++) {
+        canvas_draw(&s.canvas, s.world);
+        figures_picture(f, 1000);
+    }
+    assert_int_equal(shown_of(f, SECOND + MS).stage_count, 0);          /* not yet */
+    panel_figures p = shown_of(f, SECOND + 300 * MS);
+    assert_in_range(p.stage_count, 8, 30);
+    float share = 0;
+    for (uint32_t i = 0; i < p.stage_count; i++) {
+        assert_true(i == 0 || p.stages[i].mean <= p.stages[i - 1].mean);
+        assert_true(p.stages[i].mean > 0 && p.stages[i].mean < 1e6f);
+        share += p.stages[i].share;
+    }
+    assert_float_equal(share, 1, 1e-3);
+    assert_int_equal(stopwatch_ns(0), 0);
+    p = shown_of(f, SECOND + 600 * MS);                 /* it stands: they stay */
+    assert_in_range(p.stage_count, 8, 30);
+    figures_measures(f, false);
+    assert_int_equal(shown_of(f, SECOND + 900 * MS).stage_count, 0);
+    stage_close(&s);
+    figures_end(f);
+}
+
+/* The number behind "use" in a list of memory. */
+static size_t bytes_of(const char *list, const char *use)
+{
+    const char *at = strstr(list, use);
+    size_t bytes = 0;
+
+    if (!at)
+        fail_msg("no %s in %s", use, list);
+    for (at += strlen(use) + 1; *at && *at != '\n'; at++)
+        if (*at != ',')
+            bytes = bytes * 10 + (size_t)(*at - '0');
+    return bytes;
+}
+
+static void memory_is_that_of_the_scene(void **state)
+{
+    figures *f = figures_begin();
+    figures_plan kept = { .made = false };
+    stage s;
+    (void)state;
+    open_scene(&s, NULL, 0);
+    figures_stage(f, &kept, &s, NULL);
+    const char *ram = shown_of(f, SECOND).ram;
+    assert_int_equal(bytes_of(ram, "frame"), tp_frame_memory(s.canvas.frame).frame);
+    assert_int_equal(bytes_of(ram, "frame"), s.canvas.frame_bytes);
+    assert_int_equal(bytes_of(ram, "scratches"), s.canvas.scratch_bytes);
+    assert_int_equal(bytes_of(ram, "world"), s.world_bytes);
+    assert_int_equal(bytes_of(ram, "textures"), s.assets.texture_bytes);
+    assert_int_equal(bytes_of(ram, "picture"), 160 * 120 * 4);
+    assert_int_equal(bytes_of(ram, "in all"),
+                     s.canvas.frame_bytes + s.canvas.scratch_bytes + s.world_bytes
+                     + 160 * 120 * 4 + s.assets.mesh_bytes + s.assets.texture_bytes);
+    stage_close(&s);
+    figures_end(f);
+}
+
+static void the_plan_follows_the_scene(void **state)
+{
+    figures *f = figures_begin();
+    figures_plan kept = { .made = false };
+    char word[32], want[64];
+    stage s;
+    (void)state;
+    open_scene(&s, NULL, 0);
+    figures_stage(f, &kept, &s, NULL);
+    const tp_plan_report r = tp_plan_of(&s.file.scene, &s.assets.names, 160, 120);
+    panel_figures p = shown_of(f, SECOND);
+    assert_memory_equal(p.plan, "visibility\t", 11);
+    plan_word(0, (int)r.rungs.visibility - 1, word);
+    snprintf(want, sizeof want, "*%s\t", word);
+    assert_non_null(strstr(p.plan, want));
+    snprintf(want, sizeof want, "in all\t%.2f M\t", (double)r.total.cost / 1e6);
+    assert_non_null(strstr(p.plan, want));
+    assert_int_equal(scene_file_set(&s.file, "quality.visibility=flat"), 0);
+    figures_stage(f, &kept, &s, NULL);
+    p = shown_of(f, SECOND);
+    assert_non_null(strstr(p.plan, "*flat\t"));
+    assert_non_null(strstr(p.plan, "as the scene says"));
+    stage_close(&s);
+    figures_end(f);
+}
+
+static void a_governors_step_is_told(void **state)
+{
+    const char *settings[] = { "quality.frame_ms=4", "quality.visibility=auto" };
+    figures *f = figures_begin();
+    figures_plan kept = { .made = false };
+    governing g;
+    stage s;
+    (void)state;
+    open_scene(&s, settings, 2);
+    governing_begin(&g, &s);
+    assert_true(g.governor.ladder.count > 1);
+    figures_stage(f, &kept, &s, &g);
+    assert_null(strstr(shown_of(f, SECOND).plan, "to hold frame_ms"));
+    assert_float_equal(shown_of(f, SECOND).limit_ms, 4, 1e-3);
+    for (uint32_t i = 0; i < 64 && g.governor.at == 0; i++)
+        tp_governor_feed(&g.governor, 20000);
+    assert_true(g.governor.at > 0);
+    figures_stage(f, &kept, &s, &g);
+    assert_non_null(strstr(shown_of(f, SECOND).plan, "to hold frame_ms"));
+    figures_stage(f, &kept, &s, NULL);
+    assert_float_equal(shown_of(f, SECOND).limit_ms, 16.6667, 1e-3);
+    stage_close(&s);
+    figures_end(f);
+}
+
+static void a_state_is_one_line(void **state)
+{
+    figures *f = figures_begin();
+    stage s;
+    (void)state;
+    open_scene(&s, NULL, 0);
+    tp_world_step(s.world, &s.file.scene, NULL);
+    figures_world(f, &s, "tape of 3 s");
+    const char *text = shown_of(f, SECOND).state;
+    assert_memory_equal(text, "tick 1, clock 1, camera at ", 27);
+    assert_non_null(strstr(text, "; tape of 3 s"));
+    figures_world(f, &s, "");
+    assert_null(strchr(shown_of(f, SECOND).state, ';'));
+    stage_close(&s);
+    figures_end(f);
+}
+
+static void a_canvas_tells_its_two_parts(void **state)
+{
+    stage s;
+    (void)state;
+    open_scene(&s, NULL, 0);
+    const uint64_t begin = now_us();
+    canvas_draw(&s.canvas, s.world);
+    const uint64_t took = now_us() - begin;
+    assert_true(s.canvas.begin_us + s.canvas.tiles_us <= took + 1);
+    assert_true(s.canvas.tiles_us > 0);
+    stage_close(&s);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(nothing_is_told_of_nothing),
+        cmocka_unit_test(the_newest_picture_is_the_last),
+        cmocka_unit_test(parts_add_up_to_the_whole),
+        cmocka_unit_test(an_input_waits_for_its_picture),
+        cmocka_unit_test(the_rate_is_that_of_the_last_second),
+        cmocka_unit_test(the_dearest_stages_come_first),
+        cmocka_unit_test(memory_is_that_of_the_scene),
+        cmocka_unit_test(the_plan_follows_the_scene),
+        cmocka_unit_test(a_governors_step_is_told),
+        cmocka_unit_test(a_state_is_one_line),
+        cmocka_unit_test(a_canvas_tells_its_two_parts),
+    };
+    return cmocka_run_group_tests_name("figures", tests, NULL, NULL);
+}
