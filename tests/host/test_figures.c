@@ -88,6 +88,7 @@ static void parts_add_up_to_the_whole(void **state)
     assert_float_equal(part_of(&p, "water moves")->share, 0.1, 1e-5);
     assert_float_equal(part_of(&p, "pixels")->mean, 8000, 0.01);
     assert_float_equal(part_of(&p, "the rest")->mean, 1000, 0.01);
+    assert_float_equal(part_of(&p, "the rest")->share, 0.1, 1e-5);
     assert_null(part_of(&p, "panel"));
     figures_end(f);
 }
@@ -200,6 +201,7 @@ static void memory_is_that_of_the_scene(void **state)
     assert_int_equal(bytes_of(ram, "world"), s.world_bytes);
     assert_int_equal(bytes_of(ram, "textures"), s.assets.texture_bytes);
     assert_int_equal(bytes_of(ram, "picture"), 160 * 120 * 4);
+    assert_non_null(strstr(ram, "picture\t76,800\n"));
     assert_int_equal(bytes_of(ram, "in all"),
                      s.canvas.frame_bytes + s.canvas.scratch_bytes + s.world_bytes
                      + 160 * 120 * 4 + s.assets.mesh_bytes + s.assets.texture_bytes);
