@@ -247,6 +247,11 @@ void letters_fill(letters *l, int x, int y, int wide, int high, uint32_t colour,
     SDL_RenderFillRect(l->renderer, &box);
 }
 
+void letters_clip(letters *l, const SDL_Rect *within)
+{
+    SDL_RenderSetClipRect(l->renderer, within);
+}
+
 void letters_box(letters *l, int x, int y, int wide, int high, uint8_t alpha)
 {
     letters_fill(l, x, y, wide, high, 0x06101c, alpha);

@@ -27,6 +27,9 @@ void letters_draw(letters *l, int x, int y, int scale, uint32_t colour, const ch
 void letters_fill(letters *l, int x, int y, int wide, int high, uint32_t colour,
                   uint8_t alpha);
 
+/* From now on nothing is drawn outside of it; NULL: everywhere again. */
+void letters_clip(letters *l, const SDL_Rect *within);
+
 /* A dark box to draw on. */
 void letters_box(letters *l, int x, int y, int wide, int high, uint8_t alpha);
 #endif

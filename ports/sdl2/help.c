@@ -1,0 +1,364 @@
+/* SPDX-License-Identifier: MIT */
+/* The list of keys over the picture.  Whole sentences in as many columns as fit, in letters
+ * as large as fit; where they do not, names alone, with neighbours such as W A S D in one
+ * row: that fits 320x240. */
+#include <stdbool.h>
+#include <stdio.h>
+#include <string.h>
+#include "help_words.h"
+#include "overlay.h"
+
+#define LINES      200
+#define COLUMNS    4
+#define GUTTER     3                /* cells between columns, 1 where it is narrow */
+#define NARROW     51               /* cells that sentences below names are wide at most */
+
+static const uint32_t amber = 0xffd479, white = 0xe8eef4, blue = 0x7fc8ff;
+static const uint32_t grey = 0x9fb0c0;
+
+/* MORE: the text of the line before goes on. */
+typedef enum { HEADING, ROW, MORE, EMPTY } line_kind;
+
+typedef struct {
+    line_kind kind;
+    char      keys[HELP_KEYS], text[72];
+} line;
+
+typedef struct {
+    bool full;              /* sentences; else names */
+    int  wrap;              /* cells of a sentence */
+    int  columns, gutter;
+    int  scale, pitch;      /* px from line to line */
+    bool air, whole;        /* an empty line between groups; no group in two columns */
+} form;
+
+typedef struct {
+    form form;
+    line line[LINES];
+    int  count;
+    int  column[COLUMNS + 1];       /* the first line of each, and one behind the last */
+    int  keys[COLUMNS], wide[COLUMNS];      /* cells of its keys, of all of it */
+    int  across, rows;      /* cells, lines of it all */
+    int  body;              /* lines of the highest column */
+} sheet;
+
+/* -- lines -------------------------------------------------------------------------- */
+
+static line *add_line(sheet *s, line_kind kind)
+{
+    static line spare;
+    line *l = s->count < LINES ? &s->line[s->count++] : &spare;
+    *l = (line){ .kind = kind };
+    return l;
+}
+
+/* A sentence, in lines of at most form.wrap cells. */
+static void add_sentence(sheet *s, const char *keys, const char *text)
+{
+    line *l = add_line(s, ROW);
+    snprintf(l->keys, sizeof l->keys, "%s", keys);
+    for (size_t wrap = (size_t)s->form.wrap; strlen(text) > wrap;) {
+        size_t cut = wrap;
+        while (cut > 0 && text[cut] != ' ')
+            cut--;
+        cut = cut ? cut : wrap;
+        snprintf(l->text, sizeof l->text, "%.*s", (int)cut, text);
+        text += cut + (text[cut] == ' ');
+        l = add_line(s, MORE);
+    }
+    snprintf(l->text, sizeof l->text, "%s", text);
+}
+
+static void add_full(sheet *s, const keymap *m, int of)
+{
+    char keys[HELP_KEYS] = "";
+    help_add_keys(keys, m->text[of]);
+    add_sentence(s, keys[0] ? keys : "-", actions[of].help);
+}
+
+/* Neighbours in one row; how many of them it was. */
+static int add_short(sheet *s, const keymap *m, int of)
+{
+    static const struct { action first; int count; const char *name; } together[] = {
+        { ACT_FORWARD, 6, "move" }, { ACT_NORTH, 4, "sphere" }, { ACT_POKE1, 6, "poke" },
+        { ACT_SAIL, 4, "sail" }, { ACT_SLOWER, 2, "speed" }, { ACT_STEP, 2, "step" },
+    };
+    char keys[HELP_KEYS] = "", name[HELP_NAME];
+    int count = 1;
+    help_short_name(&actions[of], name);
+    for (size_t i = 0; i < sizeof together / sizeof *together; i++)
+        if (of == (int)together[i].first) {
+            for (int k = 0; k < together[i].count; k++)
+                help_add_keys(keys, m->text[of + k]);
+            if (strlen(keys) < 12) {
+                count = together[i].count;
+                snprintf(name, sizeof name, "%s", together[i].name);
+            }
+        }
+    if (count == 1) {
+        keys[0] = 0;
+        help_add_keys(keys, m->text[of]);
+    }
+    line *l = add_line(s, ROW);
+    snprintf(l->keys, sizeof l->keys, "%s", keys[0] ? keys : "-");
+    snprintf(l->text, sizeof l->text, "%s", name);
+    return count;
+}
+
+/* Groups in the order of their first actions, each whole. */
+static void write_lines(sheet *s, const keymap *m)
+{
+    s->count = 0;
+    for (int of = 0; of < ACTIONS; of++) {
+        bool before = false;
+        for (int i = 0; i < of; i++)
+            before = before || strcmp(actions[i].group, actions[of].group) == 0;
+        if (before)
+            continue;
+        if (s->form.air && of > 0)
+            add_line(s, EMPTY);
+        snprintf(add_line(s, HEADING)->text, 72, "%s", actions[of].group);
+        for (int i = of; i < ACTIONS;)
+            if (strcmp(actions[i].group, actions[of].group) != 0)
+                i++;
+            else if (s->form.full)
+                add_full(s, m, i++);
+            else
+                i += add_short(s, m, i);
+    }
+    if (!s->form.full)
+        return;
+    if (s->form.air)
+        add_line(s, EMPTY);
+    snprintf(add_line(s, HEADING)->text, 72, "mouse and gamepad");
+    for (size_t i = 0; i < action_note_count; i++)
+        add_sentence(s, action_notes[i].keys, action_notes[i].help);
+}
+
+/* -- columns ------------------------------------------------------------------------ */
+
+/* Lines that stay together from `i` on: a group; or a heading and its first row, or a
+ * sentence. */
+static int bundle(const sheet *s, int i)
+{
+    int n = 1;
+    if (s->line[i].kind == HEADING && i + n < s->count)
+        n++;
+    while (i + n < s->count
+           && (s->line[i + n].kind == MORE
+               || (s->form.whole && s->line[i + n].kind == ROW)))
+        n++;
+    return n;
+}
+
+/* Into columns of at most `limit` lines; how many that makes, or more than COLUMNS. */
+static int place(sheet *s, int limit)
+{
+    int columns = 0, used = limit;
+    for (int i = 0, n; i < s->count; i += n) {
+        n = bundle(s, i);
+        const bool empty = s->line[i].kind == EMPTY;
+        if (used + n + (empty ? bundle(s, i + 1) : 0) > limit) {
+            if (columns == COLUMNS || n > limit)
+                return COLUMNS + 1;
+            s->column[columns++] = i + empty;   /* none on top */
+            used = -empty;
+        }
+        used += n;
+    }
+    for (int c = columns; c <= COLUMNS; c++)
+        s->column[c] = s->count;
+    return columns;
+}
+
+static int longest(int a, const char *text)
+{
+    return SDL_max(a, letters_count(text));
+}
+
+static void measure_column(sheet *s, int c)
+{
+    int keys = 0, wide = 0;
+    for (int i = s->column[c]; i < s->column[c + 1]; i++)
+        keys = longest(keys, s->line[i].keys);
+    keys = s->form.full ? keys : SDL_min(keys, 6);
+    for (int i = s->column[c]; i < s->column[c + 1]; i++) {
+        const line *l = &s->line[i];
+        const int before = SDL_max(keys, letters_count(l->keys)) + 1;
+        wide = SDL_max(wide, (l->kind == HEADING ? 0 : before) + letters_count(l->text));
+    }
+    s->keys[c] = keys;
+    s->wide[c] = wide;
+}
+
+/* The mouse and the gamepad, below names: one sentence after the other.  Draws from line
+ * `top` on if `l` is given; the lines it takes. */
+static int flow(const sheet *s, letters *l, int x, int y)
+{
+    int row = 0, at = 0;
+    for (size_t i = 0; i < action_note_count; i++) {
+        char text[160], *rest = text, *word;
+        int left = 1;
+        for (const char *k = action_notes[i].keys; *k; k++)
+            left += *k == ' ';
+        snprintf(text, sizeof text, "%s %s", action_notes[i].keys, action_notes[i].help);
+        while ((word = SDL_strtokr(rest, " ", &rest)) != NULL) {
+            const int n = letters_count(word);
+            if (at + n > s->across && at > 0) {
+                row++;
+                at = 0;
+            }
+            if (l)
+                letters_draw(l, x + at * LETTER_WIDE * s->form.scale,
+                             y + row * s->form.pitch, s->form.scale,
+                             left > 0 ? amber : white, word);
+            left--;
+            at += n + 1;
+        }
+        at++;
+    }
+    return row + 1;
+}
+
+/* Whether it fits a room of cells and lines; where its columns are then. */
+static bool fits(sheet *s, int cells, int lines)
+{
+    s->body = s->count / s->form.columns;
+    while (place(s, s->body) > s->form.columns)
+        s->body++;
+    s->across = s->form.gutter * (s->form.columns - 1);
+    for (int c = 0; c < s->form.columns; c++) {
+        measure_column(s, c);
+        s->across += s->wide[c];
+    }
+    if (!s->form.full)
+        s->across = SDL_max(s->across, SDL_min(cells, NARROW));
+    const int more = s->form.full ? 2 : flow(s, NULL, 0, 0);
+    s->rows = s->body + more;
+    return s->across <= cells && s->rows <= lines;
+}
+
+/* px around it. */
+static int margin_of(const form *f)
+{
+    return (f->full ? 6 : 3) * f->scale;
+}
+
+static bool fits_in(sheet *s, const SDL_Rect *where)
+{
+    const int margin = 2 * margin_of(&s->form);
+    return fits(s, (where->w - margin) / (LETTER_WIDE * s->form.scale),
+                (where->h - margin) / s->form.pitch);
+}
+
+/* -- the form that is taken ------------------------------------------------------------ */
+
+/* The lines as they are: in the fewest columns, with most between lines, groups whole. */
+static bool try_columns(sheet *s, const SDL_Rect *where, int high, int least)
+{
+    for (int columns = 1; columns <= COLUMNS; columns++)
+        for (int pitch = high; pitch >= least; pitch--)
+            for (int whole = 1; whole >= 0; whole--) {
+                s->form.columns = columns;
+                s->form.pitch = pitch * s->form.scale;
+                s->form.whole = whole;
+                if (fits_in(s, where))
+                    return true;
+            }
+    return false;
+}
+
+/* Sentences at one scale, the airiest first. */
+static bool try_full(sheet *s, const keymap *m, const SDL_Rect *where, int scale)
+{
+    static const int wraps[] = { 71, 44, 36, 30 };
+    for (size_t w = 0; w < sizeof wraps / sizeof *wraps; w++)
+        for (int air = 1; air >= 0; air--) {
+            s->form = (form){ .full = true, .wrap = wraps[w], .gutter = GUTTER,
+                              .scale = scale, .air = air };
+            write_lines(s, m);
+            if (try_columns(s, where, LETTER_HIGH + 2, LETTER_HIGH))
+                return true;
+        }
+    return false;
+}
+
+static bool try_names(sheet *s, const keymap *m, const SDL_Rect *where, int scale)
+{
+    for (int gutter = GUTTER; gutter > 0; gutter--) {
+        s->form = (form){ .gutter = gutter, .scale = scale };
+        write_lines(s, m);
+        if (try_columns(s, where, LETTER_HIGH, LETTER_HIGH - 1))
+            return true;
+    }
+    return false;
+}
+
+/* Letters at least as large as wished come first, then sentences, then large letters. */
+static void search(sheet *s, const keymap *m, const SDL_Rect *where, int scale)
+{
+    for (int k = LETTER_SCALES; k >= scale; k--)
+        if (try_full(s, m, where, k))
+            return;
+    for (int k = LETTER_SCALES; k >= scale; k--)
+        if (try_names(s, m, where, k))
+            return;
+    for (int k = scale - 1; k >= 1; k--)
+        if (try_full(s, m, where, k) || try_names(s, m, where, k))
+            return;
+    s->form = (form){ .columns = 3, .gutter = 1, .scale = 1, .pitch = LETTER_HIGH - 1 };
+    write_lines(s, m);
+    fits_in(s, where);               /* what there is room for */
+}
+
+static void draw_column(const sheet *s, letters *l, int c, int x, int y)
+{
+    const int cell = LETTER_WIDE * s->form.scale;
+    for (int i = s->column[c]; i < s->column[c + 1]; i++, y += s->form.pitch) {
+        const line *of = &s->line[i];
+        const int keys = SDL_max(s->keys[c], letters_count(of->keys)) + 1;
+        letters_draw(l, x, y, s->form.scale, amber, of->keys);
+        letters_draw(l, x + (of->kind == HEADING ? 0 : keys * cell), y, s->form.scale,
+                     of->kind == HEADING ? blue : white, of->text);
+    }
+}
+
+/* Looked for only when something has changed: it takes milliseconds. */
+static const sheet *chosen(const keymap *m, const SDL_Rect *where, int scale)
+{
+    static sheet last;
+    static keymap keys;
+    static int wide, high, wished;
+    if (!wished || wide != where->w || high != where->h || wished != scale
+        || memcmp(&keys, m, sizeof keys) != 0) {
+        search(&last, m, where, scale);
+        keys = *m;
+        wide = where->w;
+        high = where->h;
+        wished = scale;
+    }
+    return &last;
+}
+
+void overlay_help(letters *l, const SDL_Rect *where, int scale, const keymap *keys)
+{
+    const sheet *s = chosen(keys, where, SDL_clamp(scale, 1, LETTER_SCALES));
+    const form *f = &s->form;
+    const int cell = LETTER_WIDE * f->scale, margin = margin_of(f);
+    const int wide = s->across * cell + 2 * margin, high = s->rows * f->pitch + 2 * margin;
+    int x = where->x + SDL_max((where->w - wide) / 2, 0) + margin;
+    int y = where->y + SDL_max((where->h - high) / 2, 0) + margin;
+    letters_clip(l, where);
+    letters_box(l, x - margin, y - margin, wide, high, 216);
+    for (int c = 0, at = x; c < f->columns; c++) {
+        draw_column(s, l, c, at, y);
+        at += (s->wide[c] + f->gutter) * cell;
+    }
+    y += s->body * f->pitch;
+    if (f->full)
+        letters_draw(l, x, y + f->pitch, f->scale, grey,
+                     "~/.config/tidepool/keys.ini changes keys:  drop = Return");
+    else
+        flow(s, l, x, y);
+    letters_clip(l, NULL);
+}
