@@ -27,7 +27,7 @@ static_assert(sizeof(ImDrawIdx) == sizeof(uint16_t), "and so are indices");
 namespace {
 
 constexpr int   LETTERS = 13;           /* pixels of the default letters, at scale 1 */
-constexpr int   KEYS = 64, CALLS = 256;
+constexpr int   KEYS = 64, CALLS = 256, PATIENCE = 8;
 constexpr float TIP_S = 0.5f;
 
 constexpr ImU32 BACK = IM_COL32(21, 25, 30, 255), FRAME = IM_COL32(36, 43, 51, 255),
@@ -35,7 +35,8 @@ constexpr ImU32 BACK = IM_COL32(21, 25, 30, 255), FRAME = IM_COL32(36, 43, 51, 2
                 HEAD = IM_COL32(29, 35, 42, 255), LINE = IM_COL32(52, 61, 70, 255),
                 TEXT = IM_COL32(214, 221, 226, 255), DIM = IM_COL32(134, 147, 158, 255),
                 SEA = IM_COL32(72, 176, 190, 255), EDITED = IM_COL32(232, 176, 96, 255),
-                OVERDUE = IM_COL32(216, 104, 88, 255), FULL = IM_COL32(44, 86, 98, 255);
+                OVERDUE = IM_COL32(216, 104, 88, 255), FULL = IM_COL32(40, 76, 87, 255),
+                HELD = IM_COL32(50, 102, 116, 255), EDGE = IM_COL32(56, 124, 138, 255);
 
 } // namespace
 
@@ -49,12 +50,15 @@ struct panel {
     uint32_t      groups, counted, scene;
     char          wanted[64];           /* what is searched for */
     int           typing;               /* row whose number is being typed, or -1 */
-    int           sliding;              /* row that changes as long as it is held, or -1 */
+    int           sliding, place;       /* row that changes while it is held, or -1 */
+    uint32_t      asked;                /* pictures since the keyboard was asked for */
     bool          typing_new, searching, shows_rows, measures, hidden, leave;
     bool          keys;                 /* the keyboard moves about in the panel */
+    bool          on_number;            /* the keyboard's place in the panel */
+    bool          taken;                /* the last key that went down */
     bool          mouse;                /* a button that went down here is held */
     SDL_Event     event[KEYS];          /* keys and letters that wait */
-    uint32_t      events;
+    uint32_t      events, waited;       /* and pictures since one could be told */
     int           tip, tip_new;         /* row that is pointed at, and since when */
     double        tip_since;
     SDL_Rect      where;
@@ -119,16 +123,25 @@ bool takes_key(panel *p, const SDL_Keysym &key)
     return (p->keys || is_open()) && moves_about(key.sym);
 }
 
-/* Tab goes on to the next thing as the arrow does, from a field too. */
-SDL_Event turned(const SDL_Event &event)
+SDL_Event as_key(const SDL_Event &event, SDL_Scancode code)
 {
     SDL_Event e = event;
-    if (e.key.keysym.sym == SDLK_TAB) {
-        const bool back = (e.key.keysym.mod & KMOD_SHIFT) != 0;
-        e.key.keysym.scancode = back ? SDL_SCANCODE_UP : SDL_SCANCODE_DOWN;
-        e.key.keysym.sym = back ? SDLK_UP : SDLK_DOWN;
-    }
+    e.key.keysym.scancode = code;
+    e.key.keysym.sym = SDL_GetKeyFromScancode(code);
     return e;
+}
+
+/* Tab goes on to the next thing as the arrow does, from a field too; Enter presses what
+ * is no number and no field, as the space bar does. */
+SDL_Event turned(const panel *p, const SDL_Event &event)
+{
+    const SDL_Keysym &key = event.key.keysym;
+    if (key.sym == SDLK_TAB)
+        return as_key(event, key.mod & KMOD_SHIFT ? SDL_SCANCODE_UP : SDL_SCANCODE_DOWN);
+    if (!panel_types(p) && !p->on_number
+        && (key.sym == SDLK_RETURN || key.sym == SDLK_KP_ENTER))
+        return as_key(event, SDL_SCANCODE_SPACE);
+    return event;
 }
 
 bool key_event(panel *p, const SDL_Event &event)
@@ -137,17 +150,19 @@ bool key_event(panel *p, const SDL_Event &event)
     const bool down = event.type == SDL_KEYDOWN;
     const bool taken = down && takes_key(p, key);
     const bool ctrl = (key.mod & KMOD_CTRL) != 0;
+    if (down)
+        p->taken = taken;
     if (key.sym == SDLK_ESCAPE && taken && !is_open())
         p->leave = true;
     else if ((!down || taken) && !event.key.repeat && (!is_plain(key.sym) || ctrl || !down))
-        wait(p, turned(event));
+        wait(p, turned(p, event));
     return taken;
 }
 
 /* A letter is the panel's if its key was; of "/" that asks to search only the key. */
 bool text_event(panel *p, const SDL_Event &event)
 {
-    if (!panel_types(p) && !(p->keys && p->events > 0))
+    if (!panel_types(p) && !p->taken)
         return false;
     if (!(p->searching && p->events == 0 && std::strcmp(event.text.text, "/") == 0))
         wait(p, event);
@@ -211,8 +226,9 @@ void feed(panel *p)
         if (!text)
             hold(event.key.keysym.mod);
     }
-    if (n == 0 && !p->searching && p->typing < 0)
-        n = p->events > 0;              /* and will not be */
+    p->waited = n > 0 ? 0 : p->waited + 1;
+    if (p->waited > PATIENCE)
+        n = p->events;                  /* and will not be */
     p->events -= n;
     std::memmove(p->event, p->event + n, p->events * sizeof *p->event);
 }
@@ -233,7 +249,7 @@ void paint(ImGuiStyle &style)
         { ImGuiCol_FrameBgActive, DOWN }, { ImGuiCol_ScrollbarBg, 0 },
         { ImGuiCol_ScrollbarGrab, FRAME }, { ImGuiCol_ScrollbarGrabHovered, OVER },
         { ImGuiCol_ScrollbarGrabActive, DOWN }, { ImGuiCol_CheckMark, SEA },
-        { ImGuiCol_SliderGrab, SEA }, { ImGuiCol_SliderGrabActive, TEXT },
+        { ImGuiCol_SliderGrab, 0 }, { ImGuiCol_SliderGrabActive, 0 },
         { ImGuiCol_Button, FRAME }, { ImGuiCol_ButtonHovered, OVER },
         { ImGuiCol_ButtonActive, DOWN }, { ImGuiCol_Header, HEAD },
         { ImGuiCol_HeaderHovered, FRAME }, { ImGuiCol_HeaderActive, OVER },
@@ -299,8 +315,10 @@ void say(ImU32 colour, const char *text)
     ImGui::PopStyleColor();
 }
 
+void tip(const panel *p, const char *text);
+
 /* A line in what is left of the width, cut with dots; pointed at, it shows the whole. */
-void say_line(ImU32 colour, const char *text)
+void say_line(const panel *p, ImU32 colour, const char *text)
 {
     char cut[PANEL_TEXT];
     const int fits = static_cast<int>(ImGui::GetContentRegionAvail().x / letter());
@@ -309,7 +327,30 @@ void say_line(ImU32 colour, const char *text)
                   all > fits ? ".." : "");
     say(colour, cut);
     if (all > fits && ImGui::IsItemHovered())
-        ImGui::SetTooltip("%s", text);
+        tip(p, text);
+}
+
+/* Beside the panel and not over it: on the side where the picture is. */
+void place_tip(const panel *p, float y)
+{
+    const float left = static_cast<float>(p->where.x), gap = px(p, 4);
+    const float right = ImGui::GetIO().DisplaySize.x - left - static_cast<float>(p->where.w);
+    if (SDL_max(left, right) < px(p, 160))
+        return;
+    if (left >= right)
+        ImGui::SetNextWindowPos(ImVec2(left - gap, y), ImGuiCond_Always, ImVec2(1, 0));
+    else
+        ImGui::SetNextWindowPos(ImVec2(left + static_cast<float>(p->where.w) + gap, y));
+}
+
+void tip(const panel *p, const char *text)
+{
+    place_tip(p, ImGui::GetItemRectMin().y);
+    ImGui::BeginTooltip();
+    ImGui::PushTextWrapPos(px(p, 300));
+    ImGui::TextUnformatted(text);
+    ImGui::PopTextWrapPos();
+    ImGui::EndTooltip();
 }
 
 void write_at(float x, float y, ImU32 colour, const char *text)
@@ -338,9 +379,11 @@ constexpr button BUTTONS[] = {
 void act_tip(const panel *p, int action)
 {
     const bool save = action == ACT_SAVE && p->host->saved_as && p->host->saved_as[0];
+    char text[PANEL_TEXT * 2];
+    std::snprintf(text, sizeof text, "%s%s%s", actions[action].help, save ? "\n" : "",
+                  save ? p->host->saved_as : "");
     if (ImGui::IsItemHovered())
-        ImGui::SetTooltip("%s%s%s", actions[action].help, save ? "\n" : "",
-                          save ? p->host->saved_as : "");
+        tip(p, text);
 }
 
 /* The name at the left, the key dim at the right if there is room. */
@@ -371,7 +414,7 @@ void show_buttons(panel *p)
 {
     const float room = ImGui::GetContentRegionAvail().x;
     const float gap = ImGui::GetStyle().ItemSpacing.x;
-    const int columns = room >= 15 * 3 * letter() ? 3 : 2;
+    const int columns = room >= 13 * 3 * letter() ? 3 : 2;
     const float wide = SDL_floorf((room - gap * static_cast<float>(columns - 1))
                                   / static_cast<float>(columns));
     int i = 0;
@@ -396,15 +439,22 @@ void show_scenes(panel *p)
             if (i == h.scene && ImGui::IsWindowAppearing())
                 ImGui::SetScrollHereY();
             if (ImGui::IsItemHovered() && h.shows[i])
-                ImGui::SetTooltip("%s", h.shows[i]);
+                tip(p, h.shows[i]);
             ImGui::PopID();
         }
         ImGui::EndCombo();
     }
-    say_line(DIM, known && h.shows[h.scene] ? h.shows[h.scene] : "");
+    say_line(p, DIM, known && h.shows[h.scene] ? h.shows[h.scene] : "");
 }
 
 /* -- rows -------------------------------------------------------------------------------- */
+
+/* Dear ImGui answers in the picture after, and begins anew if it is asked again. */
+void ask_keys(panel *p)
+{
+    if (p->asked++ % 4 == 0)
+        ImGui::SetKeyboardFocusHere();
+}
 
 bool enter_pressed()
 {
@@ -450,8 +500,13 @@ void show_field(panel *p, uint32_t row, const char *text)
 
 void type_number(panel *p, uint32_t row, const char *text)
 {
+    if (p->typing_new && p->asked == 0) {       /* once without: the slider lets go */
+        p->asked = 4;
+        ImGui::Dummy(ImVec2(ImGui::CalcItemWidth(), ImGui::GetFrameHeight()));
+        return;
+    }
     if (p->typing_new)
-        ImGui::SetKeyboardFocusHere();
+        ask_keys(p);
     show_field(p, row, text);
     if (ImGui::IsItemActive())
         p->typing_new = false;
@@ -463,43 +518,48 @@ void begin_typing(panel *p, uint32_t row)
 {
     p->typing = static_cast<int>(row);
     p->typing_new = true;
+    p->asked = 0;
 }
 
-/* The value and its unit over the slider. */
-void write_value(const panel *p, const panel_row &row, const char *text)
+/* How far the slider is, and over it the value and its unit. */
+void write_value(const panel *p, const panel_row &row, const char *text, float share)
 {
     const ImVec2 a = ImGui::GetItemRectMin(), b = ImGui::GetItemRectMax();
-    const float y = a.y + ImGui::GetStyle().FramePadding.y;
+    const float y = a.y + ImGui::GetStyle().FramePadding.y, edge = px(p, 2);
     const float gap = px(p, 5), unit = ImGui::CalcTextSize(row.unit).x;
     const float wide = ImGui::CalcTextSize(text).x;
+    const float at = SDL_floorf((b.x - a.x - edge) * share);
+    box(a.x, a.y, at, b.y - a.y, ImGui::IsItemActive() ? HELD : FULL);
+    box(a.x + at, a.y, edge, b.y - a.y, EDGE);
+    box(a.x + at, b.y - 2 * edge, edge, 2 * edge, SEA);
     write_at(a.x + gap, y, TEXT, text);
     if (row.unit[0] && wide + unit + 3 * gap <= b.x - a.x)
         write_at(b.x - gap - unit, y, DIM, row.unit);
 }
 
-bool slide(const panel_row &row, const char *text, char made[PANEL_TEXT])
+/* A slider of places.  While it is held its place is kept: steps of a key may be finer
+ * than the numbers that they make. */
+void slide(panel *p, uint32_t row, const char *text)
 {
-    double value = std::strtod(text, nullptr);
-    const panel_span span = panel_span_of(&row, value);
-    const ImGuiSliderFlags flags = ImGuiSliderFlags_NoInput
-        | (span.log ? ImGuiSliderFlags_Logarithmic : 0);
-    if (row.kind == PANEL_COUNT) {
-        int count = static_cast<int>(value);
-        const int low = static_cast<int>(span.low), high = static_cast<int>(span.high);
-        const bool moved = ImGui::SliderInt("##v", &count, low, high, "", flags);
-        std::snprintf(made, PANEL_TEXT, "%d", count);
-        return moved;
+    char made[PANEL_TEXT];
+    const panel_row &r = p->host->row[row];
+    const double value = std::strtod(text, nullptr);
+    const panel_span span = panel_span_of(&r, value);
+    int place = p->sliding == static_cast<int>(row) ? p->place : panel_place(&span, value);
+    if (ImGui::SliderInt("##v", &place, 0, span.steps, "", ImGuiSliderFlags_NoInput)) {
+        panel_number(&span, place, made);
+        put_on(p, row, made, text);
+        p->place = place;
     }
-    const bool moved = ImGui::SliderScalar("##v", ImGuiDataType_Double, &value, &span.low,
-                                           &span.high, "", flags);
-    panel_number(value, &span, made);
-    return moved;
+    p->on_number |= ImGui::IsItemFocused();
+    if (ImGui::IsItemFocused() && enter_pressed())
+        begin_typing(p, row);
+    write_value(p, r, text, static_cast<float>(place) / static_cast<float>(span.steps));
 }
 
 /* Pressed with Ctrl, with the right button or by Enter it is typed instead. */
 void show_number(panel *p, uint32_t row, const char *text)
 {
-    const panel_row &r = p->host->row[row];
     const ImVec2 a = ImGui::GetCursorScreenPos();
     const ImVec2 b(a.x + ImGui::CalcItemWidth(), a.y + ImGui::GetFrameHeight());
     if (ImGui::IsWindowHovered() && ImGui::IsMouseHoveringRect(a, b)
@@ -509,12 +569,7 @@ void show_number(panel *p, uint32_t row, const char *text)
         type_number(p, row, text);
         return;
     }
-    char made[PANEL_TEXT];
-    if (slide(r, text, made))
-        put_on(p, row, made, text);
-    if (ImGui::IsItemFocused() && enter_pressed())
-        begin_typing(p, row);
-    write_value(p, r, text);
+    slide(p, row, text);
 }
 
 void show_switch(panel *p, uint32_t row, const char *text)
@@ -603,7 +658,7 @@ void show_reset(panel *p, uint32_t row, bool filed)
     if (ImGui::Button("##reset", ImVec2(side, side)))
         p->host->reset(p->host->user, row);
     if (ImGui::IsItemHovered())
-        ImGui::SetTooltip("%s", filed ? "to the default" : "as the scene's file has it");
+        tip(p, filed ? "to the default" : "as the scene's file has it");
     const ImVec2 a = ImGui::GetItemRectMin();
     write_at(a.x + (side - letter()) / 2, a.y + ImGui::GetStyle().FramePadding.y,
              filed ? DIM : EDITED, "<");
@@ -621,14 +676,8 @@ void show_tip(panel *p, uint32_t row, const ImVec2 &at)
     p->tip_new = static_cast<int>(row);
     if (p->tip != p->tip_new || ImGui::GetTime() - p->tip_since < TIP_S)
         return;
-    if (!mouse)
-        ImGui::SetNextWindowPos(ImVec2(at.x, end.y + px(p, 4)));
     panel_tip(&p->host->row[row], text, sizeof text);
-    ImGui::BeginTooltip();
-    ImGui::PushTextWrapPos(px(p, 300));
-    ImGui::TextUnformatted(text);
-    ImGui::PopTextWrapPos();
-    ImGui::EndTooltip();
+    tip(p, text);
 }
 
 /* Rows that are not in sight take their room and no time; the next ones above and below
@@ -748,11 +797,11 @@ void show_search(panel *p)
 {
     const float clear = p->wanted[0] ? ImGui::GetFrameHeight() + px(p, 1) : 0;
     if (p->searching)
-        ImGui::SetKeyboardFocusHere();
+        ask_keys(p);
     ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - clear);
     ImGui::InputTextWithHint("##search", "search names and help", p->wanted,
                              sizeof p->wanted, ImGuiInputTextFlags_AutoSelectAll);
-    if (ImGui::IsItemActive())
+    if (ImGui::IsItemActive() && ImGui::GetIO().WantTextInput)
         p->searching = false;
     if (clear > 0) {
         ImGui::SameLine(0, px(p, 1));
@@ -813,7 +862,7 @@ void show_times(const panel *p, const panel_time *time, uint32_t count)
 }
 
 /* Lines of columns parted by tabs; the last column takes what is left. */
-void show_lines(const char *lines)
+void show_lines(const panel *p, const char *lines)
 {
     for (int row = 0; lines && *lines; row++) {
         const size_t bytes = std::strcspn(lines, "\n");
@@ -826,9 +875,9 @@ void show_lines(const char *lines)
                 *tab = '\0';
             if (column > 0)
                 ImGui::SameLine(SDL_max(ImGui::GetItemRectMax().x - ImGui::GetWindowPos().x
-                                        + letter(), static_cast<float>(14 * column)
+                                        + letter(), static_cast<float>(11 * column)
                                         * letter()));
-            say_line(column == 0 ? DIM : TEXT, at);
+            say_line(p, column == 0 ? DIM : TEXT, at);
             at = tab ? tab + 1 : nullptr;
         }
         ImGui::PopID();
@@ -852,7 +901,7 @@ void show_compare(panel *p, const panel_compare &c)
         std::snprintf(text, sizeof text, "PSNR --");
     say(TEXT, text);
     if (c.note && c.note[0])
-        say_line(DIM, c.note);
+        say_line(p, DIM, c.note);
 }
 
 void section(const char *name)
@@ -868,7 +917,7 @@ void show_figures(panel *p)
     std::snprintf(text, sizeof text, "%.1f ms   %.0f/s   answers in %.0f ms",
                   static_cast<double>(f->median_ms), static_cast<double>(f->shown_per_s),
                   static_cast<double>(f->latency_ms));
-    say_line(TEXT, text);
+    say_line(p, TEXT, text);
     show_graph(p, *f);
     if (f->state && f->state[0]) {
         ImGui::PushStyleColor(ImGuiCol_Text, DIM);
@@ -885,9 +934,9 @@ void show_figures(panel *p)
     if (f->stage_count == 0)
         say(DIM, "not measured");
     section("plan of this moment");
-    show_lines(f->plan);
+    show_lines(p, f->plan);
     section("memory");
-    show_lines(f->ram);
+    show_lines(p, f->ram);
 }
 
 void measure(panel *p, bool on)
@@ -937,7 +986,7 @@ void show(panel *p)
             static_cast<float>(w.h), SEA);
     show_scenes(p);
     show_buttons(p);
-    say_line(EDITED, p->host->message ? p->host->message : "");
+    say_line(p, EDITED, p->host->message ? p->host->message : "");
     show_tabs(p);
     ImGui::End();
 }
@@ -1052,6 +1101,7 @@ void panel_draw(panel *p, const SDL_Rect *where)
     p->where = *where;
     p->tip_new = -1;
     feed(p);
+    p->on_number = false;
     count_groups(p);
     ImGui_ImplSDL2_NewFrame();
     ImGui::NewFrame();
@@ -1075,8 +1125,10 @@ void panel_scale(panel *p, float scale)
 
 void panel_search(panel *p)
 {
-    if (p)
-        p->searching = p->shows_rows = p->keys = true;
+    if (!p)
+        return;
+    p->searching = p->shows_rows = p->keys = true;
+    p->asked = 0;
 }
 
 bool panel_types(const panel *p)

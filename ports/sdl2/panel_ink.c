@@ -85,6 +85,8 @@ static void rectangle(ink *k, const ink_vertex *a, const ink_vertex *c)
 {
     const SDL_Rect to = between(a->x, a->y, c->x, c->y);
     const SDL_Color by = a->colour;
+    if (by.a == 0)
+        return;
     if (a->u == k->u && c->u == k->u && a->v == k->v) {
         SDL_SetRenderDrawBlendMode(k->renderer, by.a == 255 ? SDL_BLENDMODE_NONE
                                                             : SDL_BLENDMODE_BLEND);

@@ -32,13 +32,25 @@ uint32_t panel_groups_of(const panel_host *host, panel_group groups[PANEL_GROUPS
     return n;
 }
 
+/* Whether a group's first value says that there is no such thing: no amplitude, no mesh. */
+static bool is_absent(const panel_host *host, uint32_t row)
+{
+    char text[PANEL_TEXT];
+    const panel_row *const r = &host->row[row];
+    host->get(host->user, row, text);
+    return r->kind == PANEL_CHOICE ? strcmp(text, "none") == 0
+         : r->kind == PANEL_NUMBER || r->kind == PANEL_COUNT ? r->low == 0
+             && strcmp(text, "0") == 0
+         : (r->kind == PANEL_MESH || r->kind == PANEL_PICTURE) && text[0] == '\0';
+}
+
 void panel_group_count(const panel_host *host, panel_group *group, bool fresh)
 {
     group->changed = 0;
     for (uint32_t i = 0; i < group->count; i++)
         group->changed += !host->is_normal(host->user, group->first + i);
     if (fresh)
-        group->idle = group->changed == 0;
+        group->idle = group->changed == 0 && is_absent(host, group->first);
 }
 
 /* -- names and search -------------------------------------------------------------------- */
@@ -103,25 +115,48 @@ bool panel_word(const char *list, uint32_t i, char text[PANEL_TEXT])
 /* Many metres from a few centimetres on are no use on a straight slider. */
 panel_span panel_span_of(const panel_row *row, double value)
 {
-    panel_span s = { row->low, row->high, false };
-    if (strcmp(row->unit, "degrees") == 0 && s.high - s.low > 720) {
+    panel_span s = { row->low, row->high, 0, 1000, row->kind == PANEL_COUNT };
+    const double largest = fmax(fabs(s.low), fabs(s.high));
+    if (strncmp(row->unit, "degrees", 7) == 0) {
         const double turn = 360 * floor((value + 180) / 360);
-        s.low = fmax(turn - 180, row->low);
-        s.high = fmin(turn + 180, row->high);
-        return s;
+        if (s.high - s.low > 720) {
+            s.low = fmax(turn - 180, row->low);
+            s.high = fmin(turn + 180, row->high);
+        }
+    } else if (s.low > 0 && s.high >= 100 * s.low) {
+        s.fine = s.low / 4;
+    } else if (s.low <= 0 && s.high - s.low >= 100) {
+        s.fine = largest / 1000;
     }
-    s.log = s.low > 0 ? s.high / s.low >= 100 : s.high - s.low >= 100;
-    s.log = s.log && strncmp(row->unit, "degrees", 7) != 0;
+    if (s.whole && s.high - s.low <= 100)
+        s = (panel_span){ s.low, s.high, 0, (int)(s.high - s.low), true };
     return s;
 }
 
-/* A thousandth of the span, or of the value if ways multiply; no more than 16.16 tells. */
-void panel_number(double value, const panel_span *span, char text[PANEL_TEXT])
+/* Straight, or straight about nought and then by the logarithm, on both sides of it. */
+static double way(const panel_span *s, double value)
 {
-    const double size = span->log ? fabs(value) : span->high - span->low;
-    int decimals = size > 0 ? (int)ceil(2.5 - log10(size)) : 0;
-    decimals = decimals < 0 ? 0 : decimals > 4 ? 4 : decimals;
-    snprintf(text, PANEL_TEXT, "%.*f", decimals, value);
+    return s->fine > 0 ? asinh(value / s->fine) : value;
+}
+
+int panel_place(const panel_span *s, double value)
+{
+    const double low = way(s, s->low), high = way(s, s->high);
+    const double share = (way(s, value) - low) / (high - low);
+    return (int)lround(fmin(fmax(share, 0), 1) * s->steps);
+}
+
+/* To a five-hundredth of the span or of the value, and no more than 16.16 tells. */
+void panel_number(const panel_span *s, int place, char text[PANEL_TEXT])
+{
+    const double low = way(s, s->low), high = way(s, s->high);
+    const double at = low + (high - low) * place / s->steps;
+    const double value = place <= 0 ? s->low : place >= s->steps ? s->high
+                       : s->fine > 0 ? s->fine * sinh(at) : at;
+    const double size = s->fine > 0 ? fmax(fabs(value), s->fine) : s->high - s->low;
+    const int finest = (int)ceil(2.5 - log10(size));
+    snprintf(text, PANEL_TEXT, "%.*f", s->whole || finest < 0 ? 0 : finest > 4 ? 4 : finest,
+             value);
     if (strchr(text, '.')) {
         size_t n = strlen(text);
         while (text[n - 1] == '0')

@@ -14,7 +14,8 @@ enum { PANEL_GROUPS = 64, PANEL_NAME = 32 };
 typedef struct {
     char     name[PANEL_NAME];
     uint32_t first, count;
-    bool     idle;              /* every value was the default when the scene was opened */
+    bool     idle;              /* not in the scene when it was opened: every value was the
+                                   default, and the first one none */
     uint32_t changed;           /* values that are not the default's, when last counted */
 } panel_group;
 
@@ -35,17 +36,21 @@ bool     panel_found(const panel_row *row, const char *wanted);
 /* Word i of "off|on|auto"; false: there is none. */
 bool     panel_word(const char *list, uint32_t i, char text[PANEL_TEXT]);
 
-/* Where a slider ends, and how numbers that it makes are told. */
+/* A slider: places 0..steps from low to high. */
 typedef struct {
     double low, high;
-    bool   log;                 /* equal ways multiply */
+    double fine;                /* > 0: of sizes above this, equal ways multiply */
+    int    steps;
+    bool   whole;               /* of whole numbers */
 } panel_span;
 
 /* The table's range; of angles of many turns the turn that `value` lies in. */
 panel_span panel_span_of(const panel_row *row, double value);
 
-/* In the words of a scene file, as finely as the span is worth. */
-void     panel_number(double value, const panel_span *span, char text[PANEL_TEXT]);
+/* The place of a value, which may lie outside; and a place's value, as text that a scene
+ * file has, told as finely as the slider is worth. */
+int      panel_place(const panel_span *span, double value);
+void     panel_number(const panel_span *span, int place, char text[PANEL_TEXT]);
 
 /* "#rrggbb" as 0xRRGGBB; anything else is black. */
 uint32_t panel_colour(const char *text);
