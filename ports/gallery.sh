@@ -1,6 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# Draws every shipped scene for the README, and a sheet of all of them.
+# Draws every shipped scene for the README, and a sheet of all of them; then tour.sh takes
+# pictures of the preview and of the page.
 #
 #   ports/gallery.sh PROGRAM FOLDER
 #
@@ -52,3 +53,4 @@ echo "  $folder/sheet.png"
 # shellcheck disable=SC2086
 montage -font DejaVu-Sans -pointsize 14 $cells -resize 256x192 -geometry 256x192+3+3 \
     -tile 5x -background '#f4f4f0' -fill '#202428' -depth 8 -strip "PNG24:$folder/sheet.png"
+"${0%/*}/tour.sh" "$program" "$folder"

@@ -7,7 +7,7 @@ set -eu
 program=$1 scene=$2
 
 if [ -n "${DISPLAY:-}${WAYLAND_DISPLAY:-}" ]; then
-    echo "the preview of $scene: W A S D and the mouse move the camera, Esc quits"
+    echo "the preview of $scene: F1 lists the keys, Escape quits"
     code=0
     "$program" view "$scene" || code=$?
     [ $code -eq 3 ] || exit $code           # 3: no display could be opened

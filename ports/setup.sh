@@ -4,8 +4,8 @@
 #
 #   ports/setup.sh run|test|gallery|bench|all
 #
-# `run` builds and shows, `test` adds the host's tests, `gallery` what lays its pictures
-# out on a sheet, `bench` has renderers to compare with, `all` adds other processors,
+# `run` builds and shows, `test` adds the host's tests, `gallery` what takes its pictures
+# and lays them out, `bench` has renderers to compare with, `all` adds other processors,
 # boards and windows to the tests.  Without apt, or without root (tries sudo -n), it
 # prints the exact command: of things needed to build it then stops with 1, of things that
 # only tests need it goes on, and those tests say that they were skipped.
@@ -25,6 +25,8 @@ test | binutils                  | cmd objdump                 | gates on the ob
 test | mandoc                    | cmd mandoc                  | checks the manual page
 sheet | imagemagick              | cmd montage                 | lays pictures out
 sheet | fonts-dejavu-core        | dir /usr/share/fonts/truetype/dejavu | their names
+sheet | xvfb                     | cmd Xvfb                    | a display for the preview
+sheet | xdotool                  | cmd xdotool                 | its keys
 peers | libosmesa6-dev           | pkg osmesa                  | Mesa, to compare with
 peers | libsdl2-dev              | pkg sdl2                    | SDL, to compare with
 peers | valgrind                 | cmd valgrind                | counts instructions
@@ -69,7 +71,7 @@ present()       # KIND NAME
 case ${1:-} in
 run)  groups='run show' ;;
 test) groups='run test' ;;
-gallery) groups='run sheet' ;;
+gallery) groups='run show sheet' ;;
 bench) groups='run peers' ;;
 all)  groups='run test all' ;;
 *)    sed -n '3,11s/^# \{0,1\}//p' "$0" >&2; exit 2 ;;

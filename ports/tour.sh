@@ -1,0 +1,118 @@
+#!/bin/sh
+# SPDX-License-Identifier: MIT
+# Takes the README's pictures of the preview and of the page, each of few colours and no
+# more than 120 KB.
+#
+#   ports/tour.sh PROGRAM FOLDER
+#
+# The preview runs in a display of its own and is driven by its keys; the page, where
+# build/web has one, is opened in Chromium.  What a machine lacks for one of them leaves
+# that picture as it was, and is said.
+set -u
+program=$(realpath "$1") || exit 2
+folder=$(realpath "$2") || exit 2
+page=$(realpath -m build/web)/index.html
+
+lacks() {       # PICTURES COMMAND...
+    pictures=$1
+    shift
+    for command in "$@"; do
+        command -v "$command" >/dev/null || {
+            echo "tour: left out: $pictures (no $command)"
+            return 0
+        }
+    done
+    return 1
+}
+lacks "the tour" convert && exit 0
+
+work=$(mktemp -d) || exit 1
+server= viewer=
+cleanup() {
+    [ -z "$viewer" ] || kill "$viewer" 2>/dev/null
+    [ -z "$server" ] || kill "$server" 2>/dev/null
+    wait
+    rm -rf "$work"
+}
+trap cleanup EXIT
+trap 'exit 1' INT TERM HUP
+export HOME="$work" XDG_CONFIG_HOME="$work/config" XDG_STATE_HOME="$work/state"
+export XDG_CACHE_HOME="$work/cache" LC_ALL=C
+
+# until_true COMMAND...: tries for twenty seconds.
+until_true() {
+    for _ in $(seq 100); do
+        "$@" && return 0
+        sleep 0.2
+    done
+    return 1
+}
+
+# keep PICTURE NAME: by as many colours as 120 KB hold.
+keep() {
+    [ -s "$1" ] || { echo "tour: $2.png could not be taken" >&2; return 1; }
+    for colours in 256 128 64 32 16; do
+        convert "$1" -resize '960x>' -colors $colours -strip "PNG8:$work/few.png"
+        [ "$(wc -c <"$work/few.png")" -gt 120000 ] || break
+    done
+    echo "  $folder/$2.png"
+    cp "$work/few.png" "$folder/$2.png"
+}
+
+# -- the preview -----------------------------------------------------------------------
+
+start() {       # SCENE OPTION...
+    (cd "$work" && SDL_VIDEODRIVER=x11 SDL_AUDIODRIVER=dummy \
+        exec "$program" view "$@") >"$work/log" 2>&1 &
+    viewer=$!
+    until_true find_window || { echo "tour: no window was opened" >&2; return 1; }
+}
+find_window() {
+    window=$(xdotool search --onlyvisible --name '^tidepool: ' 2>/dev/null | head -1)
+    [ -n "$window" ]
+}
+press() { xdotool windowfocus "$window" key "$@"; }
+take() {        # SECONDS NAME: what the window shows after so long
+    sleep "$1"
+    import -silent -window "$window" "$work/whole.png"
+    keep "$work/whole.png" "$2"
+}
+stop() {
+    press Escape
+    wait "$viewer"
+    viewer=
+}
+
+tour_of_preview() {
+    Xvfb -displayfd 7 -screen 0 1600x1000x24 -nolisten tcp -noreset \
+        7>"$work/number" >/dev/null 2>&1 &
+    server=$!
+    until_true test -s "$work/number" || { echo "tour: no display" >&2; return 1; }
+    DISPLAY=:$(cat "$work/number")
+    export DISPLAY
+    start three-swells || return 1
+    take 8 tour-panel
+    press F1
+    take 1 tour-keys
+    stop
+    start harbour --no-panel || return 1
+    sleep 4
+    press p F4 F8               # the reference is reckoned for a standing picture
+    take 12 tour-compare
+    stop
+}
+lacks "the preview" Xvfb xdotool import || tour_of_preview
+
+# -- the page --------------------------------------------------------------------------
+
+tour_of_page() {
+    timeout 60 chromium --headless=new --no-sandbox --disable-gpu --hide-scrollbars \
+        --user-data-dir="$work/chromium" --window-size=960,640 --virtual-time-budget=8000 \
+        --screenshot="$work/page.png" "file://$page#scene=tank&frame=150" >"$work/log" 2>&1
+    keep "$work/page.png" tour-page
+}
+if [ -s "$page" ]; then
+    lacks "the page" chromium || tour_of_page
+else
+    echo "tour: left out: the page (make web builds it)"
+fi
