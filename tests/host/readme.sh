@@ -42,15 +42,21 @@ pictures()      # that the README links to
 }
 check "the README's pictures are there" pictures
 check "one of them is the sheet" grep -q 'assets/gallery/sheet.png' README.md
-light() { [ "$(wc -c <assets/gallery/sheet.png)" -le 1500000 ]; }
-check "the sheet is no heavier than 1.5 MB" light
-keys()          # of the preview, as the program lists them: the first word of each line
+light() { [ "$(wc -c <"$1")" -le "$2" ]; }
+check "the sheet is no heavier than 1.5 MB" light assets/gallery/sheet.png 1500000
+for picture in assets/gallery/tour-*.png; do
+    [ ! -e "$picture" ] || check "$picture is no heavier than 120 KB" light "$picture" 120000
+done
+preview() { sed -n '/^## The preview/,/^## /p' README.md; }
+keys()          # of the preview: the first that each action has
 {
-    sed -n '/^static void print_keys/,/^}/s/^ *\(puts(\)*"\([^ ]*\).*/\2/p' \
-        ports/sdl2/control.c | while read -r key; do
-        sed -n '/^## The preview/,/^## /p' README.md | grep -qF "$key" ||
-            { echo "the README lacks $key"; exit 1; }
-    done
+    sed -n 's/^    X([A-Z_0-9]*, *"[a-z]*", *"[a-z_0-9]*", *"\([^ "]*\).*/\1/p' \
+        ports/host/actions.h >"$scratch/keys"
+    [ "$(wc -l <"$scratch/keys")" -eq "$(grep -c '^    X(' ports/host/actions.h)" ] ||
+        { echo "actions.h is not laid out as it was"; return 1; }
+    while read -r key; do
+        preview | grep -qF "\`$key\`" || { echo "the README lacks $key"; return 1; }
+    done <"$scratch/keys"
 }
 check "the README knows the preview's keys" keys
 exit $((failures > 0))
