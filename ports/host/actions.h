@@ -50,7 +50,8 @@
     X(RESTART,    "time",   "restart",    "F5", false, "from the beginning, with your changes") \
     X(NEXT_SCENE, "scene",  "next_scene", "N", false, "the next scene") \
     X(LAST_SCENE, "scene",  "last_scene", "Shift+N", false, "the one before") \
-    X(RELOAD,     "scene",  "reload",     "Ctrl+R", false, "the scene's file, without your changes") \
+    X(RELOAD,     "scene",  "reload",     "Ctrl+R", false, \
+      "the scene's file, without your changes") \
     X(SAVE,       "scene",  "save",       "Ctrl+S", false, "save the scene as an INI file") \
     X(UNDO,       "scene",  "undo",       "Ctrl+Z", false, "take the last change back") \
     X(REDO,       "scene",  "redo",       "Ctrl+Y", false, "make it again") \
@@ -59,13 +60,15 @@
     X(FIGURES,    "window", "figures",    "F4", false, "times and stages over the picture") \
     X(FORMAT,     "window", "format",     "F6", false, "the next format of pixels") \
     X(SCALE,      "window", "scale",      "F7", false, "pixels 1, 2, 3 or 4 times as large") \
-    X(COMPARE,    "window", "compare",    "F8", false, "beside another way to draw: split, difference, off") \
+    X(COMPARE,    "window", "compare",    "F8", false, \
+      "beside another way to draw: split, difference, off") \
     X(AGAINST,    "window", "against",    "Shift+F8", false, "which other way") \
     X(LARGER,     "window", "larger",     "Ctrl+=", false, "larger letters") \
     X(SMALLER,    "window", "smaller",    "Ctrl+-", false, "smaller letters") \
     X(FULL,       "window", "full",       "F11", false, "the whole screen; again: a window") \
     X(FILM,       "record", "film",       "F9", false, "record a film; again: end it") \
-    X(TAPE,       "record", "tape",       "F10", false, "restart and record a tape; again: end it") \
+    X(TAPE,       "record", "tape",       "F10", false, \
+      "restart and record a tape; again: end it") \
     X(SHOT,       "record", "shot",       "F12", false, "save a picture in this folder") \
     X(HELP,       "window", "help",       "F1", false, "these keys") \
     X(QUIT,       "window", "quit",       "Escape Ctrl+Q", false, "quit")
