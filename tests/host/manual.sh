@@ -9,7 +9,7 @@ HOME=$work XDG_CONFIG_HOME=$work/config
 export HOME XDG_CONFIG_HOME
 
 commands=$("$program" --help | sed -n 's/^  \([a-z]*\) .*  .*/\1/p')
-same "the commands" "$(echo $commands | wc -w) ${commands%%[!a-z]*}" "13 view"
+same "the first command" "${commands%%[!a-z]*}" view
 options_of()    # COMMAND: those of its help, a line each
 {
     "$program" "$1" --help 2>/dev/null | sed -n 's/^  \(-[-a-z]*\) .*/\1/p' | sort -u
@@ -62,7 +62,7 @@ verdict "the page knows every parameter" "$(comm -13 told wanted | head -3 | tr 
 verdict "and no other" "$(comm -23 told wanted | grep -v -e 'N\.' -e tidepool | head -3)"
 for key in F1 Space Ctrl+Z 'left drag' Escape; do
     same "the page knows $key" \
-        "$(grep -c "^.fB$key[ \\]" tidepool.1 | sed 's/[1-9][0-9]*/yes/')" yes
+        "$(grep -c "^.fB${key}[ \\]" tidepool.1 | sed 's/[1-9][0-9]*/yes/')" yes
 done
 # Lines that begin with a dot are macros, a backslash is an escape that we know, and a
 # hyphen is a minus sign.
@@ -145,7 +145,7 @@ for shell in zsh fish; do
     for command in $commands; do
         options_of "$command"
     done | sed 's/^-*//' | sort -u | while read -r name; do
-        grep -q -e "'-*\**-$name[=[]" -e "'\*--$name[=[]" -e " -[ls] $name " \
+        grep -q -e "'-*\**-${name}[=[]" -e "'\*--${name}[=[]" -e " -[ls] $name " \
             tidepool.$shell || echo "$name"
     done >lost
     verdict "$shell: every option" "$(tr '\n' ' ' <lost)"

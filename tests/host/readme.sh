@@ -50,10 +50,10 @@ done
 preview() { sed -n '/^## The preview/,/^## /p' README.md; }
 keys()          # of the preview: the first that each action has
 {
-    sed -n 's/^    X([A-Z_0-9]*, *"[a-z]*", *"[a-z_0-9]*", *"\([^ "]*\).*/\1/p' \
-        ports/host/actions.h >"$scratch/keys"
-    [ "$(wc -l <"$scratch/keys")" -eq "$(grep -c '^    X(' ports/host/actions.h)" ] ||
-        { echo "actions.h is not laid out as it was"; return 1; }
+    "${TP_PROGRAM:-build/host/tidepool}" manual >"$scratch/page"
+    sed -n '/^\.SH KEYS/,/^\.SH EXIT/s/^\\fB\([^ ]*\).*\\fR (.*/\1/p' "$scratch/page" |
+        sed 's/\\fR$//; s/\\-/-/g' >"$scratch/keys"
+    grep -qx F1 "$scratch/keys" || { echo "the manual lists no keys"; return 1; }
     while read -r key; do
         preview | grep -qF "\`$key\`" || { echo "the README lacks $key"; return 1; }
     done <"$scratch/keys"
