@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: MIT */
+#define _POSIX_C_SOURCE 200809L
 #include "takes.h"
 #include <stdio.h>
 #include <stdlib.h>
