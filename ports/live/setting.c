@@ -1,0 +1,74 @@
+/* SPDX-License-Identifier: MIT */
+/* Changes of parameters: the scene is changed, the world takes it, and if it cannot the
+ * scene is changed back or the world has to be made anew.  No scene is left half changed,
+ * and no world: a refresh that fails has done nothing.
+ *
+ * tp_world_refresh leaves the camera where input has led it, so a number of the camera's
+ * is put in place here. */
+#include "setting.h"
+
+void *memcpy(void *restrict to, const void *restrict from, size_t bytes);
+
+bool setting_is_name(const tp_param *param)
+{
+    return param->kind == TP_PARAM_MESH || param->kind == TP_PARAM_TEXTURE
+        || param->kind == TP_PARAM_GREY;
+}
+
+bool setting_is_grid(const tp_param *param)
+{
+    return param->offset == offsetof(tp_scene, grid.cols)
+        || param->offset == offsetof(tp_scene, grid.rows);
+}
+
+static void place_camera(tp_world *world, const tp_scene *scene, uint32_t offset)
+{
+    static const tp_input still;
+    switch (offset) {
+    case offsetof(tp_scene, camera.x): world->eye.x = scene->camera.x; break;
+    case offsetof(tp_scene, camera.y): world->eye.y = scene->camera.y; break;
+    case offsetof(tp_scene, camera.z): world->eye.z = scene->camera.z; break;
+    case offsetof(tp_scene, camera.heading):
+        world->heading = tp_turn_of_degrees(scene->camera.heading);
+        break;
+    case offsetof(tp_scene, camera.pitch):
+        world->pitch = tp_turn_of_degrees(scene->camera.pitch);
+        break;
+    default:
+        return;
+    }
+    tp_world_look(world, &still);       /* it jumps: there is no way between */
+}
+
+/* Why the world did not take a number: it would do so in another block, or there is no
+ * such world.  In a block of no bytes nothing is begun. */
+static setting_result asked_anew(const tp_kit *kit, const tp_scene *scene,
+                                 tp_world *world, const tp_assets *assets, tp_error *err)
+{
+    return tp_world_init_with(kit, world, 0, scene, assets, err) == TP_E_NOSPACE
+         ? SETTING_ANEW : SETTING_REFUSED;
+}
+
+setting_result setting_put(const tp_kit *kit, tp_scene *scene, tp_world *world,
+                           const tp_assets *assets, const tp_param *param,
+                           const char *text, size_t bytes, tp_error *err)
+{
+    char *at = (char *)scene + param->offset;
+    int32_t before;             /* of a number; a text refuses nothing but itself */
+
+    memcpy(&before, at, sizeof before);
+    if (tp_param_set(scene, param, text, bytes, err))
+        return SETTING_REFUSED;
+    if (setting_is_name(param))
+        return SETTING_LOAD;
+    if (param->kind == TP_PARAM_TEXT)
+        return SETTING_DONE;
+    if (tp_world_refresh_with(kit, world, scene, assets)) {
+        place_camera(world, scene, param->offset);
+        return SETTING_DONE;
+    }
+    const setting_result result = asked_anew(kit, scene, world, assets, err);
+    if (result == SETTING_REFUSED)
+        memcpy(at, &before, sizeof before);
+    return result;
+}

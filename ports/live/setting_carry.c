@@ -1,0 +1,59 @@
+/* SPDX-License-Identifier: MIT */
+/* What a world that was made anew takes over from the one before it: all that is not in
+ * the parts behind its head, for which it was made anew.  So the sea, the sun and a boat
+ * go on as if nothing had been, while pools are still. */
+#include "setting.h"
+
+static void carry_camera(tp_world *to, const tp_world *from)
+{
+    to->eye = from->eye;
+    to->last_eye = from->last_eye;
+    to->heading = from->heading;
+    to->pitch = from->pitch;
+    to->last_heading = from->last_heading;
+    to->last_pitch = from->last_pitch;
+}
+
+static void carry_light(tp_world *to, const tp_world *from)
+{
+    to->light_heading = from->light_heading;
+    to->light_elevation = from->light_elevation;
+    to->last_light_heading = from->last_light_heading;
+    to->last_light_elevation = from->last_light_elevation;
+}
+
+/* Waves are where they would be by now. */
+static void carry_time(tp_world *to, const tp_world *from)
+{
+    const tp_fx scale = to->clock_scale;
+
+    to->tick = from->tick;
+    to->back = from->back;
+    to->clock = from->clock;
+    if (scale != from->clock_scale)
+        tp_clock_aim(&to->clock, scale);
+    tp_sea_phases(&to->sea, to->tick, 0, to->phases);
+}
+
+static void carry_boat(tp_world *to, const tp_world *from)
+{
+    to->boat = from->boat;
+    to->last_boat = from->last_boat;
+    to->afloat = from->afloat;
+}
+
+void setting_carry(tp_world *to, const tp_world *from)
+{
+    if (to->aboard == from->aboard)
+        carry_camera(to, from);
+    if (to->scene_light[0] == from->scene_light[0]
+        && to->scene_light[1] == from->scene_light[1])
+        carry_light(to, from);
+    if (to->parts.probe && from->parts.probe) {
+        to->exposure = from->exposure;
+        to->last_exposure = from->last_exposure;
+    }
+    carry_time(to, from);
+    if (to->afloat.laid && from->afloat.laid)
+        carry_boat(to, from);
+}
