@@ -1,24 +1,17 @@
 /* SPDX-License-Identifier: MIT */
-/* `set`: a change is made, the world asked to take it, and taken back if the world
- * cannot: no scene is left half changed.
+/* `set`: a change is made as ports/live says, and taken back if the world had to be
+ * made anew for it, which a board has no memory for: a refresh that failed did nothing.
  *
  * What is fixed when a scene is baked, its files and the grid's points, is refused.  What
  * the frame lacks memory for is set, and said to be drawn in part: tidepool/frame.h tells
  * of each what is left out.  Unsaid is what needs no more memory than what it replaces
  * (mirror.objects from stencil to cube). */
+#include "../live/setting.h"
 #include "answer.h"
-
-static bool is_fixed(const tp_param *param)
-{
-    return param->kind == TP_PARAM_MESH || param->kind == TP_PARAM_TEXTURE
-        || param->kind == TP_PARAM_GREY
-        || param->offset == offsetof(tp_scene, grid.cols)
-        || param->offset == offsetof(tp_scene, grid.rows);
-}
 
 static bool may_change(const control *c, const tp_param *param)
 {
-    if (c->setup->scene && !is_fixed(param))
+    if (c->setup->scene && !setting_is_name(param) && !setting_is_grid(param))
         return true;
     answer(c, "error ");
     answer(c, param->name);
@@ -27,32 +20,7 @@ static bool may_change(const control *c, const tp_param *param)
     return false;
 }
 
-static bool refresh(const control_setup *s)
-{
-    return tp_world_refresh_with(s->kit, s->world, s->scene, s->assets);
-}
-
-/* The camera stands where input has led it, and tp_world_refresh leaves it there. */
-static void place_camera(tp_world *world, const tp_scene *scene, uint32_t offset)
-{
-    static const tp_input still;
-    switch (offset) {
-    case offsetof(tp_scene, camera.x): world->eye.x = scene->camera.x; break;
-    case offsetof(tp_scene, camera.y): world->eye.y = scene->camera.y; break;
-    case offsetof(tp_scene, camera.z): world->eye.z = scene->camera.z; break;
-    case offsetof(tp_scene, camera.heading):
-        world->heading = tp_turn_of_degrees(scene->camera.heading);
-        break;
-    case offsetof(tp_scene, camera.pitch):
-        world->pitch = tp_turn_of_degrees(scene->camera.pitch);
-        break;
-    default:
-        return;
-    }
-    tp_world_look(world, &still);       /* it jumps: there is no way between */
-}
-
-/* Numbers that the world's block has no room for, or that make none. */
+/* Numbers that the world's block has no room for, or that its parts were made with. */
 static void take_back(const control *c, const tp_param *param, void *number,
                       const void *before)
 {
@@ -70,7 +38,6 @@ static void take_back(const control *c, const tp_param *param, void *number,
         answer(c, " cannot be had while the water moves\n");
     }
     memcpy(number, before, sizeof(int32_t));
-    refresh(s);
 }
 
 static uint32_t frame_needs(const control_setup *s)
@@ -108,13 +75,16 @@ void control_set(control *c, control_word rest)
     char *number = (char *)s->scene + param->offset;
     const uint32_t needed = frame_needs(s);
     memcpy(&before, number, sizeof before);
-    if (tp_param_set(s->scene, param, rest.text, rest.bytes, &err)) {
-        refuse_value(c, param, &err);
-    } else if (!refresh(s)) {
-        take_back(c, param, number, &before);
-    } else {
-        place_camera(s->world, s->scene, param->offset);
+    switch (setting_put(s->kit, s->scene, s->world, s->assets, param, rest.text,
+                        rest.bytes, &err)) {
+    case SETTING_DONE:
         c->changed = true;
         tell(c, param, needed);
+        break;
+    case SETTING_REFUSED:
+        refuse_value(c, param, &err);
+        break;
+    default:
+        take_back(c, param, number, &before);
     }
 }

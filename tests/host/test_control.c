@@ -222,7 +222,11 @@ static void what_the_world_has_no_room_for_is_taken_back(void **state)
     assert_memory_equal(&before, &b->scene, sizeof before);
     assert_int_equal(draw(b), crc);
     assert_string_equal(ask(b, "set pool.courant 0.8\n"),
-                        "error pool.courant = 0.8 cannot be had while the water moves\n");
+                        "error pool.courant: pool.courant of 0.800 is above 0.497, the"
+                        " bound of this damping; water would not come to rest\n");
+    assert_memory_equal(&before, &b->scene, sizeof before);
+    assert_string_equal(ask(b, "set pool.range 2\n"),
+                        "error pool.range = 2 m cannot be had while the water moves\n");
     assert_memory_equal(&before, &b->scene, sizeof before);
 }
 
@@ -276,7 +280,8 @@ static void every_parameter_takes_its_ends(void **state)
         snprintf(line, sizeof line, "set %s %s\n", row->name, value);
         const bool ok = memcmp(ask(b, line), "ok ", 3) == 0;
         snprintf(want, sizeof want, "%s %s = %s", ok ? "ok" : "error", row->name, value);
-        if (memcmp(b->said, want, strlen(want)) && !strstr(b->said, " is fixed when "))
+        if (memcmp(b->said, want, strlen(want)) && !strstr(b->said, " is fixed when ")
+            && !strstr(b->said, ": pool.") && !strstr(b->said, ": field."))
             fail_msg("to '%s': '%s'", line, b->said);
         assert_true(!ok || *scene_number(&b->scene, row)
                            == (i % 2 ? row->high : row->low));
