@@ -143,7 +143,7 @@ static void write_all(sheet *s, const panel_figures *f, const panel_compare *c)
 }
 
 void overlay_figures(letters *l, const SDL_Rect *where, int scale,
-                     const panel_figures *figures, const panel_compare *compare)
+                     const panel_figures *f, const panel_compare *c)
 {
     const int wide = PANEL_HISTORY + 2 * MARGIN;
     int size = SDL_clamp(scale, 1, LETTER_SCALES);
@@ -153,12 +153,12 @@ void overlay_figures(letters *l, const SDL_Rect *where, int scale,
     sheet s = { NULL, where->x + margin, where->y + margin, size,
                 where->y + where->h - margin };
     const int top = s.y;
-    write_all(&s, figures, compare);            /* how high it is */
+    write_all(&s, f, c);                     /* how high it is */
     letters_clip(l, where);
     letters_box(l, where->x, where->y, wide * size, s.y - top + 2 * margin, 192);
     s.to = l;
     s.y = top;
-    write_all(&s, figures, compare);
+    write_all(&s, f, c);
     letters_clip(l, NULL);
 }
 

@@ -11,7 +11,7 @@
 /* In the rectangle `where` of the window. */
 void overlay_help(letters *l, const SDL_Rect *where, int scale, const keymap *keys);
 void overlay_figures(letters *l, const SDL_Rect *where, int scale,
-                     const panel_figures *figures, const panel_compare *compare);
+                     const panel_figures *f, const panel_compare *c);
 /* Lines at the lower left, the newest lowest; alpha 0..255. */
 void overlay_message(letters *l, const SDL_Rect *where, int scale, const char *text,
                      uint8_t alpha);

@@ -233,15 +233,15 @@ static void tiny_pictures_and_endless_keys_do_no_harm(void **state)
 
 /* -- figures ------------------------------------------------------------------------- */
 
-static panel_figures figures = { .limit_ms = 16.7f, .median_ms = 9.4f, .shown_per_s = 60,
-                                 .latency_ms = 18, .state = "tick 12" };
+static panel_figures told = { .limit_ms = 16.7f, .median_ms = 9.4f, .shown_per_s = 60,
+                              .latency_ms = 18, .state = "tick 12" };
 static panel_compare compare = { "split", "exact", 41.27, "the reference draws: 40%" };
 
 static void show(SDL_Rect where, int scale)
 {
     count = outside = 0;
     joined[0] = 0;
-    overlay_figures(some, &where, scale, &figures, &compare);
+    overlay_figures(some, &where, scale, &told, &compare);
     assert_false(clipped);
     assert_int_equal(outside, 0);
     no_two_texts_overlap();
@@ -251,9 +251,9 @@ static const SDL_Rect usual = { 10, 10, 640, 480 };
 
 static void set_history(uint32_t pictures)
 {
-    figures.pictures = pictures;
+    told.pictures = pictures;
     for (int i = 0; i < PANEL_HISTORY; i++)
-        figures.history[i] = i < 120 ? 8.0f : i < 239 ? 20.0f : 500.0f;
+        told.history[i] = i < 120 ? 8.0f : i < 239 ? 20.0f : 500.0f;
 }
 
 /* The fills that are one pixel wide, from left to right: the graph's bars. */
@@ -273,7 +273,7 @@ static void the_graph_has_a_bar_for_each_picture(void **state)
     const mark *bar[PANEL_HISTORY];
     (void)state;
     set_history(PANEL_HISTORY);
-    figures.part_count = figures.stage_count = 0;
+    told.part_count = told.stage_count = 0;
     show(usual, 1);
     assert_int_equal(bars(bar), PANEL_HISTORY);
     for (int i = 1; i < PANEL_HISTORY; i++) {
@@ -304,11 +304,11 @@ static void times_are_listed_and_compared(void **state)
 {
     (void)state;
     set_history(0);
-    figures.parts[0] = (panel_time){ "water moves", 812, 0.1f };
-    figures.parts[1] = (panel_time){ "pixels", 7302, 0.8f };
-    figures.part_count = 2;
-    figures.stages[0] = (panel_time){ "a stage with a name that is far too long", 3000, 7 };
-    figures.stage_count = 1;
+    told.parts[0] = (panel_time){ "water moves", 812, 0.1f };
+    told.parts[1] = (panel_time){ "pixels", 7302, 0.8f };
+    told.part_count = 2;
+    told.stages[0] = (panel_time){ "a stage with a name that is far too long", 3000, 7 };
+    told.stage_count = 1;
     show(usual, 1);
     assert_non_null(strstr(joined, "9.4 ms  60/s  key to picture 18 ms"));
     assert_non_null(strstr(joined, "water moves            0.81 ms"));
@@ -330,9 +330,9 @@ static void figures_fit_small_pictures_too(void **state)
 {
     (void)state;
     set_history(PANEL_HISTORY);
-    figures.part_count = figures.stage_count = PANEL_TIMES;
+    told.part_count = told.stage_count = PANEL_TIMES;
     for (int i = 0; i < PANEL_TIMES; i++)
-        figures.parts[i] = figures.stages[i] = (panel_time){ "part", 100, 0.01f };
+        told.parts[i] = told.stages[i] = (panel_time){ "part", 100, 0.01f };
     for (int scale = 1; scale <= 4; scale++) {
         show((SDL_Rect){ 5, 5, 320, 240 }, scale);
         show((SDL_Rect){ 5, 5, 640, 480 }, scale);
