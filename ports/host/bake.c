@@ -7,6 +7,7 @@
 #include <inttypes.h>
 #include <stdlib.h>
 #include <string.h>
+#include "about.h"
 #include "args.h"
 #include "commands.h"
 #include "output.h"
@@ -306,17 +307,6 @@ static int run(stage *s, const options *o)
     return code;
 }
 
-static void print_help(void)
-{
-    puts("usage: tidepool bake SCENE -o FILE.c [OPTION]...\n"
-         "Writes a scene, its mesh, pictures and maps as constants in C, for a board:\n"
-         "NAME_scene and NAME_assets, which the file's head declares and measures.\n"
-         "SCENE is the name of a shipped scene or the path of an INI file.\n");
-    args_print(FOR_BAKE);
-    puts("\nThe file needs -I for the folder of tidepool/frame.h and nothing else.\n"
-         "Exit: 0 done, 2 usage, 3 bad input or output; then nothing is written.");
-}
-
 int bake_command(int argc, char **argv)
 {
     options o;
@@ -324,7 +314,7 @@ int bake_command(int argc, char **argv)
     memset(&s, 0, sizeof s);
     int code = args_read(&o, FOR_BAKE, argc, argv);
     if (!code && o.help)
-        print_help();
+        about_print(FOR_BAKE);
     else if (!code)
         code = run(&s, &o);
     const int end = finish_stdout();

@@ -6,26 +6,13 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include "about.h"
 #include "args.h"
 #include "commands.h"
 #include "say.h"
 #include "timing.h"
 
 #define FRAMES 10               /* of a round */
-
-static void print_help(void)
-{
-    puts("usage: tidepool bench [OPTION]...\n"
-         "Times whole frames of one scene, on which others were measured too: a sea of\n"
-         "20 m x 20 m as a grid of points, plain (a texture, light, depth), full (waves\n"
-         "that bend three layers, bump, Fresnel, a cube map, glitter, exposure) and\n"
-         "smooth (full, with linear layers).\n");
-    args_print(FOR_BENCH);
-    puts("\n`ratio` is the time over that of the case's first line, `dB` its picture's"
-         " PSNR.\n--peers runs in the project's folder and leaves pictures in "
-         BENCH_FOLDER ".\n\n"
-         "Exit: 0 done, 2 usage, 3 no memory, or nothing could be built.");
-}
 
 bool bench_same_case(const bench_figure *a, const bench_figure *b)
 {
@@ -162,7 +149,7 @@ int bench_command(int argc, char **argv)
     bench_scene s = { .memory = NULL };
     int code = args_read(&o, FOR_BENCH, argc, argv);
     if (!code && o.help)
-        print_help();
+        about_print(FOR_BENCH);
     else if (!code)
         code = run(&list, &s, &o);
     const int end = finish_stdout();

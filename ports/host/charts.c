@@ -9,23 +9,11 @@
 #include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
+#include "about.h"
 #include "args.h"
 #include "commands.h"
 #include "path.h"
 #include "say.h"
-
-static void print_help(void)
-{
-    puts("usage: tidepool charts DIR [OPTION]...\n"
-         "       tidepool charts --list [OPTION]...\n"
-         "       tidepool charts --collect FILE... DIR [OPTION]...\n"
-         "Runs what " CHARTS_FOLDER " describes, in the project's folder, into DIR:\n"
-         "tables, pictures (if gnuplot is there) and README.md.  --list prints the jobs,\n"
-         "a command a line; --collect merges what they print, in any order (FILE may be\n"
-         "- for standard input).\n");
-    args_print(FOR_CHARTS);
-    puts("\nExit: 0 done, 1 a job failed, 2 usage, 3 bad input or output.");
-}
 
 /* -- what is needed ----------------------------------------------------------------- */
 
@@ -204,7 +192,7 @@ int charts_command(int argc, char **argv)
     options o;
     int code = args_read(&o, FOR_CHARTS, argc, argv);
     if (!code && o.help)
-        print_help();
+        about_print(FOR_CHARTS);
     else if (!code)
         code = run(&o);
     const int end = finish_stdout();

@@ -10,6 +10,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include "about.h"
 #include "args.h"
 #include "commands.h"
 #include "nearest.h"
@@ -367,15 +368,7 @@ int check_command(int argc, char **argv)
     options o;
     int code = args_read(&o, FOR_CHECK, argc, argv);
     if (!code && o.help) {
-        puts("usage: tidepool check --vectors DIR\n"
-             "Compares the fixed-point models with tables of known values: every .csv\n"
-             "of the folder.  Prints of each quantity how many rows there are, its\n"
-             "largest and rms error, and the budget.\n");
-        args_print(FOR_CHECK);
-        puts("\nA table is lines beginning with # that hold parameters, a line of\n"
-             "column names, and rows.  Its name says which model it belongs to.\n"
-             "Exit: 0 all are within their budgets, 1 some are not, 2 usage,"
-             " 3 a file is bad.");
+        about_print(FOR_CHECK);
     } else if (!code) {
         code = check_folder(o.vectors);
     }

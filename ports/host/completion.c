@@ -5,6 +5,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include "about.h"
 
 /* An apostrophe stands outside of the quotes: 'it'\''s'.  No text has a backslash, of
  * which shells think differently. */
@@ -108,13 +109,7 @@ int completion_command(int argc, char **argv)
     signal(SIGPIPE, SIG_DFL);
     int code = args_read(&o, FOR_COMPLETION, argc, argv);
     if (!code && o.help) {
-        puts("usage: tidepool completion SHELL\n"
-             "Prints what bash, zsh or fish complete: commands, options, scenes, names\n"
-             "and values.  `make install` puts it where they look; by hand:\n"
-             "  eval \"$(tidepool completion bash)\"          # in ~/.bashrc\n"
-             "  tidepool completion zsh >DIR/_tidepool      # DIR: of $fpath\n"
-             "  tidepool completion fish | source           # in config.fish\n");
-        args_print(FOR_COMPLETION);
+        about_print(FOR_COMPLETION);
     } else if (!code) {
         code = print_script(o.scene);
     }

@@ -8,6 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
+#include "about.h"
 #include "args.h"
 #include "commands.h"
 #include "output.h"
@@ -30,15 +31,6 @@ typedef struct {
     uint8_t    *frame;
     size_t      bytes;          /* of a frame, without its mark */
 } joined;
-
-static void print_help(void)
-{
-    puts("usage: tidepool join FILM.y4m PART.y4m...\n"
-         "Makes one film of parts in their order, as `render --frames A:B` draws them on\n"
-         "one machine or on many: the same bits as drawn in one go.  FILM may be -.\n");
-    args_print(FOR_JOIN);
-    puts("\nExit: 0 done, 2 usage, 3 bad input or output.");
-}
 
 /* A line without its end; false: none, or it is too long. */
 static bool read_line(FILE *file, char line[HEAD_BYTES])
@@ -157,7 +149,7 @@ int join_command(int argc, char **argv)
     options o;
     int code = args_read(&o, FOR_JOIN, argc, argv);
     if (!code && o.help)
-        print_help();
+        about_print(FOR_JOIN);
     else if (!code)
         code = run(&o);
     const int end = o.help ? finish_stdout() : EXIT_DONE;

@@ -4,6 +4,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include "about.h"
 #include "args.h"
 #include "commands.h"
 #include "path.h"
@@ -39,8 +40,7 @@ int scenes_command(int argc, char **argv)
     signal(SIGPIPE, SIG_DFL);       /* a list that goes on into `head` ends there */
     int code = args_read(&o, FOR_SCENES, argc, argv);
     if (!code && o.help) {
-        puts("usage: tidepool scenes\nLists the shipped scenes and what each shows.\n");
-        args_print(FOR_SCENES);
+        about_print(FOR_SCENES);
     } else if (!code) {
         char *folder = path_of_scenes();
         code = folder ? list_scenes(folder)
@@ -156,9 +156,7 @@ int params_command(int argc, char **argv)
     signal(SIGPIPE, SIG_DFL);
     int code = args_read(&o, FOR_PARAMS, argc, argv);
     if (!code && o.help) {
-        puts("usage: tidepool params [SCENE] [OPTION]...\n"
-             "Lists every parameter with its default, or with its value in a scene.\n");
-        args_print(FOR_PARAMS);
+        about_print(FOR_PARAMS);
     } else if (!code && !o.scene && o.n_settings) {
         code = fail(EXIT_USAGE, "tidepool params: --set needs a scene");
     } else if (!code && !o.scene) {

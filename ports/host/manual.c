@@ -3,9 +3,11 @@
  * codes, and tidepool-scene(5) from that of parameters. */
 #include "manual.h"
 #include <signal.h>
+#include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include "about.h"
 #include "actions.h"
 #include "args_rows.h"
 #include "commands.h"
@@ -60,24 +62,54 @@ static void print_entries(const char *title, const entry *of, size_t count)
     }
 }
 
-/* "SCENE [OPTION]...": words in capitals are for others, options stand as they are. */
-static void print_usage(const command_row *of)
+/* "tidepool view [SCENE]...": words in capitals stand for others. */
+static void print_usage_line(const char *at, size_t bytes)
 {
-    const char *at = of->takes;
-    roff_bold("tidepool ");
-    roff_bold(of->name);
-    while (*at) {
+    const char *end = at + bytes;
+    while (at < end) {
         char word[32];
-        const size_t bytes = strcspn(at, " ");
-        snprintf(word, sizeof word, "%.*s", (int)bytes, at);
-        roff_text(" ");
-        if (*word == '-')
-            roff_bold(word);
-        else
+        const size_t length = strcspn(at, " \n");
+        snprintf(word, sizeof word, "%.*s", (int)length, at);
+        if (word[strcspn(word, "ABCDEFGHIJKLMNOPQRSTUVWXYZ")])
             roff_italic(word);
-        at += bytes + (at[bytes] == ' ');
+        else
+            roff_bold(word);
+        at += length + 1;
+        roff_text(at < end ? " " : "");
     }
     roff_end();
+}
+
+static void print_usage(const about_row *of)
+{
+    const char *line = of->usage;
+    for (;;) {
+        const size_t bytes = strcspn(line, "\n");
+        print_usage_line(line, bytes);
+        if (!line[bytes])
+            break;
+        roff_macro(".br");
+        line += bytes + 1;
+    }
+}
+
+/* A paragraph of lines that fill; an empty one and "Exit:" begin the next. */
+static void print_lines(const char *text)
+{
+    bool begun = false;
+    while (*text) {
+        char line[96];
+        const size_t bytes = strcspn(text, "\n");
+        snprintf(line, sizeof line, "%.*s", (int)bytes, text);
+        if (!bytes || strncmp(line, "Exit:", 5) == 0)
+            begun = false;
+        if (bytes && !begun)
+            roff_macro(".PP");
+        begun = begun || bytes;
+        roff_text(line);
+        roff_end();
+        text += bytes + 1;
+    }
 }
 
 static void print_option(const option_row *row)
@@ -97,13 +129,14 @@ static void print_commands(void)
     roff_macro(".SH COMMANDS");
     for (size_t i = 0; i < command_count; i++) {
         roff_macro(".SS %s", commands[i].name);
-        print_usage(&commands[i]);
-        roff_macro(".PP");
-        roff_text(commands[i].help);
+        const about_row *about = about_of(commands[i].options);
+        print_usage(about);
+        print_lines(about->text);
         for (size_t k = 0; k < args_row_count; k++)
             if (args_rows[k].commands != ALL
                 && (args_rows[k].commands & commands[i].options))
                 print_option(&args_rows[k]);
+        print_lines(about->after);
     }
     roff_macro(".SH OPTIONS OF EVERY COMMAND");
     for (size_t k = 0; k < args_row_count; k++)
@@ -167,7 +200,7 @@ static void print_program(void)
     for (size_t i = 0; i < command_count; i++) {
         if (i)
             roff_macro(".br");
-        print_usage(&commands[i]);
+        print_usage(about_of(commands[i].options));
     }
     roff_macro(".SH DESCRIPTION");
     roff_text("Models seas, pools, drops and a boat in 16.16 fixed point and draws them:"
@@ -196,9 +229,7 @@ int manual_command(int argc, char **argv)
     signal(SIGPIPE, SIG_DFL);
     int code = args_read(&o, FOR_MANUAL, argc, argv);
     if (!code && o.help) {
-        puts("usage: tidepool manual [--scene] >FILE\n"
-             "Prints the manual page tidepool(1), for `man -l FILE`.\n");
-        args_print(FOR_MANUAL);
+        about_print(FOR_MANUAL);
     } else if (!code && o.scene_page) {
         manual_scene();
     } else if (!code) {

@@ -5,6 +5,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include "about.h"
 #include "commands.h"
 #include "plan_sheet.h"
 #include "say.h"
@@ -137,15 +138,7 @@ int plan_command(int argc, char **argv)
     if (!o.band && !o.strip)
         o.band = BAND;
     if (!code && o.help) {
-        puts("usage: tidepool plan SCENE [OPTION]...\n"
-             "Prints by which methods the scene is drawn: for each what a frame costs a\n"
-             "Cortex-M4 with it, how far outlines and colours may be off, and its bytes.\n"
-             "Both are measured against the truth, a mesh and pixels many times finer;\n"
-             "what counts is how much farther off it a rung is than the exact one.\n"
-             "The cheapest within quality.error_px and quality.error_colour are taken;\n"
-             "what the scene names (quality.visibility, shading, rate, lod) is taken\n"
-             "whatever its error.\n");
-        args_print(FOR_PLAN);
+        about_print(FOR_PLAN);
     } else if (!code) {
         code = run(&o);
     }

@@ -5,6 +5,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include "about.h"
 #include "commands.h"
 #include "deck.h"
 #include "governing.h"
@@ -23,15 +24,6 @@ typedef struct {
     governing governing;
     FILE    *report;            /* where hashes and figures go */
 } render;
-
-static void print_help(void)
-{
-    puts("usage: tidepool render SCENE [OPTION]...\n"
-         "Draws SCENE, a shipped one or an INI file: to PNGs, to a film, or to measure.\n");
-    args_print(FOR_RENDER);
-    puts("\nExit: 0 done, 1 a frame differs from --expect, 2 usage,"
-         " 3 bad input or output.");
-}
 
 /* What one frame is drawn for: its file first, so that a frame that differs from the
  * list can be looked at. */
@@ -136,7 +128,7 @@ int render_command(int argc, char **argv)
     int code = args_read(&o, FOR_RENDER, argc, argv);
     r.report = o.out && strcmp(o.out, "-") == 0 ? stderr : stdout;
     if (!code && o.help)
-        print_help();
+        about_print(FOR_RENDER);
     else if (!code)
         code = run(&r, &o);
     const int end = r.report == stdout ? finish_stdout() : EXIT_DONE;

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* A line of source that begins with a dot or an apostrophe is a request, a backslash
  * begins an escape, and -'`^~ are printed as other signs than they are: all of them are
- * spelt out.  Lines are broken at blanks, which fill again. */
+ * spelt out.  Lines are broken at blanks, which fill again, and where the text's own are. */
 #include "roff.h"
 #include <stdarg.h>
 #include <stdio.h>
@@ -51,7 +51,7 @@ void roff_text(const char *text)
 {
     for (; *text; text++) {
         const char plain[2] = { *text, 0 }, *escape = spelt(*text);
-        if (*text == ' ' && (column == 0 || column >= BREAK_FROM)) {
+        if (*text == '\n' || (*text == ' ' && (column == 0 || column >= BREAK_FROM))) {
             roff_end();
             continue;
         }

@@ -8,7 +8,7 @@
 /* ".TH ...", ".PP": ends the line of text before it. */
 void roff_macro(const char *format, ...) HOST_PRINTF(1, 2);
 
-/* Text goes on where the last one stopped, blanks and all. */
+/* Text goes on where the last one stopped, blanks and all; its lines fill. */
 void roff_text(const char *text);
 void roff_bold(const char *text);
 void roff_italic(const char *text);

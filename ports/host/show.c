@@ -5,6 +5,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include "about.h"
 #include "../screen/show.h"
 #include "commands.h"
 #include "deck.h"
@@ -20,15 +21,6 @@ typedef struct {
     deck      tape;
     governing governing;
 } shown;
-
-static void print_help(void)
-{
-    puts("usage: tidepool show SCENE [OPTION]...\n"
-         "Shows SCENE on a raw screen.  W A S D Q E and the arrows move, [ ] turns the\n"
-         "light, F lets a drop fall, Space pauses, Esc ends.\n");
-    args_print(FOR_SHOW);
-    puts("\nExit: 0 done, 2 usage, 3 bad input or output; ended by a signal, that signal.");
-}
 
 /* -- what the loop asks for ------------------------------------------------------ */
 
@@ -94,7 +86,7 @@ int show_command(int argc, char **argv)
     if (!o.threads)
         o.threads = crew_usual();
     if (!code && o.help) {
-        print_help();
+        about_print(FOR_SHOW);
         code = finish_stdout();
     } else if (!code) {
         code = run(&s, &o);

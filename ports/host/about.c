@@ -1,0 +1,98 @@
+/* SPDX-License-Identifier: MIT */
+#include "about.h"
+#include <stdio.h>
+#include <stdlib.h>
+#include "args.h"
+#include "bench.h"
+#include "charts.h"
+
+static const about_row rows[] = {
+    { FOR_VIEW, "tidepool view [SCENE] [OPTION]...",
+      "A window with the scene and a panel of all its parameters; F1 lists the keys.\n"
+      "SCENE is a shipped one or an INI file, else three-swells.  What the window is\n"
+      "doing is kept each second, for --resume.\n", "" },
+    { FOR_RENDER, "tidepool render SCENE [OPTION]...",
+      "Draws SCENE, a shipped one or an INI file: to PNGs, to a film, or to measure.\n",
+      "Exit: 0 done, 1 a frame differs from --expect, 2 usage, 3 bad input or output.\n" },
+    { FOR_SHOW, "tidepool show SCENE [OPTION]...",
+      "Shows SCENE on a raw screen.  W A S D Q E and the arrows move, [ ] turns the\n"
+      "light, F lets a drop fall, Space pauses, Esc ends.\n",
+      "Exit: 0 done, 2 usage, 3 bad input or output; ended by a signal, that signal.\n" },
+    { FOR_SCENES, "tidepool scenes", "Lists the shipped scenes and what each shows.\n", "" },
+    { FOR_JOIN, "tidepool join FILM.y4m PART.y4m...",
+      "Makes one film of parts in their order, as `render --frames A:B` draws them on\n"
+      "one machine or on many: the same bits as drawn in one go.  FILM may be -.\n",
+      "Exit: 0 done, 2 usage, 3 bad input or output.\n" },
+    { FOR_PARAMS, "tidepool params [SCENE] [OPTION]...",
+      "Lists every parameter with its default, or with its value in a scene.\n", "" },
+    { FOR_BAKE, "tidepool bake SCENE -o FILE.c [OPTION]...",
+      "Writes a scene, its mesh, pictures and maps as constants in C, for a board:\n"
+      "NAME_scene and NAME_assets, which the file's head declares and measures.\n"
+      "SCENE is the name of a shipped scene or the path of an INI file.\n",
+      "The file needs -I for the folder of tidepool/frame.h and nothing else.\n"
+      "Exit: 0 done, 2 usage, 3 bad input or output; then nothing is written.\n" },
+    { FOR_PLAN, "tidepool plan SCENE [OPTION]...",
+      "Prints by which methods the scene is drawn: for each what a frame costs a\n"
+      "Cortex-M4 with it, how far outlines and colours may be off, and its bytes.\n"
+      "Both are measured against the truth, a mesh and pixels many times finer;\n"
+      "what counts is how much farther off it a rung is than the exact one.\n"
+      "The cheapest within quality.error_px and quality.error_colour are taken;\n"
+      "what the scene names (quality.visibility, shading, rate, lod) is taken\n"
+      "whatever its error.\n", "" },
+    { FOR_CHECK, "tidepool check --vectors DIR",
+      "Compares the fixed-point models with tables of known values: every .csv\n"
+      "of the folder.  Prints of each quantity how many rows there are, its\n"
+      "largest and rms error, and the budget.\n",
+      "A table is lines beginning with # that hold parameters, a line of\n"
+      "column names, and rows.  Its name says which model it belongs to.\n"
+      "Exit: 0 all are within their budgets, 1 some are not, 2 usage, 3 a file is bad.\n" },
+    { FOR_BENCH, "tidepool bench [OPTION]...",
+      "Times whole frames of one scene, on which others were measured too: a sea of\n"
+      "20 m x 20 m as a grid of points, plain (a texture, light, depth), full (waves\n"
+      "that bend three layers, bump, Fresnel, a cube map, glitter, exposure) and\n"
+      "smooth (full, with linear layers).\n",
+      "`ratio` is the time over that of the case's first line, `dB` its picture's PSNR.\n"
+      "--peers runs in the project's folder and leaves pictures in " BENCH_FOLDER ".\n\n"
+      "Exit: 0 done, 2 usage, 3 no memory, or nothing could be built.\n" },
+    { FOR_CHARTS, "tidepool charts DIR [OPTION]...\n"
+      "tidepool charts --list [OPTION]...\n"
+      "tidepool charts --collect FILE... DIR [OPTION]...",
+      "Runs what " CHARTS_FOLDER " describes, in the project's folder, into DIR:\n"
+      "tables, pictures (if gnuplot is there) and README.md.  --list prints the jobs,\n"
+      "a command a line; --collect merges what they print, in any order (FILE may be\n"
+      "- for standard input).\n",
+      "Exit: 0 done, 1 a job failed, 2 usage, 3 bad input or output.\n" },
+    { FOR_MANUAL, "tidepool manual [--scene]",
+      "Prints the manual page tidepool(1), or tidepool-scene(5): into a FILE, which\n"
+      "`man -l FILE` shows.  `make install` puts both where man finds them.\n", "" },
+    { FOR_COMPLETION, "tidepool completion SHELL",
+      "Prints what bash, zsh or fish complete: commands, options, scenes, names and\n"
+      "values.  `make install` puts it where they look.  By hand, in ~/.bashrc:\n"
+      "eval \"$(tidepool completion bash)\"; in config.fish: tidepool completion fish |\n"
+      "source; for zsh as _tidepool in a folder of its fpath.\n", "" },
+};
+
+#define ROWS (sizeof rows / sizeof *rows)
+
+const about_row *about_of(unsigned command)
+{
+    for (size_t i = 0; i < ROWS; i++)
+        if (rows[i].command == command)
+            return &rows[i];
+    abort();                    /* a command without its row; cli.sh asks for each */
+}
+
+void about_print(unsigned command)
+{
+    const about_row *row = about_of(command);
+    fputs("usage: ", stdout);
+    for (const char *c = row->usage; *c; c++) {
+        putchar(*c);
+        if (*c == '\n')
+            fputs("       ", stdout);
+    }
+    printf("\n%s\n", row->text);
+    args_print(command);
+    if (*row->after)
+        printf("\n%s", row->after);
+}
