@@ -1,13 +1,15 @@
 /* SPDX-License-Identifier: MIT */
 /* The reference is tests/reference, which is part of this program for that alone. */
-#define _POSIX_C_SOURCE 200809L
+#define _XOPEN_SOURCE 700
 #include "tracer.h"
 #include <pthread.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/resource.h>
 #include "tests/reference/image.h"
 
-#define BLOCK 4                 /* pixels, each way, of the coarse pass */
+#define BLOCK  4                /* pixels, each way, of the coarse pass */
+#define BEHIND 10               /* how nice it is to whoever draws the preview */
 
 static const uint32_t samples_of[] = { [TRACER_COARSE] = 1, [TRACER_1] = 1, [TRACER_4] = 4,
                                        [TRACER_16] = 16 };
@@ -67,11 +69,21 @@ static bool draw_pass(tracer *t, tracer_pass pass)
     return done;
 }
 
+/* Linux knows it of this thread and those that it starts; elsewhere it would be of the
+ * whole program. */
+static void step_back(void)
+{
+#if defined(__linux__)
+    setpriority(PRIO_PROCESS, 0, BEHIND);
+#endif
+}
+
 static void *live(void *user)
 {
     tracer *t = user;
     bool goes_on = true;
 
+    step_back();
     for (tracer_pass pass = t->first; pass <= TRACER_16 && goes_on; pass++)
         goes_on = draw_pass(t, pass);
     atomic_store(&t->draws, TRACER_NONE);
