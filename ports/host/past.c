@@ -1,0 +1,262 @@
+/* SPDX-License-Identifier: MIT */
+/* Snapshots of every 16th picture, thinned by age, and the inputs of all pictures since
+ * the oldest.
+ *
+ * A world is plain data that takes the same way from the same inputs, so a snapshot is
+ * only there to make the way short: any but the oldest may go, if the world came to it
+ * by inputs alone.  One that it did not come to by inputs, because somebody changed the
+ * scene, is the beginning of all that follows; it goes only when it is the oldest.
+ *
+ * When the budget is used up, that one goes whose neighbours then lie closest for their
+ * age: so gaps grow with how long ago they are, to an eighth of that and 128 pictures at
+ * the most, which are replayed within a moment.  Where none may grow the oldest goes. */
+#include "past.h"
+#include <stdlib.h>
+#include <string.h>
+
+#define DENSE    16             /* pictures between snapshots */
+#define GAP_MOST 128
+#define GAP_AGE  8              /* a gap's age is no less than so many times itself */
+#define SCENE_BYTES ((sizeof(tp_scene) + 7) / 8 * 8)
+
+typedef struct {
+    uint32_t picture;
+    bool     begins;            /* no input leads here */
+    size_t   bytes;             /* of the world */
+    char    *block;             /* scene, then world */
+} moment;
+
+struct past {
+    size_t    budget, used;     /* blocks and inputs */
+    moment   *kept;             /* pictures rise */
+    size_t    count, room;
+    tp_input *input;            /* of the pictures kept[0].picture to end - 1, ... */
+    size_t    lead, inputs_room;/* ... from input[lead] on */
+    uint32_t  end;
+};
+
+/* -- inputs ------------------------------------------------------------------------- */
+
+static size_t inputs_of(const past *p)
+{
+    return p->count ? p->end - p->kept[0].picture : 0;
+}
+
+/* Makes place for one more; those of pictures that are gone make it first. */
+static bool make_inputs_room(past *p)
+{
+    const size_t count = inputs_of(p);
+    if (p->lead + count < p->inputs_room)
+        return true;
+    if (p->lead <= count) {
+        const size_t room = p->inputs_room ? 2 * p->inputs_room : 1024;
+        tp_input *more = realloc(p->input, room * sizeof *more);
+        if (!more)
+            return false;
+        p->input = more;
+        p->inputs_room = room;
+    } else {
+        memmove(p->input, p->input + p->lead, count * sizeof *p->input);
+        p->lead = 0;
+    }
+    return true;
+}
+
+static bool note(past *p, const tp_input *input)
+{
+    if (!make_inputs_room(p))
+        return false;
+    p->input[p->lead + inputs_of(p)] = *input;
+    p->used += sizeof *input;
+    p->end++;
+    return true;
+}
+
+const tp_input *past_input(const past *p, uint32_t picture)
+{
+    if (p->count == 0 || picture < p->kept[0].picture || picture >= p->end)
+        return NULL;
+    return &p->input[p->lead + (picture - p->kept[0].picture)];
+}
+
+/* -- snapshots ---------------------------------------------------------------------- */
+
+static void drop(past *p, size_t i)
+{
+    p->used -= SCENE_BYTES + p->kept[i].bytes;
+    free(p->kept[i].block);
+    p->count--;
+    memmove(&p->kept[i], &p->kept[i + 1], (p->count - i) * sizeof *p->kept);
+}
+
+void past_forget(past *p)
+{
+    while (p->count > 0)
+        drop(p, p->count - 1);
+    p->used = 0;
+    p->lead = 0;
+    p->end = 0;
+}
+
+static void drop_oldest(past *p)
+{
+    const uint32_t picture = p->kept[0].picture;
+    if (p->count == 1) {
+        past_forget(p);
+        return;
+    }
+    drop(p, 0);
+    const uint32_t gone = p->kept[0].picture - picture;
+    p->lead += gone;
+    p->used -= gone * sizeof *p->input;
+}
+
+/* That whose gap would be the smallest share of its age; 0: none may go. */
+static size_t least_missed(const past *p)
+{
+    size_t best = 0;
+    uint64_t best_gap = 0, best_age = 0;
+    for (size_t i = 1; i + 1 < p->count; i++) {
+        const moment *m = &p->kept[i];
+        const uint64_t gap = m[1].picture - m[-1].picture, age = p->end - m->picture;
+        if (m->begins || gap > GAP_MOST || gap * GAP_AGE > age)
+            continue;
+        if (best == 0 || gap * best_age < best_gap * age) {
+            best = i;
+            best_gap = gap;
+            best_age = age;
+        }
+    }
+    return best;
+}
+
+static bool make_room(past *p, size_t bytes)
+{
+    while (bytes > p->budget || p->used > p->budget - bytes) {
+        const size_t i = least_missed(p);
+        if (p->count == 0)
+            return false;
+        if (i > 0)
+            drop(p, i);
+        else
+            drop_oldest(p);
+    }
+    return true;
+}
+
+static bool make_list_room(past *p)
+{
+    if (p->count < p->room)
+        return true;
+    const size_t room = p->room ? 2 * p->room : 64;
+    moment *more = realloc(p->kept, room * sizeof *more);
+    if (more) {
+        p->kept = more;
+        p->room = room;
+    }
+    return more;
+}
+
+static bool keep(past *p, uint32_t picture, const tp_world *world, size_t bytes,
+                 const tp_scene *scene, bool begins)
+{
+    const size_t block_bytes = SCENE_BYTES + bytes;
+    if (!make_list_room(p) || !make_room(p, block_bytes + DENSE * sizeof(tp_input)))
+        return false;
+    char *block = malloc(block_bytes);
+    if (!block)
+        return false;
+    memcpy(block, scene, sizeof *scene);
+    memcpy(block + SCENE_BYTES, world, bytes);
+    if (p->count == 0)
+        p->end = picture;
+    p->kept[p->count++] = (moment){ picture, begins, bytes, block };
+    p->used += block_bytes;
+    return true;
+}
+
+/* -- pictures ----------------------------------------------------------------------- */
+
+/* What came from this picture on. */
+static void cut(past *p, uint32_t picture)
+{
+    if (p->count && picture <= p->kept[0].picture) {
+        past_forget(p);
+        return;
+    }
+    while (p->count && p->kept[p->count - 1].picture >= picture)
+        drop(p, p->count - 1);
+    if (p->count && picture < p->end) {
+        p->used -= (p->end - picture) * sizeof *p->input;
+        p->end = picture;
+    }
+}
+
+void past_add(past *p, uint32_t picture, const tp_world *world, size_t bytes,
+              const tp_scene *scene, const tp_input *input, bool changed)
+{
+    cut(p, picture);
+    if (p->count && picture != p->end)
+        past_forget(p);
+    const moment *last = p->count ? &p->kept[p->count - 1] : NULL;
+    const bool begins = changed || !last || last->bytes != bytes;
+    if ((begins || picture - last->picture >= DENSE)
+        && !keep(p, picture, world, bytes, scene, begins) && begins)
+        past_forget(p);
+    if (p->count && !note(p, input))
+        past_forget(p);
+}
+
+static const moment *at_or_before(const past *p, uint32_t picture)
+{
+    size_t n = p->count;
+    while (n > 0 && p->kept[n - 1].picture > picture)
+        n--;
+    return n > 0 ? &p->kept[n - 1] : NULL;
+}
+
+bool past_take(const past *p, uint32_t picture, tp_world *world, size_t bytes,
+               tp_scene *scene, uint32_t *from)
+{
+    const moment *m = at_or_before(p, picture);
+    if (!m || m->bytes != bytes)
+        return false;
+    memcpy(scene, m->block, sizeof *scene);
+    memcpy(world, m->block + SCENE_BYTES, bytes);
+    *from = m->picture;
+    return true;
+}
+
+size_t past_world_bytes(const past *p, uint32_t picture)
+{
+    const moment *m = at_or_before(p, picture);
+    return m ? m->bytes : 0;
+}
+
+uint32_t past_oldest(const past *p)
+{
+    return p->count ? p->kept[0].picture : UINT32_MAX;
+}
+
+size_t past_bytes(const past *p)
+{
+    return p->used;
+}
+
+past *past_begin(size_t budget)
+{
+    past *p = calloc(1, sizeof *p);
+    if (p)
+        p->budget = budget;
+    return p;
+}
+
+void past_end(past *p)
+{
+    if (!p)
+        return;
+    past_forget(p);
+    free(p->kept);
+    free(p->input);
+    free(p);
+}

@@ -1,0 +1,383 @@
+/* SPDX-License-Identifier: MIT */
+/* What was: every picture that is kept comes back bit for bit, whatever was done, within
+ * any budget. */
+#include <stdarg.h>
+#include <stddef.h>
+#include <setjmp.h>
+#include <stdint.h>
+#include <cmocka.h>
+#include "../../ports/host/past.h"
+#include "../unit/parts.h"
+
+#define MB ((size_t)1 << 20)
+
+static uint64_t chance;
+
+/* A scene that moves, all that it was, and what is kept of it. */
+typedef struct {
+    tp_scene  scene;
+    tp_world *world;
+    size_t    bytes;
+    past     *past;
+    uint32_t  picture, first;   /* the next; and the first of `was` */
+    char    **was;              /* scene and world before each picture */
+    uint32_t  room;
+} show;
+
+static show show_of(const tp_scene *scene, size_t budget)
+{
+    show s = { .scene = *scene, .world = scene_world(scene, NULL), .room = 4000,
+               .past = past_begin(budget) };
+
+    assert_non_null(s.world);
+    assert_non_null(s.past);
+    s.bytes = s.world->parts.bytes;
+    s.was = calloc(s.room, sizeof *s.was);
+    return s;
+}
+
+static void show_end(show *s)
+{
+    for (uint32_t i = 0; i < s->room; i++)
+        free(s->was[i]);
+    free(s->was);
+    free(s->world);
+    past_end(s->past);
+}
+
+/* Ticks of a picture, as the view and as a replay make them. */
+static void make_picture(tp_world *world, const tp_scene *scene, const tp_input *input)
+{
+    const tp_input *in = input;
+
+    for (uint32_t ticks = tp_world_frame(world); ticks > 0; ticks--) {
+        tp_world_step(world, scene, in);
+        in = NULL;
+    }
+}
+
+static void remember(show *s)
+{
+    char **was = &s->was[s->picture];
+
+    assert_true(s->picture < s->room);
+    free(*was);
+    *was = malloc(sizeof s->scene + s->bytes);
+    memcpy(*was, &s->scene, sizeof s->scene);
+    memcpy(*was + sizeof s->scene, s->world, s->bytes);
+}
+
+static void next_picture(show *s, bool changed)
+{
+    tp_input in = input_any(&chance);
+
+    in.turn = chance_int(&chance, -9999999, 9999999);
+    remember(s);
+    past_add(s->past, s->picture++, s->world, s->bytes, &s->scene, &in, changed);
+    make_picture(s->world, &s->scene, &in);
+}
+
+static void run_on(show *s, uint32_t pictures)
+{
+    while (pictures-- > 0)
+        next_picture(s, false);
+}
+
+/* Brings the show back before a picture; the way there in pictures, UINT32_MAX: none. */
+static uint32_t go_back(show *s, uint32_t picture)
+{
+    uint32_t at, from;
+
+    if (!past_take(s->past, picture, s->world, s->bytes, &s->scene, &at))
+        return UINT32_MAX;
+    for (from = at; at < picture; at++) {
+        const tp_input *in = past_input(s->past, at);
+        assert_non_null(in);
+        make_picture(s->world, &s->scene, in);
+    }
+    s->picture = picture;
+    return picture - from;
+}
+
+static void assert_as_it_was(const show *s)
+{
+    const char *was = s->was[s->picture];
+
+    assert_memory_equal(was, &s->scene, sizeof s->scene);
+    assert_memory_equal(was + sizeof s->scene, s->world, s->bytes);
+}
+
+/* Bytes of a snapshot; and how many of them make up what is held beside the inputs. */
+static size_t one_of(const show *s)
+{
+    return (sizeof s->scene + 7) / 8 * 8 + s->bytes;
+}
+
+static size_t snapshots_of(const show *s)
+{
+    const size_t inputs = (s->picture - past_oldest(s->past)) * sizeof(tp_input);
+    const size_t rest = past_bytes(s->past) - inputs;
+
+    assert_int_equal(rest % one_of(s), 0);
+    return rest / one_of(s);
+}
+
+/* All pictures from `first` on come back; those before do not.  The longest way. */
+static uint32_t try_all(show *s, uint32_t first)
+{
+    const uint32_t end = s->picture;
+    uint32_t most = 0;
+
+    assert_int_equal(past_oldest(s->past), first);
+    for (uint32_t n = 0; n < end; n++) {
+        const uint32_t way = go_back(s, n);
+        assert_int_equal(way == UINT32_MAX, n < first);
+        if (n < first)
+            continue;
+        assert_as_it_was(s);
+        most = way > most ? way : most;
+    }
+    s->picture = end;
+    return most;
+}
+
+static tp_scene scene_some(void)
+{
+    tp_scene s = scene_with(&chance, 4 + 16);
+
+    s.pool.cols = s.pool.rows = 16;
+    s.drops.count = 6;
+    s.drops.rings = 12;
+    s.foam.cells = 16;
+    return s;
+}
+
+/* -- tests -------------------------------------------------------------------------- */
+
+static void every_picture_comes_back(void **state)
+{
+    (void)state;
+    for (uint32_t parts = 0; parts < 32; parts += 5) {
+        const tp_scene scene = scene_with(&chance, parts);
+        show s = show_of(&scene, 64 * MB);
+        run_on(&s, 150);
+        assert_true(try_all(&s, 0) < 16);
+        show_end(&s);
+    }
+}
+
+static void what_follows_a_way_back_is_another_past(void **state)
+{
+    (void)state;
+    const tp_scene scene = scene_some();
+    show s = show_of(&scene, 64 * MB);
+
+    run_on(&s, 120);
+    for (uint32_t n = 110; n > 0; n -= 11) {
+        assert_true(go_back(&s, n) < 16);
+        run_on(&s, 20);
+        assert_null(past_input(s.past, s.picture));
+        assert_int_equal(snapshots_of(&s), (s.picture + 15) / 16);
+        try_all(&s, 0);
+        assert_true(go_back(&s, n + 20) <= 16);       /* where it was */
+    }
+    go_back(&s, 0);
+    run_on(&s, 40);
+    try_all(&s, 0);
+    show_end(&s);
+}
+
+/* Some changed once, some in a row as by a slider. */
+static void changes_of_the_scene_come_back_with_it(void **state)
+{
+    (void)state;
+    const tp_scene scene = scene_some();
+    show s = show_of(&scene, 64 * MB);
+
+    for (uint32_t n = 0; n < 200; n++) {
+        const bool changed = n % 50 == 3 || (n > 100 && n < 130);
+        if (changed) {
+            s.scene.wave[0].amplitude = chance_fx(&chance, 0.1, 1);
+            assert_true(tp_world_refresh(s.world, &s.scene, NULL));
+        }
+        next_picture(&s, changed);
+    }
+    try_all(&s, 0);
+    show_end(&s);
+}
+
+/* A camera that moved while the water stood. */
+static void a_look_while_it_stands_comes_back(void **state)
+{
+    (void)state;
+    const tp_scene scene = scene_some();
+    show s = show_of(&scene, 64 * MB);
+
+    run_on(&s, 20);
+    tp_world_look(s.world, &(tp_input){ .turn = 777777, .ahead = TP_FX_ONE });
+    next_picture(&s, true);
+    run_on(&s, 20);
+    try_all(&s, 0);
+    show_end(&s);
+}
+
+static void worlds_of_another_size_are_kept_apart(void **state)
+{
+    (void)state;
+    const tp_scene scene = scene_some();
+    show s = show_of(&scene, 64 * MB);
+
+    run_on(&s, 40);
+    const size_t small = s.bytes;
+    tp_world *const old = s.world;
+    s.scene.pool.cols = 40;
+    s.world = scene_world(&s.scene, NULL);
+    s.bytes = s.world->parts.bytes;
+    assert_true(s.bytes != small);
+    run_on(&s, 40);
+    assert_int_equal(past_world_bytes(s.past, 39), small);
+    assert_int_equal(past_world_bytes(s.past, 40), s.bytes);
+    assert_int_equal(go_back(&s, 39), UINT32_MAX);
+    for (uint32_t n = 40; n < 80; n++) {
+        assert_true(go_back(&s, n) < 16);
+        assert_as_it_was(&s);
+    }
+    free(s.world);
+    s.world = old;
+    s.bytes = small;
+    assert_int_equal(go_back(&s, 40), UINT32_MAX);
+    assert_int_equal(go_back(&s, 39), 39 % 16);
+    assert_as_it_was(&s);
+    show_end(&s);
+}
+
+/* So many pictures in the room of so many worlds, and so many inputs for each. */
+static show long_show(const tp_scene *scene, uint32_t pictures, size_t worlds,
+                      size_t inputs)
+{
+    show s = show_of(scene, 0);
+    const size_t budget = worlds * (one_of(&s) + inputs * sizeof(tp_input));
+
+    past_end(s.past);
+    s.past = past_begin(budget);
+    for (uint32_t n = 0; n < pictures; n++) {
+        const bool looked = n % 500 == 50;
+        if (looked)
+            tp_world_look(s.world, &(tp_input){ .turn = 777777, .ahead = TP_FX_ONE });
+        next_picture(&s, looked);
+        assert_true(past_bytes(s.past) <= budget);
+    }
+    assert_true(snapshots_of(&s) > 0);
+    return s;
+}
+
+/* The longest of the ways to the last so many pictures. */
+static uint32_t longest_way(show *s, uint32_t pictures)
+{
+    const uint32_t end = s->picture;
+    uint32_t most = 0;
+
+    for (uint32_t n = end - pictures; n < end; n += n < end - 300 ? 7 : 1) {
+        const uint32_t way = go_back(s, n);
+        assert_as_it_was(s);
+        most = way > most ? way : most;
+    }
+    s->picture = end;
+    return most;
+}
+
+static void older_snapshots_are_thinned_first(void **state)
+{
+    (void)state;
+    const tp_scene scene = scene_some();
+    static const uint32_t want[][4] = {
+        { 150, 0, 15, 63 },     /* worlds, the oldest, ways of the last 700, of all */
+        { 60, 0, 63, 127 },
+        { 40, 1500, 63, 127 },
+    };
+
+    for (size_t i = 0; i < sizeof want / sizeof want[0]; i++) {
+        show s = long_show(&scene, 3000, want[i][0], 3000 / want[i][0]);
+        const uint32_t first = past_oldest(s.past);
+        const uint32_t lately = longest_way(&s, 700), all = longest_way(&s, 3000 - first);
+        printf("    %3u worlds: pictures %u to 2999, ways of %u, lately %u\n",
+               (unsigned)want[i][0], (unsigned)first, (unsigned)all, (unsigned)lately);
+        assert_true(first <= want[i][1]);
+        assert_true(lately <= want[i][2]);
+        assert_true(all <= want[i][3]);
+        assert_int_equal(longest_way(&s, 200), 15);
+        show_end(&s);
+    }
+}
+
+/* With no room for all of the way the oldest go. */
+static void the_oldest_are_forgotten_at_last(void **state)
+{
+    (void)state;
+    const tp_scene scene = scene_some();
+
+    for (size_t worlds = 2; worlds < 40; worlds *= 3) {
+        show s = long_show(&scene, 2500, worlds, 20);
+        const uint32_t first = past_oldest(s.past);
+        assert_in_range(first, 1, 2500 - 16);
+        try_all(&s, first);
+        show_end(&s);
+    }
+}
+
+static void a_budget_for_one_world_keeps_the_last_and_less_none(void **state)
+{
+    (void)state;
+    const tp_scene scene = scene_some();
+    show s = show_of(&scene, 0);
+    const size_t one = s.bytes + sizeof scene + 1200;
+
+    run_on(&s, 100);
+    assert_int_equal(past_oldest(s.past), UINT32_MAX);
+    assert_int_equal(past_bytes(s.past), 0);
+    assert_null(past_input(s.past, 99));
+    assert_int_equal(go_back(&s, 50), UINT32_MAX);
+    past_end(s.past);
+    s.past = past_begin(one);
+    run_on(&s, 60);                     /* 100, 116, 132, 148 */
+    assert_true(past_bytes(s.past) <= one);
+    try_all(&s, 148);
+    show_end(&s);
+}
+
+static void what_is_forgotten_is_gone(void **state)
+{
+    (void)state;
+    const tp_scene scene = scene_some();
+    show s = show_of(&scene, MB);
+
+    run_on(&s, 30);
+    past_forget(s.past);
+    assert_int_equal(past_bytes(s.past), 0);
+    assert_int_equal(past_oldest(s.past), UINT32_MAX);
+    assert_int_equal(past_world_bytes(s.past, 10), 0);
+    s.picture = 500;
+    run_on(&s, 30);
+    s.picture = 900;                    /* some are left out */
+    run_on(&s, 30);
+    try_all(&s, 900);
+    show_end(&s);
+    past_end(NULL);
+}
+
+int main(void)
+{
+    chance = random_seed();
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(every_picture_comes_back),
+        cmocka_unit_test(what_follows_a_way_back_is_another_past),
+        cmocka_unit_test(changes_of_the_scene_come_back_with_it),
+        cmocka_unit_test(a_look_while_it_stands_comes_back),
+        cmocka_unit_test(worlds_of_another_size_are_kept_apart),
+        cmocka_unit_test(older_snapshots_are_thinned_first),
+        cmocka_unit_test(the_oldest_are_forgotten_at_last),
+        cmocka_unit_test(a_budget_for_one_world_keeps_the_last_and_less_none),
+        cmocka_unit_test(what_is_forgotten_is_gone),
+    };
+    return cmocka_run_group_tests_name("past", tests, NULL, NULL);
+}
