@@ -1,0 +1,38 @@
+/* SPDX-License-Identifier: MIT */
+/* A tape played to a stage: inputs are handed out, looks and changes of parameters done
+ * where they were done when it was recorded.
+ *
+ *     replay_acts                     before a picture: what was done between two
+ *     for tp_world_frame() ticks:
+ *         replay_acts                 changes inside a picture, of tapes by hand
+ *         tp_world_step(.., replay_step()) */
+#ifndef HOST_REPLAY_H
+#define HOST_REPLAY_H
+#include "deck.h"
+#include "stage.h"
+
+typedef struct {
+    deck      tape;
+    uint64_t  tick;             /* steps so far */
+    const deck_entry *step;     /* of this tick, taken from the tape already */
+} replay;
+
+/* What a changed world may need: all, or what goes without another world's block. */
+typedef enum { REPLAY_ALL, REPLAY_SAME_WORLD } replay_room;
+
+/* Reads options.tape, if there is one, and tries all its changes on a copy of the world:
+ * EXIT_INPUT, and said why with file and line, before anything has moved. */
+int  replay_open(replay *r, const stage *s, const options *o, replay_room room);
+int  replay_close(replay *r);
+
+/* The looks and changes of this tick that have not been done yet.  *opened: see
+ * stage_set. */
+int  replay_acts(replay *r, stage *s, const options *o, bool *opened);
+
+/* The input of this tick's step, or NULL; the next tick is the one after it. */
+const tp_input *replay_step(replay *r);
+
+/* The stage's world was kept at a later tick: the scene is brought there.  Before the
+ * canvas is opened. */
+void replay_skip(replay *r, stage *s);
+#endif

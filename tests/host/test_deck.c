@@ -1,0 +1,187 @@
+/* SPDX-License-Identifier: MIT */
+/* Tapes written and read again: steps, looks and sets in their order, and what is cut off
+ * when the preview goes back in time. */
+#define _XOPEN_SOURCE 700
+#include <stdarg.h>
+#include <stddef.h>
+#include <setjmp.h>
+#include <stdint.h>
+#include <cmocka.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+#include "host/deck.h"
+
+static char folder[] = "/tmp/tidepool-deck-XXXXXX", tape[64];
+
+static void assert_tape(const char *text)
+{
+    char found[4096] = "";
+    FILE *file = fopen(tape, "rb");
+    assert_non_null(file);
+    assert_true(fread(found, 1, sizeof found - 1, file) < sizeof found - 1);
+    fclose(file);
+    assert_string_equal(found, text);
+}
+
+static void spill(const char *text)
+{
+    FILE *file = fopen(tape, "wb");
+    assert_non_null(file);
+    fputs(text, file);
+    fclose(file);
+}
+
+static const tp_input turn = { .turn = 900 }, drop = { .drops = 1 }, nothing;
+
+/* Lines are there as soon as they are written. */
+static void what_is_recorded_is_on_the_tape(void **state)
+{
+    (void)state;
+    deck d;
+    const tp_input both = { .turn = 900, .ahead = 65536, .drops = 1 };
+    assert_int_equal(deck_record(&d, tape, "pond"), 0);
+    assert_tape("tape 1 pond\n");
+    deck_add(&d, 0, &nothing);
+    deck_look(&d, 0, &drop);
+    deck_add(&d, 1, &drop);
+    deck_look(&d, 120, &both);
+    deck_set(&d, 120, "wave0.amplitude=0.8");
+    deck_set(&d, 120, "scene.title=a = b");
+    deck_add(&d, 120, &both);
+    assert_tape("tape 1 pond\n1 drops=1\n120 look ahead=1 turn=900\n"
+                "120 set wave0.amplitude=0.8\n120 set scene.title=a = b\n"
+                "120 ahead=1 turn=900 drops=1\n");
+    assert_int_equal(deck_close(&d), 0);
+}
+
+static void what_is_on_the_tape_is_read(void **state)
+{
+    (void)state;
+    deck d;
+    spill("tape 1 pond\n# a\n1 drops=1\n120 look turn=900\n120\tset \t scene.title=a = b  \n"
+          "120 look\n120 turn=900\n18446744073709551615 set camera.x=1\n");
+    assert_int_equal(deck_read(&d, tape, "pond"), 0);
+    assert_null(deck_next(&d, 0));
+    const deck_entry *entry = deck_next(&d, 1);
+    assert_int_equal(entry->kind, DECK_STEP);
+    assert_int_equal(entry->input.drops, 1);
+    assert_int_equal(entry->line, 3);
+    assert_null(deck_next(&d, 1));
+    assert_null(deck_next(&d, 119));
+    entry = deck_next(&d, 120);
+    assert_int_equal(entry->kind, DECK_LOOK);
+    assert_int_equal(entry->input.turn, 900);
+    entry = deck_next(&d, 120);
+    assert_int_equal(entry->kind, DECK_SET);
+    assert_string_equal(entry->setting, "scene.title=a = b");
+    assert_int_equal(entry->line, 5);
+    assert_int_equal(deck_next(&d, 120)->kind, DECK_LOOK);
+    assert_int_equal(deck_next(&d, 120)->kind, DECK_STEP);
+    assert_null(deck_next(&d, 120));
+    assert_false(deck_over(&d, 121));
+    assert_false(deck_over(&d, UINT64_MAX));
+    assert_string_equal(deck_next(&d, UINT64_MAX)->setting, "camera.x=1");
+    assert_int_equal(deck_close(&d), 0);
+}
+
+static void a_tape_is_over_after_its_last_line(void **state)
+{
+    (void)state;
+    deck d;
+    spill("tape 1 pond\n");
+    assert_int_equal(deck_read(&d, tape, "pond"), 0);
+    assert_true(deck_over(&d, 0));
+    assert_int_equal(deck_close(&d), 0);
+    spill("tape 1 pond\n7 look turn=1\n");
+    assert_int_equal(deck_read(&d, tape, "pond"), 0);
+    assert_false(deck_over(&d, 7));
+    assert_true(deck_over(&d, 8));
+    assert_int_equal(deck_close(&d), 0);
+}
+
+static void going_back_takes_lines_off(void **state)
+{
+    (void)state;
+    deck d;
+    assert_int_equal(deck_record(&d, tape, "pond"), 0);
+    for (uint64_t tick = 0; tick < 100; tick++) {
+        if (tick % 10 == 5)
+            deck_set(&d, tick, "camera.x=4");
+        deck_add(&d, tick, tick % 2 ? &turn : &nothing);
+    }
+    deck_cut(&d, 100);
+    deck_cut(&d, 200);
+    deck_cut(&d, 5);
+    assert_tape("tape 1 pond\n1 turn=900\n3 turn=900\n");
+    deck_look(&d, 4, &turn);
+    deck_cut(&d, 4);
+    deck_add(&d, 6, &drop);
+    assert_tape("tape 1 pond\n1 turn=900\n3 turn=900\n6 drops=1\n");
+    deck_cut(&d, 0);
+    assert_tape("tape 1 pond\n");
+    deck_add(&d, 2, &drop);
+    assert_int_equal(deck_close(&d), 0);
+    assert_tape("tape 1 pond\n2 drops=1\n");
+}
+
+static void a_deck_without_a_tape_takes_all(void **state)
+{
+    (void)state;
+    deck d = { 0 };
+    deck_add(&d, 1, &turn);
+    deck_look(&d, 1, &turn);
+    deck_set(&d, 1, "camera.x=4");
+    deck_cut(&d, 0);
+    assert_null(deck_next(&d, 1));
+    assert_true(deck_over(&d, 0));
+    assert_int_equal(deck_close(&d), 0);
+}
+
+/* A full disk, and what cannot be cut. */
+static void what_could_not_be_written_is_said(void **state)
+{
+    (void)state;
+    deck d;
+    if (access("/dev/full", W_OK) == 0) {
+        assert_int_equal(deck_record(&d, "/dev/full", "pond"), 0);
+        deck_add(&d, 1, &turn);
+        assert_int_equal(deck_close(&d), 3);
+    }
+    assert_int_equal(deck_record(&d, "/dev/null", "pond"), 0);
+    deck_add(&d, 1, &turn);
+    deck_cut(&d, 0);
+    assert_int_equal(deck_close(&d), 3);
+    assert_int_equal(deck_record(&d, folder, "pond"), 3);
+    assert_int_equal(deck_close(&d), 0);
+}
+
+static int begin(void **state)
+{
+    (void)state;
+    if (!mkdtemp(folder))
+        return -1;
+    snprintf(tape, sizeof tape, "%s/a.tape", folder);
+    return 0;
+}
+
+static int end(void **state)
+{
+    (void)state;
+    return remove(tape) | rmdir(folder);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(what_is_recorded_is_on_the_tape),
+        cmocka_unit_test(what_is_on_the_tape_is_read),
+        cmocka_unit_test(a_tape_is_over_after_its_last_line),
+        cmocka_unit_test(going_back_takes_lines_off),
+        cmocka_unit_test(a_deck_without_a_tape_takes_all),
+        cmocka_unit_test(what_could_not_be_written_is_said),
+    };
+    return cmocka_run_group_tests(tests, begin, end);
+}
