@@ -35,4 +35,19 @@ x86_64)
     check "no floating point in the optimised library" \
         no_floats "${TP_BUILD:-build/host}/libtidepool.a" ;;
 esac
+
+# What ports for pages and boards share: no heap, no files, no floats either.
+shared()
+{
+    for file in ports/live/*.c; do
+        cc -std=c11 -O2 -ffreestanding -mgeneral-regs-only -fno-pie -Iinclude -Werror \
+            -Wall -c "$file" -o "$scratch/live-$(basename "$file" .c).o" || return 1
+    done
+    nm -u "$scratch"/live-*.o | awk '
+        NF == 2 && $2 !~ /^(mem(cpy|set)|tp_[a-z0-9_]*|pick_water)$/ { print; bad = 1 }
+        END { exit bad }' &&
+        size "$scratch"/live-*.o | awk 'NR > 1 && $2 + $3 > 0 { print; bad = 1 }
+            END { exit bad }'
+}
+check "what live ports share is freestanding, and has no memory of its own" shared
 exit $((failures > 0))
