@@ -99,6 +99,7 @@ PANEL_LIBS := $(shell pkg-config --libs imgui) -Wl,--as-needed -lstdc++ -Wl,--no
 else
 PORTS += ports/sdl2/panel_none.c
 endif
+PANEL_DEMO = $(BUILD)/tests/host/panel_demo
 SDL_CFLAGS := $(patsubst -I%,-isystem %,$(shell pkg-config --cflags sdl2)) -DTP_HAVE_SDL2
 SDL_LIBS   := $(shell pkg-config --libs sdl2)
 endif
@@ -266,8 +267,8 @@ SAN_UNIT := $(filter-out $(BUILD)/tests/accuracy/% %/test_shade_quick_light \
 RUN := TP_BUILD=$(BUILD) TP_PROGRAM=$(PROGRAM) tests/run.sh
 
 unit: $(UNIT)
-sanitized: $(SAN_UNIT) $(PROGRAM)
-everything: all $(filter-out $(SAN_UNIT),$(UNIT)) $(GOLDEN) $(FRAMES) $(BUILD)/tests/bench/scene_s \
+sanitized: $(SAN_UNIT) $(PROGRAM) $(PANEL_DEMO)
+everything: all $(PANEL_DEMO) $(filter-out $(SAN_UNIT),$(UNIT)) $(GOLDEN) $(FRAMES) $(BUILD)/tests/bench/scene_s \
           $(BUILD)/tests/bench/views $(BUILD)/longship $(BUILD)/textures \
           $(BUILD)/tests/host/same_pixels $(BUILD)/screen_fake.so \
           $(addprefix $(BUILD)/tests/,host/screen_crc boards/same_picture \
@@ -290,7 +291,7 @@ more-tests: everything build/host/count.so build/host/tally.so
 	        $(MAKE) --no-print-directory $$goals || exit 1; \
 	    done
 	@FUZZ_SECONDS=$${FUZZ_SECONDS:-5} $(RUN) build/log/more \
-	    tests/gates/arm.sh tests/gates/clang.sh tests/host/view.sh \
+	    tests/gates/arm.sh tests/gates/clang.sh tests/host/view.sh tests/host/panel.sh \
 	    tests/host/threads.sh tests/bench/views.sh tests/cross/run.sh tests/cross/film.sh \
 	    $(patsubst %,tests/boards/%.sh,rpi cortex-m oled control linuxfb kms kms_events \
 	        console) \

@@ -19,6 +19,8 @@ run  | pkg-config                | cmd pkg-config              | finds the libra
 run  | libpng-dev                | pkg libpng                  | textures in, pictures out
 run  | libinih-dev               | pkg inih                    | scene files
 show | libsdl2-dev               | pkg sdl2                    | the preview window
+show | libimgui-dev              | pkg imgui                   | its panel
+show | g++                       | cmd g++                     | its compiler
 test | libdrm-dev               | inc libdrm/drm.h            | headers of raw screens
 test | libcmocka-dev             | pkg cmocka                  | unit tests
 test | binutils                  | cmd objdump                 | gates on the object code
@@ -33,6 +35,8 @@ peers | valgrind                 | cmd valgrind                | counts instruct
 all  | clang                     | cmd clang                   | the second compiler
 all  | libclang-rt-dev           | lib clang_rt.fuzzer         | fuzzing
 all  | libsdl2-dev               | pkg sdl2                    | the preview window
+all  | libimgui-dev              | pkg imgui                   | its panel
+all  | g++                       | cmd g++                     | its compiler
 all  | valgrind                  | cmd valgrind                | counts instructions
 all  | gcc-arm-none-eabi         | cmd arm-none-eabi-gcc       | Cortex-M
 all  | qemu-system-arm           | cmd qemu-system-arm         | Cortex-M boards

@@ -16,6 +16,7 @@
 #include "../host/actions.h"
 #include <imgui.h>
 #include <backends/imgui_impl_sdl.h>
+#include <cfloat>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -52,7 +53,7 @@ struct panel {
     int           typing;               /* row whose number is being typed, or -1 */
     int           sliding, place;       /* row that changes while it is held, or -1 */
     uint32_t      asked;                /* pictures since the keyboard was asked for */
-    bool          typing_new, searching, shows_rows, measures, hidden, leave;
+    bool          typing_new, typing_seen, searching, shows_rows, measures, hidden, leave;
     bool          keys;                 /* the keyboard moves about in the panel */
     bool          on_number;            /* the keyboard's place in the panel */
     bool          taken;                /* the last key that went down */
@@ -144,6 +145,20 @@ SDL_Event turned(const panel *p, const SDL_Event &event)
     return event;
 }
 
+/* Whatever it went down as. */
+void wait_for_up(panel *p, const SDL_Event &event)
+{
+    const SDL_Keycode key = event.key.keysym.sym;
+    if (key == SDLK_TAB) {
+        wait(p, as_key(event, SDL_SCANCODE_UP));
+        wait(p, as_key(event, SDL_SCANCODE_DOWN));
+        return;
+    }
+    if (key == SDLK_RETURN || key == SDLK_KP_ENTER)
+        wait(p, as_key(event, SDL_SCANCODE_SPACE));
+    wait(p, event);
+}
+
 bool key_event(panel *p, const SDL_Event &event)
 {
     const SDL_Keysym &key = event.key.keysym;
@@ -154,7 +169,9 @@ bool key_event(panel *p, const SDL_Event &event)
         p->taken = taken;
     if (key.sym == SDLK_ESCAPE && taken && !is_open())
         p->leave = true;
-    else if ((!down || taken) && !event.key.repeat && (!is_plain(key.sym) || ctrl || !down))
+    else if (!down)
+        wait_for_up(p, event);
+    else if (taken && !event.key.repeat && (!is_plain(key.sym) || ctrl))
         wait(p, turned(p, event));
     return taken;
 }
@@ -211,17 +228,22 @@ void hold(int mod)
     io.KeyAlt = io.KeySuper = false;
 }
 
-/* As many of what waits as one picture can tell apart: letters, then one key. */
+/* As many of what waits as one picture can tell apart: keys that go up and letters, or
+ * one key that goes down. */
 void feed(panel *p)
 {
     uint32_t n = 0;
+    bool down = false, up = false;
     hold(SDL_GetModState());
-    for (bool key = false; n < p->events && !key; n++) {
+    for (; n < p->events && !down; n++) {
         const SDL_Event &event = p->event[n];
         const bool text = event.type == SDL_TEXTINPUT;
         if (text && !ImGui::GetIO().WantTextInput)
             break;                      /* its field is not there yet */
-        key = !text && (event.type == SDL_KEYDOWN || !is_plain(event.key.keysym.sym));
+        down = event.type == SDL_KEYDOWN;
+        if (down && up)
+            break;
+        up = event.type == SDL_KEYUP;
         ImGui_ImplSDL2_ProcessEvent(&event);
         if (!text)
             hold(event.key.keysym.mod);
@@ -500,6 +522,7 @@ void show_field(panel *p, uint32_t row, const char *text)
 
 void type_number(panel *p, uint32_t row, const char *text)
 {
+    p->typing_seen = true;
     if (p->typing_new && p->asked == 0) {       /* once without: the slider lets go */
         p->asked = 4;
         ImGui::Dummy(ImVec2(ImGui::CalcItemWidth(), ImGui::GetFrameHeight()));
@@ -517,7 +540,7 @@ void type_number(panel *p, uint32_t row, const char *text)
 void begin_typing(panel *p, uint32_t row)
 {
     p->typing = static_cast<int>(row);
-    p->typing_new = true;
+    p->typing_new = p->typing_seen = true;
     p->asked = 0;
 }
 
@@ -991,6 +1014,18 @@ void show(panel *p)
     ImGui::End();
 }
 
+/* Where the mouse points by the window's events: the backend asks the whole screen, which
+ * does not hear of a pointer that a program moved. */
+void point(const panel *p)
+{
+    int x, y;
+    SDL_GetMouseState(&x, &y);
+    if (SDL_GetRelativeMouseMode())
+        ImGui::GetIO().MousePos = ImVec2(-FLT_MAX, -FLT_MAX);
+    else if (SDL_GetMouseFocus() == p->window)
+        ImGui::GetIO().MousePos = ImVec2(static_cast<float>(x), static_cast<float>(y));
+}
+
 /* Who has the keyboard, before a picture: what was asked for since the last one. */
 void give_keys(panel *p)
 {
@@ -1037,6 +1072,11 @@ void draw(panel *p, const ImDrawData &data)
 }
 
 } // namespace
+
+bool panel_is_built(void)
+{
+    return true;
+}
 
 panel *panel_open(SDL_Window *window, SDL_Renderer *renderer, const panel_host *host)
 {
@@ -1104,8 +1144,12 @@ void panel_draw(panel *p, const SDL_Rect *where)
     p->on_number = false;
     count_groups(p);
     ImGui_ImplSDL2_NewFrame();
+    point(p);
     ImGui::NewFrame();
+    p->typing_seen = false;
     show(p);
+    if (!p->typing_seen)                /* its row is not there any more */
+        p->typing = -1;
     end_sliding(p);
     if (p->tip != p->tip_new)
         p->tip_since = ImGui::GetTime();

@@ -73,6 +73,8 @@ typedef struct {
 
 typedef struct panel panel;
 
+bool   panel_is_built(void);
+
 /* The host and what it points at are read at every picture, and stay until panel_close.
  * NULL: there is no panel in this build, or it could not be made. */
 panel *panel_open(SDL_Window *window, SDL_Renderer *renderer, const panel_host *host);

@@ -2,6 +2,11 @@
 /* The preview without a panel, where Dear ImGui or a C++ compiler is missing. */
 #include "panel.h"
 
+bool panel_is_built(void)
+{
+    return false;
+}
+
 panel *panel_open(SDL_Window *window, SDL_Renderer *renderer, const panel_host *host)
 {
     (void)window;

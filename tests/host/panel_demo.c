@@ -2,6 +2,7 @@
 /* The panel in a window of its own, for tests/host/panel.sh and for looking at it:
  *     panel_demo [--window WxH] [--panel PX] [--scale F] [--frames N] [--shot PNG]
  *                [--search WORDS] [--times]
+ *     panel_demo --has            whether there is a panel in this build
  *
  * The host is of a scene's values by the real table; of the rest it makes something up.
  * What the panel asks for is printed, a line each; so are keys and clicks that it leaves
@@ -358,7 +359,8 @@ int main(int count, char **arg)
 {
     static demo d;
     const wishes w = read_wishes(arg);
-    (void)count;
+    if (count > 1 && strcmp(arg[1], "--has") == 0)
+        return panel_is_built() ? 0 : 1;
     setvbuf(stdout, NULL, _IOLBF, 0);
     tp_scene_default(&d.normal);
     d.host = (panel_host){

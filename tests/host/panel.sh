@@ -1,0 +1,218 @@
+#!/bin/sh
+# SPDX-License-Identifier: MIT
+# The panel in a window of an X server of its own, by keys and mouse; what it asks of its
+# host is told by tests/host/panel_demo, which the sanitizers watch where they are built.
+#     panel.sh PROGRAM
+# One line a case; the last line is "N passed, M failed", and the exit code tells too.
+demo=$(dirname "$(realpath "$1")")/tests/host/panel_demo
+[ ! -x build/san/tests/host/panel_demo ] || demo=$(realpath build/san/tests/host/panel_demo)
+missing=""
+need() { command -v "$1" >/dev/null || missing="$missing${missing:+, }$2"; }
+need Xvfb xvfb
+need xdotool xdotool
+[ -x "$demo" ] || missing="$missing${missing:+, }libsdl2-dev"
+[ ! -x "$demo" ] || "$demo" --has || missing="$missing${missing:+, }libimgui-dev"
+if [ -n "$missing" ]; then
+    echo "skipped: the panel in a window (package $missing)"
+    exit 0
+fi
+work=$(mktemp -d) || exit 2
+server="" shown=""
+cleanup() {
+    [ -z "$shown" ] || kill "$shown" 2>/dev/null
+    [ -z "$server" ] || kill "$server" 2>/dev/null
+    rm -rf "$work"
+}
+trap cleanup EXIT
+trap 'exit 1' INT TERM HUP
+cd "$work" || exit 2
+HOME=$work XDG_CONFIG_HOME=$work SDL_VIDEODRIVER=x11 SDL_AUDIODRIVER=dummy
+SDL_RENDER_DRIVER=software
+# The X server's libraries keep some of theirs until the end.
+printf 'leak:libX\nleak:libxcb\nleak:libSDL2\nleak:libdbus\n' >leaks
+LSAN_OPTIONS=suppressions=$work/leaks:print_suppressions=0
+export HOME XDG_CONFIG_HOME SDL_VIDEODRIVER SDL_AUDIODRIVER SDL_RENDER_DRIVER LSAN_OPTIONS
+passed=0 failed=0
+
+# check NAME COMMAND...
+check() {
+    name=$1
+    shift
+    if "$@"; then
+        passed=$((passed + 1))
+        echo "ok - $name"
+    else
+        failed=$((failed + 1))
+        echo "FAILED - $name"
+        tail -4 log 2>/dev/null | sed 's/^/     | /'
+    fi
+}
+
+# until_true COMMAND...: tries for three seconds.
+until_true() {
+    for _ in $(seq 60); do
+        "$@" && return 0
+        sleep 0.05
+    done
+    return 1
+}
+says() { until_true grep -qxE "$1" log; }
+silent() { ! grep -qE "$1" log; }
+
+exec 7>number
+Xvfb -displayfd 7 -screen 0 1000x620x24 -nolisten tcp -noreset >/dev/null 2>&1 &
+server=$!
+until_true test -s number || { echo "FAILED - Xvfb starts"; exit 1; }
+DISPLAY=:$(cat number)
+export DISPLAY
+
+find_window() {
+    window=$(timeout 5 xdotool search --onlyvisible --name '^panel demo' 2>/dev/null |
+        head -1)
+    [ -n "$window" ]
+}
+start() {
+    timeout 100 "$demo" "$@" >log 2>&1 &
+    shown=$!
+    until_true find_window && says ready && timeout 5 xdotool windowfocus "$window"
+}
+key() { timeout 10 xdotool key --delay 40 "$@"; }
+write() { timeout 10 xdotool type --delay 40 "$1"; }
+point() { timeout 5 xdotool mousemove --window "$window" "$1" "$2"; }
+
+# Clicks at a place that the mouse has already come to.
+click() {       # X Y [BUTTON]
+    point "$1" "$2"
+    sleep 0.1
+    timeout 5 xdotool click "${3:-1}"
+}
+ends() {
+    wait "$shown"
+    code=$?
+    shown=""
+    [ "$code" -eq 0 ] && silent 'Sanitizer|runtime error'
+}
+
+# Rows that are found stand below the search, from y 189 on, 20 px apart, in a panel of
+# 320 px at the right of 960: its values from x 778 to 931.
+search() {
+    key F3
+    write "$1"
+}
+
+check "a window with the panel opens" start --panel 320
+[ -n "$window" ] || exit 1
+
+# -- keys of the picture stay its own ------------------------------------------------------
+
+key w space 1
+check "letters are the picture's" says 'left key W'
+check "and the space bar" says 'left key Space'
+key F5
+check "and function keys" says 'left key F5'
+click 300 300
+check "clicks beside the panel are the picture's" says 'left click 300,300'
+
+# -- search and numbers ----------------------------------------------------------------------
+
+search wave0.ste
+key Tab Tab
+key Return
+write 0.4
+key Return
+check "a row that was searched for is typed in" says 'set wave0.steepness=0\.4'
+check "what was typed was nobody else's" silent 'left key [0a.]'
+key F5
+check "function keys are the picture's there too" \
+    until_true test "$(grep -c 'left key F5' log)" -ge 2
+key Return
+write 7,5
+key Return
+check "a bad number is refused" says 'refused wave0.steepness=7,5'
+key Return
+write 3
+key Escape
+write w
+check "Esc gives the keyboard back" until_true test "$(grep -c 'left key W' log)" -ge 2
+check "and leaves the number as it was" silent 'steepness=3'
+
+search wave0.ste
+click 943 189
+check "a value's button puts it back" says 'reset wave0.steepness'
+point 830 189
+timeout 5 xdotool mousedown 1
+for x in 850 870 890; do
+    point "$x" 189
+    sleep 0.1
+done
+timeout 5 xdotool mouseup 1
+check "dragging a slider sets the value as it goes" says 'set wave0.steepness=0\..* \.\.\.'
+check "and is over when it is let go" says 'set wave0.steepness=0\.[0-9]*'
+click 830 189 3
+key ctrl+a
+write 0.125
+key Return
+check "the right button types it" says 'set wave0.steepness=0\.125'
+key Tab space Right Right space
+check "arrows move a slider" says 'set wave0.steepness=0\.145'
+
+# -- the other kinds -------------------------------------------------------------------------
+
+search grid.follow
+click 786 189
+check "a switch is switched" says 'set grid.follow=off'
+search water.fresnel
+click 880 189
+sleep 0.2
+key Down Return
+check "a choice is chosen by keys" says 'set water.fresnel=schlick'
+search sky.zenith
+click 890 189
+key ctrl+a
+write '#102030'
+key Return
+check "a colour is typed" says 'set sky.zenith=#102030'
+click 790 189
+sleep 0.2
+click 870 300
+check "and picked" says 'set sky.zenith=#.* \.\.\.'
+key Escape
+check "Esc closes what dropped down, and that alone" silent 'left key Escape'
+search layer1.texture
+click 922 189
+sleep 0.2
+key Down Return
+check "a picture is chosen from those there are" says 'set layer1.texture=foam.png'
+key Escape
+
+# -- buttons, figures, hiding ------------------------------------------------------------------
+
+click 670 73
+check "a button does what its key does" says 'act undo'
+key ctrl+z
+check "the key still does it" says 'left key Z'
+click 760 129
+check "figures have the stages measured" says 'measures on'
+key F2
+check "hidden, it has nothing measured" says 'measures off'
+check "and clicks are the picture's" eval 'click 800 300; says "left click 800,300"'
+key F2
+click 680 129
+click 800 17
+sleep 0.2
+key Down Return
+check "a scene is chosen" says 'open storm'
+timeout 5 xdotool windowsize "$window" 700 500
+sleep 0.3
+search clock.scale
+key Tab Tab Return
+write 2
+key Return
+check "after the window was made smaller it goes on" says 'set clock.scale=2'
+key Escape
+sleep 0.1
+key Escape
+check "it ends without a leak and without a fault" ends
+
+echo "$passed passed, $failed failed"
+[ "$failed" -eq 0 ]
