@@ -176,12 +176,14 @@ bool key_event(panel *p, const SDL_Event &event)
     return taken;
 }
 
-/* A letter is the panel's if its key was; of "/" that asks to search only the key. */
+/* A letter is the panel's if its key was; "/" that asks to search and a blank
+ * that presses a button are no letters. */
 bool text_event(panel *p, const SDL_Event &event)
 {
+    const char *const text = event.text.text;
     if (!panel_types(p) && !p->taken)
         return false;
-    if (!(p->searching && p->events == 0 && std::strcmp(event.text.text, "/") == 0))
+    if (std::strcmp(text, p->searching ? "/" : panel_types(p) ? "" : " ") != 0)
         wait(p, event);
     return true;
 }
@@ -249,8 +251,8 @@ void feed(panel *p)
             hold(event.key.keysym.mod);
     }
     p->waited = n > 0 ? 0 : p->waited + 1;
-    if (p->waited > PATIENCE)
-        n = p->events;                  /* and will not be */
+    if (p->events > 0 && p->waited > PATIENCE)
+        n = 1;                          /* and will not be */
     p->events -= n;
     std::memmove(p->event, p->event + n, p->events * sizeof *p->event);
 }
