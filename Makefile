@@ -6,7 +6,8 @@
 
 TARGET  ?= host
 MACHINE ?= $(TARGET)
-OPT     ?= -O2 -g
+# Lines alone for debuggers, of which optimised code has little more:  OPT='-Og -g'
+OPT     ?= -O2 -g1
 ARCH    ?=
 PREFIX  ?= /usr/local
 SCENE   ?= three-swells

@@ -50,7 +50,7 @@ if [ "$(uname -m)" != x86_64 ]; then
 elif lacks valgrind valgrind "models on x86-64"; then
     skip="o2 o3 v3"
 else
-    host o2 host "-O2 -g"
+    host o2 host "-O2 -g1"
     host o3 cross/host-gcc-O3 -O3
     if grep -qw avx2 /proc/cpuinfo; then
         host v3 count-v3 -O3 -march=x86-64-v3
