@@ -42,6 +42,22 @@ void assets_close(assets *a)
     *a = (assets){ 0 };
 }
 
+/* Names point into the assets themselves, or to blocks, which stay where they are. */
+void assets_move(assets *to, assets *from)
+{
+    const void *names[sizeof from->names / sizeof(void *)];
+    _Static_assert(sizeof names == sizeof from->names, "names are pointers alone");
+    const uintptr_t begin = (uintptr_t)from, end = (uintptr_t)(from + 1);
+    assets_close(to);
+    *to = *from;
+    memcpy(names, &from->names, sizeof names);
+    for (size_t i = 0; i < sizeof names / sizeof *names; i++)
+        if ((uintptr_t)names[i] >= begin && (uintptr_t)names[i] < end)
+            names[i] = (const char *)to + ((uintptr_t)names[i] - begin);
+    memcpy(&to->names, names, sizeof names);
+    *from = (assets){ 0 };
+}
+
 /* -- textures -------------------------------------------------------------------- */
 
 /* The largest copy that is wanted becomes the picture; how many bytes that is less. */

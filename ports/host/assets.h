@@ -24,4 +24,7 @@ typedef struct {
 int  assets_open(assets *a, const scene_file *file);
 int  assets_open_within(assets *a, const scene_file *file, uint32_t texels);   /* or 0 */
 void assets_close(assets *a);
+
+/* Closes *to and puts in its place what *from has, which is then empty. */
+void assets_move(assets *to, assets *from);
 #endif

@@ -1,12 +1,18 @@
 /* SPDX-License-Identifier: MIT */
 /* Tapes as files of lines, read whole before anything runs. */
+#define _POSIX_C_SOURCE 200809L
 #include "deck.h"
 #include <errno.h>
-#include <stdbool.h>
+#include <inttypes.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
+#include "path.h"
 #include "say.h"
+#include "scene_file.h"
+
+#define WHITE " \t\r\v\f"
 
 /* -- reading --------------------------------------------------------------------- */
 
@@ -64,13 +70,19 @@ static int read_head(reader *r)
     return EXIT_DONE;
 }
 
-static int add(deck *d, const reader *r, const tp_tape_entry *entry)
+static int add(deck *d, const reader *r, const deck_entry *entry)
 {
-    if (d->count > 0 && entry->tick <= d->entries[d->count - 1].tick)
+    const deck_entry *last = d->count > 0 ? &d->entries[d->count - 1] : NULL;
+    if (last && entry->tick == last->tick && last->kind == DECK_STEP
+        && entry->kind != DECK_STEP)
+        return fail(EXIT_INPUT, "%s:%u: expected looks and sets before their tick's"
+                    " input", r->name, (unsigned)r->line);
+    if (last && (entry->tick < last->tick
+                 || (entry->tick == last->tick && last->kind == DECK_STEP)))
         return fail(EXIT_INPUT, "%s:%u: ticks must rise", r->name, (unsigned)r->line);
     if ((d->count & (d->count - 1)) == 0) {         /* full at powers of two */
         const size_t room = d->count ? 2 * d->count : 1;
-        tp_tape_entry *more = realloc(d->entries, room * sizeof *more);
+        deck_entry *more = realloc(d->entries, room * sizeof *more);
         if (!more)
             return fail_memory(room * sizeof *more);
         d->entries = more;
@@ -79,21 +91,93 @@ static int add(deck *d, const reader *r, const tp_tape_entry *entry)
     return EXIT_DONE;
 }
 
+/* -- lines ----------------------------------------------------------------------- */
+
+/* Where a line's second word stands, if it is this one; else NULL. */
+static char *second_word(char *text, const char *word)
+{
+    char *c = text + strspn(text, WHITE);
+    c += strspn(c, "0123456789");
+    const size_t gap = strspn(c, WHITE), bytes = strlen(word);
+    c += gap;
+    return gap > 0 && strncmp(c, word, bytes) == 0 && (!c[bytes] || strchr(WHITE, c[bytes]))
+         ? c : NULL;
+}
+
+/* The word blanked out, the rest is as of an input. */
+static int read_look(const reader *r, char *text, size_t bytes, char *word,
+                     deck_entry *entry)
+{
+    tp_tape_entry read;
+    tp_error err = { 0 };
+    memset(word, ' ', 4);
+    if (tp_tape_read(&read, text, bytes, &err))
+        return fail_line(r, &err);
+    tp_input rest = read.input;
+    rest.ahead = rest.aside = rest.up = 0;
+    rest.turn = rest.tilt = 0;
+    if (memcmp(&rest, &(tp_input){ 0 }, sizeof rest) != 0)
+        return fail(EXIT_INPUT, "%s:%u: a look moves the camera alone: expected ahead,"
+                    " aside, up, turn or tilt", r->name, (unsigned)r->line);
+    *entry = (deck_entry){ .tick = read.tick, .kind = DECK_LOOK, .input = read.input };
+    return EXIT_DONE;
+}
+
+static int read_set(const reader *r, char *text, size_t bytes, char *word,
+                    deck_entry *entry)
+{
+    char place[512];
+    const char *value;
+    tp_tape_entry read;
+    tp_error err = { 0 };
+    if (memchr(text, 0, bytes)) {
+        err.code = TP_E_TEXT;
+        tp_error_word(&err, text, strlen(text));
+        return fail_line(r, &err);
+    }
+    if (tp_tape_read(&read, text, (size_t)(word - text), &err))
+        return fail_line(r, &err);
+    word += 3 + strspn(word + 3, WHITE);
+    for (size_t n = strlen(word); n > 0 && strchr(WHITE, word[n - 1]); n--)
+        word[n - 1] = 0;
+    snprintf(place, sizeof place, "%s:%u", r->name, (unsigned)r->line);
+    if (!scene_file_check(place, word, &value))
+        return EXIT_INPUT;
+    *entry = (deck_entry){ .tick = read.tick, .kind = DECK_SET };
+    entry->setting = path_copy(word, strlen(word));
+    return entry->setting ? EXIT_DONE : fail_memory(bytes);
+}
+
+static int read_line(const reader *r, char *text, size_t bytes, deck_entry *entry)
+{
+    tp_tape_entry read;
+    tp_error err = { 0 };
+    char *look = second_word(text, "look"), *set = second_word(text, "set");
+    if (look)
+        return read_look(r, text, bytes, look, entry);
+    if (set)
+        return read_set(r, text, bytes, set, entry);
+    if (tp_tape_read(&read, text, bytes, &err))
+        return fail_line(r, &err);
+    *entry = (deck_entry){ .tick = read.tick, .input = read.input };
+    return EXIT_DONE;
+}
+
 static int read_lines(deck *d, reader *r)
 {
     char text[TP_TAPE_LINE];
     int code = read_head(r), bytes;
     while (!code && (bytes = next_line(r, text)) >= 0) {
-        tp_tape_entry entry;
-        tp_error err = { 0 };
+        deck_entry entry = { 0 };
         if (bytes == 0 || text[0] == '#')
             continue;
-        if (bytes == TP_TAPE_LINE)
-            code = fail_long(r);
-        else if (tp_tape_read(&entry, text, (size_t)bytes, &err))
-            code = fail_line(r, &err);
-        else
+        code = bytes == TP_TAPE_LINE ? fail_long(r)
+                                     : read_line(r, text, (size_t)bytes, &entry);
+        entry.line = r->line;
+        if (!code)
             code = add(d, r, &entry);
+        if (code)
+            free(entry.setting);
     }
     return code;
 }
@@ -101,7 +185,7 @@ static int read_lines(deck *d, reader *r)
 int deck_read(deck *d, const char *name, const char *scene)
 {
     reader r = { name, scene, fopen(name, "r"), 0 };
-    *d = (deck){ 0 };
+    *d = (deck){ .name = name };
     if (!r.file)
         return fail(EXIT_INPUT, "%s: %s", name, strerror(errno));
     int code = read_lines(d, &r);
@@ -111,12 +195,19 @@ int deck_read(deck *d, const char *name, const char *scene)
     return code;
 }
 
-const tp_input *deck_input(deck *d, uint64_t tick)
+/* -- replaying ------------------------------------------------------------------- */
+
+const deck_entry *deck_next(deck *d, uint64_t tick)
 {
     while (d->at < d->count && d->entries[d->at].tick < tick)
         d->at++;
-    return d->at < d->count && d->entries[d->at].tick == tick ? &d->entries[d->at].input
+    return d->at < d->count && d->entries[d->at].tick == tick ? &d->entries[d->at++]
                                                               : NULL;
+}
+
+bool deck_over(const deck *d, uint64_t tick)
+{
+    return d->count == 0 || d->entries[d->count - 1].tick < tick;
 }
 
 /* -- recording ------------------------------------------------------------------- */
@@ -133,20 +224,74 @@ int deck_record(deck *d, const char *name, const char *scene)
     return EXIT_DONE;
 }
 
-void deck_add(deck *d, uint64_t tick, const tp_input *input)
+/* The line that is about to be written. */
+static void mark(deck *d, uint64_t tick)
+{
+    if ((d->lines & (d->lines - 1)) == 0) {
+        const size_t room = d->lines ? 2 * d->lines : 1;
+        deck_mark *more = realloc(d->marks, room * sizeof *more);
+        d->failed = d->failed || !more;
+        if (!more)
+            return;
+        d->marks = more;
+    }
+    d->marks[d->lines++] = (deck_mark){ tick, ftell(d->file) };
+}
+
+static void put(deck *d, uint64_t tick, const tp_input *input, const char *word)
 {
     char text[TP_TAPE_LINE];
     const tp_tape_entry entry = { tick, *input };
-    if (d->file && tp_tape_write(&entry, text, sizeof text) > 0)
-        fprintf(d->file, "%s\n", text);
+    if (!d->file || d->failed || tp_tape_write(&entry, text, sizeof text) == 0)
+        return;
+    const int digits = (int)strcspn(text, " ");
+    mark(d, tick);
+    fprintf(d->file, "%.*s%s%s\n", digits, text, word, text + digits);
+}
+
+void deck_add(deck *d, uint64_t tick, const tp_input *input)
+{
+    put(d, tick, input, "");
+}
+
+void deck_look(deck *d, uint64_t tick, const tp_input *input)
+{
+    const tp_input camera = { .ahead = input->ahead, .aside = input->aside,
+                              .up = input->up, .turn = input->turn,
+                              .tilt = input->tilt };
+    put(d, tick, &camera, " look");
+}
+
+void deck_set(deck *d, uint64_t tick, const char *setting)
+{
+    if (!d->file || d->failed)
+        return;
+    mark(d, tick);
+    fprintf(d->file, "%" PRIu64 " set %s\n", tick, setting);
+}
+
+void deck_cut(deck *d, uint64_t tick)
+{
+    size_t keep = d->lines;
+    while (keep > 0 && d->marks[keep - 1].tick >= tick)
+        keep--;
+    if (!d->file || d->failed || keep == d->lines)
+        return;
+    const long at = d->marks[keep].at;
+    d->failed = fflush(d->file) || ftruncate(fileno(d->file), at)
+             || fseek(d->file, at, SEEK_SET);
+    d->lines = keep;
 }
 
 int deck_close(deck *d)
 {
     int code = EXIT_DONE;
-    if (d->file && (ferror(d->file) | fclose(d->file)))
+    if (d->file && ((d->failed | ferror(d->file)) | fclose(d->file)))
         code = fail(EXIT_INPUT, "%s: cannot be written", d->name);
+    for (size_t i = 0; i < d->count; i++)
+        free(d->entries[i].setting);
     free(d->entries);
+    free(d->marks);
     *d = (deck){ 0 };
     return code;
 }

@@ -7,9 +7,9 @@
 #include <string.h>
 #include "about.h"
 #include "commands.h"
-#include "deck.h"
 #include "governing.h"
 #include "hashes.h"
+#include "replay.h"
 #include "say.h"
 #include "sink.h"
 #include "stage.h"
@@ -19,7 +19,7 @@ typedef struct {
     stage    stage;
     sink     sink;
     hashes   expected;
-    deck     tape;
+    replay   tape;
     timings  times;
     governing governing;
     FILE    *report;            /* where hashes and figures go */
@@ -39,6 +39,23 @@ static int use_frame(render *r, const options *o, uint32_t frame)
     return o->expect ? hashes_check(&r->expected, frame, crc) : EXIT_DONE;
 }
 
+/* From one picture to the next. */
+static int move(render *r, const options *o)
+{
+    stage *s = &r->stage;
+    bool opened = false;
+    int code = replay_acts(&r->tape, s, o, &opened);
+    for (uint32_t ticks = code ? 0 : tp_world_frame(s->world); ticks > 0; ticks--) {
+        code = replay_acts(&r->tape, s, o, &opened);
+        if (code)
+            break;
+        tp_world_step(s->world, &s->file.scene, replay_step(&r->tape));
+    }
+    if (!code && opened)
+        governing_begin(&r->governing, s);
+    return code;
+}
+
 static int draw_frames(render *r, const options *o)
 {
     stage *s = &r->stage;
@@ -46,9 +63,9 @@ static int draw_frames(render *r, const options *o)
     governing_begin(&r->governing, s);
     int code = EXIT_DONE;
     for (uint32_t n = 0; n <= o->last && !code; n++) {
-        for (uint32_t ticks = n > 0 ? tp_world_frame(s->world) : 0; ticks > 0; ticks--)
-            tp_world_step(s->world, &s->file.scene, deck_input(&r->tape, s->world->tick));
-        if (n >= o->first) {
+        if (n > 0)
+            code = move(r, o);
+        if (n >= o->first && !code) {
             const uint64_t begin = now_us();
             canvas_draw(&s->canvas, s->world);
             const uint64_t took = now_us() - begin;
@@ -106,8 +123,8 @@ static int run(render *r, const options *o)
         code = hashes_read(&r->expected, o->expect);
     if (!code)
         code = stage_open(&r->stage, o);
-    if (!code && o->tape)
-        code = deck_read(&r->tape, o->tape, r->stage.file.name);
+    if (!code)
+        code = replay_open(&r->tape, &r->stage, o, REPLAY_ALL);
     if (!code)
         code = draw_frames(r, o);
     if (code) {
@@ -133,7 +150,7 @@ int render_command(int argc, char **argv)
         code = run(&r, &o);
     const int end = r.report == stdout ? finish_stdout() : EXIT_DONE;
     timings_free(&r.times);
-    deck_close(&r.tape);
+    replay_close(&r.tape);
     hashes_free(&r.expected);
     stage_close(&r.stage);
     free(o.settings);

@@ -46,6 +46,32 @@ static void refuse_value(const char *place, const tp_param *param, const char *v
     }
 }
 
+/* In any scene: what a value may be is told by its row alone. */
+const tp_param *scene_file_check(const char *place, const char *setting,
+                                 const char **value)
+{
+    const char *equals = strchr(setting, '=');
+    if (!equals || equals == setting) {
+        say("%s: expected NAME=VALUE, found %s", place, *setting ? setting : "nothing");
+        return NULL;
+    }
+    tp_scene scene = { 0 };
+    char *name = path_copy(setting, (size_t)(equals - setting));
+    const tp_param *param = name ? tp_param_find(name, strlen(name)) : NULL;
+    tp_error err = { 0 };
+    *value = equals + 1;
+    if (!name) {
+        fail_memory(strlen(setting));
+    } else if (!param) {
+        refuse_name(place, name);
+    } else if (tp_param_set(&scene, param, *value, strlen(*value), &err)) {
+        refuse_value(place, param, *value, &err);
+        param = NULL;
+    }
+    free(name);
+    return param;
+}
+
 bool scene_file_apply(scene_file *file, const char *place, uint32_t set_at,
                       const char *name, const char *value)
 {

@@ -21,6 +21,11 @@ int  scene_file_open(scene_file *file, const char *given);
 int  scene_file_set(scene_file *file, const char *setting);     /* "name=value" */
 void scene_file_close(scene_file *file);
 
+/* "name=value" without setting it: its row, *value behind the "=".  NULL: it cannot be
+ * set, and said why; the message begins with `place`. */
+const tp_param *scene_file_check(const char *place, const char *setting,
+                                 const char **value);
+
 /* The file that a row of kind mesh or texture names, to free; NULL: no memory.
  * Names in the INI are relative to it; those of the command line to the folder that the
  * program was started in or, if there is no such file, to the INI too. */

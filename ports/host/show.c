@@ -8,8 +8,8 @@
 #include "about.h"
 #include "../screen/show.h"
 #include "commands.h"
-#include "deck.h"
 #include "governing.h"
+#include "replay.h"
 #include "say.h"
 #include "stage.h"
 #include "timing.h"
@@ -18,7 +18,7 @@
 typedef struct {
     options  *options;
     stage     stage;
-    deck      tape;
+    replay    tape;
     governing governing;
 } shown;
 
@@ -31,6 +31,7 @@ static int prepare(void *user, uint32_t width, uint32_t height, tp_format format
     o->width = width;
     o->height = height;
     o->format = o->formatted ? o->format : format;
+    replay_skip(&s->tape, &s->stage);
     const int code = stage_canvas(&s->stage, o);
     if (!code)
         governing_begin(&s->governing, &s->stage);
@@ -46,10 +47,20 @@ static const picture *draw(void *user, const tp_world *world, uint32_t frame)
     return &s->stage.canvas.picture;
 }
 
-static const tp_input *taped(void *user, uint64_t tick)
+static int acts(void *user)
 {
     shown *s = user;
-    return deck_input(&s->tape, tick);
+    bool opened = false;
+    const int code = replay_acts(&s->tape, &s->stage, s->options, &opened);
+    if (!code && opened)
+        governing_begin(&s->governing, &s->stage);
+    return code;
+}
+
+static const tp_input *taped(void *user)
+{
+    shown *s = user;
+    return replay_step(&s->tape);
 }
 
 /* -- the command ----------------------------------------------------------------- */
@@ -60,8 +71,8 @@ static int run(shown *s, options *o)
     if (!port)
         return fail(EXIT_USAGE, "tidepool show: --on %s: expected " SHOW_PORTS, o->on);
     int code = stage_load(&s->stage, o);
-    if (!code && o->tape)
-        code = deck_read(&s->tape, o->tape, s->stage.file.name);
+    if (!code)
+        code = replay_open(&s->tape, &s->stage, o, REPLAY_SAME_WORLD);
     if (code)
         return code;
     const show what = {
@@ -71,7 +82,8 @@ static int run(shown *s, options *o)
         .hold = o->hold, .hash = o->hash, .keep = o->keep,
         .scene = &s->stage.file.scene, .assets = &s->stage.assets.names,
         .world = s->stage.world, .world_bytes = s->stage.world_bytes,
-        .user = s, .prepare = prepare, .draw = draw, .taped = o->tape ? taped : NULL,
+        .user = s, .prepare = prepare, .draw = draw,
+        .acts = o->tape ? acts : NULL, .taped = o->tape ? taped : NULL,
     };
     return show_run(&what);
 }
@@ -91,7 +103,7 @@ int show_command(int argc, char **argv)
     } else if (!code) {
         code = run(&s, &o);
     }
-    deck_close(&s.tape);
+    replay_close(&s.tape);
     stage_close(&s.stage);
     free(o.settings);
     return code;

@@ -5,6 +5,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include "../live/setting.h"
 #include "say.h"
 
 int stage_read(scene_file *file, const options *o)
@@ -12,8 +13,12 @@ int stage_read(scene_file *file, const options *o)
     int code = scene_file_open(file, o->scene);
     for (uint32_t i = 0; i < o->n_settings && !code; i++)
         code = scene_file_set(file, o->settings[i]);
-    if (!code && o->visibility)
+    if (!code && o->visibility) {
+        uint32_t count;
+        const tp_param *row = tp_param_find("quality.visibility", 18);
         file->scene.quality.visibility = o->visibility;
+        file->set_at[row - tp_params(&count)] = SET_BY_COMMAND;
+    }
     return code;
 }
 
@@ -47,50 +52,60 @@ int stage_open(stage *s, const options *o)
     return code ? code : stage_canvas(s, o);
 }
 
-int stage_world(stage *s)
+/* At tick 0; NULL: no memory, or not of this scene, and *err tells. */
+static tp_world *new_world(const tp_scene *scene, const tp_assets *names, size_t *bytes,
+                           tp_error *err)
 {
-    const tp_scene *scene = &s->file.scene;
-    const size_t bytes = tp_world_bytes(scene, &s->assets.names);
-    tp_error err = { 0 };
-    tp_world *world = malloc(bytes > sizeof *world ? bytes : sizeof *world);
-    if (!world)
-        return fail_memory(bytes);
-    if (tp_world_init(world, bytes, scene, &s->assets.names, &err)) {
-        free(world);
-        return scene_file_refuse(&s->file, &err);
-    }
+    *bytes = tp_world_bytes(scene, names);
+    tp_world *world = malloc(*bytes > sizeof *world ? *bytes : sizeof *world);
+    if (world && tp_world_init(world, *bytes, scene, names, err) == TP_OK)
+        return world;
+    free(world);
+    return NULL;
+}
+
+static void take_world(stage *s, tp_world *world, size_t bytes)
+{
     free(s->world);
     s->world = world;
     s->world_bytes = bytes;
+}
+
+int stage_world(stage *s)
+{
+    tp_error err = { 0 };
+    size_t bytes;
+    tp_world *world = new_world(&s->file.scene, &s->assets.names, &bytes, &err);
+    if (!world)
+        return err.code ? scene_file_refuse(&s->file, &err) : fail_memory(bytes);
+    take_world(s, world, bytes);
     return EXIT_DONE;
 }
 
 /* What a board would need beside the picture. */
-static size_t bytes_of(const stage *s)
+static size_t bytes_of(const canvas *c, size_t world_bytes)
 {
-    return s->canvas.frame_bytes + s->world_bytes + s->canvas.scratch_bytes;
+    return c->frame_bytes + world_bytes + c->scratch_bytes;
 }
 
 /* Crossings are not stored if there is no room for them. */
-static void choose_store(stage *s, const options *o)
+static void choose_store(canvas *c, const tp_scene *scene, const tp_assets *names,
+                         size_t world_bytes, const options *o)
 {
-    const tp_scene *scene = &s->file.scene;
-    const tp_assets *names = &s->assets.names;
-
-    s->canvas.stream = o->stream;
-    canvas_count(&s->canvas, scene, names);
-    if (o->memory && bytes_of(s) > o->memory) {
-        s->canvas.stream = true;
-        canvas_count(&s->canvas, scene, names);
+    c->stream = o->stream;
+    canvas_count(c, scene, names);
+    if (o->memory && bytes_of(c, world_bytes) > o->memory) {
+        c->stream = true;
+        canvas_count(c, scene, names);
     }
 }
 
 /* What the scene names may lie in ROM there. */
-static int check_memory(const stage *s, uint64_t allowed)
+static int check_memory(const stage *s, const canvas *c, const assets *a,
+                        size_t world_bytes, uint64_t allowed)
 {
-    const canvas *c = &s->canvas;
-    const size_t named = s->assets.mesh_bytes + s->assets.texture_bytes;
-    const size_t bytes = bytes_of(s);
+    const size_t named = a->mesh_bytes + a->texture_bytes;
+    const size_t bytes = bytes_of(c, world_bytes);
     char rom[80] = "";
     if (!allowed || bytes <= allowed)
         return EXIT_DONE;
@@ -98,22 +113,29 @@ static int check_memory(const stage *s, uint64_t allowed)
         snprintf(rom, sizeof rom, "; what it names, %zu bytes, is not counted", named);
     return fail(EXIT_INPUT, "%s needs %zu bytes (frame %zu, world %zu, scratch %zu),"
                 " --memory allows %" PRIu64 "%s", s->file.name, bytes, c->frame_bytes,
-                s->world_bytes, c->scratch_bytes, allowed, rom);
+                world_bytes, c->scratch_bytes, allowed, rom);
 }
 
-int stage_canvas(stage *s, const options *o)
+/* Nothing is allocated. */
+static int plan_canvas(const stage *s, const options *o, const assets *a,
+                       size_t world_bytes, canvas *c)
 {
     const tp_frame_config config = {
         .width = o->width, .height = o->height,
         .tile_width = o->strip, .tile_height = o->band,
         .format = o->format,
     };
-    canvas_close(&s->canvas);
-    canvas_plan(&s->canvas, &s->file.scene, &s->assets.names, &config, o->threads);
+    canvas_plan(c, &s->file.scene, &a->names, &config, o->threads);
     if (o->machine)
-        s->canvas.machine = o->machine;
-    choose_store(s, o);
-    const int code = check_memory(s, o->memory);
+        c->machine = o->machine;
+    choose_store(c, &s->file.scene, &a->names, world_bytes, o);
+    return check_memory(s, c, a, world_bytes, o->memory);
+}
+
+int stage_canvas(stage *s, const options *o)
+{
+    canvas_close(&s->canvas);
+    const int code = plan_canvas(s, o, &s->assets, s->world_bytes, &s->canvas);
     return code ? code : canvas_open(&s->canvas, &s->file.scene, &s->assets.names);
 }
 
@@ -123,4 +145,134 @@ void stage_close(stage *s)
     free(s->world);
     assets_close(&s->assets);
     scene_file_close(&s->file);
+}
+
+/* -- changes while it moves ------------------------------------------------------ */
+
+typedef struct {
+    const options  *o;
+    const char     *place;
+    const tp_param *param;
+    uint32_t        row;
+    setting_result  result;
+    assets         *loaded;         /* what the scene now names; NULL: as before */
+    tp_world       *world;          /* made anew; NULL: it goes on */
+    size_t          world_bytes;
+} change;
+
+static int refuse_change(const change *c, const tp_error *err)
+{
+    return err->code ? fail_at(c->place, err) : fail_memory(c->world_bytes);
+}
+
+static int load_anew(stage *s, change *c)
+{
+    assets *loaded = calloc(1, sizeof *loaded);
+    if (!loaded)
+        return fail_memory(sizeof *loaded);
+    if (assets_open_within(loaded, &s->file, c->o->texels)) {
+        free(loaded);
+        return EXIT_INPUT;
+    }
+    c->loaded = loaded;
+    return EXIT_DONE;
+}
+
+static int world_anew(stage *s, change *c)
+{
+    const tp_assets *names = c->loaded ? &c->loaded->names : &s->assets.names;
+    tp_error err = { 0 };
+    c->world = new_world(&s->file.scene, names, &c->world_bytes, &err);
+    if (!c->world)
+        return refuse_change(c, &err);
+    setting_carry(c->world, s->world);
+    return EXIT_DONE;
+}
+
+/* A picture that would not fit into --memory is refused while the old one is there. */
+static int plan_anew(const stage *s, const change *c)
+{
+    const assets *a = c->loaded ? c->loaded : &s->assets;
+    canvas plan;
+    return s->canvas.frame ? plan_canvas(s, c->o, a, c->world ? c->world_bytes
+                                                              : s->world_bytes, &plan)
+                           : EXIT_DONE;
+}
+
+/* Walls inside a pool are laid into the frame when it is opened. */
+static bool moves_walls(const stage *s, const change *c)
+{
+    return (s->assets.names.pool_mask && strncmp(c->param->name, "pool.", 5) == 0)
+        || (s->assets.names.field_mask && strncmp(c->param->name, "field.", 6) == 0);
+}
+
+static bool needs_canvas(const stage *s, const change *c)
+{
+    const canvas *now = &s->canvas;
+    if (!now->frame)
+        return false;
+    return c->result != SETTING_DONE || setting_is_grid(c->param) || moves_walls(s, c)
+        || tp_frame_bytes_with(&now->kit, &s->file.scene, &s->assets.names, &now->config)
+           != now->frame_bytes;
+}
+
+static int prepare_change(stage *s, change *c)
+{
+    int code = EXIT_DONE;
+    s->file.set_at[c->row] = SET_BY_COMMAND;
+    if (c->result == SETTING_LOAD)
+        code = load_anew(s, c);
+    if (!code && c->result != SETTING_DONE)
+        code = world_anew(s, c);
+    return code ? code : plan_anew(s, c);
+}
+
+/* Nothing can go wrong any more but memory for the canvas. */
+static int do_change(stage *s, change *c, bool *opened)
+{
+    const bool again = needs_canvas(s, c);
+    if (c->loaded)
+        assets_move(&s->assets, c->loaded);
+    if (c->world)
+        take_world(s, c->world, c->world_bytes);
+    c->world = NULL;
+    *opened = again || *opened;
+    return again ? stage_canvas(s, c->o) : EXIT_DONE;
+}
+
+static void take_back(stage *s, const change *c, const char *before, uint32_t set_at)
+{
+    s->file.set_at[c->row] = set_at;
+    (void)setting_put(&tp_kit_all, &s->file.scene, s->world, &s->assets.names, c->param,
+                      before, strlen(before), NULL);
+}
+
+int stage_set(stage *s, const options *o, const char *place, const char *setting,
+              bool *opened)
+{
+    char before[TP_NAME_BYTES + 64];
+    const char *value;
+    uint32_t count;
+    tp_error err = { 0 };
+    change c = { .o = o, .place = place,
+                 .param = scene_file_check(place, setting, &value) };
+    if (!c.param)
+        return EXIT_INPUT;
+    c.row = (uint32_t)(c.param - tp_params(&count));
+    const uint32_t set_at = s->file.set_at[c.row];
+    tp_param_text(&s->file.scene, c.param, before, sizeof before);
+    c.result = setting_put(&tp_kit_all, &s->file.scene, s->world, &s->assets.names,
+                           c.param, value, strlen(value), &err);
+    if (c.result == SETTING_REFUSED)
+        return refuse_change(&c, &err);
+    int code = prepare_change(s, &c);
+    if (code)
+        take_back(s, &c, before, set_at);
+    else
+        code = do_change(s, &c, opened);
+    free(c.world);
+    if (c.loaded)
+        assets_close(c.loaded);
+    free(c.loaded);
+    return code;
 }

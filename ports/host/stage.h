@@ -22,6 +22,13 @@ int  stage_world(stage *s);                     /* at tick 0, of the scene as it
 int  stage_canvas(stage *s, const options *o);  /* again after the size has changed */
 void stage_close(stage *s);
 
+/* "name=value" while the world moves, as by the command line's --set.  What it needs is
+ * done: the world goes on with it, or is made anew at the same place and time, files are
+ * loaded, and the canvas, if there is one, is opened again; *opened is then set.
+ * EXIT_INPUT: refused, all is as it was, and the message begins with `place`. */
+int  stage_set(stage *s, const options *o, const char *place, const char *setting,
+               bool *opened);
+
 /* The scene and its settings alone, and what the core had to clamp reported. */
 int  stage_read(scene_file *file, const options *o);
 void stage_report_clamps(const scene_file *file, const tp_sea *sea);

@@ -38,6 +38,7 @@ typedef struct {
     bool        stale;              /* the screen is older than the world */
     bool        away;               /* another terminal is in front */
     bool        over;
+    int         code;               /* of a tape that could not go on */
 } loop;
 
 /* -- signals --------------------------------------------------------------------- */
@@ -72,15 +73,22 @@ static void listen_to_signals(void)
 
 /* -- time ------------------------------------------------------------------------ */
 
+static bool act(loop *l)
+{
+    if (l->what->acts)
+        l->code = l->what->acts(l->what->user);
+    l->over = l->over || l->code;
+    return !l->code;
+}
+
 /* One picture further; its first tick takes the input. */
 static void step(loop *l)
 {
     static const tp_input nothing;
     const show *what = l->what;
-    for (uint32_t n = tp_world_frame(what->world); n > 0; n--) {
-        const uint64_t tick = what->world->tick;
+    for (uint32_t n = act(l) ? tp_world_frame(what->world) : 0; n > 0 && act(l); n--) {
         tp_world_step(what->world, what->scene,
-                      what->taped ? what->taped(what->user, tick) : &l->wish);
+                      what->taped ? what->taped(what->user) : &l->wish);
         l->wish = nothing;
     }
     l->frame++;
@@ -264,5 +272,6 @@ int loop_run(const show *what, screen *on, console *tty, const keep *kept, uint3
     last.failed = !keeper_end(l.keeper);
     const int end = keep_put(&last, what->world, what->world_bytes, l.frame);
     *signal = ended_by;
+    code = code ? code : l.code;
     return code ? code : end;
 }

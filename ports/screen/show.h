@@ -28,7 +28,11 @@ typedef struct {
     void  *user;
     int  (*prepare)(void *user, uint32_t width, uint32_t height, tp_format format);
     const picture *(*draw)(void *user, const tp_world *world, uint32_t frame);
-    const tp_input *(*taped)(void *user, uint64_t tick);    /* NULL: there is no tape */
+
+    /* NULL: there is no tape.  Of it, before a picture and before each of its steps, what
+     * else was done than what its input tells; then each step's input. */
+    int  (*acts)(void *user);
+    const tp_input *(*taped)(void *user);
 } show;
 
 /* The port that is called so, NULL: none; and all names, as "fb or kms". */

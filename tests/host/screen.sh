@@ -362,4 +362,21 @@ whole --frames 0:1 --keep world
 judge "what cannot be kept" 3 "^world: cannot be kept: "
 same "is drawn all the same" "$(grep -c '^frame' out)" 2
 
+# -- tapes -----------------------------------------------------------------------------
+
+rm -rf world world.new
+{ echo "tape 1 $scene"; echo "5 drops=1"; echo "9 look turn=90000000"
+  echo "9 set light.elevation=20"; echo "9 ahead=0.1"; echo "20 set grid.cols=33"
+  echo "20 set camera.y=3"; echo "31 set light.elevation=60"; } >walk.tape
+"$program" render "$scene" --size 96x64 --frames 40 --hash --tape walk.tape >all 2>err
+whole --frames 0:39 --tape walk.tape
+same "a tape's inputs, looks and changes" "$code $(cmp all out)" "0 "
+whole --frames 0:25 --keep world --tape walk.tape
+whole --frames 0:39 --keep world --tape walk.tape
+same "go on from a world that was kept" "$code $(tail -n 15 all | cmp - out)" "0 "
+{ echo "tape 1 $scene"; echo "3 drops=1"; echo "4 set pool.cols=40"; } >anew.tape
+refused "a tape that makes the world anew" \
+    "^anew.tape:3: pool.cols=40 makes the world anew, .* expected what goes on in the same" \
+    --tape anew.tape
+
 finish

@@ -4,6 +4,8 @@
 #     tape.sh PROGRAM
 . tests/host/lib.sh
 
+boats=$(cd "$OLDPWD" && realpath assets/boats)
+
 # hashes SCENE OPTION...: the frames' hashes, or the program's exit code and messages.
 hashes() {
     timeout 60 "$program" render "$@" --size 48x32 --frames 40 --hash 2>err </dev/null ||
@@ -96,6 +98,75 @@ slow=$(hashes minimal --tape slow.tape --set wave0.amplitude=0.5)
 same "slow motion replays" "$(hashes minimal --tape slow.tape --set wave0.amplitude=0.5)" \
     "$slow"
 
+# -- changes and looks --------------------------------------------------------------
+
+# sea OPTION...: the hashes of three-swells with a tape of it, whose lines come first.
+sea_tape() {
+    file=$1
+    shift
+    { echo "tape 1 three-swells"; for line in "$@"; do printf '%s\n' "$line"; done; } >"$file"
+}
+
+calm=$(hashes three-swells)
+sea_tape set.tape "20 set wave0.amplitude=1.5"
+set=$(hashes three-swells --tape set.tape)
+same "a set plays twice alike" "$(hashes three-swells --tape set.tape)" "$set"
+same "what comes before a set is as without" "$(echo "$set" | head -21)" \
+    "$(echo "$calm" | head -21)"
+same "a set changes what comes after, from the next picture on" \
+    "$({ echo "$calm"; echo "$set"; } | sort | uniq -u | wc -l)" 38
+sea_tape first.tape "0 set wave0.amplitude=1.5"
+same "a set before the first step is as --set" \
+    "$(hashes three-swells --tape first.tape | tail -39)" \
+    "$(hashes three-swells --set wave0.amplitude=1.5 | tail -39)"
+sea_tape there.tape "10 set wave0.amplitude=1.5" "10 set wave0.length = 20 " \
+    "25 set wave0.amplitude=1" "25 set wave0.length=1e1"
+back=$(hashes three-swells --tape there.tape)
+for tiling in "--band 5" "--threads 2 --strip 16"; do
+    # shellcheck disable=SC2086
+    same "sets are the same with $tiling" \
+        "$(hashes three-swells --tape there.tape $tiling)" "$back"
+done
+sea_tape cr.tape "20 set wave0.amplitude=1.5"
+tr '\n' '|' <cr.tape | sed 's/|/\r\n/g' >dos.tape
+same "sets with line ends of other systems" "$(hashes three-swells --tape dos.tape)" "$set"
+
+# pond's water has cells: of another number the world is made anew, of another grid the
+# picture's part.
+printf 'tape 1 pond\n5 drops=1\n10 set pool.cols=80\n12 poke=0.3\n30 ahead=1\n' >anew.tape
+anew=$(hashes pond --tape anew.tape)
+same "a set makes the world anew, twice alike" "$(hashes pond --tape anew.tape)" "$anew"
+same "all of it is drawn" "$(echo "$anew" | grep -c '^frame')" 40
+same "the same tape in tiles" "$(hashes pond --tape anew.tape --band 7)" "$anew"
+printf 'tape 1 pond\n5 set grid.cols=33\n6 set grid.rows=40\n' >grid.tape
+grid=$(hashes pond --tape grid.tape)
+same "a set of the grid, twice alike" "$(hashes pond --tape grid.tape)" "$grid"
+same "grids are drawn" "$(echo "$grid" | sort -u -k4 | wc -l)" 40
+sea_tape kinds.tape "3 set sky.kind=day" "5 set mirror.objects=cube" "7 set foam.cells=64" \
+    "9 set mirror.objects=none" "11 set drops.count=30" "12 drops=3" "20 set boat.mesh="
+kinds=$(hashes three-swells --tape kinds.tape)
+same "skies, mirrors, foam, drops and no boat, twice alike" \
+    "$(hashes three-swells --tape kinds.tape)" "$kinds"
+same "and are drawn" "$(echo "$kinds" | sort -u -k4 | wc -l)" 40
+tape mesh.tape "5 set boat.mesh=$boats/longship.obj" "30 set boat.mesh="
+mesh=$(hashes minimal --tape mesh.tape)
+same "a mesh comes from its file and goes" \
+    "$({ echo "$plain"; echo "$mesh"; } | sort | uniq -u | wc -l)" 50
+
+sea_tape look.tape "20 look turn=90000000 tilt=-3000000" "20 look up=2" "20 aside=1"
+look=$(hashes three-swells --tape look.tape)
+sea_tape looks.tape "20 look tilt=-3000000" "20 look turn=90000000" "20 look up=1" \
+    "20 look up=1" "20 aside=1"
+same "looks add up" "$(hashes three-swells --tape looks.tape)" "$look"
+same "looks come before their tick's picture" "$(echo "$look" | head -21)" \
+    "$(echo "$calm" | head -21)"
+sea_tape slow.tape "3 set clock.scale=0.25" "9 set wave1.amplitude=1" "9 look turn=50000000"
+slow=$(hashes three-swells --tape slow.tape)
+same "sets in slow motion, twice alike" "$(hashes three-swells --tape slow.tape)" "$slow"
+same "fast: a change inside a picture" \
+    "$(sea_tape fast.tape "3 look turn=90000000"; \
+       hashes three-swells --set clock.scale=2 --tape fast.tape | sort -u -k4 | wc -l)" 40
+
 # -- bad files ----------------------------------------------------------------------
 
 refused "no such tape" "no.tape: No such file" no.tape
@@ -137,6 +208,32 @@ bad "a line that is too long but for a good beginning" "longer than" \
     "4 ahead=1$(printf '%400s' '')5 ahead=1"
 printf 'tape 1 minimal\n3 ahead=1\n4 ahead=1\000 aside=2\n' >bad.tape
 refused "a zero byte in a line" "bad.tape:3: " bad.tape
+
+bad "a set of nothing" "expected NAME=VALUE, found nothing" "4 set"
+bad "a set without a value" "expected NAME=VALUE, found camera.x" "4 set camera.x"
+bad "a set without a name" "expected NAME=VALUE, found =4" "4 set =4"
+bad "a set of what is none" "no parameter is called wave0.amplitud; did you mean" \
+    "4 set wave0.amplitud=1"
+bad "a set beyond its range" "wave0.amplitude = 99 is outside 0..16 m" \
+    "4 set wave0.amplitude=99"
+bad "a set of no number" "wave0.amplitude: expected a number, found high" \
+    "4 set wave0.amplitude=high"
+bad "a set of no choice" "sky.kind = dawn is none of " "4 set sky.kind=dawn"
+bad "a set of a file that is not there" "boat.mesh=no.obj: no such file" \
+    "4 set boat.mesh=no.obj"
+bad "a set at no tick" "expected a tick, found set" "set camera.x=4"
+bad "a set at an earlier tick" "ticks must rise" "2 set camera.x=4"
+bad "a set after its tick's input" "expected looks and sets before their tick's input" \
+    "3 set camera.x=4"
+bad "a look after its tick's input" "expected looks and sets before" "3 look turn=4"
+bad "a look that lets drops fall" "a look moves the camera alone" "4 look turn=4 drops=1"
+bad "a look with an unknown name" "no input is called sideways" "4 look sideways=1"
+bad "a word that is neither" "expected NAME=NUMBER, found looks" "4 looks turn=1"
+tape bad.tape "4 set pool.cols=64" "4 set pool.damping=10" "4 set pool.courant=0.8"
+refused "a pool that would not come to rest" "bad.tape:4: pool.courant of 0.800 is above" \
+    bad.tape
+printf 'tape 1 minimal\n4 set camera.x=4\000\n' >bad.tape
+refused "a zero byte in a set" "bad.tape:2: " bad.tape
 
 expect "--tape without a file" 2 "--tape needs a value" render minimal --tape
 
