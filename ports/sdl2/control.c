@@ -9,106 +9,130 @@
 #define DRAG     ((int32_t)TP_DEG(0.2))
 #define DRAG_MAX 400
 
-static void print_keys(void)
-{
-    puts("W A S D        forward, left, back, right      Shift  faster\n"
-         "Q E            down, up\n"
-         "arrows         turn and tilt, as dragging with the left mouse button does\n"
-         "F              let a drop fall\n"
-         "I J K L        steer the sphere of drops, or the boat\n"
-         "right button   poke the pool\n"
-         "[ ]            turn the light;  Page Up, Page Down  raise and lower it\n"
-         ", .            slow motion, fast forward\n"
-         "Space          pause: the water stands, the camera moves on\n"
-         "P or F12       save a screenshot in the current folder\n"
-         "F1             this list\n"
-         "Esc            quit");
-    fflush(stdout);
-}
-
-static void key(control *c, const SDL_KeyboardEvent *event)
-{
-    if (event->repeat)
-        return;
-    switch (event->keysym.sym) {
-    case SDLK_ESCAPE: c->quit = true; break;
-    case SDLK_SPACE:  c->pause = !c->pause; break;
-    case SDLK_f:      c->drops++; break;
-    case SDLK_COMMA:  c->slower++; break;
-    case SDLK_PERIOD: c->slower--; break;
-    case SDLK_p:
-    case SDLK_F12:    c->shot = true; break;
-    case SDLK_F1:     print_keys(); break;
-    default:          break;
-    }
-}
+#define NOTCH (12 * WISH_RUN)   /* m of a notch of the wheel: 3.2 */
 
 static void window_event(control *c, const SDL_WindowEvent *event, uint64_t now)
 {
     c->exposed = true;
-    if (event->event != SDL_WINDOWEVENT_SIZE_CHANGED)
-        return;
-    c->resized = true;
-    c->resized_at = now;
-    c->width = event->data1;
-    c->height = event->data2;
-}
-
-void control_event(control *c, const SDL_Event *event, uint64_t now)
-{
-    switch (event->type) {
-    case SDL_QUIT:        c->quit = true; break;
-    case SDL_KEYDOWN:     key(c, &event->key); break;
-    case SDL_WINDOWEVENT: window_event(c, &event->window, now); break;
-    case SDL_MOUSEMOTION:
-        if (event->motion.state & SDL_BUTTON_LMASK) {
-            c->drag_x = tp_clamp(c->drag_x + event->motion.xrel, -DRAG_MAX, DRAG_MAX);
-            c->drag_y = tp_clamp(c->drag_y + event->motion.yrel, -DRAG_MAX, DRAG_MAX);
-        }
+    switch (event->event) {
+    case SDL_WINDOWEVENT_SIZE_CHANGED:
+        c->resized = true;
+        c->resized_at = now;
         break;
-    case SDL_MOUSEBUTTONDOWN:
-        if (event->button.button == SDL_BUTTON_RIGHT) {
-            c->poke = true;
-            c->poke_x = event->button.x;
-            c->poke_y = event->button.y;
-        }
+    case SDL_WINDOWEVENT_MINIMIZED:
+    case SDL_WINDOWEVENT_HIDDEN:
+        c->hidden = true;
+        break;
+    case SDL_WINDOWEVENT_RESTORED:
+    case SDL_WINDOWEVENT_SHOWN:
+    case SDL_WINDOWEVENT_MAXIMIZED:
+        c->hidden = false;
+        break;
+    case SDL_WINDOWEVENT_FOCUS_LOST:
+        c->turning = c->stirring = false;
         break;
     default:
         break;
     }
 }
 
-/* +1, 0 or -1 by two keys. */
-static int axis(const uint8_t *keys, SDL_Scancode more, SDL_Scancode less)
+static void button_down(control *c, const SDL_MouseButtonEvent *event)
 {
-    return keys[more] - keys[less];
+    if (event->button == SDL_BUTTON_LEFT) {
+        c->turning = true;
+    } else if (event->button == SDL_BUTTON_RIGHT) {
+        c->poke = c->stirring = true;
+        c->poke_x = event->x;
+        c->poke_y = event->y;
+    }
 }
 
-tp_input control_input(control *c)
+static void button_up(control *c, const SDL_MouseButtonEvent *event)
 {
-    const uint8_t *keys = SDL_GetKeyboardState(NULL);
-    const tp_fx step = SDL_GetModState() & KMOD_SHIFT ? WISH_RUN : WISH_WALK;
-    const tp_input input = {
-        .ahead = step * axis(keys, SDL_SCANCODE_W, SDL_SCANCODE_S),
-        .aside = step * axis(keys, SDL_SCANCODE_D, SDL_SCANCODE_A),
-        .up    = step * axis(keys, SDL_SCANCODE_E, SDL_SCANCODE_Q),
-        .turn  = WISH_TURN * axis(keys, SDL_SCANCODE_RIGHT, SDL_SCANCODE_LEFT)
-               + DRAG * c->drag_x,
-        .tilt  = WISH_TURN * axis(keys, SDL_SCANCODE_UP, SDL_SCANCODE_DOWN)
-               - DRAG * c->drag_y,
-        .sphere_x = WISH_STEER * axis(keys, SDL_SCANCODE_L, SDL_SCANCODE_J),
-        .sphere_z = WISH_STEER * axis(keys, SDL_SCANCODE_K, SDL_SCANCODE_I),
-        .throttle = WISH_SAIL * axis(keys, SDL_SCANCODE_I, SDL_SCANCODE_K),
-        .rudder   = WISH_RUDDER * axis(keys, SDL_SCANCODE_L, SDL_SCANCODE_J),
-        .light_turn = WISH_LIGHT * axis(keys, SDL_SCANCODE_RIGHTBRACKET,
-                                   SDL_SCANCODE_LEFTBRACKET),
-        .light_tilt = WISH_LIGHT * axis(keys, SDL_SCANCODE_PAGEUP, SDL_SCANCODE_PAGEDOWN),
-        .drops    = c->drops,
-        .slower   = c->slower,
+    if (event->button == SDL_BUTTON_LEFT)
+        c->turning = false;
+    else if (event->button == SDL_BUTTON_RIGHT)
+        c->stirring = false;
+}
+
+static void moved(control *c, const SDL_MouseMotionEvent *event)
+{
+    if (c->turning || c->captured) {
+        c->drag_x = tp_clamp(c->drag_x + event->xrel, -DRAG_MAX, DRAG_MAX);
+        c->drag_y = tp_clamp(c->drag_y + event->yrel, -DRAG_MAX, DRAG_MAX);
+    }
+    if (c->stirring && !c->poke) {
+        c->stir = true;
+        c->poke_x = event->x;
+        c->poke_y = event->y;
+    }
+}
+
+bool control_event(control *c, const SDL_Event *event, uint64_t now)
+{
+    switch (event->type) {
+    case SDL_QUIT:            c->quit = true; break;
+    case SDL_WINDOWEVENT:     window_event(c, &event->window, now); break;
+    case SDL_MOUSEMOTION:     moved(c, &event->motion); break;
+    case SDL_MOUSEBUTTONDOWN: button_down(c, &event->button); break;
+    case SDL_MOUSEBUTTONUP:   button_up(c, &event->button); break;
+    case SDL_MOUSEWHEEL:      c->wheel += event->wheel.y; break;
+    case SDL_DROPFILE:
+        snprintf(c->dropped, sizeof c->dropped, "%s", event->drop.file);
+        SDL_free(event->drop.file);
+        break;
+    default:
+        return false;
+    }
+    return true;
+}
+
+void control_capture(control *c, bool on)
+{
+    c->captured = SDL_SetRelativeMouseMode(on ? SDL_TRUE : SDL_FALSE) == 0 && on;
+    c->drag_x = c->drag_y = 0;
+}
+
+/* -- a tick ---------------------------------------------------------------------- */
+
+typedef struct {
+    const keymap  *keys;
+    const uint8_t *down;
+    SDL_Keymod     mod;
+} held;
+
+/* +1, 0 or -1 by two actions. */
+static int axis(const held *h, action more, action less)
+{
+    return keymap_held(h->keys, more, h->down, h->mod)
+         - keymap_held(h->keys, less, h->down, h->mod);
+}
+
+static tp_input input_of_keys(const held *h)
+{
+    const tp_fx step = keymap_held(h->keys, ACT_RUN, h->down, h->mod) ? WISH_RUN
+                                                                      : WISH_WALK;
+    return (tp_input){
+        .ahead = step * axis(h, ACT_FORWARD, ACT_BACKWARD),
+        .aside = step * axis(h, ACT_RIGHT, ACT_LEFT),
+        .up    = step * axis(h, ACT_UP, ACT_DOWN),
+        .sphere_x = WISH_STEER * axis(h, ACT_EAST, ACT_WEST),
+        .sphere_z = WISH_STEER * axis(h, ACT_SOUTH, ACT_NORTH),
+        .throttle = WISH_SAIL * axis(h, ACT_SAIL, ACT_BRAKE),
+        .rudder   = WISH_RUDDER * axis(h, ACT_STARBOARD, ACT_PORT),
+        .light_turn = WISH_LIGHT * axis(h, ACT_LIGHT_RIGHT, ACT_LIGHT_LEFT),
+        .light_tilt = WISH_LIGHT * axis(h, ACT_LIGHT_UP, ACT_LIGHT_DOWN),
     };
-    c->drag_x = 0;
-    c->drag_y = 0;
-    c->drops = 0;
-    c->slower = 0;
+}
+
+tp_input control_input(control *c, const keymap *keys, const pad *stick, bool typing)
+{
+    const held h = { keys, SDL_GetKeyboardState(NULL), SDL_GetModState() };
+    tp_input input = typing ? (tp_input){ 0 } : input_of_keys(&h);
+    input.ahead += NOTCH * tp_clamp(c->wheel, -8, 8);
+    input.turn += DRAG * c->drag_x;
+    input.tilt -= DRAG * c->drag_y;
+    pad_input(stick, &input);
+    c->wheel = c->drag_x = c->drag_y = 0;
     return input;
 }

@@ -1,25 +1,34 @@
 /* SPDX-License-Identifier: MIT */
-/* Keys and mouse: what the person at the window wants. */
+/* Mouse, wheel, held keys and the window's own events: what the person at the window
+ * wants between two ticks.  Keys that ask once go to act.c. */
 #ifndef SDL2_CONTROL_H
 #define SDL2_CONTROL_H
 #include <SDL.h>
 #include <stdbool.h>
+#include "keymap.h"
+#include "pad.h"
 #include "tidepool/scene.h"
 
 typedef struct {
-    bool     quit, pause;       /* pause: state, not event */
-    bool     shot, exposed;     /* events: the loop takes them back */
-    int      drag_x, drag_y;    /* pixels dragged since the last tick */
+    bool     quit, exposed;     /* events: the loop takes them back */
+    bool     hidden;            /* state: minimised */
+    bool     captured;          /* state: the mouse turns the camera without a button */
+    bool     turning, stirring; /* states: a button that went down on the picture is held */
+    int      drag_x, drag_y;    /* pixels, since the last tick */
+    int      wheel;             /* notches, likewise; + is away from the person */
+    bool     poke, stir;        /* events: the right button, and moved with it ... */
+    int      poke_x, poke_y;    /* ... at this pixel of the window */
     bool     resized;
     uint64_t resized_at;        /* us, of the last change of a row of them */
-    int      width, height;     /* of the window, once resized */
-    bool     poke;              /* event: the right button ... */
-    int      poke_x, poke_y;    /* ... at this pixel */
-    int      drops, slower;     /* events since the last tick */
+    char     dropped[4096];     /* a file that was dropped on the window, "" none */
 } control;
 
-void     control_event(control *c, const SDL_Event *event, uint64_t now);
+/* True: something may look otherwise now. */
+bool control_event(control *c, const SDL_Event *event, uint64_t now);
 
-/* What is wished for the next tick, but for pokes; takes the drag and the events. */
-tp_input control_input(control *c);
+/* The mouse turns the camera until it is let go again. */
+void control_capture(control *c, bool on);
+
+/* What is held now, for one tick; takes the drags.  `typing`: keys are a text field's. */
+tp_input control_input(control *c, const keymap *keys, const pad *stick, bool typing);
 #endif

@@ -1,125 +1,117 @@
 /* SPDX-License-Identifier: MIT */
-/* tidepool view: the preview.  Ticks of 1/60 s follow the clock whatever the display
- * does; a picture is drawn when a tick has changed it and shown at the display's pace. */
+/* tidepool view: the preview, its command and its loop; the rest is named in view.h.
+ *
+ * A turn of the loop takes the events, makes the ticks that are due, draws a picture if one
+ * of them has changed it, and shows it at the display's pace. */
 #define _POSIX_C_SOURCE 200809L
-#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/resource.h>
 #include <unistd.h>
 #include "../host/commands.h"
-#include "../host/deck.h"
-#include "../host/governing.h"
-#include "../host/path.h"
 #include "../host/say.h"
-#include "../host/stage.h"
 #include "../host/timing.h"
-#include "../live/wish.h"
-#include "control.h"
-#include "window.h"
+#include "view.h"
 
-#define TICKS_AT_ONCE 8             /* behind by more, the water slows down */
-#define SETTLE_US     150000u       /* a window that is being dragged larger */
-#define TITLE_US      500000u
-#define WAIT_MS       2             /* for events, when there is nothing to draw */
-
-typedef struct {
-    options *options;
-    stage    stage;
-    window   window;
-    control  control;
-    deck     tape;
-    tp_input wish;                  /* for the next tick */
-    timings  times;                 /* of drawing, since the title was set */
-    governing governing;
-    uint32_t drawn;                 /* frames */
-    uint64_t title_at, clock;       /* us */
-    uint64_t owed;                  /* ticks not yet made, in 1/1000000 */
-    bool     stale;                 /* the picture is older than the world */
-} view;
+#define SETTLE_US 150000u       /* a window that is being dragged larger */
+#define TITLE_US  500000u
+#define WAIT_MS   2             /* for events, when there is nothing to draw */
+#define AWAY_MS   100           /* the same, minimised */
+#define PAST      (64u << 20)   /* bytes, for rewinding */
 
 static void print_help(void)
 {
-    puts("usage: tidepool view SCENE [OPTION]...\n"
-         "Opens a window to look around in: drag with the left button or use the\n"
-         "arrows, move with W A S D Q E (Shift: faster), turn the light with [ ] and\n"
-         "Page Up and Down; Space pauses, P saves a screenshot, F1 prints all keys,\n"
-         "Esc quits.  --tape records what you do.\n");
+    puts("usage: tidepool view [SCENE] [OPTION]...\n"
+         "Opens a window to look around and to change everything; F1 there lists the keys.\n");
     args_print(FOR_VIEW);
 }
 
-/* -- time ------------------------------------------------------------------------ */
+/* -- the end --------------------------------------------------------------------- */
 
-/* Where the mouse points at the level of still water: a poke there. */
-static void aim(view *v, tp_input *input)
+/* The display's library ends the program when the display is gone: then what was shown is
+ * kept first, and the person told how to go on. */
+static view *alive;
+
+static void on_exit(void)
 {
-    const double pi = 3.14159265358979, one = 1 << 30;
-    const tp_camera camera = tp_world_camera(v->stage.world);
-    const tp_scene *scene = &v->stage.file.scene;
-    const tp_rotation *turn = &camera.turn;
-    const double half = v->options->height / 2.0;
-    const double focal = half / tan(scene->camera.fov / 65536.0 * pi / 360);
-    const double u = v->control.poke_x - v->options->width / 2.0;
-    const double w = half - v->control.poke_y;
-    const double x = (u * turn->x.x + w * turn->y.x - focal * turn->z.x) / one;
-    const double y = (u * turn->x.y + w * turn->y.y - focal * turn->z.y) / one;
-    const double z = (u * turn->x.z + w * turn->y.z - focal * turn->z.z) / one;
-    const double far = y < 0 ? -camera.eye.y / y : 0;
-
-    v->control.poke = false;
-    if (far <= 0 || far * (focal + fabs(u)) > 8000 * 65536.0)
+    view *v = alive;
+    alive = NULL;
+    if (!v)
         return;
-    input->poke = scene->pool.poke;
-    input->poke_x = (tp_fx)tp_limit(camera.eye.x + (int64_t)(far * x), INT32_MAX);
-    input->poke_z = (tp_fx)tp_limit(camera.eye.z + (int64_t)(far * z), INT32_MAX);
+    const stage *s = v->stage;
+    session_put(v->session, &s->file, &s->assets.names, s->world, s->world_bytes,
+                v->picture);
+    if (v->film)
+        recorder_end(v->film);
+    deck_close(&v->tape);
+    say("tidepool view: the display is lost; `tidepool view --resume` goes on");
+    fflush(NULL);
+    _exit(EXIT_INPUT);
 }
 
-/* The next picture's ticks; the first of them takes the input.  In slow motion there
- * are pictures without a tick: what was done then waits. */
-static void step(view *v)
+/* -- events ---------------------------------------------------------------------- */
+
+static bool is_key(const SDL_Event *event)
 {
-    static const tp_input nothing;
-    tp_world *world = v->stage.world;
-    for (uint32_t ticks = tp_world_frame(world); ticks > 0; ticks--) {
-        deck_add(&v->tape, world->tick, &v->wish);
-        tp_world_step(world, &v->stage.file.scene, &v->wish);
-        v->wish = nothing;
+    return event->type == SDL_KEYDOWN && !event->key.repeat;
+}
+
+static void take_event(view *v, const SDL_Event *event, uint64_t now)
+{
+    if (event->type == SDL_KEYDOWN || event->type == SDL_MOUSEBUTTONDOWN
+        || event->type == SDL_MOUSEMOTION)
+        figures_input(v->figures, now);
+    v->lively = 2;
+    if (window_event(&v->window, event)) {
+        view_size(v);
+        return;
     }
-}
-
-static void tick(view *v)
-{
-    const tp_input input = control_input(&v->control);
-    wish_add(&v->wish, &input);
-    if (v->control.poke)
-        aim(v, &v->wish);
-    if (!v->control.pause) {
-        step(v);
-        v->stale = true;
-    } else if (wish_moves(&input)) {
-        tp_world_look(v->stage.world, &input);
-        v->wish = (tp_input){ 0 };
-        v->stale = true;
+    if (v->panel && v->window.panel && panel_event(v->panel, event))
+        return;
+    if (is_key(event)) {
+        const action what = keymap_action(&v->keys, &event->key.keysym);
+        if (what < ACTIONS)
+            view_act(v, what);
+        return;
     }
+    const action what = pad_event(&v->pad, event);
+    if (what < ACTIONS)
+        view_act(v, what);
+    control_event(&v->control, event, now);
 }
 
-static void advance(view *v, uint64_t now)
+static void take_events(view *v)
 {
-    v->owed += (now - v->clock) * TP_TICKS_PER_SECOND;
-    v->clock = now;
-    for (int i = 0; i < TICKS_AT_ONCE && v->owed >= 1000000u; i++, v->owed -= 1000000u)
-        tick(v);
-    v->owed %= 1000000u;
+    SDL_Event event;
+    while (SDL_PollEvent(&event))
+        take_event(v, &event, now_us());
+    if (v->control.dropped[0])
+        view_open(v, v->control.dropped);
+    v->control.dropped[0] = '\0';
+    v->quit = v->quit || v->control.quit;
 }
 
-/* What the window is called. */
+/* -- the loop -------------------------------------------------------------------- */
+
 static const char *name_of(const view *v)
 {
-    const char *title = v->stage.file.scene.title;
-    return title[0] ? title : v->stage.file.name;
+    const char *title = v->stage->file.scene.title;
+    return title[0] ? title : v->stage->file.name;
 }
 
-/* -- pictures -------------------------------------------------------------------- */
+static void set_title(view *v, uint64_t now)
+{
+    char title[256];
+    if (now - v->title_at < TITLE_US)
+        return;
+    snprintf(title, sizeof title, "tidepool: %s, %ux%u: %.1f ms a frame%s%s - F1: keys",
+             name_of(v), (unsigned)v->options->width, (unsigned)v->options->height,
+             (double)v->shown.median_ms, v->paused ? ", paused" : "",
+             v->film ? ", filming" : v->taping ? ", on tape" : "");
+    SDL_SetWindowTitle(v->window.window, title);
+    v->title_at = now;
+}
 
 static int resize(view *v, uint64_t now)
 {
@@ -127,109 +119,156 @@ static int resize(view *v, uint64_t now)
     if (!c->resized || now - c->resized_at < SETTLE_US)
         return EXIT_DONE;
     c->resized = false;
-    v->options->width = (uint32_t)tp_clamp(c->width, 16, 4096);
-    v->options->height = (uint32_t)tp_clamp(c->height, 16, 4096);
-    v->stale = true;
-    const int code = stage_canvas(&v->stage, v->options);
-    if (!code)
-        governing_begin(&v->governing, &v->stage);
-    return code;
+    return view_size(v);
 }
 
-static int draw(view *v)
+static int turn(view *v)
 {
-    const uint64_t begin = now_us();
-    canvas_draw(&v->stage.canvas, v->stage.world);
-    const uint64_t took = now_us() - begin;
-    timings_add(&v->times, took);
-    governing_add(&v->governing, v->drawn++, took);
-    v->stale = false;
-    if (!window_upload(&v->window, &v->stage.canvas.picture))
-        return fail(EXIT_INPUT, "tidepool view: %s", SDL_GetError());
-    return EXIT_DONE;
-}
-
-static void set_title(view *v, uint64_t now)
-{
-    char title[256];
-    if (now - v->title_at < TITLE_US || !v->times.count)
-        return;
-    const unsigned us = timings_median(&v->times);
-    snprintf(title, sizeof title, "tidepool: %s, %ux%u: %u.%u ms a frame%s - F1: keys",
-             name_of(v), (unsigned)v->options->width, (unsigned)v->options->height,
-             us / 1000, us / 100 % 10, v->control.pause ? ", paused" : "");
-    SDL_SetWindowTitle(v->window.window, title);
-    v->times.count = 0;
-    v->title_at = now;
-}
-
-/* Under the first number that is free. */
-static void save_shot(view *v)
-{
-    char name[TP_NAME_BYTES + 32];
-    int number = 0;
-    do
-        snprintf(name, sizeof name, "%.100s-%04d.png", v->stage.file.name, ++number);
-    while (access(name, F_OK) == 0 && number < 9999);
-    v->control.shot = false;
-    if (picture_write_png(&v->stage.canvas.picture, name) == EXIT_DONE)
-        say("%s", name);
-}
-
-/* -- the loop -------------------------------------------------------------------- */
-
-static int frame(view *v)
-{
-    SDL_Event event;
-    while (SDL_PollEvent(&event))
-        control_event(&v->control, &event, now_us());
+    take_events(v);
     const uint64_t now = now_us();
     int code = resize(v, now);
-    advance(v, now);
-    const bool fresh = v->stale;
+    view_advance(v, now);
+    figures_part(v->figures, FIGURE_WORLD, now_us() - now);
+    if (v->window.lost && v->letters)
+        letters_again(v->letters);
+    v->stale = v->stale || v->window.lost;
+    v->window.lost = false;
+    const bool fresh = (v->stale || compare_moves(v->compare)) && !v->control.hidden;
     if (!code && fresh)
-        code = draw(v);
+        code = view_draw(v);
     if (code)
         return code;
-    if (v->control.shot)
-        save_shot(v);
-    if (fresh || v->control.exposed) {
-        window_clear(&v->window, 1);
-        window_present(&v->window);
+    if (fresh || v->control.exposed || v->lively > 0) {
+        v->lively -= v->lively > 0;
+        view_panel_fill(v, now);
+        view_show(v, now);
+        if (fresh)
+            figures_picture(v->figures, now_us() - now);
     } else {
-        SDL_WaitEventTimeout(NULL, WAIT_MS);
+        SDL_WaitEventTimeout(NULL, v->control.hidden ? AWAY_MS : WAIT_MS);
     }
-    v->control.exposed = false;
     set_title(v, now);
+    view_keep(v, now);
+    if (v->options->counted && v->drawn > v->options->last)
+        v->quit = true;
     return EXIT_DONE;
+}
+
+/* -- the beginning --------------------------------------------------------------- */
+
+static void place_window(view *v, int width, int height)
+{
+    SDL_SetWindowSize(v->window.window, width, height);
+    SDL_SetWindowPosition(v->window.window, SDL_WINDOWPOS_CENTERED, SDL_WINDOWPOS_CENTERED);
+}
+
+/* The picture as asked for and the panel beside it, if the display has room for both. */
+static int open_window(view *v)
+{
+    char title[TP_NAME_BYTES + 32];
+    SDL_Rect usable = { 0, 0, 0, 0 };
+    const options *o = v->options;
+    const int wide = (int)o->width * v->scale, beside = view_panel_width(v);
+    snprintf(title, sizeof title, "tidepool: %s", name_of(v));
+    if (!window_open(&v->window, title, (int)o->width, (int)o->height, v->scale, 0)) {
+        say("tidepool view: no window can be opened: %s", SDL_GetError());
+        return fail(EXIT_INPUT, "Without a display, this draws a picture:"
+                    " tidepool render %s --out %s.png", v->stage->file.name,
+                    v->stage->file.name);
+    }
+    v->letters = letters_open(v->window.renderer);
+    view_panel_open(v);
+    SDL_GetDisplayUsableBounds(SDL_GetWindowDisplayIndex(v->window.window), &usable);
+    v->window.panel = v->panel && !o->no_panel ? beside : 0;
+    const int all = wide + window_layout(&v->window, v->scale).bar.w + v->window.panel;
+    if (all <= usable.w)
+        place_window(v, all, (int)o->height * v->scale);
+    else
+        v->window.panel = 0;
+    if (o->counted)
+        SDL_RenderSetVSync(v->window.renderer, 0);
+    return view_size(v);
+}
+
+static int open_scene(view *v)
+{
+    const options *o = v->options;
+    const char *scene = o->scene ? o->scene : "three-swells";
+    view_list(v);
+    if (o->resume)
+        return view_resume(v);
+    if (!view_open(v, scene))
+        return EXIT_INPUT;
+    if (o->play)
+        return view_play(v, o->play);
+    return o->tape ? view_tape(v, o->tape) : EXIT_DONE;
 }
 
 static int run(view *v)
 {
-    char title[TP_NAME_BYTES + 32];
-    snprintf(title, sizeof title, "tidepool: %s", name_of(v));
-    const int width = (int)v->options->width, height = (int)v->options->height;
-    if (!window_open(&v->window, title, width, height, 1, 0)) {
-        say("tidepool view: no window can be opened: %s", SDL_GetError());
-        return fail(EXIT_INPUT, "Without a display, this draws a picture:"
-                    " tidepool render %s --out %s.png", v->options->scene,
-                    v->stage.file.name);
-    }
+    int code = keymap_read(&v->keys, v->options->keys);
+    if (!code)
+        code = open_scene(v);
+    if (!code)
+        code = open_window(v);
+    if (code)
+        return code;
+    v->clock = v->title_at = v->kept_at = now_us();
     v->stale = true;
-    v->clock = v->title_at = now_us();
-    governing_begin(&v->governing, &v->stage);
-    int code = EXIT_DONE;
-    while (!v->control.quit && !code)
-        code = frame(v);
+    if (!v->options->counted)
+        v->session = session_begin();
+    view_say(v, "%s  -  F1: all keys   drag: look round   W A S D: move   P: pause",
+             name_of(v));
+    alive = v;
+    atexit(on_exit);
+    while (!v->quit && !code)
+        code = turn(v);
+    alive = NULL;
     return code;
+}
+
+static void print_stats(view *v)
+{
+    struct rusage used;
+    getrusage(RUSAGE_SELF, &used);
+    printf("{\"pictures\": %u, \"ms_median\": %.3f, \"per_second\": %.1f, "
+           "\"latency_ms\": %.1f, \"peak_kb\": %ld, \"panel\": %s", (unsigned)v->drawn,
+           (double)v->shown.median_ms, (double)v->shown.shown_per_s,
+           (double)v->shown.latency_ms, used.ru_maxrss, v->panel ? "true" : "false");
+    for (uint32_t i = 0; i < v->shown.part_count; i++)
+        printf(", \"%s\": %.1f", v->shown.parts[i].name, (double)v->shown.parts[i].mean);
+    puts("}");
+}
+
+static void end(view *v)
+{
+    const stage *s = v->stage;
+    if (s) {
+        view_film(v, false);
+        session_put(v->session, &s->file, &s->assets.names, s->world, s->world_bytes,
+                    v->picture);
+    }
+    session_end(v->session);
+    pad_close(&v->pad);
+    view_panel_close(v);
+    if (v->letters)
+        letters_close(v->letters);
+    window_close(&v->window);
+    compare_end(v->compare);
+    figures_end(v->figures);
+    past_end(v->past);
+    view_unlist(v);
+    free(v->saved_as);
+    if (v->stage)
+        stage_close(v->stage);
+    free(v->stage);
 }
 
 int view_command(int argc, char **argv)
 {
     options o;
-    view v;
-    memset(&v, 0, sizeof v);
-    v.options = &o;
+    static view v;              /* large, and seen by on_exit */
+    v = (view){ .options = &o, .ui = 100, .scale = 1 };
     int code = args_read(&o, FOR_VIEW, argc, argv);
     if (!o.threads)
         o.threads = crew_usual();
@@ -237,17 +276,21 @@ int view_command(int argc, char **argv)
         print_help();
         code = finish_stdout();
     } else if (!code) {
-        code = stage_open(&v.stage, &o);
-        if (!code && o.tape)
-            code = deck_record(&v.tape, o.tape, v.stage.file.name);
-        if (!code)
-            code = run(&v);
-        const int end = deck_close(&v.tape);
-        code = code ? code : end;
-        window_close(&v.window);
+        v.scale = o.scale ? (int)o.scale : 1;
+        v.ui = o.ui ? (int)o.ui : 100;
+        keymap_default(&v.keys);
+        v.past = past_begin(PAST);
+        v.compare = compare_begin();
+        v.figures = figures_begin();
+        code = run(&v);
+        const int taped = view_untape(&v);
+        code = code ? code : taped;
+        end(&v);
+        if (!code && o.stats) {
+            print_stats(&v);
+            code = finish_stdout();
+        }
     }
-    timings_free(&v.times);
-    stage_close(&v.stage);
     free(o.settings);
     return code;
 }

@@ -1,0 +1,224 @@
+/* SPDX-License-Identifier: MIT */
+/* What an action does.  Held ones are read each tick (control.c) and are no news here. */
+#include <stdarg.h>
+#include <stdio.h>
+#include <string.h>
+#include "../host/say.h"
+#include "../live/poke.h"
+#include "view.h"
+
+#define UI_LEAST 50             /* percent */
+#define UI_MOST  400
+#define UI_STEP  25
+#define SCALES   4
+
+/* What was said before this is not shown over it. */
+void view_say(view *v, const char *format, ...)
+{
+    va_list list;
+    va_start(list, format);
+    vsnprintf(v->said, sizeof v->said, format, list);
+    va_end(list);
+    (void)say_last(&v->said_count);
+    v->said_at = 0;
+    v->lively = 2;
+}
+
+static void drop(view *v)
+{
+    if (tp_world_drops(v->stage->world))
+        v->wish.drops += v->wish.drops < 1024;
+    else
+        view_say(v, "this scene has no drops: drops.count in the panel gives it some");
+}
+
+static void poke(view *v, uint32_t number)
+{
+    const tp_scene *scene = &v->stage->file.scene;
+    if (scene->pool.cols || scene->field.cols)
+        poke_point(scene, number, &v->wish);
+    else
+        view_say(v, "this scene has no pool");
+}
+
+static void shift_clock(view *v, int slower)
+{
+    const int64_t target = v->stage->world->clock.target;
+    const int64_t to = slower > 0 ? target / 2 : target * 2;
+    v->wish.slower += slower;
+    if (to < TP_CLOCK_SLOWEST || to > TP_CLOCK_FASTEST)
+        view_say(v, "that is as %s as it goes", slower > 0 ? "slow" : "fast");
+    else if (to >= TP_FX_ONE)
+        view_say(v, "time goes %d times as fast", (int)(to >> 16));
+    else
+        view_say(v, "time goes at 1/%d", (int)(TP_FX_ONE / to));
+}
+
+static void pause(view *v, bool on)
+{
+    v->paused = on;
+    v->lively = 2;
+}
+
+static void next_format(view *v)
+{
+    options *o = v->options;
+    o->format = (tp_format)((o->format + 1) % TP_FORMAT_COUNT);
+    o->formatted = true;
+    if (view_size(v) == EXIT_DONE)
+        view_say(v, "pixels: %s", tp_format_name(o->format));
+}
+
+static void next_scale(view *v)
+{
+    v->scale = v->scale % SCALES + 1;
+    if (view_size(v) == EXIT_DONE)
+        view_say(v, "pixels %d times as large: %ux%u", v->scale,
+                 (unsigned)v->options->width, (unsigned)v->options->height);
+}
+
+static void compare_next(view *v, bool against)
+{
+    compare_how how = compare_how_of(v->compare);
+    compare_against other = compare_against_of(v->compare);
+    if (!v->compare)
+        return;
+    if (!against)
+        how = (compare_how)((how + 1) % COMPARE_HOWS);
+    else
+        other = (compare_against)((other + 1) % AGAINSTS);
+    if (how == COMPARE_OFF && against)
+        how = COMPARE_SPLIT;
+    compare_set(v->compare, how, other);
+    view_say(v, how == COMPARE_OFF ? "one picture" : "%s: %s", compare_how_name[how],
+             compare_against_name[other]);
+    v->stale = true;
+}
+
+static void letters_by(view *v, int percent)
+{
+    v->ui = tp_clamp(v->ui + percent, UI_LEAST, UI_MOST);
+    if (v->panel)
+        panel_scale(v->panel, (float)v->ui / 100);
+    if (v->window.panel)
+        v->window.panel = view_panel_width(v);
+    view_size(v);
+    view_say(v, "letters %d%%", v->ui);
+}
+
+/* Numbered names, the first that is free. */
+static void tape(view *v)
+{
+    char *name = v->tape_name;
+    FILE *file;
+    if (v->taping || v->playing) {
+        view_untape(v);
+        view_say(v, "the tape has ended");
+        return;
+    }
+    view_restart(v);
+    for (int number = 1; number < 10000; number++) {
+        snprintf(name, sizeof v->tape_name, "%.100s-%04d.tape", v->stage->file.name, number);
+        if ((file = fopen(name, "r")) == NULL)
+            break;
+        fclose(file);
+    }
+    if (view_tape(v, name) != EXIT_DONE)
+        return;
+    view_tape_changes(v);
+    view_say(v, "recording %s", name);
+}
+
+static void show_panel(view *v, bool on)
+{
+    if (!v->panel) {
+        view_say(v, "built without the panel: it needs Dear ImGui (libimgui-dev)");
+        return;
+    }
+    v->window.panel = on ? view_panel_width(v) : 0;
+    if (!on)
+        panel_draw(v->panel, NULL);
+    view_size(v);
+}
+
+static void search(view *v)
+{
+    if (!v->window.panel)
+        show_panel(v, true);
+    if (v->panel)
+        panel_search(v->panel);
+}
+
+static void leave(view *v)
+{
+    if (v->control.captured)
+        control_capture(&v->control, false);
+    else if (v->help)
+        v->help = false;
+    else
+        v->quit = true;
+}
+
+void view_act(view *v, action what)
+{
+    v->lively = 2;
+    switch (what) {
+    case ACT_MOUSE:      control_capture(&v->control, !v->control.captured); break;
+    case ACT_LOOK_FREE:  view_look(v, LOOK_FREE); break;
+    case ACT_LOOK_ORBIT: view_look(v, LOOK_ORBIT); break;
+    case ACT_LOOK_TOP:   view_look(v, LOOK_TOP); break;
+    case ACT_LOOK_BOAT:  view_look(v, LOOK_BOAT); break;
+    case ACT_DROP:       drop(v); break;
+    case ACT_POKE1: case ACT_POKE2: case ACT_POKE3:
+    case ACT_POKE4: case ACT_POKE5: case ACT_POKE6:
+        poke(v, (uint32_t)(what - ACT_POKE1));
+        break;
+    case ACT_PAUSE:      pause(v, !v->paused); break;
+    case ACT_SLOWER:     shift_clock(v, 1); break;
+    case ACT_FASTER:     shift_clock(v, -1); break;
+    case ACT_STEP:       pause(v, true); view_step(v); break;
+    case ACT_STEP_BACK:  pause(v, true); view_back(v); break;
+    case ACT_RESTART:    view_restart(v); view_say(v, "from the beginning"); break;
+    case ACT_NEXT_SCENE: view_turn_to(v, 1); break;
+    case ACT_LAST_SCENE: view_turn_to(v, -1); break;
+    case ACT_RELOAD:     view_open(v, v->stage->file.path); break;
+    case ACT_SAVE:       view_save(v); break;
+    case ACT_UNDO:       view_undo(v, false); break;
+    case ACT_REDO:       view_undo(v, true); break;
+    case ACT_PANEL:      show_panel(v, !v->window.panel); break;
+    case ACT_SEARCH:     search(v); break;
+    case ACT_FIGURES:    v->sheet = !v->sheet; break;
+    case ACT_FORMAT:     next_format(v); break;
+    case ACT_SCALE:      next_scale(v); break;
+    case ACT_COMPARE:    compare_next(v, false); break;
+    case ACT_AGAINST:    compare_next(v, true); break;
+    case ACT_LARGER:     letters_by(v, UI_STEP); break;
+    case ACT_SMALLER:    letters_by(v, -UI_STEP); break;
+    case ACT_FULL:       v->full = !v->full; window_full(&v->window, v->full); break;
+    case ACT_FILM:       view_film(v, !v->film); break;
+    case ACT_TAPE:       tape(v); break;
+    case ACT_SHOT:       view_save_shot(v); break;
+    case ACT_HELP:       v->help = !v->help; break;
+    case ACT_QUIT:       leave(v); break;
+    default:             break;
+    }
+}
+
+bool view_is_on(const view *v, action what)
+{
+    switch (what) {
+    case ACT_PAUSE:      return v->paused;
+    case ACT_FILM:       return v->film != NULL;
+    case ACT_TAPE:       return v->taping || v->playing;
+    case ACT_FIGURES:    return v->sheet;
+    case ACT_PANEL:      return v->window.panel > 0;
+    case ACT_MOUSE:      return v->control.captured;
+    case ACT_COMPARE:    return compare_how_of(v->compare) != COMPARE_OFF;
+    case ACT_LOOK_FREE:  return v->look.mode == LOOK_FREE;
+    case ACT_LOOK_ORBIT: return v->look.mode == LOOK_ORBIT;
+    case ACT_LOOK_TOP:   return v->look.mode == LOOK_TOP;
+    case ACT_LOOK_BOAT:  return v->look.mode == LOOK_BOAT;
+    case ACT_FULL:       return v->full;
+    default:             return false;
+    }
+}

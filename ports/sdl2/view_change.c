@@ -1,0 +1,299 @@
+/* SPDX-License-Identifier: MIT */
+/* What is shown, and how it is changed: scenes, values, undo, saving, what is kept for
+ * --resume.  A change goes three ways at once: to the scene, to the tape, to the list that
+ * undo reads. */
+#define _POSIX_C_SOURCE 200809L
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include "../host/path.h"
+#include "../host/say.h"
+#include "../host/scene_save.h"
+#include "view.h"
+
+#define KEEP_US 1000000u
+
+/* -- what there is --------------------------------------------------------------- */
+
+static void add_scene(view *v, const char *folder, const char *name, const char *given)
+{
+    view_scenes *all = &v->scenes;
+    const uint32_t room = all->count + 1;
+    char **names = realloc(all->name, room * sizeof *names);
+    all->name = names ? names : all->name;
+    char **shows = realloc(all->shows, room * sizeof *shows);
+    all->shows = shows ? shows : all->shows;
+    char *path = path_join(folder, name, ".ini");
+    scene_file file = { 0 };
+    if (!names || !shows || !path || scene_file_open(&file, path)) {
+        free(path);
+        scene_file_close(&file);
+        return;                 /* a file that is no scene has said so */
+    }
+    const char *text = file.scene.shows;
+    all->shows[all->count] = path_copy(text, strlen(text));
+    all->name[all->count] = path_copy(given ? given : path, strlen(given ? given : path));
+    all->count += all->shows[all->count] && all->name[all->count];
+    free(path);
+    scene_file_close(&file);
+}
+
+static void add_folder(view *v, const char *folder, bool shipped)
+{
+    size_t count;
+    char **names = path_scene_names(folder, &count);
+    for (size_t i = 0; i < count; i++)
+        add_scene(v, folder, names[i], shipped ? names[i] : NULL);
+    path_free_names(names, count);
+}
+
+/* As a scene file of the shipped ones names them: "../textures/foam.png". */
+static void add_pictures(view *v, const char *scenes, const char *folder)
+{
+    size_t count;
+    char *path = path_join(scenes, folder, "");
+    char **names = path ? path_names(path, ".png", &count) : NULL;
+    for (size_t i = 0; names && i < count; i++) {
+        char **more = realloc(v->pictures, (v->picture_count + 1) * sizeof *more);
+        if (!more)
+            break;
+        v->pictures = more;
+        more[v->picture_count] = path_join(folder, names[i], ".png");
+        v->picture_count += more[v->picture_count] != NULL;
+    }
+    if (names)
+        path_free_names(names, count);
+    free(path);
+}
+
+void view_list(view *v)
+{
+    char *folder = path_of_scenes();
+    if (folder) {
+        add_folder(v, folder, true);
+        add_pictures(v, folder, "../textures");
+        add_pictures(v, folder, "../skies");
+        free(folder);
+    }
+    add_folder(v, ".", false);
+}
+
+void view_unlist(view *v)
+{
+    for (uint32_t i = 0; i < v->scenes.count; i++) {
+        free(v->scenes.name[i]);
+        free(v->scenes.shows[i]);
+    }
+    free(v->scenes.name);
+    free(v->scenes.shows);
+    path_free_names(v->pictures, v->picture_count);
+    v->scenes = (view_scenes){ 0 };
+    v->pictures = NULL;
+    v->picture_count = 0;
+}
+
+/* -- opening --------------------------------------------------------------------- */
+
+static void find_at(view *v, const char *scene)
+{
+    v->scenes.at = 0;
+    while (v->scenes.at < v->scenes.count && strcmp(v->scenes.name[v->scenes.at], scene))
+        v->scenes.at++;
+}
+
+void view_refit(view *v, bool opened)
+{
+    if (opened)
+        governing_begin(&v->governing, v->stage);
+    compare_forget(v->compare);
+    v->stale = true;
+}
+
+/* The settings of the command line were for the scene that it names. */
+static stage *load(view *v, const char *scene)
+{
+    options wanted = *v->options;
+    stage *next = calloc(1, sizeof *next);
+    wanted.scene = scene;
+    if (v->stage)
+        wanted.n_settings = 0;
+    if (!next) {
+        fail_memory(sizeof *next);
+        return NULL;
+    }
+    if (stage_open(next, &wanted) == EXIT_DONE)
+        return next;
+    stage_close(next);
+    free(next);
+    return NULL;
+}
+
+bool view_open(view *v, const char *scene)
+{
+    scene_file filed;
+    stage *next = load(v, scene);
+    if (!next)
+        return false;
+    if (v->stage) {
+        view_film(v, false);
+        view_untape(v);
+        compare_forget(v->compare);     /* it reads what is closed now */
+        stage_close(v->stage);
+        free(v->stage);
+    }
+    v->stage = next;
+    v->filed = next->file.scene;
+    if (scene_file_open(&filed, scene) == EXIT_DONE)
+        v->filed = filed.scene;
+    scene_file_close(&filed);
+    v->picture = 0;
+    v->base = 0;
+    v->wish = (tp_input){ 0 };
+    v->changed = false;
+    past_forget(v->past);
+    edits_clear(&v->edits);
+    v->look = (look){ .mode = LOOK_FREE };
+    find_at(v, scene);
+    free(v->saved_as);
+    v->saved_as = scene_save_name(&next->file);
+    view_refit(v, true);
+    return true;
+}
+
+void view_turn_to(view *v, int by)
+{
+    const uint32_t count = v->scenes.count;
+    if (count == 0)
+        return;
+    const uint32_t at = v->scenes.at < count ? v->scenes.at : by > 0 ? count - 1 : 0;
+    const uint32_t to = (at + count + (uint32_t)by) % count;
+    if (view_open(v, v->scenes.name[to]))
+        view_say(v, "%s: %s", v->scenes.name[to], v->scenes.shows[to]);
+    v->scenes.at = to;
+}
+
+/* -- values ---------------------------------------------------------------------- */
+
+/* To the stage; the tape is told, and the past is cut where a world ends. */
+static bool put(view *v, const tp_param *param, const char *text)
+{
+    char setting[64 + PANEL_TEXT];
+    bool opened = false;
+    const tp_world *before = v->stage->world;
+    const uint64_t tick = before->tick;
+    if (v->playing) {
+        view_say(v, "a tape plays: F10 ends it");
+        return false;
+    }
+    snprintf(setting, sizeof setting, "%s=%s", param->name, text);
+    compare_forget(v->compare);
+    if (stage_set(v->stage, v->options, "the panel", setting, &opened) != EXIT_DONE)
+        return false;
+    deck_set(&v->tape, v->base + tick, setting);
+    v->base += tick - v->stage->world->tick;
+    if (v->stage->world != before)      /* it was made anew */
+        past_forget(v->past);
+    v->changed = true;
+    view_refit(v, opened);
+    return true;
+}
+
+bool view_set(view *v, uint32_t row, const char *text, bool going)
+{
+    uint32_t count;
+    const tp_param *param = &tp_params(&count)[row];
+    char before[PANEL_TEXT], after[PANEL_TEXT];
+    tp_param_text(&v->stage->file.scene, param, before, sizeof before);
+    if (!put(v, param, text))
+        return false;
+    tp_param_text(&v->stage->file.scene, param, after, sizeof after);
+    edits_add(&v->edits, row, before, after, going);
+    return true;
+}
+
+void view_tape_changes(view *v)
+{
+    uint32_t count;
+    const tp_param *params = tp_params(&count);
+    for (uint32_t i = 0; i < count; i++) {
+        char now[PANEL_TEXT], filed[PANEL_TEXT], setting[64 + PANEL_TEXT];
+        tp_param_text(&v->stage->file.scene, &params[i], now, sizeof now);
+        tp_param_text(&v->filed, &params[i], filed, sizeof filed);
+        snprintf(setting, sizeof setting, "%s=%s", params[i].name, now);
+        if (strcmp(now, filed) != 0)
+            deck_set(&v->tape, v->base + v->stage->world->tick, setting);
+    }
+}
+
+void view_undo(view *v, bool again)
+{
+    uint32_t count;
+    const edit *e = again ? edits_redo(&v->edits) : edits_undo(&v->edits);
+    if (!e) {
+        view_say(v, again ? "nothing to make again" : "nothing to undo");
+        return;
+    }
+    const tp_param *param = &tp_params(&count)[e->row];
+    const char *text = again ? e->after : e->before;
+    if (put(v, param, text))
+        view_say(v, "%s = %s", param->name, text);
+}
+
+/* The way to look, and what the scene has to say for it. */
+void view_look(view *v, look_mode mode)
+{
+    static const char *const words[] = { "none", "boat" };
+    stage *s = v->stage;
+    const tp_param *row = tp_param_find("camera.follow", strlen("camera.follow"));
+    if (!look_begin(&v->look, mode, s->world, &s->file.scene)) {
+        view_say(v, "this scene has no %s", look_name(mode));
+        return;
+    }
+    const tp_camera_follow follow = look_follow(&v->look, &v->filed);
+    if ((int32_t)follow != s->file.scene.camera.follow)
+        put(v, row, words[follow]);
+    view_say(v, "%s", look_name(mode));
+}
+
+/* -- files ----------------------------------------------------------------------- */
+
+void view_save(view *v)
+{
+    if (!v->saved_as || scene_save(&v->stage->file, v->saved_as) != EXIT_DONE)
+        return;
+    view_say(v, "saved as %s", v->saved_as);
+    v->filed = v->stage->file.scene;
+}
+
+int view_resume(view *v)
+{
+    session_state state;
+    uint32_t number;
+    int code = session_read(&state);
+    if (code)
+        return code;
+    bool opened = view_open(v, state.scene);
+    for (uint32_t i = 0; opened && i < state.count; i++) {
+        bool open = false;
+        if (stage_set(v->stage, v->options, "--resume", state.settings[i], &open) == EXIT_DONE)
+            view_refit(v, open);
+    }
+    if (opened && session_world(&v->stage->file.scene, &v->stage->assets.names,
+                                v->stage->world, v->stage->world_bytes, &number)) {
+        v->picture = number;
+        v->changed = true;
+        say("going on with %s at picture %u", v->stage->file.name, (unsigned)number);
+    }
+    session_free(&state);
+    return opened ? EXIT_DONE : EXIT_INPUT;
+}
+
+void view_keep(view *v, uint64_t now)
+{
+    const stage *s = v->stage;
+    if (now - v->kept_at < KEEP_US)
+        return;
+    v->kept_at = now;
+    session_offer(v->session, &s->file, &s->assets.names, s->world, s->world_bytes,
+                  v->picture);
+}

@@ -1,0 +1,168 @@
+/* SPDX-License-Identifier: MIT */
+/* The picture: drawn by a canvas as large as the window has room, compared, filmed, and
+ * shown with what lies over it.  What lies over it is the window's alone: screenshots and
+ * films are the bits of the core. */
+#define _POSIX_C_SOURCE 200809L
+#include <stdio.h>
+#include <string.h>
+#include <unistd.h>
+#include "../host/say.h"
+#include "../host/stopwatch.h"
+#include "../host/timing.h"
+#include "overlay.h"
+#include "view.h"
+
+#define SAID_US 4000000u        /* that a message stays, and ... */
+#define FADE_US 500000u         /* ... takes to go */
+
+/* -- drawing --------------------------------------------------------------------- */
+
+int view_size(view *v)
+{
+    options *o = v->options;
+    if (v->film) {
+        view_say(v, "the film has ended: its pictures have one size");
+        view_film(v, false);
+    }
+    window_fits(&v->window, v->scale, &o->width, &o->height);
+    const int code = stage_canvas(v->stage, o);
+    if (!code)
+        view_refit(v, true);
+    return code;
+}
+
+int view_draw(view *v)
+{
+    stage *s = v->stage;
+    const bool timed = v->measures || v->sheet;
+    stopwatch_use(&s->canvas, timed);
+    if (timed != v->timed)
+        figures_measures(v->figures, timed);
+    v->timed = timed;
+    const uint64_t begin = now_us();
+    canvas_draw(&s->canvas, s->world);
+    const uint64_t took = now_us() - begin;
+    governing_add(&v->governing, v->drawn++, took);
+    figures_part(v->figures, FIGURE_GEOMETRY, s->canvas.begin_us);
+    figures_part(v->figures, FIGURE_PIXELS, took - s->canvas.begin_us);
+    v->stale = false;
+
+    if (v->film && !recorder_add(v->film, &s->canvas.picture))
+        view_film(v, false);
+    const picture *other = compare_draw(v->compare, s);
+    const uint64_t drawn = now_us();
+    if (!window_upload(&v->window, other ? other : &s->canvas.picture))
+        return fail(EXIT_INPUT, "tidepool view: %s", SDL_GetError());
+    figures_part(v->figures, FIGURE_COMPARE, drawn - begin - took);
+    figures_part(v->figures, FIGURE_UPLOAD, now_us() - drawn);
+    return EXIT_DONE;
+}
+
+/* -- what lies over it ----------------------------------------------------------- */
+
+/* What was said to the terminal last is said here too. */
+static void take_said(view *v, uint64_t now)
+{
+    unsigned count;
+    const char *last = say_last(&count);
+    if (count != v->said_count) {
+        v->said_count = count;
+        snprintf(v->said, sizeof v->said, "%s", last);
+        v->said_at = 0;
+    }
+    if (v->said[0] && v->said_at == 0)
+        v->said_at = now;
+}
+
+static void draw_said(view *v, const layout *at, int scale, uint64_t now)
+{
+    const uint64_t age = now - v->said_at;
+    if (!v->said[0] || age > SAID_US + FADE_US) {
+        v->said[0] = '\0';
+        return;
+    }
+    const uint64_t left = SAID_US + FADE_US - age;
+    v->lively = v->lively > 1 ? v->lively : 1;
+    overlay_message(v->letters, &at->room, scale, v->said,
+                    left < FADE_US ? (uint8_t)(255 * left / FADE_US) : 255);
+}
+
+/* Beside what, and how far off: at the upper right. */
+static void draw_compared(view *v, const layout *at, int scale)
+{
+    const panel_compare *c = &v->compared;
+    char text[VIEW_SAID];
+    if (c->psnr >= 100)
+        snprintf(text, sizeof text, "%s: %s, the same bits", c->off, c->against);
+    else if (c->psnr >= 0)
+        snprintf(text, sizeof text, "%s: %s, %.1f dB  %s", c->off, c->against, c->psnr,
+                 c->note);
+    else
+        snprintf(text, sizeof text, "%s: %s  %s", c->off, c->against, c->note);
+    const int wide = (letters_count(text) + 2) * LETTER_WIDE * scale;
+    const int high = (LETTER_HIGH + 4) * scale;
+    const int x = at->room.x + at->room.w - wide, y = at->room.y;
+    letters_box(v->letters, x, y, wide, high, 160);
+    letters_draw(v->letters, x + LETTER_WIDE * scale, y + 3 * scale, scale, 0xffffff, text);
+}
+
+static void draw_over(view *v, const layout *at, uint64_t now)
+{
+    const int scale = v->ui >= 200 ? 1 + v->ui / 200 : v->ui > 125 ? 2 : 1;
+    const bool large = at->room.w >= 960 && at->room.h >= 540;
+    const int size = scale + (large && scale == 1);
+    if (v->sheet)
+        overlay_figures(v->letters, &at->room, size, &v->shown, &v->compared);
+    if (compare_how_of(v->compare) != COMPARE_OFF)
+        draw_compared(v, at, size);
+    if (v->help)
+        overlay_help(v->letters, &at->room, size, &v->keys);
+    else
+        draw_said(v, at, size, now);
+}
+
+void view_show(view *v, uint64_t now)
+{
+    const layout at = window_layout(&v->window, v->scale);
+    take_said(v, now);
+    window_clear(&v->window, v->scale);
+    const uint64_t begin = now_us();
+    if (v->letters)
+        draw_over(v, &at, now);
+    if (v->panel && at.panel.w > 0)
+        panel_draw(v->panel, &at.panel);
+    const uint64_t painted = now_us();
+    window_present(&v->window);
+    figures_part(v->figures, FIGURE_PANEL, painted - begin);
+    figures_part(v->figures, FIGURE_PRESENT, now_us() - painted);
+    figures_shown(v->figures, now_us());
+    v->control.exposed = false;
+}
+
+/* -- pictures and films as files ------------------------------------------------- */
+
+/* Under the first number that is free. */
+void view_save_shot(view *v)
+{
+    char name[TP_NAME_BYTES + 32];
+    int number = 0;
+    do
+        snprintf(name, sizeof name, "%.100s-%04d.png", v->stage->file.name, ++number);
+    while (access(name, F_OK) == 0 && number < 9999);
+    if (picture_write_png(&v->stage->canvas.picture, name) == EXIT_DONE)
+        say("%s", name);
+}
+
+void view_film(view *v, bool on)
+{
+    const picture *p = &v->stage->canvas.picture;
+    if (on && !v->film) {
+        v->film = recorder_begin(v->stage->file.name, p->width, p->height);
+        if (v->film)
+            view_say(v, "filming %s: F9 ends it", recorder_name(v->film));
+    } else if (!on && v->film) {
+        recorder *ended = v->film;
+        v->film = NULL;
+        recorder_end(ended);
+    }
+}

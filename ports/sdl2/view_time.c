@@ -1,0 +1,223 @@
+/* SPDX-License-Identifier: MIT */
+/* Time: ticks of 1/60 s follow the clock whatever the display does.
+ *
+ * A picture is one turn of tp_world_frame: no tick in slow motion, or one, or several.  The
+ * first tick takes what was wished.  Before each picture its world goes to the past, by
+ * which rewinding replays; what moved it goes to the tape.  A tape counts ticks of all
+ * worlds since it began: base + world->tick. */
+#include <stdlib.h>
+#include "../host/say.h"
+#include "../live/pick.h"
+#include "../live/poke.h"
+#include "../live/wish.h"
+#include "view.h"
+
+#define TICKS_AT_ONCE 8         /* behind by more, the water slows down */
+#define SECOND_US     1000000u
+
+static tp_world *world_of(view *v)
+{
+    return v->stage->world;
+}
+
+static uint64_t tick_of(view *v)
+{
+    return v->base + world_of(v)->tick;
+}
+
+/* -- one picture ----------------------------------------------------------------- */
+
+/* What was done here when the tape that plays was recorded. */
+static void play_acts(view *v)
+{
+    bool opened = false;
+    const deck *tape = &v->replay.tape;
+    if (tape->at < tape->count && tape->entries[tape->at].kind == DECK_SET)
+        compare_forget(v->compare);
+    if (replay_acts(&v->replay, v->stage, v->options, &opened) != EXIT_DONE)
+        view_untape(v);
+    if (opened)
+        view_refit(v, true);
+}
+
+static void step_world(view *v, const tp_input *input)
+{
+    if (v->playing)
+        play_acts(v);
+    if (v->playing)
+        input = replay_step(&v->replay);
+    else
+        deck_add(&v->tape, tick_of(v), input);
+    tp_world_step(world_of(v), &v->stage->file.scene, input);
+}
+
+/* In slow motion there are pictures without a tick: what was wished then waits. */
+void view_step(view *v)
+{
+    static const tp_input nothing;
+    if (v->playing && deck_over(&v->replay.tape, v->replay.tick)) {
+        view_untape(v);
+        view_say(v, "the tape has ended: the keys are yours");
+    }
+    if (v->playing)
+        play_acts(v);
+    else
+        past_add(v->past, v->picture, world_of(v), v->stage->world_bytes,
+                 &v->stage->file.scene, &v->wish, v->changed);
+    v->changed = false;
+    v->picture++;
+    for (uint32_t ticks = tp_world_frame(world_of(v)); ticks > 0; ticks--) {
+        step_world(v, &v->wish);
+        v->wish = nothing;
+    }
+    v->stale = true;
+}
+
+/* The picture's world, by the snapshot before it and the inputs since. */
+void view_back(view *v)
+{
+    stage *s = v->stage;
+    uint32_t from;
+    if (v->playing) {
+        view_say(v, "a tape that plays does not run backwards");
+        return;
+    }
+    if (v->picture == 0 || !past_take(v->past, v->picture - 1, s->world, s->world_bytes,
+                                      &s->file.scene, &from)) {
+        view_say(v, v->picture == 0 ? "this is the beginning" : "no farther back");
+        return;
+    }
+    for (; from < v->picture - 1; from++) {
+        const tp_input *input = past_input(v->past, from);
+        for (uint32_t ticks = tp_world_frame(s->world); ticks > 0; ticks--) {
+            tp_world_step(s->world, &s->file.scene, input);
+            input = NULL;
+        }
+    }
+    v->picture--;
+    v->changed = true;
+    deck_cut(&v->tape, tick_of(v));
+    v->wish = (tp_input){ 0 };
+    view_refit(v, false);
+}
+
+/* -- a tick ---------------------------------------------------------------------- */
+
+/* Where the mouse pokes or stirs: the water under its pixel. */
+static void aim(view *v, tp_input *wish)
+{
+    control *c = &v->control;
+    const tp_scene *scene = &v->stage->file.scene;
+    const picture *p = &v->stage->canvas.picture;
+    tp_vec3 at;
+    int x, y;
+    if (window_pixel(&v->window, v->scale, c->poke_x, c->poke_y, &x, &y)
+        && pick_water(world_of(v), scene, p->width, p->height, x, y, &at)) {
+        if (c->poke && !scene->pool.cols && !scene->field.cols)
+            view_say(v, "no pool is there to poke: Space lets a drop fall");
+        poke_at(scene, at.x, at.z, !c->poke, wish);
+    }
+    c->poke = c->stir = false;
+}
+
+static void wish_for(view *v, tp_input *input)
+{
+    *input = control_input(&v->control, &v->keys, &v->pad,
+                           v->panel && panel_types(v->panel));
+    if (v->look.mode == LOOK_ORBIT || v->look.mode == LOOK_TOP) {
+        /* it leads to a place, and not by a way more */
+        v->wish.ahead = v->wish.aside = v->wish.up = 0;
+        v->wish.turn = v->wish.tilt = 0;
+    }
+    look_steer(&v->look, world_of(v), &v->stage->file.scene, input);
+    wish_add(&v->wish, input);
+    if (v->control.poke || v->control.stir)
+        aim(v, &v->wish);
+}
+
+/* The camera moves though the water stands. */
+static void look_round(view *v, const tp_input *input)
+{
+    deck_look(&v->tape, tick_of(v), input);
+    tp_world_look(world_of(v), input);
+    v->wish.ahead = v->wish.aside = v->wish.up = 0;
+    v->wish.turn = v->wish.tilt = 0;
+    v->changed = v->stale = true;
+}
+
+static void tick(view *v)
+{
+    const bool back = !(v->panel && panel_types(v->panel))
+        && keymap_held(&v->keys, ACT_REWIND, SDL_GetKeyboardState(NULL),
+                       SDL_GetModState());
+    tp_input input = { 0 };
+    if (v->look.jump && !v->playing) {          /* at once: nothing is seen on the way */
+        look_steer(&v->look, world_of(v), &v->stage->file.scene, &input);
+        look_round(v, &input);
+    }
+    wish_for(v, &input);
+    if (back)
+        view_back(v);
+    else if (!v->paused)
+        view_step(v);
+    else if (wish_moves(&input) && !v->playing)
+        look_round(v, &input);
+}
+
+/* A film has every picture: then time waits for the drawing. */
+void view_advance(view *v, uint64_t now)
+{
+    const int most = v->film ? 1 : TICKS_AT_ONCE;
+    v->owed += (now - v->clock) * TP_TICKS_PER_SECOND;
+    v->clock = now;
+    if (v->control.hidden)
+        v->owed = 0;
+    if (v->options->counted)            /* every picture, as fast as they come */
+        v->owed = SECOND_US;
+    for (int i = 0; i < most && v->owed >= SECOND_US; i++, v->owed -= SECOND_US)
+        tick(v);
+    v->owed %= SECOND_US;
+}
+
+/* -- the beginning, and tapes ---------------------------------------------------- */
+
+void view_restart(view *v)
+{
+    if (stage_world(v->stage) != EXIT_DONE)
+        return;
+    if (v->taping || v->playing) {
+        view_untape(v);
+        view_say(v, "the tape has ended");
+    }
+    v->picture = 0;
+    v->base = 0;
+    v->wish = (tp_input){ 0 };
+    past_forget(v->past);
+    v->look = (look){ .mode = v->look.mode == LOOK_BOAT ? LOOK_BOAT : LOOK_FREE };
+    view_refit(v, false);
+}
+
+int view_play(view *v, const char *name)
+{
+    options wanted = *v->options;
+    wanted.tape = name;
+    const int code = replay_open(&v->replay, v->stage, &wanted, REPLAY_ALL);
+    v->playing = !code;
+    past_forget(v->past);
+    return code;
+}
+
+int view_tape(view *v, const char *name)
+{
+    const int code = deck_record(&v->tape, name, v->stage->file.name);
+    v->taping = !code;
+    return code;
+}
+
+int view_untape(view *v)
+{
+    const int code = deck_close(&v->tape);
+    replay_close(&v->replay);
+    v->taping = v->playing = false;
+    return code;
+}
