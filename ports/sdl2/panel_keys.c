@@ -1,0 +1,212 @@
+/* SPDX-License-Identifier: MIT */
+/* Keys and clicks between panel and picture. */
+#include "panel_keys.h"
+#include <string.h>
+
+#define PATIENCE 8              /* pictures that letters wait for their field */
+
+bool keys_types(const panel_keys *k)
+{
+    return k->searching || k->typing || k->writes;
+}
+
+/* -- which keys -------------------------------------------------------------------------- */
+
+/* Makes a letter, which comes as text too. */
+static bool is_plain(SDL_Keycode key)
+{
+    return key > SDLK_SPACE && key < SDLK_DELETE;
+}
+
+static bool moves_about(SDL_Keycode key)
+{
+    static const SDL_Keycode those[] = {
+        SDLK_TAB, SDLK_UP, SDLK_DOWN, SDLK_LEFT, SDLK_RIGHT, SDLK_SPACE, SDLK_RETURN,
+        SDLK_KP_ENTER, SDLK_PAGEUP, SDLK_PAGEDOWN, SDLK_HOME, SDLK_END,
+    };
+    for (size_t i = 0; i < SDL_arraysize(those); i++)
+        if (those[i] == key)
+            return true;
+    return false;
+}
+
+static bool is_of_function(SDL_Scancode code)
+{
+    return (code >= SDL_SCANCODE_F1 && code <= SDL_SCANCODE_F12)
+        || (code >= SDL_SCANCODE_F13 && code <= SDL_SCANCODE_F24);
+}
+
+static bool is_modifier(SDL_Scancode code)
+{
+    return code >= SDL_SCANCODE_LCTRL && code <= SDL_SCANCODE_RGUI;
+}
+
+/* Of a field that is typed in: its own Ctrl keys, but not those to save or quit. */
+static bool is_of_field(const SDL_Keysym *key)
+{
+    return !(key->mod & KMOD_CTRL) || !is_plain(key->sym)
+        || strchr("acvxzy", (int)key->sym);
+}
+
+/* Whether a key that goes down is the panel's. */
+static bool takes(panel_keys *k, const SDL_Keysym *key)
+{
+    if (is_of_function(key->scancode) || is_modifier(key->scancode))
+        return false;
+    if (keys_types(k) || (k->here && k->events > 0))
+        return is_of_field(key);
+    if (key->mod & (KMOD_CTRL | KMOD_ALT | KMOD_GUI))
+        return false;
+    if (key->sym == SDLK_ESCAPE)
+        return k->here || k->open;
+    if (key->sym == SDLK_TAB)
+        k->here = true;
+    return (k->here || k->open) && moves_about(key->sym);
+}
+
+/* -- what waits -------------------------------------------------------------------------- */
+
+static void wait_for(panel_keys *k, const SDL_Event *event)
+{
+    if (k->events < PANEL_KEYS)
+        k->event[k->events++] = *event;
+}
+
+static void wait_as(panel_keys *k, const SDL_Event *event, SDL_Scancode code)
+{
+    SDL_Event e = *event;
+    e.key.keysym.scancode = code;
+    e.key.keysym.sym = SDL_GetKeyFromScancode(code);
+    wait_for(k, &e);
+}
+
+/* Tab goes on to the next thing as the arrow does, from a field too; Enter presses what
+ * is no number and no field, as the space bar does. */
+static void wait_for_down(panel_keys *k, const SDL_Event *event)
+{
+    const SDL_Keysym *const key = &event->key.keysym;
+    const bool enter = key->sym == SDLK_RETURN || key->sym == SDLK_KP_ENTER;
+    if (event->key.repeat || (is_plain(key->sym) && !(key->mod & KMOD_CTRL)))
+        return;
+    if (key->sym == SDLK_TAB)
+        wait_as(k, event, key->mod & KMOD_SHIFT ? SDL_SCANCODE_UP : SDL_SCANCODE_DOWN);
+    else if (enter && !keys_types(k) && !k->on_number)
+        wait_as(k, event, SDL_SCANCODE_SPACE);
+    else
+        wait_for(k, event);
+}
+
+/* Whatever it went down as. */
+static void wait_for_up(panel_keys *k, const SDL_Event *event)
+{
+    const SDL_Keycode key = event->key.keysym.sym;
+    if (key == SDLK_TAB) {
+        wait_as(k, event, SDL_SCANCODE_UP);
+        wait_as(k, event, SDL_SCANCODE_DOWN);
+        return;
+    }
+    if (key == SDLK_RETURN || key == SDLK_KP_ENTER)
+        wait_as(k, event, SDL_SCANCODE_SPACE);
+    wait_for(k, event);
+}
+
+static bool key_event(panel_keys *k, const SDL_Event *event)
+{
+    if (event->type == SDL_KEYUP) {
+        wait_for_up(k, event);
+        return false;
+    }
+    k->taken = takes(k, &event->key.keysym);
+    if (!k->taken)
+        return false;
+    if (event->key.keysym.sym == SDLK_ESCAPE && !k->open)
+        k->leave = true;
+    else
+        wait_for_down(k, event);
+    return true;
+}
+
+/* A letter is the panel's if its key was.  "/" that asks to search and a blank that
+ * presses a button are no letters. */
+static bool text_event(panel_keys *k, const SDL_Event *event)
+{
+    const char *const none = k->searching ? "/" : keys_types(k) ? "" : " ";
+    if (!keys_types(k) && !k->taken)
+        return false;
+    if (strcmp(event->text.text, none) != 0)
+        wait_for(k, event);
+    return true;
+}
+
+void keys_begin(panel_keys *k)
+{
+    k->up = k->down = false;
+    k->waited++;
+}
+
+/* Keys that go up and letters, or one key that goes down.  Letters wait for their field,
+ * but not for ever. */
+bool keys_next(panel_keys *k, SDL_Event *event)
+{
+    if (k->events == 0 || k->down)
+        return false;
+    const SDL_Event *const e = &k->event[0];
+    if ((e->type == SDL_TEXTINPUT && !k->writes && k->waited < PATIENCE)
+        || (e->type == SDL_KEYDOWN && k->up))
+        return false;
+    k->up |= e->type == SDL_KEYUP;
+    k->down = e->type == SDL_KEYDOWN;
+    k->waited = 0;
+    *event = *e;
+    k->events--;
+    memmove(k->event, k->event + 1, k->events * sizeof *k->event);
+    return true;
+}
+
+/* -- the mouse --------------------------------------------------------------------------- */
+
+static bool is_over(const panel_keys *k, int x, int y)
+{
+    const SDL_Point at = { x, y };
+    return SDL_PointInRect(&at, &k->where) || k->over;
+}
+
+/* A button that went down in one of the two keeps the mouse there until it goes up. */
+static bool mouse_event(panel_keys *k, const SDL_Event *event)
+{
+    int x, y;
+    const uint32_t held = SDL_GetMouseState(&x, &y);
+    if (SDL_GetRelativeMouseMode())
+        return false;
+    switch (event->type) {
+    case SDL_MOUSEBUTTONDOWN:
+        if ((held & ~(uint32_t)SDL_BUTTON(event->button.button)) == 0)
+            k->held = is_over(k, event->button.x, event->button.y);
+        k->leave |= !k->held && (k->here || k->writes);
+        return k->held;
+    case SDL_MOUSEBUTTONUP:
+        return k->held;
+    case SDL_MOUSEMOTION:
+        return held ? k->held : is_over(k, event->motion.x, event->motion.y);
+    default:
+        return held ? k->held : is_over(k, x, y);
+    }
+}
+
+bool keys_event(panel_keys *k, const SDL_Event *event)
+{
+    switch (event->type) {
+    case SDL_KEYDOWN:
+    case SDL_KEYUP:
+        return key_event(k, event);
+    case SDL_TEXTINPUT:
+        return text_event(k, event);
+    case SDL_MOUSEMOTION:
+    case SDL_MOUSEBUTTONDOWN:
+    case SDL_MOUSEBUTTONUP:
+    case SDL_MOUSEWHEEL:
+        return mouse_event(k, event);
+    default:
+        return false;
+    }
+}

@@ -1,0 +1,96 @@
+/* SPDX-License-Identifier: MIT */
+/* The panel's upper end: which scene, and buttons that do what keys do. */
+#include <stdio.h>
+#include <string.h>
+#include "../host/actions.h"
+#include "panel_parts.h"
+#include "panel_pen.h"
+
+void panel_line(uint32_t colour, const char *text)
+{
+    char cut[PANEL_TEXT];
+    const int fits = SDL_max((int)(pen_room() / pen_letter()), 2);
+    const int all = (int)strlen(text);
+    snprintf(cut, sizeof cut, "%.*s%s", all > fits ? fits - 2 : all, text,
+             all > fits ? ".." : "");
+    pen_say(colour, cut);
+    if (all > fits && pen_hovered())
+        pen_tip(text);
+}
+
+/* -- buttons ----------------------------------------------------------------------------- */
+
+static const struct { int what; const char *name, *name_on; } buttons[] = {
+    { ACT_PAUSE, "pause", "go on" }, { ACT_STEP, "step", "step" },
+    { ACT_RESTART, "restart", "restart" }, { ACT_UNDO, "undo", "undo" },
+    { ACT_REDO, "redo", "redo" }, { ACT_SAVE, "save", "save" },
+    { ACT_FILM, "film", "end film" }, { ACT_TAPE, "tape", "end tape" },
+    { ACT_SHOT, "picture", "picture" },
+};
+
+static void tell(const panel *p, int what)
+{
+    char text[2 * PANEL_TEXT];
+    const char *const to = what == ACT_SAVE && p->host->saved_as ? p->host->saved_as : "";
+    snprintf(text, sizeof text, "%s%s%s", actions[what].help, to[0] ? "\n" : "", to);
+    pen_tip(text);
+}
+
+/* The name at the left, the key dim at the right if there is room. */
+void panel_button(panel *p, int what, const char *name, float wide)
+{
+    const panel_host *const h = p->host;
+    const char *const key = h->keys(h->user, what);
+    const float gap = pen_px(5), key_wide = pen_wide(key);
+    pen_in(what);
+    const bool pressed = pen_button("##act", wide, h->is_on(h->user, what));
+    const SDL_FRect at = pen_last();
+    pen_write_in(at.x + gap, at.y, PEN_TEXT, name);
+    if (pen_wide(name) + key_wide + 3 * gap <= at.w)
+        pen_write_in(at.x + at.w - gap - key_wide, at.y, PEN_DIM, key);
+    if (pen_hovered())
+        tell(p, what);
+    pen_out();
+    if (pressed)
+        h->act(h->user, what);
+}
+
+static void show_buttons(panel *p)
+{
+    const float room = pen_room(), gap = pen_gap();
+    const int columns = room >= 39 * pen_letter() ? 3 : 2;
+    const float wide = SDL_floorf((room - gap * (float)(columns - 1)) / (float)columns);
+    for (int i = 0; i < (int)SDL_arraysize(buttons); i++) {
+        const bool on = p->host->is_on(p->host->user, buttons[i].what);
+        if (i % columns != 0)
+            pen_beside(gap);
+        panel_button(p, buttons[i].what, on ? buttons[i].name_on : buttons[i].name, wide);
+    }
+}
+
+/* -- scenes ------------------------------------------------------------------------------ */
+
+static void show_scenes(panel *p)
+{
+    const panel_host *const h = p->host;
+    const bool known = h->scene < h->scene_count;
+    if (pen_list("##scene", known ? h->scenes[h->scene] : "", pen_room())) {
+        for (uint32_t i = 0; i < h->scene_count; i++) {
+            pen_in((int)i);
+            if (pen_choice(h->scenes[i], i == h->scene))
+                h->open(h->user, i);
+            if (pen_hovered() && h->shows[i])
+                pen_tip(h->shows[i]);
+            pen_out();
+        }
+        pen_list_end();
+    }
+    panel_line(PEN_DIM, known && h->shows[h->scene] ? h->shows[h->scene] : "");
+}
+
+void panel_top(panel *p)
+{
+    show_scenes(p);
+    show_buttons(p);
+    panel_line(PEN_EDITED, p->host->message ? p->host->message : "");
+}

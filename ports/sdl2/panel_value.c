@@ -1,0 +1,271 @@
+/* SPDX-License-Identifier: MIT */
+/* A row of the panel.  What a person does with its value goes to the host as text; a drag
+ * is one change, however many steps it has. */
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include "panel_parts.h"
+#include "panel_pen.h"
+
+#define TIP_S 0.5
+
+static void put(panel *p, uint32_t row, const char *text)
+{
+    p->host->set(p->host->user, row, text, false);
+}
+
+static void put_on(panel *p, uint32_t row, const char *text, const char *before)
+{
+    if (strcmp(text, before) == 0)
+        return;
+    p->host->set(p->host->user, row, text, true);
+    p->sliding = (int)row;
+}
+
+/* It was let go of. */
+static void end_sliding(panel *p)
+{
+    char text[PANEL_TEXT];
+    const uint32_t row = (uint32_t)p->sliding;
+    if (p->sliding < 0 || pen_any_active())
+        return;
+    p->host->get(p->host->user, row, text);
+    put(p, row, text);
+    p->sliding = -1;
+}
+
+/* -- text and numbers -------------------------------------------------------------------- */
+
+/* What was typed is set when the field is left, if it is another. */
+static void show_field(panel *p, uint32_t row, const char *text, float wide)
+{
+    char typed[PANEL_TEXT];
+    snprintf(typed, sizeof typed, "%s", text);
+    pen_field("##v", NULL, typed, sizeof typed, wide);
+    if (pen_left() && strcmp(typed, text) != 0)
+        put(p, row, typed);
+}
+
+/* Dear ImGui answers in the picture after, and begins anew if it is asked again. */
+void panel_ask(panel *p)
+{
+    if (p->asked++ % 4 == 0)
+        pen_focus_next();
+}
+
+static void begin_typing(panel *p, uint32_t row)
+{
+    p->typing = (int)row;
+    p->typing_new = p->typing_seen = p->keys.typing = true;
+    p->asked = 0;
+}
+
+/* A picture without anything first: the slider lets go of the name that both have. */
+static void type_number(panel *p, uint32_t row, const char *text, float wide)
+{
+    p->typing_seen = true;
+    if (p->typing_new && p->asked == 0) {
+        p->asked = 4;
+        pen_take(wide, pen_high());
+        return;
+    }
+    if (p->typing_new)
+        panel_ask(p);
+    show_field(p, row, text, wide);
+    if (pen_active())
+        p->typing_new = false;
+    else if (!p->typing_new)
+        p->typing_seen = false;
+}
+
+/* How far the slider is, and over it the value and its unit. */
+static void write_value(const panel_row *row, const char *text, float share)
+{
+    const SDL_FRect at = pen_last();
+    const float gap = pen_px(5), edge = pen_px(2), unit = pen_wide(row->unit);
+    const float full = SDL_floorf((at.w - edge) * share);
+    pen_box(at.x, at.y, full, at.h, pen_active() ? PEN_HELD : PEN_FULL);
+    pen_box(at.x + full, at.y, edge, at.h, PEN_EDGE);
+    pen_box(at.x + full, at.y + at.h - 2 * edge, edge, 2 * edge, PEN_SEA);
+    pen_write_in(at.x + gap, at.y, PEN_TEXT, text);
+    if (row->unit[0] && pen_wide(text) + unit + 3 * gap <= at.w)
+        pen_write_in(at.x + at.w - gap - unit, at.y, PEN_DIM, row->unit);
+}
+
+/* A slider of places.  While it is held its place is kept: steps of a key may be finer
+ * than the numbers that they make. */
+static void slide(panel *p, uint32_t row, const char *text, float wide)
+{
+    char made[PANEL_TEXT];
+    const panel_row *const r = &p->host->row[row];
+    const double value = strtod(text, NULL);
+    const panel_span span = panel_span_of(r, value);
+    int place = p->sliding == (int)row ? p->place : panel_place(&span, value);
+    if (pen_slide("##v", &place, span.steps, wide)) {
+        panel_number(&span, place, made);
+        put_on(p, row, made, text);
+        p->place = place;
+    }
+    p->keys.on_number |= pen_focused();
+    if (pen_focused() && pen_enter())
+        begin_typing(p, row);
+    write_value(r, text, (float)place / (float)span.steps);
+}
+
+/* Pressed with Ctrl, with the right button or by Enter it is typed instead. */
+static void show_number(panel *p, uint32_t row, const char *text, float wide)
+{
+    const SDL_FPoint at = pen_at();
+    if (pen_points(at.x, at.y, wide, pen_high())
+        && (pen_pressed(1) || (pen_pressed(0) && pen_ctrl())))
+        begin_typing(p, row);
+    if (p->typing == (int)row)
+        type_number(p, row, text, wide);
+    else
+        slide(p, row, text, wide);
+}
+
+/* -- the other kinds --------------------------------------------------------------------- */
+
+static void show_switch(panel *p, uint32_t row, const char *text)
+{
+    bool on = strcmp(text, "on") == 0;
+    if (pen_check("##v", &on))
+        put(p, row, on ? "on" : "off");
+}
+
+static void show_colour(panel *p, uint32_t row, const char *text, float wide)
+{
+    char made[PANEL_TEXT];
+    uint32_t rgb = panel_colour(text);
+    const float swatch = 2 * pen_high();
+    if (pen_swatch("##swatch", rgb, swatch))
+        pen_pick_open();
+    if (pen_pick(&rgb)) {
+        snprintf(made, sizeof made, "#%06x", (unsigned)rgb);
+        put_on(p, row, made, text);
+    }
+    pen_beside(pen_gap());
+    show_field(p, row, text, wide - swatch - pen_gap());
+}
+
+static void show_choice(panel *p, uint32_t row, const char *text, float wide)
+{
+    char word[PANEL_TEXT];
+    if (!pen_list("##v", text, wide))
+        return;
+    for (uint32_t i = 0; panel_word(p->host->row[row].unit, i, word); i++)
+        if (pen_choice(word, strcmp(word, text) == 0))
+            put(p, row, word);
+    pen_list_end();
+}
+
+/* The name can be typed, or taken from those that there are. */
+static void show_picture(panel *p, uint32_t row, const char *text, float wide)
+{
+    const panel_host *const h = p->host;
+    show_field(p, row, text, wide - pen_high() - pen_px(1));
+    pen_beside(pen_px(1));
+    if (!pen_list("##of", NULL, 0))
+        return;
+    if (pen_choice("none", text[0] == '\0'))
+        put(p, row, "");
+    for (uint32_t i = 0; i < h->picture_count; i++)
+        if (pen_choice(h->pictures[i], strcmp(h->pictures[i], text) == 0))
+            put(p, row, h->pictures[i]);
+    pen_list_end();
+}
+
+static void show_value(panel *p, uint32_t row, const char *text, float wide)
+{
+    switch (p->host->row[row].kind) {
+    case PANEL_NUMBER:
+    case PANEL_COUNT:   show_number(p, row, text, wide);  break;
+    case PANEL_SWITCH:  show_switch(p, row, text);        break;
+    case PANEL_COLOUR:  show_colour(p, row, text, wide);  break;
+    case PANEL_CHOICE:  show_choice(p, row, text, wide);  break;
+    case PANEL_PICTURE: show_picture(p, row, text, wide); break;
+    case PANEL_MESH:
+    case PANEL_WORDS:   show_field(p, row, text, wide);   break;
+    }
+}
+
+/* -- the row ----------------------------------------------------------------------------- */
+
+/* At its end, where a value is not the file's or not the default. */
+static void show_reset(panel *p, uint32_t row, bool filed)
+{
+    const float side = pen_high();
+    if (pen_button("##reset", side, false))
+        p->host->reset(p->host->user, row);
+    const SDL_FRect at = pen_last();
+    if (pen_hovered())
+        pen_tip(filed ? "to the default" : "as the scene's file has it");
+    pen_write_in(at.x + SDL_floorf((side - pen_letter()) / 2), at.y,
+                 filed ? PEN_DIM : PEN_EDITED, "<");
+}
+
+/* Help, when the mouse or the keyboard has stayed on the row for a while. */
+static void show_tip(panel *p, uint32_t row, SDL_FPoint at, float wide)
+{
+    char text[512];
+    const bool mouse = pen_points(at.x, at.y, wide, pen_high());
+    const bool focus = p->keys.here && pen_focused() && pen_moves();
+    if ((!mouse && !focus) || pen_any_active() || pen_is_open())
+        return;
+    p->tip_new = (int)row;
+    if (p->tip != p->tip_new || pen_time() - p->tip_since < TIP_S)
+        return;
+    panel_tip(&p->host->row[row], text, sizeof text);
+    pen_tip(text);
+}
+
+/* Rows that are not in sight take their room and no time; the next ones above and below
+ * are there for the arrow keys to go to. */
+void panel_row_show(panel *p, uint32_t row)
+{
+    char label[PANEL_NAME], text[PANEL_TEXT];
+    const panel_host *const h = p->host;
+    const SDL_FPoint at = pen_at();
+    const float room = pen_room(), high = pen_high(), gap = pen_gap();
+    const float names = SDL_floorf(SDL_min(room * 0.4f, 19 * pen_letter()));
+    const float wide = SDL_max(room - names - 2 * gap - high, 4 * pen_letter());
+    if (!pen_in_sight(at.y, 3 * high)) {
+        pen_take(room, high);
+        return;
+    }
+    const bool normal = h->is_normal(h->user, row), filed = h->is_filed(h->user, row);
+    h->get(h->user, row, text);
+    panel_label(&h->row[row], (uint32_t)(names / pen_letter()), label);
+    pen_write_in(at.x, at.y, !filed ? PEN_EDITED : normal ? PEN_DIM : PEN_TEXT, label);
+    pen_in((int)row);
+    pen_begin();
+    pen_go(at.x + names + gap, at.y);
+    show_value(p, row, text, wide);
+    show_tip(p, row, at, room);
+    if (!normal || !filed) {
+        pen_beside(gap);
+        pen_go(at.x + room - high, at.y);
+        show_reset(p, row, filed);
+    }
+    pen_end();
+    pen_out();
+}
+
+void panel_rows_begin(panel *p)
+{
+    p->typing_seen = p->keys.on_number = false;
+    p->tip_new = -1;
+}
+
+/* A number that is not typed in any more, or whose row has gone. */
+void panel_rows_end(panel *p)
+{
+    if (!p->typing_seen)
+        p->typing = -1;
+    p->keys.typing = p->typing >= 0;
+    if (p->tip != p->tip_new)
+        p->tip_since = pen_time();
+    p->tip = p->tip_new;
+    end_sliding(p);
+}
