@@ -138,7 +138,8 @@ static void show_colour(panel *p, uint32_t row, const char *text, float wide)
 {
     char made[PANEL_TEXT];
     uint32_t rgb = panel_colour(text);
-    const float swatch = 2 * pen_high();
+    const float digits = 7 * pen_letter() + pen_px(11) + pen_gap();
+    const float swatch = SDL_clamp(wide - digits, pen_px(8), 2 * pen_high());
     if (pen_swatch("##swatch", rgb, swatch))
         pen_pick_open();
     if (pen_pick(&rgb)) {
