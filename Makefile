@@ -125,10 +125,11 @@ SAY     = $(if $(V),,@echo '  $@';)
 
 # On x86-64 the loops over pixels once more, for processors of level v3: a kit of its own,
 # tp_kit_v3, of whose code nobody else sees a name.  Tuned so that compilers use gathers.
+# Who wants none says V3_C= .
 ifeq ($(firstword $(subst -, ,$(shell $(CC) -dumpmachine 2>/dev/null))),x86_64)
 V3_C   := $(filter src/pixel/% src/geom/% src/raster/% src/shade/% src/frame/%,$(CORE))
 V3_OPT := -O3 -march=x86-64-v3 -mtune=skylake
-HOSTED += -DTP_HAVE_KIT_V3
+HOSTED += $(if $(V3_C),-DTP_HAVE_KIT_V3)
 endif
 
 LIB     := $(CORE_AT)/libtidepool.a
