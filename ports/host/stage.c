@@ -132,10 +132,17 @@ static int plan_canvas(const stage *s, const options *o, const assets *a,
     return check_memory(s, c, a, world_bytes, o->memory);
 }
 
+static tp_ladder ladder_of(const stage *s)
+{
+    return tp_ladder_of(&s->file.scene, &s->assets.names, s->canvas.config.width,
+                        s->canvas.config.height);
+}
+
 int stage_canvas(stage *s, const options *o)
 {
     canvas_close(&s->canvas);
     const int code = plan_canvas(s, o, &s->assets, s->world_bytes, &s->canvas);
+    s->ladder = ladder_of(s);
     return code ? code : canvas_open(&s->canvas, &s->file.scene, &s->assets.names);
 }
 
@@ -206,6 +213,15 @@ static bool moves_walls(const stage *s, const change *c)
         || (s->assets.names.field_mask && strncmp(c->param->name, "field.", 6) == 0);
 }
 
+/* Frames are planned when they are opened: calm water that was made rough may want other
+ * rungs. */
+static bool changes_plan(const stage *s)
+{
+    const tp_ladder now = ladder_of(s);
+    return now.count != s->ladder.count
+        || memcmp(now.rung, s->ladder.rung, now.count * sizeof *now.rung) != 0;
+}
+
 static bool needs_canvas(const stage *s, const change *c)
 {
     const canvas *now = &s->canvas;
@@ -213,7 +229,8 @@ static bool needs_canvas(const stage *s, const change *c)
         return false;
     return c->result != SETTING_DONE || setting_is_grid(c->param) || moves_walls(s, c)
         || tp_frame_bytes_with(&now->kit, &s->file.scene, &s->assets.names, &now->config)
-           != now->frame_bytes;
+           != now->frame_bytes
+        || changes_plan(s);
 }
 
 static int prepare_change(stage *s, change *c)

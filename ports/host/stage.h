@@ -13,6 +13,7 @@ typedef struct {
     tp_world  *world;           /* in a block of world_bytes */
     size_t     world_bytes;
     canvas     canvas;
+    tp_ladder  ladder;          /* that the canvas was opened for */
 } stage;
 
 /* Each returns an exit code and has said why; close in any case. */

@@ -135,6 +135,18 @@ static void what_needs_memory_opens_the_canvas(void **state)
     stage_close(&stood);
 }
 
+/* Of two wave lengths that are drawn by different rungs. */
+static void another_plan_opens_the_canvas(void **state)
+{
+    (void)state;
+    open_scene("assets/scenes/count-64.ini");
+    assert_true(set("wave2.length=1702.25"));
+    steps(1);
+    assert_drawn_as_new("wave2.length");
+    assert_false(set("wave2.length=1702"));
+    stage_close(&stood);
+}
+
 /* Time, camera and light are carried over. */
 static void a_world_is_made_anew_where_it_was(void **state)
 {
@@ -232,6 +244,7 @@ int main(void)
         cmocka_unit_test(pictures_go_on_as_if_opened_anew),
         cmocka_unit_test(numbers_need_no_new_canvas),
         cmocka_unit_test(what_needs_memory_opens_the_canvas),
+        cmocka_unit_test(another_plan_opens_the_canvas),
         cmocka_unit_test(a_world_is_made_anew_where_it_was),
         cmocka_unit_test(files_are_loaded_and_let_go),
         cmocka_unit_test(what_is_refused_changes_nothing),
