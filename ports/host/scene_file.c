@@ -178,6 +178,11 @@ void scene_file_close(scene_file *file)
 
 /* -- what it names --------------------------------------------------------------- */
 
+static const char *by(const scene_file *file)
+{
+    return file->by ? file->by : "--set";
+}
+
 static uint32_t row_of(const tp_param *param)
 {
     uint32_t count;
@@ -203,7 +208,7 @@ int scene_file_refuse(const scene_file *file, const tp_error *err)
     const uint32_t line = param ? file->set_at[row_of(param)] : 0;
     tp_error there = *err;
     if (line == SET_BY_COMMAND) {
-        fail_at("--set", err);
+        fail_at(by(file), err);
         return EXIT_USAGE;
     }
     there.where = line;
@@ -215,7 +220,7 @@ void scene_file_who(const scene_file *file, const tp_param *param, char *text,
 {
     const uint32_t line = file->set_at[row_of(param)];
     if (line == SET_BY_COMMAND)
-        snprintf(text, bytes, "--set: %s", param->name);
+        snprintf(text, bytes, "%s: %s", by(file), param->name);
     else if (line)
         snprintf(text, bytes, "%s:%u: %s", file->path, (unsigned)line, param->name);
     else

@@ -12,6 +12,7 @@ typedef struct {
     char    *path;          /* of the INI */
     uint32_t *set_at;       /* of each row of the table: the INI's line that set it, 0 for
                                its default, SET_BY_COMMAND */
+    const char *by;         /* what messages call SET_BY_COMMAND; NULL: "--set" */
     tp_scene scene;
 } scene_file;
 

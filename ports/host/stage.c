@@ -278,14 +278,15 @@ int stage_set(stage *s, const options *o, const char *place, const char *setting
     c.row = (uint32_t)(c.param - tp_params(&count));
     const uint32_t set_at = s->file.set_at[c.row];
     tp_param_text(&s->file.scene, c.param, before, sizeof before);
+    s->file.by = place;
     c.result = setting_put(&tp_kit_all, &s->file.scene, s->world, &s->assets.names,
                            c.param, value, strlen(value), &err);
-    if (c.result == SETTING_REFUSED)
-        return refuse_change(&c, &err);
-    int code = prepare_change(s, &c);
-    if (code)
+    int code = c.result == SETTING_REFUSED ? refuse_change(&c, &err)
+                                           : prepare_change(s, &c);
+    s->file.by = NULL;
+    if (code && c.result != SETTING_REFUSED)
         take_back(s, &c, before, set_at);
-    else
+    else if (!code)
         code = do_change(s, &c, opened);
     free(c.world);
     if (c.loaded)
