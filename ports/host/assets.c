@@ -251,7 +251,7 @@ static int load(assets *a, const scene_file *file, const char *name, void *into,
 }
 
 /* Six pictures or none: a cube with a hole is no sky. */
-static int check_cube(const assets *a, const scene_file *file)
+int assets_check(const assets *a, const scene_file *file)
 {
     static const char *const faces[TP_FACES] = { "sky.east", "sky.west", "sky.up",
                                                  "sky.down", "sky.south", "sky.north" };
@@ -299,7 +299,7 @@ int assets_open_within(assets *a, const scene_file *file, uint32_t texels)
         *slots[i] = there ? &a->picture[i] : NULL;
     }
     if (!code)
-        code = check_cube(a, file);
+        code = assets_check(a, file);
     for (size_t i = 0; i < sizeof greys / sizeof *greys && !code; i++) {
         code = load(a, file, greys[i].name, greys[i].into, &there);
         *greys[i].slot = there ? greys[i].into : NULL;

@@ -25,6 +25,9 @@ int  assets_open(assets *a, const scene_file *file);
 int  assets_open_within(assets *a, const scene_file *file, uint32_t texels);   /* or 0 */
 void assets_close(assets *a);
 
+/* After a change of the scene: whether it still has what it needs of them; said, if not. */
+int  assets_check(const assets *a, const scene_file *file);
+
 /* Closes *to and puts in its place what *from has, which is then empty. */
 void assets_move(assets *to, assets *from);
 #endif

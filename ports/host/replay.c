@@ -2,88 +2,58 @@
 /* Playing tapes. */
 #include "replay.h"
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
-#include "../live/setting.h"
-#include "path.h"
 #include "say.h"
 
 /* -- before anything runs -------------------------------------------------------- */
-
-typedef struct {
-    tp_scene  *scene;
-    tp_world  *world;           /* NULL: lost, what follows cannot be tried */
-    const tp_assets *assets;
-    replay_room room;
-} trial;
 
 static void place_of(const replay *r, const deck_entry *entry, char *place, size_t bytes)
 {
     snprintf(place, bytes, "%s:%u", r->tape.name, (unsigned)entry->line);
 }
 
-static int world_anew(trial *t, const char *place)
-{
-    const size_t bytes = tp_world_bytes(t->scene, t->assets);
-    tp_error err = { 0 };
-    tp_world *world = malloc(bytes > sizeof *world ? bytes : sizeof *world);
-    if (!world)
-        return fail_memory(bytes);
-    free(t->world);
-    t->world = world;
-    return tp_world_init(world, bytes, t->scene, t->assets, &err) ? fail_at(place, &err)
-                                                                   : EXIT_DONE;
-}
-
-/* A file is only looked for: loading all would take as long as the film. */
-static int try_set(trial *t, const char *place, const char *setting)
-{
-    const char *value;
-    tp_error err = { 0 };
-    const tp_param *param = scene_file_check(place, setting, &value);
-    if (!param)
-        return EXIT_INPUT;
-    const setting_result result = setting_put(&tp_kit_all, t->scene, t->world, t->assets,
-                                              param, value, strlen(value), &err);
-    if (result == SETTING_REFUSED)
-        return fail_at(place, &err);
-    if (result != SETTING_DONE && t->room == REPLAY_SAME_WORLD)
-        return fail(EXIT_INPUT, "%s: %s makes the world anew, which a raw screen does not"
-                    " show: expected what goes on in the same world; `tidepool render`"
-                    " plays all", place, setting);
-    if (result == SETTING_LOAD && *value && !path_is_file(value))
-        return fail(EXIT_INPUT, "%s: %s: no such file", place, setting);
-    return result == SETTING_ANEW ? world_anew(t, place) : EXIT_DONE;
-}
-
-static int try_all(const replay *r, trial *t)
+static int try_all(const replay *r, stage *s, const options *o, replay_room room)
 {
     int code = EXIT_DONE;
     for (size_t i = 0; i < r->tape.count && !code; i++) {
         const deck_entry *entry = &r->tape.entries[i];
+        const tp_world *world = s->world;
         char place[512];
+        bool opened;
+        if (entry->kind != DECK_SET)
+            continue;
         place_of(r, entry, place, sizeof place);
-        if (entry->kind == DECK_SET)
-            code = try_set(t, place, entry->setting);
+        code = stage_set(s, o, place, entry->setting, &opened);
+        if (!code && room == REPLAY_SAME_WORLD && s->world != world)
+            code = fail(EXIT_INPUT, "%s: %s makes the world anew, which a raw screen does"
+                        " not show: expected what goes on in the same world; `tidepool"
+                        " render` plays all", place, entry->setting);
     }
     return code;
 }
 
-static int try(const replay *r, const stage *s, replay_room room)
+/* On another stage of the same scene, which nobody sees. */
+static int try(const replay *r, const options *o, replay_room room)
 {
-    trial t = { .scene = malloc(sizeof *t.scene), .world = malloc(s->world_bytes),
-                .assets = &s->assets.names, .room = room };
-    int code;
-    if (t.scene && t.world) {
-        *t.scene = s->file.scene;
-        memcpy(t.world, s->world, s->world_bytes);
-        code = try_all(r, &t);
-    } else {
-        code = fail_memory(s->world_bytes);
-    }
-    free(t.scene);
-    free(t.world);
+    stage s;
+    memset(&s, 0, sizeof s);
+    int code = stage_read(&s.file, o);
+    if (!code)
+        code = assets_open_within(&s.assets, &s.file, o->texels);
+    if (!code)
+        code = stage_world(&s);
+    if (!code)
+        code = try_all(r, &s, o, room);
+    stage_close(&s);
     return code;
+}
+
+static bool has_sets(const deck *d)
+{
+    for (size_t i = 0; i < d->count; i++)
+        if (d->entries[i].kind == DECK_SET)
+            return true;
+    return false;
 }
 
 int replay_open(replay *r, const stage *s, const options *o, replay_room room)
@@ -92,7 +62,7 @@ int replay_open(replay *r, const stage *s, const options *o, replay_room room)
     if (!o->tape)
         return EXIT_DONE;
     const int code = deck_read(&r->tape, o->tape, s->file.name);
-    return code ? code : try(r, s, room);
+    return code || !has_sets(&r->tape) ? code : try(r, o, room);
 }
 
 int replay_close(replay *r)

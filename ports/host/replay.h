@@ -20,8 +20,8 @@ typedef struct {
 /* What a changed world may need: all, or what goes without another world's block. */
 typedef enum { REPLAY_ALL, REPLAY_SAME_WORLD } replay_room;
 
-/* Reads options.tape, if there is one, and tries all its changes on a copy of the world:
- * EXIT_INPUT, and said why with file and line, before anything has moved. */
+/* Reads options.tape, if there is one, and tries all its changes on another stage of the
+ * scene: EXIT_INPUT, and said why with file and line, before anything has moved. */
 int  replay_open(replay *r, const stage *s, const options *o, replay_room room);
 int  replay_close(replay *r);
 

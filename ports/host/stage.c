@@ -235,10 +235,12 @@ static bool needs_canvas(const stage *s, const change *c)
 
 static int prepare_change(stage *s, change *c)
 {
-    int code = EXIT_DONE;
+    int code;
     s->file.set_at[c->row] = SET_BY_COMMAND;
     if (c->result == SETTING_LOAD)
         code = load_anew(s, c);
+    else
+        code = assets_check(&s->assets, &s->file);
     if (!code && c->result != SETTING_DONE)
         code = world_anew(s, c);
     return code ? code : plan_anew(s, c);

@@ -219,8 +219,12 @@ bad "a set beyond its range" "wave0.amplitude = 99 is outside 0..16 m" \
 bad "a set of no number" "wave0.amplitude: expected a number, found high" \
     "4 set wave0.amplitude=high"
 bad "a set of no choice" "sky.kind = dawn is none of " "4 set sky.kind=dawn"
-bad "a set of a file that is not there" "boat.mesh=no.obj: no such file" \
+bad "a set of a file that is not there" "boat.mesh: no.obj: No such file" \
     "4 set boat.mesh=no.obj"
+bad "a set of a file that is no picture" "layer0.texture: bad.tape: not a good PNG" \
+    "4 set layer0.texture=bad.tape"
+bad "a sky of pictures that are not named" "sky.kind: a cube needs six pictures" \
+    "4 set sky.kind=cube"
 bad "a set at no tick" "expected a tick, found set" "set camera.x=4"
 bad "a set at an earlier tick" "ticks must rise" "2 set camera.x=4"
 bad "a set after its tick's input" "expected looks and sets before their tick's input" \

@@ -226,6 +226,20 @@ static void what_is_refused_changes_nothing(void **state)
     stage_close(&stood);
 }
 
+static void a_sky_without_pictures_is_refused(void **state)
+{
+    (void)state;
+    bool opened = false;
+    open_scene("assets/scenes/minimal.ini");
+    const tp_scene scene = stood.file.scene;
+    const tp_world world = *stood.world;
+    assert_int_equal(stage_set(&stood, &given, "here", "sky.kind=cube", &opened), 3);
+    assert_memory_equal(&scene, &stood.file.scene, sizeof scene);
+    assert_memory_equal(&world, stood.world, sizeof world);
+    assert_false(opened);
+    stage_close(&stood);
+}
+
 static void a_stage_without_a_canvas_takes_changes(void **state)
 {
     (void)state;
@@ -248,6 +262,7 @@ int main(void)
         cmocka_unit_test(a_world_is_made_anew_where_it_was),
         cmocka_unit_test(files_are_loaded_and_let_go),
         cmocka_unit_test(what_is_refused_changes_nothing),
+        cmocka_unit_test(a_sky_without_pictures_is_refused),
         cmocka_unit_test(a_stage_without_a_canvas_takes_changes),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
