@@ -285,11 +285,11 @@ int view_command(int argc, char **argv)
         code = run(&v);
         const int taped = view_untape(&v);
         code = code ? code : taped;
-        end(&v);
         if (!code && o.stats) {
             print_stats(&v);
             code = finish_stdout();
         }
+        end(&v);
     }
     free(o.settings);
     return code;
