@@ -251,19 +251,21 @@ static int load(assets *a, const scene_file *file, const char *name, void *into,
 }
 
 /* Six pictures or none: a cube with a hole is no sky. */
-int assets_check(const assets *a, const scene_file *file)
+const char *assets_lack(const assets *a, const scene_file *file)
 {
     static const char *const faces[TP_FACES] = { "sky.east", "sky.west", "sky.up",
                                                  "sky.down", "sky.south", "sky.north" };
+    for (int i = 0; i < TP_FACES && file->scene.sky.kind == TP_SKY_CUBE; i++)
+        if (!a->names.sky[i])
+            return faces[i];
+    return NULL;
+}
+
+int assets_refuse(const scene_file *file, const char *lacking)
+{
     char who[WHO_BYTES];
-    for (int i = 0; i < TP_FACES && file->scene.sky.kind == TP_SKY_CUBE; i++) {
-        if (a->names.sky[i])
-            continue;
-        scene_file_who(file, tp_param_find("sky.kind", 8), who, sizeof who);
-        return fail(EXIT_INPUT, "%s: a cube needs six pictures; %s names none", who,
-                    faces[i]);
-    }
-    return EXIT_DONE;
+    scene_file_who(file, tp_param_find("sky.kind", 8), who, sizeof who);
+    return fail(EXIT_INPUT, "%s: a cube needs six pictures; %s names none", who, lacking);
 }
 
 int assets_open(assets *a, const scene_file *file)
@@ -298,8 +300,8 @@ int assets_open_within(assets *a, const scene_file *file, uint32_t texels)
         code = load(a, file, pictures[i], &a->picture[i], &there);
         *slots[i] = there ? &a->picture[i] : NULL;
     }
-    if (!code)
-        code = assets_check(a, file);
+    if (!code && assets_lack(a, file))
+        code = assets_refuse(file, assets_lack(a, file));
     for (size_t i = 0; i < sizeof greys / sizeof *greys && !code; i++) {
         code = load(a, file, greys[i].name, greys[i].into, &there);
         *greys[i].slot = there ? greys[i].into : NULL;

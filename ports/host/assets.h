@@ -25,8 +25,10 @@ int  assets_open(assets *a, const scene_file *file);
 int  assets_open_within(assets *a, const scene_file *file, uint32_t texels);   /* or 0 */
 void assets_close(assets *a);
 
-/* After a change of the scene: whether it still has what it needs of them; said, if not. */
-int  assets_check(const assets *a, const scene_file *file);
+/* After a change of the scene: the row of a picture that it needs now and that they lack,
+ * or NULL. */
+const char *assets_lack(const assets *a, const scene_file *file);
+int  assets_refuse(const scene_file *file, const char *lacking);    /* says so */
 
 /* Closes *to and puts in its place what *from has, which is then empty. */
 void assets_move(assets *to, assets *from);

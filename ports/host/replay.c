@@ -2,6 +2,7 @@
 /* Playing tapes. */
 #include "replay.h"
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 #include "say.h"
 
@@ -12,22 +13,52 @@ static void place_of(const replay *r, const deck_entry *entry, char *place, size
     snprintf(place, bytes, "%s:%u", r->tape.name, (unsigned)entry->line);
 }
 
+/* The sets that follow each other at one tick, from entry `at` on: how many. */
+static size_t sets_from(const deck *d, size_t at)
+{
+    size_t n = 0;
+    while (at + n < d->count && d->entries[at + n].kind == DECK_SET
+           && d->entries[at + n].tick == d->entries[at].tick)
+        n++;
+    return n;
+}
+
+typedef struct { char text[512]; } place;
+
+static int set_all(const replay *r, size_t at, size_t count, stage *s, const options *o,
+                   bool *opened)
+{
+    place *places = malloc(count * sizeof *places);
+    stage_setting *all = malloc(count * sizeof *all);
+    for (size_t i = 0; places && all && i < count; i++) {
+        const deck_entry *entry = &r->tape.entries[at + i];
+        place_of(r, entry, places[i].text, sizeof places[i].text);
+        all[i] = (stage_setting){ places[i].text, entry->setting };
+    }
+    const int code = places && all ? stage_set_all(s, o, all, count, opened)
+                                   : fail_memory(count * sizeof *places);
+    free(places);
+    free(all);
+    return code;
+}
+
 static int try_all(const replay *r, stage *s, const options *o, replay_room room)
 {
     int code = EXIT_DONE;
     for (size_t i = 0; i < r->tape.count && !code; i++) {
         const deck_entry *entry = &r->tape.entries[i];
         const tp_world *world = s->world;
-        char place[512];
+        const size_t count = sets_from(&r->tape, i);
         bool opened;
-        if (entry->kind != DECK_SET)
+        if (count == 0)
             continue;
-        place_of(r, entry, place, sizeof place);
-        code = stage_set(s, o, place, entry->setting, &opened);
+        code = set_all(r, i, count, s, o, &opened);
+        i += count - 1;
         if (!code && room == REPLAY_SAME_WORLD && s->world != world)
-            code = fail(EXIT_INPUT, "%s: %s makes the world anew, which a raw screen does"
-                        " not show: expected what goes on in the same world; `tidepool"
-                        " render` plays all", place, entry->setting);
+            code = fail(EXIT_INPUT, "%s:%u: %s makes the world anew, which a raw screen"
+                        " does not show: expected what goes on in the same world;"
+                        " `tidepool render` plays all", r->tape.name,
+                        (unsigned)entry->line, entry->setting);
     }
     return code;
 }
@@ -72,16 +103,17 @@ int replay_close(replay *r)
 
 /* -- while it runs --------------------------------------------------------------- */
 
-static int act(const replay *r, const deck_entry *entry, stage *s, const options *o,
+static int act(replay *r, const deck_entry *entry, stage *s, const options *o,
                bool *opened)
 {
-    char place[512];
+    const size_t at = (size_t)(entry - r->tape.entries);
+    const size_t count = sets_from(&r->tape, at);
     if (entry->kind == DECK_LOOK) {
         tp_world_look(s->world, &entry->input);
         return EXIT_DONE;
     }
-    place_of(r, entry, place, sizeof place);
-    return stage_set(s, o, place, entry->setting, opened);
+    r->tape.at = at + count;
+    return set_all(r, at, count, s, o, opened);
 }
 
 int replay_acts(replay *r, stage *s, const options *o, bool *opened)

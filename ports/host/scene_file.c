@@ -202,6 +202,18 @@ char *scene_file_path_of(const scene_file *file, const tp_param *param)
     return path_copy(name, strlen(name));
 }
 
+void scene_file_text(const scene_file *file, const tp_param *param, char *text,
+                     size_t bytes)
+{
+    const bool is_name = param->kind == TP_PARAM_MESH || param->kind == TP_PARAM_TEXTURE
+                      || param->kind == TP_PARAM_GREY;
+    const size_t length = tp_param_text(&file->scene, param, text, bytes);
+    char *path = is_name && length > 0 ? scene_file_path_of(file, param) : NULL;
+    if (path && strlen(path) < TP_NAME_BYTES)
+        snprintf(text, bytes, "%s", path);
+    free(path);
+}
+
 int scene_file_refuse(const scene_file *file, const tp_error *err)
 {
     const tp_param *param = tp_param_find(err->word, strlen(err->word));

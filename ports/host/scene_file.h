@@ -32,6 +32,11 @@ const tp_param *scene_file_check(const char *place, const char *setting,
  * program was started in or, if there is no such file, to the INI too. */
 char *scene_file_path_of(const scene_file *file, const tp_param *param);
 
+/* The row's value as it has to be set by hand to mean what it means now: a name that the
+ * INI gave is relative to the INI, those given by hand to the current folder. */
+void scene_file_text(const scene_file *file, const tp_param *param, char *text,
+                     size_t bytes);
+
 /* "harbour.ini:14: boat.mesh", what messages about its file begin with. */
 void scene_file_who(const scene_file *file, const tp_param *param, char *text,
                     size_t bytes);

@@ -156,9 +156,12 @@ void stage_close(stage *s)
 
 /* -- changes while it moves ------------------------------------------------------ */
 
+#define LATER EXIT_CHECK        /* refused as the scene is now, and nothing was said */
+
 typedef struct {
     const options  *o;
     const char     *place;
+    bool            later;          /* what may be taken later is refused in silence */
     const tp_param *param;
     uint32_t        row;
     setting_result  result;
@@ -169,6 +172,8 @@ typedef struct {
 
 static int refuse_change(const change *c, const tp_error *err)
 {
+    if (c->later && err->code)
+        return LATER;
     return err->code ? fail_at(c->place, err) : fail_memory(c->world_bytes);
 }
 
@@ -233,6 +238,12 @@ static bool needs_canvas(const stage *s, const change *c)
         || changes_plan(s);
 }
 
+static int check_assets(const stage *s, const change *c)
+{
+    const char *lacking = assets_lack(&s->assets, &s->file);
+    return !lacking ? EXIT_DONE : c->later ? LATER : assets_refuse(&s->file, lacking);
+}
+
 static int prepare_change(stage *s, change *c)
 {
     int code;
@@ -240,7 +251,7 @@ static int prepare_change(stage *s, change *c)
     if (c->result == SETTING_LOAD)
         code = load_anew(s, c);
     else
-        code = assets_check(&s->assets, &s->file);
+        code = check_assets(s, c);
     if (!code && c->result != SETTING_DONE)
         code = world_anew(s, c);
     return code ? code : plan_anew(s, c);
@@ -266,14 +277,14 @@ static void take_back(stage *s, const change *c, const char *before, uint32_t se
                       before, strlen(before), NULL);
 }
 
-int stage_set(stage *s, const options *o, const char *place, const char *setting,
-              bool *opened)
+static int set(stage *s, const options *o, const char *place, const char *setting,
+               bool later, bool *opened)
 {
     char before[TP_NAME_BYTES + 64];
     const char *value;
     uint32_t count;
     tp_error err = { 0 };
-    change c = { .o = o, .place = place,
+    change c = { .o = o, .place = place, .later = later,
                  .param = scene_file_check(place, setting, &value) };
     if (!c.param)
         return EXIT_INPUT;
@@ -294,5 +305,34 @@ int stage_set(stage *s, const options *o, const char *place, const char *setting
     if (c.loaded)
         assets_close(c.loaded);
     free(c.loaded);
+    return code;
+}
+
+int stage_set(stage *s, const options *o, const char *place, const char *setting,
+              bool *opened)
+{
+    return set(s, o, place, setting, false, opened);
+}
+
+/* Passes over what is left, as long as one of them gets something done. */
+int stage_set_all(stage *s, const options *o, const stage_setting *all, size_t count,
+                  bool *opened)
+{
+    bool *done = calloc(count ? count : 1, sizeof *done), later = true;
+    int code = done ? EXIT_DONE : fail_memory(count);
+    for (size_t left = done ? count : 0; left > 0;) {
+        const size_t before = left;
+        for (size_t i = 0; i < count; i++) {
+            const int one = done[i] ? LATER : set(s, o, all[i].place, all[i].setting,
+                                                  later, opened);
+            if (one == LATER)
+                continue;
+            done[i] = true;
+            left--;
+            code = one ? one : code;
+        }
+        later = left < before;
+    }
+    free(done);
     return code;
 }

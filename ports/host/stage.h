@@ -30,6 +30,13 @@ void stage_close(stage *s);
 int  stage_set(stage *s, const options *o, const char *place, const char *setting,
                bool *opened);
 
+/* Several of one moment, in their order; what is refused is tried again after the others:
+ * of two bounds the lower cannot always come first.  EXIT_INPUT: some are refused, which
+ * is said of each, and the others are done. */
+typedef struct { const char *place, *setting; } stage_setting;
+int  stage_set_all(stage *s, const options *o, const stage_setting *all, size_t count,
+                   bool *opened);
+
 /* The scene and its settings alone, and what the core had to clamp reported. */
 int  stage_read(scene_file *file, const options *o);
 void stage_report_clamps(const scene_file *file, const tp_sea *sea);

@@ -233,6 +233,9 @@ bad "a look after its tick's input" "expected looks and sets before" "3 look tur
 bad "a look that lets drops fall" "a look moves the camera alone" "4 look turn=4 drops=1"
 bad "a look with an unknown name" "no input is called sideways" "4 look sideways=1"
 bad "a word that is neither" "expected NAME=NUMBER, found looks" "4 looks turn=1"
+tape twice.tape "4 set pool.cols=64" "4 set pool.feed_low=0.5" "4 set pool.feed_high=1"
+run render minimal --size 48x32 --frames 40 --hash --tape twice.tape
+same "of one tick sets are taken in any order" "$code $(wc -l <out)" "0 40"
 tape bad.tape "4 set pool.cols=64" "4 set pool.damping=10" "4 set pool.courant=0.8"
 refused "a pool that would not come to rest" "bad.tape:4: pool.courant of 0.800 is above" \
     bad.tape

@@ -240,6 +240,55 @@ static void a_sky_without_pictures_is_refused(void **state)
     stage_close(&stood);
 }
 
+/* In the table's order each of these is refused by what comes after it. */
+static void several_are_taken_in_any_order(void **state)
+{
+    (void)state;
+    static const stage_setting all[] = {
+        { "1", "sky.kind=cube" }, { "2", "sky.east=assets/skies/dusk-east.png" },
+        { "3", "sky.west=assets/skies/dusk-west.png" },
+        { "4", "sky.up=assets/skies/dusk-up.png" },
+        { "5", "sky.down=assets/skies/dusk-down.png" },
+        { "6", "sky.south=assets/skies/dusk-south.png" },
+        { "7", "sky.north=assets/skies/dusk-north.png" }, { "8", "pool.cols=32" },
+        { "9", "pool.feed_low=0.5" }, { "10", "pool.feed_high=1" },
+    }, some[] = { { "1", "boat.mesh=no.obj" }, { "2", "pool.feed_low=3" },
+                  { "3", "camera.fov=50" } };
+    bool opened = false;
+    open_scene("assets/scenes/minimal.ini");
+    assert_int_equal(stage_set_all(&stood, &given, all, sizeof all / sizeof *all, &opened),
+                     0);
+    assert_true(opened);
+    assert_int_equal(stood.file.scene.sky.kind, TP_SKY_CUBE);
+    assert_int_equal(stood.file.scene.pool.feed_low, 1 << 15);
+    assert_drawn_as_new("all of them");
+    assert_int_equal(stage_set_all(&stood, &given, some, 3, &opened), 3);
+    assert_int_equal(stood.file.scene.pool.feed_low, 1 << 15);
+    assert_int_equal(stood.file.scene.camera.fov, 50 << 16);
+    assert_int_equal(stage_set_all(&stood, &given, all, 0, &opened), 0);
+    stage_close(&stood);
+}
+
+/* A name that the file gave, given by hand. */
+static void names_are_told_from_the_current_folder(void **state)
+{
+    (void)state;
+    char text[256], setting[300];
+    const tp_param *param = tp_param_find("layer0.texture", 14);
+    open_scene("assets/scenes/minimal.ini");
+    const uint32_t before = drawn();
+    scene_file_text(&stood.file, param, text, sizeof text);
+    assert_string_equal(text, "assets/scenes/../textures/water.png");
+    assert_true(set("layer0.texture="));
+    assert_int_not_equal(drawn(), before);
+    snprintf(setting, sizeof setting, "layer0.texture=%s", text);
+    assert_true(set(setting));
+    assert_int_equal(drawn(), before);
+    scene_file_text(&stood.file, param, text, sizeof text);
+    assert_string_equal(text, "assets/scenes/../textures/water.png");
+    stage_close(&stood);
+}
+
 static void a_stage_without_a_canvas_takes_changes(void **state)
 {
     (void)state;
@@ -263,6 +312,8 @@ int main(void)
         cmocka_unit_test(files_are_loaded_and_let_go),
         cmocka_unit_test(what_is_refused_changes_nothing),
         cmocka_unit_test(a_sky_without_pictures_is_refused),
+        cmocka_unit_test(several_are_taken_in_any_order),
+        cmocka_unit_test(names_are_told_from_the_current_folder),
         cmocka_unit_test(a_stage_without_a_canvas_takes_changes),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
