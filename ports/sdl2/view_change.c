@@ -203,10 +203,10 @@ bool view_set(view *v, uint32_t row, const char *text, bool going)
     uint32_t count;
     const tp_param *param = &tp_params(&count)[row];
     char before[PANEL_TEXT], after[PANEL_TEXT];
-    tp_param_text(&v->stage->file.scene, param, before, sizeof before);
+    scene_file_text(&v->stage->file, param, before, sizeof before);
     if (!put(v, param, text))
         return false;
-    tp_param_text(&v->stage->file.scene, param, after, sizeof after);
+    scene_file_text(&v->stage->file, param, after, sizeof after);
     edits_add(&v->edits, row, before, after, going);
     return true;
 }
@@ -273,11 +273,15 @@ int view_resume(view *v)
     if (code)
         return code;
     bool opened = view_open(v, state.scene);
-    for (uint32_t i = 0; opened && i < state.count; i++) {
+    stage_setting *all = opened ? malloc((state.count + 1) * sizeof *all) : NULL;
+    for (uint32_t i = 0; all && i < state.count; i++)
+        all[i] = (stage_setting){ "--resume", state.settings[i] };
+    if (all) {
         bool open = false;
-        if (stage_set(v->stage, v->options, "--resume", state.settings[i], &open) == EXIT_DONE)
-            view_refit(v, open);
+        (void)stage_set_all(v->stage, v->options, all, state.count, &open);
+        view_refit(v, open);
     }
+    free(all);
     if (opened && session_world(&v->stage->file.scene, &v->stage->assets.names,
                                 v->stage->world, v->stage->world_bytes, &number)) {
         v->picture = number;
