@@ -48,14 +48,14 @@ until_true() {
     return 1
 }
 
-# keep PICTURE NAME: by as many colours as 120 KB hold.
+# keep PICTURE NAME: with as many colours as 120 KB hold.
 keep() {
     [ -s "$1" ] || { echo "tour: $2.png could not be taken" >&2; return 1; }
-    for colours in 256 128 64 32 16; do
-        convert "$1" -resize '960x>' -colors $colours -strip "PNG8:$work/few.png"
+    for colours in 256 192 128 96 64 48 32; do
+        convert "$1" +dither -colors $colours -strip "PNG8:$work/few.png"
         [ "$(wc -c <"$work/few.png")" -gt 120000 ] || break
     done
-    echo "  $folder/$2.png"
+    echo "  $folder/$2.png: $colours colours"
     cp "$work/few.png" "$folder/$2.png"
 }
 
@@ -77,8 +77,13 @@ take() {        # SECONDS NAME: what the window shows after so long
     import -silent -window "$window" "$work/whole.png"
     keep "$work/whole.png" "$2"
 }
-stop() {
-    press Escape
+stop() {        # what Escape closes first may be something else
+    for _ in 1 2 3 4 5; do
+        kill -0 "$viewer" 2>/dev/null || break
+        press Escape 2>/dev/null
+        sleep 0.5
+    done
+    kill "$viewer" 2>/dev/null
     wait "$viewer"
     viewer=
 }
@@ -91,14 +96,21 @@ tour_of_preview() {
     DISPLAY=:$(cat "$work/number")
     export DISPLAY
     start three-swells || return 1
-    take 8 tour-panel
+    sleep 8
+    press F3                    # the panel's search
+    xdotool type wave0
+    take 1 tour-panel
+    stop
+    start night-sea || return 1
+    sleep 4
     press F1
     take 1 tour-keys
     stop
-    start harbour --no-panel || return 1
-    sleep 4
-    press p F4 F8               # the reference is reckoned for a standing picture
-    take 12 tour-compare
+    start three-swells --no-panel || return 1
+    sleep 6
+    press p F4 F8               # beside the exact way, triangles, rows, projected, flat
+    press shift+F8 shift+F8 shift+F8 shift+F8
+    take 2 tour-compare
     stop
 }
 lacks "the preview" Xvfb xdotool import || tour_of_preview
