@@ -27,7 +27,12 @@ lacks() {       # PICTURES COMMAND...
 lacks "the tour" convert && exit 0
 
 work=$(mktemp -d) || exit 1
-server= viewer=
+server= viewer= lost=0
+lose() {
+    echo "tour: $1" >&2
+    lost=1
+    return 1
+}
 cleanup() {
     [ -z "$viewer" ] || kill "$viewer" 2>/dev/null
     [ -z "$server" ] || kill "$server" 2>/dev/null
@@ -50,13 +55,13 @@ until_true() {
 
 # keep PICTURE NAME: with as many colours as 120 KB hold.
 keep() {
-    [ -s "$1" ] || { echo "tour: $2.png could not be taken" >&2; return 1; }
+    [ -s "$1" ] || { lose "$2.png could not be taken"; return; }
     for colours in 256 192 128 96 64 48 32; do
         convert "$1" +dither -colors $colours -strip "PNG8:$work/few.png"
         [ "$(wc -c <"$work/few.png")" -gt 120000 ] || break
     done
+    cp "$work/few.png" "$folder/$2.png" || { lose "$2.png was not written"; return; }
     echo "  $folder/$2.png: $colours colours"
-    cp "$work/few.png" "$folder/$2.png"
 }
 
 # -- the preview -----------------------------------------------------------------------
@@ -65,7 +70,7 @@ start() {       # SCENE OPTION...
     (cd "$work" && SDL_VIDEODRIVER=x11 SDL_AUDIODRIVER=dummy \
         exec "$program" view "$@") >"$work/log" 2>&1 &
     viewer=$!
-    until_true find_window || { echo "tour: no window was opened" >&2; return 1; }
+    until_true find_window || lose "no window was opened"
 }
 find_window() {
     window=$(xdotool search --onlyvisible --name '^tidepool: ' 2>/dev/null | head -1)
@@ -92,7 +97,7 @@ tour_of_preview() {
     Xvfb -displayfd 7 -screen 0 1600x1000x24 -nolisten tcp -noreset \
         7>"$work/number" >/dev/null 2>&1 &
     server=$!
-    until_true test -s "$work/number" || { echo "tour: no display" >&2; return 1; }
+    until_true test -s "$work/number" || { lose "no display"; return; }
     DISPLAY=:$(cat "$work/number")
     export DISPLAY
     start three-swells || return 1
@@ -128,3 +133,4 @@ if [ -s "$page" ]; then
 else
     echo "tour: left out: the page (make web builds it)"
 fi
+exit $lost
