@@ -8,9 +8,9 @@
 
 static const about_row rows[] = {
     { FOR_VIEW, "tidepool view [SCENE] [OPTION]...",
-      "A window with the scene and a panel of all its parameters; F1 lists the keys.\n"
-      "SCENE is a shipped one or an INI file, else three-swells.  What the window is\n"
-      "doing is kept each second, for --resume.\n", "" },
+      "Opens a window to look around and to change everything; F1 there lists the\n"
+      "keys.  SCENE is a shipped one or an INI file, else three-swells.  What the\n"
+      "window shows is kept each second, for --resume.\n", "" },
     { FOR_RENDER, "tidepool render SCENE [OPTION]...",
       "Draws SCENE, a shipped one or an INI file: to PNGs, to a film, or to measure.\n",
       "Exit: 0 done, 1 a frame differs from --expect, 2 usage, 3 bad input or output.\n" },

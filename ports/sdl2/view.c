@@ -9,6 +9,7 @@
 #include <string.h>
 #include <sys/resource.h>
 #include <unistd.h>
+#include "../host/about.h"
 #include "../host/commands.h"
 #include "../host/say.h"
 #include "../host/timing.h"
@@ -19,13 +20,6 @@
 #define WAIT_MS   2             /* for events, when there is nothing to draw */
 #define AWAY_MS   100           /* the same, minimised */
 #define PAST      (64u << 20)   /* bytes, for rewinding */
-
-static void print_help(void)
-{
-    puts("usage: tidepool view [SCENE] [OPTION]...\n"
-         "Opens a window to look around and to change everything; F1 there lists the keys.\n");
-    args_print(FOR_VIEW);
-}
 
 /* -- the end --------------------------------------------------------------------- */
 
@@ -273,7 +267,7 @@ int view_command(int argc, char **argv)
     if (!o.threads)
         o.threads = crew_usual();
     if (!code && o.help) {
-        print_help();
+        about_print(FOR_VIEW);
         code = finish_stdout();
     } else if (!code) {
         v.scale = o.scale ? (int)o.scale : 1;
