@@ -18,7 +18,9 @@ typedef struct { const char *name, *help; } entry;
 static const entry environment[] = {
     { "DISPLAY, WAYLAND_DISPLAY", "Where the preview opens its window; without them `make"
       " run` draws to files." },
-    { "SDL_VIDEODRIVER", "The driver that SDL is to use for it." },
+    { "SDL_VIDEODRIVER, SDL_RENDER_DRIVER", "The drivers that SDL is to use for it." },
+    { "PATH", "Where ffmpeg is looked for, by which the preview records its films; without"
+      " it they are Y4M." },
     { "XDG_CONFIG_HOME", "The folder of tidepool/keys.ini, ~/.config by default." },
     { "XDG_STATE_HOME", "The folder of what --resume goes on from, ~/.local/state by"
       " default." },
@@ -28,6 +30,8 @@ static const entry environment[] = {
 static const entry files[] = {
     { "~/.config/tidepool/keys.ini", "The preview's keys, as under KEYS." },
     { "~/.local/state/tidepool/", "What the preview was doing, for --resume." },
+    { "SCENE-0001.png, .mp4, .y4m, .tape", "What the preview records, in the folder where"
+      " it was started, under the next free number." },
     { "share/tidepool/scenes/", "The shipped scenes, under the prefix of the"
       " installation." },
 };
