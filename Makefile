@@ -270,7 +270,8 @@ RUN := TP_BUILD=$(BUILD) TP_PROGRAM=$(PROGRAM) tests/run.sh
 
 unit: $(UNIT)
 sanitized: $(SAN_UNIT) $(PROGRAM) $(PANEL_DEMO)
-everything: all $(PANEL_DEMO) $(filter-out $(SAN_UNIT),$(UNIT)) $(GOLDEN) $(FRAMES) $(BUILD)/tests/bench/scene_s \
+everything: all $(PANEL_DEMO) $(filter-out $(SAN_UNIT),$(UNIT)) $(GOLDEN) $(FRAMES) \
+          $(BUILD)/tests/bench/scene_s \
           $(BUILD)/tests/bench/views $(BUILD)/longship $(BUILD)/textures \
           $(BUILD)/tests/host/same_pixels $(BUILD)/screen_fake.so \
           $(addprefix $(BUILD)/tests/,host/screen_crc boards/same_picture \
