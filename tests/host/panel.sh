@@ -71,7 +71,7 @@ find_window() {
     [ -n "$window" ]
 }
 start() {
-    timeout 100 "$demo" "$@" >log 2>&1 &
+    timeout -k 5 100 "$demo" "$@" >log 2>&1 &
     shown=$!
     until_true find_window && says ready && timeout 5 xdotool windowfocus "$window"
 }
@@ -89,7 +89,7 @@ ends() {
     wait "$shown"
     code=$?
     shown=""
-    [ "$code" -eq 0 ] && silent 'ports/|imgui|ImGui|runtime error'
+    [ "$code" -eq 0 ] && silent 'ports/|imgui|ImGui|MallocWrapper|runtime error'
 }
 
 # Rows that are found stand below the search, from y 189 on, 20 px apart, in a panel of
