@@ -72,11 +72,12 @@ static void wait_for(panel_keys *k, const SDL_Event *event)
         k->event[k->events++] = *event;
 }
 
-static void wait_as(panel_keys *k, const SDL_Event *event, SDL_Scancode code)
+static void wait_as(panel_keys *k, const SDL_Event *event, SDL_Scancode code,
+                    SDL_Keycode sym)
 {
     SDL_Event e = *event;
     e.key.keysym.scancode = code;
-    e.key.keysym.sym = SDL_GetKeyFromScancode(code);
+    e.key.keysym.sym = sym;
     wait_for(k, &e);
 }
 
@@ -88,10 +89,12 @@ static void wait_for_down(panel_keys *k, const SDL_Event *event)
     const bool enter = key->sym == SDLK_RETURN || key->sym == SDLK_KP_ENTER;
     if (event->key.repeat || (is_plain(key->sym) && !(key->mod & KMOD_CTRL)))
         return;
-    if (key->sym == SDLK_TAB)
-        wait_as(k, event, key->mod & KMOD_SHIFT ? SDL_SCANCODE_UP : SDL_SCANCODE_DOWN);
+    if (key->sym == SDLK_TAB && (key->mod & KMOD_SHIFT))
+        wait_as(k, event, SDL_SCANCODE_UP, SDLK_UP);
+    else if (key->sym == SDLK_TAB)
+        wait_as(k, event, SDL_SCANCODE_DOWN, SDLK_DOWN);
     else if (enter && !keys_types(k) && !k->on_number)
-        wait_as(k, event, SDL_SCANCODE_SPACE);
+        wait_as(k, event, SDL_SCANCODE_SPACE, SDLK_SPACE);
     else
         wait_for(k, event);
 }
@@ -101,12 +104,12 @@ static void wait_for_up(panel_keys *k, const SDL_Event *event)
 {
     const SDL_Keycode key = event->key.keysym.sym;
     if (key == SDLK_TAB) {
-        wait_as(k, event, SDL_SCANCODE_UP);
-        wait_as(k, event, SDL_SCANCODE_DOWN);
+        wait_as(k, event, SDL_SCANCODE_UP, SDLK_UP);
+        wait_as(k, event, SDL_SCANCODE_DOWN, SDLK_DOWN);
         return;
     }
     if (key == SDLK_RETURN || key == SDLK_KP_ENTER)
-        wait_as(k, event, SDL_SCANCODE_SPACE);
+        wait_as(k, event, SDL_SCANCODE_SPACE, SDLK_SPACE);
     wait_for(k, event);
 }
 

@@ -4,6 +4,7 @@
 #include "panel_rows.h"
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 /* -- groups ---------------------------------------------------------------------------- */
@@ -146,17 +147,9 @@ int panel_place(const panel_span *s, double value)
     return (int)lround(fmin(fmax(share, 0), 1) * s->steps);
 }
 
-/* To a five-hundredth of the span or of the value, and no more than 16.16 tells. */
-void panel_number(const panel_span *s, int place, char text[PANEL_TEXT])
+static void tell(double value, int decimals, char text[PANEL_TEXT])
 {
-    const double low = way(s, s->low), high = way(s, s->high);
-    const double at = low + (high - low) * place / s->steps;
-    const double value = place <= 0 ? s->low : place >= s->steps ? s->high
-                       : s->fine > 0 ? s->fine * sinh(at) : at;
-    const double size = s->fine > 0 ? fmax(fabs(value), s->fine) : s->high - s->low;
-    const int finest = (int)ceil(2.5 - log10(size));
-    snprintf(text, PANEL_TEXT, "%.*f", s->whole || finest < 0 ? 0 : finest > 4 ? 4 : finest,
-             value);
+    snprintf(text, PANEL_TEXT, "%.*f", decimals, value);
     if (strchr(text, '.')) {
         size_t n = strlen(text);
         while (text[n - 1] == '0')
@@ -165,6 +158,30 @@ void panel_number(const panel_span *s, int place, char text[PANEL_TEXT])
     }
     if (strcmp(text, "-0") == 0)
         memcpy(text, "0", 2);
+}
+
+/* As short as 16.16 still takes for the same. */
+static void tell_end(double value, char text[PANEL_TEXT])
+{
+    int decimals = 0;
+    do
+        tell(value, decimals++, text);
+    while (decimals < 8 && fabs(strtod(text, NULL) - value) > 0.5 / 65536);
+}
+
+/* To a five-hundredth of the span or of the value, and within the range. */
+void panel_number(const panel_span *s, int place, char text[PANEL_TEXT])
+{
+    const double low = way(s, s->low), high = way(s, s->high);
+    const double at = low + (high - low) * place / s->steps;
+    const double value = s->fine > 0 ? s->fine * sinh(at) : at;
+    const double size = s->fine > 0 ? fmax(fabs(value), s->fine) : s->high - s->low;
+    const int finest = (int)ceil(2.5 - log10(size));
+    tell(value, s->whole || finest < 0 ? 0 : finest > 5 ? 5 : finest, text);
+    if (place <= 0 || strtod(text, NULL) < s->low)
+        tell_end(s->low, text);
+    else if (place >= s->steps || strtod(text, NULL) > s->high)
+        tell_end(s->high, text);
 }
 
 uint32_t panel_colour(const char *text)
