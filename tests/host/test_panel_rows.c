@@ -62,7 +62,7 @@ static void values_stand_at_their_places(void **state)
         const panel_span span = panel_span_of(&row, 0);
         assert_int_equal(panel_place(&span, span.low), 0);
         assert_int_equal(panel_place(&span, span.high), span.steps);
-        double before = -INFINITY;
+        double before = -1e9;
         for (int place = 0; place <= span.steps; place++) {
             char text[PANEL_TEXT];
             panel_number(&span, place, text);
