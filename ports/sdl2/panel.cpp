@@ -566,7 +566,7 @@ void panel_search(panel *p)
 
 bool panel_types(const panel *p)
 {
-    return p && !p->hidden && keys_types(&p->keys);
+    return p && !p->hidden && (p->keys.here || keys_types(&p->keys));
 }
 
 void panel_close(panel *p)

@@ -88,7 +88,10 @@ void   panel_draw(panel *p, const SDL_Rect *where);
 
 void   panel_scale(panel *p, float scale);      /* of letters, 1 = as designed */
 void   panel_search(panel *p);                  /* the keyboard goes to its search */
-bool   panel_types(const panel *p);             /* letters go to a field of its own */
+
+/* The keyboard is the panel's: keys that are held down are not the picture's.  A key that
+ * neither a field nor moving about in the panel wants is still told by panel_event. */
+bool   panel_types(const panel *p);
 void   panel_close(panel *p);
 
 #ifdef __cplusplus
