@@ -457,6 +457,15 @@ void draw(panel *p, const ImDrawData &data)
             ink_draw(&p->pen, p->call, add_calls(p, *data.CmdLists[i], 0));
 }
 
+/* When the picture is done, which has the host's lists in it. */
+void open_scene(panel *p)
+{
+    const uint32_t scene = p->to_open;
+    p->to_open = UINT32_MAX;
+    if (scene < p->host->scene_count)
+        p->host->open(p->host->user, scene);
+}
+
 void hide(panel *p)
 {
     p->keys.events = 0;
@@ -483,7 +492,7 @@ panel *panel_open(SDL_Window *window, SDL_Renderer *renderer, const panel_host *
     p->window = window;
     p->scale = 1;
     p->typing = p->sliding = p->tip = -1;
-    p->scene = UINT32_MAX;
+    p->scene = p->to_open = UINT32_MAX;
     p->groups = panel_groups_of(host, p->group);
     ink_begin(&p->pen, renderer);
     p->imgui = ImGui::CreateContext();
@@ -545,6 +554,7 @@ void panel_draw(panel *p, const SDL_Rect *where)
     tell_keys(p);
     ImGui::Render();
     draw(p, *ImGui::GetDrawData());
+    open_scene(p);
 }
 
 void panel_scale(panel *p, float scale)

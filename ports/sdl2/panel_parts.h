@@ -27,6 +27,7 @@ struct panel {
     bool          to_rows;              /* the rows' tab is to come to the front */
     panel_group   group[PANEL_GROUPS];
     uint32_t      groups, counted, scene;
+    uint32_t      to_open;              /* scene that was asked for, or UINT32_MAX */
     char          wanted[64];           /* what is searched for */
     int           typing;               /* row whose number is typed, or -1 */
     bool          typing_new, typing_seen;

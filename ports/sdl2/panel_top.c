@@ -78,7 +78,7 @@ static void show_scenes(panel *p)
         for (uint32_t i = 0; i < h->scene_count; i++) {
             pen_in((int)i);
             if (pen_choice(h->scenes[i], i == h->scene))
-                h->open(h->user, i);
+                p->to_open = i;
             if (pen_hovered() && h->shows[i])
                 pen_tip(h->shows[i]);
             pen_out();
