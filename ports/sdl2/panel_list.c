@@ -18,48 +18,61 @@ static bool show_head(const char *name, uint32_t number, bool forced)
     return open;
 }
 
-static bool finds_any(const panel *p, const panel_group *g)
+static panel_find best_of(const panel *p, const panel_group *g)
 {
+    panel_find best = PANEL_LOST;
     for (uint32_t i = g->first; i < g->first + g->count; i++)
-        if (panel_found(&p->host->row[i], p->wanted))
-            return true;
-    return false;
+        best = SDL_max(best, panel_found(&p->host->row[i], p->wanted));
+    return best;
+}
+
+static bool is_searched(const panel *p)
+{
+    return p->wanted[0] != '\0';
 }
 
 /* Those that were found are others than the same when nothing is searched for, and what
  * was folded stays so. */
 static void show_group(panel *p, const panel_group *g)
 {
-    const bool wants = p->wanted[0] != '\0';
-    if (wants && !finds_any(p, g))
-        return;
-    pen_in(wants);
-    if (show_head(g->name, g->changed, wants)) {
+    pen_in(is_searched(p));
+    if (show_head(g->name, g->changed, is_searched(p))) {
         pen_indent(true);
         for (uint32_t i = g->first; i < g->first + g->count; i++)
-            if (panel_found(&p->host->row[i], p->wanted))
+            if (panel_found(&p->host->row[i], p->wanted) != PANEL_LOST)
                 panel_row_show(p, i);
         pen_indent(false);
     }
     pen_out();
 }
 
-static void show_groups(panel *p)
+/* Where a name is found first, then where help alone tells of it. */
+static void show_found(panel *p)
+{
+    for (panel_find by = PANEL_BY_NAME; by > PANEL_LOST; by--)
+        for (uint32_t i = 0; i < p->groups; i++)
+            if (best_of(p, &p->group[i]) == by)
+                show_group(p, &p->group[i]);
+}
+
+static void show_groups(panel *p, bool idle)
+{
+    for (uint32_t i = 0; i < p->groups; i++)
+        if (p->group[i].idle == idle)
+            show_group(p, &p->group[i]);
+}
+
+static void show_all(panel *p)
 {
     uint32_t idle = 0;
-    const bool wants = p->wanted[0] != '\0';
-    for (uint32_t i = 0; i < p->groups; i++) {
-        idle += p->group[i].idle;
-        if (wants || !p->group[i].idle)
-            show_group(p, &p->group[i]);
-    }
-    if (wants || idle == 0 || !show_head("not in this scene", idle, false))
-        return;
-    pen_indent(true);
     for (uint32_t i = 0; i < p->groups; i++)
-        if (p->group[i].idle)
-            show_group(p, &p->group[i]);
-    pen_indent(false);
+        idle += p->group[i].idle;
+    show_groups(p, false);
+    if (idle > 0 && show_head("not in this scene", idle, false)) {
+        pen_indent(true);
+        show_groups(p, true);
+        pen_indent(false);
+    }
 }
 
 /* Another scene has other idle groups; else one group a picture is counted. */
@@ -94,6 +107,9 @@ void panel_list(panel *p)
     count_groups(p);
     show_search(p);
     pen_scroll("##rows");
-    show_groups(p);
+    if (is_searched(p))
+        show_found(p);
+    else
+        show_all(p);
     pen_scroll_end();
 }

@@ -86,15 +86,19 @@ static bool holds(const char *text, const char *word, size_t bytes)
     return false;
 }
 
-bool panel_found(const panel_row *row, const char *wanted)
+panel_find panel_found(const panel_row *row, const char *wanted)
 {
+    panel_find by = PANEL_BY_NAME;
     for (;;) {
         wanted += strspn(wanted, " ._");
         const size_t bytes = strcspn(wanted, " ._");
         if (bytes == 0)
-            return true;
-        if (!holds(row->name, wanted, bytes) && !holds(row->help, wanted, bytes))
-            return false;
+            return by;
+        if (!holds(row->name, wanted, bytes)) {
+            if (!holds(row->help, wanted, bytes))
+                return PANEL_LOST;
+            by = PANEL_BY_HELP;
+        }
         wanted += bytes;
     }
 }

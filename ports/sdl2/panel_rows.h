@@ -29,9 +29,10 @@ void     panel_group_count(const panel_host *host, panel_group *group, bool fres
  * `letters` of it, the last two then dots. */
 void     panel_label(const panel_row *row, uint32_t letters, char text[PANEL_NAME]);
 
-/* Whether every word of `wanted` is in name or help, capital or not; "_", "." and blank
- * are the same.  "" finds everything. */
-bool     panel_found(const panel_row *row, const char *wanted);
+/* Whether every word of `wanted` is in the name, or else in name or help; capital or not,
+ * and "_", "." and blank are the same.  "" is in every name. */
+typedef enum { PANEL_LOST, PANEL_BY_HELP, PANEL_BY_NAME } panel_find;
+panel_find panel_found(const panel_row *row, const char *wanted);
 
 /* Word i of "off|on|auto"; false: there is none. */
 bool     panel_word(const char *list, uint32_t i, char text[PANEL_TEXT]);

@@ -118,9 +118,11 @@ static void search_finds_words_of_name_and_help(void **state)
                                          "crest steep", "sharp", "steep SHARP", "0 crests" };
     static const char *const lost[] = { "wave1", "sharpness x", "wave sky" };
     for (size_t i = 0; i < sizeof found / sizeof *found; i++)
-        assert_true(panel_found(&steep, found[i]));
+        assert_int_not_equal(panel_found(&steep, found[i]), PANEL_LOST);
     for (size_t i = 0; i < sizeof lost / sizeof *lost; i++)
-        assert_false(panel_found(&steep, lost[i]));
+        assert_int_equal(panel_found(&steep, lost[i]), PANEL_LOST);
+    assert_int_equal(panel_found(&steep, "wave steep"), PANEL_BY_NAME);
+    assert_int_equal(panel_found(&steep, "wave sharp"), PANEL_BY_HELP);
 }
 
 static void labels_are_cut_with_dots(void **state)
