@@ -54,10 +54,10 @@ function more(item, near)
 }
 
 # pixel n + vertex P + wave W P + a fourth of each view, as near its cost as can be in
-# shares of it, none of them below 0: steps down along one of the four, again and again.
+# shares of it, none of them below 0: steps down along one of the four, until none moves.
 # The fourth is slant S P of rows, who mind how lines lie to the view, drawn D of triangles,
 # of which those without a pixel are soon done.
-function fit(rung,    item, views, v, name, i, j, k, rest, a, b, part, off, some)
+function fit(rung,    item, views, v, name, i, j, k, moved, rest, a, b, part, off, some)
 {
     some = rung ~ /^(rows|triangles)/ ? 4 : 3
     views = split("near dense small one low rough turned swell" \
@@ -78,13 +78,19 @@ function fit(rung,    item, views, v, name, i, j, k, rest, a, b, part, off, some
     }
     for (i = 1; i <= 4; i++)
         coefficient[i] = 0
-    for (k = 0; k < 50000; k++)
+    moved = 1
+    for (k = 0; moved && k < 50000; k++) {
+        moved = 0
         for (i = 1; i <= some; i++) {
             off = b[i]
             for (j = 1; j <= some; j++)
                 off -= j == i ? 0 : a[i, j] * coefficient[j]
-            coefficient[i] = off > 0 && a[i, i] > 0 ? off / a[i, i] : 0
+            off = off > 0 && a[i, i] > 0 ? off / a[i, i] : 0
+            if (off > coefficient[i] + 1e-9 || off < coefficient[i] - 1e-9)
+                moved = 1
+            coefficient[i] = off
         }
+    }
     for (v = 1; v <= views; v++) {
         name = "seen " rung " " item[v]
         rest = whole + sky * (pixels[name] - water[name]) + plain * water[name] + \
@@ -190,7 +196,7 @@ function shaded(rung,    n)
 
 # Pairs of pictures: what the second costs more than the first, over what it has more of;
 # none of them below 0.  Pixels of water and sky are known.
-function works(    r, name, than, i, j, k, off, sum, share, right, square)
+function works(    r, name, than, i, j, k, moved, off, sum, share, right, square, some, with)
 {
     for (r = 1; r <= runs; r++) {
         name = run[r]
@@ -211,14 +217,24 @@ function works(    r, name, than, i, j, k, off, sum, share, right, square)
             for (j = 1; j <= items; j++)
                 square[i, j] += share[i] * share[j]
     }
-    for (k = 0; k < 20000; k++)
+    for (i = 1; i <= items; i++)                # most have nothing to do with most
+        for (j = 1; j <= items; j++)
+            if (j != i && square[i, j])
+                with[i, ++some[i]] = j
+    moved = 1
+    for (k = 0; moved && k < 20000; k++) {
+        moved = 0
         for (i = 1; i <= items; i++) {
             off = right[i]
-            for (j = 1; j <= items; j++)
-                off -= j == i ? 0 : square[i, j] * price[j]
-            price[i] = square[i, i] > 0 && (off > 0 || item[i] ~ /^sky_/) ? \
-                       off / square[i, i] : 0
+            for (j = 1; j <= some[i]; j++)
+                off -= square[i, with[i, j]] * price[with[i, j]]
+            off = square[i, i] > 0 && (off > 0 || item[i] ~ /^sky_/) ? \
+                  off / square[i, i] : 0
+            if (off > price[i] + 1e-9 || off < price[i] - 1e-9)
+                moved = 1
+            price[i] = off
         }
+    }
     for (i = 1; i <= items; i++)
         row("work", "-", item[i], price[i])
     for (r = 1; r <= runs; r++) {
