@@ -63,12 +63,14 @@ bool window_open(window *w, const char *title, int width, int height, int scale,
         return false;
     }
     w->window = SDL_CreateWindow(title, SDL_WINDOWPOS_CENTERED, SDL_WINDOWPOS_CENTERED,
-                                 wide, high, SDL_WINDOW_RESIZABLE);
+                                 wide, high, SDL_WINDOW_RESIZABLE | SDL_WINDOW_HIDDEN);
     if (!w->window)
         return false;
     SDL_InitSubSystem(SDL_INIT_GAMECONTROLLER);         /* there may be none */
     SDL_SetWindowMinimumSize(w->window, SDL_min(wide, 160), SDL_min(high, 120));
-    w->renderer = make_renderer(w->window);
+    w->renderer = make_renderer(w->window);     /* which may make the window anew */
+    if (w->renderer)
+        SDL_ShowWindow(w->window);
     return w->renderer != NULL;
 }
 
@@ -86,9 +88,14 @@ void window_close(window *w)
     *w = (window){ 0 };
 }
 
+/* Where no window manager gives the old size back, it is asked for. */
 void window_full(window *w, bool full)
 {
+    if (full)
+        SDL_GetWindowSize(w->window, &w->wide, &w->high);
     SDL_SetWindowFullscreen(w->window, full ? SDL_WINDOW_FULLSCREEN_DESKTOP : 0);
+    if (!full && w->wide > 0)
+        SDL_SetWindowSize(w->window, w->wide, w->high);
 }
 
 /* -- where things are -------------------------------------------------------------- */

@@ -18,6 +18,7 @@ typedef struct {
     bool          lost;             /* the renderer lost the picture: upload it again, and
                                        letters_again() */
     bool          over;             /* private part: the mouse is on the bar */
+    int           wide, high;       /* before it took the whole screen */
     SDL_Cursor   *across;
 } window;
 

@@ -1,0 +1,132 @@
+# SPDX-License-Identifier: MIT
+# What the tests of the preview in a window share; read by `.` from the project's root with
+# the program's path as $1.  A display of their own, a home of their own, a folder of their
+# own to go on in.  One line a case; the last line is "N passed, M failed".
+program=$(realpath "$1") || exit 2
+sources=$(pwd)
+missing=""
+need() { command -v "$1" >/dev/null || missing="$missing${missing:+, }$2"; }
+need Xvfb xvfb
+need xdotool xdotool
+need import imagemagick
+need pgrep procps
+if [ -n "$missing" ]; then
+    echo "skipped: the preview in a window (package $missing)"
+    exit 0
+fi
+work=$(mktemp -d) || exit 2
+server="" viewer="" passed=0 failed=0
+cleanup() {
+    [ -z "$viewer" ] || kill "$viewer" 2>/dev/null
+    [ -z "$server" ] || kill "$server" 2>/dev/null
+    rm -rf "$work"
+}
+trap cleanup EXIT
+trap 'exit 1' INT TERM HUP
+cd "$work" || exit 2
+export HOME="$work/home" XDG_STATE_HOME="$work/state" XDG_CONFIG_HOME="$work/config"
+mkdir -p home state config
+
+# check NAME COMMAND...
+check() {
+    name=$1
+    shift
+    if "$@"; then
+        passed=$((passed + 1))
+        echo "ok - $name"
+    else
+        failed=$((failed + 1))
+        echo "FAILED - $name"
+        sed 's/^/     | /' log 2>/dev/null | tail -3
+    fi
+}
+
+# until_true COMMAND...: tries for ten seconds.
+until_true() {
+    for _ in $(seq 200); do
+        "$@" && return 0
+        sleep 0.05
+    done
+    return 1
+}
+
+finish() {
+    echo "$passed passed, $failed failed"
+    [ "$failed" -eq 0 ]
+}
+
+# -- display and window ------------------------------------------------------------------
+
+begin_server() {
+    rm -f number
+    exec 7>number
+    Xvfb -displayfd 7 -screen 0 1000x600x24 -nolisten tcp -noreset >/dev/null 2>&1 &
+    server=$!
+    exec 7>&-
+    until_true test -s number || { echo "FAILED - Xvfb starts"; exit 1; }
+    DISPLAY=:$(cat number)
+    export DISPLAY
+}
+
+find_window() {
+    window=$(timeout 5 xdotool search --onlyvisible --name '^tidepool: ' 2>/dev/null | \
+        head -1)
+    [ -n "$window" ]
+}
+
+# open_view ARGUMENT...: its window is then in $window; what it says in the file log.
+open_view() {
+    SDL_VIDEODRIVER=x11 SDL_AUDIODRIVER=dummy timeout 120 "$program" view "$@" >log 2>&1 &
+    viewer=$!
+    window=""
+    until_true find_window
+}
+
+# Waits for its end; the exit code is in $code.
+end_view() {
+    code=0
+    wait "$viewer" || code=$?
+    viewer=""
+}
+quit_view() {
+    press Escape
+    end_view
+    [ "$code" -eq 0 ]
+}
+viewing() { pgrep -P "$viewer"; }
+
+# -- keys and mouse ----------------------------------------------------------------------
+
+do_x() { timeout 10 xdotool "$@"; }
+press() { do_x windowfocus "$window" key --delay 30 "$@"; }
+hold() {        # SECONDS KEY...
+    seconds=$1
+    shift
+    do_x windowfocus "$window" keydown "$@" sleep "$seconds" keyup "$@"
+}
+
+# -- what is to be seen ------------------------------------------------------------------
+
+title() { timeout 5 xdotool getwindowname "$window"; }
+titled() { title | grep -q "$1"; }
+not_titled() { ! titled "$1"; }
+
+# screen NAME.ppm: the window as it is.  top NAME.ppm: above where messages come and go.
+screen() {
+    eval "$(timeout 5 xdotool getwindowgeometry --shell "$window" | grep '^[XYWH]')"
+    timeout 10 import -silent -window root -crop "${WIDTH}x$((HEIGHT - ${2:-0}))+$X+$Y" \
+        +repage -depth 8 "$1"
+}
+top() { screen "$1" 60; }
+top_is() { top now.ppm && cmp -s now.ppm "$1"; }
+top_is_not() { top now.ppm && ! cmp -s now.ppm "$1"; }
+
+# shot NAME.png: what F12 saves, of the scene's file name $scene.
+shot() {
+    rm -f "$scene"-[0-9]*.png
+    press F12
+    until_true test -s "$scene-0001.png" && mv "$scene-0001.png" "$1"
+}
+differ() { ! cmp -s "$1" "$2"; }
+size_is() { [ "$(identify -format '%wx%h' "$1")" = "$2" ]; }
+same_pixels() { [ "$(compare -metric AE "$1" "$2" null: 2>&1)" = 0 ]; }
