@@ -56,7 +56,11 @@ does drop -- "Space lets a drop fall" told 'drops=1'
 scene=tank
 check "the tank opens" open_view tank --size 160x120 --no-panel --tape tank.tape \
     --set pool.poke_every=0
-press 1 2 3 4 5 6
+for number in 1 2 3 4 5 6; do         # one poke a tick
+    press $number
+    sleep 0.15
+done
+places() { sed -n 's/^[0-9]* poke=//p' tank.tape; }
 press bracketleft bracketleft bracketright
 press m
 do_x mousemove_relative 40 0
@@ -67,7 +71,6 @@ press m
 press ctrl+q
 end_view
 does quit -- "Ctrl+Q ends with exit code 0" test "$code" -eq 0
-places() { sed -n 's/.* poke=[^ ]* \(poke_x=[^ ]* poke_z=[^ ]*\).*/\1/p' tank.tape; }
 six() { [ "$(places | wc -l)" -eq 6 ] && [ "$(places | sort -u | wc -l)" -eq 6 ]; }
 does poke1 poke2 poke3 poke4 poke5 poke6 -- "1 to 6 poke at six places" six
 clock() { [ "$(grep -o 'slower=[-0-9]*' tank.tape | tr '\n' ' ')" = "$1" ]; }
@@ -200,8 +203,65 @@ until_true titled paused
 
 # -- scenes ------------------------------------------------------------------------------------
 
+# -- a value changed in the panel, undone, saved --------------------------------------------
+
+# Beside 320 pixels of a picture and 6 of a bar.
+shot plain.png
+eval "$(do_x getwindowgeometry --shell "$window" | grep ^WIDTH)"
+if [ "$WIDTH" -gt 320 ]; then
+    press F2
+    does panel -- "F2 hides the panel" until_true titled 666x240
+    press F2
+    check "and shows it again" until_true titled 320x240
+    press ctrl+minus
+    does smaller -- "Ctrl+- makes letters and panel smaller" until_true titled 405x240
+    press ctrl+equal
+    does larger -- "Ctrl+= larger" until_true titled 320x240
+    press F3
+    do_x type --delay 40 wave0.amplitude
+    press Tab Tab Return
+    do_x type --delay 40 0.9
+    press Return Escape
+    shot high.png
+    does search -- "F3 finds a parameter, and its value reaches the world" \
+        differ plain.png high.png
+else
+    echo "skipped: the panel (package libimgui-dev)"
+    covered="$covered panel smaller larger search"
+    press t
+    shot high.png
+fi
+press ctrl+z
+shot undone.png
+does undo -- "Ctrl+Z takes it back" cmp -s plain.png undone.png
+press ctrl+y
+shot redone.png
+does redo -- "Ctrl+Y makes it again" cmp -s high.png redone.png
+press ctrl+s
+does save -- "Ctrl+S saves the scene" until_true grep -q '^amplitude *= *0.9' \
+    three-swells.ini
+press ctrl+r
+shot reloaded.png
+press F5
+shot restarted.png
+does reload -- "Ctrl+R reads the file again" cmp -s reloaded.png restarted.png
+
+# -- scenes ------------------------------------------------------------------------------------
+
 swells=$(title | sed 's/,.*//')
 press n
 does next_scene -- "N opens the next scene" until_true not_titled "$swells"
 press shift+n
 does last_scene -- "Shift+N the one before" until_true titled "$swells"
+check "Esc ends it" quit_view
+does shot -- "F12 saved pictures" test -s true.png
+
+# -- every one of the list -----------------------------------------------------------------------
+
+every() {
+    sed -n 's/^    X([A-Z0-9_]*, *"[a-z]*", *"\([a-z0-9_]*\)".*/\1/p' \
+        "$sources/ports/host/actions.h" | sort >listed
+    printf '%s\n' $covered | sort -u | diff listed - >log && [ -s listed ]
+}
+check "every action of the list has a case" every
+finish

@@ -79,7 +79,10 @@ open_view() {
     SDL_VIDEODRIVER=x11 SDL_AUDIODRIVER=dummy timeout 120 "$program" view "$@" >log 2>&1 &
     viewer=$!
     window=""
-    until_true find_window
+    until_true find_window && return
+    sed 's/^/     | /' log | tail -3
+    echo "FAILED - no window"
+    exit 1
 }
 
 # Waits for its end; the exit code is in $code.
@@ -111,15 +114,20 @@ title() { timeout 5 xdotool getwindowname "$window"; }
 titled() { title | grep -q "$1"; }
 not_titled() { ! titled "$1"; }
 
-# screen NAME.ppm: the window as it is.  top NAME.ppm: above where messages come and go.
+# screen NAME.ppm: the window as it is.  top NAME.ppm: its picture, above where messages
+# come and go.
 screen() {
     eval "$(timeout 5 xdotool getwindowgeometry --shell "$window" | grep '^[XYWH]')"
-    timeout 10 import -silent -window root -crop "${WIDTH}x$((HEIGHT - ${2:-0}))+$X+$Y" \
-        +repage -depth 8 "$1"
+    take "${WIDTH}x$HEIGHT+$X+$Y" "$1"
 }
-top() { screen "$1" 60; }
+top() {
+    eval "$(timeout 5 xdotool getwindowgeometry --shell "$window" | grep '^[XY]')"
+    eval "$(title | sed 's/.* \([0-9]*\)x\([0-9]*\):.*/WIDTH=\1 HEIGHT=\2/')"
+    take "${WIDTH}x$((HEIGHT - 60))+$X+$Y" "$1"
+}
+take() { timeout 10 import -silent -window root -crop "$1" +repage -depth 8 "$2"; }
 top_is() { top now.ppm && cmp -s now.ppm "$1"; }
-top_is_not() { top now.ppm && ! cmp -s now.ppm "$1"; }
+top_is_not() { top now.ppm && differ now.ppm "$1"; }
 
 # shot NAME.png: what F12 saves, of the scene's file name $scene.
 shot() {
@@ -127,6 +135,6 @@ shot() {
     press F12
     until_true test -s "$scene-0001.png" && mv "$scene-0001.png" "$1"
 }
-differ() { ! cmp -s "$1" "$2"; }
+differ() { [ -s "$1" ] && [ -s "$2" ] && ! cmp -s "$1" "$2"; }
 size_is() { [ "$(identify -format '%wx%h' "$1")" = "$2" ]; }
 same_pixels() { [ "$(compare -metric AE "$1" "$2" null: 2>&1)" = 0 ]; }
