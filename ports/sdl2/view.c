@@ -170,6 +170,7 @@ static int open_window(view *v)
                     " tidepool render %s --out %s.png", v->stage->file.name,
                     v->stage->file.name);
     }
+    v->window.usual = beside;
     v->letters = letters_open(v->window.renderer);
     view_panel_open(v);
     SDL_GetDisplayUsableBounds(SDL_GetWindowDisplayIndex(v->window.window), &usable);

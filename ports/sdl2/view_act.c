@@ -100,8 +100,9 @@ static void letters_by(view *v, int percent)
     v->ui = tp_clamp(v->ui + percent, UI_LEAST, UI_MOST);
     if (v->panel)
         panel_scale(v->panel, (float)v->ui / 100);
+    v->window.usual = view_panel_width(v);
     if (v->window.panel)
-        v->window.panel = view_panel_width(v);
+        v->window.panel = v->window.usual;
     view_size(v);
     view_say(v, "letters %d%%", v->ui);
 }
