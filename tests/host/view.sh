@@ -147,7 +147,7 @@ check "render plays the tape to the screenshot's bits" replayed
 
 scene=three-swells
 open_view three-swells --size 320x240 --no-panel --set wave0.amplitude=0.9
-top one.ppm
+until_true top one.ppm
 until_true top_is_not one.ppm           # some pictures on
 press p
 until_true titled paused

@@ -122,7 +122,9 @@ screen() {
 }
 top() {
     eval "$(timeout 5 xdotool getwindowgeometry --shell "$window" | grep '^[XY]')"
-    eval "$(title | sed 's/.* \([0-9]*\)x\([0-9]*\):.*/WIDTH=\1 HEIGHT=\2/')"
+    sides=$(title | sed -n 's/.* \([0-9]*\)x\([0-9]*\):.*/WIDTH=\1 HEIGHT=\2/p')
+    [ -n "$sides" ] || return 1         # no picture yet
+    eval "$sides"
     take "${WIDTH}x$((HEIGHT - 60))+$X+$Y" "$1"
 }
 take() { timeout 10 import -silent -window root -crop "$1" +repage -depth 8 "$2"; }
