@@ -94,6 +94,23 @@ static void every_letter_is_there_and_like_no_other(void **state)
     }
 }
 
+static void letters_read_from_left_to_right(void **state)
+{
+    static const char *const looks[LETTER_HIGH] = {
+        ".....  .....", "####.  .....", "#...#  .....", "#...#  .####", "####.  #...#",
+        "#.#..  #...#", "#..#.  #...#", "#...#  .####", ".....  ....#", ".....  .###.",
+    };
+    uint8_t rows[2][LETTER_HIGH];
+    (void)state;
+    drawn('R', 1, rows[0]);
+    drawn('g', 1, rows[1]);
+    for (int y = 0; y < LETTER_HIGH; y++)
+        for (int x = 0; x < 5; x++) {
+            assert_int_equal(rows[0][y] >> x & 1, looks[y][x] == '#');
+            assert_int_equal(rows[1][y] >> x & 1, looks[y][x + 7] == '#');
+        }
+}
+
 static void capitals_stand_on_one_line_and_tails_hang_below(void **state)
 {
     uint8_t rows[LETTER_HIGH];
@@ -180,6 +197,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(every_letter_is_there_and_like_no_other),
+        cmocka_unit_test(letters_read_from_left_to_right),
         cmocka_unit_test(capitals_stand_on_one_line_and_tails_hang_below),
         cmocka_unit_test(larger_letters_are_the_same_of_larger_pixels),
         cmocka_unit_test(other_bytes_show_that_something_was_there),
