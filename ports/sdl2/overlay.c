@@ -91,12 +91,12 @@ static void write_graph(sheet *s, const panel_figures *f)
     const int high = GRAPH_HIGH * s->scale, line = y + high / 2;
     const int count = (int)SDL_min(f->pictures, (uint32_t)PANEL_HISTORY);
     letters_fill(s->to, s->x, y, PANEL_HISTORY * s->scale, high, 0x000000, 96);
-    for (int i = 0; i < count; i++) {
+    for (int i = PANEL_HISTORY - count; i < PANEL_HISTORY; i++) {
         const float ms = f->history[i];
         const float part = SDL_clamp(ms / (2 * f->limit_ms), 0.0f, 1.0f);
         const int bar = SDL_max((int)(part * (float)high), s->scale);
-        letters_fill(s->to, s->x + (PANEL_HISTORY - count + i) * s->scale, y + high - bar,
-                     s->scale, bar, colour_of(ms, f->limit_ms), 255);
+        letters_fill(s->to, s->x + i * s->scale, y + high - bar, s->scale, bar,
+                     colour_of(ms, f->limit_ms), 255);
     }
     letters_fill(s->to, s->x, line, PANEL_HISTORY * s->scale, s->scale, white, 144);
     snprintf(text, sizeof text, "%.1f", (double)f->limit_ms);

@@ -298,6 +298,9 @@ static void the_first_pictures_stand_at_the_right(void **state)
     assert_int_equal(bars(bar), 3);
     const mark *line = bar[2] + 1;
     assert_int_equal(bar[2]->at.x + 1, line->at.x + line->at.w);
+    assert_true(bar[0]->at.y < line->at.y);             /* 20 ms, 20 ms, 500 ms */
+    assert_true(bar[2]->at.y < bar[1]->at.y);
+    assert_int_equal(bar[0]->at.y, bar[1]->at.y);
 }
 
 static void times_are_listed_and_compared(void **state)
