@@ -153,6 +153,9 @@ endif
 ifndef SDL_CFLAGS
 UNIT    := $(filter-out $(addprefix %/test_,keymap letters overlay pad window),$(UNIT))
 endif
+ifeq ($(filter %/panel.cpp,$(PORTS)),)
+UNIT    := $(filter-out %/test_panel_keys %/test_panel_rows,$(UNIT))
+endif
 # Scenes whose frames every processor must draw: between them, every model.
 SCENES  := $(patsubst assets/scenes/%.ini,%,$(wildcard assets/scenes/*.ini))
 ONE     := $(if $(filter command,$(firstword $(origin SCENE))),$(SCENE))
@@ -295,7 +298,7 @@ more-tests: everything build/host/count.so build/host/tally.so
 	    done
 	@FUZZ_SECONDS=$${FUZZ_SECONDS:-5} $(RUN) build/log/more \
 	    tests/gates/arm.sh tests/gates/clang.sh tests/host/view.sh tests/host/panel.sh \
-	    tests/host/view_keys.sh \
+	    tests/host/view_keys.sh tests/host/leaks.sh \
 	    tests/host/threads.sh tests/bench/views.sh tests/cross/run.sh tests/cross/film.sh \
 	    $(patsubst %,tests/boards/%.sh,rpi cortex-m oled control linuxfb kms kms_events \
 	        console) \

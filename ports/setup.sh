@@ -74,7 +74,7 @@ present()       # KIND NAME
 
 case ${1:-} in
 run)  groups='run show' ;;
-test) groups='run test' ;;
+test) groups='run show test' ;;
 gallery) groups='run show sheet' ;;
 bench) groups='run peers' ;;
 all)  groups='run test all' ;;

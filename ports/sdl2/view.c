@@ -227,7 +227,7 @@ static void print_stats(view *v)
     struct rusage used;
     getrusage(RUSAGE_SELF, &used);
     printf("{\"pictures\": %u, \"ms_median\": %.3f, \"per_second\": %.1f, "
-           "\"latency_ms\": %.1f, \"peak_kb\": %ld, \"panel\": %s", (unsigned)v->drawn,
+           "\"latency_ms\": %.1f, \"peak_kb\": %ld, \"has_panel\": %s", (unsigned)v->drawn,
            (double)v->shown.median_ms, (double)v->shown.shown_per_s,
            (double)v->shown.latency_ms, used.ru_maxrss, v->panel ? "true" : "false");
     for (uint32_t i = 0; i < v->shown.part_count; i++)
