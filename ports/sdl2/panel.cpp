@@ -535,6 +535,20 @@ bool panel_event(panel *p, const SDL_Event *event)
     }
 }
 
+/* Beside the panel the pointer looks as others want it: Dear ImGui would give it its arrow
+ * for each picture. */
+static void leave_pointer(void)
+{
+    ImGuiIO &io = ImGui::GetIO();
+    const bool left = io.ConfigFlags & ImGuiConfigFlags_NoMouseCursorChange;
+    if (io.WantCaptureMouse) {
+        io.ConfigFlags &= ~ImGuiConfigFlags_NoMouseCursorChange;
+    } else if (!left) {
+        io.ConfigFlags |= ImGuiConfigFlags_NoMouseCursorChange;
+        SDL_SetCursor(SDL_GetDefaultCursor());
+    }
+}
+
 void panel_draw(panel *p, const SDL_Rect *where)
 {
     if (!p)
@@ -546,6 +560,7 @@ void panel_draw(panel *p, const SDL_Rect *where)
     }
     p->where = *where;
     feed(p);
+    leave_pointer();
     ImGui_ImplSDL2_NewFrame();
     point(p);
     ImGui::NewFrame();

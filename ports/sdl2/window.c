@@ -309,7 +309,10 @@ void window_clear(window *w, int scale)
     fill(w, at.panel.x, 0, at.panel.w, at.panel.h, 0x14181e);
 }
 
+/* The panel has its own pointers, and gives them up when it is drawn. */
 void window_present(window *w)
 {
+    if (w->over && w->across && SDL_GetCursor() != w->across)
+        SDL_SetCursor(w->across);
     SDL_RenderPresent(w->renderer);
 }
