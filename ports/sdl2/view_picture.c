@@ -116,7 +116,7 @@ static void draw_over(view *v, const layout *at, uint64_t now)
     if (compare_how_of(v->compare) != COMPARE_OFF)
         draw_compared(v, at, size);
     if (v->help)
-        overlay_help(v->letters, &at->room, size, &v->keys);
+        overlay_help(v->letters, &at->room, scale, &v->keys);
     else
         draw_said(v, at, size, now);
 }
