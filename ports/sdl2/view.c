@@ -257,6 +257,7 @@ static void end(view *v)
     if (v->stage)
         stage_close(v->stage);
     free(v->stage);
+    memset(v, 0, sizeof *v);            /* what was not freed is seen to leak */
 }
 
 int view_command(int argc, char **argv)
