@@ -129,6 +129,10 @@ SAY     = $(if $(V),,@echo '  $@';)
 ifeq ($(firstword $(subst -, ,$(shell $(CC) -dumpmachine 2>/dev/null))),x86_64)
 V3_C   := $(filter src/pixel/% src/geom/% src/raster/% src/shade/% src/frame/%,$(CORE))
 V3_OPT := -O3 -march=x86-64-v3 -mtune=skylake
+# Whose source is every kit's: without loops that are for vector units alone.
+ifdef V3_SAME_OPT
+V3_SAME := $(filter-out $(shell grep -lE 'TP_WIDE|slope\.h"|_plain\.h"' $(V3_C)),$(V3_C))
+endif
 HOSTED += $(if $(V3_C),-DTP_HAVE_KIT_V3)
 endif
 
@@ -261,12 +265,13 @@ help:
 
 # -- tests -----------------------------------------------------------------------------
 
-# Tests run under the sanitizers, where the second kit need not be quick, and alone there.
-# Those that tell how far something is off run without them, but in the soak; threads have
-# a sanitizer of their own.
+# Tests run under the sanitizers, and alone there.  The second kit need not be quick, and
+# only where its source is not the first one's it is watched as well.  Tests that tell how
+# far something is off run without sanitizers, but in the soak; threads have one of their
+# own.
 V3_LITE := V3_OPT='-O1 -march=x86-64-v3'
 SAN := TARGET=san OPT='-O1 -g1 -fsanitize=address,undefined -fno-sanitize-recover=all' \
-       $(V3_LITE)
+       $(V3_LITE) V3_SAME_OPT=-fno-sanitize=all
 SAN_UNIT := $(filter-out $(BUILD)/tests/accuracy/% %/test_shade_quick_light \
                %/test_shade_quick_even %/test_threads,$(UNIT))
 RUN := TP_BUILD=$(BUILD) TP_PROGRAM=$(PROGRAM) tests/run.sh
@@ -449,7 +454,8 @@ $(BUILD)/kit_v3.o: $(V3_C:%.c=$(BUILD)/v3/%.o)
 	@$(OBJCOPY) --keep-global-symbol=tp_kit_v3 $@
 $(BUILD)/v3/src/%.o: src/%.c $(BUILD)/flags
 	@mkdir -p $(@D)
-	$(SAY)$(COMPILE) $(BARE) $(V3_OPT) -Dtp_kit_all=tp_kit_v3 -c $< -o $@
+	$(SAY)$(COMPILE) $(BARE) $(V3_OPT) -Dtp_kit_all=tp_kit_v3 \
+	    $(if $(filter $<,$(V3_SAME)),$(V3_SAME_OPT)) -c $< -o $@
 # The least program by a kit of its own, and by kits with the first n features more.
 KITS := $(addprefix $(BUILD)/kits/,$(shell seq 0 17))
 kits: $(KITS:%=%.elf)
