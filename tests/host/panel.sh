@@ -89,7 +89,8 @@ ends() {
     wait "$shown"
     code=$?
     shown=""
-    [ "$code" -eq 0 ] && silent 'ports/|imgui|ImGui|MallocWrapper|runtime error'
+    grep -E 'ports/|imgui|ImGui|MallocWrapper|runtime error' log >own
+    [ "$code" -eq 0 ] && [ ! -s own ] || { echo "exit code $code" | cat - own >log; false; }
 }
 
 # Rows that are found stand below the search, from y 189 on, 20 px apart, in a panel of
