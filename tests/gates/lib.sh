@@ -57,7 +57,7 @@ every_file()
 {
     find . \( -name .git -o -path ./build -o -path ./out \) -prune -o -type f \
         \( -name '*.[ch]' -o -name '*.inc' -o -name '*.sh' -o -name '*.awk' \
-           -o -name '*.S' -o -name '*.mk' -o -name '*.ld' -o -name Makefile \
+           -o -name '*.cpp' -o -name '*.S' -o -name '*.mk' -o -name '*.ld' -o -name Makefile \
            -o -path './.ci/run' \) \
         -print | sort
 }
