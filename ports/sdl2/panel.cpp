@@ -33,7 +33,7 @@ ImVec4 paint_of(uint32_t rgb)
 
 } // namespace
 
-/* -- lengths and places ------------------------------------------------------------------ */
+/* -- lengths and places ---------------------------------------------------------- */
 
 float pen_px(float at_one)          { return SDL_floorf(at_one * shown->scale + 0.5f); }
 float pen_wide(const char *text)    { return ImGui::CalcTextSize(text).x; }
@@ -70,7 +70,7 @@ void pen_indent(bool in)
         ImGui::Unindent();
 }
 
-/* -- ink --------------------------------------------------------------------------------- */
+/* -- ink ------------------------------------------------------------------------- */
 
 void pen_box(float x, float y, float wide, float high, uint32_t colour)
 {
@@ -122,7 +122,7 @@ void pen_tip(const char *text)
     ImGui::EndTooltip();
 }
 
-/* -- the last thing, mouse and keyboard -------------------------------------------------- */
+/* -- the last thing, mouse and keyboard ------------------------------------------ */
 
 SDL_FRect pen_last(void)
 {
@@ -135,11 +135,15 @@ bool pen_focused(void)              { return ImGui::IsItemFocused(); }
 bool pen_active(void)               { return ImGui::IsItemActive(); }
 bool pen_left(void)                 { return ImGui::IsItemDeactivated(); }
 bool pen_any_active(void)           { return ImGui::IsAnyItemActive(); }
-bool pen_is_open(void)              { return ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup); }
 bool pen_pressed(int button)        { return ImGui::IsMouseClicked(button); }
 bool pen_ctrl(void)                 { return ImGui::GetIO().KeyCtrl; }
 bool pen_moves(void)                { return ImGui::GetIO().NavVisible; }
 double pen_time(void)               { return ImGui::GetTime(); }
+
+bool pen_is_open(void)
+{
+    return ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
+}
 
 bool pen_points(float x, float y, float wide, float high)
 {
@@ -153,7 +157,7 @@ bool pen_enter(void)
         || ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_KeyPadEnter), false);
 }
 
-/* -- things ------------------------------------------------------------------------------ */
+/* -- things ---------------------------------------------------------------------- */
 
 bool pen_button(const char *id, float wide, bool lit)
 {
@@ -258,7 +262,7 @@ void pen_scroll(const char *id)
     ImGui::BeginChild(id, ImVec2(0, 0), false, ImGuiWindowFlags_NavFlattened);
 }
 
-/* -- looks and letters ------------------------------------------------------------------- */
+/* -- looks and letters ----------------------------------------------------------- */
 
 namespace {
 
@@ -328,7 +332,7 @@ bool make_letters(panel *p)
     return true;
 }
 
-/* -- in and out -------------------------------------------------------------------------- */
+/* -- in and out ------------------------------------------------------------------ */
 
 /* Where the mouse points by the window's events: the backend asks the whole screen, which
  * does not hear of a pointer that a program moved. */
@@ -410,8 +414,9 @@ void show(panel *p)
     const ImVec2 size(static_cast<float>(p->where.w), static_cast<float>(p->where.h));
     ImGui::SetNextWindowPos(at);
     ImGui::SetNextWindowSize(size);
-    ImGui::Begin("##panel", nullptr, ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove
-        | ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBringToFrontOnFocus);
+    ImGui::Begin("##panel", nullptr, ImGuiWindowFlags_NoDecoration
+                 | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings
+                 | ImGuiWindowFlags_NoBringToFrontOnFocus);
     if (p->keys.here || keys_types(&p->keys))
         pen_box(at.x, at.y, pen_px(2), size.y, PEN_SEA);
     panel_rows_begin(p);
@@ -475,7 +480,7 @@ void hide(panel *p)
 
 } // namespace
 
-/* -- the contract ------------------------------------------------------------------------ */
+/* -- the contract ---------------------------------------------------------------- */
 
 bool panel_is_built(void)
 {

@@ -6,7 +6,7 @@
 #include "panel_parts.h"
 #include "panel_pen.h"
 
-/* -- the graph --------------------------------------------------------------------------- */
+/* -- the graph ------------------------------------------------------------------- */
 
 static float highest(const panel_figures *f, uint32_t n)
 {
@@ -23,7 +23,8 @@ static void show_graph(const panel_figures *f)
     const SDL_FPoint at = pen_at();
     const float wide = pen_room(), high = pen_px(60);
     const uint32_t n = SDL_min(f->pictures, (uint32_t)PANEL_HISTORY);
-    const float top = highest(f, n), step = SDL_max(1.0f, SDL_floorf(wide / PANEL_HISTORY));
+    const float top = highest(f, n);
+    const float step = SDL_max(1.0f, SDL_floorf(wide / PANEL_HISTORY));
     pen_box(at.x, at.y, wide, high, PEN_FRAME);
     for (uint32_t i = 0; i < n && (float)(i + 1) * step <= wide; i++) {
         const float ms = f->history[PANEL_HISTORY - 1 - i];
@@ -38,7 +39,7 @@ static void show_graph(const panel_figures *f)
     pen_take(wide, high);
 }
 
-/* -- tables ------------------------------------------------------------------------------ */
+/* -- tables ---------------------------------------------------------------------- */
 
 /* Name, a bar behind it as long as its share, and its time at the right. */
 static void show_time(const panel_time *t)
@@ -74,8 +75,8 @@ static void show_columns(char *line)
         if (column > 0) {
             const SDL_FRect last = pen_last();
             pen_beside(0);
-            pen_go(SDL_max(last.x + last.w, left + (float)(11 * column - 1) * pen_letter())
-                   + pen_letter(), last.y);
+            const float at = left + (float)(11 * column - 1) * pen_letter();
+            pen_go(SDL_max(last.x + last.w, at) + pen_letter(), last.y);
         }
         panel_line(column == 0 ? PEN_DIM : PEN_TEXT, line);
         line = tab ? tab + 1 : NULL;
@@ -93,7 +94,7 @@ static void show_lines(const char *lines)
     }
 }
 
-/* -- the whole --------------------------------------------------------------------------- */
+/* -- the whole ------------------------------------------------------------------- */
 
 static void show_compare(panel *p, const panel_compare *c)
 {

@@ -53,14 +53,14 @@ bool ink_atlas(ink *k, const uint8_t *bytes, int wide, int high, float u, float 
     return true;
 }
 
-/* -- rectangles out of triangles ------------------------------------------------------------ */
+/* -- rectangles out of triangles ------------------------------------------------- */
 
 static bool same(SDL_Color a, SDL_Color b)
 {
     return memcmp(&a, &b, sizeof a) == 0;
 }
 
-/* Corners in turn from the upper left, of two triangles 0 1 2 and 0 2 3, in one colour. */
+/* Corners in turn from the upper left, of triangles 0 1 2 and 0 2 3, in one colour. */
 static bool is_rectangle(const ink_vertex *v, const uint16_t *i)
 {
     const ink_vertex *const a = &v[i[0]], *const b = &v[i[1]], *const c = &v[i[2]],
@@ -139,7 +139,7 @@ void ink_draw(ink *k, const ink_call *call, int calls)
     SDL_RenderSetClipRect(k->renderer, NULL);
 }
 
-/* -- what is kept --------------------------------------------------------------------------- */
+/* -- what is kept ---------------------------------------------------------------- */
 
 /* Of words of four bytes, each in its place: a multiplication by an odd number and a turn
  * lose nothing of a difference. */

@@ -10,7 +10,7 @@ bool keys_types(const panel_keys *k)
     return k->searching || k->typing || k->writes;
 }
 
-/* -- which keys -------------------------------------------------------------------------- */
+/* -- which keys ------------------------------------------------------------------ */
 
 /* Makes a letter, which comes as text too. */
 static bool is_plain(SDL_Keycode key)
@@ -64,7 +64,7 @@ static bool takes(panel_keys *k, const SDL_Keysym *key)
     return (k->here || k->open) && moves_about(key->sym);
 }
 
-/* -- what waits -------------------------------------------------------------------------- */
+/* -- what waits ------------------------------------------------------------------ */
 
 static void wait_for(panel_keys *k, const SDL_Event *event)
 {
@@ -166,7 +166,7 @@ bool keys_next(panel_keys *k, SDL_Event *event)
     return true;
 }
 
-/* -- the mouse --------------------------------------------------------------------------- */
+/* -- the mouse ------------------------------------------------------------------- */
 
 static bool is_over(const panel_keys *k, int x, int y)
 {

@@ -2,9 +2,10 @@
 /* Whose a key or a click is, the panel's or the picture's, and keys in their order.
  *
  * The keyboard is the picture's until a person asks for the panel: by its search, by Tab
- * or by a click into a field.  Esc gives it back.  Dear ImGui sees which keys are down and
- * not in what order they came: one that goes down and up between two pictures would never
- * have been.  So they wait here, and each picture takes as many as it can tell apart. */
+ * or by a click into a field.  Esc gives it back.  Dear ImGui sees which keys are down
+ * and not in what order they came: one that goes down and up between two pictures would
+ * never have been.  So they wait here, and each picture takes as many as it can tell
+ * apart. */
 #ifndef SDL2_PANEL_KEYS_H
 #define SDL2_PANEL_KEYS_H
 #include <SDL.h>

@@ -20,7 +20,7 @@ enum {
     PEN_EDITED = 0xe8b060, PEN_OVERDUE = 0xd86858
 };
 
-/* -- lengths and places ---------------------------------------------------------------- */
+/* -- lengths and places ---------------------------------------------------------- */
 
 float pen_px(float at_one);             /* at scale 1 */
 float pen_letter(void);                 /* width; all are as wide */
@@ -41,7 +41,7 @@ void  pen_end(void);
 void  pen_beside(float gap);            /* the next thing stands beside the last one */
 void  pen_take(float wide, float high); /* room for what is drawn by the following */
 
-/* -- ink ------------------------------------------------------------------------------- */
+/* -- ink ------------------------------------------------------------------------- */
 
 void  pen_box(float x, float y, float wide, float high, uint32_t colour);
 void  pen_write(float x, float y, uint32_t colour, const char *text);
@@ -50,7 +50,7 @@ void  pen_say(uint32_t colour, const char *text);       /* things too */
 void  pen_say_wrapped(uint32_t colour, const char *text);
 void  pen_tip(const char *text);        /* of the last thing, beside the panel */
 
-/* -- the last thing, mouse and keyboard -------------------------------------------------- */
+/* -- the last thing, mouse and keyboard ------------------------------------------ */
 
 SDL_FRect pen_last(void);
 bool  pen_hovered(void);
@@ -66,7 +66,7 @@ bool  pen_ctrl(void);
 bool  pen_moves(void);                  /* the keyboard's place is shown */
 double pen_time(void);                  /* s */
 
-/* -- things ---------------------------------------------------------------------------- */
+/* -- things ---------------------------------------------------------------------- */
 
 bool  pen_button(const char *id, float wide, bool lit);
 bool  pen_check(const char *id, bool *on);
@@ -76,7 +76,7 @@ void  pen_focus_next(void);             /* the keyboard goes to the next thing *
 bool  pen_field(const char *id, const char *hint, char *text, size_t bytes, float wide);
 bool  pen_head(const char *name, bool forced);          /* of a group: open */
 
-bool  pen_list(const char *id, const char *shown, float wide);  /* NULL: the arrow alone */
+bool  pen_list(const char *id, const char *shown, float wide);  /* NULL: an arrow */
 bool  pen_choice(const char *text, bool chosen);
 void  pen_list_end(void);
 

@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* -- groups ---------------------------------------------------------------------------- */
+/* -- groups ---------------------------------------------------------------------- */
 
 static size_t head_bytes(const char *name)
 {
@@ -33,7 +33,7 @@ uint32_t panel_groups_of(const panel_host *host, panel_group groups[PANEL_GROUPS
     return n;
 }
 
-/* Whether a group's first value says that there is no such thing: no amplitude, no mesh. */
+/* Whether a group's first value says that there is no such thing. */
 static bool is_absent(const panel_host *host, uint32_t row)
 {
     char text[PANEL_TEXT];
@@ -54,7 +54,7 @@ void panel_group_count(const panel_host *host, panel_group *group, bool fresh)
         group->idle = group->changed == 0 && is_absent(host, group->first);
 }
 
-/* -- names and search -------------------------------------------------------------------- */
+/* -- names and search ------------------------------------------------------------ */
 
 void panel_label(const panel_row *row, uint32_t letters, char text[PANEL_NAME])
 {
@@ -115,7 +115,7 @@ bool panel_word(const char *list, uint32_t i, char text[PANEL_TEXT])
     return true;
 }
 
-/* -- values -------------------------------------------------------------------------------- */
+/* -- values ---------------------------------------------------------------------- */
 
 /* Many metres from a few centimetres on are no use on a straight slider. */
 panel_span panel_span_of(const panel_row *row, double value)

@@ -14,8 +14,8 @@ enum { PANEL_GROUPS = 64, PANEL_NAME = 32 };
 typedef struct {
     char     name[PANEL_NAME];
     uint32_t first, count;
-    bool     idle;              /* not in the scene when it was opened: every value was the
-                                   default, and the first one none */
+    bool     idle;              /* not in the scene when it was opened: every value was
+                                   the default, and the first one none */
     uint32_t changed;           /* values that are not the default's, when last counted */
 } panel_group;
 

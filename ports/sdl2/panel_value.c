@@ -34,7 +34,7 @@ static void end_sliding(panel *p)
     p->sliding = -1;
 }
 
-/* -- text and numbers -------------------------------------------------------------------- */
+/* -- text and numbers ------------------------------------------------------------ */
 
 /* What was typed is set when the field is left, if it is another. */
 static void show_field(panel *p, uint32_t row, const char *text, float wide)
@@ -125,7 +125,7 @@ static void show_number(panel *p, uint32_t row, const char *text, float wide)
         slide(p, row, text, wide);
 }
 
-/* -- the other kinds --------------------------------------------------------------------- */
+/* -- the other kinds ------------------------------------------------------------- */
 
 static void show_switch(panel *p, uint32_t row, const char *text)
 {
@@ -191,7 +191,7 @@ static void show_value(panel *p, uint32_t row, const char *text, float wide)
     }
 }
 
-/* -- the row ----------------------------------------------------------------------------- */
+/* -- the row --------------------------------------------------------------------- */
 
 /* At its end, where a value is not the file's or not the default. */
 static void show_reset(panel *p, uint32_t row, bool filed)

@@ -5,7 +5,8 @@
 #     panel.sh PROGRAM
 # One line a case; the last line is "N passed, M failed", and the exit code tells too.
 demo=$(dirname "$(realpath "$1")")/tests/host/panel_demo
-[ ! -x build/san/tests/host/panel_demo ] || demo=$(realpath build/san/tests/host/panel_demo)
+watched=build/san/tests/host/panel_demo
+[ ! -x $watched ] || demo=$(realpath $watched)
 missing=""
 need() { command -v "$1" >/dev/null || missing="$missing${missing:+, }$2"; }
 need Xvfb xvfb
@@ -90,7 +91,9 @@ ends() {
     code=$?
     shown=""
     grep -E 'ports/|imgui|ImGui|MallocWrapper|runtime error' log >own
-    [ "$code" -eq 0 ] && [ ! -s own ] || { echo "exit code $code" | cat - own >log; false; }
+    [ "$code" -eq 0 ] && [ ! -s own ] && return
+    echo "exit code $code" | cat - own >log
+    false
 }
 
 # Rows that are found stand below the search, from y 189 on, 20 px apart, in a panel of
@@ -103,7 +106,7 @@ search() {
 check "a window with the panel opens" start --panel 320
 [ -n "$window" ] || exit 1
 
-# -- keys of the picture stay its own ------------------------------------------------------
+# -- keys of the picture stay its own --------------------------------------------------
 
 key w space 1
 check "letters are the picture's" says 'left key W'
@@ -113,7 +116,7 @@ check "and function keys" says 'left key F5'
 click 300 300
 check "clicks beside the panel are the picture's" says 'left click 300,300'
 
-# -- search and numbers ----------------------------------------------------------------------
+# -- search and numbers ----------------------------------------------------------------
 
 search wave0.ste
 key Tab Tab
@@ -153,10 +156,19 @@ key ctrl+a
 write 0.125
 key Return
 check "the right button types it" says 'set wave0.steepness=0\.125'
+timeout 5 xdotool keydown ctrl
+click 850 189
+timeout 5 xdotool keyup ctrl
+write 0.75
+key Return
+check "and so does Ctrl with the left one" says 'set wave0.steepness=0\.75'
+key Return
+write 0.125
+key Return
 key Tab space Right Right space
 check "arrows move a slider" says 'set wave0.steepness=0\.145'
 
-# -- the other kinds -------------------------------------------------------------------------
+# -- the other kinds -------------------------------------------------------------------
 
 search grid.follow
 click 786 189
@@ -185,7 +197,7 @@ key Down Return
 check "a picture is chosen from those there are" says 'set layer1.texture=foam.png'
 key Escape
 
-# -- buttons, figures, hiding ------------------------------------------------------------------
+# -- buttons, figures, hiding ----------------------------------------------------------
 
 click 670 73
 check "a button does what its key does" says 'act undo'

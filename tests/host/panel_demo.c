@@ -34,7 +34,7 @@ typedef struct {
     uint32_t    drawn;
 } demo;
 
-/* -- values -------------------------------------------------------------------------- */
+/* -- values ---------------------------------------------------------------------- */
 
 static const tp_param *param(uint32_t row)
 {
@@ -119,7 +119,7 @@ static void make_rows(demo *d)
     d->host.row = d->row;
 }
 
-/* -- the rest of a host ---------------------------------------------------------------- */
+/* -- the rest of a host ---------------------------------------------------------- */
 
 static const char *const scenes[] = { "three-swells", "storm", "tank" };
 static const char *const shows[] = {
@@ -205,16 +205,18 @@ static void age(panel_figures *f)
     f->pictures++;
 }
 
-/* -- window ------------------------------------------------------------------------------ */
+/* -- window ---------------------------------------------------------------------- */
 
 static void shoot(SDL_Renderer *renderer, const char *name)
 {
     int w, h;
     SDL_GetRendererOutputSize(renderer, &w, &h);
     uint32_t *const rows = calloc((size_t)w * (size_t)h, 4);
-    picture p = { TP_FORMAT_XRGB8888, (uint32_t)w, (uint32_t)h, (size_t)w * 4, (uint8_t *)rows };
-    if (rows && SDL_RenderReadPixels(renderer, NULL, SDL_PIXELFORMAT_ARGB8888, rows, w * 4)
-            == 0 && picture_write_png(&p, name) == 0)
+    picture p = { TP_FORMAT_XRGB8888, (uint32_t)w, (uint32_t)h, (size_t)w * 4,
+                  (uint8_t *)rows };
+    if (rows && SDL_RenderReadPixels(renderer, NULL, SDL_PIXELFORMAT_ARGB8888, rows,
+                                     w * 4) == 0
+        && picture_write_png(&p, name) == 0)
         printf("shot %s\n", name);
     free(rows);
 }

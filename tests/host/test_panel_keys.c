@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Whose a key is, the panel's or the picture's, and in what order the panel hears of it. */
+/* Whose a key is, the panel's or the picture's, and in what order the panel hears. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>

@@ -25,7 +25,7 @@ static bool is_number(const tp_param *p)
     return p->kind == TP_PARAM_FX || p->kind == TP_PARAM_INT;
 }
 
-/* -- sliders --------------------------------------------------------------------------- */
+/* -- sliders --------------------------------------------------------------------- */
 
 static void every_place_is_a_value_that_the_table_takes(void **state)
 {
@@ -106,7 +106,7 @@ static void a_heading_has_the_turn_it_lies_in(void **state)
     assert_true(far.low == 900 && far.high == 1260);
 }
 
-/* -- words ----------------------------------------------------------------------------- */
+/* -- words ----------------------------------------------------------------------- */
 
 static const panel_row steep = { "wave0.crest_steepness", "", "sharpness of the crests",
                                  PANEL_NUMBER, 0, 1, "0.25" };
@@ -114,8 +114,10 @@ static const panel_row steep = { "wave0.crest_steepness", "", "sharpness of the 
 static void search_finds_words_of_name_and_help(void **state)
 {
     (void)state;
-    static const char *const found[] = { "", "  ", "wave", "WAVE0", "wave0.crest", "steep",
-                                         "crest steep", "sharp", "steep SHARP", "0 crests" };
+    static const char *const found[] = {
+        "", "  ", "wave", "WAVE0", "wave0.crest", "steep", "crest steep", "sharp",
+        "steep SHARP", "0 crests",
+    };
     static const char *const lost[] = { "wave1", "sharpness x", "wave sky" };
     for (size_t i = 0; i < sizeof found / sizeof *found; i++)
         assert_int_not_equal(panel_found(&steep, found[i]), PANEL_LOST);
@@ -167,7 +169,7 @@ static void a_tip_tells_all(void **state)
     assert_string_equal(text, "wave0.cre");
 }
 
-/* -- groups ---------------------------------------------------------------------------- */
+/* -- groups ---------------------------------------------------------------------- */
 
 static const panel_row four[] = {
     { "wave0.amplitude", "m", "", PANEL_NUMBER, 0, 16, "0" },
@@ -192,7 +194,8 @@ static bool is_normal(void *user, uint32_t row)
 static void what_is_not_in_the_scene_is_idle(void **state)
 {
     (void)state;
-    const panel_host host = { .row = four, .rows = 4, .get = get, .is_normal = is_normal };
+    const panel_host host = { .row = four, .rows = 4, .get = get,
+                              .is_normal = is_normal };
     panel_group g[PANEL_GROUPS];
     assert_int_equal(panel_groups_of(&host, g), 3);
     assert_string_equal(g[1].name, "camera");
