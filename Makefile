@@ -237,6 +237,10 @@ gallery:
 assets: $(BUILD)/longship $(BUILD)/textures
 	$(BUILD)/longship assets/boats
 	$(BUILD)/textures assets/textures assets/skies
+## a page that runs in a browser, from a folder: build/web/index.html
+web:
+	@ports/setup.sh web
+	@$(MAKE) --no-print-directory page
 ## install under PREFIX (/usr/local)
 install: all
 	install -d $(DESTDIR)$(PREFIX)/bin $(DESTDIR)$(PREFIX)/lib
@@ -485,6 +489,7 @@ $(sort $(BUILD)/flags $(CORE_AT)/flags): force
 	@echo '$(COMPILE) $(SDL_CFLAGS)' | cmp -s - $@ || echo '$(COMPILE) $(SDL_CFLAGS)' >$@
 
 include tests/charts/charts.mk
+include ports/web/web.mk
 
 .PHONY: all lib run test test-all soak count ram boards bench views charts reference fuzz \
     golden gallery assets install format clean help unit sanitized everything host-tests \

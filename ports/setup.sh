@@ -2,13 +2,14 @@
 # SPDX-License-Identifier: MIT
 # Installs what a Debian or Ubuntu machine lacks, and says what and why.
 #
-#   ports/setup.sh run|test|gallery|bench|all
+#   ports/setup.sh run|test|gallery|bench|web|serve|all
 #
 # `run` builds and shows, `test` adds the host's tests, `gallery` what takes its pictures
-# and lays them out, `bench` has renderers to compare with, `all` adds other processors,
-# boards and windows to the tests.  Without apt, or without root (tries sudo -n), it
-# prints the exact command: of things needed to build it then stops with 1, of things that
-# only tests need it goes on, and those tests say that they were skipped.
+# and lays them out, `bench` has renderers to compare with, `web` makes the page and
+# `serve` serves it, `all` adds other processors, boards, windows and the page to the
+# tests.  Without apt, or without root (tries sudo -n), it prints the exact command: of
+# things needed to build it then stops with 1, of things that only tests need it goes on,
+# and those tests say that they were skipped.
 set -u
 
 # group | package | how to see that it is there | what for
@@ -32,7 +33,10 @@ sheet | xdotool                  | cmd xdotool                 | its keys
 peers | libosmesa6-dev           | pkg osmesa                  | Mesa, to compare with
 peers | libsdl2-dev              | pkg sdl2                    | SDL, to compare with
 peers | valgrind                 | cmd valgrind                | counts instructions
-all  | clang                     | cmd clang                   | the second compiler
+page | clang                     | cmd clang                   | the second compiler; the page
+page | lld                       | cmd wasm-ld                 | links it
+page | binaryen                  | cmd wasm-opt                | makes it smaller
+node | nodejs                    | cmd node                    | serves it, and tests it
 all  | libclang-rt-dev           | lib clang_rt.fuzzer         | fuzzing
 all  | libsdl2-dev               | pkg sdl2                    | the preview window
 all  | libimgui-dev              | pkg imgui                   | its panel
@@ -77,8 +81,10 @@ run)  groups='run show' ;;
 test) groups='run show test' ;;
 gallery) groups='run show sheet' ;;
 bench) groups='run peers' ;;
-all)  groups='run test all' ;;
-*)    sed -n '3,11s/^# \{0,1\}//p' "$0" >&2; exit 2 ;;
+web)  groups='page' ;;
+serve) groups='page node' ;;
+all)  groups='run test page node all' ;;
+*)    sed -n '3,12s/^# \{0,1\}//p' "$0" >&2; exit 2 ;;
 esac
 
 missing= needed=

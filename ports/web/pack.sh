@@ -1,0 +1,28 @@
+#!/bin/sh
+# SPDX-License-Identifier: MIT
+# Files as tables of base64 in plain scripts, which a page may read from a folder too.
+#
+#   ports/web/pack.sh module X.wasm >module.js      TIDEPOOL.module, gzip'd
+#   ports/web/pack.sh files ASSETS >files.js        TIDEPOOL.files["textures/water.png"]
+#
+# PNGs as they are, text gzip'd.  No date is kept: the same files make the same script.
+set -eu
+LC_ALL=C
+export LC_ALL
+
+packed() { gzip -9 -n -c "$1" | base64 -w0; }
+
+case $1 in
+module)
+    printf "var TIDEPOOL = TIDEPOOL || {};\nTIDEPOOL.module = '%s';\n" "$(packed "$2")" ;;
+files)
+    cd "$2"
+    printf 'var TIDEPOOL = TIDEPOOL || {};\nTIDEPOOL.files = {\n'
+    for name in boats/*.obj boats/*.mtl; do
+        printf "'%s': '%s',\n" "$name" "$(packed "$name")"
+    done
+    for name in boats/*.png textures/*.png skies/*.png; do
+        printf "'%s': '%s',\n" "$name" "$(base64 -w0 "$name")"
+    done
+    printf '};\n' ;;
+esac

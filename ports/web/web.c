@@ -1,0 +1,298 @@
+/* SPDX-License-Identifier: MIT */
+/* The page's port: a world and the picture of it, in an arena above what scenes name.
+ *
+ *     choose(i), put(...)             a scene and its values (values.c)
+ *     wanted() ...                    what it names (assets.c)
+ *     build(width, height, format)    its world, its frame, the picture
+ *     step(), draw()                  a picture later; its pixels as a canvas has them
+ *
+ * Numbers go by the order of frames as `tidepool render` counts them, so that crc() is
+ * that of its --hash. */
+#include "web.h"
+#include "live/look.h"
+#include "live/pick.h"
+#include "live/poke.h"
+#include "live/setting.h"
+
+#define BAND_ROWS 128           /* as the host's canvas has them */
+
+static struct {
+    tp_world *world;            /* NULL: there is none, as the scene has changed */
+    tp_frame *frame;
+    uint8_t  *rows;             /* the picture, in its format */
+    uint32_t *shown;            /* the same as R, G, B, A bytes */
+    void     *scratch;
+    uintptr_t mark, above;      /* of the arena, below all these; above the world */
+    size_t    frame_bytes;
+    tp_frame_config config;
+    size_t    row_bytes;
+    uint32_t  number;           /* of the frame that the world is at */
+    tp_world  before;           /* the head of the last world, for another like it */
+    bool      was;
+    tp_input  wish;             /* for the next tick */
+    look      look;
+    tp_governor governor;
+} page;
+
+/* -- a world and a frame --------------------------------------------------------- */
+
+/* The arena is a stack: before a file is brought, or a world made anew, it goes back. */
+void web_drop(void)
+{
+    if (!page.world)
+        return;
+    page.before = *page.world;
+    page.was = true;
+    page.world = NULL;
+    web_back_to(page.mark);
+}
+
+tp_world *web_world(void)
+{
+    return page.world;
+}
+
+static int make_frame(tp_error *err)
+{
+    const tp_frame_config *c = &page.config;
+    web_back_to(page.above);
+    page.frame_bytes = tp_frame_bytes(&web_scene, &web_assets, c);
+    void *block = web_take(page.frame_bytes);
+    page.scratch = web_take(tp_frame_scratch_into_bytes(c));
+    page.row_bytes = tp_format_row_bytes(c->format, (int)c->width);
+    page.rows = web_take(page.row_bytes * c->height);
+    page.shown = web_take((size_t)c->width * c->height * sizeof *page.shown);
+    if (!block || !page.scratch || !page.rows || !page.shown)
+        return (int)TP_FAIL(err, TP_E_NOSPACE, 0, 0, 0);
+    return (int)tp_frame_init(&page.frame, &web_scene, &web_assets, c, block, err);
+}
+
+static int make_world(tp_error *err)
+{
+    const size_t bytes = tp_world_bytes(&web_scene, &web_assets);
+    tp_world *world = web_take(bytes < sizeof *world ? sizeof *world : bytes);
+    if (!world)
+        return (int)TP_FAIL(err, TP_E_NOSPACE, 0, bytes, 0);
+    if (tp_world_init(world, bytes, &web_scene, &web_assets, err))
+        return (int)err->code;
+    page.world = world;
+    page.above = web_mark();
+    return 0;
+}
+
+/* What quality.frame_ms wants, us; by 0 the plan alone holds. */
+static uint32_t limit_us(void)
+{
+    return (uint32_t)((int64_t)web_scene.quality.frame_ms * 1000 >> 16);
+}
+
+static void govern(void)
+{
+    const tp_ladder ladder = tp_ladder_of(&web_scene, &web_assets, page.config.width,
+                                          page.config.height);
+    tp_governor_init(&page.governor, &ladder, limit_us());
+    tp_frame_set_rungs(page.frame, NULL);
+}
+
+/* After a change that the world goes on with: a frame of another size, if it asks for
+ * one, and the governor's ladder. */
+int web_changed(bool grid)
+{
+    tp_error err = { 0 };
+    const size_t bytes = tp_frame_bytes(&web_scene, &web_assets, &page.config);
+    if ((grid || bytes > page.frame_bytes) && make_frame(&err))
+        return web_refuse(&err);
+    if (limit_us() || page.governor.limit)
+        govern();
+    return 0;
+}
+
+/* What is wanted must be there.  `carry`: the camera goes on from the last world.  Not 0:
+ * it cannot be, web_text tells why, and there is none. */
+EXPORT(int, build, uint32_t width, uint32_t height, int format, bool carry)
+{
+    tp_error err = { 0 };
+    web_drop();
+    page.mark = web_mark();
+    page.config = (tp_frame_config){ .width = width, .height = height,
+                                     .tile_height = BAND_ROWS,
+                                     .format = (tp_format)format };
+    page.number = carry ? page.number : 0;
+    page.wish = (tp_input){ 0 };
+    if (make_world(&err) || make_frame(&err)) {
+        page.world = NULL;
+        web_back_to(page.mark);
+        return web_refuse(&err);
+    }
+    if (carry && page.was)
+        setting_carry(page.world, &page.before);
+    govern();
+    return 0;
+}
+
+/* Another picture of the same world.  Not 0: it cannot be, and the old one goes on. */
+EXPORT(int, resize, uint32_t width, uint32_t height, int format)
+{
+    tp_error err = { 0 };
+    const tp_frame_config before = page.config;
+    page.config.width = width;
+    page.config.height = height;
+    page.config.format = (tp_format)format;
+    if (make_frame(&err)) {
+        page.config = before;
+        make_frame(NULL);
+        return web_refuse(&err);
+    }
+    govern();
+    return 0;
+}
+
+/* -- time ------------------------------------------------------------------------ */
+
+/* What the page adds to before the next step: its fields are 32 bits each. */
+EXPORT(tp_input *, input, void)
+{
+    return &page.wish;
+}
+
+/* On to the next picture; the first of its ticks takes the input, which waits where slow
+ * motion has none.  The picture's number. */
+EXPORT(uint32_t, step, void)
+{
+    for (uint32_t ticks = tp_world_frame(page.world); ticks > 0; ticks--) {
+        look_steer(&page.look, page.world, &web_scene, &page.wish);
+        tp_world_step(page.world, &web_scene, &page.wish);
+        page.wish = (tp_input){ 0 };
+    }
+    return ++page.number;
+}
+
+/* The camera alone moves, while the water stands. */
+EXPORT(void, turn, void)
+{
+    tp_input *wish = &page.wish;
+    look_steer(&page.look, page.world, &web_scene, wish);
+    tp_world_look(page.world, wish);
+    wish->ahead = wish->aside = wish->up = 0;
+    wish->turn = wish->tilt = 0;
+}
+
+/* -- pictures -------------------------------------------------------------------- */
+
+static void show_row(uint32_t y)
+{
+    const uint8_t *row = page.rows + y * page.row_bytes;
+    const uint32_t *pixels = (const uint32_t *)(const void *)row;
+    const tp_format format = page.config.format;
+    uint32_t *to = page.shown + (size_t)y * page.config.width;
+    for (uint32_t x = 0; x < page.config.width; x++) {
+        const uint32_t c = format == TP_FORMAT_XRGB8888 ? pixels[x]
+                         : tp_pixel_read(format, row, (int)x);
+        to[x] = 0xff000000u | (c & 0xff) << 16 | (c & 0xff00) | (c >> 16 & 0xff);
+    }
+}
+
+/* The picture's pixels, R, G, B and A bytes. */
+EXPORT(const uint32_t *, draw, void)
+{
+    tp_tile tile;
+    tp_frame_begin(page.frame, page.world);
+    for (uint32_t i = 0; tp_frame_tile_into(page.frame, i, page.scratch, page.rows,
+                                            page.row_bytes, &tile); i++)
+        for (uint32_t y = tile.y0; y < tile.y1; y++)
+            show_row(y);
+    return page.shown;
+}
+
+EXPORT(uint32_t, crc, void)
+{
+    uint32_t crc = 0;
+    for (uint32_t y = 0; y < page.config.height; y++)
+        crc = tp_crc32_pixels(crc, page.config.format, page.rows + y * page.row_bytes,
+                              (int)page.config.width);
+    return crc;
+}
+
+/* The last picture took so long: quality.frame_ms steps down or up.  Whether it did. */
+EXPORT(int, took, uint32_t us)
+{
+    const int step = tp_governor_feed(&page.governor, us);
+    const tp_rungs rungs = tp_governor_rungs(&page.governor);
+    if (step)
+        tp_frame_set_rungs(page.frame, &rungs);
+    return step;
+}
+
+/* -- hands ----------------------------------------------------------------------- */
+
+/* Over the place: the sphere of drops is moved there and lets one fall. */
+static void drop_at(const tp_drops *drops, const tp_vec3 *at)
+{
+    page.wish.sphere_x = at->x - drops->sphere.x;
+    page.wish.sphere_z = at->z - drops->sphere.z;
+    page.wish.drops = 1;
+}
+
+enum { MISSED, TOUCHED, DRY };
+
+/* The water under a pixel is poked, or a drop falls on it; `stir` is what a finger that
+ * goes on does.  DRY: it is touched, and the scene has nothing that could take it. */
+EXPORT(int, touch, int32_t x, int32_t y, bool stir)
+{
+    tp_vec3 at;
+    const tp_drops *drops = tp_world_drops(page.world);
+    if (!pick_water(page.world, &web_scene, page.config.width, page.config.height, x, y,
+                    &at))
+        return MISSED;
+    if (tp_world_pool(page.world) || tp_world_field(page.world))
+        poke_at(&web_scene, at.x, at.z, stir, &page.wish);
+    else if (drops)
+        drop_at(drops, &at);
+    else
+        return DRY;
+    return TOUCHED;
+}
+
+EXPORT(void, poke, uint32_t number)
+{
+    poke_point(&web_scene, number, &page.wish);
+}
+
+/* False: the scene has no boat, or the like. */
+EXPORT(bool, look, int mode)
+{
+    return look_begin(&page.look, (look_mode)mode, page.world, &web_scene);
+}
+
+/* What camera.follow has to be for it. */
+EXPORT(int, follow, void)
+{
+    return (int)look_follow(&page.look, &web_filed);
+}
+
+/* Where the camera is, as camera.x .. camera.pitch would say it: m and degrees, 16.16. */
+EXPORT(const int32_t *, camera, void)
+{
+    static int32_t at[5];
+    const tp_world *w = page.world;
+    const int32_t heading = (int32_t)((int64_t)(int32_t)w->heading * 360 >> 16);
+    const int32_t pitch = (int32_t)((int64_t)(int32_t)w->pitch * 360 >> 16);
+    at[0] = w->eye.x;
+    at[1] = w->eye.y;
+    at[2] = w->eye.z;
+    at[3] = heading;
+    at[4] = pitch;
+    return at;
+}
+
+/* For the page's line of figures. */
+EXPORT(const uint32_t *, facts, void)
+{
+    static uint32_t facts[4];
+    const tp_frame_stats stats = tp_frame_last_stats(page.frame);
+    facts[0] = stats.vertices;
+    facts[1] = stats.triangles;
+    facts[2] = stats.dropped;
+    facts[3] = (uint32_t)web_mark();
+    return facts;
+}

@@ -1,0 +1,55 @@
+# SPDX-License-Identifier: MIT
+# The page: the core for WebAssembly by clang alone, and plain files beside it that a
+# browser opens from a folder.  Part of the Makefile, which has the names used here.
+#
+# What is called for each pixel or corner is built for speed (128-bit SIMD, bodies in
+# line), the rest for size, where -Dalways_inline= takes that attribute away, so that
+# bodies are shared.  wasm-opt, where it is, takes off a ninth.
+
+WEB      := build/web
+WASM     := build/wasm
+CLANG    ?= clang
+WASM_LD  ?= wasm-ld
+WEB_O    := $(patsubst %.c,$(WASM)/%.o,$(CORE) \
+                $(wildcard ports/web/*.c ports/live/*.c)) $(WASM)/scenes.o
+WEB_PAGE := $(patsubst ports/web/%,$(WEB)/%,$(wildcard ports/web/*.html ports/web/*.css) \
+                $(filter-out %/serve.js,$(wildcard ports/web/*.js)))
+WEB_FAST := $(patsubst %.c,$(WASM)/%.o,$(filter src/shade/% src/raster/% src/pixel/% \
+                src/geom/% src/fx/sqrt.c $(addprefix src/pool/,flux.c gears.c sample.c \
+                slopes.c) $(addprefix src/frame/,boat.c caustics.c foam.c rows.c tile.c \
+                water.c),$(CORE)))
+WEB_FLAGS := --target=wasm32 -std=c11 $(WARN) -MMD -MP -fmacro-prefix-map=$(CURDIR)/= \
+             -mbulk-memory -ffreestanding -ffunction-sections -fdata-sections \
+             -Iinclude -Isrc -Iports -Iports/web
+WEB_OPT  := -Oz -Dalways_inline=
+$(WEB_FAST): WEB_OPT := -O2 -msimd128
+
+page: $(WEB_PAGE) $(WEB)/module.js $(WEB)/files.js
+
+$(WEB_PAGE): $(WEB)/%: ports/web/%
+	@mkdir -p $(@D)
+	$(SAY)cp $< $@
+$(WEB)/files.js: ports/web/pack.sh $(filter assets/boats/% assets/textures/% \
+          assets/skies/%,$(SHIPPED))
+	@mkdir -p $(@D)
+	$(SAY)ports/web/pack.sh files assets >$@.part && mv $@.part $@
+$(WEB)/module.js: ports/web/pack.sh $(WASM)/tidepool.wasm
+	$(SAY)ports/web/pack.sh module $(WASM)/tidepool.wasm >$@.part && mv $@.part $@
+
+$(WASM)/tidepool.wasm: $(WEB_O)
+	$(SAY)$(WASM_LD) --no-entry --gc-sections --strip-all $^ -o $@
+	@! command -v wasm-opt >/dev/null || \
+	    wasm-opt -Oz --enable-simd --enable-bulk-memory $@ -o $@
+$(WASM)/%.o: %.c $(WASM)/flags ports/web/web.mk
+	@mkdir -p $(@D)
+	$(SAY)$(CLANG) $(WEB_FLAGS) $(WEB_OPT) -c $< -o $@
+$(WASM)/scenes.o: $(WASM)/scenes.c $(WASM)/flags
+	$(SAY)$(CLANG) $(WEB_FLAGS) -Oz -c $< -o $@
+$(WASM)/scenes.c: ports/web/scenes.awk $(wildcard assets/scenes/*.ini)
+	@mkdir -p $(@D)
+	$(SAY)awk -f $< $(filter %.ini,$^) >$@
+$(WASM)/flags: force
+	@mkdir -p $(@D)
+	@echo '$(CLANG) $(WEB_FLAGS)' | cmp -s - $@ || echo '$(CLANG) $(WEB_FLAGS)' >$@
+.PHONY: web serve page
+-include $(shell find $(WASM) -name '*.d' 2>/dev/null)
