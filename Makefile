@@ -241,6 +241,11 @@ assets: $(BUILD)/longship $(BUILD)/textures
 web:
 	@ports/setup.sh web
 	@$(MAKE) --no-print-directory page
+## the same at http://localhost:8080, or the next port that is free
+serve:
+	@ports/setup.sh serve
+	@$(MAKE) --no-print-directory page
+	@node ports/web/serve.js build/web
 ## install under PREFIX (/usr/local)
 install: all
 	install -d $(DESTDIR)$(PREFIX)/bin $(DESTDIR)$(PREFIX)/lib

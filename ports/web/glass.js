@@ -1,0 +1,73 @@
+/* SPDX-License-Identifier: MIT */
+/* What pictures there are, where the canvas lies in its place, sheets over the page. */
+'use strict';
+(function (root) {
+    root.FORMATS = ['xrgb8888', 'rgb565', 'rgb565be', 'p8', 'l8', 'i1'];
+    root.SHOWN = [['xrgb8888', '24 bits'], ['rgb565', 'rgb565'], ['p8', '256 colours'],
+                   ['l8', '256 greys'], ['i1', 'black, white']];
+    root.SIZES = ['160x120', '240x320', '320x240', '480x360', '640x480', '800x600',
+                  '960x540', '1280x720'];
+    root.sizeOption = size => make('option', { value: size }, size.replace('x', ' × '));
+
+    /* `zoom` pixels of the screen for one of the picture, or as large as its place: from
+     * twice as large on by whole numbers, so that a board's dither stays even.  On whole
+     * pixels of the screen, or it would be blurred. */
+    root.fitGlass = function (canvas, zoom) {
+        const box = canvas.parentElement.getBoundingClientRect();
+        const ratio = devicePixelRatio || 1;
+        const most = ratio * Math.min(box.width / canvas.width,
+                                      box.height / canvas.height);
+        const by = (zoom || (most < 2 ? most : Math.floor(most))) / ratio;
+        const width = canvas.width * by, height = canvas.height * by;
+        const whole = at => Math.round(at * ratio) / ratio;
+        Object.assign(canvas.style, {
+            width: `${width}px`, height: `${height}px`,
+            left: `${whole(box.left + (box.width - width) / 2) - box.left}px`,
+            top: `${whole(box.top + Math.max(0, box.height - height) / 2) - box.top}px`,
+        });
+        canvas.classList.toggle('exact', zoom > 0 || by * ratio >= 2);
+    };
+
+    /* A picture that fills its place, each pixel as many of the screen's as make it about
+     * as large as 320 x 240. */
+    root.uprightSize = function (place) {
+        const wide = place.clientWidth * (devicePixelRatio || 1);
+        const high = place.clientHeight * (devicePixelRatio || 1);
+        const by = Math.max(1, Math.round(Math.sqrt(wide * high / 84000)));
+        return [wide, high].map(n => Math.max(16, Math.floor(n / by)));
+    };
+
+    function openSheet(title, ...inside) {
+        document.getElementById('sheet-title').textContent = title;
+        document.getElementById('sheet-body').replaceChildren(...inside);
+        document.getElementById('sheet').showModal();
+    }
+
+    root.shareSheet = async function (link) {
+        const field = make('input', { type: 'text', readOnly: true, value: link,
+                                      'aria-label': 'Link', id: 'link' });
+        const said = make('p', {}, 'Opens what you see: scene, changes, camera.');
+        openSheet('A link to this', said, field);
+        field.select();
+        try {
+            await navigator.clipboard.writeText(link);
+            said.textContent += ' It has been copied.';
+        } catch (error) {
+            said.textContent += ' Copy it from here:';
+        }
+    };
+
+    root.helpSheet = function () {
+        const kb = base64 => base64.length * 3 / 4000;
+        const files = Object.values(TIDEPOOL.files).reduce((sum, f) => sum + kb(f), 0);
+        const lists = HELP.flatMap(([title, lines]) => [
+            make('h3', {}, title),
+            make('dl', {}, ...lines.flatMap(([keys, does]) => [make('dt', {}, keys),
+                                                               make('dd', {}, does)])),
+        ]);
+        openSheet('Keys, mouse, fingers', ...lists, make('p', {},
+            `The program with its scenes: ${Math.round(kb(TIDEPOOL.module))} KB; `
+            + `pictures and boats: ${Math.round(files)} KB. `
+            + 'Nothing is fetched, nothing is kept.'));
+    };
+})(globalThis);

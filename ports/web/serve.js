@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+// Serves a folder on this machine alone:  node ports/web/serve.js FOLDER [PORT]
+// On port 8080, or the next that is free.
+'use strict';
+const fs = require('fs'), http = require('http'), path = require('path');
+
+const TYPES = { '.html': 'text/html; charset=utf-8', '.css': 'text/css; charset=utf-8',
+                '.js': 'text/javascript; charset=utf-8' };
+const folder = path.resolve(process.argv[2] || 'build/web');
+const first = Number(process.argv[3] || 8080);
+
+const server = http.createServer((request, answer) => {
+    const refuse = code => {
+        answer.writeHead(code, { 'Content-Type': 'text/plain' });
+        answer.end(`${code} ${http.STATUS_CODES[code]}\n`);
+    };
+    let name;
+    try {
+        name = decodeURIComponent(new URL(request.url, 'http://localhost').pathname);
+    } catch (error) {
+        return refuse(400);
+    }
+    const file = path.join(folder, name.endsWith('/') ? name + 'index.html' : name);
+    const type = TYPES[path.extname(file)];
+    if (!['GET', 'HEAD'].includes(request.method))
+        return refuse(405);
+    if (!type || !file.startsWith(folder + path.sep))
+        return refuse(404);
+    fs.readFile(file, (error, bytes) => {
+        if (error)
+            return refuse(404);
+        answer.writeHead(200, { 'Content-Type': type, 'Content-Length': bytes.length,
+                                'Cache-Control': 'no-cache' });
+        answer.end(request.method === 'HEAD' ? undefined : bytes);
+    });
+});
+
+let port = first;
+server.on('error', error => {
+    if (error.code !== 'EADDRINUSE' || port >= first + 20) {
+        console.error(`serve: ${error.message}`);
+        process.exit(3);
+    }
+    server.listen(++port, 'localhost');
+});
+server.on('listening', () =>
+    console.log(`http://localhost:${server.address().port}/   (Ctrl+C ends it)`));
+server.listen(port, 'localhost');
