@@ -37,6 +37,8 @@ page | clang                     | cmd clang                   | the second comp
 page | lld                       | cmd wasm-ld                 | links it
 page | binaryen                  | cmd wasm-opt                | makes it smaller
 node | nodejs                    | cmd node                    | serves it, and tests it
+all  | npm                       | cmd npm                     | fetches what drives a browser
+all  | chromium                  | cmd chromium                | shows the page in tests
 all  | libclang-rt-dev           | lib clang_rt.fuzzer         | fuzzing
 all  | libsdl2-dev               | pkg sdl2                    | the preview window
 all  | libimgui-dev              | pkg imgui                   | its panel
