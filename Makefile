@@ -312,7 +312,7 @@ more-tests: everything build/host/count.so build/host/tally.so
 	    done
 	@FUZZ_SECONDS=$${FUZZ_SECONDS:-5} $(RUN) build/log/more \
 	    tests/gates/arm.sh tests/gates/clang.sh tests/host/view.sh tests/host/panel.sh \
-	    tests/host/view_keys.sh tests/host/leaks.sh \
+	    tests/host/view_keys.sh tests/host/leaks.sh tests/web/web.sh \
 	    tests/host/threads.sh tests/bench/views.sh tests/cross/run.sh tests/cross/film.sh \
 	    $(patsubst %,tests/boards/%.sh,rpi cortex-m oled control linuxfb kms kms_events \
 	        console) \
