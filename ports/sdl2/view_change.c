@@ -131,15 +131,13 @@ static stage *load(view *v, const char *scene)
 bool view_open(view *v, const char *scene)
 {
     scene_file filed;
-    stage *next = load(v, scene);
+    stage *next = load(v, scene), *before = v->stage;
     if (!next)
         return false;
-    if (v->stage) {
+    if (before) {
         view_film(v, false);
         view_untape(v);
         compare_forget(v->compare);     /* it reads what is closed now */
-        stage_close(v->stage);
-        free(v->stage);
     }
     v->stage = next;
     v->filed = next->file.scene;
@@ -154,6 +152,9 @@ bool view_open(view *v, const char *scene)
     edits_clear(&v->edits);
     v->look = (look){ .mode = LOOK_FREE };
     find_at(v, scene);
+    if (before)                         /* `scene` may be its name */
+        stage_close(before);
+    free(before);
     free(v->saved_as);
     v->saved_as = scene_save_name(&next->file);
     view_refit(v, true);
