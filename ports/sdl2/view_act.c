@@ -150,6 +150,13 @@ static void search(view *v)
         panel_search(v->panel);
 }
 
+/* By its name in the list, where it has one: it keeps its place there. */
+static void reload(view *v)
+{
+    const view_scenes *all = &v->scenes;
+    view_open(v, all->at < all->count ? all->name[all->at] : v->stage->file.path);
+}
+
 static void leave(view *v)
 {
     if (v->control.captured)
@@ -182,7 +189,7 @@ void view_act(view *v, action what)
     case ACT_RESTART:    view_restart(v); view_say(v, "from the beginning"); break;
     case ACT_NEXT_SCENE: view_turn_to(v, 1); break;
     case ACT_LAST_SCENE: view_turn_to(v, -1); break;
-    case ACT_RELOAD:     view_open(v, v->stage->file.path); break;
+    case ACT_RELOAD:     reload(v); break;
     case ACT_SAVE:       view_save(v); break;
     case ACT_UNDO:       view_undo(v, false); break;
     case ACT_REDO:       view_undo(v, true); break;

@@ -252,6 +252,8 @@ does reload -- "Ctrl+R reads the file again" cmp -s reloaded.png restarted.png
 # -- scenes ------------------------------------------------------------------------------------
 
 swells=$(title | sed 's/,.*//')
+press shift+n ctrl+r n          # a scene that is read again keeps its place
+check "the one after the one before is the same" until_true titled "$swells"
 press n
 does next_scene -- "N opens the next scene" until_true not_titled "$swells"
 press shift+n
