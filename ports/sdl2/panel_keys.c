@@ -81,20 +81,16 @@ static void wait_as(panel_keys *k, const SDL_Event *event, SDL_Scancode code,
     wait_for(k, &e);
 }
 
-/* Tab goes on to the next thing as the arrow does, from a field too; Enter presses what
- * is no number and no field, as the space bar does. */
+/* Tab goes on to the next thing as the arrow does, from a field too. */
 static void wait_for_down(panel_keys *k, const SDL_Event *event)
 {
     const SDL_Keysym *const key = &event->key.keysym;
-    const bool enter = key->sym == SDLK_RETURN || key->sym == SDLK_KP_ENTER;
     if (event->key.repeat || (is_plain(key->sym) && !(key->mod & KMOD_CTRL)))
         return;
     if (key->sym == SDLK_TAB && (key->mod & KMOD_SHIFT))
         wait_as(k, event, SDL_SCANCODE_UP, SDLK_UP);
     else if (key->sym == SDLK_TAB)
         wait_as(k, event, SDL_SCANCODE_DOWN, SDLK_DOWN);
-    else if (enter && !keys_types(k) && !k->on_number)
-        wait_as(k, event, SDL_SCANCODE_SPACE, SDLK_SPACE);
     else
         wait_for(k, event);
 }
@@ -141,6 +137,18 @@ static bool text_event(panel_keys *k, const SDL_Event *event)
     return true;
 }
 
+/* Enter presses what is no number and no field, as the space bar does: told when what
+ * came before it has been heard, for it is that which brings the keyboard there. */
+static void turn_enter(const panel_keys *k, SDL_Event *event)
+{
+    SDL_Keysym *const key = &event->key.keysym;
+    if (event->type != SDL_KEYDOWN || keys_types(k) || k->on_number
+        || (key->sym != SDLK_RETURN && key->sym != SDLK_KP_ENTER))
+        return;
+    key->scancode = SDL_SCANCODE_SPACE;
+    key->sym = SDLK_SPACE;
+}
+
 void keys_begin(panel_keys *k)
 {
     k->up = k->down = false;
@@ -161,6 +169,7 @@ bool keys_next(panel_keys *k, SDL_Event *event)
     k->down = e->type == SDL_KEYDOWN;
     k->waited = 0;
     *event = *e;
+    turn_enter(k, event);
     k->events--;
     memmove(k->event, k->event + 1, k->events * sizeof *k->event);
     return true;

@@ -48,15 +48,16 @@ check() {
     fi
 }
 
-# until_true COMMAND...: tries for three seconds.
+# until_true COMMAND...: tries for ten seconds.
 until_true() {
-    for _ in $(seq 60); do
+    for _ in $(seq 200); do
         "$@" && return 0
         sleep 0.05
     done
     return 1
 }
 says() { until_true grep -qxE "$1" log; }
+twice() { [ "$(grep -cx "$1" log)" -ge 2 ]; }
 silent() { ! grep -qE "$1" log; }
 
 exec 7>number
@@ -127,7 +128,7 @@ check "a row that was searched for is typed in" says 'set wave0.steepness=0\.4'
 check "what was typed was nobody else's" silent 'left key [0a.]'
 key F5
 check "function keys are the picture's there too" \
-    until_true test "$(grep -c 'left key F5' log)" -ge 2
+    until_true twice 'left key F5'
 key Return
 write 7,5
 key Return
@@ -136,7 +137,7 @@ key Return
 write 3
 key Escape
 write w
-check "Esc gives the keyboard back" until_true test "$(grep -c 'left key W' log)" -ge 2
+check "Esc gives the keyboard back" until_true twice 'left key W'
 check "and leaves the number as it was" silent 'steepness=3'
 
 search wave0.ste
