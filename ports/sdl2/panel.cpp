@@ -354,13 +354,19 @@ void hold(int mod)
     io.KeyAlt = io.KeySuper = false;
 }
 
+void leave(panel *p)
+{
+    keys_leave(&p->keys);
+    p->typing = -1;
+    ImGui::SetWindowFocus(nullptr);
+}
+
 /* Who has the keyboard, by what was asked for since the last picture; then its keys. */
 void feed(panel *p)
 {
     SDL_Event event;
     if (p->keys.leave) {
-        p->keys.leave = p->keys.here = p->keys.searching = false;
-        ImGui::SetWindowFocus(nullptr);
+        leave(p);
     } else if (p->keys.here && !ImGui::GetIO().NavActive) {
         ImGui::SetWindowFocus("##panel");
     }
@@ -473,8 +479,7 @@ void open_scene(panel *p)
 
 void hide(panel *p)
 {
-    p->keys.events = 0;
-    p->keys.leave = true;
+    leave(p);
     measure(p, false);
 }
 
@@ -591,6 +596,7 @@ void panel_search(panel *p)
     if (!p)
         return;
     p->keys.searching = p->keys.here = p->to_rows = true;
+    p->keys.leave = false;
     p->asked = 0;
 }
 

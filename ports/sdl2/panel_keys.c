@@ -51,7 +51,7 @@ static bool is_of_field(const SDL_Keysym *key)
 /* Whether a key that goes down is the panel's. */
 static bool takes(panel_keys *k, const SDL_Keysym *key)
 {
-    if (is_of_function(key->scancode) || is_modifier(key->scancode))
+    if (k->leave || is_of_function(key->scancode) || is_modifier(key->scancode))
         return false;
     if (keys_types(k) || (k->here && k->events > 0))
         return is_of_field(key);
@@ -130,7 +130,7 @@ static bool key_event(panel_keys *k, const SDL_Event *event)
 static bool text_event(panel_keys *k, const SDL_Event *event)
 {
     const char *const none = k->searching ? "/" : keys_types(k) ? "" : " ";
-    if (!keys_types(k) && !k->taken)
+    if (k->leave || (!keys_types(k) && !k->taken))
         return false;
     if (strcmp(event->text.text, none) != 0)
         wait_for(k, event);
@@ -147,6 +147,16 @@ static void turn_enter(const panel_keys *k, SDL_Event *event)
         return;
     key->scancode = SDL_SCANCODE_SPACE;
     key->sym = SDLK_SPACE;
+}
+
+void keys_leave(panel_keys *k)
+{
+    uint32_t n = 0;
+    for (uint32_t i = 0; i < k->events; i++)
+        if (k->event[i].type == SDL_KEYUP)
+            k->event[n++] = k->event[i];
+    k->events = n;
+    k->leave = k->here = k->searching = k->typing = k->writes = false;
 }
 
 void keys_begin(panel_keys *k)

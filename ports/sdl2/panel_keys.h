@@ -44,6 +44,9 @@ bool keys_event(panel_keys *k, const SDL_Event *event);
 /* Whether letters are the panel's. */
 bool keys_types(const panel_keys *k);
 
+/* The keyboard is the picture's again: what waits is forgotten, but keys that go up. */
+void keys_leave(panel_keys *k);
+
 /* The keys and letters for this picture, one after the other; false: that was all. */
 void keys_begin(panel_keys *k);
 bool keys_next(panel_keys *k, SDL_Event *event);

@@ -210,6 +210,12 @@ key F2
 check "hidden, it has nothing measured" says 'measures off'
 check "and clicks are the picture's" eval 'click 800 300; says "left click 800,300"'
 key F2
+search sky.haze
+key Tab Tab Return
+write 900
+key Return
+check "shown again, it is searched" says 'set sky.haze=900'
+key Escape
 click 680 129
 click 800 17
 sleep 0.2

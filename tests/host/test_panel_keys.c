@@ -70,6 +70,11 @@ static void tab_brings_the_keyboard_and_escape_takes_it_back(void **state)
     assert_false(down(&k, SDLK_w));                 /* which moves nothing here */
     assert_true(down(&k, SDLK_ESCAPE));
     assert_true(k.leave);
+    assert_false(down(&k, SDLK_UP) || text(&k, "w"));       /* from then on */
+    key(&k, SDL_KEYUP, SDLK_UP, 0);
+    keys_leave(&k);
+    assert_false(k.here);
+    assert_string_equal(heard(&k), "u");
 }
 
 static void escape_closes_what_is_open_first(void **state)
