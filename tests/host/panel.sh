@@ -7,74 +7,23 @@
 demo=$(dirname "$(realpath "$1")")/tests/host/panel_demo
 watched=build/san/tests/host/panel_demo
 [ ! -x $watched ] || demo=$(realpath $watched)
-missing=""
-need() { command -v "$1" >/dev/null || missing="$missing${missing:+, }$2"; }
-need Xvfb xvfb
-need xdotool xdotool
-[ -x "$demo" ] || missing="$missing${missing:+, }libsdl2-dev"
-[ ! -x "$demo" ] || "$demo" --has || missing="$missing${missing:+, }libimgui-dev"
-if [ -n "$missing" ]; then
-    echo "skipped: the panel in a window (package $missing)"
+. tests/host/view_lib.sh
+[ -x "$demo" ] && "$demo" --has || {
+    echo "skipped: the panel in a window (package libsdl2-dev, libimgui-dev)"
     exit 0
-fi
-work=$(mktemp -d) || exit 2
-server="" shown=""
-cleanup() {
-    [ -z "$shown" ] || kill "$shown" 2>/dev/null
-    [ -z "$server" ] || kill "$server" 2>/dev/null
-    rm -rf "$work"
 }
-trap cleanup EXIT
-trap 'exit 1' INT TERM HUP
-cd "$work" || exit 2
-HOME=$work XDG_CONFIG_HOME=$work SDL_VIDEODRIVER=x11 SDL_AUDIODRIVER=dummy
-SDL_RENDER_DRIVER=software
+export SDL_VIDEODRIVER=x11 SDL_AUDIODRIVER=dummy SDL_RENDER_DRIVER=software
 # SDL's own libraries keep some memory until the end: leaks are looked for by their names.
-LSAN_OPTIONS=exitcode=0
-export HOME XDG_CONFIG_HOME SDL_VIDEODRIVER SDL_AUDIODRIVER SDL_RENDER_DRIVER LSAN_OPTIONS
-passed=0 failed=0
-
-# check NAME COMMAND...
-check() {
-    name=$1
-    shift
-    if "$@"; then
-        passed=$((passed + 1))
-        echo "ok - $name"
-    else
-        failed=$((failed + 1))
-        echo "FAILED - $name"
-        tail -4 log 2>/dev/null | sed 's/^/     | /'
-    fi
-}
-
-# until_true COMMAND...: tries for ten seconds.
-until_true() {
-    for _ in $(seq 200); do
-        "$@" && return 0
-        sleep 0.05
-    done
-    return 1
-}
+export LSAN_OPTIONS=exitcode=0
 says() { until_true grep -qxE "$1" log; }
 twice() { [ "$(grep -cx "$1" log)" -ge 2 ]; }
 silent() { ! grep -qE "$1" log; }
 
-exec 7>number
-Xvfb -displayfd 7 -screen 0 1000x620x24 -nolisten tcp -noreset >/dev/null 2>&1 &
-server=$!
-until_true test -s number || { echo "FAILED - Xvfb starts"; exit 1; }
-DISPLAY=:$(cat number)
-export DISPLAY
-
-find_window() {
-    window=$(timeout 5 xdotool search --onlyvisible --name '^panel demo' 2>/dev/null |
-        head -1)
-    [ -n "$window" ]
-}
+begin_server 1000x620
+window_name='^panel demo'
 start() {
     timeout -k 5 100 "$demo" "$@" >log 2>&1 &
-    shown=$!
+    viewer=$!
     until_true find_window && says ready && timeout 5 xdotool windowfocus "$window"
 }
 key() { timeout 10 xdotool key --delay 40 "$@"; }
@@ -88,9 +37,9 @@ click() {       # X Y [BUTTON]
     timeout 5 xdotool click "${3:-1}"
 }
 ends() {
-    wait "$shown"
+    wait "$viewer"
     code=$?
-    shown=""
+    viewer=""
     grep -E 'ports/|imgui|ImGui|MallocWrapper|runtime error' log >own
     [ "$code" -eq 0 ] && [ ! -s own ] && return
     echo "exit code $code" | cat - own >log
@@ -232,6 +181,4 @@ key Escape
 sleep 0.1
 key Escape
 check "it ends without a leak and without a fault" ends
-
-echo "$passed passed, $failed failed"
-[ "$failed" -eq 0 ]
+finish

@@ -57,10 +57,10 @@ finish() {
 
 # -- display and window ------------------------------------------------------------------
 
-begin_server() {
+begin_server() {        # [WIDTHxHEIGHT]
     rm -f number
     exec 7>number
-    Xvfb -displayfd 7 -screen 0 1000x600x24 -nolisten tcp -noreset >/dev/null 2>&1 &
+    Xvfb -displayfd 7 -screen 0 "${1:-1000x600}x24" -nolisten tcp -noreset >/dev/null 2>&1 &
     server=$!
     exec 7>&-
     until_true test -s number || { echo "FAILED - Xvfb starts"; exit 1; }
@@ -68,8 +68,9 @@ begin_server() {
     export DISPLAY
 }
 
+window_name='^tidepool: '
 find_window() {
-    window=$(timeout 5 xdotool search --onlyvisible --name '^tidepool: ' 2>/dev/null | \
+    window=$(timeout 5 xdotool search --onlyvisible --name "$window_name" 2>/dev/null | \
         head -1)
     [ -n "$window" ]
 }
