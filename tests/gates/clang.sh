@@ -15,6 +15,8 @@ wanted()
 {
     build -n V=1 TARGET=clang MACHINE=host CC=clang OPT=-O0 \
         V3_OPT=-march=x86-64-v3 everything unit | awk '
+        sub(/\\$/, "") { head = head $0; next }
+        { $0 = head $0; head = "" }
         $1 == "clang" && / -c / {
             flags = ""
             for (i = 2; i <= NF; i++)
