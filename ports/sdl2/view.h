@@ -85,6 +85,7 @@ typedef struct view {
     int         ui;             /* size of letters, percent */
     bool        quit, help, sheet, full;    /* sheet: figures on the picture */
     bool        measures, timed;    /* stages: wished by the panel, and now */
+    int         hidden_panel;   /* the panel's width before it was hidden, px */
     int         lively;         /* pictures to be shown though nothing has changed */
     char        said[VIEW_SAID];
     unsigned    said_count;     /* of say_last, when that was taken */

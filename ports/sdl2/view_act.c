@@ -136,7 +136,9 @@ static void show_panel(view *v, bool on)
         view_say(v, "built without the panel: it needs Dear ImGui (libimgui-dev)");
         return;
     }
-    v->window.panel = on ? view_panel_width(v) : 0;
+    if (!on)
+        v->hidden_panel = v->window.panel;
+    v->window.panel = !on ? 0 : v->hidden_panel ? v->hidden_panel : view_panel_width(v);
     if (!on)
         panel_draw(v->panel, NULL);
     view_size(v);

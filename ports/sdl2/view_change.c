@@ -25,12 +25,12 @@ static void add_scene(view *v, const char *folder, const char *name, const char 
     all->shows = shows ? shows : all->shows;
     char *path = path_join(folder, name, ".ini");
     scene_file file = { 0 };
-    if (!names || !shows || !path || scene_file_open(&file, path)) {
+    if (!names || !shows || !path || (given && scene_file_open(&file, path))) {
         free(path);
         scene_file_close(&file);
-        return;                 /* a file that is no scene has said so */
+        return;
     }
-    const char *text = file.scene.shows;
+    const char *text = given ? file.scene.shows : "an INI file in this folder";
     all->shows[all->count] = path_copy(text, strlen(text));
     all->name[all->count] = path_copy(given ? given : path, strlen(given ? given : path));
     all->count += all->shows[all->count] && all->name[all->count];
