@@ -56,6 +56,7 @@
     X(UNDO,       "scene",  "undo",       "Ctrl+Z", false, "take the last change back") \
     X(REDO,       "scene",  "redo",       "Ctrl+Y", false, "make it again") \
     X(PANEL,      "window", "panel",      "F2", false, "hide or show the panel") \
+    X(SIDE,       "window", "side",       "Shift+F2", false, "the panel at the other side") \
     X(SEARCH,     "window", "search",     "F3 /", false, "search the panel's parameters") \
     X(FIGURES,    "window", "figures",    "F4", false, "times and stages over the picture") \
     X(FORMAT,     "window", "format",     "F6", false, "the next format of pixels") \

@@ -196,6 +196,7 @@ void view_act(view *v, action what)
     case ACT_UNDO:       view_undo(v, false); break;
     case ACT_REDO:       view_undo(v, true); break;
     case ACT_PANEL:      show_panel(v, !v->window.panel); break;
+    case ACT_SIDE:       v->window.left = !v->window.left; show_panel(v, true); break;
     case ACT_SEARCH:     search(v); break;
     case ACT_FIGURES:    v->sheet = !v->sheet; break;
     case ACT_FORMAT:     next_format(v); break;

@@ -246,6 +246,10 @@ void view_look(view *v, look_mode mode)
     static const char *const words[] = { "none", "boat" };
     stage *s = v->stage;
     const tp_param *row = tp_param_find("camera.follow", strlen("camera.follow"));
+    if (v->playing) {
+        view_say(v, "a tape plays: F10 ends it");
+        return;
+    }
     if (!look_begin(&v->look, mode, s->world, &s->file.scene)) {
         view_say(v, "this scene has no %s", look_name(mode));
         return;
@@ -260,10 +264,15 @@ void view_look(view *v, look_mode mode)
 
 void view_save(view *v)
 {
-    if (!v->saved_as || scene_save(&v->stage->file, v->saved_as) != EXIT_DONE)
-        return;
-    view_say(v, "saved as %s", v->saved_as);
-    v->filed = v->stage->file.scene;
+    scene_file *file = &v->stage->file;
+    const int32_t follow = file->scene.camera.follow;
+    if (v->look.mode != LOOK_FREE)      /* a way to look is none of the scene's */
+        file->scene.camera.follow = v->filed.camera.follow;
+    if (v->saved_as && scene_save(file, v->saved_as) == EXIT_DONE) {
+        v->filed = file->scene;
+        view_say(v, "saved as %s", v->saved_as);
+    }
+    file->scene.camera.follow = follow;
 }
 
 int view_resume(view *v)

@@ -6,6 +6,7 @@
  * which rewinding replays; what moved it goes to the tape.  A tape counts ticks of all
  * worlds since it began: base + world->tick. */
 #include <stdlib.h>
+#include <string.h>
 #include "../host/say.h"
 #include "../live/pick.h"
 #include "../live/poke.h"
@@ -73,10 +74,12 @@ void view_step(view *v)
     v->stale = true;
 }
 
-/* The picture's world, by the snapshot before it and the inputs since. */
+/* The picture's world, by the snapshot before it and the inputs since.  A frame keeps a
+ * plan of its scene: for another one the canvas is opened again. */
 void view_back(view *v)
 {
     stage *s = v->stage;
+    const tp_scene before = s->file.scene;
     uint32_t from;
     if (v->playing) {
         view_say(v, "a tape that plays does not run backwards");
@@ -98,7 +101,10 @@ void view_back(view *v)
     v->changed = true;
     deck_cut(&v->tape, tick_of(v));
     v->wish = (tp_input){ 0 };
-    view_refit(v, false);
+    const bool other = memcmp(&before, &s->file.scene, sizeof before) != 0;
+    if (other && stage_canvas(s, v->options) != EXIT_DONE)
+        v->quit = true;
+    view_refit(v, other);
 }
 
 /* -- a tick ---------------------------------------------------------------------- */

@@ -108,12 +108,13 @@ layout window_layout(const window *w, int scale)
     int panel = SDL_min(w->panel, wide - BAR - ROOM_LEAST);
     panel = w->panel > 0 ? SDL_max(panel, 0) : 0;
     const int bar = panel ? BAR : 0;
-    at.room = (SDL_Rect){ 0, 0, wide - bar - panel, high };
-    at.bar = (SDL_Rect){ at.room.w, 0, bar, high };
-    at.panel = (SDL_Rect){ at.room.w + bar, 0, panel, high };
+    const int room = wide - bar - panel;
+    at.room = (SDL_Rect){ w->left ? panel + bar : 0, 0, room, high };
+    at.bar = (SDL_Rect){ w->left ? panel : room, 0, bar, high };
+    at.panel = (SDL_Rect){ w->left ? 0 : room + bar, 0, panel, high };
     at.picture.w = w->width * scale;
     at.picture.h = w->height * scale;
-    at.picture.x = (at.room.w - at.picture.w) / 2;
+    at.picture.x = at.room.x + (at.room.w - at.picture.w) / 2;
     at.picture.y = (at.room.h - at.picture.h) / 2;
     return at;
 }
@@ -159,7 +160,8 @@ static void drag(window *w, int x)
     int wide = 0;
     SDL_GetWindowSize(w->window, &wide, NULL);
     const int most = SDL_max(wide - BAR - ROOM_LEAST, 1);
-    w->panel = SDL_min(SDL_max(wide - x - BAR / 2, PANEL_LEAST), most);
+    const int wished = (w->left ? x : wide - x) - BAR / 2;
+    w->panel = SDL_min(SDL_max(wished, PANEL_LEAST), most);
 }
 
 static bool button(window *w, const SDL_MouseButtonEvent *event)
@@ -283,12 +285,13 @@ static void fill_around(window *w, const layout *at)
 {
     const uint32_t dark = 0x0c1014;
     const SDL_Rect *p = &at->picture, *room = &at->room;
-    const int top = SDL_max(p->y, 0), left = SDL_max(p->x, 0);
-    const int low = SDL_min(p->y + p->h, room->h), right = SDL_min(p->x + p->w, room->w);
-    fill(w, 0, 0, room->w, top, dark);
-    fill(w, 0, low, room->w, room->h - low, dark);
-    fill(w, 0, top, left, low - top, dark);
-    fill(w, right, top, room->w - right, low - top, dark);
+    const int end = room->x + room->w;
+    const int top = SDL_max(p->y, 0), left = SDL_max(p->x, room->x);
+    const int low = SDL_min(p->y + p->h, room->h), right = SDL_min(p->x + p->w, end);
+    fill(w, room->x, 0, room->w, top, dark);
+    fill(w, room->x, low, room->w, room->h - low, dark);
+    fill(w, room->x, top, left - room->x, low - top, dark);
+    fill(w, right, top, end - right, low - top, dark);
 }
 
 void window_clear(window *w, int scale)
@@ -301,7 +304,7 @@ void window_clear(window *w, int scale)
         SDL_RenderCopy(w->renderer, w->texture, NULL, &at.picture);
         SDL_RenderSetClipRect(w->renderer, NULL);
     } else {
-        fill(w, 0, 0, at.room.w, at.room.h, 0x0c1014);
+        fill(w, at.room.x, 0, at.room.w, at.room.h, 0x0c1014);
     }
     fill(w, at.bar.x, 0, at.bar.w, at.bar.h, 0x262c34);
     fill(w, at.bar.x + BAR / 2 - 1, at.bar.h / 2 - 16, at.bar.w ? 2 : 0, 32,

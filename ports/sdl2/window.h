@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The preview's window: a picture of any format in its exact colours at the left, whole
- * pixels large, the panel at the right, and a bar between them that can be dragged. */
+/* The preview's window: a picture of any format in its exact colours, whole pixels large,
+ * the panel at its right or left, and a bar between them that can be dragged. */
 #ifndef SDL2_WINDOW_H
 #define SDL2_WINDOW_H
 #include <SDL.h>
@@ -13,6 +13,7 @@ typedef struct {
     SDL_Texture  *texture;
     int           width, height;    /* of the texture */
     int           panel;            /* the panel's width as wished, px; 0: none */
+    bool          left;             /* the panel is at the picture's left */
     int           usual;            /* its width by a double click on the bar */
     bool          dragged;          /* the bar is being moved */
     bool          lost;             /* the renderer lost the picture: upload it again, and

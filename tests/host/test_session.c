@@ -127,7 +127,8 @@ static void assert_heard(const char *what)
 {
     heard();
     if (!strstr(said_text, what))
-        fail_msg("'%s' is not in '%s'", what, said_text);
+        print_error("'%s' is not in '%s'\n", what, said_text);
+    assert_non_null(strstr(said_text, what));
 }
 
 /* -- whole ----------------------------------------------------------------------- */

@@ -215,6 +215,25 @@ static void beside_the_picture_is_no_pixel(void **state)
     assert_false(window_pixel(&w, 5, 200, 70, &px, &py));   /* below the panel */
 }
 
+static void the_panel_may_be_at_the_left(void **state)
+{
+    (void)state;
+    opened(64, 48, 3, 130);
+    w.left = true;
+    const layout at = window_layout(&w, 3);
+    assert_int_equal(at.panel.x, 0);
+    assert_int_equal(at.bar.x, 130);
+    assert_int_equal(at.room.x, 130 + BAR);
+    assert_int_equal(at.picture.x, at.room.x);
+    shows_the_picture(3);
+    assert_true(mouse(SDL_MOUSEBUTTONDOWN, 132, 50, 1));
+    assert_true(mouse(SDL_MOUSEMOTION, 163, 50, 1));
+    assert_in_range(window_layout(&w, 3).panel.w, 158, 162);
+    assert_true(mouse(SDL_MOUSEBUTTONUP, 163, 50, 1));
+    resized(420, 160);
+    shows_the_picture(3);
+}
+
 /* -- the bar --------------------------------------------------------------------------- */
 
 static void the_bar_is_dragged(void **state)
@@ -269,6 +288,7 @@ int main(void)
         TEST(one_bit_shows_as_black_and_white),
         TEST(a_lost_texture_is_told_and_made_again),
         TEST(beside_the_picture_is_no_pixel),
+        TEST(the_panel_may_be_at_the_left),
         TEST(the_bar_is_dragged),
         TEST(a_double_click_restores_the_usual_width),
         TEST(a_button_let_go_outside_ends_the_drag),

@@ -210,6 +210,17 @@ start() {       # NAME.png
     press F5
     shot "$1"
 }
+
+# panel_at X: the panel's dark edge is seen there, and not the water.
+panel_at() {
+    eval "$(do_x getwindowgeometry --shell "$window" | grep '^[XYH]')"
+    until_true panel_seen $((X + $1)) $((Y + HEIGHT - 2))
+}
+panel_seen() {
+    timeout 10 import -silent -window root -crop "1x1+$1+$2" +repage -depth 8 rgb:- |
+        od -An -tu1 | awk '{ exit !($1 < 40 && $2 < 40 && $3 < 50) }'
+}
+
 start plain.png
 eval "$(do_x getwindowgeometry --shell "$window" | grep ^WIDTH)"
 if [ "$WIDTH" -gt 320 ]; then
@@ -217,6 +228,11 @@ if [ "$WIDTH" -gt 320 ]; then
     does panel -- "F2 hides the panel" until_true titled 666x240
     press F2
     check "and shows it again" until_true titled 320x240
+    press shift+F2
+    does side -- "Shift+F2 puts it at the left" panel_at 2
+    check "as wide as it was" until_true titled 320x240
+    press shift+F2
+    check "and at the right again" panel_at $((WIDTH - 3))
     press ctrl+minus
     does smaller -- "Ctrl+- makes letters and panel smaller" until_true titled 405x240
     press ctrl+equal

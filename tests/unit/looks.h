@@ -48,7 +48,7 @@ static inline void begin(look *l, look_mode mode, tp_world *w, tp_scene *s)
     const tp_scene filed = sea();
 
     assert_true(look_begin(l, mode, w, s));
-    s->camera.follow = look_follow(l, &filed);
+    s->camera.follow = (int32_t)look_follow(l, &filed);
     assert_true(tp_world_refresh(w, s, NULL));
 }
 
