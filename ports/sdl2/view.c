@@ -17,6 +17,7 @@
 
 #define SETTLE_US 150000u       /* a window that is being dragged larger */
 #define TITLE_US  500000u
+#define SHOW_US   16000u        /* at least, between pictures of the same water */
 #define WAIT_MS   2             /* for events, when there is nothing to draw */
 #define AWAY_MS   100           /* the same, minimised */
 #define PAST      (64u << 20)   /* bytes, for rewinding */
@@ -132,8 +133,10 @@ static int turn(view *v)
         code = view_draw(v);
     if (code)
         return code;
-    if (fresh || v->control.exposed || v->lively > 0) {
+    const bool lively = v->lively > 0 && now - v->shown_at >= SHOW_US;
+    if (fresh || v->control.exposed || lively) {
         v->lively -= v->lively > 0;
+        v->shown_at = now;
         view_panel_fill(v, now);
         view_show(v, now);
         if (fresh)

@@ -71,7 +71,7 @@ typedef struct view {
     panel_compare  compared;
     recorder   *film;
     uint32_t    drawn;          /* pictures */
-    uint64_t    title_at, kept_at;      /* us */
+    uint64_t    title_at, kept_at, shown_at;    /* us */
 
     /* the window */
     window      window;
