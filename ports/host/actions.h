@@ -22,6 +22,7 @@
     X(LOOK_ORBIT, "camera", "look_orbit", "O", false, "go round what you look at") \
     X(LOOK_TOP,   "camera", "look_top",   "T", false, "from above") \
     X(LOOK_BOAT,  "camera", "look_boat",  "B", false, "from the boat's deck") \
+    X(BEGIN_HERE, "camera", "begin_here", "Ctrl+C", false, "the scene begins where you are") \
     X(NORTH,      "water",  "north",      "Up", true, "move the sphere of drops away") \
     X(SOUTH,      "water",  "south",      "Down", true, "and nearer") \
     X(WEST,       "water",  "west",       "Left", true, "and left") \

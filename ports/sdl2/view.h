@@ -117,6 +117,7 @@ void view_unlist(view *v);
 bool view_set(view *v, uint32_t row, const char *text, bool going);
 void view_undo(view *v, bool again);
 void view_look(view *v, look_mode mode);
+void view_begin_here(view *v);                  /* camera.* is where the camera is */
 void view_save(view *v);
 
 /* The scene is another one than was drawn; `opened`: and so is the canvas. */

@@ -178,6 +178,7 @@ void view_act(view *v, action what)
     case ACT_LOOK_ORBIT: view_look(v, LOOK_ORBIT); break;
     case ACT_LOOK_TOP:   view_look(v, LOOK_TOP); break;
     case ACT_LOOK_BOAT:  view_look(v, LOOK_BOAT); break;
+    case ACT_BEGIN_HERE: view_begin_here(v); break;
     case ACT_DROP:       drop(v); break;
     case ACT_POKE1: case ACT_POKE2: case ACT_POKE3:
     case ACT_POKE4: case ACT_POKE5: case ACT_POKE6:

@@ -260,6 +260,35 @@ void view_look(view *v, look_mode mode)
     view_say(v, "%s", look_name(mode));
 }
 
+/* In degrees, 16.16, within half a turn. */
+static int32_t degrees_of(tp_turn turn)
+{
+    return (int32_t)(((int64_t)(int32_t)turn * 360 + 0x8000) >> 16);
+}
+
+void view_begin_here(view *v)
+{
+    const tp_world *w = v->stage->world;
+    const struct { const char *name; int32_t number; } camera[] = {
+        { "camera.x", w->eye.x }, { "camera.y", w->eye.y }, { "camera.z", w->eye.z },
+        { "camera.heading", degrees_of(w->heading) },
+        { "camera.pitch", degrees_of(w->pitch) },
+    };
+    uint32_t count;
+    if (v->stage->file.scene.camera.follow != v->filed.camera.follow) {
+        view_say(v, "the scene cannot begin in this way to look");
+        return;
+    }
+    for (size_t i = 0; i < sizeof camera / sizeof *camera; i++) {
+        const tp_param *row = tp_param_find(camera[i].name, strlen(camera[i].name));
+        char text[32];
+        tp_param_number_text(row, camera[i].number, text, sizeof text);
+        if (!view_set(v, (uint32_t)(row - tp_params(&count)), text, false))
+            return;
+    }
+    view_say(v, "the scene begins here");
+}
+
 /* -- files ----------------------------------------------------------------------- */
 
 void view_save(view *v)

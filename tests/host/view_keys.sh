@@ -222,6 +222,15 @@ panel_seen() {
 }
 
 start plain.png
+hold 0.3 w
+shot away.png
+press ctrl+c
+start begun.png
+does begin_here -- "Ctrl+C makes the scene begin where one is" cmp -s away.png begun.png
+check "which is elsewhere" differ plain.png begun.png
+for step in x y z heading pitch; do press ctrl+z; done
+start again.png
+check "and can be undone" cmp -s plain.png again.png
 eval "$(do_x getwindowgeometry --shell "$window" | grep ^WIDTH)"
 if [ "$WIDTH" -gt 320 ]; then
     press F2
