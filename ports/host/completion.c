@@ -88,6 +88,13 @@ void print_choosers(const char *choice, const char *tail)
         }
 }
 
+void print_choice(const char *choice)
+{
+    for (const char *c = choice; *c; c++)
+        putchar(*c == '|' ? ' ' : *c);
+    putchar(' ');
+}
+
 static const struct { const char *name; void (*print)(void); } shells[] = {
     { "bash", completion_bash }, { "zsh", completion_zsh }, { "fish", completion_fish },
 };

@@ -26,4 +26,7 @@ void print_file_names(const char *tail);
  * or NULL, and its parameters' names likewise. */
 const char *next_choice(const char *last);
 void        print_choosers(const char *choice, const char *tail);
+
+/* Its words, "off|on", each with a blank behind. */
+void print_choice(const char *choice);
 #endif

@@ -83,15 +83,11 @@ static void print_setting(void)
     puts("_tidepool_setting()     # NAME=VALUE as far as it goes\n{\n"
          "    local name=${1%%=*}= value=${1#*=}\n    case $1 in");
     for (const char *choice = next_choice(NULL); choice; choice = next_choice(choice)) {
-        words list = { 0 };
-        words_cut(&list, choice, "|");
         fputs("    ", stdout);
         print_choosers(choice, "=*");
         fputs(") compgen -P \"$name\" -W '", stdout);
-        for (size_t i = 0; i < list.count; i++)
-            printf("%s ", list.of[i]);
+        print_choice(choice);
         puts("' -- \"$value\" ;;");
-        words_free(&list);
     }
     fputs("    ", stdout);
     print_file_names("=*");

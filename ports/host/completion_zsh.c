@@ -74,15 +74,11 @@ static void print_setting(void)
     print_names("");
     puts("\n        return\n    fi\n    case $name in");
     for (const char *choice = next_choice(NULL); choice; choice = next_choice(choice)) {
-        words list = { 0 };
-        words_cut(&list, choice, "|");
         fputs("    (", stdout);
         print_choosers(choice, "");
         fputs(") compadd -- ", stdout);
-        for (size_t i = 0; i < list.count; i++)
-            printf("%s ", list.of[i]);
+        print_choice(choice);
         puts(";;");
-        words_free(&list);
     }
     fputs("    (", stdout);
     print_file_names("");
