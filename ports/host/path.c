@@ -97,6 +97,17 @@ char *path_from(const char *file, const char *target)
     return path;
 }
 
+#define NUMBERS 9999
+
+void path_numbered(char *name, size_t bytes, const char *stem, const char *suffix)
+{
+    for (int number = 1; number <= NUMBERS; number++) {
+        snprintf(name, bytes, "%.100s-%04d%s", stem, number, suffix);
+        if (access(name, F_OK) != 0)
+            return;
+    }
+}
+
 bool path_is_file(const char *path)
 {
     struct stat info;

@@ -20,6 +20,9 @@ bool  path_same_folder(const char *a, const char *b);
 char *path_join(const char *folder, const char *name, const char *suffix);
 
 char *path_copy(const char *text, size_t bytes);
+/* "stem-0001.png" of the current folder, with the first number that is free. */
+void  path_numbered(char *name, size_t bytes, const char *stem, const char *suffix);
+
 bool  path_is_file(const char *path);       /* and no folder */
 bool  path_ends(const char *path, const char *suffix);
 

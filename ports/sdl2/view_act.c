@@ -3,6 +3,7 @@
 #include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
+#include "../host/path.h"
 #include "../host/say.h"
 #include "../live/poke.h"
 #include "view.h"
@@ -107,27 +108,19 @@ static void letters_by(view *v, int percent)
     view_say(v, "letters %d%%", v->ui);
 }
 
-/* Numbered names, the first that is free. */
 static void tape(view *v)
 {
-    char *name = v->tape_name;
-    FILE *file;
     if (v->taping || v->playing) {
         view_untape(v);
         view_say(v, "the tape has ended");
         return;
     }
     view_restart(v);
-    for (int number = 1; number < 10000; number++) {
-        snprintf(name, sizeof v->tape_name, "%.100s-%04d.tape", v->stage->file.name, number);
-        if ((file = fopen(name, "r")) == NULL)
-            break;
-        fclose(file);
-    }
-    if (view_tape(v, name) != EXIT_DONE)
+    path_numbered(v->tape_name, sizeof v->tape_name, v->stage->file.name, ".tape");
+    if (view_tape(v, v->tape_name) != EXIT_DONE)
         return;
     view_tape_changes(v);
-    view_say(v, "recording %s", name);
+    view_say(v, "recording %s", v->tape_name);
 }
 
 static void show_panel(view *v, bool on)

@@ -2,10 +2,9 @@
 /* The picture: drawn by a canvas as large as the window has room, compared, filmed, and
  * shown with what lies over it.  What lies over it is the window's alone: screenshots and
  * films are the bits of the core. */
-#define _POSIX_C_SOURCE 200809L
 #include <stdio.h>
 #include <string.h>
-#include <unistd.h>
+#include "../host/path.h"
 #include "../host/say.h"
 #include "../host/stopwatch.h"
 #include "../host/timing.h"
@@ -141,14 +140,10 @@ void view_show(view *v, uint64_t now)
 
 /* -- pictures and films as files ------------------------------------------------- */
 
-/* Under the first number that is free. */
 void view_save_shot(view *v)
 {
     char name[TP_NAME_BYTES + 32];
-    int number = 0;
-    do
-        snprintf(name, sizeof name, "%.100s-%04d.png", v->stage->file.name, ++number);
-    while (access(name, F_OK) == 0 && number < 9999);
+    path_numbered(name, sizeof name, v->stage->file.name, ".png");
     if (picture_write_png(&v->stage->canvas.picture, name) == EXIT_DONE)
         say("%s", name);
 }
