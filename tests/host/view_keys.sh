@@ -263,7 +263,7 @@ if [ "$WIDTH" -gt 320 ]; then
     wanted='^amplitude *= *0.9'
 else
     echo "skipped: the panel (package libimgui-dev)"
-    covered="$covered panel smaller larger search undo redo"
+    covered="$covered panel side smaller larger search undo redo"
     wanted='^amplitude'
 fi
 press ctrl+s
