@@ -190,6 +190,19 @@ typedef struct {
     uint32_t offset;            /* of the int32_t or char[TP_NAME_BYTES] in tp_scene */
 } tp_param;
 
+/* True if the row's value is a file's name; true if it is text of any kind, in a
+ * char[TP_NAME_BYTES], rather than a number in an int32_t. */
+static inline bool tp_param_is_file(const tp_param *param)
+{
+    return param->kind == TP_PARAM_MESH || param->kind == TP_PARAM_TEXTURE
+        || param->kind == TP_PARAM_GREY;
+}
+
+static inline bool tp_param_is_text(const tp_param *param)
+{
+    return tp_param_is_file(param) || param->kind == TP_PARAM_TEXT;
+}
+
 /* All rows, in the order in which people should read them. */
 const tp_param *tp_params(uint32_t *count);
 

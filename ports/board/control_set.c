@@ -11,7 +11,7 @@
 
 static bool may_change(const control *c, const tp_param *param)
 {
-    if (c->setup->scene && !setting_is_name(param) && !setting_is_grid(param))
+    if (c->setup->scene && !tp_param_is_file(param) && !setting_is_grid(param))
         return true;
     answer(c, "error ");
     answer(c, param->name);

@@ -66,7 +66,7 @@ void bake_scene(const bake *b, const tp_scene *scene)
         fprintf(b->out, "    ");
         put_member(b->out, params[i].name);
         fprintf(b->out, " = ");
-        if (params[i].kind >= TP_PARAM_MESH) {        /* a name or a text */
+        if (tp_param_is_text(&params[i])) {
             put_text(b->out, value);
         } else {
             memcpy(&number, value, sizeof number);

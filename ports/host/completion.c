@@ -43,7 +43,7 @@ void print_file_names(const char *tail)
     const tp_param *of = tp_params(&count);
     const char *bar = "";
     for (uint32_t i = 0; i < count; i++)
-        if (takes_file(&of[i])) {
+        if (tp_param_is_file(&of[i])) {
             printf("%s%s%s", bar, of[i].name, tail);
             bar = "|";
         }

@@ -86,7 +86,7 @@ static void print_settings(void)
     fputs("        ''\n    switch (commandline -ct)\n    case ", stdout);
     uint32_t n = 0;
     for (uint32_t i = 0; i < count; i++)
-        if (takes_file(&of[i]))
+        if (tp_param_is_file(&of[i]))
             printf("%s'*%s=*'", n++ ? " " : "", of[i].name);
     puts("\n        set -l at (string match -r '.*=' -- (commandline -ct))\n"
          "        set -l file (string replace -r '.*=' '' -- (commandline -ct))\n"

@@ -205,10 +205,8 @@ char *scene_file_path_of(const scene_file *file, const tp_param *param)
 void scene_file_text(const scene_file *file, const tp_param *param, char *text,
                      size_t bytes)
 {
-    const bool is_name = param->kind == TP_PARAM_MESH || param->kind == TP_PARAM_TEXTURE
-                      || param->kind == TP_PARAM_GREY;
     const size_t length = tp_param_text(&file->scene, param, text, bytes);
-    char *path = is_name && length > 0 ? scene_file_path_of(file, param) : NULL;
+    char *path = tp_param_is_file(param) && length > 0 ? scene_file_path_of(file, param) : NULL;
     if (path && strlen(path) < TP_NAME_BYTES)
         snprintf(text, bytes, "%s", path);
     free(path);

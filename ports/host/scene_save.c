@@ -61,12 +61,6 @@ static int read_lines(save *s)
 
 /* -- what it is to say ----------------------------------------------------------- */
 
-static bool is_name(const tp_param *param)
-{
-    return param->kind == TP_PARAM_MESH || param->kind == TP_PARAM_TEXTURE
-        || param->kind == TP_PARAM_GREY;
-}
-
 static bool same_file(const char *a, const char *b)
 {
     struct stat of_a, of_b;
@@ -81,7 +75,7 @@ static char *text_of(const save *s, const tp_param *param, uint32_t row)
     char text[TP_NAME_BYTES + 64];
     tp_param_text(&s->file->scene, param, text, sizeof text);
     const bool by_command = s->file->set_at[row] == SET_BY_COMMAND;
-    if (!is_name(param) || !text[0] || (!by_command && (!s->moved || text[0] == '/')))
+    if (!tp_param_is_file(param) || !text[0] || (!by_command && (!s->moved || text[0] == '/')))
         return path_copy(text, strlen(text));
     char *target = scene_file_path_of(s->file, param);
     char *there = path_beside(s->name, text);
@@ -97,7 +91,7 @@ static char *text_of(const save *s, const tp_param *param, uint32_t row)
 static int check_text(const save *s, const tp_param *param, const char *text)
 {
     bool white = true;
-    if (is_name(param) && strlen(text) >= TP_NAME_BYTES)
+    if (tp_param_is_file(param) && strlen(text) >= TP_NAME_BYTES)
         return fail(EXIT_INPUT, "%s: %s = %s: longer than %d bytes", s->name, param->name,
                     text, TP_NAME_BYTES - 1);
     for (const char *c = text; *c; white = isspace((unsigned char)*c++) != 0)

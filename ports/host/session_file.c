@@ -83,19 +83,13 @@ static void put_path(FILE *to, const char *name, const char *path)
     free(joined);
 }
 
-static bool is_name(const tp_param *param)
-{
-    return param->kind == TP_PARAM_MESH || param->kind == TP_PARAM_TEXTURE
-        || param->kind == TP_PARAM_GREY;
-}
-
 /* What was set by hand.  A file's path is made absolute if it can then be set. */
 static void put_row(FILE *to, const scene_file *file, const tp_param *param)
 {
     char text[TP_NAME_BYTES + 64];
     const char *dot = strchr(param->name, '.');
     tp_param_text(&file->scene, param, text, sizeof text);
-    char *real = is_name(param) && text[0] ? realpath(text, NULL) : NULL;
+    char *real = tp_param_is_file(param) && text[0] ? realpath(text, NULL) : NULL;
     fprintf(to, "[%.*s]\n", (int)(dot - param->name), param->name);
     put_value(to, dot + 1, real && strlen(real) < TP_NAME_BYTES ? real : text);
     free(real);
@@ -145,7 +139,7 @@ void session_nameless(tp_scene *to, const tp_scene *scene)
     const tp_param *params = tp_params(&count);
     *to = *scene;
     for (uint32_t i = 0; i < count; i++)
-        if (is_name(&params[i]))
+        if (tp_param_is_file(&params[i]))
             (void)tp_param_set(to, &params[i], "", 0, NULL);
 }
 

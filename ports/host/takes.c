@@ -141,12 +141,6 @@ const char *takes_choice(const tp_param *param)
          : param->kind == TP_PARAM_BOOL ? "off|on" : NULL;
 }
 
-bool takes_file(const tp_param *param)
-{
-    return param->kind == TP_PARAM_MESH || param->kind == TP_PARAM_TEXTURE
-        || param->kind == TP_PARAM_GREY;
-}
-
 void takes_range(const tp_param *param, char *text, size_t bytes)
 {
     char low[32], high[32];

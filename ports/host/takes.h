@@ -27,5 +27,4 @@ void takes_range(const tp_param *param, char *text, size_t bytes);
 
 /* Those of a switch or a choice, "off|on"; NULL: they cannot be listed. */
 const char *takes_choice(const tp_param *param);
-bool        takes_file(const tp_param *param);  /* it names one */
 #endif

@@ -9,12 +9,6 @@
 
 void *memcpy(void *restrict to, const void *restrict from, size_t bytes);
 
-bool setting_is_name(const tp_param *param)
-{
-    return param->kind == TP_PARAM_MESH || param->kind == TP_PARAM_TEXTURE
-        || param->kind == TP_PARAM_GREY;
-}
-
 bool setting_is_grid(const tp_param *param)
 {
     return param->offset == offsetof(tp_scene, grid.cols)
@@ -59,7 +53,7 @@ setting_result setting_put(const tp_kit *kit, tp_scene *scene, tp_world *world,
     memcpy(&before, at, sizeof before);
     if (tp_param_set(scene, param, text, bytes, err))
         return SETTING_REFUSED;
-    if (setting_is_name(param))
+    if (tp_param_is_file(param))
         return SETTING_LOAD;
     if (param->kind == TP_PARAM_TEXT)
         return SETTING_DONE;

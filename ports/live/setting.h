@@ -25,9 +25,6 @@ setting_result setting_put(const tp_kit *kit, tp_scene *scene, tp_world *world,
                            const tp_assets *assets, const tp_param *param,
                            const char *text, size_t bytes, tp_error *err);
 
-/* Whether it names a file. */
-bool setting_is_name(const tp_param *param);
-
 /* Whether it is the number of the mesh's lines, one way or the other. */
 bool setting_is_grid(const tp_param *param);
 

@@ -44,7 +44,7 @@ static bool is_same(const tp_scene *a, const tp_scene *b, uint32_t row)
 
 static void normal_text(const tp_param *param, char text[PANEL_TEXT])
 {
-    if (param->kind >= TP_PARAM_MESH)
+    if (tp_param_is_text(param))
         snprintf(text, PANEL_TEXT, "%s", param->text);
     else
         tp_param_number_text(param, param->normal, text, PANEL_TEXT);

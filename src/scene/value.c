@@ -89,12 +89,6 @@ static tp_status read_number(const tp_param *param, tp_piece w, int32_t *value)
     return status;
 }
 
-static bool is_text(const tp_param *param)
-{
-    return param->kind == TP_PARAM_MESH || param->kind == TP_PARAM_TEXTURE
-        || param->kind == TP_PARAM_GREY || param->kind == TP_PARAM_TEXT;
-}
-
 static tp_status check_text(tp_piece w)
 {
     if (w.bytes >= TP_NAME_BYTES)
@@ -132,7 +126,7 @@ tp_status tp_param_set(tp_scene *scene, const tp_param *param, const char *text,
                        size_t bytes, tp_error *err)
 {
     const tp_piece w = tp_piece_trimmed((tp_piece){ text, bytes });
-    const tp_status status = is_text(param) ? set_text(scene, param, w)
+    const tp_status status = tp_param_is_text(param) ? set_text(scene, param, w)
                                             : set_number(scene, param, w);
     if (status == TP_OK)
         return TP_OK;
@@ -186,7 +180,7 @@ size_t tp_param_text(const tp_scene *scene, const tp_param *param, char *text,
                      size_t bytes)
 {
     const char *const value = (const char *)scene + param->offset;
-    if (!is_text(param))
+    if (!tp_param_is_text(param))
         return tp_param_number_text(param, *(const int32_t *)(const void *)value, text,
                                     bytes);
     tp_text out = tp_text_over(text, bytes);
@@ -202,7 +196,7 @@ void tp_scene_default(tp_scene *scene)
     memset(scene, 0, sizeof *scene);
     for (uint32_t i = 0; i < count; i++) {
         const tp_param *const row = &rows[i];
-        if (is_text(row))
+        if (tp_param_is_text(row))
             memcpy(value_of(scene, row), row->text, tp_text_length(row->text));
         else
             *(int32_t *)value_of(scene, row) = row->normal;

@@ -160,9 +160,9 @@ static void what_is_a_name_or_the_grid_is_known(void **state)
         const bool grid = !strcmp(rows[i].name, "grid.cols")
                        || !strcmp(rows[i].name, "grid.rows");
         assert_int_equal(setting_is_grid(&rows[i]), grid);
-        assert_int_equal(setting_is_name(&rows[i]), !scene_is_number(&rows[i])
+        assert_int_equal(tp_param_is_file(&rows[i]), !scene_is_number(&rows[i])
                                                     && rows[i].kind != TP_PARAM_TEXT);
-        names += setting_is_name(&rows[i]);
+        names += tp_param_is_file(&rows[i]);
         grids += grid;
     }
     assert_true(names > 15);

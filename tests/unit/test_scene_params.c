@@ -9,13 +9,6 @@
 #include <cmocka.h>
 #include "tidepool/scene.h"
 
-static int is_text(const tp_param *row)
-{
-    return row->kind == TP_PARAM_MESH || row->kind == TP_PARAM_TEXTURE
-        || row->kind == TP_PARAM_GREY
-        || row->kind == TP_PARAM_TEXT;
-}
-
 static const tp_param *row_of(const char *name)
 {
     const tp_param *const row = tp_param_find(name, strlen(name));
@@ -39,7 +32,7 @@ static void the_rows_cover_the_scene_exactly(void **state)
     uint32_t count;
     const tp_param *const rows = tp_params(&count);
     for (uint32_t i = 0; i < count; i++) {
-        const size_t bytes = is_text(&rows[i]) ? TP_NAME_BYTES : sizeof(int32_t);
+        const size_t bytes = tp_param_is_text(&rows[i]) ? TP_NAME_BYTES : sizeof(int32_t);
         assert_true(rows[i].offset + bytes <= sizeof rows_of);
         for (size_t k = 0; k < bytes; k++)
             rows_of[rows[i].offset + k]++;
@@ -97,7 +90,7 @@ static void every_row_explains_itself(void **state)
         assert_null(strchr(row->help, '\n'));
         assert_non_null(strchr(row->name, '.'));
         assert_true(row->low <= row->normal && row->normal <= row->high);
-        assert_true(is_text(row) || row->low < row->high);
+        assert_true(tp_param_is_text(row) || row->low < row->high);
         assert_true(strlen(row->text) < TP_NAME_BYTES);
     }
 }
@@ -123,7 +116,7 @@ static void every_number_goes_there_and_back(void **state)
     uint32_t count;
     const tp_param *const rows = tp_params(&count);
     for (uint32_t i = 0; i < count; i++)
-        if (!is_text(&rows[i])) {
+        if (!tp_param_is_text(&rows[i])) {
             check_number(&rows[i], rows[i].low);
             check_number(&rows[i], rows[i].high);
             check_number(&rows[i], rows[i].normal);
@@ -138,7 +131,7 @@ static void every_text_goes_there_and_back(void **state)
     uint32_t count;
     const tp_param *const rows = tp_params(&count);
     for (uint32_t i = 0; i < count; i++)
-        for (size_t k = 0; is_text(&rows[i]) && k < sizeof texts / sizeof texts[0]; k++) {
+        for (size_t k = 0; tp_param_is_text(&rows[i]) && k < sizeof texts / sizeof texts[0]; k++) {
             tp_scene scene;
             char text[TP_NAME_BYTES];
             memset(&scene, 'x', sizeof scene);
@@ -162,7 +155,7 @@ static void the_default_scene_is_the_defaults_of_the_rows(void **state)
     uint32_t count;
     const tp_param *const rows = tp_params(&count);
     for (uint32_t i = 0; i < count; i++)
-        if (is_text(&rows[i]))
+        if (tp_param_is_text(&rows[i]))
             assert_string_equal((const char *)&scene + rows[i].offset, rows[i].text);
         else
             assert_int_equal(number_at(&scene, &rows[i]), rows[i].normal);
