@@ -310,7 +310,7 @@ more-tests: everything build/host/count.so build/host/tally.so
 	            'BOARD=cortex-m/lm3s6965evb lib' charts-tools; do \
 	        $(MAKE) --no-print-directory $$goals || exit 1; \
 	    done
-	@FUZZ_SECONDS=$${FUZZ_SECONDS:-5} $(RUN) build/log/more \
+	@$(RUN) build/log/more \
 	    tests/gates/arm.sh tests/gates/clang.sh tests/host/view.sh tests/host/panel.sh \
 	    tests/host/view_keys.sh tests/host/leaks.sh tests/web/web.sh \
 	    tests/host/threads.sh tests/bench/views.sh tests/cross/run.sh tests/cross/film.sh \
@@ -366,11 +366,10 @@ $(BUILD)/tests/boards/sent: $(filter %/clear.o %/lcd.o %/panels.o %/turn.o,$(LCD
 $(BUILD)/tests/host/test_kms: $(BUILD)/tests/host/fake_kms.o
 $(BUILD)/reference: $(BUILD)/tests/reference/reference.o $(BUILD)/ports.a $(LIB)
 	$(SAY)$(LINK) $^ $(LIBS) -o $@
-# Of the core no more than what reads lines and files, which is a seventh of it.
-FUZZ_C  := $(filter src/asset/% src/base/% src/fx/%,$(CORE)) \
-               $(addprefix src/scene/,params.c piece.c tape.c value.c)
-$(FUZZ): $(BUILD)/%: $(BUILD)/%.o $(FUZZ_C:%.c=$(CORE_AT)/%.o)
-	$(SAY)$(LINK) -fsanitize=fuzzer $^ -o $@
+# Whatever reads bytes, of core and ports.
+$(FUZZ): $(BUILD)/%: $(BUILD)/%.o $(BUILD)/ports.a $(LIB)
+	$(SAY)$(LINK) -fsanitize=fuzzer -Wl,--as-needed $(filter %.o,$^) $(BUILD)/ports.a \
+	    $(LIB) $(LIBS) -o $@
 $(BUILD)/longship: $(patsubst %.c,$(BUILD)/%.o,$(wildcard assets/boats/*.c) \
           assets/textures/canvas.c)
 	$(SAY)$(LINK) $^ -lpng -lm -o $@

@@ -2,15 +2,9 @@
 /* Lines that people write, for libFuzzer: the first byte chooses a tape's head, a tape's
  * line, or which parameter the rest is the value of.  What is read must read back the
  * same from what is written of it. */
-#include <stdint.h>
-#include <stdlib.h>
-#include <string.h>
+#include "fuzz.h"
 #include "tidepool/scene.h"
 #include "tidepool/tape.h"
-
-int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
-
-#define REQUIRE(x) ((x) ? (void)0 : abort())
 
 static void try_head(const char *text, size_t bytes)
 {
@@ -69,9 +63,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
     if (size < 2)
         return 0;
-    char *const text = malloc(size > 2 ? size - 2 : 1);     /* exact: ASan sees its end */
-    REQUIRE(text != NULL);
-    memcpy(text, data + 2, size - 2);
+    char *const text = fuzz_copy(data + 2, size - 2);
     if (data[0] == 0)
         try_head(text, size - 2);
     else if (data[0] == 1)

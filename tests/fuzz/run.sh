@@ -1,8 +1,44 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# Feeds every fuzz target random input for FUZZ_SECONDS (10) under ASan and UBSan.  Seeds
-# lie in tests/fuzz/NAME/; what breaks a target is kept as build/fuzz/NAME-...
+# Feeds every fuzz target random input for FUZZ_SECONDS (10) under ASan and UBSan, as many
+# at a time as there are processors.  FUZZ_ONLY="csv tape" runs some of them.
+#
+# Seeds and inputs that once broke something lie in tests/fuzz/NAME/ and are run first;
+# words that an input is made of in tests/fuzz/NAME.dict.  TP_SEED repeats the random
+# numbers of a run, up to how fast the machine is.
 . tests/gates/lib.sh
+
+seconds=${FUZZ_SECONDS:-10}
+
+# Leaves in $scratch/NAME what it found; what breaks a target stays in build/fuzz.
+run_one()       # NAME
+{
+    program=build/fuzz/tests/fuzz/fuzz_$1
+    log=$scratch/$1.log
+    mkdir "$scratch/$1" "$scratch/$1.tmp"
+    set -- "$1" "$scratch/$1" $(ls -d "tests/fuzz/$1" 2>/dev/null)
+    name=$1; shift
+    [ ! -f "tests/fuzz/$name.dict" ] || set -- -dict="tests/fuzz/$name.dict" "$@"
+    if TMPDIR=$scratch/$name.tmp "$program" -max_total_time="$seconds" -timeout=20 \
+        -rss_limit_mb=2048 -close_fd_mask=3 -print_final_stats=1 \
+        -artifact_prefix="build/fuzz/$name-" ${TP_SEED:+-seed="$TP_SEED"} \
+        "$@" >"$log" 2>&1 </dev/null
+    then
+        echo "ok - fuzz_$name finds nothing in $seconds s"
+        sed -n 's/^stat::number_of_executed_units: */    runs: /p' "$log"
+    else
+        grep -v '^#' "$log" | tail -n 60 | sed 's/^/    /'
+        echo "FAILED - fuzz_$name finds nothing in $seconds s"
+        sed -n "s,^artifact_prefix=.*written to ,    again: $program ,p" "$log"
+    fi
+}
+
+if [ "${1:-}" = -one ]; then
+    scratch=$3
+    trap - EXIT
+    run_one "$2"
+    exit 0
+fi
 
 lacks clang clang "fuzzing" && exit 77
 echo 'int LLVMFuzzerTestOneInput(void) { return 0; }' >"$scratch/try.c"
@@ -10,18 +46,12 @@ clang -fsanitize=fuzzer "$scratch/try.c" -o "$scratch/try" 2>/dev/null ||
     { echo "skipped: fuzzing (package libclang-rt-dev)"; exit 77; }
 
 sanitize=address,undefined
-check "the fuzz targets build" build TARGET=fuzz CC=clang \
+check "the fuzz targets build" build TARGET=fuzz CC=clang V3_C= \
     OPT="-O1 -g1 -fsanitize=fuzzer-no-link,$sanitize -fno-sanitize-recover=all" \
     LDFLAGS="-fsanitize=$sanitize" fuzzers
-for source in tests/fuzz/fuzz_*.c; do
-    [ -f "$source" ] || continue
-    name=$(basename "$source" .c)
-    mkdir -p "$scratch/$name"
-    set --
-    [ ! -d "tests/fuzz/${name#fuzz_}" ] || set -- "tests/fuzz/${name#fuzz_}"
-    check "$name finds nothing in ${FUZZ_SECONDS:-10} s" "build/fuzz/tests/fuzz/$name" \
-        -max_total_time="${FUZZ_SECONDS:-10}" -rss_limit_mb=2048 -timeout=10 \
-        -artifact_prefix="build/fuzz/$name-" -print_final_stats=1 "$scratch/$name" "$@"
-    sed -n 's/^stat::number_of_executed_units: */    runs: /p' "$scratch/output"
-done
-exit $((failures > 0))
+[ "$failures" -eq 0 ] || exit 1
+
+names=${FUZZ_ONLY:-$(ls tests/fuzz/fuzz_*.c | sed 's,.*/fuzz_,,; s,\.c$,,')}
+printf '%s\n' $names | xargs -P "$(nproc)" -I{} "$0" -one {} "$scratch" |
+    tee "$scratch/results"
+! grep -q '^FAILED' "$scratch/results"

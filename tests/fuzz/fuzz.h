@@ -1,0 +1,113 @@
+/* SPDX-License-Identifier: MIT */
+/* What the fuzz targets share: a check that stays in every build, files that lie in
+ * memory, and what a refusal must say.  Messages go to stderr as ever; tests/fuzz/run.sh
+ * lets libFuzzer close it.  Include it first. */
+#ifndef TP_TESTS_FUZZ_H
+#define TP_TESTS_FUZZ_H
+#define _GNU_SOURCE             /* memfd_create */
+#include <stdbool.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/mman.h>
+#include <unistd.h>
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
+
+#define REQUIRE(x) ((x) ? (void)0 : fuzz_stop(#x, __FILE__, __LINE__))
+
+static inline void fuzz_stop(const char *what, const char *file, int line)
+{
+    fprintf(stderr, "%s:%d: does not hold: %s\n", file, line, what);
+    abort();
+}
+
+/* -- input ------------------------------------------------------------------------- */
+
+/* Takes the first byte off; 0 where there is none. */
+static inline uint8_t fuzz_byte(const uint8_t **data, size_t *size)
+{
+    const uint8_t byte = *size ? **data : 0;
+    *data += *size > 0;
+    *size -= *size > 0;
+    return byte;
+}
+
+/* A heap block of exactly these bytes, so that ASan sees a read behind its end. */
+static inline char *fuzz_copy(const uint8_t *data, size_t size)
+{
+    char *copy = malloc(size ? size : 1);
+    REQUIRE(copy != NULL);
+    memcpy(copy, data, size);
+    return copy;
+}
+
+/* The same, terminated. */
+static inline char *fuzz_text(const uint8_t *data, size_t size)
+{
+    char *text = malloc(size + 1);
+    REQUIRE(text != NULL);
+    memcpy(text, data, size);
+    text[size] = 0;
+    return text;
+}
+
+/* -- files in memory --------------------------------------------------------------- */
+
+enum { FUZZ_FILES = 3 };
+
+/* The path of file `i`, which then holds these bytes.  It is the same in every run. */
+static inline const char *fuzz_file(int i, const void *data, size_t size)
+{
+    static struct { char path[32]; int fd; } files[FUZZ_FILES];
+    if (!files[i].path[0]) {
+        files[i].fd = memfd_create("fuzz", 0);
+        REQUIRE(files[i].fd >= 0);
+        snprintf(files[i].path, sizeof files[i].path, "/proc/self/fd/%d", files[i].fd);
+    }
+    REQUIRE(ftruncate(files[i].fd, 0) == 0);
+    REQUIRE(pwrite(files[i].fd, data, size, 0) == (ssize_t)size);
+    return files[i].path;
+}
+
+/* What a file holds now, to free; *size its bytes. */
+static inline uint8_t *fuzz_contents(const char *path, size_t *size)
+{
+    FILE *file = fopen(path, "rb");
+    REQUIRE(file != NULL && fseek(file, 0, SEEK_END) == 0);
+    *size = (size_t)ftell(file);
+    rewind(file);
+    uint8_t *bytes = malloc(*size + 1);
+    REQUIRE(bytes != NULL && fread(bytes, 1, *size, file) == *size);
+    fclose(file);
+    return bytes;
+}
+
+/* -- refusals ---------------------------------------------------------------------- */
+
+/* How many lines there are, the last one with or without an end. */
+static inline unsigned fuzz_lines(const uint8_t *data, size_t size)
+{
+    unsigned lines = size > 0 && data[size - 1] != '\n';
+    for (size_t i = 0; i < size; i++)
+        lines += data[i] == '\n';
+    return lines;
+}
+
+/* Whether a message is "PLACE: sentence" or "PLACE:LINE: sentence", LINE 1..lines. */
+static inline bool fuzz_says(const char *message, const char *place, unsigned lines)
+{
+    const size_t n = strlen(place);
+    unsigned line = 0;
+    if (strncmp(message, place, n) != 0 || message[n] != ':')
+        return false;
+    message += n + 1;
+    const bool lined = *message >= '0' && *message <= '9';
+    for (; *message >= '0' && *message <= '9'; message++)
+        line = line * 10 + (unsigned)(*message - '0');
+    if (lined && (*message++ != ':' || line < 1 || line > lines))
+        return false;
+    return message[0] == ' ' && message[1] > ' ';
+}
+#endif
