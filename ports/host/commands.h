@@ -37,7 +37,4 @@ extern const size_t      command_count;
 typedef struct { int code; const char *help; } exit_row;
 extern const exit_row exits[];
 extern const size_t   exit_count;
-
-/* Ends what was printed on standard output: a full disk or a closed pipe is an error. */
-int finish_stdout(void);
 #endif

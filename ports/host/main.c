@@ -1,20 +1,11 @@
 /* SPDX-License-Identifier: MIT */
 /* The program: finds the command and runs it. */
-#include <errno.h>
 #include <signal.h>
 #include <stdio.h>
 #include <string.h>
 #include "commands.h"
 #include "nearest.h"
 #include "say.h"
-
-int finish_stdout(void)
-{
-    errno = 0;
-    if (!ferror(stdout) && fflush(stdout) == 0)
-        return EXIT_DONE;
-    return fail(EXIT_INPUT, "standard output: %s", strerror(errno ? errno : EIO));
-}
 
 static int print_help(void)
 {

@@ -3,6 +3,7 @@
  * mixes with a message. */
 #define _POSIX_C_SOURCE 200809L
 #include "say.h"
+#include <errno.h>
 #include <stdarg.h>
 #include <stdbool.h>
 #include <stdio.h>
@@ -93,4 +94,12 @@ int fail_at(const char *file, const tp_error *err)
 int fail_memory(size_t bytes)
 {
     return fail(EXIT_INPUT, "tidepool: out of memory: %zu bytes asked", bytes);
+}
+
+int finish_stdout(void)
+{
+    errno = 0;
+    if (!ferror(stdout) && fflush(stdout) == 0)
+        return EXIT_DONE;
+    return fail(EXIT_INPUT, "standard output: %s", strerror(errno ? errno : EIO));
 }

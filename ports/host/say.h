@@ -33,6 +33,9 @@ const char *say_check(const tp_error *err);
 
 int fail_memory(size_t bytes);
 
+/* Ends what was printed on standard output: a full disk or a closed pipe is an error. */
+int finish_stdout(void);
+
 /* The last line that was said, for windows to show, and how many have been; "" and 0. */
 const char *say_last(unsigned *count);
 
