@@ -32,7 +32,7 @@ CORE_AT ?= $(BUILD)
 # -- the core, by rank -----------------------------------------------------------------
 
 CORE := $(addprefix src/, \
-    base/arena.c base/status.c base/text.c \
+    base/arena.c base/given.c base/status.c base/text.c \
     fx/fx.c fx/mat.c fx/sqrt.c fx/text.c fx/trig.c fx/vec.c \
     pixel/crc32.c pixel/format.c pixel/store.c \
     asset/area.c asset/bind.c asset/cut.c asset/face.c asset/line.c asset/mtl.c \
@@ -55,11 +55,11 @@ CORE := $(addprefix src/, \
     shade/quick_pictures.c shade/quick_sky.c shade/quick_tables.c \
     shade/quick_view.c shade/ripple.c shade/side.c shade/sky.c shade/solid.c \
     shade/stars.c shade/tables.c shade/texture.c shade/view.c \
-    scene/boat.c scene/clock.c scene/drawn.c scene/drop.c scene/drops.c scene/faint.c \
-    scene/float.c scene/foam.c scene/foam_made.c scene/governor.c scene/light.c \
+    scene/boat.c scene/check.c scene/clock.c scene/drawn.c scene/drop.c scene/drops.c \
+    scene/faint.c scene/float.c scene/foam.c scene/foam_made.c scene/governor.c scene/light.c \
     scene/meter.c scene/moves.c scene/outlook.c scene/paddle.c scene/params.c \
-    scene/parts.c scene/piece.c scene/prices.c scene/rungs.c scene/spray.c \
-    scene/stand.c scene/tape.c \
+    scene/parts.c scene/piece.c scene/plan_checked.c scene/prices.c scene/rungs.c \
+    scene/spray.c scene/stand.c scene/tape.c \
     scene/value.c scene/wake.c scene/works.c scene/works_land.c scene/works_more.c \
     scene/world.c \
     frame/around.c frame/boat.c frame/bump.c frame/carve.c frame/caustics.c \

@@ -62,12 +62,15 @@ typedef struct {
 
 typedef struct tp_frame tp_frame;   /* lies at the start of the block */
 
-/* Both 0 if the config is out of range.  The scene's numbers may change while frames are
- * drawn, but grid.cols, grid.rows and the names.  What needs memory has as much as at init:
- * of more drops, rings and specks some are left out; a floor, wind, mirror, things under
- * clear water, caustics, a wall of glass or walls in a pool that came later are not drawn,
- * and caustic_cells stay; of later skies the gradient is drawn, a later exposure is 1, and
- * pools that come to bend the light only go on as heights. */
+/* 0 if the config or the scene is out of range.  The scene's numbers may change while
+ * frames are drawn, but grid.cols, grid.rows and the names; a change goes through
+ * tp_world_refresh, which checks it, before the next tp_frame_begin.
+ *
+ * Memory is fixed at init.  If the scene grows later, extra drops, rings and specks are
+ * left out; a floor, wind, mirror, things under clear water, caustics, a wall of glass and
+ * walls in a pool that were absent at init are not drawn; caustic_cells stay; a new kind
+ * of sky falls back to the gradient and automatic exposure to 1; pools that come to bend
+ * the light only stay heights. */
 size_t tp_frame_bytes_with(const tp_kit *kit, const tp_scene *scene,
                            const tp_assets *assets, const tp_frame_config *config);
 size_t tp_frame_scratch_bytes(const tp_frame_config *config);
@@ -81,8 +84,12 @@ size_t tp_frame_scratch_into_with(const tp_kit *kit, const tp_scene *scene,
                                   const tp_frame_config *config);
 
 /* `block`: tp_frame_bytes() bytes aligned to 8.  Kit, scene and assets must outlive the
- * frame, which keeps pointers to them.  TP_E_KIT: a kit has at least the stages sky and
- * plain, and the format's store. */
+ * frame, which keeps pointers to them; NULL assets are none.  The frame's size is not
+ * known here, so nobody can tell a block that is too short.
+ *  - TP_E_NULL, TP_E_ALIGN: err->word is the argument
+ *  - TP_E_SIZE, TP_E_TILE, TP_E_ARG: the config is out of range
+ *  - as tp_scene_check: the scene is, err->word is the row's name
+ *  - TP_E_KIT: a kit has at least the stages sky and plain, and the format's store */
 tp_status tp_frame_init_with(const tp_kit *kit, tp_frame **frame, const tp_scene *scene,
                              const tp_assets *assets, const tp_frame_config *config,
                              void *block, tp_error *err);
@@ -114,7 +121,8 @@ void tp_frame_begin(tp_frame *frame, const tp_world *world);
 uint32_t tp_frame_tiles(const tp_frame *frame);
 
 /* Draws tile i, row by row of tiles, into `scratch` (tp_frame_scratch_bytes() or _with(),
- * aligned to 8), where tile->pixels then points.  False: there is no such tile. */
+ * aligned to 8), where tile->pixels then points.  False: there is no such tile, or the
+ * scratch is NULL or misaligned. */
 bool tp_frame_tile(const tp_frame *frame, uint32_t i, void *scratch, tp_tile *tile);
 
 /* Pictures as the quick rung wants them, made beforehand for whoever puts them in ROM:

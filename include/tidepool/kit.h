@@ -16,6 +16,7 @@
 #ifndef TP_KIT_H
 #define TP_KIT_H
 #include "tidepool/pixel.h"
+#include "tidepool/status.h"
 
 /* -- stages: what a run of samples goes through; src/shade/shade.h ------------------- */
 
@@ -219,7 +220,12 @@ typedef struct {
 
 /* ------------------------------------------------------------------------------------ */
 
+struct tp_scene;
+
 typedef struct tp_kit {
+    /* tp_scene_check, which every init asks.  NULL: scenes are trusted, as a baked one may
+     * be: `tidepool bake` has checked it.  The check links the table of parameters. */
+    tp_status (*check)(const struct tp_scene *scene, tp_error *err);
     tp_stages stage;
     tp_store  store[TP_FORMAT_COUNT];
     tp_waters water;

@@ -126,6 +126,7 @@ size_t tp_ocean_bytes(const tp_ocean_config *config, const tp_sea *sea);
 /* Builds the tables; may take a while on small processors.  The sea's swells, in their
  * order, are the ocean's; `waves` and `count` are those that made it.  Their `power`
  * does not count: all are trochoids.  The config's map is read now and not kept.
+ * TP_E_NULL, TP_E_ALIGN: of the argument err->word; the block is aligned to 8.
  * TP_E_ARG: the map has a side of 0 or of more than 4096 pixels, or a size outside of
  * 1..8000 m; or the waves did not make this sea.  Other numbers are held in their
  * ranges. */

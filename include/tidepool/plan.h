@@ -33,6 +33,14 @@ typedef struct {
     tp_lod        lod;
 } tp_rungs;
 
+/* Pixels of a picture's side. */
+#define TP_PICTURE_SIDE_MIN 16
+#define TP_PICTURE_SIDE_MAX 4096
+
+/* The functions below that take a scene check it (tp_scene_check) and the picture's size.
+ * If one of them is refused, the exact rungs come back, in a report of zeros.  NULL assets
+ * are none. */
+
 /* The cheapest rungs whose errors together stay within quality.error_px and
  * quality.error_colour.  What quality.* names is taken whatever its error, and the rest
  * chosen with what it leaves of the budget.  Rungs without a price are never chosen. */

@@ -75,7 +75,8 @@ tp_status tp_pool_check(const tp_pool_config *config, tp_error *err);
 /* Of the block, aligned to 8; 0 if the config cannot be used. */
 size_t tp_pool_bytes(const tp_pool_config *config);
 
-/* Still water, in tp_pool_bytes() bytes; errors as tp_pool_check.  `mask` is read now and
+/* Still water, in tp_pool_bytes() bytes; errors as tp_pool_check, and TP_E_NULL or
+ * TP_E_ALIGN of the block.  `mask` is read now and
  * not kept. */
 tp_status tp_pool_init(tp_pool *pool, const tp_pool_config *config, tp_error *err);
 

@@ -54,7 +54,7 @@ typedef struct {
 #define TP_FACES  6             /* of a cube: +x -x +y -y +z -z */
 
 /* Numbers are 16.16 unless said; angles are degrees; colours 0x00RRGGBB. */
-typedef struct {
+typedef struct tp_scene {
     char title[TP_NAME_BYTES], shows[TP_NAME_BYTES];
     struct {
         tp_fx   x, y, z, heading, pitch, fov, near;
@@ -225,6 +225,16 @@ size_t tp_param_number_text(const tp_param *param, int32_t number, char *text,
 /* Every row's default. */
 void tp_scene_default(tp_scene *scene);
 
+/* TP_OK: every init takes this scene.  Otherwise err->word is the name of the first row
+ * at fault:
+ *  - TP_E_RANGE: a number, choice or colour outside the row's range, err->a..err->b
+ *  - TP_E_UNENDED: a name without its terminating zero; TP_E_TEXT: a control character
+ *  - TP_E_POOL_...: numbers of a pool that cannot be used together, see tp_pool_check
+ * The inits of a world and a frame, their byte counts, tp_world_refresh and the plan call
+ * it, so a program that sets numbers need not.  Pictures that the scene names are no part
+ * of it: tp_world_init checks these. */
+tp_status tp_scene_check(const tp_scene *scene, tp_error *err);
+
 /* -- what a scene names, as the port loaded it; NULL for what it does not name ------ */
 
 typedef struct {
@@ -318,14 +328,16 @@ typedef struct {
 } tp_world;
 
 /* sizeof (tp_world) if the scene has no pool, no floor or wind, no drops, and less by a
- * kit without swells; 0 if it cannot be used (tp_world_init says why). */
+ * kit without swells; 0 if it cannot be used (tp_world_init says why).  NULL assets are
+ * none. */
 size_t tp_world_bytes_with(const tp_kit *kit, const tp_scene *scene,
                            const tp_assets *assets);
 
 /* The world of `scene` at tick 0, in `bytes` bytes aligned to 8.  Pictures that the
- * assets hold are read now and not kept.  TP_E_NOSPACE: `bytes` are too few; of a pool
- * that cannot be used err->word is the parameter at fault ("pool.courant"); TP_E_ARG: a
- * map of the floor outside what tp_ocean_init takes. */
+ * assets hold are read now and not kept; NULL assets are none.
+ *  - TP_E_NULL, TP_E_ALIGN: err->word is the argument; TP_E_NOSPACE: `bytes` are too few
+ *  - as tp_scene_check: err->word is the parameter at fault ("pool.courant")
+ *  - TP_E_ARG: a map of the floor ("floor.map") outside what tp_ocean_init takes */
 tp_status tp_world_init_with(const tp_kit *kit, tp_world *world, size_t bytes,
                              const tp_scene *scene, const tp_assets *assets,
                              tp_error *err);
@@ -340,7 +352,8 @@ void tp_world_look(tp_world *world, const tp_input *input);
 
 /* The scene as it is now, at the same tick: sea, ocean, boat, what of pools and drops may
  * change while they move.  False, and nothing is done: what sizes the world's block has
- * changed, or cannot be used; it must be made anew by tp_world_init. */
+ * changed, or the scene cannot be used; tp_world_init makes the world anew, or tells what
+ * is wrong.  Until one of them has taken the scene, neither step nor draw by it. */
 bool tp_world_refresh_with(const tp_kit *kit, tp_world *world, const tp_scene *scene,
                            const tp_assets *assets);
 

@@ -14,6 +14,8 @@
     X(OK,              "ok") \
     X(E_ARG,           "argument out of range") \
     X(E_NOSPACE,       "out of memory: %a bytes asked, %b there") \
+    X(E_NULL,          "%s is NULL") \
+    X(E_ALIGN,         "%s is not aligned to %a bytes") \
     X(E_SIZE,          "picture of %a x %b pixels; 16 x 16 to 4096 x 4096 can be drawn") \
     X(E_TILE,          "tile of %a x %b pixels; widths are multiples of 16") \
     X(E_KIT,           "the kit lacks %s") \
@@ -24,6 +26,7 @@
     X(E_COLOUR,        "expected a colour such as #204060, found %s") \
     X(E_TEXT,          "control character in %s") \
     X(E_LONG,          "longer than %a bytes") \
+    X(E_UNENDED,       "%s has no terminating zero within %a bytes") \
     X(E_TEXTURE,       "texture of %a x %b texels; 1 x 1 to 4096 x 4096 can be used") \
     X(E_OBJ_NUMBER,    "expected a number, found %s") \
     X(E_OBJ_MISSING,   "%s needs %a numbers, found %b") \
@@ -87,4 +90,7 @@ tp_status tp_fail_(tp_error *err, tp_status code, const char *file, int line,
 
 /* Puts the offending word (not terminated) into an error. */
 void tp_error_word(tp_error *err, const char *word, size_t bytes);
+
+/* Puts a terminated word into an error that has just been filled; returns `code`. */
+tp_status tp_error_blame(tp_error *err, tp_status code, const char *word);
 #endif

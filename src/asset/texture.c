@@ -5,6 +5,7 @@
  * repeats: destination texel i has its centre at (i + 1/2) w / w2 of the source, and
  * the four source pixels around it are weighted by 8-bit fractions. */
 #include "tidepool/asset.h"
+#include "base/given.h"
 
 enum { MOST = 4096 };
 
@@ -113,6 +114,11 @@ tp_status tp_texture_init(tp_texture *texture, const uint32_t *pixels,
 {
     if (!can_be(w, h))
         return TP_FAIL(err, TP_E_TEXTURE, 0, w, h);
+    tp_status status = tp_given_check(pixels, "pixels", err);
+    if (status == TP_OK)
+        status = tp_given_block(mem, 4, "mem", err);
+    if (status != TP_OK)
+        return status;
     const uint32_t log2_w = log2_above(w), log2_h = log2_above(h);
     const uint32_t levels = (log2_w > log2_h ? log2_w : log2_h) + 1;
     *texture = (tp_texture){ .log2_w = (uint8_t)log2_w, .log2_h = (uint8_t)log2_h,

@@ -58,3 +58,9 @@ void tp_error_word(tp_error *err, const char *word, size_t bytes)
     }
     err->word[n] = '\0';
 }
+
+tp_status tp_error_blame(tp_error *err, tp_status code, const char *word)
+{
+    tp_error_word(err, word, tp_text_length(word));
+    return code;
+}

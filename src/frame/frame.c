@@ -1,15 +1,14 @@
 /* SPDX-License-Identifier: MIT */
 /* A frame from its config to its first tile: checked, made, begun. */
-#include "base/text.h"
+#include "base/given.h"
 #include "frame/frame.h"
 #include "geom/waters.h"
+#include "scene/parts.h"
 
-#define SIDE_LEAST 16
-#define SIDE_MOST  4096
-
+/* NULL is a picture without pixels, which check() refuses. */
 static tp_frame_config filled(const tp_frame_config *config)
 {
-    tp_frame_config c = *config;
+    tp_frame_config c = config != NULL ? *config : (tp_frame_config){ 0 };
     if (c.tile_width == 0 || c.tile_width > c.width)
         c.tile_width = c.width;
     if (c.tile_height == 0 || c.tile_height > c.height)
@@ -17,11 +16,14 @@ static tp_frame_config filled(const tp_frame_config *config)
     return c;
 }
 
+static tp_assets filled_assets(const tp_assets *assets)
+{
+    return assets != NULL ? *assets : (tp_assets){ 0 };
+}
+
 static tp_status lacks(tp_error *err, const char *what)
 {
-    tp_status status = TP_FAIL(err, TP_E_KIT, 0, 0, 0);
-    tp_error_word(err, what, tp_text_length(what));
-    return status;
+    return tp_error_blame(err, TP_FAIL(err, TP_E_KIT, 0, 0, 0), what);
 }
 
 /* What every picture needs. */
@@ -34,8 +36,8 @@ static tp_status check_kit(const tp_kit *kit, tp_format format, tp_error *err)
 
 static tp_status check(const tp_frame_config *c, tp_error *err)
 {
-    if (c->width < SIDE_LEAST || c->width > SIDE_MOST
-        || c->height < SIDE_LEAST || c->height > SIDE_MOST)
+    if (c->width < TP_PICTURE_SIDE_MIN || c->width > TP_PICTURE_SIDE_MAX
+        || c->height < TP_PICTURE_SIDE_MIN || c->height > TP_PICTURE_SIDE_MAX)
         return TP_FAIL(err, TP_E_SIZE, 0, c->width, c->height);
     if (c->tile_width % 16 != 0 && c->tile_width < c->width)
         return TP_FAIL(err, TP_E_TILE, 0, c->tile_width, c->tile_height);
@@ -49,11 +51,11 @@ size_t tp_frame_bytes_with(const tp_kit *kit, const tp_scene *scene,
 {
     tp_frame_config c = filled(config);
     tp_arena arena = tp_arena_over(NULL, 0);
-    tp_assets known = *assets;
+    tp_assets known = filled_assets(assets);
     tp_frame_parts parts;
     tp_frame_ram ram;
 
-    if (check(&c, NULL) != TP_OK)
+    if (check(&c, NULL) != TP_OK || tp_kit_check(kit, scene, NULL) != TP_OK)
         return 0;
     tp_frame_carve(kit, &parts, &ram, &arena, scene, &known, &c);
     return ram.frame;
@@ -97,16 +99,25 @@ static uint32_t streamed_cols(const tp_kit *kit, const tp_scene *scene)
                                                              : 0;
 }
 
+/* By this kit, for this scene; 0: they cannot be used. */
+static size_t scratch_with(const tp_kit *kit, const tp_scene *scene,
+                           const tp_frame_config *config, bool into)
+{
+    if (tp_kit_check(kit, scene, NULL) != TP_OK)
+        return 0;
+    return scratch_of(config, tp_method_bytes(kit), streamed_cols(kit, scene), into);
+}
+
 size_t tp_frame_scratch_with(const tp_kit *kit, const tp_scene *scene,
                              const tp_frame_config *config)
 {
-    return scratch_of(config, tp_method_bytes(kit), streamed_cols(kit, scene), false);
+    return scratch_with(kit, scene, config, false);
 }
 
 size_t tp_frame_scratch_into_with(const tp_kit *kit, const tp_scene *scene,
                                   const tp_frame_config *config)
 {
-    return scratch_of(config, tp_method_bytes(kit), streamed_cols(kit, scene), true);
+    return scratch_with(kit, scene, config, true);
 }
 
 /* Tables that last, and those that the first frame needs. */
@@ -128,14 +139,20 @@ tp_status tp_frame_init_with(const tp_kit *kit, tp_frame **out, const tp_scene *
                              void *block, tp_error *err)
 {
     tp_frame_config c = filled(config);
-    tp_status status = check(&c, err);
+    tp_status status = tp_given_check(out, "frame", err);
 
     if (status == TP_OK)
+        status = check(&c, err);
+    if (status == TP_OK)
+        status = tp_kit_check(kit, scene, err);
+    if (status == TP_OK)
         status = check_kit(kit, c.format, err);
+    if (status == TP_OK)
+        status = tp_given_block(block, 8, "block", err);
     if (status != TP_OK)
         return status;
     tp_arena arena = tp_arena_over(block, SIZE_MAX);    /* as much as was counted */
-    tp_assets known = *assets;
+    tp_assets known = filled_assets(assets);
     tp_frame_parts parts;
     tp_frame_ram ram;
     tp_frame *frame = tp_frame_carve(kit, &parts, &ram, &arena, scene, &known, &c);

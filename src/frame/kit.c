@@ -1,8 +1,10 @@
 /* SPDX-License-Identifier: MIT */
 /* The kit of everything.  Whoever names it links the whole core. */
 #include "tidepool/kit.h"
+#include "tidepool/scene.h"
 
 const tp_kit tp_kit_all = {
+    .check = tp_scene_check,
     .stage = {
 #define X(name) TP_STAGE(name),
         TP_STAGE_LIST(X)

@@ -6,6 +6,18 @@
 #include "scene/faint.h"
 #include "scene/prices.h"
 
+static tp_rungs measured_rungs(const tp_scene *scene, const tp_assets *assets,
+                               uint32_t width, uint32_t height)
+{
+    return tp_rungs_by(&tp_prices_measured, scene, assets, width, height);
+}
+
+static tp_ladder measured_ladder(const tp_scene *scene, const tp_assets *assets,
+                                 uint32_t width, uint32_t height)
+{
+    return tp_ladder_by(&tp_prices_measured, scene, assets, width, height);
+}
+
 static void carve_thin(tp_frame_parts *parts, tp_arena *arena, const tp_scene *scene,
                        const tp_assets *assets, const tp_frame_config *config)
 {
@@ -34,4 +46,6 @@ static void thin_sea(tp_frame *frame)
     }
 }
 
-const struct tp_draw_rungs tp_draw_rungs = { carve_thin, tp_ladder_of, tp_rungs_of, thin_sea };
+const struct tp_draw_rungs tp_draw_rungs = {
+    carve_thin, measured_ladder, measured_rungs, thin_sea
+};

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* One tile: what is there, then its colours, then its pixels. */
+#include "base/given.h"
 #include "frame/frame.h"
 
 static tp_samples samples_of(const tp_frame *frame, void *scratch, const tp_tile *tile)
@@ -131,12 +132,13 @@ static void draw_samples(const tp_frame *frame, tp_samples *samples, void *memor
         draw->spray->draw(frame, samples);
 }
 
-/* False: there is no such tile. */
-static bool place_tile(const tp_frame *frame, uint32_t i, tp_tile *tile)
+/* False: there is no such tile, or no memory to draw it in. */
+static bool place_tile(const tp_frame *frame, uint32_t i, const void *scratch,
+                       tp_tile *tile)
 {
     const tp_frame_config *c = &frame->config;
 
-    if (i >= tp_frame_tiles(frame))
+    if (i >= tp_frame_tiles(frame) || tp_given_block(scratch, 8, "scratch", NULL) != TP_OK)
         return false;
     tile->x0 = i % frame->across * c->tile_width;
     tile->y0 = i / frame->across * c->tile_height;
@@ -160,7 +162,7 @@ bool tp_frame_tile(const tp_frame *frame, uint32_t i, void *scratch, tp_tile *ti
 {
     const tp_frame_config *c = &frame->config;
 
-    if (!place_tile(frame, i, tile))
+    if (!place_tile(frame, i, scratch, tile))
         return false;
     tile->pixels = pixels_of(frame, scratch);
     tile->stride = tp_format_row_bytes(c->format, (int)c->tile_width);
@@ -174,7 +176,7 @@ bool tp_frame_tile_into(const tp_frame *frame, uint32_t i, void *scratch, void *
 {
     uint8_t *pixels = picture;
 
-    if (!place_tile(frame, i, tile))
+    if (picture == NULL || !place_tile(frame, i, scratch, tile))
         return false;
     pixels += tile->y0 * stride
             + tp_format_row_bytes(frame->config.format, (int)tile->x0);

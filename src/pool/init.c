@@ -6,7 +6,7 @@
  * than the field's own.  dmax = 8 / W, at most 1/2: the two measured sponges of [C15]. */
 #include "pool/pool.h"
 #include "base/base.h"
-#include "base/text.h"
+#include "base/given.h"
 
 static bool within(int64_t x, int64_t low, int64_t high)
 {
@@ -19,16 +19,9 @@ static uint32_t r2q_bound(uint32_t damping)
     return 512 * ((1u << damping) - 1) / ((2u << damping) - 1);
 }
 
-/* The field at fault. */
-static tp_status blame(tp_error *err, tp_status code, const char *field)
-{
-    tp_error_word(err, field, tp_text_length(field));
-    return code;
-}
-
 #define RANGE(field, good) \
     if (!(good)) \
-        return blame(err, TP_FAIL(err, TP_E_POOL_RANGE, 0, 0, 0), field)
+        return tp_error_blame(err, TP_FAIL(err, TP_E_POOL_RANGE, 0, 0, 0), field)
 
 static tp_status check_numbers(const tp_pool_config *c, tp_error *err)
 {
@@ -42,7 +35,7 @@ static tp_status check_numbers(const tp_pool_config *c, tp_error *err)
     RANGE("feed_low", c->feed_low >= 0);
     RANGE("feed", c->feed >= 0);
     if (c->feed_low > c->feed_high)
-        return blame(err, TP_FAIL(err, TP_E_POOL_FEED, 0, 0, 0), "feed_low");
+        return tp_error_blame(err, TP_FAIL(err, TP_E_POOL_FEED, 0, 0, 0), "feed_low");
     return TP_OK;
 }
 
@@ -52,8 +45,8 @@ static tp_status check_size(const tp_pool_config *c, tp_error *err)
 
     if (good_cols && within(c->rows, 16, 512))
         return TP_OK;
-    return blame(err, TP_FAIL(err, TP_E_POOL_SIZE, 0, c->cols, c->rows),
-                 good_cols ? "rows" : "cols");
+    return tp_error_blame(err, TP_FAIL(err, TP_E_POOL_SIZE, 0, c->cols, c->rows),
+                          good_cols ? "rows" : "cols");
 }
 
 /* The sentence has both to three places: what is refused is 0.491 or more, at most 0.8,
@@ -65,24 +58,27 @@ static tp_status check_courant(const tp_pool_config *c, tp_error *err)
 
     if (tp_pool_r2q_of(c->courant) <= bound)
         return TP_OK;
-    return blame(err, TP_FAIL(err, TP_E_POOL_COURANT, 0, asked,
-                              tp_isqrt64((uint64_t)bound * 1000000 / 1024)), "courant");
+    return tp_error_blame(err, TP_FAIL(err, TP_E_POOL_COURANT, 0, asked,
+                                       tp_isqrt64((uint64_t)bound * 1000000 / 1024)),
+                          "courant");
 }
 
 tp_status tp_pool_check(const tp_pool_config *config, tp_error *err)
 {
-    const tp_grey *mask = config->mask;
-    tp_status status = check_size(config, err);
+    tp_status status = tp_given_check(config, "config", err);
 
+    if (status == TP_OK)
+        status = check_size(config, err);
     if (status == TP_OK)
         status = check_numbers(config, err);
     if (status == TP_OK)
         status = check_courant(config, err);
     if (status != TP_OK)
         return status;
+    const tp_grey *mask = config->mask;
     if (mask != NULL && (mask->cols == 0 || mask->rows == 0 || mask->sample == NULL))
-        return blame(err, TP_FAIL(err, TP_E_POOL_MASK, 0, mask->cols, mask->rows),
-                     "mask");
+        return tp_error_blame(err, TP_FAIL(err, TP_E_POOL_MASK, 0, mask->cols, mask->rows),
+                              "mask");
     return TP_OK;
 }
 
@@ -152,8 +148,10 @@ static uint64_t turns_over(uint64_t n)
 
 tp_status tp_pool_init(tp_pool *pool, const tp_pool_config *config, tp_error *err)
 {
-    const tp_status status = tp_pool_check(config, err);
+    tp_status status = tp_given_block(pool, 8, "pool", err);
 
+    if (status == TP_OK)
+        status = tp_pool_check(config, err);
     if (status != TP_OK)
         return status;
     const tp_pool_layout at = tp_pool_lay_out(config);

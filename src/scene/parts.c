@@ -68,30 +68,45 @@ static void name_parameter(tp_error *err, const char *part)
     tp_error_word(err, name, tp_text_length(name));
 }
 
-static tp_status take_pool(tp_arena *arena, const tp_scene *scene,
-                           const tp_assets *assets, bool field, uint32_t *at,
-                           tp_error *err)
+static tp_status check_pool(const tp_scene *scene, const tp_assets *assets, bool field,
+                            tp_error *err)
 {
     const tp_scene_pool *pool = field ? &scene->field : &scene->pool;
     if (pool->cols == 0)
         return TP_OK;
     tp_pool_config config = pool_config(pool, mask_of(assets, field));
     tp_status status = tp_pool_check(&config, err);
-    if (status == TP_OK)
-        *at = take(arena, tp_pool_bytes(&config));
-    else
+    if (status != TP_OK)
         name_parameter(err, field ? "field" : "pool");
     return status;
+}
+
+tp_status tp_parts_check_pools(const tp_scene *scene, const tp_assets *assets,
+                               tp_error *err)
+{
+    tp_status status = check_pool(scene, assets, false, err);
+    return status == TP_OK ? check_pool(scene, assets, true, err) : status;
+}
+
+static uint32_t take_pool(tp_arena *arena, const tp_scene *scene,
+                          const tp_assets *assets, bool field)
+{
+    const tp_scene_pool *pool = field ? &scene->field : &scene->pool;
+    tp_pool_config config = pool_config(pool, mask_of(assets, field));
+    return pool->cols == 0 ? 0 : take(arena, tp_pool_bytes(&config));
 }
 
 tp_status tp_parts_take_pools(tp_world_parts *parts, tp_arena *arena,
                               const tp_scene *scene, const tp_assets *assets,
                               tp_error *err)
 {
-    tp_status status = take_pool(arena, scene, assets, false, &parts->pool, err);
-    if (status == TP_OK)
-        status = take_pool(arena, scene, assets, true, &parts->field, err);
-    return status;
+    const tp_status status = tp_parts_check_pools(scene, assets, err);
+
+    if (status != TP_OK)
+        return status;
+    parts->pool = take_pool(arena, scene, assets, false);
+    parts->field = take_pool(arena, scene, assets, true);
+    return TP_OK;
 }
 
 size_t tp_parts_ocean_bytes(const tp_kit *kit, const tp_scene *scene,
@@ -141,16 +156,18 @@ static size_t swells_of(const tp_kit *kit, const tp_scene *scene)
 tp_status tp_parts_of(const tp_kit *kit, tp_world_parts *parts, const tp_scene *scene,
                       const tp_assets *assets, tp_error *err)
 {
-    const tp_moves *move = &kit->move;
     tp_arena  arena = tp_arena_over(NULL, 0);
-    tp_status status = TP_OK;
+    tp_status status = tp_kit_check(kit, scene, err);
 
     *parts = (tp_world_parts){ .bytes = 0 };
+    if (status != TP_OK)
+        return status;
+    const tp_moves *move = &kit->move;
     take(&arena, offsetof(tp_world, sea.swell) + swells_of(kit, scene) * sizeof(tp_swell));
     if (has_ocean(kit, scene)) {
         size_t bytes = move->ocean->bytes(kit, scene, assets);
         if (bytes == 0)
-            return TP_FAIL(err, TP_E_ARG, 0, 0, 0);
+            return tp_error_blame(err, TP_FAIL(err, TP_E_ARG, 0, 0, 0), "floor.map");
         parts->ocean = take(&arena, bytes);
     }
     if (move->pools && kit->water.pools)

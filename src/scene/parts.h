@@ -12,6 +12,15 @@
 tp_status tp_parts_of(const tp_kit *kit, tp_world_parts *parts, const tp_scene *scene,
                       const tp_assets *assets, tp_error *err);
 
+/* What every init asks first: TP_E_NULL for a missing kit or scene, then the kit's check
+ * of the scene. */
+tp_status tp_kit_check(const tp_kit *kit, const tp_scene *scene, tp_error *err);
+
+/* tp_pool_check of the scene's pool and field; err->word is the parameter at fault.  NULL
+ * assets: masks are not looked at. */
+tp_status tp_parts_check_pools(const tp_scene *scene, const tp_assets *assets,
+                               tp_error *err);
+
 /* Fills the parts at world->parts: still water, no drops. */
 tp_status tp_parts_init(const tp_kit *kit, tp_world *world, const tp_scene *scene,
                         const tp_assets *assets, tp_error *err);

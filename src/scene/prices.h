@@ -95,7 +95,9 @@ typedef struct {
 
 extern const tp_prices tp_prices_measured;
 
-/* The plan by any table. */
+/* The plan by any table, of a scene that tp_scene_check takes, with assets. */
+tp_rungs tp_rungs_by(const tp_prices *prices, const tp_scene *scene,
+                     const tp_assets *assets, uint32_t width, uint32_t height);
 tp_plan_report tp_plan_by(const tp_prices *prices, const tp_scene *scene,
                           const tp_assets *assets, uint32_t width, uint32_t height);
 

@@ -236,10 +236,10 @@ bool tp_thins_sea(const tp_scene *scene, const tp_assets *assets, uint32_t width
         && !tp_has_ocean(scene);
 }
 
-tp_rungs tp_rungs_of(const tp_scene *scene, const tp_assets *assets, uint32_t width,
-                     uint32_t height)
+tp_rungs tp_rungs_by(const tp_prices *prices, const tp_scene *scene,
+                     const tp_assets *assets, uint32_t width, uint32_t height)
 {
-    const ground g = ground_of(&tp_prices_measured, scene, assets, width, height);
+    const ground g = ground_of(prices, scene, assets, width, height);
     return rungs_of(cheapest_of(&g));
 }
 
@@ -324,12 +324,6 @@ tp_plan_report tp_plan_by(const tp_prices *prices, const tp_scene *scene,
     return r;
 }
 
-tp_plan_report tp_plan_of(const tp_scene *scene, const tp_assets *assets, uint32_t width,
-                          uint32_t height)
-{
-    return tp_plan_by(&tp_prices_measured, scene, assets, width, height);
-}
-
 /* -- the ladder ---------------------------------------------------------------------- */
 
 /* Outlines in pixels and colours in levels, as the budget weighs them by default: half a
@@ -378,10 +372,4 @@ tp_ladder tp_ladder_by(const tp_prices *prices, const tp_scene *scene,
     while (scene->quality.frame_ms > 0 && ladder.count < TP_LADDER && step_down(&g, &c))
         ladder.rung[ladder.count++] = rungs_of(c);
     return ladder;
-}
-
-tp_ladder tp_ladder_of(const tp_scene *scene, const tp_assets *assets, uint32_t width,
-                       uint32_t height)
-{
-    return tp_ladder_by(&tp_prices_measured, scene, assets, width, height);
 }

@@ -2,6 +2,7 @@
 /* The world: what of a scene moves, tick by tick.  Nothing here knows that it is
  * drawn. */
 #include "base/base.h"
+#include "base/given.h"
 #include "scene/moves.h"
 
 #define PITCH_MOST TP_DEG(89)
@@ -61,8 +62,10 @@ tp_status tp_world_init_with(const tp_kit *kit, tp_world *world, size_t bytes,
                              tp_error *err)
 {
     tp_world_parts parts;
-    tp_status status = tp_parts_of(kit, &parts, scene, assets, err);
+    tp_status status = tp_given_block(world, 8, "world", err);
 
+    if (status == TP_OK)
+        status = tp_parts_of(kit, &parts, scene, assets, err);
     if (status != TP_OK)
         return status;
     if (bytes < parts.bytes)

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Laying the ocean out in its block, and the order of its making. */
 #include "wave/ocean.h"
+#include "base/given.h"
 
 #define NODES_LEAST 65          /* along the longer side of a map */
 #define NODES_MOST  129
@@ -55,8 +56,9 @@ static layout plan_of(const tp_grey *map, uint32_t count)
 
 size_t tp_ocean_bytes(const tp_ocean_config *config, const tp_sea *sea)
 {
-    return map_usable(config->floor.map) ? plan_of(config->floor.map, sea->count).bytes
-                                         : 0;
+    if (config == NULL || sea == NULL || !map_usable(config->floor.map))
+        return 0;
+    return plan_of(config->floor.map, sea->count).bytes;
 }
 
 static void *at_byte(const tp_ocean *ocean, size_t offset)
@@ -287,8 +289,17 @@ static void make_waves(tp_ocean *ocean, const tp_ocean_config *config, const tp_
 tp_status tp_ocean_init(tp_ocean *ocean, const tp_ocean_config *config, const tp_sea *sea,
                         const tp_wave *waves, uint32_t count, tp_error *err)
 {
-    const tp_floor *floor = &config->floor;
+    tp_status status = tp_given_block(ocean, 8, "ocean", err);
 
+    if (status == TP_OK)
+        status = tp_given_check(config, "config", err);
+    if (status == TP_OK)
+        status = tp_given_check(sea, "sea", err);
+    if (status == TP_OK)
+        status = tp_given_check(waves, "waves", err);
+    if (status != TP_OK)
+        return status;
+    const tp_floor *floor = &config->floor;
     if (moving(waves, count) != sea->count || !map_usable(floor->map))
         return TP_FAIL(err, TP_E_ARG, 0, 0, 0);
     if (floor->map && (floor->map_size < TP_FX_ONE || floor->map_size > TP_FX(8000)))

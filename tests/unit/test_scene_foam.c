@@ -58,8 +58,8 @@ static void foam_fades_by_its_time(void **state)
     (void)state;
 
     for (int n = 0; n < 5; n++) {
-        const tp_scene scene = still((tp_fx)(fades[n] * 65536));
-        const double fade = (int)(fades[n] * 65536) / 65536.0;
+        const tp_scene scene = still((tp_fx)lround(fades[n] * 65536));
+        const double fade = (double)lround(fades[n] * 65536) / 65536;
         tp_world *world = scene_world(&scene, NULL);
         const int ticks = 4 * (1 + (int)(fade * 15));
         fill_any(world);

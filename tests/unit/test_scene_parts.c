@@ -203,16 +203,16 @@ static void a_bad_pool_gives_its_status(void **state)
         pool->cols = 15;
         refuses(&bad, NULL, TP_E_POOL_SIZE, n ? "field.cols" : "pool.cols");
         pool->cols = -1;
-        refuses(&bad, NULL, TP_E_POOL_SIZE, n ? "field.cols" : "pool.cols");
+        refuses(&bad, NULL, TP_E_RANGE, n ? "field.cols" : "pool.cols");
         *pool = kept;
         pool->rows = 513;
-        refuses(&bad, NULL, TP_E_POOL_SIZE, n ? "field.rows" : "pool.rows");
+        refuses(&bad, NULL, TP_E_RANGE, n ? "field.rows" : "pool.rows");
         *pool = kept;
         pool->courant = TP_FX(0.8);
         refuses(&bad, NULL, TP_E_POOL_COURANT, n ? "field.courant" : "pool.courant");
         *pool = kept;
         pool->cells = 3;
-        refuses(&bad, NULL, TP_E_POOL_RANGE, n ? "field.cells" : "pool.cells");
+        refuses(&bad, NULL, TP_E_RANGE, n ? "field.cells" : "pool.cells");
         *pool = kept;
         pool->feed_low = TP_FX_ONE;
         pool->feed_high = 0;
@@ -232,7 +232,7 @@ static void a_bad_picture_of_the_floor_is_refused(void **state)
     strcpy(scene.floor.map, "floor.png");
     for (int i = 0; i < 3; i++) {
         const tp_assets assets = { .floor = &bad[i] };
-        refuses(&scene, &assets, TP_E_ARG, "");
+        refuses(&scene, &assets, TP_E_ARG, "floor.map");
     }
 }
 

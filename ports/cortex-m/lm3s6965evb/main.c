@@ -25,6 +25,7 @@
 /* Waves, pools, drops, spray, a boat, foam, layers, ripples and two kinds of sky: 256 KB
  * of flash hold no more.  Crossings are streamed, since 64 KB would not hold them. */
 static const tp_kit kit = {
+    .check = tp_scene_check,
     .stage = {
         TP_STAGE(sky), TP_STAGE(sky_dome), TP_STAGE(plain), TP_STAGE(texture),
         TP_STAGE(texture_tinted), TP_STAGE(texture_linear),

@@ -1,0 +1,58 @@
+/* SPDX-License-Identifier: MIT */
+/* The check of a scene that a program has filled in: every row against its range, then
+ * the combinations that no single row can tell.  A scene of a file comes row by row
+ * through tp_param_set, which holds the same ranges. */
+#include "base/base.h"
+#include "base/given.h"
+#include "scene/parts.h"
+#include "scene/piece.h"
+
+static tp_status check_number(const tp_scene *scene, const tp_param *row, tp_error *err)
+{
+    int32_t number;
+
+    memcpy(&number, (const char *)scene + row->offset, sizeof number);
+    if (number >= row->low && number <= row->high)
+        return TP_OK;
+    return tp_error_blame(err, TP_FAIL(err, TP_E_RANGE, 0, row->low, row->high),
+                          row->name);
+}
+
+static tp_status check_name(const tp_scene *scene, const tp_param *row, tp_error *err)
+{
+    const char *const name = (const char *)scene + row->offset;
+    size_t bytes = 0;
+
+    while (bytes < TP_NAME_BYTES && name[bytes] != '\0')
+        bytes++;
+    if (bytes == TP_NAME_BYTES)
+        return tp_error_blame(err, TP_FAIL(err, TP_E_UNENDED, 0, TP_NAME_BYTES, 0),
+                              row->name);
+    if (tp_piece_has_control((tp_piece){ name, bytes }))
+        return tp_error_blame(err, TP_FAIL(err, TP_E_TEXT, 0, 0, 0), row->name);
+    return TP_OK;
+}
+
+tp_status tp_kit_check(const tp_kit *kit, const tp_scene *scene, tp_error *err)
+{
+    tp_status status = tp_given_check(kit, "kit", err);
+
+    if (status == TP_OK)
+        status = tp_given_check(scene, "scene", err);
+    if (status == TP_OK && kit->check != NULL)
+        status = kit->check(scene, err);
+    return status;
+}
+
+tp_status tp_scene_check(const tp_scene *scene, tp_error *err)
+{
+    uint32_t count;
+    const tp_param *const rows = tp_params(&count);
+
+    tp_status status = tp_given_check(scene, "scene", err);
+
+    for (uint32_t i = 0; i < count && status == TP_OK; i++)
+        status = tp_param_is_text(&rows[i]) ? check_name(scene, &rows[i], err)
+                                            : check_number(scene, &rows[i], err);
+    return status == TP_OK ? tp_parts_check_pools(scene, NULL, err) : status;
+}

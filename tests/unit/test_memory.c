@@ -1,0 +1,225 @@
+/* SPDX-License-Identifier: MIT */
+/* The memory that callers hand to inits: NULL, short or misaligned it is refused with the
+ * argument's name, and nothing is written; NULL assets mean none everywhere. */
+#include <stdarg.h>
+#include <stddef.h>
+#include <setjmp.h>
+#include <stdint.h>
+#include <cmocka.h>
+#include "scenes.h"
+#include "tidepool/plan.h"
+
+enum { BYTES = 1 << 20, WIDTH = 32, HEIGHT = 24 };
+
+static const tp_frame_config picture = { WIDTH, HEIGHT, 0, 0, TP_FORMAT_XRGB8888 };
+static const tp_assets none;
+static _Alignas(8) uint8_t memory[BYTES], before[BYTES];
+
+static void assert_named(tp_status status, tp_status wanted, const tp_error *err,
+                         const char *word)
+{
+    assert_int_equal(status, wanted);
+    assert_int_equal(err->code, wanted);
+    assert_string_equal(err->word, word);
+}
+
+static tp_status init_world(void *block, tp_error *err)
+{
+    const tp_scene scene = scene_plain();
+    return tp_world_init(block, BYTES - 8, &scene, &none, err);
+}
+
+static tp_status init_frame(void *block, tp_error *err)
+{
+    const tp_scene scene = scene_plain();
+    tp_frame *frame = NULL;
+    assert_true(tp_frame_bytes(&scene, &none, &picture) <= BYTES - 8);
+    return tp_frame_init(&frame, &scene, &none, &picture, block, err);
+}
+
+static tp_status init_pool(void *block, tp_error *err)
+{
+    static const tp_pool_config config = {
+        .cols = 16, .rows = 16, .cells = TP_CELLS_16, .courant = TP_FX(0.4), .damping = 6,
+        .range = TP_FX_ONE, .cell = TP_FX_ONE,
+    };
+    return tp_pool_init(block, &config, err);
+}
+
+static tp_status init_ocean(void *block, tp_error *err)
+{
+    static const tp_ocean_config config = { .floor.depth = 4 * TP_FX_ONE };
+    static const tp_wave wave = { .amplitude = TP_FX_ONE, .length = 20 * TP_FX_ONE,
+                                  .speed = TP_FX_ONE };
+    tp_sea sea;
+    tp_sea_init(&sea, &wave, 1, TP_FX(9.81));
+    return tp_ocean_init(block, &config, &sea, &wave, 1, err);
+}
+
+static tp_status init_texture(void *block, tp_error *err)
+{
+    static const uint32_t pixels[4] = { 1, 2, 3, 4 };
+    tp_texture texture;
+    return tp_texture_init(&texture, pixels, 2, 2, block, err);
+}
+
+static void every_init_refuses_blocks_that_are_null_or_misaligned(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *word;
+        uint32_t align;
+        tp_status (*init)(void *block, tp_error *err);
+    } inits[] = { { "world", 8, init_world }, { "block", 8, init_frame },
+                  { "pool", 8, init_pool },   { "ocean", 8, init_ocean },
+                  { "mem", 4, init_texture } };
+
+    for (size_t i = 0; i < sizeof inits / sizeof *inits; i++) {
+        tp_error err;
+        memset(memory, 0xa5, sizeof memory);
+        memcpy(before, memory, sizeof memory);
+        assert_named(inits[i].init(NULL, &err), TP_E_NULL, &err, inits[i].word);
+        for (uint32_t at = 1; at < inits[i].align; at++) {
+            assert_named(inits[i].init(memory + at, &err), TP_E_ALIGN, &err,
+                         inits[i].word);
+            assert_int_equal(err.a, inits[i].align);
+            assert_memory_equal(memory, before, sizeof memory);
+        }
+        assert_int_equal(inits[i].init(NULL, NULL), TP_E_NULL);
+        assert_int_equal(inits[i].init(memory, &err), TP_OK);
+    }
+}
+
+/* tp_frame_init learns no size before the interface gives it one. */
+static void a_world_of_too_few_bytes_is_refused(void **state)
+{
+    (void)state;
+    const tp_scene scene = scene_plain();
+    const size_t bytes = tp_world_bytes(&scene, &none);
+    tp_error err;
+
+    memset(memory, 0xa5, sizeof memory);
+    memcpy(before, memory, sizeof memory);
+    for (size_t n = 0; n < bytes; n += bytes / 16 + 1) {
+        assert_int_equal(tp_world_init((tp_world *)(void *)memory, n, &scene, &none, &err),
+                         TP_E_NOSPACE);
+        assert_int_equal(err.a, (int32_t)bytes);
+        assert_int_equal(err.b, (int32_t)n);
+        assert_memory_equal(memory, before, sizeof memory);
+    }
+    assert_int_equal(tp_world_init((tp_world *)(void *)memory, bytes, &scene, &none, &err),
+                     TP_OK);
+}
+
+static void every_missing_argument_is_named(void **state)
+{
+    (void)state;
+    const tp_scene scene = scene_plain();
+    tp_world *const world = (tp_world *)(void *)memory;
+    tp_frame *frame;
+    tp_error err;
+
+    assert_named(tp_scene_check(NULL, &err), TP_E_NULL, &err, "scene");
+    assert_named(tp_world_init(world, BYTES, NULL, &none, &err), TP_E_NULL, &err, "scene");
+    assert_named(tp_world_init_with(NULL, world, BYTES, &scene, &none, &err), TP_E_NULL,
+                 &err, "kit");
+    assert_named(tp_frame_init(&frame, NULL, &none, &picture, memory, &err), TP_E_NULL,
+                 &err, "scene");
+    assert_named(tp_frame_init(NULL, &scene, &none, &picture, memory, &err), TP_E_NULL,
+                 &err, "frame");
+    assert_named(tp_frame_init_with(NULL, &frame, &scene, &none, &picture, memory, &err),
+                 TP_E_NULL, &err, "kit");
+    assert_int_equal(tp_frame_init(&frame, &scene, &none, NULL, memory, &err), TP_E_SIZE);
+    assert_named(tp_pool_init((tp_pool *)(void *)memory, NULL, &err), TP_E_NULL, &err,
+                 "config");
+    assert_int_equal(tp_pool_bytes(NULL), 0);
+    assert_int_equal(tp_ocean_bytes(NULL, NULL), 0);
+    assert_int_equal(tp_world_bytes(NULL, &none), 0);
+    assert_int_equal(tp_frame_bytes(NULL, &none, &picture), 0);
+    assert_int_equal(tp_frame_bytes(&scene, &none, NULL), 0);
+    assert_int_equal(tp_frame_scratch_bytes(NULL), 0);
+    assert_int_equal(tp_frame_scratch_with(NULL, &scene, &picture), 0);
+    assert_false(tp_world_refresh(world, NULL, &none));
+}
+
+static uint32_t frame_crc(const tp_assets *assets)
+{
+    const tp_scene scene = scene_plain();
+    tp_world *world = scene_world(&scene, assets);
+    test_frame f = frame_of(&scene, assets, &picture);
+    uint32_t crc = 0;
+    tp_tile  tile;
+
+    tp_frame_begin(f.frame, world);
+    for (uint32_t i = 0; tp_frame_tile(f.frame, i, f.scratch, &tile); i++)
+        crc = tp_crc32(crc, tile.pixels, tile.stride * (tile.y1 - tile.y0));
+    frame_free(&f);
+    free(world);
+    return crc;
+}
+
+static void assets_of_null_are_none(void **state)
+{
+    (void)state;
+    const tp_scene scene = scene_plain();
+    const tp_rungs a = tp_rungs_of(&scene, NULL, WIDTH, HEIGHT);
+    const tp_rungs b = tp_rungs_of(&scene, &none, WIDTH, HEIGHT);
+
+    assert_int_equal(tp_world_bytes(&scene, NULL), tp_world_bytes(&scene, &none));
+    assert_int_equal(tp_frame_bytes(&scene, NULL, &picture),
+                     tp_frame_bytes(&scene, &none, &picture));
+    assert_int_equal(frame_crc(NULL), frame_crc(&none));
+    assert_memory_equal(&a, &b, sizeof a);
+    assert_true(tp_plan_of(&scene, NULL, WIDTH, HEIGHT).total.cost
+                == tp_plan_of(&scene, &none, WIDTH, HEIGHT).total.cost);
+    assert_int_equal(tp_ladder_of(&scene, NULL, WIDTH, HEIGHT).count, 1);
+}
+
+static void tiles_are_not_drawn_without_memory(void **state)
+{
+    (void)state;
+    const tp_scene scene = scene_plain();
+    tp_world *world = scene_world(&scene, &none);
+    test_frame f = frame_of(&scene, &none, &picture);
+    tp_tile tile;
+
+    tp_frame_begin(f.frame, world);
+    assert_false(tp_frame_tile(f.frame, 0, NULL, &tile));
+    assert_false(tp_frame_tile(f.frame, 0, f.scratch + 4, &tile));
+    assert_false(tp_frame_tile_into(f.frame, 0, f.scratch, NULL, WIDTH * 4, &tile));
+    assert_false(tp_frame_tile_into(f.frame, 0, NULL, memory, WIDTH * 4, &tile));
+    assert_true(tp_frame_tile(f.frame, 0, f.scratch, &tile));
+    assert_true(tp_frame_tile_into(f.frame, 0, f.scratch, memory, WIDTH * 4, &tile));
+    frame_free(&f);
+    free(world);
+}
+
+/* The plan takes no picture that a frame does not. */
+static void pictures_beyond_the_sizes_are_not_planned(void **state)
+{
+    (void)state;
+    static const uint32_t side[] = { 0, 15, 4097, UINT32_MAX };
+    const tp_scene scene = scene_plain();
+
+    for (size_t i = 0; i < sizeof side / sizeof *side; i++) {
+        assert_int_equal(tp_plan_of(&scene, &none, side[i], 240).total.cost, 0);
+        assert_int_equal(tp_plan_of(&scene, &none, 320, side[i]).total.cost, 0);
+        assert_int_equal(tp_rungs_of(&scene, &none, side[i], 240).visibility,
+                         TP_VISIBILITY_TRIANGLES);
+        assert_int_equal(tp_ladder_of(&scene, &none, 320, side[i]).count, 1);
+    }
+    assert_true(tp_plan_of(&scene, &none, 16, 4096).total.cost > 0);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(every_init_refuses_blocks_that_are_null_or_misaligned),
+        cmocka_unit_test(a_world_of_too_few_bytes_is_refused),
+        cmocka_unit_test(every_missing_argument_is_named),
+        cmocka_unit_test(assets_of_null_are_none),
+        cmocka_unit_test(tiles_are_not_drawn_without_memory),
+        cmocka_unit_test(pictures_beyond_the_sizes_are_not_planned),
+    };
+    return cmocka_run_group_tests_name("memory", tests, NULL, NULL);
+}
