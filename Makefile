@@ -146,19 +146,26 @@ UNIT    := $(patsubst %.c,$(BUILD)/%,$(wildcard tests/unit/test_*.c tests/host/t
 FUZZ    := $(patsubst %.c,$(BUILD)/%,$(wildcard tests/fuzz/fuzz_*.c))
 GOLDEN  := $(BUILD)/tests/golden/test_frames $(BUILD)/tests/golden/test_harness
 CMOCKA  := -lcmocka
+# Tests that a missing library leaves out: LEFT_OUT names them as TEST=PACKAGE, and
+# tests/gates/left-out.sh tells of them.
+LEFT_OUT :=
+without = $(eval LEFT_OUT += $(patsubst $(BUILD)/%,%=$1,$(filter $2,$(UNIT) $(GOLDEN)))) \
+          $(eval UNIT := $(filter-out $2,$(UNIT))) \
+          $(eval GOLDEN := $(filter-out $2,$(GOLDEN)))
 ifneq ($(shell pkg-config --exists cmocka 2>/dev/null && echo yes),yes)
 CMOCKA  :=
-UNIT    :=
-GOLDEN  := tests/gates/no-cmocka.sh
+$(call without,libcmocka-dev,%)
 endif
 ifndef KMS_CFLAGS
-UNIT    := $(filter-out %/test_kms %/test_kms_choose,$(UNIT))
+$(call without,libdrm-dev,%/test_kms %/test_kms_choose)
 endif
 ifndef SDL_CFLAGS
-UNIT    := $(filter-out $(addprefix %/test_,keymap letters overlay pad window),$(UNIT))
+$(call without,libsdl2-dev,$(addprefix %/test_,keymap letters overlay pad window \
+    panel_keys panel_rows))
 endif
 ifeq ($(filter %/panel.cpp,$(PORTS)),)
-UNIT    := $(filter-out %/test_panel_keys %/test_panel_rows,$(UNIT))
+$(call without,$(if $(shell pkg-config --exists imgui 2>/dev/null && echo yes),g++,$(strip \
+    libimgui-dev)),%/test_panel_keys %/test_panel_rows)
 endif
 # Scenes whose frames every processor must draw: between them, every model.
 SCENES  := $(patsubst assets/scenes/%.ini,%,$(wildcard assets/scenes/*.ini))
@@ -283,7 +290,7 @@ SAN := TARGET=san OPT='-O1 -g1 -fsanitize=address,undefined -fno-sanitize-recove
        $(V3_LITE) V3_SAME_OPT=-fno-sanitize=all
 SAN_UNIT := $(filter-out $(BUILD)/tests/accuracy/% %/test_shade_quick_light \
                %/test_shade_quick_even %/test_threads,$(UNIT))
-RUN := TP_BUILD=$(BUILD) TP_PROGRAM=$(PROGRAM) tests/run.sh
+RUN := TP_BUILD=$(BUILD) TP_PROGRAM=$(PROGRAM) TP_LEFT_OUT='$(LEFT_OUT)' tests/run.sh
 
 unit: $(UNIT)
 sanitized: $(SAN_UNIT) $(PROGRAM) $(PANEL_DEMO)
@@ -297,8 +304,8 @@ host-tests: everything
 	@$(MAKE) --no-print-directory $(SAN) sanitized
 	@$(RUN) build/log/host $(SAN_UNIT:build/host/%=build/san/%) \
 	    $(filter-out $(SAN_UNIT),$(UNIT)) $(GOLDEN) \
-	    tests/gates/host.sh tests/gates/selftest.sh tests/host/cli.sh \
-	    tests/host/manual.sh \
+	    $(if $(LEFT_OUT),tests/gates/left-out.sh) tests/gates/host.sh \
+	    tests/gates/selftest.sh tests/host/cli.sh tests/host/manual.sh \
 	    tests/host/bake.sh tests/host/check.sh tests/host/tape.sh tests/host/screen.sh \
 	    tests/host/charts.sh tests/boards/readme.sh tests/gates/sanitized.sh \
 	    tests/host/generators.sh \
@@ -343,6 +350,10 @@ list-scenes:
 	@echo $(SCENES)
 list-cross:
 	@echo $(CROSS)
+list-tests:
+	@for test in $(patsubst $(BUILD)/%,%,$(UNIT) $(GOLDEN)) $(LEFT_OUT); do \
+	    echo $$test; \
+	done
 
 # -- how things are made ---------------------------------------------------------------
 
@@ -498,6 +509,6 @@ include ports/web/web.mk
 .PHONY: all lib run test test-all soak count ram boards bench views charts reference fuzz \
     golden gallery assets install format clean help unit sanitized everything host-tests \
     more-tests fuzzers peers charts-tools elf elves frames kits list-core list-scenes \
-    list-cross force
+    list-cross list-tests force
 .SECONDARY:
 -include $(shell find $(sort $(BUILD) $(CORE_AT)) -name '*.d' 2>/dev/null)

@@ -5,11 +5,13 @@
 #
 #   tests/run.sh LOGS TEST...
 #
-# A test is a program or script that exits with 0 when all went well.  It prints a line
-# for each case: cmocka's own, or of scripts, which are given TP_PROGRAM to work on,
+# A test is a program or script that exits with 0 when all went well, or with 77 when it
+# could not run.  It prints a line for each case: cmocka's own, or of scripts, which are
+# given TP_PROGRAM to work on,
 #     ok - NAME        FAILED - NAME        skipped: NAME (package PKG)
-# Its whole output goes to LOGS/TEST.log and is shown when it fails.  The last line
-# printed here is "N passed, N failed[, N skipped]".  With TP_STRICT set a skip fails.
+# Its whole output goes to LOGS/TEST.log and is shown when it fails.  A skip is printed
+# and counted, and fails nothing unless TP_STRICT is set.  The last line printed here is
+# "N passed, N failed[, N skipped]".
 set -u
 export TP_PROGRAM="${TP_PROGRAM:-build/host/tidepool}" TP_BUILD="${TP_BUILD:-build/host}"
 
@@ -32,6 +34,9 @@ run_one()       # LOGS TEST
         /^skipped: /                        { skipped++; skip[skipped] = $0 }
         /^\[  SKIPPED \] [^0-9]/            { skipped++; skip[skipped] = "skipped: " $4 }
         END {
+            if (code == 77 && !skipped)
+                skip[skipped = 1] = "skipped: " name " (exit 77, no reason given)"
+            if (code == 77 && !failed) code = 0
             if (code && !failed) failed = 1         # crashed, or hung and was ended
             if (!code && failed) code = 1           # says it failed, but exits with 0
             line = sprintf("%-44s %4d passed %3ds", name, passed, seconds)

@@ -139,4 +139,51 @@ check  "runner: a skip is no failure" \
     env TP_STRICT= tests/run.sh "$scratch/log" "$scratch/skips"
 refuse "runner: a skip is a failure under TP_STRICT" \
     env TP_STRICT=1 tests/run.sh "$scratch/log" "$scratch/skips"
+
+# tells STRICT TEST PATTERN: the runner passes FINE and TEST, and prints such a line.
+tells()
+{
+    env TP_STRICT="$1" tests/run.sh "$scratch/log" "$scratch/fine" "$scratch/$2" \
+        >"$scratch/told" 2>&1 || { cat "$scratch/told"; return 1; }
+    grep -qx "$3" "$scratch/told" || { cat "$scratch/told"; return 1; }
+}
+fake lacks  'echo "skipped: screens (package libdrm-dev)"; exit 77'
+check  "runner: exit 77 is a skip" tells "" lacks '2 passed, 0 failed, 1 skipped'
+check  "runner: the reason of a skip is printed" \
+    tells "" lacks 'skipped: screens (package libdrm-dev)'
+refuse "runner: exit 77 is a failure under TP_STRICT" tells 1 lacks '.*'
+fake mute   'exit 77'
+check  "runner: exit 77 without a reason is counted" \
+    tells "" mute '2 passed, 0 failed, 1 skipped'
+check  "runner: exit 77 without a reason is printed" tells "" mute 'skipped: .*mute (.*)'
+fake both   'echo "FAILED - a"; echo "skipped: b (package c)"; exit 77'
+refuse "runner: a failed case fails in a test that exits with 77" tells "" both '.*'
+
+# Without libraries the Makefile builds fewer tests; those left out are told by name.
+every_test()    # LIBRARIES: pkg-config knows those alone; no kernel headers
+{
+    for library in $1; do
+        cp "$(pkg-config --variable=pcfiledir "$library")/$library.pc" "$scratch/pc/" ||
+            return 1
+    done
+    PKG_CONFIG_LIBDIR=$scratch/pc build -s KMS_CFLAGS= list-tests >"$scratch/tests" &&
+        ls tests/*/test_*.c | sed 's/\.c$//' >"$scratch/sources" &&
+        sed 's/=.*//' "$scratch/tests" | sort | diff "$scratch/sources" -
+}
+tells_of()      # TEST PACKAGE
+{
+    TP_LEFT_OUT=$(grep = "$scratch/tests") tests/gates/left-out.sh >"$scratch/left" ||
+        [ $? = 77 ] && grep -qxF "skipped: $1 (package $2)" "$scratch/left"
+}
+mkdir "$scratch/pc"
+if pkg-config --exists cmocka; then
+    check "left out: every test is built or told of" every_test cmocka
+    check "left out: tests of a window" tells_of tests/host/test_window libsdl2-dev
+    check "left out: tests of its panel" tells_of tests/host/test_panel_rows libsdl2-dev
+    check "left out: tests of raw screens" tells_of tests/host/test_kms libdrm-dev
+    rm "$scratch/pc/cmocka.pc"
+fi
+check  "left out: every test is told of where no library is" every_test ""
+check  "left out: unit tests" tells_of tests/unit/test_fx_trig libcmocka-dev
+check  "left out: golden frames" tells_of tests/golden/test_frames libcmocka-dev
 exit $((failures > 0))

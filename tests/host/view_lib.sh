@@ -10,6 +10,8 @@ need Xvfb xvfb
 need xdotool xdotool
 need import imagemagick
 need pgrep procps
+"$program" view no-such-scene 2>&1 | grep -q 'built without the preview' &&
+    missing="$missing${missing:+, }libsdl2-dev"
 if [ -n "$missing" ]; then
     echo "skipped: the preview in a window (package $missing)"
     exit 0
