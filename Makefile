@@ -32,7 +32,7 @@ CORE_AT ?= $(BUILD)
 # -- the core, by rank -----------------------------------------------------------------
 
 CORE := $(addprefix src/, \
-    base/arena.c base/given.c base/status.c base/text.c \
+    base/arena.c base/given.c base/status.c base/text.c base/version.c \
     fx/fx.c fx/mat.c fx/sqrt.c fx/text.c fx/trig.c fx/vec.c \
     pixel/crc32.c pixel/format.c pixel/store.c \
     asset/area.c asset/bind.c asset/cut.c asset/face.c asset/line.c asset/mtl.c \
@@ -305,11 +305,10 @@ host-tests: everything
 	@$(RUN) build/log/host $(SAN_UNIT:build/host/%=build/san/%) \
 	    $(filter-out $(SAN_UNIT),$(UNIT)) $(GOLDEN) \
 	    $(if $(LEFT_OUT),tests/gates/left-out.sh) tests/gates/host.sh \
-	    tests/gates/selftest.sh tests/host/cli.sh tests/host/manual.sh \
-	    tests/host/bake.sh tests/host/check.sh tests/host/tape.sh tests/host/screen.sh \
-	    tests/host/charts.sh tests/boards/readme.sh tests/gates/sanitized.sh \
-	    tests/host/generators.sh \
-	    tests/host/readme.sh
+	    tests/gates/headers.sh tests/gates/selftest.sh tests/host/cli.sh \
+	    tests/host/manual.sh tests/host/bake.sh tests/host/check.sh tests/host/tape.sh \
+	    tests/host/screen.sh tests/host/charts.sh tests/boards/readme.sh \
+	    tests/gates/sanitized.sh tests/host/generators.sh tests/host/readme.sh
 # First what several of them want of the board's compiler.
 more-tests: everything build/host/count.so build/host/tally.so
 	@! command -v arm-none-eabi-gcc >/dev/null || \

@@ -6,6 +6,9 @@
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
+#include "tidepool/language.h"
+
+TP_BEGIN_C
 
 typedef struct {
     uint8_t *block;         /* aligned to 8, or NULL to count */
@@ -19,4 +22,6 @@ tp_arena tp_arena_over(void *block, size_t bytes);
 
 /* count x size bytes, aligned to 8; NULL when counting or when it does not fit. */
 void *tp_arena_take(tp_arena *arena, size_t count, size_t size);
+
+TP_END_C
 #endif

@@ -21,7 +21,10 @@
 #include <stdint.h>
 #include "tidepool/arena.h"
 #include "tidepool/fx.h"
+#include "tidepool/language.h"
 #include "tidepool/status.h"
+
+TP_BEGIN_C
 
 /* -- textures ------------------------------------------------------------------ */
 
@@ -215,4 +218,6 @@ tp_status tp_obj_bind(tp_obj *obj, const tp_texture *const *textures, tp_mesh *m
 /* After tp_obj_bind the mesh uses no more than this many bytes from the start of the
  * memory; the rest may serve other ends. */
 size_t    tp_obj_kept_bytes(const tp_obj *obj);
+
+TP_END_C
 #endif

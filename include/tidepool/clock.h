@@ -9,6 +9,9 @@
 #define TP_CLOCK_H
 #include <stdint.h>
 #include "tidepool/fx.h"
+#include "tidepool/language.h"
+
+TP_BEGIN_C
 
 #define TP_CLOCK_SLOWEST (TP_FX_ONE / 8)
 #define TP_CLOCK_FASTEST (4 * TP_FX_ONE)
@@ -34,4 +37,6 @@ void tp_clock_next(tp_clock *clock);
 tp_fx    tp_clock_scale(const tp_clock *clock);     /* s, rounded */
 uint64_t tp_clock_ticks(const tp_clock *clock);     /* whole ticks so far */
 tp_fx    tp_clock_fraction(const tp_clock *clock);  /* and the rest, 0 <= f < 1 */
+
+TP_END_C
 #endif

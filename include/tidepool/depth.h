@@ -16,6 +16,9 @@
 #include <stddef.h>
 #include <stdint.h>
 #include "tidepool/fx.h"
+#include "tidepool/language.h"
+
+TP_BEGIN_C
 
 #define TP_DEPTH_LEAST TP_FX(0.0625)    /* m; what is shallower counts as this [B13] */
 
@@ -78,14 +81,14 @@ typedef struct {
     uint32_t rise;          /* turns per node there, Q0.32 */
 } tp_coast_node;
 
-/* int_0^x sqrt(k(x)^2 - kz^2) dx [B8] [B9] as a table.  Plain data, no pointers. */
+/* int_0^x sqrt(k(x)^2 - kz^2) dx [B8] [B9] as a table, whose nodes follow this head.
+ * Plain data, no pointers. */
 typedef struct {
     tp_fx    x_first, x_last;   /* between them the table, outside of them straight on */
     uint32_t bits;              /* nodes are 2^bits units of 2^-16 m apart */
     uint32_t count;             /* of nodes: none, or two and more */
     int64_t  first, last;       /* turns there, Q32.32 */
     int64_t  rise_first, rise_last;     /* turns per metre outside, Q31.32 */
-    tp_coast_node node[];
 } tp_coast;
 
 /* Of the block for a shape, aligned to 8; nodes are a 16th of the shortest wave apart or
@@ -132,4 +135,6 @@ tp_fx tp_iribarren(tp_q30 slope, tp_fx height, tp_fx length);
 typedef enum { TP_BREAKER_SPILLING, TP_BREAKER_PLUNGING, TP_BREAKER_SURGING }
     tp_breaker_type;
 tp_breaker_type tp_breaker_type_of(tp_fx iribarren);
+
+TP_END_C
 #endif

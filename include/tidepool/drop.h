@@ -7,7 +7,10 @@
 #include <stddef.h>
 #include <stdint.h>
 #include "tidepool/fx.h"
+#include "tidepool/language.h"
 #include "tidepool/ring.h"
+
+TP_BEGIN_C
 
 typedef enum { TP_DROPS_RINGS, TP_DROPS_POOL } tp_drops_into;
 
@@ -100,4 +103,6 @@ void tp_drops_ring(tp_drops *drops, const tp_scene_drops *config,
 
 /* Removes drops whose radius is 0, and rings that are spent; `now` ticks x 65536. */
 void tp_drops_tidy(tp_drops *drops, int64_t now, tp_fx beyond);
+
+TP_END_C
 #endif

@@ -14,6 +14,9 @@
 #include <stddef.h>
 #include <stdint.h>
 #include "tidepool/fx.h"
+#include "tidepool/language.h"
+
+TP_BEGIN_C
 
 #define TP_FOAM_TICKS 4         /* a quarter of the rows is looked after in each tick */
 
@@ -49,4 +52,6 @@ typedef struct {
 } tp_spray;
 
 const tp_speck *tp_spray_list(const tp_spray *spray);
+
+TP_END_C
 #endif

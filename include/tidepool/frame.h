@@ -16,10 +16,13 @@
 #include <stdint.h>
 #include "tidepool/asset.h"
 #include "tidepool/kit.h"
+#include "tidepool/language.h"
 #include "tidepool/pixel.h"
 #include "tidepool/plan.h"
 #include "tidepool/scene.h"
 #include "tidepool/status.h"
+
+TP_BEGIN_C
 
 typedef struct {
     uint32_t  width, height;        /* pixels, 16..4096 */
@@ -145,4 +148,6 @@ tp_frame_ram   tp_frame_memory(const tp_frame *frame);
 /* Water pixels of a drawn tile: still in the scratch until the next tile. */
 uint32_t tp_frame_water_pixels(const tp_frame *frame, const void *scratch,
                                const tp_tile *tile);
+
+TP_END_C
 #endif

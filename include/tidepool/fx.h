@@ -8,6 +8,9 @@
 #ifndef TP_FX_H
 #define TP_FX_H
 #include <stdint.h>
+#include "tidepool/language.h"
+
+TP_BEGIN_C
 
 typedef int32_t  tp_fx;     /* Q16.16: 1.0 is 0x10000, range +-32767.99998 */
 typedef int32_t  tp_q30;    /* Q2.30: sines, unit vectors, slopes below 2 */
@@ -23,7 +26,7 @@ typedef uint32_t tp_turn;   /* binary angle: 2^32 is one turn, wraps for free */
 #define TP_Q30(x)  ((tp_q30)((x) * 1073741824.0 + ((x) < 0 ? -0.5 : 0.5)))
 #define TP_DEG(x)  ((tp_turn)(int64_t)((x) * (4294967296.0 / 360.0)))
 
-_Static_assert(-1 >> 1 == -1, "the core assumes arithmetic right shift");
+TP_STATIC_ASSERT(-1 >> 1 == -1, "the core assumes arithmetic right shift");
 
 /* a b / 2^16, rounded half up; the caller keeps |a b| below 2^47. */
 static inline tp_fx tp_fx_mul(tp_fx a, tp_fx b)
@@ -138,12 +141,14 @@ typedef struct { tp_fx height, slope_x, slope_z; } tp_relief;
 
 static inline tp_vec3 tp_vec3_add(tp_vec3 a, tp_vec3 b)
 {
-    return (tp_vec3){ a.x + b.x, a.y + b.y, a.z + b.z };
+    const tp_vec3 sum = { a.x + b.x, a.y + b.y, a.z + b.z };
+    return sum;
 }
 
 static inline tp_vec3 tp_vec3_sub(tp_vec3 a, tp_vec3 b)
 {
-    return (tp_vec3){ a.x - b.x, a.y - b.y, a.z - b.z };
+    const tp_vec3 difference = { a.x - b.x, a.y - b.y, a.z - b.z };
+    return difference;
 }
 
 /* v.d in the format of v, rounded half up once.  |v| < 2^30 each: the sum of three
@@ -179,4 +184,6 @@ uint32_t tp_fx_read(const char *text, uint32_t bytes, tp_fx *x, int *beyond);
 
 /* The shortest decimal that reads back to x, terminated; returns its length (<= 14). */
 uint32_t tp_fx_write(tp_fx x, char text[16]);
+
+TP_END_C
 #endif

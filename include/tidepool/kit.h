@@ -11,12 +11,17 @@
  *     };
  *     tp_frame_init_with(&mine, &frame, ...)
  *
+ * C++ has no initialisers by index: there a kit comes from a file of C.
+ *
  * What is NULL is left out of the picture, as if the scene did not ask for it; each
  * frame's stats count it as dropped. */
 #ifndef TP_KIT_H
 #define TP_KIT_H
+#include "tidepool/language.h"
 #include "tidepool/pixel.h"
 #include "tidepool/status.h"
+
+TP_BEGIN_C
 
 /* -- stages: what a run of samples goes through; src/shade/shade.h ------------------- */
 
@@ -235,4 +240,6 @@ typedef struct tp_kit {
 } tp_kit;
 
 extern const tp_kit tp_kit_all;     /* everything there is */
+
+TP_END_C
 #endif

@@ -7,6 +7,9 @@
 #ifndef TP_LIGHT_H
 #define TP_LIGHT_H
 #include "tidepool/fx.h"
+#include "tidepool/language.h"
+
+TP_BEGIN_C
 
 /* Water's refractive index and its inverse, for TP_FX() and TP_Q30(). */
 #define TP_WATER_INDEX 1.333
@@ -35,4 +38,6 @@ tp_floor_offset tp_refract_offset(tp_dir3 refracted, tp_fx depth);
  * (0..1) of the way.  `mean` is the picture's mean brightness, 1 being white; below 1/16
  * it counts as that.  Never stops short of the target; all 16.16. */
 tp_fx tp_exposure_step(tp_fx exposure, tp_fx mean, tp_fx rate);
+
+TP_END_C
 #endif

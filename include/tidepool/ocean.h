@@ -18,9 +18,12 @@
 #include <stdint.h>
 #include "tidepool/depth.h"
 #include "tidepool/fx.h"
+#include "tidepool/language.h"
 #include "tidepool/pixel.h"
 #include "tidepool/status.h"
 #include "tidepool/wave.h"
+
+TP_BEGIN_C
 
 /* -- the floor --------------------------------------------------------------------- */
 
@@ -96,8 +99,9 @@ typedef struct {
     uint32_t calm;                  /* from this depth's node on it does not break */
 } tp_ocean_wave;
 
-/* Plain data without pointers; of a count of tables, then of what a map needs.  Open in
- * layout so that a board can place it; read by the functions below alone. */
+/* Plain data without pointers.  This head is followed by a tp_ocean_table for each wave,
+ * then by what a map needs.  Open in layout so that a board can place it; read by the
+ * functions below alone. */
 typedef struct tp_ocean {
     uint32_t count;
     tp_fx    depth, slope;          /* straight: at the origin, and rise a metre ... */
@@ -110,8 +114,7 @@ typedef struct tp_ocean {
     uint32_t beds;                  /* byte offset of the floor's nodes */
     uint64_t map_per_step;          /* 2^48 / map_step */
     uint32_t fall[TP_OCEAN_DEPTHS]; /* e^-K0 h [B11], Q0.32 */
-    tp_ocean_wave  wave[TP_WAVES];
-    tp_ocean_table table[];
+    tp_ocean_wave wave[TP_WAVES];
 } tp_ocean;
 
 /* Of the block of an ocean without a map, for those who place it themselves. */
@@ -197,4 +200,6 @@ typedef struct {
     tp_offset offset;               /* with the orbit's own */
 } tp_breaking;
 tp_breaking tp_breaking_shape(const tp_breaker *breaker, tp_turn phi);
+
+TP_END_C
 #endif

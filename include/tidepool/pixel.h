@@ -7,6 +7,9 @@
 #define TP_PIXEL_H
 #include <stddef.h>
 #include <stdint.h>
+#include "tidepool/language.h"
+
+TP_BEGIN_C
 
 /* name, bits a pixel, what it is */
 #define TP_FORMAT_LIST(X) \
@@ -49,4 +52,6 @@ uint32_t tp_crc32(uint32_t crc, const void *data, size_t bytes);
 /* The same over `count` pixels of a row from x = 0, each as its four bytes of
  * 0x00RRGGBB, low byte first: equal on every machine, byte order and format apart. */
 uint32_t tp_crc32_pixels(uint32_t crc, tp_format format, const void *row, int count);
+
+TP_END_C
 #endif

@@ -8,7 +8,10 @@
 #define TP_PLAN_H
 #include <stdbool.h>
 #include <stdint.h>
+#include "tidepool/language.h"
 #include "tidepool/scene.h"
+
+TP_BEGIN_C
 
 /* How water is found in the picture.  What a method cannot show (overhangs, a camera in
  * the water, strong roll ...) the frame draws as triangles. */
@@ -135,4 +138,6 @@ void tp_governor_init(tp_governor *governor, const tp_ladder *ladder, uint32_t l
 int tp_governor_feed(tp_governor *governor, uint32_t took);
 
 tp_rungs tp_governor_rungs(const tp_governor *governor);
+
+TP_END_C
 #endif

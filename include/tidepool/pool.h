@@ -13,8 +13,11 @@
 #include <stddef.h>
 #include <stdint.h>
 #include "tidepool/fx.h"
+#include "tidepool/language.h"
 #include "tidepool/pixel.h"
 #include "tidepool/status.h"
+
+TP_BEGIN_C
 
 typedef enum { TP_CELLS_8, TP_CELLS_16, TP_CELLS_32 } tp_cells;
 
@@ -122,4 +125,6 @@ typedef struct {
     bool     at_rest;
 } tp_pool_state;
 tp_pool_state tp_pool_look(const tp_pool *pool);
+
+TP_END_C
 #endif

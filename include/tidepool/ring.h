@@ -10,6 +10,9 @@
 #include <stdbool.h>
 #include <stdint.h>
 #include "tidepool/fx.h"
+#include "tidepool/language.h"
+
+TP_BEGIN_C
 
 /* All 16.16 unless said. */
 typedef struct {
@@ -50,4 +53,6 @@ bool tp_ring_spent(const tp_ring *ring, int64_t now, tp_fx beyond);
  * band holds the place, a compare or two for the others; no division.  Each ring's slope
  * is held within +-7.99. */
 tp_relief tp_ring_relief(const tp_ring_now *rings, uint32_t count, tp_fx x, tp_fx z);
+
+TP_END_C
 #endif

@@ -15,11 +15,14 @@
 #include "tidepool/foam.h"
 #include "tidepool/fx.h"
 #include "tidepool/kit.h"
+#include "tidepool/language.h"
 #include "tidepool/ocean.h"
 #include "tidepool/pool.h"
 #include "tidepool/ring.h"
 #include "tidepool/status.h"
 #include "tidepool/wave.h"
+
+TP_BEGIN_C
 
 #define TP_NAME_BYTES 128       /* of a name in a scene, its end included */
 
@@ -415,4 +418,6 @@ const tp_ocean *tp_world_ocean(const tp_world *world);
 const tp_drops *tp_world_drops(const tp_world *world);
 const tp_foam  *tp_world_foam(const tp_world *world);
 const tp_spray *tp_world_spray(const tp_world *world);
+
+TP_END_C
 #endif

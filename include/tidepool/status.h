@@ -8,6 +8,9 @@
 #define TP_STATUS_H
 #include <stddef.h>
 #include <stdint.h>
+#include "tidepool/language.h"
+
+TP_BEGIN_C
 
 /* %a and %b in a sentence stand for the error's two numbers, %s for its word. */
 #define TP_STATUS_LIST(X) \
@@ -93,4 +96,6 @@ void tp_error_word(tp_error *err, const char *word, size_t bytes);
 
 /* Puts a terminated word into an error that has just been filled; returns `code`. */
 tp_status tp_error_blame(tp_error *err, tp_status code, const char *word);
+
+TP_END_C
 #endif

@@ -12,8 +12,11 @@
 #define TP_TAPE_H
 #include <stddef.h>
 #include <stdint.h>
+#include "tidepool/language.h"
 #include "tidepool/scene.h"
 #include "tidepool/status.h"
+
+TP_BEGIN_C
 
 #define TP_TAPE_LINE 384        /* no line is longer, its end included */
 
@@ -39,4 +42,6 @@ size_t tp_tape_head_write(const char *scene, char *text, size_t bytes);
 /* The scene's name into `scene`, which holds `room` bytes; E_LONG if it is too small. */
 tp_status tp_tape_head_read(char *scene, size_t room, const char *text, size_t bytes,
                             tp_error *err);
+
+TP_END_C
 #endif

@@ -11,6 +11,7 @@
 #include "tidepool/frame.h"
 #include "tidepool/fx.h"
 #include "tidepool/kit.h"
+#include "tidepool/language.h"
 #include "tidepool/light.h"
 #include "tidepool/ocean.h"
 #include "tidepool/pixel.h"
@@ -20,5 +21,6 @@
 #include "tidepool/scene.h"
 #include "tidepool/status.h"
 #include "tidepool/tape.h"
+#include "tidepool/version.h"
 #include "tidepool/wave.h"
 #endif

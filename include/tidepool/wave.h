@@ -15,6 +15,9 @@
 #include <stdbool.h>
 #include <stdint.h>
 #include "tidepool/fx.h"
+#include "tidepool/language.h"
+
+TP_BEGIN_C
 
 #define TP_WAVES 16
 #define TP_TICKS_PER_SECOND 60      /* the clock of everything that moves */
@@ -118,4 +121,6 @@ tp_sea_point tp_sea_iterate(const tp_sea *sea, const tp_turn phases[TP_WAVES],
  * saturate. */
 tp_relief tp_five_heights(tp_fx middle, const tp_fx around[4], tp_fx spacing);
 tp_dir3   tp_five_normal(const tp_fx around[4], tp_fx spacing);
+
+TP_END_C
 #endif

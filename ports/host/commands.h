@@ -5,9 +5,6 @@
 #define HOST_COMMANDS_H
 #include <stddef.h>
 
-#define TP_VERSION "0.1.0"
-#define TP_DATE    "2026-11-22"         /* of the version */
-
 int render_command(int argc, char **argv);
 int view_command(int argc, char **argv);
 int show_command(int argc, char **argv);

@@ -6,6 +6,7 @@
 #include "commands.h"
 #include "nearest.h"
 #include "say.h"
+#include "tidepool/version.h"
 
 static int print_help(void)
 {
@@ -27,7 +28,7 @@ static int print_help(void)
 
 static int print_version(void)
 {
-    puts("tidepool " TP_VERSION);
+    printf("tidepool %s\n", tp_version());
     return finish_stdout();
 }
 

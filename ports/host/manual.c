@@ -12,6 +12,7 @@
 #include "args_rows.h"
 #include "commands.h"
 #include "roff.h"
+#include "tidepool/version.h"
 
 typedef struct { const char *name, *help; } entry;
 
@@ -49,8 +50,8 @@ static const entry examples[] = {
 void manual_head(const char *name, int section, const char *book, const char *what)
 {
     roff_macro(".\\\" Made by `tidepool manual`.");
-    roff_macro(".TH %s %d %s \"tidepool %s\" \"%s\"", name, section, TP_DATE, TP_VERSION,
-               book);
+    roff_macro(".TH %s %d %s \"tidepool %s\" \"%s\"", name, section, TP_VERSION_DATE,
+               tp_version(), book);
     roff_macro(".SH NAME");
     roff_text(what);
 }

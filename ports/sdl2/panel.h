@@ -1,10 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /* The panel beside the picture: what it shows, and what it may ask for.
  *
- * No type of the core's is named here: panel.cpp is C++, which the core's headers are not
- * written for.  Values go as text, by the words that scene files use, so that what the
- * panel sets is what a file would.  Built without Dear ImGui, panel_none.c stands for it:
- * panel_open then returns NULL. */
+ * No type of the core's is named here: values go as text, by the words that scene files
+ * use, so that what the panel sets is what a file would.  Built without Dear ImGui,
+ * panel_none.c stands for it: panel_open then returns NULL. */
 #ifndef SDL2_PANEL_H
 #define SDL2_PANEL_H
 #include <SDL.h>

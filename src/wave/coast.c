@@ -145,6 +145,14 @@ size_t tp_coast_bytes(const tp_coast_shape *shape)
     return (bytes + 7) / 8 * 8;
 }
 
+/* They begin where the head ends. */
+_Static_assert(sizeof(tp_coast) % _Alignof(tp_coast_node) == 0, "nodes are aligned");
+
+static inline tp_coast_node *nodes_of(const tp_coast *coast)
+{
+    return (tp_coast_node *)(coast + 1);
+}
+
 static tp_coast_node node_of(int64_t turns, uint32_t rise)
 {
     return (tp_coast_node){ (tp_turn)turns, (int32_t)(turns >> 32), rise };
@@ -159,13 +167,14 @@ static int64_t turns_of(const tp_coast_node *n)
  * the most: six of them below 2^47 as Q48. */
 static void integrate(tp_coast *coast, const beach *b)
 {
+    tp_coast_node *const node = nodes_of(coast);
     const int64_t step = (int64_t)1 << coast->bits, half = TP_FX_ONE / 2;
     int64_t halves = 2 * (int64_t)b->x_first, sum = 0;
     int64_t from = rise_at(b, depth_at(b, halves));
 
     for (uint32_t i = 0; i < coast->count; i++) {
         const int64_t rise = (from * step + half) >> 16;
-        coast->node[i] = node_of(sum, (uint32_t)rise);
+        node[i] = node_of(sum, (uint32_t)rise);
         const int64_t middle = rise_at(b, depth_at(b, halves + step));
         const int64_t to = rise_at(b, depth_at(b, halves + 2 * step));
         sum += ((from + 4 * middle + to) * step + 6 * half) / (6 * TP_FX_ONE);
@@ -179,7 +188,7 @@ static void integrate(tp_coast *coast, const beach *b)
 static int64_t between(const tp_coast *coast, tp_fx x)
 {
     const uint32_t way = (uint32_t)x - (uint32_t)coast->x_first;
-    const tp_coast_node *const n = coast->node + (way >> coast->bits);
+    const tp_coast_node *const n = nodes_of(coast) + (way >> coast->bits);
     const int64_t half = ((int64_t)1 << coast->bits) / 2;
     const int64_t t = way & (((uint32_t)1 << coast->bits) - 1);
     const int64_t all = (int32_t)(n[1].part - n[0].part);
@@ -228,6 +237,7 @@ void tp_coast_init(tp_coast *coast, const tp_coast_shape *shape)
     const int64_t zero = tp_coast_phase(coast, 0);
     coast->first -= zero;
     coast->last -= zero;
+    tp_coast_node *const node = nodes_of(coast);
     for (uint32_t i = 0; i < coast->count; i++)
-        coast->node[i] = node_of(turns_of(&coast->node[i]) - zero, coast->node[i].rise);
+        node[i] = node_of(turns_of(&node[i]) - zero, node[i].rise);
 }

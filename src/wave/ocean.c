@@ -165,7 +165,7 @@ static motion move(const tp_ocean *ocean, uint32_t i, const tp_turn *phases, tp_
                    tp_fx z0, const place *p)
 {
     const tp_ocean_wave *wave = &ocean->wave[i];
-    const tp_ocean_table *table = &ocean->table[i];
+    const tp_ocean_table *table = &tp_ocean_tables(ocean)[i];
     const tp_ocean_depth *d = table->depth + p->at.depth;
     motion m = {
         .phi = phases[i] + tp_swell_turns(wave->turns_x, x0)
@@ -207,7 +207,7 @@ static tp_fx noise_at(const tp_ocean *ocean, uint32_t i, const tp_turn *phases, 
 static tp_fx gate_of(const tp_ocean *ocean, uint32_t i, const tp_turn *phases, tp_fx x0,
                      tp_fx z0, const place *p)
 {
-    const tp_ocean_depth *d = ocean->table[i].depth + p->at.depth;
+    const tp_ocean_depth *d = tp_ocean_tables(ocean)[i].depth + p->at.depth;
     tp_fx ratio = tp_ocean_mix(d[0].ratio, d[1].ratio, p->at.depth_part);
 
     if (ratio < TP_OCEAN_RATIO_LEAST)
@@ -234,7 +234,7 @@ static tp_offset surf_offset(const tp_ocean *ocean, uint32_t i, const tp_turn *p
                              bool whole, uint32_t *foam)
 {
     const tp_ocean_wave *wave = &ocean->wave[i];
-    const tp_ocean_depth *d = ocean->table[i].depth + p->at.depth;
+    const tp_ocean_depth *d = tp_ocean_tables(ocean)[i].depth + p->at.depth;
     const tp_fx gate = gate_of(ocean, i, phases, x0, z0, p);
     const tp_fx steep = tp_ocean_mix(d[0].steep, d[1].steep, p->at.depth_part) * 4;
     const int32_t phase = (int32_t)(m->phi - tp_orbit_lowest(&m->orbit));

@@ -159,6 +159,14 @@ typedef struct {
 } tp_ocean_number;
 tp_ocean_number tp_ocean_bent(const tp_ocean_swell *swell, tp_way up, int64_t k_q32);
 
+/* Tables begin where the head ends. */
+_Static_assert(sizeof(tp_ocean) % _Alignof(tp_ocean_table) == 0, "tables are aligned");
+
+static inline tp_ocean_table *tp_ocean_tables(const tp_ocean *ocean)
+{
+    return (tp_ocean_table *)(ocean + 1);
+}
+
 tp_ocean_bed *tp_ocean_beds(const tp_ocean *ocean);
 tp_ocean_ray *tp_ocean_rays(const tp_ocean *ocean, const tp_ocean_wave *wave);
 

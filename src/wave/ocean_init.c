@@ -231,7 +231,7 @@ static void add_bounds(tp_ocean *ocean, uint32_t i, int32_t tilt)
     tp_fx reach = 0, height = 0;
 
     for (uint32_t n = 1; n < TP_OCEAN_DEPTHS; n++) {
-        const tp_ocean_depth *node = &ocean->table[i].depth[n];
+        const tp_ocean_depth *node = &tp_ocean_tables(ocean)[i].depth[n];
         const bool near = node->ratio > open || node[-1].ratio > open
                        || (n + 1 < TP_OCEAN_DEPTHS && node[1].ratio > open);
         const tp_fx lip = near ? tp_fx_mul(node->lip, wave->stretch + wave->plunge) : 0;
@@ -248,7 +248,7 @@ static void add_bounds(tp_ocean *ocean, uint32_t i, int32_t tilt)
 /* Below the deepest node where a wave may break, by its depth or its steepness. */
 static void find_calm(tp_ocean *ocean, uint32_t i)
 {
-    const tp_ocean_depth *depth = ocean->table[i].depth;
+    const tp_ocean_depth *depth = tp_ocean_tables(ocean)[i].depth;
     uint32_t n = TP_OCEAN_DEPTHS;
 
     while (n > 0 && depth[n - 1].ratio < TP_OCEAN_RATIO_LEAST && depth[n - 1].steep == 0)

@@ -168,7 +168,7 @@ void tp_ocean_make_table(tp_ocean *ocean, uint32_t i, const tp_ocean_swell *swel
                          const tp_ocean_config *config)
 {
     tp_ocean_wave *wave = &ocean->wave[i];
-    tp_ocean_table *table = &ocean->table[i];
+    tp_ocean_table *table = &tp_ocean_tables(ocean)[i];
 
     for (uint32_t n = 1; n < TP_OCEAN_DEPTHS; n++) {
         const tp_fx h = tp_ocean_node_depth(n, 3);
@@ -193,9 +193,9 @@ void tp_ocean_share(tp_ocean *ocean)
     for (uint32_t n = 1; n < TP_OCEAN_DEPTHS; n++) {
         int64_t sum = 0;
         for (uint32_t i = 0; i < ocean->count; i++)
-            sum += ocean->table[i].turns[n];
+            sum += tp_ocean_tables(ocean)[i].turns[n];
         for (uint32_t i = 0; i < ocean->count && sum > STEEPEST; i++) {
-            tp_ocean_depth *node = &ocean->table[i].depth[n];
+            tp_ocean_depth *node = &tp_ocean_tables(ocean)[i].depth[n];
             node->along = (tp_fx)((int64_t)node->along * TP_FX(0.95) / sum);
         }
     }
@@ -219,7 +219,7 @@ void tp_ocean_make_phases(tp_ocean *ocean, uint32_t i, const tp_ocean_swell *swe
     const tp_way up = { ocean->up_x, ocean->up_z };
     const int sign = tp_way_dot(swell->way, up) < 0 ? -1 : 1;
     const int64_t over = (int64_t)ocean->slope * TWO_PI;
-    int32_t *turns = ocean->table[i].turns;
+    int32_t *turns = tp_ocean_tables(ocean)[i].turns;
     int64_t sum = 0, high = 0;
 
     turns[TP_OCEAN_PHASES - 1] = 0;

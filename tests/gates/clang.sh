@@ -52,4 +52,7 @@ check "clang compiles everything without a warning" warned "$scratch/list"
 echo 'int twice(int x); int twice(int x) { long y = x; return y * 2; }' >"$scratch/bad.c"
 tail -n 2 "$scratch/list" | sed "\$s|^[^ ]*|$scratch/bad.c|" >"$scratch/one_bad"
 refuse "a warning in the second of two is found" warned "$scratch/one_bad"
+
+check "clang compiles every public header alone, as C11 to C++20" \
+    headers_alone clang clang++
 exit $((failures > 0))

@@ -17,8 +17,9 @@ BEGIN {
         for (j = 1; j <= n; j++)
             rank[module[j]] = i
     }
-    split("status=base arena=base kit=pixel ring=wave ocean=wave depth=wave light=shade " \
-          "drop=scene foam=scene clock=scene tape=scene plan=scene tidepool=top", special, " ")
+    split("arena=base language=base status=base version=base kit=pixel ring=wave " \
+          "ocean=wave depth=wave light=shade drop=scene foam=scene clock=scene " \
+          "tape=scene plan=scene tidepool=top", special, " ")
     for (i in special) {
         split(special[i], pair, "=")
         owner[pair[1]] = pair[2]

@@ -71,3 +71,50 @@ no_deeper()                     # BYTES FILE.ci...
     awk -v limit="$bytes" -v pointers=$gates/pointers.txt -f $gates/stack.awk "$@"
 }
 no_floats()   { objdump -d --no-show-raw-insn "$1" | awk -f $gates/floats.awk; }
+
+strict="-pedantic-errors -Wall -Wextra -Wconversion -Wshadow -Werror"
+
+# headers_alone CC CXX [FOLDER]: each header of FOLDER/tidepool compiles alone, included
+# twice, by every standard of C and C++ that it is meant for.
+headers_alone()
+{
+    folder=${3:-include} alone=$scratch/alone
+    rm -rf "$alone" && mkdir "$alone" || return 1
+    for header in "$folder"/tidepool/*.h; do
+        file=$alone/$(basename "$header" .h)
+        printf '#include "tidepool/%s"\n' "${header##*/}" "${header##*/}" >"$file.c"
+        echo 'extern int some_declaration;' >>"$file.c"
+        cp "$file.c" "$file.cpp"
+    done
+    for standard in c11 c17; do
+        echo "$1, $standard:"
+        "$1" -std=$standard $strict -fsyntax-only -I"$folder" "$alone"/*.c || return 1
+    done
+    for standard in c++11 c++14 c++17 c++20; do
+        echo "$2, $standard:"
+        "$2" -std=$standard $strict -fsyntax-only -I"$folder" "$alone"/*.cpp || return 1
+    done
+}
+
+# The README's first program as it stands there, in a main that prints the CRC-32 of what
+# is shown, and fails unless that is every pixel.
+first_program()
+{
+    cat <<'END'
+#include <stdio.h>
+#include "tidepool/tidepool.h"
+static uint32_t drawn, crc;
+static void show(uint32_t x0, uint32_t y0, uint32_t x1, uint32_t y1,
+                 const void *pixels, size_t stride)
+{
+    for (uint32_t y = y0; y < y1; y++, drawn += x1 - x0)
+        crc = tp_crc32_pixels(crc, TP_FORMAT_XRGB8888,
+                              (const char *)pixels + (y - y0) * stride, (int)(x1 - x0));
+}
+int main(void) {
+END
+    sed -n '/^## A first program/,/^## A board/s/^    //p' README.md | grep -v '^#include'
+    cat <<'END'
+return printf("%08x\n", (unsigned)crc) < 0 || drawn != 320 * 240; }
+END
+}

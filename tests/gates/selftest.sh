@@ -72,6 +72,18 @@ refuse "text: a blank at the end" text src/wave/m.c
 put src/wave/n.c "/* $(printf '%0100d' 0) */" ''
 refuse "text: a line too long" text src/wave/n.c
 
+headers()   { headers_alone gcc g++ "$scratch/$1"; }
+mkdir -p "$scratch/one/tidepool"
+put one/tidepool/a.h '#ifndef TP_A_H' '#define TP_A_H' 'typedef struct { int x; } tp_a;' '#endif'
+check  "headers: passes one that is C and C++" headers one
+put one/tidepool/a.h '#ifndef TP_A_H' '#define TP_A_H' \
+    'typedef struct { int n, x[]; } tp_a;' '#endif'
+refuse "headers: an array without a size, which C++ lacks" headers one
+put one/tidepool/a.h 'typedef struct { int x; } tp_a;'
+refuse "headers: one that cannot be included twice" headers one
+put one/tidepool/a.h '#ifndef TP_A_H' '#define TP_A_H' 'extern uint32_t tp_a;' '#endif'
+refuse "headers: one that leans on another" headers one
+
 # compile NAME TEXT: NAME.a and NAME.ci under the scratch folder.
 compile()
 {
