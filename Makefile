@@ -306,7 +306,8 @@ host-tests: everything
 	    $(filter-out $(SAN_UNIT),$(UNIT)) $(GOLDEN) \
 	    $(if $(LEFT_OUT),tests/gates/left-out.sh) tests/gates/host.sh \
 	    tests/gates/headers.sh tests/gates/selftest.sh tests/host/cli.sh \
-	    tests/host/manual.sh tests/host/bake.sh tests/host/check.sh tests/host/tape.sh \
+	    tests/host/manual.sh tests/host/exits.sh tests/host/bake.sh \
+	    tests/host/check.sh tests/host/tape.sh \
 	    tests/host/screen.sh tests/host/charts.sh tests/boards/readme.sh \
 	    tests/gates/sanitized.sh tests/host/generators.sh tests/host/readme.sh
 # First what several of them want of the board's compiler.

@@ -7,10 +7,11 @@
 #
 # Each at the frame that shows what it is about; a scene that is not listed here, at 300.
 set -eu
+[ $# = 2 ] || { echo "usage: ports/gallery.sh PROGRAM FOLDER" >&2; exit 2; }
 program=$1 folder=$2
 command -v montage >/dev/null || {
     echo "gallery: the sheet needs montage (package imagemagick)" >&2
-    exit 1
+    exit 3
 }
 
 frames='

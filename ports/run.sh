@@ -4,13 +4,14 @@
 #
 #   ports/run.sh PROGRAM SCENE
 set -eu
+[ $# = 2 ] || { echo "usage: ports/run.sh PROGRAM SCENE" >&2; exit 2; }
 program=$1 scene=$2
 
 if [ -n "${DISPLAY:-}${WAYLAND_DISPLAY:-}" ]; then
     echo "the preview of $scene: F1 lists the keys, Escape quits"
     code=0
     "$program" view "$scene" || code=$?
-    [ $code -eq 3 ] || exit $code           # 3: no display could be opened
+    [ $code -eq 4 ] || exit $code           # 4: no display could be opened
 fi
 
 mkdir -p out

@@ -9,8 +9,9 @@
 # build/web has one, is opened in Chromium.  What a machine lacks for one of them leaves
 # that picture as it was, and is said.
 set -u
-program=$(realpath "$1") || exit 2
-folder=$(realpath "$2") || exit 2
+[ $# = 2 ] || { echo "usage: ports/tour.sh PROGRAM FOLDER" >&2; exit 2; }
+program=$(realpath "$1") || exit 3
+folder=$(realpath "$2") || exit 3
 page=$(realpath -m build/web)/index.html
 
 lacks() {       # PICTURES COMMAND...
@@ -26,11 +27,11 @@ lacks() {       # PICTURES COMMAND...
 }
 lacks "the tour" convert && exit 0
 
-work=$(mktemp -d) || exit 1
+work=$(mktemp -d) || exit 3
 server= viewer= lost=0
-lose() {
+lose() {        # TEXT [CODE]
     echo "tour: $1" >&2
-    lost=1
+    lost=${2:-3}
     return 1
 }
 cleanup() {
@@ -40,7 +41,8 @@ cleanup() {
     rm -rf "$work"
 }
 trap cleanup EXIT
-trap 'exit 1' INT TERM HUP
+trap 'exit 130' INT
+trap 'exit 143' TERM HUP
 export HOME="$work" XDG_CONFIG_HOME="$work/config" XDG_STATE_HOME="$work/state"
 export XDG_CACHE_HOME="$work/cache" LC_ALL=C
 
@@ -70,7 +72,7 @@ start() {       # SCENE OPTION...
     (cd "$work" && SDL_VIDEODRIVER=x11 SDL_AUDIODRIVER=dummy \
         exec "$program" view "$@") >"$work/log" 2>&1 &
     viewer=$!
-    until_true find_window || lose "no window was opened"
+    until_true find_window || lose "no window was opened" 4
 }
 find_window() {
     window=$(xdotool search --onlyvisible --name '^tidepool: ' 2>/dev/null | head -1)
@@ -97,7 +99,7 @@ tour_of_preview() {
     Xvfb -displayfd 7 -screen 0 1600x1000x24 -nolisten tcp -noreset \
         7>"$work/number" >/dev/null 2>&1 &
     server=$!
-    until_true test -s "$work/number" || { lose "no display"; return; }
+    until_true test -s "$work/number" || { lose "no display" 4; return; }
     DISPLAY=:$(cat "$work/number")
     export DISPLAY
     start three-swells || return 1

@@ -44,7 +44,7 @@ static int write_materials(const char *dir)
     FILE *file = length < (int)sizeof path ? fopen(path, "wb") : NULL;
     if (file == NULL) {
         fprintf(stderr, "longship: %s/longship.mtl cannot be written\n", dir);
-        return 1;
+        return 3;
     }
     fputs(materials, file);
     for (size_t i = 0; i < sizeof list / sizeof list[0]; i++) {
@@ -55,7 +55,7 @@ static int write_materials(const char *dir)
             fprintf(file, "map_Bump %s\n", m->bump);
     }
     fputs(lid, file);
-    return fclose(file) == 0 ? 0 : 1;
+    return fclose(file) == 0 ? 0 : 3;
 }
 
 int main(int argc, char **argv)

@@ -72,7 +72,7 @@ corner corner_of(vec at, double s, double t)
 static void fail(const char *what)
 {
     fprintf(stderr, "longship: %s\n", what);
-    exit(1);
+    exit(3);
 }
 
 /* Ten-thousandths.  Borders stand at .4863 instead of .5, where no decimal that a person

@@ -178,7 +178,7 @@ int relief_light(const relief *from, int x, int y)
 static void fail(const char *path, const char *why)
 {
     fprintf(stderr, "%s: %s\n", path, why);
-    exit(1);
+    exit(3);
 }
 
 static void write_rows(png_structp png, const canvas *picture)

@@ -55,5 +55,5 @@ _Noreturn void semihost_stop(const char *why)
 {
     semihost_write(why);
     semihost_write("\n");
-    semihost_exit(1);
+    semihost_exit(SEMIHOST_FAILED);
 }

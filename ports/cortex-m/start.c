@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* From reset to main: the vector table, the initialised and the cleared memory, a stack
  * painted so that its use can be seen; any fault is told in a line and ends the run with
- * exit code 2. */
+ * exit code 139. */
 #include "board.h"
 #include "semihost.h"
 
@@ -37,7 +37,7 @@ _Noreturn __attribute__((used)) void report_fault(const uint32_t *sp)
                          (uint32_t)((uintptr_t)sp - (uintptr_t)stack_low));
         semihost_write("\n");
     }
-    semihost_exit(2);
+    semihost_exit(SEMIHOST_FAULT);
 }
 
 /* On a stack begun anew where there may be none left. */

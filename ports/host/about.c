@@ -1,36 +1,45 @@
 /* SPDX-License-Identifier: MIT */
 #include "about.h"
+#include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include "args.h"
 #include "bench.h"
 #include "charts.h"
+#include "commands.h"
+
+/* The exit codes of a command, as a set. */
+#define CODE(name) (1u << EXIT_##name)
+enum { USUAL = CODE(DONE) | CODE(USAGE) | CODE(INPUT), CHECKS = USUAL | CODE(CHECK),
+       SHOWS = USUAL | CODE(DISPLAY) | CODE(LOST) };
 
 static const about_row rows[] = {
     { FOR_VIEW, "tidepool view [SCENE] [OPTION]...",
-      "Opens a window to look around and to change everything; F1 there lists the\n"
-      "keys.  SCENE is a shipped one or an INI file, else three-swells.  What the\n"
-      "window shows is kept each second, for --resume.\n", "" },
+      "Opens a window on SCENE, a shipped one or an INI file, else three-swells; F1\n"
+      "there lists the keys.  What it shows is kept each second, for --resume.\n", "",
+      SHOWS, NULL },
     { FOR_RENDER, "tidepool render SCENE [OPTION]...",
       "Draws SCENE, a shipped one or an INI file: to PNGs, to a film, or to measure.\n",
-      "Exit: 0 done, 1 a frame differs from --expect, 2 usage, 3 bad input or output.\n" },
+      "", CHECKS, "a frame differs from --expect" },
     { FOR_SHOW, "tidepool show SCENE [OPTION]...",
       "Shows SCENE on a raw screen.  W A S D Q E and the arrows move, [ ] turns the\n"
       "light, F lets a drop fall, Space pauses, Esc ends.\n",
-      "Exit: 0 done, 2 usage, 3 bad input or output; ended by a signal, that signal.\n" },
-    { FOR_SCENES, "tidepool scenes", "Lists the shipped scenes and what each shows.\n", "" },
+      "", SHOWS, NULL },
+    { FOR_SCENES, "tidepool scenes", "Lists the shipped scenes and what each shows.\n", "",
+      USUAL, NULL },
     { FOR_JOIN, "tidepool join FILM.y4m PART.y4m...",
       "Makes one film of parts in their order, as `render --frames A:B` draws them on\n"
       "one machine or on many: the same bits as drawn in one go.  FILM may be -.\n",
-      "Exit: 0 done, 2 usage, 3 bad input or output.\n" },
+      "", USUAL, NULL },
     { FOR_PARAMS, "tidepool params [SCENE] [OPTION]...",
-      "Lists every parameter with its default, or with its value in a scene.\n", "" },
+      "Lists every parameter with its default, or with its value in a scene.\n", "",
+      USUAL, NULL },
     { FOR_BAKE, "tidepool bake SCENE -o FILE.c [OPTION]...",
       "Writes a scene, its mesh, pictures and maps as constants in C, for a board:\n"
       "NAME_scene and NAME_assets, which the file's head declares and measures.\n"
       "SCENE is the name of a shipped scene or the path of an INI file.\n",
-      "The file needs -I for the folder of tidepool/frame.h and nothing else.\n"
-      "Exit: 0 done, 2 usage, 3 bad input or output; then nothing is written.\n" },
+      "The file needs -I for the folder of tidepool/frame.h and nothing else.\n",
+      USUAL, NULL },
     { FOR_PLAN, "tidepool plan SCENE [OPTION]...",
       "Prints by which methods the scene is drawn: for each what a frame costs a\n"
       "Cortex-M4 with it, how far outlines and colours may be off, and its bytes.\n"
@@ -38,38 +47,38 @@ static const about_row rows[] = {
       "what counts is how much farther off it a rung is than the exact one.\n"
       "The cheapest within quality.error_px and quality.error_colour are taken;\n"
       "what the scene names (quality.visibility, shading, rate, lod) is taken\n"
-      "whatever its error.\n", "" },
+      "whatever its error.\n", "", USUAL, NULL },
     { FOR_CHECK, "tidepool check --vectors DIR",
       "Compares the fixed-point models with tables of known values: every .csv\n"
       "of the folder.  Prints of each quantity how many rows there are, its\n"
       "largest and rms error, and the budget.\n",
       "A table is lines beginning with # that hold parameters, a line of\n"
-      "column names, and rows.  Its name says which model it belongs to.\n"
-      "Exit: 0 all are within their budgets, 1 some are not, 2 usage, 3 a file is bad.\n" },
+      "column names, and rows.  Its name says which model it belongs to.\n",
+      CHECKS, "some are not within their budgets" },
     { FOR_BENCH, "tidepool bench [OPTION]...",
       "Times whole frames of one scene, on which others were measured too: a sea of\n"
       "20 m x 20 m as a grid of points, plain (a texture, light, depth), full (waves\n"
       "that bend three layers, bump, Fresnel, a cube map, glitter, exposure) and\n"
       "smooth (full, with linear layers).\n",
       "`ratio` is the time over that of the case's first line, `dB` its picture's PSNR.\n"
-      "--peers runs in the project's folder and leaves pictures in " BENCH_FOLDER ".\n\n"
-      "Exit: 0 done, 2 usage, 3 no memory, or nothing could be built.\n" },
+      "--peers runs in the project's folder and leaves pictures in " BENCH_FOLDER ".\n",
+      USUAL, NULL },
     { FOR_CHARTS, "tidepool charts DIR [OPTION]...\n"
       "tidepool charts --list [OPTION]...\n"
       "tidepool charts --collect FILE... DIR [OPTION]...",
       "Runs what " CHARTS_FOLDER " describes, in the project's folder, into DIR:\n"
       "tables, pictures (if gnuplot is there) and README.md.  --list prints the jobs,\n"
       "a command a line; --collect merges what they print, in any order (FILE may be\n"
-      "- for standard input).\n",
-      "Exit: 0 done, 1 a job failed, 2 usage, 3 bad input or output.\n" },
+      "- for standard input).\n", "", CHECKS, "a job failed" },
     { FOR_MANUAL, "tidepool manual [--scene]",
       "Prints the manual page tidepool(1), or tidepool-scene(5): into a FILE, which\n"
-      "`man -l FILE` shows.  `make install` puts both where man finds them.\n", "" },
+      "`man -l FILE` shows.  `make install` puts both where man finds them.\n", "",
+      USUAL, NULL },
     { FOR_COMPLETION, "tidepool completion SHELL",
       "Prints what bash, zsh or fish complete: commands, options, scenes, names and\n"
       "values.  `make install` puts it where they look.  By hand, in ~/.bashrc:\n"
       "eval \"$(tidepool completion bash)\"; in config.fish: tidepool completion fish |\n"
-      "source; for zsh as _tidepool in a folder of its fpath.\n", "" },
+      "source; for zsh as _tidepool in a folder of its fpath.\n", "", USUAL, NULL },
 };
 
 #define ROWS (sizeof rows / sizeof *rows)
@@ -80,6 +89,21 @@ const about_row *about_of(unsigned command)
         if (rows[i].command == command)
             return &rows[i];
     abort();                    /* a command without its row; cli.sh asks for each */
+}
+
+void about_exits(const about_row *row, char text[ABOUT_EXITS_BYTES])
+{
+    const char *comma = "Exit: ";
+    size_t length = 0;
+    for (int code = 0; code < EXIT_CODES; code++) {
+        const bool own = code == EXIT_CHECK && row->check;
+        if (!(row->exits >> code & 1))
+            continue;
+        length += (size_t)snprintf(text + length, ABOUT_EXITS_BYTES - length, "%s%d %s",
+                                   comma, code, own ? row->check : exits[code].words);
+        comma = ", ";
+    }
+    snprintf(text + length, ABOUT_EXITS_BYTES - length, ".");
 }
 
 void about_print(unsigned command)
@@ -95,4 +119,7 @@ void about_print(unsigned command)
     args_print(command);
     if (*row->after)
         printf("\n%s", row->after);
+    char codes[ABOUT_EXITS_BYTES];
+    about_exits(row, codes);
+    printf("\n%s\n", codes);
 }

@@ -9,17 +9,43 @@
 #include "say.h"
 
 #define FIRST_SCENE "three-swells"      /* what the preview opens of itself */
+#define HELP_COLUMNS 60                 /* of a line of names, before what follows it */
+
+/* Those that few need by their names alone, on lines of the screen. */
+static void print_rare(unsigned command)
+{
+    const char *before = "  also ";
+    size_t column = 0;
+    for (size_t i = 0; i < args_row_count; i++) {
+        const option_row *row = &args_rows[i];
+        char text[32];
+        if (!(row->commands & RARE) || !(row->commands & command))
+            continue;
+        const int bytes = snprintf(text, sizeof text, "%s%s%s", row->name,
+                                   row->value ? " " : "", row->value ? row->value : "");
+        if (column + (size_t)bytes + strlen(before) > HELP_COLUMNS) {
+            before = ",\n       ";
+            column = 0;
+        }
+        printf("%s%s", before, text);
+        column += (size_t)bytes + strlen(before);
+        before = ", ";
+    }
+    if (column)
+        puts(": see `man tidepool`");
+}
 
 void args_print(unsigned command)
 {
     for (size_t i = 0; i < args_row_count; i++) {
         const option_row *row = &args_rows[i];
         char left[32];
-        if (!(row->commands & command))
+        if (!(row->commands & command) || row->commands & RARE)
             continue;
         snprintf(left, sizeof left, "%s %s", row->name, row->value ? row->value : "");
         printf("  %-18s %s\n", left, row->help);
     }
+    print_rare(command);
 }
 
 static int refuse(const options *o, const char *what)

@@ -12,6 +12,7 @@
              | FOR_COMPLETION)
 #define DRAWERS (FOR_RENDER | FOR_VIEW | FOR_SHOW)
 #define MANY (FOR_CHARTS | FOR_JOIN)
+#define RARE 0x80000000u        /* --help names it alone, the manual says all of it */
 
 /* Reads a value into *o; NULL, or what was expected instead. */
 typedef const char *(*args_reader)(options *o, const char *value);
@@ -19,7 +20,7 @@ typedef const char *(*args_reader)(options *o, const char *value);
 /* A name may have several rows, of different commands. */
 typedef struct {
     const char *name, *value;   /* value: what kind it is, a word; NULL for a switch */
-    unsigned    commands;       /* FOR_... */
+    unsigned    commands;       /* FOR_..., RARE */
     args_reader read;
     const char *help;
 } option_row;

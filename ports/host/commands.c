@@ -9,7 +9,7 @@ int view_command(int argc, char **argv)
 {
     (void)argc;
     (void)argv;
-    return fail(EXIT_INPUT, "tidepool view: built without the preview, which needs SDL2:"
+    return fail(EXIT_DISPLAY, "tidepool view: built without the preview, which needs SDL2:"
                 " install libsdl2-dev and build again; `tidepool render` needs none");
 }
 #endif
@@ -45,11 +45,8 @@ const command_row commands[] = {
 
 const size_t command_count = sizeof commands / sizeof *commands;
 
-const exit_row exits[] = {
-    { EXIT_DONE, "done" },
-    { EXIT_CHECK, "a check failed" },
-    { EXIT_USAGE, "usage" },
-    { EXIT_INPUT, "bad input or output" },
+const exit_row exits[EXIT_CODES] = {
+#define X(name, code, words, sentence) { words, sentence },
+    EXIT_LIST(X)
+#undef X
 };
-
-const size_t exit_count = sizeof exits / sizeof *exits;

@@ -4,6 +4,7 @@
 #ifndef HOST_COMMANDS_H
 #define HOST_COMMANDS_H
 #include <stddef.h>
+#include "say.h"
 
 int render_command(int argc, char **argv);
 int view_command(int argc, char **argv);
@@ -30,8 +31,7 @@ typedef struct {
 extern const command_row commands[];
 extern const size_t      command_count;
 
-/* What the exit codes say. */
-typedef struct { int code; const char *help; } exit_row;
-extern const exit_row exits[];
-extern const size_t   exit_count;
+/* The exit codes' meanings, by code: a few words, and a sentence. */
+typedef struct { const char *words, *sentence; } exit_row;
+extern const exit_row exits[EXIT_CODES];
 #endif

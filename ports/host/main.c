@@ -21,8 +21,9 @@ static int print_help(void)
           "  tidepool view\n"
           "  tidepool render three-swells --out first.png\n"
           "  tidepool render three-swells --frames 300 --out film.y4m\n\nExit: ", stdout);
-    for (size_t i = 0; i < exit_count; i++)
-        printf("%d %s%s", exits[i].code, exits[i].help, i + 1 < exit_count ? ", " : ".\n");
+    for (int i = 0; i < EXIT_CODES; i++)
+        printf("%d %s%s", i, exits[i].words, i + 1 == EXIT_CODES ? ".\n"
+                                             : i == EXIT_DISPLAY ? ",\n      " : ", ");
     return finish_stdout();
 }
 

@@ -98,7 +98,7 @@ static void print_usage(const about_row *of)
     }
 }
 
-/* A paragraph of lines that fill; an empty one and "Exit:" begin the next. */
+/* A paragraph of lines that fill; an empty one begins the next. */
 static void print_lines(const char *text)
 {
     bool begun = false;
@@ -106,7 +106,7 @@ static void print_lines(const char *text)
         char line[96];
         const size_t bytes = strcspn(text, "\n");
         snprintf(line, sizeof line, "%.*s", (int)bytes, text);
-        if (!bytes || strncmp(line, "Exit:", 5) == 0)
+        if (!bytes)
             begun = false;
         if (bytes && !begun)
             roff_macro(".PP");
@@ -142,6 +142,11 @@ static void print_commands(void)
                 && (args_rows[k].commands & commands[i].options))
                 print_option(&args_rows[k]);
         print_lines(about->after);
+        char codes[ABOUT_EXITS_BYTES];
+        about_exits(about, codes);
+        roff_macro(".PP");
+        roff_text(codes);
+        roff_end();
     }
     roff_macro(".SH OPTIONS OF EVERY COMMAND");
     for (size_t k = 0; k < args_row_count; k++)
@@ -191,11 +196,13 @@ static void print_keys(void)
 static void print_exits(void)
 {
     roff_macro(".SH EXIT STATUS");
-    for (size_t i = 0; i < exit_count; i++) {
+    for (int i = 0; i < EXIT_CODES; i++) {
         char code[12];
-        snprintf(code, sizeof code, "%d", exits[i].code);
-        print_key(code, NULL, exits[i].help);
+        snprintf(code, sizeof code, "%d", i);
+        print_key(code, exits[i].words, exits[i].sentence);
     }
+    print_key("128 + N", "as shells tell it", "Signal N ended it; a screen was given back"
+              " first.");
 }
 
 static void print_program(void)

@@ -96,10 +96,12 @@ int fail_memory(size_t bytes)
     return fail(EXIT_INPUT, "tidepool: out of memory: %zu bytes asked", bytes);
 }
 
+/* After an earlier write has failed the flush of the rest tells why. */
 int finish_stdout(void)
 {
     errno = 0;
-    if (!ferror(stdout) && fflush(stdout) == 0)
+    const bool flushed = fflush(stdout) == 0;
+    if (flushed && !ferror(stdout))
         return EXIT_DONE;
     return fail(EXIT_INPUT, "standard output: %s", strerror(errno ? errno : EIO));
 }

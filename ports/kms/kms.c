@@ -252,7 +252,7 @@ static int kms_open(screen **to, const char *device, uint32_t width, uint32_t he
         *to = s;
         return EXIT_DONE;
     }
-    int code = fail(EXIT_INPUT, "%s: %s", s->card.device, s->card.why);
+    int code = fail(EXIT_DISPLAY, "%s: %s", s->card.device, s->card.why);
     kms_close(s);
     return code;
 }

@@ -34,12 +34,14 @@ struct screen {
     uint8_t  *map, *saved;              /* saved: what was there */
     uint8_t  *row;                      /* one in the making: the map is slow to write */
     bool      pan, blank, away;         /* two pages; FBIO_WAITFORVSYNC works */
+    bool      shown;                    /* a picture: from now on it can be lost */
     uint32_t  page, cleared;            /* shown; with black borders, a bit each */
 };
 
 static int refuse(const screen *s, const char *what)
 {
-    return fail(EXIT_INPUT, "%s: %s: %s", s->device, what, strerror(errno));
+    return fail(s->shown ? EXIT_LOST : EXIT_DISPLAY, "%s: %s: %s", s->device, what,
+                strerror(errno));
 }
 
 /* -- what is there --------------------------------------------------------------- */
@@ -87,10 +89,10 @@ static int look(screen *s)
     if (ioctl(s->fd, FBIOGET_VSCREENINFO, &s->var)
         || ioctl(s->fd, FBIOGET_FSCREENINFO, &s->fix))
         return errno == ENOTTY || errno == EINVAL
-             ? fail(EXIT_INPUT, "%s: is no frame buffer", s->device)
+             ? fail(EXIT_DISPLAY, "%s: is no frame buffer", s->device)
              : refuse(s, "its mode");
     if (!describe(s) || !fits(s))
-        return fail(EXIT_INPUT, "%s: a layout that is not known: %u bits, red %u/%u,"
+        return fail(EXIT_DISPLAY, "%s: a layout that is not known: %u bits, red %u/%u,"
                     " green %u/%u, blue %u/%u, visual %u, %ux%u, lines of %u bytes",
                     s->device, v->bits_per_pixel, v->red.offset, v->red.length,
                     v->green.offset, v->green.length, v->blue.offset, v->blue.length,
@@ -107,7 +109,7 @@ static int choose_size(screen *s, uint32_t width, uint32_t height)
     s->height = height ? height : s->var.yres;
     if (s->width <= s->var.xres && s->height <= s->var.yres)
         return EXIT_DONE;
-    return fail(EXIT_INPUT, "%s: %ux%u pixels, smaller than the picture of %ux%u",
+    return fail(EXIT_DISPLAY, "%s: %ux%u pixels, smaller than the picture of %ux%u",
                 s->device, s->var.xres, s->var.yres, s->width, s->height);
 }
 
@@ -176,14 +178,26 @@ static bool pan(screen *s)
     return s->pan;
 }
 
+/* A display that was unplugged leaves its memory and nothing else: each call then fails
+ * so. */
+static bool is_gone(const screen *s)
+{
+    struct fb_var_screeninfo now;
+    return ioctl(s->fd, FBIOGET_VSCREENINFO, &now) != 0 && errno == ENODEV;
+}
+
 /* A driver that does not pan after all has one page from now on. */
 static int fb_show(screen *s, const picture *p)
 {
+    if (is_gone(s))
+        return refuse(s, "the display is lost");
     if (!layout_takes(&s->layout, p->format))
-        return fail(EXIT_INPUT, "%s: 8 bits a pixel take %sl8 or i1, not %s", s->device,
+        return fail(EXIT_DISPLAY, "%s: 8 bits a pixel take %sl8 or i1, not %s", s->device,
                     s->layout.grey ? "" : "p8, ", tp_format_name(p->format));
-    if (set_table(s, p->format))
-        return EXIT_INPUT;
+    const int code = set_table(s, p->format);
+    if (code)
+        return code;
+    s->shown = true;
     if (s->pan)
         write_page(s, p);
     const bool panned = s->pan && pan(s);
@@ -284,7 +298,7 @@ static int fb_open(screen **to, const char *device, uint32_t width, uint32_t hei
                    .fd = open(device, O_RDWR | O_CLOEXEC) };
     int code = s->fd < 0 ? refuse(s, "cannot be opened") : EXIT_DONE;
     if (!code && flock(s->fd, LOCK_EX | LOCK_NB) && errno == EWOULDBLOCK)
-        code = fail(EXIT_INPUT, "%s: busy, another program shows a scene there", device);
+        code = fail(EXIT_DISPLAY, "%s: busy, another program shows a scene there", device);
     code = code ? code : look(s);
     code = code ? code : choose_size(s, width, height);
     code = code ? code : save(s);

@@ -7,6 +7,7 @@
 #include "tidepool/tidepool.h"
 
 enum { WIDTH = 160, HEIGHT = 120, BAND = 16, FRAMES = 4 };
+enum { DONE = 0, FAILED = 3 };          /* exit codes, as of the host program */
 
 static void set(tp_scene *scene, const char *name, const char *text)
 {
@@ -36,7 +37,7 @@ static int run(const tp_scene *scene, tp_format format)
     tp_frame *frame;
     tp_world world;                                                 /* 2: the world */
     if (!block || !scratch || tp_frame_init(&frame, scene, &none, &config, block, NULL))
-        return 1;
+        return FAILED;
     tp_world_init(&world, sizeof world, scene, &none, NULL);
     for (unsigned n = 0; n < FRAMES; n++, tp_world_step(&world, scene, NULL)) {
         tp_frame_begin(frame, &world);                              /* 3: frames */
@@ -44,7 +45,7 @@ static int run(const tp_scene *scene, tp_format format)
     }
     free(block);
     free(scratch);
-    return 0;
+    return DONE;
 }
 
 int main(void)
@@ -55,6 +56,6 @@ int main(void)
     set(&scene, "wave0.length", "12");
     for (int format = 0; format < TP_FORMAT_COUNT; format++)
         if (run(&scene, (tp_format)format))
-            return 1;
-    return 0;
+            return FAILED;
+    return DONE;
 }

@@ -96,12 +96,12 @@ int console_open(console *c)
     if (ioctl(c->vt, KDGETMODE, &c->mode) || ioctl(c->vt, VT_GETMODE, &c->switching)) {
         const int error = errno;
         console_close(c);
-        return fail(EXIT_INPUT, "the console's mode: %s", strerror(error));
+        return fail(EXIT_DISPLAY, "the console's mode: %s", strerror(error));
     }
     if (c->mode == KD_TEXT)
         return EXIT_DONE;
     console_close(c);
-    return fail(EXIT_INPUT, "the console is busy: another program draws on it");
+    return fail(EXIT_DISPLAY, "the console is busy: another program draws on it");
 }
 
 /* -- taking it and giving it back ------------------------------------------------ */
@@ -117,7 +117,7 @@ static int take_keys(const console *c)
         raw.c_cc[VMIN] = 0;
         raw.c_cc[VTIME] = 0;
         if (tcsetattr(c->keys[i].fd, TCSANOW, &raw))
-            return fail(EXIT_INPUT, "the terminal's mode: %s", strerror(errno));
+            return fail(EXIT_DISPLAY, "the terminal's mode: %s", strerror(errno));
     }
     return EXIT_DONE;
 }
@@ -131,9 +131,9 @@ int console_take(console *c)
     if (code || c->vt < 0)
         return code;
     if (ioctl(c->vt, VT_SETMODE, &asked))
-        return fail(EXIT_INPUT, "the console's switching: %s", strerror(errno));
+        return fail(EXIT_DISPLAY, "the console's switching: %s", strerror(errno));
     if (ioctl(c->vt, KDSETMODE, KD_GRAPHICS))
-        return fail(EXIT_INPUT, "the console's graphics mode: %s", strerror(errno));
+        return fail(EXIT_DISPLAY, "the console's graphics mode: %s", strerror(errno));
     return EXIT_DONE;
 }
 

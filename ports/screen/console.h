@@ -25,7 +25,7 @@ typedef struct {
     } keys[CONSOLE_KEYS];
 } console;
 
-/* EXIT_INPUT, said why and nothing open: another program draws on the terminal. */
+/* EXIT_DISPLAY, said why and nothing open: another program draws on the terminal. */
 int  console_open(console *c);
 int  console_take(console *c);
 void console_restore(console *c);

@@ -167,7 +167,7 @@ static int check_size(const show *what, const screen *on, const char *device)
     what->port->size(on, &width, &height);
     if (width >= SIDE_LOW && height >= SIDE_LOW)
         return EXIT_DONE;
-    return fail(EXIT_INPUT, "%s: %ux%u pixels; a scene takes %ux%u at the least", device,
+    return fail(EXIT_DISPLAY, "%s: %ux%u pixels; a scene takes %ux%u at the least", device,
                 width, height, SIDE_LOW, SIDE_LOW);
 }
 

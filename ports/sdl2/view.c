@@ -42,7 +42,7 @@ static void on_exit(void)
     deck_close(&v->tape);
     say("tidepool view: the display is lost; `tidepool view --resume` goes on");
     fflush(NULL);
-    _exit(EXIT_INPUT);
+    _exit(EXIT_LOST);
 }
 
 /* -- events ---------------------------------------------------------------------- */
@@ -169,7 +169,7 @@ static int open_window(view *v)
     snprintf(title, sizeof title, "tidepool: %s", name_of(v));
     if (!window_open(&v->window, title, (int)o->width, (int)o->height, v->scale, 0)) {
         say("tidepool view: no window can be opened: %s", SDL_GetError());
-        return fail(EXIT_INPUT, "Without a display, this draws a picture:"
+        return fail(EXIT_DISPLAY, "Without a display, this draws a picture:"
                     " tidepool render %s --out %s.png", v->stage->file.name,
                     v->stage->file.name);
     }

@@ -51,7 +51,7 @@ int view_draw(view *v)
     const picture *other = compare_draw(v->compare, s);
     const uint64_t drawn = now_us();
     if (!window_upload(&v->window, other ? other : &s->canvas.picture))
-        return fail(EXIT_INPUT, "tidepool view: %s", SDL_GetError());
+        return fail(EXIT_LOST, "tidepool view: the display is lost: %s", SDL_GetError());
     figures_part(v->figures, FIGURE_COMPARE, drawn - begin - took);
     figures_part(v->figures, FIGURE_UPLOAD, now_us() - drawn);
     return EXIT_DONE;

@@ -117,20 +117,20 @@ ask shot $boot-after
 EOF
 
 cat >"$scratch/failures" <<'EOF'
-refused()       # WORDS OPTION...: exit 3 and one line
+refused()       # WORDS OPTION...: exit 4 and one line
 {
     words=$1; shift
     tank-screen --on $on "$@" </dev/tty1 >/tmp/said 2>&1 &
     parent=$!
-    left 3 && [ "$(wc -l </tmp/said)" = 1 ] && grep -q "$words" /tmp/said
+    left 4 && [ "$(wc -l </tmp/said)" = 1 ] && grep -q "$words" /tmp/said
 }
 check "a device that is not there" refused "No such file" --device /dev/none
 check "a device that is none" refused "/dev/null" --device /dev/null
 check "a screen that is too small" refused "smaller" --size 4000x4000
-busy()          # CODE: exit 3 and one line
+busy()          # CODE: exit 4 and one line
 {
     cat /tmp/busy
-    [ $1 = 3 ] && [ "$(wc -l </tmp/busy)" = 1 ] && grep -q busy /tmp/busy
+    [ $1 = 4 ] && [ "$(wc -l </tmp/busy)" = 1 ] && grep -q busy /tmp/busy
 }
 begin $shows --hash
 tank-screen --on $on >/tmp/busy 2>&1

@@ -68,10 +68,10 @@ emulate()
     code=$?
     cat "$scratch/said"
 }
-faults()        # BOARD FOLDER WHAT LINE: ends with 2 and says so, and no more
+faults()        # BOARD FOLDER WHAT LINE: ends with 139 and says so, and no more
 {
     emulate "$1" "$2/faults/$3.elf"
-    [ $code = 2 ] && [ "$(wc -l <"$scratch/said")" = 2 ] &&
+    [ $code = 139 ] && [ "$(wc -l <"$scratch/said")" = 2 ] &&
         grep -q "^fault $4" "$scratch/said"
 }
 in_main()       # FOLDER WHAT: the place that was said lies in the function that did it
@@ -105,7 +105,7 @@ faulty()        # BOARD FOLDER WHAT...: their programs
 for board in netduinoplus2 stm32vldiscovery microbit; do
     check "$board: programs that go wrong build" \
         faulty cortex-m/$board build/$board address instruction stack
-    check "$board: an address of nothing is told, exit 2" \
+    check "$board: an address of nothing is told, exit 139" \
         faults $board build/$board address "3 at "
     check "$board: with its place" in_main build/$board address
     check "$board: so is no instruction" faults $board build/$board instruction "3 at "
@@ -115,7 +115,7 @@ for board in netduinoplus2 stm32vldiscovery microbit; do
 done
 check "mps2-an386: a program that goes wrong builds" faulty cortex-m build/cortex-m \
     instruction
-check "mps2-an386: no instruction is told, exit 2" \
+check "mps2-an386: no instruction is told, exit 139" \
     faults mps2-an386 build/cortex-m instruction "3 at "
 check "mps2-an386: count-64 builds" alone build -s BOARD=cortex-m SCENE=count-64 elf
 draws()         # FIRST

@@ -38,11 +38,11 @@ dark()
 {
     vm_state /dev/tty1 | grep -q "^crtc .*buffer 0 "
 }
-refused()       # WORDS OPTION...: exit 3 and one line, and the console is as before
+refused()       # WORDS OPTION...: exit 4 and one line, and the console is as before
 {
     words=$1; shift
     three-swells-screen --on kms --frames 3:3 "$@" </dev/tty1 >/tmp/refused 2>&1
-    [ $? = 3 ] && cat /tmp/refused && grep -q "$words" /tmp/refused &&
+    [ $? = 4 ] && cat /tmp/refused && grep -q "$words" /tmp/refused &&
         [ "$(wc -l </tmp/refused)" = 1 ] && unchanged
 }
 unchanged()

@@ -20,7 +20,7 @@ cat >"$scratch/cases" <<'EOF'
 show whole three-swells-screen --on fb --frames 3:3
 show golden three-swells-screen --on fb --frames 100:100 --size 208x150
 three-swells-screen --on fb --size 641x480 2>/tmp/said
-check "what is larger than the screen is refused" ended 3 $? "smaller than the picture"
+check "what is larger than the screen is refused" ended 4 $? "smaller than the picture"
 EOF
 
 # mode | VESA's number | the format that it takes best | bits a channel that it has

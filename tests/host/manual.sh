@@ -12,7 +12,11 @@ commands=$("$program" --help | sed -n 's/^  \([a-z]*\) .*  .*/\1/p')
 same "the first command" "${commands%%[!a-z]*}" view
 options_of()    # COMMAND: those of its help, a line each
 {
-    "$program" "$1" --help 2>/dev/null | sed -n 's/^  \(-[-a-z]*\) .*/\1/p' | sort -u
+    "$program" "$1" --help 2>/dev/null | awk '
+        /^  -/ { print $1 }
+        $1 == "also" { also = 1; $1 = "" }
+        also { for (i = 1; i <= NF && $i != "see"; i++) if ($i ~ /^-/) print $i }' |
+        tr -d ,: | sort -u
 }
 [ -n "$(options_of view)" ] || commands=$(echo "$commands" | grep -v view)  # no preview
 parameters=$("$program" params | sed -n 's/^\([a-z0-9]*\.[a-z0-9_]*\) .*/\1/p')

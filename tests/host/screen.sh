@@ -75,24 +75,24 @@ given_back() {
 
 echo text >text
 mkdir folder
-expect "no such device" 3 "^nowhere: cannot be opened: No such file" \
+expect "no such device" 4 "^nowhere: cannot be opened: No such file" \
     show $scene --device nowhere
 same "and that in one line" "$(wc -l <err)" 1
-expect "a folder" 3 "^folder: cannot be opened: Is a directory" show $scene --device folder
-expect "a file" 3 "^text: is no frame buffer$" show $scene --device text
-expect "another device" 3 "^/dev/null: is no frame buffer$" show $scene --device /dev/null
+expect "a folder" 4 "^folder: cannot be opened: Is a directory" show $scene --device folder
+expect "a file" 4 "^text: is no frame buffer$" show $scene --device text
+expect "another device" 4 "^/dev/null: is no frame buffer$" show $scene --device /dev/null
 expect "no such port" 2 "expected fb or kms" show $scene --on paper
 expect "--hold without --frames" 2 "hold" show $scene --hold
 expect "no such scene" 3 "nothing.ini" show nothing.ini --device text
 
-# refused NAME PATTERN ARGUMENT...: of the fake one; nothing has changed.
+# refused NAME CODE PATTERN ARGUMENT...: of the fake one; nothing has changed.
 refused() {
-    name=$1 pattern=$2
-    shift 2
+    name=$1 want=$2 pattern=$3
+    shift 3
     LD_PRELOAD=$fake timeout 20 "$program" show $scene --device fb0 "$@" \
         >out 2>err </dev/null
     code=$?
-    judge "$name" 3 "$pattern"
+    judge "$name" "$want" "$pattern"
     [ "$(wc -l <err)" -eq 1 ] || verdict "$name: one line" "$(cat err)"
     cmp -s fb0 before || verdict "$name: nothing has changed" "the screen has"
 }
@@ -105,30 +105,30 @@ as=
 cp "$program" copy
 $as ./copy show plain.ini --device fb0 >out 2>err </dev/null
 code=$?
-judge "no permission" 3 "^fb0: cannot be opened: Permission denied"
+judge "no permission" 4 "^fb0: cannot be opened: Permission denied"
 chmod 600 fb0
 rm -f copy
 memory "$wide"
-refused "smaller than the picture" "^fb0: 96x64 pixels, smaller than .* 97x64$" --size 97x64
+refused "smaller than the picture" 4 "^fb0: 96x64 pixels, smaller than .* 97x64$" --size 97x64
 memory "15 64 32 384 64 2 16 8 8 8 0 8 24 8 0 0"
-refused "smaller than any picture" "15x64 pixels; a scene takes 16x16 at the least"
+refused "smaller than any picture" 4 "15x64 pixels; a scene takes 16x16 at the least"
 for bad in "96 64 4 384 64 2 0 4 0 4 0 4 0 0 0 0" "96 64 32 384 64 2 16 8 16 8 0 8 0 0 0 0" \
            "96 64 32 384 64 0 16 8 8 8 0 8 0 0 0 0" "96 64 32 380 64 2 16 8 8 8 0 8 0 0 0 0" \
            "96 64 32 384 60 2 16 8 8 8 0 8 0 0 0 0" "96 64 8 96 64 4 0 8 0 8 0 8 0 0 0 0"; do
     memory "$bad"
-    refused "a strange layout: $bad" "^fb0: a layout that is not known"
+    refused "a strange layout: $bad" 4 "^fb0: a layout that is not known"
 done
 memory "96 64 8 96 64 3 0 8 0 8 0 8 0 0 0 0"
-refused "colours that indices do not have" "8 bits a pixel take p8, l8 or i1, not rgb565" \
+refused "colours that indices do not have" 4 "8 bits a pixel take p8, l8 or i1, not rgb565" \
     --format rgb565
 memory "$wide"
 export FAKE_VT=1
-refused "a console that another program draws on" "^the console is busy"
+refused "a console that another program draws on" 4 "^the console is busy"
 FAKE_VT=0
 begin --frames 0:0 --hold
 LD_PRELOAD=$fake timeout 20 "$program" show $scene --device fb0 >out2 2>err </dev/null
 code=$?
-judge "a screen that shows a scene already" 3 "^fb0: busy"
+judge "a screen that shows a scene already" 4 "^fb0: busy"
 end TERM $parent
 verdict "it went on, and gave back" "$(given_back)"
 
@@ -209,7 +209,7 @@ while [ $failing -lt 40 ]; do
     case $wrong in *panned*) grep -q '^pan' log || wrong= ;; esac
     what="call $failing fails ($(awk '/failed/ { print $2 }' log))"
     case $code in
-    3) same "$what: one line" "$(wc -l <err)" 1 ;;
+    4) same "$what: one line" "$(wc -l <err)" 1 ;;
     *) same "$what: it is drawn all the same" "$code $(cat out)" "0 $want" ;;
     esac
     verdict "$what: given back" "$wrong"
@@ -236,6 +236,19 @@ kill -s STOP "$child"
 end TERM $parent
 same "one that is stopped ends" "$(kill -l $code)" TERM
 verdict "and gives back" "$(given_back)"
+
+# -- a screen that is lost -------------------------------------------------------------
+
+FAKE_GONE=$work/gone
+export FAKE_GONE
+memory "$wide"
+begin
+touch gone
+end CONT "$child"
+same "unplugged, it ends by itself" "$code" 5
+same "and says so in one line" "$(cat err)" "fb0: the display is lost: No such device"
+rm gone
+unset FAKE_GONE
 
 # -- another terminal in front -----------------------------------------------------------
 
@@ -375,7 +388,7 @@ whole --frames 0:25 --keep world --tape walk.tape
 whole --frames 0:39 --keep world --tape walk.tape
 same "go on from a world that was kept" "$code $(tail -n 15 all | cmp - out)" "0 "
 { echo "tape 1 $scene"; echo "3 drops=1"; echo "4 set pool.cols=40"; } >anew.tape
-refused "a tape that makes the world anew" \
+refused "a tape that makes the world anew" 3 \
     "^anew.tape:3: pool.cols=40 makes the world anew, .* expected what goes on in the same" \
     --tape anew.tape
 

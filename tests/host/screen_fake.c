@@ -8,6 +8,7 @@
  *             none
  *   FAKE_LOG  each call that changes something, a line
  *   FAKE_FAIL the so-manieth of all calls fails
+ *   FAKE_GONE once a file of this name is there, the screen is unplugged
  *   FAKE_HANG panning never returns
  *   FAKE_SLOW fsync takes a second */
 #define _GNU_SOURCE
@@ -166,7 +167,11 @@ int ioctl(int fd, unsigned long request, ...)
         errno = ENOTTY;
         return -1;
     }
-    const char *fail = getenv("FAKE_FAIL");
+    const char *fail = getenv("FAKE_FAIL"), *gone = getenv("FAKE_GONE");
+    if (is_fb && gone && access(gone, F_OK) == 0) {
+        errno = ENODEV;
+        return -1;
+    }
     if (fail && ++state->calls == (unsigned)atoi(fail)) {
         note("failed %lx\n", request);
         errno = EIO;

@@ -184,7 +184,7 @@ static void nothing_is_left_wherever_start_up_fails(void **state)
                 port->close(s);
             } else {
                 refused++;
-                assert_int_equal(code, EXIT_INPUT);
+                assert_int_equal(code, EXIT_DISPLAY);
                 assert_ptr_equal(strchr(said, '\n'), said + strlen(said) - 1);
                 assert_non_null(strstr(said, pipe_name));
             }
@@ -204,7 +204,7 @@ static void expect_refusal(const char *device, uint32_t width, const char *words
 {
     screen *s = NULL;
     unsigned files = open_files();
-    assert_int_equal(try_open(&s, device, width, 0), EXIT_INPUT);
+    assert_int_equal(try_open(&s, device, width, 0), EXIT_DISPLAY);
     assert_ptr_equal(strchr(said, '\n'), said + strlen(said) - 1);
     if (!strstr(said, words) || strncmp(said, device, strlen(device)) != 0)
         fail_msg("said: %s", said);

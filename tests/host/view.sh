@@ -10,9 +10,9 @@
 refuses() {     # NAME=VALUE...
     env -u DISPLAY -u WAYLAND_DISPLAY -u SDL_VIDEODRIVER "$@" \
         timeout 20 "$program" view three-swells >log 2>&1
-    [ $? -eq 3 ] && grep -q "no window can be opened" log && grep -q "tidepool render" log
+    [ $? -eq 4 ] && grep -q "no window can be opened" log && grep -q "tidepool render" log
 }
-check "no display: says so, names a way out, exits 3" refuses
+check "no display: says so, names a way out, exits 4" refuses
 check "a display that is gone: the same" refuses DISPLAY=:9797
 check "a driver that fails: the same" refuses SDL_VIDEODRIVER=x11
 
@@ -155,7 +155,7 @@ kill "$server"
 wait "$server"
 server=""
 end_view
-check "a lost display ends it with exit code 3" test "$code" -eq 3
+check "a lost display ends it with exit code 5" test "$code" -eq 5
 check "and says how to go on" grep -q -e "--resume" log
 begin_server
 check "--resume opens a window" open_view --resume --size 320x240 --no-panel

@@ -1,0 +1,181 @@
+#!/bin/sh
+# SPDX-License-Identifier: MIT
+# Exit codes have one meaning: each command, and each script of ports/, is led to every
+# code that it knows; a command's --help names those codes and no other.
+#     exits.sh PROGRAM
+root=$(pwd)
+build=$(realpath "${TP_BUILD:-build/host}") || exit 2
+. tests/host/lib.sh
+HOME=$work XDG_STATE_HOME=$work/state XDG_CONFIG_HOME=$work/config
+export HOME XDG_STATE_HOME XDG_CONFIG_HOME
+unset DISPLAY WAYLAND_DISPLAY SDL_VIDEODRIVER
+: >met
+
+# exits CODE PATTERN COMMAND ARGUMENT...: the code, and a line of what is printed or said;
+# "" asks for none.
+exits() {
+    want=$1 pattern=$2
+    shift 2
+    run "$@"
+    met "$1" "$want" "$pattern" "$*"
+}
+met() {         # COMMAND CODE PATTERN NAME
+    if [ "$code" -ne "$2" ] || { [ -n "$3" ] && ! grep -q -e "$3" err out; }; then
+        verdict "$4" "exit code $code, expected $2 and '$3'"
+    else
+        verdict "$4: exit code $2" ""
+        echo "$1 $2" >>met
+    fi
+}
+# full COMMAND ARGUMENT...: its standard output is a full disk.
+full() {
+    timeout $seconds "$program" "$@" >/dev/full 2>err </dev/null
+    code=$?
+    met "$1" 3 "standard output: No space" "$* to a full disk"
+}
+
+# -- every command ----------------------------------------------------------------------
+
+exits 0 "frame 0000" render minimal --size 32x32 --hash
+echo "frame 0000 crc32 00000000" >list
+exits 1 "differs" render minimal --size 32x32 --expect list
+exits 2 "expected WIDTHxHEIGHT" render minimal --size 1
+exits 3 "No such file" render nowhere.ini
+run render minimal --size 32x32 --out a.y4m
+exits 0 "" join b.y4m a.y4m
+exits 2 "which parts" join b.y4m
+exits 3 "No such file" join b.y4m nowhere.y4m
+for command in scenes manual; do
+    exits 0 "storm" $command
+    exits 2 "too many names" $command a
+    full $command
+done
+exits 0 "wave0" params minimal
+exits 2 "no option" params --sett
+exits 3 "No such file" params nowhere.ini
+exits 0 "" bake minimal -o a.c
+exits 2 "which file" bake minimal
+exits 3 "No such file" bake minimal -o no/a.c
+exits 0 "in all" plan minimal
+exits 2 "which scene" plan
+exits 3 "No such file" plan nowhere.ini
+mkdir tables
+head -20 "$vectors/sine.csv" >tables/sine.csv
+exits 0 "sine" check --vectors tables
+awk -F, -v OFS=, '/^[^#]/ && ++n == 2 { $NF = 65536 - $NF } { print }' tables/sine.csv >wrong
+mv wrong tables/sine.csv
+exits 1 "sine" check --vectors tables
+exits 2 "which folder" check
+exits 3 "No such file" check --vectors nowhere
+exits 0 "plain" bench --size 64x48 --points 16 --frames 1
+exits 2 "expected" bench --points 0
+exits 3 "project's folder" bench --peers
+mkdir charts
+: >charts/style.gp
+: >charts/svg.awk
+echo '# Page' >charts/page.md
+echo text >charts/demo.txt
+printf '[chart]\ntitle = Demo\nkeys = k\nvalues = v\njob = %s\n' 'echo "demo,a,v,1"' \
+    >charts/demo.ini
+exits 0 "" charts out.d --from charts --small
+sed -i 's/^job.*/job = false/' charts/demo.ini
+exits 1 "exit 1: false" charts out.d --from charts --small
+exits 2 "which folder" charts
+exits 3 "no chart is described" charts out.d --from tables
+exits 0 "complete" completion bash
+exits 2 "expected bash, zsh or fish" completion csh
+full completion bash
+
+# -- screens: none, one that is there, one that is lost ------------------------------------
+
+FAKE_FB="96 64 32 384 64 2 16 8 8 8 0 8 24 8 0 0" FAKE_GONE=$work/gone
+export FAKE_FB FAKE_GONE
+head -c 24576 /dev/zero >fb0
+show() {        # ARGUMENT...: on a screen that is faked (screen_fake.c)
+    LD_PRELOAD=$build/screen_fake.so timeout $seconds "$program" show "$@" >out 2>err \
+        </dev/null
+    code=$?
+}
+show minimal --device fb0 --frames 1 --hash
+met show 0 "^frame 0000" "show"
+exits 2 "expected fb or kms" show minimal --on paper
+exits 3 "No such file" show nowhere.ini
+exits 4 "cannot be opened" show minimal --device nowhere
+exits 4 "is no frame buffer" show minimal --device list
+show minimal --device fb0 --size 97x64
+met show 4 "smaller than the picture" "show, larger than its screen"
+: >out
+{ until grep -q '^frame' out; do sleep 0.05; done; touch gone; } &
+show minimal --device fb0 --hash
+wait
+met show 5 "the display is lost" "show, whose screen is unplugged"
+
+# -- windows ------------------------------------------------------------------------------
+
+wait_until() {  # COMMAND...: for ten seconds at the most
+    waited=0
+    until "$@" || [ $waited -ge 200 ]; do
+        waited=$((waited + 1))
+        sleep 0.05
+    done
+}
+lose_display() {
+    Xvfb -displayfd 7 -screen 0 640x480x24 -nolisten tcp -noreset 7>number >/dev/null 2>&1 &
+    server=$!
+    wait_until test -s number
+    DISPLAY=:$(cat number) SDL_VIDEODRIVER=x11 timeout $seconds "$program" view minimal \
+        --size 160x120 >out 2>err </dev/null &
+    viewer=$!
+    wait_until test -s state/tidepool/session.ini       # a second of pictures
+    kill $server
+    { wait $server; wait $viewer; } 2>/dev/null
+    code=$?
+}
+if "$program" view --help 2>&1 | grep -q "built without"; then
+    exits 4 "built without the preview" view minimal
+    sed -i '/^view/d' met
+else
+    SDL_VIDEODRIVER=dummy timeout $seconds "$program" view minimal --frames 2 >out 2>err
+    code=$?
+    met view 0 "" "view"
+    exits 2 "expected 1..16" view --scale 0
+    exits 3 "No such file" view nowhere.ini
+    exits 4 "no window can be opened" view minimal
+    SDL_VIDEODRIVER=x11
+    export SDL_VIDEODRIVER
+    exits 4 "no window can be opened" view minimal
+    if command -v Xvfb >/dev/null; then
+        lose_display
+        met view 5 "the display is lost" "view, whose display ends"
+    else
+        echo "skipped: a display that is lost (package xvfb)"
+        echo "view 5" >>met
+    fi
+fi
+
+# -- what --help says, of each command ------------------------------------------------------
+
+for command in $("$program" --help | sed -n 's/^  \([a-z]*\) .*  .*/\1/p'); do
+    said=$("$program" $command --help 2>/dev/null | sed -n 's/^Exit: //p' | tr , '\n' |
+        awk -v name=$command '{ print name, $1 }')
+    same "$command can exit with what its help says, and with nothing else" \
+        "$(sort -u met | grep "^$command ")" "$said"
+done
+run --help
+same "the program's help says what each code means" \
+    "$(sed -n '/^Exit:/,$p' out | tr '\n' ' ' | tr -s ' ')" "Exit: 0 done, 1 a check failed, \
+2 usage, 3 bad input, 4 no display or device, 5 display lost. "
+exits 2 "which command"
+exits 2 "no command" sail
+
+# -- scripts --------------------------------------------------------------------------------
+
+cd "$root" || exit 2
+for script in run gallery tour setup; do
+    "ports/$script.sh" >"$work/out" 2>"$work/err" </dev/null
+    same "ports/$script.sh without arguments is a usage error" \
+        "$? $(grep -c "ports/$script.sh" "$work/err")" "2 1"
+done
+cd "$work" || exit 2
+
+finish
