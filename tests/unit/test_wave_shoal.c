@@ -133,7 +133,7 @@ static tp_coast *coast_of(const tp_coast_shape *shape)
     assert_non_null(coast);
     assert_int_equal(bytes % 8, 0);
     tp_coast_init(coast, shape);
-    assert_true(sizeof *coast + coast->count * sizeof *coast->node <= bytes);
+    assert_true(sizeof *coast + coast->count * sizeof(tp_coast_node) <= bytes);
     return coast;
 }
 
