@@ -79,6 +79,12 @@ static const about_row rows[] = {
       "values.  `make install` puts it where they look.  By hand, in ~/.bashrc:\n"
       "eval \"$(tidepool completion bash)\"; in config.fish: tidepool completion fish |\n"
       "source; for zsh as _tidepool in a folder of its fpath.\n", "", USUAL, NULL },
+    { FOR_HELP, "tidepool help [COMMAND]",
+      "Lists the commands, or tells of one of them and of its options: the same as\n"
+      "`tidepool --help` and `tidepool COMMAND --help`.\n", "", USUAL, NULL },
+    { FOR_VERSION, "tidepool version",
+      "Prints the version, as `tidepool --version` and `tidepool -V` do.\n", "", USUAL,
+      NULL },
 };
 
 #define ROWS (sizeof rows / sizeof *rows)

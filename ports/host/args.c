@@ -81,7 +81,9 @@ static int read_option(options *o, unsigned command, int argc, char **argv, int 
     const char *word = argv[*i], *equals = strchr(word, '=');
     const size_t length = equals ? (size_t)(equals - word) : strlen(word);
     char what[160];
-    const option_row *row = row_of(command, word, length);
+    const bool is_help = strcmp(word, "-h") == 0;
+    const option_row *row = is_help ? row_of(command, "--help", strlen("--help"))
+                                    : row_of(command, word, length);
     if (!row || (!row->value && equals))
         return refuse_option(o, command, word);
     const char *value = equals ? equals + 1 : row->value ? argv[++*i] : "";
@@ -146,7 +148,8 @@ int args_read(options *o, unsigned command, int argc, char **argv)
         else if (command & MANY)
             o->names[o->n_names++] = argv[i];
         else if (o->scene
-                 || (command & (FOR_SCENES | FOR_CHECK | FOR_BENCH | FOR_MANUAL)))
+                 || (command & (FOR_SCENES | FOR_CHECK | FOR_BENCH | FOR_MANUAL
+                                | FOR_VERSION)))
             code = refuse(o, "too many names");
         else
             o->scene = argv[i];

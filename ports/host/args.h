@@ -7,8 +7,8 @@
 #include "machine.h"
 
 typedef struct {
-    const char  *command, *scene;   /* NULL if none is given; view then has its own,
-                                     * unless it resumes */
+    const char  *command, *scene;   /* its first name, whatever it is of, NULL if none is
+                                     * given; view then has its own, unless it resumes */
     uint32_t     width, height;
     uint32_t     first, last;       /* frames, both included */
     const char **settings;          /* "name=value", in their order */
@@ -51,7 +51,8 @@ typedef struct {
 /* Commands, for the table's masks. */
 enum { FOR_RENDER = 1, FOR_VIEW = 2, FOR_PARAMS = 4, FOR_SCENES = 8, FOR_CHECK = 16,
        FOR_BAKE = 32, FOR_PLAN = 64, FOR_BENCH = 128, FOR_CHARTS = 256, FOR_JOIN = 512,
-       FOR_SHOW = 1024, FOR_MANUAL = 2048, FOR_COMPLETION = 4096 };
+       FOR_SHOW = 1024, FOR_MANUAL = 2048, FOR_COMPLETION = 4096, FOR_HELP = 8192,
+       FOR_VERSION = 16384 };
 
 /* `command` is one of FOR_...; argv[0] is its name.  EXIT_USAGE: said why.  The caller
  * frees settings in any case. */

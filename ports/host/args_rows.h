@@ -9,7 +9,7 @@
 /* Several commands. */
 #define ALL (FOR_RENDER | FOR_VIEW | FOR_PARAMS | FOR_SCENES | FOR_CHECK | FOR_BAKE \
              | FOR_PLAN | FOR_BENCH | FOR_CHARTS | FOR_JOIN | FOR_SHOW | FOR_MANUAL \
-             | FOR_COMPLETION)
+             | FOR_COMPLETION | FOR_HELP | FOR_VERSION)
 #define DRAWERS (FOR_RENDER | FOR_VIEW | FOR_SHOW)
 #define MANY (FOR_CHARTS | FOR_JOIN)
 #define RARE 0x80000000u        /* --help names it alone, the manual says all of it */

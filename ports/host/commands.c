@@ -41,6 +41,10 @@ const command_row commands[] = {
       "the manual page, for man; --scene: of all parameters" },
     { "completion", "SHELL", FOR_COMPLETION, completion_command,
       "what bash, zsh or fish complete of all this" },
+    { "help", "[COMMAND]", FOR_HELP, help_command,
+      "this list, or a command and its options" },
+    { "version", "", FOR_VERSION, version_command,
+      "the version, which -V prints too" },
 };
 
 const size_t command_count = sizeof commands / sizeof *commands;

@@ -19,6 +19,8 @@ int charts_command(int argc, char **argv);
 int join_command(int argc, char **argv);
 int manual_command(int argc, char **argv);
 int completion_command(int argc, char **argv);
+int help_command(int argc, char **argv);
+int version_command(int argc, char **argv);
 
 /* All of them, in the order in which people should read them. */
 typedef struct {
@@ -30,6 +32,9 @@ typedef struct {
 
 extern const command_row commands[];
 extern const size_t      command_count;
+
+/* NULL: there is none of that name, and said which one is meant. */
+const command_row *command_find(const char *name);
 
 /* The exit codes' meanings, by code: a few words, and a sentence. */
 typedef struct { const char *words, *sentence; } exit_row;

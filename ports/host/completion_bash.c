@@ -69,6 +69,7 @@ static void print_values(void)
     puts("_tidepool_values()      # KIND BEGINNING\n{\n    case $1 in");
     print_kind("SCENE");
     print_kind("SHELL");
+    print_kind("COMMAND");
     print_kind("FILM.y4m");
     for (size_t k = 0; k < args_row_count; k++)
         if (args_rows[k].value && !seen_before(args_rows[k].value, k)

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "bench_scene.h"
+#include "commands.h"
 #include "machine.h"
 #include "path.h"
 #include "screen/show.h"
@@ -62,6 +63,14 @@ static bool add_shells(words *list)
     return words_cut(list, "bash zsh fish", " ");
 }
 
+static bool add_commands(words *list)
+{
+    bool done = true;
+    for (size_t i = 0; i < command_count; i++)
+        done = done && add(list, commands[i].name);
+    return done;
+}
+
 static bool add_scenes(words *list)
 {
     size_t count = 0;
@@ -101,6 +110,7 @@ static const struct {
     { "WORK", TAKES_WORD, add_works },
     { "PORT", TAKES_WORD, add_ports },
     { "SHELL", TAKES_WORD, add_shells },
+    { "COMMAND", TAKES_WORD, add_commands },
     { "GROUP", TAKES_WORD, add_groups },
     { "NAME=VALUE", TAKES_SETTING, NULL },
     { "FILE", TAKES_FILE, NULL },

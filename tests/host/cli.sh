@@ -19,14 +19,35 @@ fits --help
 unseen=$("$program" view --help 2>&1 >out | grep "built without")
 [ -n "$unseen" ] || fits view --help
 for command in render show scenes params bake plan check bench charts join manual \
-        completion; do
+        completion help version; do
     fits "$command" --help
+    mv out wanted
+    run help "$command"
+    same "help $command says the same" "$code $(cmp out wanted)" "0 "
+    run "$command" -h
+    same "$command -h too" "$code $(cmp out wanted)" "0 "
 done
+run --help
+mv out wanted
+for word in help -h; do
+    run $word
+    same "$word lists the commands, as --help does" "$code $(cmp out wanted)" "0 "
+done
+expect "help of no command" 2 "no command rendr; did you mean render?" help rendr
+expect "help of two" 2 "too many names" help render view
 run --version
 same "--version prints name and number" \
     "$(grep -c '^tidepool [0-9]*\.[0-9]*\.[0-9]*$' out)" 1
+mv out wanted
+for word in version -V; do
+    run $word
+    same "$word prints the same" "$code $(cmp out wanted)" "0 "
+done
+expect "a version of something" 2 "too many names" version render
 
 expect "no command" 2 "which command"
+expect "a command of no letters" 2 "no command ; see" ""
+expect "a long name" 2 "no command a*; see" "$(printf 'a%.0s' $(seq 5000))"
 expect "unknown command" 2 "no command rendr; did you mean render?" rendr
 expect "unknown option" 2 "no option --siez; did you mean --size?" render three-swells \
     --siez 64x48

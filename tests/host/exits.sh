@@ -45,11 +45,14 @@ run render minimal --size 32x32 --out a.y4m
 exits 0 "" join b.y4m a.y4m
 exits 2 "which parts" join b.y4m
 exits 3 "No such file" join b.y4m nowhere.y4m
-for command in scenes manual; do
-    exits 0 "storm" $command
+for command in scenes manual version; do
+    exits 0 "storm\|0\." $command
     exits 2 "too many names" $command a
     full $command
 done
+exits 0 "render" help
+exits 2 "no command" help sail
+full help
 exits 0 "wave0" params minimal
 exits 2 "no option" params --sett
 exits 3 "No such file" params nowhere.ini

@@ -115,6 +115,7 @@ if command -v bash >/dev/null; then
     completes 'tidepool bench --work ' 'plain full smooth'
     completes 'tidepool show pond --on f' fb
     completes 'tidepool completion ' 'bash zsh fish'
+    completes 'tidepool help comp' completion
     completes 'tidepool render pond --set boa' boat.
     completes 'tidepool render pond --set water.filt' water.filter=
     completes 'tidepool render pond --set water.filter = ' 'nearest linear'

@@ -1,0 +1,82 @@
+/* SPDX-License-Identifier: MIT */
+/* tidepool help and tidepool version. */
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include "about.h"
+#include "args.h"
+#include "commands.h"
+#include "nearest.h"
+#include "say.h"
+#include "tidepool/version.h"
+
+const command_row *command_find(const char *name)
+{
+    nearest best = nearest_to(name);
+    for (size_t i = 0; i < command_count; i++) {
+        if (strcmp(name, commands[i].name) == 0)
+            return &commands[i];
+        nearest_offer(&best, commands[i].name);
+    }
+    if (best.name)
+        say("tidepool: no command %.60s; did you mean %s?", name, best.name);
+    else
+        say("tidepool: no command %.60s; see `tidepool help`", name);
+    return NULL;
+}
+
+/* 24 lines of a screen. */
+static void print_commands(void)
+{
+    puts("usage: tidepool COMMAND [ARGUMENT]...\n"
+         "Water for small computers: seas, pools, drops and a boat, in fixed point.\n");
+    for (size_t i = 0; i < command_count; i++) {
+        char left[48];
+        snprintf(left, sizeof left, "%s %s", commands[i].name, commands[i].takes);
+        printf("  %-25s %s\n", left, commands[i].help);
+    }
+    fputs("\nFor a start: tidepool view; tidepool render storm; tidepool help render.\n\n"
+          "Exit: ", stdout);
+    for (int i = 0; i < EXIT_CODES; i++)
+        printf("%d %s%s", i, exits[i].words, i + 1 == EXIT_CODES ? ".\n"
+                                             : i == EXIT_DISPLAY ? ",\n      " : ", ");
+}
+
+static int print_help(const options *o)
+{
+    if (!o->scene) {
+        print_commands();
+        return EXIT_DONE;
+    }
+    const command_row *command = command_find(o->scene);
+    if (!command)
+        return EXIT_USAGE;
+    about_print(command->options);
+    return EXIT_DONE;
+}
+
+int help_command(int argc, char **argv)
+{
+    options o;
+    int code = args_read(&o, FOR_HELP, argc, argv);
+    if (!code && o.help)
+        about_print(FOR_HELP);
+    else if (!code)
+        code = print_help(&o);
+    free(o.settings);
+    const int end = finish_stdout();
+    return code ? code : end;
+}
+
+int version_command(int argc, char **argv)
+{
+    options o;
+    const int code = args_read(&o, FOR_VERSION, argc, argv);
+    if (!code && o.help)
+        about_print(FOR_VERSION);
+    else if (!code)
+        printf("tidepool %s\n", tp_version());
+    free(o.settings);
+    const int end = finish_stdout();
+    return code ? code : end;
+}
