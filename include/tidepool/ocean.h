@@ -72,9 +72,19 @@ typedef struct {
     int16_t spare;
 } tp_ocean_depth;
 
+/* Private: the numbers that a table, and the rest of an ocean, were made of. */
+typedef struct { tp_fx length, heading, amplitude, reach_x, reach_z; } tp_ocean_swell_key;
+typedef struct {
+    tp_fx depth, slope, heading, map_x, map_z, map_size, map_low, map_high;
+} tp_ocean_floor_key;
+typedef struct {
+    tp_fx wind, wind_heading, k0, kx, ky, stretch, irregular;
+} tp_ocean_model_key;
+
 typedef struct {
     tp_ocean_depth depth[TP_OCEAN_DEPTHS];
     int32_t turns[TP_OCEAN_PHASES]; /* a straight floor: phase beyond deep water's, Q16 */
+    tp_ocean_swell_key key;
 } tp_ocean_table;
 
 /* Private: a node of a map's floor, and of a wave over it. */
@@ -115,6 +125,8 @@ typedef struct tp_ocean {
     uint64_t map_per_step;          /* 2^48 / map_step */
     uint32_t fall[TP_OCEAN_DEPTHS]; /* e^-K0 h [B11], Q0.32 */
     tp_ocean_wave wave[TP_WAVES];
+    tp_ocean_floor_key floor_key;
+    tp_ocean_model_key model_key;
 } tp_ocean;
 
 /* Of the block of an ocean without a map, for those who place it themselves. */
@@ -136,6 +148,16 @@ size_t tp_ocean_bytes(const tp_ocean_config *config, const tp_sea *sea);
 tp_status tp_ocean_init(tp_ocean *ocean, const tp_ocean_config *config,
                         const tp_sea *sea, const tp_wave *waves, uint32_t count,
                         tp_error *err);
+
+/* Makes again what depends on numbers that have changed since the ocean was made: the
+ * block is then what tp_ocean_init makes of them, byte for byte.  The floor's nodes
+ * depend on the floor alone, the rays of a swell over a map on the floor and on that
+ * swell's length and heading, everything else on all numbers.  The map is the one that
+ * the ocean was made of.  TP_E_ARG, and nothing is done: as tp_ocean_init says, or the
+ * sea has another count of swells, or the map other sides. */
+tp_status tp_ocean_refresh(tp_ocean *ocean, const tp_ocean_config *config,
+                           const tp_sea *sea, const tp_wave *waves, uint32_t count,
+                           tp_error *err);
 
 typedef struct {
     tp_vec3 position;       /* of the displaced point, m; may overhang */

@@ -356,7 +356,11 @@ void tp_world_look(tp_world *world, const tp_input *input);
 /* The scene as it is now, at the same tick: sea, ocean, boat, what of pools and drops may
  * change while they move.  False, and nothing is done: what sizes the world's block has
  * changed, or the scene cannot be used; tp_world_init makes the world anew, or tells what
- * is wrong.  Until one of them has taken the scene, neither step nor draw by it. */
+ * is wrong.  Until one of them has taken the scene, neither step nor draw by it.
+ *
+ * Tables that take long to make, the ocean's and those of automatic exposure, keep the
+ * numbers that they were made of, and are made again only where these have changed.  So
+ * `assets` must hold the pictures that the world was made with. */
 bool tp_world_refresh_with(const tp_kit *kit, tp_world *world, const tp_scene *scene,
                            const tp_assets *assets);
 

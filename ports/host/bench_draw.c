@@ -98,7 +98,7 @@ int bench_draw(bench_list *list, bench_scene *s, bench_figure *f, int round, boo
     s->scene.quality.visibility = (int32_t)f->rungs.visibility;
     s->scene.quality.shading = (int32_t)f->rungs.shading;
     s->scene.quality.lod = (int32_t)f->rungs.lod;
-    canvas_plan(&c, &s->scene, &s->assets, &config, 1);
+    canvas_plan(&c, &config, 1);
     int code = canvas_open(&c, &s->scene, &s->assets);
     if (!code)
         code = begin_world(s, &world);

@@ -26,8 +26,7 @@ static void choose_tiles(tp_frame_config *config, uint32_t threads)
         config->tile_height = rows < BAND_ROWS ? rows : BAND_ROWS;
 }
 
-void canvas_plan(canvas *c, const tp_scene *scene, const tp_assets *assets,
-                 const tp_frame_config *config, uint32_t threads)
+void canvas_plan(canvas *c, const tp_frame_config *config, uint32_t threads)
 {
     *c = (canvas){ .threads = threads < 1 ? 1 : threads, .config = *config };
     if (c->threads > CANVAS_THREADS)
@@ -39,7 +38,6 @@ void canvas_plan(canvas *c, const tp_scene *scene, const tp_assets *assets,
     c->picture.row_bytes = tp_format_row_bytes(config->format, (int)config->width);
     size_t kits;
     c->machine = machine_kits(&kits);
-    canvas_count(c, scene, assets);
 }
 
 void canvas_count(canvas *c, const tp_scene *scene, const tp_assets *assets)
@@ -68,6 +66,7 @@ static int allocate(canvas *c)
 
 int canvas_open(canvas *c, const tp_scene *scene, const tp_assets *assets)
 {
+    canvas_count(c, scene, assets);
     const int code = allocate(c);
     if (code)
         return code;

@@ -26,15 +26,16 @@ typedef struct {
                                            pixels by all threads */
 } canvas;
 
-/* How the picture will be drawn, and how many bytes that takes; nothing is allocated.
- * Tile sides of 0 let the canvas choose.  It takes the best kit that runs here, and stores
- * crossings; if another machine or `stream` is put in place, it must be counted again. */
-void canvas_plan(canvas *c, const tp_scene *scene, const tp_assets *assets,
-                 const tp_frame_config *config, uint32_t threads);
+/* How the picture will be drawn; nothing is allocated.  Tile sides of 0 let the canvas
+ * choose.  It takes the best kit that runs here, and stores crossings; another machine or
+ * `stream` may then be put in place. */
+void canvas_plan(canvas *c, const tp_frame_config *config, uint32_t threads);
+
+/* After the plan: frame_bytes and scratch_bytes, before anything is allocated. */
 void canvas_count(canvas *c, const tp_scene *scene, const tp_assets *assets);
 
-/* After the plan, with the same scene and assets, which must outlive it.  Returns an exit
- * code and has said why; close in any case. */
+/* After the plan; scene and assets must outlive the canvas.  Returns an exit code and has
+ * said why; close in any case. */
 int  canvas_open(canvas *c, const tp_scene *scene, const tp_assets *assets);
 void canvas_draw(canvas *c, const tp_world *world);
 void canvas_close(canvas *c);

@@ -192,9 +192,8 @@ static bool open_other(compare *c, const stage *s)
 
     config.format = TP_FORMAT_XRGB8888;
     name_rungs(c, s);
-    canvas_plan(&c->other, &c->scene, &s->assets.names, &config, s->canvas.threads);
+    canvas_plan(&c->other, &config, s->canvas.threads);
     c->other.machine = s->canvas.machine;
-    canvas_count(&c->other, &c->scene, &s->assets.names);
     c->open = true;
     c->failed = canvas_open(&c->other, &c->scene, &s->assets.names) != 0;
     return !c->failed;

@@ -125,7 +125,7 @@ static int plan_canvas(const stage *s, const options *o, const assets *a,
         .tile_width = o->strip, .tile_height = o->band,
         .format = o->format,
     };
-    canvas_plan(c, &s->file.scene, &a->names, &config, o->threads);
+    canvas_plan(c, &config, o->threads);
     if (o->machine)
         c->machine = o->machine;
     choose_store(c, &s->file.scene, &a->names, world_bytes, o);
@@ -168,6 +168,7 @@ typedef struct {
     assets         *loaded;         /* what the scene now names; NULL: as before */
     tp_world       *world;          /* made anew; NULL: it goes on */
     size_t          world_bytes;
+    size_t          frame_bytes;    /* that the picture wants now */
 } change;
 
 static int refuse_change(const change *c, const tp_error *err)
@@ -202,20 +203,16 @@ static int world_anew(stage *s, change *c)
 }
 
 /* A picture that would not fit into --memory is refused while the old one is there. */
-static int plan_anew(const stage *s, const change *c)
+static int plan_anew(const stage *s, change *c)
 {
     const assets *a = c->loaded ? c->loaded : &s->assets;
     canvas plan;
-    return s->canvas.frame ? plan_canvas(s, c->o, a, c->world ? c->world_bytes
-                                                              : s->world_bytes, &plan)
-                           : EXIT_DONE;
-}
-
-/* Walls inside a pool are laid into the frame when it is opened. */
-static bool moves_walls(const stage *s, const change *c)
-{
-    return (s->assets.names.pool_mask && strncmp(c->param->name, "pool.", 5) == 0)
-        || (s->assets.names.field_mask && strncmp(c->param->name, "field.", 6) == 0);
+    if (!s->canvas.frame)
+        return EXIT_DONE;
+    const int code = plan_canvas(s, c->o, a, c->world ? c->world_bytes : s->world_bytes,
+                                 &plan);
+    c->frame_bytes = plan.frame_bytes;
+    return code;
 }
 
 /* Frames are planned when they are opened: calm water that was made rough may want other
@@ -232,10 +229,9 @@ static bool needs_canvas(const stage *s, const change *c)
     const canvas *now = &s->canvas;
     if (!now->frame)
         return false;
-    return c->result != SETTING_DONE || setting_is_grid(c->param) || moves_walls(s, c)
-        || tp_frame_bytes_with(&now->kit, &s->file.scene, &s->assets.names, &now->config)
-           != now->frame_bytes
-        || changes_plan(s);
+    return c->result != SETTING_DONE || setting_is_grid(c->param)
+        || setting_is_wall(c->param, &s->assets.names)
+        || c->frame_bytes != now->frame_bytes || changes_plan(s);
 }
 
 static int check_assets(const stage *s, const change *c)

@@ -15,6 +15,12 @@ bool setting_is_grid(const tp_param *param)
         || param->offset == offsetof(tp_scene, grid.rows);
 }
 
+bool setting_is_wall(const tp_param *param, const tp_assets *assets)
+{
+    return assets->pool_mask && (param->offset == offsetof(tp_scene, pool.x)
+                                 || param->offset == offsetof(tp_scene, pool.z));
+}
+
 static void place_camera(tp_world *world, const tp_scene *scene, uint32_t offset)
 {
     static const tp_input still;

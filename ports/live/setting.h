@@ -3,8 +3,9 @@
  * it, and what it needs is told.
  *
  * The frame is the caller's.  It must be made anew after a change of what setting_is_grid
- * tells, before the next tp_frame_begin; and it draws others in part (tidepool/frame.h)
- * where tp_frame_bytes_with has risen, until it is. */
+ * tells, before the next tp_frame_begin; it shows what setting_is_wall tells only when it
+ * is; and it draws others in part (tidepool/frame.h) where tp_frame_bytes_with has risen,
+ * until it is. */
 #ifndef LIVE_SETTING_H
 #define LIVE_SETTING_H
 #include "tidepool/scene.h"
@@ -27,6 +28,10 @@ setting_result setting_put(const tp_kit *kit, tp_scene *scene, tp_world *world,
 
 /* Whether it is the number of the mesh's lines, one way or the other. */
 bool setting_is_grid(const tp_param *param);
+
+/* Whether it moves walls inside the pool, which a frame keeps where they were when it
+ * first drew them. */
+bool setting_is_wall(const tp_param *param, const tp_assets *assets);
 
 /* The camera of `from` in a world that was made anew; time and light go on likewise, and
  * a boat sails on.  Pools, drops, rings, foam and spray begin anew.  Where the scene has

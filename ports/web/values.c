@@ -142,7 +142,8 @@ EXPORT(int, put, uint32_t i, size_t bytes)
                                               &err);
     if (result == SETTING_REFUSED)
         web_refuse(&err);
-    if (result == SETTING_DONE && web_world() && web_changed(setting_is_grid(param)))
+    const bool anew = setting_is_grid(param) || setting_is_wall(param, &web_assets);
+    if (result == SETTING_DONE && web_world() && web_changed(anew))
         return SETTING_ANEW;
     return (int)result;
 }

@@ -94,13 +94,13 @@ static void govern(void)
     tp_frame_set_rungs(page.frame, NULL);
 }
 
-/* After a change that the world goes on with: a frame of another size, if it asks for
- * one, and the governor's ladder. */
-int web_changed(bool grid)
+/* After a change that the world goes on with: another frame, if it asks for one or for a
+ * larger one, and the governor's ladder. */
+int web_changed(bool anew)
 {
     tp_error err = { 0 };
     const size_t bytes = tp_frame_bytes(&web_scene, &web_assets, &page.config);
-    if ((grid || bytes > page.frame_bytes) && make_frame(&err))
+    if ((anew || bytes > page.frame_bytes) && make_frame(&err))
         return web_refuse(&err);
     if (limit_us() || page.governor.limit)
         govern();

@@ -31,7 +31,8 @@ int web_refuse(const tp_error *err);    /* its sentence into web_text; its code 
 
 tp_world *web_world(void);              /* NULL: there is none */
 void      web_drop(void);               /* gives it back, and the picture */
-int       web_changed(bool grid);       /* a value has, and the world goes on */
+int       web_changed(bool anew);       /* a value has, and the world goes on; anew: by
+                                           another frame */
 
 /* -- scenes: written by scenes.awk from assets/scenes -------------------------------
  *

@@ -18,7 +18,9 @@ void tp_light_refresh(tp_world *world, const tp_scene *scene);
 /* Moves the light; the exposure stays. */
 void tp_light_step(tp_world *world, const tp_scene *scene, const tp_input *in);
 
-/* meter.c: the probe of a scene with automatic exposure. */
+/* meter.c: the probe of a scene with automatic exposure.  Init makes its tables, in memory
+ * that is all 0 at first; later again if the scene's numbers that they show have
+ * changed. */
 size_t tp_meter_bytes(const tp_scene *scene);
 void tp_meter_init(tp_world *world, const tp_scene *scene, const tp_assets *assets);
 tp_fx tp_meter_mean(const tp_world *world, const tp_scene *scene);  /* 1: white */

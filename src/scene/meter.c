@@ -20,8 +20,18 @@
 #define GLOWS  (TP_GLOW / 8)
 #define BRIGHTEST 1020          /* four whites: a sun counts no more */
 
+/* The scene's numbers that the tables are made of. */
+typedef struct {
+    int32_t kind, horizon, zenith, light;
+    tp_fx   sun, share;
+    int32_t colour, fresnel;
+    tp_fx   reflection;
+} source;
+
 /* Greys are 255 at white. */
 typedef struct {
+    uint32_t made;              /* 0 until the tables are there */
+    source   made_of;
     uint32_t cube;              /* 1: faces, else gradients and glow */
     uint16_t low[2][BANDS + 1]; /* away from the light and towards it */
     uint16_t glow[GLOWS + 1];
@@ -101,14 +111,22 @@ static void fill_water(probe *p, const tp_scene *scene, const tp_assets *assets)
     }
 }
 
-void tp_meter_init(tp_world *world, const tp_scene *scene, const tp_assets *assets)
+static source source_of(const tp_scene *scene)
 {
-    probe   *p = probe_of(world);
+    return (source){
+        .kind = scene->sky.kind, .horizon = scene->sky.horizon,
+        .zenith = scene->sky.zenith, .light = scene->light.colour,
+        .sun = scene->sky.sun, .share = scene->hdr.share,
+        .colour = scene->water.colour, .fresnel = scene->water.fresnel,
+        .reflection = scene->water.reflection,
+    };
+}
+
+static void make(probe *p, const tp_scene *scene, const tp_assets *assets)
+{
     uint32_t beyond = (uint32_t)scene->hdr.share * TP_WHITES >> 8;
     tp_cube  cube;
 
-    if (!p)
-        return;
     p->cube = scene->sky.kind == TP_SKY_CUBE && assets
            && tp_cube_init(&cube, assets->sky);
     if (!p->cube)
@@ -116,6 +134,18 @@ void tp_meter_init(tp_world *world, const tp_scene *scene, const tp_assets *asse
     for (int i = 0; p->cube && i < TP_FACES; i++)
         fill_face(p->face[i], &cube, i, beyond);
     fill_water(p, scene, assets);
+}
+
+void tp_meter_init(tp_world *world, const tp_scene *scene, const tp_assets *assets)
+{
+    probe *p = probe_of(world);
+    const source of = source_of(scene);
+
+    if (!p || (p->made && memcmp(&of, &p->made_of, sizeof of) == 0))
+        return;
+    make(p, scene, assets);
+    p->made = 1;
+    p->made_of = of;
 }
 
 /* -- a tick --------------------------------------------------------------------------- */

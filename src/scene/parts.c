@@ -204,6 +204,15 @@ tp_status tp_parts_init_ocean(tp_world *world, const tp_scene *scene,
                  : TP_OK;
 }
 
+tp_status tp_parts_refresh_ocean(tp_world *world, const tp_scene *scene,
+                                 const tp_assets *assets)
+{
+    tp_ocean_config config = ocean_config(scene, assets);
+
+    return tp_ocean_refresh(part(world, world->parts.ocean), &config, &world->sea,
+                            scene->wave, TP_WAVES, NULL);
+}
+
 tp_status tp_parts_init_pools(tp_world *world, const tp_scene *scene,
                               const tp_assets *assets, tp_error *err)
 {

@@ -25,9 +25,12 @@ tp_status tp_parts_check_pools(const tp_scene *scene, const tp_assets *assets,
 tp_status tp_parts_init(const tp_kit *kit, tp_world *world, const tp_scene *scene,
                         const tp_assets *assets, tp_error *err);
 
-/* The ocean alone, built again: after a wave has changed. */
+/* The ocean alone, over the world's sea: made, or what of it depends on numbers that have
+ * changed made again. */
 tp_status tp_parts_init_ocean(tp_world *world, const tp_scene *scene,
                               const tp_assets *assets, tp_error *err);
+tp_status tp_parts_refresh_ocean(tp_world *world, const tp_scene *scene,
+                                 const tp_assets *assets);
 
 /* What of the pools may change while they move; first ask whether nothing else has. */
 bool tp_parts_can_tune(const tp_kit *kit, const tp_world *world, const tp_scene *scene);

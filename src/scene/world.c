@@ -84,6 +84,8 @@ tp_status tp_world_init_with(const tp_kit *kit, tp_world *world, size_t bytes,
     return status;
 }
 
+/* The sea, the pools' tuning and the boat's place take microseconds, and are made again
+ * each time.  The ocean and the meter make their tables again if their numbers changed. */
 bool tp_world_refresh_with(const tp_kit *kit, tp_world *world, const tp_scene *scene,
                            const tp_assets *assets)
 {
@@ -94,7 +96,7 @@ bool tp_world_refresh_with(const tp_kit *kit, tp_world *world, const tp_scene *s
         || !tp_parts_can_tune(kit, world, scene))
         return false;
     place_sea(kit, world, scene);
-    if (world->parts.ocean && kit->move.ocean->init(world, scene, assets, NULL) != TP_OK)
+    if (world->parts.ocean && kit->move.ocean->refresh(world, scene, assets) != TP_OK)
         return false;
     if (world->parts.pool || world->parts.field)
         kit->move.pools->tune(world, scene);

@@ -174,6 +174,12 @@ void tp_ocean_make_table(tp_ocean *ocean, uint32_t i, const tp_ocean_swell *swel
                          const tp_ocean_config *config);
 void tp_ocean_make_phases(tp_ocean *ocean, uint32_t i, const tp_ocean_swell *swell);
 void tp_ocean_share(tp_ocean *ocean);
+
+/* The sine of the steepest tilt of a map's floor, Q14; and the bounds of a swell whose
+ * table and phases are there, which add to the ocean's. */
+int32_t tp_ocean_tilt_most(const tp_ocean *ocean);
+void tp_ocean_bound(tp_ocean *ocean, uint32_t i, int32_t tilt);
+
 void tp_ocean_make_beds(tp_ocean *ocean, const tp_floor *floor);
 void tp_ocean_make_rays(tp_ocean *ocean, uint32_t i, const tp_ocean_swell *swell,
                         int64_t *turns);

@@ -76,6 +76,42 @@ tp_ocean_ray *tp_ocean_rays(const tp_ocean *ocean, const tp_ocean_wave *wave)
     return at_byte(ocean, wave->rays);
 }
 
+/* -- the numbers that it is made of ------------------------------------------------ */
+
+/* Under a map the straight floor's numbers mean nothing, and without one the map's. */
+static tp_ocean_floor_key floor_key_of(const tp_ocean_config *config)
+{
+    const tp_floor *f = &config->floor;
+
+    if (f->map)
+        return (tp_ocean_floor_key){
+            .map_x = f->map_x, .map_z = f->map_z, .map_size = f->map_size,
+            .map_low = f->map_low, .map_high = f->map_high,
+        };
+    return (tp_ocean_floor_key){ .depth = f->depth, .slope = f->slope,
+                                 .heading = f->heading };
+}
+
+static tp_ocean_model_key model_key_of(const tp_ocean_config *config)
+{
+    return (tp_ocean_model_key){ config->wind, config->wind_heading, config->k0,
+                                 config->kx, config->ky, config->stretch,
+                                 config->irregular };
+}
+
+/* A swell's turns a metre follow from length and heading. */
+static tp_ocean_swell_key swell_key_of(const tp_wave *wave, const tp_swell *swell)
+{
+    return (tp_ocean_swell_key){ wave->length, wave->heading, swell->amplitude,
+                                 swell->reach_x, swell->reach_z };
+}
+
+static bool same_nodes(const tp_ocean *ocean, const tp_grey *map)
+{
+    const layout plan = plan_of(map, ocean->count);
+    return plan.cols == ocean->map_cols && plan.rows == ocean->map_rows;
+}
+
 /* -- the floor --------------------------------------------------------------------- */
 
 static void make_straight(tp_ocean *ocean, const tp_floor *floor)
@@ -103,7 +139,8 @@ static uint32_t step_of(const tp_floor *floor, uint32_t nodes)
 }
 
 /* Pictures that are much taller than wide lose their ends to the longest step. */
-static void make_map(tp_ocean *ocean, const tp_floor *floor, const layout *plan)
+static void make_map(tp_ocean *ocean, const tp_floor *floor, const layout *plan,
+                     bool keep_beds)
 {
     const tp_fx far = TP_FX(16384);
 
@@ -116,7 +153,8 @@ static void make_map(tp_ocean *ocean, const tp_floor *floor, const layout *plan)
     ocean->map_z = tp_clamp(floor->map_z, -far, far)
                  - (int64_t)ocean->map_step * (plan->rows - 1) / 2;
     ocean->beds = (uint32_t)plan->beds;
-    tp_ocean_make_beds(ocean, floor);
+    if (!keep_beds)
+        tp_ocean_make_beds(ocean, floor);
 }
 
 /* -- the waves --------------------------------------------------------------------- */
@@ -193,7 +231,7 @@ static void make_wave(tp_ocean *ocean, uint32_t i, const tp_wave *given,
 }
 
 static void make_far(tp_ocean *ocean, uint32_t i, const tp_wave *given,
-                     const tp_swell *swell, const layout *plan)
+                     const tp_swell *swell, const layout *plan, bool keep_rays)
 {
     const tp_ocean_swell w = swell_of(ocean, given, swell);
     const size_t all = (size_t)plan->cols * plan->rows;
@@ -203,58 +241,17 @@ static void make_far(tp_ocean *ocean, uint32_t i, const tp_wave *given,
         return;
     ocean->wave[i].rays =
         (uint32_t)(plan->rays + i * rounded(all * sizeof(tp_ocean_ray)));
-    tp_ocean_make_rays(ocean, i, &w, at_byte(ocean, plan->turns));
+    if (!keep_rays)
+        tp_ocean_make_rays(ocean, i, &w, at_byte(ocean, plan->turns));
 }
 
-/* -- bounds ------------------------------------------------------------------------ */
+/* -- the whole --------------------------------------------------------------------- */
 
-/* Of the sine of any tilt of a map, Q14: of the steepest rise, r / sqrt(1 + r^2). */
-static int32_t tilt_most(const tp_ocean *ocean)
-{
-    const tp_ocean_bed *beds = tp_ocean_beds(ocean);
-    int64_t most = 0;
-
-    for (size_t i = 0; i < (size_t)ocean->map_cols * ocean->map_rows; i++) {
-        const int64_t x = beds[i].rise_x, z = beds[i].rise_z, square = x * x + z * z;
-        most = square > most ? square : most;
-    }
-    const int64_t length = tp_isqrt64((uint64_t)(most + (1 << 22)));    /* Q11 */
-    return (int32_t)((tp_isqrt64((uint64_t)most) + 1) * 16384 / length);
-}
-
-/* The stretch and the lip are there only where the gate can open.  A little more than the
- * sum makes up for ways that are longer than one by their rounding. */
-static void add_bounds(tp_ocean *ocean, uint32_t i, int32_t tilt)
-{
-    const tp_ocean_wave *wave = &ocean->wave[i];
-    const tp_fx open = tp_fx_div(TP_FX(0.6), TP_FX_ONE + ocean->irregular / 2) - 1;
-    tp_fx reach = 0, height = 0;
-
-    for (uint32_t n = 1; n < TP_OCEAN_DEPTHS; n++) {
-        const tp_ocean_depth *node = &tp_ocean_tables(ocean)[i].depth[n];
-        const bool near = node->ratio > open || node[-1].ratio > open
-                       || (n + 1 < TP_OCEAN_DEPTHS && node[1].ratio > open);
-        const tp_fx lip = near ? tp_fx_mul(node->lip, wave->stretch + wave->plunge) : 0;
-        const int32_t sin = ocean->map_cols ? tilt : node->tilt_sin;
-        const tp_fx along = node->along + lip;
-        const tp_fx up = node->up + (tp_fx)((int64_t)node->along * sin >> 14) + lip;
-        reach = along > reach ? along : reach;
-        height = up > height ? up : height;
-    }
-    ocean->reach += reach + reach / 1024 + 8;
-    ocean->height += height + 8;
-}
-
-/* Below the deepest node where a wave may break, by its depth or its steepness. */
-static void find_calm(tp_ocean *ocean, uint32_t i)
-{
-    const tp_ocean_depth *depth = tp_ocean_tables(ocean)[i].depth;
-    uint32_t n = TP_OCEAN_DEPTHS;
-
-    while (n > 0 && depth[n - 1].ratio < TP_OCEAN_RATIO_LEAST && depth[n - 1].steep == 0)
-        n--;
-    ocean->wave[i].calm = n;
-}
+/* What stands in the block already and stays. */
+typedef struct {
+    bool     beds;
+    uint32_t rays;              /* a bit for each swell */
+} parts_kept;
 
 static uint32_t moving(const tp_wave *waves, uint32_t count)
 {
@@ -266,28 +263,72 @@ static uint32_t moving(const tp_wave *waves, uint32_t count)
 }
 
 static void make_waves(tp_ocean *ocean, const tp_ocean_config *config, const tp_sea *sea,
-                       const tp_wave *waves, const layout *plan)
+                       const tp_wave *const wave[TP_WAVES], const layout *plan,
+                       parts_kept kept)
 {
-    const tp_wave *wave[TP_WAVES];
-    const int32_t tilt = plan->cols ? tilt_most(ocean) : 0;
-    uint32_t n = 0;
+    const int32_t tilt = plan->cols ? tp_ocean_tilt_most(ocean) : 0;
 
-    for (const tp_wave *w = waves; n < sea->count; w++) {
-        if (w->amplitude > 0)
-            wave[n++] = w;
-    }
     for (uint32_t i = 0; i < sea->count; i++)
         make_wave(ocean, i, wave[i], &sea->swell[i], config);
     tp_ocean_share(ocean);
     for (uint32_t i = 0; i < sea->count; i++) {
-        make_far(ocean, i, wave[i], &sea->swell[i], plan);
-        find_calm(ocean, i);
-        add_bounds(ocean, i, tilt);
+        make_far(ocean, i, wave[i], &sea->swell[i], plan, kept.rays >> i & 1);
+        tp_ocean_bound(ocean, i, tilt);
     }
 }
 
-tp_status tp_ocean_init(tp_ocean *ocean, const tp_ocean_config *config, const tp_sea *sea,
-                        const tp_wave *waves, uint32_t count, tp_error *err)
+/* The solver's memory is left all 0, whichever swells it was used for. */
+static void clear_turns(tp_ocean *ocean, const layout *plan)
+{
+    if (plan->cols)
+        memset(at_byte(ocean, plan->turns), 0, plan->bytes - plan->turns);
+}
+
+static void make(tp_ocean *ocean, const tp_ocean_config *config, const tp_sea *sea,
+                 const tp_wave *const wave[TP_WAVES], parts_kept kept)
+{
+    const tp_floor *floor = &config->floor;
+    const layout plan = plan_of(floor->map, sea->count);
+
+    memset(ocean, 0, sizeof *ocean);
+    ocean->count = sea->count;
+    ocean->irregular = tp_clamp(config->irregular, 0, TP_FX_ONE);
+    ocean->depth = TP_FX_MAX;
+    ocean->floor_key = floor_key_of(config);
+    ocean->model_key = model_key_of(config);
+    if (floor->map)
+        make_map(ocean, floor, &plan, kept.beds);
+    else
+        make_straight(ocean, floor);
+    for (uint32_t n = 0; n + 1 < TP_OCEAN_DEPTHS; n++)
+        ocean->fall[n] = tp_orbit_fall(config->k0, tp_ocean_node_depth(n, 3));
+    make_waves(ocean, config, sea, wave, &plan, kept);
+    for (uint32_t i = 0; i < sea->count; i++)
+        tp_ocean_tables(ocean)[i].key = swell_key_of(wave[i], &sea->swell[i]);
+    clear_turns(ocean, &plan);
+}
+
+/* Whether there is such an ocean; then the waves that move, in the order of its swells. */
+static bool find_waves(const tp_ocean_config *config, const tp_sea *sea,
+                       const tp_wave *waves, uint32_t count,
+                       const tp_wave *wave[TP_WAVES])
+{
+    const tp_floor *floor = &config->floor;
+    uint32_t n = 0;
+
+    if (moving(waves, count) != sea->count || !map_usable(floor->map))
+        return false;
+    if (floor->map && (floor->map_size < TP_FX_ONE || floor->map_size > TP_FX(8000)))
+        return false;
+    for (const tp_wave *w = waves; n < sea->count; w++) {
+        if (w->amplitude > 0)
+            wave[n++] = w;
+    }
+    return true;
+}
+
+static tp_status check_given(const tp_ocean *ocean, const tp_ocean_config *config,
+                             const tp_sea *sea, const tp_wave *waves, tp_error *err)
 {
     tp_status status = tp_given_block(ocean, 8, "ocean", err);
 
@@ -297,25 +338,49 @@ tp_status tp_ocean_init(tp_ocean *ocean, const tp_ocean_config *config, const tp
         status = tp_given_check(sea, "sea", err);
     if (status == TP_OK)
         status = tp_given_check(waves, "waves", err);
+    return status;
+}
+
+tp_status tp_ocean_init(tp_ocean *ocean, const tp_ocean_config *config, const tp_sea *sea,
+                        const tp_wave *waves, uint32_t count, tp_error *err)
+{
+    const tp_wave *wave[TP_WAVES];
+    const tp_status status = check_given(ocean, config, sea, waves, err);
+
     if (status != TP_OK)
         return status;
-    const tp_floor *floor = &config->floor;
-    if (moving(waves, count) != sea->count || !map_usable(floor->map))
+    if (!find_waves(config, sea, waves, count, wave))
         return TP_FAIL(err, TP_E_ARG, 0, 0, 0);
-    if (floor->map && (floor->map_size < TP_FX_ONE || floor->map_size > TP_FX(8000)))
+    make(ocean, config, sea, wave, (parts_kept){ .beds = false });
+    return TP_OK;
+}
+
+tp_status tp_ocean_refresh(tp_ocean *ocean, const tp_ocean_config *config,
+                           const tp_sea *sea, const tp_wave *waves, uint32_t count,
+                           tp_error *err)
+{
+    const tp_wave *wave[TP_WAVES];
+    const tp_status status = check_given(ocean, config, sea, waves, err);
+
+    if (status != TP_OK)
+        return status;
+    if (!find_waves(config, sea, waves, count, wave) || ocean->count != sea->count
+        || !same_nodes(ocean, config->floor.map))
         return TP_FAIL(err, TP_E_ARG, 0, 0, 0);
 
-    const layout plan = plan_of(floor->map, sea->count);
-    memset(ocean, 0, sizeof *ocean);
-    ocean->count = sea->count;
-    ocean->irregular = tp_clamp(config->irregular, 0, TP_FX_ONE);
-    ocean->depth = TP_FX_MAX;
-    if (floor->map)
-        make_map(ocean, floor, &plan);
-    else
-        make_straight(ocean, floor);
-    for (uint32_t n = 0; n + 1 < TP_OCEAN_DEPTHS; n++)
-        ocean->fall[n] = tp_orbit_fall(config->k0, tp_ocean_node_depth(n, 3));
-    make_waves(ocean, config, sea, waves, &plan);
+    const tp_ocean_floor_key floor = floor_key_of(config);
+    const tp_ocean_model_key model = model_key_of(config);
+    parts_kept kept = { .beds = memcmp(&floor, &ocean->floor_key, sizeof floor) == 0 };
+    bool same = kept.beds && memcmp(&model, &ocean->model_key, sizeof model) == 0;
+
+    for (uint32_t i = 0; i < sea->count; i++) {
+        const tp_ocean_swell_key key = swell_key_of(wave[i], &sea->swell[i]);
+        const tp_ocean_swell_key *was = &tp_ocean_tables(ocean)[i].key;
+        if (kept.beds && key.length == was->length && key.heading == was->heading)
+            kept.rays |= (uint32_t)1 << i;
+        same = same && memcmp(&key, was, sizeof key) == 0;
+    }
+    if (!same)
+        make(ocean, config, sea, wave, kept);
     return TP_OK;
 }

@@ -236,3 +236,59 @@ void tp_ocean_make_phases(tp_ocean *ocean, uint32_t i, const tp_ocean_swell *swe
         turns[n] = (int32_t)(sign * (sum * TP_FX_ONE / over));
     }
 }
+
+/* -- bounds ------------------------------------------------------------------------ */
+
+/* Of the sine of any tilt of a map, Q14: of the steepest rise, r / sqrt(1 + r^2). */
+int32_t tp_ocean_tilt_most(const tp_ocean *ocean)
+{
+    const tp_ocean_bed *beds = tp_ocean_beds(ocean);
+    int64_t most = 0;
+
+    for (size_t i = 0; i < (size_t)ocean->map_cols * ocean->map_rows; i++) {
+        const int64_t x = beds[i].rise_x, z = beds[i].rise_z, square = x * x + z * z;
+        most = square > most ? square : most;
+    }
+    const int64_t length = tp_isqrt64((uint64_t)(most + (1 << 22)));    /* Q11 */
+    return (int32_t)((tp_isqrt64((uint64_t)most) + 1) * 16384 / length);
+}
+
+/* The stretch and the lip are there only where the gate can open.  A little more than the
+ * sum makes up for ways that are longer than one by their rounding. */
+static void add_bounds(tp_ocean *ocean, uint32_t i, int32_t tilt)
+{
+    const tp_ocean_wave *wave = &ocean->wave[i];
+    const tp_fx open = tp_fx_div(TP_FX(0.6), TP_FX_ONE + ocean->irregular / 2) - 1;
+    tp_fx reach = 0, height = 0;
+
+    for (uint32_t n = 1; n < TP_OCEAN_DEPTHS; n++) {
+        const tp_ocean_depth *node = &tp_ocean_tables(ocean)[i].depth[n];
+        const bool near = node->ratio > open || node[-1].ratio > open
+                       || (n + 1 < TP_OCEAN_DEPTHS && node[1].ratio > open);
+        const tp_fx lip = near ? tp_fx_mul(node->lip, wave->stretch + wave->plunge) : 0;
+        const int32_t sin = ocean->map_cols ? tilt : node->tilt_sin;
+        const tp_fx along = node->along + lip;
+        const tp_fx up = node->up + (tp_fx)((int64_t)node->along * sin >> 14) + lip;
+        reach = along > reach ? along : reach;
+        height = up > height ? up : height;
+    }
+    ocean->reach += reach + reach / 1024 + 8;
+    ocean->height += height + 8;
+}
+
+/* Below the deepest node where a wave may break, by its depth or its steepness. */
+static void find_calm(tp_ocean *ocean, uint32_t i)
+{
+    const tp_ocean_depth *depth = tp_ocean_tables(ocean)[i].depth;
+    uint32_t n = TP_OCEAN_DEPTHS;
+
+    while (n > 0 && depth[n - 1].ratio < TP_OCEAN_RATIO_LEAST && depth[n - 1].steep == 0)
+        n--;
+    ocean->wave[i].calm = n;
+}
+
+void tp_ocean_bound(tp_ocean *ocean, uint32_t i, int32_t tilt)
+{
+    find_calm(ocean, i);
+    add_bounds(ocean, i, tilt);
+}

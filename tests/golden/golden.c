@@ -52,7 +52,7 @@ picture golden_draw(const golden_scene *g, uint32_t frame_index, tp_format forma
     };
     canvas c;
     memset(&c, 0, sizeof c);
-    canvas_plan(&c, &g->file.scene, &g->assets.names, &config, 1);
+    canvas_plan(&c, &config, 1);
     if (canvas_open(&c, &g->file.scene, &g->assets.names))
         exit(1);
     canvas_draw(&c, g->world[frame_index]);

@@ -80,7 +80,7 @@ static void draw_whole_scene(const char *name)
     tp_world *world = malloc(bytes);
     assert_non_null(world);
     assert_int_equal(tp_world_init(world, bytes, &scene.scene, &a.names, NULL), TP_OK);
-    canvas_plan(&c, &scene.scene, &a.names, &config, 1);
+    canvas_plan(&c, &config, 1);
     assert_int_equal(canvas_open(&c, &scene.scene, &a.names), EXIT_DONE);
     for (int i = 0; i < 3; i++)
         tp_world_step(world, &scene.scene, NULL);

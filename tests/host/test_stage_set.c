@@ -122,6 +122,21 @@ static void numbers_need_no_new_canvas(void **state)
     stage_close(&stood);
 }
 
+/* The harbour's pool has walls inside: of its rows those that move them alone. */
+static void walls_that_move_open_the_canvas(void **state)
+{
+    (void)state;
+    open_scene("assets/scenes/harbour.ini");
+    (void)drawn();
+    assert_false(set("pool.damping=9"));
+    assert_false(set("pool.poke=0.3"));
+    assert_drawn_as_new("pool.poke");
+    assert_true(set("pool.x=1.5"));
+    steps(1);
+    assert_drawn_as_new("pool.x");
+    stage_close(&stood);
+}
+
 static void what_needs_memory_opens_the_canvas(void **state)
 {
     (void)state;
@@ -310,6 +325,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(pictures_go_on_as_if_opened_anew),
         cmocka_unit_test(numbers_need_no_new_canvas),
+        cmocka_unit_test(walls_that_move_open_the_canvas),
         cmocka_unit_test(what_needs_memory_opens_the_canvas),
         cmocka_unit_test(another_plan_opens_the_canvas),
         cmocka_unit_test(a_world_is_made_anew_where_it_was),

@@ -169,6 +169,23 @@ static void what_is_a_name_or_the_grid_is_known(void **state)
     assert_int_equal(grids, 2);
 }
 
+static void walls_move_with_a_pool_that_has_some(void **state)
+{
+    (void)state;
+    const tp_assets walls = { .pool_mask = &grey }, others = { .field_mask = &grey };
+    uint32_t count, found = 0;
+    const tp_param *rows = tp_params(&count);
+
+    for (uint32_t i = 0; i < count; i++) {
+        const bool moves = !strcmp(rows[i].name, "pool.x")
+                        || !strcmp(rows[i].name, "pool.z");
+        assert_int_equal(setting_is_wall(&rows[i], &walls), moves);
+        assert_false(setting_is_wall(&rows[i], &others));
+        found += moves;
+    }
+    assert_int_equal(found, 2);
+}
+
 /* Both ends of every row, one after another, each on what the others left. */
 static void every_parameter_is_taken_made_anew_or_refused(void **state)
 {
@@ -282,6 +299,7 @@ int main(void)
         cmocka_unit_test(a_number_of_the_camera_moves_it_and_no_other_does),
         cmocka_unit_test(names_ask_for_loading_and_texts_for_nothing),
         cmocka_unit_test(what_is_a_name_or_the_grid_is_known),
+        cmocka_unit_test(walls_move_with_a_pool_that_has_some),
         cmocka_unit_test(every_parameter_is_taken_made_anew_or_refused),
         cmocka_unit_test(a_world_made_anew_goes_on),
         cmocka_unit_test(what_the_scene_says_anew_is_not_carried),

@@ -7,6 +7,7 @@
 #include <stdint.h>
 #include <cmocka.h>
 #include "parts.h"
+#include "wave/ocean.h"
 
 static uint64_t chance;
 
@@ -133,6 +134,106 @@ static void what_may_change_is_taken(void **state)
     assert_true(refreshes(s, scale, TP_FX_ONE / 4));
 }
 
+/* -- by need ----------------------------------------------------------------------- */
+
+/* What the tables keep of the numbers that they were made of is spoiled, so that the next
+ * refresh makes all of them again. */
+static void forget_numbers(tp_world *world)
+{
+    if (world->parts.ocean) {
+        tp_ocean *ocean = (tp_ocean *)(void *)((char *)world + world->parts.ocean);
+        ocean->floor_key.depth ^= 1;
+        for (uint32_t i = 0; i < ocean->count; i++)
+            tp_ocean_tables(ocean)[i].key.length ^= 1;
+    }
+    if (world->parts.probe)             /* it begins with whether it was made */
+        memset((char *)world + world->parts.probe, 0, sizeof(uint32_t));
+}
+
+typedef struct {
+    tp_scene  scene;
+    tp_assets assets;
+    tp_world *need, *full;      /* by need, and with all made again each time */
+    uint32_t  done;
+} pair;
+
+static void assert_same(const pair *p, const tp_param *row, const char *when)
+{
+    if (memcmp(p->need, p->full, p->need->parts.bytes) != 0)
+        fail_msg("%s: %s the world is another than by a full refresh", row->name, when);
+}
+
+static void refresh_both(pair *p, const tp_param *row)
+{
+    const bool taken = tp_world_refresh(p->need, &p->scene, &p->assets);
+
+    forget_numbers(p->full);
+    if (tp_world_refresh(p->full, &p->scene, &p->assets) != taken)
+        fail_msg("%s is taken by one refresh and not by the other", row->name);
+    if (!taken)
+        memcpy(p->full, p->need, p->need->parts.bytes);
+    p->done += taken;
+    assert_same(p, row, "at once");
+}
+
+static void step_both(pair *p, const tp_param *row)
+{
+    const tp_input in = input_any(&chance);
+
+    tp_world_step(p->need, &p->scene, &in);
+    tp_world_step(p->full, &p->scene, &in);
+    assert_same(p, row, "after a tick");
+}
+
+/* Every row to any value and back, with ticks between. */
+static void turn_every_row(pair *p)
+{
+    uint32_t count;
+    const tp_param *rows = tp_params(&count);
+
+    for (uint32_t i = 0; i < count; i++) {
+        if (!scene_is_number(&rows[i]))
+            continue;
+        int32_t *number = scene_number(&p->scene, &rows[i]), before = *number;
+        *number = chance_int(&chance, rows[i].low, rows[i].high);
+        const uint32_t done = p->done;
+        refresh_both(p, &rows[i]);
+        if (p->done == done)            /* it asks for a world made anew */
+            *number = before;
+        step_both(p, &rows[i]);
+        *number = before;
+        refresh_both(p, &rows[i]);
+        step_both(p, &rows[i]);
+    }
+}
+
+static void a_refresh_by_need_is_a_full_one(void **state)
+{
+    static const tp_grey strip = { SAMPLES, 3, sample };    /* few nodes, made quickly */
+    (void)state;
+    for (uint32_t kind = 0; kind < 4; kind++) {
+        pair p = { .scene = scene_with(&chance, kind == 0 ? 4 : 3 + 4 + 16) };
+        p.assets = assets_with(&chance, &p.scene, kind == 2, true);
+        p.assets.floor = kind == 2 ? &strip : NULL;
+        p.scene.wind.strength = kind == 1 ? TP_FX(0.05) : 0;
+        p.scene.hdr.exposure = kind % 2 ? TP_EXPOSURE_AUTO : TP_EXPOSURE_FIXED;
+        p.scene.sky.kind = kind == 3 ? TP_SKY_DAY : TP_SKY_GRADIENT;
+        p.scene.boat.mode = kind == 1 ? TP_BOAT_DYNAMIC : TP_BOAT_KINEMATIC;
+        p.scene.floor.depth = kind == 3 ? 0 : p.scene.floor.depth;
+        p.need = scene_world(&p.scene, &p.assets);
+        run(&chance, p.need, &p.scene, 20);
+        p.full = malloc(p.need->parts.bytes);
+        memcpy(p.full, p.need, p.need->parts.bytes);
+        turn_every_row(&p);
+        printf("    kind %u: %u refreshes, ocean %s, meter %s\n", (unsigned)kind,
+               (unsigned)p.done, p.need->parts.ocean ? "yes" : "no",
+               p.need->parts.probe ? "yes" : "no");
+        assert_true(p.done > 300);
+        free(p.need);
+        free(p.full);
+    }
+}
+
 int main(void)
 {
     chance = random_seed();
@@ -141,6 +242,7 @@ int main(void)
         cmocka_unit_test(what_sizes_the_block_asks_for_a_new_world),
         cmocka_unit_test(what_cannot_be_tuned_asks_for_a_new_world),
         cmocka_unit_test(what_may_change_is_taken),
+        cmocka_unit_test(a_refresh_by_need_is_a_full_one),
     };
     return cmocka_run_group_tests_name("refresh", tests, NULL, NULL);
 }

@@ -1,0 +1,208 @@
+/* SPDX-License-Identifier: MIT */
+/* An ocean whose numbers change: what is made again, and that the block is then the one
+ * that tp_ocean_init makes, byte for byte. */
+#include <stdarg.h>
+#include <stddef.h>
+#include <setjmp.h>
+#include <stdint.h>
+#include <cmocka.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include "oceans.h"
+#include "wave/ocean.h"
+
+static uint64_t chance;
+static uint16_t sample[24 * 18];
+static const tp_grey map = { 24, 18, sample };
+
+/* Three swells over a map, a straight slope, or no floor; the last wave stands. */
+static ocean_made any_ocean(int kind)
+{
+    ocean_made o = { .count = 4, .config = ocean_usual() };
+
+    for (uint32_t i = 0; i < o.count; i++)
+        o.wave[i] = ocean_wave(chance_double(&chance, 0.1, 1), chance_double(&chance, 8, 60),
+                               chance_double(&chance, 0, 0.4),
+                               chance_double(&chance, 0, 360));
+    o.wave[3].amplitude = 0;
+    o.config.wind = chance_fx(&chance, 0, 0.1);
+    o.config.wind_heading = chance_fx(&chance, 0, 360);
+    for (size_t i = 0; i < sizeof sample / sizeof sample[0]; i++)
+        sample[i] = (uint16_t)random_next(&chance);
+    if (kind == 0)
+        o.config.floor = (tp_floor){ .map = &map, .map_size = TP_FX(150),
+                                     .map_low = TP_FX(-20), .map_high = TP_FX(2) };
+    else if (kind == 1)
+        o.config.floor = shore(12, 0.03, chance_double(&chance, 0, 360));
+    return o;
+}
+
+static tp_status refresh(ocean_made *o)
+{
+    tp_sea_init(&o->sea, o->wave, o->count, TP_FX(9.81));
+    return tp_ocean_refresh(o->ocean, &o->config, &o->sea, o->wave, o->count, NULL);
+}
+
+/* Both in memory that was all 0, so that gaps between parts count as well. */
+static void build(ocean_made *o)
+{
+    tp_sea_init(&o->sea, o->wave, o->count, TP_FX(9.81));
+    o->ocean = calloc(1, tp_ocean_bytes(&o->config, &o->sea));
+    assert_non_null(o->ocean);
+    assert_int_equal(tp_ocean_init(o->ocean, &o->config, &o->sea, o->wave, o->count, NULL),
+                     TP_OK);
+}
+
+static void assert_as_built(const ocean_made *o, const char *change)
+{
+    ocean_made want = *o;
+    const size_t bytes = tp_ocean_bytes(&o->config, &o->sea);
+
+    build(&want);
+    if (memcmp(want.ocean, o->ocean, bytes) != 0)
+        print_error("after a change of %s the ocean is another\n", change);
+    assert_memory_equal(want.ocean, o->ocean, bytes);
+    ocean_end(&want);
+}
+
+/* -- every number -------------------------------------------------------------------- */
+
+#define CONFIG(member) { #member, offsetof(ocean_made, config.member) }
+#define WAVE(member)   { "wave1 " #member, offsetof(ocean_made, wave[1].member) }
+static const struct { const char *name; size_t at; } numbers[] = {
+    CONFIG(floor.depth), CONFIG(floor.slope), CONFIG(floor.heading), CONFIG(floor.map_x),
+    CONFIG(floor.map_z), CONFIG(floor.map_size), CONFIG(floor.map_low),
+    CONFIG(floor.map_high), CONFIG(wind), CONFIG(wind_heading), CONFIG(k0), CONFIG(kx),
+    CONFIG(ky), CONFIG(stretch), CONFIG(irregular), WAVE(amplitude), WAVE(length),
+    WAVE(steepness), WAVE(heading), WAVE(phase), WAVE(speed),
+};
+enum { NUMBERS = sizeof numbers / sizeof numbers[0] };
+
+static void a_refresh_makes_what_init_makes(void **state)
+{
+    (void)state;
+    for (int kind = 0; kind < 3; kind++) {
+        ocean_made o = any_ocean(kind);
+        build(&o);
+        for (size_t i = 0; i < 2 * NUMBERS; i++) {
+            tp_fx *number = (tp_fx *)(void *)((char *)&o + numbers[i % NUMBERS].at);
+            *number += 1 + *number / 16;
+            assert_int_equal(refresh(&o), TP_OK);
+            assert_as_built(&o, numbers[i % NUMBERS].name);
+        }
+        ocean_end(&o);
+    }
+}
+
+/* A wave that comes while another goes: as many swells, at other places of the list. */
+static void waves_may_change_places(void **state)
+{
+    (void)state;
+    for (int kind = 0; kind < 3; kind++) {
+        ocean_made o = any_ocean(kind);
+        build(&o);
+        o.wave[3].amplitude = o.wave[0].amplitude;
+        o.wave[0].amplitude = 0;
+        assert_int_equal(refresh(&o), TP_OK);
+        assert_as_built(&o, "which waves move");
+        ocean_end(&o);
+    }
+}
+
+/* -- what is left as it is ----------------------------------------------------------- */
+
+enum { BEDS = 1, RAYS0 = 2, RAYS1 = 4, RAYS2 = 8, TABLES = 16, ALL = 31 };
+
+/* A bit of each part is turned over; those that are right after the refresh were made
+ * again. */
+static int made_again(ocean_made *o)
+{
+    tp_ocean_bed *bed = tp_ocean_beds(o->ocean);
+    tp_ocean_ray *ray[3];
+    int32_t *mark[5] = { &bed[40].depth };
+    int32_t before[5];
+    int made = 0;
+
+    for (int i = 0; i < 3; i++) {
+        ray[i] = tp_ocean_rays(o->ocean, &o->ocean->wave[i]);
+        mark[1 + i] = &ray[i][40].turns;
+    }
+    mark[4] = &tp_ocean_tables(o->ocean)[1].depth[20].up;
+    for (int i = 0; i < 5; i++) {
+        before[i] = *mark[i];
+        *mark[i] ^= 1 << 20;
+    }
+    assert_int_equal(refresh(o), TP_OK);
+    for (int i = 0; i < 5; i++) {
+        made |= *mark[i] != (before[i] ^ 1 << 20) ? 1 << i : 0;
+        *mark[i] = made >> i & 1 ? *mark[i] : before[i];
+    }
+    return made;
+}
+
+static void what_depends_on_no_changed_number_is_left_as_it_is(void **state)
+{
+    (void)state;
+    ocean_made o = any_ocean(0);
+    build(&o);
+    assert_int_equal(made_again(&o), 0);
+    o.wave[1].speed++;
+    o.wave[1].phase++;
+    o.wave[3].length++;                 /* it does not move */
+    o.config.floor.slope += 99;         /* there is a map */
+    assert_int_equal(made_again(&o), 0);
+    o.wave[1].amplitude += 99;
+    assert_int_equal(made_again(&o), TABLES);
+    o.config.wind += 99;
+    assert_int_equal(made_again(&o), TABLES);
+    o.config.stretch -= 99;
+    assert_int_equal(made_again(&o), TABLES);
+    o.wave[2].heading += TP_FX(20);
+    assert_int_equal(made_again(&o), RAYS2 | TABLES);
+    o.wave[0].length += TP_FX(9);
+    assert_int_equal(made_again(&o), RAYS0 | TABLES);
+    o.config.floor.map_low -= TP_FX(5);
+    assert_int_equal(made_again(&o), ALL);
+    assert_as_built(&o, "all that is above");
+    ocean_end(&o);
+}
+
+/* -- what is refused ----------------------------------------------------------------- */
+
+static void an_ocean_of_another_size_is_refused_and_left_as_it_is(void **state)
+{
+    (void)state;
+    static const tp_grey wider = { 200, 18, sample }, none = { 0, 18, sample };
+    ocean_made o = any_ocean(0);
+    build(&o);
+    const ocean_made was = o;
+    o.wave[3].amplitude = 1;                            /* a swell more */
+    assert_int_equal(refresh(&o), TP_E_ARG);
+    o = was;
+    o.config.floor.map = &wider;
+    assert_int_equal(refresh(&o), TP_E_ARG);
+    o.config.floor.map = &none;
+    assert_int_equal(refresh(&o), TP_E_ARG);
+    o.config.floor.map = NULL;
+    assert_int_equal(refresh(&o), TP_E_ARG);
+    o = was;
+    o.config.floor.map_size = TP_FX_ONE - 1;
+    assert_int_equal(refresh(&o), TP_E_ARG);
+    o = was;
+    assert_as_built(&o, "nothing");
+    ocean_end(&o);
+}
+
+int main(void)
+{
+    chance = random_seed();
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_refresh_makes_what_init_makes),
+        cmocka_unit_test(waves_may_change_places),
+        cmocka_unit_test(what_depends_on_no_changed_number_is_left_as_it_is),
+        cmocka_unit_test(an_ocean_of_another_size_is_refused_and_left_as_it_is),
+    };
+    return cmocka_run_group_tests_name("ocean_refresh", tests, NULL, NULL);
+}
