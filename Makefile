@@ -162,6 +162,7 @@ endif
 ifndef SDL_CFLAGS
 $(call without,libsdl2-dev,$(addprefix %/test_,keymap letters overlay pad window \
     panel_keys panel_rows))
+FUZZ    := $(filter-out %/fuzz_keys,$(FUZZ))
 endif
 ifeq ($(filter %/panel.cpp,$(PORTS)),)
 $(call without,$(if $(shell pkg-config --exists imgui 2>/dev/null && echo yes),g++,$(strip \

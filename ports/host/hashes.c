@@ -1,11 +1,13 @@
 /* SPDX-License-Identifier: MIT */
 /* Printing, reading and comparing frames' CRCs. */
+#define _POSIX_C_SOURCE 200809L
 #include "hashes.h"
 #include <errno.h>
 #include <inttypes.h>
 #include <stdbool.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/types.h>
 #include "say.h"
 
 void hash_print(FILE *file, uint32_t frame, uint32_t crc)
@@ -26,24 +28,66 @@ static bool add(hashes *h, struct hash hash)
     return true;
 }
 
+/* By sets of digits: sscanf's own numbers may have signs, and "0x". */
+static bool read_hash(const char *line, struct hash *hash)
+{
+    char frame[10], crc[9];
+    int end = 0;
+    if (sscanf(line, "frame%*[ \t]%9[0-9]%*[ \t]crc32%*[ \t]%8[0-9a-fA-F] %n", frame, crc,
+               &end) != 2 || line[end])
+        return false;
+    hash->frame = (uint32_t)strtoul(frame, NULL, 10);
+    hash->crc = (uint32_t)strtoul(crc, NULL, 16);
+    return true;
+}
+
+static int read_line(hashes *h, unsigned number, char *line, size_t bytes)
+{
+    struct hash hash = { .line = number };
+    bytes -= bytes > 0 && line[bytes - 1] == '\n';
+    bytes -= bytes > 0 && line[bytes - 1] == '\r';
+    line[bytes] = 0;
+    if (strlen(line) != bytes)
+        return fail(EXIT_INPUT, "%s:%u: a zero byte", h->name, number);
+    if (line[strspn(line, " \t")] == 0 || line[0] == '#')
+        return EXIT_DONE;
+    if (!read_hash(line, &hash))
+        return fail(EXIT_INPUT, "%s:%u: expected 'frame 0000 crc32 xxxxxxxx', found"
+                    " '%.40s'", h->name, number, line);
+    return add(h, hash) ? EXIT_DONE : fail_memory(h->count * sizeof hash);
+}
+
 static int read_lines(hashes *h, FILE *file)
 {
-    char line[1024];
-    for (unsigned number = 1; fgets(line, sizeof line, file); number++) {
-        struct hash hash;
-        char rest;
-        line[strcspn(line, "\r\n")] = 0;
-        if (line[strspn(line, " \t")] == 0 || line[0] == '#')
-            continue;
-        if (sscanf(line, "frame %9" SCNu32 " crc32 %8" SCNx32 " %c", &hash.frame,
-                   &hash.crc, &rest) != 2)
-            return fail(EXIT_INPUT, "%s:%u: expected 'frame 0000 crc32 xxxxxxxx', found"
-                        " '%.40s'", h->name, number, line);
-        if (!add(h, hash))
-            return fail_memory(h->count * sizeof hash);
+    char *line = NULL;
+    size_t room = 0;
+    int code = EXIT_DONE;
+    ssize_t bytes;
+    for (unsigned number = 1; !code && (bytes = getline(&line, &room, file)) >= 0;
+         number++)
+        code = read_line(h, number, line, (size_t)bytes);
+    free(line);
+    if (!code && ferror(file))
+        code = fail(EXIT_INPUT, "%s: %s", h->name, strerror(errno));
+    return code;
+}
+
+/* By frames, those of one frame as they stand in the file. */
+static int by_frame(const void *of_a, const void *of_b)
+{
+    const struct hash *a = of_a, *b = of_b;
+    return a->frame != b->frame ? (a->frame > b->frame) - (a->frame < b->frame)
+                                : (a->line > b->line) - (a->line < b->line);
+}
+
+static int check_twice(const hashes *h)
+{
+    for (size_t i = 1; i < h->count; i++) {
+        const struct hash *a = &h->list[i - 1], *b = &h->list[i];
+        if (a->frame == b->frame && a->crc != b->crc)
+            return fail(EXIT_INPUT, "%s:%u: frame %04" PRIu32 " has another CRC in line"
+                        " %u", h->name, b->line, b->frame, a->line);
     }
-    if (ferror(file))
-        return fail(EXIT_INPUT, "%s: %s", h->name, strerror(errno));
     return EXIT_DONE;
 }
 
@@ -55,20 +99,23 @@ int hashes_read(hashes *h, const char *name)
         return fail(EXIT_INPUT, "%s: %s (named by --expect)", name, strerror(errno));
     const int code = read_lines(h, file);
     fclose(file);
-    return code;
+    if (h->count)
+        qsort(h->list, h->count, sizeof *h->list, by_frame);
+    return code ? code : check_twice(h);
 }
 
-/* The list's own order is nearly always that of the frames asked for, so the place of
- * a frame is mostly found at once when the list starts with it. */
+/* NULL: it is not there. */
 static const struct hash *find(const hashes *h, uint32_t frame)
 {
-    const size_t guess = h->count ? frame - h->list[0].frame : 0;
-    if (guess < h->count && h->list[guess].frame == frame)
-        return &h->list[guess];
-    for (size_t i = 0; i < h->count; i++)
-        if (h->list[i].frame == frame)
-            return &h->list[i];
-    return NULL;
+    size_t low = 0, high = h->count;
+    while (low < high) {
+        const size_t middle = low + (high - low) / 2;
+        if (h->list[middle].frame < frame)
+            low = middle + 1;
+        else
+            high = middle;
+    }
+    return low < h->count && h->list[low].frame == frame ? &h->list[low] : NULL;
 }
 
 int hashes_check(const hashes *h, uint32_t frame, uint32_t crc)

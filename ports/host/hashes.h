@@ -7,14 +7,14 @@
 
 typedef struct {
     const char *name;                           /* of its file */
-    struct hash { uint32_t frame, crc; } *list; /* as they stand in the file */
+    struct hash { uint32_t frame, crc; unsigned line; } *list;  /* by rising frames */
     size_t count;
 } hashes;
 
 void hash_print(FILE *file, uint32_t frame, uint32_t crc);
 
-/* Lines that are empty or begin with # are skipped, anything else that is no hash is
- * refused with its line. */
+/* Lines that are blank or begin with # are skipped, anything else that is no hash is
+ * refused with its line; so is a frame that has two CRCs. */
 int  hashes_read(hashes *h, const char *name);
 int  hashes_check(const hashes *h, uint32_t frame, uint32_t crc);   /* EXIT_CHECK */
 void hashes_free(hashes *h);

@@ -5,6 +5,7 @@
 #ifndef TP_TESTS_FUZZ_H
 #define TP_TESTS_FUZZ_H
 #define _GNU_SOURCE             /* memfd_create */
+#include <sanitizer/common_interface_defs.h>
 #include <stdbool.h>
 #include <stdint.h>
 #include <stdio.h>
@@ -12,14 +13,18 @@
 #include <string.h>
 #include <sys/mman.h>
 #include <unistd.h>
+#include "host/say.h"
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
 
 #define REQUIRE(x) ((x) ? (void)0 : fuzz_stop(#x, __FILE__, __LINE__))
 
+/* Says so where the sanitizers say theirs: stderr may be closed. */
 static inline void fuzz_stop(const char *what, const char *file, int line)
 {
-    fprintf(stderr, "%s:%d: does not hold: %s\n", file, line, what);
+    char text[512];
+    snprintf(text, sizeof text, "%s:%d: does not hold: %s", file, line, what);
+    __sanitizer_report_error_summary(text);
     abort();
 }
 
@@ -32,6 +37,23 @@ static inline uint8_t fuzz_byte(const uint8_t **data, size_t *size)
     *data += *size > 0;
     *size -= *size > 0;
     return byte;
+}
+
+/* Takes off what stands before a line "%%", and that line; all, where there is none. */
+static inline const uint8_t *fuzz_part(const uint8_t **data, size_t *size, size_t *bytes)
+{
+    const uint8_t *part = *data;
+    for (size_t i = 0; i + 3 <= *size; i++)
+        if ((i == 0 || part[i - 1] == '\n') && memcmp(part + i, "%%\n", 3) == 0) {
+            *bytes = i;
+            *data += i + 3;
+            *size -= i + 3;
+            return part;
+        }
+    *bytes = *size;
+    *data += *size;
+    *size = 0;
+    return part;
 }
 
 /* A heap block of exactly these bytes, so that ASan sees a read behind its end. */
@@ -84,6 +106,18 @@ static inline uint8_t *fuzz_contents(const char *path, size_t *size)
     return bytes;
 }
 
+/* A folder of this process alone, in $TMPDIR. */
+static inline const char *fuzz_folder(void)
+{
+    static char folder[4096];
+    if (!folder[0]) {
+        const char *where = getenv("TMPDIR");
+        snprintf(folder, sizeof folder, "%s/fuzz-XXXXXX", where ? where : "/tmp");
+        REQUIRE(mkdtemp(folder) != NULL);
+    }
+    return folder;
+}
+
 /* -- refusals ---------------------------------------------------------------------- */
 
 /* How many lines there are, the last one with or without an end. */
@@ -109,5 +143,15 @@ static inline bool fuzz_says(const char *message, const char *place, unsigned li
     if (lined && (*message++ != ':' || line < 1 || line > lines))
         return false;
     return message[0] == ' ' && message[1] > ' ';
+}
+
+/* The host refused something, and has just said why. */
+static inline void fuzz_refused(const char *place, unsigned lines)
+{
+    static unsigned before;
+    unsigned count;
+    const char *last = say_last(&count);
+    REQUIRE(count != before && fuzz_says(last, place, lines));
+    before = count;
 }
 #endif
