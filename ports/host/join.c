@@ -17,6 +17,7 @@
 
 #define HEAD_BYTES 256          /* ours has 70 */
 #define SIDE_HIGH  65536u
+#define PIECE_BYTES 16384u
 
 typedef struct {
     FILE       *file;
@@ -28,8 +29,7 @@ typedef struct {
     output      out;
     const char *first;          /* part, which the others must fit */
     char        head[HEAD_BYTES];
-    uint8_t    *frame;
-    size_t      bytes;          /* of a frame, without its mark */
+    uint64_t    bytes;          /* of a frame, without its mark */
 } joined;
 
 /* A line without its end; false: none, or it is too long. */
@@ -73,33 +73,47 @@ static int take_head(joined *j, const part *p)
                     p->name);
     j->first = p->name;
     memcpy(j->head, p->head, sizeof j->head);
-    j->bytes = (size_t)w * h + 2 * (size_t)((w + 1) / 2) * ((h + 1) / 2);
-    j->frame = malloc(j->bytes);
-    if (!j->frame)
-        return fail_memory(j->bytes);
+    j->bytes = (uint64_t)w * h + 2 * (uint64_t)((w + 1) / 2) * ((h + 1) / 2);
     fprintf(j->out.file, "%s\n", j->head);
     return EXIT_DONE;
 }
 
-static int add_frames(joined *j, const part *p)
+static int fail_output(const joined *j)
+{
+    return fail(EXIT_INPUT, "%s: %s", j->out.name, strerror(errno));
+}
+
+/* The frame behind its mark, in pieces: a head may name any size. */
+static int copy_frame(const joined *j, const part *p, unsigned number)
+{
+    char piece[PIECE_BYTES];
+    for (uint64_t left = j->bytes; left > 0;) {
+        const size_t bytes = left < PIECE_BYTES ? (size_t)left : PIECE_BYTES;
+        if (fread(piece, 1, bytes, p->file) != bytes)
+            return fail(EXIT_INPUT, "%s: ends inside of frame %u", p->name, number);
+        if (fwrite(piece, 1, bytes, j->out.file) != bytes)
+            return fail_output(j);
+        left -= bytes;
+    }
+    return EXIT_DONE;
+}
+
+static int add_frames(const joined *j, const part *p)
 {
     char mark[HEAD_BYTES];
     unsigned count = 0;
-    for (;; count++) {
-        const int c = getc(p->file);
-        if (c == EOF)
-            break;
+    int c, code = EXIT_DONE;
+    for (; !code && (c = getc(p->file)) != EOF; count++) {
         ungetc(c, p->file);
         if (!read_line(p->file, mark)
             || (strcmp(mark, "FRAME") != 0 && strncmp(mark, "FRAME ", 6) != 0))
             return fail(EXIT_INPUT, "%s: where frame %u begins there is none", p->name,
                         count);
-        if (fread(j->frame, 1, j->bytes, p->file) != j->bytes)
-            return fail(EXIT_INPUT, "%s: ends inside of frame %u", p->name, count);
-        if (fprintf(j->out.file, "%s\n", mark) < 0
-            || fwrite(j->frame, 1, j->bytes, j->out.file) != j->bytes)
-            return fail(EXIT_INPUT, "%s: %s", j->out.name, strerror(errno));
+        code = fprintf(j->out.file, "%s\n", mark) < 0 ? fail_output(j)
+                                                     : copy_frame(j, p, count);
     }
+    if (code)
+        return code;
     if (ferror(p->file))
         return fail(EXIT_INPUT, "%s: %s", p->name, strerror(errno));
     return count ? EXIT_DONE : fail(EXIT_INPUT, "%s: a film without frames", p->name);
@@ -140,7 +154,6 @@ static int run(const options *o)
         output_discard(&j.out);
     else
         code = output_close(&j.out);
-    free(j.frame);
     return code;
 }
 
