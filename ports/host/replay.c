@@ -49,7 +49,7 @@ static int try_all(const replay *r, stage *s, const options *o, replay_room room
         const deck_entry *entry = &r->tape.entries[i];
         const tp_world *world = s->world;
         const size_t count = sets_from(&r->tape, i);
-        bool opened;
+        bool opened = false;
         if (count == 0)
             continue;
         code = set_all(r, i, count, s, o, &opened);

@@ -1,0 +1,133 @@
+/* SPDX-License-Identifier: MIT */
+/* Tapes, whole files of them, of a scene called "pond".  What is read is recorded again
+ * and reads back the same; then it is played to that scene, the first ticks of it. */
+#include "fuzz.h"
+#include "host/replay.h"
+
+enum { TICKS = 8 };
+
+/* -- the tape ---------------------------------------------------------------------- */
+
+static bool is_nothing(const tp_input *input)
+{
+    const tp_input none = { 0 };
+    return memcmp(input, &none, sizeof none) == 0;
+}
+
+static void require_order(const deck *d, unsigned lines)
+{
+    for (size_t i = 0; i < d->count; i++) {
+        const deck_entry *e = &d->entries[i];
+        REQUIRE(e->line > 1 && e->line <= lines);
+        REQUIRE((e->kind == DECK_SET) == (e->setting != NULL));
+        if (i == 0)
+            continue;
+        REQUIRE(e->line > e[-1].line && e->tick >= e[-1].tick);
+        REQUIRE(e->tick > e[-1].tick || e[-1].kind != DECK_STEP);
+    }
+}
+
+/* Of an entry that asks for nothing no line is written. */
+static void record(const deck *d, const char *path)
+{
+    deck to;
+    REQUIRE(deck_record(&to, path, "pond") == EXIT_DONE);
+    for (size_t i = 0; i < d->count; i++) {
+        const deck_entry *e = &d->entries[i];
+        if (e->kind == DECK_STEP)
+            deck_add(&to, e->tick, &e->input);
+        else if (e->kind == DECK_LOOK)
+            deck_look(&to, e->tick, &e->input);
+        else
+            deck_set(&to, e->tick, e->setting);
+    }
+    REQUIRE(deck_close(&to) == EXIT_DONE);
+}
+
+static void compare(const deck *d, const deck *again)
+{
+    size_t k = 0;
+    for (size_t i = 0; i < d->count; i++) {
+        const deck_entry *e = &d->entries[i];
+        if (e->kind != DECK_SET && is_nothing(&e->input))
+            continue;
+        REQUIRE(k < again->count);
+        const deck_entry *r = &again->entries[k];
+        REQUIRE(r->tick == e->tick && r->kind == e->kind);
+        REQUIRE(memcmp(&r->input, &e->input, sizeof e->input) == 0);
+        REQUIRE(!e->setting || strcmp(r->setting, e->setting) == 0);
+        k++;
+    }
+    REQUIRE(k == again->count);
+}
+
+/* False: refused. */
+static bool read_tape(const char *path, unsigned lines)
+{
+    deck d, again;
+    const int code = deck_read(&d, path, "pond");
+    if (code) {
+        REQUIRE(code == EXIT_INPUT);
+        fuzz_refused(path, lines);
+    } else {
+        const char *copy = fuzz_file(1, "", 0);
+        require_order(&d, lines);
+        record(&d, copy);
+        REQUIRE(deck_read(&again, copy, "pond") == EXIT_DONE);
+        compare(&d, &again);
+        deck_close(&again);
+    }
+    deck_close(&d);
+    return code == EXIT_DONE;
+}
+
+/* -- its scene --------------------------------------------------------------------- */
+
+/* As small as a scene with waves, pool and drops can be. */
+static const char *scene_path(void)
+{
+    static const char text[] = "[grid]\ncols = 4\nrows = 4\n[pool]\ncols = 16\nrows = 16\n"
+                               "[drops]\ncount = 2\n[wave0]\namplitude = 0.3\n";
+    static char path[4200];
+    if (!path[0]) {
+        snprintf(path, sizeof path, "%s/pond.ini", fuzz_folder());
+        FILE *file = fopen(path, "w");
+        REQUIRE(file != NULL && fputs(text, file) >= 0 && fclose(file) == 0);
+    }
+    return path;
+}
+
+static int play_ticks(replay *r, stage *s, const options *o)
+{
+    bool opened = false;
+    int code = EXIT_DONE;
+    for (int tick = 0; tick < TICKS && !code; tick++) {
+        code = replay_acts(r, s, o, &opened);
+        if (!code)
+            tp_world_step(s->world, &s->file.scene, replay_step(r));
+    }
+    return code;
+}
+
+static void play(const char *path, unsigned lines)
+{
+    const options o = { .scene = scene_path(), .tape = path, .width = 16, .height = 16 };
+    stage s;
+    replay r;
+    REQUIRE(stage_load(&s, &o) == EXIT_DONE);
+    if (replay_open(&r, &s, &o, REPLAY_ALL))
+        fuzz_refused(path, lines);
+    else
+        REQUIRE(play_ticks(&r, &s, &o) == EXIT_DONE);   /* all was tried before */
+    replay_close(&r);
+    stage_close(&s);
+}
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
+{
+    const unsigned lines = fuzz_lines(data, size);
+    const char *path = fuzz_file(0, data, size);
+    if (read_tape(path, lines))
+        play(path, lines);
+    return 0;
+}
