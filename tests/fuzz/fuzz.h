@@ -75,6 +75,16 @@ static inline char *fuzz_text(const uint8_t *data, size_t size)
     return text;
 }
 
+/* Ends a line; the next one, or NULL. */
+static inline char *fuzz_line(char *line)
+{
+    char *end = line + strcspn(line, "\n");
+    if (!*end)
+        return NULL;
+    *end = 0;
+    return end + 1;
+}
+
 /* -- files in memory --------------------------------------------------------------- */
 
 enum { FUZZ_FILES = 3 };

@@ -1,0 +1,89 @@
+/* SPDX-License-Identifier: MIT */
+/* Tables, as `check --vectors` reads them.  The first byte says of which model the rest
+ * is; a table that is taken reads back the same, then the model works through it. */
+#include "fuzz.h"
+#include "host/check.h"
+#include "host/commands.h"
+
+#define X(name) #name,
+static const char *const models[] = { CHECK_MODELS(X) };
+#undef X
+
+enum { MODELS = sizeof models / sizeof *models };
+
+/* -- the table --------------------------------------------------------------------- */
+
+static void write_all(const csv *t, FILE *to)
+{
+    for (unsigned i = 0; i < t->n_notes; i++)
+        fprintf(to, "# %s\r\n", t->notes[i]);
+    for (unsigned row = 0; row <= t->n_rows; row++)
+        for (unsigned i = 0; i < t->n_columns; i++)
+            fprintf(to, "%s%s", t->fields[row * t->n_columns + i],
+                    i + 1 < t->n_columns ? "," : "\r\n");
+    fclose(to);
+}
+
+static void compare(const csv *a, const csv *b)
+{
+    REQUIRE(a->n_notes == b->n_notes && a->n_columns == b->n_columns
+            && a->n_rows == b->n_rows);
+    for (unsigned i = 0; i < a->n_notes; i++)
+        REQUIRE(strcmp(a->notes[i], b->notes[i]) == 0);
+    for (unsigned i = 0; i < (a->n_rows + 1) * a->n_columns; i++)
+        REQUIRE(strcmp(a->fields[i], b->fields[i]) == 0);
+}
+
+/* False: refused, and said why. */
+static bool read_table(const char *path, unsigned lines)
+{
+    csv table, again;
+    char *text;
+    size_t bytes;
+    if (csv_read(&table, path)) {
+        fuzz_refused(path, lines + 1);      /* the line that lacks may be the next one */
+        REQUIRE(!table.text && !table.notes && !table.fields);
+        return false;
+    }
+    REQUIRE(table.n_rows > 0 && table.n_columns > 0);
+    write_all(&table, open_memstream(&text, &bytes));
+    REQUIRE(csv_read(&again, fuzz_file(1, text, bytes)) == EXIT_DONE);
+    compare(&table, &again);
+    csv_free(&again);
+    csv_free(&table);
+    free(text);
+    return true;
+}
+
+/* -- its model --------------------------------------------------------------------- */
+
+/* The folder's only table, which is a link to the file; *table is its path. */
+static void link_table(const char *model, const char *path, char *table, size_t bytes)
+{
+    static char last[4200];
+    if (last[0])
+        unlink(last);
+    snprintf(table, bytes, "%s/%s.csv", fuzz_folder(), model);
+    snprintf(last, sizeof last, "%s", table);
+    REQUIRE(symlink(path, table) == 0);
+}
+
+static void check_with(const char *model, const char *path, unsigned lines)
+{
+    char table[4200], *words[] = { "check", "--vectors", (char *)fuzz_folder(), NULL };
+    link_table(model, path, table, sizeof table);
+    const int code = check_command(3, words);
+    REQUIRE(code == EXIT_DONE || code == EXIT_CHECK || code == EXIT_INPUT);
+    if (code)
+        fuzz_refused(table, lines);
+}
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
+{
+    const unsigned model = fuzz_byte(&data, &size);
+    const unsigned lines = fuzz_lines(data, size);
+    const char *path = fuzz_file(0, data, size);
+    if (read_table(path, lines) && model >= 'a' && model < 'a' + MODELS)
+        check_with(models[model - 'a'], path, lines);
+    return 0;
+}

@@ -1,0 +1,62 @@
+/* SPDX-License-Identifier: MIT */
+/* Bytes of a terminal, as `show` reads keys: a first byte of 0 is a tick, of 1 a pause
+ * that tells an Esc from a sequence, of others that many bytes at once.  Whatever comes,
+ * an input stays small, and keys go up again. */
+#include "fuzz.h"
+#include "live/wish.h"
+#include "screen/keys.h"
+
+static bool is_within(int32_t number, int64_t most)
+{
+    return number >= -most && number <= most;
+}
+
+static void require_input(const tp_input *in, size_t bytes)
+{
+    REQUIRE(is_within(in->ahead, WISH_RUN) && is_within(in->aside, WISH_RUN)
+            && is_within(in->up, WISH_RUN));
+    REQUIRE(is_within(in->turn, WISH_TURN) && is_within(in->tilt, WISH_TURN));
+    REQUIRE(is_within(in->sphere_x, WISH_STEER) && is_within(in->sphere_z, WISH_STEER));
+    REQUIRE(is_within(in->throttle, WISH_SAIL) && is_within(in->rudder, WISH_RUDDER));
+    REQUIRE(is_within(in->light_turn, WISH_LIGHT)
+            && is_within(in->light_tilt, WISH_LIGHT));
+    REQUIRE(in->drops >= 0 && (size_t)in->drops <= bytes);
+    REQUIRE(is_within(in->slower, (int64_t)bytes));
+    REQUIRE(in->poke == 0);
+}
+
+/* Without more bytes nothing is held after as many ticks as a byte can count. */
+static void let_go(keys *k, size_t bytes)
+{
+    for (int i = 0; i < 256; i++) {
+        const tp_input in = keys_input(k);
+        require_input(&in, bytes);
+    }
+    const tp_input none = { 0 }, last = keys_input(k);
+    REQUIRE(memcmp(&none, &last, sizeof none) == 0);
+}
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
+{
+    keys k = { .run = false };
+    const size_t whole = size;
+    while (size > 0) {
+        const size_t count = fuzz_byte(&data, &size);
+        if (count == 0) {
+            const tp_input in = keys_input(&k);
+            require_input(&in, whole);
+        } else if (count == 1) {
+            keys_rest(&k);
+            REQUIRE(!k.within);
+        } else {
+            const size_t bytes = count < size ? count : size;
+            char *copy = fuzz_copy(data, bytes);
+            keys_bytes(&k, (const uint8_t *)copy, bytes);
+            free(copy);
+            data += bytes;
+            size -= bytes;
+        }
+    }
+    let_go(&k, whole);
+    return 0;
+}
