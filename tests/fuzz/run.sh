@@ -47,9 +47,10 @@ clang -fsanitize=fuzzer "$scratch/try.c" -o "$scratch/try" 2>/dev/null ||
     { echo "skipped: fuzzing (package libclang-rt-dev)"; exit 77; }
 
 sanitize=address,undefined
-check "the fuzz targets build" build TARGET=fuzz CC=clang V3_C= \
-    OPT="-O1 -g1 -fsanitize=fuzzer-no-link,$sanitize -fno-sanitize-recover=all" \
-    LDFLAGS="-fsanitize=$sanitize" fuzzers
+# Calls through pointers are checked in C++ alone, by a library that C does not link.
+check "the fuzz targets build" build SAY=@ TARGET=fuzz CC=clang V3_C= \
+    OPT="-O1 -g1 -fsanitize=fuzzer-no-link,$sanitize -fno-sanitize=function \
+         -fno-sanitize-recover=all" LDFLAGS="-fsanitize=$sanitize" fuzzers
 [ "$failures" -eq 0 ] || exit 1
 
 names=${FUZZ_ONLY:-$(ls tests/fuzz/fuzz_*.c | sed 's,.*/fuzz_,,; s,\.c$,,')}
