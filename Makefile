@@ -298,7 +298,7 @@ sanitized: $(SAN_UNIT) $(PROGRAM) $(PANEL_DEMO)
 everything: all $(PANEL_DEMO) $(filter-out $(SAN_UNIT),$(UNIT)) $(GOLDEN) $(FRAMES) \
           $(BUILD)/tests/bench/scene_s \
           $(BUILD)/tests/bench/views $(BUILD)/longship $(BUILD)/textures \
-          $(BUILD)/tests/host/same_pixels $(BUILD)/screen_fake.so \
+          $(addprefix $(BUILD)/tests/host/,same_pixels apng_frames) $(BUILD)/screen_fake.so \
           $(addprefix $(BUILD)/tests/,host/screen_crc boards/same_picture \
               boards/oled_greys boards/vm_state)
 host-tests: everything
@@ -307,7 +307,7 @@ host-tests: everything
 	    $(filter-out $(SAN_UNIT),$(UNIT)) $(GOLDEN) \
 	    $(if $(LEFT_OUT),tests/gates/left-out.sh) tests/gates/host.sh \
 	    tests/gates/headers.sh tests/gates/selftest.sh tests/host/cli.sh \
-	    tests/host/manual.sh tests/host/exits.sh tests/host/bake.sh \
+	    tests/host/manual.sh tests/host/exits.sh tests/host/output.sh tests/host/bake.sh \
 	    tests/host/check.sh tests/host/tape.sh \
 	    tests/host/screen.sh tests/host/charts.sh tests/boards/readme.sh \
 	    tests/gates/sanitized.sh tests/host/generators.sh tests/host/readme.sh
@@ -435,6 +435,7 @@ $(SCENES:%=$(BUILD)/scenes/%-screen): $(BUILD)/scenes/%-screen: $(SCREEN_O) \
           build/baked/$(MACHINE)/%.o $(LIB)
 	@mkdir -p $(@D)
 	$(SAY)$(LINK) -static $^ -lpthread -o $@
+$(BUILD)/tests/host/apng_frames: LIBS += -lz
 $(BUILD)/tests/budgets/errors: $(BUILD)/tests/budgets/errors.o $(BUILD)/ports.a $(LIB)
 	$(SAY)$(LINK) $^ $(LIBS) -o $@
 MODELS_O := $(patsubst %.c,$(BUILD)/%.o,$(wildcard tests/budgets/models*.c))

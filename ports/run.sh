@@ -1,29 +1,28 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# Shows a scene in a window; without a display draws a picture and a film of it instead.
+# Shows a scene in a window; without a display draws a picture and a short film of it into
+# the folder out, and says where they are.  Exits as the program does.
 #
 #   ports/run.sh PROGRAM SCENE
 set -eu
 [ $# = 2 ] || { echo "usage: ports/run.sh PROGRAM SCENE" >&2; exit 2; }
-program=$1 scene=$2
+program=$1 scene=$2 no_display=4        # the program's exit code where there is none
 
 if [ -n "${DISPLAY:-}${WAYLAND_DISPLAY:-}" ]; then
     echo "the preview of $scene: F1 lists the keys, Escape quits"
     code=0
     "$program" view "$scene" || code=$?
-    [ $code -eq 4 ] || exit $code           # 4: no display could be opened
+    [ $code -eq $no_display ] || exit $code
 fi
 
+name=${scene##*/}
+picture=out/${name%.ini}.png film=out/${name%.ini}.apng
+echo "no display: drawing $scene into files"
 mkdir -p out
-echo "no display: drawing $scene"
-"$program" render "$scene" --size 960x540 --out "out/$scene.png"
-film="render $scene --size 640x360 --frames 0:299"
-if command -v ffmpeg >/dev/null; then
-    "$program" $film --out - | ffmpeg -v error -y -i - -pix_fmt yuv420p "out/$scene.mp4"
-    set -- "out/$scene.mp4"
-else
-    "$program" $film --out "out/$scene.y4m"
-    set -- "out/$scene.y4m"
-fi
-echo "picture:           $PWD/out/$scene.png"
-echo "film of 5 seconds: $PWD/$1"
+"$program" render "$scene" --size 960x540 --out "$picture"
+"$program" render "$scene" --size 320x240 --format rgb565 --frames 0:177 --every 3 \
+    --out "$film"
+megabytes=$(wc -c <"$film" | awk '{ printf "%.1f", $1 / 1e6 }')
+echo "  $PWD/$picture: a picture, 960x540"
+echo "  $PWD/$film: 3 seconds, 320x240, 20 pictures a second, $megabytes MB;"
+echo "      an animated PNG, which every browser plays"

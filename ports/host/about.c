@@ -19,7 +19,9 @@ static const about_row rows[] = {
       "there lists the keys.  What it shows is kept each second, for --resume.\n", "",
       SHOWS, NULL },
     { FOR_RENDER, "tidepool render SCENE [OPTION]...",
-      "Draws SCENE, a shipped one or an INI file: to PNGs, to a film, or to measure.\n",
+      "Draws SCENE, a shipped one or an INI file.  Without --out, --hash, --expect or\n"
+      "--stats the picture becomes SCENE.png in this folder; several become SCENE.apng,\n"
+      "an animated PNG.  A file that is no picture of tidepool's is not replaced so.\n",
       "", CHECKS, "a frame differs from --expect" },
     { FOR_SHOW, "tidepool show SCENE [OPTION]...",
       "Shows SCENE on a raw screen.  W A S D Q E and the arrows move, [ ] turns the\n"

@@ -136,7 +136,7 @@ static int check(const options *o, unsigned command)
 int args_read(options *o, unsigned command, int argc, char **argv)
 {
     *o = (options){ .command = argv[0], .width = 640, .height = 480,
-                      .work = -1 };
+                      .every = 1, .work = -1 };
     o->settings = calloc(2 * (size_t)argc, sizeof *o->settings);
     if (!o->settings)
         return fail_memory(2 * (size_t)argc * sizeof *o->settings);

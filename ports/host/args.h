@@ -11,9 +11,10 @@ typedef struct {
                                      * given; view then has its own, unless it resumes */
     uint32_t     width, height;
     uint32_t     first, last;       /* frames, both included */
+    uint32_t     every;             /* so-manieth of them alone, from the first on */
     const char **settings;          /* "name=value", in their order */
     uint32_t     n_settings;
-    const char  *out;               /* NULL: draw and throw away */
+    const char  *out;               /* NULL: the command's own, or none */
     tp_format    format;
     uint32_t     band, strip;       /* sides of tiles, 0: the program chooses */
     uint32_t     threads;           /* 0: not given */
@@ -57,6 +58,12 @@ enum { FOR_RENDER = 1, FOR_VIEW = 2, FOR_PARAMS = 4, FOR_SCENES = 8, FOR_CHECK =
 /* `command` is one of FOR_...; argv[0] is its name.  EXIT_USAGE: said why.  The caller
  * frees settings in any case. */
 int args_read(options *o, unsigned command, int argc, char **argv);
+
+/* So many frames does the command line ask for. */
+static inline uint32_t args_frames(const options *o)
+{
+    return (o->last - o->first) / o->every + 1;
+}
 
 /* The options of a command, one a line, on stdout. */
 void args_print(unsigned command);

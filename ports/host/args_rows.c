@@ -10,6 +10,7 @@
 #define SIDE_LOW   16           /* of a picture, as the core takes it */
 #define SIDE_HIGH  4096
 #define FRAME_HIGH 999999999u   /* half a year of ticks */
+#define EVERY_HIGH 3600         /* a picture a minute */
 
 /* Decimal digits alone, low..high; *end, if asked for, is where they stop. */
 static bool read_count(const char *text, const char **end, uint32_t low, uint32_t high,
@@ -55,6 +56,11 @@ static const char *read_frames(options *o, const char *value)
         && read_count(end + 1, NULL, o->first, FRAME_HIGH, &o->last))
         return NULL;
     return "a count from 1, or FIRST:LAST with 0 <= FIRST <= LAST <= 999999999";
+}
+
+static const char *read_every(options *o, const char *value)
+{
+    return read_count(value, NULL, 1, EVERY_HIGH, &o->every) ? NULL : "1..3600";
 }
 
 /* Of a preview, which draws from its beginning. */
@@ -219,6 +225,8 @@ const option_row args_rows[] = {
       "and by other renderers that are built now, 128 points" },
     { "--frames", "N|A:B", FOR_RENDER, read_frames,
       "0..N-1 or A..B; n is the world after n ticks of 1/60 s" },
+    { "--every", "N", FOR_RENDER, read_every,
+      "each Nth of them alone; 3: a film of 20 pictures a second" },
     { "--on", "PORT", FOR_SHOW, read_on, "fb, the frame buffer, or kms; fb by default" },
     { "--device", "PATH", FOR_SHOW, read_device, "else /dev/fb0 or /dev/dri/card0" },
     { "--size", "WxH", FOR_SHOW, read_size, "of the picture; the screen's by default" },
@@ -235,7 +243,7 @@ const option_row args_rows[] = {
     { "--only", "GROUP", FOR_PARAMS, read_only,
       "names that begin so: water, wave0., boat.m" },
     { "--out", "FILE", FOR_RENDER, read_out,
-      "f-%04d.png, film.y4m, or - for a film to stdout" },
+      "f-%04d.png, film.apng, film.y4m, or - for such a film" },
     { "--format", "FORMAT", DRAWERS | FOR_PLAN, read_format,
       "xrgb8888 rgb565 rgb565be p8 l8 i1" },
     { "--csv", NULL, FOR_PLAN | FOR_BENCH, read_csv, "a table for programs" },

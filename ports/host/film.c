@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* YUV4MPEG2 at 60 frames a second, 4:2:0 with centred chroma ("C420jpeg"), BT.601 in its
+/* YUV4MPEG2, 4:2:0 with centred chroma ("C420jpeg"), BT.601 in its
  * limited range, which is what players take for granted.
  *
  * RGB to YUV in integers, 16 fraction bits; the coefficients sum to 219/255, 0 and 0,
@@ -89,16 +89,16 @@ static int make_room(film *f, uint32_t width, uint32_t height)
     return fail_memory(f->bytes);
 }
 
-static int put_head(film *f)
+static int put_head(film *f, uint32_t ticks)
 {
     char head[96];
     const int length = snprintf(head, sizeof head,
-        "YUV4MPEG2 W%u H%u F%d:1 Ip A1:1 C420jpeg XCOLORRANGE=LIMITED\n",
-        (unsigned)f->width, (unsigned)f->height, TP_TICKS_PER_SECOND);
+        "YUV4MPEG2 W%u H%u F%d:%u Ip A1:1 C420jpeg XCOLORRANGE=LIMITED\n",
+        (unsigned)f->width, (unsigned)f->height, TP_TICKS_PER_SECOND, (unsigned)ticks);
     return put(f, head, (size_t)length) ? EXIT_DONE : refuse(f);
 }
 
-int film_open(film *f, const char *name, uint32_t width, uint32_t height)
+int film_open(film *f, const char *name, uint32_t width, uint32_t height, uint32_t ticks)
 {
     int code = make_room(f, width, height);
     if (code)
@@ -106,7 +106,7 @@ int film_open(film *f, const char *name, uint32_t width, uint32_t height)
     code = output_open(&f->out, name);
     if (code)
         film_discard(f);
-    return code ? code : put_head(f);
+    return code ? code : put_head(f, ticks);
 }
 
 int film_open_file(film *f, FILE *to, const char *name, uint32_t width, uint32_t height)
@@ -117,7 +117,7 @@ int film_open_file(film *f, FILE *to, const char *name, uint32_t width, uint32_t
         return code;
     }
     f->out = (output){ .file = to, .name = name };
-    return put_head(f);
+    return put_head(f, 1);
 }
 
 int film_add(film *f, const picture *p)

@@ -13,8 +13,9 @@ typedef struct {
     size_t    bytes;            /* of the planes */
 } film;
 
-int  film_open(film *f, const char *name, uint32_t width, uint32_t height);
-/* The same into what is open already, a pipe or the like; film_close closes it. */
+/* Each picture is shown for `ticks` of 1/60 s. */
+int  film_open(film *f, const char *name, uint32_t width, uint32_t height, uint32_t ticks);
+/* The same, of one tick, into what is open already, a pipe or the like; film_close closes it. */
 int  film_open_file(film *f, FILE *to, const char *name, uint32_t width, uint32_t height);
 int  film_add(film *f, const picture *p);       /* after a failure nothing is left */
 int  film_close(film *f);

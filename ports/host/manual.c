@@ -33,13 +33,19 @@ static const entry files[] = {
     { "~/.local/state/tidepool/", "What the preview was doing, for --resume." },
     { "SCENE-0001.png, .mp4, .y4m, .tape", "What the preview records, in the folder where"
       " it was started, under the next free number." },
+    { "SCENE.png, SCENE.apng", "What `tidepool render SCENE` draws where it is not told"
+      " where to." },
     { "share/tidepool/scenes/", "The shipped scenes, under the prefix of the"
       " installation." },
 };
 
 static const entry examples[] = {
     { "tidepool view", "A window on three swells; F1 lists the keys." },
-    { "tidepool render storm --frames 300 --out storm.y4m", "A film of five seconds." },
+    { "tidepool render storm", "A picture: storm.png." },
+    { "tidepool render storm --frames 180 --every 3",
+      "Three seconds of it as an animated PNG, storm.apng, for browsers and web pages." },
+    { "tidepool render storm --frames 300 --out storm.y4m",
+      "A film of five seconds, for players and encoders." },
     { "tidepool params storm --only wave0.", "What can be changed of a wave." },
     { "tidepool render storm --set wave0.amplitude=2 --out high.png",
       "A picture of a higher sea." },

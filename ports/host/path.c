@@ -44,6 +44,13 @@ char *path_beside(const char *from, const char *name)
     return path;
 }
 
+char *path_stem(const char *path)
+{
+    const char *slash = strrchr(path, '/');
+    const char *base = slash ? slash + 1 : path;
+    return path_copy(base, strlen(base) - (path_ends(base, ".ini") ? 4 : 0));
+}
+
 /* The folder that a file lies in, without links and dots; NULL: there is none. */
 static char *folder_of(const char *path)
 {

@@ -13,6 +13,9 @@ char *path_beside(const char *from, const char *name);
  * does not exist, `target` as it is. */
 char *path_from(const char *file, const char *target);
 
+/* The file's name without folders and ".ini". */
+char *path_stem(const char *path);
+
 /* Whether two files lie in one folder. */
 bool  path_same_folder(const char *a, const char *b);
 

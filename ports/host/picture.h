@@ -2,7 +2,9 @@
 /* Pictures in memory and as PNG files. */
 #ifndef HOST_PICTURE_H
 #define HOST_PICTURE_H
+#include <stdbool.h>
 #include <stdint.h>
+#include <stdio.h>
 #include "tidepool/pixel.h"
 
 /* A drawn picture: rows of tp_format_row_bytes(), one after the other. */
@@ -24,8 +26,13 @@ void picture_expand_row(const picture *p, uint32_t y, uint32_t *pixels);
 /* CRC-32 of the shown colours, whatever the format and the machine. */
 uint32_t picture_crc(const picture *p);
 
-/* As palette, grey, 1-bit or RGB PNG of exactly the shown colours. */
+/* As palette, grey, 1-bit or RGB PNG of exactly the shown colours: into a file that is
+ * whole or not there (an exit code), or into one that is open (0 or errno). */
 int picture_write_png(const picture *p, const char *name);
+int picture_put_png(const picture *p, FILE *to);
+
+/* A PNG that picture_write_png or an animation has written, of any version. */
+bool picture_is_ours(const char *name);
 
 /* The pixels of a PNG of any kind as 0xAARRGGBB, to free; sides 1..4096.  Messages begin
  * with `who`, which named the file.  NULL: it could not be had, and said why. */

@@ -11,8 +11,16 @@
 #include "picture.h"
 #include "say.h"
 
+/* The chunk that tells our pictures from others: its type, a key, a text.  It lies behind
+ * the palette's 768 bytes at the most. */
+static char mark[] = "tEXtSoftware\0tidepool";
+#define MARK_KEY   (mark + 4)
+#define MARK_TEXT  (mark + 13)
+#define MARK_BYTES (sizeof mark - 1)
+#define MARK_HIGH  1024
+
 typedef struct {
-    output      out;
+    FILE       *to;
     png_structp png;
     png_infop   info;
     uint32_t   *pixels;         /* of a row, as 0x00RRGGBB */
@@ -24,13 +32,13 @@ static void put(png_structp png, png_bytep data, size_t bytes)
 {
     png_writer *w = png_get_io_ptr(png);
     errno = 0;
-    if (fwrite(data, 1, bytes, w->out.file) != bytes) {
+    if (fwrite(data, 1, bytes, w->to) != bytes) {
         w->error = errno ? errno : EIO;
         png_error(png, "write failed");
     }
 }
 
-static void flush(png_structp png)      /* output_close does it */
+static void flush(png_structp png)      /* whoever closes the file does it */
 {
     (void)png;
 }
@@ -67,6 +75,8 @@ static void put_header(png_writer *w, const picture *p)
                  type, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT,
                  PNG_FILTER_TYPE_DEFAULT);
     png_set_sRGB(w->png, w->info, PNG_sRGB_INTENT_PERCEPTUAL);
+    png_set_text(w->png, w->info, &(png_text){ .compression = PNG_TEXT_COMPRESSION_NONE,
+                                               .key = MARK_KEY, .text = MARK_TEXT }, 1);
     if (indexed)
         put_palette(w);
     png_write_info(w->png, w->info);
@@ -98,22 +108,40 @@ static bool write_all(png_writer *w, const picture *p)
     return true;
 }
 
-int picture_write_png(const picture *p, const char *name)
+int picture_put_png(const picture *p, FILE *to)
 {
-    png_writer w = { .error = 0 };
-    int code = output_open(&w.out, name);
-    if (code)
-        return code;
+    png_writer w = { .to = to };
     w.png = png_create_write_struct(PNG_LIBPNG_VER_STRING, NULL, jump, ignore);
     w.info = w.png ? png_create_info_struct(w.png) : NULL;
     w.pixels = malloc(p->width * sizeof *w.pixels);
     w.rgb = malloc(3 * (size_t)p->width);
     if (!w.info || !w.pixels || !w.rgb || !write_all(&w, p))
-        code = output_failed(&w.out, w.error ? w.error : ENOMEM);
-    else
-        code = output_close(&w.out);
+        w.error = w.error ? w.error : ENOMEM;
     png_destroy_write_struct(&w.png, &w.info);
     free(w.pixels);
     free(w.rgb);
-    return code;
+    return w.error;
+}
+
+int picture_write_png(const picture *p, const char *name)
+{
+    output out;
+    const int code = output_open(&out, name);
+    if (code)
+        return code;
+    const int error = picture_put_png(p, out.file);
+    return error ? output_failed(&out, error) : output_close(&out);
+}
+
+bool picture_is_ours(const char *name)
+{
+    uint8_t head[MARK_HIGH];
+    FILE *file = fopen(name, "rb");
+    const size_t bytes = file ? fread(head, 1, sizeof head, file) : 0;
+    if (file)
+        fclose(file);
+    for (size_t i = 8; i + MARK_BYTES <= bytes; i++)
+        if (memcmp(head + i, mark, MARK_BYTES) == 0)
+            return png_sig_cmp(head, 0, 8) == 0;
+    return false;
 }

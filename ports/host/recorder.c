@@ -160,7 +160,7 @@ recorder *recorder_begin(const char *scene, uint32_t width, uint32_t height)
     int error = begin_ffmpeg(r);
     if (error == ENOENT) {
         snprintf(r->name, sizeof r->name, "%s.y4m", stem);
-        error = film_open(&r->film, r->name, width, height);
+        error = film_open(&r->film, r->name, width, height, 1);
         const unsigned kilobytes = (unsigned)(r->film.bytes * TP_TICKS_PER_SECOND / 1000);
         if (!error)
             say("%s: recording as it is, %u.%u MB a second: there is no ffmpeg for MP4",

@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* tidepool render: frames to files, hashes and figures.  Every frame is drawn, asked
- * for or not: a run without --out measures. */
+/* tidepool render: frames to files, hashes and figures. */
 #include <inttypes.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -65,7 +64,7 @@ static int draw_frames(render *r, const options *o)
     for (uint32_t n = 0; n <= o->last && !code; n++) {
         if (n > 0)
             code = move(r, o);
-        if (n >= o->first && !code) {
+        if (n >= o->first && (n - o->first) % o->every == 0 && !code) {
             const uint64_t begin = now_us();
             canvas_draw(&s->canvas, s->world);
             const uint64_t took = now_us() - begin;
@@ -117,9 +116,7 @@ static void print_stats(render *r)
 static int run(render *r, const options *o)
 {
     int code = sink_open(&r->sink, o);
-    if (code)
-        return code;
-    if (o->expect)
+    if (!code && o->expect)
         code = hashes_read(&r->expected, o->expect);
     if (!code)
         code = stage_open(&r->stage, o);

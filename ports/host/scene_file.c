@@ -144,14 +144,6 @@ static int find(scene_file *file, const char *given)
     return code;
 }
 
-/* The file's name without folders and ".ini". */
-static char *name_of(const char *path)
-{
-    const char *slash = strrchr(path, '/');
-    const char *base = slash ? slash + 1 : path;
-    return path_copy(base, strlen(base) - (path_ends(base, ".ini") ? 4 : 0));
-}
-
 int scene_file_open(scene_file *file, const char *given)
 {
     *file = (scene_file){ 0 };
@@ -161,7 +153,7 @@ int scene_file_open(scene_file *file, const char *given)
     const int code = find(file, given);
     if (code)
         return code;
-    file->name = name_of(file->path);
+    file->name = path_stem(file->path);
     file->set_at = calloc(count, sizeof *file->set_at);
     if (!file->name || !file->set_at)
         return fail_memory(count * sizeof *file->set_at);

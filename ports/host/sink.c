@@ -4,11 +4,13 @@
 #define _POSIX_C_SOURCE 200809L
 #include "sink.h"
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
 #include "path.h"
 #include "say.h"
+#include "tidepool/scene.h"
 
 #define NAME_BYTES 4096
 #define DIGITS_MAX 9
@@ -66,29 +68,57 @@ static int open_png(sink *s, const options *o)
     if (!frame_name(o->out, o->last, name, &numbers))
         return fail(EXIT_USAGE, "tidepool render: --out %s: a number's place is written"
                     " %%d or %%04d, a percent sign %%%%", o->out);
-    if (!numbers && o->last > o->first)
+    if (!numbers && args_frames(o) > 1)
         return fail(EXIT_USAGE, "tidepool render: --out %s: %u frames need a place for"
                     " their number, as in f-%%04d.png", o->out,
-                    (unsigned)(o->last - o->first + 1));
+                    (unsigned)args_frames(o));
     return EXIT_DONE;
+}
+
+static int open_animation(sink *s, const options *o)
+{
+    s->kind = SINK_ANIMATION;
+    return animation_open(&s->animation, s->out, args_frames(o), o->every);
+}
+
+/* A scene may have a picture of its own name beside it. */
+static int open_own(sink *s, const options *o)
+{
+    const bool many = args_frames(o) > 1;
+    char *stem = path_stem(o->scene);
+    const size_t room = stem ? strlen(stem) + sizeof ".apng" : 0;
+    s->own = stem ? malloc(room) : NULL;
+    if (s->own)
+        snprintf(s->own, room, "%s%s", stem, many ? ".apng" : ".png");
+    free(stem);
+    if (!s->own)
+        return fail_memory(room);
+    if (access(s->own, F_OK) == 0 && !picture_is_ours(s->own))
+        return fail(EXIT_INPUT, "%s: is there, and is no picture of tidepool's; --out %s"
+                    " replaces it", s->own, s->own);
+    s->out = s->own;
+    s->kind = SINK_PNG;
+    return many ? open_animation(s, o) : EXIT_DONE;
 }
 
 int sink_open(sink *s, const options *o)
 {
-    *s = (sink){ .out = o->out };
+    *s = (sink){ .options = o, .out = o->out };
     if (!o->out)
-        return EXIT_DONE;
+        return o->hash || o->stats || o->expect ? EXIT_DONE : open_own(s, o);
     if (path_ends(o->out, ".png"))
         return open_png(s, o);
+    if (path_ends(o->out, ".apng"))
+        return open_animation(s, o);
     const bool to_stdout = strcmp(o->out, "-") == 0;
     if (!to_stdout && !path_ends(o->out, ".y4m") && !is_device(o->out))
-        return fail(EXIT_USAGE, "tidepool render: --out %s: a name ends in .png or .y4m,"
-                    " or is - for a film on standard output", o->out);
+        return fail(EXIT_USAGE, "tidepool render: --out %s: a name ends in .png, .apng"
+                    " or .y4m, or is - for a film on standard output", o->out);
     if (to_stdout && isatty(STDOUT_FILENO))
         return fail(EXIT_USAGE, "tidepool render: --out -: standard output is a terminal;"
                     " lead it into a file or a player");
     s->kind = SINK_FILM;
-    return film_open(&s->film, o->out, o->width, o->height);
+    return film_open(&s->film, o->out, o->width, o->height, o->every);
 }
 
 int sink_add(sink *s, const picture *p, uint32_t frame)
@@ -97,19 +127,50 @@ int sink_add(sink *s, const picture *p, uint32_t frame)
     unsigned numbers;
     if (s->kind == SINK_FILM)
         return film_add(&s->film, p);
+    if (s->kind == SINK_ANIMATION)
+        return animation_add(&s->animation, p);
     if (s->kind == SINK_NONE)
         return EXIT_DONE;
+    if (s->own)
+        return picture_write_png(p, s->own);
     frame_name(s->out, frame, name, &numbers);
     return picture_write_png(p, name);
 }
 
+static void say_own(const sink *s)
+{
+    const options *o = s->options;
+    const unsigned last = (unsigned)(o->first + (args_frames(o) - 1) * o->every);
+    if (s->kind == SINK_PNG)
+        say("%s: frame %u, %ux%u", s->own, (unsigned)o->first, (unsigned)o->width,
+            (unsigned)o->height);
+    else if (TP_TICKS_PER_SECOND % o->every == 0)
+        say("%s: frames %u..%u, %ux%u, %u a second", s->own, (unsigned)o->first, last,
+            (unsigned)o->width, (unsigned)o->height,
+            (unsigned)(TP_TICKS_PER_SECOND / o->every));
+    else
+        say("%s: frames %u..%u, %ux%u, each for %u/%u s", s->own, (unsigned)o->first, last,
+            (unsigned)o->width, (unsigned)o->height, (unsigned)o->every,
+            TP_TICKS_PER_SECOND);
+}
+
 int sink_close(sink *s)
 {
-    return s->kind == SINK_FILM ? film_close(&s->film) : EXIT_DONE;
+    const int code = s->kind == SINK_FILM ? film_close(&s->film)
+                   : s->kind == SINK_ANIMATION ? animation_close(&s->animation) : EXIT_DONE;
+    if (!code && s->own)
+        say_own(s);
+    free(s->own);
+    s->own = NULL;
+    return code;
 }
 
 void sink_discard(sink *s)
 {
     if (s->kind == SINK_FILM)
         film_discard(&s->film);
+    if (s->kind == SINK_ANIMATION)
+        animation_discard(&s->animation);
+    free(s->own);
+    s->own = NULL;
 }

@@ -50,7 +50,7 @@ static int draw(const char *name, tp_frame_config config, uint32_t first, uint32
     film to;
     if (tp_frame_init(&frame, &baked_scene, &baked_assets, &config, block, &err))
         return fail_at("film", &err);
-    int code = film_open(&to, name, config.width, config.height);
+    int code = film_open(&to, name, config.width, config.height, 1);
     for (uint32_t n = 0; n <= last && !code; n++) {
         for (uint32_t ticks = n ? tp_world_frame(world) : 0; ticks > 0; ticks--)
             tp_world_step(world, &baked_scene, NULL);

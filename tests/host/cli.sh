@@ -92,7 +92,7 @@ run bench --size 64x48 --points 16 --frames 2 --csv
 same "a bench as CSV: a line of names and three of figures" "$(wc -l <out)" 4
 expect "unknown format" 2 "rgb565be" render minimal --format rgb555
 expect "visibility of no kind" 2 "auto, triangles" render minimal --visibility cubes
-expect "output of unknown kind" 2 "ends in .png or .y4m" render minimal --out picture.jpg
+expect "output of unknown kind" 2 "ends in .png, .apng or .y4m" render minimal --out picture.jpg
 expect "several frames, one name" 2 "need a place" render minimal --frames 2 --out f.png
 expect "a % that is no number" 2 "%04d" render minimal --out f-%s.png
 
@@ -206,7 +206,7 @@ ini() {
     name=$1 want=$2 pattern=$3
     shift 3
     printf '%s\n' "$@" >harbour.ini
-    run render harbour.ini --size 16x16
+    run render harbour.ini --size 16x16 --hash
     judge "$name" "$want" "$pattern"
 }
 ini "a scene of nothing but defaults" 0 "" "; nothing"
@@ -244,7 +244,7 @@ ini "over-long name" 3 "^harbour.ini:2: scene.title: longer than" "[scene]" \
 ini "indented lines, CRLF and comments" 0 "" "[wave0]" "  length = 9 ; metres" \
     "	amplitude = 0.3$(printf '\r')" "# done"
 printf '\357\273\277[wave0]\nlength = 9' >harbour.ini
-expect "byte order mark, no newline at the end" 0 "" render harbour.ini --size 16x16
+expect "byte order mark, no newline at the end" 0 "" render harbour.ini --size 16x16 --hash
 printf '[wave0]\nlength = 9\nsteep\000ness = 1\n' >harbour.ini
 expect "NUL byte" 3 "^harbour.ini:3: line with a NUL byte" render harbour.ini
 printf '[wave0]\nlength = 9\nlength = 12\n' >harbour.ini
@@ -264,7 +264,7 @@ tall="--set wave0.amplitude=1 --set wave1.amplitude=1 --set wave2.amplitude=1"
 # shellcheck disable=SC2086
 expect "clamp of the steepness sum" 0 \
     "^minimal: steepness sum 1.2[0-9]* is clamped to 0.95$" \
-    render minimal --size 16x16 $steep $tall
+    render minimal --size 16x16 --hash $steep $tall
 
 ini "a cube without its pictures" 3 \
     "^harbour.ini:2: .*cube needs six pictures; sky.east names none$" "[sky]" "kind = cube"
@@ -299,7 +299,7 @@ expect "a picture that is none" 3 "^--set: floor.map: harbour.ini: not a good PN
 
 # -- what scenes name ---------------------------------------------------------------
 
-small="render minimal --size 64x48"
+small="render minimal --size 64x48 --hash"
 printf 'v 0 0 0\nv 1 0 0\nv 1 x 0\nf 1 2 3\n' >bad.obj
 printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 9\n' >far.obj
 printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n' >good.obj
@@ -384,7 +384,7 @@ expect "more memory than is allowed" 3 \
     render $need --memory 64k --out refused.png
 absent "a picture that needs too much" "refused.png\|tidepool-"
 bytes=$(sed -n 's/.* needs \([0-9]*\) bytes.*/\1/p' err)
-expect "exactly the memory that is allowed" 0 "" render $need --memory "$bytes"
+expect "exactly the memory that is allowed" 0 "" render $need --memory "$bytes" --stats
 expect "one byte less" 3 "needs $bytes bytes" render $need --memory $((bytes - 1))
 run render $need --stream --stats    # as is tried before it is refused
 sum=$(sed -n 's/.*"world": \([0-9]*\), "frame": \([0-9]*\),.*"scratch": \([0-9]*\),.*/'\
@@ -523,7 +523,7 @@ done
 
 # -- progress -----------------------------------------------------------------------
 
-long="timeout 3 $program render minimal --size 1024x768 --frames 1000000"
+long="timeout 3 $program render minimal --size 1024x768 --frames 1000000 --stats"
 $long >out 2>err &
 if command -v script >/dev/null; then
     TERM=xterm script -qec "$long" typescript >/dev/null </dev/null

@@ -184,7 +184,7 @@ static void film_has_the_colours_of_bt601(void **state)
             pixels[i] = known[k].rgb;
         const picture p = { TP_FORMAT_XRGB8888, 3, 3, 12, (uint8_t *)pixels };
         temporary_name(name, ".y4m");
-        assert_int_equal(film_open(&f, name, 3, 3), 0);
+        assert_int_equal(film_open(&f, name, 3, 3, 1), 0);
         assert_int_equal(film_add(&f, &p), 0);
         assert_int_equal(film_close(&f), 0);
         FILE *file = fopen(name, "rb");

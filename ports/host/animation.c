@@ -1,0 +1,180 @@
+/* SPDX-License-Identifier: MIT */
+/* Animated PNGs as the third edition of the PNG specification has them.  Each picture is
+ * packed by libpng into memory, as a PNG of its own, and its chunks are copied: the first
+ * one's as they are, with acTL, which counts the pictures, before its pixels; of the
+ * others the pixels alone, IDAT renamed to fdAT and numbered.  An fcTL before each tells
+ * its place and time.
+ *
+ * Rows at the top and at the bottom that are those of the picture before are left out: a
+ * still sky costs nothing. */
+#define _POSIX_C_SOURCE 200809L
+#include "animation.h"
+#include <errno.h>
+#include <stdlib.h>
+#include <string.h>
+#include "say.h"
+#include "tidepool/scene.h"
+
+#define SIGNATURE 8             /* bytes */
+#define CHUNK     12            /* bytes of a chunk beside its data: length, type, CRC */
+
+static void put_32(uint8_t *to, uint32_t n)
+{
+    for (int i = 0; i < 4; i++)
+        to[i] = (uint8_t)(n >> (24 - 8 * i));
+}
+
+static uint32_t get_32(const uint8_t *from)
+{
+    return (uint32_t)from[0] << 24 | (uint32_t)from[1] << 16 | (uint32_t)from[2] << 8
+         | from[3];
+}
+
+/* The data is of two parts, of which the first has no more than a number. */
+static bool put_chunk(animation *a, const char *type, const uint8_t *head,
+                      size_t head_bytes, const uint8_t *data, size_t bytes)
+{
+    uint8_t before[12], crc[4];
+    const size_t length = head_bytes + bytes;
+    put_32(before, (uint32_t)length);
+    memcpy(before + 4, type, 4);
+    if (head_bytes)
+        memcpy(before + 8, head, head_bytes);
+    put_32(crc, tp_crc32(tp_crc32(0, before + 4, 4 + head_bytes), data, bytes));
+    return fwrite(before, 1, 8 + head_bytes, a->out.file) == 8 + head_bytes
+        && fwrite(data, 1, bytes, a->out.file) == bytes
+        && fwrite(crc, 1, sizeof crc, a->out.file) == sizeof crc;
+}
+
+/* Frames; plays, 0: for ever. */
+static bool put_count(animation *a)
+{
+    uint8_t data[8] = { 0 };
+    put_32(data, a->frames);
+    return put_chunk(a, "acTL", NULL, 0, data, sizeof data);
+}
+
+/* Number, size, place, seconds as a fraction; the last two bytes: the next picture lies
+ * over this one, and covers it. */
+static bool put_control(animation *a, const picture *part, uint32_t y)
+{
+    uint8_t data[26] = { 0 };
+    put_32(data, a->sequence++);
+    put_32(data + 4, part->width);
+    put_32(data + 8, part->height);
+    put_32(data + 16, y);
+    put_32(data + 20, a->ticks << 16 | TP_TICKS_PER_SECOND);
+    return put_chunk(a, "fcTL", NULL, 0, data, sizeof data);
+}
+
+static bool put_pixels(animation *a, const uint8_t *data, size_t bytes)
+{
+    uint8_t number[4];
+    if (a->added == 0)
+        return put_chunk(a, "IDAT", NULL, 0, data, bytes);
+    put_32(number, a->sequence++);
+    return put_chunk(a, "fdAT", number, sizeof number, data, bytes);
+}
+
+/* What libpng made of a part that begins at row y. */
+static bool put_png(animation *a, const uint8_t *png, size_t bytes, const picture *part,
+                    uint32_t y)
+{
+    bool begun = false, done = true;
+    if (a->added == 0)
+        done = fwrite(png, 1, SIGNATURE, a->out.file) == SIGNATURE;
+    for (size_t at = SIGNATURE; done && at + CHUNK <= bytes;) {
+        const uint8_t *chunk = png + at;
+        const size_t length = get_32(chunk);
+        const char *type = (const char *)chunk + 4;
+        if (memcmp(type, "IDAT", 4) == 0) {
+            if (!begun)
+                done = (a->added > 0 || put_count(a)) && put_control(a, part, y);
+            begun = true;
+            done = done && put_pixels(a, chunk + 8, length);
+        } else if (a->added == 0 && memcmp(type, "IEND", 4) != 0) {
+            done = put_chunk(a, type, NULL, 0, chunk + 8, length);
+        }
+        at += CHUNK + length;
+    }
+    return done;
+}
+
+/* The rows that have changed, one at the least. */
+static picture changed_part(const animation *a, const picture *p, uint32_t *y)
+{
+    const size_t line = p->row_bytes;
+    uint32_t top = 0, end = p->height;
+    while (a->added && top + 1 < end
+           && memcmp(a->rows + top * line, p->rows + top * line, line) == 0)
+        top++;
+    while (a->added && end > top + 1
+           && memcmp(a->rows + (end - 1) * line, p->rows + (end - 1) * line, line) == 0)
+        end--;
+    picture part = *p;
+    part.rows += top * line;
+    part.height = end - top;
+    *y = top;
+    return part;
+}
+
+/* 0 or errno. */
+static int put_picture(animation *a, const picture *p)
+{
+    char *png = NULL;
+    size_t bytes = 0;
+    uint32_t y;
+    const picture part = changed_part(a, p, &y);
+    FILE *memory = open_memstream(&png, &bytes);
+    int error = memory ? picture_put_png(&part, memory) : errno;
+    if (memory && fclose(memory) && !error)
+        error = errno;
+    errno = 0;
+    if (!error && !put_png(a, (const uint8_t *)png, bytes, &part, y))
+        error = errno ? errno : EIO;
+    free(png);
+    return error;
+}
+
+static int refuse(animation *a, int error)
+{
+    free(a->rows);
+    a->rows = NULL;
+    return output_failed(&a->out, error);
+}
+
+int animation_open(animation *a, const char *name, uint32_t frames, uint32_t ticks)
+{
+    *a = (animation){ .frames = frames, .ticks = ticks };
+    return output_open(&a->out, name);
+}
+
+int animation_add(animation *a, const picture *p)
+{
+    const size_t bytes = p->row_bytes * p->height;
+    if (!a->rows)
+        a->rows = malloc(bytes);
+    const int error = a->rows ? put_picture(a, p) : ENOMEM;
+    if (error)
+        return refuse(a, error);
+    memcpy(a->rows, p->rows, bytes);
+    a->added++;
+    return EXIT_DONE;
+}
+
+int animation_close(animation *a)
+{
+    errno = 0;
+    if (!put_chunk(a, "IEND", NULL, 0, (const uint8_t *)"", 0))
+        return refuse(a, errno ? errno : EIO);
+    free(a->rows);
+    a->rows = NULL;
+    return output_close(&a->out);
+}
+
+void animation_discard(animation *a)
+{
+    free(a->rows);
+    a->rows = NULL;
+    output_discard(&a->out);
+}
