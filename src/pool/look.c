@@ -47,7 +47,7 @@ bool tp_pool_wall(const tp_pool *pool, uint32_t col, uint32_t row)
 }
 
 /* The velocity is kept, so the height before the last step moves along: both it and the
- * height stay in the range, as [C5] needs [C11].  Fluxes ask for the height alone. */
+ * height stay in the range, as [C5] and heights between two steps need [C11]. */
 int32_t tp_pool_add(tp_pool *pool, uint32_t col, uint32_t row, int32_t lsb)
 {
     if (tp_pool_wall(pool, col, row))
@@ -55,7 +55,7 @@ int32_t tp_pool_add(tp_pool *pool, uint32_t col, uint32_t row, int32_t lsb)
     void *const cells = tp_pool_at(pool, sizeof *pool);
     const uint32_t i = row * pool->cols + col;
     const int32_t full = tp_pool_full(pool), h = tp_pool_height_at(pool, i);
-    const int32_t v = pool->cells == TP_CELLS_32 ? 0 : velocity_at(pool, col, row);
+    const int32_t v = velocity_at(pool, col, row);
     const int32_t low = (v > 0 ? v - full : -full) - h;
     const int32_t added = tp_clamp(lsb, low, (v < 0 ? v + full : full) - h);
 

@@ -40,4 +40,29 @@ static inline tp_wave chance_wave(uint64_t *state)
         .speed = chance_fx(state, 0, 8),
     };
 }
+
+/* Any bits, near numbers, and what lies at the ends of 32 bits and near them. */
+static inline int32_t chance_word(uint64_t *state)
+{
+    const int32_t near = (int32_t)(random_next(state) >> (33 + random_below(state, 31)));
+
+    switch (random_below(state, 6)) {
+    case 0:  return INT32_MAX - near;
+    case 1:  return INT32_MIN + near;
+    case 2:  return random_below(state, 2) ? INT32_MAX : INT32_MIN;
+    case 3:  return (int32_t)(uint32_t)random_next(state);
+    default: return random_number(state);
+    }
+}
+
+/* Input of any bits, a third of it 0. */
+static inline tp_input chance_input(uint64_t *state)
+{
+    tp_input in;
+    int32_t *const word = (int32_t *)(void *)&in;
+
+    for (size_t i = 0; i < sizeof in / sizeof *word; i++)
+        word[i] = random_below(state, 3) ? chance_word(state) : 0;
+    return in;
+}
 #endif

@@ -183,6 +183,28 @@ static void velocity_is_the_last_change_of_height(void **state)
     }
 }
 
+/* However high: between two ticks water stands at H - back V, which has to be in range. */
+static void what_is_added_keeps_both_ends_of_the_last_tick_in_the_range(void **state)
+{
+    (void)state;
+    const tp_pool_config c = pool_config(TP_CELLS_32, TP_EDGES_TILE, 20, 16);
+    tp_pool *const pool = pool_make(&c);
+
+    pool_fill(pool, &chance, FULL);
+    for (int n = 0; n < 4000; n++) {
+        const uint32_t x = random_below(&chance, 20), y = random_below(&chance, 16);
+        if (n % 40 == 0)
+            tp_pool_step(pool);
+        tp_pool_add(pool, x, y, chance_word(&chance));
+        const int64_t h = tp_pool_height(pool, x, y), v = tp_pool_velocity(pool, x, y);
+        assert_true(llabs(h) <= FULL && llabs(h - v) <= FULL);
+        const tp_relief at = tp_pool_relief(pool, chance_word(&chance),
+                                            chance_word(&chance), TP_FX_ONE);
+        assert_true(abs(at.height) <= 64 * TP_FX_ONE);
+    }
+    free(pool);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -194,6 +216,7 @@ int main(void)
         cmocka_unit_test(a_drop_comes_to_exact_rest_and_stays),
         cmocka_unit_test(no_height_leaves_the_range_whatever_r_is),
         cmocka_unit_test(velocity_is_the_last_change_of_height),
+        cmocka_unit_test(what_is_added_keeps_both_ends_of_the_last_tick_in_the_range),
     };
     chance = random_seed();
     return cmocka_run_group_tests_name("pool flux", tests, NULL, NULL);
