@@ -64,7 +64,9 @@ static inline tp_fx tp_fx_plus(tp_fx a, tp_fx b)
 {
 #if defined(__GNUC__)
     tp_fx sum;
-    return __builtin_add_overflow(a, b, &sum) ? a < 0 ? TP_FX_MIN : TP_FX_MAX : sum;
+    if (__builtin_expect(__builtin_add_overflow(a, b, &sum), 0))
+        return a < 0 ? TP_FX_MIN : TP_FX_MAX;
+    return sum;
 #else
     return tp_fx_held((int64_t)a + b);
 #endif
@@ -74,7 +76,9 @@ static inline tp_fx tp_fx_minus(tp_fx a, tp_fx b)
 {
 #if defined(__GNUC__)
     tp_fx left;
-    return __builtin_sub_overflow(a, b, &left) ? a < 0 ? TP_FX_MIN : TP_FX_MAX : left;
+    if (__builtin_expect(__builtin_sub_overflow(a, b, &left), 0))
+        return a < 0 ? TP_FX_MIN : TP_FX_MAX;
+    return left;
 #else
     return tp_fx_held((int64_t)a - b);
 #endif

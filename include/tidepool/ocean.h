@@ -165,7 +165,8 @@ typedef struct {
     uint8_t breaking;       /* 0..255: how far its crest is breaking [B14] [B15] */
 } tp_ocean_point;
 
-/* The point whose place at rest is (x0, z0); `phases` as tp_sea_phases gives them. */
+/* The point whose place at rest is (x0, z0), any place of 16.16, at whose ends a position
+ * is held; `phases` as tp_sea_phases gives them. */
 tp_ocean_point tp_ocean_at_rest(const tp_ocean *ocean, const tp_turn phases[TP_WAVES],
                                 tp_fx x0, tp_fx z0);
 

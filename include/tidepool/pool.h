@@ -90,10 +90,10 @@ bool tp_pool_tune(tp_pool *pool, const tp_pool_config *config);
 /* One tick.  Accepts any r2q that was set by hand: charts show what happens beyond. */
 void tp_pool_step(tp_pool *pool);
 
-/* Height and slopes above the world's (x, z), bilinear between cells' centres; 0 outside
- * of a field that is not tiled and in walls.  `back`, 0..1 (16.16): so much of a tick
- * ago.  A cell's slope is that of its two neighbours [A6], so slopes are continuous as
- * well; walls mirror. */
+/* Height and slopes above any place (x, z) of the world, bilinear between cells' centres;
+ * 0 outside of a field that is not tiled and in walls.  `back`, 0..1 (16.16): so much of a
+ * tick ago.  A cell's slope is that of its two neighbours [A6], so slopes are continuous
+ * as well; walls mirror. */
 tp_relief tp_pool_relief(const tp_pool *pool, tp_fx x, tp_fx z, tp_fx back);
 
 /* A zero-sum hat [C11] [D5]: `height` m in the middle, width sigma m (at least 1.5

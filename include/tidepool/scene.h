@@ -257,7 +257,10 @@ typedef struct {
  * Each world goes with one kit: what that lacks is not in it, as if the scene did not name
  * it. */
 
-/* What the port feeds in at each tick; all 0 is no input. */
+/* What the port feeds in at each tick; all 0 is no input.  Any numbers are safe: camera
+ * and sphere stay within 8000 m of the origin, the boat's speed within 100 m/s and its
+ * turn within 360 degrees/s; negative drops are none, those that find no room are counted,
+ * and a poke outside of the pool does nothing. */
 typedef struct {
     tp_fx   ahead, aside, up;   /* m, of the camera, in its horizontal frame */
     int32_t turn, tilt;         /* tp_turn steps of its heading and pitch, signed */
@@ -379,7 +382,9 @@ uint32_t tp_world_frame(tp_world *world);
 
 /* The surface above or below a place [E1]: waves, rings and pools together, without what
  * overhangs.  Where waves are displaced sideways the place is found by inversion: within
- * 1 mm along and up while the steepness sum is below 0.9 (see tp_sea_above). */
+ * 30 km of the origin, each way, and with a steepness sum below 0.9 it is off by less than
+ * 1 mm along and up (see tp_sea_above).  Any x and z are answered; near the ends of 16.16
+ * positions are held there. */
 tp_sea_point tp_world_above_with(const tp_kit *kit, const tp_world *world, tp_fx x,
                                  tp_fx z);
 

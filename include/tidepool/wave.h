@@ -9,7 +9,11 @@
  * sin th.  `steepness` is Q k A, so the sharpness of a crest is set apart from its
  * height.
  *
- * Places at rest and in the world may lie 30 km from the origin, each way. */
+ * Any place that 16.16 names has an answer.  Its height and slopes are the place's own
+ * everywhere; a position that waves would carry beyond 16.16 is held at its ends.  Against
+ * exact arithmetic the phase of a wave is off by up to (|x| + |z|) (1.5e-9 + 1e-8 k)
+ * radians, and its height by A times that: 0.3 mm at (30 km, 30 km) for A = 1 m and a
+ * length of 20 m. */
 #ifndef TP_WAVE_H
 #define TP_WAVE_H
 #include <stdbool.h>
@@ -101,16 +105,18 @@ tp_sea_point tp_sea_at_rest(const tp_sea *sea, const tp_turn phases[TP_WAVES],
                             tp_fx x0, tp_fx z0);
 
 /* The surface above or below the world's (x, z) [E1], inverted with at most 8
- * evaluations, from anywhere and on every legal sea: along within 0.05 mm, so up within
- * that times the slope.  `rest`, if not NULL, is where the search begins (any place; the
- * last tick's is good) and then the place that it found, whose point by tp_sea_at_rest
- * this is. */
+ * evaluations, from anywhere and on every legal sea: within 30 km of the origin, each way,
+ * along within 0.05 mm, so up within that times the slope.  Farther out that holds until
+ * the place's waves reach the ends of 16.16, 600 m before them at the most; there the
+ * search stays within 16.16, and `position` tells where it ended.  `rest`, if not NULL, is
+ * where the search begins (any place; the last tick's is good) and then the place that it
+ * found, whose point by tp_sea_at_rest this is. */
 tp_sea_point tp_sea_above(const tp_sea *sea, const tp_turn phases[TP_WAVES],
                           tp_fx x, tp_fx z, tp_fx rest[2]);
 
 /* The n-th plain step of [E1] towards the same, from p0 = (x, z), which is step 0:
  * p0 <- p0 + (p - P(p0)).  It is q^n of the first distance off at the most, q the sum of
- * steepnesses. */
+ * steepnesses.  Places are held at the ends of 16.16. */
 tp_sea_point tp_sea_iterate(const tp_sea *sea, const tp_turn phases[TP_WAVES],
                             tp_fx x, tp_fx z, uint32_t n);
 

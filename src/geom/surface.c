@@ -11,6 +11,7 @@
 
 #define STEPS 12
 #define CLOSE 4         /* 16.16: 0.06 mm */
+#define REACH TP_FX(511)/* above 0.95 x 2000 m / 2 pi = 303 m, the most without overhangs */
 #define MIX   (4 * 256) /* the most of a step that is taken back or repeated, Q8 */
 
 static void add(tp_relief *sum, tp_relief more)
@@ -76,19 +77,21 @@ typedef struct {
     int64_t error, step;
 } search;
 
-/* The root lies within the reach of the place that is asked for, and so does the search. */
+/* The root lies within the reach of the place that is asked for, and so does the search;
+ * at the ends of 16.16 it stays there. */
 static void go(search *s, int64_t error, int64_t by, tp_fx place, tp_fx reach)
 {
     int64_t step = error - by * (s->step + error - s->error) / 256;
-    int64_t off = s->at + step - place;
+    int64_t off = tp_limit(s->at + step - place, reach);
+    tp_fx   to = tp_fx_held(place + off);
 
-    off = off > reach ? reach : off < -reach ? -reach : off;
-    s->step = place + off - s->at;
+    s->step = (int64_t)to - s->at;
     s->error = error;
-    s->at = (tp_fx)(place + off);
+    s->at = to;
 }
 
-/* Errors are below two reaches, 2^26, so products have 54 bits. */
+/* Errors are below REACH and 303 m more, 2^25.7, so that products have 54.4 bits and 256
+ * times both of them fit. */
 static int64_t mixed(const search *u, const search *w, int64_t dx, int64_t dz)
 {
     int64_t ux = dx - u->error, uz = dz - w->error, over = ux * ux + uz * uz;
@@ -101,7 +104,7 @@ static int64_t mixed(const search *u, const search *w, int64_t dx, int64_t dz)
 static tp_sea_point ocean_above(const tp_surface *surface, tp_fx x, tp_fx z,
                                 tp_fx rest[2])
 {
-    tp_fx reach = tp_ocean_reach(surface->ocean);
+    tp_fx most = tp_ocean_reach(surface->ocean), reach = most < REACH ? most : REACH;
     search u = { x, 0, 0 }, w = { z, 0, 0 };
     tp_ocean_point at;
 
@@ -109,7 +112,7 @@ static tp_sea_point ocean_above(const tp_surface *surface, tp_fx x, tp_fx z,
     go(&w, (int64_t)rest[1] - z, 0, z, reach);
     at = tp_ocean_smooth(surface->ocean, surface->phases, u.at, w.at);
     for (int n = 0; n < STEPS; n++) {
-        int64_t dx = x - at.position.x, dz = z - at.position.z;
+        int64_t dx = (int64_t)x - at.position.x, dz = (int64_t)z - at.position.z;
         if (dx < CLOSE && dx > -CLOSE && dz < CLOSE && dz > -CLOSE)
             break;
         int64_t by = n > 0 ? mixed(&u, &w, dx, dz) : 0;
@@ -130,8 +133,9 @@ static void ocean_slopes(const tp_surface *surface, tp_sea_point *at, const tp_f
     tp_vec3 p[4];
 
     for (int k = 0; k < 4; k++)
-        p[k] = tp_ocean_smooth(surface->ocean, surface->phases, rest[0] + way[k][0],
-                               rest[1] + way[k][1]).position;
+        p[k] = tp_ocean_smooth(surface->ocean, surface->phases,
+                               tp_fx_plus(rest[0], way[k][0]),
+                               tp_fx_plus(rest[1], way[k][1])).position;
     tp_slopes_across(tp_vec3_sub(p[1], p[0]), tp_vec3_sub(p[3], p[2]), &at->slope_x,
                      &at->slope_z);
 }

@@ -68,31 +68,50 @@ static place step_from(const tp_sea *sea, const int32_t sine[TP_WAVES], place e)
                     (tp_fx)tp_quotient(e.x * jxz - e.z * jxx, det) };
 }
 
-/* Into the box around p; the sum may not fit 32 bits.  A whole 2^-16 more than the reach,
- * for the roundings of a place. */
-static place held(const tp_sea *sea, place from, place step, tp_fx x, tp_fx z)
+/* The box around p, as far as 16.16 goes: a whole 2^-16 more than the reach, for the
+ * roundings of a place. */
+typedef struct { place low, high; } box;
+
+static box box_around(const tp_sea *sea, tp_fx x, tp_fx z)
 {
-    int64_t reach = sea->reach + 1;
-    int64_t dx = tp_limit((int64_t)from.x + step.x - x, reach);
-    int64_t dz = tp_limit((int64_t)from.z + step.z - z, reach);
-    return (place){ x + (tp_fx)dx, z + (tp_fx)dz };
+    const tp_fx reach = sea->reach + 1;
+    return (box){ { tp_fx_minus(x, reach), tp_fx_minus(z, reach) },
+                  { tp_fx_plus(x, reach), tp_fx_plus(z, reach) } };
 }
 
+static tp_fx between(int64_t x, tp_fx low, tp_fx high)
+{
+    return x < low ? low : x > high ? high : (tp_fx)x;
+}
+
+static place held(const box *b, place from, place step)
+{
+    return (place){ between((int64_t)from.x + step.x, b->low.x, b->high.x),
+                    between((int64_t)from.z + step.z, b->low.z, b->high.z) };
+}
+
+static bool is_near(tp_fx e)
+{
+    return (uint32_t)(e + NEAR) <= 2 * NEAR;
+}
+
+/* Within the box differences of places fit 32 bits. */
 tp_sea_point tp_sea_above(const tp_sea *sea, const tp_turn phases[TP_WAVES],
                           tp_fx x, tp_fx z, tp_fx rest[2])
 {
     const place still = { 0, 0 };
+    const box   around = box_around(sea, x, z);
     place at = { x, z };
     int32_t sine[TP_WAVES];
 
     if (rest)
-        at = held(sea, (place){ rest[0], rest[1] }, still, x, z);
+        at = held(&around, (place){ rest[0], rest[1] }, still);
     for (int n = 0; n < STEPS; n++) {
         place d = displacement(sea, phases, at, sine);
-        place e = { at.x + d.x - x, at.z + d.z - z };
-        if (tp_abs(e.x) <= NEAR && tp_abs(e.z) <= NEAR)
+        place e = { at.x - x + d.x, at.z - z + d.z };
+        if (is_near(e.x) && is_near(e.z))
             break;
-        at = held(sea, at, step_from(sea, sine, e), x, z);
+        at = held(&around, at, step_from(sea, sine, e));
     }
     if (rest) {
         rest[0] = at.x;
@@ -109,7 +128,7 @@ tp_sea_point tp_sea_iterate(const tp_sea *sea, const tp_turn phases[TP_WAVES],
 
     for (; n > 0; n--) {
         place d = displacement(sea, phases, at, sine);
-        at = (place){ x - d.x, z - d.z };
+        at = (place){ tp_fx_minus(x, d.x), tp_fx_minus(z, d.z) };
     }
     return tp_sea_at_rest(sea, phases, at.x, at.z);
 }

@@ -16,25 +16,24 @@
 
 typedef struct {
     tp_fx    depth;
-    tp_fx    rise_x, rise_z;
+    tp_fx    rise_x, rise_z;    /* of a map */
     tp_ocean_where at;          /* of a depth > 0 */
     size_t   node;              /* of a map, north-west of the place; parts are Q16 */
     int32_t  part_x, part_z;
 } place;
 
 /* Nodes from the first one, Q16, held on the map.  |way| <= 128 steps and a step of at
- * least 2^9 leave the product 57 bits. */
+ * least 2^9 leave the product 57 bits; map_per_step is rounded down, and so the quotient
+ * of a way below `last` is below nodes - 1. */
 static uint32_t nodes_of(const tp_ocean *ocean, int64_t way, uint32_t nodes)
 {
     const int64_t last = (int64_t)ocean->map_step * (nodes - 1);
-    const uint32_t most = ((nodes - 1) << 16) - 1;
 
     if (way <= 0)
         return 0;
     if (way >= last)
-        return most;
-    const uint32_t at = (uint32_t)((uint64_t)way * ocean->map_per_step >> 32);
-    return at < most ? at : most;
+        return ((nodes - 1) << 16) - 1;
+    return (uint32_t)((uint64_t)way * ocean->map_per_step >> 32);
 }
 
 /* Between the four nodes round a place. */
@@ -64,8 +63,6 @@ static void find_straight(const tp_ocean *ocean, tp_fx x, tp_fx z, place *p)
     const int64_t rise = (int64_t)ocean->slope * along;
 
     p->depth = tp_fx_held(ocean->depth - ((rise + 0x8000) >> 16));
-    p->rise_x = tp_q30_mul(ocean->slope, ocean->up_x);
-    p->rise_z = tp_q30_mul(ocean->slope, ocean->up_z);
 }
 
 static place find(const tp_ocean *ocean, tp_fx x, tp_fx z)
@@ -84,7 +81,11 @@ static place find(const tp_ocean *ocean, tp_fx x, tp_fx z)
 tp_floor_at tp_ocean_floor(const tp_ocean *ocean, tp_fx x, tp_fx z)
 {
     const place p = find(ocean, x, z);
-    return (tp_floor_at){ p.depth, p.rise_x, p.rise_z };
+
+    if (ocean->map_cols)
+        return (tp_floor_at){ p.depth, p.rise_x, p.rise_z };
+    return (tp_floor_at){ p.depth, tp_q30_mul(ocean->slope, ocean->up_x),
+                          tp_q30_mul(ocean->slope, ocean->up_z) };
 }
 
 /* -- one wave there ---------------------------------------------------------------- */
@@ -257,12 +258,11 @@ static tp_ocean_point point_at(const tp_ocean *ocean, const tp_turn *phases, tp_
                                tp_fx z0, bool whole)
 {
     const place p = find(ocean, x0, z0);
-    tp_ocean_point point = { .position = { x0, 0, z0 }, .depth = p.depth };
+    const uint32_t count = p.depth > 0 ? ocean->count : 0;      /* dry land is still */
+    tp_ocean_point point = { .position = { 0, 0, 0 }, .depth = p.depth };
     uint32_t foam = 0;
 
-    if (p.depth <= 0)
-        return point;
-    for (uint32_t i = 0; i < ocean->count; i++) {
+    for (uint32_t i = 0; i < count; i++) {
         const motion m = move(ocean, i, phases, x0, z0, &p);
         const tp_offset o = p.at.depth >= ocean->wave[i].calm
                           ? tp_orbit_at(&m.orbit, m.phi)
@@ -271,6 +271,8 @@ static tp_ocean_point point_at(const tp_ocean *ocean, const tp_turn *phases, tp_
         point.position.y += o.up;
         point.position.z += tp_q30_mul(o.along, m.way.z);
     }
+    point.position.x = tp_fx_plus(x0, point.position.x);
+    point.position.z = tp_fx_plus(z0, point.position.z);
     point.breaking = (uint8_t)foam;
     return point;
 }

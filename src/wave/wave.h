@@ -80,14 +80,17 @@ TP_ALWAYS_INLINE int64_t tp_sea_faded(int64_t x, tp_fx fade)
     return fade == TP_FX_ONE ? x : (x >> 16) * fade;
 }
 
-/* num / det as a slope: num in Q.52, `inverse` 2^62 over det, which in Q4.28 was shifted
- * up to 32 bits.  |num| < 2^7.2, so 31 bits of Q.23 and a product of 62; det > 0.047, so
- * the quotient has 29 bits of Q.17. */
+/* num / det as a slope: num in Q.23, `inverse` 2^62 over det, which in Q4.28 was shifted
+ * up to 32 bits.  |num| < 2^7.2, so 31 bits and a product of 62; det > 0.047, so the
+ * quotient has 29 bits of Q.17.  One comparison finds the few that are held. */
 TP_ALWAYS_INLINE tp_fx tp_sea_slope(int64_t num, int shift, int32_t inverse)
 {
-    int64_t product = ((num + (1 << 28)) >> 29) * inverse;
-    int32_t slope = ((int32_t)(product >> (40 - shift)) + 1) >> 1;
-    return tp_clamp(slope, -TP_SEA_SLOPE_MAX, TP_SEA_SLOPE_MAX);
+    const int32_t most = TP_SEA_SLOPE_MAX;
+    const int32_t slope = ((int32_t)(num * inverse >> (40 - shift)) + 1) >> 1;
+
+    if ((uint32_t)(slope + most) > 2 * (uint32_t)most)
+        return slope < 0 ? -most : most;
+    return slope;
 }
 
 /* The displaced point of rest place (x0, z0), the sum scaled by `fade` (16.16, 0..1).
@@ -100,21 +103,25 @@ TP_ALWAYS_INLINE tp_sea_point tp_sea_sum_point_as(const tp_sea_sum *sum, tp_fx x
     int32_t hx = (int32_t)(tp_sea_faded(sum->hx, fade) >> 30);      /* Q8.24 */
     int32_t hz = (int32_t)(tp_sea_faded(sum->hz, fade) >> 30);
     int32_t jxx = one - (int32_t)(tp_sea_faded(sum->bxx, fade) >> 26);
-    int32_t jzz = one, jxz = 0, det = jxx;
+    int32_t jzz = one, bxz = 0, det = jxx;                          /* Jxz = -bxz */
 
     if (crossed) {
         jzz = one - (int32_t)(tp_sea_faded(sum->bzz, fade) >> 26);
-        jxz = (int32_t)(-(tp_sea_faded(sum->bxz, fade) >> 26));
-        det = (int32_t)(((int64_t)jxx * jzz - (int64_t)jxz * jxz) >> 28);
+        bxz = (int32_t)(tp_sea_faded(sum->bxz, fade) >> 26);
+        det = (int32_t)(((int64_t)jxx * jzz - (int64_t)bxz * bxz) >> 28);
     }
     int     shift = tp_clz((uint32_t)det);
     int32_t inverse = (int32_t)(tp_recip_norm((uint32_t)det << shift) >> 1);
-    int64_t nx = crossed ? (int64_t)hx * jzz - (int64_t)hz * jxz : (int64_t)hx * one;
-    int64_t nz = crossed ? (int64_t)hz * jxx - (int64_t)hx * jxz : (int64_t)hz * one;
+    int64_t nx = ((int64_t)hx + 1) >> 1, nz = ((int64_t)hz + 1) >> 1;
+
+    if (crossed) {
+        nx = ((int64_t)hx * jzz + (int64_t)hz * bxz + (1 << 28)) >> 29;
+        nz = ((int64_t)hz * jxx + (int64_t)hx * bxz + (1 << 28)) >> 29;
+    }
     return (tp_sea_point){
-        .position = { x0 + (tp_fx)((tp_sea_faded(sum->x, fade) + half) >> 24),
+        .position = { tp_fx_plus(x0, (tp_fx)((tp_sea_faded(sum->x, fade) + half) >> 24)),
                       (tp_fx)((tp_sea_faded(sum->y, fade) + half) >> 24),
-                      z0 + (tp_fx)((tp_sea_faded(sum->z, fade) + half) >> 24) },
+                      tp_fx_plus(z0, (tp_fx)((tp_sea_faded(sum->z, fade) + half) >> 24)) },
         .slope_x = tp_sea_slope(nx, shift, inverse),
         .slope_z = tp_sea_slope(nz, shift, inverse),
     };

@@ -151,6 +151,77 @@ static void a_place_once_found_is_found_again(void **state)
     }
 }
 
+/* -- far away ------------------------------------------------------------------------ */
+
+static tp_fx held_fx(double metres)
+{
+    return (tp_fx)fmax(TP_FX_MIN, fmin(TP_FX_MAX, round(metres * 65536)));
+}
+
+/* Heights are the reference's at any place of 16.16, the ends included; positions are held
+ * at the ends. */
+static void a_place_at_rest_has_its_height_anywhere(void **state)
+{
+    (void)state;
+    measure height = { .what = "height, anywhere", .unit = "of the bound" };
+    measure held = { .what = "held positions", .unit = "m" };
+
+    for (int n = 0; n < 20000; n++) {
+        ocean o = ocean_any(&chance, 4);
+        const tp_fx x = chance_word(&chance), z = chance_word(&chance);
+        const double x0 = x * LSB, z0 = z * LSB, off = place_error(&o, x0, z0) + LSB;
+        if (n % 4 == 0)
+            ocean_sharpen(&chance, &o);
+        const ref_point want = ref_at_rest(&o.ref, o.ref_phases, x0, z0);
+        const tp_sea_point got = tp_sea_at_rest(&o.sea, o.phases, x, z);
+        measure_add(&height, (got.position.y * LSB - want.y) / height_error(&o, x0, z0), x,
+                    z, n);
+        assert_true(fabs((got.position.x - (double)held_fx(want.x)) * LSB) <= off);
+        assert_true(fabs((got.position.z - (double)held_fx(want.z)) * LSB) <= off);
+        if (got.position.x == TP_FX_MAX || got.position.x == TP_FX_MIN)
+            measure_add(&held, want.x - got.position.x * LSB, x, z, n);
+    }
+    measure_print(&height);
+    measure_print(&held);
+    assert_true(height.worst <= 1 && height.worst > 0.5);
+    assert_true(held.inputs > 100 && held.worst > 10);
+}
+
+static bool has_room(tp_fx x, tp_fx z, int64_t most)
+{
+    const int64_t end = TP_FX_MAX - most;
+    return x <= end && x >= -end && z <= end && z >= -end;
+}
+
+/* The place is found as far as its box lies within 16.16, which 30 km do; nearer to the
+ * ends the search stays in the box. */
+static void above_any_place_there_is_an_answer(void **state)
+{
+    (void)state;
+    measure found = { .what = "far, found", .unit = "mm" };
+    measure held = { .what = "far, at the ends", .unit = "mm" };
+
+    for (int n = 0; n < 20000; n++) {
+        const ocean o = ocean_any(&chance, TP_WAVES);
+        const tp_fx x = chance_word(&chance), z = chance_word(&chance);
+        const int64_t most = 2 * ((int64_t)o.sea.reach + 2);
+        tp_fx rest[2] = { chance_word(&chance), chance_word(&chance) };
+        const tp_sea_point got = tp_sea_above(&o.sea, o.phases, x, z, rest);
+        const tp_sea_point there = tp_sea_at_rest(&o.sea, o.phases, rest[0], rest[1]);
+        const int64_t dx = (int64_t)got.position.x - x, dz = (int64_t)got.position.z - z;
+        const bool room = has_room(x, z, most);
+        assert_memory_equal(&got, &there, sizeof got);
+        assert_true(llabs(dx) <= most && llabs(dz) <= most);
+        assert_true(room || !has_room(x, z, TP_FX_MAX - 30000 * TP_FX_ONE));
+        measure_add(room ? &found : &held, hypot((double)dx, (double)dz) * LSB * 1000, x,
+                    z, n);
+        tp_sea_iterate(&o.sea, o.phases, x, z, random_below(&chance, 9));
+    }
+    measure_print(&found);
+    measure_print(&held);
+    assert_true(found.worst < 1 && held.inputs > 1000);
+}
+
 /* -- plain steps --------------------------------------------------------------------- */
 
 /* [E1]: q^n / (1 - q) of the first distance, and what each step's rounding adds. */
@@ -221,6 +292,8 @@ int main(void)
         cmocka_unit_test(two_waves_at_the_clamp_do_not_mislead_it),
         cmocka_unit_test(it_is_found_from_any_start),
         cmocka_unit_test(a_place_once_found_is_found_again),
+        cmocka_unit_test(a_place_at_rest_has_its_height_anywhere),
+        cmocka_unit_test(above_any_place_there_is_an_answer),
         cmocka_unit_test(plain_steps_keep_their_bound),
         cmocka_unit_test(both_searches_follow_the_table),
     };

@@ -1,0 +1,65 @@
+/* SPDX-License-Identifier: MIT */
+/* Every shipped scene takes any input: 200 ticks of any 32 bits in each of its numbers,
+ * drawn now and then, and asked for the water under pixels and at places of any bits. */
+#include <stdarg.h>
+#include <stddef.h>
+#include <setjmp.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <cmocka.h>
+#include "../../ports/host/path.h"
+#include "../../ports/host/stage.h"
+#include "../../ports/live/pick.h"
+#include "../unit/chance.h"
+
+#define FOLDER "assets/scenes"
+
+enum { WIDTH = 64, HEIGHT = 48, TICKS = 200 };
+
+static uint64_t chance;
+
+static void run(stage *s)
+{
+    for (int n = 1; n <= TICKS; n++) {
+        const tp_input in = chance_input(&chance);
+        tp_vec3 at;
+        tp_world_step(s->world, &s->file.scene, &in);
+        tp_world_above(s->world, chance_word(&chance), chance_word(&chance));
+        if (n % 25 != 0)
+            continue;
+        tp_world_frame(s->world);
+        canvas_draw(&s->canvas, s->world);
+        pick_water(s->world, &s->file.scene, WIDTH, HEIGHT, chance_int(&chance, 0, WIDTH),
+                   chance_int(&chance, 0, HEIGHT), &at);
+    }
+}
+
+static void shipped_scenes_take_any_input(void **state)
+{
+    size_t kits, count;
+    const machine *machines = machine_kits(&kits);
+    char **names = path_scene_names(FOLDER, &count);
+
+    (void)state;
+    assert_true(count > 0 && kits > 0);
+    for (size_t i = 0; i < count; i++) {
+        char *path = path_join(FOLDER, names[i], ".ini");
+        const options o = { .scene = path, .width = WIDTH, .height = HEIGHT, .threads = 1,
+                            .machine = &machines[kits - 1] };
+        stage s;
+        assert_int_equal(stage_open(&s, &o), 0);
+        run(&s);
+        stage_close(&s);
+        free(path);
+    }
+    path_free_names(names, count);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(shipped_scenes_take_any_input),
+    };
+    chance = random_seed();
+    return cmocka_run_group_tests_name("inputs", tests, NULL, NULL);
+}

@@ -1,0 +1,220 @@
+/* SPDX-License-Identifier: MIT */
+/* Any place and any input is safe: heights are asked for at any x and z of 16.16, its ends
+ * included, and a tick takes any 32 bits in each number of its input.  Scenes are random,
+ * with every part of a world.  The build with UBSan and ASan sees what goes wrong inside;
+ * here answers are held to what the headers say.
+ *
+ *     TP_SCENES=n     so many random scenes instead of 100 */
+#include <stdarg.h>
+#include <stddef.h>
+#include <setjmp.h>
+#include <stdint.h>
+#include <cmocka.h>
+#include "tests/unit/twice.h"
+#include "tidepool/foam.h"
+#include "wave/ocean.h"
+
+#define HIGHEST (2200 * (int64_t)TP_FX_ONE)     /* 16 waves, 1024 rings, two pools */
+#define FAR     (8000 * TP_FX_ONE)
+
+static uint64_t chance;
+static test_kit kit;
+static test_twice twice;
+
+static int scenes(void)
+{
+    const char *asked = getenv("TP_SCENES");
+    return asked ? atoi(asked) : 100;
+}
+
+/* One in eight has the widest grid there is: 51 km. */
+static tp_scene any_scene(void)
+{
+    tp_scene s = kit_scene(&chance, 14, 40);
+
+    if (random_below(&chance, 8) == 0) {
+        s.grid.cols = 1024;
+        s.grid.rows = 2;
+        s.grid.cell = 50 * TP_FX_ONE;
+    }
+    return s;
+}
+
+static tp_world *world_of(const tp_scene *scene, const tp_assets *assets)
+{
+    return tp_world_bytes(scene, assets) ? scene_world(scene, assets) : NULL;
+}
+
+/* -- places ---------------------------------------------------------------------------- */
+
+static void assert_near(tp_fx got, tp_fx place, int64_t most)
+{
+    assert_true(llabs((int64_t)got - place) <= most);
+}
+
+/* The search and the point that it found each stay within the waves' reach. */
+static void ask_all(const tp_world *world, tp_fx x, tp_fx z)
+{
+    const tp_ocean *ocean = tp_world_ocean(world);
+    const int64_t reach = ocean ? tp_ocean_reach(ocean) : world->sea.reach;
+    const tp_sea_point p = tp_world_above(world, x, z);
+
+    assert_true(llabs((int64_t)p.position.y) <= HIGHEST);
+    assert_near(p.position.x, x, 2 * reach + 64);
+    assert_near(p.position.z, z, 2 * reach + 64);
+}
+
+static void ask_ocean(const tp_ocean *ocean, const tp_turn *phases, tp_fx x, tp_fx z)
+{
+    const tp_ocean_point whole = tp_ocean_at_rest(ocean, phases, x, z);
+    const tp_ocean_point smooth = tp_ocean_smooth(ocean, phases, x, z);
+    const tp_fx reach = tp_ocean_reach(ocean);
+
+    assert_near(whole.position.x, x, reach);
+    assert_near(whole.position.z, z, reach);
+    assert_near(smooth.position.x, x, reach);
+    assert_near(smooth.position.z, z, reach);
+    assert_true(abs(smooth.position.y) <= tp_ocean_height(ocean));
+    assert_int_equal(whole.depth, tp_ocean_floor(ocean, x, z).depth);
+}
+
+/* And a hat of any size there. */
+static void ask_pool(tp_pool *pool, tp_fx x, tp_fx z)
+{
+    const tp_fx back = chance_int(&chance, 0, TP_FX_ONE);
+    const tp_relief r = tp_pool_relief(pool, x, z, back);
+    uint32_t col, row;
+    const bool cell = tp_pool_cell(pool, x, z, &col, &row);
+
+    assert_true(abs(r.height) <= tp_pool_highest(pool));
+    assert_true(!cell || (col < pool->cols && row < pool->rows));
+    assert_int_equal(cell, tp_pool_hat(pool, x, z, chance_word(&chance),
+                                       chance_word(&chance)));
+}
+
+static void ask_parts(tp_world *world, tp_fx x, tp_fx z)
+{
+    if (tp_world_ocean(world))
+        ask_ocean(tp_world_ocean(world), world->phases, x, z);
+    if (world->parts.pool)
+        ask_pool((tp_pool *)(void *)((char *)world + world->parts.pool), x, z);
+    if (world->parts.field)
+        ask_pool((tp_pool *)(void *)((char *)world + world->parts.field), x, z);
+    if (tp_world_foam(world))
+        tp_foam_at(tp_world_foam(world), x, z);
+}
+
+static void every_place_has_a_height(void **state)
+{
+    (void)state;
+    uint32_t asked = 0;
+
+    for (int i = 0; i < scenes(); i++) {
+        tp_scene scene = any_scene();
+        const tp_assets assets = kit_assets(&kit, &scene, &chance);
+        tp_world *world = world_of(&scene, &assets);
+        for (int n = 0; world && n < 60; n++) {
+            if (n % 10 == 0)
+                tp_world_step(world, &scene, NULL);
+            ask_all(world, chance_word(&chance), chance_word(&chance));
+            ask_parts(world, chance_word(&chance), chance_word(&chance));
+            asked++;
+        }
+        free(world);
+    }
+    printf("# %u places\n", (unsigned)asked);
+    assert_true(asked > 30 * (uint32_t)scenes());
+}
+
+/* A map as tp_floor has it, for its edges' sake. */
+static void every_place_has_a_floor(void **state)
+{
+    (void)state;
+    for (int n = 0; n < 20000; n++) {
+        const tp_floor floor = {
+            .depth = chance_fx(&chance, -8000, 8000), .slope = chance_fx(&chance, 0, 1),
+            .heading = chance_fx(&chance, -32400, 32400),
+            .map = random_below(&chance, 2) ? &kit.floor : NULL,
+            .map_x = chance_fx(&chance, -8000, 8000),
+            .map_z = chance_fx(&chance, -8000, 8000),
+            .map_size = chance_scale(&chance, 1, 8000),
+            .map_low = chance_fx(&chance, -8000, 100),
+            .map_high = chance_fx(&chance, -8000, 100),
+        };
+        const tp_floor_at at = tp_floor_under(&floor, chance_word(&chance),
+                                              chance_word(&chance));
+        assert_true(abs(at.rise_x) <= 8 * TP_FX_ONE && abs(at.rise_z) <= 8 * TP_FX_ONE);
+    }
+}
+
+/* -- input ----------------------------------------------------------------------------- */
+
+static void assert_held(const tp_world *world)
+{
+    const tp_drops *drops = tp_world_drops(world);
+    const tp_camera camera = tp_world_camera(world);
+    const tp_hull *hull = &world->afloat.hull;
+
+    assert_near(camera.eye.x, 0, FAR);
+    assert_near(camera.eye.y, 0, FAR);
+    assert_near(camera.eye.z, 0, FAR);
+    assert_near(hull->x, 0, FAR);
+    assert_near(hull->z, 0, FAR);
+    assert_true(!drops || (llabs(drops->sphere.x) <= FAR && llabs(drops->sphere.z) <= FAR));
+    assert_true(!drops || drops->count <= drops->capacity);
+}
+
+static void a_tick_takes_any_input(void **state)
+{
+    (void)state;
+    for (int i = 0; i < scenes(); i++) {
+        tp_scene scene = any_scene();
+        const tp_assets assets = kit_assets(&kit, &scene, &chance);
+        tp_world *world = world_of(&scene, &assets);
+        if (!world)
+            continue;
+        twice_begin(&twice, &scene, &assets, &chance);
+        for (int n = 0; n < 20; n++) {
+            const tp_input in = chance_input(&chance);
+            tp_world_step(world, &scene, &in);
+            assert_held(world);
+            if (n % 10 == 9)
+                twice_draw(&twice, world);
+        }
+        twice_end(&twice);
+        free(world);
+    }
+}
+
+/* Eleven minutes at 100 m/s are 67 km, as are hours at a usual speed. */
+static void a_boat_that_sails_on_and_on_stays_within_8_km(void **state)
+{
+    (void)state;
+    for (int n = 0; n < 4; n++) {
+        tp_scene scene = scene_plain();
+        scene.boat.speed = n % 2 ? 30 * TP_FX_ONE : -30 * TP_FX_ONE;
+        scene.boat.heading = chance_fx(&chance, -180, 180);
+        scene.boat.rudder = n / 2 ? TP_FX(0.01) : 0;
+        tp_world *world = scene_world(&scene, NULL);
+        const tp_input ahead = { .throttle = n % 2 ? TP_FX_MAX : TP_FX_MIN };
+        for (int tick = 0; tick < 40000; tick++)
+            tp_world_step(world, &scene, &ahead);
+        assert_held(world);
+        assert_true(llabs(world->afloat.hull.x) == FAR
+                    || llabs(world->afloat.hull.z) == FAR || n / 2);
+        free(world);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(every_place_has_a_height),
+        cmocka_unit_test(every_place_has_a_floor),
+        cmocka_unit_test(a_tick_takes_any_input),
+        cmocka_unit_test(a_boat_that_sails_on_and_on_stays_within_8_km),
+    };
+    chance = random_seed();
+    kit_make(&kit, &chance);
+    return cmocka_run_group_tests_name("stability at extremes", tests, NULL, NULL);
+}
