@@ -111,7 +111,7 @@ LIBS := -lpng -linih -lpthread -lm $(PANEL_LIBS) $(SDL_LIBS)
 WARN   := -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wvla -Wdouble-promotion \
           -Wstrict-prototypes -Wmissing-prototypes -Werror
 FLAGS  := -std=c11 $(WARN) -Iinclude -MMD -MP -fmacro-prefix-map=$(CURDIR)/= \
-          $(OPT) $(ARCH)
+          $(OPT) $(ARCH) $(if $(CHECKED),-DTP_CHECKED)
 BARE   := -Isrc -ffreestanding -ffunction-sections -fdata-sections
 HOSTED := -Iports -Isrc -I. $(SDL_CFLAGS) $(KMS_CFLAGS)
 COMPILE = $(CC) $(FLAGS) $(CPPFLAGS) $(CFLAGS)
@@ -136,7 +136,10 @@ endif
 HOSTED += $(if $(V3_C),-DTP_HAVE_KIT_V3)
 endif
 
+# Asserts (src/base/assert.h) are off in a release and on with CHECKED=1.  Unit tests link
+# a library that has them on.
 LIB     := $(CORE_AT)/libtidepool.a
+UNIT_LIB := $(if $(CHECKED),$(LIB),$(BUILD)/checked/libtidepool.a)
 PROGRAM := $(BUILD)/tidepool
 CORE_O  := $(CORE:%.c=$(CORE_AT)/%.o)
 PORTS_O := $(PORTS:%.c=$(BUILD)/%.o) $(if $(V3_C),$(BUILD)/kit_v3.o)
@@ -282,19 +285,20 @@ help:
 
 # -- tests -----------------------------------------------------------------------------
 
-# Tests run under the sanitizers, and alone there.  The second kit need not be quick, and
+# Tests run under the sanitizers, and alone there; the golden frames' twice, since the
+# library that is shipped must draw them.  The second kit need not be quick, and
 # only where its source is not the first one's it is watched as well.  Tests that tell how
 # far something is off run without sanitizers, but in the soak; threads have one of their
 # own.
 V3_LITE := V3_OPT='-O1 -march=x86-64-v3'
 SAN := TARGET=san OPT='-O1 -g1 -fsanitize=address,undefined -fno-sanitize-recover=all' \
-       $(V3_LITE) V3_SAME_OPT=-fno-sanitize=all
+       $(V3_LITE) V3_SAME_OPT=-fno-sanitize=all CHECKED=1
 SAN_UNIT := $(filter-out $(BUILD)/tests/accuracy/% %/test_shade_quick_light \
                %/test_shade_quick_even %/test_threads,$(UNIT))
 RUN := TP_BUILD=$(BUILD) TP_PROGRAM=$(PROGRAM) TP_LEFT_OUT='$(LEFT_OUT)' tests/run.sh
 
 unit: $(UNIT)
-sanitized: $(SAN_UNIT) $(PROGRAM) $(PANEL_DEMO)
+sanitized: $(SAN_UNIT) $(GOLDEN) $(PROGRAM) $(PANEL_DEMO)
 everything: all $(PANEL_DEMO) $(filter-out $(SAN_UNIT),$(UNIT)) $(GOLDEN) $(FRAMES) \
           $(BUILD)/tests/bench/scene_s \
           $(BUILD)/tests/bench/views $(BUILD)/longship $(BUILD)/textures \
@@ -304,7 +308,7 @@ everything: all $(PANEL_DEMO) $(filter-out $(SAN_UNIT),$(UNIT)) $(GOLDEN) $(FRAM
 host-tests: everything
 	@$(MAKE) --no-print-directory $(SAN) sanitized
 	@$(RUN) build/log/host $(SAN_UNIT:build/host/%=build/san/%) \
-	    $(filter-out $(SAN_UNIT),$(UNIT)) $(GOLDEN) \
+	    $(filter-out $(SAN_UNIT),$(UNIT)) $(GOLDEN) $(GOLDEN:build/host/%=build/san/%) \
 	    $(if $(LEFT_OUT),tests/gates/left-out.sh) tests/gates/host.sh \
 	    tests/gates/headers.sh tests/gates/selftest.sh tests/host/cli.sh \
 	    tests/host/manual.sh tests/host/exits.sh tests/host/output.sh tests/host/bake.sh \
@@ -358,7 +362,9 @@ list-tests:
 
 # -- how things are made ---------------------------------------------------------------
 
-$(LIB): $(CORE_O)
+ASSERT_O := $(BUILD)/tests/assert_failed.o
+$(LIB): $(CORE_O) $(if $(CHECKED),$(ASSERT_O))
+$(BUILD)/checked/libtidepool.a: $(CORE:%.c=$(BUILD)/checked/%.o) $(ASSERT_O)
 $(BUILD)/ports.a: $(PORTS_O)
 %.a:
 	@rm -f $@
@@ -367,9 +373,10 @@ $(PROGRAM): $(MAIN:%.c=$(BUILD)/%.o) $(BUILD)/ports.a $(LIB)
 	$(SAY)$(LINK) $^ $(LIBS) -o $@
 $(BUILD)/tests/boards/vm_state: $(BUILD)/tests/boards/vm_state.o
 	$(SAY)$(LINK) -static $^ -o $@
+$(UNIT): $(UNIT_LIB)
 $(BUILD)/tests/%: $(BUILD)/tests/%.o $(BUILD)/ports.a $(LIB)
-	$(SAY)$(LINK) $(GOLD) $(filter %.o,$^) $(BUILD)/ports.a $(LIB) $(CMOCKA) $(LIBS) \
-	    -o $@
+	$(SAY)$(LINK) $(GOLD) $(filter %.o,$^) $(BUILD)/ports.a \
+	    $(or $(filter $(UNIT_LIB),$^),$(LIB)) $(CMOCKA) $(LIBS) -o $@
 $(filter $(BUILD)/%,$(GOLDEN)): $(BUILD)/tests/golden/golden.o
 LCD_O := $(patsubst %,$(BUILD)/%.o,$(addprefix ports/lcd/,clear lcd panels ssd0323 turn) \
                tests/boards/panel tests/golden/golden)
@@ -473,6 +480,9 @@ $(BUILD)/models.elf: $(MODELS_O) \
 $(BUILD)/kit_v3.o: $(V3_C:%.c=$(BUILD)/v3/%.o)
 	$(SAY)$(LD) -r $^ -o $@
 	@$(OBJCOPY) --keep-global-symbol=tp_kit_v3 $@
+$(BUILD)/checked/src/%.o: src/%.c $(BUILD)/flags
+	@mkdir -p $(@D)
+	$(SAY)$(COMPILE) $(BARE) -DTP_CHECKED -c $< -o $@
 $(BUILD)/v3/src/%.o: src/%.c $(BUILD)/flags
 	@mkdir -p $(@D)
 	$(SAY)$(COMPILE) $(BARE) $(V3_OPT) -Dtp_kit_all=tp_kit_v3 \

@@ -1,23 +1,18 @@
 /* SPDX-License-Identifier: MIT */
-/* What every rank may use: the four memory functions that a port must supply, the
- * assertion, chance, and the attribute of loop bodies that are written once and
+/* What every rank may use: the four memory functions that a port must supply,
+ * assertions, chance, and the attribute of loop bodies that are written once and
  * inlined. */
 #ifndef TP_BASE_BASE_H
 #define TP_BASE_BASE_H
 #include <stddef.h>
 #include <stdint.h>
+#include "base/assert.h"
 
 /* The whole of the C library that the core asks for. */
 void *memcpy(void *restrict to, const void *restrict from, size_t bytes);
 void *memmove(void *to, const void *from, size_t bytes);
 void *memset(void *to, int value, size_t bytes);
 int   memcmp(const void *a, const void *b, size_t bytes);
-
-/* Contracts between functions, never the check of outside data.  Off unless the build
- * defines it, for example as -D'TP_ASSERT(x)=((x)?(void)0:__builtin_trap())'. */
-#ifndef TP_ASSERT
-#define TP_ASSERT(condition) ((void)0)
-#endif
 
 /* The next of a linear congruential sequence; its high bits are the good ones. */
 static inline uint32_t tp_random(uint32_t *state)

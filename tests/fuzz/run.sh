@@ -48,7 +48,7 @@ clang -fsanitize=fuzzer "$scratch/try.c" -o "$scratch/try" 2>/dev/null ||
 
 sanitize=address,undefined
 # Calls through pointers are checked in C++ alone, by a library that C does not link.
-check "the fuzz targets build" build SAY=@ TARGET=fuzz CC=clang V3_C= \
+check "the fuzz targets build" build SAY=@ TARGET=fuzz CC=clang V3_C= CHECKED=1 \
     OPT="-O1 -g1 -fsanitize=fuzzer-no-link,$sanitize -fno-sanitize=function \
          -fno-sanitize-recover=all" LDFLAGS="-fsanitize=$sanitize" fuzzers
 [ "$failures" -eq 0 ] || exit 1

@@ -13,7 +13,7 @@ lacks clang clang "clang's warnings" && exit 77
 # What make would compile of those goals, "FILE FLAGS" a line.
 wanted()
 {
-    build -n V=1 TARGET=clang MACHINE=host CC=clang OPT=-O0 \
+    build -n V=1 TARGET=clang MACHINE=host CC=clang OPT=-O0 CHECKED=1 \
         V3_OPT=-march=x86-64-v3 everything unit | awk '
         sub(/\\$/, "") { head = head $0; next }
         { $0 = head $0; head = "" }

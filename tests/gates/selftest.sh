@@ -136,6 +136,37 @@ compile ring 'int tp_stage_x(int (*f[])(int), int i);
     int tp_stage_x(int (*f[])(int), int i) { return shade_row(f, i) + 2; }'
 refuse "stack: recursion through a pointer" stack ring 4096
 
+asserts()   { awk -v least=5 -v most=300 -f $gates/asserts.awk "$scratch/$1"; }
+put src/pool/a.c 'int f(int *p, int n) {' '    TP_ASSERT(p != NULL' '              && n == 1);' \
+    '    return *p; }'
+check  "asserts: passes a comparison" asserts src/pool/a.c
+put src/pool/b.c 'int f(int n) { TP_ASSERT(n++ < 3); return n; }'
+refuse "asserts: a step" asserts src/pool/b.c
+put src/pool/c.c 'int f(int n) { TP_ASSERT(n = 3); return n; }'
+refuse "asserts: an assignment" asserts src/pool/c.c
+put src/pool/d.c 'int f(int n) { TP_ASSERT(g(n) == 3); return n; }'
+refuse "asserts: a call that may have an effect" asserts src/pool/d.c
+put src/pool/e.c 'int f(int n) { return n; }'
+refuse "asserts: code without any" asserts src/pool/e.c
+
+# assert_by FLAG...: a program whose assert does not hold: what it says, its exit code.
+cat >"$scratch/broken.c" <<'END'
+#include "base/assert.h"
+int main(int count, char **words) { TP_ASSERT(count == 0); return words == 0; }
+END
+assert_by()
+{
+    gcc -std=c11 -Wall -Wextra -Werror -Isrc "$@" "$scratch/broken.c" \
+        tests/assert_failed.c -o "$scratch/broken" || return 2
+    "$scratch/broken" >"$scratch/said" 2>&1
+}
+spoken() { ! assert_by -DTP_CHECKED && grep -q 'broken.c:2: .*count == 0' "$scratch/said"; }
+check  "asserts: a checked build tells which one, and ends" spoken
+check  "asserts: a release does not evaluate them" assert_by
+echo '#define TP_ASSERT(x) do { if (!(x)) return 7; } while (0)' >"$scratch/own.h"
+other()  { assert_by -include "$scratch/own.h"; [ $? -eq 7 ]; }
+check  "asserts: a header may define them otherwise" other
+
 runner()    { tests/run.sh "$scratch/log" "$scratch/$1"; }
 fake()      { printf '#!/bin/sh\n%s\n' "$2" >"$scratch/$1"; chmod +x "$scratch/$1"; }
 fake fine   'echo "ok - a"; echo "ok - b"'

@@ -12,7 +12,7 @@ test=build/tsan/tests/host/test_threads
 # Without the kit for processors of level v3, whose loops share what all kits' share.
 built()
 {
-    build TARGET=tsan OPT='-O1 -g1 -fsanitize=thread' V3_C= $test
+    build TARGET=tsan OPT='-O1 -g1 -fsanitize=thread' V3_C= CHECKED=1 $test
 }
 check "the program builds with ThreadSanitizer" built
 check "no races by 1 to 16 threads" env TP_SCENE_STEP=5 TSAN_OPTIONS=halt_on_error=1 $test

@@ -1,0 +1,14 @@
+/* SPDX-License-Identifier: MIT */
+/* Ends a program of tests where a contract of the core's is broken: base/assert.h. */
+#include <stdio.h>
+#include <stdlib.h>
+#ifndef TP_CHECKED
+#define TP_CHECKED
+#endif
+#include "base/assert.h"
+
+_Noreturn void tp_assert_failed(const char *file, int line, const char *condition)
+{
+    fprintf(stderr, "%s:%d: does not hold: %s\n", file, line, condition);
+    abort();
+}
