@@ -23,6 +23,8 @@ static size_t whole_size(size_t count, size_t size)
 
 void *tp_arena_take(tp_arena *arena, size_t count, size_t size)
 {
+    TP_ASSERT(arena != NULL);
+    TP_ASSERT(arena->failed || arena->block == NULL || arena->used <= arena->bytes);
     const size_t bytes = whole_size(count, size);
     if (bytes > SIZE_MAX - arena->used) {
         arena->used = SIZE_MAX;

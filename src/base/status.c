@@ -27,6 +27,7 @@ static void put_part(tp_text *out, char part, const tp_error *err)
 
 size_t tp_error_text(const tp_error *err, char *text, size_t bytes)
 {
+    TP_ASSERT(err != NULL);
     tp_text out = tp_text_over(text, bytes);
     for (const char *at = tp_status_text(err->code); *at != '\0'; at++) {
         if (*at == '%' && at[1] != '\0')
@@ -49,6 +50,7 @@ tp_status tp_fail_(tp_error *err, tp_status code, const char *file, int line,
 /* Control bytes of a hostile file must not reach a terminal: they become '?'. */
 void tp_error_word(tp_error *err, const char *word, size_t bytes)
 {
+    TP_ASSERT(word != NULL || bytes == 0);
     if (err == NULL)
         return;
     size_t n = bytes < sizeof err->word ? bytes : sizeof err->word - 1;

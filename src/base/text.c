@@ -1,9 +1,11 @@
 /* SPDX-License-Identifier: MIT */
 /* Bounded text, so that no other file has to count bytes. */
+#include "base/assert.h"
 #include "base/text.h"
 
 tp_text tp_text_over(char *buffer, size_t bytes)
 {
+    TP_ASSERT(buffer != NULL || bytes == 0);
     if (bytes > 0)
         buffer[0] = '\0';
     return (tp_text){ .text = buffer, .bytes = bytes, .length = 0 };

@@ -1,11 +1,14 @@
 /* SPDX-License-Identifier: MIT */
 /* Quotients of 16.16: exact, rounded half up.  They use the 64-bit division, which is a
  * library call of some hundred cycles on a Cortex-M: for set-up, never per pixel. */
+#include "base/assert.h"
 #include "tidepool/fx.h"
 
 /* floor(n / d + 1/2) within the range of a tp_fx; |n| <= 2^47, d != 0. */
 static tp_fx quotient(int64_t n, int64_t d)
 {
+    TP_ASSERT(d != 0);
+    TP_ASSERT(n >= -((int64_t)1 << 47) && n <= (int64_t)1 << 47);
     const int64_t twice = 2 * n + d, whole = 2 * d;
     int64_t q = twice / whole;
     if (twice % whole != 0 && (twice < 0) != (whole < 0))

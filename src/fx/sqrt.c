@@ -6,6 +6,7 @@
  * step never lands above the true value, which leaves the roundings room at the top: over
  * all inputs neither result wraps or leaves that range.  Worst relative errors, likewise
  * over all inputs: 2^-30.86 of the reciprocal, 2^-29.82 of the reciprocal root. */
+#include "base/assert.h"
 #include "tidepool/fx.h"
 
 static const uint16_t recip_table[257] = {
@@ -28,6 +29,7 @@ static inline uint32_t interpolate(const uint16_t *at, uint32_t part)
  * less than 48 bits, of which the low 16 are left out. */
 uint32_t tp_recip_norm(uint32_t n)
 {
+    TP_ASSERT(n >> 31 == 1);
     const uint32_t r = interpolate(recip_table + (n >> 23 & 0xff), n >> 7 & 0xffff);
     const uint64_t product = (uint64_t)n * r;
     const int32_t error = (int32_t)(0u - (uint32_t)(product >> 16));
@@ -37,6 +39,7 @@ uint32_t tp_recip_norm(uint32_t n)
 /* Newton for 1/sqrt(x): r += r (1 - x r^2) / 2.  x r^2 is 2^62 (1 + d), |d| < 2^-14. */
 uint32_t tp_rsqrt_norm(uint32_t n)
 {
+    TP_ASSERT(n >> 30 != 0);
     const uint32_t r = interpolate(rsqrt_table + ((n >> 24) - 64), n >> 8 & 0xffff);
     const uint32_t square = (uint32_t)((uint64_t)r * r >> 32);
     const uint64_t product = (uint64_t)n * square;
@@ -51,6 +54,7 @@ uint32_t tp_rsqrt_norm(uint32_t n)
  * 2^64 - 2^13, and there it was tried for every n. */
 static uint32_t root_norm(uint64_t n)
 {
+    TP_ASSERT(n >> 62 != 0);
     const uint32_t high = (uint32_t)(n >> 32), inverse = tp_rsqrt_norm(high);
     uint64_t r = (uint64_t)high * inverse >> 31;
     const int64_t left = (int64_t)(n - r * r);

@@ -6,6 +6,7 @@
  * decide; and F / 10^17 counted in 2^-17 is F / 5^17, one division.  Of the digits before
  * the point only five matter.  Digits are looked at twice: to find the power of ten of
  * the first that is not 0, which the exponent at the far end shifts, and to add up. */
+#include "base/assert.h"
 #include "tidepool/fx.h"
 #include <stdbool.h>
 #include <stddef.h>
@@ -79,6 +80,7 @@ static const char *scan_exponent(const char *at, const char *end, int64_t *expon
  * `power` of the first digit is -6..4: whole < 10^5, fraction < 10^17. */
 static uint64_t half_units(const digits *number, int power, bool *exact)
 {
+    TP_ASSERT(number->first != NULL && power >= -6 && power <= 4);
     uint64_t whole = 0, fraction = 0;
     bool more = false;
     for (const char *at = number->first; at < number->end; at++) {
@@ -128,6 +130,8 @@ static tp_fx number_of(const digits *number, int64_t power, bool negative, bool 
 
 uint32_t tp_fx_read(const char *text, uint32_t bytes, tp_fx *x, int *beyond)
 {
+    TP_ASSERT(text != NULL || bytes == 0);
+    TP_ASSERT(x != NULL);
     const char *const end = text + bytes, *at = text;
     const bool negative = at < end && *at == '-';
     if (at < end && (*at == '-' || *at == '+'))

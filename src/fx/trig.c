@@ -2,6 +2,7 @@
 /* Sines by a quarter wave of 256 steps and linear interpolation: [G5] of the models,
  * "1024 a turn".  The chord of a step lies below the sine by at most (pi/512)^2 / 8 =
  * 4.7e-6.  Odd and mirrored exactly: sin(-a) = -sin(a), sin(half - a) = sin(a). */
+#include "base/assert.h"
 #include "tidepool/fx.h"
 
 static const tp_q30 quarter_wave[258] = {
@@ -43,6 +44,7 @@ tp_fx tp_fx_cos(tp_turn angle)
  * most 0.65 / 128^2 / 8 / (2 pi) = 7.9e-7 turn. */
 static tp_turn octant_angle(uint32_t small, uint32_t large)
 {
+    TP_ASSERT(small <= large && large > 0);
     const int shift = tp_clz(large);
     const uint32_t inverse = tp_recip_norm(large << shift);
     const uint32_t slope = (uint32_t)((uint64_t)(small << shift) * inverse >> 32);

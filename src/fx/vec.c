@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Directions and lengths.  A squared length of 16.16 overflows 32 bits beyond 181 m [G3],
  * so squares are summed in 64 bits, and the sum is normalised by its leading zeros. */
+#include "base/assert.h"
 #include "tidepool/fx.h"
 
 static uint64_t square(int32_t x)
@@ -41,6 +42,7 @@ tp_fx tp_vec3_length(tp_vec3 v)
  * because x at its end of the range makes the inverse small. */
 static tp_q30 scaled(int32_t x, uint32_t inverse, int shift)
 {
+    TP_ASSERT(shift >= 2 && shift <= 33);
     return (tp_q30)(((int64_t)x * inverse + ((int64_t)1 << (shift - 1))) >> shift);
 }
 

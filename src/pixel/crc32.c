@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* CRC-32 (IEEE 802.3), a byte at a time by a table. */
+#include "base/assert.h"
 #include "tidepool/pixel.h"
 
 static const uint32_t of_byte[256] = {
@@ -13,6 +14,7 @@ static inline uint32_t next(uint32_t crc, uint32_t byte)
 
 uint32_t tp_crc32(uint32_t crc, const void *data, size_t bytes)
 {
+    TP_ASSERT(data != NULL || bytes == 0);
     const uint8_t *at = data;
     crc = ~crc;
     for (; bytes > 0; bytes--)
@@ -22,6 +24,7 @@ uint32_t tp_crc32(uint32_t crc, const void *data, size_t bytes)
 
 uint32_t tp_crc32_pixels(uint32_t crc, tp_format format, const void *row, int count)
 {
+    TP_ASSERT((unsigned)format < TP_FORMAT_COUNT && (row != NULL || count == 0));
     crc = ~crc;
     for (int x = 0; x < count; x++) {
         const uint32_t colour = tp_pixel_read(format, row, x);

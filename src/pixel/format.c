@@ -37,6 +37,7 @@ int tp_format_bits(tp_format format)
 
 int tp_format_of(const char *name, uint32_t bytes)
 {
+    TP_ASSERT(name != NULL || bytes == 0);
     for (int i = 0; i < TP_FORMAT_COUNT; i++)
         if (tp_text_length(formats[i].name) == bytes
             && memcmp(formats[i].name, name, bytes) == 0)
@@ -63,6 +64,7 @@ static uint32_t of_rgb565(uint32_t pixel)
 
 uint32_t tp_pixel_read(tp_format format, const void *row, int x)
 {
+    TP_ASSERT(row != NULL && x >= 0);
     const uint8_t *const bytes = row;
     switch (format) {
     case TP_FORMAT_XRGB8888:

@@ -44,6 +44,7 @@ static inline uint32_t to_palette(uint32_t colour, uint32_t rank)
 void tp_store_xrgb8888(void *row, int x_in_row, int x, int y, const uint32_t *colours,
                        int count)
 {
+    TP_ASSERT((uintptr_t)row % 4 == 0 && x_in_row >= 0 && count >= 0);
     (void)x;
     (void)y;
     memcpy((uint32_t *)row + x_in_row, colours, (size_t)count * sizeof *colours);
@@ -86,6 +87,7 @@ TP_ALWAYS_INLINE void store_rgb565(uint8_t *to, const uint32_t *colours, int cou
 void tp_store_rgb565(void *row, int x_in_row, int x, int y, const uint32_t *colours,
                      int count)
 {
+    TP_ASSERT((uintptr_t)row % 2 == 0 && x_in_row >= 0 && count >= 0);
     (void)x;
     (void)y;
     store_rgb565((uint8_t *)row + 2 * x_in_row, colours, count, 0);
@@ -100,6 +102,7 @@ TP_ALWAYS_INLINE uint32_t toned(const tp_toned *t, uint32_t c)
 void tp_store_rgb565_toned(const tp_toned *t, uint16_t *to, const uint32_t *colours,
                            int count)
 {
+    TP_ASSERT((uintptr_t)to % 2 == 0);
     int i = 0;
 
 #if TP_DSP
@@ -152,6 +155,7 @@ static inline uint32_t is_white(uint32_t colour, uint32_t rank)
 void tp_store_i1(void *row, int x_in_row, int x, int y, const uint32_t *colours,
                  int count)
 {
+    TP_ASSERT(x_in_row >= 0 && count >= 0);
     const uint8_t *ranks = bayer[y & 7];
 
     while (count > 0) {
