@@ -41,6 +41,7 @@ static uint32_t random_below(tp_pool *pool, uint32_t end)
 
 static void inject(tp_pool *pool)
 {
+    TP_ASSERT(pool->feed_peak >= 0 && pool->feed_peak <= tp_pool_full(pool));
     const uint32_t col = random_below(pool, pool->cols);
     const uint32_t row = random_below(pool, pool->rows);
     const uint64_t half = (uint64_t)1 << 31;

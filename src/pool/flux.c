@@ -182,6 +182,7 @@ void tp_pool_step_32(tp_pool *pool)
         .sponge = pool->sponge != 0 ? tp_pool_from(pool, pool->sponge) : NULL,
         .edge = { .rate = (int32_t)tp_pool_r2q(pool), .damping = (int32_t)pool->damping },
     };
+    TP_ASSERT(s.edge.rate <= TP_R2Q_MAX && s.edge.damping >= 4);
     const int32_t moved = step_rows(&s);
 
     pool->at_rest = moved == 0 && pool->still != 0;

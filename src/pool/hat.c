@@ -7,6 +7,7 @@
  * roundings are passed on from one to the next, and what is still missing, because a cell
  * could not take its share, is spread over the cells around, or at last over the
  * field. */
+#include "base/assert.h"
 #include "pool/pool.h"
 
 #define S_MAX TP_FX(12)
@@ -83,7 +84,9 @@ static void balance(splash *h)
             }
         }
     }
+    TP_ASSERT(bells >> 16 > 0);
     h->ratio = hats * (1 << 14) / (bells >> 16);
+    TP_ASSERT(h->ratio >= -(int64_t)2 * TP_Q30_ONE && h->ratio <= TP_Q30_ONE);
 }
 
 /* Adds the hat; returns the sum of what was added.  The bell's mean s is below 3 however
@@ -152,6 +155,8 @@ static int32_t window(int32_t middle, int32_t reach, uint32_t cells, bool tiled,
 
 void tp_pool_splash(tp_pool *pool, uint64_t u, uint64_t w, tp_fx sigma, int32_t peak)
 {
+    TP_ASSERT(u >> 32 < pool->cols && w >> 32 < pool->rows);
+    TP_ASSERT(peak >= -tp_pool_full(pool) && peak <= tp_pool_full(pool));
     const bool tiled = pool->edges == TP_EDGES_TILE;
     const int64_t wide = tp_clamp(sigma, TP_FX(1.5), TP_FX(128));
     const int64_t sigma2 = wide * wide >> 16;               /* 16.16 */

@@ -92,6 +92,8 @@ static uint32_t part(uint32_t *bytes, uint32_t size)
 
 tp_pool_layout tp_pool_lay_out(const tp_pool_config *config)
 {
+    TP_ASSERT(config->cols >= 16 && config->cols <= 512);
+    TP_ASSERT(config->rows >= 16 && config->rows <= 512);
     const uint32_t cols = config->cols, count = cols * config->rows;
     const uint32_t lsb = config->cells == TP_CELLS_8 ? 1 : 2;
     const bool gears = config->cells != TP_CELLS_32;
@@ -116,6 +118,7 @@ size_t tp_pool_bytes(const tp_pool_config *config)
 /* num / den as q / 2^shift, 2^29 <= q <= 2^30; num < 2^47, 0 < den < 2^34. */
 static int32_t ratio(uint64_t num, uint64_t den, int32_t *shift)
 {
+    TP_ASSERT(num >> 47 == 0 && den > 0 && den >> 34 == 0);
     *shift = 0;
     for (; num >= den << 30; den <<= 1)
         --*shift;
@@ -143,6 +146,7 @@ static void set_units(tp_pool *pool)
 /* 2^64 / n, n > 1, rounded down. */
 static uint64_t turns_over(uint64_t n)
 {
+    TP_ASSERT(n > 1);
     return (UINT64_MAX - (n - 1)) / n + 1;
 }
 

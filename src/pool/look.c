@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Single cells of a pool: read, changed, looked over; and the gear that a change asks
  * for. */
+#include "base/assert.h"
 #include "pool/pool.h"
 
 int32_t tp_pool_height_at(const tp_pool *pool, uint32_t index)
@@ -72,6 +73,7 @@ int32_t tp_pool_add(tp_pool *pool, uint32_t col, uint32_t row, int32_t lsb)
  * what is left of x, then times ln 2. */
 static uint64_t log_of(uint32_t x)
 {
+    TP_ASSERT(x > 0 && x < 1u << 16);
     const uint64_t ln2 = 0xb17217f7;                        /* Q0.32 */
     const int      zeros = tp_clz(x);
     uint64_t digits = (uint64_t)(31 - zeros), m = (uint64_t)x << zeros;  /* m in Q1.31 */
@@ -162,6 +164,7 @@ tp_pool_state tp_pool_look(const tp_pool *pool)
 
 void tp_pool_step(tp_pool *pool)
 {
+    TP_ASSERT(pool->cells <= TP_CELLS_32 && pool->damping >= 4 && pool->damping <= 10);
     if (pool->feed_low > 0)
         tp_pool_feed(pool);
     if (!pool->at_rest) {

@@ -2,6 +2,7 @@
 /* The pool's surface between its cells, and between its ticks: a cell's slope is half the
  * difference of its two neighbours [A6]; heights and slopes are then bilinear in the four
  * cells around. */
+#include "base/assert.h"
 #include "pool/fine.h"
 
 /* The field is one turn: what lies beyond of a tiled one wraps for free.  turns_x is
@@ -47,6 +48,7 @@ static int32_t fine_any(const tp_pool *pool, uint32_t col, uint32_t row, tp_fx b
 int32_t tp_pool_fine_or_wall(const tp_pool *pool, uint32_t col, uint32_t row, tp_fx back,
                              int32_t inside)
 {
+    TP_ASSERT(col < pool->cols && row < pool->rows);
     static const int8_t beside[4][2] = { { -1, 0 }, { 1, 0 }, { 0, -1 }, { 0, 1 } };
     const bool tiled = pool->edges == TP_EDGES_TILE;
     int64_t    sum = 0;
@@ -183,6 +185,7 @@ static tp_relief relief_of(const tp_pool *pool, const patch *p, const heights *o
 
 tp_relief tp_pool_relief(const tp_pool *pool, tp_fx x, tp_fx z, tp_fx back)
 {
+    TP_ASSERT(back >= 0 && back <= TP_FX_ONE);
     const bool tiled = pool->edges == TP_EDGES_TILE;
     uint64_t u, w;
     heights of;

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* The slopes of all cells as a picture, for what samples them at every pixel: half the
  * difference of a cell's two neighbours [A6]. */
+#include "base/assert.h"
 #include "pool/fine.h"
 
 /* A row of the picture: which rows of cells lie at it, above and below. */
@@ -77,6 +78,8 @@ static void put_row(const line *l, tp_pool_slope *to)
 
 void tp_pool_slopes(const tp_pool *pool, tp_fx back, tp_fx gain, tp_pool_slope *to)
 {
+    TP_ASSERT(back >= 0 && back <= TP_FX_ONE);
+    TP_ASSERT(to != NULL);
     const bool tiled = pool->edges == TP_EDGES_TILE;
 
     for (int32_t row = -1; row <= (int32_t)pool->rows; row++) {

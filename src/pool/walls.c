@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Walls and the sponge of a pool, laid out once [C15]. */
+#include "base/assert.h"
 #include "pool/pool.h"
 
 /* The mask is laid over all cells; a cell is what lies under its centre. */
@@ -33,6 +34,7 @@ static uint8_t ways_from(const tp_pool *pool, uint32_t x, uint32_t y)
 
 void tp_pool_set_walls(tp_pool *pool, const tp_grey *mask)
 {
+    TP_ASSERT(pool->walls != 0);
     uint8_t *const walls = tp_pool_at(pool, pool->walls);
 
     for (uint32_t y = 0; mask != NULL && y < pool->rows; y++)
@@ -59,6 +61,7 @@ static uint8_t sponge_at(uint32_t d, uint32_t width, uint32_t most)
 
 void tp_pool_set_sponge(tp_pool *pool, uint32_t width)
 {
+    TP_ASSERT(pool->sponge != 0 && width >= 4 && width <= 64);
     uint8_t *const column = tp_pool_at(pool, pool->sponge);
     uint8_t *const row = column + pool->cols;
     const uint32_t right = pool->cols - 1, bottom = pool->rows - 1;
