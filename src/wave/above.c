@@ -64,6 +64,7 @@ static place step_from(const tp_sea *sea, const int32_t sine[TP_WAVES], place e)
     }
     int64_t jxx = (1 << 28) - (bxx >> 26), jzz = (1 << 28) - (bzz >> 26);
     int64_t jxz = -(bxz >> 26), det = (jxx * jzz - jxz * jxz) >> 28;
+    TP_ASSERT(det > 0);
     return (place){ (tp_fx)tp_quotient(e.z * jxz - e.x * jzz, det),
                     (tp_fx)tp_quotient(e.x * jxz - e.z * jxx, det) };
 }

@@ -42,6 +42,8 @@ static tp_q30 square_of(int32_t p)
 
 tp_breaking tp_breaking_shape(const tp_breaker *breaker, tp_turn phi)
 {
+    TP_ASSERT(breaker->kept_stretch >= 0 && breaker->kept_stretch <= TP_FX_ONE);
+    TP_ASSERT(breaker->kept_lip >= 0 && breaker->kept_lip <= TP_FX_ONE);
     const tp_ellipse *orbit = &breaker->orbit;
     const int32_t p = (int32_t)(phi - tp_orbit_lowest(orbit));
     const tp_q30 ramp = ramp_at(p);

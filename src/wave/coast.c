@@ -13,6 +13,7 @@
  * grows.  Of 16000 random phases the worst was off by 1.9e-4 rad.  What a wave that
  * grazes, kz = k_inf, still feels of deeper floors is left out: 2 e^-12 / slope rad at
  * the most. */
+#include "base/assert.h"
 #include "tidepool/depth.h"
 #include "wave/exp.h"
 
@@ -55,6 +56,7 @@ static int64_t depth_at(const beach *b, int64_t halves)
  * is below 1.5 2^32 as 16.16, and so its 2^30-fold below 2^63. */
 static tp_fx where(const beach *b, int64_t depth_q32)
 {
+    TP_ASSERT(b->slope_q30 > 0);
     const int64_t rise = (b->depth_q32 - depth_q32) >> 16;
     const int64_t up = rise > 0 ? b->slope_q30 - 1 : 0;
     const int64_t x = (rise * ((int64_t)1 << 30) + up) / b->slope_q30;
@@ -188,6 +190,7 @@ static void integrate(tp_coast *coast, const beach *b)
 static int64_t between(const tp_coast *coast, tp_fx x)
 {
     const uint32_t way = (uint32_t)x - (uint32_t)coast->x_first;
+    TP_ASSERT((way >> coast->bits) + 1 < coast->count);
     const tp_coast_node *const n = nodes_of(coast) + (way >> coast->bits);
     const int64_t half = ((int64_t)1 << coast->bits) / 2;
     const int64_t t = way & (((uint32_t)1 << coast->bits) - 1);

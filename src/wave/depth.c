@@ -6,6 +6,7 @@
  *        = x (T(x) - y/x^2) / (T(x) + sech^2 x),
  * and y/x^2 is T(y) for Eckart's x = y / sqrt(tanh y).  So all that is ever subtracted
  * are numbers between 0 and 1, and the relative error holds down to films of water. */
+#include "base/assert.h"
 #include "tidepool/depth.h"
 #include "wave/exp.h"
 
@@ -36,6 +37,7 @@ static uint32_t newton(tp_tanh at, uint32_t u_q31)
 
 tp_scaled tp_depth_number_scaled(tp_scaled k_inf, tp_scaled depth, int steps)
 {
+    TP_ASSERT(k_inf.m != 0 && depth.m != 0 && steps >= 0);
     const tp_scaled y = tp_scaled_mul(k_inf, depth);
     const uint32_t y_q24 = tp_depth_argument(y);
 

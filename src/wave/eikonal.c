@@ -102,6 +102,7 @@ static bool sweep(const lattice *l, bool west, bool north)
 void tp_eikonal_solve(int64_t *turns, const tp_ocean_ray *ray, uint32_t cols,
                       uint32_t rows)
 {
+    TP_ASSERT(cols >= 2 && rows >= 2);
     const lattice l = { turns, ray, cols, rows };
     bool changed = true;
 

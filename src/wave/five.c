@@ -2,10 +2,12 @@
 /* The five-height normal, [A6] of the models.  The four triangles around a point, their
  * normals summed before they are made unit vectors, give exactly the differences across:
  * N = (h(x-d) - h(x+d), 2d, h(z-d) - h(z+d)). */
+#include "base/assert.h"
 #include "tidepool/wave.h"
 
 tp_relief tp_five_heights(tp_fx middle, const tp_fx around[4], tp_fx spacing)
 {
+    TP_ASSERT(spacing > 0 && spacing < 8192 * TP_FX_ONE);
     return (tp_relief){
         middle,
         tp_fx_div(around[1] - around[0], 2 * spacing),
@@ -15,5 +17,6 @@ tp_relief tp_five_heights(tp_fx middle, const tp_fx around[4], tp_fx spacing)
 
 tp_dir3 tp_five_normal(const tp_fx around[4], tp_fx spacing)
 {
+    TP_ASSERT(spacing > 0 && spacing < 8192 * TP_FX_ONE);
     return tp_normalise(around[0] - around[1], 2 * spacing, around[2] - around[3]);
 }

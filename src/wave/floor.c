@@ -44,6 +44,7 @@ typedef struct {
  * and across <= 2^12 leave room for 16 more bits. */
 static place place_of(int64_t way, uint32_t cells, uint32_t across, tp_fx size)
 {
+    TP_ASSERT(cells > 0 && across > 0 && across <= 4096 && size > 0);
     const int64_t at = way * (int64_t)across * TP_FX_ONE / size
                      + ((int64_t)cells - 1) * (TP_FX_ONE / 2);
     const int64_t last = ((int64_t)cells - 1) * TP_FX_ONE;

@@ -31,6 +31,7 @@ TP_ALWAYS_INLINE tp_sea_point point_as(const tp_sea *sea, const tp_turn *phases,
 tp_sea_point tp_sea_at_rest(const tp_sea *sea, const tp_turn phases[TP_WAVES],
                             tp_fx x0, tp_fx z0)
 {
+    TP_ASSERT(sea->count <= TP_WAVES);
     if (sea->sharpened)
         return sea->crossed ? point_as(sea, phases, x0, z0, 1, 1)
                             : point_as(sea, phases, x0, z0, 1, 0);

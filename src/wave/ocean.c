@@ -48,6 +48,7 @@ static void find_on_map(const tp_ocean *ocean, tp_fx x, tp_fx z, place *p)
     const uint32_t u = nodes_of(ocean, x - ocean->map_x, ocean->map_cols);
     const uint32_t v = nodes_of(ocean, z - ocean->map_z, ocean->map_rows);
 
+    TP_ASSERT((u >> 16) + 1 < ocean->map_cols && (v >> 16) + 1 < ocean->map_rows);
     p->node = (size_t)(v >> 16) * ocean->map_cols + (u >> 16);
     p->part_x = (int32_t)(u & 0xffff);
     p->part_z = (int32_t)(v & 0xffff);

@@ -49,6 +49,7 @@ typedef struct {
 /* Of a depth > 0. */
 static inline tp_ocean_where tp_ocean_where_of(tp_fx h)
 {
+    TP_ASSERT(h > 0);
     if (h < 1 << TP_OCEAN_FIRST)
         return (tp_ocean_where){ 0, 0, h * 16, h * 16 };
     if (h >= 1 << TP_OCEAN_LAST)
@@ -65,6 +66,7 @@ static inline tp_ocean_where tp_ocean_where_of(tp_fx h)
 /* The depth of node i when 2^bits nodes are an octave. */
 static inline tp_fx tp_ocean_node_depth(uint32_t i, int bits)
 {
+    TP_ASSERT(i <= TP_OCEAN_PHASES && (bits == 3 || bits == 5));
     if (i == 0)
         return 0;
     const uint32_t in = (i - 1) & ((1u << bits) - 1), octave = (i - 1) >> bits;

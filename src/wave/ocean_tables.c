@@ -50,9 +50,10 @@ tp_ocean_number tp_ocean_bent(const tp_ocean_swell *swell, tp_way up, int64_t k_
     };
 }
 
-/* part / whole as Q30, |part| <= whole: brought to 31 bits first. */
+/* part / whole as Q30, |part| <= whole but for roundings: brought to 31 bits first. */
 static tp_q30 share_of(int64_t part, int64_t whole)
 {
+    TP_ASSERT(part < 2 * whole && part > -2 * whole);
     for (; whole >> 31 != 0; whole >>= 1)
         part /= 2;
     return (tp_q30)(part * TP_Q30_ONE / whole);
@@ -96,6 +97,7 @@ static int16_t steep_of(int64_t k_q32, tp_fx amplitude)
  * of them is below 2^25 (512 m, above any 0.95 / k) before the 37 of Sx >= 1. */
 static tp_fx along_of(const tp_ocean_swell *w, tp_fx amplitude, int64_t k_q32, int64_t sx)
 {
+    TP_ASSERT(k_q32 > 0 && w->amplitude > 0);
     const int64_t most = ((int64_t)TP_FX(0.95) << 32) / k_q32;
     const int64_t round =
         ((int64_t)w->reach * amplitude + w->amplitude / 2) / w->amplitude;

@@ -37,6 +37,7 @@ tp_orbit_scale tp_orbit_scale_of(tp_fx depth, tp_fx kx, tp_fx ky)
 
 tp_q30 tp_cos_of_sin(tp_q30 sin)
 {
+    TP_ASSERT(tp_abs(sin) <= TP_Q30_ONE);
     return (tp_q30)tp_isqrt64(((uint64_t)1 << 60) - (uint64_t)((int64_t)sin * sin));
 }
 

@@ -6,6 +6,7 @@
  * then squares decide, in 64 bits; the few rings whose band holds it cost two reciprocal
  * roots: 1 / rho gives the distance and the direction, q = 1 / sqrt(rho + rho0) the
  * spreading s = sqrt(rho0) q and its slope: s^3 / (2 rho0) = s q^2 / 2. */
+#include "base/assert.h"
 #include "tidepool/ring.h"
 #include "tidepool/wave.h"
 #include "wave/exp.h"
@@ -63,6 +64,7 @@ static int32_t gain_of(const tp_ring *ring, tp_q30 share)
 
 bool tp_ring_at(const tp_ring *ring, int64_t now, tp_ring_now *at)
 {
+    TP_ASSERT(ring->length > 0 && ring->decay > 0 && ring->attack >= 0);
     int64_t age = age_of(ring, now);
 
     if (age <= 0 || faded_out(ring, age))
@@ -114,7 +116,9 @@ static inline root root_of(uint64_t x)
 static inline tp_q30 spreading(const tp_ring_now *ring, int64_t rho_q24,
                                int32_t *bend_q22)
 {
-    root q = root_of((uint64_t)(rho_q24 + (int64_t)ring->spread * 256));
+    const int64_t sum = rho_q24 + (int64_t)ring->spread * 256;
+    TP_ASSERT(sum >> 17 > 0 && sum >> 39 == 0);
+    root q = root_of((uint64_t)sum);
     uint64_t s = (uint64_t)ring->root_q24 * q.r >> (45 - q.half);
 
     *bend_q22 = (int32_t)((uint64_t)q.r * q.r >> 32 >> (49 - 2 * q.half));
@@ -129,6 +133,7 @@ typedef struct {
 static void add_ring(sums *sum, const tp_ring_now *ring, int32_t dx, int32_t dz,
                      uint64_t d2)
 {
+    TP_ASSERT(d2 > 0 && d2 >> 60 == 0);
     root     over = root_of(d2);
     int64_t  rho = (int64_t)((uint64_t)over.n * over.r >> (23 + over.half));
     int64_t  way = rho - ring->rear_q24;            /* 0 at the rear, L at the front */

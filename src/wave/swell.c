@@ -13,6 +13,7 @@
  * low half.  g / 2 pi is divided by L digit by digit, of 32 bits, as on paper. */
 static void frequency_squared(tp_fx gravity, tp_fx length, uint64_t half[2])
 {
+    TP_ASSERT(gravity > 0 && gravity <= 100 * TP_FX_ONE && length >= TP_FX_ONE / 4);
     const uint64_t over_two_pi = 0x28be60db9391054a;        /* 2^64 / 2 pi */
     uint64_t low = (over_two_pi & 0xffffffff) * (uint32_t)gravity;
     uint64_t high = (over_two_pi >> 32) * (uint32_t)gravity + (low >> 32);
@@ -34,6 +35,7 @@ static void frequency_squared(tp_fx gravity, tp_fx length, uint64_t half[2])
  * the root s of its high half, then the rest over 2 s, as long division goes on. */
 static uint64_t root_of(const uint64_t half[2])
 {
+    TP_ASSERT((half[0] | half[1]) != 0);
     uint64_t high = half[0], low = half[1];
     int      up = 0;
 
@@ -140,7 +142,8 @@ void tp_sea_add(tp_sea *sea, const tp_wave_exact *wave)
 {
     if (sea->count == TP_WAVES || wave->amplitude <= 0)
         return;
-    TP_ASSERT(wave->turns >> 17 != 0);
+    TP_ASSERT(wave->turns >> 17 != 0 && wave->turns <= (uint64_t)4 << 32);
+    TP_ASSERT(wave->steepness >= 0 && sea->bend <= BEND_MAX);
     tp_fx  length = (tp_fx)((((uint64_t)1 << 48) + wave->turns / 2) / wave->turns);
     tp_fx  cap = (tp_fx)(((int64_t)length * 3 + 5) / 10);
     tp_fx  amplitude = wave->amplitude < cap ? wave->amplitude : cap;
@@ -163,6 +166,7 @@ void tp_sea_add(tp_sea *sea, const tp_wave_exact *wave)
 
 static tp_wave_exact exact_of(const tp_wave *w, tp_q30 steepness, tp_fx gravity)
 {
+    TP_ASSERT(w->length >= TP_FX_ONE / 4);
     tp_rotation turned = tp_rotation_of(tp_turn_of_degrees(w->heading), 0, 0);
 
     return (tp_wave_exact){
@@ -213,6 +217,8 @@ void tp_sea_init_few(tp_sea *sea, const tp_wave *waves, uint32_t count, tp_fx gr
 
 void tp_sea_phases(const tp_sea *sea, uint64_t tick, tp_fx back, tp_turn phases[TP_WAVES])
 {
+    TP_ASSERT(sea->count <= TP_WAVES);
+    TP_ASSERT(back >= 0 && back <= TP_FX_ONE);
     for (uint32_t i = sea->count; i < TP_WAVES; i++)
         phases[i] = 0;
     for (uint32_t i = 0; i < sea->count; i++) {
