@@ -1,0 +1,144 @@
+/* SPDX-License-Identifier: MIT */
+/* Bytes of a board's serial port.  Every line is answered by "ok" or "error"; an error
+ * has changed nothing, and whatever was set the scene stays one that can be drawn: some
+ * ticks of it are made, and a picture, in the memory that was there at the beginning. */
+#include "fuzz.h"
+#include "board/control.h"
+
+enum { TICKS = 12, SAID = 1 << 16 };
+
+static const tp_frame_config config = { 32, 16, 16, 8, TP_FORMAT_RGB565BE };
+static const tp_assets none;
+
+typedef struct {
+    tp_scene      scene;
+    tp_world     *world;
+    tp_frame     *frame;
+    void         *block, *scratch;
+    control_setup setup;
+    control       control;
+    char          said[SAID];
+    size_t        length;
+} board;
+
+static void hear(void *to, const char *text)
+{
+    board *b = to;
+    const size_t bytes = strlen(text);
+    REQUIRE(b->length + bytes < SAID);
+    memcpy(b->said + b->length, text, bytes + 1);
+    b->length += bytes;
+}
+
+static void state(void *to)
+{
+    hear(to, ", listening");
+}
+
+/* -- a board ----------------------------------------------------------------------- */
+
+static void make_scene(tp_scene *s, uint8_t kind)
+{
+    tp_scene_default(s);
+    s->grid.cols = s->grid.rows = 8;
+    s->wave[0].amplitude = TP_FX(0.4);
+    s->drops.count = kind & 1 ? 4 : 0;
+    s->pool.cols = kind & 2 ? 16 : 0;
+    s->pool.rows = 16;
+    s->floor.depth = kind & 4 ? 3 * TP_FX_ONE : 0;
+    s->foam.cells = kind & 8 ? 8 : 0;
+    s->spray.count = kind & 8 ? 4 : 0;
+    s->water.clear = kind & 16 ? 8 * TP_FX_ONE : 0;
+    s->sky.kind = kind & 32 ? TP_SKY_DUSK : TP_SKY_GRADIENT;
+}
+
+/* The scene lies in ROM where `kind` says so; blocks have the bytes asked for. */
+static void board_open(board *b, uint8_t kind)
+{
+    memset(b, 0, sizeof *b);
+    make_scene(&b->scene, kind);
+    const size_t bytes = tp_world_bytes(&b->scene, &none);
+    b->world = malloc(bytes);
+    b->block = malloc(tp_frame_bytes(&b->scene, &none, &config));
+    b->scratch = malloc(tp_frame_scratch_bytes(&config));
+    REQUIRE(b->world && b->block && b->scratch);
+    REQUIRE(tp_world_init(b->world, bytes, &b->scene, &none, NULL) == TP_OK);
+    REQUIRE(tp_frame_init(&b->frame, &b->scene, &none, &config, b->block, NULL) == TP_OK);
+    b->setup = (control_setup){
+        .kit = &tp_kit_all, .shown = &b->scene, .scene = kind & 128 ? NULL : &b->scene,
+        .assets = &none, .config = &config, .world = b->world, .write = hear,
+        .state = kind & 64 ? state : NULL, .to = b,
+    };
+    control_begin(&b->control, &b->setup);
+}
+
+static void board_close(board *b)
+{
+    free(b->world);
+    free(b->block);
+    free(b->scratch);
+}
+
+/* -- lines ------------------------------------------------------------------------- */
+
+/* Whole lines, of which the last one begins so. */
+static bool ends_with_line(const board *b, const char *word)
+{
+    size_t at = b->length;
+    if (at == 0 || b->said[at - 1] != '\n')
+        return false;
+    for (at--; at > 0 && b->said[at - 1] != '\n'; at--)
+        ;
+    return strncmp(b->said + at, word, strlen(word)) == 0
+        && b->said[at + strlen(word)] > ' ';
+}
+
+/* True: it ended a line. */
+static bool feed(board *b, uint8_t byte)
+{
+    const tp_scene scene = b->scene;
+    const control before = b->control;
+    b->length = 0;
+    if (!control_byte(&b->control, byte)) {
+        REQUIRE(b->length == 0);
+        return false;
+    }
+    if (!ends_with_line(b, "ok ")) {
+        REQUIRE(ends_with_line(b, "error "));
+        REQUIRE(memcmp(&scene, &b->scene, sizeof scene) == 0);
+        REQUIRE(memcmp(&before.input, &b->control.input, sizeof before.input) == 0);
+        REQUIRE(before.paused == b->control.paused && before.steps == b->control.steps);
+    }
+    REQUIRE(tp_scene_check(&b->scene, NULL) == TP_OK);
+    return true;
+}
+
+static void make_ticks(board *b, int most)
+{
+    while (most-- > 0 && control_ticks(&b->control)) {
+        const tp_input input = control_take(&b->control);
+        tp_world_step(b->world, &b->scene, &input);
+    }
+}
+
+static void draw(board *b)
+{
+    tp_tile tile;
+    tp_frame_begin(b->frame, b->world);
+    for (uint32_t i = 0; tp_frame_tile(b->frame, i, b->scratch, &tile); i++)
+        REQUIRE(tile.pixels != NULL);
+}
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
+{
+    static board b;
+    int ticks = TICKS;
+    board_open(&b, fuzz_byte(&data, &size));
+    while (size > 0)
+        if (feed(&b, fuzz_byte(&data, &size)) && ticks-- > 0)
+            make_ticks(&b, 1);
+    make_ticks(&b, ticks);
+    draw(&b);
+    board_close(&b);
+    return 0;
+}
