@@ -257,20 +257,27 @@ typedef struct {
  * Each world goes with one kit: what that lacks is not in it, as if the scene did not name
  * it. */
 
+/* A hat put into the pool, as wide as pool.poke_size: m above the level, at a place in
+ * the world, m.  Of height 0 there is none; outside of the pool it does nothing. */
+typedef struct {
+    tp_fx   height, x, z;
+} tp_push;
+
+#define TP_PUSHES 8             /* that one tick takes */
+
 /* What the port feeds in at each tick; all 0 is no input.  Any numbers are safe: camera
  * and sphere stay within 8000 m of the origin, the boat's speed within 100 m/s and its
- * turn within 360 degrees/s; negative drops are none, those that find no room are counted,
- * and a poke outside of the pool does nothing. */
+ * turn within 360 degrees/s; negative drops are none, those that find no room are
+ * counted. */
 typedef struct {
     tp_fx   ahead, aside, up;   /* m, of the camera, in its horizontal frame */
     int32_t turn, tilt;         /* tp_turn steps of its heading and pitch, signed */
     tp_fx   sphere_x, sphere_z; /* m that the sphere of drops moves */
     int32_t drops;              /* to release, 0..1024 */
     tp_fx   throttle, rudder;   /* of the boat: m/s and degrees/s beside the scene's */
-    tp_fx   poke;               /* m: a hat put into the pool ... */
-    tp_fx   poke_x, poke_z;     /* ... here, world m */
     int32_t slower;             /* steps of the clock: +1 halves its scale, -1 doubles */
     int32_t light_turn, light_tilt;     /* tp_turn steps of the light, signed */
+    tp_push push[TP_PUSHES];    /* in their order; a world without a pool takes none */
 } tp_input;
 
 /* The parts that only some scenes have lie behind this head, at these byte offsets from

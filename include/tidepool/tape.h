@@ -4,10 +4,12 @@
  *     tape 1 three-swells
  *     120 ahead=0.05 turn=-1200
  *     121 drops=1
+ *     122 poke=0.3 poke_x=1.5 poke_z=-2 poke2=0.3 poke2_x=-1.5
  *
  * The head names the form and the scene; a line holds a tick and what of tp_input is not
- * 0.  Ticks rise.  Numbers of the API's 16.16 are written so that they read back to the
- * same bits. */
+ * 0, by its names; the height and place of push[0] are poke, poke_x and poke_z, those of
+ * push[1] to push[7] poke2 ... poke8_z.  Ticks rise.  Numbers of the API's 16.16 are
+ * written so that they read back to the same bits. */
 #ifndef TP_TAPE_H
 #define TP_TAPE_H
 #include <stddef.h>
@@ -18,7 +20,7 @@
 
 TP_BEGIN_C
 
-#define TP_TAPE_LINE 384        /* no line is longer, its end included */
+#define TP_TAPE_LINE 1024       /* no line is longer, its end included */
 
 typedef struct {
     uint64_t tick;              /* before whose step the input is given: 0 is the first */

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Buttons to what is wished for the next tick. */
 #include "buttons.h"
+#include "../live/poke.h"
 
 /* Of a click: 10 degrees of the camera, 15 of the light, 0.25 m of the sphere. */
 #define TURN  ((int32_t)TP_DEG(10))
@@ -17,7 +18,7 @@ static tp_fx held(const tp_scene *scene, int32_t cells, tp_fx middle, tp_fx x)
 }
 
 /* Where the middle of the picture meets still water; nowhere: the pool's middle. */
-static void aim(const tp_world *world, const tp_scene *scene, tp_input *input)
+static bool aim(const tp_world *world, const tp_scene *scene, tp_input *input)
 {
     const tp_camera camera = tp_world_camera(world);
     const tp_dir3 *back = &camera.turn.z;
@@ -28,9 +29,10 @@ static void aim(const tp_world *world, const tp_scene *scene, tp_input *input)
         x = tp_fx_minus(camera.eye.x, tp_q30_mul(far, back->x));
         z = tp_fx_minus(camera.eye.z, tp_q30_mul(far, back->z));
     }
-    input->poke = scene->pool.poke;
-    input->poke_x = held(scene, scene->pool.cols, scene->pool.x, x);
-    input->poke_z = held(scene, scene->pool.rows, scene->pool.z, z);
+    const tp_push push = { scene->pool.poke,
+                           held(scene, scene->pool.cols, scene->pool.x, x),
+                           held(scene, scene->pool.rows, scene->pool.z, z) };
+    return push.height == 0 || poke_put(input, &push);
 }
 
 void buttons_read(buttons *b, uint32_t lines, const tp_world *world,
@@ -42,8 +44,9 @@ void buttons_read(buttons *b, uint32_t lines, const tp_world *world,
     b->lines = lines;
     if (up & BUTTON_UP && world->parts.drops)
         input->drops++;
-    if (up & BUTTON_SELECT && (world->parts.pool || world->parts.field))
-        aim(world, scene, input);
+    if (up & BUTTON_SELECT && (world->parts.pool || world->parts.field)
+        && !aim(world, scene, input))
+        b->lines &= ~(uint32_t)BUTTON_SELECT;   /* the tick is full: once more for the next */
     if (up & BUTTON_DOWN)
         input->light_turn += LIGHT;
     if (world->parts.drops)

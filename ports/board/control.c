@@ -2,6 +2,7 @@
 /* Bytes to lines, lines to commands.  A line that is too long, or has a byte in it that
  * is no text, is dropped whole and said so at its end; the next one is read as ever. */
 #include "control.h"
+#include "../live/poke.h"
 #include "answer.h"
 #include "tidepool/tape.h"
 
@@ -55,23 +56,29 @@ static bool next_metres(control_word *rest, tp_fx *metres)
         && !beyond;
 }
 
+/* The one that does not fit into the next tick is said again by who sent it. */
+static void refuse_full(const control *c)
+{
+    answer(c, "error ");
+    answer_number(c, TP_PUSHES);
+    answer(c, " pokes wait for the next tick, which takes no more\n");
+}
+
 static void poke(control *c, control_word rest)
 {
     const tp_world_parts *parts = &c->setup->world->parts;
-    tp_fx x, z, height = c->setup->shown->pool.poke;
-    bool  read = next_metres(&rest, &x) && next_metres(&rest, &z);
+    tp_push push = { .height = c->setup->shown->pool.poke };
+    bool read = next_metres(&rest, &push.x) && next_metres(&rest, &push.z);
     if (read && rest.bytes > 0)
-        read = next_metres(&rest, &height) && rest.bytes == 0;
-    if (!read) {
+        read = next_metres(&rest, &push.height) && rest.bytes == 0;
+    if (!read)
         refuse(c, "expected poke X Z [HEIGHT], in m");
-    } else if (!parts->pool && !parts->field) {
+    else if (!parts->pool && !parts->field)
         refuse(c, "the scene has no pool");
-    } else {
-        c->input.poke = height;
-        c->input.poke_x = x;
-        c->input.poke_z = z;
+    else if (push.height != 0 && !poke_put(&c->input, &push))
+        refuse_full(c);
+    else
         answer(c, "ok poke\n");
-    }
 }
 
 static void drop(control *c)
@@ -84,8 +91,17 @@ static void drop(control *c)
     answer(c, "ok drop\n");
 }
 
+/* False: not all of them have room. */
+static bool add_pushes(tp_input *to, const tp_push push[TP_PUSHES])
+{
+    bool all = true;
+    for (int i = 0; i < TP_PUSHES; i++)
+        all = (push[i].height == 0 || poke_put(to, &push[i])) && all;
+    return all;
+}
+
 /* A tape's line but for its tick, which is the next one whatever it is called: "input"
- * becomes "0    ".  What was asked for before and not now stays. */
+ * becomes "0    ".  Drops and pokes that were asked for before stay. */
 static void input(control *c)
 {
     tp_tape_entry entry;
@@ -96,14 +112,14 @@ static void input(control *c)
         refuse_input(c, &err);
         return;
     }
-    const tp_input before = c->input;
-    c->input = entry.input;
-    c->input.drops = tp_clamp(before.drops + entry.input.drops, 0, DROPS_MOST);
-    if (!c->input.poke) {
-        c->input.poke = before.poke;
-        c->input.poke_x = before.poke_x;
-        c->input.poke_z = before.poke_z;
+    tp_input next = entry.input;
+    memcpy(next.push, c->input.push, sizeof next.push);
+    next.drops = tp_clamp(c->input.drops + next.drops, 0, DROPS_MOST);
+    if (!add_pushes(&next, entry.input.push)) {
+        refuse_full(c);
+        return;
     }
+    c->input = next;
     answer(c, "ok input\n");
 }
 

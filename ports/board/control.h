@@ -7,7 +7,8 @@
  *     get sky.kind                ok sky.kind = day of gradient|day|dusk|night|cube
  *     list wave0                  a line for each of them, then: ok 7 parameters
  *     drop                        ok drop
- *     poke 1.5 -8                 ok poke; a height may follow, or is pool.poke
+ *     poke 1.5 -8                 ok poke; a height may follow, or is pool.poke; a tick
+ *                                 takes 8 of them, more are refused until it was made
  *     input light_turn=9 drops=1  ok input; what tidepool/tape.h lists, for one tick
  *     pause, go, step 30          ok pause; a step is so many ticks, then it pauses
  *     restart                     ok restart; from tick 0, with the numbers as they are

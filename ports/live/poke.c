@@ -17,24 +17,88 @@ static tp_fx place(tp_fx middle, int32_t cells, tp_fx cell, int32_t quarters)
     return tp_fx_held(middle + (int64_t)cells * cell * quarters / 4);
 }
 
-void poke_point(const tp_scene *scene, uint32_t number, tp_input *input)
+tp_push poke_point(const tp_scene *scene, uint32_t number)
 {
     const tp_scene_pool *pool = poked(scene);
     const int32_t column = (int32_t)(number % 3) - 1;
 
-    if (pool && number < POKE_POINTS)
-        poke_at(scene, place(pool->x, pool->cols, pool->cell, column),
-                place(pool->z, pool->rows, pool->cell, number < 3 ? -1 : 1), false,
-                input);
+    if (!pool || number >= POKE_POINTS)
+        return (tp_push){ .height = 0 };
+    return poke_at(scene, place(pool->x, pool->cols, pool->cell, column),
+                   place(pool->z, pool->rows, pool->cell, number < 3 ? -1 : 1));
 }
 
-void poke_at(const tp_scene *scene, tp_fx x, tp_fx z, bool stir, tp_input *input)
+tp_push poke_at(const tp_scene *scene, tp_fx x, tp_fx z)
 {
     const tp_scene_pool *pool = poked(scene);
 
-    if (!pool)
-        return;
-    input->poke = stir ? pool->poke / STIR : pool->poke;
-    input->poke_x = x;
-    input->poke_z = z;
+    return (tp_push){ .height = pool ? pool->poke : 0, .x = x, .z = z };
+}
+
+/* -- a tick -------------------------------------------------------------------------- */
+
+static uint32_t room_of(const tp_input *input)
+{
+    uint32_t room = 0;
+
+    for (int i = 0; i < TP_PUSHES; i++)
+        room += input->push[i].height == 0;
+    return room;
+}
+
+bool poke_put(tp_input *input, const tp_push *push)
+{
+    for (int i = 0; i < TP_PUSHES; i++) {
+        if (input->push[i].height == 0) {
+            input->push[i] = *push;
+            return true;
+        }
+    }
+    return false;
+}
+
+/* -- what waits ---------------------------------------------------------------------- */
+
+bool poke_add(poke_queue *queue, const tp_push *push)
+{
+    if (push->height == 0)
+        return true;
+    if (queue->count == POKE_WAITS)
+        return false;
+    queue->waits[(queue->first + queue->count++) % POKE_WAITS] = *push;
+    return true;
+}
+
+void poke_stir(poke_queue *queue, tp_fx x, tp_fx z)
+{
+    const uint32_t at = queue->places < POKE_PATH ? queue->places++ : POKE_PATH - 1;
+
+    queue->path[at].x = x;
+    queue->path[at].z = z;
+}
+
+/* Of a path of more places than there is room for as many as fit, evenly, its end among
+ * them.  Without any room it waits. */
+static void take_path(poke_queue *queue, const tp_scene *scene, tp_input *input)
+{
+    const uint32_t room = room_of(input);
+    const uint32_t n = queue->places < room ? queue->places : room;
+
+    for (uint32_t i = 0; i < n; i++) {
+        const uint32_t at = (i + 1) * queue->places / n - 1;
+        tp_push push = poke_at(scene, queue->path[at].x, queue->path[at].z);
+        push.height /= STIR * (tp_fx)n;
+        poke_put(input, &push);
+    }
+    if (n > 0)
+        queue->places = 0;
+}
+
+void poke_take(poke_queue *queue, const tp_scene *scene, tp_input *input)
+{
+    while (queue->count > 0 && poke_put(input, &queue->waits[queue->first])) {
+        queue->first = (queue->first + 1) % POKE_WAITS;
+        queue->count--;
+    }
+    take_path(queue, scene, input);
 }

@@ -36,14 +36,19 @@ static void window_event(control *c, const SDL_WindowEvent *event, uint64_t now)
     }
 }
 
+static void add_place(control *c, int x, int y, bool stir)
+{
+    const int at = c->places < CONTROL_PLACES ? c->places++ : CONTROL_PLACES - 1;
+    c->place[at] = (control_place){ x, y, stir };
+}
+
 static void button_down(control *c, const SDL_MouseButtonEvent *event)
 {
     if (event->button == SDL_BUTTON_LEFT) {
         c->turning = true;
     } else if (event->button == SDL_BUTTON_RIGHT) {
-        c->poke = c->stirring = true;
-        c->poke_x = event->x;
-        c->poke_y = event->y;
+        c->stirring = true;
+        add_place(c, event->x, event->y, false);
     }
 }
 
@@ -61,11 +66,8 @@ static void moved(control *c, const SDL_MouseMotionEvent *event)
         c->drag_x = tp_clamp(c->drag_x + event->xrel, -DRAG_MAX, DRAG_MAX);
         c->drag_y = tp_clamp(c->drag_y + event->yrel, -DRAG_MAX, DRAG_MAX);
     }
-    if (c->stirring && !c->poke) {
-        c->stir = true;
-        c->poke_x = event->x;
-        c->poke_y = event->y;
-    }
+    if (c->stirring)
+        add_place(c, event->x, event->y, true);
 }
 
 bool control_event(control *c, const SDL_Event *event, uint64_t now)

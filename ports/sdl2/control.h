@@ -9,6 +9,13 @@
 #include "pad.h"
 #include "tidepool/scene.h"
 
+#define CONTROL_PLACES 64       /* of the right button, between two ticks */
+
+typedef struct {
+    int  x, y;                  /* pixel of the window */
+    bool stir;                  /* moved with the button, else it went down */
+} control_place;
+
 typedef struct {
     bool     quit, exposed;     /* events: the loop takes them back */
     bool     hidden;            /* state: minimised */
@@ -16,8 +23,8 @@ typedef struct {
     bool     turning, stirring; /* states: a button that went down on the picture is held */
     int      drag_x, drag_y;    /* pixels, since the last tick */
     int      wheel;             /* notches, likewise; + is away from the person */
-    bool     poke, stir;        /* events: the right button, and moved with it ... */
-    int      poke_x, poke_y;    /* ... at this pixel of the window */
+    control_place place[CONTROL_PLACES];    /* events, in their order ... */
+    int      places;            /* ... so many; of more the last one counts */
     bool     resized;
     uint64_t resized_at;        /* us, of the last change of a row of them */
     char     dropped[4096];     /* a file that was dropped on the window, "" none */

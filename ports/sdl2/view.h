@@ -21,6 +21,7 @@
 #include "../host/session.h"
 #include "../host/stage.h"
 #include "../live/look.h"
+#include "../live/poke.h"
 #include "control.h"
 #include "keymap.h"
 #include "letters.h"
@@ -49,7 +50,8 @@ typedef struct view {
     uint64_t    clock, owed;    /* us; ticks not yet made, in 1/1000000 */
     uint32_t    picture;        /* since the scene was opened or restarted */
     uint64_t    base;           /* ticks of worlds that have been made anew since then */
-    tp_input    wish;           /* for the next tick */
+    tp_input    wish;           /* for the next tick ... */
+    poke_queue  pokes;          /* ... and for it and those after it */
     bool        paused;
     bool        changed;        /* since the last picture: scene or camera, untapedly */
     past       *past;           /* NULL: no memory for it */
@@ -97,6 +99,7 @@ typedef struct view {
 /* -- view_time.c ------------------------------------------------------------------- */
 
 void view_advance(view *v, uint64_t now);       /* as many ticks as are due */
+void view_poke(view *v, const tp_push *push);   /* with the next tick that has room */
 void view_step(view *v);                        /* one picture further */
 void view_back(view *v);                        /* one picture back, if it is kept */
 void view_restart(view *v);                     /* from tick 0, with the changes */

@@ -5,7 +5,6 @@
 #include <string.h>
 #include "../host/path.h"
 #include "../host/say.h"
-#include "../live/poke.h"
 #include "view.h"
 
 #define UI_LEAST 50             /* percent */
@@ -36,8 +35,9 @@ static void drop(view *v)
 static void poke(view *v, uint32_t number)
 {
     const tp_scene *scene = &v->stage->file.scene;
+    const tp_push push = poke_point(scene, number);
     if (scene->pool.cols || scene->field.cols)
-        poke_point(scene, number, &v->wish);
+        view_poke(v, &push);
     else
         view_say(v, "this scene has no pool");
 }

@@ -147,6 +147,7 @@ bool view_open(view *v, const char *scene)
     v->picture = 0;
     v->base = 0;
     v->wish = (tp_input){ 0 };
+    v->pokes = (poke_queue){ 0 };
     v->changed = false;
     past_forget(v->past);
     edits_clear(&v->edits);

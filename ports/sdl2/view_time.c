@@ -9,7 +9,6 @@
 #include <string.h>
 #include "../host/say.h"
 #include "../live/pick.h"
-#include "../live/poke.h"
 #include "../live/wish.h"
 #include "view.h"
 
@@ -52,10 +51,22 @@ static void step_world(view *v, const tp_input *input)
     tp_world_step(world_of(v), &v->stage->file.scene, input);
 }
 
-/* In slow motion there are pictures without a tick: what was wished then waits. */
+/* Whether the next picture has a tick: the clock is asked on a copy of the head. */
+static bool has_tick(const tp_world *world)
+{
+    tp_world head = *world;
+    return tp_world_frame(&head) > 0;
+}
+
+/* In slow motion there are pictures without a tick: what was wished then waits, and so
+ * does the path of a stir, which is shared out when the tick is made. */
 void view_step(view *v)
 {
     static const tp_input nothing;
+    if (v->playing)
+        v->pokes = (poke_queue){ 0 };           /* a tape has its own */
+    else if (has_tick(world_of(v)))
+        poke_take(&v->pokes, &v->stage->file.scene, &v->wish);
     if (v->playing && deck_over(&v->replay.tape, v->replay.tick)) {
         view_untape(v);
         view_say(v, "the tape has ended: the keys are yours");
@@ -101,6 +112,7 @@ void view_back(view *v)
     v->changed = true;
     deck_cut(&v->tape, tick_of(v));
     v->wish = (tp_input){ 0 };
+    v->pokes = (poke_queue){ 0 };
     const bool other = memcmp(&before, &s->file.scene, sizeof before) != 0;
     if (other && stage_canvas(s, v->options) != EXIT_DONE)
         v->quit = true;
@@ -109,21 +121,29 @@ void view_back(view *v)
 
 /* -- a tick ---------------------------------------------------------------------- */
 
-/* Where the mouse pokes or stirs: the water under its pixel. */
-static void aim(view *v, tp_input *wish)
+void view_poke(view *v, const tp_push *push)
 {
-    control *c = &v->control;
+    if (!poke_add(&v->pokes, push))
+        view_say(v, "%d pokes wait, and no more can: P lets the water go on", POKE_WAITS);
+}
+
+/* Where the mouse poked or stirred: the water under its pixel. */
+static void aim(view *v, const control_place *place)
+{
     const tp_scene *scene = &v->stage->file.scene;
     const picture *p = &v->stage->canvas.picture;
     tp_vec3 at;
     int x, y;
-    if (window_pixel(&v->window, v->scale, c->poke_x, c->poke_y, &x, &y)
-        && pick_water(world_of(v), scene, p->width, p->height, x, y, &at)) {
-        if (c->poke && !scene->pool.cols && !scene->field.cols)
-            view_say(v, "no pool is there to poke: Space lets a drop fall");
-        poke_at(scene, at.x, at.z, !c->poke, wish);
-    }
-    c->poke = c->stir = false;
+    if (!window_pixel(&v->window, v->scale, place->x, place->y, &x, &y)
+        || !pick_water(world_of(v), scene, p->width, p->height, x, y, &at))
+        return;
+    const tp_push push = poke_at(scene, at.x, at.z);
+    if (place->stir)
+        poke_stir(&v->pokes, at.x, at.z);
+    else if (scene->pool.cols || scene->field.cols)
+        view_poke(v, &push);
+    else
+        view_say(v, "no pool is there to poke: Space lets a drop fall");
 }
 
 static void wish_for(view *v, tp_input *input)
@@ -137,8 +157,9 @@ static void wish_for(view *v, tp_input *input)
     }
     look_steer(&v->look, world_of(v), &v->stage->file.scene, input);
     wish_add(&v->wish, input);
-    if (v->control.poke || v->control.stir)
-        aim(v, &v->wish);
+    for (int i = 0; i < v->control.places; i++)
+        aim(v, &v->control.place[i]);
+    v->control.places = 0;
 }
 
 /* The camera moves though the water stands. */
@@ -198,6 +219,7 @@ void view_restart(view *v)
     v->picture = 0;
     v->base = 0;
     v->wish = (tp_input){ 0 };
+    v->pokes = (poke_queue){ 0 };
     past_forget(v->past);
     v->look = (look){ .mode = v->look.mode == LOOK_BOAT ? LOOK_BOAT : LOOK_FREE };
     view_refit(v, false);

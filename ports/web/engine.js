@@ -171,8 +171,8 @@
 
         crc() { return (this.c.crc() >>> 0).toString(16).padStart(8, '0'); }
 
-        /* The input of the next step: see tp_input. */
-        wish() { return new Int32Array(this.c.memory.buffer, this.c.input(), 16); }
+        /* The input of the next step: see tp_input, but for its pokes. */
+        wish() { return new Int32Array(this.c.memory.buffer, this.c.input(), 13); }
 
         camera() { return new Int32Array(this.c.memory.buffer, this.c.camera(), 5); }
 

@@ -11,8 +11,8 @@
 (function (root) {
     /* Fields of tp_input. */
     const AHEAD = 0, ASIDE = 1, UP = 2, TURN = 3, TILT = 4, SPHERE_X = 5, SPHERE_Z = 6,
-          DROPS = 7, THROTTLE = 8, RUDDER = 9, SLOWER = 13, LIGHT_TURN = 14,
-          LIGHT_TILT = 15;
+          DROPS = 7, THROTTLE = 8, RUDDER = 9, SLOWER = 10, LIGHT_TURN = 11,
+          LIGHT_TILT = 12;
 
     /* Of a tick, as in ports/live/wish.h: m and degrees a second over 60. */
     const metres = m => Math.round(m * 65536);
@@ -45,7 +45,7 @@
 
     root.makeHands = function (canvas, act) {
         const down = new Set(), fingers = new Map();
-        let more = new Array(16).fill(0), slipped = 0, apart = 0, stirring = false;
+        let more = new Array(LIGHT_TILT + 1).fill(0), slipped = 0, apart = 0, stirring = false;
 
         /* -- keys ---------------------------------------------------------------- */
 

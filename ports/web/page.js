@@ -298,10 +298,11 @@
             go({ scene: engine.scenes[(state.scene + by + n) % n].name, settings: [] });
         },
         look: mode => steer(mode),
-        poke: n => engine.c.poke(n),
+        poke: n => poked(engine.c.poke(n)),
         touch: (x, y, stir) => {
             const found = engine.c.touch(Math.floor(x * state.width),
                                          Math.floor(y * state.height), stir);
+            poked(found);
             if (found === 2 && !stir)
                 tell('Nothing here takes a drop.', true, 'Let drops fall',
                      () => rain(x, y));
@@ -312,6 +313,12 @@
         share: () => shareSheet(address()),
         help: helpSheet,
     };
+
+    /* 3: see web.c. */
+    function poked(found) {
+        if (found === 3)
+            tell('No more pokes can wait: P lets the water go on.', true);
+    }
 
     function act(name, ...rest) {
         if (!state.busy && state.built)

@@ -29,7 +29,8 @@ static struct {
     uint32_t  number;           /* of the frame that the world is at */
     tp_world  before;           /* the head of the last world, for another like it */
     bool      was;
-    tp_input  wish;             /* for the next tick */
+    tp_input  wish;             /* for the next tick ... */
+    poke_queue pokes;           /* ... and for it and those after it */
     look      look;
     tp_governor governor;
 } page;
@@ -119,6 +120,7 @@ EXPORT(int, build, uint32_t width, uint32_t height, int format, bool carry)
                                      .format = (tp_format)format };
     page.number = carry ? page.number : 0;
     page.wish = (tp_input){ 0 };
+    page.pokes = (poke_queue){ .count = 0 };
     if (make_world(&err) || make_frame(&err)) {
         page.world = NULL;
         web_back_to(page.mark);
@@ -149,17 +151,21 @@ EXPORT(int, resize, uint32_t width, uint32_t height, int format)
 
 /* -- time ------------------------------------------------------------------------ */
 
-/* What the page adds to before the next step: its fields are 32 bits each. */
+_Static_assert(offsetof(tp_input, push) == 13 * sizeof(int32_t),
+               "the page adds to thirteen fields of 32 bits");
+
+/* What the page adds to before the next step, but for its pokes. */
 EXPORT(tp_input *, input, void)
 {
     return &page.wish;
 }
 
 /* On to the next picture; the first of its ticks takes the input, which waits where slow
- * motion has none.  The picture's number. */
+ * motion has none, and each of them what waits of pokes.  The picture's number. */
 EXPORT(uint32_t, step, void)
 {
     for (uint32_t ticks = tp_world_frame(page.world); ticks > 0; ticks--) {
+        poke_take(&page.pokes, &web_scene, &page.wish);
         look_steer(&page.look, page.world, &web_scene, &page.wish);
         tp_world_step(page.world, &web_scene, &page.wish);
         page.wish = (tp_input){ 0 };
@@ -233,10 +239,18 @@ static void drop_at(const tp_drops *drops, const tp_vec3 *at)
     page.wish.drops = 1;
 }
 
-enum { MISSED, TOUCHED, DRY };
+enum { MISSED, TOUCHED, DRY, FULL };
+
+static int poke(const tp_push *push, bool stir)
+{
+    if (stir)
+        poke_stir(&page.pokes, push->x, push->z);
+    return stir || poke_add(&page.pokes, push) ? TOUCHED : FULL;
+}
 
 /* The water under a pixel is poked, or a drop falls on it; `stir` is what a finger that
- * goes on does.  DRY: it is touched, and the scene has nothing that could take it. */
+ * goes on does.  DRY: it is touched, and the scene has nothing that could take it; FULL:
+ * so many pokes wait for the water to move that this one is lost. */
 EXPORT(int, touch, int32_t x, int32_t y, bool stir)
 {
     tp_vec3 at;
@@ -244,18 +258,20 @@ EXPORT(int, touch, int32_t x, int32_t y, bool stir)
     if (!pick_water(page.world, &web_scene, page.config.width, page.config.height, x, y,
                     &at))
         return MISSED;
+    const tp_push push = poke_at(&web_scene, at.x, at.z);
     if (tp_world_pool(page.world) || tp_world_field(page.world))
-        poke_at(&web_scene, at.x, at.z, stir, &page.wish);
-    else if (drops)
+        return poke(&push, stir);
+    if (drops)
         drop_at(drops, &at);
     else
         return DRY;
     return TOUCHED;
 }
 
-EXPORT(void, poke, uint32_t number)
+EXPORT(int, poke, uint32_t number)
 {
-    poke_point(&web_scene, number, &page.wish);
+    const tp_push push = poke_point(&web_scene, number);
+    return poke(&push, false);
 }
 
 /* False: the scene has no boat, or the like. */

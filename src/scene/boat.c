@@ -54,8 +54,9 @@ static tp_turn heading_of(const tp_afloat *afloat, const tp_scene *scene)
 static void sail(tp_afloat *afloat, const tp_scene *scene, const tp_input *in)
 {
     const int64_t over = TP_TICKS_PER_SECOND << 14, degree = 13031248922;
-    int64_t turn = tp_limit((int64_t)scene->boat.rudder + in->rudder, TURN_MOST);
-    int64_t speed = tp_limit((int64_t)scene->boat.speed + in->throttle, SPEED_MOST);
+    const tp_fx rudder = in ? in->rudder : 0, throttle = in ? in->throttle : 0;
+    int64_t turn = tp_limit((int64_t)scene->boat.rudder + rudder, TURN_MOST);
+    int64_t speed = tp_limit((int64_t)scene->boat.speed + throttle, SPEED_MOST);
 
     afloat->turned += (uint64_t)(turn * degree);
     tp_turn heading = heading_of(afloat, scene);

@@ -76,7 +76,10 @@ void tp_light_step(tp_world *world, const tp_scene *scene, const tp_input *in)
     int64_t second = (int64_t)scene->light.turn * ((int64_t)1 << 32);
     int64_t tick = tp_quotient(second, (int64_t)360 * TP_FX_ONE * TP_TICKS_PER_SECOND);
 
-    world->light_heading += (tp_turn)tick + (tp_turn)in->light_turn;
+    world->light_heading += (tp_turn)tick;
+    if (!in)
+        return;
+    world->light_heading += (tp_turn)in->light_turn;
     world->light_elevation =
         height_held((int64_t)world->light_elevation + in->light_tilt);
 }

@@ -57,9 +57,9 @@ static void step_drops(const tp_kit *kit, tp_world *world, const tp_scene *scene
     tp_drops *drops = tp_parts_drops(world);
     tp_surface surface = tp_world_surface(kit, world);
 
-    tp_drops_steer(drops, in->sphere_x, in->sphere_z);
+    tp_drops_steer(drops, in ? in->sphere_x : 0, in ? in->sphere_z : 0);
     tp_drops_release_due(drops, &scene->drops);
-    if (in->drops > 0)
+    if (in && in->drops > 0)
         tp_drops_release(drops, &scene->drops, (uint32_t)in->drops);
     move_drops(kit, world, scene, &surface);
     tp_drops_tidy(drops, (int64_t)(world->tick * TP_FX_ONE), 200 * TP_FX_ONE);
@@ -108,8 +108,11 @@ static void step_pools(const tp_kit *kit, tp_world *world, const tp_scene *scene
 {
     tp_pool *pool = tp_parts_pool(world), *field = tp_parts_field(world);
 
-    if (pool && in->poke != 0)
-        tp_pool_hat(pool, in->poke_x, in->poke_z, scene->pool.poke_size, in->poke);
+    for (int i = 0; in && pool && i < TP_PUSHES; i++) {
+        const tp_push *p = &in->push[i];
+        if (p->height != 0)
+            tp_pool_hat(pool, p->x, p->z, scene->pool.poke_size, p->height);
+    }
     if (pool)
         step_pool(kit, world, pool, &scene->pool, &world->poke_wait[0]);
     if (field)

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* What the kit holds of each part of a world that only some scenes have.  A part that the
- * kit lacks is not in the world. */
+ * kit lacks is not in the world.  An `input` of NULL is one that is all 0. */
 #ifndef TP_SCENE_MOVES_H
 #define TP_SCENE_MOVES_H
 #include "geom/waters.h"

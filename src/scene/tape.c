@@ -15,6 +15,10 @@ typedef struct {
 #define AT(name)             #name, offsetof(tp_input, name)
 #define FX(name)             { AT(name), false, INT32_MIN, INT32_MAX }
 #define INT(name, low, high) { AT(name), true, low, high }
+#define PUSHED(name, at)     { name, offsetof(tp_input, at), false, INT32_MIN, INT32_MAX }
+#define PUSH(i, name) \
+    PUSHED(name, push[i].height), PUSHED(name "_x", push[i].x), \
+    PUSHED(name "_z", push[i].z)
 
 static const field fields[] = {
     FX(ahead), FX(aside), FX(up),
@@ -22,7 +26,8 @@ static const field fields[] = {
     FX(sphere_x), FX(sphere_z),
     INT(drops, 0, 1024),
     FX(throttle), FX(rudder),
-    FX(poke), FX(poke_x), FX(poke_z),
+    PUSH(0, "poke"), PUSH(1, "poke2"), PUSH(2, "poke3"), PUSH(3, "poke4"),
+    PUSH(4, "poke5"), PUSH(5, "poke6"), PUSH(6, "poke7"), PUSH(7, "poke8"),
     INT(slower, INT32_MIN, INT32_MAX),
     INT(light_turn, INT32_MIN, INT32_MAX), INT(light_tilt, INT32_MIN, INT32_MAX),
 };
@@ -30,7 +35,7 @@ static const field fields[] = {
 enum { FIELDS = sizeof fields / sizeof fields[0] };
 
 _Static_assert(FIELDS * sizeof(int32_t) == sizeof(tp_input), "every input has its row");
-_Static_assert(FIELDS <= 32, "a bit of an uint32_t says which were read");
+_Static_assert(FIELDS <= 64, "a bit of an uint64_t says which were read");
 
 /* -- writing ------------------------------------------------------------------------- */
 
@@ -147,7 +152,7 @@ static int find_field(tp_piece name)
 }
 
 /* One NAME=NUMBER into the input; `seen` has a bit for each field that was read. */
-static tp_status read_field(tp_input *input, tp_piece w, uint32_t *seen, tp_error *err)
+static tp_status read_field(tp_input *input, tp_piece w, uint64_t *seen, tp_error *err)
 {
     tp_piece name = { w.text, 0 };
     int32_t value = 0;
@@ -161,7 +166,7 @@ static tp_status read_field(tp_input *input, tp_piece w, uint32_t *seen, tp_erro
         return fail_word(err, TP_E_TAPE_NAME, name);
     if (*seen >> i & 1)
         return fail_word(err, TP_E_TAPE_TWICE, name);
-    *seen |= (uint32_t)1 << i;
+    *seen |= (uint64_t)1 << i;
 
     const field *f = &fields[i];
     const tp_piece number = { name.text + name.bytes + 1, w.bytes - name.bytes - 1 };
@@ -180,7 +185,7 @@ tp_status tp_tape_read(tp_tape_entry *entry, const char *text, size_t bytes,
 {
     tp_piece line = { text, bytes }, w = next_word(&line);
     tp_tape_entry read = { .tick = 0 };
-    uint32_t seen = 0;
+    uint64_t seen = 0;
     tp_status status = read_digits(w, UINT64_MAX, &read.tick);
 
     if (status != TP_OK)

@@ -127,12 +127,16 @@ static tp_fx held(int64_t x)
     return (tp_fx)tp_limit(x, EYE_MOST);
 }
 
-/* Rounded, so that a walk forth and back ends where it began. */
-static void move_eye(tp_world *world, const tp_input *in)
+static void keep_camera(tp_world *world)
 {
     world->last_eye = world->eye;
     world->last_heading = world->heading;
     world->last_pitch = world->pitch;
+}
+
+/* Rounded, so that a walk forth and back ends where it began. */
+static void move_camera(tp_world *world, const tp_input *in)
+{
     world->heading += (tp_turn)in->turn;
     world->pitch = tilted(world->pitch, in->tilt);
 
@@ -145,10 +149,8 @@ static void move_eye(tp_world *world, const tp_input *in)
 
 void tp_world_look(tp_world *world, const tp_input *input)
 {
-    move_eye(world, input);
-    world->last_eye = world->eye;       /* there is no tick to draw between */
-    world->last_heading = world->heading;
-    world->last_pitch = world->pitch;
+    move_camera(world, input);
+    keep_camera(world);                 /* there is no tick to draw between */
 }
 
 /* -- a tick ------------------------------------------------------------------------ */
@@ -157,30 +159,31 @@ void tp_world_look(tp_world *world, const tp_input *input)
 void tp_world_step_with(const tp_kit *kit, tp_world *world, const tp_scene *scene,
                         const tp_input *input)
 {
-    static const tp_input none;
-    const tp_input *in = input ? input : &none;
     const tp_moves *move = &kit->move;
 
     world->tick++;
-    move_eye(world, in);
+    keep_camera(world);
+    if (input)
+        move_camera(world, input);
     tp_sea_phases(&world->sea, world->tick, 0, world->phases);
     if (world->parts.drops)
-        move->drops->step(kit, world, scene, in);
+        move->drops->step(kit, world, scene, input);
     world->last_boat = world->boat;
     if (has_boat(kit, scene))
-        move->boat->step(kit, world, scene, in);
+        move->boat->step(kit, world, scene, input);
     if (has_boat(kit, scene) && move->wake)
         move->wake->step(world, scene);
     if (world->parts.pool || world->parts.field)
-        move->pools->step(kit, world, scene, in);
+        move->pools->step(kit, world, scene, input);
     if (world->parts.foam)
         move->foam->step(world, scene);
     if (world->parts.spray)
         move->spray->step(kit, world, scene);
-    tp_light_step(world, scene, in);
+    tp_light_step(world, scene, input);
     if (world->parts.probe)
         move->meter->step(world, scene);
-    tp_clock_shift(&world->clock, in->slower);
+    if (input)
+        tp_clock_shift(&world->clock, input->slower);
 }
 
 /* Ticks that must have been stepped to draw at the clock's time. */

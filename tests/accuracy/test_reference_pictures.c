@@ -221,8 +221,8 @@ static double height_at(const view_of_ref *v, int col, int row)
 static void open_poked(view_of_ref *v, bool bump)
 {
     tp_scene *s = &v->scene;
-    const tp_input poke = { .poke = TP_FX(0.8), .poke_x = chance_fx(&seed, -3, 3),
-                            .poke_z = chance_fx(&seed, -3, 3) };
+    const tp_input poke = { .push[0] = { TP_FX(0.8), chance_fx(&seed, -3, 3),
+                                         chance_fx(&seed, -3, 3) } };
 
     s->pool.cols = s->pool.rows = CELLS;
     s->pool.cells = TP_CELLS_16;

@@ -22,7 +22,8 @@ static void require_input(const tp_input *in, size_t bytes)
             && is_within(in->light_tilt, WISH_LIGHT));
     REQUIRE(in->drops >= 0 && (size_t)in->drops <= bytes);
     REQUIRE(is_within(in->slower, (int64_t)bytes));
-    REQUIRE(in->poke == 0);
+    for (int i = 0; i < TP_PUSHES; i++)
+        REQUIRE(in->push[i].height == 0);
 }
 
 /* Without more bytes nothing is held after as many ticks as a byte can count. */

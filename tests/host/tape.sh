@@ -52,6 +52,20 @@ same "frame 0 comes before its first line" "$(echo "$walk" | head -1)" \
 if [ "$walk" = "$plain" ]; then verdict "a tape moves the camera" "it does not"
 else verdict "a tape moves the camera" ""; fi
 
+# Of a tick with several pokes each one is seen, and their order on the line is free.
+pond() { hashes pond --set pool.poke_every=0 --tape "$1"; }
+poked() { printf 'tape 1 pond\n3 %s\n' "$1" >poked.tape; pond poked.tape; }
+one="poke=0.3 poke_x=-1" two="poke2=0.3 poke2_x=1" last="poke8=0.2 poke8_z=1"
+all=$(poked "$one $two $last")
+same "a tape of several pokes in a tick plays" "$(echo "$all" | grep -c '^frame')" 40
+same "in any order" "$(poked "$last $one $two")" "$all"
+for lacks in "$one $two" "$one $last" "$two $last"; do
+    if [ "$(poked "$lacks")" = "$all" ]; then verdict "each acts" "not without $lacks"
+    else verdict "each poke acts: others than $lacks" ""; fi
+done
+bad "a poke too many" "no input is called poke9" "4 poke=1 poke9=1"
+bad "a poke twice" "poke2 stands twice" "4 poke2=1 poke2=1"
+
 tape none.tape "5" "6" "# nothing"
 same "lines without inputs change nothing" "$(hashes minimal --tape none.tape)" "$plain"
 tape bare.tape
@@ -203,9 +217,9 @@ bad "fewer drops than none" "drops=-1 is outside" "4 drops=-1"
 bad "the same tick again" "ticks must rise" "3 ahead=1"
 bad "an earlier tick" "ticks must rise" "2 ahead=1"
 bad "an earlier tick without input" "ticks must rise" "0"
-bad "a line that is too long" "longer than" "4 ahead=1$(printf '%0400d' 0)"
+bad "a line that is too long" "longer than" "4 ahead=1$(printf '%01100d' 0)"
 bad "a line that is too long but for a good beginning" "longer than" \
-    "4 ahead=1$(printf '%400s' '')5 ahead=1"
+    "4 ahead=1$(printf '%1100s' '')5 ahead=1"
 printf 'tape 1 minimal\n3 ahead=1\n4 ahead=1\000 aside=2\n' >bad.tape
 refused "a zero byte in a line" "bad.tape:3: " bad.tape
 

@@ -62,7 +62,24 @@ static void each_button_does_what_it_stands_for(void **state)
     assert_memory_equal(&got, &left, sizeof got);
     got = click(&w, BUTTON_RIGHT);
     assert_memory_equal(&got, &right, sizeof got);
-    assert_int_equal(click(&w, BUTTON_SELECT).poke, w.scene.pool.poke);
+    assert_int_equal(click(&w, BUTTON_SELECT).push[0].height, w.scene.pool.poke);
+    water_free(&w);
+}
+
+/* Lines have filled the tick: the button acts with the next one. */
+static void a_poke_that_finds_no_room_comes_a_tick_later(void **state)
+{
+    (void)state;
+    water w = water_with(24, 8);
+    buttons b = { NONE & ~(uint32_t)BUTTON_SELECT };
+    tp_input full = { 0 }, next = { 0 }, after = { 0 };
+    for (int i = 0; i < TP_PUSHES; i++)
+        full.push[i].height = 1;
+    buttons_read(&b, NONE, w.world, &w.scene, &full);
+    buttons_read(&b, NONE, w.world, &w.scene, &next);
+    assert_int_equal(next.push[0].height, w.scene.pool.poke);
+    buttons_read(&b, NONE, w.world, &w.scene, &after);
+    assert_int_equal(after.push[0].height, 0);
     water_free(&w);
 }
 
@@ -115,8 +132,8 @@ static void a_poke_falls_where_the_middle_looks(void **state)
     water w = water_with(16, 0);
     aim_from(&w, 2, 3, 2, -45);
     tp_input got = click(&w, BUTTON_SELECT);
-    assert_in_range(got.poke_x, TP_FX(1.99), TP_FX(2.01));
-    assert_in_range(got.poke_z + TP_FX(5), TP_FX(3.99), TP_FX(4.01));      /* 2 - 3 */
+    assert_in_range(got.push[0].x, TP_FX(1.99), TP_FX(2.01));
+    assert_in_range(got.push[0].z + TP_FX(5), TP_FX(3.99), TP_FX(4.01));   /* 2 - 3 */
     water_free(&w);
 }
 
@@ -132,8 +149,8 @@ static void a_poke_falls_into_the_pool(void **state)
         for (size_t j = 0; j < sizeof eye / sizeof eye[0]; j++) {
             aim_from(&w, eye[j][0], eye[j][1], eye[j][2], pitch[i]);
             const tp_input got = click(&w, BUTTON_SELECT);
-            assert_true(got.poke_x >= TP_FX(-3) && got.poke_x <= TP_FX(5));
-            assert_true(got.poke_z >= TP_FX(-6) && got.poke_z <= TP_FX(2));
+            assert_true(got.push[0].x >= TP_FX(-3) && got.push[0].x <= TP_FX(5));
+            assert_true(got.push[0].z >= TP_FX(-6) && got.push[0].z <= TP_FX(2));
         }
     water_free(&w);
 }
@@ -142,6 +159,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(each_button_does_what_it_stands_for),
+        cmocka_unit_test(a_poke_that_finds_no_room_comes_a_tick_later),
         cmocka_unit_test(without_drops_the_camera_turns_and_nothing_falls),
         cmocka_unit_test(only_what_rises_acts),
         cmocka_unit_test(a_poke_falls_where_the_middle_looks),

@@ -183,7 +183,7 @@ static void wrong_lines_say_what_was_expected(void **state)
     assert_memory_equal(&before, &b->scene, sizeof before);
     assert_memory_equal(&world, b->world, sizeof world);
     assert_false(b->control.changed);
-    assert_int_equal(control_take(&b->control).poke, 0);
+    assert_int_equal(control_take(&b->control).push[0].height, 0);
 }
 
 static void scenes_without_a_pool_or_drops_say_so(void **state)
@@ -299,16 +299,45 @@ static void input_is_taken_once(void **state)
     board *b = *state;
     ask(b, "drop\ndrop\ninput ahead=0.5 drops=2\npoke 1.5 -2 0.25\n");
     const tp_input first = control_take(&b->control), second = control_take(&b->control);
-    const tp_input want = { .ahead = TP_FX(0.5), .drops = 4, .poke = TP_FX(0.25),
-                            .poke_x = TP_FX(1.5), .poke_z = TP_FX(-2) };
+    const tp_input want = { .ahead = TP_FX(0.5), .drops = 4,
+                            .push[0] = { TP_FX(0.25), TP_FX(1.5), TP_FX(-2) } };
     assert_memory_equal(&first, &want, sizeof want);
     assert_memory_equal(&second, &(tp_input){ 0 }, sizeof second);
     ask(b, "poke 1 2\ninput turn=5\n");
-    assert_int_equal(control_take(&b->control).poke, b->scene.pool.poke);
+    assert_int_equal(control_take(&b->control).push[0].height, b->scene.pool.poke);
     for (int i = 0; i < 2000; i++)
         ask(b, "drop\n");
     ask(b, "input drops=1000\n");
     assert_int_equal(control_take(&b->control).drops, 1024);
+}
+
+/* Lines of several kinds, in their order, as many as a tick takes; one more is refused,
+ * and with it all of its line. */
+static void every_poke_of_a_tick_is_taken(void **state)
+{
+    board *b = *state;
+    ask(b, "poke 1 2 0.5\ninput poke=0.25 poke_x=3 poke2=0.5 drops=1\npoke 4 5 -1\n");
+    tp_input got = control_take(&b->control), want = { .drops = 1 };
+    want.push[0] = (tp_push){ TP_FX(0.5), TP_FX(1), TP_FX(2) };
+    want.push[1] = (tp_push){ TP_FX(0.25), TP_FX(3), 0 };
+    want.push[2] = (tp_push){ TP_FX(0.5), 0, 0 };
+    want.push[3] = (tp_push){ TP_FX(-1), TP_FX(4), TP_FX(5) };
+    assert_memory_equal(&got, &want, sizeof want);
+
+    for (int i = 0; i < TP_PUSHES - 1; i++)
+        ask(b, "poke 1 1\n");
+    const tp_input before = b->control.input;
+    ask(b, "input poke=1 poke2=1 turn=9\n");
+    assert_string_equal(b->said, "error 8 pokes wait for the next tick, which takes no"
+                                 " more\n");
+    assert_memory_equal(&before, &b->control.input, sizeof before);
+    ask(b, "poke 1 1\n");
+    assert_string_equal(b->said, "ok poke\n");
+    ask(b, "poke 1 1\n");
+    assert_non_null(strstr(b->said, "error 8 pokes wait"));
+    (void)control_take(&b->control);
+    ask(b, "poke 1 1\n");
+    assert_string_equal(b->said, "ok poke\n");
 }
 
 static void a_step_is_so_many_ticks_and_then_it_pauses(void **state)
@@ -421,6 +450,7 @@ int main(void)
         HELD(a_picture_is_that_of_the_scene_so_changed),
         HELD(every_parameter_takes_its_ends),
         HELD(input_is_taken_once),
+        HELD(every_poke_of_a_tick_is_taken),
         HELD(a_step_is_so_many_ticks_and_then_it_pauses),
         HELD(a_restart_is_a_world_of_the_changed_scene),
         HELD(a_bad_line_does_not_cost_the_next),

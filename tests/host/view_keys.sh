@@ -56,11 +56,10 @@ does drop -- "Space lets a drop fall" told 'drops=1'
 scene=tank
 check "the tank opens" open_view tank --size 160x120 --no-panel --tape tank.tape \
     --set pool.poke_every=0
-for number in 1 2 3 4 5 6; do         # one poke a tick
+for number in 1 2 3 4 5 6; do
     press $number
     sleep 0.15
 done
-places() { sed -n 's/^[0-9]* poke=//p' tank.tape; }
 press bracketleft bracketleft bracketright
 press m
 do_x mousemove_relative 40 0
@@ -71,7 +70,7 @@ press m
 press ctrl+q
 end_view
 does quit -- "Ctrl+Q ends with exit code 0" test "$code" -eq 0
-six() { [ "$(places | wc -l)" -eq 6 ] && [ "$(places | sort -u | wc -l)" -eq 6 ]; }
+six() { [ "$(places tank | wc -l)" -eq 6 ] && [ "$(places tank | sort -u | wc -l)" -eq 6 ]; }
 does poke1 poke2 poke3 poke4 poke5 poke6 -- "1 to 6 poke at six places" six
 clock() { [ "$(grep -o 'slower=[-0-9]*' tank.tape | tr '\n' ' ')" = "$1" ]; }
 does slower faster -- "[ halves the clock, ] doubles it" clock 'slower=1 slower=1 slower=-1 '

@@ -140,6 +140,15 @@ shot() {
     press F12
     until_true test -s "$scene-0001.png" && mv "$scene-0001.png" "$1"
 }
+# places TAPE: a line for each poke, with its height and place.
+places() {
+    awk '{ for (i = 2; i <= NF; i++) {
+               split($i, part, /[_=]/)
+               if (part[1] ~ /^poke[2-8]?$/)
+                   at[$1 " " part[1]] = at[$1 " " part[1]] " " substr($i, length(part[1]) + 1)
+           } }
+         END { for (poke in at) print at[poke] }' "$1.tape"
+}
 differ() { [ -s "$1" ] && [ -s "$2" ] && ! cmp -s "$1" "$2"; }
 size_is() { [ "$(identify -format '%wx%h' "$1")" = "$2" ]; }
 same_pixels() { [ "$(compare -metric AE "$1" "$2" null: 2>&1)" = 0 ]; }

@@ -46,15 +46,20 @@ static tp_scene everything(void)
     return s;
 }
 
+static tp_push any_push(void)
+{
+    return (tp_push){ chance_int(&chance, -999999, 999999),
+                      chance_int(&chance, -300000, 300000),
+                      chance_int(&chance, -300000, 300000) };
+}
+
 static tp_input any_input(void)
 {
     return (tp_input){ .ahead = chance_int(&chance, -99999, 99999), .drops = 3,
                        .sphere_x = chance_int(&chance, -99999, 99999),
                        .throttle = chance_int(&chance, INT32_MIN, INT32_MAX),
                        .rudder = chance_int(&chance, INT32_MIN, INT32_MAX),
-                       .poke = chance_int(&chance, -999999, 999999),
-                       .poke_x = chance_int(&chance, -300000, 300000),
-                       .poke_z = chance_int(&chance, -300000, 300000),
+                       .push[0] = any_push(), .push[7] = any_push(),
                        .slower = chance_int(&chance, -4, 4) };
 }
 

@@ -61,7 +61,7 @@ static inline tp_input input_any(uint64_t *chance)
     return (tp_input){
         .ahead = chance_fx(chance, -0.1, 0.1), .drops = chance_int(chance, 0, 3),
         .sphere_x = chance_fx(chance, -0.1, 0.1), .throttle = chance_fx(chance, 0, 5),
-        .poke = chance_int(chance, 0, 9) ? 0 : TP_FX(0.3),
+        .push[0].height = chance_int(chance, 0, 9) ? 0 : TP_FX(0.3),
         .slower = chance_int(chance, 0, 50) ? 0 : chance_int(chance, -1, 1),
     };
 }

@@ -91,7 +91,7 @@ static void every_tiling_sees_the_same_water(void **state)
         tp_scene s = wet_scene(n % 3);
         look_anywhere(&s);
         tp_world *world = scene_world(&s, &assets);
-        const tp_input poke = { .poke = TP_FX(0.1) };
+        const tp_input poke = { .push[0].height = TP_FX(0.1) };
         for (int i = 0; i < 20; i++)
             tp_world_step(world, &s, i ? NULL : &poke);
         picture_of(&s, &assets, world, 0, 0, whole);
@@ -200,8 +200,8 @@ static void no_light_is_lost_or_made(void **state)
         tp_scene s = wet_scene(0);
         s.water.caustic_cells = 64;
         tp_world *world = scene_world(&s, NULL);
-        const tp_input poke = { .poke = chance_fx(&chance, -0.2, 0.2),
-                                .poke_x = chance_fx(&chance, -1, 1) };
+        const tp_input poke = { .push[0] = { chance_fx(&chance, -0.2, 0.2),
+                                             chance_fx(&chance, -1, 1), 0 } };
         for (int i = 0; i < 60; i++)
             tp_world_step(world, &s, i % 20 ? NULL : &poke);
         light_of(&s, world, light);
@@ -251,8 +251,8 @@ static void a_lens_gathers_light_where_rays_say(void **state)
         tp_scene s = wet_scene(0);
         s.light.elevation = 90 * TP_FX_ONE;
         tp_world *world = scene_world(&s, NULL);
-        const tp_input poke = { .poke = TP_FX(0.08), .poke_x = chance_fx(&chance, -1, 1),
-                                .poke_z = chance_fx(&chance, -1, 1) };
+        const tp_input poke = { .push[0] = { TP_FX(0.08), chance_fx(&chance, -1, 1),
+                                             chance_fx(&chance, -1, 1) } };
         s.pool.poke_size = TP_FX(0.35);
         tp_world_step(world, &s, &poke);
         light_of(&s, world, light);

@@ -64,7 +64,7 @@ static void draw_by(const tp_kit *by, const tp_kit *moved_by)
     tp_scene scene = kit_scene(&chance, 40, 24);
     const tp_assets assets = kit_assets(&kit, &scene, &chance);
     tp_world *world = world_by(moved_by, &scene, &assets);
-    const tp_input input = { .drops = 2, .poke = TP_FX(0.3) };
+    const tp_input input = { .drops = 2, .push[0].height = TP_FX(0.3) };
 
     if (!world)
         return;

@@ -31,8 +31,9 @@ static water water_of(const tp_scene *scene, int ticks)
 
     assert_non_null(w.world);
     for (int i = 0; i < ticks; i++) {
-        const tp_input in = { .drops = i % 7 == 0, .poke = i % 20 ? 0 : scene->pool.poke,
-                              .poke_x = scene->pool.x, .poke_z = scene->pool.z };
+        const tp_fx height = i % 20 ? 0 : scene->pool.poke;
+        const tp_input in = { .drops = i % 7 == 0,
+                              .push[0] = { height, scene->pool.x, scene->pool.z } };
         tp_world_step(w.world, &w.scene, &in);
     }
     return w;

@@ -68,12 +68,18 @@ static void lines_look_as_documented(void **state)
     const tp_tape_entry walk = { 120, { .ahead = TP_FX(0.05), .turn = -1200 } };
     const tp_tape_entry rain = { 121, { .drops = 1 } };
     const tp_tape_entry none = { 122, { .drops = 0 } };
+    const tp_tape_entry pokes = { 123, { .push[0] = { TP_FX(0.25), TP_FX(1.5), TP_FX(-2) },
+                                         .push[1] = { TP_FX(0.25), 0, TP_FX(3) },
+                                         .push[7] = { TP_FX(-0.5), TP_FX(1), 0 } } };
     char text[TP_TAPE_LINE] = "left";
 
     tp_tape_write(&walk, text, sizeof text);
     assert_string_equal(text, "120 ahead=0.05 turn=-1200");
     tp_tape_write(&rain, text, sizeof text);
     assert_string_equal(text, "121 drops=1");
+    tp_tape_write(&pokes, text, sizeof text);
+    assert_string_equal(text, "123 poke=0.25 poke_x=1.5 poke_z=-2 poke2=0.25 poke2_z=3"
+                              " poke8=-0.5 poke8_x=1");
     assert_int_equal(tp_tape_write(&none, text, sizeof text), 0);
     assert_string_equal(text, "");
 }
@@ -91,11 +97,23 @@ static void no_line_is_longer_than_the_header_says(void **state)
     memcpy(&entry.input, number, sizeof number);
     const size_t bytes = tp_tape_write(&entry, text, sizeof text);
     printf("    longest line       %10d bytes of %d\n", (int)bytes, TP_TAPE_LINE);
-    assert_in_range(bytes, 200, TP_TAPE_LINE - 1);
+    assert_in_range(bytes, 700, TP_TAPE_LINE - 1);
     assert_int_equal(tp_tape_write(&entry, cut, sizeof cut), bytes);
     assert_int_equal(strlen(cut), sizeof cut - 1);
     assert_memory_equal(cut, text, sizeof cut - 1);
     assert_int_equal(tp_tape_write(&entry, NULL, 0), bytes);
+}
+
+/* A line as it was when a tick took one poke. */
+static void one_poke_is_told_by_the_names_that_it_always_had(void **state)
+{
+    (void)state;
+    const char *const line = "40 poke=0.3 poke_x=1.5 poke_z=-8 slower=1";
+    const tp_tape_entry want = { 40, { .slower = 1,
+                                       .push[0] = { TP_FX(0.3), TP_FX(1.5), TP_FX(-8) } } };
+    tp_tape_entry entry;
+    assert_int_equal(tp_tape_read(&entry, line, strlen(line), NULL), TP_OK);
+    assert_memory_equal(&entry, &want, sizeof want);
 }
 
 static void order_and_blanks_are_free(void **state)
@@ -129,6 +147,13 @@ static const struct {
     { "1 ahea=1", "no input is called ahea" },
     { "1 aheads=1", "no input is called aheads" },
     { "1 Ahead=1", "no input is called Ahead" },
+    { "1 poke1=1", "no input is called poke1" },
+    { "1 poke9=1", "no input is called poke9" },
+    { "1 poke02=1", "no input is called poke02" },
+    { "1 poke2_y=1", "no input is called poke2_y" },
+    { "1 poke_2x=1", "no input is called poke_2x" },
+    { "1 poke3=1 poke2=1 poke3=1", "poke3 stands twice in the line" },
+    { "1 poke4=32768", "poke4=32768 is outside its range" },
     { "1 ahead", "expected NAME=NUMBER, found ahead" },
     { "1 =5", "expected NAME=NUMBER, found =5" },
     { "1 ahead = 5", "expected NAME=NUMBER, found ahead" },
@@ -244,7 +269,7 @@ static void random_bytes_are_refused_or_read(void **state)
     (void)state;
     static const char *const pieces[] = {
         "0", "1", "65535", "-", "+", ".", "e", "=", " ", " ", " ", "\t", "ahead=", "up=",
-        "turn=", "drops=", "slower=", "poke_x=", "tape", "\x80", "\n", "99999999999",
+        "turn=", "drops=", "slower=", "poke_x=", "poke7_z=", "tape", "\x80", "\n", "99999999999",
         "5e-3", "12 ", "7 turn=1 ", " up=0.25",
     };
     int good = 0;
@@ -291,6 +316,7 @@ int main(void)
         cmocka_unit_test(every_field_has_its_own_name),
         cmocka_unit_test(lines_look_as_documented),
         cmocka_unit_test(no_line_is_longer_than_the_header_says),
+        cmocka_unit_test(one_poke_is_told_by_the_names_that_it_always_had),
         cmocka_unit_test(order_and_blanks_are_free),
         cmocka_unit_test(bad_lines_say_what_was_expected),
         cmocka_unit_test(the_ends_of_the_ranges_are_read),

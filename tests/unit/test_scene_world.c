@@ -159,6 +159,12 @@ static void a_walk_forth_and_back_ends_where_it_began(void **state)
 
 /* -- the clock ----------------------------------------------------------------------- */
 
+static tp_push any_push(void)
+{
+    return (tp_push){ chance_fx(&chance, -1, 1), chance_fx(&chance, -5, 5),
+                      chance_fx(&chance, -5, 5) };
+}
+
 static tp_input any_input(void)
 {
     return (tp_input){ .ahead = chance_fx(&chance, -0.2, 0.2),
@@ -170,9 +176,7 @@ static tp_input any_input(void)
                        .drops = chance_int(&chance, -2, 2),
                        .throttle = chance_fx(&chance, -9, 9),
                        .rudder = chance_fx(&chance, -90, 90),
-                       .poke = chance_fx(&chance, -1, 1),
-                       .poke_x = chance_fx(&chance, -5, 5),
-                       .poke_z = chance_fx(&chance, -5, 5),
+                       .push[0] = any_push(), .push[3] = any_push(),
                        .slower = chance_int(&chance, -1, 1) };
 }
 

@@ -4,4 +4,5 @@ TRIPLE  := arm-none-eabi-
 ARCH    := -mcpu=cortex-m3 -mthumb -mfloat-abi=soft -ffreestanding
 BOARD_C := $(addprefix ports/,$(addprefix cortex-m/,lm3s6965evb/main.c lm3s6965evb/evb.c \
                start.c semihost.c memory.c) $(addprefix lcd/,lcd.c panels.c ssd0323.c) \
-               $(addprefix board/,answer.c control.c control_set.c buttons.c) live/setting.c)
+               $(addprefix board/,answer.c control.c control_set.c buttons.c) \
+               $(addprefix live/,poke.c setting.c))
