@@ -43,9 +43,12 @@ static void place_camera(tp_world *world, const tp_scene *scene, uint32_t offset
 /* Why the world did not take a number: it would do so in another block, or there is no
  * such world.  In a block of no bytes nothing is begun. */
 static setting_result asked_anew(const tp_kit *kit, const tp_scene *scene,
-                                 tp_world *world, const tp_assets *assets, tp_error *err)
+                                 const tp_assets *assets, tp_error *err)
 {
-    return tp_world_init_with(kit, world, 0, scene, assets, err) == TP_E_NOSPACE
+    uint64_t none;
+    tp_world *nowhere = (tp_world *)(void *)&none;
+
+    return tp_world_init_with(kit, nowhere, 0, scene, assets, err) == TP_E_NOSPACE
          ? SETTING_ANEW : SETTING_REFUSED;
 }
 
@@ -63,11 +66,11 @@ setting_result setting_put(const tp_kit *kit, tp_scene *scene, tp_world *world,
         return SETTING_LOAD;
     if (param->kind == TP_PARAM_TEXT)
         return SETTING_DONE;
-    if (tp_world_refresh_with(kit, world, scene, assets)) {
+    if (world && tp_world_refresh_with(kit, world, scene, assets)) {
         place_camera(world, scene, param->offset);
         return SETTING_DONE;
     }
-    const setting_result result = asked_anew(kit, scene, world, assets, err);
+    const setting_result result = asked_anew(kit, scene, assets, err);
     if (result == SETTING_REFUSED)
         memcpy(at, &before, sizeof before);
     return result;

@@ -21,7 +21,8 @@ typedef enum {
 } setting_result;
 
 /* Until it is made anew a world goes on as it was; to take back what is ANEW or LOAD, put
- * the old text.  A number of the camera's moves the camera. */
+ * the old text.  A number of the camera's moves the camera.  `world` NULL: there is none
+ * yet, and every number is ANEW or REFUSED. */
 setting_result setting_put(const tp_kit *kit, tp_scene *scene, tp_world *world,
                            const tp_assets *assets, const tp_param *param,
                            const char *text, size_t bytes, tp_error *err);

@@ -169,6 +169,25 @@ static void what_is_a_name_or_the_grid_is_known(void **state)
     assert_int_equal(grids, 2);
 }
 
+/* As a page does that opens a link: its values come before there is a world. */
+static void without_a_world_numbers_are_checked_all_the_same(void **state)
+{
+    (void)state;
+    tp_scene scene = scene_some(), kept = scene;
+    tp_error err = { 0 };
+    const tp_param *row = tp_param_find("pool.cols", 9);
+
+    assert_int_equal(setting_put(&tp_kit_all, &scene, NULL, &none, row, "40", 2, &err),
+                     SETTING_ANEW);
+    assert_int_equal(scene.pool.cols, 40);
+    kept.pool.cols = 40;
+    row = tp_param_find("pool.courant", 12);
+    assert_int_equal(setting_put(&tp_kit_all, &scene, NULL, &none, row, "0.8", 3, &err),
+                     SETTING_REFUSED);
+    assert_string_equal(err.word, "pool.courant");
+    assert_memory_equal(&scene, &kept, sizeof kept);
+}
+
 static void walls_move_with_a_pool_that_has_some(void **state)
 {
     (void)state;
@@ -299,6 +318,7 @@ int main(void)
         cmocka_unit_test(a_number_of_the_camera_moves_it_and_no_other_does),
         cmocka_unit_test(names_ask_for_loading_and_texts_for_nothing),
         cmocka_unit_test(what_is_a_name_or_the_grid_is_known),
+        cmocka_unit_test(without_a_world_numbers_are_checked_all_the_same),
         cmocka_unit_test(walls_move_with_a_pool_that_has_some),
         cmocka_unit_test(every_parameter_is_taken_made_anew_or_refused),
         cmocka_unit_test(a_world_made_anew_goes_on),
