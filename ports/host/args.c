@@ -156,7 +156,7 @@ int args_read(options *o, unsigned command, int argc, char **argv)
         if (code)
             return code;
     }
-    if (command & FOR_VIEW && !o->scene && !o->resume)
+    if (command & FOR_VIEW && !o->scene)
         o->scene = FIRST_SCENE;
     return check(o, command);
 }

@@ -8,7 +8,7 @@
 
 typedef struct {
     const char  *command, *scene;   /* its first name, whatever it is of, NULL if none is
-                                     * given; view then has its own, unless it resumes */
+                                     * given; view then has its own */
     uint32_t     width, height;
     uint32_t     first, last;       /* frames, both included */
     uint32_t     every;             /* so-manieth of them alone, from the first on */

@@ -265,10 +265,10 @@ void session_end(session *s)
 bool session_world(const tp_scene *scene, const tp_assets *assets, tp_world *world,
                    size_t bytes, uint32_t *picture)
 {
-    int why;
+    int why, code;
     session_world_name name;
     char *folder = session_folder(false, &why);
-    char *text = folder ? session_load(folder, &name) : NULL;
+    char *text = folder ? session_load(folder, &name, &code) : NULL;
     char *path = text ? path_join(folder, name.name, "") : NULL;
     tp_scene *nameless = path ? malloc(sizeof *nameless) : NULL;
     bool taken = false;

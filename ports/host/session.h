@@ -25,8 +25,8 @@ int  session_put(session *s, const scene_file *file, const tp_assets *assets,
 void session_end(session *s);
 
 /* What was kept last.  `scene` (to free) is what stage_open is to be given, settings
- * ("name=value", to free with session_free) what is to be set after it.  EXIT_INPUT:
- * there is none, and said so. */
+ * ("name=value", to free with session_free) what is to be set after it.  Where nothing
+ * whole is kept `scene` is NULL, and that was said.  EXIT_INPUT: it cannot be read. */
 typedef struct {
     char    *scene;
     char   **settings;

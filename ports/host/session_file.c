@@ -166,15 +166,19 @@ static bool is_whole(const char *text, session_world_name *world)
     return strncmp(text + head, world->name, name) == 0;
 }
 
-char *session_load(const char *folder, session_world_name *world)
+char *session_load(const char *folder, session_world_name *world, int *code)
 {
     char *path = path_join(folder, SESSION_INI, "");
     FILE *file = path ? fopen(path, "rb") : NULL;
     char *text = file ? slurp(file) : NULL;
-    if (!text) {
-        say("%s: %s: nothing to go on with", path ? path : folder, strerror(errno));
+    *code = EXIT_DONE;
+    if (!text && path && !file && (errno == ENOENT || errno == ENOTDIR)) {
+        say("%s: nothing is kept: a fresh start", path);
+    } else if (!text) {
+        *code = fail(EXIT_INPUT, "%s: %s: nothing to go on with", path ? path : folder,
+                     strerror(errno));
     } else if (!is_whole(text, world)) {
-        say("%s: is not whole: nothing to go on with", path);
+        say("%s: is not whole: a fresh start", path);
         free(text);
         text = NULL;
     }
@@ -260,12 +264,14 @@ int session_read(session_state *state)
     *state = (session_state){ 0 };
     char *folder = session_folder(false, &why);
     if (!folder)
-        return fail(EXIT_INPUT, "tidepool view: neither XDG_STATE_HOME nor HOME is set:"
-                    " nothing to go on with");
-    char *text = session_load(folder, &world);
+        return fail(EXIT_DONE, "tidepool view: neither XDG_STATE_HOME nor HOME is set:"
+                    " a fresh start");
+    int code;
+    char *text = session_load(folder, &world, &code);
     char *path = text ? path_join(folder, SESSION_INI, "") : NULL;
-    int code = path ? ini_read(path, take, &l) : EXIT_INPUT;
-    if (!code)
+    if (text)
+        code = path ? ini_read(path, take, &l) : fail_memory(strlen(folder));
+    if (text && !code)
         code = to_state(&l, state);
     words_free(&l.list);
     free(path);

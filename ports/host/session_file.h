@@ -27,9 +27,9 @@ char *session_folder(bool make, int *why);
 /* The file's text, to free, and the world's name in it.  NULL: no memory. */
 char *session_text(const scene_file *file, session_world_name *world);
 
-/* The whole file folder/session.ini as text, to free; NULL: none, or not whole, and that
- * was said. */
-char *session_load(const char *folder, session_world_name *world);
+/* The whole file folder/session.ini as text, to free.  NULL: none, or not whole
+ * (*code EXIT_DONE), or it cannot be read (EXIT_INPUT), which is said. */
+char *session_load(const char *folder, session_world_name *world, int *code);
 
 /* A scene whose names are left out: files are told by what is in them. */
 void  session_nameless(tp_scene *to, const tp_scene *scene);

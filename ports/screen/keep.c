@@ -109,8 +109,9 @@ bool keep_take(const keep *k, tp_world *world, size_t bytes, uint32_t *frame)
 {
     FILE *file = k->name ? fopen(k->name, "rb") : NULL;
     if (!file) {
-        if (k->name && errno != ENOENT)
-            say("%s: %s: a fresh start", k->name, strerror(errno));
+        if (k->name)
+            say("%s: %s: a fresh start", k->name,
+                errno == ENOENT ? "nothing is kept" : strerror(errno));
         return false;
     }
     uint8_t *copy = malloc(bytes + 1);          /* one more: a longer file is found out */

@@ -20,8 +20,8 @@ keep keep_begin(const char *name, const tp_scene *scene, const tp_assets *assets
 /* The same of another scene, without reading the program again. */
 void keep_scene(keep *k, const tp_scene *scene, const tp_assets *assets);
 
-/* The world as it was kept, and its frame's number.  False: the file is not there, or is
- * not whole, or of another scene or build, which is said; *world is as it was. */
+/* The world as it was kept, and its frame's number.  False: the file is not there, not
+ * whole, or of another scene or build, and that was said; *world is as it was. */
 bool keep_take(const keep *k, tp_world *world, size_t bytes, uint32_t *frame);
 
 /* EXIT_INPUT: it could not be written, and that was said, once in a row. */

@@ -191,11 +191,10 @@ static int open_window(view *v)
 static int open_scene(view *v)
 {
     const options *o = v->options;
-    const char *scene = o->scene ? o->scene : "three-swells";
     view_list(v);
     if (o->resume)
-        return view_resume(v);
-    if (!view_open(v, scene))
+        return view_resume(v, o->scene);
+    if (!view_open(v, o->scene))
         return EXIT_INPUT;
     if (o->play)
         return view_play(v, o->play);

@@ -126,7 +126,8 @@ void view_save(view *v);
 /* The scene is another one than was drawn; `opened`: and so is the canvas. */
 void view_refit(view *v, bool opened);
 
-int  view_resume(view *v);                      /* before the first picture */
+/* Before the first picture; opens `otherwise` if nothing was kept. */
+int  view_resume(view *v, const char *otherwise);
 void view_keep(view *v, uint64_t now);
 
 /* -- view_act.c -------------------------------------------------------------------- */

@@ -305,13 +305,15 @@ void view_save(view *v)
     file->scene.camera.follow = follow;
 }
 
-int view_resume(view *v)
+int view_resume(view *v, const char *otherwise)
 {
     session_state state;
     uint32_t number;
     int code = session_read(&state);
-    if (code)
-        return code;
+    if (code || !state.scene) {
+        session_free(&state);
+        return code ? code : view_open(v, otherwise) ? EXIT_DONE : EXIT_INPUT;
+    }
     bool opened = view_open(v, state.scene);
     stage_setting *all = opened ? malloc((state.count + 1) * sizeof *all) : NULL;
     for (uint32_t i = 0; all && i < state.count; i++)

@@ -318,6 +318,8 @@ same "an uninterrupted run" "$code $(grep -c '^frame' out)" "0 151"
 mv out all
 begin --frames 0:150 --keep world
 until [ -s world ] || ! kill -0 $parent; do sleep 0.05; done
+same "with nothing kept it begins, and says so in one line" "$(cat err)" \
+    "world: nothing is kept: a fresh start"
 sleep 0.4
 end KILL "$child"
 same "killed amid" "$(kill -l $code)" KILL

@@ -252,9 +252,10 @@ static void a_cut_file_is_not_gone_on_with(void **state)
     for (long bytes = size_of(path) - 1; bytes >= 0; bytes -= 1) {
         assert_int_equal(truncate(path, bytes), 0);
         listen();
-        assert_int_equal(session_read(&got), 3);
+        assert_int_equal(session_read(&got), 0);
+        assert_null(got.scene);
         session_free(&got);
-        assert_heard("session.ini: is not whole: nothing to go on with\n");
+        assert_heard("session.ini: is not whole: a fresh start\n");
     }
     free(path);
     stage_close(&s);
@@ -344,9 +345,10 @@ static void nowhere_is_said_once(void **state)
     assert_string_equal(said_text, "tidepool view: Not a directory: nothing is kept for"
                         " --resume\n");
     listen();
-    assert_int_equal(session_read(&got), 3);
+    assert_int_equal(session_read(&got), 0);
+    assert_null(got.scene);
     session_free(&got);
-    assert_heard("neither XDG_STATE_HOME nor HOME is set");
+    assert_heard("neither XDG_STATE_HOME nor HOME is set: a fresh start\n");
     open_stage(&s, "assets/scenes/minimal.ini", none, 0);
     assert_false(offer(NULL, &s, 1));
     assert_int_equal(put(NULL, &s, 1), 3);
@@ -377,10 +379,28 @@ static void nothing_kept_is_said(void **state)
     session_state got;
     setenv("XDG_STATE_HOME", "/nonexistent", 1);
     listen();
+    assert_int_equal(session_read(&got), 0);
+    assert_null(got.scene);
+    session_free(&got);
+    assert_heard("/nonexistent/tidepool/session.ini: nothing is kept: a fresh start\n");
+}
+
+static void what_is_kept_and_cannot_be_read_is_refused(void **state)
+{
+    (void)state;
+    stage s;
+    session_state got;
+    put_pond(&s);
+    stage_close(&s);
+    char *path = strdup(state_path("session.ini"));
+    assert_int_equal(unlink(path), 0);
+    assert_int_equal(mkdir(path, 0700), 0);
+    listen();
     assert_int_equal(session_read(&got), 3);
     session_free(&got);
-    assert_heard("/nonexistent/tidepool/session.ini: No such file or directory: nothing"
-                 " to go on with\n");
+    assert_heard("session.ini: Is a directory: nothing to go on with\n");
+    assert_int_equal(rmdir(path), 0);
+    free(path);
 }
 
 /* A folder that is taken away while it goes on: said once in a row. */
@@ -442,6 +462,7 @@ int main(void)
         CASE(another_scene_is_not_taken),
         CASE(home_has_a_folder_for_it),
         CASE(nothing_kept_is_said),
+        CASE(what_is_kept_and_cannot_be_read_is_refused),
         CASE(a_lost_folder_is_said),
         CASE(nowhere_is_said_once),
     };

@@ -24,7 +24,6 @@ says() {        # PATTERN ARGUMENT...
 }
 check "unknown scene: exits 3 before any window" says "did you mean three-swells" \
     three-swels
-check "nothing to resume: says so" says "nothing to go on with" --resume
 printf 'drop = Retrun\n' >home/bad.ini
 check "a file of keys that is wrong: its line" says "^home/bad.ini:1: .*did you mean Return" \
     three-swells --keys home/bad.ini
