@@ -98,6 +98,7 @@ static int run_jobs(cells *all, charts *c, chart_jobs *jobs, const options *o)
 {
     chart_jobs_keep(jobs, o->resume);
     int code = chart_jobs_run(jobs, o->jobs, "jobs");
+    chart_jobs_stop(jobs);
     for (size_t i = 0; i < jobs->count; i++) {
         const int bad = read_job(all, c, &jobs->of[i]);
         code = code ? code : bad;

@@ -2,6 +2,7 @@
 /* Charts: tables that jobs fill, a row a cell, and pictures of them. */
 #ifndef HOST_CHARTS_H
 #define HOST_CHARTS_H
+#include <signal.h>
 #include <stdbool.h>
 #include <stdint.h>
 #include <stdio.h>
@@ -82,6 +83,7 @@ typedef struct {
 typedef struct {
     chart_job *of;
     size_t     count;
+    int        stopped;         /* by which signal; 0: by none */
 } chart_jobs;
 
 /* Of the charts asked for: all, or without large ones and times. */
@@ -95,8 +97,16 @@ void chart_jobs_keep(chart_jobs *jobs, bool resume);
 /* Adds one; false: no memory. */
 bool chart_jobs_add(chart_jobs *jobs, char *command, char *rows);
 
-/* Runs what is not done, `most` at a time.  EXIT_CHECK: some failed, and said so. */
+/* Signals that end a program wait from hold to release, where they do what they do. */
+typedef struct { sigset_t held, before; } chart_hold;
+void charts_hold(chart_hold *h);
+void charts_release(const chart_hold *h);
+
+/* Runs what is not done, `most` at a time.  EXIT_CHECK: some failed, and said so.  After
+ * a signal that stopped it the caller tidies up and calls stop, which does not return
+ * then. */
 int  chart_jobs_run(chart_jobs *jobs, unsigned most, const char *what);
+void chart_jobs_stop(const chart_jobs *jobs);
 
 /* -- pictures and the page: charts_draw.c, charts_page.c ---------------------------- */
 

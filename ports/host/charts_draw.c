@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Pictures: gnuplot on style.gp and NAME.gp, which are told of the tables by variables.
- * They are drawn under another name, .NAME.svg, and are there only when both are whole. */
+ * They are drawn into a private temporary folder and copied from there when both of a
+ * chart are whole: whatever happens to gnuplot, the charts' folder holds no part of one. */
 #define _POSIX_C_SOURCE 200809L
 #include <errno.h>
 #include <stdlib.h>
@@ -8,6 +9,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 #include "charts.h"
+#include "output.h"
 #include "path.h"
 #include "say.h"
 
@@ -50,24 +52,20 @@ static void put_variable(command *c, const char *name, const char *value)
     put(c, "'; ");
 }
 
-/* "DIR/.NAME": what is drawn until it is whole. */
-static char *hidden_path(const char *dir, const chart *of, const char *suffix)
-{
-    char *name = path_join("", of->name, suffix);
-    if (name)
-        name[0] = '.';
-    char *path = name ? path_join(dir, name, "") : NULL;
-    free(name);
-    return path;
-}
+/* Where a chart's jobs read and write. */
+typedef struct {
+    const char *folder;         /* style.gp and the like */
+    const char *dir;            /* the tables */
+    const char *drawn;          /* the pictures */
+} places;
 
-static void put_picture(command *c, const char *folder, const char *dir, const chart *of,
-                        const char *term)
+static void put_picture(command *c, const places *at, const chart *of, const char *term)
 {
     command sets = { .text = calloc(1, 1) };
-    char *csv = chart_path(dir, of, ".csv"), *times = chart_path(dir, of, ".time.csv");
-    char *out = hidden_path(dir, of, ""), *style = path_join(folder, "style.gp", "");
-    char *own = chart_path(folder, of, ".gp");
+    char *csv = chart_path(at->dir, of, ".csv");
+    char *times = chart_path(at->dir, of, ".time.csv");
+    char *out = chart_path(at->drawn, of, ""), *own = chart_path(at->folder, of, ".gp");
+    char *style = path_join(at->folder, "style.gp", "");
     if (csv && times && out && style && own) {
         put_variable(&sets, "csv", csv);
         put_variable(&sets, "time_csv", times);
@@ -94,10 +92,11 @@ static void put_picture(command *c, const char *folder, const char *dir, const c
 }
 
 /* The SVG's points as the PNG's, see svg.awk. */
-static void put_points(command *c, const char *folder, const char *dir, const chart *of)
+static void put_points(command *c, const places *at, const chart *of)
 {
-    char *awk = path_join(folder, "svg.awk", ""), *svg = hidden_path(dir, of, ".svg");
-    char *part = hidden_path(dir, of, ".part");
+    char *awk = path_join(at->folder, "svg.awk", "");
+    char *svg = chart_path(at->drawn, of, ".svg");
+    char *part = chart_path(at->drawn, of, ".part");
     if (awk && svg && part) {
         put(c, "awk -f ");
         put_word(c, awk);
@@ -119,16 +118,15 @@ static void put_points(command *c, const char *folder, const char *dir, const ch
  * no row is used by a scene, or all are, is none. */
 #define NO_POINTS "Skipping data file with no valid points"
 
-static bool add_picture(chart_jobs *jobs, const charts *c, const chart *of,
-                        const char *dir)
+static bool add_picture(chart_jobs *jobs, const places *at, const chart *of)
 {
     command both = { .text = calloc(1, 1) };
     put(&both, "said=$({ ");
     for (int i = 0; i < 2; i++) {
-        put_picture(&both, c->folder, dir, of, suffixes[i]);
+        put_picture(&both, at, of, suffixes[i]);
         put(&both, " && ");
     }
-    put_points(&both, c->folder, dir, of);
+    put_points(&both, at, of);
     put(&both, "; } 2>&1); code=$?; said=$(echo \"$said\" | grep -v '" NO_POINTS "');"
                " [ $code = 0 ] && [ -z \"$said\" ] || { echo \"$said\"; exit 1; }");
     if (!chart_jobs_add(jobs, both.text, NULL))
@@ -137,47 +135,114 @@ static bool add_picture(chart_jobs *jobs, const charts *c, const chart *of,
     return true;
 }
 
-/* The pictures become what they are called, or nothing is left of them. */
-static int settle(const chart *of, const char *dir, bool drawn)
+/* -- the temporary folder ------------------------------------------------------------- */
+
+/* To free; NULL: there can be none, and said why. */
+static char *make_folder(void)
+{
+    const char *place = getenv("TMPDIR");
+    char *name = path_join(place && *place ? place : "/tmp", "tidepool-XXXXXX", "");
+    if (name && mkdtemp(name))
+        return name;
+    if (name)
+        say("%s: %s", name, strerror(errno));
+    else
+        fail_memory(sizeof "tidepool-XXXXXX");
+    free(name);
+    return NULL;
+}
+
+/* With all that charts leave there. */
+static void remove_folder(char *drawn, const charts *c)
 {
     static const char *const parts[] = { ".part", ".png", ".svg" };
+    for (size_t i = 0; i < 3 * c->count; i++) {
+        char *path = chart_path(drawn, &c->of[i / 3], parts[i % 3]);
+        if (path)
+            unlink(path);
+        free(path);
+    }
+    rmdir(drawn);
+    free(drawn);
+}
+
+static int copy_into(FILE *from, const char *name, const char *to)
+{
+    output out;
+    char bytes[1 << 14];
+    size_t n;
+    const int code = output_open(&out, to);
+    if (code)
+        return code;
+    while ((n = fread(bytes, 1, sizeof bytes, from)) > 0)
+        if (fwrite(bytes, 1, n, out.file) != n)
+            return output_failed(&out, errno);
+    if (!ferror(from))
+        return output_close(&out);
+    output_discard(&out);
+    return fail(EXIT_INPUT, "%s: %s", name, strerror(errno));
+}
+
+/* The pictures of a chart become what they are called. */
+static int settle(const chart *of, const places *at)
+{
     int code = EXIT_DONE;
-    for (int i = 0; i < 3 && !code; i++) {
-        char *from = hidden_path(dir, of, parts[i]), *to = chart_path(dir, of, parts[i]);
-        if (!from || !to)
-            code = fail_memory(strlen(dir));
-        else if (!drawn || i == 0)
-            unlink(from);
-        else if (rename(from, to) != 0)
-            code = fail(EXIT_INPUT, "%s: %s", to, strerror(errno));
+    for (int i = 0; i < 2 && !code; i++) {
+        const char *suffix = i ? ".svg" : ".png";
+        char *from = chart_path(at->drawn, of, suffix), *to = chart_path(at->dir, of, suffix);
+        FILE *file = from && to ? fopen(from, "rb") : NULL;
+        if (file)
+            code = copy_into(file, from, to);
+        else
+            code = from && to ? fail(EXIT_INPUT, "%s: %s", from, strerror(errno))
+                              : fail_memory(strlen(at->dir));
+        if (file)
+            fclose(file);
         free(from);
         free(to);
     }
     return code;
 }
 
+/* -- all of them ---------------------------------------------------------------------- */
+
 static bool has_gnuplot(void)
 {
     return system("command -v gnuplot >/dev/null 2>&1") == 0;
 }
 
+static int draw_all(chart_jobs *jobs, const charts *c, const bool *written,
+                    const places *at, unsigned most)
+{
+    size_t next = 0;
+    bool held = true;
+    for (size_t i = 0; i < c->count && held; i++)
+        held = !written[i] || add_picture(jobs, at, &c->of[i]);
+    int code = held ? chart_jobs_run(jobs, most, "pictures")
+                    : fail_memory(jobs->count * sizeof *jobs->of);
+    for (size_t i = 0; i < c->count && next < jobs->count; i++)
+        if (written[i] && jobs->of[next++].done) {
+            const int end = settle(&c->of[i], at);
+            code = code ? code : end;
+        }
+    return code;
+}
+
 int charts_draw(const charts *c, const bool *written, const char *dir, unsigned most)
 {
     chart_jobs jobs = { 0 };
-    size_t next = 0;
-    bool held = true;
+    chart_hold hold;
     if (!has_gnuplot())
         return fail(EXIT_DONE, "tidepool charts: tables alone; pictures need gnuplot"
                     " (package gnuplot-nox)");
-    for (size_t i = 0; i < c->count && held; i++)
-        held = !written[i] || add_picture(&jobs, c, &c->of[i], dir);
-    int code = held ? chart_jobs_run(&jobs, most, "pictures")
-                    : fail_memory(jobs.count * sizeof *jobs.of);
-    for (size_t i = 0; i < c->count && next < jobs.count; i++)
-        if (written[i]) {
-            const int end = settle(&c->of[i], dir, jobs.of[next++].done);
-            code = code ? code : end;
-        }
+    charts_hold(&hold);
+    char *drawn = make_folder();
+    const places at = { c->folder, dir, drawn };
+    const int code = drawn ? draw_all(&jobs, c, written, &at, most) : EXIT_INPUT;
+    if (drawn)
+        remove_folder(drawn, c);
+    charts_release(&hold);
+    chart_jobs_stop(&jobs);
     chart_jobs_free(&jobs);
     return code;
 }

@@ -1,7 +1,11 @@
 /* SPDX-License-Identifier: MIT */
 /* Running jobs, several at a time.  Each is a group of processes of its own, so that it
  * ends with all its children when the sweep is interrupted.  What it prints becomes a
- * file when it has ended well. */
+ * file when it has ended well.
+ *
+ * Signals that end a program are blocked while jobs run and taken one at a time: jobs are
+ * ended, what they were making is removed, and the signal then does what it always does.
+ * A job that outlives SIGTERM for some seconds, or until a second signal, is killed. */
 #define _POSIX_C_SOURCE 200809L
 #include <errno.h>
 #include <fcntl.h>
@@ -9,38 +13,42 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/wait.h>
+#include <time.h>
 #include <unistd.h>
 #include "charts.h"
 #include "path.h"
 #include "say.h"
 #include "timing.h"
 
-static const int deadly[] = { SIGINT, SIGTERM, SIGHUP };
-#define DEADLY (sizeof deadly / sizeof *deadly)
+#define PATIENCE_S 3
 
-static volatile sig_atomic_t stopped;   /* by which signal; the handler has to find it */
+typedef struct {
+    chart_jobs *jobs;
+    chart_hold  hold;
+    progress    shown;
+    const char *what;           /* "jobs" */
+} sweep;
 
-static void stop(int signal_number)
+/* -- signals ------------------------------------------------------------------------ */
+
+/* Signals that are ignored stay so.  SIGCHLD is held too: a child that ends between a
+ * look and the wait is not missed. */
+void charts_hold(chart_hold *h)
 {
-    stopped = signal_number;
+    static const int deadly[] = { SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGALRM, SIGUSR1,
+                                  SIGUSR2, SIGXCPU };
+    struct sigaction now;
+    sigemptyset(&h->held);
+    sigaddset(&h->held, SIGCHLD);
+    for (size_t i = 0; i < sizeof deadly / sizeof *deadly; i++)
+        if (sigaction(deadly[i], NULL, &now) == 0 && now.sa_handler != SIG_IGN)
+            sigaddset(&h->held, deadly[i]);
+    sigprocmask(SIG_BLOCK, &h->held, &h->before);
 }
 
-/* Signals that are ignored stay so.  Without SA_RESTART: a wait ends when one comes. */
-static void watch(struct sigaction before[DEADLY])
+void charts_release(const chart_hold *h)
 {
-    struct sigaction ours = { .sa_handler = stop };
-    sigemptyset(&ours.sa_mask);
-    stopped = 0;
-    for (size_t i = 0; i < DEADLY; i++)
-        if (sigaction(deadly[i], NULL, &before[i]) == 0
-            && before[i].sa_handler == SIG_DFL)
-            sigaction(deadly[i], &ours, NULL);
-}
-
-static void unwatch(const struct sigaction before[DEADLY])
-{
-    for (size_t i = 0; i < DEADLY; i++)
-        sigaction(deadly[i], &before[i], NULL);
+    sigprocmask(SIG_SETMASK, &h->before, NULL);
 }
 
 /* -- one job ------------------------------------------------------------------------ */
@@ -56,11 +64,12 @@ static const char *title_of(const chart_job *job)
 }
 
 /* In the child: never returns. */
-static void become(const chart_job *job, const char *part)
+static void become(const chart_job *job, const char *part, const chart_hold *hold)
 {
     const int nothing = open("/dev/null", O_RDONLY), said = fileno(job->said);
     const int rows = part ? open(part, O_WRONLY | O_CREAT | O_TRUNC, 0666) : said;
     setpgid(0, 0);
+    sigprocmask(SIG_UNBLOCK, &hold->held, NULL);
     if (nothing >= 0 && rows >= 0 && dup2(nothing, 0) == 0 && dup2(rows, 1) == 1
         && dup2(said, 2) == 2)
         execl("/bin/sh", "sh", "-c", job->command, (char *)NULL);
@@ -68,13 +77,13 @@ static void become(const chart_job *job, const char *part)
     _exit(127);
 }
 
-static bool begin_job(chart_job *job)
+static bool begin_job(chart_job *job, const chart_hold *hold)
 {
     char *part = part_of(job);
     job->said = tmpfile();
     job->pid = job->said && (part || !job->rows) ? fork() : -1;
     if (job->pid == 0)
-        become(job, part);
+        become(job, part, hold);
     if (job->pid > 0)
         setpgid(job->pid, job->pid);
     const int error = errno;
@@ -96,7 +105,7 @@ static void show_said(FILE *said)
     }
 }
 
-static void end_job(chart_job *job, int status)
+static void end_job(chart_job *job, int status, bool stopped)
 {
     char *part = part_of(job);
     const bool well = WIFEXITED(status) && WEXITSTATUS(status) == 0;
@@ -139,11 +148,11 @@ static chart_job *job_of(const chart_jobs *jobs, pid_t pid)
     return NULL;
 }
 
-static void kill_all(const chart_jobs *jobs)
+static void kill_all(const chart_jobs *jobs, int number)
 {
     for (size_t i = 0; i < jobs->count; i++)
         if (jobs->of[i].pid > 0)
-            kill(-jobs->of[i].pid, SIGTERM);
+            kill(-jobs->of[i].pid, number);
 }
 
 static uint32_t count_ended(const chart_jobs *jobs)
@@ -154,47 +163,67 @@ static uint32_t count_ended(const chart_jobs *jobs)
     return count;
 }
 
-static void run_some(const chart_jobs *jobs, bool timed, unsigned most, const char *what,
-                     progress *p)
+/* Until a child has ended; 0: there is none. */
+static pid_t wait_for_child(sweep *s, int *status)
 {
+    const struct timespec patience = { PATIENCE_S, 0 };
+    for (;;) {
+        const int stopped = s->jobs->stopped;
+        const pid_t pid = waitpid(-1, status, WNOHANG);
+        if (pid)
+            return pid > 0 ? pid : 0;
+        const int came = sigtimedwait(&s->hold.held, NULL, stopped ? &patience : NULL);
+        if (came == SIGCHLD || (came < 0 && errno != EAGAIN))
+            continue;
+        kill_all(s->jobs, stopped ? SIGKILL : SIGTERM);
+        s->jobs->stopped = stopped ? stopped : came;
+    }
+}
+
+static void run_some(sweep *s, bool timed, unsigned most)
+{
+    chart_jobs *jobs = s->jobs;
     unsigned running = 0;
     for (;;) {
         chart_job *job;
         int status;
-        while (!stopped && running < most && (job = next_job(jobs, timed)) != NULL)
-            running += begin_job(job);
+        while (!jobs->stopped && running < most && (job = next_job(jobs, timed)) != NULL)
+            running += begin_job(job, &s->hold);
         if (!running)
             return;
-        progress_jobs(p, count_ended(jobs), (uint32_t)jobs->count, what);
-        if (stopped)
-            kill_all(jobs);
-        const pid_t pid = waitpid(-1, &status, 0);
-        job = pid > 0 ? job_of(jobs, pid) : NULL;
-        if (job) {
-            end_job(job, status);
-            running--;
-        } else if (pid < 0 && errno == ECHILD) {
+        progress_jobs(&s->shown, count_ended(jobs), (uint32_t)jobs->count, s->what);
+        const pid_t pid = wait_for_child(s, &status);
+        if (!pid)
             return;
+        job = job_of(jobs, pid);
+        if (job) {
+            if (jobs->stopped)
+                kill(-pid, SIGKILL);    /* whom it leaves behind */
+            end_job(job, status, jobs->stopped);
+            running--;
         }
     }
 }
 
 int chart_jobs_run(chart_jobs *jobs, unsigned most, const char *what)
 {
-    struct sigaction before[DEADLY];
-    progress p = progress_begin();
+    sweep s = { .jobs = jobs, .shown = progress_begin(), .what = what };
     size_t done = 0;
-    watch(before);
-    run_some(jobs, false, most, what, &p);
-    run_some(jobs, true, 1, what, &p);
+    charts_hold(&s.hold);
+    run_some(&s, false, most);
+    run_some(&s, true, 1);
     say_progress("");
-    unwatch(before);
+    charts_release(&s.hold);
     for (size_t i = 0; i < jobs->count; i++)
         done += jobs->of[i].done;
-    if (stopped) {
+    if (jobs->stopped)
         say("tidepool charts: stopped after %zu of %zu %s; --resume goes on", done,
             jobs->count, what);
-        raise(stopped);
-    }
     return done == jobs->count ? EXIT_DONE : EXIT_CHECK;
+}
+
+void chart_jobs_stop(const chart_jobs *jobs)
+{
+    if (jobs->stopped)
+        raise(jobs->stopped);
 }
