@@ -15,7 +15,7 @@
 
 #define SIDE        4096
 #define CHUNKS      64              /* ancillary ones kept */
-#define CHUNK_BYTES (8u << 20)      /* of one of them, uncompressed */
+#define CHUNK_BYTES (8u << 20)      /* of one of them, uncompressed; of any allocation */
 
 typedef struct {
     FILE       *file;
@@ -59,6 +59,19 @@ static void get(png_structp png, png_bytep data, size_t bytes)
         return;
     r->hint[0] = '\0';
     png_error(png, ferror(r->file) ? strerror(errno) : "the file ends too early");
+}
+
+/* A chunk may say that it has 2 GB; libpng takes that for a warning, and asks for them. */
+static png_voidp take(png_structp png, png_alloc_size_t bytes)
+{
+    (void)png;
+    return bytes <= CHUNK_BYTES ? malloc(bytes) : NULL;
+}
+
+static void give_back(png_structp png, png_voidp memory)
+{
+    (void)png;
+    free(memory);
 }
 
 /* Whatever comes, rows of R, G, B, A bytes go out. */
@@ -141,7 +154,8 @@ static uint16_t *greys_of(uint8_t *bytes, size_t count)
 
 static bool read_open_file(png_reader *r)
 {
-    r->png = png_create_read_struct(PNG_LIBPNG_VER_STRING, r, refuse, remember);
+    r->png = png_create_read_struct_2(PNG_LIBPNG_VER_STRING, r, refuse, remember, NULL,
+                                      take, give_back);
     r->info = r->png ? png_create_info_struct(r->png) : NULL;
     if (!r->info)
         snprintf(r->why, sizeof r->why, "out of memory");
