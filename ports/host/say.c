@@ -30,18 +30,32 @@ void say_progress(const char *text)
     progress_shown = *text != 0;
 }
 
+/* What is quoted of a file may hold escape sequences, which a terminal would obey. */
+static void clean(char *text)
+{
+    for (; *text; text++)
+        if ((unsigned char)*text < ' ' || *text == 0x7f)
+            *text = '?';
+}
+
 static void say_list(const char *format, va_list list) HOST_PRINTF(1, 0);
 
 static void say_list(const char *format, va_list list)
 {
     va_list again;
     va_copy(again, list);
-    vsnprintf(last, sizeof last, format, again);    /* cut, if it is longer */
+    const int bytes = vsnprintf(last, sizeof last, format, again);
     va_end(again);
+    char *whole = bytes >= (int)sizeof last ? malloc((size_t)bytes + 1) : NULL;
+    if (whole)
+        vsnprintf(whole, (size_t)bytes + 1, format, list);
+    clean(last);
     lines++;
     say_progress("");
-    vfprintf(stderr, format, list);
-    fputc('\n', stderr);
+    if (whole)
+        clean(whole);
+    fprintf(stderr, "%s\n", whole ? whole : last);
+    free(whole);
 }
 
 void say(const char *format, ...)

@@ -139,7 +139,8 @@ static inline unsigned fuzz_lines(const uint8_t *data, size_t size)
     return lines;
 }
 
-/* Whether a message is "PLACE: sentence" or "PLACE:LINE: sentence", LINE 1..lines. */
+/* Whether a message is "PLACE: sentence" or "PLACE:LINE: sentence", LINE 1..lines, without
+ * control characters, which a terminal might obey. */
 static inline bool fuzz_says(const char *message, const char *place, unsigned lines)
 {
     const size_t n = strlen(place);
@@ -152,7 +153,10 @@ static inline bool fuzz_says(const char *message, const char *place, unsigned li
         line = line * 10 + (unsigned)(*message - '0');
     if (lined && (*message++ != ':' || line < 1 || line > lines))
         return false;
-    return message[0] == ' ' && message[1] > ' ';
+    for (const char *c = message; *c; c++)
+        if ((unsigned char)*c < ' ' || *c == 0x7f)
+            return false;
+    return message[0] == ' ' && message[1] && message[1] != ' ';
 }
 
 /* The host refused something, and has just said why. */
