@@ -317,8 +317,8 @@ int bake_command(int argc, char **argv)
         about_print(FOR_BAKE);
     else if (!code)
         code = run(&s, &o);
-    const int end = finish_stdout();
+    const int end = code ? code : finish_stdout();
     stage_close(&s);
     free(o.settings);
-    return code ? code : end;
+    return end;
 }

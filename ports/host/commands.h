@@ -3,6 +3,7 @@
  * has said why it is not 0. */
 #ifndef HOST_COMMANDS_H
 #define HOST_COMMANDS_H
+#include <stdbool.h>
 #include <stddef.h>
 #include "say.h"
 
@@ -26,6 +27,7 @@ int version_command(int argc, char **argv);
 typedef struct {
     const char *name, *takes;
     unsigned    options;                /* FOR_... of args.h */
+    bool        lists;                  /* prints, and does nothing else */
     int       (*run)(int argc, char **argv);
     const char *help;
 } command_row;

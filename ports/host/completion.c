@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* tidepool completion SHELL, and what the scripts of all shells have in common. */
 #include "completion.h"
-#include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -113,7 +112,6 @@ static int print_script(const char *shell)
 int completion_command(int argc, char **argv)
 {
     options o;
-    signal(SIGPIPE, SIG_DFL);
     int code = args_read(&o, FOR_COMPLETION, argc, argv);
     if (!code && o.help) {
         about_print(FOR_COMPLETION);

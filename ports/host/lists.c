@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: MIT */
 /* tidepool scenes and tidepool params: what there is to draw and to change. */
-#include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -37,7 +36,6 @@ static int list_scenes(const char *folder)
 int scenes_command(int argc, char **argv)
 {
     options o;
-    signal(SIGPIPE, SIG_DFL);       /* a list that goes on into `head` ends there */
     int code = args_read(&o, FOR_SCENES, argc, argv);
     if (!code && o.help) {
         about_print(FOR_SCENES);
@@ -153,7 +151,6 @@ static int print_scene(const options *o)
 int params_command(int argc, char **argv)
 {
     options o;
-    signal(SIGPIPE, SIG_DFL);
     int code = args_read(&o, FOR_PARAMS, argc, argv);
     if (!code && o.help) {
         about_print(FOR_PARAMS);

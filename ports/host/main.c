@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* The program: finds the command and runs it. */
 #include <signal.h>
+#include <stdbool.h>
 #include <string.h>
 #include "commands.h"
 #include "say.h"
@@ -16,12 +17,25 @@ static char *command_name(char *word)
     return word;
 }
 
+/* A list that goes on into `head` ends there without a word; elsewhere writing to a pipe
+ * that nobody reads fails, and that is said. */
+static bool is_list(const command_row *command, int argc, char **argv)
+{
+    bool help = false;
+    for (int i = 2; i < argc; i++)
+        help = help || strcmp(argv[i], "--help") == 0 || strcmp(argv[i], "-h") == 0;
+    return command->lists || help;
+}
+
 int main(int argc, char **argv)
 {
-    signal(SIGPIPE, SIG_IGN);           /* writing then fails, and that is reported */
+    begin_streams();
     if (argc < 2)
         return fail(EXIT_USAGE, "tidepool: which command?  See `tidepool help`");
     argv[1] = command_name(argv[1]);
     const command_row *command = command_find(argv[1]);
-    return command ? command->run(argc - 1, argv + 1) : EXIT_USAGE;
+    if (!command)
+        return EXIT_USAGE;
+    signal(SIGPIPE, is_list(command, argc, argv) ? SIG_DFL : SIG_IGN);
+    return command->run(argc - 1, argv + 1);
 }

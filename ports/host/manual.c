@@ -2,7 +2,6 @@
 /* tidepool manual: tidepool(1), from the tables of commands, options, keys and exit
  * codes, and tidepool-scene(5) from that of parameters. */
 #include "manual.h"
-#include <signal.h>
 #include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -244,7 +243,6 @@ static void print_program(void)
 int manual_command(int argc, char **argv)
 {
     options o;
-    signal(SIGPIPE, SIG_DFL);
     int code = args_read(&o, FOR_MANUAL, argc, argv);
     if (!code && o.help) {
         about_print(FOR_MANUAL);

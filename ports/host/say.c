@@ -4,6 +4,7 @@
 #define _POSIX_C_SOURCE 200809L
 #include "say.h"
 #include <errno.h>
+#include <fcntl.h>
 #include <stdarg.h>
 #include <stdbool.h>
 #include <stdio.h>
@@ -108,6 +109,13 @@ int fail_at(const char *file, const tp_error *err)
 int fail_memory(size_t bytes)
 {
     return fail(EXIT_INPUT, "tidepool: out of memory: %zu bytes asked", bytes);
+}
+
+void begin_streams(void)
+{
+    for (int fd = 0; fd <= STDERR_FILENO; fd++)
+        if (fcntl(fd, F_GETFD) < 0 && open("/dev/null", fd ? O_RDONLY : O_WRONLY) != fd)
+            _exit(EXIT_INPUT);
 }
 
 /* After an earlier write has failed the flush of the rest tells why. */

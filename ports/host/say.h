@@ -46,6 +46,11 @@ const char *say_check(const tp_error *err);
 
 int fail_memory(size_t bytes);
 
+/* First of all in a program.  A standard stream that is closed would lend its number to
+ * the first file that is opened, which would then hold what is meant for people; what
+ * stands there instead fails as a closed stream does. */
+void begin_streams(void);
+
 /* Ends what was printed on standard output: a full disk or a closed pipe is an error. */
 int finish_stdout(void);
 

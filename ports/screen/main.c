@@ -134,6 +134,7 @@ int main(int argc, char **argv)
     show s = { .port = &screen_fb, .scene = &baked_scene, .assets = &baked_assets,
                .user = &d, .prepare = prepare, .draw = draw };
     tp_error err = { 0 };
+    begin_streams();
     const int code = read_all(&s, argc, argv);
     if (code)
         return code;

@@ -458,6 +458,24 @@ absent "failed outputs leave nothing" "cut.y4m\|big.png\|full.png\|tidepool-"
 code=$(cat code)
 judge "closed pipe" 3 "^standard output: Broken pipe"
 
+run $small --frames 300 --out whole.y4m
+timeout 60 "$program" $small --frames 300 --out film.y4m --hash >&- 2>err
+code=$?
+judge "closed standard output" 3 "^standard output: Bad file descriptor$"
+verdict "the film holds no hashes" "$(cmp film.y4m whole.y4m 2>&1)"
+timeout 60 "$program" $small --out film.png --memory 1 2>&-
+same "closed standard error" "$? $(ls film.png 2>/dev/null)" "3 "
+timeout 60 "$program" $small <&- >out 2>err
+same "closed standard input" "$? $(cat err)" "0 three-swells.png: frame 0, 64x48"
+for command in help version scenes params manual "plan minimal" "render --help"; do
+    { sleep 0.1; timeout 60 "$program" $command 2>err; echo $? >code; } | true
+    same "$command goes on into what reads no line, without a word" \
+        "$(cat code) $(cat err)" "141 "
+done
+timeout 60 "$program" bake minimal -o - >/dev/full 2>err
+same "a full disk is told once" "$? $(cat err)" "3 standard output: No space left on device"
+rm -f whole.y4m film.y4m three-swells.png
+
 timeout 60 "$program" $small --frames 1000000 --out long.y4m 2>err &
 child=$!
 for _ in 1 2 3 4 5 6 7 8 9; do
