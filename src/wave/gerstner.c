@@ -6,7 +6,15 @@
  * smallest eigenvalue of J at 0.05 or above, so det > 0 and the quotient exists.  Gentle
  * seas (tp_sea.crossed) do with N = (-hx, 1 - sum QkA sin th, -hz).
  * Everything is taken at the rest point: the form that is printed with the displaced
- * point inside the sine is a different, wrong surface ([A10]). */
+ * point inside the sine is a different, wrong surface ([A10]).
+ *
+ * The bounds that wave.h gives for normals: errors dh and dJ turn the normal of the slopes
+ * g = J^-1 h by |J^-1 (dh - dJ g)| / sqrt(1 + g^2) <= hypot(|dh|, |dJ|) / (1 - q).  Sine
+ * and cosine lie up to 4.71e-6 of themselves inside of the true ones and are cut to Q24,
+ * and slopes are rounded to 16.16, 1.08e-5 both together.  Of one trochoid, J = 1 - S sin
+ * and h = S cos: the cosine's part counts h J / (J^2 + h^2) <= 1/2, the sine's h S /
+ * (J^2 + h^2) <= S / 2 (1 - S), which are 2.36e-6 / (1 - S); the phase's S / (1 - S), as
+ * fast as the normal turns on the crest. */
 #include "wave/wave.h"
 
 tp_sea_point tp_sea_sum_point(const tp_sea_sum *sum, tp_fx x0, tp_fx z0, tp_fx fade)
