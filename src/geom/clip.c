@@ -42,6 +42,7 @@ static int32_t along(int32_t a, int32_t b, int64_t share)
 static tp_view_corner cut(const tp_lens *lens, const tp_view_corner *in,
                           const tp_view_corner *out, int64_t d_in, int64_t d_out)
 {
+    TP_ASSERT(d_in >= 0 && d_out < 0);
     uint64_t span = (uint64_t)(d_in - d_out);           /* > 0, below 2^48 */
     int      shift = 0;
     tp_view_corner c;
@@ -76,6 +77,7 @@ static int clip_side(const sides *of, const tp_view_corner *in, int count,
         else if (da < 0 && db >= 0)
             out[kept++] = cut(of->lens, b, a, db, da);
     }
+    TP_ASSERT(kept <= TP_CLIP_CORNERS);
     return kept;
 }
 

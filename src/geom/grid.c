@@ -7,6 +7,7 @@
 static void carve_lines(tp_grid *grid, tp_arena *arena, uint32_t cols, uint32_t rows,
                         uint32_t waves)
 {
+    TP_ASSERT(cols >= 2 && rows >= 2 && waves <= TP_WAVES);
     grid->cols = grid->most_cols = cols;
     grid->rows = grid->most_rows = rows;
     grid->blocks = (cols - 2) / TP_GRID_BLOCK + 1;
@@ -154,6 +155,7 @@ static tp_view_corner corner_of(const tp_grid *grid, uint32_t i, uint32_t j)
 tp_view_corner tp_grid_corner(const tp_grid *grid, const tp_grid_vertex *vertex,
                               uint32_t i, uint32_t j)
 {
+    TP_ASSERT(i < grid->cols && j < grid->rows);
     tp_view_corner c = tp_sheet_is(grid)
                      ? grid->frame.surface->by->ocean->corner(grid, i, j)
                      : corner_of(grid, i, j);
@@ -194,6 +196,8 @@ tp_grid_window tp_grid_window_over(void *memory)
 void tp_grid_see(const tp_grid *grid, tp_grid_window *window, uint32_t j, uint32_t first,
                  uint32_t end)
 {
+    TP_ASSERT(j < grid->rows && end <= grid->cols);
+    TP_ASSERT(!grid->streams || window->memory != NULL);
     const uint32_t side = j & 1;
     tp_grid_span *done = &window->done[side];
 
@@ -296,6 +300,7 @@ static void lay(tp_grid *grid, const tp_grid_view *view)
 
 void tp_grid_begin(tp_grid *grid, const tp_grid_view *view)
 {
+    TP_ASSERT(view->cell > 0);
     tp_plane planes[TP_LENS_PLANES];
     uint32_t side[TP_LENS_PLANES] = { 0 };
     tp_vertex_frame *frame = &grid->frame;
@@ -318,6 +323,7 @@ void tp_grid_begin(tp_grid *grid, const tp_grid_view *view)
 
 void tp_grid_place_row(tp_grid *grid, uint32_t j)
 {
+    TP_ASSERT(j < grid->rows);
     tp_grid_span needed = tp_grid_needed(grid, j);
 
     if (needed.first >= needed.end)

@@ -24,6 +24,7 @@ void tp_lens_turned(tp_lens *lens, tp_vec3 eye, tp_rotation turn, tp_fx fov, tp_
 {
     tp_dir3 half = tp_rotation_of(tp_turn_of_degrees(fov) / 2, 0, 0).x; /* cos, 0, sin */
 
+    TP_ASSERT(width > 0 && height > 0 && near > 0 && half.z > 0);
     lens->eye = eye;
     lens->turn = turn;
     lens->near = near;
@@ -42,6 +43,7 @@ void tp_lens_turned(tp_lens *lens, tp_vec3 eye, tp_rotation turn, tp_fx fov, tp_
 /* focal is above 2^(m-1) and m above 0: a picture has 16 rows, a view 100 degrees. */
 tp_lens tp_lens_halved(const tp_lens *lens)
 {
+    TP_ASSERT(lens->m > 0);
     tp_lens half = *lens;
 
     half.focal = lens->focal >> 1;
@@ -55,6 +57,7 @@ tp_lens tp_lens_halved(const tp_lens *lens)
  * coordinate times it is metres. */
 tp_view_plane tp_lens_level(const tp_lens *lens, tp_fx level, int side)
 {
+    TP_ASSERT(lens->focal > 0 && (side == 1 || side == -1));
     int64_t one = ((int64_t)1 << (44 + lens->m)) / lens->focal;     /* Q.28 */
     tp_fx   up = lens->eye.y - level;
 
@@ -67,6 +70,7 @@ tp_view_plane tp_lens_level(const tp_lens *lens, tp_fx level, int side)
 
 void tp_corner_project(const tp_lens *lens, const tp_view_corner *from, tp_corner *to)
 {
+    TP_ASSERT(tp_lens_holds(lens, from));
     tp_lens_project(lens, from, &to->u, &to->v, &to->zi);
     to->s = from->s;
     to->t = from->t;

@@ -78,6 +78,7 @@ void tp_level_begin(tp_level *level, const tp_lens *lens, const tp_grid_extent *
 /* at has 46 bits: its 16 more make the row in Q.16. */
 tp_level_line tp_level_zero(const tp_level_sum *sum)
 {
+    TP_ASSERT(sum->y > 0);
     return (tp_level_line){ -(sum->at * 65536 / sum->y) * 16384,
                             -(sum->x * ((int64_t)1 << 30) / sum->y) };
 }
@@ -87,6 +88,7 @@ tp_level_line tp_level_zero(const tp_level_sum *sum)
 /* 1 / down is r 2^(up - 95), Q.30 pixels as integers; h r has 59 bits. */
 tp_level_reach tp_level_reach_of(const tp_level *level, int64_t down)
 {
+    TP_ASSERT(down > 0);
     uint32_t high = (uint32_t)((uint64_t)down >> 32);
     int      up = high ? tp_clz(high) : 32 + tp_clz((uint32_t)down);
     uint64_t factor = (uint64_t)level->height

@@ -39,6 +39,7 @@ uint32_t tp_lines_flank(uint32_t count, const tp_grid_view *view)
 /* The ratio of the flanks' steps: to the scene's reach, or what is in range of it. */
 static int64_t ratio_of(uint32_t count, const tp_grid_view *view)
 {
+    TP_ASSERT(count >= 2 && view->cell > 0);
     uint32_t flank = tp_lines_flank(count, view);
     tp_fx half = (tp_fx)((int64_t)view->cell * (count - 2 * flank - 1) / 2);
     int64_t most = 16000 * TP_FX_ONE - half;
@@ -111,6 +112,7 @@ tp_grid_extent tp_lines_extent(uint32_t count, const tp_grid_view *view, bool al
 
 tp_fx tp_lines_fade(const tp_grid_extent *extent, tp_fx place)
 {
+    TP_ASSERT(extent->fading >= 0);
     int64_t low = (int64_t)place - extent->calm[0];
     int64_t high = (int64_t)extent->calm[1] - place;
     int64_t from_edge = low < high ? low : high;

@@ -93,6 +93,7 @@ tp_fx tp_lod_step(const tp_thinning *lod, tp_fx place)
 /* The cell that a place lies in, from the world's origin; lines may lie in their middles. */
 static int32_t cell_at(const tp_thinning *lod, tp_fx place)
 {
+    TP_ASSERT(lod->cell > 0);
     int64_t cells = (int64_t)place / lod->cell;
     return (int32_t)(cells - ((int64_t)place < cells * lod->cell));
 }
@@ -103,6 +104,7 @@ static uint32_t thin(const tp_thinning *lod, tp_grid_line *line, uint32_t count,
                      uint32_t flank)
 {
     uint32_t first = flank, last = count - 1 - flank;
+    TP_ASSERT(first <= last && last < count);
     uint32_t at = (uint32_t)cell_at(lod, line[first].place), left = first + 1;
 
     for (uint32_t k = first + 1; k < count; k++) {

@@ -74,6 +74,7 @@ TP_ALWAYS_INLINE void tp_set_slopes(const tp_jacobian *j, int tilt, bool crossed
         nz = tp_upper((int64_t)j->hz * j->jxx + (int64_t)j->hx * j->bxz);
     }
     int     shift = tp_clz((uint32_t)det);
+    TP_ASSERT(det > 0 && shift < tilt);
     int32_t r = tp_recip_rough((uint32_t)det << shift) >> (tilt - 1 - shift);
     to->slope_x = tp_saturated((tp_mul_upper(nx, r) + 8) >> 4);
     to->slope_z = tp_saturated((tp_mul_upper(nz, r) + 8) >> 4);

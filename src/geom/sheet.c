@@ -130,6 +130,7 @@ static void place(const tp_lens *lens, tp_vec3 at, const int16_t slope[3],
 
 void tp_sheet_place_row(tp_grid *grid, uint32_t j, tp_grid_span needed)
 {
+    TP_ASSERT(tp_sheet_is(grid) && j < grid->rows && needed.end <= grid->cols);
     uint32_t near = before(j), far = after(j, grid->rows);
 
     grid->sheets = grid->sheets > near ? grid->sheets : near;

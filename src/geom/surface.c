@@ -36,6 +36,7 @@ tp_relief tp_surface_relief(const tp_surface *surface, tp_fx x, tp_fx z)
 
 tp_relief tp_surface_relief_faded(const tp_surface *surface, tp_fx x, tp_fx z, tp_fx fade)
 {
+    TP_ASSERT(fade >= 0 && fade <= TP_FX_ONE);
     if (fade == 0)
         return (tp_relief){ 0, 0, 0 };
     tp_relief relief = tp_surface_relief(surface, x, z);
@@ -143,6 +144,7 @@ static void ocean_slopes(const tp_surface *surface, tp_sea_point *at, const tp_f
 tp_sea_point tp_surface_ocean_above(const tp_surface *surface, tp_fx x, tp_fx z,
                                     tp_fx rest[2])
 {
+    TP_ASSERT(surface->ocean != NULL && rest != NULL);
     tp_sea_point at = ocean_above(surface, x, z, rest);
     ocean_slopes(surface, &at, rest);
     return at;

@@ -125,6 +125,7 @@ TP_ALWAYS_INLINE void slope(const tp_vertex_place_of *place, uint32_t swells, bo
 
 void tp_run_slope(const tp_vertex_place_of *place, tp_grid_vertex *to)
 {
+    TP_ASSERT(place->frame->count > 0);
     uint32_t swells = place->frame->count;
 
     if (!place->frame->surface->sea->crossed)
@@ -221,6 +222,7 @@ void tp_vertex_place(const tp_vertex_frame *frame, const tp_vertex_columns *colu
                      const tp_vertex_row *row, uint32_t first, uint32_t count, bool still,
                      tp_grid_vertex *vertex)
 {
+    TP_ASSERT(count > 0 && count <= TP_VERTEX_RUN);
     const tp_vertex_place_of place = { frame, columns, row, first, count, still };
     tp_vertex_run run;
 

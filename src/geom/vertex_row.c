@@ -67,6 +67,7 @@ static void seen_along(const tp_vertex_frame *frame, tp_vec3 d, int32_t rest[3])
     for (int i = 0; i < 3; i++) {
         int64_t way = (int64_t)d.x * axis[i].x + (int64_t)d.y * axis[i].y
                     + (int64_t)d.z * axis[i].z;
+        TP_ASSERT(way >> down == (int32_t)(way >> down));
         rest[i] = (int32_t)((way + ((int64_t)1 << (down - 1))) >> down);
     }
 }
@@ -102,6 +103,7 @@ static bool is_wide(tp_vertex_frame *frame, const tp_fx x[2], const tp_fx z[2])
 
 void tp_vertex_begin(tp_vertex_frame *frame, tp_fx x0, tp_fx x1, tp_fx z0, tp_fx z1)
 {
+    TP_ASSERT(frame->most <= TP_WAVES && x0 <= x1 && z0 <= z1);
     const tp_sea *sea = frame->surface->sea;
     const tp_fx x[2] = { x0, x1 }, z[2] = { z0, z1 };
 

@@ -29,6 +29,7 @@ static const uint32_t over[17] = { 0, 65536, 32768, 21845, 16384, 13107, 10923, 
 
 uint32_t tp_row_step_between(uint32_t from, uint32_t to, int32_t n)
 {
+    TP_ASSERT(n >= 0 && n <= 16);
     return (uint32_t)((int64_t)(int32_t)(to - from) * over[n] >> 16);
 }
 
@@ -78,6 +79,7 @@ typedef struct {
 
 TP_ALWAYS_INLINE between between_of(const tp_row_sample *far, const tp_row_sample *near)
 {
+    TP_ASSERT((near->v - far->v) >> 8 > 0);
     uint32_t inverse = 0x7fffffffu / ((uint32_t)(near->v - far->v) >> 8);
     return (between){ far, near, inverse, (int32_t)(0u - 128 * inverse) };
 }
@@ -193,6 +195,8 @@ void tp_row_piece(const tp_rows *rows, const tp_row_sample *near,
                   const tp_row_sample *far, int32_t x, int32_t y, int32_t end,
                   int32_t top)
 {
+    TP_ASSERT(y < end && y >= top && end <= rows->tile->y1);
+    TP_ASSERT(near->v - far->v >= 256);
     uint32_t apart = (uint32_t)(near->v - far->v);
 
     if (end - y == 1 && first_row(near->v) - top <= FEW)

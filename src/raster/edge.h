@@ -27,6 +27,7 @@ typedef struct {
  * below 30 dv, so it is one or two pixels more. */
 TP_ALWAYS_INLINE tp_edge tp_edge_of(int32_t u0, int32_t v0, int32_t u1, int32_t v1)
 {
+    TP_ASSERT(v0 < v1);
     int32_t dv = v1 - v0, whole = (u1 - u0) / dv, part = (u1 - u0) % dv;
     int32_t row = tp_first_centre(v0), down = 16 * row + 8 - v0;
 
@@ -57,6 +58,7 @@ TP_ALWAYS_INLINE void tp_edge_step(tp_edge *e)
 /* Down to row y >= e->row: 256 rows at a time, so that no product leaves 31 bits. */
 TP_ALWAYS_INLINE void tp_edge_go(tp_edge *e, int32_t y)
 {
+    TP_ASSERT(y >= e->row);
     for (int32_t n = y - e->row; n > 0; n -= 256) {
         int32_t rows = n < 256 ? n : 256;
         int32_t over = rows * e->part - e->over;

@@ -91,6 +91,7 @@ TP_ALWAYS_INLINE size_t plane_of(const tp_samples *tile)
 
 TP_ALWAYS_INLINE uint32_t *place_in(const tp_samples *tile, int32_t x, int32_t y)
 {
+    TP_ASSERT(x >= tile->x0 && x < tile->x1 && y >= tile->y0 && y < tile->y1);
     return tile->key + (size_t)(uint32_t)(y - tile->y0) * tile->stride
          + (uint32_t)(x - tile->x0);
 }

@@ -30,6 +30,7 @@ static bool holds_any(const tp_samples *tile)
 
 void tp_rows_begin(tp_rows *rows, const tp_samples *tile, void *memory, bool solid)
 {
+    TP_ASSERT(tile->x0 < tile->x1 && (uintptr_t)memory % 4 == 0);
     int32_t limit = limit_of(tile->y1);
 
     *rows = (tp_rows){
@@ -102,6 +103,7 @@ TP_ALWAYS_INLINE void cover(tp_rows *rows, tp_row_column *column,
 TP_ALWAYS_INLINE void walk(tp_rows *rows, const tp_row_sample *now,
                            const tp_row_sample *step, int32_t x, int32_t end, int kind)
 {
+    TP_ASSERT(x < end && x >= rows->tile->x0 && end <= rows->tile->x1);
     tp_row_column *column = rows->column + (x - rows->tile->x0);
     uint32_t v = (uint32_t)now->v, zi = now->zi, s = (uint32_t)now->s;
     uint32_t t = (uint32_t)now->t, n = now->n;

@@ -319,6 +319,7 @@ static uint32_t pattern_of(int opacity)
 void tp_tri_solid(const tp_samples *tile, const tp_corner *a, const tp_corner *b,
                   const tp_corner *c, uint32_t mark, uint32_t face, int opacity)
 {
+    TP_ASSERT(mark >= TP_MARK_SOLID && mark <= 0xff && opacity >= 0);
     tp_tri  tri;
     painter p;
 
@@ -353,6 +354,8 @@ void tp_tri_lid(const tp_samples *tile, const tp_corner *a, const tp_corner *b,
 
 void tp_samples_clear(const tp_samples *tile)
 {
+    TP_ASSERT(tile->x0 < tile->x1 && tile->y0 < tile->y1);
+    TP_ASSERT((uint32_t)(tile->x1 - tile->x0) <= tile->stride);
     uint32_t rows_of_tile = (uint32_t)(tile->y1 - tile->y0);
     memset(tile->key, 0, (size_t)rows_of_tile * tile->stride * sizeof *tile->key);
 }

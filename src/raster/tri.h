@@ -50,6 +50,14 @@ TP_ALWAYS_INLINE tp_gradient tp_tri_gradient(const tp_tri *tri, int64_t at_a,
     return g;
 }
 
+/* Within the guard band, whose centre lies up to half a picture from the corner, and a
+ * pixel more for what projection rounds. */
+static inline bool tp_corner_fits(const tp_corner *c)
+{
+    const int32_t most = 16 * ((1 << TP_GUARD_LOG2) + 2048 + 1);
+    return tp_abs(c->u) <= most && tp_abs(c->v) <= most;
+}
+
 /* -- set-up ------------------------------------------------------------------------ */
 
 TP_ALWAYS_INLINE bool misses(const tp_samples *tile, const tp_corner *a,
@@ -113,6 +121,7 @@ TP_ALWAYS_INLINE void set_factors(tp_tri *tri, int64_t area)
     int32_t  du1 = b->u - a->u, dv1 = b->v - a->v, du2 = c->u - a->u, dv2 = c->v - a->v;
     int32_t  most = larger(larger(tp_abs(du1), tp_abs(du2)), dv2);
     uint64_t size = (uint64_t)(area < 0 ? -area : area);
+    TP_ASSERT(size > 0 && size >> 39 == 0);
     uint32_t high = (uint32_t)(size >> 32);
     int      lz = high ? tp_clz(high) : 32 + tp_clz((uint32_t)size);
     int      k = 35 - tp_clz((uint32_t)most);
@@ -159,6 +168,7 @@ TP_ALWAYS_INLINE bool tp_tri_begin(tp_tri *tri, const tp_samples *tile,
     tri->bottom = bottom < tile->y1 ? bottom : tile->y1;
     if (tri->top >= tri->bottom)
         return false;
+    TP_ASSERT(tp_corner_fits(a) && tp_corner_fits(b) && tp_corner_fits(c));
     int64_t area = tp_tri_area(a, b, c);
     if (area == 0 || (tile->front_only && (area > 0) != odd))
         return false;

@@ -8,7 +8,8 @@
 # the core: fewer than `least` or more than `most` of the core are wrong, if those are
 # given.
 BEGIN {
-    n = split("sizeof tp_abs tp_clz tp_pool_full", name, " ")
+    n = split("sizeof tp_abs tp_clz tp_corner_fits tp_lens_holds tp_pool_full " \
+              "tp_sheet_is", name, " ")
     for (i = 1; i <= n; i++)
         pure[name[i]]
 }
