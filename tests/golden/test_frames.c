@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT */
-/* Every shipped scene against its golden frames, cut into tiles of several kinds;
- * three-swells in every pixel format and more tilings.  With `--write` the references are
- * made anew instead, of the scenes named after it or of all. */
+/* Every shipped scene and every scene of tests/golden/scenes against its golden frames, cut
+ * into tiles of several kinds; three-swells in every pixel format and more tilings.  With
+ * `--write` the references are made anew instead, of the scenes named after it or of
+ * all. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -11,6 +12,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
+#include <unistd.h>
 #include "golden.h"
 #include "host/path.h"
 
@@ -59,7 +61,9 @@ static int wrong_tilings(const golden_scene *g, const char *scene, tp_format for
 static void open_scene(golden_scene *g, const char *scene)
 {
     char path[256];
-    snprintf(path, sizeof path, "assets/scenes/%s.ini", scene);
+    snprintf(path, sizeof path, "tests/golden/scenes/%s.ini", scene);
+    if (access(path, R_OK) != 0)
+        snprintf(path, sizeof path, "assets/scenes/%s.ini", scene);
     if (!golden_open(g, path))
         exit(1);
 }
@@ -102,7 +106,7 @@ static bool is_whole(const char *scene)
     return strcmp(scene, "three-swells") == 0;
 }
 
-static int compare_all(char **names, size_t count)
+static int compare_all(const char *const *names, size_t count)
 {
     static job jobs[MOST];
     struct CMUnitTest tests[MOST];
@@ -119,10 +123,16 @@ static int compare_all(char **names, size_t count)
 
 int main(int argc, char **argv)
 {
-    size_t count = 0;
-    char **names = path_scene_names("assets/scenes", &count);
-    int failed = count == 0 || count > MOST;
+    size_t shipped = 0, own = 0, count = 0;
+    char **of_shipped = path_scene_names("assets/scenes", &shipped);
+    char **of_own = path_scene_names("tests/golden/scenes", &own);
+    const char *names[MOST];
+    int failed = shipped == 0 || own == 0 || shipped + own > MOST;
 
+    for (size_t i = 0; i < shipped && !failed; i++)
+        names[count++] = of_shipped[i];
+    for (size_t i = 0; i < own && !failed; i++)
+        names[count++] = of_own[i];
     mkdir(WRECK, 0777);
     setvbuf(stdout, NULL, _IOLBF, 0);       /* in step with cmocka's lines on stderr */
     if (argc >= 2 && !strcmp(argv[1], "--write")) {
@@ -133,6 +143,7 @@ int main(int argc, char **argv)
     } else if (!failed) {
         failed = compare_all(names, count);
     }
-    path_free_names(names, count);
+    path_free_names(of_shipped, shipped);
+    path_free_names(of_own, own);
     return failed;
 }
