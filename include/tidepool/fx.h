@@ -186,6 +186,10 @@ tp_rotation tp_rotation_mul(const tp_rotation *a, const tp_rotation *b);    /* A
  * it is kept).  "5." and ".5" are numbers too; exact halves round up. */
 uint32_t tp_fx_read(const char *text, uint32_t bytes, tp_fx *x, int *beyond);
 
+/* The same into 48.16; beyond +-10^14 saturates to +-TP_WIDE_MAX. */
+uint32_t tp_fx_read_wide(const char *text, uint32_t bytes, int64_t *x);
+#define TP_WIDE_MAX ((int64_t)100000000000000 << 16)
+
 /* The shortest decimal that reads back to x, terminated; returns its length (<= 14). */
 uint32_t tp_fx_write(tp_fx x, char text[16]);
 

@@ -4,14 +4,14 @@
  * The points where rounding changes are odd multiples of 2^-17, and 2^-17 has exactly 17
  * decimal places.  So 17 places of the fraction, and whether anything follows them,
  * decide; and F / 10^17 counted in 2^-17 is F / 5^17, one division.  Of the digits before
- * the point only five matter.  Digits are looked at twice: to find the power of ten of
+ * the point only 14 matter.  Digits are looked at twice: to find the power of ten of
  * the first that is not 0, which the exponent at the far end shifts, and to add up. */
 #include "base/assert.h"
 #include "tidepool/fx.h"
 #include <stdbool.h>
 #include <stddef.h>
 
-enum { PLACES = 17 };
+enum { PLACES = 17, WHOLE_DIGITS = 14 };    /* 10^14 x 2^17 < 2^64 */
 
 static const int64_t EXPONENT_CAP = 1000000000000;  /* beyond all digits there can be */
 
@@ -77,7 +77,7 @@ static const char *scan_exponent(const char *at, const char *end, int64_t *expon
 }
 
 /* The number in units of 2^-17, rounded down; *exact tells whether nothing was cut.
- * `power` of the first digit is -6..4: whole < 10^5, fraction < 10^17. */
+ * `power` of the first digit is -6..13: whole < 10^14, fraction < 10^17. */
 static uint64_t half_units(const digits *number, int power, bool *exact)
 {
     TP_ASSERT(number->first != NULL && power >= -6 && power <= 4);
@@ -105,30 +105,27 @@ static uint64_t half_units(const digits *number, int power, bool *exact)
 }
 
 /* Half up means up also below zero: there an exact half loses magnitude. */
-static tp_fx signed_unit(uint64_t halves, bool exact, bool negative, bool *beyond)
+static int64_t signed_unit(uint64_t halves, bool exact, bool negative)
 {
     const bool down = negative && exact;
-    const uint64_t units = (halves + (down ? 0 : 1)) >> 1;
-    *beyond = units > (uint64_t)TP_FX_MAX + (negative ? 1 : 0);
-    if (*beyond)
-        return negative ? TP_FX_MIN : TP_FX_MAX;
-    return negative ? (tp_fx)-(int64_t)units : (tp_fx)units;
+    const int64_t units = (int64_t)((halves >> 1) + (down ? 0 : halves & 1));
+    return negative ? -units : units;
 }
 
-/* 10^5 is beyond the range, 10^-6 rounds to 0: only the powers between need digits. */
-static tp_fx number_of(const digits *number, int64_t power, bool negative, bool *beyond)
+/* 10^-6 rounds to 0, and 10^14 is the end of the range: only the powers between need
+ * digits. */
+static int64_t number_of(const digits *number, int64_t power, bool negative)
 {
-    *beyond = number->first != NULL && power > 4;
-    if (*beyond)
-        return negative ? TP_FX_MIN : TP_FX_MAX;
     if (number->first == NULL || power < -6)
         return 0;
+    if (power >= WHOLE_DIGITS)
+        return negative ? -TP_WIDE_MAX : TP_WIDE_MAX;
     bool exact;
     const uint64_t halves = half_units(number, (int)power, &exact);
-    return signed_unit(halves, exact, negative, beyond);
+    return signed_unit(halves, exact, negative);
 }
 
-uint32_t tp_fx_read(const char *text, uint32_t bytes, tp_fx *x, int *beyond)
+uint32_t tp_fx_read_wide(const char *text, uint32_t bytes, int64_t *x)
 {
     TP_ASSERT(text != NULL || bytes == 0);
     TP_ASSERT(x != NULL);
@@ -141,11 +138,20 @@ uint32_t tp_fx_read(const char *text, uint32_t bytes, tp_fx *x, int *beyond)
         return 0;
     int64_t exponent;
     at = scan_exponent(number.end, end, &exponent);
-    bool outside;
-    *x = number_of(&number, number.power + exponent, negative, &outside);
-    if (outside && beyond != NULL)
-        *beyond = 1;
+    *x = number_of(&number, number.power + exponent, negative);
     return (uint32_t)(at - text);
+}
+
+uint32_t tp_fx_read(const char *text, uint32_t bytes, tp_fx *x, int *beyond)
+{
+    int64_t wide;
+    const uint32_t n = tp_fx_read_wide(text, bytes, &wide);
+    if (n == 0)
+        return 0;
+    *x = tp_fx_held(wide);
+    if (*x != wide && beyond != NULL)
+        *beyond = 1;
+    return n;
 }
 
 /* The decimal of fewest places that lies within half a unit of x.  A decimal of up to 5

@@ -223,6 +223,45 @@ static void any_number_is_rounded_to_nearest(void **state)
     printf("    tp_fx_read         1000000 random decimals, all rounded to nearest\n");
 }
 
+static void wide_reads_as(const char *text, int64_t want)
+{
+    int64_t x = 12345;
+    const uint32_t length = (uint32_t)strlen(text);
+    if (tp_fx_read_wide(text, length, &x) != length || x != want)
+        fail_msg("\"%s\" reads as %" PRId64, text, x);
+}
+
+static void wide_numbers_are_read_up_to_10_to_the_14(void **state)
+{
+    (void)state;
+    wide_reads_as("32768", (int64_t)32768 << 16);
+    wide_reads_as("-3443870976.5", -(((int64_t)3443870976 << 16) + 0x8000));
+    wide_reads_as("99999999999999.99999", TP_WIDE_MAX - 1);
+    wide_reads_as("9999999999999999999e-5", TP_WIDE_MAX - 1);
+    wide_reads_as("123456789012345", TP_WIDE_MAX);
+    wide_reads_as("-1e999999999999999999999", -TP_WIDE_MAX);
+}
+
+/* The whole part moves a number and changes nothing about how it is rounded. */
+static void any_wide_number_is_rounded_as_its_fraction(void **state)
+{
+    (void)state;
+    uint64_t random = seed;
+    for (int i = 0; i < 200000; i++) {
+        char digits[64], text[128], small[80];
+        const uint64_t any = random_next(&random) >> random_below(&random, 63);
+        const uint64_t whole = any % 100000000000000;
+        random_fraction(&random, digits);
+        const char *const sign = random_below(&random, 2) ? "-" : "";
+        snprintf(text, sizeof text, "%s%" PRIu64 ".%s", sign, whole, digits);
+        snprintf(small, sizeof small, "%s0.%s", sign, digits);
+        tp_fx fraction = 0;
+        tp_fx_read(small, (uint32_t)strlen(small), &fraction, NULL);
+        const int64_t units = (int64_t)whole * TP_FX_ONE;
+        wide_reads_as(text, (*sign ? -units : units) + fraction);
+    }
+}
+
 /* before, `count` times `fill`, after. */
 static void long_reads_as(const char *before, char fill, size_t count, const char *after,
                           tp_fx want, int want_beyond)
@@ -350,6 +389,8 @@ int main(void)
         cmocka_unit_test(reading_stops_where_the_number_does),
         cmocka_unit_test(no_byte_behind_the_end_is_read),
         cmocka_unit_test(any_number_is_rounded_to_nearest),
+        cmocka_unit_test(wide_numbers_are_read_up_to_10_to_the_14),
+        cmocka_unit_test(any_wide_number_is_rounded_as_its_fraction),
         cmocka_unit_test(a_million_digits_are_read_exactly),
         cmocka_unit_test(every_number_is_written_so_that_it_reads_back),
         cmocka_unit_test(the_shortest_decimal_is_written),
