@@ -35,8 +35,8 @@ CORE := $(addprefix src/, \
     base/arena.c base/given.c base/status.c base/text.c base/version.c \
     fx/fx.c fx/mat.c fx/sqrt.c fx/text.c fx/trig.c fx/vec.c \
     pixel/crc32.c pixel/format.c pixel/store.c \
-    asset/area.c asset/bind.c asset/cut.c asset/face.c asset/line.c asset/mtl.c \
-    asset/names.c asset/obj.c asset/shape.c asset/store.c asset/texture.c \
+    asset/area.c asset/bind.c asset/cut.c asset/cut_grid.c asset/face.c \
+    asset/line.c asset/mtl.c asset/names.c asset/obj.c asset/shape.c asset/store.c asset/texture.c \
     asset/use.c asset/word.c \
     wave/above.c wave/breaking.c wave/coast.c wave/criteria.c wave/depth.c \
     wave/eikonal.c wave/exp.c wave/five.c wave/floor.c wave/gerstner.c wave/noise.c \
@@ -176,7 +176,7 @@ SCENES  := $(patsubst assets/scenes/%.ini,%,$(wildcard assets/scenes/*.ini))
 ONE     := $(if $(filter command,$(firstword $(origin SCENE))),$(SCENE))
 CROSS   := three-swells raindrops tank pond shore-break deep-sea storm count-64
 FRAMES  := $(CROSS:%=$(BUILD)/tests/cross/frames-%)
-BAKES   := $(wildcard ports/host/bake*.c ports/host/assets.c ports/host/png_read.c \
+BAKES   := $(wildcard ports/host/bake*.c ports/host/assets*.c ports/host/png_read.c \
                ports/host/scene*.c ports/host/ini_read.c src/asset/*.c \
                src/scene/params.c include/tidepool/*.h)
 SHIPPED := $(wildcard assets/scenes/* assets/boats/*.[mop]* assets/textures/*.png \

@@ -37,16 +37,18 @@ TP_BEGIN_C
     X(E_OBJ_VERTEX,    "face names vertex %a of %b") \
     X(E_OBJ_TEXCOORD,  "face names texture coordinate %a of %b") \
     X(E_OBJ_NORMAL,    "face names normal %a of %b") \
-    X(E_OBJ_CORNERS,   "face of %a corners; 3 to %b can be cut") \
     X(E_OBJ_MIXED,     "face whose corners differ in form") \
     X(E_OBJ_RANGE,     "coordinate beyond +-%a") \
     X(E_OBJ_LINE,      "line longer than %a bytes") \
-    X(E_OBJ_NAME,      "name longer than %a bytes, or with a zero byte in it") \
-    X(E_OBJ_EMPTY,     "no face in the file") \
+    X(E_OBJ_NAME,      "name with a zero byte in it") \
+    X(E_OBJ_EMPTY,     "no face with an area in the file") \
     X(E_OBJ_COUNT,     "more than %a of one kind") \
     X(E_OBJ_CHANGED,   "the file changed between its two readings") \
+    X(E_OBJ_MATERIALS, "more than %a materials") \
     X(E_MTL_NAME,      "material %s is not defined") \
     X(E_MTL_ORDER,     "%s before any newmtl") \
+    X(E_MTL_RANGE,     "%s is outside %a..%b") \
+    X(E_MTL_IMAGES,    "names of pictures are longer than %a bytes together") \
     X(E_POOL_SIZE,     "%s: pool of %a x %b cells; 16 x 16 to 512 x 512 can be " \
                        "computed") \
     X(E_POOL_COURANT,  "%s of 0.%a is above 0.%b, the bound of this damping; water " \

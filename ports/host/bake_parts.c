@@ -230,5 +230,5 @@ void bake_mesh(const bake *b, const char *part, const tp_mesh *mesh)
     put_point(b->out, mesh->low);
     fprintf(b->out, ", .high = ");
     put_point(b->out, mesh->high);
-    fprintf(b->out, "\n};\n");
+    fprintf(b->out, ",\n    .log2_unit = %" PRIu32 "\n};\n", mesh->log2_unit);
 }

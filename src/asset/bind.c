@@ -9,6 +9,12 @@ const char *tp_obj_library(const tp_obj *obj, uint32_t i)
     return tp_names_text(&obj->store.library_names, i);
 }
 
+uint32_t tp_obj_library_line(const tp_obj *obj, uint32_t i)
+{
+    TP_ASSERT(i < obj->libraries);
+    return obj->store.library_names.line[i];
+}
+
 const char *tp_obj_image(const tp_obj *obj, uint32_t i)
 {
     TP_ASSERT(i < obj->images);
@@ -21,7 +27,13 @@ uint32_t tp_obj_image_library(const tp_obj *obj, uint32_t i)
     return obj->store.image_names.tag[i];
 }
 
-/* -- texels per metre ---------------------------------------------------------------- */
+uint32_t tp_obj_image_line(const tp_obj *obj, uint32_t i)
+{
+    TP_ASSERT(i < obj->images);
+    return obj->store.image_names.line[i];
+}
+
+/* -- texels per unit ----------------------------------------------------------------- */
 
 /* Shifts x != 0 until its top bit is bit 31; returns by how much x is larger. */
 static int to_32_bits(uint64_t *x)
@@ -55,8 +67,9 @@ static tp_fx root_of_ratio(uint64_t picture, uint64_t area, int power)
     return root > TP_FX_MAX ? TP_FX_MAX : (tp_fx)root;
 }
 
-/* Both sums are of twice the areas, in 2^-32 m2 or repeats, and of 2^shift each. */
-static tp_fx texels_per_metre(const tp_obj *obj, const struct tp_obj_made *made,
+/* Both sums are of twice the areas, in 2^-32 of the mesh's units or repeats squared, and
+ * of 2^shift each. */
+static tp_fx texels_per_unit(const tp_obj *obj, const struct tp_obj_made *made,
                               const tp_texture *texture)
 {
     if (texture == NULL)
@@ -78,29 +91,29 @@ static void bind_material(const tp_obj *obj, const tp_texture *const *textures,
 {
     const struct tp_obj_made *const made = &obj->store.made[i];
     tp_material *const material = &obj->store.materials[i];
-    if (!made->has_diffuse && made->map[TP_MAP_DIFFUSE] != TP_NO_NAME)
-        material->diffuse = 0xffffff;           /* a map alone is shown as it is */
     material->diffuse_map = texture_of(textures, made->map[TP_MAP_DIFFUSE]);
     material->normal_map = texture_of(textures, made->map[TP_MAP_BUMP]);
-    material->texels = texels_per_metre(obj, made, material->diffuse_map);
+    material->texels = texels_per_unit(obj, made, material->diffuse_map);
+    if (!made->has_diffuse && material->diffuse_map != NULL)
+        material->diffuse = 0xffffff;           /* a map alone is shown as it is */
 }
 
-/* Every material is defined, is the nameless one, or may lie in a file not read. */
-static tp_status check_defined(const tp_obj *obj, tp_error *err)
+/* Warns of each material that no library defines, unless it may lie in one not read. */
+static void check_defined(tp_obj *obj)
 {
     const tp_obj_names *const names = &obj->store.material_names;
     if (obj->libraries == 0 || obj->libraries_read < obj->libraries)
-        return TP_OK;
+        return;
     for (uint32_t i = 0; i < names->count; i++) {
         const char *const name = tp_names_text(names, i);
         if (obj->store.made[i].defined || name[0] == '\0')
             continue;
         const uint32_t end = i + 1 < names->count ? names->start[i + 1] : names->used;
-        TP_FAIL(err, TP_E_MTL_NAME, obj->store.made[i].line, 0, 0);
-        tp_error_word(err, name, end - names->start[i] - 1);
-        return TP_E_MTL_NAME;
+        tp_error fault;
+        TP_FAIL(&fault, TP_E_MTL_NAME, names->line[i], 0, 0);
+        tp_error_word(&fault, name, end - names->start[i] - 1);
+        tp_obj_warn(obj, &fault);
     }
-    return TP_OK;
 }
 
 tp_status tp_obj_bind(tp_obj *obj, const tp_texture *const *textures, tp_mesh *mesh,
@@ -108,9 +121,8 @@ tp_status tp_obj_bind(tp_obj *obj, const tp_texture *const *textures, tp_mesh *m
 {
     if (obj->stage != TP_STAGE_LOADED)
         return tp_obj_settle(obj, TP_FAIL(err, TP_E_ARG, 0, 0, 0));
-    const tp_status status = check_defined(obj, err);
-    if (status != TP_OK)
-        return tp_obj_settle(obj, status);
+    obj->warnings = 0;
+    check_defined(obj);
     const tp_obj_store *const store = &obj->store;
     for (uint32_t i = 0; i < store->material_names.count; i++)
         bind_material(obj, textures, i);
@@ -118,7 +130,8 @@ tp_status tp_obj_bind(tp_obj *obj, const tp_texture *const *textures, tp_mesh *m
         .vertices = &store->vertices[0].out, .n_vertices = store->n_vertices,
         .faces = store->faces,               .n_faces = store->n_faces,
         .materials = store->materials,       .n_materials = store->material_names.count,
-        .low = obj->low,                     .high = obj->high };
+        .low = obj->low,                     .high = obj->high,
+        .log2_unit = obj->log2_unit };
     return TP_OK;
 }
 

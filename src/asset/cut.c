@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Cuts a polygon into triangles by clipping ears, in integers.
+/* Cuts a polygon into triangles by clipping ears, in integers: asset/cut.h.
  *
  * The polygon is seen along the axis on which its area is largest.  An ear is a corner
  * that turns the polygon's way and whose triangle, borders included, no other corner
@@ -12,17 +12,13 @@
  * the work always ends with n - 2 triangles.
  *
  * Cost: a triangle stays free of the corners it was once free of, since cutting only
- * shrinks the polygon.  So each test goes on where the last one of that corner stopped,
- * and all of them take O(n^2) steps together. */
-#include "asset/obj.h"
+ * shrinks the polygon.  So each test goes on where the last one of that corner stopped, and
+ * all of them take O(n^2) steps together.  A test looks only into the cells of the grid
+ * that its triangle reaches, which leaves some hundred steps for each corner of outlines of
+ * tens of thousands.  Steps are counted: after STEPS n of them corners are cut untested. */
+#include "asset/cut_grid.h"
 
-enum { EXTENT_BITS = 27 };
-
-/* The polygon as seen along the axis, turning counter-clockwise. */
-typedef struct {
-    const int32_t *u, *v;
-    tp_obj_cut    *cut;
-} view;
+enum { EXTENT_BITS = 27, STEPS = 2048 };
 
 typedef struct { int64_t x, y; } step;
 
@@ -32,16 +28,15 @@ static int64_t turn(step a, step b)
     return a.x * b.y - a.y * b.x;
 }
 
-static step between(const view *seen, uint8_t from, uint8_t to)
+static step between(const struct tp_obj_cut *cut, uint32_t from, uint32_t to)
 {
-    return (step){ (int64_t)seen->u[to] - seen->u[from],
-                   (int64_t)seen->v[to] - seen->v[from] };
+    return (step){ (int64_t)cut->u[to] - cut->u[from], (int64_t)cut->v[to] - cut->v[from] };
 }
 
 /* Twice the area of a, b, c; positive: they turn the polygon's way. */
-static int64_t area(const view *seen, uint8_t a, uint8_t b, uint8_t c)
+static int64_t area(const struct tp_obj_cut *cut, uint32_t a, uint32_t b, uint32_t c)
 {
-    return turn(between(seen, a, b), between(seen, a, c));
+    return turn(between(cut, a, b), between(cut, a, c));
 }
 
 /* -- what the polygon looks like --------------------------------------------------- */
@@ -59,152 +54,209 @@ static uint32_t to_origin(int32_t *at, uint32_t n)
     return (uint32_t)(high - low);
 }
 
-/* Polygons of more than 2 km are cut on a grid of up to 16 units, 0.24 mm, so that the
- * areas of 256 corners sum up within 63 bits: 256 x 2 x (2^27)^2 = 2^63. */
-static void normalise_extent(tp_obj_cut *cut, uint32_t n)
+/* Polygons of more than 2048 units are cut on a grid of up to 16 of 2^-16. */
+static void normalise_extent(struct tp_obj_cut *cut, uint32_t n, uint32_t extent[3])
 {
-    uint32_t extent = 0;
     for (int k = 0; k < 3; k++)
-        extent |= to_origin(cut->at[k], n);
+        extent[k] = to_origin(cut->at[k], n);
+    const uint32_t most = extent[0] | extent[1] | extent[2];
     uint32_t shift = 0;
-    while (extent >> shift >= 1u << EXTENT_BITS)
+    while (most >> shift >= 1u << EXTENT_BITS)
         shift++;
     for (int k = 0; shift > 0 && k < 3; k++) {
         for (uint32_t i = 0; i < n; i++)
             cut->at[k][i] >>= shift;
+        extent[k] >>= shift;
     }
 }
 
-/* Twice the area enclosed in the plane of u and v, by the shoelace formula. */
-static int64_t whole_area(const int32_t *u, const int32_t *v, uint32_t n)
+/* high x 2^32 + low: a sum of 2^24 terms below 2^55 each. */
+typedef struct { int64_t high; uint64_t low; } sum;
+
+/* Twice the area enclosed in the plane of u and v, by the shoelace formula; low < 2^32. */
+static sum whole_area(const int32_t *u, const int32_t *v, uint32_t n)
 {
-    int64_t sum = 0;
-    for (uint32_t i = 2; i < n; i++)
-        sum += (int64_t)(u[i - 1] - u[0]) * (v[i] - v[0])
-             - (int64_t)(u[i] - u[0]) * (v[i - 1] - v[0]);
-    return sum;
+    sum all = { 0, 0 };
+    for (uint32_t i = 2; i < n; i++) {
+        const int64_t term = (int64_t)(u[i - 1] - u[0]) * (v[i] - v[0])
+                           - (int64_t)(u[i] - u[0]) * (v[i - 1] - v[0]);
+        all.high += term >> 32;
+        all.low += (uint32_t)term;
+    }
+    return (sum){ all.high + (int64_t)(all.low >> 32), (uint32_t)all.low };
+}
+
+static sum magnitude_of(sum x)
+{
+    if (x.high >= 0)
+        return x;
+    return (sum){ -x.high - (x.low != 0), (uint32_t)(0 - x.low) };
+}
+
+static bool is_larger(sum a, sum b)
+{
+    return a.high != b.high ? a.high > b.high : a.low > b.low;
 }
 
 /* Chooses the axis; swapping u and v mirrors a polygon that turns the other way. */
-static int64_t look_at(view *seen, uint32_t n)
+static void look_at(struct tp_obj_cut *cut, uint32_t n, const uint32_t extent[3])
 {
-    int64_t best = 0;
+    sum best = { 0, 0 };
+    int u = 1, v = 2;
     for (int k = 0; k < 3; k++) {
-        const int32_t *u = seen->cut->at[(k + 1) % 3], *v = seen->cut->at[(k + 2) % 3];
-        const int64_t sum = whole_area(u, v, n), size = sum < 0 ? -sum : sum;
-        if (size > best || k == 0) {
+        const int a = (k + 1) % 3, b = (k + 2) % 3;
+        const sum signed_area = whole_area(cut->at[a], cut->at[b], n);
+        const sum size = magnitude_of(signed_area);
+        if (is_larger(size, best)) {
             best = size;
-            seen->u = sum < 0 ? v : u;
-            seen->v = sum < 0 ? u : v;
+            u = signed_area.high < 0 ? b : a;
+            v = signed_area.high < 0 ? a : b;
         }
     }
-    return best;
+    cut->u = cut->at[u];
+    cut->v = cut->at[v];
+    cut->flat = best.high == 0 && best.low == 0;
+    tp_cut_grid_fill(cut, n, extent[u], extent[v]);
 }
 
 /* -- ears --------------------------------------------------------------------------- */
 
 /* Corner p stands on the border of a triangle, whose inside is seen from there between
  * the directions to y and, turning left, to z: does an edge of p lead in? */
-static bool leads_inside(const view *seen, uint8_t p, uint8_t y, uint8_t z)
+static bool leads_inside(const struct tp_obj_cut *cut, uint32_t p, uint32_t y, uint32_t z)
 {
-    const step to_y = between(seen, p, y), to_z = between(seen, p, z);
-    const step before = between(seen, p, seen->cut->before[p]);
-    const step after = between(seen, p, seen->cut->after[p]);
+    const step to_y = between(cut, p, y), to_z = between(cut, p, z);
+    const step before = between(cut, p, cut->before[p]);
+    const step after = between(cut, p, cut->after[p]);
     return (turn(to_y, before) > 0 && turn(before, to_z) > 0)
         || (turn(to_y, after) > 0 && turn(after, to_z) > 0);
 }
 
-static bool same_place(const view *seen, uint8_t a, uint8_t b)
+static bool same_place(const struct tp_obj_cut *cut, uint32_t a, uint32_t b)
 {
-    return seen->u[a] == seen->u[b] && seen->v[a] == seen->v[b];
+    return cut->u[a] == cut->u[b] && cut->v[a] == cut->v[b];
 }
 
 /* Does corner p stand in the way of cutting a, b, c?  It does within the triangle and on
  * the new edge between c and a; on a corner or on the outline's own edges a - b - c,
  * where the outline may touch itself, only if an edge of p goes in from there. */
-static bool blocks(const view *seen, uint8_t p, uint8_t a, uint8_t b, uint8_t c)
+static bool blocks(const struct tp_obj_cut *cut, uint32_t p, uint32_t a, uint32_t b,
+                   uint32_t c)
 {
-    const int64_t ab = area(seen, a, b, p), bc = area(seen, b, c, p);
-    if (ab < 0 || bc < 0 || area(seen, c, a, p) < 0)
+    if (p == a || p == b || p == c)
+        return false;
+    const int64_t ab = area(cut, a, b, p), bc = area(cut, b, c, p);
+    if (ab < 0 || bc < 0 || area(cut, c, a, p) < 0)
         return false;
     if (ab > 0 && bc > 0)
         return true;
-    if (same_place(seen, p, a))
-        return leads_inside(seen, p, b, c);
-    if (same_place(seen, p, b))
-        return leads_inside(seen, p, c, a);
-    if (same_place(seen, p, c))
-        return leads_inside(seen, p, a, b);
-    return ab == 0 ? leads_inside(seen, p, b, a) : leads_inside(seen, p, c, b);
+    if (same_place(cut, p, a))
+        return leads_inside(cut, p, b, c);
+    if (same_place(cut, p, b))
+        return leads_inside(cut, p, c, a);
+    if (same_place(cut, p, c))
+        return leads_inside(cut, p, a, b);
+    return ab == 0 ? leads_inside(cut, p, b, a) : leads_inside(cut, p, c, b);
 }
 
-/* cut->tried[b] is the corner where the last test of b stopped.  It may have been cut
- * off since: its `after` still leads on to corners that are left. */
-static bool is_ear(const view *seen, uint8_t b)
+static void spend(struct tp_obj_cut *cut, uint32_t steps)
 {
-    tp_obj_cut *const cut = seen->cut;
-    const uint8_t a = cut->before[b], c = cut->after[b];
-    if (area(seen, a, b, c) <= 0)
+    cut->steps -= steps < cut->steps ? steps : cut->steps;
+}
+
+/* Of a corner with an area.  cut->tried[b] is the one that stood in its way last time. */
+static bool is_free(struct tp_obj_cut *cut, uint32_t a, uint32_t b, uint32_t c)
+{
+    const uint32_t triangle[3] = { a, b, c };
+    uint32_t p = cut->tried[b];
+    if (p != TP_NO_CORNER && !tp_cut_is_off(cut, p) && blocks(cut, p, a, b, c))
         return false;
-    uint8_t p = cut->tried[b];
-    while (p != a && (cut->before[cut->after[p]] != p || !blocks(seen, p, a, b, c)))
-        p = cut->after[p];
+    tp_cut_walk walk = tp_cut_walk_begin(cut, triangle, p);
+    do
+        p = tp_cut_walk_next(&walk);
+    while (p != TP_NO_CORNER && !blocks(cut, p, a, b, c));
     cut->tried[b] = p;
-    return p == a;
+    spend(cut, walk.steps);
+    return p == TP_NO_CORNER;
 }
 
-static void forget(tp_obj_cut *cut, uint8_t b)
+static bool is_ear(struct tp_obj_cut *cut, uint32_t b)
 {
-    cut->tried[b] = cut->after[cut->after[b]];
+    const uint32_t a = cut->before[b], c = cut->after[b];
+    return area(cut, a, b, c) > 0 && is_free(cut, a, b, c);
 }
 
 /* Does the outline come back from corner b the way it went there, or stand still?  To
  * cut that off takes no area and changes nothing. */
-static bool is_spike(const view *seen, uint8_t b)
+static bool is_spike(const struct tp_obj_cut *cut, uint32_t b)
 {
-    const step in = between(seen, seen->cut->before[b], b);
-    const step out = between(seen, b, seen->cut->after[b]);
+    const step in = between(cut, cut->before[b], b);
+    const step out = between(cut, b, cut->after[b]);
     return turn(in, out) == 0 && in.x * out.x + in.y * out.y <= 0;
 }
 
-/* The corner to cut next, from `start` on: a spike or an ear, or else the start. */
-static uint8_t choose(const view *seen, uint8_t start, uint32_t left)
+/* The corner to cut next, from the start on: a spike or an ear, or else the start. */
+static uint32_t choose(struct tp_obj_cut *cut)
 {
-    uint8_t b = start;
-    for (uint32_t i = 0; i < left; i++, b = seen->cut->after[b]) {
-        if (is_spike(seen, b) || is_ear(seen, b))
+    uint32_t b = cut->start;
+    for (uint32_t i = 0; i < cut->left && cut->steps > 0; i++, b = cut->after[b]) {
+        spend(cut, 1);
+        if (is_spike(cut, b) || is_ear(cut, b))
             return b;
     }
-    return start;
+    return cut->start;
 }
 
-static void take_off(tp_obj_cut *cut, uint8_t b, uint32_t number)
+/* -- cutting ------------------------------------------------------------------------ */
+
+struct tp_obj_cut *tp_cut_carve(tp_arena *arena, uint32_t corners)
 {
-    const uint8_t a = cut->before[b], c = cut->after[b];
-    cut->triangle[number][0] = a;
-    cut->triangle[number][1] = b;
-    cut->triangle[number][2] = c;
+    struct tp_obj_cut *const cut = tp_arena_take(arena, 1, sizeof *cut);
+    struct tp_obj_cut lists = { .left = 0 };
+    for (int k = 0; k < 3; k++)
+        lists.at[k] = tp_arena_take(arena, corners, sizeof *lists.at[k]);
+    lists.before = tp_arena_take(arena, corners, sizeof *lists.before);
+    lists.after  = tp_arena_take(arena, corners, sizeof *lists.after);
+    lists.tried  = tp_arena_take(arena, corners, sizeof *lists.tried);
+    lists.next   = tp_arena_take(arena, corners, sizeof *lists.next);
+    lists.cell   = tp_arena_take(arena, tp_cut_cells(corners), sizeof *lists.cell);
+    if (cut != NULL)
+        *cut = lists;
+    return cut;
+}
+
+void tp_cut_begin(struct tp_obj_cut *cut, uint32_t n)
+{
+    uint32_t extent[3];
+    for (uint32_t i = 0; i < n; i++) {
+        cut->before[i] = i == 0 ? n - 1 : i - 1;
+        cut->after[i] = i + 1 == n ? 0 : i + 1;
+        cut->tried[i] = TP_NO_CORNER;
+    }
+    normalise_extent(cut, n, extent);
+    look_at(cut, n, extent);
+    cut->start = 1;
+    cut->left = n;
+    cut->steps = (uint64_t)STEPS * n;
+}
+
+static void take_off(struct tp_obj_cut *cut, uint32_t a, uint32_t c)
+{
     cut->after[a] = c;
     cut->before[c] = a;
+    cut->tried[a] = cut->tried[c] = TP_NO_CORNER;
+    cut->start = c;
+    cut->left--;
 }
 
-void tp_obj_cut_polygon(tp_obj_cut *cut, uint32_t n)
+bool tp_cut_next(struct tp_obj_cut *cut, uint32_t triangle[3])
 {
-    view seen = { .cut = cut };
-    normalise_extent(cut, n);
-    const bool flat = look_at(&seen, n) != 0;
-    for (uint32_t i = 0; i < n; i++) {
-        cut->before[i] = (uint8_t)(i == 0 ? n - 1 : i - 1);
-        cut->after[i] = (uint8_t)(i + 1 == n ? 0 : i + 1);
-        cut->tried[i] = (uint8_t)((i + 2) % n);
-    }
-    uint8_t b = 1;
-    for (uint32_t left = n; left > 2; left--) {
-        if (flat && left > 3)
-            b = choose(&seen, b, left);
-        take_off(cut, b, n - left);
-        forget(cut, cut->before[b]);
-        forget(cut, cut->after[b]);
-        b = cut->after[b];
-    }
+    if (cut->left < 3)
+        return false;
+    const uint32_t b = !cut->flat && cut->left > 3 ? choose(cut) : cut->start;
+    triangle[0] = cut->before[b];
+    triangle[1] = b;
+    triangle[2] = cut->after[b];
+    take_off(cut, triangle[0], triangle[2]);
+    return true;
 }

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /* The statement f: corners are checked, made one with their like, and stored.
  *
+ * A line may come in parts.  The first two corners are held back until there is a third:
+ * faces of fewer are only counted, and what they name is not looked at.
+ *
  * Indices from 1 count from the start of the file and may point ahead, so they are
  * checked in the second pass, which knows the totals; negative ones count back from
  * here. */
@@ -9,7 +12,7 @@
 
 enum { HAS_TEXCOORD = 1, HAS_NORMAL = 2 };
 
-typedef struct { int32_t position, texcoord, normal; } raw_corner;
+enum { POSITION, TEXCOORD, NORMAL };            /* of a corner's indices */
 
 static bool pass_slash(tp_words *words)
 {
@@ -19,16 +22,16 @@ static bool pass_slash(tp_words *words)
 }
 
 /* v, v/vt, v//vn or v/vt/vn.  Returns what it has, or -1: none of these. */
-static int read_corner(tp_words *words, raw_corner *corner)
+static int read_corner(tp_words *words, int32_t corner[3])
 {
-    *corner = (raw_corner){ 0, 0, 0 };
-    if (!tp_word_int(words, &corner->position))
+    corner[TEXCOORD] = corner[NORMAL] = 0;
+    if (!tp_word_int(words, &corner[POSITION]))
         return -1;
     int form = 0;
     if (pass_slash(words)) {
-        if (tp_word_int(words, &corner->texcoord))
+        if (tp_word_int(words, &corner[TEXCOORD]))
             form |= HAS_TEXCOORD;
-        if (pass_slash(words) && tp_word_int(words, &corner->normal))
+        if (pass_slash(words) && tp_word_int(words, &corner[NORMAL]))
             form |= HAS_NORMAL;
     }
     return words->at == words->end || tp_is_blank(*words->at) ? form : -1;
@@ -81,17 +84,18 @@ static uint32_t own_normal(const tp_obj *obj)
                            : TP_NORMAL_FLAT | obj->now.polygons;
 }
 
-static tp_status take_corner(tp_obj *obj, const raw_corner *raw, int form, tp_error *err)
+static tp_status take_corner(tp_obj *obj, const int32_t corner[3], tp_error *err)
 {
+    const int form = obj->face.form;
     uint32_t position, texcoord = TP_NO_TEXCOORD, normal = own_normal(obj);
     const tp_obj_counts *const now = &obj->now, *const total = &obj->total;
-    tp_status status = resolve(obj, raw->position, now->vertices, total->vertices,
+    tp_status status = resolve(obj, corner[POSITION], now->vertices, total->vertices,
                                TP_E_OBJ_VERTEX, &position, err);
     if (status == TP_OK && (form & HAS_TEXCOORD))
-        status = resolve(obj, raw->texcoord, now->texcoords, total->texcoords,
+        status = resolve(obj, corner[TEXCOORD], now->texcoords, total->texcoords,
                          TP_E_OBJ_TEXCOORD, &texcoord, err);
     if (status == TP_OK && (form & HAS_NORMAL))
-        status = resolve(obj, raw->normal, now->normals, total->normals,
+        status = resolve(obj, corner[NORMAL], now->normals, total->normals,
                          TP_E_OBJ_NORMAL, &normal, err);
     if (status == TP_OK)
         status = tp_obj_room(obj, now->corners, total->corners, 1, err);
@@ -105,44 +109,64 @@ static tp_status take_corner(tp_obj *obj, const raw_corner *raw, int form, tp_er
     return TP_OK;
 }
 
-static tp_status take_corners(tp_obj *obj, tp_words *words, int *form, uint32_t *count,
-                              tp_error *err)
+/* There is a third corner: the first two count, and the face has a material. */
+static tp_status take_held(tp_obj *obj, tp_error *err)
 {
-    for (*count = 0; !tp_words_end(words); ++*count) {
+    tp_status status = TP_OK;
+    if (obj->material == TP_NO_NAME && obj->stage == TP_STAGE_LOAD)
+        status = tp_obj_no_material(obj, err);
+    for (int i = 0; i < 2 && status == TP_OK; i++)
+        status = take_corner(obj, obj->face.held[i], err);
+    return status;
+}
+
+static tp_status add_corner(tp_obj *obj, const int32_t corner[3], tp_error *err)
+{
+    tp_obj_face_state *const face = &obj->face;
+    const uint32_t i = face->corners++;
+    if (i < 2) {
+        for (int k = 0; k < 3; k++)
+            face->held[i][k] = corner[k];
+        return TP_OK;
+    }
+    const tp_status status = i == 2 ? take_held(obj, err) : TP_OK;
+    return status != TP_OK ? status : take_corner(obj, corner, err);
+}
+
+static tp_status read_corners(tp_obj *obj, tp_words *words, tp_error *err)
+{
+    tp_obj_face_state *const face = &obj->face;
+    while (!tp_words_end(words)) {
         tp_words start = *words;
-        raw_corner raw;
-        const int this_form = read_corner(words, &raw);
-        if (this_form < 0) {
+        int32_t corner[3];
+        const int form = read_corner(words, corner);
+        if (form < 0) {
             const tp_word word = tp_word_next(&start);
             TP_FAIL(err, TP_E_OBJ_NUMBER, obj->lines.first, 0, 0);
             tp_error_word(err, word.text, word.bytes);
             return TP_E_OBJ_NUMBER;
         }
-        if (*count > 0 && this_form != *form)
+        if (face->corners > 0 && form != face->form)
             return TP_FAIL(err, TP_E_OBJ_MIXED, obj->lines.first, 0, 0);
-        *form = this_form;
-        const tp_status status = take_corner(obj, &raw, this_form, err);
+        face->form = form;
+        const tp_status status = add_corner(obj, corner, err);
         if (status != TP_OK)
             return status;
     }
+    face->ended = words->at < words->end;
     return TP_OK;
 }
 
-tp_status tp_obj_face(tp_obj *obj, tp_words *words, tp_error *err)
+/* All corners are taken. */
+static tp_status end_face(tp_obj *obj, tp_error *err)
 {
     tp_obj_counts *const now = &obj->now;
-    int form = 0;
-    uint32_t n;
-    tp_status status = TP_OK;
-    if (obj->material == TP_NO_NAME && obj->stage == TP_STAGE_LOAD)
-        status = tp_obj_no_material(obj, err);
-    if (status == TP_OK)
-        status = take_corners(obj, words, &form, &n, err);
-    if (status != TP_OK)
-        return status;
-    if (n < 3 || n > TP_OBJ_CORNERS)
-        return TP_FAIL(err, TP_E_OBJ_CORNERS, obj->lines.first, n, TP_OBJ_CORNERS);
-    status = tp_obj_room(obj, now->triangles, obj->total.triangles, n - 2, err);
+    const uint32_t n = obj->face.corners;
+    if (n < 3) {
+        obj->short_faces++;
+        return TP_OK;
+    }
+    tp_status status = tp_obj_room(obj, now->triangles, obj->total.triangles, n - 2, err);
     if (status == TP_OK)
         status = tp_obj_room(obj, now->polygons, obj->total.polygons, 1, err);
     if (status != TP_OK)
@@ -152,6 +176,19 @@ tp_status tp_obj_face(tp_obj *obj, tp_words *words, tp_error *err)
             (struct tp_obj_polygon){ obj->material, n };
     now->polygons++;
     now->triangles += n - 2;
-    now->smooth += !(form & HAS_NORMAL) && obj->group != 0 ? n : 0;
+    now->largest = n > now->largest ? n : now->largest;
+    now->smooth += !(obj->face.form & HAS_NORMAL) && obj->group != 0 ? n : 0;
     return TP_OK;
+}
+
+tp_status tp_obj_face(tp_obj *obj, tp_words *words, tp_error *err)
+{
+    if (!obj->lines.continues)
+        obj->face = (tp_obj_face_state){ 0 };
+    if (obj->face.ended)
+        return obj->lines.goes_on ? TP_OK : end_face(obj, err);
+    if (obj->lines.split && !tp_words_end(words))
+        return tp_obj_long_line(obj, err);
+    const tp_status status = read_corners(obj, words, err);
+    return status != TP_OK || obj->lines.goes_on ? status : end_face(obj, err);
 }

@@ -6,9 +6,10 @@
 
 void tp_lines_begin(tp_obj_lines *lines)
 {
-    lines->used = 0;
+    lines->used = lines->part = 0;
     lines->first = lines->next = 1;
     lines->open = lines->comment = lines->after_cr = false;
+    lines->continues = lines->goes_on = lines->split = false;
 }
 
 /* The first LF or CR, or `end`. */
@@ -40,26 +41,47 @@ static const char *begin(tp_obj_lines *lines, const char *at, const char *end)
     lines->comment = lines->open && *at == '#';
     lines->first = lines->next;
     lines->used = 0;
+    lines->continues = false;
     return at;
 }
 
-/* Adds a piece to the text; false once the line is longer than that. */
-static bool append(tp_obj_lines *lines, const char *at, const char *end)
+/* Adds what fits to the text; returns what is left. */
+static const char *append(tp_obj_lines *lines, const char *at, const char *end)
 {
     if (lines->comment)
-        return true;
-    const size_t bytes = (size_t)(end - at);
-    if (bytes > sizeof lines->text - lines->used) {
-        lines->used = sizeof lines->text + 1;
-        return false;
-    }
+        return end;
+    const size_t room = sizeof lines->text - lines->used, left = (size_t)(end - at);
+    const size_t bytes = left < room ? left : room;
     if (bytes > 0)
         memcpy(lines->text + lines->used, at, bytes);
     lines->used += (uint32_t)bytes;
-    return true;
+    return at + bytes;
 }
 
-/* A line end is behind: does a backslash before it join the next line? */
+/* The text is full and more follows: hands out all of it up to the last blank. */
+static void part_off(tp_obj_lines *lines, tp_words *line)
+{
+    uint32_t part = lines->used;
+    while (part > 0 && !tp_is_blank(lines->text[part - 1]))
+        part--;
+    lines->split = part == 0;
+    lines->part = lines->split ? lines->used : part;
+    lines->goes_on = true;
+    *line = (tp_words){ lines->text, lines->text + lines->part };
+}
+
+/* Before the next part: what was handed out leaves the text. */
+static void drop_part(tp_obj_lines *lines)
+{
+    if (!lines->goes_on)
+        return;
+    lines->used -= lines->part;
+    memmove(lines->text, lines->text + lines->part, lines->used);
+    lines->goes_on = lines->split = false;
+    lines->continues = true;
+}
+
+/* A line end is behind, and something in the text: does a backslash join the next line? */
 static bool joins(tp_obj_lines *lines)
 {
     if (lines->comment || lines->text[lines->used - 1] != '\\')
@@ -78,6 +100,7 @@ bool tp_lines_next(tp_obj_lines *lines, const char **from, const char *end,
                    tp_words *line)
 {
     const char *at = *from;
+    drop_part(lines);
     if (lines->after_cr && at < end) {
         lines->after_cr = false;
         at += *at == '\n';
@@ -89,8 +112,10 @@ bool tp_lines_next(tp_obj_lines *lines, const char **from, const char *end,
         *line = (tp_words){ at, stop };
         const bool here = lines->used == 0 && stop < end && is_whole(at, stop);
         if (lines->open && !here) {
-            if (!append(lines, at, stop)) {
-                *from = stop;
+            at = append(lines, at, stop);
+            if (at < stop) {
+                part_off(lines, line);
+                *from = at;
                 return true;
             }
             *line = (tp_words){ lines->text, lines->text + lines->used };

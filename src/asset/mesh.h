@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* What higher ranks need of a mesh beside its open struct: unit vectors in one word.
+/* What higher ranks need of a mesh beside its open struct: its unit, and unit vectors in
+ * one word.
  *
  * 511 stands for 1.0, so a component is off by at most 1/1022: 0.06 degrees, less than
  * a step of an 8-bit normal map. */
@@ -8,6 +9,13 @@
 #include "tidepool/asset.h"
 
 #define TP_DIR_ONE 511
+
+/* Metres of 1.0 of the mesh's positions, where a unit of the file is `scale` metres, 0 to
+ * 100: below 2^15 in 16.16. */
+static inline tp_fx tp_mesh_metres(const tp_mesh *mesh, tp_fx scale)
+{
+    return (tp_fx)((uint32_t)scale << mesh->log2_unit);
+}
 
 static inline uint32_t tp_dir_part(tp_q30 x)
 {

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /* The MTL reader: colours, shininess, opacity and the pictures of the materials that the
- * OBJ uses.  Others are passed over, and so is what a second definition says. */
+ * OBJ uses.  Others are passed over, and so is what a second definition says.
+ *
+ * A statement returns its fault, which becomes a warning: the material keeps its default
+ * or, where a number is out of range, gets the nearest. */
 #include "asset/obj.h"
 #include "base/base.h"
 
@@ -23,8 +26,10 @@ static tp_status begin_material(tp_obj *obj, tp_word keyword, tp_words *words,
     (void)keyword;
     tp_word name;
     const tp_status status = tp_obj_name(obj, words, &name, err);
-    if (status != TP_OK)
+    if (status != TP_OK) {
+        obj->material = NOT_WANTED;
         return status;
+    }
     obj->material = tp_names_find(&obj->store.material_names, name, 0, obj->total.digest);
     if (obj->material == TP_NO_NAME || name.bytes == 0 || made(obj)->defined) {
         obj->material = NOT_WANTED;
@@ -38,7 +43,35 @@ static tp_status begin_material(tp_obj *obj, tp_word keyword, tp_words *words,
 
 static uint32_t level(tp_fx x)
 {
-    return (uint32_t)(tp_clamp(x, 0, TP_FX_ONE) * 255 + TP_FX_ONE / 2) >> 16;
+    return (uint32_t)(x * 255 + TP_FX_ONE / 2) >> 16;
+}
+
+static bool is_usable(tp_status status)
+{
+    return status == TP_OK || status == TP_E_MTL_RANGE;
+}
+
+/* Holds x within whole numbers; TP_E_MTL_RANGE: it was outside. */
+static tp_status hold(const tp_obj *obj, tp_word keyword, int64_t x, int32_t low,
+                      int32_t high, tp_fx *held, tp_error *err)
+{
+    const int64_t bottom = (int64_t)low * TP_FX_ONE, top = (int64_t)high * TP_FX_ONE;
+    *held = (tp_fx)(x < bottom ? bottom : x > top ? top : x);
+    if (*held == x)
+        return TP_OK;
+    TP_FAIL(err, TP_E_MTL_RANGE, obj->lines.first, low, high);
+    tp_error_word(err, keyword.text, keyword.bytes);
+    return TP_E_MTL_RANGE;
+}
+
+/* One number of a statement. */
+static tp_status read_number(const tp_obj *obj, tp_word keyword, tp_words *words,
+                             int32_t low, int32_t high, tp_fx *x, tp_error *err)
+{
+    int64_t n;
+    uint32_t found;
+    const tp_status status = tp_obj_numbers(obj, words, keyword, 1, 1, &n, &found, err);
+    return status != TP_OK ? status : hold(obj, keyword, n, low, high, x, err);
 }
 
 /* r g b, or one number for all.  Spectral curves and CIE colours are not read. */
@@ -50,23 +83,31 @@ static tp_status read_colour(tp_obj *obj, tp_word keyword, tp_words *words,
     if (tp_word_is(first, "spectral") || tp_word_is(first, "xyz"))
         return pass_over(obj);
     const uint32_t need = tp_words_end(&ahead) ? 1 : 3;
-    tp_fx rgb[3];
-    uint32_t found;
-    const tp_status status =
+    int64_t rgb[3];
+    uint32_t found, packed = 0;
+    tp_status status =
         tp_obj_numbers(obj, words, keyword, need, need, rgb, &found, err);
     if (status != TP_OK)
         return status;
-    if (need == 1)
-        rgb[1] = rgb[2] = rgb[0];
-    *colour = level(rgb[0]) << 16 | level(rgb[1]) << 8 | level(rgb[2]);
-    return TP_OK;
+    for (uint32_t i = 0; i < 3; i++) {
+        tp_fx part;
+        const int64_t x = need == 1 ? rgb[0] : rgb[i];
+        if (hold(obj, keyword, x, 0, 1, &part, err) != TP_OK)
+            status = TP_E_MTL_RANGE;
+        packed = packed << 8 | level(part);
+    }
+    *colour = packed;
+    return status;
 }
 
 static tp_status read_diffuse(tp_obj *obj, tp_word keyword, tp_words *words,
                               tp_error *err)
 {
-    made(obj)->has_diffuse = true;
-    return read_colour(obj, keyword, words, &material(obj)->diffuse, err);
+    const tp_status status =
+        read_colour(obj, keyword, words, &material(obj)->diffuse, err);
+    if (is_usable(status))
+        made(obj)->has_diffuse = true;
+    return status;
 }
 
 static tp_status read_specular(tp_obj *obj, tp_word keyword, tp_words *words,
@@ -75,14 +116,14 @@ static tp_status read_specular(tp_obj *obj, tp_word keyword, tp_words *words,
     return read_colour(obj, keyword, words, &material(obj)->specular, err);
 }
 
+/* 0..1000 in the file; a highlight needs 1. */
 static tp_status read_shininess(tp_obj *obj, tp_word keyword, tp_words *words,
                                 tp_error *err)
 {
-    tp_fx n;
-    uint32_t found;
-    const tp_status status = tp_obj_numbers(obj, words, keyword, 1, 1, &n, &found, err);
-    if (status == TP_OK)
-        material(obj)->shininess = tp_clamp(n, TP_FX_ONE, 1000 * TP_FX_ONE);
+    tp_fx n = 0;
+    const tp_status status = read_number(obj, keyword, words, 0, 1000, &n, err);
+    if (is_usable(status))
+        material(obj)->shininess = n > TP_FX_ONE ? n : TP_FX_ONE;
     return status;
 }
 
@@ -93,24 +134,22 @@ static tp_status read_opacity(tp_obj *obj, tp_word keyword, tp_words *words,
     tp_words ahead = *words;
     if (tp_word_is_any_case(tp_word_next(&ahead), "-halo"))
         *words = ahead;
-    tp_fx n;
-    uint32_t found;
-    const tp_status status = tp_obj_numbers(obj, words, keyword, 1, 1, &n, &found, err);
-    if (status != TP_OK)
-        return status;
-    material(obj)->opacity = tp_clamp(n, 0, TP_FX_ONE);
-    made(obj)->has_opacity = true;
-    return TP_OK;
+    tp_fx n = 0;
+    const tp_status status = read_number(obj, keyword, words, 0, 1, &n, err);
+    if (is_usable(status)) {
+        material(obj)->opacity = n;
+        made(obj)->has_opacity = true;
+    }
+    return status;
 }
 
 static tp_status read_transparency(tp_obj *obj, tp_word keyword, tp_words *words,
                                    tp_error *err)
 {
-    tp_fx n;
-    uint32_t found;
-    const tp_status status = tp_obj_numbers(obj, words, keyword, 1, 1, &n, &found, err);
-    if (status == TP_OK && !made(obj)->has_opacity)
-        material(obj)->opacity = TP_FX_ONE - tp_clamp(n, 0, TP_FX_ONE);
+    tp_fx n = 0;
+    const tp_status status = read_number(obj, keyword, words, 0, 1, &n, err);
+    if (is_usable(status) && !made(obj)->has_opacity)
+        material(obj)->opacity = TP_FX_ONE - n;
     return status;
 }
 
@@ -137,23 +176,26 @@ static bool is_last_word(tp_words words)
  * a number. */
 static void skip_numbers(tp_words *words, uint32_t most)
 {
-    tp_fx unused;
-    while (most-- > 0 && !is_last_word(*words) && tp_word_fx(words, &unused))
+    int64_t unused;
+    while (most-- > 0 && !is_last_word(*words) && tp_word_number(words, &unused))
         ;
 }
 
 /* Takes one option with what belongs to it; false: there is none, here is the name.
  * -bm sets *bump. */
-static bool take_option(tp_words *words, tp_fx *bump)
+static bool take_option(tp_words *words, int64_t *bump)
 {
+    int64_t number;
     tp_words ahead = *words;
     const tp_word word = tp_word_next(&ahead);
     for (uint32_t i = 0; i < sizeof options / sizeof *options; i++) {
         if (!tp_word_is_any_case(word, options[i].name))
             continue;
         *words = ahead;
-        if (tp_word_is_any_case(word, "-bm") && tp_word_fx(words, bump))
+        if (tp_word_is_any_case(word, "-bm") && tp_word_number(words, &number)) {
+            *bump = number;
             return true;
+        }
         if (options[i].numbers)
             skip_numbers(words, options[i].words);
         for (uint32_t k = 0; !options[i].numbers && k < options[i].words; k++)
@@ -163,7 +205,7 @@ static bool take_option(tp_words *words, tp_fx *bump)
     return false;
 }
 
-static tp_status read_map(tp_obj *obj, tp_words *words, unsigned map, tp_fx *bump,
+static tp_status read_map(tp_obj *obj, tp_words *words, unsigned map, int64_t *bump,
                           tp_error *err)
 {
     while (take_option(words, bump))
@@ -175,8 +217,11 @@ static tp_status read_map(tp_obj *obj, tp_words *words, unsigned map, tp_fx *bum
     if (name.bytes == 0 || made(obj)->map[map] != TP_NO_NAME)
         return pass_over(obj);
     tp_obj_names *const names = &obj->store.image_names;
-    made(obj)->map[map] = tp_names_add(names, name, obj->library, obj->total.digest);
-    TP_ASSERT(made(obj)->map[map] != TP_NO_NAME);   /* room for two of each material */
+    const uint32_t image =
+        tp_names_add(names, name, obj->library, obj->lines.first, obj->total.digest);
+    if (image == TP_NO_NAME)
+        return TP_FAIL(err, TP_E_MTL_IMAGES, obj->lines.first, names->room, 0);
+    made(obj)->map[map] = image;
     obj->images = names->count;
     return TP_OK;
 }
@@ -185,50 +230,63 @@ static tp_status read_diffuse_map(tp_obj *obj, tp_word keyword, tp_words *words,
                                   tp_error *err)
 {
     (void)keyword;
-    tp_fx unused;
+    int64_t unused;
     return read_map(obj, words, TP_MAP_DIFFUSE, &unused, err);
 }
 
 static tp_status read_bump_map(tp_obj *obj, tp_word keyword, tp_words *words,
                                tp_error *err)
 {
-    (void)keyword;
     const bool first = made(obj)->map[TP_MAP_BUMP] == TP_NO_NAME;
-    tp_fx bump = TP_FX_ONE;
+    int64_t bump = TP_FX_ONE;
     const tp_status status = read_map(obj, words, TP_MAP_BUMP, &bump, err);
-    if (first)
-        material(obj)->bump = tp_clamp(bump, -16 * TP_FX_ONE, 16 * TP_FX_ONE);
-    return status;
+    if (status != TP_OK || !first)
+        return status;
+    return hold(obj, keyword, bump, -16, 16, &material(obj)->bump, err);
 }
 
 /* -- the file ------------------------------------------------------------------------ */
 
+typedef tp_status run_statement(tp_obj *obj, tp_word keyword, tp_words *words,
+                                tp_error *err);
+
+static const struct { const char *name; run_statement *run; } statements[] = {
+    { "newmtl", begin_material },    { "kd", read_diffuse },
+    { "ks", read_specular },         { "ns", read_shininess },
+    { "d", read_opacity },           { "tr", read_transparency },
+    { "map_kd", read_diffuse_map },  { "map_bump", read_bump_map },
+    { "bump", read_bump_map },       { "norm", read_bump_map },
+};
+
+enum { STATEMENTS = sizeof statements / sizeof *statements };
+
+static tp_status run(tp_obj *obj, tp_words *line, tp_error *err)
+{
+    const tp_word word = tp_word_next(line);
+    size_t i = 0;
+    while (i < STATEMENTS && !tp_word_is_any_case(word, statements[i].name))
+        i++;
+    if (i == STATEMENTS || (i > 0 && obj->material == NOT_WANTED))
+        return pass_over(obj);
+    if (obj->lines.goes_on) {
+        obj->material = i == 0 ? NOT_WANTED : obj->material;
+        return tp_obj_long_line(obj, err);
+    }
+    if (i == 0 || obj->material != NONE_YET)
+        return statements[i].run(obj, word, line, err);
+    TP_FAIL(err, TP_E_MTL_ORDER, obj->lines.first, 0, 0);
+    tp_error_word(err, word.text, word.bytes);
+    return TP_E_MTL_ORDER;
+}
+
+/* No line stops the reading. */
 static tp_status statement(tp_obj *obj, tp_words *line, tp_error *err)
 {
-    static const struct {
-        const char *name;
-        tp_status (*run)(tp_obj *obj, tp_word keyword, tp_words *words, tp_error *err);
-    } statements[] = {
-        { "newmtl", begin_material },    { "kd", read_diffuse },
-        { "ks", read_specular },         { "ns", read_shininess },
-        { "d", read_opacity },           { "tr", read_transparency },
-        { "map_kd", read_diffuse_map },  { "map_bump", read_bump_map },
-        { "bump", read_bump_map },       { "norm", read_bump_map },
-    };
-    const tp_word word = tp_word_next(line);
-    for (size_t i = 0; i < sizeof statements / sizeof *statements; i++) {
-        if (!tp_word_is_any_case(word, statements[i].name))
-            continue;
-        if (i > 0 && obj->material == NONE_YET) {
-            TP_FAIL(err, TP_E_MTL_ORDER, obj->lines.first, 0, 0);
-            tp_error_word(err, word.text, word.bytes);
-            return TP_E_MTL_ORDER;
-        }
-        if (i > 0 && obj->material == NOT_WANTED)
-            break;
-        return statements[i].run(obj, word, line, err);
-    }
-    return pass_over(obj);
+    (void)err;
+    tp_error fault;
+    if (!obj->lines.continues && run(obj, line, &fault) != TP_OK)
+        tp_obj_warn(obj, &fault);
+    return TP_OK;
 }
 
 void tp_mtl_begin(tp_obj *obj, uint32_t library)
@@ -237,6 +295,7 @@ void tp_mtl_begin(tp_obj *obj, uint32_t library)
     obj->stage = may ? TP_STAGE_MTL : TP_STAGE_FAILED;
     obj->library = library;
     obj->material = NONE_YET;
+    obj->warnings = 0;
     tp_lines_begin(&obj->lines);
 }
 

@@ -13,6 +13,7 @@ void tp_names_carve(tp_obj_names *names, tp_arena *arena, uint32_t most, uint32_
     names->mask = tp_table_size(most) - 1;
     names->start = tp_arena_take(arena, most, sizeof *names->start);
     names->tag = tp_arena_take(arena, most, sizeof *names->tag);
+    names->line = tp_arena_take(arena, most, sizeof *names->line);
     names->table = tp_arena_take(arena, (size_t)names->mask + 1, sizeof *names->table);
     names->text = tp_arena_take(arena, room, 1);
 }
@@ -51,7 +52,8 @@ uint32_t tp_names_find(const tp_obj_names *names, tp_word word, uint32_t tag,
     return number != 0 ? number - 1 : TP_NO_NAME;
 }
 
-uint32_t tp_names_add(tp_obj_names *names, tp_word word, uint32_t tag, uint64_t seed)
+uint32_t tp_names_add(tp_obj_names *names, tp_word word, uint32_t tag, uint32_t line,
+                      uint64_t seed)
 {
     uint32_t *const place = place_of(names, word, tag, seed);
     if (*place != 0)
@@ -61,6 +63,7 @@ uint32_t tp_names_add(tp_obj_names *names, tp_word word, uint32_t tag, uint64_t 
     const uint32_t i = names->count++;
     names->start[i] = names->used;
     names->tag[i] = tag;
+    names->line[i] = line;
     memcpy(names->text + names->used, word.text, word.bytes);
     names->text[names->used + word.bytes] = '\0';
     names->used += word.bytes + 1;

@@ -18,8 +18,10 @@ void tp_names_clear(tp_obj_names *names);
 uint32_t tp_names_find(const tp_obj_names *names, tp_word word, uint32_t tag,
                        uint64_t seed);
 
-/* The same, but a name that is not there is added; TP_NO_NAME: no room. */
-uint32_t tp_names_add(tp_obj_names *names, tp_word word, uint32_t tag, uint64_t seed);
+/* The same, but a name that is not there is added, as met in `line`; TP_NO_NAME: no
+ * room. */
+uint32_t tp_names_add(tp_obj_names *names, tp_word word, uint32_t tag, uint32_t line,
+                      uint64_t seed);
 
 static inline const char *tp_names_text(const tp_obj_names *names, uint32_t i)
 {

@@ -12,12 +12,12 @@ enum { MOST_GROUP = 1 << 30 };          /* what fits below TP_NORMAL_KIND */
 /* -- the statements' tools ------------------------------------------------------- */
 
 tp_status tp_obj_numbers(const tp_obj *obj, tp_words *words, tp_word keyword,
-                         uint32_t need, uint32_t most, tp_fx *numbers, uint32_t *found,
+                         uint32_t need, uint32_t most, int64_t *numbers, uint32_t *found,
                          tp_error *err)
 {
     uint32_t n = 0;
     for (; n < most && !tp_words_end(words); n++) {
-        if (!tp_word_fx(words, &numbers[n])) {
+        if (!tp_word_number(words, &numbers[n])) {
             const tp_word word = tp_word_next(words);
             TP_FAIL(err, TP_E_OBJ_NUMBER, obj->lines.first, 0, 0);
             tp_error_word(err, word.text, word.bytes);
@@ -45,75 +45,121 @@ tp_status tp_obj_room(const tp_obj *obj, uint32_t now, uint32_t total, uint32_t 
 tp_status tp_obj_name(const tp_obj *obj, tp_words *words, tp_word *name, tp_error *err)
 {
     *name = tp_word_rest(words);
-    if (name->bytes <= TP_OBJ_NAME_BYTES && !tp_word_holds_nul(*name))
+    if (!tp_word_holds_nul(*name))
         return TP_OK;
-    return TP_FAIL(err, TP_E_OBJ_NAME, obj->lines.first, TP_OBJ_NAME_BYTES, 0);
+    return TP_FAIL(err, TP_E_OBJ_NAME, obj->lines.first, 0, 0);
+}
+
+tp_status tp_obj_long_line(const tp_obj *obj, tp_error *err)
+{
+    return TP_FAIL(err, TP_E_OBJ_LINE, obj->lines.first, TP_OBJ_LINE_BYTES, 0);
+}
+
+void tp_obj_warn(tp_obj *obj, const tp_error *fault)
+{
+    if (obj->stage == TP_STAGE_SCAN)
+        return;
+    if (obj->warnings < TP_OBJ_WARNINGS)
+        obj->warning[obj->warnings] = *fault;
+    obj->warnings++;
 }
 
 /* -- v, vt, vn, s ------------------------------------------------------------------ */
 
-/* Up to three numbers within the range; what follows them (weights, colours) is not
- * looked at.  |number| < 2^30, so that differences fit 31 bits and a sign. */
+static uint64_t magnitude(int64_t x)
+{
+    return (uint64_t)(x < 0 ? -x : x);
+}
+
+/* From `need` to `most` numbers; what follows them (weights, colours) is not looked at. */
 static tp_status read_coordinates(tp_obj *obj, tp_words *words, const char *keyword,
-                                  uint32_t need, uint32_t most, tp_fx *numbers,
+                                  uint32_t need, uint32_t most, int64_t *numbers,
                                   tp_error *err)
 {
     const tp_word word = { keyword, keyword[1] == '\0' ? 1 : 2 };
     uint32_t found;
     const tp_status status =
         tp_obj_numbers(obj, words, word, need, most, numbers, &found, err);
-    if (status != TP_OK)
-        return status;
-    for (uint32_t i = 0; i < found; i++) {
-        const tp_fx limit = TP_OBJ_RANGE * TP_FX_ONE;
-        if (numbers[i] <= -limit || numbers[i] >= limit)
-            return TP_FAIL(err, TP_E_OBJ_RANGE, obj->lines.first, TP_OBJ_RANGE, 0);
-        obj->now.digest = tp_mix(obj->now.digest, (uint32_t)numbers[i]);
-    }
-    return TP_OK;
+    for (uint32_t i = 0; status == TP_OK && i < found; i++)
+        obj->now.digest = tp_mix(obj->now.digest, (uint64_t)numbers[i]);
+    return status;
+}
+
+/* In the mesh's units: |number| < 2^30, so that differences fit 31 bits and a sign.  What
+ * a coarser unit cannot hold is cut off towards 0. */
+static tp_fx to_units(const tp_obj *obj, int64_t x)
+{
+    return (tp_fx)(x / ((int64_t)1 << obj->log2_unit));
 }
 
 static tp_status read_position(tp_obj *obj, tp_words *words, tp_error *err)
 {
-    tp_fx n[3];
+    int64_t n[3];
     tp_status status = read_coordinates(obj, words, "v", 3, 3, n, err);
     if (status == TP_OK)
         status = tp_obj_room(obj, obj->now.vertices, obj->total.vertices, 1, err);
     if (status != TP_OK)
         return status;
+    for (int i = 0; i < 3; i++) {
+        const uint64_t units = magnitude(n[i]) >> 16;
+        if (units >= TP_OBJ_RANGE)
+            return TP_FAIL(err, TP_E_OBJ_RANGE, obj->lines.first, TP_OBJ_RANGE, 0);
+        obj->now.reach |= (uint32_t)units;
+    }
     if (obj->stage == TP_STAGE_LOAD)
-        obj->store.positions[obj->now.vertices] = (tp_vec3){ n[0], n[1], n[2] };
+        obj->store.positions[obj->now.vertices] = (tp_vec3){
+            to_units(obj, n[0]), to_units(obj, n[1]), to_units(obj, n[2]) };
     obj->now.vertices++;
     return TP_OK;
+}
+
+/* Some exporters write what was never set: 3443870976. */
+static tp_fx texcoord_in_range(tp_obj *obj, int64_t x)
+{
+    if (magnitude(x) < (uint64_t)TP_OBJ_REPEATS << 16)
+        return (tp_fx)x;
+    obj->far_texcoords++;
+    return 0;
 }
 
 /* The file's second coordinate grows upwards, ours downwards. */
 static tp_status read_texcoord(tp_obj *obj, tp_words *words, tp_error *err)
 {
-    tp_fx n[2] = { 0, 0 };
+    int64_t n[2] = { 0, 0 };
     tp_status status = read_coordinates(obj, words, "vt", 1, 2, n, err);
     if (status == TP_OK)
         status = tp_obj_room(obj, obj->now.texcoords, obj->total.texcoords, 1, err);
     if (status != TP_OK)
         return status;
+    const tp_fx s = texcoord_in_range(obj, n[0]), t = texcoord_in_range(obj, n[1]);
     if (obj->stage == TP_STAGE_LOAD)
         obj->store.texcoords[obj->now.texcoords] =
-            (struct tp_obj_texcoord){ n[0], TP_FX_ONE - n[1] };
+            (struct tp_obj_texcoord){ s, TP_FX_ONE - t };
     obj->now.texcoords++;
     return TP_OK;
 }
 
+/* Of any length. */
+static tp_packed_dir direction_of(const int64_t n[3])
+{
+    const uint64_t most = magnitude(n[0]) | magnitude(n[1]) | magnitude(n[2]);
+    int64_t unit = 1;
+    while (most / (uint64_t)unit >= (uint64_t)1 << 30)
+        unit *= 2;
+    return tp_dir_pack(tp_normalise((int32_t)(n[0] / unit), (int32_t)(n[1] / unit),
+                                    (int32_t)(n[2] / unit)));
+}
+
 static tp_status read_normal(tp_obj *obj, tp_words *words, tp_error *err)
 {
-    tp_fx n[3];
+    int64_t n[3];
     tp_status status = read_coordinates(obj, words, "vn", 3, 3, n, err);
     if (status == TP_OK)
         status = tp_obj_room(obj, obj->now.normals, obj->total.normals, 1, err);
     if (status != TP_OK)
         return status;
     if (obj->stage == TP_STAGE_LOAD)
-        obj->store.normals[obj->now.normals] =
-            tp_dir_pack(tp_normalise(n[0], n[1], n[2]));
+        obj->store.normals[obj->now.normals] = direction_of(n);
     obj->now.normals++;
     return TP_OK;
 }
@@ -141,21 +187,40 @@ static tp_status pass_over(tp_obj *obj, tp_words *words, tp_error *err)
     return TP_OK;
 }
 
+static const struct {
+    const char *name;
+    tp_obj_statement *run;
+    bool in_parts;              /* takes lines of any length */
+} statements[] = {
+    { "v", read_position, false },       { "f", tp_obj_face, true },
+    { "vt", read_texcoord, false },      { "vn", read_normal, false },
+    { "s", read_smoothing, false },      { "g", pass_over, true },
+    { "o", pass_over, true },            { "usemtl", tp_obj_usemtl, false },
+    { "mtllib", tp_obj_mtllib, false },
+};
+
+enum { STATEMENTS = sizeof statements / sizeof *statements };
+
+/* Its number, or STATEMENTS for others. */
+static uint32_t find_statement(tp_word word)
+{
+    uint32_t i = 0;
+    while (i < STATEMENTS && !tp_word_is(word, statements[i].name))
+        i++;
+    return i;
+}
+
 static tp_status statement(tp_obj *obj, tp_words *line, tp_error *err)
 {
-    static const struct { const char *name; tp_obj_statement *run; } statements[] = {
-        { "v", read_position },   { "f", tp_obj_face },   { "vt", read_texcoord },
-        { "vn", read_normal },    { "s", read_smoothing },{ "g", pass_over },
-        { "o", pass_over },       { "usemtl", tp_obj_usemtl },
-        { "mtllib", tp_obj_mtllib },
-    };
-    const tp_word word = tp_word_next(line);
-    for (size_t i = 0; i < sizeof statements / sizeof *statements; i++) {
-        if (tp_word_is(word, statements[i].name))
-            return statements[i].run(obj, line, err);
+    if (!obj->lines.continues) {
+        obj->statement = find_statement(tp_word_next(line));
+        obj->skipped += obj->statement == STATEMENTS;
     }
-    obj->skipped++;
-    return TP_OK;
+    if (obj->statement == STATEMENTS)
+        return TP_OK;
+    if (obj->lines.goes_on && !statements[obj->statement].in_parts)
+        return tp_obj_long_line(obj, err);
+    return statements[obj->statement].run(obj, line, err);
 }
 
 /* -- lines ------------------------------------------------------------------------- */
@@ -175,9 +240,6 @@ tp_status tp_obj_lines_feed(tp_obj *obj, const void *text, size_t bytes,
     const char *at = text, *const end = at + bytes;
     tp_words line;
     while (tp_lines_next(&obj->lines, &at, end, &line)) {
-        if (obj->lines.used > TP_OBJ_LINE_BYTES)
-            return tp_obj_settle(obj, TP_FAIL(err, TP_E_OBJ_LINE, obj->lines.first,
-                                              TP_OBJ_LINE_BYTES, 0));
         const tp_status status = run(obj, &line, err);
         if (status != TP_OK)
             return tp_obj_settle(obj, status);
@@ -196,11 +258,12 @@ tp_status tp_obj_lines_end(tp_obj *obj, tp_obj_statement *run, tp_error *err)
 static void begin_pass(tp_obj *obj, uint32_t stage)
 {
     obj->stage = stage;
-    obj->skipped = obj->dropped = 0;
-    obj->libraries = obj->images = 0;
+    obj->skipped = obj->dropped = obj->short_faces = obj->far_texcoords = 0;
+    obj->libraries = obj->images = obj->warnings = 0;
     obj->now = (tp_obj_counts){ .digest = 1 };
     obj->material = TP_NO_NAME;
     obj->group = 0;
+    obj->crowded = false;
     tp_lines_begin(&obj->lines);
 }
 
@@ -209,10 +272,10 @@ void tp_obj_scan(tp_obj *obj)
     begin_pass(obj, TP_STAGE_SCAN);
     obj->bytes = 0;
     obj->total = (tp_obj_counts){ 0 };
-    obj->libraries_read = 0;
+    obj->libraries_read = obj->name_longest = obj->log2_unit = 0;
     obj->name_most[TP_NAMES_LIBRARY] = obj->name_room[TP_NAMES_LIBRARY] = 0;
     obj->name_most[TP_NAMES_MATERIAL] = obj->name_room[TP_NAMES_MATERIAL] = 1;  /* "" */
-    obj->work.seen[0] = 0;
+    obj->seen[0] = 0;
 }
 
 tp_status tp_obj_feed(tp_obj *obj, const void *text, size_t bytes, tp_error *err)
@@ -233,6 +296,9 @@ tp_status tp_obj_scanned(tp_obj *obj, tp_error *err)
     if (obj->now.polygons == 0)
         return tp_obj_settle(obj, TP_FAIL(err, TP_E_OBJ_EMPTY, obj->lines.next, 0, 0));
     obj->total = obj->now;
+    while (obj->total.reach >> obj->log2_unit >= 1 << 14)
+        obj->log2_unit++;
+    TP_ASSERT(obj->log2_unit <= TP_MESH_LOG2_UNIT);
     tp_arena count = tp_arena_over(NULL, 0);
     tp_obj_carve(obj, &count);
     if (count.failed)

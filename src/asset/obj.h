@@ -5,7 +5,10 @@
  * stores.  Polygons are cut when the whole file is known (shape.c, cut.c), since a face
  * may name vertices that follow it.  Then come the materials (mtl.c) and the mesh
  * (bind.c).  Every number of both passes is mixed into a digest: it tells a file that
- * changed in between, and seeds the hash tables. */
+ * changed in between, and seeds the hash tables.
+ *
+ * A statement that returns a fault stops the reading; in an MTL, and where a name cannot be
+ * read, it is noted instead and the line left out. */
 #ifndef TP_ASSET_OBJ_H
 #define TP_ASSET_OBJ_H
 #include "tidepool/asset.h"
@@ -48,14 +51,13 @@ enum { TP_MAP_DIFFUSE, TP_MAP_BUMP, TP_MAPS };
 
 struct tp_obj_made {
     uint64_t area, picture;             /* of its faces, in the shape's units */
-    uint32_t line;                      /* of the OBJ, where it is first used */
     uint32_t map[TP_MAPS];              /* number of the image, or TP_NO_NAME */
     bool     defined, has_diffuse, has_opacity;
 };
 
-/* obj.c: the next `most` numbers of a line, at least `need`. */
+/* obj.c: the next `most` numbers of a line, at least `need`, in 48.16. */
 tp_status tp_obj_numbers(const tp_obj *obj, tp_words *words, tp_word keyword,
-                         uint32_t need, uint32_t most, tp_fx *numbers, uint32_t *found,
+                         uint32_t need, uint32_t most, int64_t *numbers, uint32_t *found,
                          tp_error *err);
 
 /* obj.c: may `more` be added to `now`?  In the scan up to TP_OBJ_COUNT, then up to what
@@ -65,6 +67,13 @@ tp_status tp_obj_room(const tp_obj *obj, uint32_t now, uint32_t total, uint32_t 
 
 /* obj.c: the rest of the line as a name, possibly of no bytes. */
 tp_status tp_obj_name(const tp_obj *obj, tp_words *words, tp_word *name, tp_error *err);
+
+/* obj.c: a line that is longer than its statement can be. */
+tp_status tp_obj_long_line(const tp_obj *obj, tp_error *err);
+
+/* obj.c: notes a fault that does not stop the reading.  The scan notes none: the load meets
+ * them again. */
+void tp_obj_warn(tp_obj *obj, const tp_error *fault);
 
 /* obj.c: feeds lines to `statement`; a failure ends the reading for good. */
 typedef tp_status tp_obj_statement(tp_obj *obj, tp_words *line, tp_error *err);
@@ -79,7 +88,7 @@ tp_status tp_obj_usemtl(tp_obj *obj, tp_words *words, tp_error *err);
 tp_status tp_obj_mtllib(tp_obj *obj, tp_words *words, tp_error *err);
 tp_status tp_obj_no_material(tp_obj *obj, tp_error *err);
 
-/* face.c: the statement f. */
+/* face.c: the statement f, or a part of it. */
 tp_status tp_obj_face(tp_obj *obj, tp_words *words, tp_error *err);
 
 /* store.c: lays out the store; with an arena without a block it only counts. */
@@ -87,8 +96,4 @@ void tp_obj_carve(tp_obj *obj, tp_arena *arena);
 
 /* shape.c: polygons become faces; vertices get their normals and final form. */
 tp_status tp_obj_shape(tp_obj *obj, tp_error *err);
-
-/* cut.c: cuts the polygon of n corners in cut->at into n - 2 triangles of its corners,
- * in cut->triangle, with the polygon's sense of turning.  3 <= n <= TP_OBJ_CORNERS. */
-void tp_obj_cut_polygon(tp_obj_cut *cut, uint32_t n);
 #endif

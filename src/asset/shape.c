@@ -6,6 +6,7 @@
  * smoothing group.  Then every vertex becomes what it stands for, in place. */
 #include "asset/obj.h"
 #include "asset/area.h"
+#include "asset/cut.h"
 #include "asset/mesh.h"
 #include "asset/table.h"
 #include "base/base.h"
@@ -168,22 +169,30 @@ static void make_face(tp_obj *obj, const uint32_t vertex[3], uint32_t material,
     add_to_slots(store, face, area);
 }
 
-static uint32_t cut_up(tp_obj *obj, const uint32_t *corners, uint32_t n)
+static void begin_cut(const tp_obj_store *store, const uint32_t *corners, uint32_t n)
 {
-    tp_obj_cut *const cut = &obj->work.cut;
-    if (n == 3) {
-        for (uint8_t k = 0; k < 3; k++)
-            cut->triangle[0][k] = k;
-        return 1;
-    }
     for (uint32_t i = 0; i < n; i++) {
-        const tp_vec3 p = position_of(&obj->store, corners[i]);
-        cut->at[0][i] = p.x;
-        cut->at[1][i] = p.y;
-        cut->at[2][i] = p.z;
+        const tp_vec3 p = position_of(store, corners[i]);
+        store->cut->at[0][i] = p.x;
+        store->cut->at[1][i] = p.y;
+        store->cut->at[2][i] = p.z;
     }
-    tp_obj_cut_polygon(cut, n);
-    return n - 2;
+    tp_cut_begin(store->cut, n);
+}
+
+/* The polygon's faces; adds their areas to *sum. */
+static void cut_up(tp_obj *obj, const struct tp_obj_polygon *polygon,
+                   const uint32_t *corners, int64_t sum[3])
+{
+    if (polygon->corners == 3) {
+        make_face(obj, corners, polygon->material, sum);
+        return;
+    }
+    begin_cut(&obj->store, corners, polygon->corners);
+    for (uint32_t at[3]; tp_cut_next(obj->store.cut, at);) {
+        const uint32_t vertex[3] = { corners[at[0]], corners[at[1]], corners[at[2]] };
+        make_face(obj, vertex, polygon->material, sum);
+    }
 }
 
 /* A flat polygon's vertices are its own: they get its normal at once. */
@@ -192,12 +201,7 @@ static void make_faces(tp_obj *obj, const struct tp_obj_polygon *polygon,
 {
     tp_obj_store *const store = &obj->store;
     int64_t sum[3] = { 0, 0, 0 };
-    const uint32_t triangles = cut_up(obj, corners, polygon->corners);
-    for (uint32_t i = 0; i < triangles; i++) {
-        const uint8_t *const of = obj->work.cut.triangle[i];
-        const uint32_t vertex[3] = { corners[of[0]], corners[of[1]], corners[of[2]] };
-        make_face(obj, vertex, polygon->material, sum);
-    }
+    cut_up(obj, polygon, corners, sum);
     const tp_packed_dir normal =
         tp_dir_pack(tp_area_direction((tp_area){ sum[0], sum[1], sum[2] }));
     for (uint32_t i = 0; i < polygon->corners; i++) {

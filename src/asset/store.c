@@ -7,7 +7,12 @@
  * Vertices end the part that is kept, since how many differ is known only when all are
  * read.  The images that the materials name take the place of the tables of loading. */
 #include "asset/obj.h"
+#include "asset/cut.h"
 #include "asset/table.h"
+
+/* Bytes for the names of pictures: so many for each that there may be, and one of any
+ * length.  They share them, so some may be longer. */
+enum { IMAGE_NAME = 256 };
 
 static void carve_loading(tp_obj_store *store, const tp_obj_counts *total,
                           tp_arena *arena)
@@ -21,27 +26,37 @@ static void carve_loading(tp_obj_store *store, const tp_obj_counts *total,
     store->mask      = tp_table_size(total->corners) - 1;
     store->table     = tp_arena_take(arena, (size_t)store->mask + 1,
                                      sizeof *store->table);
+    store->cut       = tp_cut_carve(arena, total->largest);
+}
+
+/* Of the materials' names: the scan counted no more than TP_OBJ_MATERIALS of them, but the
+ * bytes of all. */
+static uint32_t material_room(const tp_obj *obj)
+{
+    const uint32_t counted = obj->name_room[TP_NAMES_MATERIAL];
+    const uint32_t most = obj->name_most[TP_NAMES_MATERIAL] * (obj->name_longest + 1);
+    return counted < most ? counted : most;     /* <= 2^12 x 2^12 */
 }
 
 void tp_obj_carve(tp_obj *obj, tp_arena *arena)
 {
     tp_obj_store *const store = &obj->store;
     const tp_obj_counts *const total = &obj->total;
-    const uint32_t *const most = obj->name_most, *const room = obj->name_room;
-    const uint32_t materials = most[TP_NAMES_MATERIAL];
+    const uint32_t materials = obj->name_most[TP_NAMES_MATERIAL];
 
     store->materials = tp_arena_take(arena, materials, sizeof *store->materials);
     store->faces     = tp_arena_take(arena, total->triangles, sizeof *store->faces);
     store->vertices  = tp_arena_take(arena, total->corners, sizeof *store->vertices);
     store->made      = tp_arena_take(arena, materials, sizeof *store->made);
-    tp_names_carve(&store->material_names, arena, materials, room[TP_NAMES_MATERIAL]);
-    tp_names_carve(&store->library_names, arena, most[TP_NAMES_LIBRARY],
-                   room[TP_NAMES_LIBRARY]);
+    tp_names_carve(&store->material_names, arena, materials, material_room(obj));
+    tp_names_carve(&store->library_names, arena, obj->name_most[TP_NAMES_LIBRARY],
+                   obj->name_room[TP_NAMES_LIBRARY]);
 
     tp_arena later = *arena;
     carve_loading(store, total, arena);
-    const uint32_t images = TP_MAPS * materials;        /* <= 2^21 of 2^8 bytes */
-    tp_names_carve(&store->image_names, &later, images, images * (TP_OBJ_NAME_BYTES + 1));
+    const uint32_t images = TP_MAPS * materials;        /* <= 2^13 of 2^8 bytes */
+    tp_names_carve(&store->image_names, &later, images,
+                   images * IMAGE_NAME + TP_OBJ_LINE_BYTES);
     arena->failed = arena->failed || later.failed;
     if (later.used > arena->used)
         arena->used = later.used;

@@ -3,17 +3,20 @@
  *
  * The scan has no memory for the names, so it counts from above: names that it met lately
  * are kept in 2 KB and not counted again, any other is.  The count is exact for files
- * with up to about 200 names of common length, and never too low. */
+ * with up to about 200 names of common length, and never too low.  Of materials no more
+ * than TP_OBJ_MATERIALS count: when loading finds more, they are grey. */
 #include "asset/obj.h"
 #include "asset/table.h"
 #include "base/base.h"
 
-enum { MOST_NAMES = 1 << 20 };
+enum { MOST_LIBRARIES = 1 << 20, MOST_ROOM = 1 << 28, SHORT_NAME = 255 };
 
-/* work.seen holds records of kind + 1, length, bytes; a 0 ends them. */
+/* obj->seen holds records of kind + 1, length, bytes; a 0 ends them. */
 static bool was_seen(tp_obj *obj, unsigned kind, tp_word name)
 {
-    char *at = obj->work.seen, *const end = at + sizeof obj->work.seen;
+    char *at = obj->seen, *const end = at + sizeof obj->seen;
+    if (name.bytes > SHORT_NAME)
+        return false;
     for (; *at != 0; at += 2 + (unsigned char)at[1]) {
         if (at[0] == (char)(kind + 1) && (unsigned char)at[1] == name.bytes
             && memcmp(at + 2, name.text, name.bytes) == 0)
@@ -28,53 +31,109 @@ static bool was_seen(tp_obj *obj, unsigned kind, tp_word name)
     return false;
 }
 
-/* The name's number in its set when loading; in the scan it is only counted. */
-static tp_status use_name(tp_obj *obj, unsigned kind, tp_obj_names *names, tp_word name,
-                          uint32_t *number, tp_error *err)
+/* In the scan. */
+static tp_status count_name(tp_obj *obj, unsigned kind, tp_word name, tp_error *err)
+{
+    uint32_t *const most = &obj->name_most[kind], *const room = &obj->name_room[kind];
+    if (was_seen(obj, kind, name))
+        return TP_OK;
+    if (kind == TP_NAMES_LIBRARY && (*most == MOST_LIBRARIES || *room >= MOST_ROOM))
+        return TP_FAIL(err, TP_E_OBJ_COUNT, obj->lines.first, MOST_LIBRARIES, 0);
+    if (kind == TP_NAMES_MATERIAL && name.bytes > obj->name_longest)
+        obj->name_longest = name.bytes;
+    if (kind == TP_NAMES_LIBRARY || *most < TP_OBJ_MATERIALS)
+        ++*most;
+    if (*room < MOST_ROOM)                  /* 2^12 names of 2^12 bytes need less */
+        *room += name.bytes + 1;
+    return TP_OK;
+}
+
+static void mix_name(tp_obj *obj, tp_word name)
 {
     for (uint32_t i = 0; i < name.bytes; i++)
         obj->now.digest = tp_mix(obj->now.digest, (unsigned char)name.text[i]);
-    if (obj->stage == TP_STAGE_LOAD) {
-        *number = tp_names_add(names, name, 0, obj->total.digest);
-        if (*number == TP_NO_NAME)
-            return TP_FAIL(err, TP_E_OBJ_CHANGED, obj->lines.first, 0, 0);
-        return TP_OK;
-    }
-    if (was_seen(obj, kind, name))
-        return TP_OK;
-    if (obj->name_most[kind] == MOST_NAMES)
-        return TP_FAIL(err, TP_E_OBJ_COUNT, obj->lines.first, MOST_NAMES, 0);
-    obj->name_most[kind]++;
-    obj->name_room[kind] += name.bytes + 1;     /* <= 2^20 x 256 */
+}
+
+/* -- materials ----------------------------------------------------------------------- */
+
+static const tp_word nameless = { "", 0 };
+
+/* The last place is kept for the nameless material until that is there. */
+static bool has_place(const tp_obj *obj, tp_word name)
+{
+    const tp_obj_names *const names = &obj->store.material_names;
+    return name.bytes == 0 || names->count + 1 < names->most
+        || tp_names_find(names, nameless, 0, obj->total.digest) != TP_NO_NAME;
+}
+
+/* The material's number, a new one if need be; TP_NO_NAME: there is no place for more. */
+static uint32_t number_of(tp_obj *obj, tp_word name)
+{
+    tp_obj_names *const names = &obj->store.material_names;
+    uint32_t i = tp_names_find(names, name, 0, obj->total.digest);
+    if (i != TP_NO_NAME || !has_place(obj, name))
+        return i;
+    i = tp_names_add(names, name, 0, obj->lines.first, obj->total.digest);
+    if (i == TP_NO_NAME)
+        return TP_NO_NAME;
+    obj->store.made[i] = (struct tp_obj_made){ .map = { TP_NO_NAME, TP_NO_NAME } };
+    obj->store.materials[i] = (tp_material){
+        .diffuse = 0x808080, .shininess = 32 * TP_FX_ONE, .opacity = TP_FX_ONE,
+        .bump = TP_FX_ONE };
+    return i;
+}
+
+/* More names than are kept: the material is the nameless one, and the first time that is
+ * noted. */
+static tp_status use_crowded(tp_obj *obj, tp_error *err)
+{
+    if (obj->store.material_names.most < TP_OBJ_MATERIALS)
+        return TP_FAIL(err, TP_E_OBJ_CHANGED, obj->lines.first, 0, 0);
+    tp_error fault;
+    TP_FAIL(&fault, TP_E_OBJ_MATERIALS, obj->lines.first, TP_OBJ_MATERIALS, 0);
+    if (!obj->crowded)
+        tp_obj_warn(obj, &fault);
+    obj->crowded = true;
+    obj->material = number_of(obj, nameless);
     return TP_OK;
 }
 
 static tp_status use_material(tp_obj *obj, tp_word name, tp_error *err)
 {
-    tp_obj_names *const names = &obj->store.material_names;
-    const uint32_t before = names->count;
-    const tp_status status =
-        use_name(obj, TP_NAMES_MATERIAL, names, name, &obj->material, err);
-    if (status != TP_OK || obj->stage == TP_STAGE_SCAN || obj->material < before)
-        return status;
-    obj->store.made[obj->material] = (struct tp_obj_made){
-        .line = obj->lines.first, .map = { TP_NO_NAME, TP_NO_NAME } };
-    obj->store.materials[obj->material] = (tp_material){
-        .diffuse = 0x808080, .shininess = 32 * TP_FX_ONE, .opacity = TP_FX_ONE,
-        .bump = TP_FX_ONE };
-    return TP_OK;
+    if (obj->stage == TP_STAGE_SCAN)
+        return count_name(obj, TP_NAMES_MATERIAL, name, err);
+    obj->material = number_of(obj, name);
+    return obj->material == TP_NO_NAME ? use_crowded(obj, err) : TP_OK;
 }
 
 tp_status tp_obj_usemtl(tp_obj *obj, tp_words *words, tp_error *err)
 {
     tp_word name;
-    const tp_status status = tp_obj_name(obj, words, &name, err);
-    return status != TP_OK ? status : use_material(obj, name, err);
+    tp_error fault;
+    if (tp_obj_name(obj, words, &name, &fault) != TP_OK) {
+        tp_obj_warn(obj, &fault);
+        return TP_OK;
+    }
+    mix_name(obj, name);
+    return use_material(obj, name, err);
 }
 
 tp_status tp_obj_no_material(tp_obj *obj, tp_error *err)
 {
-    return use_material(obj, (tp_word){ "", 0 }, err);
+    return use_material(obj, nameless, err);
+}
+
+/* -- libraries ----------------------------------------------------------------------- */
+
+static tp_status use_library(tp_obj *obj, tp_word name, tp_error *err)
+{
+    mix_name(obj, name);
+    if (obj->stage == TP_STAGE_SCAN)
+        return count_name(obj, TP_NAMES_LIBRARY, name, err);
+    if (tp_names_add(&obj->store.library_names, name, 0, obj->lines.first,
+                     obj->total.digest) != TP_NO_NAME)
+        return TP_OK;
+    return TP_FAIL(err, TP_E_OBJ_CHANGED, obj->lines.first, 0, 0);
 }
 
 static bool ends_in_mtl(tp_word word)
@@ -100,14 +159,13 @@ tp_status tp_obj_mtllib(tp_obj *obj, tp_words *words, tp_error *err)
     for (;;) {
         tp_words one = first_name(words);
         tp_word name;
-        uint32_t number;
-        tp_status status = tp_obj_name(obj, &one, &name, err);
-        if (status == TP_OK && name.bytes == 0)
-            return TP_OK;
-        if (status == TP_OK)
-            status = use_name(obj, TP_NAMES_LIBRARY, &obj->store.library_names, name,
-                              &number, err);
-        if (status != TP_OK)
+        tp_error fault;
+        if (tp_obj_name(obj, &one, &name, &fault) != TP_OK) {
+            tp_obj_warn(obj, &fault);
+            continue;
+        }
+        const tp_status status = name.bytes > 0 ? use_library(obj, name, err) : TP_OK;
+        if (status != TP_OK || name.bytes == 0)
             return status;
     }
 }

@@ -62,10 +62,10 @@ bool tp_word_holds_nul(tp_word word)
     return false;
 }
 
-bool tp_word_fx(tp_words *words, tp_fx *x)
+bool tp_word_number(tp_words *words, int64_t *x)
 {
     skip_blanks(words);
-    const uint32_t n = tp_fx_read(words->at, (uint32_t)(words->end - words->at), x, 0);
+    const uint32_t n = tp_fx_read_wide(words->at, (uint32_t)(words->end - words->at), x);
     const char *const end = words->at + n;
     if (n == 0 || (end < words->end && !tp_is_blank(*end)))
         return false;

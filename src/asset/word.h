@@ -25,9 +25,9 @@ bool tp_word_is(tp_word word, const char *name);
 bool tp_word_is_any_case(tp_word word, const char *name);   /* name in lower case */
 bool tp_word_holds_nul(tp_word word);
 
-/* The next word as a number; false and nothing taken if it is none.  Too large ones
- * saturate to TP_FX_MIN, TP_FX_MAX. */
-bool tp_word_fx(tp_words *words, tp_fx *x);
+/* The next word as a number in 48.16; false and nothing taken if it is none.  Too large
+ * ones saturate to +-TP_WIDE_MAX. */
+bool tp_word_number(tp_words *words, int64_t *x);
 
 /* [+-] digits at the cursor, without blanks before; false if there is none.  Saturates
  * at +-INT32_MAX. */

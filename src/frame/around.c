@@ -3,6 +3,7 @@
  * drops, drawn anew in each frame.  The point is where the camera sees the objects'
  * middle mirrored: there the cube is right, and around it nearly so. */
 #include "frame/frame.h"
+#include "asset/mesh.h"
 
 #define WIDE (2 * TP_AROUND_SIDE)
 #define BAND 4                  /* rows that are drawn at a time */
@@ -25,10 +26,10 @@ static tp_vec3 middle_of_objects(const tp_frame *frame)
 {
     const tp_mesh *mesh = frame->assets.boat;
     const tp_pose *boat = &frame->drawn.boat;
-    tp_fx scale = frame->scene->boat.scale;
 
     if (!mesh)
         return tp_world_drops(frame->world)->sphere;
+    const tp_fx scale = tp_mesh_metres(mesh, frame->scene->boat.scale);
     const tp_rotation turn = tp_rotation_of(boat->heading, boat->pitch, boat->roll);
     const tp_vec3 at = { middle(mesh->low.x, mesh->high.x, scale),
                          middle(mesh->low.y, mesh->high.y, scale),

@@ -22,6 +22,7 @@ static void turn_view(tp_frame *frame, tp_sight *sight, const tp_pose *boat)
     tp_vec3 way = tp_vec3_sub(sight->lens->eye, boat->place);
     tp_view_axes *axes = &frame->shade.mesh;
 
+    sight->boat_metres = tp_mesh_metres(frame->assets.boat, frame->scene->boat.scale);
     sight->boat_lens = *sight->lens;
     sight->boat_lens.eye = tp_rotate(r, way);
     sight->boat_lens.right = turned(r, sight->lens->right);
@@ -47,10 +48,9 @@ static tp_fx scaled(tp_fx x, tp_fx scale)
     return (tp_fx)(metres > most ? most : metres < -most ? -most : metres);
 }
 
-static tp_view_corner view_of(const tp_frame *frame, const tp_sight *sight,
-                              const tp_mesh_vertex *vertex)
+static tp_view_corner view_of(const tp_sight *sight, const tp_mesh_vertex *vertex)
 {
-    tp_fx scale = frame->scene->boat.scale;
+    tp_fx scale = sight->boat_metres;
     tp_vec3 p = { scaled(vertex->position.x, scale), scaled(vertex->position.y, scale),
                   scaled(vertex->position.z, scale) };
     tp_view_corner c;
@@ -71,7 +71,7 @@ static tp_view_corner view_of(const tp_frame *frame, const tp_sight *sight,
 static void place_vertex(const tp_frame *frame, const tp_sight *sight, uint32_t i)
 {
     tp_boat_vertex *to = &frame->parts.boat_vertex[i];
-    tp_view_corner c = view_of(frame, sight, &frame->assets.boat->vertices[i]);
+    tp_view_corner c = view_of(sight, &frame->assets.boat->vertices[i]);
 
     if (sight->cut && tp_view_height(&sight->level, &c) < 0)
         to->u = OUTSIDE;
@@ -87,7 +87,7 @@ static int clipped(const tp_frame *frame, const tp_sight *sight, const tp_mesh_f
     tp_view_corner in[3];
 
     for (int k = 0; k < 3; k++)
-        in[k] = view_of(frame, sight, &frame->assets.boat->vertices[face->vertex[k]]);
+        in[k] = view_of(sight, &frame->assets.boat->vertices[face->vertex[k]]);
     return tp_clipped_corners(&sight->boat_lens, tp_sight_cut(sight), in, corner);
 }
 
@@ -242,12 +242,13 @@ static void plan_boat(tp_frame *frame)
 {
     const tp_mesh *mesh = frame->assets.boat;
     uint32_t count = tp_frame_materials(&frame->assets);
+    tp_fx metres = tp_mesh_metres(mesh, frame->scene->boat.scale);
 
     if (frame->model != frame->scene->light.model)
         make_gloss(frame);
     for (uint32_t i = 0; i < count; i++) {
         const tp_material *m = &mesh->materials[i];
-        tp_fx texels = tp_fx_div(m->texels, frame->scene->boat.scale);
+        tp_fx texels = tp_fx_div(m->texels, metres);
         frame->parts.solid[i] = (tp_solid){
             .diffuse = m->diffuse,
             .specular = m->specular,

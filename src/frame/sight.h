@@ -20,6 +20,7 @@ typedef struct {
                                  * come by its own list, see tile.c */
     tp_view_plane level;
     tp_lens       boat_lens;    /* the same view in the mesh's frame */
+    tp_fx         boat_metres;  /* of 1.0 of the mesh's positions */
     tp_grid_box   boat_box;     /* pixels; empty: not seen */
     tp_grid_box   drops_box;
 } tp_sight;

@@ -291,7 +291,7 @@ static const tp_param rows[] = {
     NUMBER("boat.x", boat.x, "m", -8000, 8000, 0, "to the right of the origin"),
     NUMBER("boat.z", boat.z, "m", -8000, 8000, -12, "towards the viewer"),
     HEADING("boat.heading", boat.heading, 0, "where the bow points, clockwise from -z"),
-    NUMBER("boat.scale", boat.scale, "", 0.01, 100, 1, "metres per unit of the mesh"),
+    NUMBER("boat.scale", boat.scale, "", 0.001, 100, 1, "metres per unit of the mesh"),
     NUMBER("boat.lift", boat.lift, "m", -50, 50, 0, "of the mesh above the surface"),
     NUMBER("boat.length", boat.length, "m", 0.1, 200, 10,
            "between the points of bow and stern that feel the water"),

@@ -66,10 +66,10 @@ static void place_lens(look *l, const tp_scene *s)
     l->lens.ahead = turned(&turn, l->lens.ahead);
 }
 
-static tp_view_corner seen_by(const look *l, const tp_scene *s, tp_vec3 at)
+/* `scale`: metres of 1.0 of the mesh's positions. */
+static tp_view_corner seen_by(const look *l, int64_t scale, tp_vec3 at)
 {
     const int64_t most = 4000 * TP_FX_ONE;
-    const int64_t scale = s->boat.scale;
     tp_view_corner c;
 
     tp_lens_view(&l->lens, (tp_vec3){ (tp_fx)tp_limit(at.x * scale >> 16, most),
@@ -135,6 +135,7 @@ static void add_face(tp_site *w, look *l, const outline *o)
 static void look_at_faces(tp_site *w, look *l)
 {
     const tp_mesh *mesh = w->assets->boat;
+    const tp_fx metres = tp_mesh_metres(mesh, w->scene->boat.scale);
 
     l->top = l->rows;
     for (uint32_t f = 0; f < mesh->n_faces; f++) {
@@ -142,7 +143,7 @@ static void look_at_faces(tp_site *w, look *l)
         int low = 0, cut = 0;
         for (int k = 0; k < 3; k++) {
             const tp_view_corner c =
-                seen_by(l, w->scene, mesh->vertices[mesh->faces[f].vertex[k]].position);
+                seen_by(l, metres, mesh->vertices[mesh->faces[f].vertex[k]].position);
             uint32_t zi;
             const bool under = l->mirrored && tp_view_height(&l->level, &c) < 0;
             low += under;

@@ -24,17 +24,34 @@ static tp_status feed(tp_obj *obj, const uint8_t *text, size_t bytes, size_t pie
     return status;
 }
 
-static void check(const tp_mesh *mesh)
+static bool is_between(tp_vec3 low, tp_vec3 p, tp_vec3 high)
 {
+    return low.x <= p.x && p.x <= high.x && low.y <= p.y && p.y <= high.y
+        && low.z <= p.z && p.z <= high.z;
+}
+
+static void check_warnings(const tp_obj *obj)
+{
+    for (uint32_t i = 0; i < obj->warnings && i < TP_OBJ_WARNINGS; i++)
+        REQUIRE(obj->warning[i].code != TP_OK && obj->warning[i].where > 0);
+}
+
+static void check(const tp_obj *obj, const tp_mesh *mesh)
+{
+    const tp_vec3 most = { 1 << 30, 1 << 30, 1 << 30 };
+    const tp_vec3 least = { -most.x, -most.y, -most.z };
     REQUIRE(mesh->n_faces > 0 && mesh->n_vertices > 0 && mesh->n_materials > 0);
+    REQUIRE(mesh->log2_unit <= TP_MESH_LOG2_UNIT);
+    REQUIRE(mesh->n_materials <= TP_OBJ_MATERIALS);
+    REQUIRE(is_between(least, mesh->low, most) && is_between(least, mesh->high, most));
+    REQUIRE(tp_obj_kept_bytes(obj) <= tp_obj_bytes(obj));
     for (uint32_t i = 0; i < mesh->n_faces; i++) {
         for (int k = 0; k < 3; k++)
             REQUIRE(mesh->faces[i].vertex[k] < mesh->n_vertices);
         REQUIRE(mesh->faces[i].material < mesh->n_materials);
     }
     for (uint32_t i = 0; i < mesh->n_vertices; i++)
-        REQUIRE(mesh->low.x <= mesh->vertices[i].position.x
-                && mesh->vertices[i].position.x <= mesh->high.x);
+        REQUIRE(is_between(mesh->low, mesh->vertices[i].position, mesh->high));
 }
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
@@ -59,11 +76,13 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     }
     if (status == TP_OK)
         status = tp_obj_loaded(&obj, &err);
+    if (status == TP_OK)
+        check_warnings(&obj);
     tp_mesh mesh;
     if (status == TP_OK)
         status = tp_obj_bind(&obj, NULL, &mesh, &err);
     if (status == TP_OK)
-        check(&mesh);
+        check(&obj, &mesh);
     else
         REQUIRE(err.code == status && err.where > 0 && status != TP_E_OBJ_CHANGED
                 && status != TP_E_ARG && status != TP_E_NOSPACE);

@@ -16,7 +16,7 @@ typedef struct {
 
 typedef struct {
     const tp_mesh *mesh;        /* NULL: none */
-    double    scale;
+    double    scale;            /* metres of 1.0 of its positions */
     uint32_t *face;
     ref_box  *box;
     uint32_t  boxes;

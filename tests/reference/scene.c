@@ -56,9 +56,12 @@ static void place_camera(ref_scene *s, const tp_world *world, uint32_t width,
 static void place_boat(ref_scene *s, const tp_world *world, double back)
 {
     const tp_pose *a = &world->last_boat, *b = &world->boat;
+    const tp_mesh *mesh = s->assets->boat;
+    const double scale = ldexp(ref_number(s->scene->boat.scale),
+                               mesh ? (int)mesh->log2_unit : 0);
 
-    s->boat = ref_mesh_of(s->assets->boat, ref_number(s->scene->boat.scale), false);
-    s->lids = ref_mesh_of(s->assets->boat, ref_number(s->scene->boat.scale), true);
+    s->boat = ref_mesh_of(mesh, scale, false);
+    s->lids = ref_mesh_of(mesh, scale, true);
     s->boat_rows = ref_rows_of(turn_between(a->heading, b->heading, back),
                                turn_between(a->pitch, b->pitch, back),
                                turn_between(a->roll, b->roll, back));

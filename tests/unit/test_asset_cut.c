@@ -1,90 +1,14 @@
 /* SPDX-License-Identifier: MIT */
-/* Polygons are cut into triangles that cover them once and nothing else.
- *
- * That holds exactly if every triangle turns the polygon's way and the triangles' edges,
- * those that run against each other cancelled, are the polygon's: then each point is
- * covered as often as the outline winds around it. */
+/* Polygons are cut into triangles that cover them once and nothing else. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
 #include <stdint.h>
 #include <cmocka.h>
 #include <stdio.h>
-#include <stdlib.h>
-#include "asset/obj.h"
-#include "test_asset_reader.h"
+#include "cuts.h"
 
-enum { MOST = TP_OBJ_CORNERS };
-
-typedef struct { int32_t u, v; } point;
-
-/* Twice the area of a, b, c.  Points lie within +-2^29 here. */
-static int64_t turn(point a, point b, point c)
-{
-    return ((int64_t)b.u - a.u) * ((int64_t)c.v - a.v)
-         - ((int64_t)b.v - a.v) * ((int64_t)c.u - a.u);
-}
-
-static int64_t area_of(const point *p, int n)
-{
-    int64_t sum = 0;
-    for (int i = 2; i < n; i++)
-        sum += turn(p[0], p[i - 1], p[i]);
-    return sum;
-}
-
-/* Lays the polygon into one of six planes: three square to an axis, three aslant, which
- * look largest along another axis than the one it is drawn for.  Then cuts it. */
-static void cut_in_plane(tp_obj_cut *cut, const point *p, int n, int plane)
-{
-    memset(cut, 0xA5, sizeof *cut);
-    for (int i = 0; i < n; i++) {
-        const int32_t out = plane < 3 ? 77 : p[i].u + 2 * p[i].v;
-        cut->at[plane % 3][i] = p[i].u;
-        cut->at[(plane + 1) % 3][i] = p[i].v;
-        cut->at[(plane + 2) % 3][i] = out;
-    }
-    tp_obj_cut_polygon(cut, (uint32_t)n);
-}
-
-/* Whether the triangles' edges make the outline. */
-static void assert_edges(const tp_obj_cut *cut, int n)
-{
-    static int8_t edge[MOST][MOST];
-    memset(edge, 0, sizeof edge);
-    for (int i = 0; i < n - 2; i++) {
-        for (int k = 0; k < 3; k++) {
-            const uint8_t a = cut->triangle[i][k], b = cut->triangle[i][(k + 1) % 3];
-            assert_true(a < n && b < n && a != b);
-            edge[a][b]++;
-            edge[b][a]--;
-        }
-    }
-    for (int a = 0; a < n; a++) {
-        for (int b = 0; b < a; b++) {
-            int want = a == b + 1 ? -1 : 0;     /* the outline runs b to b + 1 */
-            want += a == n - 1 && b == 0 ? 1 : 0;
-            assert_int_equal(edge[a][b], want);
-        }
-    }
-}
-
-static void assert_cut(const point *p, int n, int plane, bool simple)
-{
-    tp_obj_cut cut;
-    cut_in_plane(&cut, p, n, plane);
-    assert_edges(&cut, n);
-    const bool left = area_of(p, n) > 0;
-    int64_t sum = 0;
-    for (int i = 0; i < n - 2; i++) {
-        const uint8_t *const t = cut.triangle[i];
-        const int64_t area = turn(p[t[0]], p[t[1]], p[t[2]]);
-        assert_true(left ? area >= 0 : area <= 0);
-        assert_true(area != 0 || !simple);
-        sum += area;
-    }
-    assert_true(sum == area_of(p, n));
-}
+enum { MOST = 256 };
 
 static void assert_cut_everywhere(const point *p, int n, bool simple)
 {
@@ -103,13 +27,13 @@ static void convex_polygons_are_cut_as_a_fan(void **state)
 {
     (void)state;
     static const point p[] = { {0,0}, {4,0}, {6,3}, {4,6}, {0,6} };
-    tp_obj_cut cut;
-    cut_in_plane(&cut, p, 5, 0);
-    for (int i = 0; i < 3; i++) {
-        assert_int_equal(cut.triangle[i][0], 0);
-        assert_int_equal(cut.triangle[i][1], i + 1);
-        assert_int_equal(cut.triangle[i][2], i + 2);
+    cutting c = cut_in_plane(p, 5, 0);
+    for (uint32_t i = 0; i < 3; i++) {
+        assert_int_equal(c.triangle[i][0], 0);
+        assert_int_equal(c.triangle[i][1], i + 1);
+        assert_int_equal(c.triangle[i][2], i + 2);
     }
+    free_cut(&c);
 }
 
 static void an_arrow_head_is_cut_at_its_notch(void **state)
@@ -158,46 +82,21 @@ static void the_largest_polygons_do_not_overflow(void **state)
 {
     (void)state;
     enum { FAR = 16384 * TP_FX_ONE - 1 };
-    tp_obj_cut cut;
     for (int k = 0; k < 3; k++) {
-        memset(&cut, 0, sizeof cut);
+        cutting c;
+        struct tp_obj_cut *const cut = carve_cut(&c, MOST);
         for (int i = 0; i < MOST; i++) {
-            cut.at[k][i] = (i & 1) != (i >> 1 & 1) ? FAR : -FAR;
-            cut.at[(k + 1) % 3][i] = i & 2 ? FAR : -FAR;
+            cut->at[k][i] = (i & 1) != (i >> 1 & 1) ? FAR : -FAR;
+            cut->at[(k + 1) % 3][i] = i & 2 ? FAR : -FAR;
+            cut->at[(k + 2) % 3][i] = 0;
         }
-        tp_obj_cut_polygon(&cut, MOST);         /* a square, gone round 64 times */
-        assert_edges(&cut, 4);
+        run_cut(&c, cut, MOST);                 /* a square, gone round 64 times */
+        assert_edges(&c, MOST);
+        free_cut(&c);
     }
 }
 
 /* -- at random ---------------------------------------------------------------------- */
-
-/* A comb, a spiral and stars have many reflex corners in a row, or few ears. */
-static int make_comb(point *p, int teeth)
-{
-    int n = 0;
-    for (int i = 0; i < teeth; i++) {
-        p[n++] = (point){ 4 * i, 0 };
-        p[n++] = (point){ 4 * i + 2, i % 3 };
-        p[n++] = (point){ 4 * i + 3, 100 + i % 5 };
-    }
-    p[n++] = (point){ 4 * teeth, 0 };
-    p[n++] = (point){ 4 * teeth, -10 };
-    p[n++] = (point){ 0, -10 };
-    return n;
-}
-
-static int make_spiral(point *p, int half)
-{
-    static const point step[4] = { {1,0}, {0,1}, {-1,0}, {0,-1} };
-    for (int i = 0; i < half; i++) {            /* out along the inner side ... */
-        const point *const d = &step[i % 4], *const e = &step[(i + 1) % 4];
-        const int32_t r = 4 * (i + 4);
-        p[i] = (point){ d->u * r - e->u * (r - 4), d->v * r - e->v * (r - 4) };
-        p[2 * half - 1 - i] = (point){ p[i].u + d->u - e->u, p[i].v + d->v - e->v };
-    }
-    return 2 * half;
-}
 
 static void combs_and_spirals_are_cut(void **state)
 {
@@ -207,20 +106,6 @@ static void combs_and_spirals_are_cut(void **state)
         assert_cut_everywhere(p, make_comb(p, teeth), true);
     for (int half = 3; half <= 128; half += 25)
         assert_cut_everywhere(p, make_spiral(p, half), true);
-}
-
-/* Sorted by angle around the origin, without floating point: directions on a square. */
-static int make_star(point *p, int n, uint64_t *random, int32_t reach)
-{
-    for (int i = 0; i < n; i++) {
-        const int32_t along = (int32_t)((int64_t)i * 8 * 4096 / n), side = along / 8192;
-        const int32_t a = 4096 - along % 8192;
-        const point d = side == 0 ? (point){ 4096, -a } : side == 1 ? (point){ a, 4096 }
-                      : side == 2 ? (point){ -4096, a } : (point){ -a, -4096 };
-        const int64_t r = 1 + next_random(random) % (uint32_t)reach;
-        p[i] = (point){ (int32_t)(d.u * r), (int32_t)(d.v * r) };
-    }
-    return n;
 }
 
 static void random_stars_are_cut(void **state)
@@ -394,13 +279,15 @@ static void any_outline_gives_two_triangles_less_than_corners(void **state)
     for (int i = 0; i < 600; i++) {
         const int n = 3 + (int)(next_random(&random) % (MOST - 2));
         const uint32_t mask = 0xffffffffu >> next_random(&random) % 32;
-        tp_obj_cut cut;
-        memset(&cut, 0xA5, sizeof cut);
+        cutting c;
+        struct tp_obj_cut *const cut = carve_cut(&c, n);
         for (int k = 0; k < 3 * n; k++)
-            cut.at[k % 3][k / 3] = (int32_t)(next_random(&random) & mask & 0x7fffffffu)
+            cut->at[k % 3][k / 3] = (int32_t)(next_random(&random) & mask & 0x7fffffffu)
                                  - 0x3fffffff;
-        tp_obj_cut_polygon(&cut, (uint32_t)n);
-        assert_edges(&cut, n);
+        run_cut(&c, cut, n);
+        assert_edges(&c, n);
+        assert_true(c.steps > 0);               /* no corner was cut untested */
+        free_cut(&c);
     }
 }
 

@@ -50,7 +50,14 @@ static void values_out_of_range_are_clamped(void **state)
     assert_int_equal(m.shininess, 1000 * ONE);
     assert_int_equal(m.opacity, 0);
     assert_int_equal(m.bump, 16 * ONE);
-    assert_int_equal(material_of(&r, "newmtl wood\nNs 0\n").shininess, ONE);
+    assert_int_equal(r.warnings, 4);
+    assert_int_equal(r.warned.code, TP_E_MTL_RANGE);
+    assert_int_equal(r.warned.where, 2);
+    assert_string_equal(r.warned.word, "Kd");
+    assert_int_equal(r.obj.warnings, 0);        /* of binding; the library's were: */
+    assert_int_equal(material_of(&r, "newmtl wood\nNs 0\nKd 0 1 0.5\nd 1\n").shininess,
+                     ONE);
+    assert_int_equal(r.warnings, 0);
 }
 
 static void spectral_and_cie_colours_are_passed_over(void **state)
@@ -85,14 +92,35 @@ static void keywords_are_read_in_any_case(void **state)
     assert_int_equal(m.bump, 2 * ONE);
 }
 
+/* The colour of the material that `mtl` gives a map, with or without the picture. */
+static uint32_t colour_with(const char *mtl, bool picture)
+{
+    static const tp_texture texture = { .levels = 1 };
+    const tp_texture *const list[1] = { picture ? &texture : NULL };
+    reader r;
+    assert_int_equal(read_text(&r, ONE_MATERIAL, mtl), TP_OK);
+    assert_int_equal(tp_obj_bind(&r.obj, list, &r.mesh, &r.err), TP_OK);
+    const uint32_t colour = r.mesh.materials[0].diffuse;
+    finish(&r);
+    return colour;
+}
+
 static void a_map_without_kd_is_shown_as_it_is(void **state)
 {
     (void)state;
     reader r;
-    assert_int_equal(material_of(&r, "newmtl wood\nmap_Kd a.png\n").diffuse, 0xffffff);
-    assert_int_equal(material_of(&r, "newmtl wood\nmap_Kd a.png\nKd 0 0 1\n").diffuse,
-                     0x0000ff);
+    assert_int_equal(colour_with("newmtl wood\nmap_Kd a.png\n", true), 0xffffff);
+    assert_int_equal(colour_with("newmtl wood\nmap_Kd a.png\nKd 0 0 1\n", true), 0x0000ff);
+    assert_int_equal(colour_with("newmtl wood\nKd x\nmap_Kd a.png\n", true), 0xffffff);
     assert_int_equal(material_of(&r, "newmtl wood\n").diffuse, 0x808080);
+}
+
+static void a_material_whose_picture_is_missing_keeps_its_plain_colour(void **state)
+{
+    (void)state;
+    assert_int_equal(colour_with("newmtl wood\nmap_Kd a.png\n", false), 0x808080);
+    assert_int_equal(colour_with("newmtl wood\nmap_Kd a.png\nKd 0 0 1\n", false),
+                     0x0000ff);
 }
 
 static void options_of_maps_are_passed_over(void **state)
@@ -203,47 +231,29 @@ static void faces_without_usemtl_are_grey(void **state)
     finish(&r);
 }
 
-static void an_undefined_material_is_an_error_once_all_libraries_are_read(void **state)
+static void an_undefined_material_is_grey_and_warned_of_once_all_libraries_are_read(
+    void **state)
 {
     (void)state;
     reader r;
     assert_int_equal(read_text(&r, "mtllib m.mtl\n" TRIANGLE "f 1 2 3\nusemtl old oak\n"
-                               "f 1 2 3\n", "newmtl wood\n"), TP_E_MTL_NAME);
-    assert_int_equal(r.err.where, 6);
-    assert_string_equal(r.err.word, "old oak");
+                               "f 1 2 3\nusemtl wood\nf 1 2 3\nusemtl elm\nf 1 2 3\n"
+                               "usemtl old oak\nf 1 2 3\n", "newmtl wood\n"), TP_OK);
+    assert_int_equal(r.obj.warnings, 2);        /* one for each name */
+    assert_int_equal(r.obj.warning[0].code, TP_E_MTL_NAME);
+    assert_int_equal(r.obj.warning[0].where, 6);
+    assert_string_equal(r.obj.warning[0].word, "old oak");
+    assert_int_equal(r.obj.warning[1].where, 10);
+    assert_string_equal(r.obj.warning[1].word, "elm");
+    assert_int_equal(r.mesh.materials[r.mesh.faces[1].material].diffuse, 0x808080);
     finish(&r);
     assert_int_equal(read_text(&r, ONE_MATERIAL, NULL), TP_OK);     /* m.mtl not read */
     assert_int_equal(r.mesh.materials[0].diffuse, 0x808080);
+    assert_int_equal(r.warnings, 0);
     finish(&r);
     assert_int_equal(read_text(&r, TRIANGLE "usemtl wood\nf 1 2 3\n", ""), TP_OK);
+    assert_int_equal(r.warnings, 0);
     finish(&r);
-}
-
-static void bad_materials_get_code_line_and_numbers(void **state)
-{
-    (void)state;
-    static const struct {
-        const char *mtl;
-        tp_status code;
-        uint32_t where;
-        const char *word;
-    } refused[] = {
-        { "Kd 1 1 1\n", TP_E_MTL_ORDER, 1, "Kd" },
-        { "# Kd\n\nmap_Kd x.png\nnewmtl wood\n", TP_E_MTL_ORDER, 3, "map_Kd" },
-        { "newmtl wood\nKd red\n", TP_E_OBJ_NUMBER, 2, "red" },
-        { "newmtl wood\nKd\n", TP_E_OBJ_MISSING, 2, "Kd" },
-        { "newmtl wood\nKd 1 0\n", TP_E_OBJ_MISSING, 2, "Kd" },
-        { "newmtl wood\r\nNs\r\n", TP_E_OBJ_MISSING, 2, "Ns" },
-        { "newmtl wood\rd 1,0\r", TP_E_OBJ_NUMBER, 2, "1,0" },
-        { "newmtl wood\nTr x", TP_E_OBJ_NUMBER, 2, "x" },
-    };
-    for (size_t i = 0; i < sizeof refused / sizeof *refused; i++) {
-        reader r;
-        assert_int_equal(read_text(&r, ONE_MATERIAL, refused[i].mtl), refused[i].code);
-        assert_int_equal(r.err.where, refused[i].where);
-        assert_string_equal(r.err.word, refused[i].word);
-        finish(&r);
-    }
 }
 
 static void materials_that_are_not_used_are_not_looked_into(void **state)
@@ -306,13 +316,14 @@ int main(void)
         cmocka_unit_test(opacity_goes_before_transparency),
         cmocka_unit_test(keywords_are_read_in_any_case),
         cmocka_unit_test(a_map_without_kd_is_shown_as_it_is),
+        cmocka_unit_test(a_material_whose_picture_is_missing_keeps_its_plain_colour),
         cmocka_unit_test(options_of_maps_are_passed_over),
         cmocka_unit_test(a_file_may_be_called_like_a_number_or_an_option),
         cmocka_unit_test(each_bump_keyword_names_the_normal_map),
         cmocka_unit_test(images_are_listed_once_for_each_library),
         cmocka_unit_test(faces_without_usemtl_are_grey),
-        cmocka_unit_test(an_undefined_material_is_an_error_once_all_libraries_are_read),
-        cmocka_unit_test(bad_materials_get_code_line_and_numbers),
+        cmocka_unit_test(
+            an_undefined_material_is_grey_and_warned_of_once_all_libraries_are_read),
         cmocka_unit_test(materials_that_are_not_used_are_not_looked_into),
         cmocka_unit_test(texels_per_metre_are_the_mean_over_the_faces),
     };

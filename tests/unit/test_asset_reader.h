@@ -13,6 +13,8 @@ typedef struct {
     tp_error err;
     tp_mesh  mesh;
     void    *mem;               /* NULL until loading begins */
+    uint32_t warnings;          /* of all steps, and the first of them */
+    tp_error warned;
 } reader;
 
 typedef tp_status feeder(tp_obj *obj, const void *text, size_t bytes, tp_error *err);
@@ -34,8 +36,9 @@ static inline tp_status feed_pieces(feeder *feed, tp_obj *obj, const char *text,
 static inline tp_status scan_text(reader *r, const char *text, size_t bytes, size_t piece)
 {
     memset(r, 0xA5, sizeof *r);
-    r->err.code = TP_OK;
+    r->err.code = r->warned.code = TP_OK;
     r->mem = NULL;
+    r->warnings = 0;
     tp_obj_scan(&r->obj);
     tp_status status = feed_pieces(tp_obj_feed, &r->obj, text, bytes, piece, &r->err);
     return status != TP_OK ? status : tp_obj_scanned(&r->obj, &r->err);
@@ -50,6 +53,14 @@ static inline tp_status load_text(reader *r, const char *text, size_t bytes, siz
     return status != TP_OK ? status : tp_obj_loaded(&r->obj, &r->err);
 }
 
+/* What the step that ended warned of. */
+static inline void note_warnings(reader *r)
+{
+    if (r->warnings == 0 && r->obj.warnings > 0)
+        r->warned = r->obj.warning[0];
+    r->warnings += r->obj.warnings;
+}
+
 /* Both passes; every library that is named reads `mtl`, if that is not NULL. */
 static inline tp_status read_bytes(reader *r, const char *text, size_t bytes,
                                    const char *mtl, size_t mtl_bytes, size_t piece)
@@ -57,13 +68,21 @@ static inline tp_status read_bytes(reader *r, const char *text, size_t bytes,
     tp_status status = scan_text(r, text, bytes, piece);
     if (status == TP_OK)
         status = load_text(r, text, bytes, piece);
+    if (status == TP_OK)
+        note_warnings(r);
     for (uint32_t i = 0; mtl && status == TP_OK && i < r->obj.libraries; i++) {
         tp_mtl_begin(&r->obj, i);
         status = feed_pieces(tp_mtl_feed, &r->obj, mtl, mtl_bytes, piece, &r->err);
         if (status == TP_OK)
             status = tp_mtl_end(&r->obj, &r->err);
+        if (status == TP_OK)
+            note_warnings(r);
     }
-    return status != TP_OK ? status : tp_obj_bind(&r->obj, NULL, &r->mesh, &r->err);
+    if (status == TP_OK)
+        status = tp_obj_bind(&r->obj, NULL, &r->mesh, &r->err);
+    if (status == TP_OK)
+        note_warnings(r);
+    return status;
 }
 
 static inline tp_status read_text(reader *r, const char *text, const char *mtl)

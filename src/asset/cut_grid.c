@@ -1,0 +1,156 @@
+/* SPDX-License-Identifier: MIT */
+/* Corners by place: asset/cut_grid.h.  Corners that are cut off leave their cell when a
+ * walk meets them. */
+#include "asset/cut_grid.h"
+
+enum { CELL_CORNERS = 8, ROW_STEPS = 8 };
+
+uint32_t tp_cut_cells(uint32_t n)
+{
+    return n / CELL_CORNERS + 1;
+}
+
+static uint32_t row_of(const struct tp_obj_cut *cut, uint32_t corner)
+{
+    return (uint32_t)cut->v[corner] >> cut->shift;
+}
+
+static uint32_t col_of(const struct tp_obj_cut *cut, uint32_t corner)
+{
+    return (uint32_t)cut->u[corner] >> cut->shift;
+}
+
+static uint32_t *cell_of(const struct tp_obj_cut *cut, uint32_t row, uint32_t col)
+{
+    return &cut->cell[row * cut->cols + col];
+}
+
+void tp_cut_grid_fill(struct tp_obj_cut *cut, uint32_t n, uint32_t extent_u,
+                      uint32_t extent_v)
+{
+    uint64_t cells;
+    cut->shift = 0;
+    for (;; cut->shift++) {
+        cells = ((uint64_t)(extent_u >> cut->shift) + 1) * ((extent_v >> cut->shift) + 1);
+        if (cells <= tp_cut_cells(n))
+            break;
+    }
+    cut->cols = (extent_u >> cut->shift) + 1;
+    for (uint32_t i = 0; i < cells; i++)
+        cut->cell[i] = TP_NO_CORNER;
+    for (uint32_t i = n; i-- > 0;) {
+        uint32_t *const cell = cell_of(cut, row_of(cut, i), col_of(cut, i));
+        cut->next[i] = *cell;
+        *cell = i;
+    }
+}
+
+/* -- walks --------------------------------------------------------------------------- */
+
+static void widen(int64_t *low, int64_t *high, int64_t x)
+{
+    *low = x < *low ? x : *low;
+    *high = x > *high ? x : *high;
+}
+
+/* Where the edge from p to q crosses a height between theirs, but for less than 1.
+ * Products are below 2^54. */
+static int64_t crossing(const struct tp_obj_cut *cut, uint32_t p, uint32_t q, int64_t v)
+{
+    const int64_t rise = (int64_t)cut->v[q] - cut->v[p];
+    const int64_t way = (int64_t)cut->u[q] - cut->u[p];
+    return rise == 0 ? cut->u[q] : cut->u[p] + way * (v - cut->v[p]) / rise;
+}
+
+/* How far the triangle reaches between two heights: by its edges' parts between them. */
+static void find_reach(const tp_cut_walk *walk, int64_t bottom, int64_t top, int64_t *low,
+                       int64_t *high)
+{
+    const struct tp_obj_cut *const cut = walk->cut;
+    for (int k = 0; k < 3; k++) {
+        const uint32_t a = walk->triangle[k], b = walk->triangle[k < 2 ? k + 1 : 0];
+        const uint32_t p = cut->v[a] < cut->v[b] ? a : b, q = p == a ? b : a;
+        if (cut->v[q] < bottom || cut->v[p] > top)
+            continue;
+        widen(low, high, cut->v[p] > bottom ? cut->u[p] : crossing(cut, p, q, bottom));
+        widen(low, high, cut->v[q] < top ? cut->u[q] : crossing(cut, p, q, top));
+    }
+}
+
+static void enter_row(tp_cut_walk *walk)
+{
+    const struct tp_obj_cut *const cut = walk->cut;
+    walk->col = walk->low_col;
+    walk->last_col = walk->high_col;
+    if (walk->low_col < walk->high_col) {
+        const int64_t bottom = (int64_t)walk->row << cut->shift;
+        int64_t low = INT64_MAX, high = 0;
+        find_reach(walk, bottom, bottom + ((int64_t)1 << cut->shift), &low, &high);
+        const int64_t first = (low - 1) >> cut->shift, last = (high + 1) >> cut->shift;
+        walk->col = first > walk->low_col ? (uint32_t)first : walk->low_col;
+        walk->last_col = last < walk->high_col ? (uint32_t)last : walk->high_col;
+        walk->steps += ROW_STEPS;
+    }
+}
+
+static void enter_cell(tp_cut_walk *walk)
+{
+    walk->link = cell_of(walk->cut, walk->row, walk->col);
+    walk->steps++;
+}
+
+tp_cut_walk tp_cut_walk_begin(struct tp_obj_cut *cut, const uint32_t triangle[3],
+                              uint32_t from)
+{
+    tp_cut_walk walk = { .cut = cut, .triangle = triangle,
+                         .row = UINT32_MAX, .low_col = UINT32_MAX };
+    for (int k = 0; k < 3; k++) {
+        const uint32_t row = row_of(cut, triangle[k]), col = col_of(cut, triangle[k]);
+        walk.row = row < walk.row ? row : walk.row;
+        walk.last_row = row > walk.last_row ? row : walk.last_row;
+        walk.low_col = col < walk.low_col ? col : walk.low_col;
+        walk.high_col = col > walk.high_col ? col : walk.high_col;
+    }
+    if (from != TP_NO_CORNER)
+        walk.row = row_of(cut, from);
+    enter_row(&walk);
+    if (from != TP_NO_CORNER)
+        walk.col = col_of(cut, from);
+    enter_cell(&walk);
+    if (from != TP_NO_CORNER)
+        walk.link = &cut->next[from];
+    return walk;
+}
+
+/* Into the next cell; false: there is none. */
+static bool go_on(tp_cut_walk *walk)
+{
+    if (walk->col < walk->last_col) {
+        walk->col++;
+    } else if (walk->row < walk->last_row) {
+        walk->row++;
+        enter_row(walk);
+    } else {
+        return false;
+    }
+    enter_cell(walk);
+    return true;
+}
+
+uint32_t tp_cut_walk_next(tp_cut_walk *walk)
+{
+    for (;;) {
+        const uint32_t corner = *walk->link;
+        if (corner == TP_NO_CORNER && !go_on(walk))
+            return TP_NO_CORNER;
+        if (corner == TP_NO_CORNER)
+            continue;
+        walk->steps++;
+        uint32_t *const next = &walk->cut->next[corner];
+        if (!tp_cut_is_off(walk->cut, corner)) {
+            walk->link = next;
+            return corner;
+        }
+        *walk->link = *next;
+    }
+}

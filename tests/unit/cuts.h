@@ -1,0 +1,188 @@
+/* SPDX-License-Identifier: MIT */
+/* Polygons that are cut in memory of exact size, filled with 0xA5; and the check that
+ * triangles cover an outline once and nothing else.
+ *
+ * That holds exactly if every triangle turns the polygon's way and the triangles' edges,
+ * those that run against each other cancelled, are the polygon's: then each point is
+ * covered as often as the outline winds around it. */
+#ifndef TEST_CUTS_H
+#define TEST_CUTS_H
+#include <stdlib.h>
+#include <string.h>
+#include "asset/cut.h"
+#include "test_asset_reader.h"
+
+typedef struct { int32_t u, v; } point;
+
+typedef struct {
+    void     *block;
+    uint32_t (*triangle)[3];
+    uint32_t  count;
+    uint64_t  steps;            /* that were left at the end */
+} cutting;
+
+/* Twice the area of a, b, c.  Points lie within +-2^29 here. */
+static inline int64_t turn(point a, point b, point c)
+{
+    return ((int64_t)b.u - a.u) * ((int64_t)c.v - a.v)
+         - ((int64_t)b.v - a.v) * ((int64_t)c.u - a.u);
+}
+
+static inline int64_t area_of(const point *p, int n)
+{
+    int64_t sum = 0;
+    for (int i = 2; i < n; i++)
+        sum += turn(p[0], p[i - 1], p[i]);
+    return sum;
+}
+
+static inline struct tp_obj_cut *carve_cut(cutting *c, int n)
+{
+    tp_arena count = tp_arena_over(NULL, 0);
+    tp_cut_carve(&count, (uint32_t)n);
+    c->block = malloc(count.used);
+    memset(c->block, 0xA5, count.used);
+    tp_arena arena = tp_arena_over(c->block, count.used);
+    struct tp_obj_cut *const cut = tp_cut_carve(&arena, (uint32_t)n);
+    assert_false(arena.failed);
+    return cut;
+}
+
+/* Corners are placed. */
+static inline void run_cut(cutting *c, struct tp_obj_cut *cut, int n)
+{
+    c->triangle = malloc((size_t)n * sizeof *c->triangle);
+    c->count = 0;
+    tp_cut_begin(cut, (uint32_t)n);
+    while (c->count < (uint32_t)n && tp_cut_next(cut, c->triangle[c->count]))
+        c->count++;
+    assert_int_equal(c->count, n - 2);
+    c->steps = cut->steps;
+}
+
+/* Lays the polygon into one of six planes: three square to an axis, three aslant, which
+ * look largest along another axis than the one it is drawn for.  Then cuts it. */
+static inline cutting cut_in_plane(const point *p, int n, int plane)
+{
+    cutting c;
+    struct tp_obj_cut *const cut = carve_cut(&c, n);
+    for (int i = 0; i < n; i++) {
+        const int32_t out = plane < 3 ? 77 : p[i].u + 2 * p[i].v;
+        cut->at[plane % 3][i] = p[i].u;
+        cut->at[(plane + 1) % 3][i] = p[i].v;
+        cut->at[(plane + 2) % 3][i] = out;
+    }
+    run_cut(&c, cut, n);
+    return c;
+}
+
+static inline void free_cut(cutting *c)
+{
+    free(c->triangle);
+    free(c->block);
+}
+
+/* An edge by its ends, the smaller first, and how often it runs up less down. */
+typedef struct { uint32_t a, b; int32_t runs; } cut_edge;
+
+static inline int compare_edges(const void *left, const void *right)
+{
+    const cut_edge *const x = left, *const y = right;
+    return x->a != y->a ? x->a < y->a ? -1 : 1 : x->b != y->b ? x->b < y->b ? -1 : 1 : 0;
+}
+
+static inline cut_edge edge_of(uint32_t a, uint32_t b, int32_t runs)
+{
+    return a < b ? (cut_edge){ a, b, runs } : (cut_edge){ b, a, -runs };
+}
+
+/* The triangles' edges, less the outline's n, cancel. */
+static inline void assert_edges(const cutting *c, int corners)
+{
+    const uint32_t n = (uint32_t)corners;
+    const size_t count = 3 * (size_t)c->count + n;
+    cut_edge *const edge = malloc(count * sizeof *edge);
+    size_t m = 0;
+    for (uint32_t i = 0; i < c->count; i++)
+        for (int k = 0; k < 3; k++) {
+            const uint32_t a = c->triangle[i][k], b = c->triangle[i][(k + 1) % 3];
+            assert_true(a < n && b < n && a != b);
+            edge[m++] = edge_of(a, b, 1);
+        }
+    for (uint32_t i = 0; i < n; i++)
+        edge[m++] = edge_of(i, (i + 1) % n, -1);
+    qsort(edge, m, sizeof *edge, compare_edges);
+    for (size_t i = 0, next; i < m; i = next) {
+        int32_t runs = 0;
+        for (next = i; next < m && compare_edges(&edge[next], &edge[i]) == 0; next++)
+            runs += edge[next].runs;
+        assert_int_equal(runs, 0);
+    }
+    free(edge);
+}
+
+/* `simple`: the outline does not touch itself, so every triangle has an area. */
+static inline void assert_covered(const cutting *c, const point *p, int n, bool simple)
+{
+    const int64_t whole = area_of(p, n);
+    int64_t sum = 0;
+    assert_edges(c, n);
+    for (uint32_t i = 0; i < c->count; i++) {
+        const uint32_t *const t = c->triangle[i];
+        const int64_t area = turn(p[t[0]], p[t[1]], p[t[2]]);
+        assert_true(whole > 0 ? area >= 0 : area <= 0);
+        assert_true(area != 0 || !simple);
+        sum += area;
+    }
+    assert_true(sum == whole);
+}
+
+static inline void assert_cut(const point *p, int n, int plane, bool simple)
+{
+    cutting c = cut_in_plane(p, n, plane);
+    assert_covered(&c, p, n, simple);
+    free_cut(&c);
+}
+
+/* -- outlines with many reflex corners in a row, or few ears ------------------------- */
+
+static inline int make_comb(point *p, int teeth)
+{
+    int n = 0;
+    for (int i = 0; i < teeth; i++) {
+        p[n++] = (point){ 4 * i, 0 };
+        p[n++] = (point){ 4 * i + 2, i % 3 };
+        p[n++] = (point){ 4 * i + 3, 100 + i % 5 };
+    }
+    p[n++] = (point){ 4 * teeth, 0 };
+    p[n++] = (point){ 4 * teeth, -10 };
+    p[n++] = (point){ 0, -10 };
+    return n;
+}
+
+static inline int make_spiral(point *p, int half)
+{
+    static const point step[4] = { {1,0}, {0,1}, {-1,0}, {0,-1} };
+    for (int i = 0; i < half; i++) {        /* out along the inner side ... */
+        const point *const d = &step[i % 4], *const e = &step[(i + 1) % 4];
+        const int32_t r = 4 * (i + 4);
+        p[i] = (point){ d->u * r - e->u * (r - 4), d->v * r - e->v * (r - 4) };
+        p[2 * half - 1 - i] = (point){ p[i].u + d->u - e->u, p[i].v + d->v - e->v };
+    }
+    return 2 * half;
+}
+
+/* Sorted by angle around the origin, without floating point: directions on a square. */
+static inline int make_star(point *p, int n, uint64_t *random, uint32_t reach)
+{
+    for (int i = 0; i < n; i++) {
+        const int32_t along = (int32_t)((int64_t)i * 8 * 4096 / n), side = along / 8192;
+        const int32_t a = 4096 - along % 8192;
+        const point d = side == 0 ? (point){ 4096, -a } : side == 1 ? (point){ a, 4096 }
+                      : side == 2 ? (point){ -4096, a } : (point){ -a, -4096 };
+        const int64_t r = 1 + next_random(random) % reach;
+        p[i] = (point){ (int32_t)(d.u * r), (int32_t)(d.v * r) };
+    }
+    return n;
+}
+#endif
