@@ -47,10 +47,12 @@ all  | valgrind                  | cmd valgrind                | counts instruct
 all  | gcc-arm-none-eabi         | cmd arm-none-eabi-gcc       | Cortex-M
 all  | qemu-system-arm           | cmd qemu-system-arm         | Cortex-M boards
 all  | qemu-user                 | cmd qemu-s390x              | other processors
+all  | gcc-i686-linux-gnu        | cmd i686-linux-gnu-gcc      | i386
 all  | gcc-arm-linux-gnueabihf   | cmd arm-linux-gnueabihf-gcc | armhf
 all  | gcc-aarch64-linux-gnu     | cmd aarch64-linux-gnu-gcc   | aarch64
 all  | gcc-riscv64-linux-gnu     | cmd riscv64-linux-gnu-gcc   | riscv64
 all  | gcc-s390x-linux-gnu       | cmd s390x-linux-gnu-gcc     | s390x, big-endian
+all  | libc6-dev-i386-cross      | dir /usr/i686-linux-gnu/include      | i386
 all  | libc6-dev-armhf-cross     | dir /usr/arm-linux-gnueabihf/include | armhf
 all  | libc6-dev-arm64-cross     | dir /usr/aarch64-linux-gnu/include   | aarch64
 all  | libc6-dev-riscv64-cross   | dir /usr/riscv64-linux-gnu/include   | riscv64

@@ -3,16 +3,22 @@
 # The same bits everywhere: builds the core and tests/cross/frames for each machine,
 # compiler and level of optimisation, and compares the golden frames' CRCs.  Both compilers
 # and all levels are dealt out to the machines, of which riscv64 is to C what aarch64 is;
-# with TP_SOAK set all have all.  This machine's gcc at -O2 is what the golden tests run by.
-# Asserts are on but at -O3, whose frames are those of a release.
+# with TP_SOAK set all have all.  This machine's gcc at -O2 is what the golden tests run by,
+# and at -O1 what tests/gates/coverage.sh does.  Asserts are on but at -O3, whose frames are
+# those of a release.
+#
+# -O2 draws every pixel format, the other levels xrgb8888 alone.  LTO is -O2 -flto by gcc,
+# which compiles the whole core anew for each scene: it draws two of them.
 . tests/gates/lib.sh
 
 scenes=$(build -s list-cross)
+scenes_of_lto='three-swells rolled'
 
 # name | GNU triple | emulator | Debian's name of the machine | levels of gcc, of clang
-all='O0 O2 O3'
+all='O0 O1 Os O2 O3 LTO'
 machines="
-host    |                     |              |         | O0 O3 | O0 O2
+host    |                     |              |         | O0 O3 LTO | O1 O2
+i386    | i686-linux-gnu      | qemu-i386    | i386    | Os    | O2
 armhf   | arm-linux-gnueabihf | qemu-arm     | armhf   | O0    | O2
 aarch64 | aarch64-linux-gnu   | qemu-aarch64 | arm64   | O2    | O3
 riscv64 | riscv64-linux-gnu   | qemu-riscv64 | riscv64 | O3    | -
@@ -25,12 +31,14 @@ for scene in $scenes; do
         sed "s/^/$scene $(basename "$list" .crc) /" "$list"
     done
 done | sort >"$scratch/expected"
-# Every pixel format at -O2, one of each scene at the other levels.
 frames_at()     # LEVEL: those of the golden frames that are drawn there
 {
     case $1 in
-    O2) cat "$scratch/expected" ;;
-    *)  grep xrgb8888 "$scratch/expected" ;;
+    O2)  cat "$scratch/expected" ;;
+    LTO) for scene in $scenes_of_lto; do
+             grep "^$scene xrgb8888" "$scratch/expected"
+         done | sort ;;
+    *)   grep xrgb8888 "$scratch/expected" ;;
     esac
 }
 draw()          # FOLDER FRAMES: they by the programs there, a scene on each core
@@ -48,13 +56,19 @@ check "there are golden frames to compare with" test -s "$scratch/expected"
 try()
 {
     target=cross/$1-$2-$3
+    baked=$1 ar=${triple:+$triple-}ar opt=-$3 goals=frames begun=$(date +%s)
     case $2 in
     gcc)   cc=${triple:+$triple-}gcc ;;
     clang) cc="clang${triple:+ --target=$triple -isystem /usr/$triple/include}" ;;
     esac
-    if ! alone build TARGET="$target" MACHINE="$1" CC="$cc" AR="${triple:+$triple-}ar" \
-        OPT="-$3" CHECKED="${3#O3}" LDFLAGS="${triple:+-static}" frames \
-        >"$scratch/log" 2>&1; then
+    if [ "$3" = LTO ]; then             # its objects are of a kind of their own
+        baked=$1-lto ar=${triple:+$triple-}gcc-ar opt='-O2 -flto' goals=
+        for scene in $scenes_of_lto; do
+            goals="$goals build/$target/tests/cross/frames-$scene"
+        done
+    fi
+    if ! alone build TARGET="$target" MACHINE="$baked" CC="$cc" AR="$ar" OPT="$opt" \
+        CHECKED="${3#O3}" LDFLAGS="${triple:+-static}" $goals >"$scratch/log" 2>&1; then
         tail -n 5 "$scratch/log"
         verdict=unbuilt
     elif frames_at "$3" >"$scratch/asked" &&
@@ -72,16 +86,20 @@ try()
         echo "FAILED - $1 $2 -$3: $verdict"
         failures=$((failures + 1))
     fi
+    echo "    $(($(date +%s) - begun)) s"
 }
 
-table=$(printf '%-8s %-6s -O0       -O2       -O3' machine cc)
+table=$(printf '%-8s %-6s' machine cc; printf ' %-9s' $all)
 while IFS='|' read -r machine triple emulator debian by_gcc by_clang; do
     machine=${machine%% *}
     triple=$(echo $triple) emulator=$(echo $emulator) debian=$(echo $debian)
     [ -n "$machine" ] || continue
     if [ -n "$triple" ]; then
         lacks "$triple-gcc" "gcc-$triple" "frames on $machine" && continue
-        lacks "$emulator" qemu-user "frames on $machine" && continue
+        [ "$machine/$(uname -m)" != i386/x86_64 ] || emulator=      # runs those itself
+        if [ -n "$emulator" ]; then
+            lacks "$emulator" qemu-user "frames on $machine" && continue
+        fi
         if [ ! -d "/usr/$triple/include" ]; then
             echo "skipped: frames on $machine (package libc6-dev-$debian-cross)"
             continue
@@ -90,11 +108,13 @@ while IFS='|' read -r machine triple emulator debian by_gcc by_clang; do
     for compiler in gcc clang; do
         lacks $compiler $compiler "frames on $machine by $compiler" && continue
         row=$(printf '%-8s %-6s' "$machine" $compiler)
-        levels=$by_gcc
-        [ $compiler = gcc ] || levels=$by_clang
+        case $compiler in
+        gcc)   levels=${TP_SOAK:+$all} levels=${levels:-$by_gcc} ;;
+        clang) levels=${TP_SOAK:+${all% LTO}} levels=${levels:-$by_clang} ;;
+        esac
         for level in $all; do
             verdict=-
-            case "${TP_SOAK:+$all} $levels" in
+            case $levels in
             *$level*) try "$machine" $compiler $level ;;
             esac
             row="$row$(printf ' %-9s' $verdict)"
