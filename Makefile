@@ -171,10 +171,12 @@ ifeq ($(filter %/panel.cpp,$(PORTS)),)
 $(call without,$(if $(shell pkg-config --exists imgui 2>/dev/null && echo yes),g++,$(strip \
     libimgui-dev)),%/test_panel_keys %/test_panel_rows)
 endif
-# Scenes whose frames every processor must draw: between them, every model.
 SCENES  := $(patsubst assets/scenes/%.ini,%,$(wildcard assets/scenes/*.ini))
 ONE     := $(if $(filter command,$(firstword $(origin SCENE))),$(SCENE))
-CROSS   := three-swells raindrops tank pond shore-break deep-sea storm count-64
+# Scenes that only tests draw.
+DRAWN   := $(patsubst tests/golden/scenes/%.ini,%,$(wildcard tests/golden/scenes/*.ini))
+# Scenes whose frames every processor must draw: between them, every model.
+CROSS   := three-swells raindrops tank pond shore-break deep-sea storm count-64 $(DRAWN)
 FRAMES  := $(CROSS:%=$(BUILD)/tests/cross/frames-%)
 BAKES   := $(wildcard ports/host/bake*.c ports/host/assets*.c ports/host/png_read.c \
                ports/host/scene*.c ports/host/ini_read.c src/asset/*.c \
@@ -207,7 +209,7 @@ soak:
 	@ports/setup.sh all
 	@$(MAKE) --no-print-directory $(SAN) unit
 	@TP_SOAK=1 TP_SCENES=100000 TP_TIMEOUT=7200 TP_BUILD=build/san tests/run.sh \
-	    build/log/soak tests/cross/run.sh tests/budgets/prices.sh \
+	    build/log/soak tests/gates/coverage.sh tests/cross/run.sh tests/budgets/prices.sh \
 	    $(patsubst build/host/%,build/san/%,$(filter $(BUILD)/tests/stability/% \
 	        $(BUILD)/tests/accuracy/%,$(UNIT)))
 ## what scenes and models cost, against their budgets; SCENE=x by function; WRITE=1
@@ -236,6 +238,12 @@ reference: $(BUILD)/reference
 ## feed the readers random input, FUZZ_SECONDS (10) for each
 fuzz:
 	@tests/fuzz/run.sh
+## the share of the core's lines and branches that tests reach, and the lowest files
+coverage:
+	@tests/coverage/run.sh
+## break the core in N (100) random places by SEED (1), and count what tests notice
+mutants:
+	@tests/mutants/run.sh $(or $(N),100) $(or $(SEED),1)
 ## write the reference pictures anew; say in the commit why, and the PSNR it prints
 golden: $(BUILD)/tests/golden/test_frames
 	$< --write
@@ -323,8 +331,8 @@ more-tests: everything build/host/count.so build/host/tally.so
 	        $(MAKE) --no-print-directory $$goals || exit 1; \
 	    done
 	@$(RUN) build/log/more \
-	    tests/gates/arm.sh tests/gates/clang.sh tests/host/view.sh tests/host/panel.sh \
-	    tests/host/view_keys.sh tests/host/leaks.sh tests/web/web.sh \
+	    tests/gates/arm.sh tests/gates/clang.sh tests/gates/coverage.sh \
+	    tests/host/view.sh tests/host/panel.sh tests/host/view_keys.sh tests/host/leaks.sh tests/web/web.sh \
 	    tests/host/threads.sh tests/bench/views.sh tests/cross/run.sh tests/cross/film.sh \
 	    $(patsubst %,tests/boards/%.sh,rpi cortex-m oled control linuxfb kms kms_events \
 	        console) \
@@ -369,6 +377,10 @@ $(BUILD)/ports.a: $(PORTS_O)
 %.a:
 	@rm -f $@
 	$(SAY)$(AR) rcs $@ $^
+# The core as one file that tests load: what tests/mutants/run.sh builds them with.
+%.so:
+	@mkdir -p $(@D)
+	$(SAY)$(LINK) -shared $^ -o $@
 $(PROGRAM): $(MAIN:%.c=$(BUILD)/%.o) $(BUILD)/ports.a $(LIB)
 	$(SAY)$(LINK) $^ $(LIBS) -o $@
 $(BUILD)/tests/boards/vm_state: $(BUILD)/tests/boards/vm_state.o
@@ -399,6 +411,9 @@ $(BUILD)/textures: $(patsubst %.c,$(BUILD)/%.o,$(wildcard assets/textures/*.c))
 build/baked/%.c: ports/cortex-m/scenes/%.ini $(BAKES) $(SHIPPED) | build/host/tidepool
 	@mkdir -p $(@D)
 	$(SAY)build/host/tidepool bake $< --name baked -o $@
+build/baked/%.c: tests/golden/scenes/%.ini $(BAKES) $(SHIPPED) | build/host/tidepool
+	@mkdir -p $(@D)
+	$(SAY)build/host/tidepool bake $< --name baked -o $@
 build/baked/%.c: $(BAKES) $(SHIPPED) | build/host/tidepool
 	@mkdir -p $(@D)
 	$(SAY)build/host/tidepool bake assets/scenes/$(basename $(@F)).ini --name baked -o $@
@@ -424,7 +439,7 @@ ifneq ($(PROGRAM),build/host/tidepool)
 build/host/tidepool build/host/tests/charts/pool_points:
 	@env -i PATH="$$PATH" HOME="$$HOME" $(MAKE) -j2 --no-print-directory $@
 endif
-$(SCENES:%=$(BUILD)/tests/cross/frames-%): \
+$(patsubst %,$(BUILD)/tests/cross/frames-%,$(SCENES) $(DRAWN)): \
           $(BUILD)/tests/cross/frames-%: $(BUILD)/tests/cross/frames.o \
           build/baked/$(MACHINE)/%.o $(LIB)
 	$(SAY)$(LINK) $^ -o $@
@@ -518,9 +533,9 @@ $(sort $(BUILD)/flags $(CORE_AT)/flags): force
 include tests/charts/charts.mk
 include ports/web/web.mk
 
-.PHONY: all lib run test test-all soak count ram boards bench views charts reference fuzz \
-    golden gallery assets install format clean help unit sanitized everything host-tests \
-    more-tests fuzzers peers charts-tools elf elves frames kits list-core list-scenes \
-    list-cross list-tests force
+.PHONY: all lib run test test-all soak count ram boards bench views charts reference \
+    fuzz coverage mutants golden gallery assets install format clean help unit \
+    sanitized everything host-tests more-tests fuzzers peers charts-tools elf elves \
+    frames kits list-core list-scenes list-cross list-tests force
 .SECONDARY:
 -include $(shell find $(sort $(BUILD) $(CORE_AT)) -name '*.d' 2>/dev/null)
