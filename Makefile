@@ -332,8 +332,9 @@ more-tests: everything build/host/count.so build/host/tally.so
 	    done
 	@$(RUN) build/log/more \
 	    tests/gates/arm.sh tests/gates/clang.sh tests/gates/coverage.sh \
-	    tests/host/view.sh tests/host/panel.sh tests/host/view_keys.sh tests/host/leaks.sh tests/web/web.sh \
-	    tests/host/threads.sh tests/bench/views.sh tests/cross/run.sh tests/cross/film.sh \
+	    tests/host/view.sh tests/host/panel.sh tests/host/view_keys.sh \
+	    tests/host/leaks.sh tests/web/web.sh tests/host/threads.sh tests/bench/views.sh \
+	    tests/cross/run.sh tests/cross/film.sh \
 	    $(patsubst %,tests/boards/%.sh,rpi cortex-m oled control linuxfb kms kms_events \
 	        console) \
 	    tests/budgets/scenes-count.sh tests/budgets/ram.sh tests/budgets/kits.sh \

@@ -35,7 +35,7 @@ core=build/mutants/libtidepool.so
 in_tree()       # GOAL...
 {
     env -u MAKEFLAGS -u MAKELEVEL -u MFLAGS make -s -C $tree --no-print-directory -j2 \
-        TARGET=mutants V3_C= OPT='-O2 -fPIC' CFLAGS=-w LIB=$core "$@" >$top/log 2>&1
+        TARGET=mutants V3_C= CHECKED=1 OPT='-O2 -fPIC' CFLAGS=-w LIB=$core "$@" >$top/log 2>&1
 }
 
 # passes TEST SECONDS: within that processor time.
