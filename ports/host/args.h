@@ -21,6 +21,8 @@ typedef struct {
     uint64_t     memory;            /* bytes that it may take, 0: any */
     int32_t      visibility;        /* tp_visibility; auto: the scene's own */
     bool         hash, stats, csv;
+    bool         strict;            /* what a mesh lacks is refused, not left out */
+    bool         quiet;             /* or left out without a word; of no option */
     bool         stream;            /* also if it takes that to keep to `memory` */
     const char  *expect;            /* list of hashes */
     const char  *tape;              /* of inputs: render plays it, view records it */

@@ -179,6 +179,7 @@ static const char *read_jobs(options *o, const char *value)
     static const char *read_##name(options *o, const char *value) \
     { o->name = value; return *value ? NULL : what; }
 SWITCH(stream)
+SWITCH(strict)
 SWITCH(hash)
 SWITCH(rungs)
 SWITCH(peers)
@@ -258,6 +259,8 @@ const option_row args_rows[] = {
       "keep no vertices of the water: less memory, same bits" },
     { "--texels", "N", DRAWERS | FOR_BAKE, read_texels,
       "use pictures of no more than N texels a side" },
+    { "--strict", NULL, DRAWERS | FOR_BAKE | FOR_PLAN, read_strict,
+      "refuse a mesh that lacks a picture or material" },
     { "--jobs", "N", FOR_CHARTS, read_jobs, "so many at a time; else one a processor" },
     { "--only", "NAME,...", FOR_CHARTS, read_only, "these charts alone" },
     { "--small", NULL, FOR_CHARTS, read_small, "without what takes long, times and pictures" },

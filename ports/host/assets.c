@@ -1,10 +1,8 @@
 /* SPDX-License-Identifier: MIT */
-/* Loading what a scene names.
- *
- * The core reads OBJ and MTL text and opens no file: here are the files.  An MTL is
- * found beside the OBJ that names it, a picture beside the MTL. */
+/* Loading what a scene names: pictures here, its mesh in assets_mesh.c. */
 #include "assets.h"
 #include <errno.h>
+#include <limits.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -12,15 +10,14 @@
 #include "picture.h"
 #include "say.h"
 
-#define WHO_BYTES 512
-#define CHUNK     65536
+#define WHO_BYTES (PATH_MAX + 64)
 
 struct assets_block {
     assets_block *next;
     uint64_t bytes[];           /* aligned as the core wants it */
 };
 
-static void *take(assets *a, size_t bytes)
+void *assets_take(assets *a, size_t bytes)
 {
     assets_block *block = malloc(sizeof *block + bytes);
     if (!block) {
@@ -77,22 +74,30 @@ static size_t leave_out(tp_texture *texture, uint32_t most)
     return bytes;
 }
 
-static int load_texture(assets *a, tp_texture *texture, const char *path, const char *who)
+int assets_texture(assets *a, tp_texture *texture, const char *path,
+                   char why[PICTURE_WHY])
 {
     uint32_t w, h;
-    uint32_t *pixels = picture_read_png(path, who, &w, &h);
+    uint32_t *pixels = picture_load_png(path, &w, &h, why);
     if (!pixels)
-        return EXIT_INPUT;
+        return errno == ENOMEM ? fail(EXIT_INPUT, "%s: %s", path, why) : EXIT_CHECK;
     const size_t bytes = tp_texture_bytes(w, h);
-    void *memory = take(a, bytes);
+    void *memory = assets_take(a, bytes);
     tp_error err = { 0 };
     int code = memory ? EXIT_DONE : EXIT_INPUT;
     if (memory && tp_texture_init(texture, pixels, w, h, memory, &err))
         code = fail_at(path, &err);
     free(pixels);
     if (!code)
-        a->texture_bytes += bytes - leave_out(texture, a->texels);
+        a->texture_bytes += bytes - leave_out(texture, a->options.texels);
     return code;
+}
+
+static int load_texture(assets *a, tp_texture *texture, const char *path, const char *who)
+{
+    char why[PICTURE_WHY];
+    const int code = assets_texture(a, texture, path, why);
+    return code == EXIT_CHECK ? fail(EXIT_INPUT, "%s: %s: %s", who, path, why) : code;
 }
 
 /* -- greys ----------------------------------------------------------------------- */
@@ -104,128 +109,13 @@ static int load_grey(assets *a, tp_grey *grey, const char *path, const char *who
     if (!samples)
         return EXIT_INPUT;
     const size_t bytes = (size_t)w * h * sizeof *samples;
-    uint16_t *memory = take(a, bytes);
+    uint16_t *memory = assets_take(a, bytes);
     if (memory)
         memcpy(memory, samples, bytes);
     free(samples);
     *grey = (tp_grey){ w, h, memory };
     a->texture_bytes += bytes;
     return memory ? EXIT_DONE : EXIT_INPUT;
-}
-
-/* -- the mesh -------------------------------------------------------------------- */
-
-typedef tp_status (*feed)(tp_obj *obj, const void *text, size_t bytes, tp_error *err);
-typedef tp_status (*end)(tp_obj *obj, tp_error *err);
-
-/* A whole file through one of the reader's passes. */
-static int pass(tp_obj *obj, const char *path, const char *who, feed more, end done)
-{
-    static char chunk[CHUNK];
-    tp_error err = { 0 };
-    FILE *file = fopen(path, "rb");
-    if (!file)
-        return fail(EXIT_INPUT, "%s: %s: %s", who, path, strerror(errno));
-    int code = EXIT_DONE;
-    errno = 0;
-    for (size_t n; !code && (n = fread(chunk, 1, sizeof chunk, file)) > 0;)
-        if (more(obj, chunk, n, &err))
-            code = fail_at(path, &err);
-    if (!code && ferror(file))
-        code = fail(EXIT_INPUT, "%s: %s: %s", who, path, strerror(errno));
-    fclose(file);
-    if (!code && done(obj, &err))
-        code = fail_at(path, &err);
-    return code;
-}
-
-/* Folders of names written on other systems are parted by backslashes. */
-static char *named_in(const char *path, const char *name)
-{
-    char *full = path_beside(path, name);
-    if (!full)
-        fail_memory(strlen(path) + strlen(name));
-    else if (!path_is_file(full))
-        for (char *c = full; *c; c++)
-            if (*c == '\\')
-                *c = '/';
-    return full;
-}
-
-static int load_libraries(tp_obj *obj, const char *path)
-{
-    int code = EXIT_DONE;
-    for (uint32_t i = 0; i < obj->libraries && !code; i++) {
-        char *library = named_in(path, tp_obj_library(obj, i));
-        if (!library)
-            return EXIT_INPUT;
-        tp_mtl_begin(obj, i);
-        code = pass(obj, library, path, tp_mtl_feed, tp_mtl_end);
-        free(library);
-    }
-    return code;
-}
-
-static int load_image(assets *a, const tp_obj *obj, uint32_t i, const char *path,
-                      tp_texture *texture)
-{
-    char *library = named_in(path, tp_obj_library(obj, tp_obj_image_library(obj, i)));
-    char *image = library ? named_in(library, tp_obj_image(obj, i)) : NULL;
-    const int code = image ? load_texture(a, texture, image, library) : EXIT_INPUT;
-    free(image);
-    free(library);
-    return code;
-}
-
-/* obj->images textures and, in *list, their addresses. */
-static int load_images(assets *a, const tp_obj *obj, const char *path,
-                       const tp_texture *const **list)
-{
-    tp_texture *textures = take(a, obj->images * sizeof *textures);
-    const tp_texture **addresses = take(a, obj->images * sizeof *addresses);
-    if (!textures || !addresses)
-        return EXIT_INPUT;
-    int code = EXIT_DONE;
-    for (uint32_t i = 0; i < obj->images && !code; i++) {
-        addresses[i] = &textures[i];
-        code = load_image(a, obj, i, path, &textures[i]);
-    }
-    *list = addresses;
-    return code;
-}
-
-static int load_mesh_by(assets *a, tp_obj *obj, tp_mesh *mesh, const char *path,
-                        const char *who)
-{
-    tp_error err = { 0 };
-    tp_obj_scan(obj);
-    int code = pass(obj, path, who, tp_obj_feed, tp_obj_scanned);
-    if (code)
-        return code;
-    void *memory = take(a, tp_obj_bytes(obj));
-    if (!memory)
-        return EXIT_INPUT;
-    a->mesh_bytes += tp_obj_bytes(obj);
-    tp_obj_load(obj, memory);
-    code = pass(obj, path, who, tp_obj_feed, tp_obj_loaded);
-    if (!code)
-        code = load_libraries(obj, path);
-    const tp_texture *const *textures = NULL;
-    if (!code)
-        code = load_images(a, obj, path, &textures);
-    if (!code && tp_obj_bind(obj, textures, mesh, &err))
-        code = fail_at(path, &err);
-    return code;
-}
-
-static int load_mesh(assets *a, tp_mesh *mesh, const char *path, const char *who)
-{
-    tp_obj *obj = malloc(sizeof *obj);
-    if (!obj)
-        return fail_memory(sizeof *obj);
-    const int code = load_mesh_by(a, obj, mesh, path, who);
-    free(obj);
-    return code;
 }
 
 /* -- the scene ------------------------------------------------------------------- */
@@ -243,7 +133,8 @@ static int load(assets *a, const scene_file *file, const char *name, void *into,
     if (!path)
         return fail_memory(sizeof text);
     scene_file_who(file, param, who, sizeof who);
-    const int code = param->kind == TP_PARAM_MESH ? load_mesh(a, into, path, who)
+    const int code = param->kind == TP_PARAM_MESH ? assets_mesh(a, into, path, who,
+                                                              file->scene.boat.scale)
                    : param->kind == TP_PARAM_GREY ? load_grey(a, into, path, who)
                                                   : load_texture(a, into, path, who);
     free(path);
@@ -270,17 +161,17 @@ int assets_refuse(const scene_file *file, const char *lacking)
 
 int assets_open(assets *a, const scene_file *file)
 {
-    return assets_open_within(a, file, 0);
+    return assets_load(a, file, &(assets_options){ 0 });
 }
 
-int assets_open_within(assets *a, const scene_file *file, uint32_t texels)
+int assets_load(assets *a, const scene_file *file, const assets_options *options)
 {
     static const char *const pictures[ASSETS_PICTURES] = {
         "layer0.texture", "layer1.texture", "layer2.texture", "distortion.texture",
         "ripple.texture", "foam.texture", "sky.east", "sky.west", "sky.up", "sky.down",
         "sky.south", "sky.north", "tank.wall", "tank.floor", "floor.texture",
     };
-    *a = (assets){ .texels = texels };
+    *a = (assets){ .options = *options };
     const tp_texture **const slots[ASSETS_PICTURES] = {
         &a->names.layer[0], &a->names.layer[1], &a->names.layer[2],
         &a->names.distortion, &a->names.ripple, &a->names.foam, &a->names.sky[0],

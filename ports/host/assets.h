@@ -2,6 +2,7 @@
 /* What a scene names, loaded: its boat with materials and pictures, its textures. */
 #ifndef HOST_ASSETS_H
 #define HOST_ASSETS_H
+#include "picture.h"
 #include "scene_file.h"
 #include "tidepool/frame.h"
 
@@ -10,19 +11,25 @@ typedef struct assets_block assets_block;
 enum { ASSETS_PICTURES = 15 };  /* textures that a scene can name */
 
 typedef struct {
+    uint32_t texels;            /* of a picture's longer side at the most, 0: any */
+    bool     strict;            /* what a mesh lacks is refused, not left out */
+    bool     quiet;             /* or is left out without a word: it was said before */
+} assets_options;
+
+typedef struct {
     tp_assets     names;        /* what the frame takes: points below */
     tp_mesh       boat;
     tp_texture    picture[ASSETS_PICTURES];
     tp_grey       floor, pool_mask, field_mask;
     assets_block *blocks;       /* all memory of it */
     size_t        mesh_bytes, texture_bytes;
-    uint32_t      texels;       /* of a picture's longer side at the most, 0: any */
+    assets_options options;
 } assets;
 
 /* Nothing is half-loaded: after a failure, which it has explained, *a is empty.
  * It must not move while names are in use. */
-int  assets_open(assets *a, const scene_file *file);
-int  assets_open_within(assets *a, const scene_file *file, uint32_t texels);   /* or 0 */
+int  assets_open(assets *a, const scene_file *file);            /* without options */
+int  assets_load(assets *a, const scene_file *file, const assets_options *options);
 void assets_close(assets *a);
 
 /* After a change of the scene: the row of a picture that it needs now and that they lack,
@@ -32,4 +39,17 @@ int  assets_refuse(const scene_file *file, const char *lacking);    /* says so *
 
 /* Closes *to and puts in its place what *from has, which is then empty. */
 void assets_move(assets *to, assets *from);
+
+/* -- between assets.c and assets_mesh.c ------------------------------------------- */
+
+/* Memory that assets_close gives back; NULL: there is none, and it said so. */
+void *assets_take(assets *a, size_t bytes);
+
+/* A texture of a PNG.  EXIT_CHECK: the picture cannot be used, and `why` tells. */
+int  assets_texture(assets *a, tp_texture *texture, const char *path,
+                    char why[PICTURE_WHY]);
+
+/* The mesh that a scene draws `scale` metres a unit, with its libraries and pictures.
+ * Messages about the OBJ itself begin with `who`, which named it. */
+int  assets_mesh(assets *a, tp_mesh *mesh, const char *path, const char *who, tp_fx scale);
 #endif

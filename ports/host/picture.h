@@ -34,8 +34,13 @@ int picture_put_png(const picture *p, FILE *to);
 /* A PNG that picture_write_png or an animation has written, of any version. */
 bool picture_is_ours(const char *name);
 
-/* The pixels of a PNG of any kind as 0xAARRGGBB, to free; sides 1..4096.  Messages begin
- * with `who`, which named the file.  NULL: it could not be had, and said why. */
+/* The pixels of a PNG of any kind as 0xAARRGGBB, to free; sides 1..4096.  NULL: it could
+ * not be had, `why` tells, and errno is ENOMEM where memory was lacking. */
+#define PICTURE_WHY 224
+uint32_t *picture_load_png(const char *name, uint32_t *w, uint32_t *h,
+                           char why[PICTURE_WHY]);
+
+/* The same, and NULL said why in a message that begins with `who`, which named the file. */
 uint32_t *picture_read_png(const char *name, const char *who, uint32_t *w, uint32_t *h);
 
 /* The same as greys of 16 bits; colours by their luminance, transparency ignored. */

@@ -3,6 +3,7 @@
  *
  * The file may be hostile: sides are held to what a texture can have before anything is
  * allocated, so are ancillary chunks, and every error of libpng ends here. */
+#define _POSIX_C_SOURCE 200809L
 #include <errno.h>
 #include <png.h>
 #include <setjmp.h>
@@ -10,6 +11,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <strings.h>
 #include "picture.h"
 #include "say.h"
 
@@ -22,17 +24,19 @@ typedef struct {
     png_structp png;
     png_infop   info;
     uint32_t    w, h;
-    bool        grey;
+    bool        grey, lacks_memory;
     uint8_t    *bytes;              /* rows of R, G, B, A, or of high and low byte */
     png_bytep  *rows;
     char        hint[80];           /* the last warning: it tells more than the error */
-    char        why[160];
+    char        why[PICTURE_WHY];
 } png_reader;
 
 static void refuse(png_structp png, png_const_charp text)
 {
     png_reader *r = png_get_error_ptr(png);
-    snprintf(r->why, sizeof r->why, "%s%s%s", text, r->hint[0] ? ": " : "", r->hint);
+    r->lacks_memory = errno == ENOMEM;
+    snprintf(r->why, sizeof r->why, "not a good PNG: %s%s%s", text,
+             r->hint[0] ? ": " : "", r->hint);
     png_longjmp(png, 1);
 }
 
@@ -46,8 +50,15 @@ static void remember(png_structp png, png_const_charp text)
 static void refuse_sides(png_reader *r)
 {
     r->hint[0] = '\0';
-    snprintf(r->why, sizeof r->why, "%u x %u pixels; %d x %d at the most",
+    snprintf(r->why, sizeof r->why, "not a good PNG: %u x %u pixels; %d x %d at the most",
              (unsigned)r->w, (unsigned)r->h, SIDE, SIDE);
+    png_longjmp(r->png, 1);
+}
+
+static void refuse_memory(png_reader *r)
+{
+    snprintf(r->why, sizeof r->why, "out of memory");
+    r->lacks_memory = true;
     png_longjmp(r->png, 1);
 }
 
@@ -104,7 +115,7 @@ static void allocate(png_reader *r)
     r->bytes = malloc(row * r->h);
     r->rows = malloc(r->h * sizeof *r->rows);
     if (!r->bytes || !r->rows)
-        png_error(r->png, "out of memory");
+        refuse_memory(r);
     for (uint32_t y = 0; y < r->h; y++)
         r->rows[y] = r->bytes + y * row;
 }
@@ -154,9 +165,11 @@ static uint16_t *greys_of(uint8_t *bytes, size_t count)
 
 static bool read_open_file(png_reader *r)
 {
+    errno = 0;
     r->png = png_create_read_struct_2(PNG_LIBPNG_VER_STRING, r, refuse, remember, NULL,
                                       take, give_back);
     r->info = r->png ? png_create_info_struct(r->png) : NULL;
+    r->lacks_memory = !r->info;
     if (!r->info)
         snprintf(r->why, sizeof r->why, "out of memory");
     const bool done = r->info && read_all(r);
@@ -165,22 +178,79 @@ static bool read_open_file(png_reader *r)
     return done;
 }
 
-/* NULL: it could not be had, and said why. */
-static uint8_t *read_file(png_reader *r, const char *name, const char *who)
+/* -- pictures of other kinds ----------------------------------------------------- */
+
+/* What a file begins with, by kind; files of TGA begin with nothing of their own. */
+static const struct { const char *name, *start; size_t bytes; } kinds[] = {
+    { "JPEG", "\xff\xd8\xff", 3 }, { "GIF", "GIF8", 4 },        { "BMP", "BM", 2 },
+    { "TIFF", "II*\0", 4 },        { "TIFF", "MM\0*", 4 },      { "WebP", "RIFF", 4 },
+    { "DDS", "DDS ", 4 },          { "Photoshop", "8BPS", 4 },  { "OpenEXR", "v/1\1", 4 },
+    { "Radiance", "#?", 2 },
+};
+
+static const char *kind_of(const char *name, const uint8_t *start, size_t bytes)
+{
+    const char *dot = strrchr(name, '.');
+    for (size_t i = 0; i < sizeof kinds / sizeof *kinds; i++)
+        if (bytes >= kinds[i].bytes && memcmp(start, kinds[i].start, kinds[i].bytes) == 0)
+            return kinds[i].name;
+    return dot && strcasecmp(dot, ".tga") == 0 ? "TGA" : NULL;
+}
+
+/* Begins like no PNG: *why tells what it may be.  A file that cannot be read, or ends at
+ * once, is left to the reader. */
+static bool is_foreign(png_reader *r, const char *name)
+{
+    uint8_t start[8];
+    const size_t bytes = fread(start, 1, sizeof start, r->file);
+    if (bytes == 0 || png_sig_cmp(start, 0, bytes) == 0)
+        return fseek(r->file, 0, SEEK_SET) != 0;
+    const char *kind = kind_of(name, start, bytes);
+    snprintf(r->why, sizeof r->why, "%s", kind ? kind : "not a PNG");
+    if (kind)
+        strcat(r->why, ", expected PNG");
+    return true;
+}
+
+/* -- files ----------------------------------------------------------------------- */
+
+/* NULL: it could not be had, and r->why tells. */
+static uint8_t *load_file(png_reader *r, const char *name)
 {
     r->file = fopen(name, "rb");
     if (!r->file) {
-        say("%s: %s: %s", who, name, strerror(errno));
+        r->lacks_memory = errno == ENOMEM;
+        snprintf(r->why, sizeof r->why, "%s", strerror(errno));
         return NULL;
     }
-    const bool done = read_open_file(r);
+    const bool done = !is_foreign(r, name) && read_open_file(r);
     fclose(r->file);
-    if (!done) {
-        free(r->bytes);
-        say("%s: %s: not a good PNG: %s", who, name, r->why);
-        return NULL;
-    }
-    return r->bytes;
+    if (done)
+        return r->bytes;
+    free(r->bytes);
+    errno = r->lacks_memory ? ENOMEM : EINVAL;
+    return NULL;
+}
+
+static uint8_t *read_file(png_reader *r, const char *name, const char *who)
+{
+    uint8_t *bytes = load_file(r, name);
+    if (!bytes)
+        say("%s: %s: %s", who, name, r->why);
+    return bytes;
+}
+
+uint32_t *picture_load_png(const char *name, uint32_t *w, uint32_t *h,
+                           char why[PICTURE_WHY])
+{
+    png_reader r = { .grey = false };
+    uint8_t *rgba = load_file(&r, name);
+    const int error = errno;
+    *w = r.w;
+    *h = r.h;
+    memcpy(why, r.why, PICTURE_WHY);
+    errno = error;
+    return rgba ? words_of(rgba, (size_t)r.w * r.h) : NULL;
 }
 
 uint32_t *picture_read_png(const char *name, const char *who, uint32_t *w, uint32_t *h)

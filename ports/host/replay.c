@@ -66,15 +66,12 @@ static int try_all(const replay *r, stage *s, const options *o, replay_room room
 /* On another stage of the same scene, which nobody sees. */
 static int try(const replay *r, const options *o, replay_room room)
 {
+    options quiet = *o;
     stage s;
-    memset(&s, 0, sizeof s);
-    int code = stage_read(&s.file, o);
+    quiet.quiet = true;
+    int code = stage_load(&s, &quiet);
     if (!code)
-        code = assets_open_within(&s.assets, &s.file, o->texels);
-    if (!code)
-        code = stage_world(&s);
-    if (!code)
-        code = try_all(r, &s, o, room);
+        code = try_all(r, &s, &quiet, room);
     stage_close(&s);
     return code;
 }

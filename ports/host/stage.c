@@ -33,15 +33,21 @@ void stage_report_clamps(const scene_file *file, const tp_sea *sea)
     say("%s: steepness sum %s is clamped to 0.95", file->name, sum);
 }
 
+static int load_assets(assets *a, const scene_file *file, const options *o)
+{
+    return assets_load(a, file, &(assets_options){
+        .texels = o->texels, .strict = o->strict, .quiet = o->quiet });
+}
+
 int stage_load(stage *s, const options *o)
 {
     memset(s, 0, sizeof *s);
     int code = stage_read(&s->file, o);
     if (!code)
-        code = assets_open_within(&s->assets, &s->file, o->texels);
+        code = load_assets(&s->assets, &s->file, o);
     if (!code)
         code = stage_world(s);
-    if (!code)
+    if (!code && !o->quiet)
         stage_report_clamps(&s->file, &s->world->sea);
     return code;
 }
@@ -183,7 +189,7 @@ static int load_anew(stage *s, change *c)
     assets *loaded = calloc(1, sizeof *loaded);
     if (!loaded)
         return fail_memory(sizeof *loaded);
-    if (assets_open_within(loaded, &s->file, c->o->texels)) {
+    if (load_assets(loaded, &s->file, c->o)) {
         free(loaded);
         return EXIT_INPUT;
     }

@@ -142,10 +142,21 @@ static void too_little_data_is_refused(void **state)
 static void other_files_are_refused(void **state)
 {
     (void)state;
-    memcpy(bytes, "\xff\xd8\xff\xe0 a JPEG of some kind", 25);
-    spill("bad.png", 25);
-    assert_refused_everywhere("bad.png", "not a good PNG: Not a PNG file");
-    remove("bad.png");
+    static const struct { const char *name, *start, *why; } others[] = {
+        { "bad.png", "\xff\xd8\xff\xe0 and so on", "JPEG, expected PNG\n" },
+        { "bad.png", "GIF89a", "GIF, expected PNG\n" },
+        { "bad.png", "BM", "BMP, expected PNG\n" },
+        { "bad.png", "RIFF....WEBP", "WebP, expected PNG\n" },
+        { "bad.tga", "\1\2\3", "TGA, expected PNG\n" },
+        { "bad.png", "# a scene", "not a PNG\n" },
+        { "bad.png", "\x89", "not a good PNG: " },
+    };
+    for (size_t i = 0; i < sizeof others / sizeof *others; i++) {
+        memcpy(bytes, others[i].start, strlen(others[i].start));
+        spill(others[i].name, strlen(others[i].start));
+        assert_refused_everywhere(others[i].name, others[i].why);
+        remove(others[i].name);
+    }
     assert_refused_everywhere("bad.png", "No such file");
     assert_refused("boat.mesh", "bad.obj", "No such file");
 }

@@ -1,0 +1,286 @@
+/* SPDX-License-Identifier: MIT */
+/* Loading a mesh.
+ *
+ * The core reads OBJ and MTL text and opens no file: here are the files.  An MTL is found
+ * beside the OBJ that names it, a picture beside the MTL.  What is missing or cannot be
+ * used there, and what the core warns of, is said and left out; --strict refuses it. */
+#include <errno.h>
+#include <limits.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include "assets.h"
+#include "path.h"
+#include "say.h"
+
+enum {
+    CHUNK      = 65536,
+    SAID       = 16,                /* warnings of one mesh; others are counted */
+    TEXT_BYTES = 2 * PATH_MAX + 512,
+    METRES     = 4000,              /* that are drawn, either way from the mesh's origin */
+    UNREADABLE = -1                 /* the file system refused: errno tells */
+};
+
+typedef struct {
+    assets     *assets;
+    tp_obj     *obj;
+    const char *path;               /* of the OBJ */
+    unsigned    warnings;
+} loading;
+
+/* -- warnings -------------------------------------------------------------------- */
+
+static int warn(loading *l, const char *remedy, const char *format, ...) HOST_PRINTF(3, 4);
+
+/* `remedy` is what is done about it; EXIT_INPUT: it is refused instead. */
+static int warn(loading *l, const char *remedy, const char *format, ...)
+{
+    char text[TEXT_BYTES];
+    va_list list;
+    va_start(list, format);
+    vsnprintf(text, sizeof text, format, list);
+    va_end(list);
+    if (l->assets->options.strict)
+        return fail(EXIT_INPUT, "%s", text);
+    if (l->warnings++ < SAID && !l->assets->options.quiet)
+        say("%s; %s", text, remedy);
+    return EXIT_DONE;
+}
+
+static const char *remedy_of(tp_status code)
+{
+    return code == TP_E_MTL_RANGE ? "the nearest is taken"
+         : code == TP_E_MTL_NAME || code == TP_E_OBJ_MATERIALS ? "drawn in grey"
+                                                               : "the line is left out";
+}
+
+/* What the core noted in the last step, of a file. */
+static int warn_noted(loading *l, const char *file)
+{
+    const tp_obj *obj = l->obj;
+    int code = EXIT_DONE;
+    for (uint32_t i = 0; i < obj->warnings && i < TP_OBJ_WARNINGS && !code; i++) {
+        const tp_error *err = &obj->warning[i];
+        char text[256];
+        tp_error_text(err, text, sizeof text);
+        code = warn(l, remedy_of(err->code), "%s:%u: %s%s", file, (unsigned)err->where,
+                    text, say_check(err));
+    }
+    if (obj->warnings > TP_OBJ_WARNINGS)
+        l->warnings += obj->warnings - TP_OBJ_WARNINGS;
+    return code;
+}
+
+static int warn_counted(loading *l)
+{
+    const unsigned faces = l->obj->short_faces, far = l->obj->far_texcoords;
+    int code = EXIT_DONE;
+    if (faces)
+        code = warn(l, "left out", "%s: %u face%s of fewer than 3 corners", l->path, faces,
+                    faces > 1 ? "s" : "");
+    if (far && !code)
+        code = warn(l, "taken as 0", "%s: %u texture coordinate%s beyond +-%d", l->path,
+                    far, far > 1 ? "s" : "", TP_OBJ_REPEATS);
+    return code;
+}
+
+static uint32_t farther(tp_fx a, tp_fx b)
+{
+    const uint32_t low = a < 0 ? 0u - (uint32_t)a : (uint32_t)a;
+    const uint32_t high = b < 0 ? 0u - (uint32_t)b : (uint32_t)b;
+    return low > high ? low : high;
+}
+
+/* How far the mesh reaches from its origin, in units of the file, 48.16. */
+static uint64_t reach_of(const tp_mesh *mesh)
+{
+    const uint32_t x = farther(mesh->low.x, mesh->high.x);
+    const uint32_t y = farther(mesh->low.y, mesh->high.y);
+    const uint32_t z = farther(mesh->low.z, mesh->high.z);
+    const uint32_t most = x > y ? x : y;
+    return (uint64_t)(most > z ? most : z) << mesh->log2_unit;
+}
+
+/* What lies farther is drawn where the reach ends. */
+static int warn_reach(loading *l, const tp_mesh *mesh, tp_fx scale)
+{
+    const uint64_t reach = reach_of(mesh), most = (uint64_t)METRES << 16;
+    const uint64_t metres = reach * (uint64_t)scale >> 16;          /* < 2^38 x 2^23 */
+    const tp_fx fitting = reach ? (tp_fx)((most << 16) / reach) : 0;
+    char now[16], fits[32] = "boat.scale = ";
+    if (metres <= most)
+        return EXIT_DONE;
+    tp_fx_write(scale, now);
+    tp_fx_write(fitting, fits + strlen(fits));
+    if (fitting < tp_param_find("boat.scale", 10)->low)
+        strcpy(fits, "no boat.scale");
+    return warn(l, "what lies farther is drawn there",
+                "%s: reaches %u m from its origin at boat.scale %s, expected %d at the"
+                " most: %s fits", l->path, (unsigned)(metres >> 16), now, METRES, fits);
+}
+
+/* -- files ----------------------------------------------------------------------- */
+
+typedef tp_status (*feed)(tp_obj *obj, const void *text, size_t bytes, tp_error *err);
+typedef tp_status (*end)(tp_obj *obj, tp_error *err);
+
+/* A whole file through one of the reader's passes. */
+static int pass(tp_obj *obj, const char *path, feed more, end done)
+{
+    static char chunk[CHUNK];
+    tp_error err = { 0 };
+    FILE *file = fopen(path, "rb");
+    if (!file)
+        return UNREADABLE;
+    int code = EXIT_DONE;
+    errno = 0;
+    for (size_t n; !code && (n = fread(chunk, 1, sizeof chunk, file)) > 0;)
+        if (more(obj, chunk, n, &err))
+            code = fail_at(path, &err);
+    const int error = ferror(file) ? errno : 0;
+    fclose(file);
+    if (!code && !error && done(obj, &err))
+        code = fail_at(path, &err);
+    errno = error;
+    return error ? UNREADABLE : code;
+}
+
+static int pass_obj(loading *l, const char *who, end done)
+{
+    const int code = pass(l->obj, l->path, tp_obj_feed, done);
+    if (code == UNREADABLE)
+        return fail(EXIT_INPUT, "%s: %s: %s", who, l->path, strerror(errno));
+    return code;
+}
+
+/* Folders of names written on other systems are parted by backslashes. */
+static char *named_in(const char *path, const char *name)
+{
+    char *full = path_beside(path, name);
+    if (!full)
+        fail_memory(strlen(path) + strlen(name));
+    else if (!path_is_file(full))
+        for (char *c = full; *c; c++)
+            if (*c == '\\')
+                *c = '/';
+    return full;
+}
+
+/* -- libraries and pictures ------------------------------------------------------ */
+
+/* One that cannot be read to its end counts as read so far. */
+static int load_library(loading *l, uint32_t i, const char *library)
+{
+    if (!path_is_file(library)) {
+        errno = ENOENT;
+        return UNREADABLE;
+    }
+    tp_mtl_begin(l->obj, i);
+    const int code = pass(l->obj, library, tp_mtl_feed, tp_mtl_end);
+    if (code != UNREADABLE)
+        return code ? code : warn_noted(l, library);
+    const int error = errno;
+    (void)tp_mtl_end(l->obj, NULL);
+    errno = error;
+    return UNREADABLE;
+}
+
+static int load_libraries(loading *l)
+{
+    int code = EXIT_DONE;
+    for (uint32_t i = 0; i < l->obj->libraries && !code; i++) {
+        char *library = named_in(l->path, tp_obj_library(l->obj, i));
+        if (!library)
+            return EXIT_INPUT;
+        code = load_library(l, i, library);
+        if (code == UNREADABLE)
+            code = warn(l, "its materials are drawn in grey", "%s:%u: %s: %s", l->path,
+                        (unsigned)tp_obj_library_line(l->obj, i), library,
+                        strerror(errno));
+        free(library);
+    }
+    return code;
+}
+
+/* *texture stays NULL if the picture cannot be used. */
+static int load_image(loading *l, uint32_t i, tp_texture *room, const tp_texture **texture)
+{
+    char why[PICTURE_WHY];
+    char *library = named_in(l->path,
+                             tp_obj_library(l->obj, tp_obj_image_library(l->obj, i)));
+    char *image = library ? named_in(library, tp_obj_image(l->obj, i)) : NULL;
+    int code = image ? assets_texture(l->assets, room, image, why) : EXIT_INPUT;
+    if (!code)
+        *texture = room;
+    if (code == EXIT_CHECK)
+        code = warn(l, "drawn without it", "%s:%u: %s: %s", library,
+                    (unsigned)tp_obj_image_line(l->obj, i), image, why);
+    free(image);
+    free(library);
+    return code;
+}
+
+/* In *list the addresses of obj->images textures. */
+static int load_images(loading *l, const tp_texture *const **list)
+{
+    const uint32_t count = l->obj->images;
+    tp_texture *textures = assets_take(l->assets, count * sizeof *textures);
+    const tp_texture **addresses = assets_take(l->assets, count * sizeof *addresses);
+    if (!textures || !addresses)
+        return EXIT_INPUT;
+    int code = EXIT_DONE;
+    for (uint32_t i = 0; i < count && !code; i++) {
+        addresses[i] = NULL;
+        code = load_image(l, i, &textures[i], &addresses[i]);
+    }
+    *list = addresses;
+    return code;
+}
+
+/* -- the mesh -------------------------------------------------------------------- */
+
+static int load_text(loading *l, const char *who)
+{
+    tp_obj_scan(l->obj);
+    int code = pass_obj(l, who, tp_obj_scanned);
+    if (code)
+        return code;
+    void *memory = assets_take(l->assets, tp_obj_bytes(l->obj));
+    if (!memory)
+        return EXIT_INPUT;
+    l->assets->mesh_bytes += tp_obj_bytes(l->obj);
+    tp_obj_load(l->obj, memory);
+    code = pass_obj(l, who, tp_obj_loaded);
+    if (!code)
+        code = warn_noted(l, l->path);
+    return code ? code : warn_counted(l);
+}
+
+static int load_parts(loading *l, tp_mesh *mesh, tp_fx scale)
+{
+    tp_error err = { 0 };
+    const tp_texture *const *textures = NULL;
+    int code = load_libraries(l);
+    if (!code)
+        code = load_images(l, &textures);
+    if (!code && tp_obj_bind(l->obj, textures, mesh, &err))
+        code = fail_at(l->path, &err);
+    if (!code)
+        code = warn_noted(l, l->path);
+    return code ? code : warn_reach(l, mesh, scale);
+}
+
+int assets_mesh(assets *a, tp_mesh *mesh, const char *path, const char *who, tp_fx scale)
+{
+    loading l = { .assets = a, .obj = malloc(sizeof *l.obj), .path = path };
+    if (!l.obj)
+        return fail_memory(sizeof *l.obj);
+    int code = load_text(&l, who);
+    if (!code)
+        code = load_parts(&l, mesh, scale);
+    free(l.obj);
+    if (l.warnings > SAID && !a->options.quiet)
+        say("%s: and %u more", path, l.warnings - SAID);
+    return code;
+}
