@@ -98,8 +98,9 @@ static void hull_make(hull *h, bool lid)
                                     .opacity = TP_FX_ONE };
     h->material[1] = h->material[0];
     h->material[1].opacity = 0;
-    h->mesh = (tp_mesh){ h->vertex, h->face, h->material, 8, lid ? 4 : 2, 2,
-                         { 0, 0, 0 }, { 0, 0, 0 } };
+    h->mesh = (tp_mesh){ .vertices = h->vertex, .faces = h->face,
+                         .materials = h->material, .n_vertices = 8,
+                         .n_faces = lid ? 4 : 2, .n_materials = 2 };
 }
 
 /* The floor lies `sunk` under still water; seen from above it fills the picture. */
