@@ -17,14 +17,14 @@ static uint64_t chance;
 static tp_entry16 shine[TP_SHINE + 1];
 static tp_shade shade = { .shine = shine };
 
-static uint32_t chance_word(void)
+static uint32_t any_word(void)
 {
     return (uint32_t)random_next(&chance);
 }
 
 static uint32_t chance_colour(void)
 {
-    return chance_word() & 0xffffff;
+    return any_word() & 0xffffff;
 }
 
 /* -- tables ------------------------------------------------------------------------- */
@@ -196,8 +196,8 @@ static channel channel_of(uint32_t a, uint32_t b, uint32_t share)
 
 static void check_channel(const channel *c, int shift)
 {
-    const uint32_t a = placed(c->a, shift, chance_word());
-    const uint32_t b = placed(c->b, shift, chance_word());
+    const uint32_t a = placed(c->a, shift, any_word());
+    const uint32_t b = placed(c->b, shift, any_word());
     const uint32_t got[4] = { tp_colour_scale(a, c->share), tp_colour_mix(a, b, c->share),
                               tp_colour_times(a, b), tp_colour_add(a, b) };
 
