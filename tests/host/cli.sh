@@ -294,7 +294,7 @@ expect "a mask that is not there" 3 "^--set: pool.mask: no.png: No such file" \
     render minimal --set pool.cols=32 --set pool.mask=no.png
 expect "a map that is not there" 3 "^--set: floor.map: no.png: No such file" \
     render minimal --set floor.map=no.png
-expect "a picture that is none" 3 "^--set: floor.map: harbour.ini: not a good PNG" \
+expect "a picture that is none" 3 "^--set: floor.map: harbour.ini: not a PNG$" \
     render minimal --set floor.map=harbour.ini
 
 # -- what scenes name ---------------------------------------------------------------
@@ -316,14 +316,35 @@ expect "face of a vertex that is not there" 3 "^far.obj:4: face names vertex 9 o
     $small --set boat.mesh=far.obj
 expect "OBJ that does not exist" 3 "^--set: boat.mesh: no.obj: No such file" \
     $small --set boat.mesh=no.obj
-expect "MTL that does not exist" 3 "^lost.obj: none.mtl: No such file" \
-    $small --set boat.mesh=lost.obj
-expect "picture of an MTL that does not exist" 3 \
-    "^sub/red.mtl: sub/skin.png: No such file" \
-    $small --set boat.mesh=red.obj
+# lacking NAME OBJ SENTENCE REMEDY: drawn with a warning, and refused by --strict.
+lacking() {
+    expect "$1" 0 "^$3; $4\$" $small --set boat.mesh="$2"
+    expect "$1, strictly" 3 "^$3\$" $small --set boat.mesh="$2" --strict --out boat.png
+    absent "$1, strictly, leaves no picture" "boat.png\|tidepool-"
+}
+lacking "MTL that does not exist" lost.obj \
+    "lost.obj:1: none.mtl: No such file or directory" "its materials are drawn in grey"
+lacking "picture of an MTL that does not exist" red.obj \
+    "sub/red.mtl:3: sub/skin.png: No such file or directory" "drawn without it"
+printf '\377\330\377\340' >sub/skin.png
+lacking "picture of an MTL that is a JPEG" red.obj \
+    "sub/red.mtl:3: sub/skin.png: JPEG, expected PNG" "drawn without it"
+for command in plan "bake -o red.c" "show --device /dev/null --frames 1" "view --frames 1"
+do
+    name=${command%% *} more=${command#"$name"}
+    [ "$name" != view ] || [ -z "$unseen" ] || continue
+    expect "$name --strict refuses it" 3 "^sub/red.mtl:3: sub/skin.png: JPEG" \
+        "$name" minimal --set boat.mesh=red.obj --strict $more
+done
 printf 'newmtl red\nKd 1 q 0\n' >sub/red.mtl
-expect "bad number in an MTL" 3 "^sub/red.mtl:2: expected a number" $small --set \
-    boat.mesh=red.obj
+lacking "bad number in an MTL" red.obj "sub/red.mtl:2: expected a number, found q" \
+    "the line is left out"
+printf 'newmtl blue\nKd 1 0 0\n' >sub/red.mtl
+lacking "material that is not defined" red.obj "red.obj:2: material red is not defined" \
+    "drawn in grey"
+printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2\nf 1 2 3\nf 3\n' >thin.obj
+lacking "faces of two corners" thin.obj "thin.obj: 2 faces of fewer than 3 corners" \
+    "left out"
 printf 'newmtl red\nKd 1 0 0\n' >sub/red.mtl
 expect "OBJ with an MTL in a folder" 0 "" $small --set boat.mesh=red.obj
 expect "OBJ without an MTL" 0 "" $small --set boat.mesh=good.obj
@@ -349,7 +370,7 @@ expect "PNG of four bytes" 3 "tiny.png: not a good PNG" $small --set \
 : >empty.png
 expect "PNG of nothing" 3 "empty.png: not a good PNG" $small --set \
     layer0.texture=empty.png
-expect "OBJ for a PNG" 3 "good.obj: not a good PNG" $small --set layer0.texture=good.obj
+expect "OBJ for a PNG" 3 "good.obj: not a PNG$" $small --set layer0.texture=good.obj
 { head -c 300 whole.png; printf 'XXXX'; tail -c +305 whole.png; } >torn.png
 expect "PNG with a torn chunk" 3 "torn.png: not a good PNG" $small --set \
     layer0.texture=torn.png

@@ -235,7 +235,7 @@ bad "a set of no number" "wave0.amplitude: expected a number, found high" \
 bad "a set of no choice" "sky.kind = dawn is none of " "4 set sky.kind=dawn"
 bad "a set of a file that is not there" "boat.mesh: no.obj: No such file" \
     "4 set boat.mesh=no.obj"
-bad "a set of a file that is no picture" "layer0.texture: bad.tape: not a good PNG" \
+bad "a set of a file that is no picture" "layer0.texture: bad.tape: not a PNG" \
     "4 set layer0.texture=bad.tape"
 bad "a sky of pictures that are not named" "sky.kind: a cube needs six pictures" \
     "4 set sky.kind=cube"
