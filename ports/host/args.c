@@ -57,12 +57,18 @@ static int refuse(const options *o, const char *what)
 static int refuse_option(const options *o, unsigned command, const char *name)
 {
     char what[160];
-    nearest best = nearest_to(name);
-    for (size_t i = 0; i < args_row_count; i++)
+    const char *meant = NULL;
+    nearest best = nearest_to(name + strspn(name, "-"));
+    for (size_t i = 0; i < args_row_count; i++) {
+        const char *row = args_rows[i].name;
+        const unsigned distance = best.distance;
         if (args_rows[i].commands & command)
-            nearest_offer(&best, args_rows[i].name);
-    snprintf(what, sizeof what, best.name ? "no option %.60s; did you mean %s?"
-                                          : "no option %.60s", name, best.name);
+            nearest_offer(&best, row + strspn(row, "-"));
+        if (best.distance < distance)
+            meant = row;
+    }
+    snprintf(what, sizeof what, meant ? "no option %.60s; did you mean %s?"
+                                      : "no option %.60s", name, meant);
     return refuse(o, what);
 }
 
@@ -94,7 +100,8 @@ static int read_option(options *o, unsigned command, int argc, char **argv, int 
     const char *expected = row->read(o, value);
     if (!expected)
         return EXIT_DONE;
-    snprintf(what, sizeof what, "%s %.40s: expected %s", row->name, value, expected);
+    snprintf(what, sizeof what, "%s %.40s: expected %s", row->name, *value ? value : "''",
+             expected);
     return refuse(o, what);
 }
 
@@ -133,8 +140,28 @@ static int check(const options *o, unsigned command)
     return EXIT_DONE;
 }
 
+static int read_name(options *o, unsigned command, const char *word)
+{
+    char what[160];
+    if (!*word)
+        return refuse(o, "a name is empty");
+    if (command & MANY) {
+        o->names[o->n_names++] = word;
+        return EXIT_DONE;
+    }
+    if (o->scene || (command & (FOR_SCENES | FOR_CHECK | FOR_BENCH | FOR_MANUAL
+                                | FOR_VERSION))) {
+        snprintf(what, sizeof what, "too many names: %.60s", word);
+        return refuse(o, what);
+    }
+    o->scene = word;
+    return EXIT_DONE;
+}
+
+/* What follows "--" is names; so is "-" where it means standard input or output. */
 int args_read(options *o, unsigned command, int argc, char **argv)
 {
+    bool names = false;
     *o = (options){ .command = argv[0], .width = 640, .height = 480,
                       .every = 1, .work = -1 };
     o->settings = calloc(2 * (size_t)argc, sizeof *o->settings);
@@ -143,16 +170,13 @@ int args_read(options *o, unsigned command, int argc, char **argv)
     o->names = o->settings + argc;
     for (int i = 1; i < argc; i++) {
         int code = EXIT_DONE;
-        if (argv[i][0] == '-' && (argv[i][1] || !(command & MANY)))
+        const bool dash = argv[i][0] == '-' && (argv[i][1] || !(command & MANY));
+        if (!names && strcmp(argv[i], "--") == 0)
+            names = true;
+        else if (dash && !names)
             code = read_option(o, command, argc, argv, &i);
-        else if (command & MANY)
-            o->names[o->n_names++] = argv[i];
-        else if (o->scene
-                 || (command & (FOR_SCENES | FOR_CHECK | FOR_BENCH | FOR_MANUAL
-                                | FOR_VERSION)))
-            code = refuse(o, "too many names");
         else
-            o->scene = argv[i];
+            code = read_name(o, command, argv[i]);
         if (code)
             return code;
     }

@@ -63,7 +63,7 @@ static const char *read_every(options *o, const char *value)
     return read_count(value, NULL, 1, EVERY_HIGH, &o->every) ? NULL : "1..3600";
 }
 
-/* Of a preview, which draws from its beginning. */
+/* A count alone: from the beginning. */
 static const char *read_pictures(options *o, const char *value)
 {
     uint32_t count;
@@ -220,7 +220,7 @@ const option_row args_rows[] = {
     { "--size", "WxH", FOR_BENCH, read_size, "of the picture; else 640x480 and 320x240" },
     { "--points", "N", FOR_BENCH, read_points, "of a side; else 64, 100, 128 and 256" },
     { "--work", "WORK", FOR_BENCH, read_work, "plain, full or smooth alone" },
-    { "--frames", "N", FOR_BENCH, read_frames, "of each of three rounds, 10 by default" },
+    { "--frames", "N", FOR_BENCH, read_pictures, "of each of three rounds, 10 by default" },
     { "--rungs", NULL, FOR_BENCH, read_rungs, "by every rung of the plan, 128 points" },
     { "--peers", NULL, FOR_BENCH, read_peers,
       "and by other renderers that are built now, 128 points" },

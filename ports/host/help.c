@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* tidepool help and tidepool version. */
+#include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -7,21 +8,44 @@
 #include "args.h"
 #include "commands.h"
 #include "nearest.h"
+#include "path.h"
 #include "say.h"
 #include "tidepool/version.h"
 
-const command_row *command_find(const char *name)
+/* Also a file that is none, or an unknown one of that name. */
+static bool is_scene(const char *name)
+{
+    char *folder = path_ends(name, ".ini") ? NULL : path_of_scenes();
+    char *path = folder && !strchr(name, '/') ? path_join(folder, name, ".ini") : NULL;
+    const bool shipped = path && path_is_file(path);
+    free(path);
+    free(folder);
+    return shipped || path_ends(name, ".ini");
+}
+
+static void refuse(const char *name)
 {
     nearest best = nearest_to(name);
-    for (size_t i = 0; i < command_count; i++) {
-        if (strcmp(name, commands[i].name) == 0)
-            return &commands[i];
+    for (size_t i = 0; i < command_count; i++)
         nearest_offer(&best, commands[i].name);
-    }
-    if (best.name)
+    if (!*name)
+        say("tidepool: which command?  See `tidepool help`");
+    else if (name[0] == '-')
+        say("tidepool: no option %.60s; it takes --help, --version or a command", name);
+    else if (best.name)
         say("tidepool: no command %.60s; did you mean %s?", name, best.name);
+    else if (is_scene(name))
+        say("tidepool: no command %.60s; did you mean `tidepool view %.60s`?", name, name);
     else
         say("tidepool: no command %.60s; see `tidepool help`", name);
+}
+
+const command_row *command_find(const char *name)
+{
+    for (size_t i = 0; i < command_count; i++)
+        if (strcmp(name, commands[i].name) == 0)
+            return &commands[i];
+    refuse(name);
     return NULL;
 }
 

@@ -30,10 +30,9 @@ static bool is_list(const command_row *command, int argc, char **argv)
 int main(int argc, char **argv)
 {
     begin_streams();
-    if (argc < 2)
-        return fail(EXIT_USAGE, "tidepool: which command?  See `tidepool help`");
-    argv[1] = command_name(argv[1]);
-    const command_row *command = command_find(argv[1]);
+    if (argc > 1)
+        argv[1] = command_name(argv[1]);
+    const command_row *command = command_find(argc > 1 ? argv[1] : "");
     if (!command)
         return EXIT_USAGE;
     signal(SIGPIPE, is_list(command, argc, argv) ? SIG_DFL : SIG_IGN);

@@ -5,6 +5,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 #include "nearest.h"
 #include "path.h"
 #include "say.h"
@@ -94,7 +95,8 @@ int scene_file_set(scene_file *file, const char *setting)
 {
     const char *equals = strchr(setting, '=');
     if (!equals || equals == setting)
-        return fail(EXIT_USAGE, "tidepool: --set %s: expected name=value", setting);
+        return fail(EXIT_USAGE, "tidepool: --set %s: expected name=value",
+                    *setting ? setting : "''");
     char *name = path_copy(setting, (size_t)(equals - setting));
     if (!name)
         return fail_memory(strlen(setting));
@@ -116,9 +118,9 @@ static int refuse_scene(const char *given, const char *folder)
     for (size_t i = 0; i < count; i++)
         nearest_offer(&best, names[i]);
     if (best.name)
-        say("%s: no such scene; did you mean %s?", given, best.name);
+        say("%s: no such scene or file; did you mean %s?", given, best.name);
     else
-        say("%s: no such scene; `tidepool scenes` lists those that exist", given);
+        say("%s: no such scene or file; `tidepool scenes` lists the scenes", given);
     path_free_names(names, count);
     return EXIT_INPUT;
 }
@@ -136,7 +138,7 @@ static int find(scene_file *file, const char *given)
         file->path = path_join(folder, given, ".ini");
     if (!file->path || !path_is_file(file->path)) {
         free(file->path);
-        file->path = path_is_file(given) ? path_copy(given, strlen(given)) : NULL;
+        file->path = access(given, F_OK) == 0 ? path_copy(given, strlen(given)) : NULL;
         if (!file->path)
             code = refuse_scene(given, folder);
     }

@@ -46,13 +46,26 @@ done
 expect "a version of something" 2 "too many names" version render
 
 expect "no command" 2 "which command"
-expect "a command of no letters" 2 "no command ; see" ""
+expect "a command of no letters" 2 "which command" ""
+expect "an option for a command" 2 "no option -x; it takes --help" -x
+for scene in storm my.ini ./sub/my.ini; do
+    expect "a scene for a command: $scene" 2 \
+        "no command $scene; did you mean .tidepool view $scene" "$scene"
+done
 expect "a long name" 2 "no command a*; see" "$(printf 'a%.0s' $(seq 5000))"
 expect "unknown command" 2 "no command rendr; did you mean render?" rendr
 expect "unknown option" 2 "no option --siez; did you mean --size?" render three-swells \
     --siez 64x48
+expect "an option like no other" 2 "no option --bogus; see" render three-swells --bogus
+for command in render params plan join completion; do
+    expect "$command of an empty name" 2 "$command: a name is empty; see" $command ""
+done
+expect "a name for what takes none" 2 "too many names: storm; see" scenes storm
+expect "names behind --" 2 "too many names: --hash; see" render -- minimal --hash
 expect "option without its value" 2 "needs a value" render three-swells --size
 expect "switch with a value" 2 "no option --hash=1" render three-swells --hash=1
+expect "an empty value" 2 "render: --size '': expected WIDTHx" render minimal --size ""
+expect "an empty setting" 2 "^tidepool: --set '': expected name=value" render minimal --set ""
 expect "no scene" 2 "which scene" render
 expect "two scenes" 2 "too many names" render three-swells minimal
 expect "band and strip together" 2 "exclude" render minimal --band 8 --strip 16
@@ -85,6 +98,7 @@ expect "two scenes to view" 2 "too many names" view pond tank
 fi
 expect "--scale is the preview's" 2 "no option --scale" render minimal --scale 2
 expect "rungs and peers together" 2 "exclude" bench --rungs --peers
+expect "a bench of a range" 2 "expected a count from 1" bench --frames 1:2
 expect "a bench of no points" 2 "expected 2..1024" bench --points 1
 expect "a bench of unknown work" 2 "plain, full or smooth" bench --work water
 expect "peers outside of the project" 3 "project's folder" bench --peers
@@ -139,11 +153,16 @@ rm -f ./*.y4m
 
 # -- scenes -------------------------------------------------------------------------
 
-expect "scene that does not exist" 3 "no such scene; did you mean three-swells?" render \
+expect "scene that does not exist" 3 "no such scene or file; did you mean three-swells?" render \
     three-swels
 expect "scene like no other" 3 "tidepool scenes" render qqqqqqqq
 expect "scene file that does not exist" 3 "nowhere.ini: No such file" render nowhere.ini
-mkdir folder.ini
+mkdir folder.ini folder
+expect "a folder without that" 3 "^folder: Is a directory$" render folder
+echo "; a scene" >-d.ini
+expect "a scene file that begins with a dash" 0 "" render --size 16x16 --hash -- -d.ini
+rm -- -d.ini
+rmdir folder
 expect "folder for a scene" 3 "folder.ini: Is a directory" render folder.ini
 run scenes
 same "scenes lists three-swells and what it shows" \
