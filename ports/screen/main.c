@@ -63,10 +63,12 @@ static const picture *draw(void *user, const tp_world *world, uint32_t frame)
 
 /* -- the command line ------------------------------------------------------------ */
 
+#define TAKES "--on " SHOW_PORTS ", --device PATH, --size WxH, --frames N|A:B, --hold," \
+              " --hash, --keep FILE"
+
 static int refuse(const char *word)
 {
-    return fail(EXIT_USAGE, "%s: not understood; it takes --on " SHOW_PORTS ", --device"
-                " PATH, --size WxH, --frames N|A:B, --hold, --hash, --keep FILE", word);
+    return fail(EXIT_USAGE, "%s: not understood; it takes " TAKES, word);
 }
 
 /* sscanf takes signs and blanks too. */
@@ -135,6 +137,10 @@ int main(int argc, char **argv)
                .user = &d, .prepare = prepare, .draw = draw };
     tp_error err = { 0 };
     begin_streams();
+    if (argc == 2 && strcmp(argv[1], "--help") == 0) {
+        puts("Shows a scene on a raw screen.  It takes\n" TAKES "; Esc ends it.");
+        return finish_stdout();
+    }
     const int code = read_all(&s, argc, argv);
     if (code)
         return code;

@@ -170,8 +170,7 @@ static int open_window(view *v)
     if (!window_open(&v->window, title, (int)o->width, (int)o->height, v->scale, 0)) {
         say("tidepool view: no window can be opened: %s", SDL_GetError());
         return fail(EXIT_DISPLAY, "Without a display, this draws a picture:"
-                    " tidepool render %s --out %s.png", v->stage->file.name,
-                    v->stage->file.name);
+                    " tidepool render %s", o->resume ? v->stage->file.path : o->scene);
     }
     v->window.usual = beside;
     v->letters = letters_open(v->window.renderer);

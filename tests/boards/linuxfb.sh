@@ -15,6 +15,19 @@ golden=tests/golden/$scene
 vm_lacks "screens of /dev/fb0" amd64 && exit 0
 check "one static file shows a scene" alone build "$screen"
 [ "$failures" = 0 ] || exit 1
+exits()         # CODE WORDS ARGUMENT...: of that file on this machine, which has no screen
+{
+    want=$1 words=$2
+    shift 2
+    "$screen" "$@" >"$scratch/said" 2>&1 </dev/null
+    code=$?
+    cat "$scratch/said"
+    [ $code = "$want" ] && grep -q -e "$words" "$scratch/said"
+}
+check "it tells what it takes" exits 0 "--keep FILE" --help
+check "an option that it does not know is a usage error" exits 2 "it takes" --sice 64x48
+check "a device that is not there is none" exits 4 "No such file" --device /nowhere
+check "one that is no screen is none" exits 4 "is no frame buffer" --device /dev/null
 
 cat >"$scratch/cases" <<'EOF'
 show whole three-swells-screen --on fb --frames 3:3

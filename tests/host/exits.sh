@@ -148,6 +148,8 @@ else
     exits 2 "expected 1..16" view --scale 0
     exits 3 "No such file" view nowhere.ini
     exits 4 "no window can be opened" view minimal
+    echo "; a scene" >my.ini
+    exits 4 "draws a picture: tidepool render ./my.ini$" view ./my.ini
     SDL_VIDEODRIVER=x11
     export SDL_VIDEODRIVER
     exits 4 "no window can be opened" view minimal
