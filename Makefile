@@ -148,6 +148,7 @@ UNIT    := $(patsubst %.c,$(BUILD)/%,$(wildcard tests/unit/test_*.c tests/host/t
                tests/stability/test_*.c tests/accuracy/test_*.c))
 FUZZ    := $(patsubst %.c,$(BUILD)/%,$(wildcard tests/fuzz/fuzz_*.c))
 GOLDEN  := $(BUILD)/tests/golden/test_frames $(BUILD)/tests/golden/test_harness
+LISTS   := $(BUILD)/tests/unit/test_scene_params_list $(BUILD)/tests/unit/test_scene_works
 CMOCKA  := -lcmocka
 # Tests that a missing library leaves out: LEFT_OUT names them as TEST=PACKAGE, and
 # tests/gates/left-out.sh tells of them.
@@ -244,9 +245,9 @@ coverage:
 ## break the core in N (100) random places by SEED (1), and count what tests notice
 mutants:
 	@tests/mutants/run.sh $(or $(N),100) $(or $(SEED),1)
-## write the reference pictures anew; say in the commit why, and the PSNR it prints
-golden: $(BUILD)/tests/golden/test_frames
-	$< --write
+## write the golden frames and listings anew; say in the commit why, and the PSNR it prints
+golden: $(LISTS) $(BUILD)/tests/golden/test_frames
+	for test in $^; do $$test --write || exit 1; done
 ## draw every scene for the README, and the sheet of them
 gallery:
 	@ports/setup.sh gallery

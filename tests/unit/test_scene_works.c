@@ -1,0 +1,212 @@
+/* SPDX-License-Identifier: MIT */
+/* Estimates of the work of a frame: pixels are compared with those that are drawn, and
+ * every number with tests/golden/works.txt, which lists views of shipped scenes. */
+#include <stdarg.h>
+#include <stddef.h>
+#include <setjmp.h>
+#include <stdint.h>
+#include <cmocka.h>
+#include "marks.h"
+#include "host/assets.h"
+#include "host/path.h"
+#include "listing.h"
+#include "scene/prices.h"
+#include <math.h>
+
+static listing listed;
+
+static const char *const names[] = {
+#define X(name) #name,
+    TP_WORKS(X)
+#undef X
+};
+
+typedef struct {
+    scene_file file;
+    assets     assets;
+    tp_outlook outlook;
+    tp_works   works;
+} view;
+
+/* "pond camera.y=1": a scene, and settings of it. */
+static void view_open(view *v, const char *of, uint32_t width, uint32_t height)
+{
+    char text[LISTING_CASE], path[160];
+
+    snprintf(text, sizeof text, "%s", of);
+    snprintf(path, sizeof path, "assets/scenes/%s.ini", strtok(text, " "));
+    assert_int_equal(scene_file_open(&v->file, path), 0);
+    for (char *setting; (setting = strtok(NULL, " ")) != NULL;)
+        assert_int_equal(scene_file_set(&v->file, setting), 0);
+    assert_int_equal(assets_open(&v->assets, &v->file), 0);
+    v->outlook = tp_outlook_of(&v->file.scene, &v->assets.names, width, height);
+    v->works = tp_works_of(&v->file.scene, &v->assets.names, &v->outlook, width, height,
+                           v->file.scene.quality.shading == TP_SHADING_QUICK);
+}
+
+static void view_close(view *v)
+{
+    assets_close(&v->assets);
+    scene_file_close(&v->file);
+}
+
+/* -- the listing --------------------------------------------------------------------- */
+
+static size_t add(char *to, size_t at, const char *name, int64_t number)
+{
+    return number ? at + (size_t)sprintf(to + at, "%s%s %lld", at ? ", " : "", name,
+                                         (long long)number) : at;
+}
+
+/* All numbers but zeros. */
+static void tell(const view *v, char *to)
+{
+    const tp_outlook *o = &v->outlook;
+    size_t at = add(to, 0, "water", o->water_pixels);
+
+    at = add(to, at, "other", o->other_pixels);
+    at = add(to, at, "vertices", o->vertices);
+    at = add(to, at, "waves", o->waves);
+    at = add(to, at, "near", o->near);
+    at = add(to, at, "cells", o->drawn);
+    at = add(to, at, "slant", o->slant);
+    for (int i = 0; i < TP_VISIBILITIES; i++)
+        at = add(to, at, "points", o->points[i]);
+    at = add(to, at, "hidden", v->works.hidden);
+    at = add(to, at, "stopped", v->works.solid);
+    for (int i = 0; i < TP_WORK_COUNT; i++)
+        at = add(to, at, names[i], v->works.of[i]);
+}
+
+static void every_number_is_the_listed_one(void **state)
+{
+    static view v;
+    int wrong = 0;
+
+    (void)state;
+    assert_true(listed.count > 50);
+    for (uint32_t i = 0; i < listed.count; i++) {
+        char of[LISTING_CASE], values[LISTING_VALUES] = "";
+        listing_case(&listed, i, of);
+        view_open(&v, of, 320, 240);
+        tell(&v, values);
+        view_close(&v);
+        wrong += !listing_holds(&listed, i, of, values);
+    }
+    listing_write(&listed);
+    assert_int_equal(wrong, 0);
+}
+
+static bool is_listed(const char *scene)
+{
+    const size_t bytes = strlen(scene);
+
+    for (uint32_t i = 0; i < listed.count; i++)
+        if (!strncmp(listed.line[i], scene, bytes) && listed.line[i][bytes] == ':')
+            return true;
+    return false;
+}
+
+static void every_shipped_scene_is_listed(void **state)
+{
+    size_t count;
+    char **scenes = path_scene_names("assets/scenes", &count);
+
+    (void)state;
+    assert_true(count > 0);
+    for (size_t i = 0; i < count; i++)
+        if (!is_listed(scenes[i]))
+            fail_msg("tests/golden/works.txt has no line \"%s:\"", scenes[i]);
+    path_free_names(scenes, count);
+}
+
+static void every_kind_of_work_is_listed(void **state)
+{
+    (void)state;
+    for (int i = 0; i < TP_WORK_COUNT; i++) {
+        char name[64];
+        uint32_t n = 0;
+        snprintf(name, sizeof name, ", %s ", names[i]);
+        while (n < listed.count && !strstr(listed.line[n], name))
+            n++;
+        if (n == listed.count)
+            fail_msg("no view of tests/golden/works.txt has %s", names[i]);
+    }
+}
+
+/* -- beside what is drawn ------------------------------------------------------------ */
+
+enum { WIDTH = 160, HEIGHT = 120 };
+
+/* Shares of the picture, in percent: water in sight, the sky, all else. */
+typedef struct {
+    double water, sky, other;
+} shares;
+
+static double most_of(const uint32_t *work, int from, int to)
+{
+    uint32_t most = 0;
+
+    for (int i = from; i <= to; i++)
+        most = work[i] > most ? work[i] : most;
+    return most;
+}
+
+/* Stars are counted beside the sky that is behind them. */
+static shares estimated(const view *v)
+{
+    const double all = WIDTH * HEIGHT / 100.0;
+
+    return (shares){ (v->outlook.water_pixels - v->works.hidden) / all,
+                     most_of(v->works.of, TP_WORK_sky_dome, TP_WORK_sky_cube) / all,
+                     v->works.solid / all };
+}
+
+static shares drawn(const view *v)
+{
+    static const tp_frame_config config = { .width = WIDTH, .height = HEIGHT };
+    static uint32_t key[WIDTH * HEIGHT];
+    const double all = WIDTH * HEIGHT / 100.0;
+    tp_world *world = scene_world(&v->file.scene, &v->assets.names);
+
+    marks_draw(&v->file.scene, &v->assets.names, world, config, key, NULL);
+    free(world);
+    const double water = marks_count(key, WIDTH * HEIGHT, TP_MARK_WATER) / all;
+    const double sky = marks_count(key, WIDTH * HEIGHT, TP_MARK_SKY) / all;
+    return (shares){ water, sky, 100 - water - sky };
+}
+
+/* At the first tick.  A plain sky has no price, so that it is not counted. */
+static void pixels_are_within_4_percent_of_the_picture(void **state)
+{
+    static view v;
+    size_t count;
+    char **scenes = path_scene_names("assets/scenes", &count);
+
+    (void)state;
+    assert_true(count > 0);
+    for (size_t i = 0; i < count; i++) {
+        view_open(&v, scenes[i], WIDTH, HEIGHT);
+        const shares e = estimated(&v), d = drawn(&v);
+        view_close(&v);
+        printf("    %-14s water %5.1f of %5.1f, sky %5.1f of %5.1f, else %5.1f of %5.1f\n",
+               scenes[i], e.water, d.water, e.sky, d.sky, e.other, d.other);
+        assert_true(fabs(e.water - d.water) < 2);
+        assert_true(e.sky == 0 || fabs(e.sky - d.sky) < 4);
+        assert_true(fabs(e.other - d.other) < 4);
+    }
+    path_free_names(scenes, count);
+}
+
+int main(int argc, char **argv)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(every_number_is_the_listed_one),
+        cmocka_unit_test(every_shipped_scene_is_listed),
+        cmocka_unit_test(every_kind_of_work_is_listed),
+        cmocka_unit_test(pixels_are_within_4_percent_of_the_picture),
+    };
+
+    listing_read(&listed, "tests/golden/works.txt", argc, argv);
+    return cmocka_run_group_tests_name("scene/works", tests, NULL, NULL);
+}
