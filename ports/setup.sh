@@ -8,7 +8,7 @@
 # and lays them out, `bench` has renderers to compare with, `web` makes the page and
 # `serve` serves it, `all` adds other processors, boards, windows and the page to the
 # tests.  Without apt, or without root (tries sudo -n), it prints the exact command: of
-# things needed to build it then stops with 1, of things that only tests need it goes on,
+# things needed to build it then stops with 3, of things that only tests need it goes on,
 # and those tests say that they were skipped.
 set -u
 
@@ -118,4 +118,4 @@ if command -v apt-get >/dev/null && [ "$as" != none ]; then
     echo "the installation failed" >&2
 fi
 echo "please run:  sudo $install" >&2
-[ -z "$needed" ]
+[ -z "$needed" ] || exit 3

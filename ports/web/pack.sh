@@ -7,6 +7,8 @@
 #
 # PNGs as they are, text gzip'd.  No date is kept: the same files make the same script.
 set -eu
+usage() { echo "usage: ports/web/pack.sh module X.wasm | files ASSETS" >&2; exit 2; }
+[ $# = 2 ] || usage
 LC_ALL=C
 export LC_ALL
 
@@ -25,4 +27,6 @@ files)
         printf "'%s': '%s',\n" "$name" "$(base64 -w0 "$name")"
     done
     printf '};\n' ;;
+*)
+    usage ;;
 esac

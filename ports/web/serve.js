@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Serves a folder on this machine alone:  node ports/web/serve.js FOLDER [PORT]
-// On port 8080, or the next that is free.
+// On port 8080, or the next that is free.  Exits with 2 for its usage, 3 if it cannot serve.
 'use strict';
 const fs = require('fs'), http = require('http'), path = require('path');
 
@@ -8,6 +8,15 @@ const TYPES = { '.html': 'text/html; charset=utf-8', '.css': 'text/css; charset=
                 '.js': 'text/javascript; charset=utf-8' };
 const folder = path.resolve(process.argv[2] || 'build/web');
 const first = Number(process.argv[3] || 8080);
+
+const stop = (code, text) => {
+    console.error(text);
+    process.exit(code);
+};
+if (process.argv.length > 4 || !(Number.isInteger(first) && first > 0 && first < 65536))
+    stop(2, 'usage: node ports/web/serve.js FOLDER [PORT]');
+if (!fs.existsSync(path.join(folder, 'index.html')))
+    stop(3, `serve: ${folder}: no index.html; \`make web\` builds the page`);
 
 const server = http.createServer((request, answer) => {
     const refuse = code => {
@@ -37,10 +46,8 @@ const server = http.createServer((request, answer) => {
 
 let port = first;
 server.on('error', error => {
-    if (error.code !== 'EADDRINUSE' || port >= first + 20) {
-        console.error(`serve: ${error.message}`);
-        process.exit(3);
-    }
+    if (error.code !== 'EADDRINUSE' || port >= Math.min(first + 20, 65535))
+        stop(3, `serve: ${error.message}`);
     server.listen(++port, 'localhost');
 });
 server.on('listening', () =>

@@ -180,11 +180,27 @@ exits 2 "no command" sail
 # -- scripts --------------------------------------------------------------------------------
 
 cd "$root" || exit 2
-for script in run gallery tour setup; do
+for script in run gallery tour setup web/pack; do
     "ports/$script.sh" >"$work/out" 2>"$work/err" </dev/null
     same "ports/$script.sh without arguments is a usage error" \
         "$? $(grep -c "ports/$script.sh" "$work/err")" "2 1"
 done
+serves() {      # CODE WORDS ARGUMENT...
+    want=$1 words=$2
+    shift 2
+    timeout 20 node ports/web/serve.js "$@" >"$work/out" 2>"$work/err" </dev/null
+    code=$?
+    cd "$work" || exit 2
+    judge "serve.js FOLDER ${2:-}: exit code $want" "$want" "$words"
+    cd "$root" || exit 2
+}
+if command -v node >/dev/null; then
+    serves 2 "^usage: node ports/web/serve.js" "$work" http
+    serves 2 "^usage: node ports/web/serve.js" "$work" 70000
+    serves 3 "no index.html; .make web. builds" "$work"
+else
+    echo "skipped: the page's server (package nodejs)"
+fi
 cd "$work" || exit 2
 
 finish
