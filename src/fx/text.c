@@ -80,7 +80,7 @@ static const char *scan_exponent(const char *at, const char *end, int64_t *expon
  * `power` of the first digit is -6..13: whole < 10^14, fraction < 10^17. */
 static uint64_t half_units(const digits *number, int power, bool *exact)
 {
-    TP_ASSERT(number->first != NULL && power >= -6 && power <= 4);
+    TP_ASSERT(number->first != NULL && power >= -6 && power < WHOLE_DIGITS);
     uint64_t whole = 0, fraction = 0;
     bool more = false;
     for (const char *at = number->first; at < number->end; at++) {
