@@ -205,12 +205,14 @@ test-all:
 	@ports/setup.sh all
 	@$(if $(TESTED),,$(MAKE) --no-print-directory host-tests)
 	@$(MAKE) --no-print-directory more-tests
-## the long sweeps: 100000 random scenes, 10^6 ticks of feed; every build's frames
+## the long sweeps: random scenes of any size, 300 s of each fuzz target, all builds' frames
 soak:
 	@ports/setup.sh all
+	@$(MAKE) --no-print-directory everything build/host/count.so
 	@$(MAKE) --no-print-directory $(SAN) unit
-	@TP_SOAK=1 TP_SCENES=100000 TP_TIMEOUT=7200 TP_BUILD=build/san tests/run.sh \
-	    build/log/soak tests/gates/coverage.sh tests/cross/run.sh tests/budgets/prices.sh \
+	@TP_SOAK=1 TP_SCENES=100000 FUZZ_SECONDS=$${FUZZ_SECONDS:-300} TP_TIMEOUT=7200 \
+	    TP_BUILD=build/san tests/run.sh build/log/soak tests/gates/coverage.sh \
+	    tests/cross/run.sh tests/budgets/prices.sh tests/fuzz/run.sh \
 	    $(patsubst build/host/%,build/san/%,$(filter $(BUILD)/tests/stability/% \
 	        $(BUILD)/tests/accuracy/%,$(UNIT)))
 ## what scenes and models cost, against their budgets; SCENE=x by function; WRITE=1

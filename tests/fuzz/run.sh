@@ -20,7 +20,7 @@ run_one()       # NAME
     set -- "$1" "$scratch/$1" $(ls -d "tests/fuzz/$1" 2>/dev/null)
     name=$1; shift
     [ ! -f "tests/fuzz/$name.dict" ] || set -- -dict="tests/fuzz/$name.dict" "$@"
-    if TMPDIR=$scratch/$name.tmp "$program" -max_total_time="$seconds" -timeout=20 \
+    if TMPDIR=$scratch/$name.tmp "$program" -max_total_time="$seconds" -timeout=60 \
         -rss_limit_mb=2048 -close_fd_mask=3 -print_final_stats=1 \
         -artifact_prefix="build/fuzz/$name-" ${TP_SEED:+-seed="$TP_SEED"} \
         "$@" >"$log" 2>&1 </dev/null
@@ -53,7 +53,17 @@ check "the fuzz targets build" build SAY=@ TARGET=fuzz CC=clang V3_C= CHECKED=1 
          -fno-sanitize-recover=all" LDFLAGS="-fsanitize=$sanitize" fuzzers
 [ "$failures" -eq 0 ] || exit 1
 
+described()     # each target has seeds, and a row of the table
+{
+    for source in tests/fuzz/fuzz_*.c; do
+        name=$(basename "$source" .c)
+        grep -q "^| \`$name\` |" tests/fuzz/README.md || { echo "no row of $name"; return 1; }
+        ls "tests/fuzz/${name#fuzz_}"/* >/dev/null || return 1
+    done
+}
+check "each fuzz target has seeds and its row in tests/fuzz/README.md" described
+
 names=${FUZZ_ONLY:-$(ls tests/fuzz/fuzz_*.c | sed 's,.*/fuzz_,,; s,\.c$,,')}
 printf '%s\n' $names | xargs -P "$(nproc)" -I{} "$0" -one {} "$scratch" |
     tee "$scratch/results"
-! grep -q '^FAILED' "$scratch/results"
+! grep -q '^FAILED' "$scratch/results" && [ "$failures" -eq 0 ]
