@@ -6,6 +6,7 @@
 #include <setjmp.h>
 #include <stdint.h>
 #include <cmocka.h>
+#include "thin.h"
 #include "twice.h"
 
 static uint64_t chance;
@@ -17,35 +18,6 @@ static const tp_kit least = {
     .store = { [TP_FORMAT_XRGB8888] = tp_store_xrgb8888 },
     .method = { TP_METHOD(triangles) },
 };
-
-/* A pointer of every `in` is NULL; stores, sky, plain stay. */
-static void thin_out(void *pointers, size_t bytes, uint32_t in)
-{
-    void **p = pointers;
-    for (size_t i = 0; i < bytes / sizeof *p; i++)
-        if (random_below(&chance, in) == 0)
-            p[i] = NULL;
-}
-
-static tp_kit any_kit(void)
-{
-    const uint32_t in = 1 + random_below(&chance, 12);
-    tp_kit any = tp_kit_all;
-
-    if (random_below(&chance, 2))
-        thin_out(&any.stage, sizeof any.stage, in);
-    if (random_below(&chance, 2))
-        thin_out(&any.water, sizeof any.water, in);
-    if (random_below(&chance, 2))
-        thin_out(&any.move, sizeof any.move, in);
-    if (random_below(&chance, 2))
-        thin_out(&any.draw, sizeof any.draw, in);
-    if (random_below(&chance, 8) == 0)
-        thin_out(&any.method, sizeof any.method, in);
-    any.stage.sky = tp_stage_sky;
-    any.stage.plain = tp_stage_plain;
-    return any;
-}
 
 static tp_world *world_by(const tp_kit *by, const tp_scene *scene,
                           const tp_assets *assets)
@@ -85,7 +57,7 @@ static void any_kit_draws_any_scene(void **state)
 {
     (void)state;
     for (int n = 0; n < 400; n++) {
-        const tp_kit by = any_kit(), other = any_kit();
+        const tp_kit by = thin_kit(&chance), other = thin_kit(&chance);
         draw_by(&by, n % 3 ? &by : n % 2 ? &tp_kit_all : &other);
     }
     twice_print(&twice.reached);

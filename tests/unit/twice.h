@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* A scene drawn twice, whole and in tiles of any size, by frames that live on: both must
- * hold the same bits, and write nothing outside of their memory.  Counts what the pictures
- * had in them, since a test of a stage that never runs says nothing. */
+/* A scene drawn twice, whole and in tiles of any size and order, by frames that live on:
+ * both must hold the same bits, and write nothing outside of their memory.  Counts what the
+ * pictures had in them, since a test of a stage that never runs says nothing. */
 #ifndef TP_TESTS_TWICE_H
 #define TP_TESTS_TWICE_H
 #include "frame/frame.h"
@@ -23,35 +23,53 @@ typedef struct {
 
 typedef struct {
     const tp_kit *by;           /* NULL: everything */
+    const tp_kit *tiled_by;     /* of the tiles; NULL: the same */
+    bool          backwards;    /* the last tile first */
     test_frame    whole, tiled;
-    tp_format     format;
-    uint32_t      picture[2][TWICE_WIDTH * TWICE_HEIGHT];
+    tp_frame_config config;     /* of the tiles */
+    size_t        pixels;
+    uint32_t     *picture[2];
     twice_reached reached;
 } test_twice;
+
+/* Pictures of any size, whole and in these tiles. */
+static inline void twice_begin_at(test_twice *t, const tp_scene *scene,
+                                  const tp_assets *assets, const tp_frame_config *tiles)
+{
+    const tp_frame_config whole = { tiles->width, tiles->height, 0, 0, tiles->format };
+    const tp_kit *by = t->by ? t->by : &tp_kit_all;
+    t->config = *tiles;
+    t->pixels = (size_t)tiles->width * tiles->height;
+    t->whole = frame_by(by, scene, assets, &whole);
+    t->tiled = frame_by(t->tiled_by ? t->tiled_by : by, scene, assets, tiles);
+    for (int i = 0; i < 2; i++) {
+        t->picture[i] = malloc(t->pixels * sizeof *t->picture[i]);
+        assert_non_null(t->picture[i]);
+    }
+}
 
 static inline void twice_begin(test_twice *t, const tp_scene *scene,
                                const tp_assets *assets, uint64_t *state)
 {
-    t->format = (tp_format)random_below(state, TP_FORMAT_COUNT);
-    const tp_frame_config whole = { TWICE_WIDTH, TWICE_HEIGHT, 0, 0, t->format };
-    const tp_frame_config tiled = { TWICE_WIDTH, TWICE_HEIGHT, 16 * random_below(state, 5),
-                                    random_below(state, TWICE_HEIGHT), t->format };
-    const tp_kit *by = t->by ? t->by : &tp_kit_all;
-    t->whole = frame_by(by, scene, assets, &whole);
-    t->tiled = frame_by(by, scene, assets, &tiled);
+    const tp_format format = (tp_format)random_below(state, TP_FORMAT_COUNT);
+    const tp_frame_config tiles = { TWICE_WIDTH, TWICE_HEIGHT, 16 * random_below(state, 5),
+                                    random_below(state, TWICE_HEIGHT), format };
+    twice_begin_at(t, scene, assets, &tiles);
 }
 
 static inline void twice_end(test_twice *t)
 {
     frame_free(&t->whole);
     frame_free(&t->tiled);
+    free(t->picture[0]);
+    free(t->picture[1]);
 }
 
-static inline void twice_marks(const uint32_t *key, twice_reached *r)
+static inline void twice_marks(const uint32_t *key, size_t pixels, twice_reached *r)
 {
     bool has[256] = { false };
 
-    for (int i = 0; i < TWICE_WIDTH * TWICE_HEIGHT; i++)
+    for (size_t i = 0; i < pixels; i++)
         has[TP_MARK(key[i])] = true;
     r->water += has[TP_MARK_WATER];
     r->solids += has[TP_MARK_SOLID] || has[TP_MARK_SOLID + 1];
@@ -62,11 +80,12 @@ static inline void twice_marks(const uint32_t *key, twice_reached *r)
     r->spray += has[TP_MARK_SPRAY];
 }
 
-static inline void twice_count(const tp_frame *f, const uint32_t *key, twice_reached *r)
+static inline void twice_count(const tp_frame *f, const uint32_t *key, size_t pixels,
+                               twice_reached *r)
 {
     const tp_env *env = &f->shade.env;
 
-    twice_marks(key, r);
+    twice_marks(key, pixels, r);
     r->drawn++;
     r->under += f->under;
     r->in_a_tank += f->under && f->shade.inside.walled;
@@ -104,17 +123,20 @@ static inline bool twice_reached_all(const twice_reached *r)
 }
 
 /* Into a scratch full of other things. */
-static inline void twice_paint(const test_frame *f, tp_format format, uint32_t *picture)
+static inline void twice_paint(const test_twice *t, const test_frame *f, bool backwards,
+                               uint32_t *picture)
 {
+    const uint32_t count = tp_frame_tiles(f->frame);
     tp_tile tile;
 
     memset(f->scratch, 0x5a, f->scratch_bytes);
-    for (uint32_t i = 0; tp_frame_tile(f->frame, i, f->scratch, &tile); i++) {
+    for (uint32_t i = 0; tp_frame_tile(f->frame, backwards ? count - 1 - i : i, f->scratch,
+                                       &tile); i++) {
         const uint8_t *row = tile.pixels;
         for (uint32_t y = tile.y0; y < tile.y1; y++, row += tile.stride)
             for (uint32_t x = tile.x0; x < tile.x1; x++)
-                picture[y * TWICE_WIDTH + x] = tp_pixel_read(format, row,
-                                                             (int)(x - tile.x0));
+                picture[y * t->config.width + x] = tp_pixel_read(t->config.format, row,
+                                                                 (int)(x - tile.x0));
     }
     assert_true(frame_guard_holds(f->block, f->bytes));
     assert_true(frame_guard_holds(f->scratch, f->scratch_bytes));
@@ -124,10 +146,11 @@ static inline void twice_draw(test_twice *t, const tp_world *world)
 {
     tp_frame_begin(t->whole.frame, world);
     tp_frame_begin(t->tiled.frame, world);
-    twice_paint(&t->whole, t->format, t->picture[0]);
-    twice_paint(&t->tiled, t->format, t->picture[1]);
+    twice_paint(t, &t->whole, false, t->picture[0]);
+    twice_paint(t, &t->tiled, t->backwards, t->picture[1]);
     twice_count(t->whole.frame, (const uint32_t *)(const void *)t->whole.scratch,
-                &t->reached);
-    assert_memory_equal(t->picture[0], t->picture[1], sizeof t->picture[0]);
+                t->pixels, &t->reached);
+    assert_memory_equal(t->picture[0], t->picture[1],
+                        t->pixels * sizeof *t->picture[0]);
 }
 #endif

@@ -1,0 +1,36 @@
+/* SPDX-License-Identifier: MIT */
+/* Kits that lack things at random. */
+#ifndef TP_TESTS_THIN_H
+#define TP_TESTS_THIN_H
+#include "chance.h"
+#include "tidepool/kit.h"
+
+/* A pointer of every `in` is NULL; stores, sky, plain stay. */
+static inline void thin_out(void *pointers, size_t bytes, uint32_t in, uint64_t *state)
+{
+    void **p = pointers;
+    for (size_t i = 0; i < bytes / sizeof *p; i++)
+        if (random_below(state, in) == 0)
+            p[i] = NULL;
+}
+
+static inline tp_kit thin_kit(uint64_t *state)
+{
+    const uint32_t in = 1 + random_below(state, 12);
+    tp_kit any = tp_kit_all;
+
+    if (random_below(state, 2))
+        thin_out(&any.stage, sizeof any.stage, in, state);
+    if (random_below(state, 2))
+        thin_out(&any.water, sizeof any.water, in, state);
+    if (random_below(state, 2))
+        thin_out(&any.move, sizeof any.move, in, state);
+    if (random_below(state, 2))
+        thin_out(&any.draw, sizeof any.draw, in, state);
+    if (random_below(state, 8) == 0)
+        thin_out(&any.method, sizeof any.method, in, state);
+    any.stage.sky = tp_stage_sky;
+    any.stage.plain = tp_stage_plain;
+    return any;
+}
+#endif
