@@ -324,7 +324,8 @@ host-tests: everything
 	    tests/gates/headers.sh tests/gates/selftest.sh tests/host/cli.sh \
 	    tests/host/manual.sh tests/host/exits.sh tests/host/output.sh tests/host/bake.sh \
 	    tests/host/check.sh tests/host/tape.sh \
-	    tests/host/screen.sh tests/host/charts.sh tests/host/charts_stop.sh tests/boards/readme.sh \
+	    tests/host/screen.sh tests/host/charts.sh tests/host/charts_stop.sh \
+	    tests/boards/readme.sh \
 	    tests/gates/sanitized.sh tests/host/generators.sh tests/host/readme.sh
 # First what several of them want of the board's compiler.
 more-tests: everything build/host/count.so build/host/tally.so

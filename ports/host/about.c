@@ -27,8 +27,8 @@ static const about_row rows[] = {
       "Shows SCENE on a raw screen.  W A S D Q E and the arrows move, [ ] turns the\n"
       "light, F lets a drop fall, Space pauses, Esc ends.\n",
       "", SHOWS, NULL },
-    { FOR_SCENES, "tidepool scenes", "Lists the shipped scenes and what each shows.\n", "",
-      USUAL, NULL },
+    { FOR_SCENES, "tidepool scenes",
+      "Lists the shipped scenes and what each shows.\n", "", USUAL, NULL },
     { FOR_JOIN, "tidepool join FILM.y4m PART.y4m...",
       "Makes one film of parts in their order, as `render --frames A:B` draws them on\n"
       "one machine or on many: the same bits as drawn in one go.  FILM may be -.\n",

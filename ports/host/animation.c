@@ -30,7 +30,7 @@ static uint32_t get_32(const uint8_t *from)
          | from[3];
 }
 
-/* The data is of two parts, of which the first has no more than a number. */
+/* Writes a chunk whose data has two parts; the first holds a number or nothing. */
 static bool put_chunk(animation *a, const char *type, const uint8_t *head,
                       size_t head_bytes, const uint8_t *data, size_t bytes)
 {
@@ -54,8 +54,8 @@ static bool put_count(animation *a)
     return put_chunk(a, "acTL", NULL, 0, data, sizeof data);
 }
 
-/* Number, size, place, seconds as a fraction; the last two bytes: the next picture lies
- * over this one, and covers it. */
+/* Number, size, place, seconds as a fraction.  The last two bytes are 0: the picture stays
+ * on the canvas, and the next one replaces what it covers. */
 static bool put_control(animation *a, const picture *part, uint32_t y)
 {
     uint8_t data[26] = { 0 };
@@ -76,7 +76,7 @@ static bool put_pixels(animation *a, const uint8_t *data, size_t bytes)
     return put_chunk(a, "fdAT", number, sizeof number, data, bytes);
 }
 
-/* What libpng made of a part that begins at row y. */
+/* Copies the chunks of a PNG that libpng made of a part that begins at row y. */
 static bool put_png(animation *a, const uint8_t *png, size_t bytes, const picture *part,
                     uint32_t y)
 {
@@ -100,7 +100,7 @@ static bool put_png(animation *a, const uint8_t *png, size_t bytes, const pictur
     return done;
 }
 
-/* The rows that have changed, one at the least. */
+/* The part of a picture whose rows have changed, a row at the least; *y is its top. */
 static picture changed_part(const animation *a, const picture *p, uint32_t *y)
 {
     const size_t line = p->row_bytes;

@@ -11,7 +11,7 @@
 #define FIRST_SCENE "three-swells"      /* what the preview opens of itself */
 #define HELP_COLUMNS 60                 /* of a line of names, before what follows it */
 
-/* Those that few need by their names alone, on lines of the screen. */
+/* Names the options that few people need, without their help. */
 static void print_rare(unsigned command)
 {
     const char *before = "  also ";

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Pictures: gnuplot on style.gp and NAME.gp, which are told of the tables by variables.
  * They are drawn into a private temporary folder and copied from there when both of a
- * chart are whole: whatever happens to gnuplot, the charts' folder holds no part of one. */
+ * chart are whole: the charts' folder never holds a part of one. */
 #define _POSIX_C_SOURCE 200809L
 #include <errno.h>
 #include <stdlib.h>
@@ -135,9 +135,10 @@ static bool add_picture(chart_jobs *jobs, const places *at, const chart *of)
     return true;
 }
 
-/* -- the temporary folder ------------------------------------------------------------- */
+/* -- the temporary folder ----------------------------------------------------------- */
 
-/* To free; NULL: there can be none, and said why. */
+/* Makes a private folder and returns its name, to free; NULL: none can be made, and said
+ * why. */
 static char *make_folder(void)
 {
     const char *place = getenv("TMPDIR");
@@ -152,7 +153,7 @@ static char *make_folder(void)
     return NULL;
 }
 
-/* With all that charts leave there. */
+/* Removes the folder with every file that drawing leaves there. */
 static void remove_folder(char *drawn, const charts *c)
 {
     static const char *const parts[] = { ".part", ".png", ".svg" };
@@ -183,13 +184,14 @@ static int copy_into(FILE *from, const char *name, const char *to)
     return fail(EXIT_INPUT, "%s: %s", name, strerror(errno));
 }
 
-/* The pictures of a chart become what they are called. */
+/* Copies the pictures of a chart to their places. */
 static int settle(const chart *of, const places *at)
 {
     int code = EXIT_DONE;
     for (int i = 0; i < 2 && !code; i++) {
         const char *suffix = i ? ".svg" : ".png";
-        char *from = chart_path(at->drawn, of, suffix), *to = chart_path(at->dir, of, suffix);
+        char *from = chart_path(at->drawn, of, suffix);
+        char *to = chart_path(at->dir, of, suffix);
         FILE *file = from && to ? fopen(from, "rb") : NULL;
         if (file)
             code = copy_into(file, from, to);
@@ -204,7 +206,7 @@ static int settle(const chart *of, const places *at)
     return code;
 }
 
-/* -- all of them ---------------------------------------------------------------------- */
+/* -- all of them -------------------------------------------------------------------- */
 
 static bool has_gnuplot(void)
 {

@@ -163,7 +163,7 @@ static uint32_t count_ended(const chart_jobs *jobs)
     return count;
 }
 
-/* Until a child has ended; 0: there is none. */
+/* Waits until a child has ended and returns its id; 0: there is none. */
 static pid_t wait_for_child(sweep *s, int *status)
 {
     const struct timespec patience = { PATIENCE_S, 0 };

@@ -12,7 +12,7 @@
 #include "say.h"
 #include "tidepool/version.h"
 
-/* Also a file that is none, or an unknown one of that name. */
+/* Holds for a shipped scene, and for any name that ends in .ini. */
 static bool is_scene(const char *name)
 {
     char *folder = path_ends(name, ".ini") ? NULL : path_of_scenes();
@@ -35,7 +35,8 @@ static void refuse(const char *name)
     else if (best.name)
         say("tidepool: no command %.60s; did you mean %s?", name, best.name);
     else if (is_scene(name))
-        say("tidepool: no command %.60s; did you mean `tidepool view %.60s`?", name, name);
+        say("tidepool: no command %.60s; did you mean `tidepool view %.60s`?", name,
+            name);
     else
         say("tidepool: no command %.60s; see `tidepool help`", name);
 }

@@ -149,15 +149,16 @@ static void say_own(const sink *s)
             (unsigned)o->width, (unsigned)o->height,
             (unsigned)(TP_TICKS_PER_SECOND / o->every));
     else
-        say("%s: frames %u..%u, %ux%u, each for %u/%u s", s->own, (unsigned)o->first, last,
-            (unsigned)o->width, (unsigned)o->height, (unsigned)o->every,
+        say("%s: frames %u..%u, %ux%u, each for %u/%u s", s->own, (unsigned)o->first,
+            last, (unsigned)o->width, (unsigned)o->height, (unsigned)o->every,
             TP_TICKS_PER_SECOND);
 }
 
 int sink_close(sink *s)
 {
     const int code = s->kind == SINK_FILM ? film_close(&s->film)
-                   : s->kind == SINK_ANIMATION ? animation_close(&s->animation) : EXIT_DONE;
+                   : s->kind == SINK_ANIMATION ? animation_close(&s->animation)
+                   : EXIT_DONE;
     if (!code && s->own)
         say_own(s);
     free(s->own);

@@ -1,9 +1,10 @@
 /* SPDX-License-Identifier: MIT */
 /* Where drawn pictures go: nowhere, one PNG each, an animated one, or a film.
  *
- * Nowhere when hashes, figures or a comparison alone were asked for.  Without any of them
- * the pictures go into the current folder, to SCENE.png or, if there are several, to
- * SCENE.apng, which is then told; there a file that is none of ours is not replaced. */
+ * No file is written when hashes, figures or a comparison alone were asked for.  Without
+ * any of them the pictures go into the current folder, to SCENE.png or, if there are
+ * several, to SCENE.apng, and a message says so; a file of that name that tidepool has not
+ * written is not replaced. */
 #ifndef HOST_SINK_H
 #define HOST_SINK_H
 #include "animation.h"

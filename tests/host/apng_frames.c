@@ -3,7 +3,8 @@
  * `tidepool render --hash` does, its time in seconds and the rows that it carries.  Every
  * rule of the format that the file breaks is said, and the exit code is 1.
  *
- * Each frame is made a PNG of its own, which libpng reads; nothing of the writer is used. */
+ * Each frame is made a PNG of its own, which libpng reads; the writer's code has no part
+ * in it. */
 #include <inttypes.h>
 #include <png.h>
 #include <stdarg.h>
@@ -14,7 +15,7 @@
 #include <zlib.h>
 #include "host/picture.h"
 
-#define HEAD_BYTES 4096         /* of the chunks before the pixels: a palette and others */
+#define HEAD_BYTES 4096         /* chunks before the pixels: a palette and others */
 
 typedef struct { char type[5]; uint32_t bytes; const uint8_t *data; } chunk;
 

@@ -25,7 +25,9 @@ echo '# Page' >charts/page.md
 echo '{ print "<" $0 ">" }' >charts/svg.awk
 
 naps=321.$$                             # ours, and nobody else's
-napping() { cat /proc/[0-9]*/cmdline 2>/dev/null | tr '\0' ' ' | grep -q "[s]leep $naps "; }
+napping() {
+    cat /proc/[0-9]*/cmdline 2>/dev/null | tr '\0' ' ' | grep -q "[s]leep $naps "
+}
 nobody_naps() {                         # a signal takes its time
     for wait in $(seq 50); do
         napping || return 0
@@ -56,8 +58,8 @@ for signal in HUP TERM USR1 USR2 ALRM XCPU; do
 done
 for signal in INT QUIT; do              # which a shell's background jobs do not hear
     rm -rf whole drawing
-    timeout --preserve-status -s $signal 1 "$program" charts whole --from charts --jobs 2 \
-        >out 2>err
+    timeout --preserve-status -s $signal 1 "$program" charts whole --from charts \
+        --jobs 2 >out 2>err
     same "SIG$signal: nothing half made" "$(kill -l $?) $(left)" \
         "$signal tmp:  whole: one.csv two.csv "
     verdict "SIG$signal: its jobs end" "$(nobody_naps)"

@@ -65,7 +65,8 @@ exits 3 "No such file" plan nowhere.ini
 mkdir tables
 head -20 "$vectors/sine.csv" >tables/sine.csv
 exits 0 "sine" check --vectors tables
-awk -F, -v OFS=, '/^[^#]/ && ++n == 2 { $NF = 65536 - $NF } { print }' tables/sine.csv >wrong
+awk -F, -v OFS=, '/^[^#]/ && ++n == 2 { $NF = 65536 - $NF } { print }' tables/sine.csv \
+    >wrong
 mv wrong tables/sine.csv
 exits 1 "sine" check --vectors tables
 exits 2 "which folder" check
@@ -89,7 +90,7 @@ exits 0 "complete" completion bash
 exits 2 "expected bash, zsh or fish" completion csh
 full completion bash
 
-# -- screens: none, one that is there, one that is lost ------------------------------------
+# -- screens: none, one that is there, one that is lost ---------------------------------
 
 FAKE_FB="96 64 32 384 64 2 16 8 8 8 0 8 24 8 0 0" FAKE_GONE=$work/gone
 export FAKE_FB FAKE_GONE
@@ -113,7 +114,7 @@ show minimal --device fb0 --hash
 wait
 met show 5 "the display is lost" "show, whose screen is unplugged"
 
-# -- windows ------------------------------------------------------------------------------
+# -- windows ----------------------------------------------------------------------------
 
 wait_until() {  # COMMAND...: for ten seconds at the most
     waited=0
@@ -123,7 +124,8 @@ wait_until() {  # COMMAND...: for ten seconds at the most
     done
 }
 lose_display() {
-    Xvfb -displayfd 7 -screen 0 640x480x24 -nolisten tcp -noreset 7>number >/dev/null 2>&1 &
+    Xvfb -displayfd 7 -screen 0 640x480x24 -nolisten tcp -noreset 7>number \
+        >/dev/null 2>&1 &
     server=$!
     wait_until test -s number
     DISPLAY=:$(cat number) SDL_VIDEODRIVER=x11 timeout $seconds "$program" view minimal \
@@ -162,7 +164,7 @@ else
     fi
 fi
 
-# -- what --help says, of each command ------------------------------------------------------
+# -- what --help says, of each command --------------------------------------------------
 
 for command in $("$program" --help | sed -n 's/^  \([a-z]*\) .*  .*/\1/p'); do
     said=$("$program" $command --help 2>/dev/null | sed -n 's/^Exit: //p' | tr , '\n' |
@@ -172,12 +174,12 @@ for command in $("$program" --help | sed -n 's/^  \([a-z]*\) .*  .*/\1/p'); do
 done
 run --help
 same "the program's help says what each code means" \
-    "$(sed -n '/^Exit:/,$p' out | tr '\n' ' ' | tr -s ' ')" "Exit: 0 done, 1 a check failed, \
-2 usage, 3 bad input, 4 no display or device, 5 display lost. "
+    "$(sed -n '/^Exit:/,$p' out | tr '\n' ' ' | tr -s ' ')" "Exit: 0 done, \
+1 a check failed, 2 usage, 3 bad input, 4 no display or device, 5 display lost. "
 exits 2 "which command"
 exits 2 "no command" sail
 
-# -- scripts --------------------------------------------------------------------------------
+# -- scripts ----------------------------------------------------------------------------
 
 cd "$root" || exit 2
 for script in run gallery tour setup web/pack; do
