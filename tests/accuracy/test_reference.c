@@ -77,7 +77,7 @@ static void a_wave_is_met_where_brute_force_finds_it(void **state)
     (void)state;
     v.scene.wave[0] = (tp_wave){ .amplitude = TP_FX(0.8), .length = 11 * TP_FX_ONE,
                                  .steepness = TP_FX(0.42), .heading = 90 * TP_FX_ONE,
-                                 .phase = 30 * TP_FX_ONE, .speed = TP_FX_ONE };
+                                 .phase = 30 * TP_FX_ONE, .speed = TP_FX_ONE, .power = 1 };
     view_open(&v, 64, 48);
     const trochoid w = { ref_number(TP_FX(0.8)), ref_number(TP_FX(0.42)), 2 * PI / 11,
                          PI / 6 };

@@ -62,9 +62,9 @@ static const tp_input no_input;
 static void prepare_world(int kind)
 {
     tp_scene_default(&scene);
-    for (int i = 0; i < TP_WAVES; i++) {
-        scene.wave[i] = i < 3 ? model_waves[i] : (tp_wave){ 0 };
-        scene.wave[i].steepness = i < 3 ? TP_FX(0.23) : 0;
+    for (int i = 0; i < 3; i++) {
+        scene.wave[i] = model_waves[i];
+        scene.wave[i].steepness = TP_FX(0.23);
     }
     scene.boat.length = TP_FX(15);
     scene.boat.beam = TP_FX(4);

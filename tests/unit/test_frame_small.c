@@ -150,7 +150,7 @@ static void waves_beyond_those_at_init_are_left_out(void **state)
         for (int i = 0; i < TP_WAVES; i++)
             if (scene.wave[i].amplitude == 0)
                 scene.wave[i] = (tp_wave){ .amplitude = TP_FX(0.5),
-                                           .length = 9 * TP_FX_ONE };
+                                           .length = 9 * TP_FX_ONE, .power = 1 };
     }
     assert_true(frame_guard_holds(f.block, f.bytes));
     frame_free(&f);
