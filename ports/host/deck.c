@@ -215,7 +215,7 @@ bool deck_over(const deck *d, uint64_t tick)
 int deck_record(deck *d, const char *name, const char *scene)
 {
     char text[TP_TAPE_LINE];
-    *d = (deck){ .file = fopen(name, "w"), .name = name };
+    *d = (deck){ .file = fopen(name, "w+"), .name = name };
     if (!d->file)
         return fail(EXIT_INPUT, "%s: %s", name, strerror(errno));
     setvbuf(d->file, NULL, _IOLBF, 0);
@@ -225,7 +225,7 @@ int deck_record(deck *d, const char *name, const char *scene)
 }
 
 /* The line that is about to be written. */
-static void mark(deck *d, uint64_t tick)
+static void mark(deck *d)
 {
     if ((d->lines & (d->lines - 1)) == 0) {
         const size_t room = d->lines ? 2 * d->lines : 1;
@@ -235,7 +235,7 @@ static void mark(deck *d, uint64_t tick)
             return;
         d->marks = more;
     }
-    d->marks[d->lines++] = (deck_mark){ tick, ftell(d->file) };
+    d->marks[d->lines++] = (deck_mark){ d->picture, ftell(d->file) };
 }
 
 static void put(deck *d, uint64_t tick, const tp_input *input, const char *word)
@@ -245,7 +245,7 @@ static void put(deck *d, uint64_t tick, const tp_input *input, const char *word)
     if (!d->file || d->failed || tp_tape_write(&entry, text, sizeof text) == 0)
         return;
     const int digits = (int)strcspn(text, " ");
-    mark(d, tick);
+    mark(d);
     fprintf(d->file, "%.*s%s%s\n", digits, text, word, text + digits);
 }
 
@@ -266,21 +266,48 @@ void deck_set(deck *d, uint64_t tick, const char *setting)
 {
     if (!d->file || d->failed)
         return;
-    mark(d, tick);
+    mark(d);
     fprintf(d->file, "%" PRIu64 " set %s\n", tick, setting);
 }
 
-void deck_cut(deck *d, uint64_t tick)
+static bool cut_at(deck *d, long at)
+{
+    return !fflush(d->file) && !ftruncate(fileno(d->file), at)
+        && !fseek(d->file, at, SEEK_SET);
+}
+
+void deck_cut(deck *d, uint32_t picture)
 {
     size_t keep = d->lines;
-    while (keep > 0 && d->marks[keep - 1].tick >= tick)
+    while (keep > 0 && d->marks[keep - 1].picture > picture)
         keep--;
-    if (!d->file || d->failed || keep == d->lines)
+    deck_drop(d, keep, d->lines);
+}
+
+/* What follows is read, and written where the dropped lines began. */
+static bool close_gap(deck *d, size_t from, size_t end)
+{
+    const long gap = d->marks[end].at - d->marks[from].at;
+    const size_t bytes = (size_t)(ftell(d->file) - d->marks[end].at);
+    char *rest = malloc(bytes);
+    const bool done = rest && !fseek(d->file, d->marks[end].at, SEEK_SET)
+                   && fread(rest, 1, bytes, d->file) == bytes
+                   && cut_at(d, d->marks[from].at)
+                   && fwrite(rest, 1, bytes, d->file) == bytes && !fflush(d->file);
+    free(rest);
+    for (size_t i = end; i < d->lines; i++)
+        d->marks[from + i - end] = (deck_mark){ d->marks[i].picture,
+                                                 d->marks[i].at - gap };
+    return done;
+}
+
+void deck_drop(deck *d, size_t from, size_t end)
+{
+    if (!d->file || d->failed || from >= end || end > d->lines)
         return;
-    const long at = d->marks[keep].at;
-    d->failed = fflush(d->file) || ftruncate(fileno(d->file), at)
-             || fseek(d->file, at, SEEK_SET);
-    d->lines = keep;
+    d->failed = end == d->lines ? !cut_at(d, d->marks[from].at)
+                                : !close_gap(d, from, end);
+    d->lines -= end - from;
 }
 
 int deck_close(deck *d)

@@ -28,7 +28,7 @@ typedef struct {
     char     *setting;          /* "name=value" that the table takes; NULL: no set */
 } deck_entry;
 
-typedef struct { uint64_t tick; long at; } deck_mark;
+typedef struct { uint32_t picture; long at; } deck_mark;
 
 typedef struct {
     const char *name;
@@ -36,7 +36,8 @@ typedef struct {
     size_t count, at;           /* at: the next to be given */
     FILE  *file;                /* of a recording, written line by line: what led to a
                                  * crash is on the tape */
-    deck_mark *marks;           /* where its lines begin */
+    uint32_t   picture;         /* of the recording preview, that is shown now */
+    deck_mark *marks;           /* of its lines: when and where they begin */
     size_t     lines;
     bool       failed;
 } deck;
@@ -55,8 +56,10 @@ void deck_add(deck *d, uint64_t tick, const tp_input *input);
 void deck_look(deck *d, uint64_t tick, const tp_input *input);
 void deck_set(deck *d, uint64_t tick, const char *setting);
 
-/* Recording: what lies at this tick or later is taken off again. */
-void deck_cut(deck *d, uint64_t tick);
+/* Recording: what was kept since pictures after this one were shown is taken off again;
+ * or the lines from number `from` to the one before `end`, where 0 follows the head. */
+void deck_cut(deck *d, uint32_t picture);
+void deck_drop(deck *d, size_t from, size_t end);
 
 int  deck_close(deck *d);       /* EXIT_INPUT: not all of a recording could be written */
 #endif

@@ -2,7 +2,7 @@
 /* Edits in a ring; the last `undone` of them are undone.  While the last one is open
  * there is one, and none is undone. */
 #include "edits.h"
-#include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 static edit *at(edits *e, uint32_t i)
@@ -10,42 +10,97 @@ static edit *at(edits *e, uint32_t i)
     return &e->of[(e->first + i) % EDITS];
 }
 
-/* The one that is added to: the drag that goes on, or a new one. */
-static edit *last(edits *e, uint32_t row, const char *before)
+/* -- worlds ------------------------------------------------------------------------ */
+
+void edits_let_go(edits *e, edit_world *world)
 {
-    e->fresh = !e->open;
-    if (e->open)
-        return at(e, e->count - 1);
-    if (e->count == EDITS) {
-        e->first = (e->first + 1) % EDITS;
-        e->count--;
+    if (!world || --world->users > 0)
+        return;
+    e->bytes -= world->bytes;
+    free(world);
+}
+
+static void let_go_both(edits *e, edit *of)
+{
+    edits_let_go(e, of->before.world);
+    edits_let_go(e, of->after.world);
+    of->before.world = of->after.world = NULL;
+}
+
+static void make_room(edits *e, size_t bytes)
+{
+    for (uint32_t i = 0; i < e->count && e->bytes + bytes > EDITS_BYTES; i++)
+        let_go_both(e, at(e, i));
+}
+
+edit_world *edits_world(edits *e, const tp_world *world, size_t bytes)
+{
+    const edit *last = edits_last(e);
+    edit_world *same = last ? last->after.world : NULL;
+    if (same && same->bytes == bytes && memcmp(same->world, world, bytes) == 0) {
+        same->users++;
+        return same;
     }
-    edit *new = at(e, e->count++);
-    memset(new, 0, sizeof *new);
-    new->row = row;
-    snprintf(new->before, sizeof new->before, "%s", before);
-    return new;
+    make_room(e, bytes);
+    if (e->bytes + bytes > EDITS_BYTES)
+        return NULL;
+    edit_world *copy = malloc(sizeof *copy + bytes);
+    if (!copy)
+        return NULL;
+    copy->users = 1;
+    copy->bytes = bytes;
+    memcpy(copy->world, world, bytes);
+    e->bytes += bytes;
+    return copy;
+}
+
+void edits_forget_worlds(edits *e)
+{
+    for (uint32_t i = 0; i < e->count; i++)
+        let_go_both(e, at(e, i));
+}
+
+/* -- the ring ---------------------------------------------------------------------- */
+
+/* Away with the last one. */
+static void drop_last(edits *e)
+{
+    let_go_both(e, at(e, --e->count));
+}
+
+static void drop_first(edits *e)
+{
+    let_go_both(e, at(e, 0));
+    e->first = (e->first + 1) % EDITS;
+    e->count--;
 }
 
 /* A drag that ended where it began. */
 static void drop_nothing(edits *e)
 {
-    const edit *to = at(e, e->count - 1);
-    if (strcmp(to->before, to->after) == 0) {
-        e->count--;
-        e->kept = false;
-    }
+    const edit *last = at(e, e->count - 1);
+    const stage_value *from = &last->before.value, *to = &last->after.value;
+    if (strcmp(from->text, to->text) == 0 && from->set_at == to->set_at)
+        drop_last(e);
 }
 
-void edits_add(edits *e, uint32_t row, const char *before, const char *after, bool going)
+void edits_add(edits *e, const edit *change, bool going)
 {
-    if (e->open && at(e, e->count - 1)->row != row)
+    if (e->open && at(e, e->count - 1)->row != change->row)
         edits_part(e);
-    e->count -= e->undone;
-    e->undone = 0;
-    edit *to = last(e, row, before);
-    snprintf(to->after, sizeof to->after, "%s", after);
-    e->kept = true;
+    for (; e->undone > 0; e->undone--)
+        drop_last(e);
+    if (e->open) {
+        edit *last = at(e, e->count - 1);
+        edits_let_go(e, change->before.world);
+        edits_let_go(e, last->after.world);
+        last->after = change->after;
+        last->line_end = change->line_end;
+    } else {
+        if (e->count == EDITS)
+            drop_first(e);
+        *at(e, e->count++) = *change;
+    }
     e->open = going;
     if (!going)
         drop_nothing(e);
@@ -55,26 +110,21 @@ void edits_part(edits *e)
 {
     if (e->open)
         drop_nothing(e);
-    e->open = e->kept = false;
+    e->open = false;
 }
 
-void edits_named(edits *e, bool before, bool after)
+edit *edits_last(edits *e)
 {
-    if (!e->kept)
-        return;
-    edit *to = at(e, e->count - 1);
-    if (e->fresh)
-        to->named[0] = before;
-    to->named[1] = after;
+    return e->undone < e->count ? at(e, e->count - e->undone - 1) : NULL;
 }
 
-const edit *edits_undo(edits *e)
+edit *edits_undo(edits *e)
 {
     edits_part(e);
     return e->undone < e->count ? at(e, e->count - ++e->undone) : NULL;
 }
 
-const edit *edits_redo(edits *e)
+edit *edits_redo(edits *e)
 {
     edits_part(e);
     return e->undone > 0 ? at(e, e->count - e->undone--) : NULL;
@@ -82,6 +132,8 @@ const edit *edits_redo(edits *e)
 
 void edits_clear(edits *e)
 {
-    e->first = e->count = e->undone = 0;
-    e->open = e->fresh = e->kept = false;
+    while (e->count > 0)
+        drop_last(e);
+    e->first = e->undone = 0;
+    e->open = false;
 }

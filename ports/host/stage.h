@@ -23,12 +23,30 @@ int  stage_world(stage *s);                     /* at tick 0, of the scene as it
 int  stage_canvas(stage *s, const options *o);  /* again after the size has changed */
 void stage_close(stage *s);
 
-/* "name=value" while the world moves, as by the command line's --set.  What it needs is
- * done: the world goes on with it, or is made anew at the same place and time, files are
- * loaded, and the canvas, if there is one, is opened again; *opened is then set.
- * EXIT_INPUT: refused, all is as it was, and the message begins with `place`. */
+/* The scene and its settings alone, and what the core had to clamp reported. */
+int  stage_read(scene_file *file, const options *o);
+void stage_report_clamps(const scene_file *file, const tp_sea *sea);
+
+/* -- changes while the world moves: stage_set.c ---------------------------------- */
+
+/* A value, as scene_file has it. */
+typedef struct {
+    char     text[TP_NAME_BYTES];
+    uint32_t set_at;            /* as scene_file.set_at */
+} stage_value;
+
+stage_value stage_get(const stage *s, const tp_param *param);
+
+/* "name=value" as by the command line's --set.  What it needs is done: the world goes on
+ * with it, or is made anew at the same place and time, files are loaded, and the canvas,
+ * if there is one, is opened again; *opened is then set.  EXIT_INPUT: refused, all is as
+ * it was to the bit, and the message begins with `place`. */
 int  stage_set(stage *s, const options *o, const char *place, const char *setting,
                bool *opened);
+
+/* The same of one value that was had by stage_get. */
+int  stage_put(stage *s, const options *o, const char *place, const tp_param *param,
+               const stage_value *value, bool *opened);
 
 /* Several of one moment, in their order; what is refused is tried again after the others:
  * of two bounds the lower cannot always come first.  EXIT_INPUT: some are refused, which
@@ -37,7 +55,18 @@ typedef struct { const char *place, *setting; } stage_setting;
 int  stage_set_all(stage *s, const options *o, const stage_setting *all, size_t count,
                    bool *opened);
 
-/* The scene and its settings alone, and what the core had to clamp reported. */
-int  stage_read(scene_file *file, const options *o);
-void stage_report_clamps(const scene_file *file, const tp_sea *sea);
+/* -- between stage.c and stage_set.c --------------------------------------------- */
+
+int  stage_load_assets(assets *a, const scene_file *file, const options *o);
+
+/* At tick 0, to free; NULL: no memory, or not of this scene, and *err tells. */
+tp_world *stage_new_world(const tp_scene *scene, const tp_assets *names, size_t *bytes,
+                          tp_error *err);
+void stage_take_world(stage *s, tp_world *world, size_t bytes);
+
+/* What a canvas of the scene as it is now will be; nothing is allocated.  EXIT_INPUT:
+ * --memory does not allow it. */
+int  stage_plan(const stage *s, const options *o, const assets *a, size_t world_bytes,
+                canvas *c);
+tp_ladder stage_ladder(const stage *s);
 #endif

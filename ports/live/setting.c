@@ -52,6 +52,20 @@ static setting_result asked_anew(const tp_kit *kit, const tp_scene *scene,
          ? SETTING_ANEW : SETTING_REFUSED;
 }
 
+setting_result setting_take(const tp_kit *kit, const tp_scene *scene, tp_world *world,
+                            const tp_assets *assets, const tp_param *param, tp_error *err)
+{
+    if (tp_param_is_file(param))
+        return SETTING_LOAD;
+    if (param->kind == TP_PARAM_TEXT)
+        return SETTING_DONE;
+    if (world && tp_world_refresh_with(kit, world, scene, assets)) {
+        place_camera(world, scene, param->offset);
+        return SETTING_DONE;
+    }
+    return asked_anew(kit, scene, assets, err);
+}
+
 setting_result setting_put(const tp_kit *kit, tp_scene *scene, tp_world *world,
                            const tp_assets *assets, const tp_param *param,
                            const char *text, size_t bytes, tp_error *err)
@@ -62,15 +76,7 @@ setting_result setting_put(const tp_kit *kit, tp_scene *scene, tp_world *world,
     memcpy(&before, at, sizeof before);
     if (tp_param_set(scene, param, text, bytes, err))
         return SETTING_REFUSED;
-    if (tp_param_is_file(param))
-        return SETTING_LOAD;
-    if (param->kind == TP_PARAM_TEXT)
-        return SETTING_DONE;
-    if (world && tp_world_refresh_with(kit, world, scene, assets)) {
-        place_camera(world, scene, param->offset);
-        return SETTING_DONE;
-    }
-    const setting_result result = asked_anew(kit, scene, assets, err);
+    const setting_result result = setting_take(kit, scene, world, assets, param, err);
     if (result == SETTING_REFUSED)
         memcpy(at, &before, sizeof before);
     return result;

@@ -27,6 +27,10 @@ setting_result setting_put(const tp_kit *kit, tp_scene *scene, tp_world *world,
                            const tp_assets *assets, const tp_param *param,
                            const char *text, size_t bytes, tp_error *err);
 
+/* The same of a value that the scene has already; what is refused stays in it. */
+setting_result setting_take(const tp_kit *kit, const tp_scene *scene, tp_world *world,
+                            const tp_assets *assets, const tp_param *param, tp_error *err);
+
 /* Whether it is the number of the mesh's lines, one way or the other. */
 bool setting_is_grid(const tp_param *param);
 

@@ -254,6 +254,7 @@ static void end(view *v)
     figures_end(v->figures);
     past_end(v->past);
     view_unlist(v);
+    edits_clear(&v->edits);
     free(v->saved_as);
     if (v->stage)
         stage_close(v->stage);

@@ -176,40 +176,68 @@ void view_turn_to(view *v, int by)
 
 /* -- values ---------------------------------------------------------------------- */
 
-/* To the stage; the tape is told, and the past is cut where a world ends. */
+static const tp_param *param_of(uint32_t row)
+{
+    uint32_t count;
+    return &tp_params(&count)[row];
+}
+
+/* Before the stage changes. */
+static bool may_change(view *v)
+{
+    if (v->playing)
+        view_say(v, "a tape plays: F10 ends it");
+    else
+        compare_forget(v->compare);
+    return !v->playing;
+}
+
+/* After it has, in a world of `tick`.  Worlds that are past name other files then. */
+static void was_changed(view *v, const tp_param *param, uint64_t tick, bool opened)
+{
+    v->base += tick - v->stage->world->tick;
+    if (tp_param_is_file(param))
+        past_forget(v->past);
+    v->changed = true;
+    view_refit(v, opened);
+}
+
+/* The value as it is now. */
+static void tell_tape(view *v, const tp_param *param)
+{
+    char text[PANEL_TEXT], setting[64 + PANEL_TEXT];
+    scene_file_text(&v->stage->file, param, text, sizeof text);
+    snprintf(setting, sizeof setting, "%s=%s", param->name, text);
+    deck_set(&v->tape, v->base + v->stage->world->tick, setting);
+}
+
+/* Not to be undone. */
 static bool put(view *v, const tp_param *param, const char *text)
 {
     char setting[64 + PANEL_TEXT];
     bool opened = false;
-    const tp_world *before = v->stage->world;
-    const uint64_t tick = before->tick;
-    if (v->playing) {
-        view_say(v, "a tape plays: F10 ends it");
-        return false;
-    }
+    const uint64_t tick = v->stage->world->tick;
     snprintf(setting, sizeof setting, "%s=%s", param->name, text);
-    compare_forget(v->compare);
-    if (stage_set(v->stage, v->options, "the panel", setting, &opened) != EXIT_DONE)
+    if (!may_change(v)
+        || stage_set(v->stage, v->options, "the panel", setting, &opened) != EXIT_DONE)
         return false;
-    deck_set(&v->tape, v->base + tick, setting);
-    v->base += tick - v->stage->world->tick;
-    if (v->stage->world != before)      /* it was made anew */
-        past_forget(v->past);
-    v->changed = true;
-    view_refit(v, opened);
+    was_changed(v, param, tick, opened);
+    tell_tape(v, param);
     return true;
 }
 
 bool view_set(view *v, uint32_t row, const char *text, bool going)
 {
-    uint32_t count;
-    const tp_param *param = &tp_params(&count)[row];
-    char before[PANEL_TEXT], after[PANEL_TEXT];
-    scene_file_text(&v->stage->file, param, before, sizeof before);
-    if (!put(v, param, text))
+    bool opened = false;
+    const uint64_t tick = v->stage->world->tick;
+    const size_t line = v->tape.lines;
+    const undo_change change = { .row = row, .going = going, .stands = v->paused,
+                                 .line = line, .line_end = line + 1 };
+    if (!may_change(v)
+        || undo_set(&v->edits, v->stage, v->options, &change, text, &opened) != EXIT_DONE)
         return false;
-    scene_file_text(&v->stage->file, param, after, sizeof after);
-    edits_add(&v->edits, row, before, after, going);
+    was_changed(v, param_of(row), tick, opened);
+    tell_tape(v, param_of(row));
     return true;
 }
 
@@ -227,18 +255,40 @@ void view_tape_changes(view *v)
     }
 }
 
-void view_undo(view *v, bool again)
+/* The tape forgets a change that is as if it had not been; a camera that goes back too
+ * takes what led it since.  One that was made again is told again. */
+static void tell_tape_undone(view *v, edit *change, undo_result result, bool again)
 {
-    uint32_t count;
-    const edit *e = again ? edits_redo(&v->edits) : edits_undo(&v->edits);
-    if (!e) {
-        view_say(v, again ? "nothing to make again" : "nothing to undo");
+    const size_t lines = v->tape.lines;
+    if (result == UNDO_WORLD || result == UNDO_ALL) {
+        deck_drop(&v->tape, change->line, result == UNDO_ALL ? lines : change->line_end);
         return;
     }
-    const tp_param *param = &tp_params(&count)[e->row];
-    const char *text = again ? e->after : e->before;
-    if (put(v, param, text))
-        view_say(v, "%s = %s", param->name, text);
+    if (again) {
+        change->line = lines;
+        change->line_end = lines + 1;
+    }
+    tell_tape(v, param_of(change->row));
+}
+
+void view_undo(view *v, bool again)
+{
+    edit *done;
+    bool opened = false;
+    const uint64_t tick = v->stage->world->tick;
+    if (!may_change(v))
+        return;
+    const undo_result result =
+        (again ? undo_again : undo_back)(&v->edits, v->stage, v->options, &done, &opened);
+    if (result == UNDO_NOTHING)
+        view_say(v, again ? "nothing to make again" : "nothing to undo");
+    if (result == UNDO_NOTHING || result == UNDO_REFUSED)
+        return;
+    const tp_param *param = param_of(done->row);
+    was_changed(v, param, tick, opened);
+    tell_tape_undone(v, done, result, again);
+    view_say(v, "%s = %s", param->name, again ? done->after.value.text
+                                              : done->before.value.text);
 }
 
 /* The way to look, and what the scene has to say for it. */

@@ -77,7 +77,7 @@ void view_step(view *v)
         past_add(v->past, v->picture, world_of(v), v->stage->world_bytes,
                  &v->stage->file.scene, &v->wish, v->changed);
     v->changed = false;
-    v->picture++;
+    v->tape.picture = ++v->picture;
     for (uint32_t ticks = tp_world_frame(world_of(v)); ticks > 0; ticks--) {
         step_world(v, &v->wish);
         v->wish = nothing;
@@ -108,9 +108,11 @@ void view_back(view *v)
             input = NULL;
         }
     }
-    v->picture--;
+    v->tape.picture = --v->picture;
     v->changed = true;
-    deck_cut(&v->tape, tick_of(v));
+    deck_cut(&v->tape, v->picture);
+    if (v->taping)                      /* whose lines may be gone */
+        edits_forget_worlds(&v->edits);
     v->wish = (tp_input){ 0 };
     v->pokes = (poke_queue){ 0 };
     const bool other = memcmp(&before, &s->file.scene, sizeof before) != 0;
@@ -239,6 +241,8 @@ int view_tape(view *v, const char *name)
 {
     const int code = deck_record(&v->tape, name, v->stage->file.name);
     v->taping = !code;
+    v->tape.picture = v->picture;
+    edits_forget_worlds(&v->edits);     /* they are of no line of this tape */
     return code;
 }
 

@@ -110,21 +110,55 @@ static void going_back_takes_lines_off(void **state)
     for (uint64_t tick = 0; tick < 100; tick++) {
         if (tick % 10 == 5)
             deck_set(&d, tick, "camera.x=4");
+        d.picture++;                    /* of the step that follows */
         deck_add(&d, tick, tick % 2 ? &turn : &nothing);
     }
     deck_cut(&d, 100);
     deck_cut(&d, 200);
-    deck_cut(&d, 5);
+    deck_cut(&d, d.picture = 5);
+    assert_tape("tape 1 pond\n1 turn=900\n3 turn=900\n5 set camera.x=4\n");
+    deck_cut(&d, d.picture = 4);
     assert_tape("tape 1 pond\n1 turn=900\n3 turn=900\n");
     deck_look(&d, 4, &turn);
     deck_cut(&d, 4);
+    assert_tape("tape 1 pond\n1 turn=900\n3 turn=900\n4 look turn=900\n");
+    deck_cut(&d, 3);
+    d.picture = 7;
     deck_add(&d, 6, &drop);
-    assert_tape("tape 1 pond\n1 turn=900\n3 turn=900\n6 drops=1\n");
+    assert_tape("tape 1 pond\n1 turn=900\n6 drops=1\n");
     deck_cut(&d, 0);
     assert_tape("tape 1 pond\n");
     deck_add(&d, 2, &drop);
     assert_int_equal(deck_close(&d), 0);
     assert_tape("tape 1 pond\n2 drops=1\n");
+}
+
+/* From the middle, at the end, all; and what is recorded afterwards follows. */
+static void lines_can_be_dropped(void **state)
+{
+    (void)state;
+    deck d;
+    assert_int_equal(deck_record(&d, tape, "pond"), 0);
+    deck_set(&d, 3, "camera.x=4");
+    deck_set(&d, 3, "camera.y=5000");
+    deck_look(&d, 3, &turn);
+    deck_add(&d, 4, &drop);
+    deck_drop(&d, 0, 0);
+    deck_drop(&d, 2, 9);                        /* there are not so many */
+    deck_drop(&d, 1, 2);
+    assert_tape("tape 1 pond\n3 set camera.x=4\n3 look turn=900\n4 drops=1\n");
+    deck_add(&d, 5, &turn);
+    deck_drop(&d, 0, 2);
+    assert_tape("tape 1 pond\n4 drops=1\n5 turn=900\n");
+    d.picture = 1;
+    deck_add(&d, 6, &turn);
+    deck_cut(&d, 0);
+    assert_tape("tape 1 pond\n4 drops=1\n5 turn=900\n");
+    deck_drop(&d, 1, 2);
+    deck_set(&d, 7, "camera.x=1");
+    deck_drop(&d, 0, 1);
+    assert_int_equal(deck_close(&d), 0);
+    assert_tape("tape 1 pond\n7 set camera.x=1\n");
 }
 
 static void a_deck_without_a_tape_takes_all(void **state)
@@ -151,6 +185,7 @@ static void what_could_not_be_written_is_said(void **state)
         assert_int_equal(deck_close(&d), 3);
     }
     assert_int_equal(deck_record(&d, "/dev/null", "pond"), 0);
+    d.picture = 1;
     deck_add(&d, 1, &turn);
     deck_cut(&d, 0);
     assert_int_equal(deck_close(&d), 3);
@@ -180,6 +215,7 @@ int main(void)
         cmocka_unit_test(what_is_on_the_tape_is_read),
         cmocka_unit_test(a_tape_is_over_after_its_last_line),
         cmocka_unit_test(going_back_takes_lines_off),
+        cmocka_unit_test(lines_can_be_dropped),
         cmocka_unit_test(a_deck_without_a_tape_takes_all),
         cmocka_unit_test(what_could_not_be_written_is_said),
     };

@@ -8,6 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <cmocka.h>
+#undef fail                     /* cmocka's, of no arguments */
 #include "../../ports/host/edits.h"
 #include "../unit/measure.h"
 
@@ -21,13 +22,35 @@ static int set_up(void **state)
     return 0;
 }
 
+static int tear_down(void **state)
+{
+    (void)state;
+    edits_clear(&e);
+    assert_int_equal(e.bytes, 0);
+    return 0;
+}
+
+static edit edit_of(uint32_t row, const char *before, const char *after)
+{
+    edit new = { .row = row };
+    snprintf(new.before.value.text, sizeof new.before.value.text, "%s", before);
+    snprintf(new.after.value.text, sizeof new.after.value.text, "%s", after);
+    return new;
+}
+
+static void add(uint32_t row, const char *before, const char *after, bool going)
+{
+    const edit new = edit_of(row, before, after);
+    edits_add(&e, &new, going);
+}
+
 static void assert_edit(const edit *got, uint32_t row, const char *before,
                         const char *after)
 {
     assert_non_null(got);
     assert_int_equal(got->row, row);
-    assert_string_equal(got->before, before);
-    assert_string_equal(got->after, after);
+    assert_string_equal(got->before.value.text, before);
+    assert_string_equal(got->after.value.text, after);
 }
 
 static void there_is_nothing_to_undo_at_first(void **state)
@@ -36,16 +59,15 @@ static void there_is_nothing_to_undo_at_first(void **state)
     assert_null(edits_undo(&e));
     assert_null(edits_redo(&e));
     edits_part(&e);
-    edits_named(&e, true, true);
     assert_int_equal(e.count, 0);
 }
 
 static void edits_are_undone_from_the_last_and_made_again_from_the_first(void **state)
 {
     (void)state;
-    edits_add(&e, 3, "1", "2", false);
-    edits_add(&e, 3, "2", "4", false);
-    edits_add(&e, 7, "on", "off", false);
+    add(3, "1", "2", false);
+    add(3, "2", "4", false);
+    add(7, "on", "off", false);
     assert_edit(edits_undo(&e), 7, "on", "off");
     assert_edit(edits_undo(&e), 3, "2", "4");
     assert_edit(edits_redo(&e), 3, "2", "4");
@@ -61,10 +83,10 @@ static void edits_are_undone_from_the_last_and_made_again_from_the_first(void **
 static void what_was_undone_ends_with_a_new_edit(void **state)
 {
     (void)state;
-    edits_add(&e, 1, "1", "2", false);
-    edits_add(&e, 1, "2", "3", false);
+    add(1, "1", "2", false);
+    add(1, "2", "3", false);
     edits_undo(&e);
-    edits_add(&e, 2, "a", "b", false);
+    add(2, "a", "b", false);
     assert_null(edits_redo(&e));
     assert_edit(edits_undo(&e), 2, "a", "b");
     assert_edit(edits_undo(&e), 1, "1", "2");
@@ -74,12 +96,12 @@ static void what_was_undone_ends_with_a_new_edit(void **state)
 static void a_drag_is_one_edit(void **state)
 {
     (void)state;
-    edits_add(&e, 5, "1", "1.1", true);
-    edits_add(&e, 5, "1.1", "1.2", true);
-    edits_add(&e, 5, "1.2", "1.3", false);
-    edits_add(&e, 5, "1.3", "2", true);     /* the next one */
+    add(5, "1", "1.1", true);
+    add(5, "1.1", "1.2", true);
+    add(5, "1.2", "1.3", false);
+    add(5, "1.3", "2", true);     /* the next one */
     edits_part(&e);
-    edits_add(&e, 5, "2", "3", true);
+    add(5, "2", "3", true);
     assert_int_equal(e.count, 3);
     assert_edit(edits_undo(&e), 5, "2", "3");
     assert_edit(edits_undo(&e), 5, "1.3", "2");
@@ -89,15 +111,15 @@ static void a_drag_is_one_edit(void **state)
 static void a_drag_ends_with_another_row_and_with_undo(void **state)
 {
     (void)state;
-    edits_add(&e, 5, "1", "2", true);
-    edits_add(&e, 6, "7", "8", true);
-    edits_add(&e, 5, "2", "3", true);
+    add(5, "1", "2", true);
+    add(6, "7", "8", true);
+    add(5, "2", "3", true);
     assert_int_equal(e.count, 3);
     assert_edit(edits_undo(&e), 5, "2", "3");
     edits_redo(&e);
-    edits_add(&e, 5, "3", "4", true);
+    add(5, "3", "4", true);
     assert_edit(edits_undo(&e), 5, "3", "4");
-    edits_add(&e, 5, "3", "9", true);       /* not on with the one before */
+    add(5, "3", "9", true);       /* not on with the one before */
     assert_edit(edits_undo(&e), 5, "3", "9");
     assert_edit(edits_undo(&e), 5, "2", "3");
 }
@@ -105,51 +127,120 @@ static void a_drag_ends_with_another_row_and_with_undo(void **state)
 static void what_ends_where_it_began_is_none(void **state)
 {
     (void)state;
-    edits_add(&e, 1, "0", "1", false);
-    edits_named(&e, false, true);
-    edits_add(&e, 5, "1", "1", false);
-    edits_named(&e, true, false);           /* of none */
-    edits_add(&e, 5, "1", "2", true);
-    edits_add(&e, 5, "2", "1", false);
-    edits_add(&e, 5, "1", "2", true);
-    edits_add(&e, 5, "2", "1", true);
+    add(1, "0", "1", false);
+    add(5, "1", "1", false);
+    add(5, "1", "2", true);
+    add(5, "2", "1", false);
+    add(5, "1", "2", true);
+    add(5, "2", "1", true);
     edits_part(&e);
-    edits_add(&e, 5, "1", "2", true);
-    edits_add(&e, 5, "2", "1", true);
-    edits_add(&e, 6, "a", "b", false);
+    add(5, "1", "2", true);
+    add(5, "2", "1", true);
+    add(6, "a", "b", false);
     assert_int_equal(e.count, 2);
     edits_undo(&e);
-    const edit *first = edits_undo(&e);
-    assert_edit(first, 1, "0", "1");
-    assert_false(first->named[0]);
-    assert_true(first->named[1]);
+    assert_edit(edits_undo(&e), 1, "0", "1");
 }
 
-static void who_set_it_is_kept_of_a_drags_ends(void **state)
+/* The same text from another folder is another file. */
+static void who_set_it_is_part_of_a_value(void **state)
 {
     (void)state;
-    edits_add(&e, 5, "1", "2", true);
-    edits_named(&e, false, true);
-    edits_add(&e, 5, "2", "3", true);
-    edits_named(&e, true, true);
-    edits_add(&e, 6, "2", "3", false);
-    edits_named(&e, true, false);
-    const edit *other = edits_undo(&e);
-    assert_true(other->named[0] && !other->named[1]);
-    const edit *drag = edits_undo(&e);
-    assert_true(!drag->named[0] && drag->named[1]);
+    edit new = edit_of(3, "a.png", "a.png");
+    new.before.value.set_at = 14;
+    new.after.value.set_at = SET_BY_COMMAND;
+    edits_add(&e, &new, false);
+    const edit *got = edits_undo(&e);
+    assert_int_equal(got->before.value.set_at, 14);
+    assert_int_equal(got->after.value.set_at, SET_BY_COMMAND);
 }
 
-static void long_texts_are_cut(void **state)
+static void a_drag_has_the_lines_of_all_its_steps(void **state)
 {
     (void)state;
-    char text[1000];
-    memset(text, 'x', sizeof text - 1);
-    text[sizeof text - 1] = '\0';
-    edits_add(&e, 1, text, "b", false);
-    edits_add(&e, 1, "a", text, false);
-    assert_int_equal(strlen(edits_undo(&e)->after), TP_NAME_BYTES + 63);
-    assert_int_equal(strlen(edits_undo(&e)->before), TP_NAME_BYTES + 63);
+    for (uint32_t i = 0; i < 4; i++) {
+        edit new = edit_of(7, "1", i == 3 ? "9" : "2");
+        new.line = 10 + i;
+        new.line_end = 11 + i;
+        edits_add(&e, &new, i < 3);
+    }
+    const edit *got = edits_undo(&e);
+    assert_int_equal(got->line, 10);
+    assert_int_equal(got->line_end, 14);
+}
+
+/* -- worlds -------------------------------------------------------------------------- */
+
+#define WORLD_BYTES 4096
+
+static const tp_world *world(int number)
+{
+    static uint64_t block[WORLD_BYTES / 8];
+    memset(block, number, sizeof block);
+    return (const void *)block;
+}
+
+/* From world `from` to world `to`. */
+static void add_worlds(uint32_t row, int from, int to, bool going)
+{
+    edit new = edit_of(row, from ? "a" : "b", "c");
+    new.before.world = e.open ? NULL : edits_world(&e, world(from), WORLD_BYTES);
+    new.after.world = edits_world(&e, world(to), WORLD_BYTES);
+    edits_add(&e, &new, going);
+}
+
+static void edits_share_the_world_between_them(void **state)
+{
+    (void)state;
+    for (int i = 0; i < 5; i++)
+        add_worlds(1, i, i + 1, false);
+    assert_int_equal(e.bytes, 6 * WORLD_BYTES);
+    for (int i = 4; i >= 0; i--) {
+        const edit *got = edits_undo(&e);
+        assert_memory_equal(got->before.world->world, world(i), WORLD_BYTES);
+        assert_memory_equal(got->after.world->world, world(i + 1), WORLD_BYTES);
+    }
+    add_worlds(2, 77, 78, false);               /* the undone ones go */
+    assert_int_equal(e.count, 1);
+    assert_int_equal(e.bytes, 2 * WORLD_BYTES);
+    edits_forget_worlds(&e);
+    assert_int_equal(e.bytes, 0);
+    assert_null(edits_undo(&e)->before.world);
+}
+
+static void a_drag_keeps_the_worlds_at_its_ends(void **state)
+{
+    (void)state;
+    for (int i = 1; i < 9; i++)
+        add_worlds(1, i, i + 1, i < 8);
+    assert_int_equal(e.bytes, 2 * WORLD_BYTES);
+    const edit *got = edits_undo(&e);
+    assert_memory_equal(got->before.world->world, world(1), WORLD_BYTES);
+    assert_memory_equal(got->after.world->world, world(9), WORLD_BYTES);
+}
+
+/* Of worlds of a fifth of all that may be kept. */
+static void the_worlds_of_the_oldest_edits_go_first(void **state)
+{
+    (void)state;
+    const size_t bytes = EDITS_BYTES / 5;
+    uint64_t *large = calloc(1, bytes);
+    for (uint64_t i = 1; i < 9; i++) {
+        edit new = edit_of(1, "a", "b");
+        large[0] = i;
+        new.before.world = edits_world(&e, (const void *)large, bytes);
+        large[0] = i + 1;
+        new.after.world = edits_world(&e, (const void *)large, bytes);
+        edits_add(&e, &new, false);
+        assert_in_range(e.bytes, bytes, EDITS_BYTES);
+    }
+    for (int i = 8; i > 0; i--) {
+        const edit *got = edits_undo(&e);
+        assert_true(i < 5 || (got->before.world && got->after.world));
+        assert_true(i > 4 || !got->before.world);
+    }
+    assert_null(edits_world(&e, (const void *)large, EDITS_BYTES + 1u));
+    free(large);
 }
 
 /* Against a value that is changed and brought back: a text of a number that rises. */
@@ -164,13 +255,15 @@ static void any_row_of_them_leads_back_and_forth(void **state)
         if (what < 4) {
             snprintf(was, sizeof was, "%s", now);
             snprintf(now, sizeof now, "%u", (unsigned)++number);
-            edits_add(&e, random_below(&chance, 2), was, now, what == 0);
+            add(random_below(&chance, 2), was, now, what == 0);
         } else if (what < 7) {
             const bool undo = random_below(&chance, 5) < 3;
             const edit *got = undo ? edits_undo(&e) : edits_redo(&e);
+            const edit_side *from = !got ? NULL : undo ? &got->after : &got->before;
+            const edit_side *to = !got ? NULL : undo ? &got->before : &got->after;
             if (got) {
-                assert_string_equal(now, undo ? got->after : got->before);
-                snprintf(now, sizeof now, "%.15s", undo ? got->before : got->after);
+                assert_string_equal(now, from->value.text);
+                snprintf(now, sizeof now, "%.15s", to->value.text);
             }
         } else {
             edits_part(&e);
@@ -188,32 +281,36 @@ static void the_oldest_are_forgotten(void **state)
     for (int n = 0; n < 1000; n++) {
         snprintf(before, sizeof before, "%d", n);
         snprintf(after, sizeof after, "%d", n + 1);
-        edits_add(&e, 4, before, after, false);
+        add(4, before, after, false);
     }
     for (int n = 999; n >= 1000 - EDITS; n--) {
         snprintf(before, sizeof before, "%d", n);
-        assert_string_equal(edits_undo(&e)->before, before);
+        assert_string_equal(edits_undo(&e)->before.value.text, before);
     }
     assert_null(edits_undo(&e));
     edits_clear(&e);
     assert_null(edits_redo(&e));
 }
 
+#define HELD(test) cmocka_unit_test_setup_teardown(test, set_up, tear_down)
+
 int main(void)
 {
     chance = random_seed();
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test_setup(there_is_nothing_to_undo_at_first, set_up),
-        cmocka_unit_test_setup(
-            edits_are_undone_from_the_last_and_made_again_from_the_first, set_up),
-        cmocka_unit_test_setup(what_was_undone_ends_with_a_new_edit, set_up),
-        cmocka_unit_test_setup(a_drag_is_one_edit, set_up),
-        cmocka_unit_test_setup(a_drag_ends_with_another_row_and_with_undo, set_up),
-        cmocka_unit_test_setup(what_ends_where_it_began_is_none, set_up),
-        cmocka_unit_test_setup(who_set_it_is_kept_of_a_drags_ends, set_up),
-        cmocka_unit_test_setup(long_texts_are_cut, set_up),
-        cmocka_unit_test_setup(any_row_of_them_leads_back_and_forth, set_up),
-        cmocka_unit_test_setup(the_oldest_are_forgotten, set_up),
+        HELD(there_is_nothing_to_undo_at_first),
+        HELD(edits_are_undone_from_the_last_and_made_again_from_the_first),
+        HELD(what_was_undone_ends_with_a_new_edit),
+        HELD(a_drag_is_one_edit),
+        HELD(a_drag_ends_with_another_row_and_with_undo),
+        HELD(what_ends_where_it_began_is_none),
+        HELD(who_set_it_is_part_of_a_value),
+        HELD(a_drag_has_the_lines_of_all_its_steps),
+        HELD(edits_share_the_world_between_them),
+        HELD(a_drag_keeps_the_worlds_at_its_ends),
+        HELD(the_worlds_of_the_oldest_edits_go_first),
+        HELD(any_row_of_them_leads_back_and_forth),
+        HELD(the_oldest_are_forgotten),
     };
     return cmocka_run_group_tests_name("edits", tests, NULL, NULL);
 }

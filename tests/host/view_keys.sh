@@ -260,6 +260,7 @@ if [ "$WIDTH" -gt 320 ]; then
     start redone.png
     does redo -- "Ctrl+Y makes it again" cmp -s high.png redone.png
     wanted='^amplitude *= *0.9'
+    undoes=yes
 else
     echo "skipped: the panel (package libimgui-dev)"
     covered="$covered panel side smaller larger search undo redo"
@@ -284,6 +285,44 @@ press shift+n
 does last_scene -- "Shift+N the one before" until_true titled "$swells"
 check "Esc ends it" quit_view
 does shot -- "F12 saved pictures" test -s true.png
+
+# -- undo while the water stands: as if nothing had been ---------------------------------------
+
+# put NAME VALUE: in the panel.
+put() {
+    press F3
+    do_x type --delay 40 "$1"
+    press Tab Tab Return
+    do_x type --delay 40 "$2"
+    press Return Escape
+}
+scene=tank
+if [ "${undoes:-}" ]; then
+    check "the tank opens, on tape" open_view tank --size 320x240 --tape undone.tape
+    press 2 5
+    sleep 0.5
+    press p
+    until_true titled paused
+    shot before.png
+    put pool.cols 40
+    until_true grep -q 'set pool.cols=40' undone.tape
+    shot changed.png
+    check "a pool made anew while paused is another picture" differ before.png changed.png
+    press ctrl+z
+    shot undone.png
+    check "undone it is the picture before, to the bit" cmp -s before.png undone.png
+    hold 0.2 a
+    put light.ambient 0.1
+    press ctrl+z ctrl+y
+    press period comma period period    # back to where it was changed, and on
+    shot last.png
+    check "Esc ends the tape" quit_view
+    forgotten() { ! grep -q 'pool.cols' undone.tape && grep -q 'look aside' undone.tape \
+        && [ "$(grep -c 'set light.ambient' undone.tape)" -eq 1 ]; }
+    check "the tape forgets what was undone, and not the walk since" forgotten
+    check "and plays to the same bits" \
+        replayed last.png tank --size 320x240 --tape undone.tape
+fi
 
 # -- every one of the list -----------------------------------------------------------------------
 

@@ -140,6 +140,20 @@ shot() {
     press F12
     until_true test -s "$scene-0001.png" && mv "$scene-0001.png" "$1"
 }
+# replayed NAME.png RENDER-ARGUMENT...: one of the first 300 frames is the screenshot.
+replayed() {
+    crc=$(convert "$1" -depth 8 bgra:- | perl -0777 -ne '
+        my $crc = ~0 & 0xffffffff;
+        s/(...)./$1\0/gs;
+        for my $byte (unpack "C*", $_) {
+            $crc ^= $byte;
+            $crc = $crc & 1 ? $crc >> 1 ^ 0xedb88320 : $crc >> 1 for 1 .. 8;
+        }
+        printf "%08x", ~$crc & 0xffffffff;')
+    shift
+    "$program" render "$@" --frames 300 --hash >hashes && grep -q "$crc" hashes
+}
+
 # places TAPE: a line for each poke, with its height and place.
 places() {
     awk '{ for (i = 2; i <= NF; i++) {

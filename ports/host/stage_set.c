@@ -1,0 +1,228 @@
+/* SPDX-License-Identifier: MIT */
+/* Changes of a stage while its world moves.  What a change may be refused for is asked
+ * before the world is touched, so that nothing has to be taken back but the value. */
+#include <stdlib.h>
+#include <string.h>
+#include "../live/setting.h"
+#include "say.h"
+#include "stage.h"
+
+#define LATER EXIT_CHECK        /* refused as the scene is now, and nothing was said */
+
+typedef struct {
+    const options  *o;
+    const char     *place;
+    bool            later;          /* what may be taken later is refused in silence */
+    const tp_param *param;
+    setting_result  result;
+    assets         *loaded;         /* what the scene now names; NULL: as before */
+    tp_world       *world;          /* made anew; NULL: it goes on */
+    size_t          world_bytes;
+    size_t          frame_bytes;    /* that the picture wants now */
+} change;
+
+static uint32_t row_of(const tp_param *param)
+{
+    uint32_t count;
+    return (uint32_t)(param - tp_params(&count));
+}
+
+stage_value stage_get(const stage *s, const tp_param *param)
+{
+    stage_value value = { .set_at = s->file.set_at[row_of(param)] };
+    tp_param_text(&s->file.scene, param, value.text, sizeof value.text);
+    return value;
+}
+
+/* -- what may be refused ----------------------------------------------------------- */
+
+static int refuse_change(const change *c, const tp_error *err)
+{
+    if (c->later && err->code)
+        return LATER;
+    return err->code ? fail_at(c->place, err) : fail_memory(c->world_bytes);
+}
+
+static const assets *assets_of(const stage *s, const change *c)
+{
+    return c->loaded ? c->loaded : &s->assets;
+}
+
+static int load_anew(const stage *s, change *c)
+{
+    assets *loaded = calloc(1, sizeof *loaded);
+    if (!loaded)
+        return fail_memory(sizeof *loaded);
+    if (stage_load_assets(loaded, &s->file, c->o)) {
+        free(loaded);
+        return EXIT_INPUT;
+    }
+    c->loaded = loaded;
+    return EXIT_DONE;
+}
+
+static int check_assets(const stage *s, const change *c)
+{
+    const char *lacking = assets_lack(&s->assets, &s->file);
+    return !lacking ? EXIT_DONE : c->later ? LATER : assets_refuse(&s->file, lacking);
+}
+
+static int world_anew(const stage *s, change *c)
+{
+    tp_error err = { 0 };
+    c->world = stage_new_world(&s->file.scene, &assets_of(s, c)->names, &c->world_bytes,
+                               &err);
+    if (!c->world)
+        return refuse_change(c, &err);
+    setting_carry(c->world, s->world);
+    return EXIT_DONE;
+}
+
+/* A picture that would not fit into --memory is refused while the old one is there.  Of
+ * a scene that is no good the world tells. */
+static int plan_anew(const stage *s, change *c)
+{
+    const assets *a = assets_of(s, c);
+    const size_t world_bytes = tp_world_bytes(&s->file.scene, &a->names);
+    canvas plan;
+    if (!s->canvas.frame || world_bytes == 0)
+        return EXIT_DONE;
+    const int code = stage_plan(s, c->o, a, world_bytes, &plan);
+    c->frame_bytes = plan.frame_bytes;
+    return code;
+}
+
+static int take_change(stage *s, change *c)
+{
+    tp_error err = { 0 };
+    c->result = setting_take(&tp_kit_all, &s->file.scene, s->world, &s->assets.names,
+                             c->param, &err);
+    return c->result == SETTING_REFUSED ? refuse_change(c, &err)
+         : c->result == SETTING_DONE    ? EXIT_DONE : world_anew(s, c);
+}
+
+static int try_change(stage *s, change *c, const stage_value *value)
+{
+    tp_error err = { 0 };
+    if (tp_param_set(&s->file.scene, c->param, value->text, strlen(value->text), &err))
+        return refuse_change(c, &err);
+    s->file.set_at[row_of(c->param)] = value->set_at;
+    int code = tp_param_is_file(c->param) ? load_anew(s, c) : check_assets(s, c);
+    if (!code)
+        code = plan_anew(s, c);
+    return code ? code : take_change(s, c);
+}
+
+/* -- the change -------------------------------------------------------------------- */
+
+/* Frames are planned when they are opened: calm water that was made rough may want other
+ * rungs. */
+static bool changes_plan(const stage *s)
+{
+    const tp_ladder now = stage_ladder(s);
+    return now.count != s->ladder.count
+        || memcmp(now.rung, s->ladder.rung, now.count * sizeof *now.rung) != 0;
+}
+
+static bool needs_canvas(const stage *s, const change *c)
+{
+    const canvas *now = &s->canvas;
+    if (!now->frame)
+        return false;
+    return c->result != SETTING_DONE || setting_is_grid(c->param)
+        || setting_is_wall(c->param, &s->assets.names)
+        || c->frame_bytes != now->frame_bytes || changes_plan(s);
+}
+
+/* Nothing can go wrong any more but memory for the canvas. */
+static int do_change(stage *s, change *c, bool *opened)
+{
+    const bool again = needs_canvas(s, c);
+    if (c->loaded)
+        assets_move(&s->assets, c->loaded);
+    if (c->world)
+        stage_take_world(s, c->world, c->world_bytes);
+    c->world = NULL;
+    *opened = again || *opened;
+    return again ? stage_canvas(s, c->o) : EXIT_DONE;
+}
+
+static int put(stage *s, change *c, const stage_value *value, bool *opened)
+{
+    const stage_value before = stage_get(s, c->param);
+    s->file.by = c->place;
+    int code = try_change(s, c, value);
+    s->file.by = NULL;
+    if (!code) {
+        code = do_change(s, c, opened);
+    } else {
+        (void)tp_param_set(&s->file.scene, c->param, before.text, strlen(before.text),
+                           NULL);
+        s->file.set_at[row_of(c->param)] = before.set_at;
+    }
+    free(c->world);
+    if (c->loaded)
+        assets_close(c->loaded);
+    free(c->loaded);
+    return code;
+}
+
+int stage_put(stage *s, const options *o, const char *place, const tp_param *param,
+              const stage_value *value, bool *opened)
+{
+    change c = { .o = o, .place = place, .param = param };
+    return put(s, &c, value, opened);
+}
+
+/* -- by name ----------------------------------------------------------------------- */
+
+/* A value by hand; white space around it does not count. */
+static stage_value value_of(const tp_param *param, const char *text)
+{
+    tp_scene scene = { .title = "" };
+    stage_value value = { .set_at = SET_BY_COMMAND };
+    (void)tp_param_set(&scene, param, text, strlen(text), NULL);
+    tp_param_text(&scene, param, value.text, sizeof value.text);
+    return value;
+}
+
+static int set(stage *s, const options *o, const stage_setting *setting, bool later,
+               bool *opened)
+{
+    const char *text;
+    change c = { .o = o, .place = setting->place, .later = later,
+                 .param = scene_file_check(setting->place, setting->setting, &text) };
+    if (!c.param)
+        return EXIT_INPUT;
+    const stage_value value = value_of(c.param, text);
+    return put(s, &c, &value, opened);
+}
+
+int stage_set(stage *s, const options *o, const char *place, const char *setting,
+              bool *opened)
+{
+    const stage_setting one = { place, setting };
+    return set(s, o, &one, false, opened);
+}
+
+/* Passes over what is left, as long as one of them gets something done. */
+int stage_set_all(stage *s, const options *o, const stage_setting *all, size_t count,
+                  bool *opened)
+{
+    bool *done = calloc(count ? count : 1, sizeof *done), later = true;
+    int code = done ? EXIT_DONE : fail_memory(count);
+    for (size_t left = done ? count : 0; left > 0;) {
+        const size_t before = left;
+        for (size_t i = 0; i < count; i++) {
+            const int one = done[i] ? LATER : set(s, o, &all[i], later, opened);
+            if (one == LATER)
+                continue;
+            done[i] = true;
+            left--;
+            code = one ? one : code;
+        }
+        later = left < before;
+    }
+    free(done);
+    return code;
+}

@@ -1,0 +1,135 @@
+/* SPDX-License-Identifier: MIT */
+/* Undo: an edit keeps the worlds on both sides of it; see the header. */
+#include "undo.h"
+#include <stdio.h>
+#include <string.h>
+#include "say.h"
+
+static const tp_param *param_of(uint32_t row)
+{
+    uint32_t count;
+    return &tp_params(&count)[row];
+}
+
+/* -- the camera -------------------------------------------------------------------- */
+
+/* Its members stand in one row of a world, so many bytes from `eye` on. */
+#define CAMERA       offsetof(tp_world, eye)
+#define CAMERA_BYTES (offsetof(tp_world, phases) - CAMERA)
+_Static_assert(CAMERA_BYTES == 2 * sizeof(tp_vec3) + 4 * sizeof(tp_turn),
+               "the camera's members, and no others");
+
+static bool same_camera(const void *a, const void *b)
+{
+    return memcmp((const char *)a + CAMERA, (const char *)b + CAMERA, CAMERA_BYTES) == 0;
+}
+
+static void copy_camera(void *to, const void *from)
+{
+    memcpy((char *)to + CAMERA, (const char *)from + CAMERA, CAMERA_BYTES);
+}
+
+static bool same_value(const stage_value *a, const stage_value *b)
+{
+    return a->set_at == b->set_at && strcmp(a->text, b->text) == 0;
+}
+
+/* Whether the stage's world is this one but for the camera. */
+static bool still_stands(const stage *s, const edit_world *was)
+{
+    const size_t behind = CAMERA + CAMERA_BYTES;
+    const char *now = (const char *)s->world, *then = (const char *)was->world;
+    return was->bytes == s->world_bytes && memcmp(now, then, CAMERA) == 0
+        && memcmp(now + behind, then + behind, was->bytes - behind) == 0;
+}
+
+/* -- changes ----------------------------------------------------------------------- */
+
+/* A drag is one change as long as it is alone: a camera that moved parts it. */
+static void part(edits *e, const stage *s, uint32_t row)
+{
+    const edit *last = edits_last(e);
+    const edit_world *after = last && e->open && last->row == row ? last->after.world
+                                                                  : NULL;
+    if (after && (!still_stands(s, after) || !same_camera(s->world, after->world)))
+        edits_part(e);
+}
+
+/* A number that is again what it was before the change was set by whom it was before. */
+static void keep_origin(edits *e, stage *s, edit *new)
+{
+    const tp_param *param = param_of(new->row);
+    const stage_value *from = e->open ? &edits_last(e)->before.value : &new->before.value;
+    if (tp_param_is_file(param) || strcmp(from->text, new->after.value.text) != 0)
+        return;
+    s->file.set_at[new->row] = new->after.value.set_at = from->set_at;
+}
+
+int undo_set(edits *e, stage *s, const options *o, const undo_change *change,
+             const char *text, bool *opened)
+{
+    const tp_param *param = param_of(change->row);
+    char setting[64 + TP_NAME_BYTES + 64];
+    part(e, s, change->row);
+    edit new = { .row = change->row, .line = change->line, .line_end = change->line_end };
+    new.before.value = stage_get(s, param);
+    if (change->stands && !e->open)
+        new.before.world = edits_world(e, s->world, s->world_bytes);
+    snprintf(setting, sizeof setting, "%s=%s", param->name, text);
+    const int code = stage_set(s, o, "the panel", setting, opened);
+    if (code) {
+        edits_let_go(e, new.before.world);
+        return code;
+    }
+    new.after.value = stage_get(s, param);
+    keep_origin(e, s, &new);
+    if (change->stands)
+        new.after.world = edits_world(e, s->world, s->world_bytes);
+    edits_add(e, &new, change->going);
+    return EXIT_DONE;
+}
+
+/* -- back and forth ---------------------------------------------------------------- */
+
+/* The world before the change, under a camera that was led on since. */
+static undo_result put_world(stage *s, const edit *change, const tp_world *camera)
+{
+    const tp_world *before = (const void *)change->before.world->world;
+    const tp_world *after = (const void *)change->after.world->world;
+    const bool keeps = !same_camera(camera, after) && same_camera(after, before);
+    memcpy(s->world, before, change->before.world->bytes);
+    if (keeps)
+        copy_camera(s->world, camera);
+    return keeps ? UNDO_WORLD : UNDO_ALL;
+}
+
+undo_result undo_back(edits *e, stage *s, const options *o, edit **done, bool *opened)
+{
+    edit *last = *done = edits_undo(e);
+    tp_world camera;
+    if (!last)
+        return UNDO_NOTHING;
+    const edit_world *before = last->before.world, *after = last->after.world;
+    const stage_value now = stage_get(s, param_of(last->row));
+    const bool stood = before && after && still_stands(s, after)
+                    && same_value(&now, &last->after.value);
+    copy_camera(&camera, s->world);
+    if (stage_put(s, o, "undo", param_of(last->row), &last->before.value, opened)) {
+        (void)edits_redo(e);
+        return UNDO_REFUSED;
+    }
+    return stood && s->world_bytes == before->bytes ? put_world(s, last, &camera)
+                                                    : UNDO_VALUE;
+}
+
+undo_result undo_again(edits *e, stage *s, const options *o, edit **done, bool *opened)
+{
+    const edit *next = *done = edits_redo(e);
+    if (!next)
+        return UNDO_NOTHING;
+    if (stage_put(s, o, "redo", param_of(next->row), &next->after.value, opened)) {
+        (void)edits_undo(e);
+        return UNDO_REFUSED;
+    }
+    return UNDO_VALUE;
+}
