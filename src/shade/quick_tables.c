@@ -108,19 +108,23 @@ static int32_t height_of(int32_t far)
     return low;
 }
 
-/* Cells hold what comes from the direction opposite to their place; a face's level with
- * 16 texels across has about as many. */
+/* The level of a face with 16 texels across, about as many as the map has. */
+static int level_of(const tp_texture *face)
+{
+    return face->log2_w > 4 ? face->log2_w - 4 : 0;
+}
+
+/* Cells hold what comes from the direction opposite to their place. */
 static void make_cube(struct tp_quick_light *quick, const tp_shade *shade)
 {
-    int log2_w = shade->env.cube->face[0]->log2_w, level = log2_w > 4 ? log2_w - 4 : 0;
-
     for (int32_t i = 0; i < TP_QUICK_SIDE * TP_QUICK_SIDE; i++) {
         int32_t u = (i % TP_QUICK_SIDE - 16) * 1024 + 512;
         int32_t v = (i / TP_QUICK_SIDE - 16) * 1024 + 512;
         int32_t far = tp_clamp(root_of(u * u + v * v), 1, 32767), y = height_of(far);
         int32_t level_part = root_of((1 << 28) - y * y);
-        quick->sky[i] = tp_env_cube(shade, level, -u * level_part / far, y,
-                                    -v * level_part / far) & 0xffffff;
+        int32_t x = -u * level_part / far, z = -v * level_part / far;
+        const tp_texture *face = shade->env.cube->face[tp_cube_face(x, y, z).face];
+        quick->sky[i] = tp_env_cube(shade, level_of(face), x, y, z) & 0xffffff;
     }
 }
 

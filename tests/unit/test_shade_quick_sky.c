@@ -1,15 +1,17 @@
 /* SPDX-License-Identifier: MIT */
-/* The quick sky of a dome against the exact one, and however runs are cut. */
+/* The quick sky of a dome against the exact one, and however runs are cut; the quick map
+ * of a cube. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
 #include <stdint.h>
 #include <cmocka.h>
 #include "shade/quick_sky.h"
-#include "skies.h"
+#include "quick_lights.h"
 
 static uint64_t chance;
 static test_sky sky;
+static quick_lights lights;
 
 /* As cameras look up, near the sun too: a picture of 640 columns at 60 degrees. */
 static tp_shade shade_for(int32_t focal)
@@ -82,12 +84,56 @@ static void it_is_the_sky_that_it_was(void **state)
     compare("320 columns", 277, 1.5);
 }
 
+/* -- the map of a cube's sky ------------------------------------------------------------ */
+
+/* Faces of 8 to 64 texels a side, painted with a sky that changes slowly. */
+static void paint_unequal(const int log2_side[6])
+{
+    static uint32_t pixels[SKY_SIDE * SKY_SIDE];
+    const tp_texture *face[6];
+
+    for (int f = 0; f < 6; f++) {
+        const int side = 1 << log2_side[f];
+        for (int i = 0; i < side * side; i++)
+            pixels[i] = quick_smooth(ref_cube_to(f, (i % side + 0.5) / side,
+                                                 ((double)(i / side) + 0.5) / side), NULL);
+        assert_int_equal(tp_texture_init(&lights.sky.face[f], pixels, (uint32_t)side,
+                                         (uint32_t)side, lights.sky.texel[f], NULL), TP_OK);
+        face[f] = &lights.sky.face[f];
+    }
+    assert_true(tp_cube_init(&lights.sky.cube, face));
+}
+
+/* A cell shows the sky opposite to it, whatever the sizes of the faces. */
+static void faces_of_unequal_size_are_one_sky(void **state)
+{
+    (void)state;
+    tally off = { .what = "unequal faces" };
+
+    for (int n = 0; n < 60; n++) {
+        tp_shade s = quick_shade(&lights, TP_ENV_CUBE, TP_LOBE_NONE, &chance);
+        const uint32_t *map = lights.quick.sky;
+        uint32_t equal[TP_QUICK_SIDE * TP_QUICK_SIDE];
+        int log2_side[6];
+        memcpy(equal, map, sizeof equal);
+        for (int f = 0; f < 6; f++)
+            log2_side[f] = chance_int(&chance, 3, 6);
+        paint_unequal(log2_side);
+        tp_quick_light_init(&lights.quick, &s, TP_LOBE_NONE, false, true);
+        for (int i = 0; i < TP_QUICK_SIDE * TP_QUICK_SIDE; i++)
+            tally_add(&off, map[i], ref_colour_of(equal[i]));
+    }
+    tally_print(&off);
+    assert_true(tally_rms(&off) < 1 && off.largest < 6);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(both_fills_have_the_same_bits),
         cmocka_unit_test(where_a_run_is_cut_does_not_show),
         cmocka_unit_test(it_is_the_sky_that_it_was),
+        cmocka_unit_test(faces_of_unequal_size_are_one_sky),
     };
     chance = random_seed();
     return cmocka_run_group_tests_name("shade_quick_sky", tests, NULL, NULL);
