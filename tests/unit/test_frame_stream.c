@@ -44,8 +44,8 @@ static void compare(const tp_scene *scene, const tp_assets *assets, const tp_wor
         rungs.visibility = some.frame->visibility;
         tp_frame_set_rungs(kept.frame, &rungs);
         tp_frame_begin(kept.frame, world);
-        twice_paint(&kept, whole.format, picture[0]);
-        twice_paint(&some, tiled.format, picture[1]);
+        twice_paint(&kept, false, picture[0]);
+        twice_paint(&some, false, picture[1]);
         assert_memory_equal(picture[0], picture[1], sizeof picture[0]);
         assert_int_equal(tp_frame_last_stats(kept.frame).vertices,
                          tp_frame_last_stats(some.frame).vertices);
@@ -163,7 +163,7 @@ static void waves_beyond_those_at_init_are_left_out(void **state)
     tp_world *world = scene_world(&scene, &none);
     tp_frame_begin(f.frame, world);
     assert_int_equal(f.frame->parts.grid->frame.count, 3);
-    twice_paint(&f, config.format, picture);
+    twice_paint(&f, false, picture);
     free(world);
     frame_free(&f);
 }

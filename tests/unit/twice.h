@@ -123,9 +123,9 @@ static inline bool twice_reached_all(const twice_reached *r)
 }
 
 /* Into a scratch full of other things. */
-static inline void twice_paint(const test_twice *t, const test_frame *f, bool backwards,
-                               uint32_t *picture)
+static inline void twice_paint(const test_frame *f, bool backwards, uint32_t *picture)
 {
+    const tp_frame_config *config = &f->frame->config;
     const uint32_t count = tp_frame_tiles(f->frame);
     tp_tile tile;
 
@@ -135,8 +135,8 @@ static inline void twice_paint(const test_twice *t, const test_frame *f, bool ba
         const uint8_t *row = tile.pixels;
         for (uint32_t y = tile.y0; y < tile.y1; y++, row += tile.stride)
             for (uint32_t x = tile.x0; x < tile.x1; x++)
-                picture[y * t->config.width + x] = tp_pixel_read(t->config.format, row,
-                                                                 (int)(x - tile.x0));
+                picture[y * config->width + x] = tp_pixel_read(config->format, row,
+                                                               (int)(x - tile.x0));
     }
     assert_true(frame_guard_holds(f->block, f->bytes));
     assert_true(frame_guard_holds(f->scratch, f->scratch_bytes));
@@ -146,8 +146,8 @@ static inline void twice_draw(test_twice *t, const tp_world *world)
 {
     tp_frame_begin(t->whole.frame, world);
     tp_frame_begin(t->tiled.frame, world);
-    twice_paint(t, &t->whole, false, t->picture[0]);
-    twice_paint(t, &t->tiled, t->backwards, t->picture[1]);
+    twice_paint(&t->whole, false, t->picture[0]);
+    twice_paint(&t->tiled, t->backwards, t->picture[1]);
     twice_count(t->whole.frame, (const uint32_t *)(const void *)t->whole.scratch,
                 t->pixels, &t->reached);
     assert_memory_equal(t->picture[0], t->picture[1],
