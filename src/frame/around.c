@@ -98,6 +98,7 @@ static bool draw_face(tp_frame *frame, tp_sight *sight, uint32_t *to)
 
 static void draw_around(tp_frame *frame)
 {
+    TP_ASSERT(frame->parts.around.colour != NULL);
     static const int32_t turn[TP_AROUND_FACES][2] = {     /* quarters: heading, pitch */
         { 1, 0 }, { 3, 0 }, { 2, 0 }, { 0, 0 }, { 0, 1 }
     };

@@ -140,6 +140,7 @@ static bool is_lid(const tp_mesh *mesh, uint32_t material)
 static void draw(const tp_frame *frame, const tp_samples *tile, const tp_corner *a,
                  const tp_corner *b, const tp_corner *c, uint32_t f)
 {
+    TP_ASSERT(f < frame->assets.boat->n_faces);
     const tp_mesh *mesh = frame->assets.boat;
     uint32_t material = mesh->faces[f].material;
     tp_fx opacity = mesh->materials[material].opacity;

@@ -67,6 +67,7 @@ static void place_bumps(tp_frame *frame)
         *bump = (tp_pool_bump){ .slope = NULL };
         if (!bumps || !pool || is_flat(pool))
             continue;
+        TP_ASSERT(frame->parts.bump[k] != NULL);
         *bump = tp_pool_bump_of(pool, frame->parts.bump[k]);
         bump->lod = tp_frame_lod(frame, tp_fx_recip(pool->cell), true);
         tp_pool_slopes(pool, frame->world->back, frame->scene->water.pool_bump,

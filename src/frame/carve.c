@@ -50,6 +50,7 @@ static void carve_places(tp_frame_parts *p, tp_arena *arena, const tp_kit *kit,
                          const tp_scene *scene, const tp_assets *assets,
                          const tp_frame_config *config)
 {
+    TP_ASSERT(scene->grid.cols >= 2 && scene->grid.rows >= 2);
     const size_t cols = (size_t)scene->grid.cols, rows = (size_t)scene->grid.rows;
     const bool land = kit->draw.land && kit->stage.land && kit->method.triangles;
 
@@ -146,6 +147,7 @@ static void carve_tables(tp_frame_parts *p, tp_arena *arena, const tp_kit *kit,
 /* Small pictures' lenses can be halved once. */
 static uint32_t halvings_of(const tp_scene *scene, const tp_frame_config *c)
 {
+    TP_ASSERT(c->width >= 16 && c->height >= 16);
     return scene->mirror.size == TP_MIRROR_QUARTER && c->width >= 64 && c->height >= 64
          ? 2 : 1;
 }

@@ -172,6 +172,7 @@ static void deal_cell(uint16_t *light, uint32_t cells, const tp_caustic_corner *
 
 static void make(tp_frame *frame)
 {
+    TP_ASSERT(frame->parts.caustic_light != NULL && frame->parts.caustic_row != NULL);
     const tp_surface surface = tp_frame_lit_surface(frame);
     uint32_t n = frame->shade.inside.caustic.cells;
     uint16_t *light = frame->parts.caustic_light;
@@ -189,6 +190,7 @@ static void make(tp_frame *frame)
 
 static void place_caustics(tp_frame *frame)
 {
+    TP_ASSERT(frame->parts.caustic_cells > 0);
     const tp_scene *scene = frame->scene;
     tp_inside *in = &frame->shade.inside;
     tp_rectangle r = place_of(frame);

@@ -49,6 +49,7 @@ static spheroid shaped(tp_vec3 centre, tp_fx radius, int32_t squash_q14)
 /* The last one is the sphere. */
 static spheroid number(const tp_frame *frame, uint32_t i)
 {
+    TP_ASSERT(i <= frame->drops_seen);
     const tp_drops *drops = tp_world_drops(frame->world);
     tp_fx back = frame->world->back;
     bool  sphere = i == frame->drops_seen;
@@ -81,6 +82,7 @@ static tp_view_corner corner_of(const tp_sight *sight, const spheroid *s,
 static void see_ring(const tp_frame *frame, const tp_sight *sight, const spheroid *s,
                      uint32_t j, uint32_t step, tp_view_corner to[TP_BALL_ROUND])
 {
+    TP_ASSERT(j <= TP_BALL_RINGS + 1 && step > 0);
     const bool north = j == 0, south = j > TP_BALL_RINGS;
     const tp_ball_point *ring = &frame->parts.ball[south ? TP_BALL - 1
                                                    : north ? 0 : 1 + (j - 1) * TP_BALL_ROUND];

@@ -132,6 +132,7 @@ TP_ALWAYS_INLINE void fill_still(const piece *p, int rolled, int tested)
 
 static void fill_piece(const tp_frame *frame, const piece *p, bool tested)
 {
+    TP_ASSERT(p->count > 0 && p->x >= 0 && p->y >= 0);
     bool waves = has_waves(frame);
 
     if (frame->parts.level->rolled && waves)

@@ -156,6 +156,7 @@ tp_status tp_frame_init_with(const tp_kit *kit, tp_frame **out, const tp_scene *
     tp_frame_parts parts;
     tp_frame_ram ram;
     tp_frame *frame = tp_frame_carve(kit, &parts, &ram, &arena, scene, &known, &c);
+    TP_ASSERT(arena.used == ram.frame);
     memset(frame, 0, sizeof *frame);
     frame->kit = kit;
     frame->scene = scene;
@@ -180,6 +181,7 @@ tp_status tp_frame_init_with(const tp_kit *kit, tp_frame **out, const tp_scene *
 /* Rings between ticks are rings of another age. */
 static void place_surface(tp_frame *frame)
 {
+    TP_ASSERT(frame->world->back >= 0 && frame->world->back <= TP_FX_ONE);
     const tp_world *world = frame->world;
     const tp_waters *by = &frame->kit->water;
     const tp_draws  *draw = &frame->kit->draw;
@@ -224,6 +226,7 @@ static void place_solids(tp_frame *frame)
 
 void tp_frame_begin(tp_frame *frame, const tp_world *world)
 {
+    TP_ASSERT(frame != NULL && frame->kit != NULL && world != NULL);
     const tp_scene *scene = frame->scene;
     const tp_draws *draw = &frame->kit->draw;
 
@@ -255,6 +258,7 @@ void tp_frame_begin(tp_frame *frame, const tp_world *world)
 
 uint32_t tp_frame_tiles(const tp_frame *frame)
 {
+    TP_ASSERT(frame != NULL && frame->across > 0 && frame->down > 0);
     return frame->across * frame->down;
 }
 

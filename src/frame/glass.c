@@ -16,6 +16,7 @@ static tp_vec3 on_wall(const tp_rectangle *r, uint32_t face, tp_fx along, tp_fx 
 static void place_post(tp_frame *frame, tp_glass *glass, const tp_rectangle *r,
                        tp_fx along)
 {
+    TP_ASSERT(glass->post != NULL);
     tp_side_post *post = &glass->post[glass->posts];
     tp_vec3 at = on_wall(r, glass->face, along, 0);
 
@@ -123,6 +124,7 @@ static void place_glass(tp_frame *frame)
     for (uint32_t face = 0; face < 4; face++) {
         if (!tp_frame_is_glass(frame, face))
             continue;
+        TP_ASSERT(frame->glasses < TP_GLASSES);
         tp_glass *glass = &frame->parts.glass[frame->glasses++];
         tp_fx from = face & 2 ? r.x0 : r.z0, to = face & 2 ? r.x1 : r.z1;
         const tp_vec3 at[4] = { on_wall(&r, face, from, -scene->tank.depth),

@@ -25,6 +25,7 @@ static void carve_half(tp_half_store *store, tp_arena *arena, uint32_t width,
 /* The part of the picture that `box` covers; false: none. */
 static bool begin(const tp_half_store *store, const tp_grid_box *box, tp_half *half)
 {
+    TP_ASSERT(store->colour != NULL);
     int32_t cols = (int32_t)store->cols, rows = (int32_t)store->rows;
 
     *half = (tp_half){
@@ -82,6 +83,7 @@ static void fill_gaps(tp_mirrored_zi *zi, uint32_t count)
  * rows - 1 - j of the camera's: its up is the camera's, mirrored and turned round. */
 static tp_lens mirror_lens(const tp_frame *frame, tp_fx level)
 {
+    TP_ASSERT(frame->parts.mirrored.halvings > 0);
     const tp_lens *from = &frame->lens;
     const tp_dir3  r = from->turn.x, up = from->turn.y, back = from->turn.z;
     const tp_rotation turn = { { r.x, -r.y, r.z }, { -up.x, up.y, -up.z },

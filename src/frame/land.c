@@ -38,6 +38,7 @@ static void set_normal(int16_t n[3], tp_fx rise_x, tp_fx rise_z)
 
 static void place_corner(tp_frame *frame, uint32_t i, uint32_t j, tp_fx deepest)
 {
+    TP_ASSERT(i < frame->parts.grid->cols && j < frame->parts.grid->rows);
     tp_land_vertex *to = vertex_at(frame, i, j);
     tp_floor_at floor;
     tp_view_corner c = corner_at(frame, i, j, &floor);

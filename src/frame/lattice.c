@@ -44,6 +44,7 @@ bool tp_frame_is_swell(const tp_frame *frame)
 
 void tp_frame_place_level(tp_frame *frame)
 {
+    TP_ASSERT(frame->parts.level != NULL);
     const tp_scene *scene = frame->scene;
     tp_grid_extent across = tp_lines_extent((uint32_t)scene->grid.cols, &frame->grid_view,
                                             false);
@@ -124,6 +125,7 @@ static void place_row(tp_frame *frame, int32_t y, uint32_t cols, uint32_t *slope
 
 void tp_frame_place_slopes(tp_frame *frame)
 {
+    TP_ASSERT(frame->parts.slopes != NULL && frame->parts.slope_cols > 0);
     const uint32_t cols = frame->parts.slope_cols;
     const uint32_t rows = points_over(frame->config.height);
 

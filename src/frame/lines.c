@@ -46,6 +46,7 @@ tp_row_point tp_line_point(const tp_frame *frame, const tp_grid_window *window, 
 
 tp_grid_span tp_line_points(const tp_frame *frame, uint32_t k)
 {
+    TP_ASSERT(k < frame->parts.lines->lines);
     const tp_grid_span none = { 0, 0 };
     const tp_frame_lines *lines = frame->parts.lines;
     tp_grid_span a = k > 0 ? lines->line[k - 1].cells : none;

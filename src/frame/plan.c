@@ -22,6 +22,7 @@ void tp_plan_add(tp_plan *plan, tp_stage stage)
         plan->lacks++;
     while (plan->stage[i])
         i++;
+    TP_ASSERT(i + 1 < TP_STAGES);
     plan->stage[i] = stage;
 }
 
@@ -152,6 +153,7 @@ static void choose_stages(tp_frame *frame)
 
 void tp_frame_plan(tp_frame *frame)
 {
+    TP_ASSERT(frame->lens.zi_near > 0 && frame->scene->sky.haze >= 0);
     const tp_scene *scene = frame->scene;
     const tp_draws *draw = &frame->kit->draw;
     tp_shade *shade = &frame->shade;

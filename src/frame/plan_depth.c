@@ -31,6 +31,7 @@ static tp_coat coat_of(const tp_frame *frame, const tp_texture *texture, tp_fx s
  * table of roots is good. */
 static void set_indices(tp_inside *in, tp_fx spread)
 {
+    TP_ASSERT(spread >= 0);
     for (int k = 0; k < 3; k++) {
         tp_fx index = TP_FX(TP_WATER_INDEX) + (k - 1) * (spread / 2);
         index = index > TP_FX(1.15) ? index : TP_FX(1.15);

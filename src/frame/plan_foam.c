@@ -12,6 +12,7 @@ static tp_fx drifted_before(int64_t drift_q32, tp_fx speed, tp_fx back)
 static void place_foam(tp_shade_foam *f, const tp_foam *foam, const tp_scene_map *map,
                        tp_fx back)
 {
+    TP_ASSERT(foam->cells > 0 && foam->cell > 0);
     int32_t cells = (int32_t)foam->cells;
 
     f->cover = (const uint8_t *)(foam + 1);

@@ -14,6 +14,7 @@ static uint32_t drifted(tp_fx metres_per_second, int64_t time)
  * slant (see tp_level_of). */
 int32_t tp_frame_lod(const tp_frame *frame, tp_fx texels_per_metre, bool level_ground)
 {
+    TP_ASSERT(frame->lens.focal > 0);
     int32_t lod = tp_log2_q8((uint32_t)(texels_per_metre > 0 ? texels_per_metre : 1))
                 - tp_log2_q8((uint32_t)frame->lens.focal);
     tp_fx height = tp_abs(frame->lens.eye.y);
@@ -25,12 +26,14 @@ int32_t tp_frame_lod(const tp_frame *frame, tp_fx texels_per_metre, bool level_g
 
 uint32_t tp_frame_repeats(tp_fx size)
 {
+    TP_ASSERT(size > 0);
     return (uint32_t)((((uint64_t)1 << 32) + (uint32_t)size / 2) / (uint32_t)size);
 }
 
 /* Of a picture's longer side: of 4096 on 0.1 m they are more than 16.16 holds. */
 static tp_fx texels_a_metre(const tp_texture *texture, tp_fx size)
 {
+    TP_ASSERT(texture->levels > 0 && texture->levels <= TP_TEXTURE_LEVELS);
     return tp_fx_div(TP_FX_ONE << (texture->levels - 1), size);
 }
 

@@ -82,6 +82,7 @@ static void key_of(int32_t key[TP_QUICK_KEY], const tp_frame *frame, tp_lobe lob
 
 static void make_tables(tp_frame *frame, tp_lobe lobe)
 {
+    TP_ASSERT(frame->parts.quick_light != NULL);
     struct tp_quick_light *quick = frame->parts.quick_light;
     int32_t key[TP_QUICK_KEY];
 

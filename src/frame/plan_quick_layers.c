@@ -78,6 +78,7 @@ static void make(tp_texture *to, int i, const tp_texture *source,
 
 size_t tp_prepared_bytes(const tp_assets *assets, int i)
 {
+    TP_ASSERT(assets != NULL && i >= 0 && i < TP_PREPARED);
     const tp_texture *source = source_of(assets, i);
     return source ? tp_quick_bytes(source) : 0;
 }
@@ -85,6 +86,7 @@ size_t tp_prepared_bytes(const tp_assets *assets, int i)
 void tp_prepare(tp_texture *to, const tp_scene *scene, const tp_assets *assets, int i,
                 void *memory)
 {
+    TP_ASSERT(i >= 0 && i < TP_PREPARED);
     const tp_quick_wish wish = wish_of(scene, assets, i);
     make(to, i, source_of(assets, i), &wish, memory);
 }

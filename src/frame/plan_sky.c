@@ -98,6 +98,7 @@ static void plan_cube(tp_frame *frame)
  * within the margin that they keep in their cells. */
 static void plan_stars(tp_frame *frame)
 {
+    TP_ASSERT(frame->shade.env.recip != NULL);
     uint32_t focal = (uint32_t)frame->lens.focal >> 16;
     uint32_t radius = 32768 * 85 / 100 / (focal > 110 ? focal : 110);
 
@@ -114,6 +115,7 @@ static void plan_fresnel(tp_frame *frame)
 
 static void make_tones(tp_frame_sky *sky, tp_fx exposure)
 {
+    TP_ASSERT(sky->tone != NULL && sky->toned != NULL && exposure > 0);
     tp_shade_tone(sky->tone, exposure);
     for (uint32_t i = 0; i < 256; i++)
         tp_toned_set(sky->toned, i, sky->tone[i]);

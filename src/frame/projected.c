@@ -49,6 +49,7 @@ static tp_fx rise_of(const tp_sea *sea, tp_fx fall)
 /* How far a ray falls in a metre of depth, from its pixels in Q.30. */
 static tp_fx fall_of(const tp_frame *frame, int64_t down)
 {
+    TP_ASSERT(frame->lens.focal > 0);
     return tp_fx_div((tp_fx)(down >> 14), frame->lens.focal);
 }
 
@@ -115,6 +116,7 @@ static bool add_side(tp_projected *p, const tp_level_sum *side, int32_t x0, int3
         return true;
     if (side->y <= 0 || side->y < side->x || side->y < -side->x)
         return false;
+    TP_ASSERT(p->tops < TP_LEVEL_SIDES);
     p->top[p->tops++] = tp_level_zero(side);
     return true;
 }

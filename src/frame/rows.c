@@ -118,6 +118,7 @@ static void lay_segments(walk *w, uint32_t k, tp_grid_span part, int how)
             run[count++] = tp_line_point(frame, &w->window, k, (uint32_t)m);
         run[count++] = tp_line_point(frame, &w->window, k, (uint32_t)(m + way));
     }
+    TP_ASSERT(count <= TP_GRID_BLOCK + 1);
     lay(w, run, count, how);
 }
 

@@ -21,6 +21,7 @@ bool tp_sight_has_walls(const tp_frame *frame)
  * texels into a pixel, as if all were farther away. */
 void tp_sight_look(tp_frame *frame, const tp_lens *lens)
 {
+    TP_ASSERT(lens->focal > 0 && lens->zi_near > 0);
     tp_shade *shade = &frame->shade;
 
     shade->u0 = lens->u0;

@@ -41,6 +41,7 @@ static inline bool tp_sight_touches(const tp_grid_box *box, const tp_samples *ti
 
 static inline void tp_box_widen(tp_grid_box *box, int32_t u, int32_t v)
 {
+    TP_ASSERT(u >> 4 == (int16_t)(u >> 4) && v >> 4 == (int16_t)(v >> 4));
     int16_t x = (int16_t)(u >> 4), y = (int16_t)(v >> 4);
 
     box->x0 = x < box->x0 ? x : box->x0;

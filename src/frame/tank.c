@@ -69,6 +69,7 @@ static void draw_face(const tp_sight *sight, const tp_samples *samples,
                       const tp_rectangle *r, tp_fx low, tp_fx high, uint32_t face,
                       bool inwards)
 {
+    TP_ASSERT(face < 4 && low <= high);
     static const uint8_t order[4][2] = { { 1, 2 }, { 3, 0 }, { 0, 1 }, { 2, 3 } };
     const tp_fx corner[4][2] = { { r->x0, r->z1 }, { r->x1, r->z1 }, { r->x1, r->z0 },
                                  { r->x0, r->z0 } };

@@ -50,6 +50,7 @@ static int32_t run_length(const uint32_t *key, int32_t most)
 static const tp_plan *run_at(const tp_frame *frame, const tp_samples *tile, int32_t x,
                              int32_t y, tp_run *run)
 {
+    TP_ASSERT(x >= tile->x0 && x < tile->x1 && y >= tile->y0 && y < tile->y1);
     int32_t most = TP_RUN - x % TP_RUN;
     size_t  at = (size_t)(uint32_t)(y - tile->y0) * tile->stride
                + (uint32_t)(x - tile->x0);
@@ -63,6 +64,7 @@ static const tp_plan *run_at(const tp_frame *frame, const tp_samples *tile, int3
     run->x = x;
     run->y = y;
     run->count = run_length(run->key, most < tile->x1 - x ? most : tile->x1 - x);
+    TP_ASSERT(run->count > 0 && x / TP_RUN == (x + run->count - 1) / TP_RUN);
     run->material = TP_MARK(run->key[0]) - TP_MARK_SOLID;
     return plan_for(frame, TP_MARK(run->key[0]));
 }
@@ -111,6 +113,7 @@ void tp_frame_colour_row(const tp_frame *frame, const tp_samples *tile, int32_t 
 /* All that is there, the water after what it hides. */
 static void draw_samples(const tp_frame *frame, tp_samples *samples, void *memory)
 {
+    TP_ASSERT(frame->world != NULL);
     const tp_draws *draw = &frame->kit->draw;
     const bool boat = frame->assets.boat != NULL;
 
@@ -160,6 +163,7 @@ static void draw_tile(const tp_frame *frame, void *scratch, const tp_tile *tile,
 
 bool tp_frame_tile(const tp_frame *frame, uint32_t i, void *scratch, tp_tile *tile)
 {
+    TP_ASSERT(tile != NULL);
     const tp_frame_config *c = &frame->config;
 
     if (!place_tile(frame, i, scratch, tile))
@@ -174,6 +178,7 @@ bool tp_frame_tile(const tp_frame *frame, uint32_t i, void *scratch, tp_tile *ti
 bool tp_frame_tile_into(const tp_frame *frame, uint32_t i, void *scratch, void *picture,
                         size_t stride, tp_tile *tile)
 {
+    TP_ASSERT(tile != NULL);
     uint8_t *pixels = picture;
 
     if (picture == NULL || !place_tile(frame, i, scratch, tile))
@@ -189,6 +194,7 @@ bool tp_frame_tile_into(const tp_frame *frame, uint32_t i, void *scratch, void *
 uint32_t tp_frame_water_pixels(const tp_frame *frame, const void *scratch,
                                const tp_tile *tile)
 {
+    TP_ASSERT(scratch != NULL && tile->x0 < tile->x1);
     const uint32_t *key = scratch;
     uint32_t count = 0;
 

@@ -81,6 +81,7 @@ void tp_frame_choose_rungs(tp_frame *frame)
 /* A grid of more than 16 km across is drawn with smaller cells: places stay in range. */
 static tp_fx cell_of(const tp_scene *scene)
 {
+    TP_ASSERT(scene->grid.cols >= 2 && scene->grid.rows >= 2 && scene->grid.cell > 0);
     int32_t lines = scene->grid.cols > scene->grid.rows ? scene->grid.cols
                                                         : scene->grid.rows;
     tp_fx most = 16000 * TP_FX_ONE / (lines - 1);
@@ -124,6 +125,7 @@ void tp_frame_place_surface(tp_frame *frame)
 {
     const struct tp_method *method = tp_frame_method(frame->kit, frame->visibility);
 
+    TP_ASSERT(frame->visibility != TP_VISIBILITY_AUTO);
     if (method)
         method->place(frame);
 }

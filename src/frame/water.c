@@ -66,6 +66,8 @@ static void draw_cell(const tp_frame *frame, const tp_samples *tile,
 void tp_frame_draw_cells(const tp_frame *frame, const tp_samples *tile,
                          tp_grid_window *window, uint32_t j, uint32_t first, uint32_t end)
 {
+    TP_ASSERT(first < end && end < frame->parts.grid->cols);
+    TP_ASSERT(j + 1 < frame->parts.grid->rows);
     const tp_grid *grid = frame->parts.grid;
 
     tp_grid_see(grid, window, j, first, end + 1);
@@ -112,6 +114,7 @@ static void widen_by_cut(const tp_frame *frame, tp_grid_box *box, uint32_t i, ui
 
 tp_grid_box tp_frame_cells_box(tp_frame *frame, uint32_t j, uint32_t first, uint32_t end)
 {
+    TP_ASSERT(end < frame->parts.grid->cols && j + 1 < frame->parts.grid->rows);
     tp_grid *grid = frame->parts.grid;
     tp_grid_window *window = &grid->window;
     tp_grid_box box = TP_BOX_NONE;

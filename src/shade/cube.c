@@ -1,11 +1,13 @@
 /* SPDX-License-Identifier: MIT */
 /* Six pictures of the world around [F7]. */
+#include "base/assert.h"
 #include "shade/skies.h"
 
 /* A PNG without alpha comes with alpha 255 everywhere; nothing is so bright all over, so
  * such a face has no light beyond white. */
 static uint32_t mask_of(const tp_texture *face)
 {
+    TP_ASSERT(face->levels > 0 && face->levels <= TP_TEXTURE_LEVELS);
     uint32_t mean = face->level[face->levels - 1][0];
     return mean >> 24 == 255 ? 0x00ffffffu : 0xffffffffu;
 }

@@ -54,6 +54,7 @@ static uint32_t day(const tp_dome_config *config, bool towards, int32_t sine)
 
 uint32_t tp_dome_gradient(const tp_dome_config *config, bool towards, int32_t sine)
 {
+    TP_ASSERT(sine >= 0 && sine <= TP_SKY);
     if (config->kind == TP_DOME_DUSK)
         return between_stops(towards ? dusk_towards : dusk_away, sine);
     if (config->kind == TP_DOME_NIGHT)
@@ -91,6 +92,7 @@ static uint32_t lobe(uint32_t peak, uint32_t width, uint32_t square)
 /* The moon's disc is paler than its light: it is grey. */
 uint32_t tp_dome_glow(const tp_dome_config *config, uint32_t square)
 {
+    TP_ASSERT((unsigned)config->kind <= TP_DOME_NIGHT);
     const halo *h = &halos[config->kind];
     uint32_t share = (lobe(h->near_peak, h->near_width, square)
                       + lobe(h->far_peak, h->far_width, square)) >> 8;
@@ -107,6 +109,7 @@ uint32_t tp_dome_glow(const tp_dome_config *config, uint32_t square)
 
 uint32_t tp_glow_square(uint32_t i)
 {
+    TP_ASSERT(i <= TP_GLOW);
     uint32_t mantissa = TP_GLOW_STEP + i % TP_GLOW_STEP;
     return mantissa << (TP_GLOW_LOG2 - 5 + i / TP_GLOW_STEP);
 }

@@ -21,6 +21,7 @@ void tp_shade_tone(tp_entry8 tone[256], tp_fx exposure)
 
 void tp_stage_expose(const tp_shade *restrict shade, tp_run *restrict run)
 {
+    TP_ASSERT(shade->tone != NULL);
     const tp_entry8 *tone = shade->tone;
     const int32_t count = run->count;
 

@@ -17,6 +17,7 @@
 
 void tp_shade_foam_rank(tp_shade_foam *foam, const tp_texture *texture)
 {
+    TP_ASSERT(texture->levels > 0);
     uint32_t count[256] = { 0 }, total = 1u << (texture->log2_w + texture->log2_h);
     uint64_t below = 0;
 
@@ -165,6 +166,7 @@ TP_ALWAYS_INLINE uint32_t lit(const tp_shade *shade, const tp_run *run, int32_t 
 
 TP_ALWAYS_INLINE void foam(const tp_shade *shade, tp_run *run, int rippled, int shiny)
 {
+    TP_ASSERT(shade->foam.cover != NULL && shade->foam.cells > 0);
     const tp_shade_foam *f = &shade->foam;
 
     for (int32_t i = 0; i < run->count; ) {

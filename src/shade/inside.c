@@ -291,6 +291,7 @@ TP_ALWAYS_INLINE tp_ground ground_of(const tp_inside *in, const tp_bed ends[2],
 void tp_inside_ground(const tp_shade *shade, const tp_bed ends[2], const tp_beam *beam,
                       int32_t count, tp_ground *under)
 {
+    TP_ASSERT(count > 0 && count <= TP_INSIDE_ROW);
     const int32_t each = over[count - 1];
 
     for (int32_t k = 0; k < count; k++)
@@ -300,6 +301,7 @@ void tp_inside_ground(const tp_shade *shade, const tp_bed ends[2], const tp_beam
 void tp_inside_row(const tp_shade *shade, const tp_bed ends[2], const tp_beam *beam,
                    int32_t count, const uint32_t *body, uint32_t *seen)
 {
+    TP_ASSERT(count > 0 && count <= TP_INSIDE_ROW);
     const tp_inside *in = &shade->inside;
     const int32_t each = over[count - 1];
 

@@ -7,6 +7,8 @@
 /* The span is no less than 12 levels. */
 tp_grade tp_grade_of(tp_fx saturation, tp_fx clamp, uint32_t colour)
 {
+    TP_ASSERT(saturation >= 0 && saturation <= 4 * TP_FX_ONE);
+    TP_ASSERT(clamp >= 0 && clamp < TP_FX_ONE);
     tp_grade grade = { .saturation = saturation >> 8,
                        .clamp = (int32_t)((int64_t)clamp * 255 >> 8) };
 
@@ -40,6 +42,7 @@ TP_ALWAYS_INLINE void lay_all(const tp_shade *shade, tp_run *run, const tp_layer
                               const tp_grade *grade, uint32_t tint, int filter, int how,
                               int add)
 {
+    TP_ASSERT(layer->texture != NULL);
     tp_stretch w;
 
     for (int32_t i = 0; i < run->count; i += w.count) {

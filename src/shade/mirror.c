@@ -104,6 +104,7 @@ TP_ALWAYS_INLINE void reflect_dome_wide(const tp_shade *restrict shade,
 
 void tp_stage_reflect_dome(const tp_shade *restrict shade, tp_run *restrict run)
 {
+    TP_ASSERT(shade->env.dome != NULL);
     const int32_t count = run->count;
 
     if (TP_WIDE) {
@@ -135,6 +136,7 @@ TP_ALWAYS_INLINE void reflect_wide(const tp_shade *restrict shade, tp_run *restr
  * has normals, and they scatter what is mirrored. */
 void tp_stage_reflect_cube(const tp_shade *restrict shade, tp_run *restrict run)
 {
+    TP_ASSERT(shade->env.cube != NULL && shade->env.recip != NULL);
     tp_cube_sides sides = { .level = -1 };
 
     for (int32_t i = 0; i < run->count; ) {

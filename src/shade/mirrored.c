@@ -44,6 +44,7 @@ static int32_t way(int64_t q16, int32_t focal)
 
 static int32_t ray_of(const tp_shade *shade, int32_t sixteenths)
 {
+    TP_ASSERT(shade->per_focal > 0);
     return (int32_t)tp_limit(tp_over_focal(shade, sixteenths), 1 << 27);
 }
 

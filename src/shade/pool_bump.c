@@ -75,6 +75,7 @@ TP_ALWAYS_INLINE void bump_sample(const tp_pool_bump *pool, tp_run *run, int32_t
 
 static void bump_run(const tp_shade *shade, const tp_pool_bump *pool, tp_run *run)
 {
+    TP_ASSERT(pool->slope != NULL && pool->cols > 0 && pool->rows > 0);
     const tp_pool_bump own = *pool;
 
     for (int32_t i = 0; i < run->count; ) {

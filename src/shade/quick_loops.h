@@ -18,6 +18,7 @@ typedef struct {
 
 TP_ALWAYS_INLINE tp_lookup tp_lookup_at(const tp_quick_map *map, int32_t far)
 {
+    TP_ASSERT(map->level != NULL && map->last >= 0 && map->last <= (int32_t)map->log2);
     int32_t  level = tp_clamp((map->lod + far) >> 8, 0, map->last);
     uint32_t log2 = map->log2 - (uint32_t)level;
 

@@ -53,6 +53,7 @@ static void prepare_level(uint32_t *to, uint32_t log2, const tp_texture *from,
 static void prepare(tp_texture *to, const tp_texture *from, texel_work texel,
                     const work *w, uint32_t *mem)
 {
+    TP_ASSERT(from->levels > 0 && (uintptr_t)mem % 4 == 0);
     const uint32_t side = side_of(from), whole = longer(from);
     const uint32_t left_out = whole > side ? whole - side : 0;
 

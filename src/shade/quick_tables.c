@@ -131,6 +131,7 @@ static void make_cube(struct tp_quick_light *quick, const tp_shade *shade)
 void tp_quick_light_init(struct tp_quick_light *quick, const tp_shade *shade,
                          tp_lobe lobe, bool shiny, bool rippled)
 {
+    TP_ASSERT((unsigned)lobe <= TP_LOBE_BLINN && shade->fresnel != NULL);
     quick->least = rippled ? RIPPLED_VIEW : 0;
     make_shares(quick, shade);
     make_lobe(quick, shade, lobe, shiny);

@@ -151,6 +151,7 @@ TP_ALWAYS_INLINE uint32_t tp_sampler_texel(const tp_sampler *p, uint32_t s, uint
 /* One texel or the mean of four; `filter` is a literal. */
 static inline tp_sampler tp_sampler_for(const tp_layer *layer, int level, int filter)
 {
+    TP_ASSERT(level >= 0 && level < layer->texture->levels);
     return filter ? tp_sampler_linear(layer, level) : tp_sampler_nearest(layer, level);
 }
 

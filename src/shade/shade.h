@@ -211,6 +211,7 @@ void tp_view_run(const tp_shade *shade, const tp_view_axes *axes, tp_run *run);
 /* Where the 16 columns of sample i end, or the run. */
 static inline int32_t tp_block_end(const tp_run *run, int32_t i)
 {
+    TP_ASSERT(i < run->count);
     int32_t end = i + 16 - ((run->x + i) & 15);
     return end < run->count ? end : run->count;
 }

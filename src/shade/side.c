@@ -31,6 +31,7 @@ void tp_stage_side(const tp_shade *shade, tp_run *run)
 void tp_shade_glaze(const tp_shade *shade, tp_run *run, int32_t i, int32_t stop,
                     uint32_t face)
 {
+    TP_ASSERT(i <= stop && stop <= run->count && face < 4);
     const tp_inside *inside = &shade->inside;
     tp_ray n = normal_of(face);
 

@@ -89,6 +89,7 @@ TP_ALWAYS_INLINE void empty_cube(const tp_shade *shade, tp_run *run, int hdr)
 
 TP_ALWAYS_INLINE void empty(const tp_shade *shade, tp_run *run, tp_env_kind kind, int hdr)
 {
+    TP_ASSERT(kind == TP_ENV_DOME ? shade->env.dome != NULL : shade->env.cube != NULL);
     tp_view_run(shade, &shade->world, run);
     if (kind == TP_ENV_DOME)
         empty_dome(shade, run, hdr);

@@ -71,6 +71,7 @@ TP_ALWAYS_INLINE uint32_t phong(const tp_shade *shade, const tp_view_axes *axes,
 
 TP_ALWAYS_INLINE void solid_run(const tp_shade *shade, tp_run *run, int blinn)
 {
+    TP_ASSERT(shade->solid != NULL);
     const tp_solid *solid = &shade->solid[run->material];
     const tp_texture *picture = solid->diffuse_map, *normals = solid->normal_map;
 

@@ -51,6 +51,7 @@ TP_ALWAYS_INLINE uint32_t star_at(const tp_shade *shade, int32_t x, int32_t y, i
 
 void tp_stage_stars(const tp_shade *shade, tp_run *run)
 {
+    TP_ASSERT(shade->env.recip != NULL);
     for (int32_t i = 0; i < run->count; i++) {
         if (run->vy[i] < 0)
             run->colour[i] = tp_colour_add(run->colour[i],

@@ -26,6 +26,7 @@ const uint8_t tp_drop_gloss[TP_GLOSS] = {
 /* base^n for base in Q2.30, 0..1, by squaring. */
 static tp_q30 power(tp_q30 base, uint32_t n)
 {
+    TP_ASSERT(base >= 0 && base <= TP_Q30_ONE);
     tp_q30 result = TP_Q30_ONE;
 
     for (; n; n >>= 1) {
@@ -55,6 +56,7 @@ static uint16_t shine_of(tp_q30 lobe, tp_fx strength)
 
 void tp_shade_shine(tp_shade *shade, tp_fx shininess, tp_fx strength)
 {
+    TP_ASSERT(shade->shine != NULL && strength >= 0);
     for (int32_t i = 0; i <= TP_SHINE; i++)
         shade->shine[i] = shine_of(power(i * (TP_Q30_ONE / TP_SHINE),
                                          exponent(shininess)), strength);
@@ -62,6 +64,7 @@ void tp_shade_shine(tp_shade *shade, tp_fx shininess, tp_fx strength)
 
 void tp_shade_shine_blinn(tp_shade *shade, tp_fx shininess, tp_fx strength)
 {
+    TP_ASSERT(shade->shine != NULL && strength >= 0);
     for (int32_t i = 0; i <= TP_SHINE; i++)
         shade->shine[i] = shine_of(blinn(i * (TP_Q30_ONE / TP_SHINE),
                                          exponent(shininess)), strength);

@@ -27,6 +27,7 @@ TP_ALWAYS_INLINE void lay(const tp_sampler *sampler, uint32_t tint,
 
 TP_ALWAYS_INLINE void texture(const tp_shade *shade, tp_run *run, int filter, int tinted)
 {
+    TP_ASSERT(shade->water.texture != NULL);
     const tp_layer *layer = &shade->water;
     tp_stretch w;
 

@@ -98,6 +98,7 @@ static void between_knots(const tp_ray knot[4], int32_t k, int32_t count, tp_run
 
 void tp_view_run(const tp_shade *shade, const tp_view_axes *axes, tp_run *run)
 {
+    TP_ASSERT(run->count > 0 && run->count <= TP_RUN);
     int32_t from = run->x & ~15;
     way     w = way_at(shade, axes, from - 16, run->y);
     tp_ray  knot[4] = { ray_along(axes, w) };
