@@ -98,6 +98,7 @@ static waters feel(const tp_kit *kit, tp_world *world, tp_fx points[4][2])
     const tp_pool *stirred = tp_boat_pool(world);
     waters w;
 
+    TP_ASSERT(stirred == NULL || kit->water.pools != NULL);
     for (int i = 0; i < 4; i++) {
         tp_fx x = points[i][0], z = points[i][1];
         tp_sea_point at = tp_surface_above(&surface, x, z, world->afloat.rest[i]);
@@ -131,6 +132,7 @@ static bool is_laid_anew(const tp_afloat *afloat, const tp_scene *scene)
 
 void tp_boat_init(const tp_kit *kit, tp_world *world, const tp_scene *scene)
 {
+    TP_ASSERT(scene->boat.length > 0 && scene->boat.beam > 0);
     tp_afloat *a = &world->afloat;
     tp_fx points[4][2];
 

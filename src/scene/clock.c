@@ -3,6 +3,7 @@
  *
  * Per picture a share of 1 - exp(-1/24) of the way to the target is gone; in 40 places
  * no step is lost, until the rest, below 2 LSB of 16.16, is given at once. */
+#include "base/assert.h"
 #include "tidepool/clock.h"
 
 #define ONE_Q40   ((int64_t)1 << 40)
@@ -43,6 +44,7 @@ void tp_clock_shift(tp_clock *clock, int32_t steps)
 /* The way is below 2^42 and its share 2^28, so the product takes the way as Q28. */
 void tp_clock_next(tp_clock *clock)
 {
+    TP_ASSERT(clock->scale_q40 > 0 && clock->part_q40 >= 0 && clock->part_q40 < ONE_Q40);
     int64_t way = q40(clock->target) - clock->scale_q40;
 
     if (way < SNAP_Q40 && way > -SNAP_Q40)

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* The world between its last two ticks, and the camera that goes with the boat: it stays
  * where it is on the deck, so that it heaves, turns, pitches and rolls as the boat does. */
+#include "base/assert.h"
 #include "scene/drawn.h"
 
 /* The shorter way round. */
@@ -37,6 +38,7 @@ static tp_camera carried(const tp_camera *deck, const tp_pose *boat)
 
 tp_camera tp_camera_between(const tp_world *world, tp_fx back)
 {
+    TP_ASSERT(back >= 0 && back <= TP_FX_ONE);
     const tp_turn heading = turn_between(world->last_heading, world->heading, back);
     const tp_turn pitch = turn_between(world->last_pitch, world->pitch, back);
     const tp_camera camera = { tp_place_between(world->last_eye, world->eye, back),

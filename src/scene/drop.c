@@ -8,6 +8,7 @@
  *
  * Impacts are looked for in the water's frame, whose level moves evenly through the tick:
  * the height over it is the parabola through both ends with the first end's speed. */
+#include "base/assert.h"
 #include "tidepool/drop.h"
 #include "tidepool/wave.h"
 
@@ -27,6 +28,7 @@ static int32_t fall_held(int64_t fall_q24)
 /* n / d rounded half up; d > 0, |n| < 2^62. */
 static int64_t over(int64_t n, int64_t d)
 {
+    TP_ASSERT(d > 0);
     int64_t twice = n + (d >> 1), q = twice / d;
     return twice % d < 0 ? q - 1 : q;
 }
@@ -37,6 +39,7 @@ static int64_t over(int64_t n, int64_t d)
  * Below 2^29 for r of 0.5 mm, to which 0.002 m shrinks; held where it is out of range. */
 static uint64_t drag_q24(const tp_scene_drops *config, tp_fx radius)
 {
+    TP_ASSERT(config->density > 0 && radius > 0);
     if (config->drag <= 0)
         return 0;
     uint64_t k = (uint64_t)config->drag * DRAG_Q40
@@ -107,6 +110,7 @@ static crossing crossing_of(const tp_drop *drop, const fall *to, tp_fx level)
  * parts are below 2^35, so products with 17 bits of time fit. */
 static int32_t time_of(const crossing *c)
 {
+    TP_ASSERT(c->high[0] >= 0 && c->high[1] < 0);
     int64_t slope = over(c->speed[0] * 256, RATE);
     int64_t bend = c->high[1] - c->high[0] - slope;
     int32_t above = 0, below = TP_FX_ONE;
@@ -259,6 +263,7 @@ static void strike(tp_drop *drop, const tp_scene_drops *config, tp_fx gravity,
 bool tp_drop_step(tp_drop *drop, const tp_scene_drops *config, tp_fx gravity,
                   tp_fx level, uint64_t tick, tp_impact *impact)
 {
+    TP_ASSERT(tick > 0 && impact != NULL);
     if (drop->radius <= 0)
         return false;
     if (gravity < TP_FX(0.1))

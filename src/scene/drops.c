@@ -28,6 +28,7 @@ size_t tp_drops_bytes(const tp_scene_drops *config)
 
 void tp_drops_init(tp_drops *drops, const tp_scene_drops *config)
 {
+    TP_ASSERT((uintptr_t)drops % 8 == 0 && config->count > 0);
     memset(drops, 0, tp_drops_bytes(config));
     drops->capacity = capacity_of(config->count);
     drops->ring_capacity = capacity_of(config->rings);
@@ -86,6 +87,7 @@ static tp_vec3 scattered(tp_drops *drops, tp_fx reach)
 
 void tp_drops_release(tp_drops *drops, const tp_scene_drops *config, uint32_t count)
 {
+    TP_ASSERT(drops->count <= drops->capacity);
     uint32_t room = drops->capacity - drops->count, most = UINT32_MAX - drops->dropped;
     uint32_t fits = count < room ? count : room, lost = count - fits;
     tp_fx    reach = config->scatter;
@@ -126,6 +128,7 @@ void tp_drops_release_due(tp_drops *drops, const tp_scene_drops *config)
 bool tp_drops_step(tp_drops *drops, const tp_scene_drops *config, uint32_t i,
                    tp_fx gravity, tp_fx level, uint64_t tick, tp_impact *impact)
 {
+    TP_ASSERT(i < drops->count);
     bool struck = tp_drop_step(&list(drops)[i], config, gravity, level, tick, impact);
 
     drops->impacts += struck;
@@ -136,6 +139,7 @@ bool tp_drops_step(tp_drops *drops, const tp_scene_drops *config, uint32_t i,
 void tp_drops_ring(tp_drops *drops, const tp_scene_drops *config,
                    const tp_impact *impact)
 {
+    TP_ASSERT(drops->rings <= drops->ring_capacity);
     if (impact->amplitude <= 0)
         return;
     if (drops->rings == drops->ring_capacity) {

@@ -4,6 +4,7 @@
  * left out, which saves its part of every vertex.  Waves of several lengths are
  * independent, so their squares add up, and each has the share over the root of their
  * number. */
+#include "base/assert.h"
 #include "scene/faint.h"
 
 #define TWO_PI_Q16 411775
@@ -48,6 +49,7 @@ static tp_fx ramp(int64_t x, tp_fx limit)
 
 static int64_t px_of(const tp_faint_limits *limits, tp_fx amplitude)
 {
+    TP_ASSERT(limits->near > 0);
     return ((int64_t)amplitude * limits->focal * 65536) / limits->near;
 }
 
@@ -102,6 +104,7 @@ static tp_swell scaled(const tp_swell *swell, tp_fx weight)
 bool tp_faint_sea(tp_sea *thin, tp_turn thin_phases[TP_WAVES], const tp_sea *whole,
                   const tp_turn phases[TP_WAVES], const tp_faint_limits *limits)
 {
+    TP_ASSERT(whole->count <= TP_WAVES);
     tp_fx weight[TP_WAVES];
     bool  any = false;
 

@@ -26,6 +26,7 @@
  * wanders, in 300 throws of 5000 steps at omega dt = 0.745 up to 87-fold, at 0.1 to 1.09.
  * [E3] asks for omega dt < 1; here a tick has so many steps that it is at most 1/8.  The
  * table's worst, g = 100 m/s^2 over a draft of 0.05 m, is 0.745 a tick: 6 steps. */
+#include "base/assert.h"
 #include "scene/boat.h"
 #include "wave/exp.h"
 
@@ -45,6 +46,7 @@
 /* x q / 2^32 towards zero: what is left of a speed is always less.  |x| < 2^62. */
 static int64_t share(int64_t x, uint32_t q)
 {
+    TP_ASSERT(x > -((int64_t)1 << 62) && x < (int64_t)1 << 62);
     uint64_t size = (uint64_t)(x < 0 ? -x : x);
     uint64_t part = (size >> 32) * q + ((size & 0xffffffff) * q >> 32);
     return x < 0 ? -(int64_t)part : (int64_t)part;
@@ -74,6 +76,7 @@ void tp_boat_lay(tp_lie *lie, const tp_fx water[4])
  * takes 24 bits of fraction, and 1 - x the rest. */
 static uint32_t following(tp_fx tau)
 {
+    TP_ASSERT(tau > 0);
     uint64_t x = ((uint64_t)1 << 48) / (TP_TICKS_PER_SECOND * (uint64_t)tau);
     uint64_t left = x >> 32 >= 23 ? 0 : tp_exp_neg((uint32_t)(x >> 8));
 
@@ -106,6 +109,7 @@ typedef struct {
 /* Of a tick, (omega dt)^2 = g / (3600 draft) < 0.5556, Q0.32: g 2^32 is below 2^55. */
 static uint64_t spring(tp_fx gravity, tp_fx draft)
 {
+    TP_ASSERT(gravity >= 0 && draft > 0);
     const uint64_t ticks = TP_TICKS_PER_SECOND * TP_TICKS_PER_SECOND;
     return ((uint64_t)gravity << 32) / (ticks * (uint64_t)draft);
 }
@@ -161,6 +165,7 @@ static bool is_within(const int64_t x[3], int64_t most)
 /* Near its rest it is set down on it: the push is then the way there. */
 static void step(tp_lie *lie, const swing *s, tp_fx draft, const tp_fx water[4])
 {
+    TP_ASSERT(s->steps > 0 && draft > 0);
     int64_t push[3];
 
     push_of(lie, draft, water, push);

@@ -42,6 +42,7 @@ static int64_t side_of(const tp_foam *foam)
 /* The lowest lattice cell of a window around `middle`; drift is 0 to a side. */
 static int32_t first_around(const tp_foam *foam, tp_fx middle, int64_t drift_q32)
 {
+    TP_ASSERT(foam->cells > 0 && foam->cell > 0);
     int64_t from = (int64_t)middle - (drift_q32 >> 16), cell = foam->cell;
     int64_t at = from / cell - (from % cell < 0);
 
@@ -61,6 +62,7 @@ static void place_window(tp_foam *foam, const tp_world *world, const tp_scene *s
 
 void tp_foam_init(tp_foam *foam, const tp_world *world, const tp_scene *scene, bool ocean)
 {
+    TP_ASSERT(scene->foam.cells > 0 && scene->foam.cells <= 256);
     uint32_t cells = (uint32_t)scene->foam.cells;
 
     foam->cells = cells;
@@ -116,6 +118,7 @@ static tp_fx place_of(const tp_foam *foam, int32_t number, int64_t drift)
 /* e^(-4 / 60 / fade), Q24; fade is 0.1 s or more. */
 static uint32_t kept_in_a_visit(tp_fx fade)
 {
+    TP_ASSERT(fade > 0);
     uint64_t x = ((uint64_t)TP_FOAM_TICKS << 40) / (TP_TICKS_PER_SECOND * (uint32_t)fade);
     return tp_exp_neg((uint32_t)x) >> 8;
 }
@@ -210,6 +213,7 @@ static int64_t cells_from(const tp_foam *foam, tp_fx place, int32_t first, int64
 /* Each cell whose middle is within the radius; farther out less. */
 void tp_foam_blob(tp_foam *foam, tp_fx x, tp_fx z, tp_fx radius, uint32_t cover)
 {
+    TP_ASSERT(radius >= 0 && cover <= 255);
     int64_t u = cells_from(foam, x, foam->first_x, foam->drift_x);
     int64_t w = cells_from(foam, z, foam->first_z, foam->drift_z);
     int64_t r = (int64_t)radius * 256 / foam->cell, cells = foam->cells;

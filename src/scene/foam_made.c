@@ -27,6 +27,7 @@ static uint32_t part_of(tp_fx share, int32_t units)
 /* Bends sum to 0.95 at the most, so Q30 fits and so do the products. */
 tp_fx tp_foam_squeeze(const tp_sea *sea, const tp_turn phases[TP_WAVES], tp_fx x, tp_fx z)
 {
+    TP_ASSERT(sea->count <= TP_WAVES);
     int32_t bxx = 0, bxz = 0, bzz = 0;
 
     for (uint32_t i = 0; i < sea->count; i++) {
@@ -281,6 +282,7 @@ void tp_foam_maker_above(tp_foam_maker *m, uint32_t col, tp_fx x)
 
 uint32_t tp_foam_maker_gain(tp_foam_maker *m, uint32_t col, tp_fx x, bool joined)
 {
+    TP_ASSERT(col < m->foam->cells);
     uint32_t gain = m->ocean ? ocean_gain(m, col, x, joined)
         : m->scene->foam.crest > 0
         ? crest_gain(m, tp_foam_squeeze(&m->world->sea, m->world->phases, x, m->z)) : 0;

@@ -6,6 +6,7 @@
  * the rung above costs here, on this machine and scene; what the frames take now, times
  * their ratio, is what they would take there.  While the load stays as it was that is
  * above the limit, and the governor stays; it cannot swing. */
+#include "base/assert.h"
 #include "tidepool/plan.h"
 
 #define WINDOW 8                /* frames */
@@ -19,11 +20,13 @@ void tp_governor_init(tp_governor *governor, const tp_ladder *ladder, uint32_t l
 
 tp_rungs tp_governor_rungs(const tp_governor *governor)
 {
+    TP_ASSERT(governor->at < governor->ladder.count);
     return governor->ladder.rung[governor->at];
 }
 
 tp_reach tp_reach_of(const tp_ladder *ladder)
 {
+    TP_ASSERT(ladder->count <= TP_LADDER);
     tp_reach reach = { 1 << TP_VISIBILITY_TRIANGLES, 1 << TP_SHADING_EXACT,
                        1 << TP_RATE_FULL, 1 << TP_LOD_OFF };
 
@@ -48,6 +51,7 @@ static int step(tp_governor *g, int by)
  * load that fell while the step was measured must not hold the governor down for ever. */
 static bool has_room_above(const tp_governor *g)
 {
+    TP_ASSERT(g->at > 0 && g->after[g->at] > 0);
     const uint64_t most = 4 * (uint64_t)g->mean;
     const uint64_t above = (uint64_t)g->mean * g->before[g->at] / g->after[g->at];
 

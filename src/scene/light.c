@@ -54,6 +54,7 @@ static void place(tp_world *world, const tp_scene *scene)
 
 void tp_light_init(tp_world *world, const tp_scene *scene)
 {
+    TP_ASSERT(world != NULL && scene->hdr.value > 0);
     place(world, scene);
     world->exposure = scene->hdr.value;
     keep_last(world);

@@ -55,6 +55,7 @@ static probe *probe_of(const tp_world *world)
 
 static uint16_t grey_of(uint32_t light, uint32_t beyond)
 {
+    TP_ASSERT(beyond <= 256 * TP_WHITES);
     uint32_t grey = (77 * (light >> 16 & 0xff) + 150 * (light >> 8 & 0xff)
                      + 29 * (light & 0xff)) >> 8;
     uint32_t gain = 256 + ((light >> 24) * beyond >> 8);
@@ -211,6 +212,7 @@ tp_fx tp_meter_mean(const tp_world *world, const tp_scene *scene)
 
 void tp_meter_step(tp_world *world, const tp_scene *scene)
 {
+    TP_ASSERT(world->parts.probe != 0 && scene->hdr.rate >= 0);
     world->exposure = tp_exposure_step(world->exposure, tp_meter_mean(world, scene),
                                        scene->hdr.rate);
 }

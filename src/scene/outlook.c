@@ -316,6 +316,7 @@ static void list_waves(tp_outlook *o, const tp_scene *s)
 tp_outlook tp_outlook_of(const tp_scene *scene, const tp_assets *assets, uint32_t width,
                          uint32_t height)
 {
+    TP_ASSERT(scene->grid.cols >= 2 && scene->grid.rows >= 2);
     const tp_stand at = tp_stand_of(scene, width, height);
     const uint64_t pixels = (uint64_t)width * height;
     const tp_vec3 low = tp_stand_ray(&at, 0, -at.high);

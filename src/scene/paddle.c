@@ -7,6 +7,7 @@
  * to tick [C1].  A row pushed by d a tick sends d / (2 r cos(k/2)) both ways; with the
  * other row, n cells away and opposite, that is 2 sin(k n / 2) times as much.  Before a
  * wall mirrored rows push along: 2 (cos(k/2) - cos(k (n + 1/2))) times as much. */
+#include "base/assert.h"
 #include "scene/parts.h"
 #include "tidepool/pool.h"
 
@@ -18,6 +19,7 @@ typedef struct {
 /* om / 2, a turn; the period is 0.1 s or more, so it is below 1/12. */
 static tp_turn half_turn(const tp_scene_pool *scene)
 {
+    TP_ASSERT(scene->paddle_period > 0);
     return (tp_turn)(((uint64_t)1 << 47) / ((uint64_t)(uint32_t)scene->paddle_period
                                             * TP_TICKS_PER_SECOND));
 }
@@ -27,6 +29,7 @@ static tp_turn half_turn(const tp_scene_pool *scene)
  * of a grid's shortest lengths do not travel: k is held at 1/2 turn less a little. */
 static stroke stroke_of(const tp_pool *pool, const tp_scene_pool *scene)
 {
+    TP_ASSERT(scene->courant > 0 && scene->paddle >= 0);
     bool    walls = pool->edges == TP_EDGES_WALL;
     stroke  s = { .row = pool->edges == TP_EDGES_SPONGE ? (uint32_t)scene->sponge : 0 };
     int64_t sine = (int64_t)tp_sin(half_turn(scene)) * TP_FX_ONE / scene->courant;

@@ -47,6 +47,7 @@ static tp_ocean_config ocean_config(const tp_scene *scene, const tp_assets *asse
 /* The offset of `bytes` more, 0 of none. */
 static uint32_t take(tp_arena *arena, size_t bytes)
 {
+    TP_ASSERT(arena->block == NULL);
     size_t at = arena->used;
     if (bytes == 0)
         return 0;
@@ -112,6 +113,7 @@ tp_status tp_parts_take_pools(tp_world_parts *parts, tp_arena *arena,
 size_t tp_parts_ocean_bytes(const tp_kit *kit, const tp_scene *scene,
                             const tp_assets *assets)
 {
+    TP_ASSERT(kit->water.swells != NULL);
     tp_ocean_config config = ocean_config(scene, assets);
     tp_sea sea;
 
@@ -182,6 +184,7 @@ tp_status tp_parts_of(const tp_kit *kit, tp_world_parts *parts, const tp_scene *
 /* The part at an offset; the block is aligned to 8, and so is every part. */
 static void *part(const tp_world *world, uint32_t at)
 {
+    TP_ASSERT(at % 8 == 0 && (at == 0 || at < world->parts.bytes));
     return at ? (char *)(uintptr_t)world + at : NULL;
 }
 
@@ -207,6 +210,7 @@ tp_status tp_parts_init_ocean(tp_world *world, const tp_scene *scene,
 tp_status tp_parts_refresh_ocean(tp_world *world, const tp_scene *scene,
                                  const tp_assets *assets)
 {
+    TP_ASSERT(world->parts.ocean != 0);
     tp_ocean_config config = ocean_config(scene, assets);
 
     return tp_ocean_refresh(part(world, world->parts.ocean), &config, &world->sea,

@@ -7,6 +7,7 @@
  * against its budget, but leaves less of it to the rest.  The exact rungs are always
  * within it, so there is always a plan; a larger budget has all the plans of a smaller
  * one, so it never costs more. */
+#include "base/assert.h"
 #include "scene/faint.h"
 #include "scene/prices.h"
 #include "scene/sides.h"
@@ -33,6 +34,7 @@ typedef struct {
 
 static choice choice_of(uint32_t number)
 {
+    TP_ASSERT(number < COMBINATIONS);
     choice c;
 
     for (int k = TP_KINDS - 1; k >= 0; k--) {
@@ -204,6 +206,7 @@ static int8_t named_of(int32_t rung, int kind)
 static ground ground_of(const tp_prices *prices, const tp_scene *scene,
                         const tp_assets *assets, uint32_t width, uint32_t height)
 {
+    TP_ASSERT(width > 0 && height > 0);
     const int32_t asked[TP_KINDS] = { scene->quality.visibility, scene->quality.shading,
                                       scene->quality.rate, scene->quality.lod };
     ground g = { .prices = prices,

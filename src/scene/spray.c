@@ -40,6 +40,7 @@ size_t tp_spray_bytes(const tp_scene *scene)
 
 void tp_spray_init(tp_spray *spray, const tp_scene *scene)
 {
+    TP_ASSERT(scene->spray.count > 0);
     spray->capacity = (uint32_t)scene->spray.count;
     spray->random = 1;
 }
@@ -71,6 +72,7 @@ static tp_vec3 any(tp_spray *spray)
 
 static void throw(tp_spray *spray, tp_vec3 place, tp_vec3 speed, tp_speck_kind kind)
 {
+    TP_ASSERT(spray->count <= spray->capacity);
     uint8_t chance = (uint8_t)(tp_random(&spray->random) >> 24);
 
     if (spray->count == spray->capacity) {

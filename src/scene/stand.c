@@ -19,6 +19,7 @@ int64_t tp_stand_line(const tp_scene *s, int32_t lines, int64_t centre, int64_t 
 
     if (out <= 0)
         return centre + (line * s->grid.cell >> 16);
+    TP_ASSERT(flank > 0);
     const int64_t share = out / flank;          /* of the flank, Q16; cubed */
     const int64_t way = half + (s->grid.reach * (share * share * share >> 32) >> 16);
     return centre + (line < 0 ? -way : way);
@@ -60,6 +61,7 @@ static void place_water(tp_stand *at, const tp_scene *s)
 
 tp_stand tp_stand_of(const tp_scene *s, uint32_t width, uint32_t height)
 {
+    TP_ASSERT(width > 0 && height > 0);
     const tp_dir3 half = tp_rotation_of(tp_turn_of_degrees(s->camera.fov) / 2, 0, 0).x;
     const tp_turn aboard = s->camera.follow == TP_FOLLOW_BOAT
                          ? tp_turn_of_degrees(s->boat.heading) : 0;

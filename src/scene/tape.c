@@ -183,6 +183,7 @@ static tp_status read_field(tp_input *input, tp_piece w, uint64_t *seen, tp_erro
 tp_status tp_tape_read(tp_tape_entry *entry, const char *text, size_t bytes,
                        tp_error *err)
 {
+    TP_ASSERT(entry != NULL && (text != NULL || bytes == 0));
     tp_piece line = { text, bytes }, w = next_word(&line);
     tp_tape_entry read = { .tick = 0 };
     uint64_t seen = 0;

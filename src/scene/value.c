@@ -99,6 +99,7 @@ static tp_status check_text(tp_piece w)
 /* The place of a row's value: an int32_t or a char[TP_NAME_BYTES]. */
 static void *value_of(tp_scene *scene, const tp_param *param)
 {
+    TP_ASSERT(param->offset < sizeof *scene);
     return (char *)scene + param->offset;
 }
 
@@ -125,6 +126,7 @@ static tp_status set_number(tp_scene *scene, const tp_param *param, tp_piece w)
 tp_status tp_param_set(tp_scene *scene, const tp_param *param, const char *text,
                        size_t bytes, tp_error *err)
 {
+    TP_ASSERT(scene != NULL && param != NULL && (text != NULL || bytes == 0));
     const tp_piece w = tp_piece_trimmed((tp_piece){ text, bytes });
     const tp_status status = tp_param_is_text(param) ? set_text(scene, param, w)
                                             : set_number(scene, param, w);

@@ -20,6 +20,7 @@
  *
  * What the sum of the differences is short of zero, the cells around the hull take; what
  * they cannot, any cell within reach can: at the worst it goes back whence it came. */
+#include "base/assert.h"
 #include "scene/boat.h"
 #include "scene/parts.h"
 
@@ -42,6 +43,7 @@ typedef struct {
 /* Half of a side, but no less than 1.5 cells. */
 static tp_fx half_side(tp_fx side, const tp_pool *pool)
 {
+    TP_ASSERT(side > 0 && pool->cell > 0);
     tp_fx least = pool->cell + pool->cell / 2;
     return side / 2 > least ? side / 2 : least;
 }
@@ -141,6 +143,7 @@ static tp_fx centre(tp_fx middle, tp_fx side, uint32_t count, int32_t i)
 
 static cell cell_at(const tp_pool *pool, int32_t col, int32_t row)
 {
+    TP_ASSERT(pool->cols > 0 && pool->rows > 0);
     return (cell){
         col, row, wrapped(col, pool->cols), wrapped(row, pool->rows),
         centre(pool->x, pool->cell, pool->cols, col),

@@ -218,6 +218,7 @@ static uint32_t bits_of(uint32_t word)
 /* What else than the boat stops a ray that would meet water. */
 static void stop_ray(tp_site *w, int32_t i, int32_t j, int64_t far)
 {
+    TP_ASSERT(i >= 0 && i < TP_RAYS && j >= 0 && j < TP_RAYS);
     const tp_vec3 ray = tp_stand_ray(&w->at,
                                      w->at.wide * (2 * i + 1 - TP_RAYS) / TP_RAYS,
                                      w->at.high * (2 * j + 1 - TP_RAYS) / TP_RAYS);

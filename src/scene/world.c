@@ -89,6 +89,7 @@ tp_status tp_world_init_with(const tp_kit *kit, tp_world *world, size_t bytes,
 bool tp_world_refresh_with(const tp_kit *kit, tp_world *world, const tp_scene *scene,
                            const tp_assets *assets)
 {
+    TP_ASSERT(world != NULL && world->parts.bytes > 0);
     tp_world_parts parts;
 
     if (tp_parts_of(kit, &parts, scene, assets, NULL) != TP_OK
@@ -149,6 +150,7 @@ static void move_camera(tp_world *world, const tp_input *in)
 
 void tp_world_look(tp_world *world, const tp_input *input)
 {
+    TP_ASSERT(world != NULL && input != NULL);
     move_camera(world, input);
     keep_camera(world);                 /* there is no tick to draw between */
 }
@@ -159,6 +161,7 @@ void tp_world_look(tp_world *world, const tp_input *input)
 void tp_world_step_with(const tp_kit *kit, tp_world *world, const tp_scene *scene,
                         const tp_input *input)
 {
+    TP_ASSERT(kit != NULL && scene != NULL && world != NULL && world->parts.bytes > 0);
     const tp_moves *move = &kit->move;
 
     world->tick++;
@@ -194,6 +197,7 @@ static uint64_t ticks_for(const tp_clock *clock)
 
 uint32_t tp_world_frame(tp_world *world)
 {
+    TP_ASSERT(world != NULL && world->clock.scale_q40 > 0);
     uint64_t before = ticks_for(&world->clock);
     tp_clock_next(&world->clock);
     tp_fx part = tp_clock_fraction(&world->clock);
@@ -205,6 +209,7 @@ uint32_t tp_world_frame(tp_world *world)
 tp_sea_point tp_world_above_with(const tp_kit *kit, const tp_world *world, tp_fx x,
                                  tp_fx z)
 {
+    TP_ASSERT(kit != NULL && world != NULL && world->parts.bytes > 0);
     tp_surface surface = tp_world_surface(kit, world);
     return tp_surface_above(&surface, x, z, NULL);
 }
