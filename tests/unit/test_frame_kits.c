@@ -136,6 +136,60 @@ static void what_a_kit_lacks_is_left_out_and_counted(void **state)
     assert_int_equal(lacks, 0);
 }
 
+#define OF_LIST(X) \
+    X(quick_far) X(quick_bend) X(quick_bend_thin) X(quick_still) X(quick_still_thin) \
+    X(quick_layers) X(quick_layers_thin) X(quick_ripple) X(quick_slopes)
+#define OF_HALVES(X) X(quick_layers_even) X(quick_gradient_even) X(quick_glint_phong)
+
+/* Bent layers and ripples under a plain sky, by the quick stages. */
+static tp_scene quick_scene(int32_t rate)
+{
+    tp_scene s;
+
+    tp_scene_default(&s);
+    s.quality.visibility = TP_VISIBILITY_TRIANGLES;
+    s.quality.shading = TP_SHADING_QUICK;
+    s.quality.rate = rate;
+    s.quality.lod = TP_LOD_OFF;
+    s.distortion.strength = TP_FX_ONE;
+    return s;
+}
+
+/* A stage reads what the one before left: a kit that lacks one of the quick list draws
+ * exactly, and one that lacks a stage of every second column draws every column. */
+static void a_kit_without_a_quick_stage_takes_the_next_better_rung(void **state)
+{
+    const tp_assets assets = { .layer[0] = &kit.picture[0], .layer[1] = &kit.picture[1],
+                               .ripple = &kit.picture[2],
+                               .distortion = &kit.picture[4] };
+    const tp_scene full = quick_scene(TP_RATE_FULL), half = quick_scene(TP_RATE_COLOUR);
+    tp_scene exact = full;
+    uint32_t lacks;
+
+    (void)state;
+    exact.quality.shading = TP_SHADING_EXACT;
+    const uint32_t by_exact = drawn_by(&tp_kit_all, &exact, &assets, &lacks);
+    const uint32_t by_full = drawn_by(&tp_kit_all, &full, &assets, &lacks);
+    assert_int_not_equal(by_full, by_exact);
+    assert_int_not_equal(by_full, drawn_by(&tp_kit_all, &half, &assets, &lacks));
+#define X(name) { \
+        tp_kit own = tp_kit_all; \
+        own.stage.name = NULL; \
+        if (drawn_by(&own, &full, &assets, &lacks) != by_exact) \
+            fail_msg("without %s: not the exact picture", #name); \
+    }
+    OF_LIST(X)
+#undef X
+#define X(name) { \
+        tp_kit own = tp_kit_all; \
+        own.stage.name = NULL; \
+        if (drawn_by(&own, &half, &assets, &lacks) != by_full) \
+            fail_msg("without %s: not the picture of every column", #name); \
+    }
+    OF_HALVES(X)
+#undef X
+}
+
 static void refused(const tp_kit *by, tp_format format, const char *word)
 {
     static uint64_t block[65536];
@@ -171,6 +225,7 @@ int main(void)
         cmocka_unit_test(any_kit_draws_any_scene),
         cmocka_unit_test(a_kit_of_what_a_scene_needs_draws_it_as_all_does),
         cmocka_unit_test(what_a_kit_lacks_is_left_out_and_counted),
+        cmocka_unit_test(a_kit_without_a_quick_stage_takes_the_next_better_rung),
         cmocka_unit_test(a_kit_without_sky_plain_or_the_format_is_refused),
     };
     chance = random_seed();
