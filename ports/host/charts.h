@@ -2,7 +2,6 @@
 /* Charts: tables that jobs fill, a row a cell, and pictures of them. */
 #ifndef HOST_CHARTS_H
 #define HOST_CHARTS_H
-#include <signal.h>
 #include <stdbool.h>
 #include <stdint.h>
 #include <stdio.h>
@@ -96,11 +95,6 @@ void chart_jobs_keep(chart_jobs *jobs, bool resume);
 
 /* Adds one; false: no memory. */
 bool chart_jobs_add(chart_jobs *jobs, char *command, char *rows);
-
-/* Signals that end a program wait from hold to release, where they do what they do. */
-typedef struct { sigset_t held, before; } chart_hold;
-void charts_hold(chart_hold *h);
-void charts_release(const chart_hold *h);
 
 /* Runs what is not done, `most` at a time.  EXIT_CHECK: some failed, and said so.  After
  * a signal that stopped it the caller tidies up and calls stop, which does not return

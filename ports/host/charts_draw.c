@@ -9,6 +9,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 #include "charts.h"
+#include "charts_hold.h"
 #include "output.h"
 #include "path.h"
 #include "say.h"

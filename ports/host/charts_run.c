@@ -16,6 +16,7 @@
 #include <time.h>
 #include <unistd.h>
 #include "charts.h"
+#include "charts_hold.h"
 #include "path.h"
 #include "say.h"
 #include "timing.h"
