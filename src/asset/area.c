@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Area vectors: asset/area.h. */
 #include "asset/area.h"
+#include "base/assert.h"
 
 tp_area tp_area_of(tp_vec3 a, tp_vec3 b)
 {
@@ -23,6 +24,7 @@ uint32_t tp_area_shift(uint32_t extent, uint32_t count)
 
 tp_area tp_area_scaled(tp_area a, uint32_t shift)
 {
+    TP_ASSERT(shift < 63);
     const int64_t unit = (int64_t)1 << shift;
     return (tp_area){ a.x / unit, a.y / unit, a.z / unit };
 }

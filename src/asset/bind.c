@@ -38,6 +38,7 @@ uint32_t tp_obj_image_line(const tp_obj *obj, uint32_t i)
 /* Shifts x != 0 until its top bit is bit 31; returns by how much x is larger. */
 static int to_32_bits(uint64_t *x)
 {
+    TP_ASSERT(*x != 0);
     int shift = 0;
     for (; *x >> 32 != 0; shift++)
         *x >>= 1;

@@ -17,6 +17,7 @@
  * that its triangle reaches, which leaves some hundred steps for each corner of outlines of
  * tens of thousands.  Steps are counted: after STEPS n of them corners are cut untested. */
 #include "asset/cut_grid.h"
+#include "base/assert.h"
 
 enum { EXTENT_BITS = 27, STEPS = 2048 };
 
@@ -227,6 +228,7 @@ struct tp_obj_cut *tp_cut_carve(tp_arena *arena, uint32_t corners)
 
 void tp_cut_begin(struct tp_obj_cut *cut, uint32_t n)
 {
+    TP_ASSERT(cut != NULL && n >= 3);
     uint32_t extent[3];
     for (uint32_t i = 0; i < n; i++) {
         cut->before[i] = i == 0 ? n - 1 : i - 1;

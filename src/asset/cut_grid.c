@@ -2,6 +2,7 @@
 /* Corners by place: asset/cut_grid.h.  Corners that are cut off leave their cell when a
  * walk meets them. */
 #include "asset/cut_grid.h"
+#include "base/assert.h"
 
 enum { CELL_CORNERS = 8, ROW_STEPS = 8 };
 
@@ -40,6 +41,7 @@ void tp_cut_grid_fill(struct tp_obj_cut *cut, uint32_t n, uint32_t extent_u,
         cut->cell[i] = TP_NO_CORNER;
     for (uint32_t i = n; i-- > 0;) {
         uint32_t *const cell = cell_of(cut, row_of(cut, i), col_of(cut, i));
+        TP_ASSERT(cell < cut->cell + cells);
         cut->next[i] = *cell;
         *cell = i;
     }

@@ -69,6 +69,7 @@ static uint32_t vertex_of(tp_obj *obj, uint32_t position, uint32_t texcoord,
             && vertex->corner.normal == normal)
             return store->table[at] - 1;
     }
+    TP_ASSERT(store->n_vertices < obj->total.corners);
     union tp_obj_vertex *const vertex = &store->vertices[store->n_vertices];
     vertex->corner.position = position;
     vertex->corner.texcoord = texcoord;

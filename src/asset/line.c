@@ -48,6 +48,7 @@ static const char *begin(tp_obj_lines *lines, const char *at, const char *end)
 /* Adds what fits to the text; returns what is left. */
 static const char *append(tp_obj_lines *lines, const char *at, const char *end)
 {
+    TP_ASSERT(lines->used <= sizeof lines->text && at <= end);
     if (lines->comment)
         return end;
     const size_t room = sizeof lines->text - lines->used, left = (size_t)(end - at);

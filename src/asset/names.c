@@ -55,6 +55,7 @@ uint32_t tp_names_find(const tp_obj_names *names, tp_word word, uint32_t tag,
 uint32_t tp_names_add(tp_obj_names *names, tp_word word, uint32_t tag, uint32_t line,
                       uint64_t seed)
 {
+    TP_ASSERT(names->used <= names->room && names->count <= names->most);
     uint32_t *const place = place_of(names, word, tag, seed);
     if (*place != 0)
         return *place - 1;

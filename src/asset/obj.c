@@ -235,6 +235,7 @@ tp_status tp_obj_settle(tp_obj *obj, tp_status status)
 tp_status tp_obj_lines_feed(tp_obj *obj, const void *text, size_t bytes,
                             tp_obj_statement *run, tp_error *err)
 {
+    TP_ASSERT(text != NULL || bytes == 0);
     if (bytes == 0)
         return TP_OK;
     const char *at = text, *const end = at + bytes;

@@ -73,6 +73,7 @@ static uint32_t slot_of(tp_obj_store *store, uint64_t seed, uint32_t position,
         if (slot->position == position && slot->group == group)
             return store->table[at] - 1;
     }
+    TP_ASSERT(store->n_slots < store->mask);
     store->slots[store->n_slots] =
         (struct tp_obj_slot){ .position = position, .group = group };
     store->table[at] = ++store->n_slots;
@@ -159,6 +160,7 @@ static void make_face(tp_obj *obj, const uint32_t vertex[3], uint32_t material,
         obj->dropped++;
         return;
     }
+    TP_ASSERT(store->n_faces < obj->total.triangles);
     tp_mesh_face *const face = &store->faces[store->n_faces++];
     struct tp_obj_made *const made = &store->made[material];
     *face = (tp_mesh_face){ { vertex[0], vertex[1], vertex[2] }, 0, material };

@@ -3,10 +3,12 @@
 #ifndef TP_ASSET_TABLE_H
 #define TP_ASSET_TABLE_H
 #include <stdint.h>
+#include "base/assert.h"
 
 /* The power of two from 1.5 n up, at least 2; n <= 2^26. */
 static inline uint32_t tp_table_size(uint32_t n)
 {
+    TP_ASSERT(n <= 1u << 26);
     uint32_t size = 2;
     while (size < n + n / 2)
         size *= 2;

@@ -4,6 +4,7 @@
  * The levels lie one after the other.  Resampling takes the picture as a tile that
  * repeats: destination texel i has its centre at (i + 1/2) w / w2 of the source, and
  * the four source pixels around it are weighted by 8-bit fractions. */
+#include "base/assert.h"
 #include "tidepool/asset.h"
 #include "base/given.h"
 
@@ -47,6 +48,7 @@ typedef struct { uint32_t first, second, weight; } tap;
 /* i < 2^log2 <= 4096 and n <= 4096: the product stays below 2^41. */
 static tap tap_at(uint32_t i, uint32_t n, uint32_t log2)
 {
+    TP_ASSERT(n > 0 && n <= MOST && i >> log2 == 0);
     const int64_t centre = ((int64_t)(2 * i + 1) * n * 256 >> (log2 + 1)) - 128;
     const uint32_t at = (uint32_t)(centre < 0 ? centre + (int64_t)n * 256 : centre);
     const uint32_t first = at >> 8;

@@ -10,6 +10,10 @@ check "the core keeps to its words" awk -f $gates/words.awk $(core_files)
 check "every file has its licence line, and no line is too long" \
     awk -f $gates/text.awk $(every_file)
 
+contracts() { awk "$@" -f $gates/asserts.awk $(core_files | grep '^src/'); }
+check "asserts have no effect: $(contracts | sed -n 's/^core *//p')" contracts
+check "5 to 10 of them in a thousand lines" contracts -v least=5 -v most=10
+
 listed()        # the Makefile's list of core files is the folder's
 {
     build -s list-core | tr ' ' '\n' | sort >"$scratch/listed"
