@@ -321,7 +321,8 @@ host-tests: everything
 	@$(RUN) build/log/host $(SAN_UNIT:build/host/%=build/san/%) \
 	    $(filter-out $(SAN_UNIT),$(UNIT)) $(GOLDEN) $(GOLDEN:build/host/%=build/san/%) \
 	    $(if $(LEFT_OUT),tests/gates/left-out.sh) tests/gates/host.sh \
-	    tests/gates/headers.sh tests/gates/selftest.sh tests/host/cli.sh \
+	    tests/gates/headers.sh tests/gates/selftest.sh tests/mutants/selftest.sh \
+	    tests/host/cli.sh \
 	    tests/host/manual.sh tests/host/exits.sh tests/host/output.sh tests/host/bake.sh \
 	    tests/host/check.sh tests/host/tape.sh \
 	    tests/host/screen.sh tests/host/charts.sh tests/host/charts_stop.sh \

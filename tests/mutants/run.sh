@@ -9,7 +9,8 @@
 # Tests of the mutated file run first, then those of its folder, the golden frames, and
 # the rest, quick ones before slow ones; the first that fails has killed the mutant.  A
 # test may take five times its usual processor time.  With MUTANTS_MOST set, tests that
-# usually take more seconds than that are left out.
+# usually take more seconds than that are left out; with MUTANTS_ONLY set, tests of other
+# names than that pattern of grep.
 #
 # All of it happens to a copy of the sources, in build/mutants.  The tests are linked with
 # the core as a shared library, so that a mutant costs one compilation.
@@ -35,7 +36,7 @@ core=build/mutants/libtidepool.so
 in_tree()       # GOAL...
 {
     env -u MAKEFLAGS -u MAKELEVEL -u MFLAGS make -s -C $tree --no-print-directory -j2 \
-        TARGET=mutants V3_C= CHECKED=1 OPT='-O2 -fPIC' CFLAGS=-w LIB=$core "$@" >$top/log 2>&1
+        TARGET=mutants V3_C= CHECKED=1 OPT='-O2 -fPIC' CFLAGS=-w LIB=$core "$@"
 }
 
 # passes TEST SECONDS: within that processor time.
@@ -54,11 +55,11 @@ timed()
 }
 
 echo "building the tests"
-(cd $tree && make -s TARGET=mutants list-tests) | grep -v = | sed 's,^,build/mutants/,' \
-    >$top/tests
-in_tree $core $(cat $top/tests) || { tail $top/log; exit 1; }
+in_tree list-tests | grep -v = |
+    grep -e "${MUTANTS_ONLY:-.}" | sed 's,^,build/mutants/,' >$top/tests
+in_tree $core $(cat $top/tests) >$top/log 2>&1 || { tail $top/log; exit 1; }
 # Times hold as long as the sources do.
-xargs cksum <$top/files | cksum >$top/sum.new
+{ xargs cksum <$top/files; cat $top/tests; } | cksum >$top/sum.new
 if ! cmp -s $top/sum.new $top/sum; then
     echo "timing them"
     while read -r test; do
@@ -100,7 +101,7 @@ while IFS="$tab" read -r file line column length operator new; do
         'FNR == line { $0 = substr($0, 1, column - 1) new substr($0, column + length_) }
          { print }' "$file" >"$tree/$file"
     cp -p "$object" $top/object
-    if ! in_tree $core; then
+    if ! in_tree $core >$top/log 2>&1; then
         verdict=unbuilt by=
     elif cmp -s "$object" $top/object; then
         verdict=same by=
