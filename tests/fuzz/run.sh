@@ -56,9 +56,10 @@ check "the fuzz targets build" build SAY=@ TARGET=fuzz CC=clang V3_C= CHECKED=1 
 described()     # each target has seeds, and a row of the table
 {
     for source in tests/fuzz/fuzz_*.c; do
-        name=$(basename "$source" .c)
-        grep -q "^| \`$name\` |" tests/fuzz/README.md || { echo "no row of $name"; return 1; }
-        ls "tests/fuzz/${name#fuzz_}"/* >/dev/null || return 1
+        target=$(basename "$source" .c)
+        grep -q "^| \`$target\` |" tests/fuzz/README.md ||
+            { echo "no row of $target"; return 1; }
+        ls "tests/fuzz/${target#fuzz_}"/* >/dev/null || return 1
     done
 }
 check "each fuzz target has seeds and its row in tests/fuzz/README.md" described
