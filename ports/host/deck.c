@@ -4,15 +4,19 @@
 #include "deck.h"
 #include <errno.h>
 #include <inttypes.h>
+#include <limits.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
+#include "long_name.h"
 #include "path.h"
 #include "say.h"
 #include "scene_file.h"
 
 #define WHITE " \t\r\v\f"
+
+enum { LINE = PATH_MAX + TP_TAPE_LINE };        /* of a set, which may name a file */
 
 /* -- reading --------------------------------------------------------------------- */
 
@@ -29,18 +33,18 @@ static int fail_line(const reader *r, tp_error *err)
 }
 
 /* A line without its end into text, terminated: its bytes, which may be zeros, or -1 at
- * the end of the file.  Of one that is too long TP_TAPE_LINE, and all of it is read. */
-static int next_line(reader *r, char text[TP_TAPE_LINE])
+ * the end of the file.  Of one that is too long LINE, and all of it is read. */
+static int next_line(reader *r, char text[LINE])
 {
     int c = getc(r->file), n = 0;
     if (c == EOF)
         return -1;
     for (; c != EOF && c != '\n'; c = getc(r->file))
-        if (n < TP_TAPE_LINE)
+        if (n < LINE)
             text[n++] = (char)c;
-    if (n > 0 && n < TP_TAPE_LINE && text[n - 1] == '\r')
+    if (n > 0 && n < LINE && text[n - 1] == '\r')
         n--;
-    text[n < TP_TAPE_LINE ? n : TP_TAPE_LINE - 1] = '\0';
+    text[n < LINE ? n : LINE - 1] = '\0';
     r->line++;
     return n;
 }
@@ -53,14 +57,14 @@ static int fail_long(const reader *r)
 
 static int read_head(reader *r)
 {
-    char text[TP_TAPE_LINE], scene[TP_NAME_BYTES];
+    char text[LINE], scene[TP_NAME_BYTES];
     tp_error err = { 0 };
     const int bytes = next_line(r, text);
     if (bytes < 0 && ferror(r->file))
         return fail(EXIT_INPUT, "%s: %s", r->name, strerror(errno));
     if (bytes < 0)
         return fail(EXIT_INPUT, "%s: empty; expected \"tape 1 SCENE\"", r->name);
-    if (bytes == TP_TAPE_LINE)
+    if (bytes >= TP_TAPE_LINE)
         return fail_long(r);
     if (tp_tape_head_read(scene, sizeof scene, text, (size_t)bytes, &err))
         return fail_line(r, &err);
@@ -126,7 +130,7 @@ static int read_look(const reader *r, char *text, size_t bytes, char *word,
 static int read_set(const reader *r, char *text, size_t bytes, char *word,
                     deck_entry *entry)
 {
-    char place[512];
+    char place[PATH_MAX + 16];
     const char *value;
     tp_tape_entry read;
     tp_error err = { 0 };
@@ -153,6 +157,8 @@ static int read_line(const reader *r, char *text, size_t bytes, deck_entry *entr
     tp_tape_entry read;
     tp_error err = { 0 };
     char *look = second_word(text, "look"), *set = second_word(text, "set");
+    if (bytes >= (set ? LINE : TP_TAPE_LINE))
+        return fail_long(r);
     if (look)
         return read_look(r, text, bytes, look, entry);
     if (set)
@@ -165,14 +171,13 @@ static int read_line(const reader *r, char *text, size_t bytes, deck_entry *entr
 
 static int read_lines(deck *d, reader *r)
 {
-    char text[TP_TAPE_LINE];
+    char text[LINE];
     int code = read_head(r), bytes;
     while (!code && (bytes = next_line(r, text)) >= 0) {
         deck_entry entry = { 0 };
         if (bytes == 0 || text[0] == '#')
             continue;
-        code = bytes == TP_TAPE_LINE ? fail_long(r)
-                                     : read_line(r, text, (size_t)bytes, &entry);
+        code = read_line(r, text, (size_t)bytes, &entry);
         entry.line = r->line;
         if (!code)
             code = add(d, r, &entry);
@@ -267,7 +272,9 @@ void deck_set(deck *d, uint64_t tick, const char *setting)
     if (!d->file || d->failed)
         return;
     mark(d);
-    fprintf(d->file, "%" PRIu64 " set %s\n", tick, setting);
+    const char *value = strchr(setting, '=') + 1;
+    fprintf(d->file, "%" PRIu64 " set %.*s%s\n", tick, (int)(value - setting), setting,
+            long_name_whole(value));
 }
 
 static bool cut_at(deck *d, long at)

@@ -1,10 +1,11 @@
 /* SPDX-License-Identifier: MIT */
 /* INI files through libinih, which distributions build so that it tells the handler no
  * line number, cuts lines at 200 bytes in silence and takes an indented line for more of
- * the value above.  The reader below counts lines, refuses long ones and takes the indent
- * away. */
+ * the value above.  The reader below counts lines, takes the indent away, and keeps a value
+ * that is too long for libinih: the name of a file may be as long as a path. */
 #define _POSIX_C_SOURCE 200809L
 #include "ini_read.h"
+#include <ctype.h>
 #include <errno.h>
 #include <ini.h>
 #include <stdio.h>
@@ -18,37 +19,76 @@ typedef struct {
     void       *user;
     uint32_t    line;           /* of the last line read, from 1 */
     bool        failed;         /* and said why */
+    char        text[INI_LINE + 1];
+    const char *value;          /* of that line, if it is too long for libinih */
 } ini_input;
 
-static char *refuse_line(ini_input *in, const char *why, int limit)
+static bool refuse_line(ini_input *in, const char *why, int limit)
 {
     say("%s:%u: line %s %d bytes", in->path, (unsigned)in->line, why, limit);
     in->failed = true;
-    return NULL;
+    return false;
 }
 
-/* As fgets, without the line's end and its indent; NULL at the file's end or after a
- * failure, which ends the parse. */
-static char *next_line(char *text, int room, void *user)
+/* A line without its end and its indent; false at the file's end or after a failure. */
+static bool read_line(ini_input *in)
 {
-    ini_input *in = user;
-    if (in->failed)
-        return NULL;
     int c = getc(in->stream), length = 0;
     bool indent = true;
     if (c == EOF)
-        return NULL;
+        return false;
     in->line++;
     for (; c != EOF && c != '\n'; c = getc(in->stream)) {
         indent = indent && (c == ' ' || c == '\t');
         if (c == 0)
             return refuse_line(in, "with a NUL byte after", length);
-        if (length == room - 1)
-            return refuse_line(in, "longer than", room - 1);
+        if (length == INI_LINE)
+            return refuse_line(in, "longer than", INI_LINE);
         if (!indent)
-            text[length++] = (char)c;
+            in->text[length++] = (char)c;
     }
-    text[length] = 0;
+    in->text[length] = 0;
+    return true;
+}
+
+/* Without the blanks around it and the comment behind it, as libinih has it. */
+static const char *value_of(char *text)
+{
+    char *end = text;
+    while (isspace((unsigned char)*text))
+        end = ++text;
+    while (*end && !(*end == ';' && isspace((unsigned char)end[-1])))
+        end++;
+    while (end > text && isspace((unsigned char)end[-1]))
+        end--;
+    *end = 0;
+    return text;
+}
+
+/* A line too long for libinih: of a setting it gets the name alone, of a comment nothing. */
+static bool shorten_line(ini_input *in, char *text, int room)
+{
+    const size_t name = strcspn(in->text, "=:");
+    text[0] = 0;
+    if (in->text[0] == ';' || in->text[0] == '#')
+        return true;
+    if (!in->text[name] || name + 2 >= (size_t)room)
+        return refuse_line(in, "longer than", room - 1);
+    snprintf(text, (size_t)room, "%.*s=-", (int)name, in->text);
+    in->value = value_of(in->text + name + 1);
+    return true;
+}
+
+/* As fgets; NULL ends the parse. */
+static char *next_line(char *text, int room, void *user)
+{
+    ini_input *in = user;
+    in->value = NULL;
+    if (in->failed || !read_line(in))
+        return NULL;
+    if (strlen(in->text) >= (size_t)room)
+        return shorten_line(in, text, room) ? text : NULL;
+    strcpy(text, in->text);
     return text;
 }
 
@@ -57,7 +97,8 @@ static int take(void *user, const char *section, const char *name, const char *v
     ini_input *in = user;
     if (in->failed)
         return 0;
-    in->failed = !in->take(in->user, in->line, section, name, value);
+    in->failed = !in->take(in->user, in->line, section, name,
+                           in->value ? in->value : value);
     return !in->failed;
 }
 

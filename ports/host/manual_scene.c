@@ -13,7 +13,7 @@ static void print_file(void)
     roff_macro(".SH DESCRIPTION");
     roff_text("A scene is a text of sections and lines. What it does not name keeps its"
               " default, so that the least scene is empty; of what it names twice the"
-              " last holds. Comments begin with ; or #, lines have up to 199 bytes. Names"
+              " last holds. Comments begin with ; or #, lines have up to 4351 bytes. Names"
               " of files are taken from the scene's own folder. A file that is wrong is"
               " refused, with the line.");
     roff_macro(".PP");

@@ -2,10 +2,12 @@
 /* Finding a scene, and setting its values with messages for people. */
 #define _POSIX_C_SOURCE 200809L
 #include "scene_file.h"
+#include <ctype.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
+#include "long_name.h"
 #include "nearest.h"
 #include "path.h"
 #include "say.h"
@@ -47,6 +49,26 @@ static void refuse_value(const char *place, const tp_param *param, const char *v
     }
 }
 
+static bool has_control(const char *text, size_t bytes)
+{
+    for (size_t i = 0; i < bytes; i++)
+        if (iscntrl((unsigned char)text[i]))
+            return true;
+    return false;
+}
+
+/* Control characters are for the table to refuse. */
+const char *scene_file_value(const tp_param *param, const char *value)
+{
+    const char *text = value + strspn(value, " \t\r\n");
+    size_t bytes = strlen(text);
+    while (bytes > 0 && isspace((unsigned char)text[bytes - 1]))
+        bytes--;
+    if (!tp_param_is_file(param) || bytes < TP_NAME_BYTES || has_control(text, bytes))
+        return value;
+    return long_name_shorten(text, bytes);
+}
+
 /* In any scene: what a value may be is told by its row alone. */
 const tp_param *scene_file_check(const char *place, const char *setting,
                                  const char **value)
@@ -65,6 +87,8 @@ const tp_param *scene_file_check(const char *place, const char *setting,
         fail_memory(strlen(setting));
     } else if (!param) {
         refuse_name(place, name);
+    } else if (!(*value = scene_file_value(param, *value))) {
+        param = NULL;
     } else if (tp_param_set(&scene, param, *value, strlen(*value), &err)) {
         refuse_value(place, param, *value, &err);
         param = NULL;
@@ -82,6 +106,9 @@ bool scene_file_apply(scene_file *file, const char *place, uint32_t set_at,
         return false;
     }
     tp_error err = { 0 };
+    value = scene_file_value(param, value);
+    if (!value)
+        return false;
     if (tp_param_set(&file->scene, param, value, strlen(value), &err)) {
         refuse_value(place, param, value, &err);
         return false;
@@ -185,8 +212,9 @@ static uint32_t row_of(const tp_param *param)
 
 char *scene_file_path_of(const scene_file *file, const tp_param *param)
 {
-    char name[TP_NAME_BYTES];
-    tp_param_text(&file->scene, param, name, sizeof name);
+    char text[TP_NAME_BYTES];
+    tp_param_text(&file->scene, param, text, sizeof text);
+    const char *name = long_name_whole(text);
     if (file->set_at[row_of(param)] == SET_BY_COMMAND && path_is_file(name))
         return path_copy(name, strlen(name));
     char *beside = path_beside(file->path, name);
@@ -201,8 +229,9 @@ void scene_file_text(const scene_file *file, const tp_param *param, char *text,
 {
     const size_t length = tp_param_text(&file->scene, param, text, bytes);
     char *path = tp_param_is_file(param) && length > 0 ? scene_file_path_of(file, param) : NULL;
-    if (path && strlen(path) < TP_NAME_BYTES)
-        snprintf(text, bytes, "%s", path);
+    const char *value = path ? scene_file_value(param, path) : NULL;
+    if (value)
+        snprintf(text, bytes, "%s", value);
     free(path);
 }
 

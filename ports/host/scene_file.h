@@ -27,6 +27,10 @@ void scene_file_close(scene_file *file);
 const tp_param *scene_file_check(const char *place, const char *setting,
                                  const char **value);
 
+/* What a scene takes for a value: of a file's name that is too long for it a short one,
+ * that stands for it (long_name.h); else the value.  NULL: no memory, and it said so. */
+const char *scene_file_value(const tp_param *param, const char *value);
+
 /* The file that a row of kind mesh or texture names, to free; NULL: no memory.
  * Names in the INI are relative to it; those of the command line to the folder that the
  * program was started in or, if there is no such file, to the INI too. */

@@ -4,6 +4,7 @@
  *     [wave0]
  *     steepness = 0.4         sets wave0.steepness
  */
+#include <limits.h>
 #include <stdio.h>
 #include "ini_read.h"
 #include "scene_file.h"
@@ -12,7 +13,7 @@ static bool take(void *user, uint32_t line, const char *section, const char *nam
                  const char *value)
 {
     scene_file *file = user;
-    char full[128], place[512];
+    char full[128], place[PATH_MAX + 16];
     snprintf(full, sizeof full, "%s%s%s", section, section[0] ? "." : "", name);
     snprintf(place, sizeof place, "%s:%u", file->path, (unsigned)line);
     return scene_file_apply(file, place, line, full, value);

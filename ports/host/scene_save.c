@@ -13,12 +13,13 @@
 #include <sys/stat.h>
 #include <unistd.h>
 #include "ini_read.h"
+#include "long_name.h"
 #include "output.h"
 #include "path.h"
 #include "say.h"
 #include "scene_lines.h"
 
-#define LINE_MOST 199           /* bytes that ini_read takes, without the line's end */
+#define LINE_MOST 199           /* bytes of a line that also has a comment */
 
 typedef struct {
     const scene_file *file;
@@ -45,7 +46,9 @@ static bool take(void *user, uint32_t line, const char *section, const char *nam
     if (!param)
         return true;                    /* it was refused when the scene was read */
     s->at[row] = line;
-    s->bad[row] = tp_param_set(&s->filed, param, value, strlen(value), NULL) != TP_OK;
+    value = scene_file_value(param, value);
+    s->bad[row] = !value
+               || tp_param_set(&s->filed, param, value, strlen(value), NULL) != TP_OK;
     return true;
 }
 
@@ -72,8 +75,9 @@ static bool same_file(const char *a, const char *b)
  * gave as absolute. */
 static char *text_of(const save *s, const tp_param *param, uint32_t row)
 {
-    char text[TP_NAME_BYTES + 64];
-    tp_param_text(&s->file->scene, param, text, sizeof text);
+    char value[TP_NAME_BYTES + 64];
+    tp_param_text(&s->file->scene, param, value, sizeof value);
+    const char *text = long_name_whole(value);
     const bool by_command = s->file->set_at[row] == SET_BY_COMMAND;
     if (!tp_param_is_file(param) || !text[0] || (!by_command && (!s->moved || text[0] == '/')))
         return path_copy(text, strlen(text));
@@ -91,9 +95,9 @@ static char *text_of(const save *s, const tp_param *param, uint32_t row)
 static int check_text(const save *s, const tp_param *param, const char *text)
 {
     bool white = true;
-    if (tp_param_is_file(param) && strlen(text) >= TP_NAME_BYTES)
+    if (tp_param_is_file(param) && strlen(text) >= PATH_MAX)
         return fail(EXIT_INPUT, "%s: %s = %s: longer than %d bytes", s->name, param->name,
-                    text, TP_NAME_BYTES - 1);
+                    text, PATH_MAX - 1);
     for (const char *c = text; *c; white = isspace((unsigned char)*c++) != 0)
         if (*c == ';' && white)
             return fail(EXIT_INPUT, "%s: %s = %s: \" ;\" begins a comment in an INI file;"
@@ -108,7 +112,7 @@ static int edit(save *s, const tp_param *param, uint32_t row, const char *text, 
     char before[TP_NAME_BYTES + 64], normal[64];
     tp_param_text(&s->filed, param, before, sizeof before);
     tp_param_number_text(param, param->normal, normal, sizeof normal);
-    if ((strcmp(text, before) == 0 && !s->bad[row])
+    if ((strcmp(text, long_name_whole(before)) == 0 && !s->bad[row])
         || (strcmp(text, normal) == 0) != away)
         return EXIT_DONE;
     if (away) {

@@ -9,6 +9,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 #include "ini_read.h"
+#include "long_name.h"
 #include "path.h"
 #include "say.h"
 #include "tidepool/pixel.h"
@@ -83,15 +84,16 @@ static void put_path(FILE *to, const char *name, const char *path)
     free(joined);
 }
 
-/* What was set by hand.  A file's path is made absolute if it can then be set. */
+/* What was set by hand.  A file's path is made absolute. */
 static void put_row(FILE *to, const scene_file *file, const tp_param *param)
 {
     char text[TP_NAME_BYTES + 64];
     const char *dot = strchr(param->name, '.');
     tp_param_text(&file->scene, param, text, sizeof text);
-    char *real = tp_param_is_file(param) && text[0] ? realpath(text, NULL) : NULL;
+    const char *name = long_name_whole(text);
+    char *real = tp_param_is_file(param) && name[0] ? realpath(name, NULL) : NULL;
     fprintf(to, "[%.*s]\n", (int)(dot - param->name), param->name);
-    put_value(to, dot + 1, real && strlen(real) < TP_NAME_BYTES ? real : text);
+    put_value(to, dot + 1, real ? real : name);
     free(real);
 }
 

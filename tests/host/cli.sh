@@ -255,9 +255,13 @@ expect "the same with its check" 3 "found nine \[src/scene/value.c:[0-9]*\]$" \
     render harbour.ini --verbose
 ini "both errors of a file, the first by line" 3 "^harbour.ini:2: neither" \
     "[wave0]" "steepness" "length = nine"
-ini "line of 199 bytes" 0 "" "; $(printf '%0197d' 0)"
-ini "line of 200 bytes" 3 "^harbour.ini:3: line longer than 199 bytes" \
-    "[wave0]" "length = 9" "; $(printf '%0198d' 0)"
+ini "comment of 4351 bytes" 0 "" "; $(printf '%04349d' 0)"
+ini "comment of 4352 bytes" 3 "^harbour.ini:3: line longer than 4351 bytes" \
+    "[wave0]" "length = 9" "; $(printf '%04350d' 0)"
+ini "section of 200 bytes" 3 "^harbour.ini:2: line longer than 199 bytes" \
+    "[wave0]" "[$(printf '%0198d' 0)]"
+ini "name of 200 bytes" 3 "^harbour.ini:2: line longer than 199 bytes" \
+    "[wave0]" "$(printf '%0200d' 0) = 1"
 ini "over-long name" 3 "^harbour.ini:2: scene.title: longer than" "[scene]" \
     "title = $(printf '%0180d' 0)"
 ini "indented lines, CRLF and comments" 0 "" "[wave0]" "  length = 9 ; metres" \

@@ -1,0 +1,80 @@
+/* SPDX-License-Identifier: MIT */
+/* Long names and the short ones that stand for them: long_name.h. */
+#include "long_name.h"
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include "path.h"
+#include "say.h"
+#include "tidepool/scene.h"
+
+#define END_BYTES 100           /* of a long name that are shown */
+
+typedef struct long_name long_name;
+struct long_name {
+    long_name *next;
+    char       text[TP_NAME_BYTES];
+    char      *whole;
+};
+
+static long_name *all;
+
+static const long_name *find_text(const char *text)
+{
+    const long_name *name = all;
+    while (name && strcmp(name->text, text) != 0)
+        name = name->next;
+    return name;
+}
+
+static const long_name *find_whole(const char *whole)
+{
+    const long_name *name = all;
+    while (name && strcmp(name->whole, whole) != 0)
+        name = name->next;
+    return name;
+}
+
+const char *long_name_whole(const char *text)
+{
+    const long_name *name = find_text(text);
+    return name ? name->whole : text;
+}
+
+/* Its last folders, as many as are shown, or the last letters of a name without. */
+static const char *end_of(const char *whole)
+{
+    const char *end = whole + strlen(whole) - END_BYTES;
+    const char *slash = strchr(end, '/');
+    if (slash && slash[1])
+        return slash;
+    while ((*end & 0xc0) == 0x80)                       /* within a letter of UTF-8 */
+        end++;
+    return end;
+}
+
+/* Names that end alike are told apart by a number. */
+static void put_text(long_name *name)
+{
+    const char *end = end_of(name->whole);
+    snprintf(name->text, sizeof name->text, "...%s", end);
+    for (unsigned n = 2; find_text(name->text); n++)
+        snprintf(name->text, sizeof name->text, "...%u...%s", n, end);
+}
+
+const char *long_name_shorten(const char *name, size_t bytes)
+{
+    char *whole = path_copy(name, bytes);
+    const long_name *there = whole ? find_whole(whole) : NULL;
+    long_name *made = whole && !there ? malloc(sizeof *made) : NULL;
+    if (!made) {
+        free(whole);
+        if (!there)
+            fail_memory(bytes);
+        return there ? there->text : NULL;
+    }
+    *made = (long_name){ .next = all, .whole = whole };
+    put_text(made);
+    all = made;
+    return made->text;
+}
