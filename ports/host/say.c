@@ -31,7 +31,7 @@ void say_progress(const char *text)
     progress_shown = *text != 0;
 }
 
-/* What is quoted of a file may hold escape sequences, which a terminal would obey. */
+/* Text quoted from a file may hold escape sequences, which a terminal would obey. */
 static void clean(char *text)
 {
     for (; *text; text++)

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* What the fuzz targets share: a check that stays in every build, files that lie in
- * memory, and what a refusal must say.  Messages go to stderr as ever; tests/fuzz/run.sh
+/* Shared by the fuzz targets: a check that stays in every build, files that lie in
+ * memory, and the form of a refusal.  Messages go to stderr as ever; tests/fuzz/run.sh
  * lets libFuzzer close it.  Include it first. */
 #ifndef TP_TESTS_FUZZ_H
 #define TP_TESTS_FUZZ_H
@@ -103,7 +103,7 @@ static inline const char *fuzz_file(int i, const void *data, size_t size)
     return files[i].path;
 }
 
-/* What a file holds now, to free; *size its bytes. */
+/* The bytes of a file as it is now, to free; *size: how many. */
 static inline uint8_t *fuzz_contents(const char *path, size_t *size)
 {
     FILE *file = fopen(path, "rb");
@@ -130,7 +130,7 @@ static inline const char *fuzz_folder(void)
 
 /* -- refusals ---------------------------------------------------------------------- */
 
-/* How many lines there are, the last one with or without an end. */
+/* Counts lines, the last one with or without an end. */
 static inline unsigned fuzz_lines(const uint8_t *data, size_t size)
 {
     unsigned lines = size > 0 && data[size - 1] != '\n';
@@ -139,7 +139,7 @@ static inline unsigned fuzz_lines(const uint8_t *data, size_t size)
     return lines;
 }
 
-/* Whether a message is "PLACE: sentence" or "PLACE:LINE: sentence", LINE 1..lines, without
+/* True if a message is "PLACE: sentence" or "PLACE:LINE: sentence", LINE 1..lines, without
  * control characters, which a terminal might obey. */
 static inline bool fuzz_says(const char *message, const char *place, unsigned lines)
 {

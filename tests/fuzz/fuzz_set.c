@@ -40,7 +40,7 @@ static void require_row(const scene_file *file, const char *setting)
     REQUIRE(*number >= param->low && *number <= param->high);
 }
 
-/* What the scene now says of each row, as settings of another. */
+/* Each row that was set, as text, sets another scene to the same. */
 static void set_again(const scene_file *file)
 {
     static uint32_t set_at[ROWS];

@@ -27,7 +27,7 @@ static void require_order(const deck *d, unsigned lines)
     }
 }
 
-/* Of an entry that asks for nothing no line is written. */
+/* A recording has no line for an entry that asks for nothing. */
 static void record(const deck *d, const char *path)
 {
     deck to;
