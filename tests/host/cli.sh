@@ -587,12 +587,10 @@ done
 
 long="timeout 3 $program render minimal --size 1024x768 --frames 1000000 --stats"
 $long >out 2>err &
-if command -v script >/dev/null; then
+if on_terminal "progress on a terminal"; then
     TERM=xterm script -qec "$long" typescript >/dev/null </dev/null
     same "after two seconds a terminal sees progress" \
         "$(grep -c 'frame [0-9]* of 1000000, 0%, about [0-9]* s left' typescript)" 1
-else
-    echo "skipped: progress on a terminal (package bsdutils)"
 fi
 wait $!
 same "a file does not" "$(cat out err)" ""

@@ -55,6 +55,19 @@ same() {
     if [ "$2" = "$3" ]; then verdict "$1" ""; else verdict "$1" "'$2' is not '$3'"; fi
 }
 
+# on_terminal NAME: whether programs can be given a terminal by script(1); if not, NAME is
+# skipped, and said why.
+on_terminal() {
+    if ! command -v script >/dev/null; then
+        echo "skipped: $1 (package bsdutils)"
+    elif ! script -qec true /dev/null >/dev/null 2>&1 </dev/null; then
+        echo "skipped: $1 (no pseudo-terminal can be had: is /dev/pts mounted?)"
+    else
+        return 0
+    fi
+    return 1
+}
+
 # fits ARGUMENT...: what is printed fits a screen.
 fits() {
     run "$@"

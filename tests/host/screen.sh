@@ -282,7 +282,7 @@ same "stopped for two seconds, it does not make them up" $? 0
 
 # -- keys ----------------------------------------------------------------------------
 
-if command -v script >/dev/null; then
+if on_terminal "keys on a terminal"; then
     unset FAKE_VT
     cat >keys.sh <<END
 stty -g >modes
@@ -298,8 +298,6 @@ END
     typed '\003' | timeout 20 script -qec 'sh keys.sh' /dev/null >told 2>&1
     same "Ctrl-C is SIGINT" "$(cat code)" 130
     same "and the terminal's mode is as it was" "$(sort -u modes | wc -l)" 1
-else
-    echo "skipped: keys on a terminal (package bsdutils)"
 fi
 
 # -- worlds that are kept ----------------------------------------------------------------
