@@ -313,7 +313,8 @@ sanitized: $(SAN_UNIT) $(GOLDEN) $(PROGRAM) $(PANEL_DEMO)
 everything: all $(PANEL_DEMO) $(filter-out $(SAN_UNIT),$(UNIT)) $(GOLDEN) $(FRAMES) \
           $(BUILD)/tests/bench/scene_s \
           $(BUILD)/tests/bench/views $(BUILD)/longship $(BUILD)/textures \
-          $(addprefix $(BUILD)/tests/host/,same_pixels apng_frames) $(BUILD)/screen_fake.so \
+          $(addprefix $(BUILD)/tests/host/,same_pixels apng_frames furniture) \
+          $(BUILD)/screen_fake.so \
           $(addprefix $(BUILD)/tests/,host/screen_crc boards/same_picture \
               boards/oled_greys boards/vm_state)
 host-tests: everything
@@ -338,7 +339,8 @@ more-tests: everything build/host/count.so build/host/tally.so
 	@$(RUN) build/log/more \
 	    tests/gates/arm.sh tests/gates/clang.sh tests/gates/coverage.sh \
 	    tests/host/view.sh tests/host/panel.sh tests/host/view_keys.sh \
-	    tests/host/leaks.sh tests/web/web.sh tests/host/threads.sh tests/bench/views.sh \
+	    tests/host/leaks.sh tests/host/furniture.sh tests/web/web.sh \
+	    tests/host/threads.sh tests/bench/views.sh \
 	    tests/cross/run.sh tests/cross/film.sh \
 	    $(patsubst %,tests/boards/%.sh,rpi cortex-m oled control linuxfb kms kms_events \
 	        console) \

@@ -66,6 +66,8 @@ all  | qemu-system-x86           | cmd qemu-system-x86_64      | Linux, for its 
 all  | cpio                      | cmd cpio                    | its file system
 all  | kmod                      | cmd kmod                    | its modules
 all  | imagemagick               | cmd import                  | its screenshots
+all  | sweethome3d-furniture     | dir /usr/share/sweethome3d/furniture | 820 meshes to draw
+all  | unzip                     | cmd unzip                   | unpacks them
 '
 
 present()       # KIND NAME

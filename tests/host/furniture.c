@@ -1,0 +1,112 @@
+/* SPDX-License-Identifier: MIT */
+/* furniture SCENE WIDTHxHEIGHT MESH.obj...: draws each mesh as the scene's boat, so large
+ * that it fills the picture.
+ * Prints a line for each that is refused or not seen, and how many were drawn.  Warnings
+ * go to stderr.  Exits with 0 if every mesh was drawn and seen. */
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include "host/canvas.h"
+#include "host/say.h"
+#include "host/stage.h"
+
+#define SIDE 4.0                /* metres of the longest side of a mesh as it is drawn */
+
+static double of(tp_fx x)
+{
+    return x / 65536.0;
+}
+
+static double most_of(double a, double b)
+{
+    return a > b ? a : b;
+}
+
+static void set(scene_file *file, const char *name, double value)
+{
+    char setting[80];
+    snprintf(setting, sizeof setting, "%s=%.5f", name, value);
+    if (scene_file_set(file, setting))
+        exit(2);
+}
+
+/* In the middle, SIDE long and above the water. */
+static void place(stage *s)
+{
+    const tp_mesh *m = &s->assets.boat;
+    const double unit = 1u << m->log2_unit;
+    const double x = of(m->high.x - m->low.x), y = of(m->high.y - m->low.y);
+    const double z = of(m->high.z - m->low.z), most = most_of(x, most_of(y, z)) * unit;
+    double scale = SIDE / most_of(most, 0.04);
+    scale = scale < 0.001 ? 0.001 : scale;
+    set(&s->file, "boat.scale", scale);
+    set(&s->file, "boat.x", -of(m->low.x / 2 + m->high.x / 2) * unit * scale);
+    set(&s->file, "boat.z", -of(m->low.z / 2 + m->high.z / 2) * unit * scale);
+    set(&s->file, "boat.lift", 0.5 - of(m->low.y) * unit * scale);
+}
+
+/* Pixels of the picture that are not as without the mesh. */
+static size_t count_seen(stage *s, const options *o)
+{
+    s->assets.names.boat = &s->assets.boat;
+    if (stage_world(s) || stage_canvas(s, o))
+        return 0;
+    canvas_draw(&s->canvas, s->world);
+    const size_t bytes = s->canvas.picture.row_bytes * s->canvas.picture.height;
+    uint8_t *with = malloc(bytes);
+    memcpy(with, s->canvas.picture.rows, bytes);
+    s->assets.names.boat = NULL;
+    if (stage_world(s) || stage_canvas(s, o))
+        return 0;
+    canvas_draw(&s->canvas, s->world);
+    size_t seen = 0;
+    for (size_t i = 0; i < bytes; i += 4)
+        seen += memcmp(with + i, s->canvas.picture.rows + i, 4) != 0;
+    free(with);
+    return seen;
+}
+
+/* Whether it was drawn and seen. */
+static int draw(options *o, const char *mesh)
+{
+    static const char *settings[] = { NULL, "camera.x=2.5", "camera.y=6", "camera.z=4",
+                                      "camera.heading=-32", "camera.pitch=-45",
+                                      "wave0.amplitude=0" };
+    static char named[8192];
+    stage s;
+    snprintf(named, sizeof named, "boat.mesh=%s", mesh);
+    settings[0] = named;
+    o->settings = settings;
+    o->n_settings = sizeof settings / sizeof *settings;
+    const int code = stage_load(&s, o);
+    size_t seen = 0;
+    if (!code) {
+        options larger = *o;        /* for wires that pass between the pixels */
+        larger.width *= 10;
+        larger.height *= 10;
+        place(&s);
+        seen = count_seen(&s, o);
+        if (!seen)
+            seen = count_seen(&s, &larger);
+    }
+    if (!seen)
+        printf("%s: %s\n", code ? "refused" : "not seen", mesh);
+    stage_close(&s);
+    return seen > 0;
+}
+
+int main(int argc, char **argv)
+{
+    options o = { 0 };
+    unsigned w, h;
+    int drawn = 0;
+    if (argc < 4 || sscanf(argv[2], "%ux%u", &w, &h) != 2)
+        return EXIT_USAGE;
+    o.scene = argv[1];
+    o.width = w;
+    o.height = h;
+    for (int i = 3; i < argc; i++)
+        drawn += draw(&o, argv[i]);
+    printf("%d of %d drawn\n", drawn, argc - 3);
+    return drawn == argc - 3 ? EXIT_DONE : EXIT_CHECK;
+}
