@@ -43,7 +43,7 @@ CORE := $(addprefix src/, \
     wave/ocean.c wave/ocean_init.c wave/ocean_map.c wave/ocean_tables.c wave/orbit.c \
     wave/ring.c wave/scaled.c wave/sharp.c wave/shoal.c wave/swell.c wave/wind.c \
     pool/feed.c pool/flux.c pool/gears.c pool/hat.c pool/init.c pool/look.c \
-    pool/sample.c pool/slopes.c pool/tune.c pool/walls.c \
+    pool/sample.c pool/slopes.c pool/tune.c pool/valid.c pool/walls.c \
     geom/clip.c geom/grid.c geom/lens.c geom/level.c geom/lines.c geom/lod.c \
     geom/sheet.c geom/surface.c geom/vertex.c geom/vertex_more.c geom/vertex_row.c \
     geom/waters.c raster/cover.c raster/rows.c raster/span.c \
@@ -61,7 +61,7 @@ CORE := $(addprefix src/, \
     scene/parts.c scene/piece.c scene/plan_checked.c scene/prices.c scene/rungs.c \
     scene/spray.c scene/stand.c scene/tape.c \
     scene/value.c scene/wake.c scene/works.c scene/works_land.c scene/works_more.c \
-    scene/world.c \
+    scene/world.c scene/world_check.c \
     frame/around.c frame/boat.c frame/bump.c frame/carve.c frame/caustics.c \
     frame/clipped.c frame/drops.c frame/flat.c frame/frame.c frame/glass.c \
     frame/half.c frame/holds.c frame/kit.c frame/land.c frame/lattice.c frame/lines.c \

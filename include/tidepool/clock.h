@@ -7,6 +7,7 @@
  * drawing. */
 #ifndef TP_CLOCK_H
 #define TP_CLOCK_H
+#include <stdbool.h>
 #include <stdint.h>
 #include "tidepool/fx.h"
 #include "tidepool/language.h"
@@ -30,6 +31,10 @@ void tp_clock_aim(tp_clock *clock, tp_fx target);       /* clamped to its ends *
 
 /* `steps` up or down the scales 1/8, 1/4 .. 4: +1 halves the target, -1 doubles it. */
 void tp_clock_shift(tp_clock *clock, int32_t steps);
+
+/* Whether a clock whose bytes come from outside can go on: scale, target and part are in
+ * their ranges. */
+bool tp_clock_is_valid(const tp_clock *clock);
 
 /* One picture further: the scale slides, then time passes. */
 void tp_clock_next(tp_clock *clock);

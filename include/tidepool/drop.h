@@ -45,6 +45,7 @@ typedef struct {
 } tp_drop;
 
 #define TP_DROP_NEW TP_FX_MIN
+#define TP_DROP_FAR (9000 * TP_FX_ONE)  /* m each way: 8000 of the sphere, 1000 of scatter */
 
 /* In one block: drops follow this head, then rings. */
 typedef struct {
@@ -74,6 +75,12 @@ void   tp_drops_init(tp_drops *drops, const tp_scene_drops *config);
 
 const tp_drop *tp_drops_list(const tp_drops *drops);
 const tp_ring *tp_drops_rings(const tp_drops *drops);
+
+/* Whether drops whose bytes come from outside, as they stood at `tick`, can be stepped and
+ * drawn: what follows from the config equals `fresh`'s, those of the same config; drops
+ * and rings are in the ranges that steps keep. */
+bool tp_drops_are_valid(const tp_drops *drops, const tp_drops *fresh, uint64_t tick);
+bool tp_drop_is_valid(const tp_drop *drop);
 
 /* Moves the sphere by (x, z) m, within +-8000 m; once a tick, also by 0. */
 void tp_drops_steer(tp_drops *drops, tp_fx x, tp_fx z);

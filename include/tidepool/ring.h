@@ -26,6 +26,9 @@ typedef struct {
     tp_fx   attack;         /* tr, s, 0..8 */
 } tp_ring;
 
+/* Whether all of its numbers are in these ranges. */
+bool tp_ring_is_valid(const tp_ring *ring);
+
 /* A ring at one moment, ready for many places. */
 typedef struct {
     tp_fx    x, z;

@@ -355,6 +355,15 @@ tp_status tp_world_init_with(const tp_kit *kit, tp_world *world, size_t bytes,
                              const tp_scene *scene, const tp_assets *assets,
                              tp_error *err);
 
+/* Whether bytes from outside, such as a file's, are a world that can be stepped and drawn.
+ * `fresh` is a world of the same scene, assets and kit, as tp_world_init or
+ * tp_world_refresh leaves it: the layout and all that follows from the scene must equal
+ * its; all that ticks change must be in the ranges that they keep.  `bytes` are those of
+ * `world`, aligned to 8.  TP_E_WORLD: err->word names the part at fault; TP_E_NULL,
+ * TP_E_ALIGN: the argument. */
+tp_status tp_world_check(const tp_world *world, size_t bytes, const tp_world *fresh,
+                         tp_error *err);
+
 /* One tick further; `input` may be NULL.  After a change of the scene's numbers call
  * tp_world_refresh first. */
 void tp_world_step_with(const tp_kit *kit, tp_world *world, const tp_scene *scene,

@@ -56,6 +56,7 @@ TP_BEGIN_C
     X(E_POOL_RANGE,    "%s is outside the range of pools") \
     X(E_POOL_FEED,     "%s is above feed_high") \
     X(E_POOL_MASK,     "%s of %a x %b samples") \
+    X(E_WORLD,         "the world's %s does not fit its scene") \
     X(E_TAPE_HEAD,     "expected \"tape 1 SCENE\", found %s") \
     X(E_TAPE_TICK,     "expected a tick, found %s") \
     X(E_TAPE_VALUE,    "expected NAME=NUMBER, found %s") \

@@ -8,8 +8,6 @@
 #include "pool/pool.h"
 #include "base/base.h"
 
-enum { WINDOW = 64 };
-
 static const tp_fx feed_sigma = TP_FX(2.5);     /* cells: waves of some 11 */
 
 /* The sum of squares, and of the limits' when each cell has it.  32-bit heights are cut
@@ -59,7 +57,7 @@ static void adapt(tp_pool *pool, bool high)
     const int32_t asked = tp_pool_lsb(pool, pool->feed), full = tp_pool_full(pool);
     const int32_t step = pool->feed_peak / 8 + 1;
 
-    if (2 * pool->feed_hits >= WINDOW)
+    if (2 * pool->feed_hits >= TP_FEED_WINDOW)
         pool->feed_peak = pool->feed_peak < full - step ? pool->feed_peak + step : full;
     else if (high)
         pool->feed_peak = pool->feed_peak - step > asked ? pool->feed_peak - step : asked;
@@ -72,6 +70,6 @@ void tp_pool_feed(tp_pool *pool)
 
     if (sum < limit_of(pool, pool->feed_low))
         inject(pool);
-    if (++pool->feed_ticks == WINDOW)
+    if (++pool->feed_ticks == TP_FEED_WINDOW)
         adapt(pool, sum > limit_of(pool, pool->feed_high));
 }

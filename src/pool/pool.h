@@ -18,6 +18,9 @@ typedef struct { int16_t h, v; } tp_pool_pair_16;
  * and so everything in a step, fit 32 bits. */
 enum { TP_FULL_8 = 127, TP_FULL_16 = 32767, TP_FULL_32 = (1 << 30) - 1 };
 
+/* Ticks in which the feed counts its injections [C16]. */
+enum { TP_FEED_WINDOW = 64 };
+
 /* Steps take no larger r2q, so that no product of theirs overflows: r = 0.865. */
 enum { TP_R2Q_MAX = 767 };
 
@@ -109,6 +112,11 @@ typedef struct { int16_t x, z; } tp_pool_slope;
  * edges.  Between them they give tp_pool_relief's slopes, but that within walls they fade
  * over a cell. */
 void tp_pool_slopes(const tp_pool *pool, tp_fx back, tp_fx gain, tp_pool_slope *to);
+
+/* Whether a pool whose bytes come from outside can be stepped and read: what follows from
+ * the config equals `fresh`'s, a pool of the same config in the same room; cells and
+ * fluxes are in the ranges that steps keep, walls are still. */
+bool tp_pool_is_valid(const tp_pool *pool, const tp_pool *fresh);
 
 /* One step of all cells, of each kind. */
 void tp_pool_step_8(tp_pool *pool);

@@ -15,6 +15,7 @@ bool tp_pool_tune(tp_pool *pool, const tp_pool_config *config)
         return false;
     pool->r2q = tp_pool_r2q_of(config->courant);
     pool->damping = config->damping;
+    pool->range = config->range;        /* of 32-bit cells it may differ: they ignore it */
     if (pool->sponge != 0)              /* none of its cells is damped less */
         tp_pool_set_sponge(pool, config->sponge);
     pool->x = config->x;

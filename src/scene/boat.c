@@ -168,3 +168,43 @@ void tp_boat_step(const tp_kit *kit, tp_world *world, const tp_scene *scene,
     tp_boat_sink(&a->hull, &a->alone, w.alone);
     pose(world, scene);
 }
+
+/* -- from outside ------------------------------------------------------------------- */
+
+#define REST_MOST (16000 * TP_FX_ONE)       /* m: half a boat and a wave's reach farther */
+
+static bool is_within(int64_t x, int64_t most)
+{
+    return x >= -most && x <= most;
+}
+
+static bool is_near(tp_fx x)
+{
+    return is_within(x, PLACE_MOST >> 16);
+}
+
+static bool is_pose_valid(const tp_pose *pose)
+{
+    return is_near(pose->place.x) && is_near(pose->place.y) && is_near(pose->place.z);
+}
+
+static bool is_hull_valid(const tp_hull *hull)
+{
+    return is_near(hull->x) && is_near(hull->z) && tp_boat_hull_is_valid(hull);
+}
+
+bool tp_boat_is_valid(const tp_world *world, const tp_world *fresh)
+{
+    const tp_afloat *a = &world->afloat;
+    bool valid = a->laid == fresh->afloat.laid
+              && is_within(a->sailed_x, 2 * PLACE_MOST)
+              && is_within(a->sailed_z, 2 * PLACE_MOST)
+              && tp_boat_lie_is_valid(&a->lie) && tp_boat_lie_is_valid(&a->alone)
+              && is_hull_valid(&a->hull) && is_hull_valid(&a->stirred)
+              && is_pose_valid(&world->boat) && is_pose_valid(&world->last_boat);
+
+    for (int i = 0; i < 4; i++)
+        valid = valid && is_within(a->rest[i][0], REST_MOST)
+             && is_within(a->rest[i][1], REST_MOST);
+    return valid;
+}

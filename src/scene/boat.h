@@ -15,6 +15,10 @@ void tp_boat_init(const tp_kit *kit, tp_world *world, const tp_scene *scene);
 void tp_boat_step(const tp_kit *kit, tp_world *world, const tp_scene *scene,
                   const tp_input *input);
 
+/* Whether the boat of a world whose bytes come from outside is in the ranges that steps
+ * keep, and laid on the water if `fresh`'s is. */
+bool tp_boat_is_valid(const tp_world *world, const tp_world *fresh);
+
 /* The hull stirs its pool [E4]; after the step. */
 void tp_boat_wake(tp_world *world, const tp_scene *scene);
 
@@ -33,6 +37,10 @@ void tp_boat_float(tp_lie *lie, const tp_scene *scene, const tp_fx water[4]);
 
 /* Sets the hull's `sunk`. */
 void tp_boat_sink(tp_hull *hull, const tp_lie *lie, const tp_fx water[4]);
+
+/* In the ranges that the three above keep. */
+bool tp_boat_lie_is_valid(const tp_lie *lie);
+bool tp_boat_hull_is_valid(const tp_hull *hull);
 
 static inline tp_fx tp_fx_of_q40(int64_t x)
 {

@@ -41,6 +41,14 @@ void tp_clock_shift(tp_clock *clock, int32_t steps)
     tp_clock_aim(clock, target);
 }
 
+bool tp_clock_is_valid(const tp_clock *clock)
+{
+    return clock->scale_q40 >= q40(TP_CLOCK_SLOWEST)
+        && clock->scale_q40 <= q40(TP_CLOCK_FASTEST)
+        && clock->part_q40 >= 0 && clock->part_q40 < ONE_Q40
+        && clock->target == held(clock->target) && clock->zero == 0;
+}
+
 /* The way is below 2^42 and its share 2^28, so the product takes the way as Q28. */
 void tp_clock_next(tp_clock *clock)
 {

@@ -17,7 +17,7 @@
 #define WATER_MOST  ((int64_t)16 << 24)             /* m/s; beyond, a level was set */
 #define DRAG_Q40    ((uint64_t)494780232499)        /* 3 rho_a / 8 = 0.45 */
 #define CUBE_ROOT   TP_Q30(0.7937005259840998)      /* 2^(-1/3) */
-#define HIGH_MOST   ((int64_t)TP_FX_MAX * 65536)
+#define HIGH_MOST   ((int64_t)16384 << 32)          /* m, Q32: its outline fits 16.16 */
 #define SQUASH_MOST 8192                            /* 1/2, Q2.14 */
 
 static int32_t fall_held(int64_t fall_q24)
@@ -233,7 +233,7 @@ static void flatten(tp_drop *drop, int64_t speed)
 
 /* -- the step ------------------------------------------------------------------------ */
 
-/* Heights above the format's, which take a change of gravity in flight, are held. */
+/* Greater heights, which take a change of gravity in flight, are held. */
 static void move_to(tp_drop *drop, const fall *to)
 {
     drop->high_q32 = to->high_q32 < HIGH_MOST ? to->high_q32 : HIGH_MOST;
@@ -284,4 +284,24 @@ bool tp_drop_step(tp_drop *drop, const tp_scene_drops *config, tp_fx gravity,
     move_to(drop, &to);
     wobble(drop);
     return false;
+}
+
+/* -- from outside -------------------------------------------------------------------- */
+
+static bool is_within(int64_t x, int64_t most)
+{
+    return x >= -most && x <= most;
+}
+
+/* The wobble's speed loses a quarter a tick and gains no more than 1777. */
+bool tp_drop_is_valid(const tp_drop *drop)
+{
+    return is_within(drop->place.x, TP_DROP_FAR) && is_within(drop->place.z, TP_DROP_FAR)
+        && drop->last.x == drop->place.x && drop->last.z == drop->place.z
+        && is_within(drop->high_q32, HIGH_MOST) && is_within(drop->last.y, HIGH_MOST >> 16)
+        && drop->place.y == (tp_fx)((drop->high_q32 + (1 << 15)) >> 16)
+        && is_within(drop->fall_q24, FALL_MOST)
+        && drop->radius > 0 && drop->radius <= TP_FX_ONE
+        && is_within(drop->squash, SQUASH_MOST)
+        && is_within(drop->squash_speed, SQUASH_MOST);
 }

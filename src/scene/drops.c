@@ -174,3 +174,47 @@ void tp_drops_tidy(tp_drops *drops, int64_t now, tp_fx beyond)
             ring[n++] = ring[i];
     drops->rings = n;
 }
+
+/* -- from outside -------------------------------------------------------------------- */
+
+static bool is_far(tp_fx x)
+{
+    return x != held(x);
+}
+
+/* All but what steps change. */
+static bool is_same_config(const tp_drops *drops, const tp_drops *fresh)
+{
+    return drops->capacity == fresh->capacity
+        && drops->ring_capacity == fresh->ring_capacity
+        && drops->sphere.y == fresh->sphere.y
+        && drops->sphere_radius == fresh->sphere_radius;
+}
+
+static bool is_sphere_valid(const tp_drops *drops)
+{
+    return !is_far(drops->sphere.x) && !is_far(drops->sphere.z)
+        && !is_far(drops->last_sphere.x) && !is_far(drops->last_sphere.y)
+        && !is_far(drops->last_sphere.z);
+}
+
+/* Where a drop can strike, and no later than now. */
+static bool is_ring_valid(const tp_ring *ring, uint64_t tick)
+{
+    return tp_ring_is_valid(ring) && ring->start >= 0
+        && (uint64_t)ring->start <= tick * TP_FX_ONE
+        && ring->x >= -TP_DROP_FAR && ring->x <= TP_DROP_FAR
+        && ring->z >= -TP_DROP_FAR && ring->z <= TP_DROP_FAR;
+}
+
+bool tp_drops_are_valid(const tp_drops *drops, const tp_drops *fresh, uint64_t tick)
+{
+    bool valid = is_same_config(drops, fresh) && is_sphere_valid(drops)
+              && drops->count <= drops->capacity && drops->rings <= drops->ring_capacity;
+
+    for (uint32_t i = 0; valid && i < drops->count; i++)
+        valid = tp_drop_is_valid(&tp_drops_list(drops)[i]);
+    for (uint32_t i = 0; valid && i < drops->rings; i++)
+        valid = is_ring_valid(&tp_drops_rings(drops)[i], tick);
+    return valid;
+}

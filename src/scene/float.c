@@ -202,3 +202,18 @@ void tp_boat_sink(tp_hull *hull, const tp_lie *lie, const tp_fx water[4])
         hull->sunk[k] = tp_clamp(tp_fx_of_q40(aim[k] - lie->at[k]), -SUNK_MOST,
                                  SUNK_MOST);
 }
+
+/* The water's own lie may be twice the highest water, which is LIE_MOST. */
+bool tp_boat_lie_is_valid(const tp_lie *lie)
+{
+    return is_within(lie->at, LIE_MOST) && is_within(lie->speed, SPEED_MOST);
+}
+
+bool tp_boat_hull_is_valid(const tp_hull *hull)
+{
+    bool valid = true;
+
+    for (int k = 0; k < 3; k++)
+        valid = valid && hull->sunk[k] >= -SUNK_MOST && hull->sunk[k] <= SUNK_MOST;
+    return valid;
+}

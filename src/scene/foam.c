@@ -16,6 +16,7 @@
 #include "scene/parts.h"
 #include "wave/exp.h"
 
+#define MIDDLE_MOST (8000 * TP_FX_ONE)  /* of the eye and of pools */
 #define GOLDEN 10368889u        /* 2^24 / 1.618..., odd: it goes through all of 2^24 */
 
 /* -- where it is -------------------------------------------------------------------- */
@@ -252,4 +253,30 @@ uint8_t tp_foam_at(const tp_foam *foam, tp_fx x, tp_fx z)
         sum += (int64_t)cover[(size_t)row * foam->cells + col] * fs * ft;
     }
     return (uint8_t)((sum + 0x8000) >> 16);
+}
+
+/* -- from outside -------------------------------------------------------------------- */
+
+static bool is_window_valid(const tp_foam *foam, int32_t first, int64_t cells)
+{
+    const int64_t most = MIDDLE_MOST / foam->cell + cells;
+    return first >= -most && first <= most;
+}
+
+/* A window lies half its side and a drift of less than a side from its middle; the four
+ * that were seen last by a side a tick more. */
+bool tp_foam_is_valid(const tp_foam *foam, const tp_foam *fresh)
+{
+    const int64_t cells = fresh->cells, side = side_of(fresh);
+    bool valid = foam->cells == fresh->cells && foam->cell == fresh->cell
+              && foam->work == fresh->work
+              && foam->drift_x >= 0 && foam->drift_x < side
+              && foam->drift_z >= 0 && foam->drift_z < side
+              && is_window_valid(fresh, foam->first_x, 2 * cells)
+              && is_window_valid(fresh, foam->first_z, 2 * cells);
+
+    for (int q = 0; q < TP_FOAM_TICKS; q++)
+        valid = valid && is_window_valid(fresh, foam->seen[q][0], 6 * cells)
+             && is_window_valid(fresh, foam->seen[q][1], 6 * cells);
+    return valid;
 }

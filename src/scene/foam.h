@@ -12,6 +12,11 @@ void   tp_foam_init(tp_foam *foam, const tp_world *world, const tp_scene *scene,
 /* One tick, after all else has moved. */
 void tp_foam_step(tp_world *world, const tp_scene *scene);
 
+/* Whether foam whose bytes come from outside can be stepped and drawn: its size equals
+ * `fresh`'s, that of the same scene; its window lies where a camera or a pool can be.
+ * Any cover is. */
+bool tp_foam_is_valid(const tp_foam *foam, const tp_foam *fresh);
+
 /* A blob of `radius` m around a place, where something struck the water: `cover` 0..255
  * in its middle. */
 void tp_foam_blob(tp_foam *foam, tp_fx x, tp_fx z, tp_fx radius, uint32_t cover);

@@ -84,3 +84,18 @@ void tp_light_step(tp_world *world, const tp_scene *scene, const tp_input *in)
     world->light_elevation =
         height_held((int64_t)world->light_elevation + in->light_tilt);
 }
+
+static bool within(int64_t x, int64_t low, int64_t high)
+{
+    return x >= low && x <= high;
+}
+
+bool tp_light_is_valid(const tp_world *world)
+{
+    const tp_fx least = TP_FX_ONE / 8, most = 8 * TP_FX_ONE;    /* [F8] */
+
+    return within(world->light_elevation, LEAST, MOST)
+        && within(world->last_light_elevation, LEAST, MOST)
+        && within(world->exposure, least, most)
+        && within(world->last_exposure, least, most);
+}

@@ -18,6 +18,10 @@ void tp_light_refresh(tp_world *world, const tp_scene *scene);
 /* Moves the light; the exposure stays. */
 void tp_light_step(tp_world *world, const tp_scene *scene, const tp_input *in);
 
+/* Whether the light and the exposure of a world whose bytes come from outside are in the
+ * ranges that steps keep. */
+bool tp_light_is_valid(const tp_world *world);
+
 /* meter.c: the probe of a scene with automatic exposure.  Init makes its tables, in memory
  * that is all 0 at first; later again if the scene's numbers that they show have
  * changed. */
@@ -25,4 +29,5 @@ size_t tp_meter_bytes(const tp_scene *scene);
 void tp_meter_init(tp_world *world, const tp_scene *scene, const tp_assets *assets);
 tp_fx tp_meter_mean(const tp_world *world, const tp_scene *scene);  /* 1: white */
 void tp_meter_step(tp_world *world, const tp_scene *scene); /* after the light */
+bool tp_meter_is_same(const tp_world *a, const tp_world *b);    /* of one layout */
 #endif

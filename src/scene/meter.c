@@ -128,6 +128,7 @@ static void make(probe *p, const tp_scene *scene, const tp_assets *assets)
     uint32_t beyond = (uint32_t)scene->hdr.share * TP_WHITES >> 8;
     tp_cube  cube;
 
+    memset(p, 0, sizeof *p);            /* what another kind of sky had filled */
     p->cube = scene->sky.kind == TP_SKY_CUBE && assets
            && tp_cube_init(&cube, assets->sky);
     if (!p->cube)
@@ -147,6 +148,11 @@ void tp_meter_init(tp_world *world, const tp_scene *scene, const tp_assets *asse
     make(p, scene, assets);
     p->made = 1;
     p->made_of = of;
+}
+
+bool tp_meter_is_same(const tp_world *a, const tp_world *b)
+{
+    return !a->parts.probe || memcmp(probe_of(a), probe_of(b), sizeof(probe)) == 0;
 }
 
 /* -- a tick --------------------------------------------------------------------------- */

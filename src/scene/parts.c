@@ -326,6 +326,11 @@ tp_spray *tp_parts_spray(tp_world *world)
     return part(world, world->parts.spray);
 }
 
+const tp_ring_now *tp_world_rings(const tp_world *world)
+{
+    return part(world, world->parts.rings);
+}
+
 const tp_foam *tp_world_foam(const tp_world *world)
 {
     return part(world, world->parts.foam);

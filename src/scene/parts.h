@@ -58,6 +58,7 @@ tp_drops    *tp_parts_drops(tp_world *world);
 tp_ring_now *tp_parts_rings(tp_world *world);
 tp_foam     *tp_parts_foam(tp_world *world);
 tp_spray    *tp_parts_spray(tp_world *world);
+const tp_ring_now *tp_world_rings(const tp_world *world);
 
 /* The surface of this tick; valid until the world moves. */
 tp_surface tp_world_surface(const tp_kit *kit, const tp_world *world);

@@ -18,6 +18,7 @@
 #define SPRAY_AGE   (4 * TP_TICKS_PER_SECOND)
 #define BUBBLE_AGE  (6 * TP_TICKS_PER_SECOND)
 #define SPEED_MOST  (60 * TP_FX_ONE)        /* m/s */
+#define FAR_MOST    (12000 * TP_FX_ONE)     /* m: drops, waves and flights stay well within */
 #define REACH       40                      /* m around the eye */
 #define SHARP       TP_FX(0.55)             /* of the Jacobian */
 #define TRIES       4                       /* specks of the list for each try a tick */
@@ -317,4 +318,30 @@ void tp_spray_step(const tp_kit *kit, tp_world *world, const tp_scene *scene)
     try_crests(world, scene, spray, &surface);
     if (scene->boat.mesh[0])
         throw_bow(world, scene, spray, &surface);
+}
+
+/* -- from outside -------------------------------------------------------------------- */
+
+static bool is_within(tp_vec3 v, tp_fx most)
+{
+    return v.x >= -most && v.x <= most && v.y >= -most && v.y <= most && v.z >= -most
+        && v.z <= most;
+}
+
+/* Gravity adds to a speed what the air takes from it at 60 m/s and the table's most. */
+static bool is_speck_valid(const tp_speck *s)
+{
+    return is_within(s->place, FAR_MOST) && is_within(s->last, FAR_MOST)
+        && is_within(s->speed, SPEED_MOST + TP_FX_ONE)
+        && s->kind <= TP_SPECK_BUBBLE && s->age < BUBBLE_AGE;
+}
+
+bool tp_spray_is_valid(const tp_spray *spray, const tp_spray *fresh)
+{
+    if (spray->capacity != fresh->capacity || spray->count > spray->capacity)
+        return false;
+    for (uint32_t i = 0; i < spray->count; i++)
+        if (!is_speck_valid(&tp_spray_list(spray)[i]))
+            return false;
+    return true;
 }

@@ -3,6 +3,7 @@
  * drawn. */
 #include "base/base.h"
 #include "base/given.h"
+#include "scene/drawn.h"
 #include "scene/moves.h"
 
 #define PITCH_MOST TP_DEG(89)
@@ -146,6 +147,17 @@ static void move_camera(tp_world *world, const tp_input *in)
     world->eye.x = held(world->eye.x + ((in->ahead * s + in->aside * c + half) >> 30));
     world->eye.z = held(world->eye.z + ((in->aside * s - in->ahead * c + half) >> 30));
     world->eye.y = held((int64_t)world->eye.y + in->up);
+}
+
+/* Within the reach of any input. */
+bool tp_camera_is_valid(const tp_world *world)
+{
+    const tp_vec3 *eye = &world->eye, *last = &world->last_eye;
+
+    return eye->x == held(eye->x) && eye->y == held(eye->y) && eye->z == held(eye->z)
+        && last->x == held(last->x) && last->y == held(last->y)
+        && last->z == held(last->z) && world->pitch == tilted(world->pitch, 0)
+        && world->last_pitch == tilted(world->last_pitch, 0);
 }
 
 void tp_world_look(tp_world *world, const tp_input *input)

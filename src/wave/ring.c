@@ -16,6 +16,21 @@
 #define SLOPE_MOST  134049956               /* 7.99, Q8.24 */
 #define PI_Q20      3294199
 
+static bool within(tp_fx x, tp_fx low, tp_fx high)
+{
+    return x >= low && x <= high;
+}
+
+bool tp_ring_is_valid(const tp_ring *ring)
+{
+    return within(ring->amplitude, 0, TP_FX(4))
+        && within(ring->length, TP_FX(0.02), TP_FX(64))
+        && within(ring->speed, TP_FX(0.01), TP_FX(64))
+        && within(ring->decay, TP_FX(0.05), TP_FX(1000))
+        && within(ring->spread, TP_FX(0.01), TP_FX(1000))
+        && within(ring->attack, 0, TP_FX(8));
+}
+
 /* -- once a picture ------------------------------------------------------------------ */
 
 /* Ticks x 65536 since the impact. */

@@ -1,0 +1,111 @@
+/* SPDX-License-Identifier: MIT */
+/* The check of a pool that was stored outside of the program.
+ *
+ * Cells of 8 and 16 bits: a height, and what it was before its last step, lie within the
+ * range [C5].  Cells of 32 bits: the same, and a flux is at most the half of it that one
+ * giver can spare [C17]; where water cannot go there is none.  Steps lead from such cells
+ * to such cells, and none of their sums leaves 32 bits. */
+#include "pool/pool.h"
+#include "base/base.h"
+
+static bool within(int64_t x, int64_t most)
+{
+    return x >= -most && x <= most;
+}
+
+/* All but what steps change. */
+static bool is_same_config(const tp_pool *pool, const tp_pool *fresh)
+{
+    tp_pool head = *fresh;
+
+    head.feed_peak = pool->feed_peak;
+    head.feed_ticks = pool->feed_ticks;
+    head.feed_hits = pool->feed_hits;
+    head.random = pool->random;
+    head.injections = pool->injections;
+    head.gear = pool->gear;
+    head.at_rest = pool->at_rest;
+    head.still = pool->still;
+    return memcmp(&head, pool, offsetof(tp_pool, first) + sizeof head.first) == 0;
+}
+
+static bool is_same_part(const tp_pool *pool, const tp_pool *fresh, uint32_t at,
+                         uint32_t bytes)
+{
+    return at == 0
+        || memcmp(tp_pool_from(pool, at), tp_pool_from(fresh, at), bytes) == 0;
+}
+
+static bool are_gears_valid(const tp_pool *pool)
+{
+    const int32_t full = tp_pool_full(pool);
+
+    for (uint32_t row = 0; row < pool->rows; row++) {
+        for (uint32_t col = 0; col < pool->cols; col++) {
+            const int32_t h = tp_pool_height(pool, col, row);
+            const int32_t v = tp_pool_velocity(pool, col, row);
+            const int32_t most = tp_pool_wall(pool, col, row) ? 0 : full;
+            if (!within(h, most) || !within(v, most) || !within(h - v, most))
+                return false;
+        }
+    }
+    return true;
+}
+
+/* Whether water can go from a cell that is no wall to the right, or down. */
+static bool goes(const tp_pool *pool, uint32_t col, uint32_t row, bool down)
+{
+    const bool last = down ? row + 1 == pool->rows : col + 1 == pool->cols;
+    const uint8_t *walls = tp_pool_from(pool, pool->walls);
+
+    if (pool->walls != 0)
+        return walls[row * pool->cols + col] & (down ? TP_OPEN_DOWN : TP_OPEN_RIGHT);
+    return !last || pool->edges == TP_EDGES_TILE;
+}
+
+static bool is_flux_valid(int32_t flux, bool goes)
+{
+    return within(flux, goes ? TP_FULL_32 / 2 : 0);
+}
+
+static bool are_fluxes_valid(const tp_pool *pool)
+{
+    const uint32_t cols = pool->cols, count = tp_pool_count(pool);
+    const int32_t *const right = (const int32_t *)tp_pool_from(pool, sizeof *pool) + count;
+
+    for (uint32_t i = 0; i < count; i++) {
+        const uint32_t col = i % cols, row = i / cols;
+        if (!is_flux_valid(right[i], goes(pool, col, row, false))
+            || !is_flux_valid(right[count + i], goes(pool, col, row, true)))
+            return false;
+    }
+    return true;
+}
+
+/* Four valid fluxes add up to 2^31 - 4 at the most. */
+static bool are_heights_valid(const tp_pool *pool)
+{
+    for (uint32_t row = 0; row < pool->rows; row++) {
+        for (uint32_t col = 0; col < pool->cols; col++) {
+            const int64_t h = tp_pool_height(pool, col, row);
+            const int64_t gain = tp_pool_gain(pool, col, row);
+            const int32_t most = tp_pool_wall(pool, col, row) ? 0 : TP_FULL_32;
+            if (!within(h, most) || !within(h - gain, TP_FULL_32))
+                return false;
+        }
+    }
+    return true;
+}
+
+bool tp_pool_is_valid(const tp_pool *pool, const tp_pool *fresh)
+{
+    if (!is_same_config(pool, fresh)
+        || !is_same_part(pool, fresh, pool->walls, tp_pool_count(pool))
+        || !is_same_part(pool, fresh, pool->sponge, pool->cols + pool->rows)
+        || pool->feed_peak < 0 || pool->feed_peak > tp_pool_full(pool)
+        || pool->feed_ticks >= TP_FEED_WINDOW || pool->feed_hits > pool->feed_ticks
+        || pool->at_rest > 1 || pool->still > 1)
+        return false;
+    return pool->cells == TP_CELLS_32 ? are_fluxes_valid(pool) && are_heights_valid(pool)
+                                      : are_gears_valid(pool);
+}

@@ -1,0 +1,133 @@
+/* SPDX-License-Identifier: MIT */
+/* The check of a world that was stored outside of the program: nothing of it is trusted,
+ * neither offsets nor counts nor the bytes of truth values, which are compared as bytes.
+ *
+ * Layout, sea, floor and tables follow from the scene, so they must be those of a world
+ * that was made of it.  What ticks change is checked by the file that owns it. */
+#include "base/base.h"
+#include "base/given.h"
+#include "pool/pool.h"
+#include "scene/boat.h"
+#include "scene/drawn.h"
+#include "scene/foam.h"
+#include "scene/light.h"
+#include "scene/parts.h"
+#include "scene/spray.h"
+
+#define TICKS_MOST ((uint64_t)1 << 40)  /* 580 years: times in ticks x 65536 fit 64 bits */
+
+static bool is_head_valid(const tp_world *world, const tp_world *fresh)
+{
+    return world->tick <= TICKS_MOST && world->back >= 0 && world->back <= TP_FX_ONE
+        && world->aboard == fresh->aboard;
+}
+
+/* As bytes, without those that the compiler leaves between members. */
+static bool is_same_sea(const tp_sea *sea, const tp_sea *fresh)
+{
+    bool same = memcmp(sea, fresh, offsetof(tp_sea, crossed) + sizeof fresh->crossed) == 0;
+
+    for (uint32_t i = 0; same && i < fresh->count; i++)
+        same = memcmp(&sea->swell[i], &fresh->swell[i],
+                      offsetof(tp_swell, mean_q24) + sizeof(int32_t)) == 0;
+    return same;
+}
+
+/* Bytes from an offset to the next part. */
+static size_t part_bytes(const tp_world_parts *p, uint32_t at)
+{
+    const uint32_t next[] = { p->pool, p->field, p->rings, p->drops, p->foam, p->spray,
+                              p->probe };
+    uint32_t end = p->bytes;
+
+    for (size_t i = 0; i < sizeof next / sizeof *next; i++)
+        end = next[i] > at && next[i] < end ? next[i] : end;
+    return end - at;
+}
+
+static bool is_same_ocean(const tp_world *world, const tp_world *fresh)
+{
+    const tp_world_parts *parts = &fresh->parts;
+
+    return !parts->ocean || memcmp(tp_world_ocean(world), tp_world_ocean(fresh),
+                                   part_bytes(parts, parts->ocean)) == 0;
+}
+
+/* The rings of this tick are those that the drops' rings make, or there are none. */
+static bool are_rings_valid(const tp_world *world)
+{
+    const tp_drops *drops = tp_world_drops(world);
+    const tp_ring_now *now = tp_world_rings(world);
+    const int64_t time = (int64_t)(world->tick * TP_FX_ONE);
+    uint32_t n = 0;
+
+    if (world->rings == 0)
+        return true;
+    for (uint32_t i = 0; now && drops && i < drops->rings && n < world->rings; i++) {
+        tp_ring_now at;
+        if (!tp_ring_at(&tp_drops_rings(drops)[i], time, &at))
+            continue;
+        if (memcmp(&at, &now[n++], sizeof at) != 0)
+            return false;
+    }
+    return n == world->rings;
+}
+
+static bool is_pool_valid(const tp_pool *pool, const tp_pool *fresh)
+{
+    return !fresh || tp_pool_is_valid(pool, fresh);
+}
+
+static bool is_air_valid(const tp_world *world, const tp_world *fresh)
+{
+    return !fresh->parts.drops
+        || tp_drops_are_valid(tp_world_drops(world), tp_world_drops(fresh), world->tick);
+}
+
+static bool is_foam_valid(const tp_world *world, const tp_world *fresh)
+{
+    return !fresh->parts.foam
+        || tp_foam_is_valid(tp_world_foam(world), tp_world_foam(fresh));
+}
+
+static bool is_spray_valid(const tp_world *world, const tp_world *fresh)
+{
+    return !fresh->parts.spray
+        || tp_spray_is_valid(tp_world_spray(world), tp_world_spray(fresh));
+}
+
+/* The first part that is wrong, of one layout; NULL: none. */
+static const char *find_invalid(const tp_world *world, const tp_world *fresh)
+{
+    return !is_head_valid(world, fresh) ? "head"
+         : !tp_camera_is_valid(world) ? "camera"
+         : !tp_boat_is_valid(world, fresh) ? "boat"
+         : !tp_light_is_valid(world) ? "light"
+         : !tp_clock_is_valid(&world->clock) ? "clock"
+         : !is_same_sea(&world->sea, &fresh->sea) ? "sea"
+         : !is_same_ocean(world, fresh) ? "ocean"
+         : !is_pool_valid(tp_world_pool(world), tp_world_pool(fresh)) ? "pool"
+         : !is_pool_valid(tp_world_field(world), tp_world_field(fresh)) ? "field"
+         : !is_air_valid(world, fresh) ? "drops"
+         : !are_rings_valid(world) ? "rings"
+         : !is_foam_valid(world, fresh) ? "foam"
+         : !is_spray_valid(world, fresh) ? "spray"
+         : !tp_meter_is_same(world, fresh) ? "meter" : NULL;
+}
+
+tp_status tp_world_check(const tp_world *world, size_t bytes, const tp_world *fresh,
+                         tp_error *err)
+{
+    const char *invalid = "layout";
+    tp_status status = tp_given_block(world, 8, "world", err);
+
+    if (status == TP_OK)
+        status = tp_given_block(fresh, 8, "fresh", err);
+    if (status != TP_OK)
+        return status;
+    if (bytes >= fresh->parts.bytes
+        && memcmp(&world->parts, &fresh->parts, sizeof fresh->parts) == 0)
+        invalid = find_invalid(world, fresh);
+    return invalid ? tp_error_blame(err, TP_FAIL(err, TP_E_WORLD, 0, 0, 0), invalid)
+                   : TP_OK;
+}
