@@ -452,7 +452,8 @@ $(patsubst %,$(BUILD)/tests/cross/frames-%,$(SCENES) $(DRAWN)): \
           build/baked/$(MACHINE)/%.o $(LIB)
 	$(SAY)$(LINK) $^ -o $@
 # And as a film: of the program that part alone.
-FILM_O  := $(addprefix $(BUILD)/ports/host/,film.o output.o path.o picture.o say.o)
+FILM_O  := $(addprefix $(BUILD)/ports/host/,atomic_file.o film.o output.o path.o \
+               picture.o say.o)
 $(SCENES:%=$(BUILD)/tests/cross/film-%): \
           $(BUILD)/tests/cross/film-%: $(BUILD)/tests/cross/film.o $(FILM_O) \
           build/baked/$(MACHINE)/%.o $(LIB)
@@ -460,7 +461,7 @@ $(SCENES:%=$(BUILD)/tests/cross/film-%): \
 # And on a raw screen: one static file for a small Linux board.
 SCREEN_O := $(patsubst %.c,$(BUILD)/%.o,$(filter ports/linuxfb/% ports/kms/% \
                ports/screen/%,$(PORTS)) ports/screen/main.c $(addprefix ports/host/, \
-               hashes.c picture.c say.c timing.c) ports/live/wish.c)
+               atomic_file.c hashes.c picture.c say.c timing.c) ports/live/wish.c)
 $(SCENES:%=$(BUILD)/scenes/%-screen): $(BUILD)/scenes/%-screen: $(SCREEN_O) \
           build/baked/$(MACHINE)/%.o $(LIB)
 	@mkdir -p $(@D)

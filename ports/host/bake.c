@@ -3,7 +3,6 @@
  * that have no files. */
 #include "bake.h"
 #include <ctype.h>
-#include <errno.h>
 #include <inttypes.h>
 #include <stdlib.h>
 #include <string.h>
@@ -275,10 +274,7 @@ static int write_file(bake *b, const options *o, const stage *s)
     if (code)
         return code;
     b->out = out.file;
-    errno = 0;
     put_all(b, o, s);
-    if (ferror(out.file))
-        return output_failed(&out, errno ? errno : EIO);
     return output_close(&out);
 }
 

@@ -9,6 +9,7 @@
 #include <errno.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 #include "say.h"
 #include "tidepool/scene.h"
 
@@ -65,15 +66,14 @@ static void add_rows(film *f, uint32_t y)
 
 static bool put(film *f, const void *data, size_t bytes)
 {
-    errno = 0;
     return fwrite(data, 1, bytes, f->out.file) == bytes;
 }
 
 static int refuse(film *f)
 {
-    const int error = errno ? errno : EIO;
+    const int code = output_failed(&f->out, EIO);
     film_discard(f);
-    return fail(EXIT_INPUT, "%s: %s", f->out.name, strerror(error));
+    return code;
 }
 
 static int make_room(film *f, uint32_t width, uint32_t height)
@@ -109,15 +109,17 @@ int film_open(film *f, const char *name, uint32_t width, uint32_t height, uint32
     return code ? code : put_head(f, ticks);
 }
 
-int film_open_file(film *f, FILE *to, const char *name, uint32_t width, uint32_t height)
+int film_open_pipe(film *f, int to, const char *name, uint32_t width, uint32_t height)
 {
-    const int code = make_room(f, width, height);
+    int code = make_room(f, width, height);
     if (code) {
-        fclose(to);
+        close(to);
         return code;
     }
-    f->out = (output){ .file = to, .name = name };
-    return put_head(f, 1);
+    code = output_take(&f->out, to, name);
+    if (code)
+        film_discard(f);
+    return code ? code : put_head(f, 1);
 }
 
 int film_add(film *f, const picture *p)

@@ -15,8 +15,9 @@ typedef struct {
 
 /* Each picture is shown for `ticks` of 1/60 s. */
 int  film_open(film *f, const char *name, uint32_t width, uint32_t height, uint32_t ticks);
-/* The same, of one tick, into what is open already, a pipe or the like; film_close closes it. */
-int  film_open_file(film *f, FILE *to, const char *name, uint32_t width, uint32_t height);
+/* The same, of one tick, into a pipe, which it closes in any case, film_close at the
+ * latest. */
+int  film_open_pipe(film *f, int to, const char *name, uint32_t width, uint32_t height);
 int  film_add(film *f, const picture *p);       /* after a failure nothing is left */
 int  film_close(film *f);
 void film_discard(film *f);

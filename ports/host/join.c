@@ -78,13 +78,8 @@ static int take_head(joined *j, const part *p)
     return EXIT_DONE;
 }
 
-static int fail_output(const joined *j)
-{
-    return fail(EXIT_INPUT, "%s: %s", j->out.name, strerror(errno));
-}
-
 /* The frame behind its mark, in pieces: a head may name any size. */
-static int copy_frame(const joined *j, const part *p, unsigned number)
+static int copy_frame(joined *j, const part *p, unsigned number)
 {
     char piece[PIECE_BYTES];
     for (uint64_t left = j->bytes; left > 0;) {
@@ -92,13 +87,13 @@ static int copy_frame(const joined *j, const part *p, unsigned number)
         if (fread(piece, 1, bytes, p->file) != bytes)
             return fail(EXIT_INPUT, "%s: ends inside of frame %u", p->name, number);
         if (fwrite(piece, 1, bytes, j->out.file) != bytes)
-            return fail_output(j);
+            return output_failed(&j->out, EIO);
         left -= bytes;
     }
     return EXIT_DONE;
 }
 
-static int add_frames(const joined *j, const part *p)
+static int add_frames(joined *j, const part *p)
 {
     char mark[HEAD_BYTES];
     unsigned count = 0;
@@ -109,7 +104,7 @@ static int add_frames(const joined *j, const part *p)
             || (strcmp(mark, "FRAME") != 0 && strncmp(mark, "FRAME ", 6) != 0))
             return fail(EXIT_INPUT, "%s: where frame %u begins there is none", p->name,
                         count);
-        code = fprintf(j->out.file, "%s\n", mark) < 0 ? fail_output(j)
+        code = fprintf(j->out.file, "%s\n", mark) < 0 ? output_failed(&j->out, EIO)
                                                      : copy_frame(j, p, count);
     }
     if (code)

@@ -1,9 +1,10 @@
 /* SPDX-License-Identifier: MIT */
-/* Whole files or none, also when a signal ends the program. */
-#define _XOPEN_SOURCE 700       /* realpath */
+/* Streams over descriptors that remember their first error: stdio itself forgets it when
+ * a buffer is flushed on the way, and a full disk would be told as an I/O error. */
+#define _GNU_SOURCE             /* fopencookie, realpath */
 #include "output.h"
 #include <errno.h>
-#include <signal.h>
+#include <fcntl.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
@@ -11,128 +12,143 @@
 #include "path.h"
 #include "say.h"
 
-/* The temporary files that exist now, "" where there is none: the handler has to find
- * them. */
-static char pending[OUTPUTS][4096];
+#define BUFFER_BYTES 65536
 
-static void remove_pending(int signal_number)
+struct output_end {
+    int  fd, error;
+    char buffer[BUFFER_BYTES];
+};
+
+/* -- streams --------------------------------------------------------------------- */
+
+/* After an error nothing more is written. */
+static ssize_t put(void *cookie, const char *data, size_t bytes)
 {
-    for (int i = 0; i < OUTPUTS; i++)
-        if (pending[i][0])
-            unlink(pending[i]);
-    signal(signal_number, SIG_DFL);
-    raise(signal_number);
+    output_end *end = cookie;
+    if (!end->error)
+        end->error = atomic_file_put(end->fd, data, bytes);
+    return end->error ? 0 : (ssize_t)bytes;
 }
 
-/* Signals that somebody else already takes care of stay theirs.  By sigaction, since
- * signal() of strict POSIX would let a second signal through before the first is dealt
- * with, and `timeout` sends two. */
-static void watch_signals(void)
+/* A stream that does not close the descriptor; 0 or an errno. */
+static int open_stream(output *out, int fd)
 {
-    static const int deadly[] = { SIGINT, SIGTERM, SIGHUP };
-    struct sigaction now, ours = { .sa_handler = remove_pending };
-
-    sigfillset(&ours.sa_mask);
-    for (size_t i = 0; i < sizeof deadly / sizeof *deadly; i++) {
-        if (sigaction(deadly[i], NULL, &now) == 0 && now.sa_handler == SIG_DFL)
-            sigaction(deadly[i], &ours, NULL);
-    }
-    signal(SIGPIPE, SIG_IGN);       /* a write to it then fails with EPIPE */
-    signal(SIGXFSZ, SIG_IGN);       /* likewise EFBIG */
+    out->end = malloc(sizeof *out->end);
+    if (!out->end)
+        return ENOMEM;
+    out->end->fd = fd;
+    out->end->error = 0;
+    errno = ENOMEM;
+    out->file = fopencookie(out->end, "wb", (cookie_io_functions_t){ .write = put });
+    if (!out->file)
+        return errno;
+    setvbuf(out->file, out->end->buffer, _IOFBF, BUFFER_BYTES);
+    return 0;
 }
 
-/* mkstemp makes files private; a result is as readable as any other file. */
-static FILE *open_temporary(char *name)
+/* Flushes and closes it; 0 or the first error. */
+static int close_stream(output *out)
 {
-    const int descriptor = mkstemp(name);
-    if (descriptor < 0)
-        return NULL;
-    const mode_t mask = umask(0);
-    umask(mask);
-    fchmod(descriptor, 0666 & ~mask);
-    return fdopen(descriptor, "wb");
+    int error = 0;
+    if (out->file && fclose(out->file) != 0)
+        error = errno;
+    if (out->end && out->end->error)
+        error = out->end->error;
+    free(out->end);
+    out->file = NULL;
+    out->end = NULL;
+    return error;
 }
 
-static int free_slot(void)
+/* -- files ----------------------------------------------------------------------- */
+
+static int descriptor_of(const output *out)
 {
-    int i = 0;
-    while (i < OUTPUTS && pending[i][0])
-        i++;
-    return i;
+    return out->target ? out->temporary.fd : out->end ? out->end->fd : -1;
+}
+
+/* Temporary files close theirs themselves, standard output stays open. */
+static int close_descriptor(const output *out, int fd)
+{
+    return out->target || fd < 0 || fd == STDOUT_FILENO || close(fd) == 0 ? 0 : errno;
+}
+
+static void forget(output *out)
+{
+    free(out->target);
+    *out = (output){ .name = out->name, .temporary = { -1, -1 } };
+}
+
+void output_discard(output *out)
+{
+    const int fd = descriptor_of(out);
+    (void)close_stream(out);
+    (void)close_descriptor(out, fd);
+    if (out->target)
+        atomic_file_discard(&out->temporary);
+    forget(out);
 }
 
 static int refuse(output *out, int error)
 {
-    if (out->target && out->slot < OUTPUTS)
-        pending[out->slot][0] = 0;
-    free(out->target);
-    *out = (output){ .name = out->name };
+    output_discard(out);
     return fail(EXIT_INPUT, "%s: %s", out->name, strerror(error));
+}
+
+int output_failed(output *out, int error)
+{
+    return refuse(out, out->end && out->end->error ? out->end->error : error);
+}
+
+int output_take(output *out, int fd, const char *name)
+{
+    *out = (output){ .name = name, .temporary = { -1, -1 } };
+    const int error = fd < 0 ? errno : open_stream(out, fd);
+    if (!error)
+        return EXIT_DONE;
+    if (fd != STDOUT_FILENO && fd >= 0)
+        close(fd);
+    free(out->end);
+    out->end = NULL;
+    return refuse(out, error);
+}
+
+/* The target of a link is replaced, not the link. */
+static int open_temporary(output *out, bool exists)
+{
+    out->target = exists ? realpath(out->name, NULL)
+                         : path_copy(out->name, strlen(out->name));
+    int error = out->target ? atomic_file_open(&out->temporary, out->target, "") : errno;
+    if (!error)
+        error = open_stream(out, out->temporary.fd);
+    return error ? refuse(out, error) : EXIT_DONE;
 }
 
 int output_open(output *out, const char *name)
 {
     struct stat info;
-    *out = (output){ .name = name, .slot = free_slot() };
-    watch_signals();
+    *out = (output){ .name = name, .temporary = { -1, -1 } };
     if (strcmp(name, "-") == 0) {
-        out->name = "standard output";
-        out->file = stdout;
-        return EXIT_DONE;
+        fflush(stdout);
+        return output_take(out, STDOUT_FILENO, "standard output");
     }
     const bool exists = stat(name, &info) == 0;
-    if (exists && !S_ISREG(info.st_mode)) {
-        out->file = fopen(name, "wb");
-        return out->file ? EXIT_DONE : refuse(out, errno);
-    }
-    out->target = exists ? realpath(name, NULL) : path_copy(name, strlen(name));
-    char *temporary = out->target ? path_beside(out->target, ".tidepool-XXXXXX") : NULL;
-    const int error = !temporary ? ENOMEM : out->slot == OUTPUTS ? EMFILE
-                    : strlen(temporary) >= sizeof *pending ? ENAMETOOLONG : 0;
-    if (error) {
-        free(temporary);
-        out->slot = OUTPUTS;
-        return refuse(out, error);
-    }
-    strcpy(pending[out->slot], temporary);
-    free(temporary);
-    out->file = open_temporary(pending[out->slot]);
-    return out->file ? EXIT_DONE : refuse(out, errno);
-}
-
-void output_discard(output *out)
-{
-    if (out->file && out->file != stdout)
-        fclose(out->file);
-    if (out->target && pending[out->slot][0])
-        unlink(pending[out->slot]);
-    if (out->target)
-        pending[out->slot][0] = 0;
-    free(out->target);
-    *out = (output){ .name = out->name };
-}
-
-int output_failed(output *out, int error)
-{
-    output_discard(out);
-    return fail(EXIT_INPUT, "%s: %s", out->name, strerror(error));
+    if (exists && !S_ISREG(info.st_mode))
+        return output_take(out, open(name, O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666),
+                           name);
+    return open_temporary(out, exists);
 }
 
 int output_close(output *out)
 {
-    FILE *file = out->file;
-    errno = 0;
-    const bool bad = ferror(file) || fflush(file);
-    int error = bad ? (errno ? errno : EIO) : 0;
-    if (file != stdout && fclose(file) && !error)
-        error = errno;
-    out->file = NULL;
-    if (!error && out->target && rename(pending[out->slot], out->target))
-        error = errno;
+    const int fd = descriptor_of(out);
+    int error = close_stream(out);
+    const int end = close_descriptor(out, fd);
+    error = error ? error : end;
+    if (!error && out->target)
+        error = atomic_file_commit(&out->temporary, out->target);
     if (error)
-        return output_failed(out, error);
-    if (out->target)
-        pending[out->slot][0] = 0;
-    output_discard(out);
+        return refuse(out, error);
+    forget(out);
     return EXIT_DONE;
 }

@@ -1,22 +1,31 @@
 /* SPDX-License-Identifier: MIT */
-/* An output file that is whole or not there: written under a temporary name in the same
- * folder and renamed when all of it is on its way to the disk.  Devices, pipes and "-"
- * (standard output) are written as they are. */
+/* An output file that is whole or not there: it replaces the one of its name when all of
+ * it is on its way to the disk (atomic_file.h).  Devices, pipes and "-" (standard output)
+ * are written as they are.
+ *
+ * The first write that fails is the one that messages tell of: those who fill the stream
+ * need not look. */
 #ifndef HOST_OUTPUT_H
 #define HOST_OUTPUT_H
 #include <stdio.h>
+#include "atomic_file.h"
 
-#define OUTPUTS 4               /* at a time: a picture may be saved while a film is */
+typedef struct output_end output_end;
 
 typedef struct {
     FILE       *file;       /* NULL: not open */
     const char *name;       /* as messages call it; the caller's */
-    char       *target;     /* where the temporary file goes in the end; NULL: nowhere */
-    int         slot;       /* private part: of the temporary name */
+    char       *target;     /* that a temporary file replaces; NULL: written as it is */
+    atomic_file temporary;
+    output_end *end;        /* private part: of the stream */
 } output;
 
+/* Each returns an exit code and has said why; after a failure nothing is left open. */
 int  output_open(output *out, const char *name);
+int  output_take(output *out, int fd, const char *name);    /* closes fd in any case */
 int  output_close(output *out);         /* EXIT_INPUT: not all could be written */
 void output_discard(output *out);
-int  output_failed(output *out, int error);     /* says so, discards; EXIT_INPUT */
+
+/* Discards it and says what failed first: a write, or else `error`; EXIT_INPUT. */
+int  output_failed(output *out, int error);
 #endif

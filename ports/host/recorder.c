@@ -14,7 +14,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 #include "say.h"
@@ -29,7 +28,7 @@ struct recorder {
     film     film;
     uint32_t width, height, pictures;
     char     name[TP_NAME_BYTES + 32];
-    char     temporary[32];     /* that ffmpeg writes */
+    atomic_file temporary;      /* that ffmpeg writes */
     pid_t    ffmpeg;            /* 0: there is none, it is Y4M */
     bool     over;              /* and said how */
 };
@@ -50,35 +49,22 @@ static void choose_number(const char *scene, char *stem, size_t bytes)
     }
 }
 
-/* ffmpeg goes by the end of a name. */
-static int make_temporary(recorder *r)
-{
-    strcpy(r->temporary, "./.tidepool-XXXXXX.mp4");
-    const int file = mkstemps(r->temporary, 4);
-    if (file < 0)
-        return fail(EXIT_INPUT, "%s: %s", r->name, strerror(errno));
-    const mode_t mask = umask(0);
-    umask(mask);
-    fchmod(file, 0666 & ~mask);
-    close(file);
-    return EXIT_DONE;
-}
-
 /* -- ffmpeg ---------------------------------------------------------------------- */
 
 /* 0, or what is wrong: ENOENT if there is none.  H.264 in 4:2:0 has no odd sides. */
 static int spawn(recorder *r, int from)
 {
     static char pad[] = "pad=ceil(iw/2)*2:ceil(ih/2)*2";
+    char *to = (char *)(uintptr_t)atomic_file_name(&r->temporary);
     char *argv[] = { "ffmpeg", "-v", "error", "-y", "-f", "yuv4mpegpipe", "-i", "-",
-                     "-pix_fmt", "yuv420p", r->temporary, NULL, NULL, NULL };
+                     "-pix_fmt", "yuv420p", to, NULL, NULL, NULL };
     posix_spawn_file_actions_t actions;
     posix_spawnattr_t attributes;
     sigset_t plain;
     if ((r->width | r->height) & 1) {
         argv[10] = "-vf";
         argv[11] = pad;
-        argv[12] = r->temporary;
+        argv[12] = to;
     }
     sigemptyset(&plain);
     sigaddset(&plain, SIGPIPE);
@@ -118,23 +104,23 @@ static bool ffmpeg_ended_well(recorder *r)
 static int begin_ffmpeg(recorder *r)
 {
     int ends[2];
-    if (make_temporary(r))
+    int error = atomic_file_open(&r->temporary, r->name, ".mp4");
+    if (error) {
+        say("%s: %s", r->name, strerror(error));
         return EACCES;
-    int error = pipe2(ends, O_CLOEXEC) ? errno : 0;
+    }
+    error = pipe2(ends, O_CLOEXEC) ? errno : 0;
     if (!error) {
         error = spawn(r, ends[0]);
         close(ends[0]);
         (void)fcntl(ends[1], F_SETPIPE_SZ, PIPE_BYTES);
-        FILE *to = error ? NULL : fdopen(ends[1], "wb");
-        if (!to) {
-            error = error ? error : ENOMEM;
+        if (error)
             close(ends[1]);
-        } else if (film_open_file(&r->film, to, r->name, r->width, r->height)) {
+        else if (film_open_pipe(&r->film, ends[1], r->name, r->width, r->height))
             error = EPIPE;
-        }
     }
     if (error) {
-        unlink(r->temporary);
+        atomic_file_discard(&r->temporary);
         if (r->ffmpeg)
             (void)ffmpeg_ended_well(r);
         else if (error != ENOENT)
@@ -181,10 +167,11 @@ static int finish(recorder *r)
     r->over = true;
     if (piped && !ffmpeg_ended_well(r))
         code = EXIT_INPUT;
-    if (piped && !code && rename(r->temporary, r->name))
-        code = fail(EXIT_INPUT, "%s: %s", r->name, strerror(errno));
+    const int error = piped && !code ? atomic_file_commit(&r->temporary, r->name) : 0;
+    if (error)
+        code = fail(EXIT_INPUT, "%s: %s", r->name, strerror(error));
     if (piped && code)
-        unlink(r->temporary);
+        atomic_file_discard(&r->temporary);
     if (!code)
         say("%s: %u picture%s, %u.%02u s", r->name, (unsigned)r->pictures,
             r->pictures == 1 ? "" : "s",
@@ -199,7 +186,7 @@ static void lose(recorder *r)
     r->over = true;
     if (r->ffmpeg) {
         (void)ffmpeg_ended_well(r);
-        unlink(r->temporary);
+        atomic_file_discard(&r->temporary);
     }
 }
 

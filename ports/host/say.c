@@ -5,6 +5,7 @@
 #include "say.h"
 #include <errno.h>
 #include <fcntl.h>
+#include <signal.h>
 #include <stdarg.h>
 #include <stdbool.h>
 #include <stdio.h>
@@ -116,6 +117,7 @@ void begin_streams(void)
     for (int fd = 0; fd <= STDERR_FILENO; fd++)
         if (fcntl(fd, F_GETFD) < 0 && open("/dev/null", fd ? O_RDONLY : O_WRONLY) != fd)
             _exit(EXIT_INPUT);
+    signal(SIGXFSZ, SIG_IGN);
 }
 
 /* After an earlier write has failed the flush of the rest tells why. */

@@ -49,7 +49,8 @@ int fail_memory(size_t bytes);
 
 /* First of all in a program.  A standard stream that is closed would lend its number to
  * the first file that is opened, which would then hold what is meant for people; what
- * stands there instead fails as a closed stream does. */
+ * stands there instead fails as a closed stream does.  So does, from then on, what is
+ * written beyond the limit of a file's size. */
 void begin_streams(void);
 
 /* Ends what was printed on standard output: a full disk or a closed pipe is an error. */
