@@ -134,16 +134,41 @@ const tp_input *replay_step(replay *r)
     return step ? &step->input : NULL;
 }
 
-/* A kept world has taken what came before it; the scene is not kept. */
-void replay_skip(replay *r, stage *s)
+/* -- going on from a kept world -------------------------------------------------- */
+
+/* A step that waits for its tick has not been played. */
+uint32_t replay_played(const replay *r)
 {
-    for (; r->tick < s->world->tick; (void)replay_step(r)) {
-        const deck_entry *entry;
-        while (!r->step && (entry = deck_next(&r->tape, r->tick)) != NULL) {
-            if (entry->kind == DECK_STEP)
-                r->step = entry;
-            else if (entry->kind == DECK_SET)
-                (void)scene_file_set(&s->file, entry->setting);
-        }
+    return (uint32_t)(r->step ? (size_t)(r->step - r->tape.entries) : r->tape.at);
+}
+
+bool replay_remake(const replay *r, stage *s, uint32_t played)
+{
+    tp_scene *scene = played <= r->tape.count ? malloc(sizeof *scene) : NULL;
+    if (!scene)
+        return false;
+    *scene = s->file.scene;
+    for (uint32_t i = 0; i < played; i++) {
+        const deck_entry *entry = &r->tape.entries[i];
+        const char *value;
+        const tp_param *param = entry->kind != DECK_SET ? NULL
+                              : scene_file_check(r->tape.name, entry->setting, &value);
+        if (param)
+            (void)tp_param_set(scene, param, value, strlen(value), NULL);
     }
+    const bool made = tp_world_init(s->world, s->world_bytes, scene, &s->assets.names,
+                                    NULL) == TP_OK;
+    free(scene);
+    return made;
+}
+
+/* A kept world has taken what came before it; the scene is not kept. */
+void replay_skip(replay *r, stage *s, uint32_t played)
+{
+    for (; r->tape.at < played; r->tape.at++) {
+        const deck_entry *entry = &r->tape.entries[r->tape.at];
+        if (entry->kind == DECK_SET)
+            (void)scene_file_set(&s->file, entry->setting);
+    }
+    r->tick = r->tick < s->world->tick ? s->world->tick : r->tick;
 }

@@ -32,7 +32,11 @@ int  replay_acts(replay *r, stage *s, const options *o, bool *opened);
 /* The input of this tick's step, or NULL; the next tick is the one after it. */
 const tp_input *replay_step(replay *r);
 
-/* The stage's world was kept at a later tick: the scene is brought there.  Before the
- * canvas is opened. */
-void replay_skip(replay *r, stage *s);
+/* For worlds that are kept: entries of the tape that the world has taken.  The stage's
+ * world made anew in its block, at tick 0, of the scene as so many have changed it; false:
+ * the tape has less.  Tape and scene brought there, when the stage's world is the one that
+ * was kept: before the canvas is opened. */
+uint32_t replay_played(const replay *r);
+bool replay_remake(const replay *r, stage *s, uint32_t played);
+void replay_skip(replay *r, stage *s, uint32_t played);
 #endif

@@ -19,6 +19,7 @@
 #include <sys/file.h>
 #include <unistd.h>
 #include "../screen/keep.h"
+#include "atomic_file.h"
 #include "path.h"
 #include "say.h"
 #include "session_file.h"
@@ -79,7 +80,7 @@ static int write_file(session *s)
 {
     if (is_written(s))
         return EXIT_DONE;
-    const bool done = keep_file(s->ini, s->text, strlen(s->text), "", 0);
+    const bool done = atomic_file_write(s->ini, s->text, strlen(s->text), "", 0);
     if (!done && !s->failed)
         say("%s: cannot be kept: %s", s->ini, strerror(errno));
     s->failed = !done;
@@ -94,11 +95,11 @@ static int write_both(session *s)
     const int lock = open(s->folder, O_RDONLY | O_CLOEXEC);
     if (lock >= 0)
         (void)flock(lock, LOCK_EX);
-    int code = name ? EXIT_DONE : EXIT_INPUT;
+    int code = name ? EXIT_DONE : fail_memory(strlen(s->folder));
     s->keep.name = name;
     s->keep.scene = s->scene;
     if (!code)
-        code = keep_put(&s->keep, s->copy, s->bytes, s->picture);
+        code = keep_put(&s->keep, s->copy, s->bytes, (keep_at){ .frame = s->picture });
     if (!code)
         code = write_file(s);
     if (lock >= 0)
@@ -272,12 +273,14 @@ bool session_world(const tp_scene *scene, const tp_assets *assets, tp_world *wor
     char *path = text ? path_join(folder, name.name, "") : NULL;
     tp_scene *nameless = path ? malloc(sizeof *nameless) : NULL;
     bool taken = false;
+    keep_at at;
     if (nameless && access(path, F_OK) != 0) {
         say("%s: %s: a fresh start", path, strerror(errno));
     } else if (nameless) {
         session_nameless(nameless, scene);
         const keep k = keep_begin(path, nameless, assets);
-        taken = keep_take(&k, world, bytes, picture);
+        taken = keep_take(&k, world, bytes, &at);
+        *picture = taken ? at.frame : *picture;
     }
     free(nameless);
     free(path);

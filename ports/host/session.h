@@ -36,7 +36,8 @@ typedef struct {
 int  session_read(session_state *state);
 void session_free(session_state *state);
 
-/* The world of the scene as read and set; false: another build's or not whole, said. */
+/* The world of the scene as read and set, which goes in at tick 0; false: another build's
+ * or not whole, said, and *world is as it was. */
 bool session_world(const tp_scene *scene, const tp_assets *assets, tp_world *world,
                    size_t bytes, uint32_t *picture);
 #endif

@@ -14,11 +14,11 @@
 #include "stage.h"
 #include "timing.h"
 
-
 typedef struct {
     options  *options;
     stage     stage;
     replay    tape;
+    uint32_t  played;           /* entries of the tape, by the world that was kept */
     governing governing;
 } shown;
 
@@ -31,7 +31,7 @@ static int prepare(void *user, uint32_t width, uint32_t height, tp_format format
     o->width = width;
     o->height = height;
     o->format = o->formatted ? o->format : format;
-    replay_skip(&s->tape, &s->stage);
+    replay_skip(&s->tape, &s->stage, s->played);
     const int code = stage_canvas(&s->stage, o);
     if (!code)
         governing_begin(&s->governing, &s->stage);
@@ -63,6 +63,19 @@ static const tp_input *taped(void *user)
     return replay_step(&s->tape);
 }
 
+static uint32_t played(void *user)
+{
+    const shown *s = user;
+    return replay_played(&s->tape);
+}
+
+static bool remake(void *user, uint32_t played)
+{
+    shown *s = user;
+    s->played = played;
+    return replay_remake(&s->tape, &s->stage, played);
+}
+
 /* -- the command ----------------------------------------------------------------- */
 
 static int run(shown *s, options *o)
@@ -84,6 +97,7 @@ static int run(shown *s, options *o)
         .world = s->stage.world, .world_bytes = s->stage.world_bytes,
         .user = s, .prepare = prepare, .draw = draw,
         .acts = o->tape ? acts : NULL, .taped = o->tape ? taped : NULL,
+        .played = played, .remake = remake,
     };
     return show_run(&what);
 }

@@ -3,26 +3,30 @@
  * mean depends on the program that wrote them and on the scene: both are in the head, and
  * a file of others is not taken.
  *
- *     "TPKEEP" 0 1 | scene | build | frame | bytes of the world | CRC-32 | the bytes
+ *     "TPKEEP" 0 2 | scene | build | frame | played | bytes of the world | CRC-32 |
+ *     the bytes
  *
- * Numbers are the machine's own, 32 bits; the CRC is of the whole file but itself. */
+ * Numbers are the machine's own, 32 bits; the CRC is of the whole file but itself.  It
+ * finds accidents alone: who writes a file can write its CRC, so that what it holds is
+ * checked as well before it becomes a world. */
 #define _POSIX_C_SOURCE 200809L
 #include "keep.h"
 #include <errno.h>
-#include <fcntl.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
+#include "../host/atomic_file.h"
 #include "../host/say.h"
 #include "tidepool/pixel.h"
 
-#define VERSION 1
+#define VERSION 2
 
 typedef struct {
     char     magic[7];
     uint8_t  version;
-    uint32_t scene, build, frame, bytes, crc;
+    uint32_t scene, build;
+    keep_at  at;
+    uint32_t bytes, crc;
 } head;
 
 static const char magic[7] = "TPKEEP";
@@ -90,9 +94,9 @@ static uint32_t digest(head h, const void *world)
 
 /* -- taking ---------------------------------------------------------------------- */
 
-/* What is wrong with it, or NULL. */
-static const char *check(const keep *k, const head *h, const void *world, size_t bytes,
-                         size_t got)
+/* What is wrong with the file, or NULL. */
+static const char *check_file(const keep *k, const head *h, const void *world,
+                              size_t bytes, size_t got)
 {
     if (got < sizeof *h || memcmp(h->magic, magic, sizeof magic) != 0)
         return "is no kept world";
@@ -105,94 +109,74 @@ static const char *check(const keep *k, const head *h, const void *world, size_t
     return NULL;
 }
 
-bool keep_take(const keep *k, tp_world *world, size_t bytes, uint32_t *frame)
+/* The same of what it holds, by a world made for the same place in the tape. */
+static const char *check_world(const keep *k, const head *h, const tp_world *kept,
+                               const tp_world *fresh, char text[128])
 {
-    FILE *file = k->name ? fopen(k->name, "rb") : NULL;
-    if (!file) {
-        if (k->name)
-            say("%s: %s: a fresh start", k->name,
-                errno == ENOENT ? "nothing is kept" : strerror(errno));
-        return false;
-    }
-    uint8_t *copy = malloc(bytes + 1);          /* one more: a longer file is found out */
-    head h;
-    size_t got = copy ? fread(&h, 1, sizeof h, file) : 0;
-    if (got == sizeof h)
+    const uint32_t played = h->at.played;
+    tp_error err;
+    if (played && (!k->remake || !k->remake(k->user, played)))
+        return "was kept with another tape";
+    if (tp_world_check(kept, h->bytes, fresh, &err) == TP_OK)
+        return NULL;
+    tp_error_text(&err, text, 128);
+    if (played)
+        (void)k->remake(k->user, 0);
+    return text;
+}
+
+/* As much as is there; one byte more than there should be tells a longer file. */
+static const char *read_file(const keep *k, FILE *file, head *h, void *copy, size_t bytes)
+{
+    size_t got = fread(h, 1, sizeof *h, file);
+    if (got == sizeof *h)
         got += fread(copy, 1, bytes + 1, file);
-    fclose(file);
-    const char *wrong = copy ? check(k, &h, copy, bytes, got) : "finds no memory";
-    if (wrong) {
-        say("%s: %s: a fresh start", k->name, wrong);
-    } else {
+    return ferror(file) ? "cannot be read" : check_file(k, h, copy, bytes, got);
+}
+
+/* What is wrong, or NULL: *world and *at are those that were kept. */
+static const char *take(const keep *k, FILE *file, tp_world *world, size_t bytes,
+                        keep_at *at, char text[128])
+{
+    head h;
+    void *copy = malloc(bytes + 1);
+    const char *wrong = copy ? read_file(k, file, &h, copy, bytes) : "finds no memory";
+    if (!wrong)
+        wrong = check_world(k, &h, copy, world, text);
+    if (!wrong) {
         memcpy(world, copy, bytes);
-        *frame = h.frame;
+        *at = h.at;
     }
     free(copy);
+    return wrong;
+}
+
+bool keep_take(const keep *k, tp_world *world, size_t bytes, keep_at *at)
+{
+    char text[128];
+    FILE *file = k->name ? fopen(k->name, "rb") : NULL;
+    if (!k->name)
+        return false;
+    const char *wrong = file ? take(k, file, world, bytes, at, text)
+                      : errno == ENOENT ? "nothing is kept" : strerror(errno);
+    if (file)
+        fclose(file);
+    if (wrong)
+        say("%s: %s: a fresh start", k->name, wrong);
     return !wrong;
 }
 
 /* -- putting --------------------------------------------------------------------- */
 
-static bool write_all(int fd, const void *data, size_t bytes)
-{
-    const uint8_t *at = data;
-    while (bytes > 0) {
-        const ssize_t n = write(fd, at, bytes);
-        if (n < 0 && errno == EINTR)
-            continue;
-        if (n <= 0)
-            return false;
-        at += n;
-        bytes -= (size_t)n;
-    }
-    return true;
-}
-
-/* The rename is on the disk once its folder is. */
-static void sync_folder(const char *name)
-{
-    char folder[4096];
-    const char *slash = strrchr(name, '/');
-    const size_t length = slash ? (size_t)(slash - name) : 0;
-    if (length >= sizeof folder)
-        return;
-    memcpy(folder, name, length);
-    folder[length] = '\0';
-    const int fd = open(length ? folder : slash ? "/" : ".", O_RDONLY | O_CLOEXEC);
-    if (fd >= 0) {
-        (void)fsync(fd);
-        close(fd);
-    }
-}
-
-bool keep_file(const char *name, const void *head_part, size_t head_bytes,
-               const void *body, size_t body_bytes)
-{
-    char fresh[4096];
-    if (snprintf(fresh, sizeof fresh, "%s.new", name) >= (int)sizeof fresh) {
-        errno = ENAMETOOLONG;
-        return false;
-    }
-    const int fd = open(fresh, O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
-    if (fd < 0)
-        return false;
-    bool done = write_all(fd, head_part, head_bytes) && write_all(fd, body, body_bytes)
-             && fsync(fd) == 0;
-    done = close(fd) == 0 && done && rename(fresh, name) == 0;
-    if (done)
-        sync_folder(name);
-    return done;
-}
-
-int keep_put(keep *k, const tp_world *world, size_t bytes, uint32_t frame)
+int keep_put(keep *k, const tp_world *world, size_t bytes, keep_at at)
 {
     if (!k->name)
         return EXIT_DONE;
-    head h = { .version = VERSION, .scene = k->scene, .build = k->build, .frame = frame,
+    head h = { .version = VERSION, .scene = k->scene, .build = k->build, .at = at,
                .bytes = (uint32_t)bytes };
     memcpy(h.magic, magic, sizeof magic);
     h.crc = digest(h, world);
-    const bool done = keep_file(k->name, &h, sizeof h, world, bytes);
+    const bool done = atomic_file_write(k->name, &h, sizeof h, world, bytes);
     if (!done && !k->failed)
         say("%s: cannot be kept: %s", k->name, strerror(errno));
     k->failed = !done;

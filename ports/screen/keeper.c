@@ -13,7 +13,7 @@ struct keeper {
     pthread_cond_t  changed;
     bool            full, end;
     keep            keep;
-    uint32_t        frame;
+    keep_at         at;
     size_t          bytes;
     void           *copy;
 };
@@ -28,7 +28,7 @@ static void *work(void *user)
             continue;
         }
         pthread_mutex_unlock(&k->mutex);
-        (void)keep_put(&k->keep, k->copy, k->bytes, k->frame);
+        (void)keep_put(&k->keep, k->copy, k->bytes, k->at);
         pthread_mutex_lock(&k->mutex);
         k->full = false;
     }
@@ -53,7 +53,7 @@ keeper *keeper_begin(const keep *kept, size_t bytes)
     return NULL;
 }
 
-bool keeper_offer(keeper *k, const tp_world *world, uint32_t frame)
+bool keeper_offer(keeper *k, const tp_world *world, keep_at at)
 {
     if (!k)
         return false;
@@ -61,7 +61,7 @@ bool keeper_offer(keeper *k, const tp_world *world, uint32_t frame)
     const bool empty = !k->full;
     if (empty) {
         memcpy(k->copy, world, k->bytes);
-        k->frame = frame;
+        k->at = at;
         k->full = true;
         pthread_cond_signal(&k->changed);
     }

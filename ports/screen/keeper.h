@@ -11,7 +11,7 @@ typedef struct keeper keeper;
 keeper *keeper_begin(const keep *k, size_t bytes);
 
 /* Copies the world, to be written by and by.  False: the last one is being written yet. */
-bool    keeper_offer(keeper *to, const tp_world *world, uint32_t frame);
+bool    keeper_offer(keeper *to, const tp_world *world, keep_at at);
 
 /* Returns when all that was offered is written.  False: the last one could not be, and
  * that was said. */

@@ -222,6 +222,12 @@ static int wait_for(loop *l)
 
 /* -- the whole of it ------------------------------------------------------------- */
 
+static keep_at place(const loop *l)
+{
+    const show *what = l->what;
+    return (keep_at){ l->frame, what->played ? what->played(what->user) : 0 };
+}
+
 static int turn(loop *l)
 {
     int code = wait_for(l);
@@ -233,7 +239,7 @@ static int turn(loop *l)
         code = draw(l);
     if (!code && l->frame != l->kept && now - l->kept_at >= KEEP_US) {
         l->kept_at = now;
-        if (keeper_offer(l->keeper, l->what->world, l->frame))
+        if (keeper_offer(l->keeper, l->what->world, place(l)))
             l->kept = l->frame;
     }
     return code;
@@ -270,7 +276,7 @@ int loop_run(const show *what, screen *on, console *tty, const keep *kept, uint3
     while (!code && !l.over)
         code = turn(&l);
     last.failed = !keeper_end(l.keeper);
-    const int end = keep_put(&last, what->world, what->world_bytes, l.frame);
+    const int end = keep_put(&last, what->world, what->world_bytes, place(&l));
     *signal = ended_by;
     code = code ? code : l.code;
     return code ? code : end;

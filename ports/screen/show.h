@@ -33,6 +33,10 @@ typedef struct {
      * else was done than what its input tells; then each step's input. */
     int  (*acts)(void *user);
     const tp_input *(*taped)(void *user);
+
+    /* Of the tape, for worlds that are kept: entries played so far, and keep.remake. */
+    uint32_t (*played)(void *user);
+    bool (*remake)(void *user, uint32_t played);
 } show;
 
 /* The port that is called so, NULL: none; and all names, as "fb or kms". */

@@ -174,9 +174,13 @@ static int check_size(const show *what, const screen *on, const char *device)
 static int take_kept(watch *w)
 {
     const show *what = w->what;
+    keep_at at;
     w->kept = keep_begin(what->keep, what->scene, what->assets);
-    if (!keep_take(&w->kept, what->world, what->world_bytes, &w->frame))
+    w->kept.remake = what->remake;
+    w->kept.user = what->user;
+    if (!keep_take(&w->kept, what->world, what->world_bytes, &at))
         return EXIT_DONE;
+    w->frame = at.frame;
     if (what->counted && w->frame > what->last)
         return fail(EXIT_INPUT, "%s: is at frame %u already, past %u", what->keep,
                     w->frame, what->last);
