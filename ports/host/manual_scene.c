@@ -17,6 +17,13 @@ static void print_file(void)
               " of files are taken from the scene's own folder. A file that is wrong is"
               " refused, with the line.");
     roff_macro(".PP");
+    roff_text("A mesh is an OBJ file, with the MTL files and PNG pictures that it names."
+              " Pictures that are missing or of another kind, materials that no MTL"
+              " defines, lines of an MTL that cannot be read and faces of fewer than three"
+              " corners are left out, each with a line that says so; ");
+    roff_bold("--strict");
+    roff_text(" refuses them.");
+    roff_macro(".PP");
     roff_text("In a command ");
     roff_bold("--set section.name=value");
     roff_text(" comes after the file.");

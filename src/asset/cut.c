@@ -17,6 +17,7 @@
  * that its triangle reaches, which leaves some hundred steps for each corner of outlines of
  * tens of thousands.  Steps are counted: after STEPS n of them corners are cut untested. */
 #include "asset/cut_grid.h"
+#include "base/base.h"
 #include "base/assert.h"
 
 enum { EXTENT_BITS = 27, STEPS = 2048 };
@@ -230,6 +231,7 @@ void tp_cut_begin(struct tp_obj_cut *cut, uint32_t n)
 {
     TP_ASSERT(cut != NULL && n >= 3);
     uint32_t extent[3];
+    TP_ASSERT(cut != NULL && n >= 3);
     for (uint32_t i = 0; i < n; i++) {
         cut->before[i] = i == 0 ? n - 1 : i - 1;
         cut->after[i] = i + 1 == n ? 0 : i + 1;

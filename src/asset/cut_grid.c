@@ -2,6 +2,7 @@
 /* Corners by place: asset/cut_grid.h.  Corners that are cut off leave their cell when a
  * walk meets them. */
 #include "asset/cut_grid.h"
+#include "base/base.h"
 #include "base/assert.h"
 
 enum { CELL_CORNERS = 8, ROW_STEPS = 8 };
@@ -36,6 +37,7 @@ void tp_cut_grid_fill(struct tp_obj_cut *cut, uint32_t n, uint32_t extent_u,
         if (cells <= tp_cut_cells(n))
             break;
     }
+    TP_ASSERT(cells <= tp_cut_cells(n));
     cut->cols = (extent_u >> cut->shift) + 1;
     for (uint32_t i = 0; i < cells; i++)
         cut->cell[i] = TP_NO_CORNER;
