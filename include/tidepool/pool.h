@@ -75,6 +75,24 @@ typedef struct {
  * refused: water would not come to rest, and soon would not be stable. */
 tp_status tp_pool_check(const tp_pool_config *config, tp_error *err);
 
+/* What the roundings of 8- and 16-bit cells leave in water that moves [C8]: the rms of
+ * its heights in LSB, 16.16,
+ *     sqrt(2^damping / 24) / courant,
+ * where the error that a cell passes on feeds a wave as fast as damping takes from it.
+ * Measured are 0.7 to 0.95 of this for courant from 0.3 on, and up to 3 times as much
+ * where a small one and strong damping keep roundings from averaging.  With 8 bits it is
+ * below 16 LSB, an eighth of their range, for courant above 0.0128 2^(damping / 2): 0.05
+ * at damping 4, 0.41 at 10.  Below that waves drown in it, but all else holds: nothing
+ * leaves the range, and the water comes to rest.
+ *
+ * One wave may also repeat its roundings, and does not swing any more once its height has
+ * come down to 1 / (2 courant^2 k) LSB, k radians a cell [C14].  All together a wave that
+ * begins with the height A is off by an rms of at most
+ *     1 + 8 x that noise + the lesser of 2 A and 1 / (courant^2 k)  LSB
+ * in its first 400 ticks, and by twice as much in a corner, where it meets its images: of
+ * 150,000 random waves the worst had 0.88 of that. */
+tp_fx tp_pool_noise(tp_fx courant, uint32_t damping);
+
 /* Of the block, aligned to 8; 0 if the config cannot be used. */
 size_t tp_pool_bytes(const tp_pool_config *config);
 

@@ -180,7 +180,7 @@ const check_model check_automaton_int = {
 
 enum { MODE_N, MODE_M, MODE_P, MODE_Q, R2, DELTA, STEPS, MU, OMEGA, DISCRETE, FLUX };
 
-#define SHARE(n) { .name = n, .low = -1, .high = 1 }
+#define SHARE(n) { .name = n, .low = -1.5, .high = 1.5 }
 
 static const check_field mode_columns[] = {
     { .name = "N", .low = 16, .high = 512, .kind = CHECK_WHOLE },
@@ -236,8 +236,16 @@ static mode_error mode_error_of(const tp_pool *pool, const double *v, double sha
     return e;
 }
 
-/* Small cells are compared with four times the rms of gear A's noise [C8] and 2 LSB,
- * large ones, cell for cell, in percent of the amplitude. */
+/* LSB that a wave of 8- or 16-bit cells may be off by its rms: see tp_pool_noise. */
+static double mode_noise(const tp_pool *pool, const double *v)
+{
+    const double k = CHECK_PI * hypot(v[MODE_P] / v[MODE_N], v[MODE_Q] / v[MODE_M]);
+    const double noise = check_metres(tp_pool_noise(check_fx(sqrt(v[R2])), pool->damping));
+    return 1 + 8 * noise + fmin(2 * quarter_range[pool->cells], 1 / (v[R2] * k));
+}
+
+/* Small cells are compared with their noise, large ones, cell for cell, in percent of the
+ * amplitude. */
 static void compare_mode(check_run *run, unsigned row, const tp_pool *pool)
 {
     const double *v = check_row(run, row);
@@ -246,8 +254,8 @@ static void compare_mode(check_run *run, unsigned row, const tp_pool *pool)
         check_add(run, 4, row, 100 * e.worst / quarter_range[TP_CELLS_32]);
     } else {
         const mode_error e = mode_error_of(pool, v, v[DISCRETE]);
-        const double noise = 4 * 0.37 * sqrt(1 / v[DELTA]) + 2;
-        check_add(run, 2 * pool->cells, row, e.corner / noise);
+        const double noise = mode_noise(pool, v);
+        check_add(run, 2 * pool->cells, row, e.corner / (2 * noise));
         check_add(run, 2 * pool->cells + 1, row, e.rms / noise);
     }
 }

@@ -142,7 +142,7 @@ static int print_scene(const options *o)
     if (!code) {
         tp_sea_init(&sea, file.scene.wave, TP_WAVES, file.scene.water.gravity);
         code = print_table(&file.scene, "value", o->only);
-        stage_report_clamps(&file, &sea);
+        stage_report(&file, &sea);
     }
     scene_file_close(&file);
     return code;

@@ -23,9 +23,10 @@ int  stage_world(stage *s);                     /* at tick 0, of the scene as it
 int  stage_canvas(stage *s, const options *o);  /* again after the size has changed */
 void stage_close(stage *s);
 
-/* The scene and its settings alone, and what the core had to clamp reported. */
+/* The scene and its settings alone; and a report of it: what the core has to clamp, and
+ * pools whose cells are too coarse for their numbers (tp_pool_noise). */
 int  stage_read(scene_file *file, const options *o);
-void stage_report_clamps(const scene_file *file, const tp_sea *sea);
+void stage_report(const scene_file *file, const tp_sea *sea);
 
 /* -- changes while the world moves: stage_set.c ---------------------------------- */
 

@@ -19,6 +19,15 @@ static uint32_t r2q_bound(uint32_t damping)
     return 512 * ((1u << damping) - 1) / ((2u << damping) - 1);
 }
 
+/* Each S is off by what is carried on less what was carried here, 1/6 in the mean square,
+ * half of which is its energy; damping takes 2^-m of the energy of waves of rms h, r^2 / 2
+ * x 4 h^2: so h^2 = 2^m / 24 r^2.  52 bits at the most. */
+tp_fx tp_pool_noise(tp_fx courant, uint32_t damping)
+{
+    const uint32_t r2q = tp_pool_r2q_of(courant), m = damping < 10 ? damping : 10;
+    return (tp_fx)tp_isqrt64(((uint64_t)1 << (42 + m)) / (24 * (r2q ? r2q : 1)));
+}
+
 #define RANGE(field, good) \
     if (!(good)) \
         return tp_error_blame(err, TP_FAIL(err, TP_E_POOL_RANGE, 0, 0, 0), field)

@@ -289,6 +289,16 @@ expect "clamp of the steepness sum" 0 \
     "^minimal: steepness sum 1.2[0-9]* is clamped to 0.95$" \
     render minimal --size 16x16 --hash $steep $tall
 
+coarse="--set pool.cols=16 --set pool.rows=16 --set pool.cells=8 --set pool.damping=10"
+# shellcheck disable=SC2086
+expect "a pool of cells too coarse for its numbers" 0 \
+    "^--set: pool.courant: 8-bit cells make noise of 21 % of their range; 0.409 or more" \
+    render minimal --size 16x16 --hash $coarse --set pool.courant=0.25
+# shellcheck disable=SC2086
+expect "and one that keeps to what is said" 0 "" \
+    render minimal --size 16x16 --hash $coarse --set pool.courant=0.409
+verdict "nothing is said of it" "$(cat err)"
+
 ini "a cube without its pictures" 3 \
     "^harbour.ini:2: .*cube needs six pictures; sky.east names none$" "[sky]" "kind = cube"
 expect "a cube of the command line" 3 "^--set: .*needs six pictures" render minimal \
