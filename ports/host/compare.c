@@ -30,6 +30,7 @@ struct compare {
     bool     open, failed;      /* the canvas; failed: until something changes */
     uint64_t judged_at;
     bool     judged, unfit;
+    bool     same;              /* the stage's picture is drawn by these rungs */
     tracer  *tracer;
     bool     delivered;         /* it has, a whole picture of its world */
     tracer_pass pass;           /* of the reference in theirs */
@@ -62,15 +63,27 @@ static tp_rungs rungs_of(compare_against against)
     return r;
 }
 
+static tp_rungs rungs_of_stage(const stage *s)
+{
+    return tp_rungs_of(&s->file.scene, &s->assets.names, s->canvas.picture.width,
+                       s->canvas.picture.height);
+}
+
+static bool same_rungs(tp_rungs a, tp_rungs b)
+{
+    return a.visibility == b.visibility && a.shading == b.shading && a.rate == b.rate
+        && a.lod == b.lod;
+}
+
 static void name_rungs(compare *c, const stage *s)
 {
-    const picture *p = &s->canvas.picture;
     const bool mine = c->against == AGAINST_TRIANGLES;
-    tp_rungs r = mine ? tp_rungs_of(&c->given, &s->assets.names, p->width, p->height)
-                      : rungs_of(c->against);
+    const tp_rungs own = rungs_of_stage(s);
+    tp_rungs r = mine ? own : rungs_of(c->against);
 
     if (mine)
         r.visibility = TP_VISIBILITY_TRIANGLES;
+    c->same = same_rungs(r, own);
     c->scene.quality.visibility = (int32_t)r.visibility;
     c->scene.quality.shading = (int32_t)r.shading;
     c->scene.quality.rate = (int32_t)r.rate;
@@ -81,24 +94,36 @@ static void name_rungs(compare *c, const stage *s)
 }
 
 /* A plan that is left every choice tells what the scene cannot be drawn by. */
-static void judge(compare *c, const stage *s)
+static bool is_unfit(const stage *s, tp_rungs r)
 {
-    const tp_rungs r = rungs_of(c->against);
-    tp_scene open = c->given;
+    const picture *p = &s->canvas.picture;
+    tp_scene open = s->file.scene;
 
-    if (c->judged || now_us() - c->judged_at < JUDGE_US)
-        return;
     open.quality.visibility = TP_VISIBILITY_AUTO;
     open.quality.shading = TP_SHADING_AUTO;
     open.quality.rate = TP_RATE_AUTO;
     open.quality.lod = TP_LOD_AUTO;
-    const tp_plan_report plan = tp_plan_of(&open, &s->assets.names, c->shown.width,
-                                           c->shown.height);
-    c->unfit = plan.rung[0][r.visibility - 1].why == TP_WHY_UNFIT
-            || plan.rung[1][r.shading - 1].why == TP_WHY_UNFIT
-            || plan.rung[3][r.lod - 1].why == TP_WHY_UNFIT;
+    const tp_plan_report plan = tp_plan_of(&open, &s->assets.names, p->width, p->height);
+    return plan.rung[0][r.visibility - 1].why == TP_WHY_UNFIT
+        || plan.rung[1][r.shading - 1].why == TP_WHY_UNFIT
+        || plan.rung[3][r.lod - 1].why == TP_WHY_UNFIT;
+}
+
+static void judge(compare *c, const stage *s)
+{
+    if (c->judged || now_us() - c->judged_at < JUDGE_US)
+        return;
+    c->unfit = is_unfit(s, rungs_of(c->against));
     c->judged = true;
     c->judged_at = now_us();
+}
+
+compare_against compare_usual(const stage *s)
+{
+    if (s->canvas.picture.format != TP_FORMAT_XRGB8888
+        || !same_rungs(rungs_of_stage(s), exact))
+        return AGAINST_EXACT;
+    return is_unfit(s, rungs_of(AGAINST_QUICK)) ? AGAINST_REFERENCE : AGAINST_QUICK;
 }
 
 /* -- memory -------------------------------------------------------------------------- */
@@ -109,7 +134,7 @@ static void discard(compare *c)
     c->tracer = NULL;
     if (c->open)
         canvas_close(&c->other);
-    c->open = c->failed = c->judged = c->delivered = false;
+    c->open = c->failed = c->judged = c->same = c->delivered = false;
 }
 
 void compare_forget(compare *c)
@@ -332,6 +357,8 @@ const char *compare_note(compare *c)
         note_reference(c);
         return c->note;
     }
+    if (c->same && c->psnr >= 100)
+        return "the scene is drawn so: nothing to compare";
     if (!c->unfit)
         return "";
     return water ? "not for this scene: triangles are drawn"

@@ -20,6 +20,11 @@ typedef struct compare compare;
 compare *compare_begin(void);                   /* NULL: no memory */
 void     compare_end(compare *c);
 void     compare_set(compare *c, compare_how how, compare_against against);
+
+/* What there is to compare with, if nobody has chosen: exact rungs of 24 bits a pixel; or
+ * where the stage's picture is that, quick shading, or the reference of a scene that has
+ * none. */
+compare_against compare_usual(const stage *s);
 compare_how     compare_how_of(const compare *c);
 compare_against compare_against_of(const compare *c);
 

@@ -62,6 +62,13 @@ static char *folder_of(const char *path)
     return real;
 }
 
+bool path_same_file(const char *a, const char *b)
+{
+    struct stat of_a, of_b;
+    return stat(a, &of_a) == 0 && stat(b, &of_b) == 0 && of_a.st_dev == of_b.st_dev
+        && of_a.st_ino == of_b.st_ino;
+}
+
 bool path_same_folder(const char *a, const char *b)
 {
     char *of_a = folder_of(a), *of_b = folder_of(b);

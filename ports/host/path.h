@@ -16,7 +16,8 @@ char *path_from(const char *file, const char *target);
 /* The file's name without folders and ".ini". */
 char *path_stem(const char *path);
 
-/* Whether two files lie in one folder. */
+/* Whether two names are of one file that is there, or of files in one folder. */
+bool  path_same_file(const char *a, const char *b);
 bool  path_same_folder(const char *a, const char *b);
 
 /* folder/name, or folder/name.ini with suffix ".ini". */

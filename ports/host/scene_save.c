@@ -10,7 +10,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
 #include <unistd.h>
 #include "ini_read.h"
 #include "long_name.h"
@@ -64,13 +63,6 @@ static int read_lines(save *s)
 
 /* -- what it is to say ----------------------------------------------------------- */
 
-static bool same_file(const char *a, const char *b)
-{
-    struct stat of_a, of_b;
-    return stat(a, &of_a) == 0 && stat(b, &of_b) == 0 && of_a.st_dev == of_b.st_dev
-        && of_a.st_ino == of_b.st_ino;
-}
-
 /* A name that leads from the new file to the same one stays, and so do those that a file
  * gave as absolute. */
 static char *text_of(const save *s, const tp_param *param, uint32_t row)
@@ -83,7 +75,7 @@ static char *text_of(const save *s, const tp_param *param, uint32_t row)
         return path_copy(text, strlen(text));
     char *target = scene_file_path_of(s->file, param);
     char *there = path_beside(s->name, text);
-    const bool stays = text[0] != '/' && target && there && same_file(target, there);
+    const bool stays = text[0] != '/' && target && there && path_same_file(target, there);
     char *name = stays ? path_copy(text, strlen(text))
                : target ? path_from(s->name, target) : NULL;
     free(target);

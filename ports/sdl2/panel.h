@@ -51,7 +51,9 @@ typedef struct {
 
     const char *const *scenes;  /* names or paths, and what each shows */
     const char *const *shows;
-    uint32_t           scene_count, scene;              /* scene: the one shown */
+    uint32_t           scene_count, scene;              /* scene: the one shown ... */
+    const char        *name, *about;                    /* ... of these; and its name and
+                                                           what it shows, listed or not */
     void (*open)(void *user, uint32_t scene);
 
     const char *const *pictures;                        /* that a row can take */

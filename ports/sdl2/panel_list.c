@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /* The panel's rows in their groups, and the search.  What the scene has not stands folded
- * at the end; where it was when the scene was opened, for nothing should move under a
- * person's hands. */
+ * at the end, also of what was found; it is told when a scene is opened and when another
+ * word is searched for, for nothing should move under a person's hands. */
 #include <stdio.h>
+#include <string.h>
 #include "panel_parts.h"
 #include "panel_pen.h"
 
@@ -26,6 +27,18 @@ static panel_find best_of(const panel *p, const panel_group *g)
     return best;
 }
 
+/* Rows that were found, in groups that the scene has not or in those that it has. */
+static uint32_t count_found(const panel *p, bool idle)
+{
+    uint32_t n = 0;
+    for (uint32_t k = 0; k < p->groups; k++) {
+        const panel_group *const g = &p->group[k];
+        for (uint32_t i = g->first; g->idle == idle && i < g->first + g->count; i++)
+            n += panel_found(&p->host->row[i], p->wanted) != PANEL_LOST;
+    }
+    return n;
+}
+
 static bool is_searched(const panel *p)
 {
     return p->wanted[0] != '\0';
@@ -47,12 +60,29 @@ static void show_group(panel *p, const panel_group *g)
 }
 
 /* Where a name is found first, then where help alone tells of it. */
-static void show_found(panel *p)
+static void show_matches(panel *p, bool idle)
 {
     for (panel_find by = PANEL_BY_NAME; by > PANEL_LOST; by--)
         for (uint32_t i = 0; i < p->groups; i++)
-            if (best_of(p, &p->group[i]) == by)
+            if (p->group[i].idle == idle && best_of(p, &p->group[i]) == by)
                 show_group(p, &p->group[i]);
+}
+
+/* Where the scene has nothing of the kind, what it could have is shown at once. */
+static void show_found(panel *p)
+{
+    const uint32_t here = count_found(p, false), more = count_found(p, true);
+    show_matches(p, false);
+    if (here == 0 && more == 0) {
+        panel_line(PEN_DIM, "no name and no help has these words");
+    } else if (here == 0) {
+        show_matches(p, true);
+        panel_line(PEN_DIM, "not in this scene: values put it there");
+    } else if (more > 0 && show_head("more, not in this scene", more, false)) {
+        pen_indent(true);
+        show_matches(p, true);
+        pen_indent(false);
+    }
 }
 
 static void show_groups(panel *p, bool idle)
@@ -75,13 +105,15 @@ static void show_all(panel *p)
     }
 }
 
-/* Another scene has other idle groups; else one group a picture is counted. */
+/* Another scene has other idle groups, and so may a new search; else one group a picture
+ * is counted. */
 static void count_groups(panel *p)
 {
-    if (p->scene != p->host->scene)
+    if (p->scene != p->host->scene || strcmp(p->counted_for, p->wanted) != 0)
         for (uint32_t i = 0; i < p->groups; i++)
             panel_group_count(p->host, &p->group[i], true);
     p->scene = p->host->scene;
+    memcpy(p->counted_for, p->wanted, sizeof p->counted_for);
     if (p->groups > 0)
         panel_group_count(p->host, &p->group[p->counted++ % p->groups], false);
 }

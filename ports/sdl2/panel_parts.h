@@ -28,7 +28,9 @@ struct panel {
     panel_group   group[PANEL_GROUPS];
     uint32_t      groups, counted, scene;
     uint32_t      to_open;              /* scene that was asked for, or UINT32_MAX */
-    char          wanted[64];           /* what is searched for */
+    char          wanted[64];           /* what is searched for, and was when idle groups
+                                           were told */
+    char          counted_for[64];
     int           typing;               /* row whose number is typed, or -1 */
     bool          typing_new, typing_seen;
     uint32_t      asked;                /* pictures since the keyboard was asked for */

@@ -74,7 +74,9 @@ static void show_scenes(panel *p)
 {
     const panel_host *const h = p->host;
     const bool known = h->scene < h->scene_count;
-    if (pen_list("##scene", known ? h->scenes[h->scene] : "", pen_room())) {
+    const char *const name = known ? h->scenes[h->scene] : h->name;
+    const char *const about = known ? h->shows[h->scene] : h->about;
+    if (pen_list("##scene", name ? name : "", pen_room())) {
         for (uint32_t i = 0; i < h->scene_count; i++) {
             pen_in((int)i);
             if (pen_choice(h->scenes[i], i == h->scene))
@@ -85,7 +87,7 @@ static void show_scenes(panel *p)
         }
         pen_list_end();
     }
-    panel_line(PEN_DIM, known && h->shows[h->scene] ? h->shows[h->scene] : "");
+    panel_line(PEN_DIM, about ? about : "");
 }
 
 void panel_top(panel *p)

@@ -213,8 +213,11 @@ static int run(view *v)
     v->stale = true;
     if (!v->options->counted)
         v->session = session_begin();
-    view_say(v, "%s  -  F1: all keys   drag: look round   W A S D: move   P: pause",
-             name_of(v));
+    if (v->picture > 0)
+        view_say(v, "going on at picture %u  -  F1: all keys", (unsigned)v->picture);
+    else
+        view_say(v, "%s  -  F1: all keys   drag: look round   W A S D: move   P: pause",
+                 name_of(v));
     alive = v;
     atexit(on_exit);
     while (!v->quit && !code)

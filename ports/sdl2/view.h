@@ -3,7 +3,8 @@
  *
  *     view.c          the command, and the loop
  *     view_time.c     ticks, pause, rewinding, tapes
- *     view_change.c   scenes opened, values changed, undone, saved, kept and resumed
+ *     view_scenes.c   scenes listed and opened
+ *     view_change.c   values changed, undone, saved, kept and resumed
  *     view_act.c      what an action does
  *     view_picture.c  the picture, drawn, compared, filmed and shown with what lies on it
  *     view_panel.c    what the panel asks for */
@@ -35,6 +36,7 @@
 typedef struct {
     char   **name;              /* as stage_open takes it */
     char   **shows;
+    char   **path;              /* of the file */
     uint32_t count, at;         /* at: the one that is shown, or count */
 } view_scenes;
 
@@ -67,6 +69,7 @@ typedef struct view {
     bool        stale;          /* it is older than the world */
     governing   governing;
     compare    *compare;
+    bool        chosen;         /* with what: by a person */
     figures    *figures;
     figures_plan plan;
     panel_figures  shown;
@@ -89,7 +92,7 @@ typedef struct view {
     bool        measures, timed;    /* stages: wished by the panel, and now */
     int         hidden_panel;   /* the panel's width before it was hidden, px */
     int         lively;         /* pictures to be shown though nothing has changed */
-    char        said[VIEW_SAID];
+    char        said[VIEW_SAID];    /* of the last action or value, "" nothing */
     unsigned    said_count;     /* of say_last, when that was taken */
     uint64_t    said_at;        /* us */
     session    *session;
@@ -108,7 +111,7 @@ int  view_tape(view *v, const char *name);      /* records one, from here on; it
 void view_tape_changes(view *v);                /* what is not as the scene's file says */
 int  view_untape(view *v);
 
-/* -- view_change.c ----------------------------------------------------------------- */
+/* -- view_scenes.c ----------------------------------------------------------------- */
 
 /* Opens it in place of what is shown; if that fails nothing changes, and it was said. */
 bool view_open(view *v, const char *scene);
@@ -116,15 +119,17 @@ void view_turn_to(view *v, int by);             /* the next scene of the list, o
 void view_list(view *v);                        /* fills v->scenes and v->pictures */
 void view_unlist(view *v);
 
+/* The scene is another one than was drawn; `opened`: and so is the canvas. */
+void view_refit(view *v, bool opened);
+
+/* -- view_change.c ----------------------------------------------------------------- */
+
 /* A value, as text; `going` as in panel.h.  False: refused, and said why. */
 bool view_set(view *v, uint32_t row, const char *text, bool going);
 void view_undo(view *v, bool again);
 void view_look(view *v, look_mode mode);
 void view_begin_here(view *v);                  /* camera.* is where the camera is */
 void view_save(view *v);
-
-/* The scene is another one than was drawn; `opened`: and so is the canvas. */
-void view_refit(view *v, bool opened);
 
 /* Before the first picture; opens `otherwise` if nothing was kept. */
 int  view_resume(view *v, const char *otherwise);
@@ -134,7 +139,9 @@ void view_keep(view *v, uint64_t now);
 
 void view_act(view *v, action what);
 bool view_is_on(const view *v, action what);    /* what is switched on */
-void view_say(view *v, const char *format, ...) HOST_PRINTF(2, 3);  /* on the picture */
+void view_say(view *v, const char *format, ...) HOST_PRINTF(2, 3);  /* on the picture
+                                                            for a while, and in the panel */
+void view_hush(view *v);                        /* what was said is of no use any more */
 
 /* -- view_picture.c ---------------------------------------------------------------- */
 

@@ -24,6 +24,11 @@ void view_say(view *v, const char *format, ...)
     v->lively = 2;
 }
 
+void view_hush(view *v)
+{
+    v->said[0] = '\0';
+}
+
 static void drop(view *v)
 {
     if (tp_world_drops(v->stage->world))
@@ -84,10 +89,13 @@ static void compare_next(view *v, bool against)
     compare_against other = compare_against_of(v->compare);
     if (!v->compare)
         return;
+    if (!against && how == COMPARE_OFF && !v->chosen)
+        other = compare_usual(v->stage);
     if (!against)
         how = (compare_how)((how + 1) % COMPARE_HOWS);
     else
         other = (compare_against)((other + 1) % AGAINSTS);
+    v->chosen = v->chosen || against;
     if (how == COMPARE_OFF && against)
         how = COMPARE_SPLIT;
     compare_set(v->compare, how, other);
@@ -165,6 +173,7 @@ static void leave(view *v)
 void view_act(view *v, action what)
 {
     v->lively = 2;
+    view_hush(v);
     switch (what) {
     case ACT_MOUSE:      control_capture(&v->control, !v->control.captured); break;
     case ACT_LOOK_FREE:  view_look(v, LOOK_FREE); break;

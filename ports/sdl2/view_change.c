@@ -1,178 +1,14 @@
 /* SPDX-License-Identifier: MIT */
-/* What is shown, and how it is changed: scenes, values, undo, saving, what is kept for
- * --resume.  A change goes three ways at once: to the scene, to the tape, to the list that
- * undo reads. */
-#define _POSIX_C_SOURCE 200809L
+/* How what is shown is changed: values, undo, saving, what is kept for --resume.  A change
+ * goes three ways at once: to the scene, to the tape, to the list that undo reads. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include "../host/path.h"
 #include "../host/say.h"
 #include "../host/scene_save.h"
 #include "view.h"
 
 #define KEEP_US 1000000u
-
-/* -- what there is --------------------------------------------------------------- */
-
-static void add_scene(view *v, const char *folder, const char *name, const char *given)
-{
-    view_scenes *all = &v->scenes;
-    const uint32_t room = all->count + 1;
-    char **names = realloc(all->name, room * sizeof *names);
-    all->name = names ? names : all->name;
-    char **shows = realloc(all->shows, room * sizeof *shows);
-    all->shows = shows ? shows : all->shows;
-    char *path = path_join(folder, name, ".ini");
-    scene_file file = { 0 };
-    if (!names || !shows || !path || (given && scene_file_open(&file, path))) {
-        free(path);
-        scene_file_close(&file);
-        return;
-    }
-    const char *text = given ? file.scene.shows : "an INI file in this folder";
-    all->shows[all->count] = path_copy(text, strlen(text));
-    all->name[all->count] = path_copy(given ? given : path, strlen(given ? given : path));
-    all->count += all->shows[all->count] && all->name[all->count];
-    free(path);
-    scene_file_close(&file);
-}
-
-static void add_folder(view *v, const char *folder, bool shipped)
-{
-    size_t count;
-    char **names = path_scene_names(folder, &count);
-    for (size_t i = 0; i < count; i++)
-        add_scene(v, folder, names[i], shipped ? names[i] : NULL);
-    path_free_names(names, count);
-}
-
-/* As a scene file of the shipped ones names them: "../textures/foam.png". */
-static void add_pictures(view *v, const char *scenes, const char *folder)
-{
-    size_t count;
-    char *path = path_join(scenes, folder, "");
-    char **names = path ? path_names(path, ".png", &count) : NULL;
-    for (size_t i = 0; names && i < count; i++) {
-        char **more = realloc(v->pictures, (v->picture_count + 1) * sizeof *more);
-        if (!more)
-            break;
-        v->pictures = more;
-        more[v->picture_count] = path_join(folder, names[i], ".png");
-        v->picture_count += more[v->picture_count] != NULL;
-    }
-    if (names)
-        path_free_names(names, count);
-    free(path);
-}
-
-void view_list(view *v)
-{
-    char *folder = path_of_scenes();
-    if (folder) {
-        add_folder(v, folder, true);
-        add_pictures(v, folder, "../textures");
-        add_pictures(v, folder, "../skies");
-        free(folder);
-    }
-    add_folder(v, ".", false);
-}
-
-void view_unlist(view *v)
-{
-    for (uint32_t i = 0; i < v->scenes.count; i++) {
-        free(v->scenes.name[i]);
-        free(v->scenes.shows[i]);
-    }
-    free(v->scenes.name);
-    free(v->scenes.shows);
-    path_free_names(v->pictures, v->picture_count);
-    v->scenes = (view_scenes){ 0 };
-    v->pictures = NULL;
-    v->picture_count = 0;
-}
-
-/* -- opening --------------------------------------------------------------------- */
-
-static void find_at(view *v, const char *scene)
-{
-    v->scenes.at = 0;
-    while (v->scenes.at < v->scenes.count && strcmp(v->scenes.name[v->scenes.at], scene))
-        v->scenes.at++;
-}
-
-void view_refit(view *v, bool opened)
-{
-    if (opened)
-        governing_begin(&v->governing, v->stage);
-    compare_forget(v->compare);
-    v->stale = true;
-}
-
-/* The settings of the command line were for the scene that it names. */
-static stage *load(view *v, const char *scene)
-{
-    options wanted = *v->options;
-    stage *next = calloc(1, sizeof *next);
-    wanted.scene = scene;
-    if (v->stage)
-        wanted.n_settings = 0;
-    if (!next) {
-        fail_memory(sizeof *next);
-        return NULL;
-    }
-    if (stage_open(next, &wanted) == EXIT_DONE)
-        return next;
-    stage_close(next);
-    free(next);
-    return NULL;
-}
-
-bool view_open(view *v, const char *scene)
-{
-    scene_file filed;
-    stage *next = load(v, scene), *before = v->stage;
-    if (!next)
-        return false;
-    if (before) {
-        view_film(v, false);
-        view_untape(v);
-        compare_forget(v->compare);     /* it reads what is closed now */
-    }
-    v->stage = next;
-    v->filed = next->file.scene;
-    if (scene_file_open(&filed, scene) == EXIT_DONE)
-        v->filed = filed.scene;
-    scene_file_close(&filed);
-    v->picture = 0;
-    v->base = 0;
-    v->wish = (tp_input){ 0 };
-    v->pokes = (poke_queue){ 0 };
-    v->changed = false;
-    past_forget(v->past);
-    edits_clear(&v->edits);
-    v->look = (look){ .mode = LOOK_FREE };
-    find_at(v, scene);
-    if (before)                         /* `scene` may be its name */
-        stage_close(before);
-    free(before);
-    free(v->saved_as);
-    v->saved_as = scene_save_name(&next->file);
-    view_refit(v, true);
-    return true;
-}
-
-void view_turn_to(view *v, int by)
-{
-    const uint32_t count = v->scenes.count;
-    if (count == 0)
-        return;
-    const uint32_t at = v->scenes.at < count ? v->scenes.at : by > 0 ? count - 1 : 0;
-    const uint32_t to = (at + count + (uint32_t)by) % count;
-    if (view_open(v, v->scenes.name[to]))
-        view_say(v, "%s: %s", v->scenes.name[to], v->scenes.shows[to]);
-    v->scenes.at = to;
-}
 
 /* -- values ---------------------------------------------------------------------- */
 
@@ -236,6 +72,7 @@ bool view_set(view *v, uint32_t row, const char *text, bool going)
     if (!may_change(v)
         || undo_set(&v->edits, v->stage, v->options, &change, text, &opened) != EXIT_DONE)
         return false;
+    view_hush(v);
     was_changed(v, param_of(row), tick, opened);
     tell_tape(v, param_of(row));
     return true;

@@ -178,10 +178,11 @@ static void fill_texts(view *v, uint64_t now)
 
 void view_panel_fill(view *v, uint64_t now)
 {
-    unsigned count;
     v->host.scene = v->scenes.at;
+    v->host.name = v->stage->file.name;
+    v->host.about = v->stage->file.scene.shows;
     v->host.saved_as = v->saved_as ? v->saved_as : "";
-    v->host.message = v->said[0] ? v->said : say_last(&count);
+    v->host.message = v->said;
     v->compared = (panel_compare){
         .off = compare_how_name[compare_how_of(v->compare)],
         .against = compare_against_name[compare_against_of(v->compare)],

@@ -76,10 +76,8 @@ static void take_said(view *v, uint64_t now)
 static void draw_said(view *v, const layout *at, int scale, uint64_t now)
 {
     const uint64_t age = now - v->said_at;
-    if (!v->said[0] || age > SAID_US + FADE_US) {
-        v->said[0] = '\0';
+    if (!v->said[0] || age > SAID_US + FADE_US)
         return;
-    }
     const uint64_t left = SAID_US + FADE_US - age;
     v->lively = v->lively > 1 ? v->lively : 1;
     overlay_message(v->letters, &at->room, scale, v->said,
@@ -92,7 +90,8 @@ static void draw_compared(view *v, const layout *at, int scale)
     const panel_compare *c = &v->compared;
     char text[VIEW_SAID];
     if (c->psnr >= 100)
-        snprintf(text, sizeof text, "%s: %s, the same bits", c->off, c->against);
+        snprintf(text, sizeof text, "%s: %s, the same bits  %s", c->off, c->against,
+                 c->note);
     else if (c->psnr >= 0)
         snprintf(text, sizeof text, "%s: %s, %.1f dB  %s", c->off, c->against, c->psnr,
                  c->note);

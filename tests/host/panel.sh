@@ -118,6 +118,31 @@ key Return
 key Tab space Right Right space
 check "arrows move a slider" says 'set wave0.steepness=0\.145'
 
+# Of sixteen waves the scene has one; the others are told to be fifteen rows, and shown
+# when they are asked for: below their head, wave1's own and its row.
+search 'wave steepness'
+sleep 0.2
+click 830 249 3
+sleep 0.2
+write 0.5
+key Return
+check "a search lists what the scene has" silent 'wave[1-9][0-9]*\.steepness'
+search 'wave steepness'
+sleep 0.2
+click 700 209
+sleep 0.3
+click 830 249 3
+sleep 0.2
+key ctrl+a
+write 0.3
+key Return
+check "and what it has not when that is opened" says 'set wave1.steepness=0\.3'
+search 'wave9 steepness'
+key Tab Tab Return
+write 0.3
+key Return
+check "where it has none of them they are shown at once" says 'set wave9.steepness=0\.3'
+
 # -- the other kinds -------------------------------------------------------------------
 
 search grid.follow

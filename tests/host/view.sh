@@ -160,4 +160,24 @@ press F5
 shot fresh.png
 quit_view
 check "with what was changed" cmp -s again.png fresh.png
+
+# Name of the scene, and what it shows, above the panel's buttons.
+named() {       # NAME.png
+    screen all.ppm
+    convert all.ppm -crop 320x36+334+8 +repage "$1"
+}
+open_view three-swells --size 320x240
+eval "$(do_x getwindowgeometry --shell "$window" | grep ^WIDTH)"
+if [ "$WIDTH" -gt 320 ]; then
+    sleep 0.5
+    named opened.png
+    quit_view
+    open_view --resume --size 320x240
+    sleep 0.5
+    named resumed.png
+    check "and the panel names the scene" same_pixels opened.png resumed.png
+else
+    echo "skipped: the panel (package libimgui-dev)"
+fi
+quit_view
 finish

@@ -210,6 +210,15 @@ start() {       # NAME.png
     shot "$1"
 }
 
+# panel_tells: the line of the panel that has the last message, below its buttons, is no
+# plain colour.
+panel_colours() {
+    screen all.ppm
+    convert all.ppm -crop 300x14+340+105 +repage -format '%k' info:
+}
+panel_tells() { [ "$(panel_colours)" -gt 1 ]; }
+panel_is_silent() { [ "$(panel_colours)" -eq 1 ]; }
+
 # panel_at X: the panel's dark edge is seen there, and not the water.
 panel_at() {
     eval "$(do_x getwindowgeometry --shell "$window" | grep '^[XYH]')"
@@ -236,6 +245,10 @@ if [ "$WIDTH" -gt 320 ]; then
     does panel -- "F2 hides the panel" until_true titled 666x240
     press F2
     check "and shows it again" until_true titled 320x240
+    shot told.png
+    check "what was saved is told in the panel" until_true panel_tells
+    press F4 F4
+    check "and no longer when something else was done" until_true panel_is_silent
     press shift+F2
     does side -- "Shift+F2 puts it at the left" panel_at 2
     check "as wide as it was" until_true titled 320x240
