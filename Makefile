@@ -313,8 +313,8 @@ sanitized: $(SAN_UNIT) $(GOLDEN) $(PROGRAM) $(PANEL_DEMO)
 everything: all $(PANEL_DEMO) $(filter-out $(SAN_UNIT),$(UNIT)) $(GOLDEN) $(FRAMES) \
           $(BUILD)/tests/bench/scene_s \
           $(BUILD)/tests/bench/views $(BUILD)/longship $(BUILD)/textures \
-          $(addprefix $(BUILD)/tests/host/,same_pixels apng_frames furniture) \
-          $(BUILD)/screen_fake.so \
+          $(addprefix $(BUILD)/tests/host/,same_pixels apng_frames furniture saves) \
+          $(BUILD)/screen_fake.so $(BUILD)/faults.so \
           $(addprefix $(BUILD)/tests/,host/screen_crc boards/same_picture \
               boards/oled_greys boards/vm_state)
 host-tests: everything
@@ -326,8 +326,8 @@ host-tests: everything
 	    tests/host/cli.sh \
 	    tests/host/manual.sh tests/host/exits.sh tests/host/output.sh tests/host/bake.sh \
 	    tests/host/check.sh tests/host/tape.sh \
-	    tests/host/screen.sh tests/host/charts.sh tests/host/charts_stop.sh \
-	    tests/boards/readme.sh \
+	    tests/host/screen.sh tests/host/saves.sh tests/host/charts.sh \
+	    tests/host/charts_stop.sh tests/boards/readme.sh \
 	    tests/gates/sanitized.sh tests/host/generators.sh tests/host/readme.sh
 # First what several of them want of the board's compiler.
 more-tests: everything build/host/count.so build/host/tally.so
@@ -475,7 +475,7 @@ $(BUILD)/tests/budgets/models: $(MODELS_O) $(BUILD)/ports/cortex-m/memory.o $(LI
 	$(SAY)$(LINK) $^ -o $@
 build/host/count.so: tests/budgets/count.c $(BUILD)/flags
 	$(SAY)$(COMPILE) -D_POSIX_C_SOURCE=200809L -fPIC -shared $< -o $@
-$(BUILD)/screen_fake.so: tests/host/screen_fake.c $(BUILD)/flags
+$(BUILD)/screen_fake.so $(BUILD)/faults.so: $(BUILD)/%.so: tests/host/%.c $(BUILD)/flags
 	$(SAY)$(COMPILE) -fPIC -shared $< -ldl -o $@
 build/host/tally.so: tests/bench/tally.c $(BUILD)/flags
 	$(SAY)$(COMPILE) -fPIC -shared $< -o $@

@@ -159,7 +159,7 @@ int cells_read(cells *all, const charts *c, FILE *file, const char *name,
         if (!code && *text)
             code = read_row(all, &at, text);
     }
-    if (!code && ferror(file))
+    if (!code && !feof(file))               /* getline may have found no memory */
         code = fail(EXIT_INPUT, "%s: %s", name, strerror(errno));
     free(text);
     return code;

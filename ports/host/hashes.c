@@ -66,9 +66,9 @@ static int read_lines(hashes *h, FILE *file)
     for (unsigned number = 1; !code && (bytes = getline(&line, &room, file)) >= 0;
          number++)
         code = read_line(h, number, line, (size_t)bytes);
-    free(line);
-    if (!code && ferror(file))
+    if (!code && !feof(file))               /* getline may have found no memory */
         code = fail(EXIT_INPUT, "%s: %s", h->name, strerror(errno));
+    free(line);
     return code;
 }
 

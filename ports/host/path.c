@@ -3,6 +3,7 @@
 #define _XOPEN_SOURCE 700       /* realpath */
 #include "path.h"
 #include <dirent.h>
+#include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -103,9 +104,12 @@ static char *way(const char *from, const char *to, const char *base)
 char *path_from(const char *file, const char *target)
 {
     const char *slash = strrchr(target, '/');
-    char *from = folder_of(file), *to = folder_of(target);
+    char *from = folder_of(file);
+    bool memory = from || errno != ENOMEM;
+    char *to = folder_of(target);
+    memory = memory && (to || errno != ENOMEM);
     char *path = from && to ? way(from, to, slash ? slash + 1 : target)
-                            : path_copy(target, strlen(target));
+               : memory ? path_copy(target, strlen(target)) : NULL;
     free(from);
     free(to);
     return path;

@@ -44,7 +44,7 @@ int scene_lines_read(scene_lines *l, const char *path)
     errno = 0;
     for (ssize_t n; memory && (n = getline(&text, &room, file)) > 0;)
         memory = add(l, text, (size_t)n);
-    const int error = ferror(file) ? errno : 0;
+    const int error = feof(file) ? 0 : errno;   /* getline may have found no memory */
     fclose(file);
     free(text);
     if (!memory)

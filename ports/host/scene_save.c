@@ -75,9 +75,10 @@ static char *text_of(const save *s, const tp_param *param, uint32_t row)
         return path_copy(text, strlen(text));
     char *target = scene_file_path_of(s->file, param);
     char *there = path_beside(s->name, text);
-    const bool stays = text[0] != '/' && target && there && path_same_file(target, there);
+    const bool known = target && there;
+    const bool stays = known && text[0] != '/' && path_same_file(target, there);
     char *name = stays ? path_copy(text, strlen(text))
-               : target ? path_from(s->name, target) : NULL;
+               : known ? path_from(s->name, target) : NULL;
     free(target);
     free(there);
     return name;

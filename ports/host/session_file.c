@@ -207,9 +207,10 @@ static bool take(void *user, uint32_t line, const char *section, const char *nam
     const bool goes_on = strcmp(full, l->last) == 0;
     memcpy(l->last, full, sizeof full);
     const char *begin = goes_on ? l->list.of[l->list.count - 1] : full;
-    char *text = malloc(strlen(begin) + strlen(value) + 1);
+    const size_t bytes = strlen(begin) + strlen(value) + 1;
+    char *text = malloc(bytes);
     if (!text)
-        return false;
+        return fail_memory(bytes) == EXIT_DONE;
     strcpy(stpcpy(text, begin), value);
     if (goes_on) {
         free(l->list.of[l->list.count - 1]);
@@ -218,7 +219,7 @@ static bool take(void *user, uint32_t line, const char *section, const char *nam
     }
     const bool added = words_add(&l->list, text, strlen(text));
     free(text);
-    return added;
+    return added || fail_memory(bytes) == EXIT_DONE;
 }
 
 static void decode(char *text)

@@ -1,0 +1,158 @@
+/* SPDX-License-Identifier: MIT */
+/* saves [-r] KIND COUNT PLACE SCENE: saves so many times, or with -r reads, one kind of
+ * file:
+ *     keep FILE       a kept world
+ *     session FOLDER  the preview's state, in FOLDER/tidepool
+ *     scene FILE      the scene as INI
+ *     picture FILE    a PNG
+ * Two versions of it in turn.  Prints how many saves or readings failed; exits with 3 if
+ * one did. */
+#define _POSIX_C_SOURCE 200809L
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include "host/picture.h"
+#include "host/say.h"
+#include "host/scene_save.h"
+#include "host/session.h"
+#include "host/stage.h"
+#include "screen/keep.h"
+
+/* Of faults.c, where that is loaded. */
+void faults_begin(void) __attribute__((weak));
+
+typedef struct {
+    stage       stage;
+    const char *place;
+    keep        keep;
+    session    *session;
+    picture     picture;
+} saver;
+
+static int save_keep(saver *s, uint32_t number)
+{
+    return keep_put(&s->keep, s->stage.world, s->stage.world_bytes,
+                    (keep_at){ .frame = number });
+}
+
+static int read_keep(saver *s)
+{
+    keep_at at;
+    return keep_take(&s->keep, s->stage.world, s->stage.world_bytes, &at) ? EXIT_DONE
+                                                                         : EXIT_INPUT;
+}
+
+static int save_session(saver *s, uint32_t number)
+{
+    return session_put(s->session, &s->stage.file, &s->stage.assets.names,
+                       s->stage.world, s->stage.world_bytes, number);
+}
+
+static int read_session(saver *s)
+{
+    session_state state;
+    const int code = session_read(&state);
+    session_free(&state);
+    (void)s;
+    return code;
+}
+
+static int save_scene(saver *s, uint32_t number)
+{
+    (void)number;
+    return scene_save(&s->stage.file, s->place);
+}
+
+/* As it was saved, to the last line. */
+static int read_scene(saver *s)
+{
+    scene_file file;
+    int code = scene_file_open(&file, s->place);
+    if (!code && file.scene.wave[0].phase != 10 * TP_FX_ONE
+        && file.scene.wave[0].phase != 200 * TP_FX_ONE)
+        code = EXIT_INPUT;
+    scene_file_close(&file);
+    return code;
+}
+
+static int save_picture(saver *s, uint32_t number)
+{
+    s->picture.rows[0] = (uint8_t)number;
+    return picture_write_png(&s->picture, s->place);
+}
+
+static int read_picture(saver *s)
+{
+    uint32_t w, h, *pixels = picture_read_png(s->place, "saves", &w, &h);
+    free(pixels);
+    return pixels ? EXIT_DONE : EXIT_INPUT;
+}
+
+static const struct {
+    const char *name;
+    int (*save)(saver *s, uint32_t number);
+    int (*read)(saver *s);
+} kinds[] = {
+    { "keep", save_keep, read_keep }, { "session", save_session, read_session },
+    { "scene", save_scene, read_scene }, { "picture", save_picture, read_picture },
+};
+
+enum { KINDS = sizeof kinds / sizeof *kinds };
+
+static size_t kind_of(const char *name)
+{
+    size_t kind = 0;
+    while (kind < KINDS && strcmp(kinds[kind].name, name) != 0)
+        kind++;
+    return kind;
+}
+
+static int begin(saver *s, size_t kind, const char *scene)
+{
+    static uint8_t rows[64 * 48];
+    const options o = { .scene = scene };
+    const int code = stage_load(&s->stage, &o);
+    if (code)
+        return code;
+    s->keep = keep_begin(s->place, &s->stage.file.scene, &s->stage.assets.names);
+    s->picture = (picture){ TP_FORMAT_L8, 64, 48, 64, rows };
+    if (kinds[kind].save != save_session)
+        return EXIT_DONE;
+    setenv("XDG_STATE_HOME", s->place, 1);
+    s->session = session_begin();
+    return s->session ? EXIT_DONE : EXIT_INPUT;
+}
+
+static uint32_t repeat(saver *s, size_t kind, uint32_t count, bool reads)
+{
+    uint32_t failed = 0;
+    for (uint32_t i = 0; i < count; i++) {
+        const char *version = i % 2 ? "wave0.phase=10" : "wave0.phase=200";
+        int code = scene_file_set(&s->stage.file, version);
+        if (!code)
+            code = reads ? kinds[kind].read(s) : kinds[kind].save(s, i);
+        failed += code != EXIT_DONE;
+    }
+    return failed;
+}
+
+int main(int argc, char **argv)
+{
+    saver s;
+    const bool reads = argc > 1 && strcmp(argv[1], "-r") == 0;
+    char **words = argv + reads;
+    const size_t kind = argc - reads == 5 ? kind_of(words[1]) : KINDS;
+    if (kind == KINDS)
+        return EXIT_USAGE;
+    memset(&s, 0, sizeof s);
+    s.place = words[3];
+    int code = begin(&s, kind, words[4]);
+    if (!code && faults_begin)
+        faults_begin();
+    const uint32_t failed = code ? 0 : repeat(&s, kind, (uint32_t)atoi(words[2]), reads);
+    session_end(s.session);
+    stage_close(&s.stage);
+    if (!code)
+        printf("%u\n", (unsigned)failed);
+    return code ? code : failed ? EXIT_INPUT : EXIT_DONE;
+}
