@@ -115,8 +115,8 @@ tour_of_preview() {
     stop
     start three-swells --no-panel || return 1
     sleep 6
-    press p F4 F8               # beside the exact way, triangles, rows, projected, flat
-    press shift+F8 shift+F8 shift+F8 shift+F8
+    press p F4 F8               # beside the reference, exact, triangles, rows, projected,
+    press shift+F8 shift+F8 shift+F8 shift+F8 shift+F8          # flat
     take 2 tour-compare
     stop
 }

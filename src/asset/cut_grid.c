@@ -30,14 +30,15 @@ static uint32_t *cell_of(const struct tp_obj_cut *cut, uint32_t row, uint32_t co
 void tp_cut_grid_fill(struct tp_obj_cut *cut, uint32_t n, uint32_t extent_u,
                       uint32_t extent_v)
 {
+    const uint32_t most = tp_cut_cells(n);
     uint64_t cells;
     cut->shift = 0;
     for (;; cut->shift++) {
         cells = ((uint64_t)(extent_u >> cut->shift) + 1) * ((extent_v >> cut->shift) + 1);
-        if (cells <= tp_cut_cells(n))
+        if (cells <= most)
             break;
     }
-    TP_ASSERT(cells <= tp_cut_cells(n));
+    TP_ASSERT(cells <= most);
     cut->cols = (extent_u >> cut->shift) + 1;
     for (uint32_t i = 0; i < cells; i++)
         cut->cell[i] = TP_NO_CORNER;
