@@ -23,7 +23,7 @@ typedef struct {
 
 /* -- scenes ------------------------------------------------------------------------ */
 
-static inline void kept_pool(tp_scene_pool *pool, tp_cells cells, tp_edges edges)
+static inline void kept_pool(tp_scene_pool *pool, int32_t cells, int32_t edges)
 {
     pool->cols = 20;
     pool->rows = 18;
@@ -36,7 +36,7 @@ static inline void kept_pool(tp_scene_pool *pool, tp_cells cells, tp_edges edges
     pool->poke_every = TP_FX(0.2);
 }
 
-static inline void kept_air(tp_scene *s, tp_drops_into into)
+static inline void kept_air(tp_scene *s, int32_t into)
 {
     s->drops.count = 6;
     s->drops.rings = 6;
