@@ -54,6 +54,18 @@ verdict "the other is judged all the same" "$(grep -q 'OVER' out || echo "it is 
 folder automaton_int
 sed -i '5s/[0-9]*$/1/' t/automaton_int.csv
 expect "a wrong CRC is found" 1 "t/automaton_int.csv:5: crc32 is off" check --vectors t
+mode_at()       # HEIGHT: the first mode's, by the scheme of 8 and 16 bits
+{
+    folder automaton_mode
+    awk -F, -v OFS=, -v height="$1" 'NR == 3 { $10 = height } { print }' \
+        "$vectors/automaton_mode.csv" >t/automaton_mode.csv
+}
+mode_at -1.0008
+expect "a mode may swing below -1" 1 "t/automaton_mode.csv:3: .*is off by" \
+    check --vectors t
+mode_at 1.4143
+expect "no mode swings to the root of 2" 3 "t/automaton_mode.csv:3: H_discrete" \
+    check --vectors t
 folder buoyancy
 awk -F, -v OFS=, '/^[-0-9]/ { $8 = $6 } { print }' "$vectors/buoyancy.csv" >t/buoyancy.csv
 expect "a step is compared with itself, not with the root" 1 "step 1 is off" \

@@ -35,7 +35,8 @@ tally()
 drawn()
 {
     tr '\n' '\0' <"$scratch/meshes" |
-        xargs -0 -n 100 "$drawer" assets/scenes/minimal.ini 32x24 >"$scratch/drawn" 2>"$scratch/said"
+        xargs -0 -n 100 "$drawer" assets/scenes/minimal.ini 32x24 >"$scratch/drawn" \
+            2>"$scratch/said"
     code=$?
     sed "/ drawn$/d; s,$deep/,," "$scratch/drawn"
     return $code
