@@ -131,7 +131,7 @@ typedef struct tp_ocean {
 
 /* Of the block of an ocean without a map, for those who place it themselves. */
 #define TP_OCEAN_STRAIGHT_BYTES(waves) \
-    (sizeof(tp_ocean) + (waves) * sizeof(tp_ocean_table))
+    ((sizeof(tp_ocean) + (waves) * sizeof(tp_ocean_table) + 7) / 8 * 8)
 
 /* Of the block, aligned to 8: a matter of the sea's count of swells and of the map's
  * sides alone, so that waves may change in place.  0: the map has a side of 0 pixels, or

@@ -330,7 +330,7 @@ static void a_budget_for_one_world_keeps_the_last_and_less_none(void **state)
     (void)state;
     const tp_scene scene = scene_some();
     show s = show_of(&scene, 0);
-    const size_t one = s.bytes + sizeof scene + 1200;
+    const size_t one = s.bytes + sizeof scene + 20 * sizeof(tp_input);
 
     run_on(&s, 100);
     assert_int_equal(past_oldest(s.past), UINT32_MAX);

@@ -26,7 +26,7 @@ static tp_scene any_with_foam(void)
 
     s.pool.cols = s.pool.cols < 40 ? s.pool.cols : 40;
     s.pool.rows = s.pool.rows < 40 ? s.pool.rows : 40;
-    s.field.cols = s.field.rows = 0;
+    s.field.cols = 0;
     s.drops.count = s.drops.count < 20 ? s.drops.count : 20;
     s.foam.cells = 1 + s.foam.cells % 48;
     s.spray.count = 1 + s.spray.count % 200;
@@ -92,7 +92,7 @@ static void foam_always_ends(void **state)
         tp_scene scene;
         tp_scene_default(&scene);
         scene.foam.cells = 24;
-        scene.foam.fade = (tp_fx)(fades[n] * 65536);
+        scene.foam.fade = (tp_fx)lround(fades[n] * 65536);
         scene.foam.map.drift_x = chance_int(&chance, -20 * 65536, 20 * 65536);
         tp_world *world = scene_world(&scene, NULL);
         uint8_t *cover = tp_foam_cover(tp_parts_foam(world)), zero[24 * 24] = { 0 };

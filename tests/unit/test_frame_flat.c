@@ -216,7 +216,7 @@ static void water_that_is_not_level_goes_by_triangles(void **state)
         if (n == 3)
             scene.pool.cols = scene.pool.rows = 16;
         if (n == 4)
-            scene.wind.strength = 8 * TP_FX_ONE;
+            scene.wind.strength = TP_FX_ONE;
         if (n == 5)
             scene.floor.depth = 4 * TP_FX_ONE;
         const tp_frame_config config = { LEVEL_WIDTH, LEVEL_HEIGHT, 0, 0,
