@@ -88,7 +88,7 @@ static uint32_t own_normal(const tp_obj *obj)
 static tp_status take_corner(tp_obj *obj, const int32_t corner[3], tp_error *err)
 {
     const int form = obj->face.form;
-    uint32_t position, texcoord = TP_NO_TEXCOORD, normal = own_normal(obj);
+    uint32_t position = 0, texcoord = TP_NO_TEXCOORD, normal = own_normal(obj);
     const tp_obj_counts *const now = &obj->now, *const total = &obj->total;
     tp_status status = resolve(obj, corner[POSITION], now->vertices, total->vertices,
                                TP_E_OBJ_VERTEX, &position, err);
