@@ -103,10 +103,11 @@ typedef struct {
  * be 1.5 degrees off.  It is exact for sines and for one wave alone.
  *
  * The formats turn the normal by at most
- *     hypot(H, B) / (1 - q) + 1.1e-5 radians,  H = sum k A f' e,  B = sum Q k A e,
- * q the sum of Q k A as it is, f' [A3] at its greatest, 1 for a sine, e = 5e-6 + p, p the
- * phase's error as above; an amplitude that was cut adds k 2^-17 to H.  One wave with
- * Q = 1 [A8] and the steepness S = k A keeps
+ *     hypot(H, B) / (1 - q) + 1.1e-5 radians,
+ *     H = sum k A n (n + 1) / 2 e,  B = sum Q k A e,  e = 5e-6 + p,
+ * q the sum of Q k A as it is, n the wave's power, p the phase's error as above; an
+ * amplitude that was cut adds k 2^-17 to H.  One wave with Q = 1 [A8] and the steepness
+ * S = k A keeps
  *     (2.5e-6 + S p) / (1 - S) + 1.1e-5:
  * for S = 0.93 0.0027 degrees at the origin, and 0.02 degrees from |x| + |z| = 430 m on
  * where the length is 1.25 m, from 8.9 km on where it is 60 m. */
