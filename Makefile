@@ -325,7 +325,7 @@ host-tests: everything
 	    tests/gates/headers.sh tests/gates/selftest.sh tests/mutants/selftest.sh \
 	    tests/host/cli.sh \
 	    tests/host/manual.sh tests/host/exits.sh tests/host/output.sh tests/host/bake.sh \
-	    tests/host/check.sh tests/host/tape.sh \
+	    tests/host/check.sh tests/host/check_ranges.sh tests/host/tape.sh \
 	    tests/host/screen.sh tests/host/saves.sh tests/host/charts.sh \
 	    tests/host/charts_stop.sh tests/boards/readme.sh \
 	    tests/gates/sanitized.sh tests/host/generators.sh tests/host/readme.sh

@@ -50,15 +50,31 @@ void check_add(check_run *run, unsigned quantity, unsigned row, double error)
     tally->squares += error * error;
 }
 
-int check_refuse(const check_run *run, unsigned row, const char *format, ...)
+static int refuse_at(const check_run *run, unsigned line, const char *format,
+                     va_list list)
 {
     char text[256];
+    vsnprintf(text, sizeof text, format, list);
+    return fail(EXIT_INPUT, "%s:%u: %s", run->table.name, line, text);
+}
+
+int check_refuse(const check_run *run, unsigned row, const char *format, ...)
+{
     va_list list;
     va_start(list, format);
-    vsnprintf(text, sizeof text, format, list);
+    const int code = refuse_at(run, csv_row_line(&run->table, row), format, list);
     va_end(list);
-    return fail(EXIT_INPUT, "%s:%u: %s", run->table.name, csv_row_line(&run->table, row),
-                text);
+    return code;
+}
+
+int check_refuse_line(const check_run *run, unsigned note, unsigned i, const char *format,
+                      ...)
+{
+    va_list list;
+    va_start(list, format);
+    const int code = refuse_at(run, run->line_at[note][i], format, list);
+    va_end(list);
+    return code;
 }
 
 void check_progress(const check_run *run, unsigned row)
@@ -166,6 +182,7 @@ static int keep_line(check_run *run, unsigned n, unsigned line, const double *va
         return fail(EXIT_INPUT, "%s:%u: number %g; expected %u", run->table.name, line,
                     value[0], found);
     memcpy(run->lines[n][found], value, note->count * sizeof *value);
+    run->line_at[n][found] = line;
     run->n_lines[n]++;
     return EXIT_DONE;
 }

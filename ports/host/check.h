@@ -77,7 +77,8 @@ struct check_run {
     const char  *label;                     /* the file's name without folder */
     unsigned     place[32];                 /* of the model's columns in the file */
     double      *rows;                      /* their values, in the model's order */
-    unsigned     n_lines[CHECK_NOTES];      /* parameter lines found */
+    unsigned     n_lines[CHECK_NOTES];      /* parameter lines found, and where */
+    unsigned     line_at[CHECK_NOTES][CHECK_LINES];
     double       lines[CHECK_NOTES][CHECK_LINES][12];
     check_tally  tally[CHECK_QUANTITIES];
 };
@@ -97,8 +98,29 @@ void check_add(check_run *run, unsigned quantity, unsigned row, double error);
 int check_refuse(const check_run *run, unsigned row, const char *format, ...)
     HOST_PRINTF(3, 4);
 
+/* The same of the i-th parameter line of a kind. */
+int check_refuse_line(const check_run *run, unsigned note, unsigned i, const char *format,
+                      ...) HOST_PRINTF(4, 5);
+
 /* For models that take seconds: how far it is, on a terminal. */
 void check_progress(const check_run *run, unsigned row);
+
+/* -- ranges that several tables share ---------------------------------------------- */
+
+/* Tables hold doubles, so what is 1 may stand there as 1.0000000000000002. */
+#define CHECK_ONE     (1 + 1e-9)
+#define CHECK_UNIT(n) { .name = n, .low = -CHECK_ONE, .high = CHECK_ONE }
+#define CHECK_ANY(n)  { .name = n, .low = -1e9, .high = 1e9 }
+
+/* s, four months: a double has the fastest wave's omega t there to 5e-7 rad. */
+#define CHECK_TIME(n) { .name = n, .high = 1e7 }
+
+/* m: from the least depth that 16.16 names to the deepest floor of a scene. */
+#define CHECK_DEPTH(n) { .name = n, .low = 1 / 65536.0, .high = 8000 }
+
+/* k, omega, speeds and Ks of a tp_wave's lengths, 0.25..2000 m, over these depths: from
+ * k = 2 pi / 2000 to 1284 over the least depth, 1305 by Fenton's formula. */
+#define CHECK_WAVES(n) { .name = n, .low = 0.003, .high = 1310 }
 
 /* -- from doubles to the core's numbers and back ----------------------------------- */
 
@@ -113,4 +135,15 @@ double check_radians(tp_turn angle);        /* -pi..pi */
 double check_wrapped(double radians);       /* -pi..pi */
 double check_angle(tp_dir3 got, const double want[3]);  /* between both, degrees */
 double check_percent(double got, double want);  /* of want, that got is more */
+
+/* -- tables' numbers that 16.16 does not hold --------------------------------------- */
+
+#define CHECK_HALF (1 / 131072.0)           /* half of the last bit */
+
+/* How far x moves when it is rounded; as a share of x, 0 where x <= 0. */
+double check_rounding(double x);
+double check_share(double x);
+
+/* The part of an error beyond what such roundings explain, `lost` >= 0. */
+double check_beyond(double error, double lost);
 #endif

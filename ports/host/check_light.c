@@ -6,8 +6,7 @@
 
 #define Q30 1073741824.0
 
-#define SHARE(n) { .name = n, .high = 1 }
-#define UNIT(n)  { .name = n, .low = -1, .high = 1 }
+#define SHARE(n) { .name = n, .high = CHECK_ONE }
 
 /* -- Fresnel ----------------------------------------------------------------------- */
 
@@ -32,11 +31,12 @@ const check_model check_fresnel = {
 /* -- rays -------------------------------------------------------------------------- */
 
 static const check_field ray_columns[] = {
-    UNIT("ix"), UNIT("iy"), UNIT("iz"), UNIT("nx"), UNIT("ny"), UNIT("nz"),
-    UNIT("rx"), UNIT("ry"), UNIT("rz"), UNIT("tx"), UNIT("ty"), UNIT("tz"),
-    { .name = "d", .high = 1000 },
-    { .name = "offx", .low = -30000, .high = 30000 },
-    { .name = "offz", .low = -30000, .high = 30000 },
+    CHECK_UNIT("ix"), CHECK_UNIT("iy"), CHECK_UNIT("iz"), CHECK_UNIT("nx"),
+    CHECK_UNIT("ny"), CHECK_UNIT("nz"), CHECK_UNIT("rx"), CHECK_UNIT("ry"),
+    CHECK_UNIT("rz"), CHECK_UNIT("tx"), CHECK_UNIT("ty"), CHECK_UNIT("tz"),
+    { .name = "d", .high = 8000 },                          /* as a floor's depth */
+    { .name = "offx", .low = -32768, .high = 32768 },       /* where 16.16 saturates */
+    { .name = "offz", .low = -32768, .high = 32768 },
 };
 
 static tp_dir3 direction(const double *v)
@@ -51,6 +51,14 @@ static double apart(tp_dir3 got, const double *want)
                 fmax(fabs(got.y / Q30 - want[1]), fabs(got.z / Q30 - want[2])));
 }
 
+/* How far the offset, d x / -y along x, moves with the roundings of a unit vector, 2^-26,
+ * and of d: the flatter the ray the more. */
+static double offset_lost(double d, double x, double z)
+{
+    const double off = hypot(x, z);
+    return d > 0 ? (d + off * off / d) / 67108864 + check_share(d) * off : 0;
+}
+
 static void each_ray(check_run *run, unsigned row, const double *v)
 {
     const tp_dir3 in = direction(v), normal = direction(v + 3);
@@ -58,8 +66,9 @@ static void each_ray(check_run *run, unsigned row, const double *v)
     const tp_floor_offset at = tp_refract_offset(refracted, check_fx(v[12]));
     check_add(run, 0, row, apart(tp_reflect(in, normal), v + 6));
     check_add(run, 1, row, apart(refracted, v + 9));
-    check_add(run, 2, row, fmax(fabs(check_metres(at.x) - v[13]),
-                                fabs(check_metres(at.z) - v[14])));
+    const double off = fmax(fabs(check_metres(at.x) - v[13]),
+                            fabs(check_metres(at.z) - v[14]));
+    check_add(run, 2, row, check_beyond(off, offset_lost(v[12], v[13], v[14])));
 }
 
 const check_model check_reflect_refract = {
@@ -76,7 +85,8 @@ const check_model check_reflect_refract = {
 static const check_field exposure_columns[] = {
     { .name = "tick", .high = 1e9, .kind = CHECK_WHOLE },
     { .name = "mean_brightness", .high = 1000 },
-    { .name = "target", .high = 8 }, { .name = "exposure", .high = 8 },
+    { .name = "target", .high = 8 * CHECK_ONE },
+    { .name = "exposure", .high = 8 * CHECK_ONE },
 };
 
 static const check_field exposure_numbers[] = {

@@ -49,3 +49,18 @@ double check_percent(double got, double want)
 {
     return 100 * (got / want - 1);
 }
+
+double check_rounding(double x)
+{
+    return fabs(check_metres(check_fx(x)) - x);
+}
+
+double check_share(double x)
+{
+    return x > 0 ? check_rounding(x) / x : 0;
+}
+
+double check_beyond(double error, double lost)
+{
+    return fabs(error) > lost ? error - copysign(lost, error) : 0;
+}

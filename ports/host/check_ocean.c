@@ -7,20 +7,21 @@
 #define Q32     4294967296.0
 #define QUARTER 0x40000000u
 
-#define OFFSET(n) { .name = n, .low = -1000, .high = 1000 }
-#define ANY(n)    { .name = n, .low = -1e9, .high = 1e9 }
+/* As tp_orbit_of takes them; a floor under water rises to upright at most. */
 #define RADIUS    { .name = "r", .low = 0.001, .high = 64 }
-#define DEPTH     { .name = "h", .low = 0.001, .high = 8000 }
-#define GAMMA     { .name = "gamma", .low = -1.57, .high = 1.57 }
-#define NUMBER    { .name = "k", .low = 0.001, .high = 100 }
+#define GAMMA     { .name = "gamma", .low = -1.5708, .high = 1.5708 }
+
+/* m: half axes up to 0.95 / k = 303 along and 128 up, with a stretch and a lip of 128. */
+#define OFFSET(n) { .name = n, .low = -1000, .high = 1000 }
 
 /* -- orbits ------------------------------------------------------------------------ */
 
 enum { R, H, GAMMA_AT, K };         /* the first columns of both files */
 
 static const check_field orbit_columns[] = {
-    RADIUS, DEPTH, GAMMA, NUMBER, ANY("Phi"), { .name = "sin_a", .low = -1, .high = 1 },
-    { .name = "cos_a", .low = -1, .high = 1 }, ANY("Sx_raw"), ANY("Sx"), ANY("Sy"),
+    RADIUS, CHECK_DEPTH("h"), GAMMA, CHECK_WAVES("k"), CHECK_ANY("Phi"),
+    CHECK_UNIT("sin_a"), CHECK_UNIT("cos_a"), CHECK_ANY("Sx_raw"),
+    { .name = "Sx", .high = 8192 }, { .name = "Sy", .high = 2 },    /* the core's ends */
     OFFSET("dx"), OFFSET("dy"),
 };
 
@@ -41,18 +42,60 @@ static double apart_mm(tp_offset at, double along, double up)
                        fabs(check_metres(at.up) - up));
 }
 
+/* Where the core narrows the orbit there is nothing to compare with. */
+static int refuse_wide(const check_run *run, unsigned row)
+{
+    const double *v = check_row(run, row), wide = v[R] * v[K];
+    return wide <= 0.95 ? EXIT_DONE
+         : check_refuse(run, row, "k r = %.9g is above 0.95, where r is held", wide);
+}
+
+/* The share by which roundings move 1 - e^-x of x = K h: those of K, of h, which counts
+ * as 1/16 m below that, and of x itself, Q24. */
+static double fall_share(double k, double h)
+{
+    const double deep = fmax(h, 1 / 16.0);
+    if (k <= 0)
+        return 0;
+    return check_share(k) + (deep == h) * check_share(h) + 1 / (33554432 * k * deep);
+}
+
+/* rad by which the tilt moves: its sine, sin gamma e^-K0 h, by at most 1 / e of the
+ * share, and the sine's own error. */
+static double tilt_lost(double k0, double h, double cos_a)
+{
+    return (fall_share(k0, h) / 2.7 + 5e-6) / fmax(cos_a, 1e-4);
+}
+
+/* The share by which half axes move, and with them an orbit's size. */
+static double axes_lost(const double *v, const double *k)
+{
+    return check_share(v[R]) + fall_share(k[1], v[H]) + fall_share(k[2], v[H]) + 5e-6;
+}
+
+static void orbit_row(check_run *run, unsigned row, const double *k)
+{
+    const double *v = check_row(run, row);
+    const tp_ellipse orbit = orbit_of(v, k[0], k[1], k[2]);
+    const tp_offset at = tp_orbit(&orbit, check_turn(v[4]));
+    const double along = v[R] * v[8], up = v[R] * v[9], lost = 1000 * axes_lost(v, k);
+    const double turned = 1000 * tilt_lost(k[0], v[H], v[6]);
+    check_add(run, 0, row, check_beyond(apart_mm(at, v[10], v[11]),
+                                        (along + up) * (lost + turned)));
+    check_add(run, 1, row, check_beyond(1000 * (check_metres(orbit.along) - along),
+                                        along * lost));
+    check_add(run, 2, row, check_beyond(1000 * (check_metres(orbit.up) - up), up * lost));
+}
+
 static int run_fr_orbit(check_run *run)
 {
-    const double *k = run->lines[0][0];
-    for (unsigned row = 0; row < run->table.n_rows; row++) {
-        const double *v = check_row(run, row);
-        const tp_ellipse orbit = orbit_of(v, k[0], k[1], k[2]);
-        const tp_offset at = tp_orbit(&orbit, check_turn(v[4]));
-        check_add(run, 0, row, apart_mm(at, v[10], v[11]));
-        check_add(run, 1, row, 1000 * (check_metres(orbit.along) - v[R] * v[8]));
-        check_add(run, 2, row, 1000 * (check_metres(orbit.up) - v[R] * v[9]));
+    int code = EXIT_DONE;
+    for (unsigned row = 0; !code && row < run->table.n_rows; row++) {
+        code = refuse_wide(run, row);
+        if (!code)
+            orbit_row(run, row, run->lines[0][0]);
     }
-    return EXIT_DONE;
+    return code;
 }
 
 const check_model check_fr_orbit = {
@@ -70,12 +113,16 @@ const check_model check_fr_orbit = {
 enum { STRETCH_MOST = 4, KS, KD, PHI, PHI_MIN, P, STRETCH, DISPLACEMENT, ORIENTATION,
        GATE, X, Y };
 
+/* St_max as a tp_breaker has it. */
 static const check_field breaking_columns[] = {
-    RADIUS, DEPTH, GAMMA, NUMBER, { .name = "St_max", .high = 100 },
-    { .name = "Ks", .high = 4 }, { .name = "Kd", .high = 4 }, ANY("Phi"), ANY("Phi_min"),
-    ANY("p"), ANY("Stretch"), ANY("Displacement"), ANY("Orientation"),
-    { .name = "gate", .high = 1 }, OFFSET("X"), OFFSET("Y"),
+    RADIUS, CHECK_DEPTH("h"), GAMMA, CHECK_WAVES("k"), { .name = "St_max", .high = 128 },
+    { .name = "Ks", .high = 4 }, { .name = "Kd", .high = 4 }, CHECK_ANY("Phi"),
+    CHECK_ANY("Phi_min"), CHECK_ANY("p"), CHECK_ANY("Stretch"),
+    CHECK_ANY("Displacement"), CHECK_ANY("Orientation"),
+    { .name = "gate", .high = CHECK_ONE }, OFFSET("X"), OFFSET("Y"),
 };
+
+static const double usual[3] = { 0.1, 0.11, 0.09 };    /* K0, Kx, Ky */
 
 /* e^-Kh by the core: the sine of an orbit's tilt is sin gamma e^-K0 h [B11], and here
  * gamma is upright. */
@@ -86,25 +133,78 @@ static tp_fx decay(double k, double h)
     return (e.sin + (1 << 13)) >> 14;
 }
 
-/* Rows on the joints count too: the three parts are continuous there, and at the crest,
- * where p jumps from pi to -pi, both sides have the same value. */
-static void each_breaking(check_run *run, unsigned row, const double *v)
+/* What roundings explain. */
+typedef struct {
+    double offset, stretch, displacement;       /* m */
+    double orientation, lowest;                 /* rad */
+    double gate;
+} breaking_lost;
+
+/* Phi_min = -atan2(along sin a, up cos a) turns along / up times as fast as the tilt a,
+ * moves with the axes' shares and with both products' last bits.  On p hang the stretch,
+ * (p / pi)^2, and the ramp of lip and orientation, at most 8 / pi a radian.  The gate
+ * rises 8.4 times as fast as 2 r / h, which is 0.78 at its end. */
+static breaking_lost lost_of(const double *v, const tp_ellipse *orbit)
 {
-    const tp_fx gate = tp_breaking_gate(tp_fx_div(check_fx(2 * v[R]), check_fx(v[H])));
-    const tp_breaker breaker = {
-        .orbit = orbit_of(v, 0.1, 0.11, 0.09),
+    const double along = check_metres(orbit->along), up = check_metres(orbit->up);
+    const double c = orbit->cos / (double)TP_Q30_ONE, s = orbit->sin / (double)TP_Q30_ONE;
+    const double tilt = tilt_lost(usual[0], v[H], c), axes = axes_lost(v, usual);
+    const double p = along / up * tilt + axes + 3 * CHECK_HALF / hypot(along * s, up * c);
+    const double sizes = v[STRETCH_MOST] + 2 * v[R];
+    breaking_lost lost = {
+        .stretch = v[STRETCH_MOST] * 2 / CHECK_PI * p + check_rounding(v[STRETCH_MOST]),
+        .displacement = 2 * v[R] * 8 / CHECK_PI * p + check_rounding(2 * v[R]),
+        .orientation = 6 * p + tilt, .lowest = p,
+        .gate = 6.6 * (check_share(2 * v[R]) + check_share(v[H])),
+    };
+    const double kept = (fall_share(v[KS], v[H]) + fall_share(v[KD], v[H])) / 2.7
+                      + 4 * CHECK_HALF;
+    lost.offset = (along + up) * (axes + tilt) + lost.stretch + lost.displacement
+                + sizes * (lost.gate + kept + lost.orientation);
+    return lost;
+}
+
+static tp_breaker breaker_of(const double *v, tp_fx gate)
+{
+    return (tp_breaker){
+        .orbit = orbit_of(v, usual[0], usual[1], usual[2]),
         .stretch = check_fx(v[STRETCH_MOST]), .lip = check_fx(2 * v[R]),
         .kept_stretch = tp_fx_mul(gate, decay(v[KS], v[H])),
         .kept_lip = tp_fx_mul(gate, decay(v[KD], v[H])),
     };
+}
+
+/* Rows on the joints count too: the three parts are continuous there, and at the crest,
+ * where p jumps from pi to -pi, both sides have the same value. */
+static void breaking_row(check_run *run, unsigned row, const double *v)
+{
+    const tp_fx gate = tp_breaking_gate(tp_fx_div(check_fx(2 * v[R]), check_fx(v[H])));
+    const tp_breaker breaker = breaker_of(v, gate);
     const tp_breaking at = tp_breaking_shape(&breaker, check_turn(v[PHI]));
+    const breaking_lost lost = lost_of(v, &breaker.orbit);
     const double lowest = check_radians(tp_orbit_lowest(&breaker.orbit));
-    check_add(run, 0, row, apart_mm(at.offset, v[X], v[Y]));
-    check_add(run, 1, row, 1000 * (check_metres(at.stretch) - v[STRETCH]));
-    check_add(run, 2, row, 1000 * (check_metres(at.displacement) - v[DISPLACEMENT]));
-    check_add(run, 3, row, at.orientation * (2 * CHECK_PI / Q32) - v[ORIENTATION]);
-    check_add(run, 4, row, check_wrapped(lowest - v[PHI_MIN]));
-    check_add(run, 5, row, check_metres(gate) - v[GATE]);
+    const double error[6] = {
+        apart_mm(at.offset, v[X], v[Y]), 1000 * (check_metres(at.stretch) - v[STRETCH]),
+        1000 * (check_metres(at.displacement) - v[DISPLACEMENT]),
+        at.orientation * (2 * CHECK_PI / Q32) - v[ORIENTATION],
+        check_wrapped(lowest - v[PHI_MIN]), check_metres(gate) - v[GATE],
+    };
+    const double explained[6] = { 1000 * lost.offset, 1000 * lost.stretch,
+                                  1000 * lost.displacement, lost.orientation, lost.lowest,
+                                  lost.gate };
+    for (unsigned i = 0; i < 6; i++)
+        check_add(run, i, row, check_beyond(error[i], explained[i]));
+}
+
+static int run_breaking(check_run *run)
+{
+    int code = EXIT_DONE;
+    for (unsigned row = 0; !code && row < run->table.n_rows; row++) {
+        code = refuse_wide(run, row);
+        if (!code)
+            breaking_row(run, row, check_row(run, row));
+    }
+    return code;
 }
 
 const check_model check_breaking = {
@@ -116,5 +216,5 @@ const check_model check_breaking = {
     .quantities = { { "offset", "mm", 2 }, { "stretch", "mm", 2 },
                     { "displacement", "mm", 2 }, { "orientation", "rad", 0.002 },
                     { "Phi_min", "rad", 0.002 }, { "gate", "", 0.001 } },
-    .each = each_breaking,
+    .run = run_breaking,
 };
