@@ -90,7 +90,10 @@ tp_status tp_pool_check(const tp_pool_config *config, tp_error *err);
  * begins with the height A is off by an rms of at most
  *     1 + 8 x that noise + the lesser of 2 A and 1 / (courant^2 k)  LSB
  * in its first 400 ticks, and by twice as much in a corner, where it meets its images: of
- * 150,000 random waves the worst had 0.88 of that. */
+ * 150,000 random waves the worst had 0.88 of that.  Later this is no bound.  Over 6000
+ * ticks of gear A all of 5600 random waves of 8 bits kept it, the worst with 0.88; of
+ * 17,000 of 16 bits with a courant up to 0.31 one in 140 passed it, the worst by 4.0
+ * times, which was 2.3 % of the range. */
 tp_fx tp_pool_noise(tp_fx courant, uint32_t damping);
 
 /* Of the block, aligned to 8; 0 if the config cannot be used. */
