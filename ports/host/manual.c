@@ -30,6 +30,9 @@ static const entry environment[] = {
 static const entry files[] = {
     { "~/.config/tidepool/keys.ini", "The preview's keys, as under KEYS." },
     { "~/.local/state/tidepool/", "What the preview was doing, for --resume." },
+    { "FILE of --keep", "The world that `tidepool show` draws. Every number of it is checked"
+      " before it is used; one that was altered, or that another build or scene kept, is"
+      " named on standard error, and the scene starts anew." },
     { "SCENE-0001.png, .mp4, .y4m, .tape", "What the preview records, in the folder where"
       " it was started, under the next free number." },
     { "SCENE.png, SCENE.apng", "What `tidepool render SCENE` draws where it is not told"

@@ -387,6 +387,15 @@ same "a tape's inputs, looks and changes" "$code $(cmp all out)" "0 "
 whole --frames 0:25 --keep world --tape walk.tape
 whole --frames 0:39 --keep world --tape walk.tape
 same "go on from a world that was kept" "$code $(tail -n 15 all | cmp - out)" "0 "
+rm world
+{ echo "tape 1 $scene"; echo "2 drops=1"; echo "5 slower=2"; echo "12 ahead=0.1"
+  echo "18 set clock.scale=0.125"; echo "30 slower=-1"; echo "33 ahead=0.1"; } >slow.tape
+whole --frames 0:39 --tape slow.tape
+mv out all
+same "a tape of slow motion" "$code $(cut -d' ' -f3 all | sort -u | wc -l | awk '{ print ($1 > 20) }')" "0 1"
+whole --frames 0:25 --keep world --tape slow.tape
+whole --frames 0:39 --keep world --tape slow.tape
+same "in slow motion too" "$code $(tail -n 15 all | cmp - out)" "0 "
 { echo "tape 1 $scene"; echo "3 drops=1"; echo "4 set pool.cols=40"; } >anew.tape
 refused "a tape that makes the world anew" 3 \
     "^anew.tape:3: pool.cols=40 makes the world anew, .* expected what goes on in the same" \
