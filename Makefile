@@ -385,10 +385,11 @@ $(BUILD)/ports.a: $(PORTS_O)
 %.a:
 	@rm -f $@
 	$(SAY)$(AR) rcs $@ $^
-# The core as one file that tests load: what tests/mutants/run.sh builds them with.
+# The core as one file that tests load: what tests/mutants/run.sh builds them with.  By its
+# whole path, since some tests run a copy of themselves in another folder.
 %.so:
 	@mkdir -p $(@D)
-	$(SAY)$(LINK) -shared $^ -o $@
+	$(SAY)$(LINK) -shared -Wl,-soname,$(abspath $@) $^ -o $@
 $(PROGRAM): $(MAIN:%.c=$(BUILD)/%.o) $(BUILD)/ports.a $(LIB)
 	$(SAY)$(LINK) $^ $(LIBS) -o $@
 $(BUILD)/tests/boards/vm_state: $(BUILD)/tests/boards/vm_state.o
