@@ -182,6 +182,25 @@ static void what_is_added_beyond_a_steepness_of_095_is_taken_from_the_last(void 
     assert_int_equal(sea.height, TP_WAVES * TP_FX_ONE);
 }
 
+/* All waves along one axis, each where cos th is 1: the displacement is sum QA.  A wave
+ * adds up to an LSB and a half to the bound, the rounding of the point half of one. */
+static void the_reach_is_the_greatest_displacement(void **state)
+{
+    (void)state;
+    for (int n = 0; n < 2000; n++) {
+        ocean o = ocean_any(&chance, TP_WAVES);
+        const tp_fx heading = chance_int(&chance, -4, 4) * 90 * TP_FX_ONE;
+        const tp_turn first[TP_WAVES] = { 0 };
+        for (int i = 0; i < o.count; i++)
+            o.wave[i].heading = heading;
+        ocean_settle(&o);
+        const tp_vec3 p = tp_sea_at_rest(&o.sea, first, 0, 0).position;
+        const tp_fx away = abs(p.x) > abs(p.z) ? abs(p.x) : abs(p.z);
+        assert_true(away <= o.sea.reach);
+        assert_true(o.sea.reach - away <= 2 * (int)o.sea.count + 2);
+    }
+}
+
 /* [A11]: all waves one way, their crests at one place, and the sum of Q k A far too high.
  * det J is then 1 - 0.95, along with what 16 roundings of half an LSB may add. */
 static void det_stays_above_zero_where_all_crests_meet(void **state)
@@ -228,6 +247,7 @@ int main(void)
             an_amplitude_above_three_tenths_of_the_length_is_cut_and_reported),
         cmocka_unit_test(waves_without_amplitude_are_left_out),
         cmocka_unit_test(what_is_added_beyond_a_steepness_of_095_is_taken_from_the_last),
+        cmocka_unit_test(the_reach_is_the_greatest_displacement),
         cmocka_unit_test(det_stays_above_zero_where_all_crests_meet),
     };
     return cmocka_run_group_tests_name("swell", tests, NULL, NULL);
