@@ -155,6 +155,32 @@ static void the_window_follows_the_eye(void **state)
     free(world);
 }
 
+/* The field is stored modulo its side: beyond one side lie the addresses of the cells at
+ * the other. */
+static void beyond_the_window_there_is_no_foam(void **state)
+{
+    (void)state;
+    const tp_scene scene = still(600 * TP_FX_ONE);
+    tp_world *world = scene_world(&scene, NULL);
+    const tp_foam *foam = tp_world_foam(world);
+    const tp_fx left = foam->first_x * foam->cell, near = foam->first_z * foam->cell;
+    const tp_fx side = 64 * foam->cell, off = foam->cell / 256;
+
+    assert_true(foam->drift_x == 0 && foam->drift_z == 0);
+    memset(tp_foam_cover(tp_parts_foam(world)), 255, 64 * 64);
+    for (tp_fx way = 0; way < side; way += off * 61) {
+        assert_int_equal(tp_foam_at(foam, left, near + way), 255);
+        assert_int_equal(tp_foam_at(foam, left - off, near + way), 0);
+        assert_int_equal(tp_foam_at(foam, left + side - 1, near + way), 255);
+        assert_int_equal(tp_foam_at(foam, left + side, near + way), 0);
+        assert_int_equal(tp_foam_at(foam, left + way, near), 255);
+        assert_int_equal(tp_foam_at(foam, left + way, near - off), 0);
+        assert_int_equal(tp_foam_at(foam, left + way, near + side - 1), 255);
+        assert_int_equal(tp_foam_at(foam, left + way, near + side), 0);
+    }
+    free(world);
+}
+
 /* -- as a part of the world ---------------------------------------------------------- */
 
 static void other_cells_need_another_world(void **state)
@@ -186,6 +212,7 @@ int main(void)
         cmocka_unit_test(drift_moves_foam_without_spreading_it),
         cmocka_unit_test(drift_goes_round),
         cmocka_unit_test(the_window_follows_the_eye),
+        cmocka_unit_test(beyond_the_window_there_is_no_foam),
         cmocka_unit_test(other_cells_need_another_world),
     };
     return cmocka_run_group_tests_name("scene/foam", tests, NULL, NULL);
