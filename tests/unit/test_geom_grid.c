@@ -207,6 +207,29 @@ static void a_grid_that_stays_lies_around_the_origin(void **state)
     }
 }
 
+/* The smoothstep in double; x and the result are rounded to 16.16. */
+static void waves_fade_alike_on_lines_and_between(void **state)
+{
+    (void)state;
+    for (int n = 0; n < 1500; n++) {
+        pond p = any_pond(any_lines(), 2);
+        place(&p);
+        const tp_grid_extent e = tp_lines_extent(p.grid.cols, &p.look, false);
+        for (uint32_t k = 0; k < p.grid.cols; k++)
+            assert_true(abs(tp_lines_fade(&e, p.grid.column[k].place)
+                            - p.grid.column[k].fade) <= 3);
+        for (int k = 0; k < 100; k++) {
+            const tp_fx at = k ? chance_fx(&chance, -16000, 16000) : TP_FX_MIN;
+            const double edge = fmin((double)at - e.calm[0], (double)e.calm[1] - at);
+            const double x = e.fading ? fmax(0, fmin(1, edge / e.fading)) : 1;
+            const double want = x * x * (3 - 2 * x);
+            assert_true(fabs(tp_lines_fade(&e, at) * LSB - want) <= 3 * LSB);
+        }
+        assert_true((e.fading == 0) == (flank_of(&p, p.grid.cols) == 0));
+        pond_free(&p);
+    }
+}
+
 /* -- crossings ----------------------------------------------------------------------- */
 
 /* Away from the fading edge a crossing is the sea's own point: x, y and depth within what
@@ -368,6 +391,7 @@ int main(void)
         cmocka_unit_test(lines_grow_evenly_then_by_one_ratio),
         cmocka_unit_test(a_grid_that_follows_moves_by_whole_cells),
         cmocka_unit_test(a_grid_that_stays_lies_around_the_origin),
+        cmocka_unit_test(waves_fade_alike_on_lines_and_between),
         cmocka_unit_test(crossings_are_points_of_the_sea),
         cmocka_unit_test(every_corner_of_a_seen_cell_is_there),
         cmocka_unit_test(no_cell_that_shows_is_left_out),
