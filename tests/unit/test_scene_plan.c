@@ -302,6 +302,63 @@ static void a_faint_wave_fades_in(void **state)
     assert_true(last == TP_FX(0.05) - 1);
 }
 
+/* Waves of 12 and 2 px, drawn by a fifth and not at all, and one drawn whole. */
+static const tp_faint_limits coarse = { .px = 10 * TP_FX_ONE, .slope = TP_FX(0.1),
+                                        .focal = 200, .near = 10 * TP_FX_ONE };
+static const tp_wave low[3] = {
+    { .amplitude = TP_FX(0.6), .length = 60 * TP_FX_ONE },
+    { .amplitude = TP_FX(0.1), .length = 60 * TP_FX_ONE },
+    { .amplitude = 2 * TP_FX_ONE, .length = 40 * TP_FX_ONE },
+};
+
+static void a_sea_is_thinned_only_if_some_wave_is_faint(void **state)
+{
+    const tp_turn phases[TP_WAVES] = { 11, 22, 33 };
+    tp_turn thin_phases[TP_WAVES] = { 44 };
+    tp_sea sea, thin, untouched;
+
+    (void)state;
+    memset(&thin, 0xa5, sizeof thin);
+    memset(&untouched, 0xa5, sizeof untouched);
+    tp_sea_init(&sea, &low[2], 1, TP_FX(9.81));
+    assert_false(tp_faint_sea(&thin, thin_phases, &sea, phases, &coarse));
+    assert_memory_equal(&thin, &untouched, sizeof thin);
+    assert_int_equal(thin_phases[0], 44);
+
+    tp_sea_init(&sea, low, 3, TP_FX(9.81));
+    assert_true(tp_faint_sea(&thin, thin_phases, &sea, phases, &coarse));
+    assert_int_equal(thin.count, 2);
+    assert_true(abs(thin.swell[0].amplitude - TP_FX(0.12)) <= 2);
+    assert_int_equal(thin.swell[1].amplitude, 2 * TP_FX_ONE);
+    assert_int_equal(thin_phases[0], 11);
+    assert_int_equal(thin_phases[1], 33);
+    assert_int_equal(thin.height, sea.height);
+}
+
+/* Errors of the first two: squares of 9.6 and 2 px, and of their slopes, of which the rms
+ * is the greatest over root 2. */
+static void errors_of_faint_waves_add_up_as_squares(void **state)
+{
+    const double slope = 3.14159265 / 30 * sqrt((0.48 * 0.48 + 0.1 * 0.1) / 2);
+    tp_scene s = scene_plain();
+
+    (void)state;
+    memset(s.wave, 0, sizeof s.wave);
+    s.wave[0] = low[2];
+    tp_faint got = tp_faint_of(&s, &coarse, 100 * TP_FX_ONE);
+    assert_false(got.any);
+    assert_int_equal(got.left, 1);
+    assert_int_equal(got.px, 0);
+    assert_int_equal(got.colour, 0);
+
+    memcpy(s.wave, low, sizeof low);
+    got = tp_faint_of(&s, &coarse, 100 * TP_FX_ONE);
+    assert_true(got.any);
+    assert_int_equal(got.left, 2);
+    assert_true(fabs(got.px / 65536.0 - sqrt(9.6 * 9.6 + 2 * 2)) < 0.001);
+    assert_true(fabs(got.colour / 65536.0 - 100 * slope) < 0.01);
+}
+
 static void a_budget_of_0_keeps_every_wave(void **state)
 {
     tp_scene s = scene_plain();
@@ -330,6 +387,8 @@ int main(void)
         cmocka_unit_test(plans_are_the_same_on_every_machine),
         cmocka_unit_test(a_frame_takes_any_rungs),
         cmocka_unit_test(a_faint_wave_fades_in),
+        cmocka_unit_test(a_sea_is_thinned_only_if_some_wave_is_faint),
+        cmocka_unit_test(errors_of_faint_waves_add_up_as_squares),
         cmocka_unit_test(a_budget_of_0_keeps_every_wave),
     };
 
