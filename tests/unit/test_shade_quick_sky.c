@@ -127,6 +127,27 @@ static void faces_of_unequal_size_are_one_sky(void **state)
     assert_true(tally_rms(&off) < 1 && off.largest < 6);
 }
 
+/* Upwards too: places are drawn in by half the height.  The middle of a cell is up to
+ * 1/32 away in u and v, that of a texel, of 16 a face, 1/16 in both; a colour changes by
+ * 100 over a unit, which makes 9 or so. */
+static void a_direction_finds_its_own_sky(void **state)
+{
+    (void)state;
+    tally off = { .what = "map of a cube" };
+
+    quick_shade(&lights, TP_ENV_CUBE, TP_LOBE_NONE, &chance);
+    for (int n = 0; n < 100000; n++) {
+        ref_dir d = sky_direction(&chance);
+        d.y = fabs(d.y);
+        const double in = 16 * (1 - d.y / 2);
+        const int u = (int)floor(-d.x * in) + 16, v = (int)floor(-d.z * in) + 16;
+        tally_add(&off, lights.quick.sky[v * TP_QUICK_SIDE + u],
+                  ref_colour_of(quick_smooth(d, NULL)));
+    }
+    tally_print(&off);
+    assert_true(tally_rms(&off) < 3 && off.largest < 12);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -134,6 +155,7 @@ int main(void)
         cmocka_unit_test(where_a_run_is_cut_does_not_show),
         cmocka_unit_test(it_is_the_sky_that_it_was),
         cmocka_unit_test(faces_of_unequal_size_are_one_sky),
+        cmocka_unit_test(a_direction_finds_its_own_sky),
     };
     chance = random_seed();
     return cmocka_run_group_tests_name("shade_quick_sky", tests, NULL, NULL);
