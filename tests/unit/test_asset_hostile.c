@@ -305,6 +305,19 @@ static void any_other_file_in_the_second_pass_is_refused(void **state)
     assert_true(tried > 100);
 }
 
+static void only_a_scan_that_ended_well_asks_for_memory(void **state)
+{
+    (void)state;
+    const char good[] = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", bad[] = "v 0 0 zero\n";
+    reader r;
+    assert_int_equal(scan_text(&r, bad, strlen(bad), 4096), TP_E_OBJ_NUMBER);
+    assert_int_equal(tp_obj_bytes(&r.obj), 0);
+    assert_int_equal(scan_text(&r, good, strlen(good), 4096), TP_OK);
+    assert_true(tp_obj_bytes(&r.obj) > 0);
+    tp_obj_scan(&r.obj);
+    assert_int_equal(tp_obj_bytes(&r.obj), 0);
+}
+
 int main(void)
 {
     static uint64_t seed;
@@ -319,6 +332,7 @@ int main(void)
         cmocka_unit_test(nul_bytes_anywhere_are_survived),
         cmocka_unit_test_prestate(random_words_are_good_or_located, &seed),
         cmocka_unit_test(a_file_that_changed_is_refused),
+        cmocka_unit_test(only_a_scan_that_ended_well_asks_for_memory),
         cmocka_unit_test_prestate(any_other_file_in_the_second_pass_is_refused, &seed),
     };
     return cmocka_run_group_tests_name("hostile", tests, NULL, NULL);
