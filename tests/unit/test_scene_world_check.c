@@ -295,7 +295,12 @@ static void what_floats_in_the_air_is_checked(void **state)
     REFUSED(drops->capacity, "drops");
     REFUSED(drops->count, "drops");
     REFUSED(drops->rings, "drops");
+    REFUSED(drops->sphere.x, "drops");
     REFUSED(drops->sphere.y, "drops");
+    REFUSED(drops->sphere.z, "drops");
+    REFUSED(drops->last_sphere.x, "drops");
+    REFUSED(drops->last_sphere.y, "drops");
+    REFUSED(drops->last_sphere.z, "drops");
     REFUSED(drop->place.x, "drops");
     REFUSED(drop->high_q32, "drops");
     REFUSED(drop->radius, "drops");
