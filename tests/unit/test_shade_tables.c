@@ -137,6 +137,35 @@ static void gloss_is_a_power(void **state)
     measure_print(&m);
 }
 
+/* Blinn's, by c = 2 (N.H)^2 - 1: the cosine of the half angle to the 4 n.  Twice the
+ * exponent makes twice the error of the roundings. */
+static void lobes_of_blinn_are_powers_of_the_half_angle(void **state)
+{
+    (void)state;
+    measure m = { .what = "gloss_blinn", .unit = "/256" };
+    measure s = { .what = "shine_blinn", .unit = "/256" };
+    uint8_t gloss[TP_GLOSS];
+
+    for (int n = 1; n <= 1000; n = n * 5 / 4 + 1) {
+        tp_shade_gloss_blinn(gloss, n * TP_FX_ONE);
+        tp_shade_shine_blinn(&shade, n * TP_FX_ONE, TP_FX_ONE);
+        for (int i = 0; i < TP_GLOSS; i++) {
+            const double want = 256 * pow((1 + i / 255.0) / 2, 2 * n);
+            measure_add(&m, gloss[i] - want, n, i, 0);
+            assert_true(gloss[i] <= want + 0.01 && gloss[i] > want - 1.04);
+        }
+        for (int i = 0; i <= TP_SHINE; i++) {
+            const double want = 256 * pow((1 + i / (double)TP_SHINE) / 2, 2 * n);
+            measure_add(&s, shade.shine[i] - want, n, i, 0);
+            assert_true(shade.shine[i] <= want + 0.04 && shade.shine[i] > want - 1.04);
+        }
+        assert_int_equal(gloss[TP_GLOSS - 1], 255);
+        assert_int_equal(shade.shine[TP_SHINE], 256);
+    }
+    measure_print(&m);
+    measure_print(&s);
+}
+
 static void an_exponent_outside_its_range_is_held(void **state)
 {
     (void)state;
@@ -312,6 +341,7 @@ int main(void)
         cmocka_unit_test(constant_tables_are_as_generated),
         cmocka_unit_test(shine_is_a_power),
         cmocka_unit_test(gloss_is_a_power),
+        cmocka_unit_test(lobes_of_blinn_are_powers_of_the_half_angle),
         cmocka_unit_test(an_exponent_outside_its_range_is_held),
         cmocka_unit_test(the_sky_goes_from_horizon_to_zenith),
         cmocka_unit_test(channels_do_not_know_of_each_other),
