@@ -79,8 +79,11 @@ static void isqrt64_is_the_floor(void **state)
         check_floor_root(x);
         check_floor_root(UINT64_MAX - x);
         check_floor_root(((uint64_t)1 << 62) + x);
+        const uint64_t r = UINT32_MAX - x;  /* a step too far would pass 2^32 */
+        check_floor_root(r * r);
+        check_floor_root(r * r - 1);
     }
-    printf("    %-18s %10d inputs, exact\n", "tp_isqrt64", 2 * INPUTS + 3 * (1 << 20));
+    printf("    %-18s %10d inputs, exact\n", "tp_isqrt64", 2 * INPUTS + 5 * (1 << 20));
 }
 
 /* Relative to the true value, counted so that 1 is 2^-29. */
