@@ -1,0 +1,105 @@
+/* SPDX-License-Identifier: MIT */
+/* Water by rows reads the boxes of its own cells only. */
+#define _DEFAULT_SOURCE         /* MAP_ANONYMOUS */
+#include <stdarg.h>
+#include <stddef.h>
+#include <setjmp.h>
+#include <stdint.h>
+#include <cmocka.h>
+#include <sys/mman.h>
+#include <unistd.h>
+#include "frame/frame.h"
+#include "frame/lines.h"
+#include "scenes.h"
+
+enum { WIDTH = 160, HEIGHT = 90 };
+
+static uint64_t chance;
+
+/* Boxes that end where memory does: a frame is one block, in which no sanitizer sees an
+ * array's end. */
+typedef struct {
+    uint8_t     *pages;
+    size_t       bytes;         /* with the last page, which cannot be read */
+    tp_grid_box *box;
+} guarded;
+
+static guarded guarded_copy(const tp_grid_box *box, size_t count)
+{
+    const size_t page = (size_t)sysconf(_SC_PAGESIZE), bytes = count * sizeof *box;
+    guarded g = { .bytes = (bytes + page - 1) / page * page + page };
+
+    g.pages = mmap(NULL, g.bytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1,
+                   0);
+    assert_true(g.pages != MAP_FAILED);
+    assert_int_equal(mprotect(g.pages + g.bytes - page, page, PROT_NONE), 0);
+    g.box = (tp_grid_box *)(void *)(g.pages + g.bytes - page - bytes);
+    memcpy(g.box, box, bytes);
+    return g;
+}
+
+/* Seen from one side of the grid, so that near rows, which the lens cuts, have cells
+ * beyond the 256th.  There a walk past the last block comes to one that passes for a block
+ * of the row: 4096 blocks on its first cell, in 16 bits, is the same. */
+static tp_scene scene_wide(bool along_x)
+{
+    tp_scene s = scene_plain();
+
+    s.quality.visibility = TP_VISIBILITY_ROWS;
+    s.quality.lod = TP_LOD_OFF;
+    s.grid.cols = along_x ? 60 : 320;
+    s.grid.rows = along_x ? 320 : 60;
+    s.grid.cell = chance_fx(&chance, 1, 20);
+    s.grid.follow = 0;
+    s.camera.x = along_x ? 0 : 120 * s.grid.cell;
+    s.camera.z = along_x ? 120 * s.grid.cell : 0;
+    s.camera.y = chance_fx(&chance, 3, 6);
+    s.camera.heading = (chance_int(&chance, 0, 1) * 180 + along_x * 90) * TP_FX_ONE;
+    s.camera.pitch = chance_fx(&chance, -25, 0);
+    return s;
+}
+
+static int count_cut(const tp_frame_lines *lines)
+{
+    int count = 0;
+
+    for (uint32_t k = 0; k + 1 < lines->lines; k++)
+        count += lines->line[k].is & TP_LINE_CUT && lines->line[k].cells.end > 256;
+    return count;
+}
+
+static void no_box_beyond_the_last_is_read(void **state)
+{
+    (void)state;
+    const tp_frame_config config = { WIDTH, HEIGHT, 0, 0, TP_FORMAT_XRGB8888 };
+    const tp_assets none = { .boat = NULL };
+    int cut = 0;
+
+    for (int n = 0; n < 60; n++) {
+        const tp_scene scene = scene_wide(n % 2);
+        test_frame f = frame_of(&scene, &none, &config);
+        tp_world *world = scene_world(&scene, &none);
+        tp_frame_begin(f.frame, world);
+        assert_int_equal(f.frame->visibility, TP_VISIBILITY_ROWS);
+        tp_frame_lines *lines = f.frame->parts.lines;
+        guarded g = guarded_copy(lines->box, (lines->lines - 1) * lines->blocks);
+        tp_tile tile;
+        lines->box = g.box;
+        assert_true(tp_frame_tile(f.frame, 0, f.scratch, &tile));
+        cut += count_cut(lines);
+        assert_int_equal(munmap(g.pages, g.bytes), 0);
+        frame_free(&f);
+        free(world);
+    }
+    printf("    %d rows are cut\n", cut);
+    assert_true(cut > 5);
+}
+
+int main(void)
+{
+    chance = random_seed();
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(no_box_beyond_the_last_is_read),
+    };
+    return cmocka_run_group_tests_name("frame/rows", tests, NULL, NULL);
+}
