@@ -153,6 +153,37 @@ static void every_tiling_of_flat_water_is_the_same(void **state)
     assert_true(rolled > 3);
 }
 
+/* Depth changes by up to a 32nd over the 16 pixels between exact places: half way the
+ * linear place is that of a pixel 16 / 4 / 32 px off, an eighth. */
+static void water_that_rolls_lies_where_its_rays_end(void **state)
+{
+    (void)state;
+    const tp_assets assets = { .boat = &boat.mesh, .layer[0] = &boat.texture[0] };
+    double most = 0;
+    int    seen = 0;
+
+    for (int n = 0; n < 60; n++) {
+        static level_shot flat;
+        tp_scene scene = any_view(false);
+        scene.camera.x = scene.camera.z = 0;
+        level_board(&scene, chance_scale(&chance, 3, 20));
+        const uint64_t tick = random_below(&chance, 5000);
+        level_draw(&flat, &scene, &assets, TP_VISIBILITY_FLAT, tick);
+        const tp_frame *frame = flat.frame.frame;
+        for (int i = 0; i < LEVEL_PIXELS; i++) {
+            if (frame->visibility != TP_VISIBILITY_FLAT || !frame->parts.level->rolled
+                || !level_is_water(&flat, i))
+                continue;
+            most = fmax(most, off_in_pixels(&frame->lens, &flat, i));
+            seen++;
+        }
+        frame_free(&flat.frame);
+    }
+    print_message("%d pixels, %.3f px off at the most\n", seen, most);
+    assert_true(seen > 50000);
+    assert_true(most < 0.14);
+}
+
 /* The slopes of waves that the lattice carries, against those of the mesh: swells so low
  * that both see the same place, and long beside 8 pixels where they are looked at. */
 static void long_waves_have_the_slopes_of_the_mesh(void **state)
@@ -259,6 +290,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(level_water_is_the_level_mesh),
         cmocka_unit_test(every_tiling_of_flat_water_is_the_same),
+        cmocka_unit_test(water_that_rolls_lies_where_its_rays_end),
         cmocka_unit_test(long_waves_have_the_slopes_of_the_mesh),
         cmocka_unit_test(water_that_is_not_level_goes_by_triangles),
         cmocka_unit_test(nothing_jumps_at_the_border),
