@@ -392,7 +392,8 @@ rm world
   echo "18 set clock.scale=0.125"; echo "30 slower=-1"; echo "33 ahead=0.1"; } >slow.tape
 whole --frames 0:39 --tape slow.tape
 mv out all
-same "a tape of slow motion" "$code $(cut -d' ' -f3 all | sort -u | wc -l | awk '{ print ($1 > 20) }')" "0 1"
+seen=$(cut -d' ' -f4 all | sort -u | wc -l)
+same "a tape of slow motion ($seen pictures)" "$code $((seen > 20))" "0 1"
 whole --frames 0:25 --keep world --tape slow.tape
 whole --frames 0:39 --keep world --tape slow.tape
 same "in slow motion too" "$code $(tail -n 15 all | cmp - out)" "0 "
