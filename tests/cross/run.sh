@@ -17,9 +17,9 @@ scenes_of_lto='three-swells rolled'
 # name | GNU triple | emulator | Debian's name of the machine | levels of gcc, of clang
 all='O0 O1 Os O2 O3 LTO'
 machines="
-host    |                     |              |         | LTO       | O1
-i386    | i686-linux-gnu      | qemu-i386    | i386    | Os    | O2
-armhf   | arm-linux-gnueabihf | qemu-arm     | armhf   | O0    | O2
+host    |                     |              |         | O0 LTO    | O1
+i386    | i686-linux-gnu      | qemu-i386    | i386    | Os    | -
+armhf   | arm-linux-gnueabihf | qemu-arm     | armhf   | -     | O2
 aarch64 | aarch64-linux-gnu   | qemu-aarch64 | arm64   | O2    | O3
 riscv64 | riscv64-linux-gnu   | qemu-riscv64 | riscv64 | O3    | -
 s390x   | s390x-linux-gnu     | qemu-s390x   | s390x   | O2    | -

@@ -5,7 +5,7 @@
  * numbers change under the same frames.  The build with UBSan and ASan sees what goes
  * wrong inside.
  *
- *     TP_SCENES=n     so many random scenes instead of 500 (`make soak`: 100000) */
+ *     TP_SCENES=n     so many random scenes instead of 300 (`make soak`: 100000) */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -208,7 +208,7 @@ static void random_scenes_are_safe(void **state)
 {
     (void)state;
     const char *asked = getenv("TP_SCENES");
-    const int count = asked ? atoi(asked) : 500;
+    const int count = asked ? atoi(asked) : 300;
     int ran = 0;
 
     for (int i = 0; i < count; i++) {
