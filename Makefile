@@ -39,9 +39,10 @@ CORE := $(addprefix src/, \
     asset/line.c asset/mtl.c asset/names.c asset/obj.c asset/shape.c asset/store.c asset/texture.c \
     asset/use.c asset/word.c \
     wave/above.c wave/breaking.c wave/coast.c wave/criteria.c wave/depth.c \
-    wave/eikonal.c wave/exp.c wave/five.c wave/floor.c wave/gerstner.c wave/noise.c \
-    wave/ocean.c wave/ocean_init.c wave/ocean_map.c wave/ocean_tables.c wave/orbit.c \
-    wave/ring.c wave/scaled.c wave/sharp.c wave/shoal.c wave/swell.c wave/wind.c \
+    wave/eikonal.c wave/exp.c wave/five.c wave/floor.c wave/gerstner.c \
+    wave/jacobian.c wave/noise.c wave/ocean.c wave/ocean_init.c wave/ocean_map.c \
+    wave/ocean_tables.c wave/orbit.c wave/ring.c wave/scaled.c wave/sharp.c \
+    wave/shoal.c wave/swell.c wave/wind.c \
     pool/feed.c pool/flux.c pool/gears.c pool/hat.c pool/init.c pool/look.c \
     pool/sample.c pool/slopes.c pool/tune.c pool/valid.c pool/walls.c \
     geom/clip.c geom/grid.c geom/lens.c geom/level.c geom/lines.c geom/lod.c \
@@ -49,26 +50,28 @@ CORE := $(addprefix src/, \
     geom/waters.c raster/cover.c raster/rows.c raster/span.c \
     shade/absorb.c shade/around.c shade/behind.c shade/below.c shade/bend.c \
     shade/cube.c shade/dome.c shade/drop.c shade/expose.c shade/exposure.c \
-    shade/foam.c shade/haze.c shade/inside.c shade/layer.c shade/light.c \
+    shade/haze.c shade/inside.c shade/layer.c shade/light.c \
     shade/mirror.c shade/mirrored.c shade/optics.c shade/pool_bump.c \
     shade/quick_even.c shade/quick_layers.c shade/quick_light.c \
     shade/quick_pictures.c shade/quick_sky.c shade/quick_tables.c \
-    shade/quick_view.c shade/ripple.c shade/side.c shade/sky.c shade/solid.c \
+    shade/quick_view.c shade/ripple.c shade/side.c shade/sky.c shade/solid.c shade/spray.c \
     shade/stars.c shade/tables.c shade/texture.c shade/view.c \
     scene/boat.c scene/check.c scene/clock.c scene/drawn.c scene/drop.c scene/drops.c \
-    scene/faint.c scene/float.c scene/foam.c scene/foam_made.c scene/governor.c scene/light.c \
-    scene/meter.c scene/moves.c scene/outlook.c scene/paddle.c scene/params.c \
+    scene/faint.c scene/float.c scene/governor.c scene/light.c \
+    scene/meter.c scene/modules.c scene/moves.c scene/outlook.c scene/paddle.c scene/params.c \
     scene/parts.c scene/piece.c scene/plan_checked.c scene/prices.c scene/rungs.c \
     scene/spray.c scene/stand.c scene/tape.c \
     scene/value.c scene/wake.c scene/works.c scene/works_land.c scene/works_more.c \
     scene/world.c scene/world_check.c \
     frame/around.c frame/boat.c frame/bump.c frame/carve.c frame/caustics.c \
     frame/clipped.c frame/drops.c frame/flat.c frame/frame.c frame/glass.c \
-    frame/half.c frame/holds.c frame/kit.c frame/land.c frame/lattice.c frame/lines.c \
-    frame/plan.c frame/plan_depth.c frame/plan_foam.c frame/plan_layers.c \
+    frame/half.c frame/holds.c frame/land.c frame/lattice.c frame/lines.c \
+    frame/modules.c frame/plan.c frame/plan_depth.c frame/plan_layers.c \
     frame/plan_quick.c frame/plan_quick_layers.c frame/plan_sky.c frame/planned.c \
-    frame/projected.c frame/rows.c frame/sight.c frame/spray.c frame/tank.c frame/tile.c \
-    frame/visibility.c frame/water.c)
+    frame/projected.c frame/rows.c frame/shaders.c frame/sight.c frame/spray.c \
+    frame/tank.c frame/tile.c frame/visibility.c frame/water.c features/all.c \
+    features/foam/foam.c features/foam/foam_drawing.c features/foam/foam_sources.c \
+    features/foam/foam_stage.c)
 
 # -- the program, for machines with files and threads ----------------------------------
 
@@ -127,7 +130,8 @@ SAY     = $(if $(V),,@echo '  $@';)
 # tp_kit_v3, of whose code nobody else sees a name.  Tuned so that compilers use gathers.
 # Who wants none says V3_C= .
 ifeq ($(firstword $(subst -, ,$(shell $(CC) -dumpmachine 2>/dev/null))),x86_64)
-V3_C   := $(filter src/pixel/% src/geom/% src/raster/% src/shade/% src/frame/%,$(CORE))
+V3_C   := $(filter src/pixel/% src/geom/% src/raster/% src/shade/% src/frame/% \
+              src/features/all.c %_drawing.c %_stage.c,$(CORE))
 V3_OPT := -O3 -march=x86-64-v3 -mtune=skylake
 # Whose source is every kit's: without loops that are for vector units alone.
 ifdef V3_SAME_OPT
@@ -285,7 +289,7 @@ install: all
 	    install -Dm 644 $$f $(DESTDIR)$(PREFIX)/share/tidepool/$${f#assets/}; done
 ## lay the sources out by .clang-format
 format:
-	clang-format -i include/tidepool/*.h src/*/*.[ch] ports/*/*.[ch] tests/*/*.[ch]
+	clang-format -i include/tidepool/*.h src/*/*.[ch] src/*/*/*.[ch] ports/*/*.[ch] tests/*/*.[ch]
 ## remove everything that was made
 clean:
 	rm -rf build out

@@ -67,7 +67,6 @@ typedef void (*tp_stage)(const struct tp_shade *shade, struct tp_run *run);
     X(reflect_gradient) X(reflect_dome) X(reflect_cube)     /* mirror, rx rz, */ \
     X(mirrored) X(mirrored_cube)    /* objects over mirror, */ \
     X(fresnel) X(fresnel_hdr)       /* mirror into the colour */ \
-    X(foam) X(foam_rippled) X(foam_shiny) X(foam_shiny_rippled) /* less glint */ \
     X(spray)                /* colour of specks */ \
     X(glint)                /* adds the specular */ \
     X(haze) X(haze_dome) X(haze_cube)       /* towards the horizon */ \
@@ -143,7 +142,7 @@ extern const struct tp_water_swells tp_water_few_swells;
     X(pools)        /* and water.pools */ \
     X(paddle)       /* waves made in a pool */ \
     X(ocean)        /* and water.ocean */ \
-    X(foam) X(spray) \
+    X(spray) \
     X(meter)        /* exposure by itself */
 
 #define X(name) extern const struct tp_move_##name tp_move_##name;
@@ -169,7 +168,7 @@ typedef struct {
     X(glass)        /* a tank's; side; needs tank */ \
     X(inside)       /* what is seen through water, and from in it */ \
     X(caustics)     /* needs inside */ \
-    X(spray) X(foam) \
+    X(spray) \
     X(mirrored)     /* objects in the mirror, by a picture of half the size */ \
     X(around)       /* the same by a cube */ \
     X(sunken)       /* objects under clear water */ \
@@ -223,6 +222,38 @@ typedef struct {
 
 #define TP_DRAW(name) .name = &tp_draw_##name
 
+/* -- modules; src/scene/module.h, src/frame/drawing.h ------------------------------- */
+
+#define TP_MODULE_LIST(X) \
+    X(foam)
+
+/* The stages of each module, in the order of its table. */
+#define TP_STAGES_OF_foam(X) \
+    X(foam) X(foam_rippled) X(foam_shiny) X(foam_shiny_rippled)     /* less glint */
+
+struct tp_module;
+struct tp_drawing;
+
+/* A module as a program uses it.  A list of uses ends with { 0 }; its order is the order of
+ * memory, of steps and of drawing. */
+typedef struct tp_use {
+    const struct tp_module  *module;    /* what it is, and how it moves */
+    const struct tp_drawing *drawing;   /* NULL: nobody draws it */
+    const tp_stage          *stage;     /* its table; NULL in it: never asked for */
+} tp_use;
+
+#define X(name) void tp_stage_##name(const struct tp_shade *shade, struct tp_run *run);
+#define MODULE(name) \
+    extern const struct tp_module tp_##name##_module; \
+    extern const struct tp_drawing tp_##name##_drawing; \
+    extern const tp_stage tp_##name##_stages[]; \
+    TP_STAGES_OF_##name(X)
+TP_MODULE_LIST(MODULE)
+#undef MODULE
+#undef X
+
+#define TP_USE(name) { &tp_##name##_module, &tp_##name##_drawing, tp_##name##_stages }
+
 /* ------------------------------------------------------------------------------------ */
 
 struct tp_scene;
@@ -237,6 +268,7 @@ typedef struct tp_kit {
     tp_moves  move;
     tp_draws  draw;
     tp_methods method;
+    const tp_use *modules;      /* a list of uses; NULL: none */
 } tp_kit;
 
 extern const tp_kit tp_kit_all;     /* everything there is */

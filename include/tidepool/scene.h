@@ -283,7 +283,8 @@ typedef struct {
 /* The parts that only some scenes have lie behind this head, at these byte offsets from
  * its start; 0: the scene has none. */
 typedef struct {
-    uint32_t ocean, pool, field, rings, drops, foam, spray, probe;
+    uint32_t ocean, pool, field, rings, drops, spray, probe;
+    uint32_t modules;           /* the first of the chunks of src/scene/module.h */
     uint32_t bytes;             /* of the whole block */
 } tp_world_parts;
 
@@ -361,8 +362,8 @@ tp_status tp_world_init_with(const tp_kit *kit, tp_world *world, size_t bytes,
  * its; all that ticks change must be in the ranges that they keep.  `bytes` are those of
  * `world`, aligned to 8.  TP_E_WORLD: err->word names the part at fault; TP_E_NULL,
  * TP_E_ALIGN: the argument. */
-tp_status tp_world_check(const tp_world *world, size_t bytes, const tp_world *fresh,
-                         tp_error *err);
+tp_status tp_world_check_with(const tp_kit *kit, const tp_world *world, size_t bytes,
+                              const tp_world *fresh, tp_error *err);
 
 /* One tick further; `input` may be NULL.  After a change of the scene's numbers call
  * tp_world_refresh first. */
@@ -428,6 +429,12 @@ static inline bool tp_world_refresh(tp_world *world, const tp_scene *scene,
                                     const tp_assets *assets)
 {
     return tp_world_refresh_with(&tp_kit_all, world, scene, assets);
+}
+
+static inline tp_status tp_world_check(const tp_world *world, size_t bytes,
+                                       const tp_world *fresh, tp_error *err)
+{
+    return tp_world_check_with(&tp_kit_all, world, bytes, fresh, err);
 }
 
 static inline tp_sea_point tp_world_above(const tp_world *world, tp_fx x, tp_fx z)

@@ -18,18 +18,27 @@
 #include <x86intrin.h>
 #endif
 
+/* The kit's stages, then those of each module, from FIRST_ to before END_. */
 enum {
 #define X(name) AT_##name,
+#define MODULE(name) \
+    FIRST_##name, BEFORE_##name = FIRST_##name - 1, TP_STAGES_OF_##name(X) END_##name, \
+    LAST_##name = END_##name - 1,
     TP_STAGE_LIST(X)
+    TP_MODULE_LIST(MODULE)
+#undef MODULE
 #undef X
-    STAGES, PLACES = 16
+    STAGES, PLACES = 16, MODULES = 32
 };
 
 const uint32_t stopwatch_stages = STAGES;
 
 const char *const stopwatch_name[STAGES] = {
 #define X(name) #name,
+#define MODULE(name) TP_STAGES_OF_##name(X)
     TP_STAGE_LIST(X)
+    TP_MODULE_LIST(MODULE)
+#undef MODULE
 #undef X
 };
 
@@ -76,7 +85,7 @@ static counters counted[PLACES];
 static atomic_uint threads;
 static _Thread_local counters *mine;
 
-static tp_stages own;                   /* the stages that the timed ones stand for */
+static tp_stage own[STAGES];            /* the stages that the timed ones stand for */
 static uint64_t  empty;                 /* steps that reading takes */
 static uint64_t  begin_steps, begin_ns; /* of the last zero */
 
@@ -114,20 +123,72 @@ uint64_t stopwatch_ns(uint32_t stage)
     static void timed_##name(const struct tp_shade *shade, struct tp_run *run) \
     { \
         const uint64_t begin = steps_now(); \
-        own.name(shade, run); \
+        own[AT_##name](shade, run); \
         count(AT_##name, steps_now() - begin); \
     }
+#define MODULE(name) TP_STAGES_OF_##name(X)
 TP_STAGE_LIST(X)
+TP_MODULE_LIST(MODULE)
+#undef MODULE
 #undef X
+
+static const tp_stage timed[STAGES] = {
+#define X(name) timed_##name,
+#define MODULE(name) TP_STAGES_OF_##name(X)
+    TP_STAGE_LIST(X)
+    TP_MODULE_LIST(MODULE)
+#undef MODULE
+#undef X
+};
+
+static const struct { const struct tp_module *module; uint32_t first, end; } modules[] = {
+#define MODULE(name) { &tp_##name##_module, FIRST_##name, END_##name },
+    TP_MODULE_LIST(MODULE)
+#undef MODULE
+};
+
+static tp_use   timed_use[MODULES + 1];
+static tp_stage timed_stage[STAGES];    /* the tables of those uses */
+
+/* A module of somebody else's is not timed. */
+static tp_use timed_of(tp_use use)
+{
+    for (size_t m = 0; m < sizeof modules / sizeof *modules; m++) {
+        for (uint32_t i = modules[m].first; modules[m].module == use.module
+                                            && i < modules[m].end; i++) {
+            own[i] = use.stage[i - modules[m].first];
+            timed_stage[i] = own[i] ? timed[i] : NULL;
+        }
+        if (modules[m].module == use.module && use.stage)
+            use.stage = &timed_stage[modules[m].first];
+    }
+    return use;
+}
+
+/* A list that is longer than ours goes untimed. */
+static const tp_use *timed_list(const tp_use *list)
+{
+    size_t n = 0;
+
+    for (; list && list[n].module; n++) {
+        if (n == MODULES)
+            return list;
+        timed_use[n] = timed_of(list[n]);
+    }
+    timed_use[n] = (tp_use){ 0 };
+    return timed_use;
+}
 
 /* What a kit lacks it goes on to lack. */
 void stopwatch_use(canvas *c, bool on)
 {
-    const tp_stages *its = &c->machine->kit->stage;
+    const tp_kit *its = c->machine->kit;
 
-    own = *its;
     empty = least_steps();
-#define X(name) c->kit.stage.name = on && its->name ? timed_##name : its->name;
+    c->kit.modules = on ? timed_list(its->modules) : its->modules;
+#define X(name) \
+    own[AT_##name] = its->stage.name; \
+    c->kit.stage.name = on && its->stage.name ? timed_##name : its->stage.name;
     TP_STAGE_LIST(X)
 #undef X
 }

@@ -41,8 +41,6 @@ static void leave_out(tp_frame_parts *p, const tp_kit *kit, tp_assets *assets)
         assets->layer[1] = assets->layer[2] = assets->distortion = NULL;
     if (!tp_frame_wants(p, assets->ripple, draw->ripple))
         assets->ripple = NULL;
-    if (!tp_frame_wants(p, assets->foam, draw->foam))
-        assets->foam = NULL;
 }
 
 /* The water's surface, and what is drawn before it as triangles. */
@@ -199,10 +197,14 @@ tp_frame *tp_frame_carve(const tp_kit *kit, tp_frame_parts *parts, tp_frame_ram 
         kit->draw.quick_light->carve(parts, arena);
     const size_t tabled = arena->used;
     carve_looks(parts, arena, kit, scene, assets, config);
+    const size_t looked = arena->used;
+    const tp_want want = { scene, assets, tp_has_ocean(scene), config->width,
+                           config->height };
+    parts->module = tp_frame_layout_modules(kit, arena, &want);
     *ram = (tp_frame_ram){
         .frame = arena->used, .vertices = placed - fixed,
-        .tables = tabled - placed + sizeof frame->shade.sky,
-        .mirror = arena->used - tabled,
+        .tables = tabled - placed + arena->used - looked + sizeof frame->shade.sky,
+        .mirror = looked - tabled,
     };
     return frame;
 }

@@ -120,6 +120,17 @@ size_t tp_frame_scratch_into_with(const tp_kit *kit, const tp_scene *scene,
     return scratch_with(kit, scene, config, true);
 }
 
+static void init_lists(tp_frame *f)
+{
+    tp_shaders *const other[TP_OTHERS] = { &f->sky, &f->solids, &f->land, &f->drops,
+                                           &f->tank, &f->side, &f->spray };
+
+    tp_shaders_init(&f->water, f->water_shader, f->water_place, TP_SHADERS_WATER);
+    for (int i = 0; i < TP_OTHERS; i++)
+        tp_shaders_init(other[i], f->other_shader[i], f->other_place[i],
+                        TP_SHADERS_OTHER);
+}
+
 /* Tables that last, and those that the first frame needs. */
 static void make_tables(tp_frame *frame)
 {
@@ -128,8 +139,7 @@ static void make_tables(tp_frame *frame)
     tp_frame_init_sky(frame);
     if (frame->assets.boat)
         draw->boat->init(frame);
-    if (frame->assets.foam)
-        draw->foam->init(frame);
+    tp_frame_init_modules(frame);
     if (frame->parts.drop_capacity > 0)
         draw->drops->init(frame);
 }
@@ -172,6 +182,7 @@ tp_status tp_frame_init_with(const tp_kit *kit, tp_frame **out, const tp_scene *
     frame->shade.shine = parts.shine;
     if (parts.shine)
         memset(parts.shine, 0, (TP_SHINE + 1) * sizeof *parts.shine);
+    init_lists(frame);
     tp_frame_choose_rungs(frame);
     make_tables(frame);
     *out = frame;

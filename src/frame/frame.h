@@ -2,6 +2,7 @@
 /* The inside of a frame: everything that drawing a tile reads. */
 #ifndef TP_FRAME_INSIDE_H
 #define TP_FRAME_INSIDE_H
+#include "frame/drawing.h"
 #include "frame/sight.h"
 #include "geom/level.h"
 #include "pixel/toned.h"
@@ -9,14 +10,6 @@
 #include "scene/drawn.h"
 #include "scene/sides.h"
 #include "tidepool/plan.h"
-
-#define TP_STAGES 20
-
-/* What a kind of sample goes through, ended by NULL. */
-typedef struct {
-    tp_stage stage[TP_STAGES];
-    uint32_t lacks;             /* stages that it should have and the kit has not */
-} tp_plan;
 
 /* Tables of the sky and the camera that only some scenes have, or NULL. */
 typedef struct {
@@ -183,7 +176,10 @@ typedef struct {
     tp_frame_quick  *quick;             /* NULL: nothing is prepared here */
     tp_around_store  around;
     struct tp_quick_light *quick_light;
+    void           **module;            /* of each of the kit, NULL: not drawn */
 } tp_frame_parts;
+
+#define TP_OTHERS 7             /* kinds of samples beside water */
 
 struct tp_frame {
     const tp_kit    *kit;
@@ -222,7 +218,12 @@ struct tp_frame {
 
     tp_shade         shade;
     const tp_toned  *toned;             /* pixels are exposed as they are stored; or NULL */
-    tp_plan          sky, water, solids, land, drops, tank, side, spray;
+    tp_shaders       water;             /* its list, and those of other samples */
+    tp_shaders       sky, solids, land, drops, tank, side, spray;
+    tp_shader        water_shader[TP_SHADERS_WATER];
+    tp_shader        other_shader[TP_OTHERS][TP_SHADERS_OTHER];
+    uint8_t          water_place[TP_SHADERS_WATER];
+    uint8_t          other_place[TP_OTHERS][TP_SHADERS_OTHER];
 };
 
 /* carve.c: the block's layout, the frame itself first; with an arena that only counts,
@@ -292,31 +293,28 @@ bool tp_frame_is_glass(const tp_frame *frame, uint32_t face);
 
 /* plan.c: the stages that the scene needs, and their numbers. */
 void tp_frame_plan(tp_frame *frame);
-void tp_plan_add(tp_plan *plan, tp_stage stage);        /* NULL: is left out, counted */
-/* The stage that a plan wants or, counted, the plainer one that the kit has. */
-tp_stage tp_plan_pick(tp_plan *plan, tp_stage wanted, tp_stage plainer);
 
 /* plan_sky.c: sky, what water mirrors of it, air, exposure. */
 void tp_frame_carve_sky(tp_frame_parts *parts, tp_arena *arena, const tp_kit *kit,
                         const tp_scene *scene, const tp_assets *assets);
 void tp_frame_init_sky(tp_frame *frame);
 void tp_frame_plan_sky(tp_frame *frame);
-void tp_frame_add_sky(const tp_frame *frame, tp_plan *plan);
+void tp_frame_add_sky(const tp_frame *frame, tp_shaders *plan);
 bool tp_frame_mirrors_apart(const tp_frame *frame);
 /* sx sz, mirror, rx rz; false: the kit has not all that this takes. */
-bool tp_frame_add_reflection(const tp_frame *frame, tp_plan *plan, bool rippled);
-void tp_frame_add_fresnel(const tp_frame *frame, tp_plan *plan);
-void tp_frame_add_air(const tp_frame *frame, tp_plan *plan);
-void tp_frame_add_exposure(const tp_frame *frame, tp_plan *plan);
+bool tp_frame_add_reflection(const tp_frame *frame, tp_shaders *plan, bool rippled);
+void tp_frame_add_fresnel(const tp_frame *frame, tp_shaders *plan);
+void tp_frame_add_air(const tp_frame *frame, tp_shaders *plan);
+void tp_frame_add_exposure(const tp_frame *frame, tp_shaders *plan);
 
 /* plan_quick_layers.c: stages of the layers and ripples of the quick rung */
-void tp_plan_add_quick_layers(const tp_frame *frame, tp_plan *water, bool even);
+void tp_plan_add_quick_layers(const tp_frame *frame, tp_shaders *water, bool even);
 
 /* plan_layers.c: the water's pictures, ripples and bumps.  Of the stages that it adds:
  * whether they bend the normals. */
 void tp_frame_plan_layers(tp_frame *frame);
-bool tp_plan_add_layers(const tp_frame *frame, tp_plan *water);
-bool tp_plan_add_bumps(const tp_frame *frame, tp_plan *water);      /* ripples, pools */
+bool tp_plan_add_layers(const tp_frame *frame, tp_shaders *water);
+bool tp_plan_add_bumps(const tp_frame *frame, tp_shaders *water);      /* ripples, pools */
 tp_layer tp_frame_layer(const tp_frame *frame, const tp_texture *texture,
                         const tp_scene_map *map);
 uint32_t tp_frame_repeats(tp_fx size);          /* a metre, Q0.32 over Q16.16 */

@@ -110,12 +110,6 @@ struct tp_draw_inside {
     tp_stage (*behind)(const tp_frame *frame, bool rippled);
 };
 
-struct tp_draw_foam {
-    void (*init)(tp_frame *frame);
-    void (*plan)(tp_frame *frame);
-    tp_stage (*stage)(const tp_frame *frame, bool rippled, bool shiny);
-};
-
 struct tp_draw_layers {         /* but the first one */
     void (*plan)(tp_frame *frame);
 };
@@ -164,7 +158,7 @@ struct tp_draw_glint {
 /* The quick rung: false where water needs more than that has. */
 struct tp_draw_quick_light {
     void (*carve)(tp_frame_parts *parts, tp_arena *arena);
-    bool (*plan)(tp_frame *frame, tp_plan *water);
+    bool (*plan)(tp_frame *frame, tp_shaders *water);
 };
 
 /* The water's share of what it mirrors. */

@@ -15,27 +15,8 @@ static void light_from(tp_frame *frame)
     axes->lz = light.z >> 16;
 }
 
-void tp_plan_add(tp_plan *plan, tp_stage stage)
-{
-    int i = 0;
-    if (!stage)
-        plan->lacks++;
-    while (plan->stage[i])
-        i++;
-    TP_ASSERT(i + 1 < TP_STAGES);
-    plan->stage[i] = stage;
-}
-
-tp_stage tp_plan_pick(tp_plan *plan, tp_stage wanted, tp_stage plainer)
-{
-    if (wanted)
-        return wanted;
-    plan->lacks++;
-    return plainer;
-}
-
 /* NULL: the kit has none. */
-static tp_stage light_stage(const tp_frame *frame, tp_plan *water, bool rippled)
+static tp_stage light_stage(const tp_frame *frame, tp_shaders *water, bool rippled)
 {
     const tp_stages *stages = &frame->kit->stage;
     tp_stage plain = rippled && stages->light_rippled ? stages->light_rippled
@@ -44,29 +25,29 @@ static tp_stage light_stage(const tp_frame *frame, tp_plan *water, bool rippled)
     if (!stages->view)
         return NULL;
     if (frame->scene->light.model == TP_LIGHT_BLINN)
-        return tp_plan_pick(water, rippled ? stages->light_blinn_rippled
+        return tp_shaders_pick(water, rippled ? stages->light_blinn_rippled
                                            : stages->light_blinn, plain);
-    return rippled ? tp_plan_pick(water, stages->light_rippled, plain) : plain;
+    return rippled ? tp_shaders_pick(water, stages->light_rippled, plain) : plain;
 }
 
 /* Objects over it: what the scene asks for and had memory for at init. */
-static void add_objects(const tp_frame *frame, tp_plan *water)
+static void add_objects(const tp_frame *frame, tp_shaders *water)
 {
     const tp_stages *stages = &frame->kit->stage;
     const int kind = frame->scene->mirror.objects;
 
     if (kind == TP_MIRROR_STENCIL && frame->parts.mirrored.colour)
-        tp_plan_add(water, stages->mirrored);
+        tp_shaders_add(water, TP_AT_OBJECTS, stages->mirrored, NULL);
     if (kind == TP_MIRROR_CUBE && frame->parts.around.colour)
-        tp_plan_add(water, stages->mirrored_cube);
+        tp_shaders_add(water, TP_AT_OBJECTS, stages->mirrored_cube, NULL);
 }
 
-static void add_mirror(const tp_frame *frame, tp_plan *water, bool rippled)
+static void add_mirror(const tp_frame *frame, tp_shaders *water, bool rippled)
 {
     const tp_stages *stages = &frame->kit->stage;
 
     if (!tp_frame_mirrors_apart(frame)) {
-        tp_plan_add(water, stages->mirror);
+        tp_shaders_add(water, TP_AT_FRESNEL, stages->mirror, NULL);
         return;
     }
     if (!tp_frame_add_reflection(frame, water, rippled))
@@ -76,7 +57,7 @@ static void add_mirror(const tp_frame *frame, tp_plan *water, bool rippled)
 }
 
 /* Light, and what needs a view besides; whether it has a glint. */
-static bool add_light(tp_frame *frame, tp_plan *water, bool rippled, bool shines)
+static bool add_light(tp_frame *frame, tp_shaders *water, bool rippled, bool shines)
 {
     const tp_scene  *scene = frame->scene;
     const tp_stages *stages = &frame->kit->stage;
@@ -84,15 +65,16 @@ static bool add_light(tp_frame *frame, tp_plan *water, bool rippled, bool shines
     tp_stage light = NULL;
 
     if (shines || mirrors || clear)
-        light = tp_plan_pick(water, light_stage(frame, water, rippled), NULL);
+        light = tp_shaders_pick(water, light_stage(frame, water, rippled), NULL);
     if (!light) {
-        tp_plan_add(water, rippled ? stages->diffuse_rippled : stages->diffuse);
+        tp_shaders_add_colour(water, rippled ? stages->diffuse_rippled
+                                              : stages->diffuse);
         return false;
     }
-    tp_plan_add(water, stages->view);
-    tp_plan_add(water, light);
+    tp_shaders_add_colour(water, stages->view);
+    tp_shaders_add_colour(water, light);
     if (clear && frame->kit->draw.inside)
-        tp_plan_add(water, frame->kit->draw.inside->behind(frame, rippled));
+        tp_shaders_add_colour(water, frame->kit->draw.inside->behind(frame, rippled));
     if (mirrors)
         add_mirror(frame, water, rippled);
     return shines;
@@ -102,27 +84,30 @@ static bool add_light(tp_frame *frame, tp_plan *water, bool rippled, bool shines
 static void choose_water(tp_frame *frame)
 {
     const tp_stages *stages = &frame->kit->stage;
-    tp_plan *water = &frame->water;
-    bool shines = frame->scene->water.specular > 0;
+    tp_shaders *water = &frame->water;
 
-    *water = (tp_plan){ .lacks = 0 };
+    tp_shaders_clear(water);
     if (frame->rungs.shading == TP_SHADING_QUICK && frame->kit->draw.quick_light
         && frame->kit->draw.quick_light->plan(frame, water)) {
         tp_frame_add_air(frame, water);
         return;
     }
-    bool rippled = tp_plan_add_layers(frame, water);
-    shines = add_light(frame, water, rippled, shines);
-    if (frame->kit->draw.foam && tp_world_foam(frame->world))
-        tp_plan_add(water, frame->kit->draw.foam->stage(frame, rippled, shines));
-    if (shines)
-        tp_plan_add(water, stages->glint);
+    water->rippled = tp_plan_add_layers(frame, water);
+    water->shines = add_light(frame, water, water->rippled,
+                              frame->scene->water.specular > 0);
+    if (water->shines)
+        tp_shaders_add(water, TP_AT_GLINT, stages->glint, NULL);
     tp_frame_add_air(frame, water);
+    tp_frame_add_modules(frame, water);
 }
 
-static tp_plan plan_of(tp_stage wanted, tp_stage plainer)
+/* A list of one stage, then the air. */
+static void choose_other(const tp_frame *frame, tp_shaders *list, tp_stage stage)
 {
-    return (tp_plan){ .stage = { wanted ? wanted : plainer } };
+    tp_shaders_clear(list);
+    if (stage)
+        tp_shaders_add_colour(list, stage);
+    tp_frame_add_air(frame, list);
 }
 
 static void choose_stages(tp_frame *frame)
@@ -132,21 +117,17 @@ static void choose_stages(tp_frame *frame)
     const bool ground = frame->kit->draw.inside
                      && (frame->assets.floor_texture || frame->scene->water.clear > 0);
 
-    frame->sky = (tp_plan){ .lacks = 0 };
+    tp_shaders_clear(&frame->sky);
     tp_frame_add_sky(frame, &frame->sky);
     tp_frame_add_exposure(frame, &frame->sky);
-    frame->solids = plan_of(blinn ? stages->solid_blinn : stages->solid, stages->solid);
-    frame->land = plan_of(ground ? stages->ground : stages->land, stages->land);
-    frame->drops = plan_of(stages->drop, NULL);
-    frame->tank = plan_of(stages->wall, NULL);
-    frame->side = plan_of(stages->side, NULL);
-    frame->spray = plan_of(stages->spray, NULL);
-    tp_frame_add_air(frame, &frame->solids);
-    tp_frame_add_air(frame, &frame->land);
-    tp_frame_add_air(frame, &frame->drops);
-    tp_frame_add_air(frame, &frame->tank);
-    tp_frame_add_air(frame, &frame->side);
-    tp_frame_add_air(frame, &frame->spray);
+    choose_other(frame, &frame->solids, blinn && stages->solid_blinn ? stages->solid_blinn
+                                                                     : stages->solid);
+    choose_other(frame, &frame->land, ground && stages->ground ? stages->ground
+                                                               : stages->land);
+    choose_other(frame, &frame->drops, stages->drop);
+    choose_other(frame, &frame->tank, stages->wall);
+    choose_other(frame, &frame->side, stages->side);
+    choose_other(frame, &frame->spray, stages->spray);
     choose_water(frame);
     frame->stats.dropped += frame->sky.lacks + frame->water.lacks;
 }
@@ -177,8 +158,7 @@ void tp_frame_plan(tp_frame *frame)
                               .gloss = tp_drop_gloss };
     shade->drop = (tp_solid){ .diffuse = (uint32_t)scene->drops.colour,
                               .specular = 0xffffff, .gloss = tp_drop_gloss };
-    if (draw->foam)
-        draw->foam->plan(frame);
+    tp_frame_begin_modules(frame);
     choose_stages(frame);
     if (draw->inside)
         draw->inside->plan(frame);

@@ -105,26 +105,35 @@ static tp_stage behind_stage(const tp_frame *frame, bool rippled)
 }
 
 /* A kind's own first stage, then the water before it instead of air. */
-static tp_plan in_water(const tp_frame *frame, const tp_plan *plan)
+static void put_in_water(const tp_frame *frame, tp_shaders *list)
 {
-    return (tp_plan){ .stage = { plan->stage[0], frame->kit->stage.absorb } };
+    const tp_stage own = list->shader[0].stage;
+
+    tp_shaders_clear(list);
+    if (!own)
+        return;
+    tp_shaders_add_colour(list, own);
+    tp_shaders_add(list, TP_AT_AIR, frame->kit->stage.absorb, NULL);
 }
 
 static void choose_under(tp_frame *frame)
 {
     const tp_stages *stages = &frame->kit->stage;
-    tp_plan *const all[] = { &frame->sky, &frame->water, &frame->solids, &frame->land,
+    tp_shaders *const all[] = { &frame->sky, &frame->water, &frame->solids, &frame->land,
                              &frame->drops, &frame->tank, &frame->spray };
 
-    frame->sky = (tp_plan){ .stage = { stages->deep } };
-    frame->water = (tp_plan){ .lacks = 0 };
+    tp_shaders_clear(&frame->sky);
+    tp_shaders_add_colour(&frame->sky, stages->deep);
+    tp_shaders_clear(&frame->water);
     bool rippled = tp_plan_add_bumps(frame, &frame->water);
-    tp_plan_add(&frame->water, stages->view);
-    tp_plan_add(&frame->water, rippled && stages->below_rippled ? stages->below_rippled
-                                                                : stages->below);
-    frame->land = (tp_plan){ .stage = { stages->ground ? stages->ground : stages->land } };
+    tp_shaders_add_colour(&frame->water, stages->view);
+    tp_shaders_add_colour(&frame->water, rippled && stages->below_rippled
+                   ? stages->below_rippled : stages->below);
+    tp_shaders_clear(&frame->land);
+    tp_shaders_add_colour(&frame->land, stages->ground ? stages->ground
+                                                        : stages->land);
     for (int k = 2; k < 7; k++)
-        *all[k] = in_water(frame, all[k]);
+        put_in_water(frame, all[k]);
     for (int k = 0; k < 7; k++)
         tp_frame_add_exposure(frame, all[k]);
 }

@@ -115,7 +115,7 @@ static void plan_ripple(tp_frame *frame)
 const struct tp_draw_layers tp_draw_layers = { plan_layers };
 const struct tp_draw_ripple tp_draw_ripple = { plan_ripple };
 
-static tp_stage texture_stage(const tp_frame *frame, tp_plan *water, bool linear)
+static tp_stage texture_stage(const tp_frame *frame, tp_shaders *water, bool linear)
 {
     const tp_stages *stages = &frame->kit->stage;
     const tp_stage stage[] = {
@@ -130,7 +130,7 @@ static tp_stage texture_stage(const tp_frame *frame, tp_plan *water, bool linear
     tp_stage wanted = stage[2 * linear + (shade->water_colour != 0xffffff)];
     if (is_graded(&frame->scene->layer[0]))
         wanted = linear ? stages->texture_linear_graded : stages->texture_graded;
-    return tp_plan_pick(water, wanted, stages->texture ? stages->texture : stages->plain);
+    return tp_shaders_pick(water, wanted, stages->texture ? stages->texture : stages->plain);
 }
 
 /* Slopes of the mesh are 1/4 at the most: sum kA / (1 - sum QkA). */
@@ -147,7 +147,7 @@ static bool is_gentle(const tp_surface *surface)
 }
 
 /* Ripples lie on what pools make of the slopes. */
-bool tp_plan_add_bumps(const tp_frame *frame, tp_plan *water)
+bool tp_plan_add_bumps(const tp_frame *frame, tp_shaders *water)
 {
     const tp_stages *stages = &frame->kit->stage;
     const tp_pool_bump *pool = frame->shade.bumps.pool;
@@ -155,17 +155,17 @@ bool tp_plan_add_bumps(const tp_frame *frame, tp_plan *water)
     tp_stage bump = NULL, ripple = NULL;
 
     if (pool[0].slope || pool[1].slope)
-        tp_plan_add(water, bump = stages->pool_bump);
+        tp_shaders_add_colour(water, bump = stages->pool_bump);
     if (ripples && bump)
-        tp_plan_add(water, ripple = stages->ripple_over);
+        tp_shaders_add_colour(water, ripple = stages->ripple_over);
     else if (ripples && stages->ripple_gentle && is_gentle(&frame->surface))
-        tp_plan_add(water, ripple = stages->ripple_gentle);
+        tp_shaders_add_colour(water, ripple = stages->ripple_gentle);
     else if (ripples)
-        tp_plan_add(water, ripple = stages->ripple);
+        tp_shaders_add_colour(water, ripple = stages->ripple);
     return bump || ripple;
 }
 
-bool tp_plan_add_layers(const tp_frame *frame, tp_plan *water)
+bool tp_plan_add_layers(const tp_frame *frame, tp_shaders *water)
 {
     const tp_stages *stages = &frame->kit->stage;
     const tp_layers *layers = &frame->shade.layers;
@@ -174,9 +174,9 @@ bool tp_plan_add_layers(const tp_frame *frame, tp_plan *water)
 
     if (layers->bend.texture && layers->strength > 0
         && (added || frame->shade.water.texture))
-        tp_plan_add(water, stages->bend);
-    tp_plan_add(water, texture_stage(frame, water, linear));
+        tp_shaders_add_colour(water, stages->bend);
+    tp_shaders_add_colour(water, texture_stage(frame, water, linear));
     if (added)
-        tp_plan_add(water, linear ? stages->layers_linear : stages->layers);
+        tp_shaders_add_colour(water, linear ? stages->layers_linear : stages->layers);
     return tp_plan_add_bumps(frame, water);
 }

@@ -22,7 +22,7 @@ static bool has_beyond(const tp_frame *frame)
     return scene->water.clear > 0 || frame->shade.env.beyond > 0
         || (frame->shade.env.kind != TP_ENV_GRADIENT && !is_rippled(frame))
         || pool[0].slope || pool[1].slope
-        || (frame->kit->draw.foam && tp_world_foam(frame->world))
+        || tp_frame_has_module(frame, TP_MODULE_EXACT)
         || (objects == TP_MIRROR_STENCIL && frame->parts.mirrored.colour)
         || (objects == TP_MIRROR_CUBE && frame->parts.around.colour);
 }
@@ -47,7 +47,7 @@ static tp_stage stage_of(const tp_frame *frame, tp_lobe lobe)
 }
 
 /* Light and mirror of every second column; a kit may lack some of it. */
-static bool add_halves(const tp_frame *frame, tp_plan *water, tp_lobe lobe)
+static bool add_halves(const tp_frame *frame, tp_shaders *water, tp_lobe lobe)
 {
     const tp_stages *s = &frame->kit->stage;
     const tp_stage light[] = { s->quick_gradient_even, s->quick_dome_even,
@@ -60,8 +60,8 @@ static bool add_halves(const tp_frame *frame, tp_plan *water, tp_lobe lobe)
         || !rest[lobe])
         return false;
     tp_plan_add_quick_layers(frame, water, true);
-    tp_plan_add(water, light[kind]);
-    tp_plan_add(water, rest[lobe]);
+    tp_shaders_add_colour(water, light[kind]);
+    tp_shaders_add_colour(water, rest[lobe]);
     return true;
 }
 
@@ -111,7 +111,7 @@ static bool has_list(const tp_stages *s)
         && s->quick_ripple && s->quick_slopes;
 }
 
-static bool plan(tp_frame *frame, tp_plan *water)
+static bool plan(tp_frame *frame, tp_shaders *water)
 {
     const tp_lobe  lobe = lobe_of(frame);
     const tp_stage light = stage_of(frame, lobe);
@@ -122,7 +122,7 @@ static bool plan(tp_frame *frame, tp_plan *water)
     make_tables(frame, lobe);
     if (!add_halves(frame, water, lobe)) {
         tp_plan_add_quick_layers(frame, water, false);
-        tp_plan_add(water, light);
+        tp_shaders_add_colour(water, light);
     }
     return true;
 }

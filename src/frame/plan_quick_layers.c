@@ -145,7 +145,7 @@ static bool has_layers(const tp_quick_layers *quick)
     return false;
 }
 
-void tp_plan_add_quick_layers(const tp_frame *frame, tp_plan *water, bool even)
+void tp_plan_add_quick_layers(const tp_frame *frame, tp_shaders *water, bool even)
 {
     const tp_stages *stages = &frame->kit->stage;
     const tp_quick_layers *quick = &frame->shade.quick_layers;
@@ -155,12 +155,13 @@ void tp_plan_add_quick_layers(const tp_frame *frame, tp_plan *water, bool even)
     bool bends = quick->bend.level && frame->scene->distortion.strength > 0;
 
     if (layers || ripples)
-        tp_plan_add(water, stages->quick_far);
+        tp_shaders_add_colour(water, stages->quick_far);
     if (layers && thin)
-        tp_plan_add(water, bends ? stages->quick_bend_thin : stages->quick_still_thin);
+        tp_shaders_add_colour(water, bends ? stages->quick_bend_thin
+                                           : stages->quick_still_thin);
     else if (layers)
-        tp_plan_add(water, bends ? stages->quick_bend : stages->quick_still);
-    tp_plan_add(water, even ? stages->quick_layers_even : !layers ? stages->plain
-                       : thin ? stages->quick_layers_thin : stages->quick_layers);
-    tp_plan_add(water, ripples ? stages->quick_ripple : stages->quick_slopes);
+        tp_shaders_add_colour(water, bends ? stages->quick_bend : stages->quick_still);
+    tp_shaders_add_colour(water, even ? stages->quick_layers_even
+                               : !layers ? stages->plain : thin ? stages->quick_layers_thin : stages->quick_layers);
+    tp_shaders_add_colour(water, ripples ? stages->quick_ripple : stages->quick_slopes);
 }

@@ -183,7 +183,7 @@ void tp_frame_plan_sky(tp_frame *frame)
 
 /* -- stages ---------------------------------------------------------------------------- */
 
-void tp_frame_add_sky(const tp_frame *frame, tp_plan *plan)
+void tp_frame_add_sky(const tp_frame *frame, tp_shaders *plan)
 {
     const tp_stages *stages = &frame->kit->stage;
     const tp_env *env = &frame->shade.env;
@@ -195,9 +195,9 @@ void tp_frame_add_sky(const tp_frame *frame, tp_plan *plan)
               && stages->quick_sky_dome ? stages->quick_sky_dome : stages->sky_dome;
     else if (env->kind == TP_ENV_CUBE)
         sky = env->beyond ? stages->sky_cube_hdr : stages->sky_cube;
-    tp_plan_add(plan, tp_plan_pick(plan, sky, stages->sky));
+    tp_shaders_add_colour(plan, tp_shaders_pick(plan, sky, stages->sky));
     if (env->kind == TP_ENV_DOME && env->stars > 0 && sky)
-        tp_plan_add(plan, stages->stars);
+        tp_shaders_add_colour(plan, stages->stars);
 }
 
 /* The plain gradient has no light beyond white; only objects in the mirror ask for more
@@ -209,47 +209,48 @@ bool tp_frame_mirrors_apart(const tp_frame *frame)
 }
 
 /* What mirrors nothing of the sky mirrors no objects either. */
-bool tp_frame_add_reflection(const tp_frame *frame, tp_plan *plan, bool rippled)
+bool tp_frame_add_reflection(const tp_frame *frame, tp_shaders *plan, bool rippled)
 {
     const tp_stages *stages = &frame->kit->stage;
     const tp_env_kind kind = frame->shade.env.kind;
     const tp_stage wanted = kind == TP_ENV_DOME ? stages->reflect_dome
                           : kind == TP_ENV_CUBE ? stages->reflect_cube
                                                 : stages->reflect_gradient;
-    const tp_stage found = tp_plan_pick(plan, wanted, stages->reflect_gradient);
+    const tp_stage found = tp_shaders_pick(plan, wanted, stages->reflect_gradient);
 
     if (!found || !stages->fresnel || (!rippled && !stages->slopes)) {
         plan->lacks++;
         return false;
     }
     if (!rippled)
-        tp_plan_add(plan, stages->slopes);
-    tp_plan_add(plan, found);
+        tp_shaders_add_colour(plan, stages->slopes);
+    tp_shaders_add(plan, TP_AT_REFLECT, found, NULL);
     return true;
 }
 
-void tp_frame_add_fresnel(const tp_frame *frame, tp_plan *plan)
+void tp_frame_add_fresnel(const tp_frame *frame, tp_shaders *plan)
 {
     const tp_stages *stages = &frame->kit->stage;
+    const bool hdr = frame->shade.env.beyond && stages->fresnel_hdr;
 
-    tp_plan_add(plan, frame->shade.env.beyond && stages->fresnel_hdr ? stages->fresnel_hdr
-                                                                     : stages->fresnel);
+    tp_shaders_add(plan, TP_AT_FRESNEL, hdr ? stages->fresnel_hdr : stages->fresnel, NULL);
 }
 
 /* What every sample but the sky's ends with. */
-void tp_frame_add_air(const tp_frame *frame, tp_plan *plan)
+void tp_frame_add_air(const tp_frame *frame, tp_shaders *plan)
 {
     const tp_stages *stages = &frame->kit->stage;
     const tp_env_kind kind = frame->shade.env.kind;
 
     if (frame->scene->sky.haze > 0)
-        tp_plan_add(plan, kind == TP_ENV_DOME ? stages->haze_dome
-                        : kind == TP_ENV_CUBE ? stages->haze_cube : stages->haze);
+        tp_shaders_add(plan, TP_AT_AIR, kind == TP_ENV_DOME ? stages->haze_dome
+                                      : kind == TP_ENV_CUBE ? stages->haze_cube
+                                                            : stages->haze, NULL);
     tp_frame_add_exposure(frame, plan);
 }
 
-void tp_frame_add_exposure(const tp_frame *frame, tp_plan *plan)
+void tp_frame_add_exposure(const tp_frame *frame, tp_shaders *plan)
 {
     if (frame->shade.tone && !frame->toned && frame->drawn.exposure != TP_FX_ONE)
-        tp_plan_add(plan, frame->kit->stage.expose);
+        tp_shaders_add(plan, TP_AT_TONE, frame->kit->stage.expose, NULL);
 }

@@ -59,8 +59,8 @@ static void place_spray(tp_frame *frame)
     bool under = frame->under, clear = frame->scene->water.clear > 0;
 
     frame->specks = 0;
-    frame->shade.foam.spray = spray_colour(&frame->shade,
-                                           (uint32_t)frame->scene->foam.colour);
+    frame->shade.spray = spray_colour(&frame->shade,
+                                      (uint32_t)frame->scene->foam.colour);
     for (uint32_t i = 0; spray && i < spray->count; i++) {
         if (frame->specks == frame->parts.speck_capacity)
             break;

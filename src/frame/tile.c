@@ -21,7 +21,7 @@ static void *pixels_of(const tp_frame *frame, void *scratch)
     return (uint32_t *)scratch + 4 * plane;
 }
 
-static const tp_plan *plan_for(const tp_frame *frame, uint32_t mark)
+static const tp_shaders *plan_for(const tp_frame *frame, uint32_t mark)
 {
     return mark == TP_MARK_SKY ? &frame->sky
          : mark == TP_MARK_WATER ? &frame->water
@@ -47,7 +47,7 @@ static int32_t run_length(const uint32_t *key, int32_t most)
 }
 
 /* The run that begins at (x, y), and what it goes through. */
-static const tp_plan *run_at(const tp_frame *frame, const tp_samples *tile, int32_t x,
+static const tp_shaders *run_at(const tp_frame *frame, const tp_samples *tile, int32_t x,
                              int32_t y, tp_run *run)
 {
     TP_ASSERT(x >= tile->x0 && x < tile->x1 && y >= tile->y0 && y < tile->y1);
@@ -69,6 +69,14 @@ static const tp_plan *run_at(const tp_frame *frame, const tp_samples *tile, int3
     return plan_for(frame, TP_MARK(run->key[0]));
 }
 
+static void shade_run(const tp_frame *frame, const tp_shaders *list, tp_run *run)
+{
+    for (const tp_shader *s = list->shader; s->stage; s++) {
+        run->mine = s->mine;
+        s->stage(&frame->shade, run);
+    }
+}
+
 static void shade_row(const tp_frame *frame, const tp_samples *tile, int32_t y, void *row)
 {
     const tp_store store = frame->kit->store[frame->config.format];
@@ -78,9 +86,8 @@ static void shade_row(const tp_frame *frame, const tp_samples *tile, int32_t y, 
     if (frame->glasses > 0)
         frame->kit->draw.glass->row(frame, y, glass);
     for (int32_t x = tile->x0; x < tile->x1; x += run.count) {
-        const tp_plan *plan = run_at(frame, tile, x, y, &run);
-        for (int k = 0; plan->stage[k]; k++)
-            plan->stage[k](&frame->shade, &run);
+        const tp_shaders *plan = run_at(frame, tile, x, y, &run);
+        shade_run(frame, plan, &run);
         if (frame->glasses > 0)
             frame->kit->draw.glass->glaze(frame, glass, &run);
         if (frame->toned)
@@ -102,9 +109,12 @@ void tp_frame_colour_row(const tp_frame *frame, const tp_samples *tile, int32_t 
             to[x++ - tile->x0] = 0;
             continue;
         }
-        const tp_plan *plan = run_at(frame, tile, x, y, &run);
-        for (int k = 0; plan->stage[k] && plan->stage[k] != frame->kit->stage.expose; k++)
-            plan->stage[k](&frame->shade, &run);
+        const tp_shaders *plan = run_at(frame, tile, x, y, &run);
+        for (const tp_shader *s = plan->shader;
+             s->stage && s->stage != frame->kit->stage.expose; s++) {
+            run.mine = s->mine;
+            s->stage(&frame->shade, &run);
+        }
         for (int32_t k = 0; k < run.count; k++, x++)
             to[x - tile->x0] = run.colour[k] | 0xff000000u;
     }

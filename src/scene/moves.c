@@ -2,6 +2,7 @@
 /* How drops and pools move, and the list of all movers, as a kit names them. */
 #include "scene/moves.h"
 #include "base/base.h"
+#include "scene/module.h"
 
 /* -- drops ------------------------------------------------------------------------- */
 
@@ -12,8 +13,7 @@ static void strike(const tp_kit *kit, tp_world *world, const tp_scene *scene,
     const tp_moves *move = &kit->move;
     tp_pool *pool = tp_parts_pool(world);
 
-    if (world->parts.foam)
-        move->foam->blob(tp_parts_foam(world), impact->x, impact->z, impact->length / 5, 160);
+    tp_modules_hit(kit, world, scene, impact);
     if (world->parts.spray)
         move->spray->splash(tp_parts_spray(world), scene, impact, level);
 
@@ -134,7 +134,5 @@ const struct tp_move_ocean  tp_move_ocean = { tp_parts_ocean_bytes, tp_parts_ini
                                               tp_parts_refresh_ocean };
 const struct tp_move_meter  tp_move_meter = { tp_meter_bytes, tp_meter_init,
                                               tp_meter_step };
-const struct tp_move_foam   tp_move_foam = { tp_foam_bytes, tp_foam_init, tp_foam_step,
-                                             tp_foam_blob };
 const struct tp_move_spray  tp_move_spray = { tp_spray_bytes, tp_spray_init,
                                               tp_spray_step, tp_spray_splash };

@@ -5,7 +5,6 @@
 #define TP_SCENE_MOVES_H
 #include "geom/waters.h"
 #include "scene/boat.h"
-#include "scene/foam.h"
 #include "scene/light.h"
 #include "scene/parts.h"
 #include "scene/spray.h"
@@ -50,13 +49,6 @@ struct tp_move_ocean {
     tp_status (*init)(tp_world *world, const tp_scene *scene, const tp_assets *assets,
                       tp_error *err);
     tp_status (*refresh)(tp_world *world, const tp_scene *scene, const tp_assets *assets);
-};
-
-struct tp_move_foam {
-    size_t (*bytes)(const tp_scene *scene, bool ocean);
-    void (*init)(tp_foam *foam, const tp_world *world, const tp_scene *scene, bool ocean);
-    void (*step)(tp_world *world, const tp_scene *scene);
-    void (*blob)(tp_foam *foam, tp_fx x, tp_fx z, tp_fx radius, uint32_t cover);
 };
 
 struct tp_move_spray {

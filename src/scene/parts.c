@@ -3,6 +3,7 @@
 #include "scene/parts.h"
 #include "base/base.h"
 #include "base/text.h"
+#include "scene/module.h"
 #include "scene/moves.h"
 #include "scene/sides.h"
 
@@ -128,19 +129,21 @@ static bool has_ocean(const tp_kit *kit, const tp_scene *scene)
 }
 
 /* What has neither to be checked nor can fail. */
-static void take_rest(const tp_moves *move, tp_world_parts *parts, tp_arena *arena,
-                      const tp_scene *scene)
+static void take_rest(const tp_kit *kit, tp_world_parts *parts, tp_arena *arena,
+                      const tp_want *want)
 {
+    const tp_moves *move = &kit->move;
+    const tp_scene *scene = want->scene;
+
     if (move->drops)
         parts->drops = take(arena, move->drops->bytes(&scene->drops));
     if (parts->drops && scene->drops.into == TP_DROPS_RINGS)
         parts->rings = take(arena, (size_t)scene->drops.rings * sizeof(tp_ring_now));
     if (move->meter)
         parts->probe = take(arena, move->meter->bytes(scene));
-    if (move->foam)
-        parts->foam = take(arena, move->foam->bytes(scene, parts->ocean != 0));
     if (move->spray)
         parts->spray = take(arena, move->spray->bytes(scene));
+    parts->modules = tp_modules_take(kit, arena, want);
 }
 
 /* That a world has room for. */
@@ -176,7 +179,8 @@ tp_status tp_parts_of(const tp_kit *kit, tp_world_parts *parts, const tp_scene *
         status = move->pools->take(parts, &arena, scene, assets, err);
     if (status != TP_OK)
         return status;
-    take_rest(move, parts, &arena, scene);
+    const tp_want want = { scene, assets, parts->ocean != 0, 0, 0 };
+    take_rest(kit, parts, &arena, &want);
     parts->bytes = (uint32_t)arena.used;
     return TP_OK;
 }
@@ -240,10 +244,10 @@ tp_status tp_parts_init(const tp_kit *kit, tp_world *world, const tp_scene *scen
         move->drops->init(tp_parts_drops(world), &scene->drops);
     if (world->parts.probe)
         move->meter->init(world, scene, assets);
-    if (world->parts.foam)
-        move->foam->init(tp_parts_foam(world), world, scene, world->parts.ocean != 0);
     if (world->parts.spray)
         move->spray->init(tp_parts_spray(world), scene);
+    const tp_want want = { scene, assets, world->parts.ocean != 0, 0, 0 };
+    tp_modules_init(kit, world, &want);
     return status;
 }
 
@@ -263,13 +267,6 @@ static bool can_tune(const tp_pool *pool, const tp_scene_pool *scene)
     return tune(&head, scene);
 }
 
-/* Cover of cells of one size means nothing in those of another. */
-static bool same_foam(const tp_foam *foam, const tp_scene *scene)
-{
-    return !foam || (foam->cells == (uint32_t)scene->foam.cells
-                     && foam->cell == scene->foam.cell);
-}
-
 static bool same_spray(const tp_spray *spray, const tp_scene *scene)
 {
     return !spray || spray->capacity == (uint32_t)scene->spray.count;
@@ -281,12 +278,14 @@ bool tp_parts_can_tune_pools(const tp_world *world, const tp_scene *scene)
         && can_tune(tp_world_field(world), &scene->field);
 }
 
-bool tp_parts_can_tune(const tp_kit *kit, const tp_world *world, const tp_scene *scene)
+bool tp_parts_can_tune(const tp_kit *kit, const tp_world *world, const tp_scene *scene,
+                       const tp_assets *assets)
 {
     const bool pools = world->parts.pool || world->parts.field;
+    const tp_want want = { scene, assets, world->parts.ocean != 0, 0, 0 };
 
     return (!pools || kit->move.pools->can_tune(world, scene))
-        && same_foam(tp_world_foam(world), scene)
+        && tp_modules_fit(kit, world, &want)
         && same_spray(tp_world_spray(world), scene);
 }
 
@@ -316,11 +315,6 @@ tp_ring_now *tp_parts_rings(tp_world *world)
     return part(world, world->parts.rings);
 }
 
-tp_foam *tp_parts_foam(tp_world *world)
-{
-    return part(world, world->parts.foam);
-}
-
 tp_spray *tp_parts_spray(tp_world *world)
 {
     return part(world, world->parts.spray);
@@ -329,11 +323,6 @@ tp_spray *tp_parts_spray(tp_world *world)
 const tp_ring_now *tp_world_rings(const tp_world *world)
 {
     return part(world, world->parts.rings);
-}
-
-const tp_foam *tp_world_foam(const tp_world *world)
-{
-    return part(world, world->parts.foam);
 }
 
 const tp_spray *tp_world_spray(const tp_world *world)

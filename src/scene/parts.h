@@ -33,7 +33,8 @@ tp_status tp_parts_refresh_ocean(tp_world *world, const tp_scene *scene,
                                  const tp_assets *assets);
 
 /* What of the pools may change while they move; first ask whether nothing else has. */
-bool tp_parts_can_tune(const tp_kit *kit, const tp_world *world, const tp_scene *scene);
+bool tp_parts_can_tune(const tp_kit *kit, const tp_world *world, const tp_scene *scene,
+                       const tp_assets *assets);
 
 /* Of pool and field alone: their places in the block, what is in them, and the same two. */
 tp_status tp_parts_take_pools(tp_world_parts *parts, tp_arena *arena,
@@ -56,7 +57,6 @@ tp_pool     *tp_parts_pool(tp_world *world);
 tp_pool     *tp_parts_field(tp_world *world);
 tp_drops    *tp_parts_drops(tp_world *world);
 tp_ring_now *tp_parts_rings(tp_world *world);
-tp_foam     *tp_parts_foam(tp_world *world);
 tp_spray    *tp_parts_spray(tp_world *world);
 const tp_ring_now *tp_world_rings(const tp_world *world);
 

@@ -8,9 +8,10 @@
  * what comes and counts it. */
 #include "scene/spray.h"
 #include "base/base.h"
-#include "scene/foam.h"
 #include "scene/drawn.h"
 #include "scene/parts.h"
+#include "wave/ocean.h"
+#include "wave/wave.h"
 
 #define TICK(x)     ((x) / TP_TICKS_PER_SECOND)
 #define SLOWER      TP_FX(0.9726)           /* e^(-1/60 s / 0.6 s) ... */
@@ -174,7 +175,7 @@ static tp_fx ocean_strength(const tp_surface *surface, tp_fx x, tp_fx z)
     const tp_fx d = TP_FX_ONE / 4;
     tp_ocean_point at = tp_ocean_at_rest(surface->ocean, surface->phases, x, z);
 
-    if (at.depth <= tp_foam_deep(surface->ocean) || at.position.y < 0)
+    if (at.depth <= tp_ocean_breaking_depth(surface->ocean) || at.position.y < 0)
         return at.breaking * 257;
     tp_vec3 u = tp_vec3_sub(point(surface, x + d, z), point(surface, x - d, z));
     tp_vec3 w = tp_vec3_sub(point(surface, x, z + d), point(surface, x, z - d));
@@ -186,7 +187,7 @@ static tp_fx strength_at(const tp_surface *surface, tp_fx x, tp_fx z)
 {
     if (surface->ocean)
         return ocean_strength(surface, x, z);
-    tp_fx jacobian = tp_foam_squeeze(surface->sea, surface->phases, x, z);
+    tp_fx jacobian = tp_sea_jacobian(surface->sea, surface->phases, x, z);
     return jacobian < SHARP ? (SHARP - jacobian) * 4 : 0;
 }
 

@@ -4,6 +4,7 @@
 #include "base/base.h"
 #include "base/given.h"
 #include "scene/drawn.h"
+#include "scene/module.h"
 #include "scene/moves.h"
 
 #define PITCH_MOST TP_DEG(89)
@@ -95,7 +96,7 @@ bool tp_world_refresh_with(const tp_kit *kit, tp_world *world, const tp_scene *s
 
     if (tp_parts_of(kit, &parts, scene, assets, NULL) != TP_OK
         || memcmp(&parts, &world->parts, sizeof parts) != 0
-        || !tp_parts_can_tune(kit, world, scene))
+        || !tp_parts_can_tune(kit, world, scene, assets))
         return false;
     place_sea(kit, world, scene);
     if (world->parts.ocean && kit->move.ocean->refresh(world, scene, assets) != TP_OK)
@@ -190,8 +191,7 @@ void tp_world_step_with(const tp_kit *kit, tp_world *world, const tp_scene *scen
         move->wake->step(world, scene);
     if (world->parts.pool || world->parts.field)
         move->pools->step(kit, world, scene, input);
-    if (world->parts.foam)
-        move->foam->step(world, scene);
+    tp_modules_step(kit, world, scene);
     if (world->parts.spray)
         move->spray->step(kit, world, scene);
     tp_light_step(world, scene, input);

@@ -9,8 +9,8 @@
 #include "pool/pool.h"
 #include "scene/boat.h"
 #include "scene/drawn.h"
-#include "scene/foam.h"
 #include "scene/light.h"
+#include "scene/module.h"
 #include "scene/parts.h"
 #include "scene/spray.h"
 
@@ -36,8 +36,8 @@ static bool is_same_sea(const tp_sea *sea, const tp_sea *fresh)
 /* Bytes from an offset to the next part. */
 static size_t part_bytes(const tp_world_parts *p, uint32_t at)
 {
-    const uint32_t next[] = { p->pool, p->field, p->rings, p->drops, p->foam, p->spray,
-                              p->probe };
+    const uint32_t next[] = { p->pool, p->field, p->rings, p->drops, p->spray, p->probe,
+                              p->modules };
     uint32_t end = p->bytes;
 
     for (size_t i = 0; i < sizeof next / sizeof *next; i++)
@@ -84,12 +84,6 @@ static bool is_air_valid(const tp_world *world, const tp_world *fresh)
         || tp_drops_are_valid(tp_world_drops(world), tp_world_drops(fresh), world->tick);
 }
 
-static bool is_foam_valid(const tp_world *world, const tp_world *fresh)
-{
-    return !fresh->parts.foam
-        || tp_foam_is_valid(tp_world_foam(world), tp_world_foam(fresh));
-}
-
 static bool is_spray_valid(const tp_world *world, const tp_world *fresh)
 {
     return !fresh->parts.spray
@@ -97,7 +91,8 @@ static bool is_spray_valid(const tp_world *world, const tp_world *fresh)
 }
 
 /* The first part that is wrong, of one layout; NULL: none. */
-static const char *find_invalid(const tp_world *world, const tp_world *fresh)
+static const char *find_invalid(const tp_kit *kit, const tp_world *world,
+                                const tp_world *fresh)
 {
     return !is_head_valid(world, fresh) ? "head"
          : !tp_camera_is_valid(world) ? "camera"
@@ -110,13 +105,13 @@ static const char *find_invalid(const tp_world *world, const tp_world *fresh)
          : !is_pool_valid(tp_world_field(world), tp_world_field(fresh)) ? "field"
          : !is_air_valid(world, fresh) ? "drops"
          : !are_rings_valid(world) ? "rings"
-         : !is_foam_valid(world, fresh) ? "foam"
          : !is_spray_valid(world, fresh) ? "spray"
-         : !tp_meter_is_same(world, fresh) ? "meter" : NULL;
+         : !tp_meter_is_same(world, fresh) ? "meter"
+         : tp_modules_find_invalid(kit, world, fresh);
 }
 
-tp_status tp_world_check(const tp_world *world, size_t bytes, const tp_world *fresh,
-                         tp_error *err)
+tp_status tp_world_check_with(const tp_kit *kit, const tp_world *world, size_t bytes,
+                              const tp_world *fresh, tp_error *err)
 {
     const char *invalid = "layout";
     tp_status status = tp_given_block(world, 8, "world", err);
@@ -127,7 +122,7 @@ tp_status tp_world_check(const tp_world *world, size_t bytes, const tp_world *fr
         return status;
     if (bytes >= fresh->parts.bytes
         && memcmp(&world->parts, &fresh->parts, sizeof fresh->parts) == 0)
-        invalid = find_invalid(world, fresh);
+        invalid = find_invalid(kit, world, fresh);
     return invalid ? tp_error_blame(err, TP_FAIL(err, TP_E_WORLD, 0, 0, 0), invalid)
                    : TP_OK;
 }

@@ -22,7 +22,6 @@
 #include "shade/absorb.h"
 #include "shade/around.h"
 #include "shade/colour.h"
-#include "shade/foam.h"
 #include "shade/inside.h"
 #include "shade/layer.h"
 #include "shade/mirrored.h"
@@ -49,6 +48,7 @@ typedef struct tp_run {
         uint8_t end, places;    /* column, and as many places as there are before it */
     } span[TP_RUN / 16];
     uint32_t spans;
+    const void *mine;           /* data of the module whose stage runs */
     const uint32_t *key, *s, *t, *n;    /* the samples */
     const uint32_t *ls, *lt;    /* where layers are sampled: s and t, unless bent */
     uint32_t colour[TP_RUN];
@@ -142,7 +142,7 @@ typedef struct tp_shade {
     tp_absorb absorb;           /* of water that is seen through */
     tp_inside inside;           /* what lies in and under the water */
 
-    tp_shade_foam foam;
+    uint32_t spray;             /* colour of specks */
 
     uint32_t haze_scale;        /* zi to haze entries, Q0.32 */
     tp_entry16 *shine;          /* TP_SHINE + 1: 256 at 1, times the specular */
@@ -161,13 +161,6 @@ typedef struct tp_shade {
     X(texture_tinted,       0, 1) \
     X(texture_linear,       1, 0) \
     X(texture_linear_tinted, 1, 1)
-
-/* name, slopes that a ripple has bent, glint beneath it */
-#define TP_FOAM_STAGES(X) \
-    X(foam,                 0, 0) \
-    X(foam_rippled,         1, 0) \
-    X(foam_shiny,           0, 1) \
-    X(foam_shiny_rippled,   1, 1)
 
 /* name, kind of environment, light beyond white */
 #define TP_SKY_STAGES(X) \

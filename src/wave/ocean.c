@@ -299,3 +299,8 @@ tp_fx tp_ocean_height(const tp_ocean *ocean)
 {
     return ocean->height;
 }
+
+tp_fx tp_ocean_breaking_depth(const tp_ocean *ocean)
+{
+    return (tp_fx)tp_limit((int64_t)tp_ocean_height(ocean) * 8, 2048 * TP_FX_ONE);
+}

@@ -186,4 +186,8 @@ void tp_ocean_make_beds(tp_ocean *ocean, const tp_floor *floor);
 void tp_ocean_make_rays(tp_ocean *ocean, uint32_t i, const tp_ocean_swell *swell,
                         int64_t *turns);
 tp_q30 tp_ocean_beach(const tp_ocean *ocean, tp_fx amplitude);
+
+/* ocean.c: the depth, m, up to which crests foam by breaking alone; in deeper water they
+ * foam where they are squeezed. */
+tp_fx tp_ocean_breaking_depth(const tp_ocean *ocean);
 #endif

@@ -135,4 +135,8 @@ tp_sea_point tp_sea_sum_point(const tp_sea_sum *sum, tp_fx x0, tp_fx z0, tp_fx f
 int32_t tp_sharp_mean(int32_t power);
 tp_fx   tp_sharp_height(tp_fx amplitude, int32_t power);
 tp_fx   tp_sharp_tilt(tp_q30 slope, int32_t power);
+
+/* jacobian.c: Jxx Jzz - Jxz^2 of [A9] at a place at rest, 16.16: below 1 the water is
+ * squeezed together, at 0 it would fold.  `phases` of the tick. */
+tp_fx tp_sea_jacobian(const tp_sea *sea, const tp_turn phases[TP_WAVES], tp_fx x, tp_fx z);
 #endif

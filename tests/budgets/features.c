@@ -8,6 +8,10 @@
 #define FEATURES 0
 #endif
 
+#if FEATURES >= 9
+static const tp_use foam[] = { TP_USE(foam), { 0 } };
+#endif
+
 /* What each adds: designators may stand in any order, and those of one feature together. */
 const tp_kit features_kit = {
     .stage.sky = tp_stage_sky,
@@ -62,12 +66,7 @@ const tp_kit features_kit = {
     .stage.fresnel = tp_stage_fresnel,
 #endif
 #if FEATURES >= 9       /* foam */
-    .draw.foam = &tp_draw_foam,
-    .move.foam = &tp_move_foam,
-    .stage.foam = tp_stage_foam,
-    .stage.foam_rippled = tp_stage_foam_rippled,
-    .stage.foam_shiny = tp_stage_foam_shiny,
-    .stage.foam_shiny_rippled = tp_stage_foam_shiny_rippled,
+    .modules = foam,
 #endif
 #if FEATURES >= 10      /* spray */
     .draw.spray = &tp_draw_spray,

@@ -10,7 +10,7 @@
 # live knows of input and changes is for every port where somebody acts.  The preview
 # compares its pictures with the reference's, which is in tests.
 BEGIN {
-    levels = split("base|fx|pixel|asset wave pool|geom|raster shade|scene|frame", level,
+    levels = split("base|fx|pixel|asset wave pool|geom|raster shade|scene|frame|features", level,
                    "|")
     for (i = 1; i <= levels; i++) {
         n = split(level[i], module, " ")

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 # Breaks the core in random places, one at a time, and counts the breaks that tests notice.
 #
-#   tests/mutants/run.sh [N [SEED [FILE...]]]       100 mutants, seed 1, of src/*/*.c
+#   tests/mutants/run.sh [N [SEED [FILE...]]]       100 mutants, seed 1, of the core
 #
 # sites.awk lists the places and the operators, each of which is equally likely.  A mutant
 # that does not compile, or compiles to the code of the original, is replaced by another.
@@ -18,7 +18,7 @@ set -eu
 
 count=${1:-100} seed=${2:-1}
 [ $# -lt 2 ] && set -- || shift 2
-[ $# -gt 0 ] || set -- src/*/*.c
+[ $# -gt 0 ] || set -- $(find src -name "*.c" | sort)
 here=$(pwd)/tests/mutants top=build/mutants tree=build/mutants/tree
 export TP_SEED=1
 

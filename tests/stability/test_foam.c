@@ -8,7 +8,7 @@
 #include <setjmp.h>
 #include <stdint.h>
 #include <cmocka.h>
-#include "scene/foam.h"
+#include "features/foam/foam.h"
 #include "scene/parts.h"
 #include "tests/unit/scenes.h"
 
@@ -95,7 +95,7 @@ static void foam_always_ends(void **state)
         scene.foam.fade = (tp_fx)lround(fades[n] * 65536);
         scene.foam.map.drift_x = chance_int(&chance, -20 * 65536, 20 * 65536);
         tp_world *world = scene_world(&scene, NULL);
-        uint8_t *cover = tp_foam_cover(tp_parts_foam(world)), zero[24 * 24] = { 0 };
+        uint8_t *cover = tp_foam_cover(tp_foam_of_world(world)), zero[24 * 24] = { 0 };
         memset(cover, 255, sizeof zero);
         scene.foam.map.drift_x = 0;
         double s = 0;
@@ -131,7 +131,7 @@ static void a_storm_ends_in_clear_water(void **state)
         tp_world_step(world, &scene, NULL);
     assert_int_equal(tp_world_spray(world)->count, 0);
     for (int i = 0; i < 64 * 64; i++)
-        assert_int_equal(tp_foam_cover(tp_parts_foam(world))[i], 0);
+        assert_int_equal(tp_foam_cover(tp_foam_of_world(world))[i], 0);
     free(world);
 }
 

@@ -203,13 +203,13 @@ static void plain_layers_are_the_plain_stage(void **state)
     scene.distortion.strength = 0;
     test_frame f = frame_of(&scene, &assets, &config);
     tp_frame_begin(f.frame, world);
-    assert_true(f.frame->water.stage[0] == tp_stage_texture_linear_tinted);
-    assert_true(f.frame->water.stage[1] == tp_stage_view);
+    assert_true(f.frame->water.shader[0].stage == tp_stage_texture_linear_tinted);
+    assert_true(f.frame->water.shader[1].stage == tp_stage_view);
     scene.distortion.strength = TP_FX_ONE;
     scene.layer[0].saturation = 0;
     tp_frame_begin(f.frame, world);
-    assert_true(f.frame->water.stage[0] == tp_stage_bend);
-    assert_true(f.frame->water.stage[1] == tp_stage_texture_linear_graded);
+    assert_true(f.frame->water.shader[0].stage == tp_stage_bend);
+    assert_true(f.frame->water.shader[1].stage == tp_stage_texture_linear_graded);
     frame_free(&f);
     free(world);
 }

@@ -14,6 +14,25 @@ static inline void thin_out(void *pointers, size_t bytes, uint32_t in, uint64_t 
             p[i] = NULL;
 }
 
+/* The list with uses and drawings left out.  The last four lists stay. */
+static inline const tp_use *thin_modules(const tp_use *list, uint32_t in, uint64_t *state)
+{
+    static tp_use use[4][32];
+    static uint32_t turn;
+    tp_use *to = use[++turn % 4];
+
+    for (; list->module; list++) {
+        if (random_below(state, in) == 0)
+            continue;
+        *to = *list;
+        if (random_below(state, in) == 0)
+            to->drawing = NULL;
+        to++;
+    }
+    *to = (tp_use){ 0 };
+    return use[turn % 4];
+}
+
 static inline tp_kit thin_kit(uint64_t *state)
 {
     const uint32_t in = 1 + random_below(state, 12);
@@ -27,6 +46,8 @@ static inline tp_kit thin_kit(uint64_t *state)
         thin_out(&any.move, sizeof any.move, in, state);
     if (random_below(state, 2))
         thin_out(&any.draw, sizeof any.draw, in, state);
+    if (random_below(state, 2))
+        any.modules = thin_modules(any.modules, in, state);
     if (random_below(state, 8) == 0)
         thin_out(&any.method, sizeof any.method, in, state);
     any.stage.sky = tp_stage_sky;

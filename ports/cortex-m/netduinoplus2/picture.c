@@ -4,7 +4,15 @@
  * all. */
 #include "cortex-m/board.h"
 
+static const tp_use modules[] = {
+#define X(name) TP_USE(name),
+    TP_MODULE_LIST(X)
+#undef X
+    { 0 }
+};
+
 static const tp_kit kit = {
+    .modules = modules,
 #define X(name) .name = tp_stage_##name,
     .stage = { TP_STAGE_LIST(X) },
 #undef X

@@ -1,5 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* The plan of foam: where the field lies in the picture's moment, and its colour. */
+/* How foam is drawn: where the field lies at the drawn moment, its texture and colour. */
+#include "features/foam/foam.h"
+#include "features/foam/foam_stage.h"
 #include "frame/frame.h"
 
 /* Metres that a lattice has drifted `back` of a tick ago: the world holds now's. */
@@ -27,16 +29,16 @@ static void place_foam(tp_shade_foam *f, const tp_foam *foam, const tp_scene_map
     f->per_metre = ((uint64_t)1 << 48) / (uint32_t)foam->cell;
 }
 
-static void plan_foam(tp_frame *frame)
+static void begin(tp_frame *frame, void *mine)
 {
     const tp_scene *scene = frame->scene;
-    const tp_foam  *foam = tp_world_foam(frame->world);
-    tp_shade_foam  *f = &frame->shade.foam;
+    const tp_foam  *foam = tp_foam_of_world(frame->world);
+    tp_shade_foam  *f = mine;
 
-    f->colour = (uint32_t)scene->foam.colour;
     if (!foam)
         return;
     tp_layer layer = tp_frame_layer(frame, frame->assets.foam, &scene->foam.map);
+    f->colour = (uint32_t)scene->foam.colour;
     f->texture = layer.texture;
     f->repeats = layer.per_metre;
     f->drift_s = layer.drift_s;
@@ -46,22 +48,26 @@ static void plan_foam(tp_frame *frame)
     f->edge = tp_world_pool(frame->world) ? UINT32_MAX : (1u << 24) / (32 * foam->cells);
 }
 
-static tp_stage foam_stage(const tp_frame *frame, bool rippled, bool shiny)
+static void add_stage(const tp_frame *frame, const void *mine, const tp_stage *stage,
+                      tp_shaders *list)
 {
-    const tp_stages *stages = &frame->kit->stage;
-    const tp_stage stage[] = {
-#define X(name, rippled, shiny) [2 * (rippled) + (shiny)] = stages->name,
-        TP_FOAM_STAGES(X)
-#undef X
-    };
-    return stage[2 * rippled + shiny];
+    if (tp_foam_of_world(frame->world))
+        tp_shaders_add(list, TP_AT_MATT, stage[list->rippled + 2 * list->shines], mine);
 }
 
-static void init_foam(tp_frame *frame)
+static void *layout(tp_arena *arena, const tp_want *want)
 {
-    tp_shade_foam_rank(&frame->shade.foam, frame->assets.foam);
+    (void)want;
+    return tp_arena_take(arena, 1, sizeof(tp_shade_foam));
 }
 
-const struct tp_draw_foam tp_draw_foam = {
-    init_foam, plan_foam, foam_stage
+static void init(tp_frame *frame, void *mine)
+{
+    memset(mine, 0, sizeof(tp_shade_foam));
+    if (frame->assets.foam)
+        tp_shade_foam_rank(mine, frame->assets.foam);
+}
+
+const tp_drawing tp_foam_drawing = {
+    .layout = layout, .init = init, .begin = begin, .water = add_stage,
 };

@@ -3,7 +3,15 @@
 #include "tidepool/kit.h"
 #include "tidepool/scene.h"
 
+static const tp_use all[] = {
+#define X(name) TP_USE(name),
+    TP_MODULE_LIST(X)
+#undef X
+    { 0 }
+};
+
 const tp_kit tp_kit_all = {
+    .modules = all,
     .check = tp_scene_check,
     .stage = {
 #define X(name) TP_STAGE(name),

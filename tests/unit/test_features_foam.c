@@ -6,7 +6,7 @@
 #include <setjmp.h>
 #include <stdint.h>
 #include <cmocka.h>
-#include "scene/foam.h"
+#include "features/foam/foam.h"
 #include "scene/parts.h"
 #include "scenes.h"
 
@@ -37,7 +37,7 @@ static double sum_of(const tp_world *world)
 
 static void fill_any(tp_world *world)
 {
-    tp_foam *foam = tp_parts_foam(world);
+    tp_foam *foam = tp_foam_of_world(world);
 
     for (uint32_t i = 0; i < foam->cells * foam->cells; i++)
         tp_foam_cover(foam)[i] = (uint8_t)random_next(&chance);
@@ -80,7 +80,7 @@ static void still_water_ends_without_any(void **state)
     tp_world *world = scene_world(&scene, NULL);
     int ticks = 0;
 
-    memset(tp_foam_cover(tp_parts_foam(world)), 255, 64 * 64);
+    memset(tp_foam_cover(tp_foam_of_world(world)), 255, 64 * 64);
     for (; sum_of(world) > 0; ticks += 4) {
         assert_true(ticks < 60 * 60);
         step(world, &scene, 4);
@@ -102,7 +102,7 @@ static void drift_moves_foam_without_spreading_it(void **state)
 
     scene.foam.map.drift_x = TP_FX(1.5);
     scene.foam.map.drift_z = TP_FX(-0.7);
-    tp_foam_blob(tp_parts_foam(world), TP_FX(2.25), TP_FX(1.25), TP_FX(0.2), 200);
+    tp_foam_blob(tp_foam_of_world(world), TP_FX(2.25), TP_FX(1.25), TP_FX(0.2), 200);
     const double sum = sum_of(world);
     const int there = tp_foam_at(tp_world_foam(world), TP_FX(2.25), TP_FX(1.25));
     assert_true(there > 100);
@@ -143,7 +143,7 @@ static void the_window_follows_the_eye(void **state)
     tp_world *world = scene_world(&scene, NULL);
     const tp_input aside = { .aside = TP_FX(0.1) };
 
-    tp_foam_blob(tp_parts_foam(world), TP_FX(5.25), TP_FX(0.25), TP_FX(0.5), 250);
+    tp_foam_blob(tp_foam_of_world(world), TP_FX(5.25), TP_FX(0.25), TP_FX(0.5), 250);
     const int there = tp_foam_at(tp_world_foam(world), TP_FX(5.25), TP_FX(0.25));
     for (int i = 0; i < 190; i++)
         tp_world_step(world, &scene, &aside);
@@ -189,7 +189,7 @@ static void other_cells_need_another_world(void **state)
     tp_scene scene = still(TP_FX_ONE);
     tp_world *world = scene_world(&scene, NULL);
 
-    assert_true(world->parts.foam != 0);
+    assert_non_null(tp_foam_of_world(world));
     scene.foam.fade = TP_FX(3);
     scene.foam.map.drift_x = TP_FX_ONE;
     assert_true(tp_world_refresh(world, &scene, NULL));
@@ -215,5 +215,5 @@ int main(void)
         cmocka_unit_test(beyond_the_window_there_is_no_foam),
         cmocka_unit_test(other_cells_need_another_world),
     };
-    return cmocka_run_group_tests_name("scene/foam", tests, NULL, NULL);
+    return cmocka_run_group_tests_name("features/foam", tests, NULL, NULL);
 }

@@ -1,24 +1,26 @@
 /* SPDX-License-Identifier: MIT */
-/* The foam's field as the world steps it. */
-#ifndef TP_SCENE_FOAM_H
-#define TP_SCENE_FOAM_H
-#include "tidepool/scene.h"
+/* Foam: a field of cover over the water.
+ *
+ *     foam.c          the module: when it is on, its window, fading and drift
+ *     foam_sources.c  what makes foam in a tick
+ *     foam_drawing.c  the numbers of a picture
+ *     foam_stage.c    its span stages */
+#ifndef TP_FOAM_MODULE_H
+#define TP_FOAM_MODULE_H
+#include "scene/module.h"
 
-/* Of the block, aligned to 8; 0: the scene has none.  An ocean needs a row of places. */
-size_t tp_foam_bytes(const tp_scene *scene, bool ocean);
-void   tp_foam_init(tp_foam *foam, const tp_world *world, const tp_scene *scene,
-                    bool ocean);
+#define TP_FOAM_ID TP_MODULE_ID('f', 'o', 'a', 'm')
+
+/* The module's state in a world, or NULL. */
+static inline tp_foam *tp_foam_of_world(const tp_world *world)
+{
+    return tp_world_part(world, TP_FOAM_ID);
+}
 
 /* One tick, after all else has moved. */
-void tp_foam_step(tp_world *world, const tp_scene *scene);
+void tp_foam_step(tp_foam *foam, const tp_world *world, const tp_scene *scene);
 
-/* Whether foam whose bytes come from outside can be stepped and drawn: its size equals
- * `fresh`'s, that of the same scene; its window lies where a camera or a pool can be.
- * Any cover is. */
-bool tp_foam_is_valid(const tp_foam *foam, const tp_foam *fresh);
-
-/* A blob of `radius` m around a place, where something struck the water: `cover` 0..255
- * in its middle. */
+/* Adds a blob of `radius` m around a place: `cover` 0..255 in its middle. */
 void tp_foam_blob(tp_foam *foam, tp_fx x, tp_fx z, tp_fx radius, uint32_t cover);
 
 static inline uint8_t *tp_foam_cover(tp_foam *foam)
@@ -33,15 +35,7 @@ static inline uint32_t tp_foam_mod(int32_t i, uint32_t n)
     return (uint32_t)(m < 0 ? m + (int32_t)n : m);
 }
 
-/* -- foam_made.c --------------------------------------------------------------------- */
-
-/* Jxx Jzz - Jxz^2 of [A9] at a place at rest, 16.16: below 1 water is squeezed together,
- * at 0 it would fold.  `phases` of the tick. */
-tp_fx tp_foam_squeeze(const tp_sea *sea, const tp_turn phases[TP_WAVES], tp_fx x,
-                      tp_fx z);
-
-/* To this depth, m, an ocean's crests foam by breaking alone. */
-tp_fx tp_foam_deep(const tp_ocean *ocean);
+/* -- foam_sources.c ------------------------------------------------------------------ */
 
 /* A boat's hull over places at rest: alpha from stern -1 to bow 1, beta to starboard. */
 typedef struct {

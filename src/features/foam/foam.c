@@ -10,7 +10,7 @@
  * its speed, where interpolation in place would smear a byte over its neighbours.
  *
  * What the window leaves behind is cleared when its cells stand for other places. */
-#include "scene/foam.h"
+#include "features/foam/foam.h"
 #include "base/base.h"
 #include "scene/drawn.h"
 #include "scene/parts.h"
@@ -26,12 +26,18 @@ static size_t cover_bytes(uint32_t cells)
     return ((size_t)cells * cells + 7) & ~(size_t)7;
 }
 
-size_t tp_foam_bytes(const tp_scene *scene, bool ocean)
+static bool enabled(const tp_want *want)
 {
-    uint32_t cells = (uint32_t)scene->foam.cells;
+    return want->scene->foam.cells > 0;
+}
 
-    return cells == 0 ? 0 : sizeof(tp_foam) + cover_bytes(cells)
-                          + (ocean ? cells * sizeof(tp_vec3) : 0);
+/* Over coastal water a row of places stands behind the cover. */
+static size_t bytes(const tp_want *want)
+{
+    const uint32_t cells = (uint32_t)want->scene->foam.cells;
+
+    return sizeof(tp_foam) + cover_bytes(cells)
+         + (want->coastal ? cells * sizeof(tp_vec3) : 0);
 }
 
 /* Of a side, Q32 m: below 2^46. */
@@ -61,14 +67,17 @@ static void place_window(tp_foam *foam, const tp_world *world, const tp_scene *s
     foam->first_z = first_around(foam, z, foam->drift_z);
 }
 
-void tp_foam_init(tp_foam *foam, const tp_world *world, const tp_scene *scene, bool ocean)
+static void init(void *mine, tp_world *world, const tp_want *want)
 {
-    TP_ASSERT(scene->foam.cells > 0 && scene->foam.cells <= 256);
-    uint32_t cells = (uint32_t)scene->foam.cells;
+    const tp_scene *scene = want->scene;
+    const uint32_t cells = (uint32_t)scene->foam.cells;
+    tp_foam *foam = mine;
+
+    TP_ASSERT(cells > 0 && cells <= 256);
 
     foam->cells = cells;
     foam->cell = scene->foam.cell;
-    foam->work = ocean ? (uint32_t)(sizeof *foam + cover_bytes(cells)) : 0;
+    foam->work = want->coastal ? (uint32_t)(sizeof *foam + cover_bytes(cells)) : 0;
     place_window(foam, world, scene);
     for (int q = 0; q < TP_FOAM_TICKS; q++) {
         foam->seen[q][0] = foam->first_x;
@@ -189,9 +198,8 @@ static void visit_quarter(visit *v, tp_foam *foam)
     foam->seen[q][1] = foam->first_z;
 }
 
-void tp_foam_step(tp_world *world, const tp_scene *scene)
+void tp_foam_step(tp_foam *foam, const tp_world *world, const tp_scene *scene)
 {
-    tp_foam *foam = tp_parts_foam(world);
     visit v = { .kept_q24 = kept_in_a_visit(scene->foam.fade) };
 
     foam->drift_x = drifted(foam, foam->drift_x, scene->foam.map.drift_x, 0);
@@ -265,8 +273,9 @@ static bool is_window_valid(const tp_foam *foam, int32_t first, int64_t cells)
 
 /* A window lies half its side and a drift of less than a side from its middle; the four
  * that were seen last by a side a tick more. */
-bool tp_foam_is_valid(const tp_foam *foam, const tp_foam *fresh)
+static bool is_valid(const void *mine, const void *made)
 {
+    const tp_foam *foam = mine, *fresh = made;
     const int64_t cells = fresh->cells, side = side_of(fresh);
     bool valid = foam->cells == fresh->cells && foam->cell == fresh->cell
               && foam->work == fresh->work
@@ -280,3 +289,34 @@ bool tp_foam_is_valid(const tp_foam *foam, const tp_foam *fresh)
              && is_window_valid(fresh, foam->seen[q][1], 6 * cells);
     return valid;
 }
+
+/* -- the module ---------------------------------------------------------------------- */
+
+/* Cover of cells of one size means nothing in those of another. */
+static bool fits(const void *mine, const tp_scene *scene)
+{
+    const tp_foam *foam = mine;
+    return foam->cells == (uint32_t)scene->foam.cells && foam->cell == scene->foam.cell;
+}
+
+static void step(void *mine, tp_world *world, const tp_scene *scene)
+{
+    tp_foam_step(mine, world, scene);
+}
+
+static void hit(void *mine, const tp_scene *scene, const tp_impact *impact)
+{
+    (void)scene;
+    tp_foam_blob(mine, impact->x, impact->z, impact->length / 5, 160);
+}
+
+const tp_foam *tp_world_foam(const tp_world *world)
+{
+    return tp_foam_of_world(world);
+}
+
+const tp_module tp_foam_module = {
+    .name = "foam", .id = TP_FOAM_ID, .is = TP_MODULE_EXACT, .enabled = enabled,
+    .bytes = bytes, .init = init, .fits = fits, .step = step, .hit = hit,
+    .is_valid = is_valid,
+};

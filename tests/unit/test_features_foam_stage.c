@@ -6,6 +6,7 @@
 #include <setjmp.h>
 #include <stdint.h>
 #include <cmocka.h>
+#include "features/foam/foam_stage.h"
 #include "../reference/texture.h"
 #include "asset/mesh.h"
 #include "shades.h"
@@ -30,12 +31,15 @@ static void make_picture(void)
     assert_int_equal(tp_texture_init(&picture, pixels, 64, 64, texels, NULL), TP_OK);
 }
 
+static tp_shade_foam foam;              /* of the run that was made last */
+
 /* Half a metre a cell, somewhere; all samples at the picture's level `level`. */
 static tp_shade shade_foam(test_run *r, bool textured, int level)
 {
     tp_shade s = shade_any(&chance);
-    tp_shade_foam *f = &s.foam;
+    tp_shade_foam *f = &foam;
 
+    r->run.mine = f;
     *f = (tp_shade_foam){
         .cover = cover, .cells = CELLS, .col = random_below(&chance, CELLS),
         .row = random_below(&chance, CELLS), .low_s = chance_fx(&chance, -900, 900),
@@ -128,7 +132,7 @@ static void compare(bool textured, int level, spread *off)
     run_any(&r, 6000, &chance);
     const tp_shade s = shade_foam(&r, textured, level);
     const test_run before = r;
-    const tp_shade_foam *f = &s.foam;
+    const tp_shade_foam *f = &foam;
 
     tp_stage_foam_shiny(&s, &r.run);
     for (int i = 0; i < TP_RUN; i++) {
@@ -209,13 +213,13 @@ static void levels_agree_on_the_mean(void **state)
             test_run r;
             run_any(&r, 0, &chance);
             tp_shade s = shade_foam(&r, true, level);
-            s.foam.colour = 0xffffff;
-            s.foam.edge = UINT32_MAX;
+            foam.colour = 0xffffff;
+            foam.edge = UINT32_MAX;
             s.ambient = 256;
             memset(r.run.colour, 0, sizeof r.run.colour);
             for (int i = 0; i < TP_RUN; i++) {
-                r.s[i] = (uint32_t)s.foam.low_s + random_below(&chance, s.foam.side);
-                r.t[i] = (uint32_t)s.foam.low_t + random_below(&chance, s.foam.side);
+                r.s[i] = (uint32_t)foam.low_s + random_below(&chance, foam.side);
+                r.t[i] = (uint32_t)foam.low_t + random_below(&chance, foam.side);
             }
             tp_stage_foam(&s, &r.run);
             for (int i = 0; i < TP_RUN; i++)
@@ -256,5 +260,5 @@ int main(void)
         cmocka_unit_test(levels_agree_on_the_mean),
         cmocka_unit_test(where_a_run_is_cut_never_shows),
     };
-    return cmocka_run_group_tests_name("shade/foam", tests, NULL, NULL);
+    return cmocka_run_group_tests_name("features/foam stages", tests, NULL, NULL);
 }

@@ -8,7 +8,7 @@
  *
  * Foam is matt: it takes the diffuse light alone and hides what glitters under it.  The
  * window's outer eighth fades, or its edge would show. */
-#include "shade/foam.h"
+#include "features/foam/foam_stage.h"
 #include "shade/sampler.h"
 #include "shade/slope.h"
 
@@ -98,9 +98,8 @@ static void soften(lace *l, int32_t n, int32_t mean)
     l->middle = 128 + (mean - 128) * n * 51 / 256;
 }
 
-static void lace_for(const tp_shade *shade, uint32_t key, lace *l)
+static void lace_for(const tp_shade *shade, const tp_shade_foam *f, uint32_t key, lace *l)
 {
-    const tp_shade_foam *f = &shade->foam;
     const tp_texture *texture = f->texture;
 
     if (!texture) {
@@ -166,8 +165,9 @@ TP_ALWAYS_INLINE uint32_t lit(const tp_shade *shade, const tp_run *run, int32_t 
 
 TP_ALWAYS_INLINE void foam(const tp_shade *shade, tp_run *run, int rippled, int shiny)
 {
-    TP_ASSERT(shade->foam.cover != NULL && shade->foam.cells > 0);
-    const tp_shade_foam *f = &shade->foam;
+    const tp_shade_foam *f = run->mine;
+
+    TP_ASSERT(f->cover != NULL && f->cells > 0);
 
     for (int32_t i = 0; i < run->count; ) {
         int32_t first = i, stop = tp_block_end(run, i);
@@ -178,7 +178,7 @@ TP_ALWAYS_INLINE void foam(const tp_shade *shade, tp_run *run, int rippled, int 
             if (cover == 0)     /* most of the water */
                 continue;
             if (!laced)
-                lace_for(shade, run->key[first], &l);
+                lace_for(shade, f, run->key[first], &l);
             laced = true;
             uint32_t share = white(f, &l, cover, run->s[i], run->t[i]) * OPAQUE >> 8;
             uint32_t colour = tp_colour_scale(f->colour, lit(shade, run, i, rippled));
@@ -194,9 +194,8 @@ TP_ALWAYS_INLINE void foam(const tp_shade *shade, tp_run *run, int rippled, int 
     { foam(shade, run, rippled, shiny); }
 TP_FOAM_STAGES(FOAM_STAGE)
 
-/* Specks are too small for a shape: one light for all. */
-void tp_stage_spray(const tp_shade *shade, tp_run *run)
-{
-    for (int32_t i = 0; i < run->count; i++)
-        run->colour[i] = shade->foam.spray;
-}
+const tp_stage tp_foam_stages[] = {
+#define X(name) tp_stage_##name,
+    TP_STAGES_OF_foam(X)
+#undef X
+};

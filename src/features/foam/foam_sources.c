@@ -5,8 +5,9 @@
  * Rates are chosen by eye, in units of cover a visit (TP_FOAM_TICKS ticks), of which 255
  * are white. */
 #include "base/base.h"
-#include "scene/foam.h"
+#include "features/foam/foam.h"
 #include "scene/parts.h"
+#include "wave/ocean.h"
 #include "wave/wave.h"
 
 #define GAIN_MOST 0xff00u
@@ -23,31 +24,6 @@ static uint32_t part_of(tp_fx share, int32_t units)
 #define CREST_UNITS    300      /* of cover, of a whole unit of the Jacobian ... */
 #define CREST_MOST     TP_FX(0.2)   /* ... of which no more counts */
 #define BREAKING_UNITS 36
-
-/* Bends sum to 0.95 at the most, so Q30 fits and so do the products. */
-tp_fx tp_foam_squeeze(const tp_sea *sea, const tp_turn phases[TP_WAVES], tp_fx x, tp_fx z)
-{
-    TP_ASSERT(sea->count <= TP_WAVES);
-    int32_t bxx = 0, bxz = 0, bzz = 0;
-
-    for (uint32_t i = 0; i < sea->count; i++) {
-        const tp_swell *w = &sea->swell[i];
-        if (w->bend == 0)
-            continue;
-        tp_q30 s = tp_sin(phases[i] + tp_swell_turns(w->turns_x, x)
-                          + tp_swell_turns(w->turns_z, z));
-        bxx += tp_q30_mul(w->bend_xx, s);
-        bxz += tp_q30_mul(w->bend_xz, s);
-        bzz += tp_q30_mul(w->bend_zz, s);
-    }
-    int64_t jxx = (int64_t)TP_Q30_ONE - bxx, jzz = (int64_t)TP_Q30_ONE - bzz;
-    return (tp_fx)((jxx * jzz - (int64_t)bxz * bxz) >> 44);
-}
-
-tp_fx tp_foam_deep(const tp_ocean *ocean)
-{
-    return (tp_fx)tp_limit((int64_t)tp_ocean_height(ocean) * 8, 2048 * TP_FX_ONE);
-}
 
 static uint32_t crest_gain(const tp_foam_maker *m, tp_fx squeeze)
 {
@@ -269,7 +245,7 @@ void tp_foam_maker_begin(tp_foam_maker *m, tp_foam *foam, const tp_world *world,
         m->per_lsb = full > 0 ? (most * TP_TICKS_PER_SECOND << 32) / full : 0;
     }
     if (m->ocean) {
-        m->deep = tp_foam_deep(m->ocean);
+        m->deep = tp_ocean_breaking_depth(m->ocean);
         m->per_deep = tp_fx_recip(m->deep);
     }
     find_hull(m);
@@ -285,7 +261,7 @@ uint32_t tp_foam_maker_gain(tp_foam_maker *m, uint32_t col, tp_fx x, bool joined
     TP_ASSERT(col < m->foam->cells);
     uint32_t gain = m->ocean ? ocean_gain(m, col, x, joined)
         : m->scene->foam.crest > 0
-        ? crest_gain(m, tp_foam_squeeze(&m->world->sea, m->world->phases, x, m->z)) : 0;
+        ? crest_gain(m, tp_sea_jacobian(&m->world->sea, m->world->phases, x, m->z)) : 0;
 
     if (gain == TP_FOAM_DRY)
         return gain;

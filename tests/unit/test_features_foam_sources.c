@@ -5,7 +5,8 @@
 #include <setjmp.h>
 #include <stdint.h>
 #include <cmocka.h>
-#include "scene/foam.h"
+#include "features/foam/foam.h"
+#include "wave/wave.h"
 #include "scene/parts.h"
 #include "scenes.h"
 
@@ -55,7 +56,7 @@ static void the_squeeze_is_the_jacobian(void **state)
         tp_sea_phases(&sea, random_below(&chance, 100000), 0, phases);
         const tp_fx x = chance_fx(&chance, -2000, 2000);
         const tp_fx z = chance_fx(&chance, -2000, 2000);
-        measure_add(&off, tp_foam_squeeze(&sea, phases, x, z) / 65536.0
+        measure_add(&off, tp_sea_jacobian(&sea, phases, x, z) / 65536.0
                           - jacobian(&sea, phases, x / 65536.0, z / 65536.0), x, z, n);
     }
     measure_print(&off);
@@ -220,5 +221,5 @@ int main(void)
         cmocka_unit_test(a_hull_at_rest_has_a_line_around_it),
         cmocka_unit_test(a_hull_that_sails_leaves_a_wake),
     };
-    return cmocka_run_group_tests_name("scene/foam_made", tests, NULL, NULL);
+    return cmocka_run_group_tests_name("features/foam sources", tests, NULL, NULL);
 }

@@ -1,0 +1,51 @@
+/* SPDX-License-Identifier: MIT */
+/* Shader lists; see the header. */
+#include "frame/shaders.h"
+
+void tp_shaders_init(tp_shaders *list, tp_shader *shader, uint8_t *place, uint32_t room)
+{
+    *list = (tp_shaders){ .shader = shader, .place = place, .room = (uint8_t)room };
+    tp_shaders_clear(list);
+}
+
+void tp_shaders_clear(tp_shaders *list)
+{
+    list->shader[0] = (tp_shader){ NULL, NULL };
+    list->count = 0;
+    list->rippled = list->shines = false;
+    list->lacks = 0;
+}
+
+void tp_shaders_add(tp_shaders *list, tp_place place, tp_stage stage, const void *mine)
+{
+    uint32_t at = list->count;
+
+    if (!stage) {
+        list->lacks++;
+        return;
+    }
+    TP_ASSERT(list->count + 1 < list->room);
+    list->shader[++list->count] = (tp_shader){ NULL, NULL };
+    for (; at > 0 && list->place[at - 1] > place; at--) {
+        list->shader[at] = list->shader[at - 1];
+        list->place[at] = list->place[at - 1];
+    }
+    list->shader[at] = (tp_shader){ stage, mine };
+    list->place[at] = (uint8_t)place;
+}
+
+tp_stage tp_shaders_pick(tp_shaders *list, tp_stage wanted, tp_stage plainer)
+{
+    if (wanted)
+        return wanted;
+    list->lacks++;
+    return plainer;
+}
+
+bool tp_shaders_has(const tp_shaders *list, tp_place place)
+{
+    for (uint32_t i = 0; i < list->count; i++)
+        if (list->place[i] == place)
+            return true;
+    return false;
+}

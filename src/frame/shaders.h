@@ -1,0 +1,55 @@
+/* SPDX-License-Identifier: MIT */
+/* Shader lists: the span stages that a kind of sample goes through, in order of places.
+ * A stage may belong to a module; it then finds the module's data in tp_run.mine. */
+#ifndef TP_FRAME_SHADERS_H
+#define TP_FRAME_SHADERS_H
+#include "shade/shade.h"
+#include "tidepool/kit.h"
+
+#define TP_SHADERS_WATER 20     /* room of the water's list, with its end, */
+#define TP_SHADERS_OTHER 6      /* and of any other */
+
+/* Where in a list a stage stands; of one place those that were added first. */
+typedef enum {
+    TP_AT_COLOUR,               /* colour, slopes, view, light, refraction */
+    TP_AT_REFLECT,              /* what the water mirrors of the sky, */
+    TP_AT_OBJECTS,              /* of objects over that, */
+    TP_AT_FRESNEL,              /* and its share in the colour */
+    TP_AT_MATT,                 /* what lies on the water */
+    TP_AT_GLINT,
+    TP_AT_AIR,                  /* haze, */
+    TP_AT_TONE                  /* exposure */
+} tp_place;
+
+typedef struct {
+    tp_stage    stage;          /* NULL: the end */
+    const void *mine;           /* of the module that added it, or NULL */
+} tp_shader;
+
+typedef struct {
+    tp_shader *shader;
+    uint8_t   *place;           /* of each */
+    uint8_t    count, room;
+    bool       rippled;         /* a stage bends the slopes */
+    bool       shines;          /* a stage leaves a glint */
+    uint32_t   lacks;           /* stages that the scene asks for and the kit has not */
+} tp_shaders;
+
+void tp_shaders_init(tp_shaders *list, tp_shader *shader, uint8_t *place, uint32_t room);
+void tp_shaders_clear(tp_shaders *list);
+
+/* Behind those of the same place; NULL is left out, and counted. */
+void tp_shaders_add(tp_shaders *list, tp_place place, tp_stage stage, const void *mine);
+
+/* The same of a stage that belongs to no module and comes first. */
+static inline void tp_shaders_add_colour(tp_shaders *list, tp_stage stage)
+{
+    tp_shaders_add(list, TP_AT_COLOUR, stage, NULL);
+}
+
+/* The stage that a list wants or, counted, the plainer one that the kit has. */
+tp_stage tp_shaders_pick(tp_shaders *list, tp_stage wanted, tp_stage plainer);
+
+/* True if a stage of that place is in the list. */
+bool tp_shaders_has(const tp_shaders *list, tp_place place);
+#endif

@@ -1,0 +1,80 @@
+/* SPDX-License-Identifier: MIT */
+/* A module: one feature of a scene, in one shape.  This header has the part that the world
+ * asks: when the feature is on, its state, how it moves.  frame/drawing.h has the part
+ * that a picture asks.
+ *
+ * A program lists its modules (tp_use, tidepool/kit.h); the list's order is the order of
+ * memory, of steps and of drawing.  A world keeps each module's state as a chunk, an id and
+ * a length before the state's bytes, so that a copy of the block says what is in it. */
+#ifndef TP_SCENE_MODULE_H
+#define TP_SCENE_MODULE_H
+#include "tidepool/arena.h"
+#include "tidepool/kit.h"
+#include "tidepool/scene.h"
+
+#define TP_MODULE_ID(a, b, c, d) \
+    ((uint32_t)(a) << 24 | (uint32_t)(b) << 16 | (uint32_t)(c) << 8 | (uint32_t)(d))
+
+/* What modules tell of themselves. */
+enum {
+    TP_MODULE_EXACT = 1         /* its water stage has no fast form */
+};
+
+/* The conditions that a module is asked about. */
+typedef struct tp_want {
+    const tp_scene  *scene;
+    const tp_assets *assets;    /* NULL: the scene names no file */
+    bool     coastal;           /* the waves feel a floor or a wind */
+    uint32_t width, height;     /* of the picture; 0 for a world */
+} tp_want;
+
+/* All but name, id and enabled may be NULL. */
+typedef struct tp_module {
+    const char *name;
+    uint32_t    id;             /* TP_MODULE_ID of four letters, of no other module */
+    uint32_t    is;             /* TP_MODULE_EXACT ... */
+
+    /* The one place that says when the feature is on: layout, step and drawing ask it. */
+    bool (*enabled)(const tp_want *want);
+
+    /* The state: its bytes, aligned to 8; NULL is 0.  It is zeroed before `init`. */
+    size_t (*bytes)(const tp_want *want);
+    void   (*init)(void *mine, tp_world *world, const tp_want *want);
+
+    /* False: the scene's numbers have changed so that the state must be made anew. */
+    bool (*fits)(const void *mine, const tp_scene *scene);
+
+    /* One tick, after the modules before it in the list. */
+    void (*step)(void *mine, tp_world *world, const tp_scene *scene);
+
+    /* Something struck the water. */
+    void (*hit)(void *mine, const tp_scene *scene, const tp_impact *impact);
+
+    /* Whether a state from outside can be stepped and drawn.  `fresh` is one of the same
+     * scene, as `init` leaves it; both have its length. */
+    bool (*is_valid)(const void *mine, const void *fresh);
+} tp_module;
+
+/* -- a world's chunks ---------------------------------------------------------------- */
+
+/* The state of a module, or NULL: the world has none. */
+void *tp_world_part(const tp_world *world, uint32_t id);
+
+/* Lays out the chunks of all enabled modules; the offset of the first, or 0. */
+uint32_t tp_modules_take(const tp_kit *kit, tp_arena *arena, const tp_want *want);
+
+/* Writes their heads and their first state; the block is zeroed. */
+void tp_modules_init(const tp_kit *kit, tp_world *world, const tp_want *want);
+
+/* Whether the chunks are those of the scene as it is now, and their states fit it. */
+bool tp_modules_fit(const tp_kit *kit, const tp_world *world, const tp_want *want);
+
+void tp_modules_step(const tp_kit *kit, tp_world *world, const tp_scene *scene);
+void tp_modules_hit(const tp_kit *kit, tp_world *world, const tp_scene *scene,
+                    const tp_impact *impact);
+
+/* The first module whose state in `world`, from outside, is not valid; NULL: all are.
+ * "layout" if the chunks are not those of `fresh`.  Both blocks are of one length. */
+const char *tp_modules_find_invalid(const tp_kit *kit, const tp_world *world,
+                                    const tp_world *fresh);
+#endif

@@ -1,0 +1,23 @@
+/* SPDX-License-Identifier: MIT */
+/* How far waves squeeze the water of a place together. */
+#include "wave/wave.h"
+
+/* Bends sum to 0.95 at the most, so Q30 fits and so do the products. */
+tp_fx tp_sea_jacobian(const tp_sea *sea, const tp_turn phases[TP_WAVES], tp_fx x, tp_fx z)
+{
+    TP_ASSERT(sea->count <= TP_WAVES);
+    int32_t bxx = 0, bxz = 0, bzz = 0;
+
+    for (uint32_t i = 0; i < sea->count; i++) {
+        const tp_swell *w = &sea->swell[i];
+        if (w->bend == 0)
+            continue;
+        tp_q30 s = tp_sin(phases[i] + tp_swell_turns(w->turns_x, x)
+                          + tp_swell_turns(w->turns_z, z));
+        bxx += tp_q30_mul(w->bend_xx, s);
+        bxz += tp_q30_mul(w->bend_xz, s);
+        bzz += tp_q30_mul(w->bend_zz, s);
+    }
+    int64_t jxx = (int64_t)TP_Q30_ONE - bxx, jzz = (int64_t)TP_Q30_ONE - bzz;
+    return (tp_fx)((jxx * jzz - (int64_t)bxz * bxz) >> 44);
+}
