@@ -48,10 +48,10 @@ CORE := $(addprefix src/, \
     geom/clip.c geom/grid.c geom/lens.c geom/level.c geom/lines.c geom/lod.c \
     geom/sheet.c geom/surface.c geom/vertex.c geom/vertex_more.c geom/vertex_row.c \
     geom/waters.c raster/cover.c raster/rows.c raster/span.c \
-    shade/absorb.c shade/around.c shade/behind.c shade/below.c shade/bend.c \
+    shade/absorb.c shade/behind.c shade/below.c shade/bend.c \
     shade/cube.c shade/dome.c shade/drop.c shade/expose.c shade/exposure.c \
     shade/haze.c shade/inside.c shade/layer.c shade/light.c \
-    shade/mirror.c shade/mirrored.c shade/optics.c shade/pool_bump.c \
+    shade/mirror.c shade/optics.c shade/pool_bump.c \
     shade/quick_even.c shade/quick_layers.c shade/quick_light.c \
     shade/quick_pictures.c shade/quick_sky.c shade/quick_tables.c \
     shade/quick_view.c shade/ripple.c shade/side.c shade/sky.c shade/solid.c shade/spray.c \
@@ -63,15 +63,17 @@ CORE := $(addprefix src/, \
     scene/spray.c scene/stand.c scene/tape.c \
     scene/value.c scene/wake.c scene/works.c scene/works_land.c scene/works_more.c \
     scene/world.c scene/world_check.c \
-    frame/around.c frame/boat.c frame/bump.c frame/carve.c frame/caustics.c \
+    frame/boat.c frame/bump.c frame/carve.c frame/caustics.c \
     frame/clipped.c frame/drops.c frame/flat.c frame/frame.c frame/glass.c \
-    frame/half.c frame/holds.c frame/land.c frame/lattice.c frame/lines.c \
-    frame/modules.c frame/plan.c frame/plan_depth.c frame/plan_layers.c \
+    frame/holds.c frame/land.c frame/lattice.c frame/lines.c \
+    frame/modules.c frame/planar_map.c frame/plan.c frame/plan_depth.c frame/plan_layers.c \
     frame/plan_quick.c frame/plan_quick_layers.c frame/plan_sky.c frame/planned.c \
     frame/projected.c frame/rows.c frame/shaders.c frame/sight.c frame/spray.c \
     frame/tank.c frame/tile.c frame/visibility.c frame/water.c features/all.c \
     features/foam/foam.c features/foam/foam_drawing.c features/foam/foam_sources.c \
-    features/foam/foam_stage.c)
+    features/foam/foam_stage.c features/reflection/mirror_drawing.c \
+    features/reflection/mirror_stage.c features/reflection/object_cube_drawing.c \
+    features/reflection/object_cube_stage.c features/underwater/refraction_drawing.c)
 
 # -- the program, for machines with files and threads ----------------------------------
 

@@ -61,7 +61,7 @@ typedef struct {
  *  - mirror: with mirror.objects = stencil a picture of half the size and four rows of
  *    samples, 88320 bytes at 320x240; with mirror.size = quarter 24960.  88320 more for
  *    objects seen under water (water.clear).  With mirror.objects = cube 24576 bytes at
- *    any size. */
+ *    any size.  Each has up to 128 bytes of numbers besides. */
 
 typedef struct tp_frame tp_frame;   /* lies at the start of the block */
 

@@ -65,7 +65,6 @@ typedef void (*tp_stage)(const struct tp_shade *shade, struct tp_run *run);
     X(mirror)               /* sky by Fresnel's share; or in parts, for other skies, */ \
     X(slopes)               /* objects and light beyond white: sx sz of smooth water, */ \
     X(reflect_gradient) X(reflect_dome) X(reflect_cube)     /* mirror, rx rz, */ \
-    X(mirrored) X(mirrored_cube)    /* objects over mirror, */ \
     X(fresnel) X(fresnel_hdr)       /* mirror into the colour */ \
     X(spray)                /* colour of specks */ \
     X(glint)                /* adds the specular */ \
@@ -169,9 +168,6 @@ typedef struct {
     X(inside)       /* what is seen through water, and from in it */ \
     X(caustics)     /* needs inside */ \
     X(spray) \
-    X(mirrored)     /* objects in the mirror, by a picture of half the size */ \
-    X(around)       /* the same by a cube */ \
-    X(sunken)       /* objects under clear water */ \
     X(layers)       /* all but the first one, and their distortion */ \
     X(ripple) \
     X(quick_layers) /* pictures of the quick rung; stages quick_far .. quick_slopes */ \
@@ -225,9 +221,15 @@ typedef struct {
 /* -- modules; src/scene/module.h, src/frame/drawing.h ------------------------------- */
 
 #define TP_MODULE_LIST(X) \
+    X(mirror)       /* of objects, a picture of half the size */ \
+    X(object_cube)  /* the same as a small cube map */ \
+    X(refraction)   /* objects under clear water */ \
     X(foam)
 
 /* The stages of each module, in the order of its table. */
+#define TP_STAGES_OF_mirror(X)      X(mirrored)         /* objects over the sky's mirror */
+#define TP_STAGES_OF_object_cube(X) X(mirrored_cube)
+#define TP_STAGES_OF_refraction(X)
 #define TP_STAGES_OF_foam(X) \
     X(foam) X(foam_rippled) X(foam_shiny) X(foam_shiny_rippled)     /* less glint */
 

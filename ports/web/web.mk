@@ -14,7 +14,7 @@ WEB_O    := $(patsubst %.c,$(WASM)/%.o,$(CORE) \
                 $(wildcard ports/web/*.c ports/live/*.c)) $(WASM)/scenes.o
 WEB_PAGE := $(patsubst ports/web/%,$(WEB)/%,$(wildcard ports/web/*.html ports/web/*.css) \
                 $(filter-out %/serve.js,$(wildcard ports/web/*.js)))
-WEB_FAST := $(patsubst %.c,$(WASM)/%.o,$(filter src/shade/% src/raster/% src/pixel/% \
+WEB_FAST := $(patsubst %.c,$(WASM)/%.o,$(filter src/shade/% %_stage.c src/raster/% src/pixel/% \
                 src/geom/% src/fx/sqrt.c $(addprefix src/pool/,flux.c gears.c sample.c \
                 slopes.c) $(addprefix src/frame/,boat.c caustics.c foam.c rows.c tile.c \
                 water.c),$(CORE)))

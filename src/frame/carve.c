@@ -142,34 +142,17 @@ static void carve_tables(tp_frame_parts *p, tp_arena *arena, const tp_kit *kit,
     }
 }
 
-/* Small pictures' lenses can be halved once. */
-static uint32_t halvings_of(const tp_scene *scene, const tp_frame_config *c)
+/* What the modules of a picture are asked about. */
+tp_want tp_frame_want(const tp_kit *kit, const tp_frame_parts *parts, const tp_scene *scene,
+                      const tp_assets *assets, const tp_frame_config *config)
 {
-    TP_ASSERT(c->width >= 16 && c->height >= 16);
-    return scene->mirror.size == TP_MIRROR_QUARTER && c->width >= 64 && c->height >= 64
-         ? 2 : 1;
-}
-
-/* Pictures that water looks into, of scenes with something to see there. */
-static void carve_looks(tp_frame_parts *p, tp_arena *arena, const tp_kit *kit,
-                        const tp_scene *scene, const tp_assets *assets,
-                        const tp_frame_config *c)
-{
-    const tp_draws *draw = &kit->draw;
-    const int kind = scene->mirror.objects;
-    bool clear = scene->water.clear > 0;
-    bool moves = assets->boat || p->drop_capacity > 0;
-    bool mirrors = scene->water.reflection > 0
-                && (moves || (tp_kit_has_stone(kit)
-                              && (has_blocks(scene) || tp_has_tank(scene))));
-
-    if (tp_frame_wants(p, mirrors && kind == TP_MIRROR_STENCIL, draw->mirrored))
-        draw->mirrored->carve(&p->mirrored, arena, c->width, c->height,
-                              halvings_of(scene, c));
-    if (tp_frame_wants(p, mirrors && moves && kind == TP_MIRROR_CUBE, draw->around))
-        draw->around->carve(&p->around, arena);
-    if (tp_frame_wants(p, moves && clear, draw->sunken && draw->inside))
-        draw->sunken->carve(&p->sunken, arena, c->width, c->height, 1);
+    return (tp_want){
+        .scene = scene, .assets = assets, .coastal = tp_has_ocean(scene),
+        .width = config->width, .height = config->height,
+        .moves = assets->boat || parts->drop_capacity > 0,
+        .walls = tp_kit_has_stone(kit) && (has_blocks(scene) || tp_has_tank(scene)),
+        .inside = kit->draw.inside != NULL,
+    };
 }
 
 tp_frame *tp_frame_carve(const tp_kit *kit, tp_frame_parts *parts, tp_frame_ram *ram,
@@ -196,15 +179,12 @@ tp_frame *tp_frame_carve(const tp_kit *kit, tp_frame_parts *parts, tp_frame_ram 
     if (tp_frame_wants(parts, quick, kit->draw.quick_light))
         kit->draw.quick_light->carve(parts, arena);
     const size_t tabled = arena->used;
-    carve_looks(parts, arena, kit, scene, assets, config);
-    const size_t looked = arena->used;
-    const tp_want want = { scene, assets, tp_has_ocean(scene), config->width,
-                           config->height };
-    parts->module = tp_frame_layout_modules(kit, arena, &want);
+    const tp_want want = tp_frame_want(kit, parts, scene, assets, config);
+    tp_frame_layout_modules(kit, parts, arena, &want);
     *ram = (tp_frame_ram){
         .frame = arena->used, .vertices = placed - fixed,
-        .tables = tabled - placed + arena->used - looked + sizeof frame->shade.sky,
-        .mirror = looked - tabled,
+        .tables = tabled - placed + parts->module_bytes + sizeof frame->shade.sky,
+        .mirror = parts->look_bytes,
     };
     return frame;
 }

@@ -7,6 +7,7 @@
 #include "scene/module.h"
 
 struct tp_frame;
+struct tp_frame_parts;
 
 /* All may be NULL.  `mine` is what `layout` returned. */
 typedef struct tp_drawing {
@@ -18,6 +19,9 @@ typedef struct tp_drawing {
     /* The numbers of a picture; camera, light and surface are known. */
     void  (*begin)(struct tp_frame *frame, void *mine);
 
+    /* Draws a picture that water looks into; all lists and numbers are known. */
+    void  (*look)(struct tp_frame *frame, void *mine);
+
     /* The stages that it adds to the water's list.  `stage` is the program's table. */
     void  (*water)(const struct tp_frame *frame, const void *mine, const tp_stage *stage,
                    tp_shaders *list);
@@ -25,13 +29,21 @@ typedef struct tp_drawing {
 
 /* -- modules.c: loops over the program's list ----------------------------------------- */
 
-/* Lays out the memory of all enabled modules, an array of pointers first; returns that. */
-void **tp_frame_layout_modules(const tp_kit *kit, tp_arena *arena, const tp_want *want);
+/* Lays out the memory of all enabled modules, an array of pointers first. */
+void tp_frame_layout_modules(const tp_kit *kit, struct tp_frame_parts *parts,
+                             tp_arena *arena, const tp_want *want);
+
+/* Asks which modules are on in this picture; those alone take part in it. */
+void tp_frame_enable_modules(struct tp_frame *frame);
 
 void tp_frame_init_modules(struct tp_frame *frame);
 void tp_frame_begin_modules(struct tp_frame *frame);
+void tp_frame_look_modules(struct tp_frame *frame);
 void tp_frame_add_modules(const struct tp_frame *frame, tp_shaders *water);
 
-/* True if the frame draws a module that has one of these bits of tp_module.is. */
+/* True if this picture has a module with one of these bits of tp_module.is. */
 bool tp_frame_has_module(const struct tp_frame *frame, uint32_t is);
+
+/* The memory of a module that is on in this picture, or NULL. */
+void *tp_frame_part(const struct tp_frame *frame, uint32_t id);
 #endif

@@ -221,14 +221,8 @@ static void place_solids(tp_frame *frame)
 {
     const tp_frame_stats stats = frame->stats;
 
-    const tp_draws *draw = &frame->kit->draw;
-
-    if (frame->parts.mirrored.colour)
-        draw->mirrored->draw(frame);
-    if (frame->parts.around.colour)
-        draw->around->draw(frame);
-    if (frame->parts.sunken.colour)
-        draw->sunken->draw(frame);
+    frame->shade.sunken = NULL;
+    tp_frame_look_modules(frame);
     frame->stats = stats;
     frame->sight = (tp_sight){ .lens = &frame->lens };
     tp_sight_begin(frame, &frame->sight);
@@ -246,6 +240,7 @@ void tp_frame_begin(tp_frame *frame, const tp_world *world)
         frame->stats.dropped += frame->assets.boat->n_materials - TP_MATERIALS;
     frame->world = world;
     frame->drawn = tp_world_drawn(world);
+    tp_frame_enable_modules(frame);
     place_surface(frame);
     tp_lens_turned(&frame->lens, frame->drawn.camera.eye, frame->drawn.camera.turn,
                    scene->camera.fov, scene->camera.near,

@@ -105,22 +105,6 @@ typedef struct {
     tp_fx   share;              /* ... and of -d.y, aside, in pixels of the picture */
 } tp_projected;
 
-/* Memory of a picture at half the size. */
-#define TP_HALF_BAND 4          /* rows that are drawn at a time */
-
-typedef struct {
-    uint32_t *colour;           /* NULL: the scene has none */
-    tp_mirrored_zi *zi;         /* of each column */
-    uint32_t *samples;          /* four planes of a band */
-    uint32_t  cols, rows;
-    uint32_t  halvings;         /* of the picture's sides: 1 or 2 */
-} tp_half_store;
-
-typedef struct {
-    uint32_t *colour;           /* TP_AROUND_FACES; NULL: the scene has none */
-    uint32_t *samples;
-} tp_around_store;
-
 /* A sea without the waves that are too faint to be seen. */
 typedef struct {
     tp_sea  sea;
@@ -143,7 +127,7 @@ typedef struct {
 
 /* What lies behind the frame in its block, as the scene needed it at init: NULL, or 0,
  * where it did not.  What a scene takes up later finds no memory and is left out. */
-typedef struct {
+typedef struct tp_frame_parts {
     tp_grid         *grid;              /* NULL: no method goes by crossings */
     tp_reach         reach;             /* rungs that there is memory for */
     tp_level        *level;             /* of water that is level at first */
@@ -172,11 +156,11 @@ typedef struct {
     tp_pool_slope   *bump[TP_POOL_BUMPS];       /* slopes of pool and field */
     uint32_t         bump_cells[TP_POOL_BUMPS]; /* that they have room for */
     uint32_t         lacks;             /* parts that the scene has and the kit has not */
-    tp_half_store    mirrored, sunken;
     tp_frame_quick  *quick;             /* NULL: nothing is prepared here */
-    tp_around_store  around;
     struct tp_quick_light *quick_light;
     void           **module;            /* of each of the kit, NULL: not drawn */
+    uint32_t         module_bytes;      /* of those, */
+    uint32_t         look_bytes;        /* and of those that water looks into */
 } tp_frame_parts;
 
 #define TP_OTHERS 7             /* kinds of samples beside water */
@@ -204,6 +188,7 @@ struct tp_frame {
     tp_visibility    visibility;        /* of this frame */
 
     tp_sight         sight;             /* the picture itself */
+    uint32_t         modules_on;        /* bits, in the order of the kit's list */
     uint32_t         drops_seen;
 
     uint32_t         specks;
@@ -232,6 +217,8 @@ tp_frame *tp_frame_carve(const tp_kit *kit, tp_frame_parts *parts, tp_frame_ram 
                          tp_arena *arena, const tp_scene *scene, tp_assets *assets,
                          const tp_frame_config *config);
 bool tp_frame_wants(tp_frame_parts *parts, bool asked, bool part);
+tp_want tp_frame_want(const tp_kit *kit, const tp_frame_parts *parts, const tp_scene *scene,
+                      const tp_assets *assets, const tp_frame_config *config);
 uint32_t tp_frame_materials(const tp_assets *assets);   /* that are told apart */
 
 /* visibility.c: the plan's rungs, made at init and when the budget changes; by which

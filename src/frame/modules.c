@@ -2,48 +2,74 @@
 /* The modules of a picture: loops over the program's list; see drawing.h. */
 #include "frame/frame.h"
 
-void **tp_frame_layout_modules(const tp_kit *kit, tp_arena *arena, const tp_want *want)
+void tp_frame_layout_modules(const tp_kit *kit, tp_frame_parts *parts, tp_arena *arena,
+                             const tp_want *want)
 {
-    size_t count = 0;
+    const size_t begin = arena->used;
+    size_t count = 0, looks = 0;
 
     for (const tp_use *u = kit->modules; u && u->module; u++)
         count++;
-    if (count == 0)
-        return NULL;
-    void **mine = tp_arena_take(arena, count, sizeof *mine);
+    parts->module = count ? tp_arena_take(arena, count, sizeof *parts->module) : NULL;
     for (size_t i = 0; i < count; i++) {
         const tp_use *u = &kit->modules[i];
         const bool on = u->drawing && u->drawing->layout && u->module->enabled(want);
-        void *of_one = on ? u->drawing->layout(arena, want) : NULL;
-        if (mine)
-            mine[i] = of_one;
+        const size_t used = arena->used;
+        void *mine = on ? u->drawing->layout(arena, want) : NULL;
+        looks += on && u->drawing->look ? arena->used - used : 0;
+        if (parts->module)
+            parts->module[i] = mine;
     }
-    return mine;
+    parts->look_bytes = (uint32_t)looks;
+    parts->module_bytes = (uint32_t)(arena->used - begin - looks);
 }
 
-/* A module that was off at init has no memory and is not drawn. */
-#define EACH_DRAWN(u, mine, frame) \
+/* A module that was off at init has no memory, and is not drawn if it is on now. */
+void tp_frame_enable_modules(tp_frame *frame)
+{
+    const tp_want want = tp_frame_want(frame->kit, &frame->parts, frame->scene,
+                                       &frame->assets, &frame->config);
+    void *const *mine = frame->parts.module;
+    uint32_t bit = 1;
+
+    frame->modules_on = 0;
+    for (const tp_use *u = frame->kit->modules; u && u->module; u++, mine++, bit <<= 1)
+        if (*mine && u->module->enabled(&want))
+            frame->modules_on |= bit;
+}
+
+#define EACH_ON(u, mine, frame) \
     void *const *mine = (frame)->parts.module; \
-    for (const tp_use *u = (frame)->kit->modules; u && u->module; u++, mine++) \
-        if (*mine)
+    uint32_t bit = 1; \
+    for (const tp_use *u = (frame)->kit->modules; u && u->module; u++, mine++, bit <<= 1) \
+        if ((frame)->modules_on & bit)
 
 void tp_frame_init_modules(tp_frame *frame)
 {
-    EACH_DRAWN(u, mine, frame)
-        if (u->drawing->init)
+    void *const *mine = frame->parts.module;
+
+    for (const tp_use *u = frame->kit->modules; u && u->module; u++, mine++)
+        if (*mine && u->drawing->init)
             u->drawing->init(frame, *mine);
 }
 
 void tp_frame_begin_modules(tp_frame *frame)
 {
-    EACH_DRAWN(u, mine, frame)
+    EACH_ON(u, mine, frame)
         if (u->drawing->begin)
             u->drawing->begin(frame, *mine);
 }
 
+void tp_frame_look_modules(tp_frame *frame)
+{
+    EACH_ON(u, mine, frame)
+        if (u->drawing->look)
+            u->drawing->look(frame, *mine);
+}
+
 void tp_frame_add_modules(const tp_frame *frame, tp_shaders *water)
 {
-    EACH_DRAWN(u, mine, frame)
+    EACH_ON(u, mine, frame)
         if (u->drawing->water)
             u->drawing->water(frame, *mine, u->stage, water);
 }
@@ -52,7 +78,15 @@ bool tp_frame_has_module(const tp_frame *frame, uint32_t is)
 {
     bool has = false;
 
-    EACH_DRAWN(u, mine, frame)
-        has |= (u->module->is & is) != 0;
+    EACH_ON(u, mine, frame)
+        has |= mine && (u->module->is & is) != 0;
     return has;
+}
+
+void *tp_frame_part(const tp_frame *frame, uint32_t id)
+{
+    EACH_ON(u, mine, frame)
+        if (u->module->id == id)
+            return *mine;
+    return NULL;
 }

@@ -84,25 +84,6 @@ struct tp_draw_spray {
     void (*draw)(const tp_frame *frame, const tp_samples *tile);
 };
 
-/* Pictures of half the size, or a quarter, that water looks into, before any tile. */
-struct tp_draw_mirrored {
-    void (*carve)(tp_half_store *store, tp_arena *arena, uint32_t width, uint32_t height,
-                  uint32_t halvings);
-    void (*draw)(tp_frame *frame);
-};
-
-struct tp_draw_sunken {
-    void (*carve)(tp_half_store *store, tp_arena *arena, uint32_t width, uint32_t height,
-                  uint32_t halvings);
-    void (*draw)(tp_frame *frame);
-};
-
-/* The objects as a point on the water sees them. */
-struct tp_draw_around {
-    void (*carve)(tp_around_store *store, tp_arena *arena);
-    void (*draw)(tp_frame *frame);
-};
-
 /* What is seen through the water and under it. */
 struct tp_draw_inside {
     void (*plan)(tp_frame *frame);

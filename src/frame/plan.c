@@ -30,18 +30,6 @@ static tp_stage light_stage(const tp_frame *frame, tp_shaders *water, bool rippl
     return rippled ? tp_shaders_pick(water, stages->light_rippled, plain) : plain;
 }
 
-/* Objects over it: what the scene asks for and had memory for at init. */
-static void add_objects(const tp_frame *frame, tp_shaders *water)
-{
-    const tp_stages *stages = &frame->kit->stage;
-    const int kind = frame->scene->mirror.objects;
-
-    if (kind == TP_MIRROR_STENCIL && frame->parts.mirrored.colour)
-        tp_shaders_add(water, TP_AT_OBJECTS, stages->mirrored, NULL);
-    if (kind == TP_MIRROR_CUBE && frame->parts.around.colour)
-        tp_shaders_add(water, TP_AT_OBJECTS, stages->mirrored_cube, NULL);
-}
-
 static void add_mirror(const tp_frame *frame, tp_shaders *water, bool rippled)
 {
     const tp_stages *stages = &frame->kit->stage;
@@ -52,7 +40,6 @@ static void add_mirror(const tp_frame *frame, tp_shaders *water, bool rippled)
     }
     if (!tp_frame_add_reflection(frame, water, rippled))
         return;
-    add_objects(frame, water);
     tp_frame_add_fresnel(frame, water);
 }
 

@@ -17,14 +17,11 @@ static bool has_beyond(const tp_frame *frame)
 {
     const tp_scene *scene = frame->scene;
     const tp_pool_bump *pool = frame->shade.bumps.pool;
-    const int objects = scene->mirror.objects;
 
     return scene->water.clear > 0 || frame->shade.env.beyond > 0
         || (frame->shade.env.kind != TP_ENV_GRADIENT && !is_rippled(frame))
         || pool[0].slope || pool[1].slope
-        || tp_frame_has_module(frame, TP_MODULE_EXACT)
-        || (objects == TP_MIRROR_STENCIL && frame->parts.mirrored.colour)
-        || (objects == TP_MIRROR_CUBE && frame->parts.around.colour);
+        || tp_frame_has_module(frame, TP_MODULE_EXACT);
 }
 
 /* A dome's glow is in its lobe's table: it always has one. */

@@ -162,6 +162,8 @@ void tp_plan_add_quick_layers(const tp_frame *frame, tp_shaders *water, bool eve
     else if (layers)
         tp_shaders_add_colour(water, bends ? stages->quick_bend : stages->quick_still);
     tp_shaders_add_colour(water, even ? stages->quick_layers_even
-                               : !layers ? stages->plain : thin ? stages->quick_layers_thin : stages->quick_layers);
+                               : !layers ? stages->plain
+                               : thin ? stages->quick_layers_thin
+                                      : stages->quick_layers);
     tp_shaders_add_colour(water, ripples ? stages->quick_ripple : stages->quick_slopes);
 }

@@ -26,6 +26,9 @@ typedef struct tp_want {
     const tp_assets *assets;    /* NULL: the scene names no file */
     bool     coastal;           /* the waves feel a floor or a wind */
     uint32_t width, height;     /* of the picture; 0 for a world */
+    bool     moves;             /* the picture has a boat or drops, */
+    bool     walls;             /* a tank or stone in the pool, */
+    bool     inside;            /* and shows what lies in the water */
 } tp_want;
 
 /* All but name, id and enabled may be NULL. */
@@ -37,7 +40,8 @@ typedef struct tp_module {
     /* The one place that says when the feature is on: layout, step and drawing ask it. */
     bool (*enabled)(const tp_want *want);
 
-    /* The state: its bytes, aligned to 8; NULL is 0.  It is zeroed before `init`. */
+    /* The state: its bytes, aligned to 8; NULL: a world has none.  It is zeroed before
+     * `init`. */
     size_t (*bytes)(const tp_want *want);
     void   (*init)(void *mine, tp_world *world, const tp_want *want);
 

@@ -21,9 +21,14 @@ static uint32_t chunk_end(const tp_world *world, uint32_t at)
     return at + (uint32_t)sizeof(chunk) + chunk_at(world, at)->bytes;
 }
 
+static bool has_state(const tp_module *module, const tp_want *want)
+{
+    return module->bytes && module->enabled(want);
+}
+
 static size_t state_bytes(const tp_module *module, const tp_want *want)
 {
-    return module->bytes ? (module->bytes(want) + 7) & ~(size_t)7 : 0;
+    return (module->bytes(want) + 7) & ~(size_t)7;
 }
 
 void *tp_world_part(const tp_world *world, uint32_t id)
@@ -42,7 +47,7 @@ uint32_t tp_modules_take(const tp_kit *kit, tp_arena *arena, const tp_want *want
     const size_t begin = arena->used;
 
     for (const tp_use *u = kit->modules; u && u->module; u++)
-        if (u->module->enabled(want))
+        if (has_state(u->module, want))
             tp_arena_take(arena, 1, sizeof(chunk) + state_bytes(u->module, want));
     return arena->used > begin ? (uint32_t)begin : 0;
 }
@@ -52,7 +57,7 @@ void tp_modules_init(const tp_kit *kit, tp_world *world, const tp_want *want)
     uint32_t at = world->parts.modules;
 
     for (const tp_use *u = kit->modules; u && u->module; u++) {
-        if (!u->module->enabled(want))
+        if (!has_state(u->module, want))
             continue;
         chunk *c = chunk_at(world, at);
         *c = (chunk){ u->module->id, (uint32_t)state_bytes(u->module, want) };
@@ -67,7 +72,7 @@ bool tp_modules_fit(const tp_kit *kit, const tp_world *world, const tp_want *wan
     uint32_t at = world->parts.modules;
 
     for (const tp_use *u = kit->modules; u && u->module; u++) {
-        if (!u->module->enabled(want))
+        if (!has_state(u->module, want))
             continue;
         if (at == 0 || at >= world->parts.bytes)
             return false;

@@ -179,7 +179,7 @@ tp_status tp_parts_of(const tp_kit *kit, tp_world_parts *parts, const tp_scene *
         status = move->pools->take(parts, &arena, scene, assets, err);
     if (status != TP_OK)
         return status;
-    const tp_want want = { scene, assets, parts->ocean != 0, 0, 0 };
+    const tp_want want = { .scene = scene, .assets = assets, .coastal = parts->ocean != 0 };
     take_rest(kit, parts, &arena, &want);
     parts->bytes = (uint32_t)arena.used;
     return TP_OK;
@@ -246,7 +246,8 @@ tp_status tp_parts_init(const tp_kit *kit, tp_world *world, const tp_scene *scen
         move->meter->init(world, scene, assets);
     if (world->parts.spray)
         move->spray->init(tp_parts_spray(world), scene);
-    const tp_want want = { scene, assets, world->parts.ocean != 0, 0, 0 };
+    const tp_want want = { .scene = scene, .assets = assets,
+                           .coastal = world->parts.ocean != 0 };
     tp_modules_init(kit, world, &want);
     return status;
 }
@@ -282,7 +283,8 @@ bool tp_parts_can_tune(const tp_kit *kit, const tp_world *world, const tp_scene 
                        const tp_assets *assets)
 {
     const bool pools = world->parts.pool || world->parts.field;
-    const tp_want want = { scene, assets, world->parts.ocean != 0, 0, 0 };
+    const tp_want want = { .scene = scene, .assets = assets,
+                           .coastal = world->parts.ocean != 0 };
 
     return (!pools || kit->move.pools->can_tune(world, scene))
         && tp_modules_fit(kit, world, &want)

@@ -51,7 +51,7 @@ TP_ALWAYS_INLINE void bend(const tp_shade *shade, const tp_run *run, int32_t i,
 static uint32_t with_sunken(const tp_shade *shade, const tp_run *run, int32_t i,
                             tp_fx metres, int32_t nx, int32_t nz, uint32_t colour)
 {
-    const tp_half *half = &shade->sunken;
+    const tp_half *half = shade->sunken;
     const tp_view_axes *axes = &shade->world;
     int32_t across = (int32_t)(((int64_t)axes->right.x * nx + (int64_t)axes->right.z * nz)
                                >> 30);
@@ -112,7 +112,7 @@ TP_ALWAYS_INLINE void behind(const tp_shade *shade, tp_run *run, int rippled,
             parted(shade, run, i, stop, surface, ends, beam, body, seen);
         else
             tp_inside_row(shade, ends, beam, count, body, seen);
-        for (int32_t k = 0; shade->sunken.colour && k < count; k++)
+        for (int32_t k = 0; shade->sunken && k < count; k++)
             seen[k] = with_sunken(shade, run, i + k, beam[k].far, surface[k].x,
                                   surface[k].z, seen[k]);
         i = stop;

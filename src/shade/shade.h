@@ -20,11 +20,9 @@
 #define TP_SHADE_H
 #include "base/base.h"
 #include "shade/absorb.h"
-#include "shade/around.h"
 #include "shade/colour.h"
 #include "shade/inside.h"
 #include "shade/layer.h"
-#include "shade/mirrored.h"
 #include "shade/pool_bump.h"
 #include "shade/quick_layers.h"
 #include "shade/skies.h"
@@ -134,10 +132,8 @@ typedef struct tp_shade {
     const tp_solid *solid;      /* one for each of its materials */
     tp_solid land, drop;        /* without pictures */
 
-    tp_half  mirrored;          /* objects about the level, upside down */
-    tp_half  sunken;            /* objects under the level, as flat water shows them */
-    tp_mirrored bending;        /* of looks into `mirrored` */
-    tp_around around;           /* objects, where they are not in `mirrored` */
+    const tp_half *sunken;      /* objects under the level, as flat water shows them, or
+                                 * NULL */
     tp_vec3  eye;
     tp_absorb absorb;           /* of water that is seen through */
     tp_inside inside;           /* what lies in and under the water */

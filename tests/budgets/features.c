@@ -8,12 +8,22 @@
 #define FEATURES 0
 #endif
 
-#if FEATURES >= 9
-static const tp_use foam[] = { TP_USE(foam), { 0 } };
+static const tp_use modules[] = {
+#if FEATURES >= 8
+    TP_USE(mirror),
 #endif
+#if FEATURES >= 13
+    TP_USE(refraction),
+#endif
+#if FEATURES >= 9
+    TP_USE(foam),
+#endif
+    { 0 }
+};
 
 /* What each adds: designators may stand in any order, and those of one feature together. */
 const tp_kit features_kit = {
+    .modules = modules,
     .stage.sky = tp_stage_sky,
     .stage.plain = tp_stage_plain,
     .stage.texture = tp_stage_texture,
@@ -59,14 +69,11 @@ const tp_kit features_kit = {
     .stage.solid = tp_stage_solid,
 #endif
 #if FEATURES >= 8       /* objects mirrored */
-    .draw.mirrored = &tp_draw_mirrored,
     .stage.slopes = tp_stage_slopes,
     .stage.reflect_gradient = tp_stage_reflect_gradient,
-    .stage.mirrored = tp_stage_mirrored,
     .stage.fresnel = tp_stage_fresnel,
 #endif
 #if FEATURES >= 9       /* foam */
-    .modules = foam,
 #endif
 #if FEATURES >= 10      /* spray */
     .draw.spray = &tp_draw_spray,
@@ -86,7 +93,6 @@ const tp_kit features_kit = {
 #endif
 #if FEATURES >= 13      /* clear water, seen from above and from in it */
     .draw.inside = &tp_draw_inside,
-    .draw.sunken = &tp_draw_sunken,
     .stage.behind = tp_stage_behind,
     .stage.behind_rippled = tp_stage_behind_rippled,
     .stage.below = tp_stage_below,

@@ -27,7 +27,8 @@ lacks qemu-system-arm qemu-system-arm "prices on a Cortex-M4" && exit 77
 
 shade_functions()
 {
-    arm-none-eabi-nm --defined-only build/cortex-m4/src/shade/*.o |
+    arm-none-eabi-nm --defined-only build/cortex-m4/src/shade/*.o \
+        build/cortex-m4/src/features/*/*_stage.o |
         awk 'NF == 3 && $2 ~ /[tT]/ { print $3 }' | sort -u
 }
 

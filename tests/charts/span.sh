@@ -25,7 +25,7 @@ esac || { cat "$scratch/said" >&2; exit 1; }
 
 case $chart in
 span) $nm "$built"/tests/charts/span_step_*.o ;;
-*)    $nm "$core"/src/shade/*.o | grep -v ' tp_stage_sky' ;;
+*)    $nm "$core"/src/shade/*.o "$core"/src/features/*/*_stage.o | grep -v ' tp_stage_sky' ;;
 esac | awk '$2 ~ /[tT]/ { print "of", $3 }' >"$scratch/of"
 [ -s "$scratch/of" ] || { echo "span.sh: no functions to count" >&2; exit 1; }
 awk -v column="$column" -v chart="$chart" -v scene="$scene" '

@@ -4,6 +4,8 @@
  * pictures had in them, since a test of a stage that never runs says nothing. */
 #ifndef TP_TESTS_TWICE_H
 #define TP_TESTS_TWICE_H
+#include "features/reflection/mirror.h"
+#include "features/reflection/object_cube.h"
 #include "frame/frame.h"
 #include "kit.h"
 #include "tidepool/kit.h"
@@ -92,9 +94,11 @@ static inline void twice_count(const tp_frame *f, const uint32_t *key, size_t pi
     r->aboard += f->world->aboard;
     r->glass += f->glasses > 0;
     r->blocks += f->blocks > 0;
-    r->mirrored += f->shade.mirrored.colour != NULL;
-    r->sunken += f->shade.sunken.colour != NULL;
-    r->cube += f->shade.around.colour != NULL;
+    const tp_mirror *mirror = tp_frame_part(f, TP_MIRROR_ID);
+    const tp_around *cube = tp_frame_part(f, TP_OBJECT_CUBE_ID);
+    r->mirrored += mirror && mirror->half.colour;
+    r->sunken += f->shade.sunken != NULL;
+    r->cube += cube && cube->colour;
     r->caustics += f->parts.caustic_light != NULL;
     r->bumps += f->shade.bumps.pool[0].slope || f->shade.bumps.pool[1].slope;
     r->foam += tp_world_foam(f->world) != NULL;

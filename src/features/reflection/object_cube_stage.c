@@ -7,7 +7,7 @@
  * the way from the point to there is looked up: exact for what stands in that plane.
  * With n its normal, a = (middle - p).n, b = r.n, that way is (p - point) + r a / b; a
  * cube takes it at any length, so b times it, and nothing is divided. */
-#include "shade/around.h"
+#include "features/reflection/object_cube.h"
 #include "shade/depth.h"
 #include "shade/half.h"
 
@@ -97,7 +97,7 @@ static way water_from(const tp_around *cube, const way *ray, uint32_t key)
 /* Lengths in centimetres or so: 8 bits of a metre, below 2^25, times 14 bits. */
 void tp_stage_mirrored_cube(const tp_shade *shade, tp_run *run)
 {
-    const tp_around *cube = &shade->around;
+    const tp_around *cube = run->mine;
 
     if (!cube->colour)
         return;
@@ -116,3 +116,9 @@ void tp_stage_mirrored_cube(const tp_shade *shade, tp_run *run)
             run->mirror[i] = tp_colour_over(run->mirror[i], top);
     }
 }
+
+const tp_stage tp_object_cube_stages[] = {
+#define X(name) tp_stage_##name,
+    TP_STAGES_OF_object_cube(X)
+#undef X
+};

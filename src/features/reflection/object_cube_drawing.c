@@ -2,18 +2,18 @@
 /* The dynamic environment: a small cube of what a point on the water sees of boat and
  * drops, drawn anew in each frame.  The point is where the camera sees the objects'
  * middle mirrored: there the cube is right, and around it nearly so. */
-#include "frame/frame.h"
 #include "asset/mesh.h"
+#include "features/reflection/object_cube.h"
+#include "frame/frame.h"
 
 #define WIDE (2 * TP_AROUND_SIDE)
 #define BAND 4                  /* rows that are drawn at a time */
 
-static void carve_around(tp_around_store *store, tp_arena *arena)
-{
-    store->colour = tp_arena_take(arena, TP_AROUND_FACES * TP_AROUND_SIDE * TP_AROUND_SIDE,
-                                  sizeof *store->colour);
-    store->samples = tp_arena_take(arena, WIDE * BAND, 4 * sizeof *store->samples);
-}
+typedef struct {
+    tp_around around;           /* the stage's: first */
+    uint32_t *colour;           /* TP_AROUND_FACES */
+    uint32_t *samples;
+} cube_map;
 
 /* Of corners, which boat.c holds within 4 km: with the boat's place 15 km, and the eye
  * is 23 km away at the most. */
@@ -44,8 +44,8 @@ static tp_vec3 towards(tp_vec3 eye, tp_vec3 to, tp_fx part, tp_fx level)
                       eye.z + tp_fx_mul(to.z - eye.z, part) };
 }
 
-/* Fills shade.around but for its colours; returns the point. */
-static tp_vec3 set_around(tp_frame *frame, tp_fx level)
+/* Fills *cube but for its colours; returns the point. */
+static tp_vec3 set_around(const tp_frame *frame, tp_around *cube, tp_fx level)
 {
     const tp_vec3 eye = frame->lens.eye, to = middle_of_objects(frame);
     const tp_fx up = eye.y - level, high = to.y - level > TP_FX_ONE / 4
@@ -53,7 +53,6 @@ static tp_vec3 set_around(tp_frame *frame, tp_fx level)
     const tp_vec3 point = towards(eye, to, tp_fx_div(up, up + high), level);
     const tp_vec3 way = tp_vec3_sub(to, point);
     const tp_dir3 n = tp_normalise(way.x, 0, way.z);
-    tp_around *cube = &frame->shade.around;
 
     *cube = (tp_around){
         .from = tp_vec3_sub(eye, point), .to = way, .nx = n.x >> 16, .nz = n.z >> 16,
@@ -75,9 +74,8 @@ static void add_row(const tp_frame *frame, const tp_samples *band, int32_t y, ui
 }
 
 /* True: something is seen. */
-static bool draw_face(tp_frame *frame, tp_sight *sight, uint32_t *to)
+static bool draw_face(tp_frame *frame, uint32_t *at, tp_sight *sight, uint32_t *to)
 {
-    uint32_t *at = frame->parts.around.samples;
     const size_t plane = WIDE * BAND;
 
     tp_sight_begin(frame, sight);
@@ -96,22 +94,21 @@ static bool draw_face(tp_frame *frame, tp_sight *sight, uint32_t *to)
     return box.x0 <= box.x1;
 }
 
-static void draw_around(tp_frame *frame)
+static void look(tp_frame *frame, void *mine)
 {
-    TP_ASSERT(frame->parts.around.colour != NULL);
     static const int32_t turn[TP_AROUND_FACES][2] = {     /* quarters: heading, pitch */
         { 1, 0 }, { 3, 0 }, { 2, 0 }, { 0, 0 }, { 0, 1 }
     };
+    cube_map *m = mine;
     const tp_fx level = tp_sight_level(frame);
     const uint32_t quarter = (uint32_t)1 << 30;
-    uint32_t *colour = frame->parts.around.colour;
     bool seen = false;
 
-    frame->shade.around.colour = NULL;
+    m->around.colour = NULL;
     if (!tp_sight_above(frame, level)
         || !(frame->assets.boat || tp_frame_has_drops(frame)))
         return;
-    const tp_vec3 point = set_around(frame, level);
+    const tp_vec3 point = set_around(frame, &m->around, level);
     for (uint32_t f = 0; f < TP_AROUND_FACES; f++) {
         tp_lens lens;
         tp_lens_init(&lens, point, (uint32_t)turn[f][0] * quarter,
@@ -119,11 +116,46 @@ static void draw_around(tp_frame *frame)
                      frame->scene->camera.near, WIDE, WIDE);
         tp_sight sight = { .lens = &lens, .cut = true,
                            .level = tp_lens_level(&lens, level, 1) };
-        seen |= draw_face(frame, &sight, colour + f * TP_AROUND_SIDE * TP_AROUND_SIDE);
+        seen |= draw_face(frame, m->samples, &sight,
+                          m->colour + f * TP_AROUND_SIDE * TP_AROUND_SIDE);
     }
-    frame->shade.around.colour = seen ? colour : NULL;
+    m->around.colour = seen ? m->colour : NULL;
 }
 
-const struct tp_draw_around tp_draw_around = {
-    carve_around, draw_around
+/* -- the module ---------------------------------------------------------------------- */
+
+static bool enabled(const tp_want *want)
+{
+    return want->scene->mirror.objects == TP_MIRROR_CUBE
+        && want->scene->water.reflection > 0 && want->moves;
+}
+
+static void *layout(tp_arena *arena, const tp_want *want)
+{
+    const size_t texels = TP_AROUND_FACES * TP_AROUND_SIDE * TP_AROUND_SIDE;
+    cube_map *m = tp_arena_take(arena, 1, sizeof *m), made = { .around.colour = NULL };
+
+    (void)want;
+    made.colour = tp_arena_take(arena, texels, sizeof *made.colour);
+    made.samples = tp_arena_take(arena, WIDE * BAND, 4 * sizeof *made.samples);
+    if (m)
+        *m = made;
+    return m;
+}
+
+static void add_stage(const tp_frame *frame, const void *mine, const tp_stage *stage,
+                      tp_shaders *list)
+{
+    (void)frame;
+    if (tp_shaders_has(list, TP_AT_REFLECT))
+        tp_shaders_add(list, TP_AT_OBJECTS, stage[0], mine);
+}
+
+const tp_module tp_object_cube_module = {
+    .name = "object cube", .id = TP_OBJECT_CUBE_ID, .is = TP_MODULE_EXACT,
+    .enabled = enabled,
+};
+
+const tp_drawing tp_object_cube_drawing = {
+    .layout = layout, .look = look, .water = add_stage,
 };

@@ -17,7 +17,7 @@
  * on from there.
  *
  * Ways are linear in the slopes, with factors worked out at every 16th column. */
-#include "shade/mirrored.h"
+#include "features/reflection/mirror.h"
 #include "shade/depth.h"
 #include "shade/half.h"
 
@@ -115,14 +115,14 @@ TP_ALWAYS_INLINE int32_t moved(int32_t by_x, int32_t sx, int32_t by_z, int32_t s
 #define BESIDE (65536 + 8192)
 
 /* What is seen in the water at column x; 0: nothing. */
-TP_ALWAYS_INLINE uint32_t seen(const tp_shade *shade, int32_t y, const push *a,
+TP_ALWAYS_INLINE uint32_t seen(const tp_mirror *look, int32_t y, const push *a,
                                const push *step, int32_t x, uint32_t key, int32_t sx,
                                int32_t sz)
 {
-    const tp_half *half = &shade->mirrored;
+    const tp_half *half = &look->half;
     int32_t k = x & 15, last = half->x1 - half->x0 - 1;
     const tp_mirrored_zi *column =
-        &shade->bending.zi[tp_clamp((x >> (1 + half->coarser)) - half->x0, 0, last)];
+        &look->zi[tp_clamp((x >> (1 + half->coarser)) - half->x0, 0, last)];
     uint32_t zi = column->near;
     int32_t ratio = depth_ratio(zi, key);
     if (ratio > BESIDE) {
@@ -131,8 +131,8 @@ TP_ALWAYS_INLINE uint32_t seen(const tp_shade *shade, int32_t y, const push *a,
         if (ratio > 65536)
             return 0;
     }
-    int32_t share = tp_clamp(65536 - ratio, 0, 65536) * shade->bending.bend >> 8;
-    int64_t high = ((int64_t)zi * shade->bending.height >> 27)
+    int32_t share = tp_clamp(65536 - ratio, 0, 65536) * look->bend >> 8;
+    int64_t high = ((int64_t)zi * look->height >> 27)
                  + ((int64_t)at(a->dy, step->dy, k) * ratio >> 16);
     int32_t h = (int32_t)tp_limit(high, 1 << 20);
 
@@ -148,14 +148,16 @@ void tp_stage_mirrored(const tp_shade *shade, tp_run *run)
 {
     int32_t x = run->x, end = run->x + run->count;
 
-    if (!shade->mirrored.colour)
+    const tp_mirror *look = run->mine;
+
+    if (!look->half.colour)
         return;
     push a = push_at(shade, x & ~15, run->y);
     for (int32_t i = 0; x < end; ) {
         int32_t next = (x & ~15) + 16, stop = next < end ? next : end;
         push b = push_at(shade, next, run->y), step = step_between(&a, &b);
         for (; x < stop; x++, i++) {
-            uint32_t top = seen(shade, run->y, &a, &step, x, run->key[i], run->sx[i],
+            uint32_t top = seen(look, run->y, &a, &step, x, run->key[i], run->sx[i],
                                 run->sz[i]);
             if (top)
                 run->mirror[i] = tp_colour_over(run->mirror[i], top);
@@ -163,3 +165,9 @@ void tp_stage_mirrored(const tp_shade *shade, tp_run *run)
         a = b;
     }
 }
+
+const tp_stage tp_mirror_stages[] = {
+#define X(name) tp_stage_##name,
+    TP_STAGES_OF_mirror(X)
+#undef X
+};

@@ -1,8 +1,14 @@
 /* SPDX-License-Identifier: MIT */
-/* A small cube of pictures: what a point on the water sees of the objects around it. */
-#ifndef TP_SHADE_AROUND_H
-#define TP_SHADE_AROUND_H
-#include "tidepool/fx.h"
+/* The object cube map: what a point on the water sees of the objects around it, in five
+ * small pictures; read by its stage, in tp_run.mine.
+ *
+ *     object_cube_drawing.c   the module, and its pictures
+ *     object_cube_stage.c     its span stage */
+#ifndef TP_OBJECT_CUBE_H
+#define TP_OBJECT_CUBE_H
+#include "scene/module.h"
+
+#define TP_OBJECT_CUBE_ID TP_MODULE_ID('c', 'u', 'b', 'e')
 
 #define TP_AROUND_SIDE  32
 #define TP_AROUND_FACES 5         /* +x -x +z -z +y: nothing lies under the water's level */

@@ -7,6 +7,8 @@
 #include <setjmp.h>
 #include <stdint.h>
 #include <cmocka.h>
+#include "features/reflection/mirror.h"
+#include "features/reflection/object_cube.h"
 #include "shade/half.h"
 #include "shades.h"
 
@@ -87,16 +89,21 @@ static void moved_to(const tp_shade *s, double x, double y, double z, double zm,
     }
 }
 
+/* What the stages read, of the shade that was made last. */
+static tp_mirror mirror;
+static tp_around around;
+
 static tp_shade any_mirror(double zm, double height)
 {
     tp_shade s = shade_any(&chance);
 
     for (int i = 0; i < SIDE; i++)
         zi[i].near = zi[i].far = (uint32_t)(2147483648.0 / zm);
-    s.mirrored = (tp_half){ ramp, 0, 0, SIDE, SIDE, 0 };
+    mirror.half = (tp_half){ ramp, 0, 0, SIDE, SIDE, 0 };
     s.per_focal = (uint32_t)(4294967296.0 / s.focal);
-    s.bending = (tp_mirrored){ chance_int(&chance, 0, 512),
-                               (int64_t)lround(height * 4096), zi };
+    mirror.bend = chance_int(&chance, 0, 512);
+    mirror.height = (int64_t)lround(height * 4096);
+    mirror.zi = zi;
     return s;
 }
 
@@ -114,11 +121,12 @@ static void compare_run(const tp_shade *s, double zm, double height,
         r.run.sz[i] = (int16_t)r.n[i];
         r.run.mirror[i] = 0;
     }
+    r.run.mine = &mirror;
     tp_stage_mirrored(s, &r.run);
     for (int i = 0; i < TP_RUN; i++) {
         const double x = r.run.x + i + 0.5, y = r.run.y + 0.5;
         const double z = 2147483648.0 / ((r.key[i] | 0xff) >> 1);
-        const double bend = z < zm ? s->bending.bend / 256.0 : 0;
+        const double bend = z < zm ? mirror.bend / 256.0 : 0;
         const double by[3] = { r.run.sx[i] / Q12 * bend, r.run.sz[i] / Q12 * bend,
                                height + z * ray_at(s, x, y).y };
         double u, v;
@@ -160,10 +168,12 @@ static void water_behind_an_object_mirrors_none_of_it(void **state)
         r.key[i] = (uint32_t)(2147483648.0 / 11.5) << 1 | 0xff;
         r.run.mirror[i] = 0x123456;
     }
+    r.run.mine = &mirror;
     tp_stage_mirrored(&s, &r.run);
     for (int i = 0; i < TP_RUN; i++)
         assert_int_equal(r.run.mirror[i], 0x123456);
-    s.mirrored.colour = NULL;
+    mirror.half.colour = NULL;
+    r.run.mine = &mirror;
     tp_stage_mirrored(&s, &r.run);
     assert_int_equal(r.run.mirror[5], 0x123456);
 }
@@ -194,7 +204,7 @@ static tp_shade any_cube(void)
     tp_shade s = shade_any(&chance);
     const double a = chance_double(&chance, 0, 6.28);
 
-    s.around = (tp_around){
+    around = (tp_around){
         faces, { chance_fx(&chance, -9, 9), chance_fx(&chance, 1, 9),
                  chance_fx(&chance, -9, 9) },
         { TP_FX(8 * cos(a)), TP_FX(2), TP_FX(8 * sin(a)) },
@@ -206,7 +216,7 @@ static tp_shade any_cube(void)
 
 static void compare_cube(const tp_shade *s, test_run *r, int k, level_error *off)
 {
-    const tp_around *c = &s->around;
+    const tp_around *c = &around;
     const ref_dir d = ray_at(s, r->run.x + k + 0.5, r->run.y + 0.5);
     const double z = 0.25 * 2147483648.0 / ((r->key[k] | 0xff) >> 1);
     const double px = c->from.x / 65536.0 + z * d.x, py = c->from.y / 65536.0 + z * d.y,
@@ -249,6 +259,7 @@ static void the_cube_is_met_in_the_objects_plane(void **state)
             r.key[k] = (uint32_t)(2147483648.0 / chance_double(&chance, 8, 60)) << 1
                      | 0xff;
         }
+        r.run.mine = &around;
         tp_stage_mirrored_cube(&s, &r.run);
         for (int k = 0; k < TP_RUN; k++)
             compare_cube(&s, &r, k, &off);
@@ -275,5 +286,5 @@ int main(void)
         cmocka_unit_test(the_cube_is_met_in_the_objects_plane),
     };
     chance = random_seed();
-    return cmocka_run_group_tests_name("shade mirrored", tests, make_ramps, NULL);
+    return cmocka_run_group_tests_name("features/reflection stages", tests, make_ramps, NULL);
 }

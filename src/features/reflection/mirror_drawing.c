@@ -1,0 +1,169 @@
+/* SPDX-License-Identifier: MIT */
+/* The mirror: a planar map of the objects above the water.  It is what an eye as deep under
+ * the level as the camera is above it sees when it looks up as far as the camera looks
+ * down, upside down [F4]. */
+#include "features/reflection/mirror.h"
+#include "frame/frame.h"
+#include "frame/planar_map.h"
+
+typedef struct {
+    tp_mirror        look;      /* the stage's: first */
+    tp_mirrored_zi  *zi;        /* of each column */
+    tp_planar_store  store;
+} mirror;
+
+/* The columns' depths, as far as row y of a band tells. */
+static void see_depths(tp_mirrored_zi *zi, const tp_samples *band, int32_t y)
+{
+    const uint32_t *key = band->key + (size_t)(uint32_t)(y - band->y0) * band->stride;
+
+    for (int32_t i = 0; i < band->x1 - band->x0; i++) {
+        uint32_t at = TP_ZI(key[i]);
+        if (at == 0)
+            continue;
+        zi[i].far = zi[i].near == 0 || at < zi[i].far ? at : zi[i].far;
+        zi[i].near = at > zi[i].near ? at : zi[i].near;
+    }
+}
+
+/* Columns without an object take their left neighbour's depths, the first ones those of
+ * the first that has one. */
+static void fill_gaps(tp_mirrored_zi *zi, uint32_t count)
+{
+    uint32_t first = 0;
+
+    while (first + 1 < count && zi[first].near == 0)
+        first++;
+    for (uint32_t i = 0; i < first; i++)
+        zi[i] = zi[first];
+    for (uint32_t i = first + 1; i < count; i++)
+        zi[i] = zi[i].near ? zi[i] : zi[i - 1];
+}
+
+/* Rows of this lens's picture count from the other end, so that row j of it is row
+ * rows - 1 - j of the camera's: its up is the camera's, mirrored and turned round. */
+static tp_lens mirror_lens(const tp_frame *frame, const tp_planar_store *store, tp_fx level)
+{
+    TP_ASSERT(store->halvings > 0);
+    const tp_lens *from = &frame->lens;
+    const tp_dir3  r = from->turn.x, up = from->turn.y, back = from->turn.z;
+    const tp_rotation turn = { { r.x, -r.y, r.z }, { -up.x, up.y, -up.z },
+                               { back.x, -back.y, back.z } };
+    tp_lens lens;
+
+    tp_lens_turned(&lens, (tp_vec3){ from->eye.x, 2 * level - from->eye.y, from->eye.z },
+                   turn, frame->scene->camera.fov, from->near, frame->config.width,
+                   frame->config.height);
+    for (uint32_t n = 0; n < store->halvings; n++)
+        lens = tp_lens_halved(&lens);
+    lens.v0 = 16 * (int32_t)store->rows - lens.v0;
+    return lens;
+}
+
+/* Pixels by which objects are mirrored from below the level too: water at their feet
+ * mixes half pixels from both sides of it.  That much of a mirror lies behind its object,
+ * so nobody sees it. */
+enum { OVERLAP = 2 };
+
+/* Troughs bare a hull and show it below the level.  Walls and the floor between them would
+ * be mirrored there over all the water. */
+static tp_view_plane mirror_level(const tp_frame *frame, const tp_lens *lens, tp_fx level)
+{
+    const tp_fx trough = -tp_surface_height(&frame->surface);
+    const bool  bare = !tp_sight_has_walls(frame) && trough < level;
+    tp_view_plane plane = tp_lens_level(lens, bare ? trough : level, 1);
+
+    plane.depth += (int32_t)(((int64_t)OVERLAP << 43) / lens->focal);   /* half pixels */
+    return plane;
+}
+
+static void set_bending(const tp_frame *frame, tp_mirror *to, tp_fx level)
+{
+    to->bend = frame->scene->mirror.bend >> 8;
+    to->height = (int64_t)(frame->lens.eye.y - level) * 4096 / frame->lens.zi_near;
+}
+
+static void draw_mirror(tp_frame *frame, mirror *m, const tp_sight *sight)
+{
+    const tp_planar_store *store = &m->store;
+    const tp_half *half = &m->look.half;
+    uint32_t wide = (uint32_t)(half->x1 - half->x0);
+
+    memset(m->zi, 0, wide * sizeof *m->zi);
+    for (int32_t y0 = half->y0; y0 < half->y1; y0 += TP_PLANAR_BAND) {
+        tp_samples band = tp_planar_samples(store, half, y0);
+        tp_samples_clear(&band);
+        tp_sight_draw(frame, sight, &band);
+        for (int32_t y = y0; y < band.y1; y++) {
+            tp_frame_colour_row(frame, &band, y,
+                                store->colour + (uint32_t)(half->y1 - 1 - y) * wide);
+            see_depths(m->zi, &band, y);
+        }
+    }
+    fill_gaps(m->zi, wide);
+}
+
+static void look(tp_frame *frame, void *mine)
+{
+    mirror *m = mine;
+    const int32_t rows = (int32_t)m->store.rows;
+    tp_fx    level = tp_sight_level(frame);
+    tp_half *half = &m->look.half;
+
+    half->colour = NULL;
+    if (!tp_sight_above(frame, level))
+        return;
+    tp_lens  lens = mirror_lens(frame, &m->store, level);
+    tp_sight sight = { .lens = &lens, .cut = true, .walls = true,
+                       .level = mirror_level(frame, &lens, level) };
+    tp_sight_begin(frame, &sight);
+    tp_grid_box box = tp_sight_place(frame, &sight);
+    if (!tp_planar_begin(&m->store, &box, half))
+        return;
+    set_bending(frame, &m->look, level);
+    draw_mirror(frame, m, &sight);
+    *half = (tp_half){ half->colour, half->x0, rows - half->y1, half->x1,
+                       rows - half->y0, half->coarser };
+}
+
+/* -- the module ---------------------------------------------------------------------- */
+
+static bool enabled(const tp_want *want)
+{
+    return want->scene->mirror.objects == TP_MIRROR_STENCIL
+        && want->scene->water.reflection > 0 && (want->moves || want->walls);
+}
+
+/* Small pictures' lenses can be halved once. */
+static uint32_t halvings_of(const tp_want *want)
+{
+    return want->scene->mirror.size == TP_MIRROR_QUARTER && want->width >= 64
+           && want->height >= 64 ? 2 : 1;
+}
+
+static void *layout(tp_arena *arena, const tp_want *want)
+{
+    mirror *m = tp_arena_take(arena, 1, sizeof *m), made = { .look.bend = 0 };
+
+    tp_planar_layout(&made.store, arena, want, halvings_of(want));
+    made.look.zi = made.zi = tp_arena_take(arena, made.store.cols, sizeof *made.zi);
+    if (m)
+        *m = made;
+    return m;
+}
+
+static void add_stage(const tp_frame *frame, const void *mine, const tp_stage *stage,
+                      tp_shaders *list)
+{
+    (void)frame;
+    if (tp_shaders_has(list, TP_AT_REFLECT))
+        tp_shaders_add(list, TP_AT_OBJECTS, stage[0], mine);
+}
+
+const tp_module tp_mirror_module = {
+    .name = "mirror", .id = TP_MIRROR_ID, .is = TP_MODULE_EXACT, .enabled = enabled,
+};
+
+const tp_drawing tp_mirror_drawing = {
+    .layout = layout, .look = look, .water = add_stage,
+};

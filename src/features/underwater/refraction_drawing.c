@@ -1,0 +1,127 @@
+/* SPDX-License-Identifier: MIT */
+/* The refraction map: a planar map of the objects under the level.  Depths are scaled by
+ * 3/4, the apparent depth under flat water. */
+#include "frame/frame.h"
+#include "frame/planar_map.h"
+#include "tidepool/light.h"
+
+typedef struct {
+    tp_half         half;
+    tp_planar_store store;
+} refraction;
+
+#define ETA TP_Q30(TP_WATER_ETA)
+
+/* Heights over the level times ETA, in the rows: (S p - eye).r = (p - S^-1 eye).(S r). */
+static tp_lens sunken_lens(const tp_lens *lens, tp_fx level)
+{
+    tp_lens to = *lens;
+    int64_t up = (int64_t)(lens->eye.y - level) * TP_Q30_ONE / ETA;
+
+    to.eye.y = tp_fx_held(level + up);
+    to.right.y = tp_q30_mul(lens->right.y, ETA);
+    to.up.y = tp_q30_mul(lens->up.y, ETA);
+    to.ahead.y = tp_q30_mul(lens->ahead.y, ETA);
+    return to;
+}
+
+/* The way under water for each metre of apparent depth, 16.16: the refracted ray has
+ * sin = ETA sin, and the true depth is the apparent one over ETA. */
+static tp_fx way_of(const tp_frame *frame, int32_t x, int32_t y)
+{
+    tp_ray  ray = tp_view_ray(&frame->shade, &frame->shade.world, x, y);
+    int64_t s2 = (1 << 28) - (int64_t)ray.y * ray.y;            /* Q28 */
+    int64_t c2 = (1 << 28) - ((s2 * (ETA >> 15) >> 15) * (ETA >> 15) >> 15);
+    tp_fx   c = (tp_fx)(tp_isqrt64((uint64_t)c2 << 4));         /* Q16 */
+    return tp_fx_div(TP_FX(TP_WATER_INDEX), c);
+}
+
+/* Water takes its share of each colour, by how deep under the level the sample lies. */
+static void absorb_row(const tp_frame *frame, const tp_lens *lens, tp_fx height,
+                       const tp_samples *band, int32_t y, uint32_t *to)
+{
+    const uint32_t *key = band->key + (size_t)(uint32_t)(y - band->y0) * band->stride;
+    const uint32_t deep = (uint32_t)frame->scene->water.deep;
+    const int64_t v = tp_over_focal(&frame->shade, lens->v0 - 16 * y - 8);
+    const int64_t middle = -((lens->ahead.y >> 14) + (v * (lens->turn.y.y >> 14) >> 16));
+    const int64_t aside = -(lens->turn.x.y >> 14)               /* a 16th of a pixel */
+                        * (int64_t)frame->shade.per_focal;
+    tp_fx way = way_of(frame, band->x0, y);
+
+    for (int32_t x = band->x0; x < band->x1; x++, key++, to++) {
+        if (x % 16 == 0)
+            way = way_of(frame, x + 8, y);
+        if (*to == 0)
+            continue;
+        int64_t z = tp_depth_of(lens->zi_near, tp_key_zi(*key));
+        int64_t fall = middle + ((16 * x + 8 - lens->u0) * aside >> 32);
+        tp_fx   depth = tp_fx_held((fall * z >> 16) - height);
+        *to = tp_absorb_at(&frame->shade.absorb, *to & 0xffffff, deep,
+                           tp_fx_mul(depth > 0 ? depth : 0, way)) | 0xff000000u;
+    }
+}
+
+static void draw_below(tp_frame *frame, const refraction *r, const tp_sight *sight,
+                       const tp_lens *lens, tp_fx height)
+{
+    const tp_planar_store *store = &r->store;
+    const tp_half *half = &r->half;
+    uint32_t wide = (uint32_t)(half->x1 - half->x0);
+
+    for (int32_t y0 = half->y0; y0 < half->y1; y0 += TP_PLANAR_BAND) {
+        tp_samples band = tp_planar_samples(store, half, y0);
+        tp_samples_clear(&band);
+        tp_sight_draw(frame, sight, &band);
+        for (int32_t y = y0; y < band.y1; y++) {
+            uint32_t *to = store->colour + (uint32_t)(y - half->y0) * wide;
+            tp_frame_colour_row(frame, &band, y, to);
+            absorb_row(frame, lens, height, &band, y, to);
+        }
+    }
+}
+
+static void look(tp_frame *frame, void *mine)
+{
+    refraction *r = mine;
+    tp_fx    level = tp_sight_level(frame);
+    tp_half *half = &r->half;
+
+    half->colour = NULL;
+    frame->shade.sunken = NULL;
+    if (!tp_sight_above(frame, level))
+        return;
+    const tp_lens lens = tp_lens_halved(&frame->lens);
+    const tp_lens bent = sunken_lens(&lens, level);
+    tp_sight sight = { .lens = &bent, .cut = true,
+                       .level = tp_lens_level(&lens, level, -1) };
+    tp_sight_begin(frame, &sight);
+    tp_grid_box box = tp_sight_place(frame, &sight);
+    if (!tp_planar_begin(&r->store, &box, half))
+        return;
+    draw_below(frame, r, &sight, &lens, frame->lens.eye.y - level);
+    frame->shade.sunken = half;
+}
+
+/* -- the module ---------------------------------------------------------------------- */
+
+static bool enabled(const tp_want *want)
+{
+    return want->scene->water.clear > 0 && want->moves && want->inside;
+}
+
+static void *layout(tp_arena *arena, const tp_want *want)
+{
+    refraction *r = tp_arena_take(arena, 1, sizeof *r), made = { .half.colour = NULL };
+
+    tp_planar_layout(&made.store, arena, want, 1);
+    if (r)
+        *r = made;
+    return r;
+}
+
+const tp_module tp_refraction_module = {
+    .name = "refraction", .id = TP_MODULE_ID('r', 'f', 'r', 'a'), .enabled = enabled,
+};
+
+const tp_drawing tp_refraction_drawing = { .layout = layout, .look = look };
+const tp_stage tp_refraction_stages[] = { NULL };

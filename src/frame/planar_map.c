@@ -1,0 +1,42 @@
+/* SPDX-License-Identifier: MIT */
+/* Planar maps; see the header. */
+#include "frame/planar_map.h"
+
+void tp_planar_layout(tp_planar_store *store, tp_arena *arena, const tp_want *want,
+                      uint32_t halvings)
+{
+    TP_ASSERT(want->width >= 16 && want->height >= 16);
+    store->halvings = halvings;
+    store->cols = (want->width + (1u << halvings) - 1) >> halvings;
+    store->rows = (want->height + (1u << halvings) - 1) >> halvings;
+    store->colour = tp_arena_take(arena, (size_t)store->cols * store->rows,
+                                  sizeof *store->colour);
+    store->samples = tp_arena_take(arena, (size_t)store->cols * TP_PLANAR_BAND,
+                                   4 * sizeof *store->samples);
+}
+
+bool tp_planar_begin(const tp_planar_store *store, const tp_grid_box *box, tp_half *half)
+{
+    TP_ASSERT(store->colour != NULL);
+    int32_t cols = (int32_t)store->cols, rows = (int32_t)store->rows;
+
+    *half = (tp_half){
+        store->colour, tp_clamp(box->x0, 0, cols), tp_clamp(box->y0, 0, rows),
+        tp_clamp(box->x1 + 1, 0, cols), tp_clamp(box->y1 + 1, 0, rows),
+        (int32_t)store->halvings - 1,
+    };
+    if (half->x0 < half->x1 && half->y0 < half->y1)
+        return true;
+    half->colour = NULL;
+    return false;
+}
+
+tp_samples tp_planar_samples(const tp_planar_store *store, const tp_half *half, int32_t y0)
+{
+    size_t plane = (size_t)store->cols * TP_PLANAR_BAND;
+    int32_t y1 = y0 + TP_PLANAR_BAND < half->y1 ? y0 + TP_PLANAR_BAND : half->y1;
+
+    return (tp_samples){ half->x0, y0, half->x1, y1, store->cols, store->samples,
+                         store->samples + plane, store->samples + 2 * plane,
+                         store->samples + 3 * plane, false };
+}

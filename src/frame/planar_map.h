@@ -1,0 +1,28 @@
+/* SPDX-License-Identifier: MIT */
+/* Planar maps: pictures at half the size, or a quarter, that water looks into.  They are
+ * drawn before any tile, a band of a few rows at a time so that the samples stay small. */
+#ifndef TP_FRAME_PLANAR_MAP_H
+#define TP_FRAME_PLANAR_MAP_H
+#include "frame/sight.h"
+#include "scene/module.h"
+#include "shade/shade.h"
+
+#define TP_PLANAR_BAND 4        /* rows that are drawn at a time */
+
+typedef struct {
+    uint32_t *colour;
+    uint32_t *samples;          /* four planes of a band */
+    uint32_t  cols, rows;
+    uint32_t  halvings;         /* of the picture's sides: 1 or 2 */
+} tp_planar_store;
+
+/* Its memory; pointers are NULL where the arena only counts. */
+void tp_planar_layout(tp_planar_store *store, tp_arena *arena, const tp_want *want,
+                      uint32_t halvings);
+
+/* The part of the map that `box` covers; false: none. */
+bool tp_planar_begin(const tp_planar_store *store, const tp_grid_box *box, tp_half *half);
+
+/* The samples of the band at row y0. */
+tp_samples tp_planar_samples(const tp_planar_store *store, const tp_half *half, int32_t y0);
+#endif
