@@ -11,11 +11,6 @@ uint32_t tp_frame_materials(const tp_assets *assets)
     return n < TP_MATERIALS ? n : TP_MATERIALS;
 }
 
-static bool has_blocks(const tp_scene *scene)
-{
-    return scene->pool.cols > 0 && scene->pool.mask[0];
-}
-
 static bool has_caustics(const tp_scene *scene)
 {
     return scene->water.clear > 0 && scene->water.caustics > 0
@@ -107,7 +102,7 @@ static void carve_depth(tp_frame_parts *p, tp_arena *arena, const tp_kit *kit,
 
     if (tp_frame_wants(p, glass, draw->glass && kit->stage.side && kit->method.triangles))
         carve_glass(p, arena, scene);
-    if (tp_frame_wants(p, has_blocks(scene), tp_kit_has_stone(kit)))
+    if (tp_frame_wants(p, tp_has_stone(scene), tp_kit_has_stone(kit)))
         p->block = tp_arena_take(arena, TP_BLOCKS, sizeof *p->block);
     if (tp_frame_wants(p, has_caustics(scene), draw->caustics && draw->inside)) {
         size_t cells = (size_t)scene->water.caustic_cells;
@@ -150,7 +145,7 @@ tp_want tp_frame_want(const tp_kit *kit, const tp_frame_parts *parts, const tp_s
         .scene = scene, .assets = assets, .coastal = tp_has_ocean(scene),
         .width = config->width, .height = config->height,
         .moves = assets->boat || parts->drop_capacity > 0,
-        .walls = tp_kit_has_stone(kit) && (has_blocks(scene) || tp_has_tank(scene)),
+        .walls = tp_kit_has_stone(kit) && (tp_has_stone(scene) || tp_has_tank(scene)),
         .inside = kit->draw.inside != NULL,
     };
 }
@@ -168,7 +163,7 @@ tp_frame *tp_frame_carve(const tp_kit *kit, tp_frame_parts *parts, tp_frame_ram 
     leave_out(parts, kit, assets);
     carve_places(parts, arena, kit, scene, assets, config);
     if (kit->draw.rungs)
-        kit->draw.rungs->carve(parts, arena, scene, assets, config);
+        kit->draw.rungs->carve(parts, arena, kit->modules, scene, assets, config);
     carve_drops(parts, arena, kit, scene);
     carve_depth(parts, arena, kit, scene);
     const size_t placed = arena->used;

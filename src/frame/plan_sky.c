@@ -4,15 +4,6 @@
 #include "frame/frame.h"
 #include "scene/light.h"
 
-static bool has_cube(const tp_scene *scene, const tp_assets *assets)
-{
-    for (int i = 0; i < TP_FACES; i++) {
-        if (!assets->sky[i])
-            return false;
-    }
-    return scene->sky.kind == TP_SKY_CUBE;
-}
-
 static bool exposes(const tp_scene *scene)
 {
     return scene->hdr.exposure == TP_EXPOSURE_AUTO || scene->hdr.value != TP_FX_ONE;
@@ -24,7 +15,7 @@ void tp_frame_carve_sky(tp_frame_parts *parts, tp_arena *arena, const tp_kit *ki
 {
     const tp_draws *draw = &kit->draw;
     tp_frame_sky *sky = &parts->heaven;
-    bool cube = tp_frame_wants(parts, has_cube(scene, assets), draw->cube);
+    bool cube = tp_frame_wants(parts, tp_has_cube(scene, assets), draw->cube);
     bool stars = tp_frame_wants(parts, scene->sky.kind == TP_SKY_NIGHT, draw->stars);
 
     if (tp_frame_wants(parts, tp_has_dome(scene), draw->dome))

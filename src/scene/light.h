@@ -30,4 +30,13 @@ void tp_meter_init(tp_world *world, const tp_scene *scene, const tp_assets *asse
 tp_fx tp_meter_mean(const tp_world *world, const tp_scene *scene);  /* 1: white */
 void tp_meter_step(tp_world *world, const tp_scene *scene); /* after the light */
 bool tp_meter_is_same(const tp_world *a, const tp_world *b);    /* of one layout */
+
+/* A sky of six pictures: one that is missing leaves the gradient. */
+static inline bool tp_has_cube(const tp_scene *scene, const tp_assets *assets)
+{
+    for (int i = 0; i < TP_FACES; i++)
+        if (!assets->sky[i])
+            return false;
+    return scene->sky.kind == TP_SKY_CUBE;
+}
 #endif

@@ -8,6 +8,7 @@
  * a length before the state's bytes, so that a copy of the block says what is in it. */
 #ifndef TP_SCENE_MODULE_H
 #define TP_SCENE_MODULE_H
+#include "scene/prices.h"
 #include "tidepool/arena.h"
 #include "tidepool/kit.h"
 #include "tidepool/scene.h"
@@ -36,6 +37,7 @@ typedef struct tp_module {
     const char *name;
     uint32_t    id;             /* TP_MODULE_ID of four letters, of no other module */
     uint32_t    is;             /* TP_MODULE_EXACT ... */
+    uint32_t    trait;          /* the price of its water stage, a TP_TRAIT_; 0: none */
 
     /* The one place that says when the feature is on: layout, step and drawing ask it. */
     bool (*enabled)(const tp_want *want);

@@ -6,7 +6,9 @@
 #include "geom/grid.h"
 #include "scene/faint.h"
 #include "scene/light.h"
+#include "scene/module.h"
 #include "scene/prices.h"
+#include "scene/sides.h"
 #include "scene/stand.h"
 #include "wave/ocean.h"
 
@@ -247,9 +249,7 @@ static void list_light(tp_outlook *o, const tp_scene *s, const tp_assets *a)
     o->trait[TP_TRAIT_glint] = shines;
     o->trait[TP_TRAIT_haze] = s->sky.haze > 0;
     o->trait[TP_TRAIT_dome] = mirrors && tp_has_dome(s);
-    o->trait[TP_TRAIT_cube] = mirrors && s->sky.kind == TP_SKY_CUBE && a->sky[0];
-    o->trait[TP_TRAIT_objects] = mirrors && s->mirror.objects != TP_MIRROR_NONE
-                              && (a->boat || s->drops.count > 0 || tp_has_tank(s));
+    o->trait[TP_TRAIT_cube] = mirrors && tp_has_cube(s, a);
     o->trait[TP_TRAIT_behind] = clear;
     o->trait[TP_TRAIT_tank] = clear && tp_has_tank(s);
     o->trait[TP_TRAIT_bed] = clear && !tp_has_tank(s) && o->floor == 1;
@@ -257,19 +257,31 @@ static void list_light(tp_outlook *o, const tp_scene *s, const tp_assets *a)
     o->trait[TP_TRAIT_caustic] = clear && s->water.caustics > 0
                               && (tp_has_tank(s) || tp_has_floor(s));
     o->trait[TP_TRAIT_dispersion] = clear && s->water.dispersion > 0;
-    o->trait[TP_TRAIT_foam] = s->foam.cells > 0;
     o->trait[TP_TRAIT_expose] = s->hdr.exposure == TP_EXPOSURE_AUTO
                              || s->hdr.value != TP_FX_ONE;
 }
 
-/* frame/plan_quick.c has the rule: what the quick stages do not know is drawn by exact
+/* The modules say themselves whether they are on.  True: each of them has a fast form. */
+static bool list_modules(tp_outlook *o, const tp_use *modules, const tp_want *want)
+{
+    bool fast = true;
+
+    for (const tp_use *u = modules; u && u->module; u++) {
+        if (!u->drawing || !u->module->enabled(want))
+            continue;
+        o->trait[u->module->trait] = 1;
+        fast = fast && !(u->module->is & TP_MODULE_EXACT);
+    }
+    return fast;
+}
+
+/* frame/plan_quick.c has the rule: what the fast stages do not know is drawn by exact
  * ones. */
 static bool is_quick(const tp_outlook *o, const tp_scene *s, const tp_assets *a)
 {
-    const bool sky = tp_has_dome(s) || (s->sky.kind == TP_SKY_CUBE && a->sky[0]);
+    const bool sky = tp_has_dome(s) || tp_has_cube(s, a);
 
     return !o->trait[TP_TRAIT_behind] && !o->trait[TP_TRAIT_bump]
-        && !o->trait[TP_TRAIT_foam] && !o->trait[TP_TRAIT_objects]
         && !(sky && !o->trait[TP_TRAIT_ripple]) && s->hdr.share <= 0;
 }
 
@@ -313,8 +325,8 @@ static void list_waves(tp_outlook *o, const tp_scene *s)
 
 /* -- all ----------------------------------------------------------------------------- */
 
-tp_outlook tp_outlook_of(const tp_scene *scene, const tp_assets *assets, uint32_t width,
-                         uint32_t height)
+tp_outlook tp_outlook_of(const tp_use *modules, const tp_scene *scene,
+                         const tp_assets *assets, uint32_t width, uint32_t height)
 {
     TP_ASSERT(scene->grid.cols >= 2 && scene->grid.rows >= 2);
     const tp_stand at = tp_stand_of(scene, width, height);
@@ -345,6 +357,11 @@ tp_outlook tp_outlook_of(const tp_scene *scene, const tp_assets *assets, uint32_
     o.trait[TP_TRAIT_plain] = 1;
     list_pictures(&o, scene, assets);
     list_light(&o, scene, assets);
-    o.quick = is_quick(&o, scene, assets);
+    const tp_want want = {
+        .scene = scene, .assets = assets, .coastal = o.ocean, .width = width,
+        .height = height, .moves = assets->boat || scene->drops.count > 0,
+        .walls = tp_has_tank(scene) || tp_has_stone(scene), .inside = true,
+    };
+    o.quick = list_modules(&o, modules, &want) && is_quick(&o, scene, assets);
     return o;
 }

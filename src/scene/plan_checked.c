@@ -27,19 +27,22 @@ tp_rungs tp_rungs_of(const tp_scene *scene, const tp_assets *assets, uint32_t wi
                      uint32_t height)
 {
     return !can_plan(scene, width, height) ? exact
-         : tp_rungs_by(&tp_prices_measured, scene, given(assets), width, height);
+         : tp_rungs_by(&tp_prices_measured, tp_kit_all.modules, scene, given(assets),
+                       width, height);
 }
 
 tp_plan_report tp_plan_of(const tp_scene *scene, const tp_assets *assets, uint32_t width,
                           uint32_t height)
 {
     return !can_plan(scene, width, height) ? (tp_plan_report){ .rungs = exact }
-         : tp_plan_by(&tp_prices_measured, scene, given(assets), width, height);
+         : tp_plan_by(&tp_prices_measured, tp_kit_all.modules, scene, given(assets),
+                      width, height);
 }
 
 tp_ladder tp_ladder_of(const tp_scene *scene, const tp_assets *assets, uint32_t width,
                        uint32_t height)
 {
     return !can_plan(scene, width, height) ? (tp_ladder){ .rung = { exact }, .count = 1 }
-         : tp_ladder_by(&tp_prices_measured, scene, given(assets), width, height);
+         : tp_ladder_by(&tp_prices_measured, tp_kit_all.modules, scene, given(assets),
+                        width, height);
 }

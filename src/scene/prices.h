@@ -4,6 +4,7 @@
  * table is made from assets/charts/prices.csv. */
 #ifndef TP_SCENE_PRICES_H
 #define TP_SCENE_PRICES_H
+#include "tidepool/kit.h"
 #include "tidepool/plan.h"
 
 enum { TP_KIND_VISIBILITY, TP_KIND_SHADING, TP_KIND_RATE, TP_KIND_LOD };
@@ -96,22 +97,26 @@ typedef struct {
 extern const tp_prices tp_prices_measured;
 
 /* The plan by any table, of a scene that tp_scene_check takes, with assets. */
-tp_rungs tp_rungs_by(const tp_prices *prices, const tp_scene *scene,
-                     const tp_assets *assets, uint32_t width, uint32_t height);
-tp_plan_report tp_plan_by(const tp_prices *prices, const tp_scene *scene,
-                          const tp_assets *assets, uint32_t width, uint32_t height);
+tp_rungs tp_rungs_by(const tp_prices *prices, const tp_use *modules,
+                     const tp_scene *scene, const tp_assets *assets, uint32_t width,
+                     uint32_t height);
+tp_plan_report tp_plan_by(const tp_prices *prices, const tp_use *modules,
+                          const tp_scene *scene, const tp_assets *assets, uint32_t width,
+                          uint32_t height);
 
 /* What the choice weighs: the chosen rungs' price without what no rung changes much, the
  * works, which only reports add. */
-tp_price tp_price_by(const tp_prices *prices, const tp_scene *scene,
-                     const tp_assets *assets, uint32_t width, uint32_t height);
+tp_price tp_price_by(const tp_prices *prices, const tp_use *modules,
+                     const tp_scene *scene, const tp_assets *assets, uint32_t width,
+                     uint32_t height);
 
-tp_ladder tp_ladder_by(const tp_prices *prices, const tp_scene *scene,
-                       const tp_assets *assets, uint32_t width, uint32_t height);
+tp_ladder tp_ladder_by(const tp_prices *prices, const tp_use *modules,
+                       const tp_scene *scene, const tp_assets *assets, uint32_t width,
+                       uint32_t height);
 
 /* Whether some wave is too faint to be drawn as it is, seen from the scene's camera. */
-bool tp_thins_sea(const tp_scene *scene, const tp_assets *assets, uint32_t width,
-                  uint32_t height);
+bool tp_thins_sea(const tp_use *modules, const tp_scene *scene, const tp_assets *assets,
+                  uint32_t width, uint32_t height);
 
 /* -- outlook.c: what a scene puts before the camera ---------------------------------- */
 
@@ -131,8 +136,8 @@ typedef struct {
     uint8_t  quick;             /* whether the quick stages know all that the water has */
 } tp_outlook;
 
-tp_outlook tp_outlook_of(const tp_scene *scene, const tp_assets *assets, uint32_t width,
-                         uint32_t height);
+tp_outlook tp_outlook_of(const tp_use *modules, const tp_scene *scene,
+                         const tp_assets *assets, uint32_t width, uint32_t height);
 
 /* -- works.c: what else is done ------------------------------------------------------ */
 

@@ -203,14 +203,15 @@ static int8_t named_of(int32_t rung, int kind)
     return rung > 0 && rung <= counts[kind] ? (int8_t)(rung - 1) : -1;
 }
 
-static ground ground_of(const tp_prices *prices, const tp_scene *scene,
-                        const tp_assets *assets, uint32_t width, uint32_t height)
+static ground ground_of(const tp_prices *prices, const tp_use *modules,
+                        const tp_scene *scene, const tp_assets *assets, uint32_t width,
+                        uint32_t height)
 {
     TP_ASSERT(width > 0 && height > 0);
     const int32_t asked[TP_KINDS] = { scene->quality.visibility, scene->quality.shading,
                                       scene->quality.rate, scene->quality.lod };
     ground g = { .prices = prices,
-                 .outlook = tp_outlook_of(scene, assets, width, height) };
+                 .outlook = tp_outlook_of(modules, scene, assets, width, height) };
 
     tp_faint_limits limits = tp_faint_limits_of(scene, g.outlook.waves,
                                                 prices->slope_colour);
@@ -232,17 +233,18 @@ static ground ground_of(const tp_prices *prices, const tp_scene *scene,
     return g;
 }
 
-bool tp_thins_sea(const tp_scene *scene, const tp_assets *assets, uint32_t width,
-                  uint32_t height)
+bool tp_thins_sea(const tp_use *modules, const tp_scene *scene, const tp_assets *assets,
+                  uint32_t width, uint32_t height)
 {
-    return ground_of(&tp_prices_measured, scene, assets, width, height).faint.any
+    return ground_of(&tp_prices_measured, modules, scene, assets, width, height).faint.any
         && !tp_has_ocean(scene);
 }
 
-tp_rungs tp_rungs_by(const tp_prices *prices, const tp_scene *scene,
-                     const tp_assets *assets, uint32_t width, uint32_t height)
+tp_rungs tp_rungs_by(const tp_prices *prices, const tp_use *modules,
+                     const tp_scene *scene, const tp_assets *assets, uint32_t width,
+                     uint32_t height)
 {
-    const ground g = ground_of(prices, scene, assets, width, height);
+    const ground g = ground_of(prices, modules, scene, assets, width, height);
     return rungs_of(cheapest_of(&g));
 }
 
@@ -299,17 +301,19 @@ static tp_rung_report report_of(const ground *g, int kind, choice chosen, int ru
     return report;
 }
 
-tp_price tp_price_by(const tp_prices *prices, const tp_scene *scene,
-                     const tp_assets *assets, uint32_t width, uint32_t height)
+tp_price tp_price_by(const tp_prices *prices, const tp_use *modules,
+                     const tp_scene *scene, const tp_assets *assets, uint32_t width,
+                     uint32_t height)
 {
-    const ground g = ground_of(prices, scene, assets, width, height);
+    const ground g = ground_of(prices, modules, scene, assets, width, height);
     return price_of(&g, cheapest_of(&g));
 }
 
-tp_plan_report tp_plan_by(const tp_prices *prices, const tp_scene *scene,
-                          const tp_assets *assets, uint32_t width, uint32_t height)
+tp_plan_report tp_plan_by(const tp_prices *prices, const tp_use *modules,
+                          const tp_scene *scene, const tp_assets *assets, uint32_t width,
+                          uint32_t height)
 {
-    ground g = ground_of(prices, scene, assets, width, height);
+    ground g = ground_of(prices, modules, scene, assets, width, height);
     const choice chosen = cheapest_of(&g);
     add_works(&g, chosen, scene, assets, width, height);
     tp_plan_report r = {
@@ -364,10 +368,11 @@ static bool step_down(const ground *g, choice *from)
     return saved > 0;
 }
 
-tp_ladder tp_ladder_by(const tp_prices *prices, const tp_scene *scene,
-                       const tp_assets *assets, uint32_t width, uint32_t height)
+tp_ladder tp_ladder_by(const tp_prices *prices, const tp_use *modules,
+                       const tp_scene *scene, const tp_assets *assets, uint32_t width,
+                       uint32_t height)
 {
-    const ground g = ground_of(prices, scene, assets, width, height);
+    const ground g = ground_of(prices, modules, scene, assets, width, height);
     choice c = cheapest_of(&g);
     tp_ladder ladder = { .count = 0 };
 

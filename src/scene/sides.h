@@ -34,4 +34,10 @@ static inline bool tp_has_ocean(const tp_scene *scene)
 {
     return tp_has_floor(scene) || scene->wind.strength > 0;
 }
+
+/* Inner walls of the pool. */
+static inline bool tp_has_stone(const tp_scene *scene)
+{
+    return scene->pool.cols > 0 && scene->pool.mask[0];
+}
 #endif

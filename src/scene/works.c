@@ -262,7 +262,7 @@ static void add_sky(tp_site *w, uint32_t sky, bool quick)
 {
     const tp_scene *s = w->scene;
     const bool dome = tp_has_dome(s);
-    const bool cube = s->sky.kind == TP_SKY_CUBE && w->assets->sky[0];
+    const bool cube = tp_has_cube(s, w->assets);
     const bool beyond = s->hdr.share > 0;
     uint32_t *work = w->works.of;
 
@@ -277,7 +277,7 @@ static void add_air(tp_site *w, uint32_t water, uint32_t solid)
 {
     const tp_scene *s = w->scene;
     const bool dome = tp_has_dome(s);
-    const bool cube = s->sky.kind == TP_SKY_CUBE && w->assets->sky[0];
+    const bool cube = tp_has_cube(s, w->assets);
     uint32_t *work = w->works.of;
 
     work[TP_WORK_solid] = solid;

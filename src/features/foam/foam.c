@@ -316,7 +316,8 @@ const tp_foam *tp_world_foam(const tp_world *world)
 }
 
 const tp_module tp_foam_module = {
-    .name = "foam", .id = TP_FOAM_ID, .is = TP_MODULE_EXACT, .enabled = enabled,
+    .name = "foam", .id = TP_FOAM_ID, .is = TP_MODULE_EXACT,
+    .trait = TP_TRAIT_foam, .enabled = enabled,
     .bytes = bytes, .init = init, .fits = fits, .step = step, .hit = hit,
     .is_valid = is_valid,
 };

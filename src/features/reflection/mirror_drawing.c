@@ -161,7 +161,8 @@ static void add_stage(const tp_frame *frame, const void *mine, const tp_stage *s
 }
 
 const tp_module tp_mirror_module = {
-    .name = "mirror", .id = TP_MIRROR_ID, .is = TP_MODULE_EXACT, .enabled = enabled,
+    .name = "mirror", .id = TP_MIRROR_ID, .is = TP_MODULE_EXACT,
+    .trait = TP_TRAIT_objects, .enabled = enabled,
 };
 
 const tp_drawing tp_mirror_drawing = {

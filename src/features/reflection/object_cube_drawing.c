@@ -153,7 +153,7 @@ static void add_stage(const tp_frame *frame, const void *mine, const tp_stage *s
 
 const tp_module tp_object_cube_module = {
     .name = "object cube", .id = TP_OBJECT_CUBE_ID, .is = TP_MODULE_EXACT,
-    .enabled = enabled,
+    .trait = TP_TRAIT_objects, .enabled = enabled,
 };
 
 const tp_drawing tp_object_cube_drawing = {

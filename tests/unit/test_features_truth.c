@@ -1,0 +1,96 @@
+/* SPDX-License-Identifier: MIT */
+/* One truth: what a module says of itself is what the frame reserves, what it draws and
+ * what the plan counts, in random scenes; and a scene gets the fast stages where the plan
+ * promised them. */
+#include <stdarg.h>
+#include <stddef.h>
+#include <setjmp.h>
+#include <stdint.h>
+#include <cmocka.h>
+#include "frame/frame.h"
+#include "kit.h"
+#include "scene/prices.h"
+#include "scenes.h"
+
+enum { SCENES = 1000 };
+
+static uint64_t chance;
+static test_kit kit;
+
+typedef struct {
+    int drawn, fast, exact, on[32];
+} tally;
+
+static void compare_modules(const tp_frame *frame, const tp_want *want, tally *t)
+{
+    const tp_use *u = frame->kit->modules;
+
+    for (uint32_t i = 0; u[i].module; i++) {
+        const bool on = u[i].module->enabled(want);
+        assert_int_equal(frame->parts.module[i] != NULL, on);
+        assert_int_equal(frame->modules_on >> i & 1, on);
+        assert_int_equal(tp_frame_part(frame, u[i].module->id) != NULL, on);
+        if (u[i].module->bytes)
+            assert_int_equal(tp_world_part(frame->world, u[i].module->id) != NULL, on);
+        t->on[i] += on;
+    }
+}
+
+static void compare_scene(tally *t)
+{
+    tp_scene scene = kit_scene(&chance, 14, 40);
+    tp_assets assets = kit_assets(&kit, &scene, &chance);
+    const tp_frame_config config = { 64, 48, 0, 0, TP_FORMAT_XRGB8888 };
+
+    if (random_below(&chance, 2))           /* the fast stages know none of these */
+        scene.water.clear = scene.hdr.share = scene.foam.cells = 0;
+    scene.quality.shading = TP_SHADING_QUICK;
+    scene.quality.rate = TP_RATE_FULL;
+    if (tp_scene_check(&scene, NULL) != TP_OK)
+        return;
+    tp_world *world = scene_world(&scene, &assets);
+    if (!world)
+        return;
+    const tp_outlook told = tp_outlook_of(tp_kit_all.modules, &scene, &assets, 64, 48);
+    test_frame f = frame_by(&tp_kit_all, &scene, &assets, &config);
+    tp_frame_begin(f.frame, world);
+    const tp_want want = tp_frame_want(&tp_kit_all, &f.frame->parts, &scene,
+                                       &f.frame->assets, &f.frame->config);
+    compare_modules(f.frame, &want, t);
+    const bool fast = f.frame->water.shader[0].stage == tp_stage_quick_far
+                   || f.frame->shade.quick;
+    /* A pool that bends the light alone is flat while it is at rest. */
+    if (!f.frame->under && !(fast && told.trait[TP_TRAIT_bump]))
+        assert_int_equal(fast, told.quick);
+    t->drawn++;
+    t->fast += fast;
+    t->exact += !fast;
+    frame_free(&f);
+    free(world);
+}
+
+static void plan_frame_and_modules_agree_on_random_scenes(void **state)
+{
+    (void)state;
+    tally t = { .drawn = 0 };
+
+    for (int i = 0; i < SCENES; i++)
+        compare_scene(&t);
+    printf("# %d drawn, %d fast, %d exact; modules on:", t.drawn, t.fast, t.exact);
+    for (uint32_t i = 0; tp_kit_all.modules[i].module; i++) {
+        printf(" %s %d", tp_kit_all.modules[i].module->name, t.on[i]);
+        assert_true(t.on[i] > 0 && t.on[i] < t.drawn);
+    }
+    printf("\n");
+    assert_true(t.fast > 20 && t.exact > 20);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(plan_frame_and_modules_agree_on_random_scenes),
+    };
+    chance = random_seed();
+    kit_make(&kit, &chance);
+    return cmocka_run_group_tests_name("features/truth", tests, NULL, NULL);
+}
