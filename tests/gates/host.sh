@@ -6,6 +6,8 @@
 stack_limit=4096
 
 check "includes point down" awk -f $gates/layers.awk $(core_files) $(port_files)
+check "a feature is known in its folder alone" \
+    awk -f $gates/features.awk $(core_files | grep '\.[ch]$')
 check "the core keeps to its words" awk -f $gates/words.awk $(core_files)
 check "every file has its licence line, and no line is too long" \
     awk -f $gates/text.awk $(every_file)

@@ -50,6 +50,21 @@ check  "layers: passes what boards share" layers ports/cortex-m/a.c
 put ports/cortex-m/b.c '#include "host/say.h"'
 refuse "layers: the host program in a board" layers ports/cortex-m/b.c
 
+mkdir -p "$scratch/src/features/buoy" "$scratch/src/features/kite" "$scratch/src/scene"
+features() { awk -f $gates/features.awk "$scratch/src/features/buoy/buoy.c" "$scratch/$1"; }
+put src/features/buoy/buoy.c '#include "features/buoy/buoy.h"' \
+    'const tp_module tp_buoy_module = { 0 };' 'void tp_buoy_step(void) { tp_buoy_sway(); }'
+put src/features/buoy/sway.c '#include "features/buoy/buoy.h"' 'void f(void) { tp_buoy_sway(); }'
+check  "features: passes a feature's own files" features src/features/buoy/sway.c
+put src/features/all.c '#include "features/buoy/buoy.h"'
+check  "features: passes the list" features src/features/all.c
+put src/scene/a.c '#include "features/buoy/buoy.h"'
+refuse "features: a feature's header outside of its folder" features src/scene/a.c
+put src/features/kite/a.c '#include "features/buoy/buoy.h"'
+refuse "features: another feature's header" features src/features/kite/a.c
+put src/scene/b.c 'void f(void) { tp_buoy_step(); }'
+refuse "features: a feature's function outside of its folder" features src/scene/b.c
+
 put src/wave/g.c '/* a double */ int x; /* free' ' float */ const char *s = "malloc";'
 check  "words: passes comments and strings" words src/wave/g.c
 put src/wave/h.c '/* fine */ double x;'
