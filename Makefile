@@ -54,13 +54,13 @@ CORE := $(addprefix src/, \
     shade/mirror.c shade/optics.c shade/pool_bump.c \
     shade/quick_even.c shade/quick_layers.c shade/quick_light.c \
     shade/quick_pictures.c shade/quick_sky.c shade/quick_tables.c \
-    shade/quick_view.c shade/ripple.c shade/side.c shade/sky.c shade/solid.c shade/spray.c \
+    shade/quick_view.c shade/ripple.c shade/side.c shade/sky.c shade/solid.c \
     shade/stars.c shade/tables.c shade/texture.c shade/view.c \
     scene/boat.c scene/check.c scene/clock.c scene/drawn.c scene/drop.c scene/drops.c \
     scene/faint.c scene/float.c scene/governor.c scene/light.c \
     scene/meter.c scene/modules.c scene/moves.c scene/outlook.c scene/paddle.c scene/params.c \
     scene/parts.c scene/piece.c scene/plan_checked.c scene/prices.c scene/rungs.c \
-    scene/spray.c scene/stand.c scene/tape.c \
+    scene/stand.c scene/tape.c \
     scene/value.c scene/wake.c scene/works.c scene/works_land.c scene/works_more.c \
     scene/world.c scene/world_check.c \
     frame/boat.c frame/bump.c frame/carve.c frame/caustics.c \
@@ -68,12 +68,14 @@ CORE := $(addprefix src/, \
     frame/holds.c frame/land.c frame/lattice.c frame/lines.c \
     frame/modules.c frame/planar_map.c frame/plan.c frame/plan_depth.c frame/plan_layers.c \
     frame/plan_quick.c frame/plan_quick_layers.c frame/plan_sky.c frame/planned.c \
-    frame/projected.c frame/rows.c frame/shaders.c frame/sight.c frame/spray.c \
+    frame/projected.c frame/rows.c frame/shaders.c frame/sight.c \
     frame/tank.c frame/tile.c frame/visibility.c frame/water.c features/all.c \
     features/foam/foam.c features/foam/foam_drawing.c features/foam/foam_sources.c \
     features/foam/foam_stage.c features/reflection/mirror_drawing.c \
     features/reflection/mirror_stage.c features/reflection/object_cube_drawing.c \
-    features/reflection/object_cube_stage.c features/underwater/refraction_drawing.c)
+    features/reflection/object_cube_stage.c features/spray/spray.c \
+    features/spray/spray_drawing.c features/spray/spray_stage.c \
+    features/underwater/refraction_drawing.c)
 
 # -- the program, for machines with files and threads ----------------------------------
 

@@ -66,7 +66,6 @@ typedef void (*tp_stage)(const struct tp_shade *shade, struct tp_run *run);
     X(slopes)               /* objects and light beyond white: sx sz of smooth water, */ \
     X(reflect_gradient) X(reflect_dome) X(reflect_cube)     /* mirror, rx rz, */ \
     X(fresnel) X(fresnel_hdr)       /* mirror into the colour */ \
-    X(spray)                /* colour of specks */ \
     X(glint)                /* adds the specular */ \
     X(haze) X(haze_dome) X(haze_cube)       /* towards the horizon */ \
     X(expose)               /* last of all */ \
@@ -141,7 +140,6 @@ extern const struct tp_water_swells tp_water_few_swells;
     X(pools)        /* and water.pools */ \
     X(paddle)       /* waves made in a pool */ \
     X(ocean)        /* and water.ocean */ \
-    X(spray) \
     X(meter)        /* exposure by itself */
 
 #define X(name) extern const struct tp_move_##name tp_move_##name;
@@ -167,7 +165,6 @@ typedef struct {
     X(glass)        /* a tank's; side; needs tank */ \
     X(inside)       /* what is seen through water, and from in it */ \
     X(caustics)     /* needs inside */ \
-    X(spray) \
     X(layers)       /* all but the first one, and their distortion */ \
     X(ripple) \
     X(quick_layers) /* pictures of the quick rung; stages quick_far .. quick_slopes */ \
@@ -224,7 +221,8 @@ typedef struct {
     X(mirror)       /* of objects, a picture of half the size */ \
     X(object_cube)  /* the same as a small cube map */ \
     X(refraction)   /* objects under clear water */ \
-    X(foam)
+    X(foam) \
+    X(spray)
 
 /* The stages of each module, in the order of its table. */
 #define TP_STAGES_OF_mirror(X)      X(mirrored)         /* objects over the sky's mirror */
@@ -232,6 +230,7 @@ typedef struct {
 #define TP_STAGES_OF_refraction(X)
 #define TP_STAGES_OF_foam(X) \
     X(foam) X(foam_rippled) X(foam_shiny) X(foam_shiny_rippled)     /* less glint */
+#define TP_STAGES_OF_spray(X)       X(spray)            /* colour of specks */
 
 struct tp_module;
 struct tp_drawing;

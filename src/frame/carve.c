@@ -73,10 +73,6 @@ static void carve_drops(tp_frame_parts *p, tp_arena *arena, const tp_kit *kit,
         p->ring = tp_arena_take(arena, p->ring_capacity, sizeof *p->ring);
         p->ball = tp_arena_take(arena, TP_BALL, sizeof *p->ball);
     }
-    if (tp_frame_wants(p, scene->spray.count > 0, kit->draw.spray && kit->stage.spray)) {
-        p->speck_capacity = (uint32_t)scene->spray.count;
-        p->speck = tp_arena_take(arena, p->speck_capacity, sizeof *p->speck);
-    }
 }
 
 static void carve_glass(tp_frame_parts *p, tp_arena *arena, const tp_scene *scene)

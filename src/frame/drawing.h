@@ -4,6 +4,7 @@
 #ifndef TP_FRAME_DRAWING_H
 #define TP_FRAME_DRAWING_H
 #include "frame/shaders.h"
+#include "raster/raster.h"
 #include "scene/module.h"
 
 struct tp_frame;
@@ -21,6 +22,15 @@ typedef struct tp_drawing {
 
     /* Draws a picture that water looks into; all lists and numbers are known. */
     void  (*look)(struct tp_frame *frame, void *mine);
+
+    /* Projects what it draws over the water; all else is placed. */
+    void  (*place)(struct tp_frame *frame, void *mine);
+
+    /* Draws over the finished water, into samples of `mark`; and the stages of those
+     * samples, to which the frame adds air and exposure, or the water before them. */
+    void  (*over)(const struct tp_frame *frame, const void *mine, const tp_samples *samples,
+                  uint32_t mark);
+    tp_stage (*first)(const struct tp_frame *frame, const void *mine, const tp_stage *stage);
 
     /* The stages that it adds to the water's list.  `stage` is the program's table. */
     void  (*water)(const struct tp_frame *frame, const void *mine, const tp_stage *stage,
@@ -40,6 +50,9 @@ void tp_frame_init_modules(struct tp_frame *frame);
 void tp_frame_begin_modules(struct tp_frame *frame);
 void tp_frame_look_modules(struct tp_frame *frame);
 void tp_frame_add_modules(const struct tp_frame *frame, tp_shaders *water);
+void tp_frame_list_modules(struct tp_frame *frame);
+void tp_frame_place_modules(struct tp_frame *frame);
+void tp_frame_draw_modules(const struct tp_frame *frame, const tp_samples *samples);
 
 /* True if this picture has a module with one of these bits of tp_module.is. */
 bool tp_frame_has_module(const struct tp_frame *frame, uint32_t is);

@@ -123,7 +123,7 @@ size_t tp_frame_scratch_into_with(const tp_kit *kit, const tp_scene *scene,
 static void init_lists(tp_frame *f)
 {
     tp_shaders *const other[TP_OTHERS] = { &f->sky, &f->solids, &f->land, &f->drops,
-                                           &f->tank, &f->side, &f->spray };
+                                           &f->tank, &f->side, &f->over };
 
     tp_shaders_init(&f->water, f->water_shader, f->water_place, TP_SHADERS_WATER);
     for (int i = 0; i < TP_OTHERS; i++)
@@ -258,8 +258,7 @@ void tp_frame_begin(tp_frame *frame, const tp_world *world)
     place_solids(frame);
     if (frame->parts.land_vertex && frame->surface.ocean)
         draw->land->place(frame);
-    if (frame->parts.speck_capacity > 0)
-        draw->spray->place(frame);
+    tp_frame_place_modules(frame);
 }
 
 uint32_t tp_frame_tiles(const tp_frame *frame)

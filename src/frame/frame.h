@@ -43,14 +43,6 @@ typedef struct {
     int32_t y0, y1;
 } tp_land_band;
 
-/* A speck of spray as it is drawn. */
-typedef struct {
-    int32_t  u, v;              /* its middle, 28.4 */
-    uint16_t wide;              /* across, 28.4; 16 at the least */
-    uint16_t through;           /* a bubble, seen through water */
-    uint32_t zi;
-} tp_frame_speck;
-
 #define TP_BALL_ROUND 20                        /* meridians */
 #define TP_BALL_RINGS 11                        /* parallels */
 #define TP_BALL (TP_BALL_ROUND * TP_BALL_RINGS + 2)
@@ -60,7 +52,7 @@ typedef struct {
     int16_t x, y, z;
 } tp_ball_point;
 
-#define TP_MATERIALS (TP_MARK_SPRAY - TP_MARK_SOLID)    /* more share the last mark */
+#define TP_MATERIALS (TP_MARK_OVER - TP_MARK_SOLID)    /* more share the last mark */
 
 /* The water's edge along a wall of glass. */
 typedef struct {
@@ -142,8 +134,7 @@ typedef struct tp_frame_parts {
     tp_grid_box     *drop_box;          /* of each drop in the air, then the sphere */
     tp_ball_point   *ball;              /* TP_BALL, of a sphere */
     tp_ring_now     *ring;              /* as they lie at the drawn moment */
-    tp_frame_speck  *speck;             /* those that are seen */
-    uint32_t         drop_capacity, ring_capacity, speck_capacity;
+    uint32_t         drop_capacity, ring_capacity;
     tp_glass        *glass;             /* TP_GLASSES */
     tp_rectangle    *block;             /* TP_BLOCKS */
     uint16_t        *caustic_light;     /* caustic_cells^2 */
@@ -191,7 +182,6 @@ struct tp_frame {
     uint32_t         modules_on;        /* bits, in the order of the kit's list */
     uint32_t         drops_seen;
 
-    uint32_t         specks;
     int32_t          model;             /* that tables were made for */
     bool             under;             /* the eye is in the water */
     uint32_t         glasses;
@@ -204,7 +194,8 @@ struct tp_frame {
     tp_shade         shade;
     const tp_toned  *toned;             /* pixels are exposed as they are stored; or NULL */
     tp_shaders       water;             /* its list, and those of other samples */
-    tp_shaders       sky, solids, land, drops, tank, side, spray;
+    tp_shaders       sky, solids, land, drops, tank, side;
+    tp_shaders       over;              /* of a module that draws over the water */
     tp_shader        water_shader[TP_SHADERS_WATER];
     tp_shader        other_shader[TP_OTHERS][TP_SHADERS_OTHER];
     uint8_t          water_place[TP_SHADERS_WATER];

@@ -74,6 +74,33 @@ void tp_frame_add_modules(const tp_frame *frame, tp_shaders *water)
             u->drawing->water(frame, *mine, u->stage, water);
 }
 
+/* The list of a module's own samples, and their mark: one kind at present. */
+void tp_frame_list_modules(tp_frame *frame)
+{
+    tp_shaders_clear(&frame->over);
+    EACH_ON(u, mine, frame) {
+        if (!u->drawing->first)
+            continue;
+        tp_shaders_add(&frame->over, TP_AT_COLOUR,
+                       u->drawing->first(frame, *mine, u->stage), *mine);
+        tp_frame_add_air(frame, &frame->over);
+    }
+}
+
+void tp_frame_place_modules(tp_frame *frame)
+{
+    EACH_ON(u, mine, frame)
+        if (u->drawing->place)
+            u->drawing->place(frame, *mine);
+}
+
+void tp_frame_draw_modules(const tp_frame *frame, const tp_samples *samples)
+{
+    EACH_ON(u, mine, frame)
+        if (u->drawing->over)
+            u->drawing->over(frame, *mine, samples, TP_MARK_OVER);
+}
+
 bool tp_frame_has_module(const tp_frame *frame, uint32_t is)
 {
     bool has = false;

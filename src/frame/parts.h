@@ -79,12 +79,6 @@ struct tp_draw_caustics {
     void (*place)(tp_frame *frame);
 };
 
-/* Over what has been drawn, so last. */
-struct tp_draw_spray {
-    void (*place)(tp_frame *frame);
-    void (*draw)(const tp_frame *frame, const tp_samples *tile);
-};
-
 /* What is seen through the water and under it. */
 struct tp_draw_inside {
     void (*plan)(tp_frame *frame);

@@ -114,7 +114,7 @@ static void choose_stages(tp_frame *frame)
     choose_other(frame, &frame->drops, stages->drop);
     choose_other(frame, &frame->tank, stages->wall);
     choose_other(frame, &frame->side, stages->side);
-    choose_other(frame, &frame->spray, stages->spray);
+    tp_frame_list_modules(frame);
     choose_water(frame);
     frame->stats.dropped += frame->sky.lacks + frame->water.lacks;
 }

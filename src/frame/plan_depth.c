@@ -107,12 +107,12 @@ static tp_stage behind_stage(const tp_frame *frame, bool rippled)
 /* A kind's own first stage, then the water before it instead of air. */
 static void put_in_water(const tp_frame *frame, tp_shaders *list)
 {
-    const tp_stage own = list->shader[0].stage;
+    const tp_shader own = list->shader[0];
 
     tp_shaders_clear(list);
-    if (!own)
+    if (!own.stage)
         return;
-    tp_shaders_add_colour(list, own);
+    tp_shaders_add(list, TP_AT_COLOUR, own.stage, own.mine);
     tp_shaders_add(list, TP_AT_AIR, frame->kit->stage.absorb, NULL);
 }
 
@@ -120,7 +120,7 @@ static void choose_under(tp_frame *frame)
 {
     const tp_stages *stages = &frame->kit->stage;
     tp_shaders *const all[] = { &frame->sky, &frame->water, &frame->solids, &frame->land,
-                             &frame->drops, &frame->tank, &frame->spray };
+                             &frame->drops, &frame->tank, &frame->over };
 
     tp_shaders_clear(&frame->sky);
     tp_shaders_add_colour(&frame->sky, stages->deep);

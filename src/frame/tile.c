@@ -29,7 +29,7 @@ static const tp_shaders *plan_for(const tp_frame *frame, uint32_t mark)
          : mark == TP_MARK_TANK ? &frame->tank
          : mark == TP_MARK_SIDE ? &frame->side
          : mark == TP_MARK_DROP ? &frame->drops
-         : mark == TP_MARK_SPRAY ? &frame->spray : &frame->solids;
+         : mark == TP_MARK_OVER ? &frame->over : &frame->solids;
 }
 
 /* How many of `most` samples from here are of the first one's kind. */
@@ -141,8 +141,7 @@ static void draw_samples(const tp_frame *frame, tp_samples *samples, void *memor
     if (boat)
         draw->boat->lids(frame, &frame->sight, samples);
     tp_frame_draw_surface(frame, samples, memory);
-    if (frame->specks > 0)
-        draw->spray->draw(frame, samples);
+    tp_frame_draw_modules(frame, samples);
 }
 
 /* False: there is no such tile, or no memory to draw it in. */

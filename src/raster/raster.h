@@ -19,7 +19,7 @@
 #include "geom/geom.h"
 
 /* Marks from SOLID up to SPRAY are a mesh's materials. */
-enum { TP_MARK_SKY = 0, TP_MARK_WATER = 1, TP_MARK_SOLID = 2, TP_MARK_SPRAY = 251,
+enum { TP_MARK_SKY = 0, TP_MARK_WATER = 1, TP_MARK_SOLID = 2, TP_MARK_OVER = 251,
        TP_MARK_TANK = 252, TP_MARK_SIDE = 253, TP_MARK_LAND = 254, TP_MARK_DROP = 255 };
 #define TP_MARK_BITS  8
 #define TP_MARK(key)  ((key) & 0xffu)

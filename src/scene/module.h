@@ -51,10 +51,10 @@ typedef struct tp_module {
     bool (*fits)(const void *mine, const tp_scene *scene);
 
     /* One tick, after the modules before it in the list. */
-    void (*step)(void *mine, tp_world *world, const tp_scene *scene);
+    void (*step)(void *mine, const tp_kit *kit, tp_world *world, const tp_scene *scene);
 
-    /* Something struck the water. */
-    void (*hit)(void *mine, const tp_scene *scene, const tp_impact *impact);
+    /* Something struck the water, which stood at `level` there. */
+    void (*hit)(void *mine, const tp_scene *scene, const tp_impact *impact, tp_fx level);
 
     /* Whether a state from outside can be stepped and drawn.  `fresh` is one of the same
      * scene, as `init` leaves it; both have its length. */
@@ -77,7 +77,7 @@ bool tp_modules_fit(const tp_kit *kit, const tp_world *world, const tp_want *wan
 
 void tp_modules_step(const tp_kit *kit, tp_world *world, const tp_scene *scene);
 void tp_modules_hit(const tp_kit *kit, tp_world *world, const tp_scene *scene,
-                    const tp_impact *impact);
+                    const tp_impact *impact, tp_fx level);
 
 /* The first module whose state in `world`, from outside, is not valid; NULL: all are.
  * "layout" if the chunks are not those of `fresh`.  Both blocks are of one length. */

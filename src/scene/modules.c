@@ -90,17 +90,17 @@ void tp_modules_step(const tp_kit *kit, tp_world *world, const tp_scene *scene)
     for (const tp_use *u = kit->modules; u && u->module; u++) {
         void *mine = u->module->step ? tp_world_part(world, u->module->id) : NULL;
         if (mine)
-            u->module->step(mine, world, scene);
+            u->module->step(mine, kit, world, scene);
     }
 }
 
 void tp_modules_hit(const tp_kit *kit, tp_world *world, const tp_scene *scene,
-                    const tp_impact *impact)
+                    const tp_impact *impact, tp_fx level)
 {
     for (const tp_use *u = kit->modules; u && u->module; u++) {
         void *mine = u->module->hit ? tp_world_part(world, u->module->id) : NULL;
         if (mine)
-            u->module->hit(mine, scene, impact);
+            u->module->hit(mine, scene, impact, level);
     }
 }
 

@@ -13,9 +13,7 @@ static void strike(const tp_kit *kit, tp_world *world, const tp_scene *scene,
     const tp_moves *move = &kit->move;
     tp_pool *pool = tp_parts_pool(world);
 
-    tp_modules_hit(kit, world, scene, impact);
-    if (world->parts.spray)
-        move->spray->splash(tp_parts_spray(world), scene, impact, level);
+    tp_modules_hit(kit, world, scene, impact, level);
 
     if (scene->drops.into == TP_DROPS_RINGS)
         tp_drops_ring(tp_parts_drops(world), &scene->drops, impact);
@@ -134,5 +132,3 @@ const struct tp_move_ocean  tp_move_ocean = { tp_parts_ocean_bytes, tp_parts_ini
                                               tp_parts_refresh_ocean };
 const struct tp_move_meter  tp_move_meter = { tp_meter_bytes, tp_meter_init,
                                               tp_meter_step };
-const struct tp_move_spray  tp_move_spray = { tp_spray_bytes, tp_spray_init,
-                                              tp_spray_step, tp_spray_splash };

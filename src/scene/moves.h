@@ -7,7 +7,6 @@
 #include "scene/boat.h"
 #include "scene/light.h"
 #include "scene/parts.h"
-#include "scene/spray.h"
 #include "tidepool/arena.h"
 
 struct tp_move_boat {
@@ -49,14 +48,6 @@ struct tp_move_ocean {
     tp_status (*init)(tp_world *world, const tp_scene *scene, const tp_assets *assets,
                       tp_error *err);
     tp_status (*refresh)(tp_world *world, const tp_scene *scene, const tp_assets *assets);
-};
-
-struct tp_move_spray {
-    size_t (*bytes)(const tp_scene *scene);
-    void (*init)(tp_spray *spray, const tp_scene *scene);
-    void (*step)(const tp_kit *kit, tp_world *world, const tp_scene *scene);
-    void (*splash)(tp_spray *spray, const tp_scene *scene, const tp_impact *impact,
-                   tp_fx level);
 };
 
 /* Of a camera that exposes by itself. */

@@ -141,8 +141,6 @@ static void take_rest(const tp_kit *kit, tp_world_parts *parts, tp_arena *arena,
         parts->rings = take(arena, (size_t)scene->drops.rings * sizeof(tp_ring_now));
     if (move->meter)
         parts->probe = take(arena, move->meter->bytes(scene));
-    if (move->spray)
-        parts->spray = take(arena, move->spray->bytes(scene));
     parts->modules = tp_modules_take(kit, arena, want);
 }
 
@@ -244,8 +242,6 @@ tp_status tp_parts_init(const tp_kit *kit, tp_world *world, const tp_scene *scen
         move->drops->init(tp_parts_drops(world), &scene->drops);
     if (world->parts.probe)
         move->meter->init(world, scene, assets);
-    if (world->parts.spray)
-        move->spray->init(tp_parts_spray(world), scene);
     const tp_want want = { .scene = scene, .assets = assets,
                            .coastal = world->parts.ocean != 0 };
     tp_modules_init(kit, world, &want);
@@ -268,11 +264,6 @@ static bool can_tune(const tp_pool *pool, const tp_scene_pool *scene)
     return tune(&head, scene);
 }
 
-static bool same_spray(const tp_spray *spray, const tp_scene *scene)
-{
-    return !spray || spray->capacity == (uint32_t)scene->spray.count;
-}
-
 bool tp_parts_can_tune_pools(const tp_world *world, const tp_scene *scene)
 {
     return can_tune(tp_world_pool(world), &scene->pool)
@@ -287,8 +278,7 @@ bool tp_parts_can_tune(const tp_kit *kit, const tp_world *world, const tp_scene 
                            .coastal = world->parts.ocean != 0 };
 
     return (!pools || kit->move.pools->can_tune(world, scene))
-        && tp_modules_fit(kit, world, &want)
-        && same_spray(tp_world_spray(world), scene);
+        && tp_modules_fit(kit, world, &want);
 }
 
 void tp_parts_tune_pools(tp_world *world, const tp_scene *scene)
@@ -317,19 +307,9 @@ tp_ring_now *tp_parts_rings(tp_world *world)
     return part(world, world->parts.rings);
 }
 
-tp_spray *tp_parts_spray(tp_world *world)
-{
-    return part(world, world->parts.spray);
-}
-
 const tp_ring_now *tp_world_rings(const tp_world *world)
 {
     return part(world, world->parts.rings);
-}
-
-const tp_spray *tp_world_spray(const tp_world *world)
-{
-    return part(world, world->parts.spray);
 }
 
 const tp_pool *tp_world_pool(const tp_world *world)

@@ -57,7 +57,6 @@ tp_pool     *tp_parts_pool(tp_world *world);
 tp_pool     *tp_parts_field(tp_world *world);
 tp_drops    *tp_parts_drops(tp_world *world);
 tp_ring_now *tp_parts_rings(tp_world *world);
-tp_spray    *tp_parts_spray(tp_world *world);
 const tp_ring_now *tp_world_rings(const tp_world *world);
 
 /* The surface of this tick; valid until the world moves. */

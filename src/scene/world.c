@@ -192,8 +192,6 @@ void tp_world_step_with(const tp_kit *kit, tp_world *world, const tp_scene *scen
     if (world->parts.pool || world->parts.field)
         move->pools->step(kit, world, scene, input);
     tp_modules_step(kit, world, scene);
-    if (world->parts.spray)
-        move->spray->step(kit, world, scene);
     tp_light_step(world, scene, input);
     if (world->parts.probe)
         move->meter->step(world, scene);

@@ -12,7 +12,6 @@
 #include "scene/light.h"
 #include "scene/module.h"
 #include "scene/parts.h"
-#include "scene/spray.h"
 
 #define TICKS_MOST ((uint64_t)1 << 40)  /* 580 years: times in ticks x 65536 fit 64 bits */
 
@@ -36,8 +35,7 @@ static bool is_same_sea(const tp_sea *sea, const tp_sea *fresh)
 /* Bytes from an offset to the next part. */
 static size_t part_bytes(const tp_world_parts *p, uint32_t at)
 {
-    const uint32_t next[] = { p->pool, p->field, p->rings, p->drops, p->spray, p->probe,
-                              p->modules };
+    const uint32_t next[] = { p->pool, p->field, p->rings, p->drops, p->probe, p->modules };
     uint32_t end = p->bytes;
 
     for (size_t i = 0; i < sizeof next / sizeof *next; i++)
@@ -84,12 +82,6 @@ static bool is_air_valid(const tp_world *world, const tp_world *fresh)
         || tp_drops_are_valid(tp_world_drops(world), tp_world_drops(fresh), world->tick);
 }
 
-static bool is_spray_valid(const tp_world *world, const tp_world *fresh)
-{
-    return !fresh->parts.spray
-        || tp_spray_is_valid(tp_world_spray(world), tp_world_spray(fresh));
-}
-
 /* The first part that is wrong, of one layout; NULL: none. */
 static const char *find_invalid(const tp_kit *kit, const tp_world *world,
                                 const tp_world *fresh)
@@ -105,7 +97,6 @@ static const char *find_invalid(const tp_kit *kit, const tp_world *world,
          : !is_pool_valid(tp_world_field(world), tp_world_field(fresh)) ? "field"
          : !is_air_valid(world, fresh) ? "drops"
          : !are_rings_valid(world) ? "rings"
-         : !is_spray_valid(world, fresh) ? "spray"
          : !tp_meter_is_same(world, fresh) ? "meter"
          : tp_modules_find_invalid(kit, world, fresh);
 }

@@ -138,7 +138,6 @@ typedef struct tp_shade {
     tp_absorb absorb;           /* of water that is seen through */
     tp_inside inside;           /* what lies in and under the water */
 
-    uint32_t spray;             /* colour of specks */
 
     uint32_t haze_scale;        /* zi to haze entries, Q0.32 */
     tp_entry16 *shine;          /* TP_SHINE + 1: 256 at 1, times the specular */

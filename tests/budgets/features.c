@@ -18,6 +18,9 @@ static const tp_use modules[] = {
 #if FEATURES >= 9
     TP_USE(foam),
 #endif
+#if FEATURES >= 10
+    TP_USE(spray),
+#endif
     { 0 }
 };
 
@@ -76,9 +79,6 @@ const tp_kit features_kit = {
 #if FEATURES >= 9       /* foam */
 #endif
 #if FEATURES >= 10      /* spray */
-    .draw.spray = &tp_draw_spray,
-    .move.spray = &tp_move_spray,
-    .stage.spray = tp_stage_spray,
 #endif
 #if FEATURES >= 11      /* pools, stirred by the boat */
     .water.pools = &tp_water_pools,

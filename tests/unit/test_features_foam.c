@@ -167,7 +167,7 @@ static void beyond_the_window_there_is_no_foam(void **state)
     const tp_fx side = 64 * foam->cell, off = foam->cell / 256;
 
     assert_true(foam->drift_x == 0 && foam->drift_z == 0);
-    memset(tp_foam_cover(tp_parts_foam(world)), 255, 64 * 64);
+    memset(tp_foam_cover(tp_foam_of_world(world)), 255, 64 * 64);
     for (tp_fx way = 0; way < side; way += off * 61) {
         assert_int_equal(tp_foam_at(foam, left, near + way), 255);
         assert_int_equal(tp_foam_at(foam, left - off, near + way), 0);

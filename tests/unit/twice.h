@@ -79,7 +79,7 @@ static inline void twice_marks(const uint32_t *key, size_t pixels, twice_reached
     r->drops += has[TP_MARK_DROP];
     r->tank += has[TP_MARK_TANK];
     r->sides += has[TP_MARK_SIDE];
-    r->spray += has[TP_MARK_SPRAY];
+    r->spray += has[TP_MARK_OVER];
 }
 
 static inline void twice_count(const tp_frame *f, const uint32_t *key, size_t pixels,

@@ -24,7 +24,7 @@
 
 /* Waves, pools, drops, spray, a boat, foam, layers, ripples and two kinds of sky: 256 KB
  * of flash hold no more.  Crossings are streamed, since 64 KB would not hold them. */
-static const tp_use modules[] = { TP_USE(foam), { 0 } };
+static const tp_use modules[] = { TP_USE(foam), TP_USE(spray), { 0 } };
 static const tp_kit kit = {
     .modules = modules,
     .check = tp_scene_check,
@@ -39,14 +39,14 @@ static const tp_kit kit = {
         TP_STAGE(light_rippled), TP_STAGE(light_blinn), TP_STAGE(light_blinn_rippled),
         TP_STAGE(mirror), TP_STAGE(slopes), TP_STAGE(reflect_gradient),
         TP_STAGE(reflect_dome), TP_STAGE(fresnel),
-        TP_STAGE(spray), TP_STAGE(glint), TP_STAGE(haze), TP_STAGE(haze_dome),
+        TP_STAGE(glint), TP_STAGE(haze), TP_STAGE(haze_dome),
         TP_STAGE(solid), TP_STAGE(solid_blinn), TP_STAGE(drop),
     },
     .store[TP_FORMAT_L8] = tp_store_l8,
     .water = { TP_WATER(swells), TP_WATER(sharp), TP_WATER(rings), TP_WATER(pools) },
     .move = { TP_MOVE(boat), TP_MOVE(wake), TP_MOVE(drops), TP_MOVE(pools),
-              TP_MOVE(paddle), TP_MOVE(spray) },
-    .draw = { TP_DRAW(boat), TP_DRAW(drops), TP_DRAW(spray),
+              TP_MOVE(paddle) },
+    .draw = { TP_DRAW(boat), TP_DRAW(drops),
               TP_DRAW(layers), TP_DRAW(ripple), TP_DRAW(bumps), TP_DRAW(dome),
               TP_DRAW(fresnel), TP_DRAW(glint) },
     .method.triangles = &tp_method_streamed,

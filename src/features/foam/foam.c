@@ -299,14 +299,15 @@ static bool fits(const void *mine, const tp_scene *scene)
     return foam->cells == (uint32_t)scene->foam.cells && foam->cell == scene->foam.cell;
 }
 
-static void step(void *mine, tp_world *world, const tp_scene *scene)
+static void step(void *mine, const tp_kit *kit, tp_world *world, const tp_scene *scene)
 {
+    (void)kit;
     tp_foam_step(mine, world, scene);
 }
 
-static void hit(void *mine, const tp_scene *scene, const tp_impact *impact)
+static void hit(void *mine, const tp_scene *scene, const tp_impact *impact, tp_fx level)
 {
-    (void)scene;
+    (void)scene, (void)level;
     tp_foam_blob(mine, impact->x, impact->z, impact->length / 5, 160);
 }
 

@@ -3,7 +3,22 @@
  * narrower than a pixel is one pixel or none, by its own chance: so far spray thins out
  * and does not flicker. */
 #include "base/base.h"
+#include "features/spray/spray.h"
 #include "frame/frame.h"
+
+/* A speck as it is drawn. */
+typedef struct {
+    int32_t  u, v;              /* its middle, 28.4 */
+    uint16_t wide;              /* across, 28.4; 16 at the least */
+    uint16_t through;           /* a bubble, seen through water */
+    uint32_t zi;
+} disc;
+
+typedef struct {
+    uint32_t colour;            /* of all, for the stage: first */
+    uint32_t count, room;
+    disc    *disc;              /* those that are seen */
+} discs;
 
 #define WIDE_MOST (48 * 16)
 
@@ -32,8 +47,7 @@ static uint32_t width_of(const tp_frame *frame, const tp_speck *s, tp_fx depth)
     return wide < WIDE_MOST ? (uint32_t)wide : WIDE_MOST;
 }
 
-static bool project(const tp_frame *frame, const tp_speck *s, bool through,
-                    tp_frame_speck *to)
+static bool project(const tp_frame *frame, const tp_speck *s, bool through, disc *to)
 {
     tp_view_corner view;
 
@@ -53,40 +67,37 @@ static uint32_t spray_colour(const tp_shade *shade, uint32_t colour)
     return tp_colour_scale(colour, (uint32_t)(lit + (256 - lit) / 2));
 }
 
-static void place_spray(tp_frame *frame)
+static void place(tp_frame *frame, void *mine)
 {
-    const tp_spray *spray = tp_world_spray(frame->world);
+    discs *d = mine;
+    const tp_spray *spray = tp_spray_of_world(frame->world);
     bool under = frame->under, clear = frame->scene->water.clear > 0;
 
-    frame->specks = 0;
-    frame->shade.spray = spray_colour(&frame->shade,
-                                      (uint32_t)frame->scene->foam.colour);
-    for (uint32_t i = 0; spray && i < spray->count; i++) {
-        if (frame->specks == frame->parts.speck_capacity)
-            break;
+    d->count = 0;
+    d->colour = spray_colour(&frame->shade, (uint32_t)frame->scene->foam.colour);
+    for (uint32_t i = 0; spray && i < spray->count && d->count < d->room; i++) {
         const tp_speck *s = &tp_spray_list(spray)[i];
         bool bubble = s->kind == TP_SPECK_BUBBLE;
         if (bubble && !under && !clear)
             continue;
-        frame->specks += project(frame, s, bubble && !under,
-                                 &frame->parts.speck[frame->specks]);
+        d->count += project(frame, s, bubble && !under, &d->disc[d->count]);
     }
 }
 
 /* -- drawing ------------------------------------------------------------------------- */
 
-static void put(const tp_samples *tile, size_t at, const tp_frame_speck *s)
+static void put(const tp_samples *tile, size_t at, const disc *s, uint32_t mark)
 {
     uint32_t depth = s->zi << 1 & ~(uint32_t)0xff, there = tile->key[at];
 
     if (depth <= (there | 0xff) && !(s->through && TP_MARK(there) == TP_MARK_WATER))
         return;
-    tile->key[at] = depth | TP_MARK_SPRAY;
+    tile->key[at] = depth | mark;
     tile->s[at] = tile->t[at] = tile->n[at] = 0;
 }
 
 /* Pixels whose centres lie within; of the smallest the one that holds its middle. */
-static void draw(const tp_samples *tile, const tp_frame_speck *s)
+static void draw(const tp_samples *tile, const disc *s, uint32_t mark)
 {
     int32_t r = s->wide / 2, u = s->u, v = s->v;
 
@@ -100,22 +111,43 @@ static void draw(const tp_samples *tile, const tp_frame_speck *s)
             if (dx * dx + dy * dy <= r * r && x >= tile->x0 && x < tile->x1
                 && y >= tile->y0 && y < tile->y1)
                 put(tile, (size_t)(y - tile->y0) * tile->stride
-                          + (size_t)(x - tile->x0), s);
+                          + (size_t)(x - tile->x0), s, mark);
         }
     }
 }
 
-static void draw_spray(const tp_frame *frame, const tp_samples *tile)
+static void over(const tp_frame *frame, const void *mine, const tp_samples *tile,
+                 uint32_t mark)
 {
-    for (uint32_t i = 0; i < frame->specks; i++) {
-        const tp_frame_speck *s = &frame->parts.speck[i];
+    const discs *d = mine;
+
+    (void)frame;
+    for (uint32_t i = 0; i < d->count; i++) {
+        const disc *s = &d->disc[i];
         int32_t r = s->wide / 2 + 16;
         if (s->u + r >= 16 * tile->x0 && s->u - r < 16 * tile->x1
             && s->v + r >= 16 * tile->y0 && s->v - r < 16 * tile->y1)
-            draw(tile, s);
+            draw(tile, s, mark);
     }
 }
 
-const struct tp_draw_spray tp_draw_spray = {
-    place_spray, draw_spray
+static tp_stage first(const tp_frame *frame, const void *mine, const tp_stage *stage)
+{
+    (void)frame, (void)mine;
+    return stage[0];
+}
+
+static void *layout(tp_arena *arena, const tp_want *want)
+{
+    const uint32_t room = (uint32_t)want->scene->spray.count;
+    discs *d = tp_arena_take(arena, 1, sizeof *d);
+    disc  *all = tp_arena_take(arena, room, sizeof *all);
+
+    if (d)
+        *d = (discs){ .room = room, .disc = all };
+    return d;
+}
+
+const tp_drawing tp_spray_drawing = {
+    .layout = layout, .place = place, .over = over, .first = first,
 };

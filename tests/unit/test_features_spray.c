@@ -7,7 +7,7 @@
 #include <stdint.h>
 #include <cmocka.h>
 #include "scene/parts.h"
-#include "scene/spray.h"
+#include "features/spray/spray.h"
 #include "scenes.h"
 
 static uint64_t chance;
@@ -36,7 +36,7 @@ static void a_speck_falls_with_its_drag(void **state)
     for (int n = 0; n < 100; n++) {
         tp_world *world = scene_world(&scene, NULL);
         const tp_fx vx = chance_fx(&chance, -5, 5), vy = chance_fx(&chance, 2, 8);
-        tp_parts_spray(world)->count = 1;
+        tp_spray_of_world(world)->count = 1;
         *speck(world, 0) = (tp_speck){ .place.y = 50 * TP_FX_ONE,
                                        .speed = { vx, vy, 0 } };
         for (int i = 1; i <= 90; i++) {
@@ -58,7 +58,7 @@ static void specks_end_at_the_water(void **state)
     (void)state;
     const tp_scene scene = still(4);
     tp_world *world = scene_world(&scene, NULL);
-    tp_spray *spray = tp_parts_spray(world);
+    tp_spray *spray = tp_spray_of_world(world);
 
     spray->count = 2;
     *speck(world, 0) = (tp_speck){ .place.y = TP_FX(0.1), .speed.y = TP_FX(2) };
@@ -86,7 +86,7 @@ static void a_full_list_counts_what_it_drops(void **state)
     const tp_scene scene = still(16);
     const tp_impact impact = { .amplitude = TP_FX(0.05), .length = TP_FX(0.72) };
     tp_world *world = scene_world(&scene, NULL);
-    tp_spray *spray = tp_parts_spray(world);
+    tp_spray *spray = tp_spray_of_world(world);
 
     tp_spray_splash(spray, &scene, &impact, 0);
     assert_int_equal(spray->count, 16);
@@ -106,7 +106,7 @@ static void a_splash_is_a_crown(void **state)
     const tp_impact impact = { .x = TP_FX(3), .z = TP_FX(-2), .amplitude = TP_FX(0.05),
                                .length = TP_FX(0.72) };
     tp_world *world = scene_world(&scene, NULL);
-    tp_spray *spray = tp_parts_spray(world);
+    tp_spray *spray = tp_spray_of_world(world);
     int up = 0, bubbles = 0;
 
     tp_spray_splash(spray, &scene, &impact, TP_FX(0.5));
@@ -174,5 +174,5 @@ int main(void)
         cmocka_unit_test(sharp_crests_throw_specks_and_round_ones_do_not),
         cmocka_unit_test(a_bow_throws_specks_if_it_is_fast),
     };
-    return cmocka_run_group_tests_name("scene/spray", tests, NULL, NULL);
+    return cmocka_run_group_tests_name("features/spray", tests, NULL, NULL);
 }

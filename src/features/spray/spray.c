@@ -6,7 +6,7 @@
  * far away are not seen: where the water breaks, or is squeezed beyond SHARP, a few
  * specks leave it with its own motion and some of their own.  A list that is full drops
  * what comes and counts it. */
-#include "scene/spray.h"
+#include "features/spray/spray.h"
 #include "base/base.h"
 #include "scene/drawn.h"
 #include "scene/parts.h"
@@ -34,16 +34,23 @@ const tp_speck *tp_spray_list(const tp_spray *spray)
     return (const tp_speck *)(const void *)(spray + 1);
 }
 
-size_t tp_spray_bytes(const tp_scene *scene)
+static bool enabled(const tp_want *want)
 {
-    size_t bytes = (size_t)scene->spray.count * sizeof(tp_speck);
-    return bytes == 0 ? 0 : sizeof(tp_spray) + ((bytes + 7) & ~(size_t)7);
+    return want->scene->spray.count > 0;
 }
 
-void tp_spray_init(tp_spray *spray, const tp_scene *scene)
+static size_t bytes(const tp_want *want)
 {
-    TP_ASSERT(scene->spray.count > 0);
-    spray->capacity = (uint32_t)scene->spray.count;
+    return sizeof(tp_spray) + (size_t)want->scene->spray.count * sizeof(tp_speck);
+}
+
+static void init(void *mine, tp_world *world, const tp_want *want)
+{
+    tp_spray *spray = mine;
+
+    (void)world;
+    TP_ASSERT(want->scene->spray.count > 0);
+    spray->capacity = (uint32_t)want->scene->spray.count;
     spray->random = 1;
 }
 
@@ -310,9 +317,9 @@ static void throw_bow(tp_world *world, const tp_scene *scene, tp_spray *spray,
 
 /* ----------------------------------------------------------------------------------- */
 
-void tp_spray_step(const tp_kit *kit, tp_world *world, const tp_scene *scene)
+static void step(void *mine, const tp_kit *kit, tp_world *world, const tp_scene *scene)
 {
-    tp_spray *spray = tp_parts_spray(world);
+    tp_spray *spray = mine;
     const tp_surface surface = tp_world_surface(kit, world);
 
     fly_all(spray, scene, &surface);
@@ -337,8 +344,9 @@ static bool is_speck_valid(const tp_speck *s)
         && s->kind <= TP_SPECK_BUBBLE && s->age < BUBBLE_AGE;
 }
 
-bool tp_spray_is_valid(const tp_spray *spray, const tp_spray *fresh)
+static bool is_valid(const void *mine, const void *made)
 {
+    const tp_spray *spray = mine, *fresh = made;
     if (spray->capacity != fresh->capacity || spray->count > spray->capacity)
         return false;
     for (uint32_t i = 0; i < spray->count; i++)
@@ -346,3 +354,26 @@ bool tp_spray_is_valid(const tp_spray *spray, const tp_spray *fresh)
             return false;
     return true;
 }
+
+/* -- the module ---------------------------------------------------------------------- */
+
+static bool fits(const void *mine, const tp_scene *scene)
+{
+    const tp_spray *spray = mine;
+    return spray->capacity == (uint32_t)scene->spray.count;
+}
+
+static void hit(void *mine, const tp_scene *scene, const tp_impact *impact, tp_fx level)
+{
+    tp_spray_splash(mine, scene, impact, level);
+}
+
+const tp_spray *tp_world_spray(const tp_world *world)
+{
+    return tp_spray_of_world(world);
+}
+
+const tp_module tp_spray_module = {
+    .name = "spray", .id = TP_SPRAY_ID, .enabled = enabled, .bytes = bytes, .init = init,
+    .fits = fits, .step = step, .hit = hit, .is_valid = is_valid,
+};

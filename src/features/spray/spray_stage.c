@@ -1,0 +1,15 @@
+/* SPDX-License-Identifier: MIT */
+/* The stage of spray.  Specks are too small for a shape: one light for all. */
+#include "shade/shade.h"
+
+/* tp_run.mine begins with the colour. */
+void tp_stage_spray(const tp_shade *shade, tp_run *run)
+{
+    const uint32_t *colour = run->mine;
+
+    (void)shade;
+    for (int32_t i = 0; i < run->count; i++)
+        run->colour[i] = *colour;
+}
+
+const tp_stage tp_spray_stages[] = { tp_stage_spray };
