@@ -87,6 +87,8 @@ bool tp_modules_fit(const tp_kit *kit, const tp_world *world, const tp_want *wan
 
 void tp_modules_step(const tp_kit *kit, tp_world *world, const tp_scene *scene)
 {
+    if (world->parts.modules == 0)
+        return;
     for (const tp_use *u = kit->modules; u && u->module; u++) {
         void *mine = u->module->step ? tp_world_part(world, u->module->id) : NULL;
         if (mine)

@@ -44,9 +44,12 @@ function symbol_at(address,    low, high, middle)
 function stage_of(account, path,    folder, name)
 {
     sub(/:[0-9]*$/, "", path)
-    if (!match(path, /src\/[a-z]+\/[^\/]*$/))
+    if (!match(path, /src\/[a-z]+\/([a-z_]+\/)?[^\/]*$/))
         return "helpers"                    # of the compiler, mem*
     path = substr(path, RSTART + 4)
+    if (sub(/^features\//, "", path))       # a module: its stages, or its drawing
+        path = (path ~ /_stage\.[a-z]*$/ ? "shade/" : "frame/") \
+            substr(path, index(path, "/") + 1)
     folder = substr(path, 1, index(path, "/") - 1)
     name = substr(path, index(path, "/") + 1)
     sub(/\.[a-z]*$/, "", name)
