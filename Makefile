@@ -58,7 +58,7 @@ CORE := $(addprefix src/, \
     shade/stars.c shade/tables.c shade/texture.c shade/view.c \
     scene/boat.c scene/check.c scene/clock.c scene/drawn.c scene/drop.c scene/drops.c \
     scene/faint.c scene/float.c scene/governor.c scene/light.c \
-    scene/meter.c scene/modules.c scene/moves.c scene/outlook.c scene/paddle.c scene/params.c \
+    scene/meter.c scene/module.c scene/moves.c scene/outlook.c scene/paddle.c scene/params.c \
     scene/parts.c scene/piece.c scene/plan_checked.c scene/prices.c scene/rungs.c \
     scene/stand.c scene/tape.c \
     scene/value.c scene/wake.c scene/works.c scene/works_land.c scene/works_more.c \
@@ -66,7 +66,7 @@ CORE := $(addprefix src/, \
     frame/boat.c frame/bump.c frame/carve.c frame/caustics.c \
     frame/clipped.c frame/drops.c frame/flat.c frame/frame.c frame/glass.c \
     frame/holds.c frame/land.c frame/lattice.c frame/lines.c \
-    frame/modules.c frame/planar_map.c frame/plan.c frame/plan_depth.c frame/plan_layers.c \
+    frame/drawing.c frame/planar_map.c frame/plan.c frame/plan_depth.c frame/plan_layers.c \
     frame/plan_quick.c frame/plan_quick_layers.c frame/plan_sky.c frame/planned.c \
     frame/projected.c frame/rows.c frame/shaders.c frame/sight.c \
     frame/tank.c frame/tile.c frame/visibility.c frame/water.c features/all.c \

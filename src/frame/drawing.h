@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* A module's part that a picture asks: memory, numbers, stages.  scene/module.h has the
- * part that the world asks, and says when the feature is on. */
+/* A module as a picture asks it: memory, numbers, stages.  scene/module.h has the module as
+ * the world asks it, and says when the feature is on. */
 #ifndef TP_FRAME_DRAWING_H
 #define TP_FRAME_DRAWING_H
 #include "frame/shaders.h"
@@ -10,34 +10,36 @@
 struct tp_frame;
 struct tp_frame_parts;
 
-/* All may be NULL.  `mine` is what `layout` returned. */
+/* All members may be NULL.  `mine` is the memory that `layout` returned. */
 typedef struct tp_drawing {
-    /* Memory that lasts as long as the frame.  With an arena that only counts it returns
-     * NULL, and is asked again; NULL for good: nothing is drawn. */
+    /* Takes memory that lasts as long as the frame.  It is called twice: with an arena that
+     * only counts, where it returns NULL, then with the frame's block. */
     void *(*layout)(tp_arena *arena, const tp_want *want);
     void  (*init)(struct tp_frame *frame, void *mine);
 
-    /* The numbers of a picture; camera, light and surface are known. */
+    /* Sets the numbers of a picture.  Camera, light and surface are known. */
     void  (*begin)(struct tp_frame *frame, void *mine);
 
-    /* Draws a picture that water looks into; all lists and numbers are known. */
+    /* Draws a picture that the water's stages read, such as a mirror.  All lists and
+     * numbers are known. */
     void  (*look)(struct tp_frame *frame, void *mine);
 
-    /* Projects what it draws over the water; all else is placed. */
+    /* Projects the things that `over` draws.  Everything else is projected. */
     void  (*place)(struct tp_frame *frame, void *mine);
 
-    /* Draws over the finished water, into samples of `mark`; and the stages of those
-     * samples, to which the frame adds air and exposure, or the water before them. */
+    /* Draws over the finished water: sets samples to `mark`.  Those samples go through the
+     * stage that `first` returns, then through air and exposure; under water through the
+     * water before them. */
     void  (*over)(const struct tp_frame *frame, const void *mine, const tp_samples *samples,
                   uint32_t mark);
     tp_stage (*first)(const struct tp_frame *frame, const void *mine, const tp_stage *stage);
 
-    /* The stages that it adds to the water's list.  `stage` is the program's table. */
+    /* Adds stages to the water's list.  `stage` is the program's table of the module. */
     void  (*water)(const struct tp_frame *frame, const void *mine, const tp_stage *stage,
                    tp_shaders *list);
 } tp_drawing;
 
-/* -- modules.c: loops over the program's list ----------------------------------------- */
+/* -- drawing.c: loops over the program's list ----------------------------------------- */
 
 /* Lays out the memory of all enabled modules, an array of pointers first. */
 void tp_frame_layout_modules(const tp_kit *kit, struct tp_frame_parts *parts,

@@ -16,9 +16,9 @@
 #define TP_MODULE_ID(a, b, c, d) \
     ((uint32_t)(a) << 24 | (uint32_t)(b) << 16 | (uint32_t)(c) << 8 | (uint32_t)(d))
 
-/* What modules tell of themselves. */
+/* Bits of tp_module.is. */
 enum {
-    TP_MODULE_EXACT = 1         /* its water stage has no fast form */
+    TP_MODULE_EXACT = 1         /* the module's water stage has no fast form */
 };
 
 /* The conditions that a module is asked about. */

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The modules of a picture: loops over the program's list; see drawing.h. */
+/* The modules of a picture: loops over the program's list; see the header. */
 #include "frame/frame.h"
 
 void tp_frame_layout_modules(const tp_kit *kit, tp_frame_parts *parts, tp_arena *arena,
@@ -74,7 +74,7 @@ void tp_frame_add_modules(const tp_frame *frame, tp_shaders *water)
             u->drawing->water(frame, *mine, u->stage, water);
 }
 
-/* The list of a module's own samples, and their mark: one kind at present. */
+/* One module has samples of its own at present, so there is one list for them. */
 void tp_frame_list_modules(tp_frame *frame)
 {
     tp_shaders_clear(&frame->over);
