@@ -319,11 +319,12 @@ if [ "${undoes:-}" ]; then
     shot before.png
     put pool.cols 40
     until_true grep -q 'set pool.cols=40' undone.tape
-    shot changed.png
-    check "a pool made anew while paused is another picture" differ before.png changed.png
+    # A value that is typed, or taken back, reaches the picture a little later.
+    changed() { shot changed.png; differ before.png changed.png; }
+    check "a pool made anew while paused is another picture" until_true changed
     press ctrl+z
-    shot undone.png
-    check "undone it is the picture before, to the bit" cmp -s before.png undone.png
+    undone() { shot undone.png; cmp -s before.png undone.png; }
+    check "undone it is the picture before, to the bit" until_true undone
     hold 0.2 a
     put light.ambient 0.1
     press ctrl+z ctrl+y
