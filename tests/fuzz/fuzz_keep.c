@@ -23,9 +23,9 @@ static uint32_t take_bytes(input *in, int count)
 static size_t begin_of(const kept *k, uint32_t where)
 {
     const tp_world_parts *p = &k->fresh->parts;
-    const uint32_t parts[] = { 0, p->ocean, p->pool, p->field, p->rings, p->drops, p->foam,
-                               p->spray, p->probe };
-    return where % 10 == 0 ? 0 : k->head + parts[where % 10 - 1];
+    const uint32_t parts[] = { 0, p->ocean, p->pool, p->field, p->rings, p->drops,
+                               p->probe, p->modules };
+    return where % 9 == 0 ? 0 : k->head + parts[where % 9 - 1];
 }
 
 static void change(const kept *k, uint8_t *file, input *in)
