@@ -137,12 +137,15 @@ static void carve_tables(tp_frame_parts *p, tp_arena *arena, const tp_kit *kit,
 tp_want tp_frame_want(const tp_kit *kit, const tp_frame_parts *parts, const tp_scene *scene,
                       const tp_assets *assets, const tp_frame_config *config)
 {
+    const bool walls = tp_kit_has_stone(kit)
+                    && (tp_has_stone(scene) || tp_has_tank(scene));
+
     return (tp_want){
         .scene = scene, .assets = assets, .coastal = tp_has_ocean(scene),
         .width = config->width, .height = config->height,
-        .moves = assets->boat || parts->drop_capacity > 0,
-        .walls = tp_kit_has_stone(kit) && (tp_has_stone(scene) || tp_has_tank(scene)),
-        .inside = kit->draw.inside != NULL,
+        .above = (assets->boat || parts->drop_capacity > 0 ? TP_MODULE_SOLID : 0)
+               | (walls ? TP_MODULE_WALLS : 0)
+               | (kit->draw.inside ? TP_MODULE_INSIDE : 0),
     };
 }
 
@@ -171,7 +174,7 @@ tp_frame *tp_frame_carve(const tp_kit *kit, tp_frame_parts *parts, tp_frame_ram 
         kit->draw.quick_light->carve(parts, arena);
     const size_t tabled = arena->used;
     const tp_want want = tp_frame_want(kit, parts, scene, assets, config);
-    tp_frame_layout_modules(kit, parts, arena, &want);
+    tp_frame_layout_modules(kit, parts, arena, want);
     *ram = (tp_frame_ram){
         .frame = arena->used, .vertices = placed - fixed,
         .tables = tabled - placed + parts->module_bytes + sizeof frame->shade.sky,

@@ -3,7 +3,7 @@
 #include "frame/frame.h"
 
 void tp_frame_layout_modules(const tp_kit *kit, tp_frame_parts *parts, tp_arena *arena,
-                             const tp_want *want)
+                             tp_want want)
 {
     const size_t begin = arena->used;
     size_t count = 0, looks = 0;
@@ -13,9 +13,9 @@ void tp_frame_layout_modules(const tp_kit *kit, tp_frame_parts *parts, tp_arena 
     parts->module = count ? tp_arena_take(arena, count, sizeof *parts->module) : NULL;
     for (size_t i = 0; i < count; i++) {
         const tp_use *u = &kit->modules[i];
-        const bool on = u->drawing && u->drawing->layout && u->module->enabled(want);
+        const bool on = u->drawing && tp_module_ask(u->module, &want) && u->drawing->layout;
         const size_t used = arena->used;
-        void *mine = on ? u->drawing->layout(arena, want) : NULL;
+        void *mine = on ? u->drawing->layout(arena, &want) : NULL;
         looks += on && u->drawing->look ? arena->used - used : 0;
         if (parts->module)
             parts->module[i] = mine;
@@ -27,14 +27,14 @@ void tp_frame_layout_modules(const tp_kit *kit, tp_frame_parts *parts, tp_arena 
 /* A module that was off at init has no memory, and is not drawn if it is on now. */
 void tp_frame_enable_modules(tp_frame *frame)
 {
-    const tp_want want = tp_frame_want(frame->kit, &frame->parts, frame->scene,
-                                       &frame->assets, &frame->config);
+    tp_want want = tp_frame_want(frame->kit, &frame->parts, frame->scene, &frame->assets,
+                                 &frame->config);
     void *const *mine = frame->parts.module;
     uint32_t bit = 1;
 
     frame->modules_on = 0;
     for (const tp_use *u = frame->kit->modules; u && u->module; u++, mine++, bit <<= 1)
-        if (*mine && u->module->enabled(&want))
+        if (*mine && tp_module_ask(u->module, &want))
             frame->modules_on |= bit;
 }
 
@@ -67,11 +67,11 @@ void tp_frame_look_modules(tp_frame *frame)
             u->drawing->look(frame, *mine);
 }
 
-void tp_frame_add_modules(const tp_frame *frame, tp_shaders *water)
+void tp_frame_add_modules(const tp_frame *frame, tp_shaders *list)
 {
     EACH_ON(u, mine, frame)
-        if (u->drawing->water)
-            u->drawing->water(frame, *mine, u->stage, water);
+        if (u->drawing->stages)
+            u->drawing->stages(frame, *mine, u->stage, list);
 }
 
 /* One module has samples of its own at present, so there is one list for them. */
@@ -84,6 +84,7 @@ void tp_frame_list_modules(tp_frame *frame)
         tp_shaders_add(&frame->over, TP_AT_COLOUR,
                        u->drawing->first(frame, *mine, u->stage), *mine);
         tp_frame_add_air(frame, &frame->over);
+        tp_frame_add_modules(frame, &frame->over);
     }
 }
 

@@ -34,16 +34,17 @@ typedef struct tp_drawing {
                   uint32_t mark);
     tp_stage (*first)(const struct tp_frame *frame, const void *mine, const tp_stage *stage);
 
-    /* Adds stages to the water's list.  `stage` is the program's table of the module. */
-    void  (*water)(const struct tp_frame *frame, const void *mine, const tp_stage *stage,
-                   tp_shaders *list);
+    /* Adds stages to a list, the water's or another kind's, after the modules above.
+     * `stage` is the program's table of the module. */
+    void  (*stages)(const struct tp_frame *frame, const void *mine, const tp_stage *stage,
+                    tp_shaders *list);
 } tp_drawing;
 
 /* -- drawing.c: loops over the program's list ----------------------------------------- */
 
 /* Lays out the memory of all enabled modules, an array of pointers first. */
 void tp_frame_layout_modules(const tp_kit *kit, struct tp_frame_parts *parts,
-                             tp_arena *arena, const tp_want *want);
+                             tp_arena *arena, tp_want want);
 
 /* Asks which modules are on in this picture; those alone take part in it. */
 void tp_frame_enable_modules(struct tp_frame *frame);
@@ -51,7 +52,7 @@ void tp_frame_enable_modules(struct tp_frame *frame);
 void tp_frame_init_modules(struct tp_frame *frame);
 void tp_frame_begin_modules(struct tp_frame *frame);
 void tp_frame_look_modules(struct tp_frame *frame);
-void tp_frame_add_modules(const struct tp_frame *frame, tp_shaders *water);
+void tp_frame_add_modules(const struct tp_frame *frame, tp_shaders *list);
 void tp_frame_list_modules(struct tp_frame *frame);
 void tp_frame_place_modules(struct tp_frame *frame);
 void tp_frame_draw_modules(const struct tp_frame *frame, const tp_samples *samples);

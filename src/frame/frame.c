@@ -125,10 +125,11 @@ static void init_lists(tp_frame *f)
     tp_shaders *const other[TP_OTHERS] = { &f->sky, &f->solids, &f->land, &f->drops,
                                            &f->tank, &f->side, &f->over };
 
-    tp_shaders_init(&f->water, f->water_shader, f->water_place, TP_SHADERS_WATER);
+    tp_shaders_init(&f->water, TP_LIST_WATER, f->water_shader, f->water_place,
+                    TP_SHADERS_WATER);
     for (int i = 0; i < TP_OTHERS; i++)
-        tp_shaders_init(other[i], f->other_shader[i], f->other_place[i],
-                        TP_SHADERS_OTHER);
+        tp_shaders_init(other[i], i == 0 ? TP_LIST_SKY : TP_LIST_THINGS,
+                        f->other_shader[i], f->other_place[i], TP_SHADERS_OTHER);
 }
 
 /* Tables that last, and those that the first frame needs. */

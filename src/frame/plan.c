@@ -95,6 +95,7 @@ static void choose_other(const tp_frame *frame, tp_shaders *list, tp_stage stage
     if (stage)
         tp_shaders_add_colour(list, stage);
     tp_frame_add_air(frame, list);
+    tp_frame_add_modules(frame, list);
 }
 
 static void choose_stages(tp_frame *frame)
@@ -107,6 +108,7 @@ static void choose_stages(tp_frame *frame)
     tp_shaders_clear(&frame->sky);
     tp_frame_add_sky(frame, &frame->sky);
     tp_frame_add_exposure(frame, &frame->sky);
+    tp_frame_add_modules(frame, &frame->sky);
     choose_other(frame, &frame->solids, blinn && stages->solid_blinn ? stages->solid_blinn
                                                                      : stages->solid);
     choose_other(frame, &frame->land, ground && stages->ground ? stages->ground

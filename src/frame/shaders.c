@@ -2,9 +2,11 @@
 /* Shader lists; see the header. */
 #include "frame/shaders.h"
 
-void tp_shaders_init(tp_shaders *list, tp_shader *shader, uint8_t *place, uint32_t room)
+void tp_shaders_init(tp_shaders *list, tp_list_kind kind, tp_shader *shader,
+                     uint8_t *place, uint32_t room)
 {
-    *list = (tp_shaders){ .shader = shader, .place = place, .room = (uint8_t)room };
+    *list = (tp_shaders){ .shader = shader, .place = place, .kind = (uint8_t)kind,
+                          .room = (uint8_t)room };
     tp_shaders_clear(list);
 }
 

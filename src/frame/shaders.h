@@ -26,16 +26,25 @@ typedef struct {
     const void *mine;           /* of the module that added it, or NULL */
 } tp_shader;
 
+/* What samples a list is for. */
+typedef enum {
+    TP_LIST_SKY,
+    TP_LIST_WATER,
+    TP_LIST_THINGS              /* in the air: land, a boat, drops ... */
+} tp_list_kind;
+
 typedef struct {
     tp_shader *shader;
     uint8_t   *place;           /* of each */
+    uint8_t    kind;            /* tp_list_kind */
     uint8_t    count, room;
     bool       rippled;         /* a stage bends the slopes */
     bool       shines;          /* a stage leaves a glint */
     uint32_t   lacks;           /* stages that the scene asks for and the kit has not */
 } tp_shaders;
 
-void tp_shaders_init(tp_shaders *list, tp_shader *shader, uint8_t *place, uint32_t room);
+void tp_shaders_init(tp_shaders *list, tp_list_kind kind, tp_shader *shader,
+                     uint8_t *place, uint32_t room);
 void tp_shaders_clear(tp_shaders *list);
 
 /* Behind those of the same place; NULL is left out, and counted. */

@@ -21,9 +21,10 @@ static uint32_t chunk_end(const tp_world *world, uint32_t at)
     return at + (uint32_t)sizeof(chunk) + chunk_at(world, at)->bytes;
 }
 
-static bool has_state(const tp_module *module, const tp_want *want)
+/* Asks the module in its turn, so that those below it know of it. */
+static bool has_state(const tp_module *module, tp_want *want)
 {
-    return module->bytes && module->enabled(want);
+    return tp_module_ask(module, want) && module->bytes;
 }
 
 static size_t state_bytes(const tp_module *module, const tp_want *want)
@@ -31,68 +32,114 @@ static size_t state_bytes(const tp_module *module, const tp_want *want)
     return (module->bytes(want) + 7) & ~(size_t)7;
 }
 
-void *tp_world_part(const tp_world *world, uint32_t id)
+/* The chunk at an offset or a later one with that id; NULL: there is none. */
+static chunk *find_chunk(const tp_world *world, uint32_t at, uint32_t id)
 {
-    uint32_t at = world->parts.modules;
-
     for (; at && at < world->parts.bytes; at = chunk_end(world, at))
         if (chunk_at(world, at)->id == id)
-            return chunk_at(world, at) + 1;
+            return chunk_at(world, at);
     return NULL;
 }
 
-uint32_t tp_modules_take(const tp_kit *kit, tp_arena *arena, const tp_want *want)
+void *tp_world_part(const tp_world *world, uint32_t id)
 {
-    TP_ASSERT(arena->block == NULL);
-    const size_t begin = arena->used;
-
-    for (const tp_use *u = kit->modules; u && u->module; u++)
-        if (has_state(u->module, want))
-            tp_arena_take(arena, 1, sizeof(chunk) + state_bytes(u->module, want));
-    return arena->used > begin ? (uint32_t)begin : 0;
+    chunk *c = find_chunk(world, world->parts.modules, id);
+    return c ? c + 1 : NULL;
 }
 
-void tp_modules_init(const tp_kit *kit, tp_world *world, const tp_want *want)
+tp_status tp_modules_take(const tp_kit *kit, tp_arena *arena, tp_want want, uint32_t *at,
+                          tp_error *err)
+{
+    TP_ASSERT(arena->block == NULL && want.above == 0);
+    const size_t begin = arena->used;
+    tp_status status = TP_OK;
+
+    for (const tp_use *u = kit->modules; u && u->module; u++) {
+        const tp_module *m = u->module;
+        if (!tp_module_ask(m, &want))
+            continue;
+        if (m->check && (status = m->check(&want, err)) != TP_OK)
+            return status;
+        if (m->bytes)
+            tp_arena_take(arena, 1, sizeof(chunk) + state_bytes(m, &want));
+    }
+    *at = arena->used > begin ? (uint32_t)begin : 0;
+    return TP_OK;
+}
+
+static void put_heads(const tp_kit *kit, tp_world *world, tp_want want)
 {
     uint32_t at = world->parts.modules;
 
     for (const tp_use *u = kit->modules; u && u->module; u++) {
-        if (!has_state(u->module, want))
+        if (!has_state(u->module, &want))
             continue;
-        chunk *c = chunk_at(world, at);
-        *c = (chunk){ u->module->id, (uint32_t)state_bytes(u->module, want) };
-        if (u->module->init)
-            u->module->init(c + 1, world, want);
+        *chunk_at(world, at) = (chunk){ u->module->id,
+                                        (uint32_t)state_bytes(u->module, &want) };
         at = chunk_end(world, at);
     }
 }
 
-bool tp_modules_fit(const tp_kit *kit, const tp_world *world, const tp_want *want)
+tp_status tp_modules_init(const tp_kit *kit, tp_world *world, tp_want want, tp_error *err)
+{
+    tp_status status = TP_OK;
+
+    put_heads(kit, world, want);
+    for (const tp_use *u = kit->modules; u && u->module && status == TP_OK; u++)
+        if (has_state(u->module, &want) && u->module->init)
+            status = u->module->init(tp_world_part(world, u->module->id), world, &want, err);
+    return status;
+}
+
+bool tp_modules_fit(const tp_kit *kit, const tp_world *world, tp_want want)
 {
     uint32_t at = world->parts.modules;
 
     for (const tp_use *u = kit->modules; u && u->module; u++) {
-        if (!has_state(u->module, want))
+        if (!has_state(u->module, &want))
             continue;
         if (at == 0 || at >= world->parts.bytes)
             return false;
         const chunk *c = chunk_at(world, at);
-        if (c->id != u->module->id || c->bytes != state_bytes(u->module, want)
-            || (u->module->fits && !u->module->fits(c + 1, want->scene)))
+        if (c->id != u->module->id || c->bytes != state_bytes(u->module, &want)
+            || (u->module->fits && !u->module->fits(c + 1, want.scene)))
             return false;
         at = chunk_end(world, at);
     }
     return at == 0 || at == world->parts.bytes;
 }
 
-void tp_modules_step(const tp_kit *kit, tp_world *world, const tp_scene *scene)
+bool tp_modules_refresh(const tp_kit *kit, tp_world *world, tp_want want)
+{
+    for (const tp_use *u = kit->modules; u && u->module; u++)
+        if (has_state(u->module, &want) && u->module->refresh
+            && !u->module->refresh(tp_world_part(world, u->module->id), world, &want))
+            return false;
+    return true;
+}
+
+/* A module's state, if it has this hook. */
+#define PART_FOR(hook, u, world) \
+    ((u)->module->hook ? tp_world_part(world, (u)->module->id) : NULL)
+
+void tp_modules_settle(const tp_kit *kit, tp_world *world, const tp_scene *scene)
+{
+    for (const tp_use *u = kit->modules; u && u->module; u++) {
+        void *mine = PART_FOR(settle, u, world);
+        if (mine)
+            u->module->settle(mine, kit, world, scene);
+    }
+}
+
+void tp_modules_step(const tp_kit *kit, tp_world *world, const tp_scene *scene,
+                     const tp_input *input)
 {
     if (world->parts.modules == 0)
         return;
     for (const tp_use *u = kit->modules; u && u->module; u++) {
-        void *mine = u->module->step ? tp_world_part(world, u->module->id) : NULL;
+        void *mine = PART_FOR(step, u, world);
         if (mine)
-            u->module->step(mine, kit, world, scene);
+            u->module->step(mine, kit, world, scene, input);
     }
 }
 
@@ -100,7 +147,7 @@ void tp_modules_hit(const tp_kit *kit, tp_world *world, const tp_scene *scene,
                     const tp_impact *impact, tp_fx level)
 {
     for (const tp_use *u = kit->modules; u && u->module; u++) {
-        void *mine = u->module->hit ? tp_world_part(world, u->module->id) : NULL;
+        void *mine = PART_FOR(hit, u, world);
         if (mine)
             u->module->hit(mine, scene, impact, level);
     }

@@ -18,7 +18,10 @@
 
 /* Bits of tp_module.is. */
 enum {
-    TP_MODULE_EXACT = 1         /* the module's water stage has no fast form */
+    TP_MODULE_EXACT  = 1,       /* its water stage has no fast form */
+    TP_MODULE_SOLID  = 2,       /* draws what floats or flies: mirrors show it */
+    TP_MODULE_WALLS  = 4,       /* draws a tank or stone in the pool */
+    TP_MODULE_INSIDE = 8        /* shows what lies in the water */
 };
 
 /* The conditions that a module is asked about. */
@@ -27,9 +30,8 @@ typedef struct tp_want {
     const tp_assets *assets;    /* NULL: the scene names no file */
     bool     coastal;           /* the waves feel a floor or a wind */
     uint32_t width, height;     /* of the picture; 0 for a world */
-    bool     moves;             /* the picture has a boat or drops, */
-    bool     walls;             /* a tank or stone in the pool, */
-    bool     inside;            /* and shows what lies in the water */
+    uint32_t above;             /* bits of tp_module.is of the enabled modules above this
+                                 * one in the list */
 } tp_want;
 
 /* All but name, id and enabled may be NULL. */
@@ -42,16 +44,25 @@ typedef struct tp_module {
     /* The one place that says when the feature is on: layout, step and drawing ask it. */
     bool (*enabled)(const tp_want *want);
 
+    /* Refuses what the table of parameters cannot: err->word is the parameter at fault. */
+    tp_status (*check)(const tp_want *want, tp_error *err);
+
     /* The state: its bytes, aligned to 8; NULL: a world has none.  It is zeroed before
      * `init`. */
-    size_t (*bytes)(const tp_want *want);
-    void   (*init)(void *mine, tp_world *world, const tp_want *want);
+    size_t    (*bytes)(const tp_want *want);
+    tp_status (*init)(void *mine, tp_world *world, const tp_want *want, tp_error *err);
 
-    /* False: the scene's numbers have changed so that the state must be made anew. */
+    /* After numbers of the scene have changed.  `fits` changes nothing; if all states fit,
+     * each of them is refreshed.  False: the world must be made anew. */
     bool (*fits)(const void *mine, const tp_scene *scene);
+    bool (*refresh)(void *mine, tp_world *world, const tp_want *want);
 
-    /* One tick, after the modules before it in the list. */
-    void (*step)(void *mine, const tp_kit *kit, tp_world *world, const tp_scene *scene);
+    /* Puts what floats on the water, when all states have been made or refreshed. */
+    void (*settle)(void *mine, const tp_kit *kit, tp_world *world, const tp_scene *scene);
+
+    /* One tick, after the modules before it in the list.  `input` NULL: all 0. */
+    void (*step)(void *mine, const tp_kit *kit, tp_world *world, const tp_scene *scene,
+                 const tp_input *input);
 
     /* Something struck the water, which stood at `level` there. */
     void (*hit)(void *mine, const tp_scene *scene, const tp_impact *impact, tp_fx level);
@@ -61,21 +72,35 @@ typedef struct tp_module {
     bool (*is_valid)(const void *mine, const void *fresh);
 } tp_module;
 
+/* Whether the module is on; if so, the modules below it in the list are told. */
+static inline bool tp_module_ask(const tp_module *module, tp_want *want)
+{
+    const bool on = module->enabled(want);
+
+    want->above |= on ? module->is : 0;
+    return on;
+}
+
 /* -- a world's chunks ---------------------------------------------------------------- */
 
 /* The state of a module, or NULL: the world has none. */
 void *tp_world_part(const tp_world *world, uint32_t id);
 
-/* Lays out the chunks of all enabled modules; the offset of the first, or 0. */
-uint32_t tp_modules_take(const tp_kit *kit, tp_arena *arena, const tp_want *want);
+/* Checks all enabled modules and lays out their chunks: *at is the first one's offset, or
+ * 0.  `want.above` is 0. */
+tp_status tp_modules_take(const tp_kit *kit, tp_arena *arena, tp_want want, uint32_t *at,
+                          tp_error *err);
 
-/* Writes their heads and their first state; the block is zeroed. */
-void tp_modules_init(const tp_kit *kit, tp_world *world, const tp_want *want);
+/* Writes their heads, then their first states; the block is zeroed. */
+tp_status tp_modules_init(const tp_kit *kit, tp_world *world, tp_want want, tp_error *err);
 
 /* Whether the chunks are those of the scene as it is now, and their states fit it. */
-bool tp_modules_fit(const tp_kit *kit, const tp_world *world, const tp_want *want);
+bool tp_modules_fit(const tp_kit *kit, const tp_world *world, tp_want want);
+bool tp_modules_refresh(const tp_kit *kit, tp_world *world, tp_want want);
 
-void tp_modules_step(const tp_kit *kit, tp_world *world, const tp_scene *scene);
+void tp_modules_settle(const tp_kit *kit, tp_world *world, const tp_scene *scene);
+void tp_modules_step(const tp_kit *kit, tp_world *world, const tp_scene *scene,
+                     const tp_input *input);
 void tp_modules_hit(const tp_kit *kit, tp_world *world, const tp_scene *scene,
                     const tp_impact *impact, tp_fx level);
 

@@ -262,12 +262,12 @@ static void list_light(tp_outlook *o, const tp_scene *s, const tp_assets *a)
 }
 
 /* The modules say themselves whether they are on.  True: each of them has a fast form. */
-static bool list_modules(tp_outlook *o, const tp_use *modules, const tp_want *want)
+static bool list_modules(tp_outlook *o, const tp_use *modules, tp_want want)
 {
     bool fast = true;
 
     for (const tp_use *u = modules; u && u->module; u++) {
-        if (!u->drawing || !u->module->enabled(want))
+        if (!u->drawing || !tp_module_ask(u->module, &want))
             continue;
         o->trait[u->module->trait] = 1;
         fast = fast && !(u->module->is & TP_MODULE_EXACT);
@@ -359,9 +359,11 @@ tp_outlook tp_outlook_of(const tp_use *modules, const tp_scene *scene,
     list_light(&o, scene, assets);
     const tp_want want = {
         .scene = scene, .assets = assets, .coastal = o.ocean, .width = width,
-        .height = height, .moves = assets->boat || scene->drops.count > 0,
-        .walls = tp_has_tank(scene) || tp_has_stone(scene), .inside = true,
+        .height = height,
+        .above = (assets->boat || scene->drops.count > 0 ? TP_MODULE_SOLID : 0)
+               | (tp_has_tank(scene) || tp_has_stone(scene) ? TP_MODULE_WALLS : 0)
+               | TP_MODULE_INSIDE,
     };
-    o.quick = list_modules(&o, modules, &want) && is_quick(&o, scene, assets);
+    o.quick = list_modules(&o, modules, want) && is_quick(&o, scene, assets);
     return o;
 }

@@ -128,9 +128,8 @@ static bool has_ocean(const tp_kit *kit, const tp_scene *scene)
         && tp_has_ocean(scene);
 }
 
-/* What has neither to be checked nor can fail. */
-static void take_rest(const tp_kit *kit, tp_world_parts *parts, tp_arena *arena,
-                      const tp_want *want)
+static tp_status take_rest(const tp_kit *kit, tp_world_parts *parts, tp_arena *arena,
+                           const tp_want *want, tp_error *err)
 {
     const tp_moves *move = &kit->move;
     const tp_scene *scene = want->scene;
@@ -141,7 +140,7 @@ static void take_rest(const tp_kit *kit, tp_world_parts *parts, tp_arena *arena,
         parts->rings = take(arena, (size_t)scene->drops.rings * sizeof(tp_ring_now));
     if (move->meter)
         parts->probe = take(arena, move->meter->bytes(scene));
-    parts->modules = tp_modules_take(kit, arena, want);
+    return tp_modules_take(kit, arena, *want, &parts->modules, err);
 }
 
 /* That a world has room for. */
@@ -178,9 +177,9 @@ tp_status tp_parts_of(const tp_kit *kit, tp_world_parts *parts, const tp_scene *
     if (status != TP_OK)
         return status;
     const tp_want want = { .scene = scene, .assets = assets, .coastal = parts->ocean != 0 };
-    take_rest(kit, parts, &arena, &want);
-    parts->bytes = (uint32_t)arena.used;
-    return TP_OK;
+    status = take_rest(kit, parts, &arena, &want, err);
+    parts->bytes = status == TP_OK ? (uint32_t)arena.used : 0;
+    return status;
 }
 
 /* The part at an offset; the block is aligned to 8, and so is every part. */
@@ -244,8 +243,7 @@ tp_status tp_parts_init(const tp_kit *kit, tp_world *world, const tp_scene *scen
         move->meter->init(world, scene, assets);
     const tp_want want = { .scene = scene, .assets = assets,
                            .coastal = world->parts.ocean != 0 };
-    tp_modules_init(kit, world, &want);
-    return status;
+    return status == TP_OK ? tp_modules_init(kit, world, want, err) : status;
 }
 
 static bool tune(tp_pool *pool, const tp_scene_pool *scene)
@@ -278,7 +276,7 @@ bool tp_parts_can_tune(const tp_kit *kit, const tp_world *world, const tp_scene 
                            .coastal = world->parts.ocean != 0 };
 
     return (!pools || kit->move.pools->can_tune(world, scene))
-        && tp_modules_fit(kit, world, &want);
+        && tp_modules_fit(kit, world, want);
 }
 
 void tp_parts_tune_pools(tp_world *world, const tp_scene *scene)

@@ -81,9 +81,11 @@ tp_status tp_world_init_with(const tp_kit *kit, tp_world *world, size_t bytes,
     world->clock_scale = scene->clock.scale;
     place_sea(kit, world, scene);
     status = tp_parts_init(kit, world, scene, assets, err);
-    if (status == TP_OK)
-        place_boat(kit, world, scene);
-    return status;
+    if (status != TP_OK)
+        return status;
+    place_boat(kit, world, scene);
+    tp_modules_settle(kit, world, scene);
+    return TP_OK;
 }
 
 /* The sea, the pools' tuning and the boat's place take microseconds, and are made again
@@ -113,7 +115,12 @@ bool tp_world_refresh_with(const tp_kit *kit, tp_world *world, const tp_scene *s
     if (world->clock_scale != scene->clock.scale)
         tp_clock_aim(&world->clock, scene->clock.scale);
     world->clock_scale = scene->clock.scale;
+    const tp_want want = { .scene = scene, .assets = assets,
+                           .coastal = world->parts.ocean != 0 };
+    if (!tp_modules_refresh(kit, world, want))
+        return false;
     place_boat(kit, world, scene);
+    tp_modules_settle(kit, world, scene);
     return true;
 }
 
@@ -191,7 +198,7 @@ void tp_world_step_with(const tp_kit *kit, tp_world *world, const tp_scene *scen
         move->wake->step(world, scene);
     if (world->parts.pool || world->parts.field)
         move->pools->step(kit, world, scene, input);
-    tp_modules_step(kit, world, scene);
+    tp_modules_step(kit, world, scene, input);
     tp_light_step(world, scene, input);
     if (world->parts.probe)
         move->meter->step(world, scene);

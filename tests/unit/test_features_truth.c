@@ -21,12 +21,12 @@ typedef struct {
     int drawn, fast, exact, on[32];
 } tally;
 
-static void compare_modules(const tp_frame *frame, const tp_want *want, tally *t)
+static void compare_modules(const tp_frame *frame, tp_want want, tally *t)
 {
     const tp_use *u = frame->kit->modules;
 
     for (uint32_t i = 0; u[i].module; i++) {
-        const bool on = u[i].module->enabled(want);
+        const bool on = tp_module_ask(u[i].module, &want);
         assert_int_equal(frame->parts.module[i] != NULL, on);
         assert_int_equal(frame->modules_on >> i & 1, on);
         assert_int_equal(tp_frame_part(frame, u[i].module->id) != NULL, on);
@@ -56,7 +56,7 @@ static void compare_scene(tally *t)
     tp_frame_begin(f.frame, world);
     const tp_want want = tp_frame_want(&tp_kit_all, &f.frame->parts, &scene,
                                        &f.frame->assets, &f.frame->config);
-    compare_modules(f.frame, &want, t);
+    compare_modules(f.frame, want, t);
     const bool fast = f.frame->water.shader[0].stage == tp_stage_quick_far
                    || f.frame->shade.quick;
     /* A pool that bends the light alone is flat while it is at rest. */

@@ -67,14 +67,14 @@ static void place_window(tp_foam *foam, const tp_world *world, const tp_scene *s
     foam->first_z = first_around(foam, z, foam->drift_z);
 }
 
-static void init(void *mine, tp_world *world, const tp_want *want)
+static tp_status init(void *mine, tp_world *world, const tp_want *want, tp_error *err)
 {
     const tp_scene *scene = want->scene;
     const uint32_t cells = (uint32_t)scene->foam.cells;
     tp_foam *foam = mine;
 
     TP_ASSERT(cells > 0 && cells <= 256);
-
+    (void)err;
     foam->cells = cells;
     foam->cell = scene->foam.cell;
     foam->work = want->coastal ? (uint32_t)(sizeof *foam + cover_bytes(cells)) : 0;
@@ -83,6 +83,7 @@ static void init(void *mine, tp_world *world, const tp_want *want)
         foam->seen[q][0] = foam->first_x;
         foam->seen[q][1] = foam->first_z;
     }
+    return TP_OK;
 }
 
 /* A lattice that has drifted by a side is the same one with other numbers. */
@@ -299,9 +300,10 @@ static bool fits(const void *mine, const tp_scene *scene)
     return foam->cells == (uint32_t)scene->foam.cells && foam->cell == scene->foam.cell;
 }
 
-static void step(void *mine, const tp_kit *kit, tp_world *world, const tp_scene *scene)
+static void step(void *mine, const tp_kit *kit, tp_world *world, const tp_scene *scene,
+                 const tp_input *input)
 {
-    (void)kit;
+    (void)kit, (void)input;
     tp_foam_step(mine, world, scene);
 }
 

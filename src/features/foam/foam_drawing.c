@@ -51,7 +51,7 @@ static void begin(tp_frame *frame, void *mine)
 static void add_stage(const tp_frame *frame, const void *mine, const tp_stage *stage,
                       tp_shaders *list)
 {
-    if (tp_foam_of_world(frame->world))
+    if (list->kind == TP_LIST_WATER && tp_foam_of_world(frame->world))
         tp_shaders_add(list, TP_AT_MATT, stage[list->rippled + 2 * list->shines], mine);
 }
 
@@ -69,5 +69,5 @@ static void init(tp_frame *frame, void *mine)
 }
 
 const tp_drawing tp_foam_drawing = {
-    .layout = layout, .init = init, .begin = begin, .water = add_stage,
+    .layout = layout, .init = init, .begin = begin, .stages = add_stage,
 };

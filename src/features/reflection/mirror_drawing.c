@@ -3,6 +3,7 @@
  * the level as the camera is above it sees when it looks up as far as the camera looks
  * down, upside down [F4]. */
 #include "features/reflection/mirror.h"
+#include "features/reflection/mirrored.h"
 #include "frame/frame.h"
 #include "frame/planar_map.h"
 
@@ -131,7 +132,7 @@ static void look(tp_frame *frame, void *mine)
 static bool enabled(const tp_want *want)
 {
     return want->scene->mirror.objects == TP_MIRROR_STENCIL
-        && want->scene->water.reflection > 0 && (want->moves || want->walls);
+        && want->scene->water.reflection > 0 && want->above & (TP_MODULE_SOLID | TP_MODULE_WALLS);
 }
 
 /* Small pictures' lenses can be halved once. */
@@ -152,19 +153,11 @@ static void *layout(tp_arena *arena, const tp_want *want)
     return m;
 }
 
-static void add_stage(const tp_frame *frame, const void *mine, const tp_stage *stage,
-                      tp_shaders *list)
-{
-    (void)frame;
-    if (tp_shaders_has(list, TP_AT_REFLECT))
-        tp_shaders_add(list, TP_AT_OBJECTS, stage[0], mine);
-}
-
 const tp_module tp_mirror_module = {
     .name = "mirror", .id = TP_MIRROR_ID, .is = TP_MODULE_EXACT,
     .trait = TP_TRAIT_objects, .enabled = enabled,
 };
 
 const tp_drawing tp_mirror_drawing = {
-    .layout = layout, .look = look, .water = add_stage,
+    .layout = layout, .look = look, .stages = tp_add_mirrored,
 };

@@ -3,6 +3,7 @@
  * drops, drawn anew in each frame.  The point is where the camera sees the objects'
  * middle mirrored: there the cube is right, and around it nearly so. */
 #include "asset/mesh.h"
+#include "features/reflection/mirrored.h"
 #include "features/reflection/object_cube.h"
 #include "frame/frame.h"
 
@@ -127,7 +128,7 @@ static void look(tp_frame *frame, void *mine)
 static bool enabled(const tp_want *want)
 {
     return want->scene->mirror.objects == TP_MIRROR_CUBE
-        && want->scene->water.reflection > 0 && want->moves;
+        && want->scene->water.reflection > 0 && want->above & TP_MODULE_SOLID;
 }
 
 static void *layout(tp_arena *arena, const tp_want *want)
@@ -143,19 +144,11 @@ static void *layout(tp_arena *arena, const tp_want *want)
     return m;
 }
 
-static void add_stage(const tp_frame *frame, const void *mine, const tp_stage *stage,
-                      tp_shaders *list)
-{
-    (void)frame;
-    if (tp_shaders_has(list, TP_AT_REFLECT))
-        tp_shaders_add(list, TP_AT_OBJECTS, stage[0], mine);
-}
-
 const tp_module tp_object_cube_module = {
     .name = "object cube", .id = TP_OBJECT_CUBE_ID, .is = TP_MODULE_EXACT,
     .trait = TP_TRAIT_objects, .enabled = enabled,
 };
 
 const tp_drawing tp_object_cube_drawing = {
-    .layout = layout, .look = look, .water = add_stage,
+    .layout = layout, .look = look, .stages = tp_add_mirrored,
 };

@@ -44,14 +44,15 @@ static size_t bytes(const tp_want *want)
     return sizeof(tp_spray) + (size_t)want->scene->spray.count * sizeof(tp_speck);
 }
 
-static void init(void *mine, tp_world *world, const tp_want *want)
+static tp_status init(void *mine, tp_world *world, const tp_want *want, tp_error *err)
 {
     tp_spray *spray = mine;
 
-    (void)world;
+    (void)world, (void)err;
     TP_ASSERT(want->scene->spray.count > 0);
     spray->capacity = (uint32_t)want->scene->spray.count;
     spray->random = 1;
+    return TP_OK;
 }
 
 /* -- chance -------------------------------------------------------------------------- */
@@ -317,8 +318,10 @@ static void throw_bow(tp_world *world, const tp_scene *scene, tp_spray *spray,
 
 /* ----------------------------------------------------------------------------------- */
 
-static void step(void *mine, const tp_kit *kit, tp_world *world, const tp_scene *scene)
+static void step(void *mine, const tp_kit *kit, tp_world *world, const tp_scene *scene,
+                 const tp_input *input)
 {
+    (void)input;
     tp_spray *spray = mine;
     const tp_surface surface = tp_world_surface(kit, world);
 

@@ -106,7 +106,8 @@ static void look(tp_frame *frame, void *mine)
 
 static bool enabled(const tp_want *want)
 {
-    return want->scene->water.clear > 0 && want->moves && want->inside;
+    return want->scene->water.clear > 0 && want->above & TP_MODULE_SOLID
+        && want->above & TP_MODULE_INSIDE;
 }
 
 static void *layout(tp_arena *arena, const tp_want *want)

@@ -1,0 +1,15 @@
+/* SPDX-License-Identifier: MIT */
+/* Both mirrors of objects add their stage in the same way. */
+#ifndef TP_MIRRORED_H
+#define TP_MIRRORED_H
+#include "frame/frame.h"
+
+/* What mirrors nothing of the sky mirrors no objects either. */
+static inline void tp_add_mirrored(const tp_frame *frame, const void *mine,
+                                   const tp_stage *stage, tp_shaders *list)
+{
+    (void)frame;
+    if (tp_shaders_has(list, TP_AT_REFLECT))
+        tp_shaders_add(list, TP_AT_OBJECTS, stage[0], mine);
+}
+#endif
