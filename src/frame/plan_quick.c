@@ -43,23 +43,38 @@ static tp_stage stage_of(const tp_frame *frame, tp_lobe lobe)
     return stage[frame->shade.env.kind][lobe];
 }
 
-/* Light and mirror of every second column; a kit may lack some of it. */
-static bool add_halves(const tp_frame *frame, tp_shaders *water, tp_lobe lobe)
+/* Light and mirror of every second column. */
+static void add_halves(const tp_frame *frame, tp_shaders *water, tp_lobe lobe)
 {
     const tp_stages *s = &frame->kit->stage;
     const tp_stage light[] = { s->quick_gradient_even, s->quick_dome_even,
                                s->quick_cube_even };
     const tp_stage rest[] = { s->quick_between, s->quick_glint_phong,
                               s->quick_glint_blinn };
-    const tp_env_kind kind = frame->shade.env.kind;
 
-    if (frame->rungs.rate != TP_RATE_COLOUR || !s->quick_layers_even || !light[kind]
-        || !rest[lobe])
-        return false;
     tp_plan_add_quick_layers(frame, water, true);
-    tp_shaders_add_colour(water, light[kind]);
+    tp_shaders_add_colour(water, light[frame->shade.env.kind]);
     tp_shaders_add_colour(water, rest[lobe]);
-    return true;
+}
+
+static void add_columns(const tp_frame *frame, tp_shaders *water, tp_lobe lobe)
+{
+    tp_plan_add_quick_layers(frame, water, false);
+    tp_shaders_add_colour(water, stage_of(frame, lobe));
+}
+
+/* A stage reads what the one before left, so a list is whole or empty.  False: the kit
+ * lacks a stage of it. */
+static bool add_list(const tp_frame *frame, tp_shaders *water, tp_lobe lobe, bool halves)
+{
+    if (halves)
+        add_halves(frame, water, lobe);
+    else
+        add_columns(frame, water, lobe);
+    if (water->lacks == 0)
+        return true;
+    tp_shaders_clear(water);
+    return false;
 }
 
 /* All that the tables are made of; the camera's pitch in steps of a degree. */
@@ -99,28 +114,17 @@ static void carve(tp_frame_parts *parts, tp_arena *arena)
         parts->quick_light->made_for[0] = -1;
 }
 
-/* Of the tables that the exact stages' parts have made for this frame. */
-/* A stage reads what the one before left: a kit has all of a list or its water is exact. */
-static bool has_list(const tp_stages *s)
-{
-    return s->quick_far && s->quick_bend && s->quick_bend_thin && s->quick_still
-        && s->quick_still_thin && s->quick_layers && s->quick_layers_thin
-        && s->quick_ripple && s->quick_slopes;
-}
-
 static bool plan(tp_frame *frame, tp_shaders *water)
 {
-    const tp_lobe  lobe = lobe_of(frame);
-    const tp_stage light = stage_of(frame, lobe);
+    const tp_lobe lobe = lobe_of(frame);
 
-    if (!frame->parts.quick_light || !light || has_beyond(frame)
-        || !has_list(&frame->kit->stage))
+    if (!frame->parts.quick_light || has_beyond(frame))
+        return false;
+    const bool halves = frame->rungs.rate == TP_RATE_COLOUR
+                     && add_list(frame, water, lobe, true);
+    if (!halves && !add_list(frame, water, lobe, false))
         return false;
     make_tables(frame, lobe);
-    if (!add_halves(frame, water, lobe)) {
-        tp_plan_add_quick_layers(frame, water, false);
-        tp_shaders_add_colour(water, light);
-    }
     return true;
 }
 
