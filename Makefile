@@ -58,7 +58,7 @@ CORE := $(addprefix src/, \
     shade/stars.c shade/tables.c shade/texture.c shade/view.c \
     scene/boat.c scene/check.c scene/clock.c scene/drawn.c scene/drop.c scene/drops.c \
     scene/faint.c scene/float.c scene/governor.c scene/light.c \
-    scene/meter.c scene/module.c scene/moves.c scene/outlook.c scene/paddle.c scene/params.c \
+    scene/meter.c scene/module.c scene/moves.c scene/outlook.c scene/paddle.c \
     scene/parts.c scene/piece.c scene/plan_checked.c scene/prices.c scene/rungs.c \
     scene/stand.c scene/tape.c \
     scene/value.c scene/wake.c scene/works.c scene/works_land.c scene/works_more.c \
@@ -69,13 +69,8 @@ CORE := $(addprefix src/, \
     frame/drawing.c frame/planar_map.c frame/plan.c frame/plan_depth.c frame/plan_layers.c \
     frame/plan_quick.c frame/plan_quick_layers.c frame/plan_sky.c frame/planned.c \
     frame/projected.c frame/rows.c frame/shaders.c frame/sight.c \
-    frame/tank.c frame/tile.c frame/visibility.c frame/water.c features/all.c \
-    features/foam/foam.c features/foam/foam_drawing.c features/foam/foam_sources.c \
-    features/foam/foam_stage.c features/reflection/mirror_drawing.c \
-    features/reflection/mirror_stage.c features/reflection/object_cube_drawing.c \
-    features/reflection/object_cube_stage.c features/spray/spray.c \
-    features/spray/spray_drawing.c features/spray/spray_stage.c \
-    features/underwater/refraction_drawing.c)
+    frame/tank.c frame/tile.c frame/visibility.c frame/water.c) \
+    $(sort $(wildcard src/features/*.c src/features/*/*.c))
 
 # -- the program, for machines with files and threads ----------------------------------
 
@@ -189,7 +184,7 @@ CROSS   := three-swells raindrops tank pond shore-break deep-sea storm count-64 
 FRAMES  := $(CROSS:%=$(BUILD)/tests/cross/frames-%)
 BAKES   := $(wildcard ports/host/bake*.c ports/host/assets*.c ports/host/png_read.c \
                ports/host/scene*.c ports/host/ini_read.c src/asset/*.c \
-               src/scene/params.c include/tidepool/*.h)
+               src/features/all_rows.c include/tidepool/*.h)
 SHIPPED := $(wildcard assets/scenes/* assets/boats/*.[mop]* assets/textures/*.png \
                assets/skies/*.png)
 

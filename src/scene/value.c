@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* A parameter's value from its text and back, by its row of the table (params.c). */
+/* A parameter's value from its text and back, by its row of the table (features/all_rows.c). */
 #include "base/base.h"
 #include "base/text.h"
 #include "scene/piece.h"

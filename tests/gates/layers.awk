@@ -19,7 +19,7 @@ BEGIN {
     }
     split("arena=base language=base status=base version=base kit=pixel ring=wave " \
           "ocean=wave depth=wave light=shade drop=scene foam=scene clock=scene " \
-          "tape=scene plan=scene tidepool=top", special, " ")
+          "tape=scene plan=scene rows=scene tidepool=top", special, " ")
     for (i in special) {
         split(special[i], pair, "=")
         owner[pair[1]] = pair[2]

@@ -1,0 +1,182 @@
+/* SPDX-License-Identifier: MIT */
+/* The table of parameters: every number that a person may change, once.
+ *
+ * A row knows where its value lies in tp_scene, so one function reads and one writes all
+ * of them (scene/value.c).  Rows stand in the order in which people should read them;
+ * each feature has its own in its folder.  The sixteen waves are one macro, written out
+ * sixteen times. */
+#include "features/boat/boat_rows.h"
+#include "features/drops/drops_rows.h"
+#include "features/exposure/exposure_rows.h"
+#include "features/foam/foam_rows.h"
+#include "features/haze/haze_rows.h"
+#include "features/land/land_rows.h"
+#include "features/pool/pool_rows.h"
+#include "features/reflection/reflection_rows.h"
+#include "features/sky/sky_rows.h"
+#include "features/spray/spray_rows.h"
+#include "features/tank/tank_rows.h"
+#include "features/underwater/caustics_rows.h"
+#include "features/underwater/underwater_rows.h"
+#include "features/water/bumps_rows.h"
+#include "features/water/layers_rows.h"
+#include "features/water/ripple_rows.h"
+#include "features/water/water_rows.h"
+#include "scene/piece.h"
+#include "tidepool/plan.h"
+#include "tidepool/rows.h"
+
+#define WAVE(n) \
+    TP_ROW_NUMBER("wave" #n ".amplitude", wave[n].amplitude, "m", 0, 16, 0, \
+        "half the height from trough to crest; 0: no such wave"), \
+    TP_ROW_NUMBER("wave" #n ".length", wave[n].length, "m", 0.25, 2000, 10, \
+        "from crest to crest"), \
+    TP_ROW_NUMBER("wave" #n ".steepness", wave[n].steepness, "", 0, 1, 0.25, \
+        "sharpness of the crests; 0: a plain sine; their sum is held below 0.95"), \
+    TP_ROW_HEADING("wave" #n ".heading", wave[n].heading, 0, \
+        "where the wave travels to, clockwise from -z"), \
+    TP_ROW_HEADING("wave" #n ".phase", wave[n].phase, 0, \
+        "of the wave at the origin when the clock starts"), \
+    TP_ROW_NUMBER("wave" #n ".speed", wave[n].speed, "", 0, 8, 1, \
+        "of its natural speed; 0: it stands still"), \
+    TP_ROW_COUNT("wave" #n ".power", wave[n].power, "", 1, 8, 1, \
+        "1: a sine; more raise its crests and flatten its troughs")
+
+static const tp_param rows[] = {
+    TP_ROW_NAME("scene.title", title, TEXT, "what the preview's window is called"),
+    TP_ROW_NAME("scene.shows", shows, TEXT, "one line for `tidepool scenes`"),
+
+    TP_ROW_NUMBER("camera.x", camera.x, "m", -8000, 8000, 0,
+        "to the right of the origin"),
+    TP_ROW_NUMBER("camera.y", camera.y, "m", -100, 2000, 4,
+        "above the level of still water"),
+    TP_ROW_NUMBER("camera.z", camera.z, "m", -8000, 8000, 0, "towards the viewer"),
+    TP_ROW_HEADING("camera.heading", camera.heading, 0, "clockwise from -z"),
+    TP_ROW_NUMBER("camera.pitch", camera.pitch, "degrees", -89, 89, -6,
+        "above the horizon"),
+    TP_ROW_NUMBER("camera.fov", camera.fov, "degrees", 20, 100, 60,
+        "angle of view from the bottom to the top of the picture"),
+    TP_ROW_NUMBER("camera.near", camera.near, "m", 0.05, 10, 0.25,
+        "nearer things are cut away"),
+    TP_ROW_CHOICE("camera.follow", camera.follow, "none|boat", TP_FOLLOW_BOAT,
+        TP_FOLLOW_NONE, "place and angles are of the world, or of the boat's deck"),
+
+    TP_ROW_HEADING("light.heading", light.heading, 45,
+        "where the sun stands, clockwise from -z"),
+    TP_ROW_NUMBER("light.elevation", light.elevation, "degrees", 1, 90, 35,
+        "of the sun above the horizon"),
+    TP_ROW_COLOUR("light.colour", light.colour, 0xfff4e0, "of the sun"),
+    TP_ROW_NUMBER("light.ambient", light.ambient, "", 0, 1, 0.35,
+        "share of light from all sides"),
+    TP_ROW_CHOICE("light.model", light.model, "phong|blinn", TP_LIGHT_BLINN,
+        TP_LIGHT_PHONG, "how the glitter is reckoned"),
+    TP_ROW_NUMBER("light.turn", light.turn, "degrees/s", -90, 90, 0,
+        "that the sun goes round"),
+
+    TP_SKY_COLOUR_ROWS,
+    TP_HAZE_ROWS,
+    TP_SKY_LIGHT_ROWS,
+    TP_EXPOSURE_ROWS,
+    TP_WATER_ROWS,
+
+    TP_ROW_NUMBER("water.gravity", water.gravity, "m/s^2", 0.1, 100, 9.81,
+        "sets the natural speed of waves"),
+
+    TP_BUMPS_ROWS,
+    TP_UNDERWATER_ROWS,
+    TP_CAUSTICS_ROWS,
+    TP_LAYERS_ROWS,
+    TP_RIPPLE_ROWS,
+    TP_REFLECTION_ROWS,
+
+    TP_ROW_COUNT("grid.cols", grid.cols, "points", 2, 1024, 100,
+        "of the water's mesh along x"),
+    TP_ROW_COUNT("grid.rows", grid.rows, "points", 2, 1024, 100,
+        "of the water's mesh along z"),
+    TP_ROW_NUMBER("grid.cell", grid.cell, "m", 0.01, 50, 1.5, "from point to point"),
+    TP_ROW_NUMBER("grid.reach", grid.reach, "m", 0, 16000, 4000,
+        "how far water goes on beyond the cells; 0: the grid is all"),
+    TP_ROW_SWITCH("grid.follow", grid.follow, 1, "the grid goes with the camera"),
+
+    WAVE(0),  WAVE(1),  WAVE(2),  WAVE(3),  WAVE(4),  WAVE(5),  WAVE(6),  WAVE(7),
+    WAVE(8),  WAVE(9),  WAVE(10), WAVE(11), WAVE(12), WAVE(13), WAVE(14), WAVE(15),
+
+    TP_ROW_NUMBER("floor.depth", floor.depth, "m", 0, 8000, 0,
+        "of still water at the origin; 0 without a map: no floor at all"),
+    TP_ROW_NUMBER("floor.slope", floor.slope, "", 0, 1, 0,
+        "rise of the floor per metre"),
+    TP_ROW_HEADING("floor.heading", floor.heading, 0, "towards which it rises"),
+    TP_ROW_NAME("floor.map", floor.map, GREY,
+        "PNG of the floor's heights; empty: a slope"),
+    TP_ROW_NUMBER("floor.map_x", floor.map_x, "m", -8000, 8000, 0,
+        "of the map's centre"),
+    TP_ROW_NUMBER("floor.map_z", floor.map_z, "m", -8000, 8000, 0,
+        "of the map's centre"),
+    TP_ROW_NUMBER("floor.map_size", floor.map_size, "m", 1, 8000, 200,
+        "the map's width"),
+    TP_ROW_NUMBER("floor.map_low", floor.map_low, "m", -8000, 100, -10,
+        "height of its black"),
+    TP_ROW_NUMBER("floor.map_high", floor.map_high, "m", -8000, 100, 2,
+        "height of its white"),
+
+    TP_LAND_ROWS,
+
+    TP_ROW_NUMBER("wind.strength", wind.strength, "rad/m", 0, 1, 0,
+        "how far crests lean over before the wind, per metre of height"),
+    TP_ROW_HEADING("wind.heading", wind.heading, 0,
+        "where it blows to, clockwise from -z"),
+
+    TP_ROW_NUMBER("surf.k0", surf.k0, "1/m", 0, 4, 0.1,
+        "how soon orbits tilt with the floor"),
+    TP_ROW_NUMBER("surf.kx", surf.kx, "1/m", 0.001, 4, 0.11, "how soon orbits widen"),
+    TP_ROW_NUMBER("surf.ky", surf.ky, "1/m", 0.001, 4, 0.09, "how soon orbits flatten"),
+    TP_ROW_NUMBER("surf.stretch", surf.stretch, "", 0, 2, 1,
+        "of breaking crests; 1: as their type"),
+    TP_ROW_NUMBER("surf.irregular", surf.irregular, "", 0, 1, 0.3,
+        "of breaking crests, by noise"),
+
+    TP_POOL_ROWS,
+    TP_TANK_ROWS,
+    TP_FOAM_ROWS,
+    TP_SPRAY_ROWS,
+    TP_DROPS_ROWS,
+    TP_BOAT_ROWS,
+
+    TP_ROW_NUMBER("clock.scale", clock.scale, "", 0.125, 4, 1,
+        "slow motion to fast forward"),
+
+    TP_ROW_NUMBER("quality.error_px", quality.error_px, "px", 0, 64, 0.5,
+        "that outlines may be off, for speed"),
+    TP_ROW_NUMBER("quality.error_colour", quality.error_colour, "levels", 0, 255, 2,
+        "that colours may be off, rms of 255, for speed"),
+    TP_ROW_CHOICE("quality.visibility", quality.visibility,
+        "auto|triangles|rows|projected|flat", TP_VISIBILITY_FLAT, TP_VISIBILITY_AUTO,
+        "how water is found in the picture"),
+    TP_ROW_CHOICE("quality.shading", quality.shading, "auto|exact|quick",
+        TP_SHADING_QUICK, TP_SHADING_AUTO,
+        "of the water: exact, or by slopes and nearest texels"),
+    TP_ROW_CHOICE("quality.rate", quality.rate, "auto|full|layers|colour",
+        TP_RATE_COLOUR, TP_RATE_AUTO, "what is worked out for every second pixel"),
+    TP_ROW_CHOICE("quality.lod", quality.lod, "auto|off|on", TP_LOD_ON, TP_LOD_AUTO,
+        "fewer lines of the grid where they lie close"),
+    TP_ROW_NUMBER("quality.frame_ms", quality.frame_ms, "ms", 0, 10000, 0,
+        "of a frame, held by stepping down rungs; 0: off"),
+};
+
+enum { ROWS = sizeof rows / sizeof rows[0] };
+
+_Static_assert(TP_WAVES == 16, "a wave more or less is a row of WAVE more or less");
+
+const tp_param *tp_params(uint32_t *count)
+{
+    *count = ROWS;
+    return rows;
+}
+
+const tp_param *tp_param_find(const char *name, size_t bytes)
+{
+    for (uint32_t i = 0; i < ROWS; i++)
+        if (tp_piece_is((tp_piece){ name, bytes }, rows[i].name))
+            return &rows[i];
+    return NULL;
+}

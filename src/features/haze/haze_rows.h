@@ -1,0 +1,10 @@
+/* SPDX-License-Identifier: MIT */
+/* Rows of parameters: haze. */
+#ifndef TP_HAZE_ROWS_H
+#define TP_HAZE_ROWS_H
+#include "tidepool/rows.h"
+
+#define TP_HAZE_ROWS \
+    TP_ROW_NUMBER("sky.haze", sky.haze, "m", 0, 32000, 2000, \
+        "distance at which half of a colour has gone into the horizon")
+#endif

@@ -1,0 +1,14 @@
+/* SPDX-License-Identifier: MIT */
+/* Rows of parameters: how the land looks. */
+#ifndef TP_LAND_ROWS_H
+#define TP_LAND_ROWS_H
+#include "tidepool/rows.h"
+
+#define TP_LAND_ROWS \
+    TP_ROW_COLOUR("floor.colour", floor.colour, 0xc8b48c, \
+        "of the land, times the texture"), \
+    TP_ROW_NAME("floor.texture", floor.texture, TEXTURE, \
+        "PNG laid over it; empty: none"), \
+    TP_ROW_NUMBER("floor.texture_size", floor.texture_size, "m", 0.1, 1000, 8, \
+        "side of the square that one repeat covers")
+#endif

@@ -1,0 +1,14 @@
+/* SPDX-License-Identifier: MIT */
+/* Rows of parameters: light that waves gather on the floor. */
+#ifndef TP_CAUSTICS_ROWS_H
+#define TP_CAUSTICS_ROWS_H
+#include "tidepool/rows.h"
+
+#define TP_CAUSTICS_ROWS \
+    TP_ROW_NUMBER("water.caustics", water.caustics, "", 0, 4, 0, \
+        "strength of the light that waves gather on the floor; 0: none"), \
+    TP_ROW_COUNT("water.caustic_cells", water.caustic_cells, "cells", 16, 256, 64, \
+        "of the side of its map"), \
+    TP_ROW_NUMBER("water.caustic_size", water.caustic_size, "m", 1, 1000, 20, \
+        "side of its map, where there is no pool")
+#endif

@@ -1,0 +1,10 @@
+/* SPDX-License-Identifier: MIT */
+/* Rows of parameters: pools that bend the light only. */
+#ifndef TP_BUMPS_ROWS_H
+#define TP_BUMPS_ROWS_H
+#include "tidepool/rows.h"
+
+#define TP_BUMPS_ROWS \
+    TP_ROW_NUMBER("water.pool_bump", water.pool_bump, "", 0, 4, 0, \
+        "above 0 pools bend the light only, so much; the mesh stays as it is")
+#endif

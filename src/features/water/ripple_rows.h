@@ -1,0 +1,12 @@
+/* SPDX-License-Identifier: MIT */
+/* Rows of parameters: ripples. */
+#ifndef TP_RIPPLE_ROWS_H
+#define TP_RIPPLE_ROWS_H
+#include "tidepool/rows.h"
+
+#define TP_RIPPLE_ROWS \
+    TP_ROW_MAP("ripple", ripple.map, 4, \
+        "PNG of capillary waves, a normal map; empty: none"), \
+    TP_ROW_NUMBER("ripple.bump", ripple.bump, "", 0, 4, 1, \
+        "1: as steep as the PNG says")
+#endif
