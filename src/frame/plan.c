@@ -54,14 +54,15 @@ static bool add_light(tp_frame *frame, tp_shaders *water, bool rippled, bool shi
     if (shines || mirrors || clear)
         light = tp_shaders_pick(water, light_stage(frame, water, rippled), NULL);
     if (!light) {
-        tp_shaders_add_colour(water, rippled ? stages->diffuse_rippled
-                                              : stages->diffuse);
+        tp_shaders_add(water, TP_AT_LIGHT, rippled ? stages->diffuse_rippled
+                                                   : stages->diffuse, NULL);
         return false;
     }
-    tp_shaders_add_colour(water, stages->view);
-    tp_shaders_add_colour(water, light);
+    tp_shaders_add(water, TP_AT_VIEW, stages->view, NULL);
+    tp_shaders_add(water, TP_AT_LIGHT, light, NULL);
     if (clear && frame->kit->draw.inside)
-        tp_shaders_add_colour(water, frame->kit->draw.inside->behind(frame, rippled));
+        tp_shaders_add(water, TP_AT_BEHIND,
+                       frame->kit->draw.inside->behind(frame, rippled), NULL);
     if (mirrors)
         add_mirror(frame, water, rippled);
     return shines;

@@ -126,9 +126,9 @@ static void choose_under(tp_frame *frame)
     tp_shaders_add_colour(&frame->sky, stages->deep);
     tp_shaders_clear(&frame->water);
     bool rippled = tp_plan_add_bumps(frame, &frame->water);
-    tp_shaders_add_colour(&frame->water, stages->view);
-    tp_shaders_add_colour(&frame->water, rippled && stages->below_rippled
-                   ? stages->below_rippled : stages->below);
+    tp_shaders_add(&frame->water, TP_AT_VIEW, stages->view, NULL);
+    tp_shaders_add(&frame->water, TP_AT_LIGHT, rippled && stages->below_rippled
+                   ? stages->below_rippled : stages->below, NULL);
     tp_shaders_clear(&frame->land);
     tp_shaders_add_colour(&frame->land, stages->ground ? stages->ground
                                                         : stages->land);

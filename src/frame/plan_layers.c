@@ -155,13 +155,13 @@ bool tp_plan_add_bumps(const tp_frame *frame, tp_shaders *water)
     tp_stage bump = NULL, ripple = NULL;
 
     if (pool[0].slope || pool[1].slope)
-        tp_shaders_add_colour(water, bump = stages->pool_bump);
+        tp_shaders_add(water, TP_AT_SLOPE, bump = stages->pool_bump, NULL);
     if (ripples && bump)
-        tp_shaders_add_colour(water, ripple = stages->ripple_over);
+        tp_shaders_add(water, TP_AT_SLOPE, ripple = stages->ripple_over, NULL);
     else if (ripples && stages->ripple_gentle && is_gentle(&frame->surface))
-        tp_shaders_add_colour(water, ripple = stages->ripple_gentle);
+        tp_shaders_add(water, TP_AT_SLOPE, ripple = stages->ripple_gentle, NULL);
     else if (ripples)
-        tp_shaders_add_colour(water, ripple = stages->ripple);
+        tp_shaders_add(water, TP_AT_SLOPE, ripple = stages->ripple, NULL);
     return bump || ripple;
 }
 

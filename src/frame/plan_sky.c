@@ -214,7 +214,7 @@ bool tp_frame_add_reflection(const tp_frame *frame, tp_shaders *plan, bool rippl
         return false;
     }
     if (!rippled)
-        tp_shaders_add_colour(plan, stages->slopes);
+        tp_shaders_add(plan, TP_AT_REFLECT, stages->slopes, NULL);
     tp_shaders_add(plan, TP_AT_REFLECT, found, NULL);
     return true;
 }

@@ -11,14 +11,19 @@
 
 /* Where in a list a stage stands; of one place those that were added first. */
 typedef enum {
-    TP_AT_COLOUR,               /* colour, slopes, view, light, refraction */
+    TP_AT_COLOUR,               /* pictures; all that the fast stages do */
+    TP_AT_SLOPE,                /* ripples and pools bend the normals */
+    TP_AT_VIEW,
+    TP_AT_LIGHT,
+    TP_AT_BEHIND,               /* seen through the water */
     TP_AT_REFLECT,              /* what the water mirrors of the sky, */
     TP_AT_OBJECTS,              /* of objects over that, */
     TP_AT_FRESNEL,              /* and its share in the colour */
     TP_AT_MATT,                 /* what lies on the water */
     TP_AT_GLINT,
     TP_AT_AIR,                  /* haze, */
-    TP_AT_TONE                  /* exposure */
+    TP_AT_TONE,                 /* exposure */
+    TP_AT_GLASS                 /* panes, over exposed colours */
 } tp_place;
 
 typedef struct {
