@@ -6,7 +6,17 @@
  *         TP_ROW_NUMBER("foam.cell", foam.cell, "m", 0.01, 50, 0.5, "side of such a cell"),
  *     };
  *
- * Numbers of the range are as a person writes them; a row has them in 16.16. */
+ * Numbers of the range are as a person writes them; a row has them in 16.16.
+ *
+ * A module that a program brings itself keeps its settings in tp_scene.own, and its rows
+ * name their words there; scene files, snapshots, tapes and baked scenes know them then:
+ *
+ *     enum { BUOY_ON = BUOY_AT, BUOY_HEIGHT };
+ *     TP_ROW_SWITCH("buoy.on", own[BUOY_ON], 0, "a buoy floats on the water"),
+ *     TP_ROW_NUMBER("buoy.height", own[BUOY_HEIGHT], "m", 0.1, 20, 2, "of its mast"),
+ *
+ * The header that lists a program's own modules deals the words out (BUOY_AT), and tells
+ * the library of them by TP_MORE; see ports/README.md. */
 #ifndef TP_ROWS_H
 #define TP_ROWS_H
 #include <stddef.h>

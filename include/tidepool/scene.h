@@ -56,6 +56,9 @@ typedef struct {
 #define TP_LAYERS 3
 #define TP_FACES  6             /* of a cube: +x -x +y -y +z -z */
 
+/* Room for the settings of modules that a program brings itself, tidepool/rows.h. */
+#define TP_OWN_WORDS 32
+
 /* Numbers are 16.16 unless said; angles are degrees; colours 0x00RRGGBB. */
 typedef struct tp_scene {
     char title[TP_NAME_BYTES], shows[TP_NAME_BYTES];
@@ -156,6 +159,7 @@ typedef struct tp_scene {
         int32_t visibility, shading, rate, lod;     /* a rung, or auto: the budget's */
         tp_fx   frame_ms;                   /* that the governor holds; 0: none */
     } quality;
+    int32_t own[TP_OWN_WORDS];              /* of modules that a program brings itself */
 } tp_scene;
 
 typedef enum { TP_BOAT_KINEMATIC, TP_BOAT_DYNAMIC } tp_boat_mode;

@@ -64,7 +64,10 @@ void bake_scene(const bake *b, const tp_scene *scene)
         const char *value = (const char *)scene + params[i].offset;
         int32_t number;
         fprintf(b->out, "    ");
-        put_member(b->out, params[i].name);
+        if (params[i].offset >= offsetof(tp_scene, own))
+            fprintf(b->out, ".own[%zu]", (params[i].offset - offsetof(tp_scene, own)) / 4);
+        else
+            put_member(b->out, params[i].name);
         fprintf(b->out, " = ");
         if (tp_param_is_text(&params[i])) {
             put_text(b->out, value);

@@ -25,6 +25,11 @@
 #include "scene/piece.h"
 #include "tidepool/plan.h"
 #include "tidepool/rows.h"
+#ifdef TP_MORE
+#include TP_MORE                /* TP_MORE_ROWS, of modules that a program brings itself */
+#else
+#define TP_MORE_ROWS
+#endif
 
 #define WAVE(n) \
     TP_ROW_NUMBER("wave" #n ".amplitude", wave[n].amplitude, "m", 0, 16, 0, \
@@ -161,6 +166,8 @@ static const tp_param rows[] = {
         "fewer lines of the grid where they lie close"),
     TP_ROW_NUMBER("quality.frame_ms", quality.frame_ms, "ms", 0, 10000, 0,
         "of a frame, held by stepping down rungs; 0: off"),
+
+    TP_MORE_ROWS
 };
 
 enum { ROWS = sizeof rows / sizeof rows[0] };
