@@ -143,6 +143,7 @@ tp_want tp_frame_want(const tp_kit *kit, const tp_frame_parts *parts, const tp_s
     return (tp_want){
         .scene = scene, .assets = assets, .coastal = tp_has_ocean(scene),
         .width = config->width, .height = config->height,
+        .shadings = parts->reach.shading,
         .above = (assets->boat || parts->drop_capacity > 0 ? TP_MODULE_SOLID : 0)
                | (walls ? TP_MODULE_WALLS : 0)
                | (kit->draw.inside ? TP_MODULE_INSIDE : 0),

@@ -13,12 +13,12 @@ void tp_frame_layout_modules(const tp_kit *kit, tp_frame_parts *parts, tp_arena 
     parts->module = count ? tp_arena_take(arena, count, sizeof *parts->module) : NULL;
     for (size_t i = 0; i < count; i++) {
         const tp_use *u = &kit->modules[i];
-        const bool on = u->drawing && tp_module_ask(u->module, &want) && u->drawing->layout;
+        const bool on = u->drawing && tp_module_ask(u->module, &want);
         const size_t used = arena->used;
-        void *mine = on ? u->drawing->layout(arena, &want) : NULL;
+        void *mine = on && u->drawing->layout ? u->drawing->layout(arena, &want) : NULL;
         looks += on && u->drawing->look ? arena->used - used : 0;
-        if (parts->module)
-            parts->module[i] = mine;
+        if (parts->module)      /* its place stands for the memory that it does not want */
+            parts->module[i] = on && !u->drawing->layout ? &parts->module[i] : mine;
     }
     parts->look_bytes = (uint32_t)looks;
     parts->module_bytes = (uint32_t)(arena->used - begin - looks);

@@ -10,7 +10,8 @@
 struct tp_frame;
 struct tp_frame_parts;
 
-/* All members may be NULL.  `mine` is the memory that `layout` returned. */
+/* All members may be NULL.  `mine` is the memory that `layout` returned; without that hook
+ * it is not to be looked into. */
 typedef struct tp_drawing {
     /* Takes memory that lasts as long as the frame.  It is called twice: with an arena that
      * only counts, where it returns NULL, then with the frame's block. */

@@ -35,6 +35,8 @@ typedef struct {
 typedef enum {
     TP_LIST_SKY,
     TP_LIST_WATER,
+    TP_LIST_FAST,               /* water, by fast stages alone */
+    TP_LIST_BELOW,              /* water, seen from below */
     TP_LIST_THINGS              /* in the air: land, a boat, drops ... */
 } tp_list_kind;
 

@@ -21,7 +21,9 @@ enum {
     TP_MODULE_EXACT  = 1,       /* its water stage has no fast form */
     TP_MODULE_SOLID  = 2,       /* draws what floats or flies: mirrors show it */
     TP_MODULE_WALLS  = 4,       /* draws a tank or stone in the pool */
-    TP_MODULE_INSIDE = 8        /* shows what lies in the water */
+    TP_MODULE_INSIDE = 8,       /* shows what lies in the water */
+    TP_MODULE_FAST   = 16,      /* draws the water by fast stages alone */
+    TP_MODULE_SLOPES = 32       /* draws pools as slopes of flat water */
 };
 
 /* The conditions that a module is asked about. */
@@ -30,6 +32,7 @@ typedef struct tp_want {
     const tp_assets *assets;    /* NULL: the scene names no file */
     bool     coastal;           /* the waves feel a floor or a wind */
     uint32_t width, height;     /* of the picture; 0 for a world */
+    uint32_t shadings;          /* bits of tp_shading: rungs that may be reached */
     uint32_t above;             /* bits of tp_module.is of the enabled modules above this
                                  * one in the list */
 } tp_want;
@@ -43,6 +46,10 @@ typedef struct tp_module {
 
     /* The one place that says when the feature is on: layout, step and drawing ask it. */
     bool (*enabled)(const tp_want *want);
+
+    /* Sets how often a pixel of water pays what has a price, where `trait` does not say it:
+     * for the estimate.  The table is zeroed. */
+    void (*count)(const tp_want *want, uint8_t trait[TP_TRAIT_COUNT]);
 
     /* Refuses what the table of parameters cannot: err->word is the parameter at fault. */
     tp_status (*check)(const tp_want *want, tp_error *err);

@@ -270,6 +270,8 @@ static bool list_modules(tp_outlook *o, const tp_use *modules, tp_want want)
         if (!u->drawing || !tp_module_ask(u->module, &want))
             continue;
         o->trait[u->module->trait] = 1;
+        if (u->module->count)
+            u->module->count(&want, o->trait);
         fast = fast && !(u->module->is & TP_MODULE_EXACT);
     }
     return fast;
@@ -359,7 +361,7 @@ tp_outlook tp_outlook_of(const tp_use *modules, const tp_scene *scene,
     list_light(&o, scene, assets);
     const tp_want want = {
         .scene = scene, .assets = assets, .coastal = o.ocean, .width = width,
-        .height = height,
+        .height = height, .shadings = UINT32_MAX,
         .above = (assets->boat || scene->drops.count > 0 ? TP_MODULE_SOLID : 0)
                | (tp_has_tank(scene) || tp_has_stone(scene) ? TP_MODULE_WALLS : 0)
                | TP_MODULE_INSIDE,
