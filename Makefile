@@ -49,7 +49,7 @@ CORE := $(addprefix src/, \
     geom/sheet.c geom/surface.c geom/vertex.c geom/vertex_more.c geom/vertex_row.c \
     geom/waters.c raster/cover.c raster/rows.c raster/span.c \
     shade/absorb.c shade/behind.c shade/below.c shade/bend.c \
-    shade/cube.c shade/dome.c shade/drop.c shade/expose.c shade/exposure.c \
+    shade/cube.c shade/dome.c shade/drop.c shade/expose.c \
     shade/haze.c shade/inside.c shade/layer.c shade/light.c \
     shade/mirror.c shade/optics.c shade/pool_bump.c \
     shade/quick_even.c shade/quick_layers.c shade/quick_light.c \
@@ -58,7 +58,7 @@ CORE := $(addprefix src/, \
     shade/stars.c shade/tables.c shade/texture.c shade/view.c \
     scene/boat.c scene/check.c scene/clock.c scene/drawn.c scene/drop.c scene/drops.c \
     scene/faint.c scene/float.c scene/governor.c scene/light.c \
-    scene/meter.c scene/module.c scene/moves.c scene/outlook.c scene/paddle.c \
+    scene/module.c scene/moves.c scene/outlook.c scene/paddle.c \
     scene/parts.c scene/piece.c scene/plan_checked.c scene/prices.c scene/rungs.c \
     scene/stand.c scene/tape.c \
     scene/value.c scene/wake.c scene/works.c scene/works_land.c scene/works_more.c \

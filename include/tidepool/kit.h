@@ -139,8 +139,7 @@ extern const struct tp_water_swells tp_water_few_swells;
     X(drops) \
     X(pools)        /* and water.pools */ \
     X(paddle)       /* waves made in a pool */ \
-    X(ocean)        /* and water.ocean */ \
-    X(meter)        /* exposure by itself */
+    X(ocean)        /* and water.ocean */
 
 #define X(name) extern const struct tp_move_##name tp_move_##name;
 TP_MOVE_LIST(X)
@@ -222,7 +221,8 @@ typedef struct {
     X(object_cube)  /* the same as a small cube map */ \
     X(refraction)   /* objects under clear water */ \
     X(foam) \
-    X(spray)
+    X(spray) \
+    X(meter)        /* exposure by itself */
 
 /* The stages of each module, in the order of its table. */
 #define TP_STAGES_OF_mirror(X)      X(mirrored)         /* objects over the sky's mirror */
@@ -231,6 +231,7 @@ typedef struct {
 #define TP_STAGES_OF_foam(X) \
     X(foam) X(foam_rippled) X(foam_shiny) X(foam_shiny_rippled)     /* less glint */
 #define TP_STAGES_OF_spray(X)       X(spray)            /* colour of specks */
+#define TP_STAGES_OF_meter(X)
 
 struct tp_module;
 struct tp_drawing;

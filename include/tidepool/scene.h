@@ -287,7 +287,7 @@ typedef struct {
 /* The parts that only some scenes have lie behind this head, at these byte offsets from
  * its start; 0: the scene has none. */
 typedef struct {
-    uint32_t ocean, pool, field, rings, drops, probe;
+    uint32_t ocean, pool, field, rings, drops;
     uint32_t modules;           /* the first of the chunks of src/scene/module.h */
     uint32_t bytes;             /* of the whole block */
 } tp_world_parts;
@@ -454,6 +454,9 @@ const tp_ocean *tp_world_ocean(const tp_world *world);
 const tp_drops *tp_world_drops(const tp_world *world);
 const tp_foam  *tp_world_foam(const tp_world *world);
 const tp_spray *tp_world_spray(const tp_world *world);
+
+/* Whether the camera exposes by itself. */
+bool tp_world_is_metered(const tp_world *world);
 
 TP_END_C
 #endif

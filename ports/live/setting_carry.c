@@ -49,7 +49,7 @@ void setting_carry(tp_world *to, const tp_world *from)
     if (to->scene_light[0] == from->scene_light[0]
         && to->scene_light[1] == from->scene_light[1])
         carry_light(to, from);
-    if (to->parts.probe && from->parts.probe) {
+    if (tp_world_is_metered(to) && tp_world_is_metered(from)) {
         to->exposure = from->exposure;
         to->last_exposure = from->last_exposure;
     }

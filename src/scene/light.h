@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The light of a world, and the meter of its camera. */
+/* The light of a world, and its camera's exposure. */
 #ifndef TP_SCENE_LIGHT_H
 #define TP_SCENE_LIGHT_H
 #include "scene/parts.h"
@@ -22,20 +22,11 @@ void tp_light_step(tp_world *world, const tp_scene *scene, const tp_input *in);
  * ranges that steps keep. */
 bool tp_light_is_valid(const tp_world *world);
 
-/* meter.c: the probe of a scene with automatic exposure.  Init makes its tables, in memory
- * that is all 0 at first; later again if the scene's numbers that they show have
- * changed. */
-size_t tp_meter_bytes(const tp_scene *scene);
-void tp_meter_init(tp_world *world, const tp_scene *scene, const tp_assets *assets);
-tp_fx tp_meter_mean(const tp_world *world, const tp_scene *scene);  /* 1: white */
-void tp_meter_step(tp_world *world, const tp_scene *scene); /* after the light */
-bool tp_meter_is_same(const tp_world *a, const tp_world *b);    /* of one layout */
-
 /* A sky of six pictures: one that is missing leaves the gradient. */
 static inline bool tp_has_cube(const tp_scene *scene, const tp_assets *assets)
 {
     for (int i = 0; i < TP_FACES; i++)
-        if (!assets->sky[i])
+        if (!assets || !assets->sky[i])
             return false;
     return scene->sky.kind == TP_SKY_CUBE;
 }

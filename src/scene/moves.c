@@ -130,5 +130,3 @@ const struct tp_move_wake   tp_move_wake = { tp_boat_wake };
 const struct tp_move_paddle tp_move_paddle = { tp_paddle_push };
 const struct tp_move_ocean  tp_move_ocean = { tp_parts_ocean_bytes, tp_parts_init_ocean,
                                               tp_parts_refresh_ocean };
-const struct tp_move_meter  tp_move_meter = { tp_meter_bytes, tp_meter_init,
-                                              tp_meter_step };

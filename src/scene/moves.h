@@ -49,11 +49,4 @@ struct tp_move_ocean {
                       tp_error *err);
     tp_status (*refresh)(tp_world *world, const tp_scene *scene, const tp_assets *assets);
 };
-
-/* Of a camera that exposes by itself. */
-struct tp_move_meter {
-    size_t (*bytes)(const tp_scene *scene);
-    void (*init)(tp_world *world, const tp_scene *scene, const tp_assets *assets);
-    void (*step)(tp_world *world, const tp_scene *scene);
-};
 #endif

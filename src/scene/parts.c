@@ -138,8 +138,6 @@ static tp_status take_rest(const tp_kit *kit, tp_world_parts *parts, tp_arena *a
         parts->drops = take(arena, move->drops->bytes(&scene->drops));
     if (parts->drops && scene->drops.into == TP_DROPS_RINGS)
         parts->rings = take(arena, (size_t)scene->drops.rings * sizeof(tp_ring_now));
-    if (move->meter)
-        parts->probe = take(arena, move->meter->bytes(scene));
     return tp_modules_take(kit, arena, *want, &parts->modules, err);
 }
 
@@ -239,8 +237,6 @@ tp_status tp_parts_init(const tp_kit *kit, tp_world *world, const tp_scene *scen
         status = move->pools->init(world, scene, assets, err);
     if (world->parts.drops)
         move->drops->init(tp_parts_drops(world), &scene->drops);
-    if (world->parts.probe)
-        move->meter->init(world, scene, assets);
     const tp_want want = { .scene = scene, .assets = assets,
                            .coastal = world->parts.ocean != 0 };
     return status == TP_OK ? tp_modules_init(kit, world, want, err) : status;

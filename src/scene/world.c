@@ -89,7 +89,7 @@ tp_status tp_world_init_with(const tp_kit *kit, tp_world *world, size_t bytes,
 }
 
 /* The sea, the pools' tuning and the boat's place take microseconds, and are made again
- * each time.  The ocean and the meter make their tables again if their numbers changed. */
+ * each time.  The ocean makes its tables again if their numbers changed. */
 bool tp_world_refresh_with(const tp_kit *kit, tp_world *world, const tp_scene *scene,
                            const tp_assets *assets)
 {
@@ -110,8 +110,6 @@ bool tp_world_refresh_with(const tp_kit *kit, tp_world *world, const tp_scene *s
         tp_parts_drops(world)->sphere_radius = 2 * scene->drops.radius;
     }
     tp_light_refresh(world, scene);
-    if (world->parts.probe)
-        kit->move.meter->init(world, scene, assets);
     if (world->clock_scale != scene->clock.scale)
         tp_clock_aim(&world->clock, scene->clock.scale);
     world->clock_scale = scene->clock.scale;
@@ -198,10 +196,8 @@ void tp_world_step_with(const tp_kit *kit, tp_world *world, const tp_scene *scen
         move->wake->step(world, scene);
     if (world->parts.pool || world->parts.field)
         move->pools->step(kit, world, scene, input);
-    tp_modules_step(kit, world, scene, input);
     tp_light_step(world, scene, input);
-    if (world->parts.probe)
-        move->meter->step(world, scene);
+    tp_modules_step(kit, world, scene, input);
     if (input)
         tp_clock_shift(&world->clock, input->slower);
 }

@@ -35,7 +35,7 @@ static bool is_same_sea(const tp_sea *sea, const tp_sea *fresh)
 /* Bytes from an offset to the next part. */
 static size_t part_bytes(const tp_world_parts *p, uint32_t at)
 {
-    const uint32_t next[] = { p->pool, p->field, p->rings, p->drops, p->probe, p->modules };
+    const uint32_t next[] = { p->pool, p->field, p->rings, p->drops, p->modules };
     uint32_t end = p->bytes;
 
     for (size_t i = 0; i < sizeof next / sizeof *next; i++)
@@ -97,7 +97,6 @@ static const char *find_invalid(const tp_kit *kit, const tp_world *world,
          : !is_pool_valid(tp_world_field(world), tp_world_field(fresh)) ? "field"
          : !is_air_valid(world, fresh) ? "drops"
          : !are_rings_valid(world) ? "rings"
-         : !tp_meter_is_same(world, fresh) ? "meter"
          : tp_modules_find_invalid(kit, world, fresh);
 }
 

@@ -24,8 +24,8 @@ static size_t begin_of(const kept *k, uint32_t where)
 {
     const tp_world_parts *p = &k->fresh->parts;
     const uint32_t parts[] = { 0, p->ocean, p->pool, p->field, p->rings, p->drops,
-                               p->probe, p->modules };
-    return where % 9 == 0 ? 0 : k->head + parts[where % 9 - 1];
+                               p->modules };
+    return where % 8 == 0 ? 0 : k->head + parts[where % 8 - 1];
 }
 
 static void change(const kept *k, uint8_t *file, input *in)

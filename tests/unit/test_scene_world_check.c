@@ -6,6 +6,7 @@
 #include <setjmp.h>
 #include <stdint.h>
 #include <cmocka.h>
+#include "features/exposure/meter.h"
 #include "parts.h"
 #include "wave/ocean.h"
 
@@ -316,7 +317,7 @@ static void what_floats_in_the_air_is_checked(void **state)
     REFUSED(foam->first_x, "foam");
     REFUSED(foam->seen[3][1], "foam");
     REFUSED(foam->drift_z, "foam");
-    uint8_t *probe = (uint8_t *)kept + kept->parts.probe;
+    uint8_t *probe = tp_world_part(kept, TP_METER_ID);
     *probe ^= 1;
     assert_refused("a table", "meter");
     *probe ^= 1;

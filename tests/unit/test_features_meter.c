@@ -7,8 +7,7 @@
 #include <cmocka.h>
 #include "../reference/dome.h"
 #include "../reference/shading.h"
-#include "scene/drawn.h"
-#include "scene/light.h"
+#include "features/exposure/meter.h"
 #include "scenes.h"
 
 static uint64_t chance;
@@ -250,5 +249,5 @@ int main(void)
         cmocka_unit_test(cubes_are_metered_by_their_pictures),
         cmocka_unit_test(a_fixed_exposure_takes_no_room_and_stays),
     };
-    return cmocka_run_group_tests_name("meter", tests, NULL, NULL);
+    return cmocka_run_group_tests_name("features/meter", tests, NULL, NULL);
 }

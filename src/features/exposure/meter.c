@@ -6,8 +6,10 @@
  * without waves.  So the mean is the world's alone, whatever the picture's size, its
  * tiles, and which frames were drawn.  The lattice is 4:3, camera.fov from bottom to top.
  *
- * Tables are a probe behind the world's head: it knows no pictures while it moves. */
+ * The module's state is tables of greys: a world knows no pictures while it moves. */
+#include "features/exposure/meter.h"
 #include "base/base.h"
+#include "frame/drawing.h"
 #include "scene/drawn.h"
 #include "scene/light.h"
 #include "shade/env.h"
@@ -30,7 +32,6 @@ typedef struct {
 
 /* Greys are 255 at white. */
 typedef struct {
-    uint32_t made;              /* 0 until the tables are there */
     source   made_of;
     uint32_t cube;              /* 1: faces, else gradients and glow */
     uint16_t low[2][BANDS + 1]; /* away from the light and towards it */
@@ -39,17 +40,6 @@ typedef struct {
     uint16_t fresnel[BANDS + 1];        /* 256ths, times the water's reflection */
     uint16_t water;             /* its colour in full light */
 } probe;
-
-size_t tp_meter_bytes(const tp_scene *scene)
-{
-    return scene->hdr.exposure == TP_EXPOSURE_AUTO ? sizeof(probe) : 0;
-}
-
-static probe *probe_of(const tp_world *world)
-{
-    return world->parts.probe ? (probe *)(void *)((char *)(uintptr_t)world
-                                                  + world->parts.probe) : NULL;
-}
 
 /* -- the tables --------------------------------------------------------------------- */
 
@@ -129,30 +119,13 @@ static void make(probe *p, const tp_scene *scene, const tp_assets *assets)
     tp_cube  cube;
 
     memset(p, 0, sizeof *p);            /* what another kind of sky had filled */
-    p->cube = scene->sky.kind == TP_SKY_CUBE && assets
-           && tp_cube_init(&cube, assets->sky);
+    p->made_of = source_of(scene);
+    p->cube = tp_has_cube(scene, assets) && tp_cube_init(&cube, assets->sky);
     if (!p->cube)
         fill_dome(p, scene, beyond);
     for (int i = 0; p->cube && i < TP_FACES; i++)
         fill_face(p->face[i], &cube, i, beyond);
     fill_water(p, scene, assets);
-}
-
-void tp_meter_init(tp_world *world, const tp_scene *scene, const tp_assets *assets)
-{
-    probe *p = probe_of(world);
-    const source of = source_of(scene);
-
-    if (!p || (p->made && memcmp(&of, &p->made_of, sizeof of) == 0))
-        return;
-    make(p, scene, assets);
-    p->made = 1;
-    p->made_of = of;
-}
-
-bool tp_meter_is_same(const tp_world *a, const tp_world *b)
-{
-    return !a->parts.probe || memcmp(probe_of(a), probe_of(b), sizeof(probe)) == 0;
 }
 
 /* -- a tick --------------------------------------------------------------------------- */
@@ -199,7 +172,7 @@ static uint32_t ray_at(const probe *p, const tp_scene *scene, way light, way d)
  * -31/24..31/24 and -23/24..23/24, so that its depth is the cosine. */
 tp_fx tp_meter_mean(const tp_world *world, const tp_scene *scene)
 {
-    const probe *p = probe_of(world);
+    const probe *p = tp_world_part(world, TP_METER_ID);
     tp_turn half = tp_turn_of_degrees(scene->camera.fov) / 2;
     int32_t s = tp_sin(half) >> 16, c = tp_cos(half) >> 16;
     tp_rotation turn = tp_camera_between(world, 0).turn;
@@ -216,9 +189,63 @@ tp_fx tp_meter_mean(const tp_world *world, const tp_scene *scene)
     return (tp_fx)((uint64_t)sum * TP_FX_ONE / (ACROSS * DOWN * 255));
 }
 
-void tp_meter_step(tp_world *world, const tp_scene *scene)
+/* -- the module ---------------------------------------------------------------------- */
+
+static bool enabled(const tp_want *want)
 {
-    TP_ASSERT(world->parts.probe != 0 && scene->hdr.rate >= 0);
+    return want->scene->hdr.exposure == TP_EXPOSURE_AUTO;
+}
+
+static size_t bytes(const tp_want *want)
+{
+    (void)want;
+    return sizeof(probe);
+}
+
+static tp_status init(void *mine, tp_world *world, const tp_want *want, tp_error *err)
+{
+    (void)world, (void)err;
+    make(mine, want->scene, want->assets);
+    return TP_OK;
+}
+
+static bool refresh(void *mine, tp_world *world, const tp_want *want)
+{
+    const probe *p = mine;
+    const source of = source_of(want->scene);
+
+    (void)world;
+    if (memcmp(&of, &p->made_of, sizeof of) != 0)
+        make(mine, want->scene, want->assets);
+    return true;
+}
+
+/* Camera and light are where this tick has moved them. */
+static void step(void *mine, const tp_kit *kit, tp_world *world, const tp_scene *scene,
+                 const tp_input *input)
+{
+    TP_ASSERT(scene->hdr.rate >= 0);
+    (void)mine, (void)kit, (void)input;
     world->exposure = tp_exposure_step(world->exposure, tp_meter_mean(world, scene),
                                        scene->hdr.rate);
 }
+
+/* Ticks leave the tables as they are. */
+static bool is_valid(const void *mine, const void *fresh)
+{
+    return memcmp(mine, fresh, sizeof(probe)) == 0;
+}
+
+bool tp_world_is_metered(const tp_world *world)
+{
+    return tp_world_part(world, TP_METER_ID) != NULL;
+}
+
+const tp_module tp_meter_module = {
+    .name = "meter", .id = TP_METER_ID, .enabled = enabled, .bytes = bytes, .init = init,
+    .refresh = refresh, .step = step, .is_valid = is_valid,
+};
+
+/* Nothing of it is drawn. */
+const tp_drawing tp_meter_drawing = { .layout = NULL };
+const tp_stage tp_meter_stages[] = { NULL };
