@@ -66,7 +66,8 @@ CORE := $(addprefix src/, \
     frame/boat.c frame/bump.c frame/carve.c frame/caustics.c \
     frame/clipped.c frame/drops.c frame/flat.c frame/frame.c frame/glass.c \
     frame/holds.c frame/land.c frame/lattice.c frame/lines.c \
-    frame/drawing.c frame/planar_map.c frame/plan.c frame/plan_depth.c frame/plan_layers.c \
+    frame/drawing.c frame/marks.c frame/planar_map.c frame/plan.c frame/plan_depth.c \
+    frame/plan_layers.c \
     frame/plan_quick.c frame/plan_quick_layers.c frame/plan_sky.c frame/planned.c \
     frame/projected.c frame/rows.c frame/shaders.c frame/sight.c \
     frame/tank.c frame/tile.c frame/visibility.c frame/water.c) \

@@ -129,7 +129,7 @@ static void place_boat(tp_frame *frame, tp_sight *sight)
 
 static uint32_t mark_of(uint32_t material)
 {
-    return TP_MARK_SOLID + (material < TP_MATERIALS ? material : TP_MATERIALS - 1);
+    return TP_MARK_BOAT + (material < TP_MATERIALS ? material : TP_MATERIALS - 1);
 }
 
 static bool is_lid(const tp_mesh *mesh, uint32_t material)

@@ -2,119 +2,195 @@
 /* The modules of a picture: loops over the program's list; see the header. */
 #include "frame/frame.h"
 
+/* With a use and a bit for each of the first 32. */
+#define EACH_OF(bits, i, use, kit) \
+    const tp_use *const use = (kit)->modules; \
+    for (uint32_t i = 0; use && use[i].module; i++) \
+        if ((bits) >> i & 1)
+
+#define EACH_ON(i, use, frame) EACH_OF((frame)->modules_on, i, use, (frame)->kit)
+
+/* -- memory --------------------------------------------------------------------------- */
+
+/* Marks of kinds that are no modules yet. */
+static void deal_fixed(tp_marks *marks, const tp_want *want)
+{
+    tp_marks_init(marks);
+    for (uint32_t mark = TP_MARK_TANK; mark < TP_MARK_BOAT; mark++)
+        tp_marks_deal(marks, 1);
+    tp_marks_deal(marks, want->assets->boat ? tp_frame_materials(want->assets) : 1);
+}
+
+/* Whether this module is drawn; its first mark, 0 if it needs none. */
+static bool deal(tp_frame_parts *parts, const tp_use *u, tp_want *want, uint32_t *mark)
+{
+    *mark = 0;
+    if (!tp_module_ask(u->module, want) || !u->drawing)
+        return false;
+    if (!u->drawing->marks)
+        return true;
+    *mark = tp_marks_deal(&parts->marks, u->drawing->marks(want));
+    parts->lacks += *mark == 0;
+    return *mark > 0;
+}
+
+static void give_lists(tp_frame_parts *parts, const tp_use *u, uint32_t count)
+{
+    uint32_t list = TP_LIST_WATER + 1;
+
+    for (uint32_t mark = TP_MARK_TANK; mark <= TP_MARK_BOAT; mark++)
+        tp_marks_give(&parts->marks, list++, mark, NULL);
+    for (uint32_t i = 0; i < count; i++)
+        if (parts->mark[i])
+            tp_marks_give(&parts->marks, list++, parts->mark[i], u[i].drawing);
+}
+
 void tp_frame_layout_modules(const tp_kit *kit, tp_frame_parts *parts, tp_arena *arena,
                              tp_want want)
 {
     const size_t begin = arena->used;
-    size_t count = 0, looks = 0;
+    const tp_use *const u = kit->modules;
+    uint32_t count = 0, looks = 0, mark;
 
-    for (const tp_use *u = kit->modules; u && u->module; u++)
+    while (u && u[count].module)
         count++;
-    parts->module = count ? tp_arena_take(arena, count, sizeof *parts->module) : NULL;
-    for (size_t i = 0; i < count; i++) {
-        const tp_use *u = &kit->modules[i];
-        const bool on = u->drawing && tp_module_ask(u->module, &want);
+    TP_ASSERT(count <= 32);
+    parts->module = tp_arena_take(arena, count, sizeof *parts->module);
+    parts->mark = tp_arena_take(arena, count, sizeof *parts->mark);
+    deal_fixed(&parts->marks, &want);
+    for (uint32_t i = 0; i < count; i++) {
+        const bool on = deal(parts, &u[i], &want, &mark);
         const size_t used = arena->used;
-        void *mine = on && u->drawing->layout ? u->drawing->layout(arena, &want) : NULL;
-        looks += on && u->drawing->look ? arena->used - used : 0;
-        if (parts->module)      /* its place stands for the memory that it does not want */
-            parts->module[i] = on && !u->drawing->layout ? &parts->module[i] : mine;
+        void *mine = on && u[i].drawing->layout ? u[i].drawing->layout(arena, &want) : NULL;
+        looks += on && u[i].drawing->look ? (uint32_t)(arena->used - used) : 0;
+        parts->laid |= (uint32_t)on << i;
+        if (parts->module) {
+            parts->module[i] = mine;
+            parts->mark[i] = (uint8_t)mark;
+        }
     }
-    parts->look_bytes = (uint32_t)looks;
-    parts->module_bytes = (uint32_t)(arena->used - begin - looks);
+    tp_marks_layout(&parts->marks, arena);
+    if (parts->marks.list)
+        give_lists(parts, u, count);
+    parts->look_bytes = looks;
+    parts->module_bytes = (uint32_t)(arena->used - begin) - looks;
 }
+
+/* -- which are on --------------------------------------------------------------------- */
 
 /* A module that was off at init has no memory, and is not drawn if it is on now. */
 void tp_frame_enable_modules(tp_frame *frame)
 {
     tp_want want = tp_frame_want(frame->kit, &frame->parts, frame->scene, &frame->assets,
                                  &frame->config);
-    void *const *mine = frame->parts.module;
-    uint32_t bit = 1;
 
     frame->modules_on = 0;
-    for (const tp_use *u = frame->kit->modules; u && u->module; u++, mine++, bit <<= 1)
-        if (*mine && tp_module_ask(u->module, &want))
-            frame->modules_on |= bit;
-}
-
-#define EACH_ON(u, mine, frame) \
-    void *const *mine = (frame)->parts.module; \
-    uint32_t bit = 1; \
-    for (const tp_use *u = (frame)->kit->modules; u && u->module; u++, mine++, bit <<= 1) \
-        if ((frame)->modules_on & bit)
-
-void tp_frame_init_modules(tp_frame *frame)
-{
-    void *const *mine = frame->parts.module;
-
-    for (const tp_use *u = frame->kit->modules; u && u->module; u++, mine++)
-        if (*mine && u->drawing->init)
-            u->drawing->init(frame, *mine);
-}
-
-void tp_frame_begin_modules(tp_frame *frame)
-{
-    EACH_ON(u, mine, frame)
-        if (u->drawing->begin)
-            u->drawing->begin(frame, *mine);
-}
-
-void tp_frame_look_modules(tp_frame *frame)
-{
-    EACH_ON(u, mine, frame)
-        if (u->drawing->look)
-            u->drawing->look(frame, *mine);
-}
-
-void tp_frame_add_modules(const tp_frame *frame, tp_shaders *list)
-{
-    EACH_ON(u, mine, frame)
-        if (u->drawing->stages)
-            u->drawing->stages(frame, *mine, u->stage, list);
-}
-
-/* One module has samples of its own at present, so there is one list for them. */
-void tp_frame_list_modules(tp_frame *frame)
-{
-    tp_shaders_clear(&frame->over);
-    EACH_ON(u, mine, frame) {
-        if (!u->drawing->first)
-            continue;
-        tp_shaders_add(&frame->over, TP_AT_COLOUR,
-                       u->drawing->first(frame, *mine, u->stage), *mine);
-        tp_frame_add_air(frame, &frame->over);
-        tp_frame_add_modules(frame, &frame->over);
-    }
-}
-
-void tp_frame_place_modules(tp_frame *frame)
-{
-    EACH_ON(u, mine, frame)
-        if (u->drawing->place)
-            u->drawing->place(frame, *mine);
-}
-
-void tp_frame_draw_modules(const tp_frame *frame, const tp_samples *samples)
-{
-    EACH_ON(u, mine, frame)
-        if (u->drawing->over)
-            u->drawing->over(frame, *mine, samples, TP_MARK_OVER);
-}
-
-bool tp_frame_has_module(const tp_frame *frame, uint32_t is)
-{
-    bool has = false;
-
-    EACH_ON(u, mine, frame)
-        has |= mine && (u->module->is & is) != 0;
-    return has;
+    EACH_OF(frame->parts.laid, i, use, frame->kit)
+        frame->modules_on |= (uint32_t)tp_module_ask(use[i].module, &want) << i;
 }
 
 void *tp_frame_part(const tp_frame *frame, uint32_t id)
 {
-    EACH_ON(u, mine, frame)
-        if (u->module->id == id)
-            return *mine;
+    EACH_ON(i, use, frame)
+        if (use[i].module->id == id)
+            return frame->parts.module[i];
     return NULL;
+}
+
+uint32_t tp_frame_mark(const tp_frame *frame, uint32_t id)
+{
+    EACH_ON(i, use, frame)
+        if (use[i].module->id == id)
+            return frame->parts.mark[i];
+    return 0;
+}
+
+bool tp_frame_has_module(const tp_frame *frame, uint32_t is)
+{
+    EACH_ON(i, use, frame)
+        if (use[i].module->is & is)
+            return true;
+    return false;
+}
+
+/* -- hooks ---------------------------------------------------------------------------- */
+
+void tp_frame_init_modules(tp_frame *frame)
+{
+    EACH_OF(frame->parts.laid, i, use, frame->kit)
+        if (use[i].drawing->init)
+            use[i].drawing->init(frame, frame->parts.module[i]);
+}
+
+void tp_frame_begin_modules(tp_frame *frame)
+{
+    EACH_ON(i, use, frame)
+        if (use[i].drawing->begin)
+            use[i].drawing->begin(frame, frame->parts.module[i]);
+}
+
+void tp_frame_look_modules(tp_frame *frame)
+{
+    EACH_ON(i, use, frame)
+        if (use[i].drawing->look)
+            use[i].drawing->look(frame, frame->parts.module[i]);
+}
+
+void tp_frame_add_modules(const tp_frame *frame, tp_shaders *list)
+{
+    EACH_ON(i, use, frame)
+        if (use[i].drawing->stages)
+            use[i].drawing->stages(frame, frame->parts.module[i], use[i].stage, list);
+}
+
+void tp_frame_place_modules(tp_frame *frame, tp_sight *sight, tp_grid_box *box)
+{
+    EACH_ON(i, use, frame)
+        if (use[i].drawing->place)
+            use[i].drawing->place(frame, frame->parts.module[i], sight, box);
+}
+
+void tp_frame_draw_modules(const tp_frame *frame, const tp_sight *sight,
+                           tp_samples *samples)
+{
+    EACH_ON(i, use, frame)
+        if (use[i].drawing->draw)
+            use[i].drawing->draw(frame, frame->parts.module[i], sight, samples,
+                                 frame->parts.mark[i]);
+}
+
+void tp_frame_draw_over(const tp_frame *frame, const tp_samples *samples)
+{
+    EACH_ON(i, use, frame)
+        if (use[i].drawing->over)
+            use[i].drawing->over(frame, frame->parts.module[i], samples,
+                                 frame->parts.mark[i]);
+}
+
+/* -- lists of the modules' own samples ------------------------------------------------- */
+
+uint32_t tp_marks_one(const tp_want *want)
+{
+    (void)want;
+    return 1;
+}
+
+/* Samples without a colour would show memory as it is: such a module is left out. */
+void tp_frame_list_modules(tp_frame *frame)
+{
+    uint32_t lack = 0;
+
+    EACH_ON(i, use, frame) {
+        if (frame->parts.mark[i] == 0)
+            continue;
+        tp_shaders *list = tp_marks_list(&frame->parts.marks, frame->parts.mark[i]);
+        tp_shaders_clear(list);
+        tp_frame_add_air(frame, list);
+        tp_frame_add_modules(frame, list);
+        if (!tp_shaders_has(list, TP_AT_COLOUR)) {
+            frame->stats.dropped++;
+            lack |= 1u << i;
+        }
+    }
+    frame->modules_on &= ~lack;
 }

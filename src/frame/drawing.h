@@ -3,20 +3,25 @@
  * the world asks it, and says when the feature is on. */
 #ifndef TP_FRAME_DRAWING_H
 #define TP_FRAME_DRAWING_H
-#include "frame/shaders.h"
+#include "frame/marks.h"
+#include "frame/sight.h"
 #include "raster/raster.h"
 #include "scene/module.h"
 
 struct tp_frame;
 struct tp_frame_parts;
 
-/* All members may be NULL.  `mine` is the memory that `layout` returned; without that hook
- * it is not to be looked into. */
+/* All members may be NULL.  `mine` is the memory that `layout` returned, or NULL. */
 typedef struct tp_drawing {
     /* Takes memory that lasts as long as the frame.  It is called twice: with an arena that
      * only counts, where it returns NULL, then with the frame's block. */
     void *(*layout)(tp_arena *arena, const tp_want *want);
     void  (*init)(struct tp_frame *frame, void *mine);
+
+    /* How many marks its samples need: kinds that its stage tells apart by
+     * tp_run.material.  NULL: it draws no samples.  If too few are left, the module is not
+     * drawn. */
+    uint32_t (*marks)(const tp_want *want);
 
     /* Sets the numbers of a picture.  Camera, light and surface are known. */
     void  (*begin)(struct tp_frame *frame, void *mine);
@@ -25,25 +30,28 @@ typedef struct tp_drawing {
      * numbers are known. */
     void  (*look)(struct tp_frame *frame, void *mine);
 
-    /* Projects the things that `over` draws.  Everything else is projected. */
-    void  (*place)(struct tp_frame *frame, void *mine);
+    /* Projects its things as this sight sees them, and widens the box by the pixels that
+     * they may cover.  Sights are placed and drawn one after the other, the picture's last:
+     * `mine` holds what one of them needs.  Some modules are in the picture alone. */
+    void  (*place)(struct tp_frame *frame, void *mine, tp_sight *sight, tp_grid_box *box);
 
-    /* Draws over the finished water: sets samples to `mark`.  Those samples go through the
-     * stage that `first` returns, then through air and exposure; under water through the
-     * water before them. */
+    /* Draws the things of the sight that was placed last: samples with marks from `mark`
+     * on.  The water is drawn after them; `over` draws over the finished water. */
+    void  (*draw)(const struct tp_frame *frame, const void *mine, const tp_sight *sight,
+                  tp_samples *samples, uint32_t mark);
     void  (*over)(const struct tp_frame *frame, const void *mine, const tp_samples *samples,
                   uint32_t mark);
-    tp_stage (*first)(const struct tp_frame *frame, const void *mine, const tp_stage *stage);
 
-    /* Adds stages to a list, the water's or another kind's, after the modules above.
-     * `stage` is the program's table of the module. */
+    /* Adds stages to a list after the modules above.  The list of the module's own samples,
+     * whose owner is this drawing, needs one at TP_AT_COLOUR; without it the module is not
+     * drawn.  `stage` is the program's table of the module. */
     void  (*stages)(const struct tp_frame *frame, const void *mine, const tp_stage *stage,
                     tp_shaders *list);
 } tp_drawing;
 
 /* -- drawing.c: loops over the program's list ----------------------------------------- */
 
-/* Lays out the memory of all enabled modules, an array of pointers first. */
+/* Lays out the memory of all enabled modules, their marks and all shader lists. */
 void tp_frame_layout_modules(const tp_kit *kit, struct tp_frame_parts *parts,
                              tp_arena *arena, tp_want want);
 
@@ -54,13 +62,23 @@ void tp_frame_init_modules(struct tp_frame *frame);
 void tp_frame_begin_modules(struct tp_frame *frame);
 void tp_frame_look_modules(struct tp_frame *frame);
 void tp_frame_add_modules(const struct tp_frame *frame, tp_shaders *list);
+void tp_frame_place_modules(struct tp_frame *frame, tp_sight *sight, tp_grid_box *box);
+void tp_frame_draw_modules(const struct tp_frame *frame, const tp_sight *sight,
+                           tp_samples *samples);
+void tp_frame_draw_over(const struct tp_frame *frame, const tp_samples *samples);
+
+/* Makes the lists of the modules' own samples. */
 void tp_frame_list_modules(struct tp_frame *frame);
-void tp_frame_place_modules(struct tp_frame *frame);
-void tp_frame_draw_modules(const struct tp_frame *frame, const tp_samples *samples);
 
 /* True if this picture has a module with one of these bits of tp_module.is. */
 bool tp_frame_has_module(const struct tp_frame *frame, uint32_t is);
 
 /* The memory of a module that is on in this picture, or NULL. */
 void *tp_frame_part(const struct tp_frame *frame, uint32_t id);
+
+/* The first of its marks; 0: it has none. */
+uint32_t tp_frame_mark(const struct tp_frame *frame, uint32_t id);
+
+/* One mark: what most modules need. */
+uint32_t tp_marks_one(const tp_want *want);
 #endif

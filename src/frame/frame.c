@@ -120,18 +120,6 @@ size_t tp_frame_scratch_into_with(const tp_kit *kit, const tp_scene *scene,
     return scratch_with(kit, scene, config, true);
 }
 
-static void init_lists(tp_frame *f)
-{
-    tp_shaders *const other[TP_OTHERS] = { &f->sky, &f->solids, &f->land, &f->drops,
-                                           &f->tank, &f->side, &f->over };
-
-    tp_shaders_init(&f->water, TP_LIST_WATER, f->water_shader, f->water_place,
-                    TP_SHADERS_WATER);
-    for (int i = 0; i < TP_OTHERS; i++)
-        tp_shaders_init(other[i], i == 0 ? TP_LIST_SKY : TP_LIST_THINGS,
-                        f->other_shader[i], f->other_place[i], TP_SHADERS_OTHER);
-}
-
 /* Tables that last, and those that the first frame needs. */
 static void make_tables(tp_frame *frame)
 {
@@ -183,7 +171,6 @@ tp_status tp_frame_init_with(const tp_kit *kit, tp_frame **out, const tp_scene *
     frame->shade.shine = parts.shine;
     if (parts.shine)
         memset(parts.shine, 0, (TP_SHINE + 1) * sizeof *parts.shine);
-    init_lists(frame);
     tp_frame_choose_rungs(frame);
     make_tables(frame);
     *out = frame;
@@ -225,7 +212,7 @@ static void place_solids(tp_frame *frame)
     frame->shade.sunken = NULL;
     tp_frame_look_modules(frame);
     frame->stats = stats;
-    frame->sight = (tp_sight){ .lens = &frame->lens };
+    frame->sight = (tp_sight){ .lens = &frame->lens, .picture = true, .walls = true };
     tp_sight_begin(frame, &frame->sight);
     tp_sight_place(frame, &frame->sight);
 }
@@ -259,7 +246,6 @@ void tp_frame_begin(tp_frame *frame, const tp_world *world)
     place_solids(frame);
     if (frame->parts.land_vertex && frame->surface.ocean)
         draw->land->place(frame);
-    tp_frame_place_modules(frame);
 }
 
 uint32_t tp_frame_tiles(const tp_frame *frame)

@@ -52,7 +52,7 @@ typedef struct {
     int16_t x, y, z;
 } tp_ball_point;
 
-#define TP_MATERIALS (TP_MARK_OVER - TP_MARK_SOLID)    /* more share the last mark */
+#define TP_MATERIALS 192        /* more share the last mark */
 
 /* The water's edge along a wall of glass. */
 typedef struct {
@@ -149,12 +149,13 @@ typedef struct tp_frame_parts {
     uint32_t         lacks;             /* parts that the scene has and the kit has not */
     tp_frame_quick  *quick;             /* NULL: nothing is prepared here */
     struct tp_quick_light *quick_light;
-    void           **module;            /* of each of the kit, NULL: not drawn */
+    void           **module;            /* memory of each of the kit, or NULL, */
+    uint8_t         *mark;              /* its first mark, or 0, */
+    uint32_t         laid;              /* and a bit: it was on at init */
+    tp_marks         marks;
     uint32_t         module_bytes;      /* of those, */
     uint32_t         look_bytes;        /* and of those that water looks into */
 } tp_frame_parts;
-
-#define TP_OTHERS 7             /* kinds of samples beside water */
 
 struct tp_frame {
     const tp_kit    *kit;
@@ -193,14 +194,13 @@ struct tp_frame {
 
     tp_shade         shade;
     const tp_toned  *toned;             /* pixels are exposed as they are stored; or NULL */
-    tp_shaders       water;             /* its list, and those of other samples */
-    tp_shaders       sky, solids, land, drops, tank, side;
-    tp_shaders       over;              /* of a module that draws over the water */
-    tp_shader        water_shader[TP_SHADERS_WATER];
-    tp_shader        other_shader[TP_OTHERS][TP_SHADERS_OTHER];
-    uint8_t          water_place[TP_SHADERS_WATER];
-    uint8_t          other_place[TP_OTHERS][TP_SHADERS_OTHER];
 };
+
+/* The shader list of a kind of sample. */
+static inline tp_shaders *tp_frame_list(const tp_frame *frame, uint32_t mark)
+{
+    return tp_marks_list(&frame->parts.marks, mark);
+}
 
 /* carve.c: the block's layout, the frame itself first; with an arena that only counts,
  * then with the block.  Sizes are left in `ram`. */

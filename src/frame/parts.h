@@ -81,6 +81,7 @@ struct tp_draw_caustics {
 
 /* What is seen through the water and under it. */
 struct tp_draw_inside {
+    bool (*is_under)(const tp_frame *frame);    /* the eye is in the water */
     void (*plan)(tp_frame *frame);
     void (*view)(tp_frame *frame);      /* of the axes that shade has now */
     tp_stage (*behind)(const tp_frame *frame, bool rippled);

@@ -72,9 +72,10 @@ static bool add_light(tp_frame *frame, tp_shaders *water, bool rippled, bool shi
 static void choose_water(tp_frame *frame)
 {
     const tp_stages *stages = &frame->kit->stage;
-    tp_shaders *water = &frame->water;
+    tp_shaders *water = tp_frame_list(frame, TP_MARK_WATER);
 
     tp_shaders_clear(water);
+    water->kind = TP_LIST_WATER;
     if (frame->rungs.shading == TP_SHADING_QUICK && frame->kit->draw.quick_light
         && frame->kit->draw.quick_light->plan(frame, water)) {
         tp_frame_add_air(frame, water);
@@ -89,9 +90,40 @@ static void choose_water(tp_frame *frame)
     tp_frame_add_modules(frame, water);
 }
 
-/* A list of one stage, then the air. */
-static void choose_other(const tp_frame *frame, tp_shaders *list, tp_stage stage)
+/* The surface from below; all is seen through water. */
+static void choose_below(tp_frame *frame)
 {
+    const tp_stages *stages = &frame->kit->stage;
+    tp_shaders *water = tp_frame_list(frame, TP_MARK_WATER);
+
+    tp_shaders_clear(water);
+    water->kind = TP_LIST_BELOW;
+    const bool rippled = tp_plan_add_bumps(frame, water);
+    tp_shaders_add(water, TP_AT_VIEW, stages->view, NULL);
+    tp_shaders_add(water, TP_AT_LIGHT, rippled && stages->below_rippled
+                                           ? stages->below_rippled : stages->below, NULL);
+    tp_frame_add_exposure(frame, water);
+    tp_frame_add_modules(frame, water);
+}
+
+static void choose_sky(tp_frame *frame)
+{
+    tp_shaders *sky = tp_frame_list(frame, TP_MARK_SKY);
+
+    tp_shaders_clear(sky);
+    if (frame->under)
+        tp_shaders_add_colour(sky, frame->kit->stage.deep);
+    else
+        tp_frame_add_sky(frame, sky);
+    tp_frame_add_exposure(frame, sky);
+    tp_frame_add_modules(frame, sky);
+}
+
+/* A list of one stage, then the air. */
+static void choose_other(const tp_frame *frame, uint32_t mark, tp_stage stage)
+{
+    tp_shaders *list = tp_frame_list(frame, mark);
+
     tp_shaders_clear(list);
     if (stage)
         tp_shaders_add_colour(list, stage);
@@ -104,22 +136,25 @@ static void choose_stages(tp_frame *frame)
     const tp_stages *stages = &frame->kit->stage;
     const bool blinn = frame->scene->light.model == TP_LIGHT_BLINN;
     const bool ground = frame->kit->draw.inside
-                     && (frame->assets.floor_texture || frame->scene->water.clear > 0);
+                     && (frame->under || frame->assets.floor_texture
+                         || frame->scene->water.clear > 0);
 
-    tp_shaders_clear(&frame->sky);
-    tp_frame_add_sky(frame, &frame->sky);
-    tp_frame_add_exposure(frame, &frame->sky);
-    tp_frame_add_modules(frame, &frame->sky);
-    choose_other(frame, &frame->solids, blinn && stages->solid_blinn ? stages->solid_blinn
-                                                                     : stages->solid);
-    choose_other(frame, &frame->land, ground && stages->ground ? stages->ground
+    choose_sky(frame);
+    if (frame->assets.boat)
+        choose_other(frame, TP_MARK_BOAT, blinn && stages->solid_blinn ? stages->solid_blinn
+                                                                       : stages->solid);
+    choose_other(frame, TP_MARK_LAND, ground && stages->ground ? stages->ground
                                                                : stages->land);
-    choose_other(frame, &frame->drops, stages->drop);
-    choose_other(frame, &frame->tank, stages->wall);
-    choose_other(frame, &frame->side, stages->side);
+    choose_other(frame, TP_MARK_DROP, stages->drop);
+    choose_other(frame, TP_MARK_TANK, stages->wall);
+    choose_other(frame, TP_MARK_SIDE, stages->side);
     tp_frame_list_modules(frame);
-    choose_water(frame);
-    frame->stats.dropped += frame->sky.lacks + frame->water.lacks;
+    if (frame->under)
+        choose_below(frame);
+    else
+        choose_water(frame);
+    frame->stats.dropped += tp_frame_list(frame, TP_MARK_SKY)->lacks
+                          + tp_frame_list(frame, TP_MARK_WATER)->lacks;
 }
 
 void tp_frame_plan(tp_frame *frame)
@@ -130,6 +165,7 @@ void tp_frame_plan(tp_frame *frame)
     tp_shade *shade = &frame->shade;
 
     tp_sight_look(frame, &frame->lens);
+    frame->under = draw->inside && draw->inside->is_under(frame);
     shade->haze_scale = (uint32_t)((int64_t)scene->sky.haze * 64 / frame->lens.zi_near);
     shade->ambient = scene->light.ambient >> 8;
     shade->mirror = scene->water.reflection >> 8;

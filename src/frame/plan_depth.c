@@ -104,40 +104,6 @@ static tp_stage behind_stage(const tp_frame *frame, bool rippled)
     return stage[2 * (frame->scene->water.dispersion > 0) + rippled];
 }
 
-/* A kind's own first stage, then the water before it instead of air. */
-static void put_in_water(const tp_frame *frame, tp_shaders *list)
-{
-    const tp_shader own = list->shader[0];
-
-    tp_shaders_clear(list);
-    if (!own.stage)
-        return;
-    tp_shaders_add(list, TP_AT_COLOUR, own.stage, own.mine);
-    tp_shaders_add(list, TP_AT_AIR, frame->kit->stage.absorb, NULL);
-}
-
-static void choose_under(tp_frame *frame)
-{
-    const tp_stages *stages = &frame->kit->stage;
-    tp_shaders *const all[] = { &frame->sky, &frame->water, &frame->solids, &frame->land,
-                             &frame->drops, &frame->tank, &frame->over };
-
-    tp_shaders_clear(&frame->sky);
-    tp_shaders_add_colour(&frame->sky, stages->deep);
-    tp_shaders_clear(&frame->water);
-    bool rippled = tp_plan_add_bumps(frame, &frame->water);
-    tp_shaders_add(&frame->water, TP_AT_VIEW, stages->view, NULL);
-    tp_shaders_add(&frame->water, TP_AT_LIGHT, rippled && stages->below_rippled
-                   ? stages->below_rippled : stages->below, NULL);
-    tp_shaders_clear(&frame->land);
-    tp_shaders_add_colour(&frame->land, stages->ground ? stages->ground
-                                                        : stages->land);
-    for (int k = 2; k < 7; k++)
-        put_in_water(frame, all[k]);
-    for (int k = 0; k < 7; k++)
-        tp_frame_add_exposure(frame, all[k]);
-}
-
 static bool can_show_under(const tp_stages *stages)
 {
     return stages->deep && stages->view && stages->below && stages->absorb;
@@ -149,7 +115,7 @@ static bool is_under(const tp_frame *frame)
     tp_vec3 eye = frame->lens.eye;
     tp_rectangle r = tp_pool_sides(frame->scene);
 
-    if (eye.y >= tp_surface_height(&frame->surface))
+    if (!can_show_under(&frame->kit->stage) || eye.y >= tp_surface_height(&frame->surface))
         return false;
     if (tp_frame_has_tank(frame)
         && (eye.x <= r.x0 || eye.x >= r.x1 || eye.z <= r.z0 || eye.z >= r.z1))
@@ -162,7 +128,6 @@ static void plan_inside(tp_frame *frame)
     const tp_scene *scene = frame->scene;
     tp_inside *in = &frame->shade.inside;
 
-    frame->under = can_show_under(&frame->kit->stage) && is_under(frame);
     if (!frame->under && scene->water.clear == 0 && !tp_frame_has_tank(frame)
         && !frame->parts.block && !frame->assets.floor_texture)
         return;
@@ -177,10 +142,8 @@ static void plan_inside(tp_frame *frame)
     set_box(frame, in);
     if (frame->parts.caustic_light)
         frame->kit->draw.caustics->place(frame);
-    if (frame->under)
-        choose_under(frame);
 }
 
 const struct tp_draw_inside tp_draw_inside = {
-    plan_inside, view_inside, behind_stage
+    is_under, plan_inside, view_inside, behind_stage
 };

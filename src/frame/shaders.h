@@ -37,17 +37,19 @@ typedef enum {
     TP_LIST_WATER,
     TP_LIST_FAST,               /* water, by fast stages alone */
     TP_LIST_BELOW,              /* water, seen from below */
-    TP_LIST_THINGS              /* in the air: land, a boat, drops ... */
+    TP_LIST_THINGS              /* land, a boat, drops ... */
 } tp_list_kind;
 
 typedef struct {
     tp_shader *shader;
     uint8_t   *place;           /* of each */
+    const struct tp_drawing *owner;     /* the module that draws these samples, or NULL */
     uint8_t    kind;            /* tp_list_kind */
+    uint8_t    first;           /* of the samples' marks */
     uint8_t    count, room;
     bool       rippled;         /* a stage bends the slopes */
     bool       shines;          /* a stage leaves a glint */
-    uint32_t   lacks;           /* stages that the scene asks for and the kit has not */
+    uint16_t   lacks;           /* stages that the scene asks for and the kit has not */
 } tp_shaders;
 
 void tp_shaders_init(tp_shaders *list, tp_list_kind kind, tp_shader *shader,

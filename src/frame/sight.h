@@ -15,9 +15,9 @@
 
 typedef struct {
     const tp_lens *lens;
+    bool          picture;      /* the picture itself */
     bool          cut;          /* only the inner side of `level` is drawn */
-    bool          walls;        /* tanks and blocks are drawn too; the picture's own
-                                 * come by its own list, see tile.c */
+    bool          walls;        /* tanks and blocks are drawn too */
     tp_view_plane level;
     tp_lens       boat_lens;    /* the same view in the mesh's frame */
     tp_fx         boat_metres;  /* of 1.0 of the mesh's positions */

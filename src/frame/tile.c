@@ -21,17 +21,6 @@ static void *pixels_of(const tp_frame *frame, void *scratch)
     return (uint32_t *)scratch + 4 * plane;
 }
 
-static const tp_shaders *plan_for(const tp_frame *frame, uint32_t mark)
-{
-    return mark == TP_MARK_SKY ? &frame->sky
-         : mark == TP_MARK_WATER ? &frame->water
-         : mark == TP_MARK_LAND ? &frame->land
-         : mark == TP_MARK_TANK ? &frame->tank
-         : mark == TP_MARK_SIDE ? &frame->side
-         : mark == TP_MARK_DROP ? &frame->drops
-         : mark == TP_MARK_OVER ? &frame->over : &frame->solids;
-}
-
 /* How many of `most` samples from here are of the first one's kind. */
 static int32_t run_length(const uint32_t *key, int32_t most)
 {
@@ -65,8 +54,9 @@ static const tp_shaders *run_at(const tp_frame *frame, const tp_samples *tile, i
     run->y = y;
     run->count = run_length(run->key, most < tile->x1 - x ? most : tile->x1 - x);
     TP_ASSERT(run->count > 0 && x / TP_RUN == (x + run->count - 1) / TP_RUN);
-    run->material = TP_MARK(run->key[0]) - TP_MARK_SOLID;
-    return plan_for(frame, TP_MARK(run->key[0]));
+    const tp_shaders *list = tp_frame_list(frame, TP_MARK(run->key[0]));
+    run->material = TP_MARK(run->key[0]) - list->first;
+    return list;
 }
 
 static void shade_run(const tp_frame *frame, const tp_shaders *list, tp_run *run)
@@ -134,6 +124,7 @@ static void draw_samples(const tp_frame *frame, tp_samples *samples, void *memor
         draw->land->draw(frame, samples);
     if (tp_frame_has_drops(frame))
         draw->drops->solid.draw(frame, &frame->sight, samples);
+    tp_frame_draw_modules(frame, &frame->sight, samples);
     if (frame->parts.block || tp_frame_has_tank(frame))
         draw->tank->draw(frame, &frame->sight, samples);
     if (frame->glasses > 0)
@@ -141,7 +132,7 @@ static void draw_samples(const tp_frame *frame, tp_samples *samples, void *memor
     if (boat)
         draw->boat->lids(frame, &frame->sight, samples);
     tp_frame_draw_surface(frame, samples, memory);
-    tp_frame_draw_modules(frame, samples);
+    tp_frame_draw_over(frame, samples);
 }
 
 /* False: there is no such tile, or no memory to draw it in. */

@@ -6,9 +6,9 @@
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
-#include "raster/raster.h"
 #include "tests/reference/image.h"
 #include "tests/reference/stand.h"
+#include "tests/unit/kinds.h"
 
 /* Settings without what the reference does not draw, or not as the engine draws it. */
 #define REF_WITHOUT "foam.cells=0", "spray.count=0", "water.caustics=0", \
@@ -21,14 +21,6 @@ typedef struct {
     uint8_t  *kind;             /* ref_kind */
 } drawn_image;
 
-static inline ref_kind kind_of(uint32_t key)
-{
-    const uint32_t mark = TP_MARK(key);
-    return mark == TP_MARK_SKY ? REF_SKY : mark == TP_MARK_WATER ? REF_WATER
-         : mark == TP_MARK_LAND ? REF_LAND : mark == TP_MARK_DROP ? REF_DROP
-         : mark == TP_MARK_TANK ? REF_WALL : mark == TP_MARK_SIDE ? REF_SIDE : REF_BOAT;
-}
-
 /* One tile over all; the samples' keys are the first plane of its scratch. */
 static inline drawn_image drawn_of(const ref_stand *stand, uint32_t width,
                                    uint32_t height)
@@ -36,6 +28,12 @@ static inline drawn_image drawn_of(const ref_stand *stand, uint32_t width,
     const tp_frame_config config = { .width = width, .height = height };
     const tp_scene *scene = &stand->file.scene;
     const size_t count = (size_t)width * height;
+    static const uint8_t kind_of[] = {
+        [MARKS_SKY] = REF_SKY, [MARKS_WATER] = REF_WATER, [MARKS_BOAT] = REF_BOAT,
+        [MARKS_LAND] = REF_LAND, [MARKS_DROP] = REF_DROP, [MARKS_TANK] = REF_WALL,
+        [MARKS_SIDE] = REF_SIDE, [MARKS_SPRAY] = REF_BOAT,
+    };
+    uint8_t kind[TP_MARKS];
     drawn_image image = { width, height, malloc(count * 4), malloc(count) };
     void *block = malloc(tp_frame_bytes(scene, &stand->assets.names, &config));
     uint32_t *scratch = malloc(tp_frame_scratch_bytes(&config));
@@ -47,8 +45,9 @@ static inline drawn_image drawn_of(const ref_stand *stand, uint32_t width,
         abort();
     tp_frame_begin(frame, stand->world);
     tp_frame_tile(frame, 0, scratch, &tile);
+    marks_list_kinds(frame, kind);
     for (size_t i = 0; i < count; i++)
-        image.kind[i] = (uint8_t)kind_of(scratch[i]);
+        image.kind[i] = kind_of[kind[TP_MARK(scratch[i])]];
     for (uint32_t y = 0; y < height; y++)
         memcpy(image.pixel + (size_t)y * width,
                (const char *)tile.pixels + y * tile.stride, (size_t)width * 4);

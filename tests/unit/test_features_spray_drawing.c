@@ -42,7 +42,7 @@ static void put(tp_world *world, tp_vec3 at, tp_speck_kind kind, uint8_t luck)
 static uint32_t drawn(const tp_scene *scene, const tp_world *world)
 {
     marks_draw(scene, &none, world, config, key, NULL);
-    return marks_count(key, WIDTH * HEIGHT, TP_MARK_OVER);
+    return marks_count(key, WIDTH * HEIGHT, MARKS_SPRAY);
 }
 
 /* A disc of the right area around the right pixel. */
@@ -63,7 +63,7 @@ static void a_speck_lies_where_the_camera_sees_it(void **state)
         const double v = camera.v0 - camera.focal * (at.y / 65536.0 - 10) / depth;
         assert_true(fabs(count - 3.1416 * r * r) < 3 + 4 * r);
         for (int i = 0; i < WIDTH * HEIGHT; i++)
-            if (TP_MARK(key[i]) == TP_MARK_OVER)
+            if (TP_MARK(key[i]) == MARKS_SPRAY)
                 assert_true(hypot(i % WIDTH + 0.5 - u, i / WIDTH + 0.5 - v) < r + 1);
         free(world);
     }
@@ -133,7 +133,7 @@ static void specks_glide_between_ticks(void **state)
         world->back = k * TP_FX_ONE / 2;
         const uint32_t count = drawn(&s, world);
         for (int i = 0; i < WIDTH * HEIGHT; i++)
-            sum += TP_MARK(key[i]) == TP_MARK_OVER ? i % WIDTH + 0.5 : 0;
+            sum += TP_MARK(key[i]) == MARKS_SPRAY ? i % WIDTH + 0.5 : 0;
         middle[k] = sum / count;
     }
     assert_true(fabs(middle[0] - middle[1] - 0.5 * 97 / 4) < 1);
@@ -158,7 +158,7 @@ static void every_tiling_gives_the_same_picture(void **state)
         tp_world_step(world, &s, NULL);
     world->back = TP_FX(0.3);
     marks_draw(&s, &none, world, config, key, whole);
-    assert_true(marks_count(key, WIDTH * HEIGHT, TP_MARK_OVER) > 5);
+    assert_true(marks_count(key, WIDTH * HEIGHT, MARKS_SPRAY) > 5);
     for (int k = 0; k < 3; k++) {
         tp_frame_config c = config;
         c.tile_width = tiles[k][0];

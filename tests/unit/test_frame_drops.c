@@ -125,7 +125,7 @@ static double area_of_drops(double least, double most)
         marks_draw(&scene, &none, world, config, key, NULL);
         for (int y = 0; y < HEIGHT; y++) {
             for (int x = 0; x < WIDTH; x++) {
-                const bool drawn = TP_MARK(key[y * WIDTH + x]) == TP_MARK_DROP;
+                const bool drawn = TP_MARK(key[y * WIDTH + x]) == MARKS_DROP;
                 const int count = met(&b, x, y);
                 assert_true(drawn ? count > 0 : count < 9);
                 area += drawn;
@@ -164,7 +164,7 @@ static void the_near_side_is_seen(void **state)
     const uint32_t *plane = (const uint32_t *)(const void *)f.scratch;
     const size_t middle = HEIGHT / 2 * WIDTH + WIDTH / 2;
     const tp_packed_dir n = plane[3 * WIDTH * HEIGHT + middle];
-    assert_int_equal(TP_MARK(plane[middle]), TP_MARK_DROP);
+    assert_int_equal(marks_kind_of(f.frame, TP_MARK(plane[middle])), MARKS_DROP);
     const double x = tp_dir_x(n), y = tp_dir_y(n), z = tp_dir_z(n);
     assert_true(z > 0.9 * sqrt(x * x + y * y + z * z));
     frame_free(&f);
@@ -181,7 +181,7 @@ static void what_is_behind_the_eye_is_not_drawn(void **state)
         put(world, (tp_vec3){ chance_fx(&chance, -9, 9), chance_fx(&chance, 41, 59),
                               chance_fx(&chance, 1.1, 30) }, TP_FX_ONE, 0);
     marks_draw(&scene, &none, world, config, key, NULL);
-    assert_int_equal(marks_count(key, WIDTH * HEIGHT, TP_MARK_DROP), 0);
+    assert_int_equal(marks_count(key, WIDTH * HEIGHT, MARKS_DROP), 0);
     free(world);
 }
 
@@ -228,7 +228,7 @@ static void every_tiling_gives_the_same_bits(void **state)
         tp_world *world = many(&scene, 40);
         tp_frame_config c = config;
         marks_draw(&scene, &none, world, c, key, whole);
-        assert_true(marks_count(key, WIDTH * HEIGHT, TP_MARK_DROP) > 50);
+        assert_true(marks_count(key, WIDTH * HEIGHT, MARKS_DROP) > 50);
         for (size_t i = 0; i < sizeof sizes / sizeof *sizes; i++) {
             c.tile_width = sizes[i][0];
             c.tile_height = sizes[i][1];
@@ -245,7 +245,7 @@ static void a_thousand_drops_are_drawn(void **state)
     tp_scene scene;
     tp_world *world = many(&scene, 1024);
     marks_draw(&scene, &none, world, config, key, NULL);
-    assert_true(marks_count(key, WIDTH * HEIGHT, TP_MARK_DROP) > 1000);
+    assert_true(marks_count(key, WIDTH * HEIGHT, MARKS_DROP) > 1000);
     free(world);
 }
 

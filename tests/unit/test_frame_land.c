@@ -52,8 +52,8 @@ static uint32_t first_met(const ref_camera *c, const tp_scene *s, double u, doub
     const double t = water < land ? water : land;
 
     if (fabs(c->eye.x + t * way.x) > 78 || fabs(c->eye.z + t * way.z) > 78)
-        return TP_MARK_SKY;
-    return water < land ? TP_MARK_WATER : TP_MARK_LAND;
+        return MARKS_SKY;
+    return water < land ? MARKS_WATER : MARKS_LAND;
 }
 
 /* The same at the pixel's middle and 1.5 pixels all around, or SKY. */
@@ -64,7 +64,7 @@ static uint32_t surely_met(const ref_camera *c, const tp_scene *s, int x, int y)
     for (int i = 0; i < 8; i++)
         if (first_met(c, s, x + 0.5 + 1.5 * cos(i * 0.785398),
                       y + 0.5 + 1.5 * sin(i * 0.785398)) != mark)
-            return TP_MARK_SKY;
+            return MARKS_SKY;
     return mark;
 }
 
@@ -87,14 +87,14 @@ static void the_nearer_of_land_and_water_is_seen(void **state)
         for (int y = 0; y < HEIGHT; y++) {
             for (int x = 0; x < WIDTH; x++) {
                 const uint32_t want = surely_met(&c, &s, x, y);
-                if (want != TP_MARK_SKY)
+                if (want != MARKS_SKY)
                     assert_int_equal(TP_MARK(key[y * WIDTH + x]), want);
                 seen[want]++;
             }
         }
         free(world);
     }
-    assert_true(seen[TP_MARK_LAND] > 1000 && seen[TP_MARK_WATER] > 1000);
+    assert_true(seen[MARKS_LAND] > 1000 && seen[MARKS_WATER] > 1000);
 }
 
 /* A ridge behind which water lies, as a picture of heights. */
@@ -117,10 +117,10 @@ static void a_ridge_hides_the_water_behind_it(void **state)
     tp_world *world = scene_world(&s, &assets);
     marks_draw(&s, &assets, world, config, key, NULL);
     const int x = WIDTH / 2;
-    assert_int_equal(TP_MARK(key[(HEIGHT - 1) * WIDTH + x]), TP_MARK_WATER);
-    assert_int_equal(TP_MARK(key[(HEIGHT / 2) * WIDTH + x]), TP_MARK_LAND);
-    assert_int_equal(TP_MARK(key[(HEIGHT / 2 + 2) * WIDTH + x]), TP_MARK_LAND);
-    assert_int_equal(TP_MARK(key[x]), TP_MARK_SKY);
+    assert_int_equal(TP_MARK(key[(HEIGHT - 1) * WIDTH + x]), MARKS_WATER);
+    assert_int_equal(TP_MARK(key[(HEIGHT / 2) * WIDTH + x]), MARKS_LAND);
+    assert_int_equal(TP_MARK(key[(HEIGHT / 2 + 2) * WIDTH + x]), MARKS_LAND);
+    assert_int_equal(TP_MARK(key[x]), MARKS_SKY);
     free(world);
 }
 
@@ -136,7 +136,7 @@ static void nothing_of_a_deep_floor_is_drawn(void **state)
         s.camera.heading = chance_fx(&chance, 0, 360);
         tp_world *world = scene_world(&s, &none);
         marks_draw(&s, &none, world, config, key, NULL);
-        assert_int_equal(marks_count(key, WIDTH * HEIGHT, TP_MARK_LAND), 0);
+        assert_int_equal(marks_count(key, WIDTH * HEIGHT, MARKS_LAND), 0);
         free(world);
     }
 }
@@ -165,7 +165,7 @@ static void every_tiling_gives_the_same_bits(void **state)
         s.grid.follow = n / 2 % 2;
         tp_world *world = scene_world(&s, &none);
         marks_draw(&s, &none, world, c, key, whole);
-        land += marks_count(key, WIDTH * HEIGHT, TP_MARK_LAND);
+        land += marks_count(key, WIDTH * HEIGHT, MARKS_LAND);
         for (size_t i = 0; i < sizeof sizes / sizeof *sizes; i++) {
             c.tile_width = sizes[i][0];
             c.tile_height = sizes[i][1];
@@ -193,7 +193,7 @@ static void a_slope_into_the_deep_is_the_same_in_all_bands(void **state)
     s.camera.pitch = -10 * TP_FX_ONE;
     tp_world *world = scene_world(&s, &none);
     marks_draw(&s, &none, world, c, key, whole);
-    assert_true(marks_count(key, WIDTH * HEIGHT, TP_MARK_LAND) > 100);
+    assert_true(marks_count(key, WIDTH * HEIGHT, MARKS_LAND) > 100);
     for (uint32_t rows = 1; rows < 20; rows += 3) {
         c.tile_height = rows;
         marks_draw(&s, &none, world, c, NULL, part);

@@ -190,6 +190,11 @@ static void numbers_may_change_while_the_frame_lives(void **state)
     free(world);
 }
 
+static tp_stage stage_at(const tp_frame *frame, int i)
+{
+    return tp_frame_list(frame, TP_MARK_WATER)->shader[i].stage;
+}
+
 /* What a scene does not use is not there: 0, 1 and white are the plain stage. */
 static void plain_layers_are_the_plain_stage(void **state)
 {
@@ -203,13 +208,13 @@ static void plain_layers_are_the_plain_stage(void **state)
     scene.distortion.strength = 0;
     test_frame f = frame_of(&scene, &assets, &config);
     tp_frame_begin(f.frame, world);
-    assert_true(f.frame->water.shader[0].stage == tp_stage_texture_linear_tinted);
-    assert_true(f.frame->water.shader[1].stage == tp_stage_view);
+    assert_true(stage_at(f.frame, 0) == tp_stage_texture_linear_tinted);
+    assert_true(stage_at(f.frame, 1) == tp_stage_view);
     scene.distortion.strength = TP_FX_ONE;
     scene.layer[0].saturation = 0;
     tp_frame_begin(f.frame, world);
-    assert_true(f.frame->water.shader[0].stage == tp_stage_bend);
-    assert_true(f.frame->water.shader[1].stage == tp_stage_texture_linear_graded);
+    assert_true(stage_at(f.frame, 0) == tp_stage_bend);
+    assert_true(stage_at(f.frame, 1) == tp_stage_texture_linear_graded);
     frame_free(&f);
     free(world);
 }

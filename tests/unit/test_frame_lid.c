@@ -125,7 +125,7 @@ static uint32_t floor_pixels(bool lid, double sunk)
     tp_world *world = scene_world(&s, &assets);
     marks_draw(&s, &assets, world, config, key, NULL);
     free(world);
-    return marks_count(key, WIDTH * HEIGHT, TP_MARK_SOLID);
+    return marks_count(key, WIDTH * HEIGHT, MARKS_BOAT);
 }
 
 static void water_over_the_floor_is_drawn_unless_a_lid_is_over_it(void **state)

@@ -245,8 +245,8 @@ static bool at_the_foot(const ref_camera *c, const ref_box *box, const uint32_t 
 {
     const uint32_t *here = key + y * WIDTH + x;
 
-    if (x == 0 || x == WIDTH - 1 || y == HEIGHT - 1 || TP_MARK(here[0]) != TP_MARK_WATER
-        || TP_MARK(here[-WIDTH]) < TP_MARK_SOLID)
+    if (x == 0 || x == WIDTH - 1 || y == HEIGHT - 1 || TP_MARK(here[0]) != MARKS_WATER
+        || TP_MARK(here[-WIDTH]) < MARKS_BOAT)
         return false;
     for (int k = 0; k < 9; k++)
         if (!ref_mirrors(c, box, x + 0.5 + 2 * (k % 3 - 1), y + 0.5 + k / 3))
@@ -323,7 +323,7 @@ static void the_mirror_under_waves_stays_under_the_boat(void **state)
                 continue;
             const int x = i % WIDTH, y = i / WIDTH;
             changed++;
-            assert_int_equal(TP_MARK(key[i]), TP_MARK_WATER);
+            assert_int_equal(TP_MARK(key[i]), MARKS_WATER);
             assert_true(x >= 2 * half.x0 - most && x < 2 * half.x1 + most);
             assert_true(y >= 2 * half.y0 - most && y < 2 * half.y1 + most);
         }
@@ -356,7 +356,7 @@ static void troughs_mirror_what_they_bare(void **state)
         s.mirror.objects = TP_MIRROR_NONE;
         marks_draw(&s, assets_of_boat(), world, config, NULL, without);
         for (int i = WIDTH; i < WIDTH * HEIGHT; i++) {
-            if (TP_MARK(key[i]) != TP_MARK_WATER || TP_MARK(key[i - WIDTH]) < TP_MARK_SOLID)
+            if (TP_MARK(key[i]) != MARKS_WATER || TP_MARK(key[i - WIDTH]) < MARKS_BOAT)
                 continue;
             feet++;
             bare += !differ(with[i], without[i]);

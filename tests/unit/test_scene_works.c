@@ -172,8 +172,8 @@ static shares drawn(const view *v)
 
     marks_draw(&v->file.scene, &v->assets.names, world, config, key, NULL);
     free(world);
-    const double water = marks_count(key, WIDTH * HEIGHT, TP_MARK_WATER) / all;
-    const double sky = marks_count(key, WIDTH * HEIGHT, TP_MARK_SKY) / all;
+    const double water = marks_count(key, WIDTH * HEIGHT, MARKS_WATER) / all;
+    const double sky = marks_count(key, WIDTH * HEIGHT, MARKS_SKY) / all;
     return (shares){ water, sky, 100 - water - sky };
 }
 

@@ -7,6 +7,7 @@
 #include "features/reflection/mirror.h"
 #include "features/reflection/object_cube.h"
 #include "frame/frame.h"
+#include "kinds.h"
 #include "kit.h"
 #include "tidepool/kit.h"
 
@@ -67,19 +68,22 @@ static inline void twice_end(test_twice *t)
     free(t->picture[1]);
 }
 
-static inline void twice_marks(const uint32_t *key, size_t pixels, twice_reached *r)
+static inline void twice_marks(const tp_frame *f, const uint32_t *key, size_t pixels,
+                               twice_reached *r)
 {
-    bool has[256] = { false };
+    bool has[MARKS_SPRAY + 1] = { false };
+    uint8_t kind[TP_MARKS];
 
+    marks_list_kinds(f, kind);
     for (size_t i = 0; i < pixels; i++)
-        has[TP_MARK(key[i])] = true;
-    r->water += has[TP_MARK_WATER];
-    r->solids += has[TP_MARK_SOLID] || has[TP_MARK_SOLID + 1];
-    r->land += has[TP_MARK_LAND];
-    r->drops += has[TP_MARK_DROP];
-    r->tank += has[TP_MARK_TANK];
-    r->sides += has[TP_MARK_SIDE];
-    r->spray += has[TP_MARK_OVER];
+        has[kind[TP_MARK(key[i])]] = true;
+    r->water += has[MARKS_WATER];
+    r->solids += has[MARKS_BOAT];
+    r->land += has[MARKS_LAND];
+    r->drops += has[MARKS_DROP];
+    r->tank += has[MARKS_TANK];
+    r->sides += has[MARKS_SIDE];
+    r->spray += has[MARKS_SPRAY];
 }
 
 static inline void twice_count(const tp_frame *f, const uint32_t *key, size_t pixels,
@@ -87,7 +91,7 @@ static inline void twice_count(const tp_frame *f, const uint32_t *key, size_t pi
 {
     const tp_env *env = &f->shade.env;
 
-    twice_marks(key, pixels, r);
+    twice_marks(f, key, pixels, r);
     r->drawn++;
     r->under += f->under;
     r->in_a_tank += f->under && f->shade.inside.walled;

@@ -67,12 +67,15 @@ static uint32_t spray_colour(const tp_shade *shade, uint32_t colour)
     return tp_colour_scale(colour, (uint32_t)(lit + (256 - lit) / 2));
 }
 
-static void place(tp_frame *frame, void *mine)
+static void place(tp_frame *frame, void *mine, tp_sight *sight, tp_grid_box *box)
 {
     discs *d = mine;
     const tp_spray *spray = tp_spray_of_world(frame->world);
     bool under = frame->under, clear = frame->scene->water.clear > 0;
 
+    (void)box;
+    if (!sight->picture)
+        return;
     d->count = 0;
     d->colour = spray_colour(&frame->shade, (uint32_t)frame->scene->foam.colour);
     for (uint32_t i = 0; spray && i < spray->count && d->count < d->room; i++) {
@@ -131,10 +134,12 @@ static void over(const tp_frame *frame, const void *mine, const tp_samples *tile
     }
 }
 
-static tp_stage first(const tp_frame *frame, const void *mine, const tp_stage *stage)
+static void add_stages(const tp_frame *frame, const void *mine, const tp_stage *stage,
+                       tp_shaders *list)
 {
-    (void)frame, (void)mine;
-    return stage[0];
+    (void)frame;
+    if (list->owner == &tp_spray_drawing)
+        tp_shaders_add(list, TP_AT_COLOUR, stage[0], mine);
 }
 
 static void *layout(tp_arena *arena, const tp_want *want)
@@ -149,5 +154,6 @@ static void *layout(tp_arena *arena, const tp_want *want)
 }
 
 const tp_drawing tp_spray_drawing = {
-    .layout = layout, .place = place, .over = over, .first = first,
+    .layout = layout, .marks = tp_marks_one, .place = place, .over = over,
+    .stages = add_stages,
 };

@@ -1,0 +1,30 @@
+/* SPDX-License-Identifier: MIT */
+/* What kind of thing a mark stands for: each frame deals its own marks. */
+#ifndef TP_TESTS_KINDS_H
+#define TP_TESTS_KINDS_H
+#include "features/spray/spray.h"
+#include "frame/frame.h"
+
+typedef enum {
+    MARKS_SKY, MARKS_WATER, MARKS_BOAT, MARKS_LAND, MARKS_DROP, MARKS_TANK, MARKS_SIDE,
+    MARKS_SPRAY
+} marks_kind;
+
+static inline marks_kind marks_kind_of(const tp_frame *frame, uint32_t mark)
+{
+    if (mark < TP_MARK_SOLID)
+        return mark == TP_MARK_SKY ? MARKS_SKY : MARKS_WATER;
+    if (mark == tp_frame_mark(frame, TP_SPRAY_ID))
+        return MARKS_SPRAY;
+    return mark == TP_MARK_TANK ? MARKS_TANK : mark == TP_MARK_SIDE ? MARKS_SIDE
+         : mark == TP_MARK_LAND ? MARKS_LAND : mark == TP_MARK_DROP ? MARKS_DROP
+         : MARKS_BOAT;
+}
+
+/* The kind of each mark of the frame. */
+static inline void marks_list_kinds(const tp_frame *frame, uint8_t kind[TP_MARKS])
+{
+    for (uint32_t mark = 0; mark < TP_MARKS; mark++)
+        kind[mark] = (uint8_t)marks_kind_of(frame, mark);
+}
+#endif
