@@ -77,7 +77,7 @@ static bool add_list(const tp_frame *frame, tp_shaders *water, tp_lobe lobe, boo
     return false;
 }
 
-/* All that the tables are made of; the camera's pitch in steps of a degree. */
+/* All that the tables are made of; of the camera's pitch, what a dome's lobe has of it. */
 static void key_of(int32_t key[TP_QUICK_KEY], const tp_frame *frame, tp_lobe lobe)
 {
     const tp_scene *scene = frame->scene;
@@ -87,7 +87,8 @@ static void key_of(int32_t key[TP_QUICK_KEY], const tp_frame *frame, tp_lobe lob
         shade->world.lz, shade->mirror, scene->light.colour,
         scene->water.shininess, scene->water.specular, scene->water.fresnel,
         scene->sky.horizon, scene->sky.zenith, scene->sky.kind,
-        shade->world.back.y >> 24, (int32_t)shade->env.least, is_rippled(frame),
+        shade->env.kind == TP_ENV_DOME ? (int32_t)tp_quick_share_at_sun(shade) : 0,
+        (int32_t)shade->env.least, is_rippled(frame),
     };
     memcpy(key, numbers, sizeof numbers);
 }

@@ -24,7 +24,7 @@ static int32_t root_of(int32_t q28)
 
 /* Fresnel's share where the sun's image is seen, of a view as steep as the camera's:
  * N.L = N.V is the cosine of half the angle between sun and view, which lie opposite. */
-static uint32_t share_at_sun(const tp_shade *shade)
+uint32_t tp_quick_share_at_sun(const tp_shade *shade)
 {
     int32_t l = shade->world.ly, v = tp_clamp(shade->world.back.y >> 16, 0, 16384);
     int32_t far = (root_of((1 << 28) - l * l) * root_of((1 << 28) - v * v)) >> 14;
@@ -56,7 +56,7 @@ static uint32_t lobe_at(const tp_shade *shade, int32_t c, bool shiny, uint32_t g
 static void make_lobe(struct tp_quick_light *quick, const tp_shade *shade, tp_lobe lobe,
                       bool shiny)
 {
-    uint32_t glow_share = share_at_sun(shade);
+    uint32_t glow_share = tp_quick_share_at_sun(shade);
 
     for (int32_t i = 0; i < TP_QUICK_LOBE; i++) {
         int32_t w = 8 * i + 4;

@@ -145,6 +145,34 @@ static void a_live_change_is_drawn_as_far_as_there_are_tables(void **state)
     free(w);
 }
 
+/* Tables that a frame keeps leave no trace in the next picture. */
+static void a_camera_that_turns_draws_as_a_fresh_frame_does(void **state)
+{
+    (void)state;
+    tp_scene s = sky_scene(TP_SKY_DAY);
+    const tp_assets a = { .layer[0] = &boat.texture[0], .ripple = &boat.texture[1] };
+    const tp_frame_config c = { WIDTH, HEIGHT, 0, 0, TP_FORMAT_XRGB8888 };
+    s.boat.mesh[0] = '\0';
+    s.quality.shading = TP_SHADING_QUICK;
+    s.water.specular = s.water.reflection = s.ripple.bump = TP_FX_ONE;
+    s.hdr.share = 0;
+    s.light.heading = 0;
+    tp_world *w = scene_world(&s, &a);
+    test_frame f = frame_of(&s, &a, &c);
+    tp_tile tile;
+
+    for (int step = 0; step < 60; step++) {
+        w->pitch = w->last_pitch = tp_turn_of_degrees(-step * TP_FX_ONE / 2);
+        tp_frame_begin(f.frame, w);
+        assert_non_null(f.frame->shade.quick);
+        assert_true(tp_frame_tile(f.frame, 0, f.scratch, &tile));
+        draw(&s, &a, w, 0, 0, picture[0]);
+        assert_memory_equal(tile.pixels, picture[0], sizeof picture[0]);
+    }
+    frame_free(&f);
+    free(w);
+}
+
 int main(void)
 {
     chance = random_seed();
@@ -154,6 +182,7 @@ int main(void)
         cmocka_unit_test(a_cube_with_a_hole_is_the_gradient),
         cmocka_unit_test(skies_are_carved_for_those_who_have_them),
         cmocka_unit_test(a_live_change_is_drawn_as_far_as_there_are_tables),
+        cmocka_unit_test(a_camera_that_turns_draws_as_a_fresh_frame_does),
     };
     return cmocka_run_group_tests_name("sky", tests, NULL, NULL);
 }
