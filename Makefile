@@ -58,9 +58,9 @@ CORE := $(addprefix src/, \
     shade/stars.c shade/tables.c shade/texture.c shade/view.c \
     scene/boat.c scene/check.c scene/clock.c scene/drawn.c scene/drop.c scene/drops.c \
     scene/faint.c scene/float.c scene/governor.c scene/light.c \
-    scene/module.c scene/moves.c scene/outlook.c scene/paddle.c \
-    scene/parts.c scene/piece.c scene/plan_checked.c scene/prices.c scene/rungs.c \
-    scene/stand.c scene/tape.c \
+    scene/module.c scene/moves.c scene/outlook.c \
+    scene/parts.c scene/piece.c scene/plan_checked.c scene/pools.c scene/prices.c \
+    scene/rungs.c scene/stand.c scene/tape.c \
     scene/value.c scene/wake.c scene/works.c scene/works_land.c scene/works_more.c \
     scene/world.c scene/world_check.c \
     frame/boat.c frame/bump.c frame/carve.c frame/caustics.c \

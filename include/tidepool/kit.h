@@ -137,8 +137,6 @@ extern const struct tp_water_swells tp_water_few_swells;
     X(boat) \
     X(wake)         /* of a boat in a pool */ \
     X(drops) \
-    X(pools)        /* and water.pools */ \
-    X(paddle)       /* waves made in a pool */ \
     X(ocean)        /* and water.ocean */
 
 #define X(name) extern const struct tp_move_##name tp_move_##name;
@@ -216,7 +214,12 @@ typedef struct {
 
 /* -- modules; src/scene/module.h, src/frame/drawing.h ------------------------------- */
 
-#define TP_MODULE_LIST(X) \
+/* Nothing is drawn of the ones that are named by N. */
+#define TP_MODULE_LIST(X, N) \
+    N(pokes)        /* of pools, by chance and by input */ \
+    N(paddle)       /* waves made in pools */ \
+    N(main_pool)    /* [pool]; and water.pools */ \
+    N(field)        /* [field]; and water.pools */ \
     X(mirror)       /* of objects, a picture of half the size */ \
     X(object_cube)  /* the same as a small cube map */ \
     X(refraction)   /* objects under clear water */ \
@@ -250,11 +253,14 @@ typedef struct tp_use {
     extern const struct tp_drawing tp_##name##_drawing; \
     extern const tp_stage tp_##name##_stages[]; \
     TP_STAGES_OF_##name(X)
-TP_MODULE_LIST(MODULE)
+#define UNSEEN(name) extern const struct tp_module tp_##name##_module;
+TP_MODULE_LIST(MODULE, UNSEEN)
+#undef UNSEEN
 #undef MODULE
 #undef X
 
 #define TP_USE(name) { &tp_##name##_module, &tp_##name##_drawing, tp_##name##_stages }
+#define TP_USE_UNSEEN(name) { &tp_##name##_module, NULL, NULL }
 
 /* ------------------------------------------------------------------------------------ */
 

@@ -44,7 +44,7 @@ void buttons_read(buttons *b, uint32_t lines, const tp_world *world,
     b->lines = lines;
     if (up & BUTTON_UP && world->parts.drops)
         input->drops++;
-    if (up & BUTTON_SELECT && (world->parts.pool || world->parts.field)
+    if (up & BUTTON_SELECT && (tp_world_pool(world) || tp_world_field(world))
         && !aim(world, scene, input))
         b->lines &= ~(uint32_t)BUTTON_SELECT;   /* the tick is full: once more for the next */
     if (up & BUTTON_DOWN)

@@ -66,14 +66,14 @@ static void refuse_full(const control *c)
 
 static void poke(control *c, control_word rest)
 {
-    const tp_world_parts *parts = &c->setup->world->parts;
+    const tp_world *world = c->setup->world;
     tp_push push = { .height = c->setup->shown->pool.poke };
     bool read = next_metres(&rest, &push.x) && next_metres(&rest, &push.z);
     if (read && rest.bytes > 0)
         read = next_metres(&rest, &push.height) && rest.bytes == 0;
     if (!read)
         refuse(c, "expected poke X Z [HEIGHT], in m");
-    else if (!parts->pool && !parts->field)
+    else if (!tp_world_pool(world) && !tp_world_field(world))
         refuse(c, "the scene has no pool");
     else if (push.height != 0 && !poke_put(&c->input, &push))
         refuse_full(c);

@@ -11,7 +11,9 @@
 static const tp_use all[] = {
     TP_MORE_MODULES             /* first, so that mirrors know of them */
 #define X(name) TP_USE(name),
-    TP_MODULE_LIST(X)
+#define N(name) TP_USE_UNSEEN(name),
+    TP_MODULE_LIST(X, N)
+#undef N
 #undef X
     { 0 }
 };

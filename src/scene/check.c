@@ -6,6 +6,7 @@
 #include "base/given.h"
 #include "scene/parts.h"
 #include "scene/piece.h"
+#include "scene/pools.h"
 
 static tp_status check_number(const tp_scene *scene, const tp_param *row, tp_error *err)
 {
@@ -54,5 +55,7 @@ tp_status tp_scene_check(const tp_scene *scene, tp_error *err)
     for (uint32_t i = 0; i < count && status == TP_OK; i++)
         status = tp_param_is_text(&rows[i]) ? check_name(scene, &rows[i], err)
                                             : check_number(scene, &rows[i], err);
-    return status == TP_OK ? tp_parts_check_pools(scene, NULL, err) : status;
+    for (int field = 0; field < 2 && status == TP_OK; field++)
+        status = tp_pools_check(scene, NULL, field, err);
+    return status;
 }

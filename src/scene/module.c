@@ -138,7 +138,7 @@ void tp_modules_step(const tp_kit *kit, tp_world *world, const tp_scene *scene,
         return;
     for (const tp_use *u = kit->modules; u && u->module; u++) {
         void *mine = PART_FOR(step, u, world);
-        if (mine)
+        if (mine || (u->module->step && !u->module->bytes))
             u->module->step(mine, kit, world, scene, input);
     }
 }

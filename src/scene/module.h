@@ -67,7 +67,8 @@ typedef struct tp_module {
     /* Puts what floats on the water, when all states have been made or refreshed. */
     void (*settle)(void *mine, const tp_kit *kit, tp_world *world, const tp_scene *scene);
 
-    /* One tick, after the modules before it in the list.  `input` NULL: all 0. */
+    /* One tick, after the modules before it in the list.  A module without `bytes` steps in
+     * every world that has a chunk; its `mine` is NULL.  `input` NULL: all 0. */
     void (*step)(void *mine, const tp_kit *kit, tp_world *world, const tp_scene *scene,
                  const tp_input *input);
 

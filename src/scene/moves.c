@@ -1,24 +1,18 @@
 /* SPDX-License-Identifier: MIT */
-/* How drops and pools move, and the list of all movers, as a kit names them. */
+/* How drops move, and the list of all movers, as a kit names them. */
 #include "scene/moves.h"
 #include "base/base.h"
 #include "scene/module.h"
 
 /* -- drops ------------------------------------------------------------------------- */
 
-/* An impact raises a ring, or stirs the pool as much [D5]. */
+/* An impact raises a ring, or it stirs a pool. */
 static void strike(const tp_kit *kit, tp_world *world, const tp_scene *scene,
                    const tp_impact *impact, tp_fx level)
 {
-    const tp_moves *move = &kit->move;
-    tp_pool *pool = tp_parts_pool(world);
-
     tp_modules_hit(kit, world, scene, impact, level);
-
     if (scene->drops.into == TP_DROPS_RINGS)
         tp_drops_ring(tp_parts_drops(world), &scene->drops, impact);
-    else if (pool)
-        move->pools->hat(pool, impact->x, impact->z, impact->length / 4, -impact->amplitude);
 }
 
 static void move_drops(const tp_kit *kit, tp_world *world, const tp_scene *scene,
@@ -67,66 +61,9 @@ static void step_drops(const tp_kit *kit, tp_world *world, const tp_scene *scene
 
 const struct tp_move_drops tp_move_drops = { tp_drops_bytes, tp_drops_init, step_drops };
 
-/* -- pools ------------------------------------------------------------------------- */
-
-/* Somewhere in the middle four fifths of a pool along one side. */
-static tp_fx somewhere(tp_world *world, tp_fx centre, int32_t cells, tp_fx cell)
-{
-    int64_t side = (int64_t)cells * cell * 4 / 5;
-    return (tp_fx)(centre - side / 2 + (side * (tp_random(&world->random) >> 8) >> 24));
-}
-
-static void poke_at_times(tp_world *world, tp_pool *pool, const tp_scene_pool *scene,
-                          uint32_t *wait)
-{
-    if (scene->poke_every <= 0)
-        return;
-    uint32_t every = (uint32_t)((int64_t)scene->poke_every * TP_TICKS_PER_SECOND >> 16);
-    if (*wait > every)          /* it was longer when this wait began */
-        *wait = every;
-    if (*wait > 0 && --*wait > 0)
-        return;
-    *wait = every;
-    tp_fx x = somewhere(world, scene->x, scene->cols, scene->cell);
-    tp_fx z = somewhere(world, scene->z, scene->rows, scene->cell);
-    tp_pool_hat(pool, x, z, scene->poke_size, scene->poke);
-}
-
-static void step_pool(const tp_kit *kit, tp_world *world, tp_pool *pool,
-                      const tp_scene_pool *scene, uint32_t *wait)
-{
-    poke_at_times(world, pool, scene, wait);
-    if (scene->paddle > 0 && kit->move.paddle)
-        kit->move.paddle->push(pool, scene, world->tick);
-    tp_pool_step(pool);
-}
-
-static void step_pools(const tp_kit *kit, tp_world *world, const tp_scene *scene,
-                       const tp_input *in)
-{
-    tp_pool *pool = tp_parts_pool(world), *field = tp_parts_field(world);
-
-    for (int i = 0; in && pool && i < TP_PUSHES; i++) {
-        const tp_push *p = &in->push[i];
-        if (p->height != 0)
-            tp_pool_hat(pool, p->x, p->z, scene->pool.poke_size, p->height);
-    }
-    if (pool)
-        step_pool(kit, world, pool, &scene->pool, &world->poke_wait[0]);
-    if (field)
-        step_pool(kit, world, field, &scene->field, &world->poke_wait[1]);
-}
-
-const struct tp_move_pools tp_move_pools = {
-    .take = tp_parts_take_pools, .init = tp_parts_init_pools,
-    .can_tune = tp_parts_can_tune_pools, .tune = tp_parts_tune_pools,
-    .hat = tp_pool_hat, .step = step_pools,
-};
-
 /* -- what other files move ----------------------------------------------------------- */
 
 const struct tp_move_boat   tp_move_boat = { tp_boat_init, tp_boat_step };
 const struct tp_move_wake   tp_move_wake = { tp_boat_wake };
-const struct tp_move_paddle tp_move_paddle = { tp_paddle_push };
 const struct tp_move_ocean  tp_move_ocean = { tp_parts_ocean_bytes, tp_parts_init_ocean,
                                               tp_parts_refresh_ocean };

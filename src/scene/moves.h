@@ -26,23 +26,6 @@ struct tp_move_drops {
                  const tp_input *input);
 };
 
-/* Pool and field. */
-struct tp_move_pools {
-    tp_status (*take)(tp_world_parts *parts, tp_arena *arena, const tp_scene *scene,
-                      const tp_assets *assets, tp_error *err);
-    tp_status (*init)(tp_world *world, const tp_scene *scene, const tp_assets *assets,
-                      tp_error *err);
-    bool (*can_tune)(const tp_world *world, const tp_scene *scene);
-    void (*tune)(tp_world *world, const tp_scene *scene);
-    bool (*hat)(tp_pool *pool, tp_fx x, tp_fx z, tp_fx sigma, tp_fx height);
-    void (*step)(const tp_kit *kit, tp_world *world, const tp_scene *scene,
-                 const tp_input *input);
-};
-
-struct tp_move_paddle {
-    void (*push)(tp_pool *pool, const tp_scene_pool *scene, uint64_t tick);
-};
-
 struct tp_move_ocean {
     size_t (*bytes)(const tp_kit *kit, const tp_scene *scene, const tp_assets *assets);
     tp_status (*init)(tp_world *world, const tp_scene *scene, const tp_assets *assets,

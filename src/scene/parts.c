@@ -2,31 +2,13 @@
 /* The parts of a world; see the header. */
 #include "scene/parts.h"
 #include "base/base.h"
-#include "base/text.h"
-#include "scene/module.h"
+#include "scene/pools.h"
 #include "scene/moves.h"
 #include "scene/sides.h"
-
-static tp_pool_config pool_config(const tp_scene_pool *pool, const tp_grey *mask)
-{
-    return (tp_pool_config){
-        .cols = (uint32_t)pool->cols, .rows = (uint32_t)pool->rows,
-        .cells = (tp_cells)pool->cells, .edges = (tp_edges)pool->edges,
-        .courant = pool->courant, .damping = (uint32_t)pool->damping,
-        .sponge = (uint32_t)pool->sponge, .range = pool->range, .cell = pool->cell,
-        .x = pool->x, .z = pool->z, .feed_low = pool->feed_low,
-        .feed_high = pool->feed_high, .feed = pool->feed, .mask = mask,
-    };
-}
 
 static const tp_grey *floor_of(const tp_assets *assets)
 {
     return assets ? assets->floor : NULL;
-}
-
-static const tp_grey *mask_of(const tp_assets *assets, bool field)
-{
-    return !assets ? NULL : field ? assets->field_mask : assets->pool_mask;
 }
 
 static tp_ocean_config ocean_config(const tp_scene *scene, const tp_assets *assets)
@@ -54,61 +36,6 @@ static uint32_t take(tp_arena *arena, size_t bytes)
         return 0;
     tp_arena_take(arena, 1, bytes);
     return (uint32_t)at;
-}
-
-/* "courant" of the pool or the field becomes the parameter's name. */
-static void name_parameter(tp_error *err, const char *part)
-{
-    char name[sizeof err->word];
-    tp_text text = tp_text_over(name, sizeof name);
-
-    if (!err)
-        return;
-    tp_text_add(&text, part);
-    tp_text_char(&text, '.');
-    tp_text_add(&text, err->word);
-    tp_error_word(err, name, tp_text_length(name));
-}
-
-static tp_status check_pool(const tp_scene *scene, const tp_assets *assets, bool field,
-                            tp_error *err)
-{
-    const tp_scene_pool *pool = field ? &scene->field : &scene->pool;
-    if (pool->cols == 0)
-        return TP_OK;
-    tp_pool_config config = pool_config(pool, mask_of(assets, field));
-    tp_status status = tp_pool_check(&config, err);
-    if (status != TP_OK)
-        name_parameter(err, field ? "field" : "pool");
-    return status;
-}
-
-tp_status tp_parts_check_pools(const tp_scene *scene, const tp_assets *assets,
-                               tp_error *err)
-{
-    tp_status status = check_pool(scene, assets, false, err);
-    return status == TP_OK ? check_pool(scene, assets, true, err) : status;
-}
-
-static uint32_t take_pool(tp_arena *arena, const tp_scene *scene,
-                          const tp_assets *assets, bool field)
-{
-    const tp_scene_pool *pool = field ? &scene->field : &scene->pool;
-    tp_pool_config config = pool_config(pool, mask_of(assets, field));
-    return pool->cols == 0 ? 0 : take(arena, tp_pool_bytes(&config));
-}
-
-tp_status tp_parts_take_pools(tp_world_parts *parts, tp_arena *arena,
-                              const tp_scene *scene, const tp_assets *assets,
-                              tp_error *err)
-{
-    const tp_status status = tp_parts_check_pools(scene, assets, err);
-
-    if (status != TP_OK)
-        return status;
-    parts->pool = take_pool(arena, scene, assets, false);
-    parts->field = take_pool(arena, scene, assets, true);
-    return TP_OK;
 }
 
 size_t tp_parts_ocean_bytes(const tp_kit *kit, const tp_scene *scene,
@@ -170,10 +97,6 @@ tp_status tp_parts_of(const tp_kit *kit, tp_world_parts *parts, const tp_scene *
             return tp_error_blame(err, TP_FAIL(err, TP_E_ARG, 0, 0, 0), "floor.map");
         parts->ocean = take(&arena, bytes);
     }
-    if (move->pools && kit->water.pools)
-        status = move->pools->take(parts, &arena, scene, assets, err);
-    if (status != TP_OK)
-        return status;
     const tp_want want = { .scene = scene, .assets = assets, .coastal = parts->ocean != 0 };
     status = take_rest(kit, parts, &arena, &want, err);
     parts->bytes = status == TP_OK ? (uint32_t)arena.used : 0;
@@ -185,15 +108,6 @@ static void *part(const tp_world *world, uint32_t at)
 {
     TP_ASSERT(at % 8 == 0 && (at == 0 || at < world->parts.bytes));
     return at ? (char *)(uintptr_t)world + at : NULL;
-}
-
-static tp_status init_pool(tp_world *world, const tp_scene *scene,
-                           const tp_assets *assets, bool field, tp_error *err)
-{
-    tp_pool *pool = field ? tp_parts_field(world) : tp_parts_pool(world);
-    tp_pool_config config = pool_config(field ? &scene->field : &scene->pool,
-                                        mask_of(assets, field));
-    return pool ? tp_pool_init(pool, &config, err) : TP_OK;
 }
 
 tp_status tp_parts_init_ocean(tp_world *world, const tp_scene *scene,
@@ -216,15 +130,6 @@ tp_status tp_parts_refresh_ocean(tp_world *world, const tp_scene *scene,
                             scene->wave, TP_WAVES, NULL);
 }
 
-tp_status tp_parts_init_pools(tp_world *world, const tp_scene *scene,
-                              const tp_assets *assets, tp_error *err)
-{
-    tp_status status = init_pool(world, scene, assets, false, err);
-    if (status == TP_OK)
-        status = init_pool(world, scene, assets, true, err);
-    return status;
-}
-
 tp_status tp_parts_init(const tp_kit *kit, tp_world *world, const tp_scene *scene,
                         const tp_assets *assets, tp_error *err)
 {
@@ -233,62 +138,11 @@ tp_status tp_parts_init(const tp_kit *kit, tp_world *world, const tp_scene *scen
 
     if (world->parts.ocean)
         status = move->ocean->init(world, scene, assets, err);
-    if (status == TP_OK && (world->parts.pool || world->parts.field))
-        status = move->pools->init(world, scene, assets, err);
     if (world->parts.drops)
         move->drops->init(tp_parts_drops(world), &scene->drops);
     const tp_want want = { .scene = scene, .assets = assets,
                            .coastal = world->parts.ocean != 0 };
     return status == TP_OK ? tp_modules_init(kit, world, want, err) : status;
-}
-
-static bool tune(tp_pool *pool, const tp_scene_pool *scene)
-{
-    tp_pool_config config = pool_config(scene, NULL);
-    return !pool || tp_pool_tune(pool, &config);
-}
-
-/* On a copy of the head, whose sponge stands behind it. */
-static bool can_tune(const tp_pool *pool, const tp_scene_pool *scene)
-{
-    if (!pool)
-        return true;
-    tp_pool head = *pool;
-    head.sponge = 0;
-    return tune(&head, scene);
-}
-
-bool tp_parts_can_tune_pools(const tp_world *world, const tp_scene *scene)
-{
-    return can_tune(tp_world_pool(world), &scene->pool)
-        && can_tune(tp_world_field(world), &scene->field);
-}
-
-bool tp_parts_can_tune(const tp_kit *kit, const tp_world *world, const tp_scene *scene,
-                       const tp_assets *assets)
-{
-    const bool pools = world->parts.pool || world->parts.field;
-    const tp_want want = { .scene = scene, .assets = assets,
-                           .coastal = world->parts.ocean != 0 };
-
-    return (!pools || kit->move.pools->can_tune(world, scene))
-        && tp_modules_fit(kit, world, want);
-}
-
-void tp_parts_tune_pools(tp_world *world, const tp_scene *scene)
-{
-    tune(tp_parts_pool(world), &scene->pool);
-    tune(tp_parts_field(world), &scene->field);
-}
-
-tp_pool *tp_parts_pool(tp_world *world)
-{
-    return part(world, world->parts.pool);
-}
-
-tp_pool *tp_parts_field(tp_world *world)
-{
-    return part(world, world->parts.field);
 }
 
 tp_drops *tp_parts_drops(tp_world *world)
@@ -306,16 +160,6 @@ const tp_ring_now *tp_world_rings(const tp_world *world)
     return part(world, world->parts.rings);
 }
 
-const tp_pool *tp_world_pool(const tp_world *world)
-{
-    return part(world, world->parts.pool);
-}
-
-const tp_pool *tp_world_field(const tp_world *world)
-{
-    return part(world, world->parts.field);
-}
-
 const tp_ocean *tp_world_ocean(const tp_world *world)
 {
     return part(world, world->parts.ocean);
@@ -328,10 +172,13 @@ const tp_drops *tp_world_drops(const tp_world *world)
 
 tp_surface tp_world_surface(const tp_kit *kit, const tp_world *world)
 {
+    const bool pools = kit->water.pools != NULL;
+
     return (tp_surface){
         .by = &kit->water, .sea = &world->sea, .phases = world->phases,
         .ocean = tp_world_ocean(world),
         .ring = part(world, world->parts.rings), .rings = world->rings,
-        .pool = tp_world_pool(world), .field = tp_world_field(world),
+        .pool = pools ? tp_parts_pool(world) : NULL,
+        .field = pools ? tp_parts_field(world) : NULL,
     };
 }

@@ -16,11 +16,6 @@ tp_status tp_parts_of(const tp_kit *kit, tp_world_parts *parts, const tp_scene *
  * of the scene. */
 tp_status tp_kit_check(const tp_kit *kit, const tp_scene *scene, tp_error *err);
 
-/* tp_pool_check of the scene's pool and field; err->word is the parameter at fault.  NULL
- * assets: masks are not looked at. */
-tp_status tp_parts_check_pools(const tp_scene *scene, const tp_assets *assets,
-                               tp_error *err);
-
 /* Fills the parts at world->parts: still water, no drops. */
 tp_status tp_parts_init(const tp_kit *kit, tp_world *world, const tp_scene *scene,
                         const tp_assets *assets, tp_error *err);
@@ -32,29 +27,11 @@ tp_status tp_parts_init_ocean(tp_world *world, const tp_scene *scene,
 tp_status tp_parts_refresh_ocean(tp_world *world, const tp_scene *scene,
                                  const tp_assets *assets);
 
-/* What of the pools may change while they move; first ask whether nothing else has. */
-bool tp_parts_can_tune(const tp_kit *kit, const tp_world *world, const tp_scene *scene,
-                       const tp_assets *assets);
-
-/* Of pool and field alone: their places in the block, what is in them, and the same two. */
-tp_status tp_parts_take_pools(tp_world_parts *parts, tp_arena *arena,
-                              const tp_scene *scene, const tp_assets *assets,
-                              tp_error *err);
-tp_status tp_parts_init_pools(tp_world *world, const tp_scene *scene,
-                              const tp_assets *assets, tp_error *err);
-bool tp_parts_can_tune_pools(const tp_world *world, const tp_scene *scene);
-void tp_parts_tune_pools(tp_world *world, const tp_scene *scene);
-
 /* By a kit with swells, whose number it goes by. */
 size_t tp_parts_ocean_bytes(const tp_kit *kit, const tp_scene *scene,
                             const tp_assets *assets);
 
-/* Makes the waves of scene->paddle, at a tick; the pool is the scene's. */
-void tp_paddle_push(tp_pool *pool, const tp_scene_pool *scene, uint64_t tick);
-
 /* Pointers into the block, or NULL. */
-tp_pool     *tp_parts_pool(tp_world *world);
-tp_pool     *tp_parts_field(tp_world *world);
 tp_drops    *tp_parts_drops(tp_world *world);
 tp_ring_now *tp_parts_rings(tp_world *world);
 const tp_ring_now *tp_world_rings(const tp_world *world);

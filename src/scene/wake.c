@@ -22,7 +22,7 @@
  * they cannot, any cell within reach can: at the worst it goes back whence it came. */
 #include "base/assert.h"
 #include "scene/boat.h"
-#include "scene/parts.h"
+#include "scene/pools.h"
 
 #define PEAK_LEAST 2                    /* LSB */
 #define AROUND     TP_FX(1.5)           /* of a hull's sides */

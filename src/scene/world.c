@@ -88,23 +88,23 @@ tp_status tp_world_init_with(const tp_kit *kit, tp_world *world, size_t bytes,
     return TP_OK;
 }
 
-/* The sea, the pools' tuning and the boat's place take microseconds, and are made again
- * each time.  The ocean makes its tables again if their numbers changed. */
+/* The sea and the boat's place take microseconds, and are made again each time.  The
+ * ocean makes its tables again if its numbers changed. */
 bool tp_world_refresh_with(const tp_kit *kit, tp_world *world, const tp_scene *scene,
                            const tp_assets *assets)
 {
     TP_ASSERT(world != NULL && world->parts.bytes > 0);
+    const tp_want want = { .scene = scene, .assets = assets,
+                           .coastal = world->parts.ocean != 0 };
     tp_world_parts parts;
 
     if (tp_parts_of(kit, &parts, scene, assets, NULL) != TP_OK
         || memcmp(&parts, &world->parts, sizeof parts) != 0
-        || !tp_parts_can_tune(kit, world, scene, assets))
+        || !tp_modules_fit(kit, world, want))
         return false;
     place_sea(kit, world, scene);
     if (world->parts.ocean && kit->move.ocean->refresh(world, scene, assets) != TP_OK)
         return false;
-    if (world->parts.pool || world->parts.field)
-        kit->move.pools->tune(world, scene);
     if (world->parts.drops) {
         tp_parts_drops(world)->sphere.y = scene->drops.y;
         tp_parts_drops(world)->sphere_radius = 2 * scene->drops.radius;
@@ -113,8 +113,6 @@ bool tp_world_refresh_with(const tp_kit *kit, tp_world *world, const tp_scene *s
     if (world->clock_scale != scene->clock.scale)
         tp_clock_aim(&world->clock, scene->clock.scale);
     world->clock_scale = scene->clock.scale;
-    const tp_want want = { .scene = scene, .assets = assets,
-                           .coastal = world->parts.ocean != 0 };
     if (!tp_modules_refresh(kit, world, want))
         return false;
     place_boat(kit, world, scene);
@@ -194,8 +192,6 @@ void tp_world_step_with(const tp_kit *kit, tp_world *world, const tp_scene *scen
         move->boat->step(kit, world, scene, input);
     if (has_boat(kit, scene) && move->wake)
         move->wake->step(world, scene);
-    if (world->parts.pool || world->parts.field)
-        move->pools->step(kit, world, scene, input);
     tp_light_step(world, scene, input);
     tp_modules_step(kit, world, scene, input);
     if (input)

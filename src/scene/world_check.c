@@ -6,7 +6,6 @@
  * that was made of it.  What ticks change is checked by the file that owns it. */
 #include "base/base.h"
 #include "base/given.h"
-#include "pool/pool.h"
 #include "scene/boat.h"
 #include "scene/drawn.h"
 #include "scene/light.h"
@@ -35,7 +34,7 @@ static bool is_same_sea(const tp_sea *sea, const tp_sea *fresh)
 /* Bytes from an offset to the next part. */
 static size_t part_bytes(const tp_world_parts *p, uint32_t at)
 {
-    const uint32_t next[] = { p->pool, p->field, p->rings, p->drops, p->modules };
+    const uint32_t next[] = { p->rings, p->drops, p->modules };
     uint32_t end = p->bytes;
 
     for (size_t i = 0; i < sizeof next / sizeof *next; i++)
@@ -71,11 +70,6 @@ static bool are_rings_valid(const tp_world *world)
     return n == world->rings;
 }
 
-static bool is_pool_valid(const tp_pool *pool, const tp_pool *fresh)
-{
-    return !fresh || tp_pool_is_valid(pool, fresh);
-}
-
 static bool is_air_valid(const tp_world *world, const tp_world *fresh)
 {
     return !fresh->parts.drops
@@ -93,8 +87,6 @@ static const char *find_invalid(const tp_kit *kit, const tp_world *world,
          : !tp_clock_is_valid(&world->clock) ? "clock"
          : !is_same_sea(&world->sea, &fresh->sea) ? "sea"
          : !is_same_ocean(world, fresh) ? "ocean"
-         : !is_pool_valid(tp_world_pool(world), tp_world_pool(fresh)) ? "pool"
-         : !is_pool_valid(tp_world_field(world), tp_world_field(fresh)) ? "field"
          : !is_air_valid(world, fresh) ? "drops"
          : !are_rings_valid(world) ? "rings"
          : tp_modules_find_invalid(kit, world, fresh);

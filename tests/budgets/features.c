@@ -9,6 +9,11 @@
 #endif
 
 static const tp_use modules[] = {
+#if FEATURES >= 11
+    TP_USE_UNSEEN(pokes),
+    TP_USE_UNSEEN(main_pool),
+    TP_USE_UNSEEN(field),
+#endif
 #if FEATURES >= 8
     TP_USE(mirror),
 #endif
@@ -82,7 +87,6 @@ const tp_kit features_kit = {
 #endif
 #if FEATURES >= 11      /* pools, stirred by the boat */
     .water.pools = &tp_water_pools,
-    .move.pools = &tp_move_pools,
     .move.wake = &tp_move_wake,
 #endif
 #if FEATURES >= 12      /* drops and rings */

@@ -3,7 +3,7 @@
  * ticks and drawn again.  The first byte chooses one of the worlds of tests/host/kept.h;
  * 255: the rest is the whole file.  Then any number of changes:
  *
- *     WHERE       a byte: 0: the file's head; 1: the world's; 2..9: a part
+ *     WHERE       a byte: 0: the file's head; 1: the world's; 2..7: a part
  *     OFFSET      two bytes, in words of 4; of a part from where it begins
  *     HOW         a byte: 0..5: a hostile value; else 1 to 8 bytes that follow */
 #include "fuzz.h"
@@ -19,11 +19,18 @@ static uint32_t take_bytes(input *in, int count)
     return value;
 }
 
+/* Where a part of the scene's world lies; 0: it has none. */
+static uint32_t place_of(const kept *k, const void *part)
+{
+    return part ? (uint32_t)((const char *)part - (const char *)k->fresh) : 0;
+}
+
 /* Where a part begins in the file: the file's own for one that the scene lacks. */
 static size_t begin_of(const kept *k, uint32_t where)
 {
     const tp_world_parts *p = &k->fresh->parts;
-    const uint32_t parts[] = { 0, p->ocean, p->pool, p->field, p->rings, p->drops,
+    const uint32_t parts[] = { 0, p->ocean, place_of(k, tp_world_pool(k->fresh)),
+                               place_of(k, tp_world_field(k->fresh)), p->rings, p->drops,
                                p->modules };
     return where % 8 == 0 ? 0 : k->head + parts[where % 8 - 1];
 }

@@ -91,15 +91,21 @@ static void truth_values_are_the_scenes(void **state)
             assert_refused(&worlds[0], at[i], &(uint8_t){ (uint8_t)value }, 1, "a bool");
 }
 
+/* Where a part of a world lies; 0: it has none. */
+static uint32_t place_of(const kept *k, const void *part)
+{
+    return part ? (uint32_t)((const char *)part - (const char *)k->fresh) : 0;
+}
+
 static void counts_are_within_their_room(void **state)
 {
     (void)state;
     kept *k = &worlds[0];
     const tp_world_parts *parts = &k->fresh->parts;
-    const size_t foam = (size_t)((const char *)tp_world_foam(k->fresh)
-                                 - (const char *)k->fresh);
-    const size_t spray = (size_t)((const char *)tp_world_spray(k->fresh)
-                                  - (const char *)k->fresh);
+    const size_t foam = place_of(k, tp_world_foam(k->fresh));
+    const size_t spray = place_of(k, tp_world_spray(k->fresh));
+    const size_t pool = place_of(k, tp_world_pool(k->fresh));
+    const size_t field = place_of(k, tp_world_field(k->fresh));
     const size_t at[] = {
         parts->drops + offsetof(tp_drops, count), parts->drops + offsetof(tp_drops, rings),
         parts->drops + offsetof(tp_drops, capacity),
@@ -107,8 +113,8 @@ static void counts_are_within_their_room(void **state)
         spray + offsetof(tp_spray, count), spray + offsetof(tp_spray, capacity),
         foam + offsetof(tp_foam, cells), foam + offsetof(tp_foam, work),
         parts->modules, parts->modules + 4,     /* the first chunk's id and length */
-        parts->pool + offsetof(tp_pool, cols), parts->pool + offsetof(tp_pool, cells),
-        parts->field + offsetof(tp_pool, walls), parts->field + offsetof(tp_pool, sponge),
+        pool + offsetof(tp_pool, cols), pool + offsetof(tp_pool, cells),
+        field + offsetof(tp_pool, walls), field + offsetof(tp_pool, sponge),
         offsetof(tp_world, rings), offsetof(tp_world, sea.count),
         offsetof(tp_world, aboard),
     };
@@ -130,8 +136,9 @@ static void any_word_is_refused_or_safe(void **state)
     for (int i = 0; i < KEPT_SCENES; i++) {
         kept *k = &worlds[i];
         const tp_world_parts *p = &k->fresh->parts;
-        const uint32_t parts[] = { 0, p->ocean, p->pool, p->field, p->rings, p->drops,
-                                   p->modules };
+        const uint32_t parts[] = { 0, p->ocean, place_of(k, tp_world_pool(k->fresh)),
+                                   place_of(k, tp_world_field(k->fresh)), p->rings,
+                                   p->drops, p->modules };
         for (int part = 0; part < 7; part++) {
             const size_t begin = parts[part];
             const size_t end = part == 0 ? offsetof(tp_world, sea) : begin + 160;

@@ -11,6 +11,7 @@
 #include <stdint.h>
 #include <cmocka.h>
 #include "tests/unit/twice.h"
+#include "scene/pools.h"
 #include "tidepool/foam.h"
 #include "wave/ocean.h"
 
@@ -96,10 +97,10 @@ static void ask_parts(tp_world *world, tp_fx x, tp_fx z)
 {
     if (tp_world_ocean(world))
         ask_ocean(tp_world_ocean(world), world->phases, x, z);
-    if (world->parts.pool)
-        ask_pool((tp_pool *)(void *)((char *)world + world->parts.pool), x, z);
-    if (world->parts.field)
-        ask_pool((tp_pool *)(void *)((char *)world + world->parts.field), x, z);
+    if (tp_parts_pool(world))
+        ask_pool(tp_parts_pool(world), x, z);
+    if (tp_parts_field(world))
+        ask_pool(tp_parts_field(world), x, z);
     if (tp_world_foam(world))
         tp_foam_at(tp_world_foam(world), x, z);
 }

@@ -3,7 +3,7 @@
 #ifndef TP_TESTS_WAKES_H
 #define TP_TESTS_WAKES_H
 #include "scene/boat.h"
-#include "scene/parts.h"
+#include "scene/pools.h"
 #include "scenes.h"
 
 /* 96 cells of 1/4 m each way, a boat of 4 m in the middle. */

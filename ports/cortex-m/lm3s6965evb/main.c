@@ -24,7 +24,10 @@
 
 /* Waves, pools, drops, spray, a boat, foam, layers, ripples and two kinds of sky: 256 KB
  * of flash hold no more.  Crossings are streamed, since 64 KB would not hold them. */
-static const tp_use modules[] = { TP_USE(foam), TP_USE(spray), { 0 } };
+static const tp_use modules[] = {
+    TP_USE_UNSEEN(pokes), TP_USE_UNSEEN(paddle), TP_USE_UNSEEN(main_pool),
+    TP_USE_UNSEEN(field), TP_USE(foam), TP_USE(spray), { 0 }
+};
 static const tp_kit kit = {
     .modules = modules,
     .check = tp_scene_check,
@@ -44,8 +47,7 @@ static const tp_kit kit = {
     },
     .store[TP_FORMAT_L8] = tp_store_l8,
     .water = { TP_WATER(swells), TP_WATER(sharp), TP_WATER(rings), TP_WATER(pools) },
-    .move = { TP_MOVE(boat), TP_MOVE(wake), TP_MOVE(drops), TP_MOVE(pools),
-              TP_MOVE(paddle) },
+    .move = { TP_MOVE(boat), TP_MOVE(wake), TP_MOVE(drops) },
     .draw = { TP_DRAW(boat), TP_DRAW(drops),
               TP_DRAW(layers), TP_DRAW(ripple), TP_DRAW(bumps), TP_DRAW(dome),
               TP_DRAW(fresnel), TP_DRAW(glint) },

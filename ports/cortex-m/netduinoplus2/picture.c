@@ -6,7 +6,9 @@
 
 static const tp_use modules[] = {
 #define X(name) TP_USE(name),
-    TP_MODULE_LIST(X)
+#define N(name) TP_USE_UNSEEN(name),
+    TP_MODULE_LIST(X, N)
+#undef N
 #undef X
     { 0 }
 };

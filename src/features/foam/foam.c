@@ -58,7 +58,7 @@ static int32_t first_around(const tp_foam *foam, tp_fx middle, int64_t drift_q32
 
 static void place_window(tp_foam *foam, const tp_world *world, const tp_scene *scene)
 {
-    bool  pool = world->parts.pool != 0;
+    bool  pool = tp_world_pool(world) != NULL;
     tp_vec3 eye = tp_camera_between(world, 0).eye;
     tp_fx x = pool ? scene->pool.x : eye.x;
     tp_fx z = pool ? scene->pool.z : eye.z;

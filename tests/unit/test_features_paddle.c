@@ -10,7 +10,7 @@
 #include <stdint.h>
 #include <cmocka.h>
 #include "pools.h"
-#include "scene/parts.h"
+#include "features/pool/pool.h"
 
 enum { COLS = 16, ROWS = 240 };
 

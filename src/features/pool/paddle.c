@@ -8,8 +8,7 @@
  * other row, n cells away and opposite, that is 2 sin(k n / 2) times as much.  Before a
  * wall mirrored rows push along: 2 (cos(k/2) - cos(k (n + 1/2))) times as much. */
 #include "base/assert.h"
-#include "scene/parts.h"
-#include "tidepool/pool.h"
+#include "features/pool/pool.h"
 
 typedef struct {
     uint32_t row, apart;        /* the rows are `row` and `row + apart` */
@@ -72,3 +71,32 @@ void tp_paddle_push(tp_pool *pool, const tp_scene_pool *scene, uint64_t tick)
         push_column(pool, &s, col, push);
     tp_pool_stirred(pool, tp_pool_lsb(pool, scene->paddle));
 }
+
+/* -- the module ---------------------------------------------------------------------- */
+
+static bool has_paddle(const tp_scene_pool *scene)
+{
+    return scene->cols > 0 && scene->paddle > 0;
+}
+
+static bool enabled(const tp_want *want)
+{
+    return has_paddle(&want->scene->pool) || has_paddle(&want->scene->field);
+}
+
+static void step(void *mine, const tp_kit *kit, tp_world *world, const tp_scene *scene,
+                 const tp_input *input)
+{
+    tp_pool *pool = tp_parts_pool(world), *field = tp_parts_field(world);
+
+    (void)mine, (void)kit, (void)input;
+    if (pool && has_paddle(&scene->pool))
+        tp_paddle_push(pool, &scene->pool, world->tick);
+    if (field && has_paddle(&scene->field))
+        tp_paddle_push(field, &scene->field, world->tick);
+}
+
+const tp_module tp_paddle_module = {
+    .name = "paddle", .id = TP_MODULE_ID('p', 'a', 'd', 'l'), .enabled = enabled,
+    .step = step,
+};

@@ -1,0 +1,195 @@
+/* SPDX-License-Identifier: MIT */
+/* The modules of a scene's two pools: [pool], which drops and a caller's hand stir, and
+ * [field].  A tick pokes both, then a paddle pushes their water (paddle.c), then each
+ * steps. */
+#include "base/base.h"
+#include "features/pool/pool.h"
+#include "pool/pool.h"
+
+/* -- pokes --------------------------------------------------------------------------- */
+
+/* A random place in the middle four fifths of a pool along one side. */
+static tp_fx random_place(tp_world *world, tp_fx centre, int32_t cells, tp_fx cell)
+{
+    int64_t side = (int64_t)cells * cell * 4 / 5;
+    return (tp_fx)(centre - side / 2 + (side * (tp_random(&world->random) >> 8) >> 24));
+}
+
+static void poke(tp_basin *basin, tp_world *world, const tp_scene_pool *scene)
+{
+    if (!basin || scene->poke_every <= 0)
+        return;
+    uint32_t every = (uint32_t)((int64_t)scene->poke_every * TP_TICKS_PER_SECOND >> 16);
+    if (basin->poke_wait > every)       /* it was longer when this wait began */
+        basin->poke_wait = every;
+    if (basin->poke_wait > 0 && --basin->poke_wait > 0)
+        return;
+    basin->poke_wait = every;
+    tp_fx x = random_place(world, scene->x, scene->cols, scene->cell);
+    tp_fx z = random_place(world, scene->z, scene->rows, scene->cell);
+    tp_pool_hat(&basin->pool, x, z, scene->poke_size, scene->poke);
+}
+
+static void push(tp_pool *pool, const tp_scene *scene, const tp_input *in)
+{
+    for (int i = 0; in && pool && i < TP_PUSHES; i++) {
+        const tp_push *p = &in->push[i];
+        if (p->height != 0)
+            tp_pool_hat(pool, p->x, p->z, scene->pool.poke_size, p->height);
+    }
+}
+
+static void step_pokes(void *mine, const tp_kit *kit, tp_world *world,
+                       const tp_scene *scene, const tp_input *in)
+{
+    (void)mine, (void)kit;
+    push(tp_parts_pool(world), scene, in);
+    poke(tp_world_part(world, TP_POOL_ID), world, &scene->pool);
+    poke(tp_world_part(world, TP_FIELD_ID), world, &scene->field);
+}
+
+static bool has_pools(const tp_want *want)
+{
+    return want->scene->pool.cols > 0 || want->scene->field.cols > 0;
+}
+
+const tp_module tp_pokes_module = {
+    .name = "pokes", .id = TP_MODULE_ID('p', 'o', 'k', 'e'), .enabled = has_pools,
+    .step = step_pokes,
+};
+
+/* -- either pool --------------------------------------------------------------------- */
+
+static size_t bytes_of(const tp_want *want, bool field)
+{
+    const tp_pool_config config = tp_pools_config(want->scene, want->assets, field);
+    return offsetof(tp_basin, pool) + tp_pool_bytes(&config);
+}
+
+static tp_status init_one(tp_basin *basin, const tp_want *want, bool field, tp_error *err)
+{
+    const tp_pool_config config = tp_pools_config(want->scene, want->assets, field);
+    return tp_pool_init(&basin->pool, &config, err);
+}
+
+/* On a copy of the head, whose sponge stands behind it. */
+static bool fits_one(const tp_basin *basin, const tp_scene *scene, bool field)
+{
+    const tp_pool_config config = tp_pools_config(scene, NULL, field);
+    tp_pool head = basin->pool;
+
+    head.sponge = 0;
+    return tp_pool_tune(&head, &config);
+}
+
+static bool refresh_one(tp_basin *basin, const tp_scene *scene, bool field)
+{
+    const tp_pool_config config = tp_pools_config(scene, NULL, field);
+    return tp_pool_tune(&basin->pool, &config);
+}
+
+static void step(void *mine, const tp_kit *kit, tp_world *world, const tp_scene *scene,
+                 const tp_input *in)
+{
+    tp_basin *basin = mine;
+
+    (void)kit, (void)world, (void)scene, (void)in;
+    tp_pool_step(&basin->pool);
+}
+
+static bool is_valid(const void *mine, const void *made)
+{
+    const tp_basin *basin = mine, *fresh = made;
+    return tp_pool_is_valid(&basin->pool, &fresh->pool);
+}
+
+/* -- [pool] -------------------------------------------------------------------------- */
+
+static bool pool_enabled(const tp_want *want)
+{
+    return want->scene->pool.cols > 0;
+}
+
+static tp_status pool_check(const tp_want *want, tp_error *err)
+{
+    return tp_pools_check(want->scene, want->assets, false, err);
+}
+
+static size_t pool_bytes(const tp_want *want)
+{
+    return bytes_of(want, false);
+}
+
+static tp_status pool_init(void *mine, tp_world *world, const tp_want *want, tp_error *err)
+{
+    (void)world;
+    return init_one(mine, want, false, err);
+}
+
+static bool pool_fits(const void *mine, const tp_scene *scene)
+{
+    return fits_one(mine, scene, false);
+}
+
+static bool pool_refresh(void *mine, tp_world *world, const tp_want *want)
+{
+    (void)world;
+    return refresh_one(mine, want->scene, false);
+}
+
+/* A drop stirs the pool as much as a ring would rise from it [D5]. */
+static void pool_hit(void *mine, const tp_scene *scene, const tp_impact *impact, tp_fx level)
+{
+    tp_basin *basin = mine;
+
+    (void)level;
+    if (scene->drops.into != TP_DROPS_RINGS)
+        tp_pool_hat(&basin->pool, impact->x, impact->z, impact->length / 4,
+                    -impact->amplitude);
+}
+
+const tp_module tp_main_pool_module = {
+    .name = "pool", .id = TP_POOL_ID, .enabled = pool_enabled, .check = pool_check,
+    .bytes = pool_bytes, .init = pool_init, .fits = pool_fits, .refresh = pool_refresh,
+    .step = step, .hit = pool_hit, .is_valid = is_valid,
+};
+
+/* -- [field] ------------------------------------------------------------------------- */
+
+static bool field_enabled(const tp_want *want)
+{
+    return want->scene->field.cols > 0;
+}
+
+static tp_status field_check(const tp_want *want, tp_error *err)
+{
+    return tp_pools_check(want->scene, want->assets, true, err);
+}
+
+static size_t field_bytes(const tp_want *want)
+{
+    return bytes_of(want, true);
+}
+
+static tp_status field_init(void *mine, tp_world *world, const tp_want *want, tp_error *err)
+{
+    (void)world;
+    return init_one(mine, want, true, err);
+}
+
+static bool field_fits(const void *mine, const tp_scene *scene)
+{
+    return fits_one(mine, scene, true);
+}
+
+static bool field_refresh(void *mine, tp_world *world, const tp_want *want)
+{
+    (void)world;
+    return refresh_one(mine, want->scene, true);
+}
+
+const tp_module tp_field_module = {
+    .name = "field", .id = TP_FIELD_ID, .enabled = field_enabled, .check = field_check,
+    .bytes = field_bytes, .init = field_init, .fits = field_fits,
+    .refresh = field_refresh, .step = step, .is_valid = is_valid,
+};

@@ -1,0 +1,73 @@
+/* SPDX-License-Identifier: MIT */
+/* The two pools of a scene; see the header. */
+#include "scene/pools.h"
+#include "base/base.h"
+#include "base/text.h"
+
+tp_pool_config tp_pools_config(const tp_scene *scene, const tp_assets *assets, bool field)
+{
+    const tp_scene_pool *pool = field ? &scene->field : &scene->pool;
+
+    return (tp_pool_config){
+        .cols = (uint32_t)pool->cols, .rows = (uint32_t)pool->rows,
+        .cells = (tp_cells)pool->cells, .edges = (tp_edges)pool->edges,
+        .courant = pool->courant, .damping = (uint32_t)pool->damping,
+        .sponge = (uint32_t)pool->sponge, .range = pool->range, .cell = pool->cell,
+        .x = pool->x, .z = pool->z, .feed_low = pool->feed_low,
+        .feed_high = pool->feed_high, .feed = pool->feed,
+        .mask = !assets ? NULL : field ? assets->field_mask : assets->pool_mask,
+    };
+}
+
+/* "courant" of the pool or the field becomes the parameter's name. */
+static void name_parameter(tp_error *err, const char *part)
+{
+    char name[sizeof err->word];
+    tp_text text = tp_text_over(name, sizeof name);
+
+    if (!err)
+        return;
+    tp_text_add(&text, part);
+    tp_text_char(&text, '.');
+    tp_text_add(&text, err->word);
+    tp_error_word(err, name, tp_text_length(name));
+}
+
+tp_status tp_pools_check(const tp_scene *scene, const tp_assets *assets, bool field,
+                         tp_error *err)
+{
+    const tp_pool_config config = tp_pools_config(scene, assets, field);
+
+    if (config.cols == 0)
+        return TP_OK;
+    tp_status status = tp_pool_check(&config, err);
+    if (status != TP_OK)
+        name_parameter(err, field ? "field" : "pool");
+    return status;
+}
+
+static tp_pool *pool_of(const tp_world *world, uint32_t id)
+{
+    tp_basin *basin = tp_world_part(world, id);
+    return basin ? &basin->pool : NULL;
+}
+
+tp_pool *tp_parts_pool(const tp_world *world)
+{
+    return pool_of(world, TP_POOL_ID);
+}
+
+tp_pool *tp_parts_field(const tp_world *world)
+{
+    return pool_of(world, TP_FIELD_ID);
+}
+
+const tp_pool *tp_world_pool(const tp_world *world)
+{
+    return pool_of(world, TP_POOL_ID);
+}
+
+const tp_pool *tp_world_field(const tp_world *world)
+{
+    return pool_of(world, TP_FIELD_ID);
+}
