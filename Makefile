@@ -189,10 +189,16 @@ BAKES   := $(wildcard ports/host/bake*.c ports/host/assets*.c ports/host/png_rea
 SHIPPED := $(wildcard assets/scenes/* assets/boats/*.[mop]* assets/textures/*.png \
                assets/skies/*.png)
 
+# Modules of somebody else's: their folder, see below.
+MORE    ?=
+MORE_AT := $(BUILD)/more/$(notdir $(MORE))
+
 # -- what people ask for ---------------------------------------------------------------
 
 ## build the program and the library
 all: $(PROGRAM) $(LIB)
+## build the program with modules of your own: MORE=ports/examples/buoy
+more: $(MORE_AT)/tidepool
 ## build the library alone
 lib: $(LIB)
 ## install what is missing, build, show SCENE; without a display draw it to files
@@ -330,7 +336,7 @@ host-tests: everything
 	    tests/host/cli.sh \
 	    tests/host/manual.sh tests/host/exits.sh tests/host/output.sh tests/host/bake.sh \
 	    tests/host/check.sh tests/host/check_ranges.sh tests/host/tape.sh \
-	    tests/host/screen.sh tests/host/saves.sh tests/host/charts.sh \
+	    tests/host/screen.sh tests/host/saves.sh tests/host/own_module.sh tests/host/charts.sh \
 	    tests/host/charts_stop.sh tests/boards/readme.sh \
 	    tests/gates/sanitized.sh tests/host/generators.sh tests/host/readme.sh
 # First what several of them want of the board's compiler.
@@ -396,6 +402,15 @@ $(BUILD)/ports.a: $(PORTS_O)
 	$(SAY)$(LINK) -shared -Wl,-soname,$(abspath $@) $^ -o $@
 $(PROGRAM): $(MAIN:%.c=$(BUILD)/%.o) $(BUILD)/ports.a $(LIB)
 	$(SAY)$(LINK) $^ $(LIBS) -o $@
+# The program with modules of somebody else's: MORE is their folder, whose list.h lists
+# them.  The library's own list and its table of parameters are compiled again for them.
+MORE_O  := $(patsubst %.c,$(MORE_AT)/%.o,src/features/all.c src/features/all_rows.c \
+               ports/host/machine.c $(wildcard $(addsuffix /*.c,$(MORE))))
+$(MORE_AT)/tidepool: $(MAIN:%.c=$(BUILD)/%.o) $(MORE_O) $(BUILD)/ports.a $(LIB)
+	$(SAY)$(LINK) $^ $(LIBS) -o $@
+$(MORE_O): $(MORE_AT)/%.o: %.c $(BUILD)/flags
+	@mkdir -p $(@D)
+	$(SAY)$(COMPILE) $(HOSTED) -UTP_HAVE_KIT_V3 -DTP_MORE='"$(MORE)/list.h"' -c $< -o $@
 $(BUILD)/tests/boards/vm_state: $(BUILD)/tests/boards/vm_state.o
 	$(SAY)$(LINK) -static $^ -o $@
 $(UNIT): $(UNIT_LIB)
@@ -550,6 +565,6 @@ include ports/web/web.mk
 .PHONY: all lib run test test-all soak count ram boards bench views charts reference \
     fuzz coverage mutants golden gallery assets install format clean help unit \
     sanitized everything host-tests more-tests fuzzers peers charts-tools elf elves \
-    frames kits list-core list-scenes list-cross list-tests force
+    frames kits more list-core list-scenes list-cross list-tests force
 .SECONDARY:
 -include $(shell find $(sort $(BUILD) $(CORE_AT)) -name '*.d' 2>/dev/null)

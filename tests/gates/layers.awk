@@ -8,7 +8,9 @@
 # and itself; sdl2 and null are parts of the host program and see host as well.  Raw
 # screens, linuxfb and kms, are shown by screen, which host hands its pictures to.  What
 # live knows of input and changes is for every port where somebody acts.  The preview
-# compares its pictures with the reference's, which is in tests.
+# compares its pictures with the reference's, which is in tests.  A module that a program
+# brings itself, in ports/examples, sees what the library's own modules see; TP_MORE names
+# the header that lists such modules.
 BEGIN {
     levels = split("base|fx|pixel|asset wave pool|geom|raster shade|scene|frame|features", level,
                    "|")
@@ -62,6 +64,8 @@ FNR == 1 {
         wrong("folder without a rank")
 }
 
+/^[ \t]*#[ \t]*include[ \t]+TP_MORE/ { next }
+
 /^[ \t]*#[ \t]*include/ {
     name = $0
     sub(/^[^<"]*[<"]/, "", name)
@@ -74,7 +78,8 @@ FNR == 1 {
         if (step[1] == "..")
             step[1] = step[2]
         sight = folder "=" step[1]
-        if (public || name !~ /\// || step[1] == folder || sight in guest)
+        if (public || name !~ /\// || step[1] == folder || sight in guest \
+            || (folder == "examples" && step[1] in rank && step[1] != "features"))
             next
         wrong("a port includes public headers and its own alone")
     } else if ($0 ~ /</) {

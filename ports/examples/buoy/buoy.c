@@ -1,0 +1,82 @@
+/* SPDX-License-Identifier: MIT */
+/* How the buoy moves: it follows the water's height like a weight on a damped spring, and
+ * leans with the water's slope. */
+#include "buoy.h"
+#include "geom/surface.h"
+#include "scene/parts.h"
+
+#define STIFFNESS 8             /* a tick adds 1 / 8 of the way to the water to its rise */
+#define DAMPING   4             /* and takes 1 / 4 of the rise away */
+#define FOLLOW    8             /* a tick leans it 1 / 8 of the way to the water's slope */
+#define LEAN_MOST TP_FX(0.75)
+#define HEIGHT_MOST (100 * TP_FX_ONE)
+
+static bool enabled(const tp_want *want)
+{
+    return want->scene->own[BUOY_ON] != 0;
+}
+
+static size_t bytes(const tp_want *want)
+{
+    (void)want;
+    return sizeof(buoy_state);
+}
+
+/* The pose that the water asks for where the buoy stands: square to the surface. */
+static buoy_pose pose_of(const tp_surface *water, const tp_scene *scene)
+{
+    const tp_sea_point at = tp_surface_above(water, scene->own[BUOY_X],
+                                             scene->own[BUOY_Z], NULL);
+
+    return (buoy_pose){
+        .height = tp_clamp(at.position.y, -HEIGHT_MOST, HEIGHT_MOST),
+        .lean_x = tp_clamp(-at.slope_x, -LEAN_MOST, LEAN_MOST),
+        .lean_z = tp_clamp(-at.slope_z, -LEAN_MOST, LEAN_MOST),
+    };
+}
+
+/* A row that changes later leaves it where it floats. */
+static void settle(void *mine, const tp_kit *kit, tp_world *world, const tp_scene *scene)
+{
+    const tp_surface water = tp_world_surface(kit, world);
+    buoy_state *buoy = mine;
+
+    if (!buoy->afloat)
+        buoy->now = buoy->last = pose_of(&water, scene);
+    buoy->afloat = 1;
+}
+
+static void step(void *mine, const tp_kit *kit, tp_world *world, const tp_scene *scene,
+                 const tp_input *input)
+{
+    const tp_surface water = tp_world_surface(kit, world);
+    const buoy_pose  to = pose_of(&water, scene);
+    buoy_state *buoy = mine;
+
+    (void)input;
+    buoy->last = buoy->now;
+    buoy->rise += (to.height - buoy->now.height) / STIFFNESS - buoy->rise / DAMPING;
+    buoy->now.height += buoy->rise;
+    buoy->now.lean_x += (to.lean_x - buoy->now.lean_x) / FOLLOW;
+    buoy->now.lean_z += (to.lean_z - buoy->now.lean_z) / FOLLOW;
+}
+
+static bool is_pose(const buoy_pose *pose)
+{
+    return tp_abs(pose->height) <= 2 * HEIGHT_MOST && tp_abs(pose->lean_x) <= LEAN_MOST
+        && tp_abs(pose->lean_z) <= LEAN_MOST;
+}
+
+static bool is_valid(const void *mine, const void *fresh)
+{
+    const buoy_state *buoy = mine;
+
+    (void)fresh;
+    return is_pose(&buoy->now) && is_pose(&buoy->last)
+        && tp_abs(buoy->rise) <= HEIGHT_MOST && buoy->afloat == 1;
+}
+
+const tp_module tp_buoy_module = {
+    .name = "buoy", .id = BUOY_ID, .is = TP_MODULE_SOLID, .enabled = enabled,
+    .bytes = bytes, .settle = settle, .step = step, .is_valid = is_valid,
+};

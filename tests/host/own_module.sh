@@ -1,0 +1,98 @@
+#!/bin/sh
+# SPDX-License-Identifier: MIT
+# A module that a program brings itself: ports/examples/buoy, linked with the library as it
+# is.  It is drawn, mirrored, moved by the water, shaded by a stage of its own; its rows are
+# known to the command line, scene files, tapes, kept worlds and bake.
+#     own_module.sh PROGRAM
+root=$PWD
+build=$(realpath "${TP_BUILD:-build/host}") || exit 2
+make --no-print-directory -s MORE=ports/examples/buoy \
+    BUILD="${TP_BUILD:-build/host}" more "${TP_BUILD:-build/host}/screen_fake.so" || exit 2
+plain=$(realpath "$1") || exit 2
+set -- "$build/more/buoy/tidepool"
+. tests/host/lib.sh
+scene=$root/assets/scenes/three-swells.ini
+
+# hashes OPTION...: of a picture without a boat, after 60 ticks.
+hashes() {
+    timeout 60 "$program" render "$scene" --set boat.mesh= --size 160x120 --frames 60:60 \
+        --hash "$@" 2>err </dev/null || { echo "exit $?"; cat err; }
+}
+
+# -- drawn -----------------------------------------------------------------------------
+
+expect "without it the program draws as the shipped one" 0 "" \
+    render "$scene" --size 160x120 --frames 3 --hash
+cp out with
+timeout 60 "$plain" render "$scene" --size 160x120 --frames 3 --hash >out 2>err
+same "bit for bit" "$(cat out)" "$(cat with)"
+
+on="--set buoy.on=1 --set buoy.z=-9 --set buoy.size=1"
+off=$(hashes)
+seen=$(hashes $on)
+same "it is drawn as it was when this test was written" "$seen" \
+    "frame 0060 crc32 359a29e7"
+same "and with it other pixels" "$([ "$seen" != "$off" ]; echo $?)" 0
+for tiling in "--band 7" "--strip 32" "--threads 2" "--stream"; do
+    same "by the same pixels with $tiling" "$(hashes $on $tiling)" "$seen"
+done
+same "its stage takes the colour of its row" \
+    "$([ "$(hashes $on --set buoy.colour=#20c040)" != "$seen" ]; echo $?)" 0
+
+mirrored=$(hashes $on --set mirror.objects=stencil)
+unmirrored=$(hashes $on --set mirror.objects=none)
+same "the sharp mirror shows it" "$([ "$mirrored" != "$unmirrored" ]; echo $?)" 0
+same "and shows nothing without it" \
+    "$(hashes --set mirror.objects=none)" "$(hashes --set mirror.objects=stencil)"
+same "clear water shows what of it lies below" \
+    "$([ "$(hashes $on --set water.clear=8 --set mirror.objects=none)" != \
+         "$(hashes --set water.clear=8 --set mirror.objects=none)" ]; echo $?)" 0
+
+# -- its rows ---------------------------------------------------------------------------
+
+expect "a number out of its row's range is refused" 2 "buoy.size" \
+    render "$scene" --set buoy.size=11 --hash
+expect "a row that it has not is no row" 2 "buoy.colours" \
+    render "$scene" --set buoy.colours=1 --hash
+program=$plain
+expect "nor is it one of the shipped program" 2 "buoy.on" render "$scene" --set buoy.on=1 --hash
+program=$build/more/buoy/tidepool
+{ cat "$scene"; printf '[buoy]\non = 1\nz = -9\nsize = 1\n'; } |
+    sed "s,\.\./,$root/assets/,; s,^mesh.*,mesh =," >buoy.ini
+timeout 60 "$program" render buoy.ini --size 160x120 --frames 60:60 --hash >out 2>err
+same "a scene file tells of it" "$(cat out)" "$seen"
+printf '[buoy]\nsize = 11\n' >bad.ini
+expect "and is refused by line where it is wrong" 3 "^bad.ini:2: buoy.size" \
+    render bad.ini --hash
+
+{ echo "tape 1 three-swells"; echo "20 set buoy.size=2"; } >size.tape
+frames() {
+    timeout 60 "$program" render "$scene" --set boat.mesh= --size 96x64 --frames 40 \
+        --hash $on "$@" 2>err
+}
+frames >small
+frames --set buoy.size=2 >large
+frames --tape size.tape >taped
+same "a tape's change shows from its picture on" \
+    "$(head -n 20 taped | cmp - small 2>&1 | cut -d: -f2)" \
+    " EOF on - after byte $(head -n 20 taped | wc -c), line 20"
+same "and is as if it had been so" "$(tail -n 1 taped)" "$(tail -n 1 large)"
+
+# -- kept worlds ------------------------------------------------------------------------
+
+FAKE_FB="96 64 32 384 64 2 16 8 8 8 0 8 24 8 0 0"
+export FAKE_FB
+yes 'what was on the screen' | head -c 24576 >fb0
+: >log
+shown() {
+    FAKE_LOG=log LD_PRELOAD=$build/screen_fake.so timeout 60 "$program" show "$scene" \
+        --set boat.mesh= $on --device fb0 --hash "$@" 2>err </dev/null
+}
+shown --frames 0:40 >all
+shown --frames 0:25 --keep world >first
+shown --frames 0:40 --keep world >rest
+same "a kept world goes on with it, bit for bit" "$(wc -l <all) $(tail -n 15 rest)" \
+    "41 $(tail -n 15 all)"
+same "in which its state is a chunk with its id" "$(grep -aco 'youb' world)" 1
+
+finish
