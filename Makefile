@@ -49,7 +49,7 @@ CORE := $(addprefix src/, \
     geom/sheet.c geom/surface.c geom/vertex.c geom/vertex_more.c geom/vertex_row.c \
     geom/waters.c raster/cover.c raster/rows.c raster/span.c \
     shade/absorb.c shade/behind.c shade/below.c shade/bend.c \
-    shade/cube.c shade/dome.c shade/drop.c shade/expose.c \
+    shade/cube.c shade/dome.c shade/drop.c \
     shade/haze.c shade/inside.c shade/layer.c shade/light.c \
     shade/mirror.c shade/optics.c shade/pool_bump.c \
     shade/quick_even.c shade/quick_layers.c shade/quick_light.c \

@@ -68,7 +68,6 @@ typedef void (*tp_stage)(const struct tp_shade *shade, struct tp_run *run);
     X(fresnel) X(fresnel_hdr)       /* mirror into the colour */ \
     X(glint)                /* adds the specular */ \
     X(haze) X(haze_dome) X(haze_cube)       /* towards the horizon */ \
-    X(expose)               /* last of all */ \
     /* all of a mesh's Phong; the same in world axes, of one colour; with a picture */ \
     X(solid) X(solid_blinn) X(land) X(drop) X(ground) \
     /* what is seen through the water, over its colour */ \
@@ -169,7 +168,6 @@ typedef struct {
     X(dome) X(cube) X(stars)        /* skies */ \
     X(fresnel)      /* tables of what mirrors or is clear; mirror, fresnel ... */ \
     X(glint)        /* tables of what shines */ \
-    X(exposure) \
     X(quick_light)  /* of the quick rung; stages quick_gradient ... */
 
 /* Methods of finding the water in the picture, tp_visibility. */
@@ -225,7 +223,8 @@ typedef struct {
     X(refraction)   /* objects under clear water */ \
     X(foam) \
     X(spray) \
-    X(meter)        /* exposure by itself */
+    X(meter)        /* exposure by itself */ \
+    X(exposure)
 
 /* The stages of each module, in the order of its table. */
 #define TP_STAGES_OF_mirror(X)      X(mirrored)         /* objects over the sky's mirror */
@@ -235,6 +234,7 @@ typedef struct {
     X(foam) X(foam_rippled) X(foam_shiny) X(foam_shiny_rippled)     /* less glint */
 #define TP_STAGES_OF_spray(X)       X(spray)            /* colour of specks */
 #define TP_STAGES_OF_meter(X)
+#define TP_STAGES_OF_exposure(X)    X(expose)
 
 struct tp_module;
 struct tp_drawing;

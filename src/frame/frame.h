@@ -16,9 +16,6 @@ typedef struct {
     tp_dome  *dome;
     tp_cube  *cube;
     uint32_t *recip;            /* TP_RECIP + 2 */
-    tp_entry8 *tone;            /* 256 */
-    tp_toned *toned;            /* the same of pixels */
-    tp_fx    exposure;          /* that they were made for; 0: none yet */
 } tp_frame_sky;
 
 /* A corner of the boat, projected; see boat.c for u of those that are not. */
@@ -193,7 +190,9 @@ struct tp_frame {
     int32_t          caustic_still_x, caustic_still_z;  /* fall of the sun, Q16.16 */
 
     tp_shade         shade;
-    const tp_toned  *toned;             /* pixels are exposed as they are stored; or NULL */
+    const tp_toned  *toned;             /* pixels are exposed as they are stored, */
+    void (*store_toned)(const tp_toned *toned, uint16_t *to, const uint32_t *colours,
+                        int count);     /* by this; or NULL */
 };
 
 /* The shader list of a kind of sample. */
@@ -283,7 +282,6 @@ bool tp_frame_mirrors_apart(const tp_frame *frame);
 bool tp_frame_add_reflection(const tp_frame *frame, tp_shaders *plan, bool rippled);
 void tp_frame_add_fresnel(const tp_frame *frame, tp_shaders *plan);
 void tp_frame_add_air(const tp_frame *frame, tp_shaders *plan);
-void tp_frame_add_exposure(const tp_frame *frame, tp_shaders *plan);
 
 /* plan_quick_layers.c: stages of the layers and ripples of the quick rung */
 void tp_plan_add_quick_layers(const tp_frame *frame, tp_shaders *water, bool even);

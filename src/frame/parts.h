@@ -123,11 +123,6 @@ struct tp_draw_stars {
     void (*plan)(tp_frame *frame);
 };
 
-struct tp_draw_exposure {
-    void (*plan)(tp_frame *frame);
-    void (*store)(const tp_toned *toned, uint16_t *to, const uint32_t *colours, int count);
-};
-
 struct tp_draw_glint {
     void (*plan)(tp_frame *frame);
 };

@@ -78,7 +78,9 @@ static void choose_water(tp_frame *frame)
     water->kind = TP_LIST_WATER;
     if (frame->rungs.shading == TP_SHADING_QUICK && frame->kit->draw.quick_light
         && frame->kit->draw.quick_light->plan(frame, water)) {
+        water->kind = TP_LIST_FAST;
         tp_frame_add_air(frame, water);
+        tp_frame_add_modules(frame, water);
         return;
     }
     water->rippled = tp_plan_add_layers(frame, water);
@@ -102,7 +104,6 @@ static void choose_below(tp_frame *frame)
     tp_shaders_add(water, TP_AT_VIEW, stages->view, NULL);
     tp_shaders_add(water, TP_AT_LIGHT, rippled && stages->below_rippled
                                            ? stages->below_rippled : stages->below, NULL);
-    tp_frame_add_exposure(frame, water);
     tp_frame_add_modules(frame, water);
 }
 
@@ -115,7 +116,6 @@ static void choose_sky(tp_frame *frame)
         tp_shaders_add_colour(sky, frame->kit->stage.deep);
     else
         tp_frame_add_sky(frame, sky);
-    tp_frame_add_exposure(frame, sky);
     tp_frame_add_modules(frame, sky);
 }
 
@@ -184,6 +184,7 @@ void tp_frame_plan(tp_frame *frame)
                               .gloss = tp_drop_gloss };
     shade->drop = (tp_solid){ .diffuse = (uint32_t)scene->drops.colour,
                               .specular = 0xffffff, .gloss = tp_drop_gloss };
+    frame->toned = NULL;
     tp_frame_begin_modules(frame);
     choose_stages(frame);
     if (draw->inside)

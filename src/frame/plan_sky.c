@@ -4,11 +4,6 @@
 #include "frame/frame.h"
 #include "scene/light.h"
 
-static bool exposes(const tp_scene *scene)
-{
-    return scene->hdr.exposure == TP_EXPOSURE_AUTO || scene->hdr.value != TP_FX_ONE;
-}
-
 /* A kind that the scene takes up later has no tables here: it stays the gradient. */
 void tp_frame_carve_sky(tp_frame_parts *parts, tp_arena *arena, const tp_kit *kit,
                         const tp_scene *scene, const tp_assets *assets)
@@ -26,10 +21,6 @@ void tp_frame_carve_sky(tp_frame_parts *parts, tp_arena *arena, const tp_kit *ki
         sky->cube = tp_arena_take(arena, 1, sizeof *sky->cube);
     if (cube || stars)
         sky->recip = tp_arena_take(arena, TP_RECIP + 2, sizeof *sky->recip);
-    if (tp_frame_wants(parts, exposes(scene), draw->exposure)) {
-        sky->tone = tp_arena_take(arena, 256, sizeof *sky->tone);
-        sky->toned = tp_arena_take(arena, 1, sizeof *sky->toned);
-    }
 }
 
 void tp_frame_init_sky(tp_frame *frame)
@@ -104,30 +95,6 @@ static void plan_fresnel(tp_frame *frame)
     frame->shade.fresnel = shortcut ? tp_schlick_table : tp_fresnel_table;
 }
 
-static void make_tones(tp_frame_sky *sky, tp_fx exposure)
-{
-    TP_ASSERT(sky->tone != NULL && sky->toned != NULL && exposure > 0);
-    tp_shade_tone(sky->tone, exposure);
-    for (uint32_t i = 0; i < 256; i++)
-        tp_toned_set(sky->toned, i, sky->tone[i]);
-    sky->exposure = exposure;
-}
-
-/* Where every colour is exposed last of all, its pixel's table has the exposure; glass is
- * laid over exposed colours. */
-static void plan_exposure(tp_frame *frame)
-{
-    tp_frame_sky *sky = &frame->parts.heaven;
-    const tp_fx exposure = frame->drawn.exposure;
-
-    if (exposure == TP_FX_ONE)
-        return;
-    if (exposure != sky->exposure)
-        make_tones(sky, exposure);
-    if (frame->config.format == TP_FORMAT_RGB565 && !frame->parts.glass)
-        frame->toned = sky->toned;
-}
-
 /* Glitter of the water, by the light's model. */
 static void plan_glint(tp_frame *frame)
 {
@@ -144,7 +111,6 @@ const struct tp_draw_dome tp_draw_dome = { plan_dome };
 const struct tp_draw_cube tp_draw_cube = { init_cube, plan_cube };
 const struct tp_draw_stars tp_draw_stars = { init_stars, plan_stars };
 const struct tp_draw_fresnel tp_draw_fresnel = { plan_fresnel };
-const struct tp_draw_exposure tp_draw_exposure = { plan_exposure, tp_store_rgb565_toned };
 const struct tp_draw_glint tp_draw_glint = { plan_glint };
 
 void tp_frame_plan_sky(tp_frame *frame)
@@ -166,10 +132,6 @@ void tp_frame_plan_sky(tp_frame *frame)
         draw->cube->plan(frame);
     if (scene->sky.kind == TP_SKY_NIGHT && frame->parts.heaven.recip && draw->stars)
         draw->stars->plan(frame);
-    shade->tone = frame->parts.heaven.tone;
-    frame->toned = NULL;
-    if (frame->parts.heaven.tone)
-        draw->exposure->plan(frame);
 }
 
 /* -- stages ---------------------------------------------------------------------------- */
@@ -239,11 +201,4 @@ void tp_frame_add_air(const tp_frame *frame, tp_shaders *plan)
         tp_shaders_add(plan, TP_AT_AIR, kind == TP_ENV_DOME ? stages->haze_dome
                                       : kind == TP_ENV_CUBE ? stages->haze_cube
                                                             : stages->haze, NULL);
-    tp_frame_add_exposure(frame, plan);
-}
-
-void tp_frame_add_exposure(const tp_frame *frame, tp_shaders *plan)
-{
-    if (frame->shade.tone && !frame->toned && frame->drawn.exposure != TP_FX_ONE)
-        tp_shaders_add(plan, TP_AT_TONE, frame->kit->stage.expose, NULL);
 }

@@ -81,8 +81,8 @@ static void shade_row(const tp_frame *frame, const tp_samples *tile, int32_t y, 
         if (frame->glasses > 0)
             frame->kit->draw.glass->glaze(frame, glass, &run);
         if (frame->toned)
-            frame->kit->draw.exposure->store(frame->toned, (uint16_t *)row + x - tile->x0,
-                                             run.colour, run.count);
+            frame->store_toned(frame->toned, (uint16_t *)row + x - tile->x0, run.colour,
+                               run.count);
         else
             store(row, x - tile->x0, x, y, run.colour, run.count);
     }
@@ -100,10 +100,9 @@ void tp_frame_colour_row(const tp_frame *frame, const tp_samples *tile, int32_t 
             continue;
         }
         const tp_shaders *plan = run_at(frame, tile, x, y, &run);
-        for (const tp_shader *s = plan->shader;
-             s->stage && s->stage != frame->kit->stage.expose; s++) {
-            run.mine = s->mine;
-            s->stage(&frame->shade, &run);
+        for (uint32_t i = 0; i < plan->count && plan->place[i] < TP_AT_TONE; i++) {
+            run.mine = plan->shader[i].mine;
+            plan->shader[i].stage(&frame->shade, &run);
         }
         for (int32_t k = 0; k < run.count; k++, x++)
             to[x - tile->x0] = run.colour[k] | 0xff000000u;

@@ -257,8 +257,6 @@ static void list_light(tp_outlook *o, const tp_scene *s, const tp_assets *a)
     o->trait[TP_TRAIT_caustic] = clear && s->water.caustics > 0
                               && (tp_has_tank(s) || tp_has_floor(s));
     o->trait[TP_TRAIT_dispersion] = clear && s->water.dispersion > 0;
-    o->trait[TP_TRAIT_expose] = s->hdr.exposure == TP_EXPOSURE_AUTO
-                             || s->hdr.value != TP_FX_ONE;
 }
 
 /* The modules say themselves whether they are on.  True: each of them has a fast form. */

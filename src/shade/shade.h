@@ -144,7 +144,6 @@ typedef struct tp_shade {
     const tp_entry8 *fresnel;           /* share of the reflection at N.V = i / 256 */
     uint32_t sky[TP_SKY + 1];
     tp_env   env;               /* what else the sky is */
-    const tp_entry8 *tone;      /* 256 entries: the camera's exposure */
     const struct tp_quick_light *quick; /* of quick light alone */
 } tp_shade;
 
@@ -190,7 +189,6 @@ void tp_shade_sky(tp_shade *shade, uint32_t horizon, uint32_t zenith);
 void tp_shade_gloss(uint8_t gloss[TP_GLOSS], tp_fx shininess);
 void tp_shade_shine_blinn(tp_shade *shade, tp_fx shininess, tp_fx strength);
 void tp_shade_gloss_blinn(uint8_t gloss[TP_GLOSS], tp_fx shininess);
-void tp_shade_tone(tp_entry8 tone[256], tp_fx exposure);      /* 1/8..8 */
 
 /* -- for stages ---------------------------------------------------------------------- */
 

@@ -7,6 +7,7 @@
 #include <setjmp.h>
 #include <stdint.h>
 #include <cmocka.h>
+#include "features/exposure/exposure.h"
 #include "skies.h"
 
 static uint64_t chance;
@@ -148,7 +149,7 @@ static void runs_may_be_cut_anywhere(void **state)
     for (int n = 0; n < 300 * STAGES; n++) {
         tp_shade s = shade_any(&chance);
         uint8_t gloss[TP_GLOSS];
-        tp_entry8 tone[256];
+        tp_exposure exposure;
         const tp_solid solid = solid_any(gloss, &chance);
         test_run r;
         run_any(&r, 5000, &chance);
@@ -159,8 +160,7 @@ static void runs_may_be_cut_anywhere(void **state)
         sky_dome(&sky, &s, &chance);
         s.env.stars = 200;
         s.env.star = 1000;
-        tp_shade_tone(tone, chance_fx(&chance, 0.125, 8));
-        s.tone = tone;
+        tp_exposure_tone(exposure.tone, chance_fx(&chance, 0.125, 8));
         tp_stage_view(&s, &r.run);
         for (int i = 0; i < TP_RUN; i++) {
             r.run.mirror[i] = (uint32_t)random_next(&chance);
@@ -168,6 +168,7 @@ static void runs_may_be_cut_anywhere(void **state)
             r.run.sz[i] = (int16_t)chance_int(&chance, -5000, 5000);
         }
         tp_stage_light(&s, &r.run);
+        r.run.mine = &exposure;         /* others do not look */
         const tp_run before = r.run;
         stages[n % STAGES](&s, &r.run);
         for (int32_t from = 0; from < TP_RUN; ) {

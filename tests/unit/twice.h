@@ -4,6 +4,7 @@
  * pictures had in them, since a test of a stage that never runs says nothing. */
 #ifndef TP_TESTS_TWICE_H
 #define TP_TESTS_TWICE_H
+#include "features/exposure/exposure.h"
 #include "features/reflection/mirror.h"
 #include "features/reflection/object_cube.h"
 #include "frame/frame.h"
@@ -109,7 +110,7 @@ static inline void twice_count(const tp_frame *f, const uint32_t *key, size_t pi
     r->dome += env->kind == TP_ENV_DOME;
     r->cube_sky += env->kind == TP_ENV_CUBE;
     r->hdr += env->beyond > 0;
-    r->exposed += f->shade.tone && f->drawn.exposure != TP_FX_ONE;
+    r->exposed += tp_frame_part(f, TP_EXPOSURE_ID) && f->drawn.exposure != TP_FX_ONE;
     r->dispersed += f->scene->water.dispersion > 0 && f->scene->water.clear > 0;
     r->between_ticks += f->world->back > 0;
 }

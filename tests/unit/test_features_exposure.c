@@ -5,6 +5,7 @@
 #include <setjmp.h>
 #include <stdint.h>
 #include <cmocka.h>
+#include "features/exposure/exposure.h"
 #include "runs.h"
 #include "tally.h"
 
@@ -22,11 +23,12 @@ static void tones_follow_their_formula(void **state)
 
     for (int n = 0; n < 1000; n++) {
         const tp_fx e = chance_scale(&chance, 0.125, 8);
-        tp_entry8 tone[256];
-        tp_shade s = { .tone = tone };
+        tp_exposure exposure;
+        const tp_shade s = { .focal = 16 };
         test_run r;
-        tp_shade_tone(tone, e);
+        tp_exposure_tone(exposure.tone, e);
         run_any(&r, 0, &chance);
+        r.run.mine = &exposure;
         const tp_run before = r.run;
         tp_stage_expose(&s, &r.run);
         for (int i = 0; i < TP_RUN; i++) {
@@ -45,11 +47,11 @@ static void an_exposure_of_1_is_nothing_and_white_stays_white(void **state)
     (void)state;
     tp_entry8 tone[256];
 
-    tp_shade_tone(tone, TP_FX_ONE);
+    tp_exposure_tone(tone, TP_FX_ONE);
     for (int i = 0; i < 256; i++)
         assert_int_equal(tone[i], i);
     for (tp_fx e = TP_FX_ONE / 8; e <= 8 * TP_FX_ONE; e += 997) {
-        tp_shade_tone(tone, e);
+        tp_exposure_tone(tone, e);
         assert_int_equal(tone[0], 0);
         assert_int_equal(tone[255], 255);
         for (int i = 1; i < 256; i++)
@@ -64,5 +66,5 @@ int main(void)
         cmocka_unit_test(tones_follow_their_formula),
         cmocka_unit_test(an_exposure_of_1_is_nothing_and_white_stays_white),
     };
-    return cmocka_run_group_tests_name("expose", tests, NULL, NULL);
+    return cmocka_run_group_tests_name("features/exposure", tests, NULL, NULL);
 }

@@ -1,0 +1,68 @@
+/* SPDX-License-Identifier: MIT */
+/* How the exposure is drawn: as the last stage of every list; or, where every colour is
+ * exposed last of all, by the table that makes its pixel. */
+#include "features/exposure/exposure.h"
+#include "frame/frame.h"
+
+static void make_tones(tp_exposure *e, tp_fx exposure)
+{
+    TP_ASSERT(exposure > 0);
+    tp_exposure_tone(e->tone, exposure);
+    for (uint32_t i = 0; i < 256; i++)
+        tp_toned_set(&e->toned, i, e->tone[i]);
+    e->made_for = exposure;
+}
+
+static void init(tp_frame *frame, void *mine)
+{
+    tp_exposure *e = mine;
+
+    (void)frame;
+    e->made_for = 0;
+}
+
+/* Glass is laid over exposed colours. */
+static void begin(tp_frame *frame, void *mine)
+{
+    tp_exposure *e = mine;
+    const tp_fx exposure = frame->drawn.exposure;
+
+    if (exposure == TP_FX_ONE)
+        return;
+    if (exposure != e->made_for)
+        make_tones(e, exposure);
+    if (frame->config.format == TP_FORMAT_RGB565 && !frame->parts.glass) {
+        frame->toned = &e->toned;
+        frame->store_toned = tp_store_rgb565_toned;
+    }
+}
+
+static void add_stage(const tp_frame *frame, const void *mine, const tp_stage *stage,
+                      tp_shaders *list)
+{
+    if (frame->drawn.exposure != TP_FX_ONE && !frame->toned)
+        tp_shaders_add(list, TP_AT_TONE, stage[0], mine);
+}
+
+/* -- the module ---------------------------------------------------------------------- */
+
+static bool enabled(const tp_want *want)
+{
+    return want->scene->hdr.exposure == TP_EXPOSURE_AUTO
+        || want->scene->hdr.value != TP_FX_ONE;
+}
+
+static void *layout(tp_arena *arena, const tp_want *want)
+{
+    (void)want;
+    return tp_arena_take(arena, 1, sizeof(tp_exposure));
+}
+
+const tp_module tp_exposure_module = {
+    .name = "exposure", .id = TP_EXPOSURE_ID, .trait = TP_TRAIT_expose,
+    .enabled = enabled,
+};
+
+const tp_drawing tp_exposure_drawing = {
+    .layout = layout, .init = init, .begin = begin, .stages = add_stage,
+};
