@@ -48,7 +48,7 @@ CORE := $(addprefix src/, \
     geom/clip.c geom/grid.c geom/lens.c geom/level.c geom/lines.c geom/lod.c \
     geom/sheet.c geom/surface.c geom/vertex.c geom/vertex_more.c geom/vertex_row.c \
     geom/waters.c raster/cover.c raster/rows.c raster/span.c \
-    shade/absorb.c shade/behind.c shade/below.c shade/bend.c \
+    shade/absorb.c shade/bend.c \
     shade/cube.c shade/dome.c shade/drop.c \
     shade/haze.c shade/inside.c shade/layer.c shade/light.c \
     shade/mirror.c shade/optics.c shade/pool_bump.c \
@@ -63,10 +63,10 @@ CORE := $(addprefix src/, \
     scene/rungs.c scene/stand.c scene/tape.c \
     scene/value.c scene/wake.c scene/works.c scene/works_land.c scene/works_more.c \
     scene/world.c scene/world_check.c \
-    frame/boat.c frame/bump.c frame/carve.c frame/caustics.c \
+    frame/boat.c frame/bump.c frame/carve.c \
     frame/clipped.c frame/drops.c frame/flat.c frame/frame.c frame/glass.c \
     frame/holds.c frame/land.c frame/lattice.c frame/lines.c \
-    frame/drawing.c frame/marks.c frame/planar_map.c frame/plan.c frame/plan_depth.c \
+    frame/drawing.c frame/marks.c frame/planar_map.c frame/plan.c \
     frame/plan_layers.c \
     frame/plan_quick.c frame/plan_quick_layers.c frame/plan_sky.c frame/planned.c \
     frame/projected.c frame/rows.c frame/shaders.c frame/sight.c \

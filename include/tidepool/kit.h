@@ -70,11 +70,6 @@ typedef void (*tp_stage)(const struct tp_shade *shade, struct tp_run *run);
     X(haze) X(haze_dome) X(haze_cube)       /* towards the horizon */ \
     /* all of a mesh's Phong; the same in world axes, of one colour; with a picture */ \
     X(solid) X(solid_blinn) X(land) X(drop) X(ground) \
-    /* what is seen through the water, over its colour */ \
-    X(behind) X(behind_rippled) X(behind_dispersed) X(behind_rippled_dispersed) \
-    X(below) X(below_rippled)       /* the surface from below */ \
-    X(deep)                 /* empty view in the water */ \
-    X(absorb)               /* water before what is there */ \
     X(side)                 /* water behind a glass wall */ \
     X(wall)                 /* a tank's stone */
 
@@ -157,10 +152,8 @@ typedef struct {
     X(boat)         /* and its lids; stages solid, solid_blinn */ \
     X(drops)        /* in the air, and their sphere; drop */ \
     X(land)         /* land, ground */ \
-    X(tank)         /* a tank's stone, and a pool's inner walls; wall; needs inside */ \
+    X(tank)         /* a tank's stone, and a pool's inner walls; wall */ \
     X(glass)        /* a tank's; side; needs tank */ \
-    X(inside)       /* what is seen through water, and from in it */ \
-    X(caustics)     /* needs inside */ \
     X(layers)       /* all but the first one, and their distortion */ \
     X(ripple) \
     X(quick_layers) /* pictures of the quick rung; stages quick_far .. quick_slopes */ \
@@ -218,18 +211,28 @@ typedef struct {
     N(paddle)       /* waves made in pools */ \
     N(main_pool)    /* [pool]; and water.pools */ \
     N(field)        /* [field]; and water.pools */ \
+    X(underwater)   /* the inside of the water, and the view of an eye in it */ \
+    X(caustics)     /* light that waves gather on the floor */ \
     X(mirror)       /* of objects, a picture of half the size */ \
     X(object_cube)  /* the same as a small cube map */ \
     X(refraction)   /* objects under clear water */ \
+    X(clear_water)  /* what is seen through the water */ \
     X(foam) \
     X(spray) \
     X(meter)        /* exposure by itself */ \
     X(exposure)
 
 /* The stages of each module, in the order of its table. */
+#define TP_STAGES_OF_underwater(X) \
+    X(below) X(below_rippled)       /* the surface from below */ \
+    X(deep)                 /* empty view in the water */ \
+    X(absorb)               /* water before what is there */
+#define TP_STAGES_OF_caustics(X)
 #define TP_STAGES_OF_mirror(X)      X(mirrored)         /* objects over the sky's mirror */
 #define TP_STAGES_OF_object_cube(X) X(mirrored_cube)
 #define TP_STAGES_OF_refraction(X)
+#define TP_STAGES_OF_clear_water(X) \
+    X(behind) X(behind_rippled) X(behind_dispersed) X(behind_rippled_dispersed)
 #define TP_STAGES_OF_foam(X) \
     X(foam) X(foam_rippled) X(foam_shiny) X(foam_shiny_rippled)     /* less glint */
 #define TP_STAGES_OF_spray(X)       X(spray)            /* colour of specks */

@@ -11,12 +11,6 @@ uint32_t tp_frame_materials(const tp_assets *assets)
     return n < TP_MATERIALS ? n : TP_MATERIALS;
 }
 
-static bool has_caustics(const tp_scene *scene)
-{
-    return scene->water.clear > 0 && scene->water.caustics > 0
-        && (tp_has_floor(scene) || tp_has_tank(scene));
-}
-
 /* Whether the kit has a part that the scene asks for; if not, it counts. */
 bool tp_frame_wants(tp_frame_parts *parts, bool asked, bool part)
 {
@@ -88,7 +82,6 @@ static void carve_glass(tp_frame_parts *p, tp_arena *arena, const tp_scene *scen
     }
 }
 
-/* What the water's inside needs. */
 static void carve_depth(tp_frame_parts *p, tp_arena *arena, const tp_kit *kit,
                         const tp_scene *scene)
 {
@@ -100,12 +93,6 @@ static void carve_depth(tp_frame_parts *p, tp_arena *arena, const tp_kit *kit,
         carve_glass(p, arena, scene);
     if (tp_frame_wants(p, tp_has_stone(scene), tp_kit_has_stone(kit)))
         p->block = tp_arena_take(arena, TP_BLOCKS, sizeof *p->block);
-    if (tp_frame_wants(p, has_caustics(scene), draw->caustics && draw->inside)) {
-        size_t cells = (size_t)scene->water.caustic_cells;
-        p->caustic_cells = (uint32_t)cells;
-        p->caustic_light = tp_arena_take(arena, cells * cells, sizeof *p->caustic_light);
-        p->caustic_row = tp_arena_take(arena, 2 * (cells + 1), sizeof *p->caustic_row);
-    }
 }
 
 /* Whether a stage that the kit has looks into the lobe of the water's glitter. */
@@ -145,8 +132,7 @@ tp_want tp_frame_want(const tp_kit *kit, const tp_frame_parts *parts, const tp_s
         .width = config->width, .height = config->height,
         .shadings = parts->reach.shading,
         .above = (assets->boat || parts->drop_capacity > 0 ? TP_MODULE_SOLID : 0)
-               | (walls ? TP_MODULE_WALLS : 0)
-               | (kit->draw.inside ? TP_MODULE_INSIDE : 0),
+               | (walls ? TP_MODULE_WALLS : 0),
     };
 }
 

@@ -97,6 +97,14 @@ void *tp_frame_part(const tp_frame *frame, uint32_t id)
     return NULL;
 }
 
+const tp_stage *tp_frame_stages(const tp_frame *frame, uint32_t id)
+{
+    EACH_ON(i, use, frame)
+        if (use[i].module->id == id)
+            return use[i].stage;
+    return NULL;
+}
+
 uint32_t tp_frame_mark(const tp_frame *frame, uint32_t id)
 {
     EACH_ON(i, use, frame)

@@ -73,8 +73,9 @@ void tp_frame_list_modules(struct tp_frame *frame);
 /* True if this picture has a module with one of these bits of tp_module.is. */
 bool tp_frame_has_module(const struct tp_frame *frame, uint32_t is);
 
-/* The memory of a module that is on in this picture, or NULL. */
+/* The memory of a module that is on in this picture, or NULL; its table of stages. */
 void *tp_frame_part(const struct tp_frame *frame, uint32_t id);
+const tp_stage *tp_frame_stages(const struct tp_frame *frame, uint32_t id);
 
 /* The first of its marks; 0: it has none. */
 uint32_t tp_frame_mark(const struct tp_frame *frame, uint32_t id);

@@ -209,7 +209,6 @@ static void place_solids(tp_frame *frame)
 {
     const tp_frame_stats stats = frame->stats;
 
-    frame->shade.sunken = NULL;
     tp_frame_look_modules(frame);
     frame->stats = stats;
     frame->sight = (tp_sight){ .lens = &frame->lens, .picture = true, .walls = true };

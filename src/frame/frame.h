@@ -80,11 +80,6 @@ typedef struct {
 
 #define TP_BLOCKS 256           /* of a pool's inner walls */
 
-/* A corner of the surface and where its light falls: map cells, Q8. */
-typedef struct {
-    int32_t x, z, lit_x, lit_z;
-} tp_caustic_corner;
-
 /* Lines of points parallel to the horizon, see projected.c. */
 typedef struct {
     tp_level_line horizon, top[TP_LEVEL_SIDES];     /* where the water ends */
@@ -134,9 +129,6 @@ typedef struct tp_frame_parts {
     uint32_t         drop_capacity, ring_capacity;
     tp_glass        *glass;             /* TP_GLASSES */
     tp_rectangle    *block;             /* TP_BLOCKS */
-    uint16_t        *caustic_light;     /* caustic_cells^2 */
-    tp_caustic_corner *caustic_row;     /* two rows of caustic_cells + 1 */
-    uint32_t         caustic_cells;
     tp_solid        *solid;             /* of each of the boat's materials */
     uint8_t         *gloss;             /* TP_GLOSS each */
     tp_entry16      *shine;             /* TP_SHINE + 1 */
@@ -186,8 +178,6 @@ struct tp_frame {
     uint32_t         blocks, blocks_dropped;
     tp_fx            block_low, block_high;
     bool             blocks_made;
-    tp_rectangle     caustic_place;
-    int32_t          caustic_still_x, caustic_still_z;  /* fall of the sun, Q16.16 */
 
     tp_shade         shade;
     const tp_toned  *toned;             /* pixels are exposed as they are stored, */
@@ -249,10 +239,19 @@ static inline bool tp_frame_has_drops(const tp_frame *frame)
     return frame->parts.drop_capacity > 0 && tp_world_drops(frame->world);
 }
 
+/* True if a kit lists a module with one of these bits of tp_module.is. */
+static inline bool tp_kit_has_module(const tp_kit *kit, uint32_t is)
+{
+    for (const tp_use *u = kit->modules; u && u->module; u++)
+        if (u->drawing && u->module->is & is)
+            return true;
+    return false;
+}
+
 /* Whether a kit can draw stone: a wall is shaded as what is seen through water. */
 static inline bool tp_kit_has_stone(const tp_kit *kit)
 {
-    return kit->draw.tank && kit->draw.inside && kit->stage.wall;
+    return kit->draw.tank && tp_kit_has_module(kit, TP_MODULE_INSIDE) && kit->stage.wall;
 }
 
 static inline bool tp_frame_has_tank(const tp_frame *frame)

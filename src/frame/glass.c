@@ -99,7 +99,7 @@ static void place_pane(tp_frame *frame, tp_pane *pane, const tp_vec3 at[3])
  * picture, n . D / (n . (p - eye)) for the view's ray D at 1 m. */
 static void place_depth(tp_frame *frame, tp_glass *glass, const tp_rectangle *r)
 {
-    const tp_inside *in = &frame->shade.inside;
+    const tp_inside *in = frame->shade.inside;
     const tp_dir3 back = frame->shade.world.back;
     tp_vec3 at = on_wall(r, glass->face, 0, 0), eye = frame->lens.eye;
     int     axis = glass->face & 2 ? 2 : 0;

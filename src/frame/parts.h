@@ -75,18 +75,6 @@ struct tp_draw_glass {
     void (*glaze)(const tp_frame *frame, const tp_covered row[TP_PANES], tp_run *run);
 };
 
-struct tp_draw_caustics {
-    void (*place)(tp_frame *frame);
-};
-
-/* What is seen through the water and under it. */
-struct tp_draw_inside {
-    bool (*is_under)(const tp_frame *frame);    /* the eye is in the water */
-    void (*plan)(tp_frame *frame);
-    void (*view)(tp_frame *frame);      /* of the axes that shade has now */
-    tp_stage (*behind)(const tp_frame *frame, bool rippled);
-};
-
 struct tp_draw_layers {         /* but the first one */
     void (*plan)(tp_frame *frame);
 };

@@ -48,10 +48,10 @@ static bool add_light(tp_frame *frame, tp_shaders *water, bool rippled, bool shi
 {
     const tp_scene  *scene = frame->scene;
     const tp_stages *stages = &frame->kit->stage;
-    bool mirrors = scene->water.reflection > 0, clear = scene->water.clear > 0;
+    bool mirrors = scene->water.reflection > 0;
     tp_stage light = NULL;
 
-    if (shines || mirrors || clear)
+    if (shines || mirrors || tp_frame_has_module(frame, TP_MODULE_VIEW))
         light = tp_shaders_pick(water, light_stage(frame, water, rippled), NULL);
     if (!light) {
         tp_shaders_add(water, TP_AT_LIGHT, rippled ? stages->diffuse_rippled
@@ -60,9 +60,6 @@ static bool add_light(tp_frame *frame, tp_shaders *water, bool rippled, bool shi
     }
     tp_shaders_add(water, TP_AT_VIEW, stages->view, NULL);
     tp_shaders_add(water, TP_AT_LIGHT, light, NULL);
-    if (clear && frame->kit->draw.inside)
-        tp_shaders_add(water, TP_AT_BEHIND,
-                       frame->kit->draw.inside->behind(frame, rippled), NULL);
     if (mirrors)
         add_mirror(frame, water, rippled);
     return shines;
@@ -92,18 +89,15 @@ static void choose_water(tp_frame *frame)
     tp_frame_add_modules(frame, water);
 }
 
-/* The surface from below; all is seen through water. */
+/* The surface from below. */
 static void choose_below(tp_frame *frame)
 {
-    const tp_stages *stages = &frame->kit->stage;
     tp_shaders *water = tp_frame_list(frame, TP_MARK_WATER);
 
     tp_shaders_clear(water);
     water->kind = TP_LIST_BELOW;
-    const bool rippled = tp_plan_add_bumps(frame, water);
-    tp_shaders_add(water, TP_AT_VIEW, stages->view, NULL);
-    tp_shaders_add(water, TP_AT_LIGHT, rippled && stages->below_rippled
-                                           ? stages->below_rippled : stages->below, NULL);
+    water->rippled = tp_plan_add_bumps(frame, water);
+    tp_shaders_add(water, TP_AT_VIEW, frame->kit->stage.view, NULL);
     tp_frame_add_modules(frame, water);
 }
 
@@ -112,9 +106,7 @@ static void choose_sky(tp_frame *frame)
     tp_shaders *sky = tp_frame_list(frame, TP_MARK_SKY);
 
     tp_shaders_clear(sky);
-    if (frame->under)
-        tp_shaders_add_colour(sky, frame->kit->stage.deep);
-    else
+    if (!frame->under)
         tp_frame_add_sky(frame, sky);
     tp_frame_add_modules(frame, sky);
 }
@@ -135,7 +127,7 @@ static void choose_stages(tp_frame *frame)
 {
     const tp_stages *stages = &frame->kit->stage;
     const bool blinn = frame->scene->light.model == TP_LIGHT_BLINN;
-    const bool ground = frame->kit->draw.inside
+    const bool ground = tp_frame_has_module(frame, TP_MODULE_INSIDE)
                      && (frame->under || frame->assets.floor_texture
                          || frame->scene->water.clear > 0);
 
@@ -165,7 +157,6 @@ void tp_frame_plan(tp_frame *frame)
     tp_shade *shade = &frame->shade;
 
     tp_sight_look(frame, &frame->lens);
-    frame->under = draw->inside && draw->inside->is_under(frame);
     shade->haze_scale = (uint32_t)((int64_t)scene->sky.haze * 64 / frame->lens.zi_near);
     shade->ambient = scene->light.ambient >> 8;
     shade->mirror = scene->water.reflection >> 8;
@@ -187,6 +178,4 @@ void tp_frame_plan(tp_frame *frame)
     frame->toned = NULL;
     tp_frame_begin_modules(frame);
     choose_stages(frame);
-    if (draw->inside)
-        draw->inside->plan(frame);
 }

@@ -15,10 +15,9 @@ static bool is_rippled(const tp_frame *frame)
 /* Smooth water would show the cells of a dome or a cube. */
 static bool has_beyond(const tp_frame *frame)
 {
-    const tp_scene *scene = frame->scene;
     const tp_pool_bump *pool = frame->shade.bumps.pool;
 
-    return scene->water.clear > 0 || frame->shade.env.beyond > 0
+    return frame->shade.env.beyond > 0
         || (frame->shade.env.kind != TP_ENV_GRADIENT && !is_rippled(frame))
         || pool[0].slope || pool[1].slope
         || tp_frame_has_module(frame, TP_MODULE_EXACT);

@@ -195,9 +195,7 @@ void tp_frame_add_air(const tp_frame *frame, tp_shaders *plan)
     const tp_stages *stages = &frame->kit->stage;
     const tp_env_kind kind = frame->shade.env.kind;
 
-    if (frame->under)
-        tp_shaders_add(plan, TP_AT_AIR, stages->absorb, NULL);
-    else if (frame->scene->sky.haze > 0)
+    if (frame->scene->sky.haze > 0 && !frame->under)
         tp_shaders_add(plan, TP_AT_AIR, kind == TP_ENV_DOME ? stages->haze_dome
                                       : kind == TP_ENV_CUBE ? stages->haze_cube
                                                             : stages->haze, NULL);

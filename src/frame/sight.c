@@ -37,12 +37,9 @@ void tp_sight_look(tp_frame *frame, const tp_lens *lens)
     shade->eye = lens->eye;
 }
 
-/* Walls tell their places by the eye and its axes. */
 void tp_sight_begin(tp_frame *frame, const tp_sight *sight)
 {
     tp_sight_look(frame, sight->lens);
-    if (tp_sight_has_walls(frame))
-        frame->kit->draw.inside->view(frame);
 }
 
 tp_grid_box tp_sight_place(tp_frame *frame, tp_sight *sight)

@@ -21,9 +21,10 @@ enum {
     TP_MODULE_EXACT  = 1,       /* its water stage has no fast form */
     TP_MODULE_SOLID  = 2,       /* draws what floats or flies: mirrors show it */
     TP_MODULE_WALLS  = 4,       /* draws a tank or stone in the pool */
-    TP_MODULE_INSIDE = 8,       /* shows what lies in the water */
+    TP_MODULE_INSIDE = 8,       /* knows the inside of the water */
     TP_MODULE_FAST   = 16,      /* draws the water by fast stages alone */
-    TP_MODULE_SLOPES = 32       /* draws pools as slopes of flat water */
+    TP_MODULE_SLOPES = 32,      /* draws pools as slopes of flat water */
+    TP_MODULE_VIEW   = 64       /* its water stage reads the view */
 };
 
 /* The conditions that a module is asked about. */

@@ -242,21 +242,13 @@ static void list_pictures(tp_outlook *o, const tp_scene *s, const tp_assets *a)
 static void list_light(tp_outlook *o, const tp_scene *s, const tp_assets *a)
 {
     const bool shines = s->water.specular > 0, mirrors = s->water.reflection > 0;
-    const bool clear = s->water.clear > 0;
 
-    o->trait[TP_TRAIT_look] = shines || mirrors || clear;
+    o->trait[TP_TRAIT_look] = shines || mirrors;
     o->trait[TP_TRAIT_mirror] = mirrors;
     o->trait[TP_TRAIT_glint] = shines;
     o->trait[TP_TRAIT_haze] = s->sky.haze > 0;
     o->trait[TP_TRAIT_dome] = mirrors && tp_has_dome(s);
     o->trait[TP_TRAIT_cube] = mirrors && tp_has_cube(s, a);
-    o->trait[TP_TRAIT_behind] = clear;
-    o->trait[TP_TRAIT_tank] = clear && tp_has_tank(s);
-    o->trait[TP_TRAIT_bed] = clear && !tp_has_tank(s) && o->floor == 1;
-    o->trait[TP_TRAIT_chart] = clear && !tp_has_tank(s) && o->floor == 2;
-    o->trait[TP_TRAIT_caustic] = clear && s->water.caustics > 0
-                              && (tp_has_tank(s) || tp_has_floor(s));
-    o->trait[TP_TRAIT_dispersion] = clear && s->water.dispersion > 0;
 }
 
 /* The modules say themselves whether they are on.  True: each of them has a fast form. */
@@ -281,8 +273,7 @@ static bool is_quick(const tp_outlook *o, const tp_scene *s, const tp_assets *a)
 {
     const bool sky = tp_has_dome(s) || tp_has_cube(s, a);
 
-    return !o->trait[TP_TRAIT_behind] && !o->trait[TP_TRAIT_bump]
-        && !(sky && !o->trait[TP_TRAIT_ripple]) && s->hdr.share <= 0;
+    return !o->trait[TP_TRAIT_bump] && !(sky && !o->trait[TP_TRAIT_ripple]) && s->hdr.share <= 0;
 }
 
 /* The lobe's steepest place is about its height times the root of its exponent. */
@@ -361,8 +352,7 @@ tp_outlook tp_outlook_of(const tp_use *modules, const tp_scene *scene,
         .scene = scene, .assets = assets, .coastal = o.ocean, .width = width,
         .height = height, .shadings = UINT32_MAX,
         .above = (assets->boat || scene->drops.count > 0 ? TP_MODULE_SOLID : 0)
-               | (tp_has_tank(scene) || tp_has_stone(scene) ? TP_MODULE_WALLS : 0)
-               | TP_MODULE_INSIDE,
+               | (tp_has_tank(scene) || tp_has_stone(scene) ? TP_MODULE_WALLS : 0),
     };
     o.quick = list_modules(&o, modules, want) && is_quick(&o, scene, assets);
     return o;

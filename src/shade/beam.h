@@ -8,6 +8,9 @@
 
 /* -- places and ways ------------------------------------------------------------------ */
 
+/* The numbers of the view that `shade` has now. */
+void tp_inside_view(tp_inside *in, const tp_shade *shade, tp_fx zi_near);
+
 /* A place that is seen, and a way from there, a unit vector in Q1.14. */
 #define TP_INSIDE_ROW 16        /* as many as are worked out together */
 

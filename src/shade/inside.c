@@ -10,12 +10,25 @@ const uint16_t tp_inside_root[65] = {
 
 /* -- places --------------------------------------------------------------------------- */
 
+void tp_inside_view(tp_inside *in, const tp_shade *shade, tp_fx zi_near)
+{
+    const tp_dir3 right = shade->world.right, up = shade->world.up;
+    const tp_q30 across[3] = { right.x, right.y, right.z };
+    const tp_q30 along[3] = { up.x, up.y, up.z };
+
+    for (int k = 0; k < 3; k++) {
+        in->right[k] = (int64_t)across[k] * 4096 / shade->focal;
+        in->up[k] = (int64_t)along[k] * 4096 / shade->focal;
+    }
+    in->zi_near = zi_near;
+}
+
 /* The view is -back + right (u - u0) / focal + up (v0 - v) / focal at 1 m of depth.  Q42
  * steps times 2^16 sixteenths stay below 2^58; cut to Q20, times 2^31 of depth too. */
 void tp_inside_places(const tp_shade *shade, const tp_run *run, int32_t i, int32_t stop,
                       tp_beam *beam)
 {
-    const tp_inside *in = &shade->inside;
+    const tp_inside *in = shade->inside;
     const tp_dir3 back = shade->world.back;
     const int32_t eye[3] = { shade->eye.x, shade->eye.y, shade->eye.z };
     const int32_t behind[3] = { back.x, back.y, back.z };
@@ -117,7 +130,7 @@ static tp_bed bed_under(const tp_inside *in, tp_vec3 at)
  * hundredth.  A beam that goes up meets the floor when the surface has mirrored it. */
 tp_bed tp_inside_bed(const tp_shade *shade, const tp_beam *beam)
 {
-    const tp_inside *in = &shade->inside;
+    const tp_inside *in = shade->inside;
     tp_ray down = { beam->way.x, -tp_abs(beam->way.y), beam->way.z, 0 };
 
     if (!in->ocean)
@@ -158,7 +171,7 @@ static inline int32_t within(int32_t at, uint32_t cells)
 
 int32_t tp_caustic_at(const tp_caustic *c, tp_vec3 at)
 {
-    if (!c->light || at.y >= 0)
+    if (at.y >= 0)
         return 256;
     int64_t x = (int64_t)at.x - c->x - ((int64_t)c->lean_x * at.y >> 14);
     int64_t z = (int64_t)at.z - c->z - ((int64_t)c->lean_z * at.y >> 14);
@@ -186,8 +199,7 @@ int32_t tp_caustic_at(const tp_caustic *c, tp_vec3 at)
 static inline uint32_t light_at(const tp_shade *shade, int32_t nl, tp_vec3 at)
 {
     int32_t sun = (256 - shade->ambient) * (nl < 16384 ? nl : 16384) >> 14;
-    const tp_caustic *caustic = &shade->inside.caustic;
-    int32_t light = caustic->light ? tp_caustic_at(caustic, at) : 256;
+    int32_t light = shade->caustic ? tp_caustic_at(shade->caustic, at) : 256;
     return (uint32_t)(shade->ambient + (sun * light >> 8));
 }
 
@@ -240,7 +252,7 @@ typedef struct {
 static inline spot spot_of(const tp_shade *shade, int32_t floor_nl, hit h, tp_vec3 from,
                            tp_ray way, tp_fx far)
 {
-    const tp_inside *in = &shade->inside;
+    const tp_inside *in = shade->inside;
     tp_vec3 at = gone(from, way, h.way);
     tp_fx   from_eye = tp_fx_plus(far, h.way);
 
@@ -262,7 +274,7 @@ static inline uint32_t seen_along(const tp_shade *shade, int32_t floor_nl, hit h
         return body;
     spot s = spot_of(shade, floor_nl, h, from, way, far);
     uint32_t colour = tp_coat_at(s.coat, s.x, s.z, s.far, s.ground);
-    return tp_absorb_at(&shade->absorb, tp_colour_brighten(colour, s.light), body, h.way);
+    return tp_absorb_at(&shade->inside->absorb, tp_colour_brighten(colour, s.light), body, h.way);
 }
 
 /* One channel of it, where it belongs in a colour. */
@@ -273,7 +285,7 @@ static inline uint32_t channel_along(const tp_shade *shade, int32_t floor_nl, hi
         return body & (uint32_t)0xff << shift;
     spot s = spot_of(shade, floor_nl, h, beam->at, beam->way, beam->far);
     uint32_t c = tp_coat_channel(s.coat, s.x, s.z, s.far, s.ground, shift);
-    return tp_absorbed_channel(shade->absorb.halvings[2 - shift / 8], h.way,
+    return tp_absorbed_channel(shade->inside->absorb.halvings[2 - shift / 8], h.way,
                                tp_channel_brighten(c, s.light), body >> shift) << shift;
 }
 
@@ -295,14 +307,14 @@ void tp_inside_ground(const tp_shade *shade, const tp_bed ends[2], const tp_beam
     const int32_t each = over[count - 1];
 
     for (int32_t k = 0; k < count; k++)
-        under[k] = ground_of(&shade->inside, ends, k * each >> 8, beam[k].at);
+        under[k] = ground_of(shade->inside, ends, k * each >> 8, beam[k].at);
 }
 
 void tp_inside_row(const tp_shade *shade, const tp_bed ends[2], const tp_beam *beam,
                    int32_t count, const uint32_t *body, uint32_t *seen)
 {
     TP_ASSERT(count > 0 && count <= TP_INSIDE_ROW);
-    const tp_inside *in = &shade->inside;
+    const tp_inside *in = shade->inside;
     const int32_t each = over[count - 1];
 
     for (int32_t k = 0; k < count; k++, beam++) {
@@ -317,7 +329,7 @@ void tp_inside_row_channel(const tp_shade *shade, const tp_ground *under,
                            int shift, uint32_t *seen)
 {
     for (int32_t k = 0; k < count; k++, beam++, under++) {
-        hit h = first_hit(&shade->inside, under, beam->at, beam->way);
+        hit h = first_hit(shade->inside, under, beam->at, beam->way);
         seen[k] |= channel_along(shade, under->nl, h, beam, body[k], shift);
     }
 }
@@ -370,7 +382,7 @@ uint32_t tp_inside_up(const tp_shade *shade, const tp_bed *bed, const tp_beam *b
     if (back.y > -64)           /* a slope that throws it up again: level, then */
         back.y = -64;
     tp_ground under = ground_under(bed, beam->at);
-    hit h = first_hit(&shade->inside, &under, beam->at, back);
+    hit h = first_hit(shade->inside, &under, beam->at, back);
     uint32_t mirrored = seen_along(shade, bed->nl, h, beam->at, back, beam->far, body);
     return tp_colour_mix(sky, mirrored, share);
 }
@@ -379,7 +391,7 @@ uint32_t tp_inside_at(const tp_shade *shade, const tp_bed *bed, const tp_beam *b
                       uint32_t body)
 {
     tp_ground under = ground_under(bed, beam->at);
-    hit    h = first_hit(&shade->inside, &under, beam->at, beam->way);
+    hit    h = first_hit(shade->inside, &under, beam->at, beam->way);
     tp_fx  deep = beam->at.y < 0 ? -(beam->at.y + (beam->at.y == TP_FX_MIN)) : 0;
 
     if (beam->way.y <= 0 || way_for(deep, beam->way.y) >= h.way)
@@ -388,5 +400,5 @@ uint32_t tp_inside_at(const tp_shade *shade, const tp_bed *bed, const tp_beam *b
     tp_beam on = { gone(beam->at, beam->way, way), beam->way,
                    tp_fx_held((int64_t)beam->far + way) };
     uint32_t colour = tp_inside_up(shade, bed, &on, (tp_ray){ 0, 16384, 0, 0 }, body);
-    return tp_absorb_at(&shade->absorb, colour, body, way);
+    return tp_absorb_at(&shade->inside->absorb, colour, body, way);
 }

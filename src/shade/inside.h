@@ -14,6 +14,7 @@
 #ifndef TP_SHADE_INSIDE_H
 #define TP_SHADE_INSIDE_H
 #include <stdbool.h>
+#include "shade/absorb.h"
 #include "tidepool/asset.h"
 #include "tidepool/ocean.h"
 
@@ -27,7 +28,7 @@ typedef struct {
 
 /* How much light falls through the surface and on to the floor below. */
 typedef struct {
-    const uint16_t *light;      /* cells x cells, 256 is even light; NULL: none */
+    const uint16_t *light;      /* cells x cells, 256 is even light */
     tp_fx    x, z;              /* of its north-west corner */
     uint32_t cells;
     uint32_t per_metre_x, per_metre_z;  /* cells, 16.16 */
@@ -50,9 +51,9 @@ typedef struct {
     const tp_ocean *ocean;      /* whose floor it is; NULL: `bed` */
     tp_bed  bed;
     tp_coat wall, floor;
-    uint32_t deep;
+    uint32_t deep;              /* what comes from bottomless water, */
+    tp_absorb absorb;           /* and what becomes of other light on its way */
     int32_t sun_x, sun_y, sun_z;/* towards the sun in the water, by its share; Q1.14 */
-    tp_caustic caustic;
     int32_t eta[3], eta2[3];    /* of red, green, blue from air, and squared; Q1.14 */
     tp_fx   zi_near;            /* as of the lens */
     int64_t right[3], up[3];    /* of the view, a 16th of a pixel at 1 m, Q42 */

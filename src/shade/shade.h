@@ -19,7 +19,6 @@
 #ifndef TP_SHADE_H
 #define TP_SHADE_H
 #include "base/base.h"
-#include "shade/absorb.h"
 #include "shade/colour.h"
 #include "shade/inside.h"
 #include "shade/layer.h"
@@ -132,12 +131,9 @@ typedef struct tp_shade {
     const tp_solid *solid;      /* one for each of its materials */
     tp_solid land, drop;        /* without pictures */
 
-    const tp_half *sunken;      /* objects under the level, as flat water shows them, or
-                                 * NULL */
     tp_vec3  eye;
-    tp_absorb absorb;           /* of water that is seen through */
-    tp_inside inside;           /* what lies in and under the water */
-
+    const tp_inside *inside;    /* what lies in and under the water, or NULL */
+    const tp_caustic *caustic;  /* light on its floor; NULL: even */
 
     uint32_t haze_scale;        /* zi to haze entries, Q0.32 */
     tp_entry16 *shine;          /* TP_SHINE + 1: 256 at 1, times the specular */
@@ -162,13 +158,6 @@ typedef struct tp_shade {
     X(sky_dome_hdr, TP_ENV_DOME, 1) \
     X(sky_cube,     TP_ENV_CUBE, 0) \
     X(sky_cube_hdr, TP_ENV_CUBE, 1)
-
-/* name, slopes that a ripple has bent, colours that part */
-#define TP_BEHIND_STAGES(X) \
-    X(behind,                  0, 0) \
-    X(behind_rippled,          1, 0) \
-    X(behind_dispersed,        0, 1) \
-    X(behind_rippled_dispersed, 1, 1)
 
 /* Glass of the wall `way` (as of tp_stage_side) over samples [i, stop) of a shaded run. */
 void tp_shade_glaze(const tp_shade *shade, tp_run *run, int32_t i, int32_t stop,

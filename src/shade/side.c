@@ -22,9 +22,9 @@ void tp_stage_side(const tp_shade *shade, tp_run *run)
         tp_ray  in = { -run->vx[i], -run->vy[i], -run->vz[i], 0 };
         tp_beam beam;
         tp_inside_places(shade, run, i, i + 1, &beam);
-        beam.way = tp_inside_bent(&shade->inside, 1, in, normal_of(run->t[i]));
-        run->colour[i] = tp_inside_at(shade, &shade->inside.bed, &beam,
-                                      shade->inside.deep);
+        beam.way = tp_inside_bent(shade->inside, 1, in, normal_of(run->t[i]));
+        run->colour[i] = tp_inside_at(shade, &shade->inside->bed, &beam,
+                                      shade->inside->deep);
     }
 }
 
@@ -32,7 +32,7 @@ void tp_shade_glaze(const tp_shade *shade, tp_run *run, int32_t i, int32_t stop,
                     uint32_t face)
 {
     TP_ASSERT(i <= stop && stop <= run->count && face < 4);
-    const tp_inside *inside = &shade->inside;
+    const tp_inside *inside = shade->inside;
     tp_ray n = normal_of(face);
 
     tp_view_run(shade, &shade->world, run);
@@ -68,7 +68,7 @@ void tp_stage_wall(const tp_shade *shade, tp_run *run)
         tp_inside_places(shade, run, i, i + 1, &beam);
         tp_fx s = x > y && x > z ? beam.at.z : beam.at.x;
         tp_fx t = y >= x && y >= z ? beam.at.z : -beam.at.y;
-        run->colour[i] = lit(shade, tp_coat_at(&shade->inside.wall, s, t, beam.far, false), n);
+        run->colour[i] = lit(shade, tp_coat_at(&shade->inside->wall, s, t, beam.far, false), n);
     }
 }
 
@@ -77,7 +77,7 @@ void tp_stage_ground(const tp_shade *shade, tp_run *run)
     for (int32_t i = 0; i < run->count; i++) {
         tp_beam beam;
         tp_inside_places(shade, run, i, i + 1, &beam);
-        run->colour[i] = lit(shade, tp_coat_at(&shade->inside.floor, beam.at.x, beam.at.z,
+        run->colour[i] = lit(shade, tp_coat_at(&shade->inside->floor, beam.at.x, beam.at.z,
                                                beam.far, true), run->n[i]);
     }
 }

@@ -14,16 +14,22 @@ static const tp_use modules[] = {
     TP_USE_UNSEEN(main_pool),
     TP_USE_UNSEEN(field),
 #endif
+#if FEATURES >= 13      /* clear water, seen from above and from in it */
+    TP_USE(underwater),
+#endif
+#if FEATURES >= 17      /* caustics */
+    TP_USE(caustics),
+#endif
 #if FEATURES >= 8
     TP_USE(mirror),
 #endif
 #if FEATURES >= 13
-    TP_USE(refraction),
+    TP_USE(refraction), TP_USE(clear_water),
 #endif
-#if FEATURES >= 9
+#if FEATURES >= 9       /* foam */
     TP_USE(foam),
 #endif
-#if FEATURES >= 10
+#if FEATURES >= 10      /* spray */
     TP_USE(spray),
 #endif
     { 0 }
@@ -81,10 +87,6 @@ const tp_kit features_kit = {
     .stage.reflect_gradient = tp_stage_reflect_gradient,
     .stage.fresnel = tp_stage_fresnel,
 #endif
-#if FEATURES >= 9       /* foam */
-#endif
-#if FEATURES >= 10      /* spray */
-#endif
 #if FEATURES >= 11      /* pools, stirred by the boat */
     .water.pools = &tp_water_pools,
     .move.wake = &tp_move_wake,
@@ -94,15 +96,6 @@ const tp_kit features_kit = {
     .draw.drops = &tp_draw_drops,
     .move.drops = &tp_move_drops,
     .stage.drop = tp_stage_drop,
-#endif
-#if FEATURES >= 13      /* clear water, seen from above and from in it */
-    .draw.inside = &tp_draw_inside,
-    .stage.behind = tp_stage_behind,
-    .stage.behind_rippled = tp_stage_behind_rippled,
-    .stage.below = tp_stage_below,
-    .stage.below_rippled = tp_stage_below_rippled,
-    .stage.deep = tp_stage_deep,
-    .stage.absorb = tp_stage_absorb,
 #endif
 #if FEATURES >= 14      /* tanks, of stone and glass */
     .draw.tank = &tp_draw_tank,
@@ -124,8 +117,5 @@ const tp_kit features_kit = {
     .stage.stars = tp_stage_stars,
     .stage.reflect_dome = tp_stage_reflect_dome,
     .stage.haze_dome = tp_stage_haze_dome,
-#endif
-#if FEATURES >= 17      /* caustics */
-    .draw.caustics = &tp_draw_caustics,
 #endif
 };

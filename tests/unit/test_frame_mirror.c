@@ -6,8 +6,9 @@
 #include <setjmp.h>
 #include <stdint.h>
 #include <cmocka.h>
-#include "features/reflection/mirror.h"
 #include "../reference/mirror.h"
+#include "features/reflection/mirror.h"
+#include "features/underwater/underwater.h"
 #include "marks.h"
 #include "measure.h"
 #include "shade/half.h"
@@ -25,7 +26,8 @@ static const tp_half *mirror_of(const tp_frame *frame)
 
 static const tp_half *sunken_of(const tp_frame *frame)
 {
-    return frame->shade.sunken ? frame->shade.sunken : &nothing;
+    const tp_clear_water *clear = tp_frame_part(frame, TP_CLEAR_WATER_ID);
+    return clear && clear->sunken ? clear->sunken : &nothing;
 }
 
 static uint64_t chance;

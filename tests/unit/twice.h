@@ -7,6 +7,7 @@
 #include "features/exposure/exposure.h"
 #include "features/reflection/mirror.h"
 #include "features/reflection/object_cube.h"
+#include "features/underwater/underwater.h"
 #include "frame/frame.h"
 #include "kinds.h"
 #include "kit.h"
@@ -95,16 +96,17 @@ static inline void twice_count(const tp_frame *f, const uint32_t *key, size_t pi
     twice_marks(f, key, pixels, r);
     r->drawn++;
     r->under += f->under;
-    r->in_a_tank += f->under && f->shade.inside.walled;
+    r->in_a_tank += f->under && f->shade.inside->walled;
     r->aboard += f->world->aboard;
     r->glass += f->glasses > 0;
     r->blocks += f->blocks > 0;
     const tp_mirror *mirror = tp_frame_part(f, TP_MIRROR_ID);
     const tp_around *cube = tp_frame_part(f, TP_OBJECT_CUBE_ID);
     r->mirrored += mirror && mirror->half.colour;
-    r->sunken += f->shade.sunken != NULL;
+    const tp_clear_water *clear = tp_frame_part(f, TP_CLEAR_WATER_ID);
+    r->sunken += clear && clear->sunken;
     r->cube += cube && cube->colour;
-    r->caustics += f->parts.caustic_light != NULL;
+    r->caustics += tp_frame_part(f, TP_CAUSTICS_ID) != NULL;
     r->bumps += f->shade.bumps.pool[0].slope || f->shade.bumps.pool[1].slope;
     r->foam += tp_world_foam(f->world) != NULL;
     r->dome += env->kind == TP_ENV_DOME;

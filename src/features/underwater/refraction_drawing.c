@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* The refraction map: a planar map of the objects under the level.  Depths are scaled by
  * 3/4, the apparent depth under flat water. */
+#include "features/underwater/underwater.h"
 #include "frame/frame.h"
 #include "frame/planar_map.h"
 #include "tidepool/light.h"
@@ -56,7 +57,7 @@ static void absorb_row(const tp_frame *frame, const tp_lens *lens, tp_fx height,
         int64_t z = tp_depth_of(lens->zi_near, tp_key_zi(*key));
         int64_t fall = middle + ((16 * x + 8 - lens->u0) * aside >> 32);
         tp_fx   depth = tp_fx_held((fall * z >> 16) - height);
-        *to = tp_absorb_at(&frame->shade.absorb, *to & 0xffffff, deep,
+        *to = tp_absorb_at(&frame->shade.inside->absorb, *to & 0xffffff, deep,
                            tp_fx_mul(depth > 0 ? depth : 0, way)) | 0xff000000u;
     }
 }
@@ -83,12 +84,12 @@ static void draw_below(tp_frame *frame, const refraction *r, const tp_sight *sig
 static void look(tp_frame *frame, void *mine)
 {
     refraction *r = mine;
+    tp_clear_water *clear = tp_frame_part(frame, TP_CLEAR_WATER_ID);
     tp_fx    level = tp_sight_level(frame);
     tp_half *half = &r->half;
 
     half->colour = NULL;
-    frame->shade.sunken = NULL;
-    if (!tp_sight_above(frame, level))
+    if (!clear || !tp_sight_above(frame, level))
         return;
     const tp_lens lens = tp_lens_halved(&frame->lens);
     const tp_lens bent = sunken_lens(&lens, level);
@@ -99,7 +100,7 @@ static void look(tp_frame *frame, void *mine)
     if (!tp_planar_begin(&r->store, &box, half))
         return;
     draw_below(frame, r, &sight, &lens, frame->lens.eye.y - level);
-    frame->shade.sunken = half;
+    clear->sunken = half;
 }
 
 /* -- the module ---------------------------------------------------------------------- */
@@ -121,7 +122,7 @@ static void *layout(tp_arena *arena, const tp_want *want)
 }
 
 const tp_module tp_refraction_module = {
-    .name = "refraction", .id = TP_MODULE_ID('r', 'f', 'r', 'a'), .enabled = enabled,
+    .name = "refraction", .id = TP_REFRACTION_ID, .enabled = enabled,
 };
 
 const tp_drawing tp_refraction_drawing = { .layout = layout, .look = look };

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* The view of a camera under water: the surface from below, the water where nothing
  * else is, and the water before what is there. */
+#include "features/underwater/underwater.h"
 #include "shade/beam.h"
 #include "shade/slope.h"
 
@@ -25,7 +26,7 @@ static tp_fx along(const tp_shade *shade, tp_ray way, tp_fx depth)
 
 TP_ALWAYS_INLINE void below(const tp_shade *shade, tp_run *run, int rippled)
 {
-    const tp_inside *in = &shade->inside;
+    const tp_inside *in = shade->inside;
 
     for (int32_t i = 0; i < run->count; i++) {
         tp_ray  n = tp_slope_normal_of(run, i, rippled);
@@ -34,7 +35,7 @@ TP_ALWAYS_INLINE void below(const tp_shade *shade, tp_run *run, int rippled)
         beam.way = seen_along(run, i);
         tp_bed  bed = tp_inside_bed(shade, &beam);
         uint32_t c = tp_inside_up(shade, &bed, &beam, n, in->deep);
-        run->colour[i] = tp_absorb_at(&shade->absorb, c, in->deep,
+        run->colour[i] = tp_absorb_at(&in->absorb, c, in->deep,
                                       along(shade, beam.way, beam.far));
     }
 }
@@ -56,19 +57,25 @@ void tp_stage_deep(const tp_shade *shade, tp_run *run)
     for (int32_t i = 0; i < run->count; i++) {
         tp_beam beam = { shade->eye, seen_along(run, i), 0 };
         tp_bed  bed = tp_inside_bed(shade, &beam);
-        run->colour[i] = tp_inside_at(shade, &bed, &beam, shade->inside.deep);
+        run->colour[i] = tp_inside_at(shade, &bed, &beam, shade->inside->deep);
     }
 }
 
 void tp_stage_absorb(const tp_shade *shade, tp_run *run)
 {
-    const tp_inside *in = &shade->inside;
+    const tp_inside *in = shade->inside;
 
     tp_view_run(shade, &shade->world, run);
     for (int32_t i = 0; i < run->count; i++) {
         tp_beam beam;
         tp_inside_places(shade, run, i, i + 1, &beam);
-        run->colour[i] = tp_absorb_at(&shade->absorb, run->colour[i], in->deep,
+        run->colour[i] = tp_absorb_at(&in->absorb, run->colour[i], in->deep,
                                       along(shade, seen_along(run, i), beam.far));
     }
 }
+
+const tp_stage tp_underwater_stages[] = {
+#define X(name) tp_stage_##name,
+    TP_STAGES_OF_underwater(X)
+#undef X
+};

@@ -8,6 +8,7 @@
 #include <stdint.h>
 #include <cmocka.h>
 #include "../reference/water_ray.h"
+#include "features/underwater/underwater.h"
 #include "shade/beam.h"
 #include "shades.h"
 
@@ -48,9 +49,12 @@ typedef struct {
     uint32_t tint;
 } scene;
 
+static tp_inside water;         /* of all scenes: tests use one at a time */
+static tp_clear_water clear;
+
 static void set_optics(tp_shade *s)
 {
-    tp_inside *in = &s->inside;
+    tp_inside *in = &water;
     const double eta = 1 / 1.333, ly = s->world.ly / Q14;
     const double steep = sqrt(1 - (1 - ly * ly) * eta * eta);
 
@@ -74,9 +78,11 @@ static void set_optics(tp_shade *s)
 static scene scene_inside(double low, double high)
 {
     scene s = { .shade = shade_any(&chance), .clear = chance_double(&chance, 0.5, 20) };
-    tp_inside *in = &s.shade.inside;
+    tp_inside *in = &water;
     const double w = chance_double(&chance, 0.5, 6), d = chance_double(&chance, 0.5, 6);
 
+    *in = (tp_inside){ .walled = false };
+    s.shade.inside = in;
     s.box = (ref_box){ -w, w, -d, d, chance_double(&chance, 0.2, 4) };
     s.eye = (ref_vec){ chance_double(&chance, -w, w), chance_double(&chance, low, high),
                        chance_double(&chance, -d, d) };
@@ -93,7 +99,7 @@ static scene scene_inside(double low, double high)
     in->wall.colour = (uint32_t)random_next(&chance) & 0xffffff;
     in->floor.colour = (uint32_t)random_next(&chance) & 0xffffff;
     in->deep = (uint32_t)random_next(&chance) & 0xffffff;
-    tp_absorb_init(&s.shade.absorb, s.tint, (tp_fx)(s.clear * 65536));
+    tp_absorb_init(&in->absorb, s.tint, (tp_fx)(s.clear * 65536));
     return s;
 }
 
@@ -109,7 +115,7 @@ static ref_colour through(const scene *s, ref_colour c, ref_colour body, double 
 
 static ref_colour lit_face(const scene *s, ref_face face, ref_vec way)
 {
-    const tp_inside *in = &s->shade.inside;
+    const tp_inside *in = s->shade.inside;
     const double ambient = s->shade.ambient / 256.0;
     const double sun = face == REF_FLOOR ? in->sun_y
                      : face == REF_WALL_X ? (way.x > 0 ? -in->sun_x : in->sun_x)
@@ -166,7 +172,7 @@ static ref_vec place_sample(const scene *s, test_run *r, int i, double metres)
     const ref_vec way = view_way(s, &r->run, i);
     const ref_dir back = shade_dir(s->shade.world.back);
     const double cosine = -(way.x * back.x + way.y * back.y + way.z * back.z);
-    const double near = s->shade.inside.zi_near / 65536.0;
+    const double near = s->shade.inside->zi_near / 65536.0;
     const double zi = near / (metres * cosine);
 
     r->key[i] = (uint32_t)fmin(zi * 4294967296.0, 4294967000.0) & ~0xffu;
@@ -198,12 +204,13 @@ static void what_is_behind_follows_snell_and_beer(void **state)
         }
         tp_stage_view(&s.shade, &r.run);
         const tp_run before = r.run;
+        r.run.mine = &clear;
         tp_stage_behind(&s.shade, &r.run);
         for (int i = 0; i < TP_RUN; i++) {
             const ref_vec way = view_way(&s, &r.run, i);
             const ref_vec at = far[i] > 0 ? place_sample(&s, &r, i, far[i]) : s.eye;
             const ref_vec in = ref_bent(way, normal_of(&r, i), 1.333);
-            const ref_colour body = ref_mix(ref_colour_of(s.shade.inside.deep),
+            const ref_colour body = ref_mix(ref_colour_of(s.shade.inside->deep),
                                             ref_colour_of(before.colour[i]), 0.25);
             ref_colour want;
             if (far[i] < 0 || in.y > -0.12 || ref_dot(way, normal_of(&r, i)) > -0.02
@@ -243,7 +250,7 @@ static void what_is_behind_glass_follows_snell_and_beer(void **state)
             if (far[i] < 0 || at.y > 0 || at.y < -s.box.depth || fabs(at.z) > s.box.z1)
                 continue;
             if (look(&s, (ref_vec){ s.box.x1 - 1e-6, at.y, at.z }, in,
-                     ref_colour_of(s.shade.inside.deep), &want))
+                     ref_colour_of(s.shade.inside->deep), &want))
                 error_add(&off, r.run.colour[i], want, n, i);
         }
     }
@@ -262,7 +269,7 @@ static void the_surface_from_below_follows_fresnel(void **state)
         test_run r;
         double   far[TP_RUN];
         s.box.depth += 2;
-        s.shade.inside.bed.depth += 2 * TP_FX_ONE;
+        water.bed.depth += 2 * TP_FX_ONE;
         run_any(&r, n % 2 ? 1200 : 100, &chance);
         for (int i = 0; i < TP_RUN; i++) {
             const ref_vec way = view_way(&s, &r.run, i);
@@ -274,7 +281,7 @@ static void the_surface_from_below_follows_fresnel(void **state)
         for (int i = 0; i < TP_RUN; i++) {
             const ref_vec way = view_way(&s, &r.run, i);
             const ref_vec at = far[i] > 0 ? place_sample(&s, &r, i, far[i]) : s.eye;
-            const ref_colour body = ref_colour_of(s.shade.inside.deep);
+            const ref_colour body = ref_colour_of(s.shade.inside->deep);
             ref_colour want;
             if (far[i] < 0 || fabs(at.x) > s.box.x1 || fabs(at.z) > s.box.z1)
                 continue;
@@ -298,8 +305,8 @@ static void snells_window_ends_at_48_6_degrees(void **state)
         const double angle = k / 100.0 * 3.14159265358979 / 180;
         const tp_beam beam = { { 0, 0, 0 }, { (int32_t)lround(sin(angle) * Q14),
                                (int32_t)lround(cos(angle) * Q14), 0, 0 }, 0 };
-        s.shade.inside.walled = s.shade.inside.floored = false;
-        const uint32_t c = tp_inside_up(&s.shade, &s.shade.inside.bed, &beam,
+        water.walled = water.floored = false;
+        const uint32_t c = tp_inside_up(&s.shade, &s.shade.inside->bed, &beam,
                                         (tp_ray){ 0, 16384, 0, 0 }, 0);
         if ((c & 0xff) > 8)
             rim = k / 100.0;
@@ -329,7 +336,7 @@ static void water_before_things_follows_beer(void **state)
         for (int i = 0; i < TP_RUN; i++)
             error_add(&off, r.run.colour[i],
                       through(&s, ref_colour_of(before.colour[i]),
-                              ref_colour_of(s.shade.inside.deep), far[i]), n, i);
+                              ref_colour_of(s.shade.inside->deep), far[i]), n, i);
     }
     error_check(&off, 1.2);
 }
@@ -344,5 +351,5 @@ int main(void)
         cmocka_unit_test(snells_window_ends_at_48_6_degrees),
         cmocka_unit_test(water_before_things_follows_beer),
     };
-    return cmocka_run_group_tests_name("shade inside", tests, NULL, NULL);
+    return cmocka_run_group_tests_name("features/underwater stage", tests, NULL, NULL);
 }

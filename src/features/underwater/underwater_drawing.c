@@ -1,11 +1,15 @@
 /* SPDX-License-Identifier: MIT */
-/* The plan of what is seen through water, and under it: numbers of the water's inside,
- * and the stages that look into it. */
+/* The inside of the water: the numbers that all reads which looks into it, and the lists of
+ * an eye that is in it. */
+#include "features/underwater/underwater.h"
 #include "frame/frame.h"
 #include "shade/beam.h"
 #include "tidepool/light.h"
 
 #define CLEAR_BELOW (4 * TP_FX_ONE)     /* m: of opaque water to those who are in it */
+
+/* In the order of the module's table. */
+enum { BELOW, BELOW_RIPPLED, DEEP, ABSORB };
 
 /* -- numbers -------------------------------------------------------------------------- */
 
@@ -53,21 +57,6 @@ static void set_sun(const tp_shade *shade, tp_inside *in)
     in->sun_z = -down.z * light->ly / steep;
 }
 
-/* The view's axes over the focal length: a 16th of a pixel at 1 m. */
-static void view_inside(tp_frame *frame)
-{
-    tp_inside *in = &frame->shade.inside;
-    const tp_view_axes *axes = &frame->shade.world;
-    const tp_q30 right[3] = { axes->right.x, axes->right.y, axes->right.z };
-    const tp_q30 up[3] = { axes->up.x, axes->up.y, axes->up.z };
-
-    for (int k = 0; k < 3; k++) {
-        in->right[k] = (int64_t)right[k] * 4096 / frame->shade.focal;
-        in->up[k] = (int64_t)up[k] * 4096 / frame->shade.focal;
-    }
-    in->zi_near = frame->lens.zi_near;
-}
-
 static void set_box(const tp_frame *frame, tp_inside *in)
 {
     const tp_scene *scene = frame->scene;
@@ -91,31 +80,13 @@ static void set_box(const tp_frame *frame, tp_inside *in)
                                scene->floor.texture_size, scene->floor.colour, true);
 }
 
-/* -- stages --------------------------------------------------------------------------- */
-
-static tp_stage behind_stage(const tp_frame *frame, bool rippled)
-{
-    const tp_stages *stages = &frame->kit->stage;
-    const tp_stage stage[] = {
-#define X(name, bent, dispersed) [2 * (dispersed) + (bent)] = stages->name,
-        TP_BEHIND_STAGES(X)
-#undef X
-    };
-    return stage[2 * (frame->scene->water.dispersion > 0) + rippled];
-}
-
-static bool can_show_under(const tp_stages *stages)
-{
-    return stages->deep && stages->view && stages->below && stages->absorb;
-}
-
 /* Whether the eye is under the surface at its place; of a tank also within it. */
 static bool is_under(const tp_frame *frame)
 {
     tp_vec3 eye = frame->lens.eye;
     tp_rectangle r = tp_pool_sides(frame->scene);
 
-    if (!can_show_under(&frame->kit->stage) || eye.y >= tp_surface_height(&frame->surface))
+    if (eye.y >= tp_surface_height(&frame->surface))
         return false;
     if (tp_frame_has_tank(frame)
         && (eye.x <= r.x0 || eye.x >= r.x1 || eye.z <= r.z0 || eye.z >= r.z1))
@@ -123,27 +94,86 @@ static bool is_under(const tp_frame *frame)
     return eye.y < tp_surface_above(&frame->surface, eye.x, eye.z, NULL).position.y;
 }
 
-static void plan_inside(tp_frame *frame)
+/* A program may lack some of the view from within; it then draws that from above. */
+static bool can_show(const tp_frame *frame)
+{
+    const tp_stage *stage = tp_frame_stages(frame, TP_UNDERWATER_ID);
+
+    return frame->kit->stage.view && stage[BELOW] && stage[DEEP] && stage[ABSORB];
+}
+
+static void begin(tp_frame *frame, void *mine)
 {
     const tp_scene *scene = frame->scene;
-    tp_inside *in = &frame->shade.inside;
+    tp_inside *in = mine;
 
-    if (!frame->under && scene->water.clear == 0 && !tp_frame_has_tank(frame)
-        && !frame->parts.block && !frame->assets.floor_texture)
+    frame->shade.caustic = NULL;
+    frame->under = can_show(frame) && is_under(frame);
+    if (!frame->under && scene->water.clear == 0 && !frame->assets.floor_texture
+        && !tp_frame_has_tank(frame) && !frame->parts.block)
         return;
-    tp_absorb_init(&frame->shade.absorb, (uint32_t)scene->water.tint,
+    tp_absorb_init(&in->absorb, (uint32_t)scene->water.tint,
                    scene->water.clear > 0 ? scene->water.clear : CLEAR_BELOW);
     in->deep = (uint32_t)scene->water.deep;
     in->glass_colour = (uint32_t)scene->tank.glass_colour;
     in->glass = (uint32_t)scene->tank.glass >> 8;
     set_indices(in, scene->water.dispersion);
     set_sun(&frame->shade, in);
-    view_inside(frame);
+    tp_inside_view(in, &frame->shade, frame->lens.zi_near);
     set_box(frame, in);
-    if (frame->parts.caustic_light)
-        frame->kit->draw.caustics->place(frame);
 }
 
-const struct tp_draw_inside tp_draw_inside = {
-    is_under, plan_inside, view_inside, behind_stage
+/* Walls tell their places by the eye and its axes. */
+static void place(tp_frame *frame, void *mine, tp_sight *sight, tp_grid_box *box)
+{
+    (void)sight, (void)box;
+    if (tp_sight_has_walls(frame))
+        tp_inside_view(mine, &frame->shade, frame->lens.zi_near);
+}
+
+/* -- lists ---------------------------------------------------------------------------- */
+
+static void add_stages(const tp_frame *frame, const void *mine, const tp_stage *stage,
+                       tp_shaders *list)
+{
+    if (!frame->under)
+        return;
+    if (list->kind == TP_LIST_SKY)
+        tp_shaders_add(list, TP_AT_COLOUR, stage[DEEP], mine);
+    else if (list->kind == TP_LIST_BELOW)
+        tp_shaders_add(list, TP_AT_LIGHT, !list->rippled ? stage[BELOW]
+                       : tp_shaders_pick(list, stage[BELOW_RIPPLED], stage[BELOW]), mine);
+    else
+        tp_shaders_add(list, TP_AT_AIR, stage[ABSORB], mine);
+}
+
+/* -- the module ----------------------------------------------------------------------- */
+
+/* A camera may dive in any scene. */
+static bool enabled(const tp_want *want)
+{
+    (void)want;
+    return true;
+}
+
+static void *layout(tp_arena *arena, const tp_want *want)
+{
+    (void)want;
+    return tp_arena_take(arena, 1, sizeof(tp_inside));
+}
+
+static void init(tp_frame *frame, void *mine)
+{
+    memset(mine, 0, sizeof(tp_inside));
+    frame->shade.inside = mine;
+}
+
+const tp_module tp_underwater_module = {
+    .name = "underwater", .id = TP_UNDERWATER_ID, .is = TP_MODULE_INSIDE,
+    .enabled = enabled,
+};
+
+const tp_drawing tp_underwater_drawing = {
+    .layout = layout, .init = init, .begin = begin, .place = place,
+    .stages = add_stages,
 };

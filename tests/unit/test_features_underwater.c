@@ -7,6 +7,8 @@
 #include <stdint.h>
 #include <cmocka.h>
 #include "../reference/water_ray.h"
+#include "features/underwater/caustics.h"
+#include "features/underwater/underwater.h"
 #include "frame/frame.h"
 #include "measure.h"
 #include "scenes.h"
@@ -167,7 +169,8 @@ static void light_of(const tp_scene *s, const tp_world *world, uint16_t *light)
     test_frame f = frame_of(s, &assets, &c);
 
     tp_frame_begin(f.frame, world);
-    memcpy(light, f.frame->parts.caustic_light, cells * cells * sizeof *light);
+    const tp_caustics *map = tp_frame_part(f.frame, TP_CAUSTICS_ID);
+    memcpy(light, map->light, cells * cells * sizeof *light);
     frame_free(&f);
 }
 
@@ -287,5 +290,5 @@ int main(void)
         cmocka_unit_test(no_light_is_lost_or_made),
         cmocka_unit_test(a_lens_gathers_light_where_rays_say),
     };
-    return cmocka_run_group_tests_name("frame depth", tests, NULL, NULL);
+    return cmocka_run_group_tests_name("features/underwater", tests, NULL, NULL);
 }

@@ -7,8 +7,10 @@
  * and no light is lost.  What falls beyond an edge is mirrored in it, as a wall would.
  * Places on the map are those of the surface that still water would have lit them through:
  * still water gives 256 everywhere, to the bit. */
-#include "frame/frame.h"
+#include "features/underwater/caustics.h"
 #include "base/base.h"
+#include "features/underwater/underwater.h"
+#include "frame/frame.h"
 #include "shade/beam.h"
 #include "shade/slope.h"
 
@@ -22,11 +24,10 @@ static tp_fx snapped(tp_fx eye, int32_t behind, tp_fx size, int32_t cells)
     return tp_fx_held(corner / cell * cell);
 }
 
-static tp_rectangle place_of(const tp_frame *frame)
+static tp_rectangle place_of(const tp_frame *frame, int32_t cells)
 {
     const tp_scene *scene = frame->scene;
     tp_fx size = scene->water.caustic_size;
-    int32_t cells = (int32_t)frame->parts.caustic_cells;
 
     if (scene->pool.cols > 0)
         return tp_pool_sides(scene);
@@ -38,24 +39,20 @@ static tp_rectangle place_of(const tp_frame *frame)
 
 static tp_fx depth_at(const tp_frame *frame, tp_fx x, tp_fx z)
 {
-    const tp_inside *in = &frame->shade.inside;
+    const tp_inside *in = frame->shade.inside;
     tp_fx depth = in->ocean ? tp_ocean_floor(in->ocean, x, z).depth : in->bed.depth;
     return tp_clamp(depth, 0, 100 * TP_FX_ONE);
 }
 
 /* -- the light's way ------------------------------------------------------------------- */
 
-/* Metres along that a metre down takes the sun, Q16.16, through water of these slopes. */
-typedef struct {
-    int32_t x, z;
-} tp_fall;
-
+/* Through water of these slopes. */
 static tp_fall fall_through(const tp_shade *shade, tp_fx slope_x, tp_fx slope_z)
 {
     tp_ray in = { -shade->world.lx, -shade->world.ly, -shade->world.lz, 0 };
     tp_ray n = tp_slope_normal(tp_clamp(slope_x >> 4, -16000, 16000),
                                tp_clamp(slope_z >> 4, -16000, 16000));
-    tp_ray t = tp_inside_bent(&shade->inside, 1, in, n);
+    tp_ray t = tp_inside_bent(shade->inside, 1, in, n);
     int32_t down = t.y < -1638 ? -t.y : 1638;
 
     return (tp_fall){ t.x * 65536 / down, t.z * 65536 / down };
@@ -98,16 +95,16 @@ static int32_t in_cells(int64_t metres, uint32_t per_metre)
 }
 
 /* Corner (i, j): where it lies over the map, and where its light does. */
-static void trace(const tp_frame *frame, const tp_surface *surface, uint32_t i, uint32_t j,
-                  tp_caustic_corner *to)
+static void trace(const tp_frame *frame, const tp_caustics *map, const tp_surface *surface,
+                  uint32_t i, uint32_t j, tp_caustic_corner *to)
 {
-    const tp_caustic *c = &frame->shade.inside.caustic;
-    const tp_rectangle r = frame->caustic_place;
+    const tp_caustic *c = &map->look;
+    const tp_rectangle r = map->place;
     tp_fx x = r.x0 + (tp_fx)(((int64_t)r.x1 - r.x0) * i / c->cells);
     tp_fx z = r.z0 + (tp_fx)(((int64_t)r.z1 - r.z0) * j / c->cells);
     tp_sea_point p = surface_point(surface, x, z);
     tp_fall fall = fall_through(&frame->shade, p.slope_x, p.slope_z);
-    tp_fall still = { frame->caustic_still_x, frame->caustic_still_z };
+    tp_fall still = map->still;
     int64_t high = depth_at(frame, p.position.x, p.position.z) + (int64_t)p.position.y;
     int64_t away_x = (int64_t)p.position.x - x, away_z = (int64_t)p.position.z - z;
 
@@ -170,37 +167,34 @@ static void deal_cell(uint16_t *light, uint32_t cells, const tp_caustic_corner *
     }
 }
 
-static void make(tp_frame *frame)
+static void make(const tp_frame *frame, tp_caustics *map)
 {
-    TP_ASSERT(frame->parts.caustic_light != NULL && frame->parts.caustic_row != NULL);
     const tp_surface surface = tp_frame_lit_surface(frame);
-    uint32_t n = frame->shade.inside.caustic.cells;
-    uint16_t *light = frame->parts.caustic_light;
+    uint32_t n = map->look.cells;
 
-    memset(light, 0, (size_t)n * n * sizeof *light);
+    memset(map->light, 0, (size_t)n * n * sizeof *map->light);
     for (uint32_t j = 0; j <= n; j++) {
-        tp_caustic_corner *here = frame->parts.caustic_row + (j & 1) * (n + 1);
-        const tp_caustic_corner *last = frame->parts.caustic_row + (~j & 1) * (n + 1);
+        tp_caustic_corner *here = map->row + (j & 1) * (n + 1);
+        const tp_caustic_corner *last = map->row + (~j & 1) * (n + 1);
         for (uint32_t i = 0; i <= n; i++)
-            trace(frame, &surface, i, j, &here[i]);
+            trace(frame, map, &surface, i, j, &here[i]);
         for (uint32_t i = 0; j > 0 && i < n; i++)
-            deal_cell(light, n, &last[i], &here[i]);
+            deal_cell(map->light, n, &last[i], &here[i]);
     }
 }
 
-static void place_caustics(tp_frame *frame)
+static void begin(tp_frame *frame, void *mine)
 {
-    TP_ASSERT(frame->parts.caustic_cells > 0);
     const tp_scene *scene = frame->scene;
-    tp_inside *in = &frame->shade.inside;
-    tp_rectangle r = place_of(frame);
+    tp_caustics *map = mine;
+    uint32_t cells = map->look.cells;
+    tp_rectangle r = place_of(frame, (int32_t)cells);
     tp_fx   wide = tp_fx_held((int64_t)r.x1 - r.x0), deep = tp_fx_held((int64_t)r.z1 - r.z0);
     tp_fx   depth = depth_at(frame, r.x0 / 2 + r.x1 / 2, r.z0 / 2 + r.z1 / 2);
     tp_fall still = fall_through(&frame->shade, 0, 0);
-    uint32_t cells = frame->parts.caustic_cells;
 
-    in->caustic = (tp_caustic){
-        .light = frame->parts.caustic_light, .x = r.x0, .z = r.z0, .cells = cells,
+    map->look = (tp_caustic){
+        .light = map->light, .x = r.x0, .z = r.z0, .cells = cells,
         .per_metre_x = (uint32_t)(((uint64_t)cells << 32) / (uint32_t)(wide + !wide)),
         .per_metre_z = (uint32_t)(((uint64_t)cells << 32) / (uint32_t)(deep + !deep)),
         .per_depth = (uint32_t)(((uint64_t)256 << 32)
@@ -209,12 +203,40 @@ static void place_caustics(tp_frame *frame)
         .strength = scene->water.caustics >> 8,
         .fades = scene->pool.cols == 0,
     };
-    frame->caustic_place = r;
-    frame->caustic_still_x = still.x;
-    frame->caustic_still_z = still.z;
-    make(frame);
+    map->place = r;
+    map->still = still;
+    frame->shade.caustic = &map->look;
+    make(frame, map);
 }
 
-const struct tp_draw_caustics tp_draw_caustics = {
-    place_caustics
+/* -- the module ----------------------------------------------------------------------- */
+
+static bool enabled(const tp_want *want)
+{
+    const tp_scene *scene = want->scene;
+    const bool tank = tp_has_tank(scene) && want->above & TP_MODULE_WALLS;
+
+    return scene->water.clear > 0 && scene->water.caustics > 0
+        && want->above & TP_MODULE_INSIDE && (tank || tp_has_floor(scene));
+}
+
+static void *layout(tp_arena *arena, const tp_want *want)
+{
+    const size_t cells = (size_t)want->scene->water.caustic_cells;
+    tp_caustics *map = tp_arena_take(arena, 1, sizeof *map);
+    uint16_t *light = tp_arena_take(arena, cells * cells, sizeof *light);
+    tp_caustic_corner *row = tp_arena_take(arena, 2 * (cells + 1), sizeof *row);
+
+    TP_ASSERT(cells > 0);
+    if (map)
+        *map = (tp_caustics){ .look.cells = (uint32_t)cells, .light = light, .row = row };
+    return map;
+}
+
+const tp_module tp_caustics_module = {
+    .name = "caustics", .id = TP_CAUSTICS_ID, .trait = TP_TRAIT_caustic,
+    .enabled = enabled,
 };
+
+const tp_drawing tp_caustics_drawing = { .layout = layout, .begin = begin };
+const tp_stage tp_caustics_stages[] = { NULL };

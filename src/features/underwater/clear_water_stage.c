@@ -7,8 +7,9 @@
  * deep water, while a shore's last inch shows the land alone.
  *
  * With dispersion each channel has an index of its own and goes its own way. */
-#include "shade/beam.h"
+#include "features/underwater/underwater.h"
 #include "geom/geom.h"
+#include "shade/beam.h"
 #include "shade/half.h"
 #include "shade/slope.h"
 
@@ -38,7 +39,7 @@ TP_ALWAYS_INLINE void bend(const tp_shade *shade, const tp_run *run, int32_t i,
 {
     for (; i < stop; i++, at++, beam++) {
         tp_ray n = { at->x, at->y, at->z, 0 };
-        tp_ray way = tp_inside_bent_at(&shade->inside, channel, seen_along(run, i), n,
+        tp_ray way = tp_inside_bent_at(shade->inside, channel, seen_along(run, i), n,
                                        at->cosine);
         if (way.y > -1638)      /* a steep ripple would throw it out of the water */
             way.y = -1638;
@@ -46,12 +47,12 @@ TP_ALWAYS_INLINE void bend(const tp_shade *shade, const tp_run *run, int32_t i,
     }
 }
 
-/* What of shade.sunken lies there: bent as if half a metre under the surface, by a
+/* What of the refraction map lies there: bent as if half a metre under the surface, by a
  * quarter of the slope [F4]. */
-static uint32_t with_sunken(const tp_shade *shade, const tp_run *run, int32_t i,
-                            tp_fx metres, int32_t nx, int32_t nz, uint32_t colour)
+static uint32_t with_sunken(const tp_shade *shade, const tp_half *half, const tp_run *run,
+                            int32_t i, tp_fx metres, int32_t nx, int32_t nz,
+                            uint32_t colour)
 {
-    const tp_half *half = shade->sunken;
     const tp_view_axes *axes = &shade->world;
     int32_t across = (int32_t)(((int64_t)axes->right.x * nx + (int64_t)axes->right.z * nz)
                                >> 30);
@@ -93,6 +94,7 @@ static void parted(const tp_shade *shade, const tp_run *run, int32_t i, int32_t 
 TP_ALWAYS_INLINE void behind(const tp_shade *shade, tp_run *run, int rippled,
                              int dispersed)
 {
+    const tp_clear_water *clear = run->mine;
     uint32_t body[TP_INSIDE_ROW];
     tp_beam  beam[TP_INSIDE_ROW];
     facet    surface[TP_INSIDE_ROW];
@@ -102,7 +104,7 @@ TP_ALWAYS_INLINE void behind(const tp_shade *shade, tp_run *run, int rippled,
         int32_t   stop = tp_block_end(run, i), count = stop - i;
         uint32_t *seen = run->colour + i;
         for (int32_t k = 0; k < count; k++)
-            body[k] = tp_colour_mix(shade->inside.deep, seen[k], 64);
+            body[k] = tp_colour_mix(shade->inside->deep, seen[k], 64);
         tp_inside_places(shade, run, i, stop, beam);
         facets(run, i, stop, rippled, surface);
         bend(shade, run, i, stop, surface, 1, beam);
@@ -112,9 +114,9 @@ TP_ALWAYS_INLINE void behind(const tp_shade *shade, tp_run *run, int rippled,
             parted(shade, run, i, stop, surface, ends, beam, body, seen);
         else
             tp_inside_row(shade, ends, beam, count, body, seen);
-        for (int32_t k = 0; shade->sunken && k < count; k++)
-            seen[k] = with_sunken(shade, run, i + k, beam[k].far, surface[k].x,
-                                  surface[k].z, seen[k]);
+        for (int32_t k = 0; clear->sunken && k < count; k++)
+            seen[k] = with_sunken(shade, clear->sunken, run, i + k, beam[k].far,
+                                  surface[k].x, surface[k].z, seen[k]);
         i = stop;
     }
 }
@@ -122,4 +124,10 @@ TP_ALWAYS_INLINE void behind(const tp_shade *shade, tp_run *run, int rippled,
 #define BEHIND_STAGE(name, rippled, dispersed) \
     void tp_stage_##name(const tp_shade *shade, tp_run *run) \
     { behind(shade, run, rippled, dispersed); }
-TP_BEHIND_STAGES(BEHIND_STAGE)
+TP_CLEAR_WATER_STAGES(BEHIND_STAGE)
+
+const tp_stage tp_clear_water_stages[] = {
+#define X(name, rippled, dispersed) [2 * (dispersed) + (rippled)] = tp_stage_##name,
+    TP_CLEAR_WATER_STAGES(X)
+#undef X
+};

@@ -1,0 +1,59 @@
+/* SPDX-License-Identifier: MIT */
+/* Clear water, seen from above: when it is, and by which stage. */
+#include "features/underwater/underwater.h"
+#include "frame/frame.h"
+
+static bool enabled(const tp_want *want)
+{
+    return want->scene->water.clear > 0 && want->above & TP_MODULE_INSIDE;
+}
+
+/* What a ray meets costs by its kind: a box, a chart or a plane. */
+static void count(const tp_want *want, uint8_t trait[TP_TRAIT_COUNT])
+{
+    const tp_scene *scene = want->scene;
+    const bool tank = tp_has_tank(scene) && want->above & TP_MODULE_WALLS;
+    const bool floor = !tank && tp_has_floor(scene);
+    const bool chart = floor && want->assets && want->assets->floor;
+
+    trait[TP_TRAIT_look] = 1;
+    trait[TP_TRAIT_tank] = tank;
+    trait[TP_TRAIT_chart] = chart;
+    trait[TP_TRAIT_bed] = floor && !chart;
+    trait[TP_TRAIT_dispersion] = scene->water.dispersion > 0;
+}
+
+static void *layout(tp_arena *arena, const tp_want *want)
+{
+    (void)want;
+    return tp_arena_take(arena, 1, sizeof(tp_clear_water));
+}
+
+/* The refraction map, if there is one, comes later. */
+static void begin(tp_frame *frame, void *mine)
+{
+    tp_clear_water *clear = mine;
+
+    (void)frame;
+    clear->sunken = NULL;
+}
+
+/* Needs the view and the lit colour. */
+static void add_stage(const tp_frame *frame, const void *mine, const tp_stage *stage,
+                      tp_shaders *list)
+{
+    const bool dispersed = frame->scene->water.dispersion > 0;
+
+    if (list->kind == TP_LIST_WATER && tp_shaders_has(list, TP_AT_VIEW))
+        tp_shaders_add(list, TP_AT_BEHIND, stage[list->rippled + 2 * dispersed], mine);
+}
+
+const tp_module tp_clear_water_module = {
+    .name = "clear water", .id = TP_CLEAR_WATER_ID,
+    .is = TP_MODULE_EXACT | TP_MODULE_VIEW, .trait = TP_TRAIT_behind,
+    .enabled = enabled, .count = count,
+};
+
+const tp_drawing tp_clear_water_drawing = {
+    .layout = layout, .begin = begin, .stages = add_stage,
+};
