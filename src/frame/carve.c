@@ -148,8 +148,9 @@ tp_frame *tp_frame_carve(const tp_kit *kit, tp_frame_parts *parts, tp_frame_ram 
     };
     leave_out(parts, kit, assets);
     carve_places(parts, arena, kit, scene, assets, config);
+    const tp_plan_input in = tp_frame_plan_input(kit, scene, assets, config);
     if (kit->draw.rungs)
-        kit->draw.rungs->carve(parts, arena, kit->modules, scene, assets, config);
+        kit->draw.rungs->carve(parts, arena, &in);
     carve_drops(parts, arena, kit, scene);
     carve_depth(parts, arena, kit, scene);
     const size_t placed = arena->used;

@@ -230,6 +230,13 @@ void tp_frame_draw_cells(const tp_frame *frame, const tp_samples *tile,
                          tp_grid_window *window, uint32_t j, uint32_t first, uint32_t end);
 tp_grid_box tp_frame_cells_box(tp_frame *frame, uint32_t j, uint32_t first, uint32_t end);
 
+static inline tp_plan_input tp_frame_plan_input(const tp_kit *kit, const tp_scene *scene,
+                                                const tp_assets *assets,
+                                                const tp_frame_config *config)
+{
+    return (tp_plan_input){ kit->modules, scene, assets, config->width, config->height };
+}
+
 /* holds.c: whether rows draw this frame as triangles would */
 bool tp_frame_rows_hold(tp_frame *frame);
 

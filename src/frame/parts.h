@@ -33,13 +33,9 @@ typedef struct {
 
 /* The plan: planned.c. */
 struct tp_draw_rungs {
-    void (*carve)(tp_frame_parts *parts, tp_arena *arena, const tp_use *modules,
-                  const tp_scene *scene, const tp_assets *assets,
-                  const tp_frame_config *config);
-    tp_ladder (*ladder)(const tp_use *modules, const tp_scene *scene,
-                        const tp_assets *assets, uint32_t width, uint32_t height);
-    tp_rungs (*of)(const tp_use *modules, const tp_scene *scene, const tp_assets *assets,
-                   uint32_t width, uint32_t height);
+    void (*carve)(tp_frame_parts *parts, tp_arena *arena, const tp_plan_input *in);
+    tp_ladder (*ladder)(const tp_plan_input *in);
+    tp_rungs (*rungs)(const tp_plan_input *in);
     void (*thin)(tp_frame *frame);
 };
 

@@ -6,23 +6,19 @@
 #include "scene/faint.h"
 #include "scene/prices.h"
 
-static tp_rungs measured_rungs(const tp_use *modules, const tp_scene *scene,
-                               const tp_assets *assets, uint32_t width, uint32_t height)
+static tp_rungs measured_rungs(const tp_plan_input *in)
 {
-    return tp_rungs_by(&tp_prices_measured, modules, scene, assets, width, height);
+    return tp_rungs_by(&tp_prices_measured, in);
 }
 
-static tp_ladder measured_ladder(const tp_use *modules, const tp_scene *scene,
-                                 const tp_assets *assets, uint32_t width, uint32_t height)
+static tp_ladder measured_ladder(const tp_plan_input *in)
 {
-    return tp_ladder_by(&tp_prices_measured, modules, scene, assets, width, height);
+    return tp_ladder_by(&tp_prices_measured, in);
 }
 
-static void carve_thin(tp_frame_parts *parts, tp_arena *arena, const tp_use *modules,
-                       const tp_scene *scene, const tp_assets *assets,
-                       const tp_frame_config *config)
+static void carve_thin(tp_frame_parts *parts, tp_arena *arena, const tp_plan_input *in)
 {
-    if (tp_thins_sea(modules, scene, assets, config->width, config->height))
+    if (tp_thins_sea(in))
         parts->thin = tp_arena_take(arena, 1, sizeof *parts->thin);
 }
 

@@ -30,8 +30,8 @@ tp_reach tp_frame_reach(const tp_kit *kit, const tp_scene *scene, const tp_asset
                         const tp_frame_config *config)
 {
     const struct tp_draw_rungs *rungs = kit->draw.rungs;
-    const tp_ladder ladder = rungs ? rungs->ladder(kit->modules, scene, assets,
-                                                   config->width, config->height)
+    const tp_plan_input in = tp_frame_plan_input(kit, scene, assets, config);
+    const tp_ladder ladder = rungs ? rungs->ladder(&in)
                                    : (tp_ladder){ { named(scene) }, 1 };
     return tp_reach_of(&ladder);
 }
@@ -71,9 +71,9 @@ void tp_frame_choose_rungs(tp_frame *frame)
     if (frame->planned.visibility == TP_VISIBILITY_AUTO
         || memcmp(frame->quality, &scene->quality, sizeof frame->quality) != 0) {
         memcpy(frame->quality, &scene->quality, sizeof frame->quality);
-        frame->planned = rungs ? rungs->of(frame->kit->modules, scene, &frame->assets,
-                                           frame->config.width, frame->config.height)
-                               : named(scene);
+        const tp_plan_input in = tp_frame_plan_input(frame->kit, scene, &frame->assets,
+                                                     &frame->config);
+        frame->planned = rungs ? rungs->rungs(&in) : named(scene);
     }
     frame->rungs = within(frame->parts.reach, frame->steered ? frame->asked
                                                              : frame->planned);

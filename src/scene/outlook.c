@@ -316,9 +316,11 @@ static void list_waves(tp_outlook *o, const tp_scene *s)
 
 /* -- all ----------------------------------------------------------------------------- */
 
-tp_outlook tp_outlook_of(const tp_use *modules, const tp_scene *scene,
-                         const tp_assets *assets, uint32_t width, uint32_t height)
+tp_outlook tp_outlook_of(const tp_plan_input *in)
 {
+    const tp_scene  *scene = in->scene;
+    const tp_assets *assets = in->assets;
+    const uint32_t   width = in->width, height = in->height;
     TP_ASSERT(scene->grid.cols >= 2 && scene->grid.rows >= 2);
     const tp_stand at = tp_stand_of(scene, width, height);
     const uint64_t pixels = (uint64_t)width * height;
@@ -354,6 +356,6 @@ tp_outlook tp_outlook_of(const tp_use *modules, const tp_scene *scene,
         .above = (assets->boat || scene->drops.count > 0 ? TP_MODULE_SOLID : 0)
                | (tp_has_tank(scene) || tp_has_stone(scene) ? TP_MODULE_WALLS : 0),
     };
-    o.quick = list_modules(&o, modules, want) && is_quick(&o, scene, assets);
+    o.quick = list_modules(&o, in->modules, want) && is_quick(&o, scene, assets);
     return o;
 }

@@ -9,40 +9,45 @@ static const tp_rungs exact = {
     TP_VISIBILITY_TRIANGLES, TP_SHADING_EXACT, TP_RATE_FULL, TP_LOD_OFF
 };
 
-static bool can_plan(const tp_scene *scene, uint32_t width, uint32_t height)
+static bool can_plan(const tp_plan_input *in)
 {
-    return width >= TP_PICTURE_SIDE_MIN && width <= TP_PICTURE_SIDE_MAX
-        && height >= TP_PICTURE_SIDE_MIN && height <= TP_PICTURE_SIDE_MAX
-        && tp_scene_check(scene, NULL) == TP_OK;
+    return in->width >= TP_PICTURE_SIDE_MIN && in->width <= TP_PICTURE_SIDE_MAX
+        && in->height >= TP_PICTURE_SIDE_MIN && in->height <= TP_PICTURE_SIDE_MAX
+        && tp_scene_check(in->scene, NULL) == TP_OK;
 }
 
-static const tp_assets *given(const tp_assets *assets)
+/* By everything there is; no assets are none. */
+static tp_plan_input input_of(const tp_scene *scene, const tp_assets *assets,
+                              uint32_t width, uint32_t height)
 {
     static const tp_assets none;
 
-    return assets != NULL ? assets : &none;
+    return (tp_plan_input){ tp_kit_all.modules, scene, assets ? assets : &none, width,
+                            height };
 }
 
 tp_rungs tp_rungs_of(const tp_scene *scene, const tp_assets *assets, uint32_t width,
                      uint32_t height)
 {
-    return !can_plan(scene, width, height) ? exact
-         : tp_rungs_by(&tp_prices_measured, tp_kit_all.modules, scene, given(assets),
-                       width, height);
+    const tp_plan_input in = input_of(scene, assets, width, height);
+
+    return can_plan(&in) ? tp_rungs_by(&tp_prices_measured, &in) : exact;
 }
 
 tp_plan_report tp_plan_of(const tp_scene *scene, const tp_assets *assets, uint32_t width,
                           uint32_t height)
 {
-    return !can_plan(scene, width, height) ? (tp_plan_report){ .rungs = exact }
-         : tp_plan_by(&tp_prices_measured, tp_kit_all.modules, scene, given(assets),
-                      width, height);
+    const tp_plan_input in = input_of(scene, assets, width, height);
+
+    return can_plan(&in) ? tp_plan_by(&tp_prices_measured, &in)
+                         : (tp_plan_report){ .rungs = exact };
 }
 
 tp_ladder tp_ladder_of(const tp_scene *scene, const tp_assets *assets, uint32_t width,
                        uint32_t height)
 {
-    return !can_plan(scene, width, height) ? (tp_ladder){ .rung = { exact }, .count = 1 }
-         : tp_ladder_by(&tp_prices_measured, tp_kit_all.modules, scene, given(assets),
-                        width, height);
+    const tp_plan_input in = input_of(scene, assets, width, height);
+
+    return can_plan(&in) ? tp_ladder_by(&tp_prices_measured, &in)
+                         : (tp_ladder){ .rung = { exact }, .count = 1 };
 }

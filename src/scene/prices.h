@@ -96,27 +96,27 @@ typedef struct {
 
 extern const tp_prices tp_prices_measured;
 
-/* The plan by any table, of a scene that tp_scene_check takes, with assets. */
-tp_rungs tp_rungs_by(const tp_prices *prices, const tp_use *modules,
-                     const tp_scene *scene, const tp_assets *assets, uint32_t width,
-                     uint32_t height);
-tp_plan_report tp_plan_by(const tp_prices *prices, const tp_use *modules,
-                          const tp_scene *scene, const tp_assets *assets, uint32_t width,
-                          uint32_t height);
+/* What is planned: a picture of a scene that tp_scene_check takes, with assets, by the
+ * modules of a program. */
+typedef struct {
+    const tp_use    *modules;
+    const tp_scene  *scene;
+    const tp_assets *assets;
+    uint32_t width, height;
+} tp_plan_input;
+
+/* The plan by any table. */
+tp_rungs tp_rungs_by(const tp_prices *prices, const tp_plan_input *in);
+tp_plan_report tp_plan_by(const tp_prices *prices, const tp_plan_input *in);
 
 /* What the choice weighs: the chosen rungs' price without what no rung changes much, the
  * works, which only reports add. */
-tp_price tp_price_by(const tp_prices *prices, const tp_use *modules,
-                     const tp_scene *scene, const tp_assets *assets, uint32_t width,
-                     uint32_t height);
+tp_price tp_price_by(const tp_prices *prices, const tp_plan_input *in);
 
-tp_ladder tp_ladder_by(const tp_prices *prices, const tp_use *modules,
-                       const tp_scene *scene, const tp_assets *assets, uint32_t width,
-                       uint32_t height);
+tp_ladder tp_ladder_by(const tp_prices *prices, const tp_plan_input *in);
 
 /* Whether some wave is too faint to be drawn as it is, seen from the scene's camera. */
-bool tp_thins_sea(const tp_use *modules, const tp_scene *scene, const tp_assets *assets,
-                  uint32_t width, uint32_t height);
+bool tp_thins_sea(const tp_plan_input *in);
 
 /* -- outlook.c: what a scene puts before the camera ---------------------------------- */
 
@@ -136,13 +136,10 @@ typedef struct {
     uint8_t  quick;             /* whether the quick stages know all that the water has */
 } tp_outlook;
 
-tp_outlook tp_outlook_of(const tp_use *modules, const tp_scene *scene,
-                         const tp_assets *assets, uint32_t width, uint32_t height);
+tp_outlook tp_outlook_of(const tp_plan_input *in);
 
 /* -- works.c: what else is done ------------------------------------------------------ */
 
 /* `quick`: by the quick stages. */
-tp_works tp_works_of(const tp_scene *scene, const tp_assets *assets,
-                     const tp_outlook *outlook, uint32_t width, uint32_t height,
-                     bool quick);
+tp_works tp_works_of(const tp_plan_input *in, const tp_outlook *outlook, bool quick);
 #endif

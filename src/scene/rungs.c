@@ -203,15 +203,13 @@ static int8_t named_of(int32_t rung, int kind)
     return rung > 0 && rung <= counts[kind] ? (int8_t)(rung - 1) : -1;
 }
 
-static ground ground_of(const tp_prices *prices, const tp_use *modules,
-                        const tp_scene *scene, const tp_assets *assets, uint32_t width,
-                        uint32_t height)
+static ground ground_of(const tp_prices *prices, const tp_plan_input *in)
 {
-    TP_ASSERT(width > 0 && height > 0);
+    TP_ASSERT(in->width > 0 && in->height > 0);
+    const tp_scene *scene = in->scene;
     const int32_t asked[TP_KINDS] = { scene->quality.visibility, scene->quality.shading,
                                       scene->quality.rate, scene->quality.lod };
-    ground g = { .prices = prices,
-                 .outlook = tp_outlook_of(modules, scene, assets, width, height) };
+    ground g = { .prices = prices, .outlook = tp_outlook_of(in) };
 
     tp_faint_limits limits = tp_faint_limits_of(scene, g.outlook.waves,
                                                 prices->slope_colour);
@@ -233,18 +231,14 @@ static ground ground_of(const tp_prices *prices, const tp_use *modules,
     return g;
 }
 
-bool tp_thins_sea(const tp_use *modules, const tp_scene *scene, const tp_assets *assets,
-                  uint32_t width, uint32_t height)
+bool tp_thins_sea(const tp_plan_input *in)
 {
-    return ground_of(&tp_prices_measured, modules, scene, assets, width, height).faint.any
-        && !tp_has_ocean(scene);
+    return ground_of(&tp_prices_measured, in).faint.any && !tp_has_ocean(in->scene);
 }
 
-tp_rungs tp_rungs_by(const tp_prices *prices, const tp_use *modules,
-                     const tp_scene *scene, const tp_assets *assets, uint32_t width,
-                     uint32_t height)
+tp_rungs tp_rungs_by(const tp_prices *prices, const tp_plan_input *in)
 {
-    const ground g = ground_of(prices, modules, scene, assets, width, height);
+    const ground g = ground_of(prices, in);
     return rungs_of(cheapest_of(&g));
 }
 
@@ -261,11 +255,10 @@ static int64_t exact_pixel(const ground *g)
 
 /* What else is done is added once the rungs are chosen, and the water that it hides is
  * taken off, as dear as it is by the exact rungs: it is the same for all of them. */
-static void add_works(ground *g, choice chosen, const tp_scene *scene,
-                      const tp_assets *assets, uint32_t width, uint32_t height)
+static void add_works(ground *g, choice chosen, const tp_plan_input *in)
 {
     const bool quick = chosen.of[TP_KIND_SHADING] > 0 && g->outlook.quick;
-    const tp_works works = tp_works_of(scene, assets, &g->outlook, width, height, quick);
+    const tp_works works = tp_works_of(in, &g->outlook, quick);
     int64_t sum = -exact_pixel(g) * works.hidden;
 
     for (int i = 0; i < TP_WORK_COUNT; i++)
@@ -301,21 +294,17 @@ static tp_rung_report report_of(const ground *g, int kind, choice chosen, int ru
     return report;
 }
 
-tp_price tp_price_by(const tp_prices *prices, const tp_use *modules,
-                     const tp_scene *scene, const tp_assets *assets, uint32_t width,
-                     uint32_t height)
+tp_price tp_price_by(const tp_prices *prices, const tp_plan_input *in)
 {
-    const ground g = ground_of(prices, modules, scene, assets, width, height);
+    const ground g = ground_of(prices, in);
     return price_of(&g, cheapest_of(&g));
 }
 
-tp_plan_report tp_plan_by(const tp_prices *prices, const tp_use *modules,
-                          const tp_scene *scene, const tp_assets *assets, uint32_t width,
-                          uint32_t height)
+tp_plan_report tp_plan_by(const tp_prices *prices, const tp_plan_input *in)
 {
-    ground g = ground_of(prices, modules, scene, assets, width, height);
+    ground g = ground_of(prices, in);
     const choice chosen = cheapest_of(&g);
-    add_works(&g, chosen, scene, assets, width, height);
+    add_works(&g, chosen, in);
     tp_plan_report r = {
         .rungs = rungs_of(chosen), .total = price_of(&g, chosen),
         .water_pixels = g.outlook.water_pixels - g.hidden, .vertices = g.outlook.vertices,
@@ -368,16 +357,14 @@ static bool step_down(const ground *g, choice *from)
     return saved > 0;
 }
 
-tp_ladder tp_ladder_by(const tp_prices *prices, const tp_use *modules,
-                       const tp_scene *scene, const tp_assets *assets, uint32_t width,
-                       uint32_t height)
+tp_ladder tp_ladder_by(const tp_prices *prices, const tp_plan_input *in)
 {
-    const ground g = ground_of(prices, modules, scene, assets, width, height);
+    const ground g = ground_of(prices, in);
     choice c = cheapest_of(&g);
     tp_ladder ladder = { .count = 0 };
 
     ladder.rung[ladder.count++] = rungs_of(c);
-    while (scene->quality.frame_ms > 0 && ladder.count < TP_LADDER && step_down(&g, &c))
+    while (in->scene->quality.frame_ms > 0 && ladder.count < TP_LADDER && step_down(&g, &c))
         ladder.rung[ladder.count++] = rungs_of(c);
     return ladder;
 }

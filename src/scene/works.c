@@ -318,16 +318,15 @@ static void add_pixels(tp_site *w, bool quick)
 
 /* -- all ----------------------------------------------------------------------------- */
 
-tp_works tp_works_of(const tp_scene *scene, const tp_assets *assets,
-                     const tp_outlook *outlook, uint32_t width, uint32_t height,
-                     bool quick)
+tp_works tp_works_of(const tp_plan_input *in, const tp_outlook *outlook, bool quick)
 {
-    tp_site w = { .scene = scene, .assets = assets, .width = width, .height = height,
-               .at = tp_stand_of(scene, width, height) };
+    const tp_scene *scene = in->scene;
+    tp_site w = { .scene = scene, .assets = in->assets, .width = in->width,
+                  .height = in->height, .at = tp_stand_of(scene, in->width, in->height) };
 
     w.mirrors = scene->mirror.objects == TP_MIRROR_STENCIL && scene->water.reflection > 0
              && w.at.eye.y > 0;
-    if (assets->boat)
+    if (in->assets->boat)
         look_at_boat(&w);
     tp_site_add_drops(&w, outlook);
     tp_site_add_walls(&w, outlook);

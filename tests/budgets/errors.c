@@ -88,8 +88,9 @@ static void compare_all(const stage *s, uint32_t tick)
     const tp_scene scene = exact_scene(s);
     choice base = { { 0, 0, 0, 0 } };
 
-    g.outlook = tp_outlook_of(tp_kit_all.modules, &s->file.scene, &s->assets.names, width,
-                              height);
+    const tp_plan_input in = { tp_kit_all.modules, &s->file.scene, &s->assets.names, width,
+                               height };
+    g.outlook = tp_outlook_of(&in);
     g.tick = tick;
     draw(&exact, s, &scene, s->world);
     for (uint32_t i = 0; i < 2; i++) {

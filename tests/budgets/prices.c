@@ -135,8 +135,8 @@ static void draw(const char *what, const char *rung, const char *other, const ch
     semihost_write(item);
     semihost_decimal(" ", width * height);
     semihost_decimal(" ", water);
-    const tp_outlook outlook = tp_outlook_of(tp_kit_all.modules, &scene, &assets, width,
-                                             height);
+    const tp_plan_input in = { tp_kit_all.modules, &scene, &assets, width, height };
+    const tp_outlook outlook = tp_outlook_of(&in);
     semihost_decimal(" ", outlook.points[scene.quality.visibility - 1]);
     semihost_decimal(" ", outlook.waves);
     semihost_decimal(" ", (uint32_t)outlook.slant);
@@ -162,9 +162,9 @@ static void draw_works(void)
         semihost_write("beside -");
         semihost_write(works[i].beside);
         semihost_write("\n");
-        const tp_outlook outlook = tp_outlook_of(tp_kit_all.modules, &scene, &assets, 320,
-                                                 240);
-        const tp_works done = tp_works_of(&scene, &assets, &outlook, 320, 240,
+        const tp_plan_input in = { tp_kit_all.modules, &scene, &assets, 320, 240 };
+        const tp_outlook outlook = tp_outlook_of(&in);
+        const tp_works done = tp_works_of(&in, &outlook,
                                           scene.quality.shading == TP_SHADING_QUICK);
         for (size_t k = 0; k < TP_WORK_COUNT; k++) {
             semihost_write("work ");

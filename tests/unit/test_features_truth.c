@@ -53,7 +53,8 @@ static void compare_scene(tally *t)
     tp_world *world = scene_world(&scene, &assets);
     if (!world)
         return;
-    const tp_outlook told = tp_outlook_of(tp_kit_all.modules, &scene, &assets, 64, 48);
+    const tp_plan_input in = { tp_kit_all.modules, &scene, &assets, 64, 48 };
+    const tp_outlook told = tp_outlook_of(&in);
     test_frame f = frame_by(&tp_kit_all, &scene, &assets, &config);
     tp_frame_begin(f.frame, world);
     const tp_want want = tp_frame_want(&tp_kit_all, &f.frame->parts, &scene,

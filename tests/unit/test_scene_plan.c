@@ -68,16 +68,22 @@ static void trial_make(trial *t, uint64_t *state)
     t->scene.quality.error_colour = chance_fx(state, 0, 8);
 }
 
+static tp_plan_input input_of(const trial *t)
+{
+    return (tp_plan_input){ tp_kit_all.modules, &t->scene, &t->assets, t->width,
+                            t->height };
+}
+
 static tp_plan_report report_of(const trial *t)
 {
-    return tp_plan_by(&t->prices, tp_kit_all.modules, &t->scene, &t->assets, t->width,
-                      t->height);
+    const tp_plan_input in = input_of(t);
+    return tp_plan_by(&t->prices, &in);
 }
 
 static tp_price weighed(const trial *t)
 {
-    return tp_price_by(&t->prices, tp_kit_all.modules, &t->scene, &t->assets, t->width,
-                       t->height);
+    const tp_plan_input in = input_of(t);
+    return tp_price_by(&t->prices, &in);
 }
 
 static void a_larger_budget_never_costs_more(void **state)
@@ -198,12 +204,11 @@ static void a_ladder_goes_down_and_ends(void **state)
     for (int i = 0; i < SCENES; i++) {
         trial_make(&t, &chance);
         t.scene.quality.frame_ms = 0;
-        tp_ladder ladder = tp_ladder_by(&t.prices, tp_kit_all.modules, &t.scene,
-                                        &t.assets, t.width, t.height);
+        const tp_plan_input in = input_of(&t);
+        tp_ladder ladder = tp_ladder_by(&t.prices, &in);
         assert_int_equal(ladder.count, 1);
         t.scene.quality.frame_ms = TP_FX_ONE;
-        ladder = tp_ladder_by(&t.prices, tp_kit_all.modules, &t.scene, &t.assets, t.width,
-                              t.height);
+        ladder = tp_ladder_by(&t.prices, &in);
         uint64_t last = UINT64_MAX;
         for (uint32_t k = 0; k < ladder.count; k++) {
             t.scene.quality.visibility = (int32_t)ladder.rung[k].visibility;
