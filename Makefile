@@ -50,7 +50,7 @@ CORE := $(addprefix src/, \
     geom/waters.c raster/cover.c raster/rows.c raster/span.c \
     shade/absorb.c shade/bend.c \
     shade/cube.c shade/dome.c shade/drop.c \
-    shade/haze.c shade/inside.c shade/layer.c shade/light.c \
+    shade/inside.c shade/layer.c shade/light.c \
     shade/mirror.c shade/optics.c shade/pool_bump.c \
     shade/quick_even.c shade/quick_layers.c shade/quick_light.c \
     shade/quick_pictures.c shade/quick_sky.c shade/quick_tables.c \

@@ -67,7 +67,6 @@ typedef void (*tp_stage)(const struct tp_shade *shade, struct tp_run *run);
     X(reflect_gradient) X(reflect_dome) X(reflect_cube)     /* mirror, rx rz, */ \
     X(fresnel) X(fresnel_hdr)       /* mirror into the colour */ \
     X(glint)                /* adds the specular */ \
-    X(haze) X(haze_dome) X(haze_cube)       /* towards the horizon */ \
     /* all of a mesh's Phong; the same in world axes, of one colour; with a picture */ \
     X(solid) X(solid_blinn) X(land) X(drop) X(ground) \
     X(side)                 /* water behind a glass wall */ \
@@ -207,6 +206,7 @@ typedef struct {
 
 /* Nothing is drawn of the ones that are named by N. */
 #define TP_MODULE_LIST(X, N) \
+    X(haze) \
     N(pokes)        /* of pools, by chance and by input */ \
     N(paddle)       /* waves made in pools */ \
     N(main_pool)    /* [pool]; and water.pools */ \
@@ -219,10 +219,12 @@ typedef struct {
     X(clear_water)  /* what is seen through the water */ \
     X(foam) \
     X(spray) \
-    X(meter)        /* exposure by itself */ \
+    N(meter)        /* exposure by itself */ \
     X(exposure)
 
 /* The stages of each module, in the order of its table. */
+#define TP_STAGES_OF_haze(X) \
+    X(haze) X(haze_dome) X(haze_cube)       /* towards the horizon of each kind of sky */
 #define TP_STAGES_OF_underwater(X) \
     X(below) X(below_rippled)       /* the surface from below */ \
     X(deep)                 /* empty view in the water */ \
@@ -236,7 +238,6 @@ typedef struct {
 #define TP_STAGES_OF_foam(X) \
     X(foam) X(foam_rippled) X(foam_shiny) X(foam_shiny_rippled)     /* less glint */
 #define TP_STAGES_OF_spray(X)       X(spray)            /* colour of specks */
-#define TP_STAGES_OF_meter(X)
 #define TP_STAGES_OF_exposure(X)    X(expose)
 
 struct tp_module;
@@ -263,6 +264,9 @@ TP_MODULE_LIST(MODULE, UNSEEN)
 #undef X
 
 #define TP_USE(name) { &tp_##name##_module, &tp_##name##_drawing, tp_##name##_stages }
+/* With a table of stages of its own: all entries, NULL is never asked for. */
+#define TP_USE_WITH(name, ...) \
+    { &tp_##name##_module, &tp_##name##_drawing, (const tp_stage[]){ __VA_ARGS__ } }
 #define TP_USE_UNSEEN(name) { &tp_##name##_module, NULL, NULL }
 
 /* ------------------------------------------------------------------------------------ */

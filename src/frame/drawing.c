@@ -193,7 +193,6 @@ void tp_frame_list_modules(tp_frame *frame)
             continue;
         tp_shaders *list = tp_marks_list(&frame->parts.marks, frame->parts.mark[i]);
         tp_shaders_clear(list);
-        tp_frame_add_air(frame, list);
         tp_frame_add_modules(frame, list);
         if (!tp_shaders_has(list, TP_AT_COLOUR)) {
             frame->stats.dropped++;

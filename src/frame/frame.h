@@ -287,7 +287,6 @@ bool tp_frame_mirrors_apart(const tp_frame *frame);
 /* sx sz, mirror, rx rz; false: the kit has not all that this takes. */
 bool tp_frame_add_reflection(const tp_frame *frame, tp_shaders *plan, bool rippled);
 void tp_frame_add_fresnel(const tp_frame *frame, tp_shaders *plan);
-void tp_frame_add_air(const tp_frame *frame, tp_shaders *plan);
 
 /* plan_quick_layers.c: stages of the layers and ripples of the quick rung */
 void tp_plan_add_quick_layers(const tp_frame *frame, tp_shaders *water, bool even);

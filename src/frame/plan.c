@@ -76,7 +76,6 @@ static void choose_water(tp_frame *frame)
     if (frame->rungs.shading == TP_SHADING_QUICK && frame->kit->draw.quick_light
         && frame->kit->draw.quick_light->plan(frame, water)) {
         water->kind = TP_LIST_FAST;
-        tp_frame_add_air(frame, water);
         tp_frame_add_modules(frame, water);
         return;
     }
@@ -85,7 +84,6 @@ static void choose_water(tp_frame *frame)
                               frame->scene->water.specular > 0);
     if (water->shines)
         tp_shaders_add(water, TP_AT_GLINT, stages->glint, NULL);
-    tp_frame_add_air(frame, water);
     tp_frame_add_modules(frame, water);
 }
 
@@ -111,7 +109,7 @@ static void choose_sky(tp_frame *frame)
     tp_frame_add_modules(frame, sky);
 }
 
-/* A list of one stage, then the air. */
+/* A list of one stage, and what modules add to it. */
 static void choose_other(const tp_frame *frame, uint32_t mark, tp_stage stage)
 {
     tp_shaders *list = tp_frame_list(frame, mark);
@@ -119,7 +117,6 @@ static void choose_other(const tp_frame *frame, uint32_t mark, tp_stage stage)
     tp_shaders_clear(list);
     if (stage)
         tp_shaders_add_colour(list, stage);
-    tp_frame_add_air(frame, list);
     tp_frame_add_modules(frame, list);
 }
 
@@ -151,13 +148,12 @@ static void choose_stages(tp_frame *frame)
 
 void tp_frame_plan(tp_frame *frame)
 {
-    TP_ASSERT(frame->lens.zi_near > 0 && frame->scene->sky.haze >= 0);
+    TP_ASSERT(frame->lens.zi_near > 0);
     const tp_scene *scene = frame->scene;
     const tp_draws *draw = &frame->kit->draw;
     tp_shade *shade = &frame->shade;
 
     tp_sight_look(frame, &frame->lens);
-    shade->haze_scale = (uint32_t)((int64_t)scene->sky.haze * 64 / frame->lens.zi_near);
     shade->ambient = scene->light.ambient >> 8;
     shade->mirror = scene->water.reflection >> 8;
     shade->light_colour = (uint32_t)scene->light.colour;

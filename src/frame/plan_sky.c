@@ -188,15 +188,3 @@ void tp_frame_add_fresnel(const tp_frame *frame, tp_shaders *plan)
 
     tp_shaders_add(plan, TP_AT_FRESNEL, hdr ? stages->fresnel_hdr : stages->fresnel, NULL);
 }
-
-/* What every sample but the sky's ends with. */
-void tp_frame_add_air(const tp_frame *frame, tp_shaders *plan)
-{
-    const tp_stages *stages = &frame->kit->stage;
-    const tp_env_kind kind = frame->shade.env.kind;
-
-    if (frame->scene->sky.haze > 0 && !frame->under)
-        tp_shaders_add(plan, TP_AT_AIR, kind == TP_ENV_DOME ? stages->haze_dome
-                                      : kind == TP_ENV_CUBE ? stages->haze_cube
-                                                            : stages->haze, NULL);
-}

@@ -246,7 +246,6 @@ static void list_light(tp_outlook *o, const tp_scene *s, const tp_assets *a)
     o->trait[TP_TRAIT_look] = shines || mirrors;
     o->trait[TP_TRAIT_mirror] = mirrors;
     o->trait[TP_TRAIT_glint] = shines;
-    o->trait[TP_TRAIT_haze] = s->sky.haze > 0;
     o->trait[TP_TRAIT_dome] = mirrors && tp_has_dome(s);
     o->trait[TP_TRAIT_cube] = mirrors && tp_has_cube(s, a);
 }

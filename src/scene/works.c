@@ -273,7 +273,7 @@ static void add_sky(tp_site *w, uint32_t sky, bool quick)
     work[TP_WORK_sky_hdr] = (dome || cube) && beyond ? sky : 0;
 }
 
-static void add_air(tp_site *w, uint32_t water, uint32_t solid)
+static void add_air(tp_site *w, const tp_outlook *outlook, uint32_t water, uint32_t solid)
 {
     const tp_scene *s = w->scene;
     const bool dome = tp_has_dome(s);
@@ -281,7 +281,7 @@ static void add_air(tp_site *w, uint32_t water, uint32_t solid)
     uint32_t *work = w->works.of;
 
     work[TP_WORK_solid] = solid;
-    if (s->sky.haze > 0) {
+    if (outlook->trait[TP_TRAIT_haze]) {
         work[TP_WORK_haze] = solid;
         work[TP_WORK_haze_dome] = dome ? water + solid : 0;
         work[TP_WORK_haze_cube] = cube ? water + solid : 0;
@@ -290,7 +290,7 @@ static void add_air(tp_site *w, uint32_t water, uint32_t solid)
                       ? water : 0;
 }
 
-static void add_pixels(tp_site *w, bool quick)
+static void add_pixels(tp_site *w, const tp_outlook *outlook, bool quick)
 {
     uint32_t near[TP_RAYS], sky = 0, water = 0, hidden = 0, solid = 0, looks = 0;
 
@@ -309,7 +309,7 @@ static void add_pixels(tp_site *w, bool quick)
         w->works.of[TP_WORK_looked_near] = pixels_of(w, looks);
     }
     add_sky(w, pixels_of(w, sky), quick);
-    add_air(w, pixels_of(w, water), pixels_of(w, solid - w->walls - w->lands));
+    add_air(w, outlook, pixels_of(w, water), pixels_of(w, solid - w->walls - w->lands));
     w->works.of[TP_WORK_land] = pixels_of(w, w->lands);
     w->works.of[TP_WORK_wall] = pixels_of(w, w->walls - w->works.of[TP_WORK_side]);
     w->works.of[TP_WORK_side] = pixels_of(w, w->works.of[TP_WORK_side]);
@@ -332,6 +332,6 @@ tp_works tp_works_of(const tp_plan_input *in, const tp_outlook *outlook, bool qu
     tp_site_add_walls(&w, outlook);
     tp_site_add_glass(&w);
     tp_site_add_bed(&w);
-    add_pixels(&w, quick);
+    add_pixels(&w, outlook, quick);
     return w.works;
 }

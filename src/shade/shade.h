@@ -109,7 +109,6 @@ typedef struct {
 #define TP_SHINE 1024           /* entries: the lobe over 0..1 */
 #define TP_GLOSS 256
 #define TP_STEEP 512            /* 1/sqrt(1 + q), q in 0..4 */
-#define TP_HAZE  512
 
 typedef struct tp_shade {
     int32_t  u0, v0;            /* the picture's centre, 28.4 */
@@ -135,7 +134,6 @@ typedef struct tp_shade {
     const tp_inside *inside;    /* what lies in and under the water, or NULL */
     const tp_caustic *caustic;  /* light on its floor; NULL: even */
 
-    uint32_t haze_scale;        /* zi to haze entries, Q0.32 */
     tp_entry16 *shine;          /* TP_SHINE + 1: 256 at 1, times the specular */
     const tp_entry8 *fresnel;           /* share of the reflection at N.V = i / 256 */
     uint32_t sky[TP_SKY + 1];
@@ -166,7 +164,6 @@ void tp_shade_glaze(const tp_shade *shade, tp_run *run, int32_t i, int32_t stop,
 /* -- tables of every scene ----------------------------------------------------------- */
 
 extern const tp_entry16 tp_steep_table[TP_STEEP + 1];       /* Q1.14 */
-extern const tp_entry8 tp_haze_table[TP_HAZE + 1];          /* share of the horizon */
 extern const tp_entry8 tp_fresnel_table[257];               /* the exact law, */
 extern const tp_entry8 tp_schlick_table[257];               /* and the shortcut [F2] */
 extern const uint8_t tp_drop_gloss[TP_GLOSS];               /* of drops and land */

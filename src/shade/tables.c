@@ -7,10 +7,6 @@ const tp_entry16 tp_steep_table[TP_STEEP + 1] = {
 #include "shade/steep_table.inc"
 };
 
-const tp_entry8 tp_haze_table[TP_HAZE + 1] = {
-#include "shade/haze_table.inc"
-};
-
 const tp_entry8 tp_fresnel_table[257] = {
 #include "shade/fresnel_table.inc"
 };

@@ -9,6 +9,11 @@
 #endif
 
 static const tp_use modules[] = {
+#if FEATURES >= 16
+    TP_USE_WITH(haze, tp_stage_haze, tp_stage_haze_dome, NULL),
+#else
+    TP_USE_WITH(haze, tp_stage_haze, NULL, NULL),
+#endif
 #if FEATURES >= 11
     TP_USE_UNSEEN(pokes),
     TP_USE_UNSEEN(main_pool),
@@ -42,7 +47,6 @@ const tp_kit features_kit = {
     .stage.plain = tp_stage_plain,
     .stage.texture = tp_stage_texture,
     .stage.diffuse = tp_stage_diffuse,
-    .stage.haze = tp_stage_haze,
     .store[TP_FORMAT_RGB565] = tp_store_rgb565,
     .method.flat = &tp_method_flat,
 #if FEATURES >= 1       /* waves, as triangles */
@@ -116,6 +120,5 @@ const tp_kit features_kit = {
     .stage.sky_dome = tp_stage_sky_dome,
     .stage.stars = tp_stage_stars,
     .stage.reflect_dome = tp_stage_reflect_dome,
-    .stage.haze_dome = tp_stage_haze_dome,
 #endif
 };

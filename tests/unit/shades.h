@@ -32,7 +32,6 @@ static inline tp_shade shade_any(uint64_t *state)
         .light_colour = (uint32_t)random_next(state) & 0xffffff,
         .ambient = chance_int(state, 0, 256),
         .mirror = chance_int(state, 0, 256),
-        .haze_scale = (uint32_t)random_next(state) >> chance_int(state, 0, 31),
         .shine = shade_shine,
     };
     s.mesh = s.world;

@@ -106,7 +106,7 @@ static void a_kit_of_what_a_scene_needs_draws_it_as_all_does(void **state)
     own.stage.texture_linear = tp_stage_texture_linear;
     own.stage.texture_linear_tinted = tp_stage_texture_linear_tinted;
     own.stage.diffuse = tp_stage_diffuse;
-    own.stage.haze = tp_stage_haze;
+    own.modules = (const tp_use[]){ TP_USE(haze), { 0 } };
     const uint32_t crc = drawn_by(&own, &scene, &assets, &lacks);
     assert_int_equal(lacks, 0);
     assert_int_equal(crc, drawn_by(&tp_kit_all, &scene, &assets, &lacks));

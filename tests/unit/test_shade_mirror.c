@@ -7,6 +7,7 @@
 #include <setjmp.h>
 #include <stdint.h>
 #include <cmocka.h>
+#include "features/haze/haze.h"
 #include "skies.h"
 
 static uint64_t chance;
@@ -202,12 +203,14 @@ static void air_takes_the_horizon_s_colour_in_its_direction(void **state)
         sky_dome(&sky, &s, &chance);
         s.env.beyond = 0;
         run_any(&r, 0, &chance);
+        const tp_haze haze = { (uint32_t)random_next(&chance) >> chance_int(&chance, 0, 31) };
+        r.run.mine = &haze;
         const tp_run before = r.run;
         tp_stage_haze_dome(&s, &r.run);
         for (int i = 0; i < TP_RUN; i++) {
             const ref_dir v = shade_view(&s, &s.world, r.run.x + i, r.run.y);
             const ref_dir flat = ref_unit((ref_dir){ -v.x, 0, -v.z });
-            const uint64_t entry = (uint64_t)(r.key[i] >> 1) * s.haze_scale >> 32;
+            const uint64_t entry = (uint64_t)(r.key[i] >> 1) * haze.scale >> 32;
             const double share = tp_haze_table[entry < TP_HAZE ? entry : TP_HAZE] / 256.0;
             const uint32_t light = tp_env_at(&s, sky_q14(flat.x), 0, sky_q14(flat.z));
             if (fabs(v.y) > 0.7 || light >> 24)

@@ -8,6 +8,7 @@
 #include <stdint.h>
 #include <cmocka.h>
 #include "features/exposure/exposure.h"
+#include "features/haze/haze.h"
 #include "skies.h"
 
 static uint64_t chance;
@@ -108,12 +109,13 @@ static void haze_goes_into_the_horizon(void **state)
     measure off = { .what = "haze", .unit = "levels" };
 
     for (int n = 0; n < 2000; n++) {
-        tp_shade s = shade_any(&chance);
+        const tp_shade s = shade_any(&chance);
         test_run r;
         run_any(&r, 0, &chance);
         const double zi_near = 0.25 * 255 / 256 * 65536;
         const int32_t half = chance_int(&chance, 1, 32000);     /* metres */
-        s.haze_scale = (uint32_t)(half * 65536.0 * 64 / zi_near);
+        const tp_haze haze = { (uint32_t)(half * 65536.0 * 64 / zi_near) };
+        r.run.mine = &haze;
         const tp_run before = r.run;
         tp_stage_haze(&s, &r.run);
         for (int i = 0; i < TP_RUN; i++) {
@@ -168,7 +170,9 @@ static void runs_may_be_cut_anywhere(void **state)
             r.run.sz[i] = (int16_t)chance_int(&chance, -5000, 5000);
         }
         tp_stage_light(&s, &r.run);
-        r.run.mine = &exposure;         /* others do not look */
+        const tp_haze haze = { (uint32_t)random_next(&chance) >> chance_int(&chance, 0, 31) };
+        const bool exposes = stages[n % STAGES] == tp_stage_expose;
+        r.run.mine = exposes ? (const void *)&exposure : &haze;
         const tp_run before = r.run;
         stages[n % STAGES](&s, &r.run);
         for (int32_t from = 0; from < TP_RUN; ) {

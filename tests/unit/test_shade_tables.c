@@ -8,6 +8,7 @@
 #include <cmocka.h>
 #include "../reference/shading.h"
 #include "chance.h"
+#include "features/haze/haze.h"
 #include "shade/depth.h"
 #include "tidepool/light.h"
 

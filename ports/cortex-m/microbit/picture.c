@@ -3,9 +3,12 @@
  * one texture and the sky, in strips. */
 #include "cortex-m/board.h"
 
+static const tp_use modules[] = { TP_USE_WITH(haze, tp_stage_haze, NULL, NULL), { 0 } };
+
 static const tp_kit kit = {
+    .modules = modules,
     .stage = { TP_STAGE(sky), TP_STAGE(plain), TP_STAGE(texture_linear_graded),
-               TP_STAGE(diffuse), TP_STAGE(haze) },
+               TP_STAGE(diffuse) },
     .store[TP_FORMAT_RGB565BE] = tp_store_rgb565be,
     .water.swells = &tp_water_few_swells,
     .method.flat = &tp_method_flat,

@@ -9,7 +9,6 @@
  * The module's state is tables of greys: a world knows no pictures while it moves. */
 #include "features/exposure/meter.h"
 #include "base/base.h"
-#include "frame/drawing.h"
 #include "scene/drawn.h"
 #include "scene/light.h"
 #include "shade/env.h"
@@ -245,7 +244,3 @@ const tp_module tp_meter_module = {
     .name = "meter", .id = TP_METER_ID, .enabled = enabled, .bytes = bytes, .init = init,
     .refresh = refresh, .step = step, .is_valid = is_valid,
 };
-
-/* Nothing of it is drawn. */
-const tp_drawing tp_meter_drawing = { .layout = NULL };
-const tp_stage tp_meter_stages[] = { NULL };

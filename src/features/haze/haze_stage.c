@@ -6,22 +6,28 @@
  *
  * The horizon of a dome or a cube is not the same all round: it is looked up at every
  * 16th column and linear between. */
+#include "features/haze/haze.h"
 #include "shade/env.h"
 
-TP_ALWAYS_INLINE uint32_t share_of(const tp_shade *shade, uint32_t key)
+const tp_entry8 tp_haze_table[TP_HAZE + 1] = {
+#include "features/haze/haze_table.inc"
+};
+
+TP_ALWAYS_INLINE uint32_t share_of(uint32_t scale, uint32_t key)
 {
-    uint32_t entry = (uint32_t)((uint64_t)(key >> 1) * shade->haze_scale >> 32);
+    uint32_t entry = (uint32_t)((uint64_t)(key >> 1) * scale >> 32);
     return tp_haze_table[entry < TP_HAZE ? entry : TP_HAZE];
 }
 
 void tp_stage_haze(const tp_shade *restrict shade, tp_run *restrict run)
 {
-    const uint32_t horizon = shade->sky[0];
+    const tp_haze *mine = run->mine;
+    const uint32_t horizon = shade->sky[0], scale = mine->scale;
     const int32_t  count = run->count;
 
     for (int32_t i = 0; i < count; i++)
         run->colour[i] = tp_colour_mix(run->colour[i], horizon,
-                                       share_of(shade, run->key[i]));
+                                       share_of(scale, run->key[i]));
 }
 
 /* Where column x looks, but level.  The cube's level is that of the empty view. */
@@ -39,6 +45,8 @@ TP_ALWAYS_INLINE uint32_t horizon_at(const tp_shade *shade, tp_env_kind kind, in
 TP_ALWAYS_INLINE void haze(const tp_shade *restrict shade, tp_run *restrict run,
                            tp_env_kind kind)
 {
+    const tp_haze *mine = run->mine;
+    const uint32_t scale = mine->scale;
     int32_t  x = run->x, end = run->x + run->count;
     uint32_t a = horizon_at(shade, kind, x & ~15, run->y);
 
@@ -48,7 +56,7 @@ TP_ALWAYS_INLINE void haze(const tp_shade *restrict shade, tp_run *restrict run,
         for (; x < stop; x++, i++) {
             uint32_t horizon = tp_colour_mix(a, b, (uint32_t)(x - from) * 16);
             run->colour[i] = tp_colour_mix(run->colour[i], horizon,
-                                           share_of(shade, run->key[i]));
+                                           share_of(scale, run->key[i]));
         }
         a = b;
     }
@@ -63,3 +71,9 @@ void tp_stage_haze_cube(const tp_shade *restrict shade, tp_run *restrict run)
 {
     haze(shade, run, TP_ENV_CUBE);
 }
+
+const tp_stage tp_haze_stages[] = {
+#define X(name) tp_stage_##name,
+    TP_STAGES_OF_haze(X)
+#undef X
+};

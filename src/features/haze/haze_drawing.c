@@ -1,0 +1,41 @@
+/* SPDX-License-Identifier: MIT */
+/* How haze is drawn: as a stage of every list but the sky's. */
+#include "features/haze/haze.h"
+#include "frame/frame.h"
+
+static void begin(tp_frame *frame, void *mine)
+{
+    tp_haze *haze = mine;
+
+    TP_ASSERT(frame->lens.zi_near > 0);
+    haze->scale = (uint32_t)((int64_t)frame->scene->sky.haze * 64 / frame->lens.zi_near);
+}
+
+/* The table of stages is in the order of tp_env_kind.  Under water there is no air. */
+static void add_stage(const tp_frame *frame, const void *mine, const tp_stage *stage,
+                      tp_shaders *list)
+{
+    if (list->kind != TP_LIST_SKY && !frame->under)
+        tp_shaders_add(list, TP_AT_AIR, stage[frame->shade.env.kind], mine);
+}
+
+/* -- the module ---------------------------------------------------------------------- */
+
+static bool enabled(const tp_want *want)
+{
+    return want->scene->sky.haze > 0;
+}
+
+static void *layout(tp_arena *arena, const tp_want *want)
+{
+    (void)want;
+    return tp_arena_take(arena, 1, sizeof(tp_haze));
+}
+
+const tp_module tp_haze_module = {
+    .name = "haze", .id = TP_HAZE_ID, .trait = TP_TRAIT_haze, .enabled = enabled,
+};
+
+const tp_drawing tp_haze_drawing = {
+    .layout = layout, .begin = begin, .stages = add_stage,
+};
