@@ -49,14 +49,14 @@ CORE := $(addprefix src/, \
     geom/sheet.c geom/surface.c geom/vertex.c geom/vertex_more.c geom/vertex_row.c \
     geom/waters.c raster/cover.c raster/rows.c raster/span.c \
     shade/absorb.c shade/bend.c \
-    shade/cube.c shade/dome.c shade/drop.c \
+    shade/cube.c shade/dome.c \
     shade/inside.c shade/layer.c shade/light.c \
     shade/mirror.c shade/optics.c shade/pool_bump.c \
     shade/quick_even.c shade/quick_layers.c shade/quick_light.c \
     shade/quick_pictures.c shade/quick_sky.c shade/quick_tables.c \
     shade/quick_view.c shade/ripple.c shade/side.c shade/sky.c shade/solid.c \
     shade/stars.c shade/tables.c shade/texture.c shade/view.c \
-    scene/boat.c scene/check.c scene/clock.c scene/drawn.c scene/drop.c scene/drops.c \
+    scene/boat.c scene/check.c scene/clock.c scene/drawn.c \
     scene/faint.c scene/float.c scene/governor.c scene/light.c \
     scene/module.c scene/moves.c scene/outlook.c \
     scene/parts.c scene/piece.c scene/plan_checked.c scene/pools.c scene/prices.c \
@@ -64,7 +64,7 @@ CORE := $(addprefix src/, \
     scene/value.c scene/wake.c scene/works.c scene/works_land.c scene/works_more.c \
     scene/world.c scene/world_check.c \
     frame/boat.c frame/bump.c frame/carve.c \
-    frame/clipped.c frame/drops.c frame/flat.c frame/frame.c frame/glass.c \
+    frame/clipped.c frame/flat.c frame/frame.c frame/glass.c \
     frame/holds.c frame/land.c frame/lattice.c frame/lines.c \
     frame/drawing.c frame/marks.c frame/planar_map.c frame/plan.c \
     frame/plan_layers.c \

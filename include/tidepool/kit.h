@@ -68,7 +68,7 @@ typedef void (*tp_stage)(const struct tp_shade *shade, struct tp_run *run);
     X(fresnel) X(fresnel_hdr)       /* mirror into the colour */ \
     X(glint)                /* adds the specular */ \
     /* all of a mesh's Phong; the same in world axes, of one colour; with a picture */ \
-    X(solid) X(solid_blinn) X(land) X(drop) X(ground) \
+    X(solid) X(solid_blinn) X(land) X(ground) \
     X(side)                 /* water behind a glass wall */ \
     X(wall)                 /* a tank's stone */
 
@@ -129,7 +129,6 @@ extern const struct tp_water_swells tp_water_few_swells;
 #define TP_MOVE_LIST(X) \
     X(boat) \
     X(wake)         /* of a boat in a pool */ \
-    X(drops) \
     X(ocean)        /* and water.ocean */
 
 #define X(name) extern const struct tp_move_##name tp_move_##name;
@@ -149,7 +148,6 @@ typedef struct {
 #define TP_DRAW_LIST(X) \
     X(rungs)        /* the plan, tidepool/plan.h */ \
     X(boat)         /* and its lids; stages solid, solid_blinn */ \
-    X(drops)        /* in the air, and their sphere; drop */ \
     X(land)         /* land, ground */ \
     X(tank)         /* a tank's stone, and a pool's inner walls; wall */ \
     X(glass)        /* a tank's; side; needs tank */ \
@@ -207,6 +205,7 @@ typedef struct {
 /* Nothing is drawn of the ones that are named by N. */
 #define TP_MODULE_LIST(X, N) \
     X(haze) \
+    X(drops)        /* in the air, the sphere that they fall from, and rings */ \
     N(pokes)        /* of pools, by chance and by input */ \
     N(paddle)       /* waves made in pools */ \
     N(main_pool)    /* [pool]; and water.pools */ \
@@ -225,6 +224,7 @@ typedef struct {
 /* The stages of each module, in the order of its table. */
 #define TP_STAGES_OF_haze(X) \
     X(haze) X(haze_dome) X(haze_cube)       /* towards the horizon of each kind of sky */
+#define TP_STAGES_OF_drops(X)       X(drop)
 #define TP_STAGES_OF_underwater(X) \
     X(below) X(below_rippled)       /* the surface from below */ \
     X(deep)                 /* empty view in the water */ \

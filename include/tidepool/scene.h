@@ -287,7 +287,7 @@ typedef struct {
 /* The parts that only some scenes have lie behind this head, at these byte offsets from
  * its start; 0: the scene has none. */
 typedef struct {
-    uint32_t ocean, rings, drops;
+    uint32_t ocean;
     uint32_t modules;           /* the first of the chunks of src/scene/module.h */
     uint32_t bytes;             /* of the whole block */
 } tp_world_parts;
@@ -331,7 +331,6 @@ typedef struct {
     tp_turn  heading, pitch, last_heading, last_pitch;
     tp_turn  phases[TP_WAVES];  /* of this tick */
     uint32_t random;            /* of pokes */
-    uint32_t rings;             /* on the water now */
     tp_pose  boat, last_boat;
     tp_afloat afloat;           /* the boat's */
     tp_turn  light_heading, light_elevation;    /* as input has moved it, and time */

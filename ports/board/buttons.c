@@ -42,14 +42,14 @@ void buttons_read(buttons *b, uint32_t lines, const tp_world *world,
     const int32_t  side = (up & BUTTON_RIGHT ? 1 : 0) - (up & BUTTON_LEFT ? 1 : 0);
 
     b->lines = lines;
-    if (up & BUTTON_UP && world->parts.drops)
+    if (up & BUTTON_UP && tp_world_drops(world))
         input->drops++;
     if (up & BUTTON_SELECT && (tp_world_pool(world) || tp_world_field(world))
         && !aim(world, scene, input))
         b->lines &= ~(uint32_t)BUTTON_SELECT;   /* the tick is full: once more for the next */
     if (up & BUTTON_DOWN)
         input->light_turn += LIGHT;
-    if (world->parts.drops)
+    if (tp_world_drops(world))
         input->sphere_x += side * STEER;
     else
         input->turn += side * TURN;

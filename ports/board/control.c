@@ -83,7 +83,7 @@ static void poke(control *c, control_word rest)
 
 static void drop(control *c)
 {
-    if (!c->setup->world->parts.drops) {
+    if (!tp_world_drops(c->setup->world)) {
         refuse(c, "the scene has no drops");
         return;
     }

@@ -57,18 +57,6 @@ static void carve_places(tp_frame_parts *p, tp_arena *arena, const tp_kit *kit,
     }
 }
 
-static void carve_drops(tp_frame_parts *p, tp_arena *arena, const tp_kit *kit,
-                        const tp_scene *scene)
-{
-    if (tp_frame_wants(p, scene->drops.count > 0, kit->draw.drops && kit->stage.drop)) {
-        p->drop_capacity = (uint32_t)scene->drops.count;
-        p->ring_capacity = (uint32_t)scene->drops.rings;
-        p->drop_box = tp_arena_take(arena, p->drop_capacity + 1, sizeof *p->drop_box);
-        p->ring = tp_arena_take(arena, p->ring_capacity, sizeof *p->ring);
-        p->ball = tp_arena_take(arena, TP_BALL, sizeof *p->ball);
-    }
-}
-
 static void carve_glass(tp_frame_parts *p, tp_arena *arena, const tp_scene *scene)
 {
     const int32_t cols = scene->grid.cols, rows = scene->grid.rows;
@@ -131,7 +119,7 @@ tp_want tp_frame_want(const tp_kit *kit, const tp_frame_parts *parts, const tp_s
         .scene = scene, .assets = assets, .coastal = tp_has_ocean(scene),
         .width = config->width, .height = config->height,
         .shadings = parts->reach.shading,
-        .above = (assets->boat || parts->drop_capacity > 0 ? TP_MODULE_SOLID : 0)
+        .above = (assets->boat ? TP_MODULE_SOLID : 0)
                | (walls ? TP_MODULE_WALLS : 0),
     };
 }
@@ -151,7 +139,6 @@ tp_frame *tp_frame_carve(const tp_kit *kit, tp_frame_parts *parts, tp_frame_ram 
     const tp_plan_input in = tp_frame_plan_input(kit, scene, assets, config);
     if (kit->draw.rungs)
         kit->draw.rungs->carve(parts, arena, &in);
-    carve_drops(parts, arena, kit, scene);
     carve_depth(parts, arena, kit, scene);
     const size_t placed = arena->used;
     carve_tables(parts, arena, kit, scene, assets);

@@ -121,6 +121,14 @@ bool tp_frame_has_module(const tp_frame *frame, uint32_t is)
     return false;
 }
 
+bool tp_frame_has_solids(const tp_frame *frame)
+{
+    EACH_ON(i, use, frame)
+        if (use[i].drawing->draw)
+            return true;
+    return false;
+}
+
 /* -- hooks ---------------------------------------------------------------------------- */
 
 void tp_frame_init_modules(tp_frame *frame)
@@ -130,11 +138,28 @@ void tp_frame_init_modules(tp_frame *frame)
             use[i].drawing->init(frame, frame->parts.module[i]);
 }
 
+void tp_frame_add_surface(tp_frame *frame, tp_surface *surface)
+{
+    EACH_ON(i, use, frame)
+        if (use[i].drawing->surface)
+            use[i].drawing->surface(frame, frame->parts.module[i], surface);
+}
+
 void tp_frame_begin_modules(tp_frame *frame)
 {
     EACH_ON(i, use, frame)
         if (use[i].drawing->begin)
             use[i].drawing->begin(frame, frame->parts.module[i]);
+}
+
+tp_sight_anchor tp_frame_anchor(const tp_frame *frame)
+{
+    tp_sight_anchor anchor = { .level = 0 };
+
+    EACH_ON(i, use, frame)
+        if (use[i].drawing->anchor)
+            use[i].drawing->anchor(frame, frame->parts.module[i], &anchor);
+    return anchor;
 }
 
 void tp_frame_look_modules(tp_frame *frame)

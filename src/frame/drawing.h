@@ -23,12 +23,19 @@ typedef struct tp_drawing {
      * drawn. */
     uint32_t (*marks)(const tp_want *want);
 
+    /* Adds what it raises to the water's surface of the drawn moment. */
+    void  (*surface)(struct tp_frame *frame, void *mine, tp_surface *surface);
+
     /* Sets the numbers of a picture.  Camera, light and surface are known. */
     void  (*begin)(struct tp_frame *frame, void *mine);
 
     /* Draws a picture that the water's stages read, such as a mirror.  All lists and
      * numbers are known. */
     void  (*look)(struct tp_frame *frame, void *mine);
+
+    /* Tells mirrors where its things are; of several modules the last one counts. */
+    void  (*anchor)(const struct tp_frame *frame, const void *mine,
+                    tp_sight_anchor *anchor);
 
     /* Projects its things as this sight sees them, and widens the box by the pixels that
      * they may cover.  Sights are placed and drawn one after the other, the picture's last:
@@ -59,6 +66,7 @@ void tp_frame_layout_modules(const tp_kit *kit, struct tp_frame_parts *parts,
 void tp_frame_enable_modules(struct tp_frame *frame);
 
 void tp_frame_init_modules(struct tp_frame *frame);
+void tp_frame_add_surface(struct tp_frame *frame, tp_surface *surface);
 void tp_frame_begin_modules(struct tp_frame *frame);
 void tp_frame_look_modules(struct tp_frame *frame);
 void tp_frame_add_modules(const struct tp_frame *frame, tp_shaders *list);
@@ -69,6 +77,12 @@ void tp_frame_draw_over(const struct tp_frame *frame, const tp_samples *samples)
 
 /* Makes the lists of the modules' own samples. */
 void tp_frame_list_modules(struct tp_frame *frame);
+
+/* Where the solid modules have their things; without any at the origin. */
+tp_sight_anchor tp_frame_anchor(const struct tp_frame *frame);
+
+/* True if a module draws samples before the water. */
+bool tp_frame_has_solids(const struct tp_frame *frame);
 
 /* True if this picture has a module with one of these bits of tp_module.is. */
 bool tp_frame_has_module(const struct tp_frame *frame, uint32_t is);

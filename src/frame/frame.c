@@ -129,8 +129,6 @@ static void make_tables(tp_frame *frame)
     if (frame->assets.boat)
         draw->boat->init(frame);
     tp_frame_init_modules(frame);
-    if (frame->parts.drop_capacity > 0)
-        draw->drops->init(frame);
 }
 
 tp_status tp_frame_init_with(const tp_kit *kit, tp_frame **out, const tp_scene *scene,
@@ -177,30 +175,24 @@ tp_status tp_frame_init_with(const tp_kit *kit, tp_frame **out, const tp_scene *
     return TP_OK;
 }
 
-/* Rings between ticks are rings of another age. */
 static void place_surface(tp_frame *frame)
 {
     TP_ASSERT(frame->world->back >= 0 && frame->world->back <= TP_FX_ONE);
     const tp_world *world = frame->world;
     const tp_waters *by = &frame->kit->water;
     const tp_draws  *draw = &frame->kit->draw;
-    const tp_drops *drops = by->rings ? tp_world_drops(world) : NULL;
     tp_surface *surface = &frame->surface;
 
     *surface = (tp_surface){
         .by = by, .sea = &world->sea, .phases = frame->drawn.phases,
-        .ring = frame->parts.ring, .ocean = by->ocean ? tp_world_ocean(world) : NULL,
+        .ocean = by->ocean ? tp_world_ocean(world) : NULL,
         .back = world->back,
     };
     if (by->pools && !(draw->bumps && draw->bumps->hold(frame))) {
         surface->pool = tp_world_pool(world);
         surface->field = tp_world_field(world);
     }
-    for (uint32_t i = 0; drops && i < drops->rings; i++) {
-        if (surface->rings < frame->parts.ring_capacity)
-            surface->rings += by->rings->at(&tp_drops_rings(drops)[i], frame->drawn.time,
-                                         &frame->parts.ring[surface->rings]);
-    }
+    tp_frame_add_surface(frame, surface);
 }
 
 /* What water looks into, then the picture itself: they share memory, and the numbers of

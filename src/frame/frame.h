@@ -40,15 +40,6 @@ typedef struct {
     int32_t y0, y1;
 } tp_land_band;
 
-#define TP_BALL_ROUND 20                        /* meridians */
-#define TP_BALL_RINGS 11                        /* parallels */
-#define TP_BALL (TP_BALL_ROUND * TP_BALL_RINGS + 2)
-
-/* A point of the unit sphere, Q1.14. */
-typedef struct {
-    int16_t x, y, z;
-} tp_ball_point;
-
 #define TP_MATERIALS 192        /* more share the last mark */
 
 /* The water's edge along a wall of glass. */
@@ -123,10 +114,6 @@ typedef struct tp_frame_parts {
     tp_land_vertex  *land_vertex;       /* rows x cols of the grid */
     tp_land_band    *land_band;         /* of each row of cells */
     struct tp_frame_lines *lines;       /* of the grid, lines.h; NULL: rows draw nothing */
-    tp_grid_box     *drop_box;          /* of each drop in the air, then the sphere */
-    tp_ball_point   *ball;              /* TP_BALL, of a sphere */
-    tp_ring_now     *ring;              /* as they lie at the drawn moment */
-    uint32_t         drop_capacity, ring_capacity;
     tp_glass        *glass;             /* TP_GLASSES */
     tp_rectangle    *block;             /* TP_BLOCKS */
     tp_solid        *solid;             /* of each of the boat's materials */
@@ -170,7 +157,6 @@ struct tp_frame {
 
     tp_sight         sight;             /* the picture itself */
     uint32_t         modules_on;        /* bits, in the order of the kit's list */
-    uint32_t         drops_seen;
 
     int32_t          model;             /* that tables were made for */
     bool             under;             /* the eye is in the water */
@@ -239,12 +225,6 @@ static inline tp_plan_input tp_frame_plan_input(const tp_kit *kit, const tp_scen
 
 /* holds.c: whether rows draw this frame as triangles would */
 bool tp_frame_rows_hold(tp_frame *frame);
-
-/* Room for them, and a world's: one made anew may have none. */
-static inline bool tp_frame_has_drops(const tp_frame *frame)
-{
-    return frame->parts.drop_capacity > 0 && tp_world_drops(frame->world);
-}
 
 /* True if a kit lists a module with one of these bits of tp_module.is. */
 static inline bool tp_kit_has_module(const tp_kit *kit, uint32_t is)

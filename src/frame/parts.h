@@ -46,11 +46,6 @@ struct tp_draw_boat {
     void (*plan)(tp_frame *frame);
 };
 
-struct tp_draw_drops {
-    tp_draw_solid solid;
-    void (*init)(tp_frame *frame);
-};
-
 /* Of scenes with a sea floor. */
 struct tp_draw_land {
     void (*place)(tp_frame *frame);

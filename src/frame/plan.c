@@ -134,7 +134,6 @@ static void choose_stages(tp_frame *frame)
                                                                        : stages->solid);
     choose_other(frame, TP_MARK_LAND, ground && stages->ground ? stages->ground
                                                                : stages->land);
-    choose_other(frame, TP_MARK_DROP, stages->drop);
     choose_other(frame, TP_MARK_TANK, stages->wall);
     choose_other(frame, TP_MARK_SIDE, stages->side);
     tp_frame_list_modules(frame);
@@ -169,8 +168,6 @@ void tp_frame_plan(tp_frame *frame)
         draw->boat->plan(frame);
     shade->land = (tp_solid){ .diffuse = (uint32_t)scene->floor.colour,
                               .gloss = tp_drop_gloss };
-    shade->drop = (tp_solid){ .diffuse = (uint32_t)scene->drops.colour,
-                              .specular = 0xffffff, .gloss = tp_drop_gloss };
     frame->toned = NULL;
     tp_frame_begin_modules(frame);
     choose_stages(frame);

@@ -46,13 +46,10 @@ tp_grid_box tp_sight_place(tp_frame *frame, tp_sight *sight)
 {
     tp_grid_box box = TP_BOX_NONE;
 
-    sight->boat_box = sight->drops_box = box;
+    sight->boat_box = box;
     if (frame->assets.boat)
         frame->kit->draw.boat->solid.place(frame, sight);
-    if (tp_frame_has_drops(frame))
-        frame->kit->draw.drops->solid.place(frame, sight);
     tp_box_join(&box, &sight->boat_box);
-    tp_box_join(&box, &sight->drops_box);
     tp_frame_place_modules(frame, sight, &box);
     if (sight->walls && tp_sight_has_walls(frame))       /* which may be anywhere */
         return (tp_grid_box){ INT16_MIN, INT16_MIN, INT16_MAX, INT16_MAX };
@@ -63,8 +60,6 @@ void tp_sight_draw(const tp_frame *frame, const tp_sight *sight, tp_samples *til
 {
     if (frame->assets.boat)
         frame->kit->draw.boat->solid.draw(frame, sight, tile);
-    if (tp_frame_has_drops(frame))
-        frame->kit->draw.drops->solid.draw(frame, sight, tile);
     tp_frame_draw_modules(frame, sight, tile);
     if (sight->walls && tp_sight_has_walls(frame))
         frame->kit->draw.tank->draw(frame, sight, tile);

@@ -22,8 +22,13 @@ typedef struct {
     tp_lens       boat_lens;    /* the same view in the mesh's frame */
     tp_fx         boat_metres;  /* of 1.0 of the mesh's positions */
     tp_grid_box   boat_box;     /* pixels; empty: not seen */
-    tp_grid_box   drops_box;
 } tp_sight;
+
+/* Where mirrors look for objects. */
+typedef struct {
+    tp_vec3 middle;             /* of them, in the world */
+    tp_fx   level;              /* of still water there */
+} tp_sight_anchor;
 
 /* The level that cuts it, or NULL. */
 static inline const tp_view_plane *tp_sight_cut(const tp_sight *sight)

@@ -95,10 +95,9 @@ typedef struct { tp_fx all[4], alone[4]; } waters;
 static waters feel(const tp_kit *kit, tp_world *world, tp_fx points[4][2])
 {
     const tp_surface surface = tp_world_surface(kit, world);
-    const tp_pool *stirred = tp_boat_pool(world);
+    const tp_pool *stirred = kit->water.pools ? tp_boat_pool(world) : NULL;
     waters w;
 
-    TP_ASSERT(stirred == NULL || kit->water.pools != NULL);
     for (int i = 0; i < 4; i++) {
         tp_fx x = points[i][0], z = points[i][1];
         tp_sea_point at = tp_surface_above(&surface, x, z, world->afloat.rest[i]);

@@ -132,14 +132,24 @@ void tp_modules_settle(const tp_kit *kit, tp_world *world, const tp_scene *scene
 }
 
 void tp_modules_step(const tp_kit *kit, tp_world *world, const tp_scene *scene,
-                     const tp_input *input)
+                     const tp_input *input, bool early)
 {
     if (world->parts.modules == 0)
         return;
     for (const tp_use *u = kit->modules; u && u->module; u++) {
         void *mine = PART_FOR(step, u, world);
-        if (mine || (u->module->step && !u->module->bytes))
+        const bool steps = mine || (u->module->step && !u->module->bytes);
+        if (steps && early == ((u->module->is & TP_MODULE_EARLY) != 0))
             u->module->step(mine, kit, world, scene, input);
+    }
+}
+
+void tp_modules_add_surface(const tp_kit *kit, const tp_world *world, tp_surface *surface)
+{
+    for (const tp_use *u = kit->modules; u && u->module; u++) {
+        const void *mine = PART_FOR(surface, u, world);
+        if (mine)
+            u->module->surface(mine, surface);
     }
 }
 
@@ -172,7 +182,7 @@ const char *tp_modules_find_invalid(const tp_kit *kit, const tp_world *world,
     for (const tp_use *u = kit->modules; u && u->module; u++) {
         const void *mine = tp_world_part(world, u->module->id);
         if (mine && u->module->is_valid
-            && !u->module->is_valid(mine, tp_world_part(fresh, u->module->id)))
+            && !u->module->is_valid(mine, tp_world_part(fresh, u->module->id), world))
             return u->module->name;
     }
     return NULL;

@@ -8,6 +8,7 @@
  * a length before the state's bytes, so that a copy of the block says what is in it. */
 #ifndef TP_SCENE_MODULE_H
 #define TP_SCENE_MODULE_H
+#include "geom/surface.h"
 #include "scene/prices.h"
 #include "tidepool/arena.h"
 #include "tidepool/kit.h"
@@ -24,7 +25,8 @@ enum {
     TP_MODULE_INSIDE = 8,       /* knows the inside of the water */
     TP_MODULE_FAST   = 16,      /* draws the water by fast stages alone */
     TP_MODULE_SLOPES = 32,      /* draws pools as slopes of flat water */
-    TP_MODULE_VIEW   = 64       /* its water stage reads the view */
+    TP_MODULE_VIEW   = 64,      /* its water stage reads the view */
+    TP_MODULE_EARLY  = 128      /* moves before the boat, which is no module yet */
 };
 
 /* The conditions that a module is asked about. */
@@ -73,12 +75,15 @@ typedef struct tp_module {
     void (*step)(void *mine, const tp_kit *kit, tp_world *world, const tp_scene *scene,
                  const tp_input *input);
 
+    /* Adds what it raises to the water's surface of this tick. */
+    void (*surface)(const void *mine, tp_surface *surface);
+
     /* Something struck the water, which stood at `level` there. */
     void (*hit)(void *mine, const tp_scene *scene, const tp_impact *impact, tp_fx level);
 
     /* Whether a state from outside can be stepped and drawn.  `fresh` is one of the same
-     * scene, as `init` leaves it; both have its length. */
-    bool (*is_valid)(const void *mine, const void *fresh);
+     * scene, as `init` leaves it; both have its length.  The world's head is valid. */
+    bool (*is_valid)(const void *mine, const void *fresh, const tp_world *world);
 } tp_module;
 
 /* Whether the module is on; if so, the modules below it in the list are told. */
@@ -108,8 +113,10 @@ bool tp_modules_fit(const tp_kit *kit, const tp_world *world, tp_want want);
 bool tp_modules_refresh(const tp_kit *kit, tp_world *world, tp_want want);
 
 void tp_modules_settle(const tp_kit *kit, tp_world *world, const tp_scene *scene);
+/* Those that move before the pools, or all others. */
 void tp_modules_step(const tp_kit *kit, tp_world *world, const tp_scene *scene,
-                     const tp_input *input);
+                     const tp_input *input, bool early);
+void tp_modules_add_surface(const tp_kit *kit, const tp_world *world, tp_surface *surface);
 void tp_modules_hit(const tp_kit *kit, tp_world *world, const tp_scene *scene,
                     const tp_impact *impact, tp_fx level);
 

@@ -19,13 +19,6 @@ struct tp_move_wake {
     void (*step)(tp_world *world, const tp_scene *scene);
 };
 
-struct tp_move_drops {
-    size_t (*bytes)(const tp_scene_drops *config);
-    void (*init)(tp_drops *drops, const tp_scene_drops *config);
-    void (*step)(const tp_kit *kit, tp_world *world, const tp_scene *scene,
-                 const tp_input *input);
-};
-
 struct tp_move_ocean {
     size_t (*bytes)(const tp_kit *kit, const tp_scene *scene, const tp_assets *assets);
     tp_status (*init)(tp_world *world, const tp_scene *scene, const tp_assets *assets,

@@ -55,19 +55,6 @@ static bool has_ocean(const tp_kit *kit, const tp_scene *scene)
         && tp_has_ocean(scene);
 }
 
-static tp_status take_rest(const tp_kit *kit, tp_world_parts *parts, tp_arena *arena,
-                           const tp_want *want, tp_error *err)
-{
-    const tp_moves *move = &kit->move;
-    const tp_scene *scene = want->scene;
-
-    if (move->drops)
-        parts->drops = take(arena, move->drops->bytes(&scene->drops));
-    if (parts->drops && scene->drops.into == TP_DROPS_RINGS)
-        parts->rings = take(arena, (size_t)scene->drops.rings * sizeof(tp_ring_now));
-    return tp_modules_take(kit, arena, *want, &parts->modules, err);
-}
-
 /* That a world has room for. */
 static size_t swells_of(const tp_kit *kit, const tp_scene *scene)
 {
@@ -98,7 +85,7 @@ tp_status tp_parts_of(const tp_kit *kit, tp_world_parts *parts, const tp_scene *
         parts->ocean = take(&arena, bytes);
     }
     const tp_want want = { .scene = scene, .assets = assets, .coastal = parts->ocean != 0 };
-    status = take_rest(kit, parts, &arena, &want, err);
+    status = tp_modules_take(kit, &arena, want, &parts->modules, err);
     parts->bytes = status == TP_OK ? (uint32_t)arena.used : 0;
     return status;
 }
@@ -138,26 +125,9 @@ tp_status tp_parts_init(const tp_kit *kit, tp_world *world, const tp_scene *scen
 
     if (world->parts.ocean)
         status = move->ocean->init(world, scene, assets, err);
-    if (world->parts.drops)
-        move->drops->init(tp_parts_drops(world), &scene->drops);
     const tp_want want = { .scene = scene, .assets = assets,
                            .coastal = world->parts.ocean != 0 };
     return status == TP_OK ? tp_modules_init(kit, world, want, err) : status;
-}
-
-tp_drops *tp_parts_drops(tp_world *world)
-{
-    return part(world, world->parts.drops);
-}
-
-tp_ring_now *tp_parts_rings(tp_world *world)
-{
-    return part(world, world->parts.rings);
-}
-
-const tp_ring_now *tp_world_rings(const tp_world *world)
-{
-    return part(world, world->parts.rings);
 }
 
 const tp_ocean *tp_world_ocean(const tp_world *world)
@@ -165,20 +135,17 @@ const tp_ocean *tp_world_ocean(const tp_world *world)
     return part(world, world->parts.ocean);
 }
 
-const tp_drops *tp_world_drops(const tp_world *world)
-{
-    return part(world, world->parts.drops);
-}
-
 tp_surface tp_world_surface(const tp_kit *kit, const tp_world *world)
 {
     const bool pools = kit->water.pools != NULL;
 
-    return (tp_surface){
+    tp_surface surface = {
         .by = &kit->water, .sea = &world->sea, .phases = world->phases,
         .ocean = tp_world_ocean(world),
-        .ring = part(world, world->parts.rings), .rings = world->rings,
         .pool = pools ? tp_parts_pool(world) : NULL,
         .field = pools ? tp_parts_field(world) : NULL,
     };
+
+    tp_modules_add_surface(kit, world, &surface);
+    return surface;
 }

@@ -32,9 +32,6 @@ size_t tp_parts_ocean_bytes(const tp_kit *kit, const tp_scene *scene,
                             const tp_assets *assets);
 
 /* Pointers into the block, or NULL. */
-tp_drops    *tp_parts_drops(tp_world *world);
-tp_ring_now *tp_parts_rings(tp_world *world);
-const tp_ring_now *tp_world_rings(const tp_world *world);
 
 /* The surface of this tick; valid until the world moves. */
 tp_surface tp_world_surface(const tp_kit *kit, const tp_world *world);

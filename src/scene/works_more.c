@@ -3,7 +3,7 @@
 #include "base/base.h"
 #include "scene/works.h"
 
-#define BALL_FACES 440          /* of a large drop, frame/drops.c; small ones: a quarter */
+#define BALL_FACES 440          /* of a large drop; small ones: a quarter */
 
 /* Bands of so many rows that a thing of such a height touches. */
 static uint32_t bands(int64_t rows, int32_t band)

@@ -105,10 +105,6 @@ bool tp_world_refresh_with(const tp_kit *kit, tp_world *world, const tp_scene *s
     place_sea(kit, world, scene);
     if (world->parts.ocean && kit->move.ocean->refresh(world, scene, assets) != TP_OK)
         return false;
-    if (world->parts.drops) {
-        tp_parts_drops(world)->sphere.y = scene->drops.y;
-        tp_parts_drops(world)->sphere_radius = 2 * scene->drops.radius;
-    }
     tp_light_refresh(world, scene);
     if (world->clock_scale != scene->clock.scale)
         tp_clock_aim(&world->clock, scene->clock.scale);
@@ -185,15 +181,14 @@ void tp_world_step_with(const tp_kit *kit, tp_world *world, const tp_scene *scen
     if (input)
         move_camera(world, input);
     tp_sea_phases(&world->sea, world->tick, 0, world->phases);
-    if (world->parts.drops)
-        move->drops->step(kit, world, scene, input);
+    tp_modules_step(kit, world, scene, input, true);
     world->last_boat = world->boat;
     if (has_boat(kit, scene))
         move->boat->step(kit, world, scene, input);
     if (has_boat(kit, scene) && move->wake)
         move->wake->step(world, scene);
     tp_light_step(world, scene, input);
-    tp_modules_step(kit, world, scene, input);
+    tp_modules_step(kit, world, scene, input, false);
     if (input)
         tp_clock_shift(&world->clock, input->slower);
 }

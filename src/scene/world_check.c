@@ -34,7 +34,7 @@ static bool is_same_sea(const tp_sea *sea, const tp_sea *fresh)
 /* Bytes from an offset to the next part. */
 static size_t part_bytes(const tp_world_parts *p, uint32_t at)
 {
-    const uint32_t next[] = { p->rings, p->drops, p->modules };
+    const uint32_t next[] = { p->modules };
     uint32_t end = p->bytes;
 
     for (size_t i = 0; i < sizeof next / sizeof *next; i++)
@@ -50,32 +50,6 @@ static bool is_same_ocean(const tp_world *world, const tp_world *fresh)
                                    part_bytes(parts, parts->ocean)) == 0;
 }
 
-/* The rings of this tick are those that the drops' rings make, or there are none. */
-static bool are_rings_valid(const tp_world *world)
-{
-    const tp_drops *drops = tp_world_drops(world);
-    const tp_ring_now *now = tp_world_rings(world);
-    const int64_t time = (int64_t)(world->tick * TP_FX_ONE);
-    uint32_t n = 0;
-
-    if (world->rings == 0)
-        return true;
-    for (uint32_t i = 0; now && drops && i < drops->rings && n < world->rings; i++) {
-        tp_ring_now at;
-        if (!tp_ring_at(&tp_drops_rings(drops)[i], time, &at))
-            continue;
-        if (memcmp(&at, &now[n++], sizeof at) != 0)
-            return false;
-    }
-    return n == world->rings;
-}
-
-static bool is_air_valid(const tp_world *world, const tp_world *fresh)
-{
-    return !fresh->parts.drops
-        || tp_drops_are_valid(tp_world_drops(world), tp_world_drops(fresh), world->tick);
-}
-
 /* The first part that is wrong, of one layout; NULL: none. */
 static const char *find_invalid(const tp_kit *kit, const tp_world *world,
                                 const tp_world *fresh)
@@ -87,8 +61,6 @@ static const char *find_invalid(const tp_kit *kit, const tp_world *world,
          : !tp_clock_is_valid(&world->clock) ? "clock"
          : !is_same_sea(&world->sea, &fresh->sea) ? "sea"
          : !is_same_ocean(world, fresh) ? "ocean"
-         : !is_air_valid(world, fresh) ? "drops"
-         : !are_rings_valid(world) ? "rings"
          : tp_modules_find_invalid(kit, world, fresh);
 }
 

@@ -6,9 +6,9 @@
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
+#include "tests/unit/kinds.h"
 #include "tests/reference/image.h"
 #include "tests/reference/stand.h"
-#include "tests/unit/kinds.h"
 
 /* Settings without what the reference does not draw, or not as the engine draws it. */
 #define REF_WITHOUT "foam.cells=0", "spray.count=0", "water.caustics=0", \

@@ -14,6 +14,9 @@ static const tp_use modules[] = {
 #else
     TP_USE_WITH(haze, tp_stage_haze, NULL, NULL),
 #endif
+#if FEATURES >= 12
+    TP_USE(drops),
+#endif
 #if FEATURES >= 11
     TP_USE_UNSEEN(pokes),
     TP_USE_UNSEEN(main_pool),
@@ -97,9 +100,6 @@ const tp_kit features_kit = {
 #endif
 #if FEATURES >= 12      /* drops and rings */
     .water.rings = &tp_water_rings,
-    .draw.drops = &tp_draw_drops,
-    .move.drops = &tp_move_drops,
-    .stage.drop = tp_stage_drop,
 #endif
 #if FEATURES >= 14      /* tanks, of stone and glass */
     .draw.tank = &tp_draw_tank,

@@ -30,8 +30,9 @@ static size_t begin_of(const kept *k, uint32_t where)
 {
     const tp_world_parts *p = &k->fresh->parts;
     const uint32_t parts[] = { 0, p->ocean, place_of(k, tp_world_pool(k->fresh)),
-                               place_of(k, tp_world_field(k->fresh)), p->rings, p->drops,
-                               p->modules };
+                               place_of(k, tp_world_field(k->fresh)),
+                               place_of(k, tp_world_drops(k->fresh)),
+                               place_of(k, tp_world_spray(k->fresh)), p->modules };
     return where % 8 == 0 ? 0 : k->head + parts[where % 8 - 1];
 }
 

@@ -103,19 +103,19 @@ static void counts_are_within_their_room(void **state)
     kept *k = &worlds[0];
     const tp_world_parts *parts = &k->fresh->parts;
     const size_t foam = place_of(k, tp_world_foam(k->fresh));
+    const size_t drops = place_of(k, tp_world_drops(k->fresh));
     const size_t spray = place_of(k, tp_world_spray(k->fresh));
     const size_t pool = place_of(k, tp_world_pool(k->fresh));
     const size_t field = place_of(k, tp_world_field(k->fresh));
     const size_t at[] = {
-        parts->drops + offsetof(tp_drops, count), parts->drops + offsetof(tp_drops, rings),
-        parts->drops + offsetof(tp_drops, capacity),
-        parts->drops + offsetof(tp_drops, ring_capacity),
+        drops + offsetof(tp_drops, count), drops + offsetof(tp_drops, rings),
+        drops + offsetof(tp_drops, capacity), drops + offsetof(tp_drops, ring_capacity),
         spray + offsetof(tp_spray, count), spray + offsetof(tp_spray, capacity),
         foam + offsetof(tp_foam, cells), foam + offsetof(tp_foam, work),
         parts->modules, parts->modules + 4,     /* the first chunk's id and length */
         pool + offsetof(tp_pool, cols), pool + offsetof(tp_pool, cells),
         field + offsetof(tp_pool, walls), field + offsetof(tp_pool, sponge),
-        offsetof(tp_world, rings), offsetof(tp_world, sea.count),
+        offsetof(tp_world, sea.count),
         offsetof(tp_world, aboard),
     };
     for (size_t i = 0; i < sizeof at / sizeof *at; i++) {
@@ -137,8 +137,9 @@ static void any_word_is_refused_or_safe(void **state)
         kept *k = &worlds[i];
         const tp_world_parts *p = &k->fresh->parts;
         const uint32_t parts[] = { 0, p->ocean, place_of(k, tp_world_pool(k->fresh)),
-                                   place_of(k, tp_world_field(k->fresh)), p->rings,
-                                   p->drops, p->modules };
+                                   place_of(k, tp_world_field(k->fresh)),
+                                   place_of(k, tp_world_drops(k->fresh)),
+                                   place_of(k, tp_world_spray(k->fresh)), p->modules };
         for (int part = 0; part < 7; part++) {
             const size_t begin = parts[part];
             const size_t end = part == 0 ? offsetof(tp_world, sea) : begin + 160;

@@ -274,8 +274,9 @@ static bool is_window_valid(const tp_foam *foam, int32_t first, int64_t cells)
 
 /* A window lies half its side and a drift of less than a side from its middle; the four
  * that were seen last by a side a tick more. */
-static bool is_valid(const void *mine, const void *made)
+static bool is_valid(const void *mine, const void *made, const tp_world *world)
 {
+    (void)world;
     const tp_foam *foam = mine, *fresh = made;
     const int64_t cells = fresh->cells, side = side_of(fresh);
     bool valid = foam->cells == fresh->cells && foam->cell == fresh->cell

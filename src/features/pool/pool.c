@@ -97,8 +97,9 @@ static void step(void *mine, const tp_kit *kit, tp_world *world, const tp_scene 
     tp_pool_step(&basin->pool);
 }
 
-static bool is_valid(const void *mine, const void *made)
+static bool is_valid(const void *mine, const void *made, const tp_world *world)
 {
+    (void)world;
     const tp_basin *basin = mine, *fresh = made;
     return tp_pool_is_valid(&basin->pool, &fresh->pool);
 }

@@ -29,7 +29,7 @@ static tp_vec3 middle_of_objects(const tp_frame *frame)
     const tp_pose *boat = &frame->drawn.boat;
 
     if (!mesh)
-        return tp_world_drops(frame->world)->sphere;
+        return tp_frame_anchor(frame).middle;
     const tp_fx scale = tp_mesh_metres(mesh, frame->scene->boat.scale);
     const tp_rotation turn = tp_rotation_of(boat->heading, boat->pitch, boat->roll);
     const tp_vec3 at = { middle(mesh->low.x, mesh->high.x, scale),
@@ -107,7 +107,7 @@ static void look(tp_frame *frame, void *mine)
 
     m->around.colour = NULL;
     if (!tp_sight_above(frame, level)
-        || !(frame->assets.boat || tp_frame_has_drops(frame)))
+        || !(frame->assets.boat || tp_frame_has_module(frame, TP_MODULE_SOLID)))
         return;
     const tp_vec3 point = set_around(frame, &m->around, level);
     for (uint32_t f = 0; f < TP_AROUND_FACES; f++) {

@@ -347,8 +347,9 @@ static bool is_speck_valid(const tp_speck *s)
         && s->kind <= TP_SPECK_BUBBLE && s->age < BUBBLE_AGE;
 }
 
-static bool is_valid(const void *mine, const void *made)
+static bool is_valid(const void *mine, const void *made, const tp_world *world)
 {
+    (void)world;
     const tp_spray *spray = mine, *fresh = made;
     if (spray->capacity != fresh->capacity || spray->count > spray->capacity)
         return false;

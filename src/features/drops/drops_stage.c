@@ -44,9 +44,8 @@ static vec through(vec n, vec v, int32_t c)
     return sum(v, (aside * c >> 14) - ahead, n, -aside);
 }
 
-static uint32_t lit(const tp_shade *shade, vec n, vec v, int32_t lv)
+static uint32_t lit(const tp_shade *shade, const tp_solid *drop, vec n, vec v, int32_t lv)
 {
-    const tp_solid *drop = &shade->drop;
     vec     light = { shade->world.lx, shade->world.ly, shade->world.lz };
     int32_t c = tp_clamp(tp_vec_q14_dot(n, v), 0, 16384);
     int32_t nl = tp_vec_q14_dot(n, light);
@@ -60,11 +59,16 @@ static uint32_t lit(const tp_shade *shade, vec n, vec v, int32_t lv)
                                                          shade->light_colour), gloss));
 }
 
+/* tp_run.mine begins with the material. */
 void tp_stage_drop(const tp_shade *shade, tp_run *run)
 {
+    const tp_solid *drop = run->mine;
+
     tp_view_run(shade, &shade->world, run);
     for (int32_t i = 0; i < run->count; i++) {
-        run->colour[i] = lit(shade, tp_vec_q14_packed(run->n[i]),
+        run->colour[i] = lit(shade, drop, tp_vec_q14_packed(run->n[i]),
                              (vec){ run->vx[i], run->vy[i], run->vz[i] }, run->lv[i]);
     }
 }
+
+const tp_stage tp_drops_stages[] = { tp_stage_drop };

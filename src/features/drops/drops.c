@@ -1,9 +1,10 @@
 /* SPDX-License-Identifier: MIT */
 /* The drops of a scene and their rings: one block of fixed size, in which what finds no
  * place is counted. */
-#include "tidepool/drop.h"
+#include "features/drops/drops.h"
 #include "base/base.h"
-#include "tidepool/wave.h"
+#include "geom/waters.h"
+#include "scene/parts.h"
 
 #define MOST       1024
 #define SPHERE_FAR (8000 * TP_FX_ONE)
@@ -218,3 +219,159 @@ bool tp_drops_are_valid(const tp_drops *drops, const tp_drops *fresh, uint64_t t
         valid = is_ring_valid(&tp_drops_rings(drops)[i], tick);
     return valid;
 }
+
+/* -- the module's state -------------------------------------------------------------- */
+
+/* Behind the block of tp_drops, if drops raise rings: those rings as they lie at this
+ * tick, for the water's surface. */
+typedef struct {
+    uint32_t count, room;
+    tp_ring_now ring[];
+} rings_now;
+
+static rings_now *now_of(const tp_drops *drops)
+{
+    const tp_ring *end = tp_drops_rings(drops) + drops->ring_capacity;
+    return (rings_now *)(uintptr_t)end;
+}
+
+const tp_drops *tp_world_drops(const tp_world *world)
+{
+    return tp_world_part(world, TP_DROPS_ID);
+}
+
+static bool enabled(const tp_want *want)
+{
+    return want->scene->drops.count > 0;
+}
+
+static uint32_t room_of(const tp_scene_drops *config)
+{
+    return config->into == TP_DROPS_RINGS ? capacity_of(config->rings) : 0;
+}
+
+static size_t bytes(const tp_want *want)
+{
+    const tp_scene_drops *config = &want->scene->drops;
+
+    return tp_drops_bytes(config) + sizeof(rings_now)
+         + room_of(config) * sizeof(tp_ring_now);
+}
+
+static tp_status init(void *mine, tp_world *world, const tp_want *want, tp_error *err)
+{
+    (void)world, (void)err;
+    tp_drops_init(mine, &want->scene->drops);
+    *now_of(mine) = (rings_now){ .room = room_of(&want->scene->drops) };
+    return TP_OK;
+}
+
+static bool fits(const void *mine, const tp_scene *scene)
+{
+    const tp_drops *drops = mine;
+
+    return drops->capacity == capacity_of(scene->drops.count)
+        && drops->ring_capacity == capacity_of(scene->drops.rings)
+        && now_of(drops)->room == room_of(&scene->drops);
+}
+
+static bool refresh(void *mine, tp_world *world, const tp_want *want)
+{
+    tp_drops *drops = mine;
+
+    (void)world;
+    drops->sphere.y = want->scene->drops.y;
+    drops->sphere_radius = 2 * want->scene->drops.radius;
+    return true;
+}
+
+/* -- a tick -------------------------------------------------------------------------- */
+
+/* An impact raises a ring, or stirs a pool as much [D5]. */
+static void hit(void *mine, const tp_scene *scene, const tp_impact *impact, tp_fx level)
+{
+    (void)level;
+    if (scene->drops.into == TP_DROPS_RINGS)
+        tp_drops_ring(mine, &scene->drops, impact);
+}
+
+static void move_drops(tp_drops *drops, const tp_kit *kit, tp_world *world,
+                       const tp_scene *scene)
+{
+    const tp_surface surface = tp_world_surface(kit, world);
+    const tp_drop *drop = tp_drops_list(drops);
+    tp_impact impact;
+
+    for (uint32_t i = 0; i < drops->count; i++) {
+        tp_fx level = tp_surface_above(&surface, drop[i].place.x, drop[i].place.z,
+                                       NULL).position.y;
+        if (tp_drops_step(drops, &scene->drops, i, scene->water.gravity, level,
+                          world->tick, &impact))
+            tp_modules_hit(kit, world, scene, &impact, level);
+    }
+}
+
+uint32_t tp_drops_rings_at(const tp_drops *drops, const tp_kit *kit, int64_t time,
+                           tp_ring_now *to, uint32_t room)
+{
+    const tp_ring *ring = tp_drops_rings(drops);
+    uint32_t n = 0;
+
+    for (uint32_t i = 0; kit->water.rings && i < drops->rings && n < room; i++)
+        n += kit->water.rings->at(&ring[i], time, &to[n]);
+    return n;
+}
+
+static void step(void *mine, const tp_kit *kit, tp_world *world, const tp_scene *scene,
+                 const tp_input *in)
+{
+    const int64_t time = (int64_t)(world->tick * TP_FX_ONE);
+    tp_drops *drops = mine;
+    rings_now *now = now_of(drops);
+
+    tp_drops_steer(drops, in ? in->sphere_x : 0, in ? in->sphere_z : 0);
+    tp_drops_release_due(drops, &scene->drops);
+    if (in && in->drops > 0)
+        tp_drops_release(drops, &scene->drops, (uint32_t)in->drops);
+    move_drops(drops, kit, world, scene);
+    tp_drops_tidy(drops, time, 200 * TP_FX_ONE);
+    now->count = tp_drops_rings_at(drops, kit, time, now->ring, now->room);
+}
+
+static void add_surface(const void *mine, tp_surface *surface)
+{
+    const rings_now *now = now_of(mine);
+
+    surface->ring = now->ring;
+    surface->rings = now->count;
+}
+
+/* The rings of this tick are those that the drops' rings make, or there are none. */
+static bool are_rings_valid(const tp_drops *drops, const rings_now *now, int64_t time)
+{
+    uint32_t n = 0;
+
+    if (now->count == 0)
+        return true;
+    for (uint32_t i = 0; i < drops->rings && n < now->count && n < now->room; i++) {
+        tp_ring_now at;
+        if (!tp_ring_at(&tp_drops_rings(drops)[i], time, &at))
+            continue;
+        if (memcmp(&at, &now->ring[n++], sizeof at) != 0)
+            return false;
+    }
+    return n == now->count;
+}
+
+static bool is_valid(const void *mine, const void *fresh, const tp_world *world)
+{
+    return tp_drops_are_valid(mine, fresh, world->tick)
+        && now_of(mine)->room == now_of(fresh)->room
+        && are_rings_valid(mine, now_of(mine), (int64_t)(world->tick * TP_FX_ONE));
+}
+
+const tp_module tp_drops_module = {
+    .name = "drops", .id = TP_DROPS_ID, .is = TP_MODULE_SOLID | TP_MODULE_EARLY,
+    .enabled = enabled, .bytes = bytes, .init = init, .fits = fits, .refresh = refresh,
+    .step = step, .hit = hit, .surface = add_surface, .is_valid = is_valid,
+};

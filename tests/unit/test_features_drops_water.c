@@ -178,5 +178,5 @@ int main(void)
         cmocka_unit_test(a_fast_drop_is_long_and_an_impact_flattens_it),
         cmocka_unit_test(nothing_in_the_ranges_goes_astray),
     };
-    return cmocka_run_group_tests_name("drop on moving water", tests, NULL, NULL);
+    return cmocka_run_group_tests_name("features/drops water", tests, NULL, NULL);
 }

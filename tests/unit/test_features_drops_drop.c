@@ -305,5 +305,5 @@ int main(void)
         cmocka_unit_test(ring_heights_follow_the_energy),
         cmocka_unit_test(an_impact_in_a_tick_is_told_to_its_part),
     };
-    return cmocka_run_group_tests_name("drop", tests, NULL, NULL);
+    return cmocka_run_group_tests_name("features/drops drop", tests, NULL, NULL);
 }

@@ -267,5 +267,5 @@ int main(void)
         cmocka_unit_test(rings_without_room_are_counted),
         cmocka_unit_test(a_story_repeats_bit_for_bit),
     };
-    return cmocka_run_group_tests_name("drops", tests, NULL, NULL);
+    return cmocka_run_group_tests_name("features/drops", tests, NULL, NULL);
 }

@@ -281,5 +281,5 @@ int main(void)
         cmocka_unit_test(a_thousand_drops_are_drawn),
         cmocka_unit_test(a_drop_is_drawn_between_its_last_two_places),
     };
-    return cmocka_run_group_tests_name("drops in the picture", tests, NULL, NULL);
+    return cmocka_run_group_tests_name("features/drops drawing", tests, NULL, NULL);
 }

@@ -1,0 +1,17 @@
+/* SPDX-License-Identifier: MIT */
+/* Drops that fall from a sphere, and the rings that they raise: tidepool/drop.h.
+ *
+ *     drop.c            fall, impact, bounce and shape of one
+ *     drops.c           the module: the list of drops, the list of rings
+ *     drops_drawing.c   drops and sphere as spheroids
+ *     drops_stage.c     their colour */
+#ifndef TP_DROPS_MODULE_H
+#define TP_DROPS_MODULE_H
+#include "scene/module.h"
+
+#define TP_DROPS_ID TP_MODULE_ID('d', 'r', 'o', 'p')
+
+/* The rings as they lie at `time`, ticks x 65536: so many of *to, which has this room. */
+uint32_t tp_drops_rings_at(const tp_drops *drops, const tp_kit *kit, int64_t time,
+                           tp_ring_now *to, uint32_t room);
+#endif

@@ -1,0 +1,282 @@
+/* SPDX-License-Identifier: MIT */
+/* Drops and the sphere that they fall from: spheroids of triangles, drawn in the tiles
+ * that their boxes touch; small ones take every second meridian and parallel.  A drop
+ * keeps its volume whatever its shape: with height over width a = 1 + squash, height goes
+ * with a^(2/3) and width with a^(-1/3). */
+#include "base/base.h"
+#include "features/drops/drops.h"
+#include "frame/frame.h"
+
+#define ROUND 20                        /* meridians */
+#define RINGS 11                        /* parallels */
+#define BALL  (ROUND * RINGS + 2)
+
+/* A point of the unit sphere, Q1.14. */
+typedef struct {
+    int16_t x, y, z;
+} ball_point;
+
+typedef struct {
+    tp_solid     look;          /* of the stage: first */
+    ball_point  *ball;
+    tp_grid_box *box;           /* of each drop, then of the sphere, in this view */
+    tp_ring_now *ring;          /* as they lie at the drawn moment */
+    uint32_t     room, ring_room;
+    uint32_t     seen;          /* drops that are drawn, of as many as there is room */
+} drawn_drops;
+
+/* -- the unit sphere --------------------------------------------------------------- */
+
+/* North pole, parallels from north to south, south pole. */
+static void make_ball(tp_frame *frame, void *mine)
+{
+    ball_point *to = ((drawn_drops *)mine)->ball;
+
+    (void)frame;
+    *to++ = (ball_point){ 0, 16384, 0 };
+    for (uint32_t j = 1; j <= RINGS; j++) {
+        tp_turn down = (tp_turn)(((uint64_t)j << 31) / (RINGS + 1));
+        tp_q30  ring = tp_sin(down);
+        for (uint32_t i = 0; i < ROUND; i++) {
+            tp_turn round = (tp_turn)(((uint64_t)i << 32) / ROUND);
+            *to++ = (ball_point){ (int16_t)(tp_q30_mul(ring, tp_sin(round)) >> 16),
+                                  (int16_t)(tp_cos(down) >> 16),
+                                  (int16_t)(tp_q30_mul(ring, tp_cos(round)) >> 16) };
+        }
+    }
+    *to = (ball_point){ 0, -16384, 0 };
+}
+
+/* -- one of them -------------------------------------------------------------------- */
+
+typedef struct {
+    tp_vec3 centre;
+    tp_fx   wide, high;         /* half axes, m */
+} spheroid;
+
+/* a^(-1/3) by its series to the cube, of |squash| <= 1/2 within 0.017; the height takes
+ * what volume is left. */
+static spheroid shaped(tp_vec3 centre, tp_fx radius, int32_t squash_q14)
+{
+    tp_fx q = tp_clamp(squash_q14, -8192, 8192) * 4;
+    tp_fx square = tp_fx_mul(q, q);
+    tp_fx wide = TP_FX_ONE - q / 3 + square * 2 / 9 - tp_fx_mul(square, q) * 14 / 81;
+    tp_fx high = tp_fx_div(TP_FX_ONE, tp_fx_mul(wide, wide));
+
+    return (spheroid){ centre, tp_fx_mul(radius, wide), tp_fx_mul(radius, high) };
+}
+
+/* The last one is the sphere. */
+static spheroid number(const tp_drops *drops, tp_fx back, uint32_t i, uint32_t seen)
+{
+    TP_ASSERT(i <= seen && seen <= drops->count);
+    bool  sphere = i == seen;
+    const tp_drop *drop = tp_drops_list(drops) + (sphere ? 0 : i);
+    tp_vec3 a = sphere ? drops->last_sphere : drop->last;
+    tp_vec3 b = sphere ? drops->sphere : drop->place;
+    tp_vec3 at = tp_place_between(a, b, back);
+
+    return sphere ? (spheroid){ at, drops->sphere_radius, drops->sphere_radius }
+                  : shaped(at, drop->radius, drop->squash);
+}
+
+static tp_view_corner corner_of(const tp_sight *sight, const spheroid *s,
+                                const ball_point *p)
+{
+    tp_vec3 at = { s->centre.x + (tp_fx)((int64_t)p->x * s->wide >> 14),
+                   s->centre.y + (tp_fx)((int64_t)p->y * s->high >> 14),
+                   s->centre.z + (tp_fx)((int64_t)p->z * s->wide >> 14) };
+    tp_view_corner c;
+
+    tp_lens_view(sight->lens, at, &c);
+    c.s = c.t = 0;
+    c.n[0] = (int16_t)((int64_t)p->x * s->high / (s->wide + s->high + 1) >> 5);
+    c.n[1] = (int16_t)((int64_t)p->y * s->wide / (s->wide + s->high + 1) >> 5);
+    c.n[2] = (int16_t)((int64_t)p->z * s->high / (s->wide + s->high + 1) >> 5);
+    return c;
+}
+
+/* Parallel j, every `step`th point of it; both poles are rings of one point. */
+static void see_ring(const drawn_drops *d, const tp_sight *sight, const spheroid *s,
+                     uint32_t j, uint32_t step, tp_view_corner to[ROUND])
+{
+    TP_ASSERT(j <= RINGS + 1 && step > 0);
+    const bool north = j == 0, south = j > RINGS;
+    const ball_point *ring = &d->ball[south ? BALL - 1 : north ? 0 : 1 + (j - 1) * ROUND];
+
+    for (uint32_t i = 0; i < ROUND; i += step)
+        to[i] = (north || south) && i > 0 ? to[0] : corner_of(sight, s, &ring[i]);
+}
+
+/* -- placing ------------------------------------------------------------------------ */
+
+static const tp_grid_box nowhere = { 1, 1, 0, 0 };
+
+/* By the corners of the ball; one that must be clipped may be anywhere.  Of a ball that
+ * the level cuts the whole is taken. */
+static tp_grid_box box_of(const drawn_drops *d, const tp_sight *sight, const spheroid *s,
+                          uint32_t step)
+{
+    tp_grid_box box = TP_BOX_NONE;
+    tp_view_corner ring[ROUND];
+    bool ahead = false, cut = false;
+
+    for (uint32_t j = 0; j <= RINGS + 1; j += step) {
+        see_ring(d, sight, s, j, step, ring);
+        for (uint32_t i = 0; i < ROUND; i += step) {
+            tp_corner p;
+            ahead |= ring[i].depth >= sight->lens->near
+                  && (!sight->cut || tp_view_height(&sight->level, &ring[i]) >= 0);
+            cut |= !tp_lens_holds(sight->lens, &ring[i]);
+            if (cut)
+                continue;
+            tp_lens_project(sight->lens, &ring[i], &p.u, &p.v, &p.zi);
+            tp_box_widen(&box, p.u, p.v);
+        }
+    }
+    if (!ahead)
+        return nowhere;
+    return cut ? (tp_grid_box){ INT16_MIN, INT16_MIN, INT16_MAX, INT16_MAX } : box;
+}
+
+/* Every second point is enough up to 16 pixels across: its outline is off by 8 % of half
+ * of that. */
+static uint32_t step_of(const tp_grid_box *box)
+{
+    return box->x1 - box->x0 > 16 || box->y1 - box->y0 > 16 ? 1 : 2;
+}
+
+static void widen(tp_grid_box *all, const tp_grid_box *box)
+{
+    tp_box_widen(all, 16 * box->x0, 16 * box->y0);
+    tp_box_widen(all, 16 * box->x1, 16 * box->y1);
+}
+
+static void place(tp_frame *frame, void *mine, tp_sight *sight, tp_grid_box *box)
+{
+    const tp_drops *drops = tp_world_drops(frame->world);
+    drawn_drops *d = mine;
+
+    if (!drops)
+        return;
+    d->seen = drops->count < d->room ? drops->count : d->room;
+    frame->stats.dropped += drops->count - d->seen;
+    for (uint32_t i = 0; i <= d->seen; i++) {
+        spheroid s = number(drops, frame->world->back, i, d->seen);
+        d->box[i] = box_of(d, sight, &s, 2);
+        uint32_t step = step_of(&d->box[i]);
+        if (step == 1)
+            d->box[i] = box_of(d, sight, &s, 1);
+        if (d->box[i].x0 <= d->box[i].x1) {
+            uint32_t points = ROUND / step * (RINGS / step);
+            widen(box, &d->box[i]);
+            frame->stats.vertices += points + 2;
+            frame->stats.triangles += 2 * points;
+        }
+    }
+}
+
+/* -- drawing ------------------------------------------------------------------------ */
+
+static void draw_face(const tp_sight *sight, const tp_samples *tile,
+                      const tp_view_corner *a, const tp_view_corner *b,
+                      const tp_view_corner *c, uint32_t mark)
+{
+    const tp_view_corner in[3] = { *a, *b, *c };
+
+    tp_clipped_draw(sight->lens, tp_sight_cut(sight), tile, in, mark, 0);
+}
+
+static void draw_one(const drawn_drops *d, const tp_sight *sight, const tp_samples *tile,
+                     const spheroid *s, uint32_t step, uint32_t mark)
+{
+    tp_view_corner ring[2][ROUND];
+
+    see_ring(d, sight, s, 0, step, ring[0]);
+    for (uint32_t j = 0; j <= RINGS; j += step) {
+        const tp_view_corner *above = ring[j / step & 1];
+        tp_view_corner *below = ring[(j / step + 1) & 1];
+        see_ring(d, sight, s, j + step, step, below);
+        for (uint32_t i = 0; i < ROUND; i += step) {
+            uint32_t next = (i + step) % ROUND;
+            if (j + step <= RINGS)
+                draw_face(sight, tile, &above[i], &below[i], &below[next], mark);
+            if (j > 0)
+                draw_face(sight, tile, &above[i], &below[next], &above[next], mark);
+        }
+    }
+}
+
+static void draw(const tp_frame *frame, const void *mine, const tp_sight *sight,
+                 tp_samples *samples, uint32_t mark)
+{
+    const tp_drops *drops = tp_world_drops(frame->world);
+    const drawn_drops *d = mine;
+
+    samples->front_only = true;
+    for (uint32_t i = 0; drops && i <= d->seen; i++) {
+        if (!tp_sight_touches(&d->box[i], samples))
+            continue;
+        spheroid s = number(drops, frame->world->back, i, d->seen);
+        draw_one(d, sight, samples, &s, step_of(&d->box[i]), mark);
+    }
+}
+
+/* -- the module ---------------------------------------------------------------------- */
+
+static void *layout(tp_arena *arena, const tp_want *want)
+{
+    drawn_drops *d = tp_arena_take(arena, 1, sizeof *d), made = {
+        .room = (uint32_t)want->scene->drops.count,
+        .ring_room = (uint32_t)want->scene->drops.rings,
+    };
+
+    made.box = tp_arena_take(arena, made.room + 1, sizeof *made.box);
+    made.ring = tp_arena_take(arena, made.ring_room, sizeof *made.ring);
+    made.ball = tp_arena_take(arena, BALL, sizeof *made.ball);
+    if (d)
+        *d = made;
+    return d;
+}
+
+/* Rings between ticks are rings of another age. */
+static void add_surface(tp_frame *frame, void *mine, tp_surface *surface)
+{
+    const tp_drops *drops = tp_world_drops(frame->world);
+    drawn_drops *d = mine;
+
+    surface->ring = d->ring;
+    surface->rings = drops ? tp_drops_rings_at(drops, frame->kit, frame->drawn.time,
+                                               d->ring, d->ring_room) : 0;
+}
+
+static void begin(tp_frame *frame, void *mine)
+{
+    drawn_drops *d = mine;
+
+    d->look = (tp_solid){ .diffuse = (uint32_t)frame->scene->drops.colour,
+                          .specular = 0xffffff, .gloss = tp_drop_gloss };
+}
+
+static void set_anchor(const tp_frame *frame, const void *mine, tp_sight_anchor *anchor)
+{
+    const tp_drops *drops = tp_world_drops(frame->world);
+
+    (void)mine;
+    if (drops)
+        *anchor = (tp_sight_anchor){ .middle = drops->sphere };
+}
+
+static void add_stages(const tp_frame *frame, const void *mine, const tp_stage *stage,
+                       tp_shaders *list)
+{
+    (void)frame;
+    if (list->owner == &tp_drops_drawing)
+        tp_shaders_add(list, TP_AT_COLOUR, stage[0], mine);
+}
+
+const tp_drawing tp_drops_drawing = {
+    .layout = layout, .init = make_ball, .marks = tp_marks_one, .surface = add_surface,
+    .begin = begin, .anchor = set_anchor, .place = place, .draw = draw,
+    .stages = add_stages,
+};
