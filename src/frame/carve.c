@@ -124,6 +124,12 @@ tp_want tp_frame_want(const tp_kit *kit, const tp_frame_parts *parts, const tp_s
     };
 }
 
+tp_plan_input tp_frame_plan_input(const tp_kit *kit, const tp_scene *scene,
+                                  const tp_assets *assets, const tp_frame_config *config)
+{
+    return (tp_plan_input){ kit->modules, scene, assets, config->width, config->height };
+}
+
 tp_frame *tp_frame_carve(const tp_kit *kit, tp_frame_parts *parts, tp_frame_ram *ram,
                          tp_arena *arena, const tp_scene *scene, tp_assets *assets,
                          const tp_frame_config *config)

@@ -185,6 +185,8 @@ tp_frame *tp_frame_carve(const tp_kit *kit, tp_frame_parts *parts, tp_frame_ram 
 bool tp_frame_wants(tp_frame_parts *parts, bool asked, bool part);
 tp_want tp_frame_want(const tp_kit *kit, const tp_frame_parts *parts, const tp_scene *scene,
                       const tp_assets *assets, const tp_frame_config *config);
+tp_plan_input tp_frame_plan_input(const tp_kit *kit, const tp_scene *scene,
+                                  const tp_assets *assets, const tp_frame_config *config);
 uint32_t tp_frame_materials(const tp_assets *assets);   /* that are told apart */
 
 /* visibility.c: the plan's rungs, made at init and when the budget changes; by which
@@ -215,13 +217,6 @@ tp_grid_window tp_frame_window(const tp_frame *frame, void *memory);
 void tp_frame_draw_cells(const tp_frame *frame, const tp_samples *tile,
                          tp_grid_window *window, uint32_t j, uint32_t first, uint32_t end);
 tp_grid_box tp_frame_cells_box(tp_frame *frame, uint32_t j, uint32_t first, uint32_t end);
-
-static inline tp_plan_input tp_frame_plan_input(const tp_kit *kit, const tp_scene *scene,
-                                                const tp_assets *assets,
-                                                const tp_frame_config *config)
-{
-    return (tp_plan_input){ kit->modules, scene, assets, config->width, config->height };
-}
 
 /* holds.c: whether rows draw this frame as triangles would */
 bool tp_frame_rows_hold(tp_frame *frame);
