@@ -53,9 +53,9 @@ CORE := $(addprefix src/, \
     shade/inside.c shade/layer.c shade/light.c \
     shade/mirror.c shade/optics.c shade/pool_bump.c \
     shade/quick_even.c shade/quick_layers.c shade/quick_light.c \
-    shade/quick_pictures.c shade/quick_sky.c shade/quick_tables.c \
+    shade/quick_pictures.c shade/quick_tables.c \
     shade/quick_view.c shade/ripple.c shade/side.c shade/sky.c shade/solid.c \
-    shade/stars.c shade/tables.c shade/texture.c shade/view.c \
+    shade/tables.c shade/texture.c shade/view.c \
     scene/boat.c scene/check.c scene/clock.c scene/drawn.c \
     scene/faint.c scene/float.c scene/governor.c scene/light.c \
     scene/module.c scene/moves.c scene/outlook.c \

@@ -31,9 +31,7 @@ typedef void (*tp_stage)(const struct tp_shade *shade, struct tp_run *run);
 
 #define TP_STAGE_LIST(X) \
     /* colour of the empty view */ \
-    X(sky) X(sky_dome) X(sky_dome_hdr) X(sky_cube) X(sky_cube_hdr) \
-    X(quick_sky_dome) \
-    X(stars)                /* added to a dome */ \
+    X(sky) \
     /* colour of the water: without texture, and with the first layer */ \
     X(plain) X(texture) X(texture_tinted) X(texture_linear) X(texture_linear_tinted) \
     X(texture_graded) X(texture_linear_graded) \
@@ -64,7 +62,7 @@ typedef void (*tp_stage)(const struct tp_shade *shade, struct tp_run *run);
     X(light) X(light_rippled) X(light_blinn) X(light_blinn_rippled) /* nv up glint */ \
     X(mirror)               /* sky by Fresnel's share; or in parts, for other skies, */ \
     X(slopes)               /* objects and light beyond white: sx sz of smooth water, */ \
-    X(reflect_gradient) X(reflect_dome) X(reflect_cube)     /* mirror, rx rz, */ \
+    X(reflect_gradient)     /* mirror, rx rz, */ \
     X(fresnel) X(fresnel_hdr)       /* mirror into the colour */ \
     X(glint)                /* adds the specular */ \
     /* all of a mesh's Phong; the same in world axes, of one colour; with a picture */ \
@@ -155,7 +153,6 @@ typedef struct {
     X(ripple) \
     X(quick_layers) /* pictures of the quick rung; stages quick_far .. quick_slopes */ \
     X(bumps)        /* of pools that bend the light only; pool_bump */ \
-    X(dome) X(cube) X(stars)        /* skies */ \
     X(fresnel)      /* tables of what mirrors or is clear; mirror, fresnel ... */ \
     X(glint)        /* tables of what shines */ \
     X(quick_light)  /* of the quick rung; stages quick_gradient ... */
@@ -204,6 +201,9 @@ typedef struct {
 
 /* Nothing is drawn of the ones that are named by N. */
 #define TP_MODULE_LIST(X, N) \
+    X(sky_dome)     /* skies beside the gradient: generated ones, */ \
+    X(sky_cube)     /* and six pictures */ \
+    X(stars)        /* added to a night's dome */ \
     X(haze) \
     X(drops)        /* in the air, the sphere that they fall from, and rings */ \
     N(pokes)        /* of pools, by chance and by input */ \
@@ -222,6 +222,11 @@ typedef struct {
     X(exposure)
 
 /* The stages of each module, in the order of its table. */
+#define TP_STAGES_OF_sky_dome(X) \
+    X(sky_dome) X(sky_dome_hdr) X(quick_sky_dome)   /* colour of the empty view; */ \
+    X(reflect_dome)                                 /* mirror, rx rz of water */
+#define TP_STAGES_OF_sky_cube(X)    X(sky_cube) X(sky_cube_hdr) X(reflect_cube)
+#define TP_STAGES_OF_stars(X)       X(stars)
 #define TP_STAGES_OF_haze(X) \
     X(haze) X(haze_dome) X(haze_cube)       /* towards the horizon of each kind of sky */
 #define TP_STAGES_OF_drops(X)       X(drop)

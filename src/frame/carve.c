@@ -101,7 +101,6 @@ static void carve_tables(tp_frame_parts *p, tp_arena *arena, const tp_kit *kit,
     p->gloss = tp_arena_take(arena, materials, TP_GLOSS);
     if (shines(kit))
         p->shine = tp_arena_take(arena, TP_SHINE + 1, sizeof *p->shine);
-    tp_frame_carve_sky(p, arena, kit, scene, assets);
     for (int k = 0; k < TP_POOL_BUMPS && kit->draw.bumps; k++) {
         p->bump_cells[k] = tp_frame_bump_cells(scene, k);
         p->bump[k] = tp_arena_take(arena, p->bump_cells[k], sizeof *p->bump[k]);

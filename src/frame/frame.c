@@ -125,7 +125,6 @@ static void make_tables(tp_frame *frame)
 {
     const tp_draws *draw = &frame->kit->draw;
 
-    tp_frame_init_sky(frame);
     if (frame->assets.boat)
         draw->boat->init(frame);
     tp_frame_init_modules(frame);

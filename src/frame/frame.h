@@ -11,13 +11,6 @@
 #include "scene/sides.h"
 #include "tidepool/plan.h"
 
-/* Tables of the sky and the camera that only some scenes have, or NULL. */
-typedef struct {
-    tp_dome  *dome;
-    tp_cube  *cube;
-    uint32_t *recip;            /* TP_RECIP + 2 */
-} tp_frame_sky;
-
 /* A corner of the boat, projected; see boat.c for u of those that are not. */
 typedef struct {
     int32_t  u, v;
@@ -119,7 +112,6 @@ typedef struct tp_frame_parts {
     tp_solid        *solid;             /* of each of the boat's materials */
     uint8_t         *gloss;             /* TP_GLOSS each */
     tp_entry16      *shine;             /* TP_SHINE + 1 */
-    tp_frame_sky     heaven;
     tp_pool_slope   *bump[TP_POOL_BUMPS];       /* slopes of pool and field */
     uint32_t         bump_cells[TP_POOL_BUMPS]; /* that they have room for */
     uint32_t         lacks;             /* parts that the scene has and the kit has not */
@@ -252,16 +244,10 @@ bool tp_frame_is_glass(const tp_frame *frame, uint32_t face);
 /* plan.c: the stages that the scene needs, and their numbers. */
 void tp_frame_plan(tp_frame *frame);
 
-/* plan_sky.c: sky, what water mirrors of it, air, exposure. */
-void tp_frame_carve_sky(tp_frame_parts *parts, tp_arena *arena, const tp_kit *kit,
-                        const tp_scene *scene, const tp_assets *assets);
-void tp_frame_init_sky(tp_frame *frame);
+/* plan_sky.c: the plain sky, and the water's share of what it mirrors.  Whether a mirror
+ * takes more than the fused stage. */
 void tp_frame_plan_sky(tp_frame *frame);
-void tp_frame_add_sky(const tp_frame *frame, tp_shaders *plan);
 bool tp_frame_mirrors_apart(const tp_frame *frame);
-/* sx sz, mirror, rx rz; false: the kit has not all that this takes. */
-bool tp_frame_add_reflection(const tp_frame *frame, tp_shaders *plan, bool rippled);
-void tp_frame_add_fresnel(const tp_frame *frame, tp_shaders *plan);
 
 /* plan_quick_layers.c: stages of the layers and ripples of the quick rung */
 void tp_plan_add_quick_layers(const tp_frame *frame, tp_shaders *water, bool even);

@@ -87,21 +87,6 @@ struct tp_draw_bumps {
     void (*place)(tp_frame *frame);
 };
 
-/* Skies beside the gradient. */
-struct tp_draw_dome {
-    void (*plan)(tp_frame *frame);
-};
-
-struct tp_draw_cube {
-    void (*init)(tp_frame *frame);
-    void (*plan)(tp_frame *frame);
-};
-
-struct tp_draw_stars {
-    void (*init)(tp_frame *frame);
-    void (*plan)(tp_frame *frame);
-};
-
 struct tp_draw_glint {
     void (*plan)(tp_frame *frame);
 };

@@ -38,9 +38,26 @@ static void add_mirror(const tp_frame *frame, tp_shaders *water, bool rippled)
         tp_shaders_add(water, TP_AT_FRESNEL, stages->mirror, NULL);
         return;
     }
-    if (!tp_frame_add_reflection(frame, water, rippled))
+    if (!stages->fresnel || (!rippled && !stages->slopes)) {
+        water->lacks++;
         return;
-    tp_frame_add_fresnel(frame, water);
+    }
+    if (!rippled)
+        tp_shaders_add(water, TP_AT_SLOPE, stages->slopes, NULL);
+    water->mirrors = true;
+    if (frame->shade.env.kind == TP_ENV_GRADIENT)
+        tp_shaders_add(water, TP_AT_REFLECT, stages->reflect_gradient, NULL);
+}
+
+/* A sky whose stage the program lacks is not mirrored. */
+static void add_fresnel(const tp_frame *frame, tp_shaders *water)
+{
+    const tp_stages *stages = &frame->kit->stage;
+    const bool hdr = frame->shade.env.beyond && stages->fresnel_hdr;
+
+    if (tp_shaders_has(water, TP_AT_REFLECT))
+        tp_shaders_add(water, TP_AT_FRESNEL, hdr ? stages->fresnel_hdr : stages->fresnel,
+                       NULL);
 }
 
 /* Light, and what needs a view besides; whether it has a glint. */
@@ -85,6 +102,7 @@ static void choose_water(tp_frame *frame)
     if (water->shines)
         tp_shaders_add(water, TP_AT_GLINT, stages->glint, NULL);
     tp_frame_add_modules(frame, water);
+    add_fresnel(frame, water);
 }
 
 /* The surface from below. */
@@ -99,14 +117,19 @@ static void choose_below(tp_frame *frame)
     tp_frame_add_modules(frame, water);
 }
 
+/* A sky that the scene names and the program cannot draw is the gradient. */
 static void choose_sky(tp_frame *frame)
 {
+    const bool named = tp_has_dome(frame->scene)
+                    || tp_has_cube(frame->scene, &frame->assets);
     tp_shaders *sky = tp_frame_list(frame, TP_MARK_SKY);
 
     tp_shaders_clear(sky);
-    if (!frame->under)
-        tp_frame_add_sky(frame, sky);
     tp_frame_add_modules(frame, sky);
+    if (!tp_shaders_has(sky, TP_AT_COLOUR))
+        tp_shaders_add_colour(sky, frame->kit->stage.sky);
+    if (named && frame->shade.env.kind == TP_ENV_GRADIENT)
+        sky->lacks++;
 }
 
 /* A list of one stage, and what modules add to it. */

@@ -49,6 +49,7 @@ typedef struct {
     uint8_t    count, room;
     bool       rippled;         /* a stage bends the slopes */
     bool       shines;          /* a stage leaves a glint */
+    bool       mirrors;         /* of water: the sky's module adds what it mirrors */
     uint16_t   lacks;           /* stages that the scene asks for and the kit has not */
 } tp_shaders;
 

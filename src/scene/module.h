@@ -26,7 +26,10 @@ enum {
     TP_MODULE_FAST   = 16,      /* draws the water by fast stages alone */
     TP_MODULE_SLOPES = 32,      /* draws pools as slopes of flat water */
     TP_MODULE_VIEW   = 64,      /* its water stage reads the view */
-    TP_MODULE_EARLY  = 128      /* moves before the boat, which is no module yet */
+    TP_MODULE_DOME   = 128,     /* draws the sky by tp_dome, */
+    TP_MODULE_CUBE   = 256,     /* or by tp_cube: its trait is the price of mirroring it */
+    TP_MODULE_STARS  = 512,     /* adds to the sky */
+    TP_MODULE_EARLY  = 1024     /* moves before the boat, which is no module yet */
 };
 
 /* The conditions that a module is asked about. */

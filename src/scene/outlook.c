@@ -239,40 +239,38 @@ static void list_pictures(tp_outlook *o, const tp_scene *s, const tp_assets *a)
                             : (uint8_t)((s->pool.cols > 0) + (s->field.cols > 0));
 }
 
-static void list_light(tp_outlook *o, const tp_scene *s, const tp_assets *a)
+static void list_light(tp_outlook *o, const tp_scene *s)
 {
     const bool shines = s->water.specular > 0, mirrors = s->water.reflection > 0;
 
     o->trait[TP_TRAIT_look] = shines || mirrors;
     o->trait[TP_TRAIT_mirror] = mirrors;
     o->trait[TP_TRAIT_glint] = shines;
-    o->trait[TP_TRAIT_dome] = mirrors && tp_has_dome(s);
-    o->trait[TP_TRAIT_cube] = mirrors && tp_has_cube(s, a);
 }
 
-/* The modules say themselves whether they are on.  True: each of them has a fast form. */
-static bool list_modules(tp_outlook *o, const tp_use *modules, tp_want want)
+/* The modules say themselves whether they are on. */
+static void list_modules(tp_outlook *o, const tp_use *modules, tp_want want)
 {
-    bool fast = true;
-
     for (const tp_use *u = modules; u && u->module; u++) {
         if (!u->drawing || !tp_module_ask(u->module, &want))
             continue;
         o->trait[u->module->trait] = 1;
         if (u->module->count)
             u->module->count(&want, o->trait);
-        fast = fast && !(u->module->is & TP_MODULE_EXACT);
     }
-    return fast;
+    if (!o->trait[TP_TRAIT_mirror])             /* nothing asks for the sky's mirror */
+        o->trait[TP_TRAIT_dome] = o->trait[TP_TRAIT_cube] = 0;
+    o->modules = want.above;
 }
 
 /* frame/plan_quick.c has the rule: what the fast stages do not know is drawn by exact
  * ones. */
-static bool is_quick(const tp_outlook *o, const tp_scene *s, const tp_assets *a)
+static bool is_quick(const tp_outlook *o, const tp_scene *s)
 {
-    const bool sky = tp_has_dome(s) || tp_has_cube(s, a);
+    const bool sky = o->modules & (TP_MODULE_DOME | TP_MODULE_CUBE);
 
-    return !o->trait[TP_TRAIT_bump] && !(sky && !o->trait[TP_TRAIT_ripple]) && s->hdr.share <= 0;
+    return !(o->modules & TP_MODULE_EXACT) && !o->trait[TP_TRAIT_bump]
+        && !(sky && !o->trait[TP_TRAIT_ripple]) && s->hdr.share <= 0;
 }
 
 /* The lobe's steepest place is about its height times the root of its exponent. */
@@ -348,13 +346,14 @@ tp_outlook tp_outlook_of(const tp_plan_input *in)
     list_fits(&o, scene, &at, waves, low.y >= 0 || ahead > 0);
     o.trait[TP_TRAIT_plain] = 1;
     list_pictures(&o, scene, assets);
-    list_light(&o, scene, assets);
+    list_light(&o, scene);
     const tp_want want = {
         .scene = scene, .assets = assets, .coastal = o.ocean, .width = width,
         .height = height, .shadings = UINT32_MAX,
         .above = (assets->boat ? TP_MODULE_SOLID : 0)
                | (tp_has_tank(scene) || tp_has_stone(scene) ? TP_MODULE_WALLS : 0),
     };
-    o.quick = list_modules(&o, in->modules, want) && is_quick(&o, scene, assets);
+    list_modules(&o, in->modules, want);
+    o.quick = is_quick(&o, scene);
     return o;
 }

@@ -133,6 +133,7 @@ typedef struct {
     uint8_t  sharp, still, plain;       /* some wave is no sine; level; swells alone */
     uint32_t points[TP_VISIBILITIES];   /* that each method works out */
     uint8_t  fits[TP_VISIBILITIES];     /* whether it draws this view */
+    uint32_t modules;           /* bits of tp_module.is of those that are on */
     uint8_t  quick;             /* whether the quick stages know all that the water has */
 } tp_outlook;
 

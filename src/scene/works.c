@@ -6,7 +6,7 @@
  * the scene puts it. */
 #include "asset/mesh.h"
 #include "geom/geom.h"
-#include "scene/light.h"
+#include "scene/module.h"
 #include "scene/works.h"
 
 /* -- a mesh as a lens sees it -------------------------------------------------------- */
@@ -258,17 +258,17 @@ static uint32_t pixels_of(const tp_site *w, uint32_t rays)
 
 /* -- pixels -------------------------------------------------------------------------- */
 
-static void add_sky(tp_site *w, uint32_t sky, bool quick)
+static void add_sky(tp_site *w, const tp_outlook *outlook, uint32_t sky, bool quick)
 {
-    const tp_scene *s = w->scene;
-    const bool dome = tp_has_dome(s);
-    const bool cube = tp_has_cube(s, w->assets);
-    const bool beyond = s->hdr.share > 0;
+    const bool dome = outlook->modules & TP_MODULE_DOME;
+    const bool cube = outlook->modules & TP_MODULE_CUBE;
+    const bool stars = outlook->modules & TP_MODULE_STARS;
+    const bool beyond = w->scene->hdr.share > 0;
     uint32_t *work = w->works.of;
 
-    work[TP_WORK_sky_dome] = dome && !(quick && s->sky.kind != TP_SKY_NIGHT) ? sky : 0;
-    work[TP_WORK_sky_quick] = dome && quick && s->sky.kind != TP_SKY_NIGHT ? sky : 0;
-    work[TP_WORK_sky_stars] = s->sky.kind == TP_SKY_NIGHT ? sky : 0;
+    work[TP_WORK_sky_dome] = dome && !(quick && !stars) ? sky : 0;
+    work[TP_WORK_sky_quick] = dome && quick && !stars ? sky : 0;
+    work[TP_WORK_sky_stars] = stars ? sky : 0;
     work[TP_WORK_sky_cube] = cube ? sky : 0;
     work[TP_WORK_sky_hdr] = (dome || cube) && beyond ? sky : 0;
 }
@@ -276,8 +276,8 @@ static void add_sky(tp_site *w, uint32_t sky, bool quick)
 static void add_air(tp_site *w, const tp_outlook *outlook, uint32_t water, uint32_t solid)
 {
     const tp_scene *s = w->scene;
-    const bool dome = tp_has_dome(s);
-    const bool cube = tp_has_cube(s, w->assets);
+    const bool dome = outlook->modules & TP_MODULE_DOME;
+    const bool cube = outlook->modules & TP_MODULE_CUBE;
     uint32_t *work = w->works.of;
 
     work[TP_WORK_solid] = solid;
@@ -308,7 +308,7 @@ static void add_pixels(tp_site *w, const tp_outlook *outlook, bool quick)
         w->works.of[TP_WORK_looked] = pixels_of(w, water);
         w->works.of[TP_WORK_looked_near] = pixels_of(w, looks);
     }
-    add_sky(w, pixels_of(w, sky), quick);
+    add_sky(w, outlook, pixels_of(w, sky), quick);
     add_air(w, outlook, pixels_of(w, water), pixels_of(w, solid - w->walls - w->lands));
     w->works.of[TP_WORK_land] = pixels_of(w, w->lands);
     w->works.of[TP_WORK_wall] = pixels_of(w, w->walls - w->works.of[TP_WORK_side]);

@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: MIT */
 /* What the water mirrors, by Fresnel's share.
  *
- * The plain gradient needs only the mirrored view's height: one fused stage.  Other skies
- * are looked up by the whole vector R = 2 (N.V) N - V [F3], whose height is at hand: with
- * k = Ry + Vy = 2 (N.V) Ny and N = Ny (-sx, 1, -sz) the others are -k sx - Vx and
- * -k sz - Vz.  Then they are mixed in, as light that may be beyond white [F8]. */
-#include "shade/cubes.h"
+ * The plain gradient needs only the mirrored view's height: one fused stage.  Other skies,
+ * and objects, are looked up by the whole mirrored view (reflected.h).  Then they are mixed
+ * in, as light that may be beyond white [F8]. */
+#include "shade/env.h"
+#include "shade/reflected.h"
 #include "shade/slope.h"
 
 /* A mirrored ray that goes down meets other water, which is half as bright as the
@@ -51,108 +51,13 @@ void tp_stage_slopes(const tp_shade *restrict shade, tp_run *restrict run)
     }
 }
 
-/* Fills rx and rz of sample i; Q1.14. */
-TP_ALWAYS_INLINE tp_ray mirrored_at(tp_run *run, int32_t i)
-{
-    int32_t up = run->up[i], k = up + run->vy[i];
-    int32_t rx = -(k * run->sx[i] >> 12) - run->vx[i];
-    int32_t rz = -(k * run->sz[i] >> 12) - run->vz[i];
-
-    rx = tp_clamp(rx, -16384, 16384);
-    rz = tp_clamp(rz, -16384, 16384);
-    run->rx[i] = (int16_t)rx;
-    run->rz[i] = (int16_t)rz;
-    return (tp_ray){ rx, up > 0 ? up : 0, rz, 0 };
-}
-
 void tp_stage_reflect_gradient(const tp_shade *restrict shade, tp_run *restrict run)
 {
     const int32_t count = run->count;
 
     for (int32_t i = 0; i < count; i++) {
-        tp_ray to = mirrored_at(run, i);
+        tp_ray to = tp_reflected_at(run, i);
         run->mirror[i] = tp_env_gradient(shade, to.y);
-    }
-}
-
-TP_ALWAYS_INLINE void dome_wide(const tp_dome *restrict dome,
-                                const uint32_t *restrict square,
-                                const int16_t *restrict up,
-                                const uint32_t *restrict glow, int32_t count,
-                                uint32_t *restrict out)
-{
-    for (int32_t i = 0; i < count; i++)
-        out[i] = tp_dome_with(dome, square[i], up[i] > 0 ? up[i] : 0, glow[i]);
-}
-
-/* In three loops: a logarithm, which the glow is looked up by, is for one at a time. */
-TP_ALWAYS_INLINE void reflect_dome_wide(const tp_shade *restrict shade,
-                                        tp_run *restrict run)
-{
-    const tp_dome *dome = shade->env.dome;
-    const int32_t count = run->count;
-    uint32_t square[TP_RUN], glow[TP_RUN];
-
-    for (int32_t i = 0; i < count; i++) {
-        tp_ray to = mirrored_at(run, i);
-        square[i] = tp_from_light(shade, to.x, to.y, to.z);
-    }
-    for (int32_t i = 0; i < count; i++)
-        glow[i] = tp_dome_halo(dome, shade->env.least, square[i]);
-    dome_wide(dome, square, run->up, glow, count, run->mirror);
-}
-
-void tp_stage_reflect_dome(const tp_shade *restrict shade, tp_run *restrict run)
-{
-    TP_ASSERT(shade->env.dome != NULL);
-    const int32_t count = run->count;
-
-    if (TP_WIDE) {
-        reflect_dome_wide(shade, run);
-        return;
-    }
-    for (int32_t i = 0; i < count; i++) {
-        tp_ray to = mirrored_at(run, i);
-        run->mirror[i] = tp_env_dome(shade, shade->env.least, to.x, to.y, to.z);
-    }
-}
-
-/* Samples [i, stop), no more than TP_CUBE_ROW. */
-TP_ALWAYS_INLINE void reflect_wide(const tp_shade *restrict shade, tp_run *restrict run,
-                                   const tp_cube_side *side, int32_t i, int32_t stop)
-{
-    int32_t x[TP_CUBE_ROW], y[TP_CUBE_ROW], z[TP_CUBE_ROW], count = stop - i;
-
-    for (int32_t k = 0; k < count; k++) {
-        tp_ray to = mirrored_at(run, i + k);
-        x[k] = to.x;
-        y[k] = to.y;
-        z[k] = to.z;
-    }
-    tp_cube_row_wide(shade, side, x, y, z, count, run->mirror + i);
-}
-
-/* A level of a cube is chosen for 16 columns: far water has more waves in a pixel than it
- * has normals, and they scatter what is mirrored. */
-void tp_stage_reflect_cube(const tp_shade *restrict shade, tp_run *restrict run)
-{
-    TP_ASSERT(shade->env.cube != NULL && shade->env.recip != NULL);
-    tp_cube_sides sides = { .level = -1 };
-
-    for (int32_t i = 0; i < run->count; ) {
-        int32_t depth = tp_log_depth(shade, run->key[i]), stop = tp_block_end(run, i);
-        int     coarser = 128 + (depth > 0 ? depth / 2 : 0);
-        tp_cube_sides_at(&sides, shade->env.cube,
-                         tp_env_level(shade, TP_ENV_CUBE, coarser));
-        if (TP_WIDE) {
-            reflect_wide(shade, run, sides.side, i, stop);
-            i = stop;
-        }
-        for (; i < stop; i++) {
-            tp_ray to = mirrored_at(run, i);
-            tp_cube_ray ray = tp_cube_face(to.x, to.y, to.z);
-            run->mirror[i] = tp_cube_look(shade, &ray, &sides.side[ray.face]);
-        }
     }
 }
 

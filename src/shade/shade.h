@@ -150,13 +150,6 @@ typedef struct tp_shade {
     X(texture_linear,       1, 0) \
     X(texture_linear_tinted, 1, 1)
 
-/* name, kind of environment, light beyond white */
-#define TP_SKY_STAGES(X) \
-    X(sky_dome,     TP_ENV_DOME, 0) \
-    X(sky_dome_hdr, TP_ENV_DOME, 1) \
-    X(sky_cube,     TP_ENV_CUBE, 0) \
-    X(sky_cube_hdr, TP_ENV_CUBE, 1)
-
 /* Glass of the wall `way` (as of tp_stage_side) over samples [i, stop) of a shaded run. */
 void tp_shade_glaze(const tp_shade *shade, tp_run *run, int32_t i, int32_t stop,
                     uint32_t way);

@@ -10,6 +10,8 @@
 
 static const tp_use modules[] = {
 #if FEATURES >= 16
+    TP_USE_WITH(sky_dome, tp_stage_sky_dome, NULL, NULL, tp_stage_reflect_dome),
+    TP_USE(stars),
     TP_USE_WITH(haze, tp_stage_haze, tp_stage_haze_dome, NULL),
 #else
     TP_USE_WITH(haze, tp_stage_haze, NULL, NULL),
@@ -115,10 +117,5 @@ const tp_kit features_kit = {
     .stage.ground = tp_stage_ground,
 #endif
 #if FEATURES >= 16      /* a generated sky, and stars */
-    .draw.dome = &tp_draw_dome,
-    .draw.stars = &tp_draw_stars,
-    .stage.sky_dome = tp_stage_sky_dome,
-    .stage.stars = tp_stage_stars,
-    .stage.reflect_dome = tp_stage_reflect_dome,
 #endif
 };

@@ -90,9 +90,21 @@ static void plan_frame_and_modules_agree_on_random_scenes(void **state)
     assert_true(t.fast > 20 && t.exact > 20);
 }
 
+static void modules_have_ids_of_their_own(void **state)
+{
+    const tp_use *u = tp_kit_all.modules;
+
+    (void)state;
+    for (uint32_t i = 0; u[i].module; i++)
+        for (uint32_t k = 0; k < i; k++)
+            if (u[k].module->id == u[i].module->id)
+                fail_msg("%s has the id of %s", u[i].module->name, u[k].module->name);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(modules_have_ids_of_their_own),
         cmocka_unit_test(plan_frame_and_modules_agree_on_random_scenes),
     };
     chance = random_seed();

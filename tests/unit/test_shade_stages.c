@@ -158,7 +158,7 @@ static void runs_may_be_cut_anywhere(void **state)
         tp_shade_gloss(gloss, 20 * TP_FX_ONE);
         tp_shade_shine(&s, 20 * TP_FX_ONE, TP_FX_ONE);
         s.solid = &solid;
-        s.land = s.drop = solid;
+        s.land = solid;
         sky_dome(&sky, &s, &chance);
         s.env.stars = 200;
         s.env.star = 1000;
@@ -171,8 +171,9 @@ static void runs_may_be_cut_anywhere(void **state)
         }
         tp_stage_light(&s, &r.run);
         const tp_haze haze = { (uint32_t)random_next(&chance) >> chance_int(&chance, 0, 31) };
-        const bool exposes = stages[n % STAGES] == tp_stage_expose;
-        r.run.mine = exposes ? (const void *)&exposure : &haze;
+        stage *const at = stages[n % STAGES];
+        r.run.mine = at == tp_stage_expose ? (const void *)&exposure
+                   : at == tp_stage_drop ? (const void *)&solid : &haze;
         const tp_run before = r.run;
         stages[n % STAGES](&s, &r.run);
         for (int32_t from = 0; from < TP_RUN; ) {

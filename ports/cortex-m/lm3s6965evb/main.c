@@ -25,6 +25,7 @@
 /* Waves, pools, drops, spray, a boat, foam, layers, ripples and two kinds of sky: 256 KB
  * of flash hold no more.  Crossings are streamed, since 64 KB would not hold them. */
 static const tp_use modules[] = {
+    TP_USE_WITH(sky_dome, tp_stage_sky_dome, NULL, NULL, tp_stage_reflect_dome),
     TP_USE_WITH(haze, tp_stage_haze, tp_stage_haze_dome, NULL),
     TP_USE(drops), TP_USE_UNSEEN(pokes), TP_USE_UNSEEN(paddle), TP_USE_UNSEEN(main_pool),
     TP_USE_UNSEEN(field), TP_USE(foam), TP_USE(spray), { 0 }
@@ -33,8 +34,8 @@ static const tp_kit kit = {
     .modules = modules,
     .check = tp_scene_check,
     .stage = {
-        TP_STAGE(sky), TP_STAGE(sky_dome), TP_STAGE(plain), TP_STAGE(texture),
-        TP_STAGE(texture_tinted), TP_STAGE(texture_linear),
+        TP_STAGE(sky), TP_STAGE(plain), TP_STAGE(texture), TP_STAGE(texture_tinted),
+        TP_STAGE(texture_linear),
         TP_STAGE(texture_linear_tinted), TP_STAGE(texture_graded),
         TP_STAGE(texture_linear_graded), TP_STAGE(bend), TP_STAGE(layers),
         TP_STAGE(layers_linear), TP_STAGE(pool_bump), TP_STAGE(ripple),
@@ -42,14 +43,12 @@ static const tp_kit kit = {
         TP_STAGE(diffuse), TP_STAGE(diffuse_rippled), TP_STAGE(light),
         TP_STAGE(light_rippled), TP_STAGE(light_blinn), TP_STAGE(light_blinn_rippled),
         TP_STAGE(mirror), TP_STAGE(slopes), TP_STAGE(reflect_gradient),
-        TP_STAGE(reflect_dome), TP_STAGE(fresnel),
-        TP_STAGE(glint), TP_STAGE(solid), TP_STAGE(solid_blinn),
+        TP_STAGE(fresnel), TP_STAGE(glint), TP_STAGE(solid), TP_STAGE(solid_blinn),
     },
     .store[TP_FORMAT_L8] = tp_store_l8,
     .water = { TP_WATER(swells), TP_WATER(sharp), TP_WATER(rings), TP_WATER(pools) },
     .move = { TP_MOVE(boat), TP_MOVE(wake) },
-    .draw = { TP_DRAW(boat),
-              TP_DRAW(layers), TP_DRAW(ripple), TP_DRAW(bumps), TP_DRAW(dome),
+    .draw = { TP_DRAW(boat), TP_DRAW(layers), TP_DRAW(ripple), TP_DRAW(bumps),
               TP_DRAW(fresnel), TP_DRAW(glint) },
     .method.triangles = &tp_method_streamed,
 };

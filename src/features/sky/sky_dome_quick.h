@@ -3,8 +3,8 @@
  * linear between, but close to the sun, where it is looked up in every one.
  *
  * Channels are 8.8 in halves of a word, so that two go by one sum. */
-#ifndef TP_SHADE_QUICK_SKY_H
-#define TP_SHADE_QUICK_SKY_H
+#ifndef TP_SKY_DOME_QUICK_H
+#define TP_SKY_DOME_QUICK_H
 #include "base/dsp.h"
 
 /* Red and blue, and green; what a column adds. */

@@ -59,3 +59,9 @@ void tp_stage_stars(const tp_shade *shade, tp_run *run)
                                                    -run->vz[i]));
     }
 }
+
+const tp_stage tp_stars_stages[] = {
+#define X(name) tp_stage_##name,
+    TP_STAGES_OF_stars(X)
+#undef X
+};

@@ -6,7 +6,7 @@
 #include <setjmp.h>
 #include <stdint.h>
 #include <cmocka.h>
-#include "shade/quick_sky.h"
+#include "features/sky/sky_dome_quick.h"
 #include "quick_lights.h"
 
 static uint64_t chance;
@@ -158,5 +158,5 @@ int main(void)
         cmocka_unit_test(a_direction_finds_its_own_sky),
     };
     chance = random_seed();
-    return cmocka_run_group_tests_name("shade_quick_sky", tests, NULL, NULL);
+    return cmocka_run_group_tests_name("features/sky_dome_quick", tests, NULL, NULL);
 }

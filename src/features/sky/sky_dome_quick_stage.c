@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "shade/quick_sky.h"
+#include "features/sky/sky_dome_quick.h"
 #include "shade/env.h"
 #include "shade/quick_light.h"
 #if TP_DSP

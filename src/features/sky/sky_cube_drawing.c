@@ -1,0 +1,65 @@
+/* SPDX-License-Identifier: MIT */
+/* How a sky of six pictures is drawn. */
+#include "features/sky/sky.h"
+#include "frame/frame.h"
+
+/* The table of stages. */
+enum { EMPTY, EMPTY_HDR, REFLECT };
+
+typedef struct {
+    tp_cube  cube;
+    uint32_t recip[TP_RECIP + 2];
+} sky_cube;
+
+static void init(tp_frame *frame, void *mine)
+{
+    sky_cube *sky = mine;
+
+    tp_cube_init(&sky->cube, frame->assets.sky);
+    tp_recip_init(sky->recip);
+}
+
+/* A face spans 90 degrees: half its texels to the tangent 1. */
+static void begin(tp_frame *frame, void *mine)
+{
+    sky_cube *sky = mine;
+    tp_env   *env = &frame->shade.env;
+    int32_t   focal = tp_log2_q8((uint32_t)frame->lens.focal) - 16 * 256;
+
+    sky->cube.lod = (sky->cube.face[0]->log2_w - 1) * 256 - focal;
+    env->kind = TP_ENV_CUBE;
+    env->cube = &sky->cube;
+    env->recip = sky->recip;
+}
+
+static void add_stages(const tp_frame *frame, const void *mine, const tp_stage *stage,
+                       tp_shaders *list)
+{
+    if (list->kind == TP_LIST_SKY && !frame->under)
+        tp_shaders_add(list, TP_AT_COLOUR,
+                       stage[frame->shade.env.beyond ? EMPTY_HDR : EMPTY], mine);
+    if (list->mirrors)
+        tp_shaders_add(list, TP_AT_REFLECT, stage[REFLECT], mine);
+}
+
+/* -- the module ---------------------------------------------------------------------- */
+
+static bool enabled(const tp_want *want)
+{
+    return tp_has_cube(want->scene, want->assets);
+}
+
+static void *layout(tp_arena *arena, const tp_want *want)
+{
+    (void)want;
+    return tp_arena_take(arena, 1, sizeof(sky_cube));
+}
+
+const tp_module tp_sky_cube_module = {
+    .name = "sky_cube", .id = TP_SKY_CUBE_ID, .is = TP_MODULE_CUBE,
+    .trait = TP_TRAIT_cube, .enabled = enabled,
+};
+
+const tp_drawing tp_sky_cube_drawing = {
+    .layout = layout, .init = init, .begin = begin, .stages = add_stages,
+};

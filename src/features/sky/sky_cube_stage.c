@@ -1,0 +1,100 @@
+/* SPDX-License-Identifier: MIT */
+/* Six pictures, looked up along each pixel's view where nothing stands before it, and
+ * along the mirrored view where there is water. */
+#include "features/sky/cube_rows.h"
+#include "features/sky/sky_stage.h"
+#include "shade/reflected.h"
+
+/* Samples [i, stop), no more than TP_CUBE_ROW. */
+TP_ALWAYS_INLINE void empty_wide(const tp_shade *restrict shade, tp_run *restrict run,
+                                 const tp_cube_side *side, int32_t i, int32_t stop,
+                                 int hdr)
+{
+    int32_t  x[TP_CUBE_ROW], y[TP_CUBE_ROW], z[TP_CUBE_ROW], count = stop - i;
+    uint32_t light[TP_CUBE_ROW];
+
+    for (int32_t k = 0; k < count; k++) {
+        x[k] = -run->vx[i + k];
+        y[k] = -run->vy[i + k];
+        z[k] = -run->vz[i + k];
+    }
+    tp_cube_row_wide(shade, side, x, y, z, count, light);
+    for (int32_t k = 0; k < count; k++)
+        run->colour[i + k] = tp_sky_colour(shade, light[k], hdr);
+}
+
+TP_ALWAYS_INLINE void empty(const tp_shade *shade, tp_run *run, int hdr)
+{
+    TP_ASSERT(shade->env.cube != NULL);
+    tp_cube_sides sides = { .level = -1 };
+
+    tp_view_run(shade, &shade->world, run);
+    tp_cube_sides_at(&sides, shade->env.cube, tp_env_level(shade, TP_ENV_CUBE, 0));
+    for (int32_t i = 0; i < run->count; ) {
+        int32_t stop = tp_block_end(run, i);
+        if (TP_WIDE) {
+            empty_wide(shade, run, sides.side, i, stop, hdr);
+            i = stop;
+        }
+        for (; i < stop; i++) {
+            tp_cube_ray ray = tp_cube_face(-run->vx[i], -run->vy[i], -run->vz[i]);
+            uint32_t    light = tp_cube_look(shade, &ray, &sides.side[ray.face]);
+            run->colour[i] = tp_sky_colour(shade, light, hdr);
+        }
+    }
+}
+
+void tp_stage_sky_cube(const tp_shade *shade, tp_run *run)
+{
+    empty(shade, run, 0);
+}
+
+void tp_stage_sky_cube_hdr(const tp_shade *shade, tp_run *run)
+{
+    empty(shade, run, 1);
+}
+
+/* Samples [i, stop), no more than TP_CUBE_ROW. */
+TP_ALWAYS_INLINE void reflect_wide(const tp_shade *restrict shade, tp_run *restrict run,
+                                   const tp_cube_side *side, int32_t i, int32_t stop)
+{
+    int32_t x[TP_CUBE_ROW], y[TP_CUBE_ROW], z[TP_CUBE_ROW], count = stop - i;
+
+    for (int32_t k = 0; k < count; k++) {
+        tp_ray to = tp_reflected_at(run, i + k);
+        x[k] = to.x;
+        y[k] = to.y;
+        z[k] = to.z;
+    }
+    tp_cube_row_wide(shade, side, x, y, z, count, run->mirror + i);
+}
+
+/* A level of a cube is chosen for 16 columns: far water has more waves in a pixel than it
+ * has normals, and they scatter what is mirrored. */
+void tp_stage_reflect_cube(const tp_shade *restrict shade, tp_run *restrict run)
+{
+    TP_ASSERT(shade->env.cube != NULL && shade->env.recip != NULL);
+    tp_cube_sides sides = { .level = -1 };
+
+    for (int32_t i = 0; i < run->count; ) {
+        int32_t depth = tp_log_depth(shade, run->key[i]), stop = tp_block_end(run, i);
+        int     coarser = 128 + (depth > 0 ? depth / 2 : 0);
+        tp_cube_sides_at(&sides, shade->env.cube,
+                         tp_env_level(shade, TP_ENV_CUBE, coarser));
+        if (TP_WIDE) {
+            reflect_wide(shade, run, sides.side, i, stop);
+            i = stop;
+        }
+        for (; i < stop; i++) {
+            tp_ray to = tp_reflected_at(run, i);
+            tp_cube_ray ray = tp_cube_face(to.x, to.y, to.z);
+            run->mirror[i] = tp_cube_look(shade, &ray, &sides.side[ray.face]);
+        }
+    }
+}
+
+const tp_stage tp_sky_cube_stages[] = {
+#define X(name) tp_stage_##name,
+    TP_STAGES_OF_sky_cube(X)
+#undef X
+};
