@@ -65,7 +65,7 @@ CORE := $(addprefix src/, \
     scene/world.c scene/world_check.c \
     frame/boat.c frame/bump.c frame/carve.c \
     frame/clipped.c frame/flat.c frame/frame.c frame/glass.c \
-    frame/holds.c frame/land.c frame/lattice.c frame/lines.c \
+    frame/holds.c frame/lattice.c frame/lines.c \
     frame/drawing.c frame/marks.c frame/planar_map.c frame/plan.c \
     frame/plan_layers.c \
     frame/plan_quick.c frame/plan_quick_layers.c frame/plan_sky.c frame/planned.c \

@@ -66,7 +66,7 @@ typedef void (*tp_stage)(const struct tp_shade *shade, struct tp_run *run);
     X(fresnel) X(fresnel_hdr)       /* mirror into the colour */ \
     X(glint)                /* adds the specular */ \
     /* all of a mesh's Phong; the same in world axes, of one colour; with a picture */ \
-    X(solid) X(solid_blinn) X(land) X(ground) \
+    X(solid) X(solid_blinn) \
     X(side)                 /* water behind a glass wall */ \
     X(wall)                 /* a tank's stone */
 
@@ -146,7 +146,6 @@ typedef struct {
 #define TP_DRAW_LIST(X) \
     X(rungs)        /* the plan, tidepool/plan.h */ \
     X(boat)         /* and its lids; stages solid, solid_blinn */ \
-    X(land)         /* land, ground */ \
     X(tank)         /* a tank's stone, and a pool's inner walls; wall */ \
     X(glass)        /* a tank's; side; needs tank */ \
     X(layers)       /* all but the first one, and their distortion */ \
@@ -205,6 +204,7 @@ typedef struct {
     X(sky_cube)     /* and six pictures */ \
     X(stars)        /* added to a night's dome */ \
     X(haze) \
+    X(land)         /* a floor that rises out of the water */ \
     X(drops)        /* in the air, the sphere that they fall from, and rings */ \
     N(pokes)        /* of pools, by chance and by input */ \
     N(paddle)       /* waves made in pools */ \
@@ -229,6 +229,7 @@ typedef struct {
 #define TP_STAGES_OF_stars(X)       X(stars)
 #define TP_STAGES_OF_haze(X) \
     X(haze) X(haze_dome) X(haze_cube)       /* towards the horizon of each kind of sky */
+#define TP_STAGES_OF_land(X)        X(land) X(ground)       /* plain; like the floor */
 #define TP_STAGES_OF_drops(X)       X(drop)
 #define TP_STAGES_OF_underwater(X) \
     X(below) X(below_rippled)       /* the surface from below */ \

@@ -38,8 +38,6 @@ static void carve_places(tp_frame_parts *p, tp_arena *arena, const tp_kit *kit,
                          const tp_frame_config *config)
 {
     TP_ASSERT(scene->grid.cols >= 2 && scene->grid.rows >= 2);
-    const size_t cols = (size_t)scene->grid.cols, rows = (size_t)scene->grid.rows;
-    const bool land = kit->draw.land && kit->stage.land && kit->method.triangles;
 
     for (int v = TP_VISIBILITY_TRIANGLES; v <= TP_VISIBILITY_FLAT; v++) {
         const struct tp_method *method = tp_frame_method(kit, (tp_visibility)v);
@@ -51,10 +49,6 @@ static void carve_places(tp_frame_parts *p, tp_arena *arena, const tp_kit *kit,
     if (assets->boat)
         p->boat_vertex = tp_arena_take(arena, assets->boat->n_vertices,
                                        sizeof *p->boat_vertex);
-    if (tp_frame_wants(p, tp_has_floor(scene), land)) {     /* at the water's crossings */
-        p->land_vertex = tp_arena_take(arena, cols * rows, sizeof *p->land_vertex);
-        p->land_band = tp_arena_take(arena, rows, sizeof *p->land_band);
-    }
 }
 
 static void carve_glass(tp_frame_parts *p, tp_arena *arena, const tp_scene *scene)

@@ -234,8 +234,6 @@ void tp_frame_begin(tp_frame *frame, const tp_world *world)
     if (frame->parts.glass)
         draw->glass->place(frame);
     place_solids(frame);
-    if (frame->parts.land_vertex && frame->surface.ocean)
-        draw->land->place(frame);
 }
 
 uint32_t tp_frame_tiles(const tp_frame *frame)

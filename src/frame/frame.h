@@ -17,22 +17,6 @@ typedef struct {
     uint32_t zi;
 } tp_boat_vertex;
 
-/* No wave uncovers it; it lies behind the near plane. */
-enum { TP_LAND_DEEP = 1, TP_LAND_BEHIND = 2 };
-
-/* A corner of the land, projected; u as of the water's. */
-typedef struct {
-    int32_t  u, v;
-    uint32_t zi;
-    int16_t  n[3];              /* normal, of any length */
-    int16_t  out;               /* TP_LAND_DEEP, TP_LAND_BEHIND */
-} tp_land_vertex;
-
-/* Rows of pixels, both included. */
-typedef struct {
-    int32_t y0, y1;
-} tp_land_band;
-
 #define TP_MATERIALS 192        /* more share the last mark */
 
 /* The water's edge along a wall of glass. */
@@ -104,8 +88,6 @@ typedef struct tp_frame_parts {
     uint32_t         slope_cols;
     tp_thin_sea     *thin;
     tp_boat_vertex  *boat_vertex;       /* of the sight that was placed last */
-    tp_land_vertex  *land_vertex;       /* rows x cols of the grid */
-    tp_land_band    *land_band;         /* of each row of cells */
     struct tp_frame_lines *lines;       /* of the grid, lines.h; NULL: rows draw nothing */
     tp_glass        *glass;             /* TP_GLASSES */
     tp_rectangle    *block;             /* TP_BLOCKS */

@@ -46,12 +46,6 @@ struct tp_draw_boat {
     void (*plan)(tp_frame *frame);
 };
 
-/* Of scenes with a sea floor. */
-struct tp_draw_land {
-    void (*place)(tp_frame *frame);
-    void (*draw)(const tp_frame *frame, tp_samples *tile);
-};
-
 /* Stone, seen through any lens: of a tank, and in a pool. */
 struct tp_draw_tank {
     void (*place)(tp_frame *frame);

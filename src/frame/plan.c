@@ -147,16 +147,11 @@ static void choose_stages(tp_frame *frame)
 {
     const tp_stages *stages = &frame->kit->stage;
     const bool blinn = frame->scene->light.model == TP_LIGHT_BLINN;
-    const bool ground = tp_frame_has_module(frame, TP_MODULE_INSIDE)
-                     && (frame->under || frame->assets.floor_texture
-                         || frame->scene->water.clear > 0);
 
     choose_sky(frame);
     if (frame->assets.boat)
         choose_other(frame, TP_MARK_BOAT, blinn && stages->solid_blinn ? stages->solid_blinn
                                                                        : stages->solid);
-    choose_other(frame, TP_MARK_LAND, ground && stages->ground ? stages->ground
-                                                               : stages->land);
     choose_other(frame, TP_MARK_TANK, stages->wall);
     choose_other(frame, TP_MARK_SIDE, stages->side);
     tp_frame_list_modules(frame);
@@ -189,8 +184,6 @@ void tp_frame_plan(tp_frame *frame)
         draw->glint->plan(frame);
     if (frame->assets.boat)
         draw->boat->plan(frame);
-    shade->land = (tp_solid){ .diffuse = (uint32_t)scene->floor.colour,
-                              .gloss = tp_drop_gloss };
     frame->toned = NULL;
     tp_frame_begin_modules(frame);
     choose_stages(frame);

@@ -119,8 +119,6 @@ static void draw_samples(const tp_frame *frame, tp_samples *samples, void *memor
     tp_samples_clear(samples);
     if (boat)
         draw->boat->solid.draw(frame, &frame->sight, samples);
-    if (frame->parts.land_vertex && frame->surface.ocean)
-        draw->land->draw(frame, samples);
     tp_frame_draw_modules(frame, &frame->sight, samples);
     if (frame->parts.block || tp_frame_has_tank(frame))
         draw->tank->draw(frame, &frame->sight, samples);

@@ -2,6 +2,7 @@
 /* What still things wear, as it is seen and lit. */
 #ifndef TP_SHADE_COAT_H
 #define TP_SHADE_COAT_H
+#include "shade/normal.h"
 #include "shade/sampler.h"
 
 TP_ALWAYS_INLINE tp_level tp_coat_level(const tp_coat *coat, tp_fx far, bool ground)
@@ -39,5 +40,16 @@ TP_ALWAYS_INLINE uint32_t tp_coat_channel(const tp_coat *coat, tp_fx x, tp_fx z,
     uint32_t below = tp_channel_mix(f.texel[2] >> shift & 0xff,
                                     f.texel[3] >> shift & 0xff, f.fs);
     return tp_of_255(tp_channel_mix(above, below, f.ft) * colour);
+}
+
+/* A matt colour in the light of a place with this normal. */
+static inline uint32_t tp_coat_lit(const tp_shade *shade, uint32_t colour,
+                                   tp_packed_dir packed)
+{
+    const tp_view_axes *world = &shade->world;
+    int32_t nl = tp_vec_q14_dot(tp_vec_q14_packed(packed),
+                                (tp_vec_q14){ world->lx, world->ly, world->lz });
+    return tp_colour_scale(colour, (uint32_t)tp_lit_share(shade->ambient,
+                                                          tp_clamp(nl, 0, 16384)));
 }
 #endif

@@ -128,7 +128,6 @@ typedef struct tp_shade {
 
     const tp_mesh  *boat;
     const tp_solid *solid;      /* one for each of its materials */
-    tp_solid land;              /* without pictures */
 
     tp_vec3  eye;
     const tp_inside *inside;    /* what lies in and under the water, or NULL */

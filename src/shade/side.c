@@ -1,12 +1,10 @@
 /* SPDX-License-Identifier: MIT */
-/* A tank: the water behind its glass, the glass itself, its stone; and land, which is
- * laid and lit like the floor that it becomes under water.
+/* A tank: the water behind its glass, the glass itself, its stone.
  *
  * The glass is thin: a ray is bent as if air met water there [F4]. */
 #include "shade/beam.h"
 #include "shade/coat.h"
 #include "shade/env.h"
-#include "shade/normal.h"
 
 /* Out of wall `face`: +x, -x, +z, -z. */
 static tp_ray normal_of(uint32_t face)
@@ -47,16 +45,7 @@ void tp_shade_glaze(const tp_shade *shade, tp_run *run, int32_t i, int32_t stop,
     }
 }
 
-/* -- stone and land ------------------------------------------------------------------- */
-
-static uint32_t lit(const tp_shade *shade, uint32_t colour, tp_packed_dir packed)
-{
-    const tp_view_axes *world = &shade->world;
-    int32_t nl = tp_vec_q14_dot(tp_vec_q14_packed(packed),
-                                (tp_vec_q14){ world->lx, world->ly, world->lz });
-    return tp_colour_scale(colour, (uint32_t)tp_lit_share(shade->ambient,
-                                                          tp_clamp(nl, 0, 16384)));
-}
+/* -- stone ---------------------------------------------------------------------------- */
 
 /* The picture lies in the plane that the normal is nearest to: x y, z y or x z. */
 void tp_stage_wall(const tp_shade *shade, tp_run *run)
@@ -68,16 +57,7 @@ void tp_stage_wall(const tp_shade *shade, tp_run *run)
         tp_inside_places(shade, run, i, i + 1, &beam);
         tp_fx s = x > y && x > z ? beam.at.z : beam.at.x;
         tp_fx t = y >= x && y >= z ? beam.at.z : -beam.at.y;
-        run->colour[i] = lit(shade, tp_coat_at(&shade->inside->wall, s, t, beam.far, false), n);
-    }
-}
-
-void tp_stage_ground(const tp_shade *shade, tp_run *run)
-{
-    for (int32_t i = 0; i < run->count; i++) {
-        tp_beam beam;
-        tp_inside_places(shade, run, i, i + 1, &beam);
-        run->colour[i] = lit(shade, tp_coat_at(&shade->inside->floor, beam.at.x, beam.at.z,
-                                               beam.far, true), run->n[i]);
+        uint32_t colour = tp_coat_at(&shade->inside->wall, s, t, beam.far, false);
+        run->colour[i] = tp_coat_lit(shade, colour, n);
     }
 }

@@ -6,8 +6,8 @@
  * is square to both though T need not be to N ([F6], Gram-Schmidt left to the eye: the
  * meshes' normals are within a few degrees of their faces'). */
 #include "shade/env.h"
-#include "shade/lobe.h"
 #include "shade/normal.h"
+#include "shade/phong.h"
 
 typedef tp_vec_q14 vec;
 
@@ -46,29 +46,6 @@ static vec bent(vec n, const tp_solid *solid, int level, uint32_t st,
                   n.z * nz + t.z * nx + b.z * ny };
 }
 
-/* The lobe at R.V, between its entries: at the peak of a sharp one they lie far apart. */
-static uint32_t gloss_of(const tp_solid *solid, int32_t rv)
-{
-    int32_t at = rv * (TP_GLOSS - 1), i = at >> 14, part = (at & 16383) >> 6;
-    int32_t here = solid->gloss[i], next = solid->gloss[i + 1 < TP_GLOSS ? i + 1 : i];
-
-    return (uint32_t)(here + ((next - here) * part >> 8));
-}
-
-TP_ALWAYS_INLINE uint32_t phong(const tp_shade *shade, const tp_view_axes *axes,
-                                const tp_solid *solid, uint32_t diffuse, vec n, vec v,
-                                int32_t lv, int blinn)
-{
-    vec     light = { axes->lx, axes->ly, axes->lz };
-    int32_t nl = tp_clamp(tp_vec_q14_dot(n, light), 0, 16384);
-    int32_t rv = tp_clamp(tp_lobe_at(nl, tp_vec_q14_dot(n, v), lv, blinn), 0, 16384);
-    uint32_t bright = (uint32_t)tp_lit_share(shade->ambient, nl);
-    uint32_t gloss = nl > 0 ? gloss_of(solid, rv) : 0;
-    uint32_t shine = tp_colour_times(solid->specular, shade->light_colour);
-
-    return tp_colour_add(tp_colour_scale(diffuse, bright), tp_colour_scale(shine, gloss));
-}
-
 TP_ALWAYS_INLINE void solid_run(const tp_shade *shade, tp_run *run, int blinn)
 {
     TP_ASSERT(shade->solid != NULL);
@@ -89,9 +66,9 @@ TP_ALWAYS_INLINE void solid_run(const tp_shade *shade, tp_run *run, int blinn)
             n = bent(n, solid, level, st, shade->boat->faces[run->t[i]].tangent);
         }
         n = tp_vec_q14_unit(n.x, n.y, n.z);
-        run->colour[i] = phong(shade, &shade->mesh, solid, diffuse, n,
-                               (vec){ run->vx[i], run->vy[i], run->vz[i] }, run->lv[i],
-                               blinn);
+        run->colour[i] = tp_phong(shade, &shade->mesh, solid, diffuse, n,
+                                  (vec){ run->vx[i], run->vy[i], run->vz[i] },
+                                  run->lv[i], blinn);
     }
 }
 
@@ -103,16 +80,4 @@ void tp_stage_solid(const tp_shade *shade, tp_run *run)
 void tp_stage_solid_blinn(const tp_shade *shade, tp_run *run)
 {
     solid_run(shade, run, 1);
-}
-
-void tp_stage_land(const tp_shade *shade, tp_run *run)
-{
-    const tp_solid *land = &shade->land;
-
-    tp_view_run(shade, &shade->world, run);
-    for (int32_t i = 0; i < run->count; i++)
-        run->colour[i] = phong(shade, &shade->world, land, land->diffuse,
-                               tp_vec_q14_packed(run->n[i]),
-                               (vec){ run->vx[i], run->vy[i], run->vz[i] }, run->lv[i],
-                               0);
 }

@@ -16,6 +16,9 @@ static const tp_use modules[] = {
 #else
     TP_USE_WITH(haze, tp_stage_haze, NULL, NULL),
 #endif
+#if FEATURES >= 15
+    TP_USE(land),
+#endif
 #if FEATURES >= 12
     TP_USE(drops),
 #endif
@@ -112,9 +115,6 @@ const tp_kit features_kit = {
 #if FEATURES >= 15      /* an ocean over its floor, and land */
     .water.ocean = &tp_water_ocean,
     .move.ocean = &tp_move_ocean,
-    .draw.land = &tp_draw_land,
-    .stage.land = tp_stage_land,
-    .stage.ground = tp_stage_ground,
 #endif
 #if FEATURES >= 16      /* a generated sky, and stars */
 #endif

@@ -3,6 +3,7 @@
 #ifndef TP_TESTS_KINDS_H
 #define TP_TESTS_KINDS_H
 #include "features/drops/drops.h"
+#include "features/land/land.h"
 #include "features/spray/spray.h"
 #include "frame/frame.h"
 
@@ -18,7 +19,7 @@ static inline marks_kind marks_kind_of(const tp_frame *frame, uint32_t mark)
     if (mark == tp_frame_mark(frame, TP_SPRAY_ID))
         return MARKS_SPRAY;
     return mark == TP_MARK_TANK ? MARKS_TANK : mark == TP_MARK_SIDE ? MARKS_SIDE
-         : mark == TP_MARK_LAND ? MARKS_LAND
+         : mark == tp_frame_mark(frame, TP_LAND_ID) ? MARKS_LAND
          : mark == tp_frame_mark(frame, TP_DROPS_ID) ? MARKS_DROP : MARKS_BOAT;
 }
 

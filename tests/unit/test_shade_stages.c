@@ -158,7 +158,6 @@ static void runs_may_be_cut_anywhere(void **state)
         tp_shade_gloss(gloss, 20 * TP_FX_ONE);
         tp_shade_shine(&s, 20 * TP_FX_ONE, TP_FX_ONE);
         s.solid = &solid;
-        s.land = solid;
         sky_dome(&sky, &s, &chance);
         s.env.stars = 200;
         s.env.star = 1000;
@@ -171,9 +170,10 @@ static void runs_may_be_cut_anywhere(void **state)
         }
         tp_stage_light(&s, &r.run);
         const tp_haze haze = { (uint32_t)random_next(&chance) >> chance_int(&chance, 0, 31) };
-        stage *const at = stages[n % STAGES];
-        r.run.mine = at == tp_stage_expose ? (const void *)&exposure
-                   : at == tp_stage_drop ? (const void *)&solid : &haze;
+        stage *const chosen = stages[n % STAGES];
+        r.run.mine = chosen == tp_stage_expose ? (const void *)&exposure
+                   : chosen == tp_stage_land || chosen == tp_stage_drop
+                         ? (const void *)&solid : &haze;
         const tp_run before = r.run;
         stages[n % STAGES](&s, &r.run);
         for (int32_t from = 0; from < TP_RUN; ) {

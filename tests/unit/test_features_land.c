@@ -212,5 +212,5 @@ int main(void)
         cmocka_unit_test(every_tiling_gives_the_same_bits),
         cmocka_unit_test(a_slope_into_the_deep_is_the_same_in_all_bands),
     };
-    return cmocka_run_group_tests_name("land in the picture", tests, NULL, NULL);
+    return cmocka_run_group_tests_name("features/land", tests, NULL, NULL);
 }

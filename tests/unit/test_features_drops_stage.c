@@ -10,6 +10,7 @@
 
 static uint64_t chance;
 static uint8_t gloss[TP_GLOSS];
+static const tp_solid clear = { .diffuse = 0xffffff, .gloss = gloss };
 
 /* A level camera to the north, a blue sky over a white horizon and black water. */
 static tp_shade level_view(void)
@@ -18,15 +19,14 @@ static tp_shade level_view(void)
         .u0 = 16 * 32 + 8, .v0 = 16 * 100 + 8, .focal = 400 * 16,
         .world = { { TP_Q30_ONE, 0, 0 }, { 0, TP_Q30_ONE, 0 }, { 0, 0, TP_Q30_ONE },
                    0, 16384, 0 },
-        .ambient = 256, .drop = { .diffuse = 0xffffff, .gloss = gloss },
-        .fresnel = tp_fresnel_table,
+        .ambient = 256, .fresnel = tp_fresnel_table,
     };
     tp_shade_sky(&s, 0xffffff, 0x0000ff);
     return s;
 }
 
 /* The drop's colour where its normal leans so far up or down from the view. */
-static uint32_t drop_at(const tp_shade *s, double lean)
+static uint32_t drop_at(const tp_shade *s, const tp_solid *drop, double lean)
 {
     test_run r;
 
@@ -36,6 +36,7 @@ static uint32_t drop_at(const tp_shade *s, double lean)
     for (int i = 0; i < TP_RUN; i++)
         r.n[i] = tp_dir_pack(tp_normalise(0, (int32_t)lround(1e6 * sin(lean)),
                                           (int32_t)lround(1e6 * cos(lean))));
+    r.run.mine = drop;
     tp_stage_drop(s, &r.run);
     return r.run.colour[32];
 }
@@ -57,34 +58,34 @@ static void the_world_stands_upside_down_in_a_drop(void **state)
     for (double lean = 0; lean < 1; lean += 0.05) {
         const double up = sin(elevation(-lean));
         const double want = 255 * (1 - up) * (1 - up);
-        assert_true(fabs((drop_at(&s, -lean) >> 16) - want) <= 255 * 0.1 + 0.07 * 255);
+        assert_true(fabs((drop_at(&s, &clear, -lean) >> 16) - want) <= 255 * 0.1 + 0.07 * 255);
     }
-    assert_true((drop_at(&s, -0.9) >> 16) < 120);           /* sky below */
-    assert_true((drop_at(&s, 0.9) & 0xff) < 120);           /* water above */
-    assert_true((drop_at(&s, 0) >> 16) > 240);              /* the horizon through it */
+    assert_true((drop_at(&s, &clear, -0.9) >> 16) < 120);           /* sky below */
+    assert_true((drop_at(&s, &clear, 0.9) & 0xff) < 120);           /* water above */
+    assert_true((drop_at(&s, &clear, 0) >> 16) > 240);              /* the horizon through it */
 }
 
 /* Seen along its edge a drop mirrors what stands behind it: all of it. */
 static void its_rim_mirrors(void **state)
 {
     (void)state;
-    tp_shade s = level_view();
+    const tp_shade s = level_view();
+    const tp_solid dark = { .gloss = gloss };   /* nothing is seen through it */
 
-    s.drop.diffuse = 0;                 /* nothing is seen through it */
-    assert_true((drop_at(&s, -0.2) >> 16) < 12);
-    assert_true((drop_at(&s, 1.55) >> 16) > 180);
+    assert_true((drop_at(&s, &dark, -0.2) >> 16) < 12);
+    assert_true((drop_at(&s, &dark, 1.55) >> 16) > 180);
 }
 
 static void it_shines_where_the_light_is_mirrored(void **state)
 {
     (void)state;
     tp_shade s = level_view();
+    const tp_solid dark = { .specular = 0xffffff, .gloss = gloss };
 
-    s.drop.diffuse = 0;
-    s.drop.specular = s.light_colour = 0xffffff;
+    s.light_colour = 0xffffff;
     tp_shade_gloss(gloss, 40 * TP_FX_ONE);
-    assert_true((drop_at(&s, 3.14159 / 4) & 0xff) > 220);
-    assert_true((drop_at(&s, 3.14159 / 4 + 0.3) & 0xff) < 120);
+    assert_true((drop_at(&s, &dark, 3.14159 / 4) & 0xff) > 220);
+    assert_true((drop_at(&s, &dark, 3.14159 / 4 + 0.3) & 0xff) < 120);
     memset(gloss, 0, sizeof gloss);
 }
 
@@ -96,5 +97,5 @@ int main(void)
         cmocka_unit_test(its_rim_mirrors),
         cmocka_unit_test(it_shines_where_the_light_is_mirrored),
     };
-    return cmocka_run_group_tests_name("drop", tests, NULL, NULL);
+    return cmocka_run_group_tests_name("features/drops stage", tests, NULL, NULL);
 }

@@ -1,0 +1,11 @@
+/* SPDX-License-Identifier: MIT */
+/* Land: where a sea floor rises near the water's level or above it.
+ *
+ *     land_drawing.c   the module, and its triangles
+ *     land_stage.c     their colour, plain or as the floor's */
+#ifndef TP_LAND_MODULE_H
+#define TP_LAND_MODULE_H
+#include "scene/module.h"
+
+#define TP_LAND_ID TP_MODULE_ID('l', 'a', 'n', 'd')
+#endif

@@ -1,0 +1,238 @@
+/* SPDX-License-Identifier: MIT */
+/* The land that a sea floor becomes where it rises near the water's level or above it:
+ * triangles over the same lines as the water's, drawn before it.  What lies deeper than
+ * any trough is never seen through this water and is left out. */
+#include "base/base.h"
+#include "features/land/land.h"
+#include "frame/frame.h"
+#include "scene/sides.h"
+
+/* A corner of the land, projected; u as of the water's. */
+typedef struct {
+    int32_t  u, v;
+    uint32_t zi;
+    int16_t  n[3];              /* normal, of any length */
+    int16_t  out;               /* DEEP, BEHIND */
+} corner;
+
+enum { DEEP = 1, BEHIND = 2 };  /* no wave uncovers it; it lies behind the near plane */
+
+/* Rows of pixels, both included. */
+typedef struct {
+    int32_t y0, y1;
+} band;
+
+typedef struct {
+    tp_solid  look;             /* of the stage: first */
+    corner   *at;               /* rows x cols of the water's grid */
+    band     *rows;             /* of each row of cells */
+    bool      seen;
+} land;
+
+/* Land as high or deep as this is as far as 16.16 tells from an eye 8 km up. */
+#define HEIGHT_MOST (24000 * TP_FX_ONE)
+
+static corner *vertex_at(const tp_frame *frame, const land *l, uint32_t i, uint32_t j)
+{
+    return l->at + (size_t)j * frame->parts.grid->cols + i;
+}
+
+static tp_view_corner corner_at(const tp_frame *frame, uint32_t i, uint32_t j,
+                                tp_floor_at *floor)
+{
+    tp_fx x = frame->parts.grid->column[i].place, z = frame->parts.grid->row[j].place;
+    tp_view_corner c;
+
+    *floor = tp_ocean_floor(frame->surface.ocean, x, z);
+    tp_fx y = (tp_fx)tp_limit(-(int64_t)floor->depth, HEIGHT_MOST);
+    tp_lens_view(&frame->lens, (tp_vec3){ x, y, z }, &c);
+    c.s = c.t = 0;
+    return c;
+}
+
+/* Up, less the slopes; of any length below 512. */
+static void set_normal(int16_t n[3], tp_fx rise_x, tp_fx rise_z)
+{
+    tp_fx most = TP_FX_ONE + tp_abs(rise_x) + tp_abs(rise_z);
+
+    n[0] = (int16_t)(-(int64_t)rise_x * 511 / most);
+    n[1] = (int16_t)((int64_t)TP_FX_ONE * 511 / most);
+    n[2] = (int16_t)(-(int64_t)rise_z * 511 / most);
+}
+
+static void place_corner(const tp_frame *frame, const land *l, uint32_t i, uint32_t j,
+                         tp_fx deepest)
+{
+    TP_ASSERT(i < frame->parts.grid->cols && j < frame->parts.grid->rows);
+    corner *to = vertex_at(frame, l, i, j);
+    tp_floor_at floor;
+    tp_view_corner c = corner_at(frame, i, j, &floor);
+
+    set_normal(to->n, floor.rise_x, floor.rise_z);
+    to->out = (int16_t)((floor.depth > deepest ? DEEP : 0)
+                        | (c.depth < frame->lens.near ? BEHIND : 0));
+    if (tp_lens_holds(&frame->lens, &c))
+        tp_lens_project(&frame->lens, &c, &to->u, &to->v, &to->zi);
+    else
+        to->u = TP_GRID_CUT;
+}
+
+/* A cell whose corners are all deep, or all behind the eye; one with some is drawn. */
+static bool is_out(const corner *const p[4])
+{
+    return (p[0]->out & p[1]->out & p[2]->out & p[3]->out) != 0;
+}
+
+static bool is_cut(const corner *const p[4])
+{
+    return p[0]->u == TP_GRID_CUT || p[1]->u == TP_GRID_CUT || p[2]->u == TP_GRID_CUT
+        || p[3]->u == TP_GRID_CUT;
+}
+
+/* The rows of pixels that a row of cells may touch; none: y0 > y1. */
+static void place_band(const tp_frame *frame, const land *l, uint32_t j)
+{
+    const corner *at = vertex_at(frame, l, 0, j);
+    band rows = { INT32_MAX, INT32_MIN };
+
+    for (uint32_t i = 0; i + 1 < frame->parts.grid->cols; i++) {
+        const corner *below = at + i + frame->parts.grid->cols;
+        const corner *const p[4] = { at + i, at + i + 1, below, below + 1 };
+        bool cut = is_cut(p);
+        for (int k = 0; k < 4 && !is_out(p); k++) {
+            int32_t low = cut ? INT32_MIN : p[k]->v >> 4;
+            int32_t high = cut ? INT32_MAX : p[k]->v >> 4;
+            rows.y0 = low < rows.y0 ? low : rows.y0;
+            rows.y1 = high > rows.y1 ? high : rows.y1;
+        }
+    }
+    l->rows[j] = rows;
+}
+
+/* In the picture alone, over the water's crossings if a method makes any. */
+static void place(tp_frame *frame, void *mine, tp_sight *sight, tp_grid_box *box)
+{
+    const tp_grid *grid = frame->parts.grid;
+    tp_fx deepest = tp_surface_height(&frame->surface) + TP_FX_ONE;
+    land *l = mine;
+
+    (void)box;
+    l->seen = sight->picture && grid && frame->surface.ocean;
+    for (uint32_t j = 0; l->seen && j < grid->rows; j++) {
+        for (uint32_t i = 0; i < grid->cols; i++)
+            place_corner(frame, l, i, j, deepest);
+        if (j > 0)
+            place_band(frame, l, j - 1);
+    }
+}
+
+/* -- drawing ------------------------------------------------------------------------ */
+
+static tp_corner packed(const corner *v)
+{
+    return (tp_corner){ .u = v->u, .v = v->v, .zi = v->zi,
+                        .n = { v->n[0], v->n[1], v->n[2] } };
+}
+
+static void draw_clipped(const tp_frame *frame, const tp_samples *tile,
+                         const uint32_t at[3][2], uint32_t mark)
+{
+    tp_view_corner in[3];
+    tp_floor_at floor;
+
+    for (int k = 0; k < 3; k++) {
+        in[k] = corner_at(frame, at[k][0], at[k][1], &floor);
+        set_normal(in[k].n, floor.rise_x, floor.rise_z);
+    }
+    tp_clipped_draw(&frame->lens, NULL, tile, in, mark, 0);
+}
+
+static void draw_cell(const tp_frame *frame, const land *l, const tp_samples *tile,
+                      uint32_t i, uint32_t j, uint32_t mark)
+{
+    const corner *a = vertex_at(frame, l, i, j);
+    const corner *b = a + 1, *d = a + frame->parts.grid->cols, *c = d + 1;
+
+    const corner *const all[4] = { a, b, c, d };
+
+    if (is_out(all))
+        return;
+    if (is_cut(all)) {
+        const uint32_t first[3][2] = { { i, j }, { i, j + 1 }, { i + 1, j + 1 } };
+        const uint32_t second[3][2] = { { i, j }, { i + 1, j + 1 }, { i + 1, j } };
+        draw_clipped(frame, tile, first, mark);
+        draw_clipped(frame, tile, second, mark);
+        return;
+    }
+    tp_corner p[4] = { packed(a), packed(b), packed(c), packed(d) };
+    tp_tri_solid(tile, &p[0], &p[3], &p[2], mark, 0, 16);
+    tp_tri_solid(tile, &p[0], &p[2], &p[1], mark, 0, 16);
+}
+
+static void draw(const tp_frame *frame, const void *mine, const tp_sight *sight,
+                 tp_samples *samples, uint32_t mark)
+{
+    const land *l = mine;
+
+    if (!l->seen || !sight->picture)
+        return;
+    samples->front_only = true;
+    for (uint32_t j = 0; j + 1 < frame->parts.grid->rows; j++) {
+        if (l->rows[j].y0 >= samples->y1 || l->rows[j].y1 < samples->y0)
+            continue;
+        for (uint32_t i = 0; i + 1 < frame->parts.grid->cols; i++)
+            draw_cell(frame, l, samples, i, j, mark);
+    }
+}
+
+/* -- the module ---------------------------------------------------------------------- */
+
+static bool enabled(const tp_want *want)
+{
+    return tp_has_floor(want->scene);
+}
+
+static void *layout(tp_arena *arena, const tp_want *want)
+{
+    const size_t cols = (size_t)want->scene->grid.cols;
+    const size_t rows = (size_t)want->scene->grid.rows;
+    land *l = tp_arena_take(arena, 1, sizeof *l), made = { .seen = false };
+
+    made.at = tp_arena_take(arena, cols * rows, sizeof *made.at);
+    made.rows = tp_arena_take(arena, rows, sizeof *made.rows);
+    if (l)
+        *l = made;
+    return l;
+}
+
+static void begin(tp_frame *frame, void *mine)
+{
+    land *l = mine;
+
+    l->look = (tp_solid){ .diffuse = (uint32_t)frame->scene->floor.colour,
+                          .gloss = tp_drop_gloss };
+}
+
+/* Beside clear water land is laid and lit like the floor, and with the floor's picture. */
+static bool is_ground(const tp_frame *frame)
+{
+    return tp_frame_has_module(frame, TP_MODULE_INSIDE)
+        && (frame->under || frame->assets.floor_texture || frame->scene->water.clear > 0);
+}
+
+static void add_stages(const tp_frame *frame, const void *mine, const tp_stage *stage,
+                       tp_shaders *list)
+{
+    if (list->owner == &tp_land_drawing)
+        tp_shaders_add(list, TP_AT_COLOUR, is_ground(frame) && stage[1] ? stage[1]
+                                                                        : stage[0], mine);
+}
+
+const tp_module tp_land_module = {
+    .name = "land", .id = TP_LAND_ID, .enabled = enabled,
+};
+
+const tp_drawing tp_land_drawing = {
+    .layout = layout, .marks = tp_marks_one, .begin = begin, .place = place,
+    .draw = draw, .stages = add_stages,
+};

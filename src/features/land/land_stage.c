@@ -1,0 +1,36 @@
+/* SPDX-License-Identifier: MIT */
+/* The stages of land: of one colour, or laid and lit like the floor that it becomes under
+ * water. */
+#include "shade/beam.h"
+#include "shade/coat.h"
+#include "shade/phong.h"
+
+/* tp_run.mine begins with the material. */
+void tp_stage_land(const tp_shade *shade, tp_run *run)
+{
+    const tp_solid *land = run->mine;
+
+    tp_view_run(shade, &shade->world, run);
+    for (int32_t i = 0; i < run->count; i++)
+        run->colour[i] = tp_phong(shade, &shade->world, land, land->diffuse,
+                                  tp_vec_q14_packed(run->n[i]),
+                                  (tp_vec_q14){ run->vx[i], run->vy[i], run->vz[i] },
+                                  run->lv[i], 0);
+}
+
+void tp_stage_ground(const tp_shade *shade, tp_run *run)
+{
+    for (int32_t i = 0; i < run->count; i++) {
+        tp_beam beam;
+        tp_inside_places(shade, run, i, i + 1, &beam);
+        run->colour[i] = tp_coat_lit(shade, tp_coat_at(&shade->inside->floor, beam.at.x,
+                                                       beam.at.z, beam.far, true),
+                                     run->n[i]);
+    }
+}
+
+const tp_stage tp_land_stages[] = {
+#define X(name) tp_stage_##name,
+    TP_STAGES_OF_land(X)
+#undef X
+};
