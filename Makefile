@@ -4,6 +4,7 @@
 # A board is a target of its own, described in its folder:  make BOARD=cortex-m elf
 # (and tells its stacks, for tests/gates/arm.sh)
 
+MAKEFLAGS += --no-builtin-rules
 TARGET  ?= host
 MACHINE ?= $(TARGET)
 # Lines alone for debuggers, of which optimised code has little more:  OPT='-Og -g'
@@ -435,32 +436,43 @@ $(BUILD)/longship: $(patsubst %.c,$(BUILD)/%.o,$(wildcard assets/boats/*.c) \
 $(BUILD)/textures: $(patsubst %.c,$(BUILD)/%.o,$(wildcard assets/textures/*.c))
 	$(SAY)$(LINK) $^ -lpng -o $@
 # The scene as constants, for what has no files: built once for each processor, and anew
-# when what writes them changes, which most of the program does not.
-build/baked/%.c: ports/cortex-m/scenes/%.ini $(BAKES) $(SHIPPED) | build/host/tidepool
-	@mkdir -p $(@D)
-	$(SAY)build/host/tidepool bake $< --name baked -o $@
-build/baked/%.c: tests/golden/scenes/%.ini $(BAKES) $(SHIPPED) | build/host/tidepool
-	@mkdir -p $(@D)
-	$(SAY)build/host/tidepool bake $< --name baked -o $@
-build/baked/%.c: $(BAKES) $(SHIPPED) | build/host/tidepool
-	@mkdir -p $(@D)
-	$(SAY)build/host/tidepool bake assets/scenes/$(basename $(@F)).ini --name baked -o $@
-build/baked/board-%.c: tests/budgets/board-%.ini $(BAKES) $(SHIPPED) | build/host/tidepool
-	@mkdir -p $(@D)
-	$(SAY)build/host/tidepool bake $< --name baked -o $@
-# With the pictures cut: SCENE=harbour@32, no more than 32 texels a side.
-define baked_at
-build/baked/%@$1.c: $2/%.ini $(BAKES) $(SHIPPED) | build/host/tidepool
+# when what writes them changes, which most of the program does not.  With the pictures
+# cut: SCENE=harbour@32, no more than 32 texels a side.
+BAKED_FROM := $(BAKES) $(SHIPPED) | build/host/tidepool
+define bake
 	@mkdir -p $$(@D)
-	$$(SAY)build/host/tidepool bake $$< --name baked --texels $1 -o $$@
+	$$(SAY)build/host/tidepool bake $1 --name baked $2 -o $$@
 endef
-$(foreach n,16 32 64 128,$(foreach folder,assets/scenes ports/cortex-m/scenes \
-    tests/budgets,$(eval $(call baked_at,$n,$(folder)))))
+# Into a folder, with options; what they follow from beside the scene.
+define baked_in
+$1/%.c: ports/cortex-m/scenes/%.ini $3 $$(BAKED_FROM)
+	$(call bake,$$<,$2)
+$1/%.c: tests/golden/scenes/%.ini $3 $$(BAKED_FROM)
+	$(call bake,$$<,$2)
+$1/%.c: $3 $$(BAKED_FROM)
+	$(call bake,assets/scenes/$$(basename $$(@F)).ini,$2)
+$1/board-%.c: tests/budgets/board-%.ini $3 $$(BAKED_FROM)
+	$(call bake,$$<,$2)
+endef
+define baked_at
+$1/%@$4.c: $5/%.ini $3 $$(BAKED_FROM)
+	$(call bake,$$<,$2 --texels $4)
+endef
+baked = $(eval $(call baked_in,$1,$2,$3)) $(foreach n,16 32 64 128,$(foreach folder, \
+    assets/scenes ports/cortex-m/scenes tests/budgets, \
+        $(eval $(call baked_at,$1,$2,$3,$n,$(folder)))))
+$(call baked,build/baked)
+# A board's with the list that it is linked by: what is in that follows from all that draws.
+ifdef BAKE
+$(call baked,$(BUILD)/baked,$(BAKE),build/host/tidepool)
+endif
 build/baked/prices.c: tests/budgets/prices.ini $(BAKES) $(SHIPPED) | build/host/tidepool
 	@mkdir -p $(@D)
 	$(SAY)build/host/tidepool bake $< --name baked -o $@
 build/baked/$(MACHINE)/%.o: build/baked/%.c
 	@mkdir -p $(@D)
+	$(SAY)$(COMPILE) -c $< -o $@
+$(BUILD)/baked/%.o: $(BUILD)/baked/%.c $(BUILD)/flags
 	$(SAY)$(COMPILE) -c $< -o $@
 # Made if it is not there, as if nothing had been said of boards and compilers.
 ifneq ($(PROGRAM),build/host/tidepool)
@@ -500,10 +512,10 @@ $(BUILD)/screen_fake.so $(BUILD)/faults.so: $(BUILD)/%.so: tests/host/%.c $(BUIL
 build/host/tally.so: tests/bench/tally.c $(BUILD)/flags
 	$(SAY)$(COMPILE) -fPIC -shared $< -o $@
 BOARD_O := $(addprefix $(BUILD)/,$(addsuffix .o,$(basename $(BOARD_C))))
-$(BUILD)/scenes/%.elf: build/baked/$(MACHINE)/%.o $(BOARD_O) $(LIB) \
-          $(LD_FILES)
+$(BUILD)/scenes/%.elf: $(if $(BAKE),$(BUILD)/baked,build/baked/$(MACHINE))/%.o \
+          $(BOARD_O) $(LIB) $(LD_FILES)
 	@mkdir -p $(@D)
-	$(SAY)$(LINK_ELF)
+	$(SAY)$(LINK_ELF) -Wl,-Map=$(@:.elf=.map)
 $(BUILD)/prices.elf: $(BUILD)/tests/budgets/prices.o build/baked/$(MACHINE)/prices.o \
           $(filter-out %/main.o,$(BOARD_O)) $(LIB) $(LD_FILES)
 	$(SAY)$(LINK_ELF)

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* The baked scene on a bare Cortex-M: drawn tile by tile, as a board with an SPI display
- * would, and told in CRCs, which must be the host's.  Kit and tiles are the board's.
+ * would, and told in CRCs, which must be the host's.  Kit and tiles are baked with it.
  *
  * The empty functions are marks for whoever counts instructions: what the core does for a
  * whole frame, for its tiles and for a tick of the world. */
@@ -38,7 +38,7 @@ static picture draw(tp_frame *frame, void *scratch, const tp_world *world)
     count_as_tiles();
     for (uint32_t i = 0; tp_frame_tile(frame, i, scratch, &tile); i++) {
         count_end();
-        p.crc = sum_tile(p.crc, &board_picture, &tile);
+        p.crc = sum_tile(p.crc, &baked_picture, &tile);
         p.water += tp_frame_water_pixels(frame, scratch, &tile);
         count_as_tiles();
     }
@@ -49,7 +49,7 @@ static picture draw(tp_frame *frame, void *scratch, const tp_world *world)
 static void tick(tp_world *world)
 {
     count_as_tick();
-    tp_world_step_with(board_kit, world, &baked_scene, NULL);
+    tp_world_step_with(&baked_kit, world, &baked_scene, NULL);
     count_end();
 }
 
@@ -80,7 +80,7 @@ static void say_ram(tp_frame_ram ram, size_t world_bytes)
 
 static void say_picture(void)
 {
-    const tp_frame_config *c = &board_picture;
+    const tp_frame_config *c = &baked_picture;
 
     semihost_decimal("picture ", c->width);
     semihost_decimal("x", c->height);
@@ -107,27 +107,27 @@ static void *take(tp_arena *arena, size_t bytes, const char *what)
 
 int main(void)
 {
-    const size_t world_bytes = tp_world_bytes_with(board_kit, &baked_scene,
+    const size_t world_bytes = tp_world_bytes_with(&baked_kit, &baked_scene,
                                                    &baked_assets);
     tp_arena  arena = tp_arena_over(arena_start, (size_t)(arena_end - arena_start));
-    void     *block = take(&arena, tp_frame_bytes_with(board_kit, &baked_scene,
-                                                       &baked_assets, &board_picture),
+    void     *block = take(&arena, tp_frame_bytes_with(&baked_kit, &baked_scene,
+                                                       &baked_assets, &baked_picture),
                            "the frame does not fit: ");
-    void     *scratch = take(&arena, tp_frame_scratch_with(board_kit, &baked_scene,
-                                                           &board_picture),
+    void     *scratch = take(&arena, tp_frame_scratch_with(&baked_kit, &baked_scene,
+                                                           &baked_picture),
                              "the tile does not fit: ");
     tp_world *world = take(&arena, world_bytes, "the world does not fit: ");
     tp_frame *frame;
     tp_error  err;
 
-    if (tp_frame_init_with(board_kit, &frame, &baked_scene, &baked_assets, &board_picture,
+    if (tp_frame_init_with(&baked_kit, &frame, &baked_scene, &baked_assets, &baked_picture,
                            block, &err))
         semihost_stop("the frame cannot be made");
-    if (tp_world_init_with(board_kit, world, world_bytes, &baked_scene, &baked_assets,
+    if (tp_world_init_with(&baked_kit, world, world_bytes, &baked_scene, &baked_assets,
                            &err))
         semihost_stop("the world cannot be made");
     while (world->tick < BOARD_FIRST)
-        tp_world_step_with(board_kit, world, &baked_scene, NULL);
+        tp_world_step_with(&baked_kit, world, &baked_scene, NULL);
     for (uint32_t n = 0; n < BOARD_FRAMES; n++) {
         const picture p = draw(frame, scratch, world);
         say_frame(BOARD_FIRST + n, &p, tp_frame_last_stats(frame));

@@ -109,7 +109,7 @@ static int read_option(options *o, unsigned command, int argc, char **argv, int 
 static int check(const options *o, unsigned command)
 {
     const bool all = !o->help;
-    if (o->band && o->strip)
+    if (o->band && o->strip && !(command & FOR_BAKE))
         return refuse(o, "--band and --strip exclude each other");
     if (o->rungs && o->peers)
         return refuse(o, "--rungs and --peers exclude each other");
@@ -162,8 +162,10 @@ static int read_name(options *o, unsigned command, const char *word)
 int args_read(options *o, unsigned command, int argc, char **argv)
 {
     bool names = false;
-    *o = (options){ .command = argv[0], .width = 640, .height = 480,
-                      .every = 1, .work = -1 };
+    const bool board = command == FOR_BAKE;
+    *o = (options){ .command = argv[0], .width = board ? 320 : 640,
+                    .height = board ? 240 : 480, .every = 1, .work = -1,
+                    .format = board ? TP_FORMAT_RGB565 : TP_FORMAT_XRGB8888 };
     o->settings = calloc(2 * (size_t)argc, sizeof *o->settings);
     if (!o->settings)
         return fail_memory(2 * (size_t)argc * sizeof *o->settings);

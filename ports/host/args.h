@@ -48,6 +48,8 @@ typedef struct {
     bool         no_panel;
     bool         scene_page;        /* of the manual */
     bool         hold, counted, formatted;  /* --frames, --format were given */
+    const char  *with, *without;    /* pieces of a baked program's list, by commas */
+    bool         no_input;
     bool         help;
 } options;
 

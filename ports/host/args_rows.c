@@ -190,6 +190,7 @@ SWITCH(resume)
 SWITCH(hold)
 SWITCH(scene_page)
 SWITCH(no_panel)
+SWITCH(no_input)
 SWITCH(stats)
 SWITCH(csv)
 SWITCH(help)
@@ -205,6 +206,8 @@ WORD(from, "a folder")
 WORD(on, "fb or kms")
 WORD(device, "a path")
 WORD(keep, "a file name")
+WORD(with, "names by commas")
+WORD(without, "names by commas")
 
 static const char *read_verbose(options *o, const char *value)
 {
@@ -217,6 +220,8 @@ static const char *read_verbose(options *o, const char *value)
 const option_row args_rows[] = {
     { "--size", "WxH", FOR_RENDER | FOR_VIEW | FOR_PLAN, read_size,
       "picture, 640x480 by default" },
+    { "--size", "WxH", FOR_BAKE, read_size,
+      "the list of a program that draws so, 320x240 by default" },
     { "--size", "WxH", FOR_BENCH, read_size, "of the picture; else 640x480 and 320x240" },
     { "--points", "N", FOR_BENCH, read_points, "of a side; else 64, 100, 128 and 256" },
     { "--work", "WORK", FOR_BENCH, read_work, "plain, full or smooth alone" },
@@ -248,7 +253,18 @@ const option_row args_rows[] = {
       "f-%04d.png, film.apng, film.y4m, or - for such a film" },
     { "--format", "FORMAT", DRAWERS | FOR_PLAN, read_format,
       "xrgb8888 rgb565 rgb565be p8 l8 i1" },
+    { "--format", "FORMAT", FOR_BAKE, read_format, "the same, rgb565 by default" },
     { "--csv", NULL, FOR_PLAN | FOR_BENCH, read_csv, "a table for programs" },
+    { "--band", "ROWS", FOR_BAKE, read_band, "rows of its tiles, 16 by default" },
+    { "--strip", "COLS", FOR_BAKE, read_strip, "columns of its tiles; else all" },
+    { "--stream", NULL, FOR_BAKE, read_stream,
+      "it keeps no vertices of the water: less memory, same bits" },
+    { "--no-input", NULL, FOR_BAKE, read_no_input,
+      "nobody acts there: the scene's own camera alone" },
+    { "--with", "NAME,...", FOR_BAKE, read_with,
+      "it has these too, which the scene may come to need" },
+    { "--without", "NAME,...", FOR_BAKE, read_without,
+      "it lacks these, and draws without them" },
     { "--band", "ROWS", RARE | FOR_RENDER | FOR_PLAN, read_band,
       "draw in bands of so many rows" },
     { "--strip", "COLS", RARE | FOR_RENDER | FOR_PLAN, read_strip,

@@ -8,6 +8,7 @@
 #include <string.h>
 #include "about.h"
 #include "args.h"
+#include "bake_program.h"
 #include "commands.h"
 #include "output.h"
 #include "say.h"
@@ -147,7 +148,12 @@ static void put_contents(const bake *b, const tp_assets *names)
             put_bytes(b->out, &sum, bake_grey_bytes(grey_at(names, i)), greys[i].part);
     if (names->boat)
         put_bytes(b->out, &sum, bake_mesh_bytes(names->boat), "boat, without pictures");
-    fprintf(b->out, " * %9zu  together */\n", sum);
+    fprintf(b->out, " * %9zu  together", sum);
+    if (b->program) {
+        fputc('\n', b->out);
+        bake_put_pieces(b->program, b->out);
+    }
+    fprintf(b->out, " */\n");
 }
 
 static void put_head(const bake *b, const options *o, const stage *s)
@@ -165,7 +171,11 @@ static void put_head(const bake *b, const options *o, const stage *s)
     }
     fprintf(b->out, " *\n * A program declares what it draws:\n"
             " *     extern const tp_scene  %s_scene;\n"
-            " *     extern const tp_assets %s_assets;\n *\n", b->name, b->name);
+            " *     extern const tp_assets %s_assets;\n", b->name, b->name);
+    if (b->program)
+        fprintf(b->out, " *     extern const tp_kit    %s_kit;\n"
+                " *     extern const tp_frame_config %s_picture;\n", b->name, b->name);
+    fprintf(b->out, " *\n");
     put_contents(b, &s->assets.names);
     fprintf(b->out, "#include <tidepool/frame.h>\n");
 }
@@ -204,8 +214,10 @@ static void put_all(const bake *b, const options *o, const stage *s)
             bake_grey(b, greys[i].part, grey_at(names, i));
     if (names->boat)
         bake_mesh(b, "boat", names->boat);
-    bake_scene(b, &s->file.scene);
+    bake_scene(b, b->program ? &b->program->scene : &s->file.scene);
     put_assets(b, names);
+    if (b->program)
+        bake_put_program(b->program, b->out, b->name);
 }
 
 /* -- pictures of the quick rung ------------------------------------------------------ */
@@ -219,8 +231,9 @@ static bool may_be_quick(const tp_scene *scene, const tp_assets *names)
     return tp_reach_of(&ladder).shading >> TP_SHADING_QUICK & 1;
 }
 
-/* Whether nothing looks at the pictures that quick ones are made of: exact stages draw
- * what the quick rung does not know, and exposure by itself meters the first layer. */
+/* Whether nothing looks at the layers that quick ones are made of: exact stages draw what
+ * the quick rung does not know, and exposure by itself meters the first layer.  From under
+ * water the ripple's own picture is seen. */
 static bool is_all_quick(const tp_scene *scene)
 {
     return scene->quality.shading == TP_SHADING_QUICK && scene->quality.frame_ms == 0
@@ -235,11 +248,12 @@ static const tp_texture **place_of(tp_assets *names, int i)
                                                               : &names->slopes;
 }
 
-static void drop_sources(tp_assets *names)
+/* What exact stages of the water look at from above. */
+static void drop_layers(tp_assets *names)
 {
     for (int i = 0; i < TP_LAYERS; i++)
         names->layer[i] = NULL;
-    names->distortion = names->ripple = NULL;
+    names->distortion = NULL;
 }
 
 /* *names with prepared pictures, in memory of `memory` and `made`. */
@@ -261,7 +275,7 @@ static int prepare(tp_assets *names, const tp_scene *scene, void *memory[TP_PREP
         *place_of(names, i) = &made[i];
     }
     if (is_all_quick(scene))
-        drop_sources(names);
+        drop_layers(names);
     return EXIT_DONE;
 }
 
@@ -288,11 +302,19 @@ static int run(stage *s, const options *o)
     if (o->name && !can_be_name(o->name))
         return fail(EXIT_USAGE, "tidepool bake: --name %.40s: expected a name in C that"
                     " begins with a letter, not with tp_", o->name);
-    int code = stage_load(s, o);
+    int code = bake_check_options(o);
+    if (!code)
+        code = stage_load(s, o);
     if (code)
         return code;
     name_after(o->name ? o->name : s->file.name, name);
+    const tp_assets all = s->assets.names;
+    bake_program program;
     code = prepare(&s->assets.names, &s->file.scene, memory, made);
+    if (!code && bake_has_program(o)) {
+        code = bake_find_program(&program, o, &s->file.scene, &all, &s->assets.names);
+        b.program = &program;
+    }
     if (!code)
         code = list_pictures(&b, &s->assets.names);
     if (!code)

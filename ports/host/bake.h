@@ -13,11 +13,14 @@ typedef struct {
     char              name[24];         /* "layer0", "boat_diffuse3" */
 } bake_picture;
 
+struct bake_program;
+
 typedef struct {
     FILE         *out;
     const char   *name;                 /* what all names begin with */
     bake_picture *pictures;
     uint32_t      n_pictures;
+    const struct bake_program *program;     /* NULL: no list is written */
 } bake;
 
 /* The picture of the list that is this one, texel by texel, or NULL. */

@@ -16,7 +16,19 @@ absent() {
 expect "no scene to bake" 2 "which scene" bake -o a.c
 expect "no file to bake into" 2 "It takes -o FILE.c" bake minimal
 expect "-o without its value" 2 "needs a value" bake minimal -o
-expect "a size that it does not take" 2 "no option --size" bake minimal -o a.c --size 9x9
+expect "a size that is too small" 2 "16..4096" bake minimal -o a.c --size 15x16
+expect "a size that is too large" 2 "16..4096" bake minimal -o a.c --size 16x4097
+expect "a format of nobody" 2 "expected xrgb8888" bake minimal -o a.c --format rgb888
+for option in with without; do
+    expect "--$option of what is no piece" 2 "--$option fome: no such piece; did you mean" \
+        bake minimal -o a.c --size 32x32 "--$option" ripple,fome
+    expect "--$option of an empty name" 2 "--$option" \
+        bake minimal -o a.c --size 32x32 "--$option" ""
+done
+expect "a piece that is wanted and not" 2 "foam is both in --with and in --without" \
+    bake minimal -o a.c --size 32x32 --with foam --without foam
+expect "a list of no size and format" 2 "--with is of a program's list" \
+    bake minimal -o a.c --with foam
 for name in 3x a-b tp tp_x "" "a b" ä; do
     expect "the name '$name'" 2 "expected a name" bake minimal -o a.c --name "$name"
 done

@@ -1,0 +1,173 @@
+/* SPDX-License-Identifier: MIT */
+#include "bake_program.h"
+#include <inttypes.h>
+#include <string.h>
+
+#include "nearest.h"
+#include "say.h"
+
+/* -- the options ---------------------------------------------------------------------- */
+
+bool bake_has_program(const options *o)
+{
+    return o->sized || o->formatted;
+}
+
+int bake_check_options(const options *o)
+{
+    const char *of = o->with ? "--with" : o->without ? "--without" : o->no_input
+                   ? "--no-input" : o->stream ? "--stream" : o->band ? "--band"
+                   : o->strip ? "--strip" : NULL;
+    if (!of || bake_has_program(o))
+        return EXIT_DONE;
+    return fail(EXIT_USAGE, "tidepool bake: %s is of a program's list, which takes --size"
+                " or --format", of);
+}
+
+static int refuse_piece(const char *option, const char *name, size_t length)
+{
+    char word[64];
+    snprintf(word, sizeof word, "%.*s", (int)(length < 60 ? length : 60), name);
+    nearest best = nearest_to(word);
+    for (size_t i = 0; i < piece_count; i++)
+        nearest_offer(&best, pieces[i].name);
+    if (!best.name)
+        return fail(EXIT_USAGE, "tidepool bake: %s %s: no such piece", option, word);
+    return fail(EXIT_USAGE, "tidepool bake: %s %s: no such piece; did you mean %s?",
+                option, word, best.name);
+}
+
+/* "drops,boat" */
+static int read_pieces(piece_set *to, const char *option, const char *list)
+{
+    for (const char *c = list; c && *c; ) {
+        const size_t length = strcspn(c, ",");
+        if (!pieces_named(to, c, length))
+            return refuse_piece(option, c, length);
+        c += length + (c[length] == ',');
+    }
+    return EXIT_DONE;
+}
+
+static int check_pieces(const dry_wish *wish)
+{
+    for (size_t i = 0; i < piece_count; i++)
+        if (wish->with.has[i] && wish->without.has[i])
+            return fail(EXIT_USAGE, "tidepool bake: %s is both in --with and in --without",
+                        pieces[i].name);
+    return EXIT_DONE;
+}
+
+/* -- the list ------------------------------------------------------------------------- */
+
+/* A program that has no plan draws by these rungs. */
+static tp_scene named_scene(const tp_scene *scene, const tp_ladder *ladder)
+{
+    tp_scene named = *scene;
+    named.quality.visibility = (int32_t)ladder->rung[0].visibility;
+    named.quality.shading = (int32_t)ladder->rung[0].shading;
+    named.quality.rate = (int32_t)ladder->rung[0].rate;
+    named.quality.lod = (int32_t)ladder->rung[0].lod;
+    return named;
+}
+
+/* Pictures of the quick rung without those that they are made of. */
+static tp_assets prepared_alone(const tp_assets *names)
+{
+    tp_assets lean = *names;
+    for (int i = 0; i < TP_LAYERS; i++)
+        if (lean.graded[i])
+            lean.layer[i] = NULL;
+    if (lean.offsets)
+        lean.distortion = NULL;
+    if (lean.slopes)
+        lean.ripple = NULL;
+    return lean;
+}
+
+/* What the scene asks for and the program has not. */
+static void tell_lacks(const dry_found *found)
+{
+    for (size_t i = 0; i < piece_count; i++)
+        if (found->lacks.has[i])
+            say("left out: %s %s, which the scene asks for", piece_word(i),
+                pieces[i].name);
+}
+
+int bake_find_program(bake_program *p, const options *o, const tp_scene *scene,
+                      const tp_assets *assets, tp_assets *baked)
+{
+    dry_wish *wish = &p->wish;
+
+    *p = (bake_program){ .scene = *scene };
+    *wish = (dry_wish){
+        .scene = scene, .assets = assets, .named = &p->scene, .baked = baked,
+        .config = { o->width, o->height, o->strip, o->band ? o->band : 16, o->format },
+        .terms = { o->format, o->stream, true, false },
+        .acts = !o->no_input,
+    };
+    int code = read_pieces(&wish->with, "--with", o->with);
+    if (!code)
+        code = read_pieces(&wish->without, "--without", o->without);
+    if (!code)
+        code = check_pieces(wish);
+    if (code)
+        return code;
+    const tp_assets lean = prepared_alone(baked);
+    wish->lean = &lean;
+    const tp_ladder ladder = tp_ladder_of(scene, assets, o->width, o->height);
+    if (ladder.count == 1)
+        p->scene = named_scene(scene, &ladder);
+    code = dry_find(&p->found, wish);
+    wish->lean = NULL;
+    if (p->found.lean)
+        *baked = lean;
+    if (p->found.planned)
+        p->scene = *scene;
+    if (!code)
+        tell_lacks(&p->found);
+    return code;
+}
+
+/* -- the file ------------------------------------------------------------------------- */
+
+void bake_put_pieces(const bake_program *p, FILE *out)
+{
+    const tp_frame_config *c = &p->wish.config;
+    const char *before = "";
+    size_t column = 0;
+
+    fprintf(out, " *\n * %" PRIu32 "x%" PRIu32 " %s: %" PRIu32 " pictures are those of the"
+            " whole list.\n * In the program:", c->width, c->height,
+            tp_format_name(c->format), p->found.pictures);
+    for (size_t i = 0; i < piece_count; i++) {
+        if (!p->found.in.has[i] || pieces[i].kind == PIECE_DRAWING)
+            continue;
+        const bool begins = i == 0 || strcmp(piece_word(i), before) != 0;
+        const size_t bytes = strlen(pieces[i].name) + 1;
+        if (begins || column + bytes > 70) {
+            fprintf(out, "\n *     %-6s", begins ? piece_word(i) : "");
+            column = 0;
+        }
+        fprintf(out, " %s", pieces[i].name);
+        before = piece_word(i);
+        column += bytes;
+    }
+    fprintf(out, "\n");
+}
+
+void bake_put_program(const bake_program *p, FILE *out, const char *name)
+{
+    const tp_frame_config *c = &p->wish.config;
+    static const char *const format[] = {
+#define X(name, word, bits, text) [TP_FORMAT_##name] = "TP_FORMAT_" #name,
+        TP_FORMAT_LIST(X)
+#undef X
+    };
+
+    pieces_write(out, name, &p->found.in, &p->wish.terms);
+    fprintf(out, "\nextern const tp_frame_config %s_picture;\n"
+            "const tp_frame_config %s_picture = { %" PRIu32 ", %" PRIu32 ", %" PRIu32
+            ", %" PRIu32 ", %s };\n", name, name, c->width, c->height, c->tile_width,
+            c->tile_height, format[c->format]);
+}

@@ -1,0 +1,337 @@
+/* SPDX-License-Identifier: MIT */
+/* All cameras are drawn once with every piece there is, by stages that note when they run.
+ * Then parts are left out, many at a time and fewer where that changes something, looking
+ * at a few cameras; what stays out is tried on all of them.  A camera that differs joins
+ * the few, and the search goes on: it ends with a list that is right for all. */
+#include "dry_find.h"
+#include <stdlib.h>
+#include <string.h>
+#include "say.h"
+
+#define FEW 12                  /* cameras at first */
+
+typedef struct {
+    const dry_wish *wish;
+    dry_run         run;
+    dry_picture    *want;       /* of each camera, by everything */
+    uint32_t       *few;
+    uint32_t        n_few;
+    piece_set       in;         /* as found so far */
+    piece_set       needed;     /* never left out */
+    piece_set       moved;      /* the last ones that moved the worlds as everything does */
+    piece_list      list;
+    bool            lean;       /* by fewer assets */
+    int             code;       /* what stopped the search */
+} search;
+
+/* -- programs ------------------------------------------------------------------------- */
+
+static bool is_plan(size_t i)
+{
+    return pieces[i].kind == PIECE_DRAW && strcmp(pieces[i].name, "rungs") == 0;
+}
+
+static bool plans(const piece_set *set)
+{
+    for (size_t i = 0; i < piece_count; i++)
+        if (is_plan(i) && set->has[i])
+            return true;
+    return false;
+}
+
+/* A program without the plan draws by the rungs that its scene names. */
+static dry_program program_of(search *s, const piece_set *set)
+{
+    const dry_wish *wish = s->wish;
+
+    pieces_list(&s->list, set, &wish->terms);
+    return (dry_program){ &s->list.kit, plans(set) ? wish->scene : wish->named,
+                          s->lean ? wish->lean : wish->baked };
+}
+
+static piece_set everything(const dry_wish *wish)
+{
+    piece_set all = { .has = { false } };
+    for (size_t i = 0; i < piece_count; i++)
+        all.has[i] = !wish->without.has[i];
+    return all;
+}
+
+/* -- comparing ------------------------------------------------------------------------ */
+
+static bool moves_as(const piece_set *a, const piece_set *b)
+{
+    for (size_t i = 0; i < piece_count; i++)
+        if (piece_moves(i) && a->has[i] != b->has[i])
+            return false;
+    return true;
+}
+
+/* Stepping takes long: sets that do not differ in what moves are not tried again. */
+static bool moves_same(search *s, const piece_set *set, const dry_program *by)
+{
+    if (moves_as(set, &s->moved))
+        return true;
+    if (!dry_moves_same(&s->run, by))
+        return false;
+    s->moved = *set;
+    return true;
+}
+
+/* Whether the set will do for the few cameras, or for all. */
+static bool will_do(search *s, const piece_set *set, bool all, uint32_t *differs)
+{
+    const dry_program by = program_of(s, set);
+    uint32_t first = s->run.cameras;
+
+    if (s->code)
+        return false;
+    s->code = dry_draw(&s->run, &by, all ? NULL : s->few,
+                       all ? s->run.cameras : s->n_few, NULL, s->want, &first);
+    if (differs)
+        *differs = first;
+    return !s->code && first == s->run.cameras && moves_same(s, set, &by);
+}
+
+/* -- what is needed for sure ---------------------------------------------------------- */
+
+/* What takes memory is on, however seldom it is seen.  A picture's alone, which moves
+ * nothing, is kept for other cameras: those of somebody who acts. */
+static void need_what_takes_memory(search *s)
+{
+    const dry_wish *wish = s->wish;
+    const piece_set all = everything(wish);
+    const dry_program by = program_of(s, &all);
+    const size_t world = tp_world_bytes_with(by.kit, wish->scene, wish->assets);
+    const size_t frame = tp_frame_bytes_with(by.kit, wish->scene, wish->assets,
+                                             &wish->config);
+
+    for (size_t i = 0, module = 0; i < piece_count; i++) {
+        piece_set less = all;
+        less.has[i] = false;
+        if (!all.has[i] || piece_is_stage(i))
+            continue;
+        if (pieces[i].kind == PIECE_MODULE)
+            module = i;
+        pieces_list(&s->list, &less, &wish->terms);
+        if (piece_moves(i))
+            s->needed.has[i] = tp_world_bytes_with(by.kit, wish->scene, wish->assets)
+                            != world;
+        else if (pieces[i].kind == PIECE_DRAWING
+                 && (wish->acts || s->needed.has[module]))
+            s->needed.has[i] = tp_frame_bytes_with(by.kit, wish->scene, wish->assets,
+                                                   &wish->config) != frame;
+        s->needed.has[module] |= pieces[i].kind == PIECE_DRAWING && s->needed.has[i];
+    }
+}
+
+/* What every picture has, and every program that chooses rungs while it runs. */
+static void need_always(search *s)
+{
+    static const char *const always[] = { "sky", "plain" };
+
+    for (size_t i = 0; i < piece_count; i++) {
+        for (size_t k = 0; k < sizeof always / sizeof *always; k++)
+            s->needed.has[i] |= pieces[i].kind == PIECE_STAGE
+                             && strcmp(pieces[i].name, always[k]) == 0;
+        s->needed.has[i] |= s->wish->with.has[i] || (is_plan(i) && s->run.ladder.count > 1);
+        s->needed.has[i] &= !s->wish->without.has[i];
+    }
+}
+
+/* -- leaving out ---------------------------------------------------------------------- */
+
+/* Leaves out of s->in as many of the listed pieces as will do for the few cameras. */
+static void leave_out(search *s, const uint32_t *which, uint32_t count)
+{
+    piece_set less = s->in;
+
+    if (count == 0 || s->code)
+        return;
+    for (uint32_t i = 0; i < count; i++)
+        less.has[which[i]] = false;
+    if (will_do(s, &less, false, NULL)) {
+        s->in = less;
+    } else if (count > 1) {
+        leave_out(s, which, count / 2);
+        leave_out(s, which + count / 2, count - count / 2);
+    }
+}
+
+/* Of two pieces that stand in for each other one can go; then a third may be needless. */
+static void leave_out_all(search *s, const piece_set *of)
+{
+    uint32_t which[PIECES_MOST] = { 0 }, count, before;
+
+    do {
+        count = before = 0;
+        for (size_t i = 0; i < piece_count; i++) {
+            before += s->in.has[i];
+            if (s->in.has[i] && of->has[i] && !s->needed.has[i])
+                which[count++] = (uint32_t)i;
+        }
+        leave_out(s, which, count);
+        for (size_t i = 0; i < piece_count; i++)
+            before -= s->in.has[i];
+    } while (before > 0 && !s->code);
+}
+
+/* What is out comes back, and all that will do for the new camera too goes again.  False:
+ * not even everything will do. */
+static bool look_at(search *s, uint32_t camera)
+{
+    const piece_set all = everything(s->wish);
+    piece_set out = { .has = { false } };
+
+    s->few[s->n_few++] = camera;
+    if (!will_do(s, &all, false, NULL))
+        return false;
+    for (size_t i = 0; i < piece_count; i++)
+        out.has[i] = all.has[i] && !s->in.has[i];
+    s->in = all;
+    leave_out_all(s, &out);
+    return true;
+}
+
+static int refuse(const search *s, uint32_t camera)
+{
+    const dry_camera *c = &s->run.camera[camera];
+    char place[3][16];
+
+    if (s->code)
+        return s->code;
+    if (camera == s->run.cameras)
+        return fail(EXIT_CHECK, "tidepool bake: the program's world does not move as with"
+                    " everything there is");
+    if (c->own)
+        return fail(EXIT_CHECK, "tidepool bake: the scene's own camera sees another picture"
+                    " than with everything there is");
+    tp_fx_write(c->eye.x, place[0]);
+    tp_fx_write(c->eye.y, place[1]);
+    tp_fx_write(c->eye.z, place[2]);
+    return fail(EXIT_CHECK, "tidepool bake: from %s %s %s the program draws another picture"
+                " than with everything there is", place[0], place[1], place[2]);
+}
+
+/* Stages that did not run first, then parts.  False: nothing will do for all cameras, of
+ * which `differs` is the first. */
+static bool narrow(search *s, uint32_t *differs)
+{
+    piece_set idle = { .has = { false } }, parts = { .has = { false } };
+
+    for (size_t i = 0; i < piece_count; i++) {
+        idle.has[i] = piece_is_stage(i) && !pieces_ran(i);
+        parts.has[i] = !piece_is_stage(i);
+    }
+    s->in = everything(s->wish);
+    leave_out_all(s, &idle);
+    leave_out_all(s, &parts);
+    for (*differs = s->run.cameras; !will_do(s, &s->in, true, differs); )
+        if (s->code || *differs == s->run.cameras || !look_at(s, *differs))
+            return false;
+    return true;
+}
+
+static int find(search *s)
+{
+    uint32_t differs;
+
+    need_what_takes_memory(s);
+    need_always(s);
+    for (uint32_t i = 0; i < FEW; i++)
+        s->few[s->n_few++] = i * (s->run.cameras / FEW + 1) % s->run.cameras;
+    s->lean = s->wish->lean != NULL;
+    if (narrow(s, &differs))
+        return EXIT_DONE;
+    if (!s->lean || s->code)
+        return refuse(s, differs);
+    s->lean = false;
+    return narrow(s, &differs) ? EXIT_DONE : refuse(s, differs);
+}
+
+/* -- what is not there at all --------------------------------------------------------- */
+
+static bool has_any(const piece_set *set)
+{
+    for (size_t i = 0; i < piece_count; i++)
+        if (set->has[i])
+            return true;
+    return false;
+}
+
+/* Pieces that would change a picture or the world if they alone were missing. */
+static int find_lacks(search *s, piece_set *lacks)
+{
+    const dry_wish *wish = s->wish;
+    dry_picture *whole = calloc(s->run.cameras, sizeof *whole);
+    dry_program  by = { &s->list.kit, wish->scene, wish->assets };
+    piece_set    all = { .has = { false } };
+    uint32_t     differs;
+    int code = whole ? EXIT_DONE : fail_memory(s->run.cameras * sizeof *whole);
+
+    for (size_t i = 0; i < piece_count; i++)
+        all.has[i] = true;
+    pieces_list(&s->list, &all, &wish->terms);
+    const size_t world = tp_world_bytes_with(by.kit, wish->scene, wish->assets);
+    if (!code)
+        code = dry_draw(&s->run, &by, NULL, s->run.cameras, whole, NULL, NULL);
+    for (size_t i = 0; i < piece_count && !code; i++) {
+        piece_set less = all;
+        less.has[i] = false;
+        if (!wish->without.has[i])
+            continue;
+        pieces_list(&s->list, &less, &wish->terms);
+        code = dry_draw(&s->run, &by, NULL, s->run.cameras, NULL, whole, &differs);
+        lacks->has[i] = differs < s->run.cameras
+            || tp_world_bytes_with(by.kit, wish->scene, wish->assets) != world;
+    }
+    free(whole);
+    return code;
+}
+
+/* -- the search ----------------------------------------------------------------------- */
+
+static int open_search(search *s, const dry_wish *wish)
+{
+    const piece_set all = everything(wish);
+    piece_list *const list = &s->list;
+
+    *s = (search){ .wish = wish };
+    s->moved = all;
+    pieces_list(list, &all, &wish->terms);
+    int code = dry_open(&s->run, &(dry_program){ &list->kit, wish->scene, wish->assets },
+                        &wish->config, wish->acts);
+    if (code)
+        return code;
+    s->want = calloc(s->run.cameras, sizeof *s->want);
+    s->few = calloc(2 * s->run.cameras + FEW + 2, sizeof *s->few);
+    if (!s->want || !s->few)
+        return fail_memory(s->run.cameras * sizeof *s->want);
+    pieces_watch(list, &all, &wish->terms);
+    pieces_forget();
+    return dry_draw(&s->run, &(dry_program){ &list->kit, wish->scene, wish->assets },
+                    NULL, s->run.cameras, s->want, NULL, NULL);
+}
+
+static void close_search(search *s)
+{
+    dry_close(&s->run);
+    free(s->want);
+    free(s->few);
+}
+
+int dry_find(dry_found *found, const dry_wish *wish)
+{
+    search s;
+    piece_set lacks = { .has = { false } };
+    int code = open_search(&s, wish);
+
+    if (!code)
+        code = find(&s);
+    if (!code && has_any(&wish->without))
+        code = find_lacks(&s, &lacks);
+    *found = (dry_found){ .in = s.in, .lacks = lacks, .lean = s.lean,
+                          .planned = plans(&s.in), .pictures = s.run.cameras };
+    close_search(&s);
+    return code;
+}

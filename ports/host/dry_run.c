@@ -1,0 +1,311 @@
+/* SPDX-License-Identifier: MIT */
+#include "dry_run.h"
+#include <stdatomic.h>
+#include <stdlib.h>
+#include <string.h>
+#include "crew.h"
+#include "say.h"
+
+#define MOMENTS 24
+#define EVERY   15              /* ticks from one to the next: 6 s in all, */
+#define ALONE   50              /* 20 s of a scene that nobody acts in */
+#define CAMERAS 8               /* at each moment, where somebody acts */
+#define BAND    48              /* rows of a tile: any tiling draws the same bits */
+
+/* -- numbers -------------------------------------------------------------------------- */
+
+static uint32_t next(uint64_t *state)
+{
+    uint64_t z = *state += 0x9e3779b97f4a7c15u;
+    z = (z ^ z >> 30) * 0xbf58476d1ce4e5b9u;
+    z = (z ^ z >> 27) * 0x94d049bb133111ebu;
+    return (uint32_t)(z >> 32);
+}
+
+/* low..high. */
+static int32_t between(uint64_t *state, int32_t low, int32_t high)
+{
+    const uint64_t span = (uint64_t)((int64_t)high - low) + 1;
+    return (int32_t)(low + (int64_t)(next(state) * span >> 32));
+}
+
+static tp_fx metres(uint64_t *state, int32_t low_mm, int32_t high_mm)
+{
+    return (tp_fx)((int64_t)between(state, low_mm, high_mm) * TP_FX_ONE / 1000);
+}
+
+/* -- the world ------------------------------------------------------------------------ */
+
+/* What a player may do: steer, let drops fall, push the water, turn the light. */
+static tp_input input_at(uint64_t *state)
+{
+    const tp_fx x = metres(state, -3000, 3000), z = metres(state, -3000, 3000);
+    tp_input in = {
+        .sphere_x = x / 64, .sphere_z = z / 64,
+        .drops = next(state) % 16 == 0,
+        .throttle = metres(state, -500, 4000), .rudder = 20 * metres(state, -1000, 1000),
+        .light_turn = between(state, -(1 << 23), 1 << 23),
+        .light_tilt = between(state, -(1 << 22), 1 << 22),
+    };
+    if (next(state) % 8 == 0)
+        in.push[0] = (tp_push){ metres(state, -200, 200), x, z };
+    return in;
+}
+
+/* Each moment's world goes to `to` or, if that is NULL, is compared; false: it differs. */
+static bool step_all(const dry_run *d, const dry_program *by, tp_world *world, uint8_t *to)
+{
+    const uint32_t every = d->acts ? EVERY : ALONE;
+    uint64_t state = 1;
+
+    for (uint32_t m = 0; m < d->moments; m++) {
+        for (uint32_t k = 0; m && k < every; k++) {
+            const tp_input in = input_at(&state);
+            const bool acts = d->acts && m > d->moments / 2;
+            tp_world_step_with(by->kit, world, by->scene, acts ? &in : NULL);
+        }
+        if (to)
+            memcpy(to + m * d->world_bytes, world, d->world_bytes);
+        else if (memcmp(d->worlds + m * d->world_bytes, world, d->world_bytes) != 0)
+            return false;
+    }
+    return true;
+}
+
+bool dry_moves_same(const dry_run *d, const dry_program *by)
+{
+    if (tp_world_bytes_with(by->kit, by->scene, by->assets) != d->world_bytes)
+        return false;
+    tp_world *world = malloc(d->world_bytes);
+    const bool same = world
+        && tp_world_init_with(by->kit, world, d->world_bytes, by->scene, by->assets,
+                              NULL) == TP_OK
+        && step_all(d, by, world, NULL);
+    free(world);
+    return same;
+}
+
+/* -- cameras -------------------------------------------------------------------------- */
+
+static const tp_world *world_at(const dry_run *d, uint32_t moment)
+{
+    return (const tp_world *)(const void *)(d->worlds + moment * d->world_bytes);
+}
+
+/* Something that the scene has, or where it is seen from. */
+static tp_vec3 thing(const tp_scene *scene, const tp_world *world, uint64_t *state)
+{
+    switch (next(state) % 5) {
+    case 0:
+        return (tp_vec3){ scene->pool.x, 0, scene->pool.z };
+    case 1:
+        return (tp_vec3){ scene->drops.x, 0, scene->drops.z };
+    case 2:
+        return world->boat.place;
+    default:
+        return tp_world_camera(world).eye;
+    }
+}
+
+/* Within 1, 4, 16 or 64 m of something, looking at it or anywhere; each third camera is
+ * under water. */
+static dry_camera camera_near(const dry_program *by, const tp_world *world,
+                              uint64_t *state)
+{
+    const tp_vec3 at = thing(by->scene, world, state);
+    const int32_t reach = 1000 << 2 * (next(state) % 4);
+    const bool    under = next(state) % 3 == 0;
+    dry_camera c = { .own = false };
+
+    c.eye.x = at.x + metres(state, -reach, reach);
+    c.eye.z = at.z + metres(state, -reach, reach);
+    const tp_fx level = tp_world_above_with(by->kit, world, c.eye.x, c.eye.z).position.y;
+    c.eye.y = under ? level - metres(state, 20, 4000)
+                    : level + metres(state, 20, 500 + reach / 2);
+    c.heading = next(state);
+    if (next(state) % 2)
+        c.heading = tp_atan2(c.eye.x - at.x, c.eye.z - at.z)
+                  + (tp_turn)between(state, -(1 << 28), 1 << 28);
+    c.pitch = (tp_turn)between(state, -(5 << 27), 3 << 27);    /* -56..34 degrees */
+    return c;
+}
+
+static void choose_cameras(dry_run *d, const dry_program *by)
+{
+    const uint32_t each = d->cameras / d->moments;
+    uint64_t state = 2;
+
+    for (uint32_t i = 0; i < d->cameras; i++) {
+        const uint32_t moment = i / each;
+        d->camera[i] = d->acts && i % each
+                     ? camera_near(by, world_at(d, moment), &state)
+                     : (dry_camera){ .own = true };
+        d->camera[i].moment = moment;
+        d->camera[i].rung = (i + moment) % d->ladder.count;
+    }
+}
+
+int dry_open(dry_run *d, const dry_program *by, const tp_frame_config *config, bool acts)
+{
+    tp_error err = { 0 };
+
+    *d = (dry_run){ .config = *config, .acts = acts, .moments = MOMENTS,
+                    .cameras = MOMENTS * (acts ? CAMERAS : 1) };
+    d->config.tile_width = 0;
+    d->config.tile_height = BAND;
+    d->ladder = tp_ladder_of(by->scene, by->assets, config->width, config->height);
+    if (!acts)
+        d->cameras *= d->ladder.count;
+    d->world_bytes = tp_world_bytes_with(by->kit, by->scene, by->assets);
+    tp_world *world = malloc(d->world_bytes ? d->world_bytes : 1);
+    d->worlds = malloc(MOMENTS * d->world_bytes + 1);
+    d->camera = calloc(d->cameras, sizeof *d->camera);
+    int code = EXIT_DONE;
+    if (!world || !d->worlds || !d->camera)
+        code = fail_memory((MOMENTS + 1) * d->world_bytes);
+    else if (tp_world_init_with(by->kit, world, d->world_bytes, by->scene, by->assets,
+                                &err) != TP_OK)
+        code = fail_at("tidepool bake", &err);
+    if (!code) {
+        step_all(d, by, world, d->worlds);
+        choose_cameras(d, by);
+    }
+    free(world);
+    return code;
+}
+
+void dry_close(dry_run *d)
+{
+    free(d->worlds);
+    free(d->camera);
+    *d = (dry_run){ 0 };
+}
+
+/* -- pictures ------------------------------------------------------------------------- */
+
+typedef struct {
+    const dry_run     *run;
+    const dry_program *by;
+    const uint32_t    *which;
+    uint32_t           count;
+    dry_picture       *to;
+    const dry_picture *want;
+    tp_error           err;             /* the caller's own */
+    atomic_uint        taken, differs;
+    atomic_bool        failed;
+} job;
+
+/* What one thread draws with. */
+typedef struct {
+    void     *block, *scratch;
+    tp_world *world;
+    tp_frame *frame;
+} painter;
+
+static bool painter_open(painter *p, const job *j, tp_error *err)
+{
+    const dry_program *by = j->by;
+    const tp_frame_config *c = &j->run->config;
+    const size_t bytes = tp_frame_bytes_with(by->kit, by->scene, by->assets, c);
+    const size_t scratch = tp_frame_scratch_with(by->kit, by->scene, c);
+
+    *p = (painter){ .block = malloc(bytes + 1), .scratch = malloc(scratch + 1),
+                    .world = malloc(j->run->world_bytes) };
+    return p->block && p->scratch && p->world
+        && tp_frame_init_with(by->kit, &p->frame, by->scene, by->assets, c, p->block,
+                              err) == TP_OK;
+}
+
+static void painter_close(painter *p)
+{
+    free(p->block);
+    free(p->scratch);
+    free(p->world);
+}
+
+static void take_place(tp_world *world, const dry_camera *c)
+{
+    if (c->own)
+        return;
+    world->aboard = 0;
+    world->eye = world->last_eye = c->eye;
+    world->heading = world->last_heading = c->heading;
+    world->pitch = world->last_pitch = c->pitch;
+}
+
+static dry_picture paint(painter *p, const dry_run *d, const dry_camera *c)
+{
+    dry_picture picture = { 0, 0 };
+    tp_tile tile;
+
+    memcpy(p->world, world_at(d, c->moment), d->world_bytes);
+    take_place(p->world, c);
+    if (d->ladder.count > 1)
+        tp_frame_set_rungs(p->frame, &d->ladder.rung[c->rung]);
+    tp_frame_begin(p->frame, p->world);
+    for (uint32_t i = 0; tp_frame_tile(p->frame, i, p->scratch, &tile); i++)
+        for (uint32_t y = tile.y0; y < tile.y1; y++)
+            picture.crc = tp_crc32_pixels(picture.crc, d->config.format,
+                                          (const uint8_t *)tile.pixels
+                                          + (y - tile.y0) * tile.stride,
+                                          (int)d->config.width);
+    picture.dropped = tp_frame_last_stats(p->frame).dropped;
+    return picture;
+}
+
+static bool is_same(const dry_picture *a, const dry_picture *b)
+{
+    return a->crc == b->crc && a->dropped == b->dropped;
+}
+
+/* Those before it have been taken, so that the least that is told is the first of all,
+ * whichever thread drew it. */
+static void tell(job *j, uint32_t at)
+{
+    uint32_t least = atomic_load(&j->differs);
+    while (at < least && !atomic_compare_exchange_weak(&j->differs, &least, at))
+        continue;
+}
+
+static void draw_some(void *user, uint32_t thread)
+{
+    job *j = user;
+    painter p;
+    tp_error err = { 0 };
+
+    if (!painter_open(&p, j, thread ? &err : &j->err))
+        atomic_store(&j->failed, true);
+    for (uint32_t i; !atomic_load(&j->failed)
+                     && atomic_load(&j->differs) == j->count
+                     && (i = atomic_fetch_add(&j->taken, 1)) < j->count;) {
+        const uint32_t camera = j->which ? j->which[i] : i;
+        const dry_picture picture = paint(&p, j->run, &j->run->camera[camera]);
+        if (j->to)
+            j->to[camera] = picture;
+        if (j->want && !is_same(&picture, &j->want[camera]))
+            tell(j, i);
+    }
+    painter_close(&p);
+}
+
+int dry_draw(const dry_run *d, const dry_program *by, const uint32_t *which,
+             uint32_t count, dry_picture *to, const dry_picture *want, uint32_t *differs)
+{
+    job j = { .run = d, .by = by, .which = which, .count = count, .to = to,
+              .want = want };
+    atomic_init(&j.taken, 0);
+    atomic_init(&j.differs, count);
+    atomic_init(&j.failed, false);
+    const uint32_t threads = crew_usual();
+    crew *c = count > 1 && threads > 1 ? crew_open(threads - 1) : NULL;
+    crew_do(c, draw_some, &j);
+    crew_close(c);
+    const uint32_t first = atomic_load(&j.differs);
+    if (differs)
+        *differs = first == count ? d->cameras : which ? which[first] : first;
+    if (!atomic_load(&j.failed))
+        return EXIT_DONE;
+    return j.err.code ? fail_at("tidepool bake", &j.err)
+                      : fail_memory(tp_frame_bytes_with(by->kit, by->scene, by->assets,
+                                                        &d->config));
+}

@@ -1,0 +1,288 @@
+/* SPDX-License-Identifier: MIT */
+/* The rows come from the lists of tidepool/kit.h: a piece that those gain or lose needs no
+ * line here. */
+#include "pieces.h"
+#include <stdatomic.h>
+#include <stddef.h>
+#include <string.h>
+#include "tidepool/scene.h"
+
+/* -- the rows ------------------------------------------------------------------------- */
+
+const piece pieces[] = {
+#define X(x) { #x, PIECE_STAGE },
+    TP_STAGE_LIST(X)
+#undef X
+#define X(x) { #x, PIECE_WATER },
+    TP_WATER_LIST(X)
+#undef X
+#define X(x) { #x, PIECE_MOVE },
+    TP_MOVE_LIST(X)
+#undef X
+#define X(x) { #x, PIECE_DRAW },
+    TP_DRAW_LIST(X)
+#undef X
+#define X(x) { #x, PIECE_METHOD },
+    TP_METHOD_LIST(X)
+#undef X
+#define MODULE(x) { #x, PIECE_MODULE }, { #x, PIECE_DRAWING }, TP_STAGES_OF_##x(X)
+#define UNSEEN(x) { #x, PIECE_MODULE },
+#define X(x) { #x, PIECE_MODULE_STAGE },
+    TP_MODULE_LIST(MODULE, UNSEEN)
+#undef X
+#undef UNSEEN
+#undef MODULE
+};
+
+const size_t piece_count = sizeof pieces / sizeof *pieces;
+_Static_assert(sizeof pieces / sizeof *pieces <= PIECES_MOST, "a set holds all pieces");
+
+/* What each of them is: a stage, the offset in a kit of a pointer, or a use. */
+typedef struct {
+    tp_stage    stage, watched;
+    const void *part;
+    size_t      offset;
+    tp_use      use;
+} meaning;
+
+/* -- stages that are watched ---------------------------------------------------------- */
+
+/* Numbers as the rows above have them; those of parts are counted and not used. */
+enum {
+#define X(x) RAN_##x,
+#define MODULE(x) TP_STAGES_OF_##x(X)
+#define UNSEEN(x)
+    TP_STAGE_LIST(X)
+    TP_MODULE_LIST(MODULE, UNSEEN)
+#undef UNSEEN
+#undef MODULE
+#undef X
+    RAN_COUNT
+};
+
+static atomic_bool ran[RAN_COUNT];
+
+#define X(x) \
+    static void watched_##x(const struct tp_shade *shade, struct tp_run *run) \
+    { \
+        atomic_store_explicit(&ran[RAN_##x], true, memory_order_relaxed); \
+        tp_stage_##x(shade, run); \
+    }
+#define MODULE(x) TP_STAGES_OF_##x(X)
+#define UNSEEN(x)
+TP_STAGE_LIST(X)
+TP_MODULE_LIST(MODULE, UNSEEN)
+#undef UNSEEN
+#undef MODULE
+#undef X
+
+static const meaning meanings[] = {
+#define X(x) { .stage = tp_stage_##x, .watched = watched_##x, \
+               .offset = offsetof(tp_kit, stage.x) },
+    TP_STAGE_LIST(X)
+#undef X
+#define X(x) { .part = &tp_water_##x, .offset = offsetof(tp_kit, water.x) },
+    TP_WATER_LIST(X)
+#undef X
+#define X(x) { .part = &tp_move_##x, .offset = offsetof(tp_kit, move.x) },
+    TP_MOVE_LIST(X)
+#undef X
+#define X(x) { .part = &tp_draw_##x, .offset = offsetof(tp_kit, draw.x) },
+    TP_DRAW_LIST(X)
+#undef X
+#define X(x) { .part = &tp_method_##x, .offset = offsetof(tp_kit, method.x) },
+    TP_METHOD_LIST(X)
+#undef X
+#define MODULE(x) { .use = TP_USE(x) }, { .use = TP_USE(x) }, TP_STAGES_OF_##x(X)
+#define UNSEEN(x) { .use = TP_USE_UNSEEN(x) },
+#define X(x) { .stage = tp_stage_##x, .watched = watched_##x },
+    TP_MODULE_LIST(MODULE, UNSEEN)
+#undef X
+#undef UNSEEN
+#undef MODULE
+};
+
+void pieces_forget(void)
+{
+    for (size_t i = 0; i < RAN_COUNT; i++)
+        atomic_store(&ran[i], false);
+}
+
+/* Stages stand in `ran` in the order of the rows. */
+bool pieces_ran(size_t i)
+{
+    size_t at = 0;
+    for (size_t k = 0; k < i; k++)
+        at += piece_is_stage(k);
+    return piece_is_stage(i) && atomic_load(&ran[at]);
+}
+
+/* -- a list --------------------------------------------------------------------------- */
+
+/* A kit's member is set by its offset; a part's pointer is one like any other. */
+static void put(tp_kit *kit, const meaning *m, tp_stage stage)
+{
+    char *at = (char *)kit + m->offset;
+    if (stage)
+        memcpy(at, &stage, sizeof stage);
+    else
+        memcpy(at, &m->part, sizeof m->part);
+}
+
+static void make(piece_list *to, const piece_set *of, const piece_terms *terms, bool watch)
+{
+    tp_use   *use = NULL, *end = to->use;
+    tp_stage *stage = to->stage;
+
+    memset(to, 0, sizeof *to);
+    for (size_t i = 0; i < piece_count; i++) {
+        const meaning *m = &meanings[i];
+        const bool in = of->has[i];
+        const tp_stage by = !in ? NULL : watch ? m->watched : m->stage;
+        if (pieces[i].kind == PIECE_MODULE)
+            use = in ? end++ : NULL;
+        if (pieces[i].kind == PIECE_MODULE && in)
+            *use = (tp_use){ .module = m->use.module };
+        else if (pieces[i].kind == PIECE_DRAWING && use)
+            *use = (tp_use){ use->module, in ? m->use.drawing : NULL, stage };
+        else if (pieces[i].kind == PIECE_MODULE_STAGE)
+            *stage++ = by;
+        else if (pieces[i].kind < PIECE_MODULE && in)
+            put(&to->kit, m, by);
+    }
+    to->kit.modules = to->use;
+    to->kit.check = terms->checks ? tp_scene_check : NULL;
+    to->kit.store[terms->format] = tp_kit_all.store[terms->format];
+    if (terms->streams && to->kit.method.triangles)
+        to->kit.method.triangles = &tp_method_streamed;
+    if (terms->few && to->kit.water.swells)
+        to->kit.water.swells = &tp_water_few_swells;
+}
+
+void pieces_list(piece_list *to, const piece_set *of, const piece_terms *terms)
+{
+    make(to, of, terms, false);
+}
+
+void pieces_watch(piece_list *to, const piece_set *of, const piece_terms *terms)
+{
+    make(to, of, terms, true);
+}
+
+/* -- names ---------------------------------------------------------------------------- */
+
+bool pieces_named(piece_set *to, const char *name, size_t length)
+{
+    bool found = false, within = false;
+
+    for (size_t i = 0; i < piece_count; i++) {
+        const bool same = strlen(pieces[i].name) == length
+                       && memcmp(pieces[i].name, name, length) == 0;
+        const bool inner = pieces[i].kind > PIECE_MODULE;
+        if (!inner)
+            within = same && pieces[i].kind == PIECE_MODULE;
+        if (same || (inner && within))
+            to->has[i] = found = true;
+    }
+    return found;
+}
+
+bool piece_moves(size_t i)
+{
+    return pieces[i].kind == PIECE_WATER || pieces[i].kind == PIECE_MOVE
+        || pieces[i].kind == PIECE_MODULE;
+}
+
+const char *piece_word(size_t i)
+{
+    static const char *const word[] = {
+        [PIECE_STAGE] = "stage", [PIECE_WATER] = "water", [PIECE_MOVE] = "move",
+        [PIECE_DRAW] = "draw", [PIECE_METHOD] = "method", [PIECE_MODULE] = "module",
+        [PIECE_DRAWING] = "drawing", [PIECE_MODULE_STAGE] = "stage",
+    };
+    return word[pieces[i].kind];
+}
+
+/* -- as text -------------------------------------------------------------------------- */
+
+static const char *symbol_of(size_t i, const piece_terms *terms)
+{
+    const char *name = pieces[i].name;
+    if (pieces[i].kind == PIECE_METHOD && terms->streams && !strcmp(name, "triangles"))
+        return "streamed";
+    if (pieces[i].kind == PIECE_WATER && terms->few && !strcmp(name, "swells"))
+        return "few_swells";
+    return name;
+}
+
+/* "    .water = { .swells = &tp_water_swells }," or nothing. */
+static void write_kind(FILE *out, const piece_set *of, const piece_terms *terms,
+                       piece_kind kind)
+{
+    const char *before = " ";
+    for (size_t i = 0, n = 0; i < piece_count; i++) {
+        if (pieces[i].kind != kind || !of->has[i])
+            continue;
+        if (n++ == 0)
+            fprintf(out, "    .%s = {", piece_word(i));
+        fprintf(out, "%s\n        .%s = %stp_%s_%s", n > 1 ? "," : "", pieces[i].name,
+                kind == PIECE_STAGE ? "" : "&", piece_word(i), symbol_of(i, terms));
+        before = "\n    },\n";
+    }
+    if (*before == '\n')
+        fputs(before, out);
+}
+
+/* A table has a place for each of the module's stages, whether it is there or not. */
+static void write_tables(FILE *out, const char *name, const piece_set *of)
+{
+    for (size_t i = 0; i < piece_count; i++) {
+        if (pieces[i].kind != PIECE_DRAWING || !of->has[i])
+            continue;
+        fprintf(out, "static const tp_stage %s_%s_stages[] = {\n", name, pieces[i].name);
+        size_t k = i + 1;
+        for (; k < piece_count && pieces[k].kind == PIECE_MODULE_STAGE; k++)
+            if (of->has[k])
+                fprintf(out, "    tp_stage_%s,\n", pieces[k].name);
+            else
+                fprintf(out, "    0,\n");
+        fprintf(out, "%s};\n", k == i + 1 ? "    0\n" : "");
+    }
+}
+
+static void write_uses(FILE *out, const char *name, const piece_set *of)
+{
+    fprintf(out, "static const tp_use %s_modules[] = {\n", name);
+    for (size_t i = 0; i < piece_count; i++) {
+        if (pieces[i].kind != PIECE_MODULE || !of->has[i])
+            continue;
+        const char *module = pieces[i].name;
+        if (i + 1 < piece_count && pieces[i + 1].kind == PIECE_DRAWING && of->has[i + 1])
+            fprintf(out, "    { &tp_%s_module, &tp_%s_drawing, %s_%s_stages },\n", module,
+                    module, name, module);
+        else
+            fprintf(out, "    { &tp_%s_module, 0, 0 },\n", module);
+    }
+    fprintf(out, "    { 0, 0, 0 }\n};\n");
+}
+
+void pieces_write(FILE *out, const char *name, const piece_set *of,
+                  const piece_terms *terms)
+{
+    static const char *const word[] = {
+#define X(name, word, bits, text) [TP_FORMAT_##name] = "[TP_FORMAT_" #name "] = tp_store_" #word,
+        TP_FORMAT_LIST(X)
+#undef X
+    };
+
+    fputc('\n', out);
+    write_tables(out, name, of);
+    write_uses(out, name, of);
+    fprintf(out, "extern const tp_kit %s_kit;\nconst tp_kit %s_kit = {\n", name, name);
+    if (terms->checks)
+        fprintf(out, "    .check = tp_scene_check,\n");
+    for (int kind = PIECE_STAGE; kind < PIECE_MODULE; kind++)
+        write_kind(out, of, terms, (piece_kind)kind);
+    fprintf(out, "    .store = { %s },\n    .modules = %s_modules\n};\n",
+            word[terms->format], name);
+}

@@ -1,0 +1,185 @@
+/* SPDX-License-Identifier: MIT */
+/* The list of a baked program: what a scene needs is found and nothing else, a list that
+ * draws another picture is refused, and what is left out on purpose is told. */
+#include <stdarg.h>
+#include <stddef.h>
+#include <setjmp.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+#include "../../ports/host/say.h"
+#include <cmocka.h>
+#include "../../ports/host/bake_program.h"
+#include "../../ports/host/stage.h"
+
+/* A scene loaded, and a wish for it at a size that takes little time. */
+typedef struct {
+    options   options;
+    stage     stage;
+    tp_scene  named;
+    tp_assets lacking;
+    dry_wish  wish;
+} asked;
+
+static void ask(asked *a, const char *scene, bool acts)
+{
+    memset(a, 0, sizeof *a);
+    a->options = (options){ .scene = scene, .texels = 16, .quiet = true };
+    assert_int_equal(stage_load(&a->stage, &a->options), 0);
+    a->named = a->stage.file.scene;
+    const tp_scene  *s = &a->stage.file.scene;
+    const tp_assets *names = &a->stage.assets.names;
+    a->wish = (dry_wish){
+        .scene = s, .assets = names, .named = &a->named, .baked = names,
+        .config = { 64, 48, 0, 16, TP_FORMAT_RGB565 },
+        .terms = { .format = TP_FORMAT_RGB565, .few = true }, .acts = acts,
+    };
+    const tp_rungs r = tp_rungs_of(s, names, 64, 48);
+    a->named.quality.visibility = (int32_t)r.visibility;
+    a->named.quality.shading = (int32_t)r.shading;
+    a->named.quality.rate = (int32_t)r.rate;
+    a->named.quality.lod = (int32_t)r.lod;
+}
+
+static bool has(const dry_found *found, const char *name)
+{
+    piece_set named = { .has = { false } };
+    assert_true(pieces_named(&named, name, strlen(name)));
+    for (size_t i = 0; i < piece_count; i++)
+        if (named.has[i] && found->in.has[i])
+            return true;
+    return false;
+}
+
+/* Each piece of the list but sky and plain, which every picture has, runs or is missed. */
+static void a_list_has_what_the_scene_needs_and_no_more(void **state)
+{
+    asked a;
+    dry_found found, again;
+    piece_list list;
+    dry_run run;
+
+    (void)state;
+    ask(&a, "assets/scenes/raindrops.ini", false);
+    assert_int_equal(dry_find(&found, &a.wish), 0);
+    assert_int_equal(dry_find(&again, &a.wish), 0);
+    assert_memory_equal(&found.in, &again.in, sizeof found.in);
+    assert_true(has(&found, "drop"));
+    assert_false(has(&found, "foam") || has(&found, "land") || has(&found, "rungs"));
+    const dry_program by = { &list.kit, &a.named, a.wish.baked };
+    pieces_watch(&list, &found.in, &a.wish.terms);
+    pieces_forget();
+    assert_int_equal(dry_open(&run, &by, &a.wish.config, false), 0);
+    dry_picture *want = calloc(run.cameras, sizeof *want);
+    assert_int_equal(dry_draw(&run, &by, NULL, run.cameras, want, NULL, NULL), 0);
+    for (size_t i = 0; i < piece_count; i++) {
+        piece_set less = found.in;
+        uint32_t differs;
+        less.has[i] = false;
+        if (!found.in.has[i] || pieces[i].kind == PIECE_MODULE
+            || pieces_ran(i) || !strcmp(pieces[i].name, "sky") || !strcmp(pieces[i].name, "plain"))
+            continue;
+        pieces_list(&list, &less, &a.wish.terms);
+        assert_int_equal(dry_draw(&run, &by, NULL, run.cameras, NULL, want, &differs), 0);
+        if (differs == run.cameras && dry_moves_same(&run, &by))
+            fail_msg("%s %s is in the list, and not needed", piece_word(i),
+                     pieces[i].name);
+    }
+    free(want);
+    dry_close(&run);
+    stage_close(&a.stage);
+}
+
+/* Whoever acts goes under water; nobody else does here. */
+static void cameras_go_where_somebody_may(void **state)
+{
+    asked a;
+    dry_found own, any;
+
+    (void)state;
+    ask(&a, "assets/scenes/minimal.ini", false);
+    assert_int_equal(dry_find(&own, &a.wish), 0);
+    a.wish.acts = true;
+    assert_int_equal(dry_find(&any, &a.wish), 0);
+    assert_false(has(&own, "deep"));
+    assert_true(has(&any, "deep"));
+    assert_true(any.pictures >= 100);
+    stage_close(&a.stage);
+}
+
+static void what_draws_another_picture_is_refused(void **state)
+{
+    asked a;
+    dry_found found;
+
+    (void)state;
+    ask(&a, "assets/scenes/minimal.ini", false);
+    a.lacking = *a.wish.assets;
+    a.wish.baked = &a.lacking;
+    assert_int_equal(dry_find(&found, &a.wish), 0);
+    assert_non_null(a.lacking.layer[0]);
+    a.lacking.layer[0] = NULL;
+    assert_int_equal(dry_find(&found, &a.wish), EXIT_CHECK);
+    a.lacking = *a.wish.assets;
+    a.named.water.colour ^= 0x404040;
+    assert_int_equal(dry_find(&found, &a.wish), 0);     /* it plans for itself then */
+    assert_true(found.planned);
+    stage_close(&a.stage);
+}
+
+/* Assets that will not do are not taken, if others will. */
+static void lean_assets_are_tried_first(void **state)
+{
+    asked a;
+    dry_found found;
+
+    (void)state;
+    ask(&a, "assets/scenes/minimal.ini", false);
+    a.lacking = *a.wish.assets;
+    a.lacking.foam = NULL;
+    a.wish.lean = &a.lacking;
+    assert_int_equal(dry_find(&found, &a.wish), 0);
+    assert_true(found.lean);
+    a.lacking.layer[0] = NULL;
+    assert_int_equal(dry_find(&found, &a.wish), 0);
+    assert_false(found.lean);
+    stage_close(&a.stage);
+}
+
+static void pieces_are_added_and_left_out_by_name(void **state)
+{
+    asked a;
+    dry_found found;
+
+    (void)state;
+    ask(&a, "assets/scenes/minimal.ini", false);
+    assert_true(pieces_named(&a.wish.with, "foam", 4));
+    assert_true(pieces_named(&a.wish.without, "haze", 4));
+    assert_true(pieces_named(&a.wish.without, "spray", 5));
+    assert_false(pieces_named(&a.wish.without, "spra", 4));
+    assert_int_equal(dry_find(&found, &a.wish), 0);
+    assert_true(has(&found, "foam"));
+    assert_false(has(&found, "haze"));
+    for (size_t i = 0; i < piece_count; i++) {
+        assert_false(a.wish.with.has[i] && !found.in.has[i]);
+        if (!strcmp(pieces[i].name, "spray"))
+            assert_false(found.lacks.has[i]);
+    }
+    bool lacks_haze = false;
+    for (size_t i = 0; i < piece_count; i++)
+        lacks_haze |= found.lacks.has[i] && !strcmp(pieces[i].name, "haze");
+    assert_true(lacks_haze);
+    stage_close(&a.stage);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_list_has_what_the_scene_needs_and_no_more),
+        cmocka_unit_test(cameras_go_where_somebody_may),
+        cmocka_unit_test(what_draws_another_picture_is_refused),
+        cmocka_unit_test(lean_assets_are_tried_first),
+        cmocka_unit_test(pieces_are_added_and_left_out_by_name),
+    };
+    return cmocka_run_group_tests_name("dry find", tests, NULL, NULL);
+}
