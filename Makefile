@@ -55,7 +55,7 @@ CORE := $(addprefix src/, \
     shade/mirror.c shade/optics.c shade/pool_bump.c \
     shade/quick_even.c shade/quick_layers.c shade/quick_light.c \
     shade/quick_pictures.c shade/quick_tables.c \
-    shade/quick_view.c shade/ripple.c shade/side.c shade/sky.c shade/solid.c \
+    shade/quick_view.c shade/ripple.c shade/sky.c shade/solid.c \
     shade/tables.c shade/texture.c shade/view.c \
     scene/boat.c scene/check.c scene/clock.c scene/drawn.c \
     scene/faint.c scene/float.c scene/governor.c scene/light.c \
@@ -65,13 +65,13 @@ CORE := $(addprefix src/, \
     scene/value.c scene/wake.c scene/works.c scene/works_land.c scene/works_more.c \
     scene/world.c scene/world_check.c \
     frame/boat.c frame/bump.c frame/carve.c \
-    frame/clipped.c frame/flat.c frame/frame.c frame/glass.c \
+    frame/clipped.c frame/flat.c frame/frame.c \
     frame/holds.c frame/lattice.c frame/lines.c \
     frame/drawing.c frame/marks.c frame/planar_map.c frame/plan.c \
     frame/plan_layers.c \
     frame/plan_quick.c frame/plan_quick_layers.c frame/plan_sky.c frame/planned.c \
     frame/projected.c frame/rows.c frame/shaders.c frame/sight.c \
-    frame/tank.c frame/tile.c frame/visibility.c frame/water.c) \
+    frame/tile.c frame/visibility.c frame/water.c) \
     $(sort $(wildcard src/features/*.c src/features/*/*.c))
 
 # -- the program, for machines with files and threads ----------------------------------

@@ -54,10 +54,10 @@ typedef struct {
 
 /* The frame's block holds what the scene needs at init, nothing for what it lacks:
  *  - vertices: the grid and its crossings, the boat's and the land's corners, drops, rings,
- *    specks of spray; glass, walls inside a pool, the map of caustics (2 bytes a cell)
+ *    specks of spray
  *  - tables: a sky's gradient; by a kit that lights water, shininess; of a
  *    generated or cube sky, the exposure, the boat's materials, slopes of pools that bend
- *    the light only
+ *    the light only; glass, walls inside a pool, the map of caustics (2 bytes a cell)
  *  - mirror: with mirror.objects = stencil a picture of half the size and four rows of
  *    samples, 88320 bytes at 320x240; with mirror.size = quarter 24960.  88320 more for
  *    objects seen under water (water.clear).  With mirror.objects = cube 24576 bytes at
@@ -70,10 +70,10 @@ typedef struct tp_frame tp_frame;   /* lies at the start of the block */
  * tp_world_refresh, which checks it, before the next tp_frame_begin.
  *
  * Memory is fixed at init.  If the scene grows later, extra drops, rings and specks are
- * left out; a floor, wind, mirror, things under clear water, caustics, a wall of glass and
- * walls in a pool that were absent at init are not drawn; caustic_cells stay; a new kind
- * of sky falls back to the gradient and automatic exposure to 1; pools that come to bend
- * the light only stay heights. */
+ * left out; a floor, wind, mirror, things under clear water, caustics, a tank, its glass
+ * and walls in a pool that were absent at init are not drawn; caustic_cells stay; a new
+ * kind of sky falls back to the gradient and automatic exposure to 1; pools that come to
+ * bend the light only stay heights. */
 size_t tp_frame_bytes_with(const tp_kit *kit, const tp_scene *scene,
                            const tp_assets *assets, const tp_frame_config *config);
 size_t tp_frame_scratch_bytes(const tp_frame_config *config);

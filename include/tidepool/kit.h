@@ -66,9 +66,7 @@ typedef void (*tp_stage)(const struct tp_shade *shade, struct tp_run *run);
     X(fresnel) X(fresnel_hdr)       /* mirror into the colour */ \
     X(glint)                /* adds the specular */ \
     /* all of a mesh's Phong; the same in world axes, of one colour; with a picture */ \
-    X(solid) X(solid_blinn) \
-    X(side)                 /* water behind a glass wall */ \
-    X(wall)                 /* a tank's stone */
+    X(solid) X(solid_blinn)
 
 #define X(name) void tp_stage_##name(const struct tp_shade *shade, struct tp_run *run);
 TP_STAGE_LIST(X)
@@ -146,8 +144,6 @@ typedef struct {
 #define TP_DRAW_LIST(X) \
     X(rungs)        /* the plan, tidepool/plan.h */ \
     X(boat)         /* and its lids; stages solid, solid_blinn */ \
-    X(tank)         /* a tank's stone, and a pool's inner walls; wall */ \
-    X(glass)        /* a tank's; side; needs tank */ \
     X(layers)       /* all but the first one, and their distortion */ \
     X(ripple) \
     X(quick_layers) /* pictures of the quick rung; stages quick_far .. quick_slopes */ \
@@ -211,6 +207,8 @@ typedef struct {
     N(main_pool)    /* [pool]; and water.pools */ \
     N(field)        /* [field]; and water.pools */ \
     X(underwater)   /* the inside of the water, and the view of an eye in it */ \
+    X(tank)         /* a tank's stone, and a pool's inner walls */ \
+    X(glass)        /* a tank's walls of glass */ \
     X(caustics)     /* light that waves gather on the floor */ \
     X(mirror)       /* of objects, a picture of half the size */ \
     X(object_cube)  /* the same as a small cube map */ \
@@ -235,6 +233,10 @@ typedef struct {
     X(below) X(below_rippled)       /* the surface from below */ \
     X(deep)                 /* empty view in the water */ \
     X(absorb)               /* water before what is there */
+#define TP_STAGES_OF_tank(X)        X(wall)
+#define TP_STAGES_OF_glass(X) \
+    X(side)                 /* water behind the glass */ \
+    X(pane)                 /* the glass, over exposed colours */
 #define TP_STAGES_OF_caustics(X)
 #define TP_STAGES_OF_mirror(X)      X(mirrored)         /* objects over the sky's mirror */
 #define TP_STAGES_OF_object_cube(X) X(mirrored_cube)

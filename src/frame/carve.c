@@ -51,32 +51,6 @@ static void carve_places(tp_frame_parts *p, tp_arena *arena, const tp_kit *kit,
                                        sizeof *p->boat_vertex);
 }
 
-static void carve_glass(tp_frame_parts *p, tp_arena *arena, const tp_scene *scene)
-{
-    const int32_t cols = scene->grid.cols, rows = scene->grid.rows;
-    const size_t lines = (size_t)(cols > rows ? cols : rows);
-
-    p->glass = tp_arena_take(arena, TP_GLASSES, sizeof *p->glass);
-    for (int i = 0; i < TP_GLASSES; i++) {
-        tp_side_post *post = tp_arena_take(arena, lines + 2, sizeof *post);
-        if (p->glass)
-            p->glass[i].post = post;
-    }
-}
-
-static void carve_depth(tp_frame_parts *p, tp_arena *arena, const tp_kit *kit,
-                        const tp_scene *scene)
-{
-    const tp_draws *draw = &kit->draw;
-    const bool tank = tp_frame_wants(p, tp_has_tank(scene), tp_kit_has_stone(kit));
-    const bool glass = tank && scene->tank.kind == TP_TANK_GLASS;
-
-    if (tp_frame_wants(p, glass, draw->glass && kit->stage.side && kit->method.triangles))
-        carve_glass(p, arena, scene);
-    if (tp_frame_wants(p, tp_has_stone(scene), tp_kit_has_stone(kit)))
-        p->block = tp_arena_take(arena, TP_BLOCKS, sizeof *p->block);
-}
-
 /* Whether a stage that the kit has looks into the lobe of the water's glitter. */
 static bool shines(const tp_kit *kit)
 {
@@ -102,18 +76,14 @@ static void carve_tables(tp_frame_parts *p, tp_arena *arena, const tp_kit *kit,
 }
 
 /* What the modules of a picture are asked about. */
-tp_want tp_frame_want(const tp_kit *kit, const tp_frame_parts *parts, const tp_scene *scene,
+tp_want tp_frame_want(const tp_frame_parts *parts, const tp_scene *scene,
                       const tp_assets *assets, const tp_frame_config *config)
 {
-    const bool walls = tp_kit_has_stone(kit)
-                    && (tp_has_stone(scene) || tp_has_tank(scene));
-
     return (tp_want){
         .scene = scene, .assets = assets, .coastal = tp_has_ocean(scene),
         .width = config->width, .height = config->height,
         .shadings = parts->reach.shading,
-        .above = (assets->boat ? TP_MODULE_SOLID : 0)
-               | (walls ? TP_MODULE_WALLS : 0),
+        .above = assets->boat ? TP_MODULE_SOLID : 0,
     };
 }
 
@@ -138,7 +108,6 @@ tp_frame *tp_frame_carve(const tp_kit *kit, tp_frame_parts *parts, tp_frame_ram 
     const tp_plan_input in = tp_frame_plan_input(kit, scene, assets, config);
     if (kit->draw.rungs)
         kit->draw.rungs->carve(parts, arena, &in);
-    carve_depth(parts, arena, kit, scene);
     const size_t placed = arena->used;
     carve_tables(parts, arena, kit, scene, assets);
     const bool quick = parts->reach.shading & 1 << TP_SHADING_QUICK;
@@ -147,7 +116,7 @@ tp_frame *tp_frame_carve(const tp_kit *kit, tp_frame_parts *parts, tp_frame_ram 
     if (tp_frame_wants(parts, quick, kit->draw.quick_light))
         kit->draw.quick_light->carve(parts, arena);
     const size_t tabled = arena->used;
-    const tp_want want = tp_frame_want(kit, parts, scene, assets, config);
+    const tp_want want = tp_frame_want(parts, scene, assets, config);
     tp_frame_layout_modules(kit, parts, arena, want);
     *ram = (tp_frame_ram){
         .frame = arena->used, .vertices = placed - fixed,

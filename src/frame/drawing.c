@@ -12,12 +12,10 @@
 
 /* -- memory --------------------------------------------------------------------------- */
 
-/* Marks of kinds that are no modules yet. */
+/* Marks of the boat, which is no module yet. */
 static void deal_fixed(tp_marks *marks, const tp_want *want)
 {
     tp_marks_init(marks);
-    for (uint32_t mark = TP_MARK_TANK; mark < TP_MARK_BOAT; mark++)
-        tp_marks_deal(marks, 1);
     tp_marks_deal(marks, want->assets->boat ? tp_frame_materials(want->assets) : 1);
 }
 
@@ -38,8 +36,7 @@ static void give_lists(tp_frame_parts *parts, const tp_use *u, uint32_t count)
 {
     uint32_t list = TP_LIST_WATER + 1;
 
-    for (uint32_t mark = TP_MARK_TANK; mark <= TP_MARK_BOAT; mark++)
-        tp_marks_give(&parts->marks, list++, mark, NULL);
+    tp_marks_give(&parts->marks, list++, TP_MARK_BOAT, NULL);
     for (uint32_t i = 0; i < count; i++)
         if (parts->mark[i])
             tp_marks_give(&parts->marks, list++, parts->mark[i], u[i].drawing);
@@ -81,7 +78,7 @@ void tp_frame_layout_modules(const tp_kit *kit, tp_frame_parts *parts, tp_arena 
 /* A module that was off at init has no memory, and is not drawn if it is on now. */
 void tp_frame_enable_modules(tp_frame *frame)
 {
-    tp_want want = tp_frame_want(frame->kit, &frame->parts, frame->scene, &frame->assets,
+    tp_want want = tp_frame_want(&frame->parts, frame->scene, &frame->assets,
                                  &frame->config);
 
     frame->modules_on = 0;

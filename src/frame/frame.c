@@ -229,10 +229,6 @@ void tp_frame_begin(tp_frame *frame, const tp_world *world)
     tp_frame_plan(frame);
     tp_frame_choose_visibility(frame);
     tp_frame_place_surface(frame);
-    if (frame->parts.block)
-        draw->tank->place(frame);
-    if (frame->parts.glass)
-        draw->glass->place(frame);
     place_solids(frame);
 }
 

@@ -19,35 +19,6 @@ typedef struct {
 
 #define TP_MATERIALS 192        /* more share the last mark */
 
-/* The water's edge along a wall of glass. */
-typedef struct {
-    tp_fx along, high;
-} tp_side_post;
-
-/* Half of a wall of glass, projected and clipped; 28.4 pixels. */
-typedef struct {
-    int     count;
-    int32_t u[TP_CLIP_CORNERS], v[TP_CLIP_CORNERS];
-} tp_pane;
-
-typedef struct {
-    uint32_t      face;         /* of the tank: +x, -x, +z, -z */
-    uint32_t      posts;
-    tp_side_post *post;
-    tp_pane       pane[2];
-    int64_t       gap, right, up, ahead;    /* its depth over the picture, see glass.c */
-} tp_glass;
-
-#define TP_GLASSES 2            /* an eye stands outside of two walls at the most */
-#define TP_PANES   (2 * TP_GLASSES)
-
-/* Pixels of a row, x1 not included. */
-typedef struct {
-    int32_t x0, x1;
-} tp_covered;
-
-#define TP_BLOCKS 256           /* of a pool's inner walls */
-
 /* Lines of points parallel to the horizon, see projected.c. */
 typedef struct {
     tp_level_line horizon, top[TP_LEVEL_SIDES];     /* where the water ends */
@@ -89,8 +60,6 @@ typedef struct tp_frame_parts {
     tp_thin_sea     *thin;
     tp_boat_vertex  *boat_vertex;       /* of the sight that was placed last */
     struct tp_frame_lines *lines;       /* of the grid, lines.h; NULL: rows draw nothing */
-    tp_glass        *glass;             /* TP_GLASSES */
-    tp_rectangle    *block;             /* TP_BLOCKS */
     tp_solid        *solid;             /* of each of the boat's materials */
     uint8_t         *gloss;             /* TP_GLOSS each */
     tp_entry16      *shine;             /* TP_SHINE + 1 */
@@ -134,10 +103,6 @@ struct tp_frame {
 
     int32_t          model;             /* that tables were made for */
     bool             under;             /* the eye is in the water */
-    uint32_t         glasses;
-    uint32_t         blocks, blocks_dropped;
-    tp_fx            block_low, block_high;
-    bool             blocks_made;
 
     tp_shade         shade;
     const tp_toned  *toned;             /* pixels are exposed as they are stored, */
@@ -157,7 +122,7 @@ tp_frame *tp_frame_carve(const tp_kit *kit, tp_frame_parts *parts, tp_frame_ram 
                          tp_arena *arena, const tp_scene *scene, tp_assets *assets,
                          const tp_frame_config *config);
 bool tp_frame_wants(tp_frame_parts *parts, bool asked, bool part);
-tp_want tp_frame_want(const tp_kit *kit, const tp_frame_parts *parts, const tp_scene *scene,
+tp_want tp_frame_want(const tp_frame_parts *parts, const tp_scene *scene,
                       const tp_assets *assets, const tp_frame_config *config);
 tp_plan_input tp_frame_plan_input(const tp_kit *kit, const tp_scene *scene,
                                   const tp_assets *assets, const tp_frame_config *config);
@@ -195,33 +160,16 @@ tp_grid_box tp_frame_cells_box(tp_frame *frame, uint32_t j, uint32_t first, uint
 /* holds.c: whether rows draw this frame as triangles would */
 bool tp_frame_rows_hold(tp_frame *frame);
 
-/* True if a kit lists a module with one of these bits of tp_module.is. */
-static inline bool tp_kit_has_module(const tp_kit *kit, uint32_t is)
-{
-    for (const tp_use *u = kit->modules; u && u->module; u++)
-        if (u->drawing && u->module->is & is)
-            return true;
-    return false;
-}
-
-/* Whether a kit can draw stone: a wall is shaded as what is seen through water. */
-static inline bool tp_kit_has_stone(const tp_kit *kit)
-{
-    return kit->draw.tank && tp_kit_has_module(kit, TP_MODULE_INSIDE) && kit->stage.wall;
-}
-
+/* True if walls stand around the pool in this picture. */
 static inline bool tp_frame_has_tank(const tp_frame *frame)
 {
-    return tp_has_tank(frame->scene) && tp_kit_has_stone(frame->kit);
+    return tp_has_tank(frame->scene) && tp_frame_has_module(frame, TP_MODULE_WALLS);
 }
 
 /* tile.c: row y of samples as 0xffRRGGBB, 0 where nothing is, before any exposure; `to`
  * may be its normals. */
 void tp_frame_colour_row(const tp_frame *frame, const tp_samples *tile, int32_t y,
                          uint32_t *to);
-
-/* tank.c */
-bool tp_frame_is_glass(const tp_frame *frame, uint32_t face);
 
 /* plan.c: the stages that the scene needs, and their numbers. */
 void tp_frame_plan(tp_frame *frame);

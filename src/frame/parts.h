@@ -46,20 +46,6 @@ struct tp_draw_boat {
     void (*plan)(tp_frame *frame);
 };
 
-/* Stone, seen through any lens: of a tank, and in a pool. */
-struct tp_draw_tank {
-    void (*place)(tp_frame *frame);
-    void (*draw)(const tp_frame *frame, const tp_sight *sight, tp_samples *tile);
-};
-
-/* Of tanks of glass; placed after the water. */
-struct tp_draw_glass {
-    void (*place)(tp_frame *frame);
-    void (*draw)(const tp_frame *frame, tp_samples *tile);
-    void (*row)(const tp_frame *frame, int32_t y, tp_covered row[TP_PANES]);
-    void (*glaze)(const tp_frame *frame, const tp_covered row[TP_PANES], tp_run *run);
-};
-
 struct tp_draw_layers {         /* but the first one */
     void (*plan)(tp_frame *frame);
 };

@@ -152,8 +152,6 @@ static void choose_stages(tp_frame *frame)
     if (frame->assets.boat)
         choose_other(frame, TP_MARK_BOAT, blinn && stages->solid_blinn ? stages->solid_blinn
                                                                        : stages->solid);
-    choose_other(frame, TP_MARK_TANK, stages->wall);
-    choose_other(frame, TP_MARK_SIDE, stages->side);
     tp_frame_list_modules(frame);
     if (frame->under)
         choose_below(frame);

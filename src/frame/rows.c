@@ -286,8 +286,7 @@ static void go_to(walk *w, uint32_t last, uint32_t k, uint32_t next, int how)
 
 static bool has_solids(const tp_frame *frame)
 {
-    return frame->assets.boat || frame->glasses > 0
-        || frame->parts.block || tp_frame_has_tank(frame) || tp_frame_has_solids(frame);
+    return frame->assets.boat || tp_frame_has_solids(frame);
 }
 
 static void draw_rows(const tp_frame *frame, tp_samples *tile, void *memory)

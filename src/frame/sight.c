@@ -12,11 +12,6 @@ bool tp_sight_above(const tp_frame *frame, tp_fx level)
     return !frame->under && frame->lens.eye.y > level;
 }
 
-bool tp_sight_has_walls(const tp_frame *frame)
-{
-    return frame->blocks > 0 || tp_frame_has_tank(frame);
-}
-
 /* Levels of detail are those of the picture's focal length: a shorter one puts more
  * texels into a pixel, as if all were farther away. */
 void tp_sight_look(tp_frame *frame, const tp_lens *lens)
@@ -51,8 +46,6 @@ tp_grid_box tp_sight_place(tp_frame *frame, tp_sight *sight)
         frame->kit->draw.boat->solid.place(frame, sight);
     tp_box_join(&box, &sight->boat_box);
     tp_frame_place_modules(frame, sight, &box);
-    if (sight->walls && tp_sight_has_walls(frame))       /* which may be anywhere */
-        return (tp_grid_box){ INT16_MIN, INT16_MIN, INT16_MAX, INT16_MAX };
     return box;
 }
 
@@ -61,6 +54,4 @@ void tp_sight_draw(const tp_frame *frame, const tp_sight *sight, tp_samples *til
     if (frame->assets.boat)
         frame->kit->draw.boat->solid.draw(frame, sight, tile);
     tp_frame_draw_modules(frame, sight, tile);
-    if (sight->walls && tp_sight_has_walls(frame))
-        frame->kit->draw.tank->draw(frame, sight, tile);
 }

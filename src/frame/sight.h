@@ -72,9 +72,6 @@ void tp_sight_look(tp_frame *frame, const tp_lens *lens);
 /* Whether the camera looks down on still water of that level, which then mirrors. */
 bool tp_sight_above(const tp_frame *frame, tp_fx level);
 
-/* A tank's, or stone in the pool. */
-bool tp_sight_has_walls(const tp_frame *frame);
-
 void tp_sight_begin(tp_frame *frame, const tp_sight *sight);
 
 /* The one list of what is solid in every sight, and the box of it all. */

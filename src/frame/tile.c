@@ -70,16 +70,11 @@ static void shade_run(const tp_frame *frame, const tp_shaders *list, tp_run *run
 static void shade_row(const tp_frame *frame, const tp_samples *tile, int32_t y, void *row)
 {
     const tp_store store = frame->kit->store[frame->config.format];
-    tp_covered glass[TP_PANES];
     tp_run run;
 
-    if (frame->glasses > 0)
-        frame->kit->draw.glass->row(frame, y, glass);
     for (int32_t x = tile->x0; x < tile->x1; x += run.count) {
         const tp_shaders *plan = run_at(frame, tile, x, y, &run);
         shade_run(frame, plan, &run);
-        if (frame->glasses > 0)
-            frame->kit->draw.glass->glaze(frame, glass, &run);
         if (frame->toned)
             frame->store_toned(frame->toned, (uint16_t *)row + x - tile->x0, run.colour,
                                run.count);
@@ -120,10 +115,6 @@ static void draw_samples(const tp_frame *frame, tp_samples *samples, void *memor
     if (boat)
         draw->boat->solid.draw(frame, &frame->sight, samples);
     tp_frame_draw_modules(frame, &frame->sight, samples);
-    if (frame->parts.block || tp_frame_has_tank(frame))
-        draw->tank->draw(frame, &frame->sight, samples);
-    if (frame->glasses > 0)
-        draw->glass->draw(frame, samples);
     if (boat)
         draw->boat->lids(frame, &frame->sight, samples);
     tp_frame_draw_surface(frame, samples, memory);

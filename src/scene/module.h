@@ -29,7 +29,8 @@ enum {
     TP_MODULE_DOME   = 128,     /* draws the sky by tp_dome, */
     TP_MODULE_CUBE   = 256,     /* or by tp_cube: its trait is the price of mirroring it */
     TP_MODULE_STARS  = 512,     /* adds to the sky */
-    TP_MODULE_EARLY  = 1024     /* moves before the boat, which is no module yet */
+    TP_MODULE_PANES  = 1024,    /* has stages behind the exposure's */
+    TP_MODULE_EARLY  = 2048     /* moves before the boat, which is no module yet */
 };
 
 /* The conditions that a module is asked about. */

@@ -350,8 +350,7 @@ tp_outlook tp_outlook_of(const tp_plan_input *in)
     const tp_want want = {
         .scene = scene, .assets = assets, .coastal = o.ocean, .width = width,
         .height = height, .shadings = UINT32_MAX,
-        .above = (assets->boat ? TP_MODULE_SOLID : 0)
-               | (tp_has_tank(scene) || tp_has_stone(scene) ? TP_MODULE_WALLS : 0),
+        .above = assets->boat ? TP_MODULE_SOLID : 0,
     };
     list_modules(&o, in->modules, want);
     o.quick = is_quick(&o, scene);

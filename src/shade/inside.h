@@ -57,6 +57,5 @@ typedef struct {
     int32_t eta[3], eta2[3];    /* of red, green, blue from air, and squared; Q1.14 */
     tp_fx   zi_near;            /* as of the lens */
     int64_t right[3], up[3];    /* of the view, a 16th of a pixel at 1 m, Q42 */
-    uint32_t glass_colour, glass;   /* and its share, 0..256 */
 } tp_inside;
 #endif

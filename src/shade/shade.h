@@ -149,10 +149,6 @@ typedef struct tp_shade {
     X(texture_linear,       1, 0) \
     X(texture_linear_tinted, 1, 1)
 
-/* Glass of the wall `way` (as of tp_stage_side) over samples [i, stop) of a shaded run. */
-void tp_shade_glaze(const tp_shade *shade, tp_run *run, int32_t i, int32_t stop,
-                    uint32_t way);
-
 /* -- tables of every scene ----------------------------------------------------------- */
 
 extern const tp_entry16 tp_steep_table[TP_STEEP + 1];       /* Q1.14 */

@@ -30,6 +30,10 @@ static const tp_use modules[] = {
 #if FEATURES >= 13      /* clear water, seen from above and from in it */
     TP_USE(underwater),
 #endif
+#if FEATURES >= 14      /* tanks, of stone and glass */
+    TP_USE(tank),
+    TP_USE(glass),
+#endif
 #if FEATURES >= 17      /* caustics */
     TP_USE(caustics),
 #endif
@@ -105,12 +109,6 @@ const tp_kit features_kit = {
 #endif
 #if FEATURES >= 12      /* drops and rings */
     .water.rings = &tp_water_rings,
-#endif
-#if FEATURES >= 14      /* tanks, of stone and glass */
-    .draw.tank = &tp_draw_tank,
-    .draw.glass = &tp_draw_glass,
-    .stage.wall = tp_stage_wall,
-    .stage.side = tp_stage_side,
 #endif
 #if FEATURES >= 15      /* an ocean over its floor, and land */
     .water.ocean = &tp_water_ocean,

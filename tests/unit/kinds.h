@@ -5,6 +5,7 @@
 #include "features/drops/drops.h"
 #include "features/land/land.h"
 #include "features/spray/spray.h"
+#include "features/tank/tank.h"
 #include "frame/frame.h"
 
 typedef enum {
@@ -18,8 +19,11 @@ static inline marks_kind marks_kind_of(const tp_frame *frame, uint32_t mark)
         return mark == TP_MARK_SKY ? MARKS_SKY : MARKS_WATER;
     if (mark == tp_frame_mark(frame, TP_SPRAY_ID))
         return MARKS_SPRAY;
-    return mark == TP_MARK_TANK ? MARKS_TANK : mark == TP_MARK_SIDE ? MARKS_SIDE
-         : mark == tp_frame_mark(frame, TP_LAND_ID) ? MARKS_LAND
+    if (mark == tp_frame_mark(frame, TP_TANK_ID))
+        return MARKS_TANK;
+    if (mark == tp_frame_mark(frame, TP_GLASS_ID))
+        return MARKS_SIDE;
+    return mark == tp_frame_mark(frame, TP_LAND_ID) ? MARKS_LAND
          : mark == tp_frame_mark(frame, TP_DROPS_ID) ? MARKS_DROP : MARKS_BOAT;
 }
 

@@ -98,8 +98,10 @@ static inline void twice_count(const tp_frame *f, const uint32_t *key, size_t pi
     r->under += f->under;
     r->in_a_tank += f->under && f->shade.inside->walled;
     r->aboard += f->world->aboard;
-    r->glass += f->glasses > 0;
-    r->blocks += f->blocks > 0;
+    const tp_tank *tank = tp_frame_part(f, TP_TANK_ID);
+    const tp_glass *glass = tp_frame_part(f, TP_GLASS_ID);
+    r->glass += glass && glass->walls > 0;
+    r->blocks += tank && tank->blocks > 0;
     const tp_mirror *mirror = tp_frame_part(f, TP_MIRROR_ID);
     const tp_around *cube = tp_frame_part(f, TP_OBJECT_CUBE_ID);
     r->mirrored += mirror && mirror->half.colour;

@@ -31,7 +31,8 @@ static void begin(tp_frame *frame, void *mine)
         return;
     if (exposure != e->made_for)
         make_tones(e, exposure);
-    if (frame->config.format == TP_FORMAT_RGB565 && !frame->parts.glass) {
+    if (frame->config.format == TP_FORMAT_RGB565
+        && !tp_frame_has_module(frame, TP_MODULE_PANES)) {
         frame->toned = &e->toned;
         frame->store_toned = tp_store_rgb565_toned;
     }

@@ -71,7 +71,7 @@ enum { OVERLAP = 2 };
 static tp_view_plane mirror_level(const tp_frame *frame, const tp_lens *lens, tp_fx level)
 {
     const tp_fx trough = -tp_surface_height(&frame->surface);
-    const bool  bare = !tp_sight_has_walls(frame) && trough < level;
+    const bool  bare = !tp_frame_has_module(frame, TP_MODULE_WALLS) && trough < level;
     tp_view_plane plane = tp_lens_level(lens, bare ? trough : level, 1);
 
     plane.depth += (int32_t)(((int64_t)OVERLAP << 43) / lens->focal);   /* half pixels */

@@ -110,13 +110,11 @@ static void begin(tp_frame *frame, void *mine)
     frame->shade.caustic = NULL;
     frame->under = can_show(frame) && is_under(frame);
     if (!frame->under && scene->water.clear == 0 && !frame->assets.floor_texture
-        && !tp_frame_has_tank(frame) && !frame->parts.block)
+        && !tp_frame_has_module(frame, TP_MODULE_WALLS))
         return;
     tp_absorb_init(&in->absorb, (uint32_t)scene->water.tint,
                    scene->water.clear > 0 ? scene->water.clear : CLEAR_BELOW);
     in->deep = (uint32_t)scene->water.deep;
-    in->glass_colour = (uint32_t)scene->tank.glass_colour;
-    in->glass = (uint32_t)scene->tank.glass >> 8;
     set_indices(in, scene->water.dispersion);
     set_sun(&frame->shade, in);
     tp_inside_view(in, &frame->shade, frame->lens.zi_near);
@@ -127,7 +125,7 @@ static void begin(tp_frame *frame, void *mine)
 static void place(tp_frame *frame, void *mine, tp_sight *sight, tp_grid_box *box)
 {
     (void)sight, (void)box;
-    if (tp_sight_has_walls(frame))
+    if (tp_frame_has_module(frame, TP_MODULE_WALLS))
         tp_inside_view(mine, &frame->shade, frame->lens.zi_near);
 }
 

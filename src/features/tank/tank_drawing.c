@@ -1,12 +1,13 @@
 /* SPDX-License-Identifier: MIT */
-/* A tank around the pool, and the walls in it: stone, and glass before the viewer.
+/* A tank around the pool, and the walls in it: stone, but where glass is before the viewer.
  *
  * A wall of glass that the eye stands outside of is not drawn: in its place stands the
  * water's side, from the floor up to the water's own edge.  The others are stone inside.
  * The walls that a pool's mask names are blocks, made of its cells once. */
-#include "frame/frame.h"
+#include "features/tank/tank.h"
 #include "asset/mesh.h"
 #include "base/base.h"
+#include "frame/frame.h"
 
 /* -- what stands where ---------------------------------------------------------------- */
 
@@ -31,7 +32,7 @@ static bool is_outside(const tp_rectangle *r, uint32_t face, tp_vec3 eye)
     }
 }
 
-bool tp_frame_is_glass(const tp_frame *frame, uint32_t face)
+bool tp_tank_is_glass(const tp_frame *frame, uint32_t face)
 {
     tp_rectangle r = tp_pool_sides(frame->scene);
     return frame->scene->tank.kind == TP_TANK_GLASS
@@ -46,28 +47,33 @@ typedef struct {
     int16_t n[3];               /* 511 is 1 */
 } quad;
 
-static void draw_triangle(const tp_sight *sight, const tp_samples *samples, const quad *q,
-                          int b, int c)
+/* What quads are drawn into. */
+typedef struct {
+    const tp_sight   *sight;
+    const tp_samples *samples;
+    uint32_t          mark;
+} target;
+
+static void draw_triangle(const target *to, const quad *q, int b, int c)
 {
     const int which[3] = { 0, b, c };
     tp_view_corner in[3];
 
     for (int k = 0; k < 3; k++)
-        in[k] = tp_clipped_corner(sight->lens, q->at[which[k]], q->n);
-    tp_clipped_draw(sight->lens, tp_sight_cut(sight), samples, in, TP_MARK_TANK, 0);
+        in[k] = tp_clipped_corner(to->sight->lens, q->at[which[k]], q->n);
+    tp_clipped_draw(to->sight->lens, tp_sight_cut(to->sight), to->samples, in, to->mark, 0);
 }
 
-static void draw_quad(const tp_sight *sight, const tp_samples *samples, const quad *q)
+static void draw_quad(const target *to, const quad *q)
 {
-    draw_triangle(sight, samples, q, 1, 2);
-    draw_triangle(sight, samples, q, 2, 3);
+    draw_triangle(to, q, 1, 2);
+    draw_triangle(to, q, 2, 3);
 }
 
 /* The face of a box that looks along `face`, from `low` to `high`; or, `inwards`, its
  * other side. */
-static void draw_face(const tp_sight *sight, const tp_samples *samples,
-                      const tp_rectangle *r, tp_fx low, tp_fx high, uint32_t face,
-                      bool inwards)
+static void draw_face(const target *to, const tp_rectangle *r, tp_fx low, tp_fx high,
+                      uint32_t face, bool inwards)
 {
     TP_ASSERT(face < 4 && low <= high);
     static const uint8_t order[4][2] = { { 1, 2 }, { 3, 0 }, { 0, 1 }, { 2, 3 } };
@@ -79,21 +85,19 @@ static void draw_face(const tp_sight *sight, const tp_samples *samples,
                  { a[0], high, a[1] } },
                { face & 2 ? 0 : out, 0, face & 2 ? out : 0 } };
 
-    draw_quad(sight, samples, &q);
+    draw_quad(to, &q);
 }
 
-static void draw_top(const tp_sight *sight, const tp_samples *samples, tp_fx y,
-                     const tp_fx at[4][2])
+static void draw_top(const target *to, tp_fx y, const tp_fx at[4][2])
 {
     quad q = { { { at[0][0], y, at[0][1] }, { at[1][0], y, at[1][1] },
                  { at[2][0], y, at[2][1] }, { at[3][0], y, at[3][1] } }, { 0, 511, 0 } };
-    draw_quad(sight, samples, &q);
+    draw_quad(to, &q);
 }
 
 /* Of wall `face`: between its inner and its outer rectangle. */
-static void draw_rim(const tp_sight *sight, const tp_samples *samples,
-                     const tp_rectangle *in, const tp_rectangle *out, tp_fx y,
-                     uint32_t face)
+static void draw_rim(const target *to, const tp_rectangle *in, const tp_rectangle *out,
+                     tp_fx y, uint32_t face)
 {
     const tp_fx rim[4][4][2] = {
         { { in->x1, in->z1 }, { out->x1, out->z1 }, { out->x1, out->z0 },
@@ -105,11 +109,10 @@ static void draw_rim(const tp_sight *sight, const tp_samples *samples,
         { { in->x0, in->z0 }, { in->x1, in->z0 }, { out->x1, out->z0 },
           { out->x0, out->z0 } },
     };
-    draw_top(sight, samples, y, rim[face]);
+    draw_top(to, y, rim[face]);
 }
 
-static void draw_walls(const tp_frame *frame, const tp_sight *sight,
-                       const tp_samples *samples)
+static void draw_walls(const tp_frame *frame, const target *to)
 {
     const tp_scene *scene = frame->scene;
     tp_rectangle in = tp_pool_sides(scene);
@@ -118,30 +121,52 @@ static void draw_walls(const tp_frame *frame, const tp_sight *sight,
                          tp_fx_held((int64_t)in.z0 - t), tp_fx_held((int64_t)in.z1 + t) };
 
     for (uint32_t face = 0; face < 4; face++) {
-        if (tp_frame_is_glass(frame, face))
+        if (tp_tank_is_glass(frame, face))
             continue;
-        draw_face(sight, samples, &in, -scene->tank.depth, scene->tank.rim, face, true);
-        draw_rim(sight, samples, &in, &out, scene->tank.rim, face);
+        draw_face(to, &in, -scene->tank.depth, scene->tank.rim, face, true);
+        draw_rim(to, &in, &out, scene->tank.rim, face);
         if (scene->tank.kind == TP_TANK_STONE)
-            draw_face(sight, samples, &out, -scene->tank.depth, scene->tank.rim, face,
-                      false);
+            draw_face(to, &out, -scene->tank.depth, scene->tank.rim, face, false);
     }
 }
 
-static void draw_tank(const tp_frame *frame, const tp_sight *sight,
-                        tp_samples *samples)
+/* An eye in the tank's water sees its walls through that. */
+static void draw(const tp_frame *frame, const void *mine, const tp_sight *sight,
+                 tp_samples *samples, uint32_t mark)
 {
+    const tp_tank *tank = mine;
+    const target to = { sight, samples, mark };
+
+    if (!sight->walls)
+        return;
     samples->front_only = true;
     if (tp_frame_has_tank(frame) && !frame->under)
-        draw_walls(frame, sight, samples);
-    for (uint32_t i = 0; i < frame->blocks; i++) {
-        const tp_rectangle *r = &frame->parts.block[i];
+        draw_walls(frame, &to);
+    for (uint32_t i = 0; i < tank->blocks; i++) {
+        const tp_rectangle *r = &tank->block[i];
         const tp_fx top[4][2] = { { r->x0, r->z1 }, { r->x1, r->z1 }, { r->x1, r->z0 },
                                   { r->x0, r->z0 } };
-        draw_top(sight, samples, frame->block_high, top);
+        draw_top(&to, tank->high, top);
         for (uint32_t face = 0; face < 4; face++)
-            draw_face(sight, samples, r, frame->block_low, frame->block_high, face, false);
+            draw_face(&to, r, tank->low, tank->high, face, false);
     }
+}
+
+/* They may be anywhere. */
+static void place(tp_frame *frame, void *mine, tp_sight *sight, tp_grid_box *box)
+{
+    const tp_tank *tank = mine;
+
+    if (sight->walls && (tank->blocks > 0 || tp_frame_has_tank(frame)))
+        *box = (tp_grid_box){ INT16_MIN, INT16_MIN, INT16_MAX, INT16_MAX };
+}
+
+static void add_stage(const tp_frame *frame, const void *mine, const tp_stage *stage,
+                      tp_shaders *list)
+{
+    (void)frame;
+    if (list->owner == &tp_tank_drawing)
+        tp_shaders_add(list, TP_AT_COLOUR, stage[0], mine);
 }
 
 /* -- blocks --------------------------------------------------------------------------- */
@@ -153,10 +178,10 @@ static tp_fx line(tp_fx centre, tp_fx cell, uint32_t i, uint32_t cells)
 }
 
 /* One that ends at z0 with the same sides goes on to z1. */
-static bool goes_on(tp_frame *frame, tp_rectangle r)
+static bool goes_on(tp_tank *tank, tp_rectangle r)
 {
-    for (uint32_t i = 0; i < frame->blocks; i++) {
-        tp_rectangle *b = &frame->parts.block[i];
+    for (uint32_t i = 0; i < tank->blocks; i++) {
+        tp_rectangle *b = &tank->block[i];
         if (b->x0 == r.x0 && b->x1 == r.x1 && b->z1 == r.z0) {
             b->z1 = r.z1;
             return true;
@@ -165,7 +190,7 @@ static bool goes_on(tp_frame *frame, tp_rectangle r)
     return false;
 }
 
-static void add_row(tp_frame *frame, const tp_pool *pool, uint32_t row)
+static void add_row(tp_tank *tank, const tp_pool *pool, uint32_t row)
 {
     uint32_t end;
 
@@ -177,31 +202,56 @@ static void add_row(tp_frame *frame, const tp_pool *pool, uint32_t row)
                            line(pool->x, pool->cell, end, pool->cols),
                            line(pool->z, pool->cell, row, pool->rows),
                            line(pool->z, pool->cell, row + 1, pool->rows) };
-        if (!wall || goes_on(frame, r))
+        if (!wall || goes_on(tank, r))
             continue;
-        if (frame->blocks < TP_BLOCKS)
-            frame->parts.block[frame->blocks++] = r;
+        if (tank->blocks < TP_BLOCKS)
+            tank->block[tank->blocks++] = r;
         else
-            frame->blocks_dropped++;
+            tank->dropped++;
     }
 }
 
 /* Three cells high where no rim says it: above what a swell of the usual height does. */
-static void place_blocks(tp_frame *frame)
+static void begin(tp_frame *frame, void *mine)
 {
+    tp_tank *tank = mine;
     const tp_scene *scene = frame->scene;
-    const tp_pool *pool = tp_world_pool(frame->world);
-    bool tank = tp_has_tank(scene);
+    const tp_pool *pool = tank->block ? tp_world_pool(frame->world) : NULL;
+    const bool walled = tp_has_tank(scene);
 
-    frame->block_high = tank ? scene->tank.rim : 3 * scene->pool.cell;
-    frame->block_low = tank ? -scene->tank.depth : -scene->pool.range;
-    if (!frame->blocks_made)
-        for (uint32_t row = 0; pool && row < pool->rows; row++)
-            add_row(frame, pool, row);
-    frame->blocks_made = true;
-    frame->stats.dropped += frame->blocks_dropped;
+    tank->high = walled ? scene->tank.rim : 3 * scene->pool.cell;
+    tank->low = walled ? -scene->tank.depth : -scene->pool.range;
+    for (uint32_t row = 0; !tank->made && pool && row < pool->rows; row++)
+        add_row(tank, pool, row);
+    tank->made = true;
+    frame->stats.dropped += tank->dropped;
 }
 
-const struct tp_draw_tank tp_draw_tank = {
-    place_blocks, draw_tank
+/* -- the module ----------------------------------------------------------------------- */
+
+/* Stone is laid and lit like what is seen through the water. */
+static bool enabled(const tp_want *want)
+{
+    return want->above & TP_MODULE_INSIDE
+        && (tp_has_tank(want->scene) || tp_has_stone(want->scene));
+}
+
+static void *layout(tp_arena *arena, const tp_want *want)
+{
+    tp_tank *tank = tp_arena_take(arena, 1, sizeof *tank), made = { .block = NULL };
+
+    if (tp_has_stone(want->scene))
+        made.block = tp_arena_take(arena, TP_BLOCKS, sizeof *made.block);
+    if (tank)
+        *tank = made;
+    return tank;
+}
+
+const tp_module tp_tank_module = {
+    .name = "tank", .id = TP_TANK_ID, .is = TP_MODULE_WALLS, .enabled = enabled,
+};
+
+const tp_drawing tp_tank_drawing = {
+    .layout = layout, .marks = tp_marks_one, .begin = begin, .place = place, .draw = draw,
+    .stages = add_stage,
 };

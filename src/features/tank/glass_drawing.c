@@ -1,0 +1,231 @@
+/* SPDX-License-Identifier: MIT */
+/* A tank's walls of glass: the water behind them as triangles up to the water's own edge,
+ * and where the panes lie in the picture. */
+#include "features/tank/tank.h"
+#include "frame/frame.h"
+
+/* -- the water's side ----------------------------------------------------------------- */
+
+static tp_vec3 on_wall(const tp_rectangle *r, uint32_t face, tp_fx along, tp_fx y)
+{
+    return face & 2 ? (tp_vec3){ along, y, face & 1 ? r->z0 : r->z1 }
+                    : (tp_vec3){ face & 1 ? r->x0 : r->x1, y, along };
+}
+
+static void place_post(const tp_frame *frame, tp_glass_wall *wall, const tp_rectangle *r,
+                       tp_fx along)
+{
+    TP_ASSERT(wall->post != NULL);
+    tp_side_post *post = &wall->post[wall->posts];
+    tp_vec3 at = on_wall(r, wall->face, along, 0);
+
+    post->along = along;
+    post->high = tp_surface_relief(&frame->surface, at.x, at.z).height;
+    wall->posts++;
+}
+
+/* At the grid's lines between both ends of the wall, so that the side ends where the
+ * surface does; a program without triangles has no grid. */
+static void place_posts(const tp_frame *frame, tp_glass_wall *wall, const tp_rectangle *r)
+{
+    const tp_grid *grid = frame->parts.grid;
+    const bool across = wall->face & 2;
+    const tp_grid_line *line = !grid ? NULL : across ? grid->column : grid->row;
+    uint32_t lines = !grid ? 0 : across ? grid->cols : grid->rows;
+    tp_fx from = across ? r->x0 : r->z0, to = across ? r->x1 : r->z1;
+
+    wall->posts = 0;
+    place_post(frame, wall, r, from);
+    for (uint32_t i = 0; i < lines; i++)
+        if (line[i].place > from && line[i].place < to)
+            place_post(frame, wall, r, line[i].place);
+    place_post(frame, wall, r, to);
+}
+
+/* After the water's grid. */
+static void place(tp_frame *frame, void *mine, tp_sight *sight, tp_grid_box *box)
+{
+    const tp_rectangle r = tp_pool_sides(frame->scene);
+    tp_glass *glass = mine;
+
+    (void)box;
+    for (uint32_t k = 0; sight->picture && k < glass->walls; k++)
+        place_posts(frame, &glass->wall[k], &r);
+}
+
+static const int16_t no_normal[3] = { 0, 0, 0 };    /* its stage knows the wall's */
+
+static void wall_corners(const tp_frame *frame, const tp_vec3 at[3], tp_view_corner to[3])
+{
+    for (int k = 0; k < 3; k++)
+        to[k] = tp_clipped_corner(&frame->lens, at[k], no_normal);
+}
+
+/* A side and what it is drawn into. */
+typedef struct {
+    const tp_frame   *frame;
+    const tp_samples *tile;
+    uint32_t          mark, face;
+    tp_rectangle      sides;
+    tp_fx             floor;
+} side;
+
+static void draw_triangle(const side *s, const tp_vec3 at[3])
+{
+    tp_view_corner in[3];
+
+    wall_corners(s->frame, at, in);
+    tp_clipped_draw(&s->frame->lens, NULL, s->tile, in, s->mark, s->face);
+}
+
+/* From a post to the next. */
+static void draw_part(const side *s, const tp_side_post *a, const tp_side_post *b)
+{
+    tp_vec3 low = on_wall(&s->sides, s->face, a->along, s->floor);
+    tp_vec3 top = on_wall(&s->sides, s->face, b->along, b->high);
+    tp_vec3 left = on_wall(&s->sides, s->face, a->along, a->high);
+    tp_vec3 right = on_wall(&s->sides, s->face, b->along, s->floor);
+    const tp_vec3 one[3] = { low, right, top }, two[3] = { low, top, left };
+
+    draw_triangle(s, one);
+    draw_triangle(s, two);
+}
+
+static void draw(const tp_frame *frame, const void *mine, const tp_sight *sight,
+                 tp_samples *tile, uint32_t mark)
+{
+    const tp_glass *glass = mine;
+    side s = { .frame = frame, .tile = tile, .mark = mark,
+               .floor = -frame->scene->tank.depth };
+
+    if (!sight->picture || glass->walls == 0)
+        return;
+    s.sides = tp_pool_sides(frame->scene);
+    tile->front_only = false;
+    for (uint32_t k = 0; k < glass->walls; k++) {
+        const tp_glass_wall *wall = &glass->wall[k];
+        s.face = wall->face;
+        for (uint32_t i = 0; i + 1 < wall->posts; i++)
+            draw_part(&s, &wall->post[i], &wall->post[i + 1]);
+    }
+}
+
+/* -- the panes ------------------------------------------------------------------------ */
+
+static void widen(tp_glass_wall *wall, int32_t u, int32_t v)
+{
+    wall->x0 = u >> 4 < wall->x0 ? u >> 4 : wall->x0;
+    wall->x1 = u >> 4 >= wall->x1 ? (u >> 4) + 1 : wall->x1;
+    wall->y0 = v >> 4 < wall->y0 ? v >> 4 : wall->y0;
+    wall->y1 = v >> 4 >= wall->y1 ? (v >> 4) + 1 : wall->y1;
+}
+
+static void place_pane(const tp_frame *frame, tp_glass_wall *wall, tp_pane *pane,
+                       const tp_vec3 at[3])
+{
+    tp_view_corner in[3];
+    tp_corner corner[TP_CLIP_CORNERS];
+
+    wall_corners(frame, at, in);
+    pane->count = tp_clipped_corners(&frame->lens, NULL, in, corner);
+    for (int k = 0; k < pane->count; k++) {
+        pane->u[k] = corner[k].u;
+        pane->v[k] = corner[k].v;
+        widen(wall, corner[k].u, corner[k].v);
+    }
+}
+
+/* A pane is in front of what is farther than it; its 1 / depth is a plane over the
+ * picture, n . D / (n . (p - eye)) for the view's ray D at 1 m. */
+static void place_depth(const tp_frame *frame, tp_glass_wall *wall, const tp_rectangle *r)
+{
+    const tp_inside *in = frame->shade.inside;
+    const tp_dir3 back = frame->shade.world.back;
+    tp_vec3 at = on_wall(r, wall->face, 0, 0), eye = frame->lens.eye;
+    int     axis = wall->face & 2 ? 2 : 0;
+    int64_t gap = axis ? (int64_t)at.z - eye.z : (int64_t)at.x - eye.x;
+
+    if (gap == 0)
+        gap = 1;
+    wall->gap = gap;
+    wall->right = in->right[axis];
+    wall->up = in->up[axis];
+    wall->ahead = -(int64_t)(axis ? back.z : back.x) * 4096;
+}
+
+static void place_wall(const tp_frame *frame, tp_glass_wall *wall, uint32_t face)
+{
+    const tp_scene *scene = frame->scene;
+    const tp_rectangle r = tp_pool_sides(scene);
+    const tp_fx from = face & 2 ? r.x0 : r.z0, to = face & 2 ? r.x1 : r.z1;
+    const tp_vec3 at[4] = { on_wall(&r, face, from, -scene->tank.depth),
+                            on_wall(&r, face, to, -scene->tank.depth),
+                            on_wall(&r, face, to, scene->tank.rim),
+                            on_wall(&r, face, from, scene->tank.rim) };
+    const tp_vec3 other[3] = { at[0], at[2], at[3] };
+
+    wall->face = face;
+    wall->x0 = wall->y0 = INT32_MAX;
+    wall->x1 = wall->y1 = INT32_MIN;
+    place_pane(frame, wall, &wall->pane[0], at);
+    place_pane(frame, wall, &wall->pane[1], other);
+    place_depth(frame, wall, &r);
+}
+
+static void begin(tp_frame *frame, void *mine)
+{
+    tp_glass *glass = mine;
+
+    glass->colour = (uint32_t)frame->scene->tank.glass_colour;
+    glass->share = (uint32_t)frame->scene->tank.glass >> 8;
+    glass->walls = 0;
+    for (uint32_t face = 0; face < 4 && !frame->under; face++) {
+        if (!tp_tank_is_glass(frame, face))
+            continue;
+        TP_ASSERT(glass->walls < TP_GLASSES);
+        place_wall(frame, &glass->wall[glass->walls++], face);
+    }
+}
+
+/* Panes lie over everything; what is behind them has its exposed colour by then. */
+static void add_stages(const tp_frame *frame, const void *mine, const tp_stage *stage,
+                       tp_shaders *list)
+{
+    const tp_glass *glass = mine;
+
+    (void)frame;
+    if (list->owner == &tp_glass_drawing)
+        tp_shaders_add(list, TP_AT_COLOUR, stage[0], mine);
+    if (glass->walls > 0)
+        tp_shaders_add(list, TP_AT_GLASS, stage[1], mine);
+}
+
+/* -- the module ----------------------------------------------------------------------- */
+
+static bool enabled(const tp_want *want)
+{
+    return want->above & TP_MODULE_WALLS && tp_has_tank(want->scene)
+        && want->scene->tank.kind == TP_TANK_GLASS;
+}
+
+static void *layout(tp_arena *arena, const tp_want *want)
+{
+    const int32_t cols = want->scene->grid.cols, rows = want->scene->grid.rows;
+    const size_t lines = (size_t)(cols > rows ? cols : rows);
+    tp_glass *glass = tp_arena_take(arena, 1, sizeof *glass), made = { .walls = 0 };
+
+    for (int k = 0; k < TP_GLASSES; k++)
+        made.wall[k].post = tp_arena_take(arena, lines + 2, sizeof *made.wall[k].post);
+    if (glass)
+        *glass = made;
+    return glass;
+}
+
+const tp_module tp_glass_module = {
+    .name = "glass", .id = TP_GLASS_ID, .is = TP_MODULE_PANES, .enabled = enabled,
+};
+
+const tp_drawing tp_glass_drawing = {
+    .layout = layout, .marks = tp_marks_one, .begin = begin, .place = place, .draw = draw,
+    .stages = add_stages,
+};

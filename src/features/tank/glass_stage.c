@@ -1,0 +1,134 @@
+/* SPDX-License-Identifier: MIT */
+/* A tank's walls of glass: the water behind them, and the panes.
+ *
+ * The glass is thin: a ray is bent as if air met water there [F4]. */
+#include "features/tank/tank.h"
+#include "raster/edge.h"
+#include "raster/raster.h"
+#include "shade/beam.h"
+#include "shade/env.h"
+
+/* Out of wall `face`: +x, -x, +z, -z. */
+static tp_ray normal_of(uint32_t face)
+{
+    int32_t one = face & 1 ? -16384 : 16384;
+    return face & 2 ? (tp_ray){ 0, 0, one, 0 } : (tp_ray){ one, 0, 0, 0 };
+}
+
+void tp_stage_side(const tp_shade *shade, tp_run *run)
+{
+    tp_view_run(shade, &shade->world, run);
+    for (int32_t i = 0; i < run->count; i++) {
+        tp_ray  in = { -run->vx[i], -run->vy[i], -run->vz[i], 0 };
+        tp_beam beam;
+        tp_inside_places(shade, run, i, i + 1, &beam);
+        beam.way = tp_inside_bent(shade->inside, 1, in, normal_of(run->t[i]));
+        run->colour[i] = tp_inside_at(shade, &shade->inside->bed, &beam,
+                                      shade->inside->deep);
+    }
+}
+
+/* -- panes ---------------------------------------------------------------------------- */
+
+/* Samples of a run, the last one not included. */
+typedef struct {
+    int32_t first, end;
+} part;
+
+/* What a convex polygon covers of a run, by the fill rule of triangles. */
+static part covered(const tp_pane *pane, const tp_run *run)
+{
+    int32_t y = run->y, x0 = INT32_MAX, x1 = INT32_MIN;
+
+    for (int k = 0; k < pane->count; k++) {
+        int n = k + 1 < pane->count ? k + 1 : 0;
+        int a = pane->v[k] < pane->v[n] ? k : n, b = a == k ? n : k;
+        if (tp_first_centre(pane->v[a]) > y || tp_first_centre(pane->v[b]) <= y)
+            continue;
+        tp_edge edge = tp_edge_of(pane->u[a], pane->v[a], pane->u[b], pane->v[b]);
+        tp_edge_go(&edge, y);
+        x0 = edge.pixel < x0 ? edge.pixel : x0;
+        x1 = edge.pixel > x1 ? edge.pixel : x1;
+    }
+    if (x0 >= x1)
+        return (part){ 0, 0 };
+    return (part){ x0 > run->x ? x0 - run->x : 0,
+                   x1 < run->x + run->count ? x1 - run->x : run->count };
+}
+
+/* Whether what a sample holds lies behind the glass: depth > gap / (n . D), so that
+ * zi < zi_near (n . D) / gap; cross-multiplied, in Q42 and 16.16 over Q31. */
+static bool is_behind(const tp_shade *shade, const tp_glass_wall *wall, uint32_t key,
+                      int64_t view)
+{
+    int64_t near = (int64_t)shade->inside->zi_near * (view >> 22);      /* Q36 */
+    int64_t here = (int64_t)(TP_ZI(key) >> 4) * (wall->gap >> 2);       /* Q27 Q14 */
+    int64_t rise = near * (wall->gap > 0 ? 1 : -1);
+    int64_t far = (here >> 5) * (wall->gap > 0 ? 1 : -1);
+    return far <= rise + (rise >> 10);
+}
+
+/* The sky in the pane over the glass's own colour; the run has its view. */
+static void tint(const tp_shade *shade, const tp_glass *glass, tp_run *run, part p,
+                 uint32_t face)
+{
+    tp_ray n = normal_of(face);
+
+    for (int32_t i = p.first; i < p.end; i++) {
+        int32_t  vx = run->vx[i], vy = run->vy[i], vz = run->vz[i];
+        int32_t  nv = (vx * n.x + vz * n.z) >> 14;
+        uint32_t share = shade->fresnel[tp_clamp(nv, 0, 16384) >> 6];
+        uint32_t sky = tp_env_at(shade, (2 * nv * n.x >> 14) - vx, -vy,
+                                 (2 * nv * n.z >> 14) - vz);
+        uint32_t c = tp_colour_mix(run->colour[i], glass->colour, glass->share);
+        run->colour[i] = tp_colour_mix(c, sky, share);
+    }
+}
+
+static void glaze(const tp_shade *shade, const tp_glass *glass, const tp_glass_wall *wall,
+                  tp_run *run, part p)
+{
+    int64_t v = shade->v0 - 16 * run->y - 8;
+
+    for (int32_t i = p.first; i < p.end; ) {
+        int32_t from = i;
+        int64_t u = 16 * (run->x + i) + 8 - shade->u0;
+        int64_t view = wall->right * u + wall->up * v + wall->ahead;
+        bool seen = is_behind(shade, wall, run->key[i], view);
+        for (; i < p.end && seen == is_behind(shade, wall, run->key[i], view); i++)
+            view += wall->right * 16;
+        if (seen)
+            tint(shade, glass, run, (part){ from, i }, wall->face);
+    }
+}
+
+static bool is_near(const tp_glass_wall *wall, const tp_run *run)
+{
+    return run->y >= wall->y0 && run->y < wall->y1
+        && run->x < wall->x1 && run->x + run->count > wall->x0;
+}
+
+void tp_stage_pane(const tp_shade *shade, tp_run *run)
+{
+    const tp_glass *glass = run->mine;
+    bool viewed = false;
+
+    for (uint32_t k = 0; k < 2 * glass->walls; k++) {
+        const tp_glass_wall *wall = &glass->wall[k / 2];
+        if (!is_near(wall, run))
+            continue;
+        const part p = covered(&wall->pane[k % 2], run);
+        if (p.first >= p.end)
+            continue;
+        if (!viewed)
+            tp_view_run(shade, &shade->world, run);
+        viewed = true;
+        glaze(shade, glass, wall, run, p);
+    }
+}
+
+const tp_stage tp_glass_stages[] = {
+#define X(name) tp_stage_##name,
+    TP_STAGES_OF_glass(X)
+#undef X
+};

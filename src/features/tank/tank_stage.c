@@ -1,0 +1,26 @@
+/* SPDX-License-Identifier: MIT */
+/* The stone of a tank and of the walls in a pool. */
+#include "features/tank/tank.h"
+#include "shade/beam.h"
+#include "shade/coat.h"
+
+/* The picture lies in the plane that the normal is nearest to: x y, z y or x z. */
+void tp_stage_wall(const tp_shade *shade, tp_run *run)
+{
+    for (int32_t i = 0; i < run->count; i++) {
+        tp_packed_dir n = run->n[i];
+        int32_t x = tp_abs(tp_dir_x(n)), y = tp_abs(tp_dir_y(n)), z = tp_abs(tp_dir_z(n));
+        tp_beam beam;
+        tp_inside_places(shade, run, i, i + 1, &beam);
+        tp_fx s = x > y && x > z ? beam.at.z : beam.at.x;
+        tp_fx t = y >= x && y >= z ? beam.at.z : -beam.at.y;
+        uint32_t colour = tp_coat_at(&shade->inside->wall, s, t, beam.far, false);
+        run->colour[i] = tp_coat_lit(shade, colour, n);
+    }
+}
+
+const tp_stage tp_tank_stages[] = {
+#define X(name) tp_stage_##name,
+    TP_STAGES_OF_tank(X)
+#undef X
+};
