@@ -272,7 +272,7 @@ TP_MODULE_LIST(MODULE, UNSEEN)
 #undef X
 
 #define TP_USE(name) { &tp_##name##_module, &tp_##name##_drawing, tp_##name##_stages }
-/* With a table of stages of its own: all entries, NULL is never asked for. */
+/* At file scope: with a table of its own, all entries of it; NULL is never asked for. */
 #define TP_USE_WITH(name, ...) \
     { &tp_##name##_module, &tp_##name##_drawing, (const tp_stage[]){ __VA_ARGS__ } }
 #define TP_USE_UNSEEN(name) { &tp_##name##_module, NULL, NULL }

@@ -275,7 +275,6 @@ static void add_sky(tp_site *w, const tp_outlook *outlook, uint32_t sky, bool qu
 
 static void add_air(tp_site *w, const tp_outlook *outlook, uint32_t water, uint32_t solid)
 {
-    const tp_scene *s = w->scene;
     const bool dome = outlook->modules & TP_MODULE_DOME;
     const bool cube = outlook->modules & TP_MODULE_CUBE;
     uint32_t *work = w->works.of;
@@ -286,8 +285,8 @@ static void add_air(tp_site *w, const tp_outlook *outlook, uint32_t water, uint3
         work[TP_WORK_haze_dome] = dome ? water + solid : 0;
         work[TP_WORK_haze_cube] = cube ? water + solid : 0;
     }
-    work[TP_WORK_hdr] = s->water.reflection > 0 && s->hdr.share > 0 && (dome || cube)
-                      ? water : 0;
+    const bool mirrored = outlook->trait[TP_TRAIT_dome] || outlook->trait[TP_TRAIT_cube];
+    work[TP_WORK_hdr] = w->scene->hdr.share > 0 && mirrored ? water : 0;
 }
 
 static void add_pixels(tp_site *w, const tp_outlook *outlook, bool quick)

@@ -9,8 +9,9 @@
  * Water goes through its list in this order, as far as the scene needs it:
  *     bend (ls lt), layers (colour), pool_bump and ripple (sx sz), view (vx vy vz lv),
  *     light (colour nv up glint), behind (what is seen through it, into colour),
- *     mirror; or in parts: slopes, reflect (mirror rx rz), mirrored (objects over it),
- *     fresnel (mirror into colour); then foam, glint, haze, expose.
+ *     mirror; or in parts: reflect (mirror rx rz), mirrored (objects over it), fresnel
+ *     (mirror into colour), for which slopes (sx sz) stands in for ripples; then foam,
+ *     glint, haze, expose.
  * Seen from below it is: pool_bump, ripple, view, below, expose.  All else has a stage of
  * its own that does everything, then haze (in the water absorb) and expose.
  *

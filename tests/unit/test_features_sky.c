@@ -1,11 +1,12 @@
 /* SPDX-License-Identifier: MIT */
-/* Skies in whole frames: every tiling the same, nothing carved that is not used, and a
- * cube with a hole is the gradient. */
+/* Skies in whole frames: every tiling the same, nothing carved that is not used; a cube
+ * with a hole, or a sky that the program lacks, is the gradient. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
 #include <stdint.h>
 #include <cmocka.h>
+#include "features/sky/sky.h"
 #include "frame/frame.h"
 #include "tidepool/kit.h"
 #include "scenes.h"
@@ -173,6 +174,91 @@ static void a_camera_that_turns_draws_as_a_fresh_frame_does(void **state)
     free(w);
 }
 
+/* -- a program that lacks a sky ---------------------------------------------------------- */
+
+/* The list of everything with another use of the dome, or none. */
+static tp_kit kit_with_dome(const tp_use *dome)
+{
+    static tp_use list[33];
+    tp_kit kit = tp_kit_all;
+    uint32_t n = 0;
+
+    for (const tp_use *u = tp_kit_all.modules; u->module; u++) {
+        if (u->module->id != TP_SKY_DOME_ID)
+            list[n++] = *u;
+        else if (dome)
+            list[n++] = *dome;
+    }
+    list[n] = (tp_use){ 0 };
+    kit.modules = list;
+    return kit;
+}
+
+/* How many things were left out. */
+static uint32_t draw_by(const tp_kit *kit, const tp_scene *s, uint32_t *to)
+{
+    const tp_assets a = { .layer[0] = &boat.texture[0] };
+    const tp_frame_config c = { WIDTH, HEIGHT, 0, 0, TP_FORMAT_XRGB8888 };
+    tp_world *w = scene_world(s, &a);
+    test_frame f = frame_by(kit, s, &a, &c);
+    tp_tile tile;
+
+    tp_frame_begin(f.frame, w);
+    assert_true(tp_frame_tile(f.frame, 0, f.scratch, &tile));
+    memcpy(to, tile.pixels, sizeof picture[0]);
+    const uint32_t dropped = tp_frame_last_stats(f.frame).dropped;
+    frame_free(&f);
+    free(w);
+    return dropped;
+}
+
+static tp_scene day_scene(void)
+{
+    tp_scene s = sky_scene(TP_SKY_DAY);
+
+    s.boat.mesh[0] = '\0';
+    s.hdr.exposure = TP_EXPOSURE_FIXED;
+    s.mirror.objects = TP_MIRROR_NONE;
+    s.quality.shading = TP_SHADING_EXACT;
+    s.quality.visibility = TP_VISIBILITY_TRIANGLES;
+    s.water.specular = s.water.reflection = TP_FX_ONE;
+    return s;
+}
+
+static void a_sky_that_a_program_lacks_is_the_gradient_and_is_told(void **state)
+{
+    const tp_kit lacking = kit_with_dome(NULL);
+    (void)state;
+
+    for (int kind = TP_SKY_DAY; kind <= TP_SKY_NIGHT; kind++) {
+        tp_scene s = day_scene();
+        s.sky.kind = kind;
+        assert_int_equal(draw_by(&lacking, &s, picture[0]), 1);
+        s.sky.kind = TP_SKY_GRADIENT;
+        assert_int_equal(draw_by(&lacking, &s, picture[1]), 0);
+        assert_memory_equal(picture[1], picture[0], sizeof picture[0]);
+    }
+}
+
+/* Its table has no stage of the mirror: */
+static const tp_use unmirrored =
+    TP_USE_WITH(sky_dome, tp_stage_sky_dome, tp_stage_sky_dome_hdr, NULL, NULL);
+
+/* the water is drawn without Fresnel's share. */
+static void a_mirror_stage_that_a_program_lacks_is_left_out_and_is_told(void **state)
+{
+    const tp_kit lacking = kit_with_dome(&unmirrored);
+    tp_scene s = day_scene();
+    (void)state;
+
+    assert_int_equal(draw_by(&lacking, &s, picture[0]), 1);
+    assert_int_equal(draw_by(&tp_kit_all, &s, picture[1]), 0);
+    assert_memory_not_equal(picture[1], picture[0], sizeof picture[0]);
+    s.water.reflection = 0;
+    assert_int_equal(draw_by(&lacking, &s, picture[1]), 0);
+    assert_memory_equal(picture[1], picture[0], sizeof picture[0]);
+}
+
 int main(void)
 {
     chance = random_seed();
@@ -183,6 +269,8 @@ int main(void)
         cmocka_unit_test(skies_are_carved_for_those_who_have_them),
         cmocka_unit_test(a_live_change_is_drawn_as_far_as_there_are_tables),
         cmocka_unit_test(a_camera_that_turns_draws_as_a_fresh_frame_does),
+        cmocka_unit_test(a_sky_that_a_program_lacks_is_the_gradient_and_is_told),
+        cmocka_unit_test(a_mirror_stage_that_a_program_lacks_is_left_out_and_is_told),
     };
-    return cmocka_run_group_tests_name("sky", tests, NULL, NULL);
+    return cmocka_run_group_tests_name("features/sky", tests, NULL, NULL);
 }

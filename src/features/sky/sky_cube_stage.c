@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Six pictures, looked up along each pixel's view where nothing stands before it, and
  * along the mirrored view where there is water. */
-#include "features/sky/cube_rows.h"
+#include "features/sky/sky_cube_look.h"
 #include "features/sky/sky_stage.h"
 #include "shade/reflected.h"
 

@@ -2,8 +2,8 @@
 /* A cube looked up along many directions at one level: as env.h does it, but what its
  * pictures are at that level is found once; and where processors are wide, what can be
  * done for eight directions at once is. */
-#ifndef TP_SKY_CUBE_ROWS_H
-#define TP_SKY_CUBE_ROWS_H
+#ifndef TP_SKY_CUBE_LOOK_H
+#define TP_SKY_CUBE_LOOK_H
 #include "shade/env.h"
 
 typedef struct {
