@@ -232,6 +232,18 @@ static bool narrow(search *s, uint32_t *differs)
     return true;
 }
 
+/* Stages of drawings that are left out. */
+static void tidy(piece_set *in)
+{
+    bool drawn = false;
+
+    for (size_t i = 0; i < piece_count; i++) {
+        if (pieces[i].kind == PIECE_MODULE || pieces[i].kind == PIECE_DRAWING)
+            drawn = pieces[i].kind == PIECE_DRAWING && in->has[i];
+        in->has[i] &= pieces[i].kind != PIECE_MODULE_STAGE || drawn;
+    }
+}
+
 static int find(search *s)
 {
     uint32_t differs;
@@ -330,6 +342,7 @@ int dry_find(dry_found *found, const dry_wish *wish)
         code = find(&s);
     if (!code && has_any(&wish->without))
         code = find_lacks(&s, &lacks);
+    tidy(&s.in);
     *found = (dry_found){ .in = s.in, .lacks = lacks, .lean = s.lean,
                           .planned = plans(&s.in), .pictures = s.run.cameras };
     close_search(&s);

@@ -8,7 +8,7 @@
 
 #define MOMENTS 24
 #define EVERY   15              /* ticks from one to the next: 6 s in all, */
-#define ALONE   50              /* 20 s of a scene that nobody acts in */
+#define ALONE   40              /* 15 s of a scene that nobody acts in */
 #define CAMERAS 8               /* at each moment, where somebody acts */
 #define BAND    48              /* rows of a tile: any tiling draws the same bits */
 

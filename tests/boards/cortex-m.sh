@@ -4,6 +4,7 @@
 # goes wrong on them is told, and README.md's table of them is what is measured.
 #     cortex-m.sh PROGRAM
 . tests/gates/lib.sh
+. tests/boards/linked.sh
 
 program=$1
 shots=$scratch/shots
@@ -39,6 +40,17 @@ whole()         # BOARD/SCENE: nothing was left out
 {
     [ "$(said dropped "$shots/$1.said" | sort -u)" = 0 ]
 }
+links_its_list()        # BOARD/SCENE: and no other piece
+{
+    pieces_of "build/${1%/*}/scenes/${1#*/}.elf" >"$scratch/pieces"
+    links_no_more "$scratch/pieces" "build/${1%/*}/baked/${1#*/}.c"
+}
+links_another() # BOARD/SCENE: the same with a piece that no list of these boards has
+{
+    pieces_of "build/${1%/*}/scenes/${1#*/}.elf" >"$scratch/pieces"
+    echo tp_stage_foam >>"$scratch/pieces"
+    links_no_more "$scratch/pieces" "build/${1%/*}/baked/${1#*/}.c"
+}
 stack_holds()   # BOARD/SCENE: with room for an exception's frame besides
 {
     of=$shots/$1.said
@@ -55,6 +67,9 @@ for shot in "$shots"/*/*.said; do
     refuse "$shot: they are not 61 and 62" frames_are "$shot" 61
     check "$shot: nothing was left out" whole "$shot"
     check "$shot: the stack stays in its reserve" stack_holds "$shot"
+    [ -f "build/${shot%/*}/baked/${shot#*/}.c" ] || continue
+    check "$shot: no piece is linked that its list lacks" links_its_list "$shot"
+    refuse "$shot: nor is foam" links_another "$shot"
 done
 
 # -- what goes wrong ------------------------------------------------------------------

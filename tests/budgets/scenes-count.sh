@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# Every shipped scene on an emulated Cortex-M4: its frames must be the host's, and what
-# they cost in instructions by stage, RAM and stack is held against scenes.csv.
+# Every shipped scene, linked by its own list, on an emulated Cortex-M4: its frames must be
+# the host's, nothing may be linked that the list lacks, and what they cost in instructions by stage, RAM and stack is held against scenes.csv.
 #
 #   tests/budgets/scenes-count.sh [--write] [SCENE...]
 #
@@ -9,6 +9,7 @@
 . tests/gates/lib.sh
 . tests/budgets/board.sh
 . tests/budgets/hold.sh
+. tests/boards/linked.sh
 
 budgets=tests/budgets/scenes.csv
 write=
@@ -36,6 +37,8 @@ one()           # SCENE: its figures, or why there are none
     "$program" render "assets/scenes/$1.ini" --size 320x240 --frames 60:61 \
         --format rgb565 --hash >"$to.host" || return 1
     grep '^frame' "$to.said" | diff "$to.host" - || return 1
+    pieces_of "$elf" >"$to.pieces"
+    links_no_more "$to.pieces" "build/cortex-m/baked/$1.c" || return 1
     arm-none-eabi-nm -t d -n -l --defined-only "$elf" >"$to.symbols"
     awk -v scene="$1" -f tests/budgets/stages.awk "$to.symbols" "$to.said" "$to.counts" |
         LC_ALL=C sort >"$to.figures"
