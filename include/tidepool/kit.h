@@ -124,8 +124,7 @@ extern const struct tp_water_swells tp_water_few_swells;
 
 #define TP_MOVE_LIST(X) \
     X(boat) \
-    X(wake)         /* of a boat in a pool */ \
-    X(ocean)        /* and water.ocean */
+    X(wake)         /* of a boat in a pool */
 
 #define X(name) extern const struct tp_move_##name tp_move_##name;
 TP_MOVE_LIST(X)
@@ -202,6 +201,7 @@ typedef struct {
     X(haze) \
     X(land)         /* a floor that rises out of the water */ \
     X(drops)        /* in the air, the sphere that they fall from, and rings */ \
+    N(coastal)      /* waves over a floor or in a wind; water.ocean, water.swells */ \
     N(pokes)        /* of pools, by chance and by input */ \
     N(paddle)       /* waves made in pools */ \
     N(main_pool)    /* [pool]; and water.pools */ \

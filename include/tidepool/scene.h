@@ -287,7 +287,6 @@ typedef struct {
 /* The parts that only some scenes have lie behind this head, at these byte offsets from
  * its start; 0: the scene has none. */
 typedef struct {
-    uint32_t ocean;
     uint32_t modules;           /* the first of the chunks of src/scene/module.h */
     uint32_t bytes;             /* of the whole block */
 } tp_world_parts;

@@ -75,12 +75,25 @@ static void carve_tables(tp_frame_parts *p, tp_arena *arena, const tp_kit *kit,
     }
 }
 
+bool tp_frame_is_coastal(const tp_kit *kit, const tp_scene *scene)
+{
+    const tp_want want = tp_want_by(kit, scene, NULL);
+    return tp_modules_have(kit->modules, &want, TP_MODULE_COASTAL);
+}
+
+/* Crossings of coastal water lean on those around them, and are stored. */
+bool tp_frame_streams(const tp_kit *kit, const tp_scene *scene)
+{
+    const struct tp_method *method = kit->method.triangles;
+    return method && method->streams && !tp_frame_is_coastal(kit, scene);
+}
+
 /* What the modules of a picture are asked about. */
-tp_want tp_frame_want(const tp_frame_parts *parts, const tp_scene *scene,
+tp_want tp_frame_want(const tp_kit *kit, const tp_frame_parts *parts, const tp_scene *scene,
                       const tp_assets *assets, const tp_frame_config *config)
 {
     return (tp_want){
-        .scene = scene, .assets = assets, .coastal = tp_has_ocean(scene),
+        .scene = scene, .assets = assets, .water = &kit->water,
         .width = config->width, .height = config->height,
         .shadings = parts->reach.shading,
         .above = assets->boat ? TP_MODULE_SOLID : 0,
@@ -116,7 +129,7 @@ tp_frame *tp_frame_carve(const tp_kit *kit, tp_frame_parts *parts, tp_frame_ram 
     if (tp_frame_wants(parts, quick, kit->draw.quick_light))
         kit->draw.quick_light->carve(parts, arena);
     const size_t tabled = arena->used;
-    const tp_want want = tp_frame_want(parts, scene, assets, config);
+    const tp_want want = tp_frame_want(kit, parts, scene, assets, config);
     tp_frame_layout_modules(kit, parts, arena, want);
     *ram = (tp_frame_ram){
         .frame = arena->used, .vertices = placed - fixed,

@@ -78,7 +78,7 @@ void tp_frame_layout_modules(const tp_kit *kit, tp_frame_parts *parts, tp_arena 
 /* A module that was off at init has no memory, and is not drawn if it is on now. */
 void tp_frame_enable_modules(tp_frame *frame)
 {
-    tp_want want = tp_frame_want(&frame->parts, frame->scene, &frame->assets,
+    tp_want want = tp_frame_want(frame->kit, &frame->parts, frame->scene, &frame->assets,
                                  &frame->config);
 
     frame->modules_on = 0;

@@ -94,9 +94,7 @@ size_t tp_frame_scratch_into_bytes(const tp_frame_config *config)
 
 static uint32_t streamed_cols(const tp_kit *kit, const tp_scene *scene)
 {
-    const struct tp_method *method = kit->method.triangles;
-    return method && method->streams && !tp_has_ocean(scene) ? (uint32_t)scene->grid.cols
-                                                             : 0;
+    return tp_frame_streams(kit, scene) ? (uint32_t)scene->grid.cols : 0;
 }
 
 /* By this kit, for this scene; 0: they cannot be used. */
@@ -178,19 +176,16 @@ static void place_surface(tp_frame *frame)
 {
     TP_ASSERT(frame->world->back >= 0 && frame->world->back <= TP_FX_ONE);
     const tp_world *world = frame->world;
-    const tp_waters *by = &frame->kit->water;
     const tp_draws  *draw = &frame->kit->draw;
     tp_surface *surface = &frame->surface;
 
-    *surface = (tp_surface){
-        .by = by, .sea = &world->sea, .phases = frame->drawn.phases,
-        .ocean = by->ocean ? tp_world_ocean(world) : NULL,
-        .back = world->back,
-    };
-    if (by->pools && !(draw->bumps && draw->bumps->hold(frame))) {
-        surface->pool = tp_world_pool(world);
-        surface->field = tp_world_field(world);
-    }
+    *surface = tp_world_surface(frame->kit, world);
+    surface->phases = frame->drawn.phases;
+    surface->back = world->back;
+    surface->ring = NULL;
+    surface->rings = 0;
+    if (draw->bumps && draw->bumps->hold(frame))
+        surface->pool = surface->field = NULL;
     tp_frame_add_surface(frame, surface);
 }
 

@@ -122,8 +122,10 @@ tp_frame *tp_frame_carve(const tp_kit *kit, tp_frame_parts *parts, tp_frame_ram 
                          tp_arena *arena, const tp_scene *scene, tp_assets *assets,
                          const tp_frame_config *config);
 bool tp_frame_wants(tp_frame_parts *parts, bool asked, bool part);
-tp_want tp_frame_want(const tp_frame_parts *parts, const tp_scene *scene,
+tp_want tp_frame_want(const tp_kit *kit, const tp_frame_parts *parts, const tp_scene *scene,
                       const tp_assets *assets, const tp_frame_config *config);
+bool tp_frame_is_coastal(const tp_kit *kit, const tp_scene *scene);
+bool tp_frame_streams(const tp_kit *kit, const tp_scene *scene);    /* does not store */
 tp_plan_input tp_frame_plan_input(const tp_kit *kit, const tp_scene *scene,
                                   const tp_assets *assets, const tp_frame_config *config);
 uint32_t tp_frame_materials(const tp_assets *assets);   /* that are told apart */

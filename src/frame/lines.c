@@ -14,8 +14,7 @@ void tp_lines_carve(tp_frame_parts *parts, tp_arena *arena, const tp_kit *kit,
     size_t lines = cols > rows ? cols : rows;
     size_t upright = cols * ((rows - 2) / TP_GRID_BLOCK + 1);
     size_t level = rows * ((cols - 2) / TP_GRID_BLOCK + 1);
-    const struct tp_method *triangles = kit->method.triangles;
-    const bool streams = triangles && triangles->streams && !tp_has_ocean(scene);
+    const bool streams = tp_frame_streams(kit, scene);
 
     (void)config;
     tp_frame_lines *to = tp_arena_take(arena, 1, sizeof *to);

@@ -222,24 +222,22 @@ static tp_grid *carve_grid(tp_frame_parts *parts, tp_arena *arena, tp_grid *coun
 static void carve_water(tp_frame_parts *parts, tp_arena *arena, const tp_kit *kit,
                         const tp_scene *scene, const tp_frame_config *config)
 {
-    const struct tp_water_ocean *ocean = kit->water.ocean;
     tp_grid  counted;
     tp_grid *grid = carve_grid(parts, arena, &counted);
 
     (void)config;
     tp_grid_carve(grid, arena, (uint32_t)scene->grid.cols, (uint32_t)scene->grid.rows);
-    if (tp_frame_wants(parts, tp_has_ocean(scene), ocean))
-        ocean->carve(grid, arena);
+    if (tp_frame_is_coastal(kit, scene))
+        kit->water.ocean->carve(grid, arena);
 }
 
-/* An ocean's crossings lean on those around them, and are stored. */
 static void carve_streamed(tp_frame_parts *parts, tp_arena *arena, const tp_kit *kit,
                            const tp_scene *scene, const tp_frame_config *config)
 {
     uint32_t waves = 0;
     tp_grid  counted;
 
-    if (tp_has_ocean(scene)) {
+    if (!tp_frame_streams(kit, scene)) {
         carve_water(parts, arena, kit, scene, config);
         return;
     }

@@ -47,6 +47,19 @@ void *tp_world_part(const tp_world *world, uint32_t id)
     return c ? c + 1 : NULL;
 }
 
+size_t tp_part_bytes(const void *part)
+{
+    return ((const chunk *)part - 1)->bytes;
+}
+
+bool tp_modules_have(const tp_use *modules, const tp_want *want, uint32_t is)
+{
+    for (const tp_use *u = modules; u && u->module; u++)
+        if (u->module->is & is && u->module->enabled(want))
+            return true;
+    return false;
+}
+
 tp_status tp_modules_take(const tp_kit *kit, tp_arena *arena, tp_want want, uint32_t *at,
                           tp_error *err)
 {

@@ -30,19 +30,27 @@ enum {
     TP_MODULE_CUBE   = 256,     /* or by tp_cube: its trait is the price of mirroring it */
     TP_MODULE_STARS  = 512,     /* adds to the sky */
     TP_MODULE_PANES  = 1024,    /* has stages behind the exposure's */
-    TP_MODULE_EARLY  = 2048     /* moves before the boat, which is no module yet */
+    TP_MODULE_EARLY  = 2048,    /* moves before the boat, which is no module yet */
+    TP_MODULE_COASTAL = 4096    /* the waves feel a floor or a wind */
 };
 
 /* The conditions that a module is asked about. */
 typedef struct tp_want {
     const tp_scene  *scene;
     const tp_assets *assets;    /* NULL: the scene names no file */
-    bool     coastal;           /* the waves feel a floor or a wind */
+    const tp_waters *water;     /* the program's; NULL: all models */
     uint32_t width, height;     /* of the picture; 0 for a world */
     uint32_t shadings;          /* bits of tp_shading: rungs that may be reached */
     uint32_t above;             /* bits of tp_module.is of the enabled modules above this
                                  * one in the list */
 } tp_want;
+
+/* For a world. */
+static inline tp_want tp_want_by(const tp_kit *kit, const tp_scene *scene,
+                                 const tp_assets *assets)
+{
+    return (tp_want){ .scene = scene, .assets = assets, .water = &kit->water };
+}
 
 /* All but name, id and enabled may be NULL. */
 typedef struct tp_module {
@@ -99,10 +107,17 @@ static inline bool tp_module_ask(const tp_module *module, tp_want *want)
     return on;
 }
 
+/* True if a module with one of these bits of tp_module.is is on.  It asks no others, so
+ * want.above is as given. */
+bool tp_modules_have(const tp_use *modules, const tp_want *want, uint32_t is);
+
 /* -- a world's chunks ---------------------------------------------------------------- */
 
 /* The state of a module, or NULL: the world has none. */
 void *tp_world_part(const tp_world *world, uint32_t id);
+
+/* Its length, a multiple of 8. */
+size_t tp_part_bytes(const void *part);
 
 /* Checks all enabled modules and lays out their chunks: *at is the first one's offset, or
  * 0.  `want.above` is 0. */

@@ -8,5 +8,3 @@
 
 const struct tp_move_boat   tp_move_boat = { tp_boat_init, tp_boat_step };
 const struct tp_move_wake   tp_move_wake = { tp_boat_wake };
-const struct tp_move_ocean  tp_move_ocean = { tp_parts_ocean_bytes, tp_parts_init_ocean,
-                                              tp_parts_refresh_ocean };

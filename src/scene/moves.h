@@ -18,11 +18,4 @@ struct tp_move_boat {
 struct tp_move_wake {
     void (*step)(tp_world *world, const tp_scene *scene);
 };
-
-struct tp_move_ocean {
-    size_t (*bytes)(const tp_kit *kit, const tp_scene *scene, const tp_assets *assets);
-    tp_status (*init)(tp_world *world, const tp_scene *scene, const tp_assets *assets,
-                      tp_error *err);
-    tp_status (*refresh)(tp_world *world, const tp_scene *scene, const tp_assets *assets);
-};
 #endif

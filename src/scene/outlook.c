@@ -151,7 +151,7 @@ static void list_points(tp_outlook *o, const tp_stand *at, int64_t waves, uint32
 #define STEEPENS (TP_FX_ONE * 3 / 4)
 
 /* Bends along the lines less t times those across, of waves held to a sum of 0.95. */
-static bool stays_in_order(const tp_scene *s, bool upright, int64_t t)
+static bool stays_in_order(const tp_scene *s, bool coastal, bool upright, int64_t t)
 {
     int64_t sum = 0, steepness = 0;
 
@@ -168,12 +168,12 @@ static bool stays_in_order(const tp_scene *s, bool upright, int64_t t)
     }
     if (steepness > TP_FX(0.95))
         sum = sum * TP_FX(0.95) / steepness;
-    return sum < (tp_has_ocean(s) ? STEEPENS : FOLDS);
+    return sum < (coastal ? STEEPENS : FOLDS);
 }
 
 /* All corners of the picture lead away across the lines, and what they see keeps its
  * order: frame/holds.c has the rule. */
-static bool rows_hold(const tp_scene *s, const tp_stand *at)
+static bool rows_hold(const tp_scene *s, bool coastal, const tp_stand *at)
 {
     const tp_dir3 *back = &at->turn.z;
     const bool upright = tp_abs(back->x) > tp_abs(back->z);
@@ -185,7 +185,7 @@ static bool rows_hold(const tp_scene *s, const tp_stand *at)
         const int64_t across = (upright ? ray.x : ray.z) * (behind ? -1 : 1);
         const int64_t along = (upright ? ray.z : ray.x) * (behind ? -1 : 1);
         if (across < 256 || (along < 0 ? -along : along) >= 3 * across
-            || !stays_in_order(s, upright, along * TP_FX_ONE / across))
+            || !stays_in_order(s, coastal, upright, along * TP_FX_ONE / across))
             return false;
     }
     return true;
@@ -204,13 +204,13 @@ static tp_fx slant_of(const tp_stand *at)
 static void list_fits(tp_outlook *o, const tp_scene *s, const tp_stand *at, int64_t waves,
                       bool ahead)
 {
-    const bool ocean = tp_has_ocean(s), stirred = s->pool.cols > 0 || s->field.cols > 0;
+    const bool stirred = s->pool.cols > 0 || s->field.cols > 0;
     const bool over = at->eye.y > waves + TP_FX_ONE / 8;
-    const bool swell = over && !ocean && !stirred && s->drops.count == 0;
+    const bool swell = over && !o->ocean && !stirred && s->drops.count == 0;
 
     o->fits[TP_VISIBILITY_TRIANGLES - 1] = 1;
-    o->fits[TP_VISIBILITY_ROWS - 1] = over && ahead && rows_hold(s, at)
-        && !(ocean && tp_may_break(s->surf.stretch, s->floor.slope, s->floor.map[0]));
+    o->fits[TP_VISIBILITY_ROWS - 1] = over && ahead && rows_hold(s, o->ocean, at)
+        && !(o->ocean && tp_may_break(s->surf.stretch, s->floor.slope, s->floor.map[0]));
     o->fits[TP_VISIBILITY_PROJECTED - 1] = swell && ahead && waves < at->eye.y * 3 / 4;
     o->fits[TP_VISIBILITY_FLAT - 1] = swell;
 }
@@ -283,22 +283,21 @@ static int gloss_of(const tp_scene *s)
 }
 
 /* By the sum of k A: up to 1/4 is gentle, and so are pools and rings. */
-static uint8_t sea_of(const tp_scene *s, uint32_t *waves)
+static void list_sea(tp_outlook *o, const tp_scene *s)
 {
     const bool stirred = s->pool.cols > 0 || s->field.cols > 0 || s->drops.count > 0;
     int64_t slope = 0;
 
-    *waves = 0;
     for (int i = 0; i < TP_WAVES; i++) {
         if (s->wave[i].amplitude <= 0)
             continue;
         slope += (int64_t)s->wave[i].amplitude * 411775 / s->wave[i].length;    /* 2 pi */
-        ++*waves;
+        o->waves++;
     }
-    const int most = tp_has_ocean(s) ? TP_SEA_OCEAN : TP_SEA_STEEP;
+    const int most = o->ocean ? TP_SEA_OCEAN : TP_SEA_STEEP;
     const int steep = slope > TP_FX_ONE / 4 ? most
                     : slope > 0 || stirred ? TP_SEA_GENTLE : TP_SEA_LEVEL;
-    return (uint8_t)(steep + gloss_of(s));
+    o->sea = (uint8_t)(steep + gloss_of(s));
 }
 
 static void list_waves(tp_outlook *o, const tp_scene *s)
@@ -313,12 +312,23 @@ static void list_waves(tp_outlook *o, const tp_scene *s)
 
 /* -- all ----------------------------------------------------------------------------- */
 
+/* What the modules are asked about. */
+static tp_want want_of(const tp_plan_input *in)
+{
+    return (tp_want){
+        .scene = in->scene, .assets = in->assets, .width = in->width, .height = in->height,
+        .shadings = UINT32_MAX,
+        .above = in->assets->boat ? TP_MODULE_SOLID : 0,
+    };
+}
+
 tp_outlook tp_outlook_of(const tp_plan_input *in)
 {
     const tp_scene  *scene = in->scene;
     const tp_assets *assets = in->assets;
     const uint32_t   width = in->width, height = in->height;
     TP_ASSERT(scene->grid.cols >= 2 && scene->grid.rows >= 2);
+    const tp_want want = want_of(in);
     const tp_stand at = tp_stand_of(scene, width, height);
     const uint64_t pixels = (uint64_t)width * height;
     const tp_vec3 low = tp_stand_ray(&at, 0, -at.high);
@@ -332,10 +342,10 @@ tp_outlook tp_outlook_of(const tp_plan_input *in)
     const uint64_t crossings = (uint64_t)scene->grid.cols * (uint64_t)scene->grid.rows;
     o.vertices = (uint32_t)(crossings * spots.spots / (SPOTS * SPOTS));
     o.drawn = (uint32_t)(crossings * spots.drawn / (256 * SPOTS * SPOTS));
-    o.sea = sea_of(scene, &o.waves);
+    o.ocean = tp_modules_have(in->modules, &want, TP_MODULE_COASTAL);
+    list_sea(&o, scene);
     o.pools = scene->water.pool_bump > 0 ? 0 : (uint8_t)((scene->pool.cols > 0)
                                                          + (scene->field.cols > 0));
-    o.ocean = tp_has_ocean(scene);
     o.floor = (uint8_t)(tp_has_floor(scene) + (tp_has_floor(scene) && assets->floor));
     o.slant = slant_of(&at);
     list_waves(&o, scene);
@@ -347,11 +357,6 @@ tp_outlook tp_outlook_of(const tp_plan_input *in)
     o.trait[TP_TRAIT_plain] = 1;
     list_pictures(&o, scene, assets);
     list_light(&o, scene);
-    const tp_want want = {
-        .scene = scene, .assets = assets, .coastal = o.ocean, .width = width,
-        .height = height, .shadings = UINT32_MAX,
-        .above = assets->boat ? TP_MODULE_SOLID : 0,
-    };
     list_modules(&o, in->modules, want);
     o.quick = is_quick(&o, scene);
     return o;

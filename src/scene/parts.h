@@ -3,8 +3,11 @@
 #ifndef TP_SCENE_PARTS_H
 #define TP_SCENE_PARTS_H
 #include "geom/surface.h"
+#include "scene/module.h"
 #include "tidepool/arena.h"
 #include "tidepool/scene.h"
+
+#define TP_OCEAN_ID TP_MODULE_ID('o', 'c', 'e', 'a')
 
 /* Where the parts of a scene's world lie, and how large the block is; parts->bytes is 0
  * if the scene cannot be used.  Of a pool that cannot, err->word is the parameter at
@@ -16,23 +19,6 @@ tp_status tp_parts_of(const tp_kit *kit, tp_world_parts *parts, const tp_scene *
  * of the scene. */
 tp_status tp_kit_check(const tp_kit *kit, const tp_scene *scene, tp_error *err);
 
-/* Fills the parts at world->parts: still water, no drops. */
-tp_status tp_parts_init(const tp_kit *kit, tp_world *world, const tp_scene *scene,
-                        const tp_assets *assets, tp_error *err);
-
-/* The ocean alone, over the world's sea: made, or what of it depends on numbers that have
- * changed made again. */
-tp_status tp_parts_init_ocean(tp_world *world, const tp_scene *scene,
-                              const tp_assets *assets, tp_error *err);
-tp_status tp_parts_refresh_ocean(tp_world *world, const tp_scene *scene,
-                                 const tp_assets *assets);
-
-/* By a kit with swells, whose number it goes by. */
-size_t tp_parts_ocean_bytes(const tp_kit *kit, const tp_scene *scene,
-                            const tp_assets *assets);
-
-/* Pointers into the block, or NULL. */
-
-/* The surface of this tick; valid until the world moves. */
+/* The surface of this tick, of the models that the kit has; valid until the world moves. */
 tp_surface tp_world_surface(const tp_kit *kit, const tp_world *world);
 #endif

@@ -233,7 +233,8 @@ static ground ground_of(const tp_prices *prices, const tp_plan_input *in)
 
 bool tp_thins_sea(const tp_plan_input *in)
 {
-    return ground_of(&tp_prices_measured, in).faint.any && !tp_has_ocean(in->scene);
+    const ground g = ground_of(&tp_prices_measured, in);
+    return g.faint.any && !g.outlook.ocean;
 }
 
 tp_rungs tp_rungs_by(const tp_prices *prices, const tp_plan_input *in)

@@ -30,11 +30,6 @@ static inline bool tp_has_floor(const tp_scene *scene)
     return scene->floor.depth > 0 || scene->floor.map[0];
 }
 
-static inline bool tp_has_ocean(const tp_scene *scene)
-{
-    return tp_has_floor(scene) || scene->wind.strength > 0;
-}
-
 /* Inner walls of the pool. */
 static inline bool tp_has_stone(const tp_scene *scene)
 {

@@ -80,7 +80,7 @@ tp_status tp_world_init_with(const tp_kit *kit, tp_world *world, size_t bytes,
     tp_clock_init(&world->clock, scene->clock.scale);
     world->clock_scale = scene->clock.scale;
     place_sea(kit, world, scene);
-    status = tp_parts_init(kit, world, scene, assets, err);
+    status = tp_modules_init(kit, world, tp_want_by(kit, scene, assets), err);
     if (status != TP_OK)
         return status;
     place_boat(kit, world, scene);
@@ -88,14 +88,12 @@ tp_status tp_world_init_with(const tp_kit *kit, tp_world *world, size_t bytes,
     return TP_OK;
 }
 
-/* The sea and the boat's place take microseconds, and are made again each time.  The
- * ocean makes its tables again if its numbers changed. */
+/* The sea and the boat's place take microseconds, and are made again each time. */
 bool tp_world_refresh_with(const tp_kit *kit, tp_world *world, const tp_scene *scene,
                            const tp_assets *assets)
 {
     TP_ASSERT(world != NULL && world->parts.bytes > 0);
-    const tp_want want = { .scene = scene, .assets = assets,
-                           .coastal = world->parts.ocean != 0 };
+    const tp_want want = tp_want_by(kit, scene, assets);
     tp_world_parts parts;
 
     if (tp_parts_of(kit, &parts, scene, assets, NULL) != TP_OK
@@ -103,8 +101,6 @@ bool tp_world_refresh_with(const tp_kit *kit, tp_world *world, const tp_scene *s
         || !tp_modules_fit(kit, world, want))
         return false;
     place_sea(kit, world, scene);
-    if (world->parts.ocean && kit->move.ocean->refresh(world, scene, assets) != TP_OK)
-        return false;
     tp_light_refresh(world, scene);
     if (world->clock_scale != scene->clock.scale)
         tp_clock_aim(&world->clock, scene->clock.scale);

@@ -31,25 +31,6 @@ static bool is_same_sea(const tp_sea *sea, const tp_sea *fresh)
     return same;
 }
 
-/* Bytes from an offset to the next part. */
-static size_t part_bytes(const tp_world_parts *p, uint32_t at)
-{
-    const uint32_t next[] = { p->modules };
-    uint32_t end = p->bytes;
-
-    for (size_t i = 0; i < sizeof next / sizeof *next; i++)
-        end = next[i] > at && next[i] < end ? next[i] : end;
-    return end - at;
-}
-
-static bool is_same_ocean(const tp_world *world, const tp_world *fresh)
-{
-    const tp_world_parts *parts = &fresh->parts;
-
-    return !parts->ocean || memcmp(tp_world_ocean(world), tp_world_ocean(fresh),
-                                   part_bytes(parts, parts->ocean)) == 0;
-}
-
 /* The first part that is wrong, of one layout; NULL: none. */
 static const char *find_invalid(const tp_kit *kit, const tp_world *world,
                                 const tp_world *fresh)
@@ -60,7 +41,6 @@ static const char *find_invalid(const tp_kit *kit, const tp_world *world,
          : !tp_light_is_valid(world) ? "light"
          : !tp_clock_is_valid(&world->clock) ? "clock"
          : !is_same_sea(&world->sea, &fresh->sea) ? "sea"
-         : !is_same_ocean(world, fresh) ? "ocean"
          : tp_modules_find_invalid(kit, world, fresh);
 }
 

@@ -22,6 +22,9 @@ static const tp_use modules[] = {
 #if FEATURES >= 12
     TP_USE(drops),
 #endif
+#if FEATURES >= 15
+    TP_USE_UNSEEN(coastal),
+#endif
 #if FEATURES >= 11
     TP_USE_UNSEEN(pokes),
     TP_USE_UNSEEN(main_pool),
@@ -112,7 +115,6 @@ const tp_kit features_kit = {
 #endif
 #if FEATURES >= 15      /* an ocean over its floor, and land */
     .water.ocean = &tp_water_ocean,
-    .move.ocean = &tp_move_ocean,
 #endif
 #if FEATURES >= 16      /* a generated sky, and stars */
 #endif

@@ -3,7 +3,6 @@
  * 10, which is k h of 0.01 to 10, each so many times the last.  The numbers are made in
  * integers: no C library's logarithm moves them. */
 #include <stdlib.h>
-#include "scene/sides.h"
 #include "tests/charts/spread.h"
 #include "tests/charts/used.h"
 
@@ -52,7 +51,7 @@ static bool has_ocean(const tp_scene *s, int32_t unused)
     (void)unused;
     for (int i = 0; i < TP_WAVES; i++)
         waves = waves || s->wave[i].amplitude > 0;
-    return waves && tp_has_ocean(s);
+    return waves && used_coast(s);
 }
 
 static bool never(const tp_scene *s, int32_t unused)

@@ -2,7 +2,6 @@
 /* Points of the sea against [A7]-[A10] in double precision, from the numbers of the waves
  * alone.  `normal` is what is off the exact normal; `rounding` what fixed point alone is
  * off, against the same form in double. */
-#include "scene/sides.h"
 #include "tests/charts/errors.h"
 #include "tests/charts/gerstner.h"
 #include "tests/charts/used.h"
@@ -26,7 +25,7 @@ static bool takes(const tp_scene *scene, int32_t point)
     const char form = (char)(point & 0xff);
     tp_sea sea;
 
-    tp_sea_init(&sea, scene->wave, tp_has_ocean(scene) ? 0 : TP_WAVES,
+    tp_sea_init(&sea, scene->wave, used_coast(scene) ? 0 : TP_WAVES,
                 scene->water.gravity);
     return sea.count == (uint32_t)point >> 16
         && (sea.steepness > TP_FX(0.3)) == (point >> 8 & 1)

@@ -2,7 +2,6 @@
 /* Normals against the exact one [A10] of the same place of the world, in double
  * precision: the place at rest is solved for there too. */
 #include <string.h>
-#include "scene/sides.h"
 #include "tests/charts/errors.h"
 #include "tests/charts/normals.h"
 #include "tests/charts/used.h"
@@ -28,7 +27,7 @@ static bool takes(const tp_scene *scene, int32_t method)
 {
     tp_sea sea;
 
-    tp_sea_init(&sea, scene->wave, tp_has_ocean(scene) ? 0 : TP_WAVES,
+    tp_sea_init(&sea, scene->wave, used_coast(scene) ? 0 : TP_WAVES,
                 scene->water.gravity);
     switch (method) {
     case 'e': return sea.count > 0 && sea.crossed;

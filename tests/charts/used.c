@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "tests/charts/used.h"
+#include "scene/module.h"
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -78,4 +79,10 @@ const tp_scene *used_scene(size_t i, const char **name)
         return NULL;
     *name = shipped[i].name;
     return &shipped[i].scene;
+}
+
+bool used_coast(const tp_scene *scene)
+{
+    return tp_modules_have(tp_kit_all.modules, &(tp_want){ .scene = scene },
+                           TP_MODULE_COASTAL);
 }

@@ -19,6 +19,9 @@ const char *used_by(used_test *test, int32_t of);
  * scenes. */
 void used_row(const char *chart, const char *point, used_test *test, int32_t of);
 
+/* Whether a scene's waves feel a floor or a wind. */
+bool used_coast(const tp_scene *scene);
+
 /* The shipped scenes themselves, in the order of their names: NULL beyond the last. */
 const tp_scene *used_scene(size_t i, const char **name);
 #endif

@@ -29,7 +29,8 @@ static uint32_t place_of(const kept *k, const void *part)
 static size_t begin_of(const kept *k, uint32_t where)
 {
     const tp_world_parts *p = &k->fresh->parts;
-    const uint32_t parts[] = { 0, p->ocean, place_of(k, tp_world_pool(k->fresh)),
+    const uint32_t parts[] = { 0, place_of(k, tp_world_ocean(k->fresh)),
+                               place_of(k, tp_world_pool(k->fresh)),
                                place_of(k, tp_world_field(k->fresh)),
                                place_of(k, tp_world_drops(k->fresh)),
                                place_of(k, tp_world_spray(k->fresh)), p->modules };

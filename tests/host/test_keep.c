@@ -136,7 +136,8 @@ static void any_word_is_refused_or_safe(void **state)
     for (int i = 0; i < KEPT_SCENES; i++) {
         kept *k = &worlds[i];
         const tp_world_parts *p = &k->fresh->parts;
-        const uint32_t parts[] = { 0, p->ocean, place_of(k, tp_world_pool(k->fresh)),
+        const uint32_t parts[] = { 0, place_of(k, tp_world_ocean(k->fresh)),
+                                   place_of(k, tp_world_pool(k->fresh)),
                                    place_of(k, tp_world_field(k->fresh)),
                                    place_of(k, tp_world_drops(k->fresh)),
                                    place_of(k, tp_world_spray(k->fresh)), p->modules };

@@ -57,7 +57,7 @@ static void compare_scene(tally *t)
     const tp_outlook told = tp_outlook_of(&in);
     test_frame f = frame_by(&tp_kit_all, &scene, &assets, &config);
     tp_frame_begin(f.frame, world);
-    const tp_want want = tp_frame_want(&f.frame->parts, &scene,
+    const tp_want want = tp_frame_want(&tp_kit_all, &f.frame->parts, &scene,
                                        &f.frame->assets, &f.frame->config);
     compare_modules(f.frame, want, t);
     const tp_shaders *water = tp_frame_list(f.frame, TP_MARK_WATER);

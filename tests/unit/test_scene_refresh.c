@@ -141,15 +141,15 @@ static void what_may_change_is_taken(void **state)
  * refresh makes all of them again. */
 static void forget_numbers(tp_world *world)
 {
-    if (world->parts.ocean) {
-        tp_ocean *ocean = (tp_ocean *)(void *)((char *)world + world->parts.ocean);
+    tp_ocean *ocean = tp_world_part(world, TP_OCEAN_ID);
+    if (ocean) {
         ocean->floor_key.depth ^= 1;
         for (uint32_t i = 0; i < ocean->count; i++)
             tp_ocean_tables(ocean)[i].key.length ^= 1;
     }
     uint32_t *meter = tp_world_part(world, TP_METER_ID);
     if (meter)                          /* it begins with the kind of sky */
-        *meter ^= 1;
+        *meter ^= 1u << 30;
 }
 
 typedef struct {
@@ -228,7 +228,7 @@ static void a_refresh_by_need_is_a_full_one(void **state)
         memcpy(p.full, p.need, p.need->parts.bytes);
         turn_every_row(&p);
         printf("    kind %u: %u refreshes, ocean %s, meter %s\n", (unsigned)kind,
-               (unsigned)p.done, p.need->parts.ocean ? "yes" : "no",
+               (unsigned)p.done, tp_world_ocean(p.need) ? "yes" : "no",
                tp_world_is_metered(p.need) ? "yes" : "no");
         assert_true(p.done > 300);
         free(p.need);

@@ -195,7 +195,6 @@ static void refused(const void *at, size_t size, const char *what, const char *w
 static void the_head_is_checked(void **state)
 {
     (void)state;
-    REFUSED(kept->parts.ocean, "layout");
     REFUSED(kept->parts.modules, "layout");
     REFUSED(kept->parts.bytes, "layout");
     REFUSED(kept->back, "head");

@@ -37,7 +37,7 @@ static size_t bytes(const tp_want *want)
     const uint32_t cells = (uint32_t)want->scene->foam.cells;
 
     return sizeof(tp_foam) + cover_bytes(cells)
-         + (want->coastal ? cells * sizeof(tp_vec3) : 0);
+         + (want->above & TP_MODULE_COASTAL ? cells * sizeof(tp_vec3) : 0);
 }
 
 /* Of a side, Q32 m: below 2^46. */
@@ -77,7 +77,8 @@ static tp_status init(void *mine, tp_world *world, const tp_want *want, tp_error
     (void)err;
     foam->cells = cells;
     foam->cell = scene->foam.cell;
-    foam->work = want->coastal ? (uint32_t)(sizeof *foam + cover_bytes(cells)) : 0;
+    foam->work = want->above & TP_MODULE_COASTAL
+               ? (uint32_t)(sizeof *foam + cover_bytes(cells)) : 0;
     place_window(foam, world, scene);
     for (int q = 0; q < TP_FOAM_TICKS; q++) {
         foam->seen[q][0] = foam->first_x;

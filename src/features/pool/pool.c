@@ -6,6 +6,23 @@
 #include "features/pool/pool.h"
 #include "pool/pool.h"
 
+/* -- which are on -------------------------------------------------------------------- */
+
+static bool is_on(const tp_want *want, const tp_scene_pool *pool)
+{
+    return pool->cols > 0 && (!want->water || want->water->pools);
+}
+
+static bool pool_enabled(const tp_want *want)
+{
+    return is_on(want, &want->scene->pool);
+}
+
+static bool field_enabled(const tp_want *want)
+{
+    return is_on(want, &want->scene->field);
+}
+
 /* -- pokes --------------------------------------------------------------------------- */
 
 /* A random place in the middle four fifths of a pool along one side. */
@@ -50,7 +67,7 @@ static void step_pokes(void *mine, const tp_kit *kit, tp_world *world,
 
 static bool has_pools(const tp_want *want)
 {
-    return want->scene->pool.cols > 0 || want->scene->field.cols > 0;
+    return pool_enabled(want) || field_enabled(want);
 }
 
 const tp_module tp_pokes_module = {
@@ -106,11 +123,6 @@ static bool is_valid(const void *mine, const void *made, const tp_world *world)
 
 /* -- [pool] -------------------------------------------------------------------------- */
 
-static bool pool_enabled(const tp_want *want)
-{
-    return want->scene->pool.cols > 0;
-}
-
 static tp_status pool_check(const tp_want *want, tp_error *err)
 {
     return tp_pools_check(want->scene, want->assets, false, err);
@@ -156,11 +168,6 @@ const tp_module tp_main_pool_module = {
 };
 
 /* -- [field] ------------------------------------------------------------------------- */
-
-static bool field_enabled(const tp_want *want)
-{
-    return want->scene->field.cols > 0;
-}
 
 static tp_status field_check(const tp_want *want, tp_error *err)
 {

@@ -1,0 +1,75 @@
+/* SPDX-License-Identifier: MIT */
+/* The module of coastal water: swells that feel a floor or a wind.  Its state is the tables
+ * of wave/ocean.h, made from the world's sea; they follow from the scene and no tick
+ * changes them. */
+#include "base/base.h"
+#include "geom/waters.h"
+#include "scene/parts.h"
+#include "scene/sides.h"
+#include "wave/ocean.h"
+
+static tp_ocean_config config_of(const tp_scene *scene, const tp_assets *assets)
+{
+    return (tp_ocean_config){
+        .floor = {
+            .depth = scene->floor.depth, .slope = scene->floor.slope,
+            .heading = scene->floor.heading, .map = assets ? assets->floor : NULL,
+            .map_x = scene->floor.map_x, .map_z = scene->floor.map_z,
+            .map_size = scene->floor.map_size, .map_low = scene->floor.map_low,
+            .map_high = scene->floor.map_high,
+        },
+        .wind = scene->wind.strength, .wind_heading = scene->wind.heading,
+        .k0 = scene->surf.k0, .kx = scene->surf.kx, .ky = scene->surf.ky,
+        .stretch = scene->surf.stretch, .irregular = scene->surf.irregular,
+    };
+}
+
+static bool enabled(const tp_want *want)
+{
+    const tp_waters *water = want->water;
+
+    return (tp_has_floor(want->scene) || want->scene->wind.strength > 0)
+        && (!water || (water->ocean && water->swells));
+}
+
+/* 0: the floor's map cannot be used. */
+static size_t bytes(const tp_want *want)
+{
+    const tp_scene *scene = want->scene;
+    const tp_ocean_config config = config_of(scene, want->assets);
+    tp_sea sea;
+
+    tp_sea_init(&sea, scene->wave, TP_WAVES, scene->water.gravity);
+    return tp_ocean_bytes(&config, &sea);
+}
+
+static tp_status check(const tp_want *want, tp_error *err)
+{
+    return bytes(want) > 0
+         ? TP_OK : tp_error_blame(err, TP_FAIL(err, TP_E_ARG, 0, 0, 0), "floor.map");
+}
+
+static tp_status init(void *mine, tp_world *world, const tp_want *want, tp_error *err)
+{
+    const tp_ocean_config config = config_of(want->scene, want->assets);
+    return tp_ocean_init(mine, &config, &world->sea, want->scene->wave, TP_WAVES, err);
+}
+
+/* Tables whose numbers have changed are made again. */
+static bool refresh(void *mine, tp_world *world, const tp_want *want)
+{
+    const tp_ocean_config config = config_of(want->scene, want->assets);
+    return tp_ocean_refresh(mine, &config, &world->sea, want->scene->wave, TP_WAVES, NULL)
+        == TP_OK;
+}
+
+static bool is_valid(const void *mine, const void *fresh, const tp_world *world)
+{
+    (void)world;
+    return memcmp(mine, fresh, tp_part_bytes(fresh)) == 0;
+}
+
+const tp_module tp_coastal_module = {
+    .name = "ocean", .id = TP_OCEAN_ID, .is = TP_MODULE_COASTAL, .enabled = enabled,
+    .check = check, .bytes = bytes, .init = init, .refresh = refresh, .is_valid = is_valid,
+};
