@@ -62,7 +62,7 @@ CORE := $(addprefix src/, \
     scene/module.c scene/moves.c scene/outlook.c \
     scene/parts.c scene/piece.c scene/plan_checked.c scene/pools.c scene/prices.c \
     scene/rungs.c scene/stand.c scene/tape.c \
-    scene/value.c scene/wake.c scene/works.c scene/works_land.c scene/works_more.c \
+    scene/value.c scene/wake.c scene/works.c scene/works_boat.c \
     scene/world.c scene/world_check.c \
     frame/boat.c frame/bump.c frame/carve.c \
     frame/clipped.c frame/flat.c frame/frame.c \

@@ -193,24 +193,25 @@ typedef struct {
 
 /* -- modules; src/scene/module.h, src/frame/drawing.h ------------------------------- */
 
-/* Nothing is drawn of the ones that are named by N. */
-#define TP_MODULE_LIST(X, N) \
-    X(sky_dome)     /* skies beside the gradient: generated ones, */ \
-    X(sky_cube)     /* and six pictures */ \
-    X(stars)        /* added to a night's dome */ \
-    X(haze) \
-    X(land)         /* a floor that rises out of the water */ \
-    X(drops)        /* in the air, the sphere that they fall from, and rings */ \
+/* Nothing is drawn of the ones that are named by N; the ones that are named by P cost more
+ * than pixels of water. */
+#define TP_MODULE_LIST(X, N, P) \
+    P(sky_dome)     /* skies beside the gradient: generated ones, */ \
+    P(sky_cube)     /* and six pictures */ \
+    P(stars)        /* added to a night's dome */ \
+    P(haze) \
+    P(land)         /* a floor that rises out of the water */ \
+    P(drops)        /* in the air, the sphere that they fall from, and rings */ \
     N(coastal)      /* waves over a floor or in a wind; water.ocean, water.swells */ \
     N(pokes)        /* of pools, by chance and by input */ \
     N(paddle)       /* waves made in pools */ \
     N(main_pool)    /* [pool]; and water.pools */ \
     N(field)        /* [field]; and water.pools */ \
     X(underwater)   /* the inside of the water, and the view of an eye in it */ \
-    X(tank)         /* a tank's stone, and a pool's inner walls */ \
-    X(glass)        /* a tank's walls of glass */ \
-    X(caustics)     /* light that waves gather on the floor */ \
-    X(mirror)       /* of objects, a picture of half the size */ \
+    P(tank)         /* a tank's stone, and a pool's inner walls */ \
+    P(glass)        /* a tank's walls of glass */ \
+    P(caustics)     /* light that waves gather on the floor */ \
+    P(mirror)       /* of objects, a picture of half the size */ \
     X(object_cube)  /* the same as a small cube map */ \
     X(refraction)   /* objects under clear water */ \
     X(clear_water)  /* what is seen through the water */ \
@@ -250,6 +251,7 @@ typedef struct {
 
 struct tp_module;
 struct tp_drawing;
+struct tp_cost;
 
 /* A module as a program uses it.  A list of uses ends with { 0 }; its order is the order of
  * memory, of steps and of drawing. */
@@ -257,6 +259,8 @@ typedef struct tp_use {
     const struct tp_module  *module;    /* what it is, and how it moves */
     const struct tp_drawing *drawing;   /* NULL: nobody draws it */
     const tp_stage          *stage;     /* its table; NULL in it: never asked for */
+    const struct tp_cost    *cost;      /* for reports of the plan; NULL: none are made, or
+                                         * it costs pixels of water alone */
 } tp_use;
 
 #define X(name) void tp_stage_##name(const struct tp_shade *shade, struct tp_run *run);
@@ -266,16 +270,22 @@ typedef struct tp_use {
     extern const tp_stage tp_##name##_stages[]; \
     TP_STAGES_OF_##name(X)
 #define UNSEEN(name) extern const struct tp_module tp_##name##_module;
-TP_MODULE_LIST(MODULE, UNSEEN)
+#define PRICED(name) extern const struct tp_cost tp_##name##_cost; MODULE(name)
+TP_MODULE_LIST(MODULE, UNSEEN, PRICED)
+#undef PRICED
 #undef UNSEEN
 #undef MODULE
 #undef X
 
-#define TP_USE(name) { &tp_##name##_module, &tp_##name##_drawing, tp_##name##_stages }
+#define TP_USE(name) \
+    { &tp_##name##_module, &tp_##name##_drawing, tp_##name##_stages, NULL }
+#define TP_USE_PRICED(name) \
+    { &tp_##name##_module, &tp_##name##_drawing, tp_##name##_stages, &tp_##name##_cost }
 /* At file scope: with a table of its own, all entries of it; NULL is never asked for. */
 #define TP_USE_WITH(name, ...) \
-    { &tp_##name##_module, &tp_##name##_drawing, (const tp_stage[]){ __VA_ARGS__ } }
-#define TP_USE_UNSEEN(name) { &tp_##name##_module, NULL, NULL }
+    { &tp_##name##_module, &tp_##name##_drawing, (const tp_stage[]){ __VA_ARGS__ }, \
+      NULL }
+#define TP_USE_UNSEEN(name) { &tp_##name##_module, NULL, NULL, NULL }
 
 /* ------------------------------------------------------------------------------------ */
 

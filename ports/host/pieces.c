@@ -28,7 +28,7 @@ const piece pieces[] = {
 #define MODULE(x) { #x, PIECE_MODULE }, { #x, PIECE_DRAWING }, TP_STAGES_OF_##x(X)
 #define UNSEEN(x) { #x, PIECE_MODULE },
 #define X(x) { #x, PIECE_MODULE_STAGE },
-    TP_MODULE_LIST(MODULE, UNSEEN)
+    TP_MODULE_LIST(MODULE, UNSEEN, MODULE)
 #undef X
 #undef UNSEEN
 #undef MODULE
@@ -53,7 +53,7 @@ enum {
 #define MODULE(x) TP_STAGES_OF_##x(X)
 #define UNSEEN(x)
     TP_STAGE_LIST(X)
-    TP_MODULE_LIST(MODULE, UNSEEN)
+    TP_MODULE_LIST(MODULE, UNSEEN, MODULE)
 #undef UNSEEN
 #undef MODULE
 #undef X
@@ -71,7 +71,7 @@ static atomic_bool ran[RAN_COUNT];
 #define MODULE(x) TP_STAGES_OF_##x(X)
 #define UNSEEN(x)
 TP_STAGE_LIST(X)
-TP_MODULE_LIST(MODULE, UNSEEN)
+TP_MODULE_LIST(MODULE, UNSEEN, MODULE)
 #undef UNSEEN
 #undef MODULE
 #undef X
@@ -96,7 +96,7 @@ static const meaning meanings[] = {
 #define MODULE(x) { .use = TP_USE(x) }, { .use = TP_USE(x) }, TP_STAGES_OF_##x(X)
 #define UNSEEN(x) { .use = TP_USE_UNSEEN(x) },
 #define X(x) { .stage = tp_stage_##x, .watched = watched_##x },
-    TP_MODULE_LIST(MODULE, UNSEEN)
+    TP_MODULE_LIST(MODULE, UNSEEN, MODULE)
 #undef X
 #undef UNSEEN
 #undef MODULE
@@ -144,7 +144,7 @@ static void make(piece_list *to, const piece_set *of, const piece_terms *terms, 
         if (pieces[i].kind == PIECE_MODULE && in)
             *use = (tp_use){ .module = m->use.module };
         else if (pieces[i].kind == PIECE_DRAWING && use)
-            *use = (tp_use){ use->module, in ? m->use.drawing : NULL, stage };
+            *use = (tp_use){ use->module, in ? m->use.drawing : NULL, stage, NULL };
         else if (pieces[i].kind == PIECE_MODULE_STAGE)
             *stage++ = by;
         else if (pieces[i].kind < PIECE_MODULE && in)
@@ -258,12 +258,12 @@ static void write_uses(FILE *out, const char *name, const piece_set *of)
             continue;
         const char *module = pieces[i].name;
         if (i + 1 < piece_count && pieces[i + 1].kind == PIECE_DRAWING && of->has[i + 1])
-            fprintf(out, "    { &tp_%s_module, &tp_%s_drawing, %s_%s_stages },\n", module,
+            fprintf(out, "    { &tp_%s_module, &tp_%s_drawing, %s_%s_stages, 0 },\n", module,
                     module, name, module);
         else
-            fprintf(out, "    { &tp_%s_module, 0, 0 },\n", module);
+            fprintf(out, "    { &tp_%s_module, 0, 0, 0 },\n", module);
     }
-    fprintf(out, "    { 0, 0, 0 }\n};\n");
+    fprintf(out, "    { 0, 0, 0, 0 }\n};\n");
 }
 
 void pieces_write(FILE *out, const char *name, const piece_set *of,

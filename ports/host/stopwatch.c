@@ -27,7 +27,7 @@ enum {
     FIRST_##name, BEFORE_##name = FIRST_##name - 1, TP_STAGES_OF_##name(X) END_##name, \
     LAST_##name = END_##name - 1,
     TP_STAGE_LIST(X)
-    TP_MODULE_LIST(MODULE, UNSEEN)
+    TP_MODULE_LIST(MODULE, UNSEEN, MODULE)
 #undef MODULE
 #undef X
     STAGES, PLACES = 16, MODULES = 32
@@ -39,7 +39,7 @@ const char *const stopwatch_name[STAGES] = {
 #define X(name) #name,
 #define MODULE(name) TP_STAGES_OF_##name(X)
     TP_STAGE_LIST(X)
-    TP_MODULE_LIST(MODULE, UNSEEN)
+    TP_MODULE_LIST(MODULE, UNSEEN, MODULE)
 #undef MODULE
 #undef X
 };
@@ -130,7 +130,7 @@ uint64_t stopwatch_ns(uint32_t stage)
     }
 #define MODULE(name) TP_STAGES_OF_##name(X)
 TP_STAGE_LIST(X)
-TP_MODULE_LIST(MODULE, UNSEEN)
+TP_MODULE_LIST(MODULE, UNSEEN, MODULE)
 #undef MODULE
 #undef X
 
@@ -138,14 +138,14 @@ static const tp_stage timed[STAGES] = {
 #define X(name) timed_##name,
 #define MODULE(name) TP_STAGES_OF_##name(X)
     TP_STAGE_LIST(X)
-    TP_MODULE_LIST(MODULE, UNSEEN)
+    TP_MODULE_LIST(MODULE, UNSEEN, MODULE)
 #undef MODULE
 #undef X
 };
 
 static const struct { const struct tp_module *module; uint32_t first, end; } modules[] = {
 #define MODULE(name) { &tp_##name##_module, FIRST_##name, END_##name },
-    TP_MODULE_LIST(MODULE, UNSEEN)
+    TP_MODULE_LIST(MODULE, UNSEEN, MODULE)
 #undef MODULE
 };
 

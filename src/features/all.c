@@ -12,7 +12,9 @@ static const tp_use all[] = {
     TP_MORE_MODULES             /* first, so that mirrors know of them */
 #define X(name) TP_USE(name),
 #define N(name) TP_USE_UNSEEN(name),
-    TP_MODULE_LIST(X, N)
+#define P(name) TP_USE_PRICED(name),
+    TP_MODULE_LIST(X, N, P)
+#undef P
 #undef N
 #undef X
     { 0 }

@@ -2,7 +2,7 @@
 /* The modules of a picture: loops over the program's list; see the header. */
 #include "frame/frame.h"
 
-/* With a use and a bit for each of the first 32. */
+/* With a use and a bit for each of the first TP_MODULES. */
 #define EACH_OF(bits, i, use, kit) \
     const tp_use *const use = (kit)->modules; \
     for (uint32_t i = 0; use && use[i].module; i++) \
@@ -51,7 +51,7 @@ void tp_frame_layout_modules(const tp_kit *kit, tp_frame_parts *parts, tp_arena 
 
     while (u && u[count].module)
         count++;
-    TP_ASSERT(count <= 32);
+    TP_ASSERT(count <= TP_MODULES);
     parts->module = tp_arena_take(arena, count, sizeof *parts->module);
     parts->mark = tp_arena_take(arena, count, sizeof *parts->mark);
     deal_fixed(&parts->marks, &want);

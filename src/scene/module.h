@@ -31,8 +31,11 @@ enum {
     TP_MODULE_STARS  = 512,     /* adds to the sky */
     TP_MODULE_PANES  = 1024,    /* has stages behind the exposure's */
     TP_MODULE_EARLY  = 2048,    /* moves before the boat, which is no module yet */
-    TP_MODULE_COASTAL = 4096    /* the waves feel a floor or a wind */
+    TP_MODULE_COASTAL = 4096,   /* the waves feel a floor or a wind */
+    TP_MODULE_MIRROR = 8192     /* a picture of what is solid, in the water */
 };
+
+#define TP_MODULES 32           /* in a program's list, at the most */
 
 /* The conditions that a module is asked about. */
 typedef struct tp_want {
@@ -97,6 +100,9 @@ typedef struct tp_module {
      * scene, as `init` leaves it; both have its length.  The world's head is valid. */
     bool (*is_valid)(const void *mine, const void *fresh, const tp_world *world);
 } tp_module;
+
+/* What the plan asks modules about; outlook.c. */
+tp_want tp_plan_want(const tp_plan_input *in);
 
 /* Whether the module is on; if so, the modules below it in the list are told. */
 static inline bool tp_module_ask(const tp_module *module, tp_want *want)

@@ -312,8 +312,7 @@ static void list_waves(tp_outlook *o, const tp_scene *s)
 
 /* -- all ----------------------------------------------------------------------------- */
 
-/* What the modules are asked about. */
-static tp_want want_of(const tp_plan_input *in)
+tp_want tp_plan_want(const tp_plan_input *in)
 {
     return (tp_want){
         .scene = in->scene, .assets = in->assets, .width = in->width, .height = in->height,
@@ -328,7 +327,7 @@ tp_outlook tp_outlook_of(const tp_plan_input *in)
     const tp_assets *assets = in->assets;
     const uint32_t   width = in->width, height = in->height;
     TP_ASSERT(scene->grid.cols >= 2 && scene->grid.rows >= 2);
-    const tp_want want = want_of(in);
+    const tp_want want = tp_plan_want(in);
     const tp_stand at = tp_stand_of(scene, width, height);
     const uint64_t pixels = (uint64_t)width * height;
     const tp_vec3 low = tp_stand_ray(&at, 0, -at.high);

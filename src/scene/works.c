@@ -1,210 +1,26 @@
 /* SPDX-License-Identifier: MIT */
-/* What a frame does besides finding and shading water, counted without drawing it: the
- * boat's faces as the picture and the mirror take them, the sky's pixels by kind, tables
- * that a frame begins with.  No rung changes any of it, so the choice of rungs does not
+/* What a frame does besides finding and shading water, counted without drawing it: each
+ * module counts its own works.  No rung changes any of it, so the choice of rungs does not
  * ask: it is for who wants to know what a frame costs in all.  What moves is taken where
  * the scene puts it. */
-#include "asset/mesh.h"
-#include "geom/geom.h"
-#include "scene/module.h"
 #include "scene/works.h"
 
-/* -- a mesh as a lens sees it -------------------------------------------------------- */
-
-/* A picture of the boat: whole, or mirrored at half the size. */
+/* The modules that are on and have a cost. */
 typedef struct {
-    tp_lens  lens;              /* in the mesh's own axes */
-    bool     mirrored;
-    tp_view_plane level;
-    int32_t  rows, cols, band;
-    int32_t  top, bottom;       /* rows that its faces touch */
-    uint32_t faces, cut;
-    int64_t  pieces, back, fill;
-} look;
+    const tp_cost *cost[TP_MODULES];
+    uint32_t stopped[TP_MODULES];       /* rays that each of them stopped */
+    uint32_t count;
+} costs;
 
-static tp_dir3 turned(const tp_rotation *r, tp_dir3 d)
+static costs costs_of(const tp_plan_input *in, tp_want want)
 {
-    tp_vec3 v = tp_rotate(r, (tp_vec3){ d.x, d.y, d.z });
-    return (tp_dir3){ v.x, v.y, v.z };
+    costs all = { .count = 0 };
+
+    for (const tp_use *u = in->modules; u && u->module; u++)
+        if (tp_module_ask(u->module, &want) && u->drawing && u->cost)
+            all.cost[all.count++] = u->cost;
+    return all;
 }
-
-/* Upside down from below, as frame/half.c has it. */
-static tp_lens mirror_of(const tp_lens *lens, const tp_scene *s, uint32_t width,
-                         uint32_t height)
-{
-    const tp_dir3 r = lens->turn.x, up = lens->turn.y, back = lens->turn.z;
-    const tp_rotation turn = { { r.x, -r.y, r.z }, { -up.x, up.y, -up.z },
-                               { back.x, -back.y, back.z } };
-    tp_lens to;
-
-    tp_lens_turned(&to, (tp_vec3){ lens->eye.x, -lens->eye.y, lens->eye.z }, turn,
-                   s->camera.fov, s->camera.near, width, height);
-    to = tp_lens_halved(&to);
-    return s->mirror.size == TP_MIRROR_QUARTER ? tp_lens_halved(&to) : to;
-}
-
-/* Where frame/half.c cuts: at the deepest trough, two half pixels lower. */
-static void place_level(look *l, const tp_scene *s)
-{
-    int64_t trough = 0;
-
-    for (int i = 0; i < TP_WAVES; i++)
-        trough -= s->wave[i].amplitude > 0 ? s->wave[i].amplitude : 0;
-    l->level = tp_lens_level(&l->lens, tp_has_tank(s) ? 0 : tp_fx_held(trough), 1);
-    l->level.depth += (int32_t)(((int64_t)2 << 43) / l->lens.focal);
-}
-
-static void place_lens(look *l, const tp_scene *s)
-{
-    const tp_rotation turn = tp_rotation_of(tp_turn_of_degrees(s->boat.heading), 0, 0);
-    const tp_vec3 place = { s->boat.x, s->boat.lift, s->boat.z };
-
-    place_level(l, s);
-    l->lens.eye = tp_rotate(&turn, tp_stand_way(place, l->lens.eye));
-    l->lens.right = turned(&turn, l->lens.right);
-    l->lens.up = turned(&turn, l->lens.up);
-    l->lens.ahead = turned(&turn, l->lens.ahead);
-}
-
-/* `scale`: metres of 1.0 of the mesh's positions. */
-static tp_view_corner seen_by(const look *l, int64_t scale, tp_vec3 at)
-{
-    const int64_t most = 4000 * TP_FX_ONE;
-    tp_view_corner c;
-
-    tp_lens_view(&l->lens, (tp_vec3){ (tp_fx)tp_limit(at.x * scale >> 16, most),
-                                      (tp_fx)tp_limit(at.y * scale >> 16, most),
-                                      (tp_fx)tp_limit(at.z * scale >> 16, most) }, &c);
-    return c;
-}
-
-typedef struct {
-    int32_t u[3], v[3];
-} outline;
-
-/* Rays of the lattice within a front face. */
-static void stop_rays(tp_site *w, const look *l, const outline *o)
-{
-    for (int32_t j = 0; j < TP_RAYS; j++) {
-        const int32_t v = 16 * l->rows - (2 * j + 1) * l->rows * 8 / TP_RAYS;
-        for (int32_t i = 0; i < TP_RAYS; i++) {
-            const int32_t u = (2 * i + 1) * l->cols * 8 / TP_RAYS;
-            bool inside = true;
-            for (int k = 0; k < 3; k++) {
-                const int n = k < 2 ? k + 1 : 0;
-                inside = inside && (int64_t)(o->u[n] - o->u[k]) * (v - o->v[k])
-                                 - (int64_t)(o->v[n] - o->v[k]) * (u - o->u[k]) <= 0;
-            }
-            w->solid[j] |= (uint32_t)inside << i;
-        }
-    }
-}
-
-static int32_t least(const int32_t of[3])
-{
-    const int32_t n = of[0] < of[1] ? of[0] : of[1];
-    return n < of[2] ? n : of[2];
-}
-
-static int32_t most(const int32_t of[3])
-{
-    const int32_t n = of[0] > of[1] ? of[0] : of[1];
-    return n > of[2] ? n : of[2];
-}
-
-/* In each band that it touches a face is set up, and filled if it is a front one. */
-static void add_face(tp_site *w, look *l, const outline *o)
-{
-    const int32_t low = least(o->v) >> 4, high = most(o->v) >> 4;
-    const int32_t top = tp_clamp(low, 0, l->rows), end = tp_clamp(high + 1, 0, l->rows);
-    const int64_t area = (int64_t)(o->u[1] - o->u[0]) * (o->v[2] - o->v[0])
-                       - (int64_t)(o->v[1] - o->v[0]) * (o->u[2] - o->u[0]);
-
-    l->top = top < l->top ? top : l->top;
-    l->bottom = end > l->bottom ? end : l->bottom;
-    if (top >= end || most(o->u) < 0 || least(o->u) >> 4 >= l->cols)
-        return;
-    const int64_t bands = (end - 1) / l->band - top / l->band + 1;
-    l->pieces += area < 0 ? bands : 0;
-    l->back += area < 0 ? 0 : bands;
-    l->fill += area < 0 ? -area / 512 : 0;
-    if (area < 0 && !l->mirrored)
-        stop_rays(w, l, o);
-}
-
-static void look_at_faces(tp_site *w, look *l)
-{
-    const tp_mesh *mesh = w->assets->boat;
-    const tp_fx metres = tp_mesh_metres(mesh, w->scene->boat.scale);
-
-    l->top = l->rows;
-    for (uint32_t f = 0; f < mesh->n_faces; f++) {
-        outline o;
-        int low = 0, cut = 0;
-        for (int k = 0; k < 3; k++) {
-            const tp_view_corner c =
-                seen_by(l, metres, mesh->vertices[mesh->faces[f].vertex[k]].position);
-            uint32_t zi;
-            const bool under = l->mirrored && tp_view_height(&l->level, &c) < 0;
-            low += under;
-            cut += under || !tp_lens_holds(&l->lens, &c);
-            if (cut == 0)
-                tp_lens_project(&l->lens, &c, &o.u[k], &o.v[k], &zi);
-            if (l->mirrored && !under && c.depth > w->far)
-                w->far = c.depth;
-        }
-        if (cut == 0)
-            add_face(w, l, &o);
-        l->cut += cut > 0 && low < 3;
-    }
-}
-
-static void add_look(tp_site *w, look *l)
-{
-    const tp_mesh *mesh = w->assets->boat;
-    uint32_t *work = w->works.of;
-    uint32_t passes = 1;
-
-    for (uint32_t i = 0; !l->mirrored && passes == 1 && i < mesh->n_materials; i++)
-        passes += mesh->materials[i].opacity == 0;
-    const int32_t rows = l->bottom > l->top ? l->bottom - l->top : 0;
-    const uint32_t bands = (uint32_t)(rows + l->band - 1) / (uint32_t)l->band
-                         + (!l->mirrored && rows > 0);
-    work[TP_WORK_boat_face] += mesh->n_faces;
-    work[TP_WORK_boat_scan] += mesh->n_faces * bands * passes;
-    work[TP_WORK_boat_back] += (uint32_t)l->back;
-    work[TP_WORK_boat_piece] += (uint32_t)l->pieces;
-    work[TP_WORK_boat_fill] += (uint32_t)l->fill;
-    work[TP_WORK_boat_cut] += l->cut * (bands + 1);
-    if (l->mirrored)
-        work[TP_WORK_mirror_fill] += (uint32_t)l->fill;
-}
-
-static void look_at_boat(tp_site *w)
-{
-    const tp_scene *s = w->scene;
-    look l = { .rows = (int32_t)w->height, .cols = (int32_t)w->width,
-               .band = TP_WORK_BAND };
-    tp_lens lens;
-
-    tp_lens_turned(&lens, w->at.eye, w->at.turn, s->camera.fov, s->camera.near, w->width,
-                   w->height);
-    l.lens = lens;
-    place_lens(&l, s);
-    look_at_faces(w, &l);
-    add_look(w, &l);
-    if (!w->mirrors)
-        return;
-    const int by = s->mirror.size == TP_MIRROR_QUARTER ? 4 : 2;
-    l = (look){ .rows = (int32_t)w->height / by, .cols = (int32_t)w->width / by,
-                .band = TP_WORK_STRIP, .mirrored = true,
-                .lens = mirror_of(&lens, s, w->width, w->height) };
-    place_lens(&l, s);
-    look_at_faces(w, &l);
-    add_look(w, &l);
-}
-
-/* -- rays ---------------------------------------------------------------------------- */
 
 static uint32_t bits_of(uint32_t word)
 {
@@ -215,25 +31,25 @@ static uint32_t bits_of(uint32_t word)
     return n;
 }
 
-/* What else than the boat stops a ray that would meet water. */
-static void stop_ray(tp_site *w, int32_t i, int32_t j, int64_t far)
+/* A ray that would meet water: of several modules whose things stop it the last is told. */
+static void stop_ray(tp_site *w, costs *all, int32_t i, int32_t j, int64_t far)
 {
-    TP_ASSERT(i >= 0 && i < TP_RAYS && j >= 0 && j < TP_RAYS);
-    const tp_vec3 ray = tp_stand_ray(&w->at,
-                                     w->at.wide * (2 * i + 1 - TP_RAYS) / TP_RAYS,
-                                     w->at.high * (2 * j + 1 - TP_RAYS) / TP_RAYS);
-    const bool wall = tp_site_wall(w, ray, far), land = tp_site_land(w, ray, far);
+    const tp_vec3 ray = tp_work_ray(w, i, j);
+    uint32_t by = all->count;
 
-    if (!(wall || land) || w->solid[j] >> i & 1)
+    for (uint32_t k = 0; k < all->count; k++)
+        if (all->cost[k]->stops && all->cost[k]->stops(w, ray, far))
+            by = k;
+    if (by == all->count || w->solid[j] >> i & 1)
         return;
     w->solid[j] |= 1u << i;
-    w->walls += wall;
-    w->lands += !wall;
+    w->apart++;
+    all->stopped[by]++;
 }
 
 /* Rays that meet water, and of them those near enough to mirror objects: an eighth behind
- * them, says shade/mirrored.c. */
-static void cast_rays(tp_site *w, uint32_t near[TP_RAYS])
+ * them, says the mirror's stage. */
+static void cast_rays(tp_site *w, costs *all, uint32_t near[TP_RAYS])
 {
     const tp_stand *at = &w->at;
 
@@ -244,56 +60,18 @@ static void cast_rays(tp_site *w, uint32_t near[TP_RAYS])
                 tp_stand_water(at, at->wide * (2 * i + 1 - TP_RAYS) / TP_RAYS,
                                at->high * (2 * j + 1 - TP_RAYS) / TP_RAYS);
             if (far > 0)
-                stop_ray(w, i, j, far);
+                stop_ray(w, all, i, j, far);
             w->wet[j] |= (uint32_t)(far > 0) << i;
             near[j] |= (uint32_t)(far > 0 && far < w->far + w->far / 8) << i;
         }
     }
 }
 
-static uint32_t pixels_of(const tp_site *w, uint32_t rays)
-{
-    return (uint32_t)((uint64_t)w->width * w->height * rays / (TP_RAYS * TP_RAYS));
-}
-
-/* -- pixels -------------------------------------------------------------------------- */
-
-static void add_sky(tp_site *w, const tp_outlook *outlook, uint32_t sky, bool quick)
-{
-    const bool dome = outlook->modules & TP_MODULE_DOME;
-    const bool cube = outlook->modules & TP_MODULE_CUBE;
-    const bool stars = outlook->modules & TP_MODULE_STARS;
-    const bool beyond = w->scene->hdr.share > 0;
-    uint32_t *work = w->works.of;
-
-    work[TP_WORK_sky_dome] = dome && !(quick && !stars) ? sky : 0;
-    work[TP_WORK_sky_quick] = dome && quick && !stars ? sky : 0;
-    work[TP_WORK_sky_stars] = stars ? sky : 0;
-    work[TP_WORK_sky_cube] = cube ? sky : 0;
-    work[TP_WORK_sky_hdr] = (dome || cube) && beyond ? sky : 0;
-}
-
-static void add_air(tp_site *w, const tp_outlook *outlook, uint32_t water, uint32_t solid)
-{
-    const bool dome = outlook->modules & TP_MODULE_DOME;
-    const bool cube = outlook->modules & TP_MODULE_CUBE;
-    uint32_t *work = w->works.of;
-
-    work[TP_WORK_solid] = solid;
-    if (outlook->trait[TP_TRAIT_haze]) {
-        work[TP_WORK_haze] = solid;
-        work[TP_WORK_haze_dome] = dome ? water + solid : 0;
-        work[TP_WORK_haze_cube] = cube ? water + solid : 0;
-    }
-    const bool mirrored = outlook->trait[TP_TRAIT_dome] || outlook->trait[TP_TRAIT_cube];
-    work[TP_WORK_hdr] = w->scene->hdr.share > 0 && mirrored ? water : 0;
-}
-
-static void add_pixels(tp_site *w, const tp_outlook *outlook, bool quick)
+static void add_pixels(tp_site *w, costs *all)
 {
     uint32_t near[TP_RAYS], sky = 0, water = 0, hidden = 0, solid = 0, looks = 0;
 
-    cast_rays(w, near);
+    cast_rays(w, all, near);
     for (int j = 0; j < TP_RAYS; j++) {
         solid += bits_of(w->solid[j]);
         hidden += bits_of(w->wet[j] & w->solid[j]);
@@ -301,36 +79,35 @@ static void add_pixels(tp_site *w, const tp_outlook *outlook, bool quick)
         looks += bits_of(near[j] & ~w->solid[j]);
         sky += bits_of(~(w->wet[j] | w->solid[j]));
     }
-    w->works.hidden = pixels_of(w, hidden);
-    w->works.solid = pixels_of(w, solid);
-    if (w->mirrors) {
-        w->works.of[TP_WORK_looked] = pixels_of(w, water);
-        w->works.of[TP_WORK_looked_near] = pixels_of(w, looks);
+    w->works.hidden = tp_work_pixels_of(w, hidden);
+    w->works.solid = tp_work_pixels_of(w, solid);
+    w->works.of[TP_WORK_solid] = tp_work_pixels_of(w, solid - w->apart);
+    for (uint32_t k = 0; k < all->count; k++) {
+        const tp_work_pixels pixels = {
+            tp_work_pixels_of(w, sky), tp_work_pixels_of(w, water),
+            tp_work_pixels_of(w, solid - w->apart), tp_work_pixels_of(w, looks),
+            all->stopped[k],
+        };
+        if (all->cost[k]->pixels)
+            all->cost[k]->pixels(w, &pixels);
     }
-    add_sky(w, outlook, pixels_of(w, sky), quick);
-    add_air(w, outlook, pixels_of(w, water), pixels_of(w, solid - w->walls - w->lands));
-    w->works.of[TP_WORK_land] = pixels_of(w, w->lands);
-    w->works.of[TP_WORK_wall] = pixels_of(w, w->walls - w->works.of[TP_WORK_side]);
-    w->works.of[TP_WORK_side] = pixels_of(w, w->works.of[TP_WORK_side]);
-    w->works.of[TP_WORK_pane] = pixels_of(w, w->works.of[TP_WORK_pane]);
 }
-
-/* -- all ----------------------------------------------------------------------------- */
 
 tp_works tp_works_of(const tp_plan_input *in, const tp_outlook *outlook, bool quick)
 {
-    const tp_scene *scene = in->scene;
-    tp_site w = { .scene = scene, .assets = in->assets, .width = in->width,
-                  .height = in->height, .at = tp_stand_of(scene, in->width, in->height) };
+    tp_site w = {
+        .scene = in->scene, .assets = in->assets, .outlook = outlook, .quick = quick,
+        .width = in->width, .height = in->height,
+        .at = tp_stand_of(in->scene, in->width, in->height), .is = outlook->modules,
+    };
+    costs all = costs_of(in, tp_plan_want(in));
 
-    w.mirrors = scene->mirror.objects == TP_MIRROR_STENCIL && scene->water.reflection > 0
-             && w.at.eye.y > 0;
+    w.mirrors = w.is & TP_MODULE_MIRROR && w.at.eye.y > 0;
     if (in->assets->boat)
-        look_at_boat(&w);
-    tp_site_add_drops(&w, outlook);
-    tp_site_add_walls(&w, outlook);
-    tp_site_add_glass(&w);
-    tp_site_add_bed(&w);
-    add_pixels(&w, outlook, quick);
+        tp_site_add_boat(&w);
+    for (uint32_t k = 0; k < all.count; k++)
+        if (all.cost[k]->work)
+            all.cost[k]->work(&w);
+    add_pixels(&w, &all);
     return w.works;
 }

@@ -154,7 +154,7 @@ static void *layout(tp_arena *arena, const tp_want *want)
 }
 
 const tp_module tp_mirror_module = {
-    .name = "mirror", .id = TP_MIRROR_ID, .is = TP_MODULE_EXACT,
+    .name = "mirror", .id = TP_MIRROR_ID, .is = TP_MODULE_EXACT | TP_MODULE_MIRROR,
     .trait = TP_TRAIT_objects, .enabled = enabled,
 };
 

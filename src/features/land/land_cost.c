@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: MIT */
-/* Work of the land that a sea floor becomes, as frame/land.c goes through it: rows of its
- * cells for each tile that they touch, and in them every cell that is not all deep or all
- * behind; and what else a floor asks for. */
+/* What the land costs that a sea floor becomes, as land_drawing.c goes through it: rows of
+ * its cells for each tile that they touch, and in them every cell that is not all deep or
+ * all behind. */
 #include "base/base.h"
+#include "features/land/land.h"
 #include "geom/geom.h"
 #include "scene/works.h"
 #include "tidepool/depth.h"
@@ -211,7 +212,7 @@ static uint32_t tiles_of(const ground *g, const strip *s)
          : (uint32_t)(bottom / TP_WORK_BAND - top / TP_WORK_BAND + 1);
 }
 
-static void add_land(tp_site *w)
+static void work(tp_site *w)
 {
     const tp_scene *s = w->scene;
     ground g = { .scene = s, .floor = floor_of(w), .x = w->at.x, .z = w->at.z,
@@ -238,32 +239,19 @@ static void add_land(tp_site *w)
     w->works.of[TP_WORK_land_drawn] = (uint32_t)(drawn >> 8);
 }
 
-bool tp_site_land(const tp_site *w, tp_vec3 ray, int64_t far)
+/* Whether the floor lies above the level where a ray would meet it, so far ahead. */
+static bool stops(const tp_site *w, tp_vec3 ray, int64_t far)
 {
     const tp_floor floor = floor_of(w);
     const tp_fx x = tp_fx_held(w->at.eye.x + (far * ray.x >> 16));
     const tp_fx z = tp_fx_held(w->at.eye.z + (far * ray.z >> 16));
 
-    return tp_has_floor(w->scene) && !tp_has_tank(w->scene)
-        && tp_floor_under(&floor, x, z).depth <= 0;
+    return !tp_has_tank(w->scene) && tp_floor_under(&floor, x, z).depth <= 0;
 }
 
-static void add_caustics(tp_site *w)
+static void pixels(tp_site *w, const tp_work_pixels *px)
 {
-    const tp_scene *s = w->scene;
-    const uint32_t cells = (uint32_t)(s->water.caustic_cells * s->water.caustic_cells);
-
-    if (s->water.clear <= 0 || s->water.caustics <= 0)
-        return;
-    if (tp_has_tank(s))
-        w->works.of[TP_WORK_caustic_pool] = cells;
-    else if (tp_has_floor(s))
-        w->works.of[TP_WORK_caustic_sea] = cells;
+    w->works.of[TP_WORK_land] = tp_work_pixels_of(w, px->stopped);
 }
 
-void tp_site_add_bed(tp_site *w)
-{
-    add_caustics(w);
-    if (tp_has_floor(w->scene))
-        add_land(w);
-}
+const tp_cost tp_land_cost = { .work = work, .stops = stops, .pixels = pixels };

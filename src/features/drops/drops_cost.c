@@ -1,0 +1,30 @@
+/* SPDX-License-Identifier: MIT */
+/* What drops cost: rings at the water's crossings, and the balls' faces. */
+#include "features/drops/drops.h"
+#include "scene/works.h"
+
+#define BALL_FACES 440          /* of a large drop, drops_drawing.c; small ones: a quarter */
+
+/* The sphere that they fall from. */
+static void work(tp_site *w)
+{
+    const tp_outlook *o = w->outlook;
+    const tp_scene *s = w->scene;
+    const tp_vec3 sphere = { s->drops.x, s->drops.y, s->drops.z };
+    const tp_vec3 way = tp_stand_way(w->at.eye, sphere);
+    const tp_vec3 view = tp_rotate(&w->at.turn, way);
+    uint32_t *work = w->works.of;
+
+    work[TP_WORK_rings] = s->drops.every > 0 ? o->vertices : 0;
+    if (-view.z <= 0)
+        return;
+    const int64_t rows = (int64_t)o->focal * 4 * s->drops.radius / -view.z;
+    const uint32_t faces = rows > 16 ? BALL_FACES : BALL_FACES / 4;
+    work[TP_WORK_ball] = faces * tp_work_bands(rows, TP_WORK_BAND);
+    if (w->mirrors) {
+        work[TP_WORK_ball] += faces * tp_work_bands(rows / 2, TP_WORK_STRIP);
+        w->far = -view.z > w->far ? -view.z : w->far;
+    }
+}
+
+const tp_cost tp_drops_cost = { .work = work };

@@ -1,0 +1,15 @@
+/* SPDX-License-Identifier: MIT */
+/* What haze costs over what is not water, and more of before a dome or a cube. */
+#include "features/haze/haze.h"
+#include "scene/works.h"
+
+static void pixels(tp_site *w, const tp_work_pixels *px)
+{
+    uint32_t *work = w->works.of;
+
+    work[TP_WORK_haze] = px->solid;
+    work[TP_WORK_haze_dome] = w->is & TP_MODULE_DOME ? px->water + px->solid : 0;
+    work[TP_WORK_haze_cube] = w->is & TP_MODULE_CUBE ? px->water + px->solid : 0;
+}
+
+const tp_cost tp_haze_cost = { .pixels = pixels };

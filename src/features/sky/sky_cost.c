@@ -1,0 +1,37 @@
+/* SPDX-License-Identifier: MIT */
+/* What skies cost: their pixels, and light beyond white in the water's mirror. */
+#include "features/sky/sky.h"
+#include "scene/works.h"
+
+static void add_beyond(tp_site *w, const tp_work_pixels *px)
+{
+    const tp_scene *s = w->scene;
+
+    if (s->hdr.share <= 0)
+        return;
+    w->works.of[TP_WORK_sky_hdr] = px->sky;
+    w->works.of[TP_WORK_hdr] = s->water.reflection > 0 ? px->water : 0;
+}
+
+static void dome_pixels(tp_site *w, const tp_work_pixels *px)
+{
+    const bool quick = w->quick && !(w->is & TP_MODULE_STARS);
+
+    w->works.of[quick ? TP_WORK_sky_quick : TP_WORK_sky_dome] = px->sky;
+    add_beyond(w, px);
+}
+
+static void cube_pixels(tp_site *w, const tp_work_pixels *px)
+{
+    w->works.of[TP_WORK_sky_cube] = px->sky;
+    add_beyond(w, px);
+}
+
+static void star_pixels(tp_site *w, const tp_work_pixels *px)
+{
+    w->works.of[TP_WORK_sky_stars] = px->sky;
+}
+
+const tp_cost tp_sky_dome_cost = { .pixels = dome_pixels };
+const tp_cost tp_sky_cube_cost = { .pixels = cube_pixels };
+const tp_cost tp_stars_cost = { .pixels = star_pixels };

@@ -1,0 +1,91 @@
+/* SPDX-License-Identifier: MIT */
+/* What a tank's stone and a pool's inner walls cost. */
+#include "base/base.h"
+#include "features/tank/tank.h"
+#include "scene/works.h"
+
+static bool is_wall(const tp_site *w, int64_t x, int64_t z)
+{
+    const tp_grey *mask = w->assets->pool_mask;
+    const tp_rectangle r = tp_pool_sides(w->scene);
+
+    if (!mask || x < r.x0 || x >= r.x1 || z < r.z0 || z >= r.z1)
+        return false;
+    const uint32_t col = (uint32_t)((x - r.x0) * mask->cols / ((int64_t)r.x1 - r.x0));
+    const uint32_t row = (uint32_t)((z - r.z0) * mask->rows / ((int64_t)r.z1 - r.z0));
+    return mask->sample[row * mask->cols + col] < 0x8000;
+}
+
+static tp_fx wall_height(const tp_scene *s)
+{
+    return tp_has_tank(s) ? s->tank.rim : 3 * s->pool.cell;
+}
+
+/* Whether a wall in the pool stops a ray that would meet water so far ahead. */
+static bool stops(const tp_site *w, tp_vec3 ray, int64_t far)
+{
+    const tp_vec3 eye = w->at.eye;
+    const int64_t high = wall_height(w->scene);
+
+    if (!w->assets->pool_mask || eye.y <= high)
+        return false;
+    for (int k = 0; k <= 32; k++) {         /* from where it is as low as a wall */
+        const int64_t way = far - far / 32 * k * high / eye.y;
+        if (is_wall(w, eye.x + (way * ray.x >> 16), eye.z + (way * ray.z >> 16)))
+            return true;
+    }
+    return false;
+}
+
+/* Runs of a row of cells that do not go on from the row before, as tank_drawing.c joins
+ * them. */
+static uint32_t blocks_of(const tp_site *w)
+{
+    const tp_scene_pool *pool = &w->scene->pool;
+    const tp_rectangle r = tp_pool_sides(w->scene);
+    uint32_t blocks = 0;
+
+    for (int32_t row = 0; row < pool->rows; row++) {
+        const int64_t z = r.z0 + (int64_t)pool->cell * row + pool->cell / 2;
+        bool wall = false, same = false;
+        for (int32_t col = 0; col <= pool->cols; col++) {
+            const int64_t x = r.x0 + (int64_t)pool->cell * col + pool->cell / 2;
+            const bool here = col < pool->cols && is_wall(w, x, z);
+            const bool above = row > 0 && col < pool->cols
+                            && is_wall(w, x, z - pool->cell);
+            if (here && !wall)
+                same = above && !(col > 0 && is_wall(w, x - pool->cell, z - pool->cell));
+            if (!here && wall)
+                blocks += !(same && !above);
+            wall = here;
+            same = same && above == here;
+        }
+    }
+    return blocks;
+}
+
+/* Every face of them is cut anew in every band. */
+static void work(tp_site *w)
+{
+    const tp_scene *s = w->scene;
+    uint32_t quads = 0, strips = tp_work_bands(w->height - 1, TP_WORK_BAND);
+
+    if (w->assets->pool_mask) {
+        w->works.of[TP_WORK_walled] = w->outlook->vertices;
+        quads += 5 * blocks_of(w);
+    }
+    if (tp_has_tank(s))
+        quads += s->tank.kind == TP_TANK_STONE ? 12 : 6;
+    if (w->mirrors && quads > 0) {
+        strips += tp_work_bands(w->height / 2 - 1, TP_WORK_STRIP);
+        w->far = (int64_t)1 << 32;
+    }
+    w->works.of[TP_WORK_wall_face] = 2 * quads * strips;
+}
+
+static void pixels(tp_site *w, const tp_work_pixels *px)
+{
+    w->works.of[TP_WORK_wall] = tp_work_pixels_of(w, px->stopped);
+}
+
+const tp_cost tp_tank_cost = { .work = work, .stops = stops, .pixels = pixels };

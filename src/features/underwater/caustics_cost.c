@@ -1,0 +1,15 @@
+/* SPDX-License-Identifier: MIT */
+/* What caustics cost: each cell of their map, over a tank's floor or the sea's. */
+#include "features/underwater/caustics.h"
+#include "scene/sides.h"
+#include "scene/works.h"
+
+static void work(tp_site *w)
+{
+    const uint32_t cells = (uint32_t)w->scene->water.caustic_cells;
+    const int way = tp_has_tank(w->scene) ? TP_WORK_caustic_pool : TP_WORK_caustic_sea;
+
+    w->works.of[way] = cells * cells;
+}
+
+const tp_cost tp_caustics_cost = { .work = work };

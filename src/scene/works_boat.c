@@ -1,0 +1,199 @@
+/* SPDX-License-Identifier: MIT */
+/* What the boat costs: its faces as the picture and the mirror take them. */
+#include "asset/mesh.h"
+#include "geom/geom.h"
+#include "scene/works.h"
+
+/* A picture of the boat: whole, or mirrored at half the size. */
+typedef struct {
+    tp_lens  lens;              /* in the mesh's own axes */
+    bool     mirrored;
+    tp_view_plane level;
+    int32_t  rows, cols, band;
+    int32_t  top, bottom;       /* rows that its faces touch */
+    uint32_t faces, cut;
+    int64_t  pieces, back, fill;
+} look;
+
+static tp_dir3 turned(const tp_rotation *r, tp_dir3 d)
+{
+    tp_vec3 v = tp_rotate(r, (tp_vec3){ d.x, d.y, d.z });
+    return (tp_dir3){ v.x, v.y, v.z };
+}
+
+/* Upside down from below, as the mirror has it. */
+static tp_lens mirror_of(const tp_lens *lens, const tp_scene *s, uint32_t width,
+                         uint32_t height)
+{
+    const tp_dir3 r = lens->turn.x, up = lens->turn.y, back = lens->turn.z;
+    const tp_rotation turn = { { r.x, -r.y, r.z }, { -up.x, up.y, -up.z },
+                               { back.x, -back.y, back.z } };
+    tp_lens to;
+
+    tp_lens_turned(&to, (tp_vec3){ lens->eye.x, -lens->eye.y, lens->eye.z }, turn,
+                   s->camera.fov, s->camera.near, width, height);
+    to = tp_lens_halved(&to);
+    return s->mirror.size == TP_MIRROR_QUARTER ? tp_lens_halved(&to) : to;
+}
+
+/* Where the mirror cuts: at the deepest trough, two half pixels lower. */
+static void place_level(look *l, const tp_scene *s)
+{
+    int64_t trough = 0;
+
+    for (int i = 0; i < TP_WAVES; i++)
+        trough -= s->wave[i].amplitude > 0 ? s->wave[i].amplitude : 0;
+    l->level = tp_lens_level(&l->lens, tp_has_tank(s) ? 0 : tp_fx_held(trough), 1);
+    l->level.depth += (int32_t)(((int64_t)2 << 43) / l->lens.focal);
+}
+
+static void place_lens(look *l, const tp_scene *s)
+{
+    const tp_rotation turn = tp_rotation_of(tp_turn_of_degrees(s->boat.heading), 0, 0);
+    const tp_vec3 place = { s->boat.x, s->boat.lift, s->boat.z };
+
+    place_level(l, s);
+    l->lens.eye = tp_rotate(&turn, tp_stand_way(place, l->lens.eye));
+    l->lens.right = turned(&turn, l->lens.right);
+    l->lens.up = turned(&turn, l->lens.up);
+    l->lens.ahead = turned(&turn, l->lens.ahead);
+}
+
+/* `scale`: metres of 1.0 of the mesh's positions. */
+static tp_view_corner seen_by(const look *l, int64_t scale, tp_vec3 at)
+{
+    const int64_t most = 4000 * TP_FX_ONE;
+    tp_view_corner c;
+
+    tp_lens_view(&l->lens, (tp_vec3){ (tp_fx)tp_limit(at.x * scale >> 16, most),
+                                      (tp_fx)tp_limit(at.y * scale >> 16, most),
+                                      (tp_fx)tp_limit(at.z * scale >> 16, most) }, &c);
+    return c;
+}
+
+typedef struct {
+    int32_t u[3], v[3];
+} outline;
+
+/* Rays of the lattice within a front face. */
+static void stop_rays(tp_site *w, const look *l, const outline *o)
+{
+    for (int32_t j = 0; j < TP_RAYS; j++) {
+        const int32_t v = 16 * l->rows - (2 * j + 1) * l->rows * 8 / TP_RAYS;
+        for (int32_t i = 0; i < TP_RAYS; i++) {
+            const int32_t u = (2 * i + 1) * l->cols * 8 / TP_RAYS;
+            bool inside = true;
+            for (int k = 0; k < 3; k++) {
+                const int n = k < 2 ? k + 1 : 0;
+                inside = inside && (int64_t)(o->u[n] - o->u[k]) * (v - o->v[k])
+                                 - (int64_t)(o->v[n] - o->v[k]) * (u - o->u[k]) <= 0;
+            }
+            w->solid[j] |= (uint32_t)inside << i;
+        }
+    }
+}
+
+static int32_t least(const int32_t of[3])
+{
+    const int32_t n = of[0] < of[1] ? of[0] : of[1];
+    return n < of[2] ? n : of[2];
+}
+
+static int32_t most(const int32_t of[3])
+{
+    const int32_t n = of[0] > of[1] ? of[0] : of[1];
+    return n > of[2] ? n : of[2];
+}
+
+/* In each band that it touches a face is set up, and filled if it is a front one. */
+static void add_face(tp_site *w, look *l, const outline *o)
+{
+    const int32_t low = least(o->v) >> 4, high = most(o->v) >> 4;
+    const int32_t top = tp_clamp(low, 0, l->rows), end = tp_clamp(high + 1, 0, l->rows);
+    const int64_t area = (int64_t)(o->u[1] - o->u[0]) * (o->v[2] - o->v[0])
+                       - (int64_t)(o->v[1] - o->v[0]) * (o->u[2] - o->u[0]);
+
+    l->top = top < l->top ? top : l->top;
+    l->bottom = end > l->bottom ? end : l->bottom;
+    if (top >= end || most(o->u) < 0 || least(o->u) >> 4 >= l->cols)
+        return;
+    const int64_t bands = (end - 1) / l->band - top / l->band + 1;
+    l->pieces += area < 0 ? bands : 0;
+    l->back += area < 0 ? 0 : bands;
+    l->fill += area < 0 ? -area / 512 : 0;
+    if (area < 0 && !l->mirrored)
+        stop_rays(w, l, o);
+}
+
+static void look_at_faces(tp_site *w, look *l)
+{
+    const tp_mesh *mesh = w->assets->boat;
+    const tp_fx metres = tp_mesh_metres(mesh, w->scene->boat.scale);
+
+    l->top = l->rows;
+    for (uint32_t f = 0; f < mesh->n_faces; f++) {
+        outline o;
+        int low = 0, cut = 0;
+        for (int k = 0; k < 3; k++) {
+            const tp_view_corner c =
+                seen_by(l, metres, mesh->vertices[mesh->faces[f].vertex[k]].position);
+            uint32_t zi;
+            const bool under = l->mirrored && tp_view_height(&l->level, &c) < 0;
+            low += under;
+            cut += under || !tp_lens_holds(&l->lens, &c);
+            if (cut == 0)
+                tp_lens_project(&l->lens, &c, &o.u[k], &o.v[k], &zi);
+            if (l->mirrored && !under && c.depth > w->far)
+                w->far = c.depth;
+        }
+        if (cut == 0)
+            add_face(w, l, &o);
+        l->cut += cut > 0 && low < 3;
+    }
+}
+
+static void add_look(tp_site *w, look *l)
+{
+    const tp_mesh *mesh = w->assets->boat;
+    uint32_t *work = w->works.of;
+    uint32_t passes = 1;
+
+    for (uint32_t i = 0; !l->mirrored && passes == 1 && i < mesh->n_materials; i++)
+        passes += mesh->materials[i].opacity == 0;
+    const int32_t rows = l->bottom > l->top ? l->bottom - l->top : 0;
+    const uint32_t bands = (uint32_t)(rows + l->band - 1) / (uint32_t)l->band
+                         + (!l->mirrored && rows > 0);
+    work[TP_WORK_boat_face] += mesh->n_faces;
+    work[TP_WORK_boat_scan] += mesh->n_faces * bands * passes;
+    work[TP_WORK_boat_back] += (uint32_t)l->back;
+    work[TP_WORK_boat_piece] += (uint32_t)l->pieces;
+    work[TP_WORK_boat_fill] += (uint32_t)l->fill;
+    work[TP_WORK_boat_cut] += l->cut * (bands + 1);
+    if (l->mirrored)
+        work[TP_WORK_mirror_fill] += (uint32_t)l->fill;
+}
+
+/* As the picture sees it, and as the mirror does. */
+void tp_site_add_boat(tp_site *w)
+{
+    const tp_scene *s = w->scene;
+    look l = { .rows = (int32_t)w->height, .cols = (int32_t)w->width,
+               .band = TP_WORK_BAND };
+    tp_lens lens;
+
+    tp_lens_turned(&lens, w->at.eye, w->at.turn, s->camera.fov, s->camera.near, w->width,
+                   w->height);
+    l.lens = lens;
+    place_lens(&l, s);
+    look_at_faces(w, &l);
+    add_look(w, &l);
+    if (!w->mirrors)
+        return;
+    const int by = s->mirror.size == TP_MIRROR_QUARTER ? 4 : 2;
+    l = (look){ .rows = (int32_t)w->height / by, .cols = (int32_t)w->width / by,
+                .band = TP_WORK_STRIP, .mirrored = true,
+                .lens = mirror_of(&lens, s, w->width, w->height) };
+    place_lens(&l, s);
+    look_at_faces(w, &l);
+    add_look(w, &l);
+}
