@@ -14,19 +14,40 @@ static inline void thin_out(void *pointers, size_t bytes, uint32_t in, uint64_t 
             p[i] = NULL;
 }
 
-/* The list with uses and drawings left out.  The last four lists stay. */
+enum { THIN_MODULES = 32, THIN_STAGES = 12 };
+
+/* Stages of each module in the order of the list. */
+static const uint8_t thin_stages[] = {
+#define ONE(name) + 1
+#define SEEN(name) 0 TP_STAGES_OF_##name(ONE),
+#define UNSEEN(name) 0,
+    TP_MODULE_LIST(SEEN, UNSEEN)
+#undef UNSEEN
+#undef SEEN
+#undef ONE
+};
+
+/* The list with uses, drawings and stages left out.  The last four lists stay. */
 static inline const tp_use *thin_modules(const tp_use *list, uint32_t in, uint64_t *state)
 {
-    static tp_use use[4][32];
+    static tp_use use[4][THIN_MODULES];
+    static tp_stage stage[4][THIN_MODULES][THIN_STAGES];
     static uint32_t turn;
     tp_use *to = use[++turn % 4];
+    const bool stages = random_below(state, 2);
 
-    for (; list->module; list++) {
+    for (uint32_t i = 0; list[i].module; i++) {
+        tp_stage *own = stage[turn % 4][i];
         if (random_below(state, in) == 0)
             continue;
-        *to = *list;
+        *to = list[i];
         if (random_below(state, in) == 0)
             to->drawing = NULL;
+        if (stages && thin_stages[i] > 0) {
+            memcpy(own, list[i].stage, thin_stages[i] * sizeof *own);
+            thin_out(own, thin_stages[i] * sizeof *own, in, state);
+            to->stage = own;
+        }
         to++;
     }
     *to = (tp_use){ 0 };

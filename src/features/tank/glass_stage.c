@@ -30,12 +30,12 @@ void tp_stage_side(const tp_shade *shade, tp_run *run)
 
 /* -- panes ---------------------------------------------------------------------------- */
 
-/* Samples of a run, the last one not included. */
+/* Samples of a run, `end` not included. */
 typedef struct {
     int32_t first, end;
 } part;
 
-/* What a convex polygon covers of a run, by the fill rule of triangles. */
+/* The part of a run that a convex polygon covers, by the fill rule of triangles. */
 static part covered(const tp_pane *pane, const tp_run *run)
 {
     int32_t y = run->y, x0 = INT32_MAX, x1 = INT32_MIN;
@@ -56,7 +56,7 @@ static part covered(const tp_pane *pane, const tp_run *run)
                    x1 < run->x + run->count ? x1 - run->x : run->count };
 }
 
-/* Whether what a sample holds lies behind the glass: depth > gap / (n . D), so that
+/* True if a sample lies behind the glass: depth > gap / (n . D), so that
  * zi < zi_near (n . D) / gap; cross-multiplied, in Q42 and 16.16 over Q31. */
 static bool is_behind(const tp_shade *shade, const tp_glass_wall *wall, uint32_t key,
                       int64_t view)

@@ -39,9 +39,9 @@ typedef struct {
     int32_t u[TP_CLIP_CORNERS], v[TP_CLIP_CORNERS];
 } tp_pane;
 
+/* A wall of glass that the eye stands outside of. */
 typedef struct {
-    uint32_t      face;
-    uint32_t      posts;
+    uint32_t      face, posts;
     tp_side_post *post;
     tp_pane       pane[2];
     int32_t       x0, x1, y0, y1;   /* pixels that both may cover, x1 and y1 not included */
@@ -50,9 +50,9 @@ typedef struct {
 
 #define TP_GLASSES 2            /* an eye stands outside of two walls at the most */
 
-/* What the panes' stage reads, in tp_run.mine. */
+/* The panes' stage reads it in tp_run.mine. */
 typedef struct {
-    uint32_t      walls;        /* that the eye stands outside of */
+    uint32_t      walls;        /* 0: an eye in the water, or above the tank */
     tp_glass_wall wall[TP_GLASSES];
     uint32_t      colour, share;    /* of the glass, and how much of it: 0..256 */
 } tp_glass;

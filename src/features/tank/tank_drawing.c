@@ -11,7 +11,7 @@
 
 /* -- what stands where ---------------------------------------------------------------- */
 
-/* Of the walls: a share of the shorter side. */
+/* The thickness of walls is a share of the shorter side. */
 static tp_fx thickness(const tp_scene *scene, const tp_rectangle *r)
 {
     tp_fx wide = r->x1 / 2 - r->x0 / 2, deep = r->z1 / 2 - r->z0 / 2;
@@ -21,7 +21,7 @@ static tp_fx thickness(const tp_scene *scene, const tp_rectangle *r)
                                              : tp_clamp(half / 12, 2048, TP_FX_ONE);
 }
 
-/* Whether the eye stands outside of wall `face`: +x, -x, +z, -z. */
+/* True if the eye stands outside of wall `face`: +x, -x, +z, -z. */
 static bool is_outside(const tp_rectangle *r, uint32_t face, tp_vec3 eye)
 {
     switch (face) {
@@ -47,7 +47,7 @@ typedef struct {
     int16_t n[3];               /* 511 is 1 */
 } quad;
 
-/* What quads are drawn into. */
+/* Target of quads: samples, as a sight sees them. */
 typedef struct {
     const tp_sight   *sight;
     const tp_samples *samples;
@@ -95,7 +95,7 @@ static void draw_top(const target *to, tp_fx y, const tp_fx at[4][2])
     draw_quad(to, &q);
 }
 
-/* Of wall `face`: between its inner and its outer rectangle. */
+/* The top of wall `face`, between its inner and its outer rectangle. */
 static void draw_rim(const target *to, const tp_rectangle *in, const tp_rectangle *out,
                      tp_fx y, uint32_t face)
 {
@@ -130,7 +130,7 @@ static void draw_walls(const tp_frame *frame, const target *to)
     }
 }
 
-/* An eye in the tank's water sees its walls through that. */
+/* An eye in the tank's water sees the walls by the rays of `deep` and `below`. */
 static void draw(const tp_frame *frame, const void *mine, const tp_sight *sight,
                  tp_samples *samples, uint32_t mark)
 {
@@ -152,7 +152,7 @@ static void draw(const tp_frame *frame, const void *mine, const tp_sight *sight,
     }
 }
 
-/* They may be anywhere. */
+/* Walls may be anywhere in the picture. */
 static void place(tp_frame *frame, void *mine, tp_sight *sight, tp_grid_box *box)
 {
     const tp_tank *tank = mine;

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Caustics: where the surface's curvature gathers the sun on the floor.
+/* Caustics: sunlight that the surface's curvature gathers on the floor.
  *
  * The surface is cut into as many cells as the map has.  The light of each falls through
  * its four corners, bent there [F4], on to the floor, and is dealt out from four places
@@ -46,7 +46,7 @@ static tp_fx depth_at(const tp_frame *frame, tp_fx x, tp_fx z)
 
 /* -- the light's way ------------------------------------------------------------------- */
 
-/* Through water of these slopes. */
+/* Snell's law at a surface of these slopes; at the flattest a grade of 1/10. */
 static tp_fall fall_through(const tp_shade *shade, tp_fx slope_x, tp_fx slope_z)
 {
     tp_ray in = { -shade->world.lx, -shade->world.ly, -shade->world.lz, 0 };
@@ -86,7 +86,7 @@ static tp_sea_point surface_point(const tp_surface *s, tp_fx x, tp_fx z)
     return p;
 }
 
-/* Of metres, into cells Q8, held within 2^20 cells: of 16-bit fractions, 256 cells on a
+/* Metres to cells Q8, held within 2^20 cells: of 16-bit fractions, 256 cells on a
  * pool of 0.16 m are 2^27 a metre. */
 static int32_t in_cells(int64_t metres, uint32_t per_metre)
 {
@@ -94,7 +94,7 @@ static int32_t in_cells(int64_t metres, uint32_t per_metre)
     return (int32_t)tp_limit(cells, (int64_t)1 << 28);
 }
 
-/* Corner (i, j): where it lies over the map, and where its light does. */
+/* Corner (i, j): its place over the map, and the place of its light. */
 static void trace(const tp_frame *frame, const tp_caustics *map, const tp_surface *surface,
                   uint32_t i, uint32_t j, tp_caustic_corner *to)
 {

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Clear water, seen from above: when it is, and by which stage. */
+/* Clear water: an eye above it sees the floor, walls and objects through the surface. */
 #include "features/underwater/underwater.h"
 #include "frame/frame.h"
 
@@ -8,7 +8,7 @@ static bool enabled(const tp_want *want)
     return want->scene->water.clear > 0 && want->above & TP_MODULE_INSIDE;
 }
 
-/* What a ray meets costs by its kind: a box, a chart or a plane. */
+/* A ray costs by what it meets: a box, a chart or a plane. */
 static void count(const tp_want *want, uint8_t trait[TP_TRAIT_COUNT])
 {
     const tp_scene *scene = want->scene;
@@ -29,7 +29,7 @@ static void *layout(tp_arena *arena, const tp_want *want)
     return tp_arena_take(arena, 1, sizeof(tp_clear_water));
 }
 
-/* The refraction map, if there is one, comes later. */
+/* The refraction module draws its map later, if it is on. */
 static void begin(tp_frame *frame, void *mine)
 {
     tp_clear_water *clear = mine;
@@ -38,7 +38,7 @@ static void begin(tp_frame *frame, void *mine)
     clear->sunken = NULL;
 }
 
-/* Needs the view and the lit colour. */
+/* The stage reads the view and mixes with the lit colour. */
 static void add_stage(const tp_frame *frame, const void *mine, const tp_stage *stage,
                       tp_shaders *list)
 {

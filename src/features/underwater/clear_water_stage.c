@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* What is seen through the water's surface from above: the floor, walls and things in the
- * water, refracted at the bumped normal [F4] and lessened on the way.
+/* The view through the water's surface from above: floor, walls and things in the water,
+ * refracted at the bumped normal [F4] and lessened on the way.
  *
  * What the water itself sends is three parts of the colour of its depth and one part of
  * the lit colour that the stages before have left: so layers and light still move over
@@ -47,8 +47,8 @@ TP_ALWAYS_INLINE void bend(const tp_shade *shade, const tp_run *run, int32_t i,
     }
 }
 
-/* What of the refraction map lies there: bent as if half a metre under the surface, by a
- * quarter of the slope [F4]. */
+/* Lays the refraction map over a colour; the place in it is bent as if half a metre under
+ * the surface, by a quarter of the slope [F4]. */
 static uint32_t with_sunken(const tp_shade *shade, const tp_half *half, const tp_run *run,
                             int32_t i, tp_fx metres, int32_t nx, int32_t nz,
                             uint32_t colour)

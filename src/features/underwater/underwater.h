@@ -5,8 +5,8 @@
  *     underwater_stage.c      span stages of that view
  *     caustics_drawing.c      the light that waves gather on the floor
  *     refraction_drawing.c    a picture of the objects under the level
- *     clear_water_drawing.c   what an eye above clear water sees through it
- *     clear_water_stage.c     span stages of that */
+ *     clear_water_drawing.c   the view through clear water from above
+ *     clear_water_stage.c     its span stages */
 #ifndef TP_UNDERWATER_H
 #define TP_UNDERWATER_H
 #include "scene/module.h"
@@ -17,7 +17,7 @@
 #define TP_REFRACTION_ID  TP_MODULE_ID('r', 'f', 'r', 'a')
 #define TP_CLEAR_WATER_ID TP_MODULE_ID('c', 'l', 'e', 'a')
 
-/* What the stages of clear water read, in tp_run.mine. */
+/* The stages of clear water read it in tp_run.mine. */
 typedef struct {
     const tp_half *sunken;      /* objects under the level, as flat water shows them, or
                                  * NULL */

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The inside of the water: the numbers that all reads which looks into it, and the lists of
- * an eye that is in it. */
+/* The inside of the water: its numbers (shade/inside.h), and the stages that lists get when
+ * the eye is in it. */
 #include "features/underwater/underwater.h"
 #include "frame/frame.h"
 #include "shade/beam.h"
@@ -13,8 +13,8 @@ enum { BELOW, BELOW_RIPPLED, DEEP, ABSORB };
 
 /* -- numbers -------------------------------------------------------------------------- */
 
-/* Of the ground the slant counts, from a metre more than the eye's height: water lies
- * over it. */
+/* A level of the ground's texture counts the slant too, from a metre above the eye's
+ * height: water lies over the ground. */
 static tp_coat coat_of(const tp_frame *frame, const tp_texture *texture, tp_fx size,
                        int32_t colour, bool ground)
 {
@@ -80,7 +80,7 @@ static void set_box(const tp_frame *frame, tp_inside *in)
                                scene->floor.texture_size, scene->floor.colour, true);
 }
 
-/* Whether the eye is under the surface at its place; of a tank also within it. */
+/* True if the eye is under the surface at its place, and within the tank if there is one. */
 static bool is_under(const tp_frame *frame)
 {
     tp_vec3 eye = frame->lens.eye;
@@ -94,7 +94,7 @@ static bool is_under(const tp_frame *frame)
     return eye.y < tp_surface_above(&frame->surface, eye.x, eye.z, NULL).position.y;
 }
 
-/* A program may lack some of the view from within; it then draws that from above. */
+/* False: the program lacks a stage of the view from below, and draws that from above. */
 static bool can_show(const tp_frame *frame)
 {
     const tp_stage *stage = tp_frame_stages(frame, TP_UNDERWATER_ID);
@@ -121,7 +121,7 @@ static void begin(tp_frame *frame, void *mine)
     set_box(frame, in);
 }
 
-/* Walls tell their places by the eye and its axes. */
+/* Walls are drawn in every sight, and their stage finds places by the sight's axes. */
 static void place(tp_frame *frame, void *mine, tp_sight *sight, tp_grid_box *box)
 {
     (void)sight, (void)box;

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The view of a camera under water: the surface from below, the water where nothing
+/* The view of an eye under water: the surface from below, the water where nothing
  * else is, and the water before what is there. */
 #include "features/underwater/underwater.h"
 #include "shade/beam.h"

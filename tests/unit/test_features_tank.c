@@ -174,5 +174,5 @@ int main(void)
         cmocka_unit_test(walls_stand_where_rays_say),
         cmocka_unit_test(each_colour_bends_by_its_own_index),
     };
-    return cmocka_run_group_tests_name("frame tank", tests, NULL, NULL);
+    return cmocka_run_group_tests_name("features/tank", tests, NULL, NULL);
 }
