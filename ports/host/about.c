@@ -39,9 +39,10 @@ static const about_row rows[] = {
     { FOR_BAKE, "tidepool bake SCENE -o FILE.c [OPTION]...",
       "Writes a scene, its mesh, pictures and maps as constants in C, for a board:\n"
       "NAME_scene and NAME_assets, which the file's head declares and measures.\n"
-      "SCENE is the name of a shipped scene or the path of an INI file.\n",
+      "With --size or --format NAME_kit too, a list of what the scene needs to be drawn\n"
+      "so: a program that is linked by it has no other code, and draws the same bits.\n",
       "The file needs -I for the folder of tidepool/frame.h and nothing else.\n",
-      USUAL, NULL },
+      CHECKS, "a list draws another picture" },
     { FOR_PLAN, "tidepool plan SCENE [OPTION]...",
       "Prints by which methods the scene is drawn: for each what a frame costs a\n"
       "Cortex-M4 with it, how far outlines and colours may be off, and its bytes.\n"

@@ -85,13 +85,19 @@ static tp_assets prepared_alone(const tp_assets *names)
     return lean;
 }
 
-/* What the scene asks for and the program has not. */
-static void tell_lacks(const dry_found *found)
+/* What the scene asks for and the program has not: each piece by name, once. */
+static int tell_lacks(const dry_found *found, bool strict)
 {
-    for (size_t i = 0; i < piece_count; i++)
-        if (found->lacks.has[i])
-            say("left out: %s %s, which the scene asks for", piece_word(i),
-                pieces[i].name);
+    const char *last = "";
+
+    for (size_t i = 0; i < piece_count; i++) {
+        if (!found->lacks.has[i] || !strcmp(pieces[i].name, last))
+            continue;
+        last = pieces[i].name;
+        say("left out, and the scene asks for it: %s %s", piece_word(i), last);
+    }
+    return strict && *last ? fail(EXIT_CHECK, "tidepool bake: the program would draw another"
+                                  " picture than with everything there is") : EXIT_DONE;
 }
 
 int bake_find_program(bake_program *p, const options *o, const tp_scene *scene,
@@ -103,7 +109,8 @@ int bake_find_program(bake_program *p, const options *o, const tp_scene *scene,
     *wish = (dry_wish){
         .scene = scene, .assets = assets, .named = &p->scene, .baked = baked,
         .config = { o->width, o->height, o->strip, o->band ? o->band : 16, o->format },
-        .terms = { o->format, o->stream, true, false },
+        /* What may be switched on while it runs is checked, and may have more waves. */
+        .terms = { o->format, o->stream, !o->with, o->with != NULL },
         .acts = !o->no_input,
     };
     int code = read_pieces(&wish->with, "--with", o->with);
@@ -124,9 +131,7 @@ int bake_find_program(bake_program *p, const options *o, const tp_scene *scene,
         *baked = lean;
     if (p->found.planned)
         p->scene = *scene;
-    if (!code)
-        tell_lacks(&p->found);
-    return code;
+    return code ? code : tell_lacks(&p->found, o->strict);
 }
 
 /* -- the file ------------------------------------------------------------------------- */

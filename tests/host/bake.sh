@@ -106,6 +106,29 @@ run bake count-64 -o g.c --texels 8 --set quality.shading=quick --set water.clea
 same "but beside what exact stages will ask for" \
     "$(grep -c '\.graded\[0\] = &\|\.layer\[0\] = &' g.c)" 2
 
+# -- the list of a program -------------------------------------------------------------
+
+run bake minimal -o h.c --size 64x48 --no-input --name baked
+same "a list is told of in the head" "$code $(grep -c '^ \* *stage  sky plain' h.c)" "0 1"
+run bake minimal -o i.c --size 64x48 --no-input --name baked
+same "it is the same each time" "$(cmp h.c i.c)" ""
+run bake minimal -o i.c --size 64x48 --no-input --without haze
+same "what is left out is told" "$code $(grep -c 'asks for it: .* haze$' err)" "0 1"
+run bake minimal -o i.c --size 64x48 --no-input --without foam
+same "unless nobody asks for it" "$code $(cat err)" "0 "
+run bake minimal -o i.c --format i1 --no-input --with foam
+same "a scene that may change is checked, and has room for its waves" \
+    "$(grep -c 'check = tp_scene_check\|swells = &tp_water_swells' i.c)" 2
+same "what may be switched on is in the list" \
+    "$(grep -c '^    { &tp_foam_module, &tp_foam_drawing' i.c) \
+$(grep -c 'i_picture\|minimal_picture = { 320, 240, 0, 16, TP_FORMAT_I1 }' i.c)" "1 1"
+for compiler in gcc clang; do
+    command -v $compiler >/dev/null || continue
+    # shellcheck disable=SC2086
+    $compiler $strict -c h.c -o h.o 2>err && $compiler $strict -c i.c -o i.o 2>>err
+    same "lists compile without a warning by $compiler" "$? $(head -n 3 err)" "0 "
+done
+
 # The same frames from constants as from files, with smaller pictures and settings.
 draws()         # SCENE [SETTING]
 {

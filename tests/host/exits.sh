@@ -57,6 +57,7 @@ exits 0 "wave0" params minimal
 exits 2 "no option" params --sett
 exits 3 "No such file" params nowhere.ini
 exits 0 "" bake minimal -o a.c
+exits 1 "asks for it: .* haze" bake minimal -o a.c --size 32x32 --without haze --strict
 exits 2 "which file" bake minimal
 exits 3 "No such file" bake minimal -o no/a.c
 exits 0 "in all" plan minimal

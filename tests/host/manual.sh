@@ -15,6 +15,7 @@ options_of()    # COMMAND: those of its help, a line each
     "$program" "$1" --help 2>/dev/null | awk '
         /^  -/ { print $1 }
         $1 == "also" { also = 1; $1 = "" }
+        NF == 0 { also = 0 }
         also { for (i = 1; i <= NF && $i != "see"; i++) if ($i ~ /^-/) print $i }' |
         tr -d ,: | sort -u
 }
