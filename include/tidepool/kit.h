@@ -193,9 +193,18 @@ typedef struct {
 
 /* -- modules; src/scene/module.h, src/frame/drawing.h ------------------------------- */
 
+/* Modules that a program brings itself, see ports/README.md; they come first, so that
+ * mirrors know of them. */
+#ifdef TP_MORE
+#include TP_MORE
+#else
+#define TP_MORE_LIST(X, N, P)
+#endif
+
 /* Nothing is drawn of the ones that are named by N; the ones that are named by P cost more
  * than pixels of water. */
 #define TP_MODULE_LIST(X, N, P) \
+    TP_MORE_LIST(X, N, P) \
     P(sky_dome)     /* skies beside the gradient: generated ones, */ \
     P(sky_cube)     /* and six pictures */ \
     P(stars)        /* added to a night's dome */ \

@@ -2,14 +2,8 @@
 /* The kit of everything.  Whoever names it links the whole core. */
 #include "tidepool/kit.h"
 #include "tidepool/scene.h"
-#ifdef TP_MORE
-#include TP_MORE                /* TP_MORE_MODULES, that a program brings itself */
-#else
-#define TP_MORE_MODULES
-#endif
 
 static const tp_use all[] = {
-    TP_MORE_MODULES             /* first, so that mirrors know of them */
 #define X(name) TP_USE(name),
 #define N(name) TP_USE_UNSEEN(name),
 #define P(name) TP_USE_PRICED(name),

@@ -25,9 +25,7 @@
 #include "scene/piece.h"
 #include "tidepool/plan.h"
 #include "tidepool/rows.h"
-#ifdef TP_MORE
-#include TP_MORE                /* TP_MORE_ROWS, of modules that a program brings itself */
-#else
+#ifndef TP_MORE_ROWS            /* rows of modules that a program brings itself */
 #define TP_MORE_ROWS
 #endif
 

@@ -67,11 +67,11 @@ static bool is_pose(const buoy_pose *pose)
         && tp_abs(pose->lean_z) <= LEAN_MOST;
 }
 
-static bool is_valid(const void *mine, const void *fresh)
+static bool is_valid(const void *mine, const void *fresh, const tp_world *world)
 {
     const buoy_state *buoy = mine;
 
-    (void)fresh;
+    (void)fresh, (void)world;
     return is_pose(&buoy->now) && is_pose(&buoy->last)
         && tp_abs(buoy->rise) <= HEIGHT_MOST && buoy->afloat == 1;
 }

@@ -157,7 +157,7 @@ static void draw(const tp_frame *frame, const void *mine, const tp_sight *sight,
 /* -- its stage -------------------------------------------------------------------------- */
 
 /* Light of all sides and of the sun, by the side that it falls on. */
-static void tp_stage_buoy(const tp_shade *shade, tp_run *run)
+void tp_stage_buoy(const tp_shade *shade, tp_run *run)
 {
     const buoy *b = run->mine;
     const tp_vec_q14 light = { shade->world.lx, shade->world.ly, shade->world.lz };

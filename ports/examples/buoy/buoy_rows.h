@@ -1,0 +1,22 @@
+/* SPDX-License-Identifier: MIT */
+/* The buoy's settings and their rows of parameters, see tidepool/rows.h. */
+#ifndef BUOY_ROWS_H
+#define BUOY_ROWS_H
+
+/* Its settings, words of tp_scene.own from BUOY_AT on, which the program's list says. */
+#define BUOY_ON     (BUOY_AT + 0)
+#define BUOY_X      (BUOY_AT + 1)       /* m, 16.16 */
+#define BUOY_Z      (BUOY_AT + 2)
+#define BUOY_SIZE   (BUOY_AT + 3)
+#define BUOY_COLOUR (BUOY_AT + 4)
+#define BUOY_FLAG   (BUOY_AT + 5)
+
+#define BUOY_ROWS \
+    TP_ROW_SWITCH("buoy.on", own[BUOY_ON], 0, "a buoy floats on the water"), \
+    TP_ROW_NUMBER("buoy.x", own[BUOY_X], "m", -8000, 8000, 0, \
+        "to the right of the origin"), \
+    TP_ROW_NUMBER("buoy.z", own[BUOY_Z], "m", -8000, 8000, -8, "towards the viewer"), \
+    TP_ROW_NUMBER("buoy.size", own[BUOY_SIZE], "m", 0.05, 10, 0.5, "radius of its body"), \
+    TP_ROW_COLOUR("buoy.colour", own[BUOY_COLOUR], 0xe8a010, "of its body"), \
+    TP_ROW_COLOUR("buoy.flag", own[BUOY_FLAG], 0xd02020, "of its flag")
+#endif
