@@ -95,4 +95,49 @@ same "a kept world goes on with it, bit for bit" "$(wc -l <all) $(tail -n 15 res
     "41 $(tail -n 15 all)"
 same "in which its state is a chunk with its id" "$(grep -aco 'youb' world)" 1
 
+# -- baked -------------------------------------------------------------------------------
+
+cat >main.c <<'END'
+#include <stdio.h>
+#include <stdlib.h>
+#include "tidepool/frame.h"
+
+extern const tp_scene        baked_scene;
+extern const tp_assets       baked_assets;
+extern const tp_kit          baked_kit;
+extern const tp_frame_config baked_picture;
+
+int main(void)
+{
+    const size_t bytes = tp_world_bytes_with(&baked_kit, &baked_scene, &baked_assets);
+    tp_world *world = malloc(bytes);
+    tp_frame *frame;
+    tp_tile   tile;
+    uint32_t  crc = 0;
+    void *block = malloc(tp_frame_bytes_with(&baked_kit, &baked_scene, &baked_assets,
+                                             &baked_picture));
+    void *scratch = malloc(tp_frame_scratch_with(&baked_kit, &baked_scene,
+                                                 &baked_picture));
+
+    if (tp_world_init_with(&baked_kit, world, bytes, &baked_scene, &baked_assets, NULL)
+        || tp_frame_init_with(&baked_kit, &frame, &baked_scene, &baked_assets,
+                              &baked_picture, block, NULL))
+        return 1;
+    for (int n = 0; n < 60; n++)
+        tp_world_step_with(&baked_kit, world, &baked_scene, NULL);
+    tp_frame_begin(frame, world);
+    for (uint32_t i = 0; tp_frame_tile(frame, i, scratch, &tile); i++)
+        crc = tp_crc32(crc, tile.pixels, tile.stride * (tile.y1 - tile.y0));
+    printf("frame 0060 crc32 %08x\n", (unsigned)crc);
+    return 0;
+}
+END
+run bake "$scene" --set boat.mesh= $on --size 160x120 --format xrgb8888 --name baked -o b.c
+judge "it is baked" 0 ""
+same "with its stage in the list" "$(grep -c 'tp_stage_buoy,$' b.c)" 1
+own=$build/more/buoy/ports/examples/buoy
+${CC:-cc} -std=c11 -I"$root/include" -I"$root" -DTP_MORE='"ports/examples/buoy/list.h"' \
+    main.c b.c "$own/buoy.o" "$own/buoy_drawing.o" "$build/libtidepool.a" -o baked 2>err
+same "the baked program draws it, by its own list" "$(./baked)" "$seen"
+
 finish
