@@ -21,7 +21,7 @@ static const uint8_t thin_stages[] = {
 #define ONE(name) + 1
 #define SEEN(name) 0 TP_STAGES_OF_##name(ONE),
 #define UNSEEN(name) 0,
-    TP_MODULE_LIST(SEEN, UNSEEN)
+    TP_MODULE_LIST(SEEN, UNSEEN, SEEN)
 #undef UNSEEN
 #undef SEEN
 #undef ONE
