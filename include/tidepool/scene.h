@@ -284,10 +284,14 @@ typedef struct {
     tp_push push[TP_PUSHES];    /* in their order; a world without a pool takes none */
 } tp_input;
 
-/* The parts that only some scenes have lie behind this head, at these byte offsets from
- * its start; 0: the scene has none. */
+/* The layout of a world's block.  It rises when the head or a chunk changes its meaning;
+ * a block of another version is refused. */
+enum { TP_WORLD_VERSION = 3 };
+
+/* States of modules lie behind this head as chunks: an id, a length, the bytes. */
 typedef struct {
-    uint32_t modules;           /* the first of the chunks of src/scene/module.h */
+    uint32_t version;           /* TP_WORLD_VERSION */
+    uint32_t modules;           /* byte offset of the first chunk; 0: there is none */
     uint32_t bytes;             /* of the whole block */
 } tp_world_parts;
 
@@ -359,8 +363,8 @@ tp_status tp_world_init_with(const tp_kit *kit, tp_world *world, size_t bytes,
 
 /* Whether bytes from outside, such as a file's, are a world that can be stepped and drawn.
  * `fresh` is a world of the same scene, assets and kit, as tp_world_init or
- * tp_world_refresh leaves it: the layout and all that follows from the scene must equal
- * its; all that ticks change must be in the ranges that they keep.  `bytes` are those of
+ * tp_world_refresh leaves it: the version, the layout and all that follows from the scene
+ * must equal its; all that ticks change must be in the ranges that they keep.  `bytes` are those of
  * `world`, aligned to 8.  TP_E_WORLD: err->word names the part at fault; TP_E_NULL,
  * TP_E_ALIGN: the argument. */
 tp_status tp_world_check_with(const tp_kit *kit, const tp_world *world, size_t bytes,

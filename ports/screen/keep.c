@@ -3,7 +3,7 @@
  * mean depends on the program that wrote them and on the scene: both are in the head, and
  * a file of others is not taken.
  *
- *     "TPKEEP" 0 2 | scene | build | frame | played | bytes of the world | CRC-32 |
+ *     "TPKEEP" 0 3 | scene | build | frame | played | bytes of the world | CRC-32 |
  *     the bytes
  *
  * Numbers are the machine's own, 32 bits; the CRC is of the whole file but itself.  It
@@ -19,7 +19,7 @@
 #include "../host/say.h"
 #include "tidepool/pixel.h"
 
-#define VERSION 2
+#define VERSION TP_WORLD_VERSION
 
 typedef struct {
     char     magic[7];
@@ -96,11 +96,16 @@ static uint32_t digest(head h, const void *world)
 
 /* What is wrong with the file, or NULL. */
 static const char *check_file(const keep *k, const head *h, const void *world,
-                              size_t bytes, size_t got)
+                              size_t bytes, size_t got, char text[128])
 {
     if (got < sizeof *h || memcmp(h->magic, magic, sizeof magic) != 0)
         return "is no kept world";
-    if (h->version != VERSION || h->build != k->build)
+    if (h->version != VERSION) {
+        snprintf(text, 128, "holds a world of version %u, this program has version %u",
+                 h->version, (unsigned)VERSION);
+        return text;
+    }
+    if (h->build != k->build)
         return "was kept by another build";
     if (h->scene != k->scene || h->bytes != bytes)
         return "is of another scene";
@@ -126,12 +131,13 @@ static const char *check_world(const keep *k, const head *h, const tp_world *kep
 }
 
 /* As much as is there; one byte more than there should be tells a longer file. */
-static const char *read_file(const keep *k, FILE *file, head *h, void *copy, size_t bytes)
+static const char *read_file(const keep *k, FILE *file, head *h, void *copy, size_t bytes,
+                             char text[128])
 {
     size_t got = fread(h, 1, sizeof *h, file);
     if (got == sizeof *h)
         got += fread(copy, 1, bytes + 1, file);
-    return ferror(file) ? "cannot be read" : check_file(k, h, copy, bytes, got);
+    return ferror(file) ? "cannot be read" : check_file(k, h, copy, bytes, got, text);
 }
 
 /* What is wrong, or NULL: *world and *at are those that were kept. */
@@ -140,7 +146,7 @@ static const char *take(const keep *k, FILE *file, tp_world *world, size_t bytes
 {
     head h;
     void *copy = malloc(bytes + 1);
-    const char *wrong = copy ? read_file(k, file, &h, copy, bytes) : "finds no memory";
+    const char *wrong = copy ? read_file(k, file, &h, copy, bytes, text) : "finds no memory";
     if (!wrong)
         wrong = check_world(k, &h, copy, world, text);
     if (!wrong) {

@@ -176,22 +176,34 @@ void tp_modules_hit(const tp_kit *kit, tp_world *world, const tp_scene *scene,
     }
 }
 
-/* The lengths of `fresh` are walked, those of `world` compared. */
-static bool are_same_chunks(const tp_world *world, const tp_world *fresh)
+static const char *name_of(const tp_kit *kit, uint32_t id)
+{
+    for (const tp_use *u = kit->modules; u && u->module; u++)
+        if (u->module->id == id)
+            return u->module->name;
+    return "layout";
+}
+
+/* The module whose chunk has another id or length in `world`, or NULL.  The lengths of
+ * `fresh` are walked, those of `world` compared. */
+static const char *find_other_chunk(const tp_kit *kit, const tp_world *world,
+                                    const tp_world *fresh)
 {
     uint32_t at = fresh->parts.modules;
 
     for (; at && at < fresh->parts.bytes; at = chunk_end(fresh, at))
         if (memcmp(chunk_at(world, at), chunk_at(fresh, at), sizeof(chunk)) != 0)
-            return false;
-    return true;
+            return name_of(kit, chunk_at(fresh, at)->id);
+    return NULL;
 }
 
 const char *tp_modules_find_invalid(const tp_kit *kit, const tp_world *world,
                                     const tp_world *fresh)
 {
-    if (!are_same_chunks(world, fresh))
-        return "layout";
+    const char *other = find_other_chunk(kit, world, fresh);
+
+    if (other)
+        return other;
     for (const tp_use *u = kit->modules; u && u->module; u++) {
         const void *mine = tp_world_part(world, u->module->id);
         if (mine && u->module->is_valid

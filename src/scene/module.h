@@ -145,8 +145,8 @@ void tp_modules_add_surface(const tp_kit *kit, const tp_world *world, tp_surface
 void tp_modules_hit(const tp_kit *kit, tp_world *world, const tp_scene *scene,
                     const tp_impact *impact, tp_fx level);
 
-/* The first module whose state in `world`, from outside, is not valid; NULL: all are.
- * "layout" if the chunks are not those of `fresh`.  Both blocks are of one length. */
+/* The first module whose chunk in `world`, from outside, has another id or length than in
+ * `fresh`, or whose state is not valid; NULL: there is none.  Both blocks are of one length. */
 const char *tp_modules_find_invalid(const tp_kit *kit, const tp_world *world,
                                     const tp_world *fresh);
 #endif

@@ -22,7 +22,7 @@ tp_status tp_parts_of(const tp_kit *kit, tp_world_parts *parts, const tp_scene *
     tp_arena  arena = tp_arena_over(NULL, 0);
     tp_status status = tp_kit_check(kit, scene, err);
 
-    *parts = (tp_world_parts){ .bytes = 0 };
+    *parts = (tp_world_parts){ .version = TP_WORLD_VERSION };
     if (status != TP_OK)
         return status;
     tp_arena_take(&arena, 1, offsetof(tp_world, sea.swell)

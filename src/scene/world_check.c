@@ -54,7 +54,10 @@ tp_status tp_world_check_with(const tp_kit *kit, const tp_world *world, size_t b
         status = tp_given_block(fresh, 8, "fresh", err);
     if (status != TP_OK)
         return status;
-    if (bytes >= fresh->parts.bytes
+    if (bytes >= offsetof(tp_world, parts) + sizeof fresh->parts
+        && world->parts.version != fresh->parts.version)
+        invalid = "version";
+    else if (bytes >= fresh->parts.bytes
         && memcmp(&world->parts, &fresh->parts, sizeof fresh->parts) == 0)
         invalid = find_invalid(kit, world, fresh);
     return invalid ? tp_error_blame(err, TP_FAIL(err, TP_E_WORLD, 0, 0, 0), invalid)

@@ -232,6 +232,21 @@ static long size_of(const char *path)
     return stat(path, &info) == 0 ? (long)info.st_size : -1;
 }
 
+/* Replaces a byte of a file and returns the one that was there. */
+static uint8_t put_byte(const char *path, long at, uint8_t byte)
+{
+    FILE *file = fopen(path, "r+b");
+    uint8_t was;
+
+    assert_non_null(file);
+    fseek(file, at, SEEK_SET);
+    assert_int_equal(fread(&was, 1, 1, file), 1);
+    fseek(file, at, SEEK_SET);
+    putc(byte, file);
+    assert_int_equal(fclose(file), 0);
+    return was;
+}
+
 static void put_pond(stage *s)
 {
     static char *const change[] = { "wave0.amplitude=0.8" };
@@ -285,19 +300,18 @@ static void a_cut_or_foreign_world_is_not_taken(void **state)
     put_pond(&s);
     assert_int_equal(worlds(name), 1);
     char *path = strdup(state_path(name));
-    FILE *file = fopen(path, "r+b");
-    uint8_t build;
-    fseek(file, 12, SEEK_SET);              /* keep.c: magic, version, scene, build */
-    assert_int_equal(fread(&build, 1, 1, file), 1);
-    fseek(file, 12, SEEK_SET);
-    putc(build ^ 1, file);
-    fflush(file);
+    const uint8_t build = put_byte(path, 12, 0);    /* keep.c: magic, version, scene, build */
+    put_byte(path, 12, build ^ 1);
     listen();
     assert_false(take(&s));
     assert_heard("was kept by another build: a fresh start\n");
-    fseek(file, 12, SEEK_SET);
-    putc(build, file);
-    fclose(file);
+    put_byte(path, 12, build);
+    assert_true(take(&s));
+    put_byte(path, 7, TP_WORLD_VERSION - 1);
+    listen();
+    assert_false(take(&s));
+    assert_heard("holds a world of version 2, this program has version 3: a fresh start\n");
+    put_byte(path, 7, TP_WORLD_VERSION);
     assert_true(take(&s));
     assert_int_equal(truncate(path, size_of(path) - 1), 0);
     listen();

@@ -266,7 +266,9 @@ static void pokes_come_as_often_as_the_scene_says(void **state)
 static void the_surface_names_every_part(void **state)
 {
     (void)state;
-    const tp_scene scene = scene_with(&chance, 29);
+    tp_scene scene = scene_with(&chance, 29);
+    scene.drops.into = TP_DROPS_RINGS;
+    scene.drops.rings = 40;
     tp_world *world = scene_world(&scene, NULL);
     run(&chance, world, &scene, 60);
     const tp_surface s = tp_world_surface(&tp_kit_all, world);

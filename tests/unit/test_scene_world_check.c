@@ -195,6 +195,7 @@ static void refused(const void *at, size_t size, const char *what, const char *w
 static void the_head_is_checked(void **state)
 {
     (void)state;
+    REFUSED(kept->parts.version, "version");
     REFUSED(kept->parts.modules, "layout");
     REFUSED(kept->parts.bytes, "layout");
     REFUSED(kept->back, "head");
@@ -324,6 +325,43 @@ static void what_floats_in_the_air_is_checked(void **state)
     *probe ^= 1;
 }
 
+/* The id and the length before the state of every module that has one. */
+static void the_chunks_are_checked(void **state)
+{
+    (void)state;
+    uint32_t chunks = 0;
+
+    for (const tp_use *u = tp_kit_all.modules; u->module; u++) {
+        const uint32_t *mine = tp_world_part(kept, u->module->id);
+        if (!mine)
+            continue;
+        refused(&mine[-2], sizeof *mine, "an id", u->module->name);
+        refused(&mine[-1], sizeof *mine, "a length", u->module->name);
+        chunks++;
+    }
+    assert_true(chunks >= 7);
+}
+
+/* A head that ends before its version, one of version 0, as worlds had before there was a
+ * number, and one of a later version. */
+static void worlds_of_other_versions_are_refused(void **state)
+{
+    (void)state;
+    const uint32_t other[] = { 0, TP_WORLD_VERSION - 1, TP_WORLD_VERSION + 1 };
+
+    for (int i = 0; i < 3; i++) {
+        tp_error err;
+        kept->parts.version = other[i];
+        assert_int_equal(tp_world_check(kept, kept->parts.bytes, fresh, &err), TP_E_WORLD);
+        assert_string_equal(err.word, "version");
+        assert_int_equal(tp_world_check(kept, offsetof(tp_world, parts), fresh, &err),
+                         TP_E_WORLD);
+        assert_string_equal(err.word, "layout");
+    }
+    kept->parts.version = TP_WORLD_VERSION;
+    assert_int_equal(tp_world_check(kept, kept->parts.bytes, fresh, NULL), TP_OK);
+}
+
 static void short_blocks_are_refused(void **state)
 {
     (void)state;
@@ -349,6 +387,8 @@ int main(void)
         cmocka_unit_test(the_sea_is_checked),
         cmocka_unit_test(pools_are_checked),
         cmocka_unit_test(what_floats_in_the_air_is_checked),
+        cmocka_unit_test(the_chunks_are_checked),
+        cmocka_unit_test(worlds_of_other_versions_are_refused),
         cmocka_unit_test(short_blocks_are_refused),
     };
     return cmocka_run_group_tests_name("world check", tests, make, unmake);
