@@ -404,9 +404,10 @@ $(BUILD)/ports.a: $(PORTS_O)
 $(PROGRAM): $(MAIN:%.c=$(BUILD)/%.o) $(BUILD)/ports.a $(LIB)
 	$(SAY)$(LINK) $^ $(LIBS) -o $@
 # The program with modules of somebody else's: MORE is their folder, whose list.h lists
-# them.  The library's own list and its table of parameters are compiled again for them.
+# them.  What reads the library's list and its table of parameters is compiled again.
 MORE_O  := $(patsubst %.c,$(MORE_AT)/%.o,src/features/all.c src/features/all_rows.c \
-               $(addprefix ports/host/,machine.c pieces.c stopwatch.c) $(wildcard $(addsuffix /*.c,$(MORE))))
+               $(addprefix ports/host/,machine.c pieces.c stopwatch.c) \
+               $(wildcard $(addsuffix /*.c,$(MORE))))
 $(MORE_AT)/tidepool: $(MAIN:%.c=$(BUILD)/%.o) $(MORE_O) $(BUILD)/ports.a $(LIB)
 	$(SAY)$(LINK) $^ $(LIBS) -o $@
 $(MORE_O): $(MORE_AT)/%.o: %.c $(BUILD)/flags
