@@ -40,12 +40,8 @@ const tp_ocean *tp_world_ocean(const tp_world *world)
 
 tp_surface tp_world_surface(const tp_kit *kit, const tp_world *world)
 {
-    const tp_waters *by = &kit->water;
     tp_surface surface = {
-        .by = by, .sea = &world->sea, .phases = world->phases,
-        .ocean = by->ocean && by->swells ? tp_world_ocean(world) : NULL,
-        .pool = by->pools ? tp_world_pool(world) : NULL,
-        .field = by->pools ? tp_world_field(world) : NULL,
+        .by = &kit->water, .sea = &world->sea, .phases = world->phases,
     };
 
     tp_modules_add_surface(kit, world, &surface);

@@ -69,7 +69,13 @@ static bool is_valid(const void *mine, const void *fresh, const tp_world *world)
     return memcmp(mine, fresh, tp_part_bytes(fresh)) == 0;
 }
 
+static void surface(const void *mine, tp_surface *to)
+{
+    to->ocean = to->by->ocean && to->by->swells ? mine : NULL;
+}
+
 const tp_module tp_coastal_module = {
     .name = "ocean", .id = TP_OCEAN_ID, .is = TP_MODULE_COASTAL, .enabled = enabled,
-    .check = check, .bytes = bytes, .init = init, .refresh = refresh, .is_valid = is_valid,
+    .check = check, .bytes = bytes, .init = init, .refresh = refresh, .surface = surface,
+    .is_valid = is_valid,
 };

@@ -161,10 +161,15 @@ static void pool_hit(void *mine, const tp_scene *scene, const tp_impact *impact,
                     -impact->amplitude);
 }
 
+static void pool_surface(const void *mine, tp_surface *surface)
+{
+    surface->pool = surface->by->pools ? &((const tp_basin *)mine)->pool : NULL;
+}
+
 const tp_module tp_main_pool_module = {
     .name = "pool", .id = TP_POOL_ID, .enabled = pool_enabled, .check = pool_check,
     .bytes = pool_bytes, .init = pool_init, .fits = pool_fits, .refresh = pool_refresh,
-    .step = step, .hit = pool_hit, .is_valid = is_valid,
+    .step = step, .surface = pool_surface, .hit = pool_hit, .is_valid = is_valid,
 };
 
 /* -- [field] ------------------------------------------------------------------------- */
@@ -196,8 +201,13 @@ static bool field_refresh(void *mine, tp_world *world, const tp_want *want)
     return refresh_one(mine, want->scene, true);
 }
 
+static void field_surface(const void *mine, tp_surface *surface)
+{
+    surface->field = surface->by->pools ? &((const tp_basin *)mine)->pool : NULL;
+}
+
 const tp_module tp_field_module = {
     .name = "field", .id = TP_FIELD_ID, .enabled = field_enabled, .check = field_check,
     .bytes = field_bytes, .init = field_init, .fits = field_fits,
-    .refresh = field_refresh, .step = step, .is_valid = is_valid,
+    .refresh = field_refresh, .surface = field_surface, .step = step, .is_valid = is_valid,
 };
