@@ -11,12 +11,6 @@
 
 enum { CELL = TP_LATTICE_CELL, BLOCK = 16 };
 
-/* Whether this frame's waves have slopes to be drawn by. */
-static bool has_waves(const tp_frame *frame)
-{
-    return frame->surface.sea->count > 0 && frame->kit->water.swells;
-}
-
 /* -- rows ------------------------------------------------------------------------------ */
 
 /* A place along a row, 16.16 and 16 bits more; it may wrap. */
@@ -133,7 +127,7 @@ TP_ALWAYS_INLINE void fill_still(const piece *p, int rolled, int tested)
 static void fill_piece(const tp_frame *frame, const piece *p, bool tested)
 {
     TP_ASSERT(p->count > 0 && p->x >= 0 && p->y >= 0);
-    bool waves = has_waves(frame);
+    bool waves = tp_surface_has_swells(&frame->surface);
 
     if (frame->parts.level->rolled && waves)
         fill_cells(frame, p, 1, 1);
@@ -297,13 +291,14 @@ static void carve_flat(tp_frame_parts *parts, tp_arena *arena, const tp_kit *kit
 
 static bool hold_flat(tp_frame *frame)
 {
-    return tp_frame_is_swell(frame) && (!has_waves(frame) || frame->parts.slopes);
+    return tp_frame_is_swell(frame)
+        && (!tp_surface_has_swells(&frame->surface) || frame->parts.slopes);
 }
 
 static void place_flat(tp_frame *frame)
 {
     tp_frame_place_level(frame);
-    if (has_waves(frame))
+    if (tp_surface_has_swells(&frame->surface))
         tp_frame_place_slopes(frame);
 }
 

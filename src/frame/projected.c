@@ -22,11 +22,6 @@
 
 enum { CELL = 8, RUN = 16 };
 
-static bool has_waves(const tp_frame *frame)
-{
-    return frame->surface.sea->count > 0 && frame->kit->water.swells;
-}
-
 /* -- where lines may lie --------------------------------------------------------------- */
 
 /* G of the header for a ray that falls `fall` a metre. */
@@ -266,7 +261,7 @@ static tp_row_point point_at(const line *l, int32_t x)
         .zi = (uint32_t)(tp_level_at_row(&level->zi, x, row) >> TP_LEVEL_ZI),
         .s = at[0], .t = at[1],
     };
-    if (has_waves(frame)) {
+    if (tp_surface_has_swells(&frame->surface)) {
         tp_sea_point from = frame->surface.by->swells->point(level, &frame->surface, at,
                                                              step);
         p.n = tp_level_slopes(&from);
@@ -307,7 +302,8 @@ static void lay(const tp_frame *frame, tp_rows *rows, int32_t below)
     int64_t down = down_at(frame, below > 0 ? below : 1);
     line l = { frame, below, down_at(frame, below > 0 ? below - next : 1),
                reach_of(level, down), reach_of(level, down_at(frame, next)) };
-    int32_t margin = has_waves(frame) ? margin_of(frame, down) : 2 * CELL;
+    int32_t margin = tp_surface_has_swells(&frame->surface) ? margin_of(frame, down)
+                                                            : 2 * CELL;
 
     lay_line(&l, rows, (tile->x0 - margin) & ~(CELL - 1), tile->x1 + margin);
 }

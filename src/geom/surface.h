@@ -27,7 +27,13 @@ tp_relief tp_surface_relief(const tp_surface *surface, tp_fx x, tp_fx z);
 /* The same where a mesh lets its waves fade, 0..1: its far cells are too wide for them. */
 tp_relief tp_surface_relief_faded(const tp_surface *surface, tp_fx x, tp_fx z, tp_fx fade);
 
-/* Whether there are any. */
+/* True if the sea has swells, and the program their model. */
+static inline bool tp_surface_has_swells(const tp_surface *surface)
+{
+    return surface->sea->count > 0 && surface->by->swells;
+}
+
+/* True if rings or pools lie on it. */
 static inline bool tp_surface_has_relief(const tp_surface *surface)
 {
     return surface->rings || surface->pool || surface->field;
