@@ -55,16 +55,16 @@ CORE := $(addprefix src/, \
     shade/mirror.c shade/optics.c shade/pool_bump.c \
     shade/quick_even.c shade/quick_layers.c shade/quick_light.c \
     shade/quick_pictures.c shade/quick_tables.c \
-    shade/quick_view.c shade/ripple.c shade/sky.c shade/solid.c \
+    shade/quick_view.c shade/ripple.c shade/sky.c \
     shade/tables.c shade/texture.c shade/view.c \
-    scene/boat.c scene/check.c scene/clock.c scene/drawn.c \
-    scene/faint.c scene/float.c scene/governor.c scene/light.c \
-    scene/module.c scene/moves.c scene/outlook.c \
+    scene/check.c scene/clock.c scene/drawn.c \
+    scene/faint.c scene/governor.c scene/light.c \
+    scene/module.c scene/outlook.c \
     scene/parts.c scene/piece.c scene/plan_checked.c scene/pools.c scene/prices.c \
     scene/rungs.c scene/stand.c scene/tape.c \
-    scene/value.c scene/wake.c scene/works.c scene/works_boat.c \
+    scene/value.c scene/works.c scene/works_boat.c \
     scene/world.c scene/world_check.c \
-    frame/boat.c frame/bump.c frame/carve.c \
+    frame/bump.c frame/carve.c \
     frame/clipped.c frame/flat.c frame/frame.c \
     frame/holds.c frame/lattice.c frame/lines.c \
     frame/drawing.c frame/marks.c frame/planar_map.c frame/plan.c \

@@ -64,9 +64,7 @@ typedef void (*tp_stage)(const struct tp_shade *shade, struct tp_run *run);
     X(slopes)               /* objects and light beyond white: sx sz of smooth water, */ \
     X(reflect_gradient)     /* mirror, rx rz, */ \
     X(fresnel) X(fresnel_hdr)       /* mirror into the colour */ \
-    X(glint)                /* adds the specular */ \
-    /* all of a mesh's Phong; the same in world axes, of one colour; with a picture */ \
-    X(solid) X(solid_blinn)
+    X(glint)                /* adds the specular */
 
 #define X(name) void tp_stage_##name(const struct tp_shade *shade, struct tp_run *run);
 TP_STAGE_LIST(X)
@@ -120,29 +118,10 @@ typedef struct {
  * 88 bytes each, not for sixteen; with more of them it must be made anew. */
 extern const struct tp_water_swells tp_water_few_swells;
 
-/* -- parts of a world; src/scene/moves.h -------------------------------------------- */
-
-#define TP_MOVE_LIST(X) \
-    X(boat) \
-    X(wake)         /* of a boat in a pool */
-
-#define X(name) extern const struct tp_move_##name tp_move_##name;
-TP_MOVE_LIST(X)
-#undef X
-
-typedef struct {
-#define X(name) const struct tp_move_##name *name;
-    TP_MOVE_LIST(X)
-#undef X
-} tp_moves;
-
-#define TP_MOVE(name) .name = &tp_move_##name
-
 /* -- parts of a frame; src/frame/parts.h -------------------------------------------- */
 
 #define TP_DRAW_LIST(X) \
     X(rungs)        /* the plan, tidepool/plan.h */ \
-    X(boat)         /* and its lids; stages solid, solid_blinn */ \
     X(layers)       /* all but the first one, and their distortion */ \
     X(ripple) \
     X(quick_layers) /* pictures of the quick rung; stages quick_far .. quick_slopes */ \
@@ -209,9 +188,12 @@ typedef struct {
     P(sky_cube)     /* and six pictures */ \
     P(stars)        /* added to a night's dome */ \
     P(haze) \
+    X(boat)         /* its mesh: of things as far away the first one is seen */ \
     P(land)         /* a floor that rises out of the water */ \
     P(drops)        /* in the air, the sphere that they fall from, and rings */ \
     N(coastal)      /* waves over a floor or in a wind; water.ocean, water.swells */ \
+    N(hull)         /* how a boat sails and floats; after the rings of drops */ \
+    N(wake)         /* of a boat in a pool */ \
     N(pokes)        /* of pools, by chance and by input */ \
     N(paddle)       /* waves made in pools */ \
     N(main_pool)    /* [pool]; and water.pools */ \
@@ -219,6 +201,7 @@ typedef struct {
     X(underwater)   /* the inside of the water, and the view of an eye in it */ \
     P(tank)         /* a tank's stone, and a pool's inner walls */ \
     P(glass)        /* a tank's walls of glass */ \
+    X(lids)         /* of a boat: they keep water out of its hull */ \
     P(caustics)     /* light that waves gather on the floor */ \
     P(mirror)       /* of objects, a picture of half the size */ \
     X(object_cube)  /* the same as a small cube map */ \
@@ -237,8 +220,10 @@ typedef struct {
 #define TP_STAGES_OF_stars(X)       X(stars)
 #define TP_STAGES_OF_haze(X) \
     X(haze) X(haze_dome) X(haze_cube)       /* towards the horizon of each kind of sky */
+#define TP_STAGES_OF_boat(X)        X(solid) X(solid_blinn)     /* all of Phong */
 #define TP_STAGES_OF_land(X)        X(land) X(ground)       /* plain; like the floor */
 #define TP_STAGES_OF_drops(X)       X(drop)
+#define TP_STAGES_OF_lids(X)
 #define TP_STAGES_OF_underwater(X) \
     X(below) X(below_rippled)       /* the surface from below */ \
     X(deep)                 /* empty view in the water */ \
@@ -307,7 +292,6 @@ typedef struct tp_kit {
     tp_stages stage;
     tp_store  store[TP_FORMAT_COUNT];
     tp_waters water;
-    tp_moves  move;
     tp_draws  draw;
     tp_methods method;
     const tp_use *modules;      /* a list of uses; NULL: none */

@@ -16,9 +16,6 @@ const piece pieces[] = {
 #define X(x) { #x, PIECE_WATER },
     TP_WATER_LIST(X)
 #undef X
-#define X(x) { #x, PIECE_MOVE },
-    TP_MOVE_LIST(X)
-#undef X
 #define X(x) { #x, PIECE_DRAW },
     TP_DRAW_LIST(X)
 #undef X
@@ -83,9 +80,6 @@ static const meaning meanings[] = {
 #undef X
 #define X(x) { .part = &tp_water_##x, .offset = offsetof(tp_kit, water.x) },
     TP_WATER_LIST(X)
-#undef X
-#define X(x) { .part = &tp_move_##x, .offset = offsetof(tp_kit, move.x) },
-    TP_MOVE_LIST(X)
 #undef X
 #define X(x) { .part = &tp_draw_##x, .offset = offsetof(tp_kit, draw.x) },
     TP_DRAW_LIST(X)
@@ -189,15 +183,14 @@ bool pieces_named(piece_set *to, const char *name, size_t length)
 
 bool piece_moves(size_t i)
 {
-    return pieces[i].kind == PIECE_WATER || pieces[i].kind == PIECE_MOVE
-        || pieces[i].kind == PIECE_MODULE;
+    return pieces[i].kind == PIECE_WATER || pieces[i].kind == PIECE_MODULE;
 }
 
 const char *piece_word(size_t i)
 {
     static const char *const word[] = {
-        [PIECE_STAGE] = "stage", [PIECE_WATER] = "water", [PIECE_MOVE] = "move",
-        [PIECE_DRAW] = "draw", [PIECE_METHOD] = "method", [PIECE_MODULE] = "module",
+        [PIECE_STAGE] = "stage", [PIECE_WATER] = "water", [PIECE_DRAW] = "draw",
+        [PIECE_METHOD] = "method", [PIECE_MODULE] = "module",
         [PIECE_DRAWING] = "drawing", [PIECE_MODULE_STAGE] = "stage",
     };
     return word[pieces[i].kind];

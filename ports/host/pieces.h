@@ -8,7 +8,7 @@
 #include "tidepool/frame.h"
 
 typedef enum {
-    PIECE_STAGE, PIECE_WATER, PIECE_MOVE, PIECE_DRAW, PIECE_METHOD,
+    PIECE_STAGE, PIECE_WATER, PIECE_DRAW, PIECE_METHOD,
     PIECE_MODULE,               /* a use; its drawing and stages, if any, follow it */
     PIECE_DRAWING, PIECE_MODULE_STAGE
 } piece_kind;

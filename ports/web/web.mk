@@ -16,7 +16,7 @@ WEB_PAGE := $(patsubst ports/web/%,$(WEB)/%,$(wildcard ports/web/*.html ports/we
                 $(filter-out %/serve.js,$(wildcard ports/web/*.js)))
 WEB_FAST := $(patsubst %.c,$(WASM)/%.o,$(filter src/shade/% %_stage.c src/raster/% src/pixel/% \
                 src/geom/% src/fx/sqrt.c $(addprefix src/pool/,flux.c gears.c sample.c \
-                slopes.c) $(addprefix src/frame/,boat.c rows.c tile.c water.c) \
+                slopes.c) $(addprefix src/frame/,rows.c tile.c water.c) \
                 %/boat_drawing.c %/caustics_drawing.c,$(CORE)))
 WEB_FLAGS := --target=wasm32 -std=c11 $(WARN) -MMD -MP -fmacro-prefix-map=$(CURDIR)/= \
              -mbulk-memory -ffreestanding -ffunction-sections -fdata-sections \

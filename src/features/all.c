@@ -32,11 +32,6 @@ const tp_kit tp_kit_all = {
         TP_WATER_LIST(X)
 #undef X
     },
-    .move = {
-#define X(name) TP_MOVE(name),
-        TP_MOVE_LIST(X)
-#undef X
-    },
     .method = {
 #define X(name) TP_METHOD(name),
         TP_METHOD_LIST(X)

@@ -5,12 +5,6 @@
 #include "geom/waters.h"
 #include "scene/prices.h"
 
-uint32_t tp_frame_materials(const tp_assets *assets)
-{
-    uint32_t n = assets->boat ? assets->boat->n_materials : 0;
-    return n < TP_MATERIALS ? n : TP_MATERIALS;
-}
-
 /* Whether the kit has a part that the scene asks for; if not, it counts. */
 bool tp_frame_wants(tp_frame_parts *parts, bool asked, bool part)
 {
@@ -24,8 +18,6 @@ static void leave_out(tp_frame_parts *p, const tp_kit *kit, tp_assets *assets)
     const tp_draws *draw = &kit->draw;
     const bool layers = assets->layer[1] || assets->layer[2] || assets->distortion;
 
-    if (!tp_frame_wants(p, assets->boat, draw->boat && kit->stage.solid))
-        assets->boat = NULL;
     if (!tp_frame_wants(p, layers, draw->layers))
         assets->layer[1] = assets->layer[2] = assets->distortion = NULL;
     if (!tp_frame_wants(p, assets->ripple, draw->ripple))
@@ -34,8 +26,7 @@ static void leave_out(tp_frame_parts *p, const tp_kit *kit, tp_assets *assets)
 
 /* The water's surface, and what is drawn before it as triangles. */
 static void carve_places(tp_frame_parts *p, tp_arena *arena, const tp_kit *kit,
-                         const tp_scene *scene, const tp_assets *assets,
-                         const tp_frame_config *config)
+                         const tp_scene *scene, const tp_frame_config *config)
 {
     TP_ASSERT(scene->grid.cols >= 2 && scene->grid.rows >= 2);
 
@@ -46,9 +37,6 @@ static void carve_places(tp_frame_parts *p, tp_arena *arena, const tp_kit *kit,
     }
     if (p->reach.lod >> TP_LOD_ON & 1 && kit->water.lod && kit->method.triangles)
         kit->water.lod->carve(p->grid, arena);
-    if (assets->boat)
-        p->boat_vertex = tp_arena_take(arena, assets->boat->n_vertices,
-                                       sizeof *p->boat_vertex);
 }
 
 /* Whether a stage that the kit has looks into the lobe of the water's glitter. */
@@ -61,12 +49,8 @@ static bool shines(const tp_kit *kit)
 }
 
 static void carve_tables(tp_frame_parts *p, tp_arena *arena, const tp_kit *kit,
-                         const tp_scene *scene, const tp_assets *assets)
+                         const tp_scene *scene)
 {
-    const uint32_t materials = tp_frame_materials(assets);
-
-    p->solid = tp_arena_take(arena, materials, sizeof *p->solid);
-    p->gloss = tp_arena_take(arena, materials, TP_GLOSS);
     if (shines(kit))
         p->shine = tp_arena_take(arena, TP_SHINE + 1, sizeof *p->shine);
     for (int k = 0; k < TP_POOL_BUMPS && kit->draw.bumps; k++) {
@@ -96,7 +80,6 @@ tp_want tp_frame_want(const tp_kit *kit, const tp_frame_parts *parts, const tp_s
         .scene = scene, .assets = assets, .water = &kit->water,
         .width = config->width, .height = config->height,
         .shadings = parts->reach.shading,
-        .above = assets->boat ? TP_MODULE_SOLID : 0,
     };
 }
 
@@ -117,12 +100,12 @@ tp_frame *tp_frame_carve(const tp_kit *kit, tp_frame_parts *parts, tp_frame_ram 
         .reach = tp_frame_reach(kit, scene, assets, config),
     };
     leave_out(parts, kit, assets);
-    carve_places(parts, arena, kit, scene, assets, config);
+    carve_places(parts, arena, kit, scene, config);
     const tp_plan_input in = tp_frame_plan_input(kit, scene, assets, config);
     if (kit->draw.rungs)
         kit->draw.rungs->carve(parts, arena, &in);
     const size_t placed = arena->used;
-    carve_tables(parts, arena, kit, scene, assets);
+    carve_tables(parts, arena, kit, scene);
     const bool quick = parts->reach.shading & 1 << TP_SHADING_QUICK;
     if (tp_frame_wants(parts, quick, kit->draw.quick_layers))
         parts->quick = kit->draw.quick_layers->carve(arena, assets);

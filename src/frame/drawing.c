@@ -12,13 +12,6 @@
 
 /* -- memory --------------------------------------------------------------------------- */
 
-/* Marks of the boat, which is no module yet. */
-static void deal_fixed(tp_marks *marks, const tp_want *want)
-{
-    tp_marks_init(marks);
-    tp_marks_deal(marks, want->assets->boat ? tp_frame_materials(want->assets) : 1);
-}
-
 /* Whether this module is drawn; its first mark, 0 if it needs none. */
 static bool deal(tp_frame_parts *parts, const tp_use *u, tp_want *want, uint32_t *mark)
 {
@@ -36,7 +29,6 @@ static void give_lists(tp_frame_parts *parts, const tp_use *u, uint32_t count)
 {
     uint32_t list = TP_LIST_WATER + 1;
 
-    tp_marks_give(&parts->marks, list++, TP_MARK_BOAT, NULL);
     for (uint32_t i = 0; i < count; i++)
         if (parts->mark[i])
             tp_marks_give(&parts->marks, list++, parts->mark[i], u[i].drawing);
@@ -54,7 +46,7 @@ void tp_frame_layout_modules(const tp_kit *kit, tp_frame_parts *parts, tp_arena 
     TP_ASSERT(count <= TP_MODULES);
     parts->module = tp_arena_take(arena, count, sizeof *parts->module);
     parts->mark = tp_arena_take(arena, count, sizeof *parts->mark);
-    deal_fixed(&parts->marks, &want);
+    tp_marks_init(&parts->marks);
     for (uint32_t i = 0; i < count; i++) {
         const bool on = deal(parts, &u[i], &want, &mark);
         const size_t used = arena->used;
@@ -154,8 +146,9 @@ tp_sight_anchor tp_frame_anchor(const tp_frame *frame)
     tp_sight_anchor anchor = { .level = 0 };
 
     EACH_ON(i, use, frame)
-        if (use[i].drawing->anchor)
-            use[i].drawing->anchor(frame, frame->parts.module[i], &anchor);
+        if (use[i].drawing->anchor
+            && use[i].drawing->anchor(frame, frame->parts.module[i], &anchor))
+            break;
     return anchor;
 }
 

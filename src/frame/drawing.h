@@ -33,8 +33,8 @@ typedef struct tp_drawing {
      * numbers are known. */
     void  (*look)(struct tp_frame *frame, void *mine);
 
-    /* Tells mirrors where its things are; of several modules the last one counts. */
-    void  (*anchor)(const struct tp_frame *frame, const void *mine,
+    /* Tells mirrors where its things are; the first module that has any counts. */
+    bool  (*anchor)(const struct tp_frame *frame, const void *mine,
                     tp_sight_anchor *anchor);
 
     /* Projects its things as this sight sees them, and widens the box by the pixels that

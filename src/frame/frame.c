@@ -121,10 +121,6 @@ size_t tp_frame_scratch_into_with(const tp_kit *kit, const tp_scene *scene,
 /* Tables that last, and those that the first frame needs. */
 static void make_tables(tp_frame *frame)
 {
-    const tp_draws *draw = &frame->kit->draw;
-
-    if (frame->assets.boat)
-        draw->boat->init(frame);
     tp_frame_init_modules(frame);
 }
 
@@ -161,8 +157,6 @@ tp_status tp_frame_init_with(const tp_kit *kit, tp_frame **out, const tp_scene *
     frame->parts = parts;
     frame->ram = ram;
     frame->ram.scratch = tp_frame_scratch_with(kit, scene, &c);
-    frame->shade.boat = known.boat;
-    frame->shade.solid = parts.solid;
     frame->shade.shine = parts.shine;
     if (parts.shine)
         memset(parts.shine, 0, (TP_SHINE + 1) * sizeof *parts.shine);
@@ -209,8 +203,6 @@ void tp_frame_begin(tp_frame *frame, const tp_world *world)
     const tp_draws *draw = &frame->kit->draw;
 
     frame->stats = (tp_frame_stats){ .dropped = frame->parts.lacks };
-    if (frame->assets.boat && frame->assets.boat->n_materials > TP_MATERIALS)
-        frame->stats.dropped += frame->assets.boat->n_materials - TP_MATERIALS;
     frame->world = world;
     frame->drawn = tp_world_drawn(world);
     tp_frame_enable_modules(frame);

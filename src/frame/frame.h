@@ -11,14 +11,6 @@
 #include "scene/sides.h"
 #include "tidepool/plan.h"
 
-/* A corner of the boat, projected; see boat.c for u of those that are not. */
-typedef struct {
-    int32_t  u, v;
-    uint32_t zi;
-} tp_boat_vertex;
-
-#define TP_MATERIALS 192        /* more share the last mark */
-
 /* Lines of points parallel to the horizon, see projected.c. */
 typedef struct {
     tp_level_line horizon, top[TP_LEVEL_SIDES];     /* where the water ends */
@@ -58,10 +50,7 @@ typedef struct tp_frame_parts {
     uint32_t        *slopes;            /* of flat: points of the lattice, row by row */
     uint32_t         slope_cols;
     tp_thin_sea     *thin;
-    tp_boat_vertex  *boat_vertex;       /* of the sight that was placed last */
     struct tp_frame_lines *lines;       /* of the grid, lines.h; NULL: rows draw nothing */
-    tp_solid        *solid;             /* of each of the boat's materials */
-    uint8_t         *gloss;             /* TP_GLOSS each */
     tp_entry16      *shine;             /* TP_SHINE + 1 */
     tp_pool_slope   *bump[TP_POOL_BUMPS];       /* slopes of pool and field */
     uint32_t         bump_cells[TP_POOL_BUMPS]; /* that they have room for */
@@ -101,7 +90,6 @@ struct tp_frame {
     tp_sight         sight;             /* the picture itself */
     uint32_t         modules_on;        /* bits, in the order of the kit's list */
 
-    int32_t          model;             /* that tables were made for */
     bool             under;             /* the eye is in the water */
 
     tp_shade         shade;
@@ -128,7 +116,6 @@ bool tp_frame_is_coastal(const tp_kit *kit, const tp_scene *scene);
 bool tp_frame_streams(const tp_kit *kit, const tp_scene *scene);    /* does not store */
 tp_plan_input tp_frame_plan_input(const tp_kit *kit, const tp_scene *scene,
                                   const tp_assets *assets, const tp_frame_config *config);
-uint32_t tp_frame_materials(const tp_assets *assets);   /* that are told apart */
 
 /* visibility.c: the plan's rungs, made at init and when the budget changes; by which
  * method this frame's water is drawn, and drawing it by that */

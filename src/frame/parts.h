@@ -26,24 +26,12 @@ static inline size_t tp_method_bytes(const tp_kit *kit)
     return kit->method.rows || kit->method.projected ? TP_METHOD_BYTES : 0;
 }
 
-typedef struct {
-    void (*place)(tp_frame *frame, tp_sight *sight);
-    void (*draw)(const tp_frame *frame, const tp_sight *sight, tp_samples *tile);
-} tp_draw_solid;
-
 /* The plan: planned.c. */
 struct tp_draw_rungs {
     void (*carve)(tp_frame_parts *parts, tp_arena *arena, const tp_plan_input *in);
     tp_ladder (*ladder)(const tp_plan_input *in);
     tp_rungs (*rungs)(const tp_plan_input *in);
     void (*thin)(tp_frame *frame);
-};
-
-struct tp_draw_boat {
-    tp_draw_solid solid;
-    void (*lids)(const tp_frame *frame, const tp_sight *sight, tp_samples *tile);
-    void (*init)(tp_frame *frame);
-    void (*plan)(tp_frame *frame);
 };
 
 struct tp_draw_layers {         /* but the first one */

@@ -132,26 +132,9 @@ static void choose_sky(tp_frame *frame)
         sky->lacks++;
 }
 
-/* A list of one stage, and what modules add to it. */
-static void choose_other(const tp_frame *frame, uint32_t mark, tp_stage stage)
-{
-    tp_shaders *list = tp_frame_list(frame, mark);
-
-    tp_shaders_clear(list);
-    if (stage)
-        tp_shaders_add_colour(list, stage);
-    tp_frame_add_modules(frame, list);
-}
-
 static void choose_stages(tp_frame *frame)
 {
-    const tp_stages *stages = &frame->kit->stage;
-    const bool blinn = frame->scene->light.model == TP_LIGHT_BLINN;
-
     choose_sky(frame);
-    if (frame->assets.boat)
-        choose_other(frame, TP_MARK_BOAT, blinn && stages->solid_blinn ? stages->solid_blinn
-                                                                       : stages->solid);
     tp_frame_list_modules(frame);
     if (frame->under)
         choose_below(frame);
@@ -180,8 +163,6 @@ void tp_frame_plan(tp_frame *frame)
     tp_frame_plan_sky(frame);
     if (draw->glint && scene->water.specular > 0)
         draw->glint->plan(frame);
-    if (frame->assets.boat)
-        draw->boat->plan(frame);
     frame->toned = NULL;
     tp_frame_begin_modules(frame);
     choose_stages(frame);

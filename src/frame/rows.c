@@ -284,11 +284,6 @@ static void go_to(walk *w, uint32_t last, uint32_t k, uint32_t next, int how)
     lay_line(w, k, how);
 }
 
-static bool has_solids(const tp_frame *frame)
-{
-    return frame->assets.boat || tp_frame_has_solids(frame);
-}
-
 static void draw_rows(const tp_frame *frame, tp_samples *tile, void *memory)
 {
     const tp_frame_lines *lines = frame->parts.lines;
@@ -296,7 +291,7 @@ static void draw_rows(const tp_frame *frame, tp_samples *tile, void *memory)
     int  how = GAP;
 
     tile->front_only = frame->cull_water;
-    tp_rows_begin(&w.rows, tile, memory, has_solids(frame));
+    tp_rows_begin(&w.rows, tile, memory, tp_frame_has_solids(frame));
     for (uint32_t n = 0; n < lines->lines && w.rows.open > 0; n++) {
         uint32_t k = lines->lines_back ? lines->lines - 1 - n : n;
         uint32_t last = lines->lines_back ? k + 1 : k - 1;

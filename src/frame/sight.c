@@ -4,7 +4,7 @@
 
 tp_fx tp_sight_level(const tp_frame *frame)
 {
-    return frame->assets.boat ? frame->drawn.boat.place.y - frame->scene->boat.lift : 0;
+    return tp_frame_anchor(frame).level;
 }
 
 bool tp_sight_above(const tp_frame *frame, tp_fx level)
@@ -41,17 +41,11 @@ tp_grid_box tp_sight_place(tp_frame *frame, tp_sight *sight)
 {
     tp_grid_box box = TP_BOX_NONE;
 
-    sight->boat_box = box;
-    if (frame->assets.boat)
-        frame->kit->draw.boat->solid.place(frame, sight);
-    tp_box_join(&box, &sight->boat_box);
     tp_frame_place_modules(frame, sight, &box);
     return box;
 }
 
 void tp_sight_draw(const tp_frame *frame, const tp_sight *sight, tp_samples *tile)
 {
-    if (frame->assets.boat)
-        frame->kit->draw.boat->solid.draw(frame, sight, tile);
     tp_frame_draw_modules(frame, sight, tile);
 }

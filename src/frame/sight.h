@@ -19,9 +19,6 @@ typedef struct {
     bool          cut;          /* only the inner side of `level` is drawn */
     bool          walls;        /* tanks and blocks are drawn too */
     tp_view_plane level;
-    tp_lens       boat_lens;    /* the same view in the mesh's frame */
-    tp_fx         boat_metres;  /* of 1.0 of the mesh's positions */
-    tp_grid_box   boat_box;     /* pixels; empty: not seen */
 } tp_sight;
 
 /* Where mirrors look for objects. */
@@ -63,7 +60,7 @@ static inline void tp_box_join(tp_grid_box *to, const tp_grid_box *box)
     to->y1 = box->y1 > to->y1 ? box->y1 : to->y1;
 }
 
-/* The height of still water where the solids are: a boat's waterline, else 0. */
+/* The height of still water where the solids are: the anchor's. */
 tp_fx tp_sight_level(const tp_frame *frame);
 
 /* What shading knows of a lens; the light stays the world's. */

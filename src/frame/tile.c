@@ -108,15 +108,9 @@ void tp_frame_colour_row(const tp_frame *frame, const tp_samples *tile, int32_t 
 static void draw_samples(const tp_frame *frame, tp_samples *samples, void *memory)
 {
     TP_ASSERT(frame->world != NULL);
-    const tp_draws *draw = &frame->kit->draw;
-    const bool boat = frame->assets.boat != NULL;
 
     tp_samples_clear(samples);
-    if (boat)
-        draw->boat->solid.draw(frame, &frame->sight, samples);
     tp_frame_draw_modules(frame, &frame->sight, samples);
-    if (boat)
-        draw->boat->lids(frame, &frame->sight, samples);
     tp_frame_draw_surface(frame, samples, memory);
     tp_frame_draw_over(frame, samples);
 }

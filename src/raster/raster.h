@@ -18,9 +18,8 @@
 #define TP_RASTER_H
 #include "geom/geom.h"
 
-/* Marks from SOLID on are dealt when a frame is laid out: frame/marks.h.  Of kinds that
- * are no modules yet they are fixed; from BOAT on are a mesh's materials. */
-enum { TP_MARK_SKY = 0, TP_MARK_WATER = 1, TP_MARK_SOLID = 2, TP_MARK_BOAT = 2 };
+/* Marks from SOLID on are dealt when a frame is laid out: frame/marks.h. */
+enum { TP_MARK_SKY = 0, TP_MARK_WATER = 1, TP_MARK_SOLID = 2 };
 #define TP_MARK_BITS  8
 #define TP_MARK(key)  ((key) & 0xffu)
 #define TP_ZI(key)    ((key) >> 1 & 0x7fffff80u)                    /* Q1.31 again */

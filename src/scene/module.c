@@ -139,20 +139,17 @@ void tp_modules_settle(const tp_kit *kit, tp_world *world, const tp_scene *scene
 {
     for (const tp_use *u = kit->modules; u && u->module; u++) {
         void *mine = PART_FOR(settle, u, world);
-        if (mine)
+        if (mine || (u->module->settle && !u->module->bytes))
             u->module->settle(mine, kit, world, scene);
     }
 }
 
 void tp_modules_step(const tp_kit *kit, tp_world *world, const tp_scene *scene,
-                     const tp_input *input, bool early)
+                     const tp_input *input)
 {
-    if (world->parts.modules == 0)
-        return;
     for (const tp_use *u = kit->modules; u && u->module; u++) {
         void *mine = PART_FOR(step, u, world);
-        const bool steps = mine || (u->module->step && !u->module->bytes);
-        if (steps && early == ((u->module->is & TP_MODULE_EARLY) != 0))
+        if (mine || (u->module->step && !u->module->bytes))
             u->module->step(mine, kit, world, scene, input);
     }
 }
@@ -206,7 +203,7 @@ const char *tp_modules_find_invalid(const tp_kit *kit, const tp_world *world,
         return other;
     for (const tp_use *u = kit->modules; u && u->module; u++) {
         const void *mine = tp_world_part(world, u->module->id);
-        if (mine && u->module->is_valid
+        if (u->module->is_valid && (mine || !u->module->bytes)
             && !u->module->is_valid(mine, tp_world_part(fresh, u->module->id), world))
             return u->module->name;
     }

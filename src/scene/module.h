@@ -30,9 +30,8 @@ enum {
     TP_MODULE_CUBE   = 256,     /* or by tp_cube: its trait is the price of mirroring it */
     TP_MODULE_STARS  = 512,     /* adds to the sky */
     TP_MODULE_PANES  = 1024,    /* has stages behind the exposure's */
-    TP_MODULE_EARLY  = 2048,    /* moves before the boat, which is no module yet */
-    TP_MODULE_COASTAL = 4096,   /* the waves feel a floor or a wind */
-    TP_MODULE_MIRROR = 8192     /* a picture of what is solid, in the water */
+    TP_MODULE_COASTAL = 2048,   /* the waves feel a floor or a wind */
+    TP_MODULE_MIRROR = 4096     /* a picture of what is solid, in the water */
 };
 
 #define TP_MODULES 32           /* in a program's list, at the most */
@@ -138,9 +137,8 @@ bool tp_modules_fit(const tp_kit *kit, const tp_world *world, tp_want want);
 bool tp_modules_refresh(const tp_kit *kit, tp_world *world, tp_want want);
 
 void tp_modules_settle(const tp_kit *kit, tp_world *world, const tp_scene *scene);
-/* Those that move before the pools, or all others. */
 void tp_modules_step(const tp_kit *kit, tp_world *world, const tp_scene *scene,
-                     const tp_input *input, bool early);
+                     const tp_input *input);
 void tp_modules_add_surface(const tp_kit *kit, const tp_world *world, tp_surface *surface);
 void tp_modules_hit(const tp_kit *kit, tp_world *world, const tp_scene *scene,
                     const tp_impact *impact, tp_fx level);

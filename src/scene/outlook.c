@@ -317,7 +317,6 @@ tp_want tp_plan_want(const tp_plan_input *in)
     return (tp_want){
         .scene = in->scene, .assets = in->assets, .width = in->width, .height = in->height,
         .shadings = UINT32_MAX,
-        .above = in->assets->boat ? TP_MODULE_SOLID : 0,
     };
 }
 

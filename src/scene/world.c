@@ -3,9 +3,11 @@
  * drawn. */
 #include "base/base.h"
 #include "base/given.h"
+#include "geom/waters.h"
 #include "scene/drawn.h"
+#include "scene/light.h"
 #include "scene/module.h"
-#include "scene/moves.h"
+#include "scene/parts.h"
 
 #define PITCH_MOST TP_DEG(89)
 #define EYE_MOST   (8000 * TP_FX_ONE)
@@ -34,23 +36,6 @@ static void place_camera(tp_world *world, const tp_scene *scene)
     world->last_eye = world->eye;
     world->last_heading = world->heading;
     world->last_pitch = world->pitch;
-}
-
-/* A scene without a boat does not feel for the water under one, and its camera stands in
- * the world. */
-static bool has_boat(const tp_kit *kit, const tp_scene *scene)
-{
-    return kit->move.boat && scene->boat.mesh[0];
-}
-
-static void place_boat(const tp_kit *kit, tp_world *world, const tp_scene *scene)
-{
-    bool boat = has_boat(kit, scene);
-
-    if (boat)
-        kit->move.boat->init(kit, world, scene);
-    world->last_boat = world->boat;
-    world->aboard = boat && scene->camera.follow == TP_FOLLOW_BOAT;
 }
 
 static void place_sea(const tp_kit *kit, tp_world *world, const tp_scene *scene)
@@ -83,7 +68,6 @@ tp_status tp_world_init_with(const tp_kit *kit, tp_world *world, size_t bytes,
     status = tp_modules_init(kit, world, tp_want_by(kit, scene, assets), err);
     if (status != TP_OK)
         return status;
-    place_boat(kit, world, scene);
     tp_modules_settle(kit, world, scene);
     return TP_OK;
 }
@@ -107,7 +91,6 @@ bool tp_world_refresh_with(const tp_kit *kit, tp_world *world, const tp_scene *s
     world->clock_scale = scene->clock.scale;
     if (!tp_modules_refresh(kit, world, want))
         return false;
-    place_boat(kit, world, scene);
     tp_modules_settle(kit, world, scene);
     return true;
 }
@@ -170,21 +153,14 @@ void tp_world_step_with(const tp_kit *kit, tp_world *world, const tp_scene *scen
                         const tp_input *input)
 {
     TP_ASSERT(kit != NULL && scene != NULL && world != NULL && world->parts.bytes > 0);
-    const tp_moves *move = &kit->move;
 
     world->tick++;
     keep_camera(world);
     if (input)
         move_camera(world, input);
     tp_sea_phases(&world->sea, world->tick, 0, world->phases);
-    tp_modules_step(kit, world, scene, input, true);
-    world->last_boat = world->boat;
-    if (has_boat(kit, scene))
-        move->boat->step(kit, world, scene, input);
-    if (has_boat(kit, scene) && move->wake)
-        move->wake->step(world, scene);
     tp_light_step(world, scene, input);
-    tp_modules_step(kit, world, scene, input, false);
+    tp_modules_step(kit, world, scene, input);
     if (input)
         tp_clock_shift(&world->clock, input->slower);
 }

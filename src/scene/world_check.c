@@ -6,7 +6,6 @@
  * that was made of it.  What ticks change is checked by the file that owns it. */
 #include "base/base.h"
 #include "base/given.h"
-#include "scene/boat.h"
 #include "scene/drawn.h"
 #include "scene/light.h"
 #include "scene/module.h"
@@ -17,7 +16,9 @@
 static bool is_head_valid(const tp_world *world, const tp_world *fresh)
 {
     return world->tick <= TICKS_MOST && world->back >= 0 && world->back <= TP_FX_ONE
-        && world->aboard == fresh->aboard;
+        && world->aboard == fresh->aboard && world->afloat.laid == fresh->afloat.laid
+        && (fresh->afloat.laid
+            || memcmp(&world->boat, &fresh->boat, 2 * sizeof fresh->boat) == 0);
 }
 
 /* As bytes, without those that the compiler leaves between members. */
@@ -37,7 +38,6 @@ static const char *find_invalid(const tp_kit *kit, const tp_world *world,
 {
     return !is_head_valid(world, fresh) ? "head"
          : !tp_camera_is_valid(world) ? "camera"
-         : !tp_boat_is_valid(world, fresh) ? "boat"
          : !tp_light_is_valid(world) ? "light"
          : !tp_clock_is_valid(&world->clock) ? "clock"
          : !is_same_sea(&world->sea, &fresh->sea) ? "sea"

@@ -115,7 +115,7 @@ typedef struct tp_shade {
     int32_t  u0, v0;            /* the picture's centre, 28.4 */
     int32_t  focal;             /* 28.4 */
     uint32_t per_focal;         /* 2^32 / focal */
-    tp_view_axes world, mesh;
+    tp_view_axes world;
     int32_t  zi_log;            /* log2 of the depth at zi = 1, Q8 */
 
     tp_layer water, ripple;     /* the first layer; capillary waves */
@@ -127,8 +127,6 @@ typedef struct tp_shade {
     int32_t  ambient;           /* 0..256 */
     int32_t  mirror;            /* share of the reflection, 0..256 */
 
-    const tp_mesh  *boat;
-    const tp_solid *solid;      /* one for each of its materials */
 
     tp_vec3  eye;
     const tp_inside *inside;    /* what lies in and under the water, or NULL */

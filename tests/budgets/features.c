@@ -16,6 +16,9 @@ static const tp_use modules[] = {
 #else
     TP_USE_WITH(haze, tp_stage_haze, NULL, NULL),
 #endif
+#if FEATURES >= 7
+    TP_USE_WITH(boat, tp_stage_solid, NULL),
+#endif
 #if FEATURES >= 15
     TP_USE(land),
 #endif
@@ -25,7 +28,11 @@ static const tp_use modules[] = {
 #if FEATURES >= 15
     TP_USE_UNSEEN(coastal),
 #endif
+#if FEATURES >= 7
+    TP_USE_UNSEEN(hull),
+#endif
 #if FEATURES >= 11
+    TP_USE_UNSEEN(wake),
     TP_USE_UNSEEN(pokes),
     TP_USE_UNSEEN(main_pool),
     TP_USE_UNSEEN(field),
@@ -39,6 +46,9 @@ static const tp_use modules[] = {
 #endif
 #if FEATURES >= 17      /* caustics */
     TP_USE(caustics),
+#endif
+#if FEATURES >= 7
+    TP_USE(lids),
 #endif
 #if FEATURES >= 8
     TP_USE(mirror),
@@ -96,11 +106,6 @@ const tp_kit features_kit = {
     .draw.fresnel = &tp_draw_fresnel,
     .stage.mirror = tp_stage_mirror,
 #endif
-#if FEATURES >= 7       /* a boat */
-    .draw.boat = &tp_draw_boat,
-    .move.boat = &tp_move_boat,
-    .stage.solid = tp_stage_solid,
-#endif
 #if FEATURES >= 8       /* objects mirrored */
     .stage.slopes = tp_stage_slopes,
     .stage.reflect_gradient = tp_stage_reflect_gradient,
@@ -108,7 +113,6 @@ const tp_kit features_kit = {
 #endif
 #if FEATURES >= 11      /* pools, stirred by the boat */
     .water.pools = &tp_water_pools,
-    .move.wake = &tp_move_wake,
 #endif
 #if FEATURES >= 12      /* drops and rings */
     .water.rings = &tp_water_rings,

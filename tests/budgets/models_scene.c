@@ -2,7 +2,7 @@
 /* What moves in a scene: drops, boats, the world's tick; and the water's mesh; see
  * models.c. */
 #include "geom/grid.h"
-#include "scene/boat.h"
+#include "features/boat/boat.h"
 #include "tests/budgets/models.h"
 
 /* -- drops --------------------------------------------------------------------------- */

@@ -2,7 +2,7 @@
 /* Boats that float, for tests. */
 #ifndef TP_TESTS_FLOATS_H
 #define TP_TESTS_FLOATS_H
-#include "scene/boat.h"
+#include "features/boat/boat.h"
 #include "scenes.h"
 
 #define Q40 1099511627776.0

@@ -2,6 +2,7 @@
 /* What kind of thing a mark stands for: each frame deals its own marks. */
 #ifndef TP_TESTS_KINDS_H
 #define TP_TESTS_KINDS_H
+#include "features/boat/boat.h"
 #include "features/drops/drops.h"
 #include "features/land/land.h"
 #include "features/spray/spray.h"

@@ -34,7 +34,6 @@ static inline tp_shade shade_any(uint64_t *state)
         .mirror = chance_int(state, 0, 256),
         .shine = shade_shine,
     };
-    s.mesh = s.world;
     s.fresnel = tp_fresnel_table;
     tp_shade_sky(&s, (uint32_t)random_next(state) & 0xffffff,
                  (uint32_t)random_next(state) & 0xffffff);

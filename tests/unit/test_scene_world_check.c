@@ -217,14 +217,14 @@ static void the_head_is_checked(void **state)
 static void the_boat_is_checked(void **state)
 {
     (void)state;
-    REFUSED(kept->boat.place.x, "boat");
-    REFUSED(kept->last_boat.place.y, "boat");
-    REFUSED(kept->afloat.laid, "boat");
-    REFUSED(kept->afloat.sailed_x, "boat");
-    REFUSED(kept->afloat.lie.at[0], "boat");
-    REFUSED(kept->afloat.alone.speed[2], "boat");
-    REFUSED(kept->afloat.hull.z, "boat");
-    REFUSED(kept->afloat.stirred.sunk[1], "boat");
+    REFUSED(kept->boat.place.x, "hull");
+    REFUSED(kept->last_boat.place.y, "hull");
+    REFUSED(kept->afloat.laid, "head");
+    REFUSED(kept->afloat.sailed_x, "hull");
+    REFUSED(kept->afloat.lie.at[0], "hull");
+    REFUSED(kept->afloat.alone.speed[2], "hull");
+    REFUSED(kept->afloat.hull.z, "hull");
+    REFUSED(kept->afloat.stirred.sunk[1], "hull");
 }
 
 /* Truth values of 2 to 255 are none. */

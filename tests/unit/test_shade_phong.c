@@ -6,6 +6,7 @@
 #include <setjmp.h>
 #include <stdint.h>
 #include <cmocka.h>
+#include "features/boat/boat.h"
 #include "asset/mesh.h"
 #include "shades.h"
 
@@ -26,7 +27,7 @@ static ref_dir unpacked(tp_packed_dir n)
 /* Where the light just grazes, the lobe begins or ends at once. */
 static bool grazes(const tp_shade *s, ref_dir normal, double slack)
 {
-    return fabs(ref_dir_dot(normal, shade_light(&s->mesh))) < slack;
+    return fabs(ref_dir_dot(normal, shade_light(&s->world))) < slack;
 }
 
 /* Phong with the lobe at R.V less or more than it is. */
@@ -35,7 +36,7 @@ static ref_colour phong(const tp_shade *s, ref_colour diffuse, uint32_t specular
                         double slack)
 {
     const ref_dir v = { run->vx[i] / Q14, run->vy[i] / Q14, run->vz[i] / Q14 };
-    const double nl = ref_clamp(ref_dir_dot(normal, shade_light(&s->mesh)), 0, 1);
+    const double nl = ref_clamp(ref_dir_dot(normal, shade_light(&s->world)), 0, 1);
     const double rv = 2 * nl * ref_dir_dot(normal, v) - run->lv[i] / Q14;
     const double ambient = s->ambient / 256.0;
     const double lobe = nl > 0 ? pow(ref_clamp(rv + slack, 0, 1), shininess) : 0;
@@ -70,8 +71,9 @@ static void solids_follow_phong(void **state)
         const tp_solid solid = solid_any(gloss, &chance);
         test_run r;
         tp_shade_gloss(gloss, shininess * TP_FX_ONE);
-        s.solid = &solid;
         run_any(&r, 0, &chance);
+        const tp_boat_look look = { NULL, &solid, s.world };
+        r.run.mine = &look;
         for (int i = 0; i < TP_RUN; i++)
             r.n[i] = any_normal();
         tp_stage_solid(&s, &r.run);
@@ -111,9 +113,9 @@ static void normal_maps_bend_solids(void **state)
         tp_shade_gloss(gloss, 8 * TP_FX_ONE);
         solid.normal_map = &map;
         solid.bump = chance_int(&chance, 0, 512);
-        s.solid = &solid;
-        s.boat = &mesh;
         run_any(&r, 0, &chance);
+        const tp_boat_look look = { &mesh, &solid, s.world };
+        r.run.mine = &look;
         const uint32_t packed = any_normal(), other = any_normal();
         const ref_dir nn = unpacked(packed), o = unpacked(other);
         const double along = ref_dir_dot(nn, o);

@@ -7,6 +7,7 @@
 #include <setjmp.h>
 #include <stdint.h>
 #include <cmocka.h>
+#include "features/boat/boat.h"
 #include "features/exposure/exposure.h"
 #include "features/haze/haze.h"
 #include "skies.h"
@@ -147,6 +148,7 @@ static void runs_may_be_cut_anywhere(void **state)
         tp_stage_fresnel_hdr, tp_stage_haze_dome, tp_stage_expose
     };
     enum { STAGES = sizeof stages / sizeof stages[0] };
+    static const tp_mesh mesh;
 
     for (int n = 0; n < 300 * STAGES; n++) {
         tp_shade s = shade_any(&chance);
@@ -157,7 +159,7 @@ static void runs_may_be_cut_anywhere(void **state)
         run_any(&r, 5000, &chance);
         tp_shade_gloss(gloss, 20 * TP_FX_ONE);
         tp_shade_shine(&s, 20 * TP_FX_ONE, TP_FX_ONE);
-        s.solid = &solid;
+        const tp_boat_look boat = { &mesh, &solid, s.world };
         sky_dome(&sky, &s, &chance);
         s.env.stars = 200;
         s.env.star = 1000;
@@ -172,6 +174,8 @@ static void runs_may_be_cut_anywhere(void **state)
         const tp_haze haze = { (uint32_t)random_next(&chance) >> chance_int(&chance, 0, 31) };
         stage *const chosen = stages[n % STAGES];
         r.run.mine = chosen == tp_stage_expose ? (const void *)&exposure
+                   : chosen == tp_stage_solid || chosen == tp_stage_solid_blinn
+                         ? (const void *)&boat
                    : chosen == tp_stage_land || chosen == tp_stage_drop
                          ? (const void *)&solid : &haze;
         const tp_run before = r.run;

@@ -64,8 +64,6 @@ static inline tp_kit thin_kit(uint64_t *state)
     if (random_below(state, 2))
         thin_out(&any.water, sizeof any.water, in, state);
     if (random_below(state, 2))
-        thin_out(&any.move, sizeof any.move, in, state);
-    if (random_below(state, 2))
         thin_out(&any.draw, sizeof any.draw, in, state);
     if (random_below(state, 2))
         any.modules = thin_modules(any.modules, in, state);

@@ -2,7 +2,7 @@
 /* A boat in a pool, for tests. */
 #ifndef TP_TESTS_WAKES_H
 #define TP_TESTS_WAKES_H
-#include "scene/boat.h"
+#include "features/boat/boat.h"
 #include "scene/pools.h"
 #include "scenes.h"
 

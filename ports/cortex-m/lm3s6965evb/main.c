@@ -27,8 +27,9 @@
 static const tp_use modules[] = {
     TP_USE_WITH(sky_dome, tp_stage_sky_dome, NULL, NULL, tp_stage_reflect_dome),
     TP_USE_WITH(haze, tp_stage_haze, tp_stage_haze_dome, NULL),
-    TP_USE(drops), TP_USE_UNSEEN(pokes), TP_USE_UNSEEN(paddle), TP_USE_UNSEEN(main_pool),
-    TP_USE_UNSEEN(field), TP_USE(foam), TP_USE(spray), { 0 }
+    TP_USE(boat), TP_USE(drops), TP_USE_UNSEEN(hull), TP_USE_UNSEEN(wake),
+    TP_USE_UNSEEN(pokes), TP_USE_UNSEEN(paddle), TP_USE_UNSEEN(main_pool),
+    TP_USE_UNSEEN(field), TP_USE(lids), TP_USE(foam), TP_USE(spray), { 0 }
 };
 static const tp_kit kit = {
     .modules = modules,
@@ -43,12 +44,11 @@ static const tp_kit kit = {
         TP_STAGE(diffuse), TP_STAGE(diffuse_rippled), TP_STAGE(light),
         TP_STAGE(light_rippled), TP_STAGE(light_blinn), TP_STAGE(light_blinn_rippled),
         TP_STAGE(mirror), TP_STAGE(slopes), TP_STAGE(reflect_gradient),
-        TP_STAGE(fresnel), TP_STAGE(glint), TP_STAGE(solid), TP_STAGE(solid_blinn),
+        TP_STAGE(fresnel), TP_STAGE(glint),
     },
     .store[TP_FORMAT_L8] = tp_store_l8,
     .water = { TP_WATER(swells), TP_WATER(sharp), TP_WATER(rings), TP_WATER(pools) },
-    .move = { TP_MOVE(boat), TP_MOVE(wake) },
-    .draw = { TP_DRAW(boat), TP_DRAW(layers), TP_DRAW(ripple), TP_DRAW(bumps),
+    .draw = { TP_DRAW(layers), TP_DRAW(ripple), TP_DRAW(bumps),
               TP_DRAW(fresnel), TP_DRAW(glint) },
     .method.triangles = &tp_method_streamed,
 };

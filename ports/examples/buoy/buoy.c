@@ -69,6 +69,7 @@ static bool is_pose(const buoy_pose *pose)
 
 static bool is_valid(const void *mine, const void *fresh, const tp_world *world)
 {
+    (void)world;
     const buoy_state *buoy = mine;
 
     (void)fresh, (void)world;

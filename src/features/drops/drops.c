@@ -371,7 +371,7 @@ static bool is_valid(const void *mine, const void *fresh, const tp_world *world)
 }
 
 const tp_module tp_drops_module = {
-    .name = "drops", .id = TP_DROPS_ID, .is = TP_MODULE_SOLID | TP_MODULE_EARLY,
-    .enabled = enabled, .bytes = bytes, .init = init, .fits = fits, .refresh = refresh,
+    .name = "drops", .id = TP_DROPS_ID, .is = TP_MODULE_SOLID, .enabled = enabled,
+    .bytes = bytes, .init = init, .fits = fits, .refresh = refresh,
     .step = step, .hit = hit, .surface = add_surface, .is_valid = is_valid,
 };

@@ -258,13 +258,14 @@ static void begin(tp_frame *frame, void *mine)
                           .specular = 0xffffff, .gloss = tp_drop_gloss };
 }
 
-static void set_anchor(const tp_frame *frame, const void *mine, tp_sight_anchor *anchor)
+static bool set_anchor(const tp_frame *frame, const void *mine, tp_sight_anchor *anchor)
 {
     const tp_drops *drops = tp_world_drops(frame->world);
 
     (void)mine;
     if (drops)
         *anchor = (tp_sight_anchor){ .middle = drops->sphere };
+    return drops != NULL;
 }
 
 static void add_stages(const tp_frame *frame, const void *mine, const tp_stage *stage,

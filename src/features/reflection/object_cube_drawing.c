@@ -2,7 +2,6 @@
 /* The dynamic environment: a small cube of what a point on the water sees of boat and
  * drops, drawn anew in each frame.  The point is where the camera sees the objects'
  * middle mirrored: there the cube is right, and around it nearly so. */
-#include "asset/mesh.h"
 #include "features/reflection/mirrored.h"
 #include "features/reflection/object_cube.h"
 #include "frame/frame.h"
@@ -16,28 +15,6 @@ typedef struct {
     uint32_t *samples;
 } cube_map;
 
-/* Of corners, which boat.c holds within 4 km: with the boat's place 15 km, and the eye
- * is 23 km away at the most. */
-static tp_fx middle(tp_fx low, tp_fx high, tp_fx scale)
-{
-    return (tp_fx)tp_limit(((int64_t)low + high) / 2 * scale >> 16, 4000 * TP_FX_ONE);
-}
-
-static tp_vec3 middle_of_objects(const tp_frame *frame)
-{
-    const tp_mesh *mesh = frame->assets.boat;
-    const tp_pose *boat = &frame->drawn.boat;
-
-    if (!mesh)
-        return tp_frame_anchor(frame).middle;
-    const tp_fx scale = tp_mesh_metres(mesh, frame->scene->boat.scale);
-    const tp_rotation turn = tp_rotation_of(boat->heading, boat->pitch, boat->roll);
-    const tp_vec3 at = { middle(mesh->low.x, mesh->high.x, scale),
-                         middle(mesh->low.y, mesh->high.y, scale),
-                         middle(mesh->low.z, mesh->high.z, scale) };
-    return tp_vec3_add(boat->place, tp_rotate_back(&turn, at));
-}
-
 /* eye + (to - eye) part, level. */
 static tp_vec3 towards(tp_vec3 eye, tp_vec3 to, tp_fx part, tp_fx level)
 {
@@ -48,7 +25,7 @@ static tp_vec3 towards(tp_vec3 eye, tp_vec3 to, tp_fx part, tp_fx level)
 /* Fills *cube but for its colours; returns the point. */
 static tp_vec3 set_around(const tp_frame *frame, tp_around *cube, tp_fx level)
 {
-    const tp_vec3 eye = frame->lens.eye, to = middle_of_objects(frame);
+    const tp_vec3 eye = frame->lens.eye, to = tp_frame_anchor(frame).middle;
     const tp_fx up = eye.y - level, high = to.y - level > TP_FX_ONE / 4
                                          ? to.y - level : TP_FX_ONE / 4;
     const tp_vec3 point = towards(eye, to, tp_fx_div(up, up + high), level);
@@ -107,7 +84,7 @@ static void look(tp_frame *frame, void *mine)
 
     m->around.colour = NULL;
     if (!tp_sight_above(frame, level)
-        || !(frame->assets.boat || tp_frame_has_module(frame, TP_MODULE_SOLID)))
+        || !tp_frame_has_module(frame, TP_MODULE_SOLID))
         return;
     const tp_vec3 point = set_around(frame, &m->around, level);
     for (uint32_t f = 0; f < TP_AROUND_FACES; f++) {

@@ -327,7 +327,7 @@ static void step(void *mine, const tp_kit *kit, tp_world *world, const tp_scene 
 
     fly_all(spray, scene, &surface);
     try_crests(world, scene, spray, &surface);
-    if (scene->boat.mesh[0])
+    if (scene->boat.mesh[0] && world->afloat.laid)
         throw_bow(world, scene, spray, &surface);
 }
 

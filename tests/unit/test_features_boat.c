@@ -230,5 +230,5 @@ int main(void)
         cmocka_unit_test(the_boat_follows_the_models),
         cmocka_unit_test(a_floating_boat_lags_behind_long_swells),
     };
-    return cmocka_run_group_tests_name("boat", tests, NULL, NULL);
+    return cmocka_run_group_tests_name("features/boat", tests, NULL, NULL);
 }

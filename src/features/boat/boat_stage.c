@@ -5,7 +5,7 @@
  * A normal map's texel bends N along the face's tangent T and along B = +-N x T, which
  * is square to both though T need not be to N ([F6], Gram-Schmidt left to the eye: the
  * meshes' normals are within a few degrees of their faces'). */
-#include "shade/env.h"
+#include "features/boat/boat.h"
 #include "shade/normal.h"
 #include "shade/phong.h"
 
@@ -48,11 +48,11 @@ static vec bent(vec n, const tp_solid *solid, int level, uint32_t st,
 
 TP_ALWAYS_INLINE void solid_run(const tp_shade *shade, tp_run *run, int blinn)
 {
-    TP_ASSERT(shade->solid != NULL);
-    const tp_solid *solid = &shade->solid[run->material];
+    const tp_boat_look *look = run->mine;
+    const tp_solid *solid = &look->solid[run->material];
     const tp_texture *picture = solid->diffuse_map, *normals = solid->normal_map;
 
-    tp_view_run(shade, &shade->mesh, run);
+    tp_view_run(shade, &look->axes, run);
     for (int32_t i = 0; i < run->count; i++) {
         int32_t  depth = tp_log_depth(shade, run->key[i]);
         uint32_t st = run->s[i], diffuse = solid->diffuse;
@@ -63,10 +63,10 @@ TP_ALWAYS_INLINE void solid_run(const tp_shade *shade, tp_run *run, int blinn)
         }
         if (normals) {
             int level = tp_level_of(solid->lod, depth, false, normals->levels);
-            n = bent(n, solid, level, st, shade->boat->faces[run->t[i]].tangent);
+            n = bent(n, solid, level, st, look->mesh->faces[run->t[i]].tangent);
         }
         n = tp_vec_q14_unit(n.x, n.y, n.z);
-        run->colour[i] = tp_phong(shade, &shade->mesh, solid, diffuse, n,
+        run->colour[i] = tp_phong(shade, &look->axes, solid, diffuse, n,
                                   (vec){ run->vx[i], run->vy[i], run->vz[i] },
                                   run->lv[i], blinn);
     }
@@ -81,3 +81,9 @@ void tp_stage_solid_blinn(const tp_shade *shade, tp_run *run)
 {
     solid_run(shade, run, 1);
 }
+
+const tp_stage tp_boat_stages[] = {
+#define X(name) tp_stage_##name,
+    TP_STAGES_OF_boat(X)
+#undef X
+};

@@ -310,5 +310,5 @@ int main(void)
         cmocka_unit_test(a_wake_replays_bit_for_bit),
         cmocka_unit_test(any_boat_may_stir_any_pool),
     };
-    return cmocka_run_group_tests_name("wake", tests, NULL, NULL);
+    return cmocka_run_group_tests_name("features/boat wake", tests, NULL, NULL);
 }

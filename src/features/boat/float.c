@@ -26,8 +26,8 @@
  * wanders, in 300 throws of 5000 steps at omega dt = 0.745 up to 87-fold, at 0.1 to 1.09.
  * [E3] asks for omega dt < 1; here a tick has so many steps that it is at most 1/8.  The
  * table's worst, g = 100 m/s^2 over a draft of 0.05 m, is 0.745 a tick: 6 steps. */
+#include "features/boat/boat.h"
 #include "base/assert.h"
-#include "scene/boat.h"
 #include "wave/exp.h"
 
 #define GRAVITY_MOST (100 * TP_FX_ONE)

@@ -246,5 +246,5 @@ int main(void)
         cmocka_unit_test(a_refresh_does_not_lift_a_floating_boat),
         cmocka_unit_test(a_sailing_boat_replays_bit_for_bit),
     };
-    return cmocka_run_group_tests_name("boat_course", tests, NULL, NULL);
+    return cmocka_run_group_tests_name("features/boat course", tests, NULL, NULL);
 }

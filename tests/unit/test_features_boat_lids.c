@@ -148,5 +148,5 @@ int main(void)
         cmocka_unit_test(a_lid_behind_a_solid_changes_nothing),
         cmocka_unit_test(water_over_the_floor_is_drawn_unless_a_lid_is_over_it),
     };
-    return cmocka_run_group_tests_name("frame lid", tests, NULL, NULL);
+    return cmocka_run_group_tests_name("features/boat lids", tests, NULL, NULL);
 }

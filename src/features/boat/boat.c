@@ -7,7 +7,7 @@
  * over the beam to starboard.  Roll is about the boat's own axis, which is pitched: of
  * (fall ahead, fall aside, 1), the plane's normal, the part along the level starboard
  * direction over that along the pitched mast is tilt / beam x cos(pitch). */
-#include "scene/boat.h"
+#include "features/boat/boat.h"
 #include "geom/waters.h"
 #include "scene/parts.h"
 #include "scene/sides.h"
@@ -192,11 +192,10 @@ static bool is_hull_valid(const tp_hull *hull)
     return is_near(hull->x) && is_near(hull->z) && tp_boat_hull_is_valid(hull);
 }
 
-bool tp_boat_is_valid(const tp_world *world, const tp_world *fresh)
+bool tp_boat_is_valid(const tp_world *world)
 {
     const tp_afloat *a = &world->afloat;
-    bool valid = a->laid == fresh->afloat.laid
-              && is_within(a->sailed_x, 2 * PLACE_MOST)
+    bool valid = is_within(a->sailed_x, 2 * PLACE_MOST)
               && is_within(a->sailed_z, 2 * PLACE_MOST)
               && tp_boat_lie_is_valid(&a->lie) && tp_boat_lie_is_valid(&a->alone)
               && is_hull_valid(&a->hull) && is_hull_valid(&a->stirred)
@@ -207,3 +206,46 @@ bool tp_boat_is_valid(const tp_world *world, const tp_world *fresh)
              && is_within(a->rest[i][1], REST_MOST);
     return valid;
 }
+
+/* -- the module ---------------------------------------------------------------------- */
+
+/* A scene without a boat does not feel for the water under one, and its camera stands in
+ * the world. */
+static bool is_named(const tp_scene *scene)
+{
+    return scene->boat.mesh[0] != '\0';
+}
+
+static bool enabled(const tp_want *want)
+{
+    return is_named(want->scene);
+}
+
+static void settle(void *mine, const tp_kit *kit, tp_world *world, const tp_scene *scene)
+{
+    (void)mine;
+    if (is_named(scene))
+        tp_boat_init(kit, world, scene);
+    world->last_boat = world->boat;
+    world->aboard = is_named(scene) && scene->camera.follow == TP_FOLLOW_BOAT;
+}
+
+static void step(void *mine, const tp_kit *kit, tp_world *world, const tp_scene *scene,
+                 const tp_input *input)
+{
+    (void)mine;
+    world->last_boat = world->boat;
+    if (is_named(scene))
+        tp_boat_step(kit, world, scene, input);
+}
+
+static bool is_valid(const void *mine, const void *fresh, const tp_world *world)
+{
+    (void)mine, (void)fresh;
+    return tp_boat_is_valid(world);
+}
+
+const tp_module tp_hull_module = {
+    .name = "hull", .id = TP_MODULE_ID('h', 'u', 'l', 'l'), .enabled = enabled,
+    .settle = settle, .step = step, .is_valid = is_valid,
+};

@@ -271,5 +271,5 @@ int main(void)
         cmocka_unit_test(drag_is_the_share_of_the_critical),
         cmocka_unit_test(critical_drag_does_not_overshoot),
     };
-    return cmocka_run_group_tests_name("float", tests, NULL, NULL);
+    return cmocka_run_group_tests_name("features/boat float", tests, NULL, NULL);
 }

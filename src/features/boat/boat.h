@@ -1,10 +1,34 @@
 /* SPDX-License-Identifier: MIT */
-/* The boat on the waves: where it sails, how it lies, and what it does to the pool.  Only
- * for scenes that name its mesh. */
-#ifndef TP_SCENE_BOAT_H
-#define TP_SCENE_BOAT_H
-#include "tidepool/kit.h"
-#include "tidepool/scene.h"
+/* The boat on the waves: where it sails, how it lies, what it does to the pool, and how it
+ * is drawn.  Only for scenes that name its mesh.  Its place and pose lie in tp_world, since
+ * the camera goes with it.
+ *
+ *     boat.c           the module hull: where it sails
+ *     float.c          how it lies on the water
+ *     wake.c           the module wake
+ *     boat_drawing.c   the modules boat, its mesh, and lids
+ *     boat_stage.c     the light on its materials */
+#ifndef TP_BOAT_MODULE_H
+#define TP_BOAT_MODULE_H
+#include "scene/module.h"
+#include "shade/shade.h"
+
+#define TP_BOAT_ID TP_MODULE_ID('b', 'o', 'a', 't')
+
+#define TP_BOAT_MATERIALS 192   /* more share the last mark */
+
+/* A corner of the mesh, projected; see boat_drawing.c for u of those that are not. */
+typedef struct {
+    int32_t  u, v;
+    uint32_t zi;
+} tp_boat_vertex;
+
+/* Its stages' data, first in tp_run.mine. */
+typedef struct {
+    const tp_mesh  *mesh;
+    const tp_solid *solid;      /* of each material */
+    tp_view_axes    axes;       /* the view and the light in the mesh's own frame */
+} tp_boat_look;
 
 /* Lays the boat on the water at tick 0, and after a change of the scene's numbers: it
  * stays as far from the scene's place and heading as it has sailed, and a boat that
@@ -16,8 +40,8 @@ void tp_boat_step(const tp_kit *kit, tp_world *world, const tp_scene *scene,
                   const tp_input *input);
 
 /* Whether the boat of a world whose bytes come from outside is in the ranges that steps
- * keep, and laid on the water if `fresh`'s is. */
-bool tp_boat_is_valid(const tp_world *world, const tp_world *fresh);
+ * keep. */
+bool tp_boat_is_valid(const tp_world *world);
 
 /* The hull stirs its pool [E4]; after the step. */
 void tp_boat_wake(tp_world *world, const tp_scene *scene);

@@ -6,6 +6,7 @@
 #include <setjmp.h>
 #include <stdint.h>
 #include <cmocka.h>
+#include "features/boat/boat.h"
 #include "asset/mesh.h"
 #include "runs.h"
 
@@ -16,6 +17,7 @@ static uint64_t chance;
 
 typedef struct {
     tp_shade shade;
+    tp_boat_look look;
     tp_mesh  mesh;
     tp_mesh_face face[4];
     tp_solid solid[4];
@@ -37,9 +39,9 @@ static tp_packed_dir packed(double x, double y, double z)
 static void light_from(double x, double y, double z)
 {
     const double n = sqrt(x * x + y * y + z * z) / 16384;
-    m.shade.mesh.lx = (int32_t)lround(x / n);
-    m.shade.mesh.ly = (int32_t)lround(y / n);
-    m.shade.mesh.lz = (int32_t)lround(z / n);
+    m.look.axes.lx = (int32_t)lround(x / n);
+    m.look.axes.ly = (int32_t)lround(y / n);
+    m.look.axes.lz = (int32_t)lround(z / n);
 }
 
 /* A picture of one texel. */
@@ -63,11 +65,13 @@ static void model_begin(void)
     run_any(&m.samples, 0, &chance);
     m.shade = (tp_shade){
         .u0 = 320 * 16, .v0 = 240 * 16, .focal = 416 * 16,
-        .mesh = { .right = { TP_Q30_ONE, 0, 0 }, .up = { 0, TP_Q30_ONE, 0 },
-                  .back = { 0, 0, TP_Q30_ONE } },
         .zi_log = tp_log2_q8(NEAR) + 15 * 256,
         .light_colour = 0xffffff,
-        .boat = &m.mesh, .solid = m.solid,
+    };
+    m.look = (tp_boat_look){
+        .mesh = &m.mesh, .solid = m.solid,
+        .axes = { .right = { TP_Q30_ONE, 0, 0 }, .up = { 0, TP_Q30_ONE, 0 },
+                  .back = { 0, 0, TP_Q30_ONE } },
     };
     m.mesh.faces = m.face;
     light_from(0, 0, 1);
@@ -85,6 +89,7 @@ static void model_begin(void)
 
 static void model_draw(void)
 {
+    m.samples.run.mine = &m.look;
     tp_stage_solid(&m.shade, &m.samples.run);
 }
 
@@ -353,6 +358,7 @@ static void mapped_runs_may_be_cut_anywhere(void **state)
         const int32_t from = chance_int(&chance, 0, TP_RUN - 1);
         const int32_t end = chance_int(&chance, from + 1, TP_RUN);
         tp_run part = run_part(&before, from, end);
+        part.mine = &m.look;
         tp_stage_solid(&m.shade, &part);
         assert_memory_equal(part.colour, m.samples.run.colour + from,
                             (size_t)(end - from) * sizeof *part.colour);
@@ -375,5 +381,5 @@ int main(void)
         cmocka_unit_test(levels_double_with_the_depth),
         cmocka_unit_test(mapped_runs_may_be_cut_anywhere),
     };
-    return cmocka_run_group_tests_name("solid", tests, NULL, NULL);
+    return cmocka_run_group_tests_name("features/boat stage", tests, NULL, NULL);
 }

@@ -20,8 +20,8 @@
  *
  * What the sum of the differences is short of zero, the cells around the hull take; what
  * they cannot, any cell within reach can: at the worst it goes back whence it came. */
+#include "features/boat/boat.h"
 #include "base/assert.h"
-#include "scene/boat.h"
 #include "scene/pools.h"
 
 #define PEAK_LEAST 2                    /* LSB */
@@ -353,3 +353,23 @@ void tp_boat_wake(tp_world *world, const tp_scene *scene)
     if (peak == 0 || peak >= PEAK_LEAST)
         a->stirred = a->hull;
 }
+
+/* -- the module ---------------------------------------------------------------------- */
+
+static bool enabled(const tp_want *want)
+{
+    return want->scene->boat.mesh[0] != '\0';
+}
+
+static void step(void *mine, const tp_kit *kit, tp_world *world, const tp_scene *scene,
+                 const tp_input *input)
+{
+    (void)mine, (void)kit, (void)input;
+    if (scene->boat.mesh[0])
+        tp_boat_wake(world, scene);
+}
+
+const tp_module tp_wake_module = {
+    .name = "wake", .id = TP_MODULE_ID('w', 'a', 'k', 'e'), .enabled = enabled,
+    .step = step,
+};

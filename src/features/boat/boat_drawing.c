@@ -1,0 +1,380 @@
+/* SPDX-License-Identifier: MIT */
+/* The boat's mesh, projected once a frame, drawn in every tile that it touches.
+ *
+ * Instead of the mesh into the world the camera is turned into the mesh's own frame:
+ * a vertex then costs what a vertex of the world does.
+ *
+ * Faces of a material with opacity 0 are lids: never seen, they keep water from what
+ * they cover, the inside of a hull. */
+#include "features/boat/boat.h"
+#include "asset/mesh.h"
+#include "frame/frame.h"
+
+/* What a view has placed holds until the next one is. */
+typedef struct {
+    tp_boat_look    look;       /* of the stages: first */
+    tp_boat_vertex *vertex;
+    tp_solid       *solid;      /* of each material, */
+    uint8_t        *gloss;      /* and TP_GLOSS each, */
+    int32_t         model;      /* of this light's */
+    uint32_t        materials;  /* that are told apart */
+    tp_lens         lens;       /* the view in the mesh's frame */
+    tp_fx           metres;     /* of 1.0 of the mesh's positions */
+    tp_grid_box     box;        /* pixels; empty: not seen */
+} drawn_boat;
+
+static tp_dir3 turned(const tp_rotation *r, tp_dir3 d)
+{
+    tp_vec3 v = tp_rotate(r, (tp_vec3){ d.x, d.y, d.z });
+    return (tp_dir3){ v.x, v.y, v.z };
+}
+
+static void turn_view(const tp_frame *frame, drawn_boat *b, const tp_sight *sight,
+                      const tp_pose *boat)
+{
+    const tp_rotation turn = tp_rotation_of(boat->heading, boat->pitch, boat->roll);
+    const tp_rotation *r = &turn;
+    tp_vec3 way = tp_vec3_sub(sight->lens->eye, boat->place);
+    tp_view_axes *axes = &b->look.axes;
+
+    b->metres = tp_mesh_metres(b->look.mesh, frame->scene->boat.scale);
+    b->lens = *sight->lens;
+    b->lens.eye = tp_rotate(r, way);
+    b->lens.right = turned(r, sight->lens->right);
+    b->lens.up = turned(r, sight->lens->up);
+    b->lens.ahead = turned(r, sight->lens->ahead);
+
+    tp_dir3 light = turned(r, (tp_dir3){ frame->shade.world.lx * 65536,
+                                         frame->shade.world.ly * 65536,
+                                         frame->shade.world.lz * 65536 });
+    axes->right = turned(r, frame->shade.world.right);
+    axes->up = turned(r, frame->shade.world.up);
+    axes->back = turned(r, frame->shade.world.back);
+    axes->lx = light.x >> 16;
+    axes->ly = light.y >> 16;
+    axes->lz = light.z >> 16;
+}
+
+/* Held within 4 km: the eye may be 24 km away, and their difference is 16.16 too. */
+static tp_fx scaled(tp_fx x, tp_fx scale)
+{
+    const int64_t most = 4000 * TP_FX_ONE;
+    int64_t metres = ((int64_t)x * scale + 0x8000) >> 16;
+    return (tp_fx)(metres > most ? most : metres < -most ? -most : metres);
+}
+
+static tp_view_corner view_of(const drawn_boat *b, const tp_mesh_vertex *vertex)
+{
+    tp_fx scale = b->metres;
+    tp_vec3 p = { scaled(vertex->position.x, scale), scaled(vertex->position.y, scale),
+                  scaled(vertex->position.z, scale) };
+    tp_view_corner c;
+
+    tp_lens_view(&b->lens, p, &c);
+    c.s = vertex->s;
+    c.t = vertex->t;
+    c.n[0] = (int16_t)tp_dir_x(vertex->normal);
+    c.n[1] = (int16_t)tp_dir_y(vertex->normal);
+    c.n[2] = (int16_t)tp_dir_z(vertex->normal);
+    return c;
+}
+
+/* Beyond the level that cuts the sight; of a face all of whose corners are so nothing is
+ * left, one with some must be clipped. */
+#define OUTSIDE (TP_GRID_CUT + 1)
+
+static void place_vertex(const drawn_boat *b, const tp_sight *sight, uint32_t i)
+{
+    tp_boat_vertex *to = &b->vertex[i];
+    tp_view_corner c = view_of(b, &b->look.mesh->vertices[i]);
+
+    if (sight->cut && tp_view_height(&sight->level, &c) < 0)
+        to->u = OUTSIDE;
+    else if (tp_lens_holds(&b->lens, &c))
+        tp_lens_project(&b->lens, &c, &to->u, &to->v, &to->zi);
+    else
+        to->u = TP_GRID_CUT;
+}
+
+static int clipped(const drawn_boat *b, const tp_sight *sight, const tp_mesh_face *face,
+                   tp_corner corner[TP_CLIP_CORNERS])
+{
+    tp_view_corner in[3];
+
+    for (int k = 0; k < 3; k++)
+        in[k] = view_of(b, &b->look.mesh->vertices[face->vertex[k]]);
+    return tp_clipped_corners(&b->lens, tp_sight_cut(sight), in, corner);
+}
+
+static void widen_by_face(drawn_boat *b, const tp_sight *sight, const tp_mesh_face *face)
+{
+    const tp_boat_vertex *vertex = b->vertex;
+    tp_corner corner[TP_CLIP_CORNERS];
+    int cut = 0, outside = 0;
+
+    for (int k = 0; k < 3; k++) {
+        const tp_boat_vertex *v = &vertex[face->vertex[k]];
+        cut += v->u <= OUTSIDE;
+        outside += v->u == OUTSIDE;
+        if (v->u > OUTSIDE)
+            tp_box_widen(&b->box, v->u, v->v);
+    }
+    if (cut == 0 || outside == 3)
+        return;
+    for (int k = clipped(b, sight, face, corner); k-- > 0; )
+        tp_box_widen(&b->box, corner[k].u, corner[k].v);
+}
+
+static void place(tp_frame *frame, void *mine, tp_sight *sight, tp_grid_box *box)
+{
+    drawn_boat *b = mine;
+    const tp_mesh *mesh = b->look.mesh;
+
+    b->box = TP_BOX_NONE;
+    turn_view(frame, b, sight, &frame->drawn.boat);
+    for (uint32_t i = 0; i < mesh->n_vertices; i++)
+        place_vertex(b, sight, i);
+    for (uint32_t f = 0; f < mesh->n_faces; f++)
+        widen_by_face(b, sight, &mesh->faces[f]);
+    if (b->box.x0 <= b->box.x1) {
+        frame->stats.vertices += mesh->n_vertices;
+        frame->stats.triangles += mesh->n_faces;
+    }
+    tp_box_join(box, &b->box);
+}
+
+/* -- faces ------------------------------------------------------------------------ */
+
+static uint32_t material_of(uint32_t material)
+{
+    return material < TP_BOAT_MATERIALS ? material : TP_BOAT_MATERIALS - 1;
+}
+
+static bool is_lid(const tp_mesh *mesh, uint32_t material)
+{
+    return mesh->materials[material].opacity == 0;
+}
+
+static void draw_triangle(const tp_mesh *mesh, const tp_samples *tile, const tp_corner *a,
+                          const tp_corner *b, const tp_corner *c, uint32_t f,
+                          uint32_t mark)
+{
+    TP_ASSERT(f < mesh->n_faces);
+    uint32_t material = mesh->faces[f].material;
+    tp_fx opacity = mesh->materials[material].opacity;
+
+    if (is_lid(mesh, material))
+        tp_tri_lid(tile, a, b, c);
+    else
+        tp_tri_solid(tile, a, b, c, mark + material_of(material), f,
+                     (opacity * 16 + 0x8000) >> 16);
+}
+
+static void draw_clipped(const drawn_boat *b, const tp_sight *sight,
+                         const tp_samples *tile, uint32_t f, uint32_t mark)
+{
+    tp_corner corner[TP_CLIP_CORNERS];
+    int count = clipped(b, sight, &b->look.mesh->faces[f], corner);
+
+    for (int k = 2; k < count; k++)
+        draw_triangle(b->look.mesh, tile, &corner[0], &corner[k - 1], &corner[k], f, mark);
+}
+
+static tp_corner corner_of(const tp_boat_vertex *at, const tp_mesh_vertex *vertex)
+{
+    return (tp_corner){
+        .u = at->u, .v = at->v, .zi = at->zi, .s = vertex->s, .t = vertex->t,
+        .n = { (int16_t)tp_dir_x(vertex->normal), (int16_t)tp_dir_y(vertex->normal),
+               (int16_t)tp_dir_z(vertex->normal) },
+    };
+}
+
+/* Most faces of most tiles end at the first test: they lie in other rows. */
+static void draw_face(const drawn_boat *d, const tp_sight *sight, const tp_samples *tile,
+                      uint32_t f, uint32_t mark)
+{
+    const tp_mesh_face   *face = &d->look.mesh->faces[f];
+    const tp_mesh_vertex *vertex = d->look.mesh->vertices;
+    const tp_boat_vertex *a = &d->vertex[face->vertex[0]];
+    const tp_boat_vertex *b = &d->vertex[face->vertex[1]];
+    const tp_boat_vertex *c = &d->vertex[face->vertex[2]];
+    int32_t top = 16 * tile->y0, bottom = 16 * tile->y1;
+
+    if (a->u <= OUTSIDE || b->u <= OUTSIDE || c->u <= OUTSIDE) {
+        if (a->u != OUTSIDE || b->u != OUTSIDE || c->u != OUTSIDE)
+            draw_clipped(d, sight, tile, f, mark);
+        return;
+    }
+    if ((a->v < top && b->v < top && c->v < top)
+        || (a->v >= bottom && b->v >= bottom && c->v >= bottom))
+        return;
+    tp_corner corner[3] = { corner_of(a, &vertex[face->vertex[0]]),
+                            corner_of(b, &vertex[face->vertex[1]]),
+                            corner_of(c, &vertex[face->vertex[2]]) };
+    draw_triangle(d->look.mesh, tile, &corner[0], &corner[1], &corner[2], f, mark);
+}
+
+static void draw_faces(const drawn_boat *b, const tp_sight *sight, tp_samples *samples,
+                       bool lids, uint32_t mark)
+{
+    const tp_mesh *mesh = b->look.mesh;
+
+    if (!tp_sight_touches(&b->box, samples))
+        return;
+    samples->front_only = true;
+    for (uint32_t f = 0; f < mesh->n_faces; f++)
+        if (is_lid(mesh, mesh->faces[f].material) == lids)
+            draw_face(b, sight, samples, f, mark);
+}
+
+static void draw(const tp_frame *frame, const void *mine, const tp_sight *sight,
+                 tp_samples *samples, uint32_t mark)
+{
+    (void)frame;
+    draw_faces(mine, sight, samples, false, mark);
+}
+
+/* -- materials ------------------------------------------------------------------------ */
+
+static void make_gloss(tp_frame *frame, void *mine)
+{
+    drawn_boat *b = mine;
+
+    b->model = frame->scene->light.model;
+    for (uint32_t i = 0; i < b->materials; i++) {
+        uint8_t *gloss = b->gloss + (size_t)i * TP_GLOSS;
+        tp_fx shininess = b->look.mesh->materials[i].shininess;
+        if (b->model == TP_LIGHT_BLINN)
+            tp_shade_gloss_blinn(gloss, shininess);
+        else
+            tp_shade_gloss(gloss, shininess);
+    }
+}
+
+static void begin(tp_frame *frame, void *mine)
+{
+    drawn_boat *b = mine;
+    const tp_mesh *mesh = b->look.mesh;
+    tp_fx metres = tp_mesh_metres(mesh, frame->scene->boat.scale);
+
+    frame->stats.dropped += mesh->n_materials - b->materials;
+    if (b->model != frame->scene->light.model)
+        make_gloss(frame, mine);
+    for (uint32_t i = 0; i < b->materials; i++) {
+        const tp_material *m = &mesh->materials[i];
+        tp_fx texels = tp_fx_div(m->texels, metres);
+        b->solid[i] = (tp_solid){
+            .diffuse = m->diffuse,
+            .specular = m->specular,
+            .lod = tp_frame_lod(frame, texels, false) + 96,  /* one texel: grain glitters */
+            .bump = tp_clamp(m->bump, -16 * TP_FX_ONE, 16 * TP_FX_ONE) >> 8,
+            .diffuse_map = m->diffuse_map,
+            .normal_map = m->normal_map,
+            .gloss = b->gloss + (size_t)i * TP_GLOSS,
+        };
+    }
+}
+
+/* -- the module ---------------------------------------------------------------------- */
+
+/* At least one: a mesh may have none. */
+static uint32_t marks(const tp_want *want)
+{
+    const uint32_t n = want->assets->boat->n_materials;
+    return n == 0 ? 1 : n < TP_BOAT_MATERIALS ? n : TP_BOAT_MATERIALS;
+}
+
+static void *layout(tp_arena *arena, const tp_want *want)
+{
+    const tp_mesh *mesh = want->assets->boat;
+    drawn_boat *b = tp_arena_take(arena, 1, sizeof *b), made = { .look.mesh = mesh };
+
+    made.materials = mesh->n_materials < TP_BOAT_MATERIALS ? mesh->n_materials
+                                                           : TP_BOAT_MATERIALS;
+    made.vertex = tp_arena_take(arena, mesh->n_vertices, sizeof *made.vertex);
+    made.look.solid = made.solid = tp_arena_take(arena, made.materials,
+                                                 sizeof *made.solid);
+    made.gloss = tp_arena_take(arena, made.materials, TP_GLOSS);
+    if (b)
+        *b = made;
+    return b;
+}
+
+/* Of corners, which place() holds within 4 km: with the boat's place 15 km, and the eye
+ * is 23 km away at the most. */
+static tp_fx middle(tp_fx low, tp_fx high, tp_fx scale)
+{
+    return (tp_fx)tp_limit(((int64_t)low + high) / 2 * scale >> 16, 4000 * TP_FX_ONE);
+}
+
+/* The mesh's middle; the level is the waterline. */
+static bool set_anchor(const tp_frame *frame, const void *mine, tp_sight_anchor *anchor)
+{
+    const drawn_boat *b = mine;
+    const tp_mesh *mesh = b->look.mesh;
+    const tp_pose *boat = &frame->drawn.boat;
+    const tp_fx scale = tp_mesh_metres(mesh, frame->scene->boat.scale);
+    const tp_rotation turn = tp_rotation_of(boat->heading, boat->pitch, boat->roll);
+    const tp_vec3 at = { middle(mesh->low.x, mesh->high.x, scale),
+                         middle(mesh->low.y, mesh->high.y, scale),
+                         middle(mesh->low.z, mesh->high.z, scale) };
+
+    *anchor = (tp_sight_anchor){
+        .middle = tp_vec3_add(boat->place, tp_rotate_back(&turn, at)),
+        .level = boat->place.y - frame->scene->boat.lift,
+    };
+    return true;
+}
+
+static void add_stages(const tp_frame *frame, const void *mine, const tp_stage *stage,
+                       tp_shaders *list)
+{
+    const bool blinn = frame->scene->light.model == TP_LIGHT_BLINN;
+
+    if (list->owner == &tp_boat_drawing)
+        tp_shaders_add(list, TP_AT_COLOUR, blinn && stage[1] ? stage[1] : stage[0], mine);
+}
+
+static bool enabled(const tp_want *want)
+{
+    return want->assets && want->assets->boat;
+}
+
+const tp_module tp_boat_module = {
+    .name = "boat", .id = TP_BOAT_ID, .is = TP_MODULE_SOLID, .enabled = enabled,
+};
+
+const tp_drawing tp_boat_drawing = {
+    .layout = layout, .init = make_gloss, .marks = marks, .begin = begin,
+    .anchor = set_anchor, .place = place, .draw = draw, .stages = add_stages,
+};
+
+/* -- the module of its lids ----------------------------------------------------------- */
+
+static bool has_lids(const tp_want *want)
+{
+    const tp_mesh *mesh = want->assets ? want->assets->boat : NULL;
+
+    for (uint32_t i = 0; mesh && i < mesh->n_materials; i++)
+        if (is_lid(mesh, i))
+            return true;
+    return false;
+}
+
+/* After everything that a lid may cover. */
+static void draw_lids(const tp_frame *frame, const void *mine, const tp_sight *sight,
+                      tp_samples *samples, uint32_t mark)
+{
+    const drawn_boat *b = tp_frame_part(frame, TP_BOAT_ID);
+
+    (void)mine;
+    if (b && sight->picture)
+        draw_faces(b, sight, samples, true, mark);
+}
+
+const tp_module tp_lids_module = {
+    .name = "lids", .id = TP_MODULE_ID('l', 'i', 'd', 's'), .enabled = has_lids,
+};
+
+const tp_drawing tp_lids_drawing = { .draw = draw_lids };
+const tp_stage tp_lids_stages[] = { NULL };
