@@ -49,29 +49,18 @@ CORE := $(addprefix src/, \
     geom/clip.c geom/grid.c geom/lens.c geom/level.c geom/lines.c geom/lod.c \
     geom/sheet.c geom/surface.c geom/vertex.c geom/vertex_more.c geom/vertex_row.c \
     geom/waters.c raster/cover.c raster/rows.c raster/span.c \
-    shade/absorb.c shade/bend.c \
-    shade/cube.c shade/dome.c \
-    shade/inside.c shade/layer.c shade/light.c \
-    shade/mirror.c shade/optics.c shade/pool_bump.c \
-    shade/quick_even.c shade/quick_layers.c shade/quick_light.c \
-    shade/quick_pictures.c shade/quick_tables.c \
-    shade/quick_view.c shade/ripple.c shade/sky.c \
-    shade/tables.c shade/texture.c shade/view.c \
-    scene/check.c scene/clock.c scene/drawn.c \
-    scene/faint.c scene/governor.c scene/light.c \
-    scene/module.c scene/outlook.c \
+    shade/absorb.c shade/cube.c shade/dome.c shade/inside.c shade/optics.c \
+    shade/plain.c shade/quick_ray.c shade/sky.c shade/tables.c shade/view.c \
+    scene/check.c scene/clock.c scene/drawn.c scene/faint.c scene/governor.c \
+    scene/light.c scene/module.c scene/outlook.c \
     scene/parts.c scene/piece.c scene/plan_checked.c scene/pools.c scene/prices.c \
     scene/rungs.c scene/stand.c scene/tape.c \
     scene/value.c scene/works.c scene/works_boat.c \
     scene/world.c scene/world_check.c \
-    frame/bump.c frame/carve.c \
-    frame/clipped.c frame/flat.c frame/frame.c \
-    frame/holds.c frame/lattice.c frame/lines.c \
-    frame/drawing.c frame/marks.c frame/planar_map.c frame/plan.c \
-    frame/plan_layers.c \
-    frame/plan_quick.c frame/plan_quick_layers.c frame/plan_sky.c frame/planned.c \
-    frame/projected.c frame/rows.c frame/shaders.c frame/sight.c \
-    frame/tile.c frame/visibility.c frame/water.c) \
+    frame/carve.c frame/clipped.c frame/drawing.c frame/flat.c frame/frame.c \
+    frame/holds.c frame/lattice.c frame/layer.c frame/lines.c frame/marks.c \
+    frame/planar_map.c frame/plan.c frame/planned.c frame/projected.c frame/rows.c \
+    frame/shaders.c frame/sight.c frame/tile.c frame/visibility.c frame/water.c) \
     $(sort $(wildcard src/features/*.c src/features/*/*.c))
 
 # -- the program, for machines with files and threads ----------------------------------
@@ -315,8 +304,8 @@ help:
 V3_LITE := V3_OPT='-O1 -march=x86-64-v3'
 SAN := TARGET=san OPT='-O1 -g1 -fsanitize=address,undefined -fno-sanitize-recover=all' \
        $(V3_LITE) V3_SAME_OPT=-fno-sanitize=all CHECKED=1
-SAN_UNIT := $(filter-out $(BUILD)/tests/accuracy/% %/test_shade_quick_light \
-               %/test_shade_quick_even %/test_threads,$(UNIT))
+SAN_UNIT := $(filter-out $(BUILD)/tests/accuracy/% %/test_features_water_quick_light \
+               %/test_features_water_quick_even %/test_threads,$(UNIT))
 RUN := TP_BUILD=$(BUILD) TP_PROGRAM=$(PROGRAM) TP_LEFT_OUT='$(LEFT_OUT)' tests/run.sh
 
 unit: $(UNIT)

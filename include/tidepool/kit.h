@@ -32,39 +32,8 @@ typedef void (*tp_stage)(const struct tp_shade *shade, struct tp_run *run);
 #define TP_STAGE_LIST(X) \
     /* colour of the empty view */ \
     X(sky) \
-    /* colour of the water: without texture, and with the first layer */ \
-    X(plain) X(texture) X(texture_tinted) X(texture_linear) X(texture_linear_tinted) \
-    X(texture_graded) X(texture_linear_graded) \
-    X(bend)                 /* ls lt, before layers */ \
-    X(layers) X(layers_linear)      /* adds the second and third */ \
-    X(pool_bump)            /* sx sz: pools' */ \
-    X(ripple)               /* sx sz: by a normal map, */ \
-    X(ripple_gentle)        /* of flat surfaces, */ \
-    X(ripple_over)          /* over pools' sx sz */ \
-    /* the quick rung's, in this order: colour and slope x:z by prepared pictures */ \
-    X(quick_far)            /* how far away; always the first */ \
-    X(quick_still) X(quick_bend)        /* places of layers; */ \
-    X(quick_still_thin) X(quick_bend_thin)      /* of every second column alone */ \
-    X(quick_layers)         /* colour: all layers */ \
-    X(quick_layers_thin)    /* of those columns, and the ones between */ \
-    X(quick_layers_even)    /* of those columns alone */ \
-    X(quick_ripple) X(quick_slopes)     /* slope: with ripples, and without */ \
-    /* colour of slope: light, what is mirrored, and glints */ \
-    X(quick_gradient) X(quick_gradient_phong) X(quick_gradient_blinn) \
-    X(quick_dome_phong) X(quick_dome_blinn) \
-    X(quick_cube) X(quick_cube_phong) X(quick_cube_blinn) \
-    /* the same in parts: light and mirror of every second column; */ \
-    X(quick_gradient_even) X(quick_dome_even) X(quick_cube_even) \
-    X(quick_between)        /* the ones between; */ \
-    X(quick_glint_phong) X(quick_glint_blinn)   /* those, and glints of all */ \
-    X(view)                 /* vx vy vz, lv: world axes */ \
-    X(diffuse) X(diffuse_rippled)   /* colour; needs no view */ \
-    X(light) X(light_rippled) X(light_blinn) X(light_blinn_rippled) /* nv up glint */ \
-    X(mirror)               /* sky by Fresnel's share; or in parts, for other skies, */ \
-    X(slopes)               /* objects and light beyond white: sx sz of smooth water, */ \
-    X(reflect_gradient)     /* mirror, rx rz, */ \
-    X(fresnel) X(fresnel_hdr)       /* mirror into the colour */ \
-    X(glint)                /* adds the specular */
+    X(plain)                /* colour of the water without texture */ \
+    X(view)                 /* vx vy vz, lv: world axes */
 
 #define X(name) void tp_stage_##name(const struct tp_shade *shade, struct tp_run *run);
 TP_STAGE_LIST(X)
@@ -121,14 +90,7 @@ extern const struct tp_water_swells tp_water_few_swells;
 /* -- parts of a frame; src/frame/parts.h -------------------------------------------- */
 
 #define TP_DRAW_LIST(X) \
-    X(rungs)        /* the plan, tidepool/plan.h */ \
-    X(layers)       /* all but the first one, and their distortion */ \
-    X(ripple) \
-    X(quick_layers) /* pictures of the quick rung; stages quick_far .. quick_slopes */ \
-    X(bumps)        /* of pools that bend the light only; pool_bump */ \
-    X(fresnel)      /* tables of what mirrors or is clear; mirror, fresnel ... */ \
-    X(glint)        /* tables of what shines */ \
-    X(quick_light)  /* of the quick rung; stages quick_gradient ... */
+    X(rungs)        /* the plan, tidepool/plan.h */
 
 /* Methods of finding the water in the picture, tp_visibility. */
 #define TP_METHOD_LIST(X) \
@@ -184,6 +146,12 @@ typedef struct {
  * than pixels of water. */
 #define TP_MODULE_LIST(X, N, P) \
     TP_MORE_LIST(X, N, P) \
+    X(bumps)        /* of pools that bend the light only */ \
+    X(base_layer)   /* the water's first picture */ \
+    X(layers)       /* the others, and their distortion */ \
+    X(ripple) \
+    X(lighting)     /* of water that shines, mirrors or is clear */ \
+    X(diffuse)      /* of any other */ \
     P(sky_dome)     /* skies beside the gradient: generated ones, */ \
     P(sky_cube)     /* and six pictures */ \
     P(stars)        /* added to a night's dome */ \
@@ -198,6 +166,8 @@ typedef struct {
     N(paddle)       /* waves made in pools */ \
     N(main_pool)    /* [pool]; and water.pools */ \
     N(field)        /* [field]; and water.pools */ \
+    X(reflectance)  /* the sky in the water, by Fresnel's share */ \
+    X(glint) \
     X(underwater)   /* the inside of the water, and the view of an eye in it */ \
     P(tank)         /* a tank's stone, and a pool's inner walls */ \
     P(glass)        /* a tank's walls of glass */ \
@@ -208,6 +178,7 @@ typedef struct {
     X(refraction)   /* objects under clear water */ \
     X(clear_water)  /* what is seen through the water */ \
     X(foam) \
+    X(fast_water)   /* the water by fast stages alone; refused below what has none */ \
     X(spray) \
     N(meter)        /* exposure by itself */ \
     X(exposure)
@@ -224,6 +195,43 @@ typedef struct {
 #define TP_STAGES_OF_land(X)        X(land) X(ground)       /* plain; like the floor */
 #define TP_STAGES_OF_drops(X)       X(drop)
 #define TP_STAGES_OF_lids(X)
+#define TP_STAGES_OF_bumps(X)       X(pool_bump)        /* sx sz: pools' */
+#define TP_STAGES_OF_base_layer(X) \
+    X(texture) X(texture_tinted) X(texture_linear) X(texture_linear_tinted) \
+    X(texture_graded) X(texture_linear_graded)
+#define TP_STAGES_OF_layers(X) \
+    X(bend)                 /* ls lt, before layers */ \
+    X(layers) X(layers_linear)      /* adds the second and third */
+#define TP_STAGES_OF_ripple(X) \
+    X(ripple)               /* sx sz: by a normal map, */ \
+    X(ripple_gentle)        /* of flat surfaces, */ \
+    X(ripple_over)          /* over pools' sx sz */
+#define TP_STAGES_OF_lighting(X)    /* colour nv up glint, of a view */ \
+    X(light) X(light_rippled) X(light_blinn) X(light_blinn_rippled)
+#define TP_STAGES_OF_diffuse(X)     X(diffuse) X(diffuse_rippled)       /* colour */
+#define TP_STAGES_OF_reflectance(X) \
+    X(mirror)               /* sky by Fresnel's share; or in parts, for other skies, */ \
+    X(slopes)               /* objects and light beyond white: sx sz of smooth water, */ \
+    X(reflect_gradient)     /* mirror, rx rz, */ \
+    X(fresnel) X(fresnel_hdr)       /* mirror into the colour */
+#define TP_STAGES_OF_glint(X)       X(glint)            /* adds the specular */
+#define TP_STAGES_OF_fast_water(X) \
+    /* in this order: colour and slope x:z by prepared pictures */ \
+    X(quick_far)            /* how far away; always the first */ \
+    X(quick_still) X(quick_bend)        /* places of layers; */ \
+    X(quick_still_thin) X(quick_bend_thin)      /* of every second column alone */ \
+    X(quick_layers)         /* colour: all layers */ \
+    X(quick_layers_thin)    /* of those columns, and the ones between */ \
+    X(quick_layers_even)    /* of those columns alone */ \
+    X(quick_ripple) X(quick_slopes)     /* slope: with ripples, and without */ \
+    /* colour of slope: light, what is mirrored, and glints */ \
+    X(quick_gradient) X(quick_gradient_phong) X(quick_gradient_blinn) \
+    X(quick_dome_phong) X(quick_dome_blinn) \
+    X(quick_cube) X(quick_cube_phong) X(quick_cube_blinn) \
+    /* the same in parts: light and mirror of every second column; */ \
+    X(quick_gradient_even) X(quick_dome_even) X(quick_cube_even) \
+    X(quick_between)        /* the ones between; */ \
+    X(quick_glint_phong) X(quick_glint_blinn)   /* those, and glints of all */
 #define TP_STAGES_OF_underwater(X) \
     X(below) X(below_rippled)       /* the surface from below */ \
     X(deep)                 /* empty view in the water */ \
@@ -267,6 +275,16 @@ typedef struct tp_use {
 #define PRICED(name) extern const struct tp_cost tp_##name##_cost; MODULE(name)
 TP_MODULE_LIST(MODULE, UNSEEN, PRICED)
 #undef PRICED
+#undef UNSEEN
+#undef MODULE
+#undef X
+
+/* Where in its module's table a stage stands, TP_NTH_texture_linear; and how many there
+ * are, TP_COUNT_OF_base_layer. */
+#define X(name) TP_NTH_##name,
+#define MODULE(name) enum { TP_STAGES_OF_##name(X) TP_COUNT_OF_##name };
+#define UNSEEN(name)
+TP_MODULE_LIST(MODULE, UNSEEN, MODULE)
 #undef UNSEEN
 #undef MODULE
 #undef X

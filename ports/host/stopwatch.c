@@ -30,7 +30,7 @@ enum {
     TP_MODULE_LIST(MODULE, UNSEEN, MODULE)
 #undef MODULE
 #undef X
-    STAGES, PLACES = 16, MODULES = 32
+    STAGES, PLACES = 16, MODULES = 40
 };
 
 const uint32_t stopwatch_stages = STAGES;

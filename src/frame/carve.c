@@ -12,18 +12,6 @@ bool tp_frame_wants(tp_frame_parts *parts, bool asked, bool part)
     return asked && part;
 }
 
-/* What the scene names and the kit cannot draw it does not name. */
-static void leave_out(tp_frame_parts *p, const tp_kit *kit, tp_assets *assets)
-{
-    const tp_draws *draw = &kit->draw;
-    const bool layers = assets->layer[1] || assets->layer[2] || assets->distortion;
-
-    if (!tp_frame_wants(p, layers, draw->layers))
-        assets->layer[1] = assets->layer[2] = assets->distortion = NULL;
-    if (!tp_frame_wants(p, assets->ripple, draw->ripple))
-        assets->ripple = NULL;
-}
-
 /* The water's surface, and what is drawn before it as triangles. */
 static void carve_places(tp_frame_parts *p, tp_arena *arena, const tp_kit *kit,
                          const tp_scene *scene, const tp_frame_config *config)
@@ -37,26 +25,6 @@ static void carve_places(tp_frame_parts *p, tp_arena *arena, const tp_kit *kit,
     }
     if (p->reach.lod >> TP_LOD_ON & 1 && kit->water.lod && kit->method.triangles)
         kit->water.lod->carve(p->grid, arena);
-}
-
-/* Whether a stage that the kit has looks into the lobe of the water's glitter. */
-static bool shines(const tp_kit *kit)
-{
-    const tp_stages *stage = &kit->stage;
-
-    return kit->draw.glint || kit->draw.quick_light || stage->light
-        || stage->light_rippled || stage->light_blinn || stage->light_blinn_rippled;
-}
-
-static void carve_tables(tp_frame_parts *p, tp_arena *arena, const tp_kit *kit,
-                         const tp_scene *scene)
-{
-    if (shines(kit))
-        p->shine = tp_arena_take(arena, TP_SHINE + 1, sizeof *p->shine);
-    for (int k = 0; k < TP_POOL_BUMPS && kit->draw.bumps; k++) {
-        p->bump_cells[k] = tp_frame_bump_cells(scene, k);
-        p->bump[k] = tp_arena_take(arena, p->bump_cells[k], sizeof *p->bump[k]);
-    }
 }
 
 bool tp_frame_is_coastal(const tp_kit *kit, const tp_scene *scene)
@@ -99,24 +67,16 @@ tp_frame *tp_frame_carve(const tp_kit *kit, tp_frame_parts *parts, tp_frame_ram 
     *parts = (tp_frame_parts){
         .reach = tp_frame_reach(kit, scene, assets, config),
     };
-    leave_out(parts, kit, assets);
     carve_places(parts, arena, kit, scene, config);
     const tp_plan_input in = tp_frame_plan_input(kit, scene, assets, config);
     if (kit->draw.rungs)
         kit->draw.rungs->carve(parts, arena, &in);
     const size_t placed = arena->used;
-    carve_tables(parts, arena, kit, scene);
-    const bool quick = parts->reach.shading & 1 << TP_SHADING_QUICK;
-    if (tp_frame_wants(parts, quick, kit->draw.quick_layers))
-        parts->quick = kit->draw.quick_layers->carve(arena, assets);
-    if (tp_frame_wants(parts, quick, kit->draw.quick_light))
-        kit->draw.quick_light->carve(parts, arena);
-    const size_t tabled = arena->used;
     const tp_want want = tp_frame_want(kit, parts, scene, assets, config);
     tp_frame_layout_modules(kit, parts, arena, want);
     *ram = (tp_frame_ram){
         .frame = arena->used, .vertices = placed - fixed,
-        .tables = tabled - placed + parts->module_bytes + sizeof frame->shade.sky,
+        .tables = parts->module_bytes + sizeof frame->shade.sky,
         .mirror = parts->look_bytes,
     };
     return frame;

@@ -52,7 +52,7 @@ void tp_frame_layout_modules(const tp_kit *kit, tp_frame_parts *parts, tp_arena 
         const size_t used = arena->used;
         void *mine = on && u[i].drawing->layout ? u[i].drawing->layout(arena, &want) : NULL;
         looks += on && u[i].drawing->look ? (uint32_t)(arena->used - used) : 0;
-        parts->laid |= (uint32_t)on << i;
+        parts->laid |= (uint64_t)on << i;
         if (parts->module) {
             parts->module[i] = mine;
             parts->mark[i] = (uint8_t)mark;
@@ -67,15 +67,24 @@ void tp_frame_layout_modules(const tp_kit *kit, tp_frame_parts *parts, tp_arena 
 
 /* -- which are on --------------------------------------------------------------------- */
 
-/* A module that was off at init has no memory, and is not drawn if it is on now. */
+/* A module that was off at init has no memory, and is not drawn if it is on now; unless it
+ * wants neither memory nor marks. */
+static bool can_draw(const tp_frame *frame, uint32_t i)
+{
+    const tp_drawing *drawing = frame->kit->modules[i].drawing;
+
+    return frame->parts.laid >> i & 1 || (drawing && !drawing->layout && !drawing->marks);
+}
+
 void tp_frame_enable_modules(tp_frame *frame)
 {
     tp_want want = tp_frame_want(frame->kit, &frame->parts, frame->scene, &frame->assets,
                                  &frame->config);
 
     frame->modules_on = 0;
-    EACH_OF(frame->parts.laid, i, use, frame->kit)
-        frame->modules_on |= (uint32_t)tp_module_ask(use[i].module, &want) << i;
+    EACH_OF(UINT64_MAX, i, use, frame->kit)
+        if (can_draw(frame, i) && tp_module_ask(use[i].module, &want))
+            frame->modules_on |= (uint64_t)1 << i;
 }
 
 void *tp_frame_part(const tp_frame *frame, uint32_t id)
@@ -201,7 +210,7 @@ uint32_t tp_marks_one(const tp_want *want)
 /* Samples without a colour would show memory as it is: such a module is left out. */
 void tp_frame_list_modules(tp_frame *frame)
 {
-    uint32_t lack = 0;
+    uint64_t lack = 0;
 
     EACH_ON(i, use, frame) {
         if (frame->parts.mark[i] == 0)
@@ -211,7 +220,7 @@ void tp_frame_list_modules(tp_frame *frame)
         tp_frame_add_modules(frame, list);
         if (!tp_shaders_has(list, TP_AT_COLOUR)) {
             frame->stats.dropped++;
-            lack |= 1u << i;
+            lack |= (uint64_t)1 << i;
         }
     }
     frame->modules_on &= ~lack;

@@ -157,9 +157,6 @@ tp_status tp_frame_init_with(const tp_kit *kit, tp_frame **out, const tp_scene *
     frame->parts = parts;
     frame->ram = ram;
     frame->ram.scratch = tp_frame_scratch_with(kit, scene, &c);
-    frame->shade.shine = parts.shine;
-    if (parts.shine)
-        memset(parts.shine, 0, (TP_SHINE + 1) * sizeof *parts.shine);
     tp_frame_choose_rungs(frame);
     make_tables(frame);
     *out = frame;
@@ -170,7 +167,6 @@ static void place_surface(tp_frame *frame)
 {
     TP_ASSERT(frame->world->back >= 0 && frame->world->back <= TP_FX_ONE);
     const tp_world *world = frame->world;
-    const tp_draws  *draw = &frame->kit->draw;
     tp_surface *surface = &frame->surface;
 
     *surface = tp_world_surface(frame->kit, world);
@@ -178,9 +174,20 @@ static void place_surface(tp_frame *frame)
     surface->back = world->back;
     surface->ring = NULL;
     surface->rings = 0;
-    if (draw->bumps && draw->bumps->hold(frame))
+    if (tp_frame_has_module(frame, TP_MODULE_SLOPES))
         surface->pool = surface->field = NULL;
     tp_frame_add_surface(frame, surface);
+}
+
+tp_surface tp_frame_lit_surface(const tp_frame *frame)
+{
+    tp_surface surface = frame->surface;
+
+    if (surface.by->pools) {
+        surface.pool = tp_world_pool(frame->world);
+        surface.field = tp_world_field(frame->world);
+    }
+    return surface;
 }
 
 /* What water looks into, then the picture itself: they share memory, and the numbers of

@@ -26,20 +26,6 @@ typedef struct {
     tp_turn phases[TP_WAVES];
 } tp_thin_sea;
 
-/* What a picture of the quick rung was made for: saturation, strength or bump. */
-typedef struct {
-    tp_fx    amount, clamp;
-    uint32_t colour;
-} tp_quick_wish;
-
-#define TP_QUICK_PICTURES TP_PREPARED
-
-typedef struct {
-    void         *memory[TP_QUICK_PICTURES];    /* NULL: not made here */
-    tp_texture    picture[TP_QUICK_PICTURES];   /* no levels: not made yet */
-    tp_quick_wish made[TP_QUICK_PICTURES];
-} tp_frame_quick;
-
 /* What lies behind the frame in its block, as the scene needed it at init: NULL, or 0,
  * where it did not.  What a scene takes up later finds no memory and is left out. */
 typedef struct tp_frame_parts {
@@ -51,15 +37,10 @@ typedef struct tp_frame_parts {
     uint32_t         slope_cols;
     tp_thin_sea     *thin;
     struct tp_frame_lines *lines;       /* of the grid, lines.h; NULL: rows draw nothing */
-    tp_entry16      *shine;             /* TP_SHINE + 1 */
-    tp_pool_slope   *bump[TP_POOL_BUMPS];       /* slopes of pool and field */
-    uint32_t         bump_cells[TP_POOL_BUMPS]; /* that they have room for */
     uint32_t         lacks;             /* parts that the scene has and the kit has not */
-    tp_frame_quick  *quick;             /* NULL: nothing is prepared here */
-    struct tp_quick_light *quick_light;
     void           **module;            /* memory of each of the kit, or NULL, */
     uint8_t         *mark;              /* its first mark, or 0, */
-    uint32_t         laid;              /* and a bit: it was on at init */
+    uint64_t         laid;              /* and a bit: it was on at init */
     tp_marks         marks;
     uint32_t         module_bytes;      /* of those, */
     uint32_t         look_bytes;        /* and of those that water looks into */
@@ -88,7 +69,7 @@ struct tp_frame {
     tp_visibility    visibility;        /* of this frame */
 
     tp_sight         sight;             /* the picture itself */
-    uint32_t         modules_on;        /* bits, in the order of the kit's list */
+    uint64_t         modules_on;        /* bits, in the order of the kit's list */
 
     bool             under;             /* the eye is in the water */
 
@@ -163,27 +144,22 @@ void tp_frame_colour_row(const tp_frame *frame, const tp_samples *tile, int32_t 
 /* plan.c: the stages that the scene needs, and their numbers. */
 void tp_frame_plan(tp_frame *frame);
 
-/* plan_sky.c: the plain sky, and the water's share of what it mirrors.  Whether a mirror
- * takes more than the fused stage. */
-void tp_frame_plan_sky(tp_frame *frame);
-bool tp_frame_mirrors_apart(const tp_frame *frame);
+/* True of a list of water that mirrors what is above it: the sky's module adds a stage at
+ * TP_AT_REFLECT. */
+static inline bool tp_frame_mirrors(const tp_frame *frame, const tp_shaders *list)
+{
+    return list->kind == TP_LIST_WATER && frame->scene->water.reflection > 0
+        && tp_shaders_has(list, TP_AT_VIEW);
+}
 
-/* plan_quick_layers.c: stages of the layers and ripples of the quick rung */
-void tp_plan_add_quick_layers(const tp_frame *frame, tp_shaders *water, bool even);
-
-/* plan_layers.c: the water's pictures, ripples and bumps.  Of the stages that it adds:
- * whether they bend the normals. */
-void tp_frame_plan_layers(tp_frame *frame);
-bool tp_plan_add_layers(const tp_frame *frame, tp_shaders *water);
-bool tp_plan_add_bumps(const tp_frame *frame, tp_shaders *water);      /* ripples, pools */
+/* layer.c: a picture that drifts on the water */
 tp_layer tp_frame_layer(const tp_frame *frame, const tp_texture *texture,
                         const tp_scene_map *map);
 uint32_t tp_frame_repeats(tp_fx size);          /* a metre, Q0.32 over Q16.16 */
 int32_t tp_frame_lod(const tp_frame *frame, tp_fx texels_per_metre, bool level_ground);
 
-/* bump.c: of scenes whose pools bend the light only */
-uint32_t tp_frame_bump_cells(const tp_scene *scene, int k);
-tp_surface tp_frame_lit_surface(const tp_frame *frame);     /* bumps as heights */
+/* frame.c: the surface with pools that bend the light alone; it falls through all of them */
+tp_surface tp_frame_lit_surface(const tp_frame *frame);
 
 #include "frame/parts.h"
 #endif

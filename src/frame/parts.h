@@ -33,40 +33,4 @@ struct tp_draw_rungs {
     tp_rungs (*rungs)(const tp_plan_input *in);
     void (*thin)(tp_frame *frame);
 };
-
-struct tp_draw_layers {         /* but the first one */
-    void (*plan)(tp_frame *frame);
-};
-
-/* Prepared pictures, of the quick rung.  `plan` comes after that of the layers; false: at
- * init there was no memory for them. */
-struct tp_draw_quick_layers {
-    tp_frame_quick *(*carve)(tp_arena *arena, const tp_assets *assets);
-    bool (*plan)(tp_frame *frame);
-};
-
-struct tp_draw_ripple {
-    void (*plan)(tp_frame *frame);
-};
-
-/* Pools that bend the light only. */
-struct tp_draw_bumps {
-    bool (*hold)(const tp_frame *frame);        /* there is room for all pools */
-    void (*place)(tp_frame *frame);
-};
-
-struct tp_draw_glint {
-    void (*plan)(tp_frame *frame);
-};
-
-/* The quick rung: false where water needs more than that has. */
-struct tp_draw_quick_light {
-    void (*carve)(tp_frame_parts *parts, tp_arena *arena);
-    bool (*plan)(tp_frame *frame, tp_shaders *water);
-};
-
-/* The water's share of what it mirrors. */
-struct tp_draw_fresnel {
-    void (*plan)(tp_frame *frame);
-};
 #endif

@@ -14,7 +14,7 @@ void tp_shaders_clear(tp_shaders *list)
 {
     list->shader[0] = (tp_shader){ NULL, NULL };
     list->count = 0;
-    list->rippled = list->shines = list->mirrors = false;
+    list->rippled = list->shines = false;
     list->lacks = 0;
 }
 

@@ -11,6 +11,7 @@
 
 /* Where in a list a stage stands; of one place those that were added first. */
 typedef enum {
+    TP_AT_PLACE,                /* a distortion moves the places of pictures */
     TP_AT_COLOUR,               /* pictures; all that the fast stages do */
     TP_AT_SLOPE,                /* ripples and pools bend the normals */
     TP_AT_VIEW,
@@ -49,7 +50,6 @@ typedef struct {
     uint8_t    count, room;
     bool       rippled;         /* a stage bends the slopes */
     bool       shines;          /* a stage leaves a glint */
-    bool       mirrors;         /* of water: the sky's module adds what it mirrors */
     uint16_t   lacks;           /* stages that the scene asks for and the kit has not */
 } tp_shaders;
 
@@ -68,6 +68,12 @@ static inline void tp_shaders_add_colour(tp_shaders *list, tp_stage stage)
 
 /* The stage that a list wants or, counted, the plainer one that the kit has. */
 tp_stage tp_shaders_pick(tp_shaders *list, tp_stage wanted, tp_stage plainer);
+
+/* True of water by exact stages, seen from above or below. */
+static inline bool tp_shaders_is_exact_water(const tp_shaders *list)
+{
+    return list->kind == TP_LIST_WATER || list->kind == TP_LIST_BELOW;
+}
 
 /* True if a stage of that place is in the list. */
 bool tp_shaders_has(const tp_shaders *list, tp_place place);

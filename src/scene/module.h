@@ -25,7 +25,7 @@ enum {
     TP_MODULE_INSIDE = 8,       /* knows the inside of the water */
     TP_MODULE_FAST   = 16,      /* draws the water by fast stages alone */
     TP_MODULE_SLOPES = 32,      /* draws pools as slopes of flat water */
-    TP_MODULE_VIEW   = 64,      /* its water stage reads the view */
+    TP_MODULE_LIGHT  = 64,      /* lights the water by the view */
     TP_MODULE_DOME   = 128,     /* draws the sky by tp_dome, */
     TP_MODULE_CUBE   = 256,     /* or by tp_cube: its trait is the price of mirroring it */
     TP_MODULE_STARS  = 512,     /* adds to the sky */
@@ -34,7 +34,7 @@ enum {
     TP_MODULE_MIRROR = 4096     /* a picture of what is solid, in the water */
 };
 
-#define TP_MODULES 32           /* in a program's list, at the most */
+#define TP_MODULES 40           /* in a program's list, at the most */
 
 /* The conditions that a module is asked about. */
 typedef struct tp_want {

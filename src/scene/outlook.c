@@ -217,37 +217,6 @@ static void list_fits(tp_outlook *o, const tp_scene *s, const tp_stand *at, int6
 
 /* -- what water goes through --------------------------------------------------------- */
 
-/* As a picture, or as one prepared for the quick rung. */
-static bool has_layer(const tp_assets *a, int k)
-{
-    return a->layer[k] || a->graded[k];
-}
-
-static void list_pictures(tp_outlook *o, const tp_scene *s, const tp_assets *a)
-{
-    const uint8_t added = (uint8_t)(has_layer(a, 1) + has_layer(a, 2));
-    const bool first = has_layer(a, 0), linear = s->water.filter == TP_FILTER_LINEAR;
-
-    o->trait[TP_TRAIT_texture] = first;
-    o->trait[TP_TRAIT_linear] = linear && first;
-    o->trait[TP_TRAIT_bend] = (a->distortion || a->offsets)
-                           && s->distortion.strength > 0 && (first || added);
-    o->trait[TP_TRAIT_layer] = linear ? 0 : added;
-    o->trait[TP_TRAIT_lined] = linear ? added : 0;
-    o->trait[TP_TRAIT_ripple] = (a->ripple || a->slopes) && s->ripple.bump > 0;
-    o->trait[TP_TRAIT_bump] = s->water.pool_bump <= 0 ? 0
-                            : (uint8_t)((s->pool.cols > 0) + (s->field.cols > 0));
-}
-
-static void list_light(tp_outlook *o, const tp_scene *s)
-{
-    const bool shines = s->water.specular > 0, mirrors = s->water.reflection > 0;
-
-    o->trait[TP_TRAIT_look] = shines || mirrors;
-    o->trait[TP_TRAIT_mirror] = mirrors;
-    o->trait[TP_TRAIT_glint] = shines;
-}
-
 /* The modules say themselves whether they are on. */
 static void list_modules(tp_outlook *o, const tp_use *modules, tp_want want)
 {
@@ -261,16 +230,6 @@ static void list_modules(tp_outlook *o, const tp_use *modules, tp_want want)
     if (!o->trait[TP_TRAIT_mirror])             /* nothing asks for the sky's mirror */
         o->trait[TP_TRAIT_dome] = o->trait[TP_TRAIT_cube] = 0;
     o->modules = want.above;
-}
-
-/* frame/plan_quick.c has the rule: what the fast stages do not know is drawn by exact
- * ones. */
-static bool is_quick(const tp_outlook *o, const tp_scene *s)
-{
-    const bool sky = o->modules & (TP_MODULE_DOME | TP_MODULE_CUBE);
-
-    return !(o->modules & TP_MODULE_EXACT) && !o->trait[TP_TRAIT_bump]
-        && !(sky && !o->trait[TP_TRAIT_ripple]) && s->hdr.share <= 0;
 }
 
 /* The lobe's steepest place is about its height times the root of its exponent. */
@@ -353,9 +312,7 @@ tp_outlook tp_outlook_of(const tp_plan_input *in)
     list_points(&o, &at, waves, width, height);
     list_fits(&o, scene, &at, waves, low.y >= 0 || ahead > 0);
     o.trait[TP_TRAIT_plain] = 1;
-    list_pictures(&o, scene, assets);
-    list_light(&o, scene);
     list_modules(&o, in->modules, want);
-    o.quick = is_quick(&o, scene);
+    o.quick = (o.modules & TP_MODULE_FAST) != 0;
     return o;
 }

@@ -23,8 +23,6 @@
 #include "shade/colour.h"
 #include "shade/inside.h"
 #include "shade/layer.h"
-#include "shade/pool_bump.h"
-#include "shade/quick_layers.h"
 #include "shade/skies.h"
 #include "shade/wide.h"
 #include "tidepool/asset.h"
@@ -118,10 +116,6 @@ typedef struct tp_shade {
     tp_view_axes world;
     int32_t  zi_log;            /* log2 of the depth at zi = 1, Q8 */
 
-    tp_layer water, ripple;     /* the first layer; capillary waves */
-    tp_layers layers;
-    tp_quick_layers quick_layers;
-    tp_pool_bumps bumps;
     uint32_t water_colour;      /* multiplies the first layer */
     uint32_t light_colour;
     int32_t  ambient;           /* 0..256 */
@@ -132,21 +126,12 @@ typedef struct tp_shade {
     const tp_inside *inside;    /* what lies in and under the water, or NULL */
     const tp_caustic *caustic;  /* light on its floor; NULL: even */
 
-    tp_entry16 *shine;          /* TP_SHINE + 1: 256 at 1, times the specular */
+    const tp_entry16 *shine;    /* TP_SHINE + 1: 256 at 1, times the specular; or NULL */
     const tp_entry8 *fresnel;           /* share of the reflection at N.V = i / 256 */
     uint32_t sky[TP_SKY + 1];
     tp_env   env;               /* what else the sky is */
     const struct tp_quick_light *quick; /* of quick light alone */
 } tp_shade;
-
-/* The stages are those of TP_STAGE_LIST.  Variants of one body: */
-
-/* name, linear filter, tinted by the water's colour */
-#define TP_TEXTURE_STAGES(X) \
-    X(texture,              0, 0) \
-    X(texture_tinted,       0, 1) \
-    X(texture_linear,       1, 0) \
-    X(texture_linear_tinted, 1, 1)
 
 /* -- tables of every scene ----------------------------------------------------------- */
 
@@ -157,10 +142,10 @@ extern const uint8_t tp_drop_gloss[TP_GLOSS];               /* of drops and land
 
 /* -- for the frame, that fills the others -------------------------------------------- */
 
-void tp_shade_shine(tp_shade *shade, tp_fx shininess, tp_fx strength);
+void tp_shade_shine(tp_entry16 shine[TP_SHINE + 1], tp_fx shininess, tp_fx strength);
 void tp_shade_sky(tp_shade *shade, uint32_t horizon, uint32_t zenith);
 void tp_shade_gloss(uint8_t gloss[TP_GLOSS], tp_fx shininess);
-void tp_shade_shine_blinn(tp_shade *shade, tp_fx shininess, tp_fx strength);
+void tp_shade_shine_blinn(tp_entry16 shine[TP_SHINE + 1], tp_fx shininess, tp_fx strength);
 void tp_shade_gloss_blinn(uint8_t gloss[TP_GLOSS], tp_fx shininess);
 
 /* -- for stages ---------------------------------------------------------------------- */

@@ -50,20 +50,20 @@ static uint16_t shine_of(tp_q30 lobe, tp_fx strength)
     return (uint16_t)(tp_fx_mul(lobe >> 14, strength) >> 8);
 }
 
-void tp_shade_shine(tp_shade *shade, tp_fx shininess, tp_fx strength)
+void tp_shade_shine(tp_entry16 shine[TP_SHINE + 1], tp_fx shininess, tp_fx strength)
 {
-    TP_ASSERT(shade->shine != NULL && strength >= 0);
+    TP_ASSERT(shine != NULL && strength >= 0);
     for (int32_t i = 0; i <= TP_SHINE; i++)
-        shade->shine[i] = shine_of(power(i * (TP_Q30_ONE / TP_SHINE),
-                                         exponent(shininess)), strength);
+        shine[i] = shine_of(power(i * (TP_Q30_ONE / TP_SHINE), exponent(shininess)),
+                            strength);
 }
 
-void tp_shade_shine_blinn(tp_shade *shade, tp_fx shininess, tp_fx strength)
+void tp_shade_shine_blinn(tp_entry16 shine[TP_SHINE + 1], tp_fx shininess, tp_fx strength)
 {
-    TP_ASSERT(shade->shine != NULL && strength >= 0);
+    TP_ASSERT(shine != NULL && strength >= 0);
     for (int32_t i = 0; i <= TP_SHINE; i++)
-        shade->shine[i] = shine_of(blinn(i * (TP_Q30_ONE / TP_SHINE),
-                                         exponent(shininess)), strength);
+        shine[i] = shine_of(blinn(i * (TP_Q30_ONE / TP_SHINE), exponent(shininess)),
+                            strength);
 }
 
 void tp_shade_gloss(uint8_t gloss[TP_GLOSS], tp_fx shininess)

@@ -37,6 +37,34 @@ static const tp_use modules[] = {
     TP_USE_UNSEEN(main_pool),
     TP_USE_UNSEEN(field),
 #endif
+#if FEATURES >= 2       /* bilinear texels */
+    TP_USE_WITH(base_layer, tp_stage_texture, tp_stage_texture_tinted,
+                tp_stage_texture_linear, tp_stage_texture_linear_tinted, NULL, NULL),
+#else
+    TP_USE_WITH(base_layer, tp_stage_texture, NULL, NULL, NULL, NULL, NULL),
+#endif
+#if FEATURES >= 3       /* layers, distorted */
+    TP_USE(layers),
+#endif
+#if FEATURES >= 4       /* ripples */
+    TP_USE_WITH(ripple, tp_stage_ripple, tp_stage_ripple_gentle, NULL),
+#endif
+#if FEATURES >= 5       /* light: Phong, glint */
+    TP_USE_WITH(lighting, tp_stage_light, tp_stage_light_rippled, NULL, NULL),
+#endif
+#if FEATURES >= 4
+    TP_USE_WITH(diffuse, tp_stage_diffuse, tp_stage_diffuse_rippled),
+#else
+    TP_USE_WITH(diffuse, tp_stage_diffuse, NULL),
+#endif
+#if FEATURES >= 8
+    TP_USE_WITH(reflectance, tp_stage_mirror, tp_stage_slopes, tp_stage_fresnel, NULL),
+#elif FEATURES >= 6     /* the sky mirrored */
+    TP_USE_WITH(reflectance, tp_stage_mirror, NULL, NULL, NULL),
+#endif
+#if FEATURES >= 5
+    TP_USE(glint),
+#endif
 #if FEATURES >= 13      /* clear water, seen from above and from in it */
     TP_USE(underwater),
 #endif
@@ -70,46 +98,17 @@ const tp_kit features_kit = {
     .modules = modules,
     .stage.sky = tp_stage_sky,
     .stage.plain = tp_stage_plain,
-    .stage.texture = tp_stage_texture,
-    .stage.diffuse = tp_stage_diffuse,
     .store[TP_FORMAT_RGB565] = tp_store_rgb565,
     .method.flat = &tp_method_flat,
 #if FEATURES >= 1       /* waves, as triangles */
     .method.triangles = &tp_method_triangles,
     .water.swells = &tp_water_swells,
 #endif
-#if FEATURES >= 2       /* bilinear texels */
-    .stage.texture_linear = tp_stage_texture_linear,
-    .stage.texture_tinted = tp_stage_texture_tinted,
-    .stage.texture_linear_tinted = tp_stage_texture_linear_tinted,
-#endif
-#if FEATURES >= 3       /* layers, distorted */
-    .draw.layers = &tp_draw_layers,
-    .stage.bend = tp_stage_bend,
-    .stage.layers = tp_stage_layers,
-    .stage.layers_linear = tp_stage_layers_linear,
-#endif
-#if FEATURES >= 4       /* ripples */
-    .draw.ripple = &tp_draw_ripple,
-    .stage.diffuse_rippled = tp_stage_diffuse_rippled,
-    .stage.ripple = tp_stage_ripple,
-    .stage.ripple_gentle = tp_stage_ripple_gentle,
-#endif
-#if FEATURES >= 5       /* light: Phong, glint */
-    .draw.glint = &tp_draw_glint,
+#if FEATURES >= 5
     .stage.view = tp_stage_view,
-    .stage.light = tp_stage_light,
-    .stage.light_rippled = tp_stage_light_rippled,
-    .stage.glint = tp_stage_glint,
-#endif
-#if FEATURES >= 6       /* the sky mirrored */
-    .draw.fresnel = &tp_draw_fresnel,
-    .stage.mirror = tp_stage_mirror,
 #endif
 #if FEATURES >= 8       /* objects mirrored */
-    .stage.slopes = tp_stage_slopes,
     .stage.reflect_gradient = tp_stage_reflect_gradient,
-    .stage.fresnel = tp_stage_fresnel,
 #endif
 #if FEATURES >= 11      /* pools, stirred by the boat */
     .water.pools = &tp_water_pools,

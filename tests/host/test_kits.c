@@ -70,7 +70,7 @@ static void the_last_kit_runs_everywhere(void **state)
     assert_string_equal(machines[count - 1].name, "baseline");
     assert_ptr_equal(machines[count - 1].kit, &tp_kit_all);
     for (size_t k = 0; k + 1 < count; k++)      /* and others are other code */
-        assert_ptr_not_equal(machines[k].kit->stage.light, tp_kit_all.stage.light);
+        assert_ptr_not_equal(machines[k].kit->stage.view, tp_kit_all.stage.view);
 }
 
 int main(void)

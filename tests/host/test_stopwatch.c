@@ -138,11 +138,11 @@ static void a_kit_lacks_what_it_lacked(void **state)
     const machine poor = { "poor", &kit };
     stage s;
     (void)state;
-    kit.stage.haze = NULL;
+    kit.stage.view = NULL;
     open_scene(&s, SCENE, 128, 1);
     s.canvas.machine = &poor;
     stopwatch_use(&s.canvas, true);
-    assert_null(s.canvas.kit.stage.haze);
+    assert_null(s.canvas.kit.stage.view);
     assert_ptr_not_equal(s.canvas.kit.stage.sky, kit.stage.sky);
     stopwatch_use(&s.canvas, false);
     assert_memory_equal(&s.canvas.kit.stage, &kit.stage, sizeof kit.stage);

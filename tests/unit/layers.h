@@ -4,9 +4,23 @@
 #define TP_TESTS_LAYERS_H
 #include <stdlib.h>
 #include "../reference/texture.h"
+#include "features/water/water.h"
 #include "runs.h"
 
 typedef void stage(const tp_shade *shade, tp_run *run);
+
+/* What the stages of the water's modules read; tests use one of each at a time. */
+static struct {
+    tp_base_layer base;
+    tp_layers     layers;
+    tp_ripple     ripple;
+} own;
+
+static inline void run_by(stage *by, const tp_shade *shade, const void *mine, tp_run *run)
+{
+    run->mine = mine;
+    by(shade, run);
+}
 
 /* A texture of random texels, alpha too, in memory of its own. */
 static inline tp_texture layer_texture(uint64_t *chance, uint32_t w, uint32_t h)
@@ -47,7 +61,6 @@ static inline tp_layer layer_any(uint64_t *chance, const tp_texture *texture)
         .per_metre = (uint32_t)(random_next(chance) >> chance_int(chance, 32, 50)),
         .drift_s = (uint32_t)random_next(chance),
         .drift_t = (uint32_t)random_next(chance),
-        .slope_gain = chance_int(chance, 0, 1024),
     };
 }
 

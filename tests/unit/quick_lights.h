@@ -2,7 +2,7 @@
 /* Shades for tests of quick light, of any sky and lobe. */
 #ifndef TP_TESTS_QUICK_LIGHTS_H
 #define TP_TESTS_QUICK_LIGHTS_H
-#include "shade/quick_light.h"
+#include "features/water/quick_light.h"
 #include "skies.h"
 
 typedef struct {
@@ -32,9 +32,9 @@ static inline tp_shade quick_shade(quick_lights *kept, int env, int lobe, uint64
     s.env.least = lobe == TP_LOBE_NONE ? 0 : TP_DISC_END;
     const tp_fx shininess = chance_int(state, 10, 200) * TP_FX_ONE;
     if (lobe == TP_LOBE_BLINN)
-        tp_shade_shine_blinn(&s, shininess, TP_FX_ONE);
+        tp_shade_shine_blinn(shade_shine, shininess, TP_FX_ONE);
     else
-        tp_shade_shine(&s, shininess, TP_FX_ONE);
+        tp_shade_shine(shade_shine, shininess, TP_FX_ONE);
     s.quick = &kept->quick;
     tp_quick_light_init(&kept->quick, &s, (tp_lobe)lobe, lobe != TP_LOBE_NONE, true);
     return s;

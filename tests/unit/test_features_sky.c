@@ -179,7 +179,7 @@ static void a_camera_that_turns_draws_as_a_fresh_frame_does(void **state)
 /* The list of everything with another use of the dome, or none. */
 static tp_kit kit_with_dome(const tp_use *dome)
 {
-    static tp_use list[33];
+    static tp_use list[TP_MODULES + 1];
     tp_kit kit = tp_kit_all;
     uint32_t n = 0;
 

@@ -101,49 +101,37 @@ static void a_kit_of_what_a_scene_needs_draws_it_as_all_does(void **state)
     scene.quality.visibility = TP_VISIBILITY_TRIANGLES;     /* the plan is not in it */
     scene.quality.shading = TP_SHADING_EXACT;
     scene.quality.lod = TP_LOD_OFF;
-    own.stage.texture = tp_stage_texture;
-    own.stage.texture_tinted = tp_stage_texture_tinted;
-    own.stage.texture_linear = tp_stage_texture_linear;
-    own.stage.texture_linear_tinted = tp_stage_texture_linear_tinted;
-    own.stage.diffuse = tp_stage_diffuse;
-    own.modules = (const tp_use[]){ TP_USE(haze), { 0 } };
+    own.modules = (const tp_use[]){ TP_USE(haze), TP_USE(base_layer), TP_USE(diffuse),
+                                    { 0 } };
     const uint32_t crc = drawn_by(&own, &scene, &assets, &lacks);
     assert_int_equal(lacks, 0);
     assert_int_equal(crc, drawn_by(&tp_kit_all, &scene, &assets, &lacks));
 }
 
-/* Everything, but no stage for the boat's samples. */
-static const tp_use *without_boat(void)
-{
-    static const tp_stage none[8];
-    static tp_use list[40];
-
-    for (size_t i = 0; tp_kit_all.modules[i].module; i++) {
-        list[i] = tp_kit_all.modules[i];
-        if (list[i].module == &tp_boat_module)
-            list[i].stage = none;
-    }
-    return list;
-}
-
-/* As if the scene did not ask for them; each is counted. */
+/* As if the scene did not ask for it; what the list of modules does not know it cannot
+ * count. */
 static void what_a_kit_lacks_is_left_out_and_counted(void **state)
 {
     tp_assets assets = { .boat = &kit.boat.mesh, .layer[0] = &kit.picture[0],
                          .layer[1] = &kit.picture[1], .ripple = &kit.picture[2] };
     const tp_assets none = { .layer[0] = &kit.picture[0] };
+    static const tp_stage unlit[TP_COUNT_OF_boat];
+    static const tp_use uses[] = {
+        TP_USE(base_layer), TP_USE(lighting), TP_USE(haze),
+        { &tp_boat_module, &tp_boat_drawing, unlit, NULL }, TP_USE_UNSEEN(hull),
+        TP_USE(reflectance), TP_USE(glint), { 0 }
+    };
     tp_kit own = tp_kit_all;
     uint32_t lacks;
     tp_scene scene;
 
     (void)state;
     tp_scene_default(&scene);
-    own.modules = without_boat();
-    own.draw.layers = NULL;
-    own.draw.ripple = NULL;
+    own.modules = uses;
+    scene.quality.shading = TP_SHADING_EXACT;
     strcpy(scene.boat.mesh, "boat.obj");
     const uint32_t crc = drawn_by(&own, &scene, &assets, &lacks);
-    assert_int_equal(lacks, 3);
+    assert_int_equal(lacks, 1);
     scene.boat.mesh[0] = '\0';
     assert_int_equal(crc, drawn_by(&tp_kit_all, &scene, &none, &lacks));
     assert_int_equal(lacks, 0);
@@ -180,6 +168,8 @@ static void a_kit_without_a_quick_stage_takes_the_next_better_rung(void **state)
                                .distortion = &kit.picture[4] };
     const tp_scene full = quick_scene(TP_RATE_FULL), half = quick_scene(TP_RATE_COLOUR);
     tp_scene exact = full;
+    tp_stage table[TP_COUNT_OF_fast_water];
+    tp_use use[THIN_MODULES];
     uint32_t lacks;
 
     (void)state;
@@ -190,7 +180,7 @@ static void a_kit_without_a_quick_stage_takes_the_next_better_rung(void **state)
     assert_int_not_equal(by_full, drawn_by(&tp_kit_all, &half, &assets, &lacks));
 #define X(name) { \
         tp_kit own = tp_kit_all; \
-        own.stage.name = NULL; \
+        WITHOUT_STAGE(own, use, table, fast_water, name); \
         if (drawn_by(&own, &full, &assets, &lacks) != by_exact) \
             fail_msg("without %s: not the exact picture", #name); \
     }
@@ -198,14 +188,15 @@ static void a_kit_without_a_quick_stage_takes_the_next_better_rung(void **state)
 #undef X
 #define X(name) { \
         tp_kit own = tp_kit_all; \
-        own.stage.name = NULL; \
+        WITHOUT_STAGE(own, use, table, fast_water, name); \
         if (drawn_by(&own, &half, &assets, &lacks) != by_full) \
             fail_msg("without %s: not the picture of every column", #name); \
     }
     OF_HALVES(X)
 #undef X
     tp_kit own = tp_kit_all;
-#define X(name) own.stage.name = NULL;
+    WITHOUT_STAGE(own, use, table, fast_water, quick_between);
+#define X(name) table[TP_NTH_##name] = NULL;
     OF_OTHERS(X)
 #undef X
     assert_int_equal(drawn_by(&own, &full, &assets, &lacks), by_full);

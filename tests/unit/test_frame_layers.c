@@ -6,6 +6,7 @@
 #include <setjmp.h>
 #include <stdint.h>
 #include <cmocka.h>
+#include "features/water/water.h"
 #include "frame/frame.h"
 #include "tidepool/kit.h"
 #include "scenes.h"
@@ -205,8 +206,9 @@ static void plain_layers_are_the_plain_stage(void **state)
     const tp_frame_config config = cut(0, 0);
     tp_world *world = world_of(&scene);
 
-    scene.distortion.strength = 0;
+    scene.distortion.strength = TP_FX_ONE;
     test_frame f = frame_of(&scene, &assets, &config);
+    scene.distortion.strength = 0;
     tp_frame_begin(f.frame, world);
     assert_true(stage_at(f.frame, 0) == tp_stage_texture_linear_tinted);
     assert_true(stage_at(f.frame, 1) == tp_stage_view);
@@ -320,7 +322,8 @@ static void pictures_drift_for_years(void **state)
         world->tick = random_next(&chance) % (30ull * 366 * 86400 * 60);
         world->back = chance_int(&chance, 0, 65536);
         tp_frame_begin(f.frame, world);
-        const tp_layer *layer = &f.frame->shade.ripple;
+        const tp_ripple *ripple = tp_frame_part(f.frame, TP_RIPPLE_ID);
+        const tp_layer *layer = &ripple->layer;
         const long double time = (long double)f.frame->drawn.time / 65536 / 60;
         const long double way = scene.ripple.map.drift_x * time;        /* 16.16 m */
         const long double repeats = -way * layer->per_metre / 4294967296.0L;

@@ -16,26 +16,39 @@ enum { ROUNDS = 4000 };
 static uint64_t chance;
 static tp_texture texture[SIDES];
 
-#define OF_PICTURES(X) \
-    X(plain) X(texture) X(texture_tinted) X(texture_linear) X(texture_linear_tinted) \
-    X(texture_graded) X(texture_linear_graded) X(layers) X(layers_linear) X(bend) \
-    X(ripple) X(ripple_gentle) X(ripple_over) X(view)
-
+/* A stage of a module, or of the kit; what it reads of the module. */
 typedef struct {
     const char *name;
-    size_t      at;             /* of its pointer in tp_stages */
+    const struct tp_module *module;     /* NULL: the kit's */
+    size_t      at;             /* in its table, or of its pointer in tp_stages */
+    const void *mine;
 } row;
 
 static const row rows[] = {
-#define X(name) { #name, offsetof(tp_stages, name) },
-    OF_PICTURES(X)
+#define X(name) { #name, NULL, offsetof(tp_stages, name), NULL },
+    X(plain) X(view)
+#undef X
+#define X(name) { #name, &tp_base_layer_module, TP_NTH_##name, &own.base },
+    TP_STAGES_OF_base_layer(X)
+#undef X
+#define X(name) { #name, &tp_layers_module, TP_NTH_##name, &own.layers },
+    TP_STAGES_OF_layers(X)
+#undef X
+#define X(name) { #name, &tp_ripple_module, TP_NTH_##name, &own.ripple },
+    TP_STAGES_OF_ripple(X)
 #undef X
 };
 enum { ROWS = sizeof rows / sizeof rows[0] };
 
 static stage *stage_of(const machine *m, const row *r)
 {
+    const tp_use *u = m->kit->modules;
     stage *s;
+
+    while (r->module && u->module != r->module)
+        u++;
+    if (r->module)
+        return u->stage[r->at];
     memcpy(&s, (const char *)&m->kit->stage + r->at, sizeof s);
     return s;
 }
@@ -47,22 +60,28 @@ static tp_layer any_layer(void)
     return layer;
 }
 
+static tp_grade any_grade(void)
+{
+    const tp_fx saturation = chance_int(&chance, 0, TP_FX(4));
+
+    return tp_grade_of(saturation, chance_int(&chance, 0, TP_FX(0.95)),
+                       (uint32_t)random_next(&chance) & 0xffffff);
+}
+
 static tp_shade any_shade(void)
 {
     tp_shade s = shade_any(&chance);
 
-    s.water = any_layer();
-    s.ripple = any_layer();
-    s.layers.bend = any_layer();
-    s.layers.strength = chance_int(&chance, 0, TP_FX(20));
-    for (int k = 0; k < 1 + TP_LAYERS_ADDED; k++)
-        s.layers.grade[k] = tp_grade_of(chance_int(&chance, 0, TP_FX(4)),
-                                        chance_int(&chance, 0, TP_FX(0.95)),
-                                        (uint32_t)random_next(&chance) & 0xffffff);
+    own.base.layer = any_layer();
+    own.ripple = (tp_ripple){ any_layer(), chance_int(&chance, 0, 1024) };
+    own.layers.bend = any_layer();
+    own.layers.strength = chance_int(&chance, 0, TP_FX(20));
+    own.base.grade = any_grade();
     for (int k = 0; k < TP_LAYERS_ADDED; k++) {
-        s.layers.added[k] = any_layer();
-        s.layers.colour[k] = (uint32_t)random_next(&chance) & 0xffffff;
-        s.layers.graded[k] = chance_int(&chance, 0, 1);
+        own.layers.added[k] = any_layer();
+        own.layers.grade[k] = any_grade();
+        own.layers.colour[k] = (uint32_t)random_next(&chance) & 0xffffff;
+        own.layers.graded[k] = chance_int(&chance, 0, 1);
     }
     return s;
 }
@@ -91,8 +110,8 @@ static void compare(const row *r, const machine *a, const machine *b)
     tp_run by_a = begin, by_b = begin;
     const size_t skipped = offsetof(tp_run, colour);
 
-    stage_of(a, r)(&shade, &by_a);
-    stage_of(b, r)(&shade, &by_b);
+    run_by(stage_of(a, r), &shade, r->mine, &by_a);
+    run_by(stage_of(b, r), &shade, r->mine, &by_b);
     if (memcmp((const char *)&by_a + skipped, (const char *)&by_b + skipped,
                sizeof by_a - skipped))
         fail_msg("%s by %s is not as by %s", r->name, a->name, b->name);

@@ -6,6 +6,7 @@
 #include <setjmp.h>
 #include <stdint.h>
 #include <cmocka.h>
+#include "layers.h"
 #include "runs.h"
 #include "view.h"
 
@@ -197,10 +198,11 @@ static void a_level_is_that_of_the_first_sample_of_16_columns(void **state)
             taken[i] = texel[level];
             r.n[i] = 0;
         }
-        s.water = s.ripple = (tp_layer){ .texture = &t, .slope_gain = 256 };
+        own.base.layer = own.ripple.layer = (tp_layer){ .texture = &t };
+        own.ripple.gain = 256;
         any_part(&r);
-        tp_stage_texture(&s, &r.run);
-        tp_stage_ripple(&s, &r.run);
+        run_by(tp_stage_texture, &s, &own.base, &r.run);
+        run_by(tp_stage_ripple, &s, &own.ripple, &r.run);
         const int32_t begin = (int32_t)(r.run.key - r.key);
         uint32_t want = 0;
         for (int i = 0; i < r.run.count; i++) {
@@ -227,7 +229,7 @@ static void rippled_water_stays_turned_to_the_eye(void **state)
         const view v = view_any(&chance);
         tp_shade s = shade_of(&v);
         test_run r;
-        tp_shade_shine(&s, 20 * TP_FX_ONE, TP_FX_ONE);
+        tp_shade_shine(shine, 20 * TP_FX_ONE, TP_FX_ONE);
         run_any(&r, 4096, &chance);
         tp_stage_view(&s, &r.run);
         for (int i = 0; i < TP_RUN; i++) {

@@ -158,7 +158,7 @@ static void runs_may_be_cut_anywhere(void **state)
         test_run r;
         run_any(&r, 5000, &chance);
         tp_shade_gloss(gloss, 20 * TP_FX_ONE);
-        tp_shade_shine(&s, 20 * TP_FX_ONE, TP_FX_ONE);
+        tp_shade_shine(shade_shine, 20 * TP_FX_ONE, TP_FX_ONE);
         const tp_boat_look boat = { &mesh, &solid, s.world };
         sky_dome(&sky, &s, &chance);
         s.env.stars = 200;

@@ -2,6 +2,7 @@
 /* Kits that lack things at random. */
 #ifndef TP_TESTS_THIN_H
 #define TP_TESTS_THIN_H
+#include <string.h>
 #include "chance.h"
 #include "tidepool/kit.h"
 
@@ -14,7 +15,7 @@ static inline void thin_out(void *pointers, size_t bytes, uint32_t in, uint64_t 
             p[i] = NULL;
 }
 
-enum { THIN_MODULES = 32, THIN_STAGES = 12 };
+enum { THIN_MODULES = 48, THIN_STAGES = 32 };
 
 /* Stages of each module in the order of the list. */
 static const uint8_t thin_stages[] = {
@@ -52,6 +53,29 @@ static inline const tp_use *thin_modules(const tp_use *list, uint32_t in, uint64
     }
     *to = (tp_use){ 0 };
     return use[turn % 4];
+}
+
+/* A list with one stage of one module left out.  Names are of the module and its stage. */
+#define WITHOUT_STAGE(kit, use, table, module, stage) \
+    without_stage(&(kit), use, table, tp_##module##_stages, TP_COUNT_OF_##module, \
+                  TP_NTH_##stage)
+
+/* The kit's list goes to `use`, the table of the module that has `of` to `table`. */
+static inline void without_stage(tp_kit *kit, tp_use use[THIN_MODULES], tp_stage *table,
+                                 const tp_stage *of, uint32_t count, uint32_t nth)
+{
+    uint32_t n = 0;
+
+    for (const tp_use *u = kit->modules; u->module; u++, n++) {
+        use[n] = *u;
+        if (u->stage != of)
+            continue;
+        memcpy(table, of, count * sizeof *table);
+        table[nth] = NULL;
+        use[n].stage = table;
+    }
+    use[n] = (tp_use){ 0 };
+    kit->modules = use;
 }
 
 static inline tp_kit thin_kit(uint64_t *state)

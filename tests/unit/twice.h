@@ -7,6 +7,7 @@
 #include "features/exposure/exposure.h"
 #include "features/reflection/mirror.h"
 #include "features/reflection/object_cube.h"
+#include "features/water/bumps.h"
 #include "features/underwater/underwater.h"
 #include "frame/frame.h"
 #include "kinds.h"
@@ -109,7 +110,8 @@ static inline void twice_count(const tp_frame *f, const uint32_t *key, size_t pi
     r->sunken += clear && clear->sunken;
     r->cube += cube && cube->colour;
     r->caustics += tp_frame_part(f, TP_CAUSTICS_ID) != NULL;
-    r->bumps += f->shade.bumps.pool[0].slope || f->shade.bumps.pool[1].slope;
+    const tp_pool_bumps *bumps = tp_frame_part(f, TP_BUMPS_ID);
+    r->bumps += bumps && (bumps->pool[0].slope || bumps->pool[1].slope);
     r->foam += tp_world_foam(f->world) != NULL;
     r->dome += env->kind == TP_ENV_DOME;
     r->cube_sky += env->kind == TP_ENV_CUBE;

@@ -25,31 +25,23 @@
 /* Waves, pools, drops, spray, a boat, foam, layers, ripples and two kinds of sky: 256 KB
  * of flash hold no more.  Crossings are streamed, since 64 KB would not hold them. */
 static const tp_use modules[] = {
+    TP_USE(bumps), TP_USE(base_layer), TP_USE(layers), TP_USE(ripple), TP_USE(lighting),
+    TP_USE(diffuse),
     TP_USE_WITH(sky_dome, tp_stage_sky_dome, NULL, NULL, tp_stage_reflect_dome),
     TP_USE_WITH(haze, tp_stage_haze, tp_stage_haze_dome, NULL),
     TP_USE(boat), TP_USE(drops), TP_USE_UNSEEN(hull), TP_USE_UNSEEN(wake),
     TP_USE_UNSEEN(pokes), TP_USE_UNSEEN(paddle), TP_USE_UNSEEN(main_pool),
-    TP_USE_UNSEEN(field), TP_USE(lids), TP_USE(foam), TP_USE(spray), { 0 }
+    TP_USE_UNSEEN(field),
+    TP_USE_WITH(reflectance, tp_stage_mirror, tp_stage_slopes, tp_stage_reflect_gradient,
+                tp_stage_fresnel, NULL),
+    TP_USE(glint), TP_USE(lids), TP_USE(foam), TP_USE(spray), { 0 }
 };
 static const tp_kit kit = {
     .modules = modules,
     .check = tp_scene_check,
-    .stage = {
-        TP_STAGE(sky), TP_STAGE(plain), TP_STAGE(texture), TP_STAGE(texture_tinted),
-        TP_STAGE(texture_linear),
-        TP_STAGE(texture_linear_tinted), TP_STAGE(texture_graded),
-        TP_STAGE(texture_linear_graded), TP_STAGE(bend), TP_STAGE(layers),
-        TP_STAGE(layers_linear), TP_STAGE(pool_bump), TP_STAGE(ripple),
-        TP_STAGE(ripple_gentle), TP_STAGE(ripple_over), TP_STAGE(view),
-        TP_STAGE(diffuse), TP_STAGE(diffuse_rippled), TP_STAGE(light),
-        TP_STAGE(light_rippled), TP_STAGE(light_blinn), TP_STAGE(light_blinn_rippled),
-        TP_STAGE(mirror), TP_STAGE(slopes), TP_STAGE(reflect_gradient),
-        TP_STAGE(fresnel), TP_STAGE(glint),
-    },
+    .stage = { TP_STAGE(sky), TP_STAGE(plain), TP_STAGE(view) },
     .store[TP_FORMAT_L8] = tp_store_l8,
     .water = { TP_WATER(swells), TP_WATER(sharp), TP_WATER(rings), TP_WATER(pools) },
-    .draw = { TP_DRAW(layers), TP_DRAW(ripple), TP_DRAW(bumps),
-              TP_DRAW(fresnel), TP_DRAW(glint) },
     .method.triangles = &tp_method_streamed,
 };
 

@@ -52,7 +52,7 @@ static void add_stages(const tp_frame *frame, const void *mine, const tp_stage *
 {
     if (list->kind == TP_LIST_SKY && !frame->under)
         tp_shaders_add(list, TP_AT_COLOUR, empty_stage(frame, stage), mine);
-    if (list->mirrors)
+    if (tp_frame_mirrors(frame, list))
         tp_shaders_add(list, TP_AT_REFLECT, stage[REFLECT], mine);
 }
 

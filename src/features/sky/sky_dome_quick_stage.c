@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "features/sky/sky_dome_quick.h"
 #include "shade/env.h"
-#include "shade/quick_light.h"
+#include "shade/quick_ray.h"
 #if TP_DSP
 #define FILL tp_packed_fill
 #else

@@ -16,7 +16,6 @@ static void count(const tp_want *want, uint8_t trait[TP_TRAIT_COUNT])
     const bool floor = !tank && tp_has_floor(scene);
     const bool chart = floor && want->assets && want->assets->floor;
 
-    trait[TP_TRAIT_look] = 1;
     trait[TP_TRAIT_tank] = tank;
     trait[TP_TRAIT_chart] = chart;
     trait[TP_TRAIT_bed] = floor && !chart;
@@ -50,7 +49,7 @@ static void add_stage(const tp_frame *frame, const void *mine, const tp_stage *s
 
 const tp_module tp_clear_water_module = {
     .name = "clear water", .id = TP_CLEAR_WATER_ID,
-    .is = TP_MODULE_EXACT | TP_MODULE_VIEW, .trait = TP_TRAIT_behind,
+    .is = TP_MODULE_EXACT, .trait = TP_TRAIT_behind,
     .enabled = enabled, .count = count,
 };
 

@@ -1,0 +1,180 @@
+/* SPDX-License-Identifier: MIT */
+/* The fast list of water: prepared pictures and slopes, then one stage of light, or two
+ * at half the rate. */
+#include "features/water/fast_water.h"
+
+#define MOST 6                  /* stages of a list */
+
+/* -- tables -------------------------------------------------------------------------- */
+
+static bool has_ripples(const tp_frame *frame, const tp_quick_layers *layers)
+{
+    return layers->ripple.level && frame->scene->ripple.bump > 0;
+}
+
+/* A dome's glow is in its lobe's table: it always has one. */
+static tp_lobe lobe_of(const tp_frame *frame)
+{
+    if (frame->scene->water.specular <= 0 && frame->shade.env.kind != TP_ENV_DOME)
+        return TP_LOBE_NONE;
+    return frame->scene->light.model == TP_LIGHT_BLINN ? TP_LOBE_BLINN : TP_LOBE_PHONG;
+}
+
+/* All that the tables are made of; of the camera's pitch, what a dome's lobe has of it. */
+static void key_of(int32_t key[TP_QUICK_KEY], const tp_frame *frame, bool ripples)
+{
+    const tp_scene *scene = frame->scene;
+    const tp_shade *shade = &frame->shade;
+    const int32_t numbers[TP_QUICK_KEY] = {
+        (int32_t)shade->env.kind, (int32_t)lobe_of(frame), shade->world.lx,
+        shade->world.ly, shade->world.lz, shade->mirror, scene->light.colour,
+        scene->water.shininess, scene->water.specular, scene->water.fresnel,
+        scene->sky.horizon, scene->sky.zenith, scene->sky.kind,
+        shade->env.kind == TP_ENV_DOME ? (int32_t)tp_quick_share_at_sun(shade) : 0,
+        (int32_t)shade->env.least, ripples,
+    };
+    memcpy(key, numbers, sizeof numbers);
+}
+
+/* A program without the module of glints has no table of them. */
+static void make_tables(tp_frame *frame, struct tp_quick_light *light, bool ripples)
+{
+    const bool shiny = frame->scene->water.specular > 0 && frame->shade.shine;
+    int32_t key[TP_QUICK_KEY];
+
+    key_of(key, frame, ripples);
+    if (memcmp(key, light->made_for, sizeof key) == 0)
+        return;
+    memcpy(light->made_for, key, sizeof key);
+    tp_quick_light_init(light, &frame->shade, lobe_of(frame), shiny, ripples);
+}
+
+static void begin(tp_frame *frame, void *mine)
+{
+    tp_fast_water *fast = mine;
+
+    if (frame->rungs.shading != TP_SHADING_QUICK)
+        return;
+    tp_quick_begin_layers(frame, fast);
+    frame->shade.quick = &fast->light;
+    make_tables(frame, &fast->light, has_ripples(frame, &fast->layers));
+}
+
+static void *layout(tp_arena *arena, const tp_want *want)
+{
+    tp_fast_water *fast = tp_arena_take(arena, 1, sizeof *fast);
+    void *counted[TP_PREPARED];
+
+    tp_quick_layout_pictures(fast ? fast->memory : counted, arena, want->assets);
+    return fast;
+}
+
+static void init(tp_frame *frame, void *mine)
+{
+    tp_fast_water *fast = mine;
+
+    (void)frame;
+    for (int i = 0; i < TP_PREPARED; i++)
+        fast->picture[i].levels = 0;
+    fast->light.made_for[0] = -1;
+}
+
+/* -- the list ------------------------------------------------------------------------ */
+
+typedef struct {
+    tp_stage stage[MOST];
+    uint32_t count;
+} chain;
+
+static void link_stage(chain *c, tp_stage stage)
+{
+    TP_ASSERT(c->count < MOST);
+    c->stage[c->count++] = stage;
+}
+
+static tp_stage places_stage(const tp_stage *stage, bool bends, bool thin)
+{
+    return stage[bends ? thin ? TP_NTH_quick_bend_thin : TP_NTH_quick_bend
+                       : thin ? TP_NTH_quick_still_thin : TP_NTH_quick_still];
+}
+
+/* Colours and slopes; `even`: colours of even columns alone. */
+static void link_layers(chain *c, const tp_frame *frame, const tp_quick_layers *quick,
+                        const tp_stage *stage, bool even)
+{
+    const bool layers = quick->layer[0].level || quick->layer[1].level
+                     || quick->layer[2].level;
+    const bool thin = even || frame->rungs.rate == TP_RATE_LAYERS;
+    const bool ripples = has_ripples(frame, quick);
+    const bool bends = quick->bend.level && frame->scene->distortion.strength > 0;
+
+    if (layers || ripples)
+        link_stage(c, stage[TP_NTH_quick_far]);
+    if (layers)
+        link_stage(c, places_stage(stage, bends, thin));
+    link_stage(c, even ? stage[TP_NTH_quick_layers_even]
+                  : !layers ? frame->kit->stage.plain
+                  : stage[thin ? TP_NTH_quick_layers_thin : TP_NTH_quick_layers]);
+    link_stage(c, stage[ripples ? TP_NTH_quick_ripple : TP_NTH_quick_slopes]);
+}
+
+static chain columns_of(const tp_frame *frame, const tp_quick_layers *layers,
+                        const tp_stage *stage)
+{
+    static const uint8_t light[3][3] = {
+        { TP_NTH_quick_gradient, TP_NTH_quick_gradient_phong,
+          TP_NTH_quick_gradient_blinn },
+        { 0 /* never */, TP_NTH_quick_dome_phong, TP_NTH_quick_dome_blinn },
+        { TP_NTH_quick_cube, TP_NTH_quick_cube_phong, TP_NTH_quick_cube_blinn },
+    };
+    chain c = { .count = 0 };
+
+    link_layers(&c, frame, layers, stage, false);
+    link_stage(&c, stage[light[frame->shade.env.kind][lobe_of(frame)]]);
+    return c;
+}
+
+/* Light and mirror of every second column. */
+static chain halves_of(const tp_frame *frame, const tp_quick_layers *layers,
+                       const tp_stage *stage)
+{
+    static const uint8_t light[] = { TP_NTH_quick_gradient_even, TP_NTH_quick_dome_even,
+                                     TP_NTH_quick_cube_even };
+    static const uint8_t rest[] = { TP_NTH_quick_between, TP_NTH_quick_glint_phong,
+                                    TP_NTH_quick_glint_blinn };
+    chain c = { .count = 0 };
+
+    link_layers(&c, frame, layers, stage, true);
+    link_stage(&c, stage[light[frame->shade.env.kind]]);
+    link_stage(&c, stage[rest[lobe_of(frame)]]);
+    return c;
+}
+
+/* A stage reads what the one before left: the chain is whole, or none of it is added. */
+static bool add_chain(tp_shaders *list, const chain *c, const void *mine)
+{
+    for (uint32_t i = 0; i < c->count; i++)
+        if (!c->stage[i])
+            return false;
+    for (uint32_t i = 0; i < c->count; i++)
+        tp_shaders_add(list, TP_AT_COLOUR, c->stage[i], mine);
+    return true;
+}
+
+static void add_stages(const tp_frame *frame, const void *mine, const tp_stage *stage,
+                       tp_shaders *list)
+{
+    const tp_quick_layers *layers = &((const tp_fast_water *)mine)->layers;
+
+    if (list->kind != TP_LIST_FAST)
+        return;
+    const chain halves = halves_of(frame, layers, stage);
+    if (frame->rungs.rate == TP_RATE_COLOUR && add_chain(list, &halves, mine))
+        return;
+    const chain columns = columns_of(frame, layers, stage);
+    add_chain(list, &columns, mine);
+}
+
+const tp_drawing tp_fast_water_drawing = {
+    .layout = layout, .init = init, .begin = begin, .stages = add_stages,
+};

@@ -1,0 +1,97 @@
+/* SPDX-License-Identifier: MIT */
+/* The water's pictures beyond the plain case of base_layer_stage.c: those that are added to the
+ * first, and any that are brought to another saturation or clamped (see grade.h). */
+#include "features/water/water.h"
+#include "shade/sampler.h"
+
+/* The span is no less than 12 levels. */
+tp_grade tp_grade_of(tp_fx saturation, tp_fx clamp, uint32_t colour)
+{
+    TP_ASSERT(saturation >= 0 && saturation <= 4 * TP_FX_ONE);
+    TP_ASSERT(clamp >= 0 && clamp < TP_FX_ONE);
+    tp_grade grade = { .saturation = saturation >> 8,
+                       .clamp = (int32_t)((int64_t)clamp * 255 >> 8) };
+
+    grade.span = 255 * 256 - grade.clamp;
+    for (int c = 0; c < 3; c++)
+        grade.gain[c] = ((colour >> (16 - 8 * c) & 0xff) << 24) / (uint32_t)grade.span;
+    return grade;
+}
+
+enum { TINTED, GRADED };
+
+/* `filter`, `how` and `add` are literals. */
+TP_ALWAYS_INLINE void lay(const tp_sampler *sampler, const tp_grade *grade, uint32_t tint,
+                          const tp_stretch *over, uint32_t *restrict colour, int filter,
+                          int how, int add)
+{
+    const tp_sampler p = *sampler;
+    const tp_grade   g = *grade;
+    const tp_parted  with = tp_parted_of(tint);
+    const uint32_t *restrict s = over->s, *restrict t = over->t;
+    const int32_t count = over->count;
+
+    for (int32_t i = 0; i < count; i++) {
+        tp_parted texel = tp_sampled(&p, s[i], t[i], filter);
+        uint32_t  c = how == GRADED ? tp_graded(&g, texel) : tp_parted_times(texel, with);
+        colour[i] = add ? tp_colour_add(colour[i], c) : c;
+    }
+}
+
+TP_ALWAYS_INLINE void lay_all(const tp_shade *shade, tp_run *run, const tp_layer *layer,
+                              const tp_grade *grade, uint32_t tint, int filter, int how,
+                              int add)
+{
+    TP_ASSERT(layer->texture != NULL);
+    tp_stretch w;
+
+    for (int32_t i = 0; i < run->count; i += w.count) {
+        w = tp_stretch_from(shade, run, layer, run->ls, run->lt, i);
+        const tp_sampler p = tp_sampler_for(layer, w.level, filter);
+        lay(&p, grade, tint, &w, run->colour + i, filter, how, add);
+    }
+}
+
+void tp_stage_texture_graded(const tp_shade *shade, tp_run *run)
+{
+    const tp_base_layer *base = run->mine;
+
+    lay_all(shade, run, &base->layer, &base->grade, 0, 0, GRADED, 0);
+}
+
+void tp_stage_texture_linear_graded(const tp_shade *shade, tp_run *run)
+{
+    const tp_base_layer *base = run->mine;
+
+    lay_all(shade, run, &base->layer, &base->grade, 0, 1, GRADED, 0);
+}
+
+TP_ALWAYS_INLINE void lay_added(const tp_shade *shade, tp_run *run, int filter)
+{
+    const tp_layers *layers = run->mine;
+
+    for (int k = 0; k < TP_LAYERS_ADDED; k++) {
+        const tp_layer *layer = &layers->added[k];
+        const tp_grade *grade = &layers->grade[k];
+        if (layer->texture && layers->graded[k])
+            lay_all(shade, run, layer, grade, 0, filter, GRADED, 1);
+        else if (layer->texture)
+            lay_all(shade, run, layer, grade, layers->colour[k], filter, TINTED, 1);
+    }
+}
+
+void tp_stage_layers(const tp_shade *shade, tp_run *run)
+{
+    lay_added(shade, run, 0);
+}
+
+void tp_stage_layers_linear(const tp_shade *shade, tp_run *run)
+{
+    lay_added(shade, run, 1);
+}
+
+const tp_stage tp_layers_stages[] = {
+#define X(name) tp_stage_##name,
+    TP_STAGES_OF_layers(X)
+#undef X
+};

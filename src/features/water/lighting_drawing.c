@@ -1,0 +1,39 @@
+/* SPDX-License-Identifier: MIT */
+/* How water is lit: by its angle to the view, or diffusely alone. */
+#include "frame/frame.h"
+
+/* The lobe of water that does not glitter. */
+static void begin(tp_frame *frame, void *mine)
+{
+    static const tp_entry16 dark[TP_SHINE + 1];
+
+    (void)mine;
+    frame->shade.shine = dark;
+}
+
+/* The view comes with the light by it, both or none: a list with a view is lit. */
+static void add_light(const tp_frame *frame, const void *mine, const tp_stage *stage,
+                      tp_shaders *list)
+{
+    const bool blinn = frame->scene->light.model == TP_LIGHT_BLINN;
+    const tp_stage light = stage[2 * blinn + list->rippled];
+    const tp_stage view = frame->kit->stage.view;
+
+    if (list->kind != TP_LIST_WATER)
+        return;
+    tp_shaders_add(list, TP_AT_VIEW, light ? view : NULL, NULL);
+    if (view && light)
+        tp_shaders_add(list, TP_AT_LIGHT, light, mine);
+}
+
+const tp_drawing tp_lighting_drawing = { .begin = begin, .stages = add_light };
+
+static void add_diffuse(const tp_frame *frame, const void *mine, const tp_stage *stage,
+                        tp_shaders *list)
+{
+    (void)frame;
+    if (list->kind == TP_LIST_WATER)
+        tp_shaders_add(list, TP_AT_LIGHT, stage[list->rippled], mine);
+}
+
+const tp_drawing tp_diffuse_drawing = { .stages = add_diffuse };

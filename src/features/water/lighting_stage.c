@@ -1,0 +1,102 @@
+/* SPDX-License-Identifier: MIT */
+/* Light on water: Phong's three terms [F5], or Blinn's.
+ *
+ * The normal stays a pair of slopes, N = (-sx, 1, -sz) / sqrt(1 + sx^2 + sz^2).  With V
+ * to the eye and L to the light, R = 2 (N.L) N - L gives R.V = 2 (N.L)(N.V) - L.V, and
+ * the mirrored view's height is 2 (N.V) Ny - Vy: no vector is ever reflected, nor is one
+ * ever halved (see lobe.h). */
+#include "shade/lobe.h"
+#include "shade/slope.h"
+
+/* The diffuse term alone, for water that neither shines nor mirrors: the root's nearest
+ * entry is within 0.2 %, half a level of 255. */
+TP_ALWAYS_INLINE void diffuse(const tp_shade *restrict shade, tp_run *restrict run,
+                              int rippled)
+{
+    int32_t ambient = shade->ambient, direct = 256 - ambient, count = run->count;
+    int32_t lx = shade->world.lx * direct >> 8, ly = shade->world.ly * direct >> 8;
+    int32_t lz = shade->world.lz * direct >> 8;
+
+    for (int32_t i = 0; i < count; i++) {
+        int32_t sx = tp_slope_x(run, i, rippled), sz = tp_slope_z(run, i, rippled);
+        int32_t ny = tp_steep_near(tp_slope_square(sx, sz));
+        int32_t nl = ly - ((sx * lx + sz * lz) >> 12);
+        int32_t lit = nl * ny >> 20;
+        if ((uint32_t)lit > (uint32_t)direct)       /* turned away, or rounded */
+            lit = lit < 0 ? 0 : direct;
+        run->colour[i] = tp_colour_scale(run->colour[i], (uint32_t)(ambient + lit));
+    }
+}
+
+/* The lobe at R.V, between its entries: on smooth water those of a sharp one would show
+ * as rings.  Most samples lie outside it. */
+TP_ALWAYS_INLINE int32_t shine_of(const tp_shade *shade, int32_t rv)
+{
+    rv = tp_clamp(rv, 0, 16384);
+    int32_t here = (int32_t)shade->shine[rv >> 4];
+    if (!TP_WIDE && here == 0)
+        return 0;
+    int32_t next = (int32_t)shade->shine[(rv + 15) >> 4];
+    int32_t between = here + ((next - here) * (rv & 15) >> 4);
+    return here ? between : 0;
+}
+
+/* Ripples too small for a pixel keep a part of the water turned to the eye, however
+ * flat the view: N.V of rippled water stays above 1/10, or crests would be outlined by
+ * the horizon's full light. */
+#define RIPPLED_VIEW 1638
+
+/* The lobe takes N.V as it is: a crest that turns away shows the eye no more light than
+ * one that it just grazes. */
+TP_ALWAYS_INLINE void light(const tp_shade *restrict shade, tp_run *restrict run,
+                            int rippled, int blinn)
+{
+    int32_t lx = shade->world.lx, ly = shade->world.ly, lz = shade->world.lz;
+    int32_t ambient = shade->ambient, count = run->count;
+
+    for (int32_t i = 0; i < count; i++) {
+        int32_t sx = tp_slope_x(run, i, rippled), sz = tp_slope_z(run, i, rippled);
+        int32_t vx = run->vx[i], vy = run->vy[i], vz = run->vz[i];
+        int32_t ny = tp_steep(tp_slope_square(sx, sz));
+        int32_t nv = vy - ((sx * vx + sz * vz) >> 12);      /* Q14, below 14 */
+        int32_t nl = ly - ((sx * lx + sz * lz) >> 12);
+
+        int32_t seen = tp_clamp(nv * ny >> 14, 0, 16384);
+        nv = rippled && seen < RIPPLED_VIEW ? RIPPLED_VIEW : seen;
+        nl = tp_clamp(nl * ny >> 14, 0, 16384);
+        int32_t rv = tp_lobe_at(nl, seen, run->lv[i], blinn);
+        int32_t up = (2 * nv * ny >> 14) - vy;
+        run->nv[i] = (int16_t)nv;
+        run->up[i] = (int16_t)(up > 16384 ? 16384 : up);    /* vy is at most 1 */
+        int32_t shine = TP_WIDE || nl > 0 ? shine_of(shade, rv) : 0;
+        run->glint[i] = (uint16_t)(nl > 0 ? shine : 0);
+        run->colour[i] = tp_colour_scale(run->colour[i],
+                                         (uint32_t)tp_lit_share(ambient, nl));
+    }
+}
+
+#define DIFFUSE_STAGE(name, rippled) \
+    void tp_stage_##name(const tp_shade *restrict shade, tp_run *restrict run) \
+    { diffuse(shade, run, rippled); }
+DIFFUSE_STAGE(diffuse, 0)
+DIFFUSE_STAGE(diffuse_rippled, 1)
+
+#define LIGHT_STAGE(name, rippled, blinn) \
+    void tp_stage_##name(const tp_shade *restrict shade, tp_run *restrict run) \
+    { light(shade, run, rippled, blinn); }
+LIGHT_STAGE(light, 0, 0)
+LIGHT_STAGE(light_rippled, 1, 0)
+LIGHT_STAGE(light_blinn, 0, 1)
+LIGHT_STAGE(light_blinn_rippled, 1, 1)
+
+const tp_stage tp_lighting_stages[] = {
+#define X(name) tp_stage_##name,
+    TP_STAGES_OF_lighting(X)
+#undef X
+};
+
+const tp_stage tp_diffuse_stages[] = {
+#define X(name) tp_stage_##name,
+    TP_STAGES_OF_diffuse(X)
+#undef X
+};

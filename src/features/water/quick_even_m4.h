@@ -1,0 +1,224 @@
+/* SPDX-License-Identifier: MIT */
+/* Quick light of every second column, and glints of all, for cores with the DSP extension;
+ * the bits are those of quick_even_plain.h. */
+#ifndef TP_WATER_QUICK_EVEN_M4_H
+#define TP_WATER_QUICK_EVEN_M4_H
+#include "shade/pairs_m4.h"
+#include "features/water/quick_light_m4.h"
+#include "features/water/quick_loops.h"
+
+#define SPAN TP_QUICK_SPAN(TP_LOBE_BLINN)
+
+/* Columns x to stop of one span: x is even, or the run's first. */
+TP_ALWAYS_INLINE void packed_even_span(const tp_shade *shade, tp_quick_sun sun,
+                                       tp_run *run, tp_quick_view v, tp_quick_view step,
+                                       int32_t x, int32_t stop, int env)
+{
+    const struct tp_quick_light *quick = shade->quick;
+    const uint32_t *sky = quick->sky + (env == TP_ENV_CUBE ? 0 : TP_QUICK_HEIGHTS / 2)
+                        + (env == TP_ENV_DOME ? tp_quick_column(shade, &v) : 0);
+    const uint32_t *slope = run->slope + (x - run->x);
+    uint32_t *even = run->even + ((x - run->x + (run->x & 1)) >> 1);
+
+    if (x & (SPAN - 1))
+        v = tp_quick_at(v, step, (x & (SPAN - 1)) >> 2);
+    uint32_t back = v.back;
+    int32_t  y = v.y;
+#define SEEN(i) \
+    even[i] = packed_mirrored(quick, sky, sun, (tp_quick_view){ .back = back, .y = y }, \
+                              slope[2 * (i)], even[i], env)
+#define WALK() (back = tp_sadd16(back, step.back), y += step.y)
+    if (x & 1) {
+        SEEN(0);
+        even++, slope++;
+        if ((++x & 3) == 0)
+            WALK();
+    }
+    if ((x & 2) && x < stop) {
+        SEEN(0);
+        even++, slope += 2, x += 2;
+        WALK();
+    }
+    const int32_t left = stop > x ? stop - x : 0;
+    for (const uint32_t *end = slope + (left & ~3); slope != end; slope += 4, even += 2) {
+        SEEN(0);
+        SEEN(1);
+        WALK();
+    }
+    if (left & 3)
+        SEEN(0);
+    if ((left & 3) == 3)
+        SEEN(1);
+#undef SEEN
+#undef WALK
+}
+
+/* The half vectors where spans begin and end stay in the run for the glints. */
+TP_ALWAYS_INLINE void packed_even(const tp_shade *shade, tp_run *run, int env)
+{
+    const tp_quick_sun sun = tp_quick_sun_of(shade);
+    const tp_quick_row row = tp_quick_row_at(shade, run->y);
+    int32_t   x = run->x, end = run->x + run->count;
+    uint32_t *half = run->half;
+    tp_quick_view v = tp_quick_blinn_at(shade, &row, x & -SPAN);
+
+    *half++ = v.half;
+    while (x < end) {
+        int32_t next = (x & -SPAN) + SPAN, stop = next < end ? next : end;
+        const tp_quick_view to = tp_quick_blinn_at(shade, &row, next);
+        packed_even_span(shade, sun, run, v, tp_quick_step(v, to, TP_LOBE_NONE), x, stop,
+                         env);
+        *half++ = to.half;
+        v = to;
+        x = stop;
+    }
+}
+
+/* -- glints -------------------------------------------------------------------------- */
+
+/* Phong's, of columns x to stop of one span, over colours between. */
+TP_ALWAYS_INLINE void packed_phong_span(const struct tp_quick_light *quick,
+                                        tp_quick_sun sun, tp_run *run, tp_quick_view v,
+                                        tp_quick_view step, int32_t x, int32_t stop)
+{
+    const uint32_t *slope = run->slope + (x - run->x);
+    uint32_t *colour = run->colour + (x - run->x);
+
+    v = tp_quick_at(v, step, (x & (TP_QUICK_SPAN(TP_LOBE_PHONG) - 1)) >> 1);
+    for (; x < stop; x++) {
+        *colour = packed_gleaming(quick, sun, v, *slope++, *colour, TP_LOBE_PHONG);
+        colour++;
+        if (x & 1)
+            v = tp_quick_at(v, step, 1);
+    }
+}
+
+TP_ALWAYS_INLINE void packed_phong(const tp_shade *shade, tp_run *run)
+{
+    const tp_quick_sun sun = tp_quick_sun_of(shade);
+    const tp_quick_row row = tp_quick_row_at(shade, run->y);
+    const int32_t end = run->x + run->count, span = TP_QUICK_SPAN(TP_LOBE_PHONG);
+    int32_t x = run->x;
+    tp_quick_view v = tp_quick_phong_at(shade, &row, x & -span);
+
+    tp_quick_fill_between(run);
+    while (x < end) {
+        int32_t next = (x & -span) + span, stop = next < end ? next : end;
+        const tp_quick_view to = tp_quick_phong_at(shade, &row, next);
+        packed_phong_span(shade->quick, sun, run, v, tp_quick_step(v, to, TP_LOBE_PHONG),
+                          x, stop);
+        v = to;
+        x = stop;
+    }
+}
+
+TP_ALWAYS_INLINE uint32_t packed_blinn(const uint32_t *lobe, uint32_t slope,
+                                       uint32_t half, uint32_t colour)
+{
+    uint32_t away = tp_shsub16(slope, half);
+    return tp_uqadd8(colour, lobe[tp_usat(tp_smuad(away, away), 11, 9)]);
+}
+
+/* Four columns with the colours a and b and what lies between, c being the next, and
+ * with half vectors from this one on, to the next; slopes are so many words beyond
+ * colours. */
+#define SLOPES ((int)((offsetof(tp_run, slope) - offsetof(tp_run, colour)) / 4))
+TP_ALWAYS_INLINE uint32_t packed_blinn_four(const uint32_t *lobe, uint32_t half,
+                                            tp_quick_walk walk, uint32_t *colour,
+                                            uint32_t a, uint32_t b, uint32_t c)
+{
+    const pair s = pair_at(colour, SLOPES), t = pair_at(colour, SLOPES + 2);
+    const uint32_t second = tp_sadd16(half, walk.quarter);
+    const uint32_t third = tp_sadd16(second, walk.quarter);
+    const uint32_t fourth = tp_sadd16(third, walk.quarter);
+
+    pair_to(colour, 0, packed_blinn(lobe, s.first, half, a),
+            packed_blinn(lobe, s.second, second, tp_uhadd8(a, b)));
+    pair_to(colour, 2, packed_blinn(lobe, t.first, third, b),
+            packed_blinn(lobe, t.second, fourth, tp_uhadd8(b, c)));
+    return tp_sadd16(fourth, walk.rest);
+}
+
+/* The colour of column i, as tp_quick_fill_between has it. */
+TP_ALWAYS_INLINE uint32_t packed_between(const tp_run *run, int32_t i)
+{
+    const int32_t odd = run->x & 1, x = run->x + i;
+    const uint32_t *even = run->even + ((i + odd) >> 1);
+
+    if (i == 0 || (x & 1) == 0)
+        return even[0];
+    even = run->even + ((i - 1 + odd) >> 1);
+    return (x & 15) == 15 || i + 1 == run->count ? even[0] : tp_uhadd8(even[0], even[1]);
+}
+
+/* The half vector of column x, by those that the light has left where spans begin and
+ * end, and how it goes on. */
+TP_ALWAYS_INLINE uint32_t packed_half_at(const tp_run *run, int32_t x,
+                                         tp_quick_walk *walk)
+{
+    const uint32_t *half = run->half + ((x >> 5) - (run->x >> 5));
+    const uint32_t step = tp_quick_eighth(half[0], half[1]);
+
+    *walk = tp_quick_walk_of(step);
+    return tp_quick_half_at(tp_quick_half_first(half[0], *walk), step, x & (SPAN - 1));
+}
+
+/* Columns of a block that is not whole. */
+TP_LOOP packed_blinn_part(const uint32_t *lobe, tp_run *run, int32_t i, int32_t end)
+{
+    for (; i < end; i++) {
+        tp_quick_walk walk;
+        uint32_t half = packed_half_at(run, run->x + i, &walk);
+        run->colour[i] = packed_blinn(lobe, run->slope[i], half, packed_between(run, i));
+    }
+}
+
+/* Whole blocks of 16 columns, [i, end), one behind the other. */
+TP_ALWAYS_INLINE void packed_blinn_blocks(const uint32_t *lobe, tp_run *run, int32_t i,
+                                          int32_t end)
+{
+    const uint32_t *even = run->even + ((i + (run->x & 1)) >> 1);
+    uint32_t *colour = run->colour + i, half = 0;
+    tp_quick_walk walk = { 0 };
+
+    for (bool begun = false; i < end; i += 16, begun = true) {
+        if (!begun || ((run->x + i) & (SPAN - 1)) == 0)
+            half = packed_half_at(run, run->x + i, &walk);
+        uint32_t a = even[0];
+        for (uint32_t *const last = colour + 12; colour != last; colour += 4, even += 2) {
+            const uint32_t b = even[1], c = even[2];
+            half = packed_blinn_four(lobe, half, walk, colour, a, b, c);
+            a = c;
+        }
+        half = packed_blinn_four(lobe, half, walk, colour, a, even[1], even[1]);
+        colour += 4;
+        even += 2;
+    }
+}
+
+TP_ALWAYS_INLINE void packed_blinn_run(const uint32_t *lobe, tp_run *run)
+{
+    const int32_t begin = -run->x & 15, end = run->count - ((run->x + run->count) & 15);
+
+#if TP_DSP
+    __asm__("" : "+r"(lobe));   /* by its own address, not the tables' */
+#endif
+    if (begin >= end) {
+        packed_blinn_part(lobe, run, 0, run->count);
+        return;
+    }
+    packed_blinn_part(lobe, run, 0, begin);
+    packed_blinn_blocks(lobe, run, begin, end);
+    packed_blinn_part(lobe, run, end, run->count);
+}
+
+TP_ALWAYS_INLINE void packed_glint(const tp_shade *shade, tp_run *run, int lobe)
+{
+    if (lobe == TP_LOBE_PHONG)
+        packed_phong(shade, run);
+    else
+        packed_blinn_run(shade->quick->lobe, run);
+}
+#undef SPAN
+#undef SLOPES
+#endif

@@ -1,0 +1,120 @@
+/* SPDX-License-Identifier: MIT */
+/* The quick rung's pictures of a frame: prepared by whoever made the assets, or here, into
+ * the frame's block, and again whenever a number changes that they were made for. */
+#include "features/water/fast_water.h"
+#include "features/water/grade.h"
+
+enum { OFFSETS = TP_LAYERS, SLOPES };
+
+static const tp_texture *source_of(const tp_assets *assets, int i)
+{
+    return i == OFFSETS ? assets->distortion : i == SLOPES ? assets->ripple
+         : assets->layer[i];
+}
+
+static const tp_texture *ready_of(const tp_assets *assets, int i)
+{
+    return i == OFFSETS ? assets->offsets : i == SLOPES ? assets->slopes
+         : assets->graded[i];
+}
+
+void tp_quick_layout_pictures(void *memory[TP_PREPARED], tp_arena *arena,
+                              const tp_assets *assets)
+{
+    for (int i = 0; i < TP_PREPARED; i++) {
+        const tp_texture *source = source_of(assets, i);
+        const bool made_here = source && !ready_of(assets, i);
+        memory[i] = made_here ? tp_arena_take(arena, 1, tp_quick_bytes(source)) : NULL;
+    }
+}
+
+/* -- what pictures are made for -------------------------------------------------------- */
+
+/* The first layer's with the water's colour, as layers_drawing.c has it. */
+static uint32_t colour_of(const tp_scene *scene, const tp_assets *assets, int i)
+{
+    const uint32_t colour = (uint32_t)scene->layer[i].colour;
+
+    if (i > 0)
+        return colour;
+    return assets->layer[0] ? tp_colour_times((uint32_t)scene->water.colour, colour)
+                            : (uint32_t)scene->water.colour;
+}
+
+static tp_quick_wish wish_of(const tp_scene *scene, const tp_assets *assets, int i)
+{
+    if (i == OFFSETS)
+        return (tp_quick_wish){ .amount = scene->distortion.strength };
+    if (i == SLOPES)
+        return (tp_quick_wish){ .amount = scene->ripple.bump };
+    return (tp_quick_wish){
+        .amount = scene->layer[i].saturation, .clamp = scene->layer[i].clamp,
+        .colour = colour_of(scene, assets, i),
+    };
+}
+
+static bool is_same(const tp_quick_wish *a, const tp_quick_wish *b)
+{
+    return a->amount == b->amount && a->clamp == b->clamp && a->colour == b->colour;
+}
+
+static void make(tp_texture *to, int i, const tp_texture *source,
+                 const tp_quick_wish *wish, void *memory)
+{
+    if (i == OFFSETS)
+        tp_quick_offsets(to, source, wish->amount, memory);
+    else if (i == SLOPES)
+        tp_quick_slopes(to, source, wish->amount, memory);
+    else
+        tp_quick_graded(to, source, wish->amount, wish->clamp, wish->colour, memory);
+}
+
+size_t tp_prepared_bytes(const tp_assets *assets, int i)
+{
+    TP_ASSERT(assets != NULL && i >= 0 && i < TP_PREPARED);
+    const tp_texture *source = source_of(assets, i);
+    return source ? tp_quick_bytes(source) : 0;
+}
+
+void tp_prepare(tp_texture *to, const tp_scene *scene, const tp_assets *assets, int i,
+                void *memory)
+{
+    TP_ASSERT(i >= 0 && i < TP_PREPARED);
+    const tp_quick_wish wish = wish_of(scene, assets, i);
+    make(to, i, source_of(assets, i), &wish, memory);
+}
+
+/* NULL: there is none. */
+static const tp_texture *picture_of(const tp_frame *frame, tp_fast_water *fast, int i)
+{
+    const tp_quick_wish wish = wish_of(frame->scene, &frame->assets, i);
+
+    if (ready_of(&frame->assets, i))
+        return ready_of(&frame->assets, i);
+    if (!fast->memory[i])
+        return NULL;
+    if (fast->picture[i].levels == 0 || !is_same(&fast->made[i], &wish))
+        make(&fast->picture[i], i, source_of(&frame->assets, i), &wish, fast->memory[i]);
+    fast->made[i] = wish;
+    return &fast->picture[i];
+}
+
+static tp_quick_map map_of(const tp_frame *frame, tp_fast_water *fast, int i,
+                           const tp_scene_map *map, int32_t lod)
+{
+    tp_layer layer = tp_frame_layer(frame, picture_of(frame, fast, i), map);
+
+    layer.lod += lod;
+    return tp_quick_map_of(&layer);
+}
+
+void tp_quick_begin_layers(tp_frame *frame, tp_fast_water *fast)
+{
+    const tp_scene *scene = frame->scene;
+    tp_quick_layers *layers = &fast->layers;
+
+    for (int k = 0; k < TP_LAYERS; k++)
+        layers->layer[k] = map_of(frame, fast, k, &scene->layer[k].map, 0);
+    layers->bend = map_of(frame, fast, OFFSETS, &scene->distortion.map, 0);
+    layers->ripple = map_of(frame, fast, SLOPES, &scene->ripple.map, TP_RIPPLE_LOD);
+}

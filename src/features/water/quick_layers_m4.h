@@ -1,0 +1,204 @@
+/* SPDX-License-Identifier: MIT */
+/* The quick rung's loops for processors with Arm's DSP extension and 13 registers: words
+ * go to and from memory by pairs, and lanes of a word are added at once.  The same bits as
+ * quick_plain.h, which says what they do; compiled and compared on every machine. */
+#ifndef TP_WATER_QUICK_LAYERS_M4_H
+#define TP_WATER_QUICK_LAYERS_M4_H
+#include "shade/pairs_m4.h"
+#include "features/water/quick_loops.h"
+
+/* -- lookups ---------------------------------------------------------------------------- */
+
+/* The side is hidden from the compiler, that would shift by its logarithm and add. */
+TP_ALWAYS_INLINE tp_lookup packed_lookup(const tp_quick_map *map, int32_t far)
+{
+    tp_lookup l = tp_lookup_at(map, far);
+#if TP_DSP
+    __asm__("" : "+r"(l.side));
+#endif
+    return l;
+}
+
+TP_ALWAYS_INLINE uint32_t packed_texel(const tp_lookup *l, uint32_t s, uint32_t t)
+{
+    uint32_t u = (s * l->per_metre + l->drift_s) >> l->down;
+    uint32_t v = (t * l->per_metre + l->drift_t) >> l->down;
+    return l->texel[v * l->side + u];
+}
+
+TP_ALWAYS_INLINE void packed_first_pair(const tp_lookup *l, const uint32_t *place,
+                                        uint32_t *colour, int skip)
+{
+    const pair s = pair_at(place, skip), t = pair_at(place, skip + TP_RUN);
+
+    pair_to(colour, skip, packed_texel(l, s.first, t.first),
+            packed_texel(l, s.second, t.second));
+}
+
+TP_LOOP packed_first(const tp_quick_map *map, int32_t far, const uint32_t *place, uint32_t *colour,
+                         int32_t count)
+{
+    const tp_lookup l = packed_lookup(map, far);
+    const uint32_t *end = place + (count & ~7);
+
+    for (; place != end; place += 8, colour += 8) {
+        packed_first_pair(&l, place, colour, 0);
+        packed_first_pair(&l, place, colour, 2);
+        packed_first_pair(&l, place, colour, 4);
+        packed_first_pair(&l, place, colour, 6);
+    }
+    for (end += count & 7; place != end; place++)
+        *colour++ = packed_texel(&l, place[0], place[TP_RUN]);
+}
+
+TP_ALWAYS_INLINE void packed_added_pair(const tp_lookup *l, const uint32_t *place,
+                                        uint32_t *colour, int skip)
+{
+    const pair s = pair_at(place, skip), t = pair_at(place, skip + TP_RUN);
+    uint32_t a = packed_texel(l, s.first, t.first);
+    uint32_t b = packed_texel(l, s.second, t.second);
+    const pair c = pair_at(colour, skip);
+
+    pair_to(colour, skip, tp_uqadd8(c.first, a), tp_uqadd8(c.second, b));
+}
+
+TP_LOOP packed_added(const tp_quick_map *map, int32_t far, const uint32_t *place, uint32_t *colour,
+                         int32_t count)
+{
+    const tp_lookup l = packed_lookup(map, far);
+    const uint32_t *end = place + (count & ~7);
+
+    for (; place != end; place += 8, colour += 8) {
+        packed_added_pair(&l, place, colour, 0);
+        packed_added_pair(&l, place, colour, 2);
+        packed_added_pair(&l, place, colour, 4);
+        packed_added_pair(&l, place, colour, 6);
+    }
+    for (end += count & 7; place != end; place++, colour++)
+        *colour = tp_uqadd8(*colour, packed_texel(&l, place[0], place[TP_RUN]));
+}
+
+/* -- distortion ------------------------------------------------------------------------- */
+
+TP_ALWAYS_INLINE uint32_t packed_along_s(uint32_t s, uint32_t off)
+{
+    return s + (uint32_t)((int32_t)off >> 10);
+}
+
+TP_ALWAYS_INLINE uint32_t packed_along_t(uint32_t t, uint32_t off_t)
+{
+    return t + (uint32_t)((int32_t)off_t >> 10);
+}
+
+TP_ALWAYS_INLINE void packed_bent_place(const tp_lookup *l, uint32_t s, uint32_t t,
+                                        uint32_t *place)
+{
+    uint32_t off = packed_texel(l, s, t);
+
+    place[0] = packed_along_s(s, off);
+    place[TP_RUN] = packed_along_t(t, off << 16);
+}
+
+TP_ALWAYS_INLINE void packed_bent_pair(const tp_lookup *l, const uint32_t **s,
+                                       const uint32_t **t, uint32_t *place, int skip)
+{
+    const pair ss = pair_next(s), tt = pair_next(t);
+    uint32_t off = packed_texel(l, ss.first, tt.first), off_t = off << 16;
+
+    pair_to(place, skip, packed_along_s(ss.first, off), packed_along_s(ss.second, off));
+    pair_to(place, skip + TP_RUN, packed_along_t(tt.first, off_t),
+            packed_along_t(tt.second, off_t));
+}
+
+TP_LOOP packed_bent(const tp_quick_map *map, int32_t far, const tp_columns *columns,
+                    uint32_t *place)
+{
+    const tp_lookup l = packed_lookup(map, far);
+    const uint32_t *s = columns->s, *t = columns->t;
+    int32_t count = columns->count;
+
+    if (columns->odd) {
+        packed_bent_place(&l, *s++, *t++, place++);
+        count--;
+    }
+    const uint32_t *end = place + (count & ~3);
+    for (; place != end; place += 4) {
+        packed_bent_pair(&l, &s, &t, place, 0);
+        packed_bent_pair(&l, &s, &t, place, 2);
+    }
+    if (count & 2) {
+        packed_bent_pair(&l, &s, &t, place, 0);
+        place += 2;
+    }
+    if (count & 1)
+        packed_bent_place(&l, *s, *t, place);
+}
+
+TP_LOOP packed_bent_thin(const tp_quick_map *map, int32_t far, const tp_columns *columns,
+                         uint32_t *place)
+{
+    const tp_lookup l = packed_lookup(map, far);
+    const uint32_t *s = columns->s, *t = columns->t;
+    int32_t count = columns->count;
+
+    if (columns->odd) {
+        packed_bent_place(&l, *s++, *t++, place++);
+        count--;
+    }
+    const uint32_t *end = place + (count >> 2 << 1);
+    for (; place != end; place += 2, s += 4, t += 4) {
+        const uint32_t a = packed_texel(&l, s[0], t[0]), b = packed_texel(&l, s[2], t[2]);
+        pair_to(place, 0, packed_along_s(s[0], a), packed_along_s(s[2], b));
+        pair_to(place, TP_RUN, packed_along_t(t[0], a << 16),
+                packed_along_t(t[2], b << 16));
+    }
+    if (count & 3)
+        packed_bent_place(&l, s[0], t[0], place);
+    if ((count & 3) == 3)
+        packed_bent_place(&l, s[2], t[2], place + 1);
+}
+
+/* -- ripples and thin colours ------------------------------------------------------------ */
+
+TP_ALWAYS_INLINE void packed_rippled_pair(const tp_lookup *l, const uint32_t **s,
+                                          const uint32_t **t, const uint32_t **n,
+                                          uint32_t *slope, int skip)
+{
+    const pair ss = pair_next(s), tt = pair_next(t);
+    uint32_t a = packed_texel(l, ss.first, tt.first);
+    uint32_t b = packed_texel(l, ss.second, tt.second);
+    const pair nn = pair_next(n);
+
+    pair_to(slope, skip, tp_qadd16(nn.first, a), tp_qadd16(nn.second, b));
+}
+
+TP_LOOP packed_rippled(const tp_quick_map *map, int32_t far, const tp_columns *columns,
+                       uint32_t *slope)
+{
+    const tp_lookup l = packed_lookup(map, far);
+    const uint32_t *s = columns->s, *t = columns->t, *n = columns->n;
+    const uint32_t *end = slope + (columns->count & ~3);
+
+    for (; slope != end; slope += 4) {
+        packed_rippled_pair(&l, &s, &t, &n, slope, 0);
+        packed_rippled_pair(&l, &s, &t, &n, slope, 2);
+    }
+    for (end += columns->count & 3; slope != end; slope++)
+        *slope = tp_qadd16(*n++, packed_texel(&l, *s++, *t++));
+}
+
+TP_LOOP packed_paired(const uint32_t *thin, uint32_t *colour, int32_t pairs)
+{
+    const uint32_t *const end = thin + (pairs & ~1);
+    uint32_t a = *thin;
+
+    for (; thin != end; thin += 2, colour += 4) {
+        uint32_t b = thin[1], c = thin[2];
+        pair_to(colour, 0, a, tp_uhadd8(a, b));
+        pair_to(colour, 2, b, tp_uhadd8(b, c));
+        a = c;
+    }
+    if (pairs & 1)
+        pair_to(colour, 0, a, tp_uhadd8(a, thin[1]));
+}
+#endif

@@ -1,0 +1,203 @@
+/* SPDX-License-Identifier: MIT */
+/* The quick rung's first half: a distortion, three layers and ripples, all of them
+ * lookups of the nearest texel of prepared pictures.
+ *
+ * Distances are told to half a level, once for every 16 columns; neighbours of one
+ * distance are a span, in which a picture has one level.
+ *
+ * Thin stages have places and layers for every second column alone: the even ones of the
+ * picture and the run's first.  Their places lie close together until the layers are laid
+ * and the columns between are filled; or, if light comes first, until it has lit them. */
+#include "base/dsp.h"
+#include "shade/depth.h"
+#include "features/water/quick_light.h"
+#if TP_DSP
+#include "features/water/quick_layers_m4.h"
+#define LOOP(name) packed_##name
+#else
+#include "features/water/quick_plain.h"
+#define LOOP(name) plain_##name
+#endif
+
+#define HALF 128                /* a level, Q8 */
+
+static int32_t thin_places(const tp_run *run, int32_t end)
+{
+    return (end + (run->x & 1) + 1) >> 1;
+}
+
+void tp_stage_quick_far(const tp_shade *shade, tp_run *run)
+{
+    uint32_t spans = 0;
+
+    for (int32_t i = 0; i < run->count; ) {
+        int32_t depth = tp_log_depth(shade, run->key[i]);
+        int32_t far = ((depth > 0 ? depth + depth / 2 : depth) & -HALF) + HALF / 2;
+        i = tp_block_end(run, i);
+        if (spans == 0 || run->span[spans - 1].far != far)
+            run->span[spans++].far = (int16_t)far;
+        run->span[spans - 1].end = (uint8_t)i;
+        run->span[spans - 1].places = (uint8_t)thin_places(run, i);
+    }
+    run->spans = spans;
+}
+
+static tp_columns columns_of(const tp_run *run, int32_t at, int32_t end)
+{
+    return (tp_columns){ run->s + at, run->t + at, run->n + at, end - at,
+                         (uint32_t)(run->x + at) & 1 };
+}
+
+/* -- places of layers ------------------------------------------------------------------ */
+
+void tp_stage_quick_still(const tp_shade *shade, tp_run *run)
+{
+    const uint32_t *s = run->s, *t = run->t;
+    uint32_t *place = run->place;
+
+    (void)shade;
+    for (int32_t i = 0; i < run->count; i++) {
+        place[i] = s[i];
+        place[i + TP_RUN] = t[i];
+    }
+}
+
+void tp_stage_quick_still_thin(const tp_shade *shade, tp_run *run)
+{
+    const int32_t odd = run->x & 1, places = thin_places(run, run->count);
+    const uint32_t *s = run->s, *t = run->t;
+    uint32_t *place = run->place;
+
+    (void)shade;
+    place[0] = s[0];
+    place[TP_RUN] = t[0];
+    for (int32_t j = 1; j < places; j++) {
+        place[j] = s[2 * j - odd];
+        place[j + TP_RUN] = t[2 * j - odd];
+    }
+}
+
+void tp_stage_quick_bend(const tp_shade *shade, tp_run *run)
+{
+    const tp_quick_layers *quick = run->mine;
+
+    (void)shade;
+    for (uint32_t k = 0, at = 0; k < run->spans; at = run->span[k++].end) {
+        const tp_columns c = columns_of(run, (int32_t)at, run->span[k].end);
+        LOOP(bent)(&quick->bend, run->span[k].far, &c, run->place + at);
+    }
+}
+
+void tp_stage_quick_bend_thin(const tp_shade *shade, tp_run *run)
+{
+    const tp_quick_layers *quick = run->mine;
+
+    (void)shade;
+    for (uint32_t k = 0, at = 0; k < run->spans; at = run->span[k++].end) {
+        const tp_columns c = columns_of(run, (int32_t)at, run->span[k].end);
+        LOOP(bent_thin)(&quick->bend, run->span[k].far, &c,
+                        run->place + (k ? run->span[k - 1].places : 0));
+    }
+}
+
+/* -- layers ---------------------------------------------------------------------------- */
+
+TP_ALWAYS_INLINE void lay(const tp_quick_map *map, const tp_run *run, uint32_t *colour,
+                          int thin, int add)
+{
+    for (uint32_t k = 0, at = 0; k < run->spans; k++) {
+        const uint32_t  end = thin ? run->span[k].places : run->span[k].end;
+        if (add)
+            LOOP(added)(map, run->span[k].far, run->place + at, colour + at,
+                        (int32_t)(end - at));
+        else
+            LOOP(first)(map, run->span[k].far, run->place + at, colour + at,
+                        (int32_t)(end - at));
+        at = end;
+    }
+}
+
+/* Without a first picture the water's colour is the first layer. */
+TP_ALWAYS_INLINE void lay_all(const tp_shade *shade, const tp_run *run, uint32_t *colour,
+                              int thin)
+{
+    const tp_quick_map *layer = ((const tp_quick_layers *)run->mine)->layer;
+
+    if (layer[0].level)
+        lay(&layer[0], run, colour, thin, 0);
+    else
+        for (int32_t i = 0; i < (thin ? thin_places(run, run->count) : run->count); i++)
+            colour[i] = shade->water_colour;
+    for (int k = 1; k < TP_QUICK_LAYERS; k++)
+        if (layer[k].level)
+            lay(&layer[k], run, colour, thin, 1);
+}
+
+void tp_stage_quick_layers(const tp_shade *shade, tp_run *run)
+{
+    lay_all(shade, run, run->colour, 0);
+}
+
+/* A column between is the mean of its neighbours; where 16 end, at which another tile may
+ * begin, and at the run's end it is as the one before. */
+static void fill_between(const uint32_t *restrict thin, tp_run *run)
+{
+    const int32_t odd = run->x & 1, count = run->count, pairs = (count - odd) >> 1;
+    uint32_t *restrict colour = run->colour + odd;
+
+    run->colour[0] = thin[0];
+    thin += odd;
+    LOOP(paired)(thin, colour, pairs);
+    if ((count - odd) & 1)
+        colour[2 * pairs] = thin[pairs];
+    else if (pairs > 0)
+        colour[2 * pairs - 1] = thin[pairs - 1];
+    for (int32_t i = 15 - (run->x & 15); i < count; i += 16)
+        if (i > 0)
+            run->colour[i] = run->colour[i - 1];
+}
+
+/* Slopes come later: until then their place is free. */
+void tp_stage_quick_layers_thin(const tp_shade *shade, tp_run *run)
+{
+    lay_all(shade, run, run->slope, 1);
+    fill_between(run->slope, run);
+}
+
+void tp_stage_quick_layers_even(const tp_shade *shade, tp_run *run)
+{
+    lay_all(shade, run, run->even, 1);
+}
+
+void tp_quick_fill_between(tp_run *run)
+{
+    fill_between(run->even, run);
+}
+
+void tp_stage_quick_between(const tp_shade *shade, tp_run *run)
+{
+    (void)shade;
+    tp_quick_fill_between(run);
+}
+
+/* -- slopes ---------------------------------------------------------------------------- */
+
+void tp_stage_quick_ripple(const tp_shade *shade, tp_run *run)
+{
+    const tp_quick_layers *quick = run->mine;
+
+    (void)shade;
+    for (uint32_t k = 0, at = 0; k < run->spans; at = run->span[k++].end) {
+        const tp_columns c = columns_of(run, (int32_t)at, run->span[k].end);
+        LOOP(rippled)(&quick->ripple, run->span[k].far, &c, run->slope + at);
+    }
+}
+
+void tp_stage_quick_slopes(const tp_shade *shade, tp_run *run)
+{
+    const uint32_t *n = run->n;
+
+    (void)shade;
+    for (int32_t i = 0; i < run->count; i++)
+        run->slope[i] = n[i];
+}

@@ -1,0 +1,124 @@
+/* SPDX-License-Identifier: MIT */
+/* Quick light as plain loops, which compilers vectorise: all in 32 bits, tables of
+ * words, no branch.  quick_light_m4.h has the same bits. */
+#ifndef TP_WATER_QUICK_LIGHT_PLAIN_H
+#define TP_WATER_QUICK_LIGHT_PLAIN_H
+#include "features/water/quick_light.h"
+#include "shade/slope.h"
+
+/* The mirrored view, turned round, in the map of a cube's sky: its horizontal part drawn
+ * in by half its height, so that the horizon has as many cells to a degree as the rest.
+ * n is Q26, up too. */
+TP_ALWAYS_INLINE int32_t plain_cube_place(int32_t sx, int32_t sz, int32_t vx, int32_t vz,
+                                          int32_t n, int32_t up)
+{
+    int32_t twice = tp_usat(n, 12, 14);
+    int32_t x = (twice * sx >> 11) - vx, z = (twice * sz >> 11) - vz;
+    int32_t in = 16384 - tp_usat(up, 13, 13);
+    int32_t u = tp_clamp(x * (in >> 2) >> 22, -16, 15);
+    int32_t v = tp_clamp(z * (in >> 2) >> 22, -16, 15);
+
+    return (v + 16) * TP_QUICK_SIDE + u + 16;
+}
+
+/* Shares sum up to 257, which stands for the half that a cut loses. */
+TP_ALWAYS_INLINE uint32_t plain_mixed(uint32_t colour, uint32_t sky, uint32_t keeps,
+                                      uint32_t mirrors)
+{
+    uint32_t rb = (colour & 0xff00ff) * keeps + (sky & 0xff00ff) * mirrors;
+    uint32_t g = (colour >> 8 & 0xff) * keeps + (sky >> 8 & 0xff) * mirrors;
+
+    return (rb >> 8 & 0xff00ff) | (g & 0xff00);
+}
+
+/* What is read of the tables and the light; the tables do not overlap. */
+typedef struct {
+    const uint32_t *restrict sky, *restrict shares, *restrict lobes;
+    tp_quick_sun sun;
+    int32_t least, lx, lz;
+} plain_tables;
+
+TP_ALWAYS_INLINE plain_tables plain_tables_of(const tp_shade *shade, int env)
+{
+    const struct tp_quick_light *quick = shade->quick;
+    const tp_quick_sun sun = tp_quick_sun_of(shade);
+
+    return (plain_tables){
+        quick->sky + (env == TP_ENV_CUBE ? 0 : TP_QUICK_HEIGHTS / 2), quick->share,
+        quick->lobe, sun, quick->least, tp_high16(sun.back), tp_low16(sun.back),
+    };
+}
+
+/* Of one column: slopes, -V, and n and l. */
+typedef struct {
+    int32_t sx, sz, vx, vz, y, n, l;
+} plain_column;
+
+TP_ALWAYS_INLINE plain_column plain_column_of(const plain_tables *t, uint32_t slope,
+                                              uint32_t back, int32_t y)
+{
+    int32_t sx = tp_high16(slope), sz = tp_low16(slope);
+    int32_t vx = tp_high16(back), vz = tp_low16(back);
+
+    return (plain_column){ sx, sz, vx, vz, y, y + sx * vx + sz * vz,
+                           t->sun.y + sx * t->lx + sz * t->lz };
+}
+
+/* Light and mirror; `column` of a dome's sky. */
+TP_ALWAYS_INLINE uint32_t plain_mirrored(const plain_tables *t, plain_column c,
+                                         uint32_t column, uint32_t colour, int env)
+{
+    int32_t up = 2 * tp_usat(c.n, 0, 27) - c.y;
+    int32_t place = env == TP_ENV_CUBE
+                        ? plain_cube_place(c.sx, c.sz, c.vx, c.vz, c.n + t->least, up)
+                  : env == TP_ENV_DOME ? (int32_t)column + tp_ssat(up, 21, 6)
+                                       : tp_ssat(up, 21, 6);
+    uint32_t share = t->shares[tp_usat(c.n, 18, 8)];
+    uint32_t lit = (uint32_t)(t->sun.ambient + t->sun.direct * tp_usat(c.l, 18, 8));
+
+    return plain_mixed(colour, t->sky[place], lit * (share >> 16) >> 16, share & 0xffff);
+}
+
+TP_ALWAYS_INLINE uint32_t plain_phong(const plain_tables *t, plain_column c,
+                                      int32_t view_l, uint32_t colour)
+{
+    int32_t one_q = (int32_t)((1u << 24) + tp_slope_square(c.sx, c.sz));
+    int32_t way = tp_smulwt(one_q, (uint32_t)view_l)
+                - (tp_smulwb(c.n + t->least, (uint32_t)tp_usat(c.l, 12, 14)) >> 1);
+
+    return tp_colour_add(colour, t->lobes[tp_usat(way, 11, 9)]);
+}
+
+TP_ALWAYS_INLINE uint32_t plain_blinn(const plain_tables *t, uint32_t slope,
+                                      uint32_t half, uint32_t colour)
+{
+    int32_t dx = (tp_high16(slope) - tp_high16(half)) >> 1;
+    int32_t dz = (tp_low16(slope) - tp_low16(half)) >> 1;
+
+    return tp_colour_add(colour, t->lobes[tp_usat(dx * dx + dz * dz, 11, 9)]);
+}
+
+/* The arrays of a run, which do not overlap. */
+TP_ALWAYS_INLINE void plain_lit(const plain_tables tables, const tp_run *restrict run,
+                                uint32_t *restrict colours, int32_t count, int env,
+                                int lobe)
+{
+    for (int32_t i = 0; i < count; i++) {
+        plain_column c = plain_column_of(&tables, run->slope[i], run->back[i],
+                                         run->view_y[i]);
+        uint32_t column = env == TP_ENV_DOME ? run->column[i] : 0;
+        uint32_t colour = plain_mirrored(&tables, c, column, colours[i], env);
+        if (lobe == TP_LOBE_PHONG)
+            colour = plain_phong(&tables, c, run->view_l[i], colour);
+        if (lobe == TP_LOBE_BLINN)
+            colour = plain_blinn(&tables, run->slope[i], run->half[i], colour);
+        colours[i] = colour;
+    }
+}
+
+TP_ALWAYS_INLINE void plain_light(const tp_shade *shade, tp_run *run, int env, int lobe)
+{
+    tp_quick_view_run(shade, run, lobe);
+    plain_lit(plain_tables_of(shade, env), run, run->colour, run->count, env, lobe);
+}
+#endif

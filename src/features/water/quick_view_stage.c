@@ -1,0 +1,104 @@
+/* SPDX-License-Identifier: MIT */
+/* The view of quick light. */
+#include "geom/geom.h"
+#include "features/water/quick_light.h"
+
+/* Slopes of L + V, both Q1.14, held within 4; none where it does not point up. */
+TP_ALWAYS_INLINE uint32_t half_of(const tp_view_axes *a, int32_t x, int32_t y, int32_t z)
+{
+    uint32_t hy = (uint32_t)tp_clamp(a->ly + y, 1024, 32767);
+    int      shift = tp_clz(hy);                        /* 17..21 */
+    int32_t  recip = tp_recip_rough(hy << shift) >> 16; /* 2^46 of it */
+    int32_t  sx = (-a->lx - x) * recip >> (34 - shift);
+    int32_t  sz = (-a->lz - z) * recip >> (34 - shift);
+
+    return tp_pair16(tp_clamp(sx, -16384, 16383), tp_clamp(sz, -16384, 16383));
+}
+
+TP_ALWAYS_INLINE tp_quick_view view_at(const tp_shade *shade, const tp_quick_row *row,
+                                       int32_t x, int lobe)
+{
+    const tp_view_axes *a = &shade->world;
+    const tp_ray r = tp_quick_ray_at(shade, row, 16 * x + 8 * TP_QUICK_STEP(lobe));
+    tp_quick_view v = { tp_pair16(-r.x, -r.z), 0, r.l - shade->quick->least, 0 };
+
+    if (lobe == TP_LOBE_BLINN) {
+        v.half = half_of(a, r.x, r.y, r.z);
+    } else {
+        int32_t lv = r.x * a->lx + r.y * a->ly + r.z * a->lz;
+        v.lv = tp_clamp((1 << 28) + lv, 0, (1 << 29) - 1) * 4;
+    }
+    return v;
+}
+
+tp_quick_view tp_quick_phong_at(const tp_shade *shade, const tp_quick_row *row, int32_t x)
+{
+    return view_at(shade, row, x, TP_LOBE_PHONG);
+}
+
+tp_quick_view tp_quick_blinn_at(const tp_shade *shade, const tp_quick_row *row, int32_t x)
+{
+    return view_at(shade, row, x, TP_LOBE_BLINN);
+}
+
+/* (1 + cos)^2 / 4 of the angle from the sun to the view that smooth water mirrors: a
+ * share of the sky's sunny side, as tp_towards_light has it. */
+uint32_t tp_quick_column(const tp_shade *shade, const tp_quick_view *v)
+{
+    const tp_view_axes *a = &shade->world;
+    int32_t c = ((v->y + shade->quick->least) >> 12) * a->ly + tp_high16(v->back) * a->lx
+              + tp_low16(v->back) * a->lz;
+    int32_t part = tp_clamp(((1 << 28) + c) >> 15, 0, 16383);
+
+    return (uint32_t)(part * part) >> 24 << 6;
+}
+
+/* A span's part of the arrays, from column k of it; all of it is one loop that
+ * vectorises. */
+TP_ALWAYS_INLINE void fill(tp_run *restrict run, int32_t i, int32_t stop, int32_t k,
+                           const tp_quick_view *restrict v,
+                           const tp_quick_view *restrict step, uint32_t column, int lobe)
+{
+    uint32_t *restrict back = run->back, *restrict half = run->half;
+    int32_t  *restrict y = run->view_y, *restrict lv = run->view_l;
+    uint32_t *restrict columns = run->column;
+    const uint32_t first = tp_quick_half_first(v->half,
+                                               tp_quick_walk_of(step->half));
+
+    for (; i < stop; i++, k++) {
+        tp_quick_view at = tp_quick_at(*v, *step, k >> (lobe == TP_LOBE_PHONG ? 1 : 2));
+        back[i] = at.back;
+        y[i] = at.y;
+        columns[i] = column;
+        if (lobe == TP_LOBE_BLINN)
+            half[i] = tp_quick_half_at(first, step->half, k);
+        if (lobe == TP_LOBE_PHONG)
+            lv[i] = at.lv;
+    }
+}
+
+/* The arrays of a whole run. */
+TP_ALWAYS_INLINE void view_run(const tp_shade *shade, tp_run *run, int lobe)
+{
+    tp_quick_row  row = tp_quick_row_at(shade, run->y);
+    int32_t       x = run->x, end = run->x + run->count, span = TP_QUICK_SPAN(lobe);
+    tp_quick_view a = tp_quick_view_at(shade, &row, x & -span, lobe);
+
+    while (x < end) {
+        int32_t from = x & -span, stop = from + span < end ? from + span : end;
+        tp_quick_view b = tp_quick_view_at(shade, &row, from + span, lobe);
+        tp_quick_view step = tp_quick_step(a, b, lobe);
+        fill(run, x - run->x, stop - run->x, x - from, &a, &step,
+             tp_quick_column(shade, &a), lobe);
+        x = stop;
+        a = b;
+    }
+}
+
+void tp_quick_view_run(const tp_shade *shade, tp_run *run, int lobe)
+{
+    if (lobe == TP_LOBE_PHONG)
+        view_run(shade, run, TP_LOBE_PHONG);
+    else
+        view_run(shade, run, TP_LOBE_BLINN);
+}

@@ -1,0 +1,40 @@
+/* SPDX-License-Identifier: MIT */
+/* The water's share of what it mirrors, and which stages mix the sky in by it. */
+#include "frame/frame.h"
+
+static void begin(tp_frame *frame, void *mine)
+{
+    (void)mine;
+    if (frame->scene->water.fresnel == TP_FRESNEL_SCHLICK)
+        frame->shade.fresnel = tp_schlick_table;
+}
+
+/* A sky whose stage the program lacks is not mixed in, nor are objects. */
+static void add_parts(const tp_frame *frame, const tp_stage *stage, tp_shaders *list)
+{
+    const bool hdr = frame->shade.env.beyond && stage[TP_NTH_fresnel_hdr];
+
+    if (frame->shade.env.kind == TP_ENV_GRADIENT)
+        tp_shaders_add(list, TP_AT_REFLECT, stage[TP_NTH_reflect_gradient], NULL);
+    if (!list->rippled)
+        tp_shaders_add(list, TP_AT_SLOPE, stage[TP_NTH_slopes], NULL);
+    if (tp_shaders_has(list, TP_AT_REFLECT) && (list->rippled || stage[TP_NTH_slopes]))
+        tp_shaders_add(list, TP_AT_FRESNEL, stage[TP_NTH_fresnel + hdr], NULL);
+}
+
+/* The plain gradient has no light beyond white; only objects in the mirror ask for more
+ * than the fused stage. */
+static void add_stages(const tp_frame *frame, const void *mine, const tp_stage *stage,
+                       tp_shaders *list)
+{
+    (void)mine;
+    if (!tp_frame_mirrors(frame, list))
+        return;
+    if (frame->shade.env.kind == TP_ENV_GRADIENT
+        && frame->scene->mirror.objects == TP_MIRROR_NONE)
+        tp_shaders_add(list, TP_AT_FRESNEL, stage[TP_NTH_mirror], NULL);
+    else
+        add_parts(frame, stage, list);
+}
+
+const tp_drawing tp_reflectance_drawing = { .begin = begin, .stages = add_stages };

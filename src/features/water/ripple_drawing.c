@@ -1,0 +1,54 @@
+/* SPDX-License-Identifier: MIT */
+/* Capillary waves: their picture, and how it is turned into the surface. */
+#include "features/water/water.h"
+#include "frame/frame.h"
+
+static void *layout(tp_arena *arena, const tp_want *want)
+{
+    (void)want;
+    return tp_arena_take(arena, 1, sizeof(tp_ripple));
+}
+
+static void begin(tp_frame *frame, void *mine)
+{
+    const tp_scene *scene = frame->scene;
+    tp_ripple *ripple = mine;
+
+    ripple->layer = tp_frame_layer(frame, frame->assets.ripple, &scene->ripple.map);
+    ripple->layer.lod += TP_RIPPLE_LOD;
+    ripple->gain = scene->ripple.bump >> 8;
+}
+
+/* Slopes of the mesh are 1/4 at the most: sum kA / (1 - sum QkA). */
+static bool is_gentle(const tp_surface *surface)
+{
+    const tp_sea *sea = surface->sea;
+    int64_t tilt = 0;
+
+    if (surface->ocean || tp_surface_has_relief(surface))
+        return false;
+    for (uint32_t i = 0; i < sea->count; i++)
+        tilt += sea->swell[i].tilt;
+    return 4 * tilt <= (TP_Q30_ONE - sea->bend) >> 14;
+}
+
+/* Ripples lie on what pools make of the slopes. */
+static void add_stage(const tp_frame *frame, const void *mine, const tp_stage *stage,
+                      tp_shaders *list)
+{
+    const tp_ripple *ripple = mine;
+    tp_stage how = stage[TP_NTH_ripple];
+
+    if (!tp_shaders_is_exact_water(list) || !ripple->layer.texture)
+        return;
+    if (list->rippled)
+        how = stage[TP_NTH_ripple_over];
+    else if (stage[TP_NTH_ripple_gentle] && is_gentle(&frame->surface))
+        how = stage[TP_NTH_ripple_gentle];
+    tp_shaders_add(list, TP_AT_SLOPE, how, mine);
+    list->rippled |= how != NULL;
+}
+
+const tp_drawing tp_ripple_drawing = {
+    .layout = layout, .begin = begin, .stages = add_stage,
+};

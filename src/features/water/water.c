@@ -1,0 +1,169 @@
+/* SPDX-License-Identifier: MIT */
+/* The water's modules: when each is on, and what the estimate counts of it. */
+#include "features/water/water.h"
+
+/* -- pictures ------------------------------------------------------------------------ */
+
+/* As it is, or prepared for the fast stages. */
+static bool has_layer(const tp_want *want, int k)
+{
+    return want->assets && (want->assets->layer[k] || want->assets->graded[k]);
+}
+
+static uint8_t layers_added(const tp_want *want)
+{
+    return (uint8_t)(has_layer(want, 1) + has_layer(want, 2));
+}
+
+/* A distortion moves nothing where there is no picture. */
+static bool bends_layers(const tp_want *want)
+{
+    return want->assets && (want->assets->distortion || want->assets->offsets)
+        && want->scene->distortion.strength > 0
+        && (has_layer(want, 0) || layers_added(want) > 0);
+}
+
+static bool is_linear(const tp_want *want)
+{
+    return want->scene->water.filter == TP_FILTER_LINEAR;
+}
+
+static bool has_base_layer(const tp_want *want)
+{
+    return has_layer(want, 0);
+}
+
+static void count_base_layer(const tp_want *want, uint8_t trait[TP_TRAIT_COUNT])
+{
+    trait[TP_TRAIT_texture] = 1;
+    trait[TP_TRAIT_linear] = is_linear(want);
+}
+
+static bool has_layers(const tp_want *want)
+{
+    return layers_added(want) > 0 || bends_layers(want);
+}
+
+static void count_layers(const tp_want *want, uint8_t trait[TP_TRAIT_COUNT])
+{
+    trait[TP_TRAIT_bend] = bends_layers(want);
+    trait[is_linear(want) ? TP_TRAIT_lined : TP_TRAIT_layer] = layers_added(want);
+}
+
+/* -- slopes -------------------------------------------------------------------------- */
+
+static uint8_t bumps_of(const tp_want *want)
+{
+    const tp_scene *scene = want->scene;
+
+    return scene->water.pool_bump > 0
+               ? (uint8_t)((scene->pool.cols > 0) + (scene->field.cols > 0)) : 0;
+}
+
+static bool has_bumps(const tp_want *want)
+{
+    return bumps_of(want) > 0;
+}
+
+static void count_bumps(const tp_want *want, uint8_t trait[TP_TRAIT_COUNT])
+{
+    trait[TP_TRAIT_bump] = bumps_of(want);
+}
+
+static bool has_ripples(const tp_want *want)
+{
+    return want->assets && (want->assets->ripple || want->assets->slopes)
+        && want->scene->ripple.bump > 0;
+}
+
+/* -- light --------------------------------------------------------------------------- */
+
+/* What glitters, mirrors or is clear is seen by its angle to the view. */
+static bool is_seen_at_an_angle(const tp_want *want)
+{
+    const tp_scene *scene = want->scene;
+
+    return scene->water.specular > 0 || scene->water.reflection > 0
+        || scene->water.clear > 0;
+}
+
+static bool is_matt(const tp_want *want)
+{
+    return !(want->above & TP_MODULE_LIGHT);
+}
+
+static bool has_glint(const tp_want *want)
+{
+    return want->scene->water.specular > 0;
+}
+
+/* The exact law of others than water is everybody's. */
+static bool has_reflectance(const tp_want *want)
+{
+    return want->scene->water.reflection > 0
+        || want->scene->water.fresnel == TP_FRESNEL_SCHLICK;
+}
+
+static void count_reflectance(const tp_want *want, uint8_t trait[TP_TRAIT_COUNT])
+{
+    trait[TP_TRAIT_mirror] = want->scene->water.reflection > 0;
+}
+
+/* -- fast ---------------------------------------------------------------------------- */
+
+/* The fast stages know pictures, ripples, a sky's mirror and glints, and hand on no more
+ * than a colour: what else a scene asks for is drawn by exact ones.  Smooth water would
+ * show the cells of a dome or a cube. */
+static bool is_fast(const tp_want *want)
+{
+    const bool sky = want->above & (TP_MODULE_DOME | TP_MODULE_CUBE);
+
+    return (want->shadings >> TP_SHADING_QUICK & 1) && want->scene->hdr.share <= 0
+        && (has_ripples(want) || !sky) && !(want->above & TP_MODULE_EXACT);
+}
+
+/* -- the modules --------------------------------------------------------------------- */
+
+const tp_module tp_bumps_module = {
+    .name = "bumps", .id = TP_BUMPS_ID,
+    .is = TP_MODULE_EXACT | TP_MODULE_SLOPES, .enabled = has_bumps, .count = count_bumps,
+};
+
+const tp_module tp_base_layer_module = {
+    .name = "base layer", .id = TP_MODULE_ID('b', 'a', 's', 'e'),
+    .enabled = has_base_layer, .count = count_base_layer,
+};
+
+const tp_module tp_layers_module = {
+    .name = "layers", .id = TP_MODULE_ID('l', 'a', 'y', 'r'), .enabled = has_layers,
+    .count = count_layers,
+};
+
+const tp_module tp_ripple_module = {
+    .name = "ripple", .id = TP_RIPPLE_ID, .trait = TP_TRAIT_ripple,
+    .enabled = has_ripples,
+};
+
+const tp_module tp_lighting_module = {
+    .name = "lighting", .id = TP_MODULE_ID('l', 'i', 'g', 't'), .is = TP_MODULE_LIGHT,
+    .trait = TP_TRAIT_look, .enabled = is_seen_at_an_angle,
+};
+
+const tp_module tp_diffuse_module = {
+    .name = "diffuse", .id = TP_MODULE_ID('d', 'i', 'f', 'f'), .enabled = is_matt,
+};
+
+const tp_module tp_reflectance_module = {
+    .name = "reflectance", .id = TP_MODULE_ID('r', 'f', 'l', 'c'),
+    .enabled = has_reflectance, .count = count_reflectance,
+};
+
+const tp_module tp_glint_module = {
+    .name = "glint", .id = TP_MODULE_ID('g', 'l', 'n', 't'), .trait = TP_TRAIT_glint,
+    .enabled = has_glint,
+};
+
+const tp_module tp_fast_water_module = {
+    .name = "fast water", .id = TP_MODULE_ID('f', 'a', 's', 't'), .is = TP_MODULE_FAST,
+    .enabled = is_fast,
+};

@@ -1,0 +1,53 @@
+/* SPDX-License-Identifier: MIT */
+/* Pictures that drift on the water, as a frame samples them. */
+#include "frame/frame.h"
+
+/* Metres drifted by `time`, ticks x 65536; 16.16, wrapping. */
+static uint32_t drifted(tp_fx metres_per_second, int64_t time)
+{
+    int64_t step = (int64_t)metres_per_second * ((int64_t)1 << 32) / TP_TICKS_PER_SECOND;
+    uint64_t part = (uint64_t)(step >> 16) * (uint32_t)(time & 0xffff);
+    return (uint32_t)(((uint64_t)step * (uint64_t)(time >> 16) + part) >> 32);
+}
+
+/* Levels: texels a metre over pixels a metre at 1 m, and half the eye's height for the
+ * slant (see tp_level_of). */
+int32_t tp_frame_lod(const tp_frame *frame, tp_fx texels_per_metre, bool level_ground)
+{
+    TP_ASSERT(frame->lens.focal > 0);
+    int32_t lod = tp_log2_q8((uint32_t)(texels_per_metre > 0 ? texels_per_metre : 1))
+                - tp_log2_q8((uint32_t)frame->lens.focal);
+    tp_fx height = tp_abs(frame->lens.eye.y);
+
+    if (height < TP_FX_ONE)
+        height = TP_FX_ONE;
+    return level_ground ? lod - (tp_log2_q8((uint32_t)height) - 16 * 256) / 2 : lod;
+}
+
+uint32_t tp_frame_repeats(tp_fx size)
+{
+    TP_ASSERT(size > 0);
+    return (uint32_t)((((uint64_t)1 << 32) + (uint32_t)size / 2) / (uint32_t)size);
+}
+
+/* Of a picture's longer side: of 4096 on 0.1 m they are more than 16.16 holds. */
+static tp_fx texels_a_metre(const tp_texture *texture, tp_fx size)
+{
+    TP_ASSERT(texture->levels > 0 && texture->levels <= TP_TEXTURE_LEVELS);
+    return tp_fx_div(TP_FX_ONE << (texture->levels - 1), size);
+}
+
+tp_layer tp_frame_layer(const tp_frame *frame, const tp_texture *texture,
+                        const tp_scene_map *map)
+{
+    const int64_t time = frame->drawn.time;
+    tp_layer layer = { .texture = texture };
+
+    if (!texture)
+        return layer;
+    layer.per_metre = tp_frame_repeats(map->size);
+    layer.drift_s = 0u - drifted(map->drift_x, time) * layer.per_metre;
+    layer.drift_t = 0u - drifted(map->drift_z, time) * layer.per_metre;
+    layer.lod = tp_frame_lod(frame, texels_a_metre(texture, map->size), true);
+    return layer;
+}

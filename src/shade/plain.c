@@ -1,0 +1,9 @@
+/* SPDX-License-Identifier: MIT */
+/* Water without a picture. */
+#include "shade/shade.h"
+
+void tp_stage_plain(const tp_shade *shade, tp_run *run)
+{
+    for (int32_t i = 0; i < run->count; i++)
+        run->colour[i] = shade->water_colour;
+}

@@ -1,0 +1,227 @@
+/* SPDX-License-Identifier: MIT */
+/* Light on water against Phong and Fresnel in double precision.  Errors are in levels of
+ * 255; shares are cut, up to a level, products and mixes of colours rounded. */
+#include <stdarg.h>
+#include <stddef.h>
+#include <setjmp.h>
+#include <stdint.h>
+#include <cmocka.h>
+#include "shades.h"
+
+static uint64_t chance;
+
+/* Every other run to a slope of 2 in all, where the root's table ends, and as far as 16
+ * bits go, where it is used up to three times over. */
+static void compare_diffuse(stage *diffuse, measure *off, double most)
+{
+    for (int n = 0; n < 2000; n++) {
+        const tp_shade s = shade_any(&chance);
+        test_run r;
+        run_any(&r, n % 2 ? 32000 : 5700, &chance);
+        const tp_run before = r.run;
+        tp_stage_view(&s, &r.run);
+        diffuse(&s, &r.run);
+        for (int i = 0; i < TP_RUN; i++) {
+            const ref_dir normal = ref_normal(run_sx(&r, i), run_sz(&r, i));
+            const double ambient = s.ambient / 256.0;
+            const double nl = fmax(0, ref_dir_dot(normal, shade_light(&s.world)));
+            const double e = ref_off(r.run.colour[i],
+                                     ref_scale(ref_colour_of(before.colour[i]),
+                                               ambient + (1 - ambient) * fmin(nl, 1)));
+            assert_true(e <= most);
+            measure_add(off, e, (int32_t)r.n[i], s.ambient, s.world.ly);
+        }
+    }
+    measure_print(off);
+}
+
+/* The share in 256ths is cut (a level), the product rounded (half of one); the root's
+ * nearest entry of 1/128 is off by 0.2 % (half a level). */
+static void diffuse_follows_lambert(void **state)
+{
+    (void)state;
+    measure off = { .what = "diffuse", .unit = "levels" };
+    compare_diffuse(tp_stage_diffuse, &off, 2);
+}
+
+/* The same, but that the root is interpolated. */
+static void light_follows_lambert(void **state)
+{
+    (void)state;
+    measure off = { .what = "light", .unit = "levels" };
+    compare_diffuse(tp_stage_light, &off, 1.6);
+}
+
+/* Waves and ripples may be as steep as their 16 bits.  No colour comes out brighter than
+ * it went in: a share above 1 would carry one channel into the next. */
+static void no_slope_makes_water_brighter_than_itself(void **state)
+{
+    (void)state;
+    static stage *const stages[] = { tp_stage_diffuse, tp_stage_light,
+                                     tp_stage_diffuse_rippled, tp_stage_light_rippled };
+
+    for (int n = 0; n < 4000; n++) {
+        const tp_shade s = shade_any(&chance);
+        test_run r;
+        run_any(&r, 32000, &chance);
+        for (int i = 0; i < TP_RUN; i++) {
+            r.run.sx[i] = (int16_t)chance_int(&chance, -32000, 32000);
+            r.run.sz[i] = (int16_t)chance_int(&chance, -32000, 32000);
+        }
+        tp_stage_view(&s, &r.run);
+        const tp_run before = r.run;
+        stages[n % 4](&s, &r.run);
+        for (int i = 0; i < TP_RUN; i++) {
+            const ref_colour was = ref_colour_of(before.colour[i]);
+            const ref_colour is = ref_colour_of(r.run.colour[i]);
+            for (int k = 0; k < 3; k++)
+                assert_true(is.c[k] <= was.c[k]
+                            && is.c[k] >= floor(was.c[k] * s.ambient / 256.0));
+            if (n % 2) {
+                assert_in_range(r.run.nv[i], 0, 16384);
+                assert_true(r.run.up[i] >= -16384 && r.run.up[i] <= 16384);
+            }
+        }
+    }
+}
+
+/* N.V and the mirrored view's height, of eyes above the water. */
+static void light_hands_on_view_and_mirror(void **state)
+{
+    (void)state;
+    measure nv_off = { .what = "N.V", .unit = "of 1/16384" };
+    measure up_off = { .what = "mirrored height", .unit = "of 1/16384" };
+
+    for (int n = 0; n < 2000; n++) {
+        const tp_shade s = shade_any(&chance);
+        test_run r;
+        run_any(&r, 5700, &chance);
+        tp_stage_view(&s, &r.run);
+        tp_stage_light(&s, &r.run);
+        for (int i = 0; i < TP_RUN; i++) {
+            const ref_dir v = { r.run.vx[i] / Q14, r.run.vy[i] / Q14, r.run.vz[i] / Q14 };
+            const ref_dir normal = ref_normal(run_sx(&r, i), run_sz(&r, i));
+            const double nv = ref_clamp(ref_dir_dot(normal, v), 0, 1);
+            const double up = ref_clamp(2 * nv * normal.y - v.y, -1, 1);
+            /* The root is cut in its table and between its entries, 2 units, times a sum
+             * of up to 2.2 that is cut by one too; the product by one more: 7 units.  The
+             * height is twice nv ny, with the root's 2 again and two more cuts: 20. */
+            assert_true(fabs(r.run.nv[i] / Q14 - nv) <= 7 / Q14);
+            assert_true(fabs(r.run.up[i] / Q14 - up) <= 20 / Q14);
+            measure_add(&nv_off, (r.run.nv[i] / Q14 - nv) * Q14, (int32_t)r.n[i], 0, 0);
+            measure_add(&up_off, (r.run.up[i] / Q14 - up) * Q14, (int32_t)r.n[i], 0, 0);
+        }
+    }
+    measure_print(&nv_off);
+    measure_print(&up_off);
+}
+
+/* The lobe lies between those of a slightly lesser and a slightly larger R.V: the table
+ * has 1024 entries; R.V is 2 N.L N.V - L.V, of which N.L and N.V are right to 7 units of
+ * 1/16384: 30 in all. */
+static void glints_follow_the_phong_lobe(void **state)
+{
+    (void)state;
+    int lit = 0;
+
+    for (int n = 0; n < 2000; n++) {
+        tp_shade s = shade_any(&chance);
+        const double strength = chance_double(&chance, 0, 4);
+        const int shininess = chance_int(&chance, 1, n % 2 ? 1000 : 30);
+        tp_shade_shine(shade_shine, shininess * TP_FX_ONE, (tp_fx)(strength * 65536));
+        test_run r;
+        run_any(&r, 2000, &chance);
+        tp_stage_view(&s, &r.run);
+        tp_stage_light(&s, &r.run);
+        for (int i = 0; i < TP_RUN; i++) {
+            const ref_dir v = { r.run.vx[i] / Q14, r.run.vy[i] / Q14, r.run.vz[i] / Q14 };
+            const ref_dir normal = ref_normal(run_sx(&r, i), run_sz(&r, i));
+            const double nv = ref_clamp(ref_dir_dot(normal, v), 0, 1);
+            const double nl = ref_clamp(ref_dir_dot(normal, shade_light(&s.world)), 0, 1);
+            const double rv = 2 * nl * nv - r.run.lv[i] / Q14;
+            if (fabs(rv) < 30 / Q14 || nl < 10 / Q14)
+                continue;
+            const double low =
+                pow(ref_clamp(rv - 1 / 1024.0 - 30 / Q14, 0, 1), shininess);
+            const double high = pow(ref_clamp(rv + 30 / Q14, 0, 1), shininess);
+            assert_true(r.run.glint[i] >= low * strength * 256 - 2);
+            assert_true(r.run.glint[i] <= high * strength * 256 + 2);
+            lit += r.run.glint[i] > 0;
+        }
+    }
+    assert_true(lit > 1000);
+}
+
+/* Blinn's lobe, (N.H)^(4 n): N.L, N.V and L.V are right to 7, 7 and 2 units of 1/16384,
+ * and V is up to 13 short of a unit between its columns; a half of |L + V|^2 divides it
+ * all, which is 0 where light comes from behind.  The table has 1024 entries. */
+static void blinn_glints_follow_the_half_vector(void **state)
+{
+    (void)state;
+    int lit = 0;
+
+    for (int n = 0; n < 2000; n++) {
+        tp_shade s = shade_any(&chance);
+        const double strength = chance_double(&chance, 0, 4);
+        const int shininess = chance_int(&chance, 1, n % 2 ? 300 : 20);
+        tp_shade_shine_blinn(shade_shine, shininess * TP_FX_ONE, (tp_fx)(strength * 65536));
+        test_run r;
+        run_any(&r, 2000, &chance);
+        tp_stage_view(&s, &r.run);
+        tp_stage_light_blinn(&s, &r.run);
+        for (int i = 0; i < TP_RUN; i++) {
+            const ref_dir v = { r.run.vx[i] / Q14, r.run.vy[i] / Q14, r.run.vz[i] / Q14 };
+            const ref_dir l = shade_light(&s.world);
+            const ref_dir normal = ref_normal(run_sx(&r, i), run_sz(&r, i));
+            const double nl = ref_dir_dot(normal, l), nv = ref_dir_dot(normal, v);
+            const ref_dir h = ref_unit((ref_dir){ l.x + v.x, l.y + v.y, l.z + v.z });
+            const double nh = ref_dir_dot(normal, h), lv = ref_dir_dot(l, v);
+            const double c = 2 * nh * nh - 1, half = 1 + lv;
+            const double e = (40 * sqrt(2 / half) + 80 / half) / Q14;
+            if (nl < 10 / Q14 || nv < 0 || c < 0.1 || half < 1 / 32.0)
+                continue;
+            const double low = pow((1 + ref_clamp(c - 1 / 1024.0 - e, 0, 1)) / 2,
+                                   2 * shininess);
+            const double high = pow((1 + ref_clamp(c + e, 0, 1)) / 2, 2 * shininess);
+            assert_true(r.run.glint[i] >= low * strength * 256 - 2);
+            assert_true(r.run.glint[i] <= high * strength * 256 + 2);
+            lit += r.run.glint[i] > 0;
+        }
+    }
+    assert_true(lit > 1000);
+}
+
+/* Whatever Fresnel's share takes N.V for, the lobe of rippled water is that of smooth
+ * water of the same slopes. */
+static void ripples_glint_as_their_slopes_say(void **state)
+{
+    (void)state;
+    for (int n = 0; n < 1000; n++) {
+        tp_shade s = shade_any(&chance);
+        test_run r;
+        tp_shade_shine(shade_shine, 20 * TP_FX_ONE, TP_FX_ONE);
+        run_any(&r, 4000, &chance);
+        tp_stage_view(&s, &r.run);
+        tp_stage_slopes(&s, &r.run);
+        tp_run bent = r.run;
+        tp_stage_light(&s, &r.run);
+        tp_stage_light_rippled(&s, &bent);
+        assert_memory_equal(bent.glint, r.run.glint, sizeof bent.glint);
+        assert_memory_equal(bent.colour, r.run.colour, sizeof bent.colour);
+    }
+}
+
+int main(void)
+{
+    chance = random_seed();
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(diffuse_follows_lambert),
+        cmocka_unit_test(light_follows_lambert),
+        cmocka_unit_test(no_slope_makes_water_brighter_than_itself),
+        cmocka_unit_test(light_hands_on_view_and_mirror),
+        cmocka_unit_test(glints_follow_the_phong_lobe),
+        cmocka_unit_test(blinn_glints_follow_the_half_vector),
+        cmocka_unit_test(ripples_glint_as_their_slopes_say),
+    };
+    return cmocka_run_group_tests_name("light", tests, NULL, NULL);
+}

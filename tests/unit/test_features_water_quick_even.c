@@ -1,0 +1,136 @@
+/* SPDX-License-Identifier: MIT */
+/* Quick light at half the rate: its plain and packed bodies have the same bits, however
+ * runs are cut at 16 columns, and even columns are those of the whole rate. */
+#include <stdarg.h>
+#include <stddef.h>
+#include <setjmp.h>
+#include <stdint.h>
+#include <cmocka.h>
+#include "features/water/quick_even_m4.h"
+#include "features/water/quick_even_plain.h"
+#include "quick_lights.h"
+
+static uint64_t chance;
+static quick_lights lights;
+
+typedef struct {
+    stage *plain, *packed, *whole;
+    int    env, lobe;
+} bodies;
+
+/* Everything after the layers. */
+#define X(name, env, lobe) \
+    static void plain_##name(const tp_shade *shade, tp_run *run) \
+    { \
+        plain_even(shade, run, env); \
+        if (lobe == TP_LOBE_NONE) \
+            tp_quick_fill_between(run); \
+        else \
+            plain_glint(shade, run, lobe); \
+    } \
+    static void packed_##name(const tp_shade *shade, tp_run *run) \
+    { \
+        packed_even(shade, run, env); \
+        if (lobe == TP_LOBE_NONE) \
+            tp_quick_fill_between(run); \
+        else \
+            packed_glint(shade, run, lobe); \
+    }
+TP_QUICK_LIGHT_STAGES(X)
+#undef X
+
+static const bodies all[] = {
+#define X(name, env, lobe) \
+    { plain_##name, packed_##name, tp_stage_quick_##name, env, lobe },
+    TP_QUICK_LIGHT_STAGES(X)
+#undef X
+};
+enum { ALL = sizeof all / sizeof *all };
+
+/* Columns [from, end) with slopes and the layers' colours of every second one. */
+static tp_run part_of(const test_run *r, const uint32_t *slope, int32_t from, int32_t end)
+{
+    tp_run part = run_part(&r->run, from, end);
+    const int32_t odd = part.x & 1;
+
+    memcpy(part.slope, slope + from, (size_t)part.count * 4);
+    part.even[0] = r->run.colour[from];
+    for (int32_t k = 1; 2 * k - odd < part.count; k++)
+        part.even[k] = r->run.colour[from + 2 * k - odd];
+    return part;
+}
+
+static void both_bodies_have_the_same_bits(void **state)
+{
+    (void)state;
+    for (int n = 0; n < 4000; n++) {
+        const bodies *b = &all[n % ALL];
+        const tp_shade s = quick_shade(&lights, b->env, b->lobe, &chance);
+        uint32_t slope[TP_RUN];
+        test_run r;
+        quick_run(&r, slope, n / ALL % 2 ? 32000 : 3000, &chance);
+        const int32_t from = n % 3 ? chance_int(&chance, 0, TP_RUN - 1) : 0;
+        tp_run plain = part_of(&r, slope, from, n % 3 == 1 ? TP_RUN
+                                                : chance_int(&chance, from + 1, TP_RUN));
+        tp_run packed = plain;
+        b->plain(&s, &plain);
+        b->packed(&s, &packed);
+        assert_memory_equal(plain.colour, packed.colour, (size_t)plain.count * 4);
+        for (int i = 0; i < plain.count; i++)
+            assert_int_equal(plain.colour[i] >> 24, 0);
+    }
+}
+
+/* Tiles begin and end at multiples of 16. */
+static void where_tiles_begin_does_not_show(void **state)
+{
+    (void)state;
+    for (int n = 0; n < 2000; n++) {
+        const bodies *b = &all[n % ALL];
+        const tp_shade s = quick_shade(&lights, b->env, b->lobe, &chance);
+        uint32_t slope[TP_RUN];
+        test_run r;
+        quick_run(&r, slope, 4000, &chance);
+        const int32_t from = chance_int(&chance, 0, 15), cut = 16 * chance_int(&chance, 1, 3);
+        tp_run whole = part_of(&r, slope, from, TP_RUN);
+        tp_run left = part_of(&r, slope, from, cut);
+        tp_run right = part_of(&r, slope, cut, TP_RUN);
+        b->packed(&s, &whole);
+        b->packed(&s, &left);
+        b->packed(&s, &right);
+        assert_memory_equal(whole.colour, left.colour, (size_t)left.count * 4);
+        assert_memory_equal(whole.colour + left.count, right.colour,
+                            (size_t)right.count * 4);
+    }
+}
+
+/* With Blinn's lobe or none, whose view goes by the same steps. */
+static void even_columns_are_those_of_the_whole_rate(void **state)
+{
+    (void)state;
+    for (int n = 0; n < 2000; n++) {
+        const bodies *b = &all[n % ALL];
+        const tp_shade s = quick_shade(&lights, b->env, b->lobe, &chance);
+        uint32_t slope[TP_RUN];
+        test_run r;
+        quick_run(&r, slope, 4000, &chance);
+        tp_run half = part_of(&r, slope, 0, TP_RUN), whole = half;
+        if (b->lobe == TP_LOBE_PHONG)
+            continue;
+        b->plain(&s, &half);
+        b->whole(&s, &whole);
+        for (int i = 0; i < TP_RUN; i += 2)
+            assert_int_equal(half.colour[i], whole.colour[i]);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(both_bodies_have_the_same_bits),
+        cmocka_unit_test(where_tiles_begin_does_not_show),
+        cmocka_unit_test(even_columns_are_those_of_the_whole_rate),
+    };
+    chance = random_seed();
+    return cmocka_run_group_tests_name("shade_quick_even", tests, NULL, NULL);
+}

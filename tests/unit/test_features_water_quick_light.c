@@ -1,0 +1,181 @@
+/* SPDX-License-Identifier: MIT */
+/* Quick light: its plain and packed bodies have the same bits, however runs are cut, and
+ * it is not far from what the exact stages make of the same slopes. */
+#include <stdarg.h>
+#include <stddef.h>
+#include <setjmp.h>
+#include <stdint.h>
+#include <cmocka.h>
+#include "features/water/quick_light_m4.h"
+#include "features/water/quick_light_plain.h"
+#include "quick_lights.h"
+
+static uint64_t chance;
+static quick_lights lights;
+
+typedef struct {
+    stage *plain, *packed;
+    int    env, lobe;
+} bodies;
+
+#define X(name, env, lobe) \
+    static void plain_##name(const tp_shade *shade, tp_run *run) \
+    { plain_light(shade, run, env, lobe); } \
+    static void packed_##name(const tp_shade *shade, tp_run *run) \
+    { packed_light(shade, run, env, lobe); }
+TP_QUICK_LIGHT_STAGES(X)
+#undef X
+
+static const bodies all[] = {
+#define X(name, env, lobe) { plain_##name, packed_##name, env, lobe },
+    TP_QUICK_LIGHT_STAGES(X)
+#undef X
+};
+enum { ALL = sizeof all / sizeof *all };
+
+static void both_bodies_have_the_same_bits(void **state)
+{
+    (void)state;
+    for (int n = 0; n < 4000; n++) {
+        const bodies *b = &all[n % ALL];
+        const tp_shade s = quick_shade(&lights, b->env, b->lobe, &chance);
+        test_run r;
+        quick_run(&r, r.run.slope, n / ALL % 2 ? 32000 : 3000, &chance);
+        const int32_t from = chance_int(&chance, 0, TP_RUN - 1);
+        tp_run plain = run_part(&r.run, from, chance_int(&chance, from + 1, TP_RUN));
+        memmove(plain.slope, r.run.slope + from, (size_t)plain.count * 4);
+        tp_run packed = plain;
+        b->plain(&s, &plain);
+        b->packed(&s, &packed);
+        assert_memory_equal(plain.colour, packed.colour, (size_t)plain.count * 4);
+        for (int i = 0; i < plain.count; i++)
+            assert_int_equal(plain.colour[i] >> 24, 0);
+    }
+}
+
+static void where_a_run_is_cut_does_not_show(void **state)
+{
+    (void)state;
+    for (int n = 0; n < 2000; n++) {
+        const bodies *b = &all[n % ALL];
+        const tp_shade s = quick_shade(&lights, b->env, b->lobe, &chance);
+        test_run r;
+        quick_run(&r, r.run.slope, 4000, &chance);
+        const int32_t cut = chance_int(&chance, 1, TP_RUN - 1);
+        tp_run whole = r.run, left = run_part(&r.run, 0, cut);
+        tp_run right = run_part(&r.run, cut, TP_RUN);
+        memmove(left.slope, r.run.slope, (size_t)cut * 4);
+        memmove(right.slope, r.run.slope + cut, (size_t)(TP_RUN - cut) * 4);
+        b->packed(&s, &whole);
+        b->packed(&s, &left);
+        b->packed(&s, &right);
+        assert_memory_equal(whole.colour, left.colour, (size_t)cut * 4);
+        assert_memory_equal(whole.colour + cut, right.colour, (size_t)(TP_RUN - cut) * 4);
+    }
+}
+
+/* -- against the exact stages -------------------------------------------------------- */
+
+static void exact(const bodies *b, const tp_shade *s, tp_run *run)
+{
+    for (int i = 0; i < run->count; i++) {
+        run->sx[i] = (int16_t)(run->n[i] >> 16);
+        run->sz[i] = (int16_t)(run->n[i] & 0xffff);
+    }
+    tp_stage_view(s, run);
+    if (b->lobe == TP_LOBE_BLINN)
+        tp_stage_light_blinn_rippled(s, run);
+    else
+        tp_stage_light_rippled(s, run);
+    if (b->env == TP_ENV_DOME)
+        tp_stage_reflect_dome(s, run);
+    else if (b->env == TP_ENV_CUBE)
+        tp_stage_reflect_cube(s, run);
+    else
+        tp_stage_reflect_gradient(s, run);
+    tp_stage_fresnel(s, run);
+    if (b->lobe != TP_LOBE_NONE)
+        tp_stage_glint(s, run);
+}
+
+/* Water seen from above. */
+static bool is_seen(const tp_run *run, int i)
+{
+    return run->vy[i] > 800;
+}
+
+static double compare(const bodies *b, const char *what, int32_t steep, bool shiny)
+{
+    tally off = { .what = what };
+
+    for (int n = 0; n < 3000; n++) {
+        tp_shade s = quick_shade(&lights, b->env, b->lobe, &chance);
+        if (!shiny) {
+            memset(shade_shine, 0, sizeof shade_shine);
+            tp_quick_light_init(&lights.quick, &s, (tp_lobe)b->lobe, false, true);
+        }
+        test_run r;
+        quick_run(&r, r.run.slope, steep, &chance);
+        tp_run fast = r.run;
+        exact(b, &s, &r.run);
+        b->plain(&s, &fast);
+        for (int i = 0; i < TP_RUN; i++)
+            if (is_seen(&r.run, i))
+                tally_add(&off, fast.colour[i], ref_colour_of(r.run.colour[i]));
+    }
+    tally_print(&off);
+    return tally_rms(&off);
+}
+
+static const bodies *with(int env, int lobe)
+{
+    for (int i = 0; i < ALL; i++)
+        if (all[i].env == env && all[i].lobe == lobe)
+            return &all[i];
+    fail();
+    return NULL;
+}
+
+static void matt_water_and_a_gradient_keep_their_colours(void **state)
+{
+    (void)state;
+    const bodies *b = with(TP_ENV_GRADIENT, TP_LOBE_NONE);
+    assert_true(compare(b, "slopes of 0.1", 410, false) < 1.5);
+    assert_true(compare(b, "slopes of 0.3", 1229, false) < 4);
+    assert_true(compare(b, "slopes of 0.6", 2458, false) < 9);
+}
+
+static void domes_and_cubes_keep_their_colours(void **state)
+{
+    (void)state;
+    const bodies *dome = with(TP_ENV_DOME, TP_LOBE_PHONG);
+    const bodies *cube = with(TP_ENV_CUBE, TP_LOBE_NONE);
+    assert_true(compare(dome, "dome, 0.1", 410, false) < 2);
+    assert_true(compare(dome, "dome, 0.3", 1229, false) < 4.5);
+    assert_true(compare(cube, "cube, 0.1", 410, false) < 1.5);
+    assert_true(compare(cube, "cube, 0.3", 1229, false) < 4);
+}
+
+static void glints_lie_where_they_lay(void **state)
+{
+    (void)state;
+    const bodies *phong = with(TP_ENV_GRADIENT, TP_LOBE_PHONG);
+    const bodies *blinn = with(TP_ENV_GRADIENT, TP_LOBE_BLINN);
+    assert_true(compare(phong, "Phong, 0.1", 410, true) < 3);
+    assert_true(compare(phong, "Phong, 0.3", 1229, true) < 5);
+    assert_true(compare(blinn, "Blinn, 0.1", 410, true) < 4);
+    assert_true(compare(blinn, "Blinn, 0.3", 1229, true) < 12);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(both_bodies_have_the_same_bits),
+        cmocka_unit_test(where_a_run_is_cut_does_not_show),
+        cmocka_unit_test(matt_water_and_a_gradient_keep_their_colours),
+        cmocka_unit_test(domes_and_cubes_keep_their_colours),
+        cmocka_unit_test(glints_lie_where_they_lay),
+    };
+    chance = random_seed();
+    return cmocka_run_group_tests_name("shade_quick_light", tests, NULL, NULL);
+}
