@@ -55,7 +55,7 @@ CORE := $(addprefix src/, \
     scene/light.c scene/module.c scene/outlook.c \
     scene/parts.c scene/piece.c scene/plan_checked.c scene/pools.c scene/prices.c \
     scene/rungs.c scene/stand.c scene/tape.c \
-    scene/value.c scene/works.c scene/works_boat.c \
+    scene/value.c scene/works.c \
     scene/world.c scene/world_check.c \
     frame/carve.c frame/clipped.c frame/drawing.c frame/flat.c frame/frame.c \
     frame/holds.c frame/lattice.c frame/layer.c frame/lines.c frame/marks.c \

@@ -156,7 +156,7 @@ typedef struct {
     P(sky_cube)     /* and six pictures */ \
     P(stars)        /* added to a night's dome */ \
     P(haze) \
-    X(boat)         /* its mesh: of things as far away the first one is seen */ \
+    P(boat)         /* its mesh: of things as far away the first one is seen */ \
     P(land)         /* a floor that rises out of the water */ \
     P(drops)        /* in the air, the sphere that they fall from, and rings */ \
     N(coastal)      /* waves over a floor or in a wind; water.ocean, water.swells */ \

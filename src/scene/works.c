@@ -103,8 +103,6 @@ tp_works tp_works_of(const tp_plan_input *in, const tp_outlook *outlook, bool qu
     costs all = costs_of(in, tp_plan_want(in));
 
     w.mirrors = w.is & TP_MODULE_MIRROR && w.at.eye.y > 0;
-    if (in->assets->boat)
-        tp_site_add_boat(&w);
     for (uint32_t k = 0; k < all.count; k++)
         if (all.cost[k]->work)
             all.cost[k]->work(&w);

@@ -48,8 +48,6 @@ typedef struct tp_cost {
     void (*pixels)(tp_site *site, const tp_work_pixels *pixels);
 } tp_cost;
 
-void tp_site_add_boat(tp_site *site);
-
 /* The pixels that so many rays stand for. */
 static inline uint32_t tp_work_pixels_of(const tp_site *site, uint32_t rays)
 {

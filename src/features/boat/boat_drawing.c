@@ -155,29 +155,39 @@ static bool is_lid(const tp_mesh *mesh, uint32_t material)
     return mesh->materials[material].opacity == 0;
 }
 
-static void draw_triangle(const tp_mesh *mesh, const tp_samples *tile, const tp_corner *a,
-                          const tp_corner *b, const tp_corner *c, uint32_t f,
-                          uint32_t mark)
-{
-    TP_ASSERT(f < mesh->n_faces);
-    uint32_t material = mesh->faces[f].material;
-    tp_fx opacity = mesh->materials[material].opacity;
+/* One tile's faces. */
+typedef struct {
+    const drawn_boat *boat;
+    const tp_mesh    *mesh;
+    const tp_boat_vertex *at;   /* of the mesh's vertices, projected */
+    const tp_sight   *sight;
+    const tp_samples *tile;
+    int32_t  top, bottom;       /* its rows, 28.4 */
+    uint32_t mark;
+} pass;
 
-    if (is_lid(mesh, material))
-        tp_tri_lid(tile, a, b, c);
+static void draw_triangle(const pass *p, const tp_corner corner[3], uint32_t f)
+{
+    TP_ASSERT(f < p->mesh->n_faces);
+    uint32_t material = p->mesh->faces[f].material;
+    tp_fx opacity = p->mesh->materials[material].opacity;
+
+    if (is_lid(p->mesh, material))
+        tp_tri_lid(p->tile, &corner[0], &corner[1], &corner[2]);
     else
-        tp_tri_solid(tile, a, b, c, mark + material_of(material), f,
-                     (opacity * 16 + 0x8000) >> 16);
+        tp_tri_solid(p->tile, &corner[0], &corner[1], &corner[2],
+                     p->mark + material_of(material), f, (opacity * 16 + 0x8000) >> 16);
 }
 
-static void draw_clipped(const drawn_boat *b, const tp_sight *sight,
-                         const tp_samples *tile, uint32_t f, uint32_t mark)
+static void draw_clipped(const pass *p, uint32_t f)
 {
     tp_corner corner[TP_CLIP_CORNERS];
-    int count = clipped(b, sight, &b->look.mesh->faces[f], corner);
+    int count = clipped(p->boat, p->sight, &p->mesh->faces[f], corner);
 
-    for (int k = 2; k < count; k++)
-        draw_triangle(b->look.mesh, tile, &corner[0], &corner[k - 1], &corner[k], f, mark);
+    for (int k = 2; k < count; k++) {
+        const tp_corner fan[3] = { corner[0], corner[k - 1], corner[k] };
+        draw_triangle(p, fan, f);
+    }
 }
 
 static tp_corner corner_of(const tp_boat_vertex *at, const tp_mesh_vertex *vertex)
@@ -190,41 +200,43 @@ static tp_corner corner_of(const tp_boat_vertex *at, const tp_mesh_vertex *verte
 }
 
 /* Most faces of most tiles end at the first test: they lie in other rows. */
-static void draw_face(const drawn_boat *d, const tp_sight *sight, const tp_samples *tile,
-                      uint32_t f, uint32_t mark)
+static void draw_face(const pass *p, const tp_mesh_face *face, uint32_t f)
 {
-    const tp_mesh_face   *face = &d->look.mesh->faces[f];
-    const tp_mesh_vertex *vertex = d->look.mesh->vertices;
-    const tp_boat_vertex *a = &d->vertex[face->vertex[0]];
-    const tp_boat_vertex *b = &d->vertex[face->vertex[1]];
-    const tp_boat_vertex *c = &d->vertex[face->vertex[2]];
-    int32_t top = 16 * tile->y0, bottom = 16 * tile->y1;
+    const tp_boat_vertex *a = &p->at[face->vertex[0]];
+    const tp_boat_vertex *b = &p->at[face->vertex[1]];
+    const tp_boat_vertex *c = &p->at[face->vertex[2]];
+    const int32_t top = p->top, bottom = p->bottom;
 
     if (a->u <= OUTSIDE || b->u <= OUTSIDE || c->u <= OUTSIDE) {
         if (a->u != OUTSIDE || b->u != OUTSIDE || c->u != OUTSIDE)
-            draw_clipped(d, sight, tile, f, mark);
+            draw_clipped(p, f);
         return;
     }
     if ((a->v < top && b->v < top && c->v < top)
         || (a->v >= bottom && b->v >= bottom && c->v >= bottom))
         return;
-    tp_corner corner[3] = { corner_of(a, &vertex[face->vertex[0]]),
-                            corner_of(b, &vertex[face->vertex[1]]),
-                            corner_of(c, &vertex[face->vertex[2]]) };
-    draw_triangle(d->look.mesh, tile, &corner[0], &corner[1], &corner[2], f, mark);
+    const tp_mesh_vertex *vertex = p->mesh->vertices;
+    const tp_corner corner[3] = { corner_of(a, &vertex[face->vertex[0]]),
+                                  corner_of(b, &vertex[face->vertex[1]]),
+                                  corner_of(c, &vertex[face->vertex[2]]) };
+    draw_triangle(p, corner, f);
 }
 
 static void draw_faces(const drawn_boat *b, const tp_sight *sight, tp_samples *samples,
                        bool lids, uint32_t mark)
 {
     const tp_mesh *mesh = b->look.mesh;
+    const pass p = { b, mesh, b->vertex, sight, samples, 16 * samples->y0,
+                     16 * samples->y1, mark };
 
     if (!tp_sight_touches(&b->box, samples))
         return;
     samples->front_only = true;
-    for (uint32_t f = 0; f < mesh->n_faces; f++)
-        if (is_lid(mesh, mesh->faces[f].material) == lids)
-            draw_face(b, sight, samples, f, mark);
+    for (uint32_t f = 0; f < mesh->n_faces; f++) {
+        const tp_mesh_face *face = &mesh->faces[f];
+        if (is_lid(mesh, face->material) == lids)
+            draw_face(&p, face, f);
+    }
 }
 
 static void draw(const tp_frame *frame, const void *mine, const tp_sight *sight,

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* What the boat costs: its faces as the picture and the mirror take them. */
 #include "asset/mesh.h"
+#include "features/boat/boat.h"
 #include "geom/geom.h"
 #include "scene/works.h"
 
@@ -174,7 +175,7 @@ static void add_look(tp_site *w, look *l)
 }
 
 /* As the picture sees it, and as the mirror does. */
-void tp_site_add_boat(tp_site *w)
+static void work(tp_site *w)
 {
     const tp_scene *s = w->scene;
     look l = { .rows = (int32_t)w->height, .cols = (int32_t)w->width,
@@ -197,3 +198,5 @@ void tp_site_add_boat(tp_site *w)
     look_at_faces(w, &l);
     add_look(w, &l);
 }
+
+const tp_cost tp_boat_cost = { .work = work };
