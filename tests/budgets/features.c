@@ -9,14 +9,14 @@
 #endif
 
 static const tp_use modules[] = {
-#if FEATURES >= 16
+#if FEATURES >= 16      /* a generated sky, and stars */
     TP_USE_WITH(sky_dome, tp_stage_sky_dome, NULL, NULL, tp_stage_reflect_dome),
     TP_USE(stars),
     TP_USE_WITH(haze, tp_stage_haze, tp_stage_haze_dome, NULL),
 #else
     TP_USE_WITH(haze, tp_stage_haze, NULL, NULL),
 #endif
-#if FEATURES >= 7
+#if FEATURES >= 7       /* a boat */
     TP_USE_WITH(boat, tp_stage_solid, NULL),
 #endif
 #if FEATURES >= 15
@@ -57,10 +57,13 @@ static const tp_use modules[] = {
 #else
     TP_USE_WITH(diffuse, tp_stage_diffuse, NULL),
 #endif
+#if FEATURES >= 6       /* the sky mirrored */
 #if FEATURES >= 8
-    TP_USE_WITH(reflectance, tp_stage_mirror, tp_stage_slopes, tp_stage_fresnel, NULL),
-#elif FEATURES >= 6     /* the sky mirrored */
-    TP_USE_WITH(reflectance, tp_stage_mirror, NULL, NULL, NULL),
+    TP_USE_WITH(reflectance, tp_stage_mirror, tp_stage_slopes, tp_stage_reflect_gradient,
+                tp_stage_fresnel, NULL),
+#else
+    TP_USE_WITH(reflectance, tp_stage_mirror, NULL, NULL, NULL, NULL),
+#endif
 #endif
 #if FEATURES >= 5
     TP_USE(glint),
@@ -78,7 +81,7 @@ static const tp_use modules[] = {
 #if FEATURES >= 7
     TP_USE(lids),
 #endif
-#if FEATURES >= 8
+#if FEATURES >= 8       /* objects mirrored */
     TP_USE(mirror),
 #endif
 #if FEATURES >= 13
@@ -107,9 +110,6 @@ const tp_kit features_kit = {
 #if FEATURES >= 5
     .stage.view = tp_stage_view,
 #endif
-#if FEATURES >= 8       /* objects mirrored */
-    .stage.reflect_gradient = tp_stage_reflect_gradient,
-#endif
 #if FEATURES >= 11      /* pools, stirred by the boat */
     .water.pools = &tp_water_pools,
 #endif
@@ -118,7 +118,5 @@ const tp_kit features_kit = {
 #endif
 #if FEATURES >= 15      /* an ocean over its floor, and land */
     .water.ocean = &tp_water_ocean,
-#endif
-#if FEATURES >= 16      /* a generated sky, and stars */
 #endif
 };
