@@ -143,40 +143,52 @@ static const tp_stage timed[STAGES] = {
 #undef X
 };
 
+/* In the order of the whole list. */
 static const struct { const struct tp_module *module; uint32_t first, end; } modules[] = {
+#undef UNSEEN
+#define UNSEEN(name) { &tp_##name##_module, 0, 0 },
 #define MODULE(name) { &tp_##name##_module, FIRST_##name, END_##name },
     TP_MODULE_LIST(MODULE, UNSEEN, MODULE)
 #undef MODULE
 };
+enum { LISTED = sizeof modules / sizeof *modules };
 
 static tp_use   timed_use[MODULES + 1];
 static tp_stage timed_stage[STAGES];    /* the tables of those uses */
 
-/* A module of somebody else's is not timed. */
-static tp_use timed_of(tp_use use)
+/* Times the use of a module whose stages are those from `first` to before `end`. */
+static tp_use timed_by(tp_use use, uint32_t first, uint32_t end)
 {
-    for (size_t m = 0; m < sizeof modules / sizeof *modules; m++) {
-        for (uint32_t i = modules[m].first; modules[m].module == use.module
-                                            && i < modules[m].end; i++) {
-            own[i] = use.stage[i - modules[m].first];
-            timed_stage[i] = own[i] ? timed[i] : NULL;
-        }
-        if (modules[m].module == use.module && use.stage)
-            use.stage = &timed_stage[modules[m].first];
+    for (uint32_t i = first; use.stage && i < end; i++) {
+        own[i] = use.stage[i - first];
+        timed_stage[i] = own[i] ? timed[i] : NULL;
     }
+    if (use.stage && end > first)
+        use.stage = &timed_stage[first];
     return use;
+}
+
+/* A kit for another processor has copies of the modules, all of them; in any other list
+ * the modules are these, and an unknown one is not timed. */
+static tp_use timed_of(const tp_use *list, size_t n, bool whole)
+{
+    for (size_t m = 0; m < LISTED; m++)
+        if (whole ? m == n : modules[m].module == list[n].module)
+            return timed_by(list[n], modules[m].first, modules[m].end);
+    return list[n];
 }
 
 /* A list that is longer than ours goes untimed. */
 static const tp_use *timed_list(const tp_use *list)
 {
-    size_t n = 0;
+    size_t n = 0, count = 0;
 
-    for (; list && list[n].module; n++) {
-        if (n == MODULES)
-            return list;
-        timed_use[n] = timed_of(list[n]);
-    }
+    while (list && list[count].module)
+        count++;
+    if (count > MODULES)
+        return list;
+    for (; n < count; n++)
+        timed_use[n] = timed_of(list, n, count == LISTED);
     timed_use[n] = (tp_use){ 0 };
     return timed_use;
 }
