@@ -2,11 +2,12 @@
 /* The modules of a picture: loops over the program's list; see the header. */
 #include "frame/frame.h"
 
-/* With a use and a bit for each of the first TP_MODULES. */
+/* The uses whose bits are set.  Ends behind the last of them: most tiles have few. */
 #define EACH_OF(bits, i, use, kit) \
     const tp_use *const use = (kit)->modules; \
-    for (uint32_t i = 0; use && use[i].module; i++) \
-        if ((bits) >> i & 1)
+    uint32_t i = 0; \
+    for (uint64_t left = (bits); left; left >>= 1, i++) \
+        if (left & 1)
 
 #define EACH_ON(i, use, frame) EACH_OF((frame)->modules_on, i, use, (frame)->kit)
 
@@ -82,7 +83,8 @@ void tp_frame_enable_modules(tp_frame *frame)
                                  &frame->config);
 
     frame->modules_on = 0;
-    EACH_OF(UINT64_MAX, i, use, frame->kit)
+    const tp_use *use = frame->kit->modules;
+    for (uint32_t i = 0; use && use[i].module; i++)
         if (can_draw(frame, i) && tp_module_ask(use[i].module, &want))
             frame->modules_on |= (uint64_t)1 << i;
 }
@@ -121,7 +123,7 @@ bool tp_frame_has_module(const tp_frame *frame, uint32_t is)
 
 bool tp_frame_has_solids(const tp_frame *frame)
 {
-    EACH_ON(i, use, frame)
+    EACH_OF(frame->modules_drawn, i, use, frame->kit)
         if (use[i].drawing->draw)
             return true;
     return false;
@@ -185,7 +187,7 @@ void tp_frame_place_modules(tp_frame *frame, tp_sight *sight, tp_grid_box *box)
 void tp_frame_draw_modules(const tp_frame *frame, const tp_sight *sight,
                            tp_samples *samples)
 {
-    EACH_ON(i, use, frame)
+    EACH_OF(frame->modules_drawn, i, use, frame->kit)
         if (use[i].drawing->draw)
             use[i].drawing->draw(frame, frame->parts.module[i], sight, samples,
                                  frame->parts.mark[i]);
@@ -193,7 +195,7 @@ void tp_frame_draw_modules(const tp_frame *frame, const tp_sight *sight,
 
 void tp_frame_draw_over(const tp_frame *frame, const tp_samples *samples)
 {
-    EACH_ON(i, use, frame)
+    EACH_OF(frame->modules_drawn, i, use, frame->kit)
         if (use[i].drawing->over)
             use[i].drawing->over(frame, frame->parts.module[i], samples,
                                  frame->parts.mark[i]);
@@ -207,13 +209,23 @@ uint32_t tp_marks_one(const tp_want *want)
     return 1;
 }
 
+static uint64_t drawn_of(const tp_frame *frame)
+{
+    uint64_t drawn = 0;
+
+    EACH_ON(i, use, frame)
+        if (use[i].drawing->draw || use[i].drawing->over)
+            drawn |= (uint64_t)1 << i;
+    return drawn;
+}
+
 /* Samples without a colour would show memory as it is: such a module is left out. */
 void tp_frame_list_modules(tp_frame *frame)
 {
     uint64_t lack = 0;
 
     EACH_ON(i, use, frame) {
-        if (frame->parts.mark[i] == 0)
+        if (!use[i].drawing->marks)
             continue;
         tp_shaders *list = tp_marks_list(&frame->parts.marks, frame->parts.mark[i]);
         tp_shaders_clear(list);
@@ -224,4 +236,5 @@ void tp_frame_list_modules(tp_frame *frame)
         }
     }
     frame->modules_on &= ~lack;
+    frame->modules_drawn = drawn_of(frame);
 }

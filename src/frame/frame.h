@@ -70,6 +70,7 @@ struct tp_frame {
 
     tp_sight         sight;             /* the picture itself */
     uint64_t         modules_on;        /* bits, in the order of the kit's list */
+    uint64_t         modules_drawn;     /* of those that draw samples */
 
     bool             under;             /* the eye is in the water */
 
