@@ -27,7 +27,7 @@ static inline int32_t tp_quick_over_focal(const tp_shade *shade, int32_t sixteen
 
 /* The unit vector to the eye; l is its y in Q26. */
 TP_ALWAYS_INLINE tp_ray tp_quick_ray_at(const tp_shade *shade, const tp_quick_row *row,
-                               int32_t sixteenths)
+                                        int32_t sixteenths)
 {
     const tp_view_axes *a = &shade->world;
     int32_t  u = tp_quick_over_focal(shade, sixteenths - shade->u0);

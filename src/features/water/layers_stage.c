@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* The water's pictures beyond the plain case of base_layer_stage.c: those that are added to the
- * first, and any that are brought to another saturation or clamped (see grade.h). */
+/* The water's pictures beyond the plain case of base_layer_stage.c: those that are added
+ * to the first, and any that are brought to another saturation or clamped (see
+ * grade.h). */
 #include "features/water/water.h"
 #include "shade/sampler.h"
 

@@ -19,8 +19,9 @@
  * every 16th, by steps of 2.  A run may begin anywhere.
  *
  * Against the exact stages, slopes at random up to 0.1, 0.3 and 0.6, rms in 1/255 as
- * tests/unit/test_features_water_quick_light.c prints them: matt water and a gradient 0.7, 3.1,
- * 6.7; a dome 1.3, 3.3; a cube 1.0, 3.0; with glints of Phong 1.3, 3.5, of Blinn 1.5, 7. */
+ * tests/unit/test_features_water_quick_light.c prints them: matt water and a gradient 0.7,
+ * 3.1, 6.7; a dome 1.3, 3.3; a cube 1.0, 3.0; with glints of Phong 1.3, 3.5, of Blinn 1.5,
+ * 7. */
 #ifndef TP_WATER_QUICK_LIGHT_H
 #define TP_WATER_QUICK_LIGHT_H
 #include "base/dsp.h"

@@ -77,7 +77,7 @@ tp_quick_map tp_quick_map_of(const tp_layer *layer)
                            texture->levels - 2, texture->log2_w, texture->level };
 }
 
-/* -- layers: as layer.c and texture.c do it ------------------------------------------ */
+/* -- layers: as layers_stage.c and base_layer_stage.c do it ------------------------ */
 
 static uint32_t graded_texel(const work *w, uint32_t texel)
 {

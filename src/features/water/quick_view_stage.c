@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* The view of quick light. */
-#include "geom/geom.h"
+/* The view of quick light (shade/quick_ray.h), step by step. */
 #include "features/water/quick_light.h"
+#include "geom/geom.h"
 
 /* Slopes of L + V, both Q1.14, held within 4; none where it does not point up. */
 TP_ALWAYS_INLINE uint32_t half_of(const tp_view_axes *a, int32_t x, int32_t y, int32_t z)
