@@ -10,12 +10,13 @@
 enum { TP_KIND_VISIBILITY, TP_KIND_SHADING, TP_KIND_RATE, TP_KIND_LOD };
 enum { TP_VISIBILITIES = 4, TP_SHADINGS = 2, TP_RATES = 3, TP_LODS = 2 };
 
-/* What the water's pixels may have, each with its price; plain: what all have; look: the
- * view that gloss, mirror and depth share; objects: in the mirror; lined: a
- * layer of linear texels; bed, chart, tank: a plane below, a map, a box. */
+/* What the water's pixels may have, each with its price; plain: what all have; diffuse:
+ * light without the view; look: the view that gloss, mirror and depth share; objects: in
+ * the mirror; lined: a layer of linear texels; bed, chart, tank: a plane below, a map, a
+ * box. */
 #define TP_TRAITS(X) \
     X(plain) X(texture) X(linear) X(bend) X(layer) X(lined) X(ripple) X(bump) \
-    X(look) X(mirror) \
+    X(diffuse) X(look) X(mirror) \
     X(glint) X(haze) X(dome) X(cube) X(objects) X(behind) X(bed) \
     X(chart) X(tank) X(caustic) X(dispersion) X(foam) X(expose)
 

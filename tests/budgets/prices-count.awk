@@ -159,12 +159,14 @@ function ground(rung, item, n)
         of(rung, "behind") + of(rung, "mirror")) / n)
 }
 
+# `plain` is measured where water is lit: the light has a price of its own.
 function shaded(rung,    n)
 {
     n = water["shaded " rung " plain"]
     row("shaded", rung, "plain", \
-        plain + (of(rung, "plain") - of("exact.full", "plain")) / n)
-    look = of(rung, "mirror") + of(rung, "glint") - of(rung, "both") - of(rung, "plain")
+        plain + (of(rung, "unlit") - of("exact.full", "plain")) / n)
+    part(rung, "diffuse", "plain", "unlit", n)
+    look = of(rung, "mirror") + of(rung, "glint") - of(rung, "both") - of(rung, "unlit")
     row("shaded", rung, "look", look / n)
     row("shaded", rung, "mirror", (of(rung, "both") - of(rung, "glint")) / n)
     row("shaded", rung, "glint", (of(rung, "both") - of(rung, "mirror")) / n)

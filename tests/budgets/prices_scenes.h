@@ -21,6 +21,7 @@ typedef struct {
 #define CHART "sand map floor.map_size=400 floor.map_low=-6 floor.map_high=-3 "
 
 static const row shaded[] = {
+    { "unlit", "light.ambient=1" },
     { "plain", "" },
     { "texture", "layer0" },
     { "linear", "layer0 water.filter=linear" },

@@ -87,9 +87,10 @@ static bool is_seen_at_an_angle(const tp_want *want)
         || scene->water.clear > 0;
 }
 
+/* Light that is all ambient changes no colour. */
 static bool is_matt(const tp_want *want)
 {
-    return !(want->above & TP_MODULE_LIGHT);
+    return !(want->above & TP_MODULE_LIGHT) && want->scene->light.ambient < TP_FX_ONE;
 }
 
 static bool has_glint(const tp_want *want)
@@ -150,7 +151,8 @@ const tp_module tp_lighting_module = {
 };
 
 const tp_module tp_diffuse_module = {
-    .name = "diffuse", .id = TP_MODULE_ID('d', 'i', 'f', 'f'), .enabled = is_matt,
+    .name = "diffuse", .id = TP_MODULE_ID('d', 'i', 'f', 'f'), .trait = TP_TRAIT_diffuse,
+    .enabled = is_matt,
 };
 
 const tp_module tp_reflectance_module = {
