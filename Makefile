@@ -116,18 +116,18 @@ LINK_ELF = $(LINK) -nostdlib -T $(BOARD_LD) -Wl,--gc-sections $(filter %.o,$^) \
 # One short line for each thing made; with V=1 the whole command.
 SAY     = $(if $(V),,@echo '  $@';)
 
-# On x86-64 the loops over pixels once more, for processors of level v3: a kit of its own,
-# tp_kit_v3, of whose code nobody else sees a name.  Tuned so that compilers use gathers.
+# On x86-64 the loops over pixels once more, for processors of level v3: tp_program_v3, of
+# whose code nobody else sees a name.  Tuned so that compilers use gathers.
 # Who wants none says V3_C= .
 ifeq ($(firstword $(subst -, ,$(shell $(CC) -dumpmachine 2>/dev/null))),x86_64)
 V3_C   := $(filter src/pixel/% src/geom/% src/raster/% src/shade/% src/frame/% \
               src/features/all.c %_drawing.c %_stage.c,$(CORE))
 V3_OPT := -O3 -march=x86-64-v3 -mtune=skylake
-# Whose source is every kit's: without loops that are for vector units alone.
+# Whose source is that of both: without loops that are for vector units alone.
 ifdef V3_SAME_OPT
 V3_SAME := $(filter-out $(shell grep -lE 'TP_WIDE|slope\.h"|_plain\.h"' $(V3_C)),$(V3_C))
 endif
-HOSTED += $(if $(V3_C),-DTP_HAVE_KIT_V3)
+HOSTED += $(if $(V3_C),-DTP_HAVE_PROGRAM_V3)
 endif
 
 # Asserts (src/base/assert.h) are off in a release and on with CHECKED=1.  Unit tests link
@@ -136,7 +136,7 @@ LIB     := $(CORE_AT)/libtidepool.a
 UNIT_LIB := $(if $(CHECKED),$(LIB),$(BUILD)/checked/libtidepool.a)
 PROGRAM := $(BUILD)/tidepool
 CORE_O  := $(CORE:%.c=$(CORE_AT)/%.o)
-PORTS_O := $(PORTS:%.c=$(BUILD)/%.o) $(if $(V3_C),$(BUILD)/kit_v3.o)
+PORTS_O := $(PORTS:%.c=$(BUILD)/%.o) $(if $(V3_C),$(BUILD)/program_v3.o)
 PORTS_O := $(PORTS_O:%.cpp=$(BUILD)/%.o)
 UNIT    := $(patsubst %.c,$(BUILD)/%,$(wildcard tests/unit/test_*.c tests/host/test_*.c \
                tests/stability/test_*.c tests/accuracy/test_*.c))
@@ -297,7 +297,7 @@ help:
 # -- tests -----------------------------------------------------------------------------
 
 # Tests run under the sanitizers, and alone there; the golden frames' twice, since the
-# library that is shipped must draw them.  The second kit need not be quick, and
+# library that is shipped must draw them.  The second one need not be quick, and
 # only where its source is not the first one's it is watched as well.  Tests that tell how
 # far something is off run without sanitizers, but in the soak; threads have one of their
 # own.
@@ -344,7 +344,7 @@ more-tests: everything build/host/count.so build/host/tally.so
 	    tests/cross/run.sh tests/cross/film.sh \
 	    $(patsubst %,tests/boards/%.sh,rpi cortex-m oled control linuxfb kms kms_events \
 	        console) \
-	    tests/budgets/scenes-count.sh tests/budgets/ram.sh tests/budgets/kits.sh \
+	    tests/budgets/scenes-count.sh tests/budgets/ram.sh tests/budgets/programs.sh \
 	    tests/budgets/models-count.sh tests/charts/sweep.sh tests/charts/same.sh \
 	    tests/budgets/plan-count.sh tests/budgets/prices.sh tests/fuzz/run.sh
 fuzzers: $(FUZZ)
@@ -401,7 +401,7 @@ $(MORE_AT)/tidepool: $(MAIN:%.c=$(BUILD)/%.o) $(MORE_O) $(BUILD)/ports.a $(LIB)
 	$(SAY)$(LINK) $^ $(LIBS) -o $@
 $(MORE_O): $(MORE_AT)/%.o: %.c $(BUILD)/flags
 	@mkdir -p $(@D)
-	$(SAY)$(COMPILE) $(HOSTED) -UTP_HAVE_KIT_V3 -DTP_MORE='"$(MORE)/list.h"' -c $< -o $@
+	$(SAY)$(COMPILE) $(HOSTED) -UTP_HAVE_PROGRAM_V3 -DTP_MORE='"$(MORE)/list.h"' -c $< -o $@
 $(BUILD)/tests/boards/vm_state: $(BUILD)/tests/boards/vm_state.o
 	$(SAY)$(LINK) -static $^ -o $@
 $(UNIT): $(UNIT_LIB)
@@ -523,23 +523,23 @@ $(FAULTS:%=%.elf): $(BUILD)/faults/%.elf: $(BUILD)/faults/%.o \
 $(BUILD)/models.elf: $(MODELS_O) \
           $(filter-out %/main.o,$(BOARD_O)) $(LIB) $(LD_FILES)
 	$(SAY)$(LINK_ELF)
-$(BUILD)/kit_v3.o: $(V3_C:%.c=$(BUILD)/v3/%.o)
+$(BUILD)/program_v3.o: $(V3_C:%.c=$(BUILD)/v3/%.o)
 	$(SAY)$(LD) -r $^ -o $@
-	@$(OBJCOPY) --keep-global-symbol=tp_kit_v3 $@
+	@$(OBJCOPY) --keep-global-symbol=tp_program_v3 $@
 $(BUILD)/checked/src/%.o: src/%.c $(BUILD)/flags
 	@mkdir -p $(@D)
 	$(SAY)$(COMPILE) $(BARE) -DTP_CHECKED -c $< -o $@
 $(BUILD)/v3/src/%.o: src/%.c $(BUILD)/flags
 	@mkdir -p $(@D)
-	$(SAY)$(COMPILE) $(BARE) $(V3_OPT) -Dtp_kit_all=tp_kit_v3 \
+	$(SAY)$(COMPILE) $(BARE) $(V3_OPT) -Dtp_program_all=tp_program_v3 \
 	    $(if $(filter $<,$(V3_SAME)),$(V3_SAME_OPT)) -c $< -o $@
-# The least program by a kit of its own, and by kits with the first n features more.
-KITS := $(addprefix $(BUILD)/kits/,$(shell seq 0 17))
-kits: $(KITS:%=%.elf)
-$(KITS:%=%.o): $(BUILD)/kits/%.o: tests/budgets/features.c $(BUILD)/flags
+# The least program, and programs with the first n features more.
+PROGRAMS := $(addprefix $(BUILD)/programs/,$(shell seq 0 17))
+programs: $(PROGRAMS:%=%.elf)
+$(PROGRAMS:%=%.o): $(BUILD)/programs/%.o: tests/budgets/features.c $(BUILD)/flags
 	@mkdir -p $(@D)
 	$(SAY)$(COMPILE) -DFEATURES=$* -c $< -o $@
-$(KITS:%=%.elf): %.elf: %.o $(BUILD)/tests/budgets/minimal.o \
+$(PROGRAMS:%=%.elf): %.elf: %.o $(BUILD)/tests/budgets/minimal.o \
           $(filter-out %/main.o,$(BOARD_O)) build/baked/$(MACHINE)/minimal.o $(LIB) \
           $(LD_FILES)
 	$(SAY)$(LINK_ELF) -Wl,-Map=$(@:.elf=.map)
@@ -567,6 +567,6 @@ include ports/web/web.mk
 .PHONY: all lib run test test-all soak count ram boards bench views charts reference \
     fuzz coverage mutants golden gallery assets install format clean help unit \
     sanitized everything host-tests more-tests fuzzers peers charts-tools elf elves \
-    frames kits more list-core list-scenes list-cross list-tests force
+    frames programs more list-core list-scenes list-cross list-tests force
 .SECONDARY:
 -include $(shell find $(sort $(BUILD) $(CORE_AT)) -name '*.d' 2>/dev/null)

@@ -15,7 +15,7 @@
 #include <stddef.h>
 #include <stdint.h>
 #include "tidepool/asset.h"
-#include "tidepool/kit.h"
+#include "tidepool/program.h"
 #include "tidepool/language.h"
 #include "tidepool/pixel.h"
 #include "tidepool/plan.h"
@@ -55,7 +55,7 @@ typedef struct {
 /* The frame's block holds what the scene needs at init, nothing for what it lacks:
  *  - vertices: the grid and its crossings, the boat's and the land's corners, drops, rings,
  *    specks of spray
- *  - tables: a sky's gradient; by a kit that lights water, shininess; of a
+ *  - tables: a sky's gradient; by a program that lights water, shininess; of a
  *    generated or cube sky, the exposure, the boat's materials, slopes of pools that bend
  *    the light only; glass, walls inside a pool, the map of caustics (2 bytes a cell)
  *  - mirror: with mirror.objects = stencil a picture of half the size and four rows of
@@ -74,43 +74,30 @@ typedef struct tp_frame tp_frame;   /* lies at the start of the block */
  * and walls in a pool that were absent at init are not drawn; caustic_cells stay; a new
  * kind of sky falls back to the gradient and automatic exposure to 1; pools that come to
  * bend the light only stay heights. */
-size_t tp_frame_bytes_with(const tp_kit *kit, const tp_scene *scene,
-                           const tp_assets *assets, const tp_frame_config *config);
-size_t tp_frame_scratch_bytes(const tp_frame_config *config);
-size_t tp_frame_scratch_into_bytes(const tp_frame_config *config);      /* see below */
+size_t tp_frame_bytes(const tp_program *program, const tp_scene *scene,
+                      const tp_assets *assets, const tp_frame_config *config);
 
-/* By a kit that streams crossings (tp_method_streamed) two lines of them more; 24 bytes a
- * column less, if pixels do not take them, where it has neither rows nor projected. */
-size_t tp_frame_scratch_with(const tp_kit *kit, const tp_scene *scene,
-                             const tp_frame_config *config);
-size_t tp_frame_scratch_into_with(const tp_kit *kit, const tp_scene *scene,
-                                  const tp_frame_config *config);
+/* Of a tile, or of one drawn into a frame buffer, see below.  A program that streams
+ * crossings (tp_method_streamed) takes two lines of them more; 24 bytes a column less, if
+ * pixels do not take them, where it has neither rows nor projected. */
+size_t tp_frame_scratch_bytes(const tp_program *program, const tp_scene *scene,
+                              const tp_frame_config *config);
+size_t tp_frame_scratch_into_bytes(const tp_program *program, const tp_scene *scene,
+                                   const tp_frame_config *config);
 
-/* `block`: tp_frame_bytes() bytes aligned to 8.  Kit, scene and assets must outlive the
+/* Whether any scene can be drawn so: what tp_frame_init says of its config. */
+tp_status tp_frame_check(const tp_frame_config *config, tp_error *err);
+
+/* `block`: tp_frame_bytes() bytes aligned to 8.  Program, scene and assets must outlive the
  * frame, which keeps pointers to them; NULL assets are none.  The frame's size is not
  * known here, so nobody can tell a block that is too short.
  *  - TP_E_NULL, TP_E_ALIGN: err->word is the argument
  *  - TP_E_SIZE, TP_E_TILE, TP_E_ARG: the config is out of range
  *  - as tp_scene_check: the scene is, err->word is the row's name
- *  - TP_E_KIT: a kit has at least the stages sky and plain, and the format's store */
-tp_status tp_frame_init_with(const tp_kit *kit, tp_frame **frame, const tp_scene *scene,
-                             const tp_assets *assets, const tp_frame_config *config,
-                             void *block, tp_error *err);
-
-/* By the kit that has everything. */
-static inline size_t tp_frame_bytes(const tp_scene *scene, const tp_assets *assets,
-                                    const tp_frame_config *config)
-{
-    return tp_frame_bytes_with(&tp_kit_all, scene, assets, config);
-}
-
-static inline tp_status tp_frame_init(tp_frame **frame, const tp_scene *scene,
-                                      const tp_assets *assets,
-                                      const tp_frame_config *config, void *block,
-                                      tp_error *err)
-{
-    return tp_frame_init_with(&tp_kit_all, frame, scene, assets, config, block, err);
-}
+ *  - TP_E_PROGRAM: a program has at least the stages sky and plain, and the format's store */
+tp_status tp_frame_init(const tp_program *program, tp_frame **frame,
+                        const tp_scene *scene, const tp_assets *assets,
+                        const tp_frame_config *config, void *block, tp_error *err);
 
 /* The rungs of the frames from the next on, as a governor wants them; NULL: the plan's
  * again, which is made at init, and anew when quality.* has changed.  Where the frame has
@@ -123,7 +110,7 @@ void tp_frame_begin(tp_frame *frame, const tp_world *world);
 
 uint32_t tp_frame_tiles(const tp_frame *frame);
 
-/* Draws tile i, row by row of tiles, into `scratch` (tp_frame_scratch_bytes() or _with(),
+/* Draws tile i, row by row of tiles, into `scratch` (tp_frame_scratch_bytes(),
  * aligned to 8), where tile->pixels then points.  False: there is no such tile, or the
  * scratch is NULL or misaligned. */
 bool tp_frame_tile(const tp_frame *frame, uint32_t i, void *scratch, tp_tile *tile);
@@ -138,7 +125,7 @@ void   tp_prepare(tp_texture *to, const tp_scene *scene, const tp_assets *assets
 
 /* The same into a picture of the caller's, as a board has that has a frame buffer: row y
  * is at picture + y stride, aligned as tp_store wants it.  No pixels lie in the scratch
- * then: tp_frame_scratch_into_bytes() or _into_with(). */
+ * then: tp_frame_scratch_into_bytes(). */
 bool tp_frame_tile_into(const tp_frame *frame, uint32_t i, void *scratch, void *picture,
                         size_t stride, tp_tile *tile);
 

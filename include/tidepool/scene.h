@@ -14,7 +14,7 @@
 #include "tidepool/drop.h"
 #include "tidepool/foam.h"
 #include "tidepool/fx.h"
-#include "tidepool/kit.h"
+#include "tidepool/program.h"
 #include "tidepool/language.h"
 #include "tidepool/ocean.h"
 #include "tidepool/pool.h"
@@ -258,7 +258,7 @@ typedef struct {
 
 /* -- the world: a scene as it moves ----------------------------------------------
  *
- * Each world goes with one kit: what that lacks is not in it, as if the scene did not name
+ * Each world goes with one program: what that lacks is not in it, as if the scene did not name
  * it. */
 
 /* A hat put into the pool, as wide as pool.poke_size: m above the level, at a place in
@@ -343,37 +343,36 @@ typedef struct {
     tp_clock clock;
     tp_fx    clock_scale;       /* the scene's, when it was last looked at */
     uint32_t aboard;            /* 1: the camera's place and angles are of the deck */
-    tp_sea   sea;               /* the last, without its swells if the kit has none */
+    tp_sea sea;                 /* the last, without its swells if the program has none */
 } tp_world;
 
 /* sizeof (tp_world) if the scene has no pool, no floor or wind, no drops, and less by a
- * kit without swells; 0 if it cannot be used (tp_world_init says why).  NULL assets are
+ * program without swells; 0 if it cannot be used (tp_world_init says why).  NULL assets are
  * none. */
-size_t tp_world_bytes_with(const tp_kit *kit, const tp_scene *scene,
-                           const tp_assets *assets);
+size_t tp_world_bytes(const tp_program *program, const tp_scene *scene,
+                      const tp_assets *assets);
 
 /* The world of `scene` at tick 0, in `bytes` bytes aligned to 8.  Pictures that the
  * assets hold are read now and not kept; NULL assets are none.
  *  - TP_E_NULL, TP_E_ALIGN: err->word is the argument; TP_E_NOSPACE: `bytes` are too few
  *  - as tp_scene_check: err->word is the parameter at fault ("pool.courant")
  *  - TP_E_ARG: a map of the floor ("floor.map") outside what tp_ocean_init takes */
-tp_status tp_world_init_with(const tp_kit *kit, tp_world *world, size_t bytes,
-                             const tp_scene *scene, const tp_assets *assets,
-                             tp_error *err);
+tp_status tp_world_init(const tp_program *program, tp_world *world, size_t bytes,
+                        const tp_scene *scene, const tp_assets *assets, tp_error *err);
 
 /* Whether bytes from outside, such as a file's, are a world that can be stepped and drawn.
- * `fresh` is a world of the same scene, assets and kit, as tp_world_init or
+ * `fresh` is a world of the same scene, assets and program, as tp_world_init or
  * tp_world_refresh leaves it: the version, the layout and all that follows from the scene
  * must equal its; all that ticks change must be in the ranges that they keep.  `bytes` are those of
  * `world`, aligned to 8.  TP_E_WORLD: err->word names the part at fault; TP_E_NULL,
  * TP_E_ALIGN: the argument. */
-tp_status tp_world_check_with(const tp_kit *kit, const tp_world *world, size_t bytes,
-                              const tp_world *fresh, tp_error *err);
+tp_status tp_world_check(const tp_program *program, const tp_world *world, size_t bytes,
+                         const tp_world *fresh, tp_error *err);
 
 /* One tick further; `input` may be NULL.  After a change of the scene's numbers call
  * tp_world_refresh first. */
-void tp_world_step_with(const tp_kit *kit, tp_world *world, const tp_scene *scene,
-                        const tp_input *input);
+void tp_world_step(const tp_program *program, tp_world *world, const tp_scene *scene,
+                   const tp_input *input);
 
 /* Moves the camera alone, while the water stands. */
 void tp_world_look(tp_world *world, const tp_input *input);
@@ -386,8 +385,8 @@ void tp_world_look(tp_world *world, const tp_input *input);
  * Tables that take long to make, the ocean's and those of automatic exposure, keep the
  * numbers that they were made of, and are made again only where these have changed.  So
  * `assets` must hold the pictures that the world was made with. */
-bool tp_world_refresh_with(const tp_kit *kit, tp_world *world, const tp_scene *scene,
-                           const tp_assets *assets);
+bool tp_world_refresh(const tp_program *program, tp_world *world, const tp_scene *scene,
+                      const tp_assets *assets);
 
 /* Where the picture is seen from, and how: rows right, up and backward. */
 typedef struct {
@@ -407,45 +406,8 @@ uint32_t tp_world_frame(tp_world *world);
  * 30 km of the origin, each way, and with a steepness sum below 0.9 it is off by less than
  * 1 mm along and up (see tp_sea_above).  Any x and z are answered; near the ends of 16.16
  * positions are held there. */
-tp_sea_point tp_world_above_with(const tp_kit *kit, const tp_world *world, tp_fx x,
-                                 tp_fx z);
-
-/* -- the same by the kit that has everything -------------------------------------- */
-
-static inline size_t tp_world_bytes(const tp_scene *scene, const tp_assets *assets)
-{
-    return tp_world_bytes_with(&tp_kit_all, scene, assets);
-}
-
-static inline tp_status tp_world_init(tp_world *world, size_t bytes,
-                                      const tp_scene *scene, const tp_assets *assets,
-                                      tp_error *err)
-{
-    return tp_world_init_with(&tp_kit_all, world, bytes, scene, assets, err);
-}
-
-static inline void tp_world_step(tp_world *world, const tp_scene *scene,
-                                 const tp_input *input)
-{
-    tp_world_step_with(&tp_kit_all, world, scene, input);
-}
-
-static inline bool tp_world_refresh(tp_world *world, const tp_scene *scene,
-                                    const tp_assets *assets)
-{
-    return tp_world_refresh_with(&tp_kit_all, world, scene, assets);
-}
-
-static inline tp_status tp_world_check(const tp_world *world, size_t bytes,
-                                       const tp_world *fresh, tp_error *err)
-{
-    return tp_world_check_with(&tp_kit_all, world, bytes, fresh, err);
-}
-
-static inline tp_sea_point tp_world_above(const tp_world *world, tp_fx x, tp_fx z)
-{
-    return tp_world_above_with(&tp_kit_all, world, x, z);
-}
+tp_sea_point tp_world_above(const tp_program *program, const tp_world *world, tp_fx x,
+                            tp_fx z);
 
 /* -- the parts, or NULL ------------------------------------------------------------ */
 

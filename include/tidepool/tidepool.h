@@ -10,7 +10,7 @@
 #include "tidepool/foam.h"
 #include "tidepool/frame.h"
 #include "tidepool/fx.h"
-#include "tidepool/kit.h"
+#include "tidepool/program.h"
 #include "tidepool/language.h"
 #include "tidepool/light.h"
 #include "tidepool/ocean.h"

@@ -28,7 +28,7 @@
 
 /* What the port fills in; the scene is the one that frame and world were made with. */
 typedef struct {
-    const tp_kit    *kit;
+    const tp_program *program;
     const tp_scene  *shown;
     tp_scene        *scene;     /* the same in RAM; NULL: constant, `set` is refused */
     const tp_assets *assets;

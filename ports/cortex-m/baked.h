@@ -9,6 +9,6 @@ extern const tp_scene  baked_scene;
 extern const tp_assets baked_assets;
 
 /* With --size or --format: what the scene needs to be drawn so. */
-extern const tp_kit          baked_kit;
+extern const tp_program baked_program;
 extern const tp_frame_config baked_picture;
 #endif

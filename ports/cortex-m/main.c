@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* The baked scene on a bare Cortex-M: drawn tile by tile, as a board with an SPI display
- * would, and told in CRCs, which must be the host's.  Kit and tiles are baked with it.
+ * would, and told in CRCs, which must be the host's.  Program and tiles are baked with it.
  *
  * The empty functions are marks for whoever counts instructions: what the core does for a
  * whole frame, for its tiles and for a tick of the world. */
@@ -49,7 +49,7 @@ static picture draw(tp_frame *frame, void *scratch, const tp_world *world)
 static void tick(tp_world *world)
 {
     count_as_tick();
-    tp_world_step_with(&baked_kit, world, &baked_scene, NULL);
+    tp_world_step(&baked_program, world, &baked_scene, NULL);
     count_end();
 }
 
@@ -107,27 +107,28 @@ static void *take(tp_arena *arena, size_t bytes, const char *what)
 
 int main(void)
 {
-    const size_t world_bytes = tp_world_bytes_with(&baked_kit, &baked_scene,
-                                                   &baked_assets);
+    const size_t world_bytes =
+        tp_world_bytes(&baked_program, &baked_scene, &baked_assets);
     tp_arena  arena = tp_arena_over(arena_start, (size_t)(arena_end - arena_start));
-    void     *block = take(&arena, tp_frame_bytes_with(&baked_kit, &baked_scene,
-                                                       &baked_assets, &baked_picture),
-                           "the frame does not fit: ");
-    void     *scratch = take(&arena, tp_frame_scratch_with(&baked_kit, &baked_scene,
-                                                           &baked_picture),
-                             "the tile does not fit: ");
+    void *block =
+        take(&arena,
+             tp_frame_bytes(&baked_program, &baked_scene, &baked_assets, &baked_picture),
+             "the frame does not fit: ");
+    void *scratch =
+        take(&arena, tp_frame_scratch_bytes(&baked_program, &baked_scene, &baked_picture),
+             "the tile does not fit: ");
     tp_world *world = take(&arena, world_bytes, "the world does not fit: ");
     tp_frame *frame;
     tp_error  err;
 
-    if (tp_frame_init_with(&baked_kit, &frame, &baked_scene, &baked_assets, &baked_picture,
-                           block, &err))
+    if (tp_frame_init(&baked_program, &frame, &baked_scene, &baked_assets, &baked_picture,
+                      block, &err))
         semihost_stop("the frame cannot be made");
-    if (tp_world_init_with(&baked_kit, world, world_bytes, &baked_scene, &baked_assets,
-                           &err))
+    if (tp_world_init(&baked_program, world, world_bytes, &baked_scene, &baked_assets,
+                      &err))
         semihost_stop("the world cannot be made");
     while (world->tick < BOARD_FIRST)
-        tp_world_step_with(&baked_kit, world, &baked_scene, NULL);
+        tp_world_step(&baked_program, world, &baked_scene, NULL);
     for (uint32_t n = 0; n < BOARD_FRAMES; n++) {
         const picture p = draw(frame, scratch, world);
         say_frame(BOARD_FIRST + n, &p, tp_frame_last_stats(frame));

@@ -30,7 +30,7 @@ typedef struct {
     const char  *name;              /* what baked names begin with, NULL: the scene's */
     uint32_t     texels;            /* of a picture's longer side at the most, 0: any */
     const char  *only;              /* parameters' names begin so, NULL: any */
-    const machine *machine;         /* whose kit draws; NULL: the best one */
+    const machine *machine;         /* whose program draws; NULL: the best one */
     bool         sized;             /* --size was given */
     uint32_t     points;            /* of the benchmark's grid, 0: not given */
     int32_t      work;              /* bench_work, -1: not given */

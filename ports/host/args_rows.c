@@ -128,14 +128,14 @@ static const char *read_visibility(options *o, const char *value)
     return NULL;
 }
 
-static const char *read_kit(options *o, const char *value)
+static const char *read_machine(options *o, const char *value)
 {
     size_t count;
-    const machine *of = machine_kits(&count);
+    const machine *of = machine_list(&count);
     for (size_t i = 0; i < count; i++)
         if (!strcmp(of[i].name, value))
             o->machine = &of[i];
-    return o->machine ? NULL : "a kit that runs here: baseline, x86-64-v3";
+    return o->machine ? NULL : "a program that runs here: baseline, x86-64-v3";
 }
 
 static const char *read_texels(options *o, const char *value)
@@ -270,8 +270,7 @@ const option_row args_rows[] = {
     { "--strip", "COLS", RARE | FOR_RENDER | FOR_PLAN, read_strip,
       "draw in strips, columns in 16s" },
     { "--threads", "N", RARE | DRAWERS, read_threads, "draw tiles in N threads" },
-    { "--memory", "BYTES", DRAWERS, read_memory,
-      "refuse to draw with more; 96k, 2M" },
+    { "--memory", "BYTES", DRAWERS, read_memory, "refuse to draw with more; 96k, 2M" },
     { "--stream", NULL, RARE | DRAWERS, read_stream,
       "keep no vertices of the water: less memory, same bits" },
     { "--texels", "N", DRAWERS | FOR_BAKE, read_texels,
@@ -282,20 +281,24 @@ const option_row args_rows[] = {
       "refuse a mesh that lacks something, or such a list" },
     { "--jobs", "N", FOR_CHARTS, read_jobs, "so many at a time; else one a processor" },
     { "--only", "NAME,...", FOR_CHARTS, read_only, "these charts alone" },
-    { "--small", NULL, FOR_CHARTS, read_small, "without what takes long, times and pictures" },
+    { "--small", NULL, FOR_CHARTS, read_small,
+      "without what takes long, times and pictures" },
     { "--resume", NULL, FOR_CHARTS, read_resume,
       "take the jobs that an interrupted sweep finished" },
     { "--list", NULL, FOR_CHARTS, read_list, "print the jobs, and run none" },
-    { "--collect", NULL, FOR_CHARTS, read_collect, "run none: merge files of their rows" },
+    { "--collect", NULL, FOR_CHARTS, read_collect,
+      "run none: merge files of their rows" },
     { "--from", "FOLDER", FOR_CHARTS, read_from,
       "other charts than the project's; nothing is built" },
     { "--visibility", "HOW", RARE | DRAWERS | FOR_PLAN, read_visibility,
       "auto triangles rows projected flat" },
-    { "--hash", NULL, FOR_RENDER | FOR_SHOW, read_hash, "print the CRC-32 of every frame" },
+    { "--hash", NULL, FOR_RENDER | FOR_SHOW, read_hash,
+      "print the CRC-32 of every frame" },
     { "--expect", "FILE", FOR_RENDER, read_expect,
       "compare with such a list; exit 1 where it differs" },
     { "--vectors", "DIR", FOR_CHECK, read_vectors, "the folder of tables; needed" },
-    { "--tape", "FILE", FOR_RENDER | FOR_SHOW, read_tape, "play the inputs recorded there" },
+    { "--tape", "FILE", FOR_RENDER | FOR_SHOW, read_tape,
+      "play the inputs recorded there" },
     { "--scale", "N", FOR_VIEW, read_scale, "pixels N times as large, 1..16" },
     { "--no-panel", NULL, FOR_VIEW, read_no_panel, "begin with the panel hidden" },
     { "--ui", "PERCENT", FOR_VIEW, read_ui, "size of the letters, 50..400" },
@@ -306,7 +309,7 @@ const option_row args_rows[] = {
     { "--resume", NULL, FOR_VIEW, read_resume, "go on where the last one ended" },
     { "--frames", "N", FOR_VIEW, read_pictures,
       "draw N pictures as fast as it goes, and end" },
-    { "--kit", "KIT", RARE | FOR_RENDER | FOR_SHOW, read_kit,
+    { "--machine", "NAME", RARE | FOR_RENDER | FOR_SHOW, read_machine,
       "baseline or x86-64-v3, the same bits; else the best" },
     { "--stats", NULL, FOR_RENDER | FOR_VIEW, read_stats,
       "print times, counts and RAM as JSON" },

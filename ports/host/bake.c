@@ -173,8 +173,10 @@ static void put_head(const bake *b, const options *o, const stage *s)
             " *     extern const tp_scene  %s_scene;\n"
             " *     extern const tp_assets %s_assets;\n", b->name, b->name);
     if (b->program)
-        fprintf(b->out, " *     extern const tp_kit    %s_kit;\n"
-                " *     extern const tp_frame_config %s_picture;\n", b->name, b->name);
+        fprintf(b->out,
+                " *     extern const tp_program    %s_program;\n"
+                " *     extern const tp_frame_config %s_picture;\n",
+                b->name, b->name);
     fprintf(b->out, " *\n");
     put_contents(b, &s->assets.names);
     fprintf(b->out, "#include <tidepool/frame.h>\n");

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The part of a baked file that a program is linked by: NAME_kit, which lists what the
+/* The part of a baked file that a program is linked by: NAME_program, which lists what the
  * scene needs at one size and format, and NAME_picture, those two. */
 #ifndef HOST_BAKE_PROGRAM_H
 #define HOST_BAKE_PROGRAM_H

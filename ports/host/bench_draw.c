@@ -12,10 +12,10 @@
 static int begin_world(const bench_scene *s, tp_world *world)
 {
     tp_error err = { 0 };
-    if (tp_world_init(world, sizeof *world, &s->scene, &s->assets, &err))
+    if (tp_world_init(&tp_program_all, world, sizeof *world, &s->scene, &s->assets, &err))
         return fail_at("bench", &err);
     for (int i = 0; i < BENCH_TICK; i++)
-        tp_world_step(world, &s->scene, NULL);
+        tp_world_step(&tp_program_all, world, &s->scene, NULL);
     return EXIT_DONE;
 }
 
@@ -76,7 +76,7 @@ static int draw_round(bench_list *list, const bench_scene *s, canvas *c, tp_worl
             code = write_picture(f, &c->picture, folder);
     }
     for (uint32_t i = 0; i < list->frames && !code; i++) {
-        tp_world_step(world, &s->scene, NULL);
+        tp_world_step(&tp_program_all, world, &s->scene, NULL);
         const uint64_t begin = processor_us();
         canvas_draw(c, world);
         timings_add(&times, processor_us() - begin);

@@ -36,17 +36,18 @@ void canvas_plan(canvas *c, const tp_frame_config *config, uint32_t threads)
     c->picture.width = config->width;
     c->picture.height = config->height;
     c->picture.row_bytes = tp_format_row_bytes(config->format, (int)config->width);
-    size_t kits;
-    c->machine = machine_kits(&kits);
+    size_t programs;
+    c->machine = machine_list(&programs);
 }
 
 void canvas_count(canvas *c, const tp_scene *scene, const tp_assets *assets)
 {
-    c->kit = *c->machine->kit;
+    c->program = *c->machine->program;
     if (c->stream)
-        c->kit.method.triangles = &tp_method_streamed;
-    c->frame_bytes = tp_frame_bytes_with(&c->kit, scene, assets, &c->config);
-    c->scratch_bytes = c->threads * tp_frame_scratch_with(&c->kit, scene, &c->config);
+        c->program.method.triangles = &tp_method_streamed;
+    c->frame_bytes = tp_frame_bytes(&c->program, scene, assets, &c->config);
+    c->scratch_bytes =
+        c->threads * tp_frame_scratch_bytes(&c->program, scene, &c->config);
 }
 
 static int allocate(canvas *c)
@@ -71,8 +72,7 @@ int canvas_open(canvas *c, const tp_scene *scene, const tp_assets *assets)
     if (code)
         return code;
     tp_error err = { 0 };
-    if (tp_frame_init_with(&c->kit, &c->frame, scene, assets, &c->config, c->block,
-                           &err))
+    if (tp_frame_init(&c->program, &c->frame, scene, assets, &c->config, c->block, &err))
         return fail_at("tidepool", &err);
     c->crew = crew_open(c->threads - 1);
     return EXIT_DONE;

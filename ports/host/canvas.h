@@ -12,8 +12,8 @@
 typedef struct {
     picture   picture;          /* of the last canvas_draw */
     tp_frame *frame;
-    const machine *machine;     /* whose kit draws ... */
-    tp_kit    kit;              /* ... as the frame has it */
+    const machine *machine;     /* whose program draws ... */
+    tp_program program;         /* ... as the frame has it */
     bool      stream;           /* without stored crossings */
     void     *block;            /* that the frame lies in */
     size_t    frame_bytes, scratch_bytes;       /* scratch: of all threads */
@@ -27,7 +27,7 @@ typedef struct {
 } canvas;
 
 /* How the picture will be drawn; nothing is allocated.  Tile sides of 0 let the canvas
- * choose.  It takes the best kit that runs here, and stores crossings; another machine or
+ * choose.  It takes the best program that runs here, and stores crossings; another machine or
  * `stream` may then be put in place. */
 void canvas_plan(canvas *c, const tp_frame_config *config, uint32_t threads);
 

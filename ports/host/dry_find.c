@@ -45,7 +45,7 @@ static dry_program program_of(search *s, const piece_set *set)
     const dry_wish *wish = s->wish;
 
     pieces_list(&s->list, set, &wish->terms);
-    return (dry_program){ &s->list.kit, plans(set) ? wish->scene : wish->named,
+    return (dry_program){ &s->list.program, plans(set) ? wish->scene : wish->named,
                           s->lean ? wish->lean : wish->baked };
 }
 
@@ -102,9 +102,9 @@ static void need_what_takes_memory(search *s)
     const dry_wish *wish = s->wish;
     const piece_set all = everything(wish);
     const dry_program by = program_of(s, &all);
-    const size_t world = tp_world_bytes_with(by.kit, wish->scene, wish->assets);
-    const size_t frame = tp_frame_bytes_with(by.kit, wish->scene, wish->assets,
-                                             &wish->config);
+    const size_t world = tp_world_bytes(by.program, wish->scene, wish->assets);
+    const size_t frame =
+        tp_frame_bytes(by.program, wish->scene, wish->assets, &wish->config);
 
     for (size_t i = 0, module = 0; i < piece_count; i++) {
         piece_set less = all;
@@ -115,12 +115,13 @@ static void need_what_takes_memory(search *s)
             module = i;
         pieces_list(&s->list, &less, &wish->terms);
         if (piece_moves(i))
-            s->needed.has[i] = tp_world_bytes_with(by.kit, wish->scene, wish->assets)
-                            != world;
+            s->needed.has[i] =
+                tp_world_bytes(by.program, wish->scene, wish->assets) != world;
         else if (pieces[i].kind == PIECE_DRAWING
                  && (wish->acts || s->needed.has[module]))
-            s->needed.has[i] = tp_frame_bytes_with(by.kit, wish->scene, wish->assets,
-                                                   &wish->config) != frame;
+            s->needed.has[i] =
+                tp_frame_bytes(by.program, wish->scene, wish->assets, &wish->config)
+                != frame;
         s->needed.has[module] |= pieces[i].kind == PIECE_DRAWING && s->needed.has[i];
     }
 }
@@ -276,7 +277,7 @@ static int find_lacks(search *s, piece_set *lacks)
 {
     const dry_wish *wish = s->wish;
     dry_picture *whole = calloc(s->run.cameras, sizeof *whole);
-    dry_program  by = { &s->list.kit, wish->scene, wish->assets };
+    dry_program by = { &s->list.program, wish->scene, wish->assets };
     piece_set    all = { .has = { false } };
     uint32_t     differs;
     int code = whole ? EXIT_DONE : fail_memory(s->run.cameras * sizeof *whole);
@@ -284,7 +285,7 @@ static int find_lacks(search *s, piece_set *lacks)
     for (size_t i = 0; i < piece_count; i++)
         all.has[i] = true;
     pieces_list(&s->list, &all, &wish->terms);
-    const size_t world = tp_world_bytes_with(by.kit, wish->scene, wish->assets);
+    const size_t world = tp_world_bytes(by.program, wish->scene, wish->assets);
     if (!code)
         code = dry_draw(&s->run, &by, NULL, s->run.cameras, whole, NULL, NULL);
     for (size_t i = 0; i < piece_count && !code; i++) {
@@ -295,7 +296,7 @@ static int find_lacks(search *s, piece_set *lacks)
         pieces_list(&s->list, &less, &wish->terms);
         code = dry_draw(&s->run, &by, NULL, s->run.cameras, NULL, whole, &differs);
         lacks->has[i] = differs < s->run.cameras
-            || tp_world_bytes_with(by.kit, wish->scene, wish->assets) != world;
+                        || tp_world_bytes(by.program, wish->scene, wish->assets) != world;
     }
     free(whole);
     return code;
@@ -311,8 +312,9 @@ static int open_search(search *s, const dry_wish *wish)
     *s = (search){ .wish = wish };
     s->moved = all;
     pieces_list(list, &all, &wish->terms);
-    int code = dry_open(&s->run, &(dry_program){ &list->kit, wish->scene, wish->assets },
-                        &wish->config, wish->acts);
+    int code =
+        dry_open(&s->run, &(dry_program){ &list->program, wish->scene, wish->assets },
+                 &wish->config, wish->acts);
     if (code)
         return code;
     s->want = calloc(s->run.cameras, sizeof *s->want);
@@ -321,7 +323,7 @@ static int open_search(search *s, const dry_wish *wish)
         return fail_memory(s->run.cameras * sizeof *s->want);
     pieces_watch(list, &all, &wish->terms);
     pieces_forget();
-    return dry_draw(&s->run, &(dry_program){ &list->kit, wish->scene, wish->assets },
+    return dry_draw(&s->run, &(dry_program){ &list->program, wish->scene, wish->assets },
                     NULL, s->run.cameras, s->want, NULL, NULL);
 }
 

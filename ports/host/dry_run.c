@@ -62,7 +62,7 @@ static bool step_all(const dry_run *d, const dry_program *by, tp_world *world, u
         for (uint32_t k = 0; m && k < every; k++) {
             const tp_input in = input_at(&state);
             const bool acts = d->acts && m > d->moments / 2;
-            tp_world_step_with(by->kit, world, by->scene, acts ? &in : NULL);
+            tp_world_step(by->program, world, by->scene, acts ? &in : NULL);
         }
         if (to)
             memcpy(to + m * d->world_bytes, world, d->world_bytes);
@@ -74,12 +74,13 @@ static bool step_all(const dry_run *d, const dry_program *by, tp_world *world, u
 
 bool dry_moves_same(const dry_run *d, const dry_program *by)
 {
-    if (tp_world_bytes_with(by->kit, by->scene, by->assets) != d->world_bytes)
+    if (tp_world_bytes(by->program, by->scene, by->assets) != d->world_bytes)
         return false;
     tp_world *world = malloc(d->world_bytes);
-    const bool same = world
-        && tp_world_init_with(by->kit, world, d->world_bytes, by->scene, by->assets,
-                              NULL) == TP_OK
+    const bool same =
+        world
+        && tp_world_init(by->program, world, d->world_bytes, by->scene, by->assets, NULL)
+               == TP_OK
         && step_all(d, by, world, NULL);
     free(world);
     return same;
@@ -119,7 +120,7 @@ static dry_camera camera_near(const dry_program *by, const tp_world *world,
 
     c.eye.x = at.x + metres(state, -reach, reach);
     c.eye.z = at.z + metres(state, -reach, reach);
-    const tp_fx level = tp_world_above_with(by->kit, world, c.eye.x, c.eye.z).position.y;
+    const tp_fx level = tp_world_above(by->program, world, c.eye.x, c.eye.z).position.y;
     c.eye.y = under ? level - metres(state, 20, 4000)
                     : level + metres(state, 20, 500 + reach / 2);
     c.heading = next(state);
@@ -156,15 +157,16 @@ int dry_open(dry_run *d, const dry_program *by, const tp_frame_config *config, b
     d->ladder = tp_ladder_of(by->scene, by->assets, config->width, config->height);
     if (!acts)
         d->cameras *= d->ladder.count;
-    d->world_bytes = tp_world_bytes_with(by->kit, by->scene, by->assets);
+    d->world_bytes = tp_world_bytes(by->program, by->scene, by->assets);
     tp_world *world = malloc(d->world_bytes ? d->world_bytes : 1);
     d->worlds = malloc(MOMENTS * d->world_bytes + 1);
     d->camera = calloc(d->cameras, sizeof *d->camera);
     int code = EXIT_DONE;
     if (!world || !d->worlds || !d->camera)
         code = fail_memory((MOMENTS + 1) * d->world_bytes);
-    else if (tp_world_init_with(by->kit, world, d->world_bytes, by->scene, by->assets,
-                                &err) != TP_OK)
+    else if (tp_world_init(by->program, world, d->world_bytes, by->scene, by->assets,
+                           &err)
+             != TP_OK)
         code = fail_at("tidepool bake", &err);
     if (!code) {
         step_all(d, by, world, d->worlds);
@@ -206,14 +208,15 @@ static bool painter_open(painter *p, const job *j, tp_error *err)
 {
     const dry_program *by = j->by;
     const tp_frame_config *c = &j->run->config;
-    const size_t bytes = tp_frame_bytes_with(by->kit, by->scene, by->assets, c);
-    const size_t scratch = tp_frame_scratch_with(by->kit, by->scene, c);
+    const size_t bytes = tp_frame_bytes(by->program, by->scene, by->assets, c);
+    const size_t scratch = tp_frame_scratch_bytes(by->program, by->scene, c);
 
     *p = (painter){ .block = malloc(bytes + 1), .scratch = malloc(scratch + 1),
                     .world = malloc(j->run->world_bytes) };
     return p->block && p->scratch && p->world
-        && tp_frame_init_with(by->kit, &p->frame, by->scene, by->assets, c, p->block,
-                              err) == TP_OK;
+           && tp_frame_init(by->program, &p->frame, by->scene, by->assets, c, p->block,
+                            err)
+                  == TP_OK;
 }
 
 static void painter_close(painter *p)
@@ -306,6 +309,6 @@ int dry_draw(const dry_run *d, const dry_program *by, const uint32_t *which,
     if (!atomic_load(&j.failed))
         return EXIT_DONE;
     return j.err.code ? fail_at("tidepool bake", &j.err)
-                      : fail_memory(tp_frame_bytes_with(by->kit, by->scene, by->assets,
-                                                        &d->config));
+                      : fail_memory(
+                          tp_frame_bytes(by->program, by->scene, by->assets, &d->config));
 }

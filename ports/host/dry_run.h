@@ -10,7 +10,7 @@
 
 /* What steps and draws. */
 typedef struct {
-    const tp_kit    *kit;
+    const tp_program *program;
     const tp_scene  *scene;
     const tp_assets *assets;
 } dry_program;

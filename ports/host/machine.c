@@ -4,12 +4,12 @@
 #include "machine.h"
 #include <stdbool.h>
 
-#ifdef TP_HAVE_KIT_V3
-extern const tp_kit tp_kit_v3;
+#ifdef TP_HAVE_PROGRAM_V3
+extern const tp_program tp_program_v3;
 
 static const machine all[] = {
-    { "x86-64-v3", &tp_kit_v3 },
-    { "baseline", &tp_kit_all },
+    { "x86-64-v3", &tp_program_v3 },
+    { "baseline", &tp_program_all },
 };
 
 static bool has_v3(void)
@@ -19,7 +19,7 @@ static bool has_v3(void)
         && __builtin_cpu_supports("bmi2") && __builtin_cpu_supports("fma");
 }
 #else
-static const machine all[] = { { "baseline", &tp_kit_all } };
+static const machine all[] = { { "baseline", &tp_program_all } };
 
 static bool has_v3(void)
 {
@@ -27,7 +27,7 @@ static bool has_v3(void)
 }
 #endif
 
-const machine *machine_kits(size_t *count)
+const machine *machine_list(size_t *count)
 {
     const size_t skipped = has_v3() ? 0 : 1;
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The rows come from the lists of tidepool/kit.h: a piece that those gain or lose needs no
+/* The rows come from the lists of tidepool/program.h: a piece that those gain or lose needs no
  * line here. */
 #include "pieces.h"
 #include <stdatomic.h>
@@ -34,7 +34,7 @@ const piece pieces[] = {
 const size_t piece_count = sizeof pieces / sizeof *pieces;
 _Static_assert(sizeof pieces / sizeof *pieces <= PIECES_MOST, "a set holds all pieces");
 
-/* What each of them is: a stage, the offset in a kit of a pointer, or a use. */
+/* What each of them is: a stage, the offset in a program of a pointer, or a use. */
 typedef struct {
     tp_stage    stage, watched;
     const void *part;
@@ -74,23 +74,25 @@ TP_MODULE_LIST(MODULE, UNSEEN, MODULE)
 #undef X
 
 static const meaning meanings[] = {
-#define X(x) { .stage = tp_stage_##x, .watched = watched_##x, \
-               .offset = offsetof(tp_kit, stage.x) },
+#define X(x)                                                                             \
+    { .stage = tp_stage_##x,                                                             \
+      .watched = watched_##x,                                                            \
+      .offset = offsetof(tp_program, stage.x) },
     TP_STAGE_LIST(X)
 #undef X
-#define X(x) { .part = &tp_water_##x, .offset = offsetof(tp_kit, water.x) },
-    TP_WATER_LIST(X)
+#define X(x) { .part = &tp_water_##x, .offset = offsetof(tp_program, water.x) },
+        TP_WATER_LIST(X)
 #undef X
-#define X(x) { .part = &tp_draw_##x, .offset = offsetof(tp_kit, draw.x) },
-    TP_DRAW_LIST(X)
+#define X(x) { .part = &tp_draw_##x, .offset = offsetof(tp_program, draw.x) },
+            TP_DRAW_LIST(X)
 #undef X
-#define X(x) { .part = &tp_method_##x, .offset = offsetof(tp_kit, method.x) },
-    TP_METHOD_LIST(X)
+#define X(x) { .part = &tp_method_##x, .offset = offsetof(tp_program, method.x) },
+                TP_METHOD_LIST(X)
 #undef X
 #define MODULE(x) { .use = TP_USE(x) }, { .use = TP_USE(x) }, TP_STAGES_OF_##x(X)
 #define UNSEEN(x) { .use = TP_USE_UNSEEN(x) },
 #define X(x) { .stage = tp_stage_##x, .watched = watched_##x },
-    TP_MODULE_LIST(MODULE, UNSEEN, MODULE)
+                    TP_MODULE_LIST(MODULE, UNSEEN, MODULE)
 #undef X
 #undef UNSEEN
 #undef MODULE
@@ -113,10 +115,10 @@ bool pieces_ran(size_t i)
 
 /* -- a list --------------------------------------------------------------------------- */
 
-/* A kit's member is set by its offset; a part's pointer is one like any other. */
-static void put(tp_kit *kit, const meaning *m, tp_stage stage)
+/* A program's member is set by its offset; a part's pointer is one like any other. */
+static void put(tp_program *program, const meaning *m, tp_stage stage)
 {
-    char *at = (char *)kit + m->offset;
+    char *at = (char *)program + m->offset;
     if (stage)
         memcpy(at, &stage, sizeof stage);
     else
@@ -142,15 +144,15 @@ static void make(piece_list *to, const piece_set *of, const piece_terms *terms, 
         else if (pieces[i].kind == PIECE_MODULE_STAGE)
             *stage++ = by;
         else if (pieces[i].kind < PIECE_MODULE && in)
-            put(&to->kit, m, by);
+            put(&to->program, m, by);
     }
-    to->kit.modules = to->use;
-    to->kit.check = terms->checks ? tp_scene_check : NULL;
-    to->kit.store[terms->format] = tp_kit_all.store[terms->format];
-    if (terms->streams && to->kit.method.triangles)
-        to->kit.method.triangles = &tp_method_streamed;
-    if (terms->few && to->kit.water.swells)
-        to->kit.water.swells = &tp_water_few_swells;
+    to->program.modules = to->use;
+    to->program.check = terms->checks ? tp_scene_check : NULL;
+    to->program.store[terms->format] = tp_program_all.store[terms->format];
+    if (terms->streams && to->program.method.triangles)
+        to->program.method.triangles = &tp_method_streamed;
+    if (terms->few && to->program.water.swells)
+        to->program.water.swells = &tp_water_few_swells;
 }
 
 void pieces_list(piece_list *to, const piece_set *of, const piece_terms *terms)
@@ -271,7 +273,8 @@ void pieces_write(FILE *out, const char *name, const piece_set *of,
     fputc('\n', out);
     write_tables(out, name, of);
     write_uses(out, name, of);
-    fprintf(out, "extern const tp_kit %s_kit;\nconst tp_kit %s_kit = {\n", name, name);
+    fprintf(out, "extern const tp_program %s_program;\nconst tp_program %s_program = {\n",
+            name, name);
     if (terms->checks)
         fprintf(out, "    .check = tp_scene_check,\n");
     for (int kind = PIECE_STAGE; kind < PIECE_MODULE; kind++)

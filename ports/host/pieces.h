@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The pieces that a program's list may hold or lack, as the lists of tidepool/kit.h name
+/* The pieces that a program's list may hold or lack, as the lists of tidepool/program.h name
  * them, and a list that is made of some of them. */
 #ifndef HOST_PIECES_H
 #define HOST_PIECES_H
@@ -36,9 +36,9 @@ typedef struct {
     bool      checks;           /* scenes are checked: tp_scene_check */
 } piece_terms;
 
-/* A list in memory; `kit` points into it. */
+/* A list in memory; `program` points into it. */
 typedef struct {
-    tp_kit   kit;
+    tp_program program;
     tp_use   use[PIECES_MOST];
     tp_stage stage[PIECES_MOST];        /* the tables of modules, one after another */
 } piece_list;
@@ -66,7 +66,7 @@ static inline bool piece_is_stage(size_t i)
 /* "stage sky", "module foam": as people read them. */
 const char *piece_word(size_t i);
 
-/* The list as text in C: NAME_kit and, before it, what it points to. */
+/* The list as text in C: NAME_program and, before it, what it points to. */
 void pieces_write(FILE *out, const char *name, const piece_set *of,
                   const piece_terms *terms);
 #endif

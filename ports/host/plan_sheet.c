@@ -49,8 +49,8 @@ plan_sheet plan_sheet_of(const stage *s)
     for (int k = 0; k < TP_KINDS; k++)
         for (int i = 0; i < p.report.rung_count[k]; i++) {
             name_rungs(&scene, with(p.report.rungs, k, i));
-            p.bytes[k][i] = tp_frame_bytes(&scene, named, config)
-                          + tp_frame_scratch_bytes(config);
+            p.bytes[k][i] = tp_frame_bytes(&tp_program_all, &scene, named, config)
+                            + tp_frame_scratch_bytes(&tp_program_all, &scene, config);
         }
     return p;
 }

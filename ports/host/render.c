@@ -48,7 +48,7 @@ static int move(render *r, const options *o)
         code = replay_acts(&r->tape, s, o, &opened);
         if (code)
             break;
-        tp_world_step(s->world, &s->file.scene, replay_step(&r->tape));
+        tp_world_step(&tp_program_all, s->world, &s->file.scene, replay_step(&r->tape));
     }
     if (!code && opened)
         governing_begin(&r->governing, s);
@@ -95,7 +95,8 @@ static void print_stats(render *r)
     const size_t frames = r->times.count;
     const uint32_t median = timings_median(&r->times);
     fprintf(r->report,
-            "{\"kit\": \"%s\", \"frames\": %zu, \"ms_median\": %" PRIu32 ".%03" PRIu32 ", "
+            "{\"machine\": \"%s\", \"frames\": %zu, \"ms_median\": %" PRIu32 ".%03" PRIu32
+            ", "
             "\"water_pixels\": %" PRIu32 ", \"vertices\": %" PRIu32 ", "
             "\"triangles\": %" PRIu32 ", \"dropped\": %" PRIu32 ", "
             "\"pool\": {\"cells\": %" PRIu32 ", \"max_height\": %" PRId32 ", "
@@ -105,9 +106,9 @@ static void print_stats(render *r)
             "\"ram_bytes\": {\"scene\": %zu, \"world\": %zu, \"frame\": %zu, "
             "\"vertices\": %zu, \"tables\": %zu, \"scratch\": %zu, "
             "\"mesh\": %zu, \"textures\": %zu}}\n",
-            c->machine->name, frames, median / 1000, median % 1000, c->water_pixels, stats.vertices,
-            stats.triangles, stats.dropped, cells, pool.highest, pool.fastest,
-            pool.at_rest ? "true" : "false", drops.count, drops.rings,
+            c->machine->name, frames, median / 1000, median % 1000, c->water_pixels,
+            stats.vertices, stats.triangles, stats.dropped, cells, pool.highest,
+            pool.fastest, pool.at_rest ? "true" : "false", drops.count, drops.rings,
             drops.dropped + drops.rings_dropped, sizeof(tp_scene), s->world_bytes,
             ram.frame, ram.vertices, ram.tables, ram.scratch * c->threads,
             s->assets.mesh_bytes, s->assets.texture_bytes);

@@ -156,8 +156,9 @@ bool replay_remake(const replay *r, stage *s, uint32_t played)
         if (param)
             (void)tp_param_set(scene, param, value, strlen(value), NULL);
     }
-    const bool made = tp_world_init(s->world, s->world_bytes, scene, &s->assets.names,
-                                    NULL) == TP_OK;
+    const bool made = tp_world_init(&tp_program_all, s->world, s->world_bytes, scene,
+                                    &s->assets.names, NULL)
+                      == TP_OK;
     free(scene);
     return made;
 }

@@ -91,9 +91,10 @@ int stage_open(stage *s, const options *o)
 tp_world *stage_new_world(const tp_scene *scene, const tp_assets *names, size_t *bytes,
                           tp_error *err)
 {
-    *bytes = tp_world_bytes(scene, names);
+    *bytes = tp_world_bytes(&tp_program_all, scene, names);
     tp_world *world = malloc(*bytes > sizeof *world ? *bytes : sizeof *world);
-    if (world && tp_world_init(world, *bytes, scene, names, err) == TP_OK)
+    if (world
+        && tp_world_init(&tp_program_all, world, *bytes, scene, names, err) == TP_OK)
         return world;
     free(world);
     return NULL;

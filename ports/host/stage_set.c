@@ -83,7 +83,7 @@ static int world_anew(const stage *s, change *c)
 static int plan_anew(const stage *s, change *c)
 {
     const assets *a = assets_of(s, c);
-    const size_t world_bytes = tp_world_bytes(&s->file.scene, &a->names);
+    const size_t world_bytes = tp_world_bytes(&tp_program_all, &s->file.scene, &a->names);
     canvas plan;
     if (!s->canvas.frame || world_bytes == 0)
         return EXIT_DONE;
@@ -95,7 +95,7 @@ static int plan_anew(const stage *s, change *c)
 static int take_change(stage *s, change *c)
 {
     tp_error err = { 0 };
-    c->result = setting_take(&tp_kit_all, &s->file.scene, s->world, &s->assets.names,
+    c->result = setting_take(&tp_program_all, &s->file.scene, s->world, &s->assets.names,
                              c->param, &err);
     return c->result == SETTING_REFUSED ? refuse_change(c, &err)
          : c->result == SETTING_DONE    ? EXIT_DONE : world_anew(s, c);

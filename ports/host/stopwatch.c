@@ -20,7 +20,7 @@
 
 #define UNSEEN(name)        /* modules without stages */
 
-/* The kit's stages, then those of each module, from FIRST_ to before END_. */
+/* The program's stages, then those of each module, from FIRST_ to before END_. */
 enum {
 #define X(name) AT_##name,
 #define MODULE(name) \
@@ -168,7 +168,7 @@ static tp_use timed_by(tp_use use, uint32_t first, uint32_t end)
     return use;
 }
 
-/* A kit for another processor has copies of the modules, all of them; in any other list
+/* A program for another processor has copies of the modules, all of them; in any other list
  * the modules are these, and an unknown one is not timed. */
 static tp_use timed_of(const tp_use *list, size_t n, bool whole)
 {
@@ -193,16 +193,16 @@ static const tp_use *timed_list(const tp_use *list)
     return timed_use;
 }
 
-/* What a kit lacks it goes on to lack. */
+/* What a program lacks it goes on to lack. */
 void stopwatch_use(canvas *c, bool on)
 {
-    const tp_kit *its = c->machine->kit;
+    const tp_program *its = c->machine->program;
 
     empty = least_steps();
-    c->kit.modules = on ? timed_list(its->modules) : its->modules;
-#define X(name) \
-    own[AT_##name] = its->stage.name; \
-    c->kit.stage.name = on && its->stage.name ? timed_##name : its->stage.name;
+    c->program.modules = on ? timed_list(its->modules) : its->modules;
+#define X(name)                                                                          \
+    own[AT_##name] = its->stage.name;                                                    \
+    c->program.stage.name = on && its->stage.name ? timed_##name : its->stage.name;
     TP_STAGE_LIST(X)
 #undef X
 }

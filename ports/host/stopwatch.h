@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Nanoseconds by stage: a kit whose stages are timed, put in place of a canvas's while
+/* Nanoseconds by stage: a program whose stages are timed, put in place of a canvas's while
  * somebody looks at the figures. */
 #ifndef HOST_STOPWATCH_H
 #define HOST_STOPWATCH_H
@@ -7,11 +7,11 @@
 #include <stdint.h>
 #include "canvas.h"
 
-/* Of every stage of the list in kit.h, by its place there. */
+/* Of every stage of the list in program.h, by its place there. */
 extern const char *const stopwatch_name[];
 extern const uint32_t    stopwatch_stages;
 
-/* Puts timed stages into the canvas's kit, or its own ones back; between its pictures, and
+/* Puts timed stages into the canvas's program, or its own ones back; between its pictures, and
  * again when it has been opened anew.  The bits of pictures stay the same.  Threads add
  * up.  Canvases that are timed at once are of one machine. */
 void     stopwatch_use(canvas *c, bool on);

@@ -28,11 +28,11 @@ static bool add_visibility(words *list)
     return words_cut(list, tp_param_find("quality.visibility", 18)->unit, "|");
 }
 
-static bool add_kits(words *list)
+static bool add_machines(words *list)
 {
     size_t count;
     bool done = true;
-    const machine *of = machine_kits(&count);
+    const machine *of = machine_list(&count);
     for (size_t i = 0; i < count; i++)
         done = done && add(list, of[i].name);
     return done;
@@ -103,20 +103,13 @@ static const struct {
     takes       kind;
     bool      (*fill)(words *list);
 } rows[] = {
-    { "SCENE", TAKES_SCENE, add_scenes },
-    { "FORMAT", TAKES_WORD, add_formats },
-    { "HOW", TAKES_WORD, add_visibility },
-    { "KIT", TAKES_WORD, add_kits },
-    { "WORK", TAKES_WORD, add_works },
-    { "PORT", TAKES_WORD, add_ports },
-    { "SHELL", TAKES_WORD, add_shells },
-    { "COMMAND", TAKES_WORD, add_commands },
-    { "GROUP", TAKES_WORD, add_groups },
-    { "NAME=VALUE", TAKES_SETTING, NULL },
-    { "FILE", TAKES_FILE, NULL },
-    { "FILM.y4m", TAKES_FILE, NULL },
-    { "PATH", TAKES_FILE, NULL },
-    { "DIR", TAKES_FOLDER, NULL },
+    { "SCENE", TAKES_SCENE, add_scenes },  { "FORMAT", TAKES_WORD, add_formats },
+    { "HOW", TAKES_WORD, add_visibility }, { "MACHINE", TAKES_WORD, add_machines },
+    { "WORK", TAKES_WORD, add_works },     { "PORT", TAKES_WORD, add_ports },
+    { "SHELL", TAKES_WORD, add_shells },   { "COMMAND", TAKES_WORD, add_commands },
+    { "GROUP", TAKES_WORD, add_groups },   { "NAME=VALUE", TAKES_SETTING, NULL },
+    { "FILE", TAKES_FILE, NULL },          { "FILM.y4m", TAKES_FILE, NULL },
+    { "PATH", TAKES_FILE, NULL },          { "DIR", TAKES_FOLDER, NULL },
     { "FOLDER", TAKES_FOLDER, NULL },
 };
 

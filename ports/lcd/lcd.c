@@ -80,7 +80,7 @@ static lcd_status check(const lcd_config *c)
         return LCD_E_TURN;
     if (f->format != p->format)
         return LCD_E_FORMAT;
-    if (!tp_frame_scratch_bytes(f) || c->x >= (swap ? p->height : p->width)
+    if (tp_frame_check(f, NULL) != TP_OK || c->x >= (swap ? p->height : p->width)
         || c->y >= (swap ? p->width : p->height) || c->x + (int32_t)f->width <= 0
         || c->y + (int32_t)f->height <= 0)
         return LCD_E_SIZE;

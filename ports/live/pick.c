@@ -78,7 +78,7 @@ static tp_fx relief_of(const tp_pool *pool, tp_fx x, tp_fx z)
 
 static tp_fx water_at(const ray *r, tp_fx x, tp_fx z)
 {
-    const tp_fx high = tp_world_above(r->world, x, z).position.y;
+    const tp_fx high = tp_world_above(&tp_program_all, r->world, x, z).position.y;
 
     return !r->bumps ? high
                      : high - relief_of(tp_world_pool(r->world), x, z)

@@ -42,31 +42,33 @@ static void place_camera(tp_world *world, const tp_scene *scene, uint32_t offset
 
 /* Why the world did not take a number: it would do so in another block, or there is no
  * such world.  In a block of no bytes nothing is begun. */
-static setting_result asked_anew(const tp_kit *kit, const tp_scene *scene,
+static setting_result asked_anew(const tp_program *program, const tp_scene *scene,
                                  const tp_assets *assets, tp_error *err)
 {
     uint64_t none;
     tp_world *nowhere = (tp_world *)(void *)&none;
 
-    return tp_world_init_with(kit, nowhere, 0, scene, assets, err) == TP_E_NOSPACE
-         ? SETTING_ANEW : SETTING_REFUSED;
+    return tp_world_init(program, nowhere, 0, scene, assets, err) == TP_E_NOSPACE
+               ? SETTING_ANEW
+               : SETTING_REFUSED;
 }
 
-setting_result setting_take(const tp_kit *kit, const tp_scene *scene, tp_world *world,
-                            const tp_assets *assets, const tp_param *param, tp_error *err)
+setting_result setting_take(const tp_program *program, const tp_scene *scene,
+                            tp_world *world, const tp_assets *assets,
+                            const tp_param *param, tp_error *err)
 {
     if (tp_param_is_file(param))
         return SETTING_LOAD;
     if (param->kind == TP_PARAM_TEXT)
         return SETTING_DONE;
-    if (world && tp_world_refresh_with(kit, world, scene, assets)) {
+    if (world && tp_world_refresh(program, world, scene, assets)) {
         place_camera(world, scene, param->offset);
         return SETTING_DONE;
     }
-    return asked_anew(kit, scene, assets, err);
+    return asked_anew(program, scene, assets, err);
 }
 
-setting_result setting_put(const tp_kit *kit, tp_scene *scene, tp_world *world,
+setting_result setting_put(const tp_program *program, tp_scene *scene, tp_world *world,
                            const tp_assets *assets, const tp_param *param,
                            const char *text, size_t bytes, tp_error *err)
 {
@@ -76,7 +78,7 @@ setting_result setting_put(const tp_kit *kit, tp_scene *scene, tp_world *world,
     memcpy(&before, at, sizeof before);
     if (tp_param_set(scene, param, text, bytes, err))
         return SETTING_REFUSED;
-    const setting_result result = setting_take(kit, scene, world, assets, param, err);
+    const setting_result result = setting_take(program, scene, world, assets, param, err);
     if (result == SETTING_REFUSED)
         memcpy(at, &before, sizeof before);
     return result;

@@ -4,7 +4,7 @@
  *
  * The frame is the caller's.  It must be made anew after a change of what setting_is_grid
  * tells, before the next tp_frame_begin; it shows what setting_is_wall tells only when it
- * is; and it draws others in part (tidepool/frame.h) where tp_frame_bytes_with has risen,
+ * is; and it draws others in part (tidepool/frame.h) where tp_frame_bytes has risen,
  * until it is. */
 #ifndef LIVE_SETTING_H
 #define LIVE_SETTING_H
@@ -23,13 +23,14 @@ typedef enum {
 /* Until it is made anew a world goes on as it was; to take back what is ANEW or LOAD, put
  * the old text.  A number of the camera's moves the camera.  `world` NULL: there is none
  * yet, and every number is ANEW or REFUSED. */
-setting_result setting_put(const tp_kit *kit, tp_scene *scene, tp_world *world,
+setting_result setting_put(const tp_program *program, tp_scene *scene, tp_world *world,
                            const tp_assets *assets, const tp_param *param,
                            const char *text, size_t bytes, tp_error *err);
 
 /* The same of a value that the scene has already; what is refused stays in it. */
-setting_result setting_take(const tp_kit *kit, const tp_scene *scene, tp_world *world,
-                            const tp_assets *assets, const tp_param *param, tp_error *err);
+setting_result setting_take(const tp_program *program, const tp_scene *scene,
+                            tp_world *world, const tp_assets *assets,
+                            const tp_param *param, tp_error *err);
 
 /* Whether it is the number of the mesh's lines, one way or the other. */
 bool setting_is_grid(const tp_param *param);

@@ -32,14 +32,17 @@ static int run(const tp_scene *scene, tp_format format)
 {
     static const tp_assets none;
     const tp_frame_config config = { WIDTH, HEIGHT, 0, BAND, format };
-    void *block = malloc(tp_frame_bytes(scene, &none, &config));    /* 1: memory */
-    void *scratch = malloc(tp_frame_scratch_bytes(&config));
+    void *block =
+        malloc(tp_frame_bytes(&tp_program_all, scene, &none, &config)); /* 1: memory */
+    void *scratch = malloc(tp_frame_scratch_bytes(&tp_program_all, scene, &config));
     tp_frame *frame;
     tp_world world;                                                 /* 2: the world */
-    if (!block || !scratch || tp_frame_init(&frame, scene, &none, &config, block, NULL))
+    if (!block || !scratch
+        || tp_frame_init(&tp_program_all, &frame, scene, &none, &config, block, NULL))
         return FAILED;
-    tp_world_init(&world, sizeof world, scene, &none, NULL);
-    for (unsigned n = 0; n < FRAMES; n++, tp_world_step(&world, scene, NULL)) {
+    tp_world_init(&tp_program_all, &world, sizeof world, scene, &none, NULL);
+    for (unsigned n = 0; n < FRAMES;
+         n++, tp_world_step(&tp_program_all, &world, scene, NULL)) {
         tp_frame_begin(frame, &world);                              /* 3: frames */
         draw(frame, format, scratch, n);
     }

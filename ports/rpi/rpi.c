@@ -179,22 +179,32 @@ static void work_begin(work *w, const screen *s)
 {
     memcpy(&scene, &baked_scene, sizeof scene);
     w->config = (tp_frame_config){ s->width, s->height, 0, BAND, s->format };
-    const size_t bytes = tp_frame_bytes(&scene, &baked_assets, &w->config);
-    const size_t world_bytes = tp_world_bytes(&scene, &baked_assets);
+    const size_t bytes =
+        tp_frame_bytes(&tp_program_all, &scene, &baked_assets, &w->config);
+    const size_t world_bytes = tp_world_bytes(&tp_program_all, &scene, &baked_assets);
     tp_arena arena = tp_arena_over(arena_start, (size_t)(arena_end - arena_start));
     void    *block = tp_arena_take(&arena, 1, bytes);
     tp_error err;
 
-    w->scratch = tp_arena_take(&arena, 1, tp_frame_scratch_into_bytes(&w->config));
+    w->scratch = tp_arena_take(
+        &arena, 1, tp_frame_scratch_into_bytes(&tp_program_all, &scene, &w->config));
     w->world = tp_arena_take(&arena, 1, world_bytes);
     if (arena.failed
-        || tp_frame_init(&w->frame, &scene, &baked_assets, &w->config, block, &err))
+        || tp_frame_init(&tp_program_all, &w->frame, &scene, &baked_assets, &w->config,
+                         block, &err))
         stop("the frame does not fit");
-    if (tp_world_init(w->world, world_bytes, &scene, &baked_assets, &err))
+    if (tp_world_init(&tp_program_all, w->world, world_bytes, &scene, &baked_assets,
+                      &err))
         stop("the world cannot be made");
     w->setup = (control_setup){
-        .kit = &tp_kit_all, .shown = &scene, .scene = &scene, .assets = &baked_assets,
-        .config = &w->config, .world = w->world, .write = write, .state = say_state,
+        .program = &tp_program_all,
+        .shown = &scene,
+        .scene = &scene,
+        .assets = &baked_assets,
+        .config = &w->config,
+        .world = w->world,
+        .write = write,
+        .state = say_state,
         .to = w,
     };
     control_begin(&w->control, &w->setup);
@@ -203,7 +213,7 @@ static void work_begin(work *w, const screen *s)
 static void tick(work *w)
 {
     const tp_input input = control_take(&w->control);
-    tp_world_step(w->world, &scene, &input);
+    tp_world_step(&tp_program_all, w->world, &scene, &input);
 }
 
 static void draw(work *w, screen *s)

@@ -122,7 +122,7 @@ static const char *check_world(const keep *k, const head *h, const tp_world *kep
     tp_error err;
     if (played && (!k->remake || !k->remake(k->user, played)))
         return "was kept with another tape";
-    if (tp_world_check(kept, h->bytes, fresh, &err) == TP_OK)
+    if (tp_world_check(&tp_program_all, kept, h->bytes, fresh, &err) == TP_OK)
         return NULL;
     tp_error_text(&err, text, 128);
     if (played)

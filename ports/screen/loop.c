@@ -87,7 +87,7 @@ static void step(loop *l)
     static const tp_input nothing;
     const show *what = l->what;
     for (uint32_t n = act(l) ? tp_world_frame(what->world) : 0; n > 0 && act(l); n--) {
-        tp_world_step(what->world, what->scene,
+        tp_world_step(&tp_program_all, what->world, what->scene,
                       what->taped ? what->taped(what->user) : &l->wish);
         l->wish = nothing;
     }

@@ -42,9 +42,12 @@ static int prepare(void *user, uint32_t width, uint32_t height, tp_format format
     free(d->block);
     free(d->scratch);
     d->picture = (picture){ format, width, height, row_bytes, claim(row_bytes * height) };
-    d->block = claim(tp_frame_bytes(&baked_scene, &baked_assets, &config));
-    d->scratch = claim(tp_frame_scratch_into_bytes(&config));
-    if (tp_frame_init(&d->frame, &baked_scene, &baked_assets, &config, d->block, &err))
+    d->block =
+        claim(tp_frame_bytes(&tp_program_all, &baked_scene, &baked_assets, &config));
+    d->scratch =
+        claim(tp_frame_scratch_into_bytes(&tp_program_all, &baked_scene, &config));
+    if (tp_frame_init(&tp_program_all, &d->frame, &baked_scene, &baked_assets, &config,
+                      d->block, &err))
         return fail_at("screen", &err);
     return EXIT_DONE;
 }
@@ -144,9 +147,10 @@ int main(int argc, char **argv)
     const int code = read_all(&s, argc, argv);
     if (code)
         return code;
-    s.world_bytes = tp_world_bytes(&baked_scene, &baked_assets);
+    s.world_bytes = tp_world_bytes(&tp_program_all, &baked_scene, &baked_assets);
     s.world = claim(s.world_bytes);
-    if (tp_world_init(s.world, s.world_bytes, &baked_scene, &baked_assets, &err))
+    if (tp_world_init(&tp_program_all, s.world, s.world_bytes, &baked_scene,
+                      &baked_assets, &err))
         return fail_at("screen", &err);
     return show_run(&s);
 }

@@ -48,7 +48,7 @@ static void step_world(view *v, const tp_input *input)
         input = replay_step(&v->replay);
     else
         deck_add(&v->tape, tick_of(v), input);
-    tp_world_step(world_of(v), &v->stage->file.scene, input);
+    tp_world_step(&tp_program_all, world_of(v), &v->stage->file.scene, input);
 }
 
 /* Whether the next picture has a tick: the clock is asked on a copy of the head. */
@@ -104,7 +104,7 @@ void view_back(view *v)
     for (; from < v->picture - 1; from++) {
         const tp_input *input = past_input(v->past, from);
         for (uint32_t ticks = tp_world_frame(s->world); ticks > 0; ticks--) {
-            tp_world_step(s->world, &s->file.scene, input);
+            tp_world_step(&tp_program_all, s->world, &s->file.scene, input);
             input = NULL;
         }
     }

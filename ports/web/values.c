@@ -137,9 +137,8 @@ EXPORT(int, put, uint32_t i, size_t bytes)
     for (size_t n = 0; n < bytes; n++)
         given[n] = web_text[n];
     const tp_param *param = web_params() + i;
-    const setting_result result = setting_put(&tp_kit_all, &web_scene, web_world(),
-                                              &web_assets, param, given, bytes,
-                                              &err);
+    const setting_result result = setting_put(&tp_program_all, &web_scene, web_world(),
+                                              &web_assets, param, given, bytes, &err);
     if (result == SETTING_REFUSED)
         web_refuse(&err);
     const bool anew = setting_is_grid(param) || setting_is_wall(param, &web_assets);

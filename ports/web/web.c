@@ -57,24 +57,25 @@ static int make_frame(tp_error *err)
 {
     const tp_frame_config *c = &page.config;
     web_back_to(page.above);
-    page.frame_bytes = tp_frame_bytes(&web_scene, &web_assets, c);
+    page.frame_bytes = tp_frame_bytes(&tp_program_all, &web_scene, &web_assets, c);
     void *block = web_take(page.frame_bytes);
-    page.scratch = web_take(tp_frame_scratch_into_bytes(c));
+    page.scratch = web_take(tp_frame_scratch_into_bytes(&tp_program_all, &web_scene, c));
     page.row_bytes = tp_format_row_bytes(c->format, (int)c->width);
     page.rows = web_take(page.row_bytes * c->height);
     page.shown = web_take((size_t)c->width * c->height * sizeof *page.shown);
     if (!block || !page.scratch || !page.rows || !page.shown)
         return (int)TP_FAIL(err, TP_E_NOSPACE, 0, 0, 0);
-    return (int)tp_frame_init(&page.frame, &web_scene, &web_assets, c, block, err);
+    return (int)tp_frame_init(&tp_program_all, &page.frame, &web_scene, &web_assets, c,
+                              block, err);
 }
 
 static int make_world(tp_error *err)
 {
-    const size_t bytes = tp_world_bytes(&web_scene, &web_assets);
+    const size_t bytes = tp_world_bytes(&tp_program_all, &web_scene, &web_assets);
     tp_world *world = web_take(bytes < sizeof *world ? sizeof *world : bytes);
     if (!world)
         return (int)TP_FAIL(err, TP_E_NOSPACE, 0, bytes, 0);
-    if (tp_world_init(world, bytes, &web_scene, &web_assets, err))
+    if (tp_world_init(&tp_program_all, world, bytes, &web_scene, &web_assets, err))
         return (int)err->code;
     page.world = world;
     page.above = web_mark();
@@ -100,7 +101,8 @@ static void govern(void)
 int web_changed(bool anew)
 {
     tp_error err = { 0 };
-    const size_t bytes = tp_frame_bytes(&web_scene, &web_assets, &page.config);
+    const size_t bytes =
+        tp_frame_bytes(&tp_program_all, &web_scene, &web_assets, &page.config);
     if ((anew || bytes > page.frame_bytes) && make_frame(&err))
         return web_refuse(&err);
     if (limit_us() || page.governor.limit)
@@ -167,7 +169,7 @@ EXPORT(uint32_t, step, void)
     for (uint32_t ticks = tp_world_frame(page.world); ticks > 0; ticks--) {
         poke_take(&page.pokes, &web_scene, &page.wish);
         look_steer(&page.look, page.world, &web_scene, &page.wish);
-        tp_world_step(page.world, &web_scene, &page.wish);
+        tp_world_step(&tp_program_all, page.world, &web_scene, &page.wish);
         page.wish = (tp_input){ 0 };
     }
     return ++page.number;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The kit of everything.  Whoever names it links the whole core. */
-#include "tidepool/kit.h"
+/* The program of everything.  Whoever names it links the whole core. */
+#include "tidepool/program.h"
 #include "tidepool/scene.h"
 
 static const tp_use all[] = {
@@ -18,7 +18,7 @@ static const tp_use all[] = {
     { 0 }
 };
 
-const tp_kit tp_kit_all = {
+const tp_program tp_program_all = {
     .modules = all,
     .check = tp_scene_check,
     .stage = {

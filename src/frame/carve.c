@@ -5,7 +5,7 @@
 #include "geom/waters.h"
 #include "scene/prices.h"
 
-/* Whether the kit has a part that the scene asks for; if not, it counts. */
+/* Whether the program has a part that the scene asks for; if not, it counts. */
 bool tp_frame_wants(tp_frame_parts *parts, bool asked, bool part)
 {
     parts->lacks += asked && !part;
@@ -13,67 +13,72 @@ bool tp_frame_wants(tp_frame_parts *parts, bool asked, bool part)
 }
 
 /* The water's surface, and what is drawn before it as triangles. */
-static void carve_places(tp_frame_parts *p, tp_arena *arena, const tp_kit *kit,
+static void carve_places(tp_frame_parts *p, tp_arena *arena, const tp_program *program,
                          const tp_scene *scene, const tp_frame_config *config)
 {
     TP_ASSERT(scene->grid.cols >= 2 && scene->grid.rows >= 2);
 
     for (int v = TP_VISIBILITY_TRIANGLES; v <= TP_VISIBILITY_FLAT; v++) {
-        const struct tp_method *method = tp_frame_method(kit, (tp_visibility)v);
+        const struct tp_method *method = tp_frame_method(program, (tp_visibility)v);
         if (p->reach.visibility >> v & 1 && method)
-            method->carve(p, arena, kit, scene, config);
+            method->carve(p, arena, program, scene, config);
     }
-    if (p->reach.lod >> TP_LOD_ON & 1 && kit->water.lod && kit->method.triangles)
-        kit->water.lod->carve(p->grid, arena);
+    if (p->reach.lod >> TP_LOD_ON & 1 && program->water.lod && program->method.triangles)
+        program->water.lod->carve(p->grid, arena);
 }
 
-bool tp_frame_is_coastal(const tp_kit *kit, const tp_scene *scene)
+bool tp_frame_is_coastal(const tp_program *program, const tp_scene *scene)
 {
-    const tp_want want = tp_want_by(kit, scene, NULL);
-    return tp_modules_have(kit->modules, &want, TP_MODULE_COASTAL);
+    const tp_want want = tp_want_by(program, scene, NULL);
+    return tp_modules_have(program->modules, &want, TP_MODULE_COASTAL);
 }
 
 /* Crossings of coastal water lean on those around them, and are stored. */
-bool tp_frame_streams(const tp_kit *kit, const tp_scene *scene)
+bool tp_frame_streams(const tp_program *program, const tp_scene *scene)
 {
-    const struct tp_method *method = kit->method.triangles;
-    return method && method->streams && !tp_frame_is_coastal(kit, scene);
+    const struct tp_method *method = program->method.triangles;
+    return method && method->streams && !tp_frame_is_coastal(program, scene);
 }
 
 /* What the modules of a picture are asked about. */
-tp_want tp_frame_want(const tp_kit *kit, const tp_frame_parts *parts, const tp_scene *scene,
-                      const tp_assets *assets, const tp_frame_config *config)
+tp_want tp_frame_want(const tp_program *program, const tp_frame_parts *parts,
+                      const tp_scene *scene, const tp_assets *assets,
+                      const tp_frame_config *config)
 {
     return (tp_want){
-        .scene = scene, .assets = assets, .water = &kit->water,
-        .width = config->width, .height = config->height,
+        .scene = scene,
+        .assets = assets,
+        .water = &program->water,
+        .width = config->width,
+        .height = config->height,
         .shadings = parts->reach.shading,
     };
 }
 
-tp_plan_input tp_frame_plan_input(const tp_kit *kit, const tp_scene *scene,
+tp_plan_input tp_frame_plan_input(const tp_program *program, const tp_scene *scene,
                                   const tp_assets *assets, const tp_frame_config *config)
 {
-    return (tp_plan_input){ kit->modules, scene, assets, config->width, config->height };
+    return (tp_plan_input){ program->modules, scene, assets, config->width,
+                            config->height };
 }
 
-tp_frame *tp_frame_carve(const tp_kit *kit, tp_frame_parts *parts, tp_frame_ram *ram,
-                         tp_arena *arena, const tp_scene *scene, tp_assets *assets,
-                         const tp_frame_config *config)
+tp_frame *tp_frame_carve(const tp_program *program, tp_frame_parts *parts,
+                         tp_frame_ram *ram, tp_arena *arena, const tp_scene *scene,
+                         tp_assets *assets, const tp_frame_config *config)
 {
     tp_frame *frame = tp_arena_take(arena, 1, sizeof *frame);
     const size_t fixed = arena->used;
 
     *parts = (tp_frame_parts){
-        .reach = tp_frame_reach(kit, scene, assets, config),
+        .reach = tp_frame_reach(program, scene, assets, config),
     };
-    carve_places(parts, arena, kit, scene, config);
-    const tp_plan_input in = tp_frame_plan_input(kit, scene, assets, config);
-    if (kit->draw.rungs)
-        kit->draw.rungs->carve(parts, arena, &in);
+    carve_places(parts, arena, program, scene, config);
+    const tp_plan_input in = tp_frame_plan_input(program, scene, assets, config);
+    if (program->draw.rungs)
+        program->draw.rungs->carve(parts, arena, &in);
     const size_t placed = arena->used;
-    const tp_want want = tp_frame_want(kit, parts, scene, assets, config);
-    tp_frame_layout_modules(kit, parts, arena, want);
+    const tp_want want = tp_frame_want(program, parts, scene, assets, config);
+    tp_frame_layout_modules(program, parts, arena, want);
     *ram = (tp_frame_ram){
         .frame = arena->used, .vertices = placed - fixed,
         .tables = parts->module_bytes + sizeof frame->shade.sky,

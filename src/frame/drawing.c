@@ -3,13 +3,13 @@
 #include "frame/frame.h"
 
 /* The uses whose bits are set.  Ends behind the last of them: most tiles have few. */
-#define EACH_OF(bits, i, use, kit) \
-    const tp_use *const use = (kit)->modules; \
-    uint32_t i = 0; \
-    for (uint64_t left = (bits); left; left >>= 1, i++) \
+#define EACH_OF(bits, i, use, program)                                                   \
+    const tp_use *const use = (program)->modules;                                        \
+    uint32_t i = 0;                                                                      \
+    for (uint64_t left = (bits); left; left >>= 1, i++)                                  \
         if (left & 1)
 
-#define EACH_ON(i, use, frame) EACH_OF((frame)->modules_on, i, use, (frame)->kit)
+#define EACH_ON(i, use, frame) EACH_OF((frame)->modules_on, i, use, (frame)->program)
 
 /* -- memory --------------------------------------------------------------------------- */
 
@@ -35,11 +35,11 @@ static void give_lists(tp_frame_parts *parts, const tp_use *u, uint32_t count)
             tp_marks_give(&parts->marks, list++, parts->mark[i], u[i].drawing);
 }
 
-void tp_frame_layout_modules(const tp_kit *kit, tp_frame_parts *parts, tp_arena *arena,
-                             tp_want want)
+void tp_frame_layout_modules(const tp_program *program, tp_frame_parts *parts,
+                             tp_arena *arena, tp_want want)
 {
     const size_t begin = arena->used;
-    const tp_use *const u = kit->modules;
+    const tp_use *const u = program->modules;
     uint32_t count = 0, looks = 0, mark;
 
     while (u && u[count].module)
@@ -72,18 +72,18 @@ void tp_frame_layout_modules(const tp_kit *kit, tp_frame_parts *parts, tp_arena 
  * wants neither memory nor marks. */
 static bool can_draw(const tp_frame *frame, uint32_t i)
 {
-    const tp_drawing *drawing = frame->kit->modules[i].drawing;
+    const tp_drawing *drawing = frame->program->modules[i].drawing;
 
     return frame->parts.laid >> i & 1 || (drawing && !drawing->layout && !drawing->marks);
 }
 
 void tp_frame_enable_modules(tp_frame *frame)
 {
-    tp_want want = tp_frame_want(frame->kit, &frame->parts, frame->scene, &frame->assets,
-                                 &frame->config);
+    tp_want want = tp_frame_want(frame->program, &frame->parts, frame->scene,
+                                 &frame->assets, &frame->config);
 
     frame->modules_on = 0;
-    const tp_use *use = frame->kit->modules;
+    const tp_use *use = frame->program->modules;
     for (uint32_t i = 0; use && use[i].module; i++)
         if (can_draw(frame, i) && tp_module_ask(use[i].module, &want))
             frame->modules_on |= (uint64_t)1 << i;
@@ -123,9 +123,9 @@ bool tp_frame_has_module(const tp_frame *frame, uint32_t is)
 
 bool tp_frame_has_solids(const tp_frame *frame)
 {
-    EACH_OF(frame->modules_drawn, i, use, frame->kit)
-        if (use[i].drawing->draw)
-            return true;
+    EACH_OF(frame->modules_drawn, i, use, frame->program)
+    if (use[i].drawing->draw)
+        return true;
     return false;
 }
 
@@ -133,9 +133,9 @@ bool tp_frame_has_solids(const tp_frame *frame)
 
 void tp_frame_init_modules(tp_frame *frame)
 {
-    EACH_OF(frame->parts.laid, i, use, frame->kit)
-        if (use[i].drawing->init)
-            use[i].drawing->init(frame, frame->parts.module[i]);
+    EACH_OF(frame->parts.laid, i, use, frame->program)
+    if (use[i].drawing->init)
+        use[i].drawing->init(frame, frame->parts.module[i]);
 }
 
 void tp_frame_add_surface(tp_frame *frame, tp_surface *surface)
@@ -187,18 +187,18 @@ void tp_frame_place_modules(tp_frame *frame, tp_sight *sight, tp_grid_box *box)
 void tp_frame_draw_modules(const tp_frame *frame, const tp_sight *sight,
                            tp_samples *samples)
 {
-    EACH_OF(frame->modules_drawn, i, use, frame->kit)
-        if (use[i].drawing->draw)
-            use[i].drawing->draw(frame, frame->parts.module[i], sight, samples,
-                                 frame->parts.mark[i]);
+    EACH_OF(frame->modules_drawn, i, use, frame->program)
+    if (use[i].drawing->draw)
+        use[i].drawing->draw(frame, frame->parts.module[i], sight, samples,
+                             frame->parts.mark[i]);
 }
 
 void tp_frame_draw_over(const tp_frame *frame, const tp_samples *samples)
 {
-    EACH_OF(frame->modules_drawn, i, use, frame->kit)
-        if (use[i].drawing->over)
-            use[i].drawing->over(frame, frame->parts.module[i], samples,
-                                 frame->parts.mark[i]);
+    EACH_OF(frame->modules_drawn, i, use, frame->program)
+    if (use[i].drawing->over)
+        use[i].drawing->over(frame, frame->parts.module[i], samples,
+                             frame->parts.mark[i]);
 }
 
 /* -- lists of the modules' own samples ------------------------------------------------- */

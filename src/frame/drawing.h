@@ -59,7 +59,7 @@ typedef struct tp_drawing {
 /* -- drawing.c: loops over the program's list ----------------------------------------- */
 
 /* Lays out the memory of all enabled modules, their marks and all shader lists. */
-void tp_frame_layout_modules(const tp_kit *kit, struct tp_frame_parts *parts,
+void tp_frame_layout_modules(const tp_program *program, struct tp_frame_parts *parts,
                              tp_arena *arena, tp_want want);
 
 /* Asks which modules are on in this picture; those alone take part in it. */

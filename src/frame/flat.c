@@ -281,11 +281,11 @@ static void draw_flat(const tp_frame *frame, tp_samples *tile, void *memory)
 
 /* -- the method ------------------------------------------------------------------------ */
 
-static void carve_flat(tp_frame_parts *parts, tp_arena *arena, const tp_kit *kit,
+static void carve_flat(tp_frame_parts *parts, tp_arena *arena, const tp_program *program,
                        const tp_scene *scene, const tp_frame_config *config)
 {
     parts->level = tp_arena_take(arena, 1, sizeof *parts->level);
-    if (kit->water.swells)
+    if (program->water.swells)
         tp_frame_carve_slopes(parts, arena, scene, config);
 }
 

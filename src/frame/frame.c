@@ -23,15 +23,15 @@ static tp_assets filled_assets(const tp_assets *assets)
 
 static tp_status lacks(tp_error *err, const char *what)
 {
-    return tp_error_blame(err, TP_FAIL(err, TP_E_KIT, 0, 0, 0), what);
+    return tp_error_blame(err, TP_FAIL(err, TP_E_PROGRAM, 0, 0, 0), what);
 }
 
 /* What every picture needs. */
-static tp_status check_kit(const tp_kit *kit, tp_format format, tp_error *err)
+static tp_status check_program(const tp_program *program, tp_format format, tp_error *err)
 {
-    if (!kit->stage.sky || !kit->stage.plain)
-        return lacks(err, kit->stage.sky ? "plain" : "sky");
-    return kit->store[format] ? TP_OK : lacks(err, tp_format_name(format));
+    if (!program->stage.sky || !program->stage.plain)
+        return lacks(err, program->stage.sky ? "plain" : "sky");
+    return program->store[format] ? TP_OK : lacks(err, tp_format_name(format));
 }
 
 static tp_status check(const tp_frame_config *c, tp_error *err)
@@ -46,8 +46,15 @@ static tp_status check(const tp_frame_config *c, tp_error *err)
     return TP_OK;
 }
 
-size_t tp_frame_bytes_with(const tp_kit *kit, const tp_scene *scene,
-                           const tp_assets *assets, const tp_frame_config *config)
+tp_status tp_frame_check(const tp_frame_config *config, tp_error *err)
+{
+    const tp_frame_config c = filled(config);
+
+    return check(&c, err);
+}
+
+size_t tp_frame_bytes(const tp_program *program, const tp_scene *scene,
+                      const tp_assets *assets, const tp_frame_config *config)
 {
     tp_frame_config c = filled(config);
     tp_arena arena = tp_arena_over(NULL, 0);
@@ -55,9 +62,9 @@ size_t tp_frame_bytes_with(const tp_kit *kit, const tp_scene *scene,
     tp_frame_parts parts;
     tp_frame_ram ram;
 
-    if (check(&c, NULL) != TP_OK || tp_kit_check(kit, scene, NULL) != TP_OK)
+    if (check(&c, NULL) != TP_OK || tp_program_check(program, scene, NULL) != TP_OK)
         return 0;
-    tp_frame_carve(kit, &parts, &ram, &arena, scene, &known, &c);
+    tp_frame_carve(program, &parts, &ram, &arena, scene, &known, &c);
     return ram.frame;
 }
 
@@ -66,56 +73,37 @@ static size_t tile_samples(const tp_frame_config *c)
     return (size_t)c->tile_width * c->tile_height;
 }
 
+static uint32_t streamed_cols(const tp_program *program, const tp_scene *scene)
+{
+    return tp_frame_streams(program, scene) ? (uint32_t)scene->grid.cols : 0;
+}
+
 /* Four planes of samples, then the pixels, if they are drawn here; before there are any,
- * `column` bytes each of the method's and the window of a grid of `cols` lines use the
- * place. */
-static size_t scratch_of(const tp_frame_config *config, size_t column, uint32_t cols,
-                         bool into)
+ * the method's bytes of each column and the window of a streamed grid use the place. */
+static size_t scratch_of(const tp_program *program, const tp_scene *scene,
+                         const tp_frame_config *config, bool into)
 {
     tp_frame_config c = filled(config);
 
-    if (check(&c, NULL) != TP_OK)
+    if (check(&c, NULL) != TP_OK || tp_program_check(program, scene, NULL) != TP_OK)
         return 0;
     const size_t pixels = tp_format_row_bytes(c.format, (int)c.tile_width) * c.tile_height;
-    const size_t method = column * c.tile_width + TP_GRID_WINDOW(cols);
+    const size_t method = tp_method_bytes(program) * c.tile_width
+                          + TP_GRID_WINDOW(streamed_cols(program, scene));
     return 4 * tile_samples(&c) * sizeof(uint32_t)
          + (pixels > method && !into ? pixels : method);
 }
 
-size_t tp_frame_scratch_bytes(const tp_frame_config *config)
+size_t tp_frame_scratch_bytes(const tp_program *program, const tp_scene *scene,
+                              const tp_frame_config *config)
 {
-    return scratch_of(config, TP_METHOD_BYTES, 0, false);
+    return scratch_of(program, scene, config, false);
 }
 
-size_t tp_frame_scratch_into_bytes(const tp_frame_config *config)
+size_t tp_frame_scratch_into_bytes(const tp_program *program, const tp_scene *scene,
+                                   const tp_frame_config *config)
 {
-    return scratch_of(config, TP_METHOD_BYTES, 0, true);
-}
-
-static uint32_t streamed_cols(const tp_kit *kit, const tp_scene *scene)
-{
-    return tp_frame_streams(kit, scene) ? (uint32_t)scene->grid.cols : 0;
-}
-
-/* By this kit, for this scene; 0: they cannot be used. */
-static size_t scratch_with(const tp_kit *kit, const tp_scene *scene,
-                           const tp_frame_config *config, bool into)
-{
-    if (tp_kit_check(kit, scene, NULL) != TP_OK)
-        return 0;
-    return scratch_of(config, tp_method_bytes(kit), streamed_cols(kit, scene), into);
-}
-
-size_t tp_frame_scratch_with(const tp_kit *kit, const tp_scene *scene,
-                             const tp_frame_config *config)
-{
-    return scratch_with(kit, scene, config, false);
-}
-
-size_t tp_frame_scratch_into_with(const tp_kit *kit, const tp_scene *scene,
-                                  const tp_frame_config *config)
-{
-    return scratch_with(kit, scene, config, true);
+    return scratch_of(program, scene, config, true);
 }
 
 /* Tables that last, and those that the first frame needs. */
@@ -124,9 +112,9 @@ static void make_tables(tp_frame *frame)
     tp_frame_init_modules(frame);
 }
 
-tp_status tp_frame_init_with(const tp_kit *kit, tp_frame **out, const tp_scene *scene,
-                             const tp_assets *assets, const tp_frame_config *config,
-                             void *block, tp_error *err)
+tp_status tp_frame_init(const tp_program *program, tp_frame **out, const tp_scene *scene,
+                        const tp_assets *assets, const tp_frame_config *config,
+                        void *block, tp_error *err)
 {
     tp_frame_config c = filled(config);
     tp_status status = tp_given_check(out, "frame", err);
@@ -134,9 +122,9 @@ tp_status tp_frame_init_with(const tp_kit *kit, tp_frame **out, const tp_scene *
     if (status == TP_OK)
         status = check(&c, err);
     if (status == TP_OK)
-        status = tp_kit_check(kit, scene, err);
+        status = tp_program_check(program, scene, err);
     if (status == TP_OK)
-        status = check_kit(kit, c.format, err);
+        status = check_program(program, c.format, err);
     if (status == TP_OK)
         status = tp_given_block(block, 8, "block", err);
     if (status != TP_OK)
@@ -145,10 +133,10 @@ tp_status tp_frame_init_with(const tp_kit *kit, tp_frame **out, const tp_scene *
     tp_assets known = filled_assets(assets);
     tp_frame_parts parts;
     tp_frame_ram ram;
-    tp_frame *frame = tp_frame_carve(kit, &parts, &ram, &arena, scene, &known, &c);
+    tp_frame *frame = tp_frame_carve(program, &parts, &ram, &arena, scene, &known, &c);
     TP_ASSERT(arena.used == ram.frame);
     memset(frame, 0, sizeof *frame);
-    frame->kit = kit;
+    frame->program = program;
     frame->scene = scene;
     frame->assets = known;
     frame->config = c;
@@ -156,7 +144,7 @@ tp_status tp_frame_init_with(const tp_kit *kit, tp_frame **out, const tp_scene *
     frame->down = (c.height + c.tile_height - 1) / c.tile_height;
     frame->parts = parts;
     frame->ram = ram;
-    frame->ram.scratch = tp_frame_scratch_with(kit, scene, &c);
+    frame->ram.scratch = tp_frame_scratch_bytes(program, scene, &c);
     tp_frame_choose_rungs(frame);
     make_tables(frame);
     *out = frame;
@@ -169,7 +157,7 @@ static void place_surface(tp_frame *frame)
     const tp_world *world = frame->world;
     tp_surface *surface = &frame->surface;
 
-    *surface = tp_world_surface(frame->kit, world);
+    *surface = tp_world_surface(frame->program, world);
     surface->phases = frame->drawn.phases;
     surface->back = world->back;
     surface->ring = NULL;
@@ -205,9 +193,9 @@ static void place_solids(tp_frame *frame)
 
 void tp_frame_begin(tp_frame *frame, const tp_world *world)
 {
-    TP_ASSERT(frame != NULL && frame->kit != NULL && world != NULL);
+    TP_ASSERT(frame != NULL && frame->program != NULL && world != NULL);
     const tp_scene *scene = frame->scene;
-    const tp_draws *draw = &frame->kit->draw;
+    const tp_draws *draw = &frame->program->draw;
 
     frame->stats = (tp_frame_stats){ .dropped = frame->parts.lacks };
     frame->world = world;

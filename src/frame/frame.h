@@ -37,8 +37,8 @@ typedef struct tp_frame_parts {
     uint32_t         slope_cols;
     tp_thin_sea     *thin;
     struct tp_frame_lines *lines;       /* of the grid, lines.h; NULL: rows draw nothing */
-    uint32_t         lacks;             /* parts that the scene has and the kit has not */
-    void           **module;            /* memory of each of the kit, or NULL, */
+    uint32_t lacks; /* parts that the scene has and the program has not */
+    void **module;  /* memory of each of the program, or NULL, */
     uint8_t         *mark;              /* its first mark, or 0, */
     uint64_t         laid;              /* and a bit: it was on at init */
     tp_marks         marks;
@@ -47,7 +47,7 @@ typedef struct tp_frame_parts {
 } tp_frame_parts;
 
 struct tp_frame {
-    const tp_kit    *kit;
+    const tp_program *program;
     const tp_scene  *scene;
     tp_assets        assets;
     tp_frame_config  config;    /* tile sizes filled in */
@@ -69,7 +69,7 @@ struct tp_frame {
     tp_visibility    visibility;        /* of this frame */
 
     tp_sight         sight;             /* the picture itself */
-    uint64_t         modules_on;        /* bits, in the order of the kit's list */
+    uint64_t modules_on;                /* bits, in the order of the program's list */
     uint64_t         modules_drawn;     /* of those that draw samples */
 
     bool             under;             /* the eye is in the water */
@@ -88,23 +88,26 @@ static inline tp_shaders *tp_frame_list(const tp_frame *frame, uint32_t mark)
 
 /* carve.c: the block's layout, the frame itself first; with an arena that only counts,
  * then with the block.  Sizes are left in `ram`. */
-tp_frame *tp_frame_carve(const tp_kit *kit, tp_frame_parts *parts, tp_frame_ram *ram,
-                         tp_arena *arena, const tp_scene *scene, tp_assets *assets,
-                         const tp_frame_config *config);
+tp_frame *tp_frame_carve(const tp_program *program, tp_frame_parts *parts,
+                         tp_frame_ram *ram, tp_arena *arena, const tp_scene *scene,
+                         tp_assets *assets, const tp_frame_config *config);
 bool tp_frame_wants(tp_frame_parts *parts, bool asked, bool part);
-tp_want tp_frame_want(const tp_kit *kit, const tp_frame_parts *parts, const tp_scene *scene,
-                      const tp_assets *assets, const tp_frame_config *config);
-bool tp_frame_is_coastal(const tp_kit *kit, const tp_scene *scene);
-bool tp_frame_streams(const tp_kit *kit, const tp_scene *scene);    /* does not store */
-tp_plan_input tp_frame_plan_input(const tp_kit *kit, const tp_scene *scene,
+tp_want tp_frame_want(const tp_program *program, const tp_frame_parts *parts,
+                      const tp_scene *scene, const tp_assets *assets,
+                      const tp_frame_config *config);
+bool tp_frame_is_coastal(const tp_program *program, const tp_scene *scene);
+bool tp_frame_streams(const tp_program *program,
+                      const tp_scene *scene); /* does not store */
+tp_plan_input tp_frame_plan_input(const tp_program *program, const tp_scene *scene,
                                   const tp_assets *assets, const tp_frame_config *config);
 
 /* visibility.c: the plan's rungs, made at init and when the budget changes; by which
  * method this frame's water is drawn, and drawing it by that */
-const struct tp_method *tp_frame_method(const tp_kit *kit, tp_visibility visibility);
+const struct tp_method *tp_frame_method(const tp_program *program,
+                                        tp_visibility visibility);
 void tp_frame_choose_rungs(tp_frame *frame);
-tp_reach tp_frame_reach(const tp_kit *kit, const tp_scene *scene, const tp_assets *assets,
-                        const tp_frame_config *config);
+tp_reach tp_frame_reach(const tp_program *program, const tp_scene *scene,
+                        const tp_assets *assets, const tp_frame_config *config);
 void tp_frame_choose_visibility(tp_frame *frame);
 void tp_frame_place_surface(tp_frame *frame);
 void tp_frame_draw_surface(const tp_frame *frame, tp_samples *tile, void *memory);

@@ -7,14 +7,14 @@
 #define WIDE_CELL   16
 #define WIDE_TILTED 4
 
-void tp_lines_carve(tp_frame_parts *parts, tp_arena *arena, const tp_kit *kit,
+void tp_lines_carve(tp_frame_parts *parts, tp_arena *arena, const tp_program *program,
                     const tp_scene *scene, const tp_frame_config *config)
 {
     size_t cols = (size_t)scene->grid.cols, rows = (size_t)scene->grid.rows;
     size_t lines = cols > rows ? cols : rows;
     size_t upright = cols * ((rows - 2) / TP_GRID_BLOCK + 1);
     size_t level = rows * ((cols - 2) / TP_GRID_BLOCK + 1);
-    const bool streams = tp_frame_streams(kit, scene);
+    const bool streams = tp_frame_streams(program, scene);
 
     (void)config;
     tp_frame_lines *to = tp_arena_take(arena, 1, sizeof *to);

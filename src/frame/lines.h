@@ -79,7 +79,7 @@ tp_row_point tp_line_point(const tp_frame *frame, const tp_grid_window *window, 
 void tp_line_ends(const tp_frame *frame, const tp_grid_window *window, uint32_t k,
                   tp_row_point end[2]);
 
-void tp_lines_carve(tp_frame_parts *parts, tp_arena *arena, const tp_kit *kit,
+void tp_lines_carve(tp_frame_parts *parts, tp_arena *arena, const tp_program *program,
                     const tp_scene *scene, const tp_frame_config *config);
 void tp_lines_place(tp_frame *frame);
 #endif

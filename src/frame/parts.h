@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* What the kit holds of each part of a frame that only some scenes have.  A part that the
- * kit lacks the scene does not have either: carve.c sees to that, so that none of them is
+/* What the program holds of each part of a frame that only some scenes have.  A part that the
+ * program lacks the scene does not have either: carve.c sees to that, so that none of them is
  * asked for once the frame is made. */
 #ifndef TP_FRAME_PARTS_H
 #define TP_FRAME_PARTS_H
@@ -10,7 +10,7 @@
  * tp_method_bytes() for each of the tile's columns; behind it, if crossings are streamed,
  * a window's. */
 struct tp_method {
-    void (*carve)(tp_frame_parts *parts, tp_arena *arena, const tp_kit *kit,
+    void (*carve)(tp_frame_parts *parts, tp_arena *arena, const tp_program *program,
                   const tp_scene *scene, const tp_frame_config *config);
     bool (*holds)(tp_frame *frame);     /* for this frame; NULL: always */
     void (*place)(tp_frame *frame);
@@ -21,9 +21,9 @@ struct tp_method {
 #define TP_METHOD_BYTES sizeof(tp_row_column)
 
 /* None where no method goes by columns. */
-static inline size_t tp_method_bytes(const tp_kit *kit)
+static inline size_t tp_method_bytes(const tp_program *program)
 {
-    return kit->method.rows || kit->method.projected ? TP_METHOD_BYTES : 0;
+    return program->method.rows || program->method.projected ? TP_METHOD_BYTES : 0;
 }
 
 /* The plan: planned.c. */

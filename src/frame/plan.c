@@ -31,7 +31,7 @@ static void choose_water(tp_frame *frame)
     water->kind = TP_LIST_WATER;
     tp_frame_add_modules(frame, water);
     if (!tp_shaders_has(water, TP_AT_COLOUR))
-        tp_shaders_add_colour(water, frame->kit->stage.plain);
+        tp_shaders_add_colour(water, frame->program->stage.plain);
 }
 
 /* The surface from below. */
@@ -41,7 +41,7 @@ static void choose_below(tp_frame *frame)
 
     tp_shaders_clear(water);
     water->kind = TP_LIST_BELOW;
-    tp_shaders_add(water, TP_AT_VIEW, frame->kit->stage.view, NULL);
+    tp_shaders_add(water, TP_AT_VIEW, frame->program->stage.view, NULL);
     tp_frame_add_modules(frame, water);
 }
 
@@ -55,7 +55,7 @@ static void choose_sky(tp_frame *frame)
     tp_shaders_clear(sky);
     tp_frame_add_modules(frame, sky);
     if (!tp_shaders_has(sky, TP_AT_COLOUR))
-        tp_shaders_add_colour(sky, frame->kit->stage.sky);
+        tp_shaders_add_colour(sky, frame->program->stage.sky);
     if (named && frame->shade.env.kind == TP_ENV_GRADIENT)
         sky->lacks++;
 }

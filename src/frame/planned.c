@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The plan as the kit names it: which rungs a scene is drawn by, and the sea without what
+/* The plan as the program names it: which rungs a scene is drawn by, and the sea without what
  * is too faint to be seen.  Without it a scene is drawn by the rungs that it names, and
  * by the plainest where it names none. */
 #include "frame/frame.h"

@@ -343,11 +343,12 @@ static void draw_projected(const tp_frame *frame, tp_samples *tile, void *memory
 /* -- the method ------------------------------------------------------------------------ */
 
 /* Flat, if it is in reach too, has taken a level before. */
-static void carve_projected(tp_frame_parts *parts, tp_arena *arena, const tp_kit *kit,
-                            const tp_scene *scene, const tp_frame_config *config)
+static void carve_projected(tp_frame_parts *parts, tp_arena *arena,
+                            const tp_program *program, const tp_scene *scene,
+                            const tp_frame_config *config)
 {
     (void)scene, (void)config;
-    if (!(parts->reach.visibility >> TP_VISIBILITY_FLAT & 1) || !kit->method.flat)
+    if (!(parts->reach.visibility >> TP_VISIBILITY_FLAT & 1) || !program->method.flat)
         parts->level = tp_arena_take(arena, 1, sizeof *parts->level);
     parts->projected = tp_arena_take(arena, 1, sizeof *parts->projected);
 }

@@ -4,7 +4,7 @@
 #ifndef TP_FRAME_SHADERS_H
 #define TP_FRAME_SHADERS_H
 #include "shade/shade.h"
-#include "tidepool/kit.h"
+#include "tidepool/program.h"
 
 #define TP_SHADERS_WATER 20     /* room of the water's list, with its end, */
 #define TP_SHADERS_OTHER 6      /* and of any other */
@@ -50,7 +50,7 @@ typedef struct {
     uint8_t    count, room;
     bool       rippled;         /* a stage bends the slopes */
     bool       shines;          /* a stage leaves a glint */
-    uint16_t   lacks;           /* stages that the scene asks for and the kit has not */
+    uint16_t lacks; /* stages that the scene asks for and the program has not */
 } tp_shaders;
 
 void tp_shaders_init(tp_shaders *list, tp_list_kind kind, tp_shader *shader,
@@ -66,7 +66,7 @@ static inline void tp_shaders_add_colour(tp_shaders *list, tp_stage stage)
     tp_shaders_add(list, TP_AT_COLOUR, stage, NULL);
 }
 
-/* The stage that a list wants or, counted, the plainer one that the kit has. */
+/* The stage that a list wants or, counted, the plainer one that the program has. */
 tp_stage tp_shaders_pick(tp_shaders *list, tp_stage wanted, tp_stage plainer);
 
 /* True of water by exact stages, seen from above or below. */

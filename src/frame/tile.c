@@ -69,7 +69,7 @@ static void shade_run(const tp_frame *frame, const tp_shaders *list, tp_run *run
 
 static void shade_row(const tp_frame *frame, const tp_samples *tile, int32_t y, void *row)
 {
-    const tp_store store = frame->kit->store[frame->config.format];
+    const tp_store store = frame->program->store[frame->config.format];
     tp_run run;
 
     for (int32_t x = tile->x0; x < tile->x1; x += run.count) {

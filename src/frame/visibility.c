@@ -26,11 +26,11 @@ static tp_rungs named(const tp_scene *scene)
     };
 }
 
-tp_reach tp_frame_reach(const tp_kit *kit, const tp_scene *scene, const tp_assets *assets,
-                        const tp_frame_config *config)
+tp_reach tp_frame_reach(const tp_program *program, const tp_scene *scene,
+                        const tp_assets *assets, const tp_frame_config *config)
 {
-    const struct tp_draw_rungs *rungs = kit->draw.rungs;
-    const tp_plan_input in = tp_frame_plan_input(kit, scene, assets, config);
+    const struct tp_draw_rungs *rungs = program->draw.rungs;
+    const tp_plan_input in = tp_frame_plan_input(program, scene, assets, config);
     const tp_ladder ladder = rungs ? rungs->ladder(&in)
                                    : (tp_ladder){ { named(scene) }, 1 };
     return tp_reach_of(&ladder);
@@ -52,10 +52,11 @@ static tp_rungs within(tp_reach reach, tp_rungs r)
     };
 }
 
-/* NULL: the kit has none. */
-const struct tp_method *tp_frame_method(const tp_kit *kit, tp_visibility visibility)
+/* NULL: the program has none. */
+const struct tp_method *tp_frame_method(const tp_program *program,
+                                        tp_visibility visibility)
 {
-    const tp_methods *method = &kit->method;
+    const tp_methods *method = &program->method;
     return visibility == TP_VISIBILITY_TRIANGLES ? method->triangles
          : visibility == TP_VISIBILITY_ROWS ? method->rows
          : visibility == TP_VISIBILITY_PROJECTED ? method->projected
@@ -65,14 +66,14 @@ const struct tp_method *tp_frame_method(const tp_kit *kit, tp_visibility visibil
 /* None is planned at first. */
 void tp_frame_choose_rungs(tp_frame *frame)
 {
-    const struct tp_draw_rungs *rungs = frame->kit->draw.rungs;
+    const struct tp_draw_rungs *rungs = frame->program->draw.rungs;
     const tp_scene *scene = frame->scene;
 
     if (frame->planned.visibility == TP_VISIBILITY_AUTO
         || memcmp(frame->quality, &scene->quality, sizeof frame->quality) != 0) {
         memcpy(frame->quality, &scene->quality, sizeof frame->quality);
-        const tp_plan_input in = tp_frame_plan_input(frame->kit, scene, &frame->assets,
-                                                     &frame->config);
+        const tp_plan_input in =
+            tp_frame_plan_input(frame->program, scene, &frame->assets, &frame->config);
         frame->planned = rungs ? rungs->rungs(&in) : named(scene);
     }
     frame->rungs = within(frame->parts.reach, frame->steered ? frame->asked
@@ -113,7 +114,8 @@ static void view_water(tp_frame *frame)
 
 void tp_frame_choose_visibility(tp_frame *frame)
 {
-    const struct tp_method *method = tp_frame_method(frame->kit, frame->rungs.visibility);
+    const struct tp_method *method =
+        tp_frame_method(frame->program, frame->rungs.visibility);
 
     view_water(frame);
     frame->visibility = frame->rungs.visibility;
@@ -124,7 +126,7 @@ void tp_frame_choose_visibility(tp_frame *frame)
 /* Without a method that holds no water is drawn. */
 void tp_frame_place_surface(tp_frame *frame)
 {
-    const struct tp_method *method = tp_frame_method(frame->kit, frame->visibility);
+    const struct tp_method *method = tp_frame_method(frame->program, frame->visibility);
 
     TP_ASSERT(frame->visibility != TP_VISIBILITY_AUTO);
     if (method)
@@ -133,7 +135,7 @@ void tp_frame_place_surface(tp_frame *frame)
 
 void tp_frame_draw_surface(const tp_frame *frame, tp_samples *tile, void *memory)
 {
-    const struct tp_method *method = tp_frame_method(frame->kit, frame->visibility);
+    const struct tp_method *method = tp_frame_method(frame->program, frame->visibility);
 
     if (method)
         method->draw(frame, tile, memory);

@@ -182,7 +182,8 @@ static void place_water(tp_frame *frame)
 
 tp_grid_window tp_frame_window(const tp_frame *frame, void *memory)
 {
-    void *rows = (uint8_t *)memory + tp_method_bytes(frame->kit) * frame->config.tile_width;
+    void *rows =
+        (uint8_t *)memory + tp_method_bytes(frame->program) * frame->config.tile_width;
     return tp_grid_window_over(rows);
 }
 
@@ -219,7 +220,7 @@ static tp_grid *carve_grid(tp_frame_parts *parts, tp_arena *arena, tp_grid *coun
     return grid;
 }
 
-static void carve_water(tp_frame_parts *parts, tp_arena *arena, const tp_kit *kit,
+static void carve_water(tp_frame_parts *parts, tp_arena *arena, const tp_program *program,
                         const tp_scene *scene, const tp_frame_config *config)
 {
     tp_grid  counted;
@@ -227,18 +228,19 @@ static void carve_water(tp_frame_parts *parts, tp_arena *arena, const tp_kit *ki
 
     (void)config;
     tp_grid_carve(grid, arena, (uint32_t)scene->grid.cols, (uint32_t)scene->grid.rows);
-    if (tp_frame_is_coastal(kit, scene))
-        kit->water.ocean->carve(grid, arena);
+    if (tp_frame_is_coastal(program, scene))
+        program->water.ocean->carve(grid, arena);
 }
 
-static void carve_streamed(tp_frame_parts *parts, tp_arena *arena, const tp_kit *kit,
-                           const tp_scene *scene, const tp_frame_config *config)
+static void carve_streamed(tp_frame_parts *parts, tp_arena *arena,
+                           const tp_program *program, const tp_scene *scene,
+                           const tp_frame_config *config)
 {
     uint32_t waves = 0;
     tp_grid  counted;
 
-    if (!tp_frame_streams(kit, scene)) {
-        carve_water(parts, arena, kit, scene, config);
+    if (!tp_frame_streams(program, scene)) {
+        carve_water(parts, arena, program, scene, config);
         return;
     }
     for (int i = 0; i < TP_WAVES; i++)

@@ -4,14 +4,14 @@
  * place.  A part that a scene does not have is NULL or 0 and is not asked. */
 #ifndef TP_GEOM_SURFACE_H
 #define TP_GEOM_SURFACE_H
-#include "tidepool/kit.h"
+#include "tidepool/program.h"
 #include "tidepool/ocean.h"
 #include "tidepool/pool.h"
 #include "tidepool/ring.h"
 #include "tidepool/wave.h"
 
 typedef struct {
-    const tp_waters *by;        /* the kit's; what it lacks is not here */
+    const tp_waters *by; /* the program's; what it lacks is not here */
     const tp_sea   *sea;
     const tp_turn  *phases;
     const tp_ocean *ocean;      /* instead of the sea's own sum; NULL: open sea */

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* What the kit holds of each model of the water's surface.  A surface names its kit's
+/* What the program holds of each model of the water's surface.  A surface names its program's
  * waters, and has no more than they know. */
 #ifndef TP_GEOM_WATERS_H
 #define TP_GEOM_WATERS_H

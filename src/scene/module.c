@@ -60,14 +60,14 @@ bool tp_modules_have(const tp_use *modules, const tp_want *want, uint32_t is)
     return false;
 }
 
-tp_status tp_modules_take(const tp_kit *kit, tp_arena *arena, tp_want want, uint32_t *at,
-                          tp_error *err)
+tp_status tp_modules_take(const tp_program *program, tp_arena *arena, tp_want want,
+                          uint32_t *at, tp_error *err)
 {
     TP_ASSERT(arena->block == NULL && want.above == 0);
     const size_t begin = arena->used;
     tp_status status = TP_OK;
 
-    for (const tp_use *u = kit->modules; u && u->module; u++) {
+    for (const tp_use *u = program->modules; u && u->module; u++) {
         const tp_module *m = u->module;
         if (!tp_module_ask(m, &want))
             continue;
@@ -80,11 +80,11 @@ tp_status tp_modules_take(const tp_kit *kit, tp_arena *arena, tp_want want, uint
     return TP_OK;
 }
 
-static void put_heads(const tp_kit *kit, tp_world *world, tp_want want)
+static void put_heads(const tp_program *program, tp_world *world, tp_want want)
 {
     uint32_t at = world->parts.modules;
 
-    for (const tp_use *u = kit->modules; u && u->module; u++) {
+    for (const tp_use *u = program->modules; u && u->module; u++) {
         if (!has_state(u->module, &want))
             continue;
         *chunk_at(world, at) = (chunk){ u->module->id,
@@ -93,22 +93,23 @@ static void put_heads(const tp_kit *kit, tp_world *world, tp_want want)
     }
 }
 
-tp_status tp_modules_init(const tp_kit *kit, tp_world *world, tp_want want, tp_error *err)
+tp_status tp_modules_init(const tp_program *program, tp_world *world, tp_want want,
+                          tp_error *err)
 {
     tp_status status = TP_OK;
 
-    put_heads(kit, world, want);
-    for (const tp_use *u = kit->modules; u && u->module && status == TP_OK; u++)
+    put_heads(program, world, want);
+    for (const tp_use *u = program->modules; u && u->module && status == TP_OK; u++)
         if (has_state(u->module, &want) && u->module->init)
             status = u->module->init(tp_world_part(world, u->module->id), world, &want, err);
     return status;
 }
 
-bool tp_modules_fit(const tp_kit *kit, const tp_world *world, tp_want want)
+bool tp_modules_fit(const tp_program *program, const tp_world *world, tp_want want)
 {
     uint32_t at = world->parts.modules;
 
-    for (const tp_use *u = kit->modules; u && u->module; u++) {
+    for (const tp_use *u = program->modules; u && u->module; u++) {
         if (!has_state(u->module, &want))
             continue;
         if (at == 0 || at >= world->parts.bytes)
@@ -122,9 +123,9 @@ bool tp_modules_fit(const tp_kit *kit, const tp_world *world, tp_want want)
     return at == 0 || at == world->parts.bytes;
 }
 
-bool tp_modules_refresh(const tp_kit *kit, tp_world *world, tp_want want)
+bool tp_modules_refresh(const tp_program *program, tp_world *world, tp_want want)
 {
-    for (const tp_use *u = kit->modules; u && u->module; u++)
+    for (const tp_use *u = program->modules; u && u->module; u++)
         if (has_state(u->module, &want) && u->module->refresh
             && !u->module->refresh(tp_world_part(world, u->module->id), world, &want))
             return false;
@@ -135,47 +136,48 @@ bool tp_modules_refresh(const tp_kit *kit, tp_world *world, tp_want want)
 #define PART_FOR(hook, u, world) \
     ((u)->module->hook ? tp_world_part(world, (u)->module->id) : NULL)
 
-void tp_modules_settle(const tp_kit *kit, tp_world *world, const tp_scene *scene)
+void tp_modules_settle(const tp_program *program, tp_world *world, const tp_scene *scene)
 {
-    for (const tp_use *u = kit->modules; u && u->module; u++) {
+    for (const tp_use *u = program->modules; u && u->module; u++) {
         void *mine = PART_FOR(settle, u, world);
         if (mine || (u->module->settle && !u->module->bytes))
-            u->module->settle(mine, kit, world, scene);
+            u->module->settle(mine, program, world, scene);
     }
 }
 
-void tp_modules_step(const tp_kit *kit, tp_world *world, const tp_scene *scene,
+void tp_modules_step(const tp_program *program, tp_world *world, const tp_scene *scene,
                      const tp_input *input)
 {
-    for (const tp_use *u = kit->modules; u && u->module; u++) {
+    for (const tp_use *u = program->modules; u && u->module; u++) {
         void *mine = PART_FOR(step, u, world);
         if (mine || (u->module->step && !u->module->bytes))
-            u->module->step(mine, kit, world, scene, input);
+            u->module->step(mine, program, world, scene, input);
     }
 }
 
-void tp_modules_add_surface(const tp_kit *kit, const tp_world *world, tp_surface *surface)
+void tp_modules_add_surface(const tp_program *program, const tp_world *world,
+                            tp_surface *surface)
 {
-    for (const tp_use *u = kit->modules; u && u->module; u++) {
+    for (const tp_use *u = program->modules; u && u->module; u++) {
         const void *mine = PART_FOR(surface, u, world);
         if (mine)
             u->module->surface(mine, surface);
     }
 }
 
-void tp_modules_hit(const tp_kit *kit, tp_world *world, const tp_scene *scene,
+void tp_modules_hit(const tp_program *program, tp_world *world, const tp_scene *scene,
                     const tp_impact *impact, tp_fx level)
 {
-    for (const tp_use *u = kit->modules; u && u->module; u++) {
+    for (const tp_use *u = program->modules; u && u->module; u++) {
         void *mine = PART_FOR(hit, u, world);
         if (mine)
             u->module->hit(mine, scene, impact, level);
     }
 }
 
-static const char *name_of(const tp_kit *kit, uint32_t id)
+static const char *name_of(const tp_program *program, uint32_t id)
 {
-    for (const tp_use *u = kit->modules; u && u->module; u++)
+    for (const tp_use *u = program->modules; u && u->module; u++)
         if (u->module->id == id)
             return u->module->name;
     return "layout";
@@ -183,25 +185,25 @@ static const char *name_of(const tp_kit *kit, uint32_t id)
 
 /* The module whose chunk has another id or length in `world`, or NULL.  The lengths of
  * `fresh` are walked, those of `world` compared. */
-static const char *find_other_chunk(const tp_kit *kit, const tp_world *world,
+static const char *find_other_chunk(const tp_program *program, const tp_world *world,
                                     const tp_world *fresh)
 {
     uint32_t at = fresh->parts.modules;
 
     for (; at && at < fresh->parts.bytes; at = chunk_end(fresh, at))
         if (memcmp(chunk_at(world, at), chunk_at(fresh, at), sizeof(chunk)) != 0)
-            return name_of(kit, chunk_at(fresh, at)->id);
+            return name_of(program, chunk_at(fresh, at)->id);
     return NULL;
 }
 
-const char *tp_modules_find_invalid(const tp_kit *kit, const tp_world *world,
+const char *tp_modules_find_invalid(const tp_program *program, const tp_world *world,
                                     const tp_world *fresh)
 {
-    const char *other = find_other_chunk(kit, world, fresh);
+    const char *other = find_other_chunk(program, world, fresh);
 
     if (other)
         return other;
-    for (const tp_use *u = kit->modules; u && u->module; u++) {
+    for (const tp_use *u = program->modules; u && u->module; u++) {
         const void *mine = tp_world_part(world, u->module->id);
         if (u->module->is_valid && (mine || !u->module->bytes)
             && !u->module->is_valid(mine, tp_world_part(fresh, u->module->id), world))

@@ -3,7 +3,7 @@
  * asks: when the feature is on, its state, how it moves.  frame/drawing.h has the part
  * that a picture asks.
  *
- * A program lists its modules (tp_use, tidepool/kit.h); the list's order is the order of
+ * A program lists its modules (tp_use, tidepool/program.h); the list's order is the order of
  * memory, of steps and of drawing.  A world keeps each module's state as a chunk, an id and
  * a length before the state's bytes, so that a copy of the block says what is in it. */
 #ifndef TP_SCENE_MODULE_H
@@ -11,7 +11,7 @@
 #include "geom/surface.h"
 #include "scene/prices.h"
 #include "tidepool/arena.h"
-#include "tidepool/kit.h"
+#include "tidepool/program.h"
 #include "tidepool/scene.h"
 
 #define TP_MODULE_ID(a, b, c, d) \
@@ -48,10 +48,10 @@ typedef struct tp_want {
 } tp_want;
 
 /* For a world. */
-static inline tp_want tp_want_by(const tp_kit *kit, const tp_scene *scene,
+static inline tp_want tp_want_by(const tp_program *program, const tp_scene *scene,
                                  const tp_assets *assets)
 {
-    return (tp_want){ .scene = scene, .assets = assets, .water = &kit->water };
+    return (tp_want){ .scene = scene, .assets = assets, .water = &program->water };
 }
 
 /* All but name, id and enabled may be NULL. */
@@ -82,12 +82,13 @@ typedef struct tp_module {
     bool (*refresh)(void *mine, tp_world *world, const tp_want *want);
 
     /* Puts what floats on the water, when all states have been made or refreshed. */
-    void (*settle)(void *mine, const tp_kit *kit, tp_world *world, const tp_scene *scene);
+    void (*settle)(void *mine, const tp_program *program, tp_world *world,
+                   const tp_scene *scene);
 
     /* One tick, after the modules before it in the list.  A module without `bytes` steps in
      * every world that has a chunk; its `mine` is NULL.  `input` NULL: all 0. */
-    void (*step)(void *mine, const tp_kit *kit, tp_world *world, const tp_scene *scene,
-                 const tp_input *input);
+    void (*step)(void *mine, const tp_program *program, tp_world *world,
+                 const tp_scene *scene, const tp_input *input);
 
     /* Adds what it raises to the water's surface of this tick. */
     void (*surface)(const void *mine, tp_surface *surface);
@@ -126,25 +127,27 @@ size_t tp_part_bytes(const void *part);
 
 /* Checks all enabled modules and lays out their chunks: *at is the first one's offset, or
  * 0.  `want.above` is 0. */
-tp_status tp_modules_take(const tp_kit *kit, tp_arena *arena, tp_want want, uint32_t *at,
-                          tp_error *err);
+tp_status tp_modules_take(const tp_program *program, tp_arena *arena, tp_want want,
+                          uint32_t *at, tp_error *err);
 
 /* Writes their heads, then their first states; the block is zeroed. */
-tp_status tp_modules_init(const tp_kit *kit, tp_world *world, tp_want want, tp_error *err);
+tp_status tp_modules_init(const tp_program *program, tp_world *world, tp_want want,
+                          tp_error *err);
 
 /* Whether the chunks are those of the scene as it is now, and their states fit it. */
-bool tp_modules_fit(const tp_kit *kit, const tp_world *world, tp_want want);
-bool tp_modules_refresh(const tp_kit *kit, tp_world *world, tp_want want);
+bool tp_modules_fit(const tp_program *program, const tp_world *world, tp_want want);
+bool tp_modules_refresh(const tp_program *program, tp_world *world, tp_want want);
 
-void tp_modules_settle(const tp_kit *kit, tp_world *world, const tp_scene *scene);
-void tp_modules_step(const tp_kit *kit, tp_world *world, const tp_scene *scene,
+void tp_modules_settle(const tp_program *program, tp_world *world, const tp_scene *scene);
+void tp_modules_step(const tp_program *program, tp_world *world, const tp_scene *scene,
                      const tp_input *input);
-void tp_modules_add_surface(const tp_kit *kit, const tp_world *world, tp_surface *surface);
-void tp_modules_hit(const tp_kit *kit, tp_world *world, const tp_scene *scene,
+void tp_modules_add_surface(const tp_program *program, const tp_world *world,
+                            tp_surface *surface);
+void tp_modules_hit(const tp_program *program, tp_world *world, const tp_scene *scene,
                     const tp_impact *impact, tp_fx level);
 
 /* The first module whose chunk in `world`, from outside, has another id or length than in
  * `fresh`, or whose state is not valid; NULL: there is none.  Both blocks are of one length. */
-const char *tp_modules_find_invalid(const tp_kit *kit, const tp_world *world,
+const char *tp_modules_find_invalid(const tp_program *program, const tp_world *world,
                                     const tp_world *fresh);
 #endif

@@ -5,30 +5,31 @@
 #include "geom/waters.h"
 
 /* Swells that a world has room for. */
-static size_t swells_of(const tp_kit *kit, const tp_scene *scene)
+static size_t swells_of(const tp_program *program, const tp_scene *scene)
 {
     size_t count = 0;
 
-    if (!kit->water.swells || !kit->water.swells->few)
-        return kit->water.swells ? TP_WAVES : 0;
+    if (!program->water.swells || !program->water.swells->few)
+        return program->water.swells ? TP_WAVES : 0;
     for (int i = 0; i < TP_WAVES; i++)
         count += scene->wave[i].amplitude > 0;
     return count;
 }
 
-tp_status tp_parts_of(const tp_kit *kit, tp_world_parts *parts, const tp_scene *scene,
-                      const tp_assets *assets, tp_error *err)
+tp_status tp_parts_of(const tp_program *program, tp_world_parts *parts,
+                      const tp_scene *scene, const tp_assets *assets, tp_error *err)
 {
     tp_arena  arena = tp_arena_over(NULL, 0);
-    tp_status status = tp_kit_check(kit, scene, err);
+    tp_status status = tp_program_check(program, scene, err);
 
     *parts = (tp_world_parts){ .version = TP_WORLD_VERSION };
     if (status != TP_OK)
         return status;
-    tp_arena_take(&arena, 1, offsetof(tp_world, sea.swell)
-                             + swells_of(kit, scene) * sizeof(tp_swell));
-    status = tp_modules_take(kit, &arena, tp_want_by(kit, scene, assets), &parts->modules,
-                             err);
+    tp_arena_take(&arena, 1,
+                  offsetof(tp_world, sea.swell)
+                      + swells_of(program, scene) * sizeof(tp_swell));
+    status = tp_modules_take(program, &arena, tp_want_by(program, scene, assets),
+                             &parts->modules, err);
     parts->bytes = status == TP_OK ? (uint32_t)arena.used : 0;
     return status;
 }
@@ -38,12 +39,14 @@ const tp_ocean *tp_world_ocean(const tp_world *world)
     return tp_world_part(world, TP_OCEAN_ID);
 }
 
-tp_surface tp_world_surface(const tp_kit *kit, const tp_world *world)
+tp_surface tp_world_surface(const tp_program *program, const tp_world *world)
 {
     tp_surface surface = {
-        .by = &kit->water, .sea = &world->sea, .phases = world->phases,
+        .by = &program->water,
+        .sea = &world->sea,
+        .phases = world->phases,
     };
 
-    tp_modules_add_surface(kit, world, &surface);
+    tp_modules_add_surface(program, world, &surface);
     return surface;
 }

@@ -12,13 +12,14 @@
 /* Where the parts of a scene's world lie, and how large the block is; parts->bytes is 0
  * if the scene cannot be used.  Of a pool that cannot, err->word is the parameter at
  * fault. */
-tp_status tp_parts_of(const tp_kit *kit, tp_world_parts *parts, const tp_scene *scene,
-                      const tp_assets *assets, tp_error *err);
+tp_status tp_parts_of(const tp_program *program, tp_world_parts *parts,
+                      const tp_scene *scene, const tp_assets *assets, tp_error *err);
 
-/* What every init asks first: TP_E_NULL for a missing kit or scene, then the kit's check
+/* What every init asks first: TP_E_NULL for a missing program or scene, then the program's check
  * of the scene. */
-tp_status tp_kit_check(const tp_kit *kit, const tp_scene *scene, tp_error *err);
+tp_status tp_program_check(const tp_program *program, const tp_scene *scene,
+                           tp_error *err);
 
-/* The surface of this tick, of the models that the kit has; valid until the world moves. */
-tp_surface tp_world_surface(const tp_kit *kit, const tp_world *world);
+/* The surface of this tick, of the models that the program has; valid until the world moves. */
+tp_surface tp_world_surface(const tp_program *program, const tp_world *world);
 #endif

@@ -22,7 +22,7 @@ static tp_plan_input input_of(const tp_scene *scene, const tp_assets *assets,
 {
     static const tp_assets none;
 
-    return (tp_plan_input){ tp_kit_all.modules, scene, assets ? assets : &none, width,
+    return (tp_plan_input){ tp_program_all.modules, scene, assets ? assets : &none, width,
                             height };
 }
 

@@ -4,7 +4,7 @@
  * table is made from assets/charts/prices.csv. */
 #ifndef TP_SCENE_PRICES_H
 #define TP_SCENE_PRICES_H
-#include "tidepool/kit.h"
+#include "tidepool/program.h"
 #include "tidepool/plan.h"
 
 enum { TP_KIND_VISIBILITY, TP_KIND_SHADING, TP_KIND_RATE, TP_KIND_LOD };

@@ -14,18 +14,18 @@
 
 /* -- the beginning ----------------------------------------------------------------- */
 
-/* By a kit without swells it stays all 0, and ends before them. */
-static void make_sea(const tp_kit *kit, tp_sea *sea, const tp_scene *scene)
+/* By a program without swells it stays all 0, and ends before them. */
+static void make_sea(const tp_program *program, tp_sea *sea, const tp_scene *scene)
 {
-    if (kit->water.swells)
-        kit->water.swells->init(sea, scene->wave, TP_WAVES, scene->water.gravity);
+    if (program->water.swells)
+        program->water.swells->init(sea, scene->wave, TP_WAVES, scene->water.gravity);
 }
 
-size_t tp_world_bytes_with(const tp_kit *kit, const tp_scene *scene,
-                           const tp_assets *assets)
+size_t tp_world_bytes(const tp_program *program, const tp_scene *scene,
+                      const tp_assets *assets)
 {
     tp_world_parts parts;
-    return tp_parts_of(kit, &parts, scene, assets, NULL) == TP_OK ? parts.bytes : 0;
+    return tp_parts_of(program, &parts, scene, assets, NULL) == TP_OK ? parts.bytes : 0;
 }
 
 static void place_camera(tp_world *world, const tp_scene *scene)
@@ -38,21 +38,20 @@ static void place_camera(tp_world *world, const tp_scene *scene)
     world->last_pitch = world->pitch;
 }
 
-static void place_sea(const tp_kit *kit, tp_world *world, const tp_scene *scene)
+static void place_sea(const tp_program *program, tp_world *world, const tp_scene *scene)
 {
-    make_sea(kit, &world->sea, scene);
+    make_sea(program, &world->sea, scene);
     tp_sea_phases(&world->sea, world->tick, 0, world->phases);
 }
 
-tp_status tp_world_init_with(const tp_kit *kit, tp_world *world, size_t bytes,
-                             const tp_scene *scene, const tp_assets *assets,
-                             tp_error *err)
+tp_status tp_world_init(const tp_program *program, tp_world *world, size_t bytes,
+                        const tp_scene *scene, const tp_assets *assets, tp_error *err)
 {
     tp_world_parts parts;
     tp_status status = tp_given_block(world, 8, "world", err);
 
     if (status == TP_OK)
-        status = tp_parts_of(kit, &parts, scene, assets, err);
+        status = tp_parts_of(program, &parts, scene, assets, err);
     if (status != TP_OK)
         return status;
     if (bytes < parts.bytes)
@@ -64,34 +63,34 @@ tp_status tp_world_init_with(const tp_kit *kit, tp_world *world, size_t bytes,
     tp_light_init(world, scene);
     tp_clock_init(&world->clock, scene->clock.scale);
     world->clock_scale = scene->clock.scale;
-    place_sea(kit, world, scene);
-    status = tp_modules_init(kit, world, tp_want_by(kit, scene, assets), err);
+    place_sea(program, world, scene);
+    status = tp_modules_init(program, world, tp_want_by(program, scene, assets), err);
     if (status != TP_OK)
         return status;
-    tp_modules_settle(kit, world, scene);
+    tp_modules_settle(program, world, scene);
     return TP_OK;
 }
 
 /* The sea and the boat's place take microseconds, and are made again each time. */
-bool tp_world_refresh_with(const tp_kit *kit, tp_world *world, const tp_scene *scene,
-                           const tp_assets *assets)
+bool tp_world_refresh(const tp_program *program, tp_world *world, const tp_scene *scene,
+                      const tp_assets *assets)
 {
     TP_ASSERT(world != NULL && world->parts.bytes > 0);
-    const tp_want want = tp_want_by(kit, scene, assets);
+    const tp_want want = tp_want_by(program, scene, assets);
     tp_world_parts parts;
 
-    if (tp_parts_of(kit, &parts, scene, assets, NULL) != TP_OK
+    if (tp_parts_of(program, &parts, scene, assets, NULL) != TP_OK
         || memcmp(&parts, &world->parts, sizeof parts) != 0
-        || !tp_modules_fit(kit, world, want))
+        || !tp_modules_fit(program, world, want))
         return false;
-    place_sea(kit, world, scene);
+    place_sea(program, world, scene);
     tp_light_refresh(world, scene);
     if (world->clock_scale != scene->clock.scale)
         tp_clock_aim(&world->clock, scene->clock.scale);
     world->clock_scale = scene->clock.scale;
-    if (!tp_modules_refresh(kit, world, want))
+    if (!tp_modules_refresh(program, world, want))
         return false;
-    tp_modules_settle(kit, world, scene);
+    tp_modules_settle(program, world, scene);
     return true;
 }
 
@@ -149,10 +148,11 @@ void tp_world_look(tp_world *world, const tp_input *input)
 /* -- a tick ------------------------------------------------------------------------ */
 
 /* Each part moves over the water as the last tick left it; pools move last. */
-void tp_world_step_with(const tp_kit *kit, tp_world *world, const tp_scene *scene,
-                        const tp_input *input)
+void tp_world_step(const tp_program *program, tp_world *world, const tp_scene *scene,
+                   const tp_input *input)
 {
-    TP_ASSERT(kit != NULL && scene != NULL && world != NULL && world->parts.bytes > 0);
+    TP_ASSERT(program != NULL && scene != NULL && world != NULL
+              && world->parts.bytes > 0);
 
     world->tick++;
     keep_camera(world);
@@ -160,7 +160,7 @@ void tp_world_step_with(const tp_kit *kit, tp_world *world, const tp_scene *scen
         move_camera(world, input);
     tp_sea_phases(&world->sea, world->tick, 0, world->phases);
     tp_light_step(world, scene, input);
-    tp_modules_step(kit, world, scene, input);
+    tp_modules_step(program, world, scene, input);
     if (input)
         tp_clock_shift(&world->clock, input->slower);
 }
@@ -182,10 +182,10 @@ uint32_t tp_world_frame(tp_world *world)
     return (uint32_t)(ticks_for(&world->clock) - before);
 }
 
-tp_sea_point tp_world_above_with(const tp_kit *kit, const tp_world *world, tp_fx x,
-                                 tp_fx z)
+tp_sea_point tp_world_above(const tp_program *program, const tp_world *world, tp_fx x,
+                            tp_fx z)
 {
-    TP_ASSERT(kit != NULL && world != NULL && world->parts.bytes > 0);
-    tp_surface surface = tp_world_surface(kit, world);
+    TP_ASSERT(program != NULL && world != NULL && world->parts.bytes > 0);
+    tp_surface surface = tp_world_surface(program, world);
     return tp_surface_above(&surface, x, z, NULL);
 }

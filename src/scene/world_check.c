@@ -33,19 +33,20 @@ static bool is_same_sea(const tp_sea *sea, const tp_sea *fresh)
 }
 
 /* The first part that is wrong, of one layout; NULL: none. */
-static const char *find_invalid(const tp_kit *kit, const tp_world *world,
+static const char *find_invalid(const tp_program *program, const tp_world *world,
                                 const tp_world *fresh)
 {
-    return !is_head_valid(world, fresh) ? "head"
-         : !tp_camera_is_valid(world) ? "camera"
-         : !tp_light_is_valid(world) ? "light"
-         : !tp_clock_is_valid(&world->clock) ? "clock"
-         : !is_same_sea(&world->sea, &fresh->sea) ? "sea"
-         : tp_modules_find_invalid(kit, world, fresh);
+    return !is_head_valid(world, fresh)        ? "head"
+           : !tp_camera_is_valid(world)        ? "camera"
+           : !tp_light_is_valid(world)         ? "light"
+           : !tp_clock_is_valid(&world->clock) ? "clock"
+           : !is_same_sea(&world->sea, &fresh->sea)
+               ? "sea"
+               : tp_modules_find_invalid(program, world, fresh);
 }
 
-tp_status tp_world_check_with(const tp_kit *kit, const tp_world *world, size_t bytes,
-                              const tp_world *fresh, tp_error *err)
+tp_status tp_world_check(const tp_program *program, const tp_world *world, size_t bytes,
+                         const tp_world *fresh, tp_error *err)
 {
     const char *invalid = "layout";
     tp_status status = tp_given_block(world, 8, "world", err);
@@ -59,7 +60,7 @@ tp_status tp_world_check_with(const tp_kit *kit, const tp_world *world, size_t b
         invalid = "version";
     else if (bytes >= fresh->parts.bytes
         && memcmp(&world->parts, &fresh->parts, sizeof fresh->parts) == 0)
-        invalid = find_invalid(kit, world, fresh);
+        invalid = find_invalid(program, world, fresh);
     return invalid ? tp_error_blame(err, TP_FAIL(err, TP_E_WORLD, 0, 0, 0), invalid)
                    : TP_OK;
 }

@@ -27,7 +27,7 @@
 #include "shade/wide.h"
 #include "tidepool/asset.h"
 #include "tidepool/fx.h"
-#include "tidepool/kit.h"
+#include "tidepool/program.h"
 
 /* Shorter runs, of 32 or 16, take less stack where that counts: the same bits. */
 #ifndef TP_RUN

@@ -35,13 +35,15 @@ static inline drawn_image drawn_of(const ref_stand *stand, uint32_t width,
     };
     uint8_t kind[TP_MARKS];
     drawn_image image = { width, height, malloc(count * 4), malloc(count) };
-    void *block = malloc(tp_frame_bytes(scene, &stand->assets.names, &config));
-    uint32_t *scratch = malloc(tp_frame_scratch_bytes(&config));
+    void *block =
+        malloc(tp_frame_bytes(&tp_program_all, scene, &stand->assets.names, &config));
+    uint32_t *scratch = malloc(tp_frame_scratch_bytes(&tp_program_all, scene, &config));
     tp_frame *frame;
     tp_tile tile;
 
     if (!image.pixel || !image.kind || !block || !scratch
-        || tp_frame_init(&frame, scene, &stand->assets.names, &config, block, NULL))
+        || tp_frame_init(&tp_program_all, &frame, scene, &stand->assets.names, &config,
+                         block, NULL))
         abort();
     tp_frame_begin(frame, stand->world);
     tp_frame_tile(frame, 0, scratch, &tile);

@@ -65,7 +65,7 @@ static void look_at(const char *name)
     for (uint32_t tick = 0; tick <= LAST; tick++) {
         if (is_looked_at(tick))
             compare(&s, &r, tick);
-        tp_world_step(s.world, scene, NULL);
+        tp_world_step(&tp_program_all, s.world, scene, NULL);
     }
     stage_close(&s);
 }

@@ -234,9 +234,9 @@ static void open_poked(view_of_ref *v, bool bump)
     s->camera.y = 6 * TP_FX_ONE;
     s->camera.z = 5 * TP_FX_ONE;
     v->world = scene_world(s, &v->assets);
-    tp_world_step(v->world, s, &poke);
+    tp_world_step(&tp_program_all, v->world, s, &poke);
     while (v->world->tick < 12)
-        tp_world_step(v->world, s, NULL);
+        tp_world_step(&tp_program_all, v->world, s, NULL);
     ref_scene_open(&v->ref, s, &v->assets, v->world, 64, 48, false);
 }
 

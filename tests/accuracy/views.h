@@ -32,7 +32,7 @@ static inline void view_open_at(view_of_ref *v, uint32_t width, uint32_t height,
     if (!v->world)
         abort();
     while (v->world->tick < ticks)
-        tp_world_step(v->world, &v->scene, NULL);
+        tp_world_step(&tp_program_all, v->world, &v->scene, NULL);
     ref_scene_open(&v->ref, &v->scene, &v->assets, v->world, width, height, false);
 }
 

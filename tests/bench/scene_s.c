@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Two frames of the benchmark's scene, by the kit that suits this processor: the first
+/* Two frames of the benchmark's scene, by the program that suits this processor: the first
  * makes what lasts, the second is to be counted, a begin and one tile.
  *
  *   scene_s WIDTH HEIGHT POINTS WORK [NAME=VALUE]...
@@ -74,8 +74,8 @@ int main(int argc, char **argv)
     tp_error  err;
     tp_frame *frame;
     tp_tile   tile;
-    size_t    kits;
-    const tp_kit *kit = machine_kits(&kits)->kit;
+    size_t programs;
+    const tp_program *program = machine_list(&programs)->program;
 
     if (argc < 5) {
         fprintf(stderr, "usage: scene_s WIDTH HEIGHT POINTS plain|full|smooth\n");
@@ -88,13 +88,13 @@ int main(int argc, char **argv)
     bench_scene_set(&s, work_of(argv[4]), (uint32_t)atoi(argv[3]));
     for (int i = 5; i < argc; i++)
         set(&s.scene, argv[i]);
-    void *block = claim(tp_frame_bytes_with(kit, &s.scene, &s.assets, &config));
-    void *scratch = claim(tp_frame_scratch_bytes(&config));
-    if (tp_frame_init_with(kit, &frame, &s.scene, &s.assets, &config, block, &err))
+    void *block = claim(tp_frame_bytes(program, &s.scene, &s.assets, &config));
+    void *scratch = claim(tp_frame_scratch_bytes(program, &s.scene, &config));
+    if (tp_frame_init(program, &frame, &s.scene, &s.assets, &config, block, &err))
         return 1;
-    tp_world_init(&world, sizeof world, &s.scene, NULL, NULL);
+    tp_world_init(&tp_program_all, &world, sizeof world, &s.scene, NULL, NULL);
     for (int i = 0; i < BENCH_TICK; i++)
-        tp_world_step(&world, &s.scene, NULL);
+        tp_world_step(&tp_program_all, &world, &s.scene, NULL);
     draw(frame, &world, scratch, &tile);
     counted(frame, &world, scratch, &tile);
     print_held(frame, scratch, &tile);

@@ -101,7 +101,7 @@ int main(int argc, char **argv)
     setvbuf(stdout, NULL, _IOLBF, 0);
     int code = stage_open(&s, &o);
     for (int i = 0; i < 60 && !code; i++)
-        tp_world_step(s.world, &s.file.scene, NULL);
+        tp_world_step(&tp_program_all, s.world, &s.file.scene, NULL);
     if (!code)
         code = draw_views(&s, &o, (uint32_t)strtoul(argv[2], NULL, 10));
     stage_close(&s);

@@ -19,7 +19,7 @@ x86_64) call=110 ;;
 esac
 emulator=qemu-$(uname -m)
 lacks "$emulator" qemu-user "random views" && exit 77
-# The kit for any x86-64: QEMU 7.2 falls over gathers of the other.
+# The program for any x86-64: QEMU 7.2 falls over gathers of the other.
 [ "$emulator" != qemu-x86_64 ] || emulator="$emulator -cpu Nehalem"
 
 for scene in "$@"; do

@@ -97,16 +97,18 @@ static uint32_t wrong(void)
     const tp_scene *s = &baked_scene;
     const tp_assets *a = &baked_assets;
     const tp_frame_config c = { WIDTH, HEIGHT, 0, 0, TP_FORMAT_RGB565BE };
-    void *block = malloc(tp_frame_bytes(s, a, &c)), *scratch = malloc(tp_frame_scratch_bytes(&c));
-    tp_world *world = malloc(tp_world_bytes(s, a));
+    void *block = malloc(tp_frame_bytes(&tp_program_all, s, a, &c)),
+         *scratch = malloc(tp_frame_scratch_bytes(&tp_program_all, s, &c));
+    tp_world *world = malloc(tp_world_bytes(&tp_program_all, s, a));
     tp_frame *frame;
     tp_tile tile;
     uint32_t n = 0;
-    if (tp_frame_init(&frame, s, a, &c, block, NULL)
-        || tp_world_init(world, tp_world_bytes(s, a), s, a, NULL))
+    if (tp_frame_init(&tp_program_all, &frame, s, a, &c, block, NULL)
+        || tp_world_init(&tp_program_all, world, tp_world_bytes(&tp_program_all, s, a), s,
+                         a, NULL))
         exit(1);
     for (int i = 1; i < FRAMES; i++)
-        tp_world_step(world, s, NULL);
+        tp_world_step(&tp_program_all, world, s, NULL);
     tp_frame_begin(frame, world);
     tp_frame_tile(frame, 0, scratch, &tile);
     for (uint32_t y = 0; y < HEIGHT; y++)
@@ -123,9 +125,10 @@ static uint32_t wrong(void)
 static void say_ram(void)
 {
     const tp_frame_config c = { WIDTH, HEIGHT, STRIP, BAND, TP_FORMAT_RGB565BE };
-    const size_t frame = tp_frame_bytes(&baked_scene, &baked_assets, &c);
-    const size_t world = tp_world_bytes(&baked_scene, &baked_assets);
-    const size_t scratch = tp_frame_scratch_bytes(&c), buffers = 4 * STRIP * BAND;
+    const size_t frame = tp_frame_bytes(&tp_program_all, &baked_scene, &baked_assets, &c);
+    const size_t world = tp_world_bytes(&tp_program_all, &baked_scene, &baked_assets);
+    const size_t scratch = tp_frame_scratch_bytes(&tp_program_all, &baked_scene, &c),
+                 buffers = 4 * STRIP * BAND;
     printf("frame %zu world %zu scratch %zu buffers %zu lcd %zu: %zu bytes\n", frame, world,
            scratch, buffers, sizeof(lcd), frame + world + scratch + buffers + sizeof(lcd));
 }

@@ -88,8 +88,8 @@ static void compare_all(const stage *s, uint32_t tick)
     const tp_scene scene = exact_scene(s);
     choice base = { { 0, 0, 0, 0 } };
 
-    const tp_plan_input in = { tp_kit_all.modules, &s->file.scene, &s->assets.names, width,
-                               height };
+    const tp_plan_input in = { tp_program_all.modules, &s->file.scene, &s->assets.names,
+                               width, height };
     g.outlook = tp_outlook_of(&in);
     g.tick = tick;
     draw(&exact, s, &scene, s->world);
@@ -145,7 +145,7 @@ static int measure(const char *path)
         for (uint32_t tick = 0; tick <= LAST; tick++) {
             if (is_looked_at(tick))
                 compare_all(&s, tick);
-            tp_world_step(s.world, &s.file.scene, NULL);
+            tp_world_step(&tp_program_all, s.world, &s.file.scene, NULL);
         }
         if (!stage_world(&s))
             lay_a_wave(&s);

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Kits that grow: the least one, which draws level water with one texture and the sky, or
- * with -DFEATURES=n the first n things more that a program may name.  kits.sh links one
+/* Programs that grow: the least one, which draws level water with one texture and the sky, or
+ * with -DFEATURES=n the first n things more that a program may name.  programs.sh links one
  * program for each, and prints how much text that takes. */
 #include "features.h"
 
@@ -97,7 +97,7 @@ static const tp_use modules[] = {
 };
 
 /* What each adds: designators may stand in any order, and those of one feature together. */
-const tp_kit features_kit = {
+const tp_program features_program = {
     .modules = modules,
     .stage.sky = tp_stage_sky,
     .stage.plain = tp_stage_plain,

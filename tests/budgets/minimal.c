@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The baked scene on a bare Cortex-M by a kit of its own, and nothing else of the core:
+/* The baked scene on a bare Cortex-M by a program of its own, and nothing else of the core:
  * what it costs who needs the least.  Bands of 16 rows are drawn and thrown away. */
 #include "cortex-m/board.h"
 #include "cortex-m/marks.h"
@@ -37,18 +37,18 @@ static uint32_t draw(tp_frame *frame, void *scratch, const tp_world *world)
 static int run(void)
 {
     static const tp_frame_config config = { 320, 240, 0, 16, TP_FORMAT_RGB565 };
-    const tp_kit *kit = &features_kit;
+    const tp_program *program = &features_program;
     uint8_t *at = arena_start;
-    size_t block = tp_frame_bytes_with(kit, &baked_scene, &baked_assets, &config);
-    size_t scratch = tp_frame_scratch_bytes(&config);
-    size_t bytes = tp_world_bytes_with(kit, &baked_scene, &baked_assets);
+    size_t block = tp_frame_bytes(program, &baked_scene, &baked_assets, &config);
+    size_t scratch = tp_frame_scratch_bytes(program, &baked_scene, &config);
+    size_t bytes = tp_world_bytes(program, &baked_scene, &baked_assets);
     tp_world *world = (tp_world *)(void *)(at + ((block + 7) & ~(size_t)7));
     tp_frame *frame;
 
     at = (uint8_t *)world + ((bytes + 7) & ~(size_t)7);
-    if (tp_frame_init_with(kit, &frame, &baked_scene, &baked_assets, &config, arena_start,
-                           NULL)
-        || tp_world_init_with(kit, world, bytes, &baked_scene, &baked_assets, NULL))
+    if (tp_frame_init(program, &frame, &baked_scene, &baked_assets, &config, arena_start,
+                      NULL)
+        || tp_world_init(program, world, bytes, &baked_scene, &baked_assets, NULL))
         return 1;
     semihost_write("size 320x240\n");
     for (uint32_t n = 0; n < FRAMES; n++) {
@@ -58,7 +58,7 @@ static int run(void)
         semihost_decimal(" triangles ", tp_frame_last_stats(frame).triangles);
         semihost_decimal(" dropped ", tp_frame_last_stats(frame).dropped);
         semihost_write("\n");
-        tp_world_step_with(kit, world, &baked_scene, NULL);
+        tp_world_step(program, world, &baked_scene, NULL);
     }
     semihost_decimal("ram frame ", (uint32_t)block);
     semihost_decimal(" scratch ", (uint32_t)scratch);

@@ -77,10 +77,12 @@ static void prepare_world(int kind)
     scene.pool.cols = kind == WAKE ? 64 : 0;
     scene.pool.rows = 64;
     scene.pool.cell = TP_FX(0.5);
-    model_expect(tp_world_bytes(&scene, NULL) <= sizeof model.block, "too large a world");
-    model_expect(!tp_world_init(world, sizeof model.block, &scene, NULL, NULL),
-                 "no world");
-    tp_boat_init(&tp_kit_all, world, &scene);
+    model_expect(tp_world_bytes(&tp_program_all, &scene, NULL) <= sizeof model.block,
+                 "too large a world");
+    model_expect(
+        !tp_world_init(&tp_program_all, world, sizeof model.block, &scene, NULL, NULL),
+        "no world");
+    tp_boat_init(&tp_program_all, world, &scene);
     model.bytes = kind == PLAIN ? sizeof(tp_world)
                                 : (uint32_t)(sizeof(tp_afloat) + 2 * sizeof(tp_pose));
 }
@@ -88,13 +90,13 @@ static void prepare_world(int kind)
 COUNTED(world)
 {
     for (uint32_t i = 0; i < model.count; i++)
-        tp_world_step(world, &scene, NULL);
+        tp_world_step(&tp_program_all, world, &scene, NULL);
 }
 
 COUNTED(boat)
 {
     for (uint32_t i = 0; i < model.count; i++)
-        tp_boat_step(&tp_kit_all, world, &scene, &no_input);
+        tp_boat_step(&tp_program_all, world, &scene, &no_input);
 }
 
 /* The boat has moved a tick's way before each. */
@@ -108,8 +110,8 @@ static void prepare_wake(int kind)
     prepare_world(kind);
     for (int i = 0; i < 4; i++) {
         tp_boat_wake(world, &scene);
-        tp_world_step(world, &scene, NULL);
-        tp_boat_step(&tp_kit_all, world, &scene, &no_input);
+        tp_world_step(&tp_program_all, world, &scene, NULL);
+        tp_boat_step(&tp_program_all, world, &scene, &no_input);
     }
     model_expect(world->afloat.stirs > 0, "a boat that stirs nothing");
 }
@@ -160,7 +162,9 @@ static void prepare_grid(int kind)
     size_t below = 0;
 
     model_sea(kind == CHEAP ? TP_FX(0.05) : TP_FX(0.7), kind == SHARP ? 2 : 1);
-    surface = (tp_surface){ .by = &tp_kit_all.water, .sea = &model.sea, .phases = model.phases };
+    surface = (tp_surface){ .by = &tp_program_all.water,
+                            .sea = &model.sea,
+                            .phases = model.phases };
     if (kind == RINGS)
         set_rings();
     if (kind == POOL) {

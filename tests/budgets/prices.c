@@ -100,21 +100,24 @@ static void draw(const char *what, const char *rung, const char *other, const ch
                  uint32_t width, uint32_t height)
 {
     const tp_frame_config config = { width, height, 0, BAND, TP_FORMAT_RGB565 };
-    const size_t world_bytes = tp_world_bytes(&scene, &assets);
+    const size_t world_bytes = tp_world_bytes(&tp_program_all, &scene, &assets);
     tp_arena  arena = tp_arena_over(arena_start, (size_t)(arena_end - arena_start));
-    void     *block = tp_arena_take(&arena, 1, tp_frame_bytes(&scene, &assets, &config));
-    void     *scratch = tp_arena_take(&arena, 1, tp_frame_scratch_bytes(&config));
+    void *block = tp_arena_take(
+        &arena, 1, tp_frame_bytes(&tp_program_all, &scene, &assets, &config));
+    void *scratch = tp_arena_take(
+        &arena, 1, tp_frame_scratch_bytes(&tp_program_all, &scene, &config));
     tp_world *world = tp_arena_take(&arena, 1, world_bytes);
     uint32_t  water = 0;
     tp_frame *frame;
     tp_tile   tile;
 
-    if (arena.failed || tp_frame_init(&frame, &scene, &assets, &config, block, NULL)
-        || tp_world_init(world, world_bytes, &scene, &assets, NULL))
+    if (arena.failed
+        || tp_frame_init(&tp_program_all, &frame, &scene, &assets, &config, block, NULL)
+        || tp_world_init(&tp_program_all, world, world_bytes, &scene, &assets, NULL))
         semihost_stop("a scene does not fit");
     const bool moves = scene.pool.cols > 0 || scene.drops.count > 1 || assets.foam;
     for (int i = 0; i < STEPS && moves; i++)
-        tp_world_step(world, &scene, NULL);
+        tp_world_step(&tp_program_all, world, &scene, NULL);
     tp_frame_begin(frame, world);           /* the first fills tables */
     count_as_frame();
     tp_frame_begin(frame, world);
@@ -135,7 +138,7 @@ static void draw(const char *what, const char *rung, const char *other, const ch
     semihost_write(item);
     semihost_decimal(" ", width * height);
     semihost_decimal(" ", water);
-    const tp_plan_input in = { tp_kit_all.modules, &scene, &assets, width, height };
+    const tp_plan_input in = { tp_program_all.modules, &scene, &assets, width, height };
     const tp_outlook outlook = tp_outlook_of(&in);
     semihost_decimal(" ", outlook.points[scene.quality.visibility - 1]);
     semihost_decimal(" ", outlook.waves);
@@ -162,7 +165,7 @@ static void draw_works(void)
         semihost_write("beside -");
         semihost_write(works[i].beside);
         semihost_write("\n");
-        const tp_plan_input in = { tp_kit_all.modules, &scene, &assets, 320, 240 };
+        const tp_plan_input in = { tp_program_all.modules, &scene, &assets, 320, 240 };
         const tp_outlook outlook = tp_outlook_of(&in);
         const tp_works done = tp_works_of(&in, &outlook,
                                           scene.quality.shading == TP_SHADING_QUICK);

@@ -23,7 +23,7 @@ static const uint32_t sizes[][2] = {
 };
 
 static uint16_t picture[WIDTH * HEIGHT];
-static tp_kit   kit;
+static tp_program program;
 
 static uint32_t draw(tp_frame *frame, void *scratch, const tp_world *world)
 {
@@ -65,32 +65,35 @@ static void say(const char *how, const uint32_t size[2], tp_frame_ram ram,
 static void measure(const char *how, const uint32_t size[2])
 {
     const tp_frame_config config = { WIDTH, HEIGHT, size[0], size[1], TP_FORMAT_RGB565 };
-    const size_t world_bytes = tp_world_bytes(&baked_scene, &baked_assets);
-    const size_t scratch_bytes = tp_frame_scratch_into_with(&kit, &baked_scene, &config);
+    const size_t world_bytes =
+        tp_world_bytes(&tp_program_all, &baked_scene, &baked_assets);
+    const size_t scratch_bytes =
+        tp_frame_scratch_into_bytes(&program, &baked_scene, &config);
     tp_arena  arena = tp_arena_over(arena_start, (size_t)(arena_end - arena_start));
-    void     *block = tp_arena_take(&arena, 1, tp_frame_bytes_with(&kit, &baked_scene,
-                                                                   &baked_assets, &config));
+    void *block = tp_arena_take(
+        &arena, 1, tp_frame_bytes(&program, &baked_scene, &baked_assets, &config));
     void     *scratch = tp_arena_take(&arena, 1, scratch_bytes);
     tp_world *world = tp_arena_take(&arena, 1, world_bytes);
     tp_frame *frame;
 
     if (arena.failed
-        || tp_frame_init_with(&kit, &frame, &baked_scene, &baked_assets, &config, block,
-                              NULL)
-        || tp_world_init(world, world_bytes, &baked_scene, &baked_assets, NULL))
+        || tp_frame_init(&program, &frame, &baked_scene, &baked_assets, &config, block,
+                         NULL)
+        || tp_world_init(&tp_program_all, world, world_bytes, &baked_scene, &baked_assets,
+                         NULL))
         semihost_stop("the scene does not fit");
     while (world->tick < FIRST)
-        tp_world_step(world, &baked_scene, NULL);
+        tp_world_step(&tp_program_all, world, &baked_scene, NULL);
     const uint32_t crc = draw(frame, scratch, world);
     say(how, size, tp_frame_memory(frame), scratch_bytes, world_bytes, crc);
 }
 
 int main(void)
 {
-    kit = tp_kit_all;
+    program = tp_program_all;
     for (size_t i = 0; i < sizeof sizes / sizeof *sizes; i++)
         measure("kept", sizes[i]);
-    kit.method.triangles = &tp_method_streamed;
+    program.method.triangles = &tp_method_streamed;
     for (size_t i = 0; i < sizeof sizes / sizeof *sizes; i++)
         measure("streamed", sizes[i]);
     return 0;

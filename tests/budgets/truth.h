@@ -42,21 +42,21 @@ typedef struct {
 } error;
 
 /* `parts` samples each way; in one tile over all the samples' keys are the first plane of
- * its scratch.  The kit does not check the scene: the truth's cells may be finer than a
+ * its scratch.  The program does not check the scene: the truth's cells may be finer than a
  * scene's, down to a quarter of 1 cm. */
 static inline void draw_at(drawing *to, const stage *s, const tp_scene *scene,
                            const tp_world *world, uint32_t parts)
 {
     const tp_frame_config config = { .width = width * parts, .height = height * parts };
-    tp_kit kit = tp_kit_all;
-    kit.check = NULL;
-    void *block = malloc(tp_frame_bytes_with(&kit, scene, &s->assets.names, &config));
-    uint32_t *scratch = malloc(tp_frame_scratch_bytes(&config));
+    tp_program program = tp_program_all;
+    program.check = NULL;
+    void *block = malloc(tp_frame_bytes(&program, scene, &s->assets.names, &config));
+    uint32_t *scratch = malloc(tp_frame_scratch_bytes(&program, scene, &config));
     tp_frame *frame;
     tp_tile   tile;
 
     if (!block || !scratch
-        || tp_frame_init_with(&kit, &frame, scene, &s->assets.names, &config, block, NULL))
+        || tp_frame_init(&program, &frame, scene, &s->assets.names, &config, block, NULL))
         abort();
     tp_frame_begin(frame, world);
     tp_frame_tile(frame, 0, scratch, &tile);

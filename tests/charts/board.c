@@ -115,16 +115,17 @@ static void make_past(past *p, const wish *w)
 
     if (p->world && p->usual && w->still && p->tick == w->tick)
         return;
-    p->bytes = tp_world_bytes(&w->scene, &w->assets);
+    p->bytes = tp_world_bytes(&tp_program_all, &w->scene, &w->assets);
     p->world = tp_arena_take(&arena, 1, p->bytes);
     p->left = arena;
     p->tick = w->tick;
     p->usual = w->still;
     if (!p->world || !p->bytes
-        || tp_world_init(p->world, p->bytes, &w->scene, &w->assets, NULL))
+        || tp_world_init(&tp_program_all, p->world, p->bytes, &w->scene, &w->assets,
+                         NULL))
         stop("the world cannot be made", "");
     while (p->world->tick + 1 < w->tick)
-        tp_world_step(p->world, &w->scene, NULL);
+        tp_world_step(&tp_program_all, p->world, &w->scene, NULL);
 }
 
 static uint32_t draw_tiles(const tp_frame *frame, void *scratch, uint32_t *crc)
@@ -163,20 +164,22 @@ static void draw(const wish *w, const past *p)
     const tp_frame_config config = { w->width, w->height, 0, BAND, format };
     tp_arena  arena = p->left;
     tp_world *world = tp_arena_take(&arena, 1, p->bytes);
-    void     *scratch = tp_arena_take(&arena, 1, tp_frame_scratch_bytes(&config));
-    void     *block = tp_arena_take(&arena, 1, tp_frame_bytes(&w->scene, &w->assets,
-                                                              &config));
+    void *scratch = tp_arena_take(
+        &arena, 1, tp_frame_scratch_bytes(&tp_program_all, &w->scene, &config));
+    void *block = tp_arena_take(
+        &arena, 1, tp_frame_bytes(&tp_program_all, &w->scene, &w->assets, &config));
     uint32_t  crc = 0;
     tp_frame *frame;
 
-    if (arena.failed || tp_frame_init(&frame, &w->scene, &w->assets, &config, block,
-                                      NULL))
+    if (arena.failed
+        || tp_frame_init(&tp_program_all, &frame, &w->scene, &w->assets, &config, block,
+                         NULL))
         stop("the frame does not fit", "");
     memcpy(world, p->world, p->bytes);
     tp_frame_begin(frame, world);
     if (w->tick > 0) {
         count_as_tick();
-        tp_world_step(world, &w->scene, NULL);
+        tp_world_step(&tp_program_all, world, &w->scene, NULL);
         count_end();
     }
     count_as_frame();

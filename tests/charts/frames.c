@@ -73,7 +73,7 @@ static void add_planned(rungs *all, const char *name, tp_rungs r)
 static rungs rungs_of(const tp_scene *shipped, const tp_assets *names, uint32_t width,
                       uint32_t height)
 {
-    const tp_plan_input in = { tp_kit_all.modules, shipped, names, width, height };
+    const tp_plan_input in = { tp_program_all.modules, shipped, names, width, height };
     const tp_outlook o = tp_outlook_of(&in);
     const uint8_t *fits = o.fits;
     tp_scene held = *shipped;

@@ -47,18 +47,21 @@ static span_scene s;
 static bool draw(uint32_t *water)
 {
     const tp_frame_config config = { WIDTH, HEIGHT, 0, BAND, TP_FORMAT_RGB565 };
-    const size_t world_bytes = tp_world_bytes(&s.scene, &s.assets);
+    const size_t world_bytes = tp_world_bytes(&tp_program_all, &s.scene, &s.assets);
     tp_arena  arena = whole();
-    void     *block = tp_arena_take(&arena, 1, tp_frame_bytes(&s.scene, &s.assets,
-                                                              &config));
-    void     *scratch = tp_arena_take(&arena, 1, tp_frame_scratch_bytes(&config));
+    void *block = tp_arena_take(
+        &arena, 1, tp_frame_bytes(&tp_program_all, &s.scene, &s.assets, &config));
+    void *scratch = tp_arena_take(
+        &arena, 1, tp_frame_scratch_bytes(&tp_program_all, &s.scene, &config));
     tp_world *world = tp_arena_take(&arena, 1, world_bytes);
     tp_frame *frame;
     tp_tile   tile;
 
     *water = 0;
-    if (arena.failed || tp_frame_init(&frame, &s.scene, &s.assets, &config, block, NULL)
-        || tp_world_init(world, world_bytes, &s.scene, &s.assets, NULL))
+    if (arena.failed
+        || tp_frame_init(&tp_program_all, &frame, &s.scene, &s.assets, &config, block,
+                         NULL)
+        || tp_world_init(&tp_program_all, world, world_bytes, &s.scene, &s.assets, NULL))
         return false;
     tp_frame_begin(frame, world);
     count_as_tiles();

@@ -69,16 +69,19 @@ static void gather(drawing *to, const uint32_t *samples, const uint32_t *pixels,
 static void draw(drawing *to, uint32_t parts)
 {
     const tp_frame_config config = { .width = WIDTH * parts, .height = HEIGHT * parts };
-    const size_t world_bytes = tp_world_bytes(&now.scene, &now.assets);
-    void *block = need(tp_frame_bytes(&now.scene, &now.assets, &config));
-    uint32_t *scratch = need(tp_frame_scratch_bytes(&config));
+    const size_t world_bytes = tp_world_bytes(&tp_program_all, &now.scene, &now.assets);
+    void *block = need(tp_frame_bytes(&tp_program_all, &now.scene, &now.assets, &config));
+    uint32_t *scratch =
+        need(tp_frame_scratch_bytes(&tp_program_all, &now.scene, &config));
     tp_frame *frame;
     tp_tile   tile;
 
     free(world);
     world = need(world_bytes);
-    if (tp_frame_init(&frame, &now.scene, &now.assets, &config, block, NULL)
-        || tp_world_init(world, world_bytes, &now.scene, &now.assets, NULL))
+    if (tp_frame_init(&tp_program_all, &frame, &now.scene, &now.assets, &config, block,
+                      NULL)
+        || tp_world_init(&tp_program_all, world, world_bytes, &now.scene, &now.assets,
+                         NULL))
         stop("a scene cannot be drawn");
     tp_frame_begin(frame, world);
     tp_frame_tile(frame, 0, scratch, &tile);

@@ -6,7 +6,7 @@
 #   tests/coverage/run.sh [N]           the N lowest files, 20 unless told
 #
 # For the lines of one of them:  gcov -b -t build/coverage/src/fx/fx.gcda
-# Built without asserts, whose failing branch no test takes, and without the kit for newer
+# Built without asserts, whose failing branch no test takes, and without the program for newer
 # processors.  Headers are left out: gcov tells of each as often as it is included.
 set -eu
 

@@ -19,10 +19,10 @@ static void *claim(size_t bytes)
 
 static tp_world *world_begin(void)
 {
-    const size_t bytes = tp_world_bytes(&baked_scene, &baked_assets);
+    const size_t bytes = tp_world_bytes(&tp_program_all, &baked_scene, &baked_assets);
     tp_world *world = claim(bytes);
     tp_error  err = { 0 };
-    if (tp_world_init(world, bytes, &baked_scene, &baked_assets, &err))
+    if (tp_world_init(&tp_program_all, world, bytes, &baked_scene, &baked_assets, &err))
         exit(fail_at("film", &err));
     return world;
 }
@@ -43,17 +43,20 @@ static int draw(const char *name, tp_frame_config config, uint32_t first, uint32
     const picture p = { config.format, config.width, config.height, row_bytes,
                         claim(row_bytes * config.height) };
     tp_world *world = world_begin();
-    void *block = claim(tp_frame_bytes(&baked_scene, &baked_assets, &config));
-    void *scratch = claim(tp_frame_scratch_into_bytes(&config));
+    void *block =
+        claim(tp_frame_bytes(&tp_program_all, &baked_scene, &baked_assets, &config));
+    void *scratch =
+        claim(tp_frame_scratch_into_bytes(&tp_program_all, &baked_scene, &config));
     tp_frame *frame;
     tp_error  err = { 0 };
     film to;
-    if (tp_frame_init(&frame, &baked_scene, &baked_assets, &config, block, &err))
+    if (tp_frame_init(&tp_program_all, &frame, &baked_scene, &baked_assets, &config,
+                      block, &err))
         return fail_at("film", &err);
     int code = film_open(&to, name, config.width, config.height, 1);
     for (uint32_t n = 0; n <= last && !code; n++) {
         for (uint32_t ticks = n ? tp_world_frame(world) : 0; ticks > 0; ticks--)
-            tp_world_step(world, &baked_scene, NULL);
+            tp_world_step(&tp_program_all, world, &baked_scene, NULL);
         if (n >= first)
             code = add_frame(&to, &p, frame, world, scratch);
     }

@@ -35,11 +35,13 @@ static painter painter_of(tp_frame_config config)
 {
     painter  p = { .config = config };
     tp_error err;
-    p.block = claim(tp_frame_bytes(&baked_scene, &baked_assets, &config));
-    p.scratch = claim(tp_frame_scratch_bytes(&config));
+    p.block =
+        claim(tp_frame_bytes(&tp_program_all, &baked_scene, &baked_assets, &config));
+    p.scratch = claim(tp_frame_scratch_bytes(&tp_program_all, &baked_scene, &config));
     p.row_bytes = tp_format_row_bytes(config.format, (int)config.width);
     p.rows = claim(p.row_bytes * config.height);
-    if (tp_frame_init(&p.frame, &baked_scene, &baked_assets, &config, p.block, &err)) {
+    if (tp_frame_init(&tp_program_all, &p.frame, &baked_scene, &baked_assets, &config,
+                      p.block, &err)) {
         printf("%s\n", tp_status_text(err.code));
         exit(1);
     }
@@ -82,10 +84,10 @@ static void painter_end(painter *p)
 
 static tp_world *world_begin(void)
 {
-    size_t    bytes = tp_world_bytes(&baked_scene, &baked_assets);
+    size_t bytes = tp_world_bytes(&tp_program_all, &baked_scene, &baked_assets);
     tp_world *world = claim(bytes);
     tp_error  err;
-    if (tp_world_init(world, bytes, &baked_scene, &baked_assets, &err)) {
+    if (tp_world_init(&tp_program_all, world, bytes, &baked_scene, &baked_assets, &err)) {
         printf("%s\n", tp_status_text(err.code));
         exit(1);
     }
@@ -100,7 +102,7 @@ static void golden_frames_of(tp_format format, uint32_t strip, uint32_t band)
                                               format });
     for (size_t i = 0; i < sizeof ticks / sizeof *ticks; i++) {
         while (world->tick < ticks[i])
-            tp_world_step(world, &baked_scene, NULL);
+            tp_world_step(&tp_program_all, world, &baked_scene, NULL);
         printf("%s frame %04" PRIu32 " crc32 %08" PRIx32 "\n", tp_format_name(format),
                ticks[i], paint(&p, world));
     }
@@ -113,7 +115,7 @@ static void frames_of(tp_frame_config config, uint32_t first, uint32_t last)
     tp_world *world = world_begin();
     painter p = painter_of(config);
     while (world->tick < first)
-        tp_world_step(world, &baked_scene, NULL);
+        tp_world_step(&tp_program_all, world, &baked_scene, NULL);
     for (uint32_t n = first; n <= last; n++) {
         uint32_t crc = paint(&p, world);
         tp_frame_stats stats = tp_frame_last_stats(p.frame);
@@ -121,7 +123,7 @@ static void frames_of(tp_frame_config config, uint32_t first, uint32_t last)
         fprintf(stderr, "held water_pixels %" PRIu32 " vertices %" PRIu32 " triangles %"
                 PRIu32 " dropped %" PRIu32 "\n", p.water_pixels, stats.vertices,
                 stats.triangles, stats.dropped);
-        tp_world_step(world, &baked_scene, NULL);
+        tp_world_step(&tp_program_all, world, &baked_scene, NULL);
     }
     painter_end(&p);
     free(world);

@@ -57,17 +57,26 @@ static void board_open(board *b, uint8_t kind)
 {
     memset(b, 0, sizeof *b);
     make_scene(&b->scene, kind);
-    const size_t bytes = tp_world_bytes(&b->scene, &none);
+    const size_t bytes = tp_world_bytes(&tp_program_all, &b->scene, &none);
     b->world = malloc(bytes);
-    b->block = malloc(tp_frame_bytes(&b->scene, &none, &config));
-    b->scratch = malloc(tp_frame_scratch_bytes(&config));
+    b->block = malloc(tp_frame_bytes(&tp_program_all, &b->scene, &none, &config));
+    b->scratch = malloc(tp_frame_scratch_bytes(&tp_program_all, &b->scene, &config));
     REQUIRE(b->world && b->block && b->scratch);
-    REQUIRE(tp_world_init(b->world, bytes, &b->scene, &none, NULL) == TP_OK);
-    REQUIRE(tp_frame_init(&b->frame, &b->scene, &none, &config, b->block, NULL) == TP_OK);
+    REQUIRE(tp_world_init(&tp_program_all, b->world, bytes, &b->scene, &none, NULL)
+            == TP_OK);
+    REQUIRE(tp_frame_init(&tp_program_all, &b->frame, &b->scene, &none, &config, b->block,
+                          NULL)
+            == TP_OK);
     b->setup = (control_setup){
-        .kit = &tp_kit_all, .shown = &b->scene, .scene = kind & 128 ? NULL : &b->scene,
-        .assets = &none, .config = &config, .world = b->world, .write = hear,
-        .state = kind & 64 ? state : NULL, .to = b,
+        .program = &tp_program_all,
+        .shown = &b->scene,
+        .scene = kind & 128 ? NULL : &b->scene,
+        .assets = &none,
+        .config = &config,
+        .world = b->world,
+        .write = hear,
+        .state = kind & 64 ? state : NULL,
+        .to = b,
     };
     control_begin(&b->control, &b->setup);
 }
@@ -117,7 +126,7 @@ static void make_ticks(board *b, int most)
 {
     while (most-- > 0 && control_ticks(&b->control)) {
         const tp_input input = control_take(&b->control);
-        tp_world_step(b->world, &b->scene, &input);
+        tp_world_step(&tp_program_all, b->world, &b->scene, &input);
     }
 }
 

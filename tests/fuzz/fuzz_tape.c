@@ -104,7 +104,7 @@ static int play_ticks(replay *r, stage *s, const options *o)
     for (int tick = 0; tick < TICKS && !code; tick++) {
         code = replay_acts(r, s, o, &opened);
         if (!code)
-            tp_world_step(s->world, &s->file.scene, replay_step(r));
+            tp_world_step(&tp_program_all, s->world, &s->file.scene, replay_step(r));
     }
     return code;
 }

@@ -19,7 +19,7 @@ BEGIN {
         for (j = 1; j <= n; j++)
             rank[module[j]] = i
     }
-    split("arena=base language=base status=base version=base kit=pixel ring=wave " \
+    split("arena=base language=base status=base version=base program=pixel ring=wave " \
           "ocean=wave depth=wave light=shade drop=scene foam=scene clock=scene " \
           "tape=scene plan=scene rows=scene tidepool=top", special, " ")
     for (i in special) {

@@ -19,13 +19,16 @@ bool golden_open(golden_scene *g, const char *name)
     memset(g, 0, sizeof *g);
     if (scene_file_open(&g->file, name) || assets_open(&g->assets, &g->file))
         return false;
-    const size_t bytes = tp_world_bytes(&g->file.scene, &g->assets.names);
+    const size_t bytes =
+        tp_world_bytes(&tp_program_all, &g->file.scene, &g->assets.names);
     tp_world *world = malloc(bytes);
-    if (!world || tp_world_init(world, bytes, &g->file.scene, &g->assets.names, NULL))
+    if (!world
+        || tp_world_init(&tp_program_all, world, bytes, &g->file.scene, &g->assets.names,
+                         NULL))
         exit(1);
     for (uint32_t i = 0; i < GOLDEN_FRAMES; i++) {
         while (world->tick < golden_frames[i])
-            tp_world_step(world, &g->file.scene, NULL);
+            tp_world_step(&tp_program_all, world, &g->file.scene, NULL);
         g->world[i] = malloc(bytes);
         if (!g->world[i])
             exit(1);

@@ -158,7 +158,7 @@ static inline void kept_move(const kept *k)
     kept_draw(k);
     for (int i = 0; i < 3; i++) {
         tp_world_frame(k->world);
-        tp_world_step(k->world, &k->scene, &input);
+        tp_world_step(&tp_program_all, k->world, &k->scene, &input);
     }
     kept_draw(k);
 }

@@ -104,27 +104,27 @@ cat >main.c <<'END'
 
 extern const tp_scene        baked_scene;
 extern const tp_assets       baked_assets;
-extern const tp_kit          baked_kit;
+extern const tp_program          baked_program;
 extern const tp_frame_config baked_picture;
 
 int main(void)
 {
-    const size_t bytes = tp_world_bytes_with(&baked_kit, &baked_scene, &baked_assets);
+    const size_t bytes = tp_world_bytes(&baked_program, &baked_scene, &baked_assets);
     tp_world *world = malloc(bytes);
     tp_frame *frame;
     tp_tile   tile;
     uint32_t  crc = 0;
-    void *block = malloc(tp_frame_bytes_with(&baked_kit, &baked_scene, &baked_assets,
+    void *block = malloc(tp_frame_bytes(&baked_program, &baked_scene, &baked_assets,
                                              &baked_picture));
-    void *scratch = malloc(tp_frame_scratch_with(&baked_kit, &baked_scene,
+    void *scratch = malloc(tp_frame_scratch_bytes(&baked_program, &baked_scene,
                                                  &baked_picture));
 
-    if (tp_world_init_with(&baked_kit, world, bytes, &baked_scene, &baked_assets, NULL)
-        || tp_frame_init_with(&baked_kit, &frame, &baked_scene, &baked_assets,
+    if (tp_world_init(&baked_program, world, bytes, &baked_scene, &baked_assets, NULL)
+        || tp_frame_init(&baked_program, &frame, &baked_scene, &baked_assets,
                               &baked_picture, block, NULL))
         return 1;
     for (int n = 0; n < 60; n++)
-        tp_world_step_with(&baked_kit, world, &baked_scene, NULL);
+        tp_world_step(&baked_program, world, &baked_scene, NULL);
     tp_frame_begin(frame, world);
     for (uint32_t i = 0; tp_frame_tile(frame, i, scratch, &tile); i++)
         crc = tp_crc32(crc, tile.pixels, tile.stride * (tile.y1 - tile.y0));

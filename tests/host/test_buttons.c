@@ -26,9 +26,10 @@ static water water_with(int32_t cols, int32_t drops)
     w.scene.pool.x = TP_FX(1);
     w.scene.pool.z = TP_FX(-2);
     w.scene.drops.count = drops;
-    const size_t bytes = tp_world_bytes(&w.scene, &none);
+    const size_t bytes = tp_world_bytes(&tp_program_all, &w.scene, &none);
     w.world = malloc(bytes);
-    assert_int_equal(tp_world_init(w.world, bytes, &w.scene, &none, NULL), TP_OK);
+    assert_int_equal(
+        tp_world_init(&tp_program_all, w.world, bytes, &w.scene, &none, NULL), TP_OK);
     return w;
 }
 

@@ -39,7 +39,7 @@ static void open_with(bench *b, const char *scene, uint32_t width, uint32_t heig
     b->compare = compare_begin();
     assert_non_null(b->compare);
     for (int i = 0; i < 20; i++)
-        tp_world_step(b->stage.world, &b->stage.file.scene, NULL);
+        tp_world_step(&tp_program_all, b->stage.world, &b->stage.file.scene, NULL);
 }
 
 static const picture *draw(bench *b)
@@ -324,7 +324,7 @@ static void the_pair_is_of_one_world(void **state)
     for (uint32_t y = 0; y < 48; y++)
         first[y] = pixel(&b.stage.canvas.picture, 7, y);
     for (int i = 0; i < 30; i++)
-        tp_world_step(b.stage.world, &b.stage.file.scene, NULL);
+        tp_world_step(&tp_program_all, b.stage.world, &b.stage.file.scene, NULL);
     const picture *p = wait_for_all(&b);
     uint32_t moved = 0;
     for (uint32_t y = 0; y < 48; y++) {

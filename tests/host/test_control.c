@@ -36,15 +36,17 @@ static void hear(void *to, const char *text)
 
 static void board_open(board *b)
 {
-    const size_t bytes = tp_world_bytes(&b->scene, &none);
+    const size_t bytes = tp_world_bytes(&tp_program_all, &b->scene, &none);
     b->world = malloc(bytes);
-    b->block = malloc(tp_frame_bytes(&b->scene, &none, &config));
-    b->scratch = malloc(tp_frame_scratch_bytes(&config));
-    assert_int_equal(tp_world_init(b->world, bytes, &b->scene, &none, NULL), TP_OK);
-    assert_int_equal(tp_frame_init(&b->frame, &b->scene, &none, &config, b->block, NULL),
+    b->block = malloc(tp_frame_bytes(&tp_program_all, &b->scene, &none, &config));
+    b->scratch = malloc(tp_frame_scratch_bytes(&tp_program_all, &b->scene, &config));
+    assert_int_equal(
+        tp_world_init(&tp_program_all, b->world, bytes, &b->scene, &none, NULL), TP_OK);
+    assert_int_equal(tp_frame_init(&tp_program_all, &b->frame, &b->scene, &none, &config,
+                                   b->block, NULL),
                      TP_OK);
-    b->setup = (control_setup){ &tp_kit_all, &b->scene, &b->scene, &none, &config,
-                                b->world, hear, NULL, b };
+    b->setup = (control_setup){ &tp_program_all, &b->scene, &b->scene, &none, &config,
+                                b->world,        hear,      NULL,      b };
     control_begin(&b->control, &b->setup);
 }
 
@@ -214,8 +216,10 @@ static void what_the_world_has_no_room_for_is_taken_back(void **state)
     char said[160];
     tp_scene more = b->scene;
     more.pool.rows = 64;
-    snprintf(said, sizeof said, "error pool.rows = 64 cells needs %zu bytes of the world,"
-             " which has %u\n", tp_world_bytes(&more, &none),
+    snprintf(said, sizeof said,
+             "error pool.rows = 64 cells needs %zu bytes of the world,"
+             " which has %u\n",
+             tp_world_bytes(&tp_program_all, &more, &none),
              (unsigned)b->world->parts.bytes);
     const uint32_t crc = draw(b);
     assert_string_equal(ask(b, "set pool.rows 64\n"), said + 0);
@@ -287,7 +291,7 @@ static void every_parameter_takes_its_ends(void **state)
                            == (i % 2 ? row->high : row->low));
         taken += ok;
         draw(b);
-        tp_world_step(b->world, &b->scene, NULL);
+        tp_world_step(&tp_program_all, b->world, &b->scene, NULL);
     }
     assert_true(taken > count);
 }
@@ -360,7 +364,7 @@ static void a_restart_is_a_world_of_the_changed_scene(void **state)
 {
     board *b = *state, *fresh = calloc(1, sizeof *fresh);
     for (int i = 0; i < 90; i++)
-        tp_world_step(b->world, &b->scene, NULL);
+        tp_world_step(&tp_program_all, b->world, &b->scene, NULL);
     ask(b, "set wave0.amplitude 1.2\nset drops.y 3\ndrop\nrestart\n");
     assert_non_null(strstr(b->said, "ok restart\n"));
     fresh->scene = b->scene;

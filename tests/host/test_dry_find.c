@@ -66,7 +66,7 @@ static void a_list_has_what_the_scene_needs_and_no_more(void **state)
     assert_memory_equal(&found.in, &again.in, sizeof found.in);
     assert_true(has(&found, "drop"));
     assert_false(has(&found, "foam") || has(&found, "land") || has(&found, "rungs"));
-    const dry_program by = { &list.kit, &a.named, a.wish.baked };
+    const dry_program by = { &list.program, &a.named, a.wish.baked };
     pieces_watch(&list, &found.in, &a.wish.terms);
     pieces_forget();
     assert_int_equal(dry_open(&run, &by, &a.wish.config, false), 0);

@@ -266,7 +266,7 @@ static void a_state_is_one_line(void **state)
     stage s;
     (void)state;
     open_scene(&s, NULL, 0);
-    tp_world_step(s.world, &s.file.scene, NULL);
+    tp_world_step(&tp_program_all, s.world, &s.file.scene, NULL);
     figures_world(f, &s, "tape of 3 s");
     const char *text = shown_of(f, SECOND).state;
     assert_memory_equal(text, "tick 1, clock 1, camera at ", 27);

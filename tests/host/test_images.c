@@ -76,14 +76,16 @@ static void draw_whole_scene(const char *name)
     stop_listening();
     if (code)
         fail_msg("%s: %s", name, said);
-    const size_t bytes = tp_world_bytes(&scene.scene, &a.names);
+    const size_t bytes = tp_world_bytes(&tp_program_all, &scene.scene, &a.names);
     tp_world *world = malloc(bytes);
     assert_non_null(world);
-    assert_int_equal(tp_world_init(world, bytes, &scene.scene, &a.names, NULL), TP_OK);
+    assert_int_equal(
+        tp_world_init(&tp_program_all, world, bytes, &scene.scene, &a.names, NULL),
+        TP_OK);
     canvas_plan(&c, &config, 1);
     assert_int_equal(canvas_open(&c, &scene.scene, &a.names), EXIT_DONE);
     for (int i = 0; i < 3; i++)
-        tp_world_step(world, &scene.scene, NULL);
+        tp_world_step(&tp_program_all, world, &scene.scene, NULL);
     canvas_draw(&c, world);
     canvas_close(&c);
     free(world);

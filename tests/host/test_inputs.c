@@ -23,8 +23,9 @@ static void run(stage *s)
     for (int n = 1; n <= TICKS; n++) {
         const tp_input in = chance_input(&chance);
         tp_vec3 at;
-        tp_world_step(s->world, &s->file.scene, &in);
-        tp_world_above(s->world, chance_word(&chance), chance_word(&chance));
+        tp_world_step(&tp_program_all, s->world, &s->file.scene, &in);
+        tp_world_above(&tp_program_all, s->world, chance_word(&chance),
+                       chance_word(&chance));
         if (n % 25 != 0)
             continue;
         tp_world_frame(s->world);
@@ -36,16 +37,19 @@ static void run(stage *s)
 
 static void shipped_scenes_take_any_input(void **state)
 {
-    size_t kits, count;
-    const machine *machines = machine_kits(&kits);
+    size_t programs, count;
+    const machine *machines = machine_list(&programs);
     char **names = path_scene_names(FOLDER, &count);
 
     (void)state;
-    assert_true(count > 0 && kits > 0);
+    assert_true(count > 0 && programs > 0);
     for (size_t i = 0; i < count; i++) {
         char *path = path_join(FOLDER, names[i], ".ini");
-        const options o = { .scene = path, .width = WIDTH, .height = HEIGHT, .threads = 1,
-                            .machine = &machines[kits - 1] };
+        const options o = { .scene = path,
+                            .width = WIDTH,
+                            .height = HEIGHT,
+                            .threads = 1,
+                            .machine = &machines[programs - 1] };
         stage s;
         assert_int_equal(stage_open(&s, &o), 0);
         run(&s);

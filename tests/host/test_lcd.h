@@ -35,15 +35,16 @@ typedef struct {
     void     *block, *scratch;
 } drawing;
 
-static drawing drawing_open_with(const tp_kit *kit, uint32_t width, uint32_t height,
-                                 uint32_t strip, uint32_t band, tp_format format)
+static drawing drawing_open_with(const tp_program *program, uint32_t width,
+                                 uint32_t height, uint32_t strip, uint32_t band,
+                                 tp_format format)
 {
     drawing d = { .config = { width, height, strip, band, format } };
-    d.block = malloc(tp_frame_bytes_with(kit, &shown.file.scene, &shown.assets.names,
-                                         &d.config));
-    d.scratch = malloc(tp_frame_scratch_bytes(&d.config));
-    assert_int_equal(tp_frame_init_with(kit, &d.frame, &shown.file.scene,
-                                        &shown.assets.names, &d.config, d.block, NULL),
+    d.block = malloc(
+        tp_frame_bytes(program, &shown.file.scene, &shown.assets.names, &d.config));
+    d.scratch = malloc(tp_frame_scratch_bytes(program, &shown.file.scene, &d.config));
+    assert_int_equal(tp_frame_init(program, &d.frame, &shown.file.scene,
+                                   &shown.assets.names, &d.config, d.block, NULL),
                      TP_OK);
     tp_frame_begin(d.frame, shown.world[LATE_INDEX]);
     return d;
@@ -52,7 +53,7 @@ static drawing drawing_open_with(const tp_kit *kit, uint32_t width, uint32_t hei
 static inline drawing drawing_open(uint32_t width, uint32_t height, uint32_t strip,
                                    uint32_t band, tp_format format)
 {
-    return drawing_open_with(&tp_kit_all, width, height, strip, band, format);
+    return drawing_open_with(&tp_program_all, width, height, strip, band, format);
 }
 
 static void drawing_close(drawing *d)

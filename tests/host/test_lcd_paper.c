@@ -158,7 +158,8 @@ typedef struct {
 static film filmed(const lcd_panel *table, uint16_t whole_every, uint32_t frames,
                    uint32_t blocked_at)
 {
-    const size_t bytes = tp_world_bytes(&shown.file.scene, &shown.assets.names);
+    const size_t bytes =
+        tp_world_bytes(&tp_program_all, &shown.file.scene, &shown.assets.names);
     tp_world *world = malloc(bytes);
     memcpy(world, shown.world[LATE_INDEX], bytes);
     drawing d = drawing_open(WIDTH, HEIGHT, 0, 25, format);
@@ -186,7 +187,7 @@ static film filmed(const lcd_panel *table, uint16_t whole_every, uint32_t frames
         f.bytes = s->driver.sent - sent;
         f.wrong += wrong(s, right, WIDTH);
         for (uint32_t i = 0; i < EVERY; i++)
-            tp_world_step(world, &shown.file.scene, NULL);
+            tp_world_step(&tp_program_all, world, &shown.file.scene, NULL);
     }
     f.updates = s->model.updates;
     f.partial = s->model.partial;

@@ -25,11 +25,11 @@ static void store_watched(void *row, int x_in_row, int x, int y, const uint32_t 
     tp_store_rgb565be(row, x_in_row, x, y, colours, count);
 }
 
-static tp_kit watched_kit(void)
+static tp_program watched_program(void)
 {
-    tp_kit kit = tp_kit_all;
-    kit.store[format] = store_watched;
-    return kit;
+    tp_program program = tp_program_all;
+    program.store[format] = store_watched;
+    return program;
 }
 
 typedef struct {
@@ -39,10 +39,11 @@ typedef struct {
 /* Two frames over wires on which so many transfers may be late. */
 static outcome outcome_of(uint32_t strip, uint32_t late, bool liar, bool one_buffer)
 {
-    const tp_kit kit = watched_kit();
+    const tp_program program = watched_program();
     screen *s = screen_power(PANEL_ST7789);
     watched = &s->model;
-    drawing d = drawing_open_with(&kit, GOLDEN_WIDTH, GOLDEN_HEIGHT, strip, BAND, format);
+    drawing d =
+        drawing_open_with(&program, GOLDEN_WIDTH, GOLDEN_HEIGHT, strip, BAND, format);
     uint32_t *right = golden_picture(format);
     const lcd_config c = { .panel = &lcd_st7789, .frame = d.config };
     assert_int_equal(screen_open(s, c), LCD_OK);
@@ -119,9 +120,10 @@ static void a_blocked_panel_is_an_error_and_no_more(void **state)
     (void)state;
     drawing d = drawing_open(GOLDEN_WIDTH, GOLDEN_HEIGHT, 112, 32, format);
     uint32_t *right = golden_picture(format);
-    const size_t world_bytes = tp_world_bytes(&shown.file.scene, &shown.assets.names);
-    const size_t frame_bytes = tp_frame_bytes(&shown.file.scene, &shown.assets.names,
-                                              &d.config);
+    const size_t world_bytes =
+        tp_world_bytes(&tp_program_all, &shown.file.scene, &shown.assets.names);
+    const size_t frame_bytes = tp_frame_bytes(&tp_program_all, &shown.file.scene,
+                                              &shown.assets.names, &d.config);
     uint8_t *before = malloc(world_bytes + frame_bytes);
     memcpy(before, shown.world[LATE_INDEX], world_bytes);
     memcpy(before + world_bytes, d.block, frame_bytes);

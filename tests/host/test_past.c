@@ -51,7 +51,7 @@ static void make_picture(tp_world *world, const tp_scene *scene, const tp_input 
     const tp_input *in = input;
 
     for (uint32_t ticks = tp_world_frame(world); ticks > 0; ticks--) {
-        tp_world_step(world, scene, in);
+        tp_world_step(&tp_program_all, world, scene, in);
         in = NULL;
     }
 }
@@ -198,7 +198,7 @@ static void changes_of_the_scene_come_back_with_it(void **state)
         const bool changed = n % 50 == 3 || (n > 100 && n < 130);
         if (changed) {
             s.scene.wave[0].amplitude = chance_fx(&chance, 0.1, 1);
-            assert_true(tp_world_refresh(s.world, &s.scene, NULL));
+            assert_true(tp_world_refresh(&tp_program_all, s.world, &s.scene, NULL));
         }
         next_picture(&s, changed);
     }

@@ -40,9 +40,11 @@ static void draw(const opened *o, uint32_t width, uint32_t height, tp_visibility
     tp_tile tile;
 
     scene.quality.visibility = (int32_t)how;
-    void *block = malloc(tp_frame_bytes(&scene, &o->assets.names, &config));
-    uint32_t *scratch = malloc(tp_frame_scratch_bytes(&config));
-    assert_int_equal(tp_frame_init(&frame, &scene, &o->assets.names, &config, block, NULL),
+    void *block =
+        malloc(tp_frame_bytes(&tp_program_all, &scene, &o->assets.names, &config));
+    uint32_t *scratch = malloc(tp_frame_scratch_bytes(&tp_program_all, &scene, &config));
+    assert_int_equal(tp_frame_init(&tp_program_all, &frame, &scene, &o->assets.names,
+                                   &config, block, NULL),
                      TP_OK);
     tp_frame_begin(frame, o->world);
     assert_true(tp_frame_tile(frame, 0, scratch, &tile));
@@ -91,9 +93,12 @@ static bool open_scene(opened *o, const char *path)
     memset(o, 0, sizeof *o);
     if (scene_file_open(&o->file, path) || assets_open(&o->assets, &o->file))
         return false;
-    const size_t bytes = tp_world_bytes(&o->file.scene, &o->assets.names);
+    const size_t bytes =
+        tp_world_bytes(&tp_program_all, &o->file.scene, &o->assets.names);
     o->world = malloc(bytes);
-    return tp_world_init(o->world, bytes, &o->file.scene, &o->assets.names, NULL) == TP_OK;
+    return tp_world_init(&tp_program_all, o->world, bytes, &o->file.scene,
+                         &o->assets.names, NULL)
+           == TP_OK;
 }
 
 static void close_scene(opened *o)
@@ -122,7 +127,7 @@ static void check_scene(const char *name, opened *o)
                 assert_int_equal(d.lone, 0);
             }
         }
-        tp_world_step(o->world, &o->file.scene, NULL);
+        tp_world_step(&tp_program_all, o->world, &o->file.scene, NULL);
     }
 }
 
@@ -180,9 +185,11 @@ static void frames_take_triangles_before_rows_show(void **state)
         for (double v = sweeps[k].from; v <= sweeps[k].to; v += sweeps[k].step) {
             *(int32_t *)(void *)((char *)&o.file.scene + row->offset)
                 = (int32_t)(v * 65536);
-            assert_int_equal(tp_world_init(o.world, tp_world_bytes(&o.file.scene,
-                                                                   &o.assets.names),
-                                           &o.file.scene, &o.assets.names, NULL), TP_OK);
+            assert_int_equal(tp_world_init(&tp_program_all, o.world,
+                                           tp_world_bytes(&tp_program_all, &o.file.scene,
+                                                          &o.assets.names),
+                                           &o.file.scene, &o.assets.names, NULL),
+                             TP_OK);
             draw(&o, 160, 120, TP_VISIBILITY_TRIANGLES, &triangles);
             draw(&o, 160, 120, TP_VISIBILITY_ROWS, &rows);
             const difference d = compare(&triangles, &rows, 160, 120);

@@ -34,7 +34,7 @@ static void open_stage(stage *s, const char *scene, char *const *settings, uint3
 static void steps(stage *s, int count)
 {
     for (; count > 0; count--)
-        tp_world_step(s->world, &s->file.scene, NULL);
+        tp_world_step(&tp_program_all, s->world, &s->file.scene, NULL);
 }
 
 static int put(session *to, const stage *s, uint32_t number)

@@ -34,7 +34,7 @@ static uint32_t drawn(void)
 static void steps(int count)
 {
     for (; count > 0; count--)
-        tp_world_step(stood.world, &stood.file.scene, NULL);
+        tp_world_step(&tp_program_all, stood.world, &stood.file.scene, NULL);
 }
 
 static bool set(const char *setting)
@@ -170,7 +170,7 @@ static void a_world_is_made_anew_where_it_was(void **state)
     (void)state;
     const tp_input input = { .ahead = 3 << 16, .turn = 1 << 24, .light_turn = 1 << 25 };
     open_scene("assets/scenes/pond.ini");
-    tp_world_step(stood.world, &stood.file.scene, &input);
+    tp_world_step(&tp_program_all, stood.world, &stood.file.scene, &input);
     steps(30);
     const tp_world was = *stood.world;
     const size_t bytes = stood.world_bytes;

@@ -26,7 +26,7 @@ static void open_scene(stage *s, const char *scene, uint32_t width, uint32_t thr
 
     assert_int_equal(stage_open(s, &o), 0);
     for (int i = 0; i < TICKS; i++)
-        tp_world_step(s->world, &s->file.scene, NULL);
+        tp_world_step(&tp_program_all, s->world, &s->file.scene, NULL);
 }
 
 static uint32_t crc_of(stage *s, bool timed)
@@ -134,18 +134,18 @@ static void threads_add_up(void **state)
 
 static void a_kit_lacks_what_it_lacked(void **state)
 {
-    tp_kit kit = tp_kit_all;
-    const machine poor = { "poor", &kit };
+    tp_program program = tp_program_all;
+    const machine poor = { "poor", &program };
     stage s;
     (void)state;
-    kit.stage.view = NULL;
+    program.stage.view = NULL;
     open_scene(&s, SCENE, 128, 1);
     s.canvas.machine = &poor;
     stopwatch_use(&s.canvas, true);
-    assert_null(s.canvas.kit.stage.view);
-    assert_ptr_not_equal(s.canvas.kit.stage.sky, kit.stage.sky);
+    assert_null(s.canvas.program.stage.view);
+    assert_ptr_not_equal(s.canvas.program.stage.sky, program.stage.sky);
     stopwatch_use(&s.canvas, false);
-    assert_memory_equal(&s.canvas.kit.stage, &kit.stage, sizeof kit.stage);
+    assert_memory_equal(&s.canvas.program.stage, &program.stage, sizeof program.stage);
     stage_close(&s);
 }
 

@@ -25,11 +25,11 @@ static void draw(stage *s, options *o, uint32_t threads, uint32_t crc[FRAMES])
     assert_int_equal(stage_world(s), 0);
     assert_int_equal(stage_canvas(s, o), 0);
     for (int i = 0; i < 20; i++)
-        tp_world_step(s->world, &s->file.scene, NULL);
+        tp_world_step(&tp_program_all, s->world, &s->file.scene, NULL);
     for (int i = 0; i < FRAMES; i++) {
         canvas_draw(&s->canvas, s->world);
         crc[i] = picture_crc(&s->canvas.picture);
-        tp_world_step(s->world, &s->file.scene, NULL);
+        tp_world_step(&tp_program_all, s->world, &s->file.scene, NULL);
     }
 }
 

@@ -28,7 +28,8 @@ static void open_scene(const char *scene)
     assert_int_equal(stage_open(&stood, &given), 0);
     for (int i = 0; i < 40; i++)
         for (uint32_t n = tp_world_frame(stood.world); n > 0; n--)
-            tp_world_step(stood.world, &stood.file.scene, i % 7 ? NULL : &led);
+            tp_world_step(&tp_program_all, stood.world, &stood.file.scene,
+                          i % 7 ? NULL : &led);
 }
 
 static void close_scene(void)
@@ -311,11 +312,12 @@ static void water_that_moved_on_goes_on(void **state)
     open_scene("assets/scenes/tank.ini");
     const tp_scene before = stood.file.scene;
     change("pool.damping", "9");
-    tp_world_step(stood.world, &stood.file.scene, NULL);
+    tp_world_step(&tp_program_all, stood.world, &stood.file.scene, NULL);
     void *now = copy_of(stood.world, stood.world_bytes);
     assert_int_equal(undo(), UNDO_VALUE);
     assert_memory_equal(&before, &stood.file.scene, sizeof before);
-    assert_true(tp_world_refresh(now, &stood.file.scene, &stood.assets.names));
+    assert_true(
+        tp_world_refresh(&tp_program_all, now, &stood.file.scene, &stood.assets.names));
     assert_memory_equal(now, stood.world, stood.world_bytes);
     free(now);
     assert_int_equal(change_row(row_of("pool.cols"), "40", false, false), EXIT_DONE);
@@ -334,7 +336,7 @@ static void a_name_of_the_file_is_the_files_again(void **state)
     assert_in_range(line, 1, 1000);
     change("tank.wall", "assets/textures/foam.png");
     assert_int_equal(stood.file.set_at[row], SET_BY_COMMAND);
-    tp_world_step(stood.world, &stood.file.scene, NULL);
+    tp_world_step(&tp_program_all, stood.world, &stood.file.scene, NULL);
     assert_int_equal(undo(), UNDO_VALUE);
     assert_int_equal(stood.file.set_at[row], line);
     assert_string_equal(stood.file.scene.tank.wall,

@@ -9,7 +9,7 @@ if ! gcc -fsanitize=thread "$scratch/a.c" -o "$scratch/a" 2>/dev/null; then
     exit 77
 fi
 test=build/tsan/tests/host/test_threads
-# Without the kit for processors of level v3, whose loops share what all kits' share.
+# Without the program for processors of level v3, whose loops share what all programs' share.
 built()
 {
     build TARGET=tsan OPT='-O1 -g1 -fsanitize=thread' V3_C= CHECKED=1 $test

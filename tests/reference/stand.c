@@ -8,16 +8,17 @@
 static int make_world(ref_stand *stand, uint32_t ticks)
 {
     const tp_scene *scene = &stand->file.scene;
-    const size_t bytes = tp_world_bytes(scene, &stand->assets.names);
+    const size_t bytes = tp_world_bytes(&tp_program_all, scene, &stand->assets.names);
     tp_error err = { 0 };
 
     stand->world = malloc(bytes + sizeof *stand->world);
     if (!stand->world)
         return fail_memory(bytes);
-    if (tp_world_init(stand->world, bytes, scene, &stand->assets.names, &err))
+    if (tp_world_init(&tp_program_all, stand->world, bytes, scene, &stand->assets.names,
+                      &err))
         return scene_file_refuse(&stand->file, &err);
     while (stand->world->tick < ticks)
-        tp_world_step(stand->world, scene, NULL);
+        tp_world_step(&tp_program_all, stand->world, scene, NULL);
     return EXIT_DONE;
 }
 

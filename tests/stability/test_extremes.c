@@ -43,7 +43,8 @@ static tp_scene any_scene(void)
 
 static tp_world *world_of(const tp_scene *scene, const tp_assets *assets)
 {
-    return tp_world_bytes(scene, assets) ? scene_world(scene, assets) : NULL;
+    return tp_world_bytes(&tp_program_all, scene, assets) ? scene_world(scene, assets)
+                                                          : NULL;
 }
 
 /* -- places ---------------------------------------------------------------------------- */
@@ -58,7 +59,7 @@ static void ask_all(const tp_world *world, tp_fx x, tp_fx z)
 {
     const tp_ocean *ocean = tp_world_ocean(world);
     const int64_t reach = ocean ? tp_ocean_reach(ocean) : world->sea.reach;
-    const tp_sea_point p = tp_world_above(world, x, z);
+    const tp_sea_point p = tp_world_above(&tp_program_all, world, x, z);
 
     assert_true(llabs((int64_t)p.position.y) <= HIGHEST);
     assert_near(p.position.x, x, 2 * reach + 64);
@@ -116,7 +117,7 @@ static void every_place_has_a_height(void **state)
         tp_world *world = world_of(&scene, &assets);
         for (int n = 0; world && n < 60; n++) {
             if (n % 10 == 0)
-                tp_world_step(world, &scene, NULL);
+                tp_world_step(&tp_program_all, world, &scene, NULL);
             ask_all(world, chance_word(&chance), chance_word(&chance));
             ask_parts(world, chance_word(&chance), chance_word(&chance));
             asked++;
@@ -177,7 +178,7 @@ static void a_tick_takes_any_input(void **state)
         twice_begin(&twice, &scene, &assets, &chance);
         for (int n = 0; n < 20; n++) {
             const tp_input in = chance_input(&chance);
-            tp_world_step(world, &scene, &in);
+            tp_world_step(&tp_program_all, world, &scene, &in);
             assert_held(world);
             if (n % 10 == 9)
                 twice_draw(&twice, world);
@@ -199,7 +200,7 @@ static void a_boat_that_sails_on_and_on_stays_within_8_km(void **state)
         tp_world *world = scene_world(&scene, NULL);
         const tp_input ahead = { .throttle = n % 2 ? TP_FX_MAX : TP_FX_MIN };
         for (int tick = 0; tick < 40000; tick++)
-            tp_world_step(world, &scene, &ahead);
+            tp_world_step(&tp_program_all, world, &scene, &ahead);
         assert_held(world);
         assert_true(llabs(world->afloat.hull.x) == FAR
                     || llabs(world->afloat.hull.z) == FAR || n / 2);

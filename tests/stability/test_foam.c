@@ -66,7 +66,7 @@ static void nothing_shakes_foam_or_spray(void **state)
                                   .rudder = chance_fx(&chance, -90, 90) };
             if (i % 7 == 0)
                 shake(world, &scene);
-            tp_world_step(world, &scene, &in);
+            tp_world_step(&tp_program_all, world, &scene, &in);
         }
         const tp_foam *foam = tp_world_foam(world);
         const tp_spray *spray = tp_world_spray(world);
@@ -101,7 +101,7 @@ static void foam_always_ends(void **state)
         double s = 0;
         for (; memcmp(cover, zero, sizeof zero) != 0; s += 1 / 60.0) {
             assert_true(s < fades[n] * 60);
-            tp_world_step(world, &scene, NULL);
+            tp_world_step(&tp_program_all, world, &scene, NULL);
         }
         printf("    fade %5.1f s: gone after %6.1f s, %.1f fades\n", fades[n], s,
                s / fades[n]);
@@ -122,13 +122,13 @@ static void a_storm_ends_in_clear_water(void **state)
         scene.wave[i].steepness = TP_FX(0.32);
     tp_world *world = scene_world(&scene, NULL);
     for (int i = 0; i < 300; i++)
-        tp_world_step(world, &scene, NULL);
+        tp_world_step(&tp_program_all, world, &scene, NULL);
     assert_true(tp_world_spray(world)->count > 0);
     for (int i = 0; i < 3; i++)
         scene.wave[i].amplitude = 0;
-    assert_true(tp_world_refresh(world, &scene, NULL));
+    assert_true(tp_world_refresh(&tp_program_all, world, &scene, NULL));
     for (int i = 0; i < 60 * 60; i++)
-        tp_world_step(world, &scene, NULL);
+        tp_world_step(&tp_program_all, world, &scene, NULL);
     assert_int_equal(tp_world_spray(world)->count, 0);
     for (int i = 0; i < 64 * 64; i++)
         assert_int_equal(tp_foam_cover(tp_foam_of_world(world))[i], 0);

@@ -52,7 +52,10 @@ static void search_one(const ocean_made *o, search *s)
     tp_fx rest[2] = { x, z };
     tp_turn phases[TP_WAVES];
     const tp_surface surface = {
-        .by = &tp_kit_all.water, .sea = &o->sea, .phases = phases, .ocean = o->ocean,
+        .by = &tp_program_all.water,
+        .sea = &o->sea,
+        .phases = phases,
+        .ocean = o->ocean,
     };
 
     for (int i = 0; i < TP_WAVES; i++)

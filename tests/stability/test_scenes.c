@@ -68,7 +68,7 @@ static void ask(const tp_world *world)
     const tp_fx far = 16000 * TP_FX_ONE;
     const tp_fx x = chance_int(&chance, -far, far) >> random_below(&chance, 16);
     const tp_fx z = chance_int(&chance, -far, far) >> random_below(&chance, 16);
-    const tp_sea_point p = tp_world_above(world, x, z);
+    const tp_sea_point p = tp_world_above(&tp_program_all, world, x, z);
     assert_true(llabs((int64_t)p.position.y) <= HIGHEST);
 }
 
@@ -76,11 +76,11 @@ static void step(tp_world *world, const tp_scene *scene, int ticks)
 {
     for (int n = 0; n < ticks; n++) {
         const tp_input input = any_input();
-        tp_world_step(world, scene, n % 2 ? &input : NULL);
+        tp_world_step(&tp_program_all, world, scene, n % 2 ? &input : NULL);
         ask(world);
     }
     for (uint32_t n = tp_world_frame(world); n > 0; n--)
-        tp_world_step(world, scene, NULL);
+        tp_world_step(&tp_program_all, world, scene, NULL);
 }
 
 /* Any numbers become any others, but those that size a frame. */
@@ -104,13 +104,14 @@ static void change(tp_scene *scene)
 /* NULL: refused, which is as good. */
 static tp_world *world_of(const tp_scene *scene, const tp_assets *assets)
 {
-    const size_t bytes = tp_world_bytes(scene, assets);
+    const size_t bytes = tp_world_bytes(&tp_program_all, scene, assets);
     tp_world *world = bytes ? malloc(bytes) : NULL;
 
     if (bytes == 0)
         return NULL;
     assert_non_null(world);
-    assert_int_equal(tp_world_init(world, bytes, scene, assets, NULL), TP_OK);
+    assert_int_equal(tp_world_init(&tp_program_all, world, bytes, scene, assets, NULL),
+                     TP_OK);
     return world;
 }
 
@@ -118,7 +119,7 @@ static tp_world *world_of(const tp_scene *scene, const tp_assets *assets)
 static void live_on(tp_world **world, tp_scene *scene, const tp_assets *assets)
 {
     change(scene);
-    if (!tp_world_refresh(*world, scene, assets)) {
+    if (!tp_world_refresh(&tp_program_all, *world, scene, assets)) {
         free(*world);
         *world = world_of(scene, assets);
     }
@@ -133,8 +134,8 @@ static void compare_with_copy(tp_world *world, const tp_scene *scene)
 
     memcpy(copy, world, world->parts.bytes);
     for (int n = 0; n < 2; n++) {
-        tp_world_step(world, scene, NULL);
-        tp_world_step(copy, scene, NULL);
+        tp_world_step(&tp_program_all, world, scene, NULL);
+        tp_world_step(&tp_program_all, copy, scene, NULL);
     }
     assert_memory_equal(copy, world, world->parts.bytes);
     free(copy);

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /* Random scenes of the whole range that the table of parameters allows: grids to 1024
- * points a side, pools to 512 cells, pictures to 2048 pixels, any format, tiling and kit.
+ * points a side, pools to 512 cells, pictures to 2048 pixels, any format, tiling and program.
  * A scene that tp_scene_check refuses is refused by every entry; any other is stepped,
- * asked for heights at places of any 32 bits, and drawn whole and in tiles, by another kit
+ * asked for heights at places of any 32 bits, and drawn whole and in tiles, by another program
  * where that draws the same.  The build with UBSan and ASan sees what goes wrong inside.
  *
  *     TP_SOAK=1       the whole range; otherwise sides stay small, for seconds
@@ -128,24 +128,24 @@ static tp_frame_config any_config(const tp_scene *s)
     return c;
 }
 
-/* -- kits ------------------------------------------------------------------------------ */
+/* -- programs ------------------------------------------------------------------------------ */
 
 typedef struct {
-    tp_kit      by, tiled_by;
+    tp_program by, tiled_by;
     const char *name;
-} kits;
+} programs;
 
-/* The tiles' kit draws the bits of the whole picture's. */
-static kits any_kits(void)
+/* The tiles' program draws the bits of the whole picture's. */
+static programs any_programs(void)
 {
     size_t count;
-    const machine *machines = machine_kits(&count);
-    kits k = { tp_kit_all, tp_kit_all, "all" };
+    const machine *machines = machine_list(&count);
+    programs k = { tp_program_all, tp_program_all, "all" };
 
     switch (random_below(&chance, 8)) {
     case 0:
     case 1:
-        k = (kits){ .by = thin_kit(&chance), .name = "thin" };
+        k = (programs){ .by = thin_program(&chance), .name = "thin" };
         k.tiled_by = k.by;
         break;
     case 2:
@@ -156,7 +156,7 @@ static kits any_kits(void)
     case 4:
     case 5:
         k.name = machines[0].name;
-        k.tiled_by = *machines[0].kit;
+        k.tiled_by = *machines[0].program;
         break;
     default:
         break;
@@ -185,39 +185,43 @@ static void assert_refused(const tp_scene *scene, const tp_assets *assets, tp_st
     tp_error err = { 0 };
 
     assert_true(why->word[0] != '\0');
-    assert_int_equal(tp_world_bytes(scene, assets), 0);
-    assert_int_equal(tp_frame_bytes(scene, assets, &config), 0);
-    assert_refusal(tp_world_init(world, sizeof block, scene, assets, &err), &err, as, why);
-    assert_refusal(tp_frame_init(&frame, scene, assets, &config, block, &err), &err, as,
-                   why);
+    assert_int_equal(tp_world_bytes(&tp_program_all, scene, assets), 0);
+    assert_int_equal(tp_frame_bytes(&tp_program_all, scene, assets, &config), 0);
+    assert_refusal(
+        tp_world_init(&tp_program_all, world, sizeof block, scene, assets, &err), &err,
+        as, why);
+    assert_refusal(
+        tp_frame_init(&tp_program_all, &frame, scene, assets, &config, block, &err), &err,
+        as, why);
     plain.boat.mesh[0] = '\0';
-    assert_int_equal(tp_world_init(world, sizeof block, &plain, NULL, NULL), TP_OK);
+    assert_int_equal(
+        tp_world_init(&tp_program_all, world, sizeof block, &plain, NULL, NULL), TP_OK);
     memcpy(before, block, sizeof block);
-    assert_false(tp_world_refresh(world, scene, assets));
+    assert_false(tp_world_refresh(&tp_program_all, world, scene, assets));
     assert_memory_equal(before, block, sizeof block);
     assert_int_equal(tp_plan_of(scene, assets, 64, 48).total.cost, 0);
 }
 
 /* -- what is drawn --------------------------------------------------------------------- */
 
-static void ask(const kits *k, const tp_world *world, int places)
+static void ask(const programs *k, const tp_world *world, int places)
 {
     while (places-- > 0) {
-        const tp_sea_point p = tp_world_above_with(&k->by, world, chance_word(&chance),
-                                                   chance_word(&chance));
+        const tp_sea_point p =
+            tp_world_above(&k->by, world, chance_word(&chance), chance_word(&chance));
         assert_true(llabs((int64_t)p.position.y) <= HIGHEST);
     }
 }
 
-static void step(const kits *k, tp_world *world, const tp_scene *scene)
+static void step(const programs *k, tp_world *world, const tp_scene *scene)
 {
     for (int n = chance_int(&chance, 1, 8); n > 0; n--) {
         const tp_input input = chance_input(&chance);
-        tp_world_step_with(&k->by, world, scene, n % 2 ? &input : NULL);
+        tp_world_step(&k->by, world, scene, n % 2 ? &input : NULL);
         ask(k, world, 4);
     }
     for (uint32_t n = tp_world_frame(world); n > 0; n--)
-        tp_world_step_with(&k->by, world, scene, NULL);
+        tp_world_step(&k->by, world, scene, NULL);
 }
 
 static void draw(const tp_world *world)
@@ -228,7 +232,7 @@ static void draw(const tp_world *world)
 
 /* The same frames while the numbers of another scene come, but those that size the grid;
  * the world goes on where it takes them. */
-static void live_on(const kits *k, tp_world *world, tp_scene *scene,
+static void live_on(const programs *k, tp_world *world, tp_scene *scene,
                     const tp_assets *assets)
 {
     const tp_scene other = any_scene(), before = *scene;
@@ -242,24 +246,24 @@ static void live_on(const kits *k, tp_world *world, tp_scene *scene,
                 (const char *)&other + row[i].offset);
     scene->grid.cols = before.grid.cols;
     scene->grid.rows = before.grid.rows;
-    if (!tp_world_refresh_with(&k->by, world, scene, assets)) {
+    if (!tp_world_refresh(&k->by, world, scene, assets)) {
         *scene = before;
-        assert_true(tp_world_refresh_with(&k->by, world, scene, assets));
+        assert_true(tp_world_refresh(&k->by, world, scene, assets));
     }
     step(k, world, scene);
     draw(world);
 }
 
 /* False: what the scene names does not fit it, which only an init can tell. */
-static bool draw_scene(const kits *k, tp_scene *scene, const tp_assets *assets,
+static bool draw_scene(const programs *k, tp_scene *scene, const tp_assets *assets,
                        const tp_frame_config *config)
 {
-    const size_t bytes = tp_world_bytes_with(&k->by, scene, assets);
+    const size_t bytes = tp_world_bytes(&k->by, scene, assets);
     tp_world *world = malloc(bytes > sizeof *world ? bytes : sizeof *world);
     tp_error err = { 0 };
 
     assert_non_null(world);
-    const tp_status status = tp_world_init_with(&k->by, world, bytes, scene, assets, &err);
+    const tp_status status = tp_world_init(&k->by, world, bytes, scene, assets, &err);
     assert_int_equal(status == TP_OK, bytes > 0);
     if (status == TP_OK) {
         twice.by = &k->by;
@@ -296,7 +300,7 @@ static void run_scene(uint32_t number)
     chance = random_next(&begin);
     tp_scene scene = any_scene();
     const tp_assets assets = kit_assets(&kit, &scene, &chance);
-    const kits k = any_kits();
+    const programs k = any_programs();
     tp_error err = { 0 };
 
     if (random_below(&chance, 16) == 0)

@@ -11,8 +11,9 @@ static inline tp_world boat_world(const tp_scene *scene)
 {
     tp_world world;
 
-    assert_int_equal(tp_world_bytes(scene, NULL), sizeof world);
-    assert_int_equal(tp_world_init(&world, sizeof world, scene, NULL, NULL), TP_OK);
+    assert_int_equal(tp_world_bytes(&tp_program_all, scene, NULL), sizeof world);
+    assert_int_equal(
+        tp_world_init(&tp_program_all, &world, sizeof world, scene, NULL, NULL), TP_OK);
     return world;
 }
 
@@ -34,7 +35,7 @@ static inline void boat_steps(tp_world *world, const tp_scene *scene,
                               const tp_input *in, int ticks)
 {
     for (int t = 0; t < ticks; t++)
-        tp_world_step(world, scene, in);
+        tp_world_step(&tp_program_all, world, scene, in);
 }
 
 /* Three swells under a boat of any size and heading. */

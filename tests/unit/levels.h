@@ -27,10 +27,12 @@ static inline void level_draw(level_shot *shot, tp_scene *scene, const tp_assets
 
     scene->quality.visibility = (int32_t)how;
     shot->frame = frame_of(scene, assets, &config);
-    if (tp_world_init(&shot->world, sizeof shot->world, scene, NULL, NULL) != TP_OK)
+    if (tp_world_init(&tp_program_all, &shot->world, sizeof shot->world, scene, NULL,
+                      NULL)
+        != TP_OK)
         abort();
     shot->world.tick = tick;
-    tp_world_refresh(&shot->world, scene, NULL);
+    tp_world_refresh(&tp_program_all, &shot->world, scene, NULL);
     tp_frame_begin(shot->frame.frame, &shot->world);
     if (!tp_frame_tile(shot->frame.frame, 0, shot->frame.scratch, &tile))
         abort();

@@ -39,7 +39,7 @@ static inline tp_input any_input(void)
 static inline void go(look *l, tp_world *w, const tp_scene *s, tp_input in)
 {
     look_steer(l, w, s, &in);
-    tp_world_step(w, s, &in);
+    tp_world_step(&tp_program_all, w, s, &in);
 }
 
 /* Begins, and takes camera.follow as the view does. */
@@ -49,7 +49,7 @@ static inline void begin(look *l, look_mode mode, tp_world *w, tp_scene *s)
 
     assert_true(look_begin(l, mode, w, s));
     s->camera.follow = (int32_t)look_follow(l, &filed);
-    assert_true(tp_world_refresh(w, s, NULL));
+    assert_true(tp_world_refresh(&tp_program_all, w, s, NULL));
 }
 
 /* The same of a world at its beginning. */

@@ -72,7 +72,7 @@ static inline void run(uint64_t *chance, tp_world *world, const tp_scene *scene,
     for (int i = 0; i < ticks; i++) {
         const tp_input in = input_any(chance);
         tp_world_frame(world);
-        tp_world_step(world, scene, &in);
+        tp_world_step(&tp_program_all, world, scene, &in);
     }
 }
 #endif

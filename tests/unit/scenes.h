@@ -61,9 +61,10 @@ static inline tp_scene scene_any(uint64_t *state)
 /* The scene's world in memory of its own, to free; NULL: it cannot be used. */
 static inline tp_world *scene_world(const tp_scene *scene, const tp_assets *assets)
 {
-    const size_t bytes = tp_world_bytes(scene, assets);
+    const size_t bytes = tp_world_bytes(&tp_program_all, scene, assets);
     tp_world *world = bytes ? malloc(bytes) : NULL;
-    if (world && tp_world_init(world, bytes, scene, assets, NULL) != TP_OK)
+    if (world
+        && tp_world_init(&tp_program_all, world, bytes, scene, assets, NULL) != TP_OK)
         abort();
     return world;
 }
@@ -163,15 +164,15 @@ static inline bool frame_guard_holds(const uint8_t *block, size_t bytes)
     return true;
 }
 
-static inline test_frame frame_by(const tp_kit *by, const tp_scene *scene,
+static inline test_frame frame_by(const tp_program *by, const tp_scene *scene,
                                   const tp_assets *assets, const tp_frame_config *config)
 {
-    test_frame f = { .bytes = tp_frame_bytes_with(by, scene, assets, config),
-                     .scratch_bytes = tp_frame_scratch_with(by, scene, config) };
+    test_frame f = { .bytes = tp_frame_bytes(by, scene, assets, config),
+                     .scratch_bytes = tp_frame_scratch_bytes(by, scene, config) };
 
     f.block = frame_block(f.bytes);
     f.scratch = frame_block(f.scratch_bytes);
-    if (tp_frame_init_with(by, &f.frame, scene, assets, config, f.block, NULL) != TP_OK)
+    if (tp_frame_init(by, &f.frame, scene, assets, config, f.block, NULL) != TP_OK)
         abort();
     return f;
 }
@@ -179,7 +180,7 @@ static inline test_frame frame_by(const tp_kit *by, const tp_scene *scene,
 static inline test_frame frame_of(const tp_scene *scene, const tp_assets *assets,
                                   const tp_frame_config *config)
 {
-    return frame_by(&tp_kit_all, scene, assets, config);
+    return frame_by(&tp_program_all, scene, assets, config);
 }
 
 static inline void frame_free(test_frame *f)

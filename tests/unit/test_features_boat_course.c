@@ -105,10 +105,10 @@ static void it_stays_within_eight_kilometres(void **state)
     boat_steps(&w, &scene, &full, 10);
     for (int n = 0; n < 4; n++) {
         scene.boat.heading = (45 + 90 * n) * TP_FX_ONE;
-        tp_world_refresh(&w, &scene, NULL);
+        tp_world_refresh(&tp_program_all, &w, &scene, NULL);
         const tp_input in = { .throttle = TP_FX_MAX };
         for (int t = 0; t < 20000; t++) {
-            tp_world_step(&w, &scene, &in);
+            tp_world_step(&tp_program_all, &w, &scene, &in);
             assert_true(abs(w.boat.place.x) <= 8000 * TP_FX_ONE);
             assert_true(abs(w.boat.place.z) <= 8000 * TP_FX_ONE);
         }
@@ -140,7 +140,7 @@ static void it_stays_within_a_tank(void **state)
         tp_world *w = scene_world(&scene, NULL);
         const tp_fx room = n % 4 ? TP_FX(2) : 0;
         for (int t = 0; t < 900; t++) {
-            tp_world_step(w, &scene, NULL);
+            tp_world_step(&tp_program_all, w, &scene, NULL);
             assert_in_range(w->boat.place.x, TP_FX(95), TP_FX(105));
             assert_in_range(w->boat.place.z + room, 0, 2 * room);
         }
@@ -162,7 +162,7 @@ static void a_changed_place_moves_the_boat(void **state)
     scene.boat.x += 5 * TP_FX_ONE;
     scene.boat.z -= 7 * TP_FX_ONE;
     scene.boat.heading = 90 * TP_FX_ONE;
-    tp_world_refresh(&w, &scene, NULL);
+    tp_world_refresh(&tp_program_all, &w, &scene, NULL);
     assert_int_equal(w.boat.place.x, scene.boat.x);
     assert_int_equal(w.boat.place.z, scene.boat.z + sailed);
     assert_true(abs((int32_t)(w.boat.heading - 0x40000000u)) < 64);
@@ -184,7 +184,7 @@ static void a_refresh_does_not_lift_a_floating_boat(void **state)
         const tp_pose before = w.boat;
         for (int i = 0; i < 3; i++)
             scene.wave[i].phase += 100 * TP_FX_ONE;
-        tp_world_refresh(&w, &scene, NULL);
+        tp_world_refresh(&tp_program_all, &w, &scene, NULL);
         assert_int_equal(before.place.y == w.boat.place.y, n < 2);
         assert_int_equal(before.pitch == w.boat.pitch, n < 2);
         assert_int_equal(before.roll == w.boat.roll, n < 2);
@@ -219,10 +219,10 @@ static void a_sailing_boat_replays_bit_for_bit(void **state)
         for (int t = 0; t < 100; t++) {
             if (t == 41)
                 memcpy(&copy, &first, sizeof copy);
-            tp_world_step(&first, &scene, &tape[t]);
-            tp_world_step(&second, &scene, &tape[t]);
+            tp_world_step(&tp_program_all, &first, &scene, &tape[t]);
+            tp_world_step(&tp_program_all, &second, &scene, &tape[t]);
             if (t >= 41)
-                tp_world_step(&copy, &scene, &tape[t]);
+                tp_world_step(&tp_program_all, &copy, &scene, &tape[t]);
         }
         assert_memory_equal(&first.boat, &second.boat, sizeof first.boat);
         assert_memory_equal(&first.afloat, &second.afloat, sizeof first.afloat);

@@ -229,7 +229,7 @@ static void a_boat_faster_than_waves_leaves_a_v(void **state)
         s.boat.speed = (tp_fx)lround(c / ratio[i] * 65536);
         tp_world *w = wake_world(&s);
         for (int t = 0; t < (int)(50 / (c / ratio[i]) * 60); t++)
-            tp_world_step(w, &s, NULL);
+            tp_world_step(&tp_program_all, w, &s, NULL);
         const double model = asin(ratio[i]) * 180 / 3.14159265;
         const double port = atan(spread_of(w, water_of(w), -1)) * 180 / 3.14159265;
         const double starboard = atan(spread_of(w, water_of(w), 1)) * 180 / 3.14159265;
@@ -248,7 +248,7 @@ static void a_wake_replays_bit_for_bit(void **state)
     for (int n = 0; n < 6; n++) {
         tp_scene s = pool_scene((tp_cells)(n % 3), (tp_edges)(n / 2));
         s.boat.mode = n % 2 ? TP_BOAT_DYNAMIC : TP_BOAT_KINEMATIC;
-        const size_t bytes = tp_world_bytes(&s, NULL);
+        const size_t bytes = tp_world_bytes(&tp_program_all, &s, NULL);
         tp_world *w = wake_world(&s), *copy = malloc(bytes);
         tp_input tape[80];
         for (int t = 0; t < 80; t++) {
@@ -256,10 +256,10 @@ static void a_wake_replays_bit_for_bit(void **state)
                                   .rudder = random_number(&chance) };
             if (t == 20)
                 memcpy(copy, w, bytes);
-            tp_world_step(w, &s, &tape[t]);
+            tp_world_step(&tp_program_all, w, &s, &tape[t]);
         }
         for (int t = 20; t < 80; t++)
-            tp_world_step(copy, &s, &tape[t]);
+            tp_world_step(&tp_program_all, copy, &s, &tape[t]);
         assert_memory_equal(copy, w, bytes);
         assert_true(w->afloat.stirs > 0);
         free(w);
@@ -285,7 +285,7 @@ static void any_boat_may_stir_any_pool(void **state)
             s.boat.x = s.pool.x + chance_fx(&chance, -3, 3);
             s.boat.z = s.pool.z + chance_fx(&chance, -3, 3);
         }
-        if (tp_world_bytes(&s, NULL) == 0)
+        if (tp_world_bytes(&tp_program_all, &s, NULL) == 0)
             continue;
         tp_world *w = wake_world(&s);
         for (int t = 0; t < 20; t++) {

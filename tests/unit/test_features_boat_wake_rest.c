@@ -19,7 +19,7 @@ static void a_boat_at_rest_leaves_still_water_still(void **state)
         s.boat.mode = n < 3 ? TP_BOAT_DYNAMIC : TP_BOAT_KINEMATIC;
         tp_world *w = wake_world(&s);
         for (int t = 0; t < 200; t++)
-            tp_world_step(w, &s, NULL);
+            tp_world_step(&tp_program_all, w, &s, NULL);
         const tp_pool_state look = tp_pool_look(water_of(w));
         assert_int_equal(w->afloat.stirs, 0);
         assert_true(look.at_rest && look.highest == 0 && look.fastest == 0);
@@ -44,11 +44,11 @@ static int ticks_to_rest(const tp_scene *s, int most, uint32_t *strokes)
     int t = 0, rests = 0;
 
     for (; t < 120; t++)
-        tp_world_step(w, s, &in);
+        tp_world_step(&tp_program_all, w, s, &in);
     *strokes = w->afloat.stirs;
     for (; rests < 200 && t < most; t++) {
         const uint32_t stirs = w->afloat.stirs;
-        tp_world_step(w, s, NULL);
+        tp_world_step(&tp_program_all, w, s, NULL);
         rests = is_at_rest(w) && w->afloat.stirs == stirs ? rests + 1 : 0;
     }
     free(w);
@@ -112,7 +112,7 @@ static void a_boat_that_rocks_stirs_the_pool(void **state)
         tp_world *w = wake_world(&s);
         int32_t far = 0;
         for (int t = 0; t < 300; t++) {
-            tp_world_step(w, &s, NULL);
+            tp_world_step(&tp_program_all, w, &s, NULL);
             const int32_t h = abs(tp_pool_height(tp_world_pool(w), 48, 20));
             far = h > far ? h : far;
         }

@@ -46,7 +46,7 @@ static void fill_any(tp_world *world)
 static void step(tp_world *world, const tp_scene *scene, int ticks)
 {
     for (int i = 0; i < ticks; i++)
-        tp_world_step(world, scene, NULL);
+        tp_world_step(&tp_program_all, world, scene, NULL);
 }
 
 /* -- fading -------------------------------------------------------------------------- */
@@ -146,11 +146,11 @@ static void the_window_follows_the_eye(void **state)
     tp_foam_blob(tp_foam_of_world(world), TP_FX(5.25), TP_FX(0.25), TP_FX(0.5), 250);
     const int there = tp_foam_at(tp_world_foam(world), TP_FX(5.25), TP_FX(0.25));
     for (int i = 0; i < 190; i++)
-        tp_world_step(world, &scene, &aside);
+        tp_world_step(&tp_program_all, world, &scene, &aside);
     assert_true(abs(tp_foam_at(tp_world_foam(world), TP_FX(5.25), TP_FX(0.25)) - there)
                 <= 4);
     for (int i = 0; i < 40; i++)
-        tp_world_step(world, &scene, &aside);
+        tp_world_step(&tp_program_all, world, &scene, &aside);
     assert_true(sum_of(world) == 0);
     free(world);
 }
@@ -192,14 +192,14 @@ static void other_cells_need_another_world(void **state)
     assert_non_null(tp_foam_of_world(world));
     scene.foam.fade = TP_FX(3);
     scene.foam.map.drift_x = TP_FX_ONE;
-    assert_true(tp_world_refresh(world, &scene, NULL));
+    assert_true(tp_world_refresh(&tp_program_all, world, &scene, NULL));
     scene.foam.cell = TP_FX(0.6);
-    assert_false(tp_world_refresh(world, &scene, NULL));
+    assert_false(tp_world_refresh(&tp_program_all, world, &scene, NULL));
     scene.foam.cell = TP_FX(0.5);
     scene.foam.cells = 63;
-    assert_false(tp_world_refresh(world, &scene, NULL));
+    assert_false(tp_world_refresh(&tp_program_all, world, &scene, NULL));
     scene.foam.cells = 0;
-    assert_int_equal(tp_world_bytes(&scene, NULL), sizeof(tp_world));
+    assert_int_equal(tp_world_bytes(&tp_program_all, &scene, NULL), sizeof(tp_world));
     free(world);
 }
 

@@ -79,7 +79,7 @@ static double mean_after(const tp_scene *scene, int ticks)
     tp_world *world = scene_world(scene, NULL);
 
     for (int i = 0; i < ticks; i++)
-        tp_world_step(world, scene, NULL);
+        tp_world_step(&tp_program_all, world, scene, NULL);
     const double mean = mean_of(world);
     free(world);
     return mean;
@@ -120,7 +120,7 @@ static void the_shore_foams_where_it_moves(void **state)
     s.foam.breaking = s.foam.crest = 0;
     tp_world *world = scene_world(&s, NULL);
     for (int i = 0; i < 400; i++)
-        tp_world_step(world, &s, NULL);
+        tp_world_step(&tp_program_all, world, &s, NULL);
     int strip = 0;
     for (int x = -20; x < 20; x++) {
         strip += tp_foam_at(tp_world_foam(world), x * TP_FX_ONE, TP_FX(-15));
@@ -149,7 +149,7 @@ static void walls_foam_where_the_water_moves(void **state)
     s = field(s, TP_FX(0.1));
     tp_world *world = scene_world(&s, NULL);
     for (int i = 0; i < 600; i++)
-        tp_world_step(world, &s, NULL);
+        tp_world_step(&tp_program_all, world, &s, NULL);
     assert_true(mean_of(world) > 0.1);
     for (int x = -20; x < 20; x++)
         assert_int_equal(tp_foam_at(tp_world_foam(world), x * TP_FX(0.1), 0), 0);
@@ -182,7 +182,7 @@ static void a_hull_at_rest_has_a_line_around_it(void **state)
     tp_world *world = scene_world(&s, NULL);
 
     for (int i = 0; i < 300; i++)
-        tp_world_step(world, &s, NULL);
+        tp_world_step(&tp_program_all, world, &s, NULL);
     assert_true(at(world, 0.2, 1.6) > 60 && at(world, 0.2, -1.6) > 60);
     assert_true(at(world, 0, 3) == 0 && at(world, 9, 0) == 0 && at(world, -9, 0) == 0);
     free(world);
@@ -196,7 +196,7 @@ static void a_hull_that_sails_leaves_a_wake(void **state)
     tp_world *world = scene_world(&s, NULL);
 
     for (int i = 0; i < 180; i++)
-        tp_world_step(world, &s, NULL);
+        tp_world_step(&tp_program_all, world, &s, NULL);
     const double bow = world->afloat.hull.x / 65536.0 + 5.88;
     for (int side = -1; side <= 1; side += 2) {
         int arm = 0;

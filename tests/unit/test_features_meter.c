@@ -26,7 +26,7 @@ static tp_fx settled(const tp_scene *scene, int ticks, tp_fx *mean)
 {
     tp_world *w = scene_world(scene, NULL);
     for (int t = 0; t < ticks; t++)
-        tp_world_step(w, scene, NULL);
+        tp_world_step(&tp_program_all, w, scene, NULL);
     const tp_fx exposure = w->exposure;
     *mean = tp_meter_mean(w, scene);
     free(w);
@@ -165,10 +165,10 @@ static void it_never_swings(void **state)
         s.hdr.share = TP_FX_ONE;
         s.hdr.rate = chance_fx(&chance, 0.01, 1);
         tp_world *w = scene_world(&s, NULL);
-        tp_world_step(w, &s, NULL);
+        tp_world_step(&tp_program_all, w, &s, NULL);
         const bool rises = w->exposure > w->last_exposure;
         for (int t = 0; t < 800; t++) {
-            tp_world_step(w, &s, NULL);
+            tp_world_step(&tp_program_all, w, &s, NULL);
             assert_true(rises ? w->exposure >= w->last_exposure
                               : w->exposure <= w->last_exposure);
         }
@@ -187,12 +187,12 @@ static void a_copy_of_the_world_meters_the_same(void **state)
     const size_t bytes = w->parts.bytes;
 
     for (int t = 0; t < 30; t++)
-        tp_world_step(w, &s, NULL);
+        tp_world_step(&tp_program_all, w, &s, NULL);
     const tp_fx then = tp_meter_mean(w, &s);
     memcpy(copy, w, bytes);
     for (int t = 0; t < 200; t++) {
-        tp_world_step(w, &s, NULL);
-        tp_world_step(copy, &s, NULL);
+        tp_world_step(&tp_program_all, w, &s, NULL);
+        tp_world_step(&tp_program_all, copy, &s, NULL);
     }
     assert_memory_equal(copy, w, bytes);
     assert_int_not_equal(tp_meter_mean(w, &s), then);
@@ -230,8 +230,9 @@ static void a_fixed_exposure_takes_no_room_and_stays(void **state)
     fixed.hdr.exposure = TP_EXPOSURE_FIXED;
     fixed.hdr.value = TP_FX(2.5);
 
-    assert_true(tp_world_bytes(&s, NULL) > tp_world_bytes(&fixed, NULL));
-    assert_int_equal(tp_world_bytes(&fixed, NULL), sizeof(tp_world));
+    assert_true(tp_world_bytes(&tp_program_all, &s, NULL)
+                > tp_world_bytes(&tp_program_all, &fixed, NULL));
+    assert_int_equal(tp_world_bytes(&tp_program_all, &fixed, NULL), sizeof(tp_world));
     tp_fx mean;
     assert_int_equal(settled(&fixed, 50, &mean), TP_FX(2.5));
 }

@@ -8,7 +8,7 @@
 #include <cmocka.h>
 #include "features/sky/sky.h"
 #include "frame/frame.h"
-#include "tidepool/kit.h"
+#include "tidepool/program.h"
 #include "scenes.h"
 
 enum { WIDTH = 150, HEIGHT = 90 };
@@ -75,7 +75,7 @@ static void every_sky_is_the_same_in_every_tiling(void **state)
         const tp_assets a = assets_of(n % 5 == TP_SKY_CUBE);
         tp_world *w = scene_world(&s, &a);
         for (int t = 0; t < 5; t++)
-            tp_world_step(w, &s, NULL);
+            tp_world_step(&tp_program_all, w, &s, NULL);
         w->back = TP_FX_ONE / 3;
         draw(&s, &a, w, 0, 0, picture[0]);
         for (size_t i = 0; i < sizeof sizes / sizeof *sizes; i++) {
@@ -107,17 +107,17 @@ static void skies_are_carved_for_those_who_have_them(void **state)
     const tp_frame_config c = { WIDTH, HEIGHT, 0, 0, TP_FORMAT_XRGB8888 };
     const tp_assets none = { .boat = NULL };
     tp_scene s = scene_plain();
-    const size_t plain = tp_frame_bytes(&s, &none, &c);
+    const size_t plain = tp_frame_bytes(&tp_program_all, &s, &none, &c);
 
     s.sky.kind = TP_SKY_CUBE;           /* without its pictures */
-    assert_int_equal(tp_frame_bytes(&s, &none, &c), plain);
+    assert_int_equal(tp_frame_bytes(&tp_program_all, &s, &none, &c), plain);
     s.sky.kind = TP_SKY_DAY;
-    assert_in_range(tp_frame_bytes(&s, &none, &c), plain + sizeof(tp_dome),
-                    plain + sizeof(tp_dome) + 16);
+    assert_in_range(tp_frame_bytes(&tp_program_all, &s, &none, &c),
+                    plain + sizeof(tp_dome), plain + sizeof(tp_dome) + 16);
     s.sky.kind = TP_SKY_GRADIENT;
     s.hdr.value = 2 * TP_FX_ONE;
     const size_t toned = plain + 256 * sizeof(tp_entry8) + sizeof(tp_toned);
-    assert_in_range(tp_frame_bytes(&s, &none, &c), toned, toned + 16);
+    assert_in_range(tp_frame_bytes(&tp_program_all, &s, &none, &c), toned, toned + 16);
 }
 
 /* The scene's numbers may change under a frame: what has no tables stays the gradient, a
@@ -177,30 +177,30 @@ static void a_camera_that_turns_draws_as_a_fresh_frame_does(void **state)
 /* -- a program that lacks a sky ---------------------------------------------------------- */
 
 /* The list of everything with another use of the dome, or none. */
-static tp_kit kit_with_dome(const tp_use *dome)
+static tp_program program_with_dome(const tp_use *dome)
 {
     static tp_use list[TP_MODULES + 1];
-    tp_kit kit = tp_kit_all;
+    tp_program program = tp_program_all;
     uint32_t n = 0;
 
-    for (const tp_use *u = tp_kit_all.modules; u->module; u++) {
+    for (const tp_use *u = tp_program_all.modules; u->module; u++) {
         if (u->module->id != TP_SKY_DOME_ID)
             list[n++] = *u;
         else if (dome)
             list[n++] = *dome;
     }
     list[n] = (tp_use){ 0 };
-    kit.modules = list;
-    return kit;
+    program.modules = list;
+    return program;
 }
 
 /* How many things were left out. */
-static uint32_t draw_by(const tp_kit *kit, const tp_scene *s, uint32_t *to)
+static uint32_t draw_by(const tp_program *program, const tp_scene *s, uint32_t *to)
 {
     const tp_assets a = { .layer[0] = &boat.texture[0] };
     const tp_frame_config c = { WIDTH, HEIGHT, 0, 0, TP_FORMAT_XRGB8888 };
     tp_world *w = scene_world(s, &a);
-    test_frame f = frame_by(kit, s, &a, &c);
+    test_frame f = frame_by(program, s, &a, &c);
     tp_tile tile;
 
     tp_frame_begin(f.frame, w);
@@ -227,7 +227,7 @@ static tp_scene day_scene(void)
 
 static void a_sky_that_a_program_lacks_is_the_gradient_and_is_told(void **state)
 {
-    const tp_kit lacking = kit_with_dome(NULL);
+    const tp_program lacking = program_with_dome(NULL);
     (void)state;
 
     for (int kind = TP_SKY_DAY; kind <= TP_SKY_NIGHT; kind++) {
@@ -247,12 +247,12 @@ static const tp_use unmirrored =
 /* the water is drawn without Fresnel's share. */
 static void a_mirror_stage_that_a_program_lacks_is_left_out_and_is_told(void **state)
 {
-    const tp_kit lacking = kit_with_dome(&unmirrored);
+    const tp_program lacking = program_with_dome(&unmirrored);
     tp_scene s = day_scene();
     (void)state;
 
     assert_int_equal(draw_by(&lacking, &s, picture[0]), 1);
-    assert_int_equal(draw_by(&tp_kit_all, &s, picture[1]), 0);
+    assert_int_equal(draw_by(&tp_program_all, &s, picture[1]), 0);
     assert_memory_not_equal(picture[1], picture[0], sizeof picture[0]);
     s.water.reflection = 0;
     assert_int_equal(draw_by(&lacking, &s, picture[1]), 0);

@@ -40,7 +40,7 @@ static void a_speck_falls_with_its_drag(void **state)
         *speck(world, 0) = (tp_speck){ .place.y = 50 * TP_FX_ONE,
                                        .speed = { vx, vy, 0 } };
         for (int i = 1; i <= 90; i++) {
-            tp_world_step(world, &scene, NULL);
+            tp_world_step(&tp_program_all, world, &scene, NULL);
             const double t = i / 60.0, gone = tau * (1 - exp(-t / tau));
             const double y = 50 + (vy / 65536.0 + g * tau) * gone - g * tau * t;
             assert_true(fabs(speck(world, 0)->place.x / 65536.0 - vx / 65536.0 * gone)
@@ -67,7 +67,7 @@ static void specks_end_at_the_water(void **state)
     int ticks = 0;
     for (; spray->count > 0 && ticks < 400; ticks++) {
         const tp_speck before = *speck(world, 0);
-        tp_world_step(world, &scene, NULL);
+        tp_world_step(&tp_program_all, world, &scene, NULL);
         if (ticks == 0)
             assert_memory_equal(&speck(world, 0)->last, &before.place,
                                 sizeof before.place);
@@ -130,7 +130,7 @@ static uint32_t specks_after(const tp_scene *scene, int ticks)
     tp_world *world = scene_world(scene, NULL);
 
     for (int i = 0; i < ticks; i++)
-        tp_world_step(world, scene, NULL);
+        tp_world_step(&tp_program_all, world, scene, NULL);
     const uint32_t count = tp_world_spray(world)->count;
     free(world);
     return count;

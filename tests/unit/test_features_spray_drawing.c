@@ -155,7 +155,7 @@ static void every_tiling_gives_the_same_picture(void **state)
     s.spray.size = TP_FX(0.2);
     tp_world *world = scene_world(&s, &none);
     for (int i = 0; i < 200; i++)
-        tp_world_step(world, &s, NULL);
+        tp_world_step(&tp_program_all, world, &s, NULL);
     world->back = TP_FX(0.3);
     marks_draw(&s, &none, world, config, key, whole);
     assert_true(marks_count(key, WIDTH * HEIGHT, MARKS_SPRAY) > 5);

@@ -23,7 +23,7 @@ typedef struct {
 
 static void compare_modules(const tp_frame *frame, tp_want want, tally *t)
 {
-    const tp_use *u = frame->kit->modules;
+    const tp_use *u = frame->program->modules;
 
     for (uint32_t i = 0; u[i].module; i++) {
         const bool on = tp_module_ask(u[i].module, &want);
@@ -53,11 +53,11 @@ static void compare_scene(tally *t)
     tp_world *world = scene_world(&scene, &assets);
     if (!world)
         return;
-    const tp_plan_input in = { tp_kit_all.modules, &scene, &assets, 64, 48 };
+    const tp_plan_input in = { tp_program_all.modules, &scene, &assets, 64, 48 };
     const tp_outlook told = tp_outlook_of(&in);
-    test_frame f = frame_by(&tp_kit_all, &scene, &assets, &config);
+    test_frame f = frame_by(&tp_program_all, &scene, &assets, &config);
     tp_frame_begin(f.frame, world);
-    const tp_want want = tp_frame_want(&tp_kit_all, &f.frame->parts, &scene,
+    const tp_want want = tp_frame_want(&tp_program_all, &f.frame->parts, &scene,
                                        &f.frame->assets, &f.frame->config);
     compare_modules(f.frame, want, t);
     const bool fast = tp_frame_list(f.frame, TP_MARK_WATER)->kind == TP_LIST_FAST;
@@ -78,10 +78,10 @@ static void plan_frame_and_modules_agree_on_random_scenes(void **state)
     for (int i = 0; i < SCENES; i++)
         compare_scene(&t);
     printf("# %d drawn, %d fast, %d exact; modules on:", t.drawn, t.fast, t.exact);
-    for (uint32_t i = 0; tp_kit_all.modules[i].module; i++) {
-        printf(" %s %d", tp_kit_all.modules[i].module->name, t.on[i]);
+    for (uint32_t i = 0; tp_program_all.modules[i].module; i++) {
+        printf(" %s %d", tp_program_all.modules[i].module->name, t.on[i]);
         assert_true(t.on[i] > 0);
-        if (!(tp_kit_all.modules[i].module->is & TP_MODULE_INSIDE))   /* always on */
+        if (!(tp_program_all.modules[i].module->is & TP_MODULE_INSIDE)) /* always on */
             assert_true(t.on[i] < t.drawn);
     }
     printf("\n");
@@ -90,7 +90,7 @@ static void plan_frame_and_modules_agree_on_random_scenes(void **state)
 
 static void modules_have_ids_of_their_own(void **state)
 {
-    const tp_use *u = tp_kit_all.modules;
+    const tp_use *u = tp_program_all.modules;
 
     (void)state;
     for (uint32_t i = 0; u[i].module; i++)

@@ -95,7 +95,7 @@ static void every_tiling_sees_the_same_water(void **state)
         tp_world *world = scene_world(&s, &assets);
         const tp_input poke = { .push[0].height = TP_FX(0.1) };
         for (int i = 0; i < 20; i++)
-            tp_world_step(world, &s, i ? NULL : &poke);
+            tp_world_step(&tp_program_all, world, &s, i ? NULL : &poke);
         picture_of(&s, &assets, world, 0, 0, whole);
         picture_of(&s, &assets, world, 16u * (1 + random_below(&chance, 5)),
                    1 + random_below(&chance, 40), cut);
@@ -206,7 +206,7 @@ static void no_light_is_lost_or_made(void **state)
         const tp_input poke = { .push[0] = { chance_fx(&chance, -0.2, 0.2),
                                              chance_fx(&chance, -1, 1), 0 } };
         for (int i = 0; i < 60; i++)
-            tp_world_step(world, &s, i % 20 ? NULL : &poke);
+            tp_world_step(&tp_program_all, world, &s, i % 20 ? NULL : &poke);
         light_of(&s, world, light);
         double sum = 0;
         for (int i = 0; i < 64 * 64; i++)
@@ -257,7 +257,7 @@ static void a_lens_gathers_light_where_rays_say(void **state)
         const tp_input poke = { .push[0] = { TP_FX(0.08), chance_fx(&chance, -1, 1),
                                              chance_fx(&chance, -1, 1) } };
         s.pool.poke_size = TP_FX(0.35);
-        tp_world_step(world, &s, &poke);
+        tp_world_step(&tp_program_all, world, &s, &poke);
         light_of(&s, world, light);
         deal_rays(&s, world, rays);
         int most = 0, ray_most = 0;

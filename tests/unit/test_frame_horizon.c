@@ -73,7 +73,7 @@ static void calm_water_fills_everything_below_the_horizon(void **state)
         scene.camera.pitch = chance_fx(&chance, -20, 20);
         scene.camera.near = TP_FX(0.05);
         test_frame f = frame_of(&scene, &none, &config);
-        tp_world_init(&world, sizeof world, &scene, NULL, NULL);
+        tp_world_init(&tp_program_all, &world, sizeof world, &scene, NULL, NULL);
         tp_frame_begin(f.frame, &world);
         assert_true(tp_frame_tile(f.frame, 0, f.scratch, &tile));
         /* The edge is a straight line of the world: in the picture it bends by no more
@@ -113,7 +113,7 @@ static void waves_leave_no_holes(void **state)
         scene.camera.pitch = chance_fx(&chance, -60, 0);
         scene.camera.near = TP_FX(0.05);
         test_frame f = frame_of(&scene, &none, &config);
-        tp_world_init(&world, sizeof world, &scene, NULL, NULL);
+        tp_world_init(&tp_program_all, &world, sizeof world, &scene, NULL, NULL);
         tp_frame_begin(f.frame, &world);
         assert_true(tp_frame_tile(f.frame, 0, f.scratch, &tile));
         /* The lowest the water's edge can look: level water at 15 km, minus 1.5 m. */
@@ -142,7 +142,7 @@ static void without_reach_the_grid_is_all(void **state)
     scene.camera.pitch = -89 * TP_FX_ONE;
     scene.camera.fov = 60 * TP_FX_ONE;
     test_frame f = frame_of(&scene, &none, &config);
-    tp_world_init(&world, sizeof world, &scene, NULL, NULL);
+    tp_world_init(&tp_program_all, &world, sizeof world, &scene, NULL, NULL);
     tp_frame_begin(f.frame, &world);
     assert_true(tp_frame_tile(f.frame, 0, f.scratch, &tile));
     /* 10 m from 20 m: 10 / 20 x 77.94 = 38.97 pixels square, tilted by a degree. */
@@ -162,7 +162,7 @@ static marks marks_with_lift(tp_fx lift)
     scene.boat.lift = lift;
     scene.camera.pitch = -10 * TP_FX_ONE;
     test_frame f = frame_of(&scene, &assets, &config);
-    tp_world_init(&world, sizeof world, &scene, NULL, NULL);
+    tp_world_init(&tp_program_all, &world, sizeof world, &scene, NULL, NULL);
     tp_frame_begin(f.frame, &world);
     assert_true(tp_frame_tile(f.frame, 0, f.scratch, &tile));
     const marks m = marks_of(&f, 0, HEIGHT);

@@ -71,11 +71,11 @@ static void any_scene_of_the_table_is_drawn(void **state)
             continue;
         if (n % 3 == 0) {
             world->tick = random_next(&chance);
-            tp_world_refresh(world, &scene, &assets);
+            tp_world_refresh(&tp_program_all, world, &scene, &assets);
         }
         for (int k = 0; k < n % 4; k++) {
             const tp_input input = any_input();
-            tp_world_step(world, &scene, k ? &input : NULL);
+            tp_world_step(&tp_program_all, world, &scene, k ? &input : NULL);
         }
         draw_both(&scene, &assets, world);
         free(world);
@@ -126,7 +126,7 @@ static void grids_of_any_shape_are_drawn(void **state)
             scene.camera.heading = 33 * k * TP_FX_ONE;
             if (sizes[i][1] == 300 && k % 3)
                 continue;
-            tp_world_init(&world, sizeof world, &scene, NULL, NULL);
+            tp_world_init(&tp_program_all, &world, sizeof world, &scene, NULL, NULL);
             draw_both(&scene, &assets, &world);
         }
     }

@@ -8,7 +8,7 @@
 #include <cmocka.h>
 #include "features/water/water.h"
 #include "frame/frame.h"
-#include "tidepool/kit.h"
+#include "tidepool/program.h"
 #include "scenes.h"
 
 enum { WIDTH = 150, HEIGHT = 90, PIXELS = WIDTH * HEIGHT };
@@ -76,7 +76,7 @@ static tp_world *world_of(const tp_scene *scene)
     tp_world *world = scene_world(scene, &none);
 
     for (int i = 0; i < 40; i++)
-        tp_world_step(world, scene, NULL);
+        tp_world_step(&tp_program_all, world, scene, NULL);
     return world;
 }
 
@@ -297,7 +297,7 @@ static void the_world_may_move_on_while_tiles_are_drawn(void **state)
     tp_frame_begin(f.frame, world);
     draw(&f, before);
     for (int i = 0; i < 30; i++)
-        tp_world_step(world, &scene, NULL);
+        tp_world_step(&tp_program_all, world, &scene, NULL);
     draw(&f, after);
     assert_memory_equal(after, before, sizeof before);
     frame_free(&f);

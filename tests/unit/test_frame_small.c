@@ -13,13 +13,13 @@ enum { WIDTH = 160, HEIGHT = 90, STRIDE = 4 * WIDTH + 8 };
 
 static uint64_t chance;
 static test_kit kit;
-static tp_kit   streamed;
+static tp_program streamed;
 static uint32_t by_rows, by_streams;
 
 /* With as much as asked for, and anything in it. */
 static void draw_into(const test_frame *f, const tp_frame_config *config, uint8_t *picture)
 {
-    const size_t bytes = tp_frame_scratch_into_with(&streamed, f->frame->scene, config);
+    const size_t bytes = tp_frame_scratch_into_bytes(&streamed, f->frame->scene, config);
     uint8_t *scratch = malloc(bytes + 64);
     tp_tile  tile;
 
@@ -54,7 +54,7 @@ static void compare(const tp_scene *scene, const tp_assets *assets, const tp_wor
     const tp_frame_config whole = { WIDTH, HEIGHT, 0, 0, format };
     const tp_frame_config tiled = { WIDTH, HEIGHT, 16 * random_below(&chance, 10),
                                     random_below(&chance, HEIGHT), format };
-    test_frame kept = frame_by(&tp_kit_all, scene, assets, &whole);
+    test_frame kept = frame_by(&tp_program_all, scene, assets, &whole);
     test_frame small = frame_by(&streamed, scene, assets, &tiled);
 
     memset(picture, 0, sizeof picture);
@@ -129,8 +129,8 @@ static void an_ocean_is_kept(void **state)
     tp_scene scene = scene_plain();
 
     scene.floor.depth = 4 * TP_FX_ONE;
-    assert_int_equal(tp_frame_bytes_with(&streamed, &scene, &none, &config),
-                     tp_frame_bytes(&scene, &none, &config));
+    assert_int_equal(tp_frame_bytes(&streamed, &scene, &none, &config),
+                     tp_frame_bytes(&tp_program_all, &scene, &none, &config));
 }
 
 static void waves_beyond_those_at_init_are_left_out(void **state)
@@ -228,7 +228,7 @@ int main(void)
     };
     chance = random_seed();
     kit_make(&kit, &chance);
-    streamed = tp_kit_all;
+    streamed = tp_program_all;
     streamed.method.triangles = &tp_method_streamed;
     return cmocka_run_group_tests_name("frame small", tests, NULL, NULL);
 }

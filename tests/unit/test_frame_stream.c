@@ -12,7 +12,7 @@ enum { WIDTH = TWICE_WIDTH, HEIGHT = TWICE_HEIGHT };
 
 static uint64_t chance;
 static test_kit kit;
-static tp_kit   small;          /* everything, without a store */
+static tp_program small; /* everything, without a store */
 
 typedef struct {
     uint32_t drawn, streamed, cut, rows, thinned;
@@ -123,10 +123,10 @@ static void an_oceans_crossings_are_stored(void **state)
     tp_scene scene = scene_plain();
 
     scene.floor.depth = 4 * TP_FX_ONE;
-    assert_int_equal(tp_frame_bytes_with(&small, &scene, &none, &config),
-                     tp_frame_bytes(&scene, &none, &config));
-    assert_int_equal(tp_frame_scratch_with(&small, &scene, &config),
-                     tp_frame_scratch_bytes(&config));
+    assert_int_equal(tp_frame_bytes(&small, &scene, &none, &config),
+                     tp_frame_bytes(&tp_program_all, &scene, &none, &config));
+    assert_int_equal(tp_frame_scratch_bytes(&small, &scene, &config),
+                     tp_frame_scratch_bytes(&tp_program_all, &scene, &config));
 }
 
 static void what_is_not_stored_takes_no_memory(void **state)
@@ -138,13 +138,14 @@ static void what_is_not_stored_takes_no_memory(void **state)
 
     scene.grid.cols = scene.grid.rows = 64;
     scene.quality.visibility = TP_VISIBILITY_TRIANGLES;
-    const size_t saved = tp_frame_bytes(&scene, &none, &config)
-                       - tp_frame_bytes_with(&small, &scene, &none, &config);
+    const size_t saved = tp_frame_bytes(&tp_program_all, &scene, &none, &config)
+                         - tp_frame_bytes(&small, &scene, &none, &config);
     const size_t waves = TP_WAVES - 3;          /* the plain scene's are three */
     assert_int_equal(saved, (62 * sizeof(tp_grid_vertex)
                              + waves * (sizeof(tp_vertex_turn) + 4)) * 64);
-    assert_true(tp_frame_scratch_with(&small, &scene, &config)
-                <= tp_frame_scratch_bytes(&config) + TP_GRID_WINDOW(64));
+    assert_true(tp_frame_scratch_bytes(&small, &scene, &config)
+                <= tp_frame_scratch_bytes(&tp_program_all, &scene, &config)
+                       + TP_GRID_WINDOW(64));
 }
 
 /* Their columns' tables have no room. */
@@ -179,7 +180,7 @@ int main(void)
     };
     chance = 20;
     kit_make(&kit, &chance);
-    small = tp_kit_all;
+    small = tp_program_all;
     small.method.triangles = &tp_method_streamed;
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -77,9 +77,9 @@ static tp_scene busy_scene(tp_world *world)
         s.camera.x = 0;
         s.camera.y = chance_fx(&chance, 0.6, 2);
     }
-    tp_world_init(world, sizeof *world, &s, NULL, NULL);
+    tp_world_init(&tp_program_all, world, sizeof *world, &s, NULL, NULL);
     world->tick = random_next(&chance) >> 30;
-    tp_world_refresh(world, &s, NULL);
+    tp_world_refresh(&tp_program_all, world, &s, NULL);
     return s;
 }
 
@@ -132,14 +132,14 @@ static void every_kind_of_scene_gives_the_same_bits_in_tiles(void **state)
         twice_begin(&twice, &scene, &assets, &chance);
         for (int k = 0; k < 3; k++) {
             for (uint32_t i = 5 * (uint32_t)k + tp_world_frame(world); i > 0; i--)
-                tp_world_step(world, &scene, NULL);
+                tp_world_step(&tp_program_all, world, &scene, NULL);
             twice_draw(&twice, world);
             scene.water = other.water;
             scene.mirror = other.mirror;
             scene.sky.kind = other.sky.kind;
             scene.hdr.share = other.hdr.share;
             scene.tank.kind = other.tank.kind;
-            assert_true(tp_world_refresh(world, &scene, &assets));
+            assert_true(tp_world_refresh(&tp_program_all, world, &scene, &assets));
         }
         twice_end(&twice);
         free(world);
@@ -169,8 +169,9 @@ static void order_and_old_memory_do_not_matter(void **state)
         assert_memory_equal(part, whole, sizeof whole);
 
         memset(f.block, 0, f.bytes);
-        assert_int_equal(tp_frame_init(&f.frame, &scene, all_assets(), &config, f.block,
-                                       NULL), TP_OK);
+        assert_int_equal(tp_frame_init(&tp_program_all, &f.frame, &scene, all_assets(),
+                                       &config, f.block, NULL),
+                         TP_OK);
         tp_frame_begin(f.frame, &world);
         draw(&f, &config, 1, part);
         assert_memory_equal(part, whole, sizeof whole);
@@ -193,7 +194,7 @@ static void the_world_may_move_on_while_tiles_are_drawn(void **state)
     tp_frame_begin(f.frame, &world);
     draw(&f, &config, 1, before);
     for (int i = 0; i < 30; i++)
-        tp_world_step(&world, &scene, NULL);
+        tp_world_step(&tp_program_all, &world, &scene, NULL);
     draw(&f, &config, 1, after);
     assert_memory_equal(after, before, sizeof before);
     tp_frame_begin(f.frame, &world);
@@ -218,7 +219,7 @@ static void formats_differ_only_in_how_colours_are_stored(void **state)
         config.tile_width = 48;
         draw_all(&scene, all_assets(), &world, &config, got);
         for (int y = 0; y < HEIGHT; y++) {
-            tp_kit_all.store[config.format](row, 0, 0, y, colours + y * WIDTH, WIDTH);
+            tp_program_all.store[config.format](row, 0, 0, y, colours + y * WIDTH, WIDTH);
             for (int x = 0; x < WIDTH; x++)
                 assert_int_equal(got[y * WIDTH + x],
                                  tp_pixel_read(config.format, row, x));
@@ -234,7 +235,7 @@ static void tiles_are_rows_of_the_size_asked_for(void **state)
     const tp_scene scene = scene_plain();
     const tp_assets none = { 0 };
     tp_world world;
-    tp_world_init(&world, sizeof world, &scene, NULL, NULL);
+    tp_world_init(&tp_program_all, &world, sizeof world, &scene, NULL, NULL);
 
     for (int n = 0; n < 40; n++) {
         const tp_frame_config c = {
@@ -292,11 +293,13 @@ static void a_config_out_of_range_is_refused(void **state)
     for (size_t i = 0; i < sizeof bad / sizeof bad[0]; i++) {
         tp_frame *frame = NULL;
         tp_error err = { .code = TP_OK };
-        assert_int_equal(tp_frame_bytes(&scene, &none, &bad[i].config), 0);
-        assert_int_equal(tp_frame_scratch_bytes(&bad[i].config), 0);
-        assert_int_equal(
-            tp_frame_init(&frame, &scene, &none, &bad[i].config, block, &err),
-            bad[i].status);
+        assert_int_equal(tp_frame_bytes(&tp_program_all, &scene, &none, &bad[i].config),
+                         0);
+        assert_int_equal(tp_frame_scratch_bytes(&tp_program_all, &scene, &bad[i].config),
+                         0);
+        assert_int_equal(tp_frame_init(&tp_program_all, &frame, &scene, &none,
+                                       &bad[i].config, block, &err),
+                         bad[i].status);
         assert_int_equal(err.code, bad[i].status);
         assert_int_equal(err.a, bad[i].a);
         assert_int_equal(err.b, bad[i].b);
@@ -315,7 +318,7 @@ static void the_ends_of_the_config_are_taken(void **state)
     const tp_scene scene = scene_plain();
     tp_world world;
 
-    tp_world_init(&world, sizeof world, &scene, NULL, NULL);
+    tp_world_init(&tp_program_all, &world, sizeof world, &scene, NULL, NULL);
     for (size_t i = 0; i < sizeof good / sizeof good[0]; i++) {
         uint32_t *picture = malloc((size_t)good[i].width * good[i].height * 4);
         draw_all(&scene, all_assets(), &world, &good[i], picture);

@@ -45,7 +45,8 @@ static void carve(pond *p, uint32_t cols, uint32_t rows)
 static void place(pond *p)
 {
     p->look.lens = &p->v.lens;
-    p->surface = (tp_surface){ .by = &tp_kit_all.water, .sea = &p->sea, .phases = p->phases };
+    p->surface =
+        (tp_surface){ .by = &tp_program_all.water, .sea = &p->sea, .phases = p->phases };
     p->look.surface = &p->surface;
     p->look.width = p->v.width;
     p->look.height = p->v.height;

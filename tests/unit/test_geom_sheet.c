@@ -62,7 +62,9 @@ static void make(beach *s)
     s->v = view_of(eye, (tp_turn)random_next(&chance),
                    tp_turn_of_degrees(chance_fx(&chance, -80, 10)),
                    chance_fx(&chance, 30, 90), TP_FX(0.25), 320, 240);
-    s->surface = (tp_surface){ .by = &tp_kit_all.water, .sea = &s->ocean.sea, .phases = s->phases,
+    s->surface = (tp_surface){ .by = &tp_program_all.water,
+                               .sea = &s->ocean.sea,
+                               .phases = s->phases,
                                .ocean = s->ocean.ocean };
     s->look = (tp_grid_view){ .lens = &s->v.lens, .surface = &s->surface, .width = 320,
                               .height = 240, .cell = chance_fx(&chance, 0.5, 4),

@@ -55,9 +55,13 @@ static tp_surface surface_make(water *w, double q)
     }
     w->pool = stirred_pool((tp_cells)random_below(&chance, 3), TP_EDGES_WALL);
     w->field = stirred_pool((tp_cells)random_below(&chance, 3), TP_EDGES_TILE);
-    return (tp_surface){ .by = &tp_kit_all.water, .sea = &w->sea.sea, .phases = w->phases,
+    return (tp_surface){ .by = &tp_program_all.water,
+                         .sea = &w->sea.sea,
+                         .phases = w->phases,
                          .ring = w->ring,
-                         .rings = RINGS, .pool = w->pool, .field = w->field };
+                         .rings = RINGS,
+                         .pool = w->pool,
+                         .field = w->field };
 }
 
 static void water_end(water *w)
@@ -127,7 +131,9 @@ static void a_falling_pool_of_32_bits_was_higher_a_tick_ago(void **state)
     tp_pool_config c = pool_config(TP_CELLS_32, TP_EDGES_WALL, 32, 32);
     tp_pool *pool = pool_make(&c);
     tp_sea sea = { 0 };
-    const tp_surface s = { .by = &tp_kit_all.water, .sea = &sea, .pool = pool, .back = TP_FX_ONE };
+    const tp_surface s = {
+        .by = &tp_program_all.water, .sea = &sea, .pool = pool, .back = TP_FX_ONE
+    };
 
     assert_true(tp_pool_hat(pool, 0, 0, TP_FX(0.5), TP_FX_ONE));
     tp_pool_step(pool);

@@ -38,7 +38,7 @@ static void carve(pond *p)
 
 static void place(pond *p)
 {
-    p->surface.by = &tp_kit_all.water;
+    p->surface.by = &tp_program_all.water;
     p->surface.sea = &p->sea.sea;
     p->surface.phases = p->sea.phases;
     p->look.lens = &p->v.lens;

@@ -96,7 +96,8 @@ static void what_is_looked_at_is_the_water_in_the_middle(void **state)
     look l = { .mode = LOOK_FREE };
 
     assert_true(look_begin(&l, LOOK_ORBIT, &w, &s));
-    const tp_fx high = tp_world_above(&w, l.about.x, l.about.z).position.y;
+    const tp_fx high =
+        tp_world_above(&tp_program_all, &w, l.about.x, l.about.z).position.y;
     assert_true(abs(high - l.about.y) < 66);
     assert_true(fabs(distance(w.eye, l.about) - l.away / 65536.0) < 0.01);
 }
@@ -197,10 +198,10 @@ static void bent_inputs_replay_to_the_same_bits(void **state)
             begin(&l, (look_mode)(n / 40 % LOOK_MODES), &w, &s);
         tp_input in = any_input();
         look_steer(&l, &w, &s, &in);
-        assert_true(tp_world_refresh(&twin, &s, NULL));
-        assert_true(tp_world_refresh(&w, &s, NULL));
-        tp_world_step(&w, &s, &in);
-        tp_world_step(&twin, &s, &in);
+        assert_true(tp_world_refresh(&tp_program_all, &twin, &s, NULL));
+        assert_true(tp_world_refresh(&tp_program_all, &w, &s, NULL));
+        tp_world_step(&tp_program_all, &w, &s, &in);
+        tp_world_step(&tp_program_all, &twin, &s, &in);
         assert_memory_equal(&w, &twin, sizeof w);
     }
 }

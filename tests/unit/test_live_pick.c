@@ -34,7 +34,7 @@ static water water_of(const tp_scene *scene, int ticks)
         const tp_fx height = i % 20 ? 0 : scene->pool.poke;
         const tp_input in = { .drops = i % 7 == 0,
                               .push[0] = { height, scene->pool.x, scene->pool.z } };
-        tp_world_step(w.world, &w.scene, &in);
+        tp_world_step(&tp_program_all, w.world, &w.scene, &in);
     }
     return w;
 }
@@ -130,7 +130,8 @@ static double hidden_by(const water *w, tp_vec3 at)
         const tp_fx x = eye.x + (tp_fx)(way[0] * t / far);
         const tp_fx z = eye.z + (tp_fx)(way[2] * t / far);
         const double y = eye.y + way[1] * t / far;
-        const double over = (y - tp_world_above(w->world, x, z).position.y) / 65536;
+        const double over =
+            (y - tp_world_above(&tp_program_all, w->world, x, z).position.y) / 65536;
         if (side == 0)
             side = over > 0 ? 1 : -1;
         most = fmax(most, -side * over * focal / t);
@@ -163,7 +164,7 @@ static void try_pixel(const water *w, int32_t px, int32_t py, worst *most)
     if (!pick(w, px, py, &at))
         return;
     const seen s = seen_at(w, at);
-    const tp_fx high = tp_world_above(w->world, at.x, at.z).position.y;
+    const tp_fx high = tp_world_above(&tp_program_all, w->world, at.x, at.z).position.y;
     most->found++;
     most->pixels = fmax(most->pixels, hypot(s.u - px - 0.5, s.v - py - 0.5));
     most->height = fmax(most->height, abs(high - at.y) / 65.536);
@@ -271,7 +272,8 @@ static void pools_that_bend_the_light_only_have_no_heights(void **state)
         tp_vec3 at;
         assert_true(pick(&w, px, HEIGHT / 2 + 20, &at));
         assert_in_range(at.y + 2, 0, 4);
-        const tp_fx high = tp_world_above(w.world, at.x, at.z).position.y;
+        const tp_fx high =
+            tp_world_above(&tp_program_all, w.world, at.x, at.z).position.y;
         highest = abs(high) > highest ? abs(high) : highest;
     }
     assert_true(highest > TP_FX(0.01));
@@ -316,7 +318,9 @@ static void what_is_drawn_as_water_is_picked(void **state)
     tp_tile tile;
     int wet = 0, far = 0;
 
-    look_from(&w, tp_world_above(w.world, 0, 0).position.y / 65536.0 + 0.6, 0, -2);
+    look_from(&w,
+              tp_world_above(&tp_program_all, w.world, 0, 0).position.y / 65536.0 + 0.6,
+              0, -2);
     tp_frame_begin(f.frame, w.world);
     assert_true(tp_frame_tile(f.frame, 0, f.scratch, &tile));
     for (int y = 0; y < 120; y++)
@@ -366,7 +370,7 @@ static void any_scene_and_pixel_is_answered(void **state)
         if (!world)
             continue;
         const water w = { scene, world };
-        tp_world_step(world, &scene, NULL);
+        tp_world_step(&tp_program_all, world, &scene, NULL);
         const uint32_t width = (uint32_t)chance_int(&chance, 1, 8192);
         const uint32_t height = (uint32_t)chance_int(&chance, 1, 8192);
         if (pick_water(world, &scene, width, height, chance_int(&chance, -9000, 9000),

@@ -48,7 +48,7 @@ static void the_water_rises_where_it_was_poked(void **state)
     for (uint32_t i = 0; i < POKE_POINTS; i++) {
         tp_world *world = scene_world(&scene, NULL);
         const tp_input in = { .push[0] = poke_point(&scene, i) };
-        tp_world_step(world, &scene, &in);
+        tp_world_step(&tp_program_all, world, &scene, &in);
         const tp_pool *water = tp_world_pool(world);
         uint32_t best[2] = { 0, 0 }, col, row;
         for (uint32_t k = 0; k < 48 * 32; k++)
@@ -103,9 +103,9 @@ static void all_pokes_of_a_tick_act(void **state)
         const tp_input in = { .push[0] = poke_point(&scene, i) };
         all.push[i] = in.push[0];
         one[i] = scene_world(&scene, NULL);
-        tp_world_step(one[i], &scene, &in);
+        tp_world_step(&tp_program_all, one[i], &scene, &in);
     }
-    tp_world_step(together, &scene, &all);
+    tp_world_step(&tp_program_all, together, &scene, &all);
     for (uint32_t k = 0; k < 48 * 32; k++) {
         int32_t sum = 0;
         for (uint32_t i = 0; i < POKE_POINTS; i++)

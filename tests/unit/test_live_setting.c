@@ -49,8 +49,8 @@ static setting_result put(live *l, const char *name, const char *text)
     const tp_param *param = tp_param_find(name, strlen(name));
 
     assert_non_null(param);
-    return setting_put(&tp_kit_all, &l->scene, l->world, &none, param, text, strlen(text),
-                       &l->err);
+    return setting_put(&tp_program_all, &l->scene, l->world, &none, param, text,
+                       strlen(text), &l->err);
 }
 
 /* The world that it asks for, with all that is taken over. */
@@ -77,7 +77,7 @@ static void a_number_is_taken_and_the_world_goes_on(void **state)
 
     assert_int_equal(put(&l, "wave0.amplitude", " 0.7 "), SETTING_DONE);
     want.scene.wave[0].amplitude = TP_FX(0.7);
-    assert_true(tp_world_refresh(want.world, &want.scene, &none));
+    assert_true(tp_world_refresh(&tp_program_all, want.world, &want.scene, &none));
     assert_memory_equal(&l.scene, &want.scene, sizeof l.scene);
     assert_memory_equal(l.world, want.world, bytes);
     free(l.world);
@@ -177,13 +177,15 @@ static void without_a_world_numbers_are_checked_all_the_same(void **state)
     tp_error err = { 0 };
     const tp_param *row = tp_param_find("pool.cols", 9);
 
-    assert_int_equal(setting_put(&tp_kit_all, &scene, NULL, &none, row, "40", 2, &err),
-                     SETTING_ANEW);
+    assert_int_equal(
+        setting_put(&tp_program_all, &scene, NULL, &none, row, "40", 2, &err),
+        SETTING_ANEW);
     assert_int_equal(scene.pool.cols, 40);
     kept.pool.cols = 40;
     row = tp_param_find("pool.courant", 12);
-    assert_int_equal(setting_put(&tp_kit_all, &scene, NULL, &none, row, "0.8", 3, &err),
-                     SETTING_REFUSED);
+    assert_int_equal(
+        setting_put(&tp_program_all, &scene, NULL, &none, row, "0.8", 3, &err),
+        SETTING_REFUSED);
     assert_string_equal(err.word, "pool.courant");
     assert_memory_equal(&scene, &kept, sizeof kept);
 }
@@ -231,11 +233,12 @@ static void every_parameter_is_taken_made_anew_or_refused(void **state)
         if (result == SETTING_ANEW && i % 2) {
             make_anew(&l);
         } else if (result == SETTING_ANEW) {
-            tp_world_step(l.world, &before, NULL);          /* goes on as it was */
+            tp_world_step(&tp_program_all, l.world, &before,
+                          NULL); /* goes on as it was */
             assert_int_equal(put(&l, row->name, old), SETTING_DONE);
             assert_memory_equal(&before, &l.scene, sizeof before);
         }
-        tp_world_step(l.world, &l.scene, NULL);
+        tp_world_step(&tp_program_all, l.world, &l.scene, NULL);
     }
     printf("    %u done, %u anew, %u refused\n", results[SETTING_DONE],
            results[SETTING_ANEW], results[SETTING_REFUSED]);
@@ -267,13 +270,14 @@ static void a_world_made_anew_goes_on(void **state)
         assert_memory_equal(&a->clock, &b->clock, sizeof a->clock);
         assert_int_equal(a->light_heading, b->light_heading);
         assert_int_equal(a->light_elevation, b->light_elevation);
-        assert_int_equal(tp_world_above(a, TP_FX(5), TP_FX(9)).position.y,
-                         tp_world_above(b, TP_FX(5), TP_FX(9)).position.y);
+        assert_int_equal(
+            tp_world_above(&tp_program_all, a, TP_FX(5), TP_FX(9)).position.y,
+            tp_world_above(&tp_program_all, b, TP_FX(5), TP_FX(9)).position.y);
         const tp_input in = { .ahead = TP_FX(0.1), .turn = 99999, .light_turn = 12345,
                               .slower = n == 9, .throttle = TP_FX(1) };
         assert_int_equal(tp_world_frame(l.world), tp_world_frame(was.world));
-        tp_world_step(l.world, &l.scene, &in);
-        tp_world_step(was.world, &was.scene, &in);
+        tp_world_step(&tp_program_all, l.world, &l.scene, &in);
+        tp_world_step(&tp_program_all, was.world, &was.scene, &in);
     }
     free(l.world);
     free(was.world);

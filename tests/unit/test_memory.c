@@ -26,15 +26,15 @@ static void assert_named(tp_status status, tp_status wanted, const tp_error *err
 static tp_status init_world(void *block, tp_error *err)
 {
     const tp_scene scene = scene_plain();
-    return tp_world_init(block, BYTES - 8, &scene, &none, err);
+    return tp_world_init(&tp_program_all, block, BYTES - 8, &scene, &none, err);
 }
 
 static tp_status init_frame(void *block, tp_error *err)
 {
     const tp_scene scene = scene_plain();
     tp_frame *frame = NULL;
-    assert_true(tp_frame_bytes(&scene, &none, &picture) <= BYTES - 8);
-    return tp_frame_init(&frame, &scene, &none, &picture, block, err);
+    assert_true(tp_frame_bytes(&tp_program_all, &scene, &none, &picture) <= BYTES - 8);
+    return tp_frame_init(&tp_program_all, &frame, &scene, &none, &picture, block, err);
 }
 
 static tp_status init_pool(void *block, tp_error *err)
@@ -95,19 +95,21 @@ static void a_world_of_too_few_bytes_is_refused(void **state)
 {
     (void)state;
     const tp_scene scene = scene_plain();
-    const size_t bytes = tp_world_bytes(&scene, &none);
+    const size_t bytes = tp_world_bytes(&tp_program_all, &scene, &none);
     tp_error err;
 
     memset(memory, 0xa5, sizeof memory);
     memcpy(before, memory, sizeof memory);
     for (size_t n = 0; n < bytes; n += bytes / 16 + 1) {
-        assert_int_equal(tp_world_init((tp_world *)(void *)memory, n, &scene, &none, &err),
+        assert_int_equal(tp_world_init(&tp_program_all, (tp_world *)(void *)memory, n,
+                                       &scene, &none, &err),
                          TP_E_NOSPACE);
         assert_int_equal(err.a, (int32_t)bytes);
         assert_int_equal(err.b, (int32_t)n);
         assert_memory_equal(memory, before, sizeof memory);
     }
-    assert_int_equal(tp_world_init((tp_world *)(void *)memory, bytes, &scene, &none, &err),
+    assert_int_equal(tp_world_init(&tp_program_all, (tp_world *)(void *)memory, bytes,
+                                   &scene, &none, &err),
                      TP_OK);
 }
 
@@ -120,26 +122,31 @@ static void every_missing_argument_is_named(void **state)
     tp_error err;
 
     assert_named(tp_scene_check(NULL, &err), TP_E_NULL, &err, "scene");
-    assert_named(tp_world_init(world, BYTES, NULL, &none, &err), TP_E_NULL, &err, "scene");
-    assert_named(tp_world_init_with(NULL, world, BYTES, &scene, &none, &err), TP_E_NULL,
-                 &err, "kit");
-    assert_named(tp_frame_init(&frame, NULL, &none, &picture, memory, &err), TP_E_NULL,
-                 &err, "scene");
-    assert_named(tp_frame_init(NULL, &scene, &none, &picture, memory, &err), TP_E_NULL,
-                 &err, "frame");
-    assert_named(tp_frame_init_with(NULL, &frame, &scene, &none, &picture, memory, &err),
-                 TP_E_NULL, &err, "kit");
-    assert_int_equal(tp_frame_init(&frame, &scene, &none, NULL, memory, &err), TP_E_SIZE);
+    assert_named(tp_world_init(&tp_program_all, world, BYTES, NULL, &none, &err),
+                 TP_E_NULL, &err, "scene");
+    assert_named(tp_world_init(NULL, world, BYTES, &scene, &none, &err), TP_E_NULL, &err,
+                 "program");
+    assert_named(
+        tp_frame_init(&tp_program_all, &frame, NULL, &none, &picture, memory, &err),
+        TP_E_NULL, &err, "scene");
+    assert_named(
+        tp_frame_init(&tp_program_all, NULL, &scene, &none, &picture, memory, &err),
+        TP_E_NULL, &err, "frame");
+    assert_named(tp_frame_init(NULL, &frame, &scene, &none, &picture, memory, &err),
+                 TP_E_NULL, &err, "program");
+    assert_int_equal(
+        tp_frame_init(&tp_program_all, &frame, &scene, &none, NULL, memory, &err),
+        TP_E_SIZE);
     assert_named(tp_pool_init((tp_pool *)(void *)memory, NULL, &err), TP_E_NULL, &err,
                  "config");
     assert_int_equal(tp_pool_bytes(NULL), 0);
     assert_int_equal(tp_ocean_bytes(NULL, NULL), 0);
-    assert_int_equal(tp_world_bytes(NULL, &none), 0);
-    assert_int_equal(tp_frame_bytes(NULL, &none, &picture), 0);
-    assert_int_equal(tp_frame_bytes(&scene, &none, NULL), 0);
-    assert_int_equal(tp_frame_scratch_bytes(NULL), 0);
-    assert_int_equal(tp_frame_scratch_with(NULL, &scene, &picture), 0);
-    assert_false(tp_world_refresh(world, NULL, &none));
+    assert_int_equal(tp_world_bytes(&tp_program_all, NULL, &none), 0);
+    assert_int_equal(tp_frame_bytes(&tp_program_all, NULL, &none, &picture), 0);
+    assert_int_equal(tp_frame_bytes(&tp_program_all, &scene, &none, NULL), 0);
+    assert_int_equal(tp_frame_scratch_bytes(&tp_program_all, &scene, NULL), 0);
+    assert_int_equal(tp_frame_scratch_bytes(NULL, &scene, &picture), 0);
+    assert_false(tp_world_refresh(&tp_program_all, world, NULL, &none));
 }
 
 static uint32_t frame_crc(const tp_assets *assets)
@@ -165,9 +172,10 @@ static void assets_of_null_are_none(void **state)
     const tp_rungs a = tp_rungs_of(&scene, NULL, WIDTH, HEIGHT);
     const tp_rungs b = tp_rungs_of(&scene, &none, WIDTH, HEIGHT);
 
-    assert_int_equal(tp_world_bytes(&scene, NULL), tp_world_bytes(&scene, &none));
-    assert_int_equal(tp_frame_bytes(&scene, NULL, &picture),
-                     tp_frame_bytes(&scene, &none, &picture));
+    assert_int_equal(tp_world_bytes(&tp_program_all, &scene, NULL),
+                     tp_world_bytes(&tp_program_all, &scene, &none));
+    assert_int_equal(tp_frame_bytes(&tp_program_all, &scene, NULL, &picture),
+                     tp_frame_bytes(&tp_program_all, &scene, &none, &picture));
     assert_int_equal(frame_crc(NULL), frame_crc(&none));
     assert_memory_equal(&a, &b, sizeof a);
     assert_true(tp_plan_of(&scene, NULL, WIDTH, HEIGHT).total.cost

@@ -9,7 +9,7 @@
 #include "measure.h"
 #include "pixel/rgb565.h"
 #include "pixel/toned.h"
-#include "tidepool/kit.h"
+#include "tidepool/program.h"
 
 enum { FLAT_COLOURS = 20000, WIDTH = 40 };
 
@@ -35,8 +35,8 @@ static void rgb565_takes_the_nearest_levels(void **state)
         uint8_t big[512];
         for (uint32_t low = 0; low < 256; low++)
             colours[low] = high << 8 | low;
-        tp_kit_all.store[TP_FORMAT_RGB565](native, 0, 0, 0, colours, 256);
-        tp_kit_all.store[TP_FORMAT_RGB565BE](big, 0, 0, 0, colours, 256);
+        tp_program_all.store[TP_FORMAT_RGB565](native, 0, 0, 0, colours, 256);
+        tp_program_all.store[TP_FORMAT_RGB565BE](big, 0, 0, 0, colours, 256);
         const unsigned red_green =
             (unsigned)(of_5[high >> 8] << 11 | of_6[high & 255] << 5);
         for (unsigned low = 0; low < 256; low++) {
@@ -70,13 +70,13 @@ static void formats_without_dither_read_back_what_they_can_hold(void **state)
         const uint32_t colour = tp_pixel_read(TP_FORMAT_RGB565, &native, 0);
         for (int i = 0; i < 2; i++) {
             uint16_t row[1];
-            tp_kit_all.store[exact[i]](row, 0, 0, 0, &colour, 1);
+            tp_program_all.store[exact[i]](row, 0, 0, 0, &colour, 1);
             assert_int_equal(tp_pixel_read(exact[i], row, 0), colour);
         }
     }
     const uint32_t colours[] = { 0, 0xffffff, 0x123456, 0xfedcba };
     uint32_t row[4];
-    tp_kit_all.store[TP_FORMAT_XRGB8888](row, 0, 0, 0, colours, 4);
+    tp_program_all.store[TP_FORMAT_XRGB8888](row, 0, 0, 0, colours, 4);
     assert_memory_equal(row, colours, sizeof row);
 }
 
@@ -88,7 +88,7 @@ static void store_tile(tp_format format, uint32_t colour, int x, int y, uint32_t
         flat[i] = colour;
     for (int row = 0; row < 8; row++) {
         uint32_t pixels[8];
-        tp_kit_all.store[format](pixels, 0, x, y + row, flat, 8);
+        tp_program_all.store[format](pixels, 0, x, y + row, flat, 8);
         for (int i = 0; i < 8; i++)
             tile[8 * row + i] = tp_pixel_read(format, pixels, i);
     }
@@ -243,13 +243,13 @@ static void runs_leave_no_seam_and_touch_no_other_pixel(void **state)
     }
     for (int f = 0; f < TP_FORMAT_COUNT; f++) {
         uint32_t whole[WIDTH] = { 0 };
-        tp_kit_all.store[f](whole, 0, 100, 33, colours, WIDTH);
+        tp_program_all.store[f](whole, 0, 100, 33, colours, WIDTH);
         for (int first = 0; first < WIDTH; first++)
             for (int end = first; end <= WIDTH; end++) {
                 uint32_t row[WIDTH];
                 memcpy(row, before, sizeof row);
-                tp_kit_all.store[f](row, first, 100 + first, 33,
-                               colours + first, end - first);
+                tp_program_all.store[f](row, first, 100 + first, 33, colours + first,
+                                        end - first);
                 check_run((tp_format)f, row, whole, before, first, end);
             }
     }
@@ -265,8 +265,8 @@ static void a_strip_has_the_dither_of_the_picture(void **state)
     for (int f = 0; f < TP_FORMAT_COUNT; f++)
         for (int x = 0; x < 16; x++) {
             uint32_t picture[64] = { 0 }, strip[64] = { 0 };
-            tp_kit_all.store[f](picture, 0, 0, 5, colours, 64);
-            tp_kit_all.store[f](strip, 0, x, 5, colours, 32);
+            tp_program_all.store[f](picture, 0, 0, 5, colours, 64);
+            tp_program_all.store[f](strip, 0, x, 5, colours, 32);
             for (int i = 0; i < 32; i++)
                 assert_int_equal(tp_pixel_read((tp_format)f, strip, i),
                                  tp_pixel_read((tp_format)f, picture, x + i));

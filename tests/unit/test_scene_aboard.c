@@ -75,7 +75,7 @@ static void the_deck_stands_still_in_the_picture(void **state)
         double u0, v0, u, v;
         seen_at(&w, point, &u0, &v0);
         for (int i = 0; i < 300; i++) {
-            tp_world_step(&w, &scene, NULL);
+            tp_world_step(&tp_program_all, &w, &scene, NULL);
             seen_at(&w, point, &u, &v);
             most = fmax(most, fmax(fabs(u - u0), fabs(v - v0)));
         }
@@ -137,7 +137,7 @@ static void a_picture_between_ticks_is_of_both_boat_and_camera(void **state)
 
     scene.boat.speed = 5 * TP_FX_ONE;
     for (int i = 0; i < 20; i++)
-        tp_world_step(&w, &scene, NULL);
+        tp_world_step(&tp_program_all, &w, &scene, NULL);
     const tp_camera now = tp_world_camera(&w);
     w.back = TP_FX_ONE;
     const tp_camera before = tp_world_camera(&w);
@@ -159,7 +159,7 @@ static void input_moves_the_camera_about_the_deck(void **state)
     const tp_vec3 from = w.eye;
     const tp_turn pitch = w.pitch;
 
-    tp_world_step(&w, &scene, &in);
+    tp_world_step(&tp_program_all, &w, &scene, &in);
     assert_true(abs(w.eye.x - from.x - TP_FX(0.5)) <= 2);
     assert_int_equal(w.eye.y - from.y, TP_FX(0.25));
     assert_true(abs(w.eye.z - from.z + TP_FX_ONE) <= 2);
@@ -186,10 +186,10 @@ static void a_change_of_the_scene_goes_aboard_and_ashore(void **state)
     tp_world w = boat_world(&scene);
 
     scene.camera.follow = TP_FOLLOW_NONE;
-    assert_true(tp_world_refresh(&w, &scene, NULL));
+    assert_true(tp_world_refresh(&tp_program_all, &w, &scene, NULL));
     assert_int_equal(w.aboard, 0);
     scene.camera.follow = TP_FOLLOW_BOAT;
-    assert_true(tp_world_refresh(&w, &scene, NULL));
+    assert_true(tp_world_refresh(&tp_program_all, &w, &scene, NULL));
     assert_int_equal(w.aboard, 1);
 }
 
@@ -207,9 +207,9 @@ static void a_snapshot_goes_on_with_the_same_bits(void **state)
                               .rudder = chance_fx(&chance, -20, 20) };
         if (i == 60)
             copy = w;
-        tp_world_step(&w, &scene, &in);
+        tp_world_step(&tp_program_all, &w, &scene, &in);
         if (i >= 60)
-            tp_world_step(&copy, &scene, &in);
+            tp_world_step(&tp_program_all, &copy, &scene, &in);
     }
     const tp_camera a = tp_world_camera(&w), b = tp_world_camera(&copy);
     assert_memory_equal(&a, &b, sizeof a);

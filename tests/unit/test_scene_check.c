@@ -27,13 +27,15 @@ typedef struct {
 
 static stand stand_of(const tp_scene *scene)
 {
-    stand s = { .scene = *scene, .world_bytes = tp_world_bytes(scene, NULL),
+    stand s = { .scene = *scene,
+                .world_bytes = tp_world_bytes(&tp_program_all, scene, NULL),
                 .block_bytes = 1 << 22 };
 
     s.world = malloc(s.world_bytes);
     s.copy = malloc(s.world_bytes);
     s.block = malloc(s.block_bytes);
-    assert_int_equal(tp_world_init(s.world, s.world_bytes, scene, NULL, NULL), TP_OK);
+    assert_int_equal(
+        tp_world_init(&tp_program_all, s.world, s.world_bytes, scene, NULL, NULL), TP_OK);
     memcpy(s.copy, s.world, s.world_bytes);
     return s;
 }
@@ -61,16 +63,18 @@ static void all_refuse(stand *s, const tp_scene *bad, const tp_error *why)
     tp_frame *frame = NULL;
     const tp_rungs rungs = tp_rungs_of(bad, NULL, WIDTH, HEIGHT);
 
-    assert_int_equal(tp_world_bytes(bad, NULL), 0);
-    assert_int_equal(tp_frame_bytes(bad, NULL, &picture), 0);
-    assert_int_equal(tp_frame_scratch_with(&tp_kit_all, bad, &picture), 0);
-    assert_int_equal(tp_frame_scratch_into_with(&tp_kit_all, bad, &picture), 0);
-    assert_false(tp_world_refresh(s->world, bad, NULL));
-    assert_refused(tp_world_init(s->world, s->world_bytes, bad, NULL, &err), &err, why,
-                   "tp_world_init");
+    assert_int_equal(tp_world_bytes(&tp_program_all, bad, NULL), 0);
+    assert_int_equal(tp_frame_bytes(&tp_program_all, bad, NULL, &picture), 0);
+    assert_int_equal(tp_frame_scratch_bytes(&tp_program_all, bad, &picture), 0);
+    assert_int_equal(tp_frame_scratch_into_bytes(&tp_program_all, bad, &picture), 0);
+    assert_false(tp_world_refresh(&tp_program_all, s->world, bad, NULL));
+    assert_refused(
+        tp_world_init(&tp_program_all, s->world, s->world_bytes, bad, NULL, &err), &err,
+        why, "tp_world_init");
     assert_memory_equal(s->world, s->copy, s->world_bytes);
-    assert_refused(tp_frame_init(&frame, bad, NULL, &picture, s->block, &err), &err, why,
-                   "tp_frame_init");
+    assert_refused(
+        tp_frame_init(&tp_program_all, &frame, bad, NULL, &picture, s->block, &err), &err,
+        why, "tp_frame_init");
     assert_null(frame);
     assert_int_equal(rungs.visibility, TP_VISIBILITY_TRIANGLES);
     assert_int_equal(rungs.shading, TP_SHADING_EXACT);
@@ -87,7 +91,7 @@ static void use(const tp_scene *scene, const tp_assets *assets)
     assert_non_null(world);
     test_frame f = frame_of(scene, assets, &picture);
     for (int tick = 0; tick < 2; tick++) {
-        tp_world_step(world, scene, NULL);
+        tp_world_step(&tp_program_all, world, scene, NULL);
         tp_frame_begin(f.frame, world);
         for (uint32_t i = 0; tp_frame_tile(f.frame, i, f.scratch, &tile); i++)
             assert_non_null(tile.pixels);
@@ -259,19 +263,19 @@ static void scenes_of_any_numbers_are_refused_or_can_be_used(void **state)
     stand_free(&s);
 }
 
-/* A kit without the check takes what a baked scene may hold unread: texts. */
+/* A program without the check takes what a baked scene may hold unread: texts. */
 static void a_kit_without_the_check_trusts_its_scene(void **state)
 {
     (void)state;
-    tp_kit trusting = tp_kit_all;
+    tp_program trusting = tp_program_all;
     tp_scene scene = scene_plain();
     tp_error err;
 
     trusting.check = NULL;
     memset(scene.title, 'n', sizeof scene.title);
-    assert_int_equal(tp_world_bytes(&scene, NULL), 0);
-    assert_true(tp_world_bytes_with(&trusting, &scene, NULL) > 0);
-    assert_int_equal(tp_world_init_with(&trusting, NULL, 0, &scene, NULL, &err), TP_E_NULL);
+    assert_int_equal(tp_world_bytes(&tp_program_all, &scene, NULL), 0);
+    assert_true(tp_world_bytes(&trusting, &scene, NULL) > 0);
+    assert_int_equal(tp_world_init(&trusting, NULL, 0, &scene, NULL, &err), TP_E_NULL);
     assert_string_equal(err.word, "world");
 }
 

@@ -20,13 +20,14 @@ static tp_world moved(tp_scene *scene, int ticks)
     scene->boat.heading = chance_fx(&chance, -1, 1);
     scene->boat.speed = 5 * TP_FX_ONE;
     scene->boat.rudder = chance_fx(&chance, -90, 90);
-    assert_int_equal(tp_world_init(&world, sizeof world, scene, NULL, NULL), TP_OK);
+    assert_int_equal(
+        tp_world_init(&tp_program_all, &world, sizeof world, scene, NULL, NULL), TP_OK);
     for (int i = 0; i < ticks; i++) {
         const tp_input in = { .ahead = chance_fx(&chance, -1, 1),
                               .up = chance_fx(&chance, -1, 1),
                               .turn = chance_int(&chance, -90000000, 90000000),
                               .tilt = chance_int(&chance, -9000000, 9000000) };
-        tp_world_step(&world, scene, &in);
+        tp_world_step(&tp_program_all, &world, scene, &in);
     }
     return world;
 }
@@ -68,7 +69,7 @@ static void back_1_is_the_last_tick(void **state)
         tp_world w = before;
         const tp_input in = { .ahead = TP_FX_ONE, .turn = chance_int(&chance, -9999999, 9999999),
                               .tilt = 999999 };
-        tp_world_step(&w, &scene, &in);
+        tp_world_step(&tp_program_all, &w, &scene, &in);
         w.back = TP_FX_ONE;
         const tp_drawn at = tp_world_drawn(&w);
         assert_camera(&at.camera, before.eye, before.heading, before.pitch);
@@ -147,7 +148,7 @@ static void far_places_are_interpolated_too(void **state)
 static int64_t show(tp_world *w, const tp_scene *scene)
 {
     for (uint32_t ticks = tp_world_frame(w); ticks > 0; ticks--)
-        tp_world_step(w, scene, NULL);
+        tp_world_step(&tp_program_all, w, scene, NULL);
     assert_in_range(w->back, 0, TP_FX_ONE - 1);
     return tp_world_drawn(w).time;
 }
@@ -162,7 +163,8 @@ static void at_every_scale_pictures_are_evenly_spaced(void **state)
         tp_world w;
         scene.boat.mesh[0] = '\0';
         scene.clock.scale = (tp_fx)lround(scales[n] * 65536);
-        assert_int_equal(tp_world_init(&w, sizeof w, &scene, NULL, NULL), TP_OK);
+        assert_int_equal(tp_world_init(&tp_program_all, &w, sizeof w, &scene, NULL, NULL),
+                         TP_OK);
         int64_t last = tp_world_drawn(&w).time;
         for (int i = 1; i <= 400; i++) {
             const int64_t now = show(&w, &scene);
@@ -180,7 +182,8 @@ static void a_wave_s_phase_advances_evenly_in_slow_motion(void **state)
     tp_world w;
 
     scene.clock.scale = TP_FX_ONE / 8;
-    assert_int_equal(tp_world_init(&w, sizeof w, &scene, NULL, NULL), TP_OK);
+    assert_int_equal(tp_world_init(&tp_program_all, &w, sizeof w, &scene, NULL, NULL),
+                     TP_OK);
     tp_turn last = tp_world_drawn(&w).phases[0];
     const double step = (double)w.sea.swell[0].turns_tick / 4294967296.0 / 8;
     for (int i = 0; i < 200; i++) {
@@ -200,7 +203,8 @@ static void no_time_is_skipped_when_the_scale_changes(void **state)
     double scale = 1;
 
     scene.boat.mesh[0] = '\0';
-    assert_int_equal(tp_world_init(&w, sizeof w, &scene, NULL, NULL), TP_OK);
+    assert_int_equal(tp_world_init(&tp_program_all, &w, sizeof w, &scene, NULL, NULL),
+                     TP_OK);
     int64_t last = tp_world_drawn(&w).time;
     for (int i = 0; i < 3000; i++) {
         if (i % 100 == 50) {
@@ -209,7 +213,7 @@ static void no_time_is_skipped_when_the_scale_changes(void **state)
         }
         if (i % 100 == 0) {
             scene.clock.scale = chance_fx(&chance, 0.125, 4);
-            assert_true(tp_world_refresh(&w, &scene, NULL));
+            assert_true(tp_world_refresh(&tp_program_all, &w, &scene, NULL));
         }
         const int64_t now = show(&w, &scene);
         const double step = (double)(now - last) / 65536;
@@ -228,7 +232,8 @@ static void the_ticks_stepped_are_the_clock_s(void **state)
         tp_world w;
         scene.boat.mesh[0] = '\0';
         scene.clock.scale = chance_fx(&chance, 0.125, 4);
-        assert_int_equal(tp_world_init(&w, sizeof w, &scene, NULL, NULL), TP_OK);
+        assert_int_equal(tp_world_init(&tp_program_all, &w, sizeof w, &scene, NULL, NULL),
+                         TP_OK);
         for (int i = 0; i < 200; i++) {
             if (random_below(&chance, 20) == 0)
                 tp_clock_aim(&w.clock, chance_fx(&chance, 0, 5));

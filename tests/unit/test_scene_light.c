@@ -53,7 +53,7 @@ static void it_goes_round_by_degrees_a_second(void **state)
         tp_world *w = light_world(&s);
         const tp_turn before = w->light_heading;
         for (int t = 0; t < 600; t++)
-            tp_world_step(w, &s, NULL);
+            tp_world_step(&tp_program_all, w, &s, NULL);
         const tp_turn want = tp_turn_of_degrees(s.light.turn) * 10;
         assert_true(abs((int32_t)(w->light_heading - before - want)) <= 310);
         free(w);
@@ -72,7 +72,7 @@ static void input_turns_it_and_tilts_it_within_1_and_90_degrees(void **state)
                               .light_tilt = random_number(&chance) };
         const tp_turn heading = w->light_heading;
         const int64_t height = (int64_t)w->light_elevation + in.light_tilt;
-        tp_world_step(w, &s, &in);
+        tp_world_step(&tp_program_all, w, &s, &in);
         assert_int_equal(w->light_heading, heading + (tp_turn)in.light_turn);
         assert_in_range(w->light_elevation, TP_DEG(1), TP_DEG(90));
         if (height >= TP_DEG(1) && height <= TP_DEG(90))
@@ -89,7 +89,7 @@ static void between_ticks_it_is_between(void **state)
     const tp_input in = { .light_turn = 1000000, .light_tilt = -2000000 };
 
     w->light_elevation = TP_DEG(40);
-    tp_world_step(w, &s, &in);
+    tp_world_step(&tp_program_all, w, &s, &in);
     w->back = TP_FX_ONE / 4;
     tp_drawn at = tp_world_drawn(w);
     assert_int_equal(at.light_heading, w->light_heading - 250000);
@@ -109,14 +109,14 @@ static void a_refresh_takes_what_has_changed(void **state)
     tp_world *w = light_world(&s);
     const tp_input in = { .light_turn = 123456789 };
 
-    tp_world_step(w, &s, &in);
+    tp_world_step(&tp_program_all, w, &s, &in);
     const tp_turn moved = w->light_heading;
     s.wave[0].amplitude += 999;
-    assert_true(tp_world_refresh(w, &s, NULL));
+    assert_true(tp_world_refresh(&tp_program_all, w, &s, NULL));
     assert_int_equal(w->light_heading, moved);
     s.light.heading = 17 * TP_FX_ONE;
     s.hdr.value = 3 * TP_FX_ONE;
-    assert_true(tp_world_refresh(w, &s, NULL));
+    assert_true(tp_world_refresh(&tp_program_all, w, &s, NULL));
     assert_int_equal(w->light_heading, tp_turn_of_degrees(17 * TP_FX_ONE));
     assert_int_equal(w->exposure, 3 * TP_FX_ONE);
     free(w);

@@ -20,13 +20,14 @@ static void a_block_of_the_bytes_asked_for_is_enough(void **state)
         tp_scene scene = scene_with(&chance, parts);
         const tp_assets assets = assets_with(&chance, &scene, parts & 1 && parts & 2,
                                              parts % 3);
-        const size_t bytes = tp_world_bytes(&scene, &assets);
+        const size_t bytes = tp_world_bytes(&tp_program_all, &scene, &assets);
         tp_world *world = malloc(bytes);
         tp_error err = { .code = TP_OK };
 
         assert_true(bytes >= sizeof *world && bytes % 8 == 0);
         memset(world, 0xa5, bytes);
-        assert_int_equal(tp_world_init(world, bytes, &scene, &assets, &err), TP_OK);
+        assert_int_equal(
+            tp_world_init(&tp_program_all, world, bytes, &scene, &assets, &err), TP_OK);
         assert_int_equal(world->parts.bytes, bytes);
         run(&chance, world, &scene, 40);
         assert_int_equal(world->tick, 40);
@@ -42,16 +43,16 @@ static void a_world_without_parts_is_its_head_alone(void **state)
 {
     (void)state;
     const tp_scene scene = scene_with(&chance, 0);
-    assert_int_equal(tp_world_bytes(&scene, NULL), sizeof(tp_world));
+    assert_int_equal(tp_world_bytes(&tp_program_all, &scene, NULL), sizeof(tp_world));
 }
 
-/* By a kit with few swells a world ends after its scene's, and moves as with all; another
- * number of them is another world.  By a kit without it has none. */
-static void a_world_ends_after_the_swells_of_its_kit(void **state)
+/* By a program with few swells a world ends after its scene's, and moves as with all; another
+ * number of them is another world.  By a program without it has none. */
+static void a_world_ends_after_the_swells_of_its_program(void **state)
 {
     const size_t head = offsetof(tp_world, sea.swell);
     tp_scene scene = scene_with(&chance, 0);
-    tp_kit few = tp_kit_all, none = tp_kit_all;
+    tp_program few = tp_program_all, none = tp_program_all;
     (void)state;
 
     few.water.swells = &tp_water_few_swells;
@@ -60,21 +61,23 @@ static void a_world_ends_after_the_swells_of_its_kit(void **state)
         for (int i = 0; i < TP_WAVES; i++)
             scene.wave[i].amplitude = i < n ? chance_fx(&chance, 0.01, 0.2) : 0;
         const size_t bytes = head + (size_t)n * sizeof(tp_swell);
-        assert_int_equal(tp_world_bytes_with(&none, &scene, NULL), head);
-        assert_int_equal(tp_world_bytes_with(&few, &scene, NULL), bytes);
+        assert_int_equal(tp_world_bytes(&none, &scene, NULL), head);
+        assert_int_equal(tp_world_bytes(&few, &scene, NULL), bytes);
         tp_world *a = malloc(bytes), b;         /* of exactly so many */
-        assert_int_equal(tp_world_init_with(&few, a, bytes, &scene, NULL, NULL), TP_OK);
-        assert_int_equal(tp_world_init(&b, sizeof b, &scene, NULL, NULL), TP_OK);
-        tp_world_step_with(&few, a, &scene, NULL);
-        tp_world_step(&b, &scene, NULL);
+        assert_int_equal(tp_world_init(&few, a, bytes, &scene, NULL, NULL), TP_OK);
+        assert_int_equal(tp_world_init(&tp_program_all, &b, sizeof b, &scene, NULL, NULL),
+                         TP_OK);
+        tp_world_step(&few, a, &scene, NULL);
+        tp_world_step(&tp_program_all, &b, &scene, NULL);
         assert_int_equal(a->sea.count, n);
         assert_memory_equal(a->phases, b.phases, sizeof b.phases);
-        const tp_sea_point at = tp_world_above_with(&few, a, TP_FX_ONE, TP_FX_ONE);
-        const tp_sea_point want = tp_world_above(&b, TP_FX_ONE, TP_FX_ONE);
+        const tp_sea_point at = tp_world_above(&few, a, TP_FX_ONE, TP_FX_ONE);
+        const tp_sea_point want =
+            tp_world_above(&tp_program_all, &b, TP_FX_ONE, TP_FX_ONE);
         assert_memory_equal(&at, &want, sizeof at);
-        assert_true(tp_world_refresh_with(&few, a, &scene, NULL));
+        assert_true(tp_world_refresh(&few, a, &scene, NULL));
         scene.wave[n < TP_WAVES ? n : 0].amplitude = n < TP_WAVES ? TP_FX(0.1) : 0;
-        assert_false(tp_world_refresh_with(&few, a, &scene, NULL));
+        assert_false(tp_world_refresh(&few, a, &scene, NULL));
         free(a);
     }
 }
@@ -85,13 +88,14 @@ static void a_byte_less_is_no_space(void **state)
     for (uint32_t parts = 0; parts < 32; parts++) {
         tp_scene scene = scene_with(&chance, parts);
         const tp_assets assets = assets_with(&chance, &scene, false, false);
-        const size_t bytes = tp_world_bytes(&scene, &assets);
+        const size_t bytes = tp_world_bytes(&tp_program_all, &scene, &assets);
         uint8_t *block = malloc(bytes);
         tp_error err = { .code = TP_OK };
 
         memset(block, 0xa5, bytes);
-        assert_int_equal(tp_world_init((tp_world *)(void *)block, bytes - 1, &scene,
-                                       &assets, &err), TP_E_NOSPACE);
+        assert_int_equal(tp_world_init(&tp_program_all, (tp_world *)(void *)block,
+                                       bytes - 1, &scene, &assets, &err),
+                         TP_E_NOSPACE);
         assert_int_equal(err.a, bytes);
         assert_int_equal(err.b, bytes - 1);
         for (size_t i = 0; i < bytes; i++)
@@ -155,13 +159,13 @@ static void the_same_scene_runs_the_same_in_any_memory(void **state)
 {
     (void)state;
     const tp_scene scene = scene_with(&chance, 31);
-    const size_t bytes = tp_world_bytes(&scene, NULL);
+    const size_t bytes = tp_world_bytes(&tp_program_all, &scene, NULL);
     tp_world *a = malloc(bytes), *b = malloc(bytes);
 
     memset(a, 0xff, bytes);
     memset(b, 0, bytes);
-    assert_int_equal(tp_world_init(a, bytes, &scene, NULL, NULL), TP_OK);
-    assert_int_equal(tp_world_init(b, bytes, &scene, NULL, NULL), TP_OK);
+    assert_int_equal(tp_world_init(&tp_program_all, a, bytes, &scene, NULL, NULL), TP_OK);
+    assert_int_equal(tp_world_init(&tp_program_all, b, bytes, &scene, NULL, NULL), TP_OK);
     const uint64_t same = chance;
     run(&chance, a, &scene, 60);
     chance = same;
@@ -180,9 +184,10 @@ static void refuses(const tp_scene *scene, const tp_assets *assets, tp_status st
     static uint64_t block[1 << 17];
     tp_error err = { .code = TP_OK };
 
-    assert_int_equal(tp_world_bytes(scene, assets), 0);
-    assert_int_equal(tp_world_init((tp_world *)(void *)block, sizeof block, scene, assets,
-                                   &err), status);
+    assert_int_equal(tp_world_bytes(&tp_program_all, scene, assets), 0);
+    assert_int_equal(tp_world_init(&tp_program_all, (tp_world *)(void *)block,
+                                   sizeof block, scene, assets, &err),
+                     status);
     assert_int_equal(err.code, status);
     assert_string_equal(err.word, word);
 }
@@ -214,7 +219,7 @@ static void a_bad_pool_gives_its_status(void **state)
         pool->feed_low = TP_FX_ONE;
         pool->feed_high = 0;
         refuses(&bad, NULL, TP_E_POOL_FEED, n ? "field.feed_low" : "pool.feed_low");
-        assert_true(tp_world_bytes(&good, NULL) > 0);
+        assert_true(tp_world_bytes(&tp_program_all, &good, NULL) > 0);
         refuses(&good, &masked, TP_E_POOL_MASK, "pool.mask");
     }
 }
@@ -247,18 +252,18 @@ static void pokes_come_as_often_as_the_scene_says(void **state)
     uint32_t pokes = 0, random = world->random;
 
     for (int i = 0; i < 600; i++) {
-        tp_world_step(world, &scene, NULL);
+        tp_world_step(&tp_program_all, world, &scene, NULL);
         pokes += world->random != random;
         random = world->random;
     }
     assert_int_equal(pokes, 20);
     scene.pool.poke_every = 600 * TP_FX_ONE;
     for (int i = 0; i < 40; i++)
-        tp_world_step(world, &scene, NULL);
+        tp_world_step(&tp_program_all, world, &scene, NULL);
     scene.pool.poke_every = TP_FX(0.1);     /* the long wait is not sat out */
     random = world->random;
     for (int i = 0; i < 7; i++)
-        tp_world_step(world, &scene, NULL);
+        tp_world_step(&tp_program_all, world, &scene, NULL);
     assert_int_not_equal(world->random, random);
     free(world);
 }
@@ -271,7 +276,7 @@ static void the_surface_names_every_part(void **state)
     scene.drops.rings = 40;
     tp_world *world = scene_world(&scene, NULL);
     run(&chance, world, &scene, 60);
-    const tp_surface s = tp_world_surface(&tp_kit_all, world);
+    const tp_surface s = tp_world_surface(&tp_program_all, world);
 
     assert_ptr_equal(s.ocean, tp_world_ocean(world));
     assert_ptr_equal(s.pool, tp_world_pool(world));
@@ -288,7 +293,7 @@ static void the_surface_names_every_part(void **state)
     assert_int_equal(s.rings, rings);
     for (int n = 0; n < 50; n++) {
         const tp_fx x = chance_fx(&chance, -20, 20), z = chance_fx(&chance, -20, 20);
-        const tp_sea_point a = tp_world_above(world, x, z);
+        const tp_sea_point a = tp_world_above(&tp_program_all, world, x, z);
         const tp_sea_point b = tp_surface_above(&s, x, z, NULL);
         assert_memory_equal(&a, &b, sizeof a);
     }
@@ -301,7 +306,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_block_of_the_bytes_asked_for_is_enough),
         cmocka_unit_test(a_world_without_parts_is_its_head_alone),
-        cmocka_unit_test(a_world_ends_after_the_swells_of_its_kit),
+        cmocka_unit_test(a_world_ends_after_the_swells_of_its_program),
         cmocka_unit_test(a_byte_less_is_no_space),
         cmocka_unit_test(parts_are_aligned_and_lie_side_by_side),
         cmocka_unit_test(a_snapshot_goes_on_bit_for_bit),

@@ -39,8 +39,8 @@ static void view_open(view *v, const char *of, uint32_t width, uint32_t height)
     for (char *setting; (setting = strtok(NULL, " ")) != NULL;)
         assert_int_equal(scene_file_set(&v->file, setting), 0);
     assert_int_equal(assets_open(&v->assets, &v->file), 0);
-    const tp_plan_input in = { tp_kit_all.modules, &v->file.scene, &v->assets.names, width,
-                               height };
+    const tp_plan_input in = { tp_program_all.modules, &v->file.scene, &v->assets.names,
+                               width, height };
     v->outlook = tp_outlook_of(&in);
     v->works = tp_works_of(&in, &v->outlook,
                            v->file.scene.quality.shading == TP_SHADING_QUICK);

@@ -34,7 +34,7 @@ static tp_world world_at(tp_fx heading, tp_scene *scene)
     scene->camera.x = 5 * TP_FX_ONE;
     scene->camera.z = -7 * TP_FX_ONE;
     scene->camera.heading = heading;
-    tp_world_init(&world, sizeof world, scene, NULL, NULL);
+    tp_world_init(&tp_program_all, &world, sizeof world, scene, NULL, NULL);
     return world;
 }
 
@@ -45,7 +45,7 @@ static void assert_goes(tp_fx heading, tp_input in, int x, int y, int z)
     const tp_world before = world_at(heading, &scene);
     tp_world after = before;
 
-    tp_world_step(&after, &scene, &in);
+    tp_world_step(&tp_program_all, &after, &scene, &in);
     assert_true(fabs((after.eye.x - before.eye.x) * LSB - x) < 1e-3);
     assert_true(fabs((after.eye.y - before.eye.y) * LSB - y) < 1e-3);
     assert_true(fabs((after.eye.z - before.eye.z) * LSB - z) < 1e-3);
@@ -93,7 +93,7 @@ static void turns_are_clockwise_and_tilts_are_up(void **state)
                           .tilt = 0x08000000 };
     const tp_turn before = world.pitch;
 
-    tp_world_step(&world, &scene, &in);
+    tp_world_step(&tp_program_all, &world, &scene, &in);
     assert_int_equal(world.heading, 0x40000000);
     assert_int_equal(world.pitch - before, 0x08000000);
     assert_true(fabs((world.eye.x - scene.camera.x) * LSB - 1) < 1e-3);
@@ -108,11 +108,11 @@ static void the_camera_never_looks_straight_up_or_down(void **state)
 
     for (int n = 0; n < 2000; n++) {
         const tp_input in = { .tilt = n % 100 < 50 ? INT32_MAX - n : INT32_MIN + n };
-        tp_world_step(&world, &scene, n % 3 ? &in : NULL);
+        tp_world_step(&tp_program_all, &world, &scene, n % 3 ? &in : NULL);
         assert_true(fabs((double)(int32_t)world.pitch) <= most);
     }
     const tp_input up = { .tilt = INT32_MAX };
-    tp_world_step(&world, &scene, &up);
+    tp_world_step(&tp_program_all, &world, &scene, &up);
     assert_true(fabs((int32_t)world.pitch - most) < 2);
 }
 
@@ -128,7 +128,7 @@ static void the_eye_stays_within_eight_kilometres(void **state)
                               .up = (int32_t)random_next(&chance),
                               .turn = (int32_t)random_next(&chance),
                               .tilt = (int32_t)random_next(&chance) };
-        tp_world_step(&world, &scene, &in);
+        tp_world_step(&tp_program_all, &world, &scene, &in);
         assert_true(abs(world.eye.x) <= 8000 * TP_FX_ONE);
         assert_true(abs(world.eye.y) <= 8000 * TP_FX_ONE);
         assert_true(abs(world.eye.z) <= 8000 * TP_FX_ONE);
@@ -146,11 +146,11 @@ static void a_walk_forth_and_back_ends_where_it_began(void **state)
         const tp_fx ahead = chance_int(&chance, 1, 655),
                     aside = chance_int(&chance, 1, 655);
         scene.wave[0].amplitude = scene.wave[1].amplitude = scene.wave[2].amplitude = 0;
-        tp_world_refresh(&after, &scene, NULL);
+        tp_world_refresh(&tp_program_all, &after, &scene, NULL);
         for (int k = 0; k < 2000; k++) {
             const int way = k < 1000 ? 1 : -1;
             const tp_input in = { .ahead = way * ahead, .aside = way * aside };
-            tp_world_step(&after, &scene, &in);
+            tp_world_step(&tp_program_all, &after, &scene, &in);
         }
         assert_int_equal(after.eye.x, before.eye.x);
         assert_int_equal(after.eye.z, before.eye.z);
@@ -205,7 +205,7 @@ static tp_scene any_moving_scene(void)
 static void play(tp_world *world, const tp_scene *scene, const tp_input tape[100])
 {
     for (uint64_t i = world->tick; i < 100; i++)
-        tp_world_step(world, scene, i % 7 ? &tape[i] : NULL);
+        tp_world_step(&tp_program_all, world, scene, i % 7 ? &tape[i] : NULL);
 }
 
 /* A tape played twice, and once from a copy made on the way: equal to the last byte of
@@ -215,7 +215,7 @@ static void a_tape_replays_bit_for_bit(void **state)
     (void)state;
     for (int n = 0; n < 16; n++) {
         const tp_scene scene = any_moving_scene();
-        const size_t bytes = tp_world_bytes(&scene, NULL);
+        const size_t bytes = tp_world_bytes(&tp_program_all, &scene, NULL);
         tp_input tape[100];
         if (bytes == 0)
             continue;
@@ -223,11 +223,13 @@ static void a_tape_replays_bit_for_bit(void **state)
         memset(second, 0xa5, bytes);
         for (int i = 0; i < 100; i++)
             tape[i] = any_input();
-        assert_int_equal(tp_world_init(first, bytes, &scene, NULL, NULL), TP_OK);
-        assert_int_equal(tp_world_init(second, bytes, &scene, NULL, NULL), TP_OK);
+        assert_int_equal(tp_world_init(&tp_program_all, first, bytes, &scene, NULL, NULL),
+                         TP_OK);
+        assert_int_equal(
+            tp_world_init(&tp_program_all, second, bytes, &scene, NULL, NULL), TP_OK);
         assert_memory_equal(first, second, bytes);
         for (int i = 0; i < 37; i++)
-            tp_world_step(first, &scene, i % 7 ? &tape[i] : NULL);
+            tp_world_step(&tp_program_all, first, &scene, i % 7 ? &tape[i] : NULL);
         memcpy(copy, first, bytes);
         play(first, &scene, tape);
         play(second, &scene, tape);
@@ -252,14 +254,14 @@ static void a_leap_in_time_is_as_good_as_its_steps(void **state)
         scene.hdr.exposure = TP_EXPOSURE_FIXED;
         scene.foam.cells = scene.spray.count = 0;
         scene.boat.mesh[0] = '\0';      /* its searches begin where the last ones ended */
-        tp_world_init(&steps, sizeof steps, &scene, NULL, NULL);
-        tp_world_init(&leap, sizeof leap, &scene, NULL, NULL);
+        tp_world_init(&tp_program_all, &steps, sizeof steps, &scene, NULL, NULL);
+        tp_world_init(&tp_program_all, &leap, sizeof leap, &scene, NULL, NULL);
         steps.tick = leap.tick = random_next(&chance) >> 20;
-        tp_world_refresh(&steps, &scene, NULL);
+        tp_world_refresh(&tp_program_all, &steps, &scene, NULL);
         for (int i = 0; i < 50; i++)
-            tp_world_step(&steps, &scene, NULL);
+            tp_world_step(&tp_program_all, &steps, &scene, NULL);
         leap.tick += 50;
-        tp_world_refresh(&leap, &scene, NULL);
+        tp_world_refresh(&tp_program_all, &leap, &scene, NULL);
         assert_same_world(&steps, &leap);
     }
 }
@@ -270,13 +272,13 @@ static void changed_waves_take_effect_at_a_refresh(void **state)
     tp_scene scene = scene_plain();
     tp_world world;
 
-    tp_world_init(&world, sizeof world, &scene, NULL, NULL);
+    tp_world_init(&tp_program_all, &world, sizeof world, &scene, NULL, NULL);
     scene.wave[1].amplitude = 0;
     scene.wave[0].amplitude = TP_FX(0.9);
-    tp_world_step(&world, &scene, NULL);
+    tp_world_step(&tp_program_all, &world, &scene, NULL);
     assert_int_equal(world.sea.count, 3);
     assert_int_equal(world.sea.swell[0].amplitude, TP_FX(0.4));
-    tp_world_refresh(&world, &scene, NULL);
+    tp_world_refresh(&tp_program_all, &world, &scene, NULL);
     assert_int_equal(world.tick, 1);
     assert_int_equal(world.sea.count, 2);
     assert_int_equal(world.sea.swell[0].amplitude, TP_FX(0.9));

@@ -21,7 +21,7 @@ static void assert_valid(const tp_world *world, const tp_scene *scene,
     tp_world *fresh = scene_world(scene, assets);
     tp_error err = { .word = "" };
 
-    if (tp_world_check(world, world->parts.bytes, fresh, &err) != TP_OK)
+    if (tp_world_check(&tp_program_all, world, world->parts.bytes, fresh, &err) != TP_OK)
         fail_msg("seed %llu: tick %llu: %s", (unsigned long long)chance,
                  (unsigned long long)world->tick, err.word);
     free(fresh);
@@ -74,7 +74,7 @@ static void step_wildly(tp_world *world, const tp_scene *scene, int pictures)
     for (int i = 0; i < pictures; i++) {
         for (uint32_t n = tp_world_frame(world); n > 0; n--) {
             const tp_input in = input_wild();
-            tp_world_step(world, scene, &in);
+            tp_world_step(&tp_program_all, world, scene, &in);
         }
     }
 }
@@ -119,7 +119,7 @@ static void worlds_that_were_refreshed_are_valid(void **state)
             if (!scene_is_number(row))
                 continue;
             *scene_number(&scene, row) = chance_int(&chance, row->low, row->high);
-            if (!tp_world_refresh(world, &scene, &assets))
+            if (!tp_world_refresh(&tp_program_all, world, &scene, &assets))
                 scene = before;
             if (n % 2)
                 step_wildly(world, &scene, 2);
@@ -167,7 +167,7 @@ static int unmake(void **state)
 static void assert_refused(const char *what, const char *word)
 {
     tp_error err = { .word = "nothing" };
-    tp_world_check(kept, kept->parts.bytes, fresh, &err);
+    tp_world_check(&tp_program_all, kept, kept->parts.bytes, fresh, &err);
     if (strcmp(err.word, word) != 0)
         fail_msg("%s is refused for %s, expected %s", what, err.word, word);
 }
@@ -187,7 +187,8 @@ static void refused(const void *at, size_t size, const char *what, const char *w
             assert_refused(what, word);
     }
     memcpy(to, before, size);
-    assert_int_equal(tp_world_check(kept, kept->parts.bytes, fresh, NULL), TP_OK);
+    assert_int_equal(
+        tp_world_check(&tp_program_all, kept, kept->parts.bytes, fresh, NULL), TP_OK);
 }
 
 #define REFUSED(member, word) refused(&(member), sizeof (member), #member, word)
@@ -238,8 +239,9 @@ static void the_sea_is_checked(void **state)
         const uint8_t before = *flags[i];
         for (int value = 0; value < 256; value++) {
             *flags[i] = (uint8_t)value;
-            assert_int_equal(tp_world_check(kept, kept->parts.bytes, fresh, NULL),
-                             value == before ? TP_OK : TP_E_WORLD);
+            assert_int_equal(
+                tp_world_check(&tp_program_all, kept, kept->parts.bytes, fresh, NULL),
+                value == before ? TP_OK : TP_E_WORLD);
         }
         *flags[i] = before;
     }
@@ -331,7 +333,7 @@ static void the_chunks_are_checked(void **state)
     (void)state;
     uint32_t chunks = 0;
 
-    for (const tp_use *u = tp_kit_all.modules; u->module; u++) {
+    for (const tp_use *u = tp_program_all.modules; u->module; u++) {
         const uint32_t *mine = tp_world_part(kept, u->module->id);
         if (!mine)
             continue;
@@ -352,27 +354,32 @@ static void worlds_of_other_versions_are_refused(void **state)
     for (int i = 0; i < 3; i++) {
         tp_error err;
         kept->parts.version = other[i];
-        assert_int_equal(tp_world_check(kept, kept->parts.bytes, fresh, &err), TP_E_WORLD);
+        assert_int_equal(
+            tp_world_check(&tp_program_all, kept, kept->parts.bytes, fresh, &err),
+            TP_E_WORLD);
         assert_string_equal(err.word, "version");
-        assert_int_equal(tp_world_check(kept, offsetof(tp_world, parts), fresh, &err),
-                         TP_E_WORLD);
+        assert_int_equal(
+            tp_world_check(&tp_program_all, kept, offsetof(tp_world, parts), fresh, &err),
+            TP_E_WORLD);
         assert_string_equal(err.word, "layout");
     }
     kept->parts.version = TP_WORLD_VERSION;
-    assert_int_equal(tp_world_check(kept, kept->parts.bytes, fresh, NULL), TP_OK);
+    assert_int_equal(
+        tp_world_check(&tp_program_all, kept, kept->parts.bytes, fresh, NULL), TP_OK);
 }
 
 static void short_blocks_are_refused(void **state)
 {
     (void)state;
     tp_error err;
-    assert_int_equal(tp_world_check(kept, kept->parts.bytes - 1, fresh, &err),
-                     TP_E_WORLD);
+    assert_int_equal(
+        tp_world_check(&tp_program_all, kept, kept->parts.bytes - 1, fresh, &err),
+        TP_E_WORLD);
     assert_string_equal(err.word, "layout");
-    assert_int_equal(tp_world_check(kept, 0, fresh, &err), TP_E_WORLD);
-    assert_int_equal(tp_world_check(NULL, 99, fresh, &err), TP_E_NULL);
+    assert_int_equal(tp_world_check(&tp_program_all, kept, 0, fresh, &err), TP_E_WORLD);
+    assert_int_equal(tp_world_check(&tp_program_all, NULL, 99, fresh, &err), TP_E_NULL);
     assert_string_equal(err.word, "world");
-    assert_int_equal(tp_world_check(kept, 99, NULL, &err), TP_E_NULL);
+    assert_int_equal(tp_world_check(&tp_program_all, kept, 99, NULL, &err), TP_E_NULL);
     assert_string_equal(err.word, "fresh");
 }
 

@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: MIT */
-/* Kits that lack things at random. */
+/* Programs that lack things at random. */
 #ifndef TP_TESTS_THIN_H
 #define TP_TESTS_THIN_H
 #include <string.h>
 #include "chance.h"
-#include "tidepool/kit.h"
+#include "tidepool/program.h"
 
 /* A pointer of every `in` is NULL; stores, sky, plain stay. */
 static inline void thin_out(void *pointers, size_t bytes, uint32_t in, uint64_t *state)
@@ -56,17 +56,18 @@ static inline const tp_use *thin_modules(const tp_use *list, uint32_t in, uint64
 }
 
 /* A list with one stage of one module left out.  Names are of the module and its stage. */
-#define WITHOUT_STAGE(kit, use, table, module, stage) \
-    without_stage(&(kit), use, table, tp_##module##_stages, TP_COUNT_OF_##module, \
+#define WITHOUT_STAGE(program, use, table, module, stage)                                \
+    without_stage(&(program), use, table, tp_##module##_stages, TP_COUNT_OF_##module,    \
                   TP_NTH_##stage)
 
-/* The kit's list goes to `use`, the table of the module that has `of` to `table`. */
-static inline void without_stage(tp_kit *kit, tp_use use[THIN_MODULES], tp_stage *table,
-                                 const tp_stage *of, uint32_t count, uint32_t nth)
+/* The program's list goes to `use`, the table of the module that has `of` to `table`. */
+static inline void without_stage(tp_program *program, tp_use use[THIN_MODULES],
+                                 tp_stage *table, const tp_stage *of, uint32_t count,
+                                 uint32_t nth)
 {
     uint32_t n = 0;
 
-    for (const tp_use *u = kit->modules; u->module; u++, n++) {
+    for (const tp_use *u = program->modules; u->module; u++, n++) {
         use[n] = *u;
         if (u->stage != of)
             continue;
@@ -75,13 +76,13 @@ static inline void without_stage(tp_kit *kit, tp_use use[THIN_MODULES], tp_stage
         use[n].stage = table;
     }
     use[n] = (tp_use){ 0 };
-    kit->modules = use;
+    program->modules = use;
 }
 
-static inline tp_kit thin_kit(uint64_t *state)
+static inline tp_program thin_program(uint64_t *state)
 {
     const uint32_t in = 1 + random_below(state, 12);
-    tp_kit any = tp_kit_all;
+    tp_program any = tp_program_all;
 
     if (random_below(state, 2))
         thin_out(&any.stage, sizeof any.stage, in, state);

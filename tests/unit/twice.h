@@ -12,7 +12,7 @@
 #include "frame/frame.h"
 #include "kinds.h"
 #include "kit.h"
-#include "tidepool/kit.h"
+#include "tidepool/program.h"
 
 enum { TWICE_WIDTH = 68, TWICE_HEIGHT = 48 };
 
@@ -28,8 +28,8 @@ typedef struct {
 } twice_reached;
 
 typedef struct {
-    const tp_kit *by;           /* NULL: everything */
-    const tp_kit *tiled_by;     /* of the tiles; NULL: the same */
+    const tp_program *by;       /* NULL: everything */
+    const tp_program *tiled_by; /* of the tiles; NULL: the same */
     bool          backwards;    /* the last tile first */
     test_frame    whole, tiled;
     tp_frame_config config;     /* of the tiles */
@@ -43,7 +43,7 @@ static inline void twice_begin_at(test_twice *t, const tp_scene *scene,
                                   const tp_assets *assets, const tp_frame_config *tiles)
 {
     const tp_frame_config whole = { tiles->width, tiles->height, 0, 0, tiles->format };
-    const tp_kit *by = t->by ? t->by : &tp_kit_all;
+    const tp_program *by = t->by ? t->by : &tp_program_all;
     t->config = *tiles;
     t->pixels = (size_t)tiles->width * tiles->height;
     t->whole = frame_by(by, scene, assets, &whole);

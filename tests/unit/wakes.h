@@ -27,11 +27,12 @@ static inline tp_scene pool_scene(tp_cells cells, tp_edges edges)
 
 static inline tp_world *wake_world(const tp_scene *scene)
 {
-    const size_t bytes = tp_world_bytes(scene, NULL);
+    const size_t bytes = tp_world_bytes(&tp_program_all, scene, NULL);
     tp_world *world = malloc(bytes);
 
     assert_non_null(world);
-    assert_int_equal(tp_world_init(world, bytes, scene, NULL, NULL), TP_OK);
+    assert_int_equal(tp_world_init(&tp_program_all, world, bytes, scene, NULL, NULL),
+                     TP_OK);
     return world;
 }
 
@@ -43,7 +44,7 @@ static inline tp_pool *water_of(tp_world *world)
 /* The boat alone, one tick further. */
 static inline void sail(tp_world *world, const tp_scene *scene, const tp_input *in)
 {
-    tp_boat_step(&tp_kit_all, world, scene, in);
+    tp_boat_step(&tp_program_all, world, scene, in);
     tp_boat_wake(world, scene);
 }
 

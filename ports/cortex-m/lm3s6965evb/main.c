@@ -36,7 +36,7 @@ static const tp_use modules[] = {
                 tp_stage_fresnel, NULL),
     TP_USE(glint), TP_USE(lids), TP_USE(foam), TP_USE(spray), { 0 }
 };
-static const tp_kit kit = {
+static const tp_program program = {
     .modules = modules,
     .check = tp_scene_check,
     .stage = { TP_STAGE(sky), TP_STAGE(plain), TP_STAGE(view) },
@@ -95,24 +95,25 @@ static void open_scene(void)
         .panel = &lcd_ssd0323, .frame = picture,
         .wires = { NULL, evb_command, evb_data, NULL, evb_pause },
     };
-    const size_t bytes = tp_world_bytes_with(&kit, &baked_scene, &baked_assets);
+    const size_t bytes = tp_world_bytes(&program, &baked_scene, &baked_assets);
     tp_arena arena = tp_arena_over(arena_start, (size_t)(arena_end - arena_start));
     tp_error err;
     char     text[160];
 
     scene = baked_scene;
     world = take(&arena, "ram world ", bytes);
-    scratch = take(&arena, " scratch ", tp_frame_scratch_with(&kit, &scene, &picture));
+    scratch =
+        take(&arena, " scratch ", tp_frame_scratch_bytes(&program, &scene, &picture));
     void *block = take(&arena, " frame ",
-                       tp_frame_bytes_with(&kit, &scene, &baked_assets, &picture));
+                       tp_frame_bytes(&program, &scene, &baked_assets, &picture));
     void *sends = take(&arena, " panel ", lcd_bytes(&config, NULL));
     say(" left ", arena.bytes - arena.used);
     const lcd_status status = lcd_open(&panel, &config, sends);
     if (status != LCD_OK)
         stop_on(lcd_status_text(status));
-    if (tp_world_init_with(&kit, world, bytes, &scene, &baked_assets, &err)
-        || tp_frame_init_with(&kit, &frame, &scene, &baked_assets, &picture, block,
-                              &err)) {
+    if (tp_world_init(&program, world, bytes, &scene, &baked_assets, &err)
+        || tp_frame_init(&program, &frame, &scene, &baked_assets, &picture, block,
+                         &err)) {
         tp_error_text(&err, text, sizeof text);
         stop_on(text);
     }
@@ -161,7 +162,7 @@ static void say_state(void *unused)
 }
 
 static const control_setup setup = {
-    &kit, &scene, &scene, &baked_assets, &picture, NULL, evb_text, say_state, NULL,
+    &program, &scene, &scene, &baked_assets, &picture, NULL, evb_text, say_state, NULL,
 };
 
 static void say_input(const tp_input *input)
@@ -180,7 +181,7 @@ static void tick(void)
 {
     const tp_input input = control_take(&lines);
     say_input(&input);
-    tp_world_step_with(&kit, world, &scene, &input);
+    tp_world_step(&program, world, &scene, &input);
 }
 
 /* Ticks that are due: those of a step at once, others by the clock. */

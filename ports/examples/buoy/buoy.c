@@ -36,9 +36,10 @@ static buoy_pose pose_of(const tp_surface *water, const tp_scene *scene)
 }
 
 /* A row that changes later leaves it where it floats. */
-static void settle(void *mine, const tp_kit *kit, tp_world *world, const tp_scene *scene)
+static void settle(void *mine, const tp_program *program, tp_world *world,
+                   const tp_scene *scene)
 {
-    const tp_surface water = tp_world_surface(kit, world);
+    const tp_surface water = tp_world_surface(program, world);
     buoy_state *buoy = mine;
 
     if (!buoy->afloat)
@@ -46,10 +47,10 @@ static void settle(void *mine, const tp_kit *kit, tp_world *world, const tp_scen
     buoy->afloat = 1;
 }
 
-static void step(void *mine, const tp_kit *kit, tp_world *world, const tp_scene *scene,
-                 const tp_input *input)
+static void step(void *mine, const tp_program *program, tp_world *world,
+                 const tp_scene *scene, const tp_input *input)
 {
-    const tp_surface water = tp_world_surface(kit, world);
+    const tp_surface water = tp_world_surface(program, world);
     const buoy_pose  to = pose_of(&water, scene);
     buoy_state *buoy = mine;
 

@@ -92,16 +92,16 @@ static void hull_points(const tp_hull *hull, const tp_scene *scene, tp_fx points
 typedef struct { tp_fx all[4], alone[4]; } waters;
 
 /* The searches begin where those of the last tick ended. */
-static waters feel(const tp_kit *kit, tp_world *world, tp_fx points[4][2])
+static waters feel(const tp_program *program, tp_world *world, tp_fx points[4][2])
 {
-    const tp_surface surface = tp_world_surface(kit, world);
-    const tp_pool *stirred = kit->water.pools ? tp_boat_pool(world) : NULL;
+    const tp_surface surface = tp_world_surface(program, world);
+    const tp_pool *stirred = program->water.pools ? tp_boat_pool(world) : NULL;
     waters w;
 
     for (int i = 0; i < 4; i++) {
         tp_fx x = points[i][0], z = points[i][1];
         tp_sea_point at = tp_surface_above(&surface, x, z, world->afloat.rest[i]);
-        tp_fx high = stirred ? kit->water.pools->relief(stirred, x, z, 0).height : 0;
+        tp_fx high = stirred ? program->water.pools->relief(stirred, x, z, 0).height : 0;
         w.all[i] = tp_clamp(at.position.y, -WATER_MOST, WATER_MOST);
         w.alone[i] = tp_clamp(at.position.y - high, -WATER_MOST, WATER_MOST);
     }
@@ -129,7 +129,7 @@ static bool is_laid_anew(const tp_afloat *afloat, const tp_scene *scene)
         || (scene->boat.mode == TP_BOAT_KINEMATIC && scene->boat.smooth <= 0);
 }
 
-void tp_boat_init(const tp_kit *kit, tp_world *world, const tp_scene *scene)
+void tp_boat_init(const tp_program *program, tp_world *world, const tp_scene *scene)
 {
     TP_ASSERT(scene->boat.length > 0 && scene->boat.beam > 0);
     tp_afloat *a = &world->afloat;
@@ -141,7 +141,7 @@ void tp_boat_init(const tp_kit *kit, tp_world *world, const tp_scene *scene)
         a->rest[i][0] = points[i][0];
         a->rest[i][1] = points[i][1];
     }
-    const waters w = feel(kit, world, points);
+    const waters w = feel(program, world, points);
     if (is_laid_anew(a, scene)) {
         tp_boat_lay(&a->lie, w.all);
         tp_boat_lay(&a->alone, w.alone);
@@ -152,7 +152,7 @@ void tp_boat_init(const tp_kit *kit, tp_world *world, const tp_scene *scene)
     pose(world, scene);
 }
 
-void tp_boat_step(const tp_kit *kit, tp_world *world, const tp_scene *scene,
+void tp_boat_step(const tp_program *program, tp_world *world, const tp_scene *scene,
                   const tp_input *input)
 {
     tp_afloat *a = &world->afloat;
@@ -161,7 +161,7 @@ void tp_boat_step(const tp_kit *kit, tp_world *world, const tp_scene *scene,
     sail(a, scene, input);
     place(a, scene);
     hull_points(&a->hull, scene, points);
-    const waters w = feel(kit, world, points);
+    const waters w = feel(program, world, points);
     tp_boat_float(&a->lie, scene, w.all);
     tp_boat_float(&a->alone, scene, w.alone);
     tp_boat_sink(&a->hull, &a->alone, w.alone);
@@ -221,22 +221,23 @@ static bool enabled(const tp_want *want)
     return is_named(want->scene);
 }
 
-static void settle(void *mine, const tp_kit *kit, tp_world *world, const tp_scene *scene)
+static void settle(void *mine, const tp_program *program, tp_world *world,
+                   const tp_scene *scene)
 {
     (void)mine;
     if (is_named(scene))
-        tp_boat_init(kit, world, scene);
+        tp_boat_init(program, world, scene);
     world->last_boat = world->boat;
     world->aboard = is_named(scene) && scene->camera.follow == TP_FOLLOW_BOAT;
 }
 
-static void step(void *mine, const tp_kit *kit, tp_world *world, const tp_scene *scene,
-                 const tp_input *input)
+static void step(void *mine, const tp_program *program, tp_world *world,
+                 const tp_scene *scene, const tp_input *input)
 {
     (void)mine;
     world->last_boat = world->boat;
     if (is_named(scene))
-        tp_boat_step(kit, world, scene, input);
+        tp_boat_step(program, world, scene, input);
 }
 
 static bool is_valid(const void *mine, const void *fresh, const tp_world *world)

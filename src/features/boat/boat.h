@@ -33,10 +33,10 @@ typedef struct {
 /* Lays the boat on the water at tick 0, and after a change of the scene's numbers: it
  * stays as far from the scene's place and heading as it has sailed, and a boat that
  * floats by its weight or follows slowly goes on from where it lay. */
-void tp_boat_init(const tp_kit *kit, tp_world *world, const tp_scene *scene);
+void tp_boat_init(const tp_program *program, tp_world *world, const tp_scene *scene);
 
 /* One tick; the water has been moved already, world->last_boat been kept. */
-void tp_boat_step(const tp_kit *kit, tp_world *world, const tp_scene *scene,
+void tp_boat_step(const tp_program *program, tp_world *world, const tp_scene *scene,
                   const tp_input *input);
 
 /* Whether the boat of a world whose bytes come from outside is in the ranges that steps

@@ -361,10 +361,10 @@ static bool enabled(const tp_want *want)
     return want->scene->boat.mesh[0] != '\0';
 }
 
-static void step(void *mine, const tp_kit *kit, tp_world *world, const tp_scene *scene,
-                 const tp_input *input)
+static void step(void *mine, const tp_program *program, tp_world *world,
+                 const tp_scene *scene, const tp_input *input)
 {
-    (void)mine, (void)kit, (void)input;
+    (void)mine, (void)program, (void)input;
     if (scene->boat.mesh[0])
         tp_boat_wake(world, scene);
 }

@@ -295,10 +295,10 @@ static void hit(void *mine, const tp_scene *scene, const tp_impact *impact, tp_f
         tp_drops_ring(mine, &scene->drops, impact);
 }
 
-static void move_drops(tp_drops *drops, const tp_kit *kit, tp_world *world,
+static void move_drops(tp_drops *drops, const tp_program *program, tp_world *world,
                        const tp_scene *scene)
 {
-    const tp_surface surface = tp_world_surface(kit, world);
+    const tp_surface surface = tp_world_surface(program, world);
     const tp_drop *drop = tp_drops_list(drops);
     tp_impact impact;
 
@@ -307,23 +307,23 @@ static void move_drops(tp_drops *drops, const tp_kit *kit, tp_world *world,
                                        NULL).position.y;
         if (tp_drops_step(drops, &scene->drops, i, scene->water.gravity, level,
                           world->tick, &impact))
-            tp_modules_hit(kit, world, scene, &impact, level);
+            tp_modules_hit(program, world, scene, &impact, level);
     }
 }
 
-uint32_t tp_drops_rings_at(const tp_drops *drops, const tp_kit *kit, int64_t time,
+uint32_t tp_drops_rings_at(const tp_drops *drops, const tp_program *program, int64_t time,
                            tp_ring_now *to, uint32_t room)
 {
     const tp_ring *ring = tp_drops_rings(drops);
     uint32_t n = 0;
 
-    for (uint32_t i = 0; kit->water.rings && i < drops->rings && n < room; i++)
-        n += kit->water.rings->at(&ring[i], time, &to[n]);
+    for (uint32_t i = 0; program->water.rings && i < drops->rings && n < room; i++)
+        n += program->water.rings->at(&ring[i], time, &to[n]);
     return n;
 }
 
-static void step(void *mine, const tp_kit *kit, tp_world *world, const tp_scene *scene,
-                 const tp_input *in)
+static void step(void *mine, const tp_program *program, tp_world *world,
+                 const tp_scene *scene, const tp_input *in)
 {
     const int64_t time = (int64_t)(world->tick * TP_FX_ONE);
     tp_drops *drops = mine;
@@ -333,9 +333,9 @@ static void step(void *mine, const tp_kit *kit, tp_world *world, const tp_scene 
     tp_drops_release_due(drops, &scene->drops);
     if (in && in->drops > 0)
         tp_drops_release(drops, &scene->drops, (uint32_t)in->drops);
-    move_drops(drops, kit, world, scene);
+    move_drops(drops, program, world, scene);
     tp_drops_tidy(drops, time, 200 * TP_FX_ONE);
-    now->count = tp_drops_rings_at(drops, kit, time, now->ring, now->room);
+    now->count = tp_drops_rings_at(drops, program, time, now->ring, now->room);
 }
 
 static void add_surface(const void *mine, tp_surface *surface)

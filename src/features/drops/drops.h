@@ -12,6 +12,6 @@
 #define TP_DROPS_ID TP_MODULE_ID('d', 'r', 'o', 'p')
 
 /* The rings as they lie at `time`, ticks x 65536: so many of *to, which has this room. */
-uint32_t tp_drops_rings_at(const tp_drops *drops, const tp_kit *kit, int64_t time,
+uint32_t tp_drops_rings_at(const tp_drops *drops, const tp_program *program, int64_t time,
                            tp_ring_now *to, uint32_t room);
 #endif

@@ -246,8 +246,9 @@ static void add_surface(tp_frame *frame, void *mine, tp_surface *surface)
     drawn_drops *d = mine;
 
     surface->ring = d->ring;
-    surface->rings = drops ? tp_drops_rings_at(drops, frame->kit, frame->drawn.time,
-                                               d->ring, d->ring_room) : 0;
+    surface->rings = drops ? tp_drops_rings_at(drops, frame->program, frame->drawn.time,
+                                               d->ring, d->ring_room)
+                           : 0;
 }
 
 static void begin(tp_frame *frame, void *mine)

@@ -220,11 +220,11 @@ static bool refresh(void *mine, tp_world *world, const tp_want *want)
 }
 
 /* Camera and light are where this tick has moved them. */
-static void step(void *mine, const tp_kit *kit, tp_world *world, const tp_scene *scene,
-                 const tp_input *input)
+static void step(void *mine, const tp_program *program, tp_world *world,
+                 const tp_scene *scene, const tp_input *input)
 {
     TP_ASSERT(scene->hdr.rate >= 0);
-    (void)mine, (void)kit, (void)input;
+    (void)mine, (void)program, (void)input;
     world->exposure = tp_exposure_step(world->exposure, tp_meter_mean(world, scene),
                                        scene->hdr.rate);
 }

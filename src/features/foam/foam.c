@@ -302,10 +302,10 @@ static bool fits(const void *mine, const tp_scene *scene)
     return foam->cells == (uint32_t)scene->foam.cells && foam->cell == scene->foam.cell;
 }
 
-static void step(void *mine, const tp_kit *kit, tp_world *world, const tp_scene *scene,
-                 const tp_input *input)
+static void step(void *mine, const tp_program *program, tp_world *world,
+                 const tp_scene *scene, const tp_input *input)
 {
-    (void)kit, (void)input;
+    (void)program, (void)input;
     tp_foam_step(mine, world, scene);
 }
 

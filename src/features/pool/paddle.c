@@ -84,12 +84,12 @@ static bool enabled(const tp_want *want)
     return has_paddle(&want->scene->pool) || has_paddle(&want->scene->field);
 }
 
-static void step(void *mine, const tp_kit *kit, tp_world *world, const tp_scene *scene,
-                 const tp_input *input)
+static void step(void *mine, const tp_program *program, tp_world *world,
+                 const tp_scene *scene, const tp_input *input)
 {
     tp_pool *pool = tp_parts_pool(world), *field = tp_parts_field(world);
 
-    (void)mine, (void)kit, (void)input;
+    (void)mine, (void)program, (void)input;
     if (pool && has_paddle(&scene->pool))
         tp_paddle_push(pool, &scene->pool, world->tick);
     if (field && has_paddle(&scene->field))

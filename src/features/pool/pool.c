@@ -56,10 +56,10 @@ static void push(tp_pool *pool, const tp_scene *scene, const tp_input *in)
     }
 }
 
-static void step_pokes(void *mine, const tp_kit *kit, tp_world *world,
+static void step_pokes(void *mine, const tp_program *program, tp_world *world,
                        const tp_scene *scene, const tp_input *in)
 {
-    (void)mine, (void)kit;
+    (void)mine, (void)program;
     push(tp_parts_pool(world), scene, in);
     poke(tp_world_part(world, TP_POOL_ID), world, &scene->pool);
     poke(tp_world_part(world, TP_FIELD_ID), world, &scene->field);
@@ -105,12 +105,12 @@ static bool refresh_one(tp_basin *basin, const tp_scene *scene, bool field)
     return tp_pool_tune(&basin->pool, &config);
 }
 
-static void step(void *mine, const tp_kit *kit, tp_world *world, const tp_scene *scene,
-                 const tp_input *in)
+static void step(void *mine, const tp_program *program, tp_world *world,
+                 const tp_scene *scene, const tp_input *in)
 {
     tp_basin *basin = mine;
 
-    (void)kit, (void)world, (void)scene, (void)in;
+    (void)program, (void)world, (void)scene, (void)in;
     tp_pool_step(&basin->pool);
 }
 

@@ -318,12 +318,12 @@ static void throw_bow(tp_world *world, const tp_scene *scene, tp_spray *spray,
 
 /* ----------------------------------------------------------------------------------- */
 
-static void step(void *mine, const tp_kit *kit, tp_world *world, const tp_scene *scene,
-                 const tp_input *input)
+static void step(void *mine, const tp_program *program, tp_world *world,
+                 const tp_scene *scene, const tp_input *input)
 {
     (void)input;
     tp_spray *spray = mine;
-    const tp_surface surface = tp_world_surface(kit, world);
+    const tp_surface surface = tp_world_surface(program, world);
 
     fly_all(spray, scene, &surface);
     try_crests(world, scene, spray, &surface);

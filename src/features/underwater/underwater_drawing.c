@@ -99,7 +99,7 @@ static bool can_show(const tp_frame *frame)
 {
     const tp_stage *stage = tp_frame_stages(frame, TP_UNDERWATER_ID);
 
-    return frame->kit->stage.view && stage[BELOW] && stage[DEEP] && stage[ABSORB];
+    return frame->program->stage.view && stage[BELOW] && stage[DEEP] && stage[ABSORB];
 }
 
 static void begin(tp_frame *frame, void *mine)

@@ -113,8 +113,9 @@ static void link_layers(chain *c, const tp_frame *frame, const tp_quick_layers *
     if (layers)
         link_stage(c, places_stage(stage, bends, thin));
     link_stage(c, even ? stage[TP_NTH_quick_layers_even]
-                  : !layers ? frame->kit->stage.plain
-                  : stage[thin ? TP_NTH_quick_layers_thin : TP_NTH_quick_layers]);
+                  : !layers
+                      ? frame->program->stage.plain
+                      : stage[thin ? TP_NTH_quick_layers_thin : TP_NTH_quick_layers]);
     link_stage(c, stage[ripples ? TP_NTH_quick_ripple : TP_NTH_quick_slopes]);
 }
 

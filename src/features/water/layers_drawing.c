@@ -45,7 +45,8 @@ static void add_base(const tp_frame *frame, const void *mine, const tp_stage *st
     tp_shaders_add(list, TP_AT_COLOUR,
                    tp_shaders_pick(list, texture_stage(frame, stage),
                                    stage[TP_NTH_texture] ? stage[TP_NTH_texture]
-                                                         : frame->kit->stage.plain), mine);
+                                                         : frame->program->stage.plain),
+                   mine);
 }
 
 const tp_drawing tp_base_layer_drawing = {
@@ -96,7 +97,7 @@ static void add_layers(const tp_frame *frame, const void *mine, const tp_stage *
     if (layers->bend.texture && layers->strength > 0 && (added || base))
         tp_shaders_add(list, TP_AT_PLACE, stage[TP_NTH_bend], mine);
     if (added && !base)
-        tp_shaders_add(list, TP_AT_COLOUR, frame->kit->stage.plain, NULL);
+        tp_shaders_add(list, TP_AT_COLOUR, frame->program->stage.plain, NULL);
     if (added)
         tp_shaders_add(list, TP_AT_COLOUR, stage[TP_NTH_layers + linear], mine);
 }

@@ -17,7 +17,7 @@ static void add_light(const tp_frame *frame, const void *mine, const tp_stage *s
 {
     const bool blinn = frame->scene->light.model == TP_LIGHT_BLINN;
     const tp_stage light = stage[2 * blinn + list->rippled];
-    const tp_stage view = frame->kit->stage.view;
+    const tp_stage view = frame->program->stage.view;
 
     if (list->kind != TP_LIST_WATER)
         return;

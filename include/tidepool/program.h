@@ -1,22 +1,23 @@
 /* SPDX-License-Identifier: MIT */
-/* The kit: all that drawing and stepping a scene may call but need not.
+/* A program: what stepping and drawing scenes may call but need not.
  *
- * The core reaches everything optional through one constant struct of pointers.  A
- * program that gives it a kit of its own, with what its scenes need and NULL for the
- * rest, links that alone (-ffunction-sections, --gc-sections):
+ * The core reaches everything optional through one constant struct of pointers.
+ * tp_program_all has everything.  An application that passes a struct of its own, with
+ * what its scenes need and NULL for the rest, links that alone (-ffunction-sections,
+ * --gc-sections); `tidepool bake` writes one for a scene, or by hand:
  *
- *     static const tp_kit mine = {
+ *     static const tp_program mine = {
  *         .stage = { TP_STAGE(sky), TP_STAGE(plain), TP_STAGE(texture) },
  *         .store = { [TP_FORMAT_RGB565] = tp_store_rgb565 },
  *     };
- *     tp_frame_init_with(&mine, &frame, ...)
+ *     tp_frame_init(&mine, &frame, ...)
  *
- * C++ has no initialisers by index: there a kit comes from a file of C.
+ * C++ has no initialisers by index: there a program comes from a file of C.
  *
  * What is NULL is left out of the picture, as if the scene did not ask for it; each
  * frame's stats count it as dropped. */
-#ifndef TP_KIT_H
-#define TP_KIT_H
+#ifndef TP_PROGRAM_H
+#define TP_PROGRAM_H
 #include "tidepool/language.h"
 #include "tidepool/pixel.h"
 #include "tidepool/status.h"
@@ -116,7 +117,7 @@ typedef struct {
  * evaluated line by line in tp_frame_begin, and again for each tile that they touch.  The
  * same bits are drawn, by rows too, but as triangles where the camera looks along x.  Two
  * lines of crossings, 32 bytes for each of grid.cols, lie in the block and two in the
- * scratch of tp_frame_scratch_with(); only as many waves as there are at init have room.
+ * scratch of tp_frame_scratch_bytes(); only as many waves as there are at init have room.
  * An ocean, over a floor, is stored all the same. */
 extern const struct tp_method tp_method_streamed;
 
@@ -303,7 +304,7 @@ TP_MODULE_LIST(MODULE, UNSEEN, MODULE)
 
 struct tp_scene;
 
-typedef struct tp_kit {
+typedef struct tp_program {
     /* tp_scene_check, which every init asks.  NULL: scenes are trusted, as a baked one may
      * be: `tidepool bake` has checked it.  The check links the table of parameters. */
     tp_status (*check)(const struct tp_scene *scene, tp_error *err);
@@ -313,9 +314,9 @@ typedef struct tp_kit {
     tp_draws  draw;
     tp_methods method;
     const tp_use *modules;      /* a list of uses; NULL: none */
-} tp_kit;
+} tp_program;
 
-extern const tp_kit tp_kit_all;     /* everything there is */
+extern const tp_program tp_program_all; /* everything there is */
 
 TP_END_C
 #endif

@@ -3,26 +3,26 @@
 # Pay for what you use: what the least program costs on a Cortex-M4, which no feature may
 # raise, and the text that each feature adds to what a program links.
 #
-#   tests/budgets/kits.sh [--write]     writes minimal.csv anew
+#   tests/budgets/programs.sh [--write]     writes minimal.csv anew
 . tests/gates/lib.sh
 . tests/budgets/board.sh
 
 golden=tests/budgets/minimal.csv
-kits=build/cortex-m/kits
+programs=build/cortex-m/programs
 
 lacks arm-none-eabi-gcc gcc-arm-none-eabi "the least program" && exit 77
 lacks qemu-system-arm qemu-system-arm "the least program" && exit 77
 
-check "programs of all kits build" build BOARD=cortex-m kits
+check "all programs build" build BOARD=cortex-m programs
 check "the plugin builds" build $plugin
-check "the least one runs to its end" emulate $kits/0.elf "$scratch/said" "$scratch/counts"
+check "the least one runs to its end" emulate $programs/0.elf "$scratch/said" "$scratch/counts"
 [ "$failures" = 0 ] || exit 1
 
 # One line each: what, number.  Instructions are those of both frames.
 figures()
 {
     echo "compiler,arm-none-eabi-gcc $(arm-none-eabi-gcc -dumpversion | sed 's/\..*//')"
-    awk -f tests/budgets/map.awk $kits/0.map |
+    awk -f tests/budgets/map.awk $programs/0.map |
         awk '{ print "text," $1 "\nconstants," $2 }'
     awk '/^ram/ { for (i = 2; i < NF; i += 2) print $i "," $(i + 1) }' "$scratch/said"
     awk '/^count/ { n[$3] += $5 }
@@ -42,7 +42,7 @@ no_more()       # GOLDEN
         { seen++ }
         $2 > most[$1] { print $1 ": " $2 ", it was " most[$1]; bad = 1 }
         $2 < most[$1] { print $1 ": " $2 " is less than " most[$1] \
-            "; write it down by tests/budgets/kits.sh --write" }
+            "; write it down by tests/budgets/programs.sh --write" }
         END { exit bad || seen < 8 }' "$1" "$scratch/figures"
 }
 
@@ -62,7 +62,7 @@ before=0
 for n in $(seq 0 17); do
     name=$(awk -v n="$n" '$0 ~ "^#if FEATURES >= " n " " {
         sub(/.*\/\* /, ""); sub(/ \*\/.*/, ""); print }' tests/budgets/features.c)
-    set -- $(awk -f tests/budgets/map.awk $kits/"$n".map)
+    set -- $(awk -f tests/budgets/map.awk $programs/"$n".map)
     printf '%-58s %8d %8d %9d\n' "${name:-level water, one texture, the sky}" "$1" \
         $(($1 - before)) "$2"
     before=$1

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Every shipped scene drawn by each kit that this processor can run has the same bits. */
+/* Every shipped scene drawn by each program that this processor can run has the same bits. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -13,7 +13,7 @@
 
 #define FOLDER "assets/scenes"
 
-enum { FRAMES = 3, KITS = 8 };
+enum { FRAMES = 3, MACHINES = 8 };
 
 /* CRCs of ticks 30, 31, 32, in all formats that keep colours whole or dither them. */
 static void draw(stage *s, options *o, uint32_t crc[FRAMES])
@@ -21,12 +21,12 @@ static void draw(stage *s, options *o, uint32_t crc[FRAMES])
     o->format = TP_FORMAT_XRGB8888;
     assert_int_equal(stage_world(s), 0);
     for (int i = 0; i < 30; i++)
-        tp_world_step(s->world, &s->file.scene, NULL);
+        tp_world_step(&tp_program_all, s->world, &s->file.scene, NULL);
     for (int i = 0; i < FRAMES; i++) {
         assert_int_equal(stage_canvas(s, o), 0);
         canvas_draw(&s->canvas, s->world);
         crc[i] = picture_crc(&s->canvas.picture);
-        tp_world_step(s->world, &s->file.scene, NULL);
+        tp_world_step(&tp_program_all, s->world, &s->file.scene, NULL);
         o->format = i == 0 ? TP_FORMAT_RGB565 : TP_FORMAT_P8;
     }
 }
@@ -34,7 +34,7 @@ static void draw(stage *s, options *o, uint32_t crc[FRAMES])
 static void check_scene(const char *name, const machine *machines, size_t count)
 {
     options o = { .scene = name, .width = 200, .height = 150, .threads = 2 };
-    uint32_t crc[KITS][FRAMES];
+    uint32_t crc[MACHINES][FRAMES];
     stage s;
     assert_int_equal(stage_open(&s, &o), 0);
     for (size_t k = 0; k < count; k++) {
@@ -49,14 +49,14 @@ static void check_scene(const char *name, const machine *machines, size_t count)
 
 static void every_kit_draws_every_scene_alike(void **state)
 {
-    size_t kits, count;
-    const machine *machines = machine_kits(&kits);
+    size_t programs, count;
+    const machine *machines = machine_list(&programs);
     char **names = path_scene_names(FOLDER, &count);
     (void)state;
-    assert_true(count > 0 && kits > 0 && kits <= KITS);
+    assert_true(count > 0 && programs > 0 && programs <= MACHINES);
     for (size_t i = 0; i < count; i++) {
         char *path = path_join(FOLDER, names[i], ".ini");
-        check_scene(path, machines, kits);
+        check_scene(path, machines, programs);
         free(path);
     }
     path_free_names(names, count);
@@ -65,12 +65,12 @@ static void every_kit_draws_every_scene_alike(void **state)
 static void the_last_kit_runs_everywhere(void **state)
 {
     size_t count;
-    const machine *machines = machine_kits(&count);
+    const machine *machines = machine_list(&count);
     (void)state;
     assert_string_equal(machines[count - 1].name, "baseline");
-    assert_ptr_equal(machines[count - 1].kit, &tp_kit_all);
+    assert_ptr_equal(machines[count - 1].program, &tp_program_all);
     for (size_t k = 0; k + 1 < count; k++)      /* and others are other code */
-        assert_ptr_not_equal(machines[k].kit->stage.view, tp_kit_all.stage.view);
+        assert_ptr_not_equal(machines[k].program->stage.view, tp_program_all.stage.view);
 }
 
 int main(void)
@@ -79,5 +79,5 @@ int main(void)
         cmocka_unit_test(every_kit_draws_every_scene_alike),
         cmocka_unit_test(the_last_kit_runs_everywhere),
     };
-    return cmocka_run_group_tests_name("kits", tests, NULL, NULL);
+    return cmocka_run_group_tests_name("machines", tests, NULL, NULL);
 }

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The water's pictures, ripples and views have the same bits by every kit that this
+/* The water's pictures, ripples and views have the same bits by every program that this
  * processor can run: over random runs of any length, slopes up to 8, pictures of any side,
  * and of levels that change within a run. */
 #include <stdarg.h>
@@ -16,10 +16,10 @@ enum { ROUNDS = 4000 };
 static uint64_t chance;
 static tp_texture texture[SIDES];
 
-/* A stage of a module, or of the kit; what it reads of the module. */
+/* A stage of a module, or of the program; what it reads of the module. */
 typedef struct {
     const char *name;
-    const struct tp_module *module;     /* NULL: the kit's */
+    const struct tp_module *module; /* NULL: the program's */
     size_t      at;             /* in its table, or of its pointer in tp_stages */
     const void *mine;
 } row;
@@ -42,14 +42,14 @@ enum { ROWS = sizeof rows / sizeof rows[0] };
 
 static stage *stage_of(const machine *m, const row *r)
 {
-    const tp_use *u = m->kit->modules;
+    const tp_use *u = m->program->modules;
     stage *s;
 
     while (r->module && u->module != r->module)
         u++;
     if (r->module)
         return u->stage[r->at];
-    memcpy(&s, (const char *)&m->kit->stage + r->at, sizeof s);
+    memcpy(&s, (const char *)&m->program->stage + r->at, sizeof s);
     return s;
 }
 
@@ -120,7 +120,7 @@ static void compare(const row *r, const machine *a, const machine *b)
 static void every_kit_lays_and_bends_water_alike(void **state)
 {
     size_t count;
-    const machine *machines = machine_kits(&count);
+    const machine *machines = machine_list(&count);
     (void)state;
 
     for (size_t m = 0; m + 1 < count; m++)

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Kits that lack things: what a program leaves out of its kit is left out of the picture,
+/* Programs that lack things: what a program leaves out is left out of the picture,
  * whatever the scene asks for, and nothing else changes. */
 #include <stdarg.h>
 #include <stddef.h>
@@ -13,25 +13,25 @@ static uint64_t chance;
 static test_kit kit;
 static test_twice twice;
 
-static const tp_kit least = {
+static const tp_program least = {
     .stage = { TP_STAGE(sky), TP_STAGE(plain) },
     .store = { [TP_FORMAT_XRGB8888] = tp_store_xrgb8888 },
     .method = { TP_METHOD(triangles) },
 };
 
-static tp_world *world_by(const tp_kit *by, const tp_scene *scene,
+static tp_world *world_by(const tp_program *by, const tp_scene *scene,
                           const tp_assets *assets)
 {
-    const size_t bytes = tp_world_bytes_with(by, scene, assets);
+    const size_t bytes = tp_world_bytes(by, scene, assets);
     tp_world *world = bytes ? malloc(bytes) : NULL;
 
-    if (world && tp_world_init_with(by, world, bytes, scene, assets, NULL) != TP_OK)
+    if (world && tp_world_init(by, world, bytes, scene, assets, NULL) != TP_OK)
         abort();
     return world;
 }
 
-/* The frame's kit may be another than the world's. */
-static void draw_by(const tp_kit *by, const tp_kit *moved_by)
+/* The frame's program may be another than the world's. */
+static void draw_by(const tp_program *by, const tp_program *moved_by)
 {
     tp_scene scene = kit_scene(&chance, 40, 24);
     const tp_assets assets = kit_assets(&kit, &scene, &chance);
@@ -44,10 +44,10 @@ static void draw_by(const tp_kit *by, const tp_kit *moved_by)
     twice_begin(&twice, &scene, &assets, &chance);
     twice_draw(&twice, world);
     for (int n = 0; n < 3; n++)
-        tp_world_step_with(moved_by, world, &scene, &input);
+        tp_world_step(moved_by, world, &scene, &input);
     world->back = chance_fx(&chance, 0, 1);
-    tp_world_refresh_with(moved_by, world, &scene, &assets);
-    tp_world_above_with(moved_by, world, TP_FX_ONE, TP_FX_ONE);
+    tp_world_refresh(moved_by, world, &scene, &assets);
+    tp_world_above(moved_by, world, TP_FX_ONE, TP_FX_ONE);
     twice_draw(&twice, world);
     twice_end(&twice);
     free(world);
@@ -57,8 +57,8 @@ static void any_kit_draws_any_scene(void **state)
 {
     (void)state;
     for (int n = 0; n < 400; n++) {
-        const tp_kit by = thin_kit(&chance), other = thin_kit(&chance);
-        draw_by(&by, n % 3 ? &by : n % 2 ? &tp_kit_all : &other);
+        const tp_program by = thin_program(&chance), other = thin_program(&chance);
+        draw_by(&by, n % 3 ? &by : n % 2 ? &tp_program_all : &other);
     }
     twice_print(&twice.reached);
     const twice_reached *r = &twice.reached;    /* rare things are other tests' */
@@ -71,8 +71,8 @@ static void any_kit_draws_any_scene(void **state)
 
 enum { W = 64, H = 48 };
 
-static uint32_t drawn_by(const tp_kit *by, const tp_scene *scene, const tp_assets *assets,
-                         uint32_t *dropped)
+static uint32_t drawn_by(const tp_program *by, const tp_scene *scene,
+                         const tp_assets *assets, uint32_t *dropped)
 {
     const tp_frame_config config = { W, H, 0, 0, TP_FORMAT_XRGB8888 };
     test_frame f = frame_by(by, scene, assets, &config);
@@ -90,7 +90,7 @@ static uint32_t drawn_by(const tp_kit *by, const tp_scene *scene, const tp_asset
 
 static void a_kit_of_what_a_scene_needs_draws_it_as_all_does(void **state)
 {
-    tp_kit own = least;
+    tp_program own = least;
     tp_assets assets = { .layer[0] = &kit.picture[0] };
     uint32_t lacks;
     tp_scene scene;
@@ -105,7 +105,7 @@ static void a_kit_of_what_a_scene_needs_draws_it_as_all_does(void **state)
                                     { 0 } };
     const uint32_t crc = drawn_by(&own, &scene, &assets, &lacks);
     assert_int_equal(lacks, 0);
-    assert_int_equal(crc, drawn_by(&tp_kit_all, &scene, &assets, &lacks));
+    assert_int_equal(crc, drawn_by(&tp_program_all, &scene, &assets, &lacks));
 }
 
 /* As if the scene did not ask for it; what the list of modules does not know it cannot
@@ -121,7 +121,7 @@ static void what_a_kit_lacks_is_left_out_and_counted(void **state)
         { &tp_boat_module, &tp_boat_drawing, unlit, NULL }, TP_USE_UNSEEN(hull),
         TP_USE(reflectance), TP_USE(glint), { 0 }
     };
-    tp_kit own = tp_kit_all;
+    tp_program own = tp_program_all;
     uint32_t lacks;
     tp_scene scene;
 
@@ -133,7 +133,7 @@ static void what_a_kit_lacks_is_left_out_and_counted(void **state)
     const uint32_t crc = drawn_by(&own, &scene, &assets, &lacks);
     assert_int_equal(lacks, 1);
     scene.boat.mesh[0] = '\0';
-    assert_int_equal(crc, drawn_by(&tp_kit_all, &scene, &none, &lacks));
+    assert_int_equal(crc, drawn_by(&tp_program_all, &scene, &none, &lacks));
     assert_int_equal(lacks, 0);
 }
 
@@ -158,7 +158,7 @@ static tp_scene quick_scene(int32_t rate)
     return s;
 }
 
-/* A stage reads what the one before left: a kit that lacks one of the quick list draws
+/* A stage reads what the one before left: a program that lacks one of the quick list draws
  * exactly, and one that lacks a stage of every second column draws every column.  Quick
  * stages that the scene does not run are not asked for. */
 static void a_kit_without_a_quick_stage_takes_the_next_better_rung(void **state)
@@ -174,27 +174,29 @@ static void a_kit_without_a_quick_stage_takes_the_next_better_rung(void **state)
 
     (void)state;
     exact.quality.shading = TP_SHADING_EXACT;
-    const uint32_t by_exact = drawn_by(&tp_kit_all, &exact, &assets, &lacks);
-    const uint32_t by_full = drawn_by(&tp_kit_all, &full, &assets, &lacks);
+    const uint32_t by_exact = drawn_by(&tp_program_all, &exact, &assets, &lacks);
+    const uint32_t by_full = drawn_by(&tp_program_all, &full, &assets, &lacks);
     assert_int_not_equal(by_full, by_exact);
-    assert_int_not_equal(by_full, drawn_by(&tp_kit_all, &half, &assets, &lacks));
-#define X(name) { \
-        tp_kit own = tp_kit_all; \
-        WITHOUT_STAGE(own, use, table, fast_water, name); \
-        if (drawn_by(&own, &full, &assets, &lacks) != by_exact) \
-            fail_msg("without %s: not the exact picture", #name); \
+    assert_int_not_equal(by_full, drawn_by(&tp_program_all, &half, &assets, &lacks));
+#define X(name)                                                                          \
+    {                                                                                    \
+        tp_program own = tp_program_all;                                                 \
+        WITHOUT_STAGE(own, use, table, fast_water, name);                                \
+        if (drawn_by(&own, &full, &assets, &lacks) != by_exact)                          \
+            fail_msg("without %s: not the exact picture", #name);                        \
     }
     OF_LIST(X)
 #undef X
-#define X(name) { \
-        tp_kit own = tp_kit_all; \
-        WITHOUT_STAGE(own, use, table, fast_water, name); \
-        if (drawn_by(&own, &half, &assets, &lacks) != by_full) \
-            fail_msg("without %s: not the picture of every column", #name); \
+#define X(name)                                                                          \
+    {                                                                                    \
+        tp_program own = tp_program_all;                                                 \
+        WITHOUT_STAGE(own, use, table, fast_water, name);                                \
+        if (drawn_by(&own, &half, &assets, &lacks) != by_full)                           \
+            fail_msg("without %s: not the picture of every column", #name);              \
     }
     OF_HALVES(X)
 #undef X
-    tp_kit own = tp_kit_all;
+    tp_program own = tp_program_all;
     WITHOUT_STAGE(own, use, table, fast_water, quick_between);
 #define X(name) table[TP_NTH_##name] = NULL;
     OF_OTHERS(X)
@@ -203,7 +205,7 @@ static void a_kit_without_a_quick_stage_takes_the_next_better_rung(void **state)
     assert_int_equal(lacks, 0);
 }
 
-static void refused(const tp_kit *by, tp_format format, const char *word)
+static void refused(const tp_program *by, tp_format format, const char *word)
 {
     static uint64_t block[65536];
     const tp_frame_config config = { 16, 16, 0, 0, format };
@@ -214,15 +216,15 @@ static void refused(const tp_kit *by, tp_format format, const char *word)
 
     tp_scene_default(&scene);
     scene.grid.cols = scene.grid.rows = 2;
-    assert_int_equal(tp_frame_init_with(by, &frame, &scene, &none, &config, block, &err),
-                     TP_E_KIT);
+    assert_int_equal(tp_frame_init(by, &frame, &scene, &none, &config, block, &err),
+                     TP_E_PROGRAM);
     assert_string_equal(err.word, word);
     assert_null(frame);
 }
 
 static void a_kit_without_sky_plain_or_the_format_is_refused(void **state)
 {
-    tp_kit lacking = least;
+    tp_program lacking = least;
 
     (void)state;
     refused(&least, TP_FORMAT_RGB565, "rgb565");
@@ -243,5 +245,5 @@ int main(void)
     };
     chance = random_seed();
     kit_make(&kit, &chance);
-    return cmocka_run_group_tests_name("kits", tests, NULL, NULL);
+    return cmocka_run_group_tests_name("programs", tests, NULL, NULL);
 }
