@@ -454,7 +454,7 @@ baked = $(eval $(call baked_in,$1,$2,$3)) $(foreach n,16 32 64 128,$(foreach fol
 $(call baked,build/baked)
 # A board's with the list that it is linked by: what is in that follows from all that draws.
 ifdef BAKE
-$(call baked,$(BUILD)/baked,$(BAKE),build/host/tidepool)
+$(call baked,$(BUILD)/baked,$(BAKE),build/host/tidepool ports/$(BOARD)/board.mk)
 endif
 build/baked/prices.c: tests/budgets/prices.ini $(BAKES) $(SHIPPED) | build/host/tidepool
 	@mkdir -p $(@D)

@@ -38,9 +38,9 @@ check "list" answered "list pool." "ok $rows parameters"
 refused()       { ask "$1" | grep "$2"; }
 check "what the world has no room for" refused "set pool.cols 48" \
     "^error pool.cols = 48 cells needs [0-9]* bytes of the world, which has [0-9]*\$"
-check "what the frame has no memory for" refused "set sky.kind day" \
-    "^ok sky.kind = day, in part: needs [0-9]* bytes of the frame, which has [0-9]*\$"
-check "as it was" answered "set sky.kind gradient" "ok sky.kind = gradient"
+check "what the frame has no memory for" refused "set wave2.amplitude 1" \
+    "^ok wave2.amplitude = 1 m, in part: needs [0-9]* bytes of the frame, which has [0-9]*\$"
+check "as it was" answered "set wave2.amplitude 0" "ok wave2.amplitude = 0 m"
 
 # -- hostile lines -----------------------------------------------------------------------
 
@@ -85,6 +85,20 @@ check "as the host with the same numbers" draws --set light.elevation=60 \
     --set camera.pitch=-30 --set wave0.amplitude=0.25 --set water.colour=#808080
 refuse "which differ from others" draws --set light.elevation=60 \
     --set camera.pitch=-30 --set wave0.amplitude=0.24 --set water.colour=#808080
+
+# Each line needs a piece of the program that the scene as it was baked does without.
+changes="light.elevation=60 camera.pitch=-30 wave0.amplitude=0.25 water.colour=#808080"
+switched()      # NAME=VALUE: and all before it
+{
+    changes="$changes $1"
+    answered "set $1" "ok $(echo "$1" | sed 's/=/ = /')$2" && restarted 60 &&
+        # shellcheck disable=SC2046
+        draws $(printf -- '--set %s ' $changes)
+}
+check "sharp crests" switched wave0.power=3
+check "a paddle" switched pool.paddle=0.5 " m"
+check "no glint" switched water.specular=0
+check "and no mirror: diffuse light" switched water.reflection=0
 
 goes_on()       { answered go "ok go" && until_true later; }
 later()         { [ "$(tick_of "$(ask state)")" -gt 60 ]; }

@@ -4,8 +4,8 @@
  *
  * What they put in is written as the lines of a tape (tidepool/tape.h): under "tape 1
  * SCENE" and by `tidepool render SCENE --tape` they draw the same pictures elsewhere.
- * The scene lies in RAM, where lines change it.  In a window, arrows and Ctrl are its
- * buttons:
+ * The scene lies in RAM, where lines change it; board.mk names what they may switch on.
+ * In a window, arrows and Ctrl are its buttons:
  *
  *     make BOARD=cortex-m/lm3s6965evb SCENE=tarn elf
  *     qemu-system-arm -M lm3s6965evb -serial stdio \
@@ -22,30 +22,8 @@
 #define TICK_CLOCKS   (EVB_HZ / TP_TICKS_PER_SECOND)
 #define TICKS_AT_ONCE 8             /* behind by more, the water slows down */
 
-/* Waves, pools, drops, spray, a boat, foam, layers, ripples and two kinds of sky: 256 KB
- * of flash hold no more.  Crossings are streamed, since 64 KB would not hold them. */
-static const tp_use modules[] = {
-    TP_USE(bumps), TP_USE(base_layer), TP_USE(layers), TP_USE(ripple), TP_USE(lighting),
-    TP_USE(diffuse),
-    TP_USE_WITH(sky_dome, tp_stage_sky_dome, NULL, NULL, tp_stage_reflect_dome),
-    TP_USE_WITH(haze, tp_stage_haze, tp_stage_haze_dome, NULL),
-    TP_USE(boat), TP_USE(drops), TP_USE_UNSEEN(hull), TP_USE_UNSEEN(wake),
-    TP_USE_UNSEEN(pokes), TP_USE_UNSEEN(paddle), TP_USE_UNSEEN(main_pool),
-    TP_USE_UNSEEN(field),
-    TP_USE_WITH(reflectance, tp_stage_mirror, tp_stage_slopes, tp_stage_reflect_gradient,
-                tp_stage_fresnel, NULL),
-    TP_USE(glint), TP_USE(lids), TP_USE(foam), TP_USE(spray), { 0 }
-};
-static const tp_program program = {
-    .modules = modules,
-    .check = tp_scene_check,
-    .stage = { TP_STAGE(sky), TP_STAGE(plain), TP_STAGE(view) },
-    .store[TP_FORMAT_L8] = tp_store_l8,
-    .water = { TP_WATER(swells), TP_WATER(sharp), TP_WATER(rings), TP_WATER(pools) },
-    .method.triangles = &tp_method_streamed,
-};
-
-static const tp_frame_config picture = { 128, 64, 0, 8, TP_FORMAT_L8 };
+static const tp_program      *const program = &baked_program;
+static const tp_frame_config *const picture = &baked_picture;
 
 static tp_scene  scene;
 static control   lines;
@@ -92,10 +70,10 @@ static void *take(tp_arena *arena, const char *what, size_t bytes)
 static void open_scene(void)
 {
     const lcd_config config = {
-        .panel = &lcd_ssd0323, .frame = picture,
+        .panel = &lcd_ssd0323, .frame = *picture,
         .wires = { NULL, evb_command, evb_data, NULL, evb_pause },
     };
-    const size_t bytes = tp_world_bytes(&program, &baked_scene, &baked_assets);
+    const size_t bytes = tp_world_bytes(program, &baked_scene, &baked_assets);
     tp_arena arena = tp_arena_over(arena_start, (size_t)(arena_end - arena_start));
     tp_error err;
     char     text[160];
@@ -103,17 +81,16 @@ static void open_scene(void)
     scene = baked_scene;
     world = take(&arena, "ram world ", bytes);
     scratch =
-        take(&arena, " scratch ", tp_frame_scratch_bytes(&program, &scene, &picture));
+        take(&arena, " scratch ", tp_frame_scratch_bytes(program, &scene, picture));
     void *block = take(&arena, " frame ",
-                       tp_frame_bytes(&program, &scene, &baked_assets, &picture));
+                       tp_frame_bytes(program, &scene, &baked_assets, picture));
     void *sends = take(&arena, " panel ", lcd_bytes(&config, NULL));
     say(" left ", arena.bytes - arena.used);
     const lcd_status status = lcd_open(&panel, &config, sends);
     if (status != LCD_OK)
         stop_on(lcd_status_text(status));
-    if (tp_world_init(&program, world, bytes, &scene, &baked_assets, &err)
-        || tp_frame_init(&program, &frame, &scene, &baked_assets, &picture, block,
-                         &err)) {
+    if (tp_world_init(program, world, bytes, &scene, &baked_assets, &err)
+        || tp_frame_init(program, &frame, &scene, &baked_assets, picture, block, &err)) {
         tp_error_text(&err, text, sizeof text);
         stop_on(text);
     }
@@ -121,12 +98,12 @@ static void open_scene(void)
     say(" vertices ", ram.vertices);
     say(" mirror ", ram.mirror);
     say(" reserve ", board_stack_bytes());
-    say("\npicture ", picture.width);
-    say("x", picture.height);
+    say("\npicture ", picture->width);
+    say("x", picture->height);
     evb_text(NULL, " ");
-    evb_text(NULL, tp_format_name(picture.format));
-    say(" ", picture.tile_width ? picture.tile_width : picture.width);
-    say("x", picture.tile_height);
+    evb_text(NULL, tp_format_name(picture->format));
+    say(" ", picture->tile_width ? picture->tile_width : picture->width);
+    say("x", picture->tile_height);
     evb_text(NULL, "\n");
 }
 
@@ -143,8 +120,8 @@ static uint32_t crc_of_picture(void)
     for (uint32_t i = 0; tp_frame_tile(frame, i, scratch, &tile); i++) {
         count_end();
         for (uint32_t y = tile.y0; y < tile.y1; y++)
-            crc = tp_crc32_pixels(crc, picture.format, (const uint8_t *)tile.pixels
-                                  + (y - tile.y0) * tile.stride, (int)picture.width);
+            crc = tp_crc32_pixels(crc, picture->format, (const uint8_t *)tile.pixels
+                                  + (y - tile.y0) * tile.stride, (int)picture->width);
         count_as_tiles();
     }
     count_end();
@@ -162,7 +139,8 @@ static void say_state(void *unused)
 }
 
 static const control_setup setup = {
-    &program, &scene, &scene, &baked_assets, &picture, NULL, evb_text, say_state, NULL,
+    &baked_program, &scene, &scene, &baked_assets, &baked_picture, NULL, evb_text,
+    say_state, NULL,
 };
 
 static void say_input(const tp_input *input)
@@ -181,7 +159,7 @@ static void tick(void)
 {
     const tp_input input = control_take(&lines);
     say_input(&input);
-    tp_world_step(&program, world, &scene, &input);
+    tp_world_step(program, world, &scene, &input);
 }
 
 /* Ticks that are due: those of a step at once, others by the clock. */
