@@ -6,16 +6,15 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include "cortex-m/baked.h"
 #include "lcd/lcd.h"
 #include "tests/boards/panel.h"
 #include "tests/boards/sdk/sdk.h"
 #include "tidepool/tidepool.h"
 
-extern const tp_scene baked_scene;
-extern const tp_assets baked_assets;
 int example(void);                      /* the README's main */
 
-enum { WIDTH = 320, HEIGHT = 240, FRAMES = 3, STRIP = 64, BAND = 16 };
+enum { WIDTH = 320, HEIGHT = 240, FRAMES = 3 };
 
 uint32_t sdk_ms;
 
@@ -124,11 +123,12 @@ static uint32_t wrong(void)
 
 static void say_ram(void)
 {
-    const tp_frame_config c = { WIDTH, HEIGHT, STRIP, BAND, TP_FORMAT_RGB565BE };
-    const size_t frame = tp_frame_bytes(&tp_program_all, &baked_scene, &baked_assets, &c);
-    const size_t world = tp_world_bytes(&tp_program_all, &baked_scene, &baked_assets);
-    const size_t scratch = tp_frame_scratch_bytes(&tp_program_all, &baked_scene, &c),
-                 buffers = 4 * STRIP * BAND;
+    const tp_program *p = &baked_program;
+    const tp_frame_config *c = &baked_picture;
+    const size_t frame = tp_frame_bytes(p, &baked_scene, &baked_assets, c);
+    const size_t world = tp_world_bytes(p, &baked_scene, &baked_assets);
+    const size_t scratch = tp_frame_scratch_bytes(p, &baked_scene, c),
+                 buffers = 4 * c->tile_width * c->tile_height;
     printf("frame %zu world %zu scratch %zu buffers %zu lcd %zu: %zu bytes\n", frame, world,
            scratch, buffers, sizeof(lcd), frame + world + scratch + buffers + sizeof(lcd));
 }

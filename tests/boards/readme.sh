@@ -47,7 +47,10 @@ example()
 
 ready()
 {
-    "$program" bake count-64 --name baked -o "$scratch/scene.c" &&
+    command=$(code "The worked example" "tidepool bake" | sed '/[^\\]$/q' | tr -d '\\\n')
+    command=${command#tidepool}
+    # shellcheck disable=SC2086
+    "$program" ${command%scene.c} "$scratch/scene.c" &&
         for file in "$scratch/scene.c" tests/boards/readme.c tests/boards/panel.c \
             ports/lcd/lcd.c ports/lcd/panels.c; do
             cc -std=c11 -O1 -Iinclude -Iports -I. -c "$file" \
