@@ -1,14 +1,20 @@
 /* SPDX-License-Identifier: MIT */
 /* A program: what stepping and drawing scenes may call but need not.
  *
- * The core reaches everything optional through one constant struct of pointers.
- * tp_program_all has everything.  An application that passes a struct of its own, with
- * what its scenes need and NULL for the rest, links that alone (-ffunction-sections,
- * --gc-sections); `tidepool bake` writes one for a scene, or by hand:
+ * The core reaches everything optional through one constant struct of pointers, and an
+ * application links what its struct names (-ffunction-sections, --gc-sections).
+ * tp_program_all has everything; what one scene needs is found and written by
  *
+ *     tidepool bake SCENE --size 320x240 --format rgb565 -o scene.c       SCENE_program
+ *
+ * or named by hand, with NULL for the rest:
+ *
+ *     static const tp_use modules[] = { TP_USE(base_layer), TP_USE(diffuse), { 0 } };
  *     static const tp_program mine = {
- *         .stage = { TP_STAGE(sky), TP_STAGE(plain), TP_STAGE(texture) },
+ *         .stage = { TP_STAGE(sky), TP_STAGE(plain) },
  *         .store = { [TP_FORMAT_RGB565] = tp_store_rgb565 },
+ *         .method = { TP_METHOD(flat) },
+ *         .modules = modules,
  *     };
  *     tp_frame_init(&mine, &frame, ...)
  *

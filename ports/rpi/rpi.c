@@ -13,7 +13,9 @@
  *     frames, after which the picture stays (0: it moves on in real time)
  *
  * Lines of board/control.h set the scene's numbers; while the water stands, every frame
- * that they ask for is told.
+ * that they ask for is told.  The program has everything there is: size and depth of the
+ * screen are known when it runs, lines may switch on what the scene has not, and memory is
+ * ample.
  *
  * For a board: make BOARD=rpi/raspi2b SCENE=x elf, objcopy -O binary to what board.ld
  * names, on the card beside the firmware's files.  So far it ran in QEMU alone. */
