@@ -49,14 +49,13 @@ CORE := $(addprefix src/, \
     geom/clip.c geom/grid.c geom/lens.c geom/level.c geom/lines.c geom/lod.c \
     geom/sheet.c geom/surface.c geom/vertex.c geom/vertex_more.c geom/vertex_row.c \
     geom/waters.c raster/cover.c raster/rows.c raster/span.c \
-    shade/absorb.c shade/cube.c shade/dome.c shade/inside.c shade/optics.c \
-    shade/plain.c shade/quick_ray.c shade/sky.c shade/tables.c shade/view.c \
-    scene/check.c scene/clock.c scene/drawn.c scene/faint.c scene/governor.c \
-    scene/light.c scene/module.c scene/outlook.c \
-    scene/parts.c scene/piece.c scene/plan_checked.c scene/pools.c scene/prices.c \
-    scene/rungs.c scene/stand.c scene/tape.c \
-    scene/value.c scene/works.c \
-    scene/world.c scene/world_check.c \
+    shade/absorb.c shade/cube.c shade/dome.c shade/inside.c shade/inside_places.c \
+    shade/optics.c shade/plain.c shade/quick_ray.c shade/sky.c shade/tables.c \
+    shade/view.c scene/check.c scene/clock.c scene/drawn.c scene/faint.c \
+    scene/governor.c scene/light.c scene/module.c scene/outlook.c scene/parts.c \
+    scene/piece.c scene/plan_checked.c scene/pools.c scene/prices.c scene/rungs.c \
+    scene/stand.c scene/tape.c scene/value.c scene/works.c scene/world.c \
+    scene/world_check.c \
     frame/carve.c frame/clipped.c frame/drawing.c frame/flat.c frame/frame.c \
     frame/holds.c frame/lattice.c frame/layer.c frame/lines.c frame/marks.c \
     frame/planar_map.c frame/plan.c frame/planned.c frame/projected.c frame/rows.c \

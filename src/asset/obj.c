@@ -341,7 +341,8 @@ tp_status tp_obj_loaded(tp_obj *obj, tp_error *err)
         status = tp_obj_shape(obj, err);
     if (status != TP_OK)
         return tp_obj_settle(obj, status);
-    tp_names_clear(&obj->store.image_names);    /* now that its place is free */
+    /* Image names share the memory of loading, which ends here; store.c lays it out. */
+    tp_names_clear(&obj->store.image_names);
     obj->libraries = obj->store.library_names.count;
     obj->stage = TP_STAGE_LOADED;
     return TP_OK;

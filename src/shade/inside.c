@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Rays of sight in the water; see the headers. */
+/* Rays of sight in the water: the floor or wall that a ray meets, and its light; see the
+ * headers. */
 #include "shade/beam.h"
 #include "shade/coat.h"
 #include "shade/env.h"
@@ -8,47 +9,7 @@ const uint16_t tp_inside_root[65] = {
 #include "shade/root_table.inc"
 };
 
-/* -- places --------------------------------------------------------------------------- */
-
-void tp_inside_view(tp_inside *in, const tp_shade *shade, tp_fx zi_near)
-{
-    const tp_dir3 right = shade->world.right, up = shade->world.up;
-    const tp_q30 across[3] = { right.x, right.y, right.z };
-    const tp_q30 along[3] = { up.x, up.y, up.z };
-
-    for (int k = 0; k < 3; k++) {
-        in->right[k] = (int64_t)across[k] * 4096 / shade->focal;
-        in->up[k] = (int64_t)along[k] * 4096 / shade->focal;
-    }
-    in->zi_near = zi_near;
-}
-
-/* The view is -back + right (u - u0) / focal + up (v0 - v) / focal at 1 m of depth.  Q42
- * steps times 2^16 sixteenths stay below 2^58; cut to Q20, times 2^31 of depth too. */
-void tp_inside_places(const tp_shade *shade, const tp_run *run, int32_t i, int32_t stop,
-                      tp_beam *beam)
-{
-    const tp_inside *in = shade->inside;
-    const tp_dir3 back = shade->world.back;
-    const int32_t eye[3] = { shade->eye.x, shade->eye.y, shade->eye.z };
-    const int32_t behind[3] = { back.x, back.y, back.z };
-    int64_t u = 16 * (run->x + i) + 8 - shade->u0, v = shade->v0 - 16 * run->y - 8;
-    int64_t view[3];
-
-    for (int k = 0; k < 3; k++)
-        view[k] = in->right[k] * u + in->up[k] * v - behind[k] * (int64_t)4096;
-    for (; i < stop; i++, beam++) {
-        uint32_t zi = (run->key[i] >> 1 & ~(uint32_t)0x7f) | 0x40;
-        int64_t  depth = tp_depth_of(in->zi_near, zi);
-        int32_t  at[3];
-        for (int k = 0; k < 3; k++) {
-            at[k] = tp_fx_held(eye[k] + (depth * (view[k] >> 22) >> 20));
-            view[k] += in->right[k] * 16;
-        }
-        beam->at = (tp_vec3){ at[0], at[1], at[2] };
-        beam->far = tp_fx_held(depth);
-    }
-}
+/* -- ways ----------------------------------------------------------------------------- */
 
 /* How far to go for `gap` >= 0 metres at `speed` > 0 a metre, Q1.14. */
 static inline tp_fx way_for(tp_fx gap, int32_t speed)

@@ -40,7 +40,7 @@ cost = "m4_seen"
 @upper
 set label 1 "calm-bay, gentle" at graph 0.98, 0.92 right
 set label 2 "flat" at 61, 30 center textcolor linetype 4
-set label 3 "projected" at 320, 2.2 center textcolor linetype 3
+set label 3 "projected" at 400, 1.9 right textcolor linetype 3
 set label 4 "triangles" at 100, 6 right textcolor linetype 1
 set label 5 "rows" at 300, 11 left textcolor linetype 2
 set ylabel "colours, rms levels" offset 0.5,0
@@ -48,7 +48,7 @@ set ylabel "colours, rms levels" offset 0.5,0
 @lower
 set label 1 "count-64, steep"
 set label 2 at 61, 19
-set label 3 at 480, 14
+set label 3 at 480, 14 center
 unset label 4
 unset label 5
 set xlabel "Cortex-M4 instructions a water pixel"
