@@ -224,8 +224,8 @@ static void put_all(const bake *b, const options *o, const stage *s)
 
 /* -- pictures of the quick rung ------------------------------------------------------ */
 
-/* The picture that a plan may be made for: a board's. */
-enum { WIDTH = 320, HEIGHT = 240 };
+/* The picture that a plan may be made for, a board's; a kind of rung in its report. */
+enum { WIDTH = 320, HEIGHT = 240, SHADING = 1 };
 
 static bool may_be_quick(const tp_scene *scene, const tp_assets *names)
 {
@@ -233,15 +233,23 @@ static bool may_be_quick(const tp_scene *scene, const tp_assets *names)
     return tp_reach_of(&ladder).shading >> TP_SHADING_QUICK & 1;
 }
 
-/* Whether nothing looks at the layers that quick ones are made of: exact stages draw what
- * the quick rung does not know, and exposure by itself meters the first layer.  From under
- * water the ripple's own picture is seen. */
-static bool is_all_quick(const tp_scene *scene)
+/* The plan says of a rung that it is not fit only where the scene leaves the choice. */
+static bool is_quick_fit(const tp_scene *scene, const tp_assets *names)
+{
+    tp_scene open = *scene;
+
+    open.quality.shading = TP_SHADING_AUTO;
+    const tp_plan_report report = tp_plan_of(&open, names, WIDTH, HEIGHT);
+    return report.rung[SHADING][TP_SHADING_QUICK - 1].why != TP_WHY_UNFIT;
+}
+
+/* True if nothing reads the layers from which the prepared pictures are made: the water is
+ * drawn by quick stages alone, and no meter of exposure reads the first layer.  The ripple's
+ * own picture stays: the surface from below needs it. */
+static bool is_all_quick(const tp_scene *scene, const tp_assets *names)
 {
     return scene->quality.shading == TP_SHADING_QUICK && scene->quality.frame_ms == 0
-        && scene->water.clear == 0 && scene->hdr.share == 0 && scene->foam.cells == 0
-        && scene->water.pool_bump == 0 && scene->mirror.objects == TP_MIRROR_NONE
-        && scene->hdr.exposure == TP_EXPOSURE_FIXED;
+        && scene->hdr.exposure == TP_EXPOSURE_FIXED && is_quick_fit(scene, names);
 }
 
 static const tp_texture **place_of(tp_assets *names, int i)
@@ -250,7 +258,7 @@ static const tp_texture **place_of(tp_assets *names, int i)
                                                               : &names->slopes;
 }
 
-/* What exact stages of the water look at from above. */
+/* Drops the pictures that exact stages alone read from above. */
 static void drop_layers(tp_assets *names)
 {
     for (int i = 0; i < TP_LAYERS; i++)
@@ -276,7 +284,7 @@ static int prepare(tp_assets *names, const tp_scene *scene, void *memory[TP_PREP
         tp_prepare(&made[i], scene, &from, i, memory[i]);
         *place_of(names, i) = &made[i];
     }
-    if (is_all_quick(scene))
+    if (is_all_quick(scene, &from))
         drop_layers(names);
     return EXIT_DONE;
 }

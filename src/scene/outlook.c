@@ -1,12 +1,13 @@
 /* SPDX-License-Identifier: MIT */
-/* What a scene puts before its camera at the start, estimated: pixels of level water by a
- * lattice of rays, crossings of the grid by a lattice of them, and what those pixels go
- * through.  The conditions are those of frame/plan*.c.  Boat, drops and tank are not
- * taken off the water that they hide. */
+/* An estimate of what a scene shows its camera at the start: pixels of level water by a
+ * lattice of rays, crossings of the grid by a lattice of them, and the stages of those
+ * pixels.  The modules say which stages; they are asked as a frame asks them.  Boat, drops
+ * and tank are not taken off the water that they hide. */
 #include "geom/grid.h"
 #include "scene/faint.h"
 #include "scene/light.h"
 #include "scene/module.h"
+#include "scene/pools.h"
 #include "scene/prices.h"
 #include "scene/sides.h"
 #include "scene/stand.h"
@@ -204,9 +205,8 @@ static tp_fx slant_of(const tp_stand *at)
 static void list_fits(tp_outlook *o, const tp_scene *s, const tp_stand *at, int64_t waves,
                       bool ahead)
 {
-    const bool stirred = s->pool.cols > 0 || s->field.cols > 0;
     const bool over = at->eye.y > waves + TP_FX_ONE / 8;
-    const bool swell = over && !o->ocean && !stirred && s->drops.count == 0;
+    const bool swell = over && !o->ocean && !o->stirred;
 
     o->fits[TP_VISIBILITY_TRIANGLES - 1] = 1;
     o->fits[TP_VISIBILITY_ROWS - 1] = over && ahead && rows_hold(s, o->ocean, at)
@@ -217,7 +217,24 @@ static void list_fits(tp_outlook *o, const tp_scene *s, const tp_stand *at, int6
 
 /* -- what water goes through --------------------------------------------------------- */
 
-/* The modules say themselves whether they are on. */
+/* The modules that are on and raise the water's surface.  They ask of no other module. */
+static void list_surfaces(tp_outlook *o, const tp_use *modules, const tp_want *want)
+{
+    for (const tp_use *u = modules; u && u->module; u++) {
+        const tp_module *m = u->module;
+        if (!m->surface || !m->enabled(want))
+            continue;
+        if (m->is & TP_MODULE_COASTAL)
+            o->ocean = 1;
+        else if (m->id == TP_POOL_ID || m->id == TP_FIELD_ID)
+            o->pools++;
+        else
+            o->rings = 1;
+    }
+    o->stirred = o->pools > 0 || o->rings;
+}
+
+/* The modules that are drawn and on; pools whose slopes alone are drawn raise no grid. */
 static void list_modules(tp_outlook *o, const tp_use *modules, tp_want want)
 {
     for (const tp_use *u = modules; u && u->module; u++) {
@@ -230,6 +247,8 @@ static void list_modules(tp_outlook *o, const tp_use *modules, tp_want want)
     if (!o->trait[TP_TRAIT_mirror])             /* nothing asks for the sky's mirror */
         o->trait[TP_TRAIT_dome] = o->trait[TP_TRAIT_cube] = 0;
     o->modules = want.above;
+    if (o->modules & TP_MODULE_SLOPES)
+        o->pools = 0;
 }
 
 /* The lobe's steepest place is about its height times the root of its exponent. */
@@ -244,7 +263,6 @@ static int gloss_of(const tp_scene *s)
 /* By the sum of k A: up to 1/4 is gentle, and so are pools and rings. */
 static void list_sea(tp_outlook *o, const tp_scene *s)
 {
-    const bool stirred = s->pool.cols > 0 || s->field.cols > 0 || s->drops.count > 0;
     int64_t slope = 0;
 
     for (int i = 0; i < TP_WAVES; i++) {
@@ -255,18 +273,18 @@ static void list_sea(tp_outlook *o, const tp_scene *s)
     }
     const int most = o->ocean ? TP_SEA_OCEAN : TP_SEA_STEEP;
     const int steep = slope > TP_FX_ONE / 4 ? most
-                    : slope > 0 || stirred ? TP_SEA_GENTLE : TP_SEA_LEVEL;
+                    : slope > 0 || o->stirred ? TP_SEA_GENTLE : TP_SEA_LEVEL;
     o->sea = (uint8_t)(steep + gloss_of(s));
 }
 
 static void list_waves(tp_outlook *o, const tp_scene *s)
 {
-    const bool stirred = o->pools > 0 || s->drops.count > 0;
+    const bool raised = o->pools > 0 || o->rings || o->ocean;
 
     for (int i = 0; i < TP_WAVES; i++)
         o->sharp |= s->wave[i].amplitude > 0 && s->wave[i].power > 1;
-    o->still = o->waves == 0 && !stirred && !o->ocean;
-    o->plain = !o->sharp && !stirred && !o->ocean;
+    o->still = o->waves == 0 && !raised;
+    o->plain = !o->sharp && !raised;
 }
 
 /* -- all ----------------------------------------------------------------------------- */
@@ -299,10 +317,11 @@ tp_outlook tp_outlook_of(const tp_plan_input *in)
     const uint64_t crossings = (uint64_t)scene->grid.cols * (uint64_t)scene->grid.rows;
     o.vertices = (uint32_t)(crossings * spots.spots / (SPOTS * SPOTS));
     o.drawn = (uint32_t)(crossings * spots.drawn / (256 * SPOTS * SPOTS));
-    o.ocean = tp_modules_have(in->modules, &want, TP_MODULE_COASTAL);
+    list_surfaces(&o, in->modules, &want);
+    o.trait[TP_TRAIT_plain] = 1;
+    list_modules(&o, in->modules, want);
+    o.quick = (o.modules & TP_MODULE_FAST) != 0;
     list_sea(&o, scene);
-    o.pools = scene->water.pool_bump > 0 ? 0 : (uint8_t)((scene->pool.cols > 0)
-                                                         + (scene->field.cols > 0));
     o.floor = (uint8_t)(tp_has_floor(scene) + (tp_has_floor(scene) && assets->floor));
     o.slant = slant_of(&at);
     list_waves(&o, scene);
@@ -311,8 +330,5 @@ tp_outlook tp_outlook_of(const tp_plan_input *in)
     o.near = tp_faint_near(tp_fx_held(at.eye.y - waves), &at.turn, scene->camera.fov);
     list_points(&o, &at, waves, width, height);
     list_fits(&o, scene, &at, waves, low.y >= 0 || ahead > 0);
-    o.trait[TP_TRAIT_plain] = 1;
-    list_modules(&o, in->modules, want);
-    o.quick = (o.modules & TP_MODULE_FAST) != 0;
     return o;
 }

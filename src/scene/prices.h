@@ -119,7 +119,7 @@ tp_ladder tp_ladder_by(const tp_prices *prices, const tp_plan_input *in);
 /* Whether some wave is too faint to be drawn as it is, seen from the scene's camera. */
 bool tp_thins_sea(const tp_plan_input *in);
 
-/* -- outlook.c: what a scene puts before the camera ---------------------------------- */
+/* -- outlook.c: an estimate of what the camera sees at the start ---------------------- */
 
 typedef struct {
     uint32_t water_pixels, other_pixels, vertices, waves;
@@ -127,7 +127,8 @@ typedef struct {
     tp_fx    near;              /* m to the nearest water */
     uint8_t  trait[TP_TRAIT_COUNT];     /* how often */
     uint8_t  sea;               /* its class */
-    uint8_t  pools, ocean;      /* that displace the grid */
+    uint8_t  pools, rings, ocean;       /* that raise the grid's crossings */
+    uint8_t  stirred;           /* pools or rings, also as slopes of a flat surface */
     uint8_t  floor;             /* 1: a plane, 2: a map */
     uint32_t drawn;             /* cells of the grid that get a pixel */
     tp_fx    slant;             /* of the view to the grid's lines, up to 3 */

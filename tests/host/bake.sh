@@ -105,6 +105,9 @@ same "pictures are baked as the quick rung wants them, and not beside" \
 run bake count-64 -o g.c --texels 8 --set quality.shading=quick --set water.clear=3
 same "but beside what exact stages will ask for" \
     "$(grep -c '\.graded\[0\] = &\|\.layer\[0\] = &' g.c)" 2
+run bake count-64 -o g.c --texels 8 --set quality.shading=quick --set ripple.bump=0
+same "and where smooth water under a dome is drawn by exact stages" \
+    "$(grep -c '\.layer\[0\] = &' g.c)" 1
 
 # -- the list of a program -------------------------------------------------------------
 
