@@ -55,7 +55,7 @@ typedef struct {
 /* The frame's block holds what the scene needs at init, nothing for what it lacks:
  *  - vertices: the grid and its crossings, the boat's and the land's corners, drops, rings,
  *    specks of spray
- *  - tables: a sky's gradient; by a program that lights water, shininess; of a
+ *  - tables: a sky's gradient; shininess, if the program has lit water; of a
  *    generated or cube sky, the exposure, the boat's materials, slopes of pools that bend
  *    the light only; glass, walls inside a pool, the map of caustics (2 bytes a cell)
  *  - mirror: with mirror.objects = stencil a picture of half the size and four rows of
@@ -77,15 +77,15 @@ typedef struct tp_frame tp_frame;   /* lies at the start of the block */
 size_t tp_frame_bytes(const tp_program *program, const tp_scene *scene,
                       const tp_assets *assets, const tp_frame_config *config);
 
-/* Of a tile, or of one drawn into a frame buffer, see below.  A program that streams
- * crossings (tp_method_streamed) takes two lines of them more; 24 bytes a column less, if
- * pixels do not take them, where it has neither rows nor projected. */
+/* The scratch of one tile; `into`: of a tile that is drawn into a frame buffer, see below.
+ * A program that streams crossings (tp_method_streamed) needs two lines of crossings more.
+ * Without rows and projected it needs 24 bytes a column less, unless pixels need them. */
 size_t tp_frame_scratch_bytes(const tp_program *program, const tp_scene *scene,
                               const tp_frame_config *config);
 size_t tp_frame_scratch_into_bytes(const tp_program *program, const tp_scene *scene,
                                    const tp_frame_config *config);
 
-/* Whether any scene can be drawn so: what tp_frame_init says of its config. */
+/* Checks a config as tp_frame_init does, whatever the scene. */
 tp_status tp_frame_check(const tp_frame_config *config, tp_error *err);
 
 /* `block`: tp_frame_bytes() bytes aligned to 8.  Program, scene and assets must outlive the

@@ -247,7 +247,7 @@ tp_status tp_scene_check(const tp_scene *scene, tp_error *err);
 typedef struct {
     const tp_mesh    *boat;
     const tp_texture *layer[TP_LAYERS], *distortion, *ripple, *foam;
-    /* The first three as the quick rung wants them (see shade/quick_layers.h), for this
+    /* The first three as the quick rung wants them (features/water/quick_layers.h), for this
      * scene's numbers: they stay as they are when those change.  NULL: the frame makes
      * them of the others, in its block. */
     const tp_texture *graded[TP_LAYERS], *offsets, *slopes;
@@ -418,7 +418,7 @@ const tp_drops *tp_world_drops(const tp_world *world);
 const tp_foam  *tp_world_foam(const tp_world *world);
 const tp_spray *tp_world_spray(const tp_world *world);
 
-/* Whether the camera exposes by itself. */
+/* True if the exposure is automatic. */
 bool tp_world_is_metered(const tp_world *world);
 
 TP_END_C

@@ -12,8 +12,8 @@
 typedef struct {
     picture   picture;          /* of the last canvas_draw */
     tp_frame *frame;
-    const machine *machine;     /* whose program draws ... */
-    tp_program program;         /* ... as the frame has it */
+    const machine *machine;
+    tp_program program;         /* a copy of the machine's, streaming or timed if asked */
     bool      stream;           /* without stored crossings */
     void     *block;            /* that the frame lies in */
     size_t    frame_bytes, scratch_bytes;       /* scratch: of all threads */
@@ -26,9 +26,9 @@ typedef struct {
                                            pixels by all threads */
 } canvas;
 
-/* How the picture will be drawn; nothing is allocated.  Tile sides of 0 let the canvas
- * choose.  It takes the best program that runs here, and stores crossings; another machine or
- * `stream` may then be put in place. */
+/* Sets how the picture will be drawn; nothing is allocated.  Tile sides of 0 let the canvas
+ * choose.  The plan takes the best machine that runs here and stores crossings; the caller
+ * may then set another `machine` or `stream`. */
 void canvas_plan(canvas *c, const tp_frame_config *config, uint32_t threads);
 
 /* After the plan: frame_bytes and scratch_bytes, before anything is allocated. */

@@ -36,7 +36,7 @@ static tp_fx metres(uint64_t *state, int32_t low_mm, int32_t high_mm)
 
 /* -- the world ------------------------------------------------------------------------ */
 
-/* What a player may do: steer, let drops fall, push the water, turn the light. */
+/* Random input of a player: steers, lets drops fall, pushes the water, turns the light. */
 static tp_input input_at(uint64_t *state)
 {
     const tp_fx x = metres(state, -3000, 3000), z = metres(state, -3000, 3000);
@@ -197,7 +197,7 @@ typedef struct {
     atomic_bool        failed;
 } job;
 
-/* What one thread draws with. */
+/* One thread's frame and memory. */
 typedef struct {
     void     *block, *scratch;
     tp_world *world;
@@ -261,8 +261,8 @@ static bool is_same(const dry_picture *a, const dry_picture *b)
     return a->crc == b->crc && a->dropped == b->dropped;
 }
 
-/* Those before it have been taken, so that the least that is told is the first of all,
- * whichever thread drew it. */
+/* Threads take pictures in order: all before `at` are taken, so that the least number told
+ * is the first failure, whichever thread drew it. */
 static void tell(job *j, uint32_t at)
 {
     uint32_t least = atomic_load(&j->differs);

@@ -8,7 +8,7 @@
 #include <stdbool.h>
 #include "tidepool/frame.h"
 
-/* What steps and draws. */
+/* A program with the scene and the assets that it steps and draws. */
 typedef struct {
     const tp_program *program;
     const tp_scene  *scene;
@@ -44,7 +44,7 @@ typedef struct {
 int  dry_open(dry_run *d, const dry_program *by, const tp_frame_config *config, bool acts);
 void dry_close(dry_run *d);
 
-/* Whether the program's worlds are the run's, bit for bit. */
+/* True if the program steps the run's worlds bit for bit. */
 bool dry_moves_same(const dry_run *d, const dry_program *by);
 
 /* Pictures of the cameras `which` (NULL: all), each into its place in `to`.  With `want`,

@@ -75,7 +75,7 @@ void figures_shown(figures *f, uint64_t now);
 
 void figures_limit(figures *f, float ms);       /* the graph's line; 1000/60 at first */
 
-/* Whether the stopwatch is in the canvas's program (stopwatch.h): this reads and zeroes it. */
+/* `on`: the canvas's program has the stopwatch (stopwatch.h), which this reads and zeroes. */
 void figures_measures(figures *f, bool on);
 
 /* Up to 2047 bytes, copied; more are cut. */

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* What this processor can run: the host holds the hot loops twice, for any x86-64 and for
- * those of level v3 (AVX2).  Both draw the same bits. */
+/* Builds of the core that this processor can run: the host has the hot loops twice, for any
+ * x86-64 and for level v3 (AVX2).  Both draw the same bits. */
 #ifndef HOST_MACHINE_H
 #define HOST_MACHINE_H
 #include "tidepool/program.h"

@@ -193,7 +193,7 @@ static const tp_use *timed_list(const tp_use *list)
     return timed_use;
 }
 
-/* What a program lacks it goes on to lack. */
+/* A stage that the program lacks stays NULL. */
 void stopwatch_use(canvas *c, bool on)
 {
     const tp_program *its = c->machine->program;

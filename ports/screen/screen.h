@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* A screen without a window system.  A port supplies one screen_port: its functions alone
- * touch the device.  The loop (loop.h) draws, waits and reads keys; the console
+ * touch the device.  The loop (loop.c) draws, waits and reads keys; the console
  * (console.h) owns the virtual terminal.
  *
  * Two processes share an open screen.  The parent opens it, forks, and does nothing but

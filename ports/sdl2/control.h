@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Mouse, wheel, held keys and the window's own events: what the person at the window
- * wants between two ticks.  Keys that ask once go to act.c. */
+ * wants between two ticks.  Keys that ask once go to view_act.c. */
 #ifndef SDL2_CONTROL_H
 #define SDL2_CONTROL_H
 #include <SDL.h>

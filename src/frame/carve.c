@@ -5,7 +5,7 @@
 #include "geom/waters.h"
 #include "scene/prices.h"
 
-/* Whether the program has a part that the scene asks for; if not, it counts. */
+/* True if the scene asks for a part and the program has it; a part that it lacks counts. */
 bool tp_frame_wants(tp_frame_parts *parts, bool asked, bool part)
 {
     parts->lacks += asked && !part;
@@ -40,7 +40,7 @@ bool tp_frame_streams(const tp_program *program, const tp_scene *scene)
     return method && method->streams && !tp_frame_is_coastal(program, scene);
 }
 
-/* What the modules of a picture are asked about. */
+/* The conditions that the modules of a picture are asked about. */
 tp_want tp_frame_want(const tp_program *program, const tp_frame_parts *parts,
                       const tp_scene *scene, const tp_assets *assets,
                       const tp_frame_config *config)

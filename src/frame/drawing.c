@@ -13,7 +13,7 @@
 
 /* -- memory --------------------------------------------------------------------------- */
 
-/* Whether this module is drawn; its first mark, 0 if it needs none. */
+/* True if this module is drawn; *mark is its first mark, 0 if it needs none. */
 static bool deal(tp_frame_parts *parts, const tp_use *u, tp_want *want, uint32_t *mark)
 {
     *mark = 0;

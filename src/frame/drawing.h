@@ -18,9 +18,9 @@ typedef struct tp_drawing {
     void *(*layout)(tp_arena *arena, const tp_want *want);
     void  (*init)(struct tp_frame *frame, void *mine);
 
-    /* How many marks its samples need: kinds that its stage tells apart by
-     * tp_run.material.  NULL: it draws no samples.  If too few are left, the module is not
-     * drawn. */
+    /* The number of marks that its samples need, one for each kind that its stage tells
+     * apart by tp_run.material.  NULL: it draws no samples.  If too few marks are left, the
+     * module is not drawn. */
     uint32_t (*marks)(const tp_want *want);
 
     /* Adds what it raises to the water's surface of the drawn moment. */

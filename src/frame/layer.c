@@ -30,7 +30,7 @@ uint32_t tp_frame_repeats(tp_fx size)
     return (uint32_t)((((uint64_t)1 << 32) + (uint32_t)size / 2) / (uint32_t)size);
 }
 
-/* Of a picture's longer side: of 4096 on 0.1 m they are more than 16.16 holds. */
+/* Texels of the longer side a metre; 4096 on 0.1 m are more than 16.16 holds. */
 static tp_fx texels_a_metre(const tp_texture *texture, tp_fx size)
 {
     TP_ASSERT(texture->levels > 0 && texture->levels <= TP_TEXTURE_LEVELS);

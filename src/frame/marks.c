@@ -22,7 +22,7 @@ uint32_t tp_marks_deal(tp_marks *marks, uint32_t wanted)
     return first;
 }
 
-/* Where a list's stages begin in the memory of all: only the water's list is long. */
+/* The index of a list's first stage in the memory of all lists: only the water's is long. */
 static uint32_t room_before(uint32_t i)
 {
     return i * TP_SHADERS_OTHER

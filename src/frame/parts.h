@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* What the program holds of each part of a frame that only some scenes have.  A part that the
- * program lacks the scene does not have either: carve.c sees to that, so that none of them is
- * asked for once the frame is made. */
+/* The parts of a frame that only some scenes need, as a program links them.  carve.c leaves
+ * out each part that the program lacks, so that a finished frame never asks for one. */
 #ifndef TP_FRAME_PARTS_H
 #define TP_FRAME_PARTS_H
 #include "frame/frame.h"

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* The plan as the program names it: which rungs a scene is drawn by, and the sea without what
- * is too faint to be seen.  Without it a scene is drawn by the rungs that it names, and
- * by the plainest where it names none. */
+/* The plan, as a program links it: it chooses the rungs, and drops waves too faint to be
+ * seen.  A program without it draws a scene by the rungs that the scene names, and by the
+ * plainest of each kind that the scene leaves open. */
 #include "frame/frame.h"
 #include "scene/faint.h"
 #include "scene/prices.h"

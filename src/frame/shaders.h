@@ -9,7 +9,7 @@
 #define TP_SHADERS_WATER 20     /* room of the water's list, with its end, */
 #define TP_SHADERS_OTHER 6      /* and of any other */
 
-/* Where in a list a stage stands; of one place those that were added first. */
+/* The order of stages in a list; stages of one place stand in the order they were added. */
 typedef enum {
     TP_AT_PLACE,                /* a distortion moves the places of pictures */
     TP_AT_COLOUR,               /* pictures; all that the fast stages do */
@@ -32,7 +32,7 @@ typedef struct {
     const void *mine;           /* of the module that added it, or NULL */
 } tp_shader;
 
-/* What samples a list is for. */
+/* The kind of samples that a list is for. */
 typedef enum {
     TP_LIST_SKY,
     TP_LIST_WATER,

@@ -21,7 +21,7 @@ typedef struct {
     tp_view_plane level;
 } tp_sight;
 
-/* Where mirrors look for objects. */
+/* The place where mirrors look for objects. */
 typedef struct {
     tp_vec3 middle;             /* of them, in the world */
     tp_fx   level;              /* of still water there */

@@ -39,7 +39,7 @@ typedef struct {
 
 tp_lod_share tp_lod_share_of(const tp_thinning *lod, tp_fx step, int64_t turns);
 
-/* What the program holds of it. */
+/* The functions that a program links for it. */
 struct tp_water_lod {
     void (*carve)(tp_grid *grid, tp_arena *arena);
     void (*thin)(tp_grid *grid, const tp_grid_view *view);

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* What the program holds of each model of the water's surface.  A surface names its program's
- * waters, and has no more than they know. */
+/* The models of the water's surface, as a program links them.  A surface points to its
+ * program's models and consists of those alone. */
 #ifndef TP_GEOM_WATERS_H
 #define TP_GEOM_WATERS_H
 #include "geom/level.h"

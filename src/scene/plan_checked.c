@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The plan as programs ask for it: checked, and by the measured prices.  Frames ask
- * rungs.c, as tp_frame_init has checked their scene. */
+/* The plan for callers of the library: it checks the scene and uses the measured prices.
+ * Frames ask rungs.c, as tp_frame_init has checked their scene. */
 #include "scene/parts.h"
 #include "scene/prices.h"
 
@@ -16,7 +16,7 @@ static bool can_plan(const tp_plan_input *in)
         && tp_scene_check(in->scene, NULL) == TP_OK;
 }
 
-/* By everything there is; no assets are none. */
+/* A plan for the modules of tp_program_all; NULL assets are none. */
 static tp_plan_input input_of(const tp_scene *scene, const tp_assets *assets,
                               uint32_t width, uint32_t height)
 {

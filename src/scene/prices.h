@@ -10,10 +10,10 @@
 enum { TP_KIND_VISIBILITY, TP_KIND_SHADING, TP_KIND_RATE, TP_KIND_LOD };
 enum { TP_VISIBILITIES = 4, TP_SHADINGS = 2, TP_RATES = 3, TP_LODS = 2 };
 
-/* What the water's pixels may have, each with its price; plain: what all have; diffuse:
+/* The traits of the water's pixels; each has a price.  plain: all pixels have it; diffuse:
  * light without the view; look: the view that gloss, mirror and depth share; objects: in
- * the mirror; lined: a layer of linear texels; bed, chart, tank: a plane below, a map, a
- * box. */
+ * the mirror; lined: a layer of linear texels; bed, chart, tank: a floor that is a plane, a
+ * map, a box. */
 #define TP_TRAITS(X) \
     X(plain) X(texture) X(linear) X(bend) X(layer) X(lined) X(ripple) X(bump) \
     X(diffuse) X(look) X(mirror) \
@@ -97,8 +97,8 @@ typedef struct {
 
 extern const tp_prices tp_prices_measured;
 
-/* What is planned: a picture of a scene that tp_scene_check takes, with assets, by the
- * modules of a program. */
+/* The input of a plan: a scene that passes tp_scene_check, its assets, the picture's size
+ * and the modules of a program. */
 typedef struct {
     const tp_use    *modules;
     const tp_scene  *scene;

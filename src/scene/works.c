@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
-/* What a frame does besides finding and shading water, counted without drawing it: each
- * module counts its own works.  No rung changes any of it, so the choice of rungs does not
- * ask: it is for who wants to know what a frame costs in all.  What moves is taken where
- * the scene puts it. */
+/* The works of a frame besides finding and shading water, counted without drawing: each
+ * module counts its own.  No rung changes them, so that the choice of rungs does not need
+ * them: they are for reports of what a frame costs in all.  Things that move are counted
+ * where the scene puts them at the start. */
 #include "scene/works.h"
 
 /* The modules that are on and have a cost. */

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* What a feature costs besides the water's pixels: the fourth piece of a module, which
- * reports of the plan ask.  A program that makes none does not link it.
+/* The cost of a feature besides the water's pixels: the fourth piece of a module, which
+ * reports of the plan ask.  A program that makes no reports does not link it.
  *
  * Works are counted without drawing: by the things' own geometry, and by rays of a lattice
  * over the picture, of which some meet the level water and some are stopped by things. */
@@ -41,7 +41,7 @@ typedef struct tp_cost {
     /* Counts works that its geometry tells, and the rays that its things stop. */
     void (*work)(tp_site *site);
 
-    /* Whether its things stop a ray that would meet water so far ahead, m in Q16. */
+    /* True if its things stop a ray that would meet the water `far` m ahead, Q16. */
     bool (*stops)(const tp_site *site, tp_vec3 ray, int64_t far);
 
     /* Counts works by pixels, when it is known what all rays meet. */

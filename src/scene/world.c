@@ -14,7 +14,7 @@
 
 /* -- the beginning ----------------------------------------------------------------- */
 
-/* By a program without swells it stays all 0, and ends before them. */
+/* In a program without swells the sea stays all 0, and the world ends before them. */
 static void make_sea(const tp_program *program, tp_sea *sea, const tp_scene *scene)
 {
     if (program->water.swells)

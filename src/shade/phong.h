@@ -15,7 +15,7 @@ static inline uint32_t tp_gloss_of(const tp_solid *solid, int32_t rv)
     return (uint32_t)(here + ((next - here) * part >> 8));
 }
 
-/* Of a normal and a view in these axes; lv is light . view. */
+/* The lobe of a normal and a view in these axes; lv is light . view. */
 TP_ALWAYS_INLINE uint32_t tp_phong(const tp_shade *shade, const tp_view_axes *axes,
                                    const tp_solid *solid, uint32_t diffuse,
                                    tp_vec_q14 n, tp_vec_q14 v, int32_t lv, int blinn)

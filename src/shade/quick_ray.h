@@ -7,8 +7,8 @@
 #include "shade/shade.h"
 #include "shade/slope.h"
 
-/* Of a row of pixels: the view's x, y, z at the picture's middle column, focal length 1,
- * Q1.14, and the square of its distance from the middle row, Q24. */
+/* The view of a row of pixels: x, y, z at the picture's middle column, focal length 1,
+ * Q1.14, and the square of the row's distance from the middle row, Q24. */
 typedef struct {
     int32_t x, y, z;
     uint32_t square;

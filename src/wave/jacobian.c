@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* How far waves squeeze the water of a place together. */
+/* The Jacobian of the horizontal displacement: how far waves squeeze the surface. */
 #include "wave/wave.h"
 
 /* Bends sum to 0.95 at the most, so Q30 fits and so do the products. */

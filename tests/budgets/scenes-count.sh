@@ -1,8 +1,8 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# Every shipped scene, linked by its own list, on an emulated Cortex-M4: its frames must be
-# the host's, nothing may be linked that the list lacks, and what they cost in instructions
-# by stage, RAM and stack is held against scenes.csv.
+# Every shipped scene, linked by the list that bake finds for it, on an emulated Cortex-M4:
+# its frames must be the host's, nothing may be linked that the list lacks, and the costs in
+# instructions by stage, RAM and stack are held against scenes.csv.
 #
 #   tests/budgets/scenes-count.sh [--write] [SCENE...]
 #

@@ -47,7 +47,7 @@ static void check_scene(const char *name, const machine *machines, size_t count)
     stage_close(&s);
 }
 
-static void every_kit_draws_every_scene_alike(void **state)
+static void every_machine_draws_every_scene_alike(void **state)
 {
     size_t programs, count;
     const machine *machines = machine_list(&programs);
@@ -62,7 +62,7 @@ static void every_kit_draws_every_scene_alike(void **state)
     path_free_names(names, count);
 }
 
-static void the_last_kit_runs_everywhere(void **state)
+static void the_last_machine_runs_everywhere(void **state)
 {
     size_t count;
     const machine *machines = machine_list(&count);
@@ -76,8 +76,8 @@ static void the_last_kit_runs_everywhere(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(every_kit_draws_every_scene_alike),
-        cmocka_unit_test(the_last_kit_runs_everywhere),
+        cmocka_unit_test(every_machine_draws_every_scene_alike),
+        cmocka_unit_test(the_last_machine_runs_everywhere),
     };
     return cmocka_run_group_tests_name("machines", tests, NULL, NULL);
 }

@@ -132,7 +132,7 @@ static void threads_add_up(void **state)
     assert_in_range(two, one / 4, one * 8);     /* machines are busy with other things */
 }
 
-static void a_kit_lacks_what_it_lacked(void **state)
+static void a_timed_program_has_the_stages_that_it_had(void **state)
 {
     tp_program program = tp_program_all;
     const machine poor = { "poor", &program };
@@ -180,7 +180,7 @@ int main(void)
         cmocka_unit_test(every_scene_has_the_same_bits_timed),
         cmocka_unit_test(what_is_timed_is_what_is_drawn),
         cmocka_unit_test(threads_add_up),
-        cmocka_unit_test(a_kit_lacks_what_it_lacked),
+        cmocka_unit_test(a_timed_program_has_the_stages_that_it_had),
     };
     const struct CMUnitTest told[] = { cmocka_unit_test(its_cost_is_told) };
     const int failed = cmocka_run_group_tests_name("stopwatch", tests, NULL, NULL);

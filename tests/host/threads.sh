@@ -9,7 +9,7 @@ if ! gcc -fsanitize=thread "$scratch/a.c" -o "$scratch/a" 2>/dev/null; then
     exit 77
 fi
 test=build/tsan/tests/host/test_threads
-# Without the program for processors of level v3, whose loops share what all programs' share.
+# Without the build for level v3: its loops share the same memory as the baseline's.
 built()
 {
     build TARGET=tsan OPT='-O1 -g1 -fsanitize=thread' V3_C= CHECKED=1 $test

@@ -180,7 +180,7 @@ static void water_behind_an_object_mirrors_none_of_it(void **state)
 
 /* -- the cube ------------------------------------------------------------------------- */
 
-/* Face and place, in eighths of texels' levels, of a way; as it is in around.h. */
+/* Face and place, in eighths of texels' levels, of a way; as in object_cube.h. */
 static int face_of(ref_dir w, double *i, double *j)
 {
     const double ax = fabs(w.x), az = fabs(w.z);

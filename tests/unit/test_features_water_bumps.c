@@ -228,5 +228,5 @@ int main(void)
         cmocka_unit_test(pool_and_field_add_up),
         cmocka_unit_test(runs_may_be_cut_at_sixteenths),
     };
-    return cmocka_run_group_tests_name("pool bump", tests, NULL, NULL);
+    return cmocka_run_group_tests_name("features/water bumps", tests, NULL, NULL);
 }

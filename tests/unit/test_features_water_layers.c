@@ -307,5 +307,5 @@ int main(void)
         cmocka_unit_test(bent_places_are_the_layers_alone),
         cmocka_unit_test(runs_may_be_cut_at_sixteenths),
     };
-    return cmocka_run_group_tests_name("layer", tests, NULL, NULL);
+    return cmocka_run_group_tests_name("features/water layers", tests, NULL, NULL);
 }

@@ -223,5 +223,5 @@ int main(void)
         cmocka_unit_test(blinn_glints_follow_the_half_vector),
         cmocka_unit_test(ripples_glint_as_their_slopes_say),
     };
-    return cmocka_run_group_tests_name("light", tests, NULL, NULL);
+    return cmocka_run_group_tests_name("features/water light", tests, NULL, NULL);
 }

@@ -132,5 +132,5 @@ int main(void)
         cmocka_unit_test(even_columns_are_those_of_the_whole_rate),
     };
     chance = random_seed();
-    return cmocka_run_group_tests_name("shade_quick_even", tests, NULL, NULL);
+    return cmocka_run_group_tests_name("features/water quick even", tests, NULL, NULL);
 }

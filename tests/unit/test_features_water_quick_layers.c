@@ -373,5 +373,5 @@ int main(void)
         cmocka_unit_test(runs_may_be_cut_at_sixteenths),
         cmocka_unit_test(thin_runs_keep_their_even_columns),
     };
-    return cmocka_run_group_tests_name("quick layers", tests, NULL, NULL);
+    return cmocka_run_group_tests_name("features/water quick layers", tests, NULL, NULL);
 }

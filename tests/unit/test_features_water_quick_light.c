@@ -177,5 +177,5 @@ int main(void)
         cmocka_unit_test(glints_lie_where_they_lay),
     };
     chance = random_seed();
-    return cmocka_run_group_tests_name("shade_quick_light", tests, NULL, NULL);
+    return cmocka_run_group_tests_name("features/water quick light", tests, NULL, NULL);
 }

@@ -271,5 +271,5 @@ int main(void)
         cmocka_unit_test(ripples_lie_on_what_pools_have_bent),
         cmocka_unit_test(runs_may_be_cut_at_sixteenths),
     };
-    return cmocka_run_group_tests_name("ripple", tests, NULL, NULL);
+    return cmocka_run_group_tests_name("features/water ripple", tests, NULL, NULL);
 }

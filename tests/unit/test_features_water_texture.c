@@ -293,5 +293,5 @@ int main(void)
         cmocka_unit_test(solids_show_the_texel_that_holds_the_place),
         cmocka_unit_test(runs_may_be_cut_at_sixteenths),
     };
-    return cmocka_run_group_tests_name("texture", tests, NULL, NULL);
+    return cmocka_run_group_tests_name("features/water texture", tests, NULL, NULL);
 }

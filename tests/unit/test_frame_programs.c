@@ -30,7 +30,7 @@ static tp_world *world_by(const tp_program *by, const tp_scene *scene,
     return world;
 }
 
-/* The frame's program may be another than the world's. */
+/* The frame's program may differ from the world's. */
 static void draw_by(const tp_program *by, const tp_program *moved_by)
 {
     tp_scene scene = kit_scene(&chance, 40, 24);
@@ -53,7 +53,7 @@ static void draw_by(const tp_program *by, const tp_program *moved_by)
     free(world);
 }
 
-static void any_kit_draws_any_scene(void **state)
+static void any_program_draws_any_scene(void **state)
 {
     (void)state;
     for (int n = 0; n < 400; n++) {
@@ -88,7 +88,7 @@ static uint32_t drawn_by(const tp_program *by, const tp_scene *scene,
     return crc;
 }
 
-static void a_kit_of_what_a_scene_needs_draws_it_as_all_does(void **state)
+static void a_program_of_what_a_scene_needs_draws_it_as_all_does(void **state)
 {
     tp_program own = least;
     tp_assets assets = { .layer[0] = &kit.picture[0] };
@@ -110,7 +110,7 @@ static void a_kit_of_what_a_scene_needs_draws_it_as_all_does(void **state)
 
 /* As if the scene did not ask for it; what the list of modules does not know it cannot
  * count. */
-static void what_a_kit_lacks_is_left_out_and_counted(void **state)
+static void what_a_program_lacks_is_left_out_and_counted(void **state)
 {
     tp_assets assets = { .boat = &kit.boat.mesh, .layer[0] = &kit.picture[0],
                          .layer[1] = &kit.picture[1], .ripple = &kit.picture[2] };
@@ -158,10 +158,10 @@ static tp_scene quick_scene(int32_t rate)
     return s;
 }
 
-/* A stage reads what the one before left: a program that lacks one of the quick list draws
- * exactly, and one that lacks a stage of every second column draws every column.  Quick
- * stages that the scene does not run are not asked for. */
-static void a_kit_without_a_quick_stage_takes_the_next_better_rung(void **state)
+/* A stage reads the results of the stage before it: a program that lacks a stage of the
+ * quick list draws exactly, and without a stage of every second column it draws all
+ * columns.  Quick stages that the scene does not run are not asked for. */
+static void a_program_without_a_quick_stage_takes_the_next_better_rung(void **state)
 {
     const tp_assets assets = { .layer[0] = &kit.picture[0], .layer[1] = &kit.picture[1],
                                .ripple = &kit.picture[2],
@@ -222,7 +222,7 @@ static void refused(const tp_program *by, tp_format format, const char *word)
     assert_null(frame);
 }
 
-static void a_kit_without_sky_plain_or_the_format_is_refused(void **state)
+static void a_program_without_sky_plain_or_the_format_is_refused(void **state)
 {
     tp_program lacking = least;
 
@@ -237,11 +237,11 @@ static void a_kit_without_sky_plain_or_the_format_is_refused(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(any_kit_draws_any_scene),
-        cmocka_unit_test(a_kit_of_what_a_scene_needs_draws_it_as_all_does),
-        cmocka_unit_test(what_a_kit_lacks_is_left_out_and_counted),
-        cmocka_unit_test(a_kit_without_a_quick_stage_takes_the_next_better_rung),
-        cmocka_unit_test(a_kit_without_sky_plain_or_the_format_is_refused),
+        cmocka_unit_test(any_program_draws_any_scene),
+        cmocka_unit_test(a_program_of_what_a_scene_needs_draws_it_as_all_does),
+        cmocka_unit_test(what_a_program_lacks_is_left_out_and_counted),
+        cmocka_unit_test(a_program_without_a_quick_stage_takes_the_next_better_rung),
+        cmocka_unit_test(a_program_without_sky_plain_or_the_format_is_refused),
     };
     chance = random_seed();
     kit_make(&kit, &chance);

@@ -264,7 +264,7 @@ static void scenes_of_any_numbers_are_refused_or_can_be_used(void **state)
 }
 
 /* A program without the check takes what a baked scene may hold unread: texts. */
-static void a_kit_without_the_check_trusts_its_scene(void **state)
+static void a_program_without_the_check_trusts_its_scene(void **state)
 {
     (void)state;
     tp_program trusting = tp_program_all;
@@ -289,7 +289,7 @@ int main(void)
         cmocka_unit_test(names_without_an_end_and_with_control_characters_are_refused),
         cmocka_unit_test(combinations_that_cannot_be_used_are_refused),
         cmocka_unit_test(scenes_of_any_numbers_are_refused_or_can_be_used),
-        cmocka_unit_test(a_kit_without_the_check_trusts_its_scene),
+        cmocka_unit_test(a_program_without_the_check_trusts_its_scene),
     };
     return cmocka_run_group_tests_name("scene check", tests, NULL, NULL);
 }

@@ -46,8 +46,8 @@ static void a_world_without_parts_is_its_head_alone(void **state)
     assert_int_equal(tp_world_bytes(&tp_program_all, &scene, NULL), sizeof(tp_world));
 }
 
-/* By a program with few swells a world ends after its scene's, and moves as with all; another
- * number of them is another world.  By a program without it has none. */
+/* With tp_water_few_swells a world ends after its scene's swells, and moves as with all; a
+ * change of their number needs another world.  A program without swells keeps none. */
 static void a_world_ends_after_the_swells_of_its_program(void **state)
 {
     const size_t head = offsetof(tp_world, sea.swell);

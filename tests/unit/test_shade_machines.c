@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* The water's pictures, ripples and views have the same bits by every program that this
- * processor can run: over random runs of any length, slopes up to 8, pictures of any side,
- * and of levels that change within a run. */
+/* The water's pictures, ripples and views have the same bits by every build of the core
+ * that this processor can run: over random runs of any length, slopes up to 8, pictures of
+ * any side, and of levels that change within a run. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -117,7 +117,7 @@ static void compare(const row *r, const machine *a, const machine *b)
         fail_msg("%s by %s is not as by %s", r->name, a->name, b->name);
 }
 
-static void every_kit_lays_and_bends_water_alike(void **state)
+static void every_machine_lays_and_bends_water_alike(void **state)
 {
     size_t count;
     const machine *machines = machine_list(&count);
@@ -132,7 +132,7 @@ static void every_kit_lays_and_bends_water_alike(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(every_kit_lays_and_bends_water_alike),
+        cmocka_unit_test(every_machine_lays_and_bends_water_alike),
     };
 
     chance = random_seed();

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* How the buoy moves: it follows the water's height like a weight on a damped spring, and
+/* The buoy's motion: it follows the water's height like a weight on a damped spring, and
  * leans with the water's slope. */
 #include "buoy.h"
 #include "geom/surface.h"

@@ -12,8 +12,8 @@
 
 #define BUOY_ID TP_MODULE_ID('b', 'u', 'o', 'y')
 
-/* How it floats: m above the level of still water, and how far its mast leans for each
- * metre of height, along x and z. */
+/* The buoy's state: its height above still water, m, and the lean of its mast along x and
+ * z, m for each metre of mast. */
 typedef struct {
     tp_fx height, lean_x, lean_z;
 } buoy_pose;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* How the buoy is drawn: a body of two cones, a mast and a flag, lit from one side; the
- * picture, mirrors and the refraction map all draw it. */
+/* The buoy's picture: a body of two cones, a mast and a flag, lit from one side.  Frame,
+ * mirrors and the refraction map all draw it. */
 #include "buoy.h"
 #include "frame/frame.h"
 #include "shade/colour.h"

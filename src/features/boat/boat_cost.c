@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* What the boat costs: its faces as the picture and the mirror take them. */
+/* The boat's costs: its faces in the picture and in the mirror. */
 #include "asset/mesh.h"
 #include "features/boat/boat.h"
 #include "geom/geom.h"
@@ -37,7 +37,7 @@ static tp_lens mirror_of(const tp_lens *lens, const tp_scene *s, uint32_t width,
     return s->mirror.size == TP_MIRROR_QUARTER ? tp_lens_halved(&to) : to;
 }
 
-/* Where the mirror cuts: at the deepest trough, two half pixels lower. */
+/* The level at which the mirror cuts: the deepest trough, two half pixels lower. */
 static void place_level(look *l, const tp_scene *s)
 {
     int64_t trough = 0;

@@ -10,7 +10,7 @@
 #include "asset/mesh.h"
 #include "frame/frame.h"
 
-/* What a view has placed holds until the next one is. */
+/* The boat as one view sees it, until the next view is placed. */
 typedef struct {
     tp_boat_look    look;       /* of the stages: first */
     tp_boat_vertex *vertex;
@@ -312,8 +312,8 @@ static void *layout(tp_arena *arena, const tp_want *want)
     return b;
 }
 
-/* Of corners, which place() holds within 4 km: with the boat's place 15 km, and the eye
- * is 23 km away at the most. */
+/* The middle of two corners.  place() holds corners within 4 km; with the boat's place that
+ * is 15 km, and the eye is 23 km away at the most. */
 static tp_fx middle(tp_fx low, tp_fx high, tp_fx scale)
 {
     return (tp_fx)tp_limit(((int64_t)low + high) / 2 * scale >> 16, 4000 * TP_FX_ONE);

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* What drops cost: rings at the water's crossings, and the balls' faces. */
+/* The costs of drops: rings at the water's crossings, and the balls' faces. */
 #include "features/drops/drops.h"
 #include "scene/works.h"
 

@@ -12,7 +12,7 @@
 
 #define TP_EXPOSURE_ID TP_MODULE_ID('e', 'x', 'p', 'o')
 
-/* What the stage reads, in tp_run.mine. */
+/* Data of the stage, in tp_run.mine. */
 typedef struct {
     tp_entry8 tone[256];        /* of a channel */
     tp_toned  toned;            /* the same of pixels */

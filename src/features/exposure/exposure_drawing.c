@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* How the exposure is drawn: as the last stage of every list; or, where every colour is
- * exposed last of all, by the table that makes its pixel. */
+/* Draws the exposure: by the last stage of every list or, if no stage follows it in any
+ * list, by the table that makes the pixels. */
 #include "features/exposure/exposure.h"
 #include "frame/frame.h"
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* How foam is drawn: where the field lies at the drawn moment, its texture and colour. */
+/* Draws foam: the field's place at the drawn moment, its texture and colour. */
 #include "features/foam/foam.h"
 #include "features/foam/foam_stage.h"
 #include "frame/frame.h"

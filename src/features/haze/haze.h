@@ -10,7 +10,7 @@
 
 #define TP_HAZE_ID TP_MODULE_ID('h', 'a', 'z', 'e')
 
-/* What the stages read, in tp_run.mine. */
+/* Data of the stages, in tp_run.mine. */
 typedef struct {
     uint32_t scale;             /* zi to entries of the table, Q0.32 */
 } tp_haze;

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* What haze costs over what is not water, and more of before a dome or a cube. */
+/* The costs of haze over solids; before a dome or a cube haze costs more, over water too. */
 #include "features/haze/haze.h"
 #include "scene/works.h"
 

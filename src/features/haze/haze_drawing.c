@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* How haze is drawn: as a stage of every list but the sky's. */
+/* Draws haze: a stage of every list but the sky's. */
 #include "features/haze/haze.h"
 #include "frame/frame.h"
 

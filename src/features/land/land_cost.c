@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* What the land costs that a sea floor becomes, as land_drawing.c goes through it: rows of
- * its cells for each tile that they touch, and in them every cell that is not all deep or
- * all behind. */
+/* The costs of land, a sea floor above the level, as land_drawing.c draws it: rows of cells
+ * for each tile that they touch, and in them every cell, but those with all
+ * corners deeper than waves reach or all behind the eye. */
 #include "base/base.h"
 #include "features/land/land.h"
 #include "geom/geom.h"
@@ -239,7 +239,7 @@ static void work(tp_site *w)
     w->works.of[TP_WORK_land_drawn] = (uint32_t)(drawn >> 8);
 }
 
-/* Whether the floor lies above the level where a ray would meet it, so far ahead. */
+/* True if the floor lies above the level where a ray would meet the water, `far` ahead. */
 static bool stops(const tp_site *w, tp_vec3 ray, int64_t far)
 {
     const tp_floor floor = floor_of(w);

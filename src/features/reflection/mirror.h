@@ -10,7 +10,7 @@
 
 #define TP_MIRROR_ID TP_MODULE_ID('m', 'i', 'r', 'r')
 
-/* Of a column's nearest and farthest object, Q1.31. */
+/* Depths of a column's nearest and farthest object, Q1.31. */
 typedef struct {
     uint32_t near, far;
 } tp_mirrored_zi;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* What the mirror of objects costs: pixels of water that look into it.  What is drawn in
- * it counts its own faces. */
+/* The costs of the mirror of objects: pixels of water that read its picture.  Each object
+ * counts the faces that it has in the mirror. */
 #include "features/reflection/mirror.h"
 #include "scene/works.h"
 

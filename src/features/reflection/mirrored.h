@@ -4,7 +4,7 @@
 #define TP_MIRRORED_H
 #include "frame/frame.h"
 
-/* What mirrors nothing of the sky mirrors no objects either. */
+/* Water that does not mirror the sky does not mirror objects either. */
 static inline void tp_add_mirrored(const tp_frame *frame, const void *mine,
                                    const tp_stage *stage, tp_shaders *list)
 {

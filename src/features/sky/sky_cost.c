@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* What skies cost: their pixels, and light beyond white in the water's mirror. */
+/* The costs of skies: their pixels, and light beyond white in the water's mirror. */
 #include "features/sky/sky.h"
 #include "scene/works.h"
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* How a sky of six pictures is drawn. */
+/* Draws a sky of six pictures. */
 #include "features/sky/sky.h"
 #include "frame/frame.h"
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* How a generated sky is drawn: its tables, made anew when its numbers have changed. */
+/* Draws a generated sky: its tables, made anew when its numbers have changed. */
 #include "features/sky/sky.h"
 #include "frame/frame.h"
 

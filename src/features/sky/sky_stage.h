@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* What the stages of skies share. */
+/* Helpers that the stages of skies share. */
 #ifndef TP_SKY_STAGE_H
 #define TP_SKY_STAGE_H
 #include "shade/env.h"

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* How stars are drawn: over a night's dome. */
+/* Draws stars over a night's dome. */
 #include "features/sky/sky.h"
 #include "frame/frame.h"
 

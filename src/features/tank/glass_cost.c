@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: MIT */
-/* What a tank's walls of glass cost: the water's side behind them, and the panes. */
+/* The costs of a tank's glass: the water's side behind the walls, and the panes. */
 #include "base/base.h"
 #include "features/tank/tank.h"
 #include "scene/works.h"
 
-/* Where a ray enters the tank, as a share of one ahead, through a wall that the eye stands
- * outside of; 0: through none.  `y`: there. */
+/* True if a ray enters the tank through a wall that the eye is outside of; *y is its height
+ * there. */
 static bool enters(const tp_site *w, const tp_rectangle *r, tp_vec3 ray, int64_t *y)
 {
     const tp_vec3 eye = w->at.eye;

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* What a tank's stone and a pool's inner walls cost. */
+/* The costs of a tank's stone and of a pool's inner walls. */
 #include "base/base.h"
 #include "features/tank/tank.h"
 #include "scene/works.h"
@@ -21,7 +21,7 @@ static tp_fx wall_height(const tp_scene *s)
     return tp_has_tank(s) ? s->tank.rim : 3 * s->pool.cell;
 }
 
-/* Whether a wall in the pool stops a ray that would meet water so far ahead. */
+/* True if a wall in the pool stops a ray that would meet the water `far` ahead. */
 static bool stops(const tp_site *w, tp_vec3 ray, int64_t far)
 {
     const tp_vec3 eye = w->at.eye;

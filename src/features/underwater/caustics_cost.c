@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* What caustics cost: each cell of their map, over a tank's floor or the sea's. */
+/* The costs of caustics: each cell of their map, over a tank's floor or the sea's. */
 #include "features/underwater/caustics.h"
 #include "scene/sides.h"
 #include "scene/works.h"

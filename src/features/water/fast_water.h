@@ -14,7 +14,7 @@
 #include "features/water/water.h"
 #include "frame/frame.h"
 
-/* What a picture was made for: saturation, strength or bump. */
+/* The numbers that a picture was made for: saturation, strength or bump. */
 typedef struct {
     tp_fx    amount, clamp;
     uint32_t colour;

@@ -20,7 +20,8 @@ static tp_lobe lobe_of(const tp_frame *frame)
     return frame->scene->light.model == TP_LIGHT_BLINN ? TP_LOBE_BLINN : TP_LOBE_PHONG;
 }
 
-/* All that the tables are made of; of the camera's pitch, what a dome's lobe has of it. */
+/* All numbers that the tables depend on; on the camera's pitch they depend only by a dome's
+ * share at the sun. */
 static void key_of(int32_t key[TP_QUICK_KEY], const tp_frame *frame, bool ripples)
 {
     const tp_scene *scene = frame->scene;

@@ -11,7 +11,7 @@
 #include "shade/colour.h"
 #include "tidepool/fx.h"
 
-/* What is done to a texel.  Levels of 255 are Q8 here. */
+/* The grading of a layer's texels.  Levels of 255 are Q8 here. */
 typedef struct {
     int32_t  saturation;        /* 0 is its grey, 256 leaves it as it is, 1024 at most */
     int32_t  clamp;             /* darker is black, 0..0.95 of white */

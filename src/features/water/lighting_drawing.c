@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* How water is lit: by its angle to the view, or diffusely alone. */
+/* Lights the water: by its angle to the view, or diffusely alone. */
 #include "frame/frame.h"
 
 /* The lobe of water that does not glitter. */

@@ -62,7 +62,7 @@ uint32_t tp_quick_share_at_sun(const tp_shade *shade);
 void tp_quick_light_init(struct tp_quick_light *quick, const tp_shade *shade,
                          tp_lobe lobe, bool shiny, bool rippled);
 
-/* quick_layers.c: colours of all columns, by those of the even ones. */
+/* quick_layers_stage.c: colours of the odd columns, between those of the even ones. */
 void tp_quick_fill_between(tp_run *run);
 
 /* -- the view -------------------------------------------------------------------------- */

@@ -68,8 +68,8 @@ static void make_lobe(struct tp_quick_light *quick, const tp_shade *shade, tp_lo
     }
 }
 
-/* What a mirrored view that goes down meets is other water, by reflectance_stage.c's rule as bright
- * as that much of the horizon. */
+/* A mirrored view that goes down meets other water, which has a share of the horizon's
+ * brightness, by the rule of reflectance_stage.c. */
 static uint32_t from_height(uint32_t sky, int32_t up)
 {
     return tp_colour_scale(sky, (uint32_t)tp_clamp(256 + 4 * up, 128, 256));

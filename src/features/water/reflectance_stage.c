@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* What the water mirrors, by Fresnel's share: of the plain gradient, which needs only the
- * mirrored view's height, in one stage; of other skies as light that may be beyond white
- * [F8]. */
+/* The sky's mirror in the water, by Fresnel's share.  The plain gradient needs only the
+ * mirrored view's height and takes one stage; other skies give light that may be beyond
+ * white [F8]. */
 #include "shade/env.h"
 #include "shade/reflected.h"
 #include "shade/slope.h"

@@ -78,7 +78,7 @@ static bool has_ripples(const tp_want *want)
 
 /* -- light --------------------------------------------------------------------------- */
 
-/* What glitters, mirrors or is clear is seen by its angle to the view. */
+/* Water that glitters, mirrors or is clear looks different at each angle. */
 static bool is_seen_at_an_angle(const tp_want *want)
 {
     const tp_scene *scene = want->scene;

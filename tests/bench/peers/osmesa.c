@@ -150,7 +150,7 @@ static float rough_log2(float x)
 }
 
 /* Repeats a metre, the drift of BENCH_TICK, and the level at 1 m (src/frame/
- * plan_layers.c). */
+ * layer.c). */
 static void set_map(const gl *g, int unit, const char *sampler, const char *how,
                     const tp_texture *texture, const tp_scene_map *map, bool linear,
                     float coarser)
