@@ -533,14 +533,19 @@ $(BUILD)/v3/src/%.o: src/%.c $(BUILD)/flags
 	$(SAY)$(COMPILE) $(BARE) $(V3_OPT) -Dtp_program_all=tp_program_v3 \
 	    $(if $(filter $<,$(V3_SAME)),$(V3_SAME_OPT)) -c $< -o $@
 # The least program, and programs with the first n features more.
-PROGRAMS := $(addprefix $(BUILD)/programs/,$(shell seq 0 17))
+FEATURES := tests/budgets/features.txt
+PROGRAMS := $(addprefix $(BUILD)/features/,$(shell seq 0 $$(grep -vc '^\#' $(FEATURES))))
 programs: $(PROGRAMS:%=%.elf)
-$(PROGRAMS:%=%.o): $(BUILD)/programs/%.o: tests/budgets/features.c $(BUILD)/flags
+$(PROGRAMS:%=%.c): $(BUILD)/features/%.c: tests/budgets/least.ini $(FEATURES) \
+          build/host/tidepool
 	@mkdir -p $(@D)
-	$(SAY)$(COMPILE) -DFEATURES=$* -c $< -o $@
+	$(SAY)with=$$(grep -v '^#' $(FEATURES) | head -n $* | sed 's/.*| //' | paste -sd, -) && \
+	    build/host/tidepool bake $< --size 320x240 --format rgb565 --no-input \
+	        $${with:+--with $$with} --name baked -o $@
+$(PROGRAMS:%=%.o): %.o: %.c $(BUILD)/flags
+	$(SAY)$(COMPILE) -c $< -o $@
 $(PROGRAMS:%=%.elf): %.elf: %.o $(BUILD)/tests/budgets/minimal.o \
-          $(filter-out %/main.o,$(BOARD_O)) build/baked/$(MACHINE)/minimal.o $(LIB) \
-          $(LD_FILES)
+          $(filter-out %/main.o,$(BOARD_O)) $(LIB) $(LD_FILES)
 	$(SAY)$(LINK_ELF) -Wl,-Map=$(@:.elf=.map)
 
 $(CORE_AT)/src/%.o: src/%.c $(CORE_AT)/flags

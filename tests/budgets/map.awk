@@ -14,19 +14,31 @@ function number(hex,    i, n)
 /^Linker script and memory map/ { mapped = 1 }
 !mapped { next }
 
-# A long name stands in a line of its own.
-/^ \.[^ ]+$/ { name = $1; next }
-/^ \.[^ ]+ +0x/ { name = $1; sub(/^ \.[^ ]+/, "") }
-/^ +0x[0-9a-f]+ +0x[0-9a-f]+ .*libtidepool\.a\(/ {
-    if (name ~ /^\.text/)
-        text += number($2)
-    else if (name ~ /^\.rodata/)
-        constants += number($2)
-    else
-        next
-    if (each && number($2))
-        print name, number($2), $3
+# Counts the section that was read last, unless the next one begins where it does: of strings
+# that were merged into others' the map tells the size of all.
+function take(next_at)
+{
+    if (name && at != next_at) {
+        if (name ~ /^\.text/)
+            text += size
+        else
+            constants += size
+        if (each && size)
+            print name, size, file
+    }
     name = ""
 }
 
-END { if (!each) printf "%d %d\n", text, constants }
+# A long name stands in a line of its own.
+/^ \.[^ ]+$/ { long = $1; next }
+/^ \.[^ ]+ +0x/ { long = $1; sub(/^ \.[^ ]+/, "") }
+/^ \*fill\* / { take($2) }
+/^ +0x[0-9a-f]+ +0x[0-9a-f]+ / {
+    take($1)
+    name = /libtidepool\.a\(/ && long ~ /^\.(text|rodata)/ ? long : ""
+    at = $1
+    size = number($2)
+    file = $3
+}
+
+END { take(""); if (!each) printf "%d %d\n", text, constants }

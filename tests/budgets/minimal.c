@@ -1,13 +1,10 @@
 /* SPDX-License-Identifier: MIT */
-/* The baked scene on a bare Cortex-M by a program of its own, and nothing else of the core:
+/* The baked scene on a bare Cortex-M by its baked program, and nothing else of the core:
  * what it costs who needs the least.  Bands of 16 rows are drawn and thrown away. */
+#include "cortex-m/baked.h"
 #include "cortex-m/board.h"
 #include "cortex-m/marks.h"
 #include "cortex-m/semihost.h"
-#include "features.h"
-
-extern const tp_scene  baked_scene;
-extern const tp_assets baked_assets;
 
 #define FRAMES 2
 
@@ -36,17 +33,17 @@ static uint32_t draw(tp_frame *frame, void *scratch, const tp_world *world)
 
 static int run(void)
 {
-    static const tp_frame_config config = { 320, 240, 0, 16, TP_FORMAT_RGB565 };
-    const tp_program *program = &features_program;
+    const tp_program *program = &baked_program;
+    const tp_frame_config *config = &baked_picture;
     uint8_t *at = arena_start;
-    size_t block = tp_frame_bytes(program, &baked_scene, &baked_assets, &config);
-    size_t scratch = tp_frame_scratch_bytes(program, &baked_scene, &config);
+    size_t block = tp_frame_bytes(program, &baked_scene, &baked_assets, config);
+    size_t scratch = tp_frame_scratch_bytes(program, &baked_scene, config);
     size_t bytes = tp_world_bytes(program, &baked_scene, &baked_assets);
     tp_world *world = (tp_world *)(void *)(at + ((block + 7) & ~(size_t)7));
     tp_frame *frame;
 
     at = (uint8_t *)world + ((bytes + 7) & ~(size_t)7);
-    if (tp_frame_init(program, &frame, &baked_scene, &baked_assets, &config, arena_start,
+    if (tp_frame_init(program, &frame, &baked_scene, &baked_assets, config, arena_start,
                       NULL)
         || tp_world_init(program, world, bytes, &baked_scene, &baked_assets, NULL))
         return 1;
