@@ -93,7 +93,7 @@ tp_status tp_frame_check(const tp_frame_config *config, tp_error *err);
  * known here, so nobody can tell a block that is too short.
  *  - TP_E_NULL, TP_E_ALIGN: err->word is the argument
  *  - TP_E_SIZE, TP_E_TILE, TP_E_ARG: the config is out of range
- *  - as tp_scene_check: the scene is, err->word is the row's name
+ *  - as tp_program_fits: the scene is, or the program lacks a module that it has on
  *  - TP_E_PROGRAM: a program has at least the stages sky and plain, and the format's store */
 tp_status tp_frame_init(const tp_program *program, tp_frame **frame,
                         const tp_scene *scene, const tp_assets *assets,
@@ -131,6 +131,11 @@ bool tp_frame_tile_into(const tp_frame *frame, uint32_t i, void *scratch, void *
 
 tp_frame_stats tp_frame_last_stats(const tp_frame *frame);
 tp_frame_ram   tp_frame_memory(const tp_frame *frame);
+
+/* The name of the first module that the last tp_frame_begin found without a stage that the
+ * picture needs; "sky": no module draws the sky that the scene names.  NULL: no stage was
+ * missing.  Other things that are dropped have no name. */
+const char *tp_frame_lacks(const tp_frame *frame);
 
 /* Water pixels of a drawn tile: still in the scratch until the next tile. */
 uint32_t tp_frame_water_pixels(const tp_frame *frame, const void *scratch,

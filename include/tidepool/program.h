@@ -21,9 +21,11 @@
  * C++ has no initialisers by index: there a program comes from a file of C.
  *
  * What is NULL is left out of the picture, as if the scene did not ask for it; each
- * frame's stats count it as dropped. */
+ * frame's stats count it as dropped.  A program may name the modules that it leaves out,
+ * tp_program.lacks: a scene that has one of them on is then refused by that name. */
 #ifndef TP_PROGRAM_H
 #define TP_PROGRAM_H
+#include <stdbool.h>
 #include "tidepool/language.h"
 #include "tidepool/pixel.h"
 #include "tidepool/status.h"
@@ -261,6 +263,7 @@ typedef struct {
 struct tp_module;
 struct tp_drawing;
 struct tp_cost;
+struct tp_want;
 
 /* A module as a program uses it.  A list of uses ends with { 0 }; its order is the order of
  * memory, of steps and of drawing. */
@@ -274,11 +277,13 @@ typedef struct tp_use {
 
 #define X(name) void tp_stage_##name(const struct tp_shade *shade, struct tp_run *run);
 #define MODULE(name) \
-    extern const struct tp_module tp_##name##_module; \
+    UNSEEN(name) \
     extern const struct tp_drawing tp_##name##_drawing; \
     extern const tp_stage tp_##name##_stages[]; \
     TP_STAGES_OF_##name(X)
-#define UNSEEN(name) extern const struct tp_module tp_##name##_module;
+#define UNSEEN(name) \
+    extern const struct tp_module tp_##name##_module; \
+    bool tp_##name##_enabled(const struct tp_want *want);
 #define PRICED(name) extern const struct tp_cost tp_##name##_cost; MODULE(name)
 TP_MODULE_LIST(MODULE, UNSEEN, PRICED)
 #undef PRICED
@@ -306,6 +311,17 @@ TP_MODULE_LIST(MODULE, UNSEEN, MODULE)
       NULL }
 #define TP_USE_UNSEEN(name) { &tp_##name##_module, NULL, NULL, NULL }
 
+/* A module that a program leaves out: its condition without its state and drawing.  A list
+ * of lacks ends with { 0 } and has the order of TP_MODULE_LIST. */
+typedef struct tp_lack {
+    const char *name;           /* as in TP_MODULE_LIST */
+    bool      (*enabled)(const struct tp_want *want);
+    uint32_t    above;          /* uses of the program's list that come before it in
+                                 * TP_MODULE_LIST: conditions may ask about those alone */
+} tp_lack;
+
+#define TP_LACK(name, above) { #name, tp_##name##_enabled, above }
+
 /* ------------------------------------------------------------------------------------ */
 
 struct tp_scene;
@@ -320,6 +336,8 @@ typedef struct tp_program {
     tp_draws  draw;
     tp_methods method;
     const tp_use *modules;      /* a list of uses; NULL: none */
+    const tp_lack *lacks;       /* a scene that has one of these on is refused, see
+                                 * tp_program_fits; NULL: none is */
 } tp_program;
 
 extern const tp_program tp_program_all; /* everything there is */

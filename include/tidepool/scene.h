@@ -256,10 +256,20 @@ typedef struct {
     const tp_grey    *pool_mask, *field_mask;   /* scene.pool.mask, scene.field.mask */
 } tp_assets;
 
+/* TP_OK: worlds and frames of this program take this scene; every init, their byte counts
+ * and tp_world_refresh ask it.  NULL assets are none.
+ *  - TP_E_NULL: err->word is the argument
+ *  - as tp_scene_check, if the program has it
+ *  - TP_E_PROGRAM: the scene has a module on that the program names in its `lacks`;
+ *    err->word is that name, as `tidepool bake --with` takes it.  Fast stages are lacking
+ *    only if quality.shading names them: a plan takes exact ones then. */
+tp_status tp_program_fits(const tp_program *program, const tp_scene *scene,
+                          const tp_assets *assets, tp_error *err);
+
 /* -- the world: a scene as it moves ----------------------------------------------
  *
- * Each world goes with one program: what that lacks is not in it, as if the scene did not name
- * it. */
+ * Each world goes with one program: what that lacks is not in it, as if the scene did not
+ * name it; unless the program refuses such a scene, see tp_program_fits. */
 
 /* A hat put into the pool, as wide as pool.poke_size: m above the level, at a place in
  * the world, m.  Of height 0 there is none; outside of the pool it does nothing. */
@@ -355,7 +365,8 @@ size_t tp_world_bytes(const tp_program *program, const tp_scene *scene,
 /* The world of `scene` at tick 0, in `bytes` bytes aligned to 8.  Pictures that the
  * assets hold are read now and not kept; NULL assets are none.
  *  - TP_E_NULL, TP_E_ALIGN: err->word is the argument; TP_E_NOSPACE: `bytes` are too few
- *  - as tp_scene_check: err->word is the parameter at fault ("pool.courant")
+ *  - as tp_program_fits: err->word is the parameter at fault ("pool.courant"), or the
+ *    module that the program lacks
  *  - TP_E_ARG: a map of the floor ("floor.map") outside what tp_ocean_init takes */
 tp_status tp_world_init(const tp_program *program, tp_world *world, size_t bytes,
                         const tp_scene *scene, const tp_assets *assets, tp_error *err);

@@ -172,9 +172,13 @@ void tp_frame_look_modules(tp_frame *frame)
 
 void tp_frame_add_modules(const tp_frame *frame, tp_shaders *list)
 {
-    EACH_ON(i, use, frame)
+    EACH_ON(i, use, frame) {
+        const uint32_t lacks = list->lacks;
         if (use[i].drawing->stages)
             use[i].drawing->stages(frame, frame->parts.module[i], use[i].stage, list);
+        if (list->lacks > lacks && !list->lacking)
+            list->lacking = (uint8_t)(i + 1);
+    }
 }
 
 void tp_frame_place_modules(tp_frame *frame, tp_sight *sight, tp_grid_box *box)
@@ -232,6 +236,8 @@ void tp_frame_list_modules(tp_frame *frame)
         tp_frame_add_modules(frame, list);
         if (!tp_shaders_has(list, TP_AT_COLOUR)) {
             frame->stats.dropped++;
+            if (!frame->lacking)
+                frame->lacking = (uint8_t)(i + 1);
             lack |= (uint64_t)1 << i;
         }
     }

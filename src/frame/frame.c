@@ -62,7 +62,8 @@ size_t tp_frame_bytes(const tp_program *program, const tp_scene *scene,
     tp_frame_parts parts;
     tp_frame_ram ram;
 
-    if (check(&c, NULL) != TP_OK || tp_program_check(program, scene, NULL) != TP_OK)
+    if (check(&c, NULL) != TP_OK
+        || tp_program_fits(program, scene, assets, NULL) != TP_OK)
         return 0;
     tp_frame_carve(program, &parts, &ram, &arena, scene, &known, &c);
     return ram.frame;
@@ -122,7 +123,7 @@ tp_status tp_frame_init(const tp_program *program, tp_frame **out, const tp_scen
     if (status == TP_OK)
         status = check(&c, err);
     if (status == TP_OK)
-        status = tp_program_check(program, scene, err);
+        status = tp_program_fits(program, scene, assets, err);
     if (status == TP_OK)
         status = check_program(program, c.format, err);
     if (status == TP_OK)
@@ -198,6 +199,7 @@ void tp_frame_begin(tp_frame *frame, const tp_world *world)
     const tp_draws *draw = &frame->program->draw;
 
     frame->stats = (tp_frame_stats){ .dropped = frame->parts.lacks };
+    frame->lacking = 0;
     frame->world = world;
     frame->drawn = tp_world_drawn(world);
     tp_frame_enable_modules(frame);
@@ -223,6 +225,15 @@ uint32_t tp_frame_tiles(const tp_frame *frame)
 tp_frame_stats tp_frame_last_stats(const tp_frame *frame)
 {
     return frame->stats;
+}
+
+const char *tp_frame_lacks(const tp_frame *frame)
+{
+    const uint32_t who = frame->lacking;
+
+    if (who == TP_LACKING_SKY)
+        return "sky";
+    return who ? frame->program->modules[who - 1].module->name : NULL;
 }
 
 tp_frame_ram tp_frame_memory(const tp_frame *frame)

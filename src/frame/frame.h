@@ -73,6 +73,8 @@ struct tp_frame {
     uint64_t         modules_drawn;     /* of those that draw samples */
 
     bool             under;             /* the eye is in the water */
+    uint8_t          lacking;           /* as tp_shaders.lacking, of all lists, or ... */
+#define TP_LACKING_SKY 255              /* ... no module draws the sky that is named */
 
     tp_shade         shade;
     const tp_toned  *toned;             /* pixels are exposed as they are stored, */

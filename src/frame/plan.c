@@ -60,16 +60,24 @@ static void choose_sky(tp_frame *frame)
         sky->lacks++;
 }
 
+/* `base` stands for a stage that is missing without a module. */
+static void count_lacks(tp_frame *frame, const tp_shaders *list, uint8_t base)
+{
+    frame->stats.dropped += list->lacks;
+    if (list->lacks && !frame->lacking)
+        frame->lacking = list->lacking ? list->lacking : base;
+}
+
 static void choose_stages(tp_frame *frame)
 {
     choose_sky(frame);
+    count_lacks(frame, tp_frame_list(frame, TP_MARK_SKY), TP_LACKING_SKY);
     tp_frame_list_modules(frame);
     if (frame->under)
         choose_below(frame);
     else
         choose_water(frame);
-    frame->stats.dropped += tp_frame_list(frame, TP_MARK_SKY)->lacks
-                          + tp_frame_list(frame, TP_MARK_WATER)->lacks;
+    count_lacks(frame, tp_frame_list(frame, TP_MARK_WATER), 0);
 }
 
 void tp_frame_plan(tp_frame *frame)

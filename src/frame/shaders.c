@@ -15,7 +15,7 @@ void tp_shaders_clear(tp_shaders *list)
     list->shader[0] = (tp_shader){ NULL, NULL };
     list->count = 0;
     list->rippled = list->shines = false;
-    list->lacks = 0;
+    list->lacks = list->lacking = 0;
 }
 
 void tp_shaders_add(tp_shaders *list, tp_place place, tp_stage stage, const void *mine)

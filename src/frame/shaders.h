@@ -50,7 +50,9 @@ typedef struct {
     uint8_t    count, room;
     bool       rippled;         /* a stage bends the slopes */
     bool       shines;          /* a stage leaves a glint */
-    uint16_t lacks; /* stages that the scene asks for and the program has not */
+    uint8_t    lacks;           /* stages that the scene asks for and the program has not */
+    uint8_t    lacking;         /* 1 + the place in the program's list of the first module
+                                 * that lacks one; 0: none of them does */
 } tp_shaders;
 
 void tp_shaders_init(tp_shaders *list, tp_list_kind kind, tp_shader *shader,

@@ -60,6 +60,25 @@ bool tp_modules_have(const tp_use *modules, const tp_want *want, uint32_t is)
     return false;
 }
 
+/* A lack is asked as in its place in the list of everything there is, with all models of
+ * water.  Fast stages are one only if the scene names them: a plan does without. */
+tp_status tp_modules_check_lacks(const tp_program *program, const tp_scene *scene,
+                                 const tp_assets *assets, tp_error *err)
+{
+    tp_want want = { .scene = scene, .assets = assets,
+                     .shadings = 1u << scene->quality.shading };
+    const tp_use *u = program->modules;
+    uint32_t above = 0;
+
+    for (const tp_lack *l = program->lacks; l && l->enabled; l++) {
+        for (; above < l->above && u && u->module; above++)
+            tp_module_ask(u++->module, &want);
+        if (l->enabled(&want))
+            return tp_error_blame(err, TP_FAIL(err, TP_E_PROGRAM, 0, 0, 0), l->name);
+    }
+    return TP_OK;
+}
+
 tp_status tp_modules_take(const tp_program *program, tp_arena *arena, tp_want want,
                           uint32_t *at, tp_error *err)
 {

@@ -61,7 +61,8 @@ typedef struct tp_module {
     uint32_t    is;             /* TP_MODULE_EXACT ... */
     uint32_t    trait;          /* the price of its water stage, a TP_TRAIT_; 0: none */
 
-    /* The one place that says when the feature is on: layout, step and drawing ask it. */
+    /* The one place that says when the feature is on: layout, step and drawing ask it, and
+     * a program that lacks the module (tp_lack). */
     bool (*enabled)(const tp_want *want);
 
     /* Sets how often a pixel of water pays what has a price, where `trait` does not say it:
@@ -116,6 +117,10 @@ static inline bool tp_module_ask(const tp_module *module, tp_want *want)
 /* True if a module with one of these bits of tp_module.is is on.  It asks no others, so
  * want.above is as given. */
 bool tp_modules_have(const tp_use *modules, const tp_want *want, uint32_t is);
+
+/* TP_E_PROGRAM: the scene has a module on that the program lacks, err->word. */
+tp_status tp_modules_check_lacks(const tp_program *program, const tp_scene *scene,
+                                 const tp_assets *assets, tp_error *err);
 
 /* -- a world's chunks ---------------------------------------------------------------- */
 

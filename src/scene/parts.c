@@ -20,7 +20,7 @@ tp_status tp_parts_of(const tp_program *program, tp_world_parts *parts,
                       const tp_scene *scene, const tp_assets *assets, tp_error *err)
 {
     tp_arena  arena = tp_arena_over(NULL, 0);
-    tp_status status = tp_program_check(program, scene, err);
+    tp_status status = tp_program_fits(program, scene, assets, err);
 
     *parts = (tp_world_parts){ .version = TP_WORLD_VERSION };
     if (status != TP_OK)

@@ -15,8 +15,8 @@
 tp_status tp_parts_of(const tp_program *program, tp_world_parts *parts,
                       const tp_scene *scene, const tp_assets *assets, tp_error *err);
 
-/* What every init asks first: TP_E_NULL for a missing program or scene, then the program's check
- * of the scene. */
+/* TP_E_NULL for a missing program or scene, then the program's check of the scene; every
+ * init asks it by tp_program_fits. */
 tp_status tp_program_check(const tp_program *program, const tp_scene *scene,
                            tp_error *err);
 

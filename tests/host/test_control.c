@@ -142,6 +142,41 @@ static void lines_are_answered_as_documented(void **state)
     hold(*state, talk, COUNT(talk));
 }
 
+/* The world has no room for foam either: the name is told before the bytes. */
+static void what_the_program_lacks_is_refused_by_name(void **state)
+{
+    static const exchange talk[] = {
+        { "set foam.cells=64\n", "error foam.cells: the program lacks foam\n" },
+        { "get foam.cells\n", "ok foam.cells = 0 cells of 0..256\n" },
+        { "set sky.kind night\n", "error sky.kind: the program lacks stars\n" },
+        { "get sky.kind\n",
+          "ok sky.kind = gradient of gradient|day|dusk|night|cube\n" },
+        { "set wave0.amplitude 0.5\n", "ok wave0.amplitude = 0.5 m\n" },
+        { "restart\n", "ok restart\n" },
+    };
+    const tp_use *all = tp_program_all.modules;
+    tp_use  use[64];
+    tp_lack lacks[3] = { TP_LACK(stars, 0), TP_LACK(foam, 0) };
+    tp_program lacking = tp_program_all;
+    board   *b = *state;
+    uint32_t uses = 0;
+
+    for (; all->module; all++)
+        if (all->module == &tp_stars_module)
+            lacks[0].above = uses;
+        else if (all->module == &tp_foam_module)
+            lacks[1].above = uses;
+        else
+            use[uses++] = *all;
+    use[uses] = (tp_use){ 0 };
+    lacking.modules = use;
+    lacking.lacks = lacks;
+    b->setup.program = &lacking;
+    hold(b, talk, COUNT(talk));
+    lacking.lacks = NULL;               /* left out without a word */
+    assert_string_equal(ask(b, "set foam.cells=64\n"), "ok foam.cells = 64 cells\n");
+}
+
 static void wrong_lines_say_what_was_expected(void **state)
 {
     static const exchange talk[] = {
@@ -446,6 +481,7 @@ int main(void)
 #define HELD(test) cmocka_unit_test_setup_teardown(test, set_up, tear_down)
     const struct CMUnitTest tests[] = {
         HELD(lines_are_answered_as_documented),
+        HELD(what_the_program_lacks_is_refused_by_name),
         HELD(wrong_lines_say_what_was_expected),
         HELD(scenes_without_a_pool_or_drops_say_so),
         HELD(a_constant_scene_is_read_but_not_set),

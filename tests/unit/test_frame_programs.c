@@ -205,6 +205,58 @@ static void a_program_without_a_quick_stage_takes_the_next_better_rung(void **st
     assert_int_equal(lacks, 0);
 }
 
+/* -- stages that are missing, by name ----------------------------------------------- */
+
+static const char *lacks_of(const tp_program *by, const tp_scene *scene,
+                            const tp_assets *assets)
+{
+    const tp_frame_config config = { W, H, 0, 0, TP_FORMAT_XRGB8888 };
+    test_frame f = frame_by(by, scene, assets, &config);
+    tp_world *world = world_by(by, scene, assets);
+
+    tp_frame_begin(f.frame, world);
+    const char *name = tp_frame_lacks(f.frame);
+    assert_int_equal(tp_frame_last_stats(f.frame).dropped > 0, name != NULL);
+    frame_free(&f);
+    free(world);
+    return name;
+}
+
+/* The sky's stages are asked for first, then those of solids, then the water's. */
+static void the_first_module_without_a_stage_is_told(void **state)
+{
+    const tp_assets assets = { .boat = &kit.boat.mesh, .layer[0] = &kit.picture[0] };
+    tp_stage layer[TP_COUNT_OF_base_layer], solids[TP_COUNT_OF_boat] = { NULL };
+    tp_use use[2][THIN_MODULES];
+    tp_program own = tp_program_all;
+    tp_scene scene;
+
+    (void)state;
+    tp_scene_default(&scene);
+    scene.quality.shading = TP_SHADING_EXACT;
+    scene.water.filter = TP_FILTER_NEAREST;
+    assert_null(lacks_of(&own, &scene, &assets));
+    WITHOUT_STAGE(own, use[0], layer, base_layer, texture_linear_tinted);
+    assert_null(lacks_of(&own, &scene, &assets));
+    scene.water.filter = TP_FILTER_LINEAR;
+    assert_string_equal(lacks_of(&own, &scene, &assets), "base layer");
+    own.stage.view = NULL;
+    assert_string_equal(lacks_of(&own, &scene, &assets), "base layer");
+    strcpy(scene.boat.mesh, "boat.obj");
+    memcpy(use[1], own.modules, sizeof use[1]);
+    for (tp_use *u = use[1]; u->module; u++)
+        if (u->drawing == &tp_boat_drawing)
+            u->stage = solids;
+    own.modules = use[1];
+    assert_string_equal(lacks_of(&own, &scene, &assets), "boat");
+    own = tp_program_all;
+    own.stage.view = NULL;
+    assert_string_equal(lacks_of(&own, &scene, &assets), "lighting");
+    scene.sky.kind = TP_SKY_DAY;
+    own.modules = NULL;
+    assert_string_equal(lacks_of(&own, &scene, &assets), "sky");
+}
+
 static void refused(const tp_program *by, tp_format format, const char *word)
 {
     static uint64_t block[65536];
@@ -241,6 +293,7 @@ int main(void)
         cmocka_unit_test(a_program_of_what_a_scene_needs_draws_it_as_all_does),
         cmocka_unit_test(what_a_program_lacks_is_left_out_and_counted),
         cmocka_unit_test(a_program_without_a_quick_stage_takes_the_next_better_rung),
+        cmocka_unit_test(the_first_module_without_a_stage_is_told),
         cmocka_unit_test(a_program_without_sky_plain_or_the_format_is_refused),
     };
     chance = random_seed();

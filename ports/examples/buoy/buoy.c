@@ -11,7 +11,7 @@
 #define LEAN_MOST TP_FX(0.75)
 #define HEIGHT_MOST (100 * TP_FX_ONE)
 
-static bool enabled(const tp_want *want)
+bool tp_buoy_enabled(const tp_want *want)
 {
     return want->scene->own[BUOY_ON] != 0;
 }
@@ -79,6 +79,6 @@ static bool is_valid(const void *mine, const void *fresh, const tp_world *world)
 }
 
 const tp_module tp_buoy_module = {
-    .name = "buoy", .id = BUOY_ID, .is = TP_MODULE_SOLID, .enabled = enabled,
+    .name = "buoy", .id = BUOY_ID, .is = TP_MODULE_SOLID, .enabled = tp_buoy_enabled,
     .bytes = bytes, .settle = settle, .step = step, .is_valid = is_valid,
 };

@@ -216,7 +216,7 @@ static bool is_named(const tp_scene *scene)
     return scene->boat.mesh[0] != '\0';
 }
 
-static bool enabled(const tp_want *want)
+bool tp_hull_enabled(const tp_want *want)
 {
     return is_named(want->scene);
 }
@@ -247,6 +247,6 @@ static bool is_valid(const void *mine, const void *fresh, const tp_world *world)
 }
 
 const tp_module tp_hull_module = {
-    .name = "hull", .id = TP_MODULE_ID('h', 'u', 'l', 'l'), .enabled = enabled,
+    .name = "hull", .id = TP_MODULE_ID('h', 'u', 'l', 'l'), .enabled = tp_hull_enabled,
     .settle = settle, .step = step, .is_valid = is_valid,
 };

@@ -347,13 +347,13 @@ static void add_stages(const tp_frame *frame, const void *mine, const tp_stage *
         tp_shaders_add(list, TP_AT_COLOUR, blinn && stage[1] ? stage[1] : stage[0], mine);
 }
 
-static bool enabled(const tp_want *want)
+bool tp_boat_enabled(const tp_want *want)
 {
     return want->assets && want->assets->boat;
 }
 
 const tp_module tp_boat_module = {
-    .name = "boat", .id = TP_BOAT_ID, .is = TP_MODULE_SOLID, .enabled = enabled,
+    .name = "boat", .id = TP_BOAT_ID, .is = TP_MODULE_SOLID, .enabled = tp_boat_enabled,
 };
 
 const tp_drawing tp_boat_drawing = {
@@ -363,7 +363,7 @@ const tp_drawing tp_boat_drawing = {
 
 /* -- the module of its lids ----------------------------------------------------------- */
 
-static bool has_lids(const tp_want *want)
+bool tp_lids_enabled(const tp_want *want)
 {
     const tp_mesh *mesh = want->assets ? want->assets->boat : NULL;
 
@@ -385,7 +385,7 @@ static void draw_lids(const tp_frame *frame, const void *mine, const tp_sight *s
 }
 
 const tp_module tp_lids_module = {
-    .name = "lids", .id = TP_MODULE_ID('l', 'i', 'd', 's'), .enabled = has_lids,
+    .name = "lids", .id = TP_MODULE_ID('l', 'i', 'd', 's'), .enabled = tp_lids_enabled,
 };
 
 const tp_drawing tp_lids_drawing = { .draw = draw_lids };

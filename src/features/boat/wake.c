@@ -356,7 +356,7 @@ void tp_boat_wake(tp_world *world, const tp_scene *scene)
 
 /* -- the module ---------------------------------------------------------------------- */
 
-static bool enabled(const tp_want *want)
+bool tp_wake_enabled(const tp_want *want)
 {
     return want->scene->boat.mesh[0] != '\0';
 }
@@ -370,6 +370,6 @@ static void step(void *mine, const tp_program *program, tp_world *world,
 }
 
 const tp_module tp_wake_module = {
-    .name = "wake", .id = TP_MODULE_ID('w', 'a', 'k', 'e'), .enabled = enabled,
+    .name = "wake", .id = TP_MODULE_ID('w', 'a', 'k', 'e'), .enabled = tp_wake_enabled,
     .step = step,
 };

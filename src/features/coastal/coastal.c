@@ -24,7 +24,7 @@ static tp_ocean_config config_of(const tp_scene *scene, const tp_assets *assets)
     };
 }
 
-static bool enabled(const tp_want *want)
+bool tp_coastal_enabled(const tp_want *want)
 {
     const tp_waters *water = want->water;
 
@@ -75,7 +75,8 @@ static void surface(const void *mine, tp_surface *to)
 }
 
 const tp_module tp_coastal_module = {
-    .name = "ocean", .id = TP_OCEAN_ID, .is = TP_MODULE_COASTAL, .enabled = enabled,
+    .name = "ocean", .id = TP_OCEAN_ID, .is = TP_MODULE_COASTAL,
+    .enabled = tp_coastal_enabled,
     .check = check, .bytes = bytes, .init = init, .refresh = refresh, .surface = surface,
     .is_valid = is_valid,
 };

@@ -240,7 +240,7 @@ const tp_drops *tp_world_drops(const tp_world *world)
     return tp_world_part(world, TP_DROPS_ID);
 }
 
-static bool enabled(const tp_want *want)
+bool tp_drops_enabled(const tp_want *want)
 {
     return want->scene->drops.count > 0;
 }
@@ -371,7 +371,8 @@ static bool is_valid(const void *mine, const void *fresh, const tp_world *world)
 }
 
 const tp_module tp_drops_module = {
-    .name = "drops", .id = TP_DROPS_ID, .is = TP_MODULE_SOLID, .enabled = enabled,
+    .name = "drops", .id = TP_DROPS_ID, .is = TP_MODULE_SOLID,
+    .enabled = tp_drops_enabled,
     .bytes = bytes, .init = init, .fits = fits, .refresh = refresh,
     .step = step, .hit = hit, .surface = add_surface, .is_valid = is_valid,
 };

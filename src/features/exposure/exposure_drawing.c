@@ -47,7 +47,7 @@ static void add_stage(const tp_frame *frame, const void *mine, const tp_stage *s
 
 /* -- the module ---------------------------------------------------------------------- */
 
-static bool enabled(const tp_want *want)
+bool tp_exposure_enabled(const tp_want *want)
 {
     return want->scene->hdr.exposure == TP_EXPOSURE_AUTO
         || want->scene->hdr.value != TP_FX_ONE;
@@ -61,7 +61,7 @@ static void *layout(tp_arena *arena, const tp_want *want)
 
 const tp_module tp_exposure_module = {
     .name = "exposure", .id = TP_EXPOSURE_ID, .trait = TP_TRAIT_expose,
-    .enabled = enabled,
+    .enabled = tp_exposure_enabled,
 };
 
 const tp_drawing tp_exposure_drawing = {

@@ -190,7 +190,7 @@ tp_fx tp_meter_mean(const tp_world *world, const tp_scene *scene)
 
 /* -- the module ---------------------------------------------------------------------- */
 
-static bool enabled(const tp_want *want)
+bool tp_meter_enabled(const tp_want *want)
 {
     return want->scene->hdr.exposure == TP_EXPOSURE_AUTO;
 }
@@ -242,6 +242,7 @@ bool tp_world_is_metered(const tp_world *world)
 }
 
 const tp_module tp_meter_module = {
-    .name = "meter", .id = TP_METER_ID, .enabled = enabled, .bytes = bytes, .init = init,
+    .name = "meter", .id = TP_METER_ID,
+    .enabled = tp_meter_enabled, .bytes = bytes, .init = init,
     .refresh = refresh, .step = step, .is_valid = is_valid,
 };

@@ -26,7 +26,7 @@ static size_t cover_bytes(uint32_t cells)
     return ((size_t)cells * cells + 7) & ~(size_t)7;
 }
 
-static bool enabled(const tp_want *want)
+bool tp_foam_enabled(const tp_want *want)
 {
     return want->scene->foam.cells > 0;
 }
@@ -322,7 +322,7 @@ const tp_foam *tp_world_foam(const tp_world *world)
 
 const tp_module tp_foam_module = {
     .name = "foam", .id = TP_FOAM_ID, .is = TP_MODULE_EXACT,
-    .trait = TP_TRAIT_foam, .enabled = enabled,
+    .trait = TP_TRAIT_foam, .enabled = tp_foam_enabled,
     .bytes = bytes, .init = init, .fits = fits, .step = step, .hit = hit,
     .is_valid = is_valid,
 };

@@ -21,7 +21,7 @@ static void add_stage(const tp_frame *frame, const void *mine, const tp_stage *s
 
 /* -- the module ---------------------------------------------------------------------- */
 
-static bool enabled(const tp_want *want)
+bool tp_haze_enabled(const tp_want *want)
 {
     return want->scene->sky.haze > 0;
 }
@@ -33,7 +33,7 @@ static void *layout(tp_arena *arena, const tp_want *want)
 }
 
 const tp_module tp_haze_module = {
-    .name = "haze", .id = TP_HAZE_ID, .trait = TP_TRAIT_haze, .enabled = enabled,
+    .name = "haze", .id = TP_HAZE_ID, .trait = TP_TRAIT_haze, .enabled = tp_haze_enabled,
 };
 
 const tp_drawing tp_haze_drawing = {

@@ -187,7 +187,7 @@ static void draw(const tp_frame *frame, const void *mine, const tp_sight *sight,
 
 /* -- the module ---------------------------------------------------------------------- */
 
-static bool enabled(const tp_want *want)
+bool tp_land_enabled(const tp_want *want)
 {
     return tp_has_floor(want->scene);
 }
@@ -229,7 +229,7 @@ static void add_stages(const tp_frame *frame, const void *mine, const tp_stage *
 }
 
 const tp_module tp_land_module = {
-    .name = "land", .id = TP_LAND_ID, .enabled = enabled,
+    .name = "land", .id = TP_LAND_ID, .enabled = tp_land_enabled,
 };
 
 const tp_drawing tp_land_drawing = {

@@ -79,7 +79,7 @@ static bool has_paddle(const tp_scene_pool *scene)
     return scene->cols > 0 && scene->paddle > 0;
 }
 
-static bool enabled(const tp_want *want)
+bool tp_paddle_enabled(const tp_want *want)
 {
     return has_paddle(&want->scene->pool) || has_paddle(&want->scene->field);
 }
@@ -97,6 +97,7 @@ static void step(void *mine, const tp_program *program, tp_world *world,
 }
 
 const tp_module tp_paddle_module = {
-    .name = "paddle", .id = TP_MODULE_ID('p', 'a', 'd', 'l'), .enabled = enabled,
+    .name = "paddle", .id = TP_MODULE_ID('p', 'a', 'd', 'l'),
+    .enabled = tp_paddle_enabled,
     .step = step,
 };

@@ -13,12 +13,12 @@ static bool is_on(const tp_want *want, const tp_scene_pool *pool)
     return pool->cols > 0 && (!want->water || want->water->pools);
 }
 
-static bool pool_enabled(const tp_want *want)
+bool tp_main_pool_enabled(const tp_want *want)
 {
     return is_on(want, &want->scene->pool);
 }
 
-static bool field_enabled(const tp_want *want)
+bool tp_field_enabled(const tp_want *want)
 {
     return is_on(want, &want->scene->field);
 }
@@ -65,13 +65,13 @@ static void step_pokes(void *mine, const tp_program *program, tp_world *world,
     poke(tp_world_part(world, TP_FIELD_ID), world, &scene->field);
 }
 
-static bool has_pools(const tp_want *want)
+bool tp_pokes_enabled(const tp_want *want)
 {
-    return pool_enabled(want) || field_enabled(want);
+    return tp_main_pool_enabled(want) || tp_field_enabled(want);
 }
 
 const tp_module tp_pokes_module = {
-    .name = "pokes", .id = TP_MODULE_ID('p', 'o', 'k', 'e'), .enabled = has_pools,
+    .name = "pokes", .id = TP_MODULE_ID('p', 'o', 'k', 'e'), .enabled = tp_pokes_enabled,
     .step = step_pokes,
 };
 
@@ -167,7 +167,8 @@ static void pool_surface(const void *mine, tp_surface *surface)
 }
 
 const tp_module tp_main_pool_module = {
-    .name = "pool", .id = TP_POOL_ID, .enabled = pool_enabled, .check = pool_check,
+    .name = "pool", .id = TP_POOL_ID,
+    .enabled = tp_main_pool_enabled, .check = pool_check,
     .bytes = pool_bytes, .init = pool_init, .fits = pool_fits, .refresh = pool_refresh,
     .step = step, .surface = pool_surface, .hit = pool_hit, .is_valid = is_valid,
 };
@@ -207,7 +208,7 @@ static void field_surface(const void *mine, tp_surface *surface)
 }
 
 const tp_module tp_field_module = {
-    .name = "field", .id = TP_FIELD_ID, .enabled = field_enabled, .check = field_check,
+    .name = "field", .id = TP_FIELD_ID, .enabled = tp_field_enabled, .check = field_check,
     .bytes = field_bytes, .init = field_init, .fits = field_fits,
     .refresh = field_refresh, .surface = field_surface, .step = step, .is_valid = is_valid,
 };

@@ -129,7 +129,7 @@ static void look(tp_frame *frame, void *mine)
 
 /* -- the module ---------------------------------------------------------------------- */
 
-static bool enabled(const tp_want *want)
+bool tp_mirror_enabled(const tp_want *want)
 {
     return want->scene->mirror.objects == TP_MIRROR_STENCIL
         && want->scene->water.reflection > 0 && want->above & (TP_MODULE_SOLID | TP_MODULE_WALLS);
@@ -155,7 +155,7 @@ static void *layout(tp_arena *arena, const tp_want *want)
 
 const tp_module tp_mirror_module = {
     .name = "mirror", .id = TP_MIRROR_ID, .is = TP_MODULE_EXACT | TP_MODULE_MIRROR,
-    .trait = TP_TRAIT_objects, .enabled = enabled,
+    .trait = TP_TRAIT_objects, .enabled = tp_mirror_enabled,
 };
 
 const tp_drawing tp_mirror_drawing = {

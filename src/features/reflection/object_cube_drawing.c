@@ -102,7 +102,7 @@ static void look(tp_frame *frame, void *mine)
 
 /* -- the module ---------------------------------------------------------------------- */
 
-static bool enabled(const tp_want *want)
+bool tp_object_cube_enabled(const tp_want *want)
 {
     return want->scene->mirror.objects == TP_MIRROR_CUBE
         && want->scene->water.reflection > 0 && want->above & TP_MODULE_SOLID;
@@ -123,7 +123,7 @@ static void *layout(tp_arena *arena, const tp_want *want)
 
 const tp_module tp_object_cube_module = {
     .name = "object cube", .id = TP_OBJECT_CUBE_ID, .is = TP_MODULE_EXACT,
-    .trait = TP_TRAIT_objects, .enabled = enabled,
+    .trait = TP_TRAIT_objects, .enabled = tp_object_cube_enabled,
 };
 
 const tp_drawing tp_object_cube_drawing = {

@@ -44,7 +44,7 @@ static void add_stages(const tp_frame *frame, const void *mine, const tp_stage *
 
 /* -- the module ---------------------------------------------------------------------- */
 
-static bool enabled(const tp_want *want)
+bool tp_sky_cube_enabled(const tp_want *want)
 {
     return tp_has_cube(want->scene, want->assets);
 }
@@ -57,7 +57,7 @@ static void *layout(tp_arena *arena, const tp_want *want)
 
 const tp_module tp_sky_cube_module = {
     .name = "sky_cube", .id = TP_SKY_CUBE_ID, .is = TP_MODULE_CUBE,
-    .trait = TP_TRAIT_cube, .enabled = enabled,
+    .trait = TP_TRAIT_cube, .enabled = tp_sky_cube_enabled,
 };
 
 const tp_drawing tp_sky_cube_drawing = {

@@ -58,7 +58,7 @@ static void add_stages(const tp_frame *frame, const void *mine, const tp_stage *
 
 /* -- the module ---------------------------------------------------------------------- */
 
-static bool enabled(const tp_want *want)
+bool tp_sky_dome_enabled(const tp_want *want)
 {
     return tp_has_dome(want->scene);
 }
@@ -71,7 +71,7 @@ static void *layout(tp_arena *arena, const tp_want *want)
 
 const tp_module tp_sky_dome_module = {
     .name = "sky_dome", .id = TP_SKY_DOME_ID, .is = TP_MODULE_DOME,
-    .trait = TP_TRAIT_dome, .enabled = enabled,
+    .trait = TP_TRAIT_dome, .enabled = tp_sky_dome_enabled,
 };
 
 const tp_drawing tp_sky_dome_drawing = {

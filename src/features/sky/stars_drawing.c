@@ -41,7 +41,7 @@ static void add_stage(const tp_frame *frame, const void *mine, const tp_stage *s
 
 /* -- the module ---------------------------------------------------------------------- */
 
-static bool enabled(const tp_want *want)
+bool tp_stars_enabled(const tp_want *want)
 {
     return want->scene->sky.kind == TP_SKY_NIGHT && want->above & TP_MODULE_DOME;
 }
@@ -53,7 +53,8 @@ static void *layout(tp_arena *arena, const tp_want *want)
 }
 
 const tp_module tp_stars_module = {
-    .name = "stars", .id = TP_STARS_ID, .is = TP_MODULE_STARS, .enabled = enabled,
+    .name = "stars", .id = TP_STARS_ID, .is = TP_MODULE_STARS,
+    .enabled = tp_stars_enabled,
 };
 
 const tp_drawing tp_stars_drawing = {

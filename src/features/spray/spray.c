@@ -34,7 +34,7 @@ const tp_speck *tp_spray_list(const tp_spray *spray)
     return (const tp_speck *)(const void *)(spray + 1);
 }
 
-static bool enabled(const tp_want *want)
+bool tp_spray_enabled(const tp_want *want)
 {
     return want->scene->spray.count > 0;
 }
@@ -378,6 +378,7 @@ const tp_spray *tp_world_spray(const tp_world *world)
 }
 
 const tp_module tp_spray_module = {
-    .name = "spray", .id = TP_SPRAY_ID, .enabled = enabled, .bytes = bytes, .init = init,
+    .name = "spray", .id = TP_SPRAY_ID,
+    .enabled = tp_spray_enabled, .bytes = bytes, .init = init,
     .fits = fits, .step = step, .hit = hit, .is_valid = is_valid,
 };

@@ -202,7 +202,7 @@ static void add_stages(const tp_frame *frame, const void *mine, const tp_stage *
 
 /* -- the module ----------------------------------------------------------------------- */
 
-static bool enabled(const tp_want *want)
+bool tp_glass_enabled(const tp_want *want)
 {
     return want->above & TP_MODULE_WALLS && tp_has_tank(want->scene)
         && want->scene->tank.kind == TP_TANK_GLASS;
@@ -222,7 +222,8 @@ static void *layout(tp_arena *arena, const tp_want *want)
 }
 
 const tp_module tp_glass_module = {
-    .name = "glass", .id = TP_GLASS_ID, .is = TP_MODULE_PANES, .enabled = enabled,
+    .name = "glass", .id = TP_GLASS_ID, .is = TP_MODULE_PANES,
+    .enabled = tp_glass_enabled,
 };
 
 const tp_drawing tp_glass_drawing = {

@@ -230,7 +230,7 @@ static void begin(tp_frame *frame, void *mine)
 /* -- the module ----------------------------------------------------------------------- */
 
 /* Stone is laid and lit like what is seen through the water. */
-static bool enabled(const tp_want *want)
+bool tp_tank_enabled(const tp_want *want)
 {
     return want->above & TP_MODULE_INSIDE
         && (tp_has_tank(want->scene) || tp_has_stone(want->scene));
@@ -248,7 +248,7 @@ static void *layout(tp_arena *arena, const tp_want *want)
 }
 
 const tp_module tp_tank_module = {
-    .name = "tank", .id = TP_TANK_ID, .is = TP_MODULE_WALLS, .enabled = enabled,
+    .name = "tank", .id = TP_TANK_ID, .is = TP_MODULE_WALLS, .enabled = tp_tank_enabled,
 };
 
 const tp_drawing tp_tank_drawing = {

@@ -211,7 +211,7 @@ static void begin(tp_frame *frame, void *mine)
 
 /* -- the module ----------------------------------------------------------------------- */
 
-static bool enabled(const tp_want *want)
+bool tp_caustics_enabled(const tp_want *want)
 {
     const tp_scene *scene = want->scene;
     const bool tank = tp_has_tank(scene) && want->above & TP_MODULE_WALLS;
@@ -235,7 +235,7 @@ static void *layout(tp_arena *arena, const tp_want *want)
 
 const tp_module tp_caustics_module = {
     .name = "caustics", .id = TP_CAUSTICS_ID, .trait = TP_TRAIT_caustic,
-    .enabled = enabled,
+    .enabled = tp_caustics_enabled,
 };
 
 const tp_drawing tp_caustics_drawing = { .layout = layout, .begin = begin };

@@ -3,7 +3,7 @@
 #include "features/underwater/underwater.h"
 #include "frame/frame.h"
 
-static bool enabled(const tp_want *want)
+bool tp_clear_water_enabled(const tp_want *want)
 {
     return want->scene->water.clear > 0 && want->above & TP_MODULE_INSIDE;
 }
@@ -50,7 +50,7 @@ static void add_stage(const tp_frame *frame, const void *mine, const tp_stage *s
 const tp_module tp_clear_water_module = {
     .name = "clear water", .id = TP_CLEAR_WATER_ID,
     .is = TP_MODULE_EXACT, .trait = TP_TRAIT_behind,
-    .enabled = enabled, .count = count,
+    .enabled = tp_clear_water_enabled, .count = count,
 };
 
 const tp_drawing tp_clear_water_drawing = {

@@ -105,7 +105,7 @@ static void look(tp_frame *frame, void *mine)
 
 /* -- the module ---------------------------------------------------------------------- */
 
-static bool enabled(const tp_want *want)
+bool tp_refraction_enabled(const tp_want *want)
 {
     return want->scene->water.clear > 0 && want->above & TP_MODULE_SOLID
         && want->above & TP_MODULE_INSIDE;
@@ -122,7 +122,7 @@ static void *layout(tp_arena *arena, const tp_want *want)
 }
 
 const tp_module tp_refraction_module = {
-    .name = "refraction", .id = TP_REFRACTION_ID, .enabled = enabled,
+    .name = "refraction", .id = TP_REFRACTION_ID, .enabled = tp_refraction_enabled,
 };
 
 const tp_drawing tp_refraction_drawing = { .layout = layout, .look = look };

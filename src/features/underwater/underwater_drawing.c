@@ -148,7 +148,7 @@ static void add_stages(const tp_frame *frame, const void *mine, const tp_stage *
 /* -- the module ----------------------------------------------------------------------- */
 
 /* A camera may dive in any scene. */
-static bool enabled(const tp_want *want)
+bool tp_underwater_enabled(const tp_want *want)
 {
     (void)want;
     return true;
@@ -168,7 +168,7 @@ static void init(tp_frame *frame, void *mine)
 
 const tp_module tp_underwater_module = {
     .name = "underwater", .id = TP_UNDERWATER_ID, .is = TP_MODULE_INSIDE,
-    .enabled = enabled,
+    .enabled = tp_underwater_enabled,
 };
 
 const tp_drawing tp_underwater_drawing = {

@@ -28,7 +28,7 @@ static bool is_linear(const tp_want *want)
     return want->scene->water.filter == TP_FILTER_LINEAR;
 }
 
-static bool has_base_layer(const tp_want *want)
+bool tp_base_layer_enabled(const tp_want *want)
 {
     return has_layer(want, 0);
 }
@@ -39,7 +39,7 @@ static void count_base_layer(const tp_want *want, uint8_t trait[TP_TRAIT_COUNT])
     trait[TP_TRAIT_linear] = is_linear(want);
 }
 
-static bool has_layers(const tp_want *want)
+bool tp_layers_enabled(const tp_want *want)
 {
     return layers_added(want) > 0 || bends_layers(want);
 }
@@ -60,7 +60,7 @@ static uint8_t bumps_of(const tp_want *want)
                ? (uint8_t)((scene->pool.cols > 0) + (scene->field.cols > 0)) : 0;
 }
 
-static bool has_bumps(const tp_want *want)
+bool tp_bumps_enabled(const tp_want *want)
 {
     return bumps_of(want) > 0;
 }
@@ -70,7 +70,7 @@ static void count_bumps(const tp_want *want, uint8_t trait[TP_TRAIT_COUNT])
     trait[TP_TRAIT_bump] = bumps_of(want);
 }
 
-static bool has_ripples(const tp_want *want)
+bool tp_ripple_enabled(const tp_want *want)
 {
     return want->assets && (want->assets->ripple || want->assets->slopes)
         && want->scene->ripple.bump > 0;
@@ -79,7 +79,7 @@ static bool has_ripples(const tp_want *want)
 /* -- light --------------------------------------------------------------------------- */
 
 /* Water that glitters, mirrors or is clear looks different at each angle. */
-static bool is_seen_at_an_angle(const tp_want *want)
+bool tp_lighting_enabled(const tp_want *want)
 {
     const tp_scene *scene = want->scene;
 
@@ -88,18 +88,18 @@ static bool is_seen_at_an_angle(const tp_want *want)
 }
 
 /* Light that is all ambient changes no colour. */
-static bool is_matt(const tp_want *want)
+bool tp_diffuse_enabled(const tp_want *want)
 {
     return !(want->above & TP_MODULE_LIGHT) && want->scene->light.ambient < TP_FX_ONE;
 }
 
-static bool has_glint(const tp_want *want)
+bool tp_glint_enabled(const tp_want *want)
 {
     return want->scene->water.specular > 0;
 }
 
 /* The exact law of others than water is everybody's. */
-static bool has_reflectance(const tp_want *want)
+bool tp_reflectance_enabled(const tp_want *want)
 {
     return want->scene->water.reflection > 0
         || want->scene->water.fresnel == TP_FRESNEL_SCHLICK;
@@ -115,57 +115,59 @@ static void count_reflectance(const tp_want *want, uint8_t trait[TP_TRAIT_COUNT]
 /* The fast stages know pictures, ripples, a sky's mirror and glints, and hand on no more
  * than a colour: what else a scene asks for is drawn by exact ones.  Smooth water would
  * show the cells of a dome or a cube. */
-static bool is_fast(const tp_want *want)
+bool tp_fast_water_enabled(const tp_want *want)
 {
     const bool sky = want->above & (TP_MODULE_DOME | TP_MODULE_CUBE);
 
     return (want->shadings >> TP_SHADING_QUICK & 1) && want->scene->hdr.share <= 0
-        && (has_ripples(want) || !sky) && !(want->above & TP_MODULE_EXACT);
+        && (tp_ripple_enabled(want) || !sky) && !(want->above & TP_MODULE_EXACT);
 }
 
 /* -- the modules --------------------------------------------------------------------- */
 
 const tp_module tp_bumps_module = {
     .name = "bumps", .id = TP_BUMPS_ID,
-    .is = TP_MODULE_EXACT | TP_MODULE_SLOPES, .enabled = has_bumps, .count = count_bumps,
+    .is = TP_MODULE_EXACT | TP_MODULE_SLOPES,
+    .enabled = tp_bumps_enabled, .count = count_bumps,
 };
 
 const tp_module tp_base_layer_module = {
     .name = "base layer", .id = TP_MODULE_ID('b', 'a', 's', 'e'),
-    .enabled = has_base_layer, .count = count_base_layer,
+    .enabled = tp_base_layer_enabled, .count = count_base_layer,
 };
 
 const tp_module tp_layers_module = {
-    .name = "layers", .id = TP_MODULE_ID('l', 'a', 'y', 'r'), .enabled = has_layers,
+    .name = "layers", .id = TP_MODULE_ID('l', 'a', 'y', 'r'),
+    .enabled = tp_layers_enabled,
     .count = count_layers,
 };
 
 const tp_module tp_ripple_module = {
     .name = "ripple", .id = TP_RIPPLE_ID, .trait = TP_TRAIT_ripple,
-    .enabled = has_ripples,
+    .enabled = tp_ripple_enabled,
 };
 
 const tp_module tp_lighting_module = {
     .name = "lighting", .id = TP_MODULE_ID('l', 'i', 'g', 't'), .is = TP_MODULE_LIGHT,
-    .trait = TP_TRAIT_look, .enabled = is_seen_at_an_angle,
+    .trait = TP_TRAIT_look, .enabled = tp_lighting_enabled,
 };
 
 const tp_module tp_diffuse_module = {
     .name = "diffuse", .id = TP_MODULE_ID('d', 'i', 'f', 'f'), .trait = TP_TRAIT_diffuse,
-    .enabled = is_matt,
+    .enabled = tp_diffuse_enabled,
 };
 
 const tp_module tp_reflectance_module = {
     .name = "reflectance", .id = TP_MODULE_ID('r', 'f', 'l', 'c'),
-    .enabled = has_reflectance, .count = count_reflectance,
+    .enabled = tp_reflectance_enabled, .count = count_reflectance,
 };
 
 const tp_module tp_glint_module = {
     .name = "glint", .id = TP_MODULE_ID('g', 'l', 'n', 't'), .trait = TP_TRAIT_glint,
-    .enabled = has_glint,
+    .enabled = tp_glint_enabled,
 };
 
 const tp_module tp_fast_water_module = {
     .name = "fast water", .id = TP_MODULE_ID('f', 'a', 's', 't'), .is = TP_MODULE_FAST,
-    .enabled = is_fast,
+    .enabled = tp_fast_water_enabled,
 };
