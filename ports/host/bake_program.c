@@ -136,18 +136,17 @@ int bake_find_program(bake_program *p, const options *o, const tp_scene *scene,
 
 /* -- the file ------------------------------------------------------------------------- */
 
-void bake_put_pieces(const bake_program *p, FILE *out)
+/* Under a heading; an empty set has none. */
+static void put_set(FILE *out, const char *heading, const piece_set *set)
 {
-    const tp_frame_config *c = &p->wish.config;
     const char *before = "";
     size_t column = 0;
 
-    fprintf(out, " *\n * %" PRIu32 "x%" PRIu32 " %s: %" PRIu32 " pictures are those of the"
-            " whole list.\n * In the program:", c->width, c->height,
-            tp_format_name(c->format), p->found.pictures);
     for (size_t i = 0; i < piece_count; i++) {
-        if (!p->found.in.has[i] || pieces[i].kind == PIECE_DRAWING)
+        if (!set->has[i] || pieces[i].kind == PIECE_DRAWING)
             continue;
+        if (!*before)
+            fprintf(out, "\n * %s:", heading);
         const bool begins = i == 0 || strcmp(piece_word(i), before) != 0;
         const size_t bytes = strlen(pieces[i].name) + 1;
         if (begins || column + bytes > 70) {
@@ -158,6 +157,17 @@ void bake_put_pieces(const bake_program *p, FILE *out)
         before = piece_word(i);
         column += bytes;
     }
+}
+
+void bake_put_pieces(const bake_program *p, FILE *out)
+{
+    const tp_frame_config *c = &p->wish.config;
+
+    fprintf(out, " *\n * %" PRIu32 "x%" PRIu32 " %s: %" PRIu32 " pictures are those of the"
+            " whole list.", c->width, c->height, tp_format_name(c->format),
+            p->found.pictures);
+    put_set(out, "In the program", &p->found.in);
+    put_set(out, "Refused by name when the scene comes to have it", &p->found.refused);
     fprintf(out, "\n");
 }
 
@@ -170,7 +180,7 @@ void bake_put_program(const bake_program *p, FILE *out, const char *name)
 #undef X
     };
 
-    pieces_write(out, name, &p->found.in, &p->wish.terms);
+    pieces_write(out, name, &p->found.in, &p->found.refused, &p->wish.terms);
     fprintf(out, "\nextern const tp_frame_config %s_picture;\n"
             "const tp_frame_config %s_picture = { %" PRIu32 ", %" PRIu32 ", %" PRIu32
             ", %" PRIu32 ", %s };\n", name, name, c->width, c->height, c->tile_width,

@@ -126,6 +126,20 @@ static void need_what_takes_memory(search *s)
     }
 }
 
+/* A scene that may change is checked against the modules that its program has not: what is
+ * on now stays, if only for its condition, which others ask about. */
+static void need_what_is_on(search *s)
+{
+    const dry_wish *wish = s->wish;
+    const piece_set all = everything(wish);
+
+    for (size_t i = 0; i < piece_count && wish->terms.checks; i++)
+        s->needed.has[i] |=
+            pieces[i].kind == PIECE_MODULE && all.has[i]
+            && (piece_is_on(i, &all, &wish->terms, wish->scene, wish->assets)
+                || piece_is_on(i, &all, &wish->terms, wish->named, wish->baked));
+}
+
 /* What every picture has, and every program that chooses rungs while it runs. */
 static void need_always(search *s)
 {
@@ -250,6 +264,7 @@ static int find(search *s)
     uint32_t differs;
 
     need_what_takes_memory(s);
+    need_what_is_on(s);
     need_always(s);
     for (uint32_t i = 0; i < FEW; i++)
         s->few[s->n_few++] = i * (s->run.cameras / FEW + 1) % s->run.cameras;
@@ -302,6 +317,16 @@ static int find_lacks(search *s, piece_set *lacks)
     return code;
 }
 
+static piece_set refused_by(const dry_wish *wish, const piece_set *in)
+{
+    piece_set refused = { .has = { false } };
+
+    for (size_t i = 0; i < piece_count; i++)
+        refused.has[i] = wish->terms.checks && pieces[i].kind == PIECE_MODULE
+                      && !in->has[i] && !wish->without.has[i];
+    return refused;
+}
+
 /* -- the search ----------------------------------------------------------------------- */
 
 static int open_search(search *s, const dry_wish *wish)
@@ -345,8 +370,9 @@ int dry_find(dry_found *found, const dry_wish *wish)
     if (!code && has_any(&wish->without))
         code = find_lacks(&s, &lacks);
     tidy(&s.in);
-    *found = (dry_found){ .in = s.in, .lacks = lacks, .lean = s.lean,
-                          .planned = plans(&s.in), .pictures = s.run.cameras };
+    *found = (dry_found){ .in = s.in, .lacks = lacks, .refused = refused_by(wish, &s.in),
+                          .lean = s.lean, .planned = plans(&s.in),
+                          .pictures = s.run.cameras };
     close_search(&s);
     return code;
 }

@@ -22,6 +22,7 @@ typedef struct {
 typedef struct {
     piece_set in;
     piece_set lacks;            /* of `without`, those that the scene asks for */
+    piece_set refused;          /* modules that a scene which changes may not switch on */
     bool      lean;             /* those assets will do */
     bool      planned;          /* the program plans for itself; else by the named scene */
     uint32_t  pictures;         /* that were compared */

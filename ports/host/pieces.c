@@ -2,6 +2,7 @@
 /* The rows come from the lists of tidepool/program.h: a piece that those gain or lose needs no
  * line here. */
 #include "pieces.h"
+#include <inttypes.h>
 #include <stdatomic.h>
 #include <stddef.h>
 #include <string.h>
@@ -40,6 +41,7 @@ typedef struct {
     const void *part;
     size_t      offset;
     tp_use      use;
+    tp_lack     lack;
 } meaning;
 
 /* -- stages that are watched ---------------------------------------------------------- */
@@ -89,8 +91,9 @@ static const meaning meanings[] = {
 #define X(x) { .part = &tp_method_##x, .offset = offsetof(tp_program, method.x) },
                 TP_METHOD_LIST(X)
 #undef X
-#define MODULE(x) { .use = TP_USE(x) }, { .use = TP_USE(x) }, TP_STAGES_OF_##x(X)
-#define UNSEEN(x) { .use = TP_USE_UNSEEN(x) },
+#define MODULE(x) \
+    { .use = TP_USE(x), .lack = TP_LACK(x, 0) }, { .use = TP_USE(x) }, TP_STAGES_OF_##x(X)
+#define UNSEEN(x) { .use = TP_USE_UNSEEN(x), .lack = TP_LACK(x, 0) },
 #define X(x) { .stage = tp_stage_##x, .watched = watched_##x },
                     TP_MODULE_LIST(MODULE, UNSEEN, MODULE)
 #undef X
@@ -163,6 +166,29 @@ void pieces_list(piece_list *to, const piece_set *of, const piece_terms *terms)
 void pieces_watch(piece_list *to, const piece_set *of, const piece_terms *terms)
 {
     make(to, of, terms, true);
+}
+
+/* Modules of the set that stand before a piece. */
+static uint32_t modules_above(const piece_set *of, size_t i)
+{
+    uint32_t above = 0;
+    for (size_t k = 0; k < i; k++)
+        above += pieces[k].kind == PIECE_MODULE && of->has[k];
+    return above;
+}
+
+bool piece_is_on(size_t i, const piece_set *of, const piece_terms *terms,
+                 const tp_scene *scene, const tp_assets *assets)
+{
+    piece_set others = *of;
+    piece_list list;
+    tp_lack lacks[2] = { meanings[i].lack };
+
+    others.has[i] = false;
+    lacks[0].above = modules_above(&others, i);
+    pieces_list(&list, &others, terms);
+    list.program.lacks = lacks;
+    return tp_program_fits(&list.program, scene, assets, NULL) == TP_E_PROGRAM;
 }
 
 /* -- names ---------------------------------------------------------------------------- */
@@ -261,7 +287,24 @@ static void write_uses(FILE *out, const char *name, const piece_set *of)
     fprintf(out, "    { 0, 0, 0, 0 }\n};\n");
 }
 
-void pieces_write(FILE *out, const char *name, const piece_set *of,
+/* False: there is none, and no list. */
+static bool write_lacks(FILE *out, const char *name, const piece_set *of,
+                        const piece_set *lacks)
+{
+    uint32_t written = 0;
+    for (size_t i = 0; i < piece_count; i++)
+        if (pieces[i].kind == PIECE_MODULE && lacks->has[i]) {
+            if (written++ == 0)
+                fprintf(out, "static const tp_lack %s_lacks[] = {\n", name);
+            fprintf(out, "    { \"%s\", tp_%s_enabled, %" PRIu32 " },\n", pieces[i].name,
+                    pieces[i].name, modules_above(of, i));
+        }
+    if (written > 0)
+        fprintf(out, "    { 0, 0, 0 }\n};\n");
+    return written > 0;
+}
+
+void pieces_write(FILE *out, const char *name, const piece_set *of, const piece_set *lacks,
                   const piece_terms *terms)
 {
     static const char *const word[] = {
@@ -273,12 +316,15 @@ void pieces_write(FILE *out, const char *name, const piece_set *of,
     fputc('\n', out);
     write_tables(out, name, of);
     write_uses(out, name, of);
+    const bool refuses = write_lacks(out, name, of, lacks);
     fprintf(out, "extern const tp_program %s_program;\nconst tp_program %s_program = {\n",
             name, name);
     if (terms->checks)
         fprintf(out, "    .check = tp_scene_check,\n");
     for (int kind = PIECE_STAGE; kind < PIECE_MODULE; kind++)
         write_kind(out, of, terms, (piece_kind)kind);
+    if (refuses)
+        fprintf(out, "    .lacks = %s_lacks,\n", name);
     fprintf(out, "    .store = { %s },\n    .modules = %s_modules\n};\n",
             word[terms->format], name);
 }

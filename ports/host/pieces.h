@@ -43,7 +43,8 @@ typedef struct {
     tp_stage stage[PIECES_MOST];        /* the tables of modules, one after another */
 } piece_list;
 
-/* Drawings and stages of a module that is not in the set are left out with it. */
+/* Drawings and stages of a module that is not in the set are left out with it.  The list
+ * refuses nothing. */
 void pieces_list(piece_list *to, const piece_set *of, const piece_terms *terms);
 
 /* The same with stages that note when they run; pieces_ran tells which have since
@@ -66,7 +67,12 @@ static inline bool piece_is_stage(size_t i)
 /* "stage sky", "module foam": as people read them. */
 const char *piece_word(size_t i);
 
-/* The list as text in C: NAME_program and, before it, what it points to. */
-void pieces_write(FILE *out, const char *name, const piece_set *of,
+/* True if a module is on in the scene, by a program of the other pieces of the set. */
+bool piece_is_on(size_t i, const piece_set *of, const piece_terms *terms,
+                 const tp_scene *scene, const tp_assets *assets);
+
+/* The list as text in C: NAME_program and, before it, what it points to.  Modules in
+ * `lacks` are refused by name when a scene comes to have them. */
+void pieces_write(FILE *out, const char *name, const piece_set *of, const piece_set *lacks,
                   const piece_terms *terms);
 #endif

@@ -132,6 +132,40 @@ for compiler in gcc clang; do
     same "lists compile without a warning by $compiler" "$? $(head -n 3 err)" "0 "
 done
 
+# -- what a list lacks -----------------------------------------------------------------
+
+same "a scene that does not change is refused nothing" "$(grep -c lacks h.c)" 0
+same "one that may is refused what its list lacks, but not what was left out" \
+    "$(run bake minimal -o j.c --size 64x48 --no-input --with foam --without spray
+       grep -c '^    { "boat", tp_boat_enabled, [0-9]* },$\|^    .lacks = minimal_lacks,$' j.c
+       grep -c 'tp_\(spray\|foam\)_enabled' j.c)" "2
+0"
+run bake minimal -o k.c --size 64x48 --no-input --with foam --name baked
+linked="-std=c11 -O1 -ffunction-sections -fdata-sections -Wl,--gc-sections -I$root/include"
+link()          # FILE.c PROGRAM
+{
+    # shellcheck disable=SC2086
+    ${CC:-cc} $linked "$root/tests/host/lacks.c" "$1" "$root/build/host/libtidepool.a" \
+        -o "$2" 2>err
+}
+link k.c lacks
+same "the scene as it is and as --with has it is taken, any other refused by name" \
+    "$(./lacks)" "as it is: ok
+foam: ok
+boat: the program lacks boat
+boat without its mesh: the program lacks hull
+night: the program lacks sky_dome
+clear water: the program lacks clear_water"
+symbols() { nm "$1" | sed -n 's/.* [TtRrDd] \(tp_[a-z_]*\)$/\1/p' | sort; }
+sed '/^    .lacks = /d' k.c >l.c
+link l.c blind
+same "to know what it lacks a program links conditions and no more" \
+    "$(symbols lacks >with; symbols blind | comm -13 - with |
+       grep -v '^tp_\([a-z_]*_enabled\|has_[a-z]*\)$' | tr '\n' ' ')" ""
+same "it has the modules of its list and no other" \
+    "$(symbols lacks | sed -n 's/_module$//p')" \
+    "$(sed -n 's/^    { &\(tp_[a-z_]*\)_module, .*/\1/p' k.c | sort)"
+
 # The same frames from constants as from files, with smaller pictures and settings.
 draws()         # SCENE [SETTING]
 {

@@ -172,6 +172,39 @@ static void pieces_are_added_and_left_out_by_name(void **state)
     stage_close(&a.stage);
 }
 
+/* A scene that may change: its modules are in the list, left out on purpose or refused;
+ * those that are on are in it though nothing of them is drawn. */
+static void what_may_not_be_switched_on_is_refused(void **state)
+{
+    asked a;
+    dry_found found;
+    uint32_t refused = 0, unseen = 0;
+
+    (void)state;
+    ask(&a, "assets/scenes/minimal.ini", false);
+    assert_int_equal(dry_find(&found, &a.wish), 0);
+    for (size_t i = 0; i < piece_count; i++)
+        assert_false(found.refused.has[i]);
+    a.wish.terms.checks = true;
+    pieces_named(&a.wish.with, "foam", 4);
+    pieces_named(&a.wish.without, "spray", 5);
+    assert_int_equal(dry_find(&found, &a.wish), 0);
+    for (size_t i = 0; i < piece_count; i++) {
+        const bool module = pieces[i].kind == PIECE_MODULE;
+        const int  where = found.in.has[i] + found.refused.has[i] + a.wish.without.has[i];
+        assert_int_equal(module ? where : found.refused.has[i], module);
+        if (module && found.refused.has[i])
+            assert_false(piece_is_on(i, &found.in, &a.wish.terms, a.wish.scene,
+                                     a.wish.assets));
+        refused += found.refused.has[i];
+        unseen += module && found.in.has[i] && pieces[i + 1].kind == PIECE_DRAWING
+               && !found.in.has[i + 1];
+    }
+    assert_true(refused > 20 && unseen > 0);
+    assert_true(has(&found, "underwater"));
+    stage_close(&a.stage);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -180,6 +213,7 @@ int main(void)
         cmocka_unit_test(what_draws_another_picture_is_refused),
         cmocka_unit_test(lean_assets_are_tried_first),
         cmocka_unit_test(pieces_are_added_and_left_out_by_name),
+        cmocka_unit_test(what_may_not_be_switched_on_is_refused),
     };
     return cmocka_run_group_tests_name("dry find", tests, NULL, NULL);
 }
