@@ -91,9 +91,9 @@ changes="light.elevation=60 camera.pitch=-30 wave0.amplitude=0.25 water.colour=#
 switched()      # NAME=VALUE: and all before it
 {
     changes="$changes $1"
-    answered "set $1" "ok $(echo "$1" | sed 's/=/ = /')$2" && restarted 60 &&
-        # shellcheck disable=SC2046
-        draws $(printf -- '--set %s ' $changes)
+    answered "set $1" "ok $(echo "$1" | sed 's/=/ = /')$2" && restarted 60 || return 1
+    # shellcheck disable=SC2046,SC2086
+    draws $(printf -- '--set %s ' $changes)
 }
 check "sharp crests" switched wave0.power=3
 check "a paddle" switched pool.paddle=0.5 " m"
