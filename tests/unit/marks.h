@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* What kind of thing each pixel of a drawn picture shows. */
+/* Pictures with the kind of thing that each pixel shows. */
 #ifndef TP_TESTS_MARKS_H
 #define TP_TESTS_MARKS_H
 #include "kinds.h"
@@ -43,5 +43,38 @@ static inline uint32_t marks_count(const uint32_t *key, size_t pixels, marks_kin
     for (size_t i = 0; i < pixels; i++)
         count += TP_MARK(key[i]) == kind;
     return count;
+}
+
+/* The picture has the same pixels in tiles of each of these sizes as in one. */
+static inline void marks_assert_tiled(const tp_scene *scene, const tp_assets *assets,
+                                      const tp_world *world, tp_frame_config config,
+                                      const uint32_t size[][2], size_t count,
+                                      uint32_t *key)
+{
+    const size_t bytes = (size_t)config.width * config.height * sizeof(uint32_t);
+    uint32_t *const whole = malloc(bytes), *const tiled = malloc(bytes);
+
+    assert_true(whole && tiled && config.tile_width == 0 && config.tile_height == 0);
+    marks_draw(scene, assets, world, config, key, whole);
+    for (size_t i = 0; i < count; i++) {
+        config.tile_width = size[i][0];
+        config.tile_height = size[i][1];
+        marks_draw(scene, assets, world, config, NULL, tiled);
+        assert_memory_equal(tiled, whole, bytes);
+    }
+    free(whole);
+    free(tiled);
+}
+
+/* Still water below an eye so high that looks to -z. */
+static inline tp_scene marks_still(int32_t metres)
+{
+    tp_scene s;
+
+    tp_scene_default(&s);
+    s.grid.cols = s.grid.rows = 12;
+    s.camera.y = metres * TP_FX_ONE;
+    s.camera.pitch = 0;
+    return s;
 }
 #endif

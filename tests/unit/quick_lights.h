@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Shades for tests of quick light, of any sky and lobe. */
+/* Shades and checks for tests of quick light, with any sky and lobe. */
 #ifndef TP_TESTS_QUICK_LIGHTS_H
 #define TP_TESTS_QUICK_LIGHTS_H
 #include "features/water/quick_light.h"
@@ -48,5 +48,29 @@ static inline void quick_run(test_run *r, uint32_t *slope, int32_t steep, uint64
         slope[i] = steep > 30000 && i % 8 == 0
                        ? 0x80008000u ^ (uint32_t)chance_int(state, 0, 3) * 0xffff
                        : r->n[i];
+}
+
+/* Both bodies of a stage make the same colours of a run, and leave no alpha. */
+static inline void quick_assert_same(stage *plain, stage *packed, const tp_shade *shade,
+                                     const tp_run *run)
+{
+    tp_run one = *run, other = *run;
+
+    plain(shade, &one);
+    packed(shade, &other);
+    assert_memory_equal(one.colour, other.colour, (size_t)run->count * 4);
+    for (int i = 0; i < run->count; i++)
+        assert_int_equal(one.colour[i] >> 24, 0);
+}
+
+/* A run has the same colours whole and in two parts. */
+static inline void quick_assert_cut(stage *body, const tp_shade *shade, tp_run whole,
+                                    tp_run left, tp_run right)
+{
+    body(shade, &whole);
+    body(shade, &left);
+    body(shade, &right);
+    assert_memory_equal(whole.colour, left.colour, (size_t)left.count * 4);
+    assert_memory_equal(whole.colour + left.count, right.colour, (size_t)right.count * 4);
 }
 #endif

@@ -10,6 +10,16 @@
 
 static uint64_t chance;
 
+static ref_dir view_of(const test_run *r, int i)
+{
+    return (ref_dir){ r->run.vx[i] / Q14, r->run.vy[i] / Q14, r->run.vz[i] / Q14 };
+}
+
+static ref_dir normal_of(const test_run *r, int i)
+{
+    return ref_normal(run_sx(r, i), run_sz(r, i));
+}
+
 /* Every other run to a slope of 2 in all, where the root's table ends, and as far as 16
  * bits go, where it is used up to three times over. */
 static void compare_diffuse(stage *diffuse, measure *off, double most)
@@ -22,7 +32,7 @@ static void compare_diffuse(stage *diffuse, measure *off, double most)
         tp_stage_view(&s, &r.run);
         diffuse(&s, &r.run);
         for (int i = 0; i < TP_RUN; i++) {
-            const ref_dir normal = ref_normal(run_sx(&r, i), run_sz(&r, i));
+            const ref_dir normal = normal_of(&r, i);
             const double ambient = s.ambient / 256.0;
             const double nl = fmax(0, ref_dir_dot(normal, shade_light(&s.world)));
             const double e = ref_off(r.run.colour[i],
@@ -99,8 +109,7 @@ static void light_hands_on_view_and_mirror(void **state)
         tp_stage_view(&s, &r.run);
         tp_stage_light(&s, &r.run);
         for (int i = 0; i < TP_RUN; i++) {
-            const ref_dir v = { r.run.vx[i] / Q14, r.run.vy[i] / Q14, r.run.vz[i] / Q14 };
-            const ref_dir normal = ref_normal(run_sx(&r, i), run_sz(&r, i));
+            const ref_dir v = view_of(&r, i), normal = normal_of(&r, i);
             const double nv = ref_clamp(ref_dir_dot(normal, v), 0, 1);
             const double up = ref_clamp(2 * nv * normal.y - v.y, -1, 1);
             /* The root is cut in its table and between its entries, 2 units, times a sum
@@ -116,6 +125,34 @@ static void light_hands_on_view_and_mirror(void **state)
     measure_print(&up_off);
 }
 
+/* A run lit with a lobe of random strength and shininess. */
+typedef struct {
+    tp_shade s;
+    test_run r;
+    double   strength;
+    int      shininess;
+} shiny;
+
+static void light_any(shiny *x, bool blinn, int most)
+{
+    x->s = shade_any(&chance);
+    x->strength = chance_double(&chance, 0, 4);
+    x->shininess = chance_int(&chance, 1, most);
+    (blinn ? tp_shade_shine_blinn : tp_shade_shine)(
+        shade_shine, x->shininess * TP_FX_ONE, (tp_fx)(x->strength * 65536));
+    run_any(&x->r, 2000, &chance);
+    tp_stage_view(&x->s, &x->r.run);
+    (blinn ? tp_stage_light_blinn : tp_stage_light)(&x->s, &x->r.run);
+}
+
+/* The glint is between two of the lobe's powers, and two levels more; 1 if it is seen. */
+static int assert_glint(const shiny *x, int i, double low, double high)
+{
+    assert_true(x->r.run.glint[i] >= low * x->strength * 256 - 2);
+    assert_true(x->r.run.glint[i] <= high * x->strength * 256 + 2);
+    return x->r.run.glint[i] > 0;
+}
+
 /* The lobe lies between those of a slightly lesser and a slightly larger R.V: the table
  * has 1024 entries; R.V is 2 N.L N.V - L.V, of which N.L and N.V are right to 7 units of
  * 1/16384: 30 in all. */
@@ -125,28 +162,18 @@ static void glints_follow_the_phong_lobe(void **state)
     int lit = 0;
 
     for (int n = 0; n < 2000; n++) {
-        tp_shade s = shade_any(&chance);
-        const double strength = chance_double(&chance, 0, 4);
-        const int shininess = chance_int(&chance, 1, n % 2 ? 1000 : 30);
-        tp_shade_shine(shade_shine, shininess * TP_FX_ONE, (tp_fx)(strength * 65536));
-        test_run r;
-        run_any(&r, 2000, &chance);
-        tp_stage_view(&s, &r.run);
-        tp_stage_light(&s, &r.run);
+        shiny x;
+        light_any(&x, false, n % 2 ? 1000 : 30);
         for (int i = 0; i < TP_RUN; i++) {
-            const ref_dir v = { r.run.vx[i] / Q14, r.run.vy[i] / Q14, r.run.vz[i] / Q14 };
-            const ref_dir normal = ref_normal(run_sx(&r, i), run_sz(&r, i));
-            const double nv = ref_clamp(ref_dir_dot(normal, v), 0, 1);
-            const double nl = ref_clamp(ref_dir_dot(normal, shade_light(&s.world)), 0, 1);
-            const double rv = 2 * nl * nv - r.run.lv[i] / Q14;
+            const ref_dir normal = normal_of(&x.r, i), l = shade_light(&x.s.world);
+            const double nv = ref_clamp(ref_dir_dot(normal, view_of(&x.r, i)), 0, 1);
+            const double nl = ref_clamp(ref_dir_dot(normal, l), 0, 1);
+            const double rv = 2 * nl * nv - x.r.run.lv[i] / Q14;
             if (fabs(rv) < 30 / Q14 || nl < 10 / Q14)
                 continue;
-            const double low =
-                pow(ref_clamp(rv - 1 / 1024.0 - 30 / Q14, 0, 1), shininess);
-            const double high = pow(ref_clamp(rv + 30 / Q14, 0, 1), shininess);
-            assert_true(r.run.glint[i] >= low * strength * 256 - 2);
-            assert_true(r.run.glint[i] <= high * strength * 256 + 2);
-            lit += r.run.glint[i] > 0;
+            const double low = ref_clamp(rv - 1 / 1024.0 - 30 / Q14, 0, 1);
+            const double high = ref_clamp(rv + 30 / Q14, 0, 1);
+            lit += assert_glint(&x, i, pow(low, x.shininess), pow(high, x.shininess));
         }
     }
     assert_true(lit > 1000);
@@ -161,18 +188,11 @@ static void blinn_glints_follow_the_half_vector(void **state)
     int lit = 0;
 
     for (int n = 0; n < 2000; n++) {
-        tp_shade s = shade_any(&chance);
-        const double strength = chance_double(&chance, 0, 4);
-        const int shininess = chance_int(&chance, 1, n % 2 ? 300 : 20);
-        tp_shade_shine_blinn(shade_shine, shininess * TP_FX_ONE, (tp_fx)(strength * 65536));
-        test_run r;
-        run_any(&r, 2000, &chance);
-        tp_stage_view(&s, &r.run);
-        tp_stage_light_blinn(&s, &r.run);
+        shiny x;
+        light_any(&x, true, n % 2 ? 300 : 20);
         for (int i = 0; i < TP_RUN; i++) {
-            const ref_dir v = { r.run.vx[i] / Q14, r.run.vy[i] / Q14, r.run.vz[i] / Q14 };
-            const ref_dir l = shade_light(&s.world);
-            const ref_dir normal = ref_normal(run_sx(&r, i), run_sz(&r, i));
+            const ref_dir v = view_of(&x.r, i), l = shade_light(&x.s.world);
+            const ref_dir normal = normal_of(&x.r, i);
             const double nl = ref_dir_dot(normal, l), nv = ref_dir_dot(normal, v);
             const ref_dir h = ref_unit((ref_dir){ l.x + v.x, l.y + v.y, l.z + v.z });
             const double nh = ref_dir_dot(normal, h), lv = ref_dir_dot(l, v);
@@ -180,12 +200,10 @@ static void blinn_glints_follow_the_half_vector(void **state)
             const double e = (40 * sqrt(2 / half) + 80 / half) / Q14;
             if (nl < 10 / Q14 || nv < 0 || c < 0.1 || half < 1 / 32.0)
                 continue;
-            const double low = pow((1 + ref_clamp(c - 1 / 1024.0 - e, 0, 1)) / 2,
-                                   2 * shininess);
-            const double high = pow((1 + ref_clamp(c + e, 0, 1)) / 2, 2 * shininess);
-            assert_true(r.run.glint[i] >= low * strength * 256 - 2);
-            assert_true(r.run.glint[i] <= high * strength * 256 + 2);
-            lit += r.run.glint[i] > 0;
+            const double low = (1 + ref_clamp(c - 1 / 1024.0 - e, 0, 1)) / 2;
+            const double high = (1 + ref_clamp(c + e, 0, 1)) / 2;
+            lit += assert_glint(&x, i, pow(low, 2 * x.shininess),
+                                pow(high, 2 * x.shininess));
         }
     }
     assert_true(lit > 1000);

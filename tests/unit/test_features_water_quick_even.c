@@ -70,14 +70,9 @@ static void both_bodies_have_the_same_bits(void **state)
         test_run r;
         quick_run(&r, slope, n / ALL % 2 ? 32000 : 3000, &chance);
         const int32_t from = n % 3 ? chance_int(&chance, 0, TP_RUN - 1) : 0;
-        tp_run plain = part_of(&r, slope, from, n % 3 == 1 ? TP_RUN
-                                                : chance_int(&chance, from + 1, TP_RUN));
-        tp_run packed = plain;
-        b->plain(&s, &plain);
-        b->packed(&s, &packed);
-        assert_memory_equal(plain.colour, packed.colour, (size_t)plain.count * 4);
-        for (int i = 0; i < plain.count; i++)
-            assert_int_equal(plain.colour[i] >> 24, 0);
+        const int32_t end = n % 3 == 1 ? TP_RUN : chance_int(&chance, from + 1, TP_RUN);
+        const tp_run run = part_of(&r, slope, from, end);
+        quick_assert_same(b->plain, b->packed, &s, &run);
     }
 }
 
@@ -92,15 +87,8 @@ static void where_tiles_begin_does_not_show(void **state)
         test_run r;
         quick_run(&r, slope, 4000, &chance);
         const int32_t from = chance_int(&chance, 0, 15), cut = 16 * chance_int(&chance, 1, 3);
-        tp_run whole = part_of(&r, slope, from, TP_RUN);
-        tp_run left = part_of(&r, slope, from, cut);
-        tp_run right = part_of(&r, slope, cut, TP_RUN);
-        b->packed(&s, &whole);
-        b->packed(&s, &left);
-        b->packed(&s, &right);
-        assert_memory_equal(whole.colour, left.colour, (size_t)left.count * 4);
-        assert_memory_equal(whole.colour + left.count, right.colour,
-                            (size_t)right.count * 4);
+        quick_assert_cut(b->packed, &s, part_of(&r, slope, from, TP_RUN),
+                         part_of(&r, slope, from, cut), part_of(&r, slope, cut, TP_RUN));
     }
 }
 

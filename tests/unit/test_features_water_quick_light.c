@@ -42,14 +42,9 @@ static void both_bodies_have_the_same_bits(void **state)
         test_run r;
         quick_run(&r, r.run.slope, n / ALL % 2 ? 32000 : 3000, &chance);
         const int32_t from = chance_int(&chance, 0, TP_RUN - 1);
-        tp_run plain = run_part(&r.run, from, chance_int(&chance, from + 1, TP_RUN));
-        memmove(plain.slope, r.run.slope + from, (size_t)plain.count * 4);
-        tp_run packed = plain;
-        b->plain(&s, &plain);
-        b->packed(&s, &packed);
-        assert_memory_equal(plain.colour, packed.colour, (size_t)plain.count * 4);
-        for (int i = 0; i < plain.count; i++)
-            assert_int_equal(plain.colour[i] >> 24, 0);
+        tp_run run = run_part(&r.run, from, chance_int(&chance, from + 1, TP_RUN));
+        memmove(run.slope, r.run.slope + from, (size_t)run.count * 4);
+        quick_assert_same(b->plain, b->packed, &s, &run);
     }
 }
 
@@ -62,15 +57,10 @@ static void where_a_run_is_cut_does_not_show(void **state)
         test_run r;
         quick_run(&r, r.run.slope, 4000, &chance);
         const int32_t cut = chance_int(&chance, 1, TP_RUN - 1);
-        tp_run whole = r.run, left = run_part(&r.run, 0, cut);
-        tp_run right = run_part(&r.run, cut, TP_RUN);
+        tp_run left = run_part(&r.run, 0, cut), right = run_part(&r.run, cut, TP_RUN);
         memmove(left.slope, r.run.slope, (size_t)cut * 4);
         memmove(right.slope, r.run.slope + cut, (size_t)(TP_RUN - cut) * 4);
-        b->packed(&s, &whole);
-        b->packed(&s, &left);
-        b->packed(&s, &right);
-        assert_memory_equal(whole.colour, left.colour, (size_t)cut * 4);
-        assert_memory_equal(whole.colour + cut, right.colour, (size_t)(TP_RUN - cut) * 4);
+        quick_assert_cut(b->packed, &s, r.run, left, right);
     }
 }
 
