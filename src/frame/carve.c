@@ -5,13 +5,6 @@
 #include "geom/waters.h"
 #include "scene/prices.h"
 
-/* True if the scene asks for a part and the program has it; a part that it lacks counts. */
-bool tp_frame_wants(tp_frame_parts *parts, bool asked, bool part)
-{
-    parts->lacks += asked && !part;
-    return asked && part;
-}
-
 /* The water's surface, and what is drawn before it as triangles. */
 static void carve_places(tp_frame_parts *p, tp_arena *arena, const tp_program *program,
                          const tp_scene *scene, const tp_frame_config *config)

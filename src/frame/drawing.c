@@ -105,14 +105,6 @@ const tp_stage *tp_frame_stages(const tp_frame *frame, uint32_t id)
     return NULL;
 }
 
-uint32_t tp_frame_mark(const tp_frame *frame, uint32_t id)
-{
-    EACH_ON(i, use, frame)
-        if (use[i].module->id == id)
-            return frame->parts.mark[i];
-    return 0;
-}
-
 bool tp_frame_has_module(const tp_frame *frame, uint32_t is)
 {
     EACH_ON(i, use, frame)

@@ -91,9 +91,6 @@ bool tp_frame_has_module(const struct tp_frame *frame, uint32_t is);
 void *tp_frame_part(const struct tp_frame *frame, uint32_t id);
 const tp_stage *tp_frame_stages(const struct tp_frame *frame, uint32_t id);
 
-/* The first of its marks; 0: it has none. */
-uint32_t tp_frame_mark(const struct tp_frame *frame, uint32_t id);
-
 /* One mark: what most modules need. */
 uint32_t tp_marks_one(const tp_want *want);
 #endif

@@ -26,8 +26,8 @@ typedef struct {
     tp_turn phases[TP_WAVES];
 } tp_thin_sea;
 
-/* What lies behind the frame in its block, as the scene needed it at init: NULL, or 0,
- * where it did not.  What a scene takes up later finds no memory and is left out. */
+/* Memory behind the frame in its block, for all that the scene needed at init; NULL or 0 for
+ * the rest.  A feature that is switched on later finds no memory and is left out. */
 typedef struct tp_frame_parts {
     tp_grid         *grid;              /* NULL: no method goes by crossings */
     tp_reach         reach;             /* rungs that there is memory for */
@@ -37,13 +37,13 @@ typedef struct tp_frame_parts {
     uint32_t         slope_cols;
     tp_thin_sea     *thin;
     struct tp_frame_lines *lines;       /* of the grid, lines.h; NULL: rows draw nothing */
-    uint32_t lacks; /* parts that the scene has and the program has not */
-    void **module;  /* memory of each of the program, or NULL, */
-    uint8_t         *mark;              /* its first mark, or 0, */
-    uint64_t         laid;              /* and a bit: it was on at init */
+    uint32_t         lacks;             /* modules that found too few marks */
+    void           **module;            /* memory of each of the program's, or NULL */
+    uint8_t         *mark;              /* first mark of each, or 0 */
+    uint64_t         laid;              /* a bit for each that was on at init */
     tp_marks         marks;
-    uint32_t         module_bytes;      /* of those, */
-    uint32_t         look_bytes;        /* and of those that water looks into */
+    uint32_t         module_bytes;      /* of modules that draw no picture for the water, */
+    uint32_t         look_bytes;        /* and of those that do */
 } tp_frame_parts;
 
 struct tp_frame {
@@ -69,8 +69,8 @@ struct tp_frame {
     tp_visibility    visibility;        /* of this frame */
 
     tp_sight         sight;             /* the picture itself */
-    uint64_t modules_on;                /* bits, in the order of the program's list */
-    uint64_t         modules_drawn;     /* of those that draw samples */
+    uint64_t         modules_on;        /* bits, in the order of the program's list */
+    uint64_t         modules_drawn;     /* those of them that draw samples */
 
     bool             under;             /* the eye is in the water */
     uint8_t          lacking;           /* as tp_shaders.lacking, of all lists, or ... */
@@ -93,13 +93,13 @@ static inline tp_shaders *tp_frame_list(const tp_frame *frame, uint32_t mark)
 tp_frame *tp_frame_carve(const tp_program *program, tp_frame_parts *parts,
                          tp_frame_ram *ram, tp_arena *arena, const tp_scene *scene,
                          tp_assets *assets, const tp_frame_config *config);
-bool tp_frame_wants(tp_frame_parts *parts, bool asked, bool part);
 tp_want tp_frame_want(const tp_program *program, const tp_frame_parts *parts,
                       const tp_scene *scene, const tp_assets *assets,
                       const tp_frame_config *config);
 bool tp_frame_is_coastal(const tp_program *program, const tp_scene *scene);
-bool tp_frame_streams(const tp_program *program,
-                      const tp_scene *scene); /* does not store */
+
+/* True if the water's crossings are streamed, not stored. */
+bool tp_frame_streams(const tp_program *program, const tp_scene *scene);
 tp_plan_input tp_frame_plan_input(const tp_program *program, const tp_scene *scene,
                                   const tp_assets *assets, const tp_frame_config *config);
 

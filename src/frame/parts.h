@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The parts of a frame that only some scenes need, as a program links them.  carve.c leaves
- * out each part that the program lacks, so that a finished frame never asks for one. */
+/* Methods of finding the water, and the plan, as a program links them.  A program's pointer
+ * to a method or to the plan is NULL if the program lacks it. */
 #ifndef TP_FRAME_PARTS_H
 #define TP_FRAME_PARTS_H
 #include "frame/frame.h"

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Planar maps: pictures at half the size, or a quarter, that water looks into.  They are
- * drawn before any tile, a band of a few rows at a time so that the samples stay small. */
+/* Planar maps: pictures of half or a quarter of the size, which the water's stages read.
+ * They are drawn before any tile, a few rows at a time so that the samples stay small. */
 #ifndef TP_FRAME_PLANAR_MAP_H
 #define TP_FRAME_PLANAR_MAP_H
 #include "frame/sight.h"
@@ -16,11 +16,11 @@ typedef struct {
     uint32_t  halvings;         /* of the picture's sides: 1 or 2 */
 } tp_planar_store;
 
-/* Its memory; pointers are NULL where the arena only counts. */
+/* Takes the map's memory; pointers are NULL if the arena only counts. */
 void tp_planar_layout(tp_planar_store *store, tp_arena *arena, const tp_want *want,
                       uint32_t halvings);
 
-/* The part of the map that `box` covers; false: none. */
+/* Sets *half to the part of the map that `box` covers; false: it covers none. */
 bool tp_planar_begin(const tp_planar_store *store, const tp_grid_box *box, tp_half *half);
 
 /* The samples of the band at row y0. */

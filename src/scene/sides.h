@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: MIT */
-/* What bounds a scene's water: its pool's sides, a tank around them, a floor. */
+/* The bounds of a scene's water: its pool's sides, a tank around them, a floor. */
 #ifndef TP_SCENE_SIDES_H
 #define TP_SCENE_SIDES_H
 #include "tidepool/scene.h"
 
-/* Level, in the world's metres. */
+/* A level rectangle, in the world's metres. */
 typedef struct {
     tp_fx x0, x1, z0, z1;
 } tp_rectangle;
@@ -24,7 +24,8 @@ static inline bool tp_has_tank(const tp_scene *scene)
 {
     return scene->tank.kind != TP_TANK_NONE && scene->pool.cols > 0;
 }
-/* A floor of its own under the sea, which may rise from it as land. */
+
+/* A floor under the sea, which may rise out of it as land. */
 static inline bool tp_has_floor(const tp_scene *scene)
 {
     return scene->floor.depth > 0 || scene->floor.map[0];

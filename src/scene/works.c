@@ -31,7 +31,8 @@ static uint32_t bits_of(uint32_t word)
     return n;
 }
 
-/* A ray that would meet water: of several modules whose things stop it the last is told. */
+/* Tests a ray that would meet water.  If several modules have things that stop it, the last
+ * module counts the ray. */
 static void stop_ray(tp_site *w, costs *all, int32_t i, int32_t j, int64_t far)
 {
     const tp_vec3 ray = tp_work_ray(w, i, j);
@@ -47,8 +48,8 @@ static void stop_ray(tp_site *w, costs *all, int32_t i, int32_t j, int64_t far)
     all->stopped[by]++;
 }
 
-/* Rays that meet water, and of them those near enough to mirror objects: an eighth behind
- * them, says the mirror's stage. */
+/* Finds the rays that meet water and, of those, the rays that meet it near enough to mirror
+ * objects: up to an eighth beyond the objects, as in the mirror's stage. */
 static void cast_rays(tp_site *w, costs *all, uint32_t near[TP_RAYS])
 {
     const tp_stand *at = &w->at;

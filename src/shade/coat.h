@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* What still things wear, as it is seen and lit. */
+/* The coat of still things: its colour as seen from far away, and in the light. */
 #ifndef TP_SHADE_COAT_H
 #define TP_SHADE_COAT_H
 #include "shade/normal.h"
@@ -12,7 +12,8 @@ TP_ALWAYS_INLINE tp_level tp_coat_level(const tp_coat *coat, tp_fx far, bool gro
                                                   coat->texture->levels));
 }
 
-/* At (x, z) metres of its plane, which may be the ground, seen from `far` metres away. */
+/* The coat's colour at (x, z) metres of its plane, seen from `far` metres away; `ground`:
+ * the plane is level. */
 TP_ALWAYS_INLINE uint32_t tp_coat_at(const tp_coat *coat, tp_fx x, tp_fx z, tp_fx far,
                                      bool ground)
 {
@@ -24,7 +25,7 @@ TP_ALWAYS_INLINE uint32_t tp_coat_at(const tp_coat *coat, tp_fx x, tp_fx z, tp_f
     return tp_colour_times(texel, coat->colour);
 }
 
-/* Its channel at bit `shift` alone, 0..255. */
+/* The channel at bit `shift` of tp_coat_at alone, 0..255. */
 TP_ALWAYS_INLINE uint32_t tp_coat_channel(const tp_coat *coat, tp_fx x, tp_fx z,
                                           tp_fx far, bool ground, int shift)
 {

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* The view of fast stages: its length is known by the place in the picture alone, as
- * turning a camera lengthens nothing, so that a table of 1 / sqrt(1 + u^2 + v^2) makes
- * it a unit. */
+/* Rays of the fast stages.  A ray's length depends on its place in the picture alone, since
+ * turning the camera keeps lengths: a table of 1 / sqrt(1 + u^2 + v^2) makes it a unit
+ * vector. */
 #ifndef TP_SHADE_QUICK_RAY_H
 #define TP_SHADE_QUICK_RAY_H
 #include "shade/shade.h"
@@ -16,7 +16,7 @@ typedef struct {
 
 tp_quick_row tp_quick_row_at(const tp_shade *shade, int32_t y);
 
-/* The unit vector to the eye from so many sixteenths of a pixel; l is its y in Q26. */
+/* tp_quick_ray_at as a function: for callers that need few rays. */
 tp_ray tp_quick_ray(const tp_shade *shade, const tp_quick_row *row, int32_t sixteenths);
 
 /* Q14 of so many sixteenths of a pixel over the focal length: 4 at the most. */

@@ -1,12 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* What kind of thing a mark stands for: each frame deals its own marks. */
+/* The kind of thing that a mark stands for: each frame deals its own marks. */
 #ifndef TP_TESTS_KINDS_H
 #define TP_TESTS_KINDS_H
-#include "features/boat/boat.h"
-#include "features/drops/drops.h"
-#include "features/land/land.h"
-#include "features/spray/spray.h"
-#include "features/tank/tank.h"
 #include "frame/frame.h"
 
 typedef enum {
@@ -14,18 +9,18 @@ typedef enum {
     MARKS_SPRAY
 } marks_kind;
 
+/* The owner of a mark's list tells the kind. */
 static inline marks_kind marks_kind_of(const tp_frame *frame, uint32_t mark)
 {
     if (mark < TP_MARK_SOLID)
         return mark == TP_MARK_SKY ? MARKS_SKY : MARKS_WATER;
-    if (mark == tp_frame_mark(frame, TP_SPRAY_ID))
-        return MARKS_SPRAY;
-    if (mark == tp_frame_mark(frame, TP_TANK_ID))
-        return MARKS_TANK;
-    if (mark == tp_frame_mark(frame, TP_GLASS_ID))
-        return MARKS_SIDE;
-    return mark == tp_frame_mark(frame, TP_LAND_ID) ? MARKS_LAND
-         : mark == tp_frame_mark(frame, TP_DROPS_ID) ? MARKS_DROP : MARKS_BOAT;
+    const tp_drawing *owner = mark < frame->parts.marks.count
+                            ? tp_frame_list(frame, mark)->owner : NULL;
+    return owner == &tp_spray_drawing ? MARKS_SPRAY
+         : owner == &tp_tank_drawing ? MARKS_TANK
+         : owner == &tp_glass_drawing ? MARKS_SIDE
+         : owner == &tp_land_drawing ? MARKS_LAND
+         : owner == &tp_drops_drawing ? MARKS_DROP : MARKS_BOAT;
 }
 
 /* The kind of each mark of the frame. */

@@ -1,10 +1,9 @@
 /* SPDX-License-Identifier: MIT */
-/* The boat on the waves: where it sails, how it lies, what it does to the pool, and how it
- * is drawn.  Only for scenes that name its mesh.  Its place and pose lie in tp_world, since
- * the camera goes with it.
+/* The boat: its course, its pose on the waves, its wake in a pool, its picture.  A scene
+ * without a mesh has none.  Place and pose lie in tp_world: a camera aboard follows them.
  *
- *     boat.c           the module hull: where it sails
- *     float.c          how it lies on the water
+ *     boat.c           the module hull: the course
+ *     float.c          the pose on the water
  *     wake.c           the module wake
  *     boat_drawing.c   the modules boat, its mesh, and lids
  *     boat_stage.c     the light on its materials */
@@ -17,7 +16,8 @@
 
 #define TP_BOAT_MATERIALS 192   /* more share the last mark */
 
-/* A corner of the mesh, projected; see boat_drawing.c for u of those that are not. */
+/* A vertex of the mesh, projected; boat_drawing.c has the values of u that mark a vertex
+ * as not projected. */
 typedef struct {
     int32_t  u, v;
     uint32_t zi;
@@ -35,34 +35,33 @@ typedef struct {
  * floats by its weight or follows slowly goes on from where it lay. */
 void tp_boat_init(const tp_program *program, tp_world *world, const tp_scene *scene);
 
-/* One tick; the water has been moved already, world->last_boat been kept. */
+/* One tick, after the water's; the caller has copied the last pose to world->last_boat. */
 void tp_boat_step(const tp_program *program, tp_world *world, const tp_scene *scene,
                   const tp_input *input);
 
-/* Whether the boat of a world whose bytes come from outside is in the ranges that steps
- * keep. */
+/* True if the boat of a world from outside is in the ranges that steps keep. */
 bool tp_boat_is_valid(const tp_world *world);
 
-/* The hull stirs its pool [E4]; after the step. */
+/* Stirs the water of tp_boat_pool by the hull [E4]; after tp_boat_step. */
 void tp_boat_wake(tp_world *world, const tp_scene *scene);
 
-/* The pool that it stirs: the patch, or where there is none the field, or NULL. */
+/* The pool that the hull stirs: [pool], else [field], else NULL. */
 tp_pool *tp_boat_pool(tp_world *world);
 
 /* -- float.c ------------------------------------------------------------------------ */
 
 typedef enum { TP_BOW, TP_STERN, TP_PORT, TP_STARBOARD } tp_hull_point;
 
-/* Laid on water of these heights under the four points, within +-2048 m. */
+/* Lays the boat on water of these heights under the four points, within +-2048 m. */
 void tp_boat_lay(tp_lie *lie, const tp_fx water[4]);
 
-/* One tick towards it, as the scene's boat moves. */
+/* Moves the boat for one tick towards the pose of tp_boat_lay, as the scene says. */
 void tp_boat_float(tp_lie *lie, const tp_scene *scene, const tp_fx water[4]);
 
 /* Sets the hull's `sunk`. */
 void tp_boat_sink(tp_hull *hull, const tp_lie *lie, const tp_fx water[4]);
 
-/* In the ranges that the three above keep. */
+/* True if all numbers are in the ranges that the three functions above keep. */
 bool tp_boat_lie_is_valid(const tp_lie *lie);
 bool tp_boat_hull_is_valid(const tp_hull *hull);
 

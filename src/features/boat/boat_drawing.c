@@ -79,8 +79,8 @@ static tp_view_corner view_of(const drawn_boat *b, const tp_mesh_vertex *vertex)
     return c;
 }
 
-/* Beyond the level that cuts the sight; of a face all of whose corners are so nothing is
- * left, one with some must be clipped. */
+/* u of a vertex beyond the level that cuts the sight.  A face with only such vertices is
+ * not drawn; a face with some is clipped. */
 #define OUTSIDE (TP_GRID_CUT + 1)
 
 static void place_vertex(const drawn_boat *b, const tp_sight *sight, uint32_t i)

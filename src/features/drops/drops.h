@@ -11,7 +11,7 @@
 
 #define TP_DROPS_ID TP_MODULE_ID('d', 'r', 'o', 'p')
 
-/* The rings as they lie at `time`, ticks x 65536: so many of *to, which has this room. */
+/* Fills `to` with the rings at `time`, ticks x 65536, up to `room`; returns their count. */
 uint32_t tp_drops_rings_at(const tp_drops *drops, const tp_program *program, int64_t time,
                            tp_ring_now *to, uint32_t room);
 #endif

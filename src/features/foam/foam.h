@@ -45,7 +45,7 @@ typedef struct {
     tp_fx pace;                 /* -1..1: how fast it goes ahead */
 } tp_foam_hull;
 
-/* What makes foam in this tick, and the row that it is at. */
+/* The sources of foam in this tick, and the row that is asked for. */
 typedef struct {
     const tp_world *world;
     const tp_scene *scene;
@@ -53,7 +53,7 @@ typedef struct {
     const tp_pool  *pool;       /* with walls that count */
     tp_foam *foam;
     tp_fx    z;                 /* of the row, by the caller */
-    tp_vec3  left;              /* ocean: the last cell's place */
+    tp_vec3  left;              /* ocean: place of the last cell asked for */
     tp_fx    per_cell, per_shore, deep, per_deep;
     int64_t  per_lsb;           /* m/s of a pool's LSB, Q32 */
     bool     has_hull;
@@ -65,8 +65,8 @@ typedef struct {
 void tp_foam_maker_begin(tp_foam_maker *m, tp_foam *foam, const tp_world *world,
                          const tp_scene *scene);
 
-/* Over an ocean, before a row at m->z whose neighbour at z - cell was not the last one:
- * of each of its cells. */
+/* Over an ocean: call it for each cell of the row at m->z before that row is asked for,
+ * unless the row before was its neighbour at z - cell. */
 void tp_foam_maker_above(tp_foam_maker *m, uint32_t col, tp_fx x);
 
 /* What the cell at x gains in TP_FOAM_TICKS ticks, 1/256 of a byte's units, below 2^16;

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The mirror of objects: what its stage reads, in tp_run.mine.
+/* The mirror of objects, and the data of its stage in tp_run.mine.
  *
  *     mirror_drawing.c   the module, and its planar map
  *     mirror_stage.c     its span stage */

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The object cube map: what a point on the water sees of the objects around it, in five
- * small pictures; read by its stage, in tp_run.mine.
+/* The object cube map: five small pictures of the objects around a point on the water; the
+ * data of its stage in tp_run.mine.
  *
  *     object_cube_drawing.c   the module, and its pictures
  *     object_cube_stage.c     its span stage */

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The map of caustics, as a picture keeps it. */
+/* A frame's map of caustics. */
 #ifndef TP_CAUSTICS_H
 #define TP_CAUSTICS_H
 #include "scene/sides.h"
@@ -10,7 +10,7 @@ typedef struct {
     int32_t x, z, lit_x, lit_z;
 } tp_caustic_corner;
 
-/* Metres along that a metre down takes the sun, Q16.16. */
+/* Level metres that sunlight goes for each metre down, 16.16. */
 typedef struct {
     int32_t x, z;
 } tp_fall;

@@ -23,7 +23,7 @@ typedef struct {
                                  * NULL */
 } tp_clear_water;
 
-/* name, slopes that a ripple has bent, colours that part; in the order of the table */
+/* name, slopes that a ripple has bent, dispersed colours; in the order of the table */
 #define TP_CLEAR_WATER_STAGES(X) \
     X(behind,                   0, 0) \
     X(behind_rippled,           1, 0) \

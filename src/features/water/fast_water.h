@@ -3,8 +3,8 @@
  * glints.
  *
  *     fast_water_drawing.c   its list and its tables
- *     quick_pictures.c       pictures prepared for it, whoever makes them
- *     quick_layers_drawing.c those of a frame
+ *     quick_pictures.c       makes prepared pictures, for frames and for bake
+ *     quick_layers_drawing.c a frame's prepared pictures
  *     quick_tables.c         tables of light
  *     quick_NAME_stage.c     its span stages */
 #ifndef TP_FAST_WATER_H
@@ -28,8 +28,8 @@ typedef struct {
     tp_quick_wish made[TP_PREPARED];
 } tp_fast_water;
 
-/* quick_layers_drawing.c: memory for the pictures that nobody has prepared; the layers of
- * this frame, after the water's colour is known. */
+/* quick_layers_drawing.c: takes memory for the pictures that the assets lack; then sets the
+ * layers of this frame, once the water's colour is known. */
 void tp_quick_layout_pictures(void *memory[TP_PREPARED], tp_arena *arena,
                               const tp_assets *assets);
 void tp_quick_begin_layers(tp_frame *frame, tp_fast_water *fast);

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The water's modules: what their stages read, in tp_run.mine.
+/* The water's modules, and the data of their stages in tp_run.mine.
  *
  *     water.c            the modules: when each is on
  *     NAME_drawing.c     their numbers, and which of their stages a list gets
@@ -23,7 +23,7 @@ typedef struct {
 typedef struct {
     tp_layer added[TP_LAYERS_ADDED];            /* texture NULL: it is not there */
     uint32_t colour[TP_LAYERS_ADDED];
-    bool     graded[TP_LAYERS_ADDED];           /* else the colour is all */
+    bool     graded[TP_LAYERS_ADDED];           /* else times the colour */
     tp_grade grade[TP_LAYERS_ADDED];
     tp_layer bend;                              /* the distortion */
     tp_fx    strength;                          /* m that it moves places at the most */
