@@ -47,16 +47,32 @@ static const bodies all[] = {
 };
 enum { ALL = sizeof all / sizeof *all };
 
-/* Columns [from, end) with slopes and the layers' colours of every second one. */
-static tp_run part_of(const test_run *r, const uint32_t *slope, int32_t from, int32_t end)
+/* A run for the n-th body, before it is lit. */
+typedef struct {
+    const bodies *by;
+    tp_shade shade;
+    uint32_t slope[TP_RUN];
+    test_run r;
+} unlit;
+
+static void unlit_make(unlit *u, int n, int32_t steep)
 {
-    tp_run part = run_part(&r->run, from, end);
+    u->by = &all[n % ALL];
+    u->shade = quick_shade(&lights, u->by->env, u->by->lobe, &chance);
+    quick_run(&u->r, u->slope, steep, &chance);
+}
+
+/* Columns [from, end) with slopes and the layers' colours of every second one. */
+static tp_run part_of(const unlit *u, int32_t from, int32_t end)
+{
+    const uint32_t *colour = u->r.run.colour;
+    tp_run part = run_part(&u->r.run, from, end);
     const int32_t odd = part.x & 1;
 
-    memcpy(part.slope, slope + from, (size_t)part.count * 4);
-    part.even[0] = r->run.colour[from];
+    memcpy(part.slope, u->slope + from, (size_t)part.count * 4);
+    part.even[0] = colour[from];
     for (int32_t k = 1; 2 * k - odd < part.count; k++)
-        part.even[k] = r->run.colour[from + 2 * k - odd];
+        part.even[k] = colour[from + 2 * k - odd];
     return part;
 }
 
@@ -64,15 +80,12 @@ static void both_bodies_have_the_same_bits(void **state)
 {
     (void)state;
     for (int n = 0; n < 4000; n++) {
-        const bodies *b = &all[n % ALL];
-        const tp_shade s = quick_shade(&lights, b->env, b->lobe, &chance);
-        uint32_t slope[TP_RUN];
-        test_run r;
-        quick_run(&r, slope, n / ALL % 2 ? 32000 : 3000, &chance);
+        unlit u;
+        unlit_make(&u, n, n / ALL % 2 ? 32000 : 3000);
         const int32_t from = n % 3 ? chance_int(&chance, 0, TP_RUN - 1) : 0;
         const int32_t end = n % 3 == 1 ? TP_RUN : chance_int(&chance, from + 1, TP_RUN);
-        const tp_run run = part_of(&r, slope, from, end);
-        quick_assert_same(b->plain, b->packed, &s, &run);
+        const tp_run run = part_of(&u, from, end);
+        quick_assert_same(u.by->plain, u.by->packed, &u.shade, &run);
     }
 }
 
@@ -81,14 +94,11 @@ static void where_tiles_begin_does_not_show(void **state)
 {
     (void)state;
     for (int n = 0; n < 2000; n++) {
-        const bodies *b = &all[n % ALL];
-        const tp_shade s = quick_shade(&lights, b->env, b->lobe, &chance);
-        uint32_t slope[TP_RUN];
-        test_run r;
-        quick_run(&r, slope, 4000, &chance);
+        unlit u;
+        unlit_make(&u, n, 4000);
         const int32_t from = chance_int(&chance, 0, 15), cut = 16 * chance_int(&chance, 1, 3);
-        quick_assert_cut(b->packed, &s, part_of(&r, slope, from, TP_RUN),
-                         part_of(&r, slope, from, cut), part_of(&r, slope, cut, TP_RUN));
+        quick_assert_cut(u.by->packed, &u.shade, part_of(&u, from, TP_RUN),
+                         part_of(&u, from, cut), part_of(&u, cut, TP_RUN));
     }
 }
 
@@ -97,16 +107,13 @@ static void even_columns_are_those_of_the_whole_rate(void **state)
 {
     (void)state;
     for (int n = 0; n < 2000; n++) {
-        const bodies *b = &all[n % ALL];
-        const tp_shade s = quick_shade(&lights, b->env, b->lobe, &chance);
-        uint32_t slope[TP_RUN];
-        test_run r;
-        quick_run(&r, slope, 4000, &chance);
-        tp_run half = part_of(&r, slope, 0, TP_RUN), whole = half;
-        if (b->lobe == TP_LOBE_PHONG)
+        unlit u;
+        unlit_make(&u, n, 4000);
+        tp_run half = part_of(&u, 0, TP_RUN), whole = half;
+        if (u.by->lobe == TP_LOBE_PHONG)
             continue;
-        b->plain(&s, &half);
-        b->whole(&s, &whole);
+        u.by->plain(&u.shade, &half);
+        u.by->whole(&u.shade, &whole);
         for (int i = 0; i < TP_RUN; i += 2)
             assert_int_equal(half.colour[i], whole.colour[i]);
     }

@@ -9,6 +9,7 @@
 #include "features/reflection/object_cube.h"
 #include "features/water/bumps.h"
 #include "features/underwater/underwater.h"
+#include "features/tank/tank.h"
 #include "frame/frame.h"
 #include "kinds.h"
 #include "kit.h"
