@@ -247,9 +247,9 @@ tp_status tp_scene_check(const tp_scene *scene, tp_error *err);
 typedef struct {
     const tp_mesh    *boat;
     const tp_texture *layer[TP_LAYERS], *distortion, *ripple, *foam;
-    /* The first three as the quick rung wants them (features/water/quick_layers.h), for this
-     * scene's numbers: they stay as they are when those change.  NULL: the frame makes
-     * them of the others, in its block. */
+    /* Layers, distortion and ripple prepared for the quick rung (tp_prepare), for the scene's
+     * numbers; they do not follow a change of those.  NULL: the frame prepares them in its
+     * block. */
     const tp_texture *graded[TP_LAYERS], *offsets, *slopes;
     const tp_texture *sky[TP_FACES], *tank_wall, *tank_floor, *floor_texture;
     const tp_grey    *floor;            /* scene.floor.map */
@@ -371,11 +371,11 @@ size_t tp_world_bytes(const tp_program *program, const tp_scene *scene,
 tp_status tp_world_init(const tp_program *program, tp_world *world, size_t bytes,
                         const tp_scene *scene, const tp_assets *assets, tp_error *err);
 
-/* Whether bytes from outside, such as a file's, are a world that can be stepped and drawn.
- * `fresh` is a world of the same scene, assets and program, as tp_world_init or
- * tp_world_refresh leaves it: the version, the layout and all that follows from the scene
- * must equal its; all that ticks change must be in the ranges that they keep.  `bytes` are those of
- * `world`, aligned to 8.  TP_E_WORLD: err->word names the part at fault; TP_E_NULL,
+/* Checks that bytes from outside, such as a file's, are a world that can be stepped and
+ * drawn.  `fresh` is a world of the same scene, assets and program, as tp_world_init or
+ * tp_world_refresh leaves it: version, layout and everything that follows from the scene
+ * must be equal; numbers that ticks change must be in the ranges that ticks keep.  `world`
+ * has `bytes` bytes, aligned to 8.  TP_E_WORLD: err->word names the part at fault; TP_E_NULL,
  * TP_E_ALIGN: the argument. */
 tp_status tp_world_check(const tp_program *program, const tp_world *world, size_t bytes,
                          const tp_world *fresh, tp_error *err);

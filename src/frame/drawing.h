@@ -78,7 +78,7 @@ void tp_frame_draw_over(const struct tp_frame *frame, const tp_samples *samples)
 /* Makes the lists of the modules' own samples. */
 void tp_frame_list_modules(struct tp_frame *frame);
 
-/* Where the solid modules have their things; without any at the origin. */
+/* The anchor of the first module that has things; the origin if none has. */
 tp_sight_anchor tp_frame_anchor(const struct tp_frame *frame);
 
 /* True if a module draws samples before the water. */

@@ -16,10 +16,11 @@ typedef struct {
     uint8_t     lists;          /* and lists */
 } tp_marks;
 
-/* Sky and water alone. */
+/* Deals the fixed marks of sky and water. */
 void tp_marks_init(tp_marks *marks);
 
-/* The first of `wanted` marks, with a list; 0: none is wanted, or so many are not left. */
+/* Deals `wanted` marks, with one list, and returns the first; 0: none is wanted, or too few
+ * are left. */
 uint32_t tp_marks_deal(tp_marks *marks, uint32_t wanted);
 
 /* Takes the memory of the lists; all marks are dealt. */

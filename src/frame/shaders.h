@@ -59,10 +59,10 @@ void tp_shaders_init(tp_shaders *list, tp_list_kind kind, tp_shader *shader,
                      uint8_t *place, uint32_t room);
 void tp_shaders_clear(tp_shaders *list);
 
-/* Behind those of the same place; NULL is left out, and counted. */
+/* Adds a stage behind those of the same place; NULL is not added, but counted as lacking. */
 void tp_shaders_add(tp_shaders *list, tp_place place, tp_stage stage, const void *mine);
 
-/* The same of a stage that belongs to no module and comes first. */
+/* Adds a stage of colour that belongs to no module. */
 static inline void tp_shaders_add_colour(tp_shaders *list, tp_stage stage)
 {
     tp_shaders_add(list, TP_AT_COLOUR, stage, NULL);

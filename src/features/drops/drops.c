@@ -346,7 +346,7 @@ static void add_surface(const void *mine, tp_surface *surface)
     surface->rings = now->count;
 }
 
-/* The rings of this tick are those that the drops' rings make, or there are none. */
+/* True if `now` is empty or holds the rings that the drops raise at this time. */
 static bool are_rings_valid(const tp_drops *drops, const rings_now *now, int64_t time)
 {
     uint32_t n = 0;

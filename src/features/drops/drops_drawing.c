@@ -54,8 +54,8 @@ typedef struct {
     tp_fx   wide, high;         /* half axes, m */
 } spheroid;
 
-/* a^(-1/3) by its series to the cube, of |squash| <= 1/2 within 0.017; the height takes
- * what volume is left. */
+/* a^(-1/3) by its series to the third power, within 0.017 for |squash| <= 1/2; the height
+ * keeps the volume. */
 static spheroid shaped(tp_vec3 centre, tp_fx radius, int32_t squash_q14)
 {
     tp_fx q = tp_clamp(squash_q14, -8192, 8192) * 4;
@@ -112,8 +112,8 @@ static void see_ring(const drawn_drops *d, const tp_sight *sight, const spheroid
 
 static const tp_grid_box nowhere = { 1, 1, 0, 0 };
 
-/* By the corners of the ball; one that must be clipped may be anywhere.  Of a ball that
- * the level cuts the whole is taken. */
+/* The pixels that the ball's corners span; all pixels if a corner must be clipped.  A ball
+ * that the level cuts counts whole. */
 static tp_grid_box box_of(const drawn_drops *d, const tp_sight *sight, const spheroid *s,
                           uint32_t step)
 {

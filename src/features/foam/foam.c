@@ -295,7 +295,7 @@ static bool is_valid(const void *mine, const void *made, const tp_world *world)
 
 /* -- the module ---------------------------------------------------------------------- */
 
-/* Cover of cells of one size means nothing in those of another. */
+/* Cover is lost if the number or the size of the cells changes. */
 static bool fits(const void *mine, const tp_scene *scene)
 {
     const tp_foam *foam = mine;

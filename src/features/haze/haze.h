@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Haze: air between the eye and what is not the sky.
+/* Haze: air between the eye and everything but the sky.
  *
  *     haze_drawing.c   the module
  *     haze_stage.c     its rule, and the span stages, one for each kind of sky */

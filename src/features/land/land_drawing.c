@@ -29,7 +29,7 @@ typedef struct {
     bool      seen;
 } land;
 
-/* Land as high or deep as this is as far as 16.16 tells from an eye 8 km up. */
+/* Bound of the land's height and depth: from an eye 8 km up 16.16 reaches no farther. */
 #define HEIGHT_MOST (24000 * TP_FX_ONE)
 
 static corner *vertex_at(const tp_frame *frame, const land *l, uint32_t i, uint32_t j)
@@ -109,7 +109,7 @@ static void place_band(const tp_frame *frame, const land *l, uint32_t j)
     l->rows[j] = rows;
 }
 
-/* In the picture alone, over the water's crossings if a method makes any. */
+/* Land is in the picture alone, and uses the water's crossings if a method makes them. */
 static void place(tp_frame *frame, void *mine, tp_sight *sight, tp_grid_box *box)
 {
     const tp_grid *grid = frame->parts.grid;

@@ -89,7 +89,7 @@ static tp_status init_one(tp_basin *basin, const tp_want *want, bool field, tp_e
     return tp_pool_init(&basin->pool, &config, err);
 }
 
-/* On a copy of the head, whose sponge stands behind it. */
+/* Tries the new numbers on a copy of the pool's head; a copy has no memory for a sponge. */
 static bool fits_one(const tp_basin *basin, const tp_scene *scene, bool field)
 {
     const tp_pool_config config = tp_pools_config(scene, NULL, field);

@@ -152,7 +152,7 @@ static chain halves_of(const tp_frame *frame, const tp_quick_layers *layers,
     return c;
 }
 
-/* A stage reads what the one before left: the chain is whole, or none of it is added. */
+/* Each stage reads the results of the stage before it: all are added, or none. */
 static bool add_chain(tp_shaders *list, const chain *c, const void *mine)
 {
     for (uint32_t i = 0; i < c->count; i++)

@@ -11,7 +11,7 @@ static void *layout_base(tp_arena *arena, const tp_want *want)
     return tp_arena_take(arena, 1, sizeof(tp_base_layer));
 }
 
-/* Its colour and the water's are one. */
+/* The first layer's colour and the water's colour are multiplied into one. */
 static void begin_base(tp_frame *frame, void *mine)
 {
     const tp_scene_layer *layer = &frame->scene->layer[0];
@@ -83,7 +83,7 @@ static void begin_layers(tp_frame *frame, void *mine)
     layers->strength = frame->scene->distortion.strength;
 }
 
-/* They are added to the water's colour where it has no first picture. */
+/* Without a first layer the others are added to the water's plain colour. */
 static void add_layers(const tp_frame *frame, const void *mine, const tp_stage *stage,
                        tp_shaders *list)
 {

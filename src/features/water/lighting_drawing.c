@@ -11,7 +11,7 @@ static void begin(tp_frame *frame, void *mine)
     frame->shade.shine = dark;
 }
 
-/* The view comes with the light by it, both or none: a list with a view is lit. */
+/* The view and the light that depends on it are added together: a list with a view is lit. */
 static void add_light(const tp_frame *frame, const void *mine, const tp_stage *stage,
                       tp_shaders *list)
 {

@@ -56,8 +56,8 @@ struct tp_quick_light {
     X(cube_phong,     TP_ENV_CUBE,     TP_LOBE_PHONG) \
     X(cube_blinn,     TP_ENV_CUBE,     TP_LOBE_BLINN)
 
-/* quick_tables.c: of the shade's sky, light and numbers.  Of where the camera looks a
- * dome's lobe depends on this share alone, of 256. */
+/* quick_tables.c: makes the tables from the shade's sky, light and numbers.  On the camera's
+ * angles they depend only by this share, of 256, in a dome's lobe. */
 uint32_t tp_quick_share_at_sun(const tp_shade *shade);
 void tp_quick_light_init(struct tp_quick_light *quick, const tp_shade *shade,
                          tp_lobe lobe, bool shiny, bool rippled);

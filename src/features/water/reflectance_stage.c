@@ -19,7 +19,7 @@ TP_ALWAYS_INLINE uint32_t share_of(const tp_shade *shade, int32_t nv, int32_t up
     return share * above_of(up) >> 8;
 }
 
-/* The same in 65536ths: many whites multiply what a cut would lose. */
+/* The same in 65536ths: light of many whites multiplies the rounding error. */
 TP_ALWAYS_INLINE uint32_t fine_share_of(const tp_shade *shade, int32_t nv, int32_t up)
 {
     uint32_t share = shade->fresnel[nv >> 6] * (uint32_t)shade->mirror;
@@ -37,7 +37,8 @@ void tp_stage_mirror(const tp_shade *restrict shade, tp_run *restrict run)
     }
 }
 
-/* The slopes as sampled, for stages that ask no more whether ripples have bent them. */
+/* Unpacks the slopes as sampled: later stages then read the slopes of smooth and of rippled
+ * water in one place. */
 void tp_stage_slopes(const tp_shade *restrict shade, tp_run *restrict run)
 {
     const int32_t count = run->count;
@@ -59,7 +60,7 @@ void tp_stage_reflect_gradient(const tp_shade *restrict shade, tp_run *restrict 
     }
 }
 
-/* Light beyond white times a small share need not be beyond it: the share comes first. */
+/* Multiplies by the share first: light beyond white times a small share may be below it. */
 TP_ALWAYS_INLINE uint32_t bright_mix(uint32_t a, uint32_t light, uint32_t share,
                                      uint32_t gain)
 {

@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: MIT */
-/* The water's modules: when each is on, and what the estimate counts of it. */
+/* The water's modules: when each is on, and its count in the plan's estimate. */
 #include "features/water/water.h"
 
 /* -- pictures ------------------------------------------------------------------------ */
 
-/* As it is, or prepared for the fast stages. */
+/* A layer is there as it was loaded, or prepared for the fast stages. */
 static bool has_layer(const tp_want *want, int k)
 {
     return want->assets && (want->assets->layer[k] || want->assets->graded[k]);
@@ -98,7 +98,7 @@ bool tp_glint_enabled(const tp_want *want)
     return want->scene->water.specular > 0;
 }
 
-/* The exact law of others than water is everybody's. */
+/* The module also sets the table of Schlick's law; the exact law needs no module. */
 bool tp_reflectance_enabled(const tp_want *want)
 {
     return want->scene->water.reflection > 0
