@@ -26,7 +26,7 @@ static tp_status lacks(tp_error *err, const char *what)
     return tp_error_blame(err, TP_FAIL(err, TP_E_PROGRAM, 0, 0, 0), what);
 }
 
-/* What every picture needs. */
+/* The stages and the store that every picture needs. */
 static tp_status check_program(const tp_program *program, tp_format format, tp_error *err)
 {
     if (!program->stage.sky || !program->stage.plain)

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* What every sight has in common. */
+/* Functions that all sights share. */
 #include "frame/frame.h"
 
 tp_fx tp_sight_level(const tp_frame *frame)

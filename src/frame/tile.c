@@ -21,7 +21,7 @@ static void *pixels_of(const tp_frame *frame, void *scratch)
     return (uint32_t *)scratch + 4 * plane;
 }
 
-/* How many of `most` samples from here are of the first one's kind. */
+/* The number of samples from here, up to `most`, that have the first one's mark. */
 static int32_t run_length(const uint32_t *key, int32_t most)
 {
     uint32_t mark = TP_MARK(key[0]);
@@ -104,7 +104,7 @@ void tp_frame_colour_row(const tp_frame *frame, const tp_samples *tile, int32_t 
     }
 }
 
-/* All that is there, the water after what it hides. */
+/* Draws all geometry into the tile: solids first, the water after them. */
 static void draw_samples(const tp_frame *frame, tp_samples *samples, void *memory)
 {
     TP_ASSERT(frame->world != NULL);

@@ -10,7 +10,7 @@ void tp_frame_set_rungs(tp_frame *frame, const tp_rungs *rungs)
         frame->asked = *rungs;
 }
 
-/* What the scene names, else the first of a kind, which is exact. */
+/* The rung that the scene names, else the first of its kind, the exact one. */
 static int first_or(int32_t named, int last)
 {
     return named > 0 && named <= last ? named : 1;

@@ -18,8 +18,8 @@ void tp_light_refresh(tp_world *world, const tp_scene *scene);
 /* Moves the light; the exposure stays. */
 void tp_light_step(tp_world *world, const tp_scene *scene, const tp_input *in);
 
-/* Whether the light and the exposure of a world whose bytes come from outside are in the
- * ranges that steps keep. */
+/* True if the light and the exposure of a world from outside are in the ranges that steps
+ * keep. */
 bool tp_light_is_valid(const tp_world *world);
 
 /* A sky of six pictures: one that is missing leaves the gradient. */

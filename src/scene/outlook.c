@@ -33,20 +33,20 @@ static uint32_t water_rays(const tp_stand *at)
 
 /* -- vertices ------------------------------------------------------------------------ */
 
-/* Where the n-th of SPOTS lies on an axis of `lines` lines. */
+/* The place of the n-th of SPOTS on an axis of `lines` lines. */
 static int64_t spot_of(const tp_scene *s, int32_t lines, int64_t centre, int32_t n)
 {
     return tp_stand_line(s, lines, centre,
                          (int64_t)(lines - 1) * (2 * n + 1 - SPOTS) * 32768 / SPOTS);
 }
 
-/* Of the grid's crossings in view; and of their cells, which get a pixel, Q8. */
+/* The grid's crossings in view, and those of their cells that get a pixel, Q8. */
 typedef struct {
     uint32_t spots, drawn;
 } viewed;
 
-/* Whether a level cell at such a depth gets a pixel, Q8: its image is its area times
- * focal^2 height / depth^3.  It is drawn once for each tile that its rows touch. */
+/* The share of level cells at such a depth that get a pixel, Q8: a cell's image is its area
+ * times focal^2 height / depth^3.  A cell counts once for each tile that its rows touch. */
 static uint32_t pixels_of_cell(const tp_stand *at, const tp_scene *s, int32_t focal,
                                int64_t depth)
 {
@@ -215,7 +215,7 @@ static void list_fits(tp_outlook *o, const tp_scene *s, const tp_stand *at, int6
     o->fits[TP_VISIBILITY_FLAT - 1] = swell;
 }
 
-/* -- what water goes through --------------------------------------------------------- */
+/* -- the stages of water ------------------------------------------------------------- */
 
 /* The modules that are on and raise the water's surface.  They ask of no other module. */
 static void list_surfaces(tp_outlook *o, const tp_use *modules, const tp_want *want)

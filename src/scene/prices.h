@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* What methods cost and how far they are off, as measured: instructions of a Cortex-M4;
- * errors against the truth (tests/budgets/truth.h), beyond those of the exact rungs.  The
- * table is made from assets/charts/prices.csv. */
+/* Costs and errors of methods, as measured: instructions of a Cortex-M4; errors against the
+ * truth (tests/budgets/truth.h), beyond those of the exact rungs.  The table is made from
+ * assets/charts/prices.csv. */
 #ifndef TP_SCENE_PRICES_H
 #define TP_SCENE_PRICES_H
 #include "tidepool/program.h"
@@ -37,7 +37,7 @@ enum {
     TP_SEA_OCEAN, TP_SEA_OCEAN_GLOSSY, TP_SEA_OCEAN_SPARKS, TP_SEA_CLASSES
 };
 
-/* Of a way to find the water. */
+/* The price of a method of finding the water. */
 typedef struct {
     bool  known;
     tp_fx pixel;                /* instructions a water pixel */
@@ -49,7 +49,7 @@ typedef struct {
     tp_fx still;                /* instead of `pixel` of level water */
 } tp_seen_price;
 
-/* Of a way to shade it, a pixel; some are below 0. */
+/* The price of a method of shading the water, a pixel; some are below 0. */
 typedef struct {
     bool  known;
     tp_fx part[TP_TRAIT_COUNT];
@@ -110,13 +110,13 @@ typedef struct {
 tp_rungs tp_rungs_by(const tp_prices *prices, const tp_plan_input *in);
 tp_plan_report tp_plan_by(const tp_prices *prices, const tp_plan_input *in);
 
-/* What the choice weighs: the chosen rungs' price without what no rung changes much, the
- * works, which only reports add. */
+/* The price by which rungs are chosen.  It lacks the works, which no rung changes much and
+ * which reports alone add. */
 tp_price tp_price_by(const tp_prices *prices, const tp_plan_input *in);
 
 tp_ladder tp_ladder_by(const tp_prices *prices, const tp_plan_input *in);
 
-/* Whether some wave is too faint to be drawn as it is, seen from the scene's camera. */
+/* True if some wave is too faint to be drawn as it is, seen from the scene's camera. */
 bool tp_thins_sea(const tp_plan_input *in);
 
 /* -- outlook.c: an estimate of what the camera sees at the start ---------------------- */

@@ -65,7 +65,7 @@ void tp_inside_places(const tp_shade *shade, const tp_run *run, int32_t i, int32
 /* The floor around what a beam would meet. */
 tp_bed tp_inside_bed(const tp_shade *shade, const tp_beam *beam);
 
-/* What comes along a beam; `body` is what comes from the water itself. */
+/* The colour that comes along a beam; `body` is the colour of the water itself. */
 uint32_t tp_inside_at(const tp_shade *shade, const tp_bed *bed, const tp_beam *beam,
                       uint32_t body);
 
@@ -79,8 +79,8 @@ typedef struct {
 void tp_inside_ground(const tp_shade *shade, const tp_bed ends[2], const tp_beam *beam,
                       int32_t count, tp_ground *under);
 
-/* What comes along their beams, which go down.  And the channel at bit `shift` alone of
- * each, which is put into what is seen of the others. */
+/* The colours that come along beams that go down; or their channel at bit `shift` alone,
+ * which is added to the other channels in `seen`. */
 void tp_inside_row(const tp_shade *shade, const tp_bed ends[2], const tp_beam *beam,
                    int32_t count, const uint32_t *body, uint32_t *seen);
 void tp_inside_row_channel(const tp_shade *shade, const tp_ground *under,
@@ -93,6 +93,6 @@ void tp_inside_row_channel(const tp_shade *shade, const tp_ground *under,
 uint32_t tp_inside_up(const tp_shade *shade, const tp_bed *bed, const tp_beam *beam,
                       tp_ray n, uint32_t body);
 
-/* What the light on the floor or on a wall at a place is multiplied by, 256 is 1. */
+/* The factor of the light on a floor or a wall at a place, 256 is 1. */
 int32_t tp_caustic_at(const tp_caustic *caustic, tp_vec3 at);
 #endif

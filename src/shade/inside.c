@@ -11,7 +11,7 @@ const uint16_t tp_inside_root[65] = {
 
 /* -- ways ----------------------------------------------------------------------------- */
 
-/* How far to go for `gap` >= 0 metres at `speed` > 0 a metre, Q1.14. */
+/* The way along a ray over a `gap` >= 0 m that shrinks by `speed` > 0 a metre, Q1.14. */
 static inline tp_fx way_for(tp_fx gap, int32_t speed)
 {
     int     shift = tp_clz((uint32_t)speed);
@@ -156,7 +156,7 @@ int32_t tp_caustic_at(const tp_caustic *c, tp_vec3 at)
     return light > 0 ? light : 0;
 }
 
-/* What light at a place makes of a colour, Q8. */
+/* The factor of a colour in the light at a place, Q8. */
 static inline uint32_t light_at(const tp_shade *shade, int32_t nl, tp_vec3 at)
 {
     int32_t sun = (256 - shade->ambient) * (nl < 16384 ? nl : 16384) >> 14;

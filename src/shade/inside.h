@@ -26,7 +26,7 @@ typedef struct {
     int32_t  lod;               /* level at 1 m, Q8 */
 } tp_coat;
 
-/* How much light falls through the surface and on to the floor below. */
+/* A map of the light that falls through the surface on to the floor. */
 typedef struct {
     const uint16_t *light;      /* cells x cells, 256 is even light */
     tp_fx    x, z;              /* of its north-west corner */

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* How a boat lies on the water, [E2] and [E3].
+/* The boat's pose on the water, [E2] and [E3].
  *
  * Four points of the hull feel the water: bow, stern, port and starboard.  A lie is three
  * lengths: heave is the mean of the four heights, rise that of the bow over the stern,
@@ -38,8 +38,8 @@
 #define SPEED_MOST   ((int64_t)64 << 40)    /* a tick */
 #define SUNK_MOST    (256 * TP_FX_ONE)
 
-/* Where a boat that hardly moves is taken to be at rest: 1/4 LSB of 16.16 from it, and
- * slower than 1/4096 of that a tick; the slowest boat's omega dt is 1/848. */
+/* A boat this close to rest is put to rest: 1/4 LSB of 16.16 away, and slower than 1/4096
+ * of that a tick; the slowest boat's omega dt is 1/848. */
 #define STILL      (1 << 22)
 #define STILL_TICK (1 << 10)
 

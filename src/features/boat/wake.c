@@ -129,13 +129,13 @@ static uint32_t wrapped(int32_t i, uint32_t count)
     return (uint32_t)(n < 0 ? n + (int32_t)count : n);
 }
 
-/* Where the first column of cells or the first row begins. */
+/* The edge at which the first column or row of cells begins. */
 static int64_t edge(tp_fx middle, tp_fx side, uint32_t count)
 {
     return middle - (int64_t)count * side / 2;
 }
 
-/* Of a column or a row; each is a side beyond the one before, to the LSB. */
+/* The middle of a column or row; each lies a side beyond the one before, to the LSB. */
 static tp_fx centre(tp_fx middle, tp_fx side, uint32_t count, int32_t i)
 {
     return (tp_fx)(edge(middle, side, count) + side / 2 + (int64_t)i * side);
@@ -195,8 +195,7 @@ static void reach_cells(const tp_pool *pool, uint32_t count, tp_fx middle, int64
 static int64_t lesser(int64_t a, int64_t b) { return a < b ? a : b; }
 static int64_t greater(int64_t a, int64_t b) { return a > b ? a : b; }
 
-/* How far a hull's corners lie from its middle along an axis of the world, to which its
- * own have a sine and a cosine. */
+/* The largest distance of a hull's corners from its middle along an axis of the world. */
 static tp_fx extent(const form *f, tp_turn heading)
 {
     return tp_q30_mul(f->length, tp_abs(tp_sin(heading)))
@@ -224,7 +223,7 @@ static box box_of(const wake *w, tp_fx reach)
 
 /* -- stirring ----------------------------------------------------------------------- */
 
-/* What a cell gains. */
+/* The height that a cell gains. */
 static int32_t gain(const wake *w, const cell *at)
 {
     return column(&w->before, w->pool, at->x, at->z)

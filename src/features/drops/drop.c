@@ -125,7 +125,7 @@ static int32_t time_of(const crossing *c)
     return above;
 }
 
-/* What mass is left of the energy by which it struck: 1 - e^2 / 2, as m' = m / 2 [D3]. */
+/* The share of the impact's energy that the drop loses: 1 - e^2 / 2, as m' = m / 2 [D3]. */
 static uint64_t lost_share(const tp_scene_drops *config)
 {
     return TP_FX_ONE - (((uint64_t)config->bounce * (uint64_t)config->bounce) >> 17);

@@ -199,7 +199,7 @@ static bool is_sphere_valid(const tp_drops *drops)
         && !is_far(drops->last_sphere.z);
 }
 
-/* Where a drop can strike, and no later than now. */
+/* True if a drop can have raised the ring: at a place that drops reach, not after `tick`. */
 static bool is_ring_valid(const tp_ring *ring, uint64_t tick)
 {
     return tp_ring_is_valid(ring) && ring->start >= 0

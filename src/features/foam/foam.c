@@ -40,7 +40,7 @@ static size_t bytes(const tp_want *want)
          + (want->above & TP_MODULE_COASTAL ? cells * sizeof(tp_vec3) : 0);
 }
 
-/* Of a side, Q32 m: below 2^46. */
+/* The window's side, Q32 m: below 2^46. */
 static int64_t side_of(const tp_foam *foam)
 {
     return (int64_t)foam->cells * foam->cell * 65536;
@@ -119,7 +119,7 @@ static int32_t number_of(const axis *a, uint32_t i)
     return a->first + (int32_t)(i >= a->seam ? i - a->seam : i + a->cells - a->seam);
 }
 
-/* Of a lattice cell's middle, m. */
+/* The place of a lattice cell's middle, m. */
 static tp_fx place_of(const tp_foam *foam, int32_t number, int64_t drift)
 {
     return (tp_fx)((int64_t)number * foam->cell + foam->cell / 2 + (drift >> 16));
@@ -141,8 +141,8 @@ typedef struct {
     axis x, z, seen_x, seen_z;
 } visit;
 
-/* What is made counts on what is free alone.  cover x kept < 255 x 2^24, and with the
- * threshold below 2^32. */
+/* New foam covers only what is free.  cover x kept < 255 x 2^24; with the threshold the sum
+ * stays below 2^32. */
 static uint8_t covered(uint32_t cover, const visit *v, uint32_t col, uint32_t gain_q8)
 {
     uint64_t sum = (uint64_t)cover * v->kept_q24
@@ -214,7 +214,7 @@ void tp_foam_step(tp_foam *foam, const tp_world *world, const tp_scene *scene)
 
 /* -- at a place ---------------------------------------------------------------------- */
 
-/* How far a place lies from the window's low side, in cells, Q8; it may lie outside. */
+/* Distance of a place from the window's low side, in cells, Q8; it may lie outside. */
 static int64_t cells_from(const tp_foam *foam, tp_fx place, int32_t first, int64_t drift)
 {
     int64_t low = (int64_t)first * foam->cell + (drift >> 16);

@@ -69,8 +69,8 @@ void tp_foam_maker_begin(tp_foam_maker *m, tp_foam *foam, const tp_world *world,
  * unless the row before was its neighbour at z - cell. */
 void tp_foam_maker_above(tp_foam_maker *m, uint32_t col, tp_fx x);
 
-/* What the cell at x gains in TP_FOAM_TICKS ticks, 1/256 of a byte's units, below 2^16;
- * TP_FOAM_DRY: it cannot have any.  Cells of a row are asked for in order of columns;
- * `joined`: the last one was the neighbour at x - cell. */
+/* The cover that the cell at x gains in TP_FOAM_TICKS ticks, 1/256 of a byte's units, below
+ * 2^16; TP_FOAM_DRY: the cell is dry.  Ask for cells of a row in order of columns; `joined`:
+ * the last cell was the neighbour at x - cell. */
 uint32_t tp_foam_maker_gain(tp_foam_maker *m, uint32_t col, tp_fx x, bool joined);
 #endif

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* What makes foam: squeezed and breaking crests, shallow water that moves, water that
+/* Sources of foam: squeezed and breaking crests, shallow water that moves, water that
  * moves along walls, and a hull.  All are functions of the moment and a place at rest.
  *
  * Rates are chosen by eye, in units of cover a visit (TP_FOAM_TICKS ticks), of which 255
@@ -36,7 +36,7 @@ static tp_ocean_point ocean_at(const tp_foam_maker *m, tp_fx x, tp_fx z)
     return tp_ocean_at_rest(m->ocean, m->world->phases, x, z);
 }
 
-/* Of one cell, held within 8: more is land, or nothing that a sea does. */
+/* The stretch over one cell, held within 8: more is land, or beyond any sea. */
 static tp_fx stretch_of(const tp_foam_maker *m, int64_t difference)
 {
     return (tp_fx)tp_limit(tp_limit(difference, 1 << 24) * m->per_cell >> 16,
@@ -63,8 +63,8 @@ static tp_fx ocean_squeeze(tp_foam_maker *m, uint32_t col, tp_vec3 here)
     return (tp_fx)((jxx * jzz - jxz * jzx) >> 16);
 }
 
-/* Where waves feel the floor their orbits widen and every crest is squeezed: there it is
- * the breaking that counts.  All of the gain from 16 heights of depth on, none to 8. */
+/* Over a near floor orbits widen and every crest is squeezed, so that only breaking counts:
+ * all of the gain from a depth of 16 heights on, none up to 8. */
 static uint32_t deep_part(const tp_foam_maker *m, tp_fx depth, uint32_t gain)
 {
     int64_t over = ((int64_t)depth - m->deep) * m->per_deep >> 16;

@@ -82,7 +82,7 @@ typedef struct {
     uint32_t per_soft;          /* 2^16 / soft */
 } lace;
 
-/* Of a picture's n-th smaller level; TP_SOFTS - 1 stands for all that follow. */
+/* Softness of a picture's n-th smaller level; the last entry stands for all that follow. */
 static const struct { int16_t soft, span; uint16_t per_soft; } softs[] = {
     { 80, 168, 819 }, { 115, 160, 569 }, { 150, 152, 436 }, { 186, 144, 352 },
     { 221, 136, 296 }, { 256, 128, 256 },

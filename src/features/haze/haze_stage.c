@@ -30,7 +30,7 @@ void tp_stage_haze(const tp_shade *restrict shade, tp_run *restrict run)
                                        share_of(scale, run->key[i]));
 }
 
-/* Where column x looks, but level.  The cube's level is that of the empty view. */
+/* The horizon's colour in column x.  The cube's level is that of the empty view. */
 TP_ALWAYS_INLINE uint32_t horizon_at(const tp_shade *shade, tp_env_kind kind, int32_t x,
                                      int32_t y)
 {

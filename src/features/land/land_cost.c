@@ -11,9 +11,9 @@
 
 #define KEPT_RATE TP_FX(0.1)    /* as wave/ocean_tables.c has it */
 
-/* How far a wave may stand over the level where the floor shoals it, m, as wave/ocean.c
- * bounds it: it grows, its orbit tilts with the floor, its crest is thrown; not on a map,
- * whose mean rise counts. */
+/* The highest that a wave may stand over the level where the floor shoals it, m, as
+ * wave/ocean.c bounds it: the wave grows, its orbit tilts with the floor, its crest is
+ * thrown.  Over a map, whose mean rise counts, no crest is thrown. */
 static tp_fx crest_of(const tp_scene *s, const tp_wave *given, tp_fx steep)
 {
     const tp_fx   slope = tp_clamp(steep, 0, TP_FX_ONE);
@@ -82,8 +82,8 @@ static int64_t depth_at(const ground *g, int64_t x, int64_t z)
     return tp_floor_under(&g->floor, tp_fx_held(x), tp_fx_held(z)).depth;
 }
 
-/* Of a map the steepest rise across two cells of a lattice of 64 each way: the ocean's own
- * are smoothed. */
+/* The floor's steepest rise; a map's across two cells of a lattice of 64 each way, since the
+ * ocean smooths it. */
 static tp_fx steepest(const ground *g)
 {
     const tp_scene *s = g->scene;
@@ -124,7 +124,7 @@ static corner corner_of(const ground *g, int32_t i, int32_t j)
     return to;
 }
 
-/* Of a row of cells. */
+/* Counts of a row of cells. */
 typedef struct {
     uint32_t tries, cuts, offs; /* drawn; cut, some of it held; none of it */
     uint32_t seen;              /* in the picture: over them waves are broken too */

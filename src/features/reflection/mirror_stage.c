@@ -114,7 +114,7 @@ TP_ALWAYS_INLINE int32_t moved(int32_t by_x, int32_t sx, int32_t by_z, int32_t s
 
 #define BESIDE (65536 + 8192)
 
-/* What is seen in the water at column x; 0: nothing. */
+/* The object's colour in the mirror at column x; 0: there is none. */
 TP_ALWAYS_INLINE uint32_t seen(const tp_mirror *look, int32_t y, const push *a,
                                const push *step, int32_t x, uint32_t key, int32_t sx,
                                int32_t sz)

@@ -141,7 +141,7 @@ static void fly(tp_speck *s, tp_fx gravity)
     s->age++;
 }
 
-/* One that falls, or is a bubble, is looked at every fourth tick, in its turn. */
+/* Specks that fall, and bubbles, are tested in turn, each every fourth tick. */
 static bool is_over(const tp_speck *s, const tp_surface *surface)
 {
     if (s->kind == TP_SPECK_BUBBLE)

@@ -177,7 +177,7 @@ static tp_fx line(tp_fx centre, tp_fx cell, uint32_t i, uint32_t cells)
                       - (cells & 1 ? cell / 2 : 0));
 }
 
-/* One that ends at z0 with the same sides goes on to z1. */
+/* Lengthens a block that ends at r.z0 with the same sides to r.z1; false: there is none. */
 static bool goes_on(tp_tank *tank, tp_rectangle r)
 {
     for (uint32_t i = 0; i < tank->blocks; i++) {

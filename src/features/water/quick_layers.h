@@ -29,7 +29,7 @@ typedef struct {
     tp_quick_map layer[TP_QUICK_LAYERS], bend, ripple;
 } tp_quick_layers;
 
-/* Of a layer with a prepared texture, or none. */
+/* The map of a layer; its texture is prepared, or NULL. */
 tp_quick_map tp_quick_map_of(const tp_layer *layer);
 
 /* -- preparing: when a frame is made, or beforehand by whoever puts pictures in ROM ----- */

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* What the quick rung's loops share.  Each looks into one level of a prepared picture at
+/* Shared by the loops of the quick rung.  Each loop looks into one level of a prepared picture at
  * places of a run.
  *
  * Places are 16.16 m; times repeats a metre they are Q0.32 repeats, which wrap: a texel's
