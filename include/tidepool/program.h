@@ -325,6 +325,7 @@ typedef struct tp_lack {
 /* ------------------------------------------------------------------------------------ */
 
 struct tp_scene;
+struct tp_assets;
 
 typedef struct tp_program {
     /* tp_scene_check, which every init asks.  NULL: scenes are trusted, as a baked one may
@@ -336,9 +337,15 @@ typedef struct tp_program {
     tp_draws  draw;
     tp_methods method;
     const tp_use *modules;      /* a list of uses; NULL: none */
-    const tp_lack *lacks;       /* a scene that has one of these on is refused, see
-                                 * tp_program_fits; NULL: none is */
+    /* tp_lacks_check: a scene that has one of `lacks` on is refused, see tp_program_fits.
+     * NULL: what is missing is left out of the picture. */
+    tp_status (*refuse)(const struct tp_program *program, const struct tp_scene *scene,
+                        const struct tp_assets *assets, tp_error *err);
+    const tp_lack *lacks;       /* NULL: none */
 } tp_program;
+
+tp_status tp_lacks_check(const tp_program *program, const struct tp_scene *scene,
+                         const struct tp_assets *assets, tp_error *err);
 
 extern const tp_program tp_program_all; /* everything there is */
 

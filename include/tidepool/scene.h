@@ -244,7 +244,7 @@ tp_status tp_scene_check(const tp_scene *scene, tp_error *err);
 
 /* -- what a scene names, as the port loaded it; NULL for what it does not name ------ */
 
-typedef struct {
+typedef struct tp_assets {
     const tp_mesh    *boat;
     const tp_texture *layer[TP_LAYERS], *distortion, *ripple, *foam;
     /* Layers, distortion and ripple prepared for the quick rung (tp_prepare), for the scene's

@@ -188,6 +188,7 @@ bool piece_is_on(size_t i, const piece_set *of, const piece_terms *terms,
     lacks[0].above = modules_above(&others, i);
     pieces_list(&list, &others, terms);
     list.program.lacks = lacks;
+    list.program.refuse = tp_lacks_check;
     return tp_program_fits(&list.program, scene, assets, NULL) == TP_E_PROGRAM;
 }
 
@@ -324,7 +325,7 @@ void pieces_write(FILE *out, const char *name, const piece_set *of, const piece_
     for (int kind = PIECE_STAGE; kind < PIECE_MODULE; kind++)
         write_kind(out, of, terms, (piece_kind)kind);
     if (refuses)
-        fprintf(out, "    .lacks = %s_lacks,\n", name);
+        fprintf(out, "    .refuse = tp_lacks_check,\n    .lacks = %s_lacks,\n", name);
     fprintf(out, "    .store = { %s },\n    .modules = %s_modules\n};\n",
             word[terms->format], name);
 }

@@ -21,17 +21,13 @@ static tp_assets filled_assets(const tp_assets *assets)
     return assets != NULL ? *assets : (tp_assets){ 0 };
 }
 
-static tp_status lacks(tp_error *err, const char *what)
-{
-    return tp_error_blame(err, TP_FAIL(err, TP_E_PROGRAM, 0, 0, 0), what);
-}
-
 /* The stages and the store that every picture needs. */
 static tp_status check_program(const tp_program *program, tp_format format, tp_error *err)
 {
     if (!program->stage.sky || !program->stage.plain)
-        return lacks(err, program->stage.sky ? "plain" : "sky");
-    return program->store[format] ? TP_OK : lacks(err, tp_format_name(format));
+        return tp_program_lacks(program->stage.sky ? "plain" : "sky", err);
+    return program->store[format] ? TP_OK
+                                  : tp_program_lacks(tp_format_name(format), err);
 }
 
 static tp_status check(const tp_frame_config *c, tp_error *err)

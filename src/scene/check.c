@@ -46,14 +46,6 @@ tp_status tp_program_check(const tp_program *program, const tp_scene *scene,
     return status;
 }
 
-tp_status tp_program_fits(const tp_program *program, const tp_scene *scene,
-                          const tp_assets *assets, tp_error *err)
-{
-    const tp_status status = tp_program_check(program, scene, err);
-
-    return status == TP_OK ? tp_modules_check_lacks(program, scene, assets, err) : status;
-}
-
 tp_status tp_scene_check(const tp_scene *scene, tp_error *err)
 {
     uint32_t count;

@@ -3,6 +3,7 @@
 #include "scene/module.h"
 #include "base/assert.h"
 #include "base/base.h"
+#include "scene/parts.h"
 
 /* Before a module's state, which follows it, aligned to 8. */
 typedef struct {
@@ -60,13 +61,18 @@ bool tp_modules_have(const tp_use *modules, const tp_want *want, uint32_t is)
     return false;
 }
 
+tp_status tp_program_lacks(const char *what, tp_error *err)
+{
+    return tp_error_blame(err, TP_FAIL(err, TP_E_PROGRAM, 0, 0, 0), what);
+}
+
 /* A lack is asked as in its place in the list of everything there is, with all models of
- * water.  Fast stages are one only if the scene names them: a plan does without. */
-tp_status tp_modules_check_lacks(const tp_program *program, const tp_scene *scene,
-                                 const tp_assets *assets, tp_error *err)
+ * water. */
+tp_status tp_lacks_check(const tp_program *program, const tp_scene *scene,
+                         const tp_assets *assets, tp_error *err)
 {
     tp_want want = { .scene = scene, .assets = assets,
-                     .shadings = 1u << scene->quality.shading };
+                     .shadings = (uint32_t)1 << scene->quality.shading };
     const tp_use *u = program->modules;
     uint32_t above = 0;
 
@@ -74,9 +80,18 @@ tp_status tp_modules_check_lacks(const tp_program *program, const tp_scene *scen
         for (; above < l->above && u && u->module; above++)
             tp_module_ask(u++->module, &want);
         if (l->enabled(&want))
-            return tp_error_blame(err, TP_FAIL(err, TP_E_PROGRAM, 0, 0, 0), l->name);
+            return tp_program_lacks(l->name, err);
     }
     return TP_OK;
+}
+
+tp_status tp_program_fits(const tp_program *program, const tp_scene *scene,
+                          const tp_assets *assets, tp_error *err)
+{
+    const tp_status status = tp_program_check(program, scene, err);
+
+    return status == TP_OK && program->refuse
+               ? program->refuse(program, scene, assets, err) : status;
 }
 
 tp_status tp_modules_take(const tp_program *program, tp_arena *arena, tp_want want,

@@ -118,10 +118,6 @@ static inline bool tp_module_ask(const tp_module *module, tp_want *want)
  * want.above is as given. */
 bool tp_modules_have(const tp_use *modules, const tp_want *want, uint32_t is);
 
-/* TP_E_PROGRAM: the scene has a module on that the program lacks, err->word. */
-tp_status tp_modules_check_lacks(const tp_program *program, const tp_scene *scene,
-                                 const tp_assets *assets, tp_error *err);
-
 /* -- a world's chunks ---------------------------------------------------------------- */
 
 /* The state of a module, or NULL: the world has none. */

@@ -20,6 +20,9 @@ tp_status tp_parts_of(const tp_program *program, tp_world_parts *parts,
 tp_status tp_program_check(const tp_program *program, const tp_scene *scene,
                            tp_error *err);
 
+/* TP_E_PROGRAM, which names what the program lacks. */
+tp_status tp_program_lacks(const char *what, tp_error *err);
+
 /* The surface of this tick, of the models that the program has; valid until the world moves. */
 tp_surface tp_world_surface(const tp_program *program, const tp_world *world);
 #endif

@@ -157,11 +157,11 @@ boat without its mesh: the program lacks hull
 night: the program lacks sky_dome
 clear water: the program lacks clear_water"
 symbols() { nm "$1" | sed -n 's/.* [TtRrDd] \(tp_[a-z_]*\)$/\1/p' | sort; }
-sed '/^    .lacks = /d' k.c >l.c
+sed '/^    .refuse = /d; /^    .lacks = /d' k.c >l.c
 link l.c blind
 same "to know what it lacks a program links conditions and no more" \
     "$(symbols lacks >with; symbols blind | comm -13 - with |
-       grep -v '^tp_\([a-z_]*_enabled\|has_[a-z]*\)$' | tr '\n' ' ')" ""
+       grep -v '^tp_\([a-z_]*_enabled\|has_[a-z]*\|lacks_check\)$' | tr '\n' ' ')" ""
 same "it has the modules of its list and no other" \
     "$(symbols lacks | sed -n 's/_module$//p')" \
     "$(sed -n 's/^    { &\(tp_[a-z_]*\)_module, .*/\1/p' k.c | sort)"

@@ -171,9 +171,10 @@ static void what_the_program_lacks_is_refused_by_name(void **state)
     use[uses] = (tp_use){ 0 };
     lacking.modules = use;
     lacking.lacks = lacks;
+    lacking.refuse = tp_lacks_check;
     b->setup.program = &lacking;
     hold(b, talk, COUNT(talk));
-    lacking.lacks = NULL;               /* left out without a word */
+    lacking.refuse = NULL;              /* left out without a word */
     assert_string_equal(ask(b, "set foam.cells=64\n"), "ok foam.cells = 64 cells\n");
 }
 

@@ -49,6 +49,7 @@ static void leave_out(lacking *to, const bool out[COUNT])
             to->use[uses++] = tp_program_all.modules[i];
     to->program.modules = to->use;
     to->program.lacks = to->lack;
+    to->program.refuse = tp_lacks_check;
 }
 
 /* -- scenes ------------------------------------------------------------------------- */
@@ -214,7 +215,7 @@ static void a_world_refuses_to_switch_on_what_its_program_lacks(void **state)
     assert_memory_equal(before, world, bytes);
     assert_int_equal(tp_program_fits(&l.program, &scene, &assets, &err), TP_E_PROGRAM);
     assert_string_equal(err.word, "exposure");
-    l.program.lacks = NULL;             /* left out of the picture, as ever */
+    l.program.refuse = NULL;            /* left out of the picture, as ever */
     assert_true(tp_world_refresh(&l.program, world, &scene, &assets));
     assert_memory_not_equal(before, world, bytes);
     free(world);
