@@ -103,7 +103,7 @@ extern const struct tp_water_swells tp_water_few_swells;
 
 /* Methods of finding the water in the picture, tp_visibility. */
 #define TP_METHOD_LIST(X) \
-    X(triangles)    /* which the others go by where they do not hold */ \
+    X(triangles)    /* of the grid; the others fall back on it */ \
     X(rows)         /* the grid's lines; needs triangles */ \
     X(projected)    /* displaced lines over the picture */ \
     X(flat)         /* level water, with the slopes of its waves */

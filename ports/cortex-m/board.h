@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* What the board gives the program beside its processor. */
+/* The services that a board gives the program beside its processor. */
 #ifndef BOARD_H
 #define BOARD_H
 #include <stddef.h>

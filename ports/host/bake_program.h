@@ -13,7 +13,7 @@ typedef struct bake_program {
     tp_scene  scene;            /* that goes with the list */
 } bake_program;
 
-/* Whether the command line asks for a list: it names a size or a format. */
+/* True if the command line asks for a list: it names a size or a format. */
 bool bake_has_program(const options *o);
 
 /* EXIT_USAGE, and said so: an option is of a list, and none is asked for. */

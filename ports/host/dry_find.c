@@ -78,7 +78,7 @@ static bool moves_same(search *s, const piece_set *set, const dry_program *by)
     return true;
 }
 
-/* Whether the set will do for the few cameras, or for all. */
+/* True if the set will do for the few cameras, or for all. */
 static bool will_do(search *s, const piece_set *set, bool all, uint32_t *differs)
 {
     const dry_program by = program_of(s, set);
@@ -95,7 +95,7 @@ static bool will_do(search *s, const piece_set *set, bool all, uint32_t *differs
 
 /* -- what is needed for sure ---------------------------------------------------------- */
 
-/* What takes memory is on, however seldom it is seen.  A picture's alone, which moves
+/* A piece that takes memory is on, however seldom it is seen.  A picture's alone, which moves
  * nothing, is kept for other cameras: those of somebody who acts. */
 static void need_what_takes_memory(search *s)
 {
@@ -140,7 +140,7 @@ static void need_what_is_on(search *s)
                 || piece_is_on(i, &all, &wish->terms, wish->named, wish->baked));
 }
 
-/* What every picture has, and every program that chooses rungs while it runs. */
+/* The pieces that every picture has, and every program that chooses rungs while it runs. */
 static void need_always(search *s)
 {
     static const char *const always[] = { "sky", "plain" };

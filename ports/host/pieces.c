@@ -35,7 +35,7 @@ const piece pieces[] = {
 const size_t piece_count = sizeof pieces / sizeof *pieces;
 _Static_assert(sizeof pieces / sizeof *pieces <= PIECES_MOST, "a set holds all pieces");
 
-/* What each of them is: a stage, the offset in a program of a pointer, or a use. */
+/* Each of them is a stage, the offset in a program of a pointer, or a use. */
 typedef struct {
     tp_stage    stage, watched;
     const void *part;

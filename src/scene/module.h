@@ -97,15 +97,15 @@ typedef struct tp_module {
     /* Something struck the water, which stood at `level` there. */
     void (*hit)(void *mine, const tp_scene *scene, const tp_impact *impact, tp_fx level);
 
-    /* Whether a state from outside can be stepped and drawn.  `fresh` is one of the same
+    /* True if a state from outside can be stepped and drawn.  `fresh` is one of the same
      * scene, as `init` leaves it; both have its length.  The world's head is valid. */
     bool (*is_valid)(const void *mine, const void *fresh, const tp_world *world);
 } tp_module;
 
-/* What the plan asks modules about; outlook.c. */
+/* The conditions that the plan asks modules about; outlook.c. */
 tp_want tp_plan_want(const tp_plan_input *in);
 
-/* Whether the module is on; if so, the modules below it in the list are told. */
+/* True if the module is on; then the modules below it in the list are told. */
 static inline bool tp_module_ask(const tp_module *module, tp_want *want)
 {
     const bool on = module->enabled(want);
@@ -135,7 +135,7 @@ tp_status tp_modules_take(const tp_program *program, tp_arena *arena, tp_want wa
 tp_status tp_modules_init(const tp_program *program, tp_world *world, tp_want want,
                           tp_error *err);
 
-/* Whether the chunks are those of the scene as it is now, and their states fit it. */
+/* True if the chunks are those of the scene as it is now, and their states fit it. */
 bool tp_modules_fit(const tp_program *program, const tp_world *world, tp_want want);
 bool tp_modules_refresh(const tp_program *program, tp_world *world, tp_want want);
 
