@@ -116,6 +116,7 @@ int bake_find_program(bake_program *p, const options *o, const tp_scene *scene,
     int code = read_pieces(&wish->with, "--with", o->with);
     if (!code)
         code = read_pieces(&wish->without, "--without", o->without);
+    pieces_add_models(&wish->with);
     if (!code)
         code = check_pieces(wish);
     if (code)

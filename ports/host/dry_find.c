@@ -126,18 +126,25 @@ static void need_what_takes_memory(search *s)
     }
 }
 
-/* A scene that may change is checked against the modules that its program has not: what is
- * on now stays, if only for its condition, which others ask about. */
+/* A scene that may change shows what it does not show now: each module that is on stays
+ * with its drawing and all its stages.  Fast stages stay where they have run: what they
+ * cannot draw exact stages do. */
 static void need_what_is_on(search *s)
 {
     const dry_wish *wish = s->wish;
     const piece_set all = everything(wish);
+    bool on = false, fast = false;
 
-    for (size_t i = 0; i < piece_count && wish->terms.checks; i++)
+    for (size_t i = 0; i < piece_count && wish->terms.checks; i++) {
+        if (pieces[i].kind == PIECE_MODULE) {
+            on = all.has[i]
+                 && (piece_is_on(i, &all, &wish->terms, wish->scene, wish->assets)
+                     || piece_is_on(i, &all, &wish->terms, wish->named, wish->baked));
+            fast = strcmp(pieces[i].name, "fast_water") == 0;
+        }
         s->needed.has[i] |=
-            pieces[i].kind == PIECE_MODULE && all.has[i]
-            && (piece_is_on(i, &all, &wish->terms, wish->scene, wish->assets)
-                || piece_is_on(i, &all, &wish->terms, wish->named, wish->baked));
+            pieces[i].kind >= PIECE_MODULE && on && !(fast && piece_is_stage(i));
+    }
 }
 
 /* The pieces that every picture has, and every program that chooses rungs while it runs. */

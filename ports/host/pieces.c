@@ -210,6 +210,24 @@ bool pieces_named(piece_set *to, const char *name, size_t length)
     return found;
 }
 
+void pieces_add_models(piece_set *set)
+{
+    static const char *const needs[][2] = {
+        { "drops", "rings" },   { "main_pool", "pools" }, { "field", "pools" },
+        { "coastal", "ocean" }, { "coastal", "swells" },
+    };
+
+    for (size_t n = 0; n < sizeof needs / sizeof *needs; n++) {
+        bool asked = false;
+        for (size_t i = 0; i < piece_count; i++)
+            asked |= set->has[i] && pieces[i].kind == PIECE_MODULE
+                     && strcmp(pieces[i].name, needs[n][0]) == 0;
+        for (size_t i = 0; i < piece_count && asked; i++)
+            set->has[i] |=
+                pieces[i].kind == PIECE_WATER && strcmp(pieces[i].name, needs[n][1]) == 0;
+    }
+}
+
 bool piece_moves(size_t i)
 {
     return pieces[i].kind == PIECE_WATER || pieces[i].kind == PIECE_MODULE;

@@ -56,6 +56,9 @@ bool pieces_ran(size_t i);
 /* All pieces of that name, a module's drawing and stages with it; false: there is none. */
 bool pieces_named(piece_set *to, const char *name, size_t length);
 
+/* Adds the models of the water's surface that modules of the set work on. */
+void pieces_add_models(piece_set *set);
+
 /* Pieces of the kinds that a world asks for. */
 bool piece_moves(size_t i);
 

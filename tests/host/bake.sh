@@ -163,7 +163,7 @@ same "to know what it lacks a program links conditions and no more" \
     "$(symbols lacks >with; symbols blind | comm -13 - with |
        grep -v '^tp_\([a-z_]*_enabled\|has_[a-z]*\|lacks_check\)$' | tr '\n' ' ')" ""
 same "it has the modules of its list and no other" \
-    "$(symbols lacks | sed -n 's/_module$//p')" \
+    "$(symbols lacks | sed -n '/^tp_frame_/!s/_module$//p')" \
     "$(sed -n 's/^    { &\(tp_[a-z_]*\)_module, .*/\1/p' k.c | sort)"
 
 # The same frames from constants as from files, with smaller pictures and settings.
