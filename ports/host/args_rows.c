@@ -262,7 +262,7 @@ const option_row args_rows[] = {
     { "--no-input", NULL, FOR_BAKE, read_no_input,
       "nobody acts there: the scene's own camera alone" },
     { "--with", "NAME,...", FOR_BAKE, read_with,
-      "these too, if the scene comes to have them; it refuses others" },
+      "modules that may be switched on; refuses others" },
     { "--without", "NAME,...", FOR_BAKE, read_without,
       "it lacks these, and draws without them" },
     { "--band", "ROWS", RARE | FOR_RENDER | FOR_PLAN, read_band,
