@@ -318,34 +318,33 @@ everything: all $(PANEL_DEMO) $(filter-out $(SAN_UNIT),$(UNIT)) $(GOLDEN) $(FRAM
               boards/oled_greys boards/vm_state)
 host-tests: everything
 	@$(MAKE) --no-print-directory $(SAN) sanitized
-	@$(RUN) build/log/host $(SAN_UNIT:build/host/%=build/san/%) \
+	@$(RUN) build/log/host tests/gates/sanitized.sh tests/host/saves.sh \
+	    tests/host/screen.sh $(SAN_UNIT:build/host/%=build/san/%) \
 	    $(filter-out $(SAN_UNIT),$(UNIT)) $(GOLDEN) $(GOLDEN:build/host/%=build/san/%) \
 	    $(if $(LEFT_OUT),tests/gates/left-out.sh) tests/gates/host.sh \
 	    tests/gates/headers.sh tests/gates/selftest.sh tests/mutants/selftest.sh \
 	    tests/host/cli.sh \
 	    tests/host/manual.sh tests/host/exits.sh tests/host/output.sh tests/host/bake.sh \
 	    tests/host/check.sh tests/host/check_ranges.sh tests/host/tape.sh \
-	    tests/host/screen.sh tests/host/saves.sh tests/host/own_module.sh tests/host/charts.sh \
+	    tests/host/own_module.sh tests/host/charts.sh \
 	    tests/host/charts_stop.sh tests/boards/readme.sh \
-	    tests/gates/sanitized.sh tests/host/generators.sh tests/host/readme.sh
-# First what several of them want of the board's compiler.
+	    tests/host/generators.sh tests/host/readme.sh
+# First what several of them want of the board's compiler; the longest tests begin first.
 more-tests: everything build/host/count.so build/host/tally.so
 	@! command -v arm-none-eabi-gcc >/dev/null || \
 	    for goals in 'BOARD=cortex-m elves' 'BOARD=cortex-m/microbit lib' \
 	            'BOARD=cortex-m/lm3s6965evb lib' charts-tools; do \
 	        $(MAKE) --no-print-directory $$goals || exit 1; \
 	    done
-	@$(RUN) build/log/more \
+	@$(RUN) build/log/more tests/cross/run.sh tests/fuzz/run.sh tests/boards/cortex-m.sh \
 	    tests/gates/arm.sh tests/gates/clang.sh tests/gates/coverage.sh \
 	    tests/host/view.sh tests/host/panel.sh tests/host/view_keys.sh \
 	    tests/host/leaks.sh tests/host/furniture.sh tests/web/web.sh \
-	    tests/host/threads.sh tests/bench/views.sh \
-	    tests/cross/run.sh tests/cross/film.sh \
-	    $(patsubst %,tests/boards/%.sh,rpi cortex-m oled control linuxfb kms kms_events \
-	        console) \
+	    tests/host/threads.sh tests/bench/views.sh tests/cross/film.sh \
+	    $(patsubst %,tests/boards/%.sh,rpi oled control linuxfb kms kms_events console) \
+	    tests/charts/sweep.sh tests/budgets/prices.sh tests/budgets/models-count.sh \
 	    tests/budgets/scenes-count.sh tests/budgets/ram.sh tests/budgets/programs.sh \
-	    tests/budgets/models-count.sh tests/charts/sweep.sh tests/charts/same.sh \
-	    tests/budgets/plan-count.sh tests/budgets/prices.sh tests/fuzz/run.sh
+	    tests/charts/same.sh tests/budgets/plan-count.sh
 fuzzers: $(FUZZ)
 # Other renderers for `tidepool bench --peers`, of whatever packages are there.
 PEERS := $(BUILD)/tests/bench/peers
