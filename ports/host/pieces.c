@@ -35,7 +35,7 @@ const piece pieces[] = {
 const size_t piece_count = sizeof pieces / sizeof *pieces;
 _Static_assert(sizeof pieces / sizeof *pieces <= PIECES_MOST, "a set holds all pieces");
 
-/* Each of them is a stage, the offset in a program of a pointer, or a use. */
+/* A piece is a stage, a pointer in a program, by its offset there, or a use. */
 typedef struct {
     tp_stage    stage, watched;
     const void *part;
@@ -76,26 +76,24 @@ TP_MODULE_LIST(MODULE, UNSEEN, MODULE)
 #undef X
 
 static const meaning meanings[] = {
-#define X(x)                                                                             \
-    { .stage = tp_stage_##x,                                                             \
-      .watched = watched_##x,                                                            \
-      .offset = offsetof(tp_program, stage.x) },
+#define X(x) { .stage = tp_stage_##x, .watched = watched_##x, \
+               .offset = offsetof(tp_program, stage.x) },
     TP_STAGE_LIST(X)
 #undef X
 #define X(x) { .part = &tp_water_##x, .offset = offsetof(tp_program, water.x) },
-        TP_WATER_LIST(X)
+    TP_WATER_LIST(X)
 #undef X
 #define X(x) { .part = &tp_draw_##x, .offset = offsetof(tp_program, draw.x) },
-            TP_DRAW_LIST(X)
+    TP_DRAW_LIST(X)
 #undef X
 #define X(x) { .part = &tp_method_##x, .offset = offsetof(tp_program, method.x) },
-                TP_METHOD_LIST(X)
+    TP_METHOD_LIST(X)
 #undef X
 #define MODULE(x) \
     { .use = TP_USE(x), .lack = TP_LACK(x, 0) }, { .use = TP_USE(x) }, TP_STAGES_OF_##x(X)
 #define UNSEEN(x) { .use = TP_USE_UNSEEN(x), .lack = TP_LACK(x, 0) },
 #define X(x) { .stage = tp_stage_##x, .watched = watched_##x },
-                    TP_MODULE_LIST(MODULE, UNSEEN, MODULE)
+    TP_MODULE_LIST(MODULE, UNSEEN, MODULE)
 #undef X
 #undef UNSEEN
 #undef MODULE
@@ -210,21 +208,24 @@ bool pieces_named(piece_set *to, const char *name, size_t length)
     return found;
 }
 
+static bool is_named(size_t i, piece_kind kind, const char *name)
+{
+    return pieces[i].kind == kind && strcmp(pieces[i].name, name) == 0;
+}
+
 void pieces_add_models(piece_set *set)
 {
-    static const char *const needs[][2] = {
-        { "drops", "rings" },   { "main_pool", "pools" }, { "field", "pools" },
+    static const struct { const char *module, *model; } needs[] = {
+        { "drops", "rings" }, { "main_pool", "pools" }, { "field", "pools" },
         { "coastal", "ocean" }, { "coastal", "swells" },
     };
 
     for (size_t n = 0; n < sizeof needs / sizeof *needs; n++) {
         bool asked = false;
         for (size_t i = 0; i < piece_count; i++)
-            asked |= set->has[i] && pieces[i].kind == PIECE_MODULE
-                     && strcmp(pieces[i].name, needs[n][0]) == 0;
+            asked |= set->has[i] && is_named(i, PIECE_MODULE, needs[n].module);
         for (size_t i = 0; i < piece_count && asked; i++)
-            set->has[i] |=
-                pieces[i].kind == PIECE_WATER && strcmp(pieces[i].name, needs[n][1]) == 0;
+            set->has[i] |= is_named(i, PIECE_WATER, needs[n].model);
     }
 }
 
