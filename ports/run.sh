@@ -22,7 +22,7 @@ mkdir -p out
 "$program" render "$scene" --size 960x540 --out "$picture"
 "$program" render "$scene" --size 320x240 --format rgb565 --frames 0:177 --every 3 \
     --out "$film"
-megabytes=$(wc -c <"$film" | awk '{ printf "%.1f", $1 / 1e6 }')
+megabytes=$(wc -c <"$film" | awk '{ printf $1 < 1e5 ? "%.2f" : "%.1f", $1 / 1e6 }')
 echo "  $PWD/$picture: a picture, 960x540"
 echo "  $PWD/$film: 3 seconds, 320x240, 20 pictures a second, $megabytes MB;"
 echo "      an animated PNG, which every browser plays"
