@@ -54,12 +54,14 @@ CORE := $(addprefix src/, \
     shade/view.c scene/check.c scene/clock.c scene/drawn.c scene/faint.c \
     scene/governor.c scene/light.c scene/module.c scene/outlook.c scene/parts.c \
     scene/piece.c scene/plan_checked.c scene/pools.c scene/prices.c scene/rungs.c \
+    scene/sea.c \
     scene/stand.c scene/tape.c scene/value.c scene/works.c scene/world.c \
     scene/world_check.c \
     frame/carve.c frame/clipped.c frame/drawing.c frame/flat.c frame/frame.c \
     frame/holds.c frame/lattice.c frame/layer.c frame/lines.c frame/marks.c \
     frame/planar_map.c frame/plan.c frame/planned.c frame/projected.c frame/rows.c \
-    frame/shaders.c frame/sight.c frame/tile.c frame/visibility.c frame/water.c) \
+    frame/shaders.c frame/sight.c frame/tile.c frame/visibility.c frame/water.c \
+    engine/engine.c) \
     $(sort $(wildcard src/features/*.c src/features/*/*.c))
 
 # -- the program, for machines with files and threads ----------------------------------
@@ -326,7 +328,7 @@ host-tests: everything
 	    tests/host/cli.sh \
 	    tests/host/manual.sh tests/host/exits.sh tests/host/output.sh tests/host/bake.sh \
 	    tests/host/check.sh tests/host/check_ranges.sh tests/host/tape.sh \
-	    tests/host/own_module.sh tests/host/charts.sh \
+	    tests/host/own_module.sh tests/host/charts.sh tests/host/linked.sh \
 	    tests/host/charts_stop.sh tests/boards/readme.sh \
 	    tests/host/generators.sh tests/host/readme.sh
 # First what several of them want of the board's compiler; the longest tests begin first.

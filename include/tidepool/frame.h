@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: MIT */
 /* Drawing: a world becomes a picture, tile by tile, in the caller's memory.
  *
- *     bytes = tp_frame_bytes(&scene, &assets, &config)
- *     tp_frame_init(&frame, &scene, &assets, &config, block, &err)
- *     tp_frame_begin(&frame, &world)
- *     for (i = 0; tp_frame_tile(&frame, i, scratch, &tile); i++)
+ *     bytes = tp_frame_bytes(&config, &scene)
+ *     tp_frame_init(&frame, &config, &scene, memory, bytes, &err)
+ *     tp_frame_begin(frame, world)
+ *     for (i = 0; tp_frame_tile(frame, i, scratch, &tile); i++)
  *         show tile.pixels
  *
  * A tile depends on nothing but the frame: tiles may be drawn in any order, at once by
@@ -24,12 +24,15 @@
 
 TP_BEGIN_C
 
+/* A picture, and what draws it.  A field of 0 is the default. */
 typedef struct {
     uint32_t  width, height;        /* pixels, 16..4096 */
     uint32_t  tile_width;           /* multiple of 16; 0: the picture's width */
-    uint32_t  tile_height;          /* 0: the picture's height */
-    tp_format format;
-} tp_frame_config;
+    uint32_t tile_height;           /* 0: 16 rows */
+    tp_format format;               /* 0: xrgb8888 */
+    const tp_program *program;      /* NULL: tp_program_linked */
+    const tp_assets *assets;        /* NULL: the scene's own pictures, or none */
+} tp_config;
 
 typedef struct {
     uint32_t    x0, y0, x1, y1;     /* x1, y1 not included */
@@ -74,30 +77,28 @@ typedef struct tp_frame tp_frame;   /* lies at the start of the block */
  * and walls in a pool that were absent at init are not drawn; caustic_cells stay; a new
  * kind of sky falls back to the gradient and automatic exposure to 1; pools that come to
  * bend the light only stay heights. */
-size_t tp_frame_bytes(const tp_program *program, const tp_scene *scene,
-                      const tp_assets *assets, const tp_frame_config *config);
+size_t tp_frame_bytes(const tp_config *config, const tp_scene *scene);
 
 /* The scratch of one tile; `into`: of a tile that is drawn into a frame buffer, see below.
  * A program that streams crossings (tp_method_streamed) needs two lines of crossings more.
  * Without rows and projected it needs 24 bytes a column less, unless pixels need them. */
-size_t tp_frame_scratch_bytes(const tp_program *program, const tp_scene *scene,
-                              const tp_frame_config *config);
-size_t tp_frame_scratch_into_bytes(const tp_program *program, const tp_scene *scene,
-                                   const tp_frame_config *config);
+size_t tp_frame_scratch_bytes(const tp_config *config, const tp_scene *scene);
+size_t tp_frame_scratch_into_bytes(const tp_config *config, const tp_scene *scene);
+
+/* The config with the tile sizes that its zeroes stand for. */
+tp_config tp_config_filled(const tp_config *config);
 
 /* Checks a config as tp_frame_init does, whatever the scene. */
-tp_status tp_frame_check(const tp_frame_config *config, tp_error *err);
+tp_status tp_frame_check(const tp_config *config, tp_error *err);
 
-/* `block`: tp_frame_bytes() bytes aligned to 8.  Program, scene and assets must outlive the
- * frame, which keeps pointers to them; NULL assets are none.  The frame's size is not
- * known here, so nobody can tell a block that is too short.
- *  - TP_E_NULL, TP_E_ALIGN: err->word is the argument
+/* A frame in `memory`, of at least tp_frame_bytes() bytes, aligned to 8.  The config is
+ * copied.  Program, scene and assets must outlive the frame, which keeps pointers to them.
+ *  - TP_E_NULL, TP_E_ALIGN: err->word is the argument; TP_E_NOSPACE: `bytes` are too few
  *  - TP_E_SIZE, TP_E_TILE, TP_E_ARG: the config is out of range
  *  - as tp_program_fits: the scene is, or the program lacks a module that it has on
  *  - TP_E_PROGRAM: a program has at least the stages sky and plain, and the format's store */
-tp_status tp_frame_init(const tp_program *program, tp_frame **frame,
-                        const tp_scene *scene, const tp_assets *assets,
-                        const tp_frame_config *config, void *block, tp_error *err);
+tp_status tp_frame_init(tp_frame **frame, const tp_config *config, const tp_scene *scene,
+                        void *memory, size_t bytes, tp_error *err);
 
 /* The rungs of the frames from the next on, as a governor wants them; NULL: the plan's
  * again, which is made at init, and anew when quality.* has changed.  Where the frame has

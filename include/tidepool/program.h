@@ -276,13 +276,13 @@ typedef struct tp_use {
 } tp_use;
 
 #define X(name) void tp_stage_##name(const struct tp_shade *shade, struct tp_run *run);
-#define MODULE(name) \
-    UNSEEN(name) \
-    extern const struct tp_drawing tp_##name##_drawing; \
-    extern const tp_stage tp_##name##_stages[]; \
+#define MODULE(name)                                                                     \
+    UNSEEN(name)                                                                         \
+    extern const struct tp_drawing tp_##name##_drawing;                                  \
+    extern const tp_stage tp_##name##_stages[];                                          \
     TP_STAGES_OF_##name(X)
-#define UNSEEN(name) \
-    extern const struct tp_module tp_##name##_module; \
+#define UNSEEN(name)                                                                     \
+    extern const struct tp_module tp_##name##_module;                                    \
     bool tp_##name##_enabled(const struct tp_want *want);
 #define PRICED(name) extern const struct tp_cost tp_##name##_cost; MODULE(name)
 TP_MODULE_LIST(MODULE, UNSEEN, PRICED)
@@ -314,13 +314,16 @@ TP_MODULE_LIST(MODULE, UNSEEN, MODULE)
 /* A module that a program leaves out: its condition without its state and drawing.  A list
  * of lacks ends with { 0 } and has the order of TP_MODULE_LIST. */
 typedef struct tp_lack {
-    const char *name;           /* as in TP_MODULE_LIST */
-    bool      (*enabled)(const struct tp_want *want);
-    uint32_t    above;          /* uses of the program's list that come before it in
+    const char *name; /* as in TP_MODULE_LIST */
+    bool (*enabled)(const struct tp_want *want);
+    uint32_t above; /* uses of the program's list that come before it in
                                  * TP_MODULE_LIST: conditions may ask about those alone */
 } tp_lack;
 
-#define TP_LACK(name, above) { #name, tp_##name##_enabled, above }
+#define TP_LACK(name, above)                                                             \
+    {                                                                                    \
+#name, tp_##name##_enabled, above                                                \
+    }
 
 /* ------------------------------------------------------------------------------------ */
 
@@ -348,6 +351,16 @@ tp_status tp_lacks_check(const tp_program *program, const struct tp_scene *scene
                          const struct tp_assets *assets, tp_error *err);
 
 extern const tp_program tp_program_all; /* everything there is */
+
+/* The program of who names none.  The library's own is tp_program_all; a file that
+ * `tidepool bake --linked` wrote defines it instead, and then nothing else is linked. */
+extern const tp_program *const tp_program_linked;
+
+/* The program that NULL stands for. */
+static inline const tp_program *tp_program_or_linked(const tp_program *program)
+{
+    return program ? program : tp_program_linked;
+}
 
 TP_END_C
 #endif

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /* A scene: plain data that a person may change, each number a row of one table.
  *
- * The scene holds no pointer and may lie in ROM.  What it names (mesh, textures) the
- * port loads and hands to the frame.  The table gives INI files, the command line, the
+ * The scene may lie in ROM.  The files that it names (mesh, textures) the port loads and
+ * hands to world and frame; its one pointer is to pictures that are built in.  The table gives INI files, the command line, the
  * preview's panel and the manual their names, units, ranges and defaults. */
 #ifndef TP_SCENE_H
 #define TP_SCENE_H
@@ -160,6 +160,7 @@ typedef struct tp_scene {
         tp_fx   frame_ms;                   /* that the governor holds; 0: none */
     } quality;
     int32_t own[TP_OWN_WORDS];              /* of modules that a program brings itself */
+    const struct tp_assets *pictures;       /* its own: tp_scene_init's; NULL: none */
 } tp_scene;
 
 typedef enum { TP_BOAT_KINEMATIC, TP_BOAT_DYNAMIC } tp_boat_mode;
@@ -229,8 +230,12 @@ size_t tp_param_text(const tp_scene *scene, const tp_param *param, char *text,
 size_t tp_param_number_text(const tp_param *param, int32_t number, char *text,
                             size_t bytes);
 
-/* Every row's default. */
-void tp_scene_default(tp_scene *scene);
+/* A gentle sea of three waves under a sunny sky, with a picture of ripples that is built
+ * in; only who calls this links the picture, 1364 bytes. */
+void tp_scene_init(tp_scene *scene);
+
+/* Level water: each row's default, from which scene files and settings start. */
+void tp_scene_level(tp_scene *scene);
 
 /* TP_OK: every init takes this scene.  Otherwise err->word is the name of the first row
  * at fault:
@@ -255,6 +260,13 @@ typedef struct tp_assets {
     const tp_grey    *floor;            /* scene.floor.map */
     const tp_grey    *pool_mask, *field_mask;   /* scene.pool.mask, scene.field.mask */
 } tp_assets;
+
+/* The pictures that NULL assets stand for. */
+static inline const tp_assets *tp_scene_pictures(const tp_scene *scene,
+                                                 const tp_assets *assets)
+{
+    return assets ? assets : scene->pictures;
+}
 
 /* TP_OK: worlds and frames of this program take this scene; every init, their byte counts
  * and tp_world_refresh ask it.  NULL assets are none.

@@ -7,6 +7,7 @@
 #include "tidepool/clock.h"
 #include "tidepool/depth.h"
 #include "tidepool/drop.h"
+#include "tidepool/engine.h"
 #include "tidepool/foam.h"
 #include "tidepool/frame.h"
 #include "tidepool/fx.h"

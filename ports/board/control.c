@@ -156,8 +156,8 @@ static void restart(control *c)
 {
     const control_setup *s = c->setup;
     tp_error err = { 0 };
-    if (tp_world_init(s->program, s->world, s->world->parts.bytes, s->shown, s->assets,
-                      &err)) {
+    if (tp_world_init(s->config->program, s->world, s->world->parts.bytes, s->shown,
+                      s->config->assets, &err)) {
         refuse_input(c, &err);
         return;
     }
@@ -240,8 +240,7 @@ void control_begin(control *c, const control_setup *setup)
 {
     memset(c, 0, sizeof *c);
     c->setup = setup;
-    c->frame_bytes = (uint32_t)tp_frame_bytes(setup->program, setup->shown, setup->assets,
-                                              setup->config);
+    c->frame_bytes = (uint32_t)tp_frame_bytes(setup->config, setup->shown);
 }
 
 bool control_reads(const control *c)

@@ -28,11 +28,9 @@
 
 /* What the port fills in; the scene is the one that frame and world were made with. */
 typedef struct {
-    const tp_program *program;
     const tp_scene  *shown;
     tp_scene        *scene;     /* the same in RAM; NULL: constant, `set` is refused */
-    const tp_assets *assets;
-    const tp_frame_config *config;
+    const tp_config *config;    /* of the frame */
     tp_world        *world;
     void           (*write)(void *to, const char *text);    /* a piece of an answer */
     void           (*state)(void *to);      /* the rest of that answer; NULL: none */

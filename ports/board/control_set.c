@@ -25,7 +25,7 @@ static void take_back(const control *c, const tp_param *param, void *number,
                       const void *before)
 {
     const control_setup *s = c->setup;
-    const size_t bytes = tp_world_bytes(s->program, s->scene, s->assets);
+    const size_t bytes = tp_world_bytes(s->config->program, s->scene, s->config->assets);
     answer(c, "error ");
     answer_value(c, param);
     if (bytes > s->world->parts.bytes) {
@@ -42,7 +42,7 @@ static void take_back(const control *c, const tp_param *param, void *number,
 
 static uint32_t frame_needs(const control_setup *s)
 {
-    return (uint32_t)tp_frame_bytes(s->program, s->scene, s->assets, s->config);
+    return (uint32_t)tp_frame_bytes(s->config, s->scene);
 }
 
 static void tell(const control *c, const tp_param *param, uint32_t needed)
@@ -75,8 +75,8 @@ void control_set(control *c, control_word rest)
     char *number = (char *)s->scene + param->offset;
     const uint32_t needed = frame_needs(s);
     memcpy(&before, number, sizeof before);
-    switch (setting_put(s->program, s->scene, s->world, s->assets, param, rest.text,
-                        rest.bytes, &err)) {
+    switch (setting_put(s->config->program, s->scene, s->world, s->config->assets, param,
+                        rest.text, rest.bytes, &err)) {
     case SETTING_DONE:
         c->changed = true;
         tell(c, param, needed);

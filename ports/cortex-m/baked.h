@@ -10,5 +10,5 @@ extern const tp_assets baked_assets;
 
 /* With --size or --format: what the scene needs to be drawn so. */
 extern const tp_program baked_program;
-extern const tp_frame_config baked_picture;
+extern const tp_config baked_config;
 #endif

@@ -38,7 +38,7 @@ static picture draw(tp_frame *frame, void *scratch, const tp_world *world)
     count_as_tiles();
     for (uint32_t i = 0; tp_frame_tile(frame, i, scratch, &tile); i++) {
         count_end();
-        p.crc = sum_tile(p.crc, &baked_picture, &tile);
+        p.crc = sum_tile(p.crc, &baked_config, &tile);
         p.water += tp_frame_water_pixels(frame, scratch, &tile);
         count_as_tiles();
     }
@@ -80,7 +80,7 @@ static void say_ram(tp_frame_ram ram, size_t world_bytes)
 
 static void say_picture(void)
 {
-    const tp_frame_config *c = &baked_picture;
+    const tp_config *c = &baked_config;
 
     semihost_decimal("picture ", c->width);
     semihost_decimal("x", c->height);
@@ -110,19 +110,15 @@ int main(void)
     const size_t world_bytes =
         tp_world_bytes(&baked_program, &baked_scene, &baked_assets);
     tp_arena  arena = tp_arena_over(arena_start, (size_t)(arena_end - arena_start));
-    void *block =
-        take(&arena,
-             tp_frame_bytes(&baked_program, &baked_scene, &baked_assets, &baked_picture),
-             "the frame does not fit: ");
-    void *scratch =
-        take(&arena, tp_frame_scratch_bytes(&baked_program, &baked_scene, &baked_picture),
-             "the tile does not fit: ");
+    const size_t bytes = tp_frame_bytes(&baked_config, &baked_scene);
+    void *block = take(&arena, bytes, "the frame does not fit: ");
+    void *scratch = take(&arena, tp_frame_scratch_bytes(&baked_config, &baked_scene),
+                         "the tile does not fit: ");
     tp_world *world = take(&arena, world_bytes, "the world does not fit: ");
     tp_frame *frame;
     tp_error  err;
 
-    if (tp_frame_init(&baked_program, &frame, &baked_scene, &baked_assets, &baked_picture,
-                      block, &err))
+    if (tp_frame_init(&frame, &baked_config, &baked_scene, block, bytes, &err))
         semihost_stop("the frame cannot be made");
     if (tp_world_init(&baked_program, world, world_bytes, &baked_scene, &baked_assets,
                       &err))

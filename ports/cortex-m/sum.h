@@ -6,5 +6,5 @@
 #include "tidepool/frame.h"
 
 /* Begins with 0; the sum so far, with a tile more. */
-uint32_t sum_tile(uint32_t sum, const tp_frame_config *config, const tp_tile *tile);
+uint32_t sum_tile(uint32_t sum, const tp_config *config, const tp_tile *tile);
 #endif

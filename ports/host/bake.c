@@ -175,7 +175,7 @@ static void put_head(const bake *b, const options *o, const stage *s)
     if (b->program)
         fprintf(b->out,
                 " *     extern const tp_program    %s_program;\n"
-                " *     extern const tp_frame_config %s_picture;\n",
+                " *     extern const tp_config %s_config;\n",
                 b->name, b->name);
     fprintf(b->out, " *\n");
     put_contents(b, &s->assets.names);
@@ -249,7 +249,7 @@ static bool is_quick_fit(const tp_scene *scene, const tp_assets *names)
 static bool is_all_quick(const tp_scene *scene, const tp_assets *names)
 {
     return scene->quality.shading == TP_SHADING_QUICK && scene->quality.frame_ms == 0
-        && scene->hdr.exposure == TP_EXPOSURE_FIXED && is_quick_fit(scene, names);
+           && scene->hdr.exposure == TP_EXPOSURE_FIXED && is_quick_fit(scene, names);
 }
 
 static const tp_texture **place_of(tp_assets *names, int i)

@@ -162,11 +162,12 @@ static void put_set(FILE *out, const char *heading, const piece_set *set)
 
 void bake_put_pieces(const bake_program *p, FILE *out)
 {
-    const tp_frame_config *c = &p->wish.config;
+    const tp_config *c = &p->wish.config;
 
-    fprintf(out, " *\n * %" PRIu32 "x%" PRIu32 " %s: %" PRIu32 " pictures are those of the"
-            " whole list.", c->width, c->height, tp_format_name(c->format),
-            p->found.pictures);
+    fprintf(out,
+            " *\n * %" PRIu32 "x%" PRIu32 " %s: %" PRIu32 " pictures are those of the"
+            " whole list.",
+            c->width, c->height, tp_format_name(c->format), p->found.pictures);
     put_set(out, "In the program", &p->found.in);
     put_set(out, "Refused by name when the scene comes to have it", &p->found.refused);
     fprintf(out, "\n");
@@ -174,7 +175,7 @@ void bake_put_pieces(const bake_program *p, FILE *out)
 
 void bake_put_program(const bake_program *p, FILE *out, const char *name)
 {
-    const tp_frame_config *c = &p->wish.config;
+    const tp_config *c = &p->wish.config;
     static const char *const format[] = {
 #define X(name, word, bits, text) [TP_FORMAT_##name] = "TP_FORMAT_" #name,
         TP_FORMAT_LIST(X)
@@ -182,8 +183,16 @@ void bake_put_program(const bake_program *p, FILE *out, const char *name)
     };
 
     pieces_write(out, name, &p->found.in, &p->found.refused, &p->wish.terms);
-    fprintf(out, "\nextern const tp_frame_config %s_picture;\n"
-            "const tp_frame_config %s_picture = { %" PRIu32 ", %" PRIu32 ", %" PRIu32
-            ", %" PRIu32 ", %s };\n", name, name, c->width, c->height, c->tile_width,
-            c->tile_height, format[c->format]);
+    fprintf(out,
+            "\nextern const tp_config %s_config;\nconst tp_config %s_config = {\n"
+            "    .width = %" PRIu32 ", .height = %" PRIu32 ", .tile_width = %" PRIu32
+            ", .tile_height = %" PRIu32 ",\n    .format = %s, .program = &%s_program, "
+            ".assets = &%s_assets\n};\n",
+            name, name, c->width, c->height, c->tile_width, c->tile_height,
+            format[c->format], name, name);
+    fprintf(out,
+            "\n/* The program of who names none, unless another file defines it. */\n"
+            "#ifdef __GNUC__\n__attribute__((weak))\n#endif\n"
+            "const tp_program *const tp_program_linked = &%s_program;\n",
+            name);
 }

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* The part of a baked file that a program is linked by: NAME_program, which lists what the
- * scene needs at one size and format, and NAME_picture, those two. */
+ * scene needs at one size and format, and NAME_config, those two. */
 #ifndef HOST_BAKE_PROGRAM_H
 #define HOST_BAKE_PROGRAM_H
 #include <stdio.h>

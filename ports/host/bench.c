@@ -48,7 +48,7 @@ static size_t append_word(const tp_scene *scene, const char *name, char *text, s
 static void name_rungs(bench_figure *f)
 {
     tp_scene scene;
-    tp_scene_default(&scene);
+    tp_scene_level(&scene);
     scene.quality.visibility = (int32_t)f->rungs.visibility;
     scene.quality.shading = (int32_t)f->rungs.shading;
     size_t at = append_word(&scene, "quality.visibility", f->by, 0);

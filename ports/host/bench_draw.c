@@ -89,8 +89,10 @@ static int draw_round(bench_list *list, const bench_scene *s, canvas *c, tp_worl
 int bench_draw(bench_list *list, bench_scene *s, bench_figure *f, int round, bool first,
                const char *folder)
 {
-    const tp_frame_config config = {
-        .width = f->width, .height = f->height, .format = TP_FORMAT_XRGB8888,
+    const tp_config config = {
+        .width = f->width,
+        .height = f->height,
+        .format = TP_FORMAT_XRGB8888,
     };
     tp_world world;
     canvas c;

@@ -103,7 +103,7 @@ static void set_full(tp_scene *s, bool smooth)
 
 void bench_scene_set(bench_scene *s, bench_work work, uint32_t points)
 {
-    tp_scene_default(&s->scene);
+    tp_scene_level(&s->scene);
     s->assets = (tp_assets){ .layer[0] = &s->map[BENCH_MOTTLE] };
     set_sea(&s->scene, points);
     set_plain(&s->scene);

@@ -17,7 +17,7 @@
 #define BAND_LEAST       16
 #define BANDS_PER_THREAD 8
 
-static void choose_tiles(tp_frame_config *config, uint32_t threads)
+static void choose_tiles(tp_config *config, uint32_t threads)
 {
     const uint32_t bands = threads > 1 ? threads * BANDS_PER_THREAD : 1;
     uint32_t rows = (config->height + bands - 1) / bands;
@@ -26,7 +26,7 @@ static void choose_tiles(tp_frame_config *config, uint32_t threads)
         config->tile_height = rows < BAND_ROWS ? rows : BAND_ROWS;
 }
 
-void canvas_plan(canvas *c, const tp_frame_config *config, uint32_t threads)
+void canvas_plan(canvas *c, const tp_config *config, uint32_t threads)
 {
     *c = (canvas){ .threads = threads < 1 ? 1 : threads, .config = *config };
     if (c->threads > CANVAS_THREADS)
@@ -45,9 +45,10 @@ void canvas_count(canvas *c, const tp_scene *scene, const tp_assets *assets)
     c->program = *c->machine->program;
     if (c->stream)
         c->program.method.triangles = &tp_method_streamed;
-    c->frame_bytes = tp_frame_bytes(&c->program, scene, assets, &c->config);
-    c->scratch_bytes =
-        c->threads * tp_frame_scratch_bytes(&c->program, scene, &c->config);
+    c->config.program = &c->program;
+    c->config.assets = assets;
+    c->frame_bytes = tp_frame_bytes(&c->config, scene);
+    c->scratch_bytes = c->threads * tp_frame_scratch_bytes(&c->config, scene);
 }
 
 static int allocate(canvas *c)
@@ -72,7 +73,7 @@ int canvas_open(canvas *c, const tp_scene *scene, const tp_assets *assets)
     if (code)
         return code;
     tp_error err = { 0 };
-    if (tp_frame_init(&c->program, &c->frame, scene, assets, &c->config, c->block, &err))
+    if (tp_frame_init(&c->frame, &c->config, scene, c->block, c->frame_bytes, &err))
         return fail_at("tidepool", &err);
     c->crew = crew_open(c->threads - 1);
     return EXIT_DONE;

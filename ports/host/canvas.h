@@ -20,7 +20,7 @@ typedef struct {
     uint32_t  threads;
     crew     *crew;             /* that helps the caller; NULL: none */
     void     *scratch[CANVAS_THREADS];
-    tp_frame_config config;     /* with the tiles' sides chosen */
+    tp_config config;           /* with the tiles' sides chosen */
     uint32_t  water_pixels;     /* of the last canvas_draw ... */
     uint32_t  begin_us, tiles_us;       /* ... and what its two parts took: geometry, then
                                            pixels by all threads */
@@ -29,7 +29,7 @@ typedef struct {
 /* Sets how the picture will be drawn; nothing is allocated.  Tile sides of 0 let the canvas
  * choose.  The plan takes the best machine that runs here and stores crossings; the caller
  * may then set another `machine` or `stream`. */
-void canvas_plan(canvas *c, const tp_frame_config *config, uint32_t threads);
+void canvas_plan(canvas *c, const tp_config *config, uint32_t threads);
 
 /* After the plan: frame_bytes and scratch_bytes, before anything is allocated. */
 void canvas_count(canvas *c, const tp_scene *scene, const tp_assets *assets);

@@ -213,7 +213,7 @@ static bool follow(compare *c, const stage *s)
 
 static bool open_other(compare *c, const stage *s)
 {
-    tp_frame_config config = s->canvas.config;
+    tp_config config = s->canvas.config;
 
     config.format = TP_FORMAT_XRGB8888;
     name_rungs(c, s);

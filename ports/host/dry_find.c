@@ -103,8 +103,11 @@ static void need_what_takes_memory(search *s)
     const piece_set all = everything(wish);
     const dry_program by = program_of(s, &all);
     const size_t world = tp_world_bytes(by.program, wish->scene, wish->assets);
-    const size_t frame =
-        tp_frame_bytes(by.program, wish->scene, wish->assets, &wish->config);
+    tp_config config = wish->config;
+
+    config.program = by.program;
+    config.assets = wish->assets;
+    const size_t frame = tp_frame_bytes(&config, wish->scene);
 
     for (size_t i = 0, module = 0; i < piece_count; i++) {
         piece_set less = all;
@@ -119,9 +122,7 @@ static void need_what_takes_memory(search *s)
                 tp_world_bytes(by.program, wish->scene, wish->assets) != world;
         else if (pieces[i].kind == PIECE_DRAWING
                  && (wish->acts || s->needed.has[module]))
-            s->needed.has[i] =
-                tp_frame_bytes(by.program, wish->scene, wish->assets, &wish->config)
-                != frame;
+            s->needed.has[i] = tp_frame_bytes(&config, wish->scene) != frame;
         s->needed.has[module] |= pieces[i].kind == PIECE_DRAWING && s->needed.has[i];
     }
 }
@@ -330,7 +331,7 @@ static piece_set refused_by(const dry_wish *wish, const piece_set *in)
 
     for (size_t i = 0; i < piece_count; i++)
         refused.has[i] = wish->terms.checks && pieces[i].kind == PIECE_MODULE
-                      && !in->has[i] && !wish->without.has[i];
+                         && !in->has[i] && !wish->without.has[i];
     return refused;
 }
 
@@ -377,8 +378,11 @@ int dry_find(dry_found *found, const dry_wish *wish)
     if (!code && has_any(&wish->without))
         code = find_lacks(&s, &lacks);
     tidy(&s.in);
-    *found = (dry_found){ .in = s.in, .lacks = lacks, .refused = refused_by(wish, &s.in),
-                          .lean = s.lean, .planned = plans(&s.in),
+    *found = (dry_found){ .in = s.in,
+                          .lacks = lacks,
+                          .refused = refused_by(wish, &s.in),
+                          .lean = s.lean,
+                          .planned = plans(&s.in),
                           .pictures = s.run.cameras };
     close_search(&s);
     return code;

@@ -12,7 +12,7 @@ typedef struct {
     const tp_scene  *named;     /* the same with its plan's rungs named */
     const tp_assets *baked;     /* assets of the program, and ... */
     const tp_assets *lean;      /* ... fewer, if they will do; or NULL */
-    tp_frame_config  config;
+    tp_config config;
     piece_terms      terms;
     piece_set        with;      /* pieces that stay whatever the run says, and ... */
     piece_set        without;   /* ... that are not there at all */

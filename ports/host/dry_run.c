@@ -146,7 +146,7 @@ static void choose_cameras(dry_run *d, const dry_program *by)
     }
 }
 
-int dry_open(dry_run *d, const dry_program *by, const tp_frame_config *config, bool acts)
+int dry_open(dry_run *d, const dry_program *by, const tp_config *config, bool acts)
 {
     tp_error err = { 0 };
 
@@ -204,19 +204,26 @@ typedef struct {
     tp_frame *frame;
 } painter;
 
+static tp_config config_by(const dry_run *d, const dry_program *by)
+{
+    tp_config c = d->config;
+
+    c.program = by->program;
+    c.assets = by->assets;
+    return c;
+}
+
 static bool painter_open(painter *p, const job *j, tp_error *err)
 {
     const dry_program *by = j->by;
-    const tp_frame_config *c = &j->run->config;
-    const size_t bytes = tp_frame_bytes(by->program, by->scene, by->assets, c);
-    const size_t scratch = tp_frame_scratch_bytes(by->program, by->scene, c);
+    const tp_config c = config_by(j->run, by);
+    const size_t bytes = tp_frame_bytes(&c, by->scene);
+    const size_t scratch = tp_frame_scratch_bytes(&c, by->scene);
 
     *p = (painter){ .block = malloc(bytes + 1), .scratch = malloc(scratch + 1),
                     .world = malloc(j->run->world_bytes) };
     return p->block && p->scratch && p->world
-           && tp_frame_init(by->program, &p->frame, by->scene, by->assets, c, p->block,
-                            err)
-                  == TP_OK;
+           && tp_frame_init(&p->frame, &c, by->scene, p->block, bytes, err) == TP_OK;
 }
 
 static void painter_close(painter *p)
@@ -308,7 +315,7 @@ int dry_draw(const dry_run *d, const dry_program *by, const uint32_t *which,
         *differs = first == count ? d->cameras : which ? which[first] : first;
     if (!atomic_load(&j.failed))
         return EXIT_DONE;
+    const tp_config config = config_by(d, by);
     return j.err.code ? fail_at("tidepool bake", &j.err)
-                      : fail_memory(
-                          tp_frame_bytes(by->program, by->scene, by->assets, &d->config));
+                      : fail_memory(tp_frame_bytes(&config, by->scene));
 }

@@ -28,7 +28,7 @@ typedef struct {
 } dry_picture;
 
 typedef struct {
-    tp_frame_config config;
+    tp_config config;
     tp_ladder   ladder;
     bool        acts;
     size_t      world_bytes;
@@ -41,7 +41,7 @@ typedef struct {
 /* Steps the world by a program and chooses cameras: those of the scene alone or, if
  * somebody acts, others around all that the scene has, above and under water, and inputs in
  * the second half.  Each returns an exit code and has said why; close in any case. */
-int  dry_open(dry_run *d, const dry_program *by, const tp_frame_config *config, bool acts);
+int dry_open(dry_run *d, const dry_program *by, const tp_config *config, bool acts);
 void dry_close(dry_run *d);
 
 /* True if the program steps the run's worlds bit for bit. */

@@ -65,7 +65,7 @@ static void tell_memory(figures *f, const stage *s)
 
 static void follow(figures_plan *kept, const stage *s)
 {
-    const tp_frame_config *config = &s->canvas.config;
+    const tp_config *config = &s->canvas.config;
 
     if (kept->made && kept->width == config->width && kept->height == config->height
         && memcmp(&kept->scene, &s->file.scene, sizeof kept->scene) == 0)

@@ -7,7 +7,7 @@
 void governing_begin(governing *g, const stage *s)
 {
     const tp_scene *scene = &s->file.scene;
-    const tp_frame_config *config = &s->canvas.config;
+    const tp_config *config = &s->canvas.config;
     const tp_ladder ladder = tp_ladder_of(scene, &s->assets.names, config->width,
                                           config->height);
     const uint32_t limit = (uint32_t)((int64_t)scene->quality.frame_ms * 1000 >> 16);

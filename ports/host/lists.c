@@ -130,7 +130,7 @@ static int print_table(const tp_scene *scene, const char *value_title, const cha
 static int print_defaults(const options *o)
 {
     tp_scene scene;
-    tp_scene_default(&scene);
+    tp_scene_level(&scene);
     return print_table(&scene, "default", o->only);
 }
 

@@ -95,7 +95,7 @@ static void print_param(const tp_param *param, bool numbered)
         snprintf(name, sizeof name, "%.*sN%s", letters, param->name, rest);
     else
         snprintf(name, sizeof name, "%s", param->name);
-    tp_scene_default(&scene);
+    tp_scene_level(&scene);
     tp_param_text(&scene, param, value, sizeof value);
     takes_range(param, range, sizeof range);
     roff_macro(".TP");

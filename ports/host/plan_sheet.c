@@ -41,16 +41,18 @@ int plan_rung(tp_rungs rungs, int kind)
 
 plan_sheet plan_sheet_of(const stage *s)
 {
-    const tp_frame_config *config = &s->canvas.config;
     const tp_assets *named = &s->assets.names;
+    tp_config config = s->canvas.config;
     tp_scene scene = s->file.scene;
-    plan_sheet p = { .report = tp_plan_of(&scene, named, config->width, config->height) };
+    plan_sheet p = { .report = tp_plan_of(&scene, named, config.width, config.height) };
 
+    config.program = &tp_program_all;
+    config.assets = named;
     for (int k = 0; k < TP_KINDS; k++)
         for (int i = 0; i < p.report.rung_count[k]; i++) {
             name_rungs(&scene, with(p.report.rungs, k, i));
-            p.bytes[k][i] = tp_frame_bytes(&tp_program_all, &scene, named, config)
-                            + tp_frame_scratch_bytes(&tp_program_all, &scene, config);
+            p.bytes[k][i] =
+                tp_frame_bytes(&config, &scene) + tp_frame_scratch_bytes(&config, &scene);
         }
     return p;
 }

@@ -176,7 +176,7 @@ static int find(scene_file *file, const char *given)
 int scene_file_open(scene_file *file, const char *given)
 {
     *file = (scene_file){ 0 };
-    tp_scene_default(&file->scene);
+    tp_scene_level(&file->scene);
     uint32_t count;
     tp_params(&count);
     const int code = find(file, given);

@@ -152,7 +152,7 @@ int scene_save(const scene_file *file, const char *name)
     tp_params(&count);
     save s = { .file = file, .name = name,
                .at = calloc(count, sizeof *s.at), .bad = calloc(count, sizeof *s.bad) };
-    tp_scene_default(&s.filed);
+    tp_scene_level(&s.filed);
     s.moved = !file->path || !path_same_folder(file->path, name);
     int code = s.at && s.bad ? read_lines(&s) : fail_memory(count * sizeof *s.at);
     if (!code)

@@ -155,9 +155,11 @@ static int check_memory(const stage *s, const canvas *c, const assets *a,
 int stage_plan(const stage *s, const options *o, const assets *a, size_t world_bytes,
                canvas *c)
 {
-    const tp_frame_config config = {
-        .width = o->width, .height = o->height,
-        .tile_width = o->strip, .tile_height = o->band,
+    const tp_config config = {
+        .width = o->width,
+        .height = o->height,
+        .tile_width = o->strip,
+        .tile_height = o->band,
         .format = o->format,
     };
     canvas_plan(c, &config, o->threads);

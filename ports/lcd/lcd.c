@@ -45,16 +45,6 @@ static uint32_t units(const lcd_panel *p, uint32_t pixels)
     return (pixels + p->unit - 1) / p->unit;
 }
 
-/* With the sides of tiles that the core takes. */
-static tp_frame_config filled(const lcd_config *c)
-{
-    tp_frame_config f = c->frame;
-    f.tile_width = f.tile_width && f.tile_width < f.width ? f.tile_width : f.width;
-    f.tile_height = f.tile_height && f.tile_height < f.height ? f.tile_height : f.height;
-    return f;
-}
-
-/* The glass as the picture sees it, and where it begins in the memory walked so. */
 static void place_glass(lcd *l)
 {
     const lcd_panel *p = l->config.panel;
@@ -70,7 +60,7 @@ static void place_glass(lcd *l)
 static lcd_status check(const lcd_config *c)
 {
     const lcd_panel *p = c->panel;
-    const tp_frame_config *f = &c->frame;
+    const tp_config *f = &c->frame;
     const unsigned bits = walk(c);
     const bool swap = bits & LCD_MV;
     if (!c->wires.command || !c->wires.data || !c->wires.pause
@@ -91,7 +81,7 @@ static lcd_status check(const lcd_config *c)
 
 static size_t buffer_bytes(const lcd_config *c)
 {
-    const tp_frame_config f = filled(c);
+    const tp_config f = tp_config_filled(&c->frame);
     const size_t row = (size_t)units(c->panel, f.tile_width) * c->panel->unit_bytes;
     return (row * f.tile_height + LCD_ALIGN - 1) / LCD_ALIGN * LCD_ALIGN;
 }
@@ -165,7 +155,7 @@ lcd_status lcd_open(lcd *l, const lcd_config *config, void *memory)
     const lcd_panel *p = config->panel;
     TRY(check(config));
     *l = (lcd){ .config = *config };
-    l->config.frame = filled(config);
+    l->config.frame = tp_config_filled(&config->frame);
     l->buffer[0] = memory;
     l->buffer[1] = l->buffer[0] + buffer_bytes(config);
     l->bits = walk(config) ^ p->upright;
@@ -256,7 +246,7 @@ void lcd_begin(lcd *l)
 lcd_status lcd_tile(lcd *l, const tp_tile *tile)
 {
     const lcd_panel *p = l->config.panel;
-    const tp_frame_config *f = &l->config.frame;
+    const tp_config *f = &l->config.frame;
     const part w = seen(l, tile);
     uint8_t *const buffer = l->buffer[l->turn];
     if (tile->x1 - tile->x0 > f->tile_width || tile->y1 - tile->y0 > f->tile_height)

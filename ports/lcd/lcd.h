@@ -111,7 +111,7 @@ extern const lcd_panel lcd_ssd0323;         /* OLED of greys, 128x64 */
 typedef struct {
     const lcd_panel *panel;
     lcd_wires        wires;
-    tp_frame_config  frame;         /* as the frame is made; the panel's format */
+    tp_config frame;                /* as the frame is made; the panel's format */
     int16_t          x, y;          /* the picture's corner on the glass as turned; what
                                      * is beside the glass is drawn but not sent */
     uint8_t          turn;          /* quarters, clockwise: 0..3 */
@@ -165,6 +165,6 @@ lcd_status lcd_end(lcd *l);
  * lcd_tile takes; turn.c.  `to`: a byte for each eight pixels of a turned row.  Rows of
  * tiles, and the side that becomes the width, are multiples of 8: of 122x250 glass a
  * picture of 250x128 has six rows beside it, the upper ones turned by 1, else the lower. */
-tp_tile lcd_turned(const tp_tile *tile, const tp_frame_config *picture, unsigned turn,
+tp_tile lcd_turned(const tp_tile *tile, const tp_config *picture, unsigned turn,
                    uint8_t *to);
 #endif

@@ -10,7 +10,7 @@ static unsigned bit(const tp_tile *t, uint32_t x, uint32_t y)
 }
 
 /* Where the picture's pixel is that lies at (x, y) of the turned one. */
-static unsigned bit_from(const tp_tile *t, const tp_frame_config *picture, unsigned turn,
+static unsigned bit_from(const tp_tile *t, const tp_config *picture, unsigned turn,
                          uint32_t x, uint32_t y)
 {
     const uint32_t right = picture->width - 1, below = picture->height - 1;
@@ -22,7 +22,7 @@ static unsigned bit_from(const tp_tile *t, const tp_frame_config *picture, unsig
     }
 }
 
-static tp_tile place(const tp_tile *t, const tp_frame_config *p, unsigned turn)
+static tp_tile place(const tp_tile *t, const tp_config *p, unsigned turn)
 {
     const uint32_t w = p->width, h = p->height;
     switch (turn) {
@@ -34,7 +34,7 @@ static tp_tile place(const tp_tile *t, const tp_frame_config *p, unsigned turn)
     }
 }
 
-tp_tile lcd_turned(const tp_tile *tile, const tp_frame_config *picture, unsigned turn,
+tp_tile lcd_turned(const tp_tile *tile, const tp_config *picture, unsigned turn,
                    uint8_t *to)
 {
     tp_tile turned = place(tile, picture, turn & 3);

@@ -30,19 +30,18 @@ static void draw(const tp_frame *frame, tp_format format, void *scratch, unsigne
 
 static int run(const tp_scene *scene, tp_format format)
 {
-    static const tp_assets none;
-    const tp_frame_config config = { WIDTH, HEIGHT, 0, BAND, format };
-    void *block =
-        malloc(tp_frame_bytes(&tp_program_all, scene, &none, &config)); /* 1: memory */
-    void *scratch = malloc(tp_frame_scratch_bytes(&tp_program_all, scene, &config));
+    const tp_config config = {
+        .width = WIDTH, .height = HEIGHT, .tile_height = BAND, .format = format
+    };
+    const size_t bytes = tp_frame_bytes(&config, scene); /* 1: memory */
+    void *block = malloc(bytes);
+    void *scratch = malloc(tp_frame_scratch_bytes(&config, scene));
     tp_frame *frame;
     tp_world world;                                                 /* 2: the world */
-    if (!block || !scratch
-        || tp_frame_init(&tp_program_all, &frame, scene, &none, &config, block, NULL))
+    if (!block || !scratch || tp_frame_init(&frame, &config, scene, block, bytes, NULL))
         return FAILED;
-    tp_world_init(&tp_program_all, &world, sizeof world, scene, &none, NULL);
-    for (unsigned n = 0; n < FRAMES;
-         n++, tp_world_step(&tp_program_all, &world, scene, NULL)) {
+    tp_world_init(NULL, &world, sizeof world, scene, NULL, NULL);
+    for (unsigned n = 0; n < FRAMES; n++, tp_world_step(NULL, &world, scene, NULL)) {
         tp_frame_begin(frame, &world);                              /* 3: frames */
         draw(frame, format, scratch, n);
     }
@@ -54,7 +53,7 @@ static int run(const tp_scene *scene, tp_format format)
 int main(void)
 {
     tp_scene scene;
-    tp_scene_default(&scene);
+    tp_scene_level(&scene);
     set(&scene, "wave0.amplitude", "0.5");
     set(&scene, "wave0.length", "12");
     for (int format = 0; format < TP_FORMAT_COUNT; format++)

@@ -152,7 +152,7 @@ static void screen_flip(screen *s)
 /* -- pictures ---------------------------------------------------------------------- */
 
 typedef struct {
-    tp_frame_config config;
+    tp_config config;
     tp_frame *frame;
     tp_world *world;
     void     *scratch;
@@ -180,20 +180,21 @@ static void say_state(void *to)
 static void work_begin(work *w, const screen *s)
 {
     memcpy(&scene, &baked_scene, sizeof scene);
-    w->config = (tp_frame_config){ s->width, s->height, 0, BAND, s->format };
-    const size_t bytes =
-        tp_frame_bytes(&tp_program_all, &scene, &baked_assets, &w->config);
+    w->config = (tp_config){ .width = s->width,
+                             .height = s->height,
+                             .tile_height = BAND,
+                             .format = s->format,
+                             .assets = &baked_assets };
+    const size_t bytes = tp_frame_bytes(&w->config, &scene);
     const size_t world_bytes = tp_world_bytes(&tp_program_all, &scene, &baked_assets);
     tp_arena arena = tp_arena_over(arena_start, (size_t)(arena_end - arena_start));
     void    *block = tp_arena_take(&arena, 1, bytes);
     tp_error err;
 
-    w->scratch = tp_arena_take(
-        &arena, 1, tp_frame_scratch_into_bytes(&tp_program_all, &scene, &w->config));
+    w->scratch =
+        tp_arena_take(&arena, 1, tp_frame_scratch_into_bytes(&w->config, &scene));
     w->world = tp_arena_take(&arena, 1, world_bytes);
-    if (arena.failed
-        || tp_frame_init(&tp_program_all, &w->frame, &scene, &baked_assets, &w->config,
-                         block, &err))
+    if (arena.failed || tp_frame_init(&w->frame, &w->config, &scene, block, bytes, &err))
         stop("the frame does not fit");
     if (tp_world_init(&tp_program_all, w->world, world_bytes, &scene, &baked_assets,
                       &err))

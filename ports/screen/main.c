@@ -33,21 +33,21 @@ static void *claim(size_t bytes)
 static int prepare(void *user, uint32_t width, uint32_t height, tp_format format)
 {
     drawing *d = user;
-    const tp_frame_config config = { .width = width, .height = height, .format = format,
-                                     .tile_height = height < BAND_ROWS ? height
-                                                                       : BAND_ROWS };
+    const tp_config config = { .width = width,
+                               .height = height,
+                               .format = format,
+                               .tile_height = height < BAND_ROWS ? height : BAND_ROWS,
+                               .assets = &baked_assets };
     const size_t row_bytes = tp_format_row_bytes(format, (int)width);
     tp_error err = { 0 };
     free(d->picture.rows);
     free(d->block);
     free(d->scratch);
     d->picture = (picture){ format, width, height, row_bytes, claim(row_bytes * height) };
-    d->block =
-        claim(tp_frame_bytes(&tp_program_all, &baked_scene, &baked_assets, &config));
-    d->scratch =
-        claim(tp_frame_scratch_into_bytes(&tp_program_all, &baked_scene, &config));
-    if (tp_frame_init(&tp_program_all, &d->frame, &baked_scene, &baked_assets, &config,
-                      d->block, &err))
+    const size_t bytes = tp_frame_bytes(&config, &baked_scene);
+    d->block = claim(bytes);
+    d->scratch = claim(tp_frame_scratch_into_bytes(&config, &baked_scene));
+    if (tp_frame_init(&d->frame, &config, &baked_scene, d->block, bytes, &err))
         return fail_at("screen", &err);
     return EXIT_DONE;
 }

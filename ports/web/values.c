@@ -65,7 +65,7 @@ EXPORT(int, choose, uint32_t i)
         return web_refuse(&err);
     }
     web_drop();
-    tp_scene_default(&web_filed);
+    tp_scene_level(&web_filed);
     for (line += length(line, '\n'); *line++; line += length(line, '\n')) {
         if (*line == '[') {
             section = line + 1;

@@ -24,7 +24,7 @@ static struct {
     void     *scratch;
     uintptr_t mark, above;      /* of the arena, below all these; above the world */
     size_t    frame_bytes;
-    tp_frame_config config;
+    tp_config config;
     size_t    row_bytes;
     uint32_t  number;           /* of the frame that the world is at */
     tp_world  before;           /* the head of the last world, for another like it */
@@ -55,18 +55,17 @@ tp_world *web_world(void)
 
 static int make_frame(tp_error *err)
 {
-    const tp_frame_config *c = &page.config;
+    const tp_config *c = &page.config;
     web_back_to(page.above);
-    page.frame_bytes = tp_frame_bytes(&tp_program_all, &web_scene, &web_assets, c);
+    page.frame_bytes = tp_frame_bytes(c, &web_scene);
     void *block = web_take(page.frame_bytes);
-    page.scratch = web_take(tp_frame_scratch_into_bytes(&tp_program_all, &web_scene, c));
+    page.scratch = web_take(tp_frame_scratch_into_bytes(c, &web_scene));
     page.row_bytes = tp_format_row_bytes(c->format, (int)c->width);
     page.rows = web_take(page.row_bytes * c->height);
     page.shown = web_take((size_t)c->width * c->height * sizeof *page.shown);
     if (!block || !page.scratch || !page.rows || !page.shown)
         return (int)TP_FAIL(err, TP_E_NOSPACE, 0, 0, 0);
-    return (int)tp_frame_init(&tp_program_all, &page.frame, &web_scene, &web_assets, c,
-                              block, err);
+    return (int)tp_frame_init(&page.frame, c, &web_scene, block, page.frame_bytes, err);
 }
 
 static int make_world(tp_error *err)
@@ -101,8 +100,7 @@ static void govern(void)
 int web_changed(bool anew)
 {
     tp_error err = { 0 };
-    const size_t bytes =
-        tp_frame_bytes(&tp_program_all, &web_scene, &web_assets, &page.config);
+    const size_t bytes = tp_frame_bytes(&page.config, &web_scene);
     if ((anew || bytes > page.frame_bytes) && make_frame(&err))
         return web_refuse(&err);
     if (limit_us() || page.governor.limit)
@@ -117,9 +115,11 @@ EXPORT(int, build, uint32_t width, uint32_t height, int format, bool carry)
     tp_error err = { 0 };
     web_drop();
     page.mark = web_mark();
-    page.config = (tp_frame_config){ .width = width, .height = height,
-                                     .tile_height = BAND_ROWS,
-                                     .format = (tp_format)format };
+    page.config = (tp_config){ .width = width,
+                               .height = height,
+                               .tile_height = BAND_ROWS,
+                               .format = (tp_format)format,
+                               .assets = &web_assets };
     page.number = carry ? page.number : 0;
     page.wish = (tp_input){ 0 };
     page.pokes = (poke_queue){ .count = 0 };
@@ -138,7 +138,7 @@ EXPORT(int, build, uint32_t width, uint32_t height, int format, bool carry)
 EXPORT(int, resize, uint32_t width, uint32_t height, int format)
 {
     tp_error err = { 0 };
-    const tp_frame_config before = page.config;
+    const tp_config before = page.config;
     page.config.width = width;
     page.config.height = height;
     page.config.format = (tp_format)format;

@@ -7,7 +7,7 @@
 
 /* The water's surface, and what is drawn before it as triangles. */
 static void carve_places(tp_frame_parts *p, tp_arena *arena, const tp_program *program,
-                         const tp_scene *scene, const tp_frame_config *config)
+                         const tp_scene *scene, const tp_config *config)
 {
     TP_ASSERT(scene->grid.cols >= 2 && scene->grid.rows >= 2);
 
@@ -36,7 +36,7 @@ bool tp_frame_streams(const tp_program *program, const tp_scene *scene)
 /* The conditions that the modules of a picture are asked about. */
 tp_want tp_frame_want(const tp_program *program, const tp_frame_parts *parts,
                       const tp_scene *scene, const tp_assets *assets,
-                      const tp_frame_config *config)
+                      const tp_config *config)
 {
     return (tp_want){
         .scene = scene,
@@ -49,7 +49,7 @@ tp_want tp_frame_want(const tp_program *program, const tp_frame_parts *parts,
 }
 
 tp_plan_input tp_frame_plan_input(const tp_program *program, const tp_scene *scene,
-                                  const tp_assets *assets, const tp_frame_config *config)
+                                  const tp_assets *assets, const tp_config *config)
 {
     return (tp_plan_input){ program->modules, scene, assets, config->width,
                             config->height };
@@ -57,7 +57,7 @@ tp_plan_input tp_frame_plan_input(const tp_program *program, const tp_scene *sce
 
 tp_frame *tp_frame_carve(const tp_program *program, tp_frame_parts *parts,
                          tp_frame_ram *ram, tp_arena *arena, const tp_scene *scene,
-                         tp_assets *assets, const tp_frame_config *config)
+                         tp_assets *assets, const tp_config *config)
 {
     tp_frame *frame = tp_arena_take(arena, 1, sizeof *frame);
     const size_t fixed = arena->used;

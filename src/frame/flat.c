@@ -282,7 +282,7 @@ static void draw_flat(const tp_frame *frame, tp_samples *tile, void *memory)
 /* -- the method ------------------------------------------------------------------------ */
 
 static void carve_flat(tp_frame_parts *parts, tp_arena *arena, const tp_program *program,
-                       const tp_scene *scene, const tp_frame_config *config)
+                       const tp_scene *scene, const tp_config *config)
 {
     parts->level = tp_arena_take(arena, 1, sizeof *parts->level);
     if (program->water.swells)

@@ -5,20 +5,35 @@
 #include "geom/waters.h"
 #include "scene/parts.h"
 
+#define TILE_ROWS 16 /* of a config that names none */
+
 /* NULL is a picture without pixels, which check() refuses. */
-static tp_frame_config filled(const tp_frame_config *config)
+tp_config tp_config_filled(const tp_config *config)
 {
-    tp_frame_config c = config != NULL ? *config : (tp_frame_config){ 0 };
+    tp_config c = config != NULL ? *config : (tp_config){ .width = 0 };
+
     if (c.tile_width == 0 || c.tile_width > c.width)
         c.tile_width = c.width;
-    if (c.tile_height == 0 || c.tile_height > c.height)
+    if (c.tile_height == 0)
+        c.tile_height = TILE_ROWS;
+    if (c.tile_height > c.height)
         c.tile_height = c.height;
+    return c;
+}
+
+static tp_config filled(const tp_config *config, const tp_scene *scene)
+{
+    tp_config c = tp_config_filled(config);
+
+    c.program = tp_program_or_linked(c.program);
+    if (scene != NULL)
+        c.assets = tp_scene_pictures(scene, c.assets);
     return c;
 }
 
 static tp_assets filled_assets(const tp_assets *assets)
 {
-    return assets != NULL ? *assets : (tp_assets){ 0 };
+    return assets != NULL ? *assets : (tp_assets){ .boat = NULL };
 }
 
 /* The stages and the store that every picture needs. */
@@ -30,7 +45,7 @@ static tp_status check_program(const tp_program *program, tp_format format, tp_e
                                   : tp_program_lacks(tp_format_name(format), err);
 }
 
-static tp_status check(const tp_frame_config *c, tp_error *err)
+static tp_status check(const tp_config *c, tp_error *err)
 {
     if (c->width < TP_PICTURE_SIDE_MIN || c->width > TP_PICTURE_SIDE_MAX
         || c->height < TP_PICTURE_SIDE_MIN || c->height > TP_PICTURE_SIDE_MAX)
@@ -42,30 +57,36 @@ static tp_status check(const tp_frame_config *c, tp_error *err)
     return TP_OK;
 }
 
-tp_status tp_frame_check(const tp_frame_config *config, tp_error *err)
+tp_status tp_frame_check(const tp_config *config, tp_error *err)
 {
-    const tp_frame_config c = filled(config);
+    const tp_config c = tp_config_filled(config);
 
     return check(&c, err);
 }
 
-size_t tp_frame_bytes(const tp_program *program, const tp_scene *scene,
-                      const tp_assets *assets, const tp_frame_config *config)
+/* The config and the scene together. */
+static tp_status check_both(const tp_config *c, const tp_scene *scene, tp_error *err)
 {
-    tp_frame_config c = filled(config);
+    const tp_status status = check(c, err);
+
+    return status == TP_OK ? tp_program_fits(c->program, scene, c->assets, err) : status;
+}
+
+size_t tp_frame_bytes(const tp_config *config, const tp_scene *scene)
+{
+    const tp_config c = filled(config, scene);
     tp_arena arena = tp_arena_over(NULL, 0);
-    tp_assets known = filled_assets(assets);
+    tp_assets known = filled_assets(c.assets);
     tp_frame_parts parts;
     tp_frame_ram ram;
 
-    if (check(&c, NULL) != TP_OK
-        || tp_program_fits(program, scene, assets, NULL) != TP_OK)
+    if (check_both(&c, scene, NULL) != TP_OK)
         return 0;
-    tp_frame_carve(program, &parts, &ram, &arena, scene, &known, &c);
+    tp_frame_carve(c.program, &parts, &ram, &arena, scene, &known, &c);
     return ram.frame;
 }
 
-static size_t tile_samples(const tp_frame_config *c)
+static size_t tile_samples(const tp_config *c)
 {
     return (size_t)c->tile_width * c->tile_height;
 }
@@ -77,73 +98,72 @@ static uint32_t streamed_cols(const tp_program *program, const tp_scene *scene)
 
 /* Four planes of samples, then the pixels, if they are drawn here; before there are any,
  * the method's bytes of each column and the window of a streamed grid use the place. */
-static size_t scratch_of(const tp_program *program, const tp_scene *scene,
-                         const tp_frame_config *config, bool into)
+static size_t scratch_of(const tp_config *config, const tp_scene *scene, bool into)
 {
-    tp_frame_config c = filled(config);
+    const tp_config c = filled(config, scene);
 
-    if (check(&c, NULL) != TP_OK || tp_program_check(program, scene, NULL) != TP_OK)
+    if (check(&c, NULL) != TP_OK || tp_program_check(c.program, scene, NULL) != TP_OK)
         return 0;
     const size_t pixels = tp_format_row_bytes(c.format, (int)c.tile_width) * c.tile_height;
-    const size_t method = tp_method_bytes(program) * c.tile_width
-                          + TP_GRID_WINDOW(streamed_cols(program, scene));
+    const size_t method = tp_method_bytes(c.program) * c.tile_width
+                          + TP_GRID_WINDOW(streamed_cols(c.program, scene));
     return 4 * tile_samples(&c) * sizeof(uint32_t)
          + (pixels > method && !into ? pixels : method);
 }
 
-size_t tp_frame_scratch_bytes(const tp_program *program, const tp_scene *scene,
-                              const tp_frame_config *config)
+size_t tp_frame_scratch_bytes(const tp_config *config, const tp_scene *scene)
 {
-    return scratch_of(program, scene, config, false);
+    return scratch_of(config, scene, false);
 }
 
-size_t tp_frame_scratch_into_bytes(const tp_program *program, const tp_scene *scene,
-                                   const tp_frame_config *config)
+size_t tp_frame_scratch_into_bytes(const tp_config *config, const tp_scene *scene)
 {
-    return scratch_of(program, scene, config, true);
+    return scratch_of(config, scene, true);
 }
 
-/* Tables that last, and those that the first frame needs. */
-static void make_tables(tp_frame *frame)
+/* The frame in its block, all but the tables. */
+static tp_frame *make(tp_arena *arena, const tp_config *c, const tp_scene *scene)
 {
-    tp_frame_init_modules(frame);
+    tp_assets known = filled_assets(c->assets);
+    tp_frame_parts parts;
+    tp_frame_ram ram;
+    tp_frame *frame = tp_frame_carve(c->program, &parts, &ram, arena, scene, &known, c);
+
+    TP_ASSERT(arena->used == ram.frame && !arena->failed);
+    memset(frame, 0, sizeof *frame);
+    frame->program = c->program;
+    frame->scene = scene;
+    frame->assets = known;
+    frame->config = *c;
+    frame->across = (c->width + c->tile_width - 1) / c->tile_width;
+    frame->down = (c->height + c->tile_height - 1) / c->tile_height;
+    frame->parts = parts;
+    frame->ram = ram;
+    frame->ram.scratch = scratch_of(c, scene, false);
+    return frame;
 }
 
-tp_status tp_frame_init(const tp_program *program, tp_frame **out, const tp_scene *scene,
-                        const tp_assets *assets, const tp_frame_config *config,
-                        void *block, tp_error *err)
+tp_status tp_frame_init(tp_frame **out, const tp_config *config, const tp_scene *scene,
+                        void *memory, size_t bytes, tp_error *err)
 {
-    tp_frame_config c = filled(config);
+    const tp_config c = filled(config, scene);
     tp_status status = tp_given_check(out, "frame", err);
 
     if (status == TP_OK)
-        status = check(&c, err);
+        status = check_both(&c, scene, err);
     if (status == TP_OK)
-        status = tp_program_fits(program, scene, assets, err);
+        status = check_program(c.program, c.format, err);
     if (status == TP_OK)
-        status = check_program(program, c.format, err);
-    if (status == TP_OK)
-        status = tp_given_block(block, 8, "block", err);
+        status = tp_given_block(memory, 8, "memory", err);
     if (status != TP_OK)
         return status;
-    tp_arena arena = tp_arena_over(block, SIZE_MAX);    /* as much as was counted */
-    tp_assets known = filled_assets(assets);
-    tp_frame_parts parts;
-    tp_frame_ram ram;
-    tp_frame *frame = tp_frame_carve(program, &parts, &ram, &arena, scene, &known, &c);
-    TP_ASSERT(arena.used == ram.frame);
-    memset(frame, 0, sizeof *frame);
-    frame->program = program;
-    frame->scene = scene;
-    frame->assets = known;
-    frame->config = c;
-    frame->across = (c.width + c.tile_width - 1) / c.tile_width;
-    frame->down = (c.height + c.tile_height - 1) / c.tile_height;
-    frame->parts = parts;
-    frame->ram = ram;
-    frame->ram.scratch = tp_frame_scratch_bytes(program, scene, &c);
+    const size_t needed = tp_frame_bytes(&c, scene);
+    if (bytes < needed)
+        return TP_FAIL(err, TP_E_NOSPACE, 0, needed, bytes);
+    tp_arena arena = tp_arena_over(memory, bytes);
+    tp_frame *frame = make(&arena, &c, scene);
     tp_frame_choose_rungs(frame);
-    make_tables(frame);
+    tp_frame_init_modules(frame);
     *out = frame;
     return TP_OK;
 }

@@ -50,7 +50,7 @@ struct tp_frame {
     const tp_program *program;
     const tp_scene  *scene;
     tp_assets        assets;
-    tp_frame_config  config;    /* tile sizes filled in */
+    tp_config config;                   /* tile sizes filled in */
     uint32_t         across, down;      /* tiles */
     tp_frame_stats   stats;
     tp_frame_ram     ram;
@@ -73,7 +73,7 @@ struct tp_frame {
     uint64_t         modules_drawn;     /* those of them that draw samples */
 
     bool             under;             /* the eye is in the water */
-    uint8_t          lacking;           /* as tp_shaders.lacking, of all lists, or ... */
+    uint8_t lacking;                    /* as tp_shaders.lacking, of all lists, or ... */
 #define TP_LACKING_SKY 255              /* ... no module draws the sky that is named */
 
     tp_shade         shade;
@@ -92,16 +92,16 @@ static inline tp_shaders *tp_frame_list(const tp_frame *frame, uint32_t mark)
  * then with the block.  Sizes are left in `ram`. */
 tp_frame *tp_frame_carve(const tp_program *program, tp_frame_parts *parts,
                          tp_frame_ram *ram, tp_arena *arena, const tp_scene *scene,
-                         tp_assets *assets, const tp_frame_config *config);
+                         tp_assets *assets, const tp_config *config);
 tp_want tp_frame_want(const tp_program *program, const tp_frame_parts *parts,
                       const tp_scene *scene, const tp_assets *assets,
-                      const tp_frame_config *config);
+                      const tp_config *config);
 bool tp_frame_is_coastal(const tp_program *program, const tp_scene *scene);
 
 /* True if the water's crossings are streamed, not stored. */
 bool tp_frame_streams(const tp_program *program, const tp_scene *scene);
 tp_plan_input tp_frame_plan_input(const tp_program *program, const tp_scene *scene,
-                                  const tp_assets *assets, const tp_frame_config *config);
+                                  const tp_assets *assets, const tp_config *config);
 
 /* visibility.c: the plan's rungs, made at init and when the budget changes; by which
  * method this frame's water is drawn, and drawing it by that */
@@ -109,7 +109,7 @@ const struct tp_method *tp_frame_method(const tp_program *program,
                                         tp_visibility visibility);
 void tp_frame_choose_rungs(tp_frame *frame);
 tp_reach tp_frame_reach(const tp_program *program, const tp_scene *scene,
-                        const tp_assets *assets, const tp_frame_config *config);
+                        const tp_assets *assets, const tp_config *config);
 void tp_frame_choose_visibility(tp_frame *frame);
 void tp_frame_place_surface(tp_frame *frame);
 void tp_frame_draw_surface(const tp_frame *frame, tp_samples *tile, void *memory);
@@ -120,7 +120,7 @@ void tp_frame_draw_surface(const tp_frame *frame, tp_samples *tile, void *memory
 bool tp_frame_is_swell(const tp_frame *frame);
 void tp_frame_place_level(tp_frame *frame);
 void tp_frame_carve_slopes(tp_frame_parts *parts, tp_arena *arena, const tp_scene *scene,
-                           const tp_frame_config *config);
+                           const tp_config *config);
 void tp_frame_place_slopes(tp_frame *frame);
 /* water.c: the grid's lines, then the points of line j, from the first on.  A tile looks
  * at them by a window in its method's memory.  Cells [first, end) of row j: drawn, and the

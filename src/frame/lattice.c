@@ -23,7 +23,7 @@ static bool has_waves(const tp_scene *scene)
 }
 
 void tp_frame_carve_slopes(tp_frame_parts *parts, tp_arena *arena, const tp_scene *scene,
-                           const tp_frame_config *config)
+                           const tp_config *config)
 {
     if (!has_waves(scene))
         return;

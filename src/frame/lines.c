@@ -8,7 +8,7 @@
 #define WIDE_TILTED 4
 
 void tp_lines_carve(tp_frame_parts *parts, tp_arena *arena, const tp_program *program,
-                    const tp_scene *scene, const tp_frame_config *config)
+                    const tp_scene *scene, const tp_config *config)
 {
     size_t cols = (size_t)scene->grid.cols, rows = (size_t)scene->grid.rows;
     size_t lines = cols > rows ? cols : rows;

@@ -80,6 +80,6 @@ void tp_line_ends(const tp_frame *frame, const tp_grid_window *window, uint32_t 
                   tp_row_point end[2]);
 
 void tp_lines_carve(tp_frame_parts *parts, tp_arena *arena, const tp_program *program,
-                    const tp_scene *scene, const tp_frame_config *config);
+                    const tp_scene *scene, const tp_config *config);
 void tp_lines_place(tp_frame *frame);
 #endif

@@ -10,7 +10,7 @@
  * a window's. */
 struct tp_method {
     void (*carve)(tp_frame_parts *parts, tp_arena *arena, const tp_program *program,
-                  const tp_scene *scene, const tp_frame_config *config);
+                  const tp_scene *scene, const tp_config *config);
     bool (*holds)(tp_frame *frame);     /* for this frame; NULL: always */
     void (*place)(tp_frame *frame);
     void (*draw)(const tp_frame *frame, tp_samples *tile, void *memory);

@@ -345,7 +345,7 @@ static void draw_projected(const tp_frame *frame, tp_samples *tile, void *memory
 /* Flat, if it is in reach too, has taken a level before. */
 static void carve_projected(tp_frame_parts *parts, tp_arena *arena,
                             const tp_program *program, const tp_scene *scene,
-                            const tp_frame_config *config)
+                            const tp_config *config)
 {
     (void)scene, (void)config;
     if (!(parts->reach.visibility >> TP_VISIBILITY_FLAT & 1) || !program->method.flat)

@@ -5,7 +5,7 @@
 
 static tp_samples samples_of(const tp_frame *frame, void *scratch, const tp_tile *tile)
 {
-    const tp_frame_config *c = &frame->config;
+    const tp_config *c = &frame->config;
     size_t    plane = (size_t)c->tile_width * c->tile_height;
     uint32_t *at = scratch;
 
@@ -119,7 +119,7 @@ static void draw_samples(const tp_frame *frame, tp_samples *samples, void *memor
 static bool place_tile(const tp_frame *frame, uint32_t i, const void *scratch,
                        tp_tile *tile)
 {
-    const tp_frame_config *c = &frame->config;
+    const tp_config *c = &frame->config;
 
     if (i >= tp_frame_tiles(frame) || tp_given_block(scratch, 8, "scratch", NULL) != TP_OK)
         return false;
@@ -144,7 +144,7 @@ static void draw_tile(const tp_frame *frame, void *scratch, const tp_tile *tile,
 bool tp_frame_tile(const tp_frame *frame, uint32_t i, void *scratch, tp_tile *tile)
 {
     TP_ASSERT(tile != NULL);
-    const tp_frame_config *c = &frame->config;
+    const tp_config *c = &frame->config;
 
     if (!place_tile(frame, i, scratch, tile))
         return false;

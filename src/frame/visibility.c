@@ -27,7 +27,7 @@ static tp_rungs named(const tp_scene *scene)
 }
 
 tp_reach tp_frame_reach(const tp_program *program, const tp_scene *scene,
-                        const tp_assets *assets, const tp_frame_config *config)
+                        const tp_assets *assets, const tp_config *config)
 {
     const struct tp_draw_rungs *rungs = program->draw.rungs;
     const tp_plan_input in = tp_frame_plan_input(program, scene, assets, config);

@@ -221,7 +221,7 @@ static tp_grid *carve_grid(tp_frame_parts *parts, tp_arena *arena, tp_grid *coun
 }
 
 static void carve_water(tp_frame_parts *parts, tp_arena *arena, const tp_program *program,
-                        const tp_scene *scene, const tp_frame_config *config)
+                        const tp_scene *scene, const tp_config *config)
 {
     tp_grid  counted;
     tp_grid *grid = carve_grid(parts, arena, &counted);
@@ -234,7 +234,7 @@ static void carve_water(tp_frame_parts *parts, tp_arena *arena, const tp_program
 
 static void carve_streamed(tp_frame_parts *parts, tp_arena *arena,
                            const tp_program *program, const tp_scene *scene,
-                           const tp_frame_config *config)
+                           const tp_config *config)
 {
     uint32_t waves = 0;
     tp_grid  counted;

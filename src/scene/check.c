@@ -37,10 +37,8 @@ static tp_status check_name(const tp_scene *scene, const tp_param *row, tp_error
 tp_status tp_program_check(const tp_program *program, const tp_scene *scene,
                            tp_error *err)
 {
-    tp_status status = tp_given_check(program, "program", err);
+    tp_status status = tp_given_check(scene, "scene", err);
 
-    if (status == TP_OK)
-        status = tp_given_check(scene, "scene", err);
     if (status == TP_OK && program->check != NULL)
         status = program->check(scene, err);
     return status;

@@ -71,7 +71,7 @@ tp_status tp_program_lacks(const char *what, tp_error *err)
 tp_status tp_lacks_check(const tp_program *program, const tp_scene *scene,
                          const tp_assets *assets, tp_error *err)
 {
-    tp_want want = { .scene = scene, .assets = assets,
+    tp_want want = { .scene = scene, .assets = tp_scene_pictures(scene, assets),
                      .shadings = (uint32_t)1 << scene->quality.shading };
     const tp_use *u = program->modules;
     uint32_t above = 0;
@@ -88,6 +88,7 @@ tp_status tp_lacks_check(const tp_program *program, const tp_scene *scene,
 tp_status tp_program_fits(const tp_program *program, const tp_scene *scene,
                           const tp_assets *assets, tp_error *err)
 {
+    program = tp_program_or_linked(program);
     const tp_status status = tp_program_check(program, scene, err);
 
     return status == TP_OK && program->refuse

@@ -51,7 +51,9 @@ typedef struct tp_want {
 static inline tp_want tp_want_by(const tp_program *program, const tp_scene *scene,
                                  const tp_assets *assets)
 {
-    return (tp_want){ .scene = scene, .assets = assets, .water = &program->water };
+    return (tp_want){ .scene = scene,
+                      .assets = tp_scene_pictures(scene, assets),
+                      .water = &program->water };
 }
 
 /* All but name, id and enabled may be NULL. */

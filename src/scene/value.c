@@ -190,7 +190,7 @@ size_t tp_param_text(const tp_scene *scene, const tp_param *param, char *text,
     return out.length;
 }
 
-void tp_scene_default(tp_scene *scene)
+void tp_scene_level(tp_scene *scene)
 {
     uint32_t count;
     const tp_param *const rows = tp_params(&count);

@@ -25,6 +25,7 @@ size_t tp_world_bytes(const tp_program *program, const tp_scene *scene,
                       const tp_assets *assets)
 {
     tp_world_parts parts;
+    program = tp_program_or_linked(program);
     return tp_parts_of(program, &parts, scene, assets, NULL) == TP_OK ? parts.bytes : 0;
 }
 
@@ -49,6 +50,8 @@ tp_status tp_world_init(const tp_program *program, tp_world *world, size_t bytes
 {
     tp_world_parts parts;
     tp_status status = tp_given_block(world, 8, "world", err);
+
+    program = tp_program_or_linked(program);
 
     if (status == TP_OK)
         status = tp_parts_of(program, &parts, scene, assets, err);
@@ -76,6 +79,7 @@ bool tp_world_refresh(const tp_program *program, tp_world *world, const tp_scene
                       const tp_assets *assets)
 {
     TP_ASSERT(world != NULL && world->parts.bytes > 0);
+    program = tp_program_or_linked(program);
     const tp_want want = tp_want_by(program, scene, assets);
     tp_world_parts parts;
 
@@ -151,9 +155,9 @@ void tp_world_look(tp_world *world, const tp_input *input)
 void tp_world_step(const tp_program *program, tp_world *world, const tp_scene *scene,
                    const tp_input *input)
 {
-    TP_ASSERT(program != NULL && scene != NULL && world != NULL
-              && world->parts.bytes > 0);
+    TP_ASSERT(scene != NULL && world != NULL && world->parts.bytes > 0);
 
+    program = tp_program_or_linked(program);
     world->tick++;
     keep_camera(world);
     if (input)
@@ -185,7 +189,7 @@ uint32_t tp_world_frame(tp_world *world)
 tp_sea_point tp_world_above(const tp_program *program, const tp_world *world, tp_fx x,
                             tp_fx z)
 {
-    TP_ASSERT(program != NULL && world != NULL && world->parts.bytes > 0);
-    tp_surface surface = tp_world_surface(program, world);
+    TP_ASSERT(world != NULL && world->parts.bytes > 0);
+    tp_surface surface = tp_world_surface(tp_program_or_linked(program), world);
     return tp_surface_above(&surface, x, z, NULL);
 }

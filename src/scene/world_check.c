@@ -60,7 +60,7 @@ tp_status tp_world_check(const tp_program *program, const tp_world *world, size_
         invalid = "version";
     else if (bytes >= fresh->parts.bytes
         && memcmp(&world->parts, &fresh->parts, sizeof fresh->parts) == 0)
-        invalid = find_invalid(program, world, fresh);
+        invalid = find_invalid(tp_program_or_linked(program), world, fresh);
     return invalid ? tp_error_blame(err, TP_FAIL(err, TP_E_WORLD, 0, 0, 0), invalid)
                    : TP_OK;
 }

@@ -25,7 +25,10 @@ typedef struct {
 static inline drawn_image drawn_of(const ref_stand *stand, uint32_t width,
                                    uint32_t height)
 {
-    const tp_frame_config config = { .width = width, .height = height };
+    const tp_config config = { .width = width,
+                               .height = height,
+                               .tile_height = height,
+                               .assets = &stand->assets.names };
     const tp_scene *scene = &stand->file.scene;
     const size_t count = (size_t)width * height;
     static const uint8_t kind_of[] = {
@@ -35,15 +38,14 @@ static inline drawn_image drawn_of(const ref_stand *stand, uint32_t width,
     };
     uint8_t kind[TP_MARKS];
     drawn_image image = { width, height, malloc(count * 4), malloc(count) };
-    void *block =
-        malloc(tp_frame_bytes(&tp_program_all, scene, &stand->assets.names, &config));
-    uint32_t *scratch = malloc(tp_frame_scratch_bytes(&tp_program_all, scene, &config));
+    void *block = malloc(tp_frame_bytes(&config, scene));
+    uint32_t *scratch = malloc(tp_frame_scratch_bytes(&config, scene));
     tp_frame *frame;
     tp_tile tile;
 
     if (!image.pixel || !image.kind || !block || !scratch
-        || tp_frame_init(&tp_program_all, &frame, scene, &stand->assets.names, &config,
-                         block, NULL))
+        || tp_frame_init(&frame, &config, scene, block, tp_frame_bytes(&config, scene),
+                         NULL))
         abort();
     tp_frame_begin(frame, stand->world);
     tp_frame_tile(frame, 0, scratch, &tile);

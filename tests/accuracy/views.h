@@ -17,7 +17,7 @@ static inline tp_scene scene_level(void)
 {
     tp_scene s;
 
-    tp_scene_default(&s);
+    tp_scene_level(&s);
     s.sky.haze = 0;
     s.water.specular = 0;
     s.water.reflection = TP_FX_ONE;

@@ -81,16 +81,21 @@ int main(int argc, char **argv)
         fprintf(stderr, "usage: scene_s WIDTH HEIGHT POINTS plain|full|smooth\n");
         return 2;
     }
-    const tp_frame_config config = { (uint32_t)atoi(argv[1]), (uint32_t)atoi(argv[2]),
-                                     0, 0, TP_FORMAT_XRGB8888 };
+    const tp_config config = { .width = (uint32_t)atoi(argv[1]),
+                               .height = (uint32_t)atoi(argv[2]),
+                               .tile_height = (uint32_t)atoi(argv[2]),
+                               .format = TP_FORMAT_XRGB8888,
+                               .program = program,
+                               .assets = &s.assets };
     if (bench_scene_open(&s))
         return 1;
     bench_scene_set(&s, work_of(argv[4]), (uint32_t)atoi(argv[3]));
     for (int i = 5; i < argc; i++)
         set(&s.scene, argv[i]);
-    void *block = claim(tp_frame_bytes(program, &s.scene, &s.assets, &config));
-    void *scratch = claim(tp_frame_scratch_bytes(program, &s.scene, &config));
-    if (tp_frame_init(program, &frame, &s.scene, &s.assets, &config, block, &err))
+    void *block = claim(tp_frame_bytes(&config, &s.scene));
+    void *scratch = claim(tp_frame_scratch_bytes(&config, &s.scene));
+    if (tp_frame_init(&frame, &config, &s.scene, block, tp_frame_bytes(&config, &s.scene),
+                      &err))
         return 1;
     tp_world_init(&tp_program_all, &world, sizeof world, &s.scene, NULL, NULL);
     for (int i = 0; i < BENCH_TICK; i++)

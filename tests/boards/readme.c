@@ -95,14 +95,18 @@ static uint32_t wrong(void)
 {
     const tp_scene *s = &baked_scene;
     const tp_assets *a = &baked_assets;
-    const tp_frame_config c = { WIDTH, HEIGHT, 0, 0, TP_FORMAT_RGB565BE };
-    void *block = malloc(tp_frame_bytes(&tp_program_all, s, a, &c)),
-         *scratch = malloc(tp_frame_scratch_bytes(&tp_program_all, s, &c));
+    const tp_config c = { .width = WIDTH,
+                          .height = HEIGHT,
+                          .tile_height = HEIGHT,
+                          .format = TP_FORMAT_RGB565BE,
+                          .assets = a };
+    void *block = malloc(tp_frame_bytes(&c, s)),
+         *scratch = malloc(tp_frame_scratch_bytes(&c, s));
     tp_world *world = malloc(tp_world_bytes(&tp_program_all, s, a));
     tp_frame *frame;
     tp_tile tile;
     uint32_t n = 0;
-    if (tp_frame_init(&tp_program_all, &frame, s, a, &c, block, NULL)
+    if (tp_frame_init(&frame, &c, s, block, tp_frame_bytes(&c, s), NULL)
         || tp_world_init(&tp_program_all, world, tp_world_bytes(&tp_program_all, s, a), s,
                          a, NULL))
         exit(1);
@@ -124,10 +128,10 @@ static uint32_t wrong(void)
 static void say_ram(void)
 {
     const tp_program *p = &baked_program;
-    const tp_frame_config *c = &baked_picture;
-    const size_t frame = tp_frame_bytes(p, &baked_scene, &baked_assets, c);
+    const tp_config *c = &baked_config;
+    const size_t frame = tp_frame_bytes(c, &baked_scene);
     const size_t world = tp_world_bytes(p, &baked_scene, &baked_assets);
-    const size_t scratch = tp_frame_scratch_bytes(p, &baked_scene, c),
+    const size_t scratch = tp_frame_scratch_bytes(c, &baked_scene),
                  buffers = 4 * c->tile_width * c->tile_height;
     printf("frame %zu world %zu scratch %zu buffers %zu lcd %zu: %zu bytes\n", frame, world,
            scratch, buffers, sizeof(lcd), frame + world + scratch + buffers + sizeof(lcd));

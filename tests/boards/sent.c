@@ -44,7 +44,7 @@ static void fail(const char *why)
 }
 
 /* Lying pictures are shown turned. */
-static lcd_config config_of(lcd_panel *panel, const tp_frame_config *frame)
+static lcd_config config_of(lcd_panel *panel, const tp_config *frame)
 {
     const bool turned = frame->format != TP_FORMAT_I1 && frame->width > frame->height;
 
@@ -58,7 +58,7 @@ static lcd_config config_of(lcd_panel *panel, const tp_frame_config *frame)
     };
 }
 
-static void show(lcd *l, const tp_frame_config *f, const void *pixels)
+static void show(lcd *l, const tp_config *f, const void *pixels)
 {
     lcd_begin(l);
     for (uint32_t y = 0; y < f->height; y += f->tile_height)
@@ -76,7 +76,7 @@ static void show(lcd *l, const tp_frame_config *f, const void *pixels)
 
 int main(int argc, char **argv)
 {
-    tp_frame_config f = { 0 };
+    tp_config f = { 0 };
     lcd_status why;
     lcd_panel panel;
     lcd l;

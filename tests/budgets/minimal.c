@@ -34,17 +34,17 @@ static uint32_t draw(tp_frame *frame, void *scratch, const tp_world *world)
 static int run(void)
 {
     const tp_program *program = &baked_program;
-    const tp_frame_config *config = &baked_picture;
+    const tp_config *config = &baked_config;
     uint8_t *at = arena_start;
-    size_t block = tp_frame_bytes(program, &baked_scene, &baked_assets, config);
-    size_t scratch = tp_frame_scratch_bytes(program, &baked_scene, config);
+    size_t block = tp_frame_bytes(config, &baked_scene);
+    size_t scratch = tp_frame_scratch_bytes(config, &baked_scene);
     size_t bytes = tp_world_bytes(program, &baked_scene, &baked_assets);
     tp_world *world = (tp_world *)(void *)(at + ((block + 7) & ~(size_t)7));
     tp_frame *frame;
 
     at = (uint8_t *)world + ((bytes + 7) & ~(size_t)7);
-    if (tp_frame_init(program, &frame, &baked_scene, &baked_assets, config, arena_start,
-                      NULL)
+    if (tp_frame_init(&frame, config, &baked_scene, arena_start,
+                      tp_frame_bytes(config, &baked_scene), NULL)
         || tp_world_init(program, world, bytes, &baked_scene, &baked_assets, NULL))
         return 1;
     semihost_write("size 320x240\n");

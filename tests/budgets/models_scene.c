@@ -61,7 +61,7 @@ static const tp_input no_input;
 /* The boat's functions are called by hand, so the scene need not name a mesh. */
 static void prepare_world(int kind)
 {
-    tp_scene_default(&scene);
+    tp_scene_level(&scene);
     for (int i = 0; i < 3; i++) {
         scene.wave[i] = model_waves[i];
         scene.wave[i].steepness = TP_FX(0.23);

@@ -99,20 +99,23 @@ static void begin(const tp_rungs *rungs)
 static void draw(const char *what, const char *rung, const char *other, const char *item,
                  uint32_t width, uint32_t height)
 {
-    const tp_frame_config config = { width, height, 0, BAND, TP_FORMAT_RGB565 };
+    const tp_config config = { .width = width,
+                               .height = height,
+                               .tile_height = BAND,
+                               .format = TP_FORMAT_RGB565,
+                               .assets = &assets };
     const size_t world_bytes = tp_world_bytes(&tp_program_all, &scene, &assets);
     tp_arena  arena = tp_arena_over(arena_start, (size_t)(arena_end - arena_start));
-    void *block = tp_arena_take(
-        &arena, 1, tp_frame_bytes(&tp_program_all, &scene, &assets, &config));
-    void *scratch = tp_arena_take(
-        &arena, 1, tp_frame_scratch_bytes(&tp_program_all, &scene, &config));
+    void *block = tp_arena_take(&arena, 1, tp_frame_bytes(&config, &scene));
+    void *scratch = tp_arena_take(&arena, 1, tp_frame_scratch_bytes(&config, &scene));
     tp_world *world = tp_arena_take(&arena, 1, world_bytes);
     uint32_t  water = 0;
     tp_frame *frame;
     tp_tile   tile;
 
     if (arena.failed
-        || tp_frame_init(&tp_program_all, &frame, &scene, &assets, &config, block, NULL)
+        || tp_frame_init(&frame, &config, &scene, block, tp_frame_bytes(&config, &scene),
+                         NULL)
         || tp_world_init(&tp_program_all, world, world_bytes, &scene, &assets, NULL))
         semihost_stop("a scene does not fit");
     const bool moves = scene.pool.cols > 0 || scene.drops.count > 1 || assets.foam;

@@ -64,21 +64,25 @@ static void say(const char *how, const uint32_t size[2], tp_frame_ram ram,
 
 static void measure(const char *how, const uint32_t size[2])
 {
-    const tp_frame_config config = { WIDTH, HEIGHT, size[0], size[1], TP_FORMAT_RGB565 };
+    const tp_config config = { .width = WIDTH,
+                               .height = HEIGHT,
+                               .tile_width = size[0],
+                               .tile_height = size[1],
+                               .format = TP_FORMAT_RGB565,
+                               .program = &program,
+                               .assets = &baked_assets };
     const size_t world_bytes =
         tp_world_bytes(&tp_program_all, &baked_scene, &baked_assets);
-    const size_t scratch_bytes =
-        tp_frame_scratch_into_bytes(&program, &baked_scene, &config);
+    const size_t scratch_bytes = tp_frame_scratch_into_bytes(&config, &baked_scene);
     tp_arena  arena = tp_arena_over(arena_start, (size_t)(arena_end - arena_start));
-    void *block = tp_arena_take(
-        &arena, 1, tp_frame_bytes(&program, &baked_scene, &baked_assets, &config));
+    void *block = tp_arena_take(&arena, 1, tp_frame_bytes(&config, &baked_scene));
     void     *scratch = tp_arena_take(&arena, 1, scratch_bytes);
     tp_world *world = tp_arena_take(&arena, 1, world_bytes);
     tp_frame *frame;
 
     if (arena.failed
-        || tp_frame_init(&program, &frame, &baked_scene, &baked_assets, &config, block,
-                         NULL)
+        || tp_frame_init(&frame, &config, &baked_scene, block,
+                         tp_frame_bytes(&config, &baked_scene), NULL)
         || tp_world_init(&tp_program_all, world, world_bytes, &baked_scene, &baked_assets,
                          NULL))
         semihost_stop("the scene does not fit");

@@ -47,16 +47,21 @@ typedef struct {
 static inline void draw_at(drawing *to, const stage *s, const tp_scene *scene,
                            const tp_world *world, uint32_t parts)
 {
-    const tp_frame_config config = { .width = width * parts, .height = height * parts };
     tp_program program = tp_program_all;
+    const tp_config config = { .width = width * parts,
+                               .height = height * parts,
+                               .tile_height = height * parts,
+                               .program = &program,
+                               .assets = &s->assets.names };
     program.check = NULL;
-    void *block = malloc(tp_frame_bytes(&program, scene, &s->assets.names, &config));
-    uint32_t *scratch = malloc(tp_frame_scratch_bytes(&program, scene, &config));
+    void *block = malloc(tp_frame_bytes(&config, scene));
+    uint32_t *scratch = malloc(tp_frame_scratch_bytes(&config, scene));
     tp_frame *frame;
     tp_tile   tile;
 
     if (!block || !scratch
-        || tp_frame_init(&program, &frame, scene, &s->assets.names, &config, block, NULL))
+        || tp_frame_init(&frame, &config, scene, block, tp_frame_bytes(&config, scene),
+                         NULL))
         abort();
     tp_frame_begin(frame, world);
     tp_frame_tile(frame, 0, scratch, &tile);

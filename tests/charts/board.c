@@ -161,19 +161,21 @@ static void say_run(const wish *w, uint32_t water, tp_frame_stats held, uint32_t
 
 static void draw(const wish *w, const past *p)
 {
-    const tp_frame_config config = { w->width, w->height, 0, BAND, format };
+    const tp_config config = { .width = w->width,
+                               .height = w->height,
+                               .tile_height = BAND,
+                               .format = format,
+                               .assets = &w->assets };
     tp_arena  arena = p->left;
     tp_world *world = tp_arena_take(&arena, 1, p->bytes);
-    void *scratch = tp_arena_take(
-        &arena, 1, tp_frame_scratch_bytes(&tp_program_all, &w->scene, &config));
-    void *block = tp_arena_take(
-        &arena, 1, tp_frame_bytes(&tp_program_all, &w->scene, &w->assets, &config));
+    void *scratch = tp_arena_take(&arena, 1, tp_frame_scratch_bytes(&config, &w->scene));
+    void *block = tp_arena_take(&arena, 1, tp_frame_bytes(&config, &w->scene));
     uint32_t  crc = 0;
     tp_frame *frame;
 
     if (arena.failed
-        || tp_frame_init(&tp_program_all, &frame, &w->scene, &w->assets, &config, block,
-                         NULL))
+        || tp_frame_init(&frame, &config, &w->scene, block,
+                         tp_frame_bytes(&config, &w->scene), NULL))
         stop("the frame does not fit", "");
     memcpy(world, p->world, p->bytes);
     tp_frame_begin(frame, world);

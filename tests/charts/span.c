@@ -46,21 +46,23 @@ static span_scene s;
 /* False: it cannot be drawn. */
 static bool draw(uint32_t *water)
 {
-    const tp_frame_config config = { WIDTH, HEIGHT, 0, BAND, TP_FORMAT_RGB565 };
+    const tp_config config = { .width = WIDTH,
+                               .height = HEIGHT,
+                               .tile_height = BAND,
+                               .format = TP_FORMAT_RGB565,
+                               .assets = &s.assets };
     const size_t world_bytes = tp_world_bytes(&tp_program_all, &s.scene, &s.assets);
     tp_arena  arena = whole();
-    void *block = tp_arena_take(
-        &arena, 1, tp_frame_bytes(&tp_program_all, &s.scene, &s.assets, &config));
-    void *scratch = tp_arena_take(
-        &arena, 1, tp_frame_scratch_bytes(&tp_program_all, &s.scene, &config));
+    void *block = tp_arena_take(&arena, 1, tp_frame_bytes(&config, &s.scene));
+    void *scratch = tp_arena_take(&arena, 1, tp_frame_scratch_bytes(&config, &s.scene));
     tp_world *world = tp_arena_take(&arena, 1, world_bytes);
     tp_frame *frame;
     tp_tile   tile;
 
     *water = 0;
     if (arena.failed
-        || tp_frame_init(&tp_program_all, &frame, &s.scene, &s.assets, &config, block,
-                         NULL)
+        || tp_frame_init(&frame, &config, &s.scene, block,
+                         tp_frame_bytes(&config, &s.scene), NULL)
         || tp_world_init(&tp_program_all, world, world_bytes, &s.scene, &s.assets, NULL))
         return false;
     tp_frame_begin(frame, world);

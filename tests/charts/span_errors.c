@@ -68,18 +68,20 @@ static void gather(drawing *to, const uint32_t *samples, const uint32_t *pixels,
 /* `parts` samples each way, of the scene as it is now. */
 static void draw(drawing *to, uint32_t parts)
 {
-    const tp_frame_config config = { .width = WIDTH * parts, .height = HEIGHT * parts };
+    const tp_config config = { .width = WIDTH * parts,
+                               .height = HEIGHT * parts,
+                               .tile_height = HEIGHT * parts,
+                               .assets = &now.assets };
     const size_t world_bytes = tp_world_bytes(&tp_program_all, &now.scene, &now.assets);
-    void *block = need(tp_frame_bytes(&tp_program_all, &now.scene, &now.assets, &config));
-    uint32_t *scratch =
-        need(tp_frame_scratch_bytes(&tp_program_all, &now.scene, &config));
+    void *block = need(tp_frame_bytes(&config, &now.scene));
+    uint32_t *scratch = need(tp_frame_scratch_bytes(&config, &now.scene));
     tp_frame *frame;
     tp_tile   tile;
 
     free(world);
     world = need(world_bytes);
-    if (tp_frame_init(&tp_program_all, &frame, &now.scene, &now.assets, &config, block,
-                      NULL)
+    if (tp_frame_init(&frame, &config, &now.scene, block,
+                      tp_frame_bytes(&config, &now.scene), NULL)
         || tp_world_init(&tp_program_all, world, world_bytes, &now.scene, &now.assets,
                          NULL))
         stop("a scene cannot be drawn");

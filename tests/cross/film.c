@@ -37,21 +37,19 @@ static int add_frame(film *to, const picture *p, tp_frame *frame, const tp_world
     return film_add(to, p);
 }
 
-static int draw(const char *name, tp_frame_config config, uint32_t first, uint32_t last)
+static int draw(const char *name, tp_config config, uint32_t first, uint32_t last)
 {
     const size_t row_bytes = tp_format_row_bytes(config.format, (int)config.width);
     const picture p = { config.format, config.width, config.height, row_bytes,
                         claim(row_bytes * config.height) };
     tp_world *world = world_begin();
-    void *block =
-        claim(tp_frame_bytes(&tp_program_all, &baked_scene, &baked_assets, &config));
-    void *scratch =
-        claim(tp_frame_scratch_into_bytes(&tp_program_all, &baked_scene, &config));
+    void *block = claim(tp_frame_bytes(&config, &baked_scene));
+    void *scratch = claim(tp_frame_scratch_into_bytes(&config, &baked_scene));
     tp_frame *frame;
     tp_error  err = { 0 };
     film to;
-    if (tp_frame_init(&tp_program_all, &frame, &baked_scene, &baked_assets, &config,
-                      block, &err))
+    if (tp_frame_init(&frame, &config, &baked_scene, block,
+                      tp_frame_bytes(&config, &baked_scene), &err))
         return fail_at("film", &err);
     int code = film_open(&to, name, config.width, config.height, 1);
     for (uint32_t n = 0; n <= last && !code; n++) {
@@ -69,7 +67,7 @@ static int draw(const char *name, tp_frame_config config, uint32_t first, uint32
 
 int main(int argc, char **argv)
 {
-    tp_frame_config config = { .format = TP_FORMAT_XRGB8888 };
+    tp_config config = { .format = TP_FORMAT_XRGB8888 };
     uint32_t first, last;
     if (argc == 4
         && sscanf(argv[1], "%" SCNu32 "x%" SCNu32, &config.width, &config.height) == 2

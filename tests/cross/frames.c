@@ -13,7 +13,7 @@
 #include "tests/golden/sizes.h"
 
 typedef struct {
-    tp_frame_config config;
+    tp_config config;
     tp_frame *frame;
     void     *block, *scratch;
     uint8_t  *rows;             /* the whole picture */
@@ -31,17 +31,16 @@ static void *claim(size_t bytes)
     return memory;
 }
 
-static painter painter_of(tp_frame_config config)
+static painter painter_of(tp_config config)
 {
     painter  p = { .config = config };
     tp_error err;
-    p.block =
-        claim(tp_frame_bytes(&tp_program_all, &baked_scene, &baked_assets, &config));
-    p.scratch = claim(tp_frame_scratch_bytes(&tp_program_all, &baked_scene, &config));
+    p.block = claim(tp_frame_bytes(&config, &baked_scene));
+    p.scratch = claim(tp_frame_scratch_bytes(&config, &baked_scene));
     p.row_bytes = tp_format_row_bytes(config.format, (int)config.width);
     p.rows = claim(p.row_bytes * config.height);
-    if (tp_frame_init(&tp_program_all, &p.frame, &baked_scene, &baked_assets, &config,
-                      p.block, &err)) {
+    if (tp_frame_init(&p.frame, &config, &baked_scene, p.block,
+                      tp_frame_bytes(&config, &baked_scene), &err)) {
         printf("%s\n", tp_status_text(err.code));
         exit(1);
     }
@@ -98,8 +97,11 @@ static void golden_frames_of(tp_format format, uint32_t strip, uint32_t band)
 {
     static const uint32_t ticks[] = GOLDEN_TICKS;
     tp_world *world = world_begin();
-    painter p = painter_of((tp_frame_config){ GOLDEN_WIDTH, GOLDEN_HEIGHT, strip, band,
-                                              format });
+    painter p = painter_of((tp_config){ .width = GOLDEN_WIDTH,
+                                        .height = GOLDEN_HEIGHT,
+                                        .tile_width = strip,
+                                        .tile_height = band,
+                                        .format = format });
     for (size_t i = 0; i < sizeof ticks / sizeof *ticks; i++) {
         while (world->tick < ticks[i])
             tp_world_step(&tp_program_all, world, &baked_scene, NULL);
@@ -110,7 +112,7 @@ static void golden_frames_of(tp_format format, uint32_t strip, uint32_t band)
     free(world);
 }
 
-static void frames_of(tp_frame_config config, uint32_t first, uint32_t last)
+static void frames_of(tp_config config, uint32_t first, uint32_t last)
 {
     tp_world *world = world_begin();
     painter p = painter_of(config);
@@ -139,7 +141,7 @@ static int format_of(const char *name)
 
 int main(int argc, char **argv)
 {
-    tp_frame_config c = { 0 };
+    tp_config c = { 0 };
     uint32_t first, last;
     char name[16];
 

@@ -17,7 +17,7 @@ static void require_scene(const scene_file *file, unsigned lines)
     uint32_t count;
     const tp_param *rows = tp_params(&count);
     tp_scene usual;
-    tp_scene_default(&usual);
+    tp_scene_level(&usual);
     for (uint32_t i = 0; i < count; i++) {
         const size_t at = rows[i].offset, bytes = tp_param_is_text(&rows[i])
                                                 ? TP_NAME_BYTES : sizeof(int32_t);

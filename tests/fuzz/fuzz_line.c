@@ -47,8 +47,8 @@ static void try_value(uint32_t row, const char *text, size_t bytes)
     char value[256];
     tp_error err;
 
-    tp_scene_default(&scene);
-    tp_scene_default(&again);
+    tp_scene_level(&scene);
+    tp_scene_level(&again);
     if (tp_param_set(&scene, param, text, bytes, &err) != TP_OK) {
         REQUIRE(memcmp(&scene, &again, sizeof scene) == 0);     /* nothing half-done */
         return;

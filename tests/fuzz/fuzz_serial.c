@@ -7,7 +7,11 @@
 
 enum { TICKS = 12, SAID = 1 << 16 };
 
-static const tp_frame_config config = { 32, 16, 16, 8, TP_FORMAT_RGB565BE };
+static const tp_config config = { .width = 32,
+                                  .height = 16,
+                                  .tile_width = 16,
+                                  .tile_height = 8,
+                                  .format = TP_FORMAT_RGB565BE };
 static const tp_assets none;
 
 typedef struct {
@@ -39,7 +43,7 @@ static void state(void *to)
 
 static void make_scene(tp_scene *s, uint8_t kind)
 {
-    tp_scene_default(s);
+    tp_scene_level(s);
     s->grid.cols = s->grid.rows = 8;
     s->wave[0].amplitude = TP_FX(0.4);
     s->drops.count = kind & 1 ? 4 : 0;
@@ -59,13 +63,13 @@ static void board_open(board *b, uint8_t kind)
     make_scene(&b->scene, kind);
     const size_t bytes = tp_world_bytes(&tp_program_all, &b->scene, &none);
     b->world = malloc(bytes);
-    b->block = malloc(tp_frame_bytes(&tp_program_all, &b->scene, &none, &config));
-    b->scratch = malloc(tp_frame_scratch_bytes(&tp_program_all, &b->scene, &config));
+    b->block = malloc(tp_frame_bytes(&config, &b->scene));
+    b->scratch = malloc(tp_frame_scratch_bytes(&config, &b->scene));
     REQUIRE(b->world && b->block && b->scratch);
     REQUIRE(tp_world_init(&tp_program_all, b->world, bytes, &b->scene, &none, NULL)
             == TP_OK);
-    REQUIRE(tp_frame_init(&tp_program_all, &b->frame, &b->scene, &none, &config, b->block,
-                          NULL)
+    REQUIRE(tp_frame_init(&b->frame, &config, &b->scene, b->block,
+                          tp_frame_bytes(&config, &b->scene), NULL)
             == TP_OK);
     b->setup = (control_setup){
         .program = &tp_program_all,

@@ -13,7 +13,7 @@ static scene_file file_of(uint32_t *set_at)
     tp_params(&count);
     REQUIRE(count <= ROWS);
     memset(set_at, 0, ROWS * sizeof *set_at);
-    tp_scene_default(&file.scene);
+    tp_scene_level(&file.scene);
     return file;
 }
 

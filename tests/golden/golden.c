@@ -49,9 +49,12 @@ void golden_close(golden_scene *g)
 picture golden_draw(const golden_scene *g, uint32_t frame_index, tp_format format,
                     uint32_t strip, uint32_t band)
 {
-    const tp_frame_config config = {
-        .width = GOLDEN_WIDTH, .height = GOLDEN_HEIGHT,
-        .tile_width = strip, .tile_height = band, .format = format,
+    const tp_config config = {
+        .width = GOLDEN_WIDTH,
+        .height = GOLDEN_HEIGHT,
+        .tile_width = strip,
+        .tile_height = band,
+        .format = format,
     };
     canvas c;
     memset(&c, 0, sizeof c);

@@ -99,7 +99,9 @@ static inline void kept_read(kept *k, const char *path)
 /* The world after 60 ticks, kept as `path`. */
 static inline void kept_begin(kept *k, int number, const char *path)
 {
-    const tp_frame_config config = { .width = KEPT_WIDTH, .height = KEPT_HEIGHT };
+    const tp_config config = { .width = KEPT_WIDTH,
+                               .height = KEPT_HEIGHT,
+                               .tile_height = KEPT_HEIGHT };
     uint64_t chance = 11 + (uint64_t)number;
     boat_make(&k->boat, &chance);
     kept_scene(k, number, &chance);

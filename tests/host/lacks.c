@@ -4,35 +4,37 @@
 #include <string.h>
 #include "tidepool/frame.h"
 
-extern const tp_scene   baked_scene;
-extern const tp_assets  baked_assets;
+extern const tp_scene baked_scene;
+extern const tp_assets baked_assets;
 extern const tp_program baked_program;
-extern const tp_frame_config baked_picture;
+extern const tp_config baked_config;
 
 static void tell(const char *change, const tp_scene *scene, const tp_assets *assets)
 {
     static uint64_t block[32768];
     tp_frame *frame;
-    tp_error  err = { 0 };
-    char      text[128] = "ok";
+    tp_error err = { 0 };
+    char text[128] = "ok";
 
     if (tp_program_fits(&baked_program, scene, assets, &err) != TP_OK)
         tp_error_text(&err, text, sizeof text);
     printf("%s: %s\n", change, text);
     if (err.code
-        && (tp_frame_bytes(&baked_program, scene, assets, &baked_picture) != 0
+        && (tp_frame_bytes(&baked_config, scene) != 0
             || tp_world_bytes(&baked_program, scene, assets) != 0
-            || tp_frame_init(&baked_program, &frame, scene, assets, &baked_picture, block,
-                             NULL) != err.code
-            || tp_world_init(&baked_program, (tp_world *)(void *)block, sizeof block, scene,
-                             assets, NULL) != err.code))
+            || tp_frame_init(&frame, &baked_config, scene, block,
+                             tp_frame_bytes(&baked_config, scene), NULL)
+                   != err.code
+            || tp_world_init(&baked_program, (tp_world *)(void *)block, sizeof block,
+                             scene, assets, NULL)
+                   != err.code))
         printf("%s: and taken by an init\n", change);
 }
 
 int main(void)
 {
     static const tp_mesh boat = { 0 };
-    tp_scene  scene = baked_scene;
+    tp_scene scene = baked_scene;
     tp_assets assets = baked_assets;
 
     tell("as it is", &scene, &assets);

@@ -105,7 +105,7 @@ cat >main.c <<'END'
 extern const tp_scene        baked_scene;
 extern const tp_assets       baked_assets;
 extern const tp_program          baked_program;
-extern const tp_frame_config baked_picture;
+extern const tp_config baked_config;
 
 int main(void)
 {
@@ -114,14 +114,13 @@ int main(void)
     tp_frame *frame;
     tp_tile   tile;
     uint32_t  crc = 0;
-    void *block = malloc(tp_frame_bytes(&baked_program, &baked_scene, &baked_assets,
-                                             &baked_picture));
-    void *scratch = malloc(tp_frame_scratch_bytes(&baked_program, &baked_scene,
-                                                 &baked_picture));
+    const size_t frame_bytes = tp_frame_bytes(&baked_config, &baked_scene);
+    void *block = malloc(frame_bytes);
+    void *scratch = malloc(tp_frame_scratch_bytes(&baked_config, &baked_scene));
 
     if (tp_world_init(&baked_program, world, bytes, &baked_scene, &baked_assets, NULL)
-        || tp_frame_init(&baked_program, &frame, &baked_scene, &baked_assets,
-                              &baked_picture, block, NULL))
+        || tp_frame_init(&frame, &baked_config, &baked_scene, block, frame_bytes,
+                         NULL))
         return 1;
     for (int n = 0; n < 60; n++)
         tp_world_step(&baked_program, world, &baked_scene, NULL);

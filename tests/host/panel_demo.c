@@ -364,7 +364,7 @@ int main(int count, char **arg)
     if (count > 1 && strcmp(arg[1], "--has") == 0)
         return panel_is_built() ? 0 : 1;
     setvbuf(stdout, NULL, _IOLBF, 0);
-    tp_scene_default(&d.normal);
+    tp_scene_level(&d.normal);
     d.host = (panel_host){
         .user = &d, .get = get, .is_normal = is_normal, .is_filed = is_filed, .set = set,
         .reset = reset, .scenes = scenes, .shows = shows, .scene_count = 3,

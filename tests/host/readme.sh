@@ -4,12 +4,43 @@
 # it shows is there, and every shipped scene is in the gallery.
 . tests/gates/lib.sh
 
+# -- the first program ------------------------------------------------------------------
+
 program=$scratch/first
 first_program >"$program.c"
-check "the README has a program" grep -q tp_frame_tile "$program.c"
+check "the README has a program" grep -q tp_engine_next_tile "$program.c"
 check "it compiles without a warning" cc -std=c11 -Wall -Wextra -Werror -Iinclude \
     "$program.c" build/host/libtidepool.a -o "$program"
-check "it draws every pixel" "$program"
+# tests/host/first.ini has the numbers of tp_scene_init, and names its picture.
+"${TP_PROGRAM:-build/host/tidepool}" render tests/host/first.ini --texels 16 \
+    --size 320x240 --frames 30:30 --hash | sed 's/.* //' >"$scratch/want"
+draws() { "$1" >"$scratch/got" && cmp "$scratch/want" "$scratch/got"; }
+check "its picture 30 is that of the scene file with the same numbers" draws "$program"
+moves() { ! cmp -s "$scratch/want" "$scratch/still"; }
+"${TP_PROGRAM:-build/host/tidepool}" render tests/host/first.ini --texels 16 \
+    --size 320x240 --frames 0:0 --hash | sed 's/.* //' >"$scratch/still"
+check "which is another than picture 0" moves
+# The built-in picture is made of the shipped one.
+ripple()
+{
+    echo '/* SPDX-License-Identifier: MIT */'
+    echo '/* Made by `tests/host/readme.sh --write` of assets/textures/water-normal.png, at 16'
+    echo ' * texels a side; not to be edited. */'
+    "${TP_PROGRAM:-build/host/tidepool}" bake tests/host/first.ini --texels 16 --name sea \
+        -o "$scratch/sea.c" &&
+        awk '/^static const uint32_t sea_ripple/, /^};/' "$scratch/sea.c" |
+        sed 's/sea_ripple/ripple/'
+}
+if [ "${1:-}" = --write ]; then
+    ripple >src/scene/sea_ripple.inc
+    exit
+fi
+same_ripple() { ripple | cmp - src/scene/sea_ripple.inc; }
+check "the built-in picture is the shipped one, 16 texels a side" same_ripple
+small() { [ "$(grep -o 0x src/scene/sea_ripple.inc | wc -l)" -le 1024 ]; }
+check "it is no larger than 4 KB" small
+
+# -- pictures ---------------------------------------------------------------------------
 
 size_of()       # PNG: its sides, from the header
 {

@@ -11,7 +11,9 @@
 #include "../../ports/board/control.h"
 #include "../unit/scenes.h"
 
-static const tp_frame_config config = { 64, 48, 0, 8, TP_FORMAT_L8 };
+static const tp_config config = {
+    .width = 64, .height = 48, .tile_height = 8, .format = TP_FORMAT_L8
+};
 static const tp_assets none;
 
 typedef struct {
@@ -38,15 +40,14 @@ static void board_open(board *b)
 {
     const size_t bytes = tp_world_bytes(&tp_program_all, &b->scene, &none);
     b->world = malloc(bytes);
-    b->block = malloc(tp_frame_bytes(&tp_program_all, &b->scene, &none, &config));
-    b->scratch = malloc(tp_frame_scratch_bytes(&tp_program_all, &b->scene, &config));
+    b->block = malloc(tp_frame_bytes(&config, &b->scene));
+    b->scratch = malloc(tp_frame_scratch_bytes(&config, &b->scene));
     assert_int_equal(
         tp_world_init(&tp_program_all, b->world, bytes, &b->scene, &none, NULL), TP_OK);
-    assert_int_equal(tp_frame_init(&tp_program_all, &b->frame, &b->scene, &none, &config,
-                                   b->block, NULL),
+    assert_int_equal(tp_frame_init(&b->frame, &config, &b->scene, b->block,
+                                   tp_frame_bytes(&config, &b->scene), NULL),
                      TP_OK);
-    b->setup = (control_setup){ &tp_program_all, &b->scene, &b->scene, &none, &config,
-                                b->world,        hear,      NULL,      b };
+    b->setup = (control_setup){ &b->scene, &b->scene, &config, b->world, hear, NULL, b };
     control_begin(&b->control, &b->setup);
 }
 
@@ -149,16 +150,15 @@ static void what_the_program_lacks_is_refused_by_name(void **state)
         { "set foam.cells=64\n", "error foam.cells: the program lacks foam\n" },
         { "get foam.cells\n", "ok foam.cells = 0 cells of 0..256\n" },
         { "set sky.kind night\n", "error sky.kind: the program lacks stars\n" },
-        { "get sky.kind\n",
-          "ok sky.kind = gradient of gradient|day|dusk|night|cube\n" },
+        { "get sky.kind\n", "ok sky.kind = gradient of gradient|day|dusk|night|cube\n" },
         { "set wave0.amplitude 0.5\n", "ok wave0.amplitude = 0.5 m\n" },
         { "restart\n", "ok restart\n" },
     };
     const tp_use *all = tp_program_all.modules;
-    tp_use  use[64];
+    tp_use use[64];
     tp_lack lacks[3] = { TP_LACK(stars, 0), TP_LACK(foam, 0) };
     tp_program lacking = tp_program_all;
-    board   *b = *state;
+    board *b = *state;
     uint32_t uses = 0;
 
     for (; all->module; all++)
@@ -172,7 +172,9 @@ static void what_the_program_lacks_is_refused_by_name(void **state)
     lacking.modules = use;
     lacking.lacks = lacks;
     lacking.refuse = tp_lacks_check;
-    b->setup.program = &lacking;
+    tp_config by = config;
+    by.program = &lacking;
+    b->setup.config = &by;
     hold(b, talk, COUNT(talk));
     lacking.refuse = NULL;              /* left out without a word */
     assert_string_equal(ask(b, "set foam.cells=64\n"), "ok foam.cells = 64 cells\n");

@@ -65,7 +65,7 @@ static void write_whole_scene(void)
 
 static void draw_whole_scene(const char *name)
 {
-    const tp_frame_config config = { .width = 70, .height = 50 };
+    const tp_config config = { .width = 70, .height = 50 };
     scene_file scene;
     assets a;
     canvas c;

@@ -265,7 +265,7 @@ static void a_narrower_tile_has_a_window_of_its_own(void **state)
 {
     (void)state;
     static uint8_t pixels[32 * 8 * 2];
-    const tp_frame_config f = { 32, 16, 0, 8, format };
+    const tp_config f = { .width = 32, .height = 16, .tile_height = 8, .format = format };
     screen *s = opened(&glasses[1], (lcd_config){ .panel = &lcd_st7789, .frame = f });
     const tp_tile tiles[] = { { 0, 0, 32, 8, pixels, 64 }, { 0, 8, 16, 16, pixels, 64 } };
     memset(pixels, 0x5a, sizeof pixels);

@@ -30,7 +30,7 @@ static int close_shown(void **state)
 /* -- frames ------------------------------------------------------------------------- */
 
 typedef struct {
-    tp_frame_config config;
+    tp_config config;
     tp_frame *frame;
     void     *block, *scratch;
 } drawing;
@@ -39,13 +39,14 @@ static drawing drawing_open_with(const tp_program *program, uint32_t width,
                                  uint32_t height, uint32_t strip, uint32_t band,
                                  tp_format format)
 {
-    drawing d = { .config = { width, height, strip, band, format } };
-    d.block = malloc(
-        tp_frame_bytes(program, &shown.file.scene, &shown.assets.names, &d.config));
-    d.scratch = malloc(tp_frame_scratch_bytes(program, &shown.file.scene, &d.config));
-    assert_int_equal(tp_frame_init(program, &d.frame, &shown.file.scene,
-                                   &shown.assets.names, &d.config, d.block, NULL),
-                     TP_OK);
+    drawing d = { .config = { width, height, strip, band, format, program,
+                              &shown.assets.names } };
+    const size_t bytes = tp_frame_bytes(&d.config, &shown.file.scene);
+    d.block = malloc(bytes);
+    d.scratch = malloc(tp_frame_scratch_bytes(&d.config, &shown.file.scene));
+    assert_int_equal(
+        tp_frame_init(&d.frame, &d.config, &shown.file.scene, d.block, bytes, NULL),
+        TP_OK);
     tp_frame_begin(d.frame, shown.world[LATE_INDEX]);
     return d;
 }
@@ -65,7 +66,7 @@ static void drawing_close(drawing *d)
 /* A picture drawn whole by the core, without any panel; to free. */
 static inline uint32_t *drawn_whole(uint32_t width, uint32_t height, tp_format format)
 {
-    drawing d = drawing_open(width, height, 0, 0, format);
+    drawing d = drawing_open(width, height, 0, height, format);
     uint32_t *pixels = malloc(sizeof *pixels * width * height);
     tp_tile tile;
     assert_true(tp_frame_tile(d.frame, 0, d.scratch, &tile));

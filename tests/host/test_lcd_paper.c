@@ -115,7 +115,8 @@ static uint32_t wrong_turned(unsigned turn, uint32_t strip, uint32_t band)
     drawing d = drawing_open(width, height, strip, band, format);
     uint32_t *right = drawn_whole(width, height, format), n = 0;
     lcd_config c = config_of(&d, 1);
-    c.frame = (tp_frame_config){ 128, 250, 0, 250, format };
+    c.frame =
+        (tp_config){ .width = 128, .height = 250, .tile_height = 250, .format = format };
     screen *s = opened(c);
     uint8_t *turned = malloc(128 / 8 * 250);
     tp_tile tile;

@@ -122,8 +122,7 @@ static void a_blocked_panel_is_an_error_and_no_more(void **state)
     uint32_t *right = golden_picture(format);
     const size_t world_bytes =
         tp_world_bytes(&tp_program_all, &shown.file.scene, &shown.assets.names);
-    const size_t frame_bytes = tp_frame_bytes(&tp_program_all, &shown.file.scene,
-                                              &shown.assets.names, &d.config);
+    const size_t frame_bytes = tp_frame_bytes(&d.config, &shown.file.scene);
     uint8_t *before = malloc(world_bytes + frame_bytes);
     memcpy(before, shown.world[LATE_INDEX], world_bytes);
     memcpy(before + world_bytes, d.block, frame_bytes);
@@ -216,8 +215,10 @@ static void bad_configs_are_refused(void **state)
     REFUSED(LCD_OK, x = 239);
     REFUSED(LCD_OK, y = -319);
     REFUSED(LCD_OK, frame.tile_height = UINT32_MAX);    /* as the core: the picture's */
-    c = good, c.panel = &lcd_ssd1680, c.frame = (tp_frame_config){ 122, 250, 0, 8,
-                                                                   TP_FORMAT_I1 };
+    c = good, c.panel = &lcd_ssd1680,
+    c.frame = (tp_config){
+        .width = 122, .height = 250, .tile_height = 8, .format = TP_FORMAT_I1
+    };
     assert_int_equal(refusal(c), LCD_OK);
     c.turn = 1;
     assert_int_equal(refusal(c), LCD_E_TURN);

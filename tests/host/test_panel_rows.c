@@ -33,7 +33,7 @@ static void every_place_is_a_value_that_the_table_takes(void **state)
     static tp_scene scene;
     uint32_t count;
     const tp_param *p = tp_params(&count);
-    tp_scene_default(&scene);
+    tp_scene_level(&scene);
     for (uint32_t i = 0; i < count; i++, p++) {
         if (!is_number(p))
             continue;

@@ -34,17 +34,20 @@ typedef struct {
 static void draw(const opened *o, uint32_t width, uint32_t height, tp_visibility how,
                  drawn *to)
 {
-    const tp_frame_config config = { width, height, 0, 0, TP_FORMAT_XRGB8888 };
+    const tp_config config = { .width = width,
+                               .height = height,
+                               .tile_height = height,
+                               .format = TP_FORMAT_XRGB8888,
+                               .assets = &o->assets.names };
     tp_scene scene = o->file.scene;
     tp_frame *frame;
     tp_tile tile;
 
     scene.quality.visibility = (int32_t)how;
-    void *block =
-        malloc(tp_frame_bytes(&tp_program_all, &scene, &o->assets.names, &config));
-    uint32_t *scratch = malloc(tp_frame_scratch_bytes(&tp_program_all, &scene, &config));
-    assert_int_equal(tp_frame_init(&tp_program_all, &frame, &scene, &o->assets.names,
-                                   &config, block, NULL),
+    void *block = malloc(tp_frame_bytes(&config, &scene));
+    uint32_t *scratch = malloc(tp_frame_scratch_bytes(&config, &scene));
+    assert_int_equal(tp_frame_init(&frame, &config, &scene, block,
+                                   tp_frame_bytes(&config, &scene), NULL),
                      TP_OK);
     tp_frame_begin(frame, o->world);
     assert_true(tp_frame_tile(frame, 0, scratch, &tile));

@@ -90,7 +90,7 @@ static void foam_always_ends(void **state)
 
     for (int n = 0; n < 6; n++) {
         tp_scene scene;
-        tp_scene_default(&scene);
+        tp_scene_level(&scene);
         scene.foam.cells = 24;
         scene.foam.fade = (tp_fx)lround(fades[n] * 65536);
         scene.foam.map.drift_x = chance_int(&chance, -20 * 65536, 20 * 65536);

@@ -108,11 +108,12 @@ static void spoil(tp_scene *s)
 }
 
 /* Tiles of any size, not so many that they take minutes. */
-static tp_frame_config any_config(const tp_scene *s)
+static tp_config any_config(const tp_scene *s)
 {
     const int32_t most = soak() ? 2048 : 96;
-    tp_frame_config c = {
-        .width = (uint32_t)any_side(16, most), .height = (uint32_t)any_side(16, most),
+    tp_config c = {
+        .width = (uint32_t)any_side(16, most),
+        .height = (uint32_t)any_side(16, most),
         .format = (tp_format)random_below(&chance, TP_FORMAT_COUNT),
     };
     const uint64_t points = 4000 + (uint64_t)s->grid.cols * (uint32_t)s->grid.rows;
@@ -177,7 +178,9 @@ static void assert_refusal(tp_status status, const tp_error *err, tp_status as,
 static void assert_refused(const tp_scene *scene, const tp_assets *assets, tp_status as,
                            const tp_error *why)
 {
-    const tp_frame_config config = { 64, 48, 0, 0, TP_FORMAT_RGB565 };
+    const tp_config config = {
+        .width = 64, .height = 48, .tile_height = 48, .format = TP_FORMAT_RGB565
+    };
     static uint64_t block[8192], before[8192];
     tp_scene plain = scene_plain();
     tp_world *world = (tp_world *)(void *)block;
@@ -186,13 +189,13 @@ static void assert_refused(const tp_scene *scene, const tp_assets *assets, tp_st
 
     assert_true(why->word[0] != '\0');
     assert_int_equal(tp_world_bytes(&tp_program_all, scene, assets), 0);
-    assert_int_equal(tp_frame_bytes(&tp_program_all, scene, assets, &config), 0);
+    assert_int_equal(tp_frame_bytes(&config, scene), 0);
     assert_refusal(
         tp_world_init(&tp_program_all, world, sizeof block, scene, assets, &err), &err,
         as, why);
-    assert_refusal(
-        tp_frame_init(&tp_program_all, &frame, scene, assets, &config, block, &err), &err,
-        as, why);
+    assert_refusal(tp_frame_init(&frame, &config, scene, block,
+                                 tp_frame_bytes(&config, scene), &err),
+                   &err, as, why);
     plain.boat.mesh[0] = '\0';
     assert_int_equal(
         tp_world_init(&tp_program_all, world, sizeof block, &plain, NULL, NULL), TP_OK);
@@ -256,7 +259,7 @@ static void live_on(const programs *k, tp_world *world, tp_scene *scene,
 
 /* False: what the scene names does not fit it, which only an init can tell. */
 static bool draw_scene(const programs *k, tp_scene *scene, const tp_assets *assets,
-                       const tp_frame_config *config)
+                       const tp_config *config)
 {
     const size_t bytes = tp_world_bytes(&k->by, scene, assets);
     tp_world *world = malloc(bytes > sizeof *world ? bytes : sizeof *world);
@@ -283,8 +286,7 @@ static bool draw_scene(const programs *k, tp_scene *scene, const tp_assets *asse
     return status == TP_OK;
 }
 
-static void tell(uint32_t number, const tp_scene *s, const tp_frame_config *c,
-                 const char *how)
+static void tell(uint32_t number, const tp_scene *s, const tp_config *c, const char *how)
 {
     printf("# %u: grid %dx%d, pool %dx%d, field %dx%d, picture %ux%u %s, tiles %ux%u, %s\n",
            (unsigned)number, (int)s->grid.cols, (int)s->grid.rows, (int)s->pool.cols,
@@ -312,7 +314,7 @@ static void run_scene(uint32_t number)
         counts.refused++;
         return;
     }
-    const tp_frame_config config = any_config(&scene);
+    const tp_config config = any_config(&scene);
     tell(number, &scene, &config, k.name);
     if (draw_scene(&k, &scene, &assets, &config))
         counts.drawn++;

@@ -22,7 +22,7 @@ static inline tp_scene boat_calm_scene(void)
 {
     tp_scene scene;
 
-    tp_scene_default(&scene);
+    tp_scene_level(&scene);
     strcpy(scene.boat.mesh, "boat.obj");
     for (int i = 0; i < TP_WAVES; i++)
         scene.wave[i].amplitude = 0;

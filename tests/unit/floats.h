@@ -13,7 +13,7 @@ static inline tp_scene any_boat(uint64_t *chance, tp_boat_mode mode)
 {
     tp_scene s;
 
-    tp_scene_default(&s);
+    tp_scene_level(&s);
     s.boat.mode = (int32_t)mode;
     s.boat.draft = chance_scale(chance, 0.05, 20);
     s.boat.drag = chance_fx(chance, 0.05, 2);

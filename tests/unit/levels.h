@@ -22,7 +22,10 @@ typedef struct {
 static inline void level_draw(level_shot *shot, tp_scene *scene, const tp_assets *assets,
                               tp_visibility how, uint64_t tick)
 {
-    const tp_frame_config config = { LEVEL_WIDTH, LEVEL_HEIGHT, 0, 0, TP_FORMAT_XRGB8888 };
+    const tp_config config = { .width = LEVEL_WIDTH,
+                               .height = LEVEL_HEIGHT,
+                               .tile_height = LEVEL_HEIGHT,
+                               .format = TP_FORMAT_XRGB8888 };
     tp_tile tile;
 
     scene->quality.visibility = (int32_t)how;
@@ -92,8 +95,11 @@ static inline void level_compare_tilings(const level_shot *whole, const tp_scene
                                          { 64, 16 } };
 
     for (size_t i = 0; i < sizeof sizes / sizeof *sizes; i++) {
-        const tp_frame_config config = { LEVEL_WIDTH, LEVEL_HEIGHT, sizes[i][0],
-                                         sizes[i][1], TP_FORMAT_XRGB8888 };
+        const tp_config config = { .width = LEVEL_WIDTH,
+                                   .height = LEVEL_HEIGHT,
+                                   .tile_width = sizes[i][0],
+                                   .tile_height = sizes[i][1],
+                                   .format = TP_FORMAT_XRGB8888 };
         test_frame f = frame_of(scene, assets, &config);
         tp_frame_begin(f.frame, &whole->world);
         level_compare_tiles(&f, whole->pixels);

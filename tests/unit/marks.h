@@ -8,8 +8,8 @@
 /* The whole picture as one tile; `key` has a word for each pixel and may be NULL: depths,
  * and kinds in place of marks. */
 static inline void marks_draw(const tp_scene *scene, const tp_assets *assets,
-                              const tp_world *world, tp_frame_config config,
-                              uint32_t *key, uint32_t *pixels)
+                              const tp_world *world, tp_config config, uint32_t *key,
+                              uint32_t *pixels)
 {
     test_frame f = frame_of(scene, assets, &config);
     uint8_t kind[TP_MARKS];
@@ -47,14 +47,14 @@ static inline uint32_t marks_count(const uint32_t *key, size_t pixels, marks_kin
 
 /* The picture has the same pixels in tiles of each of these sizes as in one. */
 static inline void marks_assert_tiled(const tp_scene *scene, const tp_assets *assets,
-                                      const tp_world *world, tp_frame_config config,
+                                      const tp_world *world, tp_config config,
                                       const uint32_t size[][2], size_t count,
                                       uint32_t *key)
 {
     const size_t bytes = (size_t)config.width * config.height * sizeof(uint32_t);
     uint32_t *const whole = malloc(bytes), *const tiled = malloc(bytes);
 
-    assert_true(whole && tiled && config.tile_width == 0 && config.tile_height == 0);
+    assert_true(whole && tiled && config.tile_height == config.height);
     marks_draw(scene, assets, world, config, key, whole);
     for (size_t i = 0; i < count; i++) {
         config.tile_width = size[i][0];
@@ -71,7 +71,7 @@ static inline tp_scene marks_still(int32_t metres)
 {
     tp_scene s;
 
-    tp_scene_default(&s);
+    tp_scene_level(&s);
     s.grid.cols = s.grid.rows = 12;
     s.camera.y = metres * TP_FX_ONE;
     s.camera.pitch = 0;

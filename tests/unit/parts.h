@@ -14,7 +14,7 @@ static inline tp_scene_pool some_pool(uint64_t *chance)
 {
     tp_scene s;
 
-    tp_scene_default(&s);
+    tp_scene_level(&s);
     s.pool.cols = chance_int(chance, 16, 40);
     s.pool.rows = chance_int(chance, 16, 40);
     s.pool.cells = chance_int(chance, 0, 2);

@@ -13,7 +13,7 @@ static inline tp_scene scene_plain(void)
 {
     tp_scene s;
 
-    tp_scene_default(&s);
+    tp_scene_level(&s);
     for (int i = 0; i < 3; i++) {
         s.wave[i].amplitude = TP_FX(0.4);
         s.wave[i].length = (12 + 5 * i) * TP_FX_ONE;
@@ -45,7 +45,7 @@ static inline tp_scene scene_any(uint64_t *state)
     const uint32_t bold = random_below(state, 4);       /* how many rows go to an end */
     tp_scene s;
 
-    tp_scene_default(&s);
+    tp_scene_level(&s);
     for (uint32_t i = 0; i < count; i++) {
         const tp_param *row = &rows[i];
         if (!scene_is_number(row))
@@ -164,21 +164,33 @@ static inline bool frame_guard_holds(const uint8_t *block, size_t bytes)
     return true;
 }
 
-static inline test_frame frame_by(const tp_program *by, const tp_scene *scene,
-                                  const tp_assets *assets, const tp_frame_config *config)
+/* The config for another program and its pictures. */
+static inline tp_config config_with(const tp_config *config, const tp_program *by,
+                                    const tp_assets *assets)
 {
-    test_frame f = { .bytes = tp_frame_bytes(by, scene, assets, config),
-                     .scratch_bytes = tp_frame_scratch_bytes(by, scene, config) };
+    tp_config c = *config;
+
+    c.program = by;
+    c.assets = assets;
+    return c;
+}
+
+static inline test_frame frame_by(const tp_program *by, const tp_scene *scene,
+                                  const tp_assets *assets, const tp_config *config)
+{
+    const tp_config c = config_with(config, by, assets);
+    test_frame f = { .bytes = tp_frame_bytes(&c, scene),
+                     .scratch_bytes = tp_frame_scratch_bytes(&c, scene) };
 
     f.block = frame_block(f.bytes);
     f.scratch = frame_block(f.scratch_bytes);
-    if (tp_frame_init(by, &f.frame, scene, assets, config, f.block, NULL) != TP_OK)
+    if (tp_frame_init(&f.frame, &c, scene, f.block, f.bytes, NULL) != TP_OK)
         abort();
     return f;
 }
 
 static inline test_frame frame_of(const tp_scene *scene, const tp_assets *assets,
-                                  const tp_frame_config *config)
+                                  const tp_config *config)
 {
     return frame_by(&tp_program_all, scene, assets, config);
 }

@@ -107,7 +107,10 @@ static void hull_make(hull *h, bool lid)
 static uint32_t floor_pixels(bool lid, double sunk)
 {
     static uint32_t key[WIDTH * HEIGHT];
-    const tp_frame_config config = { WIDTH, HEIGHT, 0, 0, TP_FORMAT_XRGB8888 };
+    const tp_config config = { .width = WIDTH,
+                               .height = HEIGHT,
+                               .tile_height = HEIGHT,
+                               .format = TP_FORMAT_XRGB8888 };
     hull h;
     tp_scene s = scene_plain();
 

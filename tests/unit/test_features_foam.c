@@ -17,7 +17,7 @@ static tp_scene still(tp_fx fade)
 {
     tp_scene s;
 
-    tp_scene_default(&s);
+    tp_scene_level(&s);
     s.foam.cells = 64;
     s.foam.cell = TP_FX(0.5);
     s.foam.fade = fade;

@@ -16,7 +16,7 @@ static tp_scene sea_any(void)
 {
     tp_scene s;
 
-    tp_scene_default(&s);
+    tp_scene_level(&s);
     for (int i = 0; i < TP_WAVES; i++) {
         s.wave[i].amplitude = chance_int(&chance, 0, 2) ? 0 : chance_fx(&chance, 0.1, 2);
         s.wave[i].length = chance_fx(&chance, 4, 90);
@@ -140,7 +140,7 @@ static void walls_foam_where_the_water_moves(void **state)
     (void)state;
     tp_scene s;
 
-    tp_scene_default(&s);
+    tp_scene_level(&s);
     s.pool.cols = s.pool.rows = 48;
     s.pool.cell = TP_FX(0.1);
     s.pool.poke_every = TP_FX(0.5);
@@ -160,7 +160,7 @@ static tp_scene with_boat(tp_fx speed)
 {
     tp_scene s;
 
-    tp_scene_default(&s);
+    tp_scene_level(&s);
     strcpy(s.boat.mesh, "boat.obj");
     s.boat.z = 0;
     s.boat.heading = 90 * TP_FX_ONE;        /* towards +x */

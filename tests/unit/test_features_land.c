@@ -14,14 +14,16 @@ enum { WIDTH = 150, HEIGHT = 90 };
 static uint64_t chance;
 static uint32_t key[WIDTH * HEIGHT];
 static const tp_assets none;
-static const tp_frame_config config = { WIDTH, HEIGHT, 0, 0, TP_FORMAT_XRGB8888 };
+static const tp_config config = {
+    .width = WIDTH, .height = HEIGHT, .tile_height = HEIGHT, .format = TP_FORMAT_XRGB8888
+};
 
 /* Still water over a floor that rises towards -z. */
 static tp_scene beach(double depth, double slope)
 {
     tp_scene s;
 
-    tp_scene_default(&s);
+    tp_scene_level(&s);
     s.grid.cols = 80;
     s.grid.rows = 80;
     s.grid.cell = 2 * TP_FX_ONE;

@@ -49,8 +49,11 @@ static tp_scene sky_scene(int32_t kind)
 static void draw(const tp_scene *s, const tp_assets *assets, const tp_world *world,
                  uint32_t tile_width, uint32_t tile_height, uint32_t *to)
 {
-    const tp_frame_config c = { WIDTH, HEIGHT, tile_width, tile_height,
-                                TP_FORMAT_XRGB8888 };
+    const tp_config c = { .width = WIDTH,
+                          .height = HEIGHT,
+                          .tile_width = tile_width,
+                          .tile_height = tile_height,
+                          .format = TP_FORMAT_XRGB8888 };
     test_frame f = frame_of(s, assets, &c);
     tp_tile tile;
 
@@ -104,20 +107,22 @@ static void a_cube_with_a_hole_is_the_gradient(void **state)
 static void skies_are_carved_for_those_who_have_them(void **state)
 {
     (void)state;
-    const tp_frame_config c = { WIDTH, HEIGHT, 0, 0, TP_FORMAT_XRGB8888 };
-    const tp_assets none = { .boat = NULL };
+    const tp_config c = { .width = WIDTH,
+                          .height = HEIGHT,
+                          .tile_height = HEIGHT,
+                          .format = TP_FORMAT_XRGB8888 };
     tp_scene s = scene_plain();
-    const size_t plain = tp_frame_bytes(&tp_program_all, &s, &none, &c);
+    const size_t plain = tp_frame_bytes(&c, &s);
 
     s.sky.kind = TP_SKY_CUBE;           /* without its pictures */
-    assert_int_equal(tp_frame_bytes(&tp_program_all, &s, &none, &c), plain);
+    assert_int_equal(tp_frame_bytes(&c, &s), plain);
     s.sky.kind = TP_SKY_DAY;
-    assert_in_range(tp_frame_bytes(&tp_program_all, &s, &none, &c),
-                    plain + sizeof(tp_dome), plain + sizeof(tp_dome) + 16);
+    assert_in_range(tp_frame_bytes(&c, &s), plain + sizeof(tp_dome),
+                    plain + sizeof(tp_dome) + 16);
     s.sky.kind = TP_SKY_GRADIENT;
     s.hdr.value = 2 * TP_FX_ONE;
     const size_t toned = plain + 256 * sizeof(tp_entry8) + sizeof(tp_toned);
-    assert_in_range(tp_frame_bytes(&tp_program_all, &s, &none, &c), toned, toned + 16);
+    assert_in_range(tp_frame_bytes(&c, &s), toned, toned + 16);
 }
 
 /* The scene's numbers may change under a frame: what has no tables stays the gradient, a
@@ -127,7 +132,10 @@ static void a_live_change_is_drawn_as_far_as_there_are_tables(void **state)
     (void)state;
     tp_scene s = sky_scene(TP_SKY_GRADIENT);
     const tp_assets a = assets_of(false);
-    const tp_frame_config c = { WIDTH, HEIGHT, 0, 0, TP_FORMAT_XRGB8888 };
+    const tp_config c = { .width = WIDTH,
+                          .height = HEIGHT,
+                          .tile_height = HEIGHT,
+                          .format = TP_FORMAT_XRGB8888 };
     s.hdr.exposure = TP_EXPOSURE_FIXED;
     s.hdr.value = TP_FX_ONE;
     tp_world *w = scene_world(&s, &a);
@@ -152,7 +160,10 @@ static void a_camera_that_turns_draws_as_a_fresh_frame_does(void **state)
     (void)state;
     tp_scene s = sky_scene(TP_SKY_DAY);
     const tp_assets a = { .layer[0] = &boat.texture[0], .ripple = &boat.texture[1] };
-    const tp_frame_config c = { WIDTH, HEIGHT, 0, 0, TP_FORMAT_XRGB8888 };
+    const tp_config c = { .width = WIDTH,
+                          .height = HEIGHT,
+                          .tile_height = HEIGHT,
+                          .format = TP_FORMAT_XRGB8888 };
     s.boat.mesh[0] = '\0';
     s.quality.shading = TP_SHADING_QUICK;
     s.water.specular = s.water.reflection = s.ripple.bump = TP_FX_ONE;
@@ -198,7 +209,10 @@ static tp_program program_with_dome(const tp_use *dome)
 static uint32_t draw_by(const tp_program *program, const tp_scene *s, uint32_t *to)
 {
     const tp_assets a = { .layer[0] = &boat.texture[0] };
-    const tp_frame_config c = { WIDTH, HEIGHT, 0, 0, TP_FORMAT_XRGB8888 };
+    const tp_config c = { .width = WIDTH,
+                          .height = HEIGHT,
+                          .tile_height = HEIGHT,
+                          .format = TP_FORMAT_XRGB8888 };
     tp_world *w = scene_world(s, &a);
     test_frame f = frame_by(program, s, &a, &c);
     tp_tile tile;

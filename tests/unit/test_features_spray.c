@@ -16,7 +16,7 @@ static tp_scene still(int32_t count)
 {
     tp_scene s;
 
-    tp_scene_default(&s);
+    tp_scene_level(&s);
     s.spray.count = count;
     return s;
 }

@@ -13,7 +13,9 @@ enum { WIDTH = 160, HEIGHT = 112 };
 static uint64_t chance;
 static uint32_t key[WIDTH * HEIGHT];
 static const tp_assets none;
-static const tp_frame_config config = { WIDTH, HEIGHT, 0, 0, TP_FORMAT_XRGB8888 };
+static const tp_config config = {
+    .width = WIDTH, .height = HEIGHT, .tile_height = HEIGHT, .format = TP_FORMAT_XRGB8888
+};
 
 /* Still water below an eye at 10 m that looks to -z. */
 static tp_scene scene_of(int32_t count)

@@ -19,7 +19,7 @@ static tp_scene tank_scene(void)
 {
     tp_scene s;
 
-    tp_scene_default(&s);
+    tp_scene_level(&s);
     s.pool.cols = 48;
     s.pool.rows = 32;
     s.pool.cell = TP_FX_ONE / 16;
@@ -63,7 +63,9 @@ static void look_from(tp_scene *s, double x, double y, double z)
 static void picture_of(const tp_scene *s, uint32_t *pixels)
 {
     const tp_assets assets = { 0 };
-    const tp_frame_config c = { WIDE, HIGH, 0, 0, TP_FORMAT_XRGB8888 };
+    const tp_config c = {
+        .width = WIDE, .height = HIGH, .tile_height = HIGH, .format = TP_FORMAT_XRGB8888
+    };
     tp_world  *world = scene_world(s, &assets);
     test_frame f = frame_of(s, &assets, &c);
     tp_tile    tile;

@@ -42,7 +42,9 @@ static void compare_scene(tally *t)
 {
     tp_scene scene = kit_scene(&chance, 14, 40);
     tp_assets assets = kit_assets(&kit, &scene, &chance);
-    const tp_frame_config config = { 64, 48, 0, 0, TP_FORMAT_XRGB8888 };
+    const tp_config config = {
+        .width = 64, .height = 48, .tile_height = 48, .format = TP_FORMAT_XRGB8888
+    };
 
     if (random_below(&chance, 2))           /* the fast stages know none of these */
         scene.water.clear = scene.hdr.share = scene.foam.cells = 0;

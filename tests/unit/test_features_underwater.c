@@ -23,7 +23,7 @@ static tp_scene wet_scene(int kind)
 {
     tp_scene s;
 
-    tp_scene_default(&s);
+    tp_scene_level(&s);
     s.water.clear = 3 * TP_FX_ONE;
     s.water.caustics = TP_FX_ONE;
     s.water.caustic_cells = 32;
@@ -67,8 +67,11 @@ static void look_anywhere(tp_scene *s)
 static void picture_of(const tp_scene *s, const tp_assets *assets, const tp_world *world,
                        uint32_t tile_wide, uint32_t tile_high, uint32_t *pixels)
 {
-    const tp_frame_config c = { WIDE, HIGH, tile_wide, tile_high,
-                                TP_FORMAT_XRGB8888 };
+    const tp_config c = { .width = WIDE,
+                          .height = HIGH,
+                          .tile_width = tile_wide,
+                          .tile_height = tile_high,
+                          .format = TP_FORMAT_XRGB8888 };
     test_frame f = frame_of(s, assets, &c);
     tp_tile    tile;
 
@@ -164,7 +167,9 @@ static void a_beach_lies_as_deep_as_rays_say(void **state)
 static void light_of(const tp_scene *s, const tp_world *world, uint16_t *light)
 {
     const tp_assets assets = { 0 };
-    const tp_frame_config c = { WIDE, HIGH, 0, 0, TP_FORMAT_XRGB8888 };
+    const tp_config c = {
+        .width = WIDE, .height = HIGH, .tile_height = HIGH, .format = TP_FORMAT_XRGB8888
+    };
     const size_t cells = (size_t)s->water.caustic_cells;
     test_frame f = frame_of(s, &assets, &c);
 

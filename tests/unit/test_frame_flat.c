@@ -250,8 +250,10 @@ static void water_that_is_not_level_goes_by_triangles(void **state)
             scene.wind.strength = TP_FX_ONE;
         if (n == 5)
             scene.floor.depth = 4 * TP_FX_ONE;
-        const tp_frame_config config = { LEVEL_WIDTH, LEVEL_HEIGHT, 0, 0,
-                                         TP_FORMAT_XRGB8888 };
+        const tp_config config = { .width = LEVEL_WIDTH,
+                                   .height = LEVEL_HEIGHT,
+                                   .tile_height = LEVEL_HEIGHT,
+                                   .format = TP_FORMAT_XRGB8888 };
         scene.quality.visibility = TP_VISIBILITY_FLAT;
         shot.frame = frame_of(&scene, &none, &config);
         tp_world *world = scene_world(&scene, &none);

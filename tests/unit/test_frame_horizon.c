@@ -59,7 +59,9 @@ static double horizon_row(const tp_scene *s, double far)
 static void calm_water_fills_everything_below_the_horizon(void **state)
 {
     (void)state;
-    const tp_frame_config config = { WIDTH, HEIGHT, 0, 0, TP_FORMAT_P8 };
+    const tp_config config = {
+        .width = WIDTH, .height = HEIGHT, .tile_height = HEIGHT, .format = TP_FORMAT_P8
+    };
     const tp_assets none = { 0 };
 
     for (int n = 0; n < 150; n++) {
@@ -95,7 +97,9 @@ static void calm_water_fills_everything_below_the_horizon(void **state)
 static void waves_leave_no_holes(void **state)
 {
     (void)state;
-    const tp_frame_config config = { WIDTH, HEIGHT, 0, 0, TP_FORMAT_P8 };
+    const tp_config config = {
+        .width = WIDTH, .height = HEIGHT, .tile_height = HEIGHT, .format = TP_FORMAT_P8
+    };
     const tp_assets none = { 0 };
 
     for (int n = 0; n < 150; n++) {
@@ -129,7 +133,9 @@ static void without_reach_the_grid_is_all(void **state)
 {
     (void)state;
     tp_scene scene = calm_scene();
-    const tp_frame_config config = { WIDTH, HEIGHT, 0, 0, TP_FORMAT_P8 };
+    const tp_config config = {
+        .width = WIDTH, .height = HEIGHT, .tile_height = HEIGHT, .format = TP_FORMAT_P8
+    };
     const tp_assets none = { 0 };
     tp_world world;
     tp_tile tile;
@@ -154,7 +160,9 @@ static void without_reach_the_grid_is_all(void **state)
 static marks marks_with_lift(tp_fx lift)
 {
     tp_scene scene = calm_scene();
-    const tp_frame_config config = { WIDTH, HEIGHT, 0, 0, TP_FORMAT_P8 };
+    const tp_config config = {
+        .width = WIDTH, .height = HEIGHT, .tile_height = HEIGHT, .format = TP_FORMAT_P8
+    };
     const tp_assets assets = { .boat = &boat.mesh };
     tp_world world;
     tp_tile tile;

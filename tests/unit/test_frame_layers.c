@@ -97,17 +97,20 @@ static void draw(const test_frame *f, uint32_t *picture)
     assert_true(frame_guard_holds(f->scratch, f->scratch_bytes));
 }
 
-static tp_frame_config cut(uint32_t tile_width, uint32_t tile_height)
+static tp_config cut(uint32_t tile_width, uint32_t tile_height)
 {
-    return (tp_frame_config){ WIDTH, HEIGHT, tile_width, tile_height,
-                              TP_FORMAT_XRGB8888 };
+    return (tp_config){ .width = WIDTH,
+                        .height = HEIGHT,
+                        .tile_width = tile_width,
+                        .tile_height = tile_height,
+                        .format = TP_FORMAT_XRGB8888 };
 }
 
 static void draw_new(const tp_scene *scene, const tp_assets *assets,
                      const tp_world *world, uint32_t tile_width, uint32_t tile_height,
                      uint32_t *picture)
 {
-    const tp_frame_config config = cut(tile_width, tile_height);
+    const tp_config config = cut(tile_width, tile_height);
     test_frame f = frame_of(scene, assets, &config);
 
     tp_frame_begin(f.frame, world);
@@ -149,7 +152,7 @@ static void numbers_may_change_while_the_frame_lives(void **state)
     static uint32_t before[PIXELS], after[PIXELS], fresh[PIXELS];
     tp_scene scene = busy_scene();
     const tp_assets assets = square_assets();
-    const tp_frame_config config = cut(0, 0);
+    const tp_config config = cut(0, 0);
     scene.camera.y = 3 * TP_FX_ONE;
     scene.camera.pitch = -30 * TP_FX_ONE;
     scene.ripple.map.size = 2 * TP_FX_ONE;
@@ -203,7 +206,7 @@ static void plain_layers_are_the_plain_stage(void **state)
     tp_scene scene = scene_plain();
     const tp_assets assets = { .layer = { &pictures.texture[0] },
                                .distortion = &pictures.texture[1] };
-    const tp_frame_config config = cut(0, 0);
+    const tp_config config = cut(0, 0);
     tp_world *world = world_of(&scene);
 
     scene.distortion.strength = TP_FX_ONE;
@@ -230,7 +233,7 @@ static void bumped_pools_leave_the_mesh(void **state)
     static uint32_t bumped[PIXELS], still[PIXELS];
     tp_scene scene = busy_scene(), bare = scene;
     const tp_assets assets = all_assets();
-    const tp_frame_config config = cut(0, 0);
+    const tp_config config = cut(0, 0);
 
     bare.pool.cols = bare.field.cols = 0;
     tp_world *world = world_of(&scene), *calm = world_of(&bare);
@@ -267,7 +270,7 @@ static void bumps_without_room_are_heights(void **state)
     static uint32_t heights[PIXELS], asked[PIXELS];
     tp_scene scene = busy_scene();
     const tp_assets assets = all_assets();
-    const tp_frame_config config = cut(0, 0);
+    const tp_config config = cut(0, 0);
 
     scene.water.pool_bump = 0;
     tp_world *world = world_of(&scene);
@@ -290,7 +293,7 @@ static void the_world_may_move_on_while_tiles_are_drawn(void **state)
     static uint32_t before[PIXELS], after[PIXELS];
     const tp_scene scene = busy_scene();
     const tp_assets assets = all_assets();
-    const tp_frame_config config = cut(0, 0);
+    const tp_config config = cut(0, 0);
     tp_world *world = world_of(&scene);
     test_frame f = frame_of(&scene, &assets, &config);
 
@@ -312,7 +315,7 @@ static void pictures_drift_for_years(void **state)
 {
     (void)state;
     const tp_assets assets = all_assets();
-    const tp_frame_config config = cut(0, 0);
+    const tp_config config = cut(0, 0);
     double worst = 0;
 
     for (int n = 0; n < 60; n++) {

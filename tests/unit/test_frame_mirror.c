@@ -65,7 +65,10 @@ static tp_scene calm_scene(double lift)
 
 static test_frame begun(const tp_scene *scene, uint32_t width, uint32_t height)
 {
-    const tp_frame_config config = { width, height, 0, 0, TP_FORMAT_XRGB8888 };
+    const tp_config config = { .width = width,
+                               .height = height,
+                               .tile_height = height,
+                               .format = TP_FORMAT_XRGB8888 };
     test_frame f = frame_of(scene, assets_of_boat(), &config);
     tp_world *world = scene_world(scene, assets_of_boat());
 
@@ -262,7 +265,10 @@ static void no_sky_shows_between_an_object_and_its_mirror(void **state)
 {
     (void)state;
     static uint32_t key[WIDTH * HEIGHT];
-    const tp_frame_config config = { WIDTH, HEIGHT, 0, 0, TP_FORMAT_XRGB8888 };
+    const tp_config config = { .width = WIDTH,
+                               .height = HEIGHT,
+                               .tile_height = HEIGHT,
+                               .format = TP_FORMAT_XRGB8888 };
     int feet = 0, light = 0;
 
     for (int n = 0; n < 40; n++) {
@@ -303,7 +309,10 @@ static void the_mirror_under_waves_stays_under_the_boat(void **state)
 {
     (void)state;
     static uint32_t key[WIDTH * HEIGHT], with[WIDTH * HEIGHT], without[WIDTH * HEIGHT];
-    const tp_frame_config config = { WIDTH, HEIGHT, 0, 0, TP_FORMAT_XRGB8888 };
+    const tp_config config = { .width = WIDTH,
+                               .height = HEIGHT,
+                               .tile_height = HEIGHT,
+                               .format = TP_FORMAT_XRGB8888 };
     int changed = 0;
 
     for (int n = 0; n < 20; n++) {
@@ -341,7 +350,10 @@ static void troughs_mirror_what_they_bare(void **state)
 {
     (void)state;
     static uint32_t key[WIDTH * HEIGHT], with[WIDTH * HEIGHT], without[WIDTH * HEIGHT];
-    const tp_frame_config config = { WIDTH, HEIGHT, 0, 0, TP_FORMAT_XRGB8888 };
+    const tp_config config = { .width = WIDTH,
+                               .height = HEIGHT,
+                               .tile_height = HEIGHT,
+                               .format = TP_FORMAT_XRGB8888 };
     int feet = 0, bare = 0;
 
     for (int n = 0; n < 40; n++) {

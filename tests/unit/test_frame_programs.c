@@ -74,7 +74,9 @@ enum { W = 64, H = 48 };
 static uint32_t drawn_by(const tp_program *by, const tp_scene *scene,
                          const tp_assets *assets, uint32_t *dropped)
 {
-    const tp_frame_config config = { W, H, 0, 0, TP_FORMAT_XRGB8888 };
+    const tp_config config = {
+        .width = W, .height = H, .tile_height = H, .format = TP_FORMAT_XRGB8888
+    };
     test_frame f = frame_by(by, scene, assets, &config);
     tp_world *world = world_by(by, scene, assets);
     tp_tile tile;
@@ -96,7 +98,7 @@ static void a_program_of_what_a_scene_needs_draws_it_as_all_does(void **state)
     tp_scene scene;
 
     (void)state;
-    tp_scene_default(&scene);
+    tp_scene_level(&scene);
     scene.water.reflection = scene.water.specular = 0;
     scene.quality.visibility = TP_VISIBILITY_TRIANGLES;     /* the plan is not in it */
     scene.quality.shading = TP_SHADING_EXACT;
@@ -126,7 +128,7 @@ static void what_a_program_lacks_is_left_out_and_counted(void **state)
     tp_scene scene;
 
     (void)state;
-    tp_scene_default(&scene);
+    tp_scene_level(&scene);
     own.modules = uses;
     scene.quality.shading = TP_SHADING_EXACT;
     strcpy(scene.boat.mesh, "boat.obj");
@@ -149,7 +151,7 @@ static tp_scene quick_scene(int32_t rate)
 {
     tp_scene s;
 
-    tp_scene_default(&s);
+    tp_scene_level(&s);
     s.quality.visibility = TP_VISIBILITY_TRIANGLES;
     s.quality.shading = TP_SHADING_QUICK;
     s.quality.rate = rate;
@@ -210,7 +212,9 @@ static void a_program_without_a_quick_stage_takes_the_next_better_rung(void **st
 static const char *lacks_of(const tp_program *by, const tp_scene *scene,
                             const tp_assets *assets)
 {
-    const tp_frame_config config = { W, H, 0, 0, TP_FORMAT_XRGB8888 };
+    const tp_config config = {
+        .width = W, .height = H, .tile_height = H, .format = TP_FORMAT_XRGB8888
+    };
     test_frame f = frame_by(by, scene, assets, &config);
     tp_world *world = world_by(by, scene, assets);
 
@@ -232,7 +236,7 @@ static void the_first_module_without_a_stage_is_told(void **state)
     tp_scene scene;
 
     (void)state;
-    tp_scene_default(&scene);
+    tp_scene_level(&scene);
     scene.quality.shading = TP_SHADING_EXACT;
     scene.water.filter = TP_FILTER_NEAREST;
     assert_null(lacks_of(&own, &scene, &assets));
@@ -260,15 +264,16 @@ static void the_first_module_without_a_stage_is_told(void **state)
 static void refused(const tp_program *by, tp_format format, const char *word)
 {
     static uint64_t block[65536];
-    const tp_frame_config config = { 16, 16, 0, 0, format };
-    const tp_assets none = { .boat = NULL };
+    const tp_config config = {
+        .width = 16, .height = 16, .format = format, .program = by
+    };
     tp_frame *frame = NULL;
     tp_error err = { 0 };
     tp_scene scene;
 
-    tp_scene_default(&scene);
+    tp_scene_level(&scene);
     scene.grid.cols = scene.grid.rows = 2;
-    assert_int_equal(tp_frame_init(by, &frame, &scene, &none, &config, block, &err),
+    assert_int_equal(tp_frame_init(&frame, &config, &scene, block, sizeof block, &err),
                      TP_E_PROGRAM);
     assert_string_equal(err.word, word);
     assert_null(frame);

@@ -71,7 +71,10 @@ static int count_cut(const tp_frame_lines *lines)
 static void no_box_beyond_the_last_is_read(void **state)
 {
     (void)state;
-    const tp_frame_config config = { WIDTH, HEIGHT, 0, 0, TP_FORMAT_XRGB8888 };
+    const tp_config config = { .width = WIDTH,
+                               .height = HEIGHT,
+                               .tile_height = HEIGHT,
+                               .format = TP_FORMAT_XRGB8888 };
     const tp_assets none = { .boat = NULL };
     int cut = 0;
 

@@ -17,9 +17,10 @@ static tp_program streamed;
 static uint32_t by_rows, by_streams;
 
 /* With as much as asked for, and anything in it. */
-static void draw_into(const test_frame *f, const tp_frame_config *config, uint8_t *picture)
+static void draw_into(const test_frame *f, const tp_config *config, uint8_t *picture)
 {
-    const size_t bytes = tp_frame_scratch_into_bytes(&streamed, f->frame->scene, config);
+    const tp_config into = config_with(config, &streamed, NULL);
+    const size_t bytes = tp_frame_scratch_into_bytes(&into, f->frame->scene);
     uint8_t *scratch = malloc(bytes + 64);
     tp_tile  tile;
 
@@ -34,8 +35,7 @@ static void draw_into(const test_frame *f, const tp_frame_config *config, uint8_
     free(scratch);
 }
 
-static void draw_tiles(const test_frame *f, const tp_frame_config *config,
-                       uint8_t *picture)
+static void draw_tiles(const test_frame *f, const tp_config *config, uint8_t *picture)
 {
     const size_t row_bytes = tp_format_row_bytes(config->format, WIDTH);
     tp_tile tile;
@@ -51,9 +51,14 @@ static void compare(const tp_scene *scene, const tp_assets *assets, const tp_wor
 {
     static uint8_t picture[2][HEIGHT * STRIDE];
     const tp_format format = (tp_format)random_below(&chance, TP_FORMAT_COUNT);
-    const tp_frame_config whole = { WIDTH, HEIGHT, 0, 0, format };
-    const tp_frame_config tiled = { WIDTH, HEIGHT, 16 * random_below(&chance, 10),
-                                    random_below(&chance, HEIGHT), format };
+    const tp_config whole = {
+        .width = WIDTH, .height = HEIGHT, .tile_height = HEIGHT, .format = format
+    };
+    const tp_config tiled = { .width = WIDTH,
+                              .height = HEIGHT,
+                              .tile_width = 16 * random_below(&chance, 10),
+                              .tile_height = random_below(&chance, HEIGHT),
+                              .format = format };
     test_frame kept = frame_by(&tp_program_all, scene, assets, &whole);
     test_frame small = frame_by(&streamed, scene, assets, &tiled);
 
@@ -124,20 +129,24 @@ static void streamed_rows_draw_the_same(void **state)
 static void an_ocean_is_kept(void **state)
 {
     (void)state;
-    const tp_frame_config config = { WIDTH, HEIGHT, 0, 0, TP_FORMAT_P8 };
-    const tp_assets none = { .boat = NULL };
+    const tp_config config = {
+        .width = WIDTH, .height = HEIGHT, .tile_height = HEIGHT, .format = TP_FORMAT_P8
+    };
+    const tp_config by = config_with(&config, &streamed, NULL);
     tp_scene scene = scene_plain();
 
     scene.floor.depth = 4 * TP_FX_ONE;
-    assert_int_equal(tp_frame_bytes(&streamed, &scene, &none, &config),
-                     tp_frame_bytes(&tp_program_all, &scene, &none, &config));
+    assert_int_equal(tp_frame_bytes(&by, &scene), tp_frame_bytes(&config, &scene));
 }
 
 static void waves_beyond_those_at_init_are_left_out(void **state)
 {
     (void)state;
     static uint8_t picture[2][HEIGHT * STRIDE];
-    const tp_frame_config config = { WIDTH, HEIGHT, 0, 0, TP_FORMAT_XRGB8888 };
+    const tp_config config = { .width = WIDTH,
+                               .height = HEIGHT,
+                               .tile_height = HEIGHT,
+                               .format = TP_FORMAT_XRGB8888 };
     const tp_assets none = { .boat = NULL };
     tp_scene scene = scene_plain();
     test_frame f = frame_by(&streamed, &scene, &none, &config);
@@ -175,7 +184,10 @@ static tp_scene mirror_scene(void)
 
 static void draw_mirror(tp_scene *s, int32_t objects, int32_t size, uint8_t *picture)
 {
-    const tp_frame_config config = { WIDTH, HEIGHT, 0, 0, TP_FORMAT_XRGB8888 };
+    const tp_config config = { .width = WIDTH,
+                               .height = HEIGHT,
+                               .tile_height = HEIGHT,
+                               .format = TP_FORMAT_XRGB8888 };
     const tp_assets boat = { .boat = &kit.boat.mesh };
 
     s->mirror.objects = objects;

@@ -32,9 +32,15 @@ static void compare(const tp_scene *scene, const tp_assets *assets, const tp_wor
                     counts *count)
 {
     static uint32_t picture[2][WIDTH * HEIGHT];
-    const tp_frame_config whole = { WIDTH, HEIGHT, 0, 0, TP_FORMAT_XRGB8888 };
-    const tp_frame_config tiled = { WIDTH, HEIGHT, 16 * random_below(&chance, 5),
-                                    random_below(&chance, HEIGHT), TP_FORMAT_XRGB8888 };
+    const tp_config whole = { .width = WIDTH,
+                              .height = HEIGHT,
+                              .tile_height = HEIGHT,
+                              .format = TP_FORMAT_XRGB8888 };
+    const tp_config tiled = { .width = WIDTH,
+                              .height = HEIGHT,
+                              .tile_width = 16 * random_below(&chance, 5),
+                              .tile_height = random_below(&chance, HEIGHT),
+                              .format = TP_FORMAT_XRGB8888 };
     test_frame kept = frame_of(scene, assets, &whole);
     test_frame some = frame_by(&small, scene, assets, &tiled);
 
@@ -118,34 +124,38 @@ static void rows_are_drawn_the_same(void **state)
 static void an_oceans_crossings_are_stored(void **state)
 {
     (void)state;
-    const tp_frame_config config = { WIDTH, HEIGHT, 0, 0, TP_FORMAT_P8 };
-    const tp_assets none = { .boat = NULL };
+    const tp_config config = {
+        .width = WIDTH, .height = HEIGHT, .tile_height = HEIGHT, .format = TP_FORMAT_P8
+    };
+    const tp_config streamed = config_with(&config, &small, NULL);
     tp_scene scene = scene_plain();
 
     scene.floor.depth = 4 * TP_FX_ONE;
-    assert_int_equal(tp_frame_bytes(&small, &scene, &none, &config),
-                     tp_frame_bytes(&tp_program_all, &scene, &none, &config));
-    assert_int_equal(tp_frame_scratch_bytes(&small, &scene, &config),
-                     tp_frame_scratch_bytes(&tp_program_all, &scene, &config));
+    assert_int_equal(tp_frame_bytes(&streamed, &scene), tp_frame_bytes(&config, &scene));
+    assert_int_equal(tp_frame_scratch_bytes(&streamed, &scene),
+                     tp_frame_scratch_bytes(&config, &scene));
 }
 
 static void what_is_not_stored_takes_no_memory(void **state)
 {
     (void)state;
-    const tp_frame_config config = { WIDTH, HEIGHT, 32, 4, TP_FORMAT_RGB565 };
-    const tp_assets none = { .boat = NULL };
+    const tp_config config = { .width = WIDTH,
+                               .height = HEIGHT,
+                               .tile_width = 32,
+                               .tile_height = 4,
+                               .format = TP_FORMAT_RGB565 };
+    const tp_config streamed = config_with(&config, &small, NULL);
     tp_scene scene = scene_plain();
 
     scene.grid.cols = scene.grid.rows = 64;
     scene.quality.visibility = TP_VISIBILITY_TRIANGLES;
-    const size_t saved = tp_frame_bytes(&tp_program_all, &scene, &none, &config)
-                         - tp_frame_bytes(&small, &scene, &none, &config);
+    const size_t saved =
+        tp_frame_bytes(&config, &scene) - tp_frame_bytes(&streamed, &scene);
     const size_t waves = TP_WAVES - 3;          /* the plain scene's are three */
     assert_int_equal(saved, (62 * sizeof(tp_grid_vertex)
                              + waves * (sizeof(tp_vertex_turn) + 4)) * 64);
-    assert_true(tp_frame_scratch_bytes(&small, &scene, &config)
-                <= tp_frame_scratch_bytes(&tp_program_all, &scene, &config)
-                       + TP_GRID_WINDOW(64));
+    assert_true(tp_frame_scratch_bytes(&streamed, &scene)
+                <= tp_frame_scratch_bytes(&config, &scene) + TP_GRID_WINDOW(64));
 }
 
 /* Their columns' tables have no room. */
@@ -153,7 +163,10 @@ static void waves_beyond_those_at_init_are_left_out(void **state)
 {
     (void)state;
     static uint32_t picture[WIDTH * HEIGHT];
-    const tp_frame_config config = { WIDTH, HEIGHT, 0, 0, TP_FORMAT_XRGB8888 };
+    const tp_config config = { .width = WIDTH,
+                               .height = HEIGHT,
+                               .tile_height = HEIGHT,
+                               .format = TP_FORMAT_XRGB8888 };
     const tp_assets none = { .boat = NULL };
     tp_scene scene = scene_plain();
     test_frame f = frame_by(&small, &scene, &none, &config);

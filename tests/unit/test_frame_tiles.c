@@ -14,7 +14,7 @@ static uint64_t chance;
 static test_boat boat;
 
 /* The whole picture as 0x00RRGGBB, put together from tiles in the order of `step`. */
-static void draw(const test_frame *f, const tp_frame_config *config, uint32_t step,
+static void draw(const test_frame *f, const tp_config *config, uint32_t step,
                  uint32_t *picture)
 {
     const uint32_t tiles = tp_frame_tiles(f->frame);
@@ -36,8 +36,7 @@ static void draw(const test_frame *f, const tp_frame_config *config, uint32_t st
 }
 
 static void draw_all(const tp_scene *scene, const tp_assets *assets,
-                     const tp_world *world, const tp_frame_config *config,
-                     uint32_t *picture)
+                     const tp_world *world, const tp_config *config, uint32_t *picture)
 {
     test_frame f = frame_of(scene, assets, config);
 
@@ -96,7 +95,9 @@ static void every_tiling_gives_the_same_bits(void **state)
         tp_world world;
         const tp_scene scene = busy_scene(&world);
         const tp_format format = (tp_format)(n % TP_FORMAT_COUNT);
-        tp_frame_config config = { WIDTH, HEIGHT, 0, 0, format };
+        tp_config config = {
+            .width = WIDTH, .height = HEIGHT, .tile_height = HEIGHT, .format = format
+        };
         draw_all(&scene, all_assets(), &world, &config, whole);
         for (size_t i = 0; i <= sizeof sizes / sizeof sizes[0]; i++) {
             const bool any = i == sizeof sizes / sizeof sizes[0];
@@ -153,7 +154,11 @@ static void order_and_old_memory_do_not_matter(void **state)
 {
     (void)state;
     static uint32_t whole[WIDTH * HEIGHT], part[WIDTH * HEIGHT];
-    const tp_frame_config config = { WIDTH, HEIGHT, 32, 9, TP_FORMAT_XRGB8888 };
+    const tp_config config = { .width = WIDTH,
+                               .height = HEIGHT,
+                               .tile_width = 32,
+                               .tile_height = 9,
+                               .format = TP_FORMAT_XRGB8888 };
 
     for (int n = 0; n < 6; n++) {
         tp_world world;
@@ -169,8 +174,8 @@ static void order_and_old_memory_do_not_matter(void **state)
         assert_memory_equal(part, whole, sizeof whole);
 
         memset(f.block, 0, f.bytes);
-        assert_int_equal(tp_frame_init(&tp_program_all, &f.frame, &scene, all_assets(),
-                                       &config, f.block, NULL),
+        const tp_config c = config_with(&config, NULL, all_assets());
+        assert_int_equal(tp_frame_init(&f.frame, &c, &scene, f.block, f.bytes, NULL),
                          TP_OK);
         tp_frame_begin(f.frame, &world);
         draw(&f, &config, 1, part);
@@ -186,7 +191,10 @@ static void the_world_may_move_on_while_tiles_are_drawn(void **state)
 {
     (void)state;
     static uint32_t before[WIDTH * HEIGHT], after[WIDTH * HEIGHT];
-    const tp_frame_config config = { WIDTH, HEIGHT, 0, 0, TP_FORMAT_XRGB8888 };
+    const tp_config config = { .width = WIDTH,
+                               .height = HEIGHT,
+                               .tile_height = HEIGHT,
+                               .format = TP_FORMAT_XRGB8888 };
     tp_world world;
     const tp_scene scene = busy_scene(&world);
     test_frame f = frame_of(&scene, all_assets(), &config);
@@ -210,7 +218,10 @@ static void formats_differ_only_in_how_colours_are_stored(void **state)
     static uint32_t colours[WIDTH * HEIGHT], got[WIDTH * HEIGHT];
     tp_world world;
     const tp_scene scene = busy_scene(&world);
-    tp_frame_config config = { WIDTH, HEIGHT, 0, 0, TP_FORMAT_XRGB8888 };
+    tp_config config = { .width = WIDTH,
+                         .height = HEIGHT,
+                         .tile_height = HEIGHT,
+                         .format = TP_FORMAT_XRGB8888 };
 
     draw_all(&scene, all_assets(), &world, &config, colours);
     for (int format = 0; format < TP_FORMAT_COUNT; format++) {
@@ -238,18 +249,19 @@ static void tiles_are_rows_of_the_size_asked_for(void **state)
     tp_world_init(&tp_program_all, &world, sizeof world, &scene, NULL, NULL);
 
     for (int n = 0; n < 40; n++) {
-        const tp_frame_config c = {
-            (uint32_t)chance_int(&chance, 16, 200), (uint32_t)chance_int(&chance, 16, 99),
-            16 * random_below(&chance, 9), random_below(&chance, 60),
-            (tp_format)random_below(&chance, TP_FORMAT_COUNT)
-        };
+        const tp_config c = { .width = (uint32_t)chance_int(&chance, 16, 200),
+                              .height = (uint32_t)chance_int(&chance, 16, 99),
+                              .tile_width = 16 * random_below(&chance, 9),
+                              .tile_height = random_below(&chance, 60),
+                              .format =
+                                  (tp_format)random_below(&chance, TP_FORMAT_COUNT) };
         test_frame f = frame_of(&scene, &none, &c);
         uint32_t x = 0, y = 0, i = 0;
         tp_tile tile;
         tp_frame_begin(f.frame, &world);
         for (; tp_frame_tile(f.frame, i, f.scratch, &tile); i++) {
             const uint32_t wide = c.tile_width ? c.tile_width : c.width;
-            const uint32_t high = c.tile_height ? c.tile_height : c.height;
+            const uint32_t high = c.tile_height ? c.tile_height : 16;
             assert_int_equal(tile.x0, x);
             assert_int_equal(tile.y0, y);
             assert_int_equal(tile.x1, x + wide < c.width ? x + wide : c.width);
@@ -268,38 +280,41 @@ static void tiles_are_rows_of_the_size_asked_for(void **state)
     }
 }
 
+#define CONFIG(w, h, tile_w, tile_h, f)                                                  \
+    {                                                                                    \
+        .width = w, .height = h, .tile_width = tile_w, .tile_height = tile_h,            \
+        .format = f                                                                      \
+    }
+
 static void a_config_out_of_range_is_refused(void **state)
 {
     (void)state;
     static const struct {
-        tp_frame_config config;
+        tp_config config;
         tp_status status;
         int32_t a, b;
     } bad[] = {
-        { { 15, 48, 0, 0, TP_FORMAT_P8 }, TP_E_SIZE, 15, 48 },
-        { { 64, 15, 0, 0, TP_FORMAT_P8 }, TP_E_SIZE, 64, 15 },
-        { { 4097, 48, 0, 0, TP_FORMAT_P8 }, TP_E_SIZE, 4097, 48 },
-        { { 64, 4097, 0, 0, TP_FORMAT_P8 }, TP_E_SIZE, 64, 4097 },
-        { { 0, 0, 0, 0, TP_FORMAT_P8 }, TP_E_SIZE, 0, 0 },
-        { { 64, 48, 17, 8, TP_FORMAT_P8 }, TP_E_TILE, 17, 8 },
-        { { 64, 48, 63, 8, TP_FORMAT_P8 }, TP_E_TILE, 63, 8 },
-        { { 64, 48, 0, 0, TP_FORMAT_COUNT }, TP_E_ARG, 0, 0 },
-        { { 64, 48, 0, 0, (tp_format)-1 }, TP_E_ARG, 0, 0 },
+        { CONFIG(15, 48, 0, 0, TP_FORMAT_P8), TP_E_SIZE, 15, 48 },
+        { CONFIG(64, 15, 0, 0, TP_FORMAT_P8), TP_E_SIZE, 64, 15 },
+        { CONFIG(4097, 48, 0, 0, TP_FORMAT_P8), TP_E_SIZE, 4097, 48 },
+        { CONFIG(64, 4097, 0, 0, TP_FORMAT_P8), TP_E_SIZE, 64, 4097 },
+        { CONFIG(0, 0, 0, 0, TP_FORMAT_P8), TP_E_SIZE, 0, 0 },
+        { CONFIG(64, 48, 17, 8, TP_FORMAT_P8), TP_E_TILE, 17, 8 },
+        { CONFIG(64, 48, 63, 8, TP_FORMAT_P8), TP_E_TILE, 63, 8 },
+        { CONFIG(64, 48, 0, 0, TP_FORMAT_COUNT), TP_E_ARG, 0, 0 },
+        { CONFIG(64, 48, 0, 0, (tp_format)-1), TP_E_ARG, 0, 0 },
     };
     const tp_scene scene = scene_plain();
-    const tp_assets none = { 0 };
     uint64_t block[8];
 
     for (size_t i = 0; i < sizeof bad / sizeof bad[0]; i++) {
         tp_frame *frame = NULL;
         tp_error err = { .code = TP_OK };
-        assert_int_equal(tp_frame_bytes(&tp_program_all, &scene, &none, &bad[i].config),
-                         0);
-        assert_int_equal(tp_frame_scratch_bytes(&tp_program_all, &scene, &bad[i].config),
-                         0);
-        assert_int_equal(tp_frame_init(&tp_program_all, &frame, &scene, &none,
-                                       &bad[i].config, block, &err),
-                         bad[i].status);
+        assert_int_equal(tp_frame_bytes(&bad[i].config, &scene), 0);
+        assert_int_equal(tp_frame_scratch_bytes(&bad[i].config, &scene), 0);
+        assert_int_equal(
+            tp_frame_init(&frame, &bad[i].config, &scene, block, sizeof block, &err),
+            bad[i].status);
         assert_int_equal(err.code, bad[i].status);
         assert_int_equal(err.a, bad[i].a);
         assert_int_equal(err.b, bad[i].b);
@@ -310,10 +325,12 @@ static void a_config_out_of_range_is_refused(void **state)
 static void the_ends_of_the_config_are_taken(void **state)
 {
     (void)state;
-    static const tp_frame_config good[] = {
-        { 16, 16, 0, 0, TP_FORMAT_I1 }, { 16, 4096, 16, 1, TP_FORMAT_L8 },
-        { 4096, 16, 4096, 16, TP_FORMAT_RGB565 }, { 17, 16, 17, 999, TP_FORMAT_P8 },
-        { 4095, 17, 16, 16, TP_FORMAT_XRGB8888 },
+    static const tp_config good[] = {
+        CONFIG(16, 16, 0, 0, TP_FORMAT_I1),
+        CONFIG(16, 4096, 16, 1, TP_FORMAT_L8),
+        CONFIG(4096, 16, 4096, 16, TP_FORMAT_RGB565),
+        CONFIG(17, 16, 17, 999, TP_FORMAT_P8),
+        CONFIG(4095, 17, 16, 16, TP_FORMAT_XRGB8888),
     };
     const tp_scene scene = scene_plain();
     tp_world world;
@@ -333,7 +350,9 @@ static void the_numbers_of_a_frame_add_up(void **state)
     (void)state;
     tp_world world;
     const tp_scene scene = busy_scene(&world);
-    const tp_frame_config config = { WIDTH, HEIGHT, 0, 0, TP_FORMAT_P8 };
+    const tp_config config = {
+        .width = WIDTH, .height = HEIGHT, .tile_height = HEIGHT, .format = TP_FORMAT_P8
+    };
     test_frame f = frame_of(&scene, all_assets(), &config);
     const tp_frame_ram ram = tp_frame_memory(f.frame);
 
@@ -357,7 +376,9 @@ static void materials_beyond_the_marks_are_counted_and_drawn(void **state)
     static tp_material material[300];
     tp_world world;
     const tp_scene scene = busy_scene(&world);
-    const tp_frame_config config = { WIDTH, HEIGHT, 0, 0, TP_FORMAT_P8 };
+    const tp_config config = {
+        .width = WIDTH, .height = HEIGHT, .tile_height = HEIGHT, .format = TP_FORMAT_P8
+    };
     static uint32_t picture[WIDTH * HEIGHT];
 
     boat_make(&many, &chance);

@@ -302,7 +302,9 @@ static void land_is_no_water(void **state)
  * breadth they are the same, crests before the sky and all. */
 static void what_is_drawn_as_water_is_picked(void **state)
 {
-    static const tp_frame_config config = { 160, 120, 0, 0, TP_FORMAT_L8 };
+    static const tp_config config = {
+        .width = 160, .height = 120, .tile_height = 120, .format = TP_FORMAT_L8
+    };
     static const tp_assets none;
     static bool picked[120][160], drawn[120][160];
     (void)state;

@@ -13,7 +13,7 @@ static tp_scene pool(void)
 {
     tp_scene s;
 
-    tp_scene_default(&s);
+    tp_scene_level(&s);
     s.pool.cols = 48;
     s.pool.rows = 32;
     s.pool.cell = TP_FX(0.25);

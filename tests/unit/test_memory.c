@@ -11,7 +11,9 @@
 
 enum { BYTES = 1 << 20, WIDTH = 32, HEIGHT = 24 };
 
-static const tp_frame_config picture = { WIDTH, HEIGHT, 0, 0, TP_FORMAT_XRGB8888 };
+static const tp_config picture = {
+    .width = WIDTH, .height = HEIGHT, .tile_height = HEIGHT, .format = TP_FORMAT_XRGB8888
+};
 static const tp_assets none;
 static _Alignas(8) uint8_t memory[BYTES], before[BYTES];
 
@@ -33,8 +35,7 @@ static tp_status init_frame(void *block, tp_error *err)
 {
     const tp_scene scene = scene_plain();
     tp_frame *frame = NULL;
-    assert_true(tp_frame_bytes(&tp_program_all, &scene, &none, &picture) <= BYTES - 8);
-    return tp_frame_init(&tp_program_all, &frame, &scene, &none, &picture, block, err);
+    return tp_frame_init(&frame, &picture, &scene, block, BYTES - 8, err);
 }
 
 static tp_status init_pool(void *block, tp_error *err)
@@ -70,8 +71,10 @@ static void every_init_refuses_blocks_that_are_null_or_misaligned(void **state)
         const char *word;
         uint32_t align;
         tp_status (*init)(void *block, tp_error *err);
-    } inits[] = { { "world", 8, init_world }, { "block", 8, init_frame },
-                  { "pool", 8, init_pool },   { "ocean", 8, init_ocean },
+    } inits[] = { { "world", 8, init_world },
+                  { "memory", 8, init_frame },
+                  { "pool", 8, init_pool },
+                  { "ocean", 8, init_ocean },
                   { "mem", 4, init_texture } };
 
     for (size_t i = 0; i < sizeof inits / sizeof *inits; i++) {
@@ -90,27 +93,42 @@ static void every_init_refuses_blocks_that_are_null_or_misaligned(void **state)
     }
 }
 
-/* tp_frame_init learns no size before the interface gives it one. */
-static void a_world_of_too_few_bytes_is_refused(void **state)
+static tp_status world_of(size_t bytes, const tp_scene *scene, tp_error *err)
 {
-    (void)state;
-    const tp_scene scene = scene_plain();
-    const size_t bytes = tp_world_bytes(&tp_program_all, &scene, &none);
+    return tp_world_init(NULL, (tp_world *)(void *)memory, bytes, scene, &none, err);
+}
+
+static tp_status frame_in(size_t bytes, const tp_scene *scene, tp_error *err)
+{
+    tp_frame *frame;
+    return tp_frame_init(&frame, &picture, scene, memory, bytes, err);
+}
+
+static void check_sizes(tp_status (*init)(size_t, const tp_scene *, tp_error *),
+                        const tp_scene *scene, size_t bytes)
+{
     tp_error err;
 
     memset(memory, 0xa5, sizeof memory);
     memcpy(before, memory, sizeof memory);
     for (size_t n = 0; n < bytes; n += bytes / 16 + 1) {
-        assert_int_equal(tp_world_init(&tp_program_all, (tp_world *)(void *)memory, n,
-                                       &scene, &none, &err),
-                         TP_E_NOSPACE);
+        assert_int_equal(init(n, scene, &err), TP_E_NOSPACE);
         assert_int_equal(err.a, (int32_t)bytes);
         assert_int_equal(err.b, (int32_t)n);
         assert_memory_equal(memory, before, sizeof memory);
     }
-    assert_int_equal(tp_world_init(&tp_program_all, (tp_world *)(void *)memory, bytes,
-                                   &scene, &none, &err),
-                     TP_OK);
+    assert_int_equal(init(bytes - 1, scene, &err), TP_E_NOSPACE);
+    assert_int_equal(init(bytes, scene, &err), TP_OK);
+    assert_memory_equal(memory + bytes, before + bytes, sizeof memory - bytes);
+}
+
+static void too_few_bytes_are_refused(void **state)
+{
+    (void)state;
+    const tp_scene scene = scene_plain();
+
+    check_sizes(world_of, &scene, tp_world_bytes(NULL, &scene, &none));
+    check_sizes(frame_in, &scene, tp_frame_bytes(&picture, &scene));
 }
 
 static void every_missing_argument_is_named(void **state)
@@ -124,29 +142,22 @@ static void every_missing_argument_is_named(void **state)
     assert_named(tp_scene_check(NULL, &err), TP_E_NULL, &err, "scene");
     assert_named(tp_world_init(&tp_program_all, world, BYTES, NULL, &none, &err),
                  TP_E_NULL, &err, "scene");
-    assert_named(tp_world_init(NULL, world, BYTES, &scene, &none, &err), TP_E_NULL, &err,
-                 "program");
-    assert_named(
-        tp_frame_init(&tp_program_all, &frame, NULL, &none, &picture, memory, &err),
-        TP_E_NULL, &err, "scene");
-    assert_named(
-        tp_frame_init(&tp_program_all, NULL, &scene, &none, &picture, memory, &err),
-        TP_E_NULL, &err, "frame");
-    assert_named(tp_frame_init(NULL, &frame, &scene, &none, &picture, memory, &err),
-                 TP_E_NULL, &err, "program");
-    assert_int_equal(
-        tp_frame_init(&tp_program_all, &frame, &scene, &none, NULL, memory, &err),
-        TP_E_SIZE);
+    assert_named(tp_frame_init(&frame, &picture, NULL, memory, BYTES, &err), TP_E_NULL,
+                 &err, "scene");
+    assert_named(tp_frame_init(NULL, &picture, &scene, memory, BYTES, &err), TP_E_NULL,
+                 &err, "frame");
+    assert_int_equal(tp_frame_init(&frame, NULL, &scene, memory, BYTES, &err), TP_E_SIZE);
     assert_named(tp_pool_init((tp_pool *)(void *)memory, NULL, &err), TP_E_NULL, &err,
                  "config");
     assert_int_equal(tp_pool_bytes(NULL), 0);
     assert_int_equal(tp_ocean_bytes(NULL, NULL), 0);
     assert_int_equal(tp_world_bytes(&tp_program_all, NULL, &none), 0);
-    assert_int_equal(tp_frame_bytes(&tp_program_all, NULL, &none, &picture), 0);
-    assert_int_equal(tp_frame_bytes(&tp_program_all, &scene, &none, NULL), 0);
-    assert_int_equal(tp_frame_scratch_bytes(&tp_program_all, &scene, NULL), 0);
-    assert_int_equal(tp_frame_scratch_bytes(NULL, &scene, &picture), 0);
-    assert_false(tp_world_refresh(&tp_program_all, world, NULL, &none));
+    assert_int_equal(tp_frame_bytes(&picture, NULL), 0);
+    assert_int_equal(tp_frame_bytes(NULL, &scene), 0);
+    assert_int_equal(tp_frame_scratch_bytes(NULL, &scene), 0);
+    assert_int_equal(tp_frame_scratch_bytes(&picture, NULL), 0);
+    assert_int_equal(tp_world_init(NULL, world, BYTES, &scene, &none, &err), TP_OK);
+    assert_false(tp_world_refresh(NULL, world, NULL, &none));
 }
 
 static uint32_t frame_crc(const tp_assets *assets)
@@ -174,8 +185,8 @@ static void assets_of_null_are_none(void **state)
 
     assert_int_equal(tp_world_bytes(&tp_program_all, &scene, NULL),
                      tp_world_bytes(&tp_program_all, &scene, &none));
-    assert_int_equal(tp_frame_bytes(&tp_program_all, &scene, NULL, &picture),
-                     tp_frame_bytes(&tp_program_all, &scene, &none, &picture));
+    const tp_config without = config_with(&picture, NULL, &none);
+    assert_int_equal(tp_frame_bytes(&picture, &scene), tp_frame_bytes(&without, &scene));
     assert_int_equal(frame_crc(NULL), frame_crc(&none));
     assert_memory_equal(&a, &b, sizeof a);
     assert_true(tp_plan_of(&scene, NULL, WIDTH, HEIGHT).total.cost
@@ -223,7 +234,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(every_init_refuses_blocks_that_are_null_or_misaligned),
-        cmocka_unit_test(a_world_of_too_few_bytes_is_refused),
+        cmocka_unit_test(too_few_bytes_are_refused),
         cmocka_unit_test(every_missing_argument_is_named),
         cmocka_unit_test(assets_of_null_are_none),
         cmocka_unit_test(tiles_are_not_drawn_without_memory),

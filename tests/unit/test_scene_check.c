@@ -12,7 +12,9 @@
 
 enum { WIDTH = 32, HEIGHT = 24 };
 
-static const tp_frame_config picture = { WIDTH, HEIGHT, 0, 0, TP_FORMAT_XRGB8888 };
+static const tp_config picture = {
+    .width = WIDTH, .height = HEIGHT, .tile_height = HEIGHT, .format = TP_FORMAT_XRGB8888
+};
 static uint64_t chance;
 static test_kit kit;
 
@@ -64,17 +66,17 @@ static void all_refuse(stand *s, const tp_scene *bad, const tp_error *why)
     const tp_rungs rungs = tp_rungs_of(bad, NULL, WIDTH, HEIGHT);
 
     assert_int_equal(tp_world_bytes(&tp_program_all, bad, NULL), 0);
-    assert_int_equal(tp_frame_bytes(&tp_program_all, bad, NULL, &picture), 0);
-    assert_int_equal(tp_frame_scratch_bytes(&tp_program_all, bad, &picture), 0);
-    assert_int_equal(tp_frame_scratch_into_bytes(&tp_program_all, bad, &picture), 0);
+    assert_int_equal(tp_frame_bytes(&picture, bad), 0);
+    assert_int_equal(tp_frame_scratch_bytes(&picture, bad), 0);
+    assert_int_equal(tp_frame_scratch_into_bytes(&picture, bad), 0);
     assert_false(tp_world_refresh(&tp_program_all, s->world, bad, NULL));
     assert_refused(
         tp_world_init(&tp_program_all, s->world, s->world_bytes, bad, NULL, &err), &err,
         why, "tp_world_init");
     assert_memory_equal(s->world, s->copy, s->world_bytes);
-    assert_refused(
-        tp_frame_init(&tp_program_all, &frame, bad, NULL, &picture, s->block, &err), &err,
-        why, "tp_frame_init");
+    assert_refused(tp_frame_init(&frame, &picture, bad, s->block,
+                                 tp_frame_bytes(&picture, bad), &err),
+                   &err, why, "tp_frame_init");
     assert_null(frame);
     assert_int_equal(rungs.visibility, TP_VISIBILITY_TRIANGLES);
     assert_int_equal(rungs.shading, TP_SHADING_EXACT);

@@ -33,7 +33,7 @@ enum { COUNT = sizeof names / sizeof *names };
 
 typedef struct {
     tp_program program;
-    tp_use  use[COUNT + 1];
+    tp_use use[COUNT + 1];
     tp_lack lack[COUNT + 1];
 } lacking;
 
@@ -55,12 +55,14 @@ static void leave_out(lacking *to, const bool out[COUNT])
 /* -- scenes ------------------------------------------------------------------------- */
 
 typedef struct {
-    tp_scene  scene;
+    tp_scene scene;
     tp_assets assets;
-    bool      on[COUNT];        /* by the program of everything, in its frame */
+    bool on[COUNT]; /* by the program of everything, in its frame */
 } shown;
 
-static const tp_frame_config config = { 64, 48, 0, 0, TP_FORMAT_XRGB8888 };
+static const tp_config config = {
+    .width = 64, .height = 48, .tile_height = 48, .format = TP_FORMAT_XRGB8888
+};
 
 /* Half of them without much, so that fast stages are on too. */
 static bool any_scene(shown *s)
@@ -71,7 +73,7 @@ static bool any_scene(shown *s)
         s->scene.water.clear = s->scene.hdr.share = s->scene.foam.cells = 0;
     if (random_below(&chance, 2))
         s->scene.mirror.objects = TP_MIRROR_NONE;
-    if (random_below(&chance, 8) == 0)      /* matt water */
+    if (random_below(&chance, 8) == 0) /* matt water */
         s->scene.water.clear = s->scene.water.specular = s->scene.water.reflection = 0;
     s->scene.quality.shading = TP_SHADING_QUICK;
     s->scene.quality.rate = TP_RATE_FULL;
@@ -79,8 +81,8 @@ static bool any_scene(shown *s)
         || tp_world_bytes(&tp_program_all, &s->scene, &s->assets) == 0)
         return false;
     test_frame f = frame_by(&tp_program_all, &s->scene, &s->assets, &config);
-    tp_want want = tp_frame_want(&tp_program_all, &f.frame->parts, &s->scene, &s->assets,
-                                 &config);
+    tp_want want =
+        tp_frame_want(&tp_program_all, &f.frame->parts, &s->scene, &s->assets, &config);
     for (uint32_t i = 0; i < COUNT; i++)
         s->on[i] = tp_module_ask(tp_program_all.modules[i].module, &want);
     frame_free(&f);
@@ -102,20 +104,21 @@ static void compare_inits(const tp_program *by, const shown *s, const char *name
 {
     static uint64_t block[4096];
     const tp_status expected = name ? TP_E_PROGRAM : TP_E_NOSPACE;
+    const tp_config c = config_with(&config, by, &s->assets);
     tp_frame *frame = NULL;
     tp_error err = { 0 };
 
     assert_int_equal(tp_world_bytes(by, &s->scene, &s->assets) == 0, name != NULL);
-    assert_int_equal(tp_frame_bytes(by, &s->scene, &s->assets, &config) == 0,
-                     name != NULL);
+    assert_int_equal(tp_frame_bytes(&c, &s->scene) == 0, name != NULL);
     memset(block, 0xa5, sizeof block);
-    assert_int_equal(tp_world_init(by, (tp_world *)(void *)block, 0, &s->scene, &s->assets,
-                                   &err), expected);
+    assert_int_equal(
+        tp_world_init(by, (tp_world *)(void *)block, 0, &s->scene, &s->assets, &err),
+        expected);
     if (!name)
         return;
     assert_string_equal(err.word, name);
     err = (tp_error){ 0 };
-    assert_int_equal(tp_frame_init(by, &frame, &s->scene, &s->assets, &config, block, &err),
+    assert_int_equal(tp_frame_init(&frame, &c, &s->scene, block, sizeof block, &err),
                      TP_E_PROGRAM);
     assert_string_equal(err.word, name);
     assert_null(frame);
@@ -154,7 +157,7 @@ static void one_module_lacked_is_refused_where_it_is_on(void **state)
     for (uint32_t i = 0; i < COUNT; i++) {
         if (refused[i] == 0)
             fail_msg("no scene has %s", names[i]);
-        if (strcmp(names[i], "underwater") != 0)        /* always on */
+        if (strcmp(names[i], "underwater") != 0) /* always on */
             assert_true(refused[i] < drawn);
     }
 }
@@ -201,12 +204,13 @@ static void a_world_refuses_to_switch_on_what_its_program_lacks(void **state)
     for (uint32_t i = 0; i < COUNT; i++)
         out[i] = strcmp(names[i], "exposure") == 0 || strcmp(names[i], "haze") == 0;
     leave_out(&l, out);
-    tp_scene_default(&scene);
+    tp_scene_level(&scene);
     scene.sky.haze = 0;
     const size_t bytes = tp_world_bytes(&l.program, &scene, &assets);
     tp_world *world = malloc(bytes);
     assert_true(bytes > 0 && bytes <= sizeof before);
-    assert_int_equal(tp_world_init(&l.program, world, bytes, &scene, &assets, &err), TP_OK);
+    assert_int_equal(tp_world_init(&l.program, world, bytes, &scene, &assets, &err),
+                     TP_OK);
     tp_world_step(&l.program, world, &scene, NULL);
     memcpy(before, world, bytes);
     scene.hdr.value = 2 * TP_FX_ONE;
@@ -234,7 +238,7 @@ static void fast_stages_are_lacking_only_by_name(void **state)
     for (uint32_t i = 0; i < COUNT; i++)
         out[i] = strcmp(names[i], "fast_water") == 0;
     leave_out(&l, out);
-    tp_scene_default(&scene);
+    tp_scene_level(&scene);
     assert_int_equal(scene.quality.shading, TP_SHADING_AUTO);
     assert_int_equal(tp_program_fits(&l.program, &scene, &assets, NULL), TP_OK);
     scene.quality.shading = TP_SHADING_QUICK;

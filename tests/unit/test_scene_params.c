@@ -100,7 +100,7 @@ static void every_row_explains_itself(void **state)
 static void check_number(const tp_param *row, int32_t number)
 {
     tp_scene scene;
-    tp_scene_default(&scene);
+    tp_scene_level(&scene);
     char text[64], again[64];
     const size_t length = tp_param_number_text(row, number, text, sizeof text);
     assert_int_equal(length, strlen(text));
@@ -151,8 +151,8 @@ static void the_default_scene_is_the_defaults_of_the_rows(void **state)
     tp_scene scene, other;
     memset(&scene, 0x5a, sizeof scene);
     memset(&other, 0xa5, sizeof other);
-    tp_scene_default(&scene);
-    tp_scene_default(&other);
+    tp_scene_level(&scene);
+    tp_scene_level(&other);
     assert_memory_equal(&scene, &other, sizeof scene);
     uint32_t count;
     const tp_param *const rows = tp_params(&count);
@@ -169,7 +169,7 @@ static void check_beyond(const tp_param *row, int32_t number)
     tp_scene scene, before;
     tp_error err;
     char text[64];
-    tp_scene_default(&scene);
+    tp_scene_level(&scene);
     before = scene;
     const size_t length = tp_param_number_text(row, number, text, sizeof text);
     assert_int_equal(tp_param_set(&scene, row, text, length, &err), TP_E_RANGE);
@@ -199,7 +199,7 @@ static void the_ends_of_a_range_are_fit_to_be_shown(void **state)
     tp_error err;
     char low[16], high[16];
     const tp_param *const row = row_of("wave0.steepness");
-    tp_scene_default(&scene);
+    tp_scene_level(&scene);
     assert_int_equal(tp_param_set(&scene, row, " 3 ", 3, &err), TP_E_RANGE);
     tp_param_number_text(row, err.a, low, sizeof low);
     tp_param_number_text(row, err.b, high, sizeof high);
@@ -250,7 +250,7 @@ static void bad_texts_change_nothing_and_are_named(void **state)
     for (size_t i = 0; i < sizeof bad / sizeof bad[0]; i++) {
         tp_scene scene, before;
         tp_error err;
-        tp_scene_default(&scene);
+        tp_scene_level(&scene);
         before = scene;
         const tp_status status = tp_param_set(&scene, row_of(bad[i].name), bad[i].text,
                                               strlen(bad[i].text), &err);
@@ -272,7 +272,7 @@ static void names_too_long_or_dirty_are_refused(void **state)
     char name[TP_NAME_BYTES];
     const tp_param *const row = row_of("boat.mesh");
     memset(name, 'n', sizeof name);
-    tp_scene_default(&scene);
+    tp_scene_level(&scene);
     assert_int_equal(tp_param_set(&scene, row, name, TP_NAME_BYTES - 1, &err), TP_OK);
     assert_int_equal(strlen(scene.boat.mesh), TP_NAME_BYTES - 1);
     before = scene;
@@ -307,7 +307,7 @@ static void texts_are_understood_in_their_usual_forms(void **state)
     for (size_t i = 0; i < sizeof good / sizeof good[0]; i++) {
         tp_scene scene;
         const tp_param *const row = row_of(good[i].name);
-        tp_scene_default(&scene);
+        tp_scene_level(&scene);
         assert_int_equal(
             tp_param_set(&scene, row, good[i].text, strlen(good[i].text), NULL), TP_OK);
         assert_int_equal(number_at(&scene, row), good[i].want);
@@ -318,7 +318,7 @@ static void the_text_given_need_not_be_terminated(void **state)
 {
     (void)state;
     tp_scene scene;
-    tp_scene_default(&scene);
+    tp_scene_level(&scene);
     assert_int_equal(tp_param_set(&scene, row_of("camera.x"), "12345", 2, NULL), TP_OK);
     assert_int_equal(scene.camera.x, TP_FX(12));
     assert_int_equal(tp_param_set(&scene, row_of("boat.mesh"), "  a b.obj!", 9, NULL),
@@ -330,7 +330,7 @@ static void texts_are_cut_to_their_buffer(void **state)
 {
     (void)state;
     tp_scene scene;
-    tp_scene_default(&scene);
+    tp_scene_level(&scene);
     char text[16] = "########";
     const tp_param *const row = row_of("water.colour");
     scene.water.colour = 0x204060;

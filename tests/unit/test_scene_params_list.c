@@ -26,7 +26,7 @@ static void tell(const tp_param *row, char *to, size_t bytes)
     char text[3][TP_NAME_BYTES];
     tp_scene scene;
 
-    tp_scene_default(&scene);
+    tp_scene_level(&scene);
     for (int i = 0; i < 3 && !tp_param_is_text(row); i++) {
         memcpy((char *)&scene + row->offset, &numbers[i], sizeof numbers[i]);
         tp_param_text(&scene, row, text[i], sizeof text[i]);
@@ -128,7 +128,7 @@ static void words_stand_for_their_constants(void **state)
         tp_scene scene;
         int32_t number;
 
-        tp_scene_default(&scene);
+        tp_scene_level(&scene);
         assert_non_null(row);
         assert_int_equal(row->kind, TP_PARAM_CHOICE);
         assert_int_equal(tp_param_set(&scene, row, words[i].word, strlen(words[i].word),

@@ -261,7 +261,7 @@ static void plans_are_the_same_on_every_machine(void **state)
 /* Rungs that it has no memory for, and no rungs at all. */
 static void a_frame_takes_any_rungs(void **state)
 {
-    const tp_frame_config config = { .width = 48, .height = 32 };
+    const tp_config config = { .width = 48, .height = 32, .tile_height = 32 };
     const tp_assets none = { .boat = NULL };
     tp_scene s = scene_plain();
     tp_tile tile;

@@ -166,7 +166,9 @@ static shares estimated(const view *v)
 
 static shares drawn(const view *v)
 {
-    static const tp_frame_config config = { .width = WIDTH, .height = HEIGHT };
+    static const tp_config config = { .width = WIDTH,
+                                      .height = HEIGHT,
+                                      .tile_height = HEIGHT };
     static uint32_t key[WIDTH * HEIGHT];
     const double all = WIDTH * HEIGHT / 100.0;
     tp_world *world = scene_world(&v->file.scene, &v->assets.names);

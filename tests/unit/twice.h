@@ -33,7 +33,7 @@ typedef struct {
     const tp_program *tiled_by; /* of the tiles; NULL: the same */
     bool          backwards;    /* the last tile first */
     test_frame    whole, tiled;
-    tp_frame_config config;     /* of the tiles */
+    tp_config config; /* of the tiles */
     size_t        pixels;
     uint32_t     *picture[2];
     twice_reached reached;
@@ -41,9 +41,12 @@ typedef struct {
 
 /* Pictures of any size, whole and in these tiles. */
 static inline void twice_begin_at(test_twice *t, const tp_scene *scene,
-                                  const tp_assets *assets, const tp_frame_config *tiles)
+                                  const tp_assets *assets, const tp_config *tiles)
 {
-    const tp_frame_config whole = { tiles->width, tiles->height, 0, 0, tiles->format };
+    const tp_config whole = { .width = tiles->width,
+                              .height = tiles->height,
+                              .tile_height = tiles->height,
+                              .format = tiles->format };
     const tp_program *by = t->by ? t->by : &tp_program_all;
     t->config = *tiles;
     t->pixels = (size_t)tiles->width * tiles->height;
@@ -59,8 +62,11 @@ static inline void twice_begin(test_twice *t, const tp_scene *scene,
                                const tp_assets *assets, uint64_t *state)
 {
     const tp_format format = (tp_format)random_below(state, TP_FORMAT_COUNT);
-    const tp_frame_config tiles = { TWICE_WIDTH, TWICE_HEIGHT, 16 * random_below(state, 5),
-                                    random_below(state, TWICE_HEIGHT), format };
+    const tp_config tiles = { .width = TWICE_WIDTH,
+                              .height = TWICE_HEIGHT,
+                              .tile_width = 16 * random_below(state, 5),
+                              .tile_height = random_below(state, TWICE_HEIGHT),
+                              .format = format };
     twice_begin_at(t, scene, assets, &tiles);
 }
 
@@ -141,7 +147,7 @@ static inline bool twice_reached_all(const twice_reached *r)
 /* Into a scratch full of other things. */
 static inline void twice_paint(const test_frame *f, bool backwards, uint32_t *picture)
 {
-    const tp_frame_config *config = &f->frame->config;
+    const tp_config *config = &f->frame->config;
     const uint32_t count = tp_frame_tiles(f->frame);
     tp_tile tile;
 

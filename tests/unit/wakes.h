@@ -11,7 +11,7 @@ static inline tp_scene pool_scene(tp_cells cells, tp_edges edges)
 {
     tp_scene s;
 
-    tp_scene_default(&s);
+    tp_scene_level(&s);
     strcpy(s.boat.mesh, "boat.obj");
     s.pool.cols = s.pool.rows = 96;
     s.pool.cells = (int32_t)cells;

@@ -22,8 +22,8 @@
 #define TICK_CLOCKS   (EVB_HZ / TP_TICKS_PER_SECOND)
 #define TICKS_AT_ONCE 8             /* behind by more, the water slows down */
 
-static const tp_program      *const program = &baked_program;
-static const tp_frame_config *const picture = &baked_picture;
+static const tp_program *const program = &baked_program;
+static const tp_config *const picture = &baked_config;
 
 static tp_scene  scene;
 static control   lines;
@@ -70,7 +70,8 @@ static void *take(tp_arena *arena, const char *what, size_t bytes)
 static void open_scene(void)
 {
     const lcd_config config = {
-        .panel = &lcd_ssd0323, .frame = *picture,
+        .panel = &lcd_ssd0323,
+        .frame = *picture,
         .wires = { NULL, evb_command, evb_data, NULL, evb_pause },
     };
     const size_t bytes = tp_world_bytes(program, &baked_scene, &baked_assets);
@@ -80,17 +81,16 @@ static void open_scene(void)
 
     scene = baked_scene;
     world = take(&arena, "ram world ", bytes);
-    scratch =
-        take(&arena, " scratch ", tp_frame_scratch_bytes(program, &scene, picture));
-    void *block = take(&arena, " frame ",
-                       tp_frame_bytes(program, &scene, &baked_assets, picture));
+    scratch = take(&arena, " scratch ", tp_frame_scratch_bytes(picture, &scene));
+    const size_t frame_bytes = tp_frame_bytes(picture, &scene);
+    void *block = take(&arena, " frame ", frame_bytes);
     void *sends = take(&arena, " panel ", lcd_bytes(&config, NULL));
     say(" left ", arena.bytes - arena.used);
     const lcd_status status = lcd_open(&panel, &config, sends);
     if (status != LCD_OK)
         stop_on(lcd_status_text(status));
     if (tp_world_init(program, world, bytes, &scene, &baked_assets, &err)
-        || tp_frame_init(program, &frame, &scene, &baked_assets, picture, block, &err)) {
+        || tp_frame_init(&frame, picture, &scene, block, frame_bytes, &err)) {
         tp_error_text(&err, text, sizeof text);
         stop_on(text);
     }
@@ -120,8 +120,10 @@ static uint32_t crc_of_picture(void)
     for (uint32_t i = 0; tp_frame_tile(frame, i, scratch, &tile); i++) {
         count_end();
         for (uint32_t y = tile.y0; y < tile.y1; y++)
-            crc = tp_crc32_pixels(crc, picture->format, (const uint8_t *)tile.pixels
-                                  + (y - tile.y0) * tile.stride, (int)picture->width);
+            crc = tp_crc32_pixels(crc, picture->format,
+                                  (const uint8_t *)tile.pixels
+                                      + (y - tile.y0) * tile.stride,
+                                  (int)picture->width);
         count_as_tiles();
     }
     count_end();
@@ -139,8 +141,8 @@ static void say_state(void *unused)
 }
 
 static const control_setup setup = {
-    &baked_program, &scene, &scene, &baked_assets, &baked_picture, NULL, evb_text,
-    say_state, NULL,
+    &baked_program, &scene,   &scene,    &baked_assets, &baked_config,
+    NULL,           evb_text, say_state, NULL,
 };
 
 static void say_input(const tp_input *input)

@@ -1,0 +1,149 @@
+/* SPDX-License-Identifier: MIT */
+/* The simple way: a world, its frame and a tile's scratch in one block of memory.  Each of
+ * them is to be had alone, by tp_world_init and tp_frame_init. */
+#include "base/base.h"
+#include "base/given.h"
+#include "tidepool/arena.h"
+#include "tidepool/engine.h"
+
+/* Lies at the start of the block; the three parts follow it. */
+struct tp_engine {
+    tp_config       config;
+    const tp_scene *scene;
+    tp_world       *world;
+    tp_frame       *frame;
+    void           *scratch;
+    uint32_t        next;           /* the tile to draw */
+};
+
+/* The three blocks, and their bytes; 0: the config or the scene cannot be used. */
+typedef struct {
+    size_t world_bytes, frame_bytes, scratch_bytes;
+    void  *world, *frame, *scratch;
+} blocks;
+
+static blocks blocks_of(const tp_config *c, const tp_scene *scene)
+{
+    return (blocks){
+        .world_bytes = tp_world_bytes(c->program, scene, c->assets),
+        .frame_bytes = tp_frame_bytes(c, scene),
+        .scratch_bytes = tp_frame_scratch_bytes(c, scene),
+    };
+}
+
+static bool are_known(const blocks *b)
+{
+    return b->world_bytes > 0 && b->frame_bytes > 0 && b->scratch_bytes > 0;
+}
+
+/* The arena may only count. */
+static void lay_out(blocks *b, tp_arena *arena)
+{
+    tp_arena_take(arena, 1, sizeof(tp_engine));
+    b->world = tp_arena_take(arena, 1, b->world_bytes);
+    b->frame = tp_arena_take(arena, 1, b->frame_bytes);
+    b->scratch = tp_arena_take(arena, 1, b->scratch_bytes);
+}
+
+size_t tp_engine_bytes(const tp_config *config, const tp_scene *scene)
+{
+    tp_arena arena = tp_arena_over(NULL, 0);
+
+    if (config == NULL || scene == NULL)
+        return 0;
+    blocks b = blocks_of(config, scene);
+    lay_out(&b, &arena);
+    return are_known(&b) ? arena.used : 0;
+}
+
+/* The status of a config or a scene that cannot be used: one of the inits says it. */
+static tp_status refuse(const tp_config *c, const tp_scene *scene, void *memory,
+                        size_t bytes, tp_error *err)
+{
+    tp_frame *frame;
+    const tp_status status = tp_frame_init(&frame, c, scene, memory, bytes, err);
+
+    return status != TP_OK && status != TP_E_NOSPACE
+               ? status : tp_world_init(c->program, memory, bytes, scene, c->assets, err);
+}
+
+static tp_status check(tp_engine **out, const tp_config *config, const tp_scene *scene,
+                       const void *memory, tp_error *err)
+{
+    tp_status status = tp_given_check(out, "engine", err);
+
+    if (status == TP_OK)
+        status = tp_given_check(config, "config", err);
+    if (status == TP_OK)
+        status = tp_given_check(scene, "scene", err);
+    return status == TP_OK ? tp_given_block(memory, 8, "memory", err) : status;
+}
+
+tp_status tp_engine_init(tp_engine **out, const tp_config *config, const tp_scene *scene,
+                         void *memory, size_t bytes, tp_error *err)
+{
+    tp_frame *frame;
+    tp_status status = check(out, config, scene, memory, err);
+
+    if (status != TP_OK)
+        return status;
+    blocks b = blocks_of(config, scene);
+    if (!are_known(&b))
+        return refuse(config, scene, memory, bytes, err);
+    tp_arena arena = tp_arena_over(memory, bytes);
+    lay_out(&b, &arena);
+    if (arena.failed)
+        return TP_FAIL(err, TP_E_NOSPACE, 0, arena.used, bytes);
+    status = tp_world_init(config->program, b.world, b.world_bytes, scene, config->assets,
+                           err);
+    if (status == TP_OK)
+        status = tp_frame_init(&frame, config, scene, b.frame, b.frame_bytes, err);
+    if (status != TP_OK)
+        return status;
+    *out = memory;
+    **out = (tp_engine){ *config, scene, b.world, frame, b.scratch, 0 };
+    return TP_OK;
+}
+
+void tp_engine_step(tp_engine *engine, const tp_input *input)
+{
+    TP_ASSERT(engine != NULL);
+    for (uint32_t n = tp_world_frame(engine->world); n > 0; n--, input = NULL)
+        tp_world_step(engine->config.program, engine->world, engine->scene, input);
+}
+
+void tp_engine_begin(tp_engine *engine)
+{
+    TP_ASSERT(engine != NULL);
+    tp_frame_begin(engine->frame, engine->world);
+    engine->next = 0;
+}
+
+bool tp_engine_next_tile(tp_engine *engine, tp_tile *tile)
+{
+    TP_ASSERT(engine != NULL && tile != NULL);
+    return tp_frame_tile(engine->frame, engine->next++, engine->scratch, tile);
+}
+
+tp_status tp_engine_apply(tp_engine *engine, tp_error *err)
+{
+    TP_ASSERT(engine != NULL);
+    const tp_config *c = &engine->config;
+    const tp_status status = tp_program_fits(c->program, engine->scene, c->assets, err);
+
+    if (status != TP_OK)
+        return status;
+    if (!tp_world_refresh(c->program, engine->world, engine->scene, c->assets))
+        return tp_error_blame(err, TP_FAIL(err, TP_E_WORLD, 0, 0, 0), "layout");
+    return TP_OK;
+}
+
+tp_world *tp_engine_world(tp_engine *engine)
+{
+    return engine->world;
+}
+
+tp_frame *tp_engine_frame(tp_engine *engine)
+{
+    return engine->frame;
+}
