@@ -53,14 +53,14 @@ CORE := $(addprefix src/, \
     shade/optics.c shade/plain.c shade/quick_ray.c shade/sky.c shade/tables.c \
     shade/view.c scene/check.c scene/clock.c scene/drawn.c scene/faint.c \
     scene/governor.c scene/light.c scene/module.c scene/outlook.c scene/parts.c \
-    scene/piece.c scene/plan_checked.c scene/pools.c scene/prices.c scene/rungs.c \
-    scene/sea.c \
-    scene/stand.c scene/tape.c scene/value.c scene/works.c scene/world.c \
-    scene/world_check.c \
+    scene/pick.c scene/piece.c scene/plan_checked.c scene/pools.c scene/prices.c \
+    scene/push.c scene/rungs.c scene/sample.c scene/sea.c scene/stand.c scene/tape.c \
+    scene/value.c scene/works.c scene/world.c scene/world_check.c \
     frame/carve.c frame/clipped.c frame/drawing.c frame/flat.c frame/frame.c \
     frame/holds.c frame/lattice.c frame/layer.c frame/lines.c frame/marks.c \
-    frame/planar_map.c frame/plan.c frame/planned.c frame/projected.c frame/rows.c \
-    frame/shaders.c frame/sight.c frame/tile.c frame/visibility.c frame/water.c \
+    frame/overlay.c frame/planar_map.c frame/plan.c frame/planned.c frame/project.c \
+    frame/projected.c frame/rows.c frame/samples.c frame/shaders.c frame/sight.c \
+    frame/tile.c frame/visibility.c frame/water.c \
     engine/engine.c) \
     $(sort $(wildcard src/features/*.c src/features/*/*.c))
 

@@ -104,8 +104,8 @@ bool tp_drop_step(tp_drop *drop, const tp_scene_drops *config, tp_fx gravity,
 bool tp_drops_step(tp_drops *drops, const tp_scene_drops *config, uint32_t i,
                    tp_fx gravity, tp_fx level, uint64_t tick, tp_impact *impact);
 
-/* The ring that an impact raises, added if there is room, else counted. */
-void tp_drops_ring(tp_drops *drops, const tp_scene_drops *config,
+/* The ring that an impact raises, added if there is room, else counted: true if added. */
+bool tp_drops_ring(tp_drops *drops, const tp_scene_drops *config,
                    const tp_impact *impact);
 
 /* Removes drops whose radius is 0, and rings that are spent; `now` ticks x 65536. */

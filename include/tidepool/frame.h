@@ -24,14 +24,62 @@
 
 TP_BEGIN_C
 
+struct tp_frame;
+
+/* -- what an application draws into tiles ------------------------------------------- */
+
+/* A row of a tile: its colours are final, its pixels not yet stored. */
+typedef struct {
+    uint32_t y, x0, x1; /* of the picture; x1 not included */
+    uint32_t *colour;   /* 0x00RRGGBB of x0 and on, which may be written */
+    /* -- private part -- */
+    const uint32_t *key;
+    tp_fx near;
+} tp_overlay_row;
+
+/* Made by tp_overlay_of; all 0 is none. */
+typedef struct {
+    void (*row)(void *user, const tp_overlay_row *row);
+    void *user;
+    /* -- private part -- */
+    void (*draw)(const struct tp_frame *frame, const void *samples, int32_t y, void *row);
+} tp_overlay;
+
+/* Private: called by tiles.  Who makes no overlay does not link it. */
+void tp_frame_overlay_row(const struct tp_frame *frame, const void *samples, int32_t y,
+                          void *row);
+
+/* An overlay for a config.  `row` is called with `user` for each row of each tile, when
+ * haze, exposure and glass are in its colours and before the format's store converts them:
+ * whatever the format, it draws in 0x00RRGGBB.  Threads that draw tiles call it at once,
+ * one each, so it may change only what is a tile's own.  The row lies in the tile's
+ * scratch, which needs no more bytes for it. */
+static inline tp_overlay tp_overlay_of(void (*row)(void *user, const tp_overlay_row *row),
+                                       void *user)
+{
+    const tp_overlay overlay = { row, user, tp_frame_overlay_row };
+    return overlay;
+}
+
+/* Draws `count` pixels from column x of the picture on, where nothing else is as near as
+ * `depth` m (16.16, along the camera's way ahead, as tp_frame_project has it; 0: over
+ * everything).  Colours 0xAARRGGBB are laid on by their alpha; columns outside of the row
+ * are left out.  Depths stay those of the picture: where spans cover each other the one
+ * drawn last is seen. */
+void tp_overlay_span(const tp_overlay_row *row, int32_t x, uint32_t count, tp_fx depth,
+                     const uint32_t *argb);
+
+/* ------------------------------------------------------------------------------------ */
+
 /* A picture, and what draws it.  A field of 0 is the default. */
 typedef struct {
     uint32_t  width, height;        /* pixels, 16..4096 */
     uint32_t  tile_width;           /* multiple of 16; 0: the picture's width */
-    uint32_t tile_height;           /* 0: 16 rows */
+    uint32_t  tile_height;          /* 0: 16 rows */
     tp_format format;               /* 0: xrgb8888 */
     const tp_program *program;      /* NULL: tp_program_linked */
-    const tp_assets *assets;        /* NULL: the scene's own pictures, or none */
+    const tp_assets  *assets;       /* NULL: the scene's own pictures, or none */
+    tp_overlay overlay;             /* the application's own spans: tp_overlay_of */
 } tp_config;
 
 typedef struct {
@@ -137,6 +185,33 @@ tp_frame_ram   tp_frame_memory(const tp_frame *frame);
  * picture needs; "sky": no module draws the sky that the scene names.  NULL: no stage was
  * missing.  Other things that are dropped have no name. */
 const char *tp_frame_lacks(const tp_frame *frame);
+
+/* -- places of the picture ----------------------------------------------------------- */
+
+/* Where a place of the world lies in the picture of the last tp_frame_begin: pixels from
+ * the upper left corner, 16.16, saturated, also outside of the picture; and how far ahead
+ * of the camera, m.  False: it lies before the near plane, or behind the camera. */
+bool tp_frame_project(const tp_frame *frame, tp_vec3 place, tp_fx *x_px, tp_fx *y_px,
+                      tp_fx *depth);
+
+/* The water under a place of that picture, see tp_world_pick; the world is as it was at
+ * tp_frame_begin. */
+bool tp_frame_pick(const tp_frame *frame, tp_fx x_px, tp_fx y_px, tp_vec3 *at);
+
+/* -- samples of a drawn tile ----------------------------------------------------------
+ *
+ * Drawing leaves them in the scratch, where they stay until the next tile is drawn there:
+ * no memory is kept for these rows, and who does not ask pays nothing.  y0 <= y < y1 of
+ * the tile; a row has x1 - x0 entries. */
+
+/* How far ahead of the camera each pixel is, m, within depth^2 / (near 2^24) and half a
+ * unit of 16.16; TP_FX_MAX in the sky.  What lies behind a boat's lid has the lid's. */
+void tp_frame_depth_row(const tp_frame *frame, const void *scratch, const tp_tile *tile,
+                        uint32_t y, tp_fx *depth);
+
+/* tp_sample_kind of each pixel. */
+void tp_frame_kind_row(const tp_frame *frame, const void *scratch, const tp_tile *tile,
+                       uint32_t y, uint8_t *kind);
 
 /* Water pixels of a drawn tile: still in the scratch until the next tile. */
 uint32_t tp_frame_water_pixels(const tp_frame *frame, const void *scratch,

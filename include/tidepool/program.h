@@ -260,6 +260,19 @@ typedef struct {
 #define TP_STAGES_OF_spray(X)       X(spray)            /* colour of specks */
 #define TP_STAGES_OF_exposure(X)    X(expose)
 
+/* What is seen at a pixel. */
+typedef enum {
+    TP_SAMPLE_SKY,    /* nothing; within water its deep */
+    TP_SAMPLE_WATER,  /* the surface, from either side */
+    TP_SAMPLE_OBJECT, /* a mesh */
+    TP_SAMPLE_LAND,   /* the bed of the sea, dry or not */
+    TP_SAMPLE_DROP,   /* in the air, or the sphere that drops fall from */
+    TP_SAMPLE_WALL,   /* of a tank, or within a pool */
+    TP_SAMPLE_GLASS,  /* a tank's side of glass, and the water behind it */
+    TP_SAMPLE_SPRAY,
+    TP_SAMPLE_OTHER /* of a module that a program brings itself */
+} tp_sample_kind;
+
 struct tp_module;
 struct tp_drawing;
 struct tp_cost;

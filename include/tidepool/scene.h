@@ -1,9 +1,10 @@
 /* SPDX-License-Identifier: MIT */
 /* A scene: plain data that a person may change, each number a row of one table.
  *
- * The scene may lie in ROM.  The files that it names (mesh, textures) the port loads and
- * hands to world and frame; its one pointer is to pictures that are built in.  The table gives INI files, the command line, the
- * preview's panel and the manual their names, units, ranges and defaults. */
+ * The scene may lie in ROM.  The port loads the files that it names (mesh, textures) and
+ * hands them to world and frame; its one pointer is to pictures that are built in.  The
+ * table gives INI files, the command line, the preview's panel and the manual their names,
+ * units, ranges and defaults. */
 #ifndef TP_SCENE_H
 #define TP_SCENE_H
 #include <stdbool.h>
@@ -308,7 +309,7 @@ typedef struct {
 
 /* The layout of a world's block.  It rises when the head or a chunk changes its meaning;
  * a block of another version is refused. */
-enum { TP_WORLD_VERSION = 3 };
+enum { TP_WORLD_VERSION = 4 };
 
 /* States of modules lie behind this head as chunks: an id, a length, the bytes. */
 typedef struct {
@@ -346,6 +347,13 @@ typedef struct {
     uint32_t stirs;             /* ticks in which it stirred the pool, so far */
 } tp_afloat;
 
+/* Where the camera of a world stands. */
+typedef enum {
+    TP_ABOARD_NOT,  /* in the world: the scene's camera follows nothing */
+    TP_ABOARD_DECK, /* on the boat: its place and angles are of the deck */
+    TP_ABOARD_LEFT  /* in the world: tp_world_set_camera ended the following */
+} tp_aboard;
+
 /* Plain data without pointers, in one block of tp_world_bytes() bytes: copying it is a
  * snapshot. */
 typedef struct {
@@ -353,7 +361,7 @@ typedef struct {
     tp_fx    back;              /* 0..1: the picture lies so much of a tick before */
     tp_world_parts parts;
     tp_vec3  eye, last_eye;     /* the camera now and a tick ago, see aboard */
-    tp_turn  heading, pitch, last_heading, last_pitch;
+    tp_turn heading, pitch, roll, last_heading, last_pitch, last_roll;
     tp_turn  phases[TP_WAVES];  /* of this tick */
     uint32_t random;            /* of pokes */
     tp_pose  boat, last_boat;
@@ -364,7 +372,7 @@ typedef struct {
     tp_fx    exposure, last_exposure;
     tp_clock clock;
     tp_fx    clock_scale;       /* the scene's, when it was last looked at */
-    uint32_t aboard;            /* 1: the camera's place and angles are of the deck */
+    uint32_t aboard;            /* tp_aboard */
     tp_sea sea;                 /* the last, without its swells if the program has none */
 } tp_world;
 
@@ -397,8 +405,37 @@ tp_status tp_world_check(const tp_program *program, const tp_world *world, size_
 void tp_world_step(const tp_program *program, tp_world *world, const tp_scene *scene,
                    const tp_input *input);
 
+/* Pushes the water at (x, z) m of the world, at once; between ticks, as often as wanted.
+ *  - In the pool, else in the field: a hat of `height` m, up or down, that moves no volume,
+ *    its width `radius` m (at least 1.5 cells).  A push of scene.pool.poke_size into the
+ *    pool gives the same bits as that one in tp_input.push of the next tick, unless drops or
+ *    a boat feel the pool in that tick: they then feel this push already.
+ *  - On open water, where drops raise rings (drops.into = rings): a ring that begins with a
+ *    crest of |height| m, 4 m at the most, of the length 4 radii, 16 m of radius at the
+ *    most; with foam where the scene has foam.  It is seen from the next tick on.
+ * False: no water moves, as there is nothing to take it at this place (no water, a wall,
+ * more than 9000 m from the origin), no room for another ring, or a height of 0.  `scene`
+ * is the one that the world was made for, or last refreshed by. */
+bool tp_world_push(const tp_program *program, tp_world *world, const tp_scene *scene,
+                   tp_fx x, tp_fx z, tp_fx radius, tp_fx height);
+
 /* Moves the camera alone, while the water stands. */
 void tp_world_look(tp_world *world, const tp_input *input);
+
+/* Places the camera in the world: the eye in metres, each axis held within +-8000 m, and
+ * three angles of any size, in the order of tp_rotation_of: heading clockwise from -z as
+ * seen from above, pitch upwards, roll lowers the picture's right side.  The next picture
+ * is seen from there exactly, whatever world->back is; from then on input moves the camera
+ * as ever, and tilts it to 89 degrees at the most.
+ *
+ * In a scene whose camera follows the boat the following ends: the camera stands in the
+ * world until tp_world_reset_camera, or until camera.follow has been none in one
+ * tp_world_refresh and boat in a later one. */
+void tp_world_set_camera(tp_world *world, tp_vec3 eye, tp_turn heading, tp_turn pitch,
+                         tp_turn roll);
+
+/* Places the camera as the scene does at tick 0, following the boat if the scene does. */
+void tp_world_reset_camera(tp_world *world, const tp_scene *scene);
 
 /* The scene as it is now, at the same tick: sea, ocean, boat, what of pools and drops may
  * change while they move.  False, and nothing is done: what sizes the world's block has
@@ -424,13 +461,46 @@ tp_camera tp_world_camera(const tp_world *world);
  * picture then lies world->back of a tick before the last one. */
 uint32_t tp_world_frame(tp_world *world);
 
-/* The surface above or below a place [E1]: waves, rings and pools together, without what
- * overhangs.  Where waves are displaced sideways the place is found by inversion: within
- * 30 km of the origin, each way, and with a steepness sum below 0.9 it is off by less than
- * 1 mm along and up (see tp_sea_above).  Any x and z are answered; near the ends of 16.16
- * positions are held there. */
-tp_sea_point tp_world_above(const tp_program *program, const tp_world *world, tp_fx x,
-                            tp_fx z);
+/* The middle of a pixel's column or row, 16.16; -32768 <= pixel < 32768. */
+static inline tp_fx tp_pixel_middle(int32_t pixel)
+{
+    return pixel * TP_FX_ONE + TP_FX_ONE / 2;
+}
+
+/* The water at a place. */
+typedef struct {
+    tp_fx height;           /* m above the level of still water */
+    tp_fx slope_x, slope_z; /* dy/dx and dy/dz */
+    tp_vec3 velocity;       /* m/s, of the surface's point there: see tp_world_sample */
+} tp_water;
+
+/* The water above or below (x, z), m of the world, as the last tick left it [E1]: waves,
+ * rings and pools together, without what overhangs.  No camera and no picture is asked:
+ * any number of places, by any number of threads while the world stands still.
+ *
+ * Where waves are displaced sideways the place is found by inversion: within 30 km of the
+ * origin, each way, and with a steepness sum below 0.9 the point is off by less than 1 mm
+ * along and up (see tp_sea_above).  Any x and z are answered; near the ends
+ * of 16.16 positions are held there.
+ *
+ * The velocity is the mean over the last tick, so that of 1/120 s ago: a boat that drifts
+ * with the point is carried where waves carry it.  Swells and oceans move a point in all
+ * three axes; rings and pools, which are heights, lift it alone.  Roundings are 3 mm/s, and
+ * 1 mm/s more for each metre of the waves' amplitudes together. */
+tp_water tp_world_sample(const tp_program *program, const tp_world *world, tp_fx x,
+                         tp_fx z);
+
+/* The place on the water under a place of a picture of width x height pixels, 1..8192
+ * each: x_px and y_px pixels, 16.16, from its upper left corner; see tp_pixel_middle.  The
+ * ray through it first meets the surface at *at: waves, rings and pools, these without
+ * heights where they bend the light only; from below the surface as well.  It is within
+ * 1 px of what is drawn there, but for crests that overhang and for what lies at a mesh's
+ * far end, where its waves fade.  A place outside of the picture is one of a larger one.
+ * False: the ray does not meet water within 8000 m, or meets land first, or a tank's walls
+ * end before. */
+bool tp_world_pick(const tp_program *program, const tp_world *world,
+                   const tp_scene *scene, uint32_t width, uint32_t height, tp_fx x_px,
+                   tp_fx y_px, tp_vec3 *at);
 
 /* -- the parts, or NULL ------------------------------------------------------------ */
 

@@ -120,7 +120,7 @@ static dry_camera camera_near(const dry_program *by, const tp_world *world,
 
     c.eye.x = at.x + metres(state, -reach, reach);
     c.eye.z = at.z + metres(state, -reach, reach);
-    const tp_fx level = tp_world_above(by->program, world, c.eye.x, c.eye.z).position.y;
+    const tp_fx level = tp_world_sample(by->program, world, c.eye.x, c.eye.z).height;
     c.eye.y = under ? level - metres(state, 20, 4000)
                     : level + metres(state, 20, 500 + reach / 2);
     c.heading = next(state);
@@ -237,10 +237,7 @@ static void take_place(tp_world *world, const dry_camera *c)
 {
     if (c->own)
         return;
-    world->aboard = 0;
-    world->eye = world->last_eye = c->eye;
-    world->heading = world->last_heading = c->heading;
-    world->pitch = world->last_pitch = c->pitch;
+    tp_world_set_camera(world, c->eye, c->heading, c->pitch, 0);
 }
 
 static dry_picture paint(painter *p, const dry_run *d, const dry_camera *c)

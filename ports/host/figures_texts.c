@@ -146,10 +146,12 @@ void figures_world(figures *f, const stage *s, const char *more)
     const tp_vec3 eye = tp_world_camera(w).eye;
     sheet to = { .length = 0 };
 
-    add(&to, "tick %" PRIu64 ", clock %.3g, camera at %.1f %.1f %.1f m, heading %.0f,"
-        " pitch %.0f%s", w->tick, metres(tp_clock_scale(&w->clock)), metres(eye.x),
-        metres(eye.y), metres(eye.z), degrees(w->heading), degrees(w->pitch),
-        w->aboard ? " of the deck" : "");
+    add(&to,
+        "tick %" PRIu64 ", clock %.3g, camera at %.1f %.1f %.1f m, heading %.0f,"
+        " pitch %.0f%s",
+        w->tick, metres(tp_clock_scale(&w->clock)), metres(eye.x), metres(eye.y),
+        metres(eye.z), degrees(w->heading), degrees(w->pitch),
+        w->aboard == TP_ABOARD_DECK ? " of the deck" : "");
     if (*more)
         add(&to, "; %s", more);
     figures_say(f, FIGURE_STATE, to.text);

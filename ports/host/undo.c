@@ -16,7 +16,7 @@ static const tp_param *param_of(uint32_t row)
 /* Its members stand in one row of a world, so many bytes from `eye` on. */
 #define CAMERA       offsetof(tp_world, eye)
 #define CAMERA_BYTES (offsetof(tp_world, phases) - CAMERA)
-_Static_assert(CAMERA_BYTES == 2 * sizeof(tp_vec3) + 4 * sizeof(tp_turn),
+_Static_assert(CAMERA_BYTES == 2 * sizeof(tp_vec3) + 6 * sizeof(tp_turn),
                "the camera's members, and no others");
 
 static bool same_camera(const void *a, const void *b)

@@ -13,7 +13,6 @@
  * On the deck the camera is as free as it ever is, in the deck's own axes: only its first
  * place is given.  So is the way back to where it was free. */
 #include "look.h"
-#include "pick.h"
 
 #define PITCH_MOST  TP_DEG(89)
 #define PLACE_MOST  (8000 * TP_FX_ONE)
@@ -94,7 +93,8 @@ static bool sees_boat(const tp_camera *camera, const tp_world *world,
 static int64_t aim(look *l, const tp_camera *camera, const tp_world *world,
                    const tp_scene *scene)
 {
-    const uint32_t side = 511;          /* pixel 255 is the middle */
+    const uint32_t side = 512;
+    const tp_fx middle = 256 * TP_FX_ONE;
     const int64_t most = AHEAD_MOST + 4 * (int64_t)tp_abs(camera->eye.y);
     int64_t far;
     tp_vec3 at;
@@ -104,7 +104,7 @@ static int64_t aim(look *l, const tp_camera *camera, const tp_world *world,
     l->boat_z = world->boat.place.z;
     if (l->with_boat)
         return far;
-    if (pick_water(world, scene, side, side, 255, 255, &at))
+    if (tp_world_pick(&tp_program_all, world, scene, side, side, middle, middle, &at))
         far = ahead_of(camera, at);
     else
         far = most;
@@ -119,7 +119,7 @@ static void face(look *l, const tp_camera *camera, const tp_world *world)
 
     l->heading = world->heading;
     l->pitch = world->pitch;
-    if (world->aboard) {
+    if (world->aboard == TP_ABOARD_DECK) {
         l->heading = tp_atan2(-back->x, back->z);
         l->pitch = tp_atan2(-back->y, (int32_t)tp_isqrt64((uint64_t)level));
     }
@@ -142,7 +142,7 @@ static void begin_around(look *l, const tp_world *world, const tp_scene *scene)
     face(l, &camera, world);
     l->about = along(camera.eye, camera.turn.z, -far);
     l->away = tp_clamp((int32_t)tp_limit(far, AWAY_MOST), AWAY_LEAST, AWAY_MOST);
-    if (world->aboard)
+    if (world->aboard == TP_ABOARD_DECK)
         leave_deck(l, world, scene);
     if (l->mode == LOOK_TOP) {
         l->about.y = 0;

@@ -10,8 +10,11 @@ static void carry_camera(tp_world *to, const tp_world *from)
     to->last_eye = from->last_eye;
     to->heading = from->heading;
     to->pitch = from->pitch;
+    to->roll = from->roll;
     to->last_heading = from->last_heading;
     to->last_pitch = from->last_pitch;
+    to->last_roll = from->last_roll;
+    to->aboard = from->aboard;
 }
 
 static void carry_light(tp_world *to, const tp_world *from)
@@ -44,7 +47,7 @@ static void carry_boat(tp_world *to, const tp_world *from)
 
 void setting_carry(tp_world *to, const tp_world *from)
 {
-    if (to->aboard == from->aboard)
+    if ((to->aboard == TP_ABOARD_NOT) == (from->aboard == TP_ABOARD_NOT))
         carry_camera(to, from);
     if (to->scene_light[0] == from->scene_light[0]
         && to->scene_light[1] == from->scene_light[1])

@@ -8,7 +8,6 @@
 #include <stdlib.h>
 #include <string.h>
 #include "../host/say.h"
-#include "../live/pick.h"
 #include "../live/wish.h"
 #include "view.h"
 
@@ -137,7 +136,8 @@ static void aim(view *v, const control_place *place)
     tp_vec3 at;
     int x, y;
     if (!window_pixel(&v->window, v->scale, place->x, place->y, &x, &y)
-        || !pick_water(world_of(v), scene, p->width, p->height, x, y, &at))
+        || !tp_world_pick(&tp_program_all, world_of(v), scene, p->width, p->height,
+                          tp_pixel_middle(x), tp_pixel_middle(y), &at))
         return;
     const tp_push push = poke_at(scene, at.x, at.z);
     if (place->stir)

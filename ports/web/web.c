@@ -10,7 +10,6 @@
  * that of its --hash. */
 #include "web.h"
 #include "live/look.h"
-#include "live/pick.h"
 #include "live/poke.h"
 #include "live/setting.h"
 
@@ -257,8 +256,8 @@ EXPORT(int, touch, int32_t x, int32_t y, bool stir)
 {
     tp_vec3 at;
     const tp_drops *drops = tp_world_drops(page.world);
-    if (!pick_water(page.world, &web_scene, page.config.width, page.config.height, x, y,
-                    &at))
+    if (!tp_world_pick(&tp_program_all, page.world, &web_scene, page.config.width,
+                       page.config.height, tp_pixel_middle(x), tp_pixel_middle(y), &at))
         return MISSED;
     const tp_push push = poke_at(&web_scene, at.x, at.z);
     if (tp_world_pool(page.world) || tp_world_field(page.world))

@@ -223,6 +223,8 @@ void tp_frame_begin(tp_frame *frame, const tp_world *world)
     tp_lens_turned(&frame->lens, frame->drawn.camera.eye, frame->drawn.camera.turn,
                    scene->camera.fov, scene->camera.near,
                    frame->config.width, frame->config.height);
+    if (world->aboard == TP_ABOARD_DECK)
+        frame->lens.lean = 0;           /* as golden frames of the deck have it */
     tp_frame_choose_rungs(frame);
     if (draw->rungs)
         draw->rungs->thin(frame);

@@ -3,9 +3,10 @@
  *
  * Rows ask that a column of pixels, gone up, meets the lines of the grid one after the
  * other and each of them once.  So the eye must stand above all water, every ray of the
- * picture must lead away across the lines, and the camera must not roll.  Nor may lines
- * change places along a ray.  Where it goes t metres along the lines for each across them,
- * the displaced lines are met in order while J_mm - t J_km > 0, k across, m along:
+ * picture must lead away across the lines, and the camera must neither roll nor stand on
+ * its head.  Nor may lines change places along a ray.  Where it goes t metres along the
+ * lines for each across them, the displaced lines are met in order while
+ * J_mm - t J_km > 0, k across, m along:
  *     sum |bend_mm - t bend_km| < 1,
  * whatever the phases; the sum is convex in t, so the picture's corners tell.  What lies on
  * the swells is a height and moves nothing sideways.  Where waves may break they hang over.
@@ -90,9 +91,9 @@ static bool may_break(const tp_ocean *ocean)
 bool tp_frame_rows_hold(tp_frame *frame)
 {
     return frame->parts.lines && frame->parts.grid
-        && !(frame->parts.grid->streams && is_upright(frame))    /* row by row */
-        && tp_abs(frame->lens.turn.x.y >> 14) < ROLL
-        && frame->lens.eye.y > tp_surface_height(&frame->surface) + ABOVE
-        && rays_hold(frame)
-        && !(frame->surface.ocean && may_break(frame->surface.ocean));
+           && !(frame->parts.grid->streams && is_upright(frame)) /* row by row */
+           && tp_abs(frame->lens.turn.x.y >> 14) < ROLL && frame->lens.turn.y.y > 0
+           && frame->lens.eye.y > tp_surface_height(&frame->surface) + ABOVE
+           && rays_hold(frame)
+           && !(frame->surface.ocean && may_break(frame->surface.ocean));
 }

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* One tile: what is there, then its colours, then its pixels. */
+#include "base/base.h"
 #include "base/given.h"
 #include "frame/frame.h"
 
@@ -83,6 +84,31 @@ static void shade_row(const tp_frame *frame, const tp_samples *tile, int32_t y, 
     }
 }
 
+/* The colours take the place of the row's normals, run by run: no stage reads those of
+ * another run. */
+void tp_frame_overlay_row(const tp_frame *frame, const void *samples, int32_t y,
+                          void *row)
+{
+    const tp_samples *tile = samples;
+    const size_t at = (size_t)(uint32_t)(y - tile->y0) * tile->stride;
+    const tp_overlay *overlay = &frame->config.overlay;
+    uint32_t *to = tile->n + at;
+    tp_run run;
+
+    for (int32_t x = tile->x0; x < tile->x1; x += run.count) {
+        const tp_shaders *plan = run_at(frame, tile, x, y, &run);
+        shade_run(frame, plan, &run);
+        memcpy(to + (x - tile->x0), run.colour, (size_t)run.count * sizeof *to);
+    }
+    tp_overlay_row over = {
+        (uint32_t)y, (uint32_t)tile->x0, (uint32_t)tile->x1,
+        to,          tile->key + at,     frame->lens.zi_near,
+    };
+    overlay->row(overlay->user, &over);
+    frame->program->store[frame->config.format](row, 0, tile->x0, y, to,
+                                                tile->x1 - tile->x0);
+}
+
 void tp_frame_colour_row(const tp_frame *frame, const tp_samples *tile, int32_t y,
                          uint32_t *to)
 {
@@ -131,12 +157,23 @@ static bool place_tile(const tp_frame *frame, uint32_t i, const void *scratch,
     return true;
 }
 
+static void overlay_rows(const tp_frame *frame, const tp_samples *samples,
+                         const tp_tile *tile, uint8_t *row)
+{
+    for (int32_t y = samples->y0; y < samples->y1; y++, row += tile->stride)
+        frame->config.overlay.draw(frame, samples, y, row);
+}
+
 /* Rows of pixels go to `row` and on by the tile's stride. */
 static void draw_tile(const tp_frame *frame, void *scratch, const tp_tile *tile,
                       uint8_t *row)
 {
     tp_samples samples = samples_of(frame, scratch, tile);
     draw_samples(frame, &samples, pixels_of(frame, scratch));
+    if (frame->config.overlay.draw) {
+        overlay_rows(frame, &samples, tile, row);
+        return;
+    }
     for (int32_t y = samples.y0; y < samples.y1; y++, row += tile->stride)
         shade_row(frame, &samples, y, row);
 }

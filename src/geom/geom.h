@@ -38,6 +38,7 @@ typedef struct {
     tp_vec3 eye;
     tp_dir3 right, up;          /* scaled by focal / 2^m */
     tp_dir3 ahead;
+    tp_q30  lean;               /* right.y: heights of water go so far to the right */
     tp_rotation turn;           /* the same unscaled: right, up, backward */
     tp_fx   focal;              /* pixels to the tangent 1 */
     int     m;

@@ -35,6 +35,7 @@ void tp_lens_turned(tp_lens *lens, tp_vec3 eye, tp_rotation turn, tp_fx fov, tp_
         lens->m++;
     lens->right = dir_scaled(turn.x, lens->focal, lens->m);
     lens->up = dir_scaled(turn.y, lens->focal, lens->m);
+    lens->lean = lens->right.y;
     lens->ahead = (tp_dir3){ -turn.z.x, -turn.z.y, -turn.z.z };
     lens->u0 = (int32_t)(width * 8);
     lens->v0 = (int32_t)(height * 8);

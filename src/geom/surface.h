@@ -17,6 +17,8 @@ typedef struct {
     const tp_ocean *ocean;      /* instead of the sea's own sum; NULL: open sea */
     const tp_ring_now *ring;
     uint32_t        rings;
+    const tp_ring  *raised;     /* a world's: what `ring` is made of at its tick, */
+    uint32_t        n_raised;   /* and so many */
     const tp_pool  *pool, *field;
     tp_fx           back;       /* of the pools, 0..1 tick */
 } tp_surface;

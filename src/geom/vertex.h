@@ -43,7 +43,7 @@ typedef struct {
 /* A swell's numbers of the frame. */
 typedef struct {
     int32_t x, y, depth;                /* of the view: m per cosine, Q.20 */
-    int32_t rise_y, rise_depth;         /* m per sine, Q.20 */
+    int32_t rise_x, rise_y, rise_depth; /* m per sine, Q.20; x: of a camera that rolls */
     int32_t tilt_x, tilt_z;             /* k A D, Q.(14 + tilt) */
     int32_t bend_xx, bend_xz, bend_zz;  /* QkA D D, Q.29; not crossed: xx is QkA */
 } tp_vertex_swell;

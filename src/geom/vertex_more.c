@@ -13,7 +13,8 @@ typedef struct {
     int64_t hx, hz, bxx, bxz, bzz;
 } sums;
 
-static tp_vertex_turn turn_at(const tp_vertex_place_of *place, uint32_t i, uint32_t k)
+TP_ALWAYS_INLINE tp_vertex_turn turn_at(const tp_vertex_place_of *place, uint32_t i,
+                                        uint32_t k)
 {
     tp_vertex_turn a = place->columns->turn[(size_t)(place->first + i)
                                             * place->frame->count + k];
@@ -40,10 +41,34 @@ static void add(sums *sum, const tp_vertex_swell *w, const tp_swell *swell,
 }
 
 /* sum / 2^down, faded. */
-static int32_t kept(int64_t sum, int down, tp_fx fade)
+TP_ALWAYS_INLINE int32_t kept(int64_t sum, int down, tp_fx fade)
 {
     int32_t whole = (int32_t)((sum + ((int64_t)1 << (down - 1))) >> down);
     return fade == TP_FX_ONE ? whole : tp_fx_mul(whole, fade);
+}
+
+TP_ALWAYS_INLINE tp_fx fade_of(const tp_vertex_place_of *place, uint32_t i)
+{
+    return tp_fx_mul(place->row->line.fade, place->columns->line[place->first + i].fade);
+}
+
+/* The heights' share to the right, seen by a camera that rolls: an own pass, so that others
+ * pay nothing for it. */
+static void lean_sharpened(const tp_vertex_place_of *place, tp_vertex_run *run)
+{
+    const tp_vertex_frame *frame = place->frame;
+    const tp_sea *sea = frame->surface->sea;
+
+    for (uint32_t i = 0; i < place->count; i++) {
+        int64_t rise = 0;
+        for (uint32_t k = 0; k < frame->count; k++) {
+            const tp_vertex_turn th = turn_at(place, i, k);
+            int32_t f, df;
+            tp_swell_sharpen(&sea->swell[k], th.sin, th.cos, &f, &df);
+            rise += (int64_t)frame->swell[k].rise_x * f;
+        }
+        run->at[0][i] += kept(rise * 64, 34, fade_of(place, i));
+    }
 }
 
 void tp_run_sharpen(const tp_vertex_place_of *place, tp_vertex_run *run,
@@ -70,12 +95,14 @@ void tp_run_sharpen(const tp_vertex_place_of *place, tp_vertex_run *run,
         };
         tp_set_slopes(&j, frame->tilt, sea->crossed, &vertex[i]);
     }
+    if (frame->lens->lean != 0)
+        lean_sharpened(place, run);
 }
 
 /* -- what lies on them ----------------------------------------------------------------- */
 
 /* The world's place of a displaced crossing. */
-static void place_at(const tp_vertex_place_of *place, uint32_t i, tp_fx *x, tp_fx *z)
+TP_ALWAYS_INLINE void place_at(const tp_vertex_place_of *place, uint32_t i, tp_fx *x, tp_fx *z)
 {
     const tp_vertex_frame *frame = place->frame;
     const tp_sea *sea = frame->surface->sea;
@@ -96,6 +123,18 @@ static void place_at(const tp_vertex_place_of *place, uint32_t i, tp_fx *x, tp_f
     *z = place->row->line.place + along_z;
 }
 
+/* As lean_sharpened. */
+static void lean_relief(const tp_vertex_place_of *place, tp_vertex_run *run)
+{
+    for (uint32_t i = 0; i < place->count; i++) {
+        tp_fx x, z;
+        place_at(place, i, &x, &z);
+        const tp_relief relief = tp_surface_relief_faded(place->frame->surface, x, z,
+                                                         fade_of(place, i));
+        run->at[0][i] += tp_q30_mul(relief.height, place->frame->lens->lean);
+    }
+}
+
 void tp_run_relief(const tp_vertex_place_of *place, tp_vertex_run *run,
                    tp_grid_vertex *vertex)
 {
@@ -114,4 +153,6 @@ void tp_run_relief(const tp_vertex_place_of *place, tp_vertex_run *run,
         vertex[i].slope_z = tp_saturated(vertex[i].slope_z
                                          + ((relief.slope_z + 8) >> 4));
     }
+    if (lens->lean != 0)
+        lean_relief(place, run);
 }

@@ -27,6 +27,7 @@ static tp_vertex_swell swell_of(const tp_vertex_frame *frame, const tp_swell *w)
         .x = along(w->reach_x, lens->right.x, w->reach_z, lens->right.z),
         .y = along(w->reach_x, lens->up.x, w->reach_z, lens->up.z),
         .depth = along(w->reach_x, lens->ahead.x, w->reach_z, lens->ahead.z),
+        .rise_x = along(w->amplitude, lens->lean, 0, 0),
         .rise_y = along(w->amplitude, lens->up.y, 0, 0),
         .rise_depth = along(w->amplitude, lens->ahead.y, 0, 0),
         .tilt_x = tilted(w->slope_x, frame->tilt),
@@ -247,7 +248,7 @@ static void set_places(const tp_vertex_frame *frame, tp_vertex_row *row)
             b = kept(b, row->line.fade);
         row->turn[k] = kept(b, share.slope);
         b = kept(b, share.height);
-        row->place[0][k] = split(w->x, 0, b);
+        row->place[0][k] = split(w->x, w->rise_x, b);
         row->place[1][k] = split(w->y, w->rise_y, b);
         row->place[2][k] = split(w->depth, w->rise_depth, b);
     }

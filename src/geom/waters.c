@@ -23,8 +23,14 @@ const struct tp_water_swells tp_water_few_swells = {
 const struct tp_water_sharp tp_water_sharp = { tp_run_sharpen };
 
 const struct tp_water_ocean tp_water_ocean = {
-    .reach = tp_ocean_reach, .height = tp_ocean_height, .above = tp_surface_ocean_above,
-    .carve = tp_grid_carve_ocean, .row = tp_sheet_place_row, .corner = tp_sheet_corner,
+    .reach = tp_ocean_reach,
+    .height = tp_ocean_height,
+    .above = tp_surface_ocean_above,
+    .smooth = tp_ocean_smooth,
+    .floor = tp_ocean_floor,
+    .carve = tp_grid_carve_ocean,
+    .row = tp_sheet_place_row,
+    .corner = tp_sheet_corner,
 };
 
 const struct tp_water_lod tp_water_lod = {

@@ -51,6 +51,9 @@ struct tp_water_ocean {
     tp_fx (*reach)(const tp_ocean *ocean);
     tp_fx (*height)(const tp_ocean *ocean);
     tp_sea_point (*above)(const tp_surface *surface, tp_fx x, tp_fx z, tp_fx rest[2]);
+    tp_ocean_point (*smooth)(const tp_ocean *ocean, const tp_turn phases[TP_WAVES],
+                             tp_fx x0, tp_fx z0);
+    tp_floor_at (*floor)(const tp_ocean *ocean, tp_fx x, tp_fx z);
     void (*carve)(tp_grid *grid, tp_arena *arena);
     void (*row)(tp_grid *grid, uint32_t j, tp_grid_span needed);
     tp_view_corner (*corner)(const tp_grid *grid, uint32_t i, uint32_t j);

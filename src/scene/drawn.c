@@ -41,10 +41,11 @@ tp_camera tp_camera_between(const tp_world *world, tp_fx back)
     TP_ASSERT(back >= 0 && back <= TP_FX_ONE);
     const tp_turn heading = turn_between(world->last_heading, world->heading, back);
     const tp_turn pitch = turn_between(world->last_pitch, world->pitch, back);
+    const tp_turn roll = turn_between(world->last_roll, world->roll, back);
     const tp_camera camera = { tp_place_between(world->last_eye, world->eye, back),
-                               tp_rotation_of(heading, pitch, 0) };
+                               tp_rotation_of(heading, pitch, roll) };
 
-    if (!world->aboard)
+    if (world->aboard != TP_ABOARD_DECK)
         return camera;
     const tp_pose boat = boat_between(&world->last_boat, &world->boat, back);
     return carried(&camera, &boat);

@@ -19,7 +19,7 @@ tp_drawn tp_world_drawn(const tp_world *world);
 /* The camera `back` of a tick before the last one, in the world. */
 tp_camera tp_camera_between(const tp_world *world, tp_fx back);
 
-/* Whether the camera of a world whose bytes come from outside is where input can lead it;
+/* Whether the camera of a world whose bytes come from outside is where a camera can be;
  * in world.c. */
 bool tp_camera_is_valid(const tp_world *world);
 

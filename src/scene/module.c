@@ -200,14 +200,17 @@ void tp_modules_add_surface(const tp_program *program, const tp_world *world,
     }
 }
 
-void tp_modules_hit(const tp_program *program, tp_world *world, const tp_scene *scene,
+bool tp_modules_hit(const tp_program *program, tp_world *world, const tp_scene *scene,
                     const tp_impact *impact, tp_fx level)
 {
+    bool moves = false;
+
     for (const tp_use *u = program->modules; u && u->module; u++) {
         void *mine = PART_FOR(hit, u, world);
-        if (mine)
-            u->module->hit(mine, scene, impact, level);
+        if (mine && u->module->hit(mine, scene, impact, level))
+            moves = true;
     }
+    return moves;
 }
 
 static const char *name_of(const tp_program *program, uint32_t id)

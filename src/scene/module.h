@@ -34,6 +34,10 @@ enum {
     TP_MODULE_MIRROR = 4096     /* a picture of what is solid, in the water */
 };
 
+/* What the samples of a module show, in the upper bits of tp_module.is. */
+#define TP_MODULE_KIND_SHIFT  24
+#define TP_MODULE_DRAWS(kind) ((uint32_t)(TP_SAMPLE_##kind) << TP_MODULE_KIND_SHIFT)
+
 #define TP_MODULES 40           /* in a program's list, at the most */
 
 /* The conditions that a module is asked about. */
@@ -96,8 +100,8 @@ typedef struct tp_module {
     /* Adds what it raises to the water's surface of this tick. */
     void (*surface)(const void *mine, tp_surface *surface);
 
-    /* Something struck the water, which stood at `level` there. */
-    void (*hit)(void *mine, const tp_scene *scene, const tp_impact *impact, tp_fx level);
+    /* Something struck the water, which stood at `level` there.  True: the water moves. */
+    bool (*hit)(void *mine, const tp_scene *scene, const tp_impact *impact, tp_fx level);
 
     /* True if a state from outside can be stepped and drawn.  `fresh` is one of the same
      * scene, as `init` leaves it; both have its length.  The world's head is valid. */
@@ -146,7 +150,8 @@ void tp_modules_step(const tp_program *program, tp_world *world, const tp_scene 
                      const tp_input *input);
 void tp_modules_add_surface(const tp_program *program, const tp_world *world,
                             tp_surface *surface);
-void tp_modules_hit(const tp_program *program, tp_world *world, const tp_scene *scene,
+/* True if one of them moves the water. */
+bool tp_modules_hit(const tp_program *program, tp_world *world, const tp_scene *scene,
                     const tp_impact *impact, tp_fx level);
 
 /* The first module whose chunk in `world`, from outside, has another id or length than in

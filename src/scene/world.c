@@ -29,14 +29,21 @@ size_t tp_world_bytes(const tp_program *program, const tp_scene *scene,
     return tp_parts_of(program, &parts, scene, assets, NULL) == TP_OK ? parts.bytes : 0;
 }
 
+static void keep_camera(tp_world *world)
+{
+    world->last_eye = world->eye;
+    world->last_heading = world->heading;
+    world->last_pitch = world->pitch;
+    world->last_roll = world->roll;
+}
+
 static void place_camera(tp_world *world, const tp_scene *scene)
 {
     world->eye = (tp_vec3){ scene->camera.x, scene->camera.y, scene->camera.z };
     world->heading = tp_turn_of_degrees(scene->camera.heading);
     world->pitch = tp_turn_of_degrees(scene->camera.pitch);
-    world->last_eye = world->eye;
-    world->last_heading = world->heading;
-    world->last_pitch = world->pitch;
+    world->roll = 0;
+    keep_camera(world);
 }
 
 static void place_sea(const tp_program *program, tp_world *world, const tp_scene *scene)
@@ -100,22 +107,18 @@ bool tp_world_refresh(const tp_program *program, tp_world *world, const tp_scene
 
 /* -- the camera -------------------------------------------------------------------- */
 
-/* Pitch is signed: held short of straight up and down. */
+/* Pitch is signed: held short of straight up and down, but where it was set beyond that
+ * and stays. */
 static tp_turn tilted(tp_turn pitch, int32_t tilt)
 {
+    if (tilt == 0)
+        return pitch;
     return (tp_turn)(int32_t)tp_limit((int64_t)(int32_t)pitch + tilt, PITCH_MOST);
 }
 
 static tp_fx held(int64_t x)
 {
     return (tp_fx)tp_limit(x, EYE_MOST);
-}
-
-static void keep_camera(tp_world *world)
-{
-    world->last_eye = world->eye;
-    world->last_heading = world->heading;
-    world->last_pitch = world->pitch;
 }
 
 /* Rounded, so that a walk forth and back ends where it began. */
@@ -131,15 +134,14 @@ static void move_camera(tp_world *world, const tp_input *in)
     world->eye.y = held((int64_t)world->eye.y + in->up);
 }
 
-/* Within the reach of any input. */
+/* The eye is within the reach of any input; any angles are valid. */
 bool tp_camera_is_valid(const tp_world *world)
 {
     const tp_vec3 *eye = &world->eye, *last = &world->last_eye;
 
     return eye->x == held(eye->x) && eye->y == held(eye->y) && eye->z == held(eye->z)
-        && last->x == held(last->x) && last->y == held(last->y)
-        && last->z == held(last->z) && world->pitch == tilted(world->pitch, 0)
-        && world->last_pitch == tilted(world->last_pitch, 0);
+           && last->x == held(last->x) && last->y == held(last->y)
+           && last->z == held(last->z);
 }
 
 void tp_world_look(tp_world *world, const tp_input *input)
@@ -147,6 +149,27 @@ void tp_world_look(tp_world *world, const tp_input *input)
     TP_ASSERT(world != NULL && input != NULL);
     move_camera(world, input);
     keep_camera(world);                 /* there is no tick to draw between */
+}
+
+void tp_world_set_camera(tp_world *world, tp_vec3 eye, tp_turn heading, tp_turn pitch,
+                         tp_turn roll)
+{
+    TP_ASSERT(world != NULL && world->parts.bytes > 0);
+    world->eye = (tp_vec3){ held(eye.x), held(eye.y), held(eye.z) };
+    world->heading = heading;
+    world->pitch = pitch;
+    world->roll = roll;
+    keep_camera(world);
+    if (world->aboard)
+        world->aboard = TP_ABOARD_LEFT;
+}
+
+void tp_world_reset_camera(tp_world *world, const tp_scene *scene)
+{
+    TP_ASSERT(world != NULL && world->parts.bytes > 0 && scene != NULL);
+    place_camera(world, scene);
+    if (world->aboard)
+        world->aboard = TP_ABOARD_DECK;
 }
 
 /* -- a tick ------------------------------------------------------------------------ */
@@ -184,12 +207,4 @@ uint32_t tp_world_frame(tp_world *world)
 
     world->back = part > 0 ? TP_FX_ONE - part : 0;
     return (uint32_t)(ticks_for(&world->clock) - before);
-}
-
-tp_sea_point tp_world_above(const tp_program *program, const tp_world *world, tp_fx x,
-                            tp_fx z)
-{
-    TP_ASSERT(world != NULL && world->parts.bytes > 0);
-    tp_surface surface = tp_world_surface(tp_program_or_linked(program), world);
-    return tp_surface_above(&surface, x, z, NULL);
 }

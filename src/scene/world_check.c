@@ -13,12 +13,19 @@
 
 #define TICKS_MOST ((uint64_t)1 << 40)  /* 580 years: times in ticks x 65536 fit 64 bits */
 
+/* A camera may have left the deck since. */
+static bool is_aboard_valid(const tp_world *world, const tp_world *fresh)
+{
+    return world->aboard == fresh->aboard
+           || (fresh->aboard != TP_ABOARD_NOT && world->aboard == TP_ABOARD_LEFT);
+}
+
 static bool is_head_valid(const tp_world *world, const tp_world *fresh)
 {
     return world->tick <= TICKS_MOST && world->back >= 0 && world->back <= TP_FX_ONE
-        && world->aboard == fresh->aboard && world->afloat.laid == fresh->afloat.laid
-        && (fresh->afloat.laid
-            || memcmp(&world->boat, &fresh->boat, 2 * sizeof fresh->boat) == 0);
+           && is_aboard_valid(world, fresh) && world->afloat.laid == fresh->afloat.laid
+           && (fresh->afloat.laid
+               || memcmp(&world->boat, &fresh->boat, 2 * sizeof fresh->boat) == 0);
 }
 
 /* As bytes, without those that the compiler leaves between members. */

@@ -48,9 +48,8 @@ static place random_place(const tp_world *world, tp_fx reach)
 
 static void stand(tp_world *world, const place *p)
 {
-    world->eye = world->last_eye = (tp_vec3){ p->x, p->y, p->z };
-    world->heading = world->last_heading = tp_turn_of_degrees(p->heading);
-    world->pitch = world->last_pitch = tp_turn_of_degrees(p->pitch);
+    tp_world_set_camera(world, (tp_vec3){ p->x, p->y, p->z },
+                        tp_turn_of_degrees(p->heading), tp_turn_of_degrees(p->pitch), 0);
 }
 
 /* One draw is counted; a time is the least of three. */

@@ -43,13 +43,14 @@ static int draw(const char *name, tp_config config, uint32_t first, uint32_t las
     const picture p = { config.format, config.width, config.height, row_bytes,
                         claim(row_bytes * config.height) };
     tp_world *world = world_begin();
-    void *block = claim(tp_frame_bytes(&config, &baked_scene));
+    config.assets = &baked_assets;
+    const size_t bytes = tp_frame_bytes(&config, &baked_scene);
+    void *block = claim(bytes);
     void *scratch = claim(tp_frame_scratch_into_bytes(&config, &baked_scene));
     tp_frame *frame;
     tp_error  err = { 0 };
     film to;
-    if (tp_frame_init(&frame, &config, &baked_scene, block,
-                      tp_frame_bytes(&config, &baked_scene), &err))
+    if (tp_frame_init(&frame, &config, &baked_scene, block, bytes, &err))
         return fail_at("film", &err);
     int code = film_open(&to, name, config.width, config.height, 1);
     for (uint32_t n = 0; n <= last && !code; n++) {

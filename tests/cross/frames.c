@@ -33,14 +33,15 @@ static void *claim(size_t bytes)
 
 static painter painter_of(tp_config config)
 {
+    config.assets = &baked_assets;
     painter  p = { .config = config };
     tp_error err;
-    p.block = claim(tp_frame_bytes(&config, &baked_scene));
+    const size_t bytes = tp_frame_bytes(&config, &baked_scene);
+    p.block = claim(bytes);
     p.scratch = claim(tp_frame_scratch_bytes(&config, &baked_scene));
     p.row_bytes = tp_format_row_bytes(config.format, (int)config.width);
     p.rows = claim(p.row_bytes * config.height);
-    if (tp_frame_init(&p.frame, &config, &baked_scene, p.block,
-                      tp_frame_bytes(&config, &baked_scene), &err)) {
+    if (tp_frame_init(&p.frame, &config, &baked_scene, p.block, bytes, &err)) {
         printf("%s\n", tp_status_text(err.code));
         exit(1);
     }

@@ -12,8 +12,8 @@
 # brings itself, in ports/examples, sees what the library's own modules see; TP_MORE names
 # the header that lists such modules.
 BEGIN {
-    levels = split("base|fx|pixel|asset wave pool|geom|raster shade|scene|frame|features|engine", level,
-                   "|")
+    levels = split("base|fx|pixel|asset wave pool|geom|raster shade|scene|frame|features|" \
+                   "engine", level, "|")
     for (i = 1; i <= levels; i++) {
         n = split(level[i], module, " ")
         for (j = 1; j <= n; j++)

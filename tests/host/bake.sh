@@ -124,7 +124,7 @@ same "a scene that may change is checked, and has room for its waves" \
     "$(grep -c 'check = tp_scene_check\|swells = &tp_water_swells' i.c)" 2
 same "what may be switched on is in the list" \
     "$(grep -c '^    { &tp_foam_module, &tp_foam_drawing' i.c) \
-$(grep -c 'i_picture\|minimal_picture = { 320, 240, 0, 16, TP_FORMAT_I1 }' i.c)" "1 1"
+$(grep -c '    \.format = TP_FORMAT_I1, .program = ' i.c)" "1 1"
 for compiler in gcc clang; do
     command -v $compiler >/dev/null || continue
     # shellcheck disable=SC2086

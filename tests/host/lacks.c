@@ -12,19 +12,19 @@ extern const tp_config baked_config;
 static void tell(const char *change, const tp_scene *scene, const tp_assets *assets)
 {
     static uint64_t block[32768];
+    tp_config config = baked_config;
     tp_frame *frame;
     tp_error err = { 0 };
     char text[128] = "ok";
 
+    config.assets = assets;
     if (tp_program_fits(&baked_program, scene, assets, &err) != TP_OK)
         tp_error_text(&err, text, sizeof text);
     printf("%s: %s\n", change, text);
     if (err.code
-        && (tp_frame_bytes(&baked_config, scene) != 0
+        && (tp_frame_bytes(&config, scene) != 0
             || tp_world_bytes(&baked_program, scene, assets) != 0
-            || tp_frame_init(&frame, &baked_config, scene, block,
-                             tp_frame_bytes(&baked_config, scene), NULL)
-                   != err.code
+            || tp_frame_init(&frame, &config, scene, block, sizeof block, NULL) != err.code
             || tp_world_init(&baked_program, (tp_world *)(void *)block, sizeof block,
                              scene, assets, NULL)
                    != err.code))

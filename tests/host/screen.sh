@@ -368,7 +368,7 @@ fresh "something else" "is no kept world"
 { head -c 12 killed; printf '\252\125'; tail -c +15 killed; } >world
 fresh "of another build" "was kept by another build"
 { head -c 7 killed; printf '\002'; tail -c +9 killed; } >world
-fresh "of an older version" "holds a world of version 2, this program has version 3"
+fresh "of an older version" "holds a world of version 2, this program has version 4"
 cp killed world
 whole --frames 0:1 --keep world --set wave0.length=9
 judge "of a changed scene" 0 "^world: is of another scene: a fresh start$"

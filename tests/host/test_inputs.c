@@ -9,7 +9,6 @@
 #include <cmocka.h>
 #include "../../ports/host/path.h"
 #include "../../ports/host/stage.h"
-#include "../../ports/live/pick.h"
 #include "../unit/chance.h"
 
 #define FOLDER "assets/scenes"
@@ -24,14 +23,15 @@ static void run(stage *s)
         const tp_input in = chance_input(&chance);
         tp_vec3 at;
         tp_world_step(&tp_program_all, s->world, &s->file.scene, &in);
-        tp_world_above(&tp_program_all, s->world, chance_word(&chance),
-                       chance_word(&chance));
+        tp_world_sample(&tp_program_all, s->world, chance_word(&chance),
+                        chance_word(&chance));
         if (n % 25 != 0)
             continue;
         tp_world_frame(s->world);
         canvas_draw(&s->canvas, s->world);
-        pick_water(s->world, &s->file.scene, WIDTH, HEIGHT, chance_int(&chance, 0, WIDTH),
-                   chance_int(&chance, 0, HEIGHT), &at);
+        tp_world_pick(&tp_program_all, s->world, &s->file.scene, WIDTH, HEIGHT,
+                      chance_int(&chance, 0, WIDTH << 16),
+                      chance_int(&chance, 0, HEIGHT << 16), &at);
     }
 }
 

@@ -36,6 +36,18 @@ static void place_light(ref_scene *s, const tp_scene *scene, const tp_world *wor
                               - ref_number(world->exposure));
 }
 
+/* About its way ahead: the right side sinks. */
+static void roll_camera(ref_camera *camera, tp_turn roll)
+{
+    const double angle = (int32_t)roll * (6.283185307179586476925 / 4294967296.0);
+    const ref_vec right = camera->right, up = camera->up;
+
+    camera->right =
+        ref_plus(ref_times_vec(right, cos(angle)), ref_times_vec(up, -sin(angle)));
+    camera->up =
+        ref_plus(ref_times_vec(up, cos(angle)), ref_times_vec(right, sin(angle)));
+}
+
 /* Of the deck, if it goes with the boat; that is placed before. */
 static void place_camera(ref_scene *s, const tp_world *world, uint32_t width,
                          uint32_t height, double back)
@@ -45,7 +57,8 @@ static void place_camera(ref_scene *s, const tp_world *world, uint32_t width,
                               turn_between(world->last_pitch, world->pitch, back),
                               s->scene->camera.fov, s->scene->camera.near, width, height);
     s->camera.eye = between(world->last_eye, world->eye, back);
-    if (!world->aboard)
+    roll_camera(&s->camera, turn_between(world->last_roll, world->roll, back));
+    if (world->aboard != TP_ABOARD_DECK)
         return;
     s->camera.eye = ref_plus(s->boat_place, ref_out_of(&s->boat_rows, s->camera.eye));
     s->camera.right = ref_out_of(&s->boat_rows, s->camera.right);

@@ -12,6 +12,7 @@
 #include <cmocka.h>
 #include "tests/unit/twice.h"
 #include "scene/pools.h"
+#include "scene/parts.h"
 #include "tidepool/foam.h"
 #include "wave/ocean.h"
 
@@ -59,11 +60,13 @@ static void ask_all(const tp_world *world, tp_fx x, tp_fx z)
 {
     const tp_ocean *ocean = tp_world_ocean(world);
     const int64_t reach = ocean ? tp_ocean_reach(ocean) : world->sea.reach;
-    const tp_sea_point p = tp_world_above(&tp_program_all, world, x, z);
+    const tp_surface surface = tp_world_surface(&tp_program_all, world);
+    const tp_sea_point p = tp_surface_above(&surface, x, z, NULL);
 
     assert_true(llabs((int64_t)p.position.y) <= HIGHEST);
     assert_near(p.position.x, x, 2 * reach + 64);
     assert_near(p.position.z, z, 2 * reach + 64);
+    assert_int_equal(tp_world_sample(&tp_program_all, world, x, z).height, p.position.y);
 }
 
 static void ask_ocean(const tp_ocean *ocean, const tp_turn *phases, tp_fx x, tp_fx z)

@@ -68,8 +68,8 @@ static void ask(const tp_world *world)
     const tp_fx far = 16000 * TP_FX_ONE;
     const tp_fx x = chance_int(&chance, -far, far) >> random_below(&chance, 16);
     const tp_fx z = chance_int(&chance, -far, far) >> random_below(&chance, 16);
-    const tp_sea_point p = tp_world_above(&tp_program_all, world, x, z);
-    assert_true(llabs((int64_t)p.position.y) <= HIGHEST);
+    const tp_water p = tp_world_sample(&tp_program_all, world, x, z);
+    assert_true(llabs((int64_t)p.height) <= HIGHEST);
 }
 
 static void step(tp_world *world, const tp_scene *scene, int ticks)

@@ -210,9 +210,9 @@ static void assert_refused(const tp_scene *scene, const tp_assets *assets, tp_st
 static void ask(const programs *k, const tp_world *world, int places)
 {
     while (places-- > 0) {
-        const tp_sea_point p =
-            tp_world_above(&k->by, world, chance_word(&chance), chance_word(&chance));
-        assert_true(llabs((int64_t)p.position.y) <= HIGHEST);
+        const tp_water p = tp_world_sample(&k->by, world, chance_word(&chance),
+                                           chance_word(&chance));
+        assert_true(llabs((int64_t)p.height) <= HIGHEST);
     }
 }
 

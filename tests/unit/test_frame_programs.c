@@ -47,7 +47,7 @@ static void draw_by(const tp_program *by, const tp_program *moved_by)
         tp_world_step(moved_by, world, &scene, &input);
     world->back = chance_fx(&chance, 0, 1);
     tp_world_refresh(moved_by, world, &scene, &assets);
-    tp_world_above(moved_by, world, TP_FX_ONE, TP_FX_ONE);
+    tp_world_sample(moved_by, world, TP_FX_ONE, TP_FX_ONE);
     twice_draw(&twice, world);
     twice_end(&twice);
     free(world);

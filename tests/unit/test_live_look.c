@@ -96,8 +96,7 @@ static void what_is_looked_at_is_the_water_in_the_middle(void **state)
     look l = { .mode = LOOK_FREE };
 
     assert_true(look_begin(&l, LOOK_ORBIT, &w, &s));
-    const tp_fx high =
-        tp_world_above(&tp_program_all, &w, l.about.x, l.about.z).position.y;
+    const tp_fx high = tp_world_sample(&tp_program_all, &w, l.about.x, l.about.z).height;
     assert_true(abs(high - l.about.y) < 66);
     assert_true(fabs(distance(w.eye, l.about) - l.away / 65536.0) < 0.01);
 }

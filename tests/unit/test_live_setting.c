@@ -270,9 +270,8 @@ static void a_world_made_anew_goes_on(void **state)
         assert_memory_equal(&a->clock, &b->clock, sizeof a->clock);
         assert_int_equal(a->light_heading, b->light_heading);
         assert_int_equal(a->light_elevation, b->light_elevation);
-        assert_int_equal(
-            tp_world_above(&tp_program_all, a, TP_FX(5), TP_FX(9)).position.y,
-            tp_world_above(&tp_program_all, b, TP_FX(5), TP_FX(9)).position.y);
+        assert_int_equal(tp_world_sample(&tp_program_all, a, TP_FX(5), TP_FX(9)).height,
+                         tp_world_sample(&tp_program_all, b, TP_FX(5), TP_FX(9)).height);
         const tp_input in = { .ahead = TP_FX(0.1), .turn = 99999, .light_turn = 12345,
                               .slower = n == 9, .throttle = TP_FX(1) };
         assert_int_equal(tp_world_frame(l.world), tp_world_frame(was.world));

@@ -221,6 +221,15 @@ bool tp_hull_enabled(const tp_want *want)
     return is_named(want->scene);
 }
 
+/* A camera that has left the deck stays off it while the scene's goes on following. */
+static void board(tp_world *world, bool follows)
+{
+    if (!follows)
+        world->aboard = TP_ABOARD_NOT;
+    else if (world->aboard == TP_ABOARD_NOT)
+        world->aboard = TP_ABOARD_DECK;
+}
+
 static void settle(void *mine, const tp_program *program, tp_world *world,
                    const tp_scene *scene)
 {
@@ -228,7 +237,7 @@ static void settle(void *mine, const tp_program *program, tp_world *world,
     if (is_named(scene))
         tp_boat_init(program, world, scene);
     world->last_boat = world->boat;
-    world->aboard = is_named(scene) && scene->camera.follow == TP_FOLLOW_BOAT;
+    board(world, is_named(scene) && scene->camera.follow == TP_FOLLOW_BOAT);
 }
 
 static void step(void *mine, const tp_program *program, tp_world *world,

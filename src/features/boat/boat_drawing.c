@@ -353,7 +353,10 @@ bool tp_boat_enabled(const tp_want *want)
 }
 
 const tp_module tp_boat_module = {
-    .name = "boat", .id = TP_BOAT_ID, .is = TP_MODULE_SOLID, .enabled = tp_boat_enabled,
+    .name = "boat",
+    .id = TP_BOAT_ID,
+    .enabled = tp_boat_enabled,
+    .is = TP_MODULE_SOLID | TP_MODULE_DRAWS(OBJECT),
 };
 
 const tp_drawing tp_boat_drawing = {

@@ -137,15 +137,14 @@ bool tp_drops_step(tp_drops *drops, const tp_scene_drops *config, uint32_t i,
 }
 
 /* The smallest drops ask for waves that are shorter than rings can be. */
-void tp_drops_ring(tp_drops *drops, const tp_scene_drops *config,
-                   const tp_impact *impact)
+bool tp_drops_ring(tp_drops *drops, const tp_scene_drops *config, const tp_impact *impact)
 {
     TP_ASSERT(drops->rings <= drops->ring_capacity);
     if (impact->amplitude <= 0)
-        return;
+        return false;
     if (drops->rings == drops->ring_capacity) {
         drops->rings_dropped++;
-        return;
+        return false;
     }
     rings(drops)[drops->rings++] = (tp_ring){
         .x = impact->x, .z = impact->z,
@@ -157,6 +156,7 @@ void tp_drops_ring(tp_drops *drops, const tp_scene_drops *config,
         .spread = config->spread,
         .attack = config->attack,
     };
+    return true;
 }
 
 void tp_drops_tidy(tp_drops *drops, int64_t now, tp_fx beyond)
@@ -288,11 +288,11 @@ static bool refresh(void *mine, tp_world *world, const tp_want *want)
 /* -- a tick -------------------------------------------------------------------------- */
 
 /* An impact raises a ring, or stirs a pool as much [D5]. */
-static void hit(void *mine, const tp_scene *scene, const tp_impact *impact, tp_fx level)
+static bool hit(void *mine, const tp_scene *scene, const tp_impact *impact, tp_fx level)
 {
     (void)level;
-    if (scene->drops.into == TP_DROPS_RINGS)
-        tp_drops_ring(mine, &scene->drops, impact);
+    return scene->drops.into == TP_DROPS_RINGS
+           && tp_drops_ring(mine, &scene->drops, impact);
 }
 
 static void move_drops(tp_drops *drops, const tp_program *program, tp_world *world,
@@ -344,6 +344,8 @@ static void add_surface(const void *mine, tp_surface *surface)
 
     surface->ring = now->ring;
     surface->rings = now->count;
+    surface->raised = tp_drops_rings(mine);
+    surface->n_raised = ((const tp_drops *)mine)->rings;
 }
 
 /* True if `now` is empty or holds the rings that the drops raise at this time. */
@@ -371,8 +373,16 @@ static bool is_valid(const void *mine, const void *fresh, const tp_world *world)
 }
 
 const tp_module tp_drops_module = {
-    .name = "drops", .id = TP_DROPS_ID, .is = TP_MODULE_SOLID,
+    .name = "drops",
+    .id = TP_DROPS_ID,
+    .is = TP_MODULE_SOLID | TP_MODULE_DRAWS(DROP),
     .enabled = tp_drops_enabled,
-    .bytes = bytes, .init = init, .fits = fits, .refresh = refresh,
-    .step = step, .hit = hit, .surface = add_surface, .is_valid = is_valid,
+    .bytes = bytes,
+    .init = init,
+    .fits = fits,
+    .refresh = refresh,
+    .step = step,
+    .hit = hit,
+    .surface = add_surface,
+    .is_valid = is_valid,
 };

@@ -21,7 +21,7 @@ static void init(tp_frame *frame, void *mine)
     e->made_for = 0;
 }
 
-/* Glass is laid over exposed colours. */
+/* Glass and overlays are laid over exposed colours. */
 static void begin(tp_frame *frame, void *mine)
 {
     tp_exposure *e = mine;
@@ -31,7 +31,7 @@ static void begin(tp_frame *frame, void *mine)
         return;
     if (exposure != e->made_for)
         make_tones(e, exposure);
-    if (frame->config.format == TP_FORMAT_RGB565
+    if (frame->config.format == TP_FORMAT_RGB565 && !frame->config.overlay.draw
         && !tp_frame_has_module(frame, TP_MODULE_PANES)) {
         frame->toned = &e->toned;
         frame->store_toned = tp_store_rgb565_toned;

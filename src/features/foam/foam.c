@@ -309,10 +309,11 @@ static void step(void *mine, const tp_program *program, tp_world *world,
     tp_foam_step(mine, world, scene);
 }
 
-static void hit(void *mine, const tp_scene *scene, const tp_impact *impact, tp_fx level)
+static bool hit(void *mine, const tp_scene *scene, const tp_impact *impact, tp_fx level)
 {
     (void)scene, (void)level;
     tp_foam_blob(mine, impact->x, impact->z, impact->length / 5, 160);
+    return false;
 }
 
 const tp_foam *tp_world_foam(const tp_world *world)

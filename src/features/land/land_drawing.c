@@ -229,7 +229,10 @@ static void add_stages(const tp_frame *frame, const void *mine, const tp_stage *
 }
 
 const tp_module tp_land_module = {
-    .name = "land", .id = TP_LAND_ID, .enabled = tp_land_enabled,
+    .name = "land",
+    .id = TP_LAND_ID,
+    .is = TP_MODULE_DRAWS(LAND),
+    .enabled = tp_land_enabled,
 };
 
 const tp_drawing tp_land_drawing = {

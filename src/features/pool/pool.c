@@ -151,14 +151,15 @@ static bool pool_refresh(void *mine, tp_world *world, const tp_want *want)
 }
 
 /* A drop stirs the pool as much as a ring would rise from it [D5]. */
-static void pool_hit(void *mine, const tp_scene *scene, const tp_impact *impact, tp_fx level)
+static bool pool_hit(void *mine, const tp_scene *scene, const tp_impact *impact,
+                     tp_fx level)
 {
     tp_basin *basin = mine;
 
     (void)level;
-    if (scene->drops.into != TP_DROPS_RINGS)
-        tp_pool_hat(&basin->pool, impact->x, impact->z, impact->length / 4,
-                    -impact->amplitude);
+    return scene->drops.into != TP_DROPS_RINGS
+           && tp_pool_hat(&basin->pool, impact->x, impact->z, impact->length / 4,
+                          -impact->amplitude);
 }
 
 static void pool_surface(const void *mine, tp_surface *surface)

@@ -367,9 +367,10 @@ static bool fits(const void *mine, const tp_scene *scene)
     return spray->capacity == (uint32_t)scene->spray.count;
 }
 
-static void hit(void *mine, const tp_scene *scene, const tp_impact *impact, tp_fx level)
+static bool hit(void *mine, const tp_scene *scene, const tp_impact *impact, tp_fx level)
 {
     tp_spray_splash(mine, scene, impact, level);
+    return false;
 }
 
 const tp_spray *tp_world_spray(const tp_world *world)
@@ -378,7 +379,14 @@ const tp_spray *tp_world_spray(const tp_world *world)
 }
 
 const tp_module tp_spray_module = {
-    .name = "spray", .id = TP_SPRAY_ID,
-    .enabled = tp_spray_enabled, .bytes = bytes, .init = init,
-    .fits = fits, .step = step, .hit = hit, .is_valid = is_valid,
+    .name = "spray",
+    .id = TP_SPRAY_ID,
+    .is = TP_MODULE_DRAWS(SPRAY),
+    .enabled = tp_spray_enabled,
+    .bytes = bytes,
+    .init = init,
+    .fits = fits,
+    .step = step,
+    .hit = hit,
+    .is_valid = is_valid,
 };

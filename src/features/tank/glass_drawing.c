@@ -222,7 +222,9 @@ static void *layout(tp_arena *arena, const tp_want *want)
 }
 
 const tp_module tp_glass_module = {
-    .name = "glass", .id = TP_GLASS_ID, .is = TP_MODULE_PANES,
+    .name = "glass",
+    .id = TP_GLASS_ID,
+    .is = TP_MODULE_PANES | TP_MODULE_DRAWS(GLASS),
     .enabled = tp_glass_enabled,
 };
 

@@ -248,7 +248,10 @@ static void *layout(tp_arena *arena, const tp_want *want)
 }
 
 const tp_module tp_tank_module = {
-    .name = "tank", .id = TP_TANK_ID, .is = TP_MODULE_WALLS, .enabled = tp_tank_enabled,
+    .name = "tank",
+    .id = TP_TANK_ID,
+    .enabled = tp_tank_enabled,
+    .is = TP_MODULE_WALLS | TP_MODULE_DRAWS(WALL),
 };
 
 const tp_drawing tp_tank_drawing = {

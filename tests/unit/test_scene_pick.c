@@ -6,7 +6,6 @@
 #include <setjmp.h>
 #include <stdint.h>
 #include <cmocka.h>
-#include "../../ports/live/pick.h"
 #include "parts.h"
 
 #define WIDTH  640
@@ -131,7 +130,7 @@ static double hidden_by(const water *w, tp_vec3 at)
         const tp_fx z = eye.z + (tp_fx)(way[2] * t / far);
         const double y = eye.y + way[1] * t / far;
         const double over =
-            (y - tp_world_above(&tp_program_all, w->world, x, z).position.y) / 65536;
+            (y - tp_world_sample(&tp_program_all, w->world, x, z).height) / 65536;
         if (side == 0)
             side = over > 0 ? 1 : -1;
         most = fmax(most, -side * over * focal / t);
@@ -139,10 +138,17 @@ static double hidden_by(const water *w, tp_vec3 at)
     return most;
 }
 
+static bool pick_pixel(const tp_world *world, const tp_scene *scene, uint32_t width,
+                       uint32_t height, int32_t px, int32_t py, tp_vec3 *at)
+{
+    return tp_world_pick(&tp_program_all, world, scene, width, height,
+                         tp_pixel_middle(px), tp_pixel_middle(py), at);
+}
+
 /* A pixel of the usual picture. */
 static bool pick(const water *w, int32_t px, int32_t py, tp_vec3 *at)
 {
-    return pick_water(w->world, &w->scene, WIDTH, HEIGHT, px, py, at);
+    return pick_pixel(w->world, &w->scene, WIDTH, HEIGHT, px, py, at);
 }
 
 /* -- tests -------------------------------------------------------------------------- */
@@ -164,7 +170,7 @@ static void try_pixel(const water *w, int32_t px, int32_t py, worst *most)
     if (!pick(w, px, py, &at))
         return;
     const seen s = seen_at(w, at);
-    const tp_fx high = tp_world_above(&tp_program_all, w->world, at.x, at.z).position.y;
+    const tp_fx high = tp_world_sample(&tp_program_all, w->world, at.x, at.z).height;
     most->found++;
     most->pixels = fmax(most->pixels, hypot(s.u - px - 0.5, s.v - py - 0.5));
     most->height = fmax(most->height, abs(high - at.y) / 65.536);
@@ -272,8 +278,7 @@ static void pools_that_bend_the_light_only_have_no_heights(void **state)
         tp_vec3 at;
         assert_true(pick(&w, px, HEIGHT / 2 + 20, &at));
         assert_in_range(at.y + 2, 0, 4);
-        const tp_fx high =
-            tp_world_above(&tp_program_all, w.world, at.x, at.z).position.y;
+        const tp_fx high = tp_world_sample(&tp_program_all, w.world, at.x, at.z).height;
         highest = abs(high) > highest ? abs(high) : highest;
     }
     assert_true(highest > TP_FX(0.01));
@@ -320,15 +325,14 @@ static void what_is_drawn_as_water_is_picked(void **state)
     tp_tile tile;
     int wet = 0, far = 0;
 
-    look_from(&w,
-              tp_world_above(&tp_program_all, w.world, 0, 0).position.y / 65536.0 + 0.6,
+    look_from(&w, tp_world_sample(&tp_program_all, w.world, 0, 0).height / 65536.0 + 0.6,
               0, -2);
     tp_frame_begin(f.frame, w.world);
     assert_true(tp_frame_tile(f.frame, 0, f.scratch, &tile));
     for (int y = 0; y < 120; y++)
         for (int x = 0; x < 160; x++) {
             tp_vec3 at;
-            picked[y][x] = pick_water(w.world, &scene, 160, 120, x, y, &at);
+            picked[y][x] = pick_pixel(w.world, &scene, 160, 120, x, y, &at);
             drawn[y][x] = ((const uint8_t *)tile.pixels)[y * 160 + x] < 128;
         }
     for (int y = 1; y < 119; y++)
@@ -375,10 +379,10 @@ static void any_scene_and_pixel_is_answered(void **state)
         tp_world_step(&tp_program_all, world, &scene, NULL);
         const uint32_t width = (uint32_t)chance_int(&chance, 1, 8192);
         const uint32_t height = (uint32_t)chance_int(&chance, 1, 8192);
-        if (pick_water(world, &scene, width, height, chance_int(&chance, -9000, 9000),
-                       chance_int(&chance, INT32_MIN, INT32_MAX), &at))
+        if (pick_pixel(world, &scene, width, height, chance_int(&chance, -9000, 9000),
+                       chance_int(&chance, -32768, 32767), &at))
             assert_true(seen_at(&w, at).depth > 0);
-        assert_false(pick_water(world, &scene, 0, height, 0, 0, &at));
+        assert_false(pick_pixel(world, &scene, 0, height, 0, 0, &at));
         free(world);
     }
 }

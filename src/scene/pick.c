@@ -13,50 +13,50 @@
  * Only that part of the ray is walked that lies between the crests and the troughs,
  * behind the near plane and, in a tank, between its walls.  Where the bed of the sea
  * rises out of it the ray meets land. */
-#include "pick.h"
-#include "tidepool/ocean.h"
-#include "tidepool/pool.h"
+#include "base/base.h"
+#include "geom/waters.h"
+#include "scene/drawn.h"
+#include "scene/parts.h"
+#include "scene/sides.h"
 
 #define FAR   (8000 * TP_FX_ONE)
 #define LEAST (TP_FX_ONE / 256)         /* of a step */
-#define MOST  (1 << 16)                 /* pixels of a side */
+#define MOST  (1 << 13)                 /* pixels of a side */
 
 typedef struct {
-    const tp_world *world;
+    const tp_surface *surface;
     tp_vec3   eye;
     tp_dir3   way;
     tp_fx     near;             /* m along the ray to the near plane */
-    int32_t   focal_q14;        /* pixels to the tangent 1 */
-    bool      bumps;            /* pools bend the light only: the mesh is without them */
+    int32_t focal_q14;          /* pixels to the tangent 1 */
     bool      floor;
 } ray;
 
 /* -- the ray ------------------------------------------------------------------------ */
 
-/* Pixels in Q14: 2^14 x 2^16 of them from the middle, and the focal length held there,
- * keep below what tp_rotate_back takes. */
-static ray ray_of(const tp_world *world, const tp_scene *scene, uint32_t width,
-                  uint32_t height, int32_t px, int32_t py)
+/* Pixels in Q14: 2^16 of them from the middle, and the focal length held there, keep
+ * below what tp_rotate_back takes. */
+static ray ray_of(const tp_surface *surface, const tp_camera *camera,
+                  const tp_scene *scene, const uint32_t side[2], tp_fx x_px, tp_fx y_px)
 {
-    const tp_camera camera = tp_world_camera(world);
     const tp_turn half = tp_turn_of_degrees(scene->camera.fov) / 2;
-    const int64_t focal = (int64_t)height * (1 << 13) * tp_cos(half) / tp_sin(half);
-    const int64_t u = (2 * (int64_t)px + 1 - width) * (1 << 13);
-    const int64_t v = (height - 2 * (int64_t)py - 1) * (1 << 13);
+    const int64_t focal = (int64_t)side[1] * (1 << 13) * tp_cos(half) / tp_sin(half);
     const int64_t most = (1 << 30) - 1;
+    const int64_t u = ((int64_t)x_px >> 2) - (int64_t)side[0] * (1 << 13);
+    const int64_t v = (int64_t)side[1] * (1 << 13) - ((int64_t)y_px >> 2);
     ray r = {
-        .world = world, .eye = camera.eye,
+        .surface = surface,
+        .eye = camera->eye,
         .focal_q14 = (int32_t)tp_limit(focal, most),
-        .bumps = scene->water.pool_bump > 0,
-        .floor = tp_world_ocean(world)
-              && (scene->floor.depth > 0 || scene->floor.map[0]),
+        .floor = surface->ocean && tp_has_floor(scene),
     };
-    const tp_vec3 way = tp_rotate_back(&camera.turn, (tp_vec3){
-        (tp_fx)tp_limit(u, most), (tp_fx)tp_limit(v, most), -r.focal_q14 });
+    const tp_vec3 way = tp_rotate_back(
+        &camera->turn,
+        (tp_vec3){ (tp_fx)tp_limit(u, most), (tp_fx)tp_limit(v, most), -r.focal_q14 });
 
     r.way = tp_normalise(way.x, way.y, way.z);
     r.near = tp_fx_held(((int64_t)scene->camera.near * TP_Q30_ONE)
-                        / tp_clamp(-tp_dir3_dot(r.way, camera.turn.z), 1, TP_Q30_ONE));
+                        / tp_clamp(-tp_dir3_dot(r.way, camera->turn.z), 1, TP_Q30_ONE));
     return r;
 }
 
@@ -71,24 +71,15 @@ static tp_vec3 place_at(const ray *r, int64_t t)
 
 /* -- the surface -------------------------------------------------------------------- */
 
-static tp_fx relief_of(const tp_pool *pool, tp_fx x, tp_fx z)
-{
-    return pool ? tp_pool_relief(pool, x, z, 0).height : 0;
-}
-
 static tp_fx water_at(const ray *r, tp_fx x, tp_fx z)
 {
-    const tp_fx high = tp_world_above(&tp_program_all, r->world, x, z).position.y;
-
-    return !r->bumps ? high
-                     : high - relief_of(tp_world_pool(r->world), x, z)
-                            - relief_of(tp_world_field(r->world), x, z);
+    return tp_surface_above(r->surface, x, z, NULL).position.y;
 }
 
 static tp_fx land_at(const ray *r, tp_fx x, tp_fx z)
 {
-    const tp_ocean *ocean = tp_world_ocean(r->world);
-    return r->floor ? -tp_ocean_floor(ocean, x, z).depth : TP_FX_MIN;
+    const tp_surface *s = r->surface;
+    return r->floor ? -s->by->ocean->floor(s->ocean, x, z).depth : TP_FX_MIN;
 }
 
 /* How far the ray is over water or land. */
@@ -98,21 +89,6 @@ static int64_t over(const ray *r, int64_t t)
     const tp_fx water = water_at(r, p.x, p.z), land = land_at(r, p.x, p.z);
 
     return (int64_t)p.y - (water > land ? water : land);
-}
-
-/* No water is higher or lower: waves, all rings at their highest, pools. */
-static int64_t highest(const ray *r)
-{
-    const tp_ocean *ocean = tp_world_ocean(r->world);
-    const tp_drops *drops = tp_world_drops(r->world);
-    const tp_pool *pool[2] = { tp_world_pool(r->world), tp_world_field(r->world) };
-    int64_t sum = ocean ? tp_ocean_height(ocean) : r->world->sea.height;
-
-    for (uint32_t i = 0; drops && i < drops->rings; i++)
-        sum += tp_drops_rings(drops)[i].amplitude;
-    for (int k = 0; k < 2 && !r->bumps; k++)
-        sum += pool[k] ? tp_pool_highest(pool[k]) : 0;
-    return sum + LEAST;
 }
 
 /* -- the walk ----------------------------------------------------------------------- */
@@ -131,24 +107,21 @@ static bool cut(stretch *s, tp_fx eye, tp_q30 way, int64_t low, int64_t high)
     return s->from < s->to;
 }
 
-static bool cut_by_tank(stretch *s, const ray *r, const tp_scene_pool *pool)
+static bool cut_by_tank(stretch *s, const ray *r, const tp_rectangle *sides)
 {
-    const int64_t wide = (int64_t)pool->cell * pool->cols / 2;
-    const int64_t deep = (int64_t)pool->cell * pool->rows / 2;
-
-    return cut(s, r->eye.x, r->way.x, pool->x - wide, pool->x + wide)
-        && cut(s, r->eye.z, r->way.z, pool->z - deep, pool->z + deep);
+    return cut(s, r->eye.x, r->way.x, sides->x0, sides->x1)
+           && cut(s, r->eye.z, r->way.z, sides->z0, sides->z1);
 }
 
 /* Land may stand higher than any water. */
 static bool stretch_of(const ray *r, const tp_scene *scene, stretch *s)
 {
-    const int64_t high = highest(r);
+    const int64_t high = (int64_t)tp_surface_height(r->surface) + LEAST;
+    const tp_rectangle sides = tp_pool_sides(scene);
 
     *s = (stretch){ r->near, FAR };
     return cut(s, r->eye.y, r->way.y, -high, r->floor ? TP_FX_MAX : high)
-        && (scene->tank.kind == TP_TANK_NONE || scene->pool.cols <= 0
-            || cut_by_tank(s, r, &scene->pool));
+           && (!tp_has_tank(scene) || cut_by_tank(s, r, &sides));
 }
 
 static int64_t step_of(const ray *r, int64_t t, int64_t high)
@@ -192,15 +165,24 @@ static bool walk(const ray *r, const stretch *s, int64_t *t)
     return false;
 }
 
-bool pick_water(const tp_world *world, const tp_scene *scene, uint32_t width,
-                uint32_t height, int32_t px, int32_t py, tp_vec3 *at)
+bool tp_world_pick(const tp_program *program, const tp_world *world,
+                   const tp_scene *scene, uint32_t width, uint32_t height, tp_fx x_px,
+                   tp_fx y_px, tp_vec3 *at)
 {
+    TP_ASSERT(world != NULL && world->parts.bytes > 0 && at != NULL);
+    const tp_drawn drawn = tp_world_drawn(world);
+    tp_surface surface = tp_world_surface(tp_program_or_linked(program), world);
     stretch s;
     int64_t t;
 
+    surface.phases = drawn.phases;
+    surface.back = world->back;
+    if (scene->water.pool_bump > 0) /* pools bend the light alone */
+        surface.pool = surface.field = NULL;
     if (width == 0 || height == 0 || width > MOST || height > MOST)
         return false;
-    const ray r = ray_of(world, scene, width, height, px, py);
+    const uint32_t side[2] = { width, height };
+    const ray r = ray_of(&surface, &drawn.camera, scene, side, x_px, y_px);
     if (!stretch_of(&r, scene, &s) || !walk(&r, &s, &t))
         return false;
     *at = place_at(&r, t);

@@ -1,0 +1,52 @@
+/* SPDX-License-Identifier: MIT */
+/* Places of the world and places of the picture. */
+#include "frame/frame.h"
+
+/* Along an axis of the view, m in Q30: differences below 2^32 times 2^30 fit 64 bits, three
+ * of them once 16 bits are cut. */
+static int64_t along(const tp_lens *lens, tp_vec3 place, tp_dir3 axis)
+{
+    const int64_t x = (int64_t)place.x - lens->eye.x;
+    const int64_t y = (int64_t)place.y - lens->eye.y;
+    const int64_t z = (int64_t)place.z - lens->eye.z;
+
+    return (x * axis.x >> 16) + (y * axis.y >> 16) + (z * axis.z >> 16);
+}
+
+/* focal x way / depth, pixels in 16.16; saturates.  Both lengths lose the bits that depth
+ * has above 2^31; a way whose product would not fit is a place far outside. */
+static tp_fx pixels_of(const tp_lens *lens, int64_t way, int64_t depth)
+{
+    int64_t most;
+
+    for (; depth >> 31 > 0; depth >>= 1)
+        way /= 2;
+    most = INT64_MAX / 2 / lens->focal;
+    if (way > most || way < -most)
+        return way > 0 ? TP_FX_MAX : TP_FX_MIN;
+    return tp_fx_held(tp_quotient(way * lens->focal, depth));
+}
+
+bool tp_frame_project(const tp_frame *frame, tp_vec3 place, tp_fx *x_px, tp_fx *y_px,
+                      tp_fx *depth)
+{
+    TP_ASSERT(frame != NULL && frame->world != NULL);
+    const tp_lens *lens = &frame->lens;
+    const int64_t far = along(lens, place, lens->ahead);
+
+    if (far >> 14 < lens->near)
+        return false;
+    *x_px = tp_fx_held((int64_t)frame->config.width * (TP_FX_ONE / 2)
+                       + pixels_of(lens, along(lens, place, lens->turn.x), far));
+    *y_px = tp_fx_held((int64_t)frame->config.height * (TP_FX_ONE / 2)
+                       - pixels_of(lens, along(lens, place, lens->turn.y), far));
+    *depth = tp_fx_held((far + (1 << 13)) >> 14);
+    return true;
+}
+
+bool tp_frame_pick(const tp_frame *frame, tp_fx x_px, tp_fx y_px, tp_vec3 *at)
+{
+    TP_ASSERT(frame != NULL && frame->world != NULL);
+    return tp_world_pick(frame->program, frame->world, frame->scene, frame->config.width,
+                         frame->config.height, x_px, y_px, at);
+}

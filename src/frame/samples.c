@@ -1,0 +1,59 @@
+/* SPDX-License-Identifier: MIT */
+/* Depths and kinds of a drawn tile, out of the keys that drawing leaves in the scratch. */
+#include "frame/frame.h"
+
+static const uint32_t *row_of(const tp_frame *frame, const void *scratch,
+                              const tp_tile *tile, uint32_t y)
+{
+    TP_ASSERT(frame != NULL && scratch != NULL && y >= tile->y0 && y < tile->y1);
+    return (const uint32_t *)scratch + (size_t)(y - tile->y0) * frame->config.tile_width;
+}
+
+/* A key keeps 24 bits of near / depth, rounded down: the middle of what they stand for. */
+static tp_fx depth_of(const tp_lens *lens, uint32_t key)
+{
+    const uint32_t zi = TP_ZI(key) + 0x40;
+
+    return tp_fx_held(((int64_t)lens->zi_near * ((int64_t)1 << 31) + zi / 2) / zi);
+}
+
+void tp_frame_depth_row(const tp_frame *frame, const void *scratch, const tp_tile *tile,
+                        uint32_t y, tp_fx *depth)
+{
+    const uint32_t *key = row_of(frame, scratch, tile, y);
+
+    for (uint32_t x = 0; x < tile->x1 - tile->x0; x++)
+        depth[x] =
+            TP_MARK(key[x]) == TP_MARK_SKY ? TP_FX_MAX : depth_of(&frame->lens, key[x]);
+}
+
+/* The module that owns a list says what it draws. */
+static tp_sample_kind kind_of(const tp_frame *frame, uint32_t mark)
+{
+    const struct tp_drawing *owner;
+    uint32_t kind = 0;
+
+    if (mark < TP_MARK_SOLID)
+        return mark == TP_MARK_SKY ? TP_SAMPLE_SKY : TP_SAMPLE_WATER;
+    owner = tp_frame_list(frame, mark)->owner;
+    for (const tp_use *u = frame->program->modules; u && u->module; u++)
+        if (u->drawing == owner)
+            kind = u->module->is >> TP_MODULE_KIND_SHIFT;
+    return kind ? (tp_sample_kind)kind : TP_SAMPLE_OTHER;
+}
+
+void tp_frame_kind_row(const tp_frame *frame, const void *scratch, const tp_tile *tile,
+                       uint32_t y, uint8_t *kind)
+{
+    const uint32_t *key = row_of(frame, scratch, tile, y);
+    uint32_t mark = TP_MARKS;
+    uint8_t known = TP_SAMPLE_OTHER;
+
+    for (uint32_t x = 0; x < tile->x1 - tile->x0; x++) {
+        if (TP_MARK(key[x]) != mark) {
+            mark = TP_MARK(key[x]);
+            known = (uint8_t)kind_of(frame, mark);
+        }
+        kind[x] = known;
+    }
+}

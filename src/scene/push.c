@@ -1,0 +1,57 @@
+/* SPDX-License-Identifier: MIT */
+/* An application pushes the water between ticks.  tp_input.push does so within a tick. */
+#include "base/base.h"
+#include "geom/waters.h"
+#include "scene/parts.h"
+#include "scene/pools.h"
+
+#define RING_MOST   (4 * TP_FX_ONE)  /* m, of a ring's height */
+#define RADIUS_MOST (16 * TP_FX_ONE) /* m: a quarter of the longest ring */
+
+/* The pool lies on the field, so a place in both stirs the pool alone. */
+static bool push_pools(const tp_world *world, tp_fx x, tp_fx z, tp_fx radius,
+                       tp_fx height)
+{
+    tp_pool *const pool = tp_parts_pool(world), *const field = tp_parts_field(world);
+
+    return (pool && tp_pool_hat(pool, x, z, radius, height))
+           || (field && tp_pool_hat(field, x, z, radius, height));
+}
+
+static bool is_far(tp_fx x)
+{
+    return x < -TP_DROP_FAR || x > TP_DROP_FAR;
+}
+
+/* A hat of the width sigma has the waves of a drop's impact of the length 4 sigma [D5]; up
+ * or down, a ring begins with a crest. */
+static bool push_open_water(const tp_program *program, tp_world *world,
+                            const tp_scene *scene, tp_fx x, tp_fx z, tp_fx radius,
+                            tp_fx height)
+{
+    const tp_impact impact = {
+        .x = x,
+        .z = z,
+        .time = (int64_t)(world->tick * TP_FX_ONE),
+        .amplitude = (tp_fx)tp_limit(height < 0 ? -(int64_t)height : height, RING_MOST),
+        .length = 4 * tp_clamp(radius, 0, RADIUS_MOST),
+    };
+    const tp_surface surface = tp_world_surface(program, world);
+
+    if (!program->water.rings || scene->drops.into != TP_DROPS_RINGS || is_far(x)
+        || is_far(z))
+        return false;
+    return tp_modules_hit(program, world, scene, &impact,
+                          tp_surface_above(&surface, x, z, NULL).position.y);
+}
+
+bool tp_world_push(const tp_program *program, tp_world *world, const tp_scene *scene,
+                   tp_fx x, tp_fx z, tp_fx radius, tp_fx height)
+{
+    TP_ASSERT(scene != NULL && world != NULL && world->parts.bytes > 0);
+    if (height == 0)
+        return false;
+    program = tp_program_or_linked(program);
+    return push_pools(world, x, z, radius, height)
+           || push_open_water(program, world, scene, x, z, radius, height);
+}

@@ -1,0 +1,235 @@
+/* SPDX-License-Identifier: MIT */
+/* An application's own spans in tiles: one that draws nothing changes no bit, in any scene,
+ * format, tiling and by any number of threads; spans are hidden by what is nearer.
+ * TP_OVERLAY_PICTURES=FOLDER keeps the picture of a sprite behind a crest. */
+#include <stdarg.h>
+#include <stddef.h>
+#include <setjmp.h>
+#include <stdint.h>
+#include <cmocka.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include "host/assets.h"
+#include "host/canvas.h"
+#include "host/path.h"
+#include "host/scene_file.h"
+#include "tests/reference/image.h"
+
+typedef struct {
+    scene_file file;
+    assets assets;
+    tp_world *world;
+} stand;
+
+static void open_stand(stand *s, const char *folder, const char *name, uint32_t ticks)
+{
+    char path[256];
+
+    memset(s, 0, sizeof *s);
+    snprintf(path, sizeof path, "%s/%s.ini", folder, name);
+    assert_int_equal(scene_file_open(&s->file, path), 0);
+    assert_int_equal(assets_open(&s->assets, &s->file), 0);
+    const tp_scene *scene = &s->file.scene;
+    const size_t bytes = tp_world_bytes(&tp_program_all, scene, &s->assets.names);
+    s->world = malloc(bytes);
+    assert_non_null(s->world);
+    assert_int_equal(
+        tp_world_init(&tp_program_all, s->world, bytes, scene, &s->assets.names, NULL),
+        TP_OK);
+    while (s->world->tick < ticks)
+        tp_world_step(&tp_program_all, s->world, scene, NULL);
+}
+
+static void close_stand(stand *s)
+{
+    free(s->world);
+    assets_close(&s->assets);
+    scene_file_close(&s->file);
+}
+
+/* -- nothing is drawn ------------------------------------------------------------------ */
+
+static void draw_nothing(void *user, const tp_overlay_row *row)
+{
+    (void)row;
+    __atomic_add_fetch((uint32_t *)user, row->x1 - row->x0, __ATOMIC_RELAXED);
+}
+
+static uint32_t crc_of(const stand *s, tp_config config, uint32_t threads)
+{
+    canvas c;
+
+    memset(&c, 0, sizeof c);
+    canvas_plan(&c, &config, threads);
+    assert_int_equal(canvas_open(&c, &s->file.scene, &s->assets.names), 0);
+    canvas_draw(&c, s->world);
+    const uint32_t crc = picture_crc(&c.picture);
+    canvas_close(&c);
+    return crc;
+}
+
+static void try_scene(const char *folder, const char *name)
+{
+    static const uint32_t tiles[][2] = { { 0, 150 }, { 48, 7 }, { 16, 1 } };
+    enum { WIDTH = 208, HEIGHT = 150 };
+    stand s;
+
+    open_stand(&s, folder, name, 60);
+    for (int format = 0; format < TP_FORMAT_COUNT; format++) {
+        tp_config config = { .width = WIDTH,
+                                   .height = HEIGHT,
+                                   .tile_height = HEIGHT,
+                                   .format = (tp_format)format };
+        const uint32_t want = crc_of(&s, config, 1);
+        for (uint32_t i = 0; i < 4; i++) {
+            uint32_t pixels = 0;
+            config.tile_width = tiles[i % 3][0];
+            config.tile_height = tiles[i % 3][1];
+            config.overlay = tp_overlay_of(draw_nothing, &pixels);
+            assert_int_equal(crc_of(&s, config, i == 3 ? 3 : 1), want);
+            assert_int_equal(pixels, WIDTH * HEIGHT);
+        }
+    }
+    close_stand(&s);
+}
+
+static void an_overlay_of_nothing_changes_no_bit(void **state)
+{
+    static const char *const folders[] = { "assets/scenes", "tests/golden/scenes" };
+    (void)state;
+    for (int f = 0; f < 2; f++) {
+        size_t count = 0;
+        char **names = path_scene_names(folders[f], &count);
+        assert_true(count > 0);
+        for (size_t i = 0; i < count; i++)
+            try_scene(folders[f], names[i]);
+        path_free_names(names, count);
+    }
+}
+
+/* -- spans ----------------------------------------------------------------------------- */
+
+enum { WIDTH = 320, HEIGHT = 240, PIXELS = WIDTH * HEIGHT };
+
+static void draw_picture(const stand *s, tp_overlay overlay, uint32_t *pixels,
+                         const char *name)
+{
+    const tp_config config = {
+        .width = WIDTH, .height = HEIGHT, .tile_height = 16, .overlay = overlay
+    };
+    const char *folder = getenv("TP_OVERLAY_PICTURES");
+    char path[256];
+    canvas c;
+
+    memset(&c, 0, sizeof c);
+    canvas_plan(&c, &config, 1);
+    assert_int_equal(canvas_open(&c, &s->file.scene, &s->assets.names), 0);
+    canvas_draw(&c, s->world);
+    for (uint32_t y = 0; y < HEIGHT; y++)
+        picture_expand_row(&c.picture, y, pixels + y * WIDTH);
+    snprintf(path, sizeof path, "%s/%s.png", folder, name);
+    if (folder)
+        assert_int_equal(picture_write_png(&c.picture, path), 0);
+    canvas_close(&c);
+}
+
+/* Rows from y0 to y1 of one colour from x, so wide and so far away. */
+typedef struct {
+    int32_t x, y0, y1;
+    uint32_t width, colour;
+    tp_fx depth;
+} sprite;
+
+static void draw_sprite(void *user, const tp_overlay_row *row)
+{
+    const sprite *s = user;
+    uint32_t colours[1024];
+
+    if ((int32_t)row->y < s->y0 || (int32_t)row->y >= s->y1)
+        return;
+    for (uint32_t i = 0; i < s->width; i++)
+        colours[i] = s->colour;
+    tp_overlay_span(row, s->x, s->width, s->depth, colours);
+}
+
+static uint32_t without[PIXELS], with[PIXELS];
+
+/* 0 is before everything; what is beyond the row is left out; alpha blends, rounded. */
+static void a_hud_is_over_everything(void **state)
+{
+    (void)state;
+    stand s;
+    open_stand(&s, "assets/scenes", "storm", 100);
+    sprite hud = { -20, 100, 140, 1000, 0x80ff4020, 0 };
+    draw_picture(&s, (tp_overlay){ 0 }, without, "storm");
+    draw_picture(&s, tp_overlay_of(draw_sprite, &hud), with, "storm-hud");
+    for (int i = 0; i < PIXELS; i++) {
+        const bool in = i / WIDTH >= hud.y0 && i / WIDTH < hud.y1;
+        for (int k = 0; k < 24; k += 8) {
+            const double a = 128 / 255.0, over = hud.colour >> k & 255;
+            const double under = without[i] >> k & 255;
+            const double want = in ? a * over + (1 - a) * under : under;
+            assert_true(fabs((with[i] >> k & 255) - want) < 0.51);
+        }
+    }
+    hud.colour = 0x00ffffff;
+    draw_picture(&s, tp_overlay_of(draw_sprite, &hud), with, "storm-nothing");
+    assert_memory_equal(with, without, sizeof with);
+    hud.colour = 0xff123456;
+    hud.depth = TP_FX_MAX;
+    draw_picture(&s, tp_overlay_of(draw_sprite, &hud), with, "storm-farthest");
+    for (int i = hud.y0 * WIDTH; i < hud.y1 * WIDTH; i++)
+        assert_true(with[i] == without[i] || with[i] == 0x123456);
+    close_stand(&s);
+}
+
+/* A billboard that stands 30 m ahead of an eye low over the swells, against depths in
+ * double precision. */
+static void a_crest_hides_what_stands_behind_it(void **state)
+{
+    (void)state;
+    static const tp_fx depth = 30 * TP_FX_ONE;
+    sprite board = { 90, 60, 200, 140, 0xffff00ff, depth };
+    int hidden = 0, shown = 0, wrong = 0;
+    ref_scene ref;
+    ref_image image;
+    stand s;
+
+    open_stand(&s, "assets/scenes", "three-swells", 100);
+    tp_scene *scene = &s.file.scene;
+    const tp_fx side = 30 * TP_FX_ONE; /* away from the boat */
+    const tp_water water = tp_world_sample(&tp_program_all, s.world, side, side);
+    tp_world_set_camera(s.world, (tp_vec3){ side, water.height + TP_FX_ONE, side },
+                        TP_DEG(200), TP_DEG(-3), TP_DEG(8));
+    draw_picture(&s, tp_overlay_of(draw_sprite, &board), with, "swells-board");
+    ref_scene_open(&ref, scene, &s.assets.names, s.world, WIDTH, HEIGHT, true);
+    ref_image_draw(&image, &ref, WIDTH, HEIGHT, 1, 2);
+    for (int y = board.y0; y < board.y1; y++)
+        for (int x = board.x; x < board.x + (int)board.width; x++) {
+            const double near = image.near[y * WIDTH + x] * 30;
+            const bool there = with[y * WIDTH + x] == (board.colour & 0xffffff);
+            if (fabs(near - 1) < 0.03)
+                continue;
+            hidden += near > 1;
+            shown += near < 1;
+            wrong += (near < 1) != there;
+        }
+    printf("    %d pixels hidden, %d shown, %d otherwise\n", hidden, shown, wrong);
+    assert_true(hidden > 1000 && shown > 1000);
+    assert_true(wrong < (hidden + shown) / 200);
+    ref_image_free(&image);
+    ref_scene_close(&ref);
+    close_stand(&s);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_hud_is_over_everything),
+        cmocka_unit_test(a_crest_hides_what_stands_behind_it),
+        cmocka_unit_test(an_overlay_of_nothing_changes_no_bit),
+    };
+    return cmocka_run_group_tests_name("overlay of an application", tests, NULL, NULL);
+}
