@@ -107,7 +107,7 @@ WARN   := -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wvla -Wdouble-promotio
 FLAGS  := -std=c11 $(WARN) -Iinclude -MMD -MP -fmacro-prefix-map=$(CURDIR)/= \
           $(OPT) $(ARCH) $(if $(CHECKED),-DTP_CHECKED)
 BARE   := -Isrc -ffreestanding -ffunction-sections -fdata-sections
-HOSTED := -Iports -Isrc -I. $(SDL_CFLAGS) $(KMS_CFLAGS)
+HOSTED := -Iports -Iports/library -Isrc -I. $(SDL_CFLAGS) $(KMS_CFLAGS)
 COMPILE = $(CC) $(FLAGS) $(CPPFLAGS) $(CFLAGS)
 LINK    = $(CC) $(OPT) $(ARCH) $(LDFLAGS)
 # The quicker linker, where it is, for the hundreds of programs that tests are.
@@ -134,6 +134,7 @@ endif
 # Asserts (src/base/assert.h) are off in a release and on with CHECKED=1.  Unit tests link
 # a library that has them on.
 LIB     := $(CORE_AT)/libtidepool.a
+HOST_LIB := $(BUILD)/libtidepool-host.a
 UNIT_LIB := $(if $(CHECKED),$(LIB),$(BUILD)/checked/libtidepool.a)
 PROGRAM := $(BUILD)/tidepool
 CORE_O  := $(CORE:%.c=$(CORE_AT)/%.o)
@@ -180,14 +181,21 @@ BAKES   := $(wildcard ports/host/bake*.c ports/host/assets*.c ports/host/png_rea
 SHIPPED := $(wildcard assets/scenes/* assets/boats/*.[mop]* assets/textures/*.png \
                assets/skies/*.png)
 
+# What tells other builds of the installed library, as CMakeLists.txt does.
+PACKAGES := $(addprefix cmake/tidepool/tidepool-,config.cmake config-version.cmake) \
+            pkgconfig/tidepool.pc pkgconfig/tidepool-host.pc
+PACKAGED = -e 's|@TP_PREFIX@|../..|; s|@TP_LIBDIR@|lib|; s|@TP_INCLUDEDIR@|include|' \
+           -e "s|@TP_VERSION@|$$(sed -n 's/^.define TP_VERSION_M[AI].* //p; \
+               s/^.define TP_VERSION_PATCH *//p' include/tidepool/*.h | paste -sd.)|"
+
 # Modules of somebody else's: their folder, see below.
 MORE    ?=
 MORE_AT := $(BUILD)/more/$(notdir $(MORE))
 
 # -- what people ask for ---------------------------------------------------------------
 
-## build the program and the library
-all: $(PROGRAM) $(LIB)
+## build the program, the library and the host library
+all: $(PROGRAM) $(LIB) $(HOST_LIB)
 ## build the program with modules of your own: MORE=ports/examples/buoy
 more: $(MORE_AT)/tidepool
 ## build the library alone
@@ -273,20 +281,27 @@ serve:
 install: all
 	install -d $(DESTDIR)$(PREFIX)/bin $(DESTDIR)$(PREFIX)/lib
 	install $(PROGRAM) $(DESTDIR)$(PREFIX)/bin
-	install -m 644 $(LIB) $(DESTDIR)$(PREFIX)/lib
-	for f in include/tidepool/*.h; do install -Dm 644 $$f $(DESTDIR)$(PREFIX)/$$f; done
+	install -m 644 $(LIB) $(HOST_LIB) $(DESTDIR)$(PREFIX)/lib
+	for f in include/tidepool/*.h ports/library/tidepool/*.h; do \
+	    install -Dm 644 $$f $(DESTDIR)$(PREFIX)/include/tidepool/$${f##*/} || exit 1; \
+	done
+	for f in $(PACKAGES); do \
+	    to=$(DESTDIR)$(PREFIX)/lib/$$f && install -Dm 644 /dev/null $$to && \
+	    sed $(PACKAGED) ports/packages/$${f##*/}.in >$$to || exit 1; \
+	done
 	for f in 'manual=man/man1/tidepool.1' 'manual --scene=man/man5/tidepool-scene.5' \
 	        'completion bash=bash-completion/completions/tidepool' \
 	        'completion zsh=zsh/site-functions/_tidepool' \
 	        'completion fish=fish/vendor_completions.d/tidepool.fish'; do \
-	    $(PROGRAM) $${f%=*} >$(BUILD)/printed && \
-	    install -Dm 644 $(BUILD)/printed $(DESTDIR)$(PREFIX)/share/$${f##*=} || exit 1; \
+	    to=$(DESTDIR)$(PREFIX)/share/$${f##*=} && install -Dm 644 /dev/null $$to && \
+	    $(PROGRAM) $${f%=*} >$$to || exit 1; \
 	done
 	for f in $(SHIPPED); do \
 	    install -Dm 644 $$f $(DESTDIR)$(PREFIX)/share/tidepool/$${f#assets/}; done
 ## lay the sources out by .clang-format
 format:
-	clang-format -i include/tidepool/*.h src/*/*.[ch] src/*/*/*.[ch] ports/*/*.[ch] tests/*/*.[ch]
+	clang-format -i include/tidepool/*.h src/*/*.[ch] src/*/*/*.[ch] ports/*/*.[ch] \
+	    ports/*/*/*.[ch] tests/*/*.[ch]
 ## remove everything that was made
 clean:
 	rm -rf build out
@@ -329,6 +344,7 @@ host-tests: everything
 	    tests/host/manual.sh tests/host/exits.sh tests/host/output.sh tests/host/bake.sh \
 	    tests/host/check.sh tests/host/check_ranges.sh tests/host/tape.sh \
 	    tests/host/own_module.sh tests/host/charts.sh tests/host/linked.sh \
+	    tests/host/packages.sh tests/host/library.sh \
 	    tests/host/charts_stop.sh tests/boards/readme.sh \
 	    tests/host/generators.sh tests/host/readme.sh
 # First what several of them want of the board's compiler; the longest tests begin first.
@@ -385,6 +401,12 @@ $(BUILD)/ports.a: $(PORTS_O)
 %.a:
 	@rm -f $@
 	$(SAY)$(AR) rcs $@ $^
+# The host library: what it takes of the ports, and of that the public names alone.
+$(HOST_LIB): $(BUILD)/host-library.o
+$(BUILD)/host-library.o: $(patsubst %.c,$(BUILD)/%.o,$(wildcard ports/library/*.c)) \
+          $(BUILD)/ports.a
+	$(SAY)$(LD) -r $^ -o $@
+	@$(OBJCOPY) --wildcard --keep-global-symbol='tp_host_*' $@
 # The core as one file that tests load: what tests/mutants/run.sh builds them with.  By its
 # whole path, since some tests run a copy of themselves in another folder.
 %.so:
@@ -483,7 +505,8 @@ $(SCENES:%=$(BUILD)/tests/cross/film-%): \
 # And on a raw screen: one static file for a small Linux board.
 SCREEN_O := $(patsubst %.c,$(BUILD)/%.o,$(filter ports/linuxfb/% ports/kms/% \
                ports/screen/%,$(PORTS)) ports/screen/main.c $(addprefix ports/host/, \
-               atomic_file.c hashes.c picture.c say.c timing.c) ports/live/wish.c)
+               atomic_file.c hashes.c picture.c say.c streams.c timing.c) \
+               ports/live/wish.c)
 $(SCENES:%=$(BUILD)/scenes/%-screen): $(BUILD)/scenes/%-screen: $(SCREEN_O) \
           build/baked/$(MACHINE)/%.o $(LIB)
 	@mkdir -p $(@D)

@@ -24,6 +24,8 @@ show | libimgui-dev              | pkg imgui                   | its panel
 show | g++                       | cmd g++                     | its compiler
 test | libdrm-dev               | inc libdrm/drm.h            | headers of raw screens
 test | libcmocka-dev             | pkg cmocka                  | unit tests
+test | cmake                    | cmd cmake                   | package of the library
+test | g++                      | cmd g++                     | a program in C++ with it
 test | binutils                  | cmd objdump                 | gates on the object code
 test | mandoc                    | cmd mandoc                  | checks the manual page
 sheet | imagemagick              | cmd montage                 | lays pictures out

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Loading what a scene names: pictures here, its mesh in assets_mesh.c. */
+#define _POSIX_C_SOURCE 200809L
 #include "assets.h"
 #include <errno.h>
 #include <limits.h>

@@ -4,6 +4,7 @@
  * The core reads OBJ and MTL text and opens no file: here are the files.  An MTL is found
  * beside the OBJ that names it, a picture beside the MTL.  What is missing or cannot be
  * used there, and what the core warns of, is said and left out; --strict refuses it. */
+#define _POSIX_C_SOURCE 200809L
 #include <errno.h>
 #include <limits.h>
 #include <stdarg.h>
@@ -15,7 +16,7 @@
 #include "say.h"
 
 enum {
-    CHUNK      = 65536,
+    CHUNK      = 16384,
     SAID       = 16,                /* warnings of one mesh; others are counted */
     TEXT_BYTES = 2 * PATH_MAX + 512,
     METRES     = 4000,              /* that are drawn, either way from the mesh's origin */
@@ -128,7 +129,7 @@ typedef tp_status (*end)(tp_obj *obj, tp_error *err);
 /* A whole file through one of the reader's passes. */
 static int pass(tp_obj *obj, const char *path, feed more, end done)
 {
-    static char chunk[CHUNK];
+    char chunk[CHUNK];
     tp_error err = { 0 };
     FILE *file = fopen(path, "rb");
     if (!file)

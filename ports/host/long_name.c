@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /* Long names and the short ones that stand for them: long_name.h. */
+#define _POSIX_C_SOURCE 200809L
 #include "long_name.h"
+#include <pthread.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -18,6 +20,7 @@ struct long_name {
 };
 
 static long_name *all;
+static pthread_mutex_t mutex = PTHREAD_MUTEX_INITIALIZER;
 
 static const long_name *find_text(const char *text)
 {
@@ -37,7 +40,9 @@ static const long_name *find_whole(const char *whole)
 
 const char *long_name_whole(const char *text)
 {
+    pthread_mutex_lock(&mutex);
     const long_name *name = find_text(text);
+    pthread_mutex_unlock(&mutex);
     return name ? name->whole : text;
 }
 
@@ -62,19 +67,28 @@ static void put_text(long_name *name)
         snprintf(name->text, sizeof name->text, "...%u...%s", n, end);
 }
 
-const char *long_name_shorten(const char *name, size_t bytes)
+/* Takes `whole`, or NULL. */
+static const long_name *add(char *whole)
 {
-    char *whole = path_copy(name, bytes);
     const long_name *there = whole ? find_whole(whole) : NULL;
     long_name *made = whole && !there ? malloc(sizeof *made) : NULL;
     if (!made) {
         free(whole);
-        if (!there)
-            fail_memory(bytes);
-        return there ? there->text : NULL;
+        return there;
     }
     *made = (long_name){ .next = all, .whole = whole };
     put_text(made);
     all = made;
-    return made->text;
+    return made;
+}
+
+const char *long_name_shorten(const char *name, size_t bytes)
+{
+    char *whole = path_copy(name, bytes);
+    pthread_mutex_lock(&mutex);
+    const long_name *made = add(whole);
+    pthread_mutex_unlock(&mutex);
+    if (!made)
+        fail_memory(bytes);
+    return made ? made->text : NULL;
 }

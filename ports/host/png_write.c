@@ -7,9 +7,7 @@
 #include <stdbool.h>
 #include <stdlib.h>
 #include <string.h>
-#include "output.h"
 #include "picture.h"
-#include "say.h"
 
 /* The chunk that tells our pictures from others: its type, a key, a text.  It lies behind
  * the palette's 768 bytes at the most. */
@@ -121,16 +119,6 @@ int picture_put_png(const picture *p, FILE *to)
     free(w.pixels);
     free(w.rgb);
     return w.error;
-}
-
-int picture_write_png(const picture *p, const char *name)
-{
-    output out;
-    const int code = output_open(&out, name);
-    if (code)
-        return code;
-    const int error = picture_put_png(p, out.file);
-    return error ? output_failed(&out, error) : output_close(&out);
 }
 
 bool picture_is_ours(const char *name)

@@ -3,9 +3,6 @@
  * mixes with a message. */
 #define _POSIX_C_SOURCE 200809L
 #include "say.h"
-#include <errno.h>
-#include <fcntl.h>
-#include <signal.h>
 #include <stdarg.h>
 #include <stdbool.h>
 #include <stdio.h>
@@ -16,6 +13,12 @@
 static bool     progress_shown, verbose;
 static char     last[512];
 static unsigned lines;
+
+/* Where this thread's lines go; NULL: to stderr. */
+static _Thread_local struct {
+    char *text;
+    size_t bytes, used;
+} kept;
 
 static bool can_rewrite(void)
 {
@@ -41,9 +44,37 @@ static void clean(char *text)
 }
 
 static void say_list(const char *format, va_list list) HOST_PRINTF(1, 0);
+static void keep(const char *format, va_list list) HOST_PRINTF(1, 0);
+
+static void keep(const char *format, va_list list)
+{
+    char *line = kept.text + kept.used;
+    const size_t room = kept.bytes - kept.used;
+    if (room < 3)
+        return;
+    const int bytes = vsnprintf(line + (kept.used > 0), room - 1, format, list);
+    clean(line + (kept.used > 0));
+    if (kept.used > 0)
+        *line = '\n';
+    if (bytes >= 0)
+        kept.used += strlen(line);
+}
+
+void say_into(char *text, size_t bytes)
+{
+    kept.text = text;
+    kept.bytes = bytes;
+    kept.used = 0;
+    if (text)
+        *text = 0;
+}
 
 static void say_list(const char *format, va_list list)
 {
+    if (kept.text) {
+        keep(format, list);
+        return;
+    }
     va_list again;
     va_copy(again, list);
     const int bytes = vsnprintf(last, sizeof last, format, again);
@@ -110,22 +141,4 @@ int fail_at(const char *file, const tp_error *err)
 int fail_memory(size_t bytes)
 {
     return fail(EXIT_INPUT, "tidepool: out of memory: %zu bytes asked", bytes);
-}
-
-void begin_streams(void)
-{
-    for (int fd = 0; fd <= STDERR_FILENO; fd++)
-        if (fcntl(fd, F_GETFD) < 0 && open("/dev/null", fd ? O_RDONLY : O_WRONLY) != fd)
-            _exit(EXIT_INPUT);
-    signal(SIGXFSZ, SIG_IGN);
-}
-
-/* After an earlier write has failed the flush of the rest tells why. */
-int finish_stdout(void)
-{
-    errno = 0;
-    const bool flushed = fflush(stdout) == 0;
-    if (flushed && !ferror(stdout))
-        return EXIT_DONE;
-    return fail(EXIT_INPUT, "standard output: %s", strerror(errno ? errno : EIO));
 }

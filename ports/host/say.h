@@ -1,7 +1,9 @@
 /* SPDX-License-Identifier: MIT */
-/* What the program says to people: lines on stderr and its exit codes. */
+/* What the program says to people: lines on stderr and its exit codes.  The host library's
+ * callers get the lines as a text. */
 #ifndef HOST_SAY_H
 #define HOST_SAY_H
+#include <stddef.h>
 #include "tidepool/status.h"
 
 /* name, code, a few words, a sentence for the manual.  Every command, script and program
@@ -39,6 +41,10 @@ int fail(int code, const char *format, ...) HOST_PRINTF(2, 3);
 
 /* "file:line: sentence", without the line where the error has none; EXIT_INPUT. */
 int fail_at(const char *file, const tp_error *err);
+
+/* From now on what this thread says goes, line by line, into `text` of so many bytes, which
+ * begins empty, and not to stderr; what is longer is cut.  NULL: to stderr again. */
+void say_into(char *text, size_t bytes);
 
 /* From now on the check that refused something is named too, where the core made it:
  * say_check gives " [src/asset/obj.c:88]", or "" as long as nobody asked. */

@@ -4,6 +4,7 @@
  *     [wave0]
  *     steepness = 0.4         sets wave0.steepness
  */
+#define _POSIX_C_SOURCE 200809L
 #include <limits.h>
 #include <stdio.h>
 #include "ini_read.h"

@@ -8,7 +8,8 @@
 # and itself; sdl2 and null are parts of the host program and see host as well.  Raw
 # screens, linuxfb and kms, are shown by screen, which host hands its pictures to.  What
 # live knows of input and changes is for every port where somebody acts.  The preview
-# compares its pictures with the reference's, which is in tests.  A module that a program
+# compares its pictures with the reference's, which is in tests.  The host library, in
+# ports/library, gives others what host and live have.  A module that a program
 # brings itself, in ports/examples, sees what the library's own modules see; TP_MORE names
 # the header that lists such modules.
 BEGIN {
@@ -32,7 +33,8 @@ BEGIN {
         free[system_header[i]]
     split("sdl2=host null=host host=screen screen=host screen=cortex-m linuxfb=screen " \
           "linuxfb=host kms=screen kms=host rpi=board cortex-m=board cortex-m=lcd " \
-          "sdl2=live screen=live board=live web=live host=live host=tests", sights, " ")
+          "sdl2=live screen=live board=live web=live host=live host=tests " \
+          "library=host library=live", sights, " ")
     for (i in sights)
         guest[sights[i]]
 }

@@ -1,0 +1,14 @@
+/* SPDX-License-Identifier: MIT */
+/* A picture as a PNG file that is whole or not there. */
+#include "output.h"
+#include "picture.h"
+
+int picture_write_png(const picture *p, const char *name)
+{
+    output out;
+    const int code = output_open(&out, name);
+    if (code)
+        return code;
+    const int error = picture_put_png(p, out.file);
+    return error ? output_failed(&out, error) : output_close(&out);
+}

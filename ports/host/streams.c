@@ -1,0 +1,29 @@
+/* SPDX-License-Identifier: MIT */
+/* A program's standard streams, from its first line to its last. */
+#define _POSIX_C_SOURCE 200809L
+#include <errno.h>
+#include <fcntl.h>
+#include <signal.h>
+#include <stdbool.h>
+#include <stdio.h>
+#include <string.h>
+#include <unistd.h>
+#include "say.h"
+
+void begin_streams(void)
+{
+    for (int fd = 0; fd <= STDERR_FILENO; fd++)
+        if (fcntl(fd, F_GETFD) < 0 && open("/dev/null", fd ? O_RDONLY : O_WRONLY) != fd)
+            _exit(EXIT_INPUT);
+    signal(SIGXFSZ, SIG_IGN);
+}
+
+/* After an earlier write has failed the flush of the rest tells why. */
+int finish_stdout(void)
+{
+    errno = 0;
+    const bool flushed = fflush(stdout) == 0;
+    if (flushed && !ferror(stdout))
+        return EXIT_DONE;
+    return fail(EXIT_INPUT, "standard output: %s", strerror(errno ? errno : EIO));
+}

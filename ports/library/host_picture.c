@@ -1,0 +1,106 @@
+/* SPDX-License-Identifier: MIT */
+/* Pictures, and their PNGs.  A file is replaced as a whole: a temporary one beside it takes
+ * its name.  The program's own way (output.h) would catch signals, which are the caller's
+ * here. */
+#define _POSIX_C_SOURCE 200809L
+#include <errno.h>
+#include <fcntl.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+#include "../host/say.h"
+#include "host.h"
+
+#define TRIES 1000 /* names, until one is free */
+
+const tp_host_picture *tp_host_draw(tp_host *host)
+{
+    canvas *c = &host->stage.canvas;
+    if (!c->frame)
+        return NULL;
+    canvas_draw(c, host->stage.world);
+    host->picture =
+        (tp_host_picture){ c->picture.format, c->picture.width, c->picture.height,
+                           c->picture.row_bytes, c->picture.rows };
+    return &host->picture;
+}
+
+/* -- PNG --------------------------------------------------------------------------- */
+
+/* Each returns 0 or an errno. */
+static int end(FILE *file, int error)
+{
+    errno = 0;
+    const int closed = fclose(file) == 0 ? 0 : errno ? errno : EIO;
+    return error ? error : closed;
+}
+
+static int write_to(const picture *p, const char *path)
+{
+    FILE *file = fopen(path, "wb");
+    return file ? end(file, picture_put_png(p, file)) : errno;
+}
+
+/* A new file beside `path`, its name in `temporary`; -1: errno tells. */
+static int open_beside(const char *path, char *temporary, size_t bytes)
+{
+    int fd = -1;
+    errno = EEXIST;
+    for (unsigned n = 0; n < TRIES && fd < 0 && errno == EEXIST; n++) {
+        snprintf(temporary, bytes, "%s.%ld-%u", path, (long)getpid(), n);
+        fd = open(temporary, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    }
+    return fd;
+}
+
+/* The new file has the rights of the old one. */
+static int take_name(const char *temporary, const char *path)
+{
+    struct stat there;
+    if (stat(path, &there) == 0 && chmod(temporary, there.st_mode & 07777))
+        return errno;
+    return rename(temporary, path) ? errno : 0;
+}
+
+static int replace(const picture *p, const char *path, char *temporary, size_t bytes)
+{
+    const int fd = open_beside(path, temporary, bytes);
+    if (fd < 0)
+        return errno;
+    FILE *file = fdopen(fd, "wb");
+    if (!file)
+        close(fd);
+    int error = file ? end(file, picture_put_png(p, file)) : ENOMEM;
+    if (!error)
+        error = take_name(temporary, path);
+    if (error)
+        unlink(temporary);
+    return error;
+}
+
+/* A device or a link is written as it is. */
+static int save(const picture *p, const char *path)
+{
+    struct stat there;
+    if (lstat(path, &there) == 0 && !S_ISREG(there.st_mode))
+        return write_to(p, path);
+    const size_t bytes = strlen(path) + 40;
+    char *temporary = malloc(bytes);
+    const int error = temporary ? replace(p, path, temporary, bytes) : ENOMEM;
+    free(temporary);
+    return error;
+}
+
+bool tp_host_save_png(tp_host *host, const char *path, tp_host_error *err)
+{
+    host_call call;
+    host_before(&call, err);
+    const int error =
+        tp_host_draw(host) ? save(&host->stage.canvas.picture, path) : ENOMEM;
+    if (error)
+        say("%s: %s", path, strerror(error));
+    host_after();
+    return !error;
+}
