@@ -346,7 +346,7 @@ host-tests: everything
 	    tests/host/own_module.sh tests/host/charts.sh tests/host/linked.sh \
 	    tests/host/packages.sh tests/host/library.sh \
 	    tests/host/charts_stop.sh tests/boards/readme.sh \
-	    tests/host/generators.sh tests/host/readme.sh
+	    tests/host/generators.sh tests/host/readme.sh tests/host/examples.sh
 # First what several of them want of the board's compiler; the longest tests begin first.
 more-tests: everything build/host/count.so build/host/tally.so
 	@! command -v arm-none-eabi-gcc >/dev/null || \
