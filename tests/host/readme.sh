@@ -40,6 +40,41 @@ check "the built-in picture is the shipped one, 16 texels a side" same_ripple
 small() { [ "$(grep -o 0x src/scene/sea_ripple.inc | wc -l)" -le 1024 ]; }
 check "it is no larger than 4 KB" small
 
+# The bytes on the page for embedders are those of the library.
+cat >"$scratch/sizes.c" <<'END'
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include "tidepool/tidepool.h"
+int main(int argc, char **argv)         /* WIDTH HEIGHT FORMAT ROWS GRID */
+{
+    tp_scene scene;
+    if (argc != 6)
+        return 1;
+    tp_scene_init(&scene);
+    scene.grid.cols = scene.grid.rows = atoi(argv[5]);
+    const tp_config c = {
+        .width = (uint32_t)atoi(argv[1]), .height = (uint32_t)atoi(argv[2]),
+        .tile_height = (uint32_t)atoi(argv[4]),
+        .format = strcmp(argv[3], "rgb565") ? TP_FORMAT_XRGB8888 : TP_FORMAT_RGB565,
+    };
+    return printf("%zu\n", tp_engine_bytes(&c, &scene)) < 0;
+}
+END
+sizes()
+{
+    cc -std=c11 -Wall -Wextra -Werror -Iinclude "$scratch/sizes.c" \
+        build/host/libtidepool.a -o "$scratch/sizes" || return 1
+    sed -n '/^| [0-9]*x[0-9]* | [a-z]/s/[|x]/ /gp' include/tidepool/README.md |
+        sed 's/ rgb8888/ xrgb8888/' >"$scratch/rows"
+    [ "$(wc -l <"$scratch/rows")" -ge 6 ] || return 1
+    while read -r width height format rows grid _ bytes; do
+        [ "$("$scratch/sizes" "$width" "$height" "$format" "$rows" "$grid")" = \
+            "$(echo "$bytes" | tr -d ,)" ] || { echo "$width $bytes"; return 1; }
+    done <"$scratch/rows"
+}
+check "the page for embedders gives the bytes that are measured" sizes
+
 # -- pictures ---------------------------------------------------------------------------
 
 size_of()       # PNG: its sides, from the header
