@@ -107,8 +107,15 @@ int bake_find_program(bake_program *p, const options *o, const tp_scene *scene,
 
     *p = (bake_program){ .scene = *scene };
     *wish = (dry_wish){
-        .scene = scene, .assets = assets, .named = &p->scene, .baked = baked,
-        .config = { o->width, o->height, o->strip, o->band ? o->band : 16, o->format },
+        .scene = scene,
+        .assets = assets,
+        .named = &p->scene,
+        .baked = baked,
+        .config = { .width = o->width,
+                    .height = o->height,
+                    .tile_width = o->strip,
+                    .tile_height = o->band ? o->band : 16,
+                    .format = o->format },
         /* What may be switched on while it runs is checked, and may have more waves. */
         .terms = { o->format, o->stream, !o->with, o->with != NULL },
         .acts = !o->no_input,

@@ -30,9 +30,13 @@ static void ask(asked *a, const char *scene, bool acts)
     const tp_scene  *s = &a->stage.file.scene;
     const tp_assets *names = &a->stage.assets.names;
     a->wish = (dry_wish){
-        .scene = s, .assets = names, .named = &a->named, .baked = names,
-        .config = { 64, 48, 0, 16, TP_FORMAT_RGB565 },
-        .terms = { .format = TP_FORMAT_RGB565, .few = true }, .acts = acts,
+        .scene = s,
+        .assets = names,
+        .named = &a->named,
+        .baked = names,
+        .config = { .width = 64, .height = 48, .format = TP_FORMAT_RGB565 },
+        .terms = { .format = TP_FORMAT_RGB565, .few = true },
+        .acts = acts,
     };
     const tp_rungs r = tp_rungs_of(s, names, 64, 48);
     a->named.quality.visibility = (int32_t)r.visibility;

@@ -39,8 +39,13 @@ static drawing drawing_open_with(const tp_program *program, uint32_t width,
                                  uint32_t height, uint32_t strip, uint32_t band,
                                  tp_format format)
 {
-    drawing d = { .config = { width, height, strip, band, format, program,
-                              &shown.assets.names } };
+    drawing d = { .config = { .width = width,
+                              .height = height,
+                              .tile_width = strip,
+                              .tile_height = band,
+                              .format = format,
+                              .program = program,
+                              .assets = &shown.assets.names } };
     const size_t bytes = tp_frame_bytes(&d.config, &shown.file.scene);
     d.block = malloc(bytes);
     d.scratch = malloc(tp_frame_scratch_bytes(&d.config, &shown.file.scene));

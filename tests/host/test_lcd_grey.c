@@ -156,8 +156,11 @@ static void every_tiling_shows_the_same(void **state)
     uint32_t *right = drawn_whole(WIDE, HIGH, TP_FORMAT_L8);
     for (size_t i = 0; i < 5; i++)
         for (size_t j = 0; j < 5; j++) {
-            oled *o = oled_open((lcd_config){
-                .frame = { WIDE, HIGH, strips[i], bands[j], TP_FORMAT_L8 } });
+            oled *o = oled_open((lcd_config){ .frame = { .width = WIDE,
+                                                         .height = HIGH,
+                                                         .tile_width = strips[i],
+                                                         .tile_height = bands[j],
+                                                         .format = TP_FORMAT_L8 } });
             assert_true(!o->model.lit && o->model.remapped);
             show(o, WIDE, HIGH, strips[i], bands[j]);
             assert_int_equal(wrong(o, right, 0, 0, WIDE, HIGH), 0);
@@ -179,8 +182,13 @@ static void a_picture_may_lie_anywhere_on_whole_bytes(void **state)
     (void)state;
     uint32_t *right = drawn_whole(48, 33, TP_FORMAT_L8);
     for (size_t i = 0; i < 4; i++) {
-        oled *o = oled_open((lcd_config){ .frame = { 48, 33, 16, 5, TP_FORMAT_L8 },
-                                          .x = places[i][0], .y = places[i][1] });
+        oled *o = oled_open((lcd_config){ .frame = { .width = 48,
+                                                     .height = 33,
+                                                     .tile_width = 16,
+                                                     .tile_height = 5,
+                                                     .format = TP_FORMAT_L8 },
+                                          .x = places[i][0],
+                                          .y = places[i][1] });
         show(o, 48, 33, 16, 5);
         assert_int_equal(wrong(o, right, places[i][0], places[i][1], 48, 33), 0);
         assert_int_equal(o->model.faults, 0);
@@ -193,7 +201,11 @@ static void what_it_cannot_show_is_refused(void **state)
 {
     (void)state;
     grey model = { 0 };
-    lcd_config good = { .panel = &lcd_ssd0323, .frame = { WIDE, HIGH, 0, 8, TP_FORMAT_L8 },
+    lcd_config good = { .panel = &lcd_ssd0323,
+                        .frame = { .width = WIDE,
+                                   .height = HIGH,
+                                   .tile_height = 8,
+                                   .format = TP_FORMAT_L8 },
                         .wires = { &model, grey_command, grey_data, NULL, grey_pause } };
     lcd_config odd = good, turned = good, colour = good, beside = good;
     lcd_status why;

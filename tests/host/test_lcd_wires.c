@@ -158,7 +158,8 @@ static void a_blocked_panel_is_an_error_and_no_more(void **state)
 static void a_panel_that_is_not_there_is_found_at_the_start(void **state)
 {
     (void)state;
-    const lcd_config c = { .panel = &lcd_ili9341, .frame = { 240, 320, 0, 16, format } };
+    const lcd_config c = { .panel = &lcd_ili9341,
+                           .frame = { .width = 240, .height = 320, .format = format } };
     for (uint32_t k = 1; k < 8; k++) {
         screen *s = screen_power(PANEL_ILI9341);
         s->wires.blocked_from = k;
@@ -194,7 +195,9 @@ static lcd_status refusal(lcd_config c)
 static void bad_configs_are_refused(void **state)
 {
     (void)state;
-    const lcd_config good = { .panel = &lcd_ili9341, .frame = { 240, 320, 0, 16, format } };
+    const lcd_config good = {
+        .panel = &lcd_ili9341, .frame = { .width = 240, .height = 320, .format = format }
+    };
     lcd_config c;
 #define REFUSED(why, change) c = good, c.change, assert_int_equal(refusal(c), why)
     assert_int_equal(refusal(good), LCD_OK);
@@ -235,7 +238,8 @@ static void missing_wires_are_refused(void **state)
 {
     (void)state;
     bus b = { 0 };
-    lcd_config c = { .panel = &lcd_ili9341, .frame = { 240, 320, 0, 16, format } };
+    lcd_config c = { .panel = &lcd_ili9341,
+                     .frame = { .width = 240, .height = 320, .format = format } };
     lcd_status why;
     for (int i = 0; i < 4; i++) {
         c.wires = wires_to(&b);
@@ -260,7 +264,8 @@ static void a_frame_of_larger_tiles_is_refused(void **state)
     (void)state;
     drawing d = drawing_open(240, 320, 0, 32, format);
     screen *s = screen_power(PANEL_ILI9341);
-    const lcd_config c = { .panel = &lcd_ili9341, .frame = { 240, 320, 0, 16, format } };
+    const lcd_config c = { .panel = &lcd_ili9341,
+                           .frame = { .width = 240, .height = 320, .format = format } };
     assert_int_equal(screen_open(s, c), LCD_OK);
     assert_int_equal(lcd_show(&s->driver, d.frame, d.scratch), LCD_E_SIZE);
     assert_int_equal(s->model.pixels, 0);
