@@ -4,7 +4,7 @@
  *     bytes = tp_frame_bytes(&config, &scene)
  *     tp_frame_init(&frame, &config, &scene, memory, bytes, &err)
  *     tp_frame_begin(frame, world)
- *     for (i = 0; tp_frame_tile(frame, i, scratch, &tile); i++)
+ *     for (i = 0; tp_frame_draw_tile(frame, i, scratch, &tile); i++)
  *         show tile.pixels
  *
  * A tile depends on nothing but the frame: tiles may be drawn in any order, at once by
@@ -93,7 +93,7 @@ typedef struct {
     uint32_t vertices;              /* of water and boat, evaluated */
     uint32_t triangles;             /* in view, before clipping */
     uint32_t dropped;               /* things that did not fit and were left out */
-} tp_frame_stats;
+} tp_draw_stats;
 
 /* RAM by use, bytes. */
 typedef struct {
@@ -101,7 +101,7 @@ typedef struct {
     size_t vertices, tables;        /* the two large parts of it */
     size_t mirror;                  /* of it, for what water looks into: see below */
     size_t scratch;                 /* of one tile: samples and pixels */
-} tp_frame_ram;
+} tp_ram_use;
 
 /* The frame's block holds what the scene needs at init, nothing for what it lacks:
  *  - vertices: the grid and its crossings, the boat's and the land's corners, drops, rings,
@@ -118,7 +118,7 @@ typedef struct tp_frame tp_frame;   /* lies at the start of the block */
 
 /* 0 if the config or the scene is out of range.  The scene's numbers may change while
  * frames are drawn, but grid.cols, grid.rows and the names; a change goes through
- * tp_world_refresh, which checks it, before the next tp_frame_begin.
+ * tp_world_apply, which checks it, before the next tp_frame_begin.
  *
  * Memory is fixed at init.  If the scene grows later, extra drops, rings and specks are
  * left out; a floor, wind, mirror, things under clear water, caustics, a tank, its glass
@@ -131,7 +131,7 @@ size_t tp_frame_bytes(const tp_config *config, const tp_scene *scene);
  * A program that streams crossings (tp_method_streamed) needs two lines of crossings more.
  * Without rows and projected it needs 24 bytes a column less, unless pixels need them. */
 size_t tp_frame_scratch_bytes(const tp_config *config, const tp_scene *scene);
-size_t tp_frame_scratch_into_bytes(const tp_config *config, const tp_scene *scene);
+size_t tp_frame_direct_scratch_bytes(const tp_config *config, const tp_scene *scene);
 
 /* The config with the tile sizes that its zeroes stand for. */
 tp_config tp_config_filled(const tp_config *config);
@@ -162,7 +162,7 @@ uint32_t tp_frame_tiles(const tp_frame *frame);
 /* Draws tile i, row by row of tiles, into `scratch` (tp_frame_scratch_bytes(),
  * aligned to 8), where tile->pixels then points.  False: there is no such tile, or the
  * scratch is NULL or misaligned. */
-bool tp_frame_tile(const tp_frame *frame, uint32_t i, void *scratch, tp_tile *tile);
+bool tp_frame_draw_tile(const tp_frame *frame, uint32_t i, void *scratch, tp_tile *tile);
 
 /* Pictures as the quick rung wants them, made beforehand for whoever puts them in ROM:
  * assets.graded by the layer, then offsets, then slopes.  0: the scene has none; memory
@@ -174,12 +174,12 @@ void   tp_prepare(tp_texture *to, const tp_scene *scene, const tp_assets *assets
 
 /* The same into a picture of the caller's, as a board has that has a frame buffer: row y
  * is at picture + y stride, aligned as tp_store wants it.  No pixels lie in the scratch
- * then: tp_frame_scratch_into_bytes(). */
-bool tp_frame_tile_into(const tp_frame *frame, uint32_t i, void *scratch, void *picture,
-                        size_t stride, tp_tile *tile);
+ * then: tp_frame_direct_scratch_bytes(). */
+bool tp_frame_draw_tile_to(const tp_frame *frame, uint32_t i, void *scratch,
+                           void *picture, size_t stride, tp_tile *tile);
 
-tp_frame_stats tp_frame_last_stats(const tp_frame *frame);
-tp_frame_ram   tp_frame_memory(const tp_frame *frame);
+tp_draw_stats tp_frame_stats(const tp_frame *frame);
+tp_ram_use tp_frame_ram(const tp_frame *frame);
 
 /* The name of the first module that the last tp_frame_begin found without a stage that the
  * picture needs; "sky": no module draws the sky that the scene names.  NULL: no stage was

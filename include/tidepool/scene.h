@@ -243,7 +243,7 @@ void tp_scene_level(tp_scene *scene);
  *  - TP_E_RANGE: a number, choice or colour outside the row's range, err->a..err->b
  *  - TP_E_UNENDED: a name without its terminating zero; TP_E_TEXT: a control character
  *  - TP_E_POOL_...: numbers of a pool that cannot be used together, see tp_pool_check
- * The inits of a world and a frame, their byte counts, tp_world_refresh and the plan call
+ * The inits of a world and a frame, their byte counts, tp_world_apply and the plan call
  * it, so a program that sets numbers need not.  Pictures that the scene names are no part
  * of it: tp_world_init checks these. */
 tp_status tp_scene_check(const tp_scene *scene, tp_error *err);
@@ -270,7 +270,7 @@ static inline const tp_assets *tp_scene_pictures(const tp_scene *scene,
 }
 
 /* TP_OK: worlds and frames of this program take this scene; every init, their byte counts
- * and tp_world_refresh ask it.  NULL assets are none.
+ * and tp_world_apply ask it.  NULL assets are none.
  *  - TP_E_NULL: err->word is the argument
  *  - as tp_scene_check, if the program has it
  *  - TP_E_PROGRAM: the scene has a module on that the program names in its `lacks`;
@@ -297,12 +297,13 @@ typedef struct {
  * turn within 360 degrees/s; negative drops are none, those that find no room are
  * counted. */
 typedef struct {
-    tp_fx   ahead, aside, up;   /* m, of the camera, in its horizontal frame */
+    tp_fx forward, strafe, up;  /* m that the camera moves: level along its heading, to
+                                     * its right, upwards */
     int32_t turn, tilt;         /* tp_turn steps of its heading and pitch, signed */
     tp_fx   sphere_x, sphere_z; /* m that the sphere of drops moves */
     int32_t drops;              /* to release, 0..1024 */
     tp_fx   throttle, rudder;   /* of the boat: m/s and degrees/s beside the scene's */
-    int32_t slower;             /* steps of the clock: +1 halves its scale, -1 doubles */
+    int32_t slowdown;           /* n: halves the clock's scale n times; -n: doubles it */
     int32_t light_turn, light_tilt;     /* tp_turn steps of the light, signed */
     tp_push push[TP_PUSHES];    /* in their order; a world without a pool takes none */
 } tp_input;
@@ -393,7 +394,7 @@ tp_status tp_world_init(const tp_program *program, tp_world *world, size_t bytes
 
 /* Checks that bytes from outside, such as a file's, are a world that can be stepped and
  * drawn.  `fresh` is a world of the same scene, assets and program, as tp_world_init or
- * tp_world_refresh leaves it: version, layout and everything that follows from the scene
+ * tp_world_apply leaves it: version, layout and everything that follows from the scene
  * must be equal; numbers that ticks change must be in the ranges that ticks keep.  `world`
  * has `bytes` bytes, aligned to 8.  TP_E_WORLD: err->word names the part at fault; TP_E_NULL,
  * TP_E_ALIGN: the argument. */
@@ -401,7 +402,7 @@ tp_status tp_world_check(const tp_program *program, const tp_world *world, size_
                          const tp_world *fresh, tp_error *err);
 
 /* One tick further; `input` may be NULL.  After a change of the scene's numbers call
- * tp_world_refresh first. */
+ * tp_world_apply first. */
 void tp_world_step(const tp_program *program, tp_world *world, const tp_scene *scene,
                    const tp_input *input);
 
@@ -420,7 +421,7 @@ bool tp_world_push(const tp_program *program, tp_world *world, const tp_scene *s
                    tp_fx x, tp_fx z, tp_fx radius, tp_fx height);
 
 /* Moves the camera alone, while the water stands. */
-void tp_world_look(tp_world *world, const tp_input *input);
+void tp_world_move_camera(tp_world *world, const tp_input *input);
 
 /* Places the camera in the world: the eye in metres, each axis held within +-8000 m, and
  * three angles of any size, in the order of tp_rotation_of: heading clockwise from -z as
@@ -430,7 +431,7 @@ void tp_world_look(tp_world *world, const tp_input *input);
  *
  * In a scene whose camera follows the boat the following ends: the camera stands in the
  * world until tp_world_reset_camera, or until camera.follow has been none in one
- * tp_world_refresh and boat in a later one. */
+ * tp_world_apply and boat in a later one. */
 void tp_world_set_camera(tp_world *world, tp_vec3 eye, tp_turn heading, tp_turn pitch,
                          tp_turn roll);
 
@@ -445,8 +446,8 @@ void tp_world_reset_camera(tp_world *world, const tp_scene *scene);
  * Tables that take long to make, the ocean's and those of automatic exposure, keep the
  * numbers that they were made of, and are made again only where these have changed.  So
  * `assets` must hold the pictures that the world was made with. */
-bool tp_world_refresh(const tp_program *program, tp_world *world, const tp_scene *scene,
-                      const tp_assets *assets);
+bool tp_world_apply(const tp_program *program, tp_world *world, const tp_scene *scene,
+                    const tp_assets *assets);
 
 /* Where the picture is seen from, and how: rows right, up and backward. */
 typedef struct {
@@ -459,7 +460,7 @@ tp_camera tp_world_camera(const tp_world *world);
 
 /* Ticks that the clock asks for until the next picture: step the world so many times. The
  * picture then lies world->back of a tick before the last one. */
-uint32_t tp_world_frame(tp_world *world);
+uint32_t tp_world_advance_clock(tp_world *world);
 
 /* The middle of a pixel's column or row, 16.16; -32768 <= pixel < 32768. */
 static inline tp_fx tp_pixel_middle(int32_t pixel)

@@ -36,7 +36,7 @@ static picture draw(tp_frame *frame, void *scratch, const tp_world *world)
     count_as_frame();
     tp_frame_begin(frame, world);
     count_as_tiles();
-    for (uint32_t i = 0; tp_frame_tile(frame, i, scratch, &tile); i++) {
+    for (uint32_t i = 0; tp_frame_draw_tile(frame, i, scratch, &tile); i++) {
         count_end();
         p.crc = sum_tile(p.crc, &baked_config, &tile);
         p.water += tp_frame_water_pixels(frame, scratch, &tile);
@@ -53,7 +53,7 @@ static void tick(tp_world *world)
     count_end();
 }
 
-static void say_frame(uint32_t n, const picture *p, tp_frame_stats held)
+static void say_frame(uint32_t n, const picture *p, tp_draw_stats held)
 {
     semihost_number("frame ", n, 10, 4);
     semihost_number(" crc32 ", p->crc, 16, 8);
@@ -64,7 +64,7 @@ static void say_frame(uint32_t n, const picture *p, tp_frame_stats held)
     semihost_write("\n");
 }
 
-static void say_ram(tp_frame_ram ram, size_t world_bytes)
+static void say_ram(tp_ram_use ram, size_t world_bytes)
 {
     semihost_decimal("ram frame ", (uint32_t)ram.frame);
     semihost_decimal(" vertices ", (uint32_t)ram.vertices);
@@ -127,10 +127,10 @@ int main(void)
         tp_world_step(&baked_program, world, &baked_scene, NULL);
     for (uint32_t n = 0; n < BOARD_FRAMES; n++) {
         const picture p = draw(frame, scratch, world);
-        say_frame(BOARD_FIRST + n, &p, tp_frame_last_stats(frame));
+        say_frame(BOARD_FIRST + n, &p, tp_frame_stats(frame));
         tick(world);
     }
-    say_ram(tp_frame_memory(frame), world_bytes);
+    say_ram(tp_frame_ram(frame), world_bytes);
     say_picture();
     return 0;
 }

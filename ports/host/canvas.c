@@ -119,7 +119,7 @@ static void draw_tiles(void *user, uint32_t thread)
     void *scratch = c->scratch[thread];
     tp_tile tile;
     for (uint32_t i; (i = atomic_fetch_add(&all->taken, 1)) < tiles;) {
-        tp_frame_tile(c->frame, tiles - 1 - i, scratch, &tile);
+        tp_frame_draw_tile(c->frame, tiles - 1 - i, scratch, &tile);
         place(c, &tile);
         atomic_fetch_add(&all->water_pixels,
                          tp_frame_water_pixels(c->frame, scratch, &tile));

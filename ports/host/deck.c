@@ -118,7 +118,7 @@ static int read_look(const reader *r, char *text, size_t bytes, char *word,
     if (tp_tape_read(&read, text, bytes, &err))
         return fail_line(r, &err);
     tp_input rest = read.input;
-    rest.ahead = rest.aside = rest.up = 0;
+    rest.forward = rest.strafe = rest.up = 0;
     rest.turn = rest.tilt = 0;
     if (memcmp(&rest, &(tp_input){ 0 }, sizeof rest) != 0)
         return fail(EXIT_INPUT, "%s:%u: a look moves the camera alone: expected ahead,"
@@ -261,8 +261,10 @@ void deck_add(deck *d, uint64_t tick, const tp_input *input)
 
 void deck_look(deck *d, uint64_t tick, const tp_input *input)
 {
-    const tp_input camera = { .ahead = input->ahead, .aside = input->aside,
-                              .up = input->up, .turn = input->turn,
+    const tp_input camera = { .forward = input->forward,
+                              .strafe = input->strafe,
+                              .up = input->up,
+                              .turn = input->turn,
                               .tilt = input->tilt };
     put(d, tick, &camera, " look");
 }

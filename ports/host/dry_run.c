@@ -250,13 +250,13 @@ static dry_picture paint(painter *p, const dry_run *d, const dry_camera *c)
     if (d->ladder.count > 1)
         tp_frame_set_rungs(p->frame, &d->ladder.rung[c->rung]);
     tp_frame_begin(p->frame, p->world);
-    for (uint32_t i = 0; tp_frame_tile(p->frame, i, p->scratch, &tile); i++)
+    for (uint32_t i = 0; tp_frame_draw_tile(p->frame, i, p->scratch, &tile); i++)
         for (uint32_t y = tile.y0; y < tile.y1; y++)
             picture.crc = tp_crc32_pixels(picture.crc, d->config.format,
                                           (const uint8_t *)tile.pixels
                                           + (y - tile.y0) * tile.stride,
                                           (int)d->config.width);
-    picture.dropped = tp_frame_last_stats(p->frame).dropped;
+    picture.dropped = tp_frame_stats(p->frame).dropped;
     return picture;
 }
 

@@ -43,7 +43,7 @@ static void add_bytes(sheet *to, const char *use, size_t bytes)
 static void tell_memory(figures *f, const stage *s)
 {
     const canvas *c = &s->canvas;
-    const tp_frame_ram ram = tp_frame_memory(c->frame);
+    const tp_ram_use ram = tp_frame_ram(c->frame);
     const size_t picture_bytes = c->picture.row_bytes * c->picture.height;
     sheet to = { .length = 0 };
 

@@ -88,7 +88,7 @@ static void print_rung(const plan *p, int kind, int i)
 static void print_total(const plan *p)
 {
     const tp_plan_report *r = &p->sheet.report;
-    const tp_frame_ram ram = tp_frame_memory(p->stage->canvas.frame);
+    const tp_ram_use ram = tp_frame_ram(p->stage->canvas.frame);
     const double cost = (double)r->total.cost;
     char px[24], colour[24];
 

@@ -44,7 +44,8 @@ static int move(render *r, const options *o)
     stage *s = &r->stage;
     bool opened = false;
     int code = replay_acts(&r->tape, s, o, &opened);
-    for (uint32_t ticks = code ? 0 : tp_world_frame(s->world); ticks > 0; ticks--) {
+    for (uint32_t ticks = code ? 0 : tp_world_advance_clock(s->world); ticks > 0;
+         ticks--) {
         code = replay_acts(&r->tape, s, o, &opened);
         if (code)
             break;
@@ -84,8 +85,8 @@ static void print_stats(render *r)
 {
     const stage *s = &r->stage;
     const canvas *c = &s->canvas;
-    const tp_frame_stats stats = tp_frame_last_stats(c->frame);
-    const tp_frame_ram ram = tp_frame_memory(c->frame);
+    const tp_draw_stats stats = tp_frame_stats(c->frame);
+    const tp_ram_use ram = tp_frame_ram(c->frame);
     const tp_pool *water = tp_world_pool(s->world);
     const uint32_t cells = water ? water->cols * water->rows : 0;
     const tp_pool_state pool = water ? tp_pool_look(water)

@@ -106,7 +106,7 @@ static int act(replay *r, const deck_entry *entry, stage *s, const options *o,
     const size_t at = (size_t)(entry - r->tape.entries);
     const size_t count = sets_from(&r->tape, at);
     if (entry->kind == DECK_LOOK) {
-        tp_world_look(s->world, &entry->input);
+        tp_world_move_camera(s->world, &entry->input);
         return EXIT_DONE;
     }
     r->tape.at = at + count;

@@ -3,7 +3,7 @@
  * where they were done when it was recorded.
  *
  *     replay_acts                     before a picture: what was done between two
- *     for tp_world_frame() ticks:
+ *     for tp_world_advance_clock() ticks:
  *         replay_acts                 changes inside a picture, of tapes by hand
  *         tp_world_step(.., replay_step()) */
 #ifndef HOST_REPLAY_H

@@ -284,7 +284,7 @@ lcd_status lcd_show(lcd *l, const tp_frame *frame, void *scratch)
 {
     tp_tile tile;
     lcd_begin(l);
-    for (uint32_t i = 0; tp_frame_tile(frame, i, scratch, &tile); i++)
+    for (uint32_t i = 0; tp_frame_draw_tile(frame, i, scratch, &tile); i++)
         TRY(lcd_tile(l, &tile));
     return lcd_end(l);
 }

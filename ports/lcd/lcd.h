@@ -149,7 +149,7 @@ lcd_status lcd_open(lcd *l, const lcd_config *config, void *memory);
  * it free; clear.c.  E-paper shows it with the next frame, which then is whole. */
 lcd_status lcd_clear(lcd *l, uint8_t byte);
 
-/* Draws and sends a frame that has begun; `scratch` as for tp_frame_tile().  Returns when
+/* Draws and sends a frame that has begun; `scratch` as for tp_frame_draw_tile().  Returns when
  * the last byte is sent, of e-paper when BUSY is free again. */
 lcd_status lcd_show(lcd *l, const tp_frame *frame, void *scratch);
 

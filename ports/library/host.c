@@ -184,14 +184,14 @@ void tp_host_turn(tp_host *host, const tp_input *input)
 {
     tp_input bent = input ? *input : (tp_input){ 0 };
     look_steer(&host->look, host->stage.world, &host->stage.file.scene, &bent);
-    tp_world_look(host->stage.world, &bent);
+    tp_world_move_camera(host->stage.world, &bent);
 }
 
 void tp_host_step(tp_host *host, const tp_input *input)
 {
     const tp_scene *scene = &host->stage.file.scene;
     tp_input bent = input ? *input : (tp_input){ 0 };
-    uint32_t ticks = tp_world_frame(host->stage.world);
+    uint32_t ticks = tp_world_advance_clock(host->stage.world);
     if (ticks == 0)
         tp_host_turn(host, &bent);
     for (; ticks > 0; ticks--, bent = (tp_input){ 0 }) {

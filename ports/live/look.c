@@ -205,18 +205,18 @@ static void go_away(look *l, int64_t by, tp_fx near)
 static void go_round(look *l, const tp_scene *scene, const tp_input *input)
 {
     const int64_t radian = 683565276;
-    const int64_t aside = scaled(l, input->aside) * radian / l->away;
+    const int64_t aside = scaled(l, input->strafe) * radian / l->away;
 
     l->heading += (tp_turn)input->turn - (tp_turn)aside;
     l->pitch = (tp_turn)(int32_t)tp_limit((int64_t)(int32_t)l->pitch + input->tilt,
                                           PITCH_MOST);
     l->about.y = held(l->about.y + scaled(l, input->up), PLACE_MOST);
-    go_away(l, -scaled(l, input->ahead), scene->camera.near);
+    go_away(l, -scaled(l, input->forward), scene->camera.near);
 }
 
 static void glide(look *l, const tp_scene *scene, const tp_input *input)
 {
-    const int64_t ahead = scaled(l, input->ahead), aside = scaled(l, input->aside);
+    const int64_t ahead = scaled(l, input->forward), aside = scaled(l, input->strafe);
 
     l->heading += (tp_turn)input->turn;
     const int64_t s = tp_sin(l->heading), c = tp_cos(l->heading);
@@ -250,8 +250,8 @@ static void lead(const look *l, const tp_world *world, tp_input *input)
 
     input->turn = (int32_t)(l->heading - world->heading);
     input->tilt = (int32_t)(l->pitch - world->pitch);
-    input->ahead = tp_fx_held(tp_quotient(dx * s - dz * c, one));
-    input->aside = tp_fx_held(tp_quotient(dx * c + dz * s, one));
+    input->forward = tp_fx_held(tp_quotient(dx * s - dz * c, one));
+    input->strafe = tp_fx_held(tp_quotient(dx * c + dz * s, one));
     input->up = tp_fx_minus(held(eye.y, PLACE_MOST), world->eye.y);
 }
 

@@ -34,10 +34,10 @@ bool look_begin(look *l, look_mode mode, const tp_world *world, const tp_scene *
 tp_camera_follow look_follow(const look *l, const tp_scene *filed);
 
 /* Replaces the camera's part of `input`, which is the next that the world takes, by
- * tp_world_step or tp_world_look.  Free and on the deck it stays as it is; going round,
+ * tp_world_step or tp_world_move_camera.  Free and on the deck it stays as it is; going round,
  * turn, tilt and aside go round, ahead comes nearer and up rises; from above, ahead and
  * aside glide over the water, up rises, turn turns the map.  While l->jump is set the
- * input goes there at once instead: best by tp_world_look, so that no picture is drawn
+ * input goes there at once instead: best by tp_world_move_camera, so that no picture is drawn
  * halfway. */
 void look_steer(look *l, const tp_world *world, const tp_scene *scene, tp_input *input);
 

@@ -3,7 +3,7 @@
  * scene is changed back or the world has to be made anew.  No scene is left half changed,
  * and no world: a refresh that fails has done nothing.
  *
- * tp_world_refresh leaves the camera where input has led it, so a number of the camera's
+ * tp_world_apply leaves the camera where input has led it, so a number of the camera's
  * is put in place here. */
 #include "setting.h"
 
@@ -37,7 +37,7 @@ static void place_camera(tp_world *world, const tp_scene *scene, uint32_t offset
     default:
         return;
     }
-    tp_world_look(world, &still);       /* it jumps: there is no way between */
+    tp_world_move_camera(world, &still); /* it jumps: there is no way between */
 }
 
 /* Why the world did not take a number: it would do so in another block, or there is no
@@ -61,7 +61,7 @@ setting_result setting_take(const tp_program *program, const tp_scene *scene,
         return SETTING_LOAD;
     if (param->kind == TP_PARAM_TEXT)
         return SETTING_DONE;
-    if (world && tp_world_refresh(program, world, scene, assets)) {
+    if (world && tp_world_apply(program, world, scene, assets)) {
         place_camera(world, scene, param->offset);
         return SETTING_DONE;
     }

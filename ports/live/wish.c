@@ -4,8 +4,8 @@
 
 void wish_add(tp_input *to, const tp_input *more)
 {
-    to->ahead += more->ahead;
-    to->aside += more->aside;
+    to->forward += more->forward;
+    to->strafe += more->strafe;
     to->up += more->up;
     to->turn += more->turn;
     to->tilt += more->tilt;
@@ -14,12 +14,12 @@ void wish_add(tp_input *to, const tp_input *more)
     to->throttle = more->throttle;
     to->rudder = more->rudder;
     to->drops += more->drops;
-    to->slower += more->slower;
+    to->slowdown += more->slowdown;
     to->light_turn += more->light_turn;
     to->light_tilt += more->light_tilt;
 }
 
 bool wish_moves(const tp_input *input)
 {
-    return input->ahead || input->aside || input->up || input->turn || input->tilt;
+    return input->forward || input->strafe || input->up || input->turn || input->tilt;
 }

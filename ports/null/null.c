@@ -21,7 +21,7 @@ static void draw(const tp_frame *frame, tp_format format, void *scratch, unsigne
 {
     tp_tile tile;
     uint32_t crc = 0;
-    for (uint32_t i = 0; tp_frame_tile(frame, i, scratch, &tile); i++)
+    for (uint32_t i = 0; tp_frame_draw_tile(frame, i, scratch, &tile); i++)
         for (uint32_t y = tile.y0; y < tile.y1; y++)
             crc = tp_crc32_pixels(crc, format, (const uint8_t *)tile.pixels
                                   + (y - tile.y0) * tile.stride, WIDTH);

@@ -192,7 +192,7 @@ static void work_begin(work *w, const screen *s)
     tp_error err;
 
     w->scratch =
-        tp_arena_take(&arena, 1, tp_frame_scratch_into_bytes(&w->config, &scene));
+        tp_arena_take(&arena, 1, tp_frame_direct_scratch_bytes(&w->config, &scene));
     w->world = tp_arena_take(&arena, 1, world_bytes);
     if (arena.failed || tp_frame_init(&w->frame, &w->config, &scene, block, bytes, &err))
         stop("the frame does not fit");
@@ -226,7 +226,7 @@ static void draw(work *w, screen *s)
     tp_tile  tile;
     tp_frame_begin(w->frame, w->world);
     for (uint32_t i = 0;
-         tp_frame_tile_into(w->frame, i, w->scratch, page, s->pitch, &tile); i++)
+         tp_frame_draw_tile_to(w->frame, i, w->scratch, page, s->pitch, &tile); i++)
         uart_listen();
     w->drawn_in = microseconds() - begun;
     screen_flip(s);

@@ -108,19 +108,19 @@ tp_input keys_input(keys *k)
     const int far = axis(k, KEY_STEER_FAR, KEY_STEER_NEAR);
     const int right = axis(k, KEY_STEER_RIGHT, KEY_STEER_LEFT);
     const tp_input input = {
-        .ahead = step * axis(k, KEY_AHEAD, KEY_BACK),
-        .aside = step * axis(k, KEY_RIGHT, KEY_LEFT),
-        .up    = step * axis(k, KEY_UP, KEY_DOWN),
-        .turn  = WISH_TURN * axis(k, KEY_TURN_RIGHT, KEY_TURN_LEFT),
-        .tilt  = WISH_TURN * axis(k, KEY_TILT_UP, KEY_TILT_DOWN),
+        .forward = step * axis(k, KEY_AHEAD, KEY_BACK),
+        .strafe = step * axis(k, KEY_RIGHT, KEY_LEFT),
+        .up = step * axis(k, KEY_UP, KEY_DOWN),
+        .turn = WISH_TURN * axis(k, KEY_TURN_RIGHT, KEY_TURN_LEFT),
+        .tilt = WISH_TURN * axis(k, KEY_TILT_UP, KEY_TILT_DOWN),
         .sphere_x = WISH_STEER * right,
         .sphere_z = -WISH_STEER * far,
         .throttle = WISH_SAIL * far,
-        .rudder   = WISH_RUDDER * right,
+        .rudder = WISH_RUDDER * right,
         .light_turn = WISH_LIGHT * axis(k, KEY_LIGHT_RIGHT, KEY_LIGHT_LEFT),
         .light_tilt = WISH_LIGHT * axis(k, KEY_LIGHT_UP, KEY_LIGHT_DOWN),
-        .drops    = k->drops,
-        .slower   = k->slower,
+        .drops = k->drops,
+        .slowdown = k->slower,
     };
     for (int i = 0; i < KEYS; i++)
         k->held[i] = (uint8_t)(k->held[i] - (k->held[i] > 0));

@@ -86,7 +86,8 @@ static void step(loop *l)
 {
     static const tp_input nothing;
     const show *what = l->what;
-    for (uint32_t n = act(l) ? tp_world_frame(what->world) : 0; n > 0 && act(l); n--) {
+    for (uint32_t n = act(l) ? tp_world_advance_clock(what->world) : 0; n > 0 && act(l);
+         n--) {
         tp_world_step(&tp_program_all, what->world, what->scene,
                       what->taped ? what->taped(what->user) : &l->wish);
         l->wish = nothing;
@@ -102,7 +103,7 @@ static void tick(loop *l)
     if (!l->keys.pause) {
         step(l);
     } else if (wish_moves(&input)) {
-        tp_world_look(l->what->world, &input);
+        tp_world_move_camera(l->what->world, &input);
         l->wish = (tp_input){ 0 };
         l->stale = true;
     }

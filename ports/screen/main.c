@@ -46,7 +46,7 @@ static int prepare(void *user, uint32_t width, uint32_t height, tp_format format
     d->picture = (picture){ format, width, height, row_bytes, claim(row_bytes * height) };
     const size_t bytes = tp_frame_bytes(&config, &baked_scene);
     d->block = claim(bytes);
-    d->scratch = claim(tp_frame_scratch_into_bytes(&config, &baked_scene));
+    d->scratch = claim(tp_frame_direct_scratch_bytes(&config, &baked_scene));
     if (tp_frame_init(&d->frame, &config, &baked_scene, d->block, bytes, &err))
         return fail_at("screen", &err);
     return EXIT_DONE;
@@ -58,8 +58,9 @@ static const picture *draw(void *user, const tp_world *world, uint32_t frame)
     tp_tile tile;
     (void)frame;
     tp_frame_begin(d->frame, world);
-    for (uint32_t i = 0; tp_frame_tile_into(d->frame, i, d->scratch, d->picture.rows,
-                                            d->picture.row_bytes, &tile); i++)
+    for (uint32_t i = 0; tp_frame_draw_tile_to(d->frame, i, d->scratch, d->picture.rows,
+                                               d->picture.row_bytes, &tile);
+         i++)
         ;
     return &d->picture;
 }

@@ -115,13 +115,13 @@ static tp_input input_of_keys(const held *h)
     const tp_fx step = keymap_held(h->keys, ACT_RUN, h->down, h->mod) ? WISH_RUN
                                                                       : WISH_WALK;
     return (tp_input){
-        .ahead = step * axis(h, ACT_FORWARD, ACT_BACKWARD),
-        .aside = step * axis(h, ACT_RIGHT, ACT_LEFT),
-        .up    = step * axis(h, ACT_UP, ACT_DOWN),
+        .forward = step * axis(h, ACT_FORWARD, ACT_BACKWARD),
+        .strafe = step * axis(h, ACT_RIGHT, ACT_LEFT),
+        .up = step * axis(h, ACT_UP, ACT_DOWN),
         .sphere_x = WISH_STEER * axis(h, ACT_EAST, ACT_WEST),
         .sphere_z = WISH_STEER * axis(h, ACT_SOUTH, ACT_NORTH),
         .throttle = WISH_SAIL * axis(h, ACT_SAIL, ACT_BRAKE),
-        .rudder   = WISH_RUDDER * axis(h, ACT_STARBOARD, ACT_PORT),
+        .rudder = WISH_RUDDER * axis(h, ACT_STARBOARD, ACT_PORT),
         .light_turn = WISH_LIGHT * axis(h, ACT_LIGHT_RIGHT, ACT_LIGHT_LEFT),
         .light_tilt = WISH_LIGHT * axis(h, ACT_LIGHT_UP, ACT_LIGHT_DOWN),
     };
@@ -131,7 +131,7 @@ tp_input control_input(control *c, const keymap *keys, const pad *stick, bool ty
 {
     const held h = { keys, SDL_GetKeyboardState(NULL), SDL_GetModState() };
     tp_input input = typing ? (tp_input){ 0 } : input_of_keys(&h);
-    input.ahead += NOTCH * tp_clamp(c->wheel, -8, 8);
+    input.forward += NOTCH * tp_clamp(c->wheel, -8, 8);
     input.turn += DRAG * c->drag_x;
     input.tilt -= DRAG * c->drag_y;
     pad_input(stick, &input);

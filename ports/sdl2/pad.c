@@ -103,8 +103,8 @@ void pad_input(const pad *p, tp_input *input)
     if (!p->pad)
         return;
     stick(p, SDL_CONTROLLER_AXIS_LEFTX, &x, &y);
-    input->aside += part(WISH_WALK, x);
-    input->ahead -= part(WISH_WALK, y);
+    input->strafe += part(WISH_WALK, x);
+    input->forward -= part(WISH_WALK, y);
     stick(p, SDL_CONTROLLER_AXIS_RIGHTX, &x, &y);
     input->turn += part(WISH_TURN, x);
     input->tilt -= part(WISH_TURN, y);

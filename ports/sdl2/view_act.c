@@ -51,7 +51,7 @@ static void shift_clock(view *v, int slower)
 {
     const int64_t target = v->stage->world->clock.target;
     const int64_t to = slower > 0 ? target / 2 : target * 2;
-    v->wish.slower += slower;
+    v->wish.slowdown += slower;
     if (to < TP_CLOCK_SLOWEST || to > TP_CLOCK_FASTEST)
         view_say(v, "that is as %s as it goes", slower > 0 ? "slow" : "fast");
     else if (to >= TP_FX_ONE)

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Time: ticks of 1/60 s follow the clock whatever the display does.
  *
- * A picture is one turn of tp_world_frame: no tick in slow motion, or one, or several.  The
+ * A picture is one turn of tp_world_advance_clock: no tick in slow motion, or one, or several.  The
  * first tick takes what was wished.  Before each picture its world goes to the past, by
  * which rewinding replays; what moved it goes to the tape.  A tape counts ticks of all
  * worlds since it began: base + world->tick. */
@@ -54,7 +54,7 @@ static void step_world(view *v, const tp_input *input)
 static bool has_tick(const tp_world *world)
 {
     tp_world head = *world;
-    return tp_world_frame(&head) > 0;
+    return tp_world_advance_clock(&head) > 0;
 }
 
 /* In slow motion there are pictures without a tick: what was wished then waits, and so
@@ -77,7 +77,7 @@ void view_step(view *v)
                  &v->stage->file.scene, &v->wish, v->changed);
     v->changed = false;
     v->tape.picture = ++v->picture;
-    for (uint32_t ticks = tp_world_frame(world_of(v)); ticks > 0; ticks--) {
+    for (uint32_t ticks = tp_world_advance_clock(world_of(v)); ticks > 0; ticks--) {
         step_world(v, &v->wish);
         v->wish = nothing;
     }
@@ -102,7 +102,7 @@ void view_back(view *v)
     }
     for (; from < v->picture - 1; from++) {
         const tp_input *input = past_input(v->past, from);
-        for (uint32_t ticks = tp_world_frame(s->world); ticks > 0; ticks--) {
+        for (uint32_t ticks = tp_world_advance_clock(s->world); ticks > 0; ticks--) {
             tp_world_step(&tp_program_all, s->world, &s->file.scene, input);
             input = NULL;
         }
@@ -154,7 +154,7 @@ static void wish_for(view *v, tp_input *input)
                            v->panel && panel_types(v->panel));
     if (v->look.mode == LOOK_ORBIT || v->look.mode == LOOK_TOP) {
         /* it leads to a place, and not by a way more */
-        v->wish.ahead = v->wish.aside = v->wish.up = 0;
+        v->wish.forward = v->wish.strafe = v->wish.up = 0;
         v->wish.turn = v->wish.tilt = 0;
     }
     look_steer(&v->look, world_of(v), &v->stage->file.scene, input);
@@ -168,8 +168,8 @@ static void wish_for(view *v, tp_input *input)
 static void look_round(view *v, const tp_input *input)
 {
     deck_look(&v->tape, tick_of(v), input);
-    tp_world_look(world_of(v), input);
-    v->wish.ahead = v->wish.aside = v->wish.up = 0;
+    tp_world_move_camera(world_of(v), input);
+    v->wish.forward = v->wish.strafe = v->wish.up = 0;
     v->wish.turn = v->wish.tilt = 0;
     v->changed = v->stale = true;
 }

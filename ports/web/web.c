@@ -58,7 +58,7 @@ static int make_frame(tp_error *err)
     web_back_to(page.above);
     page.frame_bytes = tp_frame_bytes(c, &web_scene);
     void *block = web_take(page.frame_bytes);
-    page.scratch = web_take(tp_frame_scratch_into_bytes(c, &web_scene));
+    page.scratch = web_take(tp_frame_direct_scratch_bytes(c, &web_scene));
     page.row_bytes = tp_format_row_bytes(c->format, (int)c->width);
     page.rows = web_take(page.row_bytes * c->height);
     page.shown = web_take((size_t)c->width * c->height * sizeof *page.shown);
@@ -165,7 +165,7 @@ EXPORT(tp_input *, input, void)
  * motion has none, and each of them what waits of pokes.  The picture's number. */
 EXPORT(uint32_t, step, void)
 {
-    for (uint32_t ticks = tp_world_frame(page.world); ticks > 0; ticks--) {
+    for (uint32_t ticks = tp_world_advance_clock(page.world); ticks > 0; ticks--) {
         poke_take(&page.pokes, &web_scene, &page.wish);
         look_steer(&page.look, page.world, &web_scene, &page.wish);
         tp_world_step(&tp_program_all, page.world, &web_scene, &page.wish);
@@ -179,8 +179,8 @@ EXPORT(void, turn, void)
 {
     tp_input *wish = &page.wish;
     look_steer(&page.look, page.world, &web_scene, wish);
-    tp_world_look(page.world, wish);
-    wish->ahead = wish->aside = wish->up = 0;
+    tp_world_move_camera(page.world, wish);
+    wish->forward = wish->strafe = wish->up = 0;
     wish->turn = wish->tilt = 0;
 }
 
@@ -204,8 +204,9 @@ EXPORT(const uint32_t *, draw, void)
 {
     tp_tile tile;
     tp_frame_begin(page.frame, page.world);
-    for (uint32_t i = 0; tp_frame_tile_into(page.frame, i, page.scratch, page.rows,
-                                            page.row_bytes, &tile); i++)
+    for (uint32_t i = 0; tp_frame_draw_tile_to(page.frame, i, page.scratch, page.rows,
+                                               page.row_bytes, &tile);
+         i++)
         for (uint32_t y = tile.y0; y < tile.y1; y++)
             show_row(y);
     return page.shown;
@@ -306,7 +307,7 @@ EXPORT(const int32_t *, camera, void)
 EXPORT(const uint32_t *, facts, void)
 {
     static uint32_t facts[4];
-    const tp_frame_stats stats = tp_frame_last_stats(page.frame);
+    const tp_draw_stats stats = tp_frame_stats(page.frame);
     facts[0] = stats.vertices;
     facts[1] = stats.triangles;
     facts[2] = stats.dropped;

@@ -108,7 +108,7 @@ tp_status tp_engine_init(tp_engine **out, const tp_config *config, const tp_scen
 void tp_engine_step(tp_engine *engine, const tp_input *input)
 {
     TP_ASSERT(engine != NULL);
-    for (uint32_t n = tp_world_frame(engine->world); n > 0; n--, input = NULL)
+    for (uint32_t n = tp_world_advance_clock(engine->world); n > 0; n--, input = NULL)
         tp_world_step(engine->config.program, engine->world, engine->scene, input);
 }
 
@@ -122,7 +122,7 @@ void tp_engine_begin(tp_engine *engine)
 bool tp_engine_next_tile(tp_engine *engine, tp_tile *tile)
 {
     TP_ASSERT(engine != NULL && tile != NULL);
-    return tp_frame_tile(engine->frame, engine->next++, engine->scratch, tile);
+    return tp_frame_draw_tile(engine->frame, engine->next++, engine->scratch, tile);
 }
 
 tp_status tp_engine_apply(tp_engine *engine, tp_error *err)
@@ -133,7 +133,7 @@ tp_status tp_engine_apply(tp_engine *engine, tp_error *err)
 
     if (status != TP_OK)
         return status;
-    if (!tp_world_refresh(c->program, engine->world, engine->scene, c->assets))
+    if (!tp_world_apply(c->program, engine->world, engine->scene, c->assets))
         return tp_error_blame(err, TP_FAIL(err, TP_E_WORLD, 0, 0, 0), "layout");
     return TP_OK;
 }

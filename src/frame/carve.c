@@ -56,7 +56,7 @@ tp_plan_input tp_frame_plan_input(const tp_program *program, const tp_scene *sce
 }
 
 tp_frame *tp_frame_carve(const tp_program *program, tp_frame_parts *parts,
-                         tp_frame_ram *ram, tp_arena *arena, const tp_scene *scene,
+                         tp_ram_use *ram, tp_arena *arena, const tp_scene *scene,
                          tp_assets *assets, const tp_config *config)
 {
     tp_frame *frame = tp_arena_take(arena, 1, sizeof *frame);
@@ -72,8 +72,9 @@ tp_frame *tp_frame_carve(const tp_program *program, tp_frame_parts *parts,
     const size_t placed = arena->used;
     const tp_want want = tp_frame_want(program, parts, scene, assets, config);
     tp_frame_layout_modules(program, parts, arena, want);
-    *ram = (tp_frame_ram){
-        .frame = arena->used, .vertices = placed - fixed,
+    *ram = (tp_ram_use){
+        .frame = arena->used,
+        .vertices = placed - fixed,
         .tables = parts->module_bytes + sizeof frame->shade.sky,
         .mirror = parts->look_bytes,
     };

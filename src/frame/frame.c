@@ -78,7 +78,7 @@ size_t tp_frame_bytes(const tp_config *config, const tp_scene *scene)
     tp_arena arena = tp_arena_over(NULL, 0);
     tp_assets known = filled_assets(c.assets);
     tp_frame_parts parts;
-    tp_frame_ram ram;
+    tp_ram_use ram;
 
     if (check_both(&c, scene, NULL) != TP_OK)
         return 0;
@@ -116,7 +116,7 @@ size_t tp_frame_scratch_bytes(const tp_config *config, const tp_scene *scene)
     return scratch_of(config, scene, false);
 }
 
-size_t tp_frame_scratch_into_bytes(const tp_config *config, const tp_scene *scene)
+size_t tp_frame_direct_scratch_bytes(const tp_config *config, const tp_scene *scene)
 {
     return scratch_of(config, scene, true);
 }
@@ -126,7 +126,7 @@ static tp_frame *make(tp_arena *arena, const tp_config *c, const tp_scene *scene
 {
     tp_assets known = filled_assets(c->assets);
     tp_frame_parts parts;
-    tp_frame_ram ram;
+    tp_ram_use ram;
     tp_frame *frame = tp_frame_carve(c->program, &parts, &ram, arena, scene, &known, c);
 
     TP_ASSERT(arena->used == ram.frame && !arena->failed);
@@ -199,7 +199,7 @@ tp_surface tp_frame_lit_surface(const tp_frame *frame)
  * the last frame are the picture's. */
 static void place_solids(tp_frame *frame)
 {
-    const tp_frame_stats stats = frame->stats;
+    const tp_draw_stats stats = frame->stats;
 
     tp_frame_look_modules(frame);
     frame->stats = stats;
@@ -214,7 +214,7 @@ void tp_frame_begin(tp_frame *frame, const tp_world *world)
     const tp_scene *scene = frame->scene;
     const tp_draws *draw = &frame->program->draw;
 
-    frame->stats = (tp_frame_stats){ .dropped = frame->parts.lacks };
+    frame->stats = (tp_draw_stats){ .dropped = frame->parts.lacks };
     frame->lacking = 0;
     frame->world = world;
     frame->drawn = tp_world_drawn(world);
@@ -240,7 +240,7 @@ uint32_t tp_frame_tiles(const tp_frame *frame)
     return frame->across * frame->down;
 }
 
-tp_frame_stats tp_frame_last_stats(const tp_frame *frame)
+tp_draw_stats tp_frame_stats(const tp_frame *frame)
 {
     return frame->stats;
 }
@@ -254,7 +254,7 @@ const char *tp_frame_lacks(const tp_frame *frame)
     return who ? frame->program->modules[who - 1].module->name : NULL;
 }
 
-tp_frame_ram tp_frame_memory(const tp_frame *frame)
+tp_ram_use tp_frame_ram(const tp_frame *frame)
 {
     return frame->ram;
 }

@@ -52,8 +52,8 @@ struct tp_frame {
     tp_assets        assets;
     tp_config config;                   /* tile sizes filled in */
     uint32_t         across, down;      /* tiles */
-    tp_frame_stats   stats;
-    tp_frame_ram     ram;
+    tp_draw_stats stats;
+    tp_ram_use ram;
     tp_frame_parts   parts;
 
     tp_lens          lens;
@@ -91,7 +91,7 @@ static inline tp_shaders *tp_frame_list(const tp_frame *frame, uint32_t mark)
 /* carve.c: the block's layout, the frame itself first; with an arena that only counts,
  * then with the block.  Sizes are left in `ram`. */
 tp_frame *tp_frame_carve(const tp_program *program, tp_frame_parts *parts,
-                         tp_frame_ram *ram, tp_arena *arena, const tp_scene *scene,
+                         tp_ram_use *ram, tp_arena *arena, const tp_scene *scene,
                          tp_assets *assets, const tp_config *config);
 tp_want tp_frame_want(const tp_program *program, const tp_frame_parts *parts,
                       const tp_scene *scene, const tp_assets *assets,

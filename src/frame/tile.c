@@ -178,7 +178,7 @@ static void draw_tile(const tp_frame *frame, void *scratch, const tp_tile *tile,
         shade_row(frame, &samples, y, row);
 }
 
-bool tp_frame_tile(const tp_frame *frame, uint32_t i, void *scratch, tp_tile *tile)
+bool tp_frame_draw_tile(const tp_frame *frame, uint32_t i, void *scratch, tp_tile *tile)
 {
     TP_ASSERT(tile != NULL);
     const tp_config *c = &frame->config;
@@ -192,8 +192,8 @@ bool tp_frame_tile(const tp_frame *frame, uint32_t i, void *scratch, tp_tile *ti
 }
 
 /* Tiles begin at whole bytes, as their widths are multiples of 16. */
-bool tp_frame_tile_into(const tp_frame *frame, uint32_t i, void *scratch, void *picture,
-                        size_t stride, tp_tile *tile)
+bool tp_frame_draw_tile_to(const tp_frame *frame, uint32_t i, void *scratch,
+                           void *picture, size_t stride, tp_tile *tile)
 {
     TP_ASSERT(tile != NULL);
     uint8_t *pixels = picture;

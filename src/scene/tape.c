@@ -15,21 +15,35 @@ typedef struct {
 #define AT(name)             #name, offsetof(tp_input, name)
 #define FX(name)             { AT(name), false, INT32_MIN, INT32_MAX }
 #define INT(name, low, high) { AT(name), true, low, high }
-#define PUSHED(name, at)     { name, offsetof(tp_input, at), false, INT32_MIN, INT32_MAX }
-#define PUSH(i, name) \
-    PUSHED(name, push[i].height), PUSHED(name "_x", push[i].x), \
-    PUSHED(name "_z", push[i].z)
+#define NAMED(name, at)                                                                  \
+    {                                                                                    \
+        name, offsetof(tp_input, at), false, INT32_MIN, INT32_MAX                        \
+    }
+#define PUSH(i, name)                                                                    \
+    NAMED(name, push[i].height), NAMED(name "_x", push[i].x), NAMED(name "_z", push[i].z)
 
 static const field fields[] = {
-    FX(ahead), FX(aside), FX(up),
-    INT(turn, INT32_MIN, INT32_MAX), INT(tilt, INT32_MIN, INT32_MAX),
-    FX(sphere_x), FX(sphere_z),
+    NAMED("ahead", forward),
+    NAMED("aside", strafe),
+    FX(up),
+    INT(turn, INT32_MIN, INT32_MAX),
+    INT(tilt, INT32_MIN, INT32_MAX),
+    FX(sphere_x),
+    FX(sphere_z),
     INT(drops, 0, 1024),
-    FX(throttle), FX(rudder),
-    PUSH(0, "poke"), PUSH(1, "poke2"), PUSH(2, "poke3"), PUSH(3, "poke4"),
-    PUSH(4, "poke5"), PUSH(5, "poke6"), PUSH(6, "poke7"), PUSH(7, "poke8"),
-    INT(slower, INT32_MIN, INT32_MAX),
-    INT(light_turn, INT32_MIN, INT32_MAX), INT(light_tilt, INT32_MIN, INT32_MAX),
+    FX(throttle),
+    FX(rudder),
+    PUSH(0, "poke"),
+    PUSH(1, "poke2"),
+    PUSH(2, "poke3"),
+    PUSH(3, "poke4"),
+    PUSH(4, "poke5"),
+    PUSH(5, "poke6"),
+    PUSH(6, "poke7"),
+    PUSH(7, "poke8"),
+    { "slower", offsetof(tp_input, slowdown), true, INT32_MIN, INT32_MAX },
+    INT(light_turn, INT32_MIN, INT32_MAX),
+    INT(light_tilt, INT32_MIN, INT32_MAX),
 };
 
 enum { FIELDS = sizeof fields / sizeof fields[0] };

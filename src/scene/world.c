@@ -82,8 +82,8 @@ tp_status tp_world_init(const tp_program *program, tp_world *world, size_t bytes
 }
 
 /* The sea and the boat's place take microseconds, and are made again each time. */
-bool tp_world_refresh(const tp_program *program, tp_world *world, const tp_scene *scene,
-                      const tp_assets *assets)
+bool tp_world_apply(const tp_program *program, tp_world *world, const tp_scene *scene,
+                    const tp_assets *assets)
 {
     TP_ASSERT(world != NULL && world->parts.bytes > 0);
     program = tp_program_or_linked(program);
@@ -129,8 +129,8 @@ static void move_camera(tp_world *world, const tp_input *in)
 
     const int64_t half = 1 << 29;
     int64_t s = tp_sin(world->heading), c = tp_cos(world->heading);
-    world->eye.x = held(world->eye.x + ((in->ahead * s + in->aside * c + half) >> 30));
-    world->eye.z = held(world->eye.z + ((in->aside * s - in->ahead * c + half) >> 30));
+    world->eye.x = held(world->eye.x + ((in->forward * s + in->strafe * c + half) >> 30));
+    world->eye.z = held(world->eye.z + ((in->strafe * s - in->forward * c + half) >> 30));
     world->eye.y = held((int64_t)world->eye.y + in->up);
 }
 
@@ -144,7 +144,7 @@ bool tp_camera_is_valid(const tp_world *world)
            && last->z == held(last->z);
 }
 
-void tp_world_look(tp_world *world, const tp_input *input)
+void tp_world_move_camera(tp_world *world, const tp_input *input)
 {
     TP_ASSERT(world != NULL && input != NULL);
     move_camera(world, input);
@@ -189,7 +189,7 @@ void tp_world_step(const tp_program *program, tp_world *world, const tp_scene *s
     tp_light_step(world, scene, input);
     tp_modules_step(program, world, scene, input);
     if (input)
-        tp_clock_shift(&world->clock, input->slower);
+        tp_clock_shift(&world->clock, input->slowdown);
 }
 
 /* Ticks that must have been stepped to draw at the clock's time. */
@@ -198,7 +198,7 @@ static uint64_t ticks_for(const tp_clock *clock)
     return tp_clock_ticks(clock) + (tp_clock_fraction(clock) > 0);
 }
 
-uint32_t tp_world_frame(tp_world *world)
+uint32_t tp_world_advance_clock(tp_world *world)
 {
     TP_ASSERT(world != NULL && world->clock.scale_q40 > 0);
     uint64_t before = ticks_for(&world->clock);

@@ -48,7 +48,7 @@ static inline drawn_image drawn_of(const ref_stand *stand, uint32_t width,
                          NULL))
         abort();
     tp_frame_begin(frame, stand->world);
-    tp_frame_tile(frame, 0, scratch, &tile);
+    tp_frame_draw_tile(frame, 0, scratch, &tile);
     marks_list_kinds(frame, kind);
     for (size_t i = 0; i < count; i++)
         image.kind[i] = kind_of[kind[TP_MARK(scratch[i])]];

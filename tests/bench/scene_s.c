@@ -55,7 +55,7 @@ static void print_held(const tp_frame *frame, const void *scratch, const tp_tile
 static void draw(tp_frame *frame, const tp_world *world, void *scratch, tp_tile *tile)
 {
     tp_frame_begin(frame, world);
-    if (!tp_frame_tile(frame, 0, scratch, tile))
+    if (!tp_frame_draw_tile(frame, 0, scratch, tile))
         exit(1);
 }
 

@@ -113,7 +113,7 @@ static uint32_t wrong(void)
     for (int i = 1; i < FRAMES; i++)
         tp_world_step(&tp_program_all, world, s, NULL);
     tp_frame_begin(frame, world);
-    tp_frame_tile(frame, 0, scratch, &tile);
+    tp_frame_draw_tile(frame, 0, scratch, &tile);
     for (uint32_t y = 0; y < HEIGHT; y++)
         for (uint32_t x = 0; x < WIDTH; x++)
             n += panel_seen(&shown, HEIGHT - 1 - y, x)

@@ -22,7 +22,7 @@ static uint32_t draw(tp_frame *frame, void *scratch, const tp_world *world)
     count_as_frame();
     tp_frame_begin(frame, world);
     count_as_tiles();
-    for (uint32_t i = 0; tp_frame_tile(frame, i, scratch, &tile); i++) {
+    for (uint32_t i = 0; tp_frame_draw_tile(frame, i, scratch, &tile); i++) {
         count_end();
         water += tp_frame_water_pixels(frame, scratch, &tile);
         count_as_tiles();
@@ -51,9 +51,9 @@ static int run(void)
     for (uint32_t n = 0; n < FRAMES; n++) {
         semihost_decimal("frame ", n);
         semihost_decimal("\nwater ", draw(frame, at, world));
-        semihost_decimal(" vertices ", tp_frame_last_stats(frame).vertices);
-        semihost_decimal(" triangles ", tp_frame_last_stats(frame).triangles);
-        semihost_decimal(" dropped ", tp_frame_last_stats(frame).dropped);
+        semihost_decimal(" vertices ", tp_frame_stats(frame).vertices);
+        semihost_decimal(" triangles ", tp_frame_stats(frame).triangles);
+        semihost_decimal(" dropped ", tp_frame_stats(frame).dropped);
         semihost_write("\n");
         tp_world_step(program, world, &baked_scene, NULL);
     }

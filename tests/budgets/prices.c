@@ -125,7 +125,7 @@ static void draw(const char *what, const char *rung, const char *other, const ch
     count_as_frame();
     tp_frame_begin(frame, world);
     count_as_tiles();
-    for (uint32_t i = 0; tp_frame_tile(frame, i, scratch, &tile); i++) {
+    for (uint32_t i = 0; tp_frame_draw_tile(frame, i, scratch, &tile); i++) {
         count_end();
         water += tp_frame_water_pixels(frame, scratch, &tile);
         count_as_tiles();

@@ -34,8 +34,8 @@ static uint32_t draw(tp_frame *frame, void *scratch, const tp_world *world)
     count_as_frame();
     tp_frame_begin(frame, world);
     count_as_tiles();
-    for (uint32_t i = 0; tp_frame_tile_into(frame, i, scratch, picture, 2 * WIDTH, &tile);
-         i++)
+    for (uint32_t i = 0;
+         tp_frame_draw_tile_to(frame, i, scratch, picture, 2 * WIDTH, &tile); i++)
         continue;
     count_end();
     for (uint32_t y = 0; y < HEIGHT; y++)
@@ -43,8 +43,8 @@ static uint32_t draw(tp_frame *frame, void *scratch, const tp_world *world)
     return crc;
 }
 
-static void say(const char *how, const uint32_t size[2], tp_frame_ram ram,
-                size_t scratch, size_t world, uint32_t crc)
+static void say(const char *how, const uint32_t size[2], tp_ram_use ram, size_t scratch,
+                size_t world, uint32_t crc)
 {
     semihost_write("ram ");
     semihost_write(how);
@@ -73,7 +73,7 @@ static void measure(const char *how, const uint32_t size[2])
                                .assets = &baked_assets };
     const size_t world_bytes =
         tp_world_bytes(&tp_program_all, &baked_scene, &baked_assets);
-    const size_t scratch_bytes = tp_frame_scratch_into_bytes(&config, &baked_scene);
+    const size_t scratch_bytes = tp_frame_direct_scratch_bytes(&config, &baked_scene);
     tp_arena  arena = tp_arena_over(arena_start, (size_t)(arena_end - arena_start));
     void *block = tp_arena_take(&arena, 1, tp_frame_bytes(&config, &baked_scene));
     void     *scratch = tp_arena_take(&arena, 1, scratch_bytes);
@@ -89,7 +89,7 @@ static void measure(const char *how, const uint32_t size[2])
     while (world->tick < FIRST)
         tp_world_step(&tp_program_all, world, &baked_scene, NULL);
     const uint32_t crc = draw(frame, scratch, world);
-    say(how, size, tp_frame_memory(frame), scratch_bytes, world_bytes, crc);
+    say(how, size, tp_frame_ram(frame), scratch_bytes, world_bytes, crc);
 }
 
 int main(void)

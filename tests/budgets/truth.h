@@ -64,7 +64,7 @@ static inline void draw_at(drawing *to, const stage *s, const tp_scene *scene,
                          NULL))
         abort();
     tp_frame_begin(frame, world);
-    tp_frame_tile(frame, 0, scratch, &tile);
+    tp_frame_draw_tile(frame, 0, scratch, &tile);
     for (uint32_t i = 0; i < width * height; i++) {
         uint32_t sum[3] = { 0, 0, 0 }, water = 0;
         for (uint32_t k = 0; k < parts * parts; k++) {
@@ -80,7 +80,7 @@ static inline void draw_at(drawing *to, const stage *s, const tp_scene *scene,
             to->pixel[i] |= (sum[c] + n / 2) / n << 8 * c;
         to->water[i] = (uint8_t)(water * 4 / n);
     }
-    to->vertices = tp_frame_last_stats(frame).vertices;
+    to->vertices = tp_frame_stats(frame).vertices;
     free(scratch);
     free(block);
 }

@@ -134,7 +134,7 @@ static uint32_t draw_tiles(const tp_frame *frame, void *scratch, uint32_t *crc)
     tp_tile  tile;
 
     count_as_tiles();
-    for (uint32_t i = 0; tp_frame_tile(frame, i, scratch, &tile); i++) {
+    for (uint32_t i = 0; tp_frame_draw_tile(frame, i, scratch, &tile); i++) {
         count_end();
         const uint8_t *row = tile.pixels;
         for (uint32_t y = tile.y0; y < tile.y1; y++, row += tile.stride)
@@ -146,7 +146,7 @@ static uint32_t draw_tiles(const tp_frame *frame, void *scratch, uint32_t *crc)
     return water;
 }
 
-static void say_run(const wish *w, uint32_t water, tp_frame_stats held, uint32_t crc)
+static void say_run(const wish *w, uint32_t water, tp_draw_stats held, uint32_t crc)
 {
     say_number("run ", w->width);
     say_number(" ", w->height);
@@ -188,7 +188,7 @@ static void draw(const wish *w, const past *p)
     tp_frame_begin(frame, world);
     count_end();
     const uint32_t water = draw_tiles(frame, scratch, &crc);
-    say_run(w, water, tp_frame_last_stats(frame), crc);
+    say_run(w, water, tp_frame_stats(frame), crc);
     count_section();
 }
 

@@ -67,7 +67,7 @@ static bool draw(uint32_t *water)
         return false;
     tp_frame_begin(frame, world);
     count_as_tiles();
-    for (uint32_t i = 0; tp_frame_tile(frame, i, scratch, &tile); i++) {
+    for (uint32_t i = 0; tp_frame_draw_tile(frame, i, scratch, &tile); i++) {
         count_end();
         *water += tp_frame_water_pixels(frame, scratch, &tile);
         count_as_tiles();

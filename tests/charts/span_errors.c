@@ -86,7 +86,7 @@ static void draw(drawing *to, uint32_t parts)
                          NULL))
         stop("a scene cannot be drawn");
     tp_frame_begin(frame, world);
-    tp_frame_tile(frame, 0, scratch, &tile);
+    tp_frame_draw_tile(frame, 0, scratch, &tile);
     gather(to, scratch, tile.pixels, parts);
     free(scratch);
     free(block);

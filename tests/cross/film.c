@@ -33,7 +33,7 @@ static int add_frame(film *to, const picture *p, tp_frame *frame, const tp_world
 {
     tp_tile tile;
     tp_frame_begin(frame, world);
-    tp_frame_tile_into(frame, 0, scratch, p->rows, p->row_bytes, &tile);
+    tp_frame_draw_tile_to(frame, 0, scratch, p->rows, p->row_bytes, &tile);
     return film_add(to, p);
 }
 
@@ -46,7 +46,7 @@ static int draw(const char *name, tp_config config, uint32_t first, uint32_t las
     config.assets = &baked_assets;
     const size_t bytes = tp_frame_bytes(&config, &baked_scene);
     void *block = claim(bytes);
-    void *scratch = claim(tp_frame_scratch_into_bytes(&config, &baked_scene));
+    void *scratch = claim(tp_frame_direct_scratch_bytes(&config, &baked_scene));
     tp_frame *frame;
     tp_error  err = { 0 };
     film to;
@@ -54,7 +54,7 @@ static int draw(const char *name, tp_config config, uint32_t first, uint32_t las
         return fail_at("film", &err);
     int code = film_open(&to, name, config.width, config.height, 1);
     for (uint32_t n = 0; n <= last && !code; n++) {
-        for (uint32_t ticks = n ? tp_world_frame(world) : 0; ticks > 0; ticks--)
+        for (uint32_t ticks = n ? tp_world_advance_clock(world) : 0; ticks > 0; ticks--)
             tp_world_step(&tp_program_all, world, &baked_scene, NULL);
         if (n >= first)
             code = add_frame(&to, &p, frame, world, scratch);

@@ -65,7 +65,7 @@ static uint32_t paint(painter *p, const tp_world *world)
     uint32_t crc = 0;
     p->water_pixels = 0;
     tp_frame_begin(p->frame, world);
-    for (uint32_t i = 0; tp_frame_tile(p->frame, i, p->scratch, &tile); i++) {
+    for (uint32_t i = 0; tp_frame_draw_tile(p->frame, i, p->scratch, &tile); i++) {
         keep(p, &tile);
         p->water_pixels += tp_frame_water_pixels(p->frame, p->scratch, &tile);
     }
@@ -121,7 +121,7 @@ static void frames_of(tp_config config, uint32_t first, uint32_t last)
         tp_world_step(&tp_program_all, world, &baked_scene, NULL);
     for (uint32_t n = first; n <= last; n++) {
         uint32_t crc = paint(&p, world);
-        tp_frame_stats stats = tp_frame_last_stats(p.frame);
+        tp_draw_stats stats = tp_frame_stats(p.frame);
         printf("frame %04" PRIu32 " crc32 %08" PRIx32 "\n", n, crc);
         fprintf(stderr, "held water_pixels %" PRIu32 " vertices %" PRIu32 " triangles %"
                 PRIu32 " dropped %" PRIu32 "\n", p.water_pixels, stats.vertices,

@@ -138,7 +138,7 @@ static void draw(board *b)
 {
     tp_tile tile;
     tp_frame_begin(b->frame, b->world);
-    for (uint32_t i = 0; tp_frame_tile(b->frame, i, b->scratch, &tile); i++)
+    for (uint32_t i = 0; tp_frame_draw_tile(b->frame, i, b->scratch, &tile); i++)
         REQUIRE(tile.pixels != NULL);
 }
 

@@ -13,7 +13,7 @@ static bool is_within(int32_t number, int64_t most)
 
 static void require_input(const tp_input *in, size_t bytes)
 {
-    REQUIRE(is_within(in->ahead, WISH_RUN) && is_within(in->aside, WISH_RUN)
+    REQUIRE(is_within(in->forward, WISH_RUN) && is_within(in->strafe, WISH_RUN)
             && is_within(in->up, WISH_RUN));
     REQUIRE(is_within(in->turn, WISH_TURN) && is_within(in->tilt, WISH_TURN));
     REQUIRE(is_within(in->sphere_x, WISH_STEER) && is_within(in->sphere_z, WISH_STEER));
@@ -21,7 +21,7 @@ static void require_input(const tp_input *in, size_t bytes)
     REQUIRE(is_within(in->light_turn, WISH_LIGHT)
             && is_within(in->light_tilt, WISH_LIGHT));
     REQUIRE(in->drops >= 0 && (size_t)in->drops <= bytes);
-    REQUIRE(is_within(in->slower, (int64_t)bytes));
+    REQUIRE(is_within(in->slowdown, (int64_t)bytes));
     for (int i = 0; i < TP_PUSHES; i++)
         REQUIRE(in->push[i].height == 0);
 }

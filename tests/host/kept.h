@@ -140,7 +140,8 @@ static inline void kept_draw(const kept *k)
 {
     tp_tile tile;
     tp_frame_begin(k->frame.frame, k->world);
-    for (uint32_t i = 0; tp_frame_tile(k->frame.frame, i, k->frame.scratch, &tile); i++)
+    for (uint32_t i = 0; tp_frame_draw_tile(k->frame.frame, i, k->frame.scratch, &tile);
+         i++)
         continue;
 }
 
@@ -155,11 +156,14 @@ static inline bool kept_take(const kept *k)
 /* What was taken is drawn, moved by three ticks and drawn again. */
 static inline void kept_move(const kept *k)
 {
-    const tp_input input = { .drops = 1, .push[0].height = TP_FX(0.1),
-                             .ahead = TP_FX_ONE, .throttle = TP_FX_ONE, .slower = 1 };
+    const tp_input input = { .drops = 1,
+                             .push[0].height = TP_FX(0.1),
+                             .forward = TP_FX_ONE,
+                             .throttle = TP_FX_ONE,
+                             .slowdown = 1 };
     kept_draw(k);
     for (int i = 0; i < 3; i++) {
-        tp_world_frame(k->world);
+        tp_world_advance_clock(k->world);
         tp_world_step(&tp_program_all, k->world, &k->scene, &input);
     }
     kept_draw(k);

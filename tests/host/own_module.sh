@@ -125,7 +125,7 @@ int main(void)
     for (int n = 0; n < 60; n++)
         tp_world_step(&baked_program, world, &baked_scene, NULL);
     tp_frame_begin(frame, world);
-    for (uint32_t i = 0; tp_frame_tile(frame, i, scratch, &tile); i++)
+    for (uint32_t i = 0; tp_frame_draw_tile(frame, i, scratch, &tile); i++)
         crc = tp_crc32(crc, tile.pixels, tile.stride * (tile.y1 - tile.y0));
     printf("frame 0060 crc32 %08x\n", (unsigned)crc);
     return 0;

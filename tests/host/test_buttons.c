@@ -124,7 +124,7 @@ static void aim_from(water *w, double x, double y, double z, double degrees)
     w->world->eye = (tp_vec3){ (tp_fx)(x * 65536), (tp_fx)(y * 65536),
                                (tp_fx)(z * 65536) };
     w->world->pitch = tp_turn_of_degrees((tp_fx)(degrees * 65536));
-    tp_world_look(w->world, &(tp_input){ 0 });
+    tp_world_move_camera(w->world, &(tp_input){ 0 });
 }
 
 static void a_poke_falls_where_the_middle_looks(void **state)

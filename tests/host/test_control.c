@@ -99,7 +99,7 @@ static uint32_t draw(board *b)
     uint32_t crc = 0;
     tp_tile  tile;
     tp_frame_begin(b->frame, b->world);
-    for (uint32_t i = 0; tp_frame_tile(b->frame, i, b->scratch, &tile); i++)
+    for (uint32_t i = 0; tp_frame_draw_tile(b->frame, i, b->scratch, &tile); i++)
         crc = tp_crc32(crc, tile.pixels, tile.stride * (tile.y1 - tile.y0));
     return crc;
 }
@@ -341,7 +341,8 @@ static void input_is_taken_once(void **state)
     board *b = *state;
     ask(b, "drop\ndrop\ninput ahead=0.5 drops=2\npoke 1.5 -2 0.25\n");
     const tp_input first = control_take(&b->control), second = control_take(&b->control);
-    const tp_input want = { .ahead = TP_FX(0.5), .drops = 4,
+    const tp_input want = { .forward = TP_FX(0.5),
+                            .drops = 4,
                             .push[0] = { TP_FX(0.25), TP_FX(1.5), TP_FX(-2) } };
     assert_memory_equal(&first, &want, sizeof want);
     assert_memory_equal(&second, &(tp_input){ 0 }, sizeof second);

@@ -41,7 +41,7 @@ static void what_is_recorded_is_on_the_tape(void **state)
 {
     (void)state;
     deck d;
-    const tp_input both = { .turn = 900, .ahead = 65536, .drops = 1 };
+    const tp_input both = { .turn = 900, .forward = 65536, .drops = 1 };
     assert_int_equal(deck_record(&d, tape, "pond"), 0);
     assert_tape("tape 1 pond\n");
     deck_add(&d, 0, &nothing);

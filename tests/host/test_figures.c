@@ -195,7 +195,7 @@ static void memory_is_that_of_the_scene(void **state)
     open_scene(&s, NULL, 0);
     figures_stage(f, &kept, &s, NULL);
     const char *ram = shown_of(f, SECOND).ram;
-    assert_int_equal(bytes_of(ram, "frame"), tp_frame_memory(s.canvas.frame).frame);
+    assert_int_equal(bytes_of(ram, "frame"), tp_frame_ram(s.canvas.frame).frame);
     assert_int_equal(bytes_of(ram, "frame"), s.canvas.frame_bytes);
     assert_int_equal(bytes_of(ram, "scratches"), s.canvas.scratch_bytes);
     assert_int_equal(bytes_of(ram, "world"), s.world_bytes);

@@ -27,7 +27,7 @@ static void run(stage *s)
                         chance_word(&chance));
         if (n % 25 != 0)
             continue;
-        tp_world_frame(s->world);
+        tp_world_advance_clock(s->world);
         canvas_draw(&s->canvas, s->world);
         tp_world_pick(&tp_program_all, s->world, &s->file.scene, WIDTH, HEIGHT,
                       chance_int(&chance, 0, WIDTH << 16),

@@ -51,7 +51,7 @@ static uint32_t wrong_on_all(const drawing *d, const uint32_t *right)
         all[i] = opened(&glasses[i / WALKS], c);
         lcd_begin(&all[i]->driver);
     }
-    for (uint32_t t = 0; tp_frame_tile(d->frame, t, d->scratch, &tile); t++)
+    for (uint32_t t = 0; tp_frame_draw_tile(d->frame, t, d->scratch, &tile); t++)
         for (unsigned i = 0; i < GLASSES * WALKS; i++)
             assert_int_equal(lcd_tile(&all[i]->driver, &tile), LCD_OK);
     for (unsigned i = 0; i < GLASSES * WALKS; i++) {
@@ -249,7 +249,7 @@ static void tiles_may_come_in_any_order(void **state)
     tp_tile tile;
     lcd_begin(&s->driver);
     for (uint32_t i = tp_frame_tiles(d.frame); i-- > 0;) {
-        assert_true(tp_frame_tile(d.frame, i, d.scratch, &tile));
+        assert_true(tp_frame_draw_tile(d.frame, i, d.scratch, &tile));
         assert_int_equal(lcd_tile(&s->driver, &tile), LCD_OK);
     }
     assert_int_equal(lcd_end(&s->driver), LCD_OK);

@@ -74,7 +74,7 @@ static inline uint32_t *drawn_whole(uint32_t width, uint32_t height, tp_format f
     drawing d = drawing_open(width, height, 0, height, format);
     uint32_t *pixels = malloc(sizeof *pixels * width * height);
     tp_tile tile;
-    assert_true(tp_frame_tile(d.frame, 0, d.scratch, &tile));
+    assert_true(tp_frame_draw_tile(d.frame, 0, d.scratch, &tile));
     for (uint32_t y = 0; y < height; y++)
         for (uint32_t x = 0; x < width; x++)
             pixels[y * width + x] = tp_pixel_read(format, (const uint8_t *)tile.pixels

@@ -121,7 +121,7 @@ static uint32_t wrong_turned(unsigned turn, uint32_t strip, uint32_t band)
     uint8_t *turned = malloc(128 / 8 * 250);
     tp_tile tile;
     lcd_begin(&s->driver);
-    for (uint32_t i = 0; tp_frame_tile(d.frame, i, d.scratch, &tile); i++) {
+    for (uint32_t i = 0; tp_frame_draw_tile(d.frame, i, d.scratch, &tile); i++) {
         const tp_tile t = lcd_turned(&tile, &d.config, turn, turned);
         assert_int_equal(lcd_tile(&s->driver, &t), LCD_OK);
     }
@@ -172,7 +172,7 @@ static film filmed(const lcd_panel *table, uint16_t whole_every, uint32_t frames
     for (uint32_t n = 0; n < frames; n++) {
         tp_frame_begin(d.frame, world);
         tp_tile tile;
-        for (uint32_t i = 0; tp_frame_tile(d.frame, i, d.scratch, &tile); i++)
+        for (uint32_t i = 0; tp_frame_draw_tile(d.frame, i, d.scratch, &tile); i++)
             for (uint32_t y = tile.y0; y < tile.y1; y++)
                 for (uint32_t x = 0; x < WIDTH; x++)
                     right[y * WIDTH + x] = tp_pixel_read(format, (const uint8_t *)tile.pixels

@@ -84,13 +84,13 @@ static void the_left_stick_walks(void **state)
     (void)state;
     tp_input input = pushed(SDL_CONTROLLER_AXIS_LEFTY, INT16_MIN,
                             SDL_CONTROLLER_AXIS_LEFTX, 0);
-    assert_int_equal(input.ahead, WISH_WALK);
-    assert_int_equal(input.aside, 0);
+    assert_int_equal(input.forward, WISH_WALK);
+    assert_int_equal(input.strafe, 0);
     assert_int_equal(input.turn | input.tilt | input.up, 0);
     input = pushed(SDL_CONTROLLER_AXIS_LEFTY, INT16_MAX, SDL_CONTROLLER_AXIS_LEFTX, 0);
-    assert_int_equal(input.ahead, -WISH_WALK);
+    assert_int_equal(input.forward, -WISH_WALK);
     input = pushed(SDL_CONTROLLER_AXIS_LEFTY, 0, SDL_CONTROLLER_AXIS_LEFTX, INT16_MAX);
-    assert_int_equal(input.aside, WISH_WALK);
+    assert_int_equal(input.strafe, WISH_WALK);
 }
 
 static void a_corner_is_no_faster(void **state)
@@ -98,8 +98,8 @@ static void a_corner_is_no_faster(void **state)
     (void)state;
     const tp_input input = pushed(SDL_CONTROLLER_AXIS_LEFTY, INT16_MIN,
                                   SDL_CONTROLLER_AXIS_LEFTX, INT16_MAX);
-    assert_in_range(input.ahead, WISH_WALK * 70 / 100, WISH_WALK * 71 / 100);
-    assert_in_range(input.aside, WISH_WALK * 70 / 100, WISH_WALK * 71 / 100);
+    assert_in_range(input.forward, WISH_WALK * 70 / 100, WISH_WALK * 71 / 100);
+    assert_in_range(input.strafe, WISH_WALK * 70 / 100, WISH_WALK * 71 / 100);
 }
 
 static void the_right_stick_turns(void **state)
@@ -108,7 +108,7 @@ static void the_right_stick_turns(void **state)
     tp_input input = pushed(SDL_CONTROLLER_AXIS_RIGHTX, INT16_MAX,
                             SDL_CONTROLLER_AXIS_RIGHTY, 0);
     assert_int_equal(input.turn, WISH_TURN);
-    assert_int_equal(input.ahead | input.aside | input.up | input.tilt, 0);
+    assert_int_equal(input.forward | input.strafe | input.up | input.tilt, 0);
     input = pushed(SDL_CONTROLLER_AXIS_RIGHTX, 0, SDL_CONTROLLER_AXIS_RIGHTY, INT16_MIN);
     assert_int_equal(input.tilt, WISH_TURN);
     input = pushed(SDL_CONTROLLER_AXIS_RIGHTX, INT16_MIN, SDL_CONTROLLER_AXIS_RIGHTY, 0);
@@ -125,9 +125,9 @@ static void sticks_that_are_let_go_do_nothing(void **state)
     input = pushed(SDL_CONTROLLER_AXIS_RIGHTX, -7000, SDL_CONTROLLER_AXIS_RIGHTY, 0);
     assert_memory_equal(&input, &none, sizeof none);
     input = pushed(SDL_CONTROLLER_AXIS_LEFTX, 7600, SDL_CONTROLLER_AXIS_LEFTY, 0);
-    assert_in_range(input.aside, 1, WISH_WALK / 32);    /* and no step at the edge */
+    assert_in_range(input.strafe, 1, WISH_WALK / 32); /* and no step at the edge */
     input = pushed(SDL_CONTROLLER_AXIS_LEFTX, 20000, SDL_CONTROLLER_AXIS_LEFTY, 0);
-    assert_in_range(input.aside, WISH_WALK * 49 / 100, WISH_WALK * 51 / 100);
+    assert_in_range(input.strafe, WISH_WALK * 49 / 100, WISH_WALK * 51 / 100);
 }
 
 static void triggers_sink_and_rise(void **state)

@@ -50,7 +50,7 @@ static void make_picture(tp_world *world, const tp_scene *scene, const tp_input 
 {
     const tp_input *in = input;
 
-    for (uint32_t ticks = tp_world_frame(world); ticks > 0; ticks--) {
+    for (uint32_t ticks = tp_world_advance_clock(world); ticks > 0; ticks--) {
         tp_world_step(&tp_program_all, world, scene, in);
         in = NULL;
     }
@@ -198,7 +198,7 @@ static void changes_of_the_scene_come_back_with_it(void **state)
         const bool changed = n % 50 == 3 || (n > 100 && n < 130);
         if (changed) {
             s.scene.wave[0].amplitude = chance_fx(&chance, 0.1, 1);
-            assert_true(tp_world_refresh(&tp_program_all, s.world, &s.scene, NULL));
+            assert_true(tp_world_apply(&tp_program_all, s.world, &s.scene, NULL));
         }
         next_picture(&s, changed);
     }
@@ -214,7 +214,7 @@ static void a_look_while_it_stands_comes_back(void **state)
     show s = show_of(&scene, 64 * MB);
 
     run_on(&s, 20);
-    tp_world_look(s.world, &(tp_input){ .turn = 777777, .ahead = TP_FX_ONE });
+    tp_world_move_camera(s.world, &(tp_input){ .turn = 777777, .forward = TP_FX_ONE });
     next_picture(&s, true);
     run_on(&s, 20);
     try_all(&s, 0);
@@ -263,7 +263,8 @@ static show long_show(const tp_scene *scene, uint32_t pictures, size_t worlds,
     for (uint32_t n = 0; n < pictures; n++) {
         const bool looked = n % 500 == 50;
         if (looked)
-            tp_world_look(s.world, &(tp_input){ .turn = 777777, .ahead = TP_FX_ONE });
+            tp_world_move_camera(s.world,
+                                 &(tp_input){ .turn = 777777, .forward = TP_FX_ONE });
         next_picture(&s, looked);
         assert_true(past_bytes(s.past) <= budget);
     }

@@ -50,7 +50,7 @@ static void draw(const opened *o, uint32_t width, uint32_t height, tp_visibility
                                    tp_frame_bytes(&config, &scene), NULL),
                      TP_OK);
     tp_frame_begin(frame, o->world);
-    assert_true(tp_frame_tile(frame, 0, scratch, &tile));
+    assert_true(tp_frame_draw_tile(frame, 0, scratch, &tile));
     memcpy(to->colour, tile.pixels, 4 * (size_t)width * height);
     for (uint32_t i = 0; i < width * height; i++)
         to->mark[i] = (uint8_t)TP_MARK(scratch[i]);

@@ -27,7 +27,7 @@ static void type(const char *text)
 static int ticks_ahead(void)
 {
     int n = 0;
-    while (n < 100 && keys_input(&k).ahead)
+    while (n < 100 && keys_input(&k).forward)
         n++;
     return n;
 }
@@ -37,13 +37,13 @@ static void letters_move_and_capitals_run(void **state)
     (void)state;
     type("wd");
     tp_input input = keys_input(&k);
-    assert_int_equal(input.ahead, WISH_WALK);
-    assert_int_equal(input.aside, WISH_WALK);
+    assert_int_equal(input.forward, WISH_WALK);
+    assert_int_equal(input.strafe, WISH_WALK);
     assert_int_equal(input.up, 0);
     type("SAQ");
     input = keys_input(&k);
-    assert_int_equal(input.ahead, -WISH_RUN);
-    assert_int_equal(input.aside, -WISH_RUN);
+    assert_int_equal(input.forward, -WISH_RUN);
+    assert_int_equal(input.strafe, -WISH_RUN);
     assert_int_equal(input.up, -WISH_RUN);
 }
 
@@ -54,11 +54,11 @@ static void a_tap_ends_before_a_hold_does(void **state)
     assert_int_equal(ticks_ahead(), 16);
     type("w");
     for (int i = 0; i < 15; i++)
-        assert_true(keys_input(&k).ahead);
+        assert_true(keys_input(&k).forward);
     for (int i = 0; i < 40; i++) {          /* repeats, two ticks apart */
         type("w");
-        assert_true(keys_input(&k).ahead);
-        assert_true(keys_input(&k).ahead);
+        assert_true(keys_input(&k).forward);
+        assert_true(keys_input(&k).forward);
     }
     assert_true(ticks_ahead() <= 5);
 }
@@ -95,10 +95,10 @@ static void events_come_once(void **state)
     type("ff,");
     tp_input input = keys_input(&k);
     assert_int_equal(input.drops, 2);
-    assert_int_equal(input.slower, 1);
+    assert_int_equal(input.slowdown, 1);
     input = keys_input(&k);
     assert_int_equal(input.drops, 0);
-    assert_int_equal(input.slower, 0);
+    assert_int_equal(input.slowdown, 0);
     type(" ");
     assert_true(k.pause);
     type(" ");
@@ -138,7 +138,7 @@ static void any_bytes_leave_it_usable(void **state)
     keys_rest(&k);
     memset(k.held, 0, sizeof k.held);
     type("w");
-    assert_true(keys_input(&k).ahead > 0);
+    assert_true(keys_input(&k).forward > 0);
 }
 
 int main(void)

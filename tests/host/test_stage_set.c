@@ -168,7 +168,7 @@ static void another_plan_opens_the_canvas(void **state)
 static void a_world_is_made_anew_where_it_was(void **state)
 {
     (void)state;
-    const tp_input input = { .ahead = 3 << 16, .turn = 1 << 24, .light_turn = 1 << 25 };
+    const tp_input input = { .forward = 3 << 16, .turn = 1 << 24, .light_turn = 1 << 25 };
     open_scene("assets/scenes/pond.ini");
     tp_world_step(&tp_program_all, stood.world, &stood.file.scene, &input);
     steps(30);

@@ -21,13 +21,17 @@ static edits e;
  * the scene says alone. */
 static void open_scene(const char *scene)
 {
-    const tp_input led = { .ahead = 3 << 14, .turn = 1 << 24, .light_turn = 1 << 22,
-                           .slower = 1, .drops = 3, .push[0] = { 9999, 0, 0 } };
+    const tp_input led = { .forward = 3 << 14,
+                           .turn = 1 << 24,
+                           .light_turn = 1 << 22,
+                           .slowdown = 1,
+                           .drops = 3,
+                           .push[0] = { 9999, 0, 0 } };
     given = (options){ .scene = scene, .width = 24, .height = 16, .threads = 1,
                        .format = TP_FORMAT_XRGB8888 };
     assert_int_equal(stage_open(&stood, &given), 0);
     for (int i = 0; i < 40; i++)
-        for (uint32_t n = tp_world_frame(stood.world); n > 0; n--)
+        for (uint32_t n = tp_world_advance_clock(stood.world); n > 0; n--)
             tp_world_step(&tp_program_all, stood.world, &stood.file.scene,
                           i % 7 ? NULL : &led);
 }
@@ -265,8 +269,8 @@ static void a_drag_is_undone_as_one(void **state)
 
 static void look(void)
 {
-    const tp_input way = { .ahead = 9999, .turn = 1 << 25, .tilt = -99999 };
-    tp_world_look(stood.world, &way);
+    const tp_input way = { .forward = 9999, .turn = 1 << 25, .tilt = -99999 };
+    tp_world_move_camera(stood.world, &way);
 }
 
 /* Where nothing but the camera moved, the water comes back and the camera stays. */
@@ -317,7 +321,7 @@ static void water_that_moved_on_goes_on(void **state)
     assert_int_equal(undo(), UNDO_VALUE);
     assert_memory_equal(&before, &stood.file.scene, sizeof before);
     assert_true(
-        tp_world_refresh(&tp_program_all, now, &stood.file.scene, &stood.assets.names));
+        tp_world_apply(&tp_program_all, now, &stood.file.scene, &stood.assets.names));
     assert_memory_equal(now, stood.world, stood.world_bytes);
     free(now);
     assert_int_equal(change_row(row_of("pool.cols"), "40", false, false), EXIT_DONE);

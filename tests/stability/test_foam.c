@@ -126,7 +126,7 @@ static void a_storm_ends_in_clear_water(void **state)
     assert_true(tp_world_spray(world)->count > 0);
     for (int i = 0; i < 3; i++)
         scene.wave[i].amplitude = 0;
-    assert_true(tp_world_refresh(&tp_program_all, world, &scene, NULL));
+    assert_true(tp_world_apply(&tp_program_all, world, &scene, NULL));
     for (int i = 0; i < 60 * 60; i++)
         tp_world_step(&tp_program_all, world, &scene, NULL);
     assert_int_equal(tp_world_spray(world)->count, 0);

@@ -55,12 +55,14 @@ static tp_push any_push(void)
 
 static tp_input any_input(void)
 {
-    return (tp_input){ .ahead = chance_int(&chance, -99999, 99999), .drops = 3,
+    return (tp_input){ .forward = chance_int(&chance, -99999, 99999),
+                       .drops = 3,
                        .sphere_x = chance_int(&chance, -99999, 99999),
                        .throttle = chance_int(&chance, INT32_MIN, INT32_MAX),
                        .rudder = chance_int(&chance, INT32_MIN, INT32_MAX),
-                       .push[0] = any_push(), .push[7] = any_push(),
-                       .slower = chance_int(&chance, -4, 4) };
+                       .push[0] = any_push(),
+                       .push[7] = any_push(),
+                       .slowdown = chance_int(&chance, -4, 4) };
 }
 
 static void ask(const tp_world *world)
@@ -79,7 +81,7 @@ static void step(tp_world *world, const tp_scene *scene, int ticks)
         tp_world_step(&tp_program_all, world, scene, n % 2 ? &input : NULL);
         ask(world);
     }
-    for (uint32_t n = tp_world_frame(world); n > 0; n--)
+    for (uint32_t n = tp_world_advance_clock(world); n > 0; n--)
         tp_world_step(&tp_program_all, world, scene, NULL);
 }
 
@@ -119,7 +121,7 @@ static tp_world *world_of(const tp_scene *scene, const tp_assets *assets)
 static void live_on(tp_world **world, tp_scene *scene, const tp_assets *assets)
 {
     change(scene);
-    if (!tp_world_refresh(&tp_program_all, *world, scene, assets)) {
+    if (!tp_world_apply(&tp_program_all, *world, scene, assets)) {
         free(*world);
         *world = world_of(scene, assets);
     }

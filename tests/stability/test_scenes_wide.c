@@ -200,7 +200,7 @@ static void assert_refused(const tp_scene *scene, const tp_assets *assets, tp_st
     assert_int_equal(
         tp_world_init(&tp_program_all, world, sizeof block, &plain, NULL, NULL), TP_OK);
     memcpy(before, block, sizeof block);
-    assert_false(tp_world_refresh(&tp_program_all, world, scene, assets));
+    assert_false(tp_world_apply(&tp_program_all, world, scene, assets));
     assert_memory_equal(before, block, sizeof block);
     assert_int_equal(tp_plan_of(scene, assets, 64, 48).total.cost, 0);
 }
@@ -223,7 +223,7 @@ static void step(const programs *k, tp_world *world, const tp_scene *scene)
         tp_world_step(&k->by, world, scene, n % 2 ? &input : NULL);
         ask(k, world, 4);
     }
-    for (uint32_t n = tp_world_frame(world); n > 0; n--)
+    for (uint32_t n = tp_world_advance_clock(world); n > 0; n--)
         tp_world_step(&k->by, world, scene, NULL);
 }
 
@@ -249,9 +249,9 @@ static void live_on(const programs *k, tp_world *world, tp_scene *scene,
                 (const char *)&other + row[i].offset);
     scene->grid.cols = before.grid.cols;
     scene->grid.rows = before.grid.rows;
-    if (!tp_world_refresh(&k->by, world, scene, assets)) {
+    if (!tp_world_apply(&k->by, world, scene, assets)) {
         *scene = before;
-        assert_true(tp_world_refresh(&k->by, world, scene, assets));
+        assert_true(tp_world_apply(&k->by, world, scene, assets));
     }
     step(k, world, scene);
     draw(world);

@@ -35,9 +35,9 @@ static inline void level_draw(level_shot *shot, tp_scene *scene, const tp_assets
         != TP_OK)
         abort();
     shot->world.tick = tick;
-    tp_world_refresh(&tp_program_all, &shot->world, scene, NULL);
+    tp_world_apply(&tp_program_all, &shot->world, scene, NULL);
     tp_frame_begin(shot->frame.frame, &shot->world);
-    if (!tp_frame_tile(shot->frame.frame, 0, shot->frame.scratch, &tile))
+    if (!tp_frame_draw_tile(shot->frame.frame, 0, shot->frame.scratch, &tile))
         abort();
     shot->key = (const uint32_t *)(const void *)shot->frame.scratch;
     shot->s = shot->key + LEVEL_PIXELS;
@@ -77,7 +77,7 @@ static inline void level_compare_tiles(const test_frame *f, const uint32_t *pict
 {
     tp_tile tile;
 
-    for (uint32_t i = 0; tp_frame_tile(f->frame, i, f->scratch, &tile); i++) {
+    for (uint32_t i = 0; tp_frame_draw_tile(f->frame, i, f->scratch, &tile); i++) {
         for (uint32_t y = tile.y0; y < tile.y1; y++)
             assert_memory_equal((const uint8_t *)tile.pixels + (y - tile.y0) * tile.stride,
                                 picture + y * LEVEL_WIDTH + tile.x0,

@@ -26,12 +26,15 @@ static inline tp_scene sea(void)
 static inline tp_input any_input(void)
 {
     return (tp_input){
-        .ahead = chance_fx(&chance, -0.3, 0.3), .aside = chance_fx(&chance, -0.3, 0.3),
+        .forward = chance_fx(&chance, -0.3, 0.3),
+        .strafe = chance_fx(&chance, -0.3, 0.3),
         .up = chance_fx(&chance, -0.3, 0.3),
         .turn = chance_int(&chance, -9999999, 9999999),
         .tilt = chance_int(&chance, -9999999, 9999999),
-        .throttle = chance_fx(&chance, -4, 4), .rudder = chance_fx(&chance, -20, 20),
-        .drops = 3, .light_turn = 77,
+        .throttle = chance_fx(&chance, -4, 4),
+        .rudder = chance_fx(&chance, -20, 20),
+        .drops = 3,
+        .light_turn = 77,
     };
 }
 
@@ -49,7 +52,7 @@ static inline void begin(look *l, look_mode mode, tp_world *w, tp_scene *s)
 
     assert_true(look_begin(l, mode, w, s));
     s->camera.follow = (int32_t)look_follow(l, &filed);
-    assert_true(tp_world_refresh(&tp_program_all, w, s, NULL));
+    assert_true(tp_world_apply(&tp_program_all, w, s, NULL));
 }
 
 /* The same of a world at its beginning. */

@@ -17,7 +17,7 @@ static inline void marks_draw(const tp_scene *scene, const tp_assets *assets,
 
     tp_frame_begin(f.frame, world);
     marks_list_kinds(f.frame, kind);
-    for (uint32_t i = 0; tp_frame_tile(f.frame, i, f.scratch, &tile); i++) {
+    for (uint32_t i = 0; tp_frame_draw_tile(f.frame, i, f.scratch, &tile); i++) {
         const uint32_t *from = (const uint32_t *)(const void *)f.scratch;
         for (uint32_t y = tile.y0; y < tile.y1; y++) {
             const size_t row = (y - tile.y0) * (size_t)f.frame->config.tile_width;

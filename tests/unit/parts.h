@@ -59,10 +59,12 @@ static inline tp_assets assets_with(uint64_t *chance, tp_scene *s, bool map,
 static inline tp_input input_any(uint64_t *chance)
 {
     return (tp_input){
-        .ahead = chance_fx(chance, -0.1, 0.1), .drops = chance_int(chance, 0, 3),
-        .sphere_x = chance_fx(chance, -0.1, 0.1), .throttle = chance_fx(chance, 0, 5),
+        .forward = chance_fx(chance, -0.1, 0.1),
+        .drops = chance_int(chance, 0, 3),
+        .sphere_x = chance_fx(chance, -0.1, 0.1),
+        .throttle = chance_fx(chance, 0, 5),
         .push[0].height = chance_int(chance, 0, 9) ? 0 : TP_FX(0.3),
-        .slower = chance_int(chance, 0, 50) ? 0 : chance_int(chance, -1, 1),
+        .slowdown = chance_int(chance, 0, 50) ? 0 : chance_int(chance, -1, 1),
     };
 }
 
@@ -71,7 +73,7 @@ static inline void run(uint64_t *chance, tp_world *world, const tp_scene *scene,
 {
     for (int i = 0; i < ticks; i++) {
         const tp_input in = input_any(chance);
-        tp_world_frame(world);
+        tp_world_advance_clock(world);
         tp_world_step(&tp_program_all, world, scene, &in);
     }
 }

@@ -105,13 +105,13 @@ static void heave_is_the_water_s_height_and_the_lift(void **state)
     tp_world w = slope_world(0, 0, &scene);
 
     scene.wave[0].phase = 90 * TP_FX_ONE;       /* a crest at the origin */
-    tp_world_refresh(&tp_program_all, &w, &scene, NULL);
+    tp_world_apply(&tp_program_all, &w, &scene, NULL);
     assert_true(fabs(w.boat.place.y * LSB - 2) < 0.02);
     scene.boat.lift = TP_FX(-0.75);
-    tp_world_refresh(&tp_program_all, &w, &scene, NULL);
+    tp_world_apply(&tp_program_all, &w, &scene, NULL);
     assert_true(fabs(w.boat.place.y * LSB - 1.25) < 0.02);
     scene.wave[0].phase = -90 * TP_FX_ONE;
-    tp_world_refresh(&tp_program_all, &w, &scene, NULL);
+    tp_world_apply(&tp_program_all, &w, &scene, NULL);
     assert_true(fabs(w.boat.place.y * LSB + 2.75) < 0.02);
 }
 
@@ -175,7 +175,7 @@ static void the_boat_follows_the_models(void **state)
         const tp_scene scene = boat_swells(&chance, 0.9);
         tp_world w = boat_world(&scene);
         w.tick = random_next(&chance) >> 30;
-        tp_world_refresh(&tp_program_all, &w, &scene, NULL);
+        tp_world_apply(&tp_program_all, &w, &scene, NULL);
         for (int t = 0; t < 3; t++) {
             compare_boat(&scene, &w, &heave, &tilt);
             tp_world_step(&tp_program_all, &w, &scene, NULL);

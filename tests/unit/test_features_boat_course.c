@@ -105,7 +105,7 @@ static void it_stays_within_eight_kilometres(void **state)
     boat_steps(&w, &scene, &full, 10);
     for (int n = 0; n < 4; n++) {
         scene.boat.heading = (45 + 90 * n) * TP_FX_ONE;
-        tp_world_refresh(&tp_program_all, &w, &scene, NULL);
+        tp_world_apply(&tp_program_all, &w, &scene, NULL);
         const tp_input in = { .throttle = TP_FX_MAX };
         for (int t = 0; t < 20000; t++) {
             tp_world_step(&tp_program_all, &w, &scene, &in);
@@ -162,7 +162,7 @@ static void a_changed_place_moves_the_boat(void **state)
     scene.boat.x += 5 * TP_FX_ONE;
     scene.boat.z -= 7 * TP_FX_ONE;
     scene.boat.heading = 90 * TP_FX_ONE;
-    tp_world_refresh(&tp_program_all, &w, &scene, NULL);
+    tp_world_apply(&tp_program_all, &w, &scene, NULL);
     assert_int_equal(w.boat.place.x, scene.boat.x);
     assert_int_equal(w.boat.place.z, scene.boat.z + sailed);
     assert_true(abs((int32_t)(w.boat.heading - 0x40000000u)) < 64);
@@ -184,7 +184,7 @@ static void a_refresh_does_not_lift_a_floating_boat(void **state)
         const tp_pose before = w.boat;
         for (int i = 0; i < 3; i++)
             scene.wave[i].phase += 100 * TP_FX_ONE;
-        tp_world_refresh(&tp_program_all, &w, &scene, NULL);
+        tp_world_apply(&tp_program_all, &w, &scene, NULL);
         assert_int_equal(before.place.y == w.boat.place.y, n < 2);
         assert_int_equal(before.pitch == w.boat.pitch, n < 2);
         assert_int_equal(before.roll == w.boat.roll, n < 2);

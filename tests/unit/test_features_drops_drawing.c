@@ -158,7 +158,7 @@ static void the_near_side_is_seen(void **state)
 
     put(world, at, TP_FX_ONE, 0);
     tp_frame_begin(f.frame, world);
-    assert_true(tp_frame_tile(f.frame, 0, f.scratch, &tile));
+    assert_true(tp_frame_draw_tile(f.frame, 0, f.scratch, &tile));
     const uint32_t *plane = (const uint32_t *)(const void *)f.scratch;
     const size_t middle = HEIGHT / 2 * WIDTH + WIDTH / 2;
     const tp_packed_dir n = plane[3 * WIDTH * HEIGHT + middle];

@@ -141,7 +141,7 @@ static void the_window_follows_the_eye(void **state)
     (void)state;
     const tp_scene scene = still(600 * TP_FX_ONE);
     tp_world *world = scene_world(&scene, NULL);
-    const tp_input aside = { .aside = TP_FX(0.1) };
+    const tp_input aside = { .strafe = TP_FX(0.1) };
 
     tp_foam_blob(tp_foam_of_world(world), TP_FX(5.25), TP_FX(0.25), TP_FX(0.5), 250);
     const int there = tp_foam_at(tp_world_foam(world), TP_FX(5.25), TP_FX(0.25));
@@ -192,12 +192,12 @@ static void other_cells_need_another_world(void **state)
     assert_non_null(tp_foam_of_world(world));
     scene.foam.fade = TP_FX(3);
     scene.foam.map.drift_x = TP_FX_ONE;
-    assert_true(tp_world_refresh(&tp_program_all, world, &scene, NULL));
+    assert_true(tp_world_apply(&tp_program_all, world, &scene, NULL));
     scene.foam.cell = TP_FX(0.6);
-    assert_false(tp_world_refresh(&tp_program_all, world, &scene, NULL));
+    assert_false(tp_world_apply(&tp_program_all, world, &scene, NULL));
     scene.foam.cell = TP_FX(0.5);
     scene.foam.cells = 63;
-    assert_false(tp_world_refresh(&tp_program_all, world, &scene, NULL));
+    assert_false(tp_world_apply(&tp_program_all, world, &scene, NULL));
     scene.foam.cells = 0;
     assert_int_equal(tp_world_bytes(&tp_program_all, &scene, NULL), sizeof(tp_world));
     free(world);

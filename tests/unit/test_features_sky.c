@@ -58,7 +58,7 @@ static void draw(const tp_scene *s, const tp_assets *assets, const tp_world *wor
     tp_tile tile;
 
     tp_frame_begin(f.frame, world);
-    for (uint32_t i = 0; tp_frame_tile(f.frame, i, f.scratch, &tile); i++) {
+    for (uint32_t i = 0; tp_frame_draw_tile(f.frame, i, f.scratch, &tile); i++) {
         for (uint32_t y = tile.y0; y < tile.y1; y++)
             memcpy(to + y * WIDTH + tile.x0,
                    (const uint8_t *)tile.pixels + (y - tile.y0) * tile.stride,
@@ -146,7 +146,7 @@ static void a_live_change_is_drawn_as_far_as_there_are_tables(void **state)
     s.light.model = !s.light.model;
     s.water.fresnel = !s.water.fresnel;
     tp_frame_begin(f.frame, w);
-    assert_true(tp_frame_tile(f.frame, 0, f.scratch, &tile));
+    assert_true(tp_frame_draw_tile(f.frame, 0, f.scratch, &tile));
     s.sky.kind = TP_SKY_GRADIENT;
     draw(&s, &a, w, 0, 0, picture[0]);
     assert_memory_equal(tile.pixels, picture[0], sizeof picture[0]);
@@ -177,7 +177,7 @@ static void a_camera_that_turns_draws_as_a_fresh_frame_does(void **state)
         w->pitch = w->last_pitch = tp_turn_of_degrees(-step * TP_FX_ONE / 2);
         tp_frame_begin(f.frame, w);
         assert_non_null(f.frame->shade.quick);
-        assert_true(tp_frame_tile(f.frame, 0, f.scratch, &tile));
+        assert_true(tp_frame_draw_tile(f.frame, 0, f.scratch, &tile));
         draw(&s, &a, w, 0, 0, picture[0]);
         assert_memory_equal(tile.pixels, picture[0], sizeof picture[0]);
     }
@@ -218,9 +218,9 @@ static uint32_t draw_by(const tp_program *program, const tp_scene *s, uint32_t *
     tp_tile tile;
 
     tp_frame_begin(f.frame, w);
-    assert_true(tp_frame_tile(f.frame, 0, f.scratch, &tile));
+    assert_true(tp_frame_draw_tile(f.frame, 0, f.scratch, &tile));
     memcpy(to, tile.pixels, sizeof picture[0]);
-    const uint32_t dropped = tp_frame_last_stats(f.frame).dropped;
+    const uint32_t dropped = tp_frame_stats(f.frame).dropped;
     frame_free(&f);
     free(w);
     return dropped;

@@ -71,7 +71,7 @@ static void picture_of(const tp_scene *s, uint32_t *pixels)
     tp_tile    tile;
 
     tp_frame_begin(f.frame, world);
-    assert_true(tp_frame_tile(f.frame, 0, f.scratch, &tile));
+    assert_true(tp_frame_draw_tile(f.frame, 0, f.scratch, &tile));
     memcpy(pixels, tile.pixels, WIDE * HIGH * sizeof *pixels);
     assert_true(frame_guard_holds(f.block, f.bytes));
     frame_free(&f);

@@ -76,7 +76,7 @@ static void picture_of(const tp_scene *s, const tp_assets *assets, const tp_worl
     tp_tile    tile;
 
     tp_frame_begin(f.frame, world);
-    for (uint32_t i = 0; tp_frame_tile(f.frame, i, f.scratch, &tile); i++)
+    for (uint32_t i = 0; tp_frame_draw_tile(f.frame, i, f.scratch, &tile); i++)
         for (uint32_t y = tile.y0; y < tile.y1; y++)
             memcpy(pixels + y * WIDE + tile.x0,
                    (const char *)tile.pixels + (y - tile.y0) * tile.stride,

@@ -77,7 +77,7 @@ static void calm_water_fills_everything_below_the_horizon(void **state)
         test_frame f = frame_of(&scene, &none, &config);
         tp_world_init(&tp_program_all, &world, sizeof world, &scene, NULL, NULL);
         tp_frame_begin(f.frame, &world);
-        assert_true(tp_frame_tile(f.frame, 0, f.scratch, &tile));
+        assert_true(tp_frame_draw_tile(f.frame, 0, f.scratch, &tile));
         /* The edge is a straight line of the world: in the picture it bends by no more
          * than the dip of its nearest place, 15 km. */
         const double first = horizon_row(&scene, 40000),
@@ -119,7 +119,7 @@ static void waves_leave_no_holes(void **state)
         test_frame f = frame_of(&scene, &none, &config);
         tp_world_init(&tp_program_all, &world, sizeof world, &scene, NULL, NULL);
         tp_frame_begin(f.frame, &world);
-        assert_true(tp_frame_tile(f.frame, 0, f.scratch, &tile));
+        assert_true(tp_frame_draw_tile(f.frame, 0, f.scratch, &tile));
         /* The lowest the water's edge can look: level water at 15 km, minus 1.5 m. */
         const double last = horizon_row(&scene, 15000);
         const uint32_t sea = (uint32_t)fmax(0, fmin(HEIGHT, ceil(last + 0.6)));
@@ -150,7 +150,7 @@ static void without_reach_the_grid_is_all(void **state)
     test_frame f = frame_of(&scene, &none, &config);
     tp_world_init(&tp_program_all, &world, sizeof world, &scene, NULL, NULL);
     tp_frame_begin(f.frame, &world);
-    assert_true(tp_frame_tile(f.frame, 0, f.scratch, &tile));
+    assert_true(tp_frame_draw_tile(f.frame, 0, f.scratch, &tile));
     /* 10 m from 20 m: 10 / 20 x 77.94 = 38.97 pixels square, tilted by a degree. */
     const double side = 0.5 * HEIGHT / 2 / tan(3.14159265358979 / 6);
     assert_true(fabs(sqrt(marks_of(&f, 0, HEIGHT).water) - side) < 1);
@@ -172,7 +172,7 @@ static marks marks_with_lift(tp_fx lift)
     test_frame f = frame_of(&scene, &assets, &config);
     tp_world_init(&tp_program_all, &world, sizeof world, &scene, NULL, NULL);
     tp_frame_begin(f.frame, &world);
-    assert_true(tp_frame_tile(f.frame, 0, f.scratch, &tile));
+    assert_true(tp_frame_draw_tile(f.frame, 0, f.scratch, &tile));
     const marks m = marks_of(&f, 0, HEIGHT);
     frame_free(&f);
     return m;

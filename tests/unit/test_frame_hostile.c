@@ -52,8 +52,8 @@ static void draw_any(tp_scene *scene, const test_boat *boat)
 static tp_input any_input(void)
 {
     const int32_t far = random_below(&chance, 2) ? INT32_MAX : 65536;
-    return (tp_input){ .ahead = chance_int(&chance, -far, far),
-                       .aside = chance_int(&chance, -far, far),
+    return (tp_input){ .forward = chance_int(&chance, -far, far),
+                       .strafe = chance_int(&chance, -far, far),
                        .up = chance_int(&chance, -far, far),
                        .turn = chance_int(&chance, -far, far),
                        .tilt = chance_int(&chance, -far, far) };
@@ -71,7 +71,7 @@ static void any_scene_of_the_table_is_drawn(void **state)
             continue;
         if (n % 3 == 0) {
             world->tick = random_next(&chance);
-            tp_world_refresh(&tp_program_all, world, &scene, &assets);
+            tp_world_apply(&tp_program_all, world, &scene, &assets);
         }
         for (int k = 0; k < n % 4; k++) {
             const tp_input input = any_input();

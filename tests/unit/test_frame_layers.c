@@ -86,7 +86,7 @@ static void draw(const test_frame *f, uint32_t *picture)
     tp_tile tile;
 
     memset(picture, 0, PIXELS * sizeof *picture);
-    for (uint32_t i = 0; tp_frame_tile(f->frame, i, f->scratch, &tile); i++) {
+    for (uint32_t i = 0; tp_frame_draw_tile(f->frame, i, f->scratch, &tile); i++) {
         for (uint32_t y = tile.y0; y < tile.y1; y++) {
             const uint8_t *row =
                 (const uint8_t *)tile.pixels + (y - tile.y0) * tile.stride;

@@ -391,7 +391,7 @@ static void mirrors_cost_the_bytes_that_are_told(void **state)
     for (int kind = TP_MIRROR_NONE; kind <= TP_MIRROR_CUBE; kind++) {
         s.mirror.objects = kind;
         test_frame f = begun(&s, 320, 240);
-        const size_t got = tp_frame_memory(f.frame).mirror;
+        const size_t got = tp_frame_ram(f.frame).mirror;
         assert_true(got >= want[kind] && got <= want[kind] + (want[kind] ? 128 : 0));
         frame_free(&f);
     }

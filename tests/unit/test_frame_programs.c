@@ -46,7 +46,7 @@ static void draw_by(const tp_program *by, const tp_program *moved_by)
     for (int n = 0; n < 3; n++)
         tp_world_step(moved_by, world, &scene, &input);
     world->back = chance_fx(&chance, 0, 1);
-    tp_world_refresh(moved_by, world, &scene, &assets);
+    tp_world_apply(moved_by, world, &scene, &assets);
     tp_world_sample(moved_by, world, TP_FX_ONE, TP_FX_ONE);
     twice_draw(&twice, world);
     twice_end(&twice);
@@ -82,9 +82,9 @@ static uint32_t drawn_by(const tp_program *by, const tp_scene *scene,
     tp_tile tile;
 
     tp_frame_begin(f.frame, world);
-    tp_frame_tile(f.frame, 0, f.scratch, &tile);
+    tp_frame_draw_tile(f.frame, 0, f.scratch, &tile);
     uint32_t crc = tp_crc32(0, tile.pixels, W * H * sizeof(uint32_t));
-    *dropped = tp_frame_last_stats(f.frame).dropped;
+    *dropped = tp_frame_stats(f.frame).dropped;
     frame_free(&f);
     free(world);
     return crc;
@@ -220,7 +220,7 @@ static const char *lacks_of(const tp_program *by, const tp_scene *scene,
 
     tp_frame_begin(f.frame, world);
     const char *name = tp_frame_lacks(f.frame);
-    assert_int_equal(tp_frame_last_stats(f.frame).dropped > 0, name != NULL);
+    assert_int_equal(tp_frame_stats(f.frame).dropped > 0, name != NULL);
     frame_free(&f);
     free(world);
     return name;

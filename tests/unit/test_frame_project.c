@@ -250,7 +250,7 @@ static void picks_agree_with_the_samples_of_tiles(void **state)
             (tp_turn)(int32_t)chance_int(&chance, -0x18000000, -0x04000000),
             (tp_turn)random_next(&chance));
         tp_frame_begin(f.frame, w);
-        for (uint32_t i = 0; tp_frame_tile(f.frame, i, f.scratch, &tile); i++)
+        for (uint32_t i = 0; tp_frame_draw_tile(f.frame, i, f.scratch, &tile); i++)
             compare_tile(&f, &tile, &a);
         frame_free(&f);
         free(w);

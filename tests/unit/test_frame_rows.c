@@ -88,7 +88,7 @@ static void no_box_beyond_the_last_is_read(void **state)
         guarded g = guarded_copy(lines->box, (lines->lines - 1) * lines->blocks);
         tp_tile tile;
         lines->box = g.box;
-        assert_true(tp_frame_tile(f.frame, 0, f.scratch, &tile));
+        assert_true(tp_frame_draw_tile(f.frame, 0, f.scratch, &tile));
         cut += count_cut(lines);
         assert_int_equal(munmap(g.pages, g.bytes), 0);
         frame_free(&f);

@@ -20,13 +20,13 @@ static uint32_t by_rows, by_streams;
 static void draw_into(const test_frame *f, const tp_config *config, uint8_t *picture)
 {
     const tp_config into = config_with(config, &streamed, NULL);
-    const size_t bytes = tp_frame_scratch_into_bytes(&into, f->frame->scene);
+    const size_t bytes = tp_frame_direct_scratch_bytes(&into, f->frame->scene);
     uint8_t *scratch = malloc(bytes + 64);
     tp_tile  tile;
 
     memset(scratch, 0x5a, bytes + 64);
-    for (uint32_t i = 0; tp_frame_tile_into(f->frame, i, scratch, picture, STRIDE, &tile);
-         i++)
+    for (uint32_t i = 0;
+         tp_frame_draw_tile_to(f->frame, i, scratch, picture, STRIDE, &tile); i++)
         assert_ptr_equal(tile.pixels, picture + tile.y0 * STRIDE
                          + tp_format_row_bytes(config->format, (int)tile.x0));
     for (int i = 0; i < 64; i++)
@@ -40,7 +40,7 @@ static void draw_tiles(const test_frame *f, const tp_config *config, uint8_t *pi
     const size_t row_bytes = tp_format_row_bytes(config->format, WIDTH);
     tp_tile tile;
 
-    for (uint32_t i = 0; tp_frame_tile(f->frame, i, f->scratch, &tile); i++)
+    for (uint32_t i = 0; tp_frame_draw_tile(f->frame, i, f->scratch, &tile); i++)
         for (uint32_t y = tile.y0; y < tile.y1; y++)
             memcpy(picture + y * STRIDE,
                    (const uint8_t *)tile.pixels + (y - tile.y0) * tile.stride, row_bytes);

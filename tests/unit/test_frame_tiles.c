@@ -21,7 +21,7 @@ static void draw(const test_frame *f, const tp_config *config, uint32_t step,
     tp_tile tile;
 
     for (uint32_t n = 0; n < tiles; n++) {
-        assert_true(tp_frame_tile(f->frame, n * step % tiles, f->scratch, &tile));
+        assert_true(tp_frame_draw_tile(f->frame, n * step % tiles, f->scratch, &tile));
         for (uint32_t y = tile.y0; y < tile.y1; y++) {
             const uint8_t *row =
                 (const uint8_t *)tile.pixels + (y - tile.y0) * tile.stride;
@@ -30,7 +30,7 @@ static void draw(const test_frame *f, const tp_config *config, uint32_t step,
                     = tp_pixel_read(config->format, row, (int)(x - tile.x0));
         }
     }
-    assert_false(tp_frame_tile(f->frame, tiles, f->scratch, &tile));
+    assert_false(tp_frame_draw_tile(f->frame, tiles, f->scratch, &tile));
     assert_true(frame_guard_holds(f->block, f->bytes));
     assert_true(frame_guard_holds(f->scratch, f->scratch_bytes));
 }
@@ -78,7 +78,7 @@ static tp_scene busy_scene(tp_world *world)
     }
     tp_world_init(&tp_program_all, world, sizeof *world, &s, NULL, NULL);
     world->tick = random_next(&chance) >> 30;
-    tp_world_refresh(&tp_program_all, world, &s, NULL);
+    tp_world_apply(&tp_program_all, world, &s, NULL);
     return s;
 }
 
@@ -132,7 +132,7 @@ static void every_kind_of_scene_gives_the_same_bits_in_tiles(void **state)
         assert_non_null(world);
         twice_begin(&twice, &scene, &assets, &chance);
         for (int k = 0; k < 3; k++) {
-            for (uint32_t i = 5 * (uint32_t)k + tp_world_frame(world); i > 0; i--)
+            for (uint32_t i = 5 * (uint32_t)k + tp_world_advance_clock(world); i > 0; i--)
                 tp_world_step(&tp_program_all, world, &scene, NULL);
             twice_draw(&twice, world);
             scene.water = other.water;
@@ -140,7 +140,7 @@ static void every_kind_of_scene_gives_the_same_bits_in_tiles(void **state)
             scene.sky.kind = other.sky.kind;
             scene.hdr.share = other.hdr.share;
             scene.tank.kind = other.tank.kind;
-            assert_true(tp_world_refresh(&tp_program_all, world, &scene, &assets));
+            assert_true(tp_world_apply(&tp_program_all, world, &scene, &assets));
         }
         twice_end(&twice);
         free(world);
@@ -259,7 +259,7 @@ static void tiles_are_rows_of_the_size_asked_for(void **state)
         uint32_t x = 0, y = 0, i = 0;
         tp_tile tile;
         tp_frame_begin(f.frame, &world);
-        for (; tp_frame_tile(f.frame, i, f.scratch, &tile); i++) {
+        for (; tp_frame_draw_tile(f.frame, i, f.scratch, &tile); i++) {
             const uint32_t wide = c.tile_width ? c.tile_width : c.width;
             const uint32_t high = c.tile_height ? c.tile_height : 16;
             assert_int_equal(tile.x0, x);
@@ -354,7 +354,7 @@ static void the_numbers_of_a_frame_add_up(void **state)
         .width = WIDTH, .height = HEIGHT, .tile_height = HEIGHT, .format = TP_FORMAT_P8
     };
     test_frame f = frame_of(&scene, all_assets(), &config);
-    const tp_frame_ram ram = tp_frame_memory(f.frame);
+    const tp_ram_use ram = tp_frame_ram(f.frame);
 
     assert_int_equal(ram.frame, f.bytes);
     assert_int_equal(ram.scratch, f.scratch_bytes);
@@ -362,7 +362,7 @@ static void the_numbers_of_a_frame_add_up(void **state)
     assert_true(ram.vertices >= 60 * 50 * sizeof(tp_grid_vertex));
     assert_true(ram.tables >= 8 * sizeof(tp_boat_vertex));
     tp_frame_begin(f.frame, &world);
-    const tp_frame_stats stats = tp_frame_last_stats(f.frame);
+    const tp_draw_stats stats = tp_frame_stats(f.frame);
     assert_in_range(stats.vertices, 1, 60 * 50 + 8);
     assert_in_range(stats.triangles, 1, 2 * 59 * 49 + 12);
     assert_int_equal(stats.dropped, 0);
@@ -391,7 +391,7 @@ static void materials_beyond_the_marks_are_counted_and_drawn(void **state)
     const tp_assets assets = { .boat = &many.mesh };
     test_frame f = frame_of(&scene, &assets, &config);
     tp_frame_begin(f.frame, &world);
-    assert_int_equal(tp_frame_last_stats(f.frame).dropped, 300 - TP_BOAT_MATERIALS);
+    assert_int_equal(tp_frame_stats(f.frame).dropped, 300 - TP_BOAT_MATERIALS);
     draw(&f, &config, 1, picture);
     frame_free(&f);
 }

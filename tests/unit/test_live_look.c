@@ -131,12 +131,12 @@ static void each_way_round_does_what_it_stands_for(void **state)
     assert_int_equal(l.heading, from.heading + 5000);
     go(&l, &w, &s, (tp_input){ .turn = -5000, .tilt = 7000 });
     assert_int_equal(l.pitch, from.pitch + 7000);
-    go(&l, &w, &s, (tp_input){ .tilt = -7000, .ahead = TP_FX(0.2) });
+    go(&l, &w, &s, (tp_input){ .tilt = -7000, .forward = TP_FX(0.2) });
     assert_int_equal(l.away, from.away - TP_FX(0.2));
     go(&l, &w, &s, (tp_input){ .up = TP_FX(0.2) });
     assert_int_equal(l.about.y, from.about.y + TP_FX(0.2));
     const tp_vec3 eye = w.eye;
-    go(&l, &w, &s, (tp_input){ .aside = TP_FX(0.2) });
+    go(&l, &w, &s, (tp_input){ .strafe = TP_FX(0.2) });
     const double level = cos((int32_t)l.pitch * 6.283185307179586 / 4294967296.0);
     assert_true(fabs(distance(w.eye, eye) - 0.2 * level) < 0.002);
     assert_true((int32_t)(l.heading - from.heading) < 0);   /* to the right of it */
@@ -153,7 +153,7 @@ static void from_far_away_steps_are_longer(void **state)
     go(&l, &w, &s, (tp_input){ 0 });
     const tp_fx away = l.away;
     assert_in_range(away, TP_FX(155), TP_FX(165));
-    go(&l, &w, &s, (tp_input){ .ahead = TP_FX(0.2) });
+    go(&l, &w, &s, (tp_input){ .forward = TP_FX(0.2) });
     assert_in_range(away - l.away, TP_FX(1.9), TP_FX(2.1));
 }
 
@@ -170,7 +170,8 @@ static void from_above_it_glides(void **state)
     assert_int_equal(w.heading, tp_turn_of_degrees(s.camera.heading));
     l.away = TP_FX(10);
     const tp_vec3 about = l.about;
-    go(&l, &w, &s, (tp_input){ .ahead = TP_FX(0.3), .aside = TP_FX(0.1), .tilt = 9999 });
+    go(&l, &w, &s,
+       (tp_input){ .forward = TP_FX(0.3), .strafe = TP_FX(0.1), .tilt = 9999 });
     const double h = 70 * 3.14159265358979 / 180;
     const double x = 0.3 * sin(h) + 0.1 * cos(h), z = 0.1 * sin(h) - 0.3 * cos(h);
     assert_true(fabs((l.about.x - about.x) / 65536.0 - x) < 0.0001);
@@ -197,8 +198,8 @@ static void bent_inputs_replay_to_the_same_bits(void **state)
             begin(&l, (look_mode)(n / 40 % LOOK_MODES), &w, &s);
         tp_input in = any_input();
         look_steer(&l, &w, &s, &in);
-        assert_true(tp_world_refresh(&tp_program_all, &twin, &s, NULL));
-        assert_true(tp_world_refresh(&tp_program_all, &w, &s, NULL));
+        assert_true(tp_world_apply(&tp_program_all, &twin, &s, NULL));
+        assert_true(tp_world_apply(&tp_program_all, &w, &s, NULL));
         tp_world_step(&tp_program_all, &w, &s, &in);
         tp_world_step(&tp_program_all, &twin, &s, &in);
         assert_memory_equal(&w, &twin, sizeof w);
@@ -223,7 +224,7 @@ static void any_jump_ends_where_it_should(void **state)
                              chance_fx(&chance, -8000, 8000) };
         tp_input in = any_input();
         look_steer(&l, &w, &s, &in);
-        tp_world_look(&w, &in);
+        tp_world_move_camera(&w, &in);
         assert_at(w.eye, l.about, NEAR);
         assert_int_equal(w.heading, l.heading);
         assert_int_equal(w.pitch, l.pitch);
@@ -233,8 +234,8 @@ static void any_jump_ends_where_it_should(void **state)
 static tp_input huge_input(int32_t most)
 {
     return (tp_input){
-        .ahead = chance_int(&chance, -most, most),
-        .aside = chance_int(&chance, -most, most),
+        .forward = chance_int(&chance, -most, most),
+        .strafe = chance_int(&chance, -most, most),
         .up = chance_int(&chance, -most, most),
         .turn = chance_int(&chance, -most, most),
         .tilt = chance_int(&chance, -most, most),

@@ -31,7 +31,7 @@ static void the_deck_is_one_jump_away_and_then_free(void **state)
     assert_int_equal(s.camera.follow, TP_FOLLOW_BOAT);
     tp_input in = any_input(), out = in;
     look_steer(&l, &w, &s, &out);
-    tp_world_look(&w, &out);
+    tp_world_move_camera(&w, &out);
     assert_int_equal(w.aboard, 1);
     assert_at(w.eye, (tp_vec3){ 0, TP_FX(2.72), TP_FX(6) }, 12);
     assert_int_equal(w.heading, 0);

@@ -126,7 +126,7 @@ static tp_push numbered(int32_t n)
 static void an_input_has_room_for_so_many(void **state)
 {
     (void)state;
-    tp_input in = { .ahead = 7 };
+    tp_input in = { .forward = 7 };
 
     for (int32_t n = 1; n <= TP_PUSHES; n++) {
         const tp_push push = numbered(n);
@@ -139,7 +139,7 @@ static void an_input_has_room_for_so_many(void **state)
     in.push[3].height = 0;
     assert_true(poke_put(&in, &more));
     assert_int_equal(in.push[3].x, 990);
-    assert_int_equal(in.ahead, 7);
+    assert_int_equal(in.forward, 7);
 }
 
 static void what_does_not_fit_waits_for_the_next_tick(void **state)

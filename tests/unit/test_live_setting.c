@@ -77,7 +77,7 @@ static void a_number_is_taken_and_the_world_goes_on(void **state)
 
     assert_int_equal(put(&l, "wave0.amplitude", " 0.7 "), SETTING_DONE);
     want.scene.wave[0].amplitude = TP_FX(0.7);
-    assert_true(tp_world_refresh(&tp_program_all, want.world, &want.scene, &none));
+    assert_true(tp_world_apply(&tp_program_all, want.world, &want.scene, &none));
     assert_memory_equal(&l.scene, &want.scene, sizeof l.scene);
     assert_memory_equal(l.world, want.world, bytes);
     free(l.world);
@@ -272,9 +272,13 @@ static void a_world_made_anew_goes_on(void **state)
         assert_int_equal(a->light_elevation, b->light_elevation);
         assert_int_equal(tp_world_sample(&tp_program_all, a, TP_FX(5), TP_FX(9)).height,
                          tp_world_sample(&tp_program_all, b, TP_FX(5), TP_FX(9)).height);
-        const tp_input in = { .ahead = TP_FX(0.1), .turn = 99999, .light_turn = 12345,
-                              .slower = n == 9, .throttle = TP_FX(1) };
-        assert_int_equal(tp_world_frame(l.world), tp_world_frame(was.world));
+        const tp_input in = { .forward = TP_FX(0.1),
+                              .turn = 99999,
+                              .light_turn = 12345,
+                              .slowdown = n == 9,
+                              .throttle = TP_FX(1) };
+        assert_int_equal(tp_world_advance_clock(l.world),
+                         tp_world_advance_clock(was.world));
         tp_world_step(&tp_program_all, l.world, &l.scene, &in);
         tp_world_step(&tp_program_all, was.world, &was.scene, &in);
     }

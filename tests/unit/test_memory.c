@@ -157,7 +157,7 @@ static void every_missing_argument_is_named(void **state)
     assert_int_equal(tp_frame_scratch_bytes(NULL, &scene), 0);
     assert_int_equal(tp_frame_scratch_bytes(&picture, NULL), 0);
     assert_int_equal(tp_world_init(NULL, world, BYTES, &scene, &none, &err), TP_OK);
-    assert_false(tp_world_refresh(NULL, world, NULL, &none));
+    assert_false(tp_world_apply(NULL, world, NULL, &none));
 }
 
 static uint32_t frame_crc(const tp_assets *assets)
@@ -169,7 +169,7 @@ static uint32_t frame_crc(const tp_assets *assets)
     tp_tile  tile;
 
     tp_frame_begin(f.frame, world);
-    for (uint32_t i = 0; tp_frame_tile(f.frame, i, f.scratch, &tile); i++)
+    for (uint32_t i = 0; tp_frame_draw_tile(f.frame, i, f.scratch, &tile); i++)
         crc = tp_crc32(crc, tile.pixels, tile.stride * (tile.y1 - tile.y0));
     frame_free(&f);
     free(world);
@@ -203,12 +203,12 @@ static void tiles_are_not_drawn_without_memory(void **state)
     tp_tile tile;
 
     tp_frame_begin(f.frame, world);
-    assert_false(tp_frame_tile(f.frame, 0, NULL, &tile));
-    assert_false(tp_frame_tile(f.frame, 0, f.scratch + 4, &tile));
-    assert_false(tp_frame_tile_into(f.frame, 0, f.scratch, NULL, WIDTH * 4, &tile));
-    assert_false(tp_frame_tile_into(f.frame, 0, NULL, memory, WIDTH * 4, &tile));
-    assert_true(tp_frame_tile(f.frame, 0, f.scratch, &tile));
-    assert_true(tp_frame_tile_into(f.frame, 0, f.scratch, memory, WIDTH * 4, &tile));
+    assert_false(tp_frame_draw_tile(f.frame, 0, NULL, &tile));
+    assert_false(tp_frame_draw_tile(f.frame, 0, f.scratch + 4, &tile));
+    assert_false(tp_frame_draw_tile_to(f.frame, 0, f.scratch, NULL, WIDTH * 4, &tile));
+    assert_false(tp_frame_draw_tile_to(f.frame, 0, NULL, memory, WIDTH * 4, &tile));
+    assert_true(tp_frame_draw_tile(f.frame, 0, f.scratch, &tile));
+    assert_true(tp_frame_draw_tile_to(f.frame, 0, f.scratch, memory, WIDTH * 4, &tile));
     frame_free(&f);
     free(world);
 }

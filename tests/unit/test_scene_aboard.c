@@ -154,8 +154,11 @@ static void input_moves_the_camera_about_the_deck(void **state)
     tp_scene scene = aboard_scene();
     scene.camera.heading = 0;
     tp_world w = boat_world(&scene);
-    const tp_input in = { .ahead = TP_FX_ONE, .aside = TP_FX(0.5), .up = TP_FX(0.25),
-                          .turn = 12345, .tilt = -678 };
+    const tp_input in = { .forward = TP_FX_ONE,
+                          .strafe = TP_FX(0.5),
+                          .up = TP_FX(0.25),
+                          .turn = 12345,
+                          .tilt = -678 };
     const tp_vec3 from = w.eye;
     const tp_turn pitch = w.pitch;
 
@@ -186,10 +189,10 @@ static void a_change_of_the_scene_goes_aboard_and_ashore(void **state)
     tp_world w = boat_world(&scene);
 
     scene.camera.follow = TP_FOLLOW_NONE;
-    assert_true(tp_world_refresh(&tp_program_all, &w, &scene, NULL));
+    assert_true(tp_world_apply(&tp_program_all, &w, &scene, NULL));
     assert_int_equal(w.aboard, 0);
     scene.camera.follow = TP_FOLLOW_BOAT;
-    assert_true(tp_world_refresh(&tp_program_all, &w, &scene, NULL));
+    assert_true(tp_world_apply(&tp_program_all, &w, &scene, NULL));
     assert_int_equal(w.aboard, 1);
 }
 
@@ -201,7 +204,7 @@ static void a_snapshot_goes_on_with_the_same_bits(void **state)
     tp_world w = boat_world(&scene), copy = w;
 
     for (int i = 0; i < 120; i++) {
-        const tp_input in = { .ahead = chance_fx(&chance, -0.1, 0.1),
+        const tp_input in = { .forward = chance_fx(&chance, -0.1, 0.1),
                               .turn = chance_int(&chance, -9999999, 9999999),
                               .throttle = chance_fx(&chance, -4, 4),
                               .rudder = chance_fx(&chance, -20, 20) };

@@ -115,16 +115,16 @@ static void following_ends_until_it_is_asked_for(void **state)
         for (int i = 0; i < 30; i++) {
             tp_world_step(&tp_program_all, &w, &scene, NULL);
             scene.boat.speed += TP_FX_ONE / 8;
-            assert_true(tp_world_refresh(&tp_program_all, &w, &scene, NULL));
+            assert_true(tp_world_apply(&tp_program_all, &w, &scene, NULL));
         }
         assert_seen_from(&w, &p);
         assert_int_equal(w.aboard, TP_ABOARD_LEFT);
         if (way == 0) {
             scene.camera.follow = TP_FOLLOW_NONE;
-            assert_true(tp_world_refresh(&tp_program_all, &w, &scene, NULL));
+            assert_true(tp_world_apply(&tp_program_all, &w, &scene, NULL));
             assert_seen_from(&w, &p);
             scene.camera.follow = TP_FOLLOW_BOAT;
-            assert_true(tp_world_refresh(&tp_program_all, &w, &scene, NULL));
+            assert_true(tp_world_apply(&tp_program_all, &w, &scene, NULL));
         } else {
             tp_world_reset_camera(&w, &scene);
             assert_int_equal(w.eye.z, scene.camera.z);
@@ -156,7 +156,7 @@ static void input_moves_a_placed_camera(void **state)
     tp_world w = boat_world(&scene);
 
     tp_world_set_camera(&w, (tp_vec3){ 0, TP_FX(3), 0 }, 0, TP_DEG(-120), TP_DEG(20));
-    tp_world_step(&tp_program_all, &w, &scene, &(tp_input){ .ahead = TP_FX_ONE });
+    tp_world_step(&tp_program_all, &w, &scene, &(tp_input){ .forward = TP_FX_ONE });
     assert_int_equal(w.eye.z, -TP_FX_ONE);
     assert_int_equal(w.pitch, TP_DEG(-120));
     assert_int_equal(w.roll, TP_DEG(20));

@@ -68,8 +68,8 @@ static void all_refuse(stand *s, const tp_scene *bad, const tp_error *why)
     assert_int_equal(tp_world_bytes(&tp_program_all, bad, NULL), 0);
     assert_int_equal(tp_frame_bytes(&picture, bad), 0);
     assert_int_equal(tp_frame_scratch_bytes(&picture, bad), 0);
-    assert_int_equal(tp_frame_scratch_into_bytes(&picture, bad), 0);
-    assert_false(tp_world_refresh(&tp_program_all, s->world, bad, NULL));
+    assert_int_equal(tp_frame_direct_scratch_bytes(&picture, bad), 0);
+    assert_false(tp_world_apply(&tp_program_all, s->world, bad, NULL));
     assert_refused(
         tp_world_init(&tp_program_all, s->world, s->world_bytes, bad, NULL, &err), &err,
         why, "tp_world_init");
@@ -95,7 +95,7 @@ static void use(const tp_scene *scene, const tp_assets *assets)
     for (int tick = 0; tick < 2; tick++) {
         tp_world_step(&tp_program_all, world, scene, NULL);
         tp_frame_begin(f.frame, world);
-        for (uint32_t i = 0; tp_frame_tile(f.frame, i, f.scratch, &tile); i++)
+        for (uint32_t i = 0; tp_frame_draw_tile(f.frame, i, f.scratch, &tile); i++)
             assert_non_null(tile.pixels);
     }
     assert_true(frame_guard_holds(f.block, f.bytes));

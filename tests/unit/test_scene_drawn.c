@@ -23,7 +23,7 @@ static tp_world moved(tp_scene *scene, int ticks)
     assert_int_equal(
         tp_world_init(&tp_program_all, &world, sizeof world, scene, NULL, NULL), TP_OK);
     for (int i = 0; i < ticks; i++) {
-        const tp_input in = { .ahead = chance_fx(&chance, -1, 1),
+        const tp_input in = { .forward = chance_fx(&chance, -1, 1),
                               .up = chance_fx(&chance, -1, 1),
                               .turn = chance_int(&chance, -90000000, 90000000),
                               .tilt = chance_int(&chance, -9000000, 9000000) };
@@ -67,7 +67,8 @@ static void back_1_is_the_last_tick(void **state)
         tp_scene scene;
         const tp_world before = moved(&scene, n);
         tp_world w = before;
-        const tp_input in = { .ahead = TP_FX_ONE, .turn = chance_int(&chance, -9999999, 9999999),
+        const tp_input in = { .forward = TP_FX_ONE,
+                              .turn = chance_int(&chance, -9999999, 9999999),
                               .tilt = 999999 };
         tp_world_step(&tp_program_all, &w, &scene, &in);
         w.back = TP_FX_ONE;
@@ -147,7 +148,7 @@ static void far_places_are_interpolated_too(void **state)
 /* One picture: steps what the clock asks for; the time it shows, ticks x 65536. */
 static int64_t show(tp_world *w, const tp_scene *scene)
 {
-    for (uint32_t ticks = tp_world_frame(w); ticks > 0; ticks--)
+    for (uint32_t ticks = tp_world_advance_clock(w); ticks > 0; ticks--)
         tp_world_step(&tp_program_all, w, scene, NULL);
     assert_in_range(w->back, 0, TP_FX_ONE - 1);
     return tp_world_drawn(w).time;
@@ -208,12 +209,12 @@ static void no_time_is_skipped_when_the_scale_changes(void **state)
     int64_t last = tp_world_drawn(&w).time;
     for (int i = 0; i < 3000; i++) {
         if (i % 100 == 50) {
-            const tp_input in = { .slower = chance_int(&chance, -5, 5) };
-            tp_clock_shift(&w.clock, in.slower);
+            const tp_input in = { .slowdown = chance_int(&chance, -5, 5) };
+            tp_clock_shift(&w.clock, in.slowdown);
         }
         if (i % 100 == 0) {
             scene.clock.scale = chance_fx(&chance, 0.125, 4);
-            assert_true(tp_world_refresh(&tp_program_all, &w, &scene, NULL));
+            assert_true(tp_world_apply(&tp_program_all, &w, &scene, NULL));
         }
         const int64_t now = show(&w, &scene);
         const double step = (double)(now - last) / 65536;
@@ -251,10 +252,10 @@ static void a_look_is_seen_at_once(void **state)
     (void)state;
     tp_scene scene;
     tp_world w = moved(&scene, 3);
-    const tp_input in = { .ahead = TP_FX_ONE, .turn = 12345678, .tilt = -999 };
+    const tp_input in = { .forward = TP_FX_ONE, .turn = 12345678, .tilt = -999 };
 
     w.back = TP_FX_ONE / 3;
-    tp_world_look(&w, &in);
+    tp_world_move_camera(&w, &in);
     const tp_drawn at = tp_world_drawn(&w);
     assert_camera(&at.camera, w.eye, w.heading, w.pitch);
 }

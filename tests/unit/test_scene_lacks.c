@@ -215,12 +215,12 @@ static void a_world_refuses_to_switch_on_what_its_program_lacks(void **state)
     memcpy(before, world, bytes);
     scene.hdr.value = 2 * TP_FX_ONE;
     scene.wave[0].amplitude = TP_FX_ONE;
-    assert_false(tp_world_refresh(&l.program, world, &scene, &assets));
+    assert_false(tp_world_apply(&l.program, world, &scene, &assets));
     assert_memory_equal(before, world, bytes);
     assert_int_equal(tp_program_fits(&l.program, &scene, &assets, &err), TP_E_PROGRAM);
     assert_string_equal(err.word, "exposure");
     l.program.refuse = NULL;            /* left out of the picture, as ever */
-    assert_true(tp_world_refresh(&l.program, world, &scene, &assets));
+    assert_true(tp_world_apply(&l.program, world, &scene, &assets));
     assert_memory_not_equal(before, world, bytes);
     free(world);
 }

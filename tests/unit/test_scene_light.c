@@ -112,11 +112,11 @@ static void a_refresh_takes_what_has_changed(void **state)
     tp_world_step(&tp_program_all, w, &s, &in);
     const tp_turn moved = w->light_heading;
     s.wave[0].amplitude += 999;
-    assert_true(tp_world_refresh(&tp_program_all, w, &s, NULL));
+    assert_true(tp_world_apply(&tp_program_all, w, &s, NULL));
     assert_int_equal(w->light_heading, moved);
     s.light.heading = 17 * TP_FX_ONE;
     s.hdr.value = 3 * TP_FX_ONE;
-    assert_true(tp_world_refresh(&tp_program_all, w, &s, NULL));
+    assert_true(tp_world_apply(&tp_program_all, w, &s, NULL));
     assert_int_equal(w->light_heading, tp_turn_of_degrees(17 * TP_FX_ONE));
     assert_int_equal(w->exposure, 3 * TP_FX_ONE);
     free(w);

@@ -74,9 +74,9 @@ static void a_world_ends_after_the_swells_of_its_program(void **state)
         const tp_water at = tp_world_sample(&few, a, TP_FX_ONE, TP_FX_ONE);
         const tp_water want = tp_world_sample(&tp_program_all, &b, TP_FX_ONE, TP_FX_ONE);
         assert_memory_equal(&at, &want, sizeof at);
-        assert_true(tp_world_refresh(&few, a, &scene, NULL));
+        assert_true(tp_world_apply(&few, a, &scene, NULL));
         scene.wave[n < TP_WAVES ? n : 0].amplitude = n < TP_WAVES ? TP_FX(0.1) : 0;
-        assert_false(tp_world_refresh(&few, a, &scene, NULL));
+        assert_false(tp_world_apply(&few, a, &scene, NULL));
         free(a);
     }
 }

@@ -158,7 +158,7 @@ static void look_from(water *w, double y, double heading, double pitch)
     w->world->eye.y = (tp_fx)(y * 65536);
     w->world->heading = tp_turn_of_degrees((tp_fx)(heading * 65536));
     w->world->pitch = tp_turn_of_degrees((tp_fx)(pitch * 65536));
-    tp_world_look(w->world, &(tp_input){ 0 });
+    tp_world_move_camera(w->world, &(tp_input){ 0 });
 }
 
 typedef struct { double pixels, height, hidden; int found; } worst;
@@ -328,7 +328,7 @@ static void what_is_drawn_as_water_is_picked(void **state)
     look_from(&w, tp_world_sample(&tp_program_all, w.world, 0, 0).height / 65536.0 + 0.6,
               0, -2);
     tp_frame_begin(f.frame, w.world);
-    assert_true(tp_frame_tile(f.frame, 0, f.scratch, &tile));
+    assert_true(tp_frame_draw_tile(f.frame, 0, f.scratch, &tile));
     for (int y = 0; y < 120; y++)
         for (int x = 0; x < 160; x++) {
             tp_vec3 at;

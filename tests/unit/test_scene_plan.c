@@ -279,7 +279,7 @@ static void a_frame_takes_any_rungs(void **state)
                                  (tp_lod)chance_int(&chance, 0, 40) };
         tp_frame_set_rungs(f.frame, i ? &rungs : NULL);
         tp_frame_begin(f.frame, world);
-        tp_frame_tile(f.frame, 0, f.scratch, &tile);
+        tp_frame_draw_tile(f.frame, 0, f.scratch, &tile);
         if (i == 0)
             memcpy(want, tile.pixels, sizeof want);
         assert_memory_equal(tile.pixels, want, sizeof want);

@@ -25,7 +25,7 @@ static void a_refresh_of_the_same_scene_changes_nothing(void **state)
     tp_world *copy = malloc(bytes);
     memcpy(copy, world, bytes);
 
-    assert_true(tp_world_refresh(&tp_program_all, world, &scene, NULL));
+    assert_true(tp_world_apply(&tp_program_all, world, &scene, NULL));
     assert_memory_equal(copy, world, bytes);
     free(copy);
     free(world);
@@ -41,7 +41,7 @@ static bool refreshes(tp_scene scene, int32_t *(*number)(tp_scene *), int32_t va
     memcpy(copy, world, bytes);
     scene.wave[0].amplitude += 999;
     *number(&scene) = value;
-    const bool done = tp_world_refresh(&tp_program_all, world, &scene, NULL);
+    const bool done = tp_world_apply(&tp_program_all, world, &scene, NULL);
     if (done)
         run(&chance, world, &scene, 10);
     else
@@ -112,7 +112,7 @@ static void what_cannot_be_tuned_asks_for_a_new_world(void **state)
     tp_world *world = scene_world(&s, NULL);
     s.field.cols = 16;
     s.field.rows = 64;
-    assert_false(tp_world_refresh(&tp_program_all, world, &s, NULL));
+    assert_false(tp_world_apply(&tp_program_all, world, &s, NULL));
     free(world);
 }
 
@@ -167,10 +167,10 @@ static void assert_same(const pair *p, const tp_param *row, const char *when)
 
 static void refresh_both(pair *p, const tp_param *row)
 {
-    const bool taken = tp_world_refresh(&tp_program_all, p->need, &p->scene, &p->assets);
+    const bool taken = tp_world_apply(&tp_program_all, p->need, &p->scene, &p->assets);
 
     forget_numbers(p->full);
-    if (tp_world_refresh(&tp_program_all, p->full, &p->scene, &p->assets) != taken)
+    if (tp_world_apply(&tp_program_all, p->full, &p->scene, &p->assets) != taken)
         fail_msg("%s is taken by one refresh and not by the other", row->name);
     if (!taken)
         memcpy(p->full, p->need, p->need->parts.bytes);

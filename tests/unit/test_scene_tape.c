@@ -65,7 +65,7 @@ static void every_field_has_its_own_name(void **state)
 static void lines_look_as_documented(void **state)
 {
     (void)state;
-    const tp_tape_entry walk = { 120, { .ahead = TP_FX(0.05), .turn = -1200 } };
+    const tp_tape_entry walk = { 120, { .forward = TP_FX(0.05), .turn = -1200 } };
     const tp_tape_entry rain = { 121, { .drops = 1 } };
     const tp_tape_entry none = { 122, { .drops = 0 } };
     const tp_tape_entry pokes = { 123, { .push[0] = { TP_FX(0.25), TP_FX(1.5), TP_FX(-2) },
@@ -109,8 +109,9 @@ static void one_poke_is_told_by_the_names_that_it_always_had(void **state)
 {
     (void)state;
     const char *const line = "40 poke=0.3 poke_x=1.5 poke_z=-8 slower=1";
-    const tp_tape_entry want = { 40, { .slower = 1,
-                                       .push[0] = { TP_FX(0.3), TP_FX(1.5), TP_FX(-8) } } };
+    const tp_tape_entry want = {
+        40, { .slowdown = 1, .push[0] = { TP_FX(0.3), TP_FX(1.5), TP_FX(-8) } }
+    };
     tp_tape_entry entry;
     assert_int_equal(tp_tape_read(&entry, line, strlen(line), NULL), TP_OK);
     assert_memory_equal(&entry, &want, sizeof want);
@@ -124,7 +125,7 @@ static void order_and_blanks_are_free(void **state)
     assert_int_equal(tp_tape_read(&entry, line, strlen(line), NULL), TP_OK);
     assert_int_equal(entry.tick, 9);
     assert_int_equal(entry.input.up, TP_FX(-0.5));
-    assert_int_equal(entry.input.slower, 1);
+    assert_int_equal(entry.input.slowdown, 1);
     assert_int_equal(entry.input.drops, 1024);
     assert_int_equal(tp_tape_read(&entry, "10", 2, NULL), TP_OK);
     assert_int_equal(entry.tick, 10);
@@ -207,7 +208,7 @@ static void the_ends_of_the_ranges_are_read(void **state)
     assert_int_equal(entry.input.turn, INT32_MIN);
     assert_int_equal(entry.input.tilt, INT32_MAX);
     assert_int_equal(entry.input.up, TP_FX_MIN);
-    assert_int_equal(entry.input.ahead, TP_FX_MAX);
+    assert_int_equal(entry.input.forward, TP_FX_MAX);
 }
 
 /* -- the head ------------------------------------------------------------------------ */

@@ -69,8 +69,8 @@ static void steps_go_where_the_camera_looks(void **state)
 {
     (void)state;
     const tp_fx m = 3 * TP_FX_ONE, turn = 90 * TP_FX_ONE;
-    const tp_input ahead = { .ahead = m }, aside = { .aside = m };
-    const tp_input up = { .up = m }, back = { .ahead = -m };
+    const tp_input ahead = { .forward = m }, aside = { .strafe = m };
+    const tp_input up = { .up = m }, back = { .forward = -m };
 
     assert_goes(0, ahead, 0, 0, -3);
     assert_goes(turn, ahead, 3, 0, 0);
@@ -89,8 +89,7 @@ static void turns_are_clockwise_and_tilts_are_up(void **state)
     (void)state;
     tp_scene scene;
     tp_world world = world_at(0, &scene);
-    const tp_input in = { .ahead = TP_FX_ONE, .turn = 0x40000000,
-                          .tilt = 0x08000000 };
+    const tp_input in = { .forward = TP_FX_ONE, .turn = 0x40000000, .tilt = 0x08000000 };
     const tp_turn before = world.pitch;
 
     tp_world_step(&tp_program_all, &world, &scene, &in);
@@ -123,8 +122,8 @@ static void the_eye_stays_within_eight_kilometres(void **state)
     tp_world world = world_at(0, &scene);
 
     for (int n = 0; n < 500; n++) {
-        const tp_input in = { .ahead = (int32_t)random_next(&chance),
-                              .aside = (int32_t)random_next(&chance),
+        const tp_input in = { .forward = (int32_t)random_next(&chance),
+                              .strafe = (int32_t)random_next(&chance),
                               .up = (int32_t)random_next(&chance),
                               .turn = (int32_t)random_next(&chance),
                               .tilt = (int32_t)random_next(&chance) };
@@ -146,10 +145,10 @@ static void a_walk_forth_and_back_ends_where_it_began(void **state)
         const tp_fx ahead = chance_int(&chance, 1, 655),
                     aside = chance_int(&chance, 1, 655);
         scene.wave[0].amplitude = scene.wave[1].amplitude = scene.wave[2].amplitude = 0;
-        tp_world_refresh(&tp_program_all, &after, &scene, NULL);
+        tp_world_apply(&tp_program_all, &after, &scene, NULL);
         for (int k = 0; k < 2000; k++) {
             const int way = k < 1000 ? 1 : -1;
-            const tp_input in = { .ahead = way * ahead, .aside = way * aside };
+            const tp_input in = { .forward = way * ahead, .strafe = way * aside };
             tp_world_step(&tp_program_all, &after, &scene, &in);
         }
         assert_int_equal(after.eye.x, before.eye.x);
@@ -167,8 +166,8 @@ static tp_push any_push(void)
 
 static tp_input any_input(void)
 {
-    return (tp_input){ .ahead = chance_fx(&chance, -0.2, 0.2),
-                       .aside = chance_fx(&chance, -0.2, 0.2),
+    return (tp_input){ .forward = chance_fx(&chance, -0.2, 0.2),
+                       .strafe = chance_fx(&chance, -0.2, 0.2),
                        .up = chance_fx(&chance, -0.1, 0.1),
                        .turn = chance_int(&chance, -4000000, 4000000),
                        .tilt = chance_int(&chance, -4000000, 4000000),
@@ -176,8 +175,9 @@ static tp_input any_input(void)
                        .drops = chance_int(&chance, -2, 2),
                        .throttle = chance_fx(&chance, -9, 9),
                        .rudder = chance_fx(&chance, -90, 90),
-                       .push[0] = any_push(), .push[3] = any_push(),
-                       .slower = chance_int(&chance, -1, 1) };
+                       .push[0] = any_push(),
+                       .push[3] = any_push(),
+                       .slowdown = chance_int(&chance, -1, 1) };
 }
 
 static int32_t at_most(int32_t x, int32_t most)
@@ -257,11 +257,11 @@ static void a_leap_in_time_is_as_good_as_its_steps(void **state)
         tp_world_init(&tp_program_all, &steps, sizeof steps, &scene, NULL, NULL);
         tp_world_init(&tp_program_all, &leap, sizeof leap, &scene, NULL, NULL);
         steps.tick = leap.tick = random_next(&chance) >> 20;
-        tp_world_refresh(&tp_program_all, &steps, &scene, NULL);
+        tp_world_apply(&tp_program_all, &steps, &scene, NULL);
         for (int i = 0; i < 50; i++)
             tp_world_step(&tp_program_all, &steps, &scene, NULL);
         leap.tick += 50;
-        tp_world_refresh(&tp_program_all, &leap, &scene, NULL);
+        tp_world_apply(&tp_program_all, &leap, &scene, NULL);
         assert_same_world(&steps, &leap);
     }
 }
@@ -278,7 +278,7 @@ static void changed_waves_take_effect_at_a_refresh(void **state)
     tp_world_step(&tp_program_all, &world, &scene, NULL);
     assert_int_equal(world.sea.count, 3);
     assert_int_equal(world.sea.swell[0].amplitude, TP_FX(0.4));
-    tp_world_refresh(&tp_program_all, &world, &scene, NULL);
+    tp_world_apply(&tp_program_all, &world, &scene, NULL);
     assert_int_equal(world.tick, 1);
     assert_int_equal(world.sea.count, 2);
     assert_int_equal(world.sea.swell[0].amplitude, TP_FX(0.9));

@@ -33,9 +33,12 @@ static tp_input input_wild(void)
     const int32_t most = chance_int(&chance, 0, 3) ? TP_FX_ONE : INT32_MAX;
 
     return (tp_input){
-        .ahead = chance_int(&chance, -most, most), .up = chance_int(&chance, -most, most),
-        .aside = chance_int(&chance, -most, most), .turn = (int32_t)random_next(&chance),
-        .tilt = (int32_t)random_next(&chance), .drops = chance_int(&chance, 0, 1024),
+        .forward = chance_int(&chance, -most, most),
+        .up = chance_int(&chance, -most, most),
+        .strafe = chance_int(&chance, -most, most),
+        .turn = (int32_t)random_next(&chance),
+        .tilt = (int32_t)random_next(&chance),
+        .drops = chance_int(&chance, 0, 1024),
         .sphere_x = chance_int(&chance, -most, most),
         .sphere_z = chance_int(&chance, -most, most),
         .throttle = chance_int(&chance, -most, most),
@@ -43,7 +46,7 @@ static tp_input input_wild(void)
         .push[0] = { chance_fx(&chance, -64, 64), chance_fx(&chance, -8, 8),
                      chance_fx(&chance, -8, 8) },
         .push[7].height = chance_int(&chance, INT32_MIN, INT32_MAX),
-        .slower = chance_int(&chance, -3, 3),
+        .slowdown = chance_int(&chance, -3, 3),
         .light_turn = (int32_t)random_next(&chance),
         .light_tilt = (int32_t)random_next(&chance),
     };
@@ -72,7 +75,7 @@ static tp_scene scene_small(void)
 static void step_wildly(tp_world *world, const tp_scene *scene, int pictures)
 {
     for (int i = 0; i < pictures; i++) {
-        for (uint32_t n = tp_world_frame(world); n > 0; n--) {
+        for (uint32_t n = tp_world_advance_clock(world); n > 0; n--) {
             const tp_input in = input_wild();
             tp_world_step(&tp_program_all, world, scene, &in);
         }
@@ -95,7 +98,7 @@ static void worlds_that_step_are_valid(void **state)
         step_wildly(world, &scene, 20);
         assert_valid(world, &scene, &assets);
         const tp_input look = input_wild();
-        tp_world_look(world, &look);
+        tp_world_move_camera(world, &look);
         assert_valid(world, &scene, &assets);
         free(world);
     }
@@ -119,7 +122,7 @@ static void worlds_that_were_refreshed_are_valid(void **state)
             if (!scene_is_number(row))
                 continue;
             *scene_number(&scene, row) = chance_int(&chance, row->low, row->high);
-            if (!tp_world_refresh(&tp_program_all, world, &scene, &assets))
+            if (!tp_world_apply(&tp_program_all, world, &scene, &assets))
                 scene = before;
             if (n % 2)
                 step_wildly(world, &scene, 2);

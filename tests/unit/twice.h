@@ -152,8 +152,9 @@ static inline void twice_paint(const test_frame *f, bool backwards, uint32_t *pi
     tp_tile tile;
 
     memset(f->scratch, 0x5a, f->scratch_bytes);
-    for (uint32_t i = 0; tp_frame_tile(f->frame, backwards ? count - 1 - i : i, f->scratch,
-                                       &tile); i++) {
+    for (uint32_t i = 0;
+         tp_frame_draw_tile(f->frame, backwards ? count - 1 - i : i, f->scratch, &tile);
+         i++) {
         const uint8_t *row = tile.pixels;
         for (uint32_t y = tile.y0; y < tile.y1; y++, row += tile.stride)
             for (uint32_t x = tile.x0; x < tile.x1; x++)

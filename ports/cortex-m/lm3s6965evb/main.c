@@ -94,7 +94,7 @@ static void open_scene(void)
         tp_error_text(&err, text, sizeof text);
         stop_on(text);
     }
-    const tp_frame_ram ram = tp_frame_memory(frame);
+    const tp_ram_use ram = tp_frame_ram(frame);
     say(" vertices ", ram.vertices);
     say(" mirror ", ram.mirror);
     say(" reserve ", board_stack_bytes());
@@ -117,7 +117,7 @@ static uint32_t crc_of_picture(void)
     count_as_frame();
     tp_frame_begin(frame, world);
     count_as_tiles();
-    for (uint32_t i = 0; tp_frame_tile(frame, i, scratch, &tile); i++) {
+    for (uint32_t i = 0; tp_frame_draw_tile(frame, i, scratch, &tile); i++) {
         count_end();
         for (uint32_t y = tile.y0; y < tile.y1; y++)
             crc = tp_crc32_pixels(crc, picture->format,
@@ -136,7 +136,7 @@ static void say_state(void *unused)
     evb_number(crc_of_picture(), 16, 8);
     say(", bytes sent ", (size_t)(panel.sent - sent_before));
     say(", clocks ", clocks);
-    say(", dropped ", tp_frame_last_stats(frame).dropped);
+    say(", dropped ", tp_frame_stats(frame).dropped);
     say(", stack ", board_stack_used());
 }
 
