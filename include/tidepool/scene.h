@@ -297,8 +297,8 @@ typedef struct {
  * turn within 360 degrees/s; negative drops are none, those that find no room are
  * counted. */
 typedef struct {
-    tp_fx forward, strafe, up;  /* m that the camera moves: level along its heading, to
-                                     * its right, upwards */
+    tp_fx   forward, strafe, up;    /* m that the camera moves: along its heading, to its
+                                     * right, both level; and upwards */
     int32_t turn, tilt;         /* tp_turn steps of its heading and pitch, signed */
     tp_fx   sphere_x, sphere_z; /* m that the sphere of drops moves */
     int32_t drops;              /* to release, 0..1024 */
