@@ -14,15 +14,32 @@
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
-#include "tidepool/asset.h"
-#include "tidepool/program.h"
-#include "tidepool/language.h"
-#include "tidepool/pixel.h"
-#include "tidepool/plan.h"
+#include "tidepool/assets.h"
+#include "tidepool/fixed.h"
 #include "tidepool/scene.h"
 #include "tidepool/status.h"
+#include "tidepool/world.h"
 
 TP_BEGIN_C
+
+/* name, bits a pixel, what it is */
+#define TP_FORMAT_LIST(X) \
+    X(XRGB8888, xrgb8888, 32, "0x00RRGGBB in a native uint32_t") \
+    X(RGB565,   rgb565,   16, "native uint16_t, red high") \
+    X(RGB565BE, rgb565be, 16, "high byte first, as SPI panels take it") \
+    X(P8,       p8,        8, "index into tp_palette()") \
+    X(L8,       l8,        8, "grey, 255 is white") \
+    X(I1,       i1,        1, "a bit a pixel, high bit left, 1 is white")
+
+typedef enum {
+#define X(name, word, bits, text) TP_FORMAT_##name,
+    TP_FORMAT_LIST(X)
+#undef X
+    TP_FORMAT_COUNT
+} tp_format;
+
+/* 256 colours 0x00RRGGBB: 6 reds x 7 greens x 6 blues, then four greys. */
+const uint32_t *tp_palette(void);
 
 struct tp_frame;
 
@@ -133,12 +150,6 @@ size_t tp_frame_bytes(const tp_config *config, const tp_scene *scene);
 size_t tp_frame_scratch_bytes(const tp_config *config, const tp_scene *scene);
 size_t tp_frame_direct_scratch_bytes(const tp_config *config, const tp_scene *scene);
 
-/* The config with the tile sizes that its zeroes stand for. */
-tp_config tp_config_filled(const tp_config *config);
-
-/* Checks a config as tp_frame_init does, whatever the scene. */
-tp_status tp_frame_check(const tp_config *config, tp_error *err);
-
 /* A frame in `memory`, of at least tp_frame_bytes() bytes, aligned to 8.  The config is
  * copied.  Program, scene and assets must outlive the frame, which keeps pointers to them.
  *  - TP_E_NULL, TP_E_ALIGN: err->word is the argument; TP_E_NOSPACE: `bytes` are too few
@@ -147,11 +158,6 @@ tp_status tp_frame_check(const tp_config *config, tp_error *err);
  *  - TP_E_PROGRAM: a program has at least the stages sky and plain, and the format's store */
 tp_status tp_frame_init(tp_frame **frame, const tp_config *config, const tp_scene *scene,
                         void *memory, size_t bytes, tp_error *err);
-
-/* The rungs of the frames from the next on, as a governor wants them; NULL: the plan's
- * again, which is made at init, and anew when quality.* has changed.  Where the frame has
- * no memory for a rung (tp_reach) the exact one is taken. */
-void tp_frame_set_rungs(tp_frame *frame, const tp_rungs *rungs);
 
 /* Takes the world's state into the frame.  The world stays as it is until the last tile
  * has been drawn. */
@@ -164,14 +170,6 @@ uint32_t tp_frame_tiles(const tp_frame *frame);
  * scratch is NULL or misaligned. */
 bool tp_frame_draw_tile(const tp_frame *frame, uint32_t i, void *scratch, tp_tile *tile);
 
-/* Pictures as the quick rung wants them, made beforehand for whoever puts them in ROM:
- * assets.graded by the layer, then offsets, then slopes.  0: the scene has none; memory
- * aligned to 4. */
-#define TP_PREPARED (TP_LAYERS + 2)
-size_t tp_prepared_bytes(const tp_assets *assets, int i);
-void   tp_prepare(tp_texture *to, const tp_scene *scene, const tp_assets *assets, int i,
-                  void *memory);
-
 /* The same into a picture of the caller's, as a board has that has a frame buffer: row y
  * is at picture + y stride, aligned as tp_store wants it.  No pixels lie in the scratch
  * then: tp_frame_direct_scratch_bytes(). */
@@ -180,11 +178,6 @@ bool tp_frame_draw_tile_to(const tp_frame *frame, uint32_t i, void *scratch,
 
 tp_draw_stats tp_frame_stats(const tp_frame *frame);
 tp_ram_use tp_frame_ram(const tp_frame *frame);
-
-/* The name of the first module that the last tp_frame_begin found without a stage that the
- * picture needs; "sky": no module draws the sky that the scene names.  NULL: no stage was
- * missing.  Other things that are dropped have no name. */
-const char *tp_frame_lacks(const tp_frame *frame);
 
 /* -- places of the picture ----------------------------------------------------------- */
 
@@ -212,10 +205,6 @@ void tp_frame_depth_row(const tp_frame *frame, const void *scratch, const tp_til
 /* tp_sample_kind of each pixel. */
 void tp_frame_kind_row(const tp_frame *frame, const void *scratch, const tp_tile *tile,
                        uint32_t y, uint8_t *kind);
-
-/* Water pixels of a drawn tile: still in the scratch until the next tile. */
-uint32_t tp_frame_water_pixels(const tp_frame *frame, const void *scratch,
-                               const tp_tile *tile);
 
 TP_END_C
 #endif

@@ -10,20 +10,68 @@
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
-#include "tidepool/asset.h"
-#include "tidepool/clock.h"
-#include "tidepool/drop.h"
-#include "tidepool/foam.h"
-#include "tidepool/fx.h"
-#include "tidepool/program.h"
-#include "tidepool/language.h"
-#include "tidepool/ocean.h"
-#include "tidepool/pool.h"
-#include "tidepool/ring.h"
+#include "tidepool/fixed.h"
 #include "tidepool/status.h"
-#include "tidepool/wave.h"
 
 TP_BEGIN_C
+
+#define TP_WAVES 16
+
+/* A wave as a person gives it. */
+typedef struct {
+    tp_fx amplitude;        /* m, 0..16: half the height from trough to crest */
+    tp_fx length;           /* m, 0.25..2000 */
+    tp_fx steepness;        /* Q k A, 0..1; 0 is a plain sine */
+    tp_fx heading;          /* degrees, clockwise from -z: where the wave travels to */
+    tp_fx phase;            /* degrees at tick 0 */
+    tp_fx speed;            /* of its natural speed sqrt(g/k); 0 stands still */
+    int32_t power;          /* 1..8: 1 is a sine, more sharpen its crests [A3]; 0 is 1 */
+} tp_wave;
+
+typedef enum { TP_DROPS_RINGS, TP_DROPS_POOL } tp_drops_into;
+
+/* As a scene describes them; 16.16 unless said. */
+typedef struct {
+    int32_t count;          /* in the air at once, 0..1024; 0: no sphere and no drops */
+    int32_t rings;          /* on the water at once, 0..1024 */
+    int32_t into;           /* tp_drops_into */
+    tp_fx   x, y, z;        /* m, of the sphere at tick 0 */
+    tp_fx   radius;         /* m of a drop, 0.002..1; the sphere's is twice as much */
+    tp_fx   density;        /* kg/m^3, 100..10000 */
+    tp_fx   drag;           /* Cd [D1], 0..2; 0: mass does not matter */
+    tp_fx   bounce;         /* e [D2], 0.5..0.8 */
+    int32_t impacts;        /* 5..7, then it vanishes */
+    tp_fx   every;          /* s between drops that fall by themselves; 0: none do */
+    tp_fx   scatter;        /* m: they fall so far from the sphere at the most */
+    tp_fx   efficiency;     /* share of the lost energy that the ring takes, 0..1 [D4] */
+    tp_fx   speed, decay, spread, attack;   /* of rings, see tp_ring */
+    int32_t colour;         /* of drops and sphere */
+} tp_scene_drops;
+
+typedef enum { TP_CELLS_8, TP_CELLS_16, TP_CELLS_32 } tp_cells;
+
+typedef enum {
+    TP_EDGES_WALL,          /* reflect */
+    TP_EDGES_SPONGE,        /* walls behind `sponge` cells that swallow waves [C15] */
+    TP_EDGES_TILE           /* what leaves at one side enters at the other: an endless
+                             * field, sampled anywhere */
+} tp_edges;
+
+/* How water is found in the picture.  What a method cannot show (overhangs, a camera in
+ * the water, strong roll ...) the frame draws as triangles. */
+typedef enum {
+    TP_VISIBILITY_AUTO, TP_VISIBILITY_TRIANGLES, TP_VISIBILITY_ROWS,
+    TP_VISIBILITY_PROJECTED, TP_VISIBILITY_FLAT
+} tp_visibility;
+
+/* Exact stages, or those in slope space that take nearest texels. */
+typedef enum { TP_SHADING_AUTO, TP_SHADING_EXACT, TP_SHADING_QUICK } tp_shading;
+
+/* What is worked out for every second pixel only. */
+typedef enum { TP_RATE_AUTO, TP_RATE_FULL, TP_RATE_LAYERS, TP_RATE_COLOUR } tp_rate;
+
+/* Fewer lines of the grid where they lie close. */
+typedef enum { TP_LOD_AUTO, TP_LOD_OFF, TP_LOD_ON } tp_lod;
 
 #define TP_NAME_BYTES 128       /* of a name in a scene, its end included */
 
@@ -57,7 +105,7 @@ typedef struct {
 #define TP_LAYERS 3
 #define TP_FACES  6             /* of a cube: +x -x +y -y +z -z */
 
-/* Room for the settings of modules that a program brings itself, tidepool/rows.h. */
+/* Room for the settings of modules that a program brings itself, tidepool/modules.h. */
 #define TP_OWN_WORDS 32
 
 /* Numbers are 16.16 unless said; angles are degrees; colours 0x00RRGGBB. */
@@ -199,37 +247,20 @@ typedef struct {
     uint32_t offset;            /* of the int32_t or char[TP_NAME_BYTES] in tp_scene */
 } tp_param;
 
-/* True if the row's value is a file's name; true if it is text of any kind, in a
- * char[TP_NAME_BYTES], rather than a number in an int32_t. */
-static inline bool tp_param_is_file(const tp_param *param)
-{
-    return param->kind == TP_PARAM_MESH || param->kind == TP_PARAM_TEXTURE
-        || param->kind == TP_PARAM_GREY;
-}
-
-static inline bool tp_param_is_text(const tp_param *param)
-{
-    return tp_param_is_file(param) || param->kind == TP_PARAM_TEXT;
-}
-
 /* All rows, in the order in which people should read them. */
 const tp_param *tp_params(uint32_t *count);
-
-/* The row of that name, or NULL. */
-const tp_param *tp_param_find(const char *name, size_t bytes);
-
-/* Sets one value from its text ("0.35", "on", "#204060", "linear", a file name), white
- * space around it ignored; a bad text changes nothing.  err->word is the bad text; of
- * E_RANGE err->a and err->b are the range's ends in the number's own format. */
-tp_status tp_param_set(tp_scene *scene, const tp_param *param, const char *text,
-                       size_t bytes, tp_error *err);
 
 /* The value as text that tp_param_set reads back, terminated, cut to `bytes`; returns
  * its whole length.  Likewise a row's range end or default, by its number. */
 size_t tp_param_text(const tp_scene *scene, const tp_param *param, char *text,
                      size_t bytes);
-size_t tp_param_number_text(const tp_param *param, int32_t number, char *text,
-                            size_t bytes);
+
+/* Sets the row called `name` from its text ("0.35", "on", "#204060", "linear", a file name),
+ * white space around it ignored; a bad text changes nothing.
+ *  - TP_E_NAME: err->word is the name; TP_E_NULL: the argument
+ *  - else err->word is the bad text; of TP_E_RANGE err->a and err->b are the range's ends in
+ *    the number's own format */
+tp_status tp_scene_set(tp_scene *scene, const char *name, const char *value, tp_error *err);
 
 /* A gentle sea of three waves under a sunny sky, with a picture of ripples that is built
  * in; only who calls this links the picture, 1364 bytes. */
@@ -247,273 +278,6 @@ void tp_scene_level(tp_scene *scene);
  * it, so a program that sets numbers need not.  Pictures that the scene names are no part
  * of it: tp_world_init checks these. */
 tp_status tp_scene_check(const tp_scene *scene, tp_error *err);
-
-/* -- what a scene names, as the port loaded it; NULL for what it does not name ------ */
-
-typedef struct tp_assets {
-    const tp_mesh    *boat;
-    const tp_texture *layer[TP_LAYERS], *distortion, *ripple, *foam;
-    /* Layers, distortion and ripple prepared for the quick rung (tp_prepare), for the scene's
-     * numbers; they do not follow a change of those.  NULL: the frame prepares them in its
-     * block. */
-    const tp_texture *graded[TP_LAYERS], *offsets, *slopes;
-    const tp_texture *sky[TP_FACES], *tank_wall, *tank_floor, *floor_texture;
-    const tp_grey    *floor;            /* scene.floor.map */
-    const tp_grey    *pool_mask, *field_mask;   /* scene.pool.mask, scene.field.mask */
-} tp_assets;
-
-/* The pictures that NULL assets stand for. */
-static inline const tp_assets *tp_scene_pictures(const tp_scene *scene,
-                                                 const tp_assets *assets)
-{
-    return assets ? assets : scene->pictures;
-}
-
-/* TP_OK: worlds and frames of this program take this scene; every init, their byte counts
- * and tp_world_apply ask it.  NULL assets are none.
- *  - TP_E_NULL: err->word is the argument
- *  - as tp_scene_check, if the program has it
- *  - TP_E_PROGRAM: the scene has a module on that the program names in its `lacks`;
- *    err->word is that name, as `tidepool bake --with` takes it.  Fast stages are lacking
- *    only if quality.shading names them: a plan takes exact ones then. */
-tp_status tp_program_fits(const tp_program *program, const tp_scene *scene,
-                          const tp_assets *assets, tp_error *err);
-
-/* -- the world: a scene as it moves ----------------------------------------------
- *
- * Each world goes with one program: what that lacks is not in it, as if the scene did not
- * name it; unless the program refuses such a scene, see tp_program_fits. */
-
-/* A hat put into the pool, as wide as pool.poke_size: m above the level, at a place in
- * the world, m.  Of height 0 there is none; outside of the pool it does nothing. */
-typedef struct {
-    tp_fx   height, x, z;
-} tp_push;
-
-#define TP_PUSHES 8             /* that one tick takes */
-
-/* What the port feeds in at each tick; all 0 is no input.  Any numbers are safe: camera
- * and sphere stay within 8000 m of the origin, the boat's speed within 100 m/s and its
- * turn within 360 degrees/s; negative drops are none, those that find no room are
- * counted. */
-typedef struct {
-    tp_fx   forward, strafe, up;    /* m that the camera moves: along its heading, to its
-                                     * right, both level; and upwards */
-    int32_t turn, tilt;         /* tp_turn steps of its heading and pitch, signed */
-    tp_fx   sphere_x, sphere_z; /* m that the sphere of drops moves */
-    int32_t drops;              /* to release, 0..1024 */
-    tp_fx   throttle, rudder;   /* of the boat: m/s and degrees/s beside the scene's */
-    int32_t slowdown;           /* n: halves the clock's scale n times; -n: doubles it */
-    int32_t light_turn, light_tilt;     /* tp_turn steps of the light, signed */
-    tp_push push[TP_PUSHES];    /* in their order; a world without a pool takes none */
-} tp_input;
-
-/* The layout of a world's block.  It rises when the head or a chunk changes its meaning;
- * a block of another version is refused. */
-enum { TP_WORLD_VERSION = 4 };
-
-/* States of modules lie behind this head as chunks: an id, a length, the bytes. */
-typedef struct {
-    uint32_t version;           /* TP_WORLD_VERSION */
-    uint32_t modules;           /* byte offset of the first chunk; 0: there is none */
-    uint32_t bytes;             /* of the whole block */
-} tp_world_parts;
-
-typedef struct {
-    tp_vec3  place;             /* the mesh's origin; 0 in scenes that name no mesh */
-    tp_turn  heading, pitch, roll;
-} tp_pose;
-
-/* Where a hull lies: in the plane, and the water over its waterline [E4]: in the middle,
- * of the bow over the stern, of port over starboard. */
-typedef struct {
-    tp_fx    x, z;
-    tp_turn  heading;
-    tp_fx    sunk[3];
-} tp_hull;
-
-/* How a boat lies: three lengths in Q40 m, the height of its waterline, of its bow over
- * its stern, of its port over its starboard side; and how they change, a tick, if it
- * floats. */
-typedef struct { int64_t at[3], speed[3]; } tp_lie;
-
-/* What of a boat moves. */
-typedef struct {
-    int64_t  sailed_x, sailed_z;    /* Q32 m from the scene's place */
-    uint64_t turned;                /* Q64 turn from the scene's heading */
-    tp_lie   lie, alone;        /* alone: as if the pool that it stirs were not there */
-    tp_fx    rest[4][2];        /* of bow, stern, port and starboard in the water [E1] */
-    tp_hull  hull, stirred;     /* now, and when it last stirred the pool [E4] */
-    uint32_t laid;              /* 1: it has been laid on the water */
-    uint32_t stirs;             /* ticks in which it stirred the pool, so far */
-} tp_afloat;
-
-/* Where the camera of a world stands. */
-typedef enum {
-    TP_ABOARD_NOT,  /* in the world: the scene's camera follows nothing */
-    TP_ABOARD_DECK, /* on the boat: its place and angles are of the deck */
-    TP_ABOARD_LEFT  /* in the world: tp_world_set_camera ended the following */
-} tp_aboard;
-
-/* Plain data without pointers, in one block of tp_world_bytes() bytes: copying it is a
- * snapshot. */
-typedef struct {
-    uint64_t tick;
-    tp_fx    back;              /* 0..1: the picture lies so much of a tick before */
-    tp_world_parts parts;
-    tp_vec3  eye, last_eye;     /* the camera now and a tick ago, see aboard */
-    tp_turn heading, pitch, roll, last_heading, last_pitch, last_roll;
-    tp_turn  phases[TP_WAVES];  /* of this tick */
-    uint32_t random;            /* of pokes */
-    tp_pose  boat, last_boat;
-    tp_afloat afloat;           /* the boat's */
-    tp_turn  light_heading, light_elevation;    /* as input has moved it, and time */
-    tp_turn  last_light_heading, last_light_elevation;
-    tp_fx    scene_light[2];    /* heading and elevation of the scene, last looked at */
-    tp_fx    exposure, last_exposure;
-    tp_clock clock;
-    tp_fx    clock_scale;       /* the scene's, when it was last looked at */
-    uint32_t aboard;            /* tp_aboard */
-    tp_sea sea;                 /* the last, without its swells if the program has none */
-} tp_world;
-
-/* sizeof (tp_world) if the scene has no pool, no floor or wind, no drops, and less by a
- * program without swells; 0 if it cannot be used (tp_world_init says why).  NULL assets are
- * none. */
-size_t tp_world_bytes(const tp_program *program, const tp_scene *scene,
-                      const tp_assets *assets);
-
-/* The world of `scene` at tick 0, in `bytes` bytes aligned to 8.  Pictures that the
- * assets hold are read now and not kept; NULL assets are none.
- *  - TP_E_NULL, TP_E_ALIGN: err->word is the argument; TP_E_NOSPACE: `bytes` are too few
- *  - as tp_program_fits: err->word is the parameter at fault ("pool.courant"), or the
- *    module that the program lacks
- *  - TP_E_ARG: a map of the floor ("floor.map") outside what tp_ocean_init takes */
-tp_status tp_world_init(const tp_program *program, tp_world *world, size_t bytes,
-                        const tp_scene *scene, const tp_assets *assets, tp_error *err);
-
-/* Checks that bytes from outside, such as a file's, are a world that can be stepped and
- * drawn.  `fresh` is a world of the same scene, assets and program, as tp_world_init or
- * tp_world_apply leaves it: version, layout and everything that follows from the scene
- * must be equal; numbers that ticks change must be in the ranges that ticks keep.  `world`
- * has `bytes` bytes, aligned to 8.  TP_E_WORLD: err->word names the part at fault; TP_E_NULL,
- * TP_E_ALIGN: the argument. */
-tp_status tp_world_check(const tp_program *program, const tp_world *world, size_t bytes,
-                         const tp_world *fresh, tp_error *err);
-
-/* One tick further; `input` may be NULL.  After a change of the scene's numbers call
- * tp_world_apply first. */
-void tp_world_step(const tp_program *program, tp_world *world, const tp_scene *scene,
-                   const tp_input *input);
-
-/* Pushes the water at (x, z) m of the world, at once; between ticks, as often as wanted.
- *  - In the pool, else in the field: a hat of `height` m, up or down, that moves no volume,
- *    its width `radius` m (at least 1.5 cells).  A push of scene.pool.poke_size into the
- *    pool gives the same bits as that one in tp_input.push of the next tick, unless drops or
- *    a boat feel the pool in that tick: they then feel this push already.
- *  - On open water, where drops raise rings (drops.into = rings): a ring that begins with a
- *    crest of |height| m, 4 m at the most, of the length 4 radii, 16 m of radius at the
- *    most; with foam where the scene has foam.  It is seen from the next tick on.
- * False: no water moves, as there is nothing to take it at this place (no water, a wall,
- * more than 9000 m from the origin), no room for another ring, or a height of 0.  `scene`
- * is the one that the world was made for, or last refreshed by. */
-bool tp_world_push(const tp_program *program, tp_world *world, const tp_scene *scene,
-                   tp_fx x, tp_fx z, tp_fx radius, tp_fx height);
-
-/* Moves the camera alone, while the water stands. */
-void tp_world_move_camera(tp_world *world, const tp_input *input);
-
-/* Places the camera in the world: the eye in metres, each axis held within +-8000 m, and
- * three angles of any size, in the order of tp_rotation_of: heading clockwise from -z as
- * seen from above, pitch upwards, roll lowers the picture's right side.  The next picture
- * is seen from there exactly, whatever world->back is; from then on input moves the camera
- * as ever, and tilts it to 89 degrees at the most.
- *
- * In a scene whose camera follows the boat the following ends: the camera stands in the
- * world until tp_world_reset_camera, or until camera.follow has been none in one
- * tp_world_apply and boat in a later one. */
-void tp_world_set_camera(tp_world *world, tp_vec3 eye, tp_turn heading, tp_turn pitch,
-                         tp_turn roll);
-
-/* Places the camera as the scene does at tick 0, following the boat if the scene does. */
-void tp_world_reset_camera(tp_world *world, const tp_scene *scene);
-
-/* The scene as it is now, at the same tick: sea, ocean, boat, what of pools and drops may
- * change while they move.  False, and nothing is done: what sizes the world's block has
- * changed, or the scene cannot be used; tp_world_init makes the world anew, or tells what
- * is wrong.  Until one of them has taken the scene, neither step nor draw by it.
- *
- * Tables that take long to make, the ocean's and those of automatic exposure, keep the
- * numbers that they were made of, and are made again only where these have changed.  So
- * `assets` must hold the pictures that the world was made with. */
-bool tp_world_apply(const tp_program *program, tp_world *world, const tp_scene *scene,
-                    const tp_assets *assets);
-
-/* Where the picture is seen from, and how: rows right, up and backward. */
-typedef struct {
-    tp_vec3     eye;
-    tp_rotation turn;
-} tp_camera;
-
-/* In the world, world->back of a tick before the last one, wherever it stands. */
-tp_camera tp_world_camera(const tp_world *world);
-
-/* Ticks that the clock asks for until the next picture: step the world so many times. The
- * picture then lies world->back of a tick before the last one. */
-uint32_t tp_world_advance_clock(tp_world *world);
-
-/* The middle of a pixel's column or row, 16.16; -32768 <= pixel < 32768. */
-static inline tp_fx tp_pixel_middle(int32_t pixel)
-{
-    return pixel * TP_FX_ONE + TP_FX_ONE / 2;
-}
-
-/* The water at a place. */
-typedef struct {
-    tp_fx height;           /* m above the level of still water */
-    tp_fx slope_x, slope_z; /* dy/dx and dy/dz */
-    tp_vec3 velocity;       /* m/s, of the surface's point there: see tp_world_sample */
-} tp_water;
-
-/* The water above or below (x, z), m of the world, as the last tick left it [E1]: waves,
- * rings and pools together, without what overhangs.  No camera and no picture is asked:
- * any number of places, by any number of threads while the world stands still.
- *
- * Where waves are displaced sideways the place is found by inversion: within 30 km of the
- * origin, each way, and with a steepness sum below 0.9 the point is off by less than 1 mm
- * along and up (see tp_sea_above).  Any x and z are answered; near the ends
- * of 16.16 positions are held there.
- *
- * The velocity is the mean over the last tick, so that of 1/120 s ago: a boat that drifts
- * with the point is carried where waves carry it.  Swells and oceans move a point in all
- * three axes; rings and pools, which are heights, lift it alone.  Roundings are 3 mm/s, and
- * 1 mm/s more for each metre of the waves' amplitudes together. */
-tp_water tp_world_sample(const tp_program *program, const tp_world *world, tp_fx x,
-                         tp_fx z);
-
-/* The place on the water under a place of a picture of width x height pixels, 1..8192
- * each: x_px and y_px pixels, 16.16, from its upper left corner; see tp_pixel_middle.  The
- * ray through it first meets the surface at *at: waves, rings and pools, these without
- * heights where they bend the light only; from below the surface as well.  It is within
- * 1 px of what is drawn there, but for crests that overhang and for what lies at a mesh's
- * far end, where its waves fade.  A place outside of the picture is one of a larger one.
- * False: the ray does not meet water within 8000 m, or meets land first, or a tank's walls
- * end before. */
-bool tp_world_pick(const tp_program *program, const tp_world *world,
-                   const tp_scene *scene, uint32_t width, uint32_t height, tp_fx x_px,
-                   tp_fx y_px, tp_vec3 *at);
-
-/* -- the parts, or NULL ------------------------------------------------------------ */
-
-const tp_pool  *tp_world_pool(const tp_world *world);
-const tp_pool  *tp_world_field(const tp_world *world);
-const tp_ocean *tp_world_ocean(const tp_world *world);
-const tp_drops *tp_world_drops(const tp_world *world);
-const tp_foam  *tp_world_foam(const tp_world *world);
-const tp_spray *tp_world_spray(const tp_world *world);
-
-/* True if the exposure is automatic. */
-bool tp_world_is_metered(const tp_world *world);
 
 TP_END_C
 #endif

@@ -8,7 +8,7 @@
 #define TP_STATUS_H
 #include <stddef.h>
 #include <stdint.h>
-#include "tidepool/language.h"
+#include "tidepool/fixed.h"
 
 TP_BEGIN_C
 
@@ -80,25 +80,9 @@ typedef struct {
                              * the field of its config, of a scene the parameter */
 } tp_error;
 
-/* The sentence of a code, with its %a, %b and %s as they stand. */
-const char *tp_status_text(tp_status code);
-
 /* The whole sentence of `err`, without place and file name, into `text` (always
  * terminated, cut to `bytes`).  Returns the length that the whole sentence has. */
 size_t tp_error_text(const tp_error *err, char *text, size_t bytes);
-
-/* Fills *err if there is one and returns `code`. */
-#define TP_FAIL(err, code, where, a, b) \
-    tp_fail_((err), (code), __FILE__, __LINE__, (uint32_t)(where), \
-             (int32_t)(a), (int32_t)(b))
-tp_status tp_fail_(tp_error *err, tp_status code, const char *file, int line,
-                   uint32_t where, int32_t a, int32_t b);
-
-/* Puts the offending word (not terminated) into an error. */
-void tp_error_word(tp_error *err, const char *word, size_t bytes);
-
-/* Puts a terminated word into an error that has just been filled; returns `code`. */
-tp_status tp_error_blame(tp_error *err, tp_status code, const char *word);
 
 TP_END_C
 #endif

@@ -1,27 +1,103 @@
 /* SPDX-License-Identifier: MIT */
-/* Tidepool: water for small computers.  Everything public, in one include. */
+/* Tidepool: water for small computers.  Everything public, in one include; and the simple
+ * way to use it, water in one block of memory.
+ *
+ *     static tp_scene scene;
+ *     static uint64_t memory[40 << 10];
+ *
+ *     tp_engine *sea;
+ *     tp_tile    tile;
+ *     const tp_config config = { .width = 320, .height = 240 };
+ *
+ *     tp_scene_init(&scene);
+ *     if (tp_engine_init(&sea, &config, &scene, memory, sizeof memory, NULL))
+ *         return 1;
+ *     for (;; tp_engine_step(sea, NULL)) {
+ *         tp_engine_begin(sea);
+ *         while (tp_engine_next_tile(sea, &tile))
+ *             show(&tile);
+ *     }
+ *
+ * An engine is a world, a frame and a tile's scratch.  Who draws with several threads, keeps
+ * snapshots or sees one world by two frames makes these himself: tidepool/scene.h,
+ * tidepool/frame.h.  An engine's functions are for one thread at a time; two engines know
+ * nothing of each other. */
 #ifndef TP_TIDEPOOL_H
 #define TP_TIDEPOOL_H
-#include "tidepool/arena.h"
-#include "tidepool/asset.h"
-#include "tidepool/clock.h"
-#include "tidepool/depth.h"
-#include "tidepool/drop.h"
-#include "tidepool/engine.h"
-#include "tidepool/foam.h"
+#include <stdbool.h>
+#include <stddef.h>
+#include "tidepool/assets.h"
+#include "tidepool/fixed.h"
 #include "tidepool/frame.h"
-#include "tidepool/fx.h"
-#include "tidepool/program.h"
-#include "tidepool/language.h"
-#include "tidepool/light.h"
-#include "tidepool/ocean.h"
-#include "tidepool/pixel.h"
-#include "tidepool/plan.h"
-#include "tidepool/pool.h"
-#include "tidepool/ring.h"
+#include "tidepool/modules.h"
 #include "tidepool/scene.h"
 #include "tidepool/status.h"
-#include "tidepool/tape.h"
-#include "tidepool/version.h"
-#include "tidepool/wave.h"
+#include "tidepool/world.h"
+
+TP_BEGIN_C
+
+/* The version, which is written here alone.
+ *
+ * The same version draws the same bits on every machine.  MAJOR rises when a program that
+ * used the API no longer compiles or means something else, MINOR when pictures change or
+ * the API grows, PATCH when neither does.  While MAJOR is 0, MINOR stands for both. */
+
+#define TP_VERSION_MAJOR 0
+#define TP_VERSION_MINOR 1
+#define TP_VERSION_PATCH 0
+#define TP_VERSION_DATE  "2026-11-22"
+
+/* One number, to compare in #if: MAJOR 1000000 + MINOR 1000 + PATCH, so 1002003 is
+ * 1.2.3. */
+#define TP_VERSION \
+    (TP_VERSION_MAJOR * 1000000 + TP_VERSION_MINOR * 1000 + TP_VERSION_PATCH)
+
+/* "MAJOR.MINOR.PATCH" of this header. */
+#define TP_VERSION_TEXT \
+    TP_VERSION_WORD(TP_VERSION_MAJOR) "." \
+    TP_VERSION_WORD(TP_VERSION_MINOR) "." \
+    TP_VERSION_WORD(TP_VERSION_PATCH)
+#define TP_VERSION_WORD(number)  TP_VERSION_WORD_(number)
+#define TP_VERSION_WORD_(number) #number
+
+/* The library's own TP_VERSION_TEXT: a program linked with another version than it was
+ * compiled for finds the two unequal. */
+const char *tp_version(void);
+
+typedef struct tp_engine tp_engine;     /* lies at the start of the memory */
+
+/* The memory that an engine of this config and scene takes, in bytes; 0: one of them cannot
+ * be used, and tp_engine_init says why. */
+size_t tp_engine_bytes(const tp_config *config, const tp_scene *scene);
+
+/* An engine at tick 0 in `memory`, of at least tp_engine_bytes() bytes, aligned to 8.  The
+ * config is copied.  Memory, scene, program and pictures stay where they are while the
+ * engine is used; nothing has to be closed.  After a failure the memory holds no engine.
+ *  - TP_E_NULL, TP_E_ALIGN: err->word is the argument; TP_E_NOSPACE: `bytes` are too few
+ *  - as tp_frame_init and tp_world_init: the config or the scene cannot be used */
+tp_status tp_engine_init(tp_engine **engine, const tp_config *config,
+                         const tp_scene *scene, void *memory, size_t bytes, tp_error *err);
+
+/* Moves the water on by 1/60 s, times the scene's clock.scale.  NULL input: nobody acts. */
+void tp_engine_step(tp_engine *engine, const tp_input *input);
+
+/* Takes the water as it is now into a picture, and then draws that tile by tile, row by row
+ * of tiles; false: there is no tile left.  The pixels of a tile stand until the next tile. */
+void tp_engine_begin(tp_engine *engine);
+bool tp_engine_next_tile(tp_engine *engine, tp_tile *tile);
+
+/* Takes values of the scene that have changed since; the picture begun next shows them, also
+ * while the water stands.  After a failure the engine must not step or draw by the scene
+ * before it fits again.
+ *  - as tp_program_fits: the scene cannot be used
+ *  - TP_E_WORLD: the memory was laid out for another scene (a pool's size, a wave more ...):
+ *    tp_engine_init makes it anew */
+tp_status tp_engine_apply(tp_engine *engine, tp_error *err);
+
+/* The parts, for their own functions: height queries, cameras, pushes, snapshots; projection
+ * and picking. */
+tp_world *tp_engine_world(tp_engine *engine);
+tp_frame *tp_engine_frame(tp_engine *engine);
+
+TP_END_C
 #endif

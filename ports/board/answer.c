@@ -2,6 +2,8 @@
 /* Words of a line, and pieces of its answer, which goes out as it is put together: there
  * is no second buffer. */
 #include "answer.h"
+#include "base/fail.h"
+#include "scene/value.h"
 
 /* -- words ------------------------------------------------------------------------- */
 

@@ -3,6 +3,7 @@
 #ifndef BOARD_ANSWER_H
 #define BOARD_ANSWER_H
 #include "control.h"
+#include "tidepool/scene.h"
 
 void *memcpy(void *restrict to, const void *restrict from, size_t bytes);
 void *memset(void *to, int value, size_t bytes);

@@ -2,6 +2,8 @@
 /* Buttons to what is wished for the next tick. */
 #include "buttons.h"
 #include "../live/poke.h"
+#include "features/drops/drops.h"
+#include "scene/pools.h"
 
 /* Of a click: 10 degrees of the camera, 15 of the light, 0.25 m of the sphere. */
 #define TURN  ((int32_t)TP_DEG(10))

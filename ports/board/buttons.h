@@ -8,7 +8,7 @@
  * to rest by the next. */
 #ifndef BOARD_BUTTONS_H
 #define BOARD_BUTTONS_H
-#include "tidepool/scene.h"
+#include "tidepool/world.h"
 
 enum { BUTTON_UP = 1, BUTTON_DOWN = 2, BUTTON_LEFT = 4, BUTTON_RIGHT = 8,
        BUTTON_SELECT = 16 };

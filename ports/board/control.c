@@ -4,7 +4,10 @@
 #include "control.h"
 #include "../live/poke.h"
 #include "answer.h"
-#include "tidepool/tape.h"
+#include "features/drops/drops.h"
+#include "scene/pools.h"
+#include "scene/tape.h"
+#include "scene/world.h"
 
 #define DROPS_MOST 1024         /* of tp_input */
 #define STEPS_MOST 100000
@@ -170,7 +173,7 @@ static void state(const control *c)
 {
     const control_setup *s = c->setup;
     answer(c, "ok tick ");
-    answer_number(c, (uint32_t)s->world->tick);
+    answer_number(c, (uint32_t)tp_world_tick(s->world));
     if (s->state)
         s->state(s->to);
     answer(c, "\n");

@@ -9,7 +9,7 @@
  *     drop                        ok drop
  *     poke 1.5 -8                 ok poke; a height may follow, or is pool.poke; a tick
  *                                 takes 8 of them, more are refused until it was made
- *     input light_turn=9 drops=1  ok input; what tidepool/tape.h lists, for one tick
+ *     input light_turn=9 drops=1  ok input; what scene/tape.h lists, for one tick
  *     pause, go, step 30          ok pause; a step is so many ticks, then it pauses
  *     restart                     ok restart; from tick 0, with the numbers as they are
  *     state                       ok tick 37, and what the port adds

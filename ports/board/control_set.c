@@ -8,6 +8,8 @@
  * (mirror.objects from stencil to cube). */
 #include "../live/setting.h"
 #include "answer.h"
+#include "scene/value.h"
+#include "scene/world.h"
 
 static bool may_change(const control *c, const tp_param *param)
 {

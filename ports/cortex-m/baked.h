@@ -3,7 +3,7 @@
  * `tidepool bake SCENE --name baked` writes them. */
 #ifndef BAKED_H
 #define BAKED_H
-#include "tidepool/frame.h"
+#include "tidepool/modules.h"
 
 extern const tp_scene  baked_scene;
 extern const tp_assets baked_assets;

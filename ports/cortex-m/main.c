@@ -5,8 +5,11 @@
  * The empty functions are marks for whoever counts instructions: what the core does for a
  * whole frame, for its tiles and for a tick of the world. */
 #include "baked.h"
+#include "base/arena.h"
 #include "board.h"
+#include "frame/tools.h"
 #include "marks.h"
+#include "pixel/pixel.h"
 #include "semihost.h"
 #include "sum.h"
 
@@ -123,7 +126,7 @@ int main(void)
     if (tp_world_init(&baked_program, world, world_bytes, &baked_scene, &baked_assets,
                       &err))
         semihost_stop("the world cannot be made");
-    while (world->tick < BOARD_FIRST)
+    for (uint32_t n = 0; n < BOARD_FIRST; n++)
         tp_world_step(&baked_program, world, &baked_scene, NULL);
     for (uint32_t n = 0; n < BOARD_FRAMES; n++) {
         const picture p = draw(frame, scratch, world);

@@ -3,6 +3,7 @@
  * over two elements: crc(A B) is crc(A) x^(8 bytes of B) + crc(B).  So each piece of a row
  * counts by itself, times a power of x for the pixels that stand after it. */
 #include "sum.h"
+#include "pixel/pixel.h"
 
 #define ONE   0x80000000u       /* x^0: the first bit is the highest power's */
 #define BYTE  0x00800000u       /* x^8 */

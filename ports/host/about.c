@@ -41,7 +41,7 @@ static const about_row rows[] = {
       "NAME_scene and NAME_assets, which the file's head declares and measures.\n"
       "With --size or --format NAME_program too, which lists what the scene needs to\n"
       "be drawn so: what is linked by it has no other code, and draws the same bits.\n",
-      "The file needs -I for the folder of tidepool/frame.h and nothing else.\n", CHECKS,
+      "The file needs -I for the folder of tidepool/modules.h and nothing else.\n", CHECKS,
       "a list draws another picture" },
     { FOR_PLAN, "tidepool plan SCENE [OPTION]...",
       "Prints by which methods the scene is drawn: for each what a frame costs a\n"

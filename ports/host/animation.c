@@ -9,11 +9,11 @@
  * still sky costs nothing. */
 #define _POSIX_C_SOURCE 200809L
 #include "animation.h"
+#include "pixel/pixel.h"
 #include <errno.h>
 #include <stdlib.h>
 #include <string.h>
 #include "say.h"
-#include "tidepool/scene.h"
 
 #define SIGNATURE 8             /* bytes */
 #define CHUNK     12            /* bytes of a chunk beside its data: length, type, CRC */

@@ -5,6 +5,7 @@
 #include <stdbool.h>
 #include <stdint.h>
 #include "machine.h"
+#include "tidepool/frame.h"
 
 typedef struct {
     const char  *command, *scene;   /* its first name, whatever it is of, NULL if none is

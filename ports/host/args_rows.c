@@ -2,6 +2,8 @@
 /* The options.  A row of the table names an option, says which commands take it, and
  * reads its value: a new option is a row and a function of a few lines. */
 #include "args_rows.h"
+#include "pixel/pixel.h"
+#include "scene/value.h"
 #include <string.h>
 #include "bench_scene.h"
 #include "canvas.h"

@@ -2,6 +2,7 @@
 /* Loading what a scene names: pictures here, its mesh in assets_mesh.c. */
 #define _POSIX_C_SOURCE 200809L
 #include "assets.h"
+#include "scene/value.h"
 #include <errno.h>
 #include <limits.h>
 #include <stdio.h>

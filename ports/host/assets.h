@@ -4,7 +4,7 @@
 #define HOST_ASSETS_H
 #include "picture.h"
 #include "scene_file.h"
-#include "tidepool/frame.h"
+#include "tidepool/assets.h"
 
 typedef struct assets_block assets_block;
 

@@ -11,9 +11,12 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include "asset/reader.h"
 #include "assets.h"
+#include "fx/fx.h"
 #include "path.h"
 #include "say.h"
+#include "scene/value.h"
 
 enum {
     CHUNK      = 16384,

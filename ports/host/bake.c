@@ -2,6 +2,7 @@
 /* tidepool bake: a scene with all that it names as one file of constant C, for machines
  * that have no files. */
 #include "bake.h"
+#include "frame/tools.h"
 #include <ctype.h>
 #include <inttypes.h>
 #include <stdlib.h>
@@ -179,7 +180,7 @@ static void put_head(const bake *b, const options *o, const stage *s)
                 b->name, b->name);
     fprintf(b->out, " *\n");
     put_contents(b, &s->assets.names);
-    fprintf(b->out, "#include <tidepool/frame.h>\n");
+    fprintf(b->out, "#include <tidepool/modules.h>\n");
 }
 
 /* -- the whole file ------------------------------------------------------------------ */

@@ -5,7 +5,7 @@
 #ifndef HOST_BAKE_H
 #define HOST_BAKE_H
 #include <stdio.h>
-#include "tidepool/scene.h"
+#include "tidepool/assets.h"
 
 /* What is written once however often it is named: two files may hold the same picture. */
 typedef struct {

@@ -4,6 +4,7 @@
  * The parameter table knows every value of a scene by name and place; a name is written
  * as the member it stands for: "wave0.length" is .wave[0].length. */
 #include "bake.h"
+#include "scene/value.h"
 #include <ctype.h>
 #include <inttypes.h>
 #include <stdbool.h>

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "bake_program.h"
+#include "pixel/pixel.h"
 #include <inttypes.h>
 #include <string.h>
 

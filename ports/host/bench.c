@@ -3,6 +3,7 @@
  * Rounds of all figures follow each other, so that what slows a machine down for a while
  * slows down all of them. */
 #include "bench.h"
+#include "scene/value.h"
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>

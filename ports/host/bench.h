@@ -4,7 +4,7 @@
 #define HOST_BENCH_H
 #include "bench_scene.h"
 #include "picture.h"
-#include "tidepool/plan.h"
+#include "scene/plan.h"
 
 enum { BENCH_ROUNDS = 3, BENCH_BY = 32 };
 

@@ -7,6 +7,7 @@
 #include "bench.h"
 #include "canvas.h"
 #include "say.h"
+#include "scene/world.h"
 #include "timing.h"
 
 static int begin_world(const bench_scene *s, tp_world *world)

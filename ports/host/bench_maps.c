@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /* Pictures of the benchmark's scene: sums of sines that repeat without a seam. */
 #include "bench_maps.h"
+#include "fx/fx.h"
 #include <stdbool.h>
-#include "tidepool/fx.h"
 
 enum { SINES = 6 };
 

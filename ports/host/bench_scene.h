@@ -6,7 +6,7 @@
 #ifndef HOST_BENCH_SCENE_H
 #define HOST_BENCH_SCENE_H
 #include "bench_maps.h"
-#include "tidepool/frame.h"
+#include "tidepool/assets.h"
 
 typedef enum {
     BENCH_PLAIN,        /* that picture, nearest texels, diffuse light, depth */

@@ -3,6 +3,8 @@
  * threads take tiles as they come free, each into a scratch of its own; they copy to
  * places that do not overlap, and the picture is the same in any order. */
 #include "canvas.h"
+#include "frame/tools.h"
+#include "pixel/pixel.h"
 #include <stdatomic.h>
 #include <stdlib.h>
 #include <string.h>

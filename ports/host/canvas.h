@@ -5,7 +5,7 @@
 #include "crew.h"
 #include "machine.h"
 #include "picture.h"
-#include "tidepool/frame.h"
+#include "tidepool/modules.h"
 
 #define CANVAS_THREADS 64
 

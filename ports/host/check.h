@@ -10,7 +10,7 @@
 #include <stddef.h>
 #include "csv.h"
 #include "say.h"
-#include "tidepool/fx.h"
+#include "tidepool/fixed.h"
 
 #define CHECK_MODELS(X) \
     X(automaton_int) X(automaton_mode) X(automaton_settle_table) X(breaking) \

@@ -3,10 +3,8 @@
  * and [D6]. */
 #include <math.h>
 #include "check.h"
-#include "tidepool/clock.h"
-#include "tidepool/drop.h"
-#include "tidepool/ring.h"
-#include "tidepool/wave.h"
+#include "features/drops/drops.h"
+#include "scene/clock.h"
 
 #define TICKS   (TP_TICKS_PER_SECOND * 65536.0)     /* the API's times, a second */
 #define Q24     16777216.0

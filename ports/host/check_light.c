@@ -2,7 +2,8 @@
 /* tidepool check: Fresnel's share, rays at the surface, exposure; [F1]-[F4] and [F8]. */
 #include <math.h>
 #include "check.h"
-#include "tidepool/light.h"
+#include "features/exposure/exposure.h"
+#include "shade/optics.h"
 
 #define Q30 1073741824.0
 

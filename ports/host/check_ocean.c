@@ -2,7 +2,7 @@
 /* tidepool check: orbits over a floor and breaking crests, [B11]-[B13], [B16]-[B19]. */
 #include <math.h>
 #include "check.h"
-#include "tidepool/ocean.h"
+#include "wave/ocean.h"
 
 #define Q32     4294967296.0
 #define QUARTER 0x40000000u

@@ -6,6 +6,7 @@
 #include <string.h>
 #include "check.h"
 #include "check_pool.h"
+#include "pixel/pixel.h"
 
 tp_pool *check_pool_of(const check_pool_shape *shape)
 {

@@ -3,7 +3,7 @@
 #ifndef HOST_CHECK_POOL_H
 #define HOST_CHECK_POOL_H
 #include "check.h"
-#include "tidepool/pool.h"
+#include "pool/pool.h"
 
 typedef struct {
     tp_cells cells;

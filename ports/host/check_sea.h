@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: MIT */
 /* Seas of the waves that a table gives, for tidepool check, and how far the bounds of
- * tidepool/wave.h let their points be off. */
+ * wave/wave.h let their points be off. */
 #ifndef HOST_CHECK_SEA_H
 #define HOST_CHECK_SEA_H
 #include "check.h"
-#include "tidepool/wave.h"
+#include "wave/wave.h"
 
 /* A wave in the models' letters; power 1 is a sine, q is Q k A. */
 typedef struct {

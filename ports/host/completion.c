@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* tidepool completion SHELL, and what the scripts of all shells have in common. */
 #include "completion.h"
+#include "scene/value.h"
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>

@@ -5,6 +5,7 @@
 #include <stdio.h>
 #include <string.h>
 #include "completion.h"
+#include "scene/value.h"
 
 static void print_condition(unsigned of)
 {

@@ -2,6 +2,8 @@
 /* Tapes as files of lines, read whole before anything runs. */
 #define _POSIX_C_SOURCE 200809L
 #include "deck.h"
+#include "base/fail.h"
+#include "scene/tape.h"
 #include <errno.h>
 #include <inttypes.h>
 #include <limits.h>

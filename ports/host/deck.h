@@ -16,7 +16,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdio.h>
-#include "tidepool/tape.h"
+#include "tidepool/world.h"
 
 typedef enum { DECK_STEP, DECK_LOOK, DECK_SET } deck_kind;
 

@@ -4,6 +4,7 @@
  * at a few cameras; what stays out is tried on all of them.  A camera that differs joins
  * the few, and the search goes on: it ends with a list that is right for all. */
 #include "dry_find.h"
+#include "fx/fx.h"
 #include <stdlib.h>
 #include <string.h>
 #include "say.h"

@@ -5,6 +5,7 @@
 #define HOST_DRY_FIND_H
 #include "dry_run.h"
 #include "pieces.h"
+#include "tidepool/frame.h"
 
 typedef struct {
     const tp_scene  *scene;     /* as it is; */

@@ -1,5 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "dry_run.h"
+#include "frame/tools.h"
+#include "pixel/pixel.h"
+#include "scene/world.h"
 #include <stdatomic.h>
 #include <stdlib.h>
 #include <string.h>

@@ -6,6 +6,7 @@
 #ifndef HOST_DRY_RUN_H
 #define HOST_DRY_RUN_H
 #include <stdbool.h>
+#include "scene/plan.h"
 #include "tidepool/frame.h"
 
 /* A program with the scene and the assets that it steps and draws. */

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Lines of columns parted by tabs. */
 #include "figures_texts.h"
+#include "scene/world.h"
 #include <inttypes.h>
 #include <stdarg.h>
 #include <stdio.h>

@@ -11,7 +11,6 @@
 #include <string.h>
 #include <unistd.h>
 #include "say.h"
-#include "tidepool/scene.h"
 
 enum {
     Y_R = 16829,  Y_G = 33039,  Y_B = 6416,

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* The governor at work: steps are never silent. */
 #include "governing.h"
+#include "frame/tools.h"
 #include <stdio.h>
 #include "say.h"
 

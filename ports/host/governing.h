@@ -2,8 +2,8 @@
 /* quality.frame_ms held by the clock: feeds the core's governor, says each step. */
 #ifndef HOST_GOVERNING_H
 #define HOST_GOVERNING_H
+#include "scene/plan.h"
 #include "stage.h"
-#include "tidepool/plan.h"
 
 typedef struct {
     tp_governor governor;

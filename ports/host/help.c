@@ -10,7 +10,7 @@
 #include "nearest.h"
 #include "path.h"
 #include "say.h"
-#include "tidepool/version.h"
+#include "tidepool/tidepool.h"
 
 /* Holds for a shipped scene, and for any name that ends in .ini. */
 static bool is_scene(const char *name)

@@ -2,13 +2,13 @@
 /* Long names and the short ones that stand for them: long_name.h. */
 #define _POSIX_C_SOURCE 200809L
 #include "long_name.h"
+#include "tidepool/scene.h"
 #include <pthread.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include "path.h"
 #include "say.h"
-#include "tidepool/scene.h"
 
 #define END_BYTES 100           /* of a long name that are shown */
 

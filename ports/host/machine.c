@@ -2,6 +2,7 @@
 /* Asks the processor.  Those of level v3 that anybody has made have all of it where they
  * have these four. */
 #include "machine.h"
+#include "tidepool/modules.h"
 #include <stdbool.h>
 
 #ifdef TP_HAVE_PROGRAM_V3

@@ -3,7 +3,7 @@
  * x86-64 and for level v3 (AVX2).  Both draw the same bits. */
 #ifndef HOST_MACHINE_H
 #define HOST_MACHINE_H
-#include "tidepool/program.h"
+#include "tidepool/world.h"
 
 typedef struct {
     const char   *name;         /* "baseline", "x86-64-v3" */

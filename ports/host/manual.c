@@ -2,6 +2,7 @@
 /* tidepool manual: tidepool(1), from the tables of commands, options, keys and exit
  * codes, and tidepool-scene(5) from that of parameters. */
 #include "manual.h"
+#include "tidepool/tidepool.h"
 #include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -11,7 +12,6 @@
 #include "args_rows.h"
 #include "commands.h"
 #include "roff.h"
-#include "tidepool/version.h"
 
 typedef struct { const char *name, *help; } entry;
 

@@ -7,7 +7,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
-#include "tidepool/scene.h"
+#include "tidepool/world.h"
 
 typedef struct past past;
 

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Drawn pictures: their colours, their CRC. */
 #include "picture.h"
+#include "pixel/pixel.h"
 #include <string.h>
 
 void picture_expand_row(const picture *p, uint32_t y, uint32_t *pixels)

@@ -5,7 +5,7 @@
 #include <stdbool.h>
 #include <stdint.h>
 #include <stdio.h>
-#include "tidepool/pixel.h"
+#include "tidepool/frame.h"
 
 /* A drawn picture: rows of tp_format_row_bytes(), one after the other. */
 typedef struct {

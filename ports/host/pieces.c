@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: MIT */
-/* The rows come from the lists of tidepool/program.h: a piece that those gain or lose needs no
+/* The rows come from the lists of tidepool/modules.h: a piece that those gain or lose needs no
  * line here. */
 #include "pieces.h"
+#include "scene/parts.h"
 #include <inttypes.h>
 #include <stdatomic.h>
 #include <stddef.h>
 #include <string.h>
-#include "tidepool/scene.h"
 
 /* -- the rows ------------------------------------------------------------------------- */
 

@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: MIT */
-/* The pieces that a program's list may hold or lack, as the lists of tidepool/program.h name
+/* The pieces that a program's list may hold or lack, as the lists of tidepool/modules.h name
  * them, and a list that is made of some of them. */
 #ifndef HOST_PIECES_H
 #define HOST_PIECES_H
 #include <stdbool.h>
 #include <stdio.h>
-#include "tidepool/frame.h"
+#include "tidepool/modules.h"
 
 typedef enum {
     PIECE_STAGE, PIECE_WATER, PIECE_DRAW, PIECE_METHOD,

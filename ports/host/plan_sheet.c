@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "plan_sheet.h"
+#include "scene/value.h"
 #include <inttypes.h>
 #include <stdio.h>
 #include <string.h>

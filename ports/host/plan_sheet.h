@@ -3,6 +3,7 @@
  * for the preview's figures. */
 #ifndef HOST_PLAN_SHEET_H
 #define HOST_PLAN_SHEET_H
+#include "scene/plan.h"
 #include "stage.h"
 
 typedef struct {

@@ -8,6 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "picture.h"
+#include "pixel/pixel.h"
 
 /* The chunk that tells our pictures from others: its type, a key, a text.  It lies behind
  * the palette's 768 bytes at the most. */

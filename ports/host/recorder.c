@@ -17,7 +17,6 @@
 #include <sys/wait.h>
 #include <unistd.h>
 #include "say.h"
-#include "tidepool/scene.h"
 
 #define PIPE_BYTES (1 << 20)
 #define NUMBERS    9999

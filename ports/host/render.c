@@ -6,10 +6,12 @@
 #include <string.h>
 #include "about.h"
 #include "commands.h"
+#include "features/drops/drops.h"
 #include "governing.h"
 #include "hashes.h"
 #include "replay.h"
 #include "say.h"
+#include "scene/pools.h"
 #include "sink.h"
 #include "stage.h"
 #include "timing.h"

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /* Playing tapes. */
 #include "replay.h"
+#include "scene/value.h"
+#include "scene/world.h"
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>

@@ -2,6 +2,7 @@
 /* Finding a scene, and setting its values with messages for people. */
 #define _POSIX_C_SOURCE 200809L
 #include "scene_file.h"
+#include "scene/value.h"
 #include <ctype.h>
 #include <stdio.h>
 #include <stdlib.h>

@@ -6,6 +6,7 @@
  * Behind a value " ;" begins a comment, "#" does not: no text with " ;" can be saved. */
 #define _POSIX_C_SOURCE 200809L
 #include "scene_save.h"
+#include "scene/value.h"
 #include <ctype.h>
 #include <stdio.h>
 #include <stdlib.h>

@@ -5,7 +5,7 @@
 #ifndef HOST_SESSION_H
 #define HOST_SESSION_H
 #include "scene_file.h"
-#include "tidepool/scene.h"
+#include "tidepool/world.h"
 
 typedef struct session session;
 

@@ -2,6 +2,8 @@
 /* The session's file, written and read. */
 #define _XOPEN_SOURCE 700       /* realpath */
 #include "session_file.h"
+#include "pixel/pixel.h"
+#include "scene/value.h"
 #include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -12,7 +14,6 @@
 #include "long_name.h"
 #include "path.h"
 #include "say.h"
-#include "tidepool/pixel.h"
 #include "words.h"
 
 #define PART 120                /* bytes of a value in one line */

@@ -10,7 +10,6 @@
 #include <unistd.h>
 #include "path.h"
 #include "say.h"
-#include "tidepool/scene.h"
 
 #define NAME_BYTES 4096
 #define DIGITS_MAX 9

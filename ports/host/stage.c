@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /* From the command line to a world and a canvas. */
 #include "stage.h"
+#include "pool/pool.h"
+#include "scene/value.h"
+#include "scene/world.h"
 #include <inttypes.h>
 #include <stdio.h>
 #include <stdlib.h>

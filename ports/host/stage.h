@@ -5,7 +5,9 @@
 #include "args.h"
 #include "assets.h"
 #include "canvas.h"
+#include "scene/plan.h"
 #include "scene_file.h"
+#include "wave/wave.h"
 
 typedef struct {
     scene_file file;

@@ -5,6 +5,7 @@
 #include <string.h>
 #include "../live/setting.h"
 #include "say.h"
+#include "scene/value.h"
 #include "stage.h"
 
 #define LATER EXIT_CHECK        /* refused as the scene is now, and nothing was said */

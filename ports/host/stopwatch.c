@@ -12,6 +12,7 @@
  * test_stopwatch). */
 #define _POSIX_C_SOURCE 200809L
 #include "stopwatch.h"
+#include "scene/module.h"
 #include <stdatomic.h>
 #include <time.h>
 #if defined(__x86_64__)

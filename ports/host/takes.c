@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 #define _POSIX_C_SOURCE 200809L
 #include "takes.h"
+#include "pixel/pixel.h"
+#include "scene/value.h"
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>

@@ -2,6 +2,7 @@
 /* The reference is tests/reference, which is part of this program for that alone. */
 #define _XOPEN_SOURCE 700
 #include "tracer.h"
+#include "scene/world.h"
 #include <pthread.h>
 #include <stdlib.h>
 #include <string.h>

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /* Undo: an edit keeps the worlds on both sides of it; see the header. */
 #include "undo.h"
+#include "scene/value.h"
+#include "scene/world.h"
 #include <stdio.h>
 #include <string.h>
 #include "say.h"

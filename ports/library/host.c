@@ -2,6 +2,9 @@
 /* A scene for callers: loading, values, steps.  Looks and pictures are in host_look.c and
  * host_picture.c. */
 #include "host.h"
+#include "frame/tools.h"
+#include "scene/value.h"
+#include "scene/world.h"
 #include <stdlib.h>
 #include <string.h>
 #include "../host/path.h"

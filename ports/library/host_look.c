@@ -3,6 +3,8 @@
 #include <string.h>
 #include "../host/say.h"
 #include "host.h"
+#include "scene/value.h"
+#include "scene/world.h"
 
 _Static_assert((int)TP_HOST_FREE == LOOK_FREE && (int)TP_HOST_ORBIT == LOOK_ORBIT
                    && (int)TP_HOST_TOP == LOOK_TOP && (int)TP_HOST_BOAT == LOOK_BOAT

@@ -18,6 +18,7 @@
 #include "../host/say.h"
 #include "../screen/layout.h"
 #include "../screen/screen.h"
+#include "pixel/pixel.h"
 
 typedef struct { uint16_t red[256], green[256], blue[256]; } colours;
 

@@ -13,6 +13,8 @@
  * On the deck the camera is as free as it ever is, in the deck's own axes: only its first
  * place is given.  So is the way back to where it was free. */
 #include "look.h"
+#include "scene/world.h"
+#include "tidepool/modules.h"
 
 #define PITCH_MOST  TP_DEG(89)
 #define PLACE_MOST  (8000 * TP_FX_ONE)

@@ -3,7 +3,7 @@
  * All goes through tp_input, so that a tape of it replays without knowing of looks. */
 #ifndef LIVE_LOOK_H
 #define LIVE_LOOK_H
-#include "tidepool/scene.h"
+#include "tidepool/world.h"
 
 typedef enum { LOOK_FREE, LOOK_ORBIT, LOOK_TOP, LOOK_BOAT, LOOK_MODES } look_mode;
 

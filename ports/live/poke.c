@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Pokes and stirs: hats of the height that the scene's own pokes have. */
 #include "poke.h"
+#include "fx/fx.h"
 
 #define STIR 3                  /* of them are as high as a poke */
 

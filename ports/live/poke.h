@@ -9,7 +9,7 @@
  * no more. */
 #ifndef LIVE_POKE_H
 #define LIVE_POKE_H
-#include "tidepool/scene.h"
+#include "tidepool/world.h"
 
 #define POKE_POINTS 6           /* of the Czech report: two rows of three */
 #define POKE_WAITS  64          /* pokes that may wait */

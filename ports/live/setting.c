@@ -6,6 +6,8 @@
  * tp_world_apply leaves the camera where input has led it, so a number of the camera's
  * is put in place here. */
 #include "setting.h"
+#include "scene/value.h"
+#include "scene/world.h"
 
 void *memcpy(void *restrict to, const void *restrict from, size_t bytes);
 

@@ -8,7 +8,7 @@
  * until it is. */
 #ifndef LIVE_SETTING_H
 #define LIVE_SETTING_H
-#include "tidepool/scene.h"
+#include "tidepool/world.h"
 
 typedef enum {
     SETTING_DONE,               /* the world goes on with it */

@@ -2,6 +2,8 @@
 /* What a world that was made anew takes over from the one before it: all that is not in
  * the parts behind its head, for which it was made anew.  So the sea, the sun and a boat
  * go on as if nothing had been, while pools are still. */
+#include "features/exposure/meter.h"
+#include "scene/world.h"
 #include "setting.h"
 
 static void carry_camera(tp_world *to, const tp_world *from)

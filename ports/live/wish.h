@@ -2,7 +2,7 @@
 /* What a held key wishes for the next tick, in every port that has keys. */
 #ifndef LIVE_WISH_H
 #define LIVE_WISH_H
-#include "tidepool/scene.h"
+#include "tidepool/world.h"
 
 /* Steps of a tick of 1/60 s: 4 m/s, or 16 m/s with Shift; 60 degrees a second. */
 #define WISH_WALK TP_FX(4.0 / TP_TICKS_PER_SECOND)

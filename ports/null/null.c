@@ -4,6 +4,9 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include "pixel/pixel.h"
+#include "scene/value.h"
+#include "scene/world.h"
 #include "tidepool/tidepool.h"
 
 enum { WIDTH = 160, HEIGHT = 120, BAND = 16, FRAMES = 4 };

@@ -20,8 +20,10 @@
  * For a board: make BOARD=rpi/raspi2b SCENE=x elf, objcopy -O binary to what board.ld
  * names, on the card beside the firmware's files.  So far it ran in QEMU alone. */
 #include "rpi.h"
+#include "base/arena.h"
 #include "board/control.h"
-#include "tidepool/frame.h"
+#include "pixel/pixel.h"
+#include "tidepool/modules.h"
 
 extern const tp_scene  baked_scene;
 extern const tp_assets baked_assets;
@@ -238,7 +240,7 @@ static void tell(const work *w, const screen *s)
     uint32_t crc = 0;
     for (uint32_t y = 0; y < s->height; y++, row += s->pitch)
         crc = tp_crc32_pixels(crc, s->format, row, (int)s->width);
-    say_number("frame ", (uint32_t)w->world->tick, 10, 4);
+    say_number("frame ", (uint32_t)tp_world_tick(w->world), 10, 4);
     say_number(" crc32 ", crc, 16, 8);
     say("\n");
 }
@@ -288,7 +290,7 @@ int main(void)
     say_number(" of bits ", asked.depth, 10, 1);
     say("\n");
 
-    while (w.world->tick < asked.first)
+    while (tp_world_tick(w.world) < asked.first)
         tick(&w);
     for (uint32_t n = 0; n < asked.frames; n++) {
         if (n)

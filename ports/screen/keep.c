@@ -11,13 +11,15 @@
  * checked as well before it becomes a world. */
 #define _POSIX_C_SOURCE 200809L
 #include "keep.h"
+#include "pixel/pixel.h"
+#include "scene/world.h"
+#include "tidepool/modules.h"
 #include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include "../host/atomic_file.h"
 #include "../host/say.h"
-#include "tidepool/pixel.h"
 
 #define VERSION TP_WORLD_VERSION
 

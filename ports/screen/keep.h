@@ -6,7 +6,7 @@
 #define SCREEN_KEEP_H
 #include <stdbool.h>
 #include <stdint.h>
-#include "tidepool/scene.h"
+#include "tidepool/world.h"
 
 /* How far a world had come. */
 typedef struct {

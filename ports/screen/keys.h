@@ -5,7 +5,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
-#include "tidepool/scene.h"
+#include "tidepool/world.h"
 
 /* Opposites side by side. */
 enum { KEY_AHEAD, KEY_BACK, KEY_LEFT, KEY_RIGHT, KEY_DOWN, KEY_UP, KEY_TURN_LEFT,

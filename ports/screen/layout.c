@@ -2,6 +2,7 @@
 /* Rows of pictures to rows of a described layout.  The two that most screens have, eight
  * bits a channel in a word and 565, are copies; all others go channel by channel. */
 #include "layout.h"
+#include "pixel/pixel.h"
 #include <string.h>
 
 static uint32_t mask_of(channel c)

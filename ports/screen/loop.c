@@ -15,7 +15,9 @@
 #include "../host/timing.h"
 #include "../live/wish.h"
 #include "keeper.h"
+#include "scene/world.h"
 #include "show.h"
+#include "tidepool/modules.h"
 
 #define TICKS_AT_ONCE 8
 #define SECOND_US     1000000u

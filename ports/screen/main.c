@@ -10,6 +10,7 @@
 #include <string.h>
 #include "../cortex-m/baked.h"
 #include "../host/say.h"
+#include "pixel/pixel.h"
 #include "show.h"
 
 #define BAND_ROWS 32            /* drawn at a time, straight into the picture */

@@ -6,7 +6,6 @@
 #include "console.h"
 #include "keep.h"
 #include "screen.h"
-#include "tidepool/frame.h"
 
 typedef struct {
     const screen_port *port;

@@ -2,6 +2,7 @@
 /* Events to wishes.  Keys are taken by their place on the keyboard, so that WASD lies
  * under the left hand on every layout. */
 #include "control.h"
+#include "fx/fx.h"
 #include <stdio.h>
 #include "../live/wish.h"
 

@@ -7,7 +7,7 @@
 #include <stdbool.h>
 #include "keymap.h"
 #include "pad.h"
-#include "tidepool/scene.h"
+#include "tidepool/world.h"
 
 #define CONTROL_PLACES 64       /* of the right button, between two ticks */
 

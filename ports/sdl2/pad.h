@@ -5,7 +5,7 @@
 #define SDL2_PAD_H
 #include <SDL.h>
 #include "../host/actions.h"
-#include "tidepool/scene.h"
+#include "tidepool/world.h"
 
 typedef struct {
     SDL_GameController *pad;    /* the first one that is there; NULL: none */

@@ -5,6 +5,9 @@
 #include <string.h>
 #include "../host/path.h"
 #include "../host/say.h"
+#include "features/drops/drops.h"
+#include "pixel/pixel.h"
+#include "scene/world.h"
 #include "view.h"
 
 #define UI_LEAST 50             /* percent */

@@ -6,6 +6,8 @@
 #include <string.h>
 #include "../host/say.h"
 #include "../host/scene_save.h"
+#include "scene/value.h"
+#include "scene/world.h"
 #include "view.h"
 
 #define KEEP_US 1000000u

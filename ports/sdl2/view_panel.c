@@ -7,6 +7,7 @@
 #include "../host/scene_save.h"
 #include "../host/stopwatch.h"
 #include "../host/timing.h"
+#include "scene/value.h"
 #include "view.h"
 
 #define PANEL_WIDE 340          /* px, at 100% */

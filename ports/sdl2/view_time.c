@@ -9,6 +9,7 @@
 #include <string.h>
 #include "../host/say.h"
 #include "../live/wish.h"
+#include "scene/world.h"
 #include "view.h"
 
 #define TICKS_AT_ONCE 8         /* behind by more, the water slows down */

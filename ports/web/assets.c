@@ -8,6 +8,8 @@ XX          piece by piece into text(), feed(bytes); given()
  *
  * An MTL is found beside the OBJ that names it, a picture beside the MTL, as on the host;
  * an OBJ is asked for twice, as its reader reads it. */
+#include "asset/reader.h"
+#include "base/fail.h"
 #include "web.h"
 
 #define FILES 128

@@ -1,5 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Scenes and their values, by the rows of the table of parameters. */
+#include "base/fail.h"
+#include "scene/value.h"
 #include "web.h"
 #include "live/setting.h"
 

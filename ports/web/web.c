@@ -9,9 +9,15 @@
  * Numbers go by the order of frames as `tidepool render` counts them, so that crc() is
  * that of its --hash. */
 #include "web.h"
+#include "base/fail.h"
+#include "features/drops/drops.h"
+#include "frame/tools.h"
 #include "live/look.h"
 #include "live/poke.h"
 #include "live/setting.h"
+#include "pixel/pixel.h"
+#include "scene/pools.h"
+#include "scene/world.h"
 
 #define BAND_ROWS 128           /* as the host's canvas has them */
 

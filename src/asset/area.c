@@ -2,6 +2,7 @@
 /* Area vectors: asset/area.h. */
 #include "asset/area.h"
 #include "base/assert.h"
+#include "fx/fx.h"
 
 tp_area tp_area_of(tp_vec3 a, tp_vec3 b)
 {

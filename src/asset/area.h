@@ -10,7 +10,7 @@
 #define TP_ASSET_AREA_H
 #include <stdbool.h>
 #include <stdint.h>
-#include "tidepool/fx.h"
+#include "tidepool/fixed.h"
 
 typedef struct { int64_t x, y, z; } tp_area;
 

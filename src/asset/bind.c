@@ -2,6 +2,8 @@
 /* The last step: materials get their textures, and the mesh is handed out. */
 #include "asset/obj.h"
 #include "base/base.h"
+#include "base/fail.h"
+#include "fx/fx.h"
 
 const char *tp_obj_library(const tp_obj *obj, uint32_t i)
 {

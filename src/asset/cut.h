@@ -10,7 +10,7 @@
 #define TP_ASSET_CUT_H
 #include <stdbool.h>
 #include <stdint.h>
-#include "tidepool/arena.h"
+#include "base/arena.h"
 
 #define TP_NO_CORNER UINT32_MAX
 

@@ -9,6 +9,7 @@
  * here. */
 #include "asset/obj.h"
 #include "asset/table.h"
+#include "base/fail.h"
 
 enum { HAS_TEXCOORD = 1, HAS_NORMAL = 2 };
 

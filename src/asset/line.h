@@ -8,7 +8,7 @@
  * they end depends on the line alone, not on the pieces. */
 #ifndef TP_ASSET_LINE_H
 #define TP_ASSET_LINE_H
-#include "tidepool/asset.h"
+#include "asset/reader.h"
 #include "asset/word.h"
 
 void tp_lines_begin(tp_obj_lines *lines);

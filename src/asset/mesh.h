@@ -6,7 +6,7 @@
  * a step of an 8-bit normal map. */
 #ifndef TP_ASSET_MESH_H
 #define TP_ASSET_MESH_H
-#include "tidepool/asset.h"
+#include "tidepool/assets.h"
 
 #define TP_DIR_ONE 511
 

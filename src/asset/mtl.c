@@ -6,6 +6,7 @@
  * or, where a number is out of range, gets the nearest. */
 #include "asset/obj.h"
 #include "base/base.h"
+#include "base/fail.h"
 
 /* obj->material while an MTL is read: before any newmtl; in one that is not used. */
 #define NONE_YET   (UINT32_MAX - 1)

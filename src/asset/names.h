@@ -3,8 +3,9 @@
  * Each name has a tag, and the same text under two tags is two names. */
 #ifndef TP_ASSET_NAMES_H
 #define TP_ASSET_NAMES_H
-#include "tidepool/asset.h"
+#include "asset/reader.h"
 #include "asset/word.h"
+#include "base/arena.h"
 
 #define TP_NO_NAME UINT32_MAX
 

@@ -1,11 +1,13 @@
 /* SPDX-License-Identifier: MIT */
-/* The OBJ reader's passes and its plain statements: tidepool/asset.h says what is read,
+/* The OBJ reader's passes and its plain statements: asset/reader.h says what is read,
  * asset/obj.h how the parts fit.  Source of the format: the appendix on object files of
  * the Advanced Visualizer manual (Wavefront, version 3.0). */
 #include "asset/obj.h"
 #include "asset/mesh.h"
 #include "asset/table.h"
 #include "base/base.h"
+#include "base/fail.h"
+#include "fx/fx.h"
 
 enum { MOST_GROUP = 1 << 30 };          /* what fits below TP_NORMAL_KIND */
 

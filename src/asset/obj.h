@@ -11,10 +11,10 @@
  * read, it is noted instead and the line left out. */
 #ifndef TP_ASSET_OBJ_H
 #define TP_ASSET_OBJ_H
-#include "tidepool/asset.h"
 #include "asset/line.h"
 #include "asset/names.h"
 #include "asset/word.h"
+#include "tidepool/modules.h"
 
 /* What may be called next; anything else is answered with E_ARG. */
 enum {

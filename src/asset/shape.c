@@ -10,6 +10,8 @@
 #include "asset/mesh.h"
 #include "asset/table.h"
 #include "base/base.h"
+#include "base/fail.h"
+#include "fx/fx.h"
 
 /* -- scales -------------------------------------------------------------------------- */
 

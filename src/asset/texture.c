@@ -4,9 +4,11 @@
  * The levels lie one after the other.  Resampling takes the picture as a tile that
  * repeats: destination texel i has its centre at (i + 1/2) w / w2 of the source, and
  * the four source pixels around it are weighted by 8-bit fractions. */
+#include <stdbool.h>
 #include "base/assert.h"
-#include "tidepool/asset.h"
+#include "base/fail.h"
 #include "base/given.h"
+#include "tidepool/assets.h"
 
 enum { MOST = 4096 };
 

@@ -8,6 +8,7 @@
 #include "asset/obj.h"
 #include "asset/table.h"
 #include "base/base.h"
+#include "base/fail.h"
 
 enum { MOST_LIBRARIES = 1 << 20, MOST_ROOM = 1 << 28, SHORT_NAME = 255 };
 

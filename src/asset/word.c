@@ -2,6 +2,7 @@
 /* Words of a line: asset/word.h.  No function reads at or beyond `end`: lines are not
  * terminated. */
 #include "asset/word.h"
+#include "fx/fx.h"
 
 static void skip_blanks(tp_words *words)
 {

@@ -5,7 +5,6 @@
 #define TP_ASSET_WORD_H
 #include <stdbool.h>
 #include <stdint.h>
-#include "tidepool/fx.h"
 
 typedef struct { const char *at, *end; } tp_words;
 typedef struct { const char *text; uint32_t bytes; } tp_word;

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* The bump allocator: tidepool/arena.h.  Sizes that overflow saturate `used`, so that no
+/* The bump allocator: base/arena.h.  Sizes that overflow saturate `used`, so that no
  * later take can fit either and the caller sees one failure at the end. */
-#include "tidepool/arena.h"
+#include "base/arena.h"
 #include "base/base.h"
 
 enum { ALIGNMENT = 8 };

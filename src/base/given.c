@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Checks of the pointers that a caller hands to an init; see the header. */
 #include "base/assert.h"
+#include "base/fail.h"
 #include "base/given.h"
 
 tp_status tp_given_check(const void *given, const char *name, tp_error *err)

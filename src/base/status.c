@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Statuses and the sentences of errors: tidepool/status.h. */
-#include "tidepool/status.h"
 #include "base/base.h"
+#include "base/fail.h"
 #include "base/text.h"
 
 static const char *const sentences[TP_STATUS_COUNT] = {

@@ -1,10 +1,12 @@
 /* SPDX-License-Identifier: MIT */
 /* The simple way: a world, its frame and a tile's scratch in one block of memory.  Each of
  * them is to be had alone, by tp_world_init and tp_frame_init. */
+#include <stdbool.h>
 #include "base/base.h"
+#include "base/fail.h"
 #include "base/given.h"
-#include "tidepool/arena.h"
-#include "tidepool/engine.h"
+#include "scene/parts.h"
+#include "tidepool/tidepool.h"
 
 /* Lies at the start of the block; the three parts follow it. */
 struct tp_engine {

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* The program of everything.  Whoever names it links the whole core. */
-#include "tidepool/program.h"
-#include "tidepool/scene.h"
+#include "tidepool/modules.h"
 
 static const tp_use all[] = {
 #define X(name) TP_USE(name),

@@ -23,8 +23,7 @@
 #include "features/water/ripple_rows.h"
 #include "features/water/water_rows.h"
 #include "scene/piece.h"
-#include "tidepool/plan.h"
-#include "tidepool/rows.h"
+#include "scene/value.h"
 #ifndef TP_MORE_ROWS            /* rows of modules that a program brings itself */
 #define TP_MORE_ROWS
 #endif

@@ -3,10 +3,12 @@
  * the world asks it, and says when the feature is on. */
 #ifndef TP_FRAME_DRAWING_H
 #define TP_FRAME_DRAWING_H
+#include "base/arena.h"
 #include "frame/marks.h"
 #include "frame/sight.h"
 #include "raster/raster.h"
 #include "scene/module.h"
+#include "tidepool/modules.h"
 
 struct tp_frame;
 struct tp_frame_parts;

@@ -1,9 +1,14 @@
 /* SPDX-License-Identifier: MIT */
 /* A frame from its config to its first tile: checked, made, begun. */
+#include "base/fail.h"
 #include "base/given.h"
 #include "frame/frame.h"
+#include "frame/tools.h"
 #include "geom/waters.h"
+#include "pixel/pixel.h"
 #include "scene/parts.h"
+#include "scene/pools.h"
+#include "scene/program.h"
 
 #define TILE_ROWS 16 /* of a config that names none */
 

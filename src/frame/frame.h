@@ -8,8 +8,9 @@
 #include "pixel/toned.h"
 #include "raster/rows.h"
 #include "scene/drawn.h"
+#include "scene/plan.h"
 #include "scene/sides.h"
-#include "tidepool/plan.h"
+#include "wave/wave.h"
 
 /* Lines of points parallel to the horizon, see projected.c. */
 typedef struct {

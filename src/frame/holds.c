@@ -14,7 +14,7 @@
  * The widest ray also bounds how far apart along it the lines lie, and so how far what is
  * drawn strays from the triangles. */
 #include "frame/frame.h"
-#include "wave/ocean.h"
+#include "wave/ocean_tables.h"
 
 #define STEEP   3                       /* t of the widest ray: 71.6 degrees */
 #define ROLL    (TP_FX_ONE / 64)        /* sine of it */

@@ -4,8 +4,8 @@
  * out, in the order of the program's list.  Each of them has a shader list. */
 #ifndef TP_FRAME_MARKS_H
 #define TP_FRAME_MARKS_H
+#include "base/arena.h"
 #include "frame/shaders.h"
-#include "tidepool/arena.h"
 
 #define TP_MARKS (1u << TP_MARK_BITS)
 

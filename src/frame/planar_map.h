@@ -3,6 +3,7 @@
  * They are drawn before any tile, a few rows at a time so that the samples stay small. */
 #ifndef TP_FRAME_PLANAR_MAP_H
 #define TP_FRAME_PLANAR_MAP_H
+#include "base/arena.h"
 #include "frame/sight.h"
 #include "scene/module.h"
 #include "shade/shade.h"

@@ -4,7 +4,7 @@
 #ifndef TP_FRAME_SHADERS_H
 #define TP_FRAME_SHADERS_H
 #include "shade/shade.h"
-#include "tidepool/program.h"
+#include "tidepool/modules.h"
 
 #define TP_SHADERS_WATER 20     /* room of the water's list, with its end, */
 #define TP_SHADERS_OTHER 6      /* and of any other */

@@ -3,6 +3,8 @@
 #include "base/base.h"
 #include "base/given.h"
 #include "frame/frame.h"
+#include "frame/tools.h"
+#include "pixel/pixel.h"
 
 static tp_samples samples_of(const tp_frame *frame, void *scratch, const tp_tile *tile)
 {

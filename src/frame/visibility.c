@@ -2,6 +2,7 @@
 /* By which method a frame's water is drawn: the plan's, where that holds for this camera
  * and this sea.  Decided from them alone, without memory of the frame before. */
 #include "frame/frame.h"
+#include "frame/tools.h"
 
 void tp_frame_set_rungs(tp_frame *frame, const tp_rungs *rungs)
 {

@@ -2,7 +2,7 @@
 /* Quotients of 16.16: exact, rounded half up.  They use the 64-bit division, which is a
  * library call of some hundred cycles on a Cortex-M: for set-up, never per pixel. */
 #include "base/assert.h"
-#include "tidepool/fx.h"
+#include "fx/fx.h"
 
 /* floor(n / d + 1/2) within the range of a tp_fx; |n| <= 2^47, d != 0. */
 static tp_fx quotient(int64_t n, int64_t d)

@@ -4,7 +4,7 @@
  * A frame that looks along -z is turned by its heading about y, lifted by its pitch about
  * its own right, then rolled about its own back.  Rotations are made once a frame and
  * move every vertex, so they get a sine of 27 bits where tp_sin has 17. */
-#include "tidepool/fx.h"
+#include "fx/fx.h"
 
 typedef struct { tp_q30 sin, cos; } pair;
 

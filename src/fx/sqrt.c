@@ -7,7 +7,7 @@
  * all inputs neither result wraps or leaves that range.  Worst relative errors, likewise
  * over all inputs: 2^-30.86 of the reciprocal, 2^-29.82 of the reciprocal root. */
 #include "base/assert.h"
-#include "tidepool/fx.h"
+#include "fx/fx.h"
 
 static const uint16_t recip_table[257] = {
 #include "fx/recip_table.inc"

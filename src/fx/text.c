@@ -7,7 +7,7 @@
  * the point only 14 matter.  Digits are looked at twice: to find the power of ten of
  * the first that is not 0, which the exponent at the far end shifts, and to add up. */
 #include "base/assert.h"
-#include "tidepool/fx.h"
+#include "fx/fx.h"
 #include <stdbool.h>
 #include <stddef.h>
 

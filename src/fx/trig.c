@@ -3,7 +3,7 @@
  * "1024 a turn".  The chord of a step lies below the sine by at most (pi/512)^2 / 8 =
  * 4.7e-6.  Odd and mirrored exactly: sin(-a) = -sin(a), sin(half - a) = sin(a). */
 #include "base/assert.h"
-#include "tidepool/fx.h"
+#include "fx/fx.h"
 
 static const tp_q30 quarter_wave[258] = {
 #include "fx/trig_table.inc"

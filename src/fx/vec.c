@@ -2,7 +2,7 @@
 /* Directions and lengths.  A squared length of 16.16 overflows 32 bits beyond 181 m [G3],
  * so squares are summed in 64 bits, and the sum is normalised by its leading zeros. */
 #include "base/assert.h"
-#include "tidepool/fx.h"
+#include "fx/fx.h"
 
 static uint64_t square(int32_t x)
 {

@@ -14,7 +14,7 @@
 #define TP_GEOM_H
 #include <stdbool.h>
 #include "base/base.h"
-#include "tidepool/fx.h"
+#include "fx/fx.h"
 
 /* A corner as the rasterizer takes it. */
 typedef struct {

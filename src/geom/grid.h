@@ -11,8 +11,8 @@
  * What happens to a crossing is told in geom/vertex.h. */
 #ifndef TP_GEOM_GRID_H
 #define TP_GEOM_GRID_H
+#include "base/arena.h"
 #include "geom/vertex.h"
-#include "tidepool/arena.h"
 
 #define TP_GRID_FLANK 12
 #define TP_GRID_BLOCK 16        /* cells of a row that share a bounding box */

@@ -13,6 +13,7 @@
 #include "geom/geom.h"
 #include "geom/grid.h"
 #include "geom/surface.h"
+#include "wave/wave.h"
 
 /* at + x X + y Y at the centre of pixel (X, Y). */
 typedef struct {

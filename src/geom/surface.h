@@ -4,11 +4,10 @@
  * place.  A part that a scene does not have is NULL or 0 and is not asked. */
 #ifndef TP_GEOM_SURFACE_H
 #define TP_GEOM_SURFACE_H
-#include "tidepool/program.h"
-#include "tidepool/ocean.h"
-#include "tidepool/pool.h"
-#include "tidepool/ring.h"
-#include "tidepool/wave.h"
+#include "pool/pool.h"
+#include "tidepool/modules.h"
+#include "wave/ocean.h"
+#include "wave/ring.h"
 
 typedef struct {
     const tp_waters *by; /* the program's; what it lacks is not here */

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* CRC-32 (IEEE 802.3), a byte at a time by a table. */
 #include "base/assert.h"
-#include "tidepool/pixel.h"
+#include "pixel/pixel.h"
 
 static const uint32_t of_byte[256] = {
 #include "pixel/crc32_table.inc"

@@ -2,7 +2,7 @@
 /* The formats' names and sizes, the palette, and reading pixels back. */
 #include "base/base.h"
 #include "base/text.h"
-#include "tidepool/pixel.h"
+#include "pixel/pixel.h"
 
 static const struct { const char *name; int bits; } formats[TP_FORMAT_COUNT] = {
 #define X(format, name, bits, text) [TP_FORMAT_##format] = { #name, bits },

@@ -10,7 +10,6 @@
 #include "base/base.h"
 #include "pixel/rgb565.h"
 #include "pixel/toned.h"
-#include "tidepool/program.h"
 
 static const uint8_t bayer[8][8] = {
     {  0, 32,  8, 40,  2, 34, 10, 42 },

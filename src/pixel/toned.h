@@ -4,6 +4,7 @@
 #ifndef TP_PIXEL_TONED_H
 #define TP_PIXEL_TONED_H
 #include "pixel/rgb565.h"
+#include "tidepool/modules.h"
 
 typedef struct {
     uint8_t five[256], six[256];        /* levels of red and blue, and of green */

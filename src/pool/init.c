@@ -4,6 +4,7 @@
  * The sponge of [C15]: in its outer W cells, d cells from the edge, a cell loses
  * delta = dmax ((W - d) / W)^2 of its motion a tick, rounded to a power of 2 and no less
  * than the field's own.  dmax = 8 / W, at most 1/2: the two measured sponges of [C15]. */
+#include "base/fail.h"
 #include "pool/pool.h"
 #include "base/base.h"
 #include "base/given.h"

@@ -6,7 +6,6 @@
  * piece's own ends, and linear between.  Every piece counts from its own upper end,
  * wherever the tile begins. */
 #include "raster/piece.h"
-#include "tidepool/fx.h"
 
 #define FEW  2                  /* rows up to which each is worked out for itself */
 #define DEEP 4                  /* rows from which on perspective is asked for */

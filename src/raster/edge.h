@@ -3,7 +3,6 @@
 #ifndef TP_RASTER_EDGE_H
 #define TP_RASTER_EDGE_H
 #include "base/base.h"
-#include "tidepool/fx.h"
 
 /* First row whose centre lies at or below v, and likewise for columns: ceil(v - 1/2). */
 TP_ALWAYS_INLINE int32_t tp_first_centre(int32_t v_28_4)

@@ -3,10 +3,12 @@
  * the combinations that no single row can tell.  A scene of a file comes row by row
  * through tp_param_set, which holds the same ranges. */
 #include "base/base.h"
+#include "base/fail.h"
 #include "base/given.h"
 #include "scene/parts.h"
 #include "scene/piece.h"
 #include "scene/pools.h"
+#include "scene/value.h"
 
 static tp_status check_number(const tp_scene *scene, const tp_param *row, tp_error *err)
 {

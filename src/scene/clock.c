@@ -3,8 +3,10 @@
  *
  * Per picture a share of 1 - exp(-1/24) of the way to the target is gone; in 40 places
  * no step is lost, until the rest, below 2 LSB of 16.16, is given at once. */
+#include <stdbool.h>
 #include "base/assert.h"
-#include "tidepool/clock.h"
+#include "fx/fx.h"
+#include "scene/clock.h"
 
 #define ONE_Q40   ((int64_t)1 << 40)
 #define SLIDE_Q32 ((int64_t)175279947)      /* 1 - exp(-dt / tau), dt / tau = 1/24 */

@@ -3,7 +3,7 @@
  * are evaluated there; what was stepped is interpolated between its last two ticks. */
 #ifndef TP_SCENE_DRAWN_H
 #define TP_SCENE_DRAWN_H
-#include "tidepool/scene.h"
+#include "scene/world.h"
 
 typedef struct {
     tp_camera camera;           /* in the world, also if it goes with the boat */

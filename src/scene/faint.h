@@ -2,7 +2,7 @@
 /* Waves too faint to be seen, which need not be drawn. */
 #ifndef TP_SCENE_FAINT_H
 #define TP_SCENE_FAINT_H
-#include "tidepool/scene.h"
+#include "wave/wave.h"
 
 #define TP_FAINT_SHARE 4        /* of the budget one part in so many is theirs */
 

@@ -6,8 +6,9 @@
  * the rung above costs here, on this machine and scene; what the frames take now, times
  * their ratio, is what they would take there.  While the load stays as it was that is
  * above the limit, and the governor stays; it cannot swing. */
+#include <stdbool.h>
 #include "base/assert.h"
-#include "tidepool/plan.h"
+#include "scene/plan.h"
 
 #define WINDOW 8                /* frames */
 #define CALM   8                /* windows with room, before a step up */

@@ -3,7 +3,9 @@
 #include "scene/module.h"
 #include "base/assert.h"
 #include "base/base.h"
+#include "base/fail.h"
 #include "scene/parts.h"
+#include "scene/program.h"
 
 /* Before a module's state, which follows it, aligned to 8. */
 typedef struct {

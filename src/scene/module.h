@@ -3,16 +3,31 @@
  * asks: when the feature is on, its state, how it moves.  frame/drawing.h has the part
  * that a picture asks.
  *
- * A program lists its modules (tp_use, tidepool/program.h); the list's order is the order of
+ * A program lists its modules (tp_use, tidepool/modules.h); the list's order is the order of
  * memory, of steps and of drawing.  A world keeps each module's state as a chunk, an id and
  * a length before the state's bytes, so that a copy of the block says what is in it. */
 #ifndef TP_SCENE_MODULE_H
 #define TP_SCENE_MODULE_H
+#include "base/arena.h"
 #include "geom/surface.h"
 #include "scene/prices.h"
-#include "tidepool/arena.h"
-#include "tidepool/program.h"
-#include "tidepool/scene.h"
+
+/* What an impact does to the water; the caller gives it to rings or to a pool. */
+typedef struct {
+    tp_fx   x, z;
+    int64_t time;           /* ticks x 65536: inside the step */
+    tp_fx   amplitude;      /* A0 [D4], m, capped at L / 14 [B14] */
+    int32_t uncapped_q24;   /* A0 before that, saturated: late ones are a few LSB high */
+    tp_fx   length;         /* L = 8 radii */
+    tp_fx   lost;           /* energy [D3], J, saturated */
+} tp_impact;
+
+/* The pictures that NULL assets stand for. */
+static inline const tp_assets *tp_scene_pictures(const tp_scene *scene,
+                                                 const tp_assets *assets)
+{
+    return assets ? assets : scene->pictures;
+}
 
 #define TP_MODULE_ID(a, b, c, d) \
     ((uint32_t)(a) << 24 | (uint32_t)(b) << 16 | (uint32_t)(c) << 8 | (uint32_t)(d))

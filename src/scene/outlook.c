@@ -11,7 +11,7 @@
 #include "scene/prices.h"
 #include "scene/sides.h"
 #include "scene/stand.h"
-#include "wave/ocean.h"
+#include "wave/ocean_tables.h"
 
 #define RAYS   32               /* each way */
 #define BAND   16               /* rows of a tile, as a board draws */

@@ -4,8 +4,19 @@
 #define TP_SCENE_PARTS_H
 #include "geom/surface.h"
 #include "scene/module.h"
-#include "tidepool/arena.h"
-#include "tidepool/scene.h"
+#include "scene/world.h"
+
+/* TP_OK: worlds and frames of this program take this scene; every init, their byte counts
+ * and tp_world_apply ask it.  NULL assets are none.
+ *  - TP_E_NULL: err->word is the argument
+ *  - as tp_scene_check, if the program has it
+ *  - TP_E_PROGRAM: the scene has a module on that the program names in its `lacks`;
+ *    err->word is that name, as `tidepool bake --with` takes it.  Fast stages are lacking
+ *    only if quality.shading names them: a plan takes exact ones then. */
+tp_status tp_program_fits(const tp_program *program, const tp_scene *scene,
+                          const tp_assets *assets, tp_error *err);
+
+const tp_ocean *tp_world_ocean(const tp_world *world);
 
 #define TP_OCEAN_ID TP_MODULE_ID('o', 'c', 'e', 'a')
 

@@ -17,6 +17,7 @@
 #include "geom/waters.h"
 #include "scene/drawn.h"
 #include "scene/parts.h"
+#include "scene/program.h"
 #include "scene/sides.h"
 
 #define FAR   (8000 * TP_FX_ONE)

@@ -3,6 +3,7 @@
 #include "scene/piece.h"
 #include "base/base.h"
 #include "base/text.h"
+#include "fx/fx.h"
 
 tp_piece tp_piece_trimmed(tp_piece piece)
 {

@@ -5,7 +5,6 @@
 #define TP_SCENE_PIECE_H
 #include <stdbool.h>
 #include <stddef.h>
-#include "tidepool/fx.h"
 #include "tidepool/status.h"
 
 typedef struct { const char *text; size_t bytes; } tp_piece;

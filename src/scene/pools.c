@@ -2,6 +2,7 @@
 /* The two pools of a scene; see the header. */
 #include "scene/pools.h"
 #include "base/base.h"
+#include "base/fail.h"
 #include "base/text.h"
 
 tp_pool_config tp_pools_config(const tp_scene *scene, const tp_assets *assets, bool field)

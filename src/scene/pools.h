@@ -4,7 +4,11 @@
 #ifndef TP_SCENE_POOLS_H
 #define TP_SCENE_POOLS_H
 #include "scene/module.h"
-#include "tidepool/pool.h"
+
+/* -- the parts, or NULL ------------------------------------------------------------ */
+
+const tp_pool  *tp_world_pool(const tp_world *world);
+const tp_pool  *tp_world_field(const tp_world *world);
 
 #define TP_POOL_ID  TP_MODULE_ID('p', 'o', 'o', 'l')
 #define TP_FIELD_ID TP_MODULE_ID('f', 'i', 'e', 'l')

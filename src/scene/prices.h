@@ -4,8 +4,8 @@
  * assets/charts/prices.csv. */
 #ifndef TP_SCENE_PRICES_H
 #define TP_SCENE_PRICES_H
-#include "tidepool/program.h"
-#include "tidepool/plan.h"
+#include "scene/plan.h"
+#include "tidepool/modules.h"
 
 enum { TP_KIND_VISIBILITY, TP_KIND_SHADING, TP_KIND_RATE, TP_KIND_LOD };
 enum { TP_VISIBILITIES = 4, TP_SHADINGS = 2, TP_RATES = 3, TP_LODS = 2 };

@@ -1,9 +1,11 @@
 /* SPDX-License-Identifier: MIT */
 /* An application pushes the water between ticks.  tp_input.push does so within a tick. */
 #include "base/base.h"
+#include "features/drops/drops.h"
 #include "geom/waters.h"
 #include "scene/parts.h"
 #include "scene/pools.h"
+#include "scene/program.h"
 
 #define RING_MOST   (4 * TP_FX_ONE)  /* m, of a ring's height */
 #define RADIUS_MOST (16 * TP_FX_ONE) /* m: a quarter of the longest ring */

@@ -4,6 +4,7 @@
 #include "base/base.h"
 #include "geom/waters.h"
 #include "scene/parts.h"
+#include "scene/program.h"
 
 /* Rings as they lay at `time`. */
 static tp_fx rings_at(const tp_surface *s, int64_t time, tp_fx x, tp_fx z)

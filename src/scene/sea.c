@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* The scene of a first program: a gentle sea of three waves under a sunny sky, with a
  * built-in picture of its ripples, 1364 bytes. */
-#include "tidepool/scene.h"
+#include "tidepool/assets.h"
 
 #include "scene/sea_ripple.inc"
 

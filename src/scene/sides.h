@@ -2,6 +2,7 @@
 /* The bounds of a scene's water: its pool's sides, a tank around them, a floor. */
 #ifndef TP_SCENE_SIDES_H
 #define TP_SCENE_SIDES_H
+#include "fx/fx.h"
 #include "tidepool/scene.h"
 
 /* A level rectangle, in the world's metres. */

@@ -1,9 +1,11 @@
 /* SPDX-License-Identifier: MIT */
 /* Tapes: one table names the numbers of tp_input; lines are written and read by it. */
-#include "tidepool/tape.h"
 #include "base/base.h"
+#include "base/fail.h"
 #include "base/text.h"
+#include "fx/fx.h"
 #include "scene/piece.h"
+#include "scene/tape.h"
 
 typedef struct {
     const char *name;

@@ -1,9 +1,12 @@
 /* SPDX-License-Identifier: MIT */
 /* A parameter's value from its text and back, by its row of the table (features/all_rows.c). */
 #include "base/base.h"
+#include "base/fail.h"
+#include "base/given.h"
 #include "base/text.h"
+#include "fx/fx.h"
 #include "scene/piece.h"
-#include "tidepool/scene.h"
+#include "scene/value.h"
 
 /* ---- text to value ----------------------------------------------------------- */
 
@@ -121,6 +124,19 @@ static tp_status set_number(tp_scene *scene, const tp_param *param, tp_piece w)
     if (status == TP_OK)
         *(int32_t *)value_of(scene, param) = value;
     return status;
+}
+
+tp_status tp_scene_set(tp_scene *scene, const char *name, const char *value, tp_error *err)
+{
+    const void *const given[] = { scene, name, value };
+    const char *const names[] = { "scene", "name", "value" };
+    for (int i = 0; i < 3; i++)
+        if (tp_given_check(given[i], names[i], err) != TP_OK)
+            return TP_E_NULL;
+    const tp_param *param = tp_param_find(name, tp_text_length(name));
+    if (!param)
+        return tp_error_blame(err, TP_FAIL(err, TP_E_NAME, 0, 0, 0), name);
+    return tp_param_set(scene, param, value, tp_text_length(value), err);
 }
 
 tp_status tp_param_set(tp_scene *scene, const tp_param *param, const char *text,

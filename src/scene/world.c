@@ -2,12 +2,14 @@
 /* The world: what of a scene moves, tick by tick.  Nothing here knows that it is
  * drawn. */
 #include "base/base.h"
+#include "base/fail.h"
 #include "base/given.h"
 #include "geom/waters.h"
 #include "scene/drawn.h"
 #include "scene/light.h"
 #include "scene/module.h"
 #include "scene/parts.h"
+#include "scene/program.h"
 
 #define PITCH_MOST TP_DEG(89)
 #define EYE_MOST   (8000 * TP_FX_ONE)
@@ -196,6 +198,11 @@ void tp_world_step(const tp_program *program, tp_world *world, const tp_scene *s
 static uint64_t ticks_for(const tp_clock *clock)
 {
     return tp_clock_ticks(clock) + (tp_clock_fraction(clock) > 0);
+}
+
+uint64_t tp_world_tick(const tp_world *world)
+{
+    return world->tick;
 }
 
 uint32_t tp_world_advance_clock(tp_world *world)

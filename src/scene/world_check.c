@@ -5,11 +5,13 @@
  * Layout, sea, floor and tables follow from the scene, so they must be those of a world
  * that was made of it.  What ticks change is checked by the file that owns it. */
 #include "base/base.h"
+#include "base/fail.h"
 #include "base/given.h"
 #include "scene/drawn.h"
 #include "scene/light.h"
 #include "scene/module.h"
 #include "scene/parts.h"
+#include "scene/program.h"
 
 #define TICKS_MOST ((uint64_t)1 << 40)  /* 580 years: times in ticks x 65536 fit 64 bits */
 

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* How fast a tint takes light: its binary logarithm over the metres it is meant for. */
 #include "shade/absorb.h"
+#include "fx/fx.h"
 
 const uint16_t tp_absorb_fall[65] = {
 #include "shade/fall_table.inc"

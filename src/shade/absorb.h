@@ -7,7 +7,7 @@
 #ifndef TP_SHADE_ABSORB_H
 #define TP_SHADE_ABSORB_H
 #include "base/base.h"
-#include "tidepool/fx.h"
+#include "tidepool/fixed.h"
 
 typedef struct {
     uint32_t halvings[3];       /* a metre, of red, green and blue; Q16.16 */

@@ -2,6 +2,7 @@
 /* Rays of sight in the water: where they begin, and what they meet (see inside.h). */
 #ifndef TP_SHADE_BEAM_H
 #define TP_SHADE_BEAM_H
+#include "fx/fx.h"
 #include "shade/shade.h"
 
 #define TP_INSIDE_FAR (16000 * TP_FX_ONE)

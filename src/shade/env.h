@@ -13,6 +13,7 @@
 #ifndef TP_SHADE_ENV_H
 #define TP_SHADE_ENV_H
 #include "shade/depth.h"
+#include "tidepool/assets.h"
 
 /* -- the gradient: below the horizon it is the horizon's -------------------------------- */
 

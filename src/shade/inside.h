@@ -15,8 +15,7 @@
 #define TP_SHADE_INSIDE_H
 #include <stdbool.h>
 #include "shade/absorb.h"
-#include "tidepool/asset.h"
-#include "tidepool/ocean.h"
+#include "wave/ocean.h"
 
 /* A picture laid over still things in world metres, or a plain colour. */
 typedef struct {

@@ -2,8 +2,7 @@
 /* The water's drifting pictures: what a frame says of them. */
 #ifndef TP_SHADE_LAYER_H
 #define TP_SHADE_LAYER_H
-#include "tidepool/asset.h"
-#include "tidepool/fx.h"
+#include "tidepool/assets.h"
 
 /* A texture as a stage samples it. */
 typedef struct {

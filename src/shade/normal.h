@@ -3,7 +3,7 @@
 #ifndef TP_SHADE_NORMAL_H
 #define TP_SHADE_NORMAL_H
 #include "asset/mesh.h"
-#include "tidepool/fx.h"
+#include "fx/fx.h"
 
 typedef struct {
     int32_t x, y, z;            /* Q1.14, or any format where said */

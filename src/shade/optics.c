@@ -4,7 +4,7 @@
  * Rays are worked out without a case of their own for grazing light.  With ci = -N.I the
  * refracted T = eta I + (eta ci - ct) N has |T|^2 = eta^2 + ct^2 - eta^2 ci^2 = 1 and
  * N.T = -ct <= -0.66 whatever the sign of ci: always a unit vector into the water. */
-#include "tidepool/light.h"
+#include "shade/optics.h"
 
 #define INDEX    TP_Q30(TP_WATER_INDEX)
 #define ETA      TP_Q30(TP_WATER_ETA)

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Water without a picture. */
 #include "shade/shade.h"
+#include "tidepool/modules.h"
 
 void tp_stage_plain(const tp_shade *shade, tp_run *run)
 {

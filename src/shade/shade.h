@@ -25,9 +25,6 @@
 #include "shade/layer.h"
 #include "shade/skies.h"
 #include "shade/wide.h"
-#include "tidepool/asset.h"
-#include "tidepool/fx.h"
-#include "tidepool/program.h"
 
 /* Shorter runs, of 32 or 16, take less stack where that counts: the same bits. */
 #ifndef TP_RUN

@@ -3,7 +3,7 @@
  * looks into them, dome.c and cube.c fill them. */
 #ifndef TP_SHADE_SKIES_H
 #define TP_SHADE_SKIES_H
-#include "tidepool/asset.h"
+#include "tidepool/assets.h"
 
 #define TP_SKY       256        /* entries: horizon to zenith, by the sine of elevation */
 #define TP_GLOW_STEP 32         /* entries of the glow to a doubling of the square */

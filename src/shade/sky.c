@@ -2,6 +2,7 @@
 /* The plain sky, which every scene without another one has: a gradient from horizon to
  * zenith by the sine of the elevation. */
 #include "shade/shade.h"
+#include "tidepool/modules.h"
 
 /* Entry i is sine i / 256; the zenith's share grows as 1 - (1 - sine)^2: fast near the
  * horizon, where the air is thick. */

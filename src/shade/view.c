@@ -5,6 +5,7 @@
  * sharp lobe would lose an eighth between the knots, and stripes would show.  What is
  * left are cuts to Q1.14. */
 #include "shade/shade.h"
+#include "tidepool/modules.h"
 
 /* right (u - u0) + up (v0 - v) - back focal, towards the scene, turned round; Q30.  Each
  * product has 30 + 18 bits. */

@@ -6,7 +6,7 @@
  * top, the last third of a half turn in front and the last sixteenth behind, moves out
  * along an angle that falls from that tilt to 45 degrees below the level.  All is
  * continuous and has corners at the joints, as printed. */
-#include "wave/ocean.h"
+#include "wave/ocean_tables.h"
 
 #define FRONT 715827883         /* pi / 3 as turns Q0.32 */
 #define BACK  0x70000000        /* 7 pi / 8 */

@@ -13,8 +13,9 @@
  * grows.  Of 16000 random phases the worst was off by 1.9e-4 rad.  What a wave that
  * grazes, kz = k_inf, still feels of deeper floors is left out: 2 e^-12 / slope rad at
  * the most. */
+#include <stdbool.h>
 #include "base/assert.h"
-#include "tidepool/depth.h"
+#include "wave/depth.h"
 #include "wave/exp.h"
 
 #define K_MOST_Q32      ((int64_t)1024 << 32)

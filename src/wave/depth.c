@@ -7,7 +7,7 @@
  * and y/x^2 is T(y) for Eckart's x = y / sqrt(tanh y).  So all that is ever subtracted
  * are numbers between 0 and 1, and the relative error holds down to films of water. */
 #include "base/assert.h"
-#include "tidepool/depth.h"
+#include "wave/depth.h"
 #include "wave/exp.h"
 
 #define PI_Q32 13493037705              /* 2^32 pi */

@@ -8,7 +8,7 @@
  * is taken half a step back, towards the neighbour where it differs more, which makes a
  * straight shore second order.  All waves behind an obstacle are those that come
  * first. */
-#include "wave/ocean.h"
+#include "wave/ocean_tables.h"
 
 #define UNKNOWN INT64_MAX
 #define ROUNDS  16

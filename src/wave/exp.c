@@ -6,6 +6,7 @@
  * power series take the lines' place: three products more, no byte more.  tanh then
  * follows from e^-2x and needs no table of its own. */
 #include "wave/exp.h"
+#include "fx/fx.h"
 
 static const uint32_t power[64] = {
 #include "wave/exp_table.inc"

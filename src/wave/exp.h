@@ -4,7 +4,7 @@
 #ifndef TP_WAVE_EXP_H
 #define TP_WAVE_EXP_H
 #include <stdint.h>
-#include "tidepool/depth.h"
+#include "tidepool/fixed.h"
 #include "wave/scaled.h"
 
 /* e^-x as Q0.32, 2^32 - 1 at 0; within 2^-30; 0 from 23 on. */

@@ -3,7 +3,7 @@
  * normals summed before they are made unit vectors, give exactly the differences across:
  * N = (h(x-d) - h(x+d), 2d, h(z-d) - h(z+d)). */
 #include "base/assert.h"
-#include "tidepool/wave.h"
+#include "wave/wave.h"
 
 tp_relief tp_five_heights(tp_fx middle, const tp_fx around[4], tp_fx spacing)
 {

@@ -4,8 +4,7 @@
  * A picture's samples lie in the middle of its pixels and are joined bilinearly; beyond
  * the outermost middles the edge goes on level.  Rises are those of the bilinear patch,
  * so they jump from pixel to pixel; tp_ocean keeps smoothed ones. */
-#include "tidepool/ocean.h"
-#include "wave/ocean.h"
+#include "wave/ocean_tables.h"
 
 #define RISE_MAX TP_FX(8)
 

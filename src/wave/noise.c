@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Value noise in integers: heights of a lattice from a mixing of its coordinates, joined
  * by smoothsteps. */
-#include "wave/ocean.h"
+#include "wave/ocean_tables.h"
 
 #define V_CELLS 8
 

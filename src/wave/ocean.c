@@ -7,7 +7,7 @@
  * across their crests.  A crest breaks by its height before the cap of [B15]: the cap
  * holds the height that is drawn, the gate opens as the depth falls below what the wave
  * would need. */
-#include "wave/ocean.h"
+#include "wave/ocean_tables.h"
 #include "wave/wave.h"
 
 #define QUARTER 0x40000000u

@@ -1,193 +1,219 @@
 /* SPDX-License-Identifier: MIT */
-/* What the parts of the ocean share: its tables are made in ocean_init.c,
- * ocean_tables.c and ocean_map.c, and read in ocean.c. */
+/* Waves over a sea floor and under wind, [B1]-[B20] of the models.
+ *
+ * Each swell of a tp_sea feels the depth: its period stays, its length shortens, its
+ * height shoals, its crests turn towards the shore, its orbits flatten and rise with the
+ * bottom, and where it is too high for its depth its crest stretches, overhangs and
+ * falls.  What depends on depth alone is tabulated once; the phase integral [B8] too.
+ * A wave's `length` is that of deep water.
+ *
+ * Q k A holds on deep water.  Elsewhere the orbits at each depth are narrowed by one
+ * factor where their sum k Q r Sx would pass 0.95 [A11] [B13].  Slopes below 2^-12 are
+ * level.  Heights follow refraction [B7] over straight floors; over maps they follow
+ * depth alone. */
 #ifndef TP_WAVE_OCEAN_H
 #define TP_WAVE_OCEAN_H
-#include "base/base.h"
-#include "tidepool/ocean.h"
+#include <stdbool.h>
+#include "tidepool/assets.h"
+#include "wave/depth.h"
+#include "wave/wave.h"
 
-/* -- places and ways --------------------------------------------------------------- */
-
-/* A unit vector on the ground. */
-typedef struct {
-    tp_q30 x, z;
-} tp_way;
-
-tp_way tp_way_of(tp_fx heading_degrees);
-tp_fx  tp_way_along(tp_way way, tp_fx x, tp_fx z);  /* metres of a place; saturates */
-
-static inline tp_q30 tp_way_dot(tp_way a, tp_way b)
-{
-    return (tp_q30)(((int64_t)a.x * b.x + (int64_t)a.z * b.z + (1 << 29)) >> 30);
-}
-
-/* Between a and b, part of the way in Q16; their difference fits an int32_t. */
-static inline int32_t tp_ocean_mix(int32_t a, int32_t b, int32_t part)
-{
-    return a + (int32_t)(((int64_t)(b - a) * part + 0x8000) >> 16);
-}
-
-/* -- depths of the tables -------------------------------------------------------------
- *
- * Eight (for phases 32) depths an octave: the leading bits of h name the node, those
- * behind them the part, so neither a root nor a division is needed. */
-
-#define TP_OCEAN_FIRST 12       /* 1/16 m is 2^12 in 16.16 ... */
-#define TP_OCEAN_LAST  27       /* ... and 2048 m is 2^27 */
-
-/* Whether waves so stretched may hang over: where the bed rises at all. */
-static inline bool tp_may_break(tp_fx stretch, tp_fx slope, bool mapped)
-{
-    return stretch > 0 && (slope > 0 || mapped);
-}
+/* -- the floor --------------------------------------------------------------------- */
 
 typedef struct {
-    uint32_t depth, phase;          /* the nodes above */
-    int32_t  depth_part, phase_part;/* Q16 */
-} tp_ocean_where;
+    tp_fx depth;            /* m at the origin, of still water; 0: no floor, deep sea */
+    tp_fx slope;            /* rise of the floor per metre, 0..1 ... */
+    tp_fx heading;          /* ... towards this, degrees clockwise from -z */
+    const tp_grey *map;     /* or a picture of its heights, north (-z) up, 1 to 4096
+                               pixels a side; NULL: none */
+    tp_fx map_x, map_z;     /* m: its centre */
+    tp_fx map_size;         /* m from its left to its right side, 1..8000 */
+    tp_fx map_low, map_high;/* m of the floor at black and white; the level is 0 */
+} tp_floor;
 
-/* Of a depth > 0. */
-static inline tp_ocean_where tp_ocean_where_of(tp_fx h)
-{
-    TP_ASSERT(h > 0);
-    if (h < 1 << TP_OCEAN_FIRST)
-        return (tp_ocean_where){ 0, 0, h * 16, h * 16 };
-    if (h >= 1 << TP_OCEAN_LAST)
-        return (tp_ocean_where){ TP_OCEAN_DEPTHS - 2, TP_OCEAN_PHASES - 2,
-                                 TP_FX_ONE, TP_FX_ONE };
-    const int zeros = tp_clz((uint32_t)h);
-    const uint32_t octave = (uint32_t)(31 - zeros - TP_OCEAN_FIRST);
-    const uint32_t rest = (uint32_t)h << zeros << 1;    /* without the leading one */
-    return (tp_ocean_where){ 1 + 8 * octave + (rest >> 29),
-                             1 + 32 * octave + (rest >> 27), (int32_t)(rest << 3 >> 16),
-                             (int32_t)(rest << 5 >> 16) };
-}
-
-/* The depth of node i when 2^bits nodes are an octave. */
-static inline tp_fx tp_ocean_node_depth(uint32_t i, int bits)
-{
-    TP_ASSERT(i <= TP_OCEAN_PHASES && (bits == 3 || bits == 5));
-    if (i == 0)
-        return 0;
-    const uint32_t in = (i - 1) & ((1u << bits) - 1), octave = (i - 1) >> bits;
-    return (tp_fx)(((1u << bits) + in) << (TP_OCEAN_FIRST - bits + (int)octave));
-}
-
-/* -- orbits and breaking ----------------------------------------------------------- */
-
-/* Sx and Sy of [B12], 8.24.  Sx <= 2^7 and a bit at 1/16 m with the default rates; both
- * are held, Sx to 2^13 and Sy to 2, for rates that nobody means. */
+/* Depth below the level of still water, 16.16; <= 0 is land, TP_FX_MAX no floor.  Outside
+ * of a map its edge goes on. */
 typedef struct {
-    int64_t x_q24, y_q24;
-} tp_orbit_scale;
-tp_orbit_scale tp_orbit_scale_of(tp_fx depth, tp_fx kx, tp_fx ky);
+    tp_fx depth;
+    tp_fx rise_x, rise_z;   /* of the floor per metre, +-8 */
+} tp_floor_at;
+tp_floor_at tp_floor_under(const tp_floor *floor, tp_fx x, tp_fx z);
 
-/* e^-K h as Q0.32. */
-uint32_t tp_orbit_fall(tp_fx rate, tp_fx depth);
+/* -- the waves over it ------------------------------------------------------------- */
 
-/* sqrt(1 - s^2). */
-tp_q30 tp_cos_of_sin(tp_q30 sin);
-
-/* The orbit at a phase.  The semi-axis `up` counts along the way no more than `along`:
- * with Q < 1 it may be the longer one, and k along bounds the way's Jacobian [B13]. */
-static inline tp_offset tp_orbit_at(const tp_ellipse *o, tp_turn phi)
-{
-    const int32_t a = tp_q30_mul(o->along, tp_sin(phi));
-    const tp_q30 cos = tp_cos(phi);
-    const int32_t b = -tp_q30_mul(o->up, cos);
-
-    if (o->sin == 0)
-        return (tp_offset){ a, b };
-    const int32_t level = o->up <= o->along ? b : -tp_q30_mul(o->along, cos);
-    return (tp_offset){ tp_q30_mul(a, o->cos) - tp_q30_mul(level, o->sin),
-                        tp_q30_mul(a, o->sin) + tp_q30_mul(b, o->cos) };
-}
-
-/* H / h at which the gate may begin to open, with all of the noise: 0.6 / 1.5. */
-#define TP_OCEAN_RATIO_LEAST TP_FX(0.3999)
-
-/* -- noise ------------------------------------------------------------------------- */
-
-/* Value noise in -1..1, 16.16: random heights at whole u and v, joined smoothly.  u and v
- * are Q16; u repeats after 2^16, v after 8 cells. */
-tp_fx tp_noise(uint32_t u_q16, uint32_t v_q16, uint32_t seed);
-
-/* -- the eikonal equation ---------------------------------------------------------- */
-
-/* |grad S| = k over cols x rows square cells.  `turns[i]` goes in as the phase, Q32.32,
- * on the edges where waves come in and as INT64_MAX elsewhere, and comes out as the
- * earliest phase everywhere.  `ray[i].turns` holds k times the step, as unsigned turns
- * Q8.24. */
-void tp_eikonal_solve(int64_t *turns, const tp_ocean_ray *ray, uint32_t cols,
-                      uint32_t rows);
-
-/* -- making ------------------------------------------------------------------------ */
-
-/* The numbers of a wave that the tables are made from. */
 typedef struct {
-    int64_t k_inf_q32;
-    int64_t kz_q32;             /* along a straight shore [B9] */
-    tp_way  way;
-    tp_fx   amplitude, reach;   /* A and QA of deep water */
-    tp_fx   length;
-} tp_ocean_swell;
+    tp_floor floor;
+    tp_fx wind;             /* lambda of [B10], rad/m, 0..1 */
+    tp_fx wind_heading;     /* degrees: where it blows to */
+    tp_fx k0, kx, ky;       /* of the orbits [B12], 1/m, 0..4; usually 0.1, 0.11, 0.09 */
+    tp_fx stretch;          /* of breaking crests, of the type's own [B20], 0..2 */
+    tp_fx irregular;        /* of crests by noise, 0..1 */
+} tp_ocean_config;
 
-/* k at a depth, or at 1/16 m where it is less: below 29 rad/m for waves of 0.25 m. */
-static inline int64_t tp_ocean_number_at(int64_t k_inf_q32, tp_fx depth)
-{
-    return tp_depth_number_exact(k_inf_q32,
-                                 depth < TP_DEPTH_LEAST ? TP_DEPTH_LEAST : depth);
-}
+/* Private: what one wave is at a depth.  Nodes stand at 0 and at eight depths an octave
+ * from 1/16 to 2048 m, where the sea counts as deep. */
+#define TP_OCEAN_DEPTHS (1 + 8 * 15 + 1)
+#define TP_OCEAN_PHASES (1 + 32 * 15 + 1)
 
-/* Turns a metre, Q31.32, of a wave number: over 2 pi.  k < 2^5, so the product fits. */
-static inline int64_t tp_ocean_turns(int64_t k_q32)
-{
-    return (k_q32 * 42722830 + (1 << 27)) >> 28;        /* 2^28 / 2 pi */
-}
-
-/* x y / 2^30 of an x of any size; within two of its units. */
-static inline int64_t tp_ocean_part(int64_t x, tp_q30 y)
-{
-    return ((x >> 16) * y >> 14) + ((x & 0xffff) * y >> 30);
-}
-
-/* sqrt(k^2 - kz^2) for |kz| <= k; else 0. */
-int64_t tp_ocean_across(int64_t k_q32, int64_t kz_q32);
-
-/* k (x, z) over a floor that rises towards `up`: Snell [B9] keeps what is along its
- * contours.  up (0, 0): straight on. */
 typedef struct {
-    int64_t x_q32, z_q32;
-} tp_ocean_number;
-tp_ocean_number tp_ocean_bent(const tp_ocean_swell *swell, tp_way up, int64_t k_q32);
+    tp_fx   along, up;      /* semi-axes of its orbit, m */
+    tp_fx   ratio;          /* of its height, before the cap, to the depth */
+    tp_fx   lip;            /* r e^-Kd h [B19], m */
+    tp_q30  way_x, way_z;   /* a straight floor: where it travels to */
+    int16_t tilt_sin, tilt_cos;     /* ... and the tilt of its orbit [B11], Q1.14 */
+    int16_t steep;          /* 0..1, Q1.14: how far it breaks by steepness [B14] */
+    int16_t spare;
+} tp_ocean_depth;
 
-/* Tables begin where the head ends. */
-_Static_assert(sizeof(tp_ocean) % _Alignof(tp_ocean_table) == 0, "tables are aligned");
+/* Private: the numbers that a table, and the rest of an ocean, were made of. */
+typedef struct { tp_fx length, heading, amplitude, reach_x, reach_z; } tp_ocean_swell_key;
+typedef struct {
+    tp_fx depth, slope, heading, map_x, map_z, map_size, map_low, map_high;
+} tp_ocean_floor_key;
+typedef struct {
+    tp_fx wind, wind_heading, k0, kx, ky, stretch, irregular;
+} tp_ocean_model_key;
 
-static inline tp_ocean_table *tp_ocean_tables(const tp_ocean *ocean)
-{
-    return (tp_ocean_table *)(ocean + 1);
-}
+typedef struct {
+    tp_ocean_depth depth[TP_OCEAN_DEPTHS];
+    int32_t turns[TP_OCEAN_PHASES]; /* a straight floor: phase beyond deep water's, Q16 */
+    tp_ocean_swell_key key;
+} tp_ocean_table;
 
-tp_ocean_bed *tp_ocean_beds(const tp_ocean *ocean);
-tp_ocean_ray *tp_ocean_rays(const tp_ocean *ocean, const tp_ocean_wave *wave);
+/* Private: a node of a map's floor, and of a wave over it. */
+typedef struct {
+    tp_fx   depth;
+    int16_t rise_x, rise_z; /* Q4.11 */
+} tp_ocean_bed;
 
-void tp_ocean_make_table(tp_ocean *ocean, uint32_t i, const tp_ocean_swell *swell,
-                         const tp_ocean_config *config);
-void tp_ocean_make_phases(tp_ocean *ocean, uint32_t i, const tp_ocean_swell *swell);
-void tp_ocean_share(tp_ocean *ocean);
+typedef struct {
+    int32_t turns;          /* phase beyond deep water's, Q16 */
+    int16_t way_x, way_z;   /* where it travels to, less where it came from, Q2.13 */
+} tp_ocean_ray;
 
-/* The sine of the steepest tilt of a map's floor, Q14; and the bounds of a swell whose
- * table and phases are there, which add to the ocean's. */
-int32_t tp_ocean_tilt_most(const tp_ocean *ocean);
-void tp_ocean_bound(tp_ocean *ocean, uint32_t i, int32_t tilt);
+/* Private: a wave. */
+typedef struct {
+    int64_t  turns_x, turns_z;      /* of deep water, turns per metre, Q0.32 */
+    tp_q30   way_x, way_z;          /* where it travels to on deep water */
+    tp_fx    lambda;                /* of the wind on it, rad/m */
+    int32_t  iterations;            /* of [B10]; one number for all depths */
+    tp_fx    stretch, plunge;       /* of its breaker type and the config's [B20] */
+    uint32_t rays;                  /* byte offset of its nodes over a map */
+    uint32_t calm;                  /* from this depth's node on it does not break */
+} tp_ocean_wave;
 
-void tp_ocean_make_beds(tp_ocean *ocean, const tp_floor *floor);
-void tp_ocean_make_rays(tp_ocean *ocean, uint32_t i, const tp_ocean_swell *swell,
-                        int64_t *turns);
-tp_q30 tp_ocean_beach(const tp_ocean *ocean, tp_fx amplitude);
+/* Plain data without pointers.  This head is followed by a tp_ocean_table for each wave,
+ * then by what a map needs.  Open in layout so that a board can place it; read by the
+ * functions below alone. */
+typedef struct tp_ocean {
+    uint32_t count;
+    tp_fx    depth, slope;          /* straight: at the origin, and rise a metre ... */
+    tp_q30   up_x, up_z;            /* ... towards this */
+    tp_fx    irregular;
+    tp_fx    reach, height;
+    int64_t  map_x, map_z;          /* 16.16 m of its north-west node */
+    uint32_t map_cols, map_rows;    /* nodes; 0: no map */
+    uint32_t map_step;              /* m between nodes, 16.16 */
+    uint32_t beds;                  /* byte offset of the floor's nodes */
+    uint64_t map_per_step;          /* 2^48 / map_step */
+    uint32_t fall[TP_OCEAN_DEPTHS]; /* e^-K0 h [B11], Q0.32 */
+    tp_ocean_wave wave[TP_WAVES];
+    tp_ocean_floor_key floor_key;
+    tp_ocean_model_key model_key;
+} tp_ocean;
 
-/* ocean.c: the depth, m, up to which crests foam by breaking alone; in deeper water they
- * foam where they are squeezed. */
-tp_fx tp_ocean_breaking_depth(const tp_ocean *ocean);
+/* Of the block of an ocean without a map, for those who place it themselves. */
+#define TP_OCEAN_STRAIGHT_BYTES(waves) \
+    ((sizeof(tp_ocean) + (waves) * sizeof(tp_ocean_table) + 7) / 8 * 8)
+
+/* Of the block, aligned to 8: a matter of the sea's count of swells and of the map's
+ * sides alone, so that waves may change in place.  0: the map has a side of 0 pixels, or
+ * of more than 4096. */
+size_t tp_ocean_bytes(const tp_ocean_config *config, const tp_sea *sea);
+
+/* Builds the tables; may take a while on small processors.  The sea's swells, in their
+ * order, are the ocean's; `waves` and `count` are those that made it.  Their `power`
+ * does not count: all are trochoids.  The config's map is read now and not kept.
+ * TP_E_NULL, TP_E_ALIGN: of the argument err->word; the block is aligned to 8.
+ * TP_E_ARG: the map has a side of 0 or of more than 4096 pixels, or a size outside of
+ * 1..8000 m; or the waves did not make this sea.  Other numbers are held in their
+ * ranges. */
+tp_status tp_ocean_init(tp_ocean *ocean, const tp_ocean_config *config,
+                        const tp_sea *sea, const tp_wave *waves, uint32_t count,
+                        tp_error *err);
+
+/* Makes again what depends on numbers that have changed since the ocean was made: the
+ * block is then what tp_ocean_init makes of them, byte for byte.  The floor's nodes
+ * depend on the floor alone, the rays of a swell over a map on the floor and on that
+ * swell's length and heading, everything else on all numbers.  The map is the one that
+ * the ocean was made of.  TP_E_ARG, and nothing is done: as tp_ocean_init says, or the
+ * sea has another count of swells, or the map other sides. */
+tp_status tp_ocean_refresh(tp_ocean *ocean, const tp_ocean_config *config,
+                           const tp_sea *sea, const tp_wave *waves, uint32_t count,
+                           tp_error *err);
+
+typedef struct {
+    tp_vec3 position;       /* of the displaced point, m; may overhang */
+    tp_fx   depth;          /* of still water at its rest; <= 0: dry, and position.y 0 */
+    uint8_t breaking;       /* 0..255: how far its crest is breaking [B14] [B15] */
+} tp_ocean_point;
+
+/* The point whose place at rest is (x0, z0), any place of 16.16, at whose ends a position
+ * is held; `phases` as tp_sea_phases gives them. */
+tp_ocean_point tp_ocean_at_rest(const tp_ocean *ocean, const tp_turn phases[TP_WAVES],
+                                tp_fx x0, tp_fx z0);
+
+/* The same without what overhangs (stretch and displacement), for boats and drops: a
+ * height field wherever sum Q k A < 1. */
+tp_ocean_point tp_ocean_smooth(const tp_ocean *ocean, const tp_turn phases[TP_WAVES],
+                               tp_fx x0, tp_fx z0);
+
+/* No point lies farther from its rest than this, along and up. */
+tp_fx tp_ocean_reach(const tp_ocean *ocean);
+tp_fx tp_ocean_height(const tp_ocean *ocean);
+
+/* Depth under a place, from the ocean's own tables. */
+tp_floor_at tp_ocean_floor(const tp_ocean *ocean, tp_fx x, tp_fx z);
+
+/* -- the models one by one --------------------------------------------------------- */
+
+/* An orbit: its semi-axes, r Sx and r Sy, and the tilt alpha of the first. */
+typedef struct {
+    tp_fx  along, up;
+    tp_q30 sin, cos;
+} tp_ellipse;
+
+/* Along the way of travel, and up; m from the rest. */
+typedef struct {
+    tp_fx along, up;
+} tp_offset;
+
+/* [B11]-[B13] of a wave of amplitude r (0..64 m) and wave number k over a floor that
+ * rises at the angle gamma along its way; k0, kx, ky as in the config. */
+tp_ellipse tp_orbit_of(tp_fx r, tp_fx depth, tp_turn gamma, int64_t k_q32, tp_fx k0,
+                       tp_fx kx, tp_fx ky);
+
+/* The particle's offset at phase Phi, which is 0 in the trough [A7]. */
+tp_offset tp_orbit(const tp_ellipse *orbit, tp_turn phi);
+
+/* The phase of the orbit's lowest point [B16]. */
+tp_turn tp_orbit_lowest(const tp_ellipse *orbit);
+
+/* smoothstep(0.6, 0.78, H / h), 16.16. */
+tp_fx tp_breaking_gate(tp_fx height_over_depth);
+
+/* A crest that breaks [B17]-[B19]: `stretch` is St_max and `lip` 2 r, in m. */
+typedef struct {
+    tp_ellipse orbit;
+    tp_fx stretch, lip;             /* 0..128 m */
+    tp_fx kept_stretch, kept_lip;   /* of them in the offset, 0..1: e^-Kh and the gate */
+} tp_breaker;
+
+typedef struct {
+    int32_t   p;                    /* Phi - Phi_min, turns Q0.32, -1/2..1/2 */
+    tp_fx     stretch, displacement;/* m, whole */
+    int32_t   orientation;          /* turns, Q0.32 */
+    tp_offset offset;               /* with the orbit's own */
+} tp_breaking;
+tp_breaking tp_breaking_shape(const tp_breaker *breaker, tp_turn phi);
 #endif

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Laying the ocean out in its block, and the order of its making. */
-#include "wave/ocean.h"
+#include "base/fail.h"
+#include "wave/ocean_tables.h"
 #include "base/given.h"
 
 #define NODES_LEAST 65          /* along the longer side of a map */

@@ -11,7 +11,7 @@
  * it, after Snell's law [B9] with the floor's rise there: so that a map of a straight
  * slope has the phases of that slope.  Waves keep their height where rays spread or
  * crowd. */
-#include "wave/ocean.h"
+#include "wave/ocean_tables.h"
 
 #define UNKNOWN   INT64_MAX
 #define RISE_LEAST 1024         /* half of 1 / the rise that still bends waves */

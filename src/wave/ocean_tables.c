@@ -9,7 +9,7 @@
  * Loops [A11] [B13]: all waves at a place have one depth, so the steepness sum is taken
  * at each node, sum k QrSx (1 + lambda r) <= 0.951 (0.95 and its roundings), and all
  * orbits of a node are narrowed by one factor where it is more. */
-#include "wave/ocean.h"
+#include "wave/ocean_tables.h"
 
 #define STEEPEST   TP_FX(0.951)
 #define KEPT_RATE  TP_FX(0.1)       /* Ks and Kd of [B19], 1/m */

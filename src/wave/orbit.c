@@ -5,7 +5,7 @@
  * Only a floor that rises along the way tilts them, so that no wave breaks backwards.
  * Sx grows without bound towards the shore; the major axis is held below 0.95 / k, where
  * the surface would fold into loops, and Sy comes of the ratio before that. */
-#include "wave/ocean.h"
+#include "wave/ocean_tables.h"
 #include "wave/exp.h"
 
 #define AXIS_MAX TP_FX(0.95)

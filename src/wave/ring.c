@@ -6,10 +6,11 @@
  * then squares decide, in 64 bits; the few rings whose band holds it cost two reciprocal
  * roots: 1 / rho gives the distance and the direction, q = 1 / sqrt(rho + rho0) the
  * spreading s = sqrt(rho0) q and its slope: s^3 / (2 rho0) = s q^2 / 2. */
+#include <stdbool.h>
 #include "base/assert.h"
-#include "tidepool/ring.h"
-#include "tidepool/wave.h"
+#include "tidepool/world.h"
 #include "wave/exp.h"
+#include "wave/ring.h"
 
 #define REACH       (16384 * TP_FX_ONE)     /* rings run no farther: squares fit 2^61 */
 #define DECAYS      20                      /* 4 m x exp(-20) is below half of 2^-24 */

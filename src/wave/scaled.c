@@ -3,6 +3,7 @@
  * places use them at set-up, where bytes count for more than calls. */
 #include <stdbool.h>
 #include "wave/scaled.h"
+#include "fx/fx.h"
 
 tp_scaled tp_scaled_of(uint64_t x, int bits)
 {

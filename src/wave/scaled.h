@@ -7,7 +7,7 @@
 #ifndef TP_WAVE_SCALED_H
 #define TP_WAVE_SCALED_H
 #include <stdint.h>
-#include "tidepool/fx.h"
+#include "tidepool/fixed.h"
 
 /* m 2^e with m in [2^31, 2^32); 0 is m = 0. */
 typedef struct {

@@ -2,7 +2,7 @@
 /* Speeds and heights over a depth, [B3] and [B7] of the models.
  *
  * With x = kh and T = tanh x / x, the 1 + 2x / sinh 2x of [B7] is (T + sech^2 x) / T. */
-#include "tidepool/depth.h"
+#include "wave/depth.h"
 #include "wave/exp.h"
 
 /* (1 + 2x / sinh 2x) / 2 = cg / c at x = kh: 1/2 deep, 1 shallow.  T >= 1/256. */

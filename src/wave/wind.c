@@ -5,7 +5,7 @@
  * Phi = theta + lambda r cos Phi is a contraction by |lambda r|, iterated from theta.
  * The other reading of the source, to add up (omega + lambda dy) dt from tick to tick,
  * slows waves down by their height and depends on history: it is not used. */
-#include "tidepool/depth.h"
+#include "wave/depth.h"
 #include "wave/exp.h"
 
 #define PUSH_MOST       TP_Q30(0.5)

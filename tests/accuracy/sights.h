@@ -3,6 +3,7 @@
  * beside closed forms that share nothing with it but the scene's numbers. */
 #ifndef TP_TESTS_ACCURACY_SIGHTS_H
 #define TP_TESTS_ACCURACY_SIGHTS_H
+#include "scene/world.h"
 #include "tests/unit/measure.h"
 #include "views.h"
 

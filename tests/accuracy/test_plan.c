@@ -9,7 +9,6 @@
 #include <stdio.h>
 #include "tests/budgets/truth.h"
 #include "host/path.h"
-#include "tidepool/plan.h"
 
 /* By the truth of outlines or that of shading: no farther off than the plan says.  Beside
  * the exact rungs with every wave. */

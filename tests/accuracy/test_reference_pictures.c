@@ -6,6 +6,7 @@
 #include <setjmp.h>
 #include <stdint.h>
 #include <cmocka.h>
+#include "scene/pools.h"
 #include "sights.h"
 
 enum { TICKS = 90 };

@@ -2,8 +2,10 @@
 /* Small scenes for the reference's own checks. */
 #ifndef TP_TESTS_ACCURACY_VIEWS_H
 #define TP_TESTS_ACCURACY_VIEWS_H
+#include "scene/world.h"
 #include "tests/reference/image.h"
 #include "tests/unit/scenes.h"
+#include "tidepool/modules.h"
 
 typedef struct {
     tp_scene  scene;

@@ -10,8 +10,12 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include "frame/tools.h"
 #include "host/bench_scene.h"
 #include "host/machine.h"
+#include "pixel/pixel.h"
+#include "scene/value.h"
+#include "scene/world.h"
 #include "tidepool/tidepool.h"
 
 static void *claim(size_t bytes)

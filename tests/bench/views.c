@@ -16,6 +16,7 @@
 #include <unistd.h>
 #include "host/stage.h"
 #include "host/timing.h"
+#include "scene/world.h"
 
 static uint32_t seed;
 

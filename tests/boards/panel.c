@@ -3,8 +3,8 @@
  * held; pixels walk the window in the order that MADCTL gives and begin again at its
  * corner when it is full. */
 #include "panel.h"
+#include "pixel/pixel.h"
 #include <string.h>
-#include "tidepool/pixel.h"
 
 enum { DCS_COLS = 240, DCS_ROWS = 320, PAPER_COLS = 176, PAPER_ROWS = 296, ANY = 255 };
 enum { MY = 0x80, MX = 0x40, MV = 0x20, BGR = 0x08 };

@@ -8,6 +8,7 @@
 #include <string.h>
 #include "cortex-m/baked.h"
 #include "lcd/lcd.h"
+#include "pixel/pixel.h"
 #include "tests/boards/panel.h"
 #include "tests/boards/sdk/sdk.h"
 #include "tidepool/tidepool.h"

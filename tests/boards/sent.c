@@ -11,6 +11,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "lcd/lcd.h"
+#include "pixel/pixel.h"
 
 static uint64_t sent;
 

@@ -8,6 +8,7 @@
  * exact one; lines "exact ..." of those themselves; and
  *     slope COLOUR SCENE: the rms that an added small wave makes over its slopes' */
 #include <stdio.h>
+#include "scene/parts.h"
 #include "scene/prices.h"
 #include "truth.h"
 

@@ -5,6 +5,7 @@
 #include "cortex-m/board.h"
 #include "cortex-m/marks.h"
 #include "cortex-m/semihost.h"
+#include "frame/tools.h"
 
 #define FRAMES 2
 

@@ -2,7 +2,9 @@
 /* What the models that are counted share; see models.c. */
 #ifndef MODELS_H
 #define MODELS_H
+#include "pool/pool.h"
 #include "tidepool/tidepool.h"
+#include "wave/wave.h"
 
 /* A model: how often it is run, what makes it ready, what is counted.  A list ends with
  * a row of zeros. */

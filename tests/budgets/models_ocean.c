@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Waves over a floor and under wind, and what a depth makes of one; see models.c. */
 #include "tests/budgets/models.h"
-#include "tidepool/depth.h"
+#include "wave/ocean.h"
 
 enum { SWELL, WIND, SLOPE, MAP, BREAKING, MAP_SIDE = 64 };
 

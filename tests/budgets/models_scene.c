@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* What moves in a scene: drops, boats, the world's tick; and the water's mesh; see
  * models.c. */
+#include "features/drops/drops.h"
 #include "geom/grid.h"
 #include "features/boat/boat.h"
 #include "tests/budgets/models.h"

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /* The open sea, rings, five heights, light, and an ocean over its floor; see models.c. */
+#include "features/exposure/exposure.h"
+#include "shade/optics.h"
 #include "tests/budgets/models.h"
-#include "tidepool/depth.h"
-#include "tidepool/light.h"
 
 #define TICK 1234
 

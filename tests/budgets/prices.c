@@ -2,12 +2,15 @@
 /* What the plan's prices are made of, on a bare Cortex-M: the baked prices.ini with all
  * of it switched off and one thing after another on, by every rung.  Says which picture is
  * which section of the plugin's counts; prices-count.awk takes the differences. */
+#include "base/arena.h"
 #include "cortex-m/baked.h"
 #include "cortex-m/board.h"
 #include "cortex-m/marks.h"
 #include "cortex-m/semihost.h"
+#include "frame/tools.h"
 #include "scene/prices.h"
 #include "prices_scenes.h"
+#include "scene/value.h"
 
 #define BAND  16
 #define STEPS 60                /* of pools and foam, until all of it moves */

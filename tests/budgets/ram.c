@@ -5,10 +5,13 @@
  *
  * Says for each what the memory is for, and the picture's CRC, which is one for all; the
  * marks let the plugin count the frame's instructions. */
+#include "base/arena.h"
 #include "cortex-m/baked.h"
 #include "cortex-m/board.h"
 #include "cortex-m/marks.h"
 #include "cortex-m/semihost.h"
+#include "pixel/pixel.h"
+#include "scene/world.h"
 
 enum { WIDTH = 320, HEIGHT = 240, FIRST = 60 };
 

@@ -11,8 +11,12 @@
  *
  * The marks count a tick, the one that leads to TICK, a frame's beginning and its tiles,
  * after a frame that has filled what is filled once. */
+#include "base/arena.h"
 #include "cortex-m/baked.h"
 #include "cortex-m/marks.h"
+#include "frame/tools.h"
+#include "pixel/pixel.h"
+#include "scene/world.h"
 #include "tests/budgets/say.h"
 #include "tests/charts/words.h"
 

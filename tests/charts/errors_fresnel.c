@@ -2,9 +2,9 @@
 /* Shares of mirrored light against the exact law of [F1] in double precision, at every N.V
  * that Q1.14 has. */
 #include <stdlib.h>
+#include "shade/optics.h"
 #include "tests/charts/spread.h"
 #include "tests/charts/used.h"
-#include "tidepool/light.h"
 
 enum { ONE = 16384 };
 

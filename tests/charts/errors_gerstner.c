@@ -6,6 +6,7 @@
 #include "tests/charts/gerstner.h"
 #include "tests/charts/used.h"
 #include "tests/reference/sea.h"
+#include "wave/wave.h"
 
 #define LSB (1 / 65536.0)
 

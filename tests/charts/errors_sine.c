@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Sines against those of the C library, at phases 4093 of 2^32 apart: a prime, so that
  * they fall anywhere within the steps of tables. */
+#include "fx/fx.h"
 #include "tests/charts/spread.h"
 #include "tests/charts/used.h"
 

@@ -4,7 +4,7 @@
  * as they do, each shorter or longer and lower for its length, in other directions. */
 #ifndef CHARTS_GERSTNER_H
 #define CHARTS_GERSTNER_H
-#include "tidepool/wave.h"
+#include "tidepool/scene.h"
 
 enum { GERSTNER_TICK = 1234, GERSTNER_MOST = 8 };
 

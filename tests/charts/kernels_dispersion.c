@@ -7,7 +7,7 @@
  * table is of x / sqrt(y), which is 1 at 0 and has no corner.  Numbers are k_inf in Q31.32,
  * in two words, and the depth; results k in the same. */
 #include "tests/charts/kernels.h"
-#include "tidepool/depth.h"
+#include "wave/depth.h"
 #include "wave/exp.h"
 
 #define METHOD static __attribute__((noinline)) int64_t

@@ -4,6 +4,7 @@
  *
  * A table's entry is a byte, 256 of which are 1, as the engine's are; lines have entries of
  * 16 bits.  Tables are made by the exact law before anything is counted. */
+#include "shade/optics.h"
 #include "tests/charts/kernels.h"
 #include "shade/shade.h"
 

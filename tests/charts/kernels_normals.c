@@ -7,6 +7,7 @@
  *             exact ones: unpacked, and a division */
 #include "base/base.h"
 #include "tests/charts/normals.h"
+#include "wave/wave.h"
 
 #define WAVE(amplitude, length, heading, phase) \
     { TP_FX(amplitude), TP_FX(length), TP_FX(0.7) / 3, TP_FX(heading), TP_FX(phase), \

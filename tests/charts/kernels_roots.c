@@ -7,6 +7,7 @@
  *
  * The engine's functions of 16.16 have the high half of n, and their results are moved to
  * where the others are.  Tables are made in integers before anything is counted. */
+#include "fx/fx.h"
 #include "tests/charts/kernels.h"
 
 #define METHOD static __attribute__((noinline)) uint32_t

@@ -6,6 +6,7 @@
  * Tables are made in integers before anything is counted, by the engine's own rotations,
  * whose sine is right to 5e-9.  All methods are functions of their own, as tp_sin is, so
  * that a call costs each the same. */
+#include "fx/fx.h"
 #include "tests/charts/kernels.h"
 
 #define METHOD static __attribute__((noinline)) tp_q30

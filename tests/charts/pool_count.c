@@ -6,6 +6,7 @@
  * cells and more, so that all cells move; in gear A.  Freestanding where the compiler is
  * told so: static memory, words by semihosting. */
 #include "cortex-m/marks.h"
+#include "pool/pool.h"
 #include "tests/budgets/say.h"
 #include "tests/charts/pool_points.h"
 #include "tidepool/tidepool.h"

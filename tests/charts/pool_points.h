@@ -3,7 +3,7 @@
  * shipped scenes. */
 #ifndef POOL_POINTS_H
 #define POOL_POINTS_H
-#include "tidepool/pool.h"
+#include "tidepool/scene.h"
 
 typedef struct {
     tp_cells cells;

@@ -4,7 +4,7 @@
 #ifndef POOL_RULES_H
 #define POOL_RULES_H
 #include <stdbool.h>
-#include "tidepool/pool.h"
+#include "pool/pool.h"
 
 enum { POOL_WHOLE = 1024 };         /* r2q of r = 1 */
 

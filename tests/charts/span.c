@@ -4,6 +4,9 @@
  *     run CHART FROM KEY WATER-PIXELS
  * Freestanding where the compiler is told so, with a C library else. */
 #include "tests/charts/span.h"
+#include "base/arena.h"
+#include "frame/tools.h"
+#include "tidepool/modules.h"
 
 #define MARK(name) \
     void name(void); \

@@ -4,7 +4,7 @@
  * engine's 16 pixels.  span.c counts their instructions, span_errors.c judges them. */
 #ifndef CHARTS_SPAN_H
 #define CHARTS_SPAN_H
-#include "tidepool/frame.h"
+#include "tidepool/assets.h"
 
 typedef struct {
     const char *chart;          /* NULL: the end */

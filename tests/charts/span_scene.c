@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* The scenes of span.h: shipped ones without their boats and foam, and settings. */
 #include "cortex-m/baked.h"
+#include "scene/value.h"
 #include "tests/charts/span.h"
 
 #define WATER "boat.mesh= mirror.objects=none foam.cells=0 quality.lod=off "

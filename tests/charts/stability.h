@@ -9,8 +9,7 @@
 #include <math.h>
 #include <stdint.h>
 #include <stdio.h>
-#include "tidepool/ocean.h"
-#include "tidepool/wave.h"
+#include "wave/wave.h"
 
 #define STABILITY_PI  3.14159265358979323846
 #define STABILITY_LSB (1 / 65536.0)

@@ -4,6 +4,7 @@
  * shore, which shoal [B7] and are not yet held down. */
 #include "tests/charts/stability.h"
 #include "tests/charts/used.h"
+#include "wave/depth.h"
 
 #define CHART  "stability-breaking"
 #define LENGTH 16.0             /* m, of the map's wave */

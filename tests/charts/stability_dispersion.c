@@ -4,6 +4,7 @@
  * sum of 1979 up to the sixth power. */
 #include "tests/charts/stability.h"
 #include "tests/charts/used.h"
+#include "wave/depth.h"
 
 #define CHART "stability-dispersion"
 

@@ -18,7 +18,6 @@
 #include <string.h>
 #include "tests/accuracy/compare.h"
 #include "tests/charts/words.h"
-#include "tidepool/plan.h"
 
 #define FOLDER "assets/scenes/"
 

@@ -6,7 +6,7 @@
  *     grid/N          one line of N */
 #ifndef WORDS_H
 #define WORDS_H
-#include "tidepool/scene.h"
+#include "scene/value.h"
 
 /* Characters up to a blank, `end` or the text's end. */
 static inline size_t word_until(const char *text, char end)

@@ -8,6 +8,7 @@
 #include "cortex-m/baked.h"
 #include "host/film.h"
 #include "host/say.h"
+#include "pixel/pixel.h"
 
 static void *claim(size_t bytes)
 {

@@ -9,7 +9,11 @@
 #include <inttypes.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include "base/fail.h"
 #include "cortex-m/baked.h"
+#include "frame/tools.h"
+#include "pixel/pixel.h"
+#include "scene/world.h"
 #include "tests/golden/sizes.h"
 
 typedef struct {

@@ -4,6 +4,7 @@
  * the same, and a scene that nothing was set in keeps its file's bytes. */
 #include "fuzz.h"
 #include "host/scene_save.h"
+#include "scene/value.h"
 
 static void write_file(const char *path, const uint8_t *data, size_t size)
 {

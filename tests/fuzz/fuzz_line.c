@@ -3,8 +3,8 @@
  * line, or which parameter the rest is the value of.  What is read must read back the
  * same from what is written of it. */
 #include "fuzz.h"
-#include "tidepool/scene.h"
-#include "tidepool/tape.h"
+#include "scene/tape.h"
+#include "scene/value.h"
 
 static void try_head(const char *text, size_t bytes)
 {

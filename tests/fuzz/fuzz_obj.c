@@ -4,7 +4,7 @@
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
-#include "tidepool/asset.h"
+#include "asset/reader.h"
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
 

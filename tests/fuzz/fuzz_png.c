@@ -4,7 +4,7 @@
  * drawn picture it is written and reads back the same. */
 #include "fuzz.h"
 #include "host/picture.h"
-#include "tidepool/asset.h"
+#include "pixel/pixel.h"
 
 enum { PIXELS_MOST = 4096 };        /* that are written and read again */
 

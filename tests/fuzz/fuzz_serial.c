@@ -4,6 +4,7 @@
  * ticks of it are made, and a picture, in the memory that was there at the beginning. */
 #include "fuzz.h"
 #include "board/control.h"
+#include "tidepool/modules.h"
 
 enum { TICKS = 12, SAID = 1 << 16 };
 

@@ -5,8 +5,8 @@
 #include "fuzz.h"
 #include "host/scene_file.h"
 #include "host/session.h"
+#include "pixel/pixel.h"
 #include <sys/stat.h>
-#include "tidepool/pixel.h"
 
 #define HEAD "# What `tidepool view --resume` goes on with.\n[session]\nworld = "
 

@@ -3,6 +3,7 @@
  * taken is told as a text that sets the same. */
 #include "fuzz.h"
 #include "host/scene_file.h"
+#include "scene/value.h"
 
 enum { ROWS = 1024, LINES = 8 };
 

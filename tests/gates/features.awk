@@ -5,7 +5,7 @@
 #
 # A header of src/features/NAME is included by files of that folder, and names that begin
 # with tp_FEATURE_ stand there alone.  A feature is what declares a module, so the list of
-# names follows the code.  The list of modules, tidepool/program.h, and features/all*.c name
+# names follows the code.  The list of modules, tidepool/modules.h, and features/all*.c name
 # them all; public headers may declare a feature's functions.
 BEGIN {
     # Modules by their prefixes; files are read twice, first for these.

@@ -78,7 +78,7 @@ check "the README's first program draws one picture in C and C++" same_picture
 
 # The version's numbers stand in its header; the program tells the library's.
 version=$(sed -n 's/^#define TP_VERSION_\(MAJOR\|MINOR\|PATCH\) *//p' \
-    include/tidepool/version.h | paste -sd.)
+    include/tidepool/tidepool.h | paste -sd.)
 written_once()
 {
     find . \( -name .git -o -path ./build -o -path ./out -o -name node_modules \

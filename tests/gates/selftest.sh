@@ -17,7 +17,7 @@ layers()    { awk -f $gates/layers.awk "$scratch/$1"; }
 words()     { awk -f $gates/words.awk "$scratch/$1"; }
 text()      { awk -f $gates/text.awk "$scratch/$1"; }
 
-put src/wave/a.c '#include "fx/fx_table.inc"' '#include "tidepool/wave.h"' \
+put src/wave/a.c '#include "fx/fx_table.inc"' '#include "wave/wave.h"' \
     '#include <stdint.h>'
 check  "layers: passes includes that point down" layers src/wave/a.c
 put src/fx/a.c '#include "wave/wave.h"'

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /* Drawing golden frames, and comparing them with their references. */
 #include "golden.h"
+#include "pixel/pixel.h"
+#include "scene/world.h"
 #include <inttypes.h>
 #include <math.h>
 #include <stdio.h>

@@ -15,6 +15,7 @@
 #include <unistd.h>
 #include "golden.h"
 #include "host/path.h"
+#include "pixel/pixel.h"
 
 #define WRECK "build/golden"
 #define MOST  64            /* scenes */

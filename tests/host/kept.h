@@ -3,9 +3,9 @@
  * with the file of a world that has moved, whose bytes can be changed under a right CRC. */
 #ifndef TP_TESTS_KEPT_H
 #define TP_TESTS_KEPT_H
+#include "pixel/pixel.h"
 #include "screen/keep.h"
 #include "tests/unit/parts.h"
-#include "tidepool/pixel.h"
 
 enum { KEPT_SCENES = 3, KEPT_WIDTH = 32, KEPT_HEIGHT = 24 };
 

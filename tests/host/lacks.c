@@ -2,7 +2,7 @@
 /* What a baked program says of its scene as it is and as it may become: a line each. */
 #include <stdio.h>
 #include <string.h>
-#include "tidepool/frame.h"
+#include "scene/parts.h"
 
 extern const tp_scene baked_scene;
 extern const tp_assets baked_assets;

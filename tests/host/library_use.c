@@ -6,6 +6,8 @@
 #include <stdlib.h>
 #include <string.h>
 #include <tidepool/host.h>
+#include "pixel/pixel.h"
+#include "tidepool/tidepool.h"
 
 static tp_host_config small = { 160, 120, TP_FORMAT_XRGB8888, 0 };
 

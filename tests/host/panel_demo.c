@@ -16,7 +16,7 @@
 #include "../../ports/host/actions.h"
 #include "../../ports/host/picture.h"
 #include "../../ports/sdl2/panel.h"
-#include "tidepool/scene.h"
+#include "scene/value.h"
 
 enum { ROWS = 512, TIMES = 4096 };
 

@@ -7,7 +7,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include "tidepool/pixel.h"
+#include "pixel/pixel.h"
 
 enum { BITS = 2, LINE = 3, RED = 6, NUMBERS = 16 };
 

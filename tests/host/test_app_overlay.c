@@ -15,6 +15,7 @@
 #include "host/canvas.h"
 #include "host/path.h"
 #include "host/scene_file.h"
+#include "scene/world.h"
 #include "tests/reference/image.h"
 
 typedef struct {

@@ -8,6 +8,7 @@
 #include <cmocka.h>
 #include "../../ports/board/buttons.h"
 #include "../unit/scenes.h"
+#include "scene/world.h"
 
 #define NONE 0x1fu              /* pressed: all lines are high */
 

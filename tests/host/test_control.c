@@ -10,6 +10,9 @@
 #include <cmocka.h>
 #include "../../ports/board/control.h"
 #include "../unit/scenes.h"
+#include "pixel/pixel.h"
+#include "scene/value.h"
+#include "scene/world.h"
 
 static const tp_config config = {
     .width = 64, .height = 48, .tile_height = 8, .format = TP_FORMAT_L8

@@ -6,7 +6,7 @@
 #include <stddef.h>
 #include <setjmp.h>
 #include <stdint.h>
-#include "tidepool/pixel.h"
+#include "pixel/pixel.h"
 #include "places.h"
 #include "kinds.h"
 

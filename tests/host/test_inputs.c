@@ -10,6 +10,7 @@
 #include "../../ports/host/path.h"
 #include "../../ports/host/stage.h"
 #include "../unit/chance.h"
+#include "scene/world.h"
 
 #define FOLDER "assets/scenes"
 

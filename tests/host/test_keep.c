@@ -9,7 +9,11 @@
 #include <cmocka.h>
 #include <fcntl.h>
 #include <unistd.h>
+#include "features/drops/drops.h"
+#include "features/foam/foam.h"
+#include "features/spray/spray.h"
 #include "kept.h"
+#include "scene/pools.h"
 
 static char path[] = "/tmp/tidepool-keep-XXXXXX";
 static kept worlds[KEPT_SCENES];

@@ -7,8 +7,10 @@
 #include <stdlib.h>
 #include <string.h>
 #include "lcd/lcd.h"
+#include "pixel/pixel.h"
 #include "tests/boards/panel.h"
 #include "tests/golden/golden.h"
+#include "tidepool/modules.h"
 
 enum { LATE_INDEX = 1 };                /* of golden_frames */
 

@@ -19,6 +19,7 @@
 #include "host/scene_save.h"
 #include "host/session.h"
 #include "host/stage.h"
+#include "scene/value.h"
 
 enum { FOLDERS = 15, FOLDER = 240 };
 

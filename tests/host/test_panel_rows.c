@@ -10,7 +10,7 @@
 #include <string.h>
 #include <cmocka.h>
 #include "../../ports/sdl2/panel_rows.h"
-#include "tidepool/scene.h"
+#include "scene/value.h"
 
 static panel_row row_of(const tp_param *p)
 {

@@ -17,6 +17,7 @@
 #include "../../ports/host/path.h"
 #include "../../ports/host/picture.h"
 #include "../../ports/host/timing.h"
+#include "pixel/pixel.h"
 
 #define WIDTH  53       /* odd, and no whole bytes of i1 */
 #define HEIGHT 21

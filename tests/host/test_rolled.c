@@ -16,6 +16,7 @@
 #include "host/assets.h"
 #include "host/canvas.h"
 #include "host/scene_file.h"
+#include "scene/world.h"
 
 enum { WIDTH = 320, HEIGHT = 240, PIXELS = WIDTH * HEIGHT, TICKS = 100 };
 

@@ -14,6 +14,7 @@
 #include "frame/frame.h"
 #include "host/assets.h"
 #include "host/scene_file.h"
+#include "scene/value.h"
 
 enum { MOST_WIDTH = 320, MOST_HEIGHT = 240, MOST = MOST_WIDTH * MOST_HEIGHT };
 

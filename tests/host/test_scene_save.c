@@ -15,6 +15,7 @@
 #include <unistd.h>
 #include "host/path.h"
 #include "host/scene_save.h"
+#include "scene/value.h"
 
 static char folder[] = "/tmp/tidepool-save-XXXXXX";
 static char scenes[4096];       /* assets/scenes, absolute */

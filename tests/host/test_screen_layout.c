@@ -8,6 +8,7 @@
 #include <string.h>
 #include <cmocka.h>
 #include "../../ports/screen/layout.h"
+#include "pixel/pixel.h"
 
 #define WIDTH 67
 #define GUARD 0xa5

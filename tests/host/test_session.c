@@ -17,6 +17,7 @@
 #undef fail                     /* cmocka's, of no arguments */
 #include "host/session.h"
 #include "host/stage.h"
+#include "scene/world.h"
 
 static char home[] = "/tmp/tidepool-state-XXXXXX";
 

@@ -14,6 +14,9 @@
 #include <unistd.h>
 #undef fail                     /* cmocka's, of no arguments */
 #include "host/stage.h"
+#include "scene/pools.h"
+#include "scene/value.h"
+#include "scene/world.h"
 
 static options given;           /* of the stage that is open */
 static stage stood;

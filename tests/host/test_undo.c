@@ -12,6 +12,8 @@
 #undef fail                     /* cmocka's, of no arguments */
 #include "host/say.h"
 #include "host/undo.h"
+#include "scene/value.h"
+#include "scene/world.h"
 
 static options given;           /* of the stage that is open */
 static stage stood;

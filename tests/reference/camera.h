@@ -3,7 +3,7 @@
 #ifndef TP_REFERENCE_CAMERA_H
 #define TP_REFERENCE_CAMERA_H
 #include <math.h>
-#include "tidepool/fx.h"
+#include "tidepool/fixed.h"
 
 typedef struct {
     double x, y, z;

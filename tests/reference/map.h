@@ -8,6 +8,7 @@
 #define TP_REFERENCE_MAP_H
 #include "scene.h"
 #include "texture.h"
+#include "tidepool/assets.h"
 
 static inline double ref_rough_log2(double x)
 {

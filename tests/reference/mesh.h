@@ -5,7 +5,7 @@
 #ifndef TP_REFERENCE_MESH_H
 #define TP_REFERENCE_MESH_H
 #include <stdbool.h>
-#include "tidepool/asset.h"
+#include "tidepool/assets.h"
 #include "vector.h"
 
 typedef struct {

@@ -9,7 +9,7 @@
 #define TP_REFERENCE_OCEAN_H
 #include <stdbool.h>
 #include "sea.h"
-#include "tidepool/scene.h"
+#include "wave/ocean.h"
 
 enum { REF_DEPTHS = 64 * 15 + 1 };      /* 64 an octave from 1/16 to 2048 m */
 

@@ -7,7 +7,7 @@
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
-#include "tidepool/pool.h"
+#include "pool/pool.h"
 
 enum { REF_POOL = 64 * 64 };        /* cells at most */
 

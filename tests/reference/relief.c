@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /* Rings and pools; see the header. */
 #include "relief.h"
+#include "features/drops/drops.h"
+#include "scene/pools.h"
+#include "scene/world.h"
 #include <math.h>
 #include <stdlib.h>
 #include "sea.h"

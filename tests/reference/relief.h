@@ -2,12 +2,12 @@
 /* Rings of droplets [A4] [A5] and pools of cells, in double precision: heights over a
  * place of the world.  Cells and rings are read from the world, which alone evolves
  * them; a ring is evaluated by its formula, a pool bilinear between its cells' centres
- * as tidepool/pool.h says, with a cell's slope that of its two neighbours.  Where
+ * as pool/pool.h says, with a cell's slope that of its two neighbours.  Where
  * water.pool_bump is above 0 their slopes, times that, are told apart. */
 #ifndef TP_REFERENCE_RELIEF_H
 #define TP_REFERENCE_RELIEF_H
 #include <stdbool.h>
-#include "tidepool/scene.h"
+#include "tidepool/world.h"
 
 typedef struct {
     double x, z;                /* centre, m */

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /* Reading a scene and its world. */
 #include "scene.h"
+#include "features/drops/drops.h"
+#include "scene/world.h"
 #include <stdlib.h>
 #include <string.h>
 

@@ -9,7 +9,6 @@
 #include "mesh.h"
 #include "optics.h"
 #include "ray.h"
-#include "tidepool/frame.h"
 
 /* A drop: half axes in m. */
 typedef struct {

@@ -5,7 +5,7 @@
 #ifndef TP_REFERENCE_SEA_H
 #define TP_REFERENCE_SEA_H
 #include <math.h>
-#include "tidepool/wave.h"
+#include "tidepool/world.h"
 
 #define PI 3.14159265358979323846
 

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /* Loading scenes for the reference. */
 #include "stand.h"
+#include "scene/world.h"
+#include "tidepool/modules.h"
 #include <stdlib.h>
 #include <string.h>
 #include "host/say.h"

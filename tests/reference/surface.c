@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* The water's surface; see the header. */
 #include "surface.h"
+#include "scene/world.h"
 #include <stdlib.h>
 #include "depth.h"
 #include "surf.h"

@@ -4,7 +4,7 @@
 #define TP_REFERENCE_TEXTURE_H
 #include <math.h>
 #include "shading.h"
-#include "tidepool/asset.h"
+#include "tidepool/assets.h"
 
 static inline int ref_side(int log2, int level)
 {

@@ -6,9 +6,9 @@
 #include <setjmp.h>
 #include <stdint.h>
 #include <cmocka.h>
+#include "features/drops/drops.h"
+#include "scene/clock.h"
 #include "tests/unit/chance.h"
-#include "tidepool/clock.h"
-#include "tidepool/drop.h"
 
 #define MINUTE 3600             /* ticks */
 #define GRAVITY TP_FX(9.81)

@@ -10,11 +10,11 @@
 #include <setjmp.h>
 #include <stdint.h>
 #include <cmocka.h>
+#include "features/drops/drops.h"
 #include "tests/unit/twice.h"
 #include "scene/pools.h"
 #include "scene/parts.h"
-#include "tidepool/foam.h"
-#include "wave/ocean.h"
+#include "wave/ocean_tables.h"
 
 #define HIGHEST (2200 * (int64_t)TP_FX_ONE)     /* 16 waves, 1024 rings, two pools */
 #define FAR     (8000 * TP_FX_ONE)

@@ -9,6 +9,7 @@
 #include <stdint.h>
 #include <cmocka.h>
 #include "features/foam/foam.h"
+#include "features/spray/spray.h"
 #include "scene/parts.h"
 #include "tests/unit/scenes.h"
 

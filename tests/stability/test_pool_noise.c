@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The noise of 8- and 16-bit cells is what tidepool/pool.h says, over all that a pool can
+/* The noise of 8- and 16-bit cells is what pool/pool.h says, over all that a pool can
  * be configured to: the rms that moving water keeps, and how far a wave is off its closed
  * form [C6].
  *

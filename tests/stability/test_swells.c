@@ -7,6 +7,7 @@
 #include <stdint.h>
 #include <cmocka.h>
 #include "tests/unit/chance.h"
+#include "wave/wave.h"
 
 #define LSB (1 / 65536.0)
 #define Q30 1073741824.0

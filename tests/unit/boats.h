@@ -2,7 +2,9 @@
 /* A boat in its world, for tests. */
 #ifndef TP_TESTS_BOATS_H
 #define TP_TESTS_BOATS_H
+#include "scene/world.h"
 #include "scenes.h"
+#include "tidepool/modules.h"
 
 #define LSB (1 / 65536.0)
 

@@ -3,7 +3,7 @@
 #ifndef TP_TESTS_CHANCE_H
 #define TP_TESTS_CHANCE_H
 #include "measure.h"
-#include "tidepool/scene.h"
+#include "tidepool/world.h"
 
 static inline double chance_double(uint64_t *state, double low, double high)
 {

@@ -3,7 +3,7 @@
 #ifndef TP_TESTS_DROP_CASES_H
 #define TP_TESTS_DROP_CASES_H
 #include "chance.h"
-#include "tidepool/drop.h"
+#include "features/drops/drops.h"
 
 static const tp_scene_drops usual = {
     .count = 64, .rings = 64, .y = TP_FX(3), .radius = TP_FX(0.06),

@@ -4,7 +4,7 @@
 #ifndef TP_TESTS_OCEANS_H
 #define TP_TESTS_OCEANS_H
 #include "chance.h"
-#include "tidepool/ocean.h"
+#include "wave/ocean.h"
 
 #define TURNS (1 / 4294967296.0)
 #define LSB   (1 / 65536.0)

@@ -4,7 +4,7 @@
 #ifndef TP_TESTS_POOLS_H
 #define TP_TESTS_POOLS_H
 #include "chance.h"
-#include "tidepool/pool.h"
+#include "pool/pool.h"
 
 static inline tp_pool_config pool_config(tp_cells cells, tp_edges edges, uint32_t cols,
                                          uint32_t rows)

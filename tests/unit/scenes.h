@@ -6,7 +6,8 @@
 #include <string.h>
 #include "asset/mesh.h"
 #include "chance.h"
-#include "tidepool/frame.h"
+#include "fx/fx.h"
+#include "tidepool/modules.h"
 
 /* Three swells under a camera at 4 m, a small grid. */
 static inline tp_scene scene_plain(void)

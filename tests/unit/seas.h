@@ -5,6 +5,7 @@
 #define TP_TESTS_SEAS_H
 #include "../reference/sea.h"
 #include "chance.h"
+#include "wave/wave.h"
 
 #define TEN_YEARS (3652ull * 24 * 3600 * TP_TICKS_PER_SECOND)
 #define LSB       (1 / 65536.0)

@@ -8,6 +8,7 @@
 #include <cmocka.h>
 #include <stdio.h>
 #include "cuts.h"
+#include "fx/fx.h"
 
 enum { MOST = 30000, STEPS = 2048 };   /* of asset/cut.c */
 

@@ -6,6 +6,7 @@
 #include <stdint.h>
 #include <cmocka.h>
 #include <math.h>
+#include "base/fail.h"
 #include "test_asset_reader.h"
 
 #define ONE TP_FX_ONE

@@ -6,7 +6,7 @@
 #define TEST_ASSET_READER_H
 #include <stdlib.h>
 #include <string.h>
-#include "tidepool/asset.h"
+#include "asset/reader.h"
 
 typedef struct {
     tp_obj   obj;

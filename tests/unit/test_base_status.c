@@ -6,7 +6,7 @@
 #include <stdint.h>
 #include <string.h>
 #include <cmocka.h>
-#include "tidepool/status.h"
+#include "base/fail.h"
 
 static void every_status_has_a_sentence(void **state)
 {

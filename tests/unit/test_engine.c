@@ -5,8 +5,9 @@
 #include <setjmp.h>
 #include <stdint.h>
 #include <cmocka.h>
+#include "pixel/pixel.h"
 #include "scenes.h"
-#include "tidepool/engine.h"
+#include "tidepool/tidepool.h"
 
 enum { WIDTH = 64, HEIGHT = 48, TICKS = 20 };
 

@@ -6,7 +6,7 @@
 #include <stdint.h>
 #include <cmocka.h>
 #include "chance.h"
-#include "tidepool/light.h"
+#include "features/exposure/exposure.h"
 
 #define LSB (1 / 65536.0)
 

@@ -8,7 +8,7 @@
 #include <stdint.h>
 #include <cmocka.h>
 #include "chance.h"
-#include "tidepool/drop.h"
+#include "features/drops/drops.h"
 
 #define G   TP_FX(9.81)
 #define FAR (1000 * TP_FX_ONE)

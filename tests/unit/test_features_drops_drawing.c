@@ -11,6 +11,7 @@
 #include <stdint.h>
 #include <cmocka.h>
 #include "../reference/camera.h"
+#include "features/drops/drops.h"
 #include "marks.h"
 
 enum { WIDTH = 160, HEIGHT = 112 };

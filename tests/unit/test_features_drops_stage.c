@@ -7,6 +7,7 @@
 #include <cmocka.h>
 #include "asset/mesh.h"
 #include "shades.h"
+#include "tidepool/modules.h"
 
 static uint64_t chance;
 static uint8_t gloss[TP_GLOSS];

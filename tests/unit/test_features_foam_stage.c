@@ -10,6 +10,7 @@
 #include "../reference/texture.h"
 #include "asset/mesh.h"
 #include "shades.h"
+#include "tidepool/modules.h"
 
 #define CELLS 37
 

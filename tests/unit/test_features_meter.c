@@ -8,6 +8,7 @@
 #include "../reference/dome.h"
 #include "../reference/shading.h"
 #include "features/exposure/meter.h"
+#include "scene/world.h"
 #include "scenes.h"
 
 static uint64_t chance;

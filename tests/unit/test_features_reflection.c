@@ -9,6 +9,7 @@
 #include <cmocka.h>
 #include "features/reflection/mirror.h"
 #include "features/reflection/object_cube.h"
+#include "scene/world.h"
 #include "shade/half.h"
 #include "shades.h"
 

@@ -8,7 +8,6 @@
 #include <cmocka.h>
 #include "features/sky/sky.h"
 #include "frame/frame.h"
-#include "tidepool/program.h"
 #include "scenes.h"
 
 enum { WIDTH = 150, HEIGHT = 90 };

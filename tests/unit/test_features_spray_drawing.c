@@ -6,6 +6,7 @@
 #include <stdint.h>
 #include <cmocka.h>
 #include "../reference/camera.h"
+#include "features/spray/spray.h"
 #include "marks.h"
 
 enum { WIDTH = 160, HEIGHT = 112 };

@@ -11,6 +11,7 @@
 #include "features/underwater/underwater.h"
 #include "frame/frame.h"
 #include "measure.h"
+#include "scene/pools.h"
 #include "scenes.h"
 
 enum { WIDE = 160, HIGH = 96 };

@@ -9,6 +9,7 @@
 #include <cmocka.h>
 #include "../reference/water_ray.h"
 #include "features/underwater/underwater.h"
+#include "scene/world.h"
 #include "shade/beam.h"
 #include "shades.h"
 

@@ -7,6 +7,7 @@
 #include <stdint.h>
 #include <cmocka.h>
 #include "shades.h"
+#include "tidepool/modules.h"
 
 static uint64_t chance;
 

@@ -7,6 +7,7 @@
 #include <stdint.h>
 #include <cmocka.h>
 #include "frame/frame.h"
+#include "frame/tools.h"
 #include "scenes.h"
 
 enum { WIDTH = 150, HEIGHT = 90 };

@@ -8,7 +8,7 @@
 #include <cmocka.h>
 #include "features/water/water.h"
 #include "frame/frame.h"
-#include "tidepool/program.h"
+#include "scene/pools.h"
 #include "scenes.h"
 
 enum { WIDTH = 150, HEIGHT = 90, PIXELS = WIDTH * HEIGHT };

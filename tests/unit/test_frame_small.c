@@ -7,7 +7,9 @@
 #include <stdint.h>
 #include <cmocka.h>
 #include "frame/frame.h"
+#include "frame/tools.h"
 #include "kit.h"
+#include "pixel/pixel.h"
 
 enum { WIDTH = 160, HEIGHT = 90, STRIDE = 4 * WIDTH + 8 };
 

@@ -6,8 +6,8 @@
 #include <setjmp.h>
 #include <stdint.h>
 #include <cmocka.h>
+#include "fx/fx.h"
 #include "measure.h"
-#include "tidepool/fx.h"
 
 enum { LONG = 1000000 };
 

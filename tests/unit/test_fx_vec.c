@@ -5,8 +5,8 @@
 #include <setjmp.h>
 #include <stdint.h>
 #include <cmocka.h>
+#include "fx/fx.h"
 #include "measure.h"
-#include "tidepool/fx.h"
 
 enum { INPUTS = 10100000 };
 

@@ -6,6 +6,7 @@
 #include <stdint.h>
 #include <cmocka.h>
 #include "../../ports/live/poke.h"
+#include "scene/pools.h"
 #include "scenes.h"
 
 /* A pool of 12 x 8 m around (5, -7), still. */

@@ -8,6 +8,7 @@
 #include <cmocka.h>
 #include "../../ports/live/setting.h"
 #include "parts.h"
+#include "scene/value.h"
 
 static uint64_t chance;
 static const tp_assets none;

@@ -6,8 +6,11 @@
 #include <setjmp.h>
 #include <stdint.h>
 #include <cmocka.h>
+#include "pixel/pixel.h"
+#include "pool/pool.h"
+#include "scene/plan.h"
 #include "scenes.h"
-#include "tidepool/plan.h"
+#include "wave/ocean.h"
 
 enum { BYTES = 1 << 20, WIDTH = 32, HEIGHT = 24 };
 

@@ -7,7 +7,7 @@
 #include <string.h>
 #include <cmocka.h>
 #include "measure.h"
-#include "tidepool/pixel.h"
+#include "pixel/pixel.h"
 
 static uint64_t seed;
 

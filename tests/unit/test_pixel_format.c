@@ -6,7 +6,7 @@
 #include <stdint.h>
 #include <string.h>
 #include <cmocka.h>
-#include "tidepool/pixel.h"
+#include "pixel/pixel.h"
 
 static void every_format_is_found_by_its_name(void **state)
 {

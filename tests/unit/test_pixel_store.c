@@ -7,9 +7,9 @@
 #include <string.h>
 #include <cmocka.h>
 #include "measure.h"
+#include "pixel/pixel.h"
 #include "pixel/rgb565.h"
 #include "pixel/toned.h"
-#include "tidepool/program.h"
 
 enum { FLAT_COLOURS = 20000, WIDTH = 40 };
 

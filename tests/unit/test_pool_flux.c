@@ -7,6 +7,7 @@
 #include <stdint.h>
 #include <cmocka.h>
 #include "../reference/pool.h"
+#include "pixel/pixel.h"
 #include "pools.h"
 
 #define FULL ((1 << 30) - 1)

@@ -7,6 +7,7 @@
 #include <stdint.h>
 #include <cmocka.h>
 #include "../reference/pool.h"
+#include "pixel/pixel.h"
 #include "pools.h"
 
 static uint64_t chance;

@@ -7,8 +7,9 @@
 #include <setjmp.h>
 #include <stdint.h>
 #include <cmocka.h>
+#include "base/fail.h"
+#include "scene/plan.h"
 #include "tests/unit/kit.h"
-#include "tidepool/plan.h"
 
 enum { WIDTH = 32, HEIGHT = 24 };
 

@@ -7,7 +7,7 @@
 #include <cmocka.h>
 #include "chance.h"
 #include "csv_rows.h"
-#include "tidepool/clock.h"
+#include "scene/clock.h"
 
 #define LSB   (1 / 65536.0)
 #define SLIDE 0.040810542890861656      /* 1 - exp(-1/24) */

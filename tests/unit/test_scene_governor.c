@@ -7,7 +7,7 @@
 #include <stdint.h>
 #include <cmocka.h>
 #include "chance.h"
-#include "tidepool/plan.h"
+#include "scene/plan.h"
 
 static uint64_t chance;
 

@@ -8,6 +8,7 @@
 #include <cmocka.h>
 #include "frame/frame.h"
 #include "kit.h"
+#include "scene/parts.h"
 #include "scenes.h"
 
 enum { SCENES = 400 };

@@ -7,7 +7,8 @@
 #include <stdio.h>
 #include <string.h>
 #include <cmocka.h>
-#include "tidepool/scene.h"
+#include "base/fail.h"
+#include "scene/value.h"
 
 static const tp_param *row_of(const char *name)
 {

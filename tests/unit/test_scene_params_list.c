@@ -8,8 +8,7 @@
 #include <string.h>
 #include <cmocka.h>
 #include "listing.h"
-#include "tidepool/plan.h"
-#include "tidepool/scene.h"
+#include "scene/value.h"
 
 static listing listed;
 

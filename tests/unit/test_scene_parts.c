@@ -6,7 +6,9 @@
 #include <setjmp.h>
 #include <stdint.h>
 #include <cmocka.h>
+#include "features/drops/drops.h"
 #include "parts.h"
+#include "scene/pools.h"
 
 static uint64_t chance;
 

@@ -5,6 +5,7 @@
 #include <setjmp.h>
 #include <stdint.h>
 #include <cmocka.h>
+#include "frame/tools.h"
 #include "kit.h"
 #include "scene/faint.h"
 #include "scene/prices.h"

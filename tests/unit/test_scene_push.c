@@ -7,7 +7,7 @@
 #include <cmocka.h>
 #include "features/drops/drops.h"
 #include "parts.h"
-#include "tidepool/drop.h"
+#include "scene/pools.h"
 
 static uint64_t chance;
 

@@ -8,7 +8,7 @@
 #include <cmocka.h>
 #include "features/exposure/meter.h"
 #include "parts.h"
-#include "wave/ocean.h"
+#include "wave/ocean_tables.h"
 
 static uint64_t chance;
 

@@ -6,7 +6,7 @@
 #include <stdint.h>
 #include <cmocka.h>
 #include "chance.h"
-#include "tidepool/tape.h"
+#include "scene/tape.h"
 
 enum { FIELDS = sizeof(tp_input) / sizeof(int32_t) };
 

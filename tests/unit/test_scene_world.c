@@ -6,6 +6,7 @@
 #include <setjmp.h>
 #include <stdint.h>
 #include <cmocka.h>
+#include "scene/world.h"
 #include "scenes.h"
 
 #define LSB (1 / 65536.0)

@@ -6,9 +6,13 @@
 #include <setjmp.h>
 #include <stdint.h>
 #include <cmocka.h>
+#include "features/drops/drops.h"
 #include "features/exposure/meter.h"
+#include "features/foam/foam.h"
+#include "features/spray/spray.h"
 #include "parts.h"
-#include "wave/ocean.h"
+#include "scene/pools.h"
+#include "wave/ocean_tables.h"
 
 static uint64_t chance;
 

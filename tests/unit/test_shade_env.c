@@ -6,6 +6,7 @@
 #include <stdint.h>
 #include <cmocka.h>
 #include "skies.h"
+#include "tidepool/modules.h"
 
 static uint64_t chance;
 static test_sky sky;

@@ -7,7 +7,7 @@
 #include <cmocka.h>
 #include "../reference/shading.h"
 #include "chance.h"
-#include "tidepool/light.h"
+#include "shade/optics.h"
 
 #define Q30 1073741824.0
 #define ETA (1 / 1.333)

@@ -10,7 +10,7 @@
 #include "chance.h"
 #include "features/haze/haze.h"
 #include "shade/depth.h"
-#include "tidepool/light.h"
+#include "shade/optics.h"
 
 #define Q14 16384.0
 

@@ -8,7 +8,7 @@
 #include "../reference/depth.h"
 #include "chance.h"
 #include "csv_words.h"
-#include "tidepool/depth.h"
+#include "wave/depth.h"
 
 #define LSB (1 / 65536.0)
 

@@ -7,7 +7,7 @@
 #include <cmocka.h>
 #include "../reference/sea.h"
 #include "chance.h"
-#include "tidepool/ocean.h"
+#include "wave/ocean.h"
 
 #define LSB (1 / 65536.0)
 

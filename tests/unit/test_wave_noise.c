@@ -6,7 +6,7 @@
 #include <stdint.h>
 #include <cmocka.h>
 #include "chance.h"
-#include "wave/ocean.h"
+#include "wave/ocean_tables.h"
 
 static uint64_t chance;
 

@@ -11,7 +11,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "oceans.h"
-#include "wave/ocean.h"
+#include "wave/ocean_tables.h"
 
 static uint64_t chance;
 static uint16_t sample[24 * 18];

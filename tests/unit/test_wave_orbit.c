@@ -8,7 +8,7 @@
 #include "../reference/depth.h"
 #include "../reference/surf.h"
 #include "chance.h"
-#include "tidepool/ocean.h"
+#include "wave/ocean.h"
 #include "wave_rows.h"
 
 #define K0 TP_FX(0.1)

@@ -9,7 +9,7 @@
 #include <cmocka.h>
 #include "chance.h"
 #include "csv_rows.h"
-#include "tidepool/ring.h"
+#include "wave/ring.h"
 
 #define LSB    (1 / 65536.0)
 #define TAU    6.283185307179586

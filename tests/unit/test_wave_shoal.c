@@ -9,7 +9,7 @@
 #include "../reference/depth.h"
 #include "chance.h"
 #include "csv_rows.h"
-#include "tidepool/depth.h"
+#include "wave/depth.h"
 
 #define LSB (1 / 65536.0)
 

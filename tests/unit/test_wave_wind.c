@@ -7,7 +7,7 @@
 #include <cmocka.h>
 #include "chance.h"
 #include "csv_rows.h"
-#include "tidepool/depth.h"
+#include "wave/depth.h"
 
 #define LSB    (1 / 65536.0)
 #define TWO_PI 6.28318530717958647693

@@ -4,7 +4,7 @@
 #define TP_TESTS_THIN_H
 #include <string.h>
 #include "chance.h"
-#include "tidepool/program.h"
+#include "tidepool/modules.h"
 
 /* A pointer of every `in` is NULL; stores, sky, plain stay. */
 static inline void thin_out(void *pointers, size_t bytes, uint32_t in, uint64_t *state)

@@ -5,6 +5,7 @@
 #ifndef TP_TESTS_TWICE_H
 #define TP_TESTS_TWICE_H
 #include "features/exposure/exposure.h"
+#include "features/foam/foam.h"
 #include "features/reflection/mirror.h"
 #include "features/reflection/object_cube.h"
 #include "features/water/bumps.h"
@@ -13,7 +14,7 @@
 #include "frame/frame.h"
 #include "kinds.h"
 #include "kit.h"
-#include "tidepool/program.h"
+#include "pixel/pixel.h"
 
 enum { TWICE_WIDTH = 68, TWICE_HEIGHT = 48 };
 

@@ -4,7 +4,7 @@
 #ifndef TP_TESTS_WAVE_ROWS_H
 #define TP_TESTS_WAVE_ROWS_H
 #include "measure.h"
-#include "tidepool/wave.h"
+#include "wave/wave.h"
 
 #define ROW_COLUMNS 24
 #define TURN        6.28318530717958647692

@@ -2,7 +2,7 @@
 /* The baked scene, live on the evaluation board's OLED: ticks follow the clock, buttons
  * and lines over the serial port change what is seen (board/buttons.h, board/control.h).
  *
- * What they put in is written as the lines of a tape (tidepool/tape.h): under "tape 1
+ * What they put in is written as the lines of a tape (scene/tape.h): under "tape 1
  * SCENE" and by `tidepool render SCENE --tape` they draw the same pictures elsewhere.
  * The scene lies in RAM, where lines change it; board.mk names what they may switch on.
  * In a window, arrows and Ctrl are its buttons:
@@ -10,6 +10,7 @@
  *     make BOARD=cortex-m/lm3s6965evb SCENE=tarn elf
  *     qemu-system-arm -M lm3s6965evb -serial stdio \
  *         -kernel build/lm3s6965evb/scenes/tarn.elf */
+#include "base/arena.h"
 #include "board/buttons.h"
 #include "board/control.h"
 #include "lcd/lcd.h"
@@ -17,7 +18,8 @@
 #include "cortex-m/board.h"
 #include "cortex-m/marks.h"
 #include "evb.h"
-#include "tidepool/tape.h"
+#include "pixel/pixel.h"
+#include "scene/tape.h"
 
 #define TICK_CLOCKS   (EVB_HZ / TP_TICKS_PER_SECOND)
 #define TICKS_AT_ONCE 8             /* behind by more, the water slows down */
@@ -147,7 +149,7 @@ static const control_setup setup = {
 
 static void say_input(const tp_input *input)
 {
-    const tp_tape_entry entry = { world->tick, *input };
+    const tp_tape_entry entry = { tp_world_tick(world), *input };
     char text[TP_TAPE_LINE];
     if (tp_tape_write(&entry, text, sizeof text)) {
         evb_text(NULL, text);

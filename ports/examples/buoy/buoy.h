@@ -9,6 +9,7 @@
 #ifndef BUOY_H
 #define BUOY_H
 #include "scene/module.h"
+#include "tidepool/fixed.h"
 
 #define BUOY_ID TP_MODULE_ID('b', 'u', 'o', 'y')
 

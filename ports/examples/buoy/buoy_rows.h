@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT */
-/* The buoy's settings and their rows of parameters, see tidepool/rows.h. */
+/* The buoy's settings and their rows of parameters, see tidepool/modules.h. */
 #ifndef BUOY_ROWS_H
 #define BUOY_ROWS_H
+#include "tidepool/modules.h"
 
 /* Its settings, words of tp_scene.own from BUOY_AT on, which the program's list says. */
 #define BUOY_ON     (BUOY_AT + 0)

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include <stdio.h>
 #include <tidepool/tidepool.h>
+#include "pixel/pixel.h"
 
 static tp_scene scene;
 static uint64_t memory[40 << 10];

@@ -2,6 +2,7 @@
 #include <cstdio>
 #include <vector>
 #include <tidepool/tidepool.h>
+#include "pixel/pixel.h"
 
 int main()
 {

@@ -10,6 +10,7 @@
 #include <SDL.h>
 #include <stdlib.h>
 #include <string.h>
+#include "fx/fx.h"
 #include "tidepool/tidepool.h"
 
 enum { WIDTH = 640, HEIGHT = 480, SPRITE_W = 16, SPRITE_H = 24 };

@@ -4,6 +4,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <tidepool/host.h>
+#include "tidepool/world.h"
 
 static int fail(const tp_host_error *err)
 {

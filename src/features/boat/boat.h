@@ -9,7 +9,9 @@
  *     boat_stage.c     the light on its materials */
 #ifndef TP_BOAT_MODULE_H
 #define TP_BOAT_MODULE_H
+#include "pool/pool.h"
 #include "scene/module.h"
+#include "scene/world.h"
 #include "shade/shade.h"
 
 #define TP_BOAT_ID TP_MODULE_ID('b', 'o', 'a', 't')

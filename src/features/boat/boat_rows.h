@@ -2,7 +2,7 @@
 /* Rows of parameters: the boat. */
 #ifndef TP_BOAT_ROWS_H
 #define TP_BOAT_ROWS_H
-#include "tidepool/rows.h"
+#include "tidepool/modules.h"
 
 #define TP_BOAT_ROWS \
     TP_ROW_NAME("boat.mesh", boat.mesh, MESH, "OBJ file of the boat; empty: none"), \

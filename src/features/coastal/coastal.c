@@ -3,10 +3,11 @@
  * of wave/ocean.h, made from the world's sea; they follow from the scene and no tick
  * changes them. */
 #include "base/base.h"
+#include "base/fail.h"
 #include "geom/waters.h"
 #include "scene/parts.h"
 #include "scene/sides.h"
-#include "wave/ocean.h"
+#include "wave/ocean_tables.h"
 
 static tp_ocean_config config_of(const tp_scene *scene, const tp_assets *assets)
 {

@@ -8,9 +8,9 @@
  *
  * Impacts are looked for in the water's frame, whose level moves evenly through the tick:
  * the height over it is the parabola through both ends with the first end's speed. */
+#include <stdbool.h>
 #include "base/assert.h"
-#include "tidepool/drop.h"
-#include "tidepool/wave.h"
+#include "features/drops/drops.h"
 
 #define RATE        TP_TICKS_PER_SECOND
 #define FALL_MOST   ((int64_t)127 << 24)

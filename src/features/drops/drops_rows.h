@@ -2,7 +2,7 @@
 /* Rows of parameters: drops, and the sphere that they fall from. */
 #ifndef TP_DROPS_ROWS_H
 #define TP_DROPS_ROWS_H
-#include "tidepool/rows.h"
+#include "tidepool/modules.h"
 
 #define TP_DROPS_ROWS \
     TP_ROW_COUNT("drops.count", drops.count, "", 0, 1024, 0, \

@@ -9,6 +9,7 @@
  * lobe. */
 #include "shade/env.h"
 #include "shade/normal.h"
+#include "tidepool/modules.h"
 
 typedef tp_vec_q14 vec;
 

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* A camera's exposure, one tick at a time [F8]: it adapts in fixed ticks, not in wall
  * time, so that a recorded input shows the same pictures again. */
-#include "tidepool/light.h"
+#include "features/exposure/exposure.h"
 
 #define LEAST      (TP_FX_ONE / 8)
 #define MOST       (8 * TP_FX_ONE)

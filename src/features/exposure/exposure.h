@@ -9,6 +9,12 @@
 #include "pixel/toned.h"
 #include "scene/module.h"
 #include "shade/wide.h"
+#include "tidepool/fixed.h"
+
+/* One tick of the camera's adaptation [F8]: towards 0.5 / mean, within 1/8..8, by `rate`
+ * (0..1) of the way.  `mean` is the picture's mean brightness, 1 being white; below 1/16
+ * it counts as that.  Never stops short of the target; all 16.16. */
+tp_fx tp_exposure_step(tp_fx exposure, tp_fx mean, tp_fx rate);
 
 #define TP_EXPOSURE_ID TP_MODULE_ID('e', 'x', 'p', 'o')
 

@@ -2,7 +2,7 @@
 /* Rows of parameters: light beyond white, and the camera's exposure. */
 #ifndef TP_EXPOSURE_ROWS_H
 #define TP_EXPOSURE_ROWS_H
-#include "tidepool/rows.h"
+#include "tidepool/modules.h"
 
 #define TP_EXPOSURE_ROWS \
     TP_ROW_NUMBER("hdr.share", hdr.share, "", 0, 1, 0, \

@@ -9,10 +9,11 @@
  * The module's state is tables of greys: a world knows no pictures while it moves. */
 #include "features/exposure/meter.h"
 #include "base/base.h"
+#include "features/exposure/exposure.h"
 #include "scene/drawn.h"
 #include "scene/light.h"
 #include "shade/env.h"
-#include "tidepool/light.h"
+#include "shade/optics.h"
 
 #define ACROSS 32
 #define DOWN   24

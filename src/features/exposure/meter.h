@@ -6,6 +6,10 @@
 #ifndef TP_METER_MODULE_H
 #define TP_METER_MODULE_H
 #include "scene/module.h"
+#include "tidepool/world.h"
+
+/* True if the exposure is automatic. */
+bool tp_world_is_metered(const tp_world *world);
 
 #define TP_METER_ID TP_MODULE_ID('m', 'e', 't', 'r')
 

@@ -14,6 +14,7 @@
 #include "base/base.h"
 #include "scene/drawn.h"
 #include "scene/parts.h"
+#include "scene/pools.h"
 #include "wave/exp.h"
 
 #define MIDDLE_MOST (8000 * TP_FX_ONE)  /* of the eye and of pools */

@@ -7,7 +7,27 @@
  *     foam_stage.c    its span stages */
 #ifndef TP_FOAM_MODULE_H
 #define TP_FOAM_MODULE_H
+#include "pool/pool.h"
 #include "scene/module.h"
+#include "wave/ocean.h"
+
+#define TP_FOAM_TICKS 4         /* a quarter of the rows is looked after in each tick */
+
+/* Plain data without pointers; the cells' bytes follow this head, row by row. */
+typedef struct {
+    uint32_t cells;             /* of a side, 1..256 */
+    tp_fx    cell;              /* m */
+    int64_t  drift_x, drift_z;  /* Q32 m, 0 to a side: of the lattice's origin */
+    int32_t  first_x, first_z;  /* the window's lowest lattice cell */
+    int32_t  seen[TP_FOAM_TICKS][2];    /* the same when a quarter was last visited */
+    uint32_t visits;            /* ticks so far */
+    uint32_t work;              /* byte offset of a row's places, 0: none */
+} tp_foam;
+
+/* Cover 0..255 at a place at rest, bilinear between cells' centres; 0 outside. */
+uint8_t tp_foam_at(const tp_foam *foam, tp_fx x, tp_fx z);
+
+const tp_foam  *tp_world_foam(const tp_world *world);
 
 #define TP_FOAM_ID TP_MODULE_ID('f', 'o', 'a', 'm')
 

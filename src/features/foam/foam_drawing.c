@@ -3,6 +3,7 @@
 #include "features/foam/foam.h"
 #include "features/foam/foam_stage.h"
 #include "frame/frame.h"
+#include "scene/pools.h"
 
 /* Metres that a lattice has drifted `back` of a tick ago: the world holds now's. */
 static tp_fx drifted_before(int64_t drift_q32, tp_fx speed, tp_fx back)

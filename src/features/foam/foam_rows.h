@@ -2,7 +2,7 @@
 /* Rows of parameters: foam. */
 #ifndef TP_FOAM_ROWS_H
 #define TP_FOAM_ROWS_H
-#include "tidepool/rows.h"
+#include "tidepool/modules.h"
 
 #define TP_FOAM_ROWS \
     TP_ROW_COUNT("foam.cells", foam.cells, "cells", 0, 256, 0, \

@@ -7,7 +7,8 @@
 #include "base/base.h"
 #include "features/foam/foam.h"
 #include "scene/parts.h"
-#include "wave/ocean.h"
+#include "scene/pools.h"
+#include "wave/ocean_tables.h"
 #include "wave/wave.h"
 
 #define GAIN_MOST 0xff00u

@@ -11,6 +11,7 @@
 #include "features/foam/foam_stage.h"
 #include "shade/sampler.h"
 #include "shade/slope.h"
+#include "tidepool/modules.h"
 
 #define OPAQUE 240              /* of 256: the most that it hides */
 #define LACE   212              /* of 256: the most that is white of a whole cover */

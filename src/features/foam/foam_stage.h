@@ -3,8 +3,7 @@
 #ifndef TP_FOAM_STAGE_H
 #define TP_FOAM_STAGE_H
 #include <stdint.h>
-#include "tidepool/asset.h"
-#include "tidepool/fx.h"
+#include "tidepool/assets.h"
 
 typedef struct {
     const uint8_t *cover;       /* cells x cells bytes, a torus */

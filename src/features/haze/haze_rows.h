@@ -2,7 +2,7 @@
 /* Rows of parameters: haze. */
 #ifndef TP_HAZE_ROWS_H
 #define TP_HAZE_ROWS_H
-#include "tidepool/rows.h"
+#include "tidepool/modules.h"
 
 #define TP_HAZE_ROWS \
     TP_ROW_NUMBER("sky.haze", sky.haze, "m", 0, 32000, 2000, \

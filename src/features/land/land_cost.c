@@ -6,8 +6,7 @@
 #include "features/land/land.h"
 #include "geom/geom.h"
 #include "scene/works.h"
-#include "tidepool/depth.h"
-#include "wave/ocean.h"
+#include "wave/ocean_tables.h"
 
 #define KEPT_RATE TP_FX(0.1)    /* as wave/ocean_tables.c has it */
 

@@ -2,7 +2,7 @@
 /* Rows of parameters: how the land looks. */
 #ifndef TP_LAND_ROWS_H
 #define TP_LAND_ROWS_H
-#include "tidepool/rows.h"
+#include "tidepool/modules.h"
 
 #define TP_LAND_ROWS \
     TP_ROW_COLOUR("floor.colour", floor.colour, 0xc8b48c, \

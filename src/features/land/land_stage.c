@@ -4,6 +4,7 @@
 #include "shade/beam.h"
 #include "shade/coat.h"
 #include "shade/phong.h"
+#include "tidepool/modules.h"
 
 /* tp_run.mine begins with the material. */
 void tp_stage_land(const tp_shade *shade, tp_run *run)

@@ -9,6 +9,7 @@
  * wall mirrored rows push along: 2 (cos(k/2) - cos(k (n + 1/2))) times as much. */
 #include "base/assert.h"
 #include "features/pool/pool.h"
+#include "scene/world.h"
 
 typedef struct {
     uint32_t row, apart;        /* the rows are `row` and `row + apart` */

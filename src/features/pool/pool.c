@@ -5,6 +5,7 @@
 #include "base/base.h"
 #include "features/pool/pool.h"
 #include "pool/pool.h"
+#include "scene/world.h"
 
 /* -- which are on -------------------------------------------------------------------- */
 

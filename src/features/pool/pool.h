@@ -7,6 +7,7 @@
  * src/pool has the water's equations. */
 #ifndef TP_POOL_MODULE_H
 #define TP_POOL_MODULE_H
+#include "pool/pool.h"
 #include "scene/pools.h"
 
 /* Makes the waves of scene->paddle, at a tick; the pool is the scene's. */

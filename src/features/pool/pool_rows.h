@@ -2,7 +2,7 @@
 /* Rows of parameters: a pool, and a second one, the field. */
 #ifndef TP_POOL_ROWS_H
 #define TP_POOL_ROWS_H
-#include "tidepool/rows.h"
+#include "tidepool/modules.h"
 
 #define TP_ROW_POOL(name, part) \
     TP_ROW_COUNT(name ".cols", part.cols, "cells", 0, 512, 0, \

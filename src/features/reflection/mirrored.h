@@ -3,6 +3,7 @@
 #ifndef TP_MIRRORED_H
 #define TP_MIRRORED_H
 #include "frame/frame.h"
+#include "tidepool/modules.h"
 
 /* Water that does not mirror the sky does not mirror objects either. */
 static inline void tp_add_mirrored(const tp_frame *frame, const void *mine,

@@ -7,6 +7,7 @@
 #ifndef TP_OBJECT_CUBE_H
 #define TP_OBJECT_CUBE_H
 #include "scene/module.h"
+#include "tidepool/fixed.h"
 
 #define TP_OBJECT_CUBE_ID TP_MODULE_ID('c', 'u', 'b', 'e')
 

@@ -2,7 +2,7 @@
 /* Rows of parameters: objects in the water's mirror. */
 #ifndef TP_REFLECTION_ROWS_H
 #define TP_REFLECTION_ROWS_H
-#include "tidepool/rows.h"
+#include "tidepool/modules.h"
 
 #define TP_REFLECTION_ROWS \
     TP_ROW_CHOICE("mirror.objects", mirror.objects, "none|stencil|cube", \

@@ -4,6 +4,7 @@
 #include "features/sky/sky_cube_look.h"
 #include "features/sky/sky_stage.h"
 #include "shade/reflected.h"
+#include "tidepool/modules.h"
 
 /* Samples [i, stop), no more than TP_CUBE_ROW. */
 TP_ALWAYS_INLINE void empty_wide(const tp_shade *restrict shade, tp_run *restrict run,

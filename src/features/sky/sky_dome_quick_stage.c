@@ -2,6 +2,7 @@
 #include "features/sky/sky_dome_quick.h"
 #include "shade/env.h"
 #include "shade/quick_ray.h"
+#include "tidepool/modules.h"
 #if TP_DSP
 #define FILL tp_packed_fill
 #else

@@ -3,6 +3,7 @@
  * the mirrored view where there is water. */
 #include "features/sky/sky_stage.h"
 #include "shade/reflected.h"
+#include "tidepool/modules.h"
 
 TP_ALWAYS_INLINE void empty(const tp_shade *shade, tp_run *run, int hdr)
 {

@@ -2,7 +2,7 @@
 /* Rows of parameters: the sky's kind, colours, lights and pictures. */
 #ifndef TP_SKY_ROWS_H
 #define TP_SKY_ROWS_H
-#include "tidepool/rows.h"
+#include "tidepool/modules.h"
 
 #define TP_ROW_FACE(name, part, help) TP_ROW_NAME("sky." name, sky.part, TEXTURE, help)
 

@@ -6,6 +6,7 @@
  * size, so that none falls between two pixels; few are bright.  Water mirrors none: the
  * slightest ripple spreads them. */
 #include "shade/env.h"
+#include "tidepool/modules.h"
 
 #define CELL_LOG2 10            /* of a face's 65536 */
 #define MARGIN    256           /* stars keep away from their cell's edges */

@@ -10,7 +10,7 @@
 #include "base/base.h"
 #include "scene/drawn.h"
 #include "scene/parts.h"
-#include "wave/ocean.h"
+#include "wave/ocean_tables.h"
 #include "wave/wave.h"
 
 #define TICK(x)     ((x) / TP_TICKS_PER_SECOND)

@@ -7,6 +7,28 @@
 #ifndef TP_SPRAY_MODULE_H
 #define TP_SPRAY_MODULE_H
 #include "scene/module.h"
+#include "tidepool/world.h"
+
+typedef enum { TP_SPECK_SPRAY, TP_SPECK_BUBBLE } tp_speck_kind;
+
+typedef struct {
+    tp_vec3  place, last;       /* m, now and a tick ago */
+    tp_vec3  speed;             /* m/s */
+    uint16_t age;               /* ticks */
+    uint8_t  kind;              /* tp_speck_kind */
+    uint8_t  chance;            /* 0..255, its own: thins out what is far away */
+} tp_speck;
+
+/* The specks follow this head. */
+typedef struct {
+    uint32_t capacity, count;
+    uint32_t dropped;           /* that found no place, so far */
+    uint32_t random;
+} tp_spray;
+
+const tp_speck *tp_spray_list(const tp_spray *spray);
+
+const tp_spray *tp_world_spray(const tp_world *world);
 
 #define TP_SPRAY_ID TP_MODULE_ID('s', 'p', 'r', 'y')
 

@@ -2,7 +2,7 @@
 /* Rows of parameters: spray. */
 #ifndef TP_SPRAY_ROWS_H
 #define TP_SPRAY_ROWS_H
-#include "tidepool/rows.h"
+#include "tidepool/modules.h"
 
 #define TP_SPRAY_ROWS \
     TP_ROW_COUNT("spray.count", spray.count, "", 0, 1024, 0, \

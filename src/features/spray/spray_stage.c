@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* The stage of spray.  Specks are too small for a shape: one light for all. */
 #include "shade/shade.h"
+#include "tidepool/modules.h"
 
 /* tp_run.mine begins with the colour. */
 void tp_stage_spray(const tp_shade *shade, tp_run *run)

@@ -10,6 +10,7 @@
 #include "geom/geom.h"
 #include "scene/module.h"
 #include "scene/sides.h"
+#include "tidepool/frame.h"
 
 struct tp_frame;
 

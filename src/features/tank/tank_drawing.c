@@ -8,6 +8,7 @@
 #include "asset/mesh.h"
 #include "base/base.h"
 #include "frame/frame.h"
+#include "scene/pools.h"
 
 /* -- what stands where ---------------------------------------------------------------- */
 

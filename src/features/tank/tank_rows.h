@@ -2,7 +2,7 @@
 /* Rows of parameters: a tank around the pool. */
 #ifndef TP_TANK_ROWS_H
 #define TP_TANK_ROWS_H
-#include "tidepool/rows.h"
+#include "tidepool/modules.h"
 
 #define TP_TANK_ROWS \
     TP_ROW_CHOICE("tank.kind", tank.kind, "none|stone|glass", TP_TANK_GLASS, \

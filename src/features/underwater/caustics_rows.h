@@ -2,7 +2,7 @@
 /* Rows of parameters: light that waves gather on the floor. */
 #ifndef TP_CAUSTICS_ROWS_H
 #define TP_CAUSTICS_ROWS_H
-#include "tidepool/rows.h"
+#include "tidepool/modules.h"
 
 #define TP_CAUSTICS_ROWS \
     TP_ROW_NUMBER("water.caustics", water.caustics, "", 0, 4, 0, \

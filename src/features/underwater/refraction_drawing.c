@@ -4,7 +4,7 @@
 #include "features/underwater/underwater.h"
 #include "frame/frame.h"
 #include "frame/planar_map.h"
-#include "tidepool/light.h"
+#include "shade/optics.h"
 
 typedef struct {
     tp_half         half;

@@ -4,7 +4,7 @@
 #include "features/underwater/underwater.h"
 #include "frame/frame.h"
 #include "shade/beam.h"
-#include "tidepool/light.h"
+#include "shade/optics.h"
 
 #define CLEAR_BELOW (4 * TP_FX_ONE)     /* m: of opaque water to those who are in it */
 

@@ -2,7 +2,7 @@
 /* Rows of parameters: clear water. */
 #ifndef TP_UNDERWATER_ROWS_H
 #define TP_UNDERWATER_ROWS_H
-#include "tidepool/rows.h"
+#include "tidepool/modules.h"
 
 #define TP_UNDERWATER_ROWS \
     TP_ROW_NUMBER("water.clear", water.clear, "m", 0, 200, 0, \

@@ -2,6 +2,7 @@
 /* The view of an eye under water: the surface from below, the water where nothing
  * else is, and the water before what is there. */
 #include "features/underwater/underwater.h"
+#include "scene/world.h"
 #include "shade/beam.h"
 #include "shade/slope.h"
 

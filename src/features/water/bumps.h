@@ -4,6 +4,7 @@
 #define TP_WATER_BUMPS_H
 #include "pool/pool.h"
 #include "scene/module.h"
+#include "tidepool/modules.h"
 
 #define TP_BUMPS_ID TP_MODULE_ID('b', 'u', 'm', 'p')
 

@@ -4,6 +4,7 @@
  * are made when it begins.  A pool for which there is no room stays flat. */
 #include "features/water/bumps.h"
 #include "frame/frame.h"
+#include "scene/pools.h"
 
 typedef struct {
     tp_pool_bumps  look;        /* the stage's: first */

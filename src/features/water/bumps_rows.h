@@ -2,7 +2,7 @@
 /* Rows of parameters: pools that bend the light only. */
 #ifndef TP_BUMPS_ROWS_H
 #define TP_BUMPS_ROWS_H
-#include "tidepool/rows.h"
+#include "tidepool/modules.h"
 
 #define TP_BUMPS_ROWS \
     TP_ROW_NUMBER("water.pool_bump", water.pool_bump, "", 0, 4, 0, \

@@ -9,10 +9,12 @@
  *     quick_NAME_stage.c     its span stages */
 #ifndef TP_FAST_WATER_H
 #define TP_FAST_WATER_H
+#include "base/arena.h"
 #include "features/water/quick_layers.h"
 #include "features/water/quick_light.h"
 #include "features/water/water.h"
 #include "frame/frame.h"
+#include "frame/tools.h"
 
 /* The numbers that a picture was made for: saturation, strength or bump. */
 typedef struct {

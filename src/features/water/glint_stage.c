@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* The glint, added to what the water shows otherwise. */
 #include "shade/shade.h"
+#include "tidepool/modules.h"
 
 void tp_stage_glint(const tp_shade *restrict shade, tp_run *restrict run)
 {

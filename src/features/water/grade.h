@@ -8,8 +8,9 @@
 #ifndef TP_WATER_GRADE_H
 #define TP_WATER_GRADE_H
 #include <stdbool.h>
+#include "fx/fx.h"
 #include "shade/colour.h"
-#include "tidepool/fx.h"
+#include "tidepool/modules.h"
 
 /* The grading of a layer's texels.  Levels of 255 are Q8 here. */
 typedef struct {

@@ -2,7 +2,7 @@
 /* Rows of parameters: pictures on the water, and their distortion. */
 #ifndef TP_LAYERS_ROWS_H
 #define TP_LAYERS_ROWS_H
-#include "tidepool/rows.h"
+#include "tidepool/modules.h"
 
 #define TP_ROW_LAYER(n, help) \
     TP_ROW_MAP("layer" #n, layer[n].map, 8, help), \

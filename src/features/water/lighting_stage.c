@@ -7,6 +7,7 @@
  * ever halved (see lobe.h). */
 #include "shade/lobe.h"
 #include "shade/slope.h"
+#include "tidepool/modules.h"
 
 /* The diffuse term alone, for water that neither shines nor mirrors: the root's nearest
  * entry is within 0.2 %, half a level of 255. */

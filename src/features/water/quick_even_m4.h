@@ -6,6 +6,7 @@
 #include "shade/pairs_m4.h"
 #include "features/water/quick_light_m4.h"
 #include "features/water/quick_loops.h"
+#include "tidepool/modules.h"
 
 #define SPAN TP_QUICK_SPAN(TP_LOBE_BLINN)
 

@@ -3,6 +3,7 @@
 #ifndef TP_WATER_QUICK_EVEN_PLAIN_H
 #define TP_WATER_QUICK_EVEN_PLAIN_H
 #include "features/water/quick_light_plain.h"
+#include "tidepool/modules.h"
 
 /* From the first even column on; slopes and views are every second of the run's. */
 TP_ALWAYS_INLINE void plain_evens(const plain_tables tables, const tp_run *restrict run,

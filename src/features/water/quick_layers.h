@@ -12,6 +12,7 @@
 #ifndef TP_WATER_QUICK_LAYERS_H
 #define TP_WATER_QUICK_LAYERS_H
 #include "shade/layer.h"
+#include "tidepool/modules.h"
 
 #define TP_QUICK_LOG2 8         /* of the longest side */
 #define TP_QUICK_LAYERS 3

@@ -26,6 +26,7 @@
 #define TP_WATER_QUICK_LIGHT_H
 #include "base/dsp.h"
 #include "shade/quick_ray.h"
+#include "tidepool/modules.h"
 
 #define TP_QUICK_SHARES 256     /* by n of 0..1 */
 #define TP_QUICK_LOBE   512     /* of 1/2048 of (1 + q)(1 - R.V), or of |s - h|^2 */

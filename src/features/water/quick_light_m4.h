@@ -5,6 +5,7 @@
 #ifndef TP_WATER_QUICK_LIGHT_M4_H
 #define TP_WATER_QUICK_LIGHT_M4_H
 #include "features/water/quick_light.h"
+#include "fx/fx.h"
 
 TP_ALWAYS_INLINE uint32_t packed_cube_colour(const uint32_t *sky, uint32_t slope,
                                              uint32_t back, int32_t n, int32_t up)

@@ -4,6 +4,7 @@
 #ifndef TP_WATER_QUICK_LIGHT_PLAIN_H
 #define TP_WATER_QUICK_LIGHT_PLAIN_H
 #include "features/water/quick_light.h"
+#include "fx/fx.h"
 #include "shade/slope.h"
 
 /* The mirrored view, turned round, in the map of a cube's sky: its horizontal part drawn

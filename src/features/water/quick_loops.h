@@ -9,6 +9,7 @@
 #define TP_WATER_QUICK_LOOPS_H
 #include "base/base.h"
 #include "features/water/quick_layers.h"
+#include "fx/fx.h"
 #include "shade/shade.h"
 
 typedef struct {

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* The tables of quick light, by the exact stages' own. */
+#include "scene/world.h"
 #include "shade/env.h"
 #include "features/water/quick_light.h"
 

@@ -5,6 +5,7 @@
 #include "shade/env.h"
 #include "shade/reflected.h"
 #include "shade/slope.h"
+#include "tidepool/modules.h"
 
 /* A mirrored ray that goes down meets other water, which is half as bright as the
  * horizon: its share fades to a half within 7 degrees below level. */

@@ -2,7 +2,7 @@
 /* Rows of parameters: ripples. */
 #ifndef TP_RIPPLE_ROWS_H
 #define TP_RIPPLE_ROWS_H
-#include "tidepool/rows.h"
+#include "tidepool/modules.h"
 
 #define TP_RIPPLE_ROWS \
     TP_ROW_MAP("ripple", ripple.map, 4, \

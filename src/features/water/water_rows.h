@@ -2,7 +2,7 @@
 /* Rows of parameters: the water's own colour, its glitter, its mirrored light. */
 #ifndef TP_WATER_ROWS_H
 #define TP_WATER_ROWS_H
-#include "tidepool/rows.h"
+#include "tidepool/modules.h"
 
 #define TP_WATER_ROWS \
     TP_ROW_COLOUR("water.colour", water.colour, 0x2a5a6e, \

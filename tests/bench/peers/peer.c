@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "peer.h"
+#include "wave/wave.h"
 #include <inttypes.h>
 #include <math.h>
 #include <stdio.h>

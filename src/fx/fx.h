@@ -1,38 +1,8 @@
 /* SPDX-License-Identifier: MIT */
-/* Fixed-point numbers, angles, roots, vectors and rotations.
- *
- * The type names the format.  One rounding rule: products and quotients round half up
- * (towards plus infinity), so a sum of many does not drift as bare >> does.  One
- * overflow rule: functions marked "saturates" clamp to the type's ends, the others
- * require a result in range and say so; none of them traps. */
-#ifndef TP_FX_H
-#define TP_FX_H
-#include <stdint.h>
-#include "tidepool/language.h"
-
-TP_BEGIN_C
-
-typedef int32_t  tp_fx;     /* Q16.16: 1.0 is 0x10000, range +-32767.99998 */
-typedef int32_t  tp_q30;    /* Q2.30: sines, unit vectors, slopes below 2 */
-typedef uint32_t tp_turn;   /* binary angle: 2^32 is one turn, wraps for free */
-
-#define TP_FX_ONE  0x10000
-#define TP_FX_MAX  INT32_MAX
-#define TP_FX_MIN  INT32_MIN
-#define TP_Q30_ONE 0x40000000
-
-/* Of constants alone: the double never reaches the object file. */
-#define TP_FX(x)   ((tp_fx)((x) * 65536.0 + ((x) < 0 ? -0.5 : 0.5)))
-#define TP_Q30(x)  ((tp_q30)((x) * 1073741824.0 + ((x) < 0 ? -0.5 : 0.5)))
-#define TP_DEG(x)  ((tp_turn)(int64_t)((x) * (4294967296.0 / 360.0)))
-
-TP_STATIC_ASSERT(-1 >> 1 == -1, "the core assumes arithmetic right shift");
-
-/* a b / 2^16, rounded half up; the caller keeps |a b| below 2^47. */
-static inline tp_fx tp_fx_mul(tp_fx a, tp_fx b)
-{
-    return (tp_fx)(((int64_t)a * b + 0x8000) >> 16);
-}
+/* The rest of the core's arithmetic: saturation, roots, reciprocals, text. */
+#ifndef TP_FX_FX_H
+#define TP_FX_FX_H
+#include "tidepool/fixed.h"
 
 /* a b / 2^30, rounded half up: a number of any format times a Q2.30 of magnitude
  * <= 1 keeps its format; the caller keeps |a b| below 2^61. */
@@ -111,7 +81,6 @@ static inline int tp_clz(uint32_t x)
 #endif
 }
 
-tp_fx  tp_fx_div(tp_fx a, tp_fx b);     /* rounded half up; saturates; x/0 by sign of x */
 tp_fx  tp_fx_sqrt(tp_fx x);             /* nearest; 0 for x <= 0 */
 tp_fx  tp_fx_rsqrt(tp_fx x);            /* 1/sqrt(x) within 1 LSB; saturates for x <= 0 */
 tp_fx  tp_fx_recip(tp_fx x);            /* 1/x rounded half up; saturates; 0: max */
@@ -129,16 +98,6 @@ uint32_t tp_rsqrt_norm(uint32_t n);
  * error below 5e-6, so within 1 LSB of 16.16 after rounding ([G5], 1024 a turn). */
 tp_q30 tp_sin(tp_turn angle);
 tp_q30 tp_cos(tp_turn angle);
-tp_fx  tp_fx_sin(tp_turn angle);
-tp_fx  tp_fx_cos(tp_turn angle);
-tp_turn tp_atan2(int32_t y, int32_t x); /* of any format; error < 2^-18 turn; (0,0): 0 */
-
-/* Degrees in 16.16 of any size to an angle: wraps; error < 2^-31 turn per degree. */
-tp_turn tp_turn_of_degrees(tp_fx degrees);
-
-typedef struct { tp_fx  x, y, z; } tp_vec3;     /* metres, or what its name says */
-typedef struct { tp_q30 x, y, z; } tp_dir3;     /* unit vector */
-typedef struct { tp_dir3 x, y, z; } tp_rotation;/* rows: world to local; orthonormal */
 
 /* What lies on a surface at a place: its height and dy/dx, dy/dz, all 16.16. */
 typedef struct { tp_fx height, slope_x, slope_z; } tp_relief;
@@ -192,6 +151,4 @@ uint32_t tp_fx_read_wide(const char *text, uint32_t bytes, int64_t *x);
 
 /* The shortest decimal that reads back to x, terminated; returns its length (<= 14). */
 uint32_t tp_fx_write(tp_fx x, char text[16]);
-
-TP_END_C
 #endif

@@ -10,15 +10,11 @@
  * to 2 pi / 0.25 rad/m and depths of 1/65536 m and more.  A depth of 0 or less is dry:
  * wave numbers, speeds, Ks and regimes are then those at 1/16 m [B13], heights are 0.
  * The k of a k_inf of 0 or less is 0. */
-#ifndef TP_DEPTH_H
-#define TP_DEPTH_H
-#include <stdbool.h>
+#ifndef TP_WAVE_DEPTH_H
+#define TP_WAVE_DEPTH_H
 #include <stddef.h>
 #include <stdint.h>
-#include "tidepool/fx.h"
-#include "tidepool/language.h"
-
-TP_BEGIN_C
+#include "fx/fx.h"
 
 #define TP_DEPTH_LEAST TP_FX(0.0625)    /* m; what is shallower counts as this [B13] */
 
@@ -135,6 +131,4 @@ tp_fx tp_iribarren(tp_q30 slope, tp_fx height, tp_fx length);
 typedef enum { TP_BREAKER_SPILLING, TP_BREAKER_PLUNGING, TP_BREAKER_SURGING }
     tp_breaker_type;
 tp_breaker_type tp_breaker_type_of(tp_fx iribarren);
-
-TP_END_C
 #endif

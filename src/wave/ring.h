@@ -5,14 +5,11 @@
  *     eta = A0 smoothstep(a / attack) exp(-a / decay) s(rho) W(rho - rc),
  *     W(xi) = (1 + cos(2 pi xi / L)) / 2 for |xi| < L/2, s = 1 / sqrt(1 + rho / spread):
  * a hill of one crest; its support never reaches the centre, so no cusp stands there. */
-#ifndef TP_RING_H
-#define TP_RING_H
+#ifndef TP_WAVE_RING_H
+#define TP_WAVE_RING_H
 #include <stdbool.h>
 #include <stdint.h>
-#include "tidepool/fx.h"
-#include "tidepool/language.h"
-
-TP_BEGIN_C
+#include "fx/fx.h"
 
 /* All 16.16 unless said. */
 typedef struct {
@@ -56,6 +53,4 @@ bool tp_ring_spent(const tp_ring *ring, int64_t now, tp_fx beyond);
  * band holds the place, a compare or two for the others; no division.  Each ring's slope
  * is held within +-7.99. */
 tp_relief tp_ring_relief(const tp_ring_now *rings, uint32_t count, tp_fx x, tp_fx z);
-
-TP_END_C
 #endif

@@ -5,14 +5,11 @@
  * target: s += (s* - s)(1 - exp(-dt / tau)), tau = 0.4 s, dt = 1/60 s.  Whole ticks alone
  * are ever stepped, so a recorded input replays bit for bit; the fraction is for
  * drawing. */
-#ifndef TP_CLOCK_H
-#define TP_CLOCK_H
+#ifndef TP_SCENE_CLOCK_H
+#define TP_SCENE_CLOCK_H
 #include <stdbool.h>
 #include <stdint.h>
-#include "tidepool/fx.h"
-#include "tidepool/language.h"
-
-TP_BEGIN_C
+#include "tidepool/fixed.h"
 
 #define TP_CLOCK_SLOWEST (TP_FX_ONE / 8)
 #define TP_CLOCK_FASTEST (4 * TP_FX_ONE)
@@ -42,6 +39,4 @@ void tp_clock_next(tp_clock *clock);
 tp_fx    tp_clock_scale(const tp_clock *clock);     /* s, rounded */
 uint64_t tp_clock_ticks(const tp_clock *clock);     /* whole ticks so far */
 tp_fx    tp_clock_fraction(const tp_clock *clock);  /* and the rest, 0 <= f < 1 */
-
-TP_END_C
 #endif

@@ -4,12 +4,9 @@
  *
  * From air into water, never back: there is no total reflection.  Units
  * are those of tp_dir3: unit vectors and shares in Q2.30. */
-#ifndef TP_LIGHT_H
-#define TP_LIGHT_H
-#include "tidepool/fx.h"
-#include "tidepool/language.h"
-
-TP_BEGIN_C
+#ifndef TP_SHADE_OPTICS_H
+#define TP_SHADE_OPTICS_H
+#include "fx/fx.h"
 
 /* Water's refractive index and its inverse, for TP_FX() and TP_Q30(). */
 #define TP_WATER_INDEX 1.333
@@ -33,11 +30,4 @@ tp_dir3 tp_refract(tp_dir3 incident, tp_dir3 normal);   /* [F4]; never out of th
  * never meets it: the ends of the range, by its direction's signs. */
 typedef struct { tp_fx x, z; } tp_floor_offset;
 tp_floor_offset tp_refract_offset(tp_dir3 refracted, tp_fx depth);
-
-/* One tick of the camera's adaptation [F8]: towards 0.5 / mean, within 1/8..8, by `rate`
- * (0..1) of the way.  `mean` is the picture's mean brightness, 1 being white; below 1/16
- * it counts as that.  Never stops short of the target; all 16.16. */
-tp_fx tp_exposure_step(tp_fx exposure, tp_fx mean, tp_fx rate);
-
-TP_END_C
 #endif

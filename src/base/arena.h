@@ -1,14 +1,11 @@
 /* SPDX-License-Identifier: MIT */
 /* A bump allocator over one block of the caller's.  With a NULL block it only counts,
  * so that the function which carves a block also answers how large it must be. */
-#ifndef TP_ARENA_H
-#define TP_ARENA_H
+#ifndef TP_BASE_ARENA_H
+#define TP_BASE_ARENA_H
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
-#include "tidepool/language.h"
-
-TP_BEGIN_C
 
 typedef struct {
     uint8_t *block;         /* aligned to 8, or NULL to count */
@@ -22,6 +19,4 @@ tp_arena tp_arena_over(void *block, size_t bytes);
 
 /* count x size bytes, aligned to 8; NULL when counting or when it does not fit. */
 void *tp_arena_take(tp_arena *arena, size_t count, size_t size);
-
-TP_END_C
 #endif

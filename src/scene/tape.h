@@ -10,15 +10,11 @@
  * 0, by its names; the height and place of push[0] are poke, poke_x and poke_z, those of
  * push[1] to push[7] poke2 ... poke8_z.  Ticks rise.  Numbers of the API's 16.16 are
  * written so that they read back to the same bits. */
-#ifndef TP_TAPE_H
-#define TP_TAPE_H
+#ifndef TP_SCENE_TAPE_H
+#define TP_SCENE_TAPE_H
 #include <stddef.h>
 #include <stdint.h>
-#include "tidepool/language.h"
-#include "tidepool/scene.h"
-#include "tidepool/status.h"
-
-TP_BEGIN_C
+#include "tidepool/world.h"
 
 #define TP_TAPE_LINE 1024       /* no line is longer, its end included */
 
@@ -44,6 +40,4 @@ size_t tp_tape_head_write(const char *scene, char *text, size_t bytes);
 /* The scene's name into `scene`, which holds `room` bytes; E_LONG if it is too small. */
 tp_status tp_tape_head_read(char *scene, size_t room, const char *text, size_t bytes,
                             tp_error *err);
-
-TP_END_C
 #endif

@@ -1,0 +1,58 @@
+/* SPDX-License-Identifier: MIT */
+/* Fixed-point numbers, angles, vectors and rotations, as scenes, worlds and frames take
+ * them.  src/fx/fx.h has the rest of the arithmetic. */
+#ifndef TP_FIXED_H
+#define TP_FIXED_H
+#include <stdint.h>
+
+/* TP_BEGIN_C and TP_END_C stand around each header's declarations, so that C++ links the
+ * library's C functions. */
+#ifdef __cplusplus
+#define TP_BEGIN_C extern "C" {
+#define TP_END_C   }
+#define TP_STATIC_ASSERT(condition, text) static_assert(condition, text)
+#else
+#define TP_BEGIN_C
+#define TP_END_C
+#define TP_STATIC_ASSERT(condition, text) _Static_assert(condition, text)
+#endif
+
+TP_BEGIN_C
+
+typedef int32_t  tp_fx;     /* Q16.16: 1.0 is 0x10000, range +-32767.99998 */
+typedef int32_t  tp_q30;    /* Q2.30: sines, unit vectors, slopes below 2 */
+typedef uint32_t tp_turn;   /* binary angle: 2^32 is one turn, wraps for free */
+
+#define TP_FX_ONE  0x10000
+#define TP_FX_MAX  INT32_MAX
+#define TP_FX_MIN  INT32_MIN
+#define TP_Q30_ONE 0x40000000
+
+/* Of constants alone: the double never reaches the object file. */
+#define TP_FX(x)   ((tp_fx)((x) * 65536.0 + ((x) < 0 ? -0.5 : 0.5)))
+#define TP_Q30(x)  ((tp_q30)((x) * 1073741824.0 + ((x) < 0 ? -0.5 : 0.5)))
+#define TP_DEG(x)  ((tp_turn)(int64_t)((x) * (4294967296.0 / 360.0)))
+
+TP_STATIC_ASSERT(-1 >> 1 == -1, "the core assumes arithmetic right shift");
+
+/* a b / 2^16, rounded half up; the caller keeps |a b| below 2^47. */
+static inline tp_fx tp_fx_mul(tp_fx a, tp_fx b)
+{
+    return (tp_fx)(((int64_t)a * b + 0x8000) >> 16);
+}
+
+tp_fx  tp_fx_div(tp_fx a, tp_fx b);     /* rounded half up; saturates; x/0 by sign of x */
+
+tp_fx  tp_fx_sin(tp_turn angle);
+tp_fx  tp_fx_cos(tp_turn angle);
+tp_turn tp_atan2(int32_t y, int32_t x); /* of any format; error < 2^-18 turn; (0,0): 0 */
+
+/* Degrees in 16.16 of any size to an angle: wraps; error < 2^-31 turn per degree. */
+tp_turn tp_turn_of_degrees(tp_fx degrees);
+
+typedef struct { tp_fx  x, y, z; } tp_vec3;     /* metres, or what its name says */
+typedef struct { tp_q30 x, y, z; } tp_dir3;     /* unit vector */
+typedef struct { tp_dir3 x, y, z; } tp_rotation;/* rows: world to local; orthonormal */
+
+TP_END_C
+#endif

@@ -1,0 +1,193 @@
+/* SPDX-License-Identifier: MIT */
+/* What the parts of the ocean share: its tables are made in ocean_init.c,
+ * ocean_tables.c and ocean_map.c, and read in ocean.c. */
+#ifndef TP_WAVE_OCEAN_TABLES_H
+#define TP_WAVE_OCEAN_TABLES_H
+#include "base/base.h"
+#include "wave/ocean.h"
+
+/* -- places and ways --------------------------------------------------------------- */
+
+/* A unit vector on the ground. */
+typedef struct {
+    tp_q30 x, z;
+} tp_way;
+
+tp_way tp_way_of(tp_fx heading_degrees);
+tp_fx  tp_way_along(tp_way way, tp_fx x, tp_fx z);  /* metres of a place; saturates */
+
+static inline tp_q30 tp_way_dot(tp_way a, tp_way b)
+{
+    return (tp_q30)(((int64_t)a.x * b.x + (int64_t)a.z * b.z + (1 << 29)) >> 30);
+}
+
+/* Between a and b, part of the way in Q16; their difference fits an int32_t. */
+static inline int32_t tp_ocean_mix(int32_t a, int32_t b, int32_t part)
+{
+    return a + (int32_t)(((int64_t)(b - a) * part + 0x8000) >> 16);
+}
+
+/* -- depths of the tables -------------------------------------------------------------
+ *
+ * Eight (for phases 32) depths an octave: the leading bits of h name the node, those
+ * behind them the part, so neither a root nor a division is needed. */
+
+#define TP_OCEAN_FIRST 12       /* 1/16 m is 2^12 in 16.16 ... */
+#define TP_OCEAN_LAST  27       /* ... and 2048 m is 2^27 */
+
+/* Whether waves so stretched may hang over: where the bed rises at all. */
+static inline bool tp_may_break(tp_fx stretch, tp_fx slope, bool mapped)
+{
+    return stretch > 0 && (slope > 0 || mapped);
+}
+
+typedef struct {
+    uint32_t depth, phase;          /* the nodes above */
+    int32_t  depth_part, phase_part;/* Q16 */
+} tp_ocean_where;
+
+/* Of a depth > 0. */
+static inline tp_ocean_where tp_ocean_where_of(tp_fx h)
+{
+    TP_ASSERT(h > 0);
+    if (h < 1 << TP_OCEAN_FIRST)
+        return (tp_ocean_where){ 0, 0, h * 16, h * 16 };
+    if (h >= 1 << TP_OCEAN_LAST)
+        return (tp_ocean_where){ TP_OCEAN_DEPTHS - 2, TP_OCEAN_PHASES - 2,
+                                 TP_FX_ONE, TP_FX_ONE };
+    const int zeros = tp_clz((uint32_t)h);
+    const uint32_t octave = (uint32_t)(31 - zeros - TP_OCEAN_FIRST);
+    const uint32_t rest = (uint32_t)h << zeros << 1;    /* without the leading one */
+    return (tp_ocean_where){ 1 + 8 * octave + (rest >> 29),
+                             1 + 32 * octave + (rest >> 27), (int32_t)(rest << 3 >> 16),
+                             (int32_t)(rest << 5 >> 16) };
+}
+
+/* The depth of node i when 2^bits nodes are an octave. */
+static inline tp_fx tp_ocean_node_depth(uint32_t i, int bits)
+{
+    TP_ASSERT(i <= TP_OCEAN_PHASES && (bits == 3 || bits == 5));
+    if (i == 0)
+        return 0;
+    const uint32_t in = (i - 1) & ((1u << bits) - 1), octave = (i - 1) >> bits;
+    return (tp_fx)(((1u << bits) + in) << (TP_OCEAN_FIRST - bits + (int)octave));
+}
+
+/* -- orbits and breaking ----------------------------------------------------------- */
+
+/* Sx and Sy of [B12], 8.24.  Sx <= 2^7 and a bit at 1/16 m with the default rates; both
+ * are held, Sx to 2^13 and Sy to 2, for rates that nobody means. */
+typedef struct {
+    int64_t x_q24, y_q24;
+} tp_orbit_scale;
+tp_orbit_scale tp_orbit_scale_of(tp_fx depth, tp_fx kx, tp_fx ky);
+
+/* e^-K h as Q0.32. */
+uint32_t tp_orbit_fall(tp_fx rate, tp_fx depth);
+
+/* sqrt(1 - s^2). */
+tp_q30 tp_cos_of_sin(tp_q30 sin);
+
+/* The orbit at a phase.  The semi-axis `up` counts along the way no more than `along`:
+ * with Q < 1 it may be the longer one, and k along bounds the way's Jacobian [B13]. */
+static inline tp_offset tp_orbit_at(const tp_ellipse *o, tp_turn phi)
+{
+    const int32_t a = tp_q30_mul(o->along, tp_sin(phi));
+    const tp_q30 cos = tp_cos(phi);
+    const int32_t b = -tp_q30_mul(o->up, cos);
+
+    if (o->sin == 0)
+        return (tp_offset){ a, b };
+    const int32_t level = o->up <= o->along ? b : -tp_q30_mul(o->along, cos);
+    return (tp_offset){ tp_q30_mul(a, o->cos) - tp_q30_mul(level, o->sin),
+                        tp_q30_mul(a, o->sin) + tp_q30_mul(b, o->cos) };
+}
+
+/* H / h at which the gate may begin to open, with all of the noise: 0.6 / 1.5. */
+#define TP_OCEAN_RATIO_LEAST TP_FX(0.3999)
+
+/* -- noise ------------------------------------------------------------------------- */
+
+/* Value noise in -1..1, 16.16: random heights at whole u and v, joined smoothly.  u and v
+ * are Q16; u repeats after 2^16, v after 8 cells. */
+tp_fx tp_noise(uint32_t u_q16, uint32_t v_q16, uint32_t seed);
+
+/* -- the eikonal equation ---------------------------------------------------------- */
+
+/* |grad S| = k over cols x rows square cells.  `turns[i]` goes in as the phase, Q32.32,
+ * on the edges where waves come in and as INT64_MAX elsewhere, and comes out as the
+ * earliest phase everywhere.  `ray[i].turns` holds k times the step, as unsigned turns
+ * Q8.24. */
+void tp_eikonal_solve(int64_t *turns, const tp_ocean_ray *ray, uint32_t cols,
+                      uint32_t rows);
+
+/* -- making ------------------------------------------------------------------------ */
+
+/* The numbers of a wave that the tables are made from. */
+typedef struct {
+    int64_t k_inf_q32;
+    int64_t kz_q32;             /* along a straight shore [B9] */
+    tp_way  way;
+    tp_fx   amplitude, reach;   /* A and QA of deep water */
+    tp_fx   length;
+} tp_ocean_swell;
+
+/* k at a depth, or at 1/16 m where it is less: below 29 rad/m for waves of 0.25 m. */
+static inline int64_t tp_ocean_number_at(int64_t k_inf_q32, tp_fx depth)
+{
+    return tp_depth_number_exact(k_inf_q32,
+                                 depth < TP_DEPTH_LEAST ? TP_DEPTH_LEAST : depth);
+}
+
+/* Turns a metre, Q31.32, of a wave number: over 2 pi.  k < 2^5, so the product fits. */
+static inline int64_t tp_ocean_turns(int64_t k_q32)
+{
+    return (k_q32 * 42722830 + (1 << 27)) >> 28;        /* 2^28 / 2 pi */
+}
+
+/* x y / 2^30 of an x of any size; within two of its units. */
+static inline int64_t tp_ocean_part(int64_t x, tp_q30 y)
+{
+    return ((x >> 16) * y >> 14) + ((x & 0xffff) * y >> 30);
+}
+
+/* sqrt(k^2 - kz^2) for |kz| <= k; else 0. */
+int64_t tp_ocean_across(int64_t k_q32, int64_t kz_q32);
+
+/* k (x, z) over a floor that rises towards `up`: Snell [B9] keeps what is along its
+ * contours.  up (0, 0): straight on. */
+typedef struct {
+    int64_t x_q32, z_q32;
+} tp_ocean_number;
+tp_ocean_number tp_ocean_bent(const tp_ocean_swell *swell, tp_way up, int64_t k_q32);
+
+/* Tables begin where the head ends. */
+_Static_assert(sizeof(tp_ocean) % _Alignof(tp_ocean_table) == 0, "tables are aligned");
+
+static inline tp_ocean_table *tp_ocean_tables(const tp_ocean *ocean)
+{
+    return (tp_ocean_table *)(ocean + 1);
+}
+
+tp_ocean_bed *tp_ocean_beds(const tp_ocean *ocean);
+tp_ocean_ray *tp_ocean_rays(const tp_ocean *ocean, const tp_ocean_wave *wave);
+
+void tp_ocean_make_table(tp_ocean *ocean, uint32_t i, const tp_ocean_swell *swell,
+                         const tp_ocean_config *config);
+void tp_ocean_make_phases(tp_ocean *ocean, uint32_t i, const tp_ocean_swell *swell);
+void tp_ocean_share(tp_ocean *ocean);
+
+/* The sine of the steepest tilt of a map's floor, Q14; and the bounds of a swell whose
+ * table and phases are there, which add to the ocean's. */
+int32_t tp_ocean_tilt_most(const tp_ocean *ocean);
+void tp_ocean_bound(tp_ocean *ocean, uint32_t i, int32_t tilt);
+
+void tp_ocean_make_beds(tp_ocean *ocean, const tp_floor *floor);
+void tp_ocean_make_rays(tp_ocean *ocean, uint32_t i, const tp_ocean_swell *swell,
+                        int64_t *turns);
+tp_q30 tp_ocean_beach(const tp_ocean *ocean, tp_fx amplitude);
+
+/* ocean.c: the depth, m, up to which crests foam by breaking alone; in deeper water they
+ * foam where they are squeezed. */
+tp_fx tp_ocean_breaking_depth(const tp_ocean *ocean);
+#endif
