@@ -1,6 +1,11 @@
 /* SPDX-License-Identifier: MIT */
 /* Fixed-point numbers, angles, vectors and rotations, as scenes, worlds and frames take
- * them.  src/fx/fx.h has the rest of the arithmetic. */
+ * them.
+ *
+ * The type names the format.  One rounding rule: products and quotients round half up
+ * (towards plus infinity), so a sum of many does not drift as bare >> does.  One
+ * overflow rule: functions marked "saturates" clamp to the type's ends, the others
+ * require a result in range and say so; none of them traps. */
 #ifndef TP_FIXED_H
 #define TP_FIXED_H
 #include <stdint.h>

@@ -22,7 +22,8 @@
 
 TP_BEGIN_C
 
-/* name, bits a pixel, what it is */
+/* Formats of pixels: name, bits a pixel, what it is.  The last three are dithered by an
+ * ordered 8x8 pattern fixed to the picture. */
 #define TP_FORMAT_LIST(X) \
     X(XRGB8888, xrgb8888, 32, "0x00RRGGBB in a native uint32_t") \
     X(RGB565,   rgb565,   16, "native uint16_t, red high") \
@@ -154,7 +155,7 @@ size_t tp_frame_direct_scratch_bytes(const tp_config *config, const tp_scene *sc
  * copied.  Program, scene and assets must outlive the frame, which keeps pointers to them.
  *  - TP_E_NULL, TP_E_ALIGN: err->word is the argument; TP_E_NOSPACE: `bytes` are too few
  *  - TP_E_SIZE, TP_E_TILE, TP_E_ARG: the config is out of range
- *  - as tp_program_fits: the scene is, or the program lacks a module that it has on
+ *  - as tp_world_init: the scene is, or the program lacks a module that it has on
  *  - TP_E_PROGRAM: a program has at least the stages sky and plain, and the format's store */
 tp_status tp_frame_init(tp_frame **frame, const tp_config *config, const tp_scene *scene,
                         void *memory, size_t bytes, tp_error *err);

@@ -98,8 +98,7 @@ extern const struct tp_water_swells tp_water_few_swells;
 
 /* -- parts of a frame; src/frame/parts.h -------------------------------------------- */
 
-#define TP_DRAW_LIST(X) \
-    X(rungs)        /* the plan, scene/plan.h */
+#define TP_DRAW_LIST(X) X(rungs) /* the plan */
 
 /* Methods of finding the water in the picture, tp_visibility. */
 #define TP_METHOD_LIST(X) \
@@ -353,7 +352,7 @@ typedef struct tp_program {
     tp_draws  draw;
     tp_methods method;
     const tp_use *modules;      /* a list of uses; NULL: none */
-    /* tp_lacks_check: a scene that has one of `lacks` on is refused, see tp_program_fits.
+    /* tp_lacks_check: a scene that has one of `lacks` on is refused, see tp_world_init.
      * NULL: what is missing is left out of the picture. */
     tp_status (*refuse)(const struct tp_program *program, const struct tp_scene *scene,
                         const struct tp_assets *assets, tp_error *err);

@@ -44,7 +44,7 @@ typedef struct {
     tp_fx   every;          /* s between drops that fall by themselves; 0: none do */
     tp_fx   scatter;        /* m: they fall so far from the sphere at the most */
     tp_fx   efficiency;     /* share of the lost energy that the ring takes, 0..1 [D4] */
-    tp_fx   speed, decay, spread, attack;   /* of rings, see tp_ring */
+    tp_fx speed, decay, spread, attack; /* of rings: m/s, s, m, s */
     int32_t colour;         /* of drops and sphere */
 } tp_scene_drops;
 
@@ -75,12 +75,18 @@ typedef enum { TP_LOD_AUTO, TP_LOD_OFF, TP_LOD_ON } tp_lod;
 
 #define TP_NAME_BYTES 128       /* of a name in a scene, its end included */
 
-/* A pool as a scene describes it; see tp_pool_config for the meanings. */
+/* A pool as a scene describes it. */
 typedef struct {
-    int32_t cols, rows;                     /* cols 0: no such pool */
-    int32_t cells, edges, damping, sponge;
-    tp_fx   courant, range, cell, x, z;
-    tp_fx   feed_low, feed_high, feed;
+    int32_t cols, rows;        /* cells, 16..512; cols 0: no such pool */
+    int32_t cells, edges;      /* tp_cells, tp_edges */
+    int32_t damping;           /* m: 2^-m of the motion goes each tick */
+    int32_t sponge;            /* cells, of TP_EDGES_SPONGE */
+    tp_fx courant;             /* wave speed x tick / cell, 0.05 to about 0.49 */
+    tp_fx range;               /* m at the full range of 8- and 16-bit cells */
+    tp_fx cell, x, z;          /* m: a cell's side, the centre */
+    tp_fx feed_low, feed_high; /* m: a band in which feeding holds the rms of
+                                             * the heights; 0, 0: it is not fed */
+    tp_fx feed;                /* m: height of an injection */
     tp_fx   poke_every, poke, poke_size;    /* s between hats at random places, m, m */
     tp_fx   paddle, paddle_period;          /* m, s: of waves made at the north edge */
     char    mask[TP_NAME_BYTES];            /* PNG, "": no walls inside */
@@ -105,7 +111,7 @@ typedef struct {
 #define TP_LAYERS 3
 #define TP_FACES  6             /* of a cube: +x -x +y -y +z -z */
 
-/* Room for the settings of modules that a program brings itself, tidepool/modules.h. */
+/* Words for the settings of modules that a program brings itself, tidepool/modules.h. */
 #define TP_OWN_WORDS 32
 
 /* Numbers are 16.16 unless said; angles are degrees; colours 0x00RRGGBB. */
@@ -180,7 +186,8 @@ typedef struct tp_scene {
     struct { int32_t cols, rows; tp_fx cell, reach; int32_t follow; } grid;
     tp_wave wave[TP_WAVES];
     struct {
-        tp_fx   depth, slope, heading;      /* depth 0, no map: open sea; see tp_floor */
+        tp_fx depth, slope, heading;        /* depth 0, no map: open sea; rise a metre,
+                                             * towards `heading` */
         char    map[TP_NAME_BYTES];         /* PNG of heights, "": none */
         tp_fx   map_x, map_z, map_size, map_low, map_high;
         int32_t colour;                     /* of the land, times the texture */
@@ -203,7 +210,7 @@ typedef struct tp_scene {
         tp_fx   wake;                       /* share of its volume that stirs the pool */
     } boat;
     struct { tp_fx scale; } clock;          /* 1/8..4: slow motion, fast forward [D6] */
-    struct {                                /* how well it must be drawn; plan.h */
+    struct {                                /* how well it must be drawn */
         tp_fx   error_px, error_colour;     /* outlines, px; rms of colours, of 255 */
         int32_t visibility, shading, rate, lod;     /* a rung, or auto: the budget's */
         tp_fx   frame_ms;                   /* that the governor holds; 0: none */
@@ -273,7 +280,7 @@ void tp_scene_level(tp_scene *scene);
  * at fault:
  *  - TP_E_RANGE: a number, choice or colour outside the row's range, err->a..err->b
  *  - TP_E_UNENDED: a name without its terminating zero; TP_E_TEXT: a control character
- *  - TP_E_POOL_...: numbers of a pool that cannot be used together, see tp_pool_check
+ *  - TP_E_POOL_...: numbers of a pool that cannot be used together
  * The inits of a world and a frame, their byte counts, tp_world_apply and the plan call
  * it, so a program that sets numbers need not.  Pictures that the scene names are no part
  * of it: tp_world_init checks these. */

@@ -41,7 +41,6 @@ TP_BEGIN_C
  * The same version draws the same bits on every machine.  MAJOR rises when a program that
  * used the API no longer compiles or means something else, MINOR when pictures change or
  * the API grows, PATCH when neither does.  While MAJOR is 0, MINOR stands for both. */
-
 #define TP_VERSION_MAJOR 0
 #define TP_VERSION_MINOR 1
 #define TP_VERSION_PATCH 0

@@ -12,19 +12,18 @@
 
 TP_BEGIN_C
 
-/* A program, tidepool/modules.h: what of the library is there. */
+/* The list of what is linked: tidepool/modules.h. */
 typedef struct tp_program tp_program;
 
 /* A world lies in the caller's memory, tp_world_bytes() bytes, and holds no pointer: a copy
- * of the block is a snapshot.  Its layout is the library's own. */
+ * of the block is a snapshot.  Its layout is the library's own.
+ *
+ * A world goes with one program: what that lacks is not in it, as if the scene did not
+ * name it; unless the program refuses such a scene, see tp_world_init. */
 typedef struct tp_world tp_world;
 
 #define TP_TICKS_PER_SECOND 60      /* the clock of everything that moves */
 
-/* -- the world: a scene as it moves ----------------------------------------------
- *
- * Each world goes with one program: what that lacks is not in it, as if the scene did not
- * name it; unless the program refuses such a scene, see tp_program_fits. */
 
 /* A hat put into the pool, as wide as pool.poke_size: m above the level, at a place in
  * the world, m.  Of height 0 there is none; outside of the pool it does nothing. */
@@ -50,8 +49,8 @@ typedef struct {
     tp_push push[TP_PUSHES];    /* in their order; a world without a pool takes none */
 } tp_input;
 
-/* sizeof (tp_world) if the scene has no pool, no floor or wind, no drops, and less by a
- * program without swells; 0 if it cannot be used (tp_world_init says why).  NULL assets are
+/* About 2 KB if the scene has no pool, no floor or wind, no drops, and less by a program
+ * without swells; 0 if it cannot be used (tp_world_init says why).  NULL assets are
  * none. */
 size_t tp_world_bytes(const tp_program *program, const tp_scene *scene,
                       const tp_assets *assets);
@@ -59,9 +58,11 @@ size_t tp_world_bytes(const tp_program *program, const tp_scene *scene,
 /* The world of `scene` at tick 0, in `bytes` bytes aligned to 8.  Pictures that the
  * assets hold are read now and not kept; NULL assets are none.
  *  - TP_E_NULL, TP_E_ALIGN: err->word is the argument; TP_E_NOSPACE: `bytes` are too few
- *  - as tp_program_fits: err->word is the parameter at fault ("pool.courant"), or the
- *    module that the program lacks
- *  - TP_E_ARG: a map of the floor ("floor.map") outside what tp_ocean_init takes */
+ *  - as tp_scene_check, if the program has it: err->word is the parameter at fault
+ *  - TP_E_PROGRAM: the scene has a module on that the program says it lacks; err->word is
+ *    its name, as `tidepool bake --with` takes it.  Fast stages are lacking only if
+ *    quality.shading names them: a plan takes exact ones then
+ *  - TP_E_ARG: the picture of "floor.map" has a side of 0 or of more than 4096 pixels */
 tp_status tp_world_init(const tp_program *program, tp_world *world, size_t bytes,
                         const tp_scene *scene, const tp_assets *assets, tp_error *err);
 
@@ -125,11 +126,12 @@ typedef struct {
     tp_rotation turn;
 } tp_camera;
 
-/* In the world, world->back of a tick before the last one, wherever it stands. */
+/* The camera in the world, wherever it stands, between the last two ticks as the clock
+ * stands. */
 tp_camera tp_world_camera(const tp_world *world);
 
-/* Ticks that the clock asks for until the next picture: step the world so many times. The
- * picture then lies world->back of a tick before the last one. */
+/* Ticks that the clock asks for until the next picture: step the world so many times.  The
+ * picture then lies between the last two ticks, as the clock stands. */
 uint32_t tp_world_advance_clock(tp_world *world);
 
 /* Ticks that the world has made. */

@@ -159,7 +159,7 @@ static void restart(control *c)
 {
     const control_setup *s = c->setup;
     tp_error err = { 0 };
-    if (tp_world_init(s->config->program, s->world, s->world->parts.bytes, s->shown,
+    if (tp_world_init(s->config->program, s->world, s->world_bytes, s->shown,
                       s->config->assets, &err)) {
         refuse_input(c, &err);
         return;

@@ -32,6 +32,7 @@ typedef struct {
     tp_scene        *scene;     /* the same in RAM; NULL: constant, `set` is refused */
     const tp_config *config;    /* of the frame */
     tp_world        *world;
+    size_t           world_bytes;               /* of its block */
     void           (*write)(void *to, const char *text);    /* a piece of an answer */
     void           (*state)(void *to);      /* the rest of that answer; NULL: none */
     void            *to;

@@ -8,8 +8,6 @@
  * (mirror.objects from stencil to cube). */
 #include "../live/setting.h"
 #include "answer.h"
-#include "scene/value.h"
-#include "scene/world.h"
 
 static bool may_change(const control *c, const tp_param *param)
 {
@@ -30,11 +28,11 @@ static void take_back(const control *c, const tp_param *param, void *number,
     const size_t bytes = tp_world_bytes(s->config->program, s->scene, s->config->assets);
     answer(c, "error ");
     answer_value(c, param);
-    if (bytes > s->world->parts.bytes) {
+    if (bytes > s->world_bytes) {
         answer(c, " needs ");
         answer_number(c, (uint32_t)bytes);
         answer(c, " bytes of the world, which has ");
-        answer_number(c, s->world->parts.bytes);
+        answer_number(c, (uint32_t)s->world_bytes);
         answer(c, "\n");
     } else {
         answer(c, " cannot be had while the water moves\n");

@@ -202,12 +202,11 @@ static void work_begin(work *w, const screen *s)
                       &err))
         stop("the world cannot be made");
     w->setup = (control_setup){
-        .program = &tp_program_all,
         .shown = &scene,
         .scene = &scene,
-        .assets = &baked_assets,
         .config = &w->config,
         .world = w->world,
+        .world_bytes = world_bytes,
         .write = write,
         .state = say_state,
         .to = w,

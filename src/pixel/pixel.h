@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Pixels as they are stored: names of formats, reading back, checksums. */
+/* Pixels as they are stored: names of formats, reading back, checksums.  Colours inside the
+ * core are 0x00RRGGBB in a uint32_t, sRGB values as stored. */
 #ifndef TP_PIXEL_PIXEL_H
 #define TP_PIXEL_PIXEL_H
 #include "tidepool/frame.h"

@@ -53,8 +53,6 @@ typedef enum {
     TP_ABOARD_LEFT  /* in the world: tp_world_set_camera ended the following */
 } tp_aboard;
 
-/* Plain data without pointers, in one block of tp_world_bytes() bytes: copying it is a
- * snapshot. */
 struct tp_world {
     uint64_t tick;
     tp_fx    back;              /* 0..1: the picture lies so much of a tick before */

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Light at the water's surface: how much is reflected, where rays go, and the exposure
- * that a camera settles at, [F1]-[F4] and [F8] of the models.
+/* Light at the water's surface: how much is reflected, and where rays go, [F1]-[F4] of the
+ * models.
  *
  * From air into water, never back: there is no total reflection.  Units
  * are those of tp_dir3: unit vectors and shares in Q2.30. */

@@ -53,7 +53,7 @@ ready()
     "$program" ${command%scene.c} "$scratch/scene.c" &&
         for file in "$scratch/scene.c" tests/boards/readme.c tests/boards/panel.c \
             ports/lcd/lcd.c ports/lcd/panels.c; do
-            cc -std=c11 -O1 -Iinclude -Iports -I. -c "$file" \
+            cc -std=c11 -O1 -Iinclude -Isrc -Iports -I. -c "$file" \
                 -o "$scratch/$(basename "$file" .c).o" || return 1
         done
 }

@@ -79,6 +79,7 @@ static void board_open(board *b, uint8_t kind)
         .assets = &none,
         .config = &config,
         .world = b->world,
+        .world_bytes = bytes,
         .write = hear,
         .state = kind & 64 ? state : NULL,
         .to = b,

@@ -46,8 +46,8 @@ esac
 shared()
 {
     for file in ports/live/*.c; do
-        cc -std=c11 -O2 -ffreestanding -mgeneral-regs-only -fno-pie -Iinclude -Werror \
-            -Wall -c "$file" -o "$scratch/live-$(basename "$file" .c).o" || return 1
+        cc -std=c11 -O2 -ffreestanding -mgeneral-regs-only -fno-pie -Iinclude -Isrc \
+            -Werror -Wall -c "$file" -o "$scratch/live-$(basename "$file" .c).o" || return 1
     done
     nm -u "$scratch"/live-*.o | awk '
         NF == 2 && $2 !~ /^(mem(cpy|set)|tp_[a-z0-9_]*)$/ { print; bad = 1 }

@@ -4,9 +4,19 @@
 #   awk -f tests/gates/layers.awk include/tidepool/*.h src/*/* ports/*/*.[ch]
 #
 # Ranks low to high; modules on one line are peers and do not see each other.  A public
-# header has the rank of the module that implements it.  A port sees the public headers
-# and itself; sdl2 and null are parts of the host program and see host as well.  Raw
-# screens, linuxfb and kms, are shown by screen, which host hands its pictures to.  What
+# header has the rank of the module that implements it; `types` names who sees one from
+# below that rank, for its types.  Public headers include those before them in their order.
+#
+# Host, sdl2, screen, linuxfb, kms and null are tools: they see every header of src.  Other
+# ports see the public headers and themselves, and of src what `grants` names:
+#   rpi, cortex-m   share one block out (arena.h) and print a picture's checksum (pixel.h);
+#                   count pixels of water (tools.h), write buttons as a tape (tape.h)
+#   board           a serial line is a tape's, and sets rows by their texts (value.h)
+#   live            carries a world's state over a change (world.h, meter.h), and looks for
+#                   the water under a pixel (parts.h, pools.h, drops.h, fx.h)
+#   web             reads OBJ in pieces (reader.h), has a governor (tools.h), keeps the camera
+#                   of a world that it makes anew (world.h)
+# Raw screens, linuxfb and kms, are shown by screen, which host hands its pictures to.  What
 # live knows of input and changes is for every port where somebody acts.  The preview
 # compares its pictures with the reference's, which is in tests.  The host library, in
 # ports/library, gives others what host and live have.  A module that a program
@@ -20,14 +30,35 @@ BEGIN {
         for (j = 1; j <= n; j++)
             rank[module[j]] = i
     }
-    split("arena=base language=base status=base version=base program=pixel ring=wave " \
-          "ocean=wave depth=wave light=shade drop=scene foam=scene clock=scene " \
-          "tape=scene plan=scene rows=scene tidepool=top", special, " ")
+    split("fixed=base status=base assets=asset modules=pixel world=scene " \
+          "tidepool=top", special, " ")
     for (i in special) {
         split(special[i], pair, "=")
         owner[pair[1]] = pair[2]
     }
+    split("base=tidepool pixel=frame wave=scene wave=assets wave=world pool=scene " \
+          "pool=assets geom=world", types, " ")
+    for (i in types)
+        typed[types[i]]
+    split("host sdl2 screen linuxfb kms null", tools, " ")
+    for (i in tools)
+        tool[tools[i]]
+    split("rpi=base/arena.h rpi=pixel/pixel.h cortex-m=base/arena.h " \
+          "cortex-m=pixel/pixel.h cortex-m=frame/tools.h cortex-m=scene/tape.h " \
+          "board=base/fail.h board=scene/value.h board=scene/tape.h " \
+          "board=scene/pools.h board=features/drops/drops.h " \
+          "live=fx/fx.h live=scene/value.h live=scene/world.h live=scene/parts.h " \
+          "live=scene/pools.h live=features/drops/drops.h " \
+          "live=features/exposure/meter.h " \
+          "web=asset/reader.h web=base/fail.h web=scene/value.h web=scene/world.h " \
+          "web=frame/tools.h " \
+          "web=pixel/pixel.h web=scene/pools.h web=features/drops/drops.h", grants, " ")
+    for (i in grants)
+        granted[grants[i]]
     rank["top"] = levels + 1
+    n = split("fixed status scene assets world frame modules tidepool", public_header, " ")
+    for (i = 1; i <= n; i++)
+        place[public_header[i]] = i
     split("stddef.h stdint.h stdbool.h limits.h", system_header, " ")
     for (i in system_header)
         free[system_header[i]]
@@ -79,6 +110,8 @@ FNR == 1 {
             next                                    # the system's
         if (step[1] == "..")
             step[1] = step[2]
+        if (step[1] in rank && (folder in tool || (folder "=" name) in granted))
+            next
         sight = folder "=" step[1]
         if (public || name !~ /\// || step[1] == folder || sight in guest \
             || (folder == "examples" && step[1] in rank && step[1] != "features"))
@@ -89,9 +122,22 @@ FNR == 1 {
             wrong("the core is freestanding")
     } else {
         there = public ? module_of(step[2]) : step[1]
-        if (tree == "include" && !public)
-            wrong("a public header includes public headers alone")
-        else if (!(there in rank))
+        if (tree == "include") {
+            name = step[2]
+            sub(/\.h$/, "", name)
+            self = file
+            sub(/\.h$/, "", self)
+            if (!public)
+                wrong("a public header includes public headers alone")
+            else if (!(name in place) || place[name] >= place[self])
+                wrong("a public header includes those before it alone")
+            next
+        }
+        title = step[2]
+        sub(/\.h$/, "", title)
+        if (public && (here "=" title) in typed)
+            next
+        if (!(there in rank))
             wrong("no such module")
         else if (rank[there] > rank[here] || (rank[there] == rank[here] && there != here))
             wrong(here " may not see " there)

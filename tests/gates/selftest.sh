@@ -34,12 +34,21 @@ put src/wave/f.c '#include "host/say.h"'
 refuse "layers: a port in the core" layers src/wave/f.c
 put src/odd/a.c ''
 refuse "layers: a folder without a rank" layers src/odd/a.c
-put include/tidepool/fx.h '#include "base/base.h"'
-refuse "layers: an internal header in a public one" layers include/tidepool/fx.h
-put include/tidepool/fx.h '#include "tidepool/scene.h"'
-refuse "layers: a public header that points up" layers include/tidepool/fx.h
-put ports/sdl2/a.c '#include "fx/trig.h"'
-refuse "layers: the core's inside in a port" layers ports/sdl2/a.c
+put include/tidepool/fixed.h '#include "base/base.h"'
+refuse "layers: an internal header in a public one" layers include/tidepool/fixed.h
+put include/tidepool/scene.h '#include "tidepool/frame.h"'
+refuse "layers: a public header that points up" layers include/tidepool/scene.h
+mkdir -p "$scratch/src/pixel" "$scratch/ports/lcd" "$scratch/ports/rpi"
+put src/pixel/a.c '#include "tidepool/frame.h"'
+check  "layers: passes a public header that is seen for its types" layers src/pixel/a.c
+put ports/lcd/a.c '#include "base/arena.h"'
+refuse "layers: the core's inside in a port" layers ports/lcd/a.c
+put ports/rpi/a.c '#include "base/arena.h"'
+check  "layers: passes a header of the core that a port is granted" layers ports/rpi/a.c
+put ports/rpi/b.c '#include "base/fail.h"'
+refuse "layers: another header of the same folder" layers ports/rpi/b.c
+put ports/sdl2/a.c '#include "fx/fx.h"'
+check  "layers: passes the core's inside in a tool" layers ports/sdl2/a.c
 put ports/sdl2/b.c '#include "tidepool/tidepool.h"' '#include <SDL.h>' \
     '#include "../host/say.h"'
 check  "layers: passes a port that keeps to the API" layers ports/sdl2/b.c

@@ -141,7 +141,8 @@ same "one that may is refused what its list lacks, but not what was left out" \
        grep -c 'tp_\(spray\|foam\)_enabled' j.c)" "2
 0"
 run bake minimal -o k.c --size 64x48 --no-input --with foam --name baked
-linked="-std=c11 -O1 -ffunction-sections -fdata-sections -Wl,--gc-sections -I$root/include"
+linked="-std=c11 -O1 -ffunction-sections -fdata-sections -Wl,--gc-sections -I$root/include \
+    -I$root/src"
 link()          # FILE.c PROGRAM
 {
     # shellcheck disable=SC2086
@@ -173,7 +174,7 @@ draws()         # SCENE [SETTING]
     # shellcheck disable=SC2086
     {
     run bake $1 -o small.c --name baked $change
-    ${CC:-cc} $strict -I"$root" -I"$root/ports" "$root/tests/cross/frames.c" small.c \
+    ${CC:-cc} $strict -I"$root/src" -I"$root" -I"$root/ports" "$root/tests/cross/frames.c" small.c \
         "$root/build/host/libtidepool.a" -o frames 2>err
     ./frames 64x48 0:1 xrgb8888 0x0 >drawn 2>/dev/null
     run render $1 --size 64x48 --frames 0:1 --hash $change

@@ -100,7 +100,7 @@ same "in which its state is a chunk with its id" "$(grep -aco 'youb' world)" 1
 cat >main.c <<'END'
 #include <stdio.h>
 #include <stdlib.h>
-#include "tidepool/frame.h"
+#include "pixel/pixel.h"
 
 extern const tp_scene        baked_scene;
 extern const tp_assets       baked_assets;
@@ -135,7 +135,8 @@ run bake "$scene" --set boat.mesh= $on --size 160x120 --format xrgb8888 --name b
 judge "it is baked" 0 ""
 same "with its stage in the list" "$(grep -c 'tp_stage_buoy,$' b.c)" 1
 own=$build/more/buoy/ports/examples/buoy
-${CC:-cc} -std=c11 -I"$root/include" -I"$root" -DTP_MORE='"ports/examples/buoy/list.h"' \
+${CC:-cc} -std=c11 -I"$root/include" -I"$root/src" -I"$root" \
+    -DTP_MORE='"ports/examples/buoy/list.h"' \
     main.c b.c "$own/buoy.o" "$own/buoy_drawing.o" "$build/libtidepool.a" -o baked 2>err
 same "the baked program draws it, by its own list" "$(./baked)" "$seen"
 

@@ -50,7 +50,8 @@ static void board_open(board *b)
     assert_int_equal(tp_frame_init(&b->frame, &config, &b->scene, b->block,
                                    tp_frame_bytes(&config, &b->scene), NULL),
                      TP_OK);
-    b->setup = (control_setup){ &b->scene, &b->scene, &config, b->world, hear, NULL, b };
+    b->setup = (control_setup){ &b->scene, &b->scene, &config, b->world, bytes,
+                                hear,      NULL,      b };
     control_begin(&b->control, &b->setup);
 }
 

@@ -354,6 +354,31 @@ static void fields_have_the_rows_that_name_them(void **state)
     assert_string_equal(row_of("water.filter")->unit, "nearest|linear");
 }
 
+static void a_scene_is_set_by_name_and_text(void **state)
+{
+    (void)state;
+    tp_scene scene;
+    tp_error err = { 0 };
+    tp_scene_default(&scene);
+    assert_int_equal(tp_scene_set(&scene, "wave0.steepness", " 0.5 ", &err), TP_OK);
+    assert_int_equal(scene.wave[0].steepness, TP_FX(0.5));
+    assert_int_equal(tp_scene_set(&scene, "floor.map", "bay.png", NULL), TP_OK);
+    assert_string_equal(scene.floor.map, "bay.png");
+
+    const tp_scene before = scene;
+    assert_int_equal(tp_scene_set(&scene, "wave0.steep", "0.5", &err), TP_E_NAME);
+    assert_string_equal(err.word, "wave0.steep");
+    assert_int_equal(tp_scene_set(&scene, "wave0.steepness", "steep", &err), TP_E_NUMBER);
+    assert_string_equal(err.word, "steep");
+    assert_int_equal(tp_scene_set(NULL, "wave0.steepness", "0", &err), TP_E_NULL);
+    assert_string_equal(err.word, "scene");
+    assert_int_equal(tp_scene_set(&scene, NULL, "0", &err), TP_E_NULL);
+    assert_string_equal(err.word, "name");
+    assert_int_equal(tp_scene_set(&scene, "wave0.steepness", NULL, &err), TP_E_NULL);
+    assert_string_equal(err.word, "value");
+    assert_memory_equal(&scene, &before, sizeof scene);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -367,6 +392,7 @@ int main(void)
         cmocka_unit_test(numbers_just_beyond_their_range_are_refused),
         cmocka_unit_test(the_ends_of_a_range_are_fit_to_be_shown),
         cmocka_unit_test(bad_texts_change_nothing_and_are_named),
+        cmocka_unit_test(a_scene_is_set_by_name_and_text),
         cmocka_unit_test(names_too_long_or_dirty_are_refused),
         cmocka_unit_test(texts_are_understood_in_their_usual_forms),
         cmocka_unit_test(the_text_given_need_not_be_terminated),

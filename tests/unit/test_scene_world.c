@@ -205,7 +205,7 @@ static tp_scene any_moving_scene(void)
 
 static void play(tp_world *world, const tp_scene *scene, const tp_input tape[100])
 {
-    for (uint64_t i = world->tick; i < 100; i++)
+    for (uint64_t i = tp_world_tick(world); i < 100; i++)
         tp_world_step(&tp_program_all, world, scene, i % 7 ? &tape[i] : NULL);
 }
 

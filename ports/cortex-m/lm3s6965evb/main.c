@@ -143,8 +143,8 @@ static void say_state(void *unused)
 }
 
 static const control_setup setup = {
-    &baked_program, &scene,   &scene,    &baked_assets, &baked_config,
-    NULL,           evb_text, say_state, NULL,
+    .shown = &scene, .scene = &scene, .config = &baked_config,
+    .write = evb_text, .state = say_state,
 };
 
 static void say_input(const tp_input *input)
@@ -205,6 +205,7 @@ int main(void)
     open_scene();
     here = setup;
     here.world = world;
+    here.world_bytes = tp_world_bytes(program, &baked_scene, &baked_assets);
     control_begin(&lines, &here);
     pressed.lines = evb_buttons();
     evb_text(NULL, "ok ");

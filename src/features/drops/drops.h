@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Drops that fall from a sphere, and the rings that they raise: features/drops/drops.h.
+/* Drops: a sphere that is steered at constant height releases them, they fall, bounce and
+ * are gone; each impact raises one ring, or stirs a pool, [D1]-[D5] of the models.
  *
  *     drop.c            fall, impact, bounce and shape of one
  *     drops.c           the module: the list of drops, the list of rings

@@ -1,5 +1,9 @@
 /* SPDX-License-Identifier: MIT */
-/* Foam: a field of cover over the water.
+/* Foam: a field of cover, a byte a cell, over the places at rest: so it goes with the water
+ * that waves displace.  Its cells lie on an endless lattice that drifts as the scene says;
+ * the field is a window on it, cells x cells, around the pool or the eye, and is stored as a
+ * torus: cell (i, j) of the lattice lies at column i mod cells, row j mod cells, wherever
+ * the window is.
  *
  *     foam.c          the module: when it is on, its window, fading and drift
  *     foam_sources.c  what makes foam in a tick
