@@ -8,6 +8,7 @@
  * (mirror.objects from stencil to cube). */
 #include "../live/setting.h"
 #include "answer.h"
+#include "scene/value.h"
 
 static bool may_change(const control *c, const tp_param *param)
 {

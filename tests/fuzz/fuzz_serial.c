@@ -73,10 +73,8 @@ static void board_open(board *b, uint8_t kind)
                           tp_frame_bytes(&config, &b->scene), NULL)
             == TP_OK);
     b->setup = (control_setup){
-        .program = &tp_program_all,
         .shown = &b->scene,
         .scene = kind & 128 ? NULL : &b->scene,
-        .assets = &none,
         .config = &config,
         .world = b->world,
         .world_bytes = bytes,
