@@ -63,21 +63,12 @@ typedef struct {
     void (*draw)(const struct tp_frame *frame, const void *samples, int32_t y, void *row);
 } tp_overlay;
 
-/* Private: called by tiles.  Who makes no overlay does not link it. */
-void tp_frame_overlay_row(const struct tp_frame *frame, const void *samples, int32_t y,
-                          void *row);
-
 /* An overlay for a config.  `row` is called with `user` for each row of each tile, when
  * haze, exposure and glass are in its colours and before the format's store converts them:
  * whatever the format, it draws in 0x00RRGGBB.  Threads that draw tiles call it at once,
  * one each, so it may change only what is a tile's own.  The row lies in the tile's
- * scratch, which needs no more bytes for it. */
-static inline tp_overlay tp_overlay_of(void (*row)(void *user, const tp_overlay_row *row),
-                                       void *user)
-{
-    const tp_overlay overlay = { row, user, tp_frame_overlay_row };
-    return overlay;
-}
+ * scratch, which needs no more bytes for it.  Who makes no overlay links none of this. */
+tp_overlay tp_overlay_of(void (*row)(void *user, const tp_overlay_row *row), void *user);
 
 /* Draws `count` pixels from column x of the picture on, where nothing else is as near as
  * `depth` m (16.16, along the camera's way ahead, as tp_frame_project has it; 0: over
@@ -163,8 +154,6 @@ tp_status tp_frame_init(tp_frame **frame, const tp_config *config, const tp_scen
 /* Takes the world's state into the frame.  The world stays as it is until the last tile
  * has been drawn. */
 void tp_frame_begin(tp_frame *frame, const tp_world *world);
-
-uint32_t tp_frame_tiles(const tp_frame *frame);
 
 /* Draws tile i, row by row of tiles, into `scratch` (tp_frame_scratch_bytes(),
  * aligned to 8), where tile->pixels then points.  False: there is no such tile, or the

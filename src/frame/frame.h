@@ -134,6 +134,10 @@ void tp_frame_draw_cells(const tp_frame *frame, const tp_samples *tile,
                          tp_grid_window *window, uint32_t j, uint32_t first, uint32_t end);
 tp_grid_box tp_frame_cells_box(tp_frame *frame, uint32_t j, uint32_t first, uint32_t end);
 
+/* tile.c: row y of a tile, with the application's own spans in it */
+void tp_frame_overlay_row(const tp_frame *frame, const void *samples, int32_t y,
+                          void *row);
+
 /* holds.c: whether rows draw this frame as triangles would */
 bool tp_frame_rows_hold(tp_frame *frame);
 

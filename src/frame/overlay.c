@@ -27,6 +27,11 @@ static uint32_t blended(uint32_t over, uint32_t under)
            | channel(over, under, 0, a);
 }
 
+tp_overlay tp_overlay_of(void (*row)(void *user, const tp_overlay_row *row), void *user)
+{
+    return (tp_overlay){ row, user, tp_frame_overlay_row };
+}
+
 void tp_overlay_span(const tp_overlay_row *row, int32_t x, uint32_t count, tp_fx depth,
                      const uint32_t *argb)
 {

@@ -17,6 +17,9 @@ tp_status tp_frame_check(const tp_config *config, tp_error *err);
  * no memory for a rung (tp_reach) the exact one is taken. */
 void tp_frame_set_rungs(tp_frame *frame, const tp_rungs *rungs);
 
+/* Tiles of the picture. */
+uint32_t tp_frame_tiles(const tp_frame *frame);
+
 /* Pictures as the quick rung wants them, made beforehand for whoever puts them in ROM:
  * assets.graded by the layer, then offsets, then slopes.  0: the scene has none; memory
  * aligned to 4. */

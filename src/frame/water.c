@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* The water's cells as triangles. */
 #include "frame/frame.h"
+#include "frame/tools.h"
 #include "geom/waters.h"
 
 static tp_corner corner_of(const tp_grid *grid, const tp_grid_window *window, uint32_t i,

@@ -6,6 +6,7 @@
 #include <setjmp.h>
 #include <stdint.h>
 #include <cmocka.h>
+#include "frame/tools.h"
 #include "test_lcd.h"
 
 typedef struct {

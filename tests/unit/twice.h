@@ -12,6 +12,7 @@
 #include "features/underwater/underwater.h"
 #include "features/tank/tank.h"
 #include "frame/frame.h"
+#include "frame/tools.h"
 #include "kinds.h"
 #include "kit.h"
 #include "pixel/pixel.h"
