@@ -33,7 +33,8 @@ typedef uint32_t tp_turn;   /* binary angle: 2^32 is one turn, wraps for free */
 #define TP_FX_MIN  INT32_MIN
 #define TP_Q30_ONE 0x40000000
 
-/* Of constants alone: the double never reaches the object file. */
+/* For constants only: the compiler computes the double, no program has it.  TP_DEG wraps:
+ * TP_DEG(360) is 0, TP_DEG(-90) is TP_DEG(270). */
 #define TP_FX(x)   ((tp_fx)((x) * 65536.0 + ((x) < 0 ? -0.5 : 0.5)))
 #define TP_Q30(x)  ((tp_q30)((x) * 1073741824.0 + ((x) < 0 ? -0.5 : 0.5)))
 #define TP_DEG(x)  ((tp_turn)(int64_t)((x) * (4294967296.0 / 360.0)))
@@ -46,10 +47,10 @@ static inline tp_fx tp_fx_mul(tp_fx a, tp_fx b)
     return (tp_fx)(((int64_t)a * b + 0x8000) >> 16);
 }
 
-tp_fx  tp_fx_div(tp_fx a, tp_fx b);     /* rounded half up; saturates; x/0 by sign of x */
+tp_fx   tp_fx_div(tp_fx a, tp_fx b);    /* rounded half up; saturates; x/0 by sign of x */
 
-tp_fx  tp_fx_sin(tp_turn angle);
-tp_fx  tp_fx_cos(tp_turn angle);
+tp_fx   tp_fx_sin(tp_turn angle);
+tp_fx   tp_fx_cos(tp_turn angle);
 tp_turn tp_atan2(int32_t y, int32_t x); /* of any format; error < 2^-18 turn; (0,0): 0 */
 
 /* Degrees in 16.16 of any size to an angle: wraps; error < 2^-31 turn per degree. */

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Drawing: a world becomes a picture, tile by tile, in the caller's memory.
+/* A frame: draws pictures of a world, tile by tile, in the caller's memory.
  *
  *     bytes = tp_frame_bytes(&config, &scene)
  *     tp_frame_init(&frame, &config, &scene, memory, bytes, &err)
@@ -7,8 +7,9 @@
  *     for (i = 0; tp_frame_draw_tile(frame, i, scratch, &tile); i++)
  *         show tile.pixels
  *
- * A tile depends on nothing but the frame: tiles may be drawn in any order, at once by
- * several threads (each with its own scratch), and every tiling gives the same bits. */
+ * A tile depends only on the frame.  Tiles may be drawn in any order, and by several threads
+ * at once, each with a scratch of its own; every tiling gives the same bits.  A second
+ * picture at the same time needs a second frame. */
 #ifndef TP_FRAME_H
 #define TP_FRAME_H
 #include <stdbool.h>
@@ -46,10 +47,10 @@ struct tp_frame;
 
 /* -- what an application draws into tiles ------------------------------------------- */
 
-/* A row of a tile: its colours are final, its pixels not yet stored. */
+/* A row of a tile with its final colours, before they become pixels of the format. */
 typedef struct {
-    uint32_t y, x0, x1; /* of the picture; x1 not included */
-    uint32_t *colour;   /* 0x00RRGGBB of x0 and on, which may be written */
+    uint32_t y, x0, x1; /* row and columns of the picture; x1 is not included */
+    uint32_t *colour;   /* 0x00RRGGBB, x1 - x0 of them; the callback may write them */
     /* -- private part -- */
     const uint32_t *key;
     tp_fx near;
@@ -63,22 +64,20 @@ typedef struct {
     void (*draw)(const struct tp_frame *frame, const void *samples, int32_t y, void *row);
 } tp_overlay;
 
-/* An overlay for a config.  `row` is called with `user` for each row of each tile, when
- * haze, exposure and glass are in its colours and before the format's store converts them:
- * whatever the format, it draws in 0x00RRGGBB.  Threads that draw tiles call it at once,
- * one each, so it may change only what is a tile's own.  The row lies in the tile's
- * scratch, which needs no more bytes for it.  Who makes no overlay links none of this. */
+/* An overlay for tp_config.  The frame calls `row` with `user` for each row of each tile:
+ * after haze, exposure and glass, before the colours are converted to the format.  Threads
+ * that draw tiles call `row` at the same time, so `row` may change nothing that two tiles
+ * share.  It costs no memory; a program without an overlay links none of it. */
 tp_overlay tp_overlay_of(void (*row)(void *user, const tp_overlay_row *row), void *user);
 
-/* Draws `count` pixels from column x of the picture on, where nothing else is as near as
- * `depth` m (16.16, along the camera's way ahead, as tp_frame_project has it; 0: over
- * everything).  Colours 0xAARRGGBB are laid on by their alpha; columns outside of the row
- * are left out.  Depths stay those of the picture: where spans cover each other the one
- * drawn last is seen. */
+/* Draws `count` pixels 0xAARRGGBB, blended by their alpha, from column x of the picture on,
+ * wherever nothing else is as near as `depth` m (16.16, as tp_frame_project gives it; 0 draws
+ * over everything).  Columns outside of the row are left out.  A span does not change the
+ * picture's depths: of two spans at one place the one drawn last is seen. */
 void tp_overlay_span(const tp_overlay_row *row, int32_t x, uint32_t count, tp_fx depth,
                      const uint32_t *argb);
 
-/* ------------------------------------------------------------------------------------ */
+/* -- the frame ----------------------------------------------------------------------- */
 
 /* A picture, and what draws it.  A field of 0 is the default. */
 typedef struct {
@@ -86,9 +85,9 @@ typedef struct {
     uint32_t  tile_width;           /* multiple of 16; 0: the picture's width */
     uint32_t  tile_height;          /* 0: 16 rows */
     tp_format format;               /* 0: xrgb8888 */
-    const tp_program *program;      /* NULL: tp_program_linked */
-    const tp_assets  *assets;       /* NULL: the scene's own pictures, or none */
-    tp_overlay overlay;             /* the application's own spans: tp_overlay_of */
+    const tp_program *program;      /* NULL: the program that is linked */
+    const tp_assets  *assets;       /* NULL: the scene's built-in pictures, or none */
+    tp_overlay overlay;             /* of tp_overlay_of; all 0: none */
 } tp_config;
 
 typedef struct {
@@ -97,19 +96,19 @@ typedef struct {
     size_t      stride;             /* bytes from row to row */
 } tp_tile;
 
-/* What the last tp_frame_begin found; numbers of the whole picture. */
+/* Counts of the picture that tp_frame_begin began last. */
 typedef struct {
     uint32_t vertices;              /* of water and boat, evaluated */
     uint32_t triangles;             /* in view, before clipping */
-    uint32_t dropped;               /* things that did not fit and were left out */
+    uint32_t dropped;               /* things left out: no room, or no module draws them */
 } tp_draw_stats;
 
-/* RAM by use, bytes. */
+/* Bytes of RAM by use. */
 typedef struct {
     size_t frame;                   /* the block of tp_frame_bytes */
     size_t vertices, tables;        /* the two large parts of it */
-    size_t mirror;                  /* of it, for what water looks into: see below */
-    size_t scratch;                 /* of one tile: samples and pixels */
+    size_t mirror;                  /* of the block, for mirrored and sunken objects */
+    size_t scratch;                 /* of one tile: its samples and pixels */
 } tp_ram_use;
 
 /* The frame's block holds what the scene needs at init, nothing for what it lacks:
@@ -125,9 +124,10 @@ typedef struct {
 
 typedef struct tp_frame tp_frame;   /* lies at the start of the block */
 
-/* 0 if the config or the scene is out of range.  The scene's numbers may change while
- * frames are drawn, but grid.cols, grid.rows and the names; a change goes through
- * tp_world_apply, which checks it, before the next tp_frame_begin.
+/* The bytes of a frame's block.  0: the config or the scene is out of range.
+ *
+ * The numbers of the scene may change between pictures, except grid.cols, grid.rows and the
+ * names of files: tp_world_apply checks a change and takes it over.
  *
  * Memory is fixed at init.  If the scene grows later, extra drops, rings and specks are
  * left out; a floor, wind, mirror, things under clear water, caustics, a tank, its glass
@@ -136,33 +136,33 @@ typedef struct tp_frame tp_frame;   /* lies at the start of the block */
  * bend the light only stay heights. */
 size_t tp_frame_bytes(const tp_config *config, const tp_scene *scene);
 
-/* The scratch of one tile; `into`: of a tile that is drawn into a frame buffer, see below.
- * A program that streams crossings (tp_method_streamed) needs two lines of crossings more.
- * Without rows and projected it needs 24 bytes a column less, unless pixels need them. */
+/* The bytes of one tile's scratch, for tp_frame_draw_tile and for tp_frame_draw_tile_to.  A
+ * program with tp_method_streamed needs two lines of crossings more; one without the methods
+ * rows and projected needs up to 24 bytes a column less. */
 size_t tp_frame_scratch_bytes(const tp_config *config, const tp_scene *scene);
 size_t tp_frame_direct_scratch_bytes(const tp_config *config, const tp_scene *scene);
 
-/* A frame in `memory`, of at least tp_frame_bytes() bytes, aligned to 8.  The config is
- * copied.  Program, scene and assets must outlive the frame, which keeps pointers to them.
+/* Makes a frame in `memory`, at least tp_frame_bytes() bytes, aligned to 8.  The frame copies
+ * the config and keeps pointers to its program and assets and to the scene, which must
+ * outlive it; nothing has to be closed.
  *  - TP_E_NULL, TP_E_ALIGN: err->word is the argument; TP_E_NOSPACE: `bytes` are too few
  *  - TP_E_SIZE, TP_E_TILE, TP_E_ARG: the config is out of range
- *  - as tp_world_init: the scene is, or the program lacks a module that it has on
- *  - TP_E_PROGRAM: a program has at least the stages sky and plain, and the format's store */
+ *  - as tp_world_init: the scene cannot be used, or the program lacks one of its modules
+ *  - TP_E_PROGRAM: the program lacks the stage sky or plain, or the format's store */
 tp_status tp_frame_init(tp_frame **frame, const tp_config *config, const tp_scene *scene,
                         void *memory, size_t bytes, tp_error *err);
 
-/* Takes the world's state into the frame.  The world stays as it is until the last tile
- * has been drawn. */
+/* Begins a picture of the world.  The world must not change before the last tile is drawn. */
 void tp_frame_begin(tp_frame *frame, const tp_world *world);
 
-/* Draws tile i, row by row of tiles, into `scratch` (tp_frame_scratch_bytes(),
- * aligned to 8), where tile->pixels then points.  False: there is no such tile, or the
- * scratch is NULL or misaligned. */
+/* Draws tile i, counted from left to right and from top to bottom.  tile->pixels points into
+ * `scratch`: tp_frame_scratch_bytes(), aligned to 8.  False: there is no tile i, or the
+ * scratch is NULL or not aligned. */
 bool tp_frame_draw_tile(const tp_frame *frame, uint32_t i, void *scratch, tp_tile *tile);
 
-/* The same into a picture of the caller's, as a board has that has a frame buffer: row y
- * is at picture + y stride, aligned as tp_store wants it.  No pixels lie in the scratch
- * then: tp_frame_direct_scratch_bytes(). */
+/* Draws tile i directly into a whole picture, such as a frame buffer: row y begins at
+ * picture + y stride, aligned to 4 bytes for xrgb8888, to 2 for rgb565.  The scratch has no
+ * room for pixels then: tp_frame_direct_scratch_bytes(). */
 bool tp_frame_draw_tile_to(const tp_frame *frame, uint32_t i, void *scratch,
                            void *picture, size_t stride, tp_tile *tile);
 
@@ -171,28 +171,45 @@ tp_ram_use tp_frame_ram(const tp_frame *frame);
 
 /* -- places of the picture ----------------------------------------------------------- */
 
-/* Where a place of the world lies in the picture of the last tp_frame_begin: pixels from
- * the upper left corner, 16.16, saturated, also outside of the picture; and how far ahead
- * of the camera, m.  False: it lies before the near plane, or behind the camera. */
+/* World to pixel, in the picture that was begun last: pixels from the upper left corner,
+ * 16.16, saturated, also outside of the picture; and the depth, m along the camera's
+ * direction.  False: the place lies behind the camera, or nearer than the near plane. */
 bool tp_frame_project(const tp_frame *frame, tp_vec3 place, tp_fx *x_px, tp_fx *y_px,
                       tp_fx *depth);
 
-/* The water under a place of that picture, see tp_world_pick; the world is as it was at
- * tp_frame_begin. */
+/* Pixel to water, in the picture that was begun last: the place where the ray through
+ * (x_px, y_px), pixels from the upper left corner in 16.16, first meets the water, from above
+ * or from below.  The middle of pixel n is n + 1/2.  The place is within 1 px of the drawn
+ * one, except where crests overhang and where waves fade at the far end of a mesh.  False:
+ * the ray meets land, the end of a tank, or no water within 8000 m. */
 bool tp_frame_pick(const tp_frame *frame, tp_fx x_px, tp_fx y_px, tp_vec3 *at);
 
 /* -- samples of a drawn tile ----------------------------------------------------------
  *
- * Drawing leaves them in the scratch, where they stay until the next tile is drawn there:
- * no memory is kept for these rows, and who does not ask pays nothing.  y0 <= y < y1 of
- * the tile; a row has x1 - x0 entries. */
+ * Drawing leaves depth and kind of each pixel in the scratch until the next tile is drawn
+ * there, so these rows need no memory of their own.  tile->y0 <= y < tile->y1; a row has
+ * x1 - x0 entries. */
 
-/* How far ahead of the camera each pixel is, m, within depth^2 / (near 2^24) and half a
- * unit of 16.16; TP_FX_MAX in the sky.  What lies behind a boat's lid has the lid's. */
+/* What is seen at a pixel. */
+typedef enum {
+    TP_SAMPLE_SKY,    /* nothing; within water its deep */
+    TP_SAMPLE_WATER,  /* the surface, from either side */
+    TP_SAMPLE_OBJECT, /* a mesh */
+    TP_SAMPLE_LAND,   /* the bed of the sea, dry or not */
+    TP_SAMPLE_DROP,   /* in the air, or the sphere that drops fall from */
+    TP_SAMPLE_WALL,   /* of a tank, or within a pool */
+    TP_SAMPLE_GLASS,  /* a tank's side of glass, and the water behind it */
+    TP_SAMPLE_SPRAY,
+    TP_SAMPLE_OTHER /* of a module that a program brings itself */
+} tp_sample_kind;
+
+/* The depth of each pixel, m along the camera's direction, off by depth^2 / (near 2^24) and
+ * half a unit of 16.16 at the most; TP_FX_MAX in the sky.  Pixels behind the lid of a boat
+ * have the depth of the lid. */
 void tp_frame_depth_row(const tp_frame *frame, const void *scratch, const tp_tile *tile,
                         uint32_t y, tp_fx *depth);
 
-/* tp_sample_kind of each pixel. */
+/* The tp_sample_kind of each pixel. */
 void tp_frame_kind_row(const tp_frame *frame, const void *scratch, const tp_tile *tile,
                        uint32_t y, uint8_t *kind);
 

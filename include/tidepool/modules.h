@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: MIT */
-/* A program: what stepping and drawing scenes may call but need not.
+/* A program: the list of the modules that an application links.
  *
- * The core reaches everything optional through one constant struct of pointers, and an
- * application links what its struct names (-ffunction-sections, --gc-sections).
- * tp_program_all has everything; what one scene needs is found and written by
+ * The core reaches everything optional through one constant struct of pointers, so the linker
+ * drops what the struct does not name (-ffunction-sections, --gc-sections).  tp_program_all
+ * names everything.  The program for one scene is written by
  *
  *     tidepool bake SCENE --size 320x240 --format rgb565 -o scene.c       SCENE_program
  *
- * or named by hand, with NULL for the rest:
+ * or by hand, with NULL for the rest:
  *
  *     static const tp_use modules[] = { TP_USE(base_layer), TP_USE(diffuse), { 0 } };
  *     static const tp_program mine = {
@@ -16,7 +16,7 @@
  *         .method = { TP_METHOD(flat) },
  *         .modules = modules,
  *     };
- *     tp_frame_init(&mine, &frame, ...)
+ *     const tp_config config = { .width = 320, .height = 240, .program = &mine };
  *
  * C++ has no initialisers by index: there a program comes from a file of C.
  *
@@ -258,19 +258,6 @@ typedef struct {
     X(foam) X(foam_rippled) X(foam_shiny) X(foam_shiny_rippled)     /* less glint */
 #define TP_STAGES_OF_spray(X)       X(spray)            /* colour of specks */
 #define TP_STAGES_OF_exposure(X)    X(expose)
-
-/* What is seen at a pixel. */
-typedef enum {
-    TP_SAMPLE_SKY,    /* nothing; within water its deep */
-    TP_SAMPLE_WATER,  /* the surface, from either side */
-    TP_SAMPLE_OBJECT, /* a mesh */
-    TP_SAMPLE_LAND,   /* the bed of the sea, dry or not */
-    TP_SAMPLE_DROP,   /* in the air, or the sphere that drops fall from */
-    TP_SAMPLE_WALL,   /* of a tank, or within a pool */
-    TP_SAMPLE_GLASS,  /* a tank's side of glass, and the water behind it */
-    TP_SAMPLE_SPRAY,
-    TP_SAMPLE_OTHER /* of a module that a program brings itself */
-} tp_sample_kind;
 
 struct tp_module;
 struct tp_drawing;

@@ -1,10 +1,11 @@
 /* SPDX-License-Identifier: MIT */
-/* A scene: plain data that a person may change, each number a row of one table.
+/* A scene: plain data that describes the water, the sky and the camera.
  *
- * The scene may lie in ROM.  The port loads the files that it names (mesh, textures) and
- * hands them to world and frame; its one pointer is to pictures that are built in.  The
- * table gives INI files, the command line, the preview's panel and the manual their names,
- * units, ranges and defaults. */
+ * An application sets the fields of tp_scene, or sets a row of the table of parameters by its
+ * name.  The table gives each number its name, unit, range and default; INI files, the
+ * command line, the preview and the manual use the same rows.  A scene may lie in ROM.  The
+ * library opens no file: the application loads the pictures and the mesh that a scene names
+ * and passes them as tp_assets. */
 #ifndef TP_SCENE_H
 #define TP_SCENE_H
 #include <stdbool.h>
@@ -44,7 +45,7 @@ typedef struct {
     tp_fx   every;          /* s between drops that fall by themselves; 0: none do */
     tp_fx   scatter;        /* m: they fall so far from the sphere at the most */
     tp_fx   efficiency;     /* share of the lost energy that the ring takes, 0..1 [D4] */
-    tp_fx speed, decay, spread, attack; /* of rings: m/s, s, m, s */
+    tp_fx   speed, decay, spread, attack;   /* of rings: m/s, s, m, s */
     int32_t colour;         /* of drops and sphere */
 } tp_scene_drops;
 
@@ -216,7 +217,7 @@ typedef struct tp_scene {
         tp_fx   frame_ms;                   /* that the governor holds; 0: none */
     } quality;
     int32_t own[TP_OWN_WORDS];              /* of modules that a program brings itself */
-    const struct tp_assets *pictures;       /* its own: tp_scene_init's; NULL: none */
+    const struct tp_assets *pictures;       /* built-in ones, of tp_scene_init; NULL: none */
 } tp_scene;
 
 typedef enum { TP_BOAT_KINEMATIC, TP_BOAT_DYNAMIC } tp_boat_mode;
@@ -257,33 +258,32 @@ typedef struct {
 /* All rows, in the order in which people should read them. */
 const tp_param *tp_params(uint32_t *count);
 
-/* The value as text that tp_param_set reads back, terminated, cut to `bytes`; returns
- * its whole length.  Likewise a row's range end or default, by its number. */
+/* Writes a row's value as text that tp_scene_set reads back: terminated, cut to `bytes`.
+ * Returns the length of the whole text. */
 size_t tp_param_text(const tp_scene *scene, const tp_param *param, char *text,
                      size_t bytes);
 
-/* Sets the row called `name` from its text ("0.35", "on", "#204060", "linear", a file name),
- * white space around it ignored; a bad text changes nothing.
- *  - TP_E_NAME: err->word is the name; TP_E_NULL: the argument
- *  - else err->word is the bad text; of TP_E_RANGE err->a and err->b are the range's ends in
- *    the number's own format */
+/* Sets the row `name` from its text ("0.35", "on", "#204060", "linear", a file name).  White
+ * space around the text is ignored.  A bad text changes nothing.
+ *  - TP_E_NULL: err->word is the argument; TP_E_NAME: no row has the name err->word
+ *  - TP_E_NUMBER, TP_E_CHOICE, ...: err->word is the bad text
+ *  - TP_E_RANGE: the same; err->a and err->b are the range in the number's own format */
 tp_status tp_scene_set(tp_scene *scene, const char *name, const char *value, tp_error *err);
 
-/* A gentle sea of three waves under a sunny sky, with a picture of ripples that is built
- * in; only who calls this links the picture, 1364 bytes. */
+/* Sets a gentle sea of three waves under a sunny sky, with a built-in picture of ripples.
+ * The picture, 1364 bytes, is linked only into programs that call this function. */
 void tp_scene_init(tp_scene *scene);
 
-/* Level water: each row's default, from which scene files and settings start. */
+/* Sets level water: the default of each row.  Scene files start from it. */
 void tp_scene_level(tp_scene *scene);
 
-/* TP_OK: every init takes this scene.  Otherwise err->word is the name of the first row
+/* Checks every number of a scene.  After a failure err->word is the name of the first row
  * at fault:
  *  - TP_E_RANGE: a number, choice or colour outside the row's range, err->a..err->b
  *  - TP_E_UNENDED: a name without its terminating zero; TP_E_TEXT: a control character
  *  - TP_E_POOL_...: numbers of a pool that cannot be used together
- * The inits of a world and a frame, their byte counts, tp_world_apply and the plan call
- * it, so a program that sets numbers need not.  Pictures that the scene names are no part
- * of it: tp_world_init checks these. */
+ * Inits, byte counts and applies call this function; an application need not.  It does not
+ * check the pictures that a scene names: tp_world_init does. */
 tp_status tp_scene_check(const tp_scene *scene, tp_error *err);
 
 TP_END_C

@@ -18,10 +18,15 @@
  *             show(&tile);
  *     }
  *
- * An engine is a world, a frame and a tile's scratch.  Who draws with several threads, keeps
- * snapshots or sees one world by two frames makes these himself: tidepool/scene.h,
- * tidepool/frame.h.  An engine's functions are for one thread at a time; two engines know
- * nothing of each other. */
+ * An engine is a world, a frame and the scratch of one tile.  An application that draws with
+ * several threads, keeps snapshots or draws one world from two cameras uses these parts
+ * directly: tidepool/world.h, tidepool/frame.h.  One thread at a time may call the functions
+ * of an engine; two engines share nothing.
+ *
+ * A picture that changes while it is shown: tp_engine_apply if numbers of the scene changed,
+ * tp_engine_step, tp_world_set_camera if the application moves the camera, tp_engine_begin,
+ * tp_frame_project, then the tiles, in this order.  A step is 1/60 s: at 30 pictures a second
+ * step twice for each. */
 #ifndef TP_TIDEPOOL_H
 #define TP_TIDEPOOL_H
 #include <stdbool.h>
@@ -63,10 +68,12 @@ TP_BEGIN_C
  * compiled for finds the two unequal. */
 const char *tp_version(void);
 
+/* -- the engine ------------------------------------------------------------------------ */
+
 typedef struct tp_engine tp_engine;     /* lies at the start of the memory */
 
-/* The memory that an engine of this config and scene takes, in bytes; 0: one of them cannot
- * be used, and tp_engine_init says why. */
+/* The bytes of memory that an engine of this config and scene needs.  0: the config or the
+ * scene cannot be used; tp_engine_init says why. */
 size_t tp_engine_bytes(const tp_config *config, const tp_scene *scene);
 
 /* An engine at tick 0 in `memory`, of at least tp_engine_bytes() bytes, aligned to 8.  The
@@ -77,24 +84,25 @@ size_t tp_engine_bytes(const tp_config *config, const tp_scene *scene);
 tp_status tp_engine_init(tp_engine **engine, const tp_config *config,
                          const tp_scene *scene, void *memory, size_t bytes, tp_error *err);
 
-/* Moves the water on by 1/60 s, times the scene's clock.scale.  NULL input: nobody acts. */
+/* Moves the water on by 1/60 s times the scene's clock.scale.  NULL input: no input. */
 void tp_engine_step(tp_engine *engine, const tp_input *input);
 
-/* Takes the water as it is now into a picture, and then draws that tile by tile, row by row
- * of tiles; false: there is no tile left.  The pixels of a tile stand until the next tile. */
+/* Begins a picture of the water as it is now.  tp_engine_next_tile draws its next tile, from
+ * left to right and from top to bottom; false: every tile is drawn.  The pixels of a tile
+ * stay until the next call. */
 void tp_engine_begin(tp_engine *engine);
 bool tp_engine_next_tile(tp_engine *engine, tp_tile *tile);
 
-/* Takes values of the scene that have changed since; the picture begun next shows them, also
- * while the water stands.  After a failure the engine must not step or draw by the scene
- * before it fits again.
- *  - as tp_program_fits: the scene cannot be used
- *  - TP_E_WORLD: the memory was laid out for another scene (a pool's size, a wave more ...):
- *    tp_engine_init makes it anew */
+/* Takes changed numbers of the scene over; the next picture shows them, even if the engine
+ * does not step.  After a failure correct the scene and apply it again before the next step
+ * or picture.
+ *  - as tp_world_init: the scene cannot be used
+ *  - TP_E_WORLD: the scene needs another layout of the memory (a pool of another size, one
+ *    wave more): call tp_engine_init again */
 tp_status tp_engine_apply(tp_engine *engine, tp_error *err);
 
-/* The parts, for their own functions: height queries, cameras, pushes, snapshots; projection
- * and picking. */
+/* The engine's world, for the functions of tidepool/world.h: cameras, pushes, height queries.
+ * The engine's frame, for those of tidepool/frame.h: projecting, picking, rows of depth. */
 tp_world *tp_engine_world(tp_engine *engine);
 tp_frame *tp_engine_frame(tp_engine *engine);
 

@@ -1,5 +1,16 @@
 /* SPDX-License-Identifier: MIT */
-/* The world: a scene as it moves, one tick of 1/60 s after the other. */
+/* A world: the state of a scene that moves, in ticks of 1/60 s.
+ *
+ *     bytes = tp_world_bytes(NULL, &scene, NULL)
+ *     tp_world_init(NULL, world, bytes, &scene, NULL, &err)
+ *     for each tick: tp_world_step(NULL, world, &scene, &input)
+ *
+ * `program` is the list of modules that the world uses, tidepool/modules.h; NULL is the
+ * program that is linked.  Every function of one world takes the same program.  `assets` are
+ * the pictures and meshes that the scene names; NULL: the scene's built-in ones, or none.
+ *
+ * One thread at a time may change a world; any number may read it while it stands still.
+ * The same scene and inputs give the same world on every machine, to the bit. */
 #ifndef TP_WORLD_H
 #define TP_WORLD_H
 #include <stdbool.h>
@@ -12,51 +23,46 @@
 
 TP_BEGIN_C
 
-/* The list of what is linked: tidepool/modules.h. */
 typedef struct tp_program tp_program;
 
-/* A world lies in the caller's memory, tp_world_bytes() bytes, and holds no pointer: a copy
- * of the block is a snapshot.  Its layout is the library's own.
- *
- * A world goes with one program: what that lacks is not in it, as if the scene did not
- * name it; unless the program refuses such a scene, see tp_world_init. */
+/* A world fills one block of tp_world_bytes() bytes and holds no pointer: a copy of the block
+ * is a snapshot.  The layout of the block is private. */
 typedef struct tp_world tp_world;
 
 #define TP_TICKS_PER_SECOND 60      /* the clock of everything that moves */
 
 
-/* A hat put into the pool, as wide as pool.poke_size: m above the level, at a place in
- * the world, m.  Of height 0 there is none; outside of the pool it does nothing. */
+/* A push of the pool's water at (x, z): a splash of pool.poke_size, `height` above the level.
+ * A height of 0 is no push; a push outside of the pool does nothing. */
 typedef struct {
-    tp_fx   height, x, z;
+    tp_fx   height, x, z;       /* m */
 } tp_push;
 
-#define TP_PUSHES 8             /* that one tick takes */
+#define TP_PUSHES 8             /* in the input of a tick; tp_world_push takes any number */
 
-/* What the port feeds in at each tick; all 0 is no input.  Any numbers are safe: camera
- * and sphere stay within 8000 m of the origin, the boat's speed within 100 m/s and its
- * turn within 360 degrees/s; negative drops are none, those that find no room are
- * counted. */
+/* What a person does in one tick; all 0 is no input.  Every number is safe: the camera and
+ * the sphere of drops stay within 8000 m of the origin, the boat's speed within 100 m/s and
+ * its turn within 360 degrees/s.  Negative drops count as 0; drops without room are left
+ * out. */
 typedef struct {
     tp_fx   forward, strafe, up;    /* m that the camera moves: along its heading, to its
                                      * right, both level; and upwards */
-    int32_t turn, tilt;         /* tp_turn steps of its heading and pitch, signed */
+    int32_t turn, tilt;         /* tp_turn that is added to its heading and pitch */
     tp_fx   sphere_x, sphere_z; /* m that the sphere of drops moves */
     int32_t drops;              /* to release, 0..1024 */
-    tp_fx   throttle, rudder;   /* of the boat: m/s and degrees/s beside the scene's */
+    tp_fx   throttle, rudder;   /* m/s and degrees/s that the boat's numbers gain */
     int32_t slowdown;           /* n: halves the clock's scale n times; -n: doubles it */
-    int32_t light_turn, light_tilt;     /* tp_turn steps of the light, signed */
-    tp_push push[TP_PUSHES];    /* in their order; a world without a pool takes none */
+    int32_t light_turn, light_tilt;     /* tp_turn that is added to the light's angles */
+    tp_push push[TP_PUSHES];    /* in this order; for a world with a pool */
 } tp_input;
 
-/* About 2 KB if the scene has no pool, no floor or wind, no drops, and less by a program
- * without swells; 0 if it cannot be used (tp_world_init says why).  NULL assets are
- * none. */
+/* The bytes of a world's block: about 2 KB, and more for pools, floors, wind, drops, foam.
+ * 0: the scene cannot be used; tp_world_init says why. */
 size_t tp_world_bytes(const tp_program *program, const tp_scene *scene,
                       const tp_assets *assets);
 
-/* The world of `scene` at tick 0, in `bytes` bytes aligned to 8.  Pictures that the
- * assets hold are read now and not kept; NULL assets are none.
+/* Makes the world of `scene` at tick 0 in a block of `bytes` bytes, aligned to 8.  The world
+ * reads pictures of the assets now and keeps no pointer to them.
  *  - TP_E_NULL, TP_E_ALIGN: err->word is the argument; TP_E_NOSPACE: `bytes` are too few
  *  - as tp_scene_check, if the program has it: err->word is the parameter at fault
  *  - TP_E_PROGRAM: the scene has a module on that the program says it lacks; err->word is
@@ -66,39 +72,38 @@ size_t tp_world_bytes(const tp_program *program, const tp_scene *scene,
 tp_status tp_world_init(const tp_program *program, tp_world *world, size_t bytes,
                         const tp_scene *scene, const tp_assets *assets, tp_error *err);
 
-/* Checks that bytes from outside, such as a file's, are a world that can be stepped and
- * drawn.  `fresh` is a world of the same scene, assets and program, as tp_world_init or
- * tp_world_apply leaves it: version, layout and everything that follows from the scene
- * must be equal; numbers that ticks change must be in the ranges that ticks keep.  `world`
- * has `bytes` bytes, aligned to 8.  TP_E_WORLD: err->word names the part at fault; TP_E_NULL,
- * TP_E_ALIGN: the argument. */
+/* Checks that `bytes` bytes from outside, such as a file's, aligned to 8, are a world that can
+ * be stepped and drawn.  `fresh` is a world of the same scene, assets and program, just made
+ * by tp_world_init or changed by tp_world_apply.  Version, layout and all that follows from
+ * the scene must be equal; numbers that ticks change must be in the ranges that ticks keep.
+ *  - TP_E_NULL, TP_E_ALIGN: err->word is the argument
+ *  - TP_E_WORLD: err->word names the part at fault */
 tp_status tp_world_check(const tp_program *program, const tp_world *world, size_t bytes,
                          const tp_world *fresh, tp_error *err);
 
-/* One tick further; `input` may be NULL.  After a change of the scene's numbers call
- * tp_world_apply first. */
+/* Moves the world on by one tick.  `input` may be NULL.  After a change of the scene's
+ * numbers call tp_world_apply first. */
 void tp_world_step(const tp_program *program, tp_world *world, const tp_scene *scene,
                    const tp_input *input);
 
-/* Pushes the water at (x, z) m of the world, at once; between ticks, as often as wanted.
- *  - In the pool, else in the field: a hat of `height` m, up or down, that moves no volume,
- *    its width `radius` m (at least 1.5 cells).  A push of scene.pool.poke_size into the
- *    pool gives the same bits as that one in tp_input.push of the next tick, unless drops or
- *    a boat feel the pool in that tick: they then feel this push already.
- *  - On open water, where drops raise rings (drops.into = rings): a ring that begins with a
- *    crest of |height| m, 4 m at the most, of the length 4 radii, 16 m of radius at the
- *    most; with foam where the scene has foam.  It is seen from the next tick on.
- * False: no water moves, as there is nothing to take it at this place (no water, a wall,
- * more than 9000 m from the origin), no room for another ring, or a height of 0.  `scene`
- * is the one that the world was made for, or last refreshed by. */
+/* Pushes the water at (x, z), m, at once.  Call it between ticks, any number of times.
+ *  - In the pool, else in the field: a splash `height` m high or deep and `radius` m wide, at
+ *    least 1.5 cells, that adds no volume.  A push of pool.poke_size has the same bits as the
+ *    same tp_input.push in the next tick, unless drops or a boat feel the pool in that tick.
+ *  - On open water, if drops raise rings (drops.into = rings): a ring that begins with a crest
+ *    of |height| m, at most 4 m, and a length of 4 radii; a radius is at most 16 m.  The ring
+ *    makes foam if the scene has foam, and is seen after the next tick.
+ * False: no water moves.  There is no such water at this place, or a wall; the place is more
+ * than 9000 m from the origin; no ring is free; or the height is 0.  `scene` is the one that
+ * the world was made for, or that was applied last. */
 bool tp_world_push(const tp_program *program, tp_world *world, const tp_scene *scene,
                    tp_fx x, tp_fx z, tp_fx radius, tp_fx height);
 
 /* Places the camera in the world: the eye in metres, each axis held within +-8000 m, and
- * three angles of any size, in the order of tp_rotation_of: heading clockwise from -z as
- * seen from above, pitch upwards, roll lowers the picture's right side.  The next picture
- * is seen from there exactly, whatever world->back is; from then on input moves the camera
- * as ever, and tilts it to 89 degrees at the most.
+ * three angles of any size: heading clockwise from -z as seen from above, then pitch upwards,
+ * then roll, which lowers the picture's right side.  The next picture is seen from exactly
+ * there.  From then on input moves the camera as before, and tilts it to 89 degrees at the
+ * most.
  *
  * In a scene whose camera follows the boat the following ends: the camera stands in the
  * world until tp_world_reset_camera, or until camera.follow has been none in one
@@ -109,32 +114,32 @@ void tp_world_set_camera(tp_world *world, tp_vec3 eye, tp_turn heading, tp_turn 
 /* Places the camera as the scene does at tick 0, following the boat if the scene does. */
 void tp_world_reset_camera(tp_world *world, const tp_scene *scene);
 
-/* The scene as it is now, at the same tick: sea, ocean, boat, what of pools and drops may
- * change while they move.  False, and nothing is done: what sizes the world's block has
- * changed, or the scene cannot be used; tp_world_init makes the world anew, or tells what
- * is wrong.  Until one of them has taken the scene, neither step nor draw by it.
+/* Takes changed numbers of the scene over, at the same tick.  False, and nothing is changed:
+ * the scene needs a block of another size, or cannot be used; tp_world_init then makes the
+ * world again, or says what is wrong.  Do not step or draw with a scene that was refused.
  *
- * Tables that take long to make, the ocean's and those of automatic exposure, keep the
- * numbers that they were made of, and are made again only where these have changed.  So
- * `assets` must hold the pictures that the world was made with. */
+ * Tables that take long to make (waves over a floor, automatic exposure) are made again only
+ * if their own numbers changed.  So `assets` must hold the pictures that the world was made
+ * with. */
 bool tp_world_apply(const tp_program *program, tp_world *world, const tp_scene *scene,
                     const tp_assets *assets);
 
-/* Where the picture is seen from, and how: rows right, up and backward. */
+/* A camera: the eye, m, and the rotation from world to view, whose rows are the directions
+ * right, up and backward. */
 typedef struct {
     tp_vec3     eye;
     tp_rotation turn;
 } tp_camera;
 
-/* The camera in the world, wherever it stands, between the last two ticks as the clock
- * stands. */
+/* The camera as the next picture is seen from, also if the camera stands on the boat. */
 tp_camera tp_world_camera(const tp_world *world);
 
-/* Ticks that the clock asks for until the next picture: step the world so many times.  The
- * picture then lies between the last two ticks, as the clock stands. */
+/* Moves the clock on by one picture, 1/60 s times clock.scale.  Returns the ticks to step
+ * before the next picture, 0 in slow motion; the picture is interpolated between the last
+ * two ticks. */
 uint32_t tp_world_advance_clock(tp_world *world);
 
-/* Ticks that the world has made. */
+/* The ticks since tp_world_init. */
 uint64_t tp_world_tick(const tp_world *world);
 
 /* The water at a place. */
@@ -144,19 +149,17 @@ typedef struct {
     tp_vec3 velocity;       /* m/s, of the surface's point there: see tp_world_sample */
 } tp_water;
 
-/* The water above or below (x, z), m of the world, as the last tick left it [E1]: waves,
- * rings and pools together, without what overhangs.  No camera and no picture is asked:
- * any number of places, by any number of threads while the world stands still.
+/* The water above or below (x, z), m, after the last tick [E1]: waves, rings and pools
+ * together, without overhangs.  It needs no picture and no camera.
  *
- * Where waves are displaced sideways the place is found by inversion: within 30 km of the
- * origin, each way, and with a steepness sum below 0.9 the point is off by less than 1 mm
- * along and up (see tp_sea_above).  Any x and z are answered; near the ends
- * of 16.16 positions are held there.
+ * Waves displace points sideways, so the point above (x, z) is found by inversion: within
+ * 30 km of the origin and with a steepness sum below 0.9 it is off by less than 1 mm.  Every
+ * x and z has an answer; near the ends of 16.16 a position is held there.
  *
- * The velocity is the mean over the last tick, so that of 1/120 s ago: a boat that drifts
- * with the point is carried where waves carry it.  Swells and oceans move a point in all
- * three axes; rings and pools, which are heights, lift it alone.  Roundings are 3 mm/s, and
- * 1 mm/s more for each metre of the waves' amplitudes together. */
+ * The velocity is the mean over the last tick, that of 1/120 s ago: what drifts with it goes
+ * where the waves carry it.  Waves move a point along all three axes; rings and pools move
+ * it up and down.  Roundings are 3 mm/s, and 1 mm/s more for each metre of the sum of the
+ * waves' amplitudes. */
 tp_water tp_world_sample(const tp_program *program, const tp_world *world, tp_fx x,
                          tp_fx z);
 

@@ -62,7 +62,7 @@ static void an_engine_draws_what_its_parts_draw(void **state)
         tp_world_step(NULL, world, &scene, NULL);
         tp_engine_step(engine, NULL);
     }
-    assert_true(tp_engine_world(engine)->tick == TICKS);
+    assert_true(tp_world_tick(tp_engine_world(engine)) == TICKS);
     assert_true(frame_guard_holds(block, tp_engine_bytes(&config, &scene)));
     free(world);
     frame_free(&f);
@@ -80,7 +80,7 @@ static void the_scenes_clock_slows_an_engine_down(void **state)
     tp_engine *engine = open_engine(&config, &scene, &block);
     for (int n = 0; n < 40; n++)
         tp_engine_step(engine, NULL);
-    assert_in_range(tp_engine_world(engine)->tick, 10, 11);
+    assert_in_range(tp_world_tick(tp_engine_world(engine)), 10, 11);
     free(block);
 }
 
