@@ -171,11 +171,11 @@ static void put_head(const bake *b, const options *o, const stage *s)
         fprintf(b->out, "\n");
     }
     fprintf(b->out, " *\n * A program declares what it draws:\n"
-            " *     extern const tp_scene  %s_scene;\n"
+            " *     extern const tp_scene %s_scene;\n"
             " *     extern const tp_assets %s_assets;\n", b->name, b->name);
     if (b->program)
         fprintf(b->out,
-                " *     extern const tp_program    %s_program;\n"
+                " *     extern const tp_program %s_program;\n"
                 " *     extern const tp_config %s_config;\n",
                 b->name, b->name);
     fprintf(b->out, " *\n");
