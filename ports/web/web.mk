@@ -4,7 +4,8 @@
 #
 # What is called for each pixel or corner is built for speed (128-bit SIMD, bodies in
 # line), the rest for size, where -Dalways_inline= takes that attribute away, so that
-# bodies are shared.  wasm-opt, where it is, takes off a ninth.
+# bodies are shared.  wasm-opt, where it is, takes off a ninth: data begin at 1024, so that
+# no pointer is below it, and what is added to one goes into the instruction that loads.
 
 WEB      := build/web
 WASM     := build/wasm
@@ -38,9 +39,9 @@ $(WEB)/module.js: ports/web/pack.sh $(WASM)/tidepool.wasm
 	$(SAY)ports/web/pack.sh module $(WASM)/tidepool.wasm >$@.part && mv $@.part $@
 
 $(WASM)/tidepool.wasm: $(WEB_O)
-	$(SAY)$(WASM_LD) --no-entry --gc-sections --strip-all $^ -o $@
+	$(SAY)$(WASM_LD) --no-entry --gc-sections --strip-all --global-base=1024 $^ -o $@
 	@! command -v wasm-opt >/dev/null || \
-	    wasm-opt -Oz --enable-simd --enable-bulk-memory $@ -o $@
+	    wasm-opt -Oz --low-memory-unused --enable-simd --enable-bulk-memory $@ -o $@
 $(WASM)/%.o: %.c $(WASM)/flags ports/web/web.mk
 	@mkdir -p $(@D)
 	$(SAY)$(CLANG) $(WEB_FLAGS) $(WEB_OPT) -c $< -o $@
