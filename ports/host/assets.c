@@ -19,7 +19,7 @@ struct assets_block {
     uint64_t bytes[];           /* aligned as the core wants it */
 };
 
-void *assets_take(assets *a, size_t bytes)
+void *assets_take(asset_set *a, size_t bytes)
 {
     assets_block *block = malloc(sizeof *block + bytes);
     if (!block) {
@@ -31,18 +31,18 @@ void *assets_take(assets *a, size_t bytes)
     return block->bytes;
 }
 
-void assets_close(assets *a)
+void assets_close(asset_set *a)
 {
     for (assets_block *block = a->blocks; block;) {
         assets_block *next = block->next;
         free(block);
         block = next;
     }
-    *a = (assets){ 0 };
+    *a = (asset_set){ 0 };
 }
 
 /* Names point into the assets themselves, or to blocks, which stay where they are. */
-void assets_move(assets *to, assets *from)
+void assets_move(asset_set *to, asset_set *from)
 {
     const void *names[sizeof from->names / sizeof(void *)];
     _Static_assert(sizeof names == sizeof from->names, "names are pointers alone");
@@ -54,7 +54,7 @@ void assets_move(assets *to, assets *from)
         if ((uintptr_t)names[i] >= begin && (uintptr_t)names[i] < end)
             names[i] = (const char *)to + ((uintptr_t)names[i] - begin);
     memcpy(&to->names, names, sizeof names);
-    *from = (assets){ 0 };
+    *from = (asset_set){ 0 };
 }
 
 /* -- textures -------------------------------------------------------------------- */
@@ -76,7 +76,7 @@ static size_t leave_out(tp_texture *texture, uint32_t most)
     return bytes;
 }
 
-int assets_texture(assets *a, tp_texture *texture, const char *path,
+int assets_texture(asset_set *a, tp_texture *texture, const char *path,
                    char why[PICTURE_WHY])
 {
     uint32_t w, h;
@@ -95,7 +95,7 @@ int assets_texture(assets *a, tp_texture *texture, const char *path,
     return code;
 }
 
-static int load_texture(assets *a, tp_texture *texture, const char *path, const char *who)
+static int load_texture(asset_set *a, tp_texture *texture, const char *path, const char *who)
 {
     char why[PICTURE_WHY];
     const int code = assets_texture(a, texture, path, why);
@@ -104,7 +104,7 @@ static int load_texture(assets *a, tp_texture *texture, const char *path, const 
 
 /* -- greys ----------------------------------------------------------------------- */
 
-static int load_grey(assets *a, tp_grey *grey, const char *path, const char *who)
+static int load_grey(asset_set *a, tp_grey *grey, const char *path, const char *who)
 {
     uint32_t w, h;
     uint16_t *samples = picture_read_grey(path, who, &w, &h);
@@ -123,7 +123,7 @@ static int load_grey(assets *a, tp_grey *grey, const char *path, const char *who
 /* -- the scene ------------------------------------------------------------------- */
 
 /* Loads what the row called `name` names; *there tells whether it names anything. */
-static int load(assets *a, const scene_file *file, const char *name, void *into,
+static int load(asset_set *a, const scene_file *file, const char *name, void *into,
                 bool *there)
 {
     const tp_param *param = tp_param_find(name, strlen(name));
@@ -144,7 +144,7 @@ static int load(assets *a, const scene_file *file, const char *name, void *into,
 }
 
 /* Six pictures or none: a cube with a hole is no sky. */
-const char *assets_lack(const assets *a, const scene_file *file)
+const char *assets_lack(const asset_set *a, const scene_file *file)
 {
     static const char *const faces[TP_FACES] = { "sky.east", "sky.west", "sky.up",
                                                  "sky.down", "sky.south", "sky.north" };
@@ -161,19 +161,19 @@ int assets_refuse(const scene_file *file, const char *lacking)
     return fail(EXIT_INPUT, "%s: a cube needs six pictures; %s names none", who, lacking);
 }
 
-int assets_open(assets *a, const scene_file *file)
+int assets_open(asset_set *a, const scene_file *file)
 {
     return assets_load(a, file, &(assets_options){ 0 });
 }
 
-int assets_load(assets *a, const scene_file *file, const assets_options *options)
+int assets_load(asset_set *a, const scene_file *file, const assets_options *options)
 {
     static const char *const pictures[ASSETS_PICTURES] = {
         "layer0.texture", "layer1.texture", "layer2.texture", "distortion.texture",
         "ripple.texture", "foam.texture", "sky.east", "sky.west", "sky.up", "sky.down",
         "sky.south", "sky.north", "tank.wall", "tank.floor", "floor.texture",
     };
-    *a = (assets){ .options = *options };
+    *a = (asset_set){ .options = *options };
     const tp_texture **const slots[ASSETS_PICTURES] = {
         &a->names.layer[0], &a->names.layer[1], &a->names.layer[2],
         &a->names.distortion, &a->names.ripple, &a->names.foam, &a->names.sky[0],

@@ -24,32 +24,32 @@ typedef struct {
     assets_block *blocks;       /* all memory of it */
     size_t        mesh_bytes, texture_bytes;
     assets_options options;
-} assets;
+} asset_set;
 
 /* Nothing is half-loaded: after a failure, which it has explained, *a is empty.
  * It must not move while names are in use. */
-int  assets_open(assets *a, const scene_file *file);            /* without options */
-int  assets_load(assets *a, const scene_file *file, const assets_options *options);
-void assets_close(assets *a);
+int  assets_open(asset_set *a, const scene_file *file);            /* without options */
+int  assets_load(asset_set *a, const scene_file *file, const assets_options *options);
+void assets_close(asset_set *a);
 
 /* After a change of the scene: the row of a picture that it needs now and that they lack,
  * or NULL. */
-const char *assets_lack(const assets *a, const scene_file *file);
+const char *assets_lack(const asset_set *a, const scene_file *file);
 int  assets_refuse(const scene_file *file, const char *lacking);    /* says so */
 
 /* Closes *to and puts in its place what *from has, which is then empty. */
-void assets_move(assets *to, assets *from);
+void assets_move(asset_set *to, asset_set *from);
 
 /* -- between assets.c and assets_mesh.c ------------------------------------------- */
 
 /* Memory that assets_close gives back; NULL: there is none, and it said so. */
-void *assets_take(assets *a, size_t bytes);
+void *assets_take(asset_set *a, size_t bytes);
 
 /* A texture of a PNG.  EXIT_CHECK: the picture cannot be used, and `why` tells. */
-int  assets_texture(assets *a, tp_texture *texture, const char *path,
+int  assets_texture(asset_set *a, tp_texture *texture, const char *path,
                     char why[PICTURE_WHY]);
 
 /* The mesh that a scene draws `scale` metres a unit, with its libraries and pictures.
  * Messages about the OBJ itself begin with `who`, which named it. */
-int  assets_mesh(assets *a, tp_mesh *mesh, const char *path, const char *who, tp_fx scale);
+int  assets_mesh(asset_set *a, tp_mesh *mesh, const char *path, const char *who, tp_fx scale);
 #endif

@@ -27,7 +27,7 @@ enum {
 };
 
 typedef struct {
-    assets     *assets;
+    asset_set *assets;
     tp_obj     *obj;
     const char *path;               /* of the OBJ */
     unsigned    warnings;
@@ -275,7 +275,7 @@ static int load_parts(loading *l, tp_mesh *mesh, tp_fx scale)
     return code ? code : warn_reach(l, mesh, scale);
 }
 
-int assets_mesh(assets *a, tp_mesh *mesh, const char *path, const char *who, tp_fx scale)
+int assets_mesh(asset_set *a, tp_mesh *mesh, const char *path, const char *who, tp_fx scale)
 {
     loading l = { .assets = a, .obj = malloc(sizeof *l.obj), .path = path };
     if (!l.obj)

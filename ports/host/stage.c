@@ -66,7 +66,7 @@ void stage_report(const scene_file *file, const tp_sea *sea)
     report_noise(file, &file->scene.field, "field.courant");
 }
 
-int stage_load_assets(assets *a, const scene_file *file, const options *o)
+int stage_load_assets(asset_set *a, const scene_file *file, const options *o)
 {
     return assets_load(a, file, &(assets_options){
         .texels = o->texels, .strict = o->strict, .quiet = o->quiet });
@@ -140,7 +140,7 @@ static void choose_store(canvas *c, const tp_scene *scene, const tp_assets *name
 }
 
 /* What the scene names may lie in ROM there. */
-static int check_memory(const stage *s, const canvas *c, const assets *a,
+static int check_memory(const stage *s, const canvas *c, const asset_set *a,
                         size_t world_bytes, uint64_t allowed)
 {
     const size_t named = a->mesh_bytes + a->texture_bytes;
@@ -155,7 +155,7 @@ static int check_memory(const stage *s, const canvas *c, const assets *a,
                 world_bytes, c->scratch_bytes, allowed, rom);
 }
 
-int stage_plan(const stage *s, const options *o, const assets *a, size_t world_bytes,
+int stage_plan(const stage *s, const options *o, const asset_set *a, size_t world_bytes,
                canvas *c)
 {
     const tp_config config = {

@@ -11,7 +11,7 @@
 
 typedef struct {
     scene_file file;
-    assets     assets;
+    asset_set  assets;
     tp_world  *world;           /* in a block of world_bytes */
     size_t     world_bytes;
     canvas     canvas;
@@ -60,7 +60,7 @@ int  stage_set_all(stage *s, const options *o, const stage_setting *all, size_t 
 
 /* -- between stage.c and stage_set.c --------------------------------------------- */
 
-int  stage_load_assets(assets *a, const scene_file *file, const options *o);
+int  stage_load_assets(asset_set *a, const scene_file *file, const options *o);
 
 /* At tick 0, to free; NULL: no memory, or not of this scene, and *err tells. */
 tp_world *stage_new_world(const tp_scene *scene, const tp_assets *names, size_t *bytes,
@@ -69,7 +69,7 @@ void stage_take_world(stage *s, tp_world *world, size_t bytes);
 
 /* What a canvas of the scene as it is now will be; nothing is allocated.  EXIT_INPUT:
  * --memory does not allow it. */
-int  stage_plan(const stage *s, const options *o, const assets *a, size_t world_bytes,
+int  stage_plan(const stage *s, const options *o, const asset_set *a, size_t world_bytes,
                 canvas *c);
 tp_ladder stage_ladder(const stage *s);
 #endif

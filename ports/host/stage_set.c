@@ -16,7 +16,7 @@ typedef struct {
     bool            later;          /* what may be taken later is refused in silence */
     const tp_param *param;
     setting_result  result;
-    assets         *loaded;         /* what the scene now names; NULL: as before */
+    asset_set      *loaded;         /* what the scene now names; NULL: as before */
     tp_world       *world;          /* made anew; NULL: it goes on */
     size_t          world_bytes;
     size_t          frame_bytes;    /* that the picture wants now */
@@ -44,14 +44,14 @@ static int refuse_change(const change *c, const tp_error *err)
     return err->code ? fail_at(c->place, err) : fail_memory(c->world_bytes);
 }
 
-static const assets *assets_of(const stage *s, const change *c)
+static const asset_set *assets_of(const stage *s, const change *c)
 {
     return c->loaded ? c->loaded : &s->assets;
 }
 
 static int load_anew(const stage *s, change *c)
 {
-    assets *loaded = calloc(1, sizeof *loaded);
+    asset_set *loaded = calloc(1, sizeof *loaded);
     if (!loaded)
         return fail_memory(sizeof *loaded);
     if (stage_load_assets(loaded, &s->file, c->o)) {
@@ -83,7 +83,7 @@ static int world_anew(const stage *s, change *c)
  * a scene that is no good the world tells. */
 static int plan_anew(const stage *s, change *c)
 {
-    const assets *a = assets_of(s, c);
+    const asset_set *a = assets_of(s, c);
     const size_t world_bytes = tp_world_bytes(&tp_program_all, &s->file.scene, &a->names);
     canvas plan;
     if (!s->canvas.frame || world_bytes == 0)

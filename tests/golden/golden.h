@@ -19,7 +19,7 @@ extern const uint32_t golden_frames[GOLDEN_FRAMES];     /* in ticks */
 /* A scene that can be drawn at any tick, in any format and tiling. */
 typedef struct {
     scene_file file;
-    assets     assets;
+    asset_set  assets;
     tp_world  *world[GOLDEN_FRAMES];    /* snapshots of one run */
 } golden_scene;
 

@@ -57,7 +57,7 @@ static inline void put_setting(FILE *file, const char *row, const char *value)
 static inline int open_one(const char *row, const char *name)
 {
     scene_file scene;
-    assets a;
+    asset_set a;
     FILE *file = fopen("case.ini", "w");
     assert_non_null(file);
     fprintf(file, "; a case\n");

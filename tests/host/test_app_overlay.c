@@ -20,7 +20,7 @@
 
 typedef struct {
     scene_file file;
-    assets assets;
+    asset_set assets;
     tp_world *world;
 } stand;
 

@@ -67,7 +67,7 @@ static void draw_whole_scene(const char *name)
 {
     const tp_config config = { .width = 70, .height = 50 };
     scene_file scene;
-    assets a;
+    asset_set a;
     canvas c;
     listen();
     int code = scene_file_open(&scene, "./case.ini");

@@ -167,7 +167,7 @@ static void a_cube_without_a_side_is_refused(void **state)
     write_kind(&kinds[0], "kind.png");
     for (int missing = 6; missing < 12; missing++) {
         scene_file scene;
-        assets a;
+        asset_set a;
         char start[120];
         FILE *file = fopen("case.ini", "w");
         assert_non_null(file);

@@ -24,7 +24,7 @@ static void write_text(const char *name, const char *text, size_t bytes)
 }
 
 /* The scene of boat.obj, with what is said in `said`; the mesh is left open on success. */
-static int open_mesh(assets *a, const char *scale, assets_options options)
+static int open_mesh(asset_set *a, const char *scale, assets_options options)
 {
     scene_file scene;
     FILE *file = fopen("case.ini", "w");
@@ -46,7 +46,7 @@ static int open_mesh(assets *a, const char *scale, assets_options options)
 static void assert_drawn_without(const char *scale, const char *without, const char *remedy)
 {
     char line[8192];
-    assets a;
+    asset_set a;
     if (open_mesh(&a, scale, (assets_options){ 0 }))
         fail_msg("refused: %s", said);
     snprintf(line, sizeof line, "%s; %s\n", without, remedy);
@@ -63,7 +63,7 @@ static void assert_drawn_without(const char *scale, const char *without, const c
 
 static void assert_whole(void)
 {
-    assets a;
+    asset_set a;
     if (open_mesh(&a, "1", (assets_options){ .strict = true }))
         fail_msg("refused: %s", said);
     assert_string_equal(said, "");
@@ -126,7 +126,7 @@ static void missing_files_are_left_out(void **state)
 static void a_missing_picture_leaves_the_plain_colour(void **state)
 {
     (void)state;
-    assets a;
+    asset_set a;
     write_mesh("mtllib oak.mtl\n" CORNERS "usemtl oak\n" FACE, TEXTURED "none.png\n");
     assert_int_equal(open_mesh(&a, "1", (assets_options){ 0 }), EXIT_DONE);
     assert_int_equal(a.boat.materials[0].diffuse, 0xff0000);
@@ -172,7 +172,7 @@ static void faces_and_texture_coordinates_without_sense_are_counted(void **state
 static void a_mesh_too_large_for_its_scale_is_told_one_that_fits(void **state)
 {
     (void)state;
-    assets a;
+    asset_set a;
     write_mesh("v 0 0 0\nv 25000 0 0\nv 0 0 -1\nf 1 2 3\n", NULL);
     assert_int_equal(open_mesh(&a, "0.001", (assets_options){ .strict = true }), EXIT_DONE);
     assert_int_equal(a.boat.log2_unit, 1);
@@ -198,7 +198,7 @@ static void of_very_many_warnings_the_first_are_said(void **state)
     (void)state;
     char mtl[4000] = "newmtl oak\n";
     int lines = 0;
-    assets a;
+    asset_set a;
     for (int i = 0; i < 100; i++)
         strcat(mtl, "Ns x\n");
     write_mesh("mtllib oak.mtl\n" CORNERS "usemtl oak\n" FACE "f 1\n", mtl);
@@ -214,7 +214,7 @@ static void of_very_many_warnings_the_first_are_said(void **state)
 static void an_obj_that_cannot_be_read_is_refused(void **state)
 {
     (void)state;
-    assets a;
+    asset_set a;
     write_mesh(CORNERS "f 1 2 9\n", NULL);
     assert_int_equal(open_mesh(&a, "1", (assets_options){ 0 }), EXIT_INPUT);
     assert_string_equal(said, "./boat.obj:7: face names vertex 9 of 3\n");

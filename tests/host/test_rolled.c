@@ -22,7 +22,7 @@ enum { WIDTH = 320, HEIGHT = 240, PIXELS = WIDTH * HEIGHT, TICKS = 100 };
 
 typedef struct {
     scene_file file;
-    assets assets;
+    asset_set assets;
     tp_world *world;
 } stand;
 

@@ -22,7 +22,7 @@ enum { MOST_WIDTH = 320, MOST_HEIGHT = 240, MOST = MOST_WIDTH * MOST_HEIGHT };
 
 typedef struct {
     scene_file file;
-    assets     assets;
+    asset_set  assets;
     tp_world  *world;
 } opened;
 

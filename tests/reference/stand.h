@@ -7,7 +7,7 @@
 
 typedef struct {
     scene_file file;
-    assets     assets;
+    asset_set  assets;
     tp_world  *world;
 } ref_stand;
 

@@ -359,7 +359,7 @@ static void a_scene_is_set_by_name_and_text(void **state)
     (void)state;
     tp_scene scene;
     tp_error err = { 0 };
-    tp_scene_default(&scene);
+    tp_scene_level(&scene);
     assert_int_equal(tp_scene_set(&scene, "wave0.steepness", " 0.5 ", &err), TP_OK);
     assert_int_equal(scene.wave[0].steepness, TP_FX(0.5));
     assert_int_equal(tp_scene_set(&scene, "floor.map", "bay.png", NULL), TP_OK);

@@ -23,7 +23,7 @@ static const char *const names[] = {
 
 typedef struct {
     scene_file file;
-    assets     assets;
+    asset_set  assets;
     tp_outlook outlook;
     tp_works   works;
 } view;
