@@ -43,6 +43,15 @@ typedef enum {
 /* 256 colours 0x00RRGGBB: 6 reds x 7 greens x 6 blues, then four greys. */
 const uint32_t *tp_palette(void);
 
+/* Bytes of a row of `width` pixels, rounded up to whole bytes. */
+size_t tp_format_row_bytes(tp_format format, int width);
+
+/* Continues a CRC-32 (IEEE; 0 to begin) over `count` pixels from the start of a row, each as
+ * the four bytes of 0x00RRGGBB, low byte first.  The rows of a picture, from top to bottom,
+ * give the checksum of `tidepool render --hash`: the same on every machine, whatever its byte
+ * order. */
+uint32_t tp_crc32_pixels(uint32_t crc, tp_format format, const void *row, int count);
+
 struct tp_frame;
 
 /* -- what an application draws into tiles ------------------------------------------- */
@@ -89,6 +98,11 @@ typedef struct {
     const tp_assets  *assets;       /* NULL: the scene's built-in pictures, or none */
     tp_overlay overlay;             /* of tp_overlay_of; all 0: none */
 } tp_config;
+
+/* Checks a config as tp_frame_init does; the scene is not checked.  *filled, if not NULL, is
+ * the config with the tile size that is used.
+ *  - TP_E_NULL: err->word is the argument; TP_E_SIZE, TP_E_TILE, TP_E_ARG: out of range */
+tp_status tp_config_check(const tp_config *config, tp_config *filled, tp_error *err);
 
 typedef struct {
     uint32_t    x0, y0, x1, y1;     /* x1, y1 not included */
@@ -203,15 +217,12 @@ typedef enum {
     TP_SAMPLE_OTHER /* of a module that a program brings itself */
 } tp_sample_kind;
 
-/* The depth of each pixel, m along the camera's direction, off by depth^2 / (near 2^24) and
- * half a unit of 16.16 at the most; TP_FX_MAX in the sky.  Pixels behind the lid of a boat
- * have the depth of the lid. */
-void tp_frame_depth_row(const tp_frame *frame, const void *scratch, const tp_tile *tile,
-                        uint32_t y, tp_fx *depth);
-
-/* The tp_sample_kind of each pixel. */
-void tp_frame_kind_row(const tp_frame *frame, const void *scratch, const tp_tile *tile,
-                       uint32_t y, uint8_t *kind);
+/* Writes the depth of each pixel, m along the camera's direction, and its tp_sample_kind; of
+ * `depth` and `kind` one may be NULL.  A depth is off by depth^2 / (near 2^24) and half a unit
+ * of 16.16 at the most, and TP_FX_MAX in the sky.  Pixels behind the lid of a boat have the
+ * depth of the lid. */
+void tp_frame_sample_row(const tp_frame *frame, const void *scratch, const tp_tile *tile,
+                         uint32_t y, tp_fx *depth, uint8_t *kind);
 
 TP_END_C
 #endif

@@ -72,7 +72,7 @@ static lcd_status check(const lcd_config *c)
         return LCD_E_TURN;
     if (f->format != p->format)
         return LCD_E_FORMAT;
-    if (tp_frame_check(f, NULL) != TP_OK || c->x >= (swap ? p->height : p->width)
+    if (tp_config_check(f, NULL, NULL) != TP_OK || c->x >= (swap ? p->height : p->width)
         || c->y >= (swap ? p->width : p->height) || c->x + (int32_t)f->width <= 0
         || c->y + (int32_t)f->height <= 0)
         return LCD_E_SIZE;
@@ -83,7 +83,8 @@ static lcd_status check(const lcd_config *c)
 
 static size_t buffer_bytes(const lcd_config *c)
 {
-    const tp_config f = tp_config_filled(&c->frame);
+    tp_config f;
+    tp_config_check(&c->frame, &f, NULL);
     const size_t row = (size_t)units(c->panel, f.tile_width) * c->panel->unit_bytes;
     return (row * f.tile_height + LCD_ALIGN - 1) / LCD_ALIGN * LCD_ALIGN;
 }
@@ -157,7 +158,7 @@ lcd_status lcd_open(lcd *l, const lcd_config *config, void *memory)
     const lcd_panel *p = config->panel;
     TRY(check(config));
     *l = (lcd){ .config = *config };
-    l->config.frame = tp_config_filled(&config->frame);
+    tp_config_check(&config->frame, &l->config.frame, NULL);
     l->buffer[0] = memory;
     l->buffer[1] = l->buffer[0] + buffer_bytes(config);
     l->bits = walk(config) ^ p->upright;

@@ -47,7 +47,7 @@ static int check(const options *o)
                                .height = o->height,
                                .format = o->format };
     tp_error err = { 0 };
-    return tp_frame_check(&config, &err) ? fail_at("tp_host_open", &err) : EXIT_DONE;
+    return tp_config_check(&config, NULL, &err) ? fail_at("tp_host_open", &err) : EXIT_DONE;
 }
 
 static int load(tp_host *h)

@@ -13,7 +13,7 @@
 #define TILE_ROWS 16 /* of a config that names none */
 
 /* NULL is a picture without pixels, which check() refuses. */
-tp_config tp_config_filled(const tp_config *config)
+static tp_config filled_tiles(const tp_config *config)
 {
     tp_config c = config != NULL ? *config : (tp_config){ .width = 0 };
 
@@ -28,7 +28,7 @@ tp_config tp_config_filled(const tp_config *config)
 
 static tp_config filled(const tp_config *config, const tp_scene *scene)
 {
-    tp_config c = tp_config_filled(config);
+    tp_config c = filled_tiles(config);
 
     c.program = tp_program_or_linked(c.program);
     if (scene != NULL)
@@ -62,10 +62,12 @@ static tp_status check(const tp_config *c, tp_error *err)
     return TP_OK;
 }
 
-tp_status tp_frame_check(const tp_config *config, tp_error *err)
+tp_status tp_config_check(const tp_config *config, tp_config *filled, tp_error *err)
 {
-    const tp_config c = tp_config_filled(config);
+    const tp_config c = filled_tiles(config);
 
+    if (filled)
+        *filled = c;
     return check(&c, err);
 }
 

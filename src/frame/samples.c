@@ -2,13 +2,6 @@
 /* Depths and kinds of a drawn tile, out of the keys that drawing leaves in the scratch. */
 #include "frame/frame.h"
 
-static const uint32_t *row_of(const tp_frame *frame, const void *scratch,
-                              const tp_tile *tile, uint32_t y)
-{
-    TP_ASSERT(frame != NULL && scratch != NULL && y >= tile->y0 && y < tile->y1);
-    return (const uint32_t *)scratch + (size_t)(y - tile->y0) * frame->config.tile_width;
-}
-
 /* A key keeps 24 bits of near / depth, rounded down: the middle of what they stand for. */
 static tp_fx depth_of(const tp_lens *lens, uint32_t key)
 {
@@ -17,12 +10,10 @@ static tp_fx depth_of(const tp_lens *lens, uint32_t key)
     return tp_fx_held(((int64_t)lens->zi_near * ((int64_t)1 << 31) + zi / 2) / zi);
 }
 
-void tp_frame_depth_row(const tp_frame *frame, const void *scratch, const tp_tile *tile,
-                        uint32_t y, tp_fx *depth)
+static void put_depths(const tp_frame *frame, const uint32_t *key, uint32_t count,
+                       tp_fx *depth)
 {
-    const uint32_t *key = row_of(frame, scratch, tile, y);
-
-    for (uint32_t x = 0; x < tile->x1 - tile->x0; x++)
+    for (uint32_t x = 0; x < count; x++)
         depth[x] =
             TP_MARK(key[x]) == TP_MARK_SKY ? TP_FX_MAX : depth_of(&frame->lens, key[x]);
 }
@@ -42,18 +33,30 @@ static tp_sample_kind kind_of(const tp_frame *frame, uint32_t mark)
     return kind ? (tp_sample_kind)kind : TP_SAMPLE_OTHER;
 }
 
-void tp_frame_kind_row(const tp_frame *frame, const void *scratch, const tp_tile *tile,
-                       uint32_t y, uint8_t *kind)
+static void put_kinds(const tp_frame *frame, const uint32_t *key, uint32_t count,
+                      uint8_t *kind)
 {
-    const uint32_t *key = row_of(frame, scratch, tile, y);
     uint32_t mark = TP_MARKS;
     uint8_t known = TP_SAMPLE_OTHER;
 
-    for (uint32_t x = 0; x < tile->x1 - tile->x0; x++) {
+    for (uint32_t x = 0; x < count; x++) {
         if (TP_MARK(key[x]) != mark) {
             mark = TP_MARK(key[x]);
             known = (uint8_t)kind_of(frame, mark);
         }
         kind[x] = known;
     }
+}
+
+void tp_frame_sample_row(const tp_frame *frame, const void *scratch, const tp_tile *tile,
+                         uint32_t y, tp_fx *depth, uint8_t *kind)
+{
+    TP_ASSERT(frame != NULL && scratch != NULL && y >= tile->y0 && y < tile->y1);
+    const uint32_t *key =
+        (const uint32_t *)scratch + (size_t)(y - tile->y0) * frame->config.tile_width;
+
+    if (depth)
+        put_depths(frame, key, tile->x1 - tile->x0, depth);
+    if (kind)
+        put_kinds(frame, key, tile->x1 - tile->x0, kind);
 }

@@ -6,12 +6,6 @@
 #include "scene/plan.h"
 #include "tidepool/frame.h"
 
-/* The config with the tile sizes that its zeroes stand for. */
-tp_config tp_config_filled(const tp_config *config);
-
-/* Checks a config as tp_frame_init does, whatever the scene. */
-tp_status tp_frame_check(const tp_config *config, tp_error *err);
-
 /* The rungs of the frames from the next on, as a governor wants them; NULL: the plan's
  * again, which is made at init, and anew when quality.* has changed.  Where the frame has
  * no memory for a rung (tp_reach) the exact one is taken. */

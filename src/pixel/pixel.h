@@ -9,16 +9,9 @@ const char *tp_format_name(tp_format format);           /* "xrgb8888" */
 int         tp_format_bits(tp_format format);
 int         tp_format_of(const char *name, uint32_t bytes);   /* -1: none is called so */
 
-/* Bytes of a row of `width` pixels, rounded up to whole bytes. */
-size_t tp_format_row_bytes(tp_format format, int width);
-
 /* Pixel x of a row as 0x00RRGGBB: 565 by bit replication, grey as three equal parts. */
 uint32_t tp_pixel_read(tp_format format, const void *row, int x);
 
 /* CRC-32 (IEEE) of `bytes`, continuing from `crc` (0 to begin). */
 uint32_t tp_crc32(uint32_t crc, const void *data, size_t bytes);
-
-/* The same over `count` pixels of a row from x = 0, each as its four bytes of
- * 0x00RRGGBB, low byte first: equal on every machine, byte order and format apart. */
-uint32_t tp_crc32_pixels(uint32_t crc, tp_format format, const void *row, int count);
 #endif

@@ -189,8 +189,7 @@ static void compare_tile(const test_frame *f, const tp_tile *tile, agreement *a)
 
     for (uint32_t y = tile->y0 + 1; y + 1 < tile->y1; y += 3) {
         for (uint32_t k = 0; k < 3; k++) {
-            tp_frame_kind_row(f->frame, f->scratch, tile, y - 1 + k, kind[k]);
-            tp_frame_depth_row(f->frame, f->scratch, tile, y - 1 + k, depth[k]);
+            tp_frame_sample_row(f->frame, f->scratch, tile, y - 1 + k, depth[k], kind[k]);
         }
         for (uint32_t x = 1; x + 1 < tile->x1 - tile->x0; x += 3) {
             bool water = true, any = false;

@@ -10,7 +10,6 @@
 #include <SDL.h>
 #include <stdlib.h>
 #include <string.h>
-#include "fx/fx.h"
 #include "tidepool/tidepool.h"
 
 enum { WIDTH = 640, HEIGHT = 480, SPRITE_W = 16, SPRITE_H = 24 };
@@ -70,7 +69,7 @@ static void draw_row(void *user, const tp_overlay_row *row)
 /* `part` of a sine that takes `seconds`. */
 static tp_fx swing(uint32_t tick, uint32_t seconds, tp_fx part)
 {
-    return tp_fx_mul(tp_sin(tick * (UINT32_MAX / 60 / seconds)) >> 14, part);
+    return tp_fx_mul(tp_fx_sin(tick * (UINT32_MAX / 60 / seconds)), part);
 }
 
 /* Once round the buoy in two minutes, 0.9 m over the water, rolling by 6 degrees. */
