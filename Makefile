@@ -247,7 +247,7 @@ charts: charts-tools
 	@$(PROGRAM) charts assets/charts
 ## the slow renderer in double precision that pictures are judged by
 reference: $(BUILD)/reference
-## feed the readers random input, FUZZ_SECONDS (10) for each
+## feed the readers random input, FUZZ_SECONDS (6) for each
 fuzz:
 	@tests/fuzz/run.sh
 ## the share of the core's lines and branches that tests reach, and the lowest files

@@ -1,6 +1,6 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# Feeds every fuzz target random input for FUZZ_SECONDS (10) under ASan and UBSan, as many
+# Feeds every fuzz target random input for FUZZ_SECONDS (6) under ASan and UBSan, as many
 # at a time as there are processors.  FUZZ_ONLY="csv tape" runs some of them.
 #
 # Seeds and inputs that once broke something lie in tests/fuzz/NAME/ and are run first;
@@ -8,7 +8,7 @@
 # numbers of a run, up to how fast the machine is.
 . tests/gates/lib.sh
 
-seconds=${FUZZ_SECONDS:-10}
+seconds=${FUZZ_SECONDS:-6}
 
 # Leaves in $scratch/NAME what it found; what breaks a target stays in build/fuzz.
 run_one()       # NAME
