@@ -71,7 +71,8 @@ static uint32_t crc_of(const stand *s, tp_config config, uint32_t threads)
     return crc;
 }
 
-static void try_scene(const char *folder, const char *name)
+/* Each format once, by tilings in turn from `turn` on. */
+static void try_scene(const char *folder, const char *name, size_t turn)
 {
     static const uint32_t tiles[][2] = { { 0, 150 }, { 48, 7 }, { 16, 1 } };
     enum { WIDTH = 208, HEIGHT = 150 };
@@ -83,15 +84,13 @@ static void try_scene(const char *folder, const char *name)
                                    .height = HEIGHT,
                                    .tile_height = HEIGHT,
                                    .format = (tp_format)format };
-        const uint32_t want = crc_of(&s, config, 1);
-        for (uint32_t i = 0; i < 4; i++) {
-            uint32_t pixels = 0;
-            config.tile_width = tiles[i % 3][0];
-            config.tile_height = tiles[i % 3][1];
-            config.overlay = tp_overlay_of(draw_nothing, &pixels);
-            assert_int_equal(crc_of(&s, config, i == 3 ? 3 : 1), want);
-            assert_int_equal(pixels, WIDTH * HEIGHT);
-        }
+        const uint32_t want = crc_of(&s, config, 1), i = (turn + (size_t)format) % 4;
+        uint32_t pixels = 0;
+        config.tile_width = tiles[i % 3][0];
+        config.tile_height = tiles[i % 3][1];
+        config.overlay = tp_overlay_of(draw_nothing, &pixels);
+        assert_int_equal(crc_of(&s, config, i == 3 ? 3 : 1), want);
+        assert_int_equal(pixels, WIDTH * HEIGHT);
     }
     close_stand(&s);
 }
@@ -105,7 +104,7 @@ static void an_overlay_of_nothing_changes_no_bit(void **state)
         char **names = path_scene_names(folders[f], &count);
         assert_true(count > 0);
         for (size_t i = 0; i < count; i++)
-            try_scene(folders[f], names[i]);
+            try_scene(folders[f], names[i], i);
         path_free_names(names, count);
     }
 }
