@@ -8,12 +8,13 @@
 
 enum { TICKS = 12, SAID = 1 << 16 };
 
+static const tp_assets none;
 static const tp_config config = { .width = 32,
                                   .height = 16,
                                   .tile_width = 16,
                                   .tile_height = 8,
-                                  .format = TP_FORMAT_RGB565BE };
-static const tp_assets none;
+                                  .format = TP_FORMAT_RGB565BE,
+                                  .assets = &none };
 
 typedef struct {
     tp_scene      scene;

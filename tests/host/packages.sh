@@ -73,10 +73,13 @@ by_find_package() {
 }
 by_find_package "make install, find_package" "$made"
 
-# asks VERSION: whether find_package takes the tree for it.
+# asks VERSION: whether find_package takes the tree for it, in a project of no language.
+mkdir asking
+printf '%s\n' 'cmake_minimum_required(VERSION 3.13)' 'project(asking NONE)' \
+    'find_package(tidepool ${WANTED} REQUIRED)' >asking/CMakeLists.txt
 asks() {
     rm -rf asked
-    cmake -S "$example" -B asked -DCMAKE_PREFIX_PATH="$made" -DWANTED="$1" >out 2>&1 &&
+    cmake -S asking -B asked -DCMAKE_PREFIX_PATH="$made" -DWANTED="$1" >out 2>&1 &&
         echo taken || grep -o 'compatible with requested version' out
 }
 major=${version%%.*} rest=${version#*.}
@@ -93,7 +96,7 @@ done
 # -- CMake: one build is both added to a project and installed -------------------------------
 
 cmake -S "$example" -B added -DTIDEPOOL="$root" -DTIDEPOOL_INSTALL=ON \
-    -DCMAKE_BUILD_TYPE=Debug >out 2>err && cmake --build added -j2 >>out 2>>err
+    -DCMAKE_BUILD_TYPE=None >out 2>err && cmake --build added -j2 >>out 2>>err
 same "add_subdirectory: programs are built" "$?" 0
 draws add_subdirectory added/sea added/sea++
 
