@@ -45,6 +45,7 @@ static int draw(const char *name, tp_config config, uint32_t first, uint32_t las
                         claim(row_bytes * config.height) };
     tp_world *world = world_begin();
     config.assets = &baked_assets;
+    config.tile_height = config.height;
     const size_t bytes = tp_frame_bytes(&config, &baked_scene);
     void *block = claim(bytes);
     void *scratch = claim(tp_frame_direct_scratch_bytes(&config, &baked_scene));
