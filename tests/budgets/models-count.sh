@@ -24,12 +24,12 @@ profile()       # BUILD PROGRAM
         "$2" >"$scratch/$1/said" || { tail -n 1 "$scratch/$1/said"; false; }
 }
 
-host()          # BUILD TARGET OPT ARCH
+host()          # BUILD TARGET OPT ARCH [CC]
 {
     program=build/$2/tests/budgets/models
     mkdir "$scratch/$1"
     check "$1: the counting program builds" alone build TARGET="$2" OPT="$3" ARCH="$4" \
-        $program
+        CC="${5:-${CC:-cc}}" $program
     check "$1: it runs to its end" profile $1 $program
     awk -f tests/budgets/callgrind.awk "$scratch/$1"/dump.* >"$scratch/$1/counts"
     runs="$runs build=$1 $scratch/$1/said $scratch/$1/counts"
@@ -51,7 +51,7 @@ elif lacks valgrind valgrind "models on x86-64"; then
     skip="o2 o3 v3"
 else
     host o2 host "-O2 -g1"
-    host o3 cross/host-gcc-O3 -O3
+    host o3 cross/host-gcc-O3 -O3 "" gcc        # which tests/cross/run.sh builds too
     if grep -qw avx2 /proc/cpuinfo; then
         host v3 count-v3 -O3 -march=x86-64-v3
     else
