@@ -96,7 +96,8 @@ done
 # -- CMake: one build is both added to a project and installed -------------------------------
 
 cmake -S "$example" -B added -DTIDEPOOL="$root" -DTIDEPOOL_INSTALL=ON \
-    -DCMAKE_BUILD_TYPE=None >out 2>err && cmake --build added -j2 >>out 2>>err
+    -DCMAKE_BUILD_TYPE=None -DCMAKE_RULE_MESSAGES=OFF >out 2>err &&
+    cmake --build added -j2 >>out 2>>err
 same "add_subdirectory: programs are built" "$?" 0
 draws add_subdirectory added/sea added/sea++
 
