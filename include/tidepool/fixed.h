@@ -47,8 +47,6 @@ static inline tp_fx tp_fx_mul(tp_fx a, tp_fx b)
     return (tp_fx)(((int64_t)a * b + 0x8000) >> 16);
 }
 
-tp_fx   tp_fx_div(tp_fx a, tp_fx b);    /* rounded half up; saturates; x/0 by sign of x */
-
 tp_fx   tp_fx_sin(tp_turn angle);
 tp_fx   tp_fx_cos(tp_turn angle);
 tp_turn tp_atan2(int32_t y, int32_t x); /* of any format; error < 2^-18 turn; (0,0): 0 */

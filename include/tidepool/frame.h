@@ -29,7 +29,7 @@ TP_BEGIN_C
     X(XRGB8888, xrgb8888, 32, "0x00RRGGBB in a native uint32_t") \
     X(RGB565,   rgb565,   16, "native uint16_t, red high") \
     X(RGB565BE, rgb565be, 16, "high byte first, as SPI panels take it") \
-    X(P8,       p8,        8, "index into tp_palette()") \
+    X(P8,       p8,        8, "index into tp_palette") \
     X(L8,       l8,        8, "grey, 255 is white") \
     X(I1,       i1,        1, "a bit a pixel, high bit left, 1 is white")
 
@@ -40,8 +40,8 @@ typedef enum {
     TP_FORMAT_COUNT
 } tp_format;
 
-/* 256 colours 0x00RRGGBB: 6 reds x 7 greens x 6 blues, then four greys. */
-const uint32_t *tp_palette(void);
+/* The colours of p8, 0x00RRGGBB: 6 reds x 7 greens x 6 blues, then four greys. */
+extern const uint32_t tp_palette[256];
 
 /* Bytes of a row of `width` pixels, rounded up to whole bytes. */
 size_t tp_format_row_bytes(tp_format format, int width);
@@ -117,25 +117,6 @@ typedef struct {
     uint32_t dropped;               /* things left out: no room, or no module draws them */
 } tp_draw_stats;
 
-/* Bytes of RAM by use. */
-typedef struct {
-    size_t frame;                   /* the block of tp_frame_bytes */
-    size_t vertices, tables;        /* the two large parts of it */
-    size_t mirror;                  /* of the block, for mirrored and sunken objects */
-    size_t scratch;                 /* of one tile: its samples and pixels */
-} tp_ram_use;
-
-/* The frame's block holds what the scene needs at init, nothing for what it lacks:
- *  - vertices: the grid and its crossings, the boat's and the land's corners, drops, rings,
- *    specks of spray
- *  - tables: a sky's gradient; shininess, if the program has lit water; of a
- *    generated or cube sky, the exposure, the boat's materials, slopes of pools that bend
- *    the light only; glass, walls inside a pool, the map of caustics (2 bytes a cell)
- *  - mirror: with mirror.objects = stencil a picture of half the size and four rows of
- *    samples, 88320 bytes at 320x240; with mirror.size = quarter 24960.  88320 more for
- *    objects seen under water (water.clear).  With mirror.objects = cube 24576 bytes at
- *    any size.  Each has up to 128 bytes of numbers besides. */
-
 typedef struct tp_frame tp_frame;   /* lies at the start of the block */
 
 /* The bytes of a frame's block.  0: the config or the scene is out of range.
@@ -181,7 +162,6 @@ bool tp_frame_draw_tile_to(const tp_frame *frame, uint32_t i, void *scratch,
                            void *picture, size_t stride, tp_tile *tile);
 
 tp_draw_stats tp_frame_stats(const tp_frame *frame);
-tp_ram_use tp_frame_ram(const tp_frame *frame);
 
 /* -- places of the picture ----------------------------------------------------------- */
 

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Lines of columns parted by tabs. */
 #include "figures_texts.h"
+#include "frame/tools.h"
 #include "scene/world.h"
 #include <inttypes.h>
 #include <stdarg.h>

@@ -7,6 +7,7 @@
 #include <string.h>
 #include "about.h"
 #include "commands.h"
+#include "frame/tools.h"
 #include "plan_sheet.h"
 #include "say.h"
 

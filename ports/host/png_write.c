@@ -58,7 +58,7 @@ static void put_palette(png_writer *w)
 {
     png_color colours[256];
     for (int i = 0; i < 256; i++) {
-        const uint32_t c = tp_palette()[i];
+        const uint32_t c = tp_palette[i];
         colours[i] = (png_color){ (png_byte)(c >> 16), (png_byte)(c >> 8), (png_byte)c };
     }
     png_set_PLTE(w->png, w->info, colours, 256);

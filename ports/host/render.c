@@ -7,6 +7,7 @@
 #include "about.h"
 #include "commands.h"
 #include "features/drops/drops.h"
+#include "frame/tools.h"
 #include "governing.h"
 #include "hashes.h"
 #include "replay.h"

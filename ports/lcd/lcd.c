@@ -9,8 +9,6 @@
  * in it.  That holds after a wait that gave up, too: until one has gone well nothing is
  * sent, and no buffer takes the other's place. */
 #include "lcd.h"
-#include "frame/tools.h"
-#include "pixel/pixel.h"
 
 void *memcpy(void *restrict to, const void *restrict from, size_t bytes);
 

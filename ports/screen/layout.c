@@ -69,7 +69,7 @@ bool layout_takes(const layout *l, tp_format format)
 
 uint32_t layout_colour(tp_format format, uint32_t i)
 {
-    return format == TP_FORMAT_P8 ? tp_palette()[i] : i * 0x010101u;
+    return format == TP_FORMAT_P8 ? tp_palette[i] : i * 0x010101u;
 }
 
 void layout_table(tp_format format, uint16_t *red, uint16_t *green, uint16_t *blue)

@@ -4,6 +4,7 @@
 #define TP_FRAME_INSIDE_H
 #include "frame/drawing.h"
 #include "frame/sight.h"
+#include "frame/tools.h"
 #include "geom/level.h"
 #include "pixel/toned.h"
 #include "raster/rows.h"

@@ -1,10 +1,31 @@
 /* SPDX-License-Identifier: MIT */
-/* A frame for tools: the rungs that it is drawn by, counts of pixels, and pictures that
- * are prepared beforehand. */
+/* A frame for tools: its RAM by use, the rungs that it is drawn by, counts of pixels, and
+ * pictures that are prepared beforehand. */
 #ifndef TP_FRAME_TOOLS_H
 #define TP_FRAME_TOOLS_H
 #include "scene/plan.h"
 #include "tidepool/frame.h"
+
+/* Bytes of RAM by use. */
+typedef struct {
+    size_t frame;                   /* the block of tp_frame_bytes */
+    size_t vertices, tables;        /* the two large parts of it */
+    size_t mirror;                  /* of the block, for mirrored and sunken objects */
+    size_t scratch;                 /* of one tile: its samples and pixels */
+} tp_ram_use;
+
+/* The frame's block holds what the scene needs at init, nothing for what it lacks:
+ *  - vertices: the grid and its crossings, the boat's and the land's corners, drops, rings,
+ *    specks of spray
+ *  - tables: a sky's gradient; shininess, if the program has lit water; of a
+ *    generated or cube sky, the exposure, the boat's materials, slopes of pools that bend
+ *    the light only; glass, walls inside a pool, the map of caustics (2 bytes a cell)
+ *  - mirror: with mirror.objects = stencil a picture of half the size and four rows of
+ *    samples, 88320 bytes at 320x240; with mirror.size = quarter 24960.  88320 more for
+ *    objects seen under water (water.clear).  With mirror.objects = cube 24576 bytes at
+ *    any size.  Each has up to 128 bytes of numbers besides. */
+
+tp_ram_use tp_frame_ram(const tp_frame *frame);
 
 /* The rungs of the frames from the next on, as a governor wants them; NULL: the plan's
  * again, which is made at init, and anew when quality.* has changed.  Where the frame has

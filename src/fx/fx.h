@@ -81,6 +81,7 @@ static inline int tp_clz(uint32_t x)
 #endif
 }
 
+tp_fx  tp_fx_div(tp_fx a, tp_fx b);     /* rounded half up; saturates; x/0 by sign of x */
 tp_fx  tp_fx_sqrt(tp_fx x);             /* nearest; 0 for x <= 0 */
 tp_fx  tp_fx_rsqrt(tp_fx x);            /* 1/sqrt(x) within 1 LSB; saturates for x <= 0 */
 tp_fx  tp_fx_recip(tp_fx x);            /* 1/x rounded half up; saturates; 0: max */

@@ -20,7 +20,7 @@ static const struct { const char *name; int bits; } formats[TP_FORMAT_COUNT] = {
 #define GREENS(r)   BLUES(r, 0), BLUES(r, 1), BLUES(r, 2), BLUES(r, 3), \
                     BLUES(r, 4), BLUES(r, 5), BLUES(r, 6)
 
-static const uint32_t palette[256] = {
+const uint32_t tp_palette[256] = {
     GREENS(0), GREENS(1), GREENS(2), GREENS(3), GREENS(4), GREENS(5),
     0x333333, 0x666666, 0x999999, 0xcccccc,
 };
@@ -50,11 +50,6 @@ size_t tp_format_row_bytes(tp_format format, int width)
     return width <= 0 ? 0 : ((size_t)width * (size_t)tp_format_bits(format) + 7) / 8;
 }
 
-const uint32_t *tp_palette(void)
-{
-    return palette;
-}
-
 /* The high bits of each part are repeated below, so that full stays full. */
 static uint32_t of_rgb565(uint32_t pixel)
 {
@@ -74,7 +69,7 @@ uint32_t tp_pixel_read(tp_format format, const void *row, int x)
     case TP_FORMAT_RGB565BE:
         return of_rgb565((uint32_t)bytes[2 * x] << 8 | bytes[2 * x + 1]);
     case TP_FORMAT_P8:
-        return palette[bytes[x]];
+        return tp_palette[bytes[x]];
     case TP_FORMAT_L8:
         return bytes[x] * 0x010101u;
     case TP_FORMAT_I1:

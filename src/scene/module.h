@@ -12,6 +12,10 @@
 #include "geom/surface.h"
 #include "scene/prices.h"
 
+/* Drops fall and rings begin so far from the origin at the most, m each way: 8000 of the
+ * sphere, 1000 of scatter. */
+#define TP_DROP_FAR (9000 * TP_FX_ONE)
+
 /* What an impact does to the water; the caller gives it to rings or to a pool. */
 typedef struct {
     tp_fx   x, z;

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* An application pushes the water between ticks.  tp_input.push does so within a tick. */
 #include "base/base.h"
-#include "features/drops/drops.h"
 #include "geom/waters.h"
 #include "scene/parts.h"
 #include "scene/pools.h"

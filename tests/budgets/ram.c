@@ -10,6 +10,7 @@
 #include "cortex-m/board.h"
 #include "cortex-m/marks.h"
 #include "cortex-m/semihost.h"
+#include "frame/tools.h"
 #include "pixel/pixel.h"
 #include "scene/world.h"
 

@@ -23,11 +23,11 @@ declared()
 }
 check "the headers' functions and constants are found" declared
 
-# An application reads few headers, and few functions.  Stages, stores and conditions are
-# no functions to call: a program's list names them.
+# An application reads few headers, and few functions.  Stages, stores, conditions and the
+# check of lacks are no functions to call: a program's list names them.
 few()
 {
-    grep -v '^tp_\(stage\|store\)_\|^tp_[a-z_]*_enabled$' "$scratch/names" >"$scratch/few"
+    grep -v '^tp_\(stage\|store\)_\|^tp_[a-z_]*_enabled$\|^tp_lacks_check$' "$scratch/names" >"$scratch/few"
     find include/tidepool -name '*.h' | cat - "$scratch/few"
     [ "$(find include/tidepool -name '*.h' | wc -l)" -le 8 ] &&
         [ "$(wc -l <"$scratch/few")" -le 50 ]

@@ -40,7 +40,7 @@ BEGIN {
           "pool=assets geom=world", types, " ")
     for (i in types)
         typed[types[i]]
-    split("host sdl2 screen linuxfb kms null", tools, " ")
+    split("host sdl2 screen linuxfb kms null library", tools, " ")
     for (i in tools)
         tool[tools[i]]
     split("rpi=base/arena.h rpi=pixel/pixel.h cortex-m=base/arena.h " \

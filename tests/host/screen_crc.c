@@ -26,7 +26,7 @@ static uint32_t colour(const uint8_t *at, const uint32_t *n, const char *table)
     uint32_t pixel = 0;
     memcpy(&pixel, at, n[BITS] / 8);            /* of a machine with its low byte first */
     if (table)
-        return strcmp(table, "p8") == 0 ? tp_palette()[pixel] : pixel * 0x010101u;
+        return strcmp(table, "p8") == 0 ? tp_palette[pixel] : pixel * 0x010101u;
     return widen(pixel, n[RED], n[RED + 1]) << 16
          | widen(pixel, n[RED + 2], n[RED + 3]) << 8
          | widen(pixel, n[RED + 4], n[RED + 5]);

@@ -11,6 +11,7 @@
 #include "../../ports/host/figures_texts.h"
 #include "../../ports/host/stopwatch.h"
 #include "../../ports/host/timing.h"
+#include "frame/tools.h"
 
 #define SEA "assets/scenes/three-swells.ini"
 

@@ -9,6 +9,7 @@
 #include "../reference/mirror.h"
 #include "features/reflection/mirror.h"
 #include "features/underwater/underwater.h"
+#include "frame/tools.h"
 #include "marks.h"
 #include "measure.h"
 #include "shade/half.h"

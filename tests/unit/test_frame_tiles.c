@@ -6,6 +6,7 @@
 #include <stdint.h>
 #include <cmocka.h>
 #include "features/boat/boat.h"
+#include "frame/tools.h"
 #include "twice.h"
 
 enum { WIDTH = 150, HEIGHT = 90 };

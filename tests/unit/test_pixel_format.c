@@ -47,7 +47,7 @@ static void rows_are_rounded_up_to_bytes(void **state)
 static void the_palette_is_a_cube_and_four_greys(void **state)
 {
     (void)state;
-    const uint32_t *const palette = tp_palette();
+    const uint32_t *const palette = tp_palette;
     for (uint32_t r = 0; r < 6; r++)
         for (uint32_t g = 0; g < 7; g++)
             for (uint32_t b = 0; b < 6; b++)
@@ -80,7 +80,7 @@ static void pixels_of_the_other_formats_are_read(void **state)
     assert_int_equal(tp_pixel_read(TP_FORMAT_XRGB8888, words, 0), 0x123456);
     assert_int_equal(tp_pixel_read(TP_FORMAT_XRGB8888, words, 1), 0xfedcba);
     const uint8_t bytes[] = { 0xa0, 0x7f };
-    assert_int_equal(tp_pixel_read(TP_FORMAT_P8, bytes, 0), tp_palette()[0xa0]);
+    assert_int_equal(tp_pixel_read(TP_FORMAT_P8, bytes, 0), tp_palette[0xa0]);
     assert_int_equal(tp_pixel_read(TP_FORMAT_L8, bytes, 1), 0x7f7f7f);
     for (int x = 0; x < 16; x++) {
         const uint32_t bit = 0xa07fu >> (15 - x) & 1;

@@ -13,6 +13,7 @@
 #include "base/arena.h"
 #include "board/buttons.h"
 #include "board/control.h"
+#include "frame/tools.h"
 #include "lcd/lcd.h"
 #include "cortex-m/baked.h"
 #include "cortex-m/board.h"

@@ -25,7 +25,6 @@ typedef struct {
 } tp_drop;
 
 #define TP_DROP_NEW TP_FX_MIN
-#define TP_DROP_FAR (9000 * TP_FX_ONE)  /* m each way: 8000 of the sphere, 1000 of scatter */
 
 /* In one block: drops follow this head, then rings. */
 typedef struct {
