@@ -18,7 +18,7 @@ TP_BEGIN_C
 
 #define TP_WAVES 16
 
-/* A wave as a person gives it. */
+/* One wave of the sea. */
 typedef struct {
     tp_fx amplitude;        /* m, 0..16: half the height from trough to crest */
     tp_fx length;           /* m, 0.25..2000 */
@@ -31,9 +31,9 @@ typedef struct {
 
 typedef enum { TP_DROPS_RINGS, TP_DROPS_POOL } tp_drops_into;
 
-/* As a scene describes them; 16.16 unless said. */
+/* Drops that fall from a sphere and bounce on the water. */
 typedef struct {
-    int32_t count;          /* in the air at once, 0..1024; 0: no sphere and no drops */
+    int32_t count;          /* drops in the air at once, 0..1024; 0: no sphere, no drops */
     int32_t rings;          /* on the water at once, 0..1024 */
     int32_t into;           /* tp_drops_into */
     tp_fx   x, y, z;        /* m, of the sphere at tick 0 */
@@ -41,9 +41,9 @@ typedef struct {
     tp_fx   density;        /* kg/m^3, 100..10000 */
     tp_fx   drag;           /* Cd [D1], 0..2; 0: mass does not matter */
     tp_fx   bounce;         /* e [D2], 0.5..0.8 */
-    int32_t impacts;        /* 5..7, then it vanishes */
+    int32_t impacts;        /* 5..7: impacts of a drop before it vanishes */
     tp_fx   every;          /* s between drops that fall by themselves; 0: none do */
-    tp_fx   scatter;        /* m: they fall so far from the sphere at the most */
+    tp_fx   scatter;        /* m: greatest distance from the sphere at which drops fall */
     tp_fx   efficiency;     /* share of the lost energy that the ring takes, 0..1 [D4] */
     tp_fx   speed, decay, spread, attack;   /* of rings: m/s, s, m, s */
     int32_t colour;         /* of drops and sphere */
@@ -58,39 +58,40 @@ typedef enum {
                              * field, sampled anywhere */
 } tp_edges;
 
-/* How water is found in the picture.  What a method cannot show (overhangs, a camera in
- * the water, strong roll ...) the frame draws as triangles. */
+/* The method that draws the water's surface.  A frame that the method cannot draw (overhangs,
+ * a camera in the water, strong roll ...) is drawn as triangles. */
 typedef enum {
     TP_VISIBILITY_AUTO, TP_VISIBILITY_TRIANGLES, TP_VISIBILITY_ROWS,
     TP_VISIBILITY_PROJECTED, TP_VISIBILITY_FLAT
 } tp_visibility;
 
-/* Exact stages, or those in slope space that take nearest texels. */
+/* Exact shading, or fast shading by slopes and nearest texels. */
 typedef enum { TP_SHADING_AUTO, TP_SHADING_EXACT, TP_SHADING_QUICK } tp_shading;
 
-/* What is worked out for every second pixel only. */
+/* Shading at half rate: nothing, the layers, or the whole colour, of every second pixel. */
 typedef enum { TP_RATE_AUTO, TP_RATE_FULL, TP_RATE_LAYERS, TP_RATE_COLOUR } tp_rate;
 
-/* Fewer lines of the grid where they lie close. */
+/* Level of detail: fewer lines of the grid where they lie close together. */
 typedef enum { TP_LOD_AUTO, TP_LOD_OFF, TP_LOD_ON } tp_lod;
 
 #define TP_NAME_BYTES 128       /* of a name in a scene, its end included */
 
-/* A pool as a scene describes it. */
+/* A pool: a grid of cells whose heights move as waves of shallow water. */
 typedef struct {
-    int32_t cols, rows;        /* cells, 16..512; cols 0: no such pool */
-    int32_t cells, edges;      /* tp_cells, tp_edges */
-    int32_t damping;           /* m: 2^-m of the motion goes each tick */
-    int32_t sponge;            /* cells, of TP_EDGES_SPONGE */
-    tp_fx courant;             /* wave speed x tick / cell, 0.05 to about 0.49 */
-    tp_fx range;               /* m at the full range of 8- and 16-bit cells */
-    tp_fx cell, x, z;          /* m: a cell's side, the centre */
-    tp_fx feed_low, feed_high; /* m: a band in which feeding holds the rms of
-                                             * the heights; 0, 0: it is not fed */
-    tp_fx feed;                /* m: height of an injection */
-    tp_fx   poke_every, poke, poke_size;    /* s between hats at random places, m, m */
-    tp_fx   paddle, paddle_period;          /* m, s: of waves made at the north edge */
-    char    mask[TP_NAME_BYTES];            /* PNG, "": no walls inside */
+    int32_t cols, rows;             /* cells, 16..512; cols 0: no pool */
+    int32_t cells, edges;           /* tp_cells, tp_edges */
+    int32_t damping;                /* n: 2^-n of the motion is lost each tick */
+    int32_t sponge;                 /* width of the edges of TP_EDGES_SPONGE, cells */
+    tp_fx   courant;                /* wave speed x tick / cell, 0.05 to about 0.49 */
+    tp_fx   range;                  /* m at the full range of 8- and 16-bit cells */
+    tp_fx   cell, x, z;             /* m: the side of a cell; the centre of the pool */
+    tp_fx   feed_low, feed_high;    /* m: feeding holds the rms of the heights between
+                                     * these two; 0, 0: no feeding */
+    tp_fx   feed;                   /* m: height of one injection */
+    tp_fx   poke_every;             /* s between splashes at random places; 0: none */
+    tp_fx   poke, poke_size;        /* m: height and width of a splash */
+    tp_fx   paddle, paddle_period;  /* m, s: waves made at the north edge */
+    char    mask[TP_NAME_BYTES];    /* PNG, "": no walls inside */
 } tp_scene_pool;
 
 /* A picture that drifts over the water. */
@@ -112,10 +113,11 @@ typedef struct {
 #define TP_LAYERS 3
 #define TP_FACES  6             /* of a cube: +x -x +y -y +z -z */
 
-/* Words for the settings of modules that a program brings itself, tidepool/modules.h. */
+/* Numbers for the settings of the application's own modules, tidepool/modules.h. */
 #define TP_OWN_WORDS 32
 
-/* Numbers are 16.16 unless said; angles are degrees; colours 0x00RRGGBB. */
+/* Numbers are 16.16 unless said; angles are degrees; colours 0x00RRGGBB.  `tidepool params`
+ * prints unit, range, default and meaning of each row. */
 typedef struct tp_scene {
     char title[TP_NAME_BYTES], shows[TP_NAME_BYTES];
     struct {
@@ -187,8 +189,8 @@ typedef struct tp_scene {
     struct { int32_t cols, rows; tp_fx cell, reach; int32_t follow; } grid;
     tp_wave wave[TP_WAVES];
     struct {
-        tp_fx depth, slope, heading;        /* depth 0, no map: open sea; rise a metre,
-                                             * towards `heading` */
+        tp_fx   depth;                      /* m; 0 and no map: open sea */
+        tp_fx   slope, heading;             /* rise a metre, towards heading */
         char    map[TP_NAME_BYTES];         /* PNG of heights, "": none */
         tp_fx   map_x, map_z, map_size, map_low, map_high;
         int32_t colour;                     /* of the land, times the texture */
@@ -216,7 +218,7 @@ typedef struct tp_scene {
         int32_t visibility, shading, rate, lod;     /* a rung, or auto: the budget's */
         tp_fx   frame_ms;                   /* that the governor holds; 0: none */
     } quality;
-    int32_t own[TP_OWN_WORDS];              /* of modules that a program brings itself */
+    int32_t own[TP_OWN_WORDS];              /* settings of the application's own modules */
     const struct tp_assets *pictures;       /* built-in ones, of tp_scene_init; NULL: none */
 } tp_scene;
 

@@ -7,7 +7,6 @@
 #include "features/drops/drops.h"
 #include "scene/pools.h"
 #include "scene/tape.h"
-#include "scene/world.h"
 
 #define DROPS_MOST 1024         /* of tp_input */
 #define STEPS_MOST 100000

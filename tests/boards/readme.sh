@@ -101,7 +101,7 @@ bare()
             return 1
     done
     nm -u "$scratch"/bare-*.o | awk 'NF == 2 && $2 !~ \
-        /^(mem(cpy|set)|lcd_(begin|tile)|tp_(frame_(tile|check)|config_filled|format_row_bytes))$/ {
+        /^(mem(cpy|set)|lcd_(begin|tile)|tp_(frame_draw_tile|config_check|format_row_bytes))$/ {
             print; bad = 1 } END { exit bad }' &&
         size "$scratch"/bare-*.o | awk 'NR > 1 && $3 > 0 { print; bad = 1 } END { exit bad }'
 }

@@ -27,7 +27,8 @@ check "the headers' functions and constants are found" declared
 # check of lacks are no functions to call: a program's list names them.
 few()
 {
-    grep -v '^tp_\(stage\|store\)_\|^tp_[a-z_]*_enabled$\|^tp_lacks_check$' "$scratch/names" >"$scratch/few"
+    grep -v '^tp_\(stage\|store\)_\|^tp_[a-z_]*_enabled$\|^tp_lacks_check$' \
+        "$scratch/names" >"$scratch/few"
     find include/tidepool -name '*.h' | cat - "$scratch/few"
     [ "$(find include/tidepool -name '*.h' | wc -l)" -le 8 ] &&
         [ "$(wc -l <"$scratch/few")" -le 50 ]

@@ -31,7 +31,7 @@ BEGIN {
             rank[module[j]] = i
     }
     split("fixed=base status=base assets=asset modules=pixel world=scene " \
-          "tidepool=top", special, " ")
+          "tidepool=engine", special, " ")
     for (i in special) {
         split(special[i], pair, "=")
         owner[pair[1]] = pair[2]
@@ -55,7 +55,6 @@ BEGIN {
           "web=pixel/pixel.h web=scene/pools.h web=features/drops/drops.h", grants, " ")
     for (i in grants)
         granted[grants[i]]
-    rank["top"] = levels + 1
     n = split("fixed status scene assets world frame modules tidepool", public_header, " ")
     for (i = 1; i <= n; i++)
         place[public_header[i]] = i
@@ -114,7 +113,7 @@ FNR == 1 {
             next
         sight = folder "=" step[1]
         if (public || name !~ /\// || step[1] == folder || sight in guest \
-            || (folder == "examples" && step[1] in rank && step[1] != "features"))
+            || (FILENAME ~ /examples\/buoy\// && step[1] in rank && step[1] != "features"))
             next
         wrong("a port includes public headers and its own alone")
     } else if ($0 ~ /</) {

@@ -6,7 +6,6 @@
 #include <stdlib.h>
 #include <string.h>
 #include <tidepool/host.h>
-#include "pixel/pixel.h"
 #include "tidepool/tidepool.h"
 
 static tp_host_config small = { 160, 120, TP_FORMAT_XRGB8888, 0 };
@@ -66,7 +65,8 @@ static void engine(tp_host *host, const char *last)
     for (int n = 0; n <= atoi(last); n++, tp_engine_step(sea, NULL)) {
         uint32_t crc = 0;
         for (tp_engine_begin(sea); tp_engine_next_tile(sea, &tile);)
-            crc = tp_crc32(crc, tile.pixels, tile.stride * (tile.y1 - tile.y0));
+            crc = tp_crc32_pixels(crc, TP_FORMAT_XRGB8888, tile.pixels,
+                                  (int)((tile.x1 - tile.x0) * (tile.y1 - tile.y0)));
         printf("frame %04d crc32 %08x\n", n, (unsigned)crc);
     }
     free(memory);
