@@ -84,7 +84,7 @@ static void looks(tp_host *host, const char *unused)
     tp_host_error err;
 
     (void)unused;
-    const tp_vec3 eye = tp_host_world(host)->eye;
+    const tp_vec3 eye = tp_world_camera(tp_host_world(host)).eye;
     for (int way = TP_HOST_WAYS - 1; way >= TP_HOST_FREE; way--) {
         if (!tp_host_look(host, (tp_host_way)way, &err)) {
             printf("%s: %s\n", names[way], err.text);
@@ -96,7 +96,7 @@ static void looks(tp_host *host, const char *unused)
         printf(" %08x\n", (unsigned)crc_of(host));
     }
     printf("the eye is %s\n",
-           is_near(eye, tp_host_world(host)->eye, 4) ? "back" : "lost");
+           is_near(eye, tp_world_camera(tp_host_world(host)).eye, 4) ? "back" : "lost");
     printf("no way %d", tp_host_look(host, TP_HOST_WAYS, &err));
     printf(": %s\n", err.text);
 }
@@ -110,14 +110,14 @@ static void orbit(tp_host *host, const char *unused)
 
     (void)unused;
     tp_host_look(host, TP_HOST_ORBIT, NULL);
-    const tp_vec3 eye = tp_host_world(host)->eye;
+    const tp_vec3 eye = tp_world_camera(tp_host_world(host)).eye;
     if (!tp_host_pick(host, x, y, &first))
         exit(1);
     for (int i = 0; i < 30; i++)
         tp_host_turn(host, &round);
     const bool stays = tp_host_pick(host, x, y, &now) && is_near(first, now, TP_FX(0.1));
     printf("%s, the eye %s\n", stays ? "stays" : "goes away",
-           is_near(eye, tp_host_world(host)->eye, TP_FX(1)) ? "too" : "goes round");
+           is_near(eye, tp_world_camera(tp_host_world(host)).eye, TP_FX(1)) ? "too" : "goes round");
 }
 
 /* The picture seven steps on, after a poke, a stir or nothing. */
@@ -150,13 +150,22 @@ static void pokes(tp_host *host, const char *path)
            by_stir ? "moved" : "still");
 }
 
+/* Degrees clockwise from -z. */
+static int heading_of(tp_host *host)
+{
+    const tp_dir3 back = tp_world_camera(tp_host_world(host)).turn.z;
+
+    return (int)((tp_atan2(-back.x, back.z) + TP_DEG(0.5)) / TP_DEG(1));
+}
+
 /* Each step takes its input, however many ticks it has. */
 static void turns(tp_host *host, const char *steps)
 {
-    const tp_turn heading = tp_host_world(host)->heading;
+    const int heading = heading_of(host);
 
     go(host, atoi(steps), &(tp_input){ .turn = TP_DEG(2) });
-    printf("%d\n", (int)((tp_host_world(host)->heading - heading) / TP_DEG(2)));
+    go(host, 8, &(tp_input){ .turn = 0 });      /* the camera is seen a tick later */
+    printf("%d\n", (heading_of(host) - heading + 360) % 360 / 2);
 }
 
 static void list(const tp_host *host)
