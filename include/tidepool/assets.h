@@ -23,14 +23,18 @@ typedef struct {
     uint8_t levels;                     /* max(log2_w, log2_h) + 1 */
 } tp_texture;
 
-/* Memory for a texture made of a picture of w x h pixels, 1..4096 each; 0 outside.
- * The memory is to be aligned to 4 bytes. */
+/* The bytes of memory that a texture of a picture of w x h pixels needs, 1..4096 each; 0:
+ * a side is out of range. */
 size_t tp_texture_bytes(uint32_t w, uint32_t h);
 
-/* Copies pixels (0xAARRGGBB, row-major) into `mem` with all levels.  A side that is no
- * power of two is resampled (linear, wrapping) to the next one above. */
-tp_status tp_texture_init(tp_texture *texture, const uint32_t *pixels,
-                          uint32_t w, uint32_t h, void *mem, tp_error *err);
+/* Copies pixels (0xAARRGGBB, row by row) with all their levels into `memory`, at least
+ * tp_texture_bytes(), aligned to 4.  A side that is no power of two is resampled (linear,
+ * wrapping) to the next larger one.  The texture points into the memory, which must outlive
+ * it; the pixels may go.
+ *  - TP_E_TEXTURE: a side is out of range
+ *  - TP_E_NULL, TP_E_ALIGN: err->word is the argument; TP_E_NOSPACE: `bytes` are too few */
+tp_status tp_texture_init(tp_texture *texture, const uint32_t *pixels, uint32_t w,
+                          uint32_t h, void *memory, size_t bytes, tp_error *err);
 
 /* -- meshes -------------------------------------------------------------------- */
 

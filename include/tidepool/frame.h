@@ -101,7 +101,7 @@ typedef struct {
 
 /* Checks a config as tp_frame_init does; the scene is not checked.  *filled, if not NULL, is
  * the config with the tile size that is used.
- *  - TP_E_NULL: err->word is the argument; TP_E_SIZE, TP_E_TILE, TP_E_ARG: out of range */
+ *  - TP_E_SIZE (also of NULL), TP_E_TILE, TP_E_ARG: size, tile or format is out of range */
 tp_status tp_config_check(const tp_config *config, tp_config *filled, tp_error *err);
 
 typedef struct {

@@ -87,7 +87,8 @@ int assets_texture(asset_set *a, tp_texture *texture, const char *path,
     void *memory = assets_take(a, bytes);
     tp_error err = { 0 };
     int code = memory ? EXIT_DONE : EXIT_INPUT;
-    if (memory && tp_texture_init(texture, pixels, w, h, memory, &err))
+    if (memory
+        && tp_texture_init(texture, pixels, w, h, memory, tp_texture_bytes(w, h), &err))
         code = fail_at(path, &err);
     free(pixels);
     if (!code)

@@ -28,13 +28,14 @@ int bench_scene_open(bench_scene *s)
     uint32_t *free_words = s->memory;
     for (int i = 0; i < BENCH_MAPS; i++, free_words += words_of(BENCH_MAP)) {
         bench_map_fill((bench_map)i, texels);
-        if (tp_texture_init(&s->map[i], texels, BENCH_MAP, BENCH_MAP, free_words, &err))
+        if (tp_texture_init(&s->map[i], texels, BENCH_MAP, BENCH_MAP, free_words,
+                            tp_texture_bytes(BENCH_MAP, BENCH_MAP), &err))
             return fail_at("bench", &err);
     }
     for (int i = 0; i < TP_FACES; i++, free_words += words_of(BENCH_FACE)) {
         bench_face_fill(i, texels);
         if (tp_texture_init(&s->face[i], texels, BENCH_FACE, BENCH_FACE, free_words,
-                            &err))
+                            tp_texture_bytes(BENCH_FACE, BENCH_FACE), &err))
             return fail_at("bench", &err);
     }
     return EXIT_DONE;

@@ -113,7 +113,8 @@ static tp_status take_picture(void)
         f->grey = (tp_grey){ all.w, all.h, all.memory };
         return TP_OK;
     }
-    return tp_texture_init(&f->texture, all.pixels, all.w, all.h, all.memory, &all.error);
+    return tp_texture_init(&f->texture, all.pixels, all.w, all.h, all.memory,
+                           tp_texture_bytes(all.w, all.h), &all.error);
 }
 
 /* -- meshes ---------------------------------------------------------------------- */

@@ -113,21 +113,25 @@ static void halve(uint32_t *to, const uint32_t *from, uint32_t w, uint32_t h)
     }
 }
 
-tp_status tp_texture_init(tp_texture *texture, const uint32_t *pixels,
-                          uint32_t w, uint32_t h, void *mem, tp_error *err)
+tp_status tp_texture_init(tp_texture *texture, const uint32_t *pixels, uint32_t w,
+                          uint32_t h, void *memory, size_t bytes, tp_error *err)
 {
     if (!can_be(w, h))
         return TP_FAIL(err, TP_E_TEXTURE, 0, w, h);
-    tp_status status = tp_given_check(pixels, "pixels", err);
+    tp_status status = tp_given_check(texture, "texture", err);
     if (status == TP_OK)
-        status = tp_given_block(mem, 4, "mem", err);
+        status = tp_given_check(pixels, "pixels", err);
+    if (status == TP_OK)
+        status = tp_given_block(memory, 4, "memory", err);
     if (status != TP_OK)
         return status;
+    if (bytes < tp_texture_bytes(w, h))
+        return TP_FAIL(err, TP_E_NOSPACE, 0, tp_texture_bytes(w, h), bytes);
     const uint32_t log2_w = log2_above(w), log2_h = log2_above(h);
     const uint32_t levels = (log2_w > log2_h ? log2_w : log2_h) + 1;
     *texture = (tp_texture){ .log2_w = (uint8_t)log2_w, .log2_h = (uint8_t)log2_h,
                              .levels = (uint8_t)levels };
-    uint32_t *at = mem;
+    uint32_t *at = memory;
     for (uint32_t level = 0; level < levels; level++) {
         texture->level[level] = at;
         if (level == 0)

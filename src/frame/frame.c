@@ -12,24 +12,25 @@
 
 #define TILE_ROWS 16 /* of a config that names none */
 
-/* NULL is a picture without pixels, which check() refuses. */
-static tp_config filled_tiles(const tp_config *config)
+/* A tile is no larger than the picture. */
+static void fill_tiles(tp_config *c)
 {
-    tp_config c = config != NULL ? *config : (tp_config){ .width = 0 };
-
-    if (c.tile_width == 0 || c.tile_width > c.width)
-        c.tile_width = c.width;
-    if (c.tile_height == 0)
-        c.tile_height = TILE_ROWS;
-    if (c.tile_height > c.height)
-        c.tile_height = c.height;
-    return c;
+    if (c->tile_width == 0 || c->tile_width > c->width)
+        c->tile_width = c->width;
+    if (c->tile_height == 0)
+        c->tile_height = TILE_ROWS;
+    if (c->tile_height > c->height)
+        c->tile_height = c->height;
 }
 
+/* NULL is a picture without pixels, which check() refuses. */
 static tp_config filled(const tp_config *config, const tp_scene *scene)
 {
-    tp_config c = filled_tiles(config);
+    tp_config c = { .width = 0 };
 
+    if (config != NULL)
+        c = *config;
+    fill_tiles(&c);
     c.program = tp_program_or_linked(c.program);
     if (scene != NULL)
         c.assets = tp_scene_pictures(scene, c.assets);
@@ -64,8 +65,11 @@ static tp_status check(const tp_config *c, tp_error *err)
 
 tp_status tp_config_check(const tp_config *config, tp_config *filled, tp_error *err)
 {
-    const tp_config c = filled_tiles(config);
+    tp_config c = { .width = 0 };
 
+    if (config != NULL)
+        c = *config;
+    fill_tiles(&c);
     if (filled)
         *filled = c;
     return check(&c, err);

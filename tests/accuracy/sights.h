@@ -163,7 +163,9 @@ static inline const tp_texture *noise_of(noise_picture *p, uint64_t *state)
 {
     for (int i = 0; i < NOISE * NOISE; i++)
         p->pixel[i] = (uint32_t)random_next(state) | 0xff000000u;
-    if (tp_texture_init(&p->texture, p->pixel, NOISE, NOISE, p->texel, NULL) != TP_OK)
+    if (tp_texture_init(&p->texture, p->pixel, NOISE, NOISE, p->texel,
+                        tp_texture_bytes(NOISE, NOISE), NULL)
+        != TP_OK)
         abort();
     return &p->texture;
 }
@@ -205,7 +207,8 @@ static inline const tp_texture *plain_of(plain_picture *p, uint32_t colour)
 {
     const uint32_t pixel = colour | 0xff000000u;
 
-    if (tp_texture_init(&p->texture, &pixel, 1, 1, p->texel, NULL) != TP_OK)
+    if (tp_texture_init(&p->texture, &pixel, 1, 1, p->texel, tp_texture_bytes(1, 1), NULL)
+        != TP_OK)
         abort();
     return &p->texture;
 }

@@ -26,7 +26,9 @@ static void paint_cube(ramps *r, view_of_ref *v, uint32_t alpha)
         for (uint32_t i = 0; i < SIDE * SIDE; i++)
             pixel[i] = alpha << 24 | (i % SIDE * 3 + 9) << 16 | (i / SIDE * 3 + 5) << 8
                      | (f * 11 + 7);
-        if (tp_texture_init(&r->face[f], pixel, SIDE, SIDE, r->texel[f], NULL) != TP_OK)
+        if (tp_texture_init(&r->face[f], pixel, SIDE, SIDE, r->texel[f],
+                            tp_texture_bytes(SIDE, SIDE), NULL)
+            != TP_OK)
             abort();
         v->assets.sky[f] = &r->face[f];
     }

@@ -45,7 +45,8 @@ static void make_texture(const uint32_t *pixels, uint32_t w, uint32_t h)
     tp_texture texture;
     void *memory = malloc(tp_texture_bytes(w, h));
     REQUIRE(memory != NULL);
-    REQUIRE(tp_texture_init(&texture, pixels, w, h, memory, NULL) == TP_OK);
+    REQUIRE(tp_texture_init(&texture, pixels, w, h, memory, tp_texture_bytes(w, h), NULL)
+            == TP_OK);
     free(memory);
 }
 

@@ -24,7 +24,9 @@ static inline void kit_picture(test_kit *kit, int i, uint32_t w, uint32_t h,
     for (uint32_t k = 0; k < w * h; k++)        /* two in three without alpha's light */
         pixels[k] = (uint32_t)random_next(state) | (i % 3 ? 0xff000000u : 0);
     if (tp_texture_bytes(w, h) > sizeof kit->texel[i]
-        || tp_texture_init(&kit->picture[i], pixels, w, h, kit->texel[i], NULL) != TP_OK)
+        || tp_texture_init(&kit->picture[i], pixels, w, h, kit->texel[i],
+                           tp_texture_bytes(w, h), NULL)
+               != TP_OK)
         abort();
 }
 

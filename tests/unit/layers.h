@@ -30,8 +30,9 @@ static inline tp_texture layer_texture(uint64_t *chance, uint32_t w, uint32_t h)
 
     for (uint32_t i = 0; i < w * h; i++)
         pixels[i] = (uint32_t)random_next(chance);
-    assert_int_equal(
-        tp_texture_init(&t, pixels, w, h, malloc(tp_texture_bytes(w, h)), NULL), TP_OK);
+    assert_int_equal(tp_texture_init(&t, pixels, w, h, malloc(tp_texture_bytes(w, h)),
+                                     tp_texture_bytes(w, h), NULL),
+                     TP_OK);
     free(pixels);
     return t;
 }

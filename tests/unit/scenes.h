@@ -88,7 +88,9 @@ static inline void boat_texture(test_boat *b, int i, uint32_t w, uint32_t h,
 
     for (uint32_t k = 0; k < w * h; k++)
         pixels[k] = (uint32_t)random_next(state) | 0xff000000u;
-    if (tp_texture_init(&b->texture[i], pixels, w, h, b->texels[i], NULL) != TP_OK)
+    if (tp_texture_init(&b->texture[i], pixels, w, h, b->texels[i],
+                        tp_texture_bytes(w, h), NULL)
+        != TP_OK)
         abort();
 }
 

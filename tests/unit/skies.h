@@ -44,7 +44,8 @@ static inline void sky_cube(test_sky *sky, tp_shade *shade,
         for (int i = 0; i < SKY_SIDE * SKY_SIDE; i++)
             pixels[i] = paint(ref_cube_to(f, (i % SKY_SIDE + 0.5) / SKY_SIDE,
                                           ((double)(i / SKY_SIDE) + 0.5) / SKY_SIDE), with);
-        if (tp_texture_init(&sky->face[f], pixels, SKY_SIDE, SKY_SIDE, sky->texel[f], NULL))
+        if (tp_texture_init(&sky->face[f], pixels, SKY_SIDE, SKY_SIDE, sky->texel[f],
+                            tp_texture_bytes(SKY_SIDE, SKY_SIDE), NULL))
             abort();
         face[f] = &sky->face[f];
     }

@@ -16,7 +16,9 @@ static tp_texture make(const uint32_t *pixels, uint32_t w, uint32_t h, void **me
     *mem = malloc(bytes);
     memset(*mem, 0xA5, bytes);
     tp_texture texture;
-    assert_int_equal(tp_texture_init(&texture, pixels, w, h, *mem, NULL), TP_OK);
+    assert_int_equal(
+        tp_texture_init(&texture, pixels, w, h, *mem, tp_texture_bytes(w, h), NULL),
+        TP_OK);
     return texture;
 }
 
@@ -44,10 +46,29 @@ static void sizes_out_of_range_are_refused(void **state)
         tp_texture texture;
         tp_error err;
         assert_int_equal(tp_texture_bytes(w, h), 0);
-        assert_int_equal(tp_texture_init(&texture, NULL, w, h, NULL, &err), TP_E_TEXTURE);
+        assert_int_equal(tp_texture_init(&texture, NULL, w, h, NULL, 0, &err),
+                         TP_E_TEXTURE);
         assert_int_equal((uint32_t)err.a, w);
         assert_int_equal((uint32_t)err.b, h);
     }
+}
+
+static void too_few_bytes_are_refused(void **state)
+{
+    (void)state;
+    const uint32_t pixels[3] = { 1, 2, 3 };
+    uint32_t memory[8] = { 0 };
+    const size_t bytes = tp_texture_bytes(3, 1);
+    tp_texture texture;
+    tp_error err;
+
+    assert_int_equal(bytes, 7 * sizeof *memory);
+    assert_int_equal(tp_texture_init(&texture, pixels, 3, 1, memory, bytes - 1, &err),
+                     TP_E_NOSPACE);
+    assert_int_equal(err.a, bytes);
+    assert_int_equal(err.b, bytes - 1);
+    assert_int_equal(memory[0], 0);
+    assert_int_equal(tp_texture_init(&texture, pixels, 3, 1, memory, bytes, &err), TP_OK);
 }
 
 static void a_picture_of_right_size_is_copied(void **state)
@@ -166,6 +187,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_bytes_are_those_of_all_levels),
         cmocka_unit_test(sizes_out_of_range_are_refused),
+        cmocka_unit_test(too_few_bytes_are_refused),
         cmocka_unit_test_prestate(a_picture_of_right_size_is_copied, &seed),
         cmocka_unit_test_prestate(a_level_is_the_rounded_mean_of_the_one_before, &seed),
         cmocka_unit_test_prestate(other_sizes_are_resampled_to_the_next_above, &seed),

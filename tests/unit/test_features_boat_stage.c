@@ -47,7 +47,8 @@ static void light_from(double x, double y, double z)
 /* A picture of one texel. */
 static const tp_texture *dot_of(int which, uint32_t texel)
 {
-    assert_int_equal(tp_texture_init(&m.picture[which], &texel, 1, 1, m.texel[which], NULL),
+    assert_int_equal(tp_texture_init(&m.picture[which], &texel, 1, 1, m.texel[which],
+                                     tp_texture_bytes(1, 1), NULL),
                      TP_OK);
     return &m.picture[which];
 }
@@ -344,7 +345,9 @@ static void mapped_runs_may_be_cut_anywhere(void **state)
             for (int i = 0; i < 16; i++)
                 pixels[i] = (uint32_t)random_next(&chance);
             assert_int_equal(tp_texture_init(&m.picture[which], pixels, 4, 4,
-                                             m.texel[which], NULL), TP_OK);
+                                             m.texel[which], tp_texture_bytes(4, 4),
+                                             NULL),
+                             TP_OK);
         }
         m.solid[0].diffuse_map = &m.picture[0];
         m.solid[0].normal_map = &m.picture[1];

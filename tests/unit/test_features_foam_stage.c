@@ -29,7 +29,9 @@ static void make_picture(void)
         pixels[i] = (uint32_t)(127.5 + 63 * v) << 8;
     }
     assert_true(sizeof texels >= tp_texture_bytes(64, 64));
-    assert_int_equal(tp_texture_init(&picture, pixels, 64, 64, texels, NULL), TP_OK);
+    assert_int_equal(
+        tp_texture_init(&picture, pixels, 64, 64, texels, tp_texture_bytes(64, 64), NULL),
+        TP_OK);
 }
 
 static tp_shade_foam foam;              /* of the run that was made last */

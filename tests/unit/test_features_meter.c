@@ -209,7 +209,9 @@ static void cubes_are_metered_by_their_pictures(void **state)
     tp_assets assets = { .boat = NULL };
     tp_texture face;
     uint32_t texel = 0x80404040u, memory[1];
-    assert_int_equal(tp_texture_init(&face, &texel, 1, 1, memory, NULL), TP_OK);
+    assert_int_equal(
+        tp_texture_init(&face, &texel, 1, 1, memory, tp_texture_bytes(1, 1), NULL),
+        TP_OK);
 
     for (int i = 0; i < TP_FACES; i++)
         assets.sky[i] = &face;

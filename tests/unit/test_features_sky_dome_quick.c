@@ -98,7 +98,10 @@ static void paint_unequal(const int log2_side[6])
             pixels[i] = quick_smooth(ref_cube_to(f, (i % side + 0.5) / side,
                                                  ((double)(i / side) + 0.5) / side), NULL);
         assert_int_equal(tp_texture_init(&lights.sky.face[f], pixels, (uint32_t)side,
-                                         (uint32_t)side, lights.sky.texel[f], NULL), TP_OK);
+                                         (uint32_t)side, lights.sky.texel[f],
+                                         tp_texture_bytes((uint32_t)side, (uint32_t)side),
+                                         NULL),
+                         TP_OK);
         face[f] = &lights.sky.face[f];
     }
     assert_true(tp_cube_init(&lights.sky.cube, face));

@@ -114,7 +114,8 @@ static void grades_reach_their_ends(void **state)
     test_run r;
     tp_layer layer = { .per_metre = 1u << 14 };
 
-    assert_int_equal(tp_texture_init(&t, pixels, 4, 1, mem, NULL), TP_OK);
+    assert_int_equal(tp_texture_init(&t, pixels, 4, 1, mem, tp_texture_bytes(4, 1), NULL),
+                     TP_OK);
     layer.texture = &t;
     run_any(&r, 0, &chance);
     tp_shade s = layer_at_level(&r, &layer, 0);

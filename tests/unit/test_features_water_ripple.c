@@ -27,8 +27,9 @@ static tp_texture normal_map(uint32_t w, uint32_t h, double steep)
                   | (uint32_t)lround(128 + 127 * n.z) << 8
                   | (uint32_t)lround(128 + 127 * n.y);
     }
-    assert_int_equal(
-        tp_texture_init(&t, pixels, w, h, malloc(tp_texture_bytes(w, h)), NULL), TP_OK);
+    assert_int_equal(tp_texture_init(&t, pixels, w, h, malloc(tp_texture_bytes(w, h)),
+                                     tp_texture_bytes(w, h), NULL),
+                     TP_OK);
     free(pixels);
     return t;
 }
@@ -162,7 +163,8 @@ static void a_flat_map_leaves_the_surface(void **state)
     tp_texture t;
     test_run r;
 
-    assert_int_equal(tp_texture_init(&t, &up, 1, 1, mem, NULL), TP_OK);
+    assert_int_equal(tp_texture_init(&t, &up, 1, 1, mem, tp_texture_bytes(1, 1), NULL),
+                     TP_OK);
     run_any(&r, 20000, &chance);
     const tp_shade s = { .zi_log = 29 * 256 };
     own.ripple = (tp_ripple){ .layer.texture = &t, .gain = 1024 };

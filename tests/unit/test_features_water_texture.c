@@ -103,7 +103,8 @@ static void one_colour_stays_one_colour(void **state)
 
     for (int i = 0; i < 64; i++)
         pixels[i] = colour;
-    assert_int_equal(tp_texture_init(&t, pixels, 16, 4, mem, NULL), TP_OK);
+    assert_int_equal(
+        tp_texture_init(&t, pixels, 16, 4, mem, tp_texture_bytes(16, 4), NULL), TP_OK);
     for (int n = 0; n < 400; n++) {
         static stage *const stages[] = { tp_stage_texture, tp_stage_texture_tinted,
                                          tp_stage_texture_linear,

@@ -350,8 +350,11 @@ int main(void)
     boat_make(&pictures, &chance);
     for (int i = 0; i < 4096; i++)
         pixels[i] = (uint32_t)random_next(&chance);
-    if (tp_texture_init(&wide, pixels, 4096, 1, mem[0], NULL) != TP_OK
-        || tp_texture_init(&square, pixels, 64, 64, mem[1], NULL) != TP_OK)
+    if (tp_texture_init(&wide, pixels, 4096, 1, mem[0], tp_texture_bytes(4096, 1), NULL)
+            != TP_OK
+        || tp_texture_init(&square, pixels, 64, 64, mem[1], tp_texture_bytes(64, 64),
+                           NULL)
+               != TP_OK)
         return 1;
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(every_tiling_gives_the_same_bits),

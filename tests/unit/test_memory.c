@@ -64,7 +64,7 @@ static tp_status init_texture(void *block, tp_error *err)
 {
     static const uint32_t pixels[4] = { 1, 2, 3, 4 };
     tp_texture texture;
-    return tp_texture_init(&texture, pixels, 2, 2, block, err);
+    return tp_texture_init(&texture, pixels, 2, 2, block, tp_texture_bytes(2, 2), err);
 }
 
 static void every_init_refuses_blocks_that_are_null_or_misaligned(void **state)
@@ -78,7 +78,7 @@ static void every_init_refuses_blocks_that_are_null_or_misaligned(void **state)
                   { "memory", 8, init_frame },
                   { "pool", 8, init_pool },
                   { "ocean", 8, init_ocean },
-                  { "mem", 4, init_texture } };
+                  { "memory", 4, init_texture } };
 
     for (size_t i = 0; i < sizeof inits / sizeof *inits; i++) {
         tp_error err;

@@ -109,7 +109,9 @@ static void normal_maps_bend_solids(void **state)
         tp_solid solid = solid_any(gloss, &chance);
         test_run r;
         const double hand = n % 2 ? -1 : 1;
-        assert_int_equal(tp_texture_init(&map, texel, 1, 1, level, NULL), TP_OK);
+        assert_int_equal(
+            tp_texture_init(&map, texel, 1, 1, level, tp_texture_bytes(1, 1), NULL),
+            TP_OK);
         tp_shade_gloss(gloss, 8 * TP_FX_ONE);
         solid.normal_map = &map;
         solid.bump = chance_int(&chance, 0, 512);
