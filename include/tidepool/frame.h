@@ -65,7 +65,7 @@ typedef struct {
     tp_fx near;
 } tp_overlay_row;
 
-/* Made by tp_overlay_of; all 0 is none. */
+/* Made by tp_overlay_make; all 0 is none. */
 typedef struct {
     void (*row)(void *user, const tp_overlay_row *row);
     void *user;
@@ -77,7 +77,8 @@ typedef struct {
  * after haze, exposure and glass, before the colours are converted to the format.  Threads
  * that draw tiles call `row` at the same time, so `row` may change nothing that two tiles
  * share.  It costs no memory; a program without an overlay links none of it. */
-tp_overlay tp_overlay_of(void (*row)(void *user, const tp_overlay_row *row), void *user);
+tp_overlay tp_overlay_make(void (*row)(void *user, const tp_overlay_row *row),
+                           void *user);
 
 /* Draws `count` pixels 0xAARRGGBB, blended by their alpha, from column x of the picture on,
  * wherever nothing else is as near as `depth` m (16.16, as tp_frame_project gives it; 0 draws
@@ -96,7 +97,7 @@ typedef struct {
     tp_format format;               /* 0: xrgb8888 */
     const tp_program *program;      /* NULL: the program that is linked */
     const tp_assets  *assets;       /* NULL: the scene's built-in pictures, or none */
-    tp_overlay overlay;             /* of tp_overlay_of; all 0: none */
+    tp_overlay overlay;             /* of tp_overlay_make; all 0: none */
 } tp_config;
 
 /* Checks a config as tp_frame_init does; the scene is not checked.  *filled, if not NULL, is
@@ -131,7 +132,7 @@ typedef struct tp_frame tp_frame;   /* lies at the start of the block */
  * bend the light only stay heights. */
 size_t tp_frame_bytes(const tp_config *config, const tp_scene *scene);
 
-/* The bytes of one tile's scratch, for tp_frame_draw_tile and for tp_frame_draw_tile_to.  A
+/* The bytes of one tile's scratch, for tp_frame_draw_tile and for tp_frame_draw_tile_direct.  A
  * program with tp_method_streamed needs two lines of crossings more; one without the methods
  * rows and projected needs up to 24 bytes a column less. */
 size_t tp_frame_scratch_bytes(const tp_config *config, const tp_scene *scene);
@@ -158,8 +159,8 @@ bool tp_frame_draw_tile(const tp_frame *frame, uint32_t i, void *scratch, tp_til
 /* Draws tile i directly into a whole picture, such as a frame buffer: row y begins at
  * picture + y stride, aligned to 4 bytes for xrgb8888, to 2 for rgb565.  The scratch has no
  * room for pixels then: tp_frame_direct_scratch_bytes(). */
-bool tp_frame_draw_tile_to(const tp_frame *frame, uint32_t i, void *scratch,
-                           void *picture, size_t stride, tp_tile *tile);
+bool tp_frame_draw_tile_direct(const tp_frame *frame, uint32_t i, void *scratch,
+                               void *picture, size_t stride, tp_tile *tile);
 
 tp_draw_stats tp_frame_stats(const tp_frame *frame);
 
@@ -184,7 +185,7 @@ bool tp_frame_pick(const tp_frame *frame, tp_fx x_px, tp_fx y_px, tp_vec3 *at);
  * there, so these rows need no memory of their own.  tile->y0 <= y < tile->y1; a row has
  * x1 - x0 entries. */
 
-/* What is seen at a pixel. */
+/* The kind of thing at a pixel. */
 typedef enum {
     TP_SAMPLE_SKY,    /* nothing; within water its deep */
     TP_SAMPLE_WATER,  /* the surface, from either side */

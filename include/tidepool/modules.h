@@ -290,8 +290,8 @@ TP_MODULE_LIST(MODULE, UNSEEN, PRICED)
 #undef MODULE
 #undef X
 
-/* Where in its module's table a stage stands, TP_NTH_texture_linear; and how many there
- * are, TP_COUNT_OF_base_layer. */
+/* The place of each stage in its module's table, TP_NTH_texture_linear, and the number of
+ * stages, TP_COUNT_OF_base_layer. */
 #define X(name) TP_NTH_##name,
 #define MODULE(name) enum { TP_STAGES_OF_##name(X) TP_COUNT_OF_##name };
 #define UNSEEN(name)

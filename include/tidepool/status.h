@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
-/* What can go wrong, once, for every rank: a code, its sentence, and the place.
+/* Errors: a code, its sentence, and the place of the fault.
  *
- * Only init and loading can fail.  A failure names the input's line (`where`) and up
- * to two numbers that its sentence mentions; the program, which knows the file's name,
+ * Only inits, setters and readers can fail.  An error names the line of the input (`where`)
+ * and up to two numbers of its sentence; the application, which knows the name of the file,
  * prints "boat.obj:41: face names vertex 9 of 3". */
 #ifndef TP_STATUS_H
 #define TP_STATUS_H

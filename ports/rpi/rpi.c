@@ -227,7 +227,7 @@ static void draw(work *w, screen *s)
     tp_tile  tile;
     tp_frame_begin(w->frame, w->world);
     for (uint32_t i = 0;
-         tp_frame_draw_tile_to(w->frame, i, w->scratch, page, s->pitch, &tile); i++)
+         tp_frame_draw_tile_direct(w->frame, i, w->scratch, page, s->pitch, &tile); i++)
         uart_listen();
     w->drawn_in = microseconds() - begun;
     screen_flip(s);

@@ -59,8 +59,8 @@ static const picture *draw(void *user, const tp_world *world, uint32_t frame)
     tp_tile tile;
     (void)frame;
     tp_frame_begin(d->frame, world);
-    for (uint32_t i = 0; tp_frame_draw_tile_to(d->frame, i, d->scratch, d->picture.rows,
-                                               d->picture.row_bytes, &tile);
+    for (uint32_t i = 0; tp_frame_draw_tile_direct(
+             d->frame, i, d->scratch, d->picture.rows, d->picture.row_bytes, &tile);
          i++)
         ;
     return &d->picture;

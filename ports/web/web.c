@@ -210,8 +210,8 @@ EXPORT(const uint32_t *, draw, void)
 {
     tp_tile tile;
     tp_frame_begin(page.frame, page.world);
-    for (uint32_t i = 0; tp_frame_draw_tile_to(page.frame, i, page.scratch, page.rows,
-                                               page.row_bytes, &tile);
+    for (uint32_t i = 0; tp_frame_draw_tile_direct(page.frame, i, page.scratch, page.rows,
+                                                   page.row_bytes, &tile);
          i++)
         for (uint32_t y = tile.y0; y < tile.y1; y++)
             show_row(y);

@@ -27,7 +27,7 @@ static uint32_t blended(uint32_t over, uint32_t under)
            | channel(over, under, 0, a);
 }
 
-tp_overlay tp_overlay_of(void (*row)(void *user, const tp_overlay_row *row), void *user)
+tp_overlay tp_overlay_make(void (*row)(void *user, const tp_overlay_row *row), void *user)
 {
     return (tp_overlay){ row, user, tp_frame_overlay_row };
 }

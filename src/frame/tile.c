@@ -194,8 +194,8 @@ bool tp_frame_draw_tile(const tp_frame *frame, uint32_t i, void *scratch, tp_til
 }
 
 /* Tiles begin at whole bytes, as their widths are multiples of 16. */
-bool tp_frame_draw_tile_to(const tp_frame *frame, uint32_t i, void *scratch,
-                           void *picture, size_t stride, tp_tile *tile)
+bool tp_frame_draw_tile_direct(const tp_frame *frame, uint32_t i, void *scratch,
+                               void *picture, size_t stride, tp_tile *tile)
 {
     TP_ASSERT(tile != NULL);
     uint8_t *pixels = picture;

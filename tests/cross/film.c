@@ -34,7 +34,7 @@ static int add_frame(film *to, const picture *p, tp_frame *frame, const tp_world
 {
     tp_tile tile;
     tp_frame_begin(frame, world);
-    tp_frame_draw_tile_to(frame, 0, scratch, p->rows, p->row_bytes, &tile);
+    tp_frame_draw_tile_direct(frame, 0, scratch, p->rows, p->row_bytes, &tile);
     return film_add(to, p);
 }
 

@@ -88,7 +88,7 @@ static void try_scene(const char *folder, const char *name, size_t turn)
         uint32_t pixels = 0;
         config.tile_width = tiles[i % 3][0];
         config.tile_height = tiles[i % 3][1];
-        config.overlay = tp_overlay_of(draw_nothing, &pixels);
+        config.overlay = tp_overlay_make(draw_nothing, &pixels);
         assert_int_equal(crc_of(&s, config, i == 3 ? 3 : 1), want);
         assert_int_equal(pixels, WIDTH * HEIGHT);
     }
@@ -164,7 +164,7 @@ static void a_hud_is_over_everything(void **state)
     open_stand(&s, "assets/scenes", "storm", 100);
     sprite hud = { -20, 100, 140, 1000, 0x80ff4020, 0 };
     draw_picture(&s, (tp_overlay){ 0 }, without, "storm");
-    draw_picture(&s, tp_overlay_of(draw_sprite, &hud), with, "storm-hud");
+    draw_picture(&s, tp_overlay_make(draw_sprite, &hud), with, "storm-hud");
     for (int i = 0; i < PIXELS; i++) {
         const bool in = i / WIDTH >= hud.y0 && i / WIDTH < hud.y1;
         for (int k = 0; k < 24; k += 8) {
@@ -175,11 +175,11 @@ static void a_hud_is_over_everything(void **state)
         }
     }
     hud.colour = 0x00ffffff;
-    draw_picture(&s, tp_overlay_of(draw_sprite, &hud), with, "storm-nothing");
+    draw_picture(&s, tp_overlay_make(draw_sprite, &hud), with, "storm-nothing");
     assert_memory_equal(with, without, sizeof with);
     hud.colour = 0xff123456;
     hud.depth = TP_FX_MAX;
-    draw_picture(&s, tp_overlay_of(draw_sprite, &hud), with, "storm-farthest");
+    draw_picture(&s, tp_overlay_make(draw_sprite, &hud), with, "storm-farthest");
     for (int i = hud.y0 * WIDTH; i < hud.y1 * WIDTH; i++)
         assert_true(with[i] == without[i] || with[i] == 0x123456);
     close_stand(&s);
@@ -203,7 +203,7 @@ static void a_crest_hides_what_stands_behind_it(void **state)
     const tp_water water = tp_world_sample(&tp_program_all, s.world, side, side);
     tp_world_set_camera(s.world, (tp_vec3){ side, water.height + TP_FX_ONE, side },
                         TP_DEG(200), TP_DEG(-3), TP_DEG(8));
-    draw_picture(&s, tp_overlay_of(draw_sprite, &board), with, "swells-board");
+    draw_picture(&s, tp_overlay_make(draw_sprite, &board), with, "swells-board");
     ref_scene_open(&ref, scene, &s.assets.names, s.world, WIDTH, HEIGHT, true);
     ref_image_draw(&image, &ref, WIDTH, HEIGHT, 1, 2);
     for (int y = board.y0; y < board.y1; y++)

@@ -28,7 +28,7 @@ static void draw_into(const test_frame *f, const tp_config *config, uint8_t *pic
 
     memset(scratch, 0x5a, bytes + 64);
     for (uint32_t i = 0;
-         tp_frame_draw_tile_to(f->frame, i, scratch, picture, STRIDE, &tile); i++)
+         tp_frame_draw_tile_direct(f->frame, i, scratch, picture, STRIDE, &tile); i++)
         assert_ptr_equal(tile.pixels, picture + tile.y0 * STRIDE
                          + tp_format_row_bytes(config->format, (int)tile.x0));
     for (int i = 0; i < 64; i++)

@@ -208,10 +208,12 @@ static void tiles_are_not_drawn_without_memory(void **state)
     tp_frame_begin(f.frame, world);
     assert_false(tp_frame_draw_tile(f.frame, 0, NULL, &tile));
     assert_false(tp_frame_draw_tile(f.frame, 0, f.scratch + 4, &tile));
-    assert_false(tp_frame_draw_tile_to(f.frame, 0, f.scratch, NULL, WIDTH * 4, &tile));
-    assert_false(tp_frame_draw_tile_to(f.frame, 0, NULL, memory, WIDTH * 4, &tile));
+    assert_false(
+        tp_frame_draw_tile_direct(f.frame, 0, f.scratch, NULL, WIDTH * 4, &tile));
+    assert_false(tp_frame_draw_tile_direct(f.frame, 0, NULL, memory, WIDTH * 4, &tile));
     assert_true(tp_frame_draw_tile(f.frame, 0, f.scratch, &tile));
-    assert_true(tp_frame_draw_tile_to(f.frame, 0, f.scratch, memory, WIDTH * 4, &tile));
+    assert_true(
+        tp_frame_draw_tile_direct(f.frame, 0, f.scratch, memory, WIDTH * 4, &tile));
     frame_free(&f);
     free(world);
 }

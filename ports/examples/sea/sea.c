@@ -126,7 +126,7 @@ int main(int argc, char **argv)
     static uint64_t memory[40 << 10];
     const tp_config config = { .width = WIDTH,
                                .height = HEIGHT,
-                               .overlay = tp_overlay_of(draw_row, NULL) };
+                               .overlay = tp_overlay_make(draw_row, NULL) };
     const uint32_t end = argc == 3 ? (uint32_t)atoi(argv[1]) : UINT32_MAX;
     tp_engine *sea;
 
