@@ -6,9 +6,9 @@
  *     WHERE       a byte: 0: the file's head; 1: the world's; 2..7: a part
  *     OFFSET      two bytes, in words of 4; of a part from where it begins
  *     HOW         a byte: 0..5: a hostile value; else 1 to 8 bytes that follow */
+#include "fuzz.h"
 #include "features/drops/drops.h"
 #include "features/spray/spray.h"
-#include "fuzz.h"
 #include "../host/kept.h"
 #include "scene/pools.h"
 
