@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The bump allocator: base/arena.h.  Sizes that overflow saturate `used`, so that no
- * later take can fit either and the caller sees one failure at the end. */
+/* The bump allocator of base/arena.h.  A size that overflows saturates `used`.  Every later
+ * allocation then fails as well, and the caller sees one failure at the end. */
 #include "base/arena.h"
 #include "base/base.h"
 
@@ -12,8 +12,8 @@ tp_arena tp_arena_over(void *block, size_t bytes)
     return (tp_arena){ .block = block, .bytes = bytes, .used = 0, .failed = false };
 }
 
-/* count x size rounded up to the alignment; SIZE_MAX, which no block has, if that is
- * more than a size_t holds. */
+/* Returns count x size in bytes, rounded up to the alignment.  Returns SIZE_MAX if the
+ * product does not fit a size_t: no block is that large. */
 static size_t whole_size(size_t count, size_t size)
 {
     if (size != 0 && count > (SIZE_MAX - ALIGNMENT) / size)

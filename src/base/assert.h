@@ -1,16 +1,17 @@
 /* SPDX-License-Identifier: MIT */
-/* TP_ASSERT(condition): a contract between functions, or with the caller of a public one.
- * Never the check of outside data, which gets a tp_status; never with an effect.
+/* TP_ASSERT(condition) states a contract between functions, or with the caller of a public
+ * function.  Outside data are checked by code that returns a tp_status, never by an
+ * assertion.  The condition must have no side effect.
  *
- * A release has none: the condition is compiled, not evaluated.  With -DTP_CHECKED, as
- * tests are built, one that does not hold calls tp_assert_failed(), which the program
- * supplies; tests/assert_failed.c prints the place and aborts.  A header that defines
- * TP_ASSERT otherwise goes before: make lib CPPFLAGS='-include my_assert.h' */
+ * A release build compiles the condition but does not evaluate it.  Test builds define
+ * TP_CHECKED: a false condition then calls tp_assert_failed(), which the program supplies.
+ * tests/assert_failed.c prints the place and aborts.  To use another TP_ASSERT, include a
+ * header that defines it first: make lib CPPFLAGS='-include my_assert.h' */
 #ifndef TP_BASE_ASSERT_H
 #define TP_BASE_ASSERT_H
 
 #ifdef TP_CHECKED
-/* Does not return. */
+/* Never returns. */
 _Noreturn void tp_assert_failed(const char *file, int line, const char *condition);
 #endif
 

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT */
-/* Lanes of a word by one instruction each on microcontrollers with Arm's DSP extension,
- * and the same in plain C elsewhere (larger Arms have vectors, and compilers that know
- * the lanes by other names): packed bodies are tested on every machine. */
+/* Packed arithmetic: two 16-bit or four 8-bit lanes in a 32-bit word.  Microcontrollers
+ * with Arm's DSP extension take one instruction each.  Other machines run the same
+ * functions in plain C, and packed loop bodies are tested there too.  Larger Arms are
+ * excluded: they have vectors, and compilers that name the lane types differently. */
 #ifndef TP_BASE_DSP_H
 #define TP_BASE_DSP_H
 #include "base/base.h"
@@ -13,7 +14,7 @@
 #define TP_DSP 0
 #endif
 
-/* Four sums of bytes, each held at 255. */
+/* Adds four unsigned bytes; each sum saturates at 255. */
 TP_ALWAYS_INLINE uint32_t tp_uqadd8(uint32_t a, uint32_t b)
 {
 #if TP_DSP
@@ -28,7 +29,7 @@ TP_ALWAYS_INLINE uint32_t tp_uqadd8(uint32_t a, uint32_t b)
 #endif
 }
 
-/* Four means of bytes, cut. */
+/* Means of four pairs of bytes, rounded down. */
 TP_ALWAYS_INLINE uint32_t tp_uhadd8(uint32_t a, uint32_t b)
 {
 #if TP_DSP
@@ -38,7 +39,7 @@ TP_ALWAYS_INLINE uint32_t tp_uhadd8(uint32_t a, uint32_t b)
 #endif
 }
 
-/* Two signed sums of 16 bits, each held within them. */
+/* Adds two pairs of signed 16-bit halves; each sum saturates to 16 bits. */
 TP_ALWAYS_INLINE uint32_t tp_qadd16(uint32_t a, uint32_t b)
 {
 #if TP_DSP
@@ -52,7 +53,8 @@ TP_ALWAYS_INLINE uint32_t tp_qadd16(uint32_t a, uint32_t b)
 #endif
 }
 
-/* sum + the upper, or lower, signed half of a times the lower half of b. */
+/* Returns sum + (upper half of a) (lower half of b), signed halves; the sum wraps.
+ * tp_smlabb takes the lower half of a. */
 TP_ALWAYS_INLINE uint32_t tp_smlatb(uint32_t a, uint32_t b, uint32_t sum)
 {
 #if TP_DSP
@@ -86,7 +88,8 @@ static inline uint32_t tp_pair16(int32_t high, int32_t low)
     return (uint32_t)high << 16 | ((uint32_t)low & 0xffff);
 }
 
-/* The lower, or the upper, halves of a and b, b's above. */
+/* Packs the lower halves of a and b into a word, b's half on top; tp_high_halves packs
+ * the upper halves. */
 TP_ALWAYS_INLINE uint32_t tp_low_halves(uint32_t a, uint32_t b)
 {
 #if TP_DSP
@@ -109,8 +112,9 @@ TP_ALWAYS_INLINE uint32_t tp_high_halves(uint32_t a, uint32_t b)
 #endif
 }
 
-/* A constant that the compiler is to keep in a register: products with known ones become
- * shifts and sums, which a core that multiplies in one cycle has no gain from. */
+/* Keeps a constant in a register.  Otherwise the compiler turns products with a
+ * known constant into shifts and sums, which gains nothing on a core that
+ * multiplies in one cycle. */
 TP_ALWAYS_INLINE uint32_t tp_kept(uint32_t constant)
 {
 #if TP_DSP
@@ -119,7 +123,8 @@ TP_ALWAYS_INLINE uint32_t tp_kept(uint32_t constant)
     return constant;
 }
 
-/* The sum of the products of the upper and the lower halves, and c; it wraps. */
+/* Returns the product of the upper halves + the product of the lower halves +
+ * c; the sum wraps. */
 TP_ALWAYS_INLINE int32_t tp_smlad(uint32_t a, uint32_t b, int32_t c)
 {
 #if TP_DSP
@@ -139,8 +144,9 @@ TP_ALWAYS_INLINE int32_t tp_smuad(uint32_t a, uint32_t b)
 #endif
 }
 
-/* a times the lower, or upper, half of b over 65536; in 32 bits, as 65535 * 32768 < 2^31:
- * it vectorises. */
+/* Returns a times the lower half of b, over 65536; tp_smulwt takes the upper half.
+ * The C version stays in 32 bits because 65535 x 32768 < 2^31, and compilers
+ * vectorise 32-bit code. */
 TP_ALWAYS_INLINE int32_t tp_smulwb(int32_t a, uint32_t b)
 {
 #if TP_DSP
@@ -165,7 +171,7 @@ TP_ALWAYS_INLINE int32_t tp_smulwt(int32_t a, uint32_t b)
 #endif
 }
 
-/* The sums of the halves; they wrap. */
+/* Adds two pairs of 16-bit halves; the sums wrap. */
 TP_ALWAYS_INLINE uint32_t tp_sadd16(uint32_t a, uint32_t b)
 {
 #if TP_DSP
@@ -175,7 +181,7 @@ TP_ALWAYS_INLINE uint32_t tp_sadd16(uint32_t a, uint32_t b)
 #endif
 }
 
-/* The halves of b taken from those of a. */
+/* Subtracts the halves of b from the halves of a; the differences wrap. */
 TP_ALWAYS_INLINE uint32_t tp_ssub16(uint32_t a, uint32_t b)
 {
 #if TP_DSP
@@ -185,7 +191,7 @@ TP_ALWAYS_INLINE uint32_t tp_ssub16(uint32_t a, uint32_t b)
 #endif
 }
 
-/* Halves of the differences of the halves, cut. */
+/* Half of each difference of the signed halves, a - b, rounded down. */
 TP_ALWAYS_INLINE uint32_t tp_shsub16(uint32_t a, uint32_t b)
 {
 #if TP_DSP
@@ -196,7 +202,7 @@ TP_ALWAYS_INLINE uint32_t tp_shsub16(uint32_t a, uint32_t b)
 #endif
 }
 
-/* Halves of the sums of the halves, cut. */
+/* Half of each sum of the signed halves, rounded down. */
 TP_ALWAYS_INLINE uint32_t tp_shadd16(uint32_t a, uint32_t b)
 {
 #if TP_DSP
@@ -207,7 +213,8 @@ TP_ALWAYS_INLINE uint32_t tp_shadd16(uint32_t a, uint32_t b)
 #endif
 }
 
-/* Bytes 0 and 2 as halves; bytes 1 and 3; a with those added to its halves. */
+/* Spreads bytes 0 and 2 into two 16-bit halves; tp_odd_bytes spreads bytes 1 and 3.
+ * tp_add_odd_bytes adds bytes 1 and 3 of b to the halves of a. */
 TP_ALWAYS_INLINE uint32_t tp_even_bytes(uint32_t a)
 {
 #if TP_DSP
@@ -228,7 +235,7 @@ TP_ALWAYS_INLINE uint32_t tp_odd_bytes(uint32_t a)
 #endif
 }
 
-/* No half may overflow. */
+/* The sums must not overflow their 16-bit halves. */
 TP_ALWAYS_INLINE uint32_t tp_add_odd_bytes(uint32_t a, uint32_t b)
 {
 #if TP_DSP
@@ -240,7 +247,8 @@ TP_ALWAYS_INLINE uint32_t tp_add_odd_bytes(uint32_t a, uint32_t b)
 #endif
 }
 
-/* x / 2^shift, held in -2^(bits - 1)..2^(bits - 1) - 1; the same. */
+/* x / 2^shift, saturated to -2^(bits - 1)..2^(bits - 1) - 1; shift and bits are
+ * literals. */
 TP_ALWAYS_INLINE int32_t tp_ssat(int32_t x, int shift, int bits)
 {
 #if TP_DSP
@@ -254,7 +262,7 @@ TP_ALWAYS_INLINE int32_t tp_ssat(int32_t x, int shift, int bits)
 #endif
 }
 
-/* x / 2^shift, held in 0..2^bits - 1; shift and bits are literals. */
+/* x / 2^shift, saturated to 0..2^bits - 1; shift and bits are literals. */
 TP_ALWAYS_INLINE int32_t tp_usat(int32_t x, int shift, int bits)
 {
 #if TP_DSP

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Checks of the pointers that a caller hands to an init; see the header. */
+/* Checks of pointer arguments of init functions: base/given.h. */
 #include "base/assert.h"
 #include "base/fail.h"
 #include "base/given.h"

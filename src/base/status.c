@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Statuses and the sentences of errors: tidepool/status.h. */
+/* Status codes and the texts of error messages: tidepool/status.h. */
 #include "base/base.h"
 #include "base/fail.h"
 #include "base/text.h"
@@ -47,7 +47,7 @@ tp_status tp_fail_(tp_error *err, tp_status code, const char *file, int line,
     return code;
 }
 
-/* Control bytes of a hostile file must not reach a terminal: they become '?'. */
+/* Control bytes of a hostile file must not reach a terminal: each becomes '?'. */
 void tp_error_word(tp_error *err, const char *word, size_t bytes)
 {
     TP_ASSERT(word != NULL || bytes == 0);

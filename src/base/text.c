@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Bounded text, so that no other file has to count bytes. */
+/* Text in a bounded buffer; no other file needs to count bytes. */
 #include "base/assert.h"
 #include "base/text.h"
 

@@ -1,10 +1,11 @@
 /* SPDX-License-Identifier: MIT */
-/* Quotients of 16.16: exact, rounded half up.  They use the 64-bit division, which is a
- * library call of some hundred cycles on a Cortex-M: for set-up, never per pixel. */
+/* Division in 16.16, exact and rounded half up.  The 64-bit division is a library call of
+ * some hundred cycles on a Cortex-M: use these functions in set-up code, never per
+ * pixel. */
 #include "base/assert.h"
 #include "fx/fx.h"
 
-/* floor(n / d + 1/2) within the range of a tp_fx; |n| <= 2^47, d != 0. */
+/* Returns floor(n / d + 1/2), saturated to the range of tp_fx; |n| <= 2^47, d != 0. */
 static tp_fx quotient(int64_t n, int64_t d)
 {
     TP_ASSERT(d != 0);
@@ -12,7 +13,7 @@ static tp_fx quotient(int64_t n, int64_t d)
     const int64_t twice = 2 * n + d, whole = 2 * d;
     int64_t q = twice / whole;
     if (twice % whole != 0 && (twice < 0) != (whole < 0))
-        q--;                            /* C rounds towards 0, we round down */
+        q--;                            /* C rounds towards 0; floor rounds down */
     return tp_fx_held(q);
 }
 

@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: MIT */
-/* The rest of the core's arithmetic: saturation, roots, reciprocals, text. */
+/* Fixed-point arithmetic beyond tidepool/fixed.h: saturation, roots, reciprocals, text. */
 #ifndef TP_FX_FX_H
 #define TP_FX_FX_H
 #include "tidepool/fixed.h"
 
-/* a b / 2^30, rounded half up: a number of any format times a Q2.30 of magnitude
- * <= 1 keeps its format; the caller keeps |a b| below 2^61. */
+/* Returns a b / 2^30, rounded half up.  A number of any format times a Q2.30 of magnitude
+ * <= 1 keeps its format.  The caller keeps |a b| below 2^61. */
 static inline int32_t tp_q30_mul(int32_t a, tp_q30 b)
 {
     return (int32_t)(((int64_t)a * b + (1 << 29)) >> 30);
@@ -18,7 +18,7 @@ static inline int32_t tp_clamp(int32_t x, int32_t low, int32_t high)
 
 static inline int32_t tp_abs(int32_t x) { return x < 0 ? -x : x; }  /* x > INT32_MIN */
 
-/* x held within +-most, most >= 0; and into 16.16: saturates. */
+/* tp_limit clamps x to -most..most, most >= 0.  tp_fx_held saturates x to 16.16. */
 static inline int64_t tp_limit(int64_t x, int64_t most)
 {
     return x > most ? most : x < -most ? -most : x;
@@ -29,7 +29,7 @@ static inline tp_fx tp_fx_held(int64_t x)
     return x > TP_FX_MAX ? TP_FX_MAX : x < TP_FX_MIN ? TP_FX_MIN : (tp_fx)x;
 }
 
-/* a + b and a - b, saturating, in 32 bits. */
+/* Saturating a + b and a - b, computed in 32 bits. */
 static inline tp_fx tp_fx_plus(tp_fx a, tp_fx b)
 {
 #if defined(__GNUC__)
@@ -54,21 +54,21 @@ static inline tp_fx tp_fx_minus(tp_fx a, tp_fx b)
 #endif
 }
 
-/* n / d, halves away from 0, so that there and back is nothing; d > 0, and |n| + d / 2
- * fits. */
+/* Returns n / d, halves rounded away from 0.  Rounding is symmetric: a step and its reverse
+ * add up to 0.  d > 0, and |n| + d / 2 must fit 64 bits. */
 static inline int64_t tp_quotient(int64_t n, int64_t d)
 {
     return (n < 0 ? n - d / 2 : n + d / 2) / d;
 }
 
-/* x^2 (3 - 2x) of x held in 0..1. */
+/* Returns x^2 (3 - 2x) after x is clamped to 0..1. */
 static inline tp_fx tp_smoothstep(tp_fx x)
 {
     x = tp_clamp(x, 0, TP_FX_ONE);
     return tp_fx_mul(tp_fx_mul(x, x), 3 * TP_FX_ONE - 2 * x);
 }
 
-/* Leading zeros of x != 0. */
+/* Counts the leading zeros of x != 0. */
 static inline int tp_clz(uint32_t x)
 {
 #if defined(__GNUC__)
@@ -87,20 +87,20 @@ tp_fx  tp_fx_rsqrt(tp_fx x);            /* 1/sqrt(x) within 1 LSB; saturates for
 tp_fx  tp_fx_recip(tp_fx x);            /* 1/x rounded half up; saturates; 0: max */
 uint32_t tp_isqrt64(uint64_t x);        /* floor of the root, exact */
 
-/* The hot path's reciprocal: for n in [2^31, 2^32) returns 2^63/n in [2^31, 2^32],
- * the latter as 2^32-1; relative error below 2^-29.  No division. */
+/* Reciprocal for the hot path, without division.  For n in [2^31, 2^32) returns 2^63/n in
+ * [2^31, 2^32]; the value 2^32 is returned as 2^32 - 1.  Relative error below 2^-29. */
 uint32_t tp_recip_norm(uint32_t n);
 
-/* The hot path's reciprocal root: for n in [2^30, 2^32) (that is x in [1/4, 1) as
- * Q0.32) returns 1/sqrt(x) in Q1.31, [2^31, 2^32-1]; relative error below 2^-28. */
+/* Reciprocal square root for the hot path.  n in [2^30, 2^32) is x in [1/4, 1) as Q0.32.
+ * Returns 1/sqrt(x) in Q1.31, [2^31, 2^32-1]; relative error below 2^-28. */
 uint32_t tp_rsqrt_norm(uint32_t n);
 
-/* Sine and cosine of an angle, Q2.30, by a quarter-wave table and interpolation;
- * error below 5e-6, so within 1 LSB of 16.16 after rounding ([G5], 1024 a turn). */
+/* Sine and cosine of an angle, in Q2.30, by a quarter-wave table and linear interpolation.
+ * The error is below 5e-6: within 1 LSB of 16.16 after rounding ([G5], 1024 a turn). */
 tp_q30 tp_sin(tp_turn angle);
 tp_q30 tp_cos(tp_turn angle);
 
-/* What lies on a surface at a place: its height and dy/dx, dy/dz, all 16.16. */
+/* Height of a surface at a point, m, and the slopes dy/dx and dy/dz; all 16.16. */
 typedef struct { tp_fx height, slope_x, slope_z; } tp_relief;
 
 static inline tp_vec3 tp_vec3_add(tp_vec3 a, tp_vec3 b)
@@ -115,8 +115,8 @@ static inline tp_vec3 tp_vec3_sub(tp_vec3 a, tp_vec3 b)
     return difference;
 }
 
-/* v.d in the format of v, rounded half up once.  |v| < 2^30 each: the sum of three
- * products of 2^60 stays below 2^62. */
+/* Returns v.d in the format of v, rounded half up once.  Each |component of v| < 2^30: the
+ * sum of three products of 2^60 stays below 2^62. */
 static inline int32_t tp_dot_dir(tp_vec3 v, tp_dir3 d)
 {
     return (int32_t)(((int64_t)v.x * d.x + (int64_t)v.y * d.y + (int64_t)v.z * d.z
@@ -127,29 +127,32 @@ tp_q30  tp_dir3_dot(tp_dir3 a, tp_dir3 b);
 tp_dir3 tp_dir3_cross(tp_dir3 a, tp_dir3 b);
 tp_fx   tp_vec3_length(tp_vec3 v);              /* saturates */
 
-/* The direction of (x, y, z) of any one format, each magnitude error < 2^-27;
- * (0, 0, 0) gives (0, 1, 0). */
+/* Returns the direction of (x, y, z); the three share any one format.  The error of each
+ * component is below 2^-27.  (0, 0, 0) gives (0, 1, 0). */
 tp_dir3 tp_normalise(int32_t x, int32_t y, int32_t z);
 
-/* Heading turns the -z axis towards +x (clockwise from above), pitch lifts it, roll
- * then lowers its right side.  Rows of the result: right, up and backward (local +z)
- * of the turned frame in world axes, so v_local = R v_world. */
+/* Heading turns the -z axis towards +x (clockwise from above), pitch lifts the -z axis,
+ * roll then lowers the right side.  The rows of the result are right, up and backward
+ * (local +z) of the turned frame in world axes: v_local = R v_world. */
 tp_rotation tp_rotation_of(tp_turn heading, tp_turn pitch, tp_turn roll);
 tp_vec3 tp_rotate(const tp_rotation *r, tp_vec3 v);      /* R v: world to local */
 tp_vec3 tp_rotate_back(const tp_rotation *r, tp_vec3 v); /* R^T v: local to world */
 tp_rotation tp_rotation_mul(const tp_rotation *a, const tp_rotation *b);    /* A B */
 
-/* Decimal text to 16.16, rounded to nearest: [+-] digits [. digits] [e [+-] digits], no
- * locale, any number of digits.  Reads at most `bytes`, stops at the first byte that is
- * not part of the number and returns how many it read; 0: no number there, *x is kept.
- * A magnitude beyond the range saturates and sets *beyond to 1 (may be NULL; otherwise
- * it is kept).  "5." and ".5" are numbers too; exact halves round up. */
+/* Reads decimal text into 16.16, rounded to nearest: [+-] digits [. digits] [e [+-]
+ * digits], no locale, any number of digits; "5." and ".5" are numbers too.  Exact halves
+ * round up.  Reads at most `bytes`, stops at the first byte after the number, and returns
+ * the number of bytes read.  Returns 0 if the text starts with no number, and leaves *x
+ * unchanged.  A magnitude beyond the range saturates and sets *beyond to 1.  Otherwise
+ * *beyond is unchanged; `beyond` may be NULL. */
 uint32_t tp_fx_read(const char *text, uint32_t bytes, tp_fx *x, int *beyond);
 
-/* The same into 48.16; beyond +-10^14 saturates to +-TP_WIDE_MAX. */
+/* Reads the same text format into 48.16; numbers beyond +-10^14 saturate to
+ * +-TP_WIDE_MAX. */
 uint32_t tp_fx_read_wide(const char *text, uint32_t bytes, int64_t *x);
 #define TP_WIDE_MAX ((int64_t)100000000000000 << 16)
 
-/* The shortest decimal that reads back to x, terminated; returns its length (<= 14). */
+/* Writes the shortest decimal number that tp_fx_read turns back into x, with a terminator.
+ * Returns its length (<= 14). */
 uint32_t tp_fx_write(tp_fx x, char text[16]);
 #endif

@@ -1,16 +1,18 @@
 /* SPDX-License-Identifier: MIT */
-/* Rotations as three rows of unit vectors.
+/* Rotations, stored as three rows of unit vectors.
  *
- * A frame that looks along -z is turned by its heading about y, lifted by its pitch about
- * its own right, then rolled about its own back.  Rotations are made once a frame and
- * move every vertex, so they get a sine of 27 bits where tp_sin has 17. */
+ * A frame first looks along -z.  Its heading turns the frame about y, its pitch lifts
+ * the frame about the frame's own right, its roll turns the frame about its own back
+ * axis.  A rotation is built once a frame and moves every vertex: its sine has 27 good
+ * bits where tp_sin has 17. */
 #include "fx/fx.h"
 
 typedef struct { tp_q30 sin, cos; } pair;
 
-/* From the nearest of the 1024 knots, where tp_sin is exact, by the distance d in
- * radians: sin(a + d) = sin a + d cos a - d^2/2 sin a.  |d| <= pi/1024, so the first term
- * left out is d^3/6 < 5e-9. */
+/* Starts from the nearest of the 1024 knots of the sine table, where tp_sin is exact.  d is
+ * the distance to the knot in radians:
+ *     sin(a + d) = sin a + d cos a - d^2/2 sin a
+ * |d| <= pi/1024; the first omitted term is d^3/6 < 5e-9. */
 static pair sine_pair(tp_turn angle)
 {
     const tp_turn knot = (angle + (1u << 21)) & ~((1u << 22) - 1);
@@ -25,7 +27,7 @@ static pair sine_pair(tp_turn angle)
     };
 }
 
-/* a s + b t, rounded half up once. */
+/* Returns a s + b t, rounded half up once. */
 static tp_dir3 blend(tp_dir3 a, tp_q30 s, tp_dir3 b, tp_q30 t)
 {
     const int64_t half = 1 << 29;
@@ -64,7 +66,7 @@ tp_vec3 tp_rotate_back(const tp_rotation *r, tp_vec3 v)
     };
 }
 
-/* A row of A B is that row of A times B, which is B's inverse turn of it. */
+/* A row of A B is the row of A times B: the transpose of B applied to the row of A. */
 static tp_dir3 row_times(tp_dir3 row, const tp_rotation *b)
 {
     const tp_vec3 v = tp_rotate_back(b, (tp_vec3){ row.x, row.y, row.z });

@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: MIT */
-/* Roots and reciprocals without division: a table read with linear interpolation gives
- * 15 to 16 good bits, one Newton step doubles them.
+/* Square roots and reciprocals without division.  A table with linear interpolation gives
+ * 15 to 16 good bits; one Newton step doubles the number of bits.
  *
- * Both hot functions take a normalised number and return one in [2^31, 2^32).  Newton's
- * step never lands above the true value, which leaves the roundings room at the top: over
- * all inputs neither result wraps or leaves that range.  Worst relative errors, likewise
- * over all inputs: 2^-30.86 of the reciprocal, 2^-29.82 of the reciprocal root. */
+ * Both hot functions take a normalised number and return a number in [2^31, 2^32).
+ * Newton's step never lands above the true value, which leaves room for rounding at the
+ * top: for all inputs no result wraps or leaves the range.  Worst relative errors, measured
+ * over all inputs: 2^-30.86 for the reciprocal, 2^-29.82 for the reciprocal root. */
 #include "base/assert.h"
 #include "fx/fx.h"
 
@@ -17,16 +17,17 @@ static const uint16_t rsqrt_table[193] = {
 #include "fx/rsqrt_table.inc"
 };
 
-/* Between the entry at `at`, a number of 17 bits without its leading one, and the next,
- * part/2^16 of the way; Q1.31.  Entries differ by less than 2^10: products fit. */
+/* Interpolates between the entry at `at` and the next entry, part/2^16 of the way; the
+ * result is Q1.31.  An entry is a 17-bit number without its leading bit.  Neighbours differ
+ * by less than 2^10: products fit. */
 static inline uint32_t interpolate(const uint16_t *at, uint32_t part)
 {
     const int32_t rise = at[1] - at[0];
     return ((0x10000u + at[0]) << 15) + (uint32_t)(rise * (int32_t)part >> 1);
 }
 
-/* Newton for 1/n: r += r (1 - n r).  n r is 2^63 (1 + d), |d| < 2^-16: 2^63 - n r has
- * less than 48 bits, of which the low 16 are left out. */
+/* Newton's step for 1/n: r += r (1 - n r).  n r is 2^63 (1 + d), |d| < 2^-16: 2^63 - n r
+ * has less than 48 bits, and the low 16 of them are dropped. */
 uint32_t tp_recip_norm(uint32_t n)
 {
     TP_ASSERT(n >> 31 == 1);
@@ -36,7 +37,8 @@ uint32_t tp_recip_norm(uint32_t n)
     return r + (uint32_t)((int64_t)(int32_t)(r >> 1) * error >> 46);
 }
 
-/* Newton for 1/sqrt(x): r += r (1 - x r^2) / 2.  x r^2 is 2^62 (1 + d), |d| < 2^-14. */
+/* Newton's step for 1/sqrt(x): r += r (1 - x r^2) / 2.  x r^2 is 2^62 (1 + d), |d| <
+ * 2^-14. */
 uint32_t tp_rsqrt_norm(uint32_t n)
 {
     TP_ASSERT(n >> 30 != 0);
@@ -47,11 +49,13 @@ uint32_t tp_rsqrt_norm(uint32_t n)
     return r + (uint32_t)((int64_t)(int32_t)(r >> 1) * error >> 44);
 }
 
-/* The root r of n in [2^62, 2^64), rounded down: n / sqrt(n) is within 17 of it, a Newton
- * step r += (n - r^2) / (2 r), with the reciprocal at hand, within 2, the rest is steps.
- * |n - r^2| < 2^38; its low 8 bits are left out so that the product fits.  The step lands
- * at most 2^-20 above the root: r = 2^32, whose square would wrap, would need n above
- * 2^64 - 2^13, and there it was tried for every n. */
+/* Returns the square root r of n in [2^62, 2^64), rounded down.  n / sqrt(n) by the
+ * approximate reciprocal is within 17 of the root.  A Newton step r += (n - r^2) / (2 r),
+ * with the same reciprocal, is within 2.  Steps of 1 do the rest.
+ *
+ * |n - r^2| < 2^38; its low 8 bits are dropped, and the product fits 64 bits.  The Newton
+ * step lands at most 2^-20 above the root.  r = 2^32, whose square would wrap, needs n
+ * above 2^64 - 2^13; every n of this range was tested. */
 static uint32_t root_norm(uint64_t n)
 {
     TP_ASSERT(n >> 62 != 0);
@@ -82,7 +86,7 @@ tp_fx tp_fx_sqrt(tp_fx x)
     const uint64_t square = (uint64_t)x << 16;
     const uint32_t r = tp_isqrt64(square);
     const uint64_t left = square - (uint64_t)r * r;
-    return (tp_fx)(left > r ? r + 1 : r);   /* beyond (r + 1/2)^2 = r^2 + r + 1/4? */
+    return (tp_fx)(left > r ? r + 1 : r);   /* above (r + 1/2)^2 = r^2 + r + 1/4? */
 }
 
 /* x = n / 2^s gives 2^24 / sqrt(x) = 2^47 / sqrt(n) / 2^(23 - s/2). */

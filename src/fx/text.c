@@ -1,11 +1,12 @@
 /* SPDX-License-Identifier: MIT */
-/* Decimal text to 16.16 and back, exactly, in linear time.
+/* Conversion of decimal text to 16.16 and back, exact, in linear time.
  *
- * The points where rounding changes are odd multiples of 2^-17, and 2^-17 has exactly 17
- * decimal places.  So 17 places of the fraction, and whether anything follows them,
- * decide; and F / 10^17 counted in 2^-17 is F / 5^17, one division.  Of the digits before
- * the point only 14 matter.  Digits are looked at twice: to find the power of ten of
- * the first that is not 0, which the exponent at the far end shifts, and to add up. */
+ * Rounding changes at odd multiples of 2^-17, and 2^-17 has exactly 17 decimal places.  The
+ * result is decided by 17 places of the fraction and by a flag for non-zero digits after
+ * them.  F / 10^17 in units of 2^-17 is F / 5^17: one division.  Before the point only 14
+ * digits matter.  The reader passes over the digits twice.  The first pass finds the power
+ * of ten of the first non-zero digit; an exponent behind the digits shifts the power.  The
+ * second pass adds up the digits. */
 #include "base/assert.h"
 #include "fx/fx.h"
 #include <stdbool.h>
@@ -13,7 +14,7 @@
 
 enum { PLACES = 17, WHOLE_DIGITS = 14 };    /* 10^14 x 2^17 < 2^64 */
 
-static const int64_t EXPONENT_CAP = 1000000000000;  /* beyond all digits there can be */
+static const int64_t EXPONENT_CAP = 1000000000000;  /* larger than any number of digits */
 
 static const uint64_t power_of_ten[PLACES + 1] = {
     1, 10, 100, 1000, 10000, 100000, 1000000, 10000000, 100000000, 1000000000,
@@ -21,16 +22,16 @@ static const uint64_t power_of_ten[PLACES + 1] = {
     1000000000000000, 10000000000000000, 100000000000000000,
 };
 
-/* The digits of a number as they stand in the text; there may be a point among them. */
+/* The digits of a number in the text; a point may stand among them. */
 typedef struct {
-    const char *first;          /* the first digit that is not 0, or NULL: all are */
+    const char *first;          /* the first non-zero digit; NULL if all digits are 0 */
     const char *end;
-    int64_t     power;          /* of ten, of the first digit */
+    int64_t     power;          /* power of ten of the first digit */
 } digits;
 
 static bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
-/* Reads digits [. digits] with at least one digit; false if there is none. */
+/* Reads digits [. digits].  Returns false if there is no digit at all. */
 static bool scan_digits(const char *at, const char *end, digits *found)
 {
     bool any = false, point = false;
@@ -48,13 +49,14 @@ static bool scan_digits(const char *at, const char *end, digits *found)
         if (found->first != NULL && !point)
             found->power++;     /* counts digits before the point, less one */
         if (found->first == NULL && point)
-            found->power--;     /* counts zeros after it */
+            found->power--;     /* counts zeros after the point */
     }
     found->end = at;
     return any;
 }
 
-/* Reads [e [+-] digits]; without digits there is no exponent and `at` is returned. */
+/* Reads [e [+-] digits] and returns the end.  Without digits there is no
+ * exponent: returns `at`. */
 static const char *scan_exponent(const char *at, const char *end, int64_t *exponent)
 {
     *exponent = 0;
@@ -76,8 +78,8 @@ static const char *scan_exponent(const char *at, const char *end, int64_t *expon
     return digit;
 }
 
-/* The number in units of 2^-17, rounded down; *exact tells whether nothing was cut.
- * `power` of the first digit is -6..13: whole < 10^14, fraction < 10^17. */
+/* Returns the number in units of 2^-17, rounded down.  *exact becomes true if nothing was
+ * cut off.  `power` of the first digit is -6..13: whole < 10^14, fraction < 10^17. */
 static uint64_t half_units(const digits *number, int power, bool *exact)
 {
     TP_ASSERT(number->first != NULL && power >= -6 && power < WHOLE_DIGITS);
@@ -104,7 +106,7 @@ static uint64_t half_units(const digits *number, int power, bool *exact)
     return (whole << PLACES) + fraction / five_17;
 }
 
-/* Half up means up also below zero: there an exact half loses magnitude. */
+/* Rounds half up, also below zero: there an exact half loses magnitude. */
 static int64_t signed_unit(uint64_t halves, bool exact, bool negative)
 {
     const bool down = negative && exact;
@@ -112,8 +114,8 @@ static int64_t signed_unit(uint64_t halves, bool exact, bool negative)
     return negative ? -units : units;
 }
 
-/* 10^-6 rounds to 0, and 10^14 is the end of the range: only the powers between need
- * digits. */
+/* Returns the number in units of 2^-16.  Numbers below 10^-6 round to 0, and 10^14 is the
+ * end of the range: only powers in between need the digits. */
 static int64_t number_of(const digits *number, int64_t power, bool negative)
 {
     if (number->first == NULL || power < -6)
@@ -154,8 +156,8 @@ uint32_t tp_fx_read(const char *text, uint32_t bytes, tp_fx *x, int *beyond)
     return n;
 }
 
-/* The decimal of fewest places that lies within half a unit of x.  A decimal of up to 5
- * places never lies at half a unit exactly, so no tie can read back as the neighbour. */
+/* Finds the decimal number of fewest places within half a unit of x.  A decimal of up to 5
+ * places never lies exactly at half a unit: no tie can read back as the neighbour of x. */
 static uint32_t shortest(uint32_t units, int *places)
 {
     for (*places = 0;; ++*places) {
@@ -163,7 +165,7 @@ static uint32_t shortest(uint32_t units, int *places)
         const uint32_t n = (uint32_t)((exact + 0x8000) >> 16);
         const int64_t off = (int64_t)((uint64_t)n << 16) - (int64_t)exact;
         if (2 * (off < 0 ? -off : off) < (int64_t)scale)
-            return n;                   /* at 5 places always: 2^15 < 10^5 / 2 */
+            return n;                   /* always true at 5 places: 2^15 < 10^5 / 2 */
     }
 }
 

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* Sines by a quarter wave of 256 steps and linear interpolation: [G5] of the models,
- * "1024 a turn".  The chord of a step lies below the sine by at most (pi/512)^2 / 8 =
- * 4.7e-6.  Odd and mirrored exactly: sin(-a) = -sin(a), sin(half - a) = sin(a). */
+/* Sines by a quarter wave of 256 steps and linear interpolation: [G5] of the models, "1024
+ * a turn".  The chord of a step lies below the sine by at most (pi/512)^2 / 8 = 4.7e-6.
+ * Two symmetries are exact: sin(-a) = -sin(a), sin(half turn - a) = sin(a). */
 #include "base/assert.h"
 #include "fx/fx.h"
 
@@ -13,9 +13,10 @@ static const tp_turn octant[130] = {
 #include "fx/atan_table.inc"
 };
 
-/* Bit 31 of the angle is the sign, bit 30 says that the wave runs back: there the angle
- * is negated, which modulo half a turn mirrors it into [0, quarter].  9 bits of step, so
- * that the quarter itself reads entry 256, and 22 of way. */
+/* Bit 31 of the angle is the sign.  Bit 30 marks the quarters where the wave runs back to
+ * 0: there the angle is negated, which modulo half a turn mirrors the angle into [0,
+ * quarter].  The step takes 9 bits, to let the quarter itself read entry 256; the
+ * fraction takes 22 bits. */
 tp_q30 tp_sin(tp_turn angle)
 {
     const uint32_t a = angle & 0x40000000 ? 0u - angle : angle;
@@ -40,8 +41,8 @@ tp_fx tp_fx_cos(tp_turn angle)
     return (tp_cos(angle) + (1 << 13)) >> 14;
 }
 
-/* The angle of a slope small/large <= 1, by a table of 128 steps: the chord errs by at
- * most 0.65 / 128^2 / 8 / (2 pi) = 7.9e-7 turn. */
+/* Returns the angle of a slope small/large <= 1, by a table of 128 steps.  The chord errs
+ * by at most 0.65 / 128^2 / 8 / (2 pi) = 7.9e-7 turn. */
 static tp_turn octant_angle(uint32_t small, uint32_t large)
 {
     TP_ASSERT(small <= large && large > 0);
@@ -69,8 +70,9 @@ tp_turn tp_atan2(int32_t y, int32_t x)
     return y < 0 ? 0u - angle : angle;
 }
 
-/* 2^32 / 360 of a turn a degree: 2^16 / 360 for each LSB of 16.16, here with 24 more
- * bits.  Whole turns are taken away first: they are exact, and the product fits. */
+/* A degree is 2^32 / 360 of a turn, an LSB of 16.16 is 2^16 / 360; the scale has 24
+ * more bits.  Whole turns are removed first: the removal is exact, and the product
+ * then fits 64 bits. */
 tp_turn tp_turn_of_degrees(tp_fx degrees)
 {
     const int64_t scale = 3054198966;           /* round(2^40 / 360) */

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* Directions and lengths.  A squared length of 16.16 overflows 32 bits beyond 181 m [G3],
- * so squares are summed in 64 bits, and the sum is normalised by its leading zeros. */
+/* Directions and lengths.  The squared length of a 16.16 vector overflows 32 bits
+ * beyond 181 m [G3].  Squares are summed in 64 bits, and the sum is normalised by
+ * its leading zeros. */
 #include "base/assert.h"
 #include "fx/fx.h"
 
@@ -28,7 +29,7 @@ tp_dir3 tp_dir3_cross(tp_dir3 a, tp_dir3 b)
     };
 }
 
-/* Rounded to nearest, as tp_fx_sqrt. */
+/* Rounds to nearest, like tp_fx_sqrt. */
 tp_fx tp_vec3_length(tp_vec3 v)
 {
     const uint64_t sum = square(v.x) + square(v.y) + square(v.z);   /* <= 3 2^62 */
@@ -38,15 +39,15 @@ tp_fx tp_vec3_length(tp_vec3 v)
     return (tp_fx)(sum - (uint64_t)r * r > r ? r + 1 : r);
 }
 
-/* x / 2^30 of the length, half up: |x inverse| < 2^63, and rounding it cannot overflow
- * because x at its end of the range makes the inverse small. */
+/* Returns x / length in Q2.30, rounded half up.  |x inverse| < 2^63.  The rounding cannot
+ * overflow: an x at the end of its range makes the inverse small. */
 static tp_q30 scaled(int32_t x, uint32_t inverse, int shift)
 {
     TP_ASSERT(shift >= 2 && shift <= 33);
     return (tp_q30)(((int64_t)x * inverse + ((int64_t)1 << (shift - 1))) >> shift);
 }
 
-/* With n = sum 2^(2 half) / 2^32 in [2^30, 2^32), the inverse is 2^47 / sqrt(n) and
+/* n = sum 2^(2 half) / 2^32 lies in [2^30, 2^32).  The inverse is 2^47 / sqrt(n), and
  * 2^30 x / sqrt(sum) = x inverse / 2^(33 - half).  half <= 31. */
 tp_dir3 tp_normalise(int32_t x, int32_t y, int32_t z)
 {

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* CRC-32 (IEEE 802.3), a byte at a time by a table. */
+/* CRC-32 (IEEE 802.3), one byte at a time, by a table. */
 #include "base/assert.h"
 #include "pixel/pixel.h"
 

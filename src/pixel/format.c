@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The formats' names and sizes, the palette, and reading pixels back. */
+/* Names and sizes of the pixel formats, the palette, and conversion of stored pixels
+ * back to colours. */
 #include "base/base.h"
 #include "base/text.h"
 #include "pixel/pixel.h"
@@ -10,8 +11,9 @@ static const struct { const char *name; int bits; } formats[TP_FORMAT_COUNT] = {
 #undef X
 };
 
-/* Levels are spread evenly, i 255/5 or i 255/6 rounded.  The cube has no grey but black
- * and white; the four that are left over divide the way between. */
+/* The palette is a colour cube of 6 x 7 x 6 levels, spread evenly: i 255/5 or i 255/6,
+ * rounded.  The only greys of the cube are black and white; the four entries left over are
+ * greys at even steps between black and white. */
 #define LEVEL_5(i)  ((uint32_t)(i) * 51u)
 #define LEVEL_6(i)  (((uint32_t)(i) * 85u + 1u) / 2u)
 #define CELL(r, g, b) LEVEL_5(r) << 16 | LEVEL_6(g) << 8 | LEVEL_5(b)
@@ -50,7 +52,7 @@ size_t tp_format_row_bytes(tp_format format, int width)
     return width <= 0 ? 0 : ((size_t)width * (size_t)tp_format_bits(format) + 7) / 8;
 }
 
-/* The high bits of each part are repeated below, so that full stays full. */
+/* Repeats the high bits of each channel in its low bits: full intensity stays full. */
 static uint32_t of_rgb565(uint32_t pixel)
 {
     const uint32_t r = pixel >> 11, g = pixel >> 5 & 63, b = pixel & 31;

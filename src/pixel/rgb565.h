@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT */
-/* Colours to 16 bits: the nearest level of each part.
+/* Conversion of colours to RGB565: the nearest level of each channel.
  *
  * (31 c + 127)/255 = (249 c + 1014) >> 11 and (63 c + 127)/255 = (253 c + 505) >> 10 for
- * all c = 0..255; both sums are below 2^16, so halves of a word go through one multiply:
- * red and blue of one colour, or the same part of two. */
+ * all c = 0..255.  Both sums are below 2^16: one multiply converts both halves of a word,
+ * either red and blue of one colour or the same channel of two colours. */
 #ifndef TP_PIXEL_RGB565_H
 #define TP_PIXEL_RGB565_H
 #include "base/dsp.h"
@@ -20,7 +20,7 @@ TP_ALWAYS_INLINE uint32_t tp_rgb565(uint32_t colour)
     return (red_blue >> 16 & 0xf800) | (green >> 5 & 0x7e0) | (red_blue >> 11 & 0x1f);
 }
 
-/* The constants of pairs, to be kept while they last. */
+/* Constants of tp_rgb565_pair, kept in registers during a loop. */
 typedef struct {
     uint32_t rb_scale, rb_half, g_scale, g_half, red, green, blue;
 } tp_rgb565_kept;
@@ -34,7 +34,7 @@ TP_ALWAYS_INLINE tp_rgb565_kept tp_rgb565_keep(void)
     };
 }
 
-/* The first colour's pixel below the second's. */
+/* Returns two pixels in a word; the first colour takes the low half. */
 TP_ALWAYS_INLINE uint32_t tp_rgb565_pair(const tp_rgb565_kept *k, uint32_t first,
                                          uint32_t second)
 {

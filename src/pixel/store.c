@@ -1,12 +1,11 @@
 /* SPDX-License-Identifier: MIT */
-/* Finished colours become pixels: one tight loop per format.
+/* Conversion of final colours to stored pixels: one tight loop per format.
  *
- * The formats of few colours are dithered by Bayer's ordered 8x8 pattern, fixed to the
- * picture.  Its rank k = 0..63 becomes a threshold in the middle of the k-th of 64 equal
- * parts of a level, so that over a tile of one flat colour the mean is the colour to half
- * a 64th of a level, and both ends of the range stay free of dots.
- * Source: B. E. Bayer, An optimum method for two-level rendition of continuous-tone
- * pictures, ICC 1973. */
+ * Formats of few colours are dithered by Bayer's ordered 8x8 pattern, fixed to the picture.
+ * The rank k = 0..63 of a pixel becomes a threshold in the middle of the k-th of 64 equal
+ * parts of a level.  Over a tile of one flat colour the mean is then the colour to half a
+ * 64th of a level, and both ends of the range stay free of dots.  Source: B. E. Bayer, An
+ * optimum method for two-level rendition of continuous-tone pictures, ICC 1973. */
 #include "base/base.h"
 #include "pixel/rgb565.h"
 #include "pixel/toned.h"
@@ -22,15 +21,15 @@ static const uint8_t bayer[8][8] = {
     { 63, 31, 55, 23, 61, 29, 53, 21 },
 };
 
-/* Luma of BT.601 in 8.8: weights 77, 150, 29 of 256, so white is 255 * 256. */
+/* Luma of BT.601 in 8.8: weights 77, 150, 29 of 256; white is 255 * 256. */
 static inline uint32_t luma_q8(uint32_t colour)
 {
     return (colour >> 16 & 0xff) * 77 + (colour >> 8 & 0xff) * 150 + (colour & 0xff) * 29;
 }
 
-/* The palette's cube.  A part c times 257 is 0..65535; times the steps of its axis, plus
- * a threshold of 512..65024, the high half is the level: c = 255 still reaches the last
- * because 6 < 512. */
+/* Returns the palette index in the colour cube.  A channel c times 257 is 0..65535.  This
+ * value times the number of steps of the axis, plus a threshold of 512..65024, has the
+ * level in its high half.  c = 255 still reaches the last level because 6 < 512. */
 static inline uint32_t to_palette(uint32_t colour, uint32_t rank)
 {
     const uint32_t threshold = rank * 1024 + 512;
@@ -58,8 +57,9 @@ TP_ALWAYS_INLINE void put_pair(uint8_t *to, uint32_t pair, int be)
 }
 #endif
 
-/* Two pixels at a time where a word holds both at once; compilers do better of the plain
- * loop elsewhere.  Big endian ones have their bytes changed over. */
+/* Stores two pixels at a time on cores with packed arithmetic; elsewhere compilers
+ * make faster code of the plain loop.  `be`: swap the bytes of each pixel, for
+ * big-endian displays. */
 TP_ALWAYS_INLINE void store_rgb565(uint8_t *to, const uint32_t *colours, int count,
                                    int be)
 {
@@ -133,7 +133,7 @@ void tp_store_p8(void *row, int x_in_row, int x, int y, const uint32_t *colours,
         to[i] = (uint8_t)to_palette(colours[i], ranks[(x + i) & 7]);
 }
 
-/* The fraction of luma is dithered: 255 * 256 + 4 * 63 + 2 stays below 2^16. */
+/* Dithers the fraction of the luma: 255 * 256 + 4 * 63 + 2 stays below 2^16. */
 void tp_store_l8(void *row, int x_in_row, int x, int y, const uint32_t *colours,
                  int count)
 {
@@ -144,13 +144,14 @@ void tp_store_l8(void *row, int x_in_row, int x, int y, const uint32_t *colours,
         to[i] = (uint8_t)((luma_q8(colours[i]) + ranks[(x + i) & 7] * 4u + 2) >> 8);
 }
 
-/* 1 where luma, of 64 * 1020, is above the threshold 510, 1530, ... 64770. */
+/* Returns 1 if the luma, 0..64 * 1020, is above the threshold 510, 1530, ... 64770. */
 static inline uint32_t is_white(uint32_t colour, uint32_t rank)
 {
     return (rank * 1020 + 510 - luma_q8(colour)) >> 31;
 }
 
-/* Byte by byte; the first and the last may hold pixels of others. */
+/* Stores whole bytes where possible.  The first and the last byte may also hold pixels of
+ * other tiles, which keep their bits. */
 void tp_store_i1(void *row, int x_in_row, int x, int y, const uint32_t *colours,
                  int count)
 {

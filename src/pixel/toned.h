@@ -1,16 +1,18 @@
 /* SPDX-License-Identifier: MIT */
-/* RGB565 by a table of tones: what a camera's exposure leaves of a colour's channels, and
- * their levels, in one look each.  The pixels are those of exposed colours. */
+/* RGB565 with tone mapping by a table: each entry holds the RGB565 level of a channel after
+ * the camera's exposure.  One look-up per channel gives the same pixels as tone mapping
+ * followed by conversion. */
 #ifndef TP_PIXEL_TONED_H
 #define TP_PIXEL_TONED_H
 #include "pixel/rgb565.h"
 #include "tidepool/modules.h"
 
 typedef struct {
-    uint8_t five[256], six[256];        /* levels of red and blue, and of green */
+    uint8_t five[256], six[256];        /* five: levels of red and blue;
+                                         * six: levels of green */
 } tp_toned;
 
-/* Channels of i become `tone`. */
+/* Sets entry i to the RGB565 levels of the tone-mapped channel value `tone`. */
 static inline void tp_toned_set(tp_toned *toned, uint32_t i, uint32_t tone)
 {
     const uint32_t pixel = tp_rgb565(tone << 16 | tone << 8 | tone);

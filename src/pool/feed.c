@@ -1,17 +1,19 @@
 /* SPDX-License-Identifier: MIT */
-/* Energy from outside, for water that never rests [C16]: a tick whose heights have an rms
- * below `feed_low` injects one hat at a random place.
+/* The drive: random splashes that keep the water moving [C16].  Each tick whose heights
+ * have an rms below `feed_low` injects one splash at a random place.
  *
- * Too low a hat never reaches the band, so it has authority over its height: while half
- * or more of the ticks of a window inject, it goes up by an eighth; where the rms is
- * beyond `feed_high` it comes down again, not below what was asked for. */
+ * A splash of too small a height never lifts the rms into the band.  The height of the
+ * splashes therefore adapts, once in a window of 64 ticks.  If at least half of the ticks
+ * injected, the height grows by an eighth.  Otherwise, if the rms is above `feed_high`, the
+ * height shrinks again, but not below the configured height. */
 #include "pool/pool.h"
 #include "base/base.h"
 
-static const tp_fx feed_sigma = TP_FX(2.5);     /* cells: waves of some 11 */
+static const tp_fx feed_sigma = TP_FX(2.5);     /* cells; waves of some 11 cells */
 
-/* The sum of squares, and of the limits' when each cell has it.  32-bit heights are cut
- * to Q8.16: 2^18 cells of (2^22)^2 are below 2^63. */
+/* sum_of_squares adds the squares of all heights.  limit_of gives the same sum for a pool
+ * with the height `rms` in each cell.  32-bit heights are cut to Q8.16: 2^18 cells of
+ * (2^22)^2 are below 2^63. */
 static int64_t sum_of_squares(const tp_pool *pool)
 {
     const uint32_t count = tp_pool_count(pool);
@@ -46,7 +48,7 @@ static void inject(tp_pool *pool)
 
     pool->feed_hits++;
     if (tp_pool_wall(pool, col, row))
-        return;                                 /* the next tick tries elsewhere */
+        return;                                 /* the next tick tries another place */
     tp_pool_splash(pool, ((uint64_t)col << 32) + half, ((uint64_t)row << 32) + half,
                    feed_sigma, pool->feed_peak);
     pool->injections++;

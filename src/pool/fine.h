@@ -1,14 +1,16 @@
 /* SPDX-License-Identifier: MIT */
-/* Fine heights of cells: 8-bit ones have 16 bits more, 16-bit ones 8 more, 32-bit ones
- * are fine as they are; `back` of a tick ago the height was H - back V, of which neither
- * end leaves the range, so all fit 31 bits. */
+/* Fine heights of cells: the stored height with extra fraction bits for interpolation.
+ * 8-bit cells get 16 more bits, 16-bit cells 8 more, 32-bit cells none.  `back` is a
+ * fraction of a tick into the past: the height was then H - back V.  Neither the
+ * height H nor the last one, H - V, leaves the range of the cell, and all heights
+ * between fit 31 bits. */
 #ifndef TP_POOL_FINE_H
 #define TP_POOL_FINE_H
 #include "base/base.h"
 #include "pool/pool.h"
 
-/* A fine height; `base` is that of the row's first cell, `cells` and `moves` (whether
- * back is not 0) are literals where it matters. */
+/* Returns a fine height.  `base` is the index of the first cell of the row.  `moves` is
+ * true if back is not 0.  `cells` and `moves` are literals in fast loops. */
 TP_ALWAYS_INLINE int32_t tp_pool_fine(const tp_pool *pool, uint32_t col, uint32_t row,
                                       uint32_t base, tp_fx back, tp_cells cells,
                                       int moves)
@@ -30,7 +32,8 @@ TP_ALWAYS_INLINE int32_t tp_pool_fine(const tp_pool *pool, uint32_t col, uint32_
     return h - (int32_t)(((int64_t)tp_pool_gain(pool, col, row) * back + 0x8000) >> 16);
 }
 
-/* Column or row i, which may lie one or two beyond: wrapped or mirrored. */
+/* Returns column or row i, wrapped or mirrored into the field; i may lie one or
+ * two cells outside. */
 static inline uint32_t tp_pool_folded(int32_t i, uint32_t cells, bool tiled)
 {
     const int32_t n = (int32_t)cells;
@@ -40,8 +43,9 @@ static inline uint32_t tp_pool_folded(int32_t i, uint32_t cells, bool tiled)
     return (uint32_t)(i < 0 ? -1 - i : i < n ? i : 2 * n - 1 - i);
 }
 
-/* Of a wall: the mean of the open cells beside it, so that a flat wall mirrors and the
- * surface beside a wall is one however it is reached; deep inside of walls `inside`. */
+/* Returns the fine height of a cell.  A wall cell gets the mean of the open cells beside
+ * the wall: a flat wall mirrors, and the surface beside a wall does not depend on the side
+ * it is sampled from.  A wall cell without open neighbours gets `inside`. */
 int32_t tp_pool_fine_or_wall(const tp_pool *pool, uint32_t col, uint32_t row, tp_fx back,
                              int32_t inside);
 #endif

@@ -1,35 +1,36 @@
 /* SPDX-License-Identifier: MIT */
-/* The step of 32-bit cells: one flux for each edge between two cells, [C17] of the
- * models.
+/* The step of 32-bit cells: one flux through each edge between two cells,
+ * [C17] of the models.
  *
  *     q = tz(tz(q + (Hi - Hj) r^2) (1 - 2^-m)),   Hi -= q,   Hj += q;
- * tz cuts towards 0.  What leaves one cell enters the next, so the sum of heights is
- * exact at every step; cutting makes every flux die.  Fluxes come from the old heights
- * alone: rows may be computed in any order, and columns 8 at a time.
+ * tz truncates towards 0.  The outflow of one cell is the inflow of the next: the sum of
+ * heights is exact at every step.  The truncation makes every flux die out.  Fluxes depend
+ * on the old heights alone: rows may be computed in any order, and columns 8 at a time.
  *
- * Heights are Q8.24 metres within FULL = 2^30 - 1.  A flux is at most a fourth of what
- * its giver has above -FULL and its taker lacks to FULL, so no height ever leaves that
- * range, whatever r2q is set to; below 16 m this bound is never met. */
+ * Heights are Q8.24 metres within +-FULL = +-(2^30 - 1).  A flux is at most a fourth of the
+ * giver's height above -FULL, and at most a fourth of the taker's distance to FULL.  No
+ * height ever leaves the range, for any value of r2q; below 16 m the bound is never met. */
 #include "pool/pool.h"
 #include "base/base.h"
 
 #define FULL TP_FULL_32
 
-enum { RIGHT = 1, DOWN = 3 };   /* bits of a walls byte */
+enum { RIGHT = 1, DOWN = 3 };   /* bit numbers in a walls byte */
 _Static_assert(1 << RIGHT == TP_OPEN_RIGHT && 1 << DOWN == TP_OPEN_DOWN, "see pool.h");
 
-/* What one row of fluxes is computed with. */
+/* Parameters of one row of fluxes. */
 typedef struct {
     int32_t rate;               /* r2q <= 767 */
-    int32_t damping;            /* m, in a sponge of this row */
-    const uint8_t *walls;       /* of this row */
-    const uint8_t *sponge;      /* of the columns */
-    int32_t way;                /* RIGHT or DOWN */
+    int32_t damping;            /* damping exponent m; in a sponge: of this row */
+    const uint8_t *walls;       /* walls bytes of this row */
+    const uint8_t *sponge;      /* damping exponents of the columns */
+    int32_t way;                /* direction of the flux: RIGHT or DOWN */
 } edges;
 
-/* |Hi - Hj| < 2^31, so its product by r2q / 1024 is formed of two: |high| < 2^21 x 767
- * and a part below 767.  |q| <= 2^29 and the kick < 0.75 x 2^31: their sum fits, and with
- * it the 2^m - 1 that make the shift cut towards 0. */
+/* Returns the new flux between two cells.  |Hi - Hj| < 2^31; its product by r2q / 1024 is
+ * the sum of two parts: |high| < 2^21 x 767, and a low part below 767.  |q| <= 2^29 and the
+ * added part < 0.75 x 2^31: their sum fits 32 bits, also with the 2^m - 1 that makes the
+ * shift truncate towards 0. */
 TP_ALWAYS_INLINE int32_t flux(int32_t q, int32_t from, int32_t to, int32_t rate,
                               int32_t damping)
 {
@@ -42,7 +43,7 @@ TP_ALWAYS_INLINE int32_t flux(int32_t q, int32_t from, int32_t to, int32_t rate,
     return tp_clamp(q, least, most);
 }
 
-/* The flux of cell x; walls and sponge are literals. */
+/* Returns the flux of cell x; `walls` and `sponge` are literals. */
 TP_ALWAYS_INLINE int32_t flux_of(int32_t q, int32_t from, int32_t to, size_t x,
                                  const edges *e, int walls, int sponge)
 {
@@ -53,8 +54,9 @@ TP_ALWAYS_INLINE int32_t flux_of(int32_t q, int32_t from, int32_t to, size_t x,
     return open & flux(q, from, to, e->rate, damping);
 }
 
-/* Between `count` cells and their neighbours `to`; not 0: something flows.  The loops of
- * eight are what compilers turn into vectors at -O2 as well. */
+/* Updates the fluxes between `count` cells `from` and their neighbours `to`.  Returns
+ * non-zero if any water flows.  Compilers turn the inner loops of eight into vector
+ * code, at -O2 too. */
 TP_ALWAYS_INLINE int32_t flow(int32_t *restrict q, const int32_t *restrict from,
                               const int32_t *restrict to, uint32_t count,
                               const edges *given, int walls, int sponge)
@@ -87,7 +89,7 @@ TP_ALWAYS_INLINE int32_t flow(int32_t *restrict q, const int32_t *restrict from,
 X(flow_open, 0, 0) X(flow_walls, 1, 0) X(flow_sponge, 1, 1)
 #undef X
 
-/* Heights of a row after its fluxes; right[-1] is what flows into its first cell. */
+/* Updates the heights of a row by its fluxes; right[-1] is the flux into the first cell. */
 static void spill(int32_t *restrict h, const int32_t *restrict right,
                   const int32_t *restrict up, const int32_t *restrict down, uint32_t cols)
 {
@@ -97,8 +99,9 @@ static void spill(int32_t *restrict h, const int32_t *restrict right,
         h[x] += left[x] - right[x] + up[x] - down[x];
 }
 
-/* What a step works on: heights, and fluxes to the right and down, row by row, one block
- * after the other: what lies beside a row's ends is another number of the pool's. */
+/* The arrays of a step: heights, fluxes to the right and fluxes down, row by row,
+ * one array after the other.  The number before or after a row belongs to a
+ * neighbouring row or array. */
 typedef struct {
     int32_t *h, *right, *down;
     uint32_t cols, rows;
@@ -107,7 +110,7 @@ typedef struct {
     edges    edge;
 } sheet;
 
-/* Fluxes q of the cells of row y to the cells `to`. */
+/* Updates the fluxes q from the cells of row y to the cells `to`. */
 static int32_t flow_row(const sheet *s, uint32_t y, int32_t *q, const int32_t *to,
                         int32_t way)
 {
@@ -126,8 +129,10 @@ static int32_t flow_row(const sheet *s, uint32_t y, int32_t *q, const int32_t *t
     return flow_sponge(q + at, from, to, s->cols, &e);
 }
 
-/* So that rows are whole for their loops, the last cell finds its right neighbour behind
- * it for once: the first cell of a tiled field, or itself, where nothing flows. */
+/* Updates the fluxes to the right in row y.  The loop reads the right neighbour of the last
+ * cell from behind the row.  This number is replaced for the time of the loop: by the first
+ * cell of the row in a tiled field, otherwise by the last cell itself, where nothing
+ * flows. */
 static int32_t flow_right(const sheet *s, uint32_t y)
 {
     int32_t *const h = s->h + (size_t)y * s->cols, *const beyond = h + s->cols;
@@ -139,7 +144,9 @@ static int32_t flow_right(const sheet *s, uint32_t y)
     return moved;
 }
 
-/* And the first cell the flux from its left, which beyond a wall's last column is 0. */
+/* Updates the heights of row y.  The first cell reads the flux from its left in
+ * right[-1], replaced for the time of the loop by the flux of the last column: 0 if the
+ * field ends there. */
 static void spill_row(const sheet *s, uint32_t y)
 {
     const uint32_t cols = s->cols;
@@ -153,9 +160,9 @@ static void spill_row(const sheet *s, uint32_t y)
     right[-1] = kept;
 }
 
-/* A row's heights change as soon as its fluxes are known: no row below asks for them any
- * more.  Row 0 is needed once more by a tiled field's last row, whose fluxes down
- * therefore come first. */
+/* Runs a step, row by row.  The heights of a row change as soon as the fluxes of the row
+ * are known: later rows do not read the old heights.  The last row of a tiled field is an
+ * exception: its fluxes down need the old row 0 and are computed first. */
 static int32_t step_rows(const sheet *s)
 {
     const uint32_t last = s->rows - 1;

@@ -1,32 +1,35 @@
 /* SPDX-License-Identifier: MIT */
-/* The step of 8- and 16-bit cells: two gears, [C8]-[C13] of the models.
+/* The step of 8- and 16-bit cells, with two ways of rounding, called gears,
+ * [C8]-[C13] of the models.
  *
- * With F the neighbours' sum less four times the height, the centred damping [C4] is
+ * F is the sum of the four neighbours less four times the height.  The
+ * centred damping [C4] is
  *     S = (2 - 2^-m) (V + r^2 F / 2),   V' = S - V,   H' = H + V',
- * and all depends on how S is rounded.  Gear A passes each cell's rounding error on to
- * the next: ripples travel far, and the sum of heights is kept.  Gear B rounds towards 0:
- * it never adds energy [C5], so the water settles; when nothing moves any more each
- * height goes one nearer to 0 [C10], until all are.
+ * and the behaviour depends on the rounding of S.  Gear A passes the rounding error of each
+ * cell on to the next cell: ripples travel far, and the sum of heights is kept.  Gear B
+ * rounds towards 0: it never adds energy [C5], and the water settles.  When nothing moves
+ * any more, each tick takes all heights one step nearer to 0 [C10], until all are 0.
  *
- * A sponge takes from gear A what the damping of its cells makes of a wave, and so takes
- * the sum with it: waves that are stirred up there left a mean of -13000 LSB of 32767 in
- * 20000 ticks.  So a cell of it is also held by a spring of (delta / 2)^2, which as part
- * of F keeps the theorem of [C5]; a line damped alike in both its quantities does not
- * reflect. With it the mean stays within 200 LSB, and reflections are what they were.
+ * In a sponge, gear A does not keep the sum: the stronger damping absorbs part of a wave
+ * and its sum with it.  Waves started in a sponge left a mean of -13000 LSB of 32767 in
+ * 20000 ticks.  Each sponge cell is therefore also pulled to 0 by a spring of (delta /
+ * 2)^2.  The spring is part of F, and the theorem of [C5] still holds.  A line with equal
+ * damping of both its quantities does not reflect.  With the spring the mean stays within
+ * 200 LSB, and the reflections do not change.
  *
- * Only the sponge needs 64 bits.  With T = 2^11 V + r2q F, S is (2^(m+1) - 1) T /
- * 2^(11+m) to be rounded.  |V| <= 32767 and |F| <= 8 x 32767, so |T| < 2^26 + 767 x 2^18
- * < 2^28. Divided in two steps, first by 2^(m+1), where (2^(m+1) T + w) / 2^(m+1) = T + w
- * / 2^(m+1), the large product is never formed; the floor of a floor is exact.  A literal
- * 2^10 of the second step costs a Cortex-M4 less than the reduced fraction of [C13]; the
- * bits are the same. */
+ * Only the sponge needs 64 bits.  With T = 2^11 V + r2q F, S is (2^(m+1) - 1) T / 2^(11+m),
+ * rounded.  |V| <= 32767 and |F| <= 8 x 32767: |T| < 2^26 + 767 x 2^18 < 2^28.  The
+ * division takes two steps.  The first divides by 2^(m+1), where (2^(m+1) T + w) / 2^(m+1)
+ * = T + w / 2^(m+1): the large product is never formed, and a floor of a floor is exact.
+ * The second divides by 2^10.  This literal costs a Cortex-M4 less than the reduced
+ * fraction of [C13], and the bits are the same. */
 #include "pool/pool.h"
 #include "base/base.h"
 
 typedef struct {
     int32_t  rate;          /* r2q */
     uint32_t down;          /* m + 1 */
-    int32_t  whole;         /* 2^(11+m) <= 2^21: S's denominator */
+    int32_t  whole;         /* denominator of S: 2^(11+m) <= 2^21 */
 } gear;
 
 static gear gear_of(const tp_pool *pool)
@@ -35,9 +38,10 @@ static gear gear_of(const tp_pool *pool)
                    (int32_t)1 << (11 + pool->damping) };
 }
 
-/* Gear A: S rounded to nearest, halves away from 0, of T's share and the carry; the error
- * becomes the carry.  It is kept with half of `whole` added, 0 < carry <= whole, so that
- * rounding is a floor; that rounds a tie up, where below 0 it has to go down. */
+/* Gear A: rounds S + carry to nearest, halves away from 0; the error becomes the new carry.
+ * The carry is stored with half of `whole` added, 0 < carry <= whole, to make the rounding
+ * a floor.  A floor rounds a tie up; below 0 a tie has to go down, and the last lines
+ * correct the result. */
 TP_ALWAYS_INLINE int32_t spread(int32_t t, const gear *g, int32_t *carry)
 {
     const int32_t w = *carry - t;
@@ -52,8 +56,8 @@ TP_ALWAYS_INLINE int32_t spread(int32_t t, const gear *g, int32_t *carry)
     return s;
 }
 
-/* The same in a sponge, where a cell's own damping `own` is stronger.  The carry stays in
- * units of the field's damping: (2^(m+1) - 2^(m-own)) T fits 39 bits. */
+/* Gear A in a sponge, where the damping `own` of the cell is stronger.  The carry stays in
+ * units of the damping of the field: (2^(m+1) - 2^(m-own)) T fits 39 bits. */
 TP_ALWAYS_INLINE int32_t soak(int32_t t, const gear *g, uint32_t own, int32_t *carry)
 {
     const int32_t factor = (1 << g->down) - (1 << (g->down - 1 - own));
@@ -69,7 +73,7 @@ TP_ALWAYS_INLINE int32_t soak(int32_t t, const gear *g, uint32_t own, int32_t *c
     return s;
 }
 
-/* Gear B: S cut towards 0. */
+/* Gear B: truncates S towards 0. */
 TP_ALWAYS_INLINE int32_t cut(int32_t t, const gear *g)
 {
     const int32_t w = (t >> 31 & (g->whole - 1)) - t;

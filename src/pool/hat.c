@@ -1,12 +1,13 @@
 /* SPDX-License-Identifier: MIT */
-/* The zero-sum hat [C11] [D5]: with s = rho^2 / (2 sigma^2), A (1 - s) exp(-s), whose
- * integral over the plane is 0; beyond s = 12 it is below A / 14000 and left out.
+/* The splash, a hat-shaped wave of zero sum [C11] [D5].  With s = rho^2 / (2 sigma^2) the
+ * height is A (1 - s) exp(-s).  Its integral over the plane is 0.  Beyond s = 12 the height
+ * is below A / 14000 and left out.
  *
- * Over cells, of which some are walls or beyond the field, the sum is not 0: so much of a
- * plain bell exp(-s) is taken from it that it would be but for rounding.  Cells'
- * roundings are passed on from one to the next, and what is still missing, because a cell
- * could not take its share, is spread over the cells around, or at last over the
- * field. */
+ * On cells the sum is not 0, because some cells are walls or lie outside of the field.  A
+ * plain bell exp(-s), scaled to cancel the sum, is subtracted from the hat.  The rounding
+ * error of each cell is passed on to the next.  A cell at the end of its range may not
+ * take its share: the missing rest is spread over the cells of the window, and last over
+ * the whole field. */
 #include "base/assert.h"
 #include "pool/pool.h"
 
@@ -14,16 +15,16 @@
 
 typedef struct {
     tp_pool *pool;
-    int64_t  u, w;              /* the middle, in 1/256 of a cell */
-    int64_t  over;              /* 1 / (2 sigma^2) with sigma in cells, Q0.40 */
+    int64_t  u, w;              /* centre, in 1/256 of a cell */
+    int64_t  over;              /* 1 / (2 sigma^2), sigma in cells, Q0.40 */
     int64_t  square_max;        /* 24 sigma^2 in 1/65536 of a square cell */
-    int32_t  col, row;          /* the window; wraps */
+    int32_t  col, row;          /* first cell of the window; cells beyond the field wrap */
     int32_t  cols, rows;
-    int64_t  ratio;             /* how much bell is taken from the hat, Q2.30 */
+    int64_t  ratio;             /* ratio of bell to hat, Q2.30 */
 } splash;
 
-/* exp(-s), s 16.16 in 0..12, Q2.30: whole, sixteenths by table, the rest r < 1/16 as
- * 1 - r + r^2 / 2, which errs by 4e-5 at most. */
+/* Returns exp(-s) in Q2.30, s in 16.16, 0..12.  Tables give the integer part and the
+ * sixteenths; the rest r < 1/16 is 1 - r + r^2 / 2 with an error of at most 4e-5. */
 static int64_t bell(int32_t s)
 {
     static const int32_t whole[13] = {
@@ -41,7 +42,7 @@ static int64_t bell(int32_t s)
     return ((int64_t)whole[s >> 16] * sixteenth[s >> 12 & 15] >> 30) * part >> 30;
 }
 
-/* s of a cell of the window, S_MAX if it lies beyond. */
+/* Returns s of a cell of the window; S_MAX for a cell beyond the reach of the hat. */
 static int32_t s_of(const splash *h, int32_t x, int32_t y)
 {
     const int64_t du = (int64_t)(h->col + x) * 256 + 128 - h->u;
@@ -57,7 +58,7 @@ static uint32_t wrapped(int32_t i, uint32_t cells)
     return (uint32_t)(i < 0 ? i + n : i < n ? i : i - n);
 }
 
-/* Adds to a cell of the window; returns what fitted. */
+/* Adds `lsb` to a cell of the window.  Returns the part that fitted into its range. */
 static int32_t give(const splash *h, int32_t x, int32_t y, int32_t lsb)
 {
     return tp_pool_add(h->pool, wrapped(h->col + x, h->pool->cols),
@@ -70,7 +71,8 @@ static bool is_wall(const splash *h, int32_t x, int32_t y)
                         wrapped(h->row + y, h->pool->rows));
 }
 
-/* 2^18 cells of at most 2^30 each; the bell's sum is at least that of the middle cell. */
+/* Finds the ratio that makes the sum 0.  At most 2^18 cells of at most 2^30 each; the sum
+ * of the bell is at least the bell at the centre cell. */
 static void balance(splash *h)
 {
     int64_t hats = 0, bells = 0;
@@ -89,8 +91,9 @@ static void balance(splash *h)
     TP_ASSERT(h->ratio >= -(int64_t)2 * TP_Q30_ONE && h->ratio <= TP_Q30_ONE);
 }
 
-/* Adds the hat; returns the sum of what was added.  The bell's mean s is below 3 however
- * walls lie, so |hat - ratio bell| < 4 and a product by the peak is below 2^62. */
+/* Adds the hat to the cells.  Returns the sum of the added heights.  The mean s of
+ * the bell is below 3 for any walls: |hat - ratio bell| < 4, and a product by the
+ * peak is below 2^62. */
 static int64_t add_hat(const splash *h, int32_t peak)
 {
     const int64_t half = (int64_t)1 << 29;
@@ -112,7 +115,8 @@ static int64_t add_hat(const splash *h, int32_t peak)
     return sum;
 }
 
-/* Takes `sum` away again from the window's cells, no more than `share` from each. */
+/* Subtracts `sum` from the cells of the window, at most `share` from each.
+ * Returns the rest. */
 static int64_t take(const splash *h, int64_t sum, int64_t share)
 {
     for (int32_t y = 0; y < h->rows; y++) {
@@ -124,7 +128,7 @@ static int64_t take(const splash *h, int64_t sum, int64_t share)
     return sum;
 }
 
-/* All cells, whatever their distance. */
+/* Extends the window to all cells, at any distance. */
 static void widen(splash *h)
 {
     h->col = h->row = 0;
@@ -134,8 +138,9 @@ static void widen(splash *h)
     h->square_max = INT64_MAX;
 }
 
-/* The columns (or rows) from `middle` - reach to `middle` + reach: those of the field,
- * or, tiled, each once. */
+/* Finds the columns (or rows) from `middle` - reach to `middle` + reach.  A field that
+ * is not tiled clips the window; in a tiled field each column appears once.  Returns
+ * the first column. */
 static int32_t window(int32_t middle, int32_t reach, uint32_t cells, bool tiled,
                       int32_t *count)
 {
@@ -159,8 +164,8 @@ void tp_pool_splash(tp_pool *pool, uint64_t u, uint64_t w, tp_fx sigma, int32_t 
     TP_ASSERT(peak >= -tp_pool_full(pool) && peak <= tp_pool_full(pool));
     const bool tiled = pool->edges == TP_EDGES_TILE;
     const int64_t wide = tp_clamp(sigma, TP_FX(1.5), TP_FX(128));
-    const int64_t sigma2 = wide * wide >> 16;               /* 16.16 */
-    const int32_t reach = (int32_t)(5 * wide >> 16) + 1;    /* sqrt(24) sigma */
+    const int64_t sigma2 = wide * wide >> 16;               /* sigma^2 in 16.16 */
+    const int32_t reach = (int32_t)(5 * wide >> 16) + 1;    /* sqrt(24) sigma < 5 sigma */
     splash h = { .pool = pool, .u = (int64_t)(u >> 24), .w = (int64_t)(w >> 24),
                  .over = ((int64_t)1 << 55) / sigma2, .square_max = 24 * sigma2 };
 
@@ -190,7 +195,8 @@ bool tp_pool_hat(tp_pool *pool, tp_fx x, tp_fx z, tp_fx sigma, tp_fx height)
     return true;
 }
 
-/* metres x full / range, halves up; Q8.24 is 256 times as fine as 16.16. */
+/* Returns metres x full / range, rounded to nearest, halves up.  A 32-bit cell is Q8.24:
+ * 256 times as fine as 16.16. */
 int32_t tp_pool_lsb(const tp_pool *pool, tp_fx metres)
 {
     const int64_t full = tp_pool_full(pool);

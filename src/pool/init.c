@@ -1,9 +1,10 @@
 /* SPDX-License-Identifier: MIT */
-/* A pool's config: whether it can be used, how it lies in its block, and still water.
+/* Check of a pool's config, layout of its memory block, and set-up of still water.
  *
- * The sponge of [C15]: in its outer W cells, d cells from the edge, a cell loses
- * delta = dmax ((W - d) / W)^2 of its motion a tick, rounded to a power of 2 and no less
- * than the field's own.  dmax = 8 / W, at most 1/2: the two measured sponges of [C15]. */
+ * The sponge of [C15] covers the outer W cells.  At d cells from the edge a cell loses
+ * delta = dmax ((W - d) / W)^2 of its motion per tick, rounded to a power of 2 and at least
+ * the damping of the field.  dmax = 8 / W, at most 1/2: the two measured sponges of
+ * [C15]. */
 #include "base/fail.h"
 #include "pool/pool.h"
 #include "base/base.h"
@@ -14,15 +15,17 @@ static bool within(int64_t x, int64_t low, int64_t high)
     return x >= low && x <= high;
 }
 
-/* [C9]: 1024 (1 - 1 / (2 - delta)) / 2 = 512 (2^m - 1) / (2^(m+1) - 1), rounded down. */
+/* The largest stable r^2 of [C9] in 1/1024, rounded down: 1024 (1 - 1 / (2 - delta)) / 2 =
+ * 512 (2^m - 1) / (2^(m+1) - 1). */
 static uint32_t r2q_bound(uint32_t damping)
 {
     return 512 * ((1u << damping) - 1) / ((2u << damping) - 1);
 }
 
-/* Each S is off by what is carried on less what was carried here, 1/6 in the mean square,
- * half of which is its energy; damping takes 2^-m of the energy of waves of rms h, r^2 / 2
- * x 4 h^2: so h^2 = 2^m / 24 r^2.  52 bits at the most. */
+/* Each S has an error: the outgoing carry less the incoming carry, of mean square 1/6.
+ * Half of the mean square is energy added per tick.  Damping removes 2^-m of the
+ * energy of waves of rms h, r^2 / 2 x 4 h^2.  Both are equal at h^2 = 2^m / (24 r^2).
+ * 52 bits at the most. */
 tp_fx tp_pool_noise(tp_fx courant, uint32_t damping)
 {
     const uint32_t r2q = tp_pool_r2q_of(courant), m = damping < 10 ? damping : 10;
@@ -59,8 +62,8 @@ static tp_status check_size(const tp_pool_config *c, tp_error *err)
                           good_cols ? "rows" : "cols");
 }
 
-/* The sentence has both to three places: what is refused is 0.491 or more, at most 0.8,
- * and rounds to more than the bound does, which is cut. */
+/* The message prints both numbers to three places.  A refused Courant number is 0.491 to
+ * 0.8.  Its rounded value is always above the printed bound, which is rounded down. */
 static tp_status check_courant(const tp_pool_config *c, tp_error *err)
 {
     const uint32_t bound = r2q_bound(c->damping);
@@ -92,7 +95,8 @@ tp_status tp_pool_check(const tp_pool_config *config, tp_error *err)
     return TP_OK;
 }
 
-/* At most 3 MiB of cells: offsets fit 32 bits.  Each part begins at a multiple of 4. */
+/* Reserves `size` bytes and returns their offset, or 0 if size is 0.  A pool has at most 3
+ * MiB of cells: offsets fit 32 bits.  Each part begins at a multiple of 4. */
 static uint32_t part(uint32_t *bytes, uint32_t size)
 {
     const uint32_t at = *bytes;
@@ -125,7 +129,7 @@ size_t tp_pool_bytes(const tp_pool_config *config)
     return tp_pool_check(config, NULL) == TP_OK ? tp_pool_lay_out(config).bytes : 0;
 }
 
-/* num / den as q / 2^shift, 2^29 <= q <= 2^30; num < 2^47, 0 < den < 2^34. */
+/* Returns q with num / den = q / 2^shift, 2^29 <= q <= 2^30; num < 2^47, 0 < den < 2^34. */
 static int32_t ratio(uint64_t num, uint64_t den, int32_t *shift)
 {
     TP_ASSERT(num >> 47 == 0 && den > 0 && den >> 34 == 0);
@@ -137,7 +141,9 @@ static int32_t ratio(uint64_t num, uint64_t den, int32_t *shift)
     return (int32_t)((num + den / 2) / den);
 }
 
-/* A fine height (see sample.c) in metres, 16.16: range over full range, 2^-8 of Q8.24. */
+/* Sets the factor from a fine height (see fine.h) to metres in 16.16: range / full
+ * range for 8 and 16 bits, 2^-8 for Q8.24; then the factor from a difference over two
+ * cells to a slope. */
 static void set_units(tp_pool *pool)
 {
     int32_t shift;
@@ -153,7 +159,7 @@ static void set_units(tp_pool *pool)
     pool->slope_shift = pool->unit_shift + shift - 16;
 }
 
-/* 2^64 / n, n > 1, rounded down. */
+/* Returns 2^64 / n, n > 1, rounded down. */
 static uint64_t turns_over(uint64_t n)
 {
     TP_ASSERT(n > 1);

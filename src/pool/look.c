@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Single cells of a pool: read, changed, looked over; and the gear that a change asks
- * for. */
+/* Access to single cells, statistics of all cells, the step of a pool, and the choice of
+ * the rounding mode (gear) after a change. */
 #include "base/assert.h"
 #include "pool/pool.h"
 
@@ -47,8 +47,9 @@ bool tp_pool_wall(const tp_pool *pool, uint32_t col, uint32_t row)
     return !has_cell(pool, col, row) || tp_pool_is_wall(pool, row * pool->cols + col);
 }
 
-/* The velocity is kept, so the height before the last step moves along: both it and the
- * height stay in the range, as [C5] and heights between two steps need [C11]. */
+/* The velocity is kept: the height before the last step changes by the same amount.  Both
+ * heights stay in the range, as [C5] and the interpolation between two steps require
+ * [C11]. */
 int32_t tp_pool_add(tp_pool *pool, uint32_t col, uint32_t row, int32_t lsb)
 {
     if (tp_pool_wall(pool, col, row))
@@ -69,8 +70,8 @@ int32_t tp_pool_add(tp_pool *pool, uint32_t col, uint32_t row, int32_t lsb)
     return added;
 }
 
-/* ln x in Q4.28 for 1 <= x < 2^16: the digits of its binary logarithm, each by squaring
- * what is left of x, then times ln 2. */
+/* Returns ln x in Q4.28 for 1 <= x < 2^16.  Computes the digits of the binary logarithm by
+ * repeated squaring, then multiplies by ln 2. */
 static uint64_t log_of(uint32_t x)
 {
     TP_ASSERT(x > 0 && x < 1u << 16);
@@ -86,8 +87,9 @@ static uint64_t log_of(uint32_t x)
     return digits * ln2 >> 32;
 }
 
-/* Takes `part` of a height and a velocity from a cell as far as both it and the height
- * before its last step stay in the range. */
+/* Subtracts `h_part` and `v_part` from the height and the velocity of a cell.  Skips
+ * a wall, and a cell whose velocity, height, or height before the last step would
+ * leave the range. */
 static void take(tp_pool *pool, uint32_t i, int64_t *h, int64_t *v, int64_t h_part,
                  int64_t v_part)
 {
@@ -109,10 +111,11 @@ static void take(tp_pool *pool, uint32_t i, int64_t *h, int64_t *v, int64_t h_pa
             (tp_pool_pair_16){ (int16_t)next, (int16_t)now };
 }
 
-/* Takes the sums of heights and of velocities to 0: gear B, which cuts, leaves a sum of
- * velocities that gear A would keep for 2^m ticks, and the water would rise by it.  Measured
- * with hats of 20 LSB, each as gear B begins: the mean reached 90 of 127 and 452 of 32767
- * LSB at m = 10 without this, 0.97 and 1.19 with it. */
+/* Brings the sums of heights and of velocities to 0.  Gear B truncates and leaves a
+ * sum of velocities.  Gear A would keep this sum for 2^m ticks, and the water level
+ * would rise.  Measured with splashes of 20 LSB, each at the moment when gear B
+ * begins, at m = 10: without this function the mean reached 90 of 127 and 452 of 32767
+ * LSB, with it 0.97 and 1.19. */
 static void level(tp_pool *pool)
 {
     const uint32_t count = tp_pool_count(pool);
@@ -129,8 +132,8 @@ static void level(tp_pool *pool)
         take(pool, i, &h, &v, (h > 0) - (h < 0), (v > 0) - (v < 0));
 }
 
-/* TA = ceil(2^(m+1) ln(A / 8)) [C11].  A wave that is still high keeps its longer
- * time. */
+/* Runs gear A for TA = ceil(2^(m+1) ln(A / 8)) ticks [C11].  An earlier, higher wave keeps
+ * its longer time. */
 void tp_pool_stirred(tp_pool *pool, int32_t peak_lsb)
 {
     const int32_t full = tp_pool_full(pool);

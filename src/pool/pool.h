@@ -1,12 +1,13 @@
 /* SPDX-License-Identifier: MIT */
-/* The pool: water as a damped automaton on a grid of cells, [C1]-[C18] of the models.
+/* The pool: water as a damped cellular automaton on a grid, [C1]-[C18] of the models.
  *
- * Three kinds of cell behind one interface.  8 and 16 bits: height and velocity, rounded
- * by two gears, so that ripples travel far and the water still comes to exact rest.
- * 32 bits: height and two fluxes through the cell's edges, so that no volume is lost at
- * any step.  All are bounded, come to exact rest and do not drift.
+ * Three kinds of cell share one interface.  A cell of 8 or 16 bits stores height and
+ * velocity.  Its steps use two rounding modes, called gears: gear A lets ripples travel
+ * far, gear B brings the water to exact rest.  A cell of 32 bits stores its height and two
+ * fluxes through its edges: no volume is lost at any step.  All three kinds are bounded,
+ * come to exact rest and do not drift.
  *
- * A pool is one block without pointers: copying its bytes is a snapshot. */
+ * A pool is one block without pointers: a copy of its bytes is a snapshot. */
 #ifndef TP_POOL_POOL_H
 #define TP_POOL_POOL_H
 #include <stdbool.h>
@@ -20,143 +21,152 @@ typedef struct {
     uint32_t cols, rows;    /* cells along x and z, 16..512 */
     tp_cells cells;
     tp_edges edges;
-    tp_fx    courant;       /* r = wave speed x tick / cell, 0.05 to 0.49 and by the
-                             * damping a little more: see tp_pool_check */
-    uint32_t damping;       /* m, 4..10: 2^-m of the motion goes each tick */
-    uint32_t sponge;        /* cells, 4..64, of TP_EDGES_SPONGE */
-    tp_fx    range;         /* m at the full range of 8- and 16-bit cells, 0.01..64;
-                             * 32-bit cells are Q8.24 metres and ignore it */
-    tp_fx    cell;          /* m, side of a cell, 0.01..50 */
-    tp_fx    x, z;          /* m, the centre of the field */
-    tp_fx    feed_low, feed_high;   /* m: the band in which feeding holds the rms of the
-                                     * heights [C16]; 0, 0: it is not fed */
-    tp_fx    feed;          /* m: height of an injection */
-    const tp_grey *mask;    /* laid over all cells: darker than half is wall; or NULL */
+    tp_fx    courant;       /* Courant number r = wave speed x tick / cell, 0.05 to 0.49;
+                             * the exact bound depends on the damping, see tp_pool_check */
+    uint32_t damping;       /* m, 4..10: 2^-m of the motion is lost each tick */
+    uint32_t sponge;        /* width in cells, 4..64; for TP_EDGES_SPONGE */
+    tp_fx    range;         /* height at the full range of 8- and 16-bit cells, m, 0.01..64;
+                             * 32-bit cells are Q8.24 metres and ignore `range` */
+    tp_fx    cell;          /* side of a cell, m, 0.01..50 */
+    tp_fx    x, z;          /* centre of the field, m */
+    tp_fx    feed_low, feed_high;   /* band of the rms height, m; splashes keep the rms
+                                     * inside [C16]; 0, 0: no splashes */
+    tp_fx    feed;          /* height of an injected splash, m */
+    const tp_grey *mask;    /* stretched over all cells: darker than half is wall; or
+                             * NULL */
 } tp_pool_config;
 
-/* Private: read by the functions below.  Cells of 8 or 16 bits follow this head as pairs
- * of height and velocity; of 32 bits as heights, then fluxes to the right, then fluxes
- * down; then, where the config needs them, walls, sponge and rows of work. */
+/* Private: read by the functions below.  The cells follow this head.  Cells of 8 or 16
+ * bits are pairs of height and velocity.  Cells of 32 bits are all heights, then all
+ * fluxes to the right, then all fluxes down.  Walls, sponge and scratch rows follow where
+ * the config needs them. */
 typedef struct {
     uint32_t cols, rows;
     uint32_t cells, edges;          /* tp_cells, tp_edges */
     uint32_t r2q;                   /* 1024 r^2, rounded */
-    uint32_t damping;               /* m */
+    uint32_t damping;               /* damping exponent m */
     tp_fx    range, cell, x, z;
-    uint64_t turns_x, turns_z;      /* 2^64 / (cells x cell): a field is one turn */
-    int32_t  unit_q, unit_shift;    /* metres (16.16) of a fine height, see sample.c */
-    int32_t  slope_q, slope_shift;  /* slope of a fine height over two cells */
+    uint64_t turns_x, turns_z;      /* 2^64 / (cells x cell): the field is one turn */
+    int32_t  unit_q, unit_shift;    /* fine height (fine.h) to metres, 16.16: factor */
+    int32_t  slope_q, slope_shift;  /* factor from a difference over two cells to a slope */
     tp_fx    feed_low, feed_high, feed;
-    int32_t  feed_peak;             /* LSB of an injection, raised as [C16] says */
-    uint32_t feed_ticks, feed_hits; /* of the window in which injections are counted */
-    uint32_t random;                /* of the feed: a linear congruential sequence */
-    uint32_t injections;            /* of the feed, so far */
-    uint32_t gear;                  /* ticks that gear A will last; 0: gear B [C11] */
-    uint32_t at_rest;               /* nothing moves, or will without an injection */
+    int32_t  feed_peak;             /* height of an injection, LSB, adapted by [C16] */
+    uint32_t feed_ticks, feed_hits; /* of the current window: ticks, ticks with an
+                                     * injection */
+    uint32_t random;                /* state of the drive's random sequence */
+    uint32_t injections;            /* number of injections since init */
+    uint32_t gear;                  /* ticks left in gear A; 0: gear B [C11] */
+    uint32_t at_rest;               /* true: all is still until the next injection */
     uint32_t still;                 /* 32 bits: no flux in the last step */
-    uint32_t walls, sponge, work, first;    /* byte offsets from the head, 0: none */
+    uint32_t walls, sponge, work, first;    /* byte offsets from the head; 0: none */
     uint64_t tick;
 } tp_pool;
 
-/* Whether the config can be used: err says what is wrong, err->word is the field's name.
- * r^2 beyond the bound of [C9], (1 - 1/(2 - delta)) / 2 with delta = 2^-damping, is
- * refused: water would not come to rest, and soon would not be stable. */
+/* Checks a config.  On failure err describes the fault, and err->word is the name of the
+ * field.  r^2 beyond the bound of [C9], (1 - 1/(2 - delta)) / 2 with delta = 2^-damping, is
+ * refused: the water would not come to rest, and little beyond would become unstable. */
 tp_status tp_pool_check(const tp_pool_config *config, tp_error *err);
 
-/* What the roundings of 8- and 16-bit cells leave in water that moves [C8]: the rms of
- * its heights in LSB, 16.16,
- *     sqrt(2^damping / 24) / courant,
- * where the error that a cell passes on feeds a wave as fast as damping takes from it.
- * Measured are 0.7 to 0.95 of this for courant from 0.3 on, and up to 3 times as much
- * where a small one and strong damping keep roundings from averaging.  With 8 bits it is
- * below 16 LSB, an eighth of their range, for courant above 0.0128 2^(damping / 2): 0.05
- * at damping 4, 0.41 at 10.  Below that waves drown in it, but all else holds: nothing
- * leaves the range, and the water comes to rest.
+/* Returns the rounding noise of 8- and 16-bit cells in moving water [C8]: the rms of the
+ * heights in LSB, 16.16,
+ *     sqrt(2^damping / 24) / courant.
+ * At this level the rounding errors feed waves as fast as the damping drains waves.
+ * Measured noise is 0.7 to 0.95 of the formula for courant from 0.3 on.  It is up to 3
+ * times the formula for a small courant with strong damping, where rounding errors do not
+ * average out.  With 8 bits the noise is below 16 LSB, an eighth of the range, for courant
+ * above 0.0128 2^(damping / 2): 0.05 at damping 4, 0.41 at 10.  With a smaller courant
+ * waves drown in the noise.  All other properties still hold: nothing leaves the range, and
+ * the water comes to rest.
  *
- * One wave may also repeat its roundings, and does not swing any more once its height has
- * come down to 1 / (2 courant^2 k) LSB, k radians a cell [C14].  All together a wave that
- * begins with the height A is off by an rms of at most
+ * A single wave may also repeat its roundings.  It then stops swinging when its height has
+ * fallen to 1 / (2 courant^2 k) LSB, k in radians per cell [C14].  In total a wave of
+ * initial height A has an rms error of at most
  *     1 + 8 x that noise + the lesser of 2 A and 1 / (courant^2 k)  LSB
- * in its first 400 ticks, and by twice as much in a corner, where it meets its images: of
- * 150,000 random waves the worst had 0.88 of that.  Later this is no bound.  Over 6000
- * ticks of gear A all of 5600 random waves of 8 bits kept it, the worst with 0.88; of
- * 17,000 of 16 bits with a courant up to 0.31 one in 140 passed it, the worst by 4.0
- * times, which was 2.3 % of the range. */
+ * in its first 400 ticks, and of twice as much in a corner, where the wave meets its mirror
+ * images: of 150,000 random waves the worst had 0.88 of the bound.  After 400 ticks the
+ * formula is no bound.  Over 6000 ticks of gear A all of 5600 random waves of 8 bits kept
+ * the bound, the worst with 0.88.  Of 17,000 waves of 16 bits with a courant up to 0.31 one
+ * in 140 exceeded the bound, the worst by 4.0 times, an error of 2.3 % of the range. */
 tp_fx tp_pool_noise(tp_fx courant, uint32_t damping);
 
-/* Of the block, aligned to 8; 0 if the config cannot be used. */
+/* Returns the size of the block in bytes; the block must be aligned to 8.  Returns 0 if the
+ * config is not valid. */
 size_t tp_pool_bytes(const tp_pool_config *config);
 
-/* Still water, in tp_pool_bytes() bytes; errors as tp_pool_check, and TP_E_NULL or
- * TP_E_ALIGN of the block.  `mask` is read now and
- * not kept. */
+/* Makes still water in a block of tp_pool_bytes() bytes.  Errors: as tp_pool_check, and
+ * TP_E_NULL or TP_E_ALIGN for the block.  `mask` is read now and not kept. */
 tp_status tp_pool_init(tp_pool *pool, const tp_pool_config *config, tp_error *err);
 
-/* Takes what of a config may change while the water moves: courant, damping, place and
- * feed.  False, and nothing is done: it cannot be used, or is that of another block. */
+/* Applies the fields of a config that may change while the water moves: courant, damping,
+ * sponge width, position and drive.  Returns false and changes nothing if the config is not
+ * valid or describes another block. */
 bool tp_pool_tune(tp_pool *pool, const tp_pool_config *config);
 
-/* One tick.  Accepts any r2q that was set by hand: charts show what happens beyond. */
+/* Computes one tick.  Accepts an r2q beyond the bound, set by hand: charts show the
+ * result. */
 void tp_pool_step(tp_pool *pool);
 
-/* Height and slopes above any place (x, z) of the world, bilinear between cells' centres;
- * 0 outside of a field that is not tiled and in walls.  `back`, 0..1 (16.16): so much of a
- * tick ago.  A cell's slope is that of its two neighbours [A6], so slopes are continuous
- * as well; walls mirror. */
+/* Returns height and slopes at a point (x, z) of the world, by bilinear interpolation
+ * between cell centres; 0 inside walls, and outside of a field that is not tiled.
+ * `back`, 0..1 (16.16), is the fraction of a tick to look into the past.  The slope of
+ * a cell is the central difference of its two neighbours [A6]; slopes are continuous
+ * too.  Walls mirror. */
 tp_relief tp_pool_relief(const tp_pool *pool, tp_fx x, tp_fx z, tp_fx back);
 
-/* A zero-sum hat [C11] [D5]: `height` m in the middle, width sigma m (at least 1.5
- * cells).  What falls into walls or outside is not lost: the rest is balanced again.
- * False: its middle lies outside, or in a wall. */
+/* Makes a splash of zero sum [C11] [D5]: `height` m in the middle, width sigma m (at least
+ * 1.5 cells).  A part inside walls or outside of the field is left out, and the rest is
+ * balanced to sum 0 again.  Returns false if the middle lies outside or in a wall. */
 bool tp_pool_hat(tp_pool *pool, tp_fx x, tp_fx z, tp_fx sigma, tp_fx height);
 
-/* The cell at a place; false: none, or wall. */
+/* Finds the cell at a point.  Returns false outside of the field or in a wall. */
 bool tp_pool_cell(const tp_pool *pool, tp_fx x, tp_fx z, uint32_t *col, uint32_t *row);
 
-/* Adds to one cell's height, in its own LSB; returns what fitted.  Whoever adds keeps the
- * sum at zero, and calls tp_pool_stirred with the highest of what it added. */
+/* tp_pool_add adds to the height of one cell, in LSB of the cell, and returns the part that
+ * fitted.  The caller keeps the sum of all additions at zero, then calls tp_pool_stirred
+ * with the highest addition. */
 int32_t tp_pool_add(tp_pool *pool, uint32_t col, uint32_t row, int32_t lsb);
 void    tp_pool_stirred(tp_pool *pool, int32_t peak_lsb);
 int32_t tp_pool_lsb(const tp_pool *pool, tp_fx metres);     /* rounded to nearest */
 
-/* No water stands higher or lower, m. */
+/* Returns a bound of |height| of the water, m. */
 tp_fx tp_pool_highest(const tp_pool *pool);
 
-/* Cells as they are: height and velocity of the last step in LSB; walls are 0. */
+/* Stored state of a cell: height and velocity of the last step in LSB; 0 in walls. */
 int32_t tp_pool_height(const tp_pool *pool, uint32_t col, uint32_t row);
 int32_t tp_pool_velocity(const tp_pool *pool, uint32_t col, uint32_t row);
 bool    tp_pool_wall(const tp_pool *pool, uint32_t col, uint32_t row);
 
 typedef struct {
-    int64_t  sum;           /* of all heights, LSB */
-    int32_t  highest;       /* largest |height| and |velocity|, LSB */
+    int64_t  sum;           /* sum of all heights, LSB */
+    int32_t  highest;       /* highest, fastest: largest |height| and |velocity|, LSB */
     int32_t  fastest;
     bool     at_rest;
 } tp_pool_state;
 tp_pool_state tp_pool_look(const tp_pool *pool);
 
-/* -- inside ------------------------------------------------------------------------------ */
+/* -- private to src/pool ------------------------------------------------------------- */
 
-/* Inside the pool: where things lie in its block, and what its files share.
+/* Layout of the block, and functions shared by the files of the pool.
  *
- * A walls byte of a cell says to which neighbours water can go, tiling included; a wall's
- * own byte has none of them.  Heights, velocities and fluxes of walls are always 0. */
+ * The walls byte of a cell has a bit for each open neighbour, also across the edge of a
+ * tiled field.  The byte of a wall cell has none of these bits.  Heights, velocities and
+ * fluxes of walls are always 0. */
 
 enum { TP_OPEN_LEFT = 1, TP_OPEN_RIGHT = 2, TP_OPEN_UP = 4, TP_OPEN_DOWN = 8,
        TP_WALL = 16 };
 
-/* Cells of 8 and 16 bits. */
+/* Cells of 8 and 16 bits: height h and velocity v. */
 typedef struct { int8_t h, v; } tp_pool_pair_8;
 typedef struct { int16_t h, v; } tp_pool_pair_16;
 
-/* Full range of a height, either way.  Of 32 bits it is 64 m: differences of two heights,
- * and so everything in a step, fit 32 bits. */
+/* Largest |height| in LSB.  For 32 bits it is 64 m: differences of two heights, and all
+ * other numbers of a step, fit 32 bits. */
 enum { TP_FULL_8 = 127, TP_FULL_16 = 32767, TP_FULL_32 = (1 << 30) - 1 };
 
-/* Ticks in which the feed counts its injections [C16]. */
+/* Length of the window in which the drive counts its injections, ticks [C16]. */
 enum { TP_FEED_WINDOW = 64 };
 
-/* Steps take no larger r2q, so that no product of theirs overflows: r = 0.865. */
+/* Largest r2q of a step (r = 0.865): no product of a step overflows. */
 enum { TP_R2Q_MAX = 767 };
 
 static inline int32_t tp_pool_full(const tp_pool *pool)
@@ -170,7 +180,7 @@ static inline uint32_t tp_pool_count(const tp_pool *pool)
     return pool->cols * pool->rows;
 }
 
-/* Of the block, `bytes` from its head. */
+/* Address at an offset in bytes from the head of the block. */
 static inline void *tp_pool_at(tp_pool *pool, uint32_t bytes)
 {
     return (char *)pool + bytes;
@@ -187,7 +197,7 @@ static inline bool tp_pool_is_wall(const tp_pool *pool, uint32_t index)
     return pool->walls != 0 && (walls[index] & TP_WALL) != 0;
 }
 
-/* 1024 r^2; r < 1 here. */
+/* Returns 1024 r^2 for r < 1. */
 static inline uint32_t tp_pool_r2q_of(tp_fx courant)
 {
     return (uint32_t)(((uint64_t)courant * (uint64_t)courant * 1024 + (1u << 31)) >> 32);
@@ -198,27 +208,29 @@ static inline uint32_t tp_pool_r2q(const tp_pool *pool)
     return pool->r2q < TP_R2Q_MAX ? pool->r2q : TP_R2Q_MAX;
 }
 
-/* x 2^n, for n >= 0 and results in range. */
+/* Returns x 2^n, for n >= 0 and results in range. */
 static inline int32_t tp_pool_up(int32_t x, uint32_t n)
 {
     return (int32_t)((uint32_t)x << n);
 }
 
-/* How a config lies in its block; `bytes` is the whole. */
+/* Layout of the block of a config: offsets of the parts, and `bytes`, the total size. */
 typedef struct { uint32_t walls, sponge, work, first, bytes; } tp_pool_layout;
 tp_pool_layout tp_pool_lay_out(const tp_pool_config *config);
 
-/* Walls of `mask` (may be NULL) and of the edges, into a block whose sizes are set. */
+/* Marks the walls of `mask` (may be NULL) and of the edges.  The sizes must already be
+ * set. */
 void tp_pool_set_walls(tp_pool *pool, const tp_grey *mask);
-/* One damping for each column, then for each row; a cell has the smaller of its two. */
+/* Sets one damping exponent per column and per row; a cell has the smaller of its two. */
 void tp_pool_set_sponge(tp_pool *pool, uint32_t width);
 
-/* Height of a cell that is in the field, as stored. */
+/* Returns the stored height of a cell inside the field. */
 int32_t tp_pool_height_at(const tp_pool *pool, uint32_t index);
 
-/* Of 32-bit cells: what flowed into a cell in the last step less what flowed out.  Fluxes
- * through walls are 0, those beyond the field too unless it is tiled: neighbours may
- * wrap.  H and what it was before are within 2^30, so the sum fits (see flux.c). */
+/* For 32-bit cells: returns the inflow of a cell in the last step less its outflow.  Fluxes
+ * through walls are 0, and so are fluxes across the edge of a field that is not tiled: the
+ * neighbour index may wrap.  H and the height before the step are within 2^30; the sum fits
+ * 32 bits (see flux.c). */
 static inline int32_t tp_pool_gain(const tp_pool *pool, uint32_t col, uint32_t row)
 {
     const uint32_t cols = pool->cols, count = tp_pool_count(pool);
@@ -231,33 +243,34 @@ static inline int32_t tp_pool_gain(const tp_pool *pool, uint32_t col, uint32_t r
     return right[left] - right[here] + down[up] - down[here];
 }
 
-/* Where a place lies: in cells from the field's corner, Q32.32.  False: outside. */
+/* Converts a point to cells from the corner of the field, Q32.32.  Returns false
+ * outside. */
 bool tp_pool_place(const tp_pool *pool, tp_fx x, tp_fx z, uint64_t *u, uint64_t *w);
 
-/* The hat around (u, w), Q32.32 in cells and inside the field, no wall; sigma in cells,
- * 16.16, of which less than 1.5 is 1.5 and more than 128 is 128; peak within the
- * range. */
+/* Makes a splash around (u, w), Q32.32 in cells, inside the field and not in a wall.  sigma
+ * is in cells, 16.16, clamped to 1.5..128.  |peak| is within the range, in LSB. */
 void tp_pool_splash(tp_pool *pool, uint64_t u, uint64_t w, tp_fx sigma, int32_t peak);
 
-/* dy/dx and dy/dz, Q3.12, held within 4. */
+/* Slopes dy/dx and dy/dz, Q3.12, clamped to +-4. */
 typedef struct { int16_t x, z; } tp_pool_slope;
 
-/* Slopes at all cells' centres, `gain` times, `back` of a tick ago, and one more all
- * round, wrapped or mirrored: (rows + 2) x (cols + 2), so that bilinear sampling needs no
- * edges.  Between them they give tp_pool_relief's slopes, but that within walls they fade
- * over a cell. */
+/* Writes the slopes at all cell centres times `gain`, at `back` of a tick in the past.  A
+ * border of one cell all round is wrapped or mirrored: the table has (rows + 2) x (cols +
+ * 2) entries, and bilinear sampling needs no special case at the edges.  Sampled slopes
+ * equal the slopes of tp_pool_relief, except inside walls: there the sampled slopes fade
+ * out over one cell. */
 void tp_pool_slopes(const tp_pool *pool, tp_fx back, tp_fx gain, tp_pool_slope *to);
 
-/* Whether a pool whose bytes come from outside can be stepped and read: what follows from
- * the config equals `fresh`'s, a pool of the same config in the same room; cells and
- * fluxes are in the ranges that steps keep, walls are still. */
+/* True if a pool from outside of the program is safe to step and read.  All fields derived
+ * from the config must equal the fields of `fresh`, a pool of the same config.  Cells and
+ * fluxes must be in the ranges kept by steps, and walls must be still. */
 bool tp_pool_is_valid(const tp_pool *pool, const tp_pool *fresh);
 
-/* One step of all cells, of each kind. */
+/* One step of all cells, for each kind of cell. */
 void tp_pool_step_8(tp_pool *pool);
 void tp_pool_step_16(tp_pool *pool);
 void tp_pool_step_32(tp_pool *pool);
 
-/* Before a step: injects if the water has become too quiet [C16]. */
+/* Injects a splash before a step if the water is too quiet [C16]. */
 void tp_pool_feed(tp_pool *pool);
 #endif

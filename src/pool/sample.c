@@ -1,13 +1,14 @@
 /* SPDX-License-Identifier: MIT */
-/* The pool's surface between its cells, and between its ticks: a cell's slope is half the
- * difference of its two neighbours [A6]; heights and slopes are then bilinear in the four
- * cells around. */
+/* The surface of a pool between its cells and between its ticks.  The slope of a cell is
+ * the central difference of its two neighbours [A6].  Heights and slopes are interpolated
+ * bilinearly from the four cells around a point. */
 #include "base/assert.h"
 #include "pool/fine.h"
 
-/* The field is one turn: what lies beyond of a tiled one wraps for free.  turns_x is
- * rounded down, so inside of an untiled one the product stays within half a turn; the far
- * edge itself is the last place of the last cell. */
+/* Converts a coordinate to cells.  The field is one turn of 2^64: points beyond a
+ * tiled field wrap at no cost.  `turns` is rounded down: inside a field that is not
+ * tiled the product stays within half a turn.  The far edge itself counts as the last
+ * position in the last cell. */
 static bool place_along(const tp_pool *pool, int64_t from_centre, uint64_t turns,
                         uint32_t cells, uint64_t *u)
 {
@@ -39,7 +40,7 @@ bool tp_pool_cell(const tp_pool *pool, tp_fx x, tp_fx z, uint32_t *col, uint32_t
     return !tp_pool_is_wall(pool, *row * pool->cols + *col);
 }
 
-/* The same of any cells, in no hurry. */
+/* tp_pool_fine for any kind of cell; slower. */
 static int32_t fine_any(const tp_pool *pool, uint32_t col, uint32_t row, tp_fx back)
 {
     return tp_pool_fine(pool, col, row, row * pool->cols, back, (tp_cells)pool->cells, 1);
@@ -67,17 +68,17 @@ int32_t tp_pool_fine_or_wall(const tp_pool *pool, uint32_t col, uint32_t row, tp
     return open != 0 ? (int32_t)(sum / open) : inside;
 }
 
-/* The four columns and rows around a place; only those in the middle meet at corners. */
+/* The 4 x 4 cells around a point, without the four corner cells. */
 typedef struct {
     uint32_t col[4], row[4];
-    uint32_t s, t;              /* from col[1] to col[2], row[1] to row[2]; 16 bits */
+    uint32_t s, t;              /* fraction from col[1], row[1] on, 1/65536 */
     tp_fx    back;
 } patch;
 
-typedef struct { int32_t h[4][4]; } heights;    /* of a patch, by row and column */
+typedef struct { int32_t h[4][4]; } heights;    /* fine heights, [row][column] */
 
-/* Heights of row i, without corners if it is one of the edge; literals but for the first
- * three. */
+/* Collects the heights of row i.  `edge` leaves out the first and the last column, for rows
+ * 0 and 3.  i, edge, cells and moves are literals. */
 TP_ALWAYS_INLINE void gather_row(const tp_pool *pool, const patch *p, heights *to, int i,
                                  int edge, tp_cells cells, int moves)
 {
@@ -104,7 +105,7 @@ X(now_8, TP_CELLS_8, 0) X(now_16, TP_CELLS_16, 0) X(now_32, TP_CELLS_32, 0)
 X(back_8, TP_CELLS_8, 1) X(back_16, TP_CELLS_16, 1) X(back_32, TP_CELLS_32, 1)
 #undef X
 
-/* Between walls: one small body for all cells. */
+/* Collects the heights of a pool with walls: one small function for all kinds of cell. */
 static void gather_walls(const tp_pool *pool, const patch *p, heights *to, uint32_t col,
                          uint32_t row)
 {
@@ -135,7 +136,8 @@ static void gather(const tp_pool *pool, const patch *p, heights *to)
         now_32(pool, p, to);
 }
 
-/* Columns (or rows) around u, and how far it lies from the second to the third. */
+/* Finds the four columns (or rows) around u.  Returns the position of u from the second to
+ * the third, in 1/65536. */
 static uint32_t around(uint64_t u, uint32_t cells, bool tiled, uint32_t at[4])
 {
     const int64_t from = (int64_t)u - ((int64_t)1 << 31);       /* centre of cell 0 */
@@ -154,7 +156,7 @@ static uint32_t around(uint64_t u, uint32_t cells, bool tiled, uint32_t at[4])
     return (uint32_t)(uint64_t)from >> 16;
 }
 
-/* a + (b - a) t, half up. */
+/* a + (b - a) t, rounded half up; t in 1/65536. */
 static int32_t between(int32_t a, int32_t b, uint32_t t)
 {
     return (int32_t)(a + ((((int64_t)b - a) * (int64_t)t + 0x8000) >> 16));
@@ -167,7 +169,8 @@ static tp_fx scaled(int32_t x, int32_t factor, int32_t shift)
 
 static tp_relief relief_of(const tp_pool *pool, const patch *p, const heights *of)
 {
-    int32_t across[4], down[4];     /* columns at the place's row; rows at its column */
+    int32_t across[4], down[4];     /* across: columns at the point's row; down:
+                                     * rows at its column */
 
     for (int n = 0; n < 4; n++) {
         across[n] = between(of->h[1][n], of->h[2][n], p->t);

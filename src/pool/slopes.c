@@ -1,17 +1,18 @@
 /* SPDX-License-Identifier: MIT */
-/* The slopes of all cells as a picture, for what samples them at every pixel: half the
- * difference of a cell's two neighbours [A6]. */
+/* The slopes of all cells as a table, for code that samples slopes at every pixel.  A slope
+ * is the central difference of the two neighbours of a cell [A6]. */
 #include "base/assert.h"
 #include "pool/fine.h"
 
-/* A row of the picture: which rows of cells lie at it, above and below. */
+/* One row of the table: the row of cells at its height, the row above (up)
+ * and below (down). */
 typedef struct {
     const tp_pool *pool;
     uint32_t row, up, down;
     tp_fx    back, gain;
 } line;
 
-/* 16.16 slopes are below 2^31 by far: 64 m over two cells of a centimetre are 2^27. */
+/* Slopes in 16.16 are far below 2^31: 64 m over two cells of a centimetre are 2^27. */
 static int16_t slope_of(const line *l, int32_t difference)
 {
     const tp_pool *const pool = l->pool;
@@ -21,7 +22,7 @@ static int16_t slope_of(const line *l, int32_t difference)
     return (int16_t)(held < -16383 ? -16383 : held > 16383 ? 16383 : held);
 }
 
-/* `cells` and `moves` are literals. */
+/* A row of a pool without walls.  `cells` and `moves` are literals. */
 TP_ALWAYS_INLINE void open_row(const line *l, tp_pool_slope *to, tp_cells cells, int moves)
 {
     const tp_pool *const pool = l->pool;
@@ -42,7 +43,8 @@ TP_ALWAYS_INLINE void open_row(const line *l, tp_pool_slope *to, tp_cells cells,
     }
 }
 
-/* Deep inside of walls all neighbours are 0, and so is the slope. */
+/* A row of a pool with walls.  Deep inside walls all neighbours are 0, and the slope is
+ * 0. */
 static void walled_row(const line *l, tp_pool_slope *to)
 {
     const tp_pool *const pool = l->pool;

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* A pool whose config changes while its water moves. */
+/* Changes of a pool's config while the water moves. */
 #include "pool/pool.h"
 
 static bool is_same_block(const tp_pool *pool, const tp_pool_config *c)
@@ -15,8 +15,8 @@ bool tp_pool_tune(tp_pool *pool, const tp_pool_config *config)
         return false;
     pool->r2q = tp_pool_r2q_of(config->courant);
     pool->damping = config->damping;
-    pool->range = config->range;        /* of 32-bit cells it may differ: they ignore it */
-    if (pool->sponge != 0)              /* none of its cells is damped less */
+    pool->range = config->range;        /* 32-bit cells ignore the range; it may differ */
+    if (pool->sponge != 0)              /* the sponge is never weaker than the field */
         tp_pool_set_sponge(pool, config->sponge);
     pool->x = config->x;
     pool->z = config->z;
@@ -28,8 +28,9 @@ bool tp_pool_tune(tp_pool *pool, const tp_pool_config *config)
     return true;
 }
 
-/* 8- and 16-bit cells are held to their range; 32-bit ones are looked at: a tick ago, or
- * between, water stood no higher than its height and what the tick added. */
+/* 8- and 16-bit cells are clamped to their range.  32-bit cells are searched.  At a time
+ * between the last two ticks the water stood no higher than the highest cell plus the
+ * largest change of the tick. */
 tp_fx tp_pool_highest(const tp_pool *pool)
 {
     if (pool->cells != TP_CELLS_32)

@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: MIT */
-/* The check of a pool that was stored outside of the program.
+/* Check of a pool that was stored outside of the program.
  *
- * Cells of 8 and 16 bits: a height, and what it was before its last step, lie within the
- * range [C5].  Cells of 32 bits: the same, and a flux is at most the half of it that one
- * giver can spare [C17]; where water cannot go there is none.  Steps lead from such cells
- * to such cells, and none of their sums leaves 32 bits. */
+ * Cells of 8 and 16 bits: the height and the height before the last step lie within the
+ * range [C5].  Cells of 32 bits: the same holds, and a flux is at most half of the range,
+ * the most that one giver can spare [C17].  A flux into a wall is 0.  A step leads from
+ * valid cells to valid cells, and none of its sums leaves 32 bits. */
 #include "pool/pool.h"
 #include "base/base.h"
 
@@ -13,7 +13,7 @@ static bool within(int64_t x, int64_t most)
     return x >= -most && x <= most;
 }
 
-/* All but what steps change. */
+/* Compares all fields of the head except the fields that steps change. */
 static bool is_same_config(const tp_pool *pool, const tp_pool *fresh)
 {
     tp_pool head = *fresh;
@@ -52,7 +52,7 @@ static bool are_gears_valid(const tp_pool *pool)
     return true;
 }
 
-/* Whether water can go from a cell that is no wall to the right, or down. */
+/* True if water can flow from a cell, not a wall, to the right (or down). */
 static bool goes(const tp_pool *pool, uint32_t col, uint32_t row, bool down)
 {
     const bool last = down ? row + 1 == pool->rows : col + 1 == pool->cols;

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT */
-/* Walls and the sponge of a pool, laid out once [C15]. */
+/* Walls and sponge of a pool, computed once at init [C15]. */
 #include "base/assert.h"
 #include "pool/pool.h"
 
-/* The mask is laid over all cells; a cell is what lies under its centre. */
+/* The mask is stretched over all cells; a cell takes the sample under its centre. */
 static bool is_dark(const tp_grey *mask, const tp_pool *pool, uint32_t x, uint32_t y)
 {
     const uint64_t col = (2 * x + 1) * (uint64_t)mask->cols / (2 * pool->cols);
@@ -11,11 +11,11 @@ static bool is_dark(const tp_grey *mask, const tp_pool *pool, uint32_t x, uint32
     return mask->sample[row * mask->cols + col] < 0x8000;
 }
 
-/* Whether water can go from a cell that is none of the walls to (x, y), which may lie one
- * beyond the field. */
+/* True if water can flow from an open cell to its neighbour (x, y).  The neighbour may lie
+ * one cell outside of the field. */
 static bool is_open(const tp_pool *pool, uint32_t x, uint32_t y)
 {
-    const bool beyond = x >= pool->cols || y >= pool->rows;     /* -1 wraps to many */
+    const bool beyond = x >= pool->cols || y >= pool->rows;     /* -1 wraps around */
 
     if (beyond && pool->edges != TP_EDGES_TILE)
         return false;
@@ -46,8 +46,9 @@ void tp_pool_set_walls(tp_pool *pool, const tp_grey *mask)
                 walls[y * pool->cols + x] = ways_from(pool, x, y);
 }
 
-/* The j >= 1 with 2^-j nearest to delta = 8 (W - d)^2 / (max(W, 16) W^2), as exponents
- * go: the first with delta^2 2^(2j+1) >= 1, at most `most`.  Below 2^52 either side. */
+/* Returns the j >= 1 with 2^-j nearest to delta = 8 (W - d)^2 / (max(W, 16) W^2), nearest
+ * in the exponent: the first j with delta^2 2^(2j+1) >= 1, at most `most`.  Both sides of
+ * the comparison are below 2^52. */
 static uint8_t sponge_at(uint32_t d, uint32_t width, uint32_t most)
 {
     const uint64_t least = width > 16 ? width : 16, w2 = width * width;
