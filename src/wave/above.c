@@ -1,25 +1,27 @@
 /* SPDX-License-Identifier: MIT */
-/* The surface above a place [E1]: p0 with P(p0) = p0 + d(p0) = p, by Newton's method.
+/* The surface above a point of the plane [E1]: finds the rest point p0 with P(p0) = p0 +
+ * d(p0) = p, by Newton's method.
  *
- * P is the gradient of |p0|^2/2 + sum (QA/k) sin th, whose Hessian is the Jacobian J of
- * [A9] with eigenvalues within 1 -+ q, q the sum of QkA: for q < 1 there is one root, and
- * it lies within the sea's reach of p, a box that the search never leaves.
+ * P is the gradient of |p0|^2/2 + sum (QA/k) sin th.  Its Hessian is the Jacobian J of [A9]
+ * with eigenvalues within 1 -+ q, q the sum of QkA.  For q < 1 there is one root.  The root
+ * lies within the sea's reach of p, in a box around p; the search never leaves the box.
  *
- * Newton's own step fails where one wave is long and steep and another far shorter than
- * the way still to go: the short one's slope here says nothing about the slope on that
- * way, where it comes to nothing on the average.  So in J each wave counts with the
- * weight 1 / (1 + 2 (k e)^2), e the error of the place: long waves are solved for first,
- * and the step becomes Newton's as e goes to 0.  On 20,000 legal seas at the clamp seven
- * of Newton's own, with plain steps where they failed, left up to 25 m; these, what the
- * rounding leaves. */
+ * A pure Newton step fails if one wave is long and steep, and another wave is far shorter
+ * than the distance left.  The local slope of the short wave says nothing about the slope
+ * along this distance, where the short wave averages out.  Each wave therefore counts in J
+ * with the weight 1 / (1 + 2 (k e)^2), e the present error in metres.  Long waves are
+ * solved first, and the step becomes Newton's as e goes to 0.  On 20,000 legal seas at the
+ * steepness clamp, seven pure Newton steps, with plain steps where Newton failed, left
+ * errors of up to 25 m; seven weighted steps leave rounding errors only. */
 #include "wave/wave.h"
 
-#define STEPS 7             /* and the point itself is the eighth evaluation */
-#define NEAR  2             /* LSB of x and z: what rounding the rest place leaves */
+#define STEPS 7             /* a last evaluation follows: eight in all */
+#define NEAR  2             /* LSB of x and z: the rounding error of a rest point */
 
 typedef struct { tp_fx x, z; } place;
 
-/* d(p0), and each swell's sine in Q8.24: 25 and 24 bits, so that sixteen products fit. */
+/* Returns the displacement d(p0), and the sine of each swell in Q8.24.  Factors have 25 and
+ * 24 bits: sixteen products fit 64 bits. */
 static place displacement(const tp_sea *sea, const tp_turn phases[TP_WAVES], place rest,
                           int32_t sine[TP_WAVES])
 {
@@ -38,9 +40,9 @@ static place displacement(const tp_sea *sea, const tp_turn phases[TP_WAVES], pla
     return (place){ (tp_fx)((x + half) >> 24), (tp_fx)((z + half) >> 24) };
 }
 
-/* 1 / (1 + 2 (k e)^2), 16.16, e in 16.16 below 2^11 m: with t = k e / 2 pi that is
- * 1 / (1 + 79 t^2).  34 and 27 bits make t; from 16 turns on the wave counts for nothing,
- * and 79 t^2 has 47 bits. */
+/* Returns the weight 1 / (1 + 2 (k e)^2) in 16.16 for an error e in 16.16 below 2^11 m.
+ * With t = k e / 2 pi the weight is 1 / (1 + 79 t^2).  34 and 27 bits make t.  From 16
+ * turns on the wave counts for almost nothing, and 79 t^2 has 47 bits. */
 static uint32_t weight_of(const tp_swell *w, uint32_t error)
 {
     uint64_t t = w->turns * error >> 32;
@@ -48,8 +50,8 @@ static uint32_t weight_of(const tp_swell *w, uint32_t error)
     return UINT32_MAX / (uint32_t)((1 << 16) + (79 * most * most >> 16));
 }
 
-/* The step that makes up for the error e = P(p0) - p: -e over the weighted J, Q4.28.  Its
- * eigenvalues are 0.05 or more, so det > 0.047; 27 and 30 bits make num. */
+/* Returns the step against the error e = P(p0) - p: -e over the weighted J, Q4.28.  The
+ * eigenvalues of J are 0.05 or more, and det > 0.047; 27 and 30 bits make the numerator. */
 static place step_from(const tp_sea *sea, const int32_t sine[TP_WAVES], place e)
 {
     uint32_t error = tp_isqrt64((uint64_t)((int64_t)e.x * e.x + (int64_t)e.z * e.z));
@@ -69,8 +71,8 @@ static place step_from(const tp_sea *sea, const int32_t sine[TP_WAVES], place e)
                     (tp_fx)tp_quotient(e.x * jxz - e.z * jxx, det) };
 }
 
-/* The box around p, as far as 16.16 goes: a whole 2^-16 more than the reach, for the
- * roundings of a place. */
+/* The box around p, clipped to the range of 16.16.  Its half side is the reach + 2^-16 m,
+ * for the rounding of a point. */
 typedef struct { place low, high; } box;
 
 static box box_around(const tp_sea *sea, tp_fx x, tp_fx z)
@@ -96,7 +98,7 @@ static bool is_near(tp_fx e)
     return (uint32_t)(e + NEAR) <= 2 * NEAR;
 }
 
-/* Within the box differences of places fit 32 bits. */
+/* Within the box the differences of coordinates fit 32 bits. */
 tp_sea_point tp_sea_above(const tp_sea *sea, const tp_turn phases[TP_WAVES],
                           tp_fx x, tp_fx z, tp_fx rest[2])
 {

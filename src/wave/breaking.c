@@ -1,11 +1,12 @@
 /* SPDX-License-Identifier: MIT */
 /* The shape of a breaking crest, [B16]-[B19] of the models.
  *
- * p is the phase from the lowest point on: below 0 the front face, above it the back,
- * half a turn the crest.  The crest is stretched along the tilt of its orbit, and its
- * top, the last third of a half turn in front and the last sixteenth behind, moves out
- * along an angle that falls from that tilt to 45 degrees below the level.  All is
- * continuous and has corners at the joints, as printed. */
+ * p is the phase counted from the lowest point of the orbit: p < 0 is the front face, p >
+ * 0 the back, +-half a turn the crest.  The crest is stretched along the tilt of its
+ * orbit.  The top of the crest is the last third of a turn in front and the last
+ * sixteenth of a turn behind.  The top also moves out along an angle that falls from the
+ * tilt to 45 degrees below horizontal.  All quantities are continuous, with kinks at the
+ * joints, as in the source. */
 #include "wave/ocean_tables.h"
 
 #define FRONT 715827883         /* pi / 3 as turns Q0.32 */
@@ -24,8 +25,9 @@ tp_turn tp_orbit_lowest(const tp_ellipse *orbit)
                          tp_q30_mul(orbit->up, orbit->cos));
 }
 
-/* How far the phase is on a ramp, Q30: 0 between the joints, 1 at the crest.  Turns in
- * front are a third long and those behind a sixteenth, so 3/4 and 4 make Q30 of Q32. */
+/* Returns the ramp of a phase, Q30: 0 between the joints, 1 at the crest.  The ramp in
+ * front is a third of a turn long, the ramp behind a sixteenth: factors 3/4 and 4
+ * convert Q32 to Q30. */
 static tp_q30 ramp_at(int32_t p)
 {
     if (p < -FRONT)
@@ -33,7 +35,7 @@ static tp_q30 ramp_at(int32_t p)
     return p > BACK ? (p - BACK) * 4 : 0;
 }
 
-/* (p / pi)^2 as Q30: |p| <= 2^31. */
+/* Returns (p / pi)^2 as Q30; |p| <= 2^31. */
 static tp_q30 square_of(int32_t p)
 {
     const uint64_t size = p < 0 ? 0u - (uint32_t)p : (uint32_t)p;

@@ -1,18 +1,20 @@
 /* SPDX-License-Identifier: MIT */
-/* The phase of a wave that comes in over a straight coast, [B8] and [B9] of the models:
- * the integral of sqrt(k(x)^2 - kz^2) towards the shore.  (k x with the local k, which is
- * not the same, has crests that run backwards.)
+/* The phase of a wave that comes in over a straight coast, [B8] and [B9] of the models: the
+ * integral of sqrt(k(x)^2 - kz^2) towards the shore.  The product k x with the local k is
+ * not the integral: its crests would run backwards.
  *
- * The table spans what is neither deep nor behind the beach; on both sides the wave
- * number is constant and the phase a straight line.  A node holds the phase and its rise,
- * so that cubics go between.  Nodes are a power of two apart: a lookup is a shift, not a
- * division.  They are L/16 apart at the most [B8], L the shortest there, and the depth
- * changes by half of the least at the most from one to the next.  With k growing as
- * h^-1/2 there, steps d and q = d slope / h <= 1/2, Simpson's error is k d q^4 6.6 / 2880
- * < 6e-5 rad and the cubic's k d q^3 1.9 / 384 < 3e-4 rad; both fall as fast as the depth
- * grows.  Of 16000 random phases the worst was off by 1.9e-4 rad.  What a wave that
- * grazes, kz = k_inf, still feels of deeper floors is left out: 2 e^-12 / slope rad at
- * the most. */
+ * The table covers the floor between deep water and the shore.  On both sides of the table
+ * the wave number is constant and the phase a straight line.  A node holds the phase and
+ * its slope; cubics interpolate between nodes.  The distance of nodes is a power of two: a
+ * lookup needs a shift, not a division.  Nodes are at most L/16 apart [B8], L the shortest
+ * local wave length, and from one node to the next the depth changes by at most half of
+ * the least depth.
+ *
+ * Near the shore k grows as h^-1/2.  With node distance d and q = d slope / h <= 1/2,
+ * Simpson's error is k d q^4 6.6 / 2880 < 6e-5 rad, and the cubic's error is k d q^3 1.9 /
+ * 384 < 3e-4 rad.  Both fall as fast as the depth grows.  Of 16000 random phases the worst
+ * was off by 1.9e-4 rad.  A grazing wave, kz = k_inf, also feels floors deeper than the
+ * table; this effect is left out: 2 e^-12 / slope rad at the most. */
 #include <stdbool.h>
 #include "base/assert.h"
 #include "wave/depth.h"
@@ -23,11 +25,11 @@
 #define DEPTH_MOST_Q32  ((int64_t)1 << 48)
 #define BITS_MOST       24
 
-/* The shape with its numbers held, and where its table begins and ends. */
+/* The coast with its numbers clamped, and the ends of its table. */
 typedef struct {
     tp_scaled k_inf;
     tp_scaled across_squared;   /* k_inf^2 - kz^2 */
-    int64_t   depth_q32;        /* at x = 0, below 2^47 in magnitude */
+    int64_t   depth_q32;        /* depth at x = 0, m; magnitude below 2^47 */
     int64_t   least_q32;
     int64_t   shore_q32;        /* the least depth of the table */
     int64_t   slope_q30;
@@ -44,17 +46,18 @@ static int64_t smaller(int64_t a, int64_t b)
     return a < b ? a : b;
 }
 
-/* Of x in halves of 2^-16 m, so that there are midpoints.  They lie within 2^32 + 2^24
- * and the slope within 2^30: 63 bits.  One node past the shore it is half of the least
- * depth. */
+/* Returns the depth at x, Q32.  x is in halves of 2^-16 m, to have midpoints.  |x| <=
+ * 2^32 + 2^24 and slope <= 2^30: 63 bits.  One node past the shore the depth is half of
+ * the least depth. */
 static int64_t depth_at(const beach *b, int64_t halves)
 {
     const int64_t rise = (halves * b->slope_q30 + (1 << 14)) >> 15;
     return larger(b->depth_q32 - rise, b->least_q32 / 2);
 }
 
-/* The first x where the floor has risen to a depth below 2^48; slope > 0.  The difference
- * is below 1.5 2^32 as 16.16, and so its 2^30-fold below 2^63. */
+/* Returns the first x where the floor has risen to a depth below 2^48; slope > 0.  The
+ * difference of depths is below 1.5 2^32 in 16.16, and its product with 2^30 is below
+ * 2^63. */
 static tp_fx where(const beach *b, int64_t depth_q32)
 {
     TP_ASSERT(b->slope_q30 > 0);
@@ -64,7 +67,8 @@ static tp_fx where(const beach *b, int64_t depth_q32)
     return tp_fx_held(x);
 }
 
-/* From where the wave feels the floor to where the floor is level. */
+/* Finds the ends of the table: from the point where the wave begins to feel the floor, to
+ * the point where the floor becomes level. */
 static void find_ends(beach *b, const tp_coast_shape *s)
 {
     b->x_first = s->x_from;
@@ -97,8 +101,9 @@ static beach beach_of(const tp_coast_shape *s)
     return b;
 }
 
-/* k^2 - kz^2 = (k_inf / sinh kh)^2 + k_inf^2 - kz^2, as k = k_inf / tanh kh: both terms
- * keep all their bits where a wave grazes and the difference of k and kz would not. */
+/* k^2 - kz^2 = (k_inf / sinh kh)^2 + k_inf^2 - kz^2, because k = k_inf / tanh kh.
+ * Both terms keep all their bits for a grazing wave, where the difference of k and kz
+ * would lose bits. */
 static tp_scaled across_squared(const beach *b, int64_t depth_q32)
 {
     const tp_scaled h = tp_scaled_of((uint64_t)depth_q32, 32);
@@ -110,7 +115,7 @@ static tp_scaled across_squared(const beach *b, int64_t depth_q32)
     return tp_scaled_add(tp_scaled_mul(bent, tp_csch_squared(x)), b->across_squared);
 }
 
-/* sqrt(k^2 - kz^2) / 2 pi in turns per metre, Q31.32. */
+/* Returns sqrt(k^2 - kz^2) / 2 pi in turns per metre, Q31.32. */
 static int64_t rise_at(const beach *b, int64_t depth_q32)
 {
     if (b->k_inf.m == 0)
@@ -120,7 +125,8 @@ static int64_t rise_at(const beach *b, int64_t depth_q32)
     return tp_scaled_fixed(tp_scaled_mul(across, over_two_pi), 32);
 }
 
-/* The distance of nodes as a power of two of 2^-16 m: see the head of this file. */
+/* Returns the distance of nodes as a power of two of 2^-16 m; the bounds are in the
+ * head of this file. */
 static uint32_t bits_between(const beach *b)
 {
     const tp_scaled h = tp_scaled_of((uint64_t)b->shore_q32, 32);
@@ -148,7 +154,7 @@ size_t tp_coast_bytes(const tp_coast_shape *shape)
     return (bytes + 7) / 8 * 8;
 }
 
-/* They begin where the head ends. */
+/* The nodes begin where the head ends. */
 _Static_assert(sizeof(tp_coast) % _Alignof(tp_coast_node) == 0, "nodes are aligned");
 
 static inline tp_coast_node *nodes_of(const tp_coast *coast)
@@ -166,8 +172,8 @@ static int64_t turns_of(const tp_coast_node *n)
     return (int64_t)((uint64_t)(uint32_t)n->turns << 32 | n->part);
 }
 
-/* Simpson over each step.  A rise is below 2^40, and times the step an 11th of a turn at
- * the most: six of them below 2^47 as Q48. */
+/* Simpson's rule over each step.  A slope is below 2^40, and slope times step is at most an
+ * 11th of a turn: six of them are below 2^47 in Q48. */
 static void integrate(tp_coast *coast, const beach *b)
 {
     tp_coast_node *const node = nodes_of(coast);
@@ -186,8 +192,8 @@ static void integrate(tp_coast *coast, const beach *b)
     }
 }
 
-/* Between two nodes, `way` of 2^bits: the cubic of both phases and both rises.  All of
- * them are below 2^29 and `way` below 2^24. */
+/* Interpolates between two nodes, `way` of 2^bits, by the cubic of both phases and both
+ * slopes.  All of these numbers are below 2^29, and `way` is below 2^24. */
 static int64_t between(const tp_coast *coast, tp_fx x)
 {
     const uint32_t way = (uint32_t)x - (uint32_t)coast->x_first;
@@ -204,7 +210,8 @@ static int64_t between(const tp_coast *coast, tp_fx x)
     return turns_of(n) + ((y * t + half) >> coast->bits);
 }
 
-/* Rises are below 2^40 and ways below 2^32: the product in two parts. */
+/* Returns rise x way.  Rises are below 2^40 and ways below 2^32: the product is
+ * computed in two parts. */
 static int64_t straight(int64_t rise, int64_t way)
 {
     return rise * (way >> 16) + ((rise * (way & 0xffff) + 0x8000) >> 16);

@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: MIT */
-/* Where waves break and how, [B14], [B15] and [B20] of the models. */
+/* Breaking criteria and breaker types, [B14], [B15] and [B20] of the models. */
 #include "wave/depth.h"
 #include "wave/exp.h"
 
 #define STEEP_Q32 3855153630            /* 2^32 2 pi / 7: H/L > 1/7 is Hk > 2 pi/7 */
 #define MICHE_Q32 3832022708            /* 2^32 0.142 2 pi */
 
-/* 0.142 L tanh(kh) = 0.142 2 pi tanh(kh) / k; without a wave its limit, tanh(kh)/k =
- * h. */
+/* Returns 0.142 L tanh(kh) = 0.142 2 pi tanh(kh) / k.  For k = 0 the limit of
+ * tanh(kh)/k is h. */
 static tp_scaled miche(tp_scaled k, tp_fx depth)
 {
     const tp_scaled h = tp_depth_of(depth), share = tp_scaled_of(MICHE_Q32, 32);

@@ -4,8 +4,8 @@
  * With y = k_inf h, x = kh and T(x) = tanh x / x, Newton's step for x tanh x = y is
  *     x -= (x tanh x - y) / (tanh x + x sech^2 x)
  *        = x (T(x) - y/x^2) / (T(x) + sech^2 x),
- * and y/x^2 is T(y) for Eckart's x = y / sqrt(tanh y).  So all that is ever subtracted
- * are numbers between 0 and 1, and the relative error holds down to films of water. */
+ * and y/x^2 is T(y) for Eckart's x = y / sqrt(tanh y).  Only numbers between 0 and 1 are
+ * subtracted, and the relative error stays small even for films of water. */
 #include "base/assert.h"
 #include "wave/depth.h"
 #include "wave/exp.h"
@@ -23,8 +23,8 @@ uint32_t tp_depth_argument(tp_scaled x)
     return fixed > UINT32_MAX ? UINT32_MAX : (uint32_t)fixed;
 }
 
-/* What Newton's step multiplies x by, Q1.31; u is y/x^2.  The denominator is 1/12 at the
- * least: as Q2.30 it has 26 bits and more.  |T - u| < 2^29, the reciprocal has 32
+/* Returns the factor of x in Newton's step, Q1.31; u is y/x^2.  The denominator is at least
+ * 1/12: as Q2.30 it has 26 bits and more.  |T - u| < 2^29, and the reciprocal has 32
  * bits. */
 static uint32_t newton(tp_tanh at, uint32_t u_q31)
 {
@@ -65,7 +65,8 @@ static int64_t number(int64_t k_inf_q32, tp_fx depth, int steps)
     const tp_scaled k_inf = tp_number_of(k_inf_q32);
     const tp_scaled k = tp_depth_number_scaled(k_inf, tp_depth_of(depth), steps);
     const int64_t rounded = tp_scaled_fixed(k, 32);
-    return rounded > k_inf_q32 ? rounded : k_inf_q32;   /* which may have been cut */
+    return rounded > k_inf_q32 ? rounded : k_inf_q32;   /* k >= k_inf: its scaled form may
+                                                         * have been truncated */
 }
 
 int64_t tp_depth_number_eckart(int64_t k_inf_q32, tp_fx depth)
@@ -83,7 +84,7 @@ int64_t tp_depth_number_exact(int64_t k_inf_q32, tp_fx depth)
     return number(k_inf_q32, depth, 3);
 }
 
-/* The cube root of n < 2^63, rounded down, bit by bit. */
+/* Returns the cube root of n < 2^63, rounded down, bit by bit. */
 static uint32_t cube_root(uint64_t n)
 {
     uint64_t r = 0;
@@ -96,8 +97,8 @@ static uint32_t cube_root(uint64_t n)
     return (uint32_t)r;
 }
 
-/* m 2^e = (m 2^up) 2^(e - up) with e - up a multiple of 3: 60 bits and more, so that the
- * root has 20 and errs by less than 2^-20. */
+/* m 2^e = (m 2^up) 2^(e - up) with e - up a multiple of 3.  m 2^up has 60 bits and more:
+ * the root has 20 bits, with a relative error below 2^-20. */
 static tp_scaled scaled_cube_root(tp_scaled x)
 {
     const int up = 29 + ((x.e - 29) % 3 + 3) % 3;

@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: MIT */
-/* |grad S| = k on a square lattice by fast sweeping: Gauss-Seidel in four orders, each
- * of which settles the nodes that the waves reach in its direction (Zhao 2005).
+/* Solves |grad S| = k on a square grid by fast sweeping: Gauss-Seidel in four orders.  Each
+ * order settles the nodes reached by waves in its direction (Zhao 2005).
  *
- * A node takes the lower of its neighbours each way, a and b, and solves
- *     (S - a)^2 + (S - b)^2 = f^2,   f = k times the step,
- * or a + f where b is no help (Godunov).  A plane wave is a solution to the last bit.  k
- * is taken half a step back, towards the neighbour where it differs more, which makes a
- * straight shore second order.  All waves behind an obstacle are those that come
- * first. */
+ * a and b are the lower of the two neighbours along x and along z.  A node solves
+ *     (S - a)^2 + (S - b)^2 = f^2,   f = k times the grid step,
+ * or takes a + f if b is too high to contribute (Godunov).  A plane wave is an exact
+ * solution, to the last bit.  k is taken half a step back, towards the neighbour with the
+ * larger difference; a straight shore then has second order accuracy.  Behind an obstacle
+ * the solution holds only the waves that arrive first. */
 #include "wave/ocean_tables.h"
 
 #define UNKNOWN INT64_MAX
@@ -37,13 +37,13 @@ static before lower_of(const lattice *l, size_t at, size_t step, bool has_low,
     return (before){ low <= high ? low : high, (uint32_t)l->ray[from].turns };
 }
 
-/* f half a step back from `here`, in Q32.32. */
+/* Returns f half a step back from `here`, in Q32.32. */
 static int64_t way_back(int64_t here, int64_t there)
 {
     return (here + there) * ((int64_t)1 << 7);
 }
 
-/* sqrt(2 f^2 - d^2) for |d| < f: f is brought to 31 bits. */
+/* Returns sqrt(2 f^2 - d^2) for |d| < f; f is first shifted down to 31 bits. */
 static int64_t root_of(int64_t f, int64_t d)
 {
     int down = 0;

@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: MIT */
-/* e^-x and tanh x of waves over a depth.
+/* e^-x and tanh x for waves over a depth.
  *
- * [G2] asks for a shift and a table of 64 steps with straight lines between, 1 LSB of
- * 16.16.  Wave numbers for tables are to be right to 10^-6, for which a few terms of the
- * power series take the lines' place: three products more, no byte more.  tanh then
- * follows from e^-2x and needs no table of its own. */
+ * [G2] asks for a shift and a table of 64 steps with linear interpolation, to 1 LSB of
+ * 16.16.  Wave numbers for tables need an error of 10^-6: a few terms of the power series
+ * replace the linear interpolation, at the cost of three more products and no more bytes.
+ * tanh follows from e^-2x and needs no table of its own. */
 #include "wave/exp.h"
 #include "fx/fx.h"
 
@@ -12,8 +12,8 @@ static const uint32_t power[64] = {
 #include "wave/exp_table.inc"
 };
 
-/* 2^-part/64 for part below 1 as Q0.32: with s = part ln 2 / 64 < 0.01084 it is
- * 1 - s + s^2/2 - s^3/6, the next term is 5.8e-10.  Returns what is to be taken off 1. */
+/* Returns 1 - 2^-part/64 for part below 1 as Q0.32.  With s = part ln 2 / 64 < 0.01084 the
+ * power is 1 - s + s^2/2 - s^3/6; the next term is 5.8e-10. */
 static inline uint32_t fall(uint32_t part)
 {
     const uint32_t s = (uint32_t)((uint64_t)part * 46516320 >> 32); /* 2^32 ln 2 / 64 */
@@ -21,7 +21,8 @@ static inline uint32_t fall(uint32_t part)
     return s - square / 2 + (uint32_t)((uint64_t)square * s >> 32) / 6;
 }
 
-/* x / ln 2 = n + i/64 + part/64: x < 23 is 29 bits in Q24, 1 / ln 2 in Q1.31 32 bits. */
+/* x / ln 2 = n + i/64 + part/64: x < 23 has 29 bits in Q24, 1 / ln 2 has 32 bits in
+ * Q1.31. */
 uint32_t tp_exp_neg(uint32_t x_q24)
 {
     if (x_q24 >= 23u << 24)
@@ -33,7 +34,7 @@ uint32_t tp_exp_neg(uint32_t x_q24)
 }
 
 /* tanh x / x = 1 - x^2/3 + 2x^4/15 - 17x^6/315 + ..., for x < 1/8, where 1 - e^-2x would
- * lose bits; the next term is below 1.3e-9.  s is x^2, below 2^26 in Q0.32. */
+ * lose bits.  The next term is below 1.3e-9.  s is x^2, below 2^26 in Q0.32. */
 static tp_tanh tanh_small(uint32_t x_q24)
 {
     const uint64_t s = ((uint64_t)x_q24 * x_q24 + 0x8000) >> 16;
@@ -44,9 +45,9 @@ static tp_tanh tanh_small(uint32_t x_q24)
     return (tp_tanh){ (uint32_t)(((uint64_t)x_q24 * ratio + (1 << 22)) >> 23), ratio };
 }
 
-/* (1 - e) / (1 + e), e = e^-2x.  (1 + e)/2 has 32 bits and so its reciprocal gives 2^32 /
- * (1 + e); the product is below 2^64.  tanh / x is by the reciprocal of the x that is
- * moved up: 2^63 / (x 2^up), so tanh 2^32 / (x 2^24) comes with 40 - up bits too many. */
+/* tanh x = (1 - e) / (1 + e), e = e^-2x.  (1 + e)/2 has 32 bits: its reciprocal gives 2^32
+ * / (1 + e), and the product is below 2^64.  tanh / x uses the reciprocal of the shifted x,
+ * 2^63 / (x 2^up): tanh 2^32 / (x 2^24) then has 40 - up bits too many. */
 tp_tanh tp_tanh_of(uint32_t x_q24)
 {
     if (x_q24 < 1u << 21)
@@ -59,7 +60,8 @@ tp_tanh tp_tanh_of(uint32_t x_q24)
     return (tp_tanh){ t, (uint32_t)(ratio >> (40 - up)) };
 }
 
-/* sech^2 / tanh^2; from x = 1 on (2 e^-x / (1 - e^-2x))^2, as sech^2 runs out of bits. */
+/* csch^2 = sech^2 / tanh^2.  From x = 1 on sech^2 runs out of bits, and the function uses
+ * (2 e^-x / (1 - e^-2x))^2. */
 tp_scaled tp_csch_squared(tp_scaled x)
 {
     const uint32_t x_q24 = tp_depth_argument(x);

@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: MIT */
-/* What waves over a depth are made of: e^-x, tanh x and their company, and the wave
- * number itself before it is rounded.  Arguments are x >= 0 as 8.24 [G2]. */
+/* Building blocks of waves over a depth: e^-x, tanh x and related functions, and the wave
+ * number before its rounding.  Arguments are x >= 0 in 8.24 [G2]. */
 #ifndef TP_WAVE_EXP_H
 #define TP_WAVE_EXP_H
 #include <stdint.h>
 #include "tidepool/fixed.h"
 #include "wave/scaled.h"
 
-/* e^-x as Q0.32, 2^32 - 1 at 0; within 2^-30; 0 from 23 on. */
+/* Returns e^-x as Q0.32, within 2^-30; 2^32 - 1 at 0; 0 from 23 on. */
 uint32_t tp_exp_neg(uint32_t x_q24);
 
 static inline tp_q30 tp_exp_neg_q30(uint32_t x_q24)
@@ -15,36 +15,39 @@ static inline tp_q30 tp_exp_neg_q30(uint32_t x_q24)
     return (tp_q30)(((uint64_t)tp_exp_neg(x_q24) + 2) >> 2);
 }
 
-/* tanh x as Q0.32 and tanh x / x as Q1.31, which is 2^31 at 0; both within 2^-29 of
- * themselves, or half of their last bit. */
+/* tanh x as Q0.32, and tanh x / x as Q1.31, 2^31 at 0.  Both have a relative error below
+ * 2^-29, or half of their last bit. */
 typedef struct {
     uint32_t tanh_q32, ratio_q31;
 } tp_tanh;
 tp_tanh tp_tanh_of(uint32_t x_q24);
 
-/* 1 - tanh^2 x as Q1.31. */
+/* Returns 1 - tanh^2 x as Q1.31. */
 static inline uint32_t tp_sech_squared(tp_tanh at)
 {
     return 0x80000000u - (uint32_t)((uint64_t)at.tanh_q32 * at.tanh_q32 >> 33);
 }
 
-/* tanh x for any x >= 0. */
+/* Returns tanh x for any x >= 0. */
 tp_scaled tp_tanh_scaled(tp_scaled x);
 
-/* 1 / sinh^2 x for x > 0, within 2^-26 of itself up to x = 4 and 2^-30 from there on. */
+/* Returns 1 / sinh^2 x for x > 0; relative error below 2^-26 up to x = 4, below
+ * 2^-30 from there on. */
 tp_scaled tp_csch_squared(tp_scaled x);
 
-/* A depth, with 1/16 m for land; an x as 8.24, saturated. */
+/* tp_depth_of converts a depth; land counts as 1/16 m.  tp_depth_argument converts x to
+ * 8.24, saturated. */
 tp_scaled tp_depth_of(tp_fx depth);
 uint32_t  tp_depth_argument(tp_scaled x);
 
-/* A wave number as Q31.32; 0 for less. */
+/* Converts a wave number from Q31.32; negative numbers count as 0. */
 static inline tp_scaled tp_number_of(int64_t k_q32)
 {
     return tp_scaled_of(k_q32 > 0 ? (uint64_t)k_q32 : 0, 32);
 }
 
-/* k of k tanh(kh) = k_inf by [B4] and `steps` of [B6]; see tp_depth_number.  Both > 0. */
+/* Solves k tanh(kh) = k_inf for k, by [B4] and `steps` of [B6]; see tp_depth_number.  Both
+ * arguments are > 0. */
 tp_scaled tp_depth_number_scaled(tp_scaled k_inf, tp_scaled depth, int steps);
 
 /* From this k_inf h on, k is k_inf: the difference, 2 e^-24, is below 2^-33. */

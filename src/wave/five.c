@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* The five-height normal, [A6] of the models.  The four triangles around a point, their
- * normals summed before they are made unit vectors, give exactly the differences across:
- * N = (h(x-d) - h(x+d), 2d, h(z-d) - h(z+d)). */
+/* The five-height normal by central differences, [A6] of the models.  Four triangles meet
+ * at a point.  The sum of their normals, before normalisation, contains exactly the central
+ * differences: N = (h(x-d) - h(x+d), 2d, h(z-d) - h(z+d)). */
 #include "base/assert.h"
 #include "wave/wave.h"
 

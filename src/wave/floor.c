@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT */
-/* The sea floor: none, a straight slope, or a picture of its heights.
+/* The sea floor: none, a straight slope, or a height map.
  *
- * A picture's samples lie in the middle of its pixels and are joined bilinearly; beyond
- * the outermost middles the edge goes on level.  Rises are those of the bilinear patch,
- * so they jump from pixel to pixel; tp_ocean keeps smoothed ones. */
+ * The samples of a map lie in the middle of its pixels and are interpolated bilinearly.
+ * Beyond the outermost samples the floor goes on level.  Rises are the slopes of the
+ * bilinear patch and jump from pixel to pixel; tp_ocean keeps smoothed slopes. */
 #include "wave/ocean_tables.h"
 
 #define RISE_MAX TP_FX(8)
@@ -14,7 +14,8 @@ tp_way tp_way_of(tp_fx degrees)
     return (tp_way){ turned.x.z, -turned.x.x };
 }
 
-/* |x|, |z| <= 2^31 and a way of length 1 in Q30: their sum of products is below 2^62. */
+/* |x|, |z| <= 2^31 and a direction of length 1 in Q30: the sum of products is below
+ * 2^62. */
 tp_fx tp_way_along(tp_way way, tp_fx x, tp_fx z)
 {
     return tp_fx_held(((int64_t)way.x * x + (int64_t)way.z * z + (1 << 29)) >> 30);
@@ -32,15 +33,16 @@ static tp_floor_at slope_under(const tp_floor *floor, tp_fx x, tp_fx z)
     };
 }
 
-/* A place along one side of a picture: the sample before it, and how far behind it. */
+/* A coordinate on a map: the sample before the point, the next sample, and the fraction
+ * between the two. */
 typedef struct {
     uint32_t sample, next;
     int32_t  part;              /* Q16, 0..1 */
     bool     outside;
 } place;
 
-/* `way` from the middle, `cells` samples of `size` / `across` metres each.  |way| < 2^32
- * and across <= 2^12 leave room for 16 more bits. */
+/* `way` is the distance from the middle of the map; `cells` samples have a pitch of `size`
+ * / `across` metres.  |way| < 2^32 and across <= 2^12 leave room for 16 more bits. */
 static place place_of(int64_t way, uint32_t cells, uint32_t across, tp_fx size)
 {
     TP_ASSERT(cells > 0 && across > 0 && across <= 4096 && size > 0);
@@ -56,7 +58,7 @@ static place place_of(int64_t way, uint32_t cells, uint32_t across, tp_fx size)
     return (place){ sample, sample + 1, (int32_t)(at & 0xffff), false };
 }
 
-/* Full range (33 bits) times a sample of 24 bits, over white. */
+/* Returns map range (33 bits) times a sample of 24 bits, over white. */
 static int64_t of_range(const tp_floor *floor, int64_t sample_q8)
 {
     const int64_t range = (int64_t)floor->map_high - floor->map_low;
@@ -64,9 +66,9 @@ static int64_t of_range(const tp_floor *floor, int64_t sample_q8)
     return tp_quotient(product, white);
 }
 
-/* A step between neighbours (17 bits) as metres a metre.  The range has 33 bits and the
- * cells across 12, so the product fits; over 65535 for white and times 2^16 is nearly
- * one. */
+/* Converts a difference of neighbours (17 bits) to a slope, m/m.  The range has 33 bits and
+ * the number of columns 12: the product fits 64 bits.  The factor 2^16 / 65535 of white is
+ * approximated by 1 + 1/65535. */
 static tp_fx rise_of(const tp_floor *floor, int64_t step)
 {
     const int64_t range = (int64_t)floor->map_high - floor->map_low;

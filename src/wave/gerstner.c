@@ -1,20 +1,21 @@
 /* SPDX-License-Identifier: MIT */
-/* Gerstner waves, [A7]-[A10] of the models; plain sines [A1] are those of steepness 0.
+/* Gerstner waves, [A7]-[A10] of the models; steepness 0 gives plain sines [A1].
  *
- * Normals are the exact ones of [A10], as slopes: N = (hz Jxz - hx Jzz, det, hx Jxz -
- * hz Jxx), so dy/dx = -Nx/Ny = (hx Jzz - hz Jxz) / det.  The clamp of [A11] keeps the
- * smallest eigenvalue of J at 0.05 or above, so det > 0 and the quotient exists.  Gentle
- * seas (tp_sea.crossed) do with N = (-hx, 1 - sum QkA sin th, -hz).
- * Everything is taken at the rest point: the form that is printed with the displaced
- * point inside the sine is a different, wrong surface ([A10]).
+ * Normals are the exact normals of [A10], as slopes: N = (hz Jxz - hx Jzz, det, hx Jxz - hz
+ * Jxx), and dy/dx = -Nx/Ny = (hx Jzz - hz Jxz) / det.  The clamp of [A11] keeps the
+ * smallest eigenvalue of J at 0.05 or above: det > 0, and the quotient exists.  Gentle
+ * seas, with tp_sea.crossed false, use N = (-hx, 1 - sum QkA sin th, -hz).  All terms are
+ * evaluated at the rest point.  The form printed with the displaced point inside the sine
+ * is a different, wrong surface ([A10]).
  *
- * The bounds that wave.h gives for normals: errors dh and dJ turn the normal of the slopes
- * g = J^-1 h by |J^-1 (dh - dJ g)| / sqrt(1 + g^2) <= hypot(|dh|, |dJ|) / (1 - q).  Sine
- * and cosine lie up to 4.71e-6 of themselves inside of the true ones and are cut to Q24,
- * and slopes are rounded to 16.16, 1.08e-5 both together.  Of one trochoid, J = 1 - S sin
- * and h = S cos: the cosine's part counts h J / (J^2 + h^2) <= 1/2, the sine's h S /
- * (J^2 + h^2) <= S / 2 (1 - S), which are 2.36e-6 / (1 - S); the phase's S / (1 - S), as
- * fast as the normal turns on the crest. */
+ * Derivation of the error bounds of normals in wave.h.  Errors dh and dJ turn the
+ * normal of the slopes g = J^-1 h by |J^-1 (dh - dJ g)| / sqrt(1 + g^2) <= hypot(|dh|,
+ * |dJ|) / (1 - q).  Sine and cosine are too small by up to 4.71e-6 of their value and
+ * are cut to Q24, and slopes are rounded to 16.16: 1.08e-5 both together.  For one
+ * trochoid, J = 1 - S sin and h = S cos.  The error of the cosine has the factor h J /
+ * (J^2 + h^2) <= 1/2, the error of the sine h S / (J^2 + h^2) <= S / 2 (1 - S);
+ * together 2.36e-6 / (1 - S).  The error of the phase has the factor S / (1 - S), the
+ * rate of turn of the normal on the crest. */
 #include "wave/wave.h"
 
 tp_sea_point tp_sea_sum_point(const tp_sea_sum *sum, tp_fx x0, tp_fx z0, tp_fx fade)

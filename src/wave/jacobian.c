@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: MIT */
-/* The Jacobian of the horizontal displacement: how far waves squeeze the surface. */
+/* The Jacobian of the horizontal displacement: the horizontal compression of the
+ * surface. */
 #include "wave/wave.h"
 
-/* Bends sum to 0.95 at the most, so Q30 fits and so do the products. */
+/* Bends sum to at most 0.95: the sums fit Q30, and their products fit 64 bits. */
 tp_fx tp_sea_jacobian(const tp_sea *sea, const tp_turn phases[TP_WAVES], tp_fx x, tp_fx z)
 {
     TP_ASSERT(sea->count <= TP_WAVES);

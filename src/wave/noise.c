@@ -1,11 +1,12 @@
 /* SPDX-License-Identifier: MIT */
-/* Value noise in integers: heights of a lattice from a mixing of its coordinates, joined
- * by smoothsteps. */
+/* Value noise in integers: a hash of the grid coordinates gives heights at grid points, and
+ * smoothsteps interpolate. */
 #include "wave/ocean_tables.h"
 
 #define V_CELLS 8
 
-/* Two rounds of multiply and shift after Wang; well mixed high bits are all it takes. */
+/* Two rounds of multiply and shift after Wang.  Only the high bits need to be well
+ * mixed. */
 static tp_fx height_at(uint32_t u, uint32_t v, uint32_t seed)
 {
     uint32_t h = (u & 0xffff) * 0x9e3779b1u ^ (v % V_CELLS) * 0x85ebca77u ^ seed;

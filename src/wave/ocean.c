@@ -1,30 +1,31 @@
 /* SPDX-License-Identifier: MIT */
-/* The ocean's surface at a point: [B8]-[B19] of the models from tables.
+/* The surface of coastal water at a point: [B8]-[B19] of the models, evaluated from tables.
  *
- * Phi is the models' phase of an orbit, 0 in the trough: a quarter turn beyond the one
- * of the sea's sines [A7].  On deep water, where tables end, a point is the sea's own.
- * What an orbit does along its way it does along the local one, so that particles move
- * across their crests.  A crest breaks by its height before the cap of [B15]: the cap
- * holds the height that is drawn, the gate opens as the depth falls below what the wave
- * would need. */
+ * Phi is the models' phase of an orbit, 0 in the trough: a quarter turn more than the phase
+ * of the sines of deep water [A7].  In deep water, where the tables end, a point equals the
+ * point of the tp_sea.  The horizontal part of an orbit follows the local direction of
+ * travel: particles move across their crests.  A crest breaks by its height before the cap
+ * of [B15]: the cap limits the drawn height, and the gate opens as the depth falls below
+ * the depth that the uncapped wave needs. */
 #include "wave/ocean_tables.h"
 #include "wave/wave.h"
 
 #define QUARTER 0x40000000u
 
-/* -- the floor under a place ------------------------------------------------------- */
+/* -- the floor under a point ------------------------------------------------------- */
 
 typedef struct {
     tp_fx    depth;
-    tp_fx    rise_x, rise_z;    /* of a map */
-    tp_ocean_where at;          /* of a depth > 0 */
-    size_t   node;              /* of a map, north-west of the place; parts are Q16 */
+    tp_fx    rise_x, rise_z;    /* slopes of a map */
+    tp_ocean_where at;          /* table position; valid for a depth > 0 */
+    size_t   node;              /* map node north-west of the point; part_x, part_z:
+                                 * fractions to the next node, Q16 */
     int32_t  part_x, part_z;
 } place;
 
-/* Nodes from the first one, Q16, held on the map.  |way| <= 128 steps and a step of at
- * least 2^9 leave the product 57 bits; map_per_step is rounded down, and so the quotient
- * of a way below `last` is below nodes - 1. */
+/* Returns the distance from the first node in nodes, Q16, clamped to the map.  |way| <= 128
+ * steps and a step of at least 2^9 leave the product 57 bits.  map_per_step is rounded
+ * down: the quotient of a way below `last` is below nodes - 1. */
 static uint32_t nodes_of(const tp_ocean *ocean, int64_t way, uint32_t nodes)
 {
     const int64_t last = (int64_t)ocean->map_step * (nodes - 1);
@@ -36,7 +37,7 @@ static uint32_t nodes_of(const tp_ocean *ocean, int64_t way, uint32_t nodes)
     return (uint32_t)((uint64_t)way * ocean->map_per_step >> 32);
 }
 
-/* Between the four nodes round a place. */
+/* Interpolates between the four nodes around a point. */
 static inline int32_t patch(int32_t a, int32_t b, int32_t c, int32_t d, const place *p)
 {
     return tp_ocean_mix(tp_ocean_mix(a, b, p->part_x), tp_ocean_mix(c, d, p->part_x),
@@ -89,7 +90,7 @@ tp_floor_at tp_ocean_floor(const tp_ocean *ocean, tp_fx x, tp_fx z)
                           tp_q30_mul(ocean->slope, ocean->up_z) };
 }
 
-/* -- one wave there ---------------------------------------------------------------- */
+/* -- one wave at a point ----------------------------------------------------------- */
 
 typedef struct {
     tp_ellipse orbit;
@@ -97,13 +98,15 @@ typedef struct {
     tp_turn phi;
 } motion;
 
-/* The phase beyond deep water's, turns Q0.32 of Q16 in the nodes. */
+/* Interpolates the phase in excess of deep water: Q16 turns in the nodes, Q0.32 as
+ * result. */
 static tp_turn turns_between(int64_t a, int64_t b, int32_t part)
 {
     return (tp_turn)(uint64_t)(a * TP_FX_ONE + (b - a) * part);
 }
 
-/* Four nodes' in Q24 between rows: 2^31 and 2^8 and a part of 2^17 are 56 bits. */
+/* Interpolates the phases of four nodes; rows are in Q24.  2^31, 2^8 and a fraction of
+ * 2^17 make 56 bits. */
 static tp_turn ray_turns(const tp_ocean_ray *n, const tp_ocean_ray *s, const place *p)
 {
     const int64_t north = n[0].turns * (int64_t)256
@@ -113,8 +116,8 @@ static tp_turn ray_turns(const tp_ocean_ray *n, const tp_ocean_ray *s, const pla
     return (tp_turn)(uint64_t)(north * 256 + ((south - north) * p->part_z >> 8));
 }
 
-/* The tilt of an orbit over a floor that rises along its way [B11], as turn_node of the
- * tables has it. */
+/* Tilts the orbit over a floor that rises along the direction of travel [B11].  turn_node
+ * of ocean_tables.c does the same for a straight floor. */
 static void tilt(const tp_ocean *ocean, const place *p, motion *m)
 {
     const int64_t rise = ((int64_t)p->rise_x * m->way.x + (int64_t)p->rise_z * m->way.z)
@@ -127,7 +130,7 @@ static void tilt(const tp_ocean *ocean, const place *p, motion *m)
     const int64_t r = rise >> 8, one = 1 << 22;                     /* Q22 */
     const uint32_t length = tp_isqrt64((uint64_t)(one * one + r * r));
     const int zeros = tp_clz(length);
-    const uint32_t over = tp_recip_norm(length << zeros);           /* 2^63 / it */
+    const uint32_t over = tp_recip_norm(length << zeros);           /* 2^63 / length */
     const uint64_t sin = (uint64_t)r * over >> (33 - zeros);        /* Q30 */
     m->orbit.sin = (tp_q30)(sin * kept >> 32);
     m->orbit.cos = tp_cos_of_sin(m->orbit.sin);
@@ -189,9 +192,10 @@ static motion move(const tp_ocean *ocean, uint32_t i, const tp_turn *phases, tp_
 
 /* -- breaking ---------------------------------------------------------------------- */
 
-/* Noise of the place: across the way a cell is half a wave long, along it two waves, and
- * where there is another wave, its beat with this one moves the noise on by eight cells.
- * Both coordinates wrap: 2^16 turns across are 2^17 cells, 16 along are eight. */
+/* Noise at a point.  Across the direction of travel a cell is half a wave long, along the
+ * direction two waves.  If there is another wave, one beat between the two waves moves the
+ * noise on by eight cells.  Both coordinates wrap: 2^16 turns across are 2^17 cells, 16
+ * turns along are eight cells. */
 static tp_fx noise_at(const tp_ocean *ocean, uint32_t i, const tp_turn *phases, tp_fx x0,
                       tp_fx z0)
 {
@@ -205,7 +209,7 @@ static tp_fx noise_at(const tp_ocean *ocean, uint32_t i, const tp_turn *phases, 
                     (uint32_t)((along >> 33) + (beat >> 13)), i * 0x632be5abu);
 }
 
-/* 0..1: how far the gate of [B15] is open, 16.16. */
+/* Returns the gate of [B15], 16.16: 0 closed, 1 fully open. */
 static tp_fx gate_of(const tp_ocean *ocean, uint32_t i, const tp_turn *phases, tp_fx x0,
                      tp_fx z0, const place *p)
 {
@@ -221,8 +225,8 @@ static tp_fx gate_of(const tp_ocean *ocean, uint32_t i, const tp_turn *phases, t
     return tp_breaking_gate(ratio);
 }
 
-/* 0..255 of a gate: nothing in the trough half, all on the crest, by the square
- * between. */
+/* Returns the foam of a gate, 0..255: none in the trough half, full on the crest,
+ * quadratic in between. */
 static uint32_t foam_of(tp_fx gate, int32_t p)
 {
     const uint32_t far = p < 0 ? 0u - (uint32_t)p : (uint32_t)p;
@@ -230,7 +234,8 @@ static uint32_t foam_of(tp_fx gate, int32_t p)
     return ((uint32_t)gate * (near * near >> 15) >> 15) * 255 >> 16;
 }
 
-/* The offset of one wave where it may break, and how far it does. */
+/* Returns the offset of one wave that may break, and raises *foam to the foam of the wave.
+ * Without `whole` the offset leaves out overhanging crests. */
 static tp_offset surf_offset(const tp_ocean *ocean, uint32_t i, const tp_turn *phases,
                              const place *p, const motion *m, tp_fx x0, tp_fx z0,
                              bool whole, uint32_t *foam)
@@ -259,7 +264,7 @@ static tp_ocean_point point_at(const tp_ocean *ocean, const tp_turn *phases, tp_
                                tp_fx z0, bool whole)
 {
     const place p = find(ocean, x0, z0);
-    const uint32_t count = p.depth > 0 ? ocean->count : 0;      /* dry land is still */
+    const uint32_t count = p.depth > 0 ? ocean->count : 0;      /* dry land does not move */
     tp_ocean_point point = { .position = { 0, 0, 0 }, .depth = p.depth };
     uint32_t foam = 0;
 

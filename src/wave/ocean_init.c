@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Laying the ocean out in its block, and the order of its making. */
+/* Layout of coastal water in its block, and the order of its construction. */
 #include "base/fail.h"
 #include "wave/ocean_tables.h"
 #include "base/given.h"
@@ -7,14 +7,14 @@
 #define NODES_LEAST 65          /* along the longer side of a map */
 #define NODES_MOST  129
 #define PIXELS_MOST 4096
-#define SLOPE_LEAST 16          /* 2^-12: a floor that rises less is level */
+#define SLOPE_LEAST 16          /* 2^-12: a smaller slope counts as level */
 
 /* -- the block --------------------------------------------------------------------- */
 
-/* Where things lie in the block. */
+/* Byte offsets of the parts of the block. */
 typedef struct {
-    size_t bytes, beds, rays, turns; /* rays: of the first wave; turns: for the making */
-    uint32_t cols, rows;                /* of a map's nodes; 0: none */
+    size_t bytes, beds, rays, turns; /* rays: of the first wave; turns: scratch memory */
+    uint32_t cols, rows;                /* nodes of a map; 0: no map */
 } layout;
 
 static size_t rounded(size_t bytes)
@@ -28,8 +28,9 @@ static bool map_usable(const tp_grey *map)
                            && map->rows > 0 && map->rows <= PIXELS_MOST);
 }
 
-/* Nodes lie on the picture between the middles of its outermost pixels, from where on its
- * edge goes on level: `steps` of them along the longer side, as many as fit the other. */
+/* Returns the number of nodes along a side.  Nodes cover the map between the centres of its
+ * outermost pixels; outside the edge goes on level.  The longer side has `steps` steps, the
+ * other side as many as fit. */
 static uint32_t nodes_along(uint32_t steps, uint32_t pixels, uint32_t most)
 {
     const uint32_t nodes = most > 1 ? steps * (pixels - 1) / (most - 1) + 1 : 2;
@@ -77,9 +78,10 @@ tp_ocean_ray *tp_ocean_rays(const tp_ocean *ocean, const tp_ocean_wave *wave)
     return at_byte(ocean, wave->rays);
 }
 
-/* -- the numbers that it is made of ------------------------------------------------ */
+/* -- inputs of the tables ---------------------------------------------------------- */
 
-/* Under a map the straight floor's numbers mean nothing, and without one the map's. */
+/* A map ignores the numbers of the straight floor, and a straight floor ignores the
+ * numbers of a map. */
 static tp_ocean_floor_key floor_key_of(const tp_ocean_config *config)
 {
     const tp_floor *f = &config->floor;
@@ -100,7 +102,7 @@ static tp_ocean_model_key model_key_of(const tp_ocean_config *config)
                                  config->irregular };
 }
 
-/* A swell's turns a metre follow from length and heading. */
+/* The turns per metre of a swell follow from length and heading, and need no field. */
 static tp_ocean_swell_key swell_key_of(const tp_wave *wave, const tp_swell *swell)
 {
     return (tp_ocean_swell_key){ wave->length, wave->heading, swell->amplitude,
@@ -127,9 +129,9 @@ static void make_straight(tp_ocean *ocean, const tp_floor *floor)
     ocean->up_z = up.z;
 }
 
-/* Metres between nodes, 16.16.  Where pixels are finer than nodes, depths are means of
- * what lies a quarter of a step around, so the outermost nodes stand back by that.  4096
- * times 8000 m has 41 bits. */
+/* Returns the distance of nodes, m, 16.16.  If pixels are finer than nodes, a node's depth
+ * is the mean of four points a quarter of a step around the node: the outermost nodes keep
+ * this distance from the edge.  4096 times 8000 m has 41 bits. */
 static uint32_t step_of(const tp_floor *floor, uint32_t nodes)
 {
     const tp_grey *map = floor->map;
@@ -139,7 +141,7 @@ static uint32_t step_of(const tp_floor *floor, uint32_t nodes)
     return (uint32_t)(step < TP_FX(125) ? step : TP_FX(125));
 }
 
-/* Pictures that are much taller than wide lose their ends to the longest step. */
+/* The step is limited to 125 m: a map much taller than wide loses its ends. */
 static void make_map(tp_ocean *ocean, const tp_floor *floor, const layout *plan,
                      bool keep_beds)
 {
@@ -160,7 +162,8 @@ static void make_map(tp_ocean *ocean, const tp_floor *floor, const layout *plan,
 
 /* -- the waves --------------------------------------------------------------------- */
 
-/* The root of a length in 16.16, to the nearest: 2^25 squared twice and 8 bits more. */
+/* Returns the length of (x, z) in 16.16, rounded to nearest: 2^25 squared, twice,
+ * and 8 more bits. */
 static tp_fx length_of(tp_fx x, tp_fx z)
 {
     const uint64_t square = (uint64_t)((int64_t)x * x + (int64_t)z * z);
@@ -183,7 +186,8 @@ static tp_ocean_swell swell_of(const tp_ocean *ocean, const tp_wave *wave,
     return w;
 }
 
-/* [B20] of the beach: stretch and plunge of r and 2 r. */
+/* Sets the breaker factors of the beach [B20]: stretch is a factor of r, plunge is
+ * the factor for 2 r. */
 static void set_breaker(tp_ocean *ocean, tp_ocean_wave *wave, const tp_ocean_swell *w,
                         tp_fx stretch)
 {
@@ -202,7 +206,7 @@ static void set_breaker(tp_ocean *ocean, tp_ocean_wave *wave, const tp_ocean_swe
     }
 }
 
-/* A level floor bends nothing, but waves are shorter over it. */
+/* A level floor does not turn waves, but shortens them. */
 static void shorten(tp_ocean *ocean, tp_ocean_wave *wave, const tp_ocean_swell *w)
 {
     if (ocean->slope > 0 || ocean->map_cols || ocean->depth >= 1 << TP_OCEAN_LAST)
@@ -248,10 +252,10 @@ static void make_far(tp_ocean *ocean, uint32_t i, const tp_wave *given,
 
 /* -- the whole --------------------------------------------------------------------- */
 
-/* What stands in the block already and stays. */
+/* Parts of the block that are still valid and stay. */
 typedef struct {
     bool     beds;
-    uint32_t rays;              /* a bit for each swell */
+    uint32_t rays;              /* one bit per swell */
 } parts_kept;
 
 static uint32_t moving(const tp_wave *waves, uint32_t count)
@@ -278,7 +282,7 @@ static void make_waves(tp_ocean *ocean, const tp_ocean_config *config, const tp_
     }
 }
 
-/* The solver's memory is left all 0, whichever swells it was used for. */
+/* The scratch memory of the solver is left all 0, whichever swells used the memory. */
 static void clear_turns(tp_ocean *ocean, const layout *plan)
 {
     if (plan->cols)
@@ -309,7 +313,8 @@ static void make(tp_ocean *ocean, const tp_ocean_config *config, const tp_sea *s
     clear_turns(ocean, &plan);
 }
 
-/* Whether there is such an ocean; then the waves that move, in the order of its swells. */
+/* True if the arguments describe valid coastal water.  Then fills `wave` with the waves of
+ * amplitude > 0, in the order of the swells. */
 static bool find_waves(const tp_ocean_config *config, const tp_sea *sea,
                        const tp_wave *waves, uint32_t count,
                        const tp_wave *wave[TP_WAVES])

@@ -1,24 +1,25 @@
 /* SPDX-License-Identifier: MIT */
-/* What a map of the floor adds: nodes of its depth and rise, and for each wave the phase
- * and the way at each node, from the eikonal equation.
+/* Tables of a floor map: nodes with depth and slope of the floor, and for each wave the
+ * phase and the direction of travel at each node, from the eikonal equation.
  *
- * Phases are kept as what they are more than those on deep water, in whole turns and
- * 2^-16 of them: this differs slowly from node to node where phases themselves go round
- * several times, so bilinear interpolation never takes the wrong turn, however short the
- * waves.  On deep water it is 0.
+ * Phases are stored as the difference from the phase in deep water, in turns with 16
+ * fraction bits.  The difference changes slowly from node to node, even for short waves
+ * whose phase runs through several turns.  Bilinear interpolation of the difference
+ * therefore never errs by a whole turn.  In deep water the difference is 0.
  *
- * Where waves come in, the phase along the edge is the integral of their number along
- * it, after Snell's law [B9] with the floor's rise there: so that a map of a straight
- * slope has the phases of that slope.  Waves keep their height where rays spread or
- * crowd. */
+ * On the edges where waves come in, the phase is the integral of the wave number along
+ * the edge, by Snell's law [B9] with the slope of the floor at the edge.  A map of a
+ * straight slope then has the phases of this slope.  Heights do not change where rays
+ * spread or crowd. */
 #include "wave/ocean_tables.h"
 
 #define UNKNOWN   INT64_MAX
-#define RISE_LEAST 1024         /* half of 1 / the rise that still bends waves */
+#define RISE_LEAST 1024         /* half of 1 / the least slope that bends waves */
 
 /* -- the floor --------------------------------------------------------------------- */
 
-/* A map of more pixels than nodes is looked at in four places around a node. */
+/* Returns the depth at a node.  A map with more pixels than nodes is sampled at four points
+ * around the node. */
 static tp_fx depth_around(const tp_ocean *ocean, const tp_floor *floor, int64_t x,
                           int64_t z)
 {
@@ -34,8 +35,8 @@ static tp_fx depth_around(const tp_ocean *ocean, const tp_floor *floor, int64_t 
     return (tp_fx)(sum >> 2);
 }
 
-/* How much deeper it is at a node's western and northern neighbour than at the others,
- * two steps away; on the edges one step is doubled. */
+/* Depth at a node's western neighbour less its eastern, and northern less southern, over
+ * two steps.  On the edges the difference over one step is doubled. */
 typedef struct {
     int64_t x, z;
 } fall;
@@ -54,7 +55,7 @@ static fall fall_at(const tp_ocean *ocean, size_t at)
                    ((int64_t)north->depth - south->depth) * (inside_z ? 1 : 2) };
 }
 
-/* The floor rises where it was deeper; Q4.11, held. */
+/* Converts a fall to a slope, Q4.11, clamped: the floor rises away from deeper water. */
 static int16_t rise_of(int64_t deeper, int64_t step)
 {
     return (int16_t)tp_limit(deeper * 1024 / step, 16384);
@@ -82,8 +83,9 @@ void tp_ocean_make_beds(tp_ocean *ocean, const tp_floor *floor)
     find_rises(ocean, beds);
 }
 
-/* The mean rise where a wave of this amplitude may break, up to the depth of four times
- * its own, Q30; of all the floor if it is nowhere so shallow. */
+/* Returns the mean slope of the beach, Q30: of all nodes where a wave of this
+ * amplitude may break, at depths up to four times the amplitude; of the whole floor if
+ * no node is as shallow. */
 tp_q30 tp_ocean_beach(const tp_ocean *ocean, tp_fx amplitude)
 {
     const tp_ocean_bed *beds = tp_ocean_beds(ocean);
@@ -111,7 +113,7 @@ static tp_dir3 way_of(int64_t x, int64_t z)
     return tp_normalise((int32_t)x, 0, (int32_t)z);
 }
 
-/* The wave number at a node, rad/m, and as a vector. */
+/* number_at returns the wave number at a node, rad/m; bent_at returns the wave vector. */
 static int64_t number_at(const tp_ocean *ocean, const tp_ocean_swell *w, size_t at)
 {
     return tp_ocean_number_at(w->k_inf_q32, tp_ocean_beds(ocean)[at].depth);
@@ -130,14 +132,15 @@ static tp_ocean_number bent_at(const tp_ocean *ocean, const tp_ocean_swell *w, s
     return tp_ocean_bent(w, up, number_at(ocean, w, at));
 }
 
-/* A step of turns a metre: 2^34 times 2^23 at the most. */
+/* Turns in a step between nodes: 2^34 times 2^23 at the most. */
 static int64_t turns_a_step(const tp_ocean *ocean, int64_t k_q32)
 {
     return tp_ocean_turns(k_q32) * (int64_t)ocean->map_step >> 16;
 }
 
-/* Along an edge from the node `at`, whose phase is known, `count` times `step` nodes on:
- * by the mean of what the wave's number along it is at both ends. */
+/* Computes phases along an edge, from the node `at` with a known phase, `count` times
+ * `step` nodes on.  Each step adds the mean of the wave vector's component along the
+ * edge at both ends. */
 static void walk_edge(const tp_ocean *ocean, const tp_ocean_swell *w, int64_t *turns,
                       ptrdiff_t at, ptrdiff_t step, uint32_t count)
 {
@@ -154,8 +157,9 @@ static void walk_edge(const tp_ocean *ocean, const tp_ocean_swell *w, int64_t *t
     }
 }
 
-/* Deep water's phase at a node as Q32.32, to the bit what tp_swell_turns makes of it, but
- * with 16 bits of whole turns; beyond them it wraps, and so does what is less it. */
+/* Returns the phase of deep water at a node as Q32.32, equal to the bits of
+ * tp_swell_turns, but with 16 bits of whole turns.  More turns wrap, and the difference
+ * from this phase wraps too. */
 static int64_t plane_at(const tp_ocean *ocean, const tp_ocean_wave *wave, uint32_t col,
                         uint32_t row)
 {
@@ -186,20 +190,20 @@ static void start(const tp_ocean *ocean, const tp_ocean_wave *wave, tp_ocean_ray
                   w->way.z < 0 ? -(ptrdiff_t)cols : (ptrdiff_t)cols, rows);
 }
 
-/* The phase beyond deep water's, of which 48 bits count, to Q16. */
+/* Returns the phase in excess of deep water in Q16; 48 bits of the phases count. */
 static int32_t beyond(int64_t turns, int64_t plane)
 {
     const uint64_t more = (uint64_t)turns - (uint64_t)plane + 0x8000;
     return (int32_t)((int64_t)(more << 16) >> 32);
 }
 
-/* Q30 less deep water's as Q2.13. */
+/* Converts a difference in Q30 to Q2.13. */
 static int16_t to_q13(int64_t way)
 {
     return (int16_t)((way + (1 << 16)) >> 17);
 }
 
-/* The way of travel is the phase's gradient. */
+/* The direction of travel is the gradient of the phase. */
 static void finish(const tp_ocean *ocean, const tp_ocean_wave *wave, tp_ocean_ray *rays,
                    const int64_t *turns)
 {

@@ -1,14 +1,13 @@
 /* SPDX-License-Identifier: MIT */
-/* What each wave of the ocean is at a depth, tabulated: [B2]-[B9] and [B11]-[B15].
+/* Tables of each wave over depth: [B2]-[B9] and [B11]-[B15].
  *
- * Heights grow by Ks Kr and are capped at 0.39 h and by Miche's limit.  The latter is
- * raised for a wave that is steeper than it on deep water already: there a wave is what
- * the scene asks for.  The node at 2048 m is deep water to the bit, and so are places
- * without a floor.
+ * Heights grow by Ks Kr and are capped at 0.39 h and at Miche's limit.  Miche's limit is
+ * raised for a wave above the limit in deep water already: the scene asks for such a wave.
+ * The node at 2048 m is deep water to the bit, and so are places without a floor.
  *
- * Loops [A11] [B13]: all waves at a place have one depth, so the steepness sum is taken
- * at each node, sum k QrSx (1 + lambda r) <= 0.951 (0.95 and its roundings), and all
- * orbits of a node are narrowed by one factor where it is more. */
+ * Loops [A11] [B13]: all waves at a point have the same depth.  The steepness sum is
+ * therefore taken at each node, sum k QrSx (1 + lambda r) <= 0.951 (0.95 and its
+ * roundings).  If the sum is larger, one factor narrows all orbits of the node. */
 #include "wave/ocean_tables.h"
 
 #define STEEPEST   TP_FX(0.951)
@@ -32,8 +31,8 @@ int64_t tp_ocean_across(int64_t k_q32, int64_t kz_q32)
     return (root + (((int64_t)1 << up) >> 1)) >> up << down;
 }
 
-/* Towards `up`, k times its share that way.  A wave that leaves the shore keeps leaving
- * it: its sign is that of deep water. */
+/* Returns the wave vector over a floor that rises towards `up`.  The sign of the component
+ * towards `up` is the sign in deep water: a wave that leaves the shore keeps leaving. */
 tp_ocean_number tp_ocean_bent(const tp_ocean_swell *swell, tp_way up, int64_t k_q32)
 {
     const tp_way along = { -up.z, up.x };
@@ -50,7 +49,8 @@ tp_ocean_number tp_ocean_bent(const tp_ocean_swell *swell, tp_way up, int64_t k_
     };
 }
 
-/* part / whole as Q30, |part| <= whole but for roundings: brought to 31 bits first. */
+/* Returns part / whole as Q30; |part| <= whole but for roundings.  Both are first shifted
+ * down to 31 bits. */
 static tp_q30 share_of(int64_t part, int64_t whole)
 {
     TP_ASSERT(part < 2 * whole && part > -2 * whole);
@@ -61,8 +61,9 @@ static tp_q30 share_of(int64_t part, int64_t whole)
 
 /* -- amplitude --------------------------------------------------------------------- */
 
-/* Half of Miche's height, but no less than a wave of `amplitude` has of it when deep:
- * both heights saturate at 2^31, so the product has 62 bits. */
+/* Returns half of Miche's height, but at least the same share of Miche's height as a
+ * wave of this amplitude has in deep water.  Both heights saturate at 2^31: the
+ * product has 62 bits. */
 static tp_fx miche_amplitude(const tp_ocean_swell *w, int64_t k_q32, tp_fx h)
 {
     const int64_t here = tp_miche_height(k_q32, h);
@@ -72,7 +73,7 @@ static tp_fx miche_amplitude(const tp_ocean_swell *w, int64_t k_q32, tp_fx h)
     return tp_fx_held(most);
 }
 
-/* H / h before the cap of [B15]. */
+/* Returns H / h before the cap of [B15]. */
 static tp_fx ratio_of(const tp_ocean_swell *w, tp_fx ks, tp_fx kr, tp_fx h)
 {
     const int64_t shoaled = (int64_t)tp_fx_mul(w->amplitude, ks) * kr >> 15;
@@ -85,7 +86,8 @@ static int16_t q14_of(tp_q30 x)
     return (int16_t)((x + 0x8000) >> 16);
 }
 
-/* k r from pi / 7, the steepness that breaks, to 0.5, where slopes are 30 degrees. */
+/* Returns the strength of breaking by steepness: k r from pi / 7, the breaking steepness,
+ * to 0.5, where slopes are 30 degrees. */
 static int16_t steep_of(int64_t k_q32, tp_fx amplitude)
 {
     const int64_t kr = k_q32 * amplitude >> 32;
@@ -93,8 +95,9 @@ static int16_t steep_of(int64_t k_q32, tp_fx amplitude)
     return (int16_t)(tp_smoothstep(over * 1250 / 64) >> 2);     /* 1 / 0.0512 = 19.5 */
 }
 
-/* QA A/A_inf Sx, held below 0.95 / k.  QA <= 303 m and A < 2^26 have 51 bits; what comes
- * of them is below 2^25 (512 m, above any 0.95 / k) before the 37 of Sx >= 1. */
+/* Returns QA A/A_inf Sx, clamped to 0.95 / k.  QA <= 303 m and A < 2^26 have 51 bits.
+ * Their quotient is below 2^25 (512 m, above any 0.95 / k) before the 37 bits of Sx >=
+ * 1. */
 static tp_fx along_of(const tp_ocean_swell *w, tp_fx amplitude, int64_t k_q32, int64_t sx)
 {
     TP_ASSERT(k_q32 > 0 && w->amplitude > 0);
@@ -109,7 +112,7 @@ static tp_fx along_of(const tp_ocean_swell *w, tp_fx amplitude, int64_t k_q32, i
 
 /* -- nodes ------------------------------------------------------------------------- */
 
-/* Where the wave travels to over a straight floor, and the tilt of its orbit. */
+/* Sets the direction of travel over a straight floor, and the tilt of the orbit. */
 static void turn_node(const tp_ocean *ocean, tp_ocean_depth *node, uint32_t fall_q32,
                       const tp_ocean_swell *w, int64_t k_q32)
 {
@@ -128,7 +131,7 @@ static void turn_node(const tp_ocean *ocean, tp_ocean_depth *node, uint32_t fall
     node->tilt_cos = q14_of(tp_cos_of_sin(sin));
 }
 
-/* The last node: deep water. */
+/* Returns the last node: deep water. */
 static tp_ocean_depth deep_node(const tp_ocean_swell *w)
 {
     return (tp_ocean_depth){
@@ -158,14 +161,15 @@ static tp_ocean_depth node_at(const tp_ocean *ocean, const tp_ocean_swell *w, tp
     };
 }
 
-/* k along (1 + |push|), 16.16: the wave's part of the sum.  k along < 2^48. */
+/* Returns k along (1 + |push|), 16.16: the wave's part of the steepness
+ * sum.  k along < 2^48. */
 static int32_t steepness_of(const tp_ocean_depth *node, int64_t k_q32, tp_fx lambda)
 {
     const int64_t q = k_q32 * node->along >> 32;
     return (int32_t)(q + (q * tp_wind_push(lambda, node->up) >> 30)) + 1;
 }
 
-/* The steepness waits in the place of the phases for tp_ocean_share. */
+/* Stores the steepness in `turns` until tp_ocean_share reads it; the phases come later. */
 void tp_ocean_make_table(tp_ocean *ocean, uint32_t i, const tp_ocean_swell *swell,
                          const tp_ocean_config *config)
 {
@@ -185,7 +189,7 @@ void tp_ocean_make_table(tp_ocean *ocean, uint32_t i, const tp_ocean_swell *swel
         if (times > wave->iterations)
             wave->iterations = times;
     }
-    table->depth[0] = table->depth[1];      /* 0 m: the same, but nothing moves */
+    table->depth[0] = table->depth[1];      /* 0 m: a copy of node 1, but without motion */
     table->depth[0].along = table->depth[0].up = table->depth[0].lip = 0;
     table->turns[0] = 0;
 }
@@ -205,17 +209,18 @@ void tp_ocean_share(tp_ocean *ocean)
 
 /* -- phases ------------------------------------------------------------------------ */
 
-/* What the number towards the shore has more at a depth than on deep water. */
+/* Returns the wave number towards the shore at a depth less the number in deep water. */
 static int64_t excess_at(const tp_ocean_swell *w, tp_fx h)
 {
     return tp_ocean_across(tp_ocean_number_at(w->k_inf_q32, h), w->kz_q32)
          - tp_ocean_across(w->k_inf_q32, w->kz_q32);
 }
 
-/* [B8] [B9] as what it is more than on deep water: with h = depth - slope x the integral
- * over x is one over h, by Simpson between nodes a 32nd of an octave apart, from the deep
- * end.  Rad in Q32 over 2 pi slope (both 16.16) is turns in Q16: at slopes from 2^-12 and
- * an integral below 4 rad at the slope of 1, less than 2^27. */
+/* [B8] [B9] as the difference from deep water.  With h = depth - slope x the integral
+ * over x becomes an integral over h.  Simpson's rule adds up the steps between nodes, a
+ * 32nd of an octave apart, from the deep end.  Rad in Q32 over 2 pi slope (both 16.16)
+ * is turns in Q16: for slopes from 2^-12 on, and an integral below 4 rad at a slope of
+ * 1, less than 2^27. */
 void tp_ocean_make_phases(tp_ocean *ocean, uint32_t i, const tp_ocean_swell *swell)
 {
     const tp_way up = { ocean->up_x, ocean->up_z };
@@ -241,7 +246,8 @@ void tp_ocean_make_phases(tp_ocean *ocean, uint32_t i, const tp_ocean_swell *swe
 
 /* -- bounds ------------------------------------------------------------------------ */
 
-/* Of the sine of any tilt of a map, Q14: of the steepest rise, r / sqrt(1 + r^2). */
+/* Returns a bound of the sine of the tilt over a map, Q14, from the steepest slope: r
+ * / sqrt(1 + r^2). */
 int32_t tp_ocean_tilt_most(const tp_ocean *ocean)
 {
     const tp_ocean_bed *beds = tp_ocean_beds(ocean);
@@ -255,8 +261,8 @@ int32_t tp_ocean_tilt_most(const tp_ocean *ocean)
     return (int32_t)((tp_isqrt64((uint64_t)most) + 1) * 16384 / length);
 }
 
-/* The stretch and the lip are there only where the gate can open.  A little more than the
- * sum makes up for ways that are longer than one by their rounding. */
+/* Adds the bounds of a wave.  Stretch and lip count only at depths where the gate can open.
+ * A margin covers direction vectors longer than 1 by rounding. */
 static void add_bounds(tp_ocean *ocean, uint32_t i, int32_t tilt)
 {
     const tp_ocean_wave *wave = &ocean->wave[i];
@@ -278,7 +284,8 @@ static void add_bounds(tp_ocean *ocean, uint32_t i, int32_t tilt)
     ocean->height += height + 8;
 }
 
-/* Below the deepest node where a wave may break, by its depth or its steepness. */
+/* Finds the first node below the deepest node where a wave may break, by depth
+ * or by steepness. */
 static void find_calm(tp_ocean *ocean, uint32_t i)
 {
     const tp_ocean_depth *depth = tp_ocean_tables(ocean)[i].depth;

@@ -1,27 +1,27 @@
 /* SPDX-License-Identifier: MIT */
-/* What the parts of the ocean share: its tables are made in ocean_init.c,
- * ocean_tables.c and ocean_map.c, and read in ocean.c. */
+/* Interface between the parts of coastal water.  ocean_init.c, ocean_tables.c and
+ * ocean_map.c make the tables; ocean.c reads them. */
 #ifndef TP_WAVE_OCEAN_TABLES_H
 #define TP_WAVE_OCEAN_TABLES_H
 #include "base/base.h"
 #include "wave/ocean.h"
 
-/* -- places and ways --------------------------------------------------------------- */
+/* -- points and directions --------------------------------------------------------- */
 
-/* A unit vector on the ground. */
+/* A horizontal unit vector. */
 typedef struct {
     tp_q30 x, z;
 } tp_way;
 
 tp_way tp_way_of(tp_fx heading_degrees);
-tp_fx  tp_way_along(tp_way way, tp_fx x, tp_fx z);  /* metres of a place; saturates */
+tp_fx  tp_way_along(tp_way way, tp_fx x, tp_fx z);  /* m along `way`; saturates */
 
 static inline tp_q30 tp_way_dot(tp_way a, tp_way b)
 {
     return (tp_q30)(((int64_t)a.x * b.x + (int64_t)a.z * b.z + (1 << 29)) >> 30);
 }
 
-/* Between a and b, part of the way in Q16; their difference fits an int32_t. */
+/* Interpolates from a to b; `part` is Q16.  b - a must fit an int32_t. */
 static inline int32_t tp_ocean_mix(int32_t a, int32_t b, int32_t part)
 {
     return a + (int32_t)(((int64_t)(b - a) * part + 0x8000) >> 16);
@@ -29,24 +29,24 @@ static inline int32_t tp_ocean_mix(int32_t a, int32_t b, int32_t part)
 
 /* -- depths of the tables -------------------------------------------------------------
  *
- * Eight (for phases 32) depths an octave: the leading bits of h name the node, those
- * behind them the part, so neither a root nor a division is needed. */
+ * Eight depths an octave (32 for phases).  The leading bits of h give the node, the next
+ * bits the fraction: a look-up needs neither a root nor a division. */
 
 #define TP_OCEAN_FIRST 12       /* 1/16 m is 2^12 in 16.16 ... */
 #define TP_OCEAN_LAST  27       /* ... and 2048 m is 2^27 */
 
-/* Whether waves so stretched may hang over: where the bed rises at all. */
+/* True if waves with this stretch may overhang: only where the floor rises. */
 static inline bool tp_may_break(tp_fx stretch, tp_fx slope, bool mapped)
 {
     return stretch > 0 && (slope > 0 || mapped);
 }
 
 typedef struct {
-    uint32_t depth, phase;          /* the nodes above */
-    int32_t  depth_part, phase_part;/* Q16 */
+    uint32_t depth, phase;          /* next shallower nodes */
+    int32_t  depth_part, phase_part;/* fractions to the next node, Q16 */
 } tp_ocean_where;
 
-/* Of a depth > 0. */
+/* Returns the table position of a depth > 0. */
 static inline tp_ocean_where tp_ocean_where_of(tp_fx h)
 {
     TP_ASSERT(h > 0);
@@ -63,7 +63,7 @@ static inline tp_ocean_where tp_ocean_where_of(tp_fx h)
                              (int32_t)(rest << 5 >> 16) };
 }
 
-/* The depth of node i when 2^bits nodes are an octave. */
+/* Returns the depth of node i with 2^bits nodes an octave. */
 static inline tp_fx tp_ocean_node_depth(uint32_t i, int bits)
 {
     TP_ASSERT(i <= TP_OCEAN_PHASES && (bits == 3 || bits == 5));
@@ -75,21 +75,22 @@ static inline tp_fx tp_ocean_node_depth(uint32_t i, int bits)
 
 /* -- orbits and breaking ----------------------------------------------------------- */
 
-/* Sx and Sy of [B12], 8.24.  Sx <= 2^7 and a bit at 1/16 m with the default rates; both
- * are held, Sx to 2^13 and Sy to 2, for rates that nobody means. */
+/* Sx and Sy of [B12], 8.24.  Sx is about 2^7 at 1/16 m with the default rates.  Unusual
+ * rates are bounded: Sx is clamped to 2^13 and Sy to 2. */
 typedef struct {
     int64_t x_q24, y_q24;
 } tp_orbit_scale;
 tp_orbit_scale tp_orbit_scale_of(tp_fx depth, tp_fx kx, tp_fx ky);
 
-/* e^-K h as Q0.32. */
+/* Returns e^-K h as Q0.32. */
 uint32_t tp_orbit_fall(tp_fx rate, tp_fx depth);
 
-/* sqrt(1 - s^2). */
+/* Returns sqrt(1 - s^2). */
 tp_q30 tp_cos_of_sin(tp_q30 sin);
 
-/* The orbit at a phase.  The semi-axis `up` counts along the way no more than `along`:
- * with Q < 1 it may be the longer one, and k along bounds the way's Jacobian [B13]. */
+/* Returns the offset of an orbit at a phase.  Along the direction of travel the semi-axis
+ * `up` counts at most as `along`: with Q < 1 `up` may be longer, and k along bounds the
+ * horizontal Jacobian [B13]. */
 static inline tp_offset tp_orbit_at(const tp_ellipse *o, tp_turn phi)
 {
     const int32_t a = tp_q30_mul(o->along, tp_sin(phi));
@@ -103,59 +104,60 @@ static inline tp_offset tp_orbit_at(const tp_ellipse *o, tp_turn phi)
                         tp_q30_mul(a, o->sin) + tp_q30_mul(b, o->cos) };
 }
 
-/* H / h at which the gate may begin to open, with all of the noise: 0.6 / 1.5. */
+/* The least H / h where the gate may begin to open, with full noise: 0.6 / 1.5. */
 #define TP_OCEAN_RATIO_LEAST TP_FX(0.3999)
 
 /* -- noise ------------------------------------------------------------------------- */
 
-/* Value noise in -1..1, 16.16: random heights at whole u and v, joined smoothly.  u and v
- * are Q16; u repeats after 2^16, v after 8 cells. */
+/* Value noise in -1..1, 16.16: random heights at integer u and v, smooth interpolation.  u
+ * and v are Q16; u repeats after 2^16 cells, v after 8 cells. */
 tp_fx tp_noise(uint32_t u_q16, uint32_t v_q16, uint32_t seed);
 
 /* -- the eikonal equation ---------------------------------------------------------- */
 
-/* |grad S| = k over cols x rows square cells.  `turns[i]` goes in as the phase, Q32.32,
- * on the edges where waves come in and as INT64_MAX elsewhere, and comes out as the
- * earliest phase everywhere.  `ray[i].turns` holds k times the step, as unsigned turns
- * Q8.24. */
+/* Solves |grad S| = k over cols x rows square cells.  On input `turns[i]` holds the
+ * phase, Q32.32, on the edges where waves come in, and INT64_MAX elsewhere.  On output
+ * `turns` holds the earliest phase everywhere.  `ray[i].turns` holds k times the step, as
+ * unsigned turns Q8.24. */
 void tp_eikonal_solve(int64_t *turns, const tp_ocean_ray *ray, uint32_t cols,
                       uint32_t rows);
 
-/* -- making ------------------------------------------------------------------------ */
+/* -- construction ------------------------------------------------------------------ */
 
-/* The numbers of a wave that the tables are made from. */
+/* Inputs of a wave's tables. */
 typedef struct {
     int64_t k_inf_q32;
-    int64_t kz_q32;             /* along a straight shore [B9] */
+    int64_t kz_q32;             /* wave number along a straight shore [B9] */
     tp_way  way;
-    tp_fx   amplitude, reach;   /* A and QA of deep water */
+    tp_fx   amplitude, reach;   /* A and QA in deep water, m */
     tp_fx   length;
 } tp_ocean_swell;
 
-/* k at a depth, or at 1/16 m where it is less: below 29 rad/m for waves of 0.25 m. */
+/* Returns k at a depth; depths below 1/16 m count as 1/16 m.  k is below 29 rad/m for
+ * waves of 0.25 m. */
 static inline int64_t tp_ocean_number_at(int64_t k_inf_q32, tp_fx depth)
 {
     return tp_depth_number_exact(k_inf_q32,
                                  depth < TP_DEPTH_LEAST ? TP_DEPTH_LEAST : depth);
 }
 
-/* Turns a metre, Q31.32, of a wave number: over 2 pi.  k < 2^5, so the product fits. */
+/* Converts a wave number to turns per metre, Q31.32.  k < 2^5: the product fits. */
 static inline int64_t tp_ocean_turns(int64_t k_q32)
 {
     return (k_q32 * 42722830 + (1 << 27)) >> 28;        /* 2^28 / 2 pi */
 }
 
-/* x y / 2^30 of an x of any size; within two of its units. */
+/* Returns x y / 2^30 for an x of any size; within two units. */
 static inline int64_t tp_ocean_part(int64_t x, tp_q30 y)
 {
     return ((x >> 16) * y >> 14) + ((x & 0xffff) * y >> 30);
 }
 
-/* sqrt(k^2 - kz^2) for |kz| <= k; else 0. */
+/* Returns sqrt(k^2 - kz^2) for |kz| <= k; else 0. */
 int64_t tp_ocean_across(int64_t k_q32, int64_t kz_q32);
 
-/* k (x, z) over a floor that rises towards `up`: Snell [B9] keeps what is along its
- * contours.  up (0, 0): straight on. */
+/* Wave vector k over a floor that rises towards `up`: by Snell's law [B9] the component
+ * along the depth contours stays.  up = (0, 0): no change of direction. */
 typedef struct {
     int64_t x_q32, z_q32;
 } tp_ocean_number;
@@ -177,8 +179,9 @@ void tp_ocean_make_table(tp_ocean *ocean, uint32_t i, const tp_ocean_swell *swel
 void tp_ocean_make_phases(tp_ocean *ocean, uint32_t i, const tp_ocean_swell *swell);
 void tp_ocean_share(tp_ocean *ocean);
 
-/* The sine of the steepest tilt of a map's floor, Q14; and the bounds of a swell whose
- * table and phases are there, which add to the ocean's. */
+/* tp_ocean_tilt_most returns the sine of the steepest tilt over a map, Q14.
+ * tp_ocean_bound adds the bounds of a swell, whose table and phases must exist, to the
+ * bounds of the ocean. */
 int32_t tp_ocean_tilt_most(const tp_ocean *ocean);
 void tp_ocean_bound(tp_ocean *ocean, uint32_t i, int32_t tilt);
 
@@ -187,7 +190,7 @@ void tp_ocean_make_rays(tp_ocean *ocean, uint32_t i, const tp_ocean_swell *swell
                         int64_t *turns);
 tp_q30 tp_ocean_beach(const tp_ocean *ocean, tp_fx amplitude);
 
-/* ocean.c: the depth, m, up to which crests foam by breaking alone; in deeper water they
- * foam where they are squeezed. */
+/* ocean.c: depth, m, up to which crests foam by breaking alone.  In deeper water crests
+ * foam where the surface is compressed. */
 tp_fx tp_ocean_breaking_depth(const tp_ocean *ocean);
 #endif

@@ -1,15 +1,15 @@
 /* SPDX-License-Identifier: MIT */
-/* Elliptic orbits over a floor, [B11]-[B13] of the models: circles that flatten towards
- * the bottom and rise with it.
+/* Elliptic orbits over a floor, [B11]-[B13] of the models: circles that flatten towards the
+ * floor and tilt with the floor.
  *
- * Only a floor that rises along the way tilts them, so that no wave breaks backwards.
- * Sx grows without bound towards the shore; the major axis is held below 0.95 / k, where
- * the surface would fold into loops, and Sy comes of the ratio before that. */
+ * Only a floor that rises along the direction of travel tilts the orbits: no wave breaks
+ * backwards.  Sx grows without bound towards the shore.  The major axis is clamped to 0.95
+ * / k, where the surface would fold into loops; Sy uses the ratio before the clamp. */
 #include "wave/ocean_tables.h"
 #include "wave/exp.h"
 
 #define AXIS_MAX TP_FX(0.95)
-#define R_MAX    TP_FX(64)      /* m: times Sx, 2^37 in 8.24, 59 bits */
+#define R_MAX    TP_FX(64)      /* m; times Sx, 2^37 in 8.24: 59 bits */
 
 static tp_fx depth_of(tp_fx depth)
 {
@@ -22,8 +22,8 @@ uint32_t tp_orbit_fall(tp_fx rate, tp_fx depth)
     return x >= (int64_t)23 << 24 ? 0 : tp_exp_neg((uint32_t)x);
 }
 
-/* The falls are within 2^-30, so 1 - e^-Kx h, at least 0.0068 with the usual rates, is
- * within 2^-22 of itself. */
+/* The exponentials are within 2^-30.  1 - e^-Kx h is at least 0.0068 with the usual rates
+ * and has a relative error below 2^-22. */
 tp_orbit_scale tp_orbit_scale_of(tp_fx depth, tp_fx kx, tp_fx ky)
 {
     const int64_t one = (int64_t)1 << 32, most = (int64_t)1 << 37, two = 1 << 25;
@@ -41,7 +41,7 @@ tp_q30 tp_cos_of_sin(tp_q30 sin)
     return (tp_q30)tp_isqrt64(((uint64_t)1 << 60) - (uint64_t)((int64_t)sin * sin));
 }
 
-/* 0.95 / k, saturated. */
+/* Returns 0.95 / k, saturated. */
 static tp_fx axis_most(int64_t k_q32)
 {
     if (k_q32 <= 0)

@@ -1,18 +1,19 @@
 /* SPDX-License-Identifier: MIT */
 /* Rings of droplets, [A4] [A5] of the models.
  *
- * What does not depend on the place (age, crest, decay) is worked out once a picture in
- * tp_ring_at, with the divisions.  A place costs each ring a compare of x, most often;
- * then squares decide, in 64 bits; the few rings whose band holds it cost two reciprocal
- * roots: 1 / rho gives the distance and the direction, q = 1 / sqrt(rho + rho0) the
- * spreading s = sqrt(rho0) q and its slope: s^3 / (2 rho0) = s q^2 / 2. */
+ * tp_ring_at computes the terms that do not depend on the point (age, crest, decay) once
+ * a picture, including all divisions.  At a point most rings cost one comparison of x.
+ * For the others squared distances decide, in 64 bits.  The few rings with the point in
+ * their band cost two reciprocal roots.  1 / rho gives the distance and the direction.  q
+ * = 1 / sqrt(rho + rho0) gives the spreading s = sqrt(rho0) q and its slope: s^3 / (2
+ * rho0) = s q^2 / 2. */
 #include <stdbool.h>
 #include "base/assert.h"
 #include "tidepool/world.h"
 #include "wave/exp.h"
 #include "wave/ring.h"
 
-#define REACH       (16384 * TP_FX_ONE)     /* rings run no farther: squares fit 2^61 */
+#define REACH       (16384 * TP_FX_ONE)     /* largest radius: squares fit 2^61 */
 #define DECAYS      20                      /* 4 m x exp(-20) is below half of 2^-24 */
 #define SLOPE_MOST  134049956               /* 7.99, Q8.24 */
 #define PI_Q20      3294199
@@ -34,33 +35,35 @@ bool tp_ring_is_valid(const tp_ring *ring)
 
 /* -- once a picture ------------------------------------------------------------------ */
 
-/* Ticks x 65536 since the impact. */
+/* Returns ticks x 65536 since the impact. */
 static int64_t age_of(const tp_ring *ring, int64_t now)
 {
     return (int64_t)((uint64_t)now - (uint64_t)ring->start);
 }
 
-/* Ages beyond DECAYS have nothing left, and within them age < 1200 x 2^26 < 2^37. */
+/* True if the age exceeds DECAYS: nothing is left.  Younger ages are < 1200 x 2^26 <
+ * 2^37. */
 static bool faded_out(const tp_ring *ring, int64_t age)
 {
     return age >= (int64_t)DECAYS * TP_TICKS_PER_SECOND * ring->decay;
 }
 
-/* c a: speed < 2^22.1, so the product has 60 bits.  From Q32 x seconds x 60 to Q24. */
+/* Returns c a: speed < 2^22.1, and the product has 60 bits.  Converts Q32 x
+ * seconds x 60 to Q24. */
 static int64_t rear_q24(const tp_ring *ring, int64_t age)
 {
     const int64_t over = TP_TICKS_PER_SECOND << 8;
     return ((int64_t)ring->speed * age + over / 2) / over;
 }
 
-/* exp(-a / tau), Q0.30; a / tau < DECAYS. */
+/* Returns exp(-a / tau), Q0.30; a / tau < DECAYS. */
 static tp_q30 decayed(const tp_ring *ring, int64_t age)
 {
     uint64_t over = (uint64_t)TP_TICKS_PER_SECOND * (uint32_t)ring->decay;
     return tp_exp_neg_q30((uint32_t)((((uint64_t)age << 24) + over / 2) / over));
 }
 
-/* smoothstep(a / tr) = t^2 (3 - 2 t), Q2.30. */
+/* Returns smoothstep(a / tr) = t^2 (3 - 2 t), Q2.30. */
 static tp_q30 risen(const tp_ring *ring, int64_t age)
 {
     int64_t whole = (int64_t)TP_TICKS_PER_SECOND * ring->attack;   /* < 2^25.1 */
@@ -72,7 +75,7 @@ static tp_q30 risen(const tp_ring *ring, int64_t age)
     return (tp_q30)(square * (3 * (int64_t)TP_Q30_ONE - 2 * t) >> 30);
 }
 
-/* A0 times a share: 16.16 and Q2.30 to Q8.24. */
+/* Returns A0 times a share: 16.16 and Q2.30 to Q8.24. */
 static int32_t gain_of(const tp_ring *ring, tp_q30 share)
 {
     return (int32_t)(((int64_t)ring->amplitude * share + (1 << 21)) >> 22);
@@ -109,10 +112,10 @@ bool tp_ring_at(const tp_ring *ring, int64_t now, tp_ring_now *at)
     return true;
 }
 
-/* -- at a place ---------------------------------------------------------------------- */
+/* -- at a point ---------------------------------------------------------------------- */
 
-/* 1 / sqrt(x) of x > 0 as r, Q1.31 in [1, 2], and half the shift that brought x up:
- * sqrt(x) = sqrt(n / 2^32) 2^(32 - half). */
+/* 1 / sqrt(x) of x > 0: n is x shifted up, r is 1 / sqrt(n / 2^32) as Q1.31 in [1, 2],
+ * `half` is half of the shift: sqrt(x) = sqrt(n / 2^32) 2^(32 - half). */
 typedef struct {
     uint32_t n, r;
     int      half;
@@ -127,8 +130,8 @@ static inline root root_of(uint64_t x)
     return (root){ n, tp_rsqrt_norm(n), half };
 }
 
-/* s(rho) = sqrt(rho0 / (rho0 + rho)), Q2.30, and 1 / (2 (rho0 + rho)), Q.22.  The sum is
- * 2^17 to 2^39 in Q24, so half is 12 to 23: no shift is negative. */
+/* Returns s(rho) = sqrt(rho0 / (rho0 + rho)), Q2.30, and 1 / (2 (rho0 + rho)), Q.22.  The
+ * sum is 2^17 to 2^39 in Q24, and `half` is 12 to 23: no shift is negative. */
 static inline tp_q30 spreading(const tp_ring_now *ring, int64_t rho_q24,
                                int32_t *bend_q22)
 {
@@ -145,7 +148,8 @@ typedef struct {
     int64_t height, slope_x, slope_z;       /* Q.24 */
 } sums;
 
-/* (dx, dz) from the centre, 16.16, its square d2 in 0 < d2 < 2^60. */
+/* Adds a ring at (dx, dz) from the centre, 16.16; d2 is the squared
+ * distance, 0 < d2 < 2^60. */
 static void add_ring(sums *sum, const tp_ring_now *ring, int32_t dx, int32_t dz,
                      uint64_t d2)
 {
@@ -165,7 +169,8 @@ static void add_ring(sums *sum, const tp_ring_now *ring, int32_t dx, int32_t dz,
     int64_t steep = ((int64_t)ring->steep_q22 * tp_sin(turns)
                      - (int64_t)bend * w) >> 30;
     int64_t slope = tp_limit((high * steep + (1 << 21)) >> 22, SLOPE_MOST);
-    /* / rho: d r < 2^62 and 2^(33 - half) turns it into a Q2.30 of magnitude <= 1. */
+    /* Divides by rho: d r < 2^62, and 2^(33 - half) turns the product into a Q2.30
+     * of magnitude <= 1. */
     int     down = 33 - over.half;
     int64_t round = (int64_t)1 << (down - 1);
 
@@ -196,7 +201,7 @@ tp_relief tp_ring_relief(const tp_ring_now *rings, uint32_t count, tp_fx x, tp_f
     return (tp_relief){ rounded(sum.height), rounded(sum.slope_x), rounded(sum.slope_z) };
 }
 
-/* -- its end ------------------------------------------------------------------------- */
+/* -- the end of a ring --------------------------------------------------------------- */
 
 bool tp_ring_spent(const tp_ring *ring, int64_t now, tp_fx beyond)
 {

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Numbers of 32 bits with an exponent; see scaled.h.  Functions, not inline: a hundred
- * places use them at set-up, where bytes count for more than calls. */
+/* Numbers of 32 bits with an exponent; see scaled.h.  These are functions, not inline:
+ * about a hundred calls in set-up code, where code size matters more than speed. */
 #include <stdbool.h>
 #include "wave/scaled.h"
 #include "fx/fx.h"
@@ -40,8 +40,8 @@ tp_scaled tp_scaled_recip(tp_scaled x)
     return (tp_scaled){ tp_recip_norm(x.m), -63 - x.e };
 }
 
-/* n 2^e with e even: tp_rsqrt_norm gives 2^31 / sqrt(n / 2^32) = 2^47 / sqrt(n).  x > 0.
- * Halved where e is odd, m loses a bit: 2^-32 of the root. */
+/* For n 2^e with even e, tp_rsqrt_norm gives 2^31 / sqrt(n / 2^32) = 2^47 / sqrt(n); x > 0.
+ * An odd e halves m, which loses a bit: 2^-32 of the root. */
 tp_scaled tp_scaled_rsqrt(tp_scaled x)
 {
     const int odd = x.e & 1;

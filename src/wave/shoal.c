@@ -1,11 +1,13 @@
 /* SPDX-License-Identifier: MIT */
 /* Speeds and heights over a depth, [B3] and [B7] of the models.
  *
- * With x = kh and T = tanh x / x, the 1 + 2x / sinh 2x of [B7] is (T + sech^2 x) / T. */
+ * With x = kh and T = tanh x / x, the factor 1 + 2x / sinh 2x of [B7] is (T
+ * + sech^2 x) / T. */
 #include "wave/depth.h"
 #include "wave/exp.h"
 
-/* (1 + 2x / sinh 2x) / 2 = cg / c at x = kh: 1/2 deep, 1 shallow.  T >= 1/256. */
+/* Returns (1 + 2x / sinh 2x) / 2 = cg / c at x = kh: 1/2 in deep water, 1 in shallow
+ * water.  T >= 1/256. */
 static tp_scaled group_share(tp_scaled k, tp_fx depth)
 {
     const tp_scaled x = tp_scaled_mul(k, tp_depth_of(depth));
@@ -38,7 +40,7 @@ tp_fx tp_depth_group_speed(int64_t k_inf_q32, int64_t k_q32, tp_fx depth, tp_fx 
     return tp_scaled_fx(tp_scaled_mul(c, group_share(k, depth)));
 }
 
-/* c_inf / 2 cg = (k / k_inf) / (2 cg/c). */
+/* Ks^2 = c_inf / 2 cg = (k / k_inf) / (2 cg/c). */
 tp_fx tp_depth_shoaling(int64_t k_inf_q32, int64_t k_q32, tp_fx depth)
 {
     if (k_inf_q32 <= 0 || k_q32 <= 0)
@@ -50,7 +52,7 @@ tp_fx tp_depth_shoaling(int64_t k_inf_q32, int64_t k_q32, tp_fx depth)
     return tp_scaled_fx(tp_scaled_sqrt(square));
 }
 
-/* cos^2 of the angle between a wave and the shore's normal, 1/256 at the least, Q1.31.
+/* Returns cos^2 of the angle between a wave and the shore's normal, Q1.31, at least 1/256.
  * The product (k - kz)(k + kz) keeps the bits that 1 - (kz/k)^2 would lose. */
 static tp_scaled cosine_squared(int64_t k_q32, uint64_t kz_q32)
 {

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* From waves as people give them to swells as the core sums them, [A7] and [G1]-[G2] of
- * the models, with the bounds that the sums rely on: amplitudes up to 0.3 of the length,
- * and a sum of Q k A up to 0.95, to which every wave is scaled down alike [A11]. */
+/* Conversion of user waves to swells of the core, [A7] and [G1]-[G2] of the models, with
+ * the bounds needed by the sums: amplitudes up to 0.3 of the length, and a sum of Q k A up
+ * to 0.95; above, all waves are scaled down by the same factor [A11]. */
 #include "base/base.h"
 #include "wave/wave.h"
 
@@ -9,8 +9,9 @@
 #define BEND_CROSSED TP_Q30(0.3)
 #define TWO_PI_Q28   1686629713LL
 
-/* g / (2 pi L) in Q8.120, for g <= 100 m/s^2 and L >= 1/4 m below 64: the high and the
- * low half.  g / 2 pi is divided by L digit by digit, of 32 bits, as on paper. */
+/* Returns g / (2 pi L) in Q8.120, below 64, for g <= 100 m/s^2 and L >= 1/4 m; half[0]
+ * is the high half, half[1] the low half.  Divides g / 2 pi by L in digits of 32 bits,
+ * by long division. */
 static void frequency_squared(tp_fx gravity, tp_fx length, uint64_t half[2])
 {
     TP_ASSERT(gravity > 0 && gravity <= 100 * TP_FX_ONE && length >= TP_FX_ONE / 4);
@@ -31,8 +32,9 @@ static void frequency_squared(tp_fx gravity, tp_fx length, uint64_t half[2])
     half[1] = (uint64_t)digit[3] << 32 | digit[4];
 }
 
-/* The root of a number of 128 bits, > 0, within 2 of 2^64 once the number is shifted up:
- * the root s of its high half, then the rest over 2 s, as long division goes on. */
+/* Returns the square root of a number of 128 bits, > 0, within 2 of 2^64 after the
+ * number is shifted up.  As in long division: first the root s of the high half, then
+ * the rest over 2 s. */
 static uint64_t root_of(const uint64_t half[2])
 {
     TP_ASSERT((half[0] | half[1]) != 0);
@@ -48,10 +50,9 @@ static uint64_t root_of(const uint64_t half[2])
     return (((uint64_t)s << 32) + (rest << 31 | low >> 33) / s) >> up;
 }
 
-/* omega dt / 2 pi = sqrt(g / (2 pi L)) x speed / 60 in Q0.64, modulo a turn.  Within
- * 2^-64 at natural speed: ten years later a wave is not a part in 10^9 of a turn off,
- * where a root of 32 bits would be off by a whole turn.  Without gravity waves stand
- * still. */
+/* Returns omega dt / 2 pi = sqrt(g / (2 pi L)) x speed / 60 in Q0.64, modulo a turn; within
+ * 2^-64 at natural speed.  After ten years a wave is off by less than 10^-9 of a turn; with
+ * a root of 32 bits the error would be a whole turn.  Without gravity waves stand still. */
 static uint64_t turns_per_tick(tp_fx gravity, tp_fx length, tp_fx speed)
 {
     const uint32_t over = TP_TICKS_PER_SECOND << 12;        /* Q60 x Q16 to Q64 */
@@ -66,30 +67,32 @@ static uint64_t turns_per_tick(tp_fx gravity, tp_fx length, tp_fx speed)
     return (high / over << 32) + ((high % over << 32) + low + over / 2) / over;
 }
 
-/* Q0.32 times Q2.30 in Q0.32: turns have up to 34 bits, so they go in two halves. */
+/* Returns Q0.32 times Q2.30 in Q0.32.  Turns have up to 34 bits: the product is
+ * computed in two halves. */
 static int64_t turns_along(uint64_t turns, tp_q30 d)
 {
     int64_t high = (int64_t)(turns >> 16) * d, low = (int64_t)(turns & 0xffff) * d;
     return (high + (low >> 16) + (1 << 13)) >> 14;
 }
 
-/* Q A = (Q k A) L / 2 pi: 30 and 27 bits make Q.46, over Q.28 it is Q.18. */
+/* Returns Q A = (Q k A) L / 2 pi: 30 and 27 bits make Q.46, over Q.28 gives Q.18. */
 static tp_fx reach_of(tp_q30 bend, tp_fx length)
 {
     return (tp_fx)(((int64_t)bend * length / TWO_PI_Q28 + 2) >> 2);
 }
 
-/* k A = 2 pi A / L: 31 and 20 bits make Q.44, two more before the quotient is Q2.30. */
+/* Returns k A = 2 pi A / L: 31 and 20 bits make Q.44; two more bits, and the
+ * quotient is Q2.30. */
 static tp_q30 slope_of(tp_fx amplitude, tp_fx length)
 {
     return (tp_q30)((TWO_PI_Q28 * amplitude * 4 + length / 2) / length);
 }
 
-/* What the cross terms add to the slopes g is adj(B) g / (1 - tr B), B = I - J, and g
- * about h.  In adj(B) h a wave does nothing to itself, and two together at the most the
- * greater of q1 k2 A2 and q2 k1 A1, for the sine of one meets the cosine of the other;
- * over 1 - sum q that bounds the angle in radians.  Rounded up; sharpened waves have a
- * great sine and a great f' together, so their tilt counts twice. */
+/* Bounds the part of the slopes g due to the cross terms: adj(B) g / (1 - tr B), B = I - J,
+ * with g about h.  In adj(B) h a wave has no effect on itself.  Two waves have at most the
+ * greater of q1 k2 A2 and q2 k1 A1, because the sine of one wave meets the cosine of the
+ * other.  Over 1 - sum q the result bounds the angle in radians.  Rounded up.  The tilt of
+ * sharpened waves counts twice, because their sine and their f' are large together. */
 static tp_fx twist_of(const tp_sea *sea, const tp_swell *w)
 {
     tp_fx sum = 0;
@@ -180,7 +183,7 @@ static tp_wave_exact exact_of(const tp_wave *w, tp_q30 steepness, tp_fx gravity)
     };
 }
 
-/* The waves' own steepnesses fit into 32 bits: sixteen of 1. */
+/* The sum of the steepnesses fits 32 bits: at most sixteen of 1. */
 static tp_fx steepness_of(const tp_wave *waves, uint32_t count)
 {
     tp_fx sum = 0;

@@ -1,19 +1,17 @@
 /* SPDX-License-Identifier: MIT */
-/* Swells of the open sea: sines, sharpened sines and Gerstner waves in any mixture,
- * [A1]-[A3] and [A7]-[A11] of the models.
+/* Swells of deep water: sines, sharpened sines and Gerstner waves in any mixture, [A1]-[A3]
+ * and [A7]-[A11] of the models.
  *
- * A point of still water at rest (x0, z0) moves to
+ * A rest point (x0, z0) of still water moves to
  *     x = x0 + sum QA Dx cos th,  y = sum A (f - mean),  z = z0 + sum QA Dz cos th,
  *     th = k (D . p0) - omega t + phase,  f = 2 ((sin th + 1) / 2)^power,
- * D the direction of travel, `mean` that of f over a turn; with power 1 f - mean is
- * sin th.  `steepness` is Q k A, so the sharpness of a crest is set apart from its
- * height.
+ * D the direction of travel, `mean` the mean of f over a turn; with power 1 f - mean is sin
+ * th.  `steepness` is Q k A: the sharpness of a crest is independent of its height.
  *
- * Any place that 16.16 names has an answer.  Its height and slopes are the place's own
- * everywhere; a position that waves would carry beyond 16.16 is held at its ends.  Against
- * exact arithmetic the phase of a wave is off by up to (|x| + |z|) (1.5e-9 + 1e-8 k)
- * radians, and its height by A times that: 0.3 mm at (30 km, 30 km) for A = 1 m and a
- * length of 20 m. */
+ * All points of 16.16 are valid.  Height and slopes are correct everywhere; a position that
+ * waves would carry beyond 16.16 is clamped to the range.  Against exact arithmetic the
+ * phase of a wave is off by up to (|x| + |z|) (1.5e-9 + 1e-8 k) radians, and its height by
+ * A times this error: 0.3 mm at (30 km, 30 km) for A = 1 m and a length of 20 m. */
 #ifndef TP_WAVE_WAVE_H
 #define TP_WAVE_WAVE_H
 #include <stdbool.h>
@@ -22,135 +20,143 @@
 #include "tidepool/scene.h"
 #include "tidepool/world.h"
 
-/* A wave in the models' own letters, with all the bits that the core keeps. */
+/* A wave in the symbols of the models, with full precision. */
 typedef struct {
-    uint64_t turns;         /* k / 2 pi: turns per metre, Q0.32; 1/2000 to 4 of them */
+    uint64_t turns;         /* k / 2 pi, turns per metre, Q0.32; 1/2000 to 4 turns per
+                             * metre */
     tp_q30   dx, dz;        /* D, a unit vector */
-    tp_fx    amplitude;     /* m, A, 0..16 */
+    tp_fx    amplitude;     /* A, m, 0..16 */
     tp_q30   steepness;     /* Q k A, 0..1 */
-    uint64_t turns_tick;    /* omega dt / 2 pi: turns per tick, Q0.64 */
-    tp_turn  phase;         /* at tick 0 */
-    int32_t  power;         /* 0..8, 0 is 1 */
+    uint64_t turns_tick;    /* omega dt / 2 pi, turns per tick, Q0.64 */
+    tp_turn  phase;         /* phase at tick 0 */
+    int32_t  power;         /* 0..8; 0 counts as 1 */
 } tp_wave_exact;
 
-/* The same as the core evaluates it. */
+/* The same wave in the form of the evaluation. */
 typedef struct {
     int64_t  turns_x, turns_z;  /* k D / 2 pi: turns per metre, Q0.32 */
     uint64_t turns_tick;        /* omega dt / 2 pi: turns per tick, Q0.64, wraps */
     uint64_t turns;             /* k / 2 pi, Q0.32 */
     tp_turn  phase;
-    tp_fx    amplitude;         /* A */
-    tp_fx    reach_x, reach_z;  /* QA Dx, QA Dz */
-    tp_q30   slope_x, slope_z;  /* k A Dx, k A Dz; the cap keeps them below 1.9 */
+    tp_fx    amplitude;         /* A, m */
+    tp_fx    reach_x, reach_z;  /* QA Dx, QA Dz, m */
+    tp_q30   slope_x, slope_z;  /* k A Dx, k A Dz; the amplitude cap keeps both below 1.9 */
     tp_q30   bend_xx, bend_xz, bend_zz; /* QkA Dx^2, QkA Dx Dz, QkA Dz^2 */
     tp_q30   bend;              /* QkA */
-    tp_fx    tilt;              /* no less than kA f' */
+    tp_fx    tilt;              /* an upper bound of kA f' */
     int32_t  power;             /* 1..8 */
-    int32_t  mean_q24;          /* of f [A3] */
+    int32_t  mean_q24;          /* mean of f [A3] */
 } tp_swell;
 
 typedef struct {
-    uint32_t count;             /* waves of amplitude 0 are left out */
-    tp_fx    height;            /* no point is higher or lower */
-    tp_fx    reach;             /* sum QA: no point is farther from its rest */
-    tp_fx    steepness;         /* sum QkA as asked for */
-    tp_q30   bend;              /* sum QkA as it is, <= 0.95 */
-    tp_fx    twist;             /* bounds what the cross terms of [A10] add to a slope */
-    bool     clamped;           /* it was above 0.95 and every Q was scaled down [A11] */
-    bool     capped;            /* some amplitude was above 0.3 of its length, and cut */
-    bool     sharpened;         /* some power is above 1 */
-    bool     crossed;           /* normals are made with the cross terms of [A10] */
-    tp_swell swell[TP_WAVES];   /* the last: worlds without swells end before it */
+    uint32_t count;             /* number of swells; amplitudes of 0 are left out */
+    tp_fx    height;            /* bound of |y| of all points, m */
+    tp_fx    reach;             /* sum QA: bound of the horizontal displacement, m */
+    tp_fx    steepness;         /* sum QkA as configured */
+    tp_q30   bend;              /* sum QkA after the clamp, <= 0.95 */
+    tp_fx    twist;             /* bound of the slope added by the cross terms of [A10] */
+    bool     clamped;           /* true if the sum was above 0.95; all Q are
+                                 * scaled down [A11] */
+    bool     capped;            /* true if an amplitude was above 0.3 of its length, and
+                                 * cut */
+    bool     sharpened;         /* true if a power is above 1 */
+    bool     crossed;           /* true if normals use the cross terms of [A10] */
+    tp_swell swell[TP_WAVES];   /* last field: the memory may end after `count` swells */
 } tp_sea;
 
-/* gravity in m/s^2. */
+/* Makes a sea from `count` waves; gravity in m/s^2. */
 void tp_sea_init(tp_sea *sea, const tp_wave *waves, uint32_t count, tp_fx gravity);
 
-/* The same of a sea that ends after as many swells as there are amplitudes above 0. */
+/* The same for a sea in less memory: it ends after the last swell of amplitude above 0. */
 void tp_sea_init_few(tp_sea *sea, const tp_wave *waves, uint32_t count, tp_fx gravity);
 
-/* Adds a wave to a sea, at first one that is all 0.  Amplitudes are cut as in
- * tp_sea_init; what the sum of steepnesses would have above 0.95 is taken from this wave
- * alone.  Beyond TP_WAVES waves, or without amplitude, nothing is added. */
+/* Adds a wave to a sea; an empty sea is all 0.  Amplitudes are cut as in tp_sea_init.  If
+ * the steepness sum would exceed 0.95, the steepness of this wave alone is reduced.  A sea
+ * of TP_WAVES waves takes no more, and a wave without amplitude is ignored. */
 void tp_sea_add(tp_sea *sea, const tp_wave_exact *wave);
 
-/* The phases of all swells, phase - omega t, `back` of a tick (0..1) before one. */
+/* Returns the phases of all swells, phase - omega t, at `back` of a tick
+ * (0..1) before `tick`. */
 void tp_sea_phases(const tp_sea *sea, uint64_t tick, tp_fx back,
                    tp_turn phases[TP_WAVES]);
 
 typedef struct {
-    tp_vec3 position;           /* of the displaced point, m */
-    tp_fx   slope_x, slope_z;   /* dy/dx and dy/dz there, +-7.99 */
+    tp_vec3 position;           /* displaced point, m */
+    tp_fx   slope_x, slope_z;   /* dy/dx and dy/dz at the point, +-7.99 */
 } tp_sea_point;
 
-/* The point whose place at rest is (x0, z0).  Normals are exact [A10] where the sea is
- * `crossed`: with a steepness sum above 0.3, or where the form without cross terms could
- * be 1.5 degrees off.  It is exact for sines and for one wave alone.
+/* Returns the displaced point of the rest point (x0, z0).  Normals are exact [A10] if
+ * the sea is `crossed`: the steepness sum is above 0.3, or the form without cross
+ * terms could be 1.5 degrees off.  The form without cross terms is exact for sines and
+ * for a single wave.
  *
- * The formats turn the normal by at most
+ * The fixed-point formats turn the normal by at most
  *     hypot(H, B) / (1 - q) + 1.1e-5 radians,
  *     H = sum k A n (n + 1) / 2 e,  B = sum Q k A e,  e = 5e-6 + p,
- * q the sum of Q k A as it is, n the wave's power, p the phase's error as above; an
- * amplitude that was cut adds k 2^-17 to H.  One wave with Q = 1 [A8] and the steepness
- * S = k A keeps
+ * q the sum of Q k A after the clamp, n the wave's power, p the error of the phase as
+ * above; an amplitude that was cut adds k 2^-17 to H.  For one wave with Q = 1 [A8] and the
+ * steepness S = k A the bound is
  *     (2.5e-6 + S p) / (1 - S) + 1.1e-5:
- * for S = 0.93 0.0027 degrees at the origin, and 0.02 degrees from |x| + |z| = 430 m on
- * where the length is 1.25 m, from 8.9 km on where it is 60 m. */
+ * for S = 0.93 0.0027 degrees at the origin.  It reaches 0.02 degrees at |x| + |z| = 430 m
+ * for a length of 1.25 m, and at 8.9 km for a length of 60 m. */
 tp_sea_point tp_sea_at_rest(const tp_sea *sea, const tp_turn phases[TP_WAVES],
                             tp_fx x0, tp_fx z0);
 
-/* The surface above or below the world's (x, z) [E1], inverted with at most 8
- * evaluations, from anywhere and on every legal sea: within 30 km of the origin, each way,
- * along within 0.05 mm, so up within that times the slope.  Farther out that holds until
- * the place's waves reach the ends of 16.16, 600 m before them at the most; there the
- * search stays within 16.16, and `position` tells where it ended.  `rest`, if not NULL, is
- * where the search begins (any place; the last tick's is good) and then the place that it
- * found, whose point by tp_sea_at_rest this is. */
+/* Returns the surface above or below the point (x, z) of the world [E1], inverted with at
+ * most 8 evaluations, for any start and every legal sea.  Within 30 km of the origin on
+ * each axis the horizontal error is below 0.05 mm, and the vertical error below 0.05 mm
+ * times the slope.  Farther out the bound holds until the displacements reach the ends of
+ * 16.16, at most 600 m before them.  There the search stays within 16.16, and `position`
+ * tells where the search ended.  `rest`, if not NULL, holds the start of the search (any
+ * point; the result of the last tick is a good start), and receives the rest point found.
+ * The result is tp_sea_at_rest of this rest point. */
 tp_sea_point tp_sea_above(const tp_sea *sea, const tp_turn phases[TP_WAVES],
                           tp_fx x, tp_fx z, tp_fx rest[2]);
 
-/* The n-th plain step of [E1] towards the same, from p0 = (x, z), which is step 0:
- * p0 <- p0 + (p - P(p0)).  It is q^n of the first distance off at the most, q the sum of
- * steepnesses.  Places are held at the ends of 16.16. */
+/* Returns the n-th plain step of [E1] towards the same point, from p0 = (x, z), which is
+ * step 0: p0 <- p0 + (p - P(p0)).  The distance left is at most q^n of the first distance,
+ * q the sum of steepnesses.  Points are clamped to the range of 16.16. */
 tp_sea_point tp_sea_iterate(const tp_sea *sea, const tp_turn phases[TP_WAVES],
                             tp_fx x, tp_fx z, uint32_t n);
 
-/* A surface known by heights alone, [A6]: `around` holds those at x - spacing,
- * x + spacing, z - spacing and z + spacing.  One that is missing at a wall is mirrored in
- * it: the opposite neighbour's where grid points lie on the wall, the middle's own where
- * the wall lies half a spacing beyond.  |height| < 8192 m, 0 < spacing < 8192 m; slopes
- * saturate. */
+/* Slopes and normal of a surface known by heights alone, by central differences [A6].
+ * `around` holds the heights at x - spacing, x + spacing, z - spacing and z + spacing.  A
+ * height missing at a wall is mirrored.  If grid points lie on the wall, the caller
+ * passes the height of the opposite neighbour.  If the wall lies half a spacing beyond,
+ * the caller passes the height of the middle.  |height| < 8192 m, 0 < spacing < 8192 m;
+ * slopes saturate. */
 tp_relief tp_five_heights(tp_fx middle, const tp_fx around[4], tp_fx spacing);
 tp_dir3   tp_five_normal(const tp_fx around[4], tp_fx spacing);
 
-/* -- the sum, for grids ------------------------------------------------------------------ */
+/* -- the sum, for grids -------------------------------------------------------------- */
 
-/* The sum of swells, opened up for those who evaluate many points: the grid adds one
- * wave at a time with phases that it keeps per row and column.
+/* The sum of swells, step by step, for code that evaluates many points: the grid adds one
+ * wave at a time, with phases stored per row and column.
  *
- * A sea says once what its points need: tp_sea.sharpened and tp_sea.crossed.  Bodies take
- * the two as literals, so a plain sea pays for neither. */
+ * A sea states once which terms its points need: tp_sea.sharpened and tp_sea.crossed.  The
+ * functions below take both flags as literals, and a plain sea pays for neither. */
 
 #define TP_SEA_SLOPE_MAX TP_FX(7.99)
 
-/* Sines go in as Q8.24.  |A| <= 2^20 in 16.16, |QA| < 2^25 and all of them together too,
- * slopes < 2^31 in Q2.30; profiles are below 2, their derivatives below 2.5: products
- * have 57 bits at the most and sixteen of them 61. */
+/* Sums of the terms of all swells.  Sines are Q8.24.  |A| <= 2^20 in 16.16, |QA| < 2^25,
+ * also summed over all swells, slopes < 2^31 in Q2.30.  Profiles are below 2, their
+ * derivatives below 2.5: products have at most 57 bits and sixteen of them 61. */
 typedef struct {
-    int64_t x, y, z;                    /* displacement, Q.40 */
+    int64_t x, y, z;                    /* displacement, m, Q.40 */
     int64_t hx, hz;                     /* k A D f', Q.54 */
-    int64_t bxx, bxz, bzz;              /* QkA D D sin th, Q.54; if not crossed, bxx is
-                                         * the sum of QkA sin th and the others are 0 */
+    int64_t bxx, bxz, bzz;              /* QkA D D sin th, Q.54; if not crossed, bxx is the
+                                         * sum of QkA sin th and bxz, bzz are 0 */
 } tp_sea_sum;
 
-/* k D x / 2 pi in turns: exact modulo a turn [G1]. */
+/* Returns k D x / 2 pi in turns: exact modulo a turn [G1]. */
 static inline tp_turn tp_swell_turns(int64_t turns_per_metre, tp_fx x)
 {
     return (tp_turn)((uint64_t)turns_per_metre * (uint64_t)(int64_t)x >> 16);
 }
 
-/* [A3]: f - mean and f', Q8.24, of a sine and cosine in Q2.30.  b = (s + 1)/2 and its
- * powers p are at most 2^30, f' = power p c below 2.48: both products have 62 bits. */
+/* [A3]: returns f - mean and f', Q8.24, of a sine and cosine in Q2.30.  b = (s + 1)/2 and
+ * its powers p are at most 2^30, f' = power p c is below 2.48: both products have 62
+ * bits. */
 TP_ALWAYS_INLINE void tp_swell_sharpen(const tp_swell *w, tp_q30 s, tp_q30 c,
                                        int32_t *f, int32_t *df)
 {
@@ -186,7 +192,7 @@ TP_ALWAYS_INLINE void tp_swell_add_as(tp_sea_sum *sum, const tp_swell *w, tp_tur
     }
 }
 
-/* All swells of a sea, each at the sum of its two phases. */
+/* Returns the sum of all swells of a sea; the phase of each is a[i] + b[i]. */
 TP_ALWAYS_INLINE tp_sea_sum tp_sea_sum_all(const tp_sea *sea, const tp_turn *a,
                                            const tp_turn *b, int sharpened, int crossed)
 {
@@ -202,9 +208,10 @@ TP_ALWAYS_INLINE int64_t tp_sea_faded(int64_t x, tp_fx fade)
     return fade == TP_FX_ONE ? x : (x >> 16) * fade;
 }
 
-/* num / det as a slope: num in Q.23, `inverse` 2^62 over det, which in Q4.28 was shifted
- * up to 32 bits.  |num| < 2^7.2, so 31 bits and a product of 62; det > 0.047, so the
- * quotient has 29 bits of Q.17.  One comparison finds the few that are held. */
+/* Returns num / det as a slope.  num is Q.23; `inverse` is 2^62 over det, and det in Q4.28
+ * was shifted up to 32 bits.  |num| < 2^7.2: 31 bits, and a product of 62 bits.  det >
+ * 0.047: the quotient has 29 bits of Q.17.  One comparison finds the few slopes to
+ * clamp. */
 TP_ALWAYS_INLINE tp_fx tp_sea_slope(int64_t num, int shift, int32_t inverse)
 {
     const int32_t most = TP_SEA_SLOPE_MAX;
@@ -215,8 +222,9 @@ TP_ALWAYS_INLINE tp_fx tp_sea_slope(int64_t num, int shift, int32_t inverse)
     return slope;
 }
 
-/* The displaced point of rest place (x0, z0), the sum scaled by `fade` (16.16, 0..1).
- * Slopes are those of gerstner.c's head; without cross terms h / (1 - sum QkA sin th). */
+/* Returns the displaced point of the rest point (x0, z0), with the sum scaled by `fade`
+ * (16.16, 0..1).  Slopes follow the head of gerstner.c; without cross terms the slope is h
+ * / (1 - sum QkA sin th). */
 TP_ALWAYS_INLINE tp_sea_point tp_sea_sum_point_as(const tp_sea_sum *sum, tp_fx x0,
                                                   tp_fx z0, tp_fx fade, int crossed)
 {
@@ -249,16 +257,17 @@ TP_ALWAYS_INLINE tp_sea_point tp_sea_sum_point_as(const tp_sea_sum *sum, tp_fx x
     };
 }
 
-/* Of sums with the cross terms, whatever the sea. */
+/* The same for a sum that has the cross terms, for any sea. */
 tp_sea_point tp_sea_sum_point(const tp_sea_sum *sum, tp_fx x0, tp_fx z0, tp_fx fade);
 
-/* [A3]: the mean of f, Q8.24; the greatest A |f - mean|; and of a k A in Q2.30 no less
- * than its greatest k A f', twice that if sharpened (see twist_of in swell.c), 16.16. */
+/* [A3]: tp_sharp_mean returns the mean of f, Q8.24.  tp_sharp_height returns the largest A
+ * |f - mean|.  tp_sharp_tilt takes k A in Q2.30 and returns an upper bound of k A f', twice
+ * the bound if sharpened (see twist_of in swell.c), 16.16. */
 int32_t tp_sharp_mean(int32_t power);
 tp_fx   tp_sharp_height(tp_fx amplitude, int32_t power);
 tp_fx   tp_sharp_tilt(tp_q30 slope, int32_t power);
 
-/* jacobian.c: Jxx Jzz - Jxz^2 of [A9] at a place at rest, 16.16: below 1 the water is
- * squeezed together, at 0 it would fold.  `phases` of the tick. */
+/* jacobian.c: returns Jxx Jzz - Jxz^2 of [A9] at a rest point, 16.16.  Below 1 the water is
+ * compressed; at 0 the surface would fold.  `phases` are the phases of the tick. */
 tp_fx tp_sea_jacobian(const tp_sea *sea, const tp_turn phases[TP_WAVES], tp_fx x, tp_fx z);
 #endif

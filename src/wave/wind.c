@@ -1,15 +1,15 @@
 /* SPDX-License-Identifier: MIT */
-/* Wind, [B10] of the models: crests run ahead of their phase and troughs lag behind, so
- * the front of a wave steepens.
+/* Wind, [B10] of the models: crests run ahead of their phase, troughs lag behind, and the
+ * front of a wave steepens.
  *
- * Phi = theta + lambda r cos Phi is a contraction by |lambda r|, iterated from theta.
- * The other reading of the source, to add up (omega + lambda dy) dt from tick to tick,
- * slows waves down by their height and depends on history: it is not used. */
+ * Phi = theta + lambda r cos Phi is a contraction by |lambda r|, iterated from theta.  The
+ * source can also be read as a sum of (omega + lambda dy) dt over the ticks.  This reading
+ * is not used: it slows waves down by their height and depends on history. */
 #include "wave/depth.h"
 #include "wave/exp.h"
 
 #define PUSH_MOST       TP_Q30(0.5)
-#define ITERATIONS_MOST 32              /* 2^-33 of the way is left then */
+#define ITERATIONS_MOST 32              /* 2^-33 of the initial error is left */
 
 tp_fx tp_wind_lambda(tp_fx lambda, tp_q30 along)
 {
@@ -27,7 +27,7 @@ int tp_wind_iterations(tp_q30 push)
     return push > TP_Q30(0.3) || push < -TP_Q30(0.3) ? 3 : 1;
 }
 
-/* In turns of 2^-32: half a radian is 2^28.35. */
+/* Returns turns of 2^-32: half a radian is 2^28.35. */
 tp_turn tp_wind_phase(tp_turn theta, tp_q30 push, int iterations)
 {
     const tp_q30 held = tp_clamp(push, -PUSH_MOST, PUSH_MOST);
