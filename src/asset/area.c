@@ -15,8 +15,9 @@ static uint32_t bits_of(uint32_t x)
     return x == 0 ? 0 : 32 - (uint32_t)tp_clz(x);
 }
 
-/* Extent < 2^e and count < 2^c: the components of all sum up to below 2^(2e + 1 + c), the
- * lengths, at most sqrt(3) times as long, to below 2^(2e + 2 + c). */
+/* Each edge component < 2^e and count < 2^c.  The components of all vectors sum up
+ * to below 2^(2e + 1 + c).  The lengths, at most sqrt(3) times as long, sum up to
+ * below 2^(2e + 2 + c). */
 uint32_t tp_area_shift(uint32_t extent, uint32_t count)
 {
     const uint32_t bits = 2 * bits_of(extent) + 2 + bits_of(count);
@@ -35,7 +36,7 @@ static uint64_t magnitude(int64_t x)
     return x < 0 ? 0 - (uint64_t)x : (uint64_t)x;
 }
 
-/* By how many bits the longest component exceeds 30. */
+/* Returns the number of bits by which the longest component exceeds 30 bits. */
 static uint32_t excess(tp_area a)
 {
     const uint64_t most = magnitude(a.x) | magnitude(a.y) | magnitude(a.z);

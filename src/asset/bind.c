@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The last step: materials get their textures, and the mesh is handed out. */
+/* The last step of loading: assigns the textures to the materials and hands out the
+ * mesh. */
 #include "asset/obj.h"
 #include "base/base.h"
 #include "base/fail.h"
@@ -37,7 +38,8 @@ uint32_t tp_obj_image_line(const tp_obj *obj, uint32_t i)
 
 /* -- texels per unit ----------------------------------------------------------------- */
 
-/* Shifts x != 0 until its top bit is bit 31; returns by how much x is larger. */
+/* Shifts x != 0 until its top bit is bit 31.  Returns the exponent: x was
+ * larger by 2^exponent. */
 static int to_32_bits(uint64_t *x)
 {
     TP_ASSERT(*x != 0);
@@ -49,14 +51,14 @@ static int to_32_bits(uint64_t *x)
     return shift;
 }
 
-/* sqrt(picture / area x 2^power) in 16.16, saturating; relative error < 2^-15. */
+/* Returns sqrt(picture / area x 2^power) in 16.16, saturating; relative error < 2^-15. */
 static tp_fx root_of_ratio(uint64_t picture, uint64_t area, int power)
 {
     if (picture == 0 || area == 0)
         return 0;
     power += to_32_bits(&picture);
     power -= to_32_bits(&area);
-    uint64_t ratio = (picture << 31) / area;    /* 2^30..2^32, of 2^31 */
+    uint64_t ratio = (picture << 31) / area;    /* 2^30..2^32, in units of 2^-31 */
     power += 1;                                 /* + 32 for 16.16, - 31 */
     if (power % 2 != 0) {
         ratio *= 2;
@@ -70,8 +72,8 @@ static tp_fx root_of_ratio(uint64_t picture, uint64_t area, int power)
     return root > TP_FX_MAX ? TP_FX_MAX : (tp_fx)root;
 }
 
-/* Both sums are of twice the areas, in 2^-32 of the mesh's units or repeats squared, and
- * of 2^shift each. */
+/* Both sums are twice an area.  `area` is in 2^-32 of squared mesh units, `picture` in
+ * 2^-32 of squared texture repeats; each sum is divided by 2^shift. */
 static tp_fx texels_per_unit(const tp_obj *obj, const struct tp_obj_made *made,
                               const tp_texture *texture)
 {
@@ -98,10 +100,11 @@ static void bind_material(const tp_obj *obj, const tp_texture *const *textures,
     material->normal_map = texture_of(textures, made->map[TP_MAP_BUMP]);
     material->texels = texels_per_unit(obj, made, material->diffuse_map);
     if (!made->has_diffuse && material->diffuse_map != NULL)
-        material->diffuse = 0xffffff;           /* a map alone is shown as it is */
+        material->diffuse = 0xffffff;           /* a map alone keeps its colours */
 }
 
-/* Warns of each material that no library defines, unless it may lie in one not read. */
+/* Warns of each material without a definition, but only if all libraries were read: a
+ * library not read may define the material. */
 static void check_defined(tp_obj *obj)
 {
     const tp_obj_names *const names = &obj->store.material_names;

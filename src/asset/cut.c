@@ -1,21 +1,21 @@
 /* SPDX-License-Identifier: MIT */
-/* Cuts a polygon into triangles by clipping ears, in integers: asset/cut.h.
+/* Cuts a polygon into triangles by ear clipping, in integers: asset/cut.h.
  *
- * The polygon is seen along the axis on which its area is largest.  An ear is a corner
- * that turns the polygon's way and whose triangle, borders included, no other corner
- * stands in the way of; it is cut off, and so on until three are left.  Every simple
- * polygon has an ear, also when some of its corners lie on straight edges: any
- * triangulation that uses all corners has a leaf (G. Meisters, "Polygons have ears",
- * 1975).  Outlines that touch themselves, as those that walk into a hole and back, are
- * handled by looking at the edges of a corner that stands on a corner of the triangle.
- * Where an outline crosses itself there may be no ear: then some corner is cut, so that
- * the work always ends with n - 2 triangles.
+ * The polygon is projected along the axis with its largest area.  An ear is a corner that
+ * turns the same way as the polygon, and whose triangle, borders included, no other corner
+ * blocks.  The ear is cut off, and so on until three corners are left.  Every simple
+ * polygon has an ear, even with corners on straight edges: any triangulation with all
+ * corners has a leaf (G. Meisters, "Polygons have ears", 1975).  Some outlines touch
+ * themselves, for example outlines that walk into a hole and back.  There a corner may
+ * coincide with a corner of the triangle, and the test looks at the edges of this corner.
+ * An outline that crosses itself may have no ear: then any corner is cut, and the work
+ * always ends with n - 2 triangles.
  *
- * Cost: a triangle stays free of the corners it was once free of, since cutting only
- * shrinks the polygon.  So each test goes on where the last one of that corner stopped, and
- * all of them take O(n^2) steps together.  A test looks only into the cells of the grid
- * that its triangle reaches, which leaves some hundred steps for each corner of outlines of
- * tens of thousands.  Steps are counted: after STEPS n of them corners are cut untested. */
+ * Cost: cutting only shrinks the polygon, and a triangle once free of a corner stays free.
+ * Each test therefore resumes where the last test of the same corner stopped, and all tests
+ * together take O(n^2) steps.  A test visits only the grid cells within reach of its
+ * triangle: about a hundred steps per corner for outlines of tens of thousands of corners.
+ * Steps are counted: after STEPS n steps the remaining corners are cut without tests. */
 #include "asset/cut_grid.h"
 #include "base/base.h"
 #include "base/assert.h"
@@ -24,7 +24,7 @@ enum { EXTENT_BITS = 27, STEPS = 2048 };
 
 typedef struct { int64_t x, y; } step;
 
-/* Both components < 2^28, so twice an area stays below 2^57. */
+/* Both components < 2^28: twice an area stays below 2^57. */
 static int64_t turn(step a, step b)
 {
     return a.x * b.y - a.y * b.x;
@@ -35,15 +35,15 @@ static step between(const struct tp_obj_cut *cut, uint32_t from, uint32_t to)
     return (step){ (int64_t)cut->u[to] - cut->u[from], (int64_t)cut->v[to] - cut->v[from] };
 }
 
-/* Twice the area of a, b, c; positive: they turn the polygon's way. */
+/* Twice the area of a, b, c; positive if a, b, c turn the same way as the polygon. */
 static int64_t area(const struct tp_obj_cut *cut, uint32_t a, uint32_t b, uint32_t c)
 {
     return turn(between(cut, a, b), between(cut, a, c));
 }
 
-/* -- what the polygon looks like --------------------------------------------------- */
+/* -- projection of the polygon ----------------------------------------------------- */
 
-/* One coordinate of all corners, moved to begin at 0; returns how far it reaches. */
+/* Moves one coordinate of all corners to begin at 0.  Returns the extent. */
 static uint32_t to_origin(int32_t *at, uint32_t n)
 {
     int32_t low = at[0], high = at[0];
@@ -56,7 +56,8 @@ static uint32_t to_origin(int32_t *at, uint32_t n)
     return (uint32_t)(high - low);
 }
 
-/* Polygons of more than 2048 units are cut on a grid of up to 16 of 2^-16. */
+/* Polygons of more than 2048 units are cut on a coarser grid, of up to 16 units of
+ * 2^-16. */
 static void normalise_extent(struct tp_obj_cut *cut, uint32_t n, uint32_t extent[3])
 {
     for (int k = 0; k < 3; k++)
@@ -72,10 +73,11 @@ static void normalise_extent(struct tp_obj_cut *cut, uint32_t n, uint32_t extent
     }
 }
 
-/* high x 2^32 + low: a sum of 2^24 terms below 2^55 each. */
+/* high x 2^32 + low: holds a sum of 2^24 terms below 2^55 each. */
 typedef struct { int64_t high; uint64_t low; } sum;
 
-/* Twice the area enclosed in the plane of u and v, by the shoelace formula; low < 2^32. */
+/* Returns twice the area enclosed in the plane of u and v, by the shoelace
+ * formula; low < 2^32. */
 static sum whole_area(const int32_t *u, const int32_t *v, uint32_t n)
 {
     sum all = { 0, 0 };
@@ -100,7 +102,7 @@ static bool is_larger(sum a, sum b)
     return a.high != b.high ? a.high > b.high : a.low > b.low;
 }
 
-/* Chooses the axis; swapping u and v mirrors a polygon that turns the other way. */
+/* Chooses the axis of projection.  Swapping u and v mirrors a polygon that turns right. */
 static void look_at(struct tp_obj_cut *cut, uint32_t n, const uint32_t extent[3])
 {
     sum best = { 0, 0 };
@@ -123,8 +125,8 @@ static void look_at(struct tp_obj_cut *cut, uint32_t n, const uint32_t extent[3]
 
 /* -- ears --------------------------------------------------------------------------- */
 
-/* Corner p stands on the border of a triangle, whose inside is seen from there between
- * the directions to y and, turning left, to z: does an edge of p lead in? */
+/* Corner p stands on the border of a triangle.  Seen from p the inside lies between the
+ * directions to y and, turning left, to z.  True if an edge of p leads inside. */
 static bool leads_inside(const struct tp_obj_cut *cut, uint32_t p, uint32_t y, uint32_t z)
 {
     const step to_y = between(cut, p, y), to_z = between(cut, p, z);
@@ -139,9 +141,9 @@ static bool same_place(const struct tp_obj_cut *cut, uint32_t a, uint32_t b)
     return cut->u[a] == cut->u[b] && cut->v[a] == cut->v[b];
 }
 
-/* Does corner p stand in the way of cutting a, b, c?  It does within the triangle and on
- * the new edge between c and a; on a corner or on the outline's own edges a - b - c,
- * where the outline may touch itself, only if an edge of p goes in from there. */
+/* True if corner p blocks cutting a, b, c.  A corner within the triangle, or on the new
+ * edge between c and a, blocks.  On a corner of the triangle, or on the existing edges a -
+ * b - c, the outline may touch itself: there p blocks only if an edge of p leads inside. */
 static bool blocks(const struct tp_obj_cut *cut, uint32_t p, uint32_t a, uint32_t b,
                    uint32_t c)
 {
@@ -166,7 +168,8 @@ static void spend(struct tp_obj_cut *cut, uint32_t steps)
     cut->steps -= steps < cut->steps ? steps : cut->steps;
 }
 
-/* Of a corner with an area.  cut->tried[b] is the one that stood in its way last time. */
+/* True if no corner blocks the triangle of corner b, which has an area.  cut->tried[b] is
+ * the corner that blocked the last test. */
 static bool is_free(struct tp_obj_cut *cut, uint32_t a, uint32_t b, uint32_t c)
 {
     const uint32_t triangle[3] = { a, b, c };
@@ -188,8 +191,8 @@ static bool is_ear(struct tp_obj_cut *cut, uint32_t b)
     return area(cut, a, b, c) > 0 && is_free(cut, a, b, c);
 }
 
-/* Does the outline come back from corner b the way it went there, or stand still?  To
- * cut that off takes no area and changes nothing. */
+/* True if the outline returns from corner b the way it came, or stands still.  Cutting the
+ * corner removes no area and changes nothing. */
 static bool is_spike(const struct tp_obj_cut *cut, uint32_t b)
 {
     const step in = between(cut, cut->before[b], b);
@@ -197,7 +200,8 @@ static bool is_spike(const struct tp_obj_cut *cut, uint32_t b)
     return turn(in, out) == 0 && in.x * out.x + in.y * out.y <= 0;
 }
 
-/* The corner to cut next, from the start on: a spike or an ear, or else the start. */
+/* Returns the next corner to cut: the first spike or ear from the start on,
+ * or else the start. */
 static uint32_t choose(struct tp_obj_cut *cut)
 {
     uint32_t b = cut->start;

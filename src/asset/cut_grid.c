@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Corners by place: asset/cut_grid.h.  Corners that are cut off leave their cell when a
- * walk meets them. */
+/* Grid of corners: asset/cut_grid.h.  A corner that was cut off leaves its cell when a walk
+ * meets the corner. */
 #include "asset/cut_grid.h"
 #include "base/base.h"
 #include "base/assert.h"
@@ -58,7 +58,7 @@ static void widen(int64_t *low, int64_t *high, int64_t x)
     *high = x > *high ? x : *high;
 }
 
-/* Where the edge from p to q crosses a height between theirs, but for less than 1.
+/* Returns u where the edge from p to q crosses the height v between theirs, to within 1.
  * Products are below 2^54. */
 static int64_t crossing(const struct tp_obj_cut *cut, uint32_t p, uint32_t q, int64_t v)
 {
@@ -67,7 +67,8 @@ static int64_t crossing(const struct tp_obj_cut *cut, uint32_t p, uint32_t q, in
     return rise == 0 ? cut->u[q] : cut->u[p] + way * (v - cut->v[p]) / rise;
 }
 
-/* How far the triangle reaches between two heights: by its edges' parts between them. */
+/* Finds the extent of the triangle between two heights, from the parts of its
+ * edges between them. */
 static void find_reach(const tp_cut_walk *walk, int64_t bottom, int64_t top, int64_t *low,
                        int64_t *high)
 {
@@ -127,7 +128,7 @@ tp_cut_walk tp_cut_walk_begin(struct tp_obj_cut *cut, const uint32_t triangle[3]
     return walk;
 }
 
-/* Into the next cell; false: there is none. */
+/* Advances to the next cell; false at the end. */
 static bool go_on(tp_cut_walk *walk)
 {
     if (walk->col < walk->last_col) {

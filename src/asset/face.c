@@ -1,19 +1,20 @@
 /* SPDX-License-Identifier: MIT */
-/* The statement f: corners are checked, made one with their like, and stored.
+/* The OBJ statement f: checks the corners, merges equal corners into one vertex,
+ * and stores them.
  *
- * A line may come in parts.  The first two corners are held back until there is a third:
- * faces of fewer are only counted, and what they name is not looked at.
+ * A long line may arrive in parts.  The first two corners are held back until a third
+ * arrives: faces with fewer corners are only counted, and their indices are not checked.
  *
- * Indices from 1 count from the start of the file and may point ahead, so they are
- * checked in the second pass, which knows the totals; negative ones count back from
- * here. */
+ * Positive indices count from the start of the file, from 1, and may point ahead.  They are
+ * checked in the second pass, where the totals are known.  Negative indices count back from
+ * the current statement. */
 #include "asset/obj.h"
 #include "asset/table.h"
 #include "base/fail.h"
 
 enum { HAS_TEXCOORD = 1, HAS_NORMAL = 2 };
 
-enum { POSITION, TEXCOORD, NORMAL };            /* of a corner's indices */
+enum { POSITION, TEXCOORD, NORMAL };            /* order of the indices of a corner */
 
 static bool pass_slash(tp_words *words)
 {
@@ -22,7 +23,8 @@ static bool pass_slash(tp_words *words)
     return slash;
 }
 
-/* v, v/vt, v//vn or v/vt/vn.  Returns what it has, or -1: none of these. */
+/* Reads v, v/vt, v//vn or v/vt/vn.  Returns the flags of the indices found, or -1
+ * for any other form. */
 static int read_corner(tp_words *words, int32_t corner[3])
 {
     corner[TEXCOORD] = corner[NORMAL] = 0;
@@ -38,7 +40,7 @@ static int read_corner(tp_words *words, int32_t corner[3])
     return words->at == words->end || tp_is_blank(*words->at) ? form : -1;
 }
 
-/* An index of the file, from 1 or negative, becomes one from 0. */
+/* Converts an index of the file, from 1 or negative, to an index from 0. */
 static tp_status resolve(const tp_obj *obj, int32_t index, uint32_t now, uint32_t total,
                          tp_status code, uint32_t *out, tp_error *err)
 {
@@ -56,7 +58,7 @@ static tp_status resolve(const tp_obj *obj, int32_t index, uint32_t now, uint32_
     return TP_OK;
 }
 
-/* The number of the vertex that has these three, a new one if need be. */
+/* Returns the number of the vertex with these three indices; adds a vertex if needed. */
 static uint32_t vertex_of(tp_obj *obj, uint32_t position, uint32_t texcoord,
                           uint32_t normal)
 {
@@ -79,7 +81,8 @@ static uint32_t vertex_of(tp_obj *obj, uint32_t position, uint32_t texcoord,
     return store->n_vertices - 1;
 }
 
-/* What stands for a normal that the file does not give. */
+/* Returns the code of a normal that the file does not give: smoothing group
+ * or flat polygon. */
 static uint32_t own_normal(const tp_obj *obj)
 {
     return obj->group != 0 ? TP_NORMAL_GROUP | obj->group
@@ -111,7 +114,8 @@ static tp_status take_corner(tp_obj *obj, const int32_t corner[3], tp_error *err
     return TP_OK;
 }
 
-/* There is a third corner: the first two count, and the face has a material. */
+/* Called when a third corner arrives: counts the first two corners, and makes sure that the
+ * face has a material. */
 static tp_status take_held(tp_obj *obj, tp_error *err)
 {
     tp_status status = TP_OK;
@@ -159,7 +163,7 @@ static tp_status read_corners(tp_obj *obj, tp_words *words, tp_error *err)
     return TP_OK;
 }
 
-/* All corners are taken. */
+/* Called after the last corner: checks the number of corners and stores the polygon. */
 static tp_status end_face(tp_obj *obj, tp_error *err)
 {
     tp_obj_counts *const now = &obj->now;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Logical lines: asset/line.h.  A line that lies whole within one piece is handed out
- * where it lies; only others are copied. */
+/* Logical lines: asset/line.h.  A line that lies entirely within one piece is returned in
+ * place; only other lines are copied. */
 #include "asset/line.h"
 #include "base/base.h"
 
@@ -12,7 +12,7 @@ void tp_lines_begin(tp_obj_lines *lines)
     lines->continues = lines->goes_on = lines->split = false;
 }
 
-/* The first LF or CR, or `end`. */
+/* Returns the first LF or CR, or `end`. */
 static const char *find_end(const char *at, const char *end)
 {
     while (at < end && *at != '\n' && *at != '\r')
@@ -20,7 +20,7 @@ static const char *find_end(const char *at, const char *end)
     return at;
 }
 
-/* `at` stands on a line end: steps over it and counts. */
+/* Steps over the line end at `at` and counts the line. */
 static const char *pass_end(tp_obj_lines *lines, const char *at, const char *end)
 {
     lines->next++;
@@ -32,7 +32,7 @@ static const char *pass_end(tp_obj_lines *lines, const char *at, const char *end
     return at;
 }
 
-/* Opens a line at the first byte that is no blank; what is before it says nothing. */
+/* Opens a line at the first byte that is not a blank; leading blanks have no meaning. */
 static const char *begin(tp_obj_lines *lines, const char *at, const char *end)
 {
     while (at < end && tp_is_blank(*at))
@@ -45,7 +45,7 @@ static const char *begin(tp_obj_lines *lines, const char *at, const char *end)
     return at;
 }
 
-/* Adds what fits to the text; returns what is left. */
+/* Appends as many bytes as fit to the text.  Returns the first byte that does not fit. */
 static const char *append(tp_obj_lines *lines, const char *at, const char *end)
 {
     TP_ASSERT(lines->used <= sizeof lines->text && at <= end);
@@ -59,7 +59,7 @@ static const char *append(tp_obj_lines *lines, const char *at, const char *end)
     return at + bytes;
 }
 
-/* The text is full and more follows: hands out all of it up to the last blank. */
+/* The text is full and more bytes follow: hands out the text up to the last blank. */
 static void part_off(tp_obj_lines *lines, tp_words *line)
 {
     uint32_t part = lines->used;
@@ -71,7 +71,7 @@ static void part_off(tp_obj_lines *lines, tp_words *line)
     *line = (tp_words){ lines->text, lines->text + lines->part };
 }
 
-/* Before the next part: what was handed out leaves the text. */
+/* Removes the part that was handed out, before the next part is read. */
 static void drop_part(tp_obj_lines *lines)
 {
     if (!lines->goes_on)
@@ -82,7 +82,8 @@ static void drop_part(tp_obj_lines *lines)
     lines->continues = true;
 }
 
-/* A line end is behind, and something in the text: does a backslash join the next line? */
+/* True if a backslash joins the next line.  Called after a line end, with text not
+ * empty. */
 static bool joins(tp_obj_lines *lines)
 {
     if (lines->comment || lines->text[lines->used - 1] != '\\')
@@ -91,7 +92,8 @@ static bool joins(tp_obj_lines *lines)
     return true;
 }
 
-/* Is [at, stop), a line's first part, all of it?  Also true of most comments. */
+/* True if [at, stop), the first part of a line, is the whole line.  Also true
+ * for most comments. */
 static bool is_whole(const char *at, const char *stop)
 {
     return stop - at <= TP_OBJ_LINE_BYTES && (at == stop || stop[-1] != '\\');

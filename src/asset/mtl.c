@@ -1,14 +1,15 @@
 /* SPDX-License-Identifier: MIT */
-/* The MTL reader: colours, shininess, opacity and the pictures of the materials that the
- * OBJ uses.  Others are passed over, and so is what a second definition says.
+/* The MTL reader: colours, shininess, opacity and texture names of the materials used by
+ * the OBJ.  Other materials are skipped, and so is a second definition of a material.
  *
- * A statement returns its fault, which becomes a warning: the material keeps its default
- * or, where a number is out of range, gets the nearest. */
+ * A statement returns its fault, and the fault becomes a warning.  The material keeps its
+ * default; a number out of range is clamped to the nearest valid number. */
 #include "asset/obj.h"
 #include "base/base.h"
 #include "base/fail.h"
 
-/* obj->material while an MTL is read: before any newmtl; in one that is not used. */
+/* Values of obj->material while an MTL is read: before any newmtl; in a material not
+ * used. */
 #define NONE_YET   (UINT32_MAX - 1)
 #define NOT_WANTED UINT32_MAX
 
@@ -52,7 +53,7 @@ static bool is_usable(tp_status status)
     return status == TP_OK || status == TP_E_MTL_RANGE;
 }
 
-/* Holds x within whole numbers; TP_E_MTL_RANGE: it was outside. */
+/* Clamps x to low..high.  Returns TP_E_MTL_RANGE if x was outside. */
 static tp_status hold(const tp_obj *obj, tp_word keyword, int64_t x, int32_t low,
                       int32_t high, tp_fx *held, tp_error *err)
 {
@@ -65,7 +66,7 @@ static tp_status hold(const tp_obj *obj, tp_word keyword, int64_t x, int32_t low
     return TP_E_MTL_RANGE;
 }
 
-/* One number of a statement. */
+/* Reads the single number of a statement. */
 static tp_status read_number(const tp_obj *obj, tp_word keyword, tp_words *words,
                              int32_t low, int32_t high, tp_fx *x, tp_error *err)
 {
@@ -75,7 +76,8 @@ static tp_status read_number(const tp_obj *obj, tp_word keyword, tp_words *words
     return status != TP_OK ? status : hold(obj, keyword, n, low, high, x, err);
 }
 
-/* r g b, or one number for all.  Spectral curves and CIE colours are not read. */
+/* Reads r g b, or one number for all three.  Spectral curves and CIE colours are
+ * skipped. */
 static tp_status read_colour(tp_obj *obj, tp_word keyword, tp_words *words,
                              uint32_t *colour, tp_error *err)
 {
@@ -117,7 +119,7 @@ static tp_status read_specular(tp_obj *obj, tp_word keyword, tp_words *words,
     return read_colour(obj, keyword, words, &material(obj)->specular, err);
 }
 
-/* 0..1000 in the file; a highlight needs 1. */
+/* 0..1000 in the file; a highlight needs at least 1. */
 static tp_status read_shininess(tp_obj *obj, tp_word keyword, tp_words *words,
                                 tp_error *err)
 {
@@ -128,7 +130,7 @@ static tp_status read_shininess(tp_obj *obj, tp_word keyword, tp_words *words,
     return status;
 }
 
-/* d x, or d -halo x, whose dependence on the view is not drawn. */
+/* Reads `d x`, or `d -halo x`; the dependence of a halo on the view is not drawn. */
 static tp_status read_opacity(tp_obj *obj, tp_word keyword, tp_words *words,
                               tp_error *err)
 {
@@ -156,8 +158,8 @@ static tp_status read_transparency(tp_obj *obj, tp_word keyword, tp_words *words
 
 /* -- maps ---------------------------------------------------------------------------- */
 
-/* Options of a map and the words that follow each; -o, -s and -t have one to three
- * numbers. */
+/* Options of a map and the number of words after each; -o, -s and -t have one
+ * to three numbers. */
 static const struct { const char *name; uint8_t words; bool numbers; } options[] = {
     { "-blendu", 1, false },     { "-blendv", 1, false }, { "-boost", 1, false },
     { "-bm", 1, false },         { "-cc", 1, false },     { "-clamp", 1, false },
@@ -166,15 +168,15 @@ static const struct { const char *name; uint8_t words; bool numbers; } options[]
     { "-texres", 1, false },     { "-type", 1, false },
 };
 
-/* Is there another word after this one? */
+/* True if no other word follows the next word. */
 static bool is_last_word(tp_words words)
 {
     tp_word_next(&words);
     return tp_word_next(&words).bytes == 0;
 }
 
-/* Numbers that follow an option; the line's last word is the file, also if it looks like
- * a number. */
+/* Skips numbers after an option.  The last word of the line is the file name, even if the
+ * word looks like a number. */
 static void skip_numbers(tp_words *words, uint32_t most)
 {
     int64_t unused;
@@ -182,8 +184,8 @@ static void skip_numbers(tp_words *words, uint32_t most)
         ;
 }
 
-/* Takes one option with what belongs to it; false: there is none, here is the name.
- * -bm sets *bump. */
+/* Takes one option with its arguments.  Returns false if the file name follows
+ * instead.  -bm sets *bump. */
 static bool take_option(tp_words *words, int64_t *bump)
 {
     int64_t number;
@@ -280,7 +282,7 @@ static tp_status run(tp_obj *obj, tp_words *line, tp_error *err)
     return TP_E_MTL_ORDER;
 }
 
-/* No line stops the reading. */
+/* Runs a statement.  No fault stops the reading. */
 static tp_status statement(tp_obj *obj, tp_words *line, tp_error *err)
 {
     (void)err;

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* Sets of names: asset/names.h.  An open-addressed table of numbers, at most two
- * thirds full; its hash begins with the file's digest, so that names cannot be
- * chosen to collide. */
+/* Sets of names: asset/names.h.  The set is a hash table with open addressing, at most
+ * two thirds full.  The hash begins with the digest of the file: nobody can choose
+ * names that collide. */
 #include "asset/names.h"
 #include "asset/table.h"
 #include "base/base.h"
@@ -32,7 +32,7 @@ static bool is_name(const tp_obj_names *names, uint32_t i, tp_word word, uint32_
         && memcmp(text, word.text, word.bytes) == 0;
 }
 
-/* The place of the table where the name is or belongs. */
+/* Returns the slot of the table with the name, or the free slot for the name. */
 static uint32_t *place_of(const tp_obj_names *names, tp_word word, uint32_t tag,
                           uint64_t seed)
 {

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* A set of names in memory whose size was counted before: materials, libraries, images.
- * Each name has a tag, and the same text under two tags is two names. */
+/* A set of names in memory counted beforehand: materials, libraries, images.  Each name has
+ * a tag; the same text with two tags counts as two names. */
 #ifndef TP_ASSET_NAMES_H
 #define TP_ASSET_NAMES_H
 #include "asset/reader.h"
@@ -9,18 +9,19 @@
 
 #define TP_NO_NAME UINT32_MAX
 
-/* Room for `most` names of `room` bytes in all, their ends included. */
+/* Allocates room for `most` names of `room` bytes in total, terminators included. */
 void tp_names_carve(tp_obj_names *names, tp_arena *arena, uint32_t most, uint32_t room);
 
 /* Empties the set. */
 void tp_names_clear(tp_obj_names *names);
 
-/* The number of the name, or TP_NO_NAME.  `seed` must be the same for a set's life. */
+/* Returns the number of the name, or TP_NO_NAME.  `seed` must be the same for the
+ * life of the set. */
 uint32_t tp_names_find(const tp_obj_names *names, tp_word word, uint32_t tag,
                        uint64_t seed);
 
-/* The same, but a name that is not there is added, as met in `line`; TP_NO_NAME: no
- * room. */
+/* Returns the number of the name like tp_names_find, but adds a missing name, as found in
+ * `line`.  Returns TP_NO_NAME if there is no room. */
 uint32_t tp_names_add(tp_obj_names *names, tp_word word, uint32_t tag, uint32_t line,
                       uint64_t seed);
 

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* The OBJ reader's passes and its plain statements: asset/reader.h says what is read,
- * asset/obj.h how the parts fit.  Source of the format: the appendix on object files of
- * the Advanced Visualizer manual (Wavefront, version 3.0). */
+/* The two passes of the OBJ reader, and its simple statements.  asset/reader.h describes
+ * the accepted format, asset/obj.h the parts of the reader.  Source of the format: the
+ * appendix on object files of the Advanced Visualizer manual (Wavefront, version 3.0). */
 #include "asset/obj.h"
 #include "asset/mesh.h"
 #include "asset/table.h"
@@ -9,9 +9,9 @@
 #include "base/fail.h"
 #include "fx/fx.h"
 
-enum { MOST_GROUP = 1 << 30 };          /* what fits below TP_NORMAL_KIND */
+enum { MOST_GROUP = 1 << 30 };          /* fits below TP_NORMAL_KIND */
 
-/* -- the statements' tools ------------------------------------------------------- */
+/* -- helpers of statements ------------------------------------------------------- */
 
 tp_status tp_obj_numbers(const tp_obj *obj, tp_words *words, tp_word keyword,
                          uint32_t need, uint32_t most, int64_t *numbers, uint32_t *found,
@@ -73,7 +73,7 @@ static uint64_t magnitude(int64_t x)
     return (uint64_t)(x < 0 ? -x : x);
 }
 
-/* From `need` to `most` numbers; what follows them (weights, colours) is not looked at. */
+/* Reads `need` to `most` numbers; any later numbers (weights, colours) are ignored. */
 static tp_status read_coordinates(tp_obj *obj, tp_words *words, const char *keyword,
                                   uint32_t need, uint32_t most, int64_t *numbers,
                                   tp_error *err)
@@ -87,8 +87,8 @@ static tp_status read_coordinates(tp_obj *obj, tp_words *words, const char *keyw
     return status;
 }
 
-/* In the mesh's units: |number| < 2^30, so that differences fit 31 bits and a sign.  What
- * a coarser unit cannot hold is cut off towards 0. */
+/* Converts to the mesh's units: |number| < 2^30, and differences fit 31 bits and a sign.  A
+ * coarser unit truncates towards 0. */
 static tp_fx to_units(const tp_obj *obj, int64_t x)
 {
     return (tp_fx)(x / ((int64_t)1 << obj->log2_unit));
@@ -115,7 +115,7 @@ static tp_status read_position(tp_obj *obj, tp_words *words, tp_error *err)
     return TP_OK;
 }
 
-/* Some exporters write what was never set: 3443870976. */
+/* Some exporters write values that were never set: 3443870976. */
 static tp_fx texcoord_in_range(tp_obj *obj, int64_t x)
 {
     if (magnitude(x) < (uint64_t)TP_OBJ_REPEATS << 16)
@@ -124,7 +124,7 @@ static tp_fx texcoord_in_range(tp_obj *obj, int64_t x)
     return 0;
 }
 
-/* The file's second coordinate grows upwards, ours downwards. */
+/* The second coordinate grows upwards in the file, downwards in the mesh. */
 static tp_status read_texcoord(tp_obj *obj, tp_words *words, tp_error *err)
 {
     int64_t n[2] = { 0, 0 };
@@ -141,7 +141,7 @@ static tp_status read_texcoord(tp_obj *obj, tp_words *words, tp_error *err)
     return TP_OK;
 }
 
-/* Of any length. */
+/* Normalises a vector of any length. */
 static tp_packed_dir direction_of(const int64_t n[3])
 {
     const uint64_t most = magnitude(n[0]) | magnitude(n[1]) | magnitude(n[2]);
@@ -166,7 +166,7 @@ static tp_status read_normal(tp_obj *obj, tp_words *words, tp_error *err)
     return TP_OK;
 }
 
-/* s N, s off: the smoothing group of the faces that follow. */
+/* s N, s off: sets the smoothing group of the following faces. */
 static tp_status read_smoothing(tp_obj *obj, tp_words *words, tp_error *err)
 {
     const tp_word word = tp_word_next(words);
@@ -182,7 +182,7 @@ static tp_status read_smoothing(tp_obj *obj, tp_words *words, tp_error *err)
     return TP_E_OBJ_NUMBER;
 }
 
-/* g, o: names of parts, which nothing here asks for. */
+/* g, o: names of parts of the model, not used here. */
 static tp_status pass_over(tp_obj *obj, tp_words *words, tp_error *err)
 {
     (void)obj, (void)words, (void)err;
@@ -192,7 +192,7 @@ static tp_status pass_over(tp_obj *obj, tp_words *words, tp_error *err)
 static const struct {
     const char *name;
     tp_obj_statement *run;
-    bool in_parts;              /* takes lines of any length */
+    bool in_parts;              /* accepts lines of any length */
 } statements[] = {
     { "v", read_position, false },       { "f", tp_obj_face, true },
     { "vt", read_texcoord, false },      { "vn", read_normal, false },
@@ -203,7 +203,7 @@ static const struct {
 
 enum { STATEMENTS = sizeof statements / sizeof *statements };
 
-/* Its number, or STATEMENTS for others. */
+/* Returns the number of a statement, or STATEMENTS for unknown words. */
 static uint32_t find_statement(tp_word word)
 {
     uint32_t i = 0;
@@ -277,7 +277,7 @@ void tp_obj_scan(tp_obj *obj)
     obj->total = (tp_obj_counts){ 0 };
     obj->libraries_read = obj->name_longest = obj->log2_unit = 0;
     obj->name_most[TP_NAMES_LIBRARY] = obj->name_room[TP_NAMES_LIBRARY] = 0;
-    obj->name_most[TP_NAMES_MATERIAL] = obj->name_room[TP_NAMES_MATERIAL] = 1;  /* "" */
+    obj->name_most[TP_NAMES_MATERIAL] = obj->name_room[TP_NAMES_MATERIAL] = 1;  /* for "" */
     obj->seen[0] = 0;
 }
 
@@ -343,7 +343,8 @@ tp_status tp_obj_loaded(tp_obj *obj, tp_error *err)
         status = tp_obj_shape(obj, err);
     if (status != TP_OK)
         return tp_obj_settle(obj, status);
-    /* Image names share the memory of loading, which ends here; store.c lays it out. */
+    /* Image names reuse the memory of loading, which ends here; store.c defines the
+     * layout. */
     tp_names_clear(&obj->store.image_names);
     obj->libraries = obj->store.library_names.count;
     obj->stage = TP_STAGE_LOADED;

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT */
-/* From polygons to faces and finished vertices, when the whole file is known.
+/* Conversion of polygons to faces and finished vertices, after the whole file is read.
  *
- * Until here a vertex is three indices.  Faces are cut and measured by them; each adds
- * its area vector to the smooth normals it takes part in, one sum for each position and
- * smoothing group.  Then every vertex becomes what it stands for, in place. */
+ * Before this step a vertex is three indices.  Faces are cut and measured with these
+ * indices.  Each face adds its area vector to its smooth normals, one sum per position and
+ * smoothing group.  Then every vertex is replaced by its final form, in place. */
 #include "asset/obj.h"
 #include "asset/area.h"
 #include "asset/cut.h"
@@ -40,7 +40,7 @@ static uint32_t larger(int32_t low_a, int32_t high_a, int32_t low_b, int32_t hig
     return a > b ? a : b;
 }
 
-/* The bounding box, and the shifts under which the sums of areas cannot overflow. */
+/* Finds the bounding box, and the shifts that keep the sums of areas from overflowing. */
 static void find_scales(tp_obj *obj)
 {
     const tp_obj_store *const store = &obj->store;
@@ -82,7 +82,8 @@ static uint32_t slot_of(tp_obj_store *store, uint64_t seed, uint32_t position,
     return store->n_slots - 1;
 }
 
-/* The table of vertices has served; it now finds slots, at most one for each corner. */
+/* The hash table of vertices is no longer needed and now finds slots, at
+ * most one per corner. */
 static void give_slots(tp_obj *obj)
 {
     tp_obj_store *const store = &obj->store;
@@ -115,7 +116,8 @@ static void add_to_slots(tp_obj_store *store, const tp_mesh_face *face, tp_area 
 
 /* -- tangents ------------------------------------------------------------------------ */
 
-/* The cross product with the axis that lies flattest against the face. */
+/* Returns the cross product of the normal with the axis most nearly parallel to the
+ * face. */
 static tp_dir3 any_tangent(tp_area normal)
 {
     const tp_dir3 n = tp_area_direction(normal);
@@ -125,9 +127,9 @@ static tp_dir3 any_tangent(tp_area normal)
     return y <= z ? tp_normalise(-n.z, 0, n.x) : tp_normalise(n.y, -n.x, 0);
 }
 
-/* Where s grows: with edges e and f of (ds, dt) each, T (ds_e dt_f - ds_f dt_e) =
- * e dt_f - f dt_e.  t grows downwards, so a picture that is not mirrored turns against
- * the face.  Adds the picture's area to *picture. */
+/* Returns the tangent, the direction of growing s: with edges e and f of (ds, dt) each, T
+ * (ds_e dt_f - ds_f dt_e) = e dt_f - f dt_e.  t grows downwards: a picture that is not
+ * mirrored turns against the face.  Adds the area of the picture to *picture. */
 static tp_packed_dir tangent_of(const tp_obj *obj, const tp_mesh_face *face, tp_vec3 e,
                                 tp_vec3 f, tp_area normal, uint64_t *picture)
 {
@@ -149,7 +151,7 @@ static tp_packed_dir tangent_of(const tp_obj *obj, const tp_mesh_face *face, tp_
 
 /* -- faces --------------------------------------------------------------------------- */
 
-/* Makes a face of three vertices, unless it has no area; adds that to *sum. */
+/* Makes a face of three vertices, unless its area is 0.  Adds its area vector to *sum. */
 static void make_face(tp_obj *obj, const uint32_t vertex[3], uint32_t material,
                       int64_t sum[3])
 {
@@ -184,7 +186,7 @@ static void begin_cut(const tp_obj_store *store, const uint32_t *corners, uint32
     tp_cut_begin(store->cut, n);
 }
 
-/* The polygon's faces; adds their areas to *sum. */
+/* Makes the faces of a polygon.  Adds their area vectors to *sum. */
 static void cut_up(tp_obj *obj, const struct tp_obj_polygon *polygon,
                    const uint32_t *corners, int64_t sum[3])
 {
@@ -199,7 +201,8 @@ static void cut_up(tp_obj *obj, const struct tp_obj_polygon *polygon,
     }
 }
 
-/* A flat polygon's vertices are its own: they get its normal at once. */
+/* Makes the faces of a polygon.  The vertices of a flat polygon belong to this polygon
+ * alone: they get its normal at once. */
 static void make_faces(tp_obj *obj, const struct tp_obj_polygon *polygon,
                        const uint32_t *corners)
 {

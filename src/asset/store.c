@@ -1,17 +1,18 @@
 /* SPDX-License-Identifier: MIT */
-/* How the caller's block is laid out.
+/* Layout of the caller's block.
  *
  *     materials, faces, vertices | what binding needs | positions ... table
  *     kept for the mesh            names, made          while loading, then: images
  *
- * Vertices end the part that is kept, since how many differ is known only when all are
- * read.  The images that the materials name take the place of the tables of loading. */
+ * Vertices end the part that is kept, because their number is known only after the whole
+ * file is read.  The image names of the materials reuse the memory of the loading
+ * tables. */
 #include "asset/obj.h"
 #include "asset/cut.h"
 #include "asset/table.h"
 
-/* Bytes for the names of pictures: so many for each that there may be, and one of any
- * length.  They share them, so some may be longer. */
+/* Bytes for image names: IMAGE_NAME for each possible image, plus one name of any length.
+ * The names share these bytes: some names may be longer. */
 enum { IMAGE_NAME = 256 };
 
 static void carve_loading(tp_obj_store *store, const tp_obj_counts *total,
@@ -29,8 +30,8 @@ static void carve_loading(tp_obj_store *store, const tp_obj_counts *total,
     store->cut       = tp_cut_carve(arena, total->largest);
 }
 
-/* Of the materials' names: the scan counted no more than TP_OBJ_MATERIALS of them, but the
- * bytes of all. */
+/* Returns the bytes for material names.  The scan counts at most TP_OBJ_MATERIALS names,
+ * but the bytes of all names. */
 static uint32_t material_room(const tp_obj *obj)
 {
     const uint32_t counted = obj->name_room[TP_NAMES_MATERIAL];

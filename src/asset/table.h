@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: MIT */
-/* What the reader's hash tables have in common: sizes and the mixing step. */
+/* Sizes and the mixing step shared by the reader's hash tables. */
 #ifndef TP_ASSET_TABLE_H
 #define TP_ASSET_TABLE_H
 #include <stdint.h>
 #include "base/assert.h"
 
-/* The power of two from 1.5 n up, at least 2; n <= 2^26. */
+/* Returns the smallest power of two >= 1.5 n, at least 2; n <= 2^26. */
 static inline uint32_t tp_table_size(uint32_t n)
 {
     TP_ASSERT(n <= 1u << 26);
@@ -15,8 +15,8 @@ static inline uint32_t tp_table_size(uint32_t n)
     return size;
 }
 
-/* Folds one more number into a hash; every bit of both reaches the low half.  The
- * multiplier is 2^64 over the golden ratio (Knuth, TAOCP 3, 6.4). */
+/* Mixes a number into a hash; every bit of both affects the low half.  The multiplier is
+ * 2^64 over the golden ratio (Knuth, TAOCP 3, 6.4). */
 static inline uint64_t tp_mix(uint64_t hash, uint64_t x)
 {
     hash = (hash ^ x) * 0x9e3779b97f4a7c15u;

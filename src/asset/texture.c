@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT */
-/* Textures: a picture brought to sides of powers of two, with its smaller copies.
+/* Textures: scales a picture to sides of powers of two, and makes its mipmap levels.
  *
- * The levels lie one after the other.  Resampling takes the picture as a tile that
- * repeats: destination texel i has its centre at (i + 1/2) w / w2 of the source, and
- * the four source pixels around it are weighted by 8-bit fractions. */
+ * The levels lie one after the other.  Resampling treats the picture as a repeating tile.
+ * Destination texel i has its centre at (i + 1/2) w / w2 of the source; the four source
+ * pixels around the centre are weighted by 8-bit fractions. */
 #include <stdbool.h>
 #include "base/assert.h"
 #include "base/fail.h"
@@ -44,7 +44,7 @@ size_t tp_texture_bytes(uint32_t w, uint32_t h)
 
 /* -- resampling ---------------------------------------------------------------------- */
 
-/* Two neighbours along one axis and the weight of the second, of 256. */
+/* Two neighbours along one axis, and the weight of the second in 1/256. */
 typedef struct { uint32_t first, second, weight; } tap;
 
 /* i < 2^log2 <= 4096 and n <= 4096: the product stays below 2^41. */
@@ -57,7 +57,7 @@ static tap tap_at(uint32_t i, uint32_t n, uint32_t log2)
     return (tap){ first, first + 1 < n ? first + 1 : 0, at & 255 };
 }
 
-/* One channel of four pixels: the weights add up to 2^16, so 24 bits and rounding. */
+/* Blends one channel of four pixels.  The weights add up to 2^16: 24 bits with rounding. */
 static uint32_t blend(const uint32_t pixel[4], const uint32_t weight[4], uint32_t shift)
 {
     uint32_t sum = 0x8000;
@@ -89,9 +89,9 @@ static void fill_first_level(uint32_t *to, uint32_t log2_w, uint32_t log2_h,
     }
 }
 
-/* -- levels -------------------------------------------------------------------------- */
+/* -- mipmap levels ------------------------------------------------------------------- */
 
-/* Two channels at a time, 16 bits each: four times 255 and the rounding fit. */
+/* Averages two channels at a time, 16 bits each: four times 255 and the rounding fit. */
 static uint32_t mean(uint32_t a, uint32_t b, uint32_t c, uint32_t d)
 {
     const uint32_t mask = 0x00ff00ff, half = 0x00020002;
@@ -101,7 +101,7 @@ static uint32_t mean(uint32_t a, uint32_t b, uint32_t c, uint32_t d)
     return (low >> 2 & mask) | (high >> 2 & mask) << 8;
 }
 
-/* Halves a picture of w x h; a side of 1 stays, its texels counting twice. */
+/* Halves a picture of w x h.  A side of 1 stays 1: its texels count twice. */
 static void halve(uint32_t *to, const uint32_t *from, uint32_t w, uint32_t h)
 {
     const uint32_t right = w > 1, below = h > 1 ? w : 0;

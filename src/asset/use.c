@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: MIT */
-/* The OBJ statements that name things: usemtl and mtllib.
+/* The OBJ statements with names: usemtl and mtllib.
  *
- * The scan has no memory for the names, so it counts from above: names that it met lately
- * are kept in 2 KB and not counted again, any other is.  The count is exact for files
- * with up to about 200 names of common length, and never too low.  Of materials no more
- * than TP_OBJ_MATERIALS count: when loading finds more, they are grey. */
+ * The scan has no memory for names and counts an upper bound.  2 KB hold recent names; a
+ * name found there is not counted again, any other name is counted.  The count is exact for
+ * files with up to about 200 names of common length, and never too low.  At most
+ * TP_OBJ_MATERIALS materials count: further materials found by the load are grey. */
 #include "asset/obj.h"
 #include "asset/table.h"
 #include "base/base.h"
@@ -12,7 +12,7 @@
 
 enum { MOST_LIBRARIES = 1 << 20, MOST_ROOM = 1 << 28, SHORT_NAME = 255 };
 
-/* obj->seen holds records of kind + 1, length, bytes; a 0 ends them. */
+/* obj->seen holds records of kind + 1, length, bytes; a 0 ends the list. */
 static bool was_seen(tp_obj *obj, unsigned kind, tp_word name)
 {
     char *at = obj->seen, *const end = at + sizeof obj->seen;
@@ -32,7 +32,7 @@ static bool was_seen(tp_obj *obj, unsigned kind, tp_word name)
     return false;
 }
 
-/* In the scan. */
+/* Counts a name in the scan. */
 static tp_status count_name(tp_obj *obj, unsigned kind, tp_word name, tp_error *err)
 {
     uint32_t *const most = &obj->name_most[kind], *const room = &obj->name_room[kind];
@@ -59,7 +59,8 @@ static void mix_name(tp_obj *obj, tp_word name)
 
 static const tp_word nameless = { "", 0 };
 
-/* The last place is kept for the nameless material until that is there. */
+/* True if the set has room for the name.  The last place is reserved for the nameless
+ * material until the nameless material is added. */
 static bool has_place(const tp_obj *obj, tp_word name)
 {
     const tp_obj_names *const names = &obj->store.material_names;
@@ -67,7 +68,8 @@ static bool has_place(const tp_obj *obj, tp_word name)
         || tp_names_find(names, nameless, 0, obj->total.digest) != TP_NO_NAME;
 }
 
-/* The material's number, a new one if need be; TP_NO_NAME: there is no place for more. */
+/* Returns the number of the material; adds the material if needed.  Returns TP_NO_NAME if
+ * there is no room. */
 static uint32_t number_of(tp_obj *obj, tp_word name)
 {
     tp_obj_names *const names = &obj->store.material_names;
@@ -84,8 +86,8 @@ static uint32_t number_of(tp_obj *obj, tp_word name)
     return i;
 }
 
-/* More names than are kept: the material is the nameless one, and the first time that is
- * noted. */
+/* Handles a name beyond the limit: the faces get the nameless material, and the first case
+ * is recorded as a warning. */
 static tp_status use_crowded(tp_obj *obj, tp_error *err)
 {
     if (obj->store.material_names.most < TP_OBJ_MATERIALS)
@@ -144,7 +146,8 @@ static bool ends_in_mtl(tp_word word)
     return tp_word_is_any_case((tp_word){ word.text + word.bytes - 4, 4 }, ".mtl");
 }
 
-/* The first name of what is left: up to the first word that ends in ".mtl", or all. */
+/* Returns the first name of the rest: up to the first word that ends in ".mtl",
+ * or the whole rest. */
 static tp_words first_name(tp_words *words)
 {
     const char *const start = words->at;

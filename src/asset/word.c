@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Words of a line: asset/word.h.  No function reads at or beyond `end`: lines are not
- * terminated. */
+/* Words of a line: asset/word.h.  No function reads at or beyond `end`: lines
+ * have no terminator. */
 #include "asset/word.h"
 #include "fx/fx.h"
 
