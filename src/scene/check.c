@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* The check of a scene that a program has filled in: every row against its range, then
- * the combinations that no single row can tell.  A scene of a file comes row by row
- * through tp_param_set, which holds the same ranges. */
+/* Checks a scene that a program has filled in: each row against its range, then the
+ * combinations of rows.  A scene from a file is set row by row through tp_param_set, and
+ * tp_param_set checks the same ranges. */
 #include "base/base.h"
 #include "base/fail.h"
 #include "base/given.h"

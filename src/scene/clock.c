@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: MIT */
-/* The clock of slow motion, [D6] of the models.
+/* The slow-motion clock, [D6] of the models.
  *
- * Per picture a share of 1 - exp(-1/24) of the way to the target is gone; in 40 places
- * no step is lost, until the rest, below 2 LSB of 16.16, is given at once. */
+ * Each frame moves the scale towards its target by the share 1 - exp(-1/24) of the
+ * remaining distance.  The scale has 40 fraction bits, so small steps are not lost.  A
+ * remaining distance below 2 LSB of Q16.16 is covered in a single step. */
 #include <stdbool.h>
 #include "base/assert.h"
 #include "fx/fx.h"
@@ -51,7 +52,8 @@ bool tp_clock_is_valid(const tp_clock *clock)
         && clock->target == held(clock->target) && clock->zero == 0;
 }
 
-/* The way is below 2^42 and its share 2^28, so the product takes the way as Q28. */
+/* The distance is below 2^42 in Q40 and SLIDE_Q32 is below 2^28.  The distance is shifted
+ * to Q28 first, so the product stays below 2^58. */
 void tp_clock_next(tp_clock *clock)
 {
     TP_ASSERT(clock->scale_q40 > 0 && clock->part_q40 >= 0 && clock->part_q40 < ONE_Q40);

@@ -1,10 +1,11 @@
 /* SPDX-License-Identifier: MIT */
-/* The world between its last two ticks, and the camera that goes with the boat: it stays
- * where it is on the deck, so that it heaves, turns, pitches and rolls as the boat does. */
+/* The state of the world between its last two ticks, and the camera on the boat's deck.
+ * A deck camera keeps its place on the deck and heaves, turns, pitches and rolls with the
+ * boat. */
 #include "base/assert.h"
 #include "scene/drawn.h"
 
-/* The shorter way round. */
+/* Interpolates from b to a along the shorter arc. */
 static tp_turn turn_between(tp_turn a, tp_turn b, tp_fx back)
 {
     return b + (tp_turn)((int64_t)(int32_t)(a - b) * back >> 16);
@@ -20,8 +21,9 @@ static tp_pose boat_between(const tp_pose *a, const tp_pose *b, tp_fx back)
     };
 }
 
-/* From the deck, whose axes are the mesh's, into the world.  What is carried is never
- * more than 14 km from the boat, and held where any camera is. */
+/* Transforms a camera from deck axes, the axes of the mesh, to world axes.  The camera is
+ * at most 14 km from the boat; its position is clamped to 8000 m, the limit of any
+ * camera. */
 static tp_camera carried(const tp_camera *deck, const tp_pose *boat)
 {
     const tp_rotation turn = tp_rotation_of(boat->heading, boat->pitch, boat->roll);

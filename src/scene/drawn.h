@@ -1,29 +1,30 @@
 /* SPDX-License-Identifier: MIT */
-/* The world as a picture shows it: world->back of a tick before the last tick.  Phases
- * are evaluated there; what was stepped is interpolated between its last two ticks. */
+/* The state of the world at the time of a frame: world->back of a tick before the last
+ * tick.  Wave phases are evaluated at that time; stepped quantities are interpolated
+ * between the last two ticks. */
 #ifndef TP_SCENE_DRAWN_H
 #define TP_SCENE_DRAWN_H
 #include "scene/world.h"
 
 typedef struct {
-    tp_camera camera;           /* in the world, also if it goes with the boat */
+    tp_camera camera;           /* in world axes, even if the camera moves with the boat */
     tp_turn phases[TP_WAVES];
     tp_pose boat;
     tp_turn light_heading, light_elevation;
     tp_fx   exposure;
-    int64_t time;               /* ticks x 65536 */
+    int64_t time;               /* time in ticks x 65536 */
 } tp_drawn;
 
 tp_drawn tp_world_drawn(const tp_world *world);
 
-/* The camera `back` of a tick before the last one, in the world. */
+/* Returns the camera in world axes at `back` of a tick before the last tick. */
 tp_camera tp_camera_between(const tp_world *world, tp_fx back);
 
-/* Whether the camera of a world whose bytes come from outside is where a camera can be;
- * in world.c. */
+/* True if the camera of a world is at a valid position.  Use: the bytes of `world` come
+ * from outside the program.  Defined in world.c. */
 bool tp_camera_is_valid(const tp_world *world);
 
-/* `back` of the way from b to a. */
+/* Interpolates linearly: b for back = 0, a for back = 1. */
 static inline tp_fx tp_between(tp_fx a, tp_fx b, tp_fx back)
 {
     return b + (tp_fx)(((int64_t)a - b) * back >> 16);

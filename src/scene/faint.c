@@ -1,9 +1,10 @@
 /* SPDX-License-Identifier: MIT */
-/* A wave is seen by its height, against the sky or another crest, and by its slope, which
- * turns what it mirrors.  Where neither reaches its share of the error budget the wave is
- * left out, which saves its part of every vertex.  Waves of several lengths are
- * independent, so their squares add up, and each has the share over the root of their
- * number. */
+/* Wave culling: omits waves with no visible effect.  A wave is visible by its height,
+ * against the sky or another crest, and by its slope, because the slope turns the
+ * reflection.  If both effects are below their share of the error budget, the wave is
+ * omitted and each vertex costs less.  Waves of different lengths are independent: the
+ * squares of their errors add up, so each wave gets the share divided by the square root
+ * of the number of waves. */
 #include "base/assert.h"
 #include "scene/faint.h"
 
@@ -19,13 +20,14 @@ tp_faint_limits tp_faint_limits_of(const tp_scene *scene, uint32_t waves,
         .focal = 1, .near = TP_FX_ONE,
     };
 
-    if (slope_colour > 0)                   /* a sine's rms is its height over root 2 */
+    if (slope_colour > 0)                   /* rms of a sine = amplitude / sqrt(2) */
         limits.slope = tp_fx_div((tp_fx)((int64_t)colour * 92682 >> 16), slope_colour);
     return limits;
 }
 
-/* Under water, or in the waves, all is near.  What lies straight below is in view if it
- * lies less than half of the view off the way ahead. */
+/* A camera at or below the crests gets 1 LSB, the smallest distance.  If the point
+ * straight below the camera is in view, the distance is the height.  The point straight
+ * below is in view if its angle to the view axis is below half of the field of view. */
 tp_fx tp_faint_near(tp_fx height, const tp_rotation *turn, tp_fx fov)
 {
     const tp_dir3 half = tp_rotation_of(tp_turn_of_degrees(fov) / 2, 0, 0).x;
@@ -40,7 +42,7 @@ tp_fx tp_faint_near(tp_fx height, const tp_rotation *turn, tp_fx fov)
     return tp_fx_held(((int64_t)height * (1 << 30)) / down);
 }
 
-/* 0 at `limit`, 1 at twice as much. */
+/* Returns 0 up to `limit`, 1 from 2 * `limit`, linear between. */
 static tp_fx ramp(int64_t x, tp_fx limit)
 {
     const int64_t over = x - limit;
@@ -88,7 +90,7 @@ tp_faint tp_faint_of(const tp_scene *scene, const tp_faint_limits *limits,
     return faint;
 }
 
-/* All of a swell is linear in its height, as its Q stays. */
+/* Scales a swell's height. Each listed field is linear in the height at constant Q. */
 static tp_swell scaled(const tp_swell *swell, tp_fx weight)
 {
     tp_swell w = *swell;

@@ -1,43 +1,46 @@
 /* SPDX-License-Identifier: MIT */
-/* Waves too faint to be seen, which need not be drawn. */
+/* Wave culling: finds waves too small to be visible, to be omitted or drawn lower. */
 #ifndef TP_SCENE_FAINT_H
 #define TP_SCENE_FAINT_H
 #include "wave/wave.h"
 
-#define TP_FAINT_SHARE 4        /* of the budget one part in so many is theirs */
+#define TP_FAINT_SHARE 4        /* wave culling may use 1/TP_FAINT_SHARE of the error
+                                 * budget */
 
-/* Where a wave begins to be seen: by its height at the nearest water, by its slope. */
+/* Visibility thresholds of a wave: `px` for its height at the nearest water in pixels,
+ * `slope` for its slope.  The other fields convert a height from metres to pixels. */
 typedef struct {
     tp_fx   px;
-    tp_fx   slope;              /* k A */
-    int32_t focal;              /* pixels of a metre, a metre away */
-    tp_fx   near;               /* m to the nearest water in view; > 0 */
+    tp_fx   slope;              /* slope k A */
+    int32_t focal;              /* size in px of 1 m at a distance of 1 m */
+    tp_fx   near;               /* distance to the nearest water in view, m; > 0 */
 } tp_faint_limits;
 
 typedef struct {
-    uint32_t left;              /* waves that are drawn */
-    bool     any;               /* some wave is fainter than it is, or gone */
-    tp_fx    px, colour;        /* errors that this makes, all waves together */
+    uint32_t left;              /* number of waves drawn */
+    bool     any;               /* true if a wave is drawn lower or omitted */
+    tp_fx    px, colour;        /* errors caused by culling, all waves together */
 } tp_faint;
 
-/* `waves` with amplitudes; slope_colour: rms of 255 that slopes of rms 1 make, 0: not
- * known, and no wave is faint. */
+/* `waves`: number of waves with an amplitude.  `slope_colour`: rms colour error (of 255)
+ * caused by slopes of rms 1; 0 means unknown, and no wave is culled. */
 tp_faint_limits tp_faint_limits_of(const tp_scene *scene, uint32_t waves,
                                    tp_fx slope_colour);
 
-/* The nearest water that a camera sees, so high above its crests: where its lowest ray
- * meets them. */
+/* Returns the distance to the nearest water in view, for a camera `height` m above the
+ * crests: the point where the lowest ray of the view meets the crest level. */
 tp_fx tp_faint_near(tp_fx height, const tp_rotation *turn, tp_fx fov);
 
-/* Share of its height that a wave is drawn with, 0..1: nothing where both limits are not
- * reached, all of it from twice one of them.  So it neither comes nor goes at once. */
+/* Returns the factor, 0..1, for the height of a drawn wave.  The factor is 0 if both
+ * height and slope are below their limits, and 1 if either is at least twice its limit.
+ * The ramp between the limits prevents sudden appearance or disappearance. */
 tp_fx tp_faint_weight(const tp_faint_limits *limits, tp_fx amplitude, tp_fx slope);
 
 tp_faint tp_faint_of(const tp_scene *scene, const tp_faint_limits *limits,
                      tp_fx slope_colour);
 
-/* The sea that is drawn, without what is not seen; returns false, and writes nothing, if
- * that is the whole.  Bounds stay the whole's. */
+/* Writes the culled sea and its phases to `thin` and `thin_phases`.  Returns false and
+ * writes nothing if no wave is culled.  The bounds in `thin` stay the bounds of `whole`. */
 bool tp_faint_sea(tp_sea *thin, tp_turn thin_phases[TP_WAVES], const tp_sea *whole,
                   const tp_turn phases[TP_WAVES], const tp_faint_limits *limits);
 #endif

@@ -1,18 +1,19 @@
 /* SPDX-License-Identifier: MIT */
-/* The governor of a frame's time: windows of frames are compared with the limit, so that
- * a single late frame changes nothing.
+/* The governor of the frame time compares windows of frames with the limit; a single late
+ * frame has no effect.
  *
- * A step up is not tried but foretold.  The means before and after a step down tell what
- * the rung above costs here, on this machine and scene; what the frames take now, times
- * their ratio, is what they would take there.  While the load stays as it was that is
- * above the limit, and the governor stays; it cannot swing. */
+ * A step up is predicted, not tried.  The mean frame times before and after a step down
+ * give the cost ratio of both rungs on this machine and scene.  The current mean times
+ * this ratio predicts the frame time on the rung above.  Under a constant load the
+ * prediction stays above the limit, so the governor stays on its rung and does not
+ * oscillate. */
 #include <stdbool.h>
 #include "base/assert.h"
 #include "scene/plan.h"
 
-#define WINDOW 8                /* frames */
-#define CALM   8                /* windows with room, before a step up */
-#define SETTLE 2                /* frames after a step that are not looked at */
+#define WINDOW 8                /* frames per window */
+#define CALM   8                /* consecutive windows with room before a step up */
+#define SETTLE 2                /* frames ignored after a step */
 
 void tp_governor_init(tp_governor *governor, const tp_ladder *ladder, uint32_t limit)
 {
@@ -48,8 +49,10 @@ static int step(tp_governor *g, int by)
     return by;
 }
 
-/* Times below 2^32, so the product fits.  No rung costs more than four times the next: a
- * load that fell while the step was measured must not hold the governor down for ever. */
+/* True if the predicted time on the rung above leaves 1/8 of the limit free.  Times are
+ * below 2^32, so the product fits 64 bits.  The prediction is limited to four times the
+ * current mean: if the load fell during the step down, the measured ratio is too high and
+ * must not prevent a step up for ever. */
 static bool has_room_above(const tp_governor *g)
 {
     TP_ASSERT(g->at > 0 && g->after[g->at] > 0);
@@ -59,7 +62,8 @@ static bool has_room_above(const tp_governor *g)
     return (above < most ? above : most) <= g->limit - g->limit / 8;
 }
 
-/* The first window on a rung is what the step to it has brought. */
+/* Processes a full window.  The first window on a rung measures the result of the step
+ * down to that rung. */
 static int judge(tp_governor *g)
 {
     if (g->at > 0 && g->after[g->at] == 0)

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The sun or moon as input and time move it, the sky around it, and the camera's
+/* The sun or moon as moved by input and time, the sky's configuration, and the camera's
  * exposure. */
 #include "scene/light.h"
 #include "base/base.h"
@@ -60,7 +60,8 @@ void tp_light_init(tp_world *world, const tp_scene *scene)
     keep_last(world);
 }
 
-/* What moved by itself stays where it is until the scene says otherwise. */
+/* A light moved by time or input keeps its position until the scene's heading or
+ * elevation changes. */
 void tp_light_refresh(tp_world *world, const tp_scene *scene)
 {
     if (world->scene_light[0] != scene->light.heading
@@ -70,7 +71,8 @@ void tp_light_refresh(tp_world *world, const tp_scene *scene)
         world->exposure = world->last_exposure = scene->hdr.value;
 }
 
-/* A tick's share of light.turn is right within 2^-33 turn: a degree in four days. */
+/* The rotation per tick is rounded to within 2^-33 turn; the sum drifts by less than 1
+ * degree in four days. */
 void tp_light_step(tp_world *world, const tp_scene *scene, const tp_input *in)
 {
     keep_last(world);
@@ -92,7 +94,8 @@ static bool within(int64_t x, int64_t low, int64_t high)
 
 bool tp_light_is_valid(const tp_world *world)
 {
-    const tp_fx least = TP_FX_ONE / 8, most = 8 * TP_FX_ONE;    /* [F8] */
+    const tp_fx least = TP_FX_ONE / 8, most = 8 * TP_FX_ONE;    /* range of the exposure
+                                                                 * [F8] */
 
     return within(world->light_elevation, LEAST, MOST)
         && within(world->last_light_elevation, LEAST, MOST)

@@ -5,24 +5,26 @@
 #include "scene/parts.h"
 #include "shade/skies.h"
 
-/* From the world to the light. */
+/* Returns the unit vector from the world towards the light. */
 tp_dir3 tp_light_direction(tp_turn heading, tp_turn elevation);
 
-/* Whether the scene's sky is a dome, and what of: of other skies a day's. */
+/* tp_has_dome: true if the scene's sky is a dome. tp_dome_of: returns the configuration
+ * of the dome; any other kind of sky gives a day dome. */
 bool tp_has_dome(const tp_scene *scene);
 tp_dome_config tp_dome_of(const tp_scene *scene);
 
 void tp_light_init(tp_world *world, const tp_scene *scene);
 void tp_light_refresh(tp_world *world, const tp_scene *scene);
 
-/* Moves the light; the exposure stays. */
+/* Moves the light by one tick; the exposure does not change. */
 void tp_light_step(tp_world *world, const tp_scene *scene, const tp_input *in);
 
-/* True if the light and the exposure of a world from outside are in the ranges that steps
- * keep. */
+/* True if light and exposure of a world from outside the program are in the ranges that
+ * tp_light_step keeps. */
 bool tp_light_is_valid(const tp_world *world);
 
-/* A sky of six pictures: one that is missing leaves the gradient. */
+/* True if the sky is a cube map of six textures.  If a texture is missing, the gradient
+ * is drawn instead. */
 static inline bool tp_has_cube(const tp_scene *scene, const tp_assets *assets)
 {
     for (int i = 0; i < TP_FACES; i++)

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The modules of a world: loops over the program's list; see the header. */
+/* The modules of a world: loops over the program's module list; see the header. */
 #include "scene/module.h"
 #include "base/assert.h"
 #include "base/base.h"
@@ -7,7 +7,7 @@
 #include "scene/parts.h"
 #include "scene/program.h"
 
-/* Before a module's state, which follows it, aligned to 8. */
+/* Header of a chunk. The module's state follows, aligned to 8 bytes. */
 typedef struct {
     uint32_t id, bytes;
 } chunk;
@@ -18,13 +18,14 @@ static chunk *chunk_at(const tp_world *world, uint32_t at)
     return (chunk *)(void *)((char *)(uintptr_t)world + at);
 }
 
-/* The offset of the next one. */
+/* Returns the offset of the next chunk. */
 static uint32_t chunk_end(const tp_world *world, uint32_t at)
 {
     return at + (uint32_t)sizeof(chunk) + chunk_at(world, at)->bytes;
 }
 
-/* Asks the module in its turn, so that those below it know of it. */
+/* Asks each module in list order, because `want` tells later modules the bits of earlier
+ * modules. */
 static bool has_state(const tp_module *module, tp_want *want)
 {
     return tp_module_ask(module, want) && module->bytes;
@@ -35,7 +36,7 @@ static size_t state_bytes(const tp_module *module, const tp_want *want)
     return (module->bytes(want) + 7) & ~(size_t)7;
 }
 
-/* The chunk at an offset or a later one with that id; NULL: there is none. */
+/* Returns the first chunk with this id at or after an offset, or NULL. */
 static chunk *find_chunk(const tp_world *world, uint32_t at, uint32_t id)
 {
     for (; at && at < world->parts.bytes; at = chunk_end(world, at))
@@ -68,8 +69,8 @@ tp_status tp_program_lacks(const char *what, tp_error *err)
     return tp_error_blame(err, TP_FAIL(err, TP_E_PROGRAM, 0, 0, 0), what);
 }
 
-/* A lack is asked as in its place in the list of everything there is, with all models of
- * water. */
+/* Asks each missing module (tp_lack) at its position in the list of all modules, with all
+ * wave models. */
 tp_status tp_lacks_check(const tp_program *program, const tp_scene *scene,
                          const tp_assets *assets, tp_error *err)
 {
@@ -169,7 +170,7 @@ bool tp_modules_refresh(const tp_program *program, tp_world *world, tp_want want
     return true;
 }
 
-/* A module's state, if it has this hook. */
+/* The state of a module that has this hook, else NULL. */
 #define PART_FOR(hook, u, world) \
     ((u)->module->hook ? tp_world_part(world, (u)->module->id) : NULL)
 
@@ -223,8 +224,9 @@ static const char *name_of(const tp_program *program, uint32_t id)
     return "layout";
 }
 
-/* The module whose chunk has another id or length in `world`, or NULL.  The lengths of
- * `fresh` are walked, those of `world` compared. */
+/* Returns the name of the first module whose chunk has another id or length in `world`,
+ * or NULL.  Walks the chunks by the lengths in `fresh` and compares the lengths in
+ * `world`. */
 static const char *find_other_chunk(const tp_program *program, const tp_world *world,
                                     const tp_world *fresh)
 {

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
-/* An estimate of what a scene shows its camera at the start: pixels of level water by a
- * lattice of rays, crossings of the grid by a lattice of them, and the stages of those
- * pixels.  The modules say which stages; they are asked as a frame asks them.  Boat, drops
- * and tank are not taken off the water that they hide. */
+/* The view estimate: what the start camera of a scene sees.  Water pixels are counted by
+ * a lattice of rays against level water, grid vertices by a lattice of points on the
+ * grid.  The span stages of these pixels come from the modules, asked as a frame asks
+ * them.  Water behind the boat, drops and the tank is counted as visible. */
 #include "geom/grid.h"
 #include "scene/faint.h"
 #include "scene/light.h"
@@ -13,10 +13,10 @@
 #include "scene/stand.h"
 #include "wave/ocean_tables.h"
 
-#define RAYS   32               /* each way */
+#define RAYS   32               /* rays along each axis of the picture */
 #define BAND   16               /* rows of a tile, as a board draws */
-#define POINTS (1 << 20)        /* at the most */
-#define SPOTS  32               /* of the grid, each way */
+#define POINTS (1 << 20)        /* largest number of points */
+#define SPOTS  32               /* points of the grid along each axis */
 
 /* -- pixels -------------------------------------------------------------------------- */
 
@@ -33,20 +33,21 @@ static uint32_t water_rays(const tp_stand *at)
 
 /* -- vertices ------------------------------------------------------------------------ */
 
-/* The place of the n-th of SPOTS on an axis of `lines` lines. */
+/* Returns the coordinate of the n-th of SPOTS points on an axis of `lines` lines. */
 static int64_t spot_of(const tp_scene *s, int32_t lines, int64_t centre, int32_t n)
 {
     return tp_stand_line(s, lines, centre,
                          (int64_t)(lines - 1) * (2 * n + 1 - SPOTS) * 32768 / SPOTS);
 }
 
-/* The grid's crossings in view, and those of their cells that get a pixel, Q8. */
+/* Grid points in view, and the number of their cells that get a pixel, Q8. */
 typedef struct {
     uint32_t spots, drawn;
 } viewed;
 
-/* The share of level cells at such a depth that get a pixel, Q8: a cell's image is its area
- * times focal^2 height / depth^3.  A cell counts once for each tile that its rows touch. */
+/* Returns the share, Q8, of level cells at a depth that get a pixel.  The image of a cell
+ * has the area of the cell times focal^2 height / depth^3.  A cell counts once for each
+ * tile that its rows touch. */
 static uint32_t pixels_of_cell(const tp_stand *at, const tp_scene *s, int32_t focal,
                                int64_t depth)
 {
@@ -60,8 +61,8 @@ static uint32_t pixels_of_cell(const tp_stand *at, const tp_scene *s, int32_t fo
     return (uint32_t)((area < 256 ? area : 256) * (256 + rows / BAND) >> 8);
 }
 
-/* Within the picture and a little around it, at the level or the crests.  What is 8 km
- * off is as well there. */
+/* Counts a grid point inside the picture, with a margin for its neighbours and crests.
+ * Distances are limited to 8 km. */
 static void view_spot(viewed *to, const tp_stand *at, const tp_scene *s, int32_t focal,
                       int64_t x, int64_t z)
 {
@@ -93,15 +94,15 @@ static viewed viewed_spots(const tp_stand *at, const tp_scene *s, int32_t focal)
 
 /* -- points of a lattice over the picture -------------------------------------------- */
 
-/* Lines of the projected method up to so many rows below the horizon (frame/projected.c),
- * to 4 times as many at a step there. */
+/* Lines of the projected method (frame/projected.c) in the first `rows` rows below the
+ * horizon: every row, then every 2nd, then every 4th. */
 static int64_t lines_below(int64_t rows)
 {
     return rows > 64 ? 48 + (rows - 64) / 4 : rows > 32 ? 32 + (rows - 32) / 2
          : rows > 0 ? rows : 0;
 }
 
-/* Rows from the horizon down to the picture's lower edge. */
+/* Returns the number of rows from the horizon to the lower edge of the picture. */
 static int64_t rows_below(const tp_stand *at, int32_t focal, uint32_t height)
 {
     const int64_t up = at->turn.y.y > 1 << 20
@@ -109,7 +110,8 @@ static int64_t rows_below(const tp_stand *at, int32_t focal, uint32_t height)
     return tp_limit(up + height / 2, 4096);
 }
 
-/* Tiles of BAND rows walk again the lines that waves, so high, may raise into them. */
+/* Counts the points of tiles of BAND rows.  Each tile walks again the lines that waves of
+ * this height may raise into it. */
 static uint32_t projected_points(const tp_stand *at, int32_t focal, int64_t waves,
                                  uint32_t width, uint32_t height)
 {
@@ -126,7 +128,7 @@ static uint32_t projected_points(const tp_stand *at, int32_t focal, int64_t wave
     return (uint32_t)tp_limit(lines * (width / 8 + 5), POINTS);
 }
 
-/* Every 8th pixel of every 8th row, of water that has waves. */
+/* Counts every 8th pixel of every 8th row, if the water has waves. */
 static uint32_t flat_points(const tp_stand *at, int32_t focal, int64_t waves, uint32_t width,
                             uint32_t height)
 {
@@ -146,12 +148,13 @@ static void list_points(tp_outlook *o, const tp_stand *at, int64_t waves, uint32
     o->points[TP_VISIBILITY_FLAT - 1] = flat_points(at, o->focal, waves, width, height);
 }
 
-/* -- which methods draw it ----------------------------------------------------------- */
+/* -- methods that can draw the view -------------------------------------------------- */
 
-#define FOLDS    (TP_FX_ONE * 9 / 10)   /* as in frame/holds.c */
+#define FOLDS    (TP_FX_ONE * 9 / 10)   /* limits of the sum, as in frame/holds.c */
 #define STEEPENS (TP_FX_ONE * 3 / 4)
 
-/* Bends along the lines less t times those across, of waves held to a sum of 0.95. */
+/* True if lines keep their order along a ray.  Sums the bend along the lines minus t
+ * times the bend across the lines.  Steepness is scaled to a sum of at most 0.95. */
 static bool stays_in_order(const tp_scene *s, bool coastal, bool upright, int64_t t)
 {
     int64_t sum = 0, steepness = 0;
@@ -172,8 +175,8 @@ static bool stays_in_order(const tp_scene *s, bool coastal, bool upright, int64_
     return sum < (coastal ? STEEPENS : FOLDS);
 }
 
-/* All corners of the picture lead away across the lines, and what they see keeps its
- * order: frame/holds.c has the rule. */
+/* True if the rays of all four corners of the picture lead away across the lines and meet
+ * the lines in order; frame/holds.c has the rule. */
 static bool rows_hold(const tp_scene *s, bool coastal, const tp_stand *at)
 {
     const tp_dir3 *back = &at->turn.z;
@@ -192,7 +195,7 @@ static bool rows_hold(const tp_scene *s, bool coastal, const tp_stand *at)
     return true;
 }
 
-/* Metres along the lines for each across them, straight ahead. */
+/* Returns the metres along the lines for each metre across them, straight ahead. */
 static tp_fx slant_of(const tp_stand *at)
 {
     const int64_t x = tp_abs(at->turn.z.x), z = tp_abs(at->turn.z.z);
@@ -201,7 +204,8 @@ static tp_fx slant_of(const tp_stand *at)
     return across > 0 ? (tp_fx)(along * TP_FX_ONE / across) : 0;
 }
 
-/* The frame decides by its own camera; here by the scene's, and a little strictly. */
+/* Lists the methods that fit the view.  The frame decides by its own camera; the estimate
+ * uses the scene's camera and is slightly stricter. */
 static void list_fits(tp_outlook *o, const tp_scene *s, const tp_stand *at, int64_t waves,
                       bool ahead)
 {
@@ -217,7 +221,8 @@ static void list_fits(tp_outlook *o, const tp_scene *s, const tp_stand *at, int6
 
 /* -- the stages of water ------------------------------------------------------------- */
 
-/* The modules that are on and raise the water's surface.  They ask of no other module. */
+/* Records the enabled modules that raise the water's surface.  Their conditions do not
+ * depend on other modules. */
 static void list_surfaces(tp_outlook *o, const tp_use *modules, const tp_want *want)
 {
     for (const tp_use *u = modules; u && u->module; u++) {
@@ -234,7 +239,8 @@ static void list_surfaces(tp_outlook *o, const tp_use *modules, const tp_want *w
     o->stirred = o->pools > 0 || o->rings;
 }
 
-/* The modules that are drawn and on; pools whose slopes alone are drawn raise no grid. */
+/* Records the enabled modules that are drawn.  Pools drawn only as slopes do not raise
+ * the grid. */
 static void list_modules(tp_outlook *o, const tp_use *modules, tp_want want)
 {
     for (const tp_use *u = modules; u && u->module; u++) {
@@ -244,14 +250,15 @@ static void list_modules(tp_outlook *o, const tp_use *modules, tp_want want)
         if (u->module->count)
             u->module->count(&want, o->trait);
     }
-    if (!o->trait[TP_TRAIT_mirror])             /* nothing asks for the sky's mirror */
+    if (!o->trait[TP_TRAIT_mirror])             /* the sky is not reflected */
         o->trait[TP_TRAIT_dome] = o->trait[TP_TRAIT_cube] = 0;
     o->modules = want.above;
     if (o->modules & TP_MODULE_SLOPES)
         o->pools = 0;
 }
 
-/* The lobe's steepest place is about its height times the root of its exponent. */
+/* Returns the gloss class of the specular lobe.  The steepest slope of the lobe is about
+ * its height times the square root of its exponent. */
 static int gloss_of(const tp_scene *s)
 {
     const int64_t square = (int64_t)s->water.specular * s->water.specular >> 16;
@@ -260,7 +267,8 @@ static int gloss_of(const tp_scene *s)
          : square * s->water.shininess >> 16 > 144 * TP_FX_ONE ? 2 : 1;
 }
 
-/* By the sum of k A: up to 1/4 is gentle, and so are pools and rings. */
+/* Classifies the sea by the sum of k A: a sum up to 1/4 is gentle; pools and rings are
+ * gentle too. */
 static void list_sea(tp_outlook *o, const tp_scene *s)
 {
     int64_t slope = 0;
@@ -287,7 +295,7 @@ static void list_waves(tp_outlook *o, const tp_scene *s)
     o->plain = !o->sharp && !raised;
 }
 
-/* -- all ----------------------------------------------------------------------------- */
+/* -- the estimate -------------------------------------------------------------------- */
 
 tp_want tp_plan_want(const tp_plan_input *in)
 {

@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: MIT */
-/* The parts of a world; see the header. */
+/* The layout of a world's block; see the header. */
 #include "scene/parts.h"
 #include "base/base.h"
 #include "geom/waters.h"
 
-/* Swells that a world has room for. */
+/* Returns the number of swells that the world needs memory for. */
 static size_t swells_of(const tp_program *program, const tp_scene *scene)
 {
     size_t count = 0;

@@ -1,18 +1,18 @@
 /* SPDX-License-Identifier: MIT */
-/* The place on the water under a pixel: the ray through the pixel's middle is walked
- * until it is on the surface's other side, and the way between its last two places halved
- * until nothing is left of it.
+/* Finds the point of the water surface under a pixel.  The ray through the centre of the
+ * pixel is walked until it changes the side of the surface; then the interval of the last
+ * step is bisected down to 1 LSB.
  *
- * A step is half of how far the ray is over the water, or under it: no wave rises faster
- * but where it is about to break.  Near the water it is no shorter than what two pixels
- * are wide there (or 1/512 of the way so far, in large pictures).  What a ray may then
- * step over is a crest that it cuts by less: of a wave of number k and amplitude A that
- * is c^2 A k^2 / 8 high, c the step, and never higher than 2 A; seen from where it is
- * largest less than kA pixels.
+ * A step is half of the vertical distance between ray and surface, because waves rise
+ * slower than the ray except where they are about to break.  Near the water a step is at
+ * least the width of two pixels there (or 1/512 of the distance so far, in large
+ * pictures).  A ray may therefore skip a crest that it cuts only slightly: for wave
+ * number k, amplitude A and step c, the skipped height is c^2 A k^2 / 8 and never above 2
+ * A.  At its largest the skipped height is less than kA pixels.
  *
- * Only that part of the ray is walked that lies between the crests and the troughs,
- * behind the near plane and, in a tank, between its walls.  Where the bed of the sea
- * rises out of it the ray meets land. */
+ * The ray is walked only between crest level and trough level, beyond the near plane and,
+ * in a tank, between the walls.  Where the sea floor rises above the water, the ray meets
+ * land. */
 #include "base/base.h"
 #include "geom/waters.h"
 #include "scene/drawn.h"
@@ -21,22 +21,23 @@
 #include "scene/sides.h"
 
 #define FAR   (8000 * TP_FX_ONE)
-#define LEAST (TP_FX_ONE / 256)         /* of a step */
-#define MOST  (1 << 13)                 /* pixels of a side */
+#define LEAST (TP_FX_ONE / 256)         /* smallest step, m */
+#define MOST  (1 << 13)                 /* largest width or height of the picture, px */
 
 typedef struct {
     const tp_surface *surface;
     tp_vec3   eye;
     tp_dir3   way;
-    tp_fx     near;             /* m along the ray to the near plane */
-    int32_t focal_q14;          /* pixels to the tangent 1 */
+    tp_fx     near;             /* distance along the ray to the near plane, m */
+    int32_t focal_q14;          /* focal length, px, Q14 */
     bool      floor;
 } ray;
 
 /* -- the ray ------------------------------------------------------------------------ */
 
-/* Pixels in Q14: 2^16 of them from the middle, and the focal length held there, keep
- * below what tp_rotate_back takes. */
+/* Builds the ray through a point of the picture.  Pixels are Q14: offsets of up to 2^16
+ * px from the centre, and the focal length with the same limit, stay within the range of
+ * tp_rotate_back. */
 static ray ray_of(const tp_surface *surface, const tp_camera *camera,
                   const tp_scene *scene, const uint32_t side[2], tp_fx x_px, tp_fx y_px)
 {
@@ -83,7 +84,8 @@ static tp_fx land_at(const ray *r, tp_fx x, tp_fx z)
     return r->floor ? -s->by->ocean->floor(s->ocean, x, z).depth : TP_FX_MIN;
 }
 
-/* How far the ray is over water or land. */
+/* Returns the height of the ray above water or land, whichever is higher; negative
+ * below. */
 static int64_t over(const ray *r, int64_t t)
 {
     const tp_vec3 p = place_at(r, t);
@@ -94,9 +96,10 @@ static int64_t over(const ray *r, int64_t t)
 
 /* -- the walk ----------------------------------------------------------------------- */
 
-typedef struct { int64_t from, to; } stretch;       /* m along the ray, 16.16 */
+typedef struct { int64_t from, to; } stretch;       /* interval of distances along the
+                                                     * ray, Q16.16 m */
 
-/* Leaves of a stretch what lies between two places of an axis; false: nothing. */
+/* Clips the interval to low..high on an axis; returns false if nothing is left. */
 static bool cut(stretch *s, tp_fx eye, tp_q30 way, int64_t low, int64_t high)
 {
     if (way == 0)
@@ -114,7 +117,7 @@ static bool cut_by_tank(stretch *s, const ray *r, const tp_rectangle *sides)
            && cut(s, r->eye.z, r->way.z, sides->z0, sides->z1);
 }
 
-/* Land may stand higher than any water. */
+/* Land may be higher than any water, so a scene with a floor has no upper limit. */
 static bool stretch_of(const ray *r, const tp_scene *scene, stretch *s)
 {
     const int64_t high = (int64_t)tp_surface_height(r->surface) + LEAST;
@@ -135,7 +138,8 @@ static int64_t step_of(const ray *r, int64_t t, int64_t high)
     return by > LEAST ? by : LEAST;
 }
 
-/* From one side to the other: the first place that is. */
+/* Bisects between the two sides of the surface; returns the first distance on the far
+ * side. */
 static int64_t meeting(const ray *r, int64_t from, int64_t to, bool above)
 {
     while (to - from > 1) {
@@ -178,7 +182,7 @@ bool tp_world_pick(const tp_program *program, const tp_world *world,
 
     surface.phases = drawn.phases;
     surface.back = world->back;
-    if (scene->water.pool_bump > 0) /* pools bend the light alone */
+    if (scene->water.pool_bump > 0) /* pools change the shading only, not the height */
         surface.pool = surface.field = NULL;
     if (width == 0 || height == 0 || width > MOST || height > MOST)
         return false;

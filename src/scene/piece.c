@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Pieces of text; see the header. */
+/* String views; see the header. */
 #include "scene/piece.h"
 #include "base/base.h"
 #include "base/text.h"

@@ -1,10 +1,11 @@
 /* SPDX-License-Identifier: MIT */
-/* The plan for callers of the library: it checks the scene and uses the measured prices.
- * Frames ask rungs.c, as tp_frame_init has checked their scene. */
+/* The quality plan for callers of the library: checks the scene and uses the measured
+ * costs.  Frames call rungs.c directly, because tp_frame_init has already checked their
+ * scene. */
 #include "scene/parts.h"
 #include "scene/prices.h"
 
-/* Every scene can be drawn by these. */
+/* The exact rungs can draw every scene. */
 static const tp_rungs exact = {
     TP_VISIBILITY_TRIANGLES, TP_SHADING_EXACT, TP_RATE_FULL, TP_LOD_OFF
 };
@@ -16,7 +17,7 @@ static bool can_plan(const tp_plan_input *in)
         && tp_scene_check(in->scene, NULL) == TP_OK;
 }
 
-/* A plan for the modules of tp_program_all; NULL assets are none. */
+/* Returns the input of a plan with the modules of tp_program_all; NULL assets: none. */
 static tp_plan_input input_of(const tp_scene *scene, const tp_assets *assets,
                               uint32_t width, uint32_t height)
 {

@@ -20,7 +20,7 @@ tp_pool_config tp_pools_config(const tp_scene *scene, const tp_assets *assets, b
     };
 }
 
-/* "courant" of the pool or the field becomes the parameter's name. */
+/* Prefixes err->word: "courant" becomes the parameter's full name, "pool.courant". */
 static void name_parameter(tp_error *err, const char *part)
 {
     char name[sizeof err->word];

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The table of prices; prices.inc is made from assets/charts/prices.csv by prices.awk. */
+/* The cost table. prices.awk generates prices.inc from assets/charts/prices.csv. */
 #include "scene/prices.h"
 
 const tp_prices tp_prices_measured = {

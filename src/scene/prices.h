@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* Costs and errors of methods, as measured: instructions of a Cortex-M4; errors against the
- * truth (tests/budgets/truth.h), beyond those of the exact rungs.  The table is made from
- * assets/charts/prices.csv. */
+/* Measured costs and errors of the methods.  Costs are Cortex-M4 instructions.  Errors
+ * are relative to a reference picture (tests/budgets/truth.h), minus the error of the
+ * exact rungs.  The table is generated from assets/charts/prices.csv. */
 #ifndef TP_SCENE_PRICES_H
 #define TP_SCENE_PRICES_H
 #include "scene/plan.h"
@@ -10,10 +10,10 @@
 enum { TP_KIND_VISIBILITY, TP_KIND_SHADING, TP_KIND_RATE, TP_KIND_LOD };
 enum { TP_VISIBILITIES = 4, TP_SHADINGS = 2, TP_RATES = 3, TP_LODS = 2 };
 
-/* The traits of the water's pixels; each has a price.  plain: all pixels have it; diffuse:
- * light without the view; look: the view that gloss, mirror and depth share; objects: in
- * the mirror; lined: a layer of linear texels; bed, chart, tank: a floor that is a plane, a
- * map, a box. */
+/* Traits of water pixels; each trait has a cost. plain: every pixel; diffuse: light that
+ * does not depend on the view; look: view direction, shared by gloss, mirror and depth;
+ * objects: reflected objects; lined: a layer with linear texture filtering; bed, chart,
+ * tank: a floor that is a plane, a height map, a box. */
 #define TP_TRAITS(X) \
     X(plain) X(texture) X(linear) X(bend) X(layer) X(lined) X(ripple) X(bump) \
     X(diffuse) X(look) X(mirror) \
@@ -27,9 +27,9 @@ enum {
     TP_TRAIT_COUNT
 };
 
-/* Seas by what makes errors: their slopes, and how they glitter; sparks: by a lobe so
- * sharp and bright that its points are smaller than pixels; ocean: steep, over a bed or
- * in a wind. */
+/* Classes of sea: by slope, then by gloss; both determine the errors. sparks: the
+ * specular lobe is so sharp and bright that glints are smaller than a pixel. ocean: steep
+ * coastal water, over a floor or in a wind. */
 enum {
     TP_SEA_LEVEL, TP_SEA_LEVEL_GLOSSY, TP_SEA_LEVEL_SPARKS,
     TP_SEA_GENTLE, TP_SEA_GENTLE_GLOSSY, TP_SEA_GENTLE_SPARKS,
@@ -37,19 +37,22 @@ enum {
     TP_SEA_OCEAN, TP_SEA_OCEAN_GLOSSY, TP_SEA_OCEAN_SPARKS, TP_SEA_CLASSES
 };
 
-/* The price of a method of finding the water. */
+/* The cost of a method for finding the water (visibility). */
 typedef struct {
     bool  known;
-    tp_fx pixel;                /* instructions a water pixel */
-    tp_fx vertex;               /* a point that it works out; there besides ... */
-    tp_fx wave, sharp, pool;    /* ... for each wave, of a sharp sea more, each pool */
-    tp_fx ocean, floor, map;    /* ... an ocean; one over a plane, over a map */
-    tp_fx drawn;                /* a cell of the grid that gets a pixel */
-    tp_fx slant;                /* ... by how the view goes along the lines for across */
-    tp_fx still;                /* instead of `pixel` of level water */
+    tp_fx pixel;                /* instructions per water pixel */
+    tp_fx vertex;               /* instructions per evaluated point; the fields below add
+                                 * to a point's cost */
+    tp_fx wave, sharp, pool;    /* per wave; per wave of a sharpened sea, extra; per pool */
+    tp_fx ocean, floor, map;    /* coastal water: with wind only; over a plane; over a
+                                 * map */
+    tp_fx drawn;                /* per grid cell that gets a pixel */
+    tp_fx slant;                /* times tp_outlook.slant */
+    tp_fx still;                /* replaces `pixel` for level water */
 } tp_seen_price;
 
-/* The price of a method of shading the water, a pixel; some are below 0. */
+/* The cost of a method for shading the water, instructions per pixel; some parts are
+ * negative. */
 typedef struct {
     bool  known;
     tp_fx part[TP_TRAIT_COUNT];
@@ -60,9 +63,11 @@ typedef struct {
     tp_fx px, colour;
 } tp_error_price;
 
-/* Work besides finding and shading water, counted by works.c: each with its price.  Of the
- * boat: faces that a picture places; looked through for a band of rows; behind, in front,
- * in a band, and their pixels; cut by the level or the view, in a band. */
+/* Work besides finding and shading the water; works.c counts each kind, and each kind has
+ * a cost.  For the boat: boat_face counts the faces of the mesh; boat_scan the faces
+ * visited per band of rows; boat_back, boat_piece and boat_fill the back faces, front
+ * faces and pixels per band; boat_cut the faces clipped by the water level or the view,
+ * per band. */
 #define TP_WORKS(X) \
     X(sky_dome) X(sky_quick) X(sky_stars) X(sky_cube) X(sky_hdr) \
     X(haze) X(haze_dome) X(haze_cube) X(hdr) X(solid) \
@@ -81,14 +86,14 @@ enum {
 
 typedef struct {
     uint32_t of[TP_WORK_COUNT];
-    uint32_t hidden;            /* pixels of water behind what is not water */
-    uint32_t solid;             /* pixels of that */
+    uint32_t hidden;            /* water pixels behind solid objects */
+    uint32_t solid;             /* pixels of solid objects */
 } tp_works;
 
 typedef struct {
-    tp_fx frame;                /* thousands a frame */
-    tp_fx sky;                  /* a pixel */
-    tp_fx slope_colour;         /* rms of 255 that slopes of rms 1 make */
+    tp_fx frame;                /* thousands of instructions per frame */
+    tp_fx sky;                  /* instructions per sky pixel */
+    tp_fx slope_colour;         /* rms colour error (of 255) caused by slopes of rms 1 */
     tp_seen_price   seen[TP_VISIBILITIES][TP_LODS];
     tp_shaded_price shaded[TP_SHADINGS][TP_RATES];
     tp_fx           work[TP_WORK_COUNT];
@@ -97,7 +102,7 @@ typedef struct {
 
 extern const tp_prices tp_prices_measured;
 
-/* The input of a plan: a scene that passes tp_scene_check, its assets, the picture's size
+/* The input of a plan: a scene that passes tp_scene_check, its assets, the picture size
  * and the modules of a program. */
 typedef struct {
     const tp_use    *modules;
@@ -106,43 +111,45 @@ typedef struct {
     uint32_t width, height;
 } tp_plan_input;
 
-/* The plan by any table. */
+/* Compute the rungs and the plan with a given cost table. */
 tp_rungs tp_rungs_by(const tp_prices *prices, const tp_plan_input *in);
 tp_plan_report tp_plan_by(const tp_prices *prices, const tp_plan_input *in);
 
-/* The price by which rungs are chosen.  It lacks the works, which no rung changes much and
- * which reports alone add. */
+/* Returns the cost used to choose rungs.  The cost excludes the works: the rungs hardly
+ * change them, so only reports add them. */
 tp_price tp_price_by(const tp_prices *prices, const tp_plan_input *in);
 
 tp_ladder tp_ladder_by(const tp_prices *prices, const tp_plan_input *in);
 
-/* True if some wave is too faint to be drawn as it is, seen from the scene's camera. */
+/* True if a wave is culled or drawn lower, seen from the scene's camera. */
 bool tp_thins_sea(const tp_plan_input *in);
 
-/* -- outlook.c: an estimate of what the camera sees at the start ---------------------- */
+/* -- outlook.c: an estimate of the start camera's view -------------------------------- */
 
 typedef struct {
     uint32_t water_pixels, other_pixels, vertices, waves;
-    int32_t  focal;             /* pixels of a metre, a metre away */
-    tp_fx    near;              /* m to the nearest water */
-    uint8_t  trait[TP_TRAIT_COUNT];     /* how often */
-    uint8_t  sea;               /* its class */
-    uint8_t  pools, rings, ocean;       /* that raise the grid's crossings */
-    uint8_t  stirred;           /* pools or rings, also as slopes of a flat surface */
-    uint8_t  floor;             /* 1: a plane, 2: a map */
-    uint32_t drawn;             /* cells of the grid that get a pixel */
-    tp_fx    slant;             /* of the view to the grid's lines, up to 3 */
-    uint8_t  sharp, still, plain;       /* some wave is no sine; level; swells alone */
-    uint32_t points[TP_VISIBILITIES];   /* that each method works out */
-    uint8_t  fits[TP_VISIBILITIES];     /* whether it draws this view */
-    uint32_t modules;           /* bits of tp_module.is of those that are on */
-    uint8_t  quick;             /* whether the quick stages know all that the water has */
+    int32_t  focal;             /* size in px of 1 m at a distance of 1 m */
+    tp_fx    near;              /* distance to the nearest water, m */
+    uint8_t  trait[TP_TRAIT_COUNT];     /* times that a pixel pays it */
+    uint8_t  sea;               /* class of sea, TP_SEA_ */
+    uint8_t  pools, rings, ocean;       /* number or flag; they raise grid vertices */
+    uint8_t  stirred;           /* true with pools or rings, even if drawn as slopes on
+                                 * flat water */
+    uint8_t  floor;             /* 0: none, 1: a plane, 2: a map */
+    uint32_t drawn;             /* grid cells that get a pixel */
+    tp_fx    slant;             /* slant of the view to the grid's lines, 0..3 */
+    uint8_t  sharp, still, plain;       /* a wave is sharpened; level water; swells only */
+    uint32_t points[TP_VISIBILITIES];   /* points evaluated by each method */
+    uint8_t  fits[TP_VISIBILITIES];     /* true if the method can draw the view */
+    uint32_t modules;           /* bits of tp_module.is of the enabled modules */
+    uint8_t  quick;             /* true if the fast stages support all features of the
+                                 * water */
 } tp_outlook;
 
 tp_outlook tp_outlook_of(const tp_plan_input *in);
 
-/* -- works.c: what else is done ------------------------------------------------------ */
+/* -- works.c: fixed cost besides the water ------------------------------------------- */
 
-/* `quick`: by the quick stages. */
+/* Counts the fixed cost of a frame. `quick`: the water uses the fast stages. */
 tp_works tp_works_of(const tp_plan_input *in, const tp_outlook *outlook, bool quick);
 #endif

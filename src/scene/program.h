@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The program of functions that were given none. */
+/* Selects the linked program for calls without a program. */
 #ifndef TP_SCENE_PROGRAM_H
 #define TP_SCENE_PROGRAM_H
 #include "tidepool/modules.h"

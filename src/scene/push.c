@@ -1,15 +1,15 @@
 /* SPDX-License-Identifier: MIT */
-/* An application pushes the water between ticks.  tp_input.push does so within a tick. */
+/* Lets an application push the water between ticks; tp_input.push does so within a tick. */
 #include "base/base.h"
 #include "geom/waters.h"
 #include "scene/parts.h"
 #include "scene/pools.h"
 #include "scene/program.h"
 
-#define RING_MOST   (4 * TP_FX_ONE)  /* m, of a ring's height */
-#define RADIUS_MOST (16 * TP_FX_ONE) /* m: a quarter of the longest ring */
+#define RING_MOST   (4 * TP_FX_ONE)  /* largest height of a ring, m */
+#define RADIUS_MOST (16 * TP_FX_ONE) /* m, a quarter of the longest ring */
 
-/* The pool lies on the field, so a place in both stirs the pool alone. */
+/* The pool lies on the field, so a push inside both moves the pool only. */
 static bool push_pools(const tp_world *world, tp_fx x, tp_fx z, tp_fx radius,
                        tp_fx height)
 {
@@ -24,8 +24,9 @@ static bool is_far(tp_fx x)
     return x < -TP_DROP_FAR || x > TP_DROP_FAR;
 }
 
-/* A hat of the width sigma has the waves of a drop's impact of the length 4 sigma [D5]; up
- * or down, a ring begins with a crest. */
+/* Converts the push to a ring.  A splash of width sigma makes the same waves as a drop
+ * impact of length 4 sigma [D5].  A ring starts with a crest, whether the push goes up or
+ * down. */
 static bool push_open_water(const tp_program *program, tp_world *world,
                             const tp_scene *scene, tp_fx x, tp_fx z, tp_fx radius,
                             tp_fx height)

@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: MIT */
-/* Which rungs a scene is drawn by: of all combinations of those that it leaves open, the
- * cheapest whose errors stay within the budget.
+/* Chooses the rungs of a scene: among all combinations of the open kinds, the cheapest
+ * with errors within the budget.
  *
- * A rung's error is what it adds to that of the exact one, which is off the truth too.
- * Errors add up: that is the most that they can do.  What the scene names is not held
- * against its budget, but leaves less of it to the rest.  The exact rungs are always
- * within it, so there is always a plan; a larger budget has all the plans of a smaller
- * one, so it never costs more. */
+ * The error of a rung is relative to the exact rung, itself not free of error.  Errors
+ * are summed, the worst case.  Rungs named by the scene are not tested against the
+ * budget, but their errors reduce the budget of the other kinds.  The exact rungs always
+ * fit the budget, so a plan always exists.  A larger budget allows every plan of a
+ * smaller budget, so a larger budget never costs more. */
 #include "base/assert.h"
 #include "scene/faint.h"
 #include "scene/prices.h"
@@ -17,7 +17,7 @@
 static const uint8_t counts[TP_KINDS] = { TP_VISIBILITIES, TP_SHADINGS, TP_RATES,
                                           TP_LODS };
 
-/* A rung of each kind, from 0. */
+/* A rung of each kind, counted from 0. */
 typedef struct {
     uint8_t of[TP_KINDS];
 } choice;
@@ -26,10 +26,10 @@ typedef struct {
     const tp_prices *prices;
     tp_outlook outlook;
     tp_faint   faint;
-    int8_t     named[TP_KINDS];         /* -1: open */
-    tp_fx      left_px, left_colour;    /* of the budget, to what is open */
-    int64_t    works;                   /* what else is done, Q16 */
-    uint32_t   hidden;                  /* pixels of water */
+    int8_t     named[TP_KINDS];         /* rung named by the scene; -1: open */
+    tp_fx      left_px, left_colour;    /* budget left for the open kinds */
+    int64_t    works;                   /* fixed cost, instructions, Q16 */
+    uint32_t   hidden;                  /* water pixels behind solid objects */
 } ground;
 
 static choice choice_of(uint32_t number)
@@ -50,9 +50,10 @@ static tp_rungs rungs_of(choice c)
                        (tp_rate)(c.of[2] + 1), (tp_lod)(c.of[3] + 1) };
 }
 
-/* -- prices -------------------------------------------------------------------------- */
+/* -- costs --------------------------------------------------------------------------- */
 
-/* The frame draws by the exact rung of a kind what another does not know. */
+/* True if the rung can draw this view.  Otherwise the frame draws with the exact rung of
+ * the kind. */
 static bool is_fit(const ground *g, int kind, int rung)
 {
     return kind == TP_KIND_VISIBILITY ? g->outlook.fits[rung] != 0
@@ -71,8 +72,9 @@ static int method_of(const ground *g, choice c)
     return is_fit(g, TP_KIND_VISIBILITY, v) ? v : 0;
 }
 
-/* Rates and left-out lines that were counted and change nothing have no prices of their
- * own: they are drawn as without. */
+/* Returns the cost of finding the water.  Some measured settings change nothing and have
+ * no cost of their own: a level of detail that is not `known` here, a rate that is not
+ * `known` in shaded_of.  The cost without the setting applies. */
 static const tp_seen_price *seen_of(const ground *g, choice c)
 {
     const tp_seen_price *seen = g->prices->seen[method_of(g, c)];
@@ -112,7 +114,7 @@ static int64_t point_price(const ground *g, const tp_seen_price *seen)
          + ((int64_t)seen->slant * o->slant >> 16) + (o->ocean ? ocean : 0);
 }
 
-/* Prices are below 2^31, pixels and vertices below 2^24 and 2^20, waves 16. */
+/* Costs are below 2^31, pixels below 2^24, vertices below 2^20; waves are at most 16. */
 static tp_price price_of(const ground *g, choice c)
 {
     const tp_prices *p = g->prices;
@@ -137,9 +139,9 @@ static tp_price price_of(const ground *g, choice c)
     return price;
 }
 
-/* -- which may be taken -------------------------------------------------------------- */
+/* -- combinations within the budget -------------------------------------------------- */
 
-/* What the scene names may be unfit. */
+/* True if all rungs of open kinds fit the view; named rungs may be unfit. */
 static bool all_fit(const ground *g, choice c)
 {
     for (int k = 0; k < TP_KINDS; k++)
@@ -148,7 +150,7 @@ static bool all_fit(const ground *g, choice c)
     return true;
 }
 
-/* Of the open kinds alone. */
+/* True if the errors of the open kinds stay within the budget left for them. */
 static bool is_within(const ground *g, choice c)
 {
     tp_fx px = 0, colour = 0;
@@ -168,7 +170,8 @@ static bool is_named_so(const ground *g, choice c)
     return true;
 }
 
-/* The exact rungs of what is open need no price. */
+/* Returns the named rungs and, for each open kind, the exact rung.  An exact rung needs
+ * no known cost. */
 static choice exact_of(const ground *g)
 {
     choice c;
@@ -195,9 +198,9 @@ static choice cheapest_of(const ground *g)
     return best;
 }
 
-/* -- a scene's ground ---------------------------------------------------------------- */
+/* -- the inputs of a plan ------------------------------------------------------------ */
 
-/* Numbers of any size: hostile ones are open. */
+/* Returns the named rung, or -1. A number out of range counts as open. */
 static int8_t named_of(int32_t rung, int kind)
 {
     return rung > 0 && rung <= counts[kind] ? (int8_t)(rung - 1) : -1;
@@ -245,7 +248,7 @@ tp_rungs tp_rungs_by(const tp_prices *prices, const tp_plan_input *in)
 
 /* -- reports ------------------------------------------------------------------------- */
 
-/* A pixel of water by the exact rungs, more than one of sky. */
+/* Returns the cost of a water pixel with the exact rungs, minus the cost of a sky pixel. */
 static int64_t exact_pixel(const ground *g)
 {
     const tp_seen_price *seen = &g->prices->seen[0][0];
@@ -254,8 +257,9 @@ static int64_t exact_pixel(const ground *g)
          + pixel_price(&g->outlook, &g->prices->shaded[0][0]) - g->prices->sky;
 }
 
-/* What else is done is added once the rungs are chosen, and the water that it hides is
- * taken off, as dear as it is by the exact rungs: it is the same for all of them. */
+/* Adds the fixed cost after the rungs are chosen, and subtracts the water pixels hidden
+ * behind solid objects.  Hidden pixels are subtracted at the exact rungs' cost, so the
+ * sum is the same for all rungs. */
 static void add_works(ground *g, choice chosen, const tp_plan_input *in)
 {
     const bool quick = chosen.of[TP_KIND_SHADING] > 0 && g->outlook.quick;
@@ -323,19 +327,20 @@ tp_plan_report tp_plan_by(const tp_prices *prices, const tp_plan_input *in)
 
 /* -- the ladder ---------------------------------------------------------------------- */
 
-/* Outlines in pixels and colours in levels, as the budget weighs them by default: half a
- * pixel against two levels.  Q18. */
+/* Returns the combined error, Q18: 4 x outline error in px + colour error in levels.  The
+ * weight follows the default budget of half a pixel and two levels. */
 static uint64_t harm_of(tp_price price)
 {
     return 4 * (uint64_t)price.error_px + (uint64_t)price.error_colour;
 }
 
-/* The step from `from` that adds the least error for the cost that it saves. */
+/* Takes the step from `from` that adds the least error per instruction saved. */
 static bool step_down(const ground *g, choice *from)
 {
     const tp_price here = price_of(g, *from);
     choice   best = *from;
-    uint64_t added = 1, saved = 0;              /* of the best: infinitely much */
+    uint64_t added = 1, saved = 0;              /* the best step so far; 1 / 0: worse than
+                                                 * any */
 
     for (int k = 0; k < TP_KINDS; k++) {
         for (uint8_t i = 0; is_open(g, k) && i < counts[k]; i++) {

@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: MIT */
-/* The water at a place, and how it moves: the surface point there is found, with its place
- * at rest, and evaluated again a tick before. */
+/* Samples the water at a position: finds the surface point and its rest position, then
+ * evaluates the same rest position one tick earlier for the velocity. */
 #include "base/base.h"
 #include "geom/waters.h"
 #include "scene/parts.h"
 #include "scene/program.h"
 
-/* Rings as they lay at `time`. */
+/* Returns the height of all rings at `time`. */
 static tp_fx rings_at(const tp_surface *s, int64_t time, tp_fx x, tp_fx z)
 {
     tp_ring_now now;
@@ -18,7 +18,7 @@ static tp_fx rings_at(const tp_surface *s, int64_t time, tp_fx x, tp_fx z)
     return sum;
 }
 
-/* The surface point that belongs to a place at rest. */
+/* Returns the displaced surface point of a rest position. */
 static tp_vec3 point_at(const tp_surface *s, const tp_fx rest[2])
 {
     if (s->ocean)
@@ -28,7 +28,8 @@ static tp_vec3 point_at(const tp_surface *s, const tp_fx rest[2])
     return (tp_vec3){ rest[0], 0, rest[1] };
 }
 
-/* At `time`, which `then` has the phases and the pools of. */
+/* Returns the surface point of a rest position at `time`.  Phases and pool interpolation
+ * come from `then`, set for the same time. */
 static tp_vec3 moving_at(const tp_surface *then, const tp_fx rest[2], int64_t time)
 {
     tp_vec3 p = point_at(then, rest);

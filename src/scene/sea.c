@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The scene of a first program: a gentle sea of three waves under a sunny sky, with a
- * built-in picture of its ripples, 1364 bytes. */
+/* The default scene: gentle deep water with three waves under a sunny sky, with a
+ * built-in ripple texture of 1364 bytes. */
 #include "tidepool/assets.h"
 
 #include "scene/sea_ripple.inc"

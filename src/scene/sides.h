@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: MIT */
-/* The bounds of a scene's water: its pool's sides, a tank around them, a floor. */
+/* The bounds of a scene's water: the sides of its pool, a tank around the pool, a floor. */
 #ifndef TP_SCENE_SIDES_H
 #define TP_SCENE_SIDES_H
 #include "fx/fx.h"
 #include "tidepool/scene.h"
 
-/* A level rectangle, in the world's metres. */
+/* A horizontal rectangle in world coordinates, m. */
 typedef struct {
     tp_fx x0, x1, z0, z1;
 } tp_rectangle;
@@ -26,13 +26,13 @@ static inline bool tp_has_tank(const tp_scene *scene)
     return scene->tank.kind != TP_TANK_NONE && scene->pool.cols > 0;
 }
 
-/* A floor under the sea, which may rise out of it as land. */
+/* True if there is a sea floor. The floor may rise above the water as land. */
 static inline bool tp_has_floor(const tp_scene *scene)
 {
     return scene->floor.depth > 0 || scene->floor.map[0];
 }
 
-/* Inner walls of the pool. */
+/* True if the pool has inner walls. */
 static inline bool tp_has_stone(const tp_scene *scene)
 {
     return scene->pool.cols > 0 && scene->pool.mask[0];

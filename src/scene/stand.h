@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Where a scene's camera stands at the start, and what it would see of level water. */
+/* The start camera of a scene, and its view of level water. */
 #ifndef TP_SCENE_STAND_H
 #define TP_SCENE_STAND_H
 #include "base/base.h"
@@ -8,27 +8,30 @@
 typedef struct {
     tp_vec3     eye;
     tp_rotation turn;
-    int64_t     wide, high;     /* tangents of half the picture, Q16 */
-    int64_t     x, z;           /* the grid's centre */
-    tp_rectangle water;         /* that there is */
+    int64_t     wide, high;     /* tangents of half the picture's angles of view, Q16 */
+    int64_t     x, z;           /* centre of the grid, m */
+    tp_rectangle water;         /* extent of the water */
 } tp_stand;
 
 tp_stand tp_stand_of(const tp_scene *scene, uint32_t width, uint32_t height);
 
-/* From the grid's centre to the end of its even cells; `flank`: lines beyond. */
+/* Returns the distance from the centre of the grid to the end of the even cells, m.
+ * *flank: number of lines beyond that end. */
 int64_t tp_stand_half(const tp_scene *scene, int32_t lines, int32_t *flank);
 
-/* Where the place `line` lines (Q16) from the middle of an axis lies; those of the flanks
- * grow. */
+/* Returns the coordinate of a position `line` lines (Q16) from the middle of an axis.
+ * Steps between lines of the skirt grow outwards. */
 int64_t tp_stand_line(const tp_scene *scene, int32_t lines, int64_t centre, int64_t line);
 
-/* The ray through x, y of the picture: tangents, Q16 of one ahead, below 2^26. */
+/* Returns the ray through (x, y) of the picture: tangents, Q16 per unit ahead, below
+ * 2^26. */
 tp_vec3 tp_stand_ray(const tp_stand *at, int64_t x, int64_t y);
 
-/* How far ahead, m in Q16, it meets the level water; 0: it does not. */
+/* Returns the distance ahead, Q16 m, at that the ray through (x, y) meets level water, or
+ * 0. */
 int64_t tp_stand_water(const tp_stand *at, int64_t x, int64_t y);
 
-/* From one place to another, held within 8 km along each axis. */
+/* Returns to - from, clamped to 8 km along each axis. */
 static inline tp_vec3 tp_stand_way(tp_vec3 from, tp_vec3 to)
 {
     const int64_t most = 1 << 29;

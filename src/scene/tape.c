@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Tapes: one table names the numbers of tp_input; lines are written and read by it. */
+/* Tapes: a table names the numbers of tp_input; lines are written and read with this
+ * table. */
 #include "base/base.h"
 #include "base/fail.h"
 #include "base/text.h"
@@ -9,8 +10,8 @@
 
 typedef struct {
     const char *name;
-    uint32_t    offset;         /* of the int32_t in tp_input */
-    bool        whole;          /* else 16.16 */
+    uint32_t    offset;         /* offset of the int32_t in tp_input */
+    bool        whole;          /* true: integer; false: Q16.16 */
     int32_t     low, high;
 } field;
 
@@ -105,7 +106,8 @@ size_t tp_tape_write(const tp_tape_entry *entry, char *text, size_t bytes)
 
 /* -- reading ------------------------------------------------------------------------- */
 
-/* The next word of a line, which is shortened by it; of 0 bytes at the end. */
+/* Returns the next word of a line and removes the word from the line; 0 bytes at the
+ * end. */
 static tp_piece next_word(tp_piece *line)
 {
     while (line->bytes > 0 && tp_is_white(*line->text)) {
@@ -127,7 +129,7 @@ static tp_status fail_word(tp_error *err, tp_status code, tp_piece w)
     return code;
 }
 
-/* Digits alone; E_RANGE if they say more than `most`. */
+/* Reads decimal digits. TP_E_NUMBER: another character. TP_E_RANGE: above `most`. */
 static tp_status read_digits(tp_piece w, uint64_t most, uint64_t *number)
 {
     uint64_t sum = 0;
@@ -167,7 +169,7 @@ static int find_field(tp_piece name)
     return i;
 }
 
-/* One NAME=NUMBER into the input; `seen` has a bit for each field that was read. */
+/* Reads NAME=NUMBER into the input. `seen` has a bit for each field read so far. */
 static tp_status read_field(tp_input *input, tp_piece w, uint64_t *seen, tp_error *err)
 {
     tp_piece name = { w.text, 0 };

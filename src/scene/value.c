@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* A parameter's value from its text and back, by its row of the table (features/all_rows.c). */
+/* Converts a parameter's value from and to text, by its row in the table
+ * (features/all_rows.c). */
 #include "base/base.h"
 #include "base/fail.h"
 #include "base/given.h"
@@ -8,7 +9,7 @@
 #include "scene/piece.h"
 #include "scene/value.h"
 
-/* ---- text to value ----------------------------------------------------------- */
+/* ---- text to value */
 
 static tp_status read_int(tp_piece w, int32_t *value)
 {
@@ -20,7 +21,7 @@ static tp_status read_int(tp_piece w, int32_t *value)
     for (size_t i = first; i < w.bytes; i++) {
         if (w.text[i] < '0' || w.text[i] > '9')
             return TP_E_NUMBER;
-        if (sum <= INT32_MAX)           /* once above it stays above */
+        if (sum <= INT32_MAX)           /* a sum above the limit stays above the limit */
             sum = sum * 10 + (w.text[i] - '0');
     }
     if (sum > INT32_MAX)
@@ -51,7 +52,7 @@ static tp_status read_colour(tp_piece w, int32_t *value)
     return TP_OK;
 }
 
-/* The place of a word in a list "nearest|linear". */
+/* Reads a word of a list like "nearest|linear"; the value is the word's index. */
 static tp_status read_choice(tp_piece w, const char *list, int32_t *value)
 {
     for (int32_t i = 0;; i++) {
@@ -99,7 +100,7 @@ static tp_status check_text(tp_piece w)
     return tp_piece_has_control(w) ? TP_E_TEXT : TP_OK;
 }
 
-/* The place of a row's value: an int32_t or a char[TP_NAME_BYTES]. */
+/* Returns the address of a row's value: an int32_t or a char[TP_NAME_BYTES]. */
 static void *value_of(tp_scene *scene, const tp_param *param)
 {
     TP_ASSERT(param->offset < sizeof *scene);
@@ -112,7 +113,7 @@ static tp_status set_text(tp_scene *scene, const tp_param *param, tp_piece w)
     if (status != TP_OK)
         return status;
     char *const name = value_of(scene, param);
-    memset(name, 0, TP_NAME_BYTES);     /* equal scenes are equal byte by byte */
+    memset(name, 0, TP_NAME_BYTES);     /* equal scenes must be equal byte by byte */
     memcpy(name, w.text, w.bytes);
     return TP_OK;
 }
@@ -155,7 +156,7 @@ tp_status tp_param_set(tp_scene *scene, const tp_param *param, const char *text,
     return status;
 }
 
-/* ---- value to text ----------------------------------------------------------- */
+/* ---- value to text */
 
 static void put_colour(tp_text *out, int32_t colour)
 {

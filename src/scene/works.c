@@ -1,14 +1,14 @@
 /* SPDX-License-Identifier: MIT */
-/* The works of a frame besides finding and shading water, counted without drawing: each
- * module counts its own.  No rung changes them, so that the choice of rungs does not need
- * them: they are for reports of what a frame costs in all.  Things that move are counted
- * where the scene puts them at the start. */
+/* Counts the works of a frame, the cost besides finding and shading water, without
+ * drawing; each module counts its own.  The rungs do not change the works, so the choice
+ * of rungs ignores them; reports add them to the total cost of a frame.  Moving objects
+ * are counted at their start position in the scene. */
 #include "scene/works.h"
 
-/* The modules that are on and have a cost. */
+/* The enabled modules with a cost. */
 typedef struct {
     const tp_cost *cost[TP_MODULES];
-    uint32_t stopped[TP_MODULES];       /* rays that each of them stopped */
+    uint32_t stopped[TP_MODULES];       /* rays stopped by each module */
     uint32_t count;
 } costs;
 
@@ -31,8 +31,8 @@ static uint32_t bits_of(uint32_t word)
     return n;
 }
 
-/* Tests a ray that would meet water.  If several modules have things that stop it, the last
- * module counts the ray. */
+/* Tests a ray that would meet water.  If objects of several modules stop the ray, the
+ * last module counts the ray. */
 static void stop_ray(tp_site *w, costs *all, int32_t i, int32_t j, int64_t far)
 {
     const tp_vec3 ray = tp_work_ray(w, i, j);
@@ -48,8 +48,9 @@ static void stop_ray(tp_site *w, costs *all, int32_t i, int32_t j, int64_t far)
     all->stopped[by]++;
 }
 
-/* Finds the rays that meet water and, of those, the rays that meet it near enough to mirror
- * objects: up to an eighth beyond the objects, as in the mirror's stage. */
+/* Finds the rays that meet water, and among them the rays that meet water near enough to
+ * reflect objects: up to an eighth beyond the objects, as in the stage of the planar
+ * reflection. */
 static void cast_rays(tp_site *w, costs *all, uint32_t near[TP_RAYS])
 {
     const tp_stand *at = &w->at;

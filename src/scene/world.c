@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The world: what of a scene moves, tick by tick.  Nothing here knows that it is
- * drawn. */
+/* The world: the moving state of a scene, advanced tick by tick.  The world does not
+ * depend on drawing. */
 #include "base/base.h"
 #include "base/fail.h"
 #include "base/given.h"
@@ -14,9 +14,10 @@
 #define PITCH_MOST TP_DEG(89)
 #define EYE_MOST   (8000 * TP_FX_ONE)
 
-/* -- the beginning ----------------------------------------------------------------- */
+/* -- initial state ----------------------------------------------------------------- */
 
-/* In a program without swells the sea stays all 0, and the world ends before them. */
+/* Initialises the sea.  In a program without swells the sea stays all 0, and the world's
+ * block ends before the swells. */
 static void make_sea(const tp_program *program, tp_sea *sea, const tp_scene *scene)
 {
     if (program->water.swells)
@@ -83,7 +84,7 @@ tp_status tp_world_init(const tp_program *program, tp_world *world, size_t bytes
     return TP_OK;
 }
 
-/* The sea and the boat's place take microseconds, and are made again each time. */
+/* Recomputes the sea and the boat's pose after each change; both take microseconds. */
 bool tp_world_apply(const tp_program *program, tp_world *world, const tp_scene *scene,
                     const tp_assets *assets)
 {
@@ -109,8 +110,8 @@ bool tp_world_apply(const tp_program *program, tp_world *world, const tp_scene *
 
 /* -- the camera -------------------------------------------------------------------- */
 
-/* Pitch is signed: held short of straight up and down, but where it was set beyond that
- * and stays. */
+/* Adds a tilt to the signed pitch, clamped to +-89 degrees.  Without a tilt the pitch
+ * stays, even if the scene set it beyond the limit. */
 static tp_turn tilted(tp_turn pitch, int32_t tilt)
 {
     if (tilt == 0)
@@ -123,7 +124,7 @@ static tp_fx held(int64_t x)
     return (tp_fx)tp_limit(x, EYE_MOST);
 }
 
-/* Rounded, so that a walk forth and back ends where it began. */
+/* Moves the camera. Rounding makes a walk forth and back end at its start. */
 static void move_camera(tp_world *world, const tp_input *in)
 {
     world->heading += (tp_turn)in->turn;
@@ -136,7 +137,7 @@ static void move_camera(tp_world *world, const tp_input *in)
     world->eye.y = held((int64_t)world->eye.y + in->up);
 }
 
-/* The eye is within the reach of any input; any angles are valid. */
+/* True if the eye is within the limits of move_camera; any angles are valid. */
 bool tp_camera_is_valid(const tp_world *world)
 {
     const tp_vec3 *eye = &world->eye, *last = &world->last_eye;
@@ -150,7 +151,7 @@ void tp_world_move_camera(tp_world *world, const tp_input *input)
 {
     TP_ASSERT(world != NULL && input != NULL);
     move_camera(world, input);
-    keep_camera(world);                 /* there is no tick to draw between */
+    keep_camera(world);                 /* no tick to interpolate from */
 }
 
 void tp_world_set_camera(tp_world *world, tp_vec3 eye, tp_turn heading, tp_turn pitch,
@@ -176,7 +177,7 @@ void tp_world_reset_camera(tp_world *world, const tp_scene *scene)
 
 /* -- a tick ------------------------------------------------------------------------ */
 
-/* Each part moves over the water as the last tick left it; pools move last. */
+/* Advances by one tick. Each module sees the water of the last tick; pools move last. */
 void tp_world_step(const tp_program *program, tp_world *world, const tp_scene *scene,
                    const tp_input *input)
 {
@@ -194,7 +195,7 @@ void tp_world_step(const tp_program *program, tp_world *world, const tp_scene *s
         tp_clock_shift(&world->clock, input->slowdown);
 }
 
-/* Ticks that must have been stepped to draw at the clock's time. */
+/* Returns the number of ticks needed to draw at the clock's time. */
 static uint64_t ticks_for(const tp_clock *clock)
 {
     return tp_clock_ticks(clock) + (tp_clock_fraction(clock) > 0);

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT */
-/* The check of a world that was stored outside of the program: nothing of it is trusted,
- * neither offsets nor counts nor the bytes of truth values, which are compared as bytes.
+/* Checks a world stored outside the program.  No byte is trusted: neither offsets and
+ * counts nor truth values, compared as bytes.
  *
- * Layout, sea, floor and tables follow from the scene, so they must be those of a world
- * that was made of it.  What ticks change is checked by the file that owns it. */
+ * Layout, sea, floor and tables follow from the scene, so they must equal a fresh world
+ * of the same scene.  State changed by ticks is checked by the file that owns the state. */
 #include "base/base.h"
 #include "base/fail.h"
 #include "base/given.h"
@@ -13,9 +13,10 @@
 #include "scene/parts.h"
 #include "scene/program.h"
 
-#define TICKS_MOST ((uint64_t)1 << 40)  /* 580 years: times in ticks x 65536 fit 64 bits */
+#define TICKS_MOST ((uint64_t)1 << 40)  /* 580 years; times in ticks x 65536 fit 64 bits */
 
-/* A camera may have left the deck since. */
+/* True if the camera's frame of reference is possible: a deck camera may have left the
+ * deck. */
 static bool is_aboard_valid(const tp_world *world, const tp_world *fresh)
 {
     return world->aboard == fresh->aboard
@@ -30,7 +31,7 @@ static bool is_head_valid(const tp_world *world, const tp_world *fresh)
                || memcmp(&world->boat, &fresh->boat, 2 * sizeof fresh->boat) == 0);
 }
 
-/* As bytes, without those that the compiler leaves between members. */
+/* Compares bytes, without the padding that the compiler inserts between members. */
 static bool is_same_sea(const tp_sea *sea, const tp_sea *fresh)
 {
     bool same = memcmp(sea, fresh, offsetof(tp_sea, crossed) + sizeof fresh->crossed) == 0;
@@ -41,7 +42,7 @@ static bool is_same_sea(const tp_sea *sea, const tp_sea *fresh)
     return same;
 }
 
-/* The first part that is wrong, of one layout; NULL: none. */
+/* Returns the first invalid part, or NULL. Both blocks have the same layout. */
 static const char *find_invalid(const tp_program *program, const tp_world *world,
                                 const tp_world *fresh)
 {
