@@ -1,23 +1,25 @@
 /* SPDX-License-Identifier: MIT */
-/* Clipping in view space, side by side (Sutherland and Hodgman): the near plane first,
- * then a plane of the caller's, if any, then the guard band, a square of 2 x 8192 pixels
- * around the picture's centre, far beyond any picture, that keeps the rasterizer's
- * numbers small.
+/* Clips triangles in view space, side after side (Sutherland and Hodgman): first the near
+ * plane, then an optional plane of the caller, then the guard band.  The guard band is a
+ * square of 2 x 8192 px around the picture's centre, far larger than any picture; it
+ * keeps the rasterizer's numbers small.
  *
- * A cut runs from the inner corner to the outer one, whatever the order in which the
- * triangle names them: two triangles that share an edge get the same corner. */
+ * A cut is always computed from the inside vertex to the outside vertex, in either order
+ * of the triangle's vertices.  Two triangles with a shared edge therefore get the same
+ * new vertex. */
 #include "geom/geom.h"
 
 enum { SIDE_NEAR, SIDE_LEFT, SIDE_RIGHT, SIDE_BOTTOM, SIDE_TOP, SIDE_PLANE };
 
-/* What the sides are those of. */
+/* The inputs of all sides. */
 typedef struct {
     const tp_lens       *lens;
     const tp_view_plane *plane;
 } sides;
 
-/* How far inside a side, in no particular unit; >= 0 is in.  The margin of four keeps
- * corners that five cuts rounded by one each within the strict test of tp_lens_holds. */
+/* Returns the distance inside a side, without a fixed unit; >= 0 is inside.  Five cuts
+ * round by one each; the margin of four keeps the new vertices within the strict test of
+ * tp_lens_holds. */
 static int64_t inside(const sides *of, const tp_view_corner *c, int side)
 {
     const tp_lens *lens = of->lens;
@@ -33,7 +35,7 @@ static int64_t inside(const sides *of, const tp_view_corner *c, int side)
     }
 }
 
-/* share Q0.30 of the way from a to b; |b - a| < 2^32. */
+/* Interpolates from a to b by `share`, Q0.30; |b - a| < 2^32. */
 static int32_t along(int32_t a, int32_t b, int64_t share)
 {
     return (int32_t)(a + ((((int64_t)b - a) * share) >> 30));
@@ -86,17 +88,18 @@ int tp_clip_triangle_at(const tp_lens *lens, const tp_view_plane *plane,
 {
     const sides of = { lens, plane };
     tp_view_corner other[TP_CLIP_CORNERS];
-    int count = clip_side(&of, in, 3, other, SIDE_NEAR);        /* <= 4 corners */
+    int count = clip_side(&of, in, 3, other, SIDE_NEAR);        /* <= 4 vertices */
 
     if (plane) {
-        count = clip_side(&of, other, count, out, SIDE_PLANE);  /* one more a side */
+        count = clip_side(&of, other, count, out, SIDE_PLANE);  /* each side adds at most
+                                                                 * one vertex */
         for (int i = 0; i < count; i++)
             other[i] = out[i];
     }
     count = clip_side(&of, other, count, out, SIDE_LEFT);
     count = clip_side(&of, out, count, other, SIDE_RIGHT);
     count = clip_side(&of, other, count, out, SIDE_BOTTOM);
-    count = clip_side(&of, out, count, other, SIDE_TOP);        /* <= 9 */
+    count = clip_side(&of, out, count, other, SIDE_TOP);        /* <= 9 vertices */
     for (int i = 0; i < count; i++)
         out[i] = other[i];
     return count >= 3 ? count : 0;

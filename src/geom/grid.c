@@ -3,7 +3,7 @@
 #include "geom/grid.h"
 #include "geom/waters.h"
 
-/* All but the crossings. */
+/* Allocates all tables except the vertices. */
 static void carve_lines(tp_grid *grid, tp_arena *arena, uint32_t cols, uint32_t rows,
                         uint32_t waves)
 {
@@ -53,18 +53,20 @@ void tp_grid_carve_ocean(tp_grid *grid, tp_arena *arena)
                               sizeof *grid->dry);
 }
 
-/* -- what may be seen ---------------------------------------------------------------- */
+/* -- visible cells ------------------------------------------------------------------- */
 
-/* n.x of a plane over the box of a row of cells, at its most: at place x it is
- * n.x x + rest.  The crossings lie within `reach` of their places, all ways. */
+/* Returns the maximum of n . p + d over a row of cells, without the term n.x x.  A
+ * displaced vertex lies within `reach` of its rest position in every direction. */
 static int64_t plane_rest(const tp_plane *p, tp_fx z0, tp_fx z1, tp_fx reach)
 {
     tp_fx z = p->n.z > 0 ? z1 : z0;
     return ((int64_t)p->n.z * z >> 30) + p->d + reach + 2;
 }
 
-/* The first column after which, or the last before which, a row is on the inner side of
- * a plane: places grow, so there is one.  Sought from that of the row before. */
+/* Returns a border column of a row against a plane. n.x > 0: the last column outside,
+ * before the row enters the inner side; else: the first column outside, after the row
+ * leaves the inner side.  Coordinates of columns increase, so the column is unique.  The
+ * search starts at the result of the previous row. */
 static uint32_t side_of(const tp_grid *grid, const tp_plane *plane, int64_t rest,
                         uint32_t at)
 {
@@ -86,7 +88,7 @@ static uint32_t side_of(const tp_grid *grid, const tp_plane *plane, int64_t rest
     return at;
 }
 
-/* Cells of row j that touch the view: between all planes' columns. */
+/* Returns the cells of row j that touch the view: the cells between all planes' columns. */
 static tp_grid_span seen_cells(const tp_grid *grid, const tp_plane *planes, uint32_t j,
                                tp_fx reach, uint32_t side[TP_LENS_PLANES])
 {
@@ -104,9 +106,9 @@ static tp_grid_span seen_cells(const tp_grid *grid, const tp_plane *planes, uint
     return (tp_grid_span){ (uint16_t)(first < end ? first : end), (uint16_t)end };
 }
 
-/* -- crossings ----------------------------------------------------------------------- */
+/* -- vertices ------------------------------------------------------------------------ */
 
-/* The columns between the flanks, where waves have not faded. */
+/* Returns the columns between the skirts, where the waves have not faded to 0. */
 static tp_grid_span wave_columns(const tp_grid *grid)
 {
     uint32_t first = 0, end = grid->cols;
@@ -165,7 +167,8 @@ tp_view_corner tp_grid_corner(const tp_grid *grid, const tp_grid_vertex *vertex,
     return c;
 }
 
-/* Crossings in runs that end where blocks do and where waves begin or end. */
+/* Evaluates the vertices of a row in runs.  A run ends at a block's end and where waves
+ * begin or end. */
 static void place_row(const tp_grid *grid, uint32_t j, uint32_t first, uint32_t end,
                       tp_grid_vertex *vertex)
 {
@@ -220,11 +223,12 @@ void tp_grid_see(const tp_grid *grid, tp_grid_window *window, uint32_t j, uint32
     }
 }
 
-/* -- boxes --------------------------------------------------------------------------- */
+/* -- bounding boxes ------------------------------------------------------------------ */
 
 static const tp_grid_box everywhere = { INT16_MIN, INT16_MIN, INT16_MAX, INT16_MAX };
 
-/* TP_GRID_CUT is the least of all u. */
+/* If any vertex needs clipping, its u = TP_GRID_CUT is the smallest u; the box is then
+ * unbounded. */
 static tp_grid_box box_of(const tp_grid_vertex *vertex, uint32_t count)
 {
     int32_t u0 = INT32_MAX, u1 = INT32_MIN, v0 = INT32_MAX, v1 = INT32_MIN;
@@ -248,8 +252,8 @@ static tp_grid_box both(tp_grid_box a, tp_grid_box b)
                           a.x1 > b.x1 ? a.x1 : b.x1, a.y1 > b.y1 ? a.y1 : b.y1 };
 }
 
-/* Crossings of row j widen the boxes of the cells before it and begin those of the cells
- * behind.  All that a seen cell needs lies in [first, end). */
+/* Extends the boxes of row j - 1 by the vertices of row j and starts the boxes of row j.
+ * [first, end) has all vertices that the visible cells need. */
 static void place_boxes(tp_grid *grid, uint32_t j, uint32_t first, uint32_t end)
 {
     const tp_grid_vertex *vertex = grid->window.line[j & 1];
@@ -267,7 +271,7 @@ static void place_boxes(tp_grid *grid, uint32_t j, uint32_t first, uint32_t end)
     }
 }
 
-/* Crossings of row j that cells on either side need. */
+/* Returns the vertices of row j that the visible cells on both sides need. */
 tp_grid_span tp_grid_needed(const tp_grid *grid, uint32_t j)
 {
     const tp_grid_span none = { 0, 0 };

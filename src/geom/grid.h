@@ -1,77 +1,81 @@
 /* SPDX-License-Identifier: MIT */
-/* The water's grid: lines across and along, their crossings displaced and projected.
+/* The water's grid: columns and rows of lines; their intersections, the grid vertices,
+ * are displaced and projected.
  *
- * The middle of the grid has square cells of one size.  If the scene asks for water
- * that reaches farther, the outer eighth of the lines at each side (TP_GRID_FLANK at the
- * most) stretches out to it in steps that grow by one ratio, flat: the waves fade out
- * before, over the last eighth of the middle.  A grid that follows the camera moves by
- * whole cells, so that its crossings stay where they were in the world: nothing swims.
+ * The middle of the grid has square cells of equal size.  If the scene asks for water at
+ * a larger distance, the outer eighth of the lines at each side (at most TP_GRID_FLANK)
+ * forms a flat skirt up to that distance, with steps that grow by a constant ratio.
+ * Waves fade out before the skirt, over the last eighth of the middle.  A grid that
+ * follows the camera moves by whole cells, so its vertices keep their world positions and
+ * nothing swims.
  *
- * Texture coordinates are the places at rest, so a column has one s and a row one t.
- * What happens to a crossing is told in geom/vertex.h. */
+ * Texture coordinates are rest positions, so a column has a constant s and a row a
+ * constant t. geom/vertex.h describes the evaluation of a vertex. */
 #ifndef TP_GEOM_GRID_H
 #define TP_GEOM_GRID_H
 #include "base/arena.h"
 #include "geom/vertex.h"
 
 #define TP_GRID_FLANK 12
-#define TP_GRID_BLOCK 16        /* cells of a row that share a bounding box */
+#define TP_GRID_BLOCK 16        /* cells of a row with a common bounding box */
 
-/* Whole pixels, x1 and y1 included. */
+/* Bounding box in whole pixels, x1 and y1 included. */
 typedef struct {
     int16_t x0, y0, x1, y1;
 } tp_grid_box;
 
 typedef struct {
-    uint16_t first, end;        /* cells of this row that may be seen */
+    uint16_t first, end;        /* visible cells of a row */
 } tp_grid_span;
 
-/* Two neighbouring rows of crossings at hand: row j is line[j & 1]. */
+/* Two neighbouring rows of vertices: row j is line[j & 1]. */
 typedef struct {
     const tp_grid_vertex *line[2];
-    tp_grid_vertex *memory;     /* of a streamed grid: two rows */
-    uint32_t        row[2];     /* that lie there, and which of their crossings */
+    tp_grid_vertex *memory;     /* for a streamed grid: two rows */
+    uint32_t        row[2];     /* rows in memory; their evaluated vertices are in `done` */
     tp_grid_span    done[2];
 } tp_grid_window;
 
 typedef struct {
-    uint32_t cols, rows;        /* lines; cells are one less */
-    uint32_t most_cols, most_rows;      /* of which some may be left out, see lod.h */
-    uint32_t blocks;            /* of a row of cells */
+    uint32_t cols, rows;        /* number of lines; cells are one fewer */
+    uint32_t most_cols, most_rows;      /* before level of detail removes lines, see
+                                         * lod.h */
+    uint32_t blocks;            /* blocks in a row of cells */
     tp_grid_line   *column, *row;
-    tp_grid_vertex *vertex;     /* rows x cols, of a grid that does not stream */
+    tp_grid_vertex *vertex;     /* rows x cols; NULL if the grid is streamed */
     bool            streams;
-    tp_grid_window  window;     /* for tp_grid_place_row and until the next */
-    tp_grid_span   *span;       /* of each row of cells */
-    tp_grid_box    *box;        /* (rows - 1) x blocks */
-    uint32_t vertices;          /* evaluated by the last tp_grid_place */
+    tp_grid_window  window;     /* for tp_grid_place_row, valid until the next call */
+    tp_grid_span   *span;       /* visible cells of each row */
+    tp_grid_box    *box;        /* bounding boxes, (rows - 1) x blocks */
+    uint32_t vertices;          /* vertices evaluated by the last tp_grid_place */
     tp_vertex_frame   frame;
-    struct tp_thinning *lod;    /* of columns and rows; NULL: there is no memory */
+    struct tp_thinning *lod;    /* for columns and rows; NULL: no memory */
     tp_vertex_columns columns;
-    tp_grid_span      waves;    /* columns that have any */
-    tp_vec3  *sheet[3];         /* an ocean's displaced crossings: of three rows */
-    uint32_t  sheets;           /* rows of them done: the last is (sheets - 1) % 3 */
-    uint32_t *dry;              /* a bit for each crossing of an ocean: on land */
+    tp_grid_span      waves;    /* columns with waves */
+    tp_vec3  *sheet[3];         /* displaced vertices of coastal water, three rows */
+    uint32_t  sheets;           /* displaced rows; the last is (sheets - 1) % 3 */
+    uint32_t *dry;              /* a bit per vertex of coastal water: on land */
 } tp_grid;
 
 void tp_grid_carve(tp_grid *grid, tp_arena *arena, uint32_t cols, uint32_t rows);
 
-/* Without a store: crossings are evaluated again whenever a window sees them, the same bit
- * by bit.  Not for an ocean, and for `waves` swells; more are left out. */
+/* Allocates a grid without stored vertices: a window evaluates its vertices again each
+ * time, with the same bits.  Not for coastal water.  Room for `waves` swells; further
+ * swells are dropped. */
 void tp_grid_carve_streamed(tp_grid *grid, tp_arena *arena, uint32_t cols, uint32_t rows,
                             uint32_t waves);
 
-/* What an ocean takes besides. */
+/* Allocates the additional tables of coastal water. */
 void tp_grid_carve_ocean(tp_grid *grid, tp_arena *arena);
 
-/* What the grid shows, taken together. */
+/* The inputs of a grid for a frame. */
 typedef struct {
     const tp_lens *lens;
     const tp_surface *surface;
-    uint32_t width, height;     /* of the picture */
+    uint32_t width, height;     /* size of the picture, px */
     tp_fx cell, reach;
     bool  follow;
-    bool  lod;                  /* water is the sea's plain swells alone */
+    bool  lod;                  /* true if water has plain swells only */
 } tp_grid_view;
 
 static inline bool tp_grid_is_dry(const tp_grid *grid, uint32_t i, uint32_t j)
@@ -80,7 +84,7 @@ static inline bool tp_grid_is_dry(const tp_grid *grid, uint32_t i, uint32_t j)
     return grid->dry[at / 32] >> at % 32 & 1;
 }
 
-/* Whether a cell that may be seen has all its corners on land: there is no water. */
+/* True if all four vertices of a visible cell are on land, so the cell has no water. */
 static inline bool tp_grid_cell_is_dry(const tp_grid *grid, uint32_t i, uint32_t j)
 {
     return grid->dry && grid->frame.surface->ocean
@@ -88,40 +92,42 @@ static inline bool tp_grid_cell_is_dry(const tp_grid *grid, uint32_t i, uint32_t
         && tp_grid_is_dry(grid, i, j + 1) && tp_grid_is_dry(grid, i + 1, j + 1);
 }
 
-/* lines.c: the columns, or along z the rows; lines beyond the middle at each side. */
+/* lines.c: sets the positions of the columns, or of the rows along z; returns the number
+ * of skirt lines at each side. */
 void tp_lines_lay(tp_grid_line *line, uint32_t count, const tp_grid_view *view,
                   bool along_z);
 uint32_t tp_lines_flank(uint32_t count, const tp_grid_view *view);
 
-/* Of the lines one way: the outer two, and those between which there are waves, which
- * fade over `fading` metres; 0: they do not. */
+/* Extent of the lines along an axis, m: first and last line; `calm`, the interval with
+ * waves; `fading`, the width of the fade at the ends of the interval, 0 without a fade. */
 typedef struct {
     tp_fx first, last, calm[2], fading;
 } tp_grid_extent;
 
 tp_grid_extent tp_lines_extent(uint32_t count, const tp_grid_view *view, bool along_z);
 
-/* Of waves at any place, as tp_grid_line's. */
+/* Returns the weight of the waves at a position, 0..1, as tp_grid_line.fade. */
 tp_fx tp_lines_fade(const tp_grid_extent *extent, tp_fx place);
 
-/* Lays the lines, evaluates the crossings that may be seen: all, or row by row, where row
- * j completes the boxes of the cells before it. */
+/* Places the lines and evaluates the visible vertices: all rows at once, or row by row
+ * after tp_grid_begin.  Row j completes the bounding boxes of the cells of row j - 1. */
 void tp_grid_place(tp_grid *grid, const tp_grid_view *view);
 void tp_grid_begin(tp_grid *grid, const tp_grid_view *view);
 void tp_grid_place_row(tp_grid *grid, uint32_t j);
 
-/* A window of one's own: several threads may look at a grid that is placed.  `memory` is
- * of TP_GRID_WINDOW(most_cols) bytes, and not used where crossings are stored. */
+/* Returns a window of the caller, so that several threads can read a placed grid.
+ * `memory` has TP_GRID_WINDOW(most_cols) bytes; unused if vertices are stored. */
 #define TP_GRID_WINDOW(cols) (2 * (size_t)(cols) * sizeof(tp_grid_vertex))
 tp_grid_window tp_grid_window_over(void *memory);
 
-/* Crossings first to end - 1 of row j, in place of those of row j - 2 and j + 2.  They
- * join those of row j that are there. */
+/* Makes vertices first to end - 1 of row j available in the window.  They replace row j -
+ * 2 or j + 2, and extend vertices of row j already in the window. */
 void tp_grid_see(const tp_grid *grid, tp_grid_window *window, uint32_t j, uint32_t first,
                  uint32_t end);
 
-/* A corner of a seen cell again, before projection, for those that must be clipped.  Lens
- * and surface are those of the last tp_grid_place, slopes those of `vertex`. */
+/* Evaluates a vertex of a visible cell again, before projection, for cells that need
+ * clipping.  Lens and surface are those of the last tp_grid_place; slopes come from
+ * `vertex`. */
 tp_view_corner tp_grid_corner(const tp_grid *grid, const tp_grid_vertex *vertex,
                               uint32_t i, uint32_t j);
 #endif

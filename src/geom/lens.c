@@ -1,15 +1,15 @@
 /* SPDX-License-Identifier: MIT */
-/* The camera as the projection wants it. */
+/* The projection of a camera. */
 #include "geom/geom.h"
 
 const uint32_t tp_recip_seed[128] = {
 #include "geom/recip_table.inc"
 };
 
-/* focal <= 2^m and entries of the rows <= 1, so the scaled ones fit Q2.30. */
+/* Scales a row. focal <= 2^m and row entries are <= 1, so the result fits Q2.30. */
 static tp_dir3 dir_scaled(tp_dir3 d, tp_fx focal, int m)
 {
-    int32_t by = (int32_t)((int64_t)focal * (1 << 14) >> m);    /* Q2.30 */
+    int32_t by = (int32_t)((int64_t)focal * (1 << 14) >> m);    /* factor, Q2.30 */
     return (tp_dir3){ tp_q30_mul(d.x, by), tp_q30_mul(d.y, by), tp_q30_mul(d.z, by) };
 }
 
@@ -41,7 +41,8 @@ void tp_lens_turned(tp_lens *lens, tp_vec3 eye, tp_rotation turn, tp_fx fov, tp_
     lens->v0 = (int32_t)(height * 8);
 }
 
-/* focal is above 2^(m-1) and m above 0: a picture has 16 rows, a view 100 degrees. */
+/* focal is above 2^(m-1) and m is above 0, because a picture has at least 16 rows and a
+ * view at most 100 degrees. */
 tp_lens tp_lens_halved(const tp_lens *lens)
 {
     TP_ASSERT(lens->m > 0);
@@ -54,12 +55,12 @@ tp_lens tp_lens_halved(const tp_lens *lens)
     return half;
 }
 
-/* The rows of the view times 2^m / focal, 1..2 (or 0.7 where m is held): a scaled view
- * coordinate times it is metres. */
+/* Scales the view's rows by 2^m / focal, 1..2 (0.7 if m is at its limit).  A scaled view
+ * coordinate times this factor is in metres. */
 tp_view_plane tp_lens_level(const tp_lens *lens, tp_fx level, int side)
 {
     TP_ASSERT(lens->focal > 0 && (side == 1 || side == -1));
-    int64_t one = ((int64_t)1 << (44 + lens->m)) / lens->focal;     /* Q.28 */
+    int64_t one = ((int64_t)1 << (44 + lens->m)) / lens->focal;     /* 2^m / focal, Q.28 */
     tp_fx   up = lens->eye.y - level;
 
     return (tp_view_plane){
@@ -79,8 +80,8 @@ void tp_corner_project(const tp_lens *lens, const tp_view_corner *from, tp_corne
         to->n[i] = from->n[i];
 }
 
-/* The plane through the eye that holds the screen column or row `half` pixels from
- * the centre: normal = side x focal + ahead x half, inside towards the centre. */
+/* Returns the plane through the eye and the screen column or row `half` px from the
+ * centre: normal = side x focal + ahead x half; the inside faces the centre. */
 static tp_plane side_plane(const tp_lens *lens, tp_dir3 side, int sign, uint32_t half)
 {
     int32_t f = lens->focal >> 4, h = (int32_t)half << 12;      /* Q20.12 */

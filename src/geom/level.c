@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Level water as the lens sees it; see the header for the idea. */
+/* Level water in the picture; see the header for the idea. */
 #include "geom/level.h"
 #include "wave/wave.h"
 
@@ -10,7 +10,7 @@ static int64_t shifted(int64_t x, int right)
 
 /* -- sums ------------------------------------------------------------------------------ */
 
-/* d . n; focal is below 2^14 pixels, so a sum has 46 bits. */
+/* Returns d . n as a sum over X and Y. focal is below 2^14 px, so a sum has 46 bits. */
 static tp_level_sum sum_of(const tp_lens *lens, tp_dir3 n)
 {
     tp_q30 right = tp_dir3_dot(lens->turn.x, n), up = tp_dir3_dot(lens->turn.y, n);
@@ -23,8 +23,9 @@ static tp_level_sum sum_of(const tp_lens *lens, tp_dir3 n)
     };
 }
 
-/* near / (h focal) of -d.y.  `over` is the quotient's 31 upper bits: with h and focal in
- * 16.16 and near / over in Q.30, zi in Q1.43 is down over / 2^right. */
+/* Returns near / depth as a sum: near / (h focal) times -d.y.  `over` has the quotient's
+ * 31 upper bits: with h and focal in 16.16 and near / over in Q.30, zi in Q1.43 is down
+ * over / 2^right. */
 static tp_level_sum zi_of(const tp_lens *lens, const tp_level_sum *down)
 {
     uint64_t under = (uint64_t)lens->eye.y * (uint32_t)lens->focal;
@@ -42,8 +43,9 @@ static tp_level_sum zi_of(const tp_lens *lens, const tp_level_sum *down)
     };
 }
 
-/* Inside of the plane through the eye and a side of the water at `way` from it, which
- * leads to `sign` along x or along z. */
+/* Returns the inside of the plane through the eye and a side of the water.  `way`:
+ * distance of the side from the eye along x or z, m; `sign`: direction of the side on
+ * that axis. */
 static tp_level_sum side_of(const tp_lens *lens, int sign, int64_t way, bool along_z)
 {
     tp_fx h = lens->eye.y * -sign, w = tp_fx_held(way * -sign);
@@ -75,7 +77,7 @@ void tp_level_begin(tp_level *level, const tp_lens *lens, const tp_grid_extent *
     level->rolled = level->down.x != 0;
 }
 
-/* at has 46 bits: its 16 more make the row in Q.16. */
+/* at has 46 bits; 16 more bits give the row in Q.16. */
 tp_level_line tp_level_zero(const tp_level_sum *sum)
 {
     TP_ASSERT(sum->y > 0);
@@ -83,9 +85,9 @@ tp_level_line tp_level_zero(const tp_level_sum *sum)
                             -(sum->x * ((int64_t)1 << 30) / sum->y) };
 }
 
-/* -- places ---------------------------------------------------------------------------- */
+/* -- positions ------------------------------------------------------------------------- */
 
-/* 1 / down is r 2^(up - 95), Q.30 pixels as integers; h r has 59 bits. */
+/* 1 / down is r 2^(up - 95); Q.30 pixels are treated as integers; h r has 59 bits. */
 tp_level_reach tp_level_reach_of(const tp_level *level, int64_t down)
 {
     TP_ASSERT(down > 0);
@@ -118,8 +120,8 @@ bool tp_level_place(const tp_level *level, int32_t x, int32_t y, tp_fx place[2])
 
 /* -- outlines -------------------------------------------------------------------------- */
 
-/* The only place between a and b where a sum's sign changes: the first pixel that has
- * b's. */
+/* Returns the first pixel between a and b with b's sign of the sum; the sign changes
+ * once. */
 static int32_t change_of(const tp_level_sum *sum, int32_t y, int32_t a, int32_t b)
 {
     bool negative = tp_level_at(sum, b, y) < 0;
@@ -167,7 +169,8 @@ unsigned tp_level_mask(const tp_level *level, int32_t x0, int32_t y0, int32_t x1
 
 /* -- waves ----------------------------------------------------------------------------- */
 
-/* Of a way, in turns, Q.32: whole below a quarter, nothing from a half on. */
+/* Returns the weight of a wave for a step between sample points, in turns of the wave,
+ * Q.32: 1 up to a quarter turn, 0 from half a turn on, smooth between. */
 static tp_fx share_of(const tp_swell *w, const tp_fx step[2])
 {
     int64_t turns = (w->turns_x >> 2) * (step[0] >> 4) + (w->turns_z >> 2) * (step[1] >> 4);

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT */
-/* Where the grid's lines lie: even ones in the middle, growing ones outside.  The waves are
- * gone at the middle's last line, so that the flanks are flat. */
+/* Positions of the grid's lines: equal steps in the middle, growing steps in the skirts.
+ * Waves fade to 0 at the last line of the middle, so the skirts are flat. */
 #include "geom/grid.h"
 
-/* cell (g + g^2 + ... + g^n), saturated. */
+/* Returns cell (g + g^2 + ... + g^n), saturated. */
 static int64_t series(tp_fx cell, int64_t ratio, uint32_t n)
 {
     int64_t step = cell, sum = 0;
@@ -15,7 +15,7 @@ static int64_t series(tp_fx cell, int64_t ratio, uint32_t n)
     return sum;
 }
 
-/* The ratio, 16.16, that takes n growing steps over `way`; at least 1. */
+/* Returns the ratio, 16.16, for n growing steps over the distance `way`; at least 1. */
 static int64_t ratio_over(tp_fx cell, int64_t way, uint32_t n)
 {
     int64_t low = TP_FX_ONE, high = 256 * TP_FX_ONE;
@@ -36,7 +36,8 @@ uint32_t tp_lines_flank(uint32_t count, const tp_grid_view *view)
     return flank < TP_GRID_FLANK ? flank : TP_GRID_FLANK;
 }
 
-/* The ratio of the flanks' steps: to the scene's reach, or what is in range of it. */
+/* Returns the ratio of the skirts' steps.  A skirt ends at the scene's reach, or at 16000
+ * m from the centre. */
 static int64_t ratio_of(uint32_t count, const tp_grid_view *view)
 {
     TP_ASSERT(count >= 2 && view->cell > 0);
@@ -48,8 +49,8 @@ static int64_t ratio_of(uint32_t count, const tp_grid_view *view)
     return flank ? ratio_over(view->cell, way, flank) : 0;
 }
 
-/* The grid lies ahead of the eye, which stands a tenth of the middle from its rear
- * edge; rounded to whole cells. */
+/* Returns the centre of the grid, in whole cells.  The grid lies ahead of the eye; the
+ * eye is a tenth of the middle away from the rear edge. */
 static tp_fx centre_of(tp_fx eye, tp_q30 ahead, uint32_t count, const tp_grid_view *view)
 {
     if (!view->follow)

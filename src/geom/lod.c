@@ -1,10 +1,11 @@
 /* SPDX-License-Identifier: MIT */
-/* Fewer lines of the grid where they lie close; see the header for the idea. */
+/* Removes lines of the grid where they are dense on the screen; see the header for the
+ * idea. */
 #include "geom/lod.h"
 
-/* -- how far apart --------------------------------------------------------------------- */
+/* -- distance of lines ----------------------------------------------------------------- */
 
-/* A ray in pixels, Q.16: along the camera's heading, across it, down. */
+/* A ray in px, Q.16: along the camera's heading, across the heading, down. */
 typedef struct {
     int64_t ahead, aside, down;
 } ray;
@@ -16,7 +17,8 @@ static int64_t along(const tp_lens *lens, int32_t u, int32_t v, tp_q30 right, tp
             + (int64_t)v * 4096 * up) >> 30;
 }
 
-/* Of the picture's corner (u, v), 28.4 from its centre, with heading (hx, hz). */
+/* Returns the ray through a corner (u, v) of the picture, 28.4 px from its centre, for
+ * the heading (hx, hz). */
 static ray ray_of(const tp_lens *lens, int32_t u, int32_t v, tp_q30 hx, tp_q30 hz)
 {
     int64_t x = along(lens, u, v, lens->turn.x.x, lens->turn.y.x, lens->ahead.x);
@@ -27,8 +29,8 @@ static ray ray_of(const tp_lens *lens, int32_t u, int32_t v, tp_q30 hx, tp_q30 h
     return (ray){ (x * hx + z * hz) >> 30, aside < 0 ? -aside : aside, -y };
 }
 
-/* The picture's corners: the widest tangent to the heading (0: some ray leads back) and
- * the steepest fall, pixels. */
+/* Returns the widest tangent between the heading and a corner of the picture, 0 if a ray
+ * leads backwards. *down: the steepest fall of a ray, px. */
 static tp_fx widest_of(const tp_lens *lens, tp_dir3 heading, int64_t *down)
 {
     tp_fx wide = 1;
@@ -46,11 +48,14 @@ static tp_fx widest_of(const tp_lens *lens, tp_dir3 heading, int64_t *down)
     return wide;
 }
 
-/* TP_LOD_PIXELS over focal and cos + sin tan, of the angle between the heading and the
- * way to a side's lines; where that is not above 0, they are not seen. */
+/* Returns the step per distance, Q.24: TP_LOD_PIXELS / (focal (cos + sin tan)). cos and
+ * sin belong to the angle between the heading and the direction of a side's lines, tan is
+ * the view's widest tangent.  If cos + sin tan <= 0 the lines are not visible and the
+ * rate is the maximum. */
 static int32_t rate_of(const tp_lens *lens, tp_fx wide, tp_q30 cosine, tp_q30 sine)
 {
-    int64_t share = cosine + ((int64_t)tp_abs(sine) * wide >> 16);     /* Q.30 */
+    int64_t share = cosine + ((int64_t)tp_abs(sine) * wide >> 16);     /* cos + sin tan,
+                                                                        * Q.30 */
     int64_t most = (int64_t)1 << 24;
 
     if (wide == 0 || share <= 0)
@@ -59,7 +64,7 @@ static int32_t rate_of(const tp_lens *lens, tp_fx wide, tp_q30 cosine, tp_q30 si
     return (int32_t)(rate < most ? rate : most);
 }
 
-/* Of water no higher than `height`. */
+/* Sets the step limits of both axes, for water no higher than `height`. */
 static void begin(tp_thinning lod[2], const tp_lens *lens, tp_fx height, tp_fx cell)
 {
     tp_dir3 heading = tp_normalise(lens->ahead.x, 0, lens->ahead.z);
@@ -90,7 +95,8 @@ tp_fx tp_lod_step(const tp_thinning *lod, tp_fx place)
 
 /* -- lines ----------------------------------------------------------------------------- */
 
-/* The cell that a place lies in, from the world's origin; lines may lie in their middles. */
+/* Returns the index of the cell at a position, counted from the world's origin; lines may
+ * lie in the middle of cells. */
 static int32_t cell_at(const tp_thinning *lod, tp_fx place)
 {
     TP_ASSERT(lod->cell > 0);
@@ -98,8 +104,8 @@ static int32_t cell_at(const tp_thinning *lod, tp_fx place)
     return (int32_t)(cells - ((int64_t)place < cells * lod->cell));
 }
 
-/* Lines between the flanks are a cell apart, and the outer ones stay; those behind move
- * up.  Returns how many of `count` are left. */
+/* Removes lines between the skirts and moves the other lines up.  Lines between the
+ * skirts are a cell apart; skirt lines stay.  Returns the new number of lines. */
 static uint32_t thin(const tp_thinning *lod, tp_grid_line *line, uint32_t count,
                      uint32_t flank)
 {
@@ -130,14 +136,15 @@ void tp_lod_thin(tp_grid *grid, const tp_grid_view *view)
 void tp_lod_carve(tp_grid *grid, tp_arena *arena)
 {
     struct tp_thinning *lod = tp_arena_take(arena, 2, sizeof *lod);
-    if (lod)                    /* not where bytes are counted alone */
+    if (lod)                    /* NULL if the arena only counts bytes */
         grid->lod = lod;
 }
 
 /* -- waves ----------------------------------------------------------------------------- */
 
-/* Turns of a wave in a step, 16.16 times 6 or 4: whole up to 1, nothing from 2 on, but no
- * less than `still`. */
+/* Returns the weight of a wave.  `turns`: turns of the wave per step, 16.16, times 6
+ * (heights) or 4 (slopes).  The weight is 1 up to 1 and 0 from 2 on, but at least
+ * `still`. */
 static tp_fx carried(uint64_t turns, tp_fx still)
 {
     tp_fx share = turns >= 2 * TP_FX_ONE ? 0 : tp_smoothstep(2 * TP_FX_ONE - (tp_fx)turns);

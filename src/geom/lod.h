@@ -1,45 +1,48 @@
 /* SPDX-License-Identifier: MIT */
-/* Fewer lines of the grid where they lie close on the screen.
+/* Level of detail of the grid: removes lines where they are dense on the screen.
  *
- * A line at distance d beside the eye (along x for columns, z for rows) is nowhere in the
- * picture at less than some depth c d, c the camera's, so cells there may be 12 pixels of
- * that depth wide, and are no less than 6.  Where that is 2, 4, 8 ... cells, every 2nd,
- * 4th, 8th ... line is kept, counted from the world's origin: a line comes and goes, but
- * never moves.
+ * A line at distance d beside the eye (along x for columns, z for rows) never appears in
+ * the picture at a depth below c d; c depends on the camera.  Cells there may be 12 px
+ * wide at that depth, and are at least 6 px wide.  Where 12 px are 2, 4, 8 ... cells,
+ * every 2nd, 4th, 8th ... line is kept, counted from the world's origin.  Lines appear
+ * and disappear but never move.
  *
- * Waves fade by what may be, not by what is: those that the next step would not carry
- * are gone before it is taken, and nothing jumps.  Heights go first (between 6 and 3
- * steps a wave), then slopes (between 4 and 2).  Waves that the grid itself carries no
- * better fade while the step goes from one cell to two. */
+ * Waves fade by the allowed step, not by the current step: waves too short for the next
+ * step are gone before that step is used, so nothing jumps.  Heights fade first (between
+ * 6 and 3 steps per wave), then slopes (between 4 and 2).  Waves too short for the full
+ * grid fade while the step grows from one cell to two. */
 #ifndef TP_GEOM_LOD_H
 #define TP_GEOM_LOD_H
 #include "geom/grid.h"
 
 #define TP_LOD_PIXELS 12
-#define TP_LOD_LEVELS 6         /* every 64th line at the most */
+#define TP_LOD_LEVELS 6         /* at most every 64th line is kept */
 
-/* One way: of columns, or of rows. */
+/* State of an axis: of columns, or of rows. */
 typedef struct tp_thinning {
     tp_fx   eye, cell;
-    tp_fx   least;              /* step anywhere, m */
-    int32_t rate[2];            /* step over distance, Q.24: before the eye, and behind */
+    tp_fx   least;              /* smallest step anywhere, m */
+    int32_t rate[2];            /* step per distance, Q.24: below the eye's coordinate,
+                                 * above */
 } tp_thinning;
 
-/* How far apart lines may lie at a place, m. */
+/* Returns the allowed distance of lines at a position, m. */
 tp_fx tp_lod_step(const tp_thinning *lod, tp_fx place);
 
-/* Takes memory; leaves out lines of a grid that has some and is laid. */
+/* tp_lod_carve allocates the memory. tp_lod_thin removes lines of a grid with this
+ * memory, after the lines have been placed. */
 void tp_lod_carve(tp_grid *grid, tp_arena *arena);
 void tp_lod_thin(tp_grid *grid, const tp_grid_view *view);
 
-/* What is left of a wave, Q0.32 turns a metre this way: of its heights, of its slopes. */
+/* Remaining weights of a wave for a step: of its heights, of its slopes.  `turns` is
+ * Q0.32 turns per metre along the axis. */
 typedef struct {
     tp_fx height, slope;
 } tp_lod_share;
 
 tp_lod_share tp_lod_share_of(const tp_thinning *lod, tp_fx step, int64_t turns);
 
-/* The functions that a program links for it. */
+/* Functions that a program links for level of detail. */
 struct tp_water_lod {
     void (*carve)(tp_grid *grid, tp_arena *arena);
     void (*thin)(tp_grid *grid, const tp_grid_view *view);

@@ -1,16 +1,16 @@
 /* SPDX-License-Identifier: MIT */
-/* Runs of crossings on their way from the swells to the picture: what the files of
- * geom/vertex.h share. */
+/* Runs of grid vertices, from the swells to the picture: internal to the files of
+ * geom/vertex.h. */
 #ifndef TP_GEOM_RUN_H
 #define TP_GEOM_RUN_H
 #include "geom/vertex.h"
 
-/* View coordinates: x, y, depth, 16.16. */
+/* View coordinates of a run: x, y, depth, 16.16 m. */
 typedef struct {
     int32_t at[3][TP_VERTEX_RUN];
 } tp_vertex_run;
 
-/* Where a run lies. */
+/* The inputs of a run: tables, first column, number of vertices; `still`: without waves. */
 typedef struct {
     const tp_vertex_frame   *frame;
     const tp_vertex_columns *columns;
@@ -19,20 +19,21 @@ typedef struct {
     bool     still;
 } tp_vertex_place_of;
 
-/* One axis of swells: from + rest and what they add; their slopes. */
+/* tp_run_sway: displaces a run along a view axis: from + rest + the displacement by
+ * swells. tp_run_slope: computes the slopes. */
 void tp_run_sway(const tp_vertex_place_of *place, int axis, const int32_t *from,
                  int32_t rest, int32_t *to);
 void tp_run_slope(const tp_vertex_place_of *place, tp_grid_vertex *to);
 
-/* Adds sharpened swells to water at rest, and their slopes. */
+/* Adds sharpened swells to undisplaced vertices, and computes the slopes. */
 void tp_run_sharpen(const tp_vertex_place_of *place, tp_vertex_run *run,
                     tp_grid_vertex *vertex);
 
-/* Adds what lies on the swells. */
+/* Adds the heights and slopes of rings and pools. */
 void tp_run_relief(const tp_vertex_place_of *place, tp_vertex_run *run,
                    tp_grid_vertex *vertex);
 
-/* sum + both products; whatever the processor, the same bits. */
+/* Returns sum + both products of the 16-bit halves; the same bits on every processor. */
 TP_ALWAYS_INLINE int32_t tp_add_pair(int32_t sum, uint32_t a, uint32_t b)
 {
 #if defined(__ARM_FEATURE_DSP) && __ARM_FEATURE_DSP
@@ -53,16 +54,16 @@ TP_ALWAYS_INLINE int16_t tp_saturated(int32_t x)
 
 #define TP_JACOBIAN_ONE (1 << 30)
 
-/* What slopes are made of, [A9]: h in Q.(15 + tilt), |h| < 2^31, and J in Q2.30, between
- * 0.048 and 1.952; bxz is -Jxz. */
+/* Terms of a slope [A9]: h in Q.(15 + tilt), |h| < 2^31; J in Q2.30, between 0.048 and
+ * 1.952; bxz is -Jxz. */
 typedef struct {
     int32_t hx, hz, jxx, jzz, bxz;
 } tp_jacobian;
 
-/* [A10], see wave/gerstner.c: num / det.  J J is Q.28, and h J, below 2^62.5 with the two
- * of a sum, Q.(13 + tilt).  The reciprocal of a det shifted up by 2..8 is 2^(34 - shift)
- * / det; shifted down by tilt - 1 - shift, which tilt >= 9 makes no less than 0, it takes
- * the numerators to 16.16 whatever the tilt. */
+/* Computes slopes by [A10], see wave/gerstner.c: num / det.  J J is Q.28; h J, below
+ * 2^62.5 with both terms of a sum, is Q.(13 + tilt).  The reciprocal of a det shifted up
+ * by 2..8 is 2^(34 - shift) / det.  Shifted down by tilt - 1 - shift, not negative as
+ * tilt >= 9, the reciprocal takes the numerators to 16.16 for every tilt. */
 TP_ALWAYS_INLINE void tp_set_slopes(const tp_jacobian *j, int tilt, bool crossed,
                                     tp_grid_vertex *to)
 {

@@ -1,15 +1,16 @@
 /* SPDX-License-Identifier: MIT */
-/* The ocean's crossings; see the header for the idea. */
+/* Grid vertices of coastal water; see the header for the idea. */
 #include "geom/sheet.h"
 
-/* -- displaced crossings --------------------------------------------------------------- */
+/* -- displaced vertices ---------------------------------------------------------------- */
 
 static tp_fx fade_at(const tp_grid *grid, uint32_t i, uint32_t j)
 {
     return tp_fx_mul(grid->column[i].fade, grid->row[j].fade);
 }
 
-/* `depth` of still water there; may be NULL. */
+/* Returns the displaced vertex. *depth: depth of still water at the vertex, m; may be
+ * NULL. */
 static tp_vec3 displaced(const tp_grid *grid, uint32_t i, uint32_t j, tp_fx *depth)
 {
     const tp_surface *surface = grid->frame.surface;
@@ -37,8 +38,8 @@ static void set_dry(tp_grid *grid, uint32_t i, uint32_t j, bool dry)
     grid->dry[at / 32] = dry ? grid->dry[at / 32] | bit : grid->dry[at / 32] & ~bit;
 }
 
-/* Columns of row j whose places something needs: those of its own crossings and their
- * neighbours at all four sides. */
+/* Returns the columns of row j with a needed position: its own needed vertices and their
+ * neighbours on all four sides. */
 static tp_grid_span wanted(const tp_grid *grid, uint32_t j)
 {
     uint32_t first = grid->cols, end = 0;
@@ -71,8 +72,8 @@ static void displace_row(tp_grid *grid, uint32_t j)
 
 /* -- slopes ---------------------------------------------------------------------------- */
 
-/* Lengths below 2 km, for tp_slopes_across; what is not in proportion, as in a grid of
- * cells of kilometres, cannot be told from flat. */
+/* Shifts a vector to a length below 2 km, the limit of tp_slopes_across.  In a grid with
+ * cells of kilometres, smaller slopes cannot be told from flat. */
 static tp_vec3 shortened(tp_vec3 v, int shift)
 {
     return (tp_vec3){ v.x >> shift, v.y >> shift, v.z >> shift };
@@ -102,7 +103,7 @@ static tp_vec3 finished(const tp_vec3 around[4], const tp_grid *grid, tp_vec3 mi
     return middle;
 }
 
-/* -- crossings ------------------------------------------------------------------------- */
+/* -- vertices -------------------------------------------------------------------------- */
 
 static uint32_t before(uint32_t k)
 {

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* The grid over a sea floor: each crossing is displaced by the ocean, which may break and
- * overhang, so slopes are those of the sheet between a crossing's four neighbours.  Three
- * displaced rows are kept, evaluated once each. */
+/* The grid of coastal water.  Each vertex is displaced by the wave model.  Waves may
+ * break and overhang, so slopes are differences between the four neighbours of a vertex.
+ * Three displaced rows are kept; each is evaluated once. */
 #ifndef TP_GEOM_SHEET_H
 #define TP_GEOM_SHEET_H
 #include "geom/grid.h"
@@ -11,12 +11,12 @@ static inline bool tp_sheet_is(const tp_grid *grid)
     return grid->frame.surface->ocean && grid->dry;
 }
 
-/* Columns of row j that the cells at either side need, first to end - 1. */
+/* Returns the vertices of row j, first to end - 1, that the cells on both sides need. */
 tp_grid_span tp_grid_needed(const tp_grid *grid, uint32_t j);
 
-/* Rows one after the other. */
+/* Evaluates a row; rows must be called in order. */
 void tp_sheet_place_row(tp_grid *grid, uint32_t j, tp_grid_span needed);
 
-/* Its slopes are left 0. */
+/* Returns a vertex before projection; its slopes stay 0. */
 tp_view_corner tp_sheet_corner(const tp_grid *grid, uint32_t i, uint32_t j);
 #endif

@@ -1,18 +1,20 @@
 /* SPDX-License-Identifier: MIT */
-/* The water's surface, all models together; see the header.
+/* The water surface of all wave models together; see the header.
  *
- * Above a given place the surface is found by inversion of what displaces sideways
- * [E1]: by the sea's own Newton steps, or, over an ocean, whose tables have no
- * derivatives, by p0 <- p0 + (p - P(p0)) with one step's memory (Anderson's mixing): as
- * much of the last step is taken back as makes the error least along the line of the last
- * two.  On 32,000 places with steepness sums to 0.9, deep and over a beach, twelve steps
- * left 0.3 mm at the most; plain ones, which leave q^n of a sum q, 0.29 m. */
+ * The surface above a given position is found by inverting the horizontal displacement
+ * [E1].  Deep water uses its own Newton steps.  The tables of coastal water have no
+ * derivatives; the search is p0 <- p0 + (p - P(p0)) with a memory of one step (Anderson
+ * mixing): the part of the last step that minimises the error along the line of the last
+ * two errors is taken back.  On 32,000 positions with steepness sums up to 0.9, deep and
+ * over a beach, twelve steps left at most 0.3 mm; plain steps, with an error of q^n for a
+ * sum q, left 0.29 m. */
 #include "geom/waters.h"
 
 #define STEPS 12
-#define CLOSE 4         /* 16.16: 0.06 mm */
-#define REACH TP_FX(511)/* above 0.95 x 2000 m / 2 pi = 303 m, the most without overhangs */
-#define MIX   (4 * 256) /* the most of a step that is taken back or repeated, Q8 */
+#define CLOSE 4         /* LSB of 16.16, 0.06 mm */
+#define REACH TP_FX(511)/* m; above 0.95 x 2000 m / 2 pi = 303 m, the maximum without
+                         * overhangs */
+#define MIX   (4 * 256) /* largest part of a step taken back or repeated, Q8 */
 
 static void add(tp_relief *sum, tp_relief more)
 {
@@ -46,7 +48,7 @@ tp_relief tp_surface_relief_faded(const tp_surface *surface, tp_fx x, tp_fx z, t
                         tp_fx_mul(relief.slope_z, fade) };
 }
 
-/* Rings add up to no more than 4 m each; a pool has its range. */
+/* Returns a bound of the height: each ring adds at most 4 m, a pool at most its range. */
 static tp_fx relief_height(const tp_surface *surface)
 {
     int64_t sum = 0;
@@ -72,14 +74,14 @@ tp_fx tp_surface_height(const tp_surface *surface)
     return waves + relief_height(surface);
 }
 
-/* A search along one axis: the place, the last error, the step after it. */
+/* A search along an axis: position, last error, step after that error. */
 typedef struct {
     tp_fx   at;
     int64_t error, step;
 } search;
 
-/* The root lies within the reach of the place that is asked for, and so does the search;
- * at the ends of 16.16 it stays there. */
+/* Moves the search.  The root lies within `reach` of the target, and the search stays
+ * within `reach` too; at the ends of 16.16 the search stays there. */
 static void go(search *s, int64_t error, int64_t by, tp_fx place, tp_fx reach)
 {
     int64_t step = error - by * (s->step + error - s->error) / 256;
@@ -91,8 +93,8 @@ static void go(search *s, int64_t error, int64_t by, tp_fx place, tp_fx reach)
     s->at = to;
 }
 
-/* Errors are below REACH and 303 m more, 2^25.7, so that products have 54.4 bits and 256
- * times both of them fit. */
+/* Returns the part of the step to take back, Q8.  Errors are below REACH + 303 m, 2^25.7,
+ * so products have 54.4 bits, and 256 times the sum of two products fits. */
 static int64_t mixed(const search *u, const search *w, int64_t dx, int64_t dz)
 {
     int64_t ux = dx - u->error, uz = dz - w->error, over = ux * ux + uz * uz;
@@ -101,7 +103,8 @@ static int64_t mixed(const search *u, const search *w, int64_t dx, int64_t dz)
     return by > MIX ? MIX : by < -MIX ? -MIX : by;
 }
 
-/* Slopes by points a little to each side: a floor's waves have no closed form. */
+/* Finds the surface point of coastal water, without slopes: they are differences
+ * (ocean_slopes), because waves over a floor have no closed form. */
 static tp_sea_point ocean_above(const tp_surface *surface, tp_fx x, tp_fx z,
                                 tp_fx rest[2])
 {
@@ -109,7 +112,7 @@ static tp_sea_point ocean_above(const tp_surface *surface, tp_fx x, tp_fx z,
     search u = { x, 0, 0 }, w = { z, 0, 0 };
     tp_ocean_point at;
 
-    go(&u, (int64_t)rest[0] - x, 0, x, reach);      /* held to the box */
+    go(&u, (int64_t)rest[0] - x, 0, x, reach);      /* limited to the box */
     go(&w, (int64_t)rest[1] - z, 0, z, reach);
     at = tp_ocean_smooth(surface->ocean, surface->phases, u.at, w.at);
     for (int n = 0; n < STEPS; n++) {
@@ -126,7 +129,7 @@ static tp_sea_point ocean_above(const tp_surface *surface, tp_fx x, tp_fx z,
     return (tp_sea_point){ .position = at.position };
 }
 
-/* 1/32 m either way: an eighth of the shortest wave. */
+/* Computes slopes from points 1/32 m away, an eighth of the shortest wave. */
 static void ocean_slopes(const tp_surface *surface, tp_sea_point *at, const tp_fx rest[2])
 {
     const tp_fx d = TP_FX_ONE / 32;
@@ -170,8 +173,8 @@ tp_sea_point tp_surface_above(const tp_surface *surface, tp_fx x, tp_fx z, tp_fx
     return at;
 }
 
-/* N = across x along, the two ways as the grid's columns and rows run; a slope is
- * -N over N.y, which is held from below: what overhangs is as steep as can be. */
+/* Computes N = along_z x along_x, with the directions of the grid's rows and columns; a
+ * slope is -N / N.y.  N.y has a lower limit, so an overhang gets the steepest slope. */
 void tp_slopes_across(tp_vec3 along_x, tp_vec3 along_z, tp_fx *slope_x, tp_fx *slope_z)
 {
     int64_t nx = (int64_t)along_z.y * along_x.z - (int64_t)along_z.z * along_x.y;
@@ -184,7 +187,7 @@ void tp_slopes_across(tp_vec3 along_x, tp_vec3 along_z, tp_fx *slope_x, tp_fx *s
         ny /= 2;
         nz /= 2;
     }
-    if (ny * 8 <= most)             /* also where all three are 0 */
+    if (ny * 8 <= most)             /* also if all three components are 0 */
         ny = most / 8 + 1;
     *slope_x = (tp_fx)(-nx * TP_FX_ONE / ny);
     *slope_z = (tp_fx)(-nz * TP_FX_ONE / ny);

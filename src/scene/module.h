@@ -13,8 +13,8 @@
 #include "geom/surface.h"
 #include "scene/prices.h"
 
-/* Largest distance from the origin at that drops fall and rings start, m along each axis:
- * 8000 for the sphere plus 1000 for scatter. */
+/* Range of drops and rings: largest distance of their start from the origin along each
+ * axis, 8000 m for the sphere plus 1000 m for scatter. */
 #define TP_DROP_FAR (9000 * TP_FX_ONE)
 
 /* Effect of an impact on the water; the caller passes the impact to rings or to a pool. */

@@ -43,7 +43,7 @@ typedef struct {
     tp_fx    rest[4][2];        /* rest positions of bow, stern, port, starboard [E1] */
     tp_hull  hull, stirred;     /* hull now, and at its last disturbance of the pool [E4] */
     uint32_t laid;              /* 1: the boat has been placed on the water */
-    uint32_t stirs;             /* number of ticks so far in that it disturbed the pool */
+    uint32_t stirs;             /* number of ticks so far that disturbed the pool */
 } tp_afloat;
 
 /* The frame of reference of a world's camera. */
