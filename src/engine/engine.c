@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The simple way: a world, its frame and a tile's scratch in one block of memory.  Each of
- * them is to be had alone, by tp_world_init and tp_frame_init. */
+/* The simple interface: a world, its frame and the scratch memory of a tile in a single
+ * block. tp_world_init and tp_frame_init make them separately. */
 #include <stdbool.h>
 #include "base/base.h"
 #include "base/fail.h"
@@ -8,17 +8,17 @@
 #include "scene/parts.h"
 #include "tidepool/tidepool.h"
 
-/* Lies at the start of the block; the three parts follow it. */
+/* The engine's state at the start of the block; world, frame and scratch follow. */
 struct tp_engine {
     tp_config       config;
     const tp_scene *scene;
     tp_world       *world;
     tp_frame       *frame;
     void           *scratch;
-    uint32_t        next;           /* the tile to draw */
+    uint32_t        next;           /* next tile to draw */
 };
 
-/* The three blocks, and their bytes; 0: the config or the scene cannot be used. */
+/* The three blocks and their sizes; a size of 0: config or scene are refused. */
 typedef struct {
     size_t world_bytes, frame_bytes, scratch_bytes;
     void  *world, *frame, *scratch;
@@ -38,7 +38,7 @@ static bool are_known(const blocks *b)
     return b->world_bytes > 0 && b->frame_bytes > 0 && b->scratch_bytes > 0;
 }
 
-/* The arena may only count. */
+/* Lays out the block; with a counting arena, only counts bytes. */
 static void lay_out(blocks *b, tp_arena *arena)
 {
     tp_arena_take(arena, 1, sizeof(tp_engine));
@@ -58,7 +58,8 @@ size_t tp_engine_bytes(const tp_config *config, const tp_scene *scene)
     return are_known(&b) ? arena.used : 0;
 }
 
-/* The status of a config or a scene that cannot be used: one of the inits says it. */
+/* Returns the status of a refused config or scene, from the init function that refuses
+ * them. */
 static tp_status refuse(const tp_config *c, const tp_scene *scene, void *memory,
                         size_t bytes, tp_error *err)
 {

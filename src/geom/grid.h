@@ -75,7 +75,8 @@ typedef struct {
     uint32_t width, height;     /* size of the picture, px */
     tp_fx cell, reach;
     bool  follow;
-    bool  lod;                  /* true if water has plain swells only */
+    bool  lod;                  /* true: level of detail may remove lines (plain swells
+                                 * only) */
 } tp_grid_view;
 
 static inline bool tp_grid_is_dry(const tp_grid *grid, uint32_t i, uint32_t j)

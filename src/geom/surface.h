@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT */
-/* The water's surface, all models together: swells of the open sea, or an ocean over its
- * floor, displace a point of still water; rings and pools are heights over the displaced
- * place.  A part that a scene does not have is NULL or 0 and is not asked. */
+/* The water surface of all wave models together. Swells of deep water, or coastal water
+ * over its floor, displace a point of still water; rings and pools add heights at the
+ * displaced position. A model without a part in the scene is NULL or 0 and is not
+ * asked. */
 #ifndef TP_GEOM_SURFACE_H
 #define TP_GEOM_SURFACE_H
 #include "pool/pool.h"
@@ -10,49 +11,52 @@
 #include "wave/ring.h"
 
 typedef struct {
-    const tp_waters *by; /* the program's; what it lacks is not here */
+    const tp_waters *by; /* wave models of the program; models it lacks are not used here */
     const tp_sea   *sea;
     const tp_turn  *phases;
-    const tp_ocean *ocean;      /* instead of the sea's own sum; NULL: open sea */
+    const tp_ocean *ocean;      /* replaces the sum of `sea`; NULL: deep water */
     const tp_ring_now *ring;
     uint32_t        rings;
-    const tp_ring  *raised;     /* a world's: what `ring` is made of at its tick, */
-    uint32_t        n_raised;   /* and so many */
+    const tp_ring  *raised;     /* rings of the world, the source of `ring` at its tick */
+    uint32_t        n_raised;   /* number of `raised` rings */
     const tp_pool  *pool, *field;
-    tp_fx           back;       /* of the pools, 0..1 tick */
+    tp_fx           back;       /* interpolation of the pools, 0..1 tick */
 } tp_surface;
 
-/* Rings and pools at the world's (x, z). */
+/* Returns height and slopes of rings and pools at world (x, z). */
 tp_relief tp_surface_relief(const tp_surface *surface, tp_fx x, tp_fx z);
 
-/* The same where a mesh lets its waves fade, 0..1: its far cells are too wide for them. */
+/* Same, with a weight `fade`, 0..1.  A mesh fades its waves in the distance, where its
+ * cells are too wide for them. */
 tp_relief tp_surface_relief_faded(const tp_surface *surface, tp_fx x, tp_fx z, tp_fx fade);
 
-/* True if the sea has swells, and the program their model. */
+/* True if the sea has swells and the program has their wave model. */
 static inline bool tp_surface_has_swells(const tp_surface *surface)
 {
     return surface->sea->count > 0 && surface->by->swells;
 }
 
-/* True if rings or pools lie on it. */
+/* True if the surface has rings or pools. */
 static inline bool tp_surface_has_relief(const tp_surface *surface)
 {
     return surface->rings || surface->pool || surface->field;
 }
 
-/* No point lies farther from its rest: sideways and up. */
+/* Bounds of the displacement from a rest position, m: horizontal and vertical. */
 tp_fx tp_surface_reach(const tp_surface *surface);
 tp_fx tp_surface_height(const tp_surface *surface);
 
-/* The surface above or below a place, without what overhangs.  `rest` (x0, z0), if not
- * NULL, is where the search begins and then what it found. */
+/* Returns the surface point above or below a position; ignores overhangs.  `rest` (x0,
+ * z0) may be NULL; otherwise it is the start of the search and receives the rest position
+ * found. */
 tp_sea_point tp_surface_above(const tp_surface *surface, tp_fx x, tp_fx z, tp_fx rest[2]);
 
-/* The same of an ocean, without what lies on it; `rest` is not NULL. */
+/* Same for coastal water, without rings and pools; `rest` is not NULL. */
 tp_sea_point tp_surface_ocean_above(const tp_surface *surface, tp_fx x, tp_fx z,
                                     tp_fx rest[2]);
 
-/* dy/dx and dy/dz of a sheet that goes along_x from column to column and along_z from
- * row to row (16.16 m each, below 2 km), within +-8; what overhangs is held there. */
+/* Computes dy/dx and dy/dz of a surface that goes along_x from column to column and
+ * along_z from row to row (16.16 m, lengths below 2 km).  Slopes are within +-8;
+ * overhangs get the limit. */
 void tp_slopes_across(tp_vec3 along_x, tp_vec3 along_z, tp_fx *slope_x, tp_fx *slope_z);
 #endif

@@ -1,12 +1,13 @@
 /* SPDX-License-Identifier: MIT */
-/* The loops over crossings; see the header for the idea. */
+/* The loops over grid vertices; see the header for the idea. */
 #include "geom/waters.h"
 
-/* -- places ---------------------------------------------------------------------------- */
+/* -- positions ------------------------------------------------------------------------- */
 
-/* Three swells at the most, along one axis of the view: their numbers stay in registers.
- * A crossing begins at *from + rest.  Q.18 by Q.30 leaves 16.16 in the upper word, rounded
- * by a half below; a swell moves a point by less than 2^9 m, so a product has 57 bits. */
+/* Adds at most three swells along a view axis; three sets of numbers stay in registers.
+ * A vertex starts at *from + rest.  Q.18 times Q.30 leaves 16.16 in the upper word,
+ * rounded by adding a half below.  A swell moves a point by less than 2^9 m, so a product
+ * has 57 bits. */
 TP_ALWAYS_INLINE void add_swells(const tp_vertex_turn *number, const tp_vertex_turn *turn,
                                  uint32_t stride, const int32_t *from, int32_t rest,
                                  uint32_t count, int swells, int32_t *to)
@@ -40,7 +41,8 @@ static void see_still(const int32_t *from, int32_t rest, uint32_t count, int32_t
         to[i] = from[i] + rest;
 }
 
-/* Parts in 18.14, held where with all that swells add they might not fit 16.16. */
+/* Converts 18.14 parts to 16.16.  Parts are clamped first: with the displacement of all
+ * swells they might not fit 16.16. */
 static void see_wide(const int32_t *from, int32_t rest, uint32_t count, int32_t margin,
                      int32_t *to)
 {
@@ -50,7 +52,7 @@ static void see_wide(const int32_t *from, int32_t rest, uint32_t count, int32_t 
         to[i] = tp_clamp(from[i] + rest, -most, most) * 4;
 }
 
-/* One axis of the view; `still` of water at rest. */
+/* Computes a view axis of a run; `still`: without waves. */
 static void see_axis(const tp_vertex_place_of *place, int axis, bool still, int32_t *to)
 {
     const tp_vertex_frame *frame = place->frame;
@@ -98,7 +100,8 @@ TP_ALWAYS_INLINE void add_tilt(tp_jacobian *j, uint32_t pair, const tp_vertex_ti
     }
 }
 
-/* `swells` of at least one; a literal 3 takes no loop. */
+/* Computes the slopes of a run from `swells` >= 1 swells; a literal 3 needs no inner
+ * loop. */
 TP_ALWAYS_INLINE void slope(const tp_vertex_place_of *place, uint32_t swells, bool crossed,
                             tp_grid_vertex *to)
 {
@@ -143,8 +146,8 @@ static inline int32_t larger(int32_t a, int32_t b)
     return a > b ? a : b;
 }
 
-/* Whether all of a run is held by the lens, and far: both ends at rest are, and by more
- * than any crossing moves.  Between them places change one way. */
+/* True if the whole run is inside the lens and far away: both undisplaced ends are, by
+ * more than any displacement.  Between the ends, positions change in a single direction. */
 static bool is_far(const tp_vertex_place_of *place)
 {
     const tp_vertex_frame *frame = place->frame;
@@ -194,7 +197,7 @@ static void project_any(const tp_lens *lens, const tp_vertex_run *from, uint32_t
 
 /* -- runs ------------------------------------------------------------------------------ */
 
-/* View coordinates, and the slopes of `vertex` if they are asked for. */
+/* Computes view coordinates and, if `sloped`, the slopes of `vertex`. */
 static void displace(const tp_vertex_place_of *place, bool sloped, tp_vertex_run *run,
                      tp_grid_vertex *vertex)
 {

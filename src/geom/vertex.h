@@ -1,106 +1,109 @@
 /* SPDX-License-Identifier: MIT */
-/* Crossings of a row, displaced by the swells, seen by the lens and projected: what is
- * done once for each vertex of the water, so its loops are counted in instructions.
+/* Grid vertices of a row: displaced by the swells, transformed to view space and
+ * projected.  The loops run once per vertex of the water, so they are optimised to the
+ * instruction.
  *
- * A swell's phase at a crossing is a + b, a of the column and b of the row.  What swells
- * add to a crossing, in view coordinates, slopes and the Jacobian, is a sum of
- * C cos(a + b) + S sin(a + b), C and S the frame's, that is
+ * The phase of a swell at a vertex is a + b, with a from the column and b from the row.
+ * View coordinates, slopes and Jacobian of a vertex are sums over swells of C cos(a + b)
+ * + S sin(a + b), with C and S constant in a frame, that is
  *     sin a (S cos b - C sin b) + cos a (C cos b + S sin b):
- * two products a swell, of two numbers of the row and the column's sine and cosine.  So a
- * crossing's value depends on its column and row alone, not on where a run begins.  Waves
- * fade by the product of a number of the column, which scales its sines, and one of the
- * row, which scales its numbers: a crossing pays nothing for it.
+ * two products per swell, of two numbers of the row with sine and cosine of the column.
+ * The value of a vertex therefore depends on its column and row only, not on the start of
+ * a run.  Waves fade by a product of two weights: the column's weight scales its sines,
+ * the row's weight scales its numbers.  Fading costs a vertex nothing.
  *
- * Places are summed in 64 bits, 16.16 with what is below; slopes and the Jacobian in 32,
- * from products of 16 bits, two at a time where the processor has such an instruction.
- * Sharpened seas, whose profiles are no sines, go by a way of their own. */
+ * Positions are summed in 64 bits, 16.16 plus lower bits.  Slopes and Jacobian are summed
+ * in 32 bits from 16-bit products, two at a time if the processor has such an
+ * instruction.  Profiles of sharpened swells are not sines; vertex_more.c evaluates them
+ * separately. */
 #ifndef TP_GEOM_VERTEX_H
 #define TP_GEOM_VERTEX_H
 #include "geom/geom.h"
 #include "geom/surface.h"
 
-#define TP_VERTEX_RUN 32        /* crossings that are worked on at a time */
+#define TP_VERTEX_RUN 32        /* vertices processed at a time */
 
-/* A crossing: displaced, projected, packed. */
+/* A grid vertex: displaced, projected, packed. */
 typedef struct {
-    int32_t  u, v;              /* 28.4; u = TP_GRID_CUT: must be clipped */
-    uint32_t zi;                /* Q1.31 */
-    int16_t  slope_x, slope_z;  /* Q3.12 */
+    int32_t  u, v;              /* 28.4 px; u = TP_GRID_CUT: needs clipping */
+    uint32_t zi;                /* near / depth, Q1.31 */
+    int16_t  slope_x, slope_z;  /* slopes, Q3.12 */
 } tp_grid_vertex;
 
 #define TP_GRID_CUT INT32_MIN
 
 typedef struct {
-    tp_fx place;                /* world x or z at rest */
-    tp_fx fade;                 /* of the waves, 0..1 */
+    tp_fx place;                /* rest position, world x or z, m */
+    tp_fx fade;                 /* weight of the waves, 0..1 */
 } tp_grid_line;
 
-/* Of a phase, Q2.30. */
+/* Sine and cosine of a phase, Q2.30. */
 typedef struct {
     int32_t sin, cos;
 } tp_vertex_turn;
 
-/* A swell's numbers of the frame. */
+/* Numbers of a swell, constant in a frame. */
 typedef struct {
-    int32_t x, y, depth;                /* of the view: m per cosine, Q.20 */
-    int32_t rise_x, rise_y, rise_depth; /* m per sine, Q.20; x: of a camera that rolls */
+    int32_t x, y, depth;                /* view coordinates: m per cosine, Q.20 */
+    int32_t rise_x, rise_y, rise_depth; /* m per sine, Q.20; rise_x: 0 without roll */
     int32_t tilt_x, tilt_z;             /* k A D, Q.(14 + tilt) */
     int32_t bend_xx, bend_xz, bend_zz;  /* QkA D D, Q.29; not crossed: xx is QkA */
 } tp_vertex_swell;
 
-struct tp_thinning;                     /* geom/lod.h */
+struct tp_thinning;                     /* defined in geom/lod.h */
 
 typedef struct {
     const tp_lens    *lens;
     const tp_surface *surface;
-    const struct tp_thinning *lod;      /* of columns and rows; NULL: lines are even */
+    const struct tp_thinning *lod;      /* for columns and rows; NULL: equal lines */
     tp_vertex_swell   swell[TP_WAVES];
-    uint32_t most;                      /* swells that columns have room for */
-    uint32_t count;                     /* of swells */
-    int      tilt;                      /* bits of slopes, 9..19 */
-    tp_fx    reach;                     /* no crossing lies farther from its rest ... */
-    int32_t  margin;                    /* ... nor in view coordinates */
-    int32_t  far;                       /* a depth beyond which projecting is easy */
-    bool     wide;                      /* view coordinates may not fit 16.16 */
+    uint32_t most;                      /* swells that the columns have memory for */
+    uint32_t count;                     /* number of swells */
+    int      tilt;                      /* fraction bits of slopes, 9..19 */
+    tp_fx    reach;                     /* largest displacement of a vertex, m */
+    int32_t  margin;                    /* the same in view coordinates */
+    int32_t  far;                       /* depth for the fast projection */
+    bool     wide;                      /* true if view coordinates may exceed 16.16 */
 } tp_vertex_frame;
 
-/* The columns' tables, frame.count turns and pairs to a column. */
+/* Tables of the columns, with frame.count turns and pairs per column. */
 typedef struct {
     tp_grid_line   *line;
-    int32_t        *rest[3];            /* the parts x, y and depth, of tp_vertex_rest_x */
-    tp_vertex_turn *turn;               /* faded, unless the sea is sharpened */
+    int32_t        *rest[3];            /* parts of x, y, depth, by tp_vertex_rest_x */
+    tp_vertex_turn *turn;               /* with fading, unless the sea is sharpened */
     uint32_t       *pair;               /* two Q.15: the sine low, the cosine high */
 } tp_vertex_columns;
 
-/* A swell's numbers of a row: pairs for the column's sine and cosine. */
+/* Numbers of a swell in a row: pairs for the sine and cosine of the column. */
 typedef struct {
     uint32_t tilt_x, tilt_z;            /* Q.tilt */
-    uint32_t bend_xx, bend_xz, bend_zz; /* Q.15; those of xx and zz negative */
+    uint32_t bend_xx, bend_xz, bend_zz; /* Q.15; xx and zz are negative */
 } tp_vertex_tilt;
 
 typedef struct {
     tp_grid_line   line;
     int32_t        rest[3];
-    tp_vertex_turn turn[TP_WAVES];      /* of the phase, faded as the columns' pairs are */
-    tp_vertex_turn place[3][TP_WAVES];  /* m of x, y and depth per sine and cosine, Q.18 */
+    tp_vertex_turn turn[TP_WAVES];      /* phase, with fading like the columns' pairs */
+    tp_vertex_turn place[3][TP_WAVES];  /* x, y, depth: m per sine and cosine, Q.18 */
     tp_vertex_tilt tilt[TP_WAVES];
 } tp_vertex_row;
 
-/* lens, surface and lod set, the rest is filled in, for water in x0..x1 and z0..z1. */
+/* Starts a frame for water in x0..x1 and z0..z1.  The caller sets lens, surface and lod;
+ * the function sets all other members. */
 void tp_vertex_begin(tp_vertex_frame *frame, tp_fx x0, tp_fx x1, tp_fx z0, tp_fx z1);
 
-/* Of a frame that has begun, the swells' numbers. */
+/* Computes the numbers of all swells; after tp_vertex_begin. */
 void tp_vertex_set_swells(tp_vertex_frame *frame);
 
-/* View coordinates of water at rest: the part of a column at x, and that of a row at z
- * with the eye's height.  16.16, or 18.14 in wide frames. */
+/* Compute the view coordinates of water at rest: the part of a column at x, and the part
+ * of a row at z, including the height of the eye. 16.16, or 18.14 in wide frames. */
 void tp_vertex_rest_x(const tp_vertex_frame *frame, tp_fx x, int32_t rest[3]);
 void tp_vertex_rest_z(const tp_vertex_frame *frame, tp_fx z, int32_t rest[3]);
 
-/* Sine and cosine within 2^-28. */
+/* Returns sine and cosine within 2^-28. */
 tp_vertex_turn tp_vertex_turn_of(tp_turn angle);
 
-/* The phase b more. */
+/* Returns sine and cosine of the sum of two phases. */
 TP_ALWAYS_INLINE tp_vertex_turn tp_vertex_turned(tp_vertex_turn a, tp_vertex_turn b)
 {
     const int64_t half = 1 << 29;
@@ -110,21 +113,23 @@ TP_ALWAYS_INLINE tp_vertex_turn tp_vertex_turned(tp_vertex_turn a, tp_vertex_tur
     };
 }
 
-/* Tables of columns first to end - 1, whose lines are laid `cell` apart. */
+/* Computes the tables of columns first to end - 1; neighbouring lines are `cell` apart. */
 void tp_vertex_set_columns(const tp_vertex_frame *frame, const tp_vertex_columns *columns,
                            uint32_t first, uint32_t end, tp_fx cell);
 
-/* A row's numbers for places, and for slopes too; line and rest are set already. */
+/* Computes the numbers of a row for positions and, if `sloped`, for slopes.  The caller
+ * sets line and rest. */
 void tp_vertex_set_row(const tp_vertex_frame *frame, tp_vertex_row *row, bool sloped);
 
-/* `count` <= TP_VERTEX_RUN crossings from column `first`, all of them `still` (column or
- * row without waves) or none. */
+/* Evaluates `count` <= TP_VERTEX_RUN vertices from column `first`.  `still`: no wave
+ * reaches any of the vertices (column or row without waves); a run must not mix both
+ * cases. */
 void tp_vertex_place(const tp_vertex_frame *frame, const tp_vertex_columns *columns,
                      const tp_vertex_row *row, uint32_t first, uint32_t count, bool still,
                      tp_grid_vertex *vertex);
 
-/* One crossing before projection, bit by bit what tp_vertex_place projects; its slopes are
- * left 0.  The row needs no tilts. */
+/* Returns a vertex before projection, with the same bits that tp_vertex_place projects;
+ * its slopes stay 0.  The row needs no tilts. */
 tp_view_corner tp_vertex_corner(const tp_vertex_frame *frame,
                                 const tp_vertex_columns *columns,
                                 const tp_vertex_row *row, uint32_t column, bool still);

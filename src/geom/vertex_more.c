@@ -1,15 +1,15 @@
 /* SPDX-License-Identifier: MIT */
-/* Crossings of seas with sharpened swells, whose profiles [A3] are no sines, and of water
- * with rings or pools on it: one at a time. */
+/* Grid vertices of sharpened swells, with profiles [A3] that are not sines, and of water
+ * with rings or pools.  Each vertex is evaluated on its own. */
 #include "geom/run.h"
 #include "wave/wave.h"
 
 /* -- sharpened swells ------------------------------------------------------------------ */
 
-/* In 64 bits, whole seas: places per cosine Q.50 and per f Q.44, h Q.(38 + tilt), bends
- * Q.59.  By the sea's bounds their sums have 59, 53, 54 and 60 bits. */
+/* Sums over all swells in 64 bits: positions per cosine Q.50 and per f Q.44, h Q.(38 +
+ * tilt), bends Q.59.  By the bounds of a sea the sums have 59, 53, 54 and 60 bits. */
 typedef struct {
-    int64_t along[3], rise[2];          /* x, y, depth; y, depth */
+    int64_t along[3], rise[2];          /* along: x, y, depth; rise: y, depth */
     int64_t hx, hz, bxx, bxz, bzz;
 } sums;
 
@@ -40,7 +40,7 @@ static void add(sums *sum, const tp_vertex_swell *w, const tp_swell *swell,
     sum->bzz += (int64_t)w->bend_zz * th.sin;
 }
 
-/* sum / 2^down, faded. */
+/* Returns sum / 2^down, rounded, times the fade weight. */
 TP_ALWAYS_INLINE int32_t kept(int64_t sum, int down, tp_fx fade)
 {
     int32_t whole = (int32_t)((sum + ((int64_t)1 << (down - 1))) >> down);
@@ -52,8 +52,8 @@ TP_ALWAYS_INLINE tp_fx fade_of(const tp_vertex_place_of *place, uint32_t i)
     return tp_fx_mul(place->row->line.fade, place->columns->line[place->first + i].fade);
 }
 
-/* The heights' share to the right, seen by a camera that rolls: an own pass, so that others
- * pay nothing for it. */
+/* Adds the share of the heights to the right, for a camera with roll.  A separate pass,
+ * so other cameras pay nothing. */
 static void lean_sharpened(const tp_vertex_place_of *place, tp_vertex_run *run)
 {
     const tp_vertex_frame *frame = place->frame;
@@ -99,9 +99,9 @@ void tp_run_sharpen(const tp_vertex_place_of *place, tp_vertex_run *run,
         lean_sharpened(place, run);
 }
 
-/* -- what lies on them ----------------------------------------------------------------- */
+/* -- rings and pools ------------------------------------------------------------------- */
 
-/* The world's place of a displaced crossing. */
+/* Computes the world position of a displaced vertex. */
 TP_ALWAYS_INLINE void place_at(const tp_vertex_place_of *place, uint32_t i, tp_fx *x, tp_fx *z)
 {
     const tp_vertex_frame *frame = place->frame;
@@ -114,7 +114,7 @@ TP_ALWAYS_INLINE void place_at(const tp_vertex_place_of *place, uint32_t i, tp_f
         along_x += tp_q30_mul(sea->swell[k].reach_x, c);
         along_z += tp_q30_mul(sea->swell[k].reach_z, c);
     }
-    if (sea->sharpened) {           /* other seas' turns are faded already */
+    if (sea->sharpened) {           /* turns of other seas have fading included */
         tp_fx fade = tp_fx_mul(place->row->line.fade, line->fade);
         along_x = tp_fx_mul(along_x, fade);
         along_z = tp_fx_mul(along_z, fade);
@@ -123,7 +123,8 @@ TP_ALWAYS_INLINE void place_at(const tp_vertex_place_of *place, uint32_t i, tp_f
     *z = place->row->line.place + along_z;
 }
 
-/* As lean_sharpened. */
+/* Adds the share of rings and pools to the right, for a camera with roll; see
+ * lean_sharpened. */
 static void lean_relief(const tp_vertex_place_of *place, tp_vertex_run *run)
 {
     for (uint32_t i = 0; i < place->count; i++) {

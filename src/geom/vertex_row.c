@@ -1,18 +1,19 @@
 /* SPDX-License-Identifier: MIT */
-/* What crossings are made of: the numbers of the frame, of its columns and of a row. */
+/* The numbers behind grid vertices: constants of the frame, tables of columns, numbers of
+ * a row. */
 #include "geom/waters.h"
 #include "wave/wave.h"
 
 /* -- the frame ------------------------------------------------------------------------- */
 
-/* reach . axis of the two that waves move along, or A times its y: 16.16 by Q2.30, kept
- * to Q.20. */
+/* Returns a x + b z in Q.20, rounded, from 16.16 times Q2.30: a horizontal displacement
+ * along a view axis, or an amplitude times the y of an axis. */
 static int32_t along(tp_fx a, tp_q30 x, tp_fx b, tp_q30 z)
 {
     return (int32_t)(((int64_t)a * x + (int64_t)b * z + (1 << 25)) >> 26);
 }
 
-/* A slope in Q2.30 as Q.(14 + tilt). */
+/* Converts a slope from Q2.30 to Q.(14 + tilt). */
 static int32_t tilted(tp_q30 slope, int tilt)
 {
     return (int32_t)(((int64_t)slope * (1 << tilt) + (1 << 15)) >> 16);
@@ -38,9 +39,9 @@ static tp_vertex_swell swell_of(const tp_vertex_frame *frame, const tp_swell *w)
     };
 }
 
-/* A row's numbers keep below 32000 in Q.tilt, to be halves of a pair; those of all swells
- * together, which no sum of their products by a sine and a cosine in Q.15 exceeds, keep
- * below 64000, and the sum below 2^31. */
+/* Returns the number of fraction bits for slopes.  Each number of a row stays below 32000
+ * in Q.tilt, to fit half of a pair.  The sum over all swells stays below 64000; it bounds
+ * every sum of products with a sine and a cosine in Q.15, so the sum stays below 2^31. */
 static int tilt_of(const tp_sea *sea)
 {
     int64_t sum = 0, most = 0;
@@ -56,9 +57,10 @@ static int tilt_of(const tp_sea *sea)
     return tilt;
 }
 
-/* -- places at rest -------------------------------------------------------------------- */
+/* -- rest positions -------------------------------------------------------------------- */
 
-/* Rows of the lens are no longer than 1.42, and the eye is 24 km away from water at most. */
+/* Computes the view coordinates of a vector.  Rows of the lens are no longer than 1.42,
+ * and the eye is at most 24 km from water. */
 static void seen_along(const tp_vertex_frame *frame, tp_vec3 d, int32_t rest[3])
 {
     const tp_lens *lens = frame->lens;
@@ -84,12 +86,13 @@ void tp_vertex_rest_z(const tp_vertex_frame *frame, tp_fx z, int32_t rest[3])
     seen_along(frame, (tp_vec3){ 0, -eye->y, z - eye->z }, rest);
 }
 
-/* View coordinates grow evenly along columns and rows, so the corners have the greatest. */
+/* True if view coordinates may exceed 16.16.  View coordinates are linear over columns
+ * and rows, so the corners have the extremes. */
 static bool is_wide(tp_vertex_frame *frame, const tp_fx x[2], const tp_fx z[2])
 {
     bool wide = false;
 
-    frame->wide = true;         /* for parts that fit */
+    frame->wide = true;         /* 18.14, so that parts fit */
     for (int k = 0; k < 4; k++) {
         int32_t a[3], b[3];
         tp_vertex_rest_x(frame, x[k & 1], a);
@@ -132,12 +135,13 @@ void tp_vertex_set_swells(tp_vertex_frame *frame)
 
 /* -- phases ---------------------------------------------------------------------------- */
 
-/* From the nearest of the 1024 angles whose sines are exact, the rest d <= 2 pi / 2048:
+/* Starts at the nearest of 1024 angles with an exact sine and adds the rest d <= 2 pi /
+ * 2048:
  *     sin(a + d) = sin a + d cos a - d^2/2 sin a,  less d^3/6 < 5e-9.
- * d is Q.38 and below 2^30, d^2/2 Q.45. */
+ * d is Q.38 and below 2^30, d^2/2 is Q.45. */
 tp_vertex_turn tp_vertex_turn_of(tp_turn angle)
 {
-    const int32_t two_pi = 1686629713;                      /* Q.28 */
+    const int32_t two_pi = 1686629713;                      /* 2 pi, Q.28 */
     tp_turn whole = (angle + (1u << 21)) & ~((1u << 22) - 1);
     int32_t d = tp_mul_upper((int32_t)(angle - whole) * 1024, two_pi);
     int32_t half = tp_mul_upper(d, d);
@@ -166,7 +170,8 @@ static uint32_t pair_of_turn(tp_vertex_turn turn)
     return pair_of((turn.sin + (1 << 14)) >> 15, (turn.cos + (1 << 14)) >> 15);
 }
 
-/* What is left of a swell on a line of columns (`way` 0) or rows. */
+/* Returns the remaining weight of a swell on a line of columns (`way` 0) or rows (`way`
+ * 1). */
 static tp_lod_share share_of(const tp_vertex_frame *frame, int way, tp_fx place,
                              int64_t turns)
 {
@@ -182,8 +187,8 @@ static tp_vertex_turn kept(tp_vertex_turn turn, tp_fx fade)
     return fade == TP_FX_ONE ? turn : faded(turn, fade);
 }
 
-/* Of one swell.  Within a run phases go on by one rotation a cell, which adds 2^-31 each
- * time; every run begins anew. */
+/* Fills the columns' tables of a swell.  Within a run the phase advances by a rotation
+ * per cell, with an error of 2^-31 each; every run starts with a fresh phase. */
 static void set_column_turns(const tp_vertex_frame *frame,
                              const tp_vertex_columns *columns, uint32_t k, uint32_t first,
                              uint32_t end, tp_fx cell)
@@ -216,7 +221,7 @@ void tp_vertex_set_columns(const tp_vertex_frame *frame, const tp_vertex_columns
 
 /* -- rows ------------------------------------------------------------------------------ */
 
-/* C cos + S sin of the whole phase, per sine and per cosine of the column's. */
+/* Splits C cos + S sin of the whole phase into factors of the column's sine and cosine. */
 static tp_vertex_turn split(int32_t c, int32_t s, tp_vertex_turn b)
 {
     const int64_t half = (int64_t)1 << 31;
@@ -226,7 +231,8 @@ static tp_vertex_turn split(int32_t c, int32_t s, tp_vertex_turn b)
     };
 }
 
-/* 16 bits of each: numbers come with 14 bits more than are kept, and Q2.30 takes off 2. */
+/* Packs two products as 16-bit halves.  The numbers have 14 extra bits, and Q2.30 removes
+ * 2. */
 static inline uint32_t pair_upper(int32_t sine, int32_t cosine, int32_t a, int32_t b)
 {
     int32_t low = tp_mul_upper(sine, a) + (1 << 11);

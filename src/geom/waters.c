@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The models of the water's surface, as a program names them. */
+/* The wave models of the water surface, as structs that a program names. */
 #include "geom/waters.h"
 
 const struct tp_water_rings tp_water_rings = { tp_ring_relief, tp_ring_at, tp_run_relief };

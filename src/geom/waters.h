@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The models of the water's surface, as a program links them.  A surface points to its
- * program's models and consists of those alone. */
+/* The wave models of the water surface, as structs that a program links.  A surface
+ * points to its program's models and uses no others. */
 #ifndef TP_GEOM_WATERS_H
 #define TP_GEOM_WATERS_H
 #include "geom/level.h"
@@ -8,7 +8,7 @@
 #include "geom/run.h"
 #include "geom/sheet.h"
 
-/* Adds what lies on the swells to a run of crossings. */
+/* Adds the heights and slopes of rings and pools to a run of vertices. */
 typedef void (*tp_run_relief_of)(const tp_vertex_place_of *place, tp_vertex_run *run,
                                  tp_grid_vertex *vertex);
 
@@ -32,14 +32,14 @@ struct tp_water_swells {
     void (*columns)(const tp_vertex_frame *frame, const tp_vertex_columns *columns,
                     uint32_t first, uint32_t end, tp_fx cell);
     void (*row)(const tp_vertex_frame *frame, tp_vertex_row *row, bool sloped);
-    /* One axis of a run, from + rest; and a run's slopes. */
+    /* sway: a view axis of a run, from + rest; slope: the slopes of a run. */
     void (*sway)(const tp_vertex_place_of *place, int axis, const int32_t *from,
                  int32_t rest, int32_t *to);
     void (*slope)(const tp_vertex_place_of *place, tp_grid_vertex *to);
-    /* Of a lattice over the picture. */
+    /* Returns a point of a screen grid over level water. */
     tp_sea_point (*point)(const tp_level *level, const tp_surface *surface,
                           const tp_fx place[2], tp_fx step[2][2]);
-    bool few;                   /* a world has room for those of its scene alone */
+    bool few;                   /* true: memory for the scene's own swells only */
 };
 
 struct tp_water_sharp {         /* swells with sharpened crests; needs swells */

@@ -1,17 +1,18 @@
 /* SPDX-License-Identifier: MIT */
-/* Down a column of pixels, from one line of water to the next.
+/* Fills a column of pixels between two lines of water.
  *
- * zi and slopes are linear from row to row, and s and t too but in pieces long and deep
- * enough to show the perspective: there they are true at multiples of 16 rows and at the
- * piece's own ends, and linear between.  Every piece counts from its own upper end,
- * wherever the tile begins. */
+ * zi and slopes are linear from row to row. s and t are linear too, except in pieces long
+ * and deep enough to show perspective: there s and t are exact at multiples of 16 rows
+ * and at the ends of the piece, and linear between.  Every piece counts from its own
+ * upper end, independent of the tile. */
 #include "raster/piece.h"
 
-#define FEW  2                  /* rows up to which each is worked out for itself */
-#define DEEP 4                  /* rows from which on perspective is asked for */
+#define FEW  2                  /* up to this number of rows, each row is computed on its
+                                 * own */
+#define DEEP 4                  /* from this number of rows on, perspective is tested */
 
-/* The share of s and t where that of the screen is given: share zb / z.  share zb is no
- * more than z, and its quotient is kept below 2^31. */
+/* Returns the share for s and t, from a share on the screen: share zb / z. share zb is at
+ * most z; the quotient is limited to below 2^31. */
 int32_t tp_row_deep_share(int32_t share, uint32_t za, uint32_t zb)
 {
     uint32_t z = (uint32_t)part((int32_t)za, difference((int32_t)za, (int32_t)zb), share);
@@ -22,7 +23,7 @@ int32_t tp_row_deep_share(int32_t share, uint32_t za, uint32_t zb)
     return q < INT32_MAX ? (int32_t)q : INT32_MAX;
 }
 
-/* 65536 / n for the rows or columns between two true places. */
+/* 65536 / n, n: rows or columns between two exact positions. */
 static const uint32_t over[17] = { 0, 65536, 32768, 21845, 16384, 13107, 10923, 9362,
                                    8192, 7282, 6554, 5958, 5461, 5041, 4681, 4369, 4096 };
 
@@ -32,7 +33,7 @@ uint32_t tp_row_step_between(uint32_t from, uint32_t to, int32_t n)
     return (uint32_t)((int64_t)(int32_t)(to - from) * over[n] >> 16);
 }
 
-/* A step of keys leaves the mark alone. */
+/* Returns the step of a key per row; the stencil bits of the step are 0. */
 TP_ALWAYS_INLINE uint32_t key_step(int32_t zi_step)
 {
     return ((uint32_t)zi_step * 2 + 128) & ~(uint32_t)0xff;
@@ -46,7 +47,7 @@ TP_ALWAYS_INLINE void step_down(sample *p, const sample *step, uint32_t rows)
     p->n += step->n * rows;
 }
 
-/* Rows [y, end), `now` that of row `top`. */
+/* Fills rows [y, end); `now` is the sample at row `top`. */
 TP_ALWAYS_INLINE void fill(const tp_samples *tile, int32_t x, int32_t y, int32_t end,
                            int32_t top, sample now, sample step, bool tested)
 {
@@ -68,12 +69,12 @@ static __attribute__((noinline)) void fill_tested(const tp_samples *tile, int32_
     fill(tile, x, y, end, top, *now, *step, 1);
 }
 
-/* The lower line `near`, the upper one `far`, and shares of the way down. */
+/* An interval between two lines: the lower line `near`, the upper line `far`. */
 typedef struct {
     const tp_row_sample *far, *near;
-    uint32_t inverse;           /* 2^31 over the rows between, Q8 */
-    int32_t  up;                /* what a row is of the way, negative, Q.30; of more
-                                 * than one */
+    uint32_t inverse;           /* 2^31 / rows between the lines, rows in Q8 */
+    int32_t  up;                /* share per row upwards, negative, Q.30; needs more than
+                                 * a row */
 } between;
 
 TP_ALWAYS_INLINE between between_of(const tp_row_sample *far, const tp_row_sample *near)
@@ -88,7 +89,7 @@ TP_ALWAYS_INLINE int32_t share_at(const between *b, int32_t y)
     return (int32_t)((uint32_t)((y * ROW + ROW / 2 - b->far->v) >> 8) * b->inverse);
 }
 
-/* s and t as on the screen. */
+/* Sets start and step with s and t linear on the screen. */
 TP_ALWAYS_INLINE void set_straight(const between *b, int32_t y, sample *now, sample *step)
 {
     const tp_row_sample *far = b->far, *near = b->near;
@@ -120,8 +121,8 @@ static place place_at(const between *b, int32_t y)
                     (uint32_t)part(far->t, difference(far->t, near->t), share) };
 }
 
-/* Rows [y, end) of a piece that begins at row `top`, true in perspective at multiples of
- * 16 rows and at its own ends. */
+/* Fills rows [y, end) of a piece that begins at row `top`. s and t are exact in
+ * perspective at multiples of 16 rows and at the ends of the piece. */
 static __attribute__((noinline)) void fill_deep(const tp_rows *rows,
                                                 const tp_row_sample *near,
                                                 const tp_row_sample *far, int32_t x,
@@ -147,7 +148,7 @@ static __attribute__((noinline)) void fill_deep(const tp_rows *rows,
     }
 }
 
-/* Rows [y, end) of a piece that has two at the most: each for itself. */
+/* Fills rows [y, end) of a piece with at most two rows, each row on its own. */
 TP_ALWAYS_INLINE void fill_few(const tp_rows *rows, const tp_row_sample *near,
                                const tp_row_sample *far, int32_t x, int32_t y,
                                int32_t end)

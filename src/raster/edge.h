@@ -1,29 +1,30 @@
 /* SPDX-License-Identifier: MIT */
-/* Where an edge crosses the rows of pixels. */
+/* Intersections of an edge with the rows of pixels. */
 #ifndef TP_RASTER_EDGE_H
 #define TP_RASTER_EDGE_H
 #include "base/base.h"
 
-/* First row whose centre lies at or below v, and likewise for columns: ceil(v - 1/2). */
+/* Returns the first row with its centre at or below v: ceil(v - 1/2).  The same holds for
+ * columns. */
 TP_ALWAYS_INLINE int32_t tp_first_centre(int32_t v_28_4)
 {
     return (v_28_4 + 7) >> 4;
 }
 
-/* Where an edge stands on a row: at the first pixel centre at or right of its crossing.
- * The crossing is a multiple of 1 / (16 dv) pixels, so it is kept without any rounding,
- * as Bresenham did: two edges through one point never pass each other, which is what
- * "each pixel exactly once" asks for where slivers meet. */
+/* State of an edge on a row: the first pixel centre at or right of the crossing.  The
+ * crossing is a multiple of 1 / (16 dv) px and is stored exactly, as in Bresenham's
+ * algorithm.  Two edges through a common point therefore never pass each other, a
+ * condition for "each pixel exactly once" between slivers. */
 typedef struct {
     int32_t row, pixel;
-    int32_t over;               /* from the crossing to the centre, 0..one-1 */
-    int32_t whole, part;        /* down a row: pixels, and what is left, 0..one-1 */
-    int32_t one;                /* a pixel: 16 dv, at most 2^22 */
+    int32_t over;               /* distance from crossing to centre, 0..one-1 */
+    int32_t whole, part;        /* step per row: pixels, and the remainder 0..one-1 */
+    int32_t one;                /* a pixel in these units: 16 dv, at most 2^22 */
 } tp_edge;
 
-/* From the upper end (u0, v0) to the lower (u1, v1), v0 < v1: on its first row.  `along`
- * counts sixteenths of a pixel, and `left` what is left of one in the edge's own parts:
- * below 30 dv, so it is one or two pixels more. */
+/* Returns the edge from the upper end (u0, v0) to the lower end (u1, v1), v0 < v1, on its
+ * first row.  `along` is in 1/16 px; `left` is the remainder in units of the edge.
+ * `left` is below 30 dv, so the loop adds at most two pixels. */
 TP_ALWAYS_INLINE tp_edge tp_edge_of(int32_t u0, int32_t v0, int32_t u1, int32_t v1)
 {
     TP_ASSERT(v0 < v1);
@@ -54,7 +55,7 @@ TP_ALWAYS_INLINE void tp_edge_step(tp_edge *e)
     }
 }
 
-/* Down to row y >= e->row: 256 rows at a time, so that no product leaves 31 bits. */
+/* Advances to row y >= e->row, 256 rows at a time, so that products stay within 31 bits. */
 TP_ALWAYS_INLINE void tp_edge_go(tp_edge *e, int32_t y)
 {
     TP_ASSERT(y >= e->row);

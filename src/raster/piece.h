@@ -1,29 +1,30 @@
 /* SPDX-License-Identifier: MIT */
-/* What the files of raster/rows.h share: numbers along a line and down a column.
+/* Internals shared by the files of raster/rows.h: interpolation along a line and down a
+ * column.
  *
- * A share of the way is a Q.31; a part of a difference is the upper word of a product,
- * doubled.  Rows are 16.16, of 2^13 pixels at the most, so that differences stay below
- * 2^31. */
+ * A share of an interval is Q.31.  The part of a difference is the upper word of a
+ * product, doubled.  Rows are 16.16 and at most 2^13 px, so differences stay below 2^31. */
 #ifndef TP_RASTER_PIECE_H
 #define TP_RASTER_PIECE_H
 #include "base/dsp.h"
 #include "raster/rows.h"
 
-#define ROW 65536               /* 16.16 */
+#define ROW 65536               /* a row in 16.16 */
 
-/* The limit of a column that is covered from row `top` down: v <= limit begins above. */
+/* Returns the limit of a column covered from row `top` down; a line with v <= limit
+ * begins above. */
 static inline int32_t limit_of(int32_t top)
 {
     return top * ROW - ROW / 2;
 }
 
-/* The first row whose centre lies at or below v. */
+/* Returns the first row with its centre at or below v. */
 static inline int32_t first_row(int32_t v)
 {
     return (v + (ROW / 2 - 1)) >> 16;
 }
 
-/* q + share of d, Q.31. */
+/* Returns q + share of d, share in Q.31. */
 TP_ALWAYS_INLINE int32_t part(int32_t q, int32_t d, int32_t share)
 {
     return (int32_t)((uint32_t)q + (uint32_t)tp_mul_upper(d, share) * 2);
@@ -34,8 +35,8 @@ TP_ALWAYS_INLINE int32_t difference(int32_t from, int32_t to)
     return (int32_t)((uint32_t)to - (uint32_t)from);
 }
 
-/* Slopes between two, share in Q.31: half of their difference is cut to a bit, and the
- * sum wraps back into 16 bits, as slopes between two others fit. */
+/* Interpolates packed slopes, share in Q.31.  The halved difference loses its lowest bit.
+ * The sum wraps to 16 bits; the result is between two slopes and fits. */
 TP_ALWAYS_INLINE uint32_t slopes_between(uint32_t from, uint32_t to, int32_t share)
 {
     uint32_t half = tp_shsub16(to, from);
@@ -45,8 +46,8 @@ TP_ALWAYS_INLINE uint32_t slopes_between(uint32_t from, uint32_t to, int32_t sha
     return tp_sadd16(from, (x & 0xffff0000u) | (z & 0xffff));
 }
 
-/* A step of both, `per` in Q.30: the low one may carry into the high one, an LSB of
- * 2^-12. */
+/* Returns the step of both slopes, `per` in Q.30.  The low half may carry into the high
+ * half, an error of an LSB, 2^-12. */
 TP_ALWAYS_INLINE uint32_t slopes_step(uint32_t from, uint32_t to, int32_t per)
 {
     uint32_t half = tp_shsub16(to, from);
@@ -55,15 +56,15 @@ TP_ALWAYS_INLINE uint32_t slopes_step(uint32_t from, uint32_t to, int32_t per)
     return ((uint32_t)x << 16) + (uint32_t)((tp_smulwb(per, half) + 4096) >> 13);
 }
 
-/* s and t between two places of different depth stray from straight by a quarter of
- * (ratio - 1) times the length: half a pixel is allowed. */
+/* True if s and t need perspective between two points of different depth.  Linear s and t
+ * deviate by a quarter of (ratio - 1) times the length; half a pixel is allowed. */
 static inline bool is_deep(uint32_t za, uint32_t zb, uint32_t length)
 {
     uint32_t least = za < zb ? za : zb, more = za < zb ? zb - za : za - zb;
     return (uint64_t)(more >> 1) * (length + 1) > least;
 }
 
-/* A pixel of a column, or what is added from row to row. */
+/* A sample of a column, or the step from row to row. */
 typedef struct {
     uint32_t key, s, t, n;
 } sample;
@@ -73,7 +74,8 @@ TP_ALWAYS_INLINE uint32_t key_of(uint32_t zi)
     return (zi << 1 & ~(uint32_t)0xff) | TP_MARK_WATER;
 }
 
-/* The planes lie one behind the other, so one place and their distance tell all four. */
+/* Writes a sample.  The four planes have equal distances, so an address and the distance
+ * give all four. */
 TP_ALWAYS_INLINE void put(uint32_t *at, size_t plane, const sample *p, bool tested)
 {
     if (tested && p->key <= (at[0] | 0xff))
@@ -96,7 +98,7 @@ TP_ALWAYS_INLINE uint32_t *place_in(const tp_samples *tile, int32_t x, int32_t y
          + (uint32_t)(x - tile->x0);
 }
 
-/* What lies below row y of a column is covered. */
+/* Marks a column as covered from row y down. */
 TP_ALWAYS_INLINE void close_column(tp_rows *rows, tp_row_column *column, int32_t y)
 {
     column->limit = limit_of(y);
@@ -106,19 +108,20 @@ TP_ALWAYS_INLINE void close_column(tp_rows *rows, tp_row_column *column, int32_t
     }
 }
 
-/* cover.c: the share of s and t where that of the screen is given. */
+/* cover.c: the share of s and t for a share on the screen. */
 int32_t tp_row_deep_share(int32_t share, uint32_t za, uint32_t zb);
 
-/* A step between true places, n = 1..16 rows or columns apart. */
+/* Returns the step between two exact positions, n = 1..16 rows or columns apart. */
 uint32_t tp_row_step_between(uint32_t from, uint32_t to, int32_t n);
 
-/* Rows [y, end) of column x between two lines, the whole piece beginning at row `top`. */
+/* Fills rows [y, end) of column x between two lines; the whole piece begins at row
+ * `top`. */
 void tp_row_piece(const tp_rows *rows, const tp_row_sample *near,
                   const tp_row_sample *far, int32_t x, int32_t y, int32_t end,
                   int32_t top);
 
-/* Column of a line that rises to its limit and begins anew: the pixel at it if it is
- * `joined`. */
+/* Handles a column where a line rises to its limit and starts anew.  Draws the pixel at
+ * the line if `joined`. */
 void tp_row_start(tp_rows *rows, tp_row_column *column, const tp_row_sample *line,
                   bool joined);
 #endif

@@ -1,10 +1,11 @@
 /* SPDX-License-Identifier: MIT */
-/* Lines of water into samples; see the header for the idea.
+/* Rasterizes lines of water; see the header for the idea.
  *
- * A segment of a line is walked from centre to centre of the columns between its ends.
- * What is linear on the screen (v, zi, slopes) has its own value where a segment begins
- * and at multiples of 16 columns, and a step between.  So have s and t, which are true
- * there to the perspective in segments long and deep enough to show it. */
+ * A segment of a line is walked over the pixel centres of the columns between its ends.
+ * Values linear on the screen (v, zi, slopes) are exact at the start of a segment and at
+ * multiples of 16 columns, with a step between.  The same holds for s and t; in segments
+ * long and deep enough to show perspective, s and t are exact in perspective at these
+ * columns. */
 #include "raster/edge.h"
 #include "raster/piece.h"
 
@@ -51,10 +52,11 @@ typedef struct {
 
 enum { LINE, START, JOINED, SIDE };
 
-/* Of lines nearer to each other the one next to a pixel between is near enough. */
+/* Rows between two lines.  For closer lines a pixel between takes the values of the
+ * nearer line. */
 #define CLOSE (ROW / 2)
 
-/* Of column x the one row that has its centre between two close lines. */
+/* Draws the only row of column x with its centre between two close lines. */
 TP_ALWAYS_INLINE void put_close(const tp_rows *rows, const tp_row_sample *near,
                                 const tp_row_sample *far, int32_t x, int32_t y)
 {
@@ -73,8 +75,8 @@ TP_ALWAYS_INLINE void put_close(const tp_rows *rows, const tp_row_sample *near,
     }
 }
 
-/* A column of a line that rises to its limit: what is seen between the line before and
- * this one, which covers it from now on. */
+/* Handles a column where a line rises to its limit: draws the visible pixels between the
+ * previous line and this line; this line then covers the column. */
 TP_ALWAYS_INLINE void cover(tp_rows *rows, tp_row_column *column,
                             const tp_row_sample *far, int32_t x)
 {
@@ -99,7 +101,7 @@ TP_ALWAYS_INLINE void cover(tp_rows *rows, tp_row_column *column,
     }
 }
 
-/* Columns [x, end), beginning with `now` at x. */
+/* Walks columns [x, end); `now` is the value at column x. */
 TP_ALWAYS_INLINE void walk(tp_rows *rows, const tp_row_sample *now,
                            const tp_row_sample *step, int32_t x, int32_t end, int kind)
 {
@@ -130,10 +132,10 @@ TP_ALWAYS_INLINE void walk(tp_rows *rows, const tp_row_sample *now,
     } while (++x < end);
 }
 
-/* A segment and shares of the way from a to b. */
+/* A segment from a to b, with constants for interpolation. */
 typedef struct {
     const tp_row_point *a, *b;
-    uint32_t inverse;           /* 2^31 over its width, 28.4 */
+    uint32_t inverse;           /* 2^31 / width of the segment, width in 28.4 px */
     int32_t  dv, dz, ds, dt;
     bool     deep;
 } segment;
@@ -153,7 +155,7 @@ static place place_along(const segment *g, int32_t x)
                     (uint32_t)part(g->a->t, g->dt, share) };
 }
 
-/* Steps from column to column, of a segment of more than one. */
+/* Returns the steps from column to column; the segment has more than one column. */
 static tp_row_sample steps_of(const segment *g)
 {
     int32_t per = (int32_t)(g->inverse * 8);
@@ -191,7 +193,7 @@ static void go_along(tp_row_sample *now, const tp_row_sample *step, int32_t colu
     now->n += step->n * n;
 }
 
-/* Columns [x, end) of those from `first` to `stop` that the segment has. */
+/* Walks columns [x, end) of a segment with columns [first, stop). */
 TP_ALWAYS_INLINE void walk_segment(tp_rows *rows, const segment *g, int32_t first,
                                    int32_t stop, int32_t x, int32_t end, int kind)
 {

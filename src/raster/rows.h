@@ -1,71 +1,75 @@
 /* SPDX-License-Identifier: MIT */
-/* Water as a height field, without triangles: lines of its points come near to far, each
- * a polyline on the screen, and every column of pixels remembers how high it is covered.
- * Where a line rises above that, the pixels between are filled with what lies between the
- * line before and this one; where it does not, a nearer crest hides it.  Each pixel is
- * written at most once, and no depth is read but that of solids.
+/* Rasterizes water as a height field, without triangles.  Lines of points are drawn from
+ * near to far.  Each line is a polyline on the screen, and every column of pixels stores
+ * its covered height.  Where a line rises above the covered height, the pixels between
+ * are interpolated between the previous line and this line; elsewhere a nearer crest
+ * hides the line.  Each pixel is written at most once, and only the depth of solids is
+ * read.
  *
- * Everything is linear in absolute x and y between the points of two lines, so how the
- * picture is cut into tiles never shows.
+ * All values are linear in absolute x and y between the points of two lines, so tile
+ * borders are not visible.
  *
- * It holds while points of a line come left to right and lines stay ordered along every
- * ray: see frame/visibility.c for the border. */
+ * The method is valid if the points of a line go from left to right and the lines are
+ * ordered along every ray; frame/visibility.c has the conditions. */
 #ifndef TP_RASTER_ROWS_H
 #define TP_RASTER_ROWS_H
 #include "raster/raster.h"
 
-/* A point of a line, projected. */
+/* A projected point of a line. */
 typedef struct {
-    int32_t  u, v;              /* 28.4, anywhere in the guard band */
-    uint32_t zi;                /* Q1.31 */
-    int32_t  s, t;              /* rest place, 16.16 m */
+    int32_t  u, v;              /* 28.4 px, anywhere in the guard band */
+    uint32_t zi;                /* near / depth, Q1.31 */
+    int32_t  s, t;              /* rest position, 16.16 m */
     uint32_t n;                 /* slopes x:z, Q3.12 each */
 } tp_row_point;
 
 /* A line at a column of pixels. */
 typedef struct {
-    int32_t  v;                 /* 16.16 rows, or TP_ROW_NONE */
+    int32_t  v;                 /* row, 16.16 px, or TP_ROW_NONE */
     uint32_t zi;
     int32_t  s, t;
     uint32_t n;
 } tp_row_sample;
 
-/* What a column remembers: how high it is covered, and the last line there. */
+/* State of a column: covered height and last line. */
 typedef struct {
-    int32_t  limit;             /* what rises to it covers more: 16.16 rows */
+    int32_t  limit;             /* row, 16.16 px; lines at or above this row are visible */
     tp_row_sample line;
 } tp_row_column;
 
-#define TP_ROW_NONE (-(1 << 30))  /* below all lines by less than 2^31 */
+#define TP_ROW_NONE (-(1 << 30))  /* below all lines, by less than 2^31 */
 
 typedef struct {
     const tp_samples *tile;
-    tp_row_column    *column;   /* one for each of the tile's columns */
-    int32_t x0, x1;             /* columns that lines are walked in, x1 not included */
-    int32_t open;               /* of all: not covered up to the tile's upper edge */
-    bool    solid;              /* something else is drawn in the tile already */
+    tp_row_column    *column;   /* a state for each column of the tile */
+    int32_t x0, x1;             /* columns to walk, x1 not included */
+    int32_t open;               /* columns of the tile not yet covered to its upper edge */
+    bool    solid;              /* true if the tile already has other samples */
 } tp_rows;
 
-size_t tp_rows_bytes(uint32_t columns);         /* of what they remember */
+size_t tp_rows_bytes(uint32_t columns);         /* Returns the memory for the columns'
+                                                 * states, bytes. */
 
-/* Begins a tile; `memory` is tp_rows_bytes(x1 - x0), aligned to 4.  `solid`: samples may
- * be in it already.  Of lines below the tile the last is enough, and only in columns where
- * the next is not: set x0 and x1. */
+/* Begins a tile.  `memory`: tp_rows_bytes(x1 - x0) bytes, aligned to 4.  `solid`: the
+ * tile may already have samples.  Of the lines below the tile only the last is needed,
+ * and only in columns where the next line is not below: limit x0 and x1 accordingly. */
 void tp_rows_begin(tp_rows *rows, const tp_samples *tile, void *memory, bool solid);
 
-/* The next line, farther than the last: u grows from point to point, what does not is
- * left out.  Between the last line and this one is water; the first begins it. */
+/* Draws the next line, farther than the previous line, with water between both; the first
+ * line starts the water. u must increase from point to point; points that break the order
+ * are skipped. */
 void tp_rows_line(tp_rows *rows, const tp_row_point *point, uint32_t count);
 
-/* The same behind a gap: nothing is drawn between the last line and this one, nor is what
- * lies behind seen there.  `joined`: before it lie triangles.  Which of two pixels an edge
- * goes between they tell in another way, so the pixel at the line is drawn once more. */
+/* Same, for a line behind a gap: nothing is drawn between the previous line and this
+ * line, and the gap hides everything behind.  `joined`: triangles lie in front of the
+ * line.  Triangles assign pixels at an edge by another rule, so the pixel at the line is
+ * drawn again. */
 void tp_rows_start(tp_rows *rows, const tp_row_point *point, uint32_t count, bool joined);
 
-/* Where the next line reaches farther to a side than the last: the side's edge, from left
- * to right, stands for the last line there. */
+/* Used before a line that reaches farther to a side than the previous line: the edge of
+ * the side, from left to right, replaces the previous line there. */
 void tp_rows_side(tp_rows *rows, const tp_row_point *left, const tp_row_point *right);
 
-/* No line was there between two places: what comes next begins anew. */
+/* Marks columns without a line between two u positions; the next line starts anew there. */
 void tp_rows_gap(tp_rows *rows, int32_t left_28_4, int32_t right_28_4);
 #endif

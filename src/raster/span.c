@@ -1,17 +1,16 @@
 /* SPDX-License-Identifier: MIT */
-/* Rows of a triangle into samples.
+/* Rasterizes the rows of a triangle into samples.
  *
- * The fill loop is written once and made three times: for water, whose s and t are 32-bit
- * places and whose normal is a pair of slopes, for solids, and for lids, which are depth
- * and nothing else.  s and t are affine in
- * small triangles; in large ones they are exact every TP_SPAN_STEP pixels (at multiples
- * of it and at the row's own ends) and linear between. */
+ * The fill loop is written once and compiled three times: for water, with 32-bit
+ * positions s and t and a pair of slopes as normal; for solids; and for lids, with depth
+ * only. s and t are affine in small triangles. In large triangles s and t are exact every
+ * TP_SPAN_STEP pixels (at multiples and at the ends of the row) and linear between. */
 #include "raster/step.h"
 #include "raster/tri.h"
 
 enum { WATER, SOLID, LID };
 
-/* A quantity along a row: its 32 bits may wrap, as phases do. */
+/* A quantity along a row; its 32 bits may wrap, like phases. */
 typedef struct {
     uint32_t now, step;
 } walker;
@@ -21,12 +20,13 @@ typedef struct {
     int32_t   count;
     uint32_t  mark;
     walker    zi, s, t, n0, n1, n2;
-    uint32_t  face;             /* solids */
-    uint32_t  pattern;          /* solids: bit x & 3 says whether a pixel is drawn */
+    uint32_t  face;             /* solids only */
+    uint32_t  pattern;          /* solids: bit x & 3 set: the pixel is drawn */
     int32_t   x;
 } span;
 
-/* Normals walk in the high bits of a word: 16 bits of a slope, 10 of a solid's normal. */
+/* Normals are stepped in the high bits of a word: 16 bits for a slope, 10 for a solid's
+ * normal. */
 #define SLOPE_SHIFT  16
 #define NORMAL_SHIFT 22
 
@@ -37,7 +37,7 @@ TP_ALWAYS_INLINE uint32_t packed(const span *sp, int kind)
     return (sp->n0.now & 0xffff0000u) | sp->n1.now >> 16;
 }
 
-/* A lid comes nearer than what is there and leaves it what it is. */
+/* A lid writes depth only; the sample keeps its stencil. */
 TP_ALWAYS_INLINE void fill_lid(const span *sp)
 {
     uint32_t zi = sp->zi.now, *key = sp->key;
@@ -79,8 +79,8 @@ TP_ALWAYS_INLINE void fill(span *sp, int kind)
 
 /* -- perspective --------------------------------------------------------------------- */
 
-/* w = zi and s w, t w, all with PLUS more fraction bits; zi is scaled so that the
- * nearest corner's has 29 bits.  s and t count from the first corner's. */
+/* w = zi, s w and t w have PLUS additional fraction bits. zi is scaled to 29 bits at the
+ * nearest vertex. s and t are relative to the first vertex. */
 #define PLUS 8
 
 typedef struct {
@@ -120,8 +120,9 @@ static int64_t value_at(const tp_gradient *g, int32_t dx, int32_t dy)
     return g->base + g->dx * dx + g->dy * dy;
 }
 
-/* s = sw / w in 16.16: w = n / 2^29, 1/n = r 2^shift / 2^63, and sw has PLUS more bits,
- * so s = sw r 2^(shift - 42).  |sw| < 2^39 and r < 2^33: halved, to stay in 64 bits. */
+/* Returns s = sw / w in 16.16.  With w = n / 2^29, 1/n = r 2^shift / 2^63 and PLUS more
+ * bits in sw, s = sw r 2^(shift - 42). |sw| < 2^39 and r < 2^33; the product is split
+ * into halves to stay within 64 bits. */
 static uint32_t divided(int64_t sw, uint32_t r, int shift)
 {
     int64_t q = (sw >> 16) * (int64_t)r
@@ -138,7 +139,7 @@ static place place_at(const perspective *p, const tp_tri *tri, int32_t x, int32_
 {
     int32_t dx = x - tri->x_ref, dy = y - tri->y_ref;
     int64_t w = value_at(&p->w, dx, dy) >> PLUS;
-    uint32_t n = w < 1 ? 1 : (uint32_t)w;       /* rounding may take a far w to 0 */
+    uint32_t n = w < 1 ? 1 : (uint32_t)w;       /* rounding may give 0 for a far w */
     int      shift = tp_clz(n);
     uint32_t r = tp_recip_norm(n << shift);
 
@@ -157,19 +158,19 @@ static uint32_t step_between(uint32_t from, uint32_t to, int32_t n)
 
 typedef struct {
     const tp_tri *tri;
-    tp_gradient zi, s, t, n0, n1, n2;   /* s, t of affine triangles */
+    tp_gradient zi, s, t, n0, n1, n2;   /* s, t: for affine triangles */
     perspective persp;
     uint32_t mark, face, pattern_rows;
 } painter;
 
-/* At dx, dy from the triangle's own pixel, modulo 2^32. */
+/* Returns the value at (dx, dy) from the triangle's reference pixel, modulo 2^32. */
 TP_ALWAYS_INLINE walker walker_at(const tp_gradient *g, uint32_t dx, uint32_t dy)
 {
     uint32_t step = (uint32_t)g->dx;
     return (walker){ (uint32_t)g->base + step * dx + (uint32_t)g->dy * dy, step };
 }
 
-/* Pixels [x, end) of a span that stands at x; moves on past them. */
+/* Fills pixels [x, end) of a span at x and moves the span past them. */
 TP_ALWAYS_INLINE void fill_to(span *sp, int32_t x, int32_t end, int kind)
 {
     sp->x = x;
@@ -181,7 +182,7 @@ TP_ALWAYS_INLINE void fill_to(span *sp, int32_t x, int32_t end, int kind)
     sp->n_out += sp->count;
 }
 
-/* Row y is covered from `left` to `right`; the tile wants [x, end) of it. */
+/* Fills pixels [x, end) of row y; the triangle covers the row from `left` to `right`. */
 TP_ALWAYS_INLINE void fill_perspective(const painter *p, span *sp, int32_t y,
                                        int32_t left, int32_t right, int32_t x,
                                        int32_t end, int kind)
@@ -205,7 +206,7 @@ TP_ALWAYS_INLINE void fill_perspective(const painter *p, span *sp, int32_t y,
     }
 }
 
-/* One row, from `left` to `right`, as far as the tile wants it. */
+/* Fills a row from `left` to `right`, clipped to the tile. */
 TP_ALWAYS_INLINE void row(const painter *p, const tp_samples *tile, int32_t y,
                           int32_t left, int32_t right, int kind, int exact)
 {
@@ -238,7 +239,7 @@ TP_ALWAYS_INLINE void row(const painter *p, const tp_samples *tile, int32_t y,
     }
 }
 
-/* All rows of a triangle; the flags are literal. */
+/* Fills all rows of a triangle; the flags are literals. */
 TP_ALWAYS_INLINE void rows(const painter *p, const tp_samples *tile, int kind,
                            int exact)
 {
@@ -304,7 +305,7 @@ void tp_tri_water(const tp_samples *tile, const tp_corner *a, const tp_corner *b
         rows(&p, tile, WATER, 0);
 }
 
-/* Rows of the 4x4 ordered pattern that lets `opacity` of 16 pixels through. */
+/* Returns the rows of a 4x4 ordered pattern with `opacity` of 16 bits set. */
 static uint32_t pattern_of(int opacity)
 {
     static const uint8_t order[16] = { 0, 8, 2, 10, 12, 4, 14, 6,

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* How far apart the places of a row are that are true to the perspective: between them s
- * and t go straight.  A power of two up to 32, or 0: s and t are affine in all triangles.
- * The charts compare them; pictures depend on it. */
+/* Distance in px between perspective-exact s and t along a row; between exact positions s
+ * and t are linear.  A power of two up to 32, or 0: s and t are affine in all triangles.
+ * The charts compare the values; pictures depend on the choice. */
 #ifndef TP_RASTER_STEP_H
 #define TP_RASTER_STEP_H
 #include <stdint.h>
@@ -12,7 +12,7 @@
 _Static_assert(TP_SPAN_STEP >= 0 && TP_SPAN_STEP <= 32
                && (TP_SPAN_STEP & (TP_SPAN_STEP - 1)) == 0, "a power of two, or 0");
 
-/* 65536 / n for the pixels between two true places. */
+/* 65536 / n, n: pixels between two exact positions. */
 #if TP_SPAN_STEP > 16
 static const uint32_t tp_span_over[33] = {
     0, 65536, 32768, 21845, 16384, 13107, 10923, 9362, 8192, 7282, 6554, 5958, 5461, 5041,

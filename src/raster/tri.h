@@ -1,36 +1,36 @@
 /* SPDX-License-Identifier: MIT */
-/* A triangle set up for its rows: rejection, sorting, edges, and a plane for each
- * quantity.  In line, as small triangles spend half their time here.
+/* Triangle set-up: rejection, sorting, edges, and a plane for each quantity.  The code is
+ * inline, because small triangles spend half of their time here.
  *
- * Bits: corners lie within 8192 + 2048 pixels, so differences have 19 bits in 28.4, the
- * area 2^38, a difference of 32 bits times one of 19 twice 2^52. */
+ * Bits: vertices lie within 8192 + 2048 px.  Differences have 19 bits in 28.4, the area
+ * 2^38; a 32-bit difference times a 19-bit difference, twice, is below 2^52. */
 #ifndef TP_RASTER_TRI_H
 #define TP_RASTER_TRI_H
 #include "raster/edge.h"
 #include "raster/raster.h"
 
-/* Sorted by rows, with what all planes share. */
+/* A triangle with vertices sorted by row, and the constants shared by all planes. */
 typedef struct {
-    const tp_corner *a, *b, *c; /* v ascending */
-    int32_t  top, bottom;       /* rows, already cut to the tile */
-    int32_t  middle;            /* row from which the lower short edge holds */
+    const tp_corner *a, *b, *c; /* vertices, v ascending */
+    int32_t  top, bottom;       /* rows, clipped to the tile */
+    int32_t  middle;            /* first row of the lower short edge */
     bool     long_left;
     tp_edge  length, upper, lower;
-    int32_t  x_ref, y_ref;      /* pixel of corner a: planes count from here */
-    int32_t  off_u, off_v;      /* from the corner to that pixel's centre, 28.4 */
-    int32_t  cx1, cx2, cy1, cy2;/* a gradient is (d1 cx1 + d2 cx2) / 2^shift, ... */
+    int32_t  x_ref, y_ref;      /* pixel of vertex a, the origin of all planes */
+    int32_t  off_u, off_v;      /* from the vertex to that pixel's centre, 28.4 */
+    int32_t  cx1, cx2, cy1, cy2;/* gradient: (d1 cx1 + d2 cx2) / 2^shift, likewise cy */
     int      shift;
-    bool     perspective;       /* s and t need it; else affine is within 1/4 pixel */
+    bool     perspective;       /* true if affine s, t err by more than 1/4 px */
 } tp_tri;
 
-/* value(x, y) = base + dx (x - x_ref) + dy (y - y_ref) at pixel centres. */
+/* A plane: value(x, y) = base + dx (x - x_ref) + dy (y - y_ref) at pixel centres. */
 typedef struct {
     int64_t base, dx, dy;
 } tp_gradient;
 
-/* Of a quantity with these values at the three sorted corners; `bits` more fraction
- * bits come out than went in.  Differences up to 2^32, bits <= 12.
- * Each product has 33 + 29 bits, their sum 63. */
+/* Returns the plane of a quantity with these values at the three sorted vertices.  The
+ * result has `bits` more fraction bits than the input.  Differences are up to 2^32 and
+ * bits <= 12.  Each product has 33 + 29 bits, their sum 63. */
 TP_ALWAYS_INLINE tp_gradient tp_tri_gradient(const tp_tri *tri, int64_t at_a,
                                              int64_t at_b, int64_t at_c, int bits)
 {
@@ -41,7 +41,7 @@ TP_ALWAYS_INLINE tp_gradient tp_tri_gradient(const tp_tri *tri, int64_t at_a,
     if (shift >= 0) {
         g.dx >>= shift;
         g.dy >>= shift;
-    } else {                    /* slivers below 1/32 of a square pixel */
+    } else {                    /* slivers below 1/32 of a square px */
         g.dx = (int64_t)((uint64_t)g.dx << -shift);
         g.dy = (int64_t)((uint64_t)g.dy << -shift);
     }
@@ -50,8 +50,8 @@ TP_ALWAYS_INLINE tp_gradient tp_tri_gradient(const tp_tri *tri, int64_t at_a,
     return g;
 }
 
-/* Within the guard band, whose centre lies up to half a picture from the corner, and a
- * pixel more for what projection rounds. */
+/* True if a vertex is inside the guard band.  The centre of the band is up to half a
+ * picture from the corner; another pixel allows for rounding in the projection. */
 static inline bool tp_corner_fits(const tp_corner *c)
 {
     const int32_t most = 16 * ((1 << TP_GUARD_LOG2) + 2048 + 1);
@@ -71,7 +71,8 @@ TP_ALWAYS_INLINE bool misses(const tp_samples *tile, const tp_corner *a,
     return first >= end || first >= tile->x1 || end <= tile->x0;
 }
 
-/* True: the order was turned round, so the area's sign is. */
+/* Sorts the vertices by row.  True: the order was reversed, so the sign of the area is
+ * too. */
 TP_ALWAYS_INLINE bool sort(tp_tri *tri, const tp_corner *a, const tp_corner *b,
                            const tp_corner *c)
 {
@@ -107,14 +108,14 @@ TP_ALWAYS_INLINE int32_t larger(int32_t a, int32_t b)
     return a > b ? a : b;
 }
 
-/* dx of a quantity is 16 (d1 dv2 - d2 dv1) / area per pixel, dy likewise with du.  The
- * four factors dv r / 2^k are kept with 28 or 29 bits in the largest; with
- * 1/area = r 2^(lz - 95), a gradient is their sum of products / 2^(91 - lz - k).
+/* dx of a quantity is 16 (d1 dv2 - d2 dv1) / area per px; dy likewise with du.  The four
+ * factors dv r / 2^k keep 28 or 29 bits in the largest factor.  With 1/area = r 2^(lz -
+ * 95), a gradient is their sum of products / 2^(91 - lz - k).
  *
- * Each factor is off by 2^-27 of the largest, so at the triangle's other end a value is
- * off by up to 5 x 2^-27 of its range times length / thickness.  Slivers thinner than
- * 1/65536 of their length take all values from their upper corner: extrapolating a depth from
- * them could put it in front of everything. */
+ * Each factor has an error of 2^-27 of the largest factor, so at the other end of the
+ * triangle a value has an error of up to 5 x 2^-27 of its range times length / thickness.
+ * Slivers thinner than 1/65536 of their length take all values from their upper vertex:
+ * an extrapolated depth could put a sliver in front of everything. */
 TP_ALWAYS_INLINE void set_factors(tp_tri *tri, int64_t area)
 {
     const tp_corner *a = tri->a, *b = tri->b, *c = tri->c;
@@ -138,8 +139,8 @@ TP_ALWAYS_INLINE void set_factors(tp_tri *tri, int64_t area)
     tri->shift = 91 - lz - k;
 }
 
-/* Affine s,t stray from the true ones by about a quarter of (depth ratio - 1) times the
- * triangle's extent: allowed up to a quarter of a pixel. */
+/* True if s and t need perspective.  Affine s and t deviate by about a quarter of (depth
+ * ratio - 1) times the triangle's extent; a quarter of a pixel is allowed. */
 TP_ALWAYS_INLINE bool needs_perspective(const tp_tri *tri, int32_t width)
 {
     uint32_t za = tri->a->zi, zb = tri->b->zi, zc = tri->c->zi;
@@ -152,7 +153,7 @@ TP_ALWAYS_INLINE bool needs_perspective(const tp_tri *tri, int32_t width)
     return (uint64_t)(high - low) * (extent + 1) > low;
 }
 
-/* False: no pixel centre of the tile can be inside. */
+/* Sets up a triangle. False: no pixel centre of the tile can be inside. */
 TP_ALWAYS_INLINE bool tp_tri_begin(tp_tri *tri, const tp_samples *tile,
                                    const tp_corner *a, const tp_corner *b,
                                    const tp_corner *c)
@@ -173,7 +174,7 @@ TP_ALWAYS_INLINE bool tp_tri_begin(tp_tri *tri, const tp_samples *tile,
     if (area == 0 || (tile->front_only && (area > 0) != odd))
         return false;
     set_factors(tri, area);
-    tri->long_left = area > 0;          /* then b lies right of the long edge */
+    tri->long_left = area > 0;          /* b is right of the long edge */
     tri->middle = tp_first_centre(b->v);
     tri->length = tp_edge_of(a->u, a->v, c->u, c->v);
     if (b->v > a->v)
