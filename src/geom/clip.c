@@ -91,8 +91,7 @@ int tp_clip_triangle_at(const tp_lens *lens, const tp_view_plane *plane,
     int count = clip_side(&of, in, 3, other, SIDE_NEAR);        /* <= 4 vertices */
 
     if (plane) {
-        count = clip_side(&of, other, count, out, SIDE_PLANE);  /* each side adds at most
-                                                                 * one vertex */
+        count = clip_side(&of, other, count, out, SIDE_PLANE);  /* adds <= 1 vertex */
         for (int i = 0; i < count; i++)
             other[i] = out[i];
     }

@@ -38,8 +38,7 @@ typedef struct {
     tp_vec3 eye;
     tp_dir3 right, up;          /* rows, scaled by focal / 2^m */
     tp_dir3 ahead;
-    tp_q30  lean;               /* right.y: shift to the right per height of water; 0
-                                 * without roll */
+    tp_q30  lean;               /* right.y: shift to the right per height; 0 without roll */
     tp_rotation turn;           /* unscaled rows: right, up, backward */
     tp_fx   focal;              /* focal length, px, 16.16 */
     int     m;
@@ -67,8 +66,8 @@ TP_ALWAYS_INLINE int32_t tp_lens_along(tp_vec3 d, tp_dir3 axis)
     return (int32_t)(way > most ? most : way < -most ? -most : way);
 }
 
-/* Transforms a world point to scaled view coordinates; does not write s, t and n. |p -
- * eye| < 32768 m along each world axis. */
+/* Transforms a world point to scaled view coordinates; does not write s, t and n.
+ * |p - eye| < 32768 m along each world axis. */
 TP_ALWAYS_INLINE void tp_lens_view(const tp_lens *lens, tp_vec3 p, tp_view_corner *c)
 {
     tp_vec3 d = tp_vec3_sub(p, lens->eye);
@@ -115,8 +114,8 @@ TP_ALWAYS_INLINE int32_t tp_recip_rough(uint32_t n)
 
 /* Same as tp_recip_rough, but within 2^-28.9 and below 2^31.  The error e of the first
  * step is below 2^15, so e is kept with 8 more bits, and the 1 of n r, now 2^38, is
- * shifted out of the word. ~ instead of - keeps the rounded-down product below the exact
- * value. */
+ * shifted out of the word.  The operator ~ instead of - keeps the rounded-down product
+ * below the exact value. */
 TP_ALWAYS_INLINE int32_t tp_recip_fine(uint32_t n)
 {
     int32_t  r = tp_recip_rough(n);
@@ -134,8 +133,8 @@ TP_ALWAYS_INLINE int32_t tp_lens_scaled(int32_t x, int32_t r, int down, bool far
 }
 
 /* Projects view coordinates inside the lens (tp_lens_holds).  `far`: depth >= 2^(6 + m).
- * r is 2^62 / (depth x 2^shift); near >= 1/20 m and m <= 13, so down >= -7. zi_near <=
- * depth, so the shift of zi_near loses no bits. */
+ * r is 2^62 / (depth x 2^shift); near >= 1/20 m and m <= 13, so down >= -7.  The shift of
+ * zi_near loses no bits, because zi_near <= depth. */
 TP_ALWAYS_INLINE void tp_lens_project_as(const tp_lens *lens, int32_t x, int32_t y,
                                          int32_t depth, bool far, int32_t *u, int32_t *v,
                                          uint32_t *zi)
@@ -193,8 +192,8 @@ int tp_clip_triangle_at(const tp_lens *lens, const tp_view_plane *plane,
  * because only the power of two in the view coordinates is halved. */
 tp_lens tp_lens_halved(const tp_lens *lens);
 
-/* A side of the view frustum as a half-space: a point p (world, m) is inside if n . p + d
- * >= 0. */
+/* A side of the view frustum as a half-space: a point p (world, m) is inside if
+ * n . p + d >= 0. */
 typedef struct {
     tp_dir3 n;
     tp_fx   d;

@@ -38,8 +38,7 @@ typedef struct {
 
 typedef struct {
     uint32_t cols, rows;        /* number of lines; cells are one fewer */
-    uint32_t most_cols, most_rows;      /* before level of detail removes lines, see
-                                         * lod.h */
+    uint32_t most_cols, most_rows;      /* number of lines without level of detail */
     uint32_t blocks;            /* blocks in a row of cells */
     tp_grid_line   *column, *row;
     tp_grid_vertex *vertex;     /* rows x cols; NULL if the grid is streamed */
@@ -75,8 +74,7 @@ typedef struct {
     uint32_t width, height;     /* size of the picture, px */
     tp_fx cell, reach;
     bool  follow;
-    bool  lod;                  /* true: level of detail may remove lines (plain swells
-                                 * only) */
+    bool  lod;                  /* true: level of detail is allowed (plain swells) */
 } tp_grid_view;
 
 static inline bool tp_grid_is_dry(const tp_grid *grid, uint32_t i, uint32_t j)
@@ -121,8 +119,8 @@ void tp_grid_place_row(tp_grid *grid, uint32_t j);
 #define TP_GRID_WINDOW(cols) (2 * (size_t)(cols) * sizeof(tp_grid_vertex))
 tp_grid_window tp_grid_window_over(void *memory);
 
-/* Makes vertices first to end - 1 of row j available in the window.  They replace row j -
- * 2 or j + 2, and extend vertices of row j already in the window. */
+/* Makes vertices first to end - 1 of row j available in the window.  They replace row
+ * j - 2 or j + 2, and extend vertices of row j already in the window. */
 void tp_grid_see(const tp_grid *grid, tp_grid_window *window, uint32_t j, uint32_t first,
                  uint32_t end);
 

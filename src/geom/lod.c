@@ -54,8 +54,7 @@ static tp_fx widest_of(const tp_lens *lens, tp_dir3 heading, int64_t *down)
  * rate is the maximum. */
 static int32_t rate_of(const tp_lens *lens, tp_fx wide, tp_q30 cosine, tp_q30 sine)
 {
-    int64_t share = cosine + ((int64_t)tp_abs(sine) * wide >> 16);     /* cos + sin tan,
-                                                                        * Q.30 */
+    int64_t share = cosine + ((int64_t)tp_abs(sine) * wide >> 16);     /* Q.30 */
     int64_t most = (int64_t)1 << 24;
 
     if (wide == 0 || share <= 0)

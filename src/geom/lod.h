@@ -22,8 +22,8 @@
 typedef struct tp_thinning {
     tp_fx   eye, cell;
     tp_fx   least;              /* smallest step anywhere, m */
-    int32_t rate[2];            /* step per distance, Q.24: below the eye's coordinate,
-                                 * above */
+    int32_t rate[2];            /* step per distance, Q.24: on the lower side, on the
+                                 * higher */
 } tp_thinning;
 
 /* Returns the allowed distance of lines at a position, m. */

@@ -12,8 +12,7 @@
 
 #define STEPS 12
 #define CLOSE 4         /* LSB of 16.16, 0.06 mm */
-#define REACH TP_FX(511)/* m; above 0.95 x 2000 m / 2 pi = 303 m, the maximum without
-                         * overhangs */
+#define REACH TP_FX(511)/* m; the most without overhangs is 0.95 x 2000 / 2 pi = 303 */
 #define MIX   (4 * 256) /* largest part of a step taken back or repeated, Q8 */
 
 static void add(tp_relief *sum, tp_relief more)

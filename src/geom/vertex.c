@@ -146,8 +146,9 @@ static inline int32_t larger(int32_t a, int32_t b)
     return a > b ? a : b;
 }
 
-/* True if the whole run is inside the lens and far away: both undisplaced ends are, by
- * more than any displacement.  Between the ends, positions change in a single direction. */
+/* True if the whole run is inside the lens and far away.  Both undisplaced ends of the
+ * run must be, with a margin above any displacement.  Between the ends, positions change
+ * in a single direction. */
 static bool is_far(const tp_vertex_place_of *place)
 {
     const tp_vertex_frame *frame = place->frame;

@@ -4,8 +4,8 @@
  * instruction.
  *
  * The phase of a swell at a vertex is a + b, with a from the column and b from the row.
- * View coordinates, slopes and Jacobian of a vertex are sums over swells of C cos(a + b)
- * + S sin(a + b), with C and S constant in a frame, that is
+ * View coordinates, slopes and Jacobian of a vertex are sums over swells of
+ * C cos(a + b) + S sin(a + b), with C and S constant in a frame.  Each term is
  *     sin a (S cos b - C sin b) + cos a (C cos b + S sin b):
  * two products per swell, of two numbers of the row with sine and cosine of the column.
  * The value of a vertex therefore depends on its column and row only, not on the start of
@@ -55,14 +55,14 @@ struct tp_thinning;                     /* defined in geom/lod.h */
 typedef struct {
     const tp_lens    *lens;
     const tp_surface *surface;
-    const struct tp_thinning *lod;      /* for columns and rows; NULL: equal lines */
+    const struct tp_thinning *lod;      /* for columns and rows; NULL: all lines are kept */
     tp_vertex_swell   swell[TP_WAVES];
     uint32_t most;                      /* swells that the columns have memory for */
     uint32_t count;                     /* number of swells */
     int      tilt;                      /* fraction bits of slopes, 9..19 */
     tp_fx    reach;                     /* largest displacement of a vertex, m */
     int32_t  margin;                    /* the same in view coordinates */
-    int32_t  far;                       /* depth for the fast projection */
+    int32_t  far;                       /* smallest depth for the fast projection */
     bool     wide;                      /* true if view coordinates may exceed 16.16 */
 } tp_vertex_frame;
 

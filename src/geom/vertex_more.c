@@ -6,8 +6,9 @@
 
 /* -- sharpened swells ------------------------------------------------------------------ */
 
-/* Sums over all swells in 64 bits: positions per cosine Q.50 and per f Q.44, h Q.(38 +
- * tilt), bends Q.59.  By the bounds of a sea the sums have 59, 53, 54 and 60 bits. */
+/* Sums over all swells in 64 bits: positions per cosine Q.50 and per f Q.44, h
+ * Q.(38 + tilt), bends Q.59.  By the bounds of a sea the sums have 59, 53, 54 and 60
+ * bits. */
 typedef struct {
     int64_t along[3], rise[2];          /* along: x, y, depth; rise: y, depth */
     int64_t hx, hz, bxx, bxz, bzz;

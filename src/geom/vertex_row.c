@@ -135,8 +135,8 @@ void tp_vertex_set_swells(tp_vertex_frame *frame)
 
 /* -- phases ---------------------------------------------------------------------------- */
 
-/* Starts at the nearest of 1024 angles with an exact sine and adds the rest d <= 2 pi /
- * 2048:
+/* Starts at the nearest of 1024 angles with an exact sine and adds the rest
+ * d <= 2 pi / 2048:
  *     sin(a + d) = sin a + d cos a - d^2/2 sin a,  less d^3/6 < 5e-9.
  * d is Q.38 and below 2^30, d^2/2 is Q.45. */
 tp_vertex_turn tp_vertex_turn_of(tp_turn angle)

@@ -7,8 +7,7 @@
  * upper end, independent of the tile. */
 #include "raster/piece.h"
 
-#define FEW  2                  /* up to this number of rows, each row is computed on its
-                                 * own */
+#define FEW  2                  /* rows up to this number are computed one by one */
 #define DEEP 4                  /* from this number of rows on, perspective is tested */
 
 /* Returns the share for s and t, from a share on the screen: share zb / z. share zb is at
@@ -73,8 +72,7 @@ static __attribute__((noinline)) void fill_tested(const tp_samples *tile, int32_
 typedef struct {
     const tp_row_sample *far, *near;
     uint32_t inverse;           /* 2^31 / rows between the lines, rows in Q8 */
-    int32_t  up;                /* share per row upwards, negative, Q.30; needs more than
-                                 * a row */
+    int32_t  up;                /* share per row upwards, negative, Q.30; if rows > 1 */
 } between;
 
 TP_ALWAYS_INLINE between between_of(const tp_row_sample *far, const tp_row_sample *near)

@@ -120,8 +120,8 @@ void tp_row_piece(const tp_rows *rows, const tp_row_sample *near,
                   const tp_row_sample *far, int32_t x, int32_t y, int32_t end,
                   int32_t top);
 
-/* Handles a column where a line rises to its limit and starts anew.  Draws the pixel at
- * the line if `joined`. */
+/* Handles a column where a line behind a gap rises to the column's limit: the column
+ * starts anew.  Draws the pixel at the line if `joined`. */
 void tp_row_start(tp_rows *rows, tp_row_column *column, const tp_row_sample *line,
                   bool joined);
 #endif

@@ -47,9 +47,9 @@ void tp_tri_water(const tp_samples *tile, const tp_corner *a, const tp_corner *b
 void tp_tri_solid(const tp_samples *tile, const tp_corner *a, const tp_corner *b,
                   const tp_corner *c, uint32_t mark, uint32_t face, int opacity);
 
-/* Draws a lid, after the solids.  A lid writes depth only: a sample behind the lid gets
- * the lid's depth and keeps its stencil.  Water behind the lid is then hidden, and water
- * in front of the lid is drawn. */
+/* Draws a lid, after the solids.  A lid writes depth only: a solid sample behind the lid
+ * gets the lid's depth and keeps its stencil.  Water behind the lid is then hidden, and
+ * water in front of the lid is drawn. */
 void tp_tri_lid(const tp_samples *tile, const tp_corner *a, const tp_corner *b,
                 const tp_corner *c);
 

@@ -47,8 +47,7 @@ typedef struct {
     bool    solid;              /* true if the tile already has other samples */
 } tp_rows;
 
-size_t tp_rows_bytes(uint32_t columns);         /* Returns the memory for the columns'
-                                                 * states, bytes. */
+size_t tp_rows_bytes(uint32_t columns);         /* size of the columns' states */
 
 /* Begins a tile.  `memory`: tp_rows_bytes(x1 - x0) bytes, aligned to 4.  `solid`: the
  * tile may already have samples.  Of the lines below the tile only the last is needed,

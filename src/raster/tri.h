@@ -109,8 +109,8 @@ TP_ALWAYS_INLINE int32_t larger(int32_t a, int32_t b)
 }
 
 /* dx of a quantity is 16 (d1 dv2 - d2 dv1) / area per px; dy likewise with du.  The four
- * factors dv r / 2^k keep 28 or 29 bits in the largest factor.  With 1/area = r 2^(lz -
- * 95), a gradient is their sum of products / 2^(91 - lz - k).
+ * factors dv r / 2^k keep 28 or 29 bits in the largest factor.  With
+ * 1/area = r 2^(lz - 95), a gradient is their sum of products / 2^(91 - lz - k).
  *
  * Each factor has an error of 2^-27 of the largest factor, so at the other end of the
  * triangle a value has an error of up to 5 x 2^-27 of its range times length / thickness.

@@ -39,6 +39,5 @@ void tp_clock_next(tp_clock *clock);
 
 tp_fx    tp_clock_scale(const tp_clock *clock);     /* s, rounded */
 uint64_t tp_clock_ticks(const tp_clock *clock);     /* whole ticks so far */
-tp_fx    tp_clock_fraction(const tp_clock *clock);  /* fraction of the next tick, 0 <= f <
-                                                     * 1 */
+tp_fx    tp_clock_fraction(const tp_clock *clock);  /* rest of a tick, 0 <= f < 1 */
 #endif

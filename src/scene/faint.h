@@ -4,8 +4,7 @@
 #define TP_SCENE_FAINT_H
 #include "wave/wave.h"
 
-#define TP_FAINT_SHARE 4        /* wave culling may use 1/TP_FAINT_SHARE of the error
-                                 * budget */
+#define TP_FAINT_SHARE 4        /* part of the error budget for wave culling, 1/4 */
 
 /* Visibility thresholds of a wave: `px` for its height at the nearest water in pixels,
  * `slope` for its slope.  The other fields convert a height from metres to pixels. */

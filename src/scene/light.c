@@ -94,8 +94,7 @@ static bool within(int64_t x, int64_t low, int64_t high)
 
 bool tp_light_is_valid(const tp_world *world)
 {
-    const tp_fx least = TP_FX_ONE / 8, most = 8 * TP_FX_ONE;    /* range of the exposure
-                                                                 * [F8] */
+    const tp_fx least = TP_FX_ONE / 8, most = 8 * TP_FX_ONE;    /* [F8]: exposure range */
 
     return within(world->light_elevation, LEAST, MOST)
         && within(world->last_light_elevation, LEAST, MOST)

@@ -22,8 +22,7 @@ typedef struct {
     tp_fx   x, z;
     int64_t time;           /* time in ticks x 65536, within the step */
     tp_fx   amplitude;      /* A0 [D4], m, at most L / 14 [B14] */
-    int32_t uncapped_q24;   /* A0 before the limit, Q24, saturated; late impacts are a few
-                             * LSB high */
+    int32_t uncapped_q24;   /* A0 before the limit, Q24, saturated; up to a few LSB high */
     tp_fx   length;         /* L = 8 radii, m */
     tp_fx   lost;           /* lost energy [D3], J, saturated */
 } tp_impact;
@@ -41,17 +40,15 @@ static inline const tp_assets *tp_scene_pictures(const tp_scene *scene,
 /* Bits of tp_module.is. */
 enum {
     TP_MODULE_EXACT  = 1,       /* water stage without a fast form */
-    TP_MODULE_SOLID  = 2,       /* draws floating or flying objects; reflections show
-                                 * them */
+    TP_MODULE_SOLID  = 2,       /* draws floating or flying objects, to be reflected */
     TP_MODULE_WALLS  = 4,       /* draws the tank or the stone walls in the pool */
-    TP_MODULE_INSIDE = 8,       /* models the volume of the water: absorption, view from
-                                 * below */
+    TP_MODULE_INSIDE = 8,       /* models the volume of the water */
     TP_MODULE_FAST   = 16,      /* draws the water with fast stages only */
     TP_MODULE_SLOPES = 32,      /* draws pools as slopes on flat water */
     TP_MODULE_LIGHT  = 64,      /* adds view-dependent light to the water */
     TP_MODULE_DOME   = 128,     /* draws the sky with tp_dome */
-    TP_MODULE_CUBE   = 256,     /* draws the sky with tp_cube; its trait is the cost of
-                                 * its reflection */
+    TP_MODULE_CUBE   = 256,     /* draws the sky with tp_cube; its trait: cost of
+                                 * reflection */
     TP_MODULE_STARS  = 512,     /* adds stars to the sky */
     TP_MODULE_PANES  = 1024,    /* has stages that run after the tone mapping */
     TP_MODULE_COASTAL = 2048,   /* waves depend on a floor or on wind */
@@ -71,8 +68,7 @@ typedef struct tp_want {
     const tp_waters *water;     /* wave models of the program; NULL: all models */
     uint32_t width, height;     /* size of the picture in px; 0 for a world */
     uint32_t shadings;          /* bits of tp_shading: shading rungs that a frame may use */
-    uint32_t above;             /* bits of tp_module.is of the enabled modules earlier in
-                                 * the list */
+    uint32_t above;             /* bits of tp_module.is of earlier enabled modules */
 } tp_want;
 
 /* Returns the conditions for a world. */

@@ -1,14 +1,15 @@
 /* SPDX-License-Identifier: MIT */
 /* Finds the point of the water surface under a pixel.  The ray through the centre of the
- * pixel is walked until it changes the side of the surface; then the interval of the last
- * step is bisected down to 1 LSB.
+ * pixel is walked until the ray changes the side of the surface; then the interval of the
+ * last step is bisected down to 1 LSB.
  *
- * A step is half of the vertical distance between ray and surface, because waves rise
- * slower than the ray except where they are about to break.  Near the water a step is at
- * least the width of two pixels there (or 1/512 of the distance so far, in large
- * pictures).  A ray may therefore skip a crest that it cuts only slightly: for wave
- * number k, amplitude A and step c, the skipped height is c^2 A k^2 / 8 and never above 2
- * A.  At its largest the skipped height is less than kA pixels.
+ * A step is half of the vertical distance between ray and surface: no wave is steep
+ * enough to rise by that distance within the step, except where a wave is about to break.
+ * Near the water a step is at least the width of two pixels there (or 1/512 of the
+ * distance so far, in large pictures).  A ray may therefore skip a crest that it cuts
+ * only slightly: for wave number k, amplitude A and step c, the skipped height is
+ * c^2 A k^2 / 8 and never above 2 A.  At its largest the skipped height is less than kA
+ * pixels.
  *
  * The ray is walked only between crest level and trough level, beyond the near plane and,
  * in a tank, between the walls.  Where the sea floor rises above the water, the ray meets
@@ -96,8 +97,7 @@ static int64_t over(const ray *r, int64_t t)
 
 /* -- the walk ----------------------------------------------------------------------- */
 
-typedef struct { int64_t from, to; } stretch;       /* interval of distances along the
-                                                     * ray, Q16.16 m */
+typedef struct { int64_t from, to; } stretch;       /* along the ray, Q16.16 m */
 
 /* Clips the interval to low..high on an axis; returns false if nothing is left. */
 static bool cut(stretch *s, tp_fx eye, tp_q30 way, int64_t low, int64_t high)

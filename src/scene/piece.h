@@ -18,8 +18,7 @@ static inline bool tp_is_white(char c)
 tp_piece tp_piece_trimmed(tp_piece piece);
 
 bool tp_piece_is(tp_piece piece, const char *name);
-bool tp_piece_has_control(tp_piece piece);      /* True if there is a byte below the
-                                                 * space, or DEL. */
+bool tp_piece_has_control(tp_piece piece);      /* bytes below the space, or DEL */
 
 /* Reads the whole view as a number.  TP_E_NUMBER: not a number.  TP_E_RANGE: outside
  * Q16.16. */

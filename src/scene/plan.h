@@ -67,8 +67,7 @@ typedef struct {
     tp_price total;
     uint32_t water_pixels, vertices, waves;     /* estimates; waves: those drawn */
     uint32_t waves_dropped;
-    tp_fx    waves_px, waves_colour;            /* errors by omitted waves; colour: rms of
-                                                 * 255 */
+    tp_fx    waves_px, waves_colour;            /* added by omitted waves; rms of 255 */
     tp_rung_report rung[TP_KINDS][TP_KIND_RUNGS];   /* indexed [kind][rung - 1] */
     uint8_t  rung_count[TP_KINDS];
 } tp_plan_report;

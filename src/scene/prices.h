@@ -41,11 +41,10 @@ enum {
 typedef struct {
     bool  known;
     tp_fx pixel;                /* instructions per water pixel */
-    tp_fx vertex;               /* instructions per evaluated point; the fields below add
-                                 * to a point's cost */
+    tp_fx vertex;               /* instructions per evaluated point, plus the fields
+                                 * below */
     tp_fx wave, sharp, pool;    /* per wave; per wave of a sharpened sea, extra; per pool */
-    tp_fx ocean, floor, map;    /* coastal water: with wind only; over a plane; over a
-                                 * map */
+    tp_fx ocean, floor, map;    /* coastal: with wind only; over a plane; over a map */
     tp_fx drawn;                /* per grid cell that gets a pixel */
     tp_fx slant;                /* times tp_outlook.slant */
     tp_fx still;                /* replaces `pixel` for level water */
@@ -133,8 +132,7 @@ typedef struct {
     uint8_t  trait[TP_TRAIT_COUNT];     /* times that a pixel pays it */
     uint8_t  sea;               /* class of sea, TP_SEA_ */
     uint8_t  pools, rings, ocean;       /* number or flag; they raise grid vertices */
-    uint8_t  stirred;           /* true with pools or rings, even if drawn as slopes on
-                                 * flat water */
+    uint8_t  stirred;           /* true with pools or rings, even as slopes only */
     uint8_t  floor;             /* 0: none, 1: a plane, 2: a map */
     uint32_t drawn;             /* grid cells that get a pixel */
     tp_fx    slant;             /* slant of the view to the grid's lines, 0..3 */
@@ -142,8 +140,7 @@ typedef struct {
     uint32_t points[TP_VISIBILITIES];   /* points evaluated by each method */
     uint8_t  fits[TP_VISIBILITIES];     /* true if the method can draw the view */
     uint32_t modules;           /* bits of tp_module.is of the enabled modules */
-    uint8_t  quick;             /* true if the fast stages support all features of the
-                                 * water */
+    uint8_t  quick;             /* true if the fast stages support all features */
 } tp_outlook;
 
 tp_outlook tp_outlook_of(const tp_plan_input *in);

@@ -339,8 +339,7 @@ static bool step_down(const ground *g, choice *from)
 {
     const tp_price here = price_of(g, *from);
     choice   best = *from;
-    uint64_t added = 1, saved = 0;              /* the best step so far; 1 / 0: worse than
-                                                 * any */
+    uint64_t added = 1, saved = 0;              /* of the best step; 1 / 0: infinite */
 
     for (int k = 0; k < TP_KINDS; k++) {
         for (uint8_t i = 0; is_open(g, k) && i < counts[k]; i++) {

@@ -15,14 +15,12 @@ int64_t tp_stand_line(const tp_scene *s, int32_t lines, int64_t centre, int64_t 
     int32_t flank;
     const int64_t half = tp_stand_half(s, lines, &flank);
     const int64_t core = (int64_t)(lines - 1 - 2 * flank) * 32768;
-    const int64_t out = line < 0 ? -line - core : line - core;      /* lines beyond the
-                                                                     * even cells, Q16 */
+    const int64_t out = line < 0 ? -line - core : line - core;      /* lines, Q16 */
 
     if (out <= 0)
         return centre + (line * s->grid.cell >> 16);
     TP_ASSERT(flank > 0);
-    const int64_t share = out / flank;          /* 0..1 in the skirt, Q16; distances grow
-                                                 * with its cube */
+    const int64_t share = out / flank;          /* of the skirt, Q16; cubed */
     const int64_t way = half + (s->grid.reach * (share * share * share >> 32) >> 16);
     return centre + (line < 0 ? -way : way);
 }
@@ -90,8 +88,7 @@ int64_t tp_stand_water(const tp_stand *at, int64_t x, int64_t y)
 
     if (ray.y == 0 || at->eye.y == 0 || (ray.y < 0) != (at->eye.y > 0))
         return 0;
-    const int64_t far = (int64_t)at->eye.y * 65536 / -ray.y;    /* distance, Q16 m, up to
-                                                                 * 2^47 */
+    const int64_t far = (int64_t)at->eye.y * 65536 / -ray.y;    /* Q16 m, up to 2^47 */
     if (far > (int64_t)1 << 32)
         return 0;
     const int64_t px = at->eye.x + (far * ray.x >> 16);

@@ -19,8 +19,7 @@
 #define TP_TAPE_LINE 1024       /* longest line in bytes, line end included */
 
 typedef struct {
-    uint64_t tick;              /* the input applies to the step after this tick; 0: the
-                                 * first step */
+    uint64_t tick;              /* tick before the step with this input; 0: first step */
     tp_input input;
 } tp_tape_entry;
 

@@ -22,13 +22,10 @@ typedef struct tp_site {
     uint32_t is;                /* bits of tp_module.is of the enabled modules */
     bool     mirrors;           /* true if a reflection map of objects is drawn */
     bool     quick;             /* true if water uses the fast stages */
-    uint32_t solid[TP_RAYS];    /* bit set: an object stops the ray; rows from the lowest
-                                 * up */
+    uint32_t solid[TP_RAYS];    /* bit set: an object stops the ray; lowest row first */
     uint32_t wet[TP_RAYS];      /* bit set: the ray meets level water */
-    uint32_t apart;             /* solid rays with a separate cost by the module that
-                                 * stopped them */
-    int64_t  far;               /* distance to the farthest corner of a reflected object,
-                                 * Q16 m */
+    uint32_t apart;             /* solid rays counted by a module's `stops` */
+    int64_t  far;               /* farthest corner of a reflected object, distance, Q16 m */
     tp_works works;
 } tp_site;
 

@@ -18,8 +18,7 @@ typedef struct {
 } tp_world_parts;
 
 typedef struct {
-    tp_vec3  place;             /* position of the mesh's origin, m; 0 in scenes without a
-                                 * mesh */
+    tp_vec3  place;             /* position of the mesh's origin, m; 0 without a mesh */
     tp_turn  heading, pitch, roll;
 } tp_pose;
 
