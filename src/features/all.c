@@ -1,11 +1,12 @@
 /* SPDX-License-Identifier: MIT */
-/* The program of everything.  Whoever names it links the whole core. */
+/* The program with every module.  An application that uses tp_program_all links the whole
+ * core. */
 #include "tidepool/modules.h"
 
 static const tp_use all[] = {
 #define X(name) TP_USE(name),
 #define N(name) TP_USE_UNSEEN(name),
-#ifdef TP_NO_REPORTS            /* of a program that makes no reports of the plan */
+#ifdef TP_NO_REPORTS            /* a program without reports of the quality plan */
 #define P(name) TP_USE(name),
 #else
 #define P(name) TP_USE_PRICED(name),

@@ -1,10 +1,11 @@
 /* SPDX-License-Identifier: MIT */
-/* The table of parameters: every number that a person may change, once.
+/* The table of parameters.  Every number open to the user has exactly one row here.
  *
- * A row knows where its value lies in tp_scene, so one function reads and one writes all
- * of them (scene/value.c).  Rows stand in the order in which people should read them;
- * each feature has its own in its folder.  The sixteen waves are one macro, written out
- * sixteen times. */
+ * A row stores the offset of its value in tp_scene; two functions in scene/value.c read
+ * and write all values.  Rows stand in reading order.  Each feature keeps its rows in its
+ * own folder; this file includes the folders' headers and adds the rows of camera, light,
+ * grid, floor, wind, surf, clock and quality.  The macro WAVE is expanded once for each
+ * of the sixteen waves. */
 #include "features/boat/boat_rows.h"
 #include "features/drops/drops_rows.h"
 #include "features/exposure/exposure_rows.h"
@@ -24,7 +25,7 @@
 #include "features/water/water_rows.h"
 #include "scene/piece.h"
 #include "scene/value.h"
-#ifndef TP_MORE_ROWS            /* rows of modules that a program brings itself */
+#ifndef TP_MORE_ROWS            /* rows of a program's own modules */
 #define TP_MORE_ROWS
 #endif
 

@@ -1,12 +1,14 @@
 /* SPDX-License-Identifier: MIT */
-/* A boat that sails on the surface, [E1] and [E2]: it goes where its bow points and lies
- * as the water under four points of its hull makes it lie (see float.c).  Points half a
- * boat apart make the boat ignore waves that are short for it, as real hulls do.
+/* A boat that sails on the surface, [E1] and [E2].  The boat moves in the direction of
+ * its bow.  Its attitude follows the water height at four points of the hull (see
+ * float.c).  Points half a boat apart filter out waves shorter than the boat, as a real
+ * hull does.
  *
  * The plane through the four points rises by `rise` over the length and falls by `tilt`
- * over the beam to starboard.  Roll is about the boat's own axis, which is pitched: of
- * (fall ahead, fall aside, 1), the plane's normal, the part along the level starboard
- * direction over that along the pitched mast is tilt / beam x cos(pitch). */
+ * over the beam to starboard.  Roll is about the boat's own axis, after pitch.  The
+ * plane's normal is (fall ahead, fall aside, 1).  Its component along the level starboard
+ * direction, divided by its component along the pitched mast, is
+ * tilt / beam x cos(pitch). */
 #include "features/boat/boat.h"
 #include "geom/waters.h"
 #include "scene/parts.h"
@@ -17,11 +19,12 @@
 #define TURN_MOST  (360 * TP_FX_ONE)        /* degrees/s */
 #define WATER_MOST (2048 * TP_FX_ONE)
 
-/* -- where it is -------------------------------------------------------------------- */
+/* -- position ----------------------------------------------------------------------- */
 
-/* So far from the scene's place that it stays within 8 km of the origin, and between the
- * walls of a tank from low to high with half a boat to spare: whatever way it is turned.
- * Where they stand closer than its length it lies in the middle. */
+/* Clamps `way`, the distance sailed from the scene's start position, in one axis.  The
+ * boat stays within 8 km of the origin.  In a tank the boat also stays between the walls
+ * `low` and `high`, half a boat length clear of each, at any heading.  If the walls are
+ * closer together than the boat is long, the boat lies in the middle. */
 static int64_t sailed(int64_t way, tp_fx from, const tp_scene *scene, tp_fx low,
                       tp_fx high)
 {
@@ -47,10 +50,13 @@ static tp_turn heading_of(const tp_afloat *afloat, const tp_scene *scene)
          + (tp_turn)((afloat->turned + 0x80000000u) >> 32);
 }
 
-/* m/s in 16.16 times a sine in Q30, over 60 ticks, is Q32 after 14 bits: |speed| <= 2^23
- * keeps the product below 2^53.  One degree/s in 16.16 is 2^48 / (360 x 60) of a turn a
- * tick in Q64, and 360 of them are below 2^59.  What is sailed forth and back is nothing,
- * to the bit. */
+/* Advances heading and position by one tick.
+ *
+ * Speed in m/s (Q16.16) times a sine (Q30), over 60 ticks, is Q32 after a shift by 14
+ * bits;
+ * speed| <= 2^23 keeps the product below 2^53.  One degree/s in Q16.16 is 2^48 / (360 x 60)
+ * of a turn per tick in Q64; 360 degrees/s are below 2^59.  Quotients round
+ * symmetrically: sailing forth and back by the same way sums to exactly 0. */
 static void sail(tp_afloat *afloat, const tp_scene *scene, const tp_input *in)
 {
     const int64_t over = TP_TICKS_PER_SECOND << 14, degree = 13031248922;
@@ -74,7 +80,7 @@ static void place(tp_afloat *afloat, const tp_scene *scene)
     afloat->hull.heading = heading_of(afloat, scene);
 }
 
-/* -- how it lies -------------------------------------------------------------------- */
+/* -- attitude ----------------------------------------------------------------------- */
 
 static void hull_points(const tp_hull *hull, const tp_scene *scene, tp_fx points[4][2])
 {
@@ -88,10 +94,12 @@ static void hull_points(const tp_hull *hull, const tp_scene *scene, tp_fx points
     }
 }
 
-/* Heights of the water, and of the same without the pool that the boat stirs. */
+/* Water heights under the four hull points: `all` of the whole surface, `alone` without
+ * the pool stirred by the boat. */
 typedef struct { tp_fx all[4], alone[4]; } waters;
 
-/* The searches begin where those of the last tick ended. */
+/* Samples the water at the four hull points.  Each search starts at the rest point found
+ * in the last tick. */
 static waters feel(const tp_program *program, tp_world *world, tp_fx points[4][2])
 {
     const tp_surface surface = tp_world_surface(program, world);
@@ -108,7 +116,7 @@ static waters feel(const tp_program *program, tp_world *world, tp_fx points[4][2
     return w;
 }
 
-/* cos(pitch) <= 1: the tilt keeps its range, below 2^29. */
+/* Sets the world's boat pose.  cos(pitch) <= 1, so the tilt keeps its range, below 2^29. */
 static void pose(tp_world *world, const tp_scene *scene)
 {
     const tp_afloat *a = &world->afloat;
@@ -168,9 +176,10 @@ void tp_boat_step(const tp_program *program, tp_world *world, const tp_scene *sc
     pose(world, scene);
 }
 
-/* -- from outside ------------------------------------------------------------------- */
+/* -- validation of a state from outside --------------------------------------------- */
 
-#define REST_MOST (16000 * TP_FX_ONE)       /* m: half a boat and a wave's reach farther */
+#define REST_MOST (16000 * TP_FX_ONE)       /* m: adds half a boat and a wave's
+                                             * displacement */
 
 static bool is_within(int64_t x, int64_t most)
 {
@@ -209,8 +218,8 @@ bool tp_boat_is_valid(const tp_world *world)
 
 /* -- the module ---------------------------------------------------------------------- */
 
-/* A scene without a boat does not feel for the water under one, and its camera stands in
- * the world. */
+/* True if the scene names a boat.  Without a boat no water is sampled and the camera
+ * stands in the world. */
 static bool is_named(const tp_scene *scene)
 {
     return scene->boat.mesh[0] != '\0';
@@ -221,7 +230,8 @@ bool tp_hull_enabled(const tp_want *want)
     return is_named(want->scene);
 }
 
-/* A camera that has left the deck stays off it while the scene's goes on following. */
+/* Sets the camera's place for the scene.  A camera that has left the deck stays off the
+ * deck as long as the scene's camera follows the boat. */
 static void board(tp_world *world, bool follows)
 {
     if (!follows)

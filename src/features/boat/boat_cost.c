@@ -1,17 +1,17 @@
 /* SPDX-License-Identifier: MIT */
-/* The boat's costs: its faces in the picture and in the mirror. */
+/* Cost estimate of the boat: its faces in the main view and in the planar reflection. */
 #include "asset/mesh.h"
 #include "features/boat/boat.h"
 #include "geom/geom.h"
 #include "scene/works.h"
 
-/* A picture of the boat: whole, or mirrored at half the size. */
+/* Counts for one view of the boat: the main view, or the reflection at reduced size. */
 typedef struct {
-    tp_lens  lens;              /* in the mesh's own axes */
+    tp_lens  lens;              /* projection in the mesh's own axes */
     bool     mirrored;
     tp_view_plane level;
     int32_t  rows, cols, band;
-    int32_t  top, bottom;       /* rows that its faces touch */
+    int32_t  top, bottom;       /* range of rows with faces */
     uint32_t faces, cut;
     int64_t  pieces, back, fill;
 } look;
@@ -22,7 +22,8 @@ static tp_dir3 turned(const tp_rotation *r, tp_dir3 d)
     return (tp_dir3){ v.x, v.y, v.z };
 }
 
-/* Upside down from below, as the mirror has it. */
+/* Returns the projection of the planar reflection: the eye mirrored at the water's level,
+ * the picture upside down. */
 static tp_lens mirror_of(const tp_lens *lens, const tp_scene *s, uint32_t width,
                          uint32_t height)
 {
@@ -37,7 +38,8 @@ static tp_lens mirror_of(const tp_lens *lens, const tp_scene *s, uint32_t width,
     return s->mirror.size == TP_MIRROR_QUARTER ? tp_lens_halved(&to) : to;
 }
 
-/* The level at which the mirror cuts: the deepest trough, two half pixels lower. */
+/* Sets the clip plane of the reflection: the deepest trough, lowered by two pixels of the
+ * halved picture. */
 static void place_level(look *l, const tp_scene *s)
 {
     int64_t trough = 0;
@@ -60,7 +62,8 @@ static void place_lens(look *l, const tp_scene *s)
     l->lens.ahead = turned(&turn, l->lens.ahead);
 }
 
-/* `scale`: metres of 1.0 of the mesh's positions. */
+/* Transforms a mesh position to view space.  `scale`: metres per 1.0 of the mesh's
+ * positions, Q16.16. */
 static tp_view_corner seen_by(const look *l, int64_t scale, tp_vec3 at)
 {
     const int64_t most = 4000 * TP_FX_ONE;
@@ -76,7 +79,7 @@ typedef struct {
     int32_t u[3], v[3];
 } outline;
 
-/* Rays of the lattice within a front face. */
+/* Marks the lattice rays inside a front face as stopped by a solid. */
 static void stop_rays(tp_site *w, const look *l, const outline *o)
 {
     for (int32_t j = 0; j < TP_RAYS; j++) {
@@ -106,7 +109,8 @@ static int32_t most(const int32_t of[3])
     return n > of[2] ? n : of[2];
 }
 
-/* In each band that it touches a face is set up, and filled if it is a front one. */
+/* Counts one face: its setup in each band, and its filled pixels if the face is a front
+ * face. */
 static void add_face(tp_site *w, look *l, const outline *o)
 {
     const int32_t low = least(o->v) >> 4, high = most(o->v) >> 4;
@@ -174,7 +178,7 @@ static void add_look(tp_site *w, look *l)
         work[TP_WORK_mirror_fill] += (uint32_t)l->fill;
 }
 
-/* As the picture sees it, and as the mirror does. */
+/* Counts the boat in the main view, then in the reflection. */
 static void work(tp_site *w)
 {
     const tp_scene *s = w->scene;

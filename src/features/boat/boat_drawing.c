@@ -1,26 +1,27 @@
 /* SPDX-License-Identifier: MIT */
-/* The boat's mesh, projected once a frame, drawn in every tile that it touches.
+/* Draws the boat's mesh: projected once per frame, drawn in every tile that the mesh
+ * touches.
  *
- * Instead of the mesh into the world the camera is turned into the mesh's own frame:
- * a vertex then costs what a vertex of the world does.
+ * The camera is turned into the mesh's own frame, instead of the mesh into the world.  A
+ * vertex then costs as much as a vertex of the world.
  *
- * Faces of a material with opacity 0 are lids: never seen, they keep water from what
- * they cover, the inside of a hull. */
+ * Faces of a material with opacity 0 are lids.  A lid is invisible and hides the water
+ * behind it, for example inside a hull. */
 #include "features/boat/boat.h"
 #include "asset/mesh.h"
 #include "frame/frame.h"
 
-/* The boat as one view sees it, until the next view is placed. */
+/* The boat in one render view; valid until the next view is placed. */
 typedef struct {
-    tp_boat_look    look;       /* of the stages: first */
+    tp_boat_look    look;       /* data of the span stages; first member */
     tp_boat_vertex *vertex;
-    tp_solid       *solid;      /* of each material, */
-    uint8_t        *gloss;      /* and TP_GLOSS each, */
-    int32_t         model;      /* of this light's */
-    uint32_t        materials;  /* that are told apart */
-    tp_lens         lens;       /* the view in the mesh's frame */
-    tp_fx           metres;     /* of 1.0 of the mesh's positions */
-    tp_grid_box     box;        /* pixels; empty: not seen */
+    tp_solid       *solid;      /* array, one for each material */
+    uint8_t        *gloss;      /* tables, TP_GLOSS bytes for each material */
+    int32_t         model;      /* light model of the gloss tables */
+    uint32_t        materials;  /* number of distinct materials */
+    tp_lens         lens;       /* the view's projection in the mesh's frame */
+    tp_fx           metres;     /* metres per 1.0 of the mesh's positions */
+    tp_grid_box     box;        /* covered pixels; empty: not visible */
 } drawn_boat;
 
 static tp_dir3 turned(const tp_rotation *r, tp_dir3 d)
@@ -55,7 +56,8 @@ static void turn_view(const tp_frame *frame, drawn_boat *b, const tp_sight *sigh
     axes->lz = light.z >> 16;
 }
 
-/* Held within 4 km: the eye may be 24 km away, and their difference is 16.16 too. */
+/* Scales a mesh position to metres, clamped to +-4 km.  The eye may be 24 km away, and
+ * the difference must fit Q16.16. */
 static tp_fx scaled(tp_fx x, tp_fx scale)
 {
     const int64_t most = 4000 * TP_FX_ONE;
@@ -79,8 +81,8 @@ static tp_view_corner view_of(const drawn_boat *b, const tp_mesh_vertex *vertex)
     return c;
 }
 
-/* u of a vertex beyond the level that cuts the sight.  A face with only such vertices is
- * not drawn; a face with some is clipped. */
+/* Value of u for a vertex below the clip plane of the view.  A face with three such
+ * vertices is not drawn.  A face with one or two is clipped. */
 #define OUTSIDE (TP_GRID_CUT + 1)
 
 static void place_vertex(const drawn_boat *b, const tp_sight *sight, uint32_t i)
@@ -155,14 +157,14 @@ static bool is_lid(const tp_mesh *mesh, uint32_t material)
     return mesh->materials[material].opacity == 0;
 }
 
-/* One tile's faces. */
+/* One pass over the faces in one tile. */
 typedef struct {
     const drawn_boat *boat;
     const tp_mesh    *mesh;
-    const tp_boat_vertex *at;   /* of the mesh's vertices, projected */
+    const tp_boat_vertex *at;   /* the projected vertices of the mesh */
     const tp_sight   *sight;
     const tp_samples *tile;
-    int32_t  top, bottom;       /* its rows, 28.4 */
+    int32_t  top, bottom;       /* rows of the tile, 28.4 fixed point */
     uint32_t mark;
 } pass;
 
@@ -199,7 +201,8 @@ static tp_corner corner_of(const tp_boat_vertex *at, const tp_mesh_vertex *verte
     };
 }
 
-/* Most faces of most tiles end at the first test: they lie in other rows. */
+/* Draws a face into the tile.  For most faces the first row test ends the work: the face
+ * lies in other rows. */
 static void draw_face(const pass *p, const tp_mesh_face *face, uint32_t f)
 {
     const tp_boat_vertex *a = &p->at[face->vertex[0]];
@@ -278,7 +281,9 @@ static void begin(tp_frame *frame, void *mine)
         b->solid[i] = (tp_solid){
             .diffuse = m->diffuse,
             .specular = m->specular,
-            .lod = tp_frame_lod(frame, texels, false) + 96,  /* one texel: grain glitters */
+            .lod = tp_frame_lod(frame, texels, false) + 96,  /* + 96 levels / 256: one
+                                                              * texel of blur, or grain
+                                                              * would glitter */
             .bump = tp_clamp(m->bump, -16 * TP_FX_ONE, 16 * TP_FX_ONE) >> 8,
             .diffuse_map = m->diffuse_map,
             .normal_map = m->normal_map,
@@ -289,7 +294,7 @@ static void begin(tp_frame *frame, void *mine)
 
 /* -- the module ---------------------------------------------------------------------- */
 
-/* At least one: a mesh may have none. */
+/* Returns the number of stencil values: at least 1, also for a mesh without materials. */
 static uint32_t marks(const tp_want *want)
 {
     const uint32_t n = want->assets->boat->n_materials;
@@ -312,14 +317,14 @@ static void *layout(tp_arena *arena, const tp_want *want)
     return b;
 }
 
-/* The middle of two corners.  place() holds corners within 4 km; with the boat's place that
- * is 15 km, and the eye is 23 km away at the most. */
+/* Returns the middle of two mesh coordinates in m.  place() clamps vertices to 4 km; with
+ * the boat's position the sum is below 15 km.  The eye is at most 23 km away. */
 static tp_fx middle(tp_fx low, tp_fx high, tp_fx scale)
 {
     return (tp_fx)tp_limit(((int64_t)low + high) / 2 * scale >> 16, 4000 * TP_FX_ONE);
 }
 
-/* The mesh's middle; the level is the waterline. */
+/* Sets the anchor of mirrors: the middle of the mesh, and the level of the waterline. */
 static bool set_anchor(const tp_frame *frame, const void *mine, tp_sight_anchor *anchor)
 {
     const drawn_boat *b = mine;
@@ -364,7 +369,7 @@ const tp_drawing tp_boat_drawing = {
     .anchor = set_anchor, .place = place, .draw = draw, .stages = add_stages,
 };
 
-/* -- the module of its lids ----------------------------------------------------------- */
+/* -- the module lids ------------------------------------------------------------------ */
 
 bool tp_lids_enabled(const tp_want *want)
 {
@@ -376,7 +381,7 @@ bool tp_lids_enabled(const tp_want *want)
     return false;
 }
 
-/* After everything that a lid may cover. */
+/* Draws the lids after all solids that a lid may cover. */
 static void draw_lids(const tp_frame *frame, const void *mine, const tp_sight *sight,
                       tp_samples *samples, uint32_t mark)
 {

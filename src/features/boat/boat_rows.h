@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Rows of parameters: the boat. */
+/* Parameter rows of the boat. */
 #ifndef TP_BOAT_ROWS_H
 #define TP_BOAT_ROWS_H
 #include "tidepool/modules.h"

@@ -1,10 +1,11 @@
 /* SPDX-License-Identifier: MIT */
-/* Phong on a mesh, with its pictures: everything in the mesh's own frame, into which the
- * view and the light were turned once, so that no normal is ever turned.
+/* Phong shading of a mesh with textures.  All vectors are in the mesh's own frame.  View
+ * and light are turned into the frame once, so no normal is ever turned.
  *
- * A normal map's texel bends N along the face's tangent T and along B = +-N x T, which
- * is square to both though T need not be to N ([F6], Gram-Schmidt left to the eye: the
- * meshes' normals are within a few degrees of their faces'). */
+ * A normal map's texel bends N along the face's tangent T and along B = +-N x T.  B is
+ * perpendicular to both N and T, though T need not be perpendicular to N.  [F6] asks for
+ * Gram-Schmidt here; this file omits the step, because the meshes' normals are within a
+ * few degrees of their faces' normals. */
 #include "features/boat/boat.h"
 #include "shade/normal.h"
 #include "shade/phong.h"
@@ -22,7 +23,8 @@ static vec cross(vec a, vec b)
                   (a.x * b.y - a.y * b.x) >> 14 };
 }
 
-/* A texel at a place in 0.16 repeats, s high and t low. */
+/* Returns the texel at `st`, two coordinates in 0.16 repeats: s in the high half, t in
+ * the low. */
 static uint32_t texel_at(const tp_texture *texture, int l, uint32_t st)
 {
     int w = texture->log2_w > l ? texture->log2_w - l : 0;
@@ -30,7 +32,8 @@ static uint32_t texel_at(const tp_texture *texture, int l, uint32_t st)
     return texture->level[l][(st & 0xffff) >> (16 - h) << w | st >> 16 >> (16 - w)];
 }
 
-/* Of any length, to be made a unit: 14 bits times 12 of the boldest bump, thrice. */
+/* Returns the normal bent by the normal map, of any length; the caller normalizes.  A sum
+ * has three products of 14 bits and, for the strongest bump, 12 bits. */
 static vec bent(vec n, const tp_solid *solid, int level, uint32_t st,
                 tp_packed_dir tangent)
 {
@@ -41,7 +44,7 @@ static vec bent(vec n, const tp_solid *solid, int level, uint32_t st,
     int32_t ny = ((int32_t)(texel >> 8 & 0xff) - 128) * solid->bump * hand >> 8;
     int32_t nz = (int32_t)(texel & 0xff) - 128;
 
-    nz = nz > 32 ? nz : 32;     /* a map that points inwards is a broken map */
+    nz = nz > 32 ? nz : 32;     /* a map that points inwards is faulty */
     return (vec){ n.x * nz + t.x * nx + b.x * ny, n.y * nz + t.y * nx + b.y * ny,
                   n.z * nz + t.z * nx + b.z * ny };
 }

@@ -1,31 +1,33 @@
 /* SPDX-License-Identifier: MIT */
-/* The boat's pose on the water, [E2] and [E3].
+/* The boat's attitude on the water, [E2] and [E3].
  *
- * Four points of the hull feel the water: bow, stern, port and starboard.  A lie is three
- * lengths: heave is the mean of the four heights, rise that of the bow over the stern,
- * tilt that of port over starboard; pitch and roll are the angles of the latter two over
- * length and beam.  A kinematic boat takes the water's own lie, or slides towards it as
- * [D6]: x += (x* - x)(1 - exp(-dt / tau)).
+ * Four points of the hull sample the water: bow, stern, port and starboard.  The
+ * attitude, tp_lie, is three lengths: heave is the mean of the four heights, rise is bow
+ * minus stern, tilt is port minus starboard.  Pitch is the angle of rise over length,
+ * roll of tilt over beam.  A kinematic boat takes the water's own attitude, or approaches
+ * it as in [D6]: x += (x* - x)(1 - exp(-dt / tau)).
  *
- * A dynamic boat is four equal columns, one under each point, 2 draft high and afloat at
- * half of that: m_i = rho A_i draft, F_i = rho g A_i clamp(y_surf - y_i, 0, 2 draft) -
- * m_i g - c v_i.  With e_i, the water over the point's waterline,
+ * A dynamic boat is four equal columns, one under each point, 2 draft high and half
+ * immersed at rest: m_i = rho A_i draft, F_i = rho g A_i clamp(y_surf - y_i, 0, 2 draft)
+ * - m_i g - c v_i.  With e_i, the water height over the point's waterline,
  *     a_i = omega^2 clamp(e_i, -draft, draft) - 2 zeta omega v_i,  omega^2 = g / draft.
- * Their inertia about the middle is m (length / 2)^2 / 2 ahead, m (beam / 2)^2 / 2 aside,
- * so heave" = mean a_i, rise" = a_bow - a_stern, tilt" = a_port - a_starboard: neither
- * mass nor area is left over, and all three swing at the same omega.
+ * The columns' inertia about the middle is m (length / 2)^2 / 2 for pitch and m
+ * (beam / 2)^2 / 2 for roll, so heave" = mean a_i, rise" = a_bow - a_stern,
+ * tilt" = a_port - a_starboard.  Mass and area cancel; all three oscillate at the same
+ * omega.
  *
- * Steps are semi-implicit with centred damping, as [C4], in metres a step:
+ * Steps are semi-implicit with centred damping, as [C4], in metres per step:
  *     v' = q v + (1 + q)/2 K e,  x' = x + v',  K = (omega dt)^2,
  *     q = (1 - zeta omega dt) / (1 + zeta omega dt), not below 0.
- * e is the water of the tick that the step leads to, one tick more than [E3] knows.
- * While no point is wholly in or out of the water the energy v^2/2 + K x (x - v)/2 of
- * still water, x from rest, then never grows [C3]; it is positive for omega dt < 2.  From
- * zeta = 1 on nothing overshoots: (1 - omega dt)/(1 + omega dt) is no more than critical.
- * A boat that leaps out of the water and back is another matter: without drag its energy
- * wanders, in 300 throws of 5000 steps at omega dt = 0.745 up to 87-fold, at 0.1 to 1.09.
- * [E3] asks for omega dt < 1; here a tick has so many steps that it is at most 1/8.  The
- * table's worst, g = 100 m/s^2 over a draft of 0.05 m, is 0.745 a tick: 6 steps. */
+ * e uses the water at the end of the step; [E3] uses the water one tick earlier.  While
+ * no point is wholly in or out of still water, the energy v^2/2 + K x (x -
+ * v)/2, x measured from rest, never grows [C3]; the energy is positive for omega dt < 2.
+ * For zeta >= 1 nothing overshoots: (1 - omega dt)/(1 + omega dt) is at most critical.  A
+ * boat that leaps out of the water and back has no such bound.  Without drag its energy
+ * varies: in 300 throws of 5000 steps up to 87-fold at omega dt = 0.745, 1.09-fold at
+ * 0.1.  [E3] asks for omega dt < 1.  Here a tick is split into steps of omega dt <= 1/8.
+ * The worst case of the parameter table, g = 100 m/s^2 over a draft of 0.05 m, is 0.745
+ * per tick: 6 steps. */
 #include "features/boat/boat.h"
 #include "base/assert.h"
 #include "wave/exp.h"
@@ -34,16 +36,17 @@
 #define DRAFT_LEAST  TP_FX(0.05)
 #define DRAFT_MOST   (20 * TP_FX_ONE)
 #define DRAG_MOST    (2 * TP_FX_ONE)
-#define LIE_MOST     ((int64_t)4096 << 40)  /* beyond the highest water, fit for 16.16 */
-#define SPEED_MOST   ((int64_t)64 << 40)    /* a tick */
+#define LIE_MOST     ((int64_t)4096 << 40)  /* above the highest water, fits 16.16 */
+#define SPEED_MOST   ((int64_t)64 << 40)    /* per tick */
 #define SUNK_MOST    (256 * TP_FX_ONE)
 
-/* A boat this close to rest is put to rest: 1/4 LSB of 16.16 away, and slower than 1/4096
- * of that a tick; the slowest boat's omega dt is 1/848. */
+/* Thresholds of rest: within 1/4 LSB of 16.16, and slower than 1/4096 of the distance per
+ * tick.  The slowest boat's omega dt is 1/848. */
 #define STILL      (1 << 22)
 #define STILL_TICK (1 << 10)
 
-/* x q / 2^32 towards zero: what is left of a speed is always less.  |x| < 2^62. */
+/* Returns x q / 2^32 rounded towards zero: the magnitude of a speed always falls.
+ * |x| < 2^62. */
 static int64_t share(int64_t x, uint32_t q)
 {
     TP_ASSERT(x > -((int64_t)1 << 62) && x < (int64_t)1 << 62);
@@ -52,7 +55,8 @@ static int64_t share(int64_t x, uint32_t q)
     return x < 0 ? -(int64_t)part : (int64_t)part;
 }
 
-/* The water's own: exact, the quarter of the mean included. */
+/* Computes the water's own attitude, Q40 m.  The result is exact, also the mean's
+ * quarter. */
 static void aim_at(const tp_fx water[4], int64_t aim[3])
 {
     int64_t sum = (int64_t)water[TP_BOW] + water[TP_STERN] + water[TP_PORT]
@@ -72,8 +76,8 @@ void tp_boat_lay(tp_lie *lie, const tp_fx water[4])
 
 /* -- kinematic ---------------------------------------------------------------------- */
 
-/* 1 - exp(-dt / tau), Q0.32; dt / tau = 2^48 / (60 tau) in Q32, of which the exponential
- * takes 24 bits of fraction, and 1 - x the rest. */
+/* Returns 1 - exp(-dt / tau), Q0.32.  dt / tau = 2^48 / (60 tau) in Q32.  The exponential
+ * uses 24 of the fraction bits; the factor 1 - x uses the remaining 8. */
 static uint32_t following(tp_fx tau)
 {
     TP_ASSERT(tau > 0);
@@ -83,8 +87,9 @@ static uint32_t following(tp_fx tau)
     return (uint32_t)(0xffffffff - left + (left * (x & 0xff) >> 32));
 }
 
-/* The share stops short of its aim by less than 2^32 / k LSB, for the longest tau 601:
- * 2^-30 m, which the rounding to 16.16 takes away. */
+/* Moves the attitude by the share k towards the water's.  Rounding stops the motion less
+ * than 2^32 / k LSB from its aim: 601 LSB for the longest tau, or 2^-30 m.  The rounding
+ * to 16.16 removes the difference. */
 static void follow(tp_lie *lie, tp_fx tau, const tp_fx water[4])
 {
     int64_t  aim[3];
@@ -99,14 +104,15 @@ static void follow(tp_lie *lie, tp_fx tau, const tp_fx water[4])
 
 /* -- dynamic ------------------------------------------------------------------------ */
 
-/* How a boat swings: steps a tick; of a step q, and the share of its push that a tick's
- * speed gains, n (1 + q) K / 2, both Q0.32. */
+/* Oscillation constants.  `steps`: steps per tick; `keep`: q of a step, Q0.32; `kick`:
+ * share of the push added to the speed per tick, n (1 + q) K / 2, Q0.32. */
 typedef struct {
     int32_t  steps;
     uint32_t keep, kick;
 } swing;
 
-/* Of a tick, (omega dt)^2 = g / (3600 draft) < 0.5556, Q0.32: g 2^32 is below 2^55. */
+/* Returns (omega dt)^2 of a tick = g / (3600 draft) < 0.5556, Q0.32.  g 2^32 is below
+ * 2^55. */
 static uint64_t spring(tp_fx gravity, tp_fx draft)
 {
     TP_ASSERT(gravity >= 0 && draft > 0);
@@ -114,7 +120,7 @@ static uint64_t spring(tp_fx gravity, tp_fx draft)
     return ((uint64_t)gravity << 32) / (ticks * (uint64_t)draft);
 }
 
-/* q.  A boat without drag keeps all but 2^-32 of its speed a step. */
+/* Returns q.  Without drag a step loses only 2^-32 of the speed. */
 static uint32_t kept(uint64_t spring, tp_fx drag)
 {
     const uint64_t one = 0xffffffff;
@@ -137,8 +143,9 @@ static swing swing_of(const tp_scene *scene)
     return (swing){ (int32_t)n, keep, (uint32_t)(kick >> 32) };
 }
 
-/* What pushes heave, rise and tilt, as metres of water.  A point's waterline lies half a
- * rise above the heave, its opposite the other half below. */
+/* Computes the pushes on heave, rise and tilt, Q40 m of water.  The waterline of the bow
+ * lies half a rise above the heave, of the stern half a rise below; likewise port and
+ * starboard. */
 static void push_of(const tp_lie *lie, tp_fx draft, const tp_fx water[4],
                     int64_t push[3])
 {
@@ -162,7 +169,8 @@ static bool is_within(const int64_t x[3], int64_t most)
         && x[0] >= -most && x[1] >= -most && x[2] >= -most;
 }
 
-/* Near its rest it is set down on it: the push is then the way there. */
+/* Advances the attitude by one step.  Near rest the step ends exactly at rest: the push
+ * is then the remaining distance. */
 static void step(tp_lie *lie, const swing *s, tp_fx draft, const tp_fx water[4])
 {
     TP_ASSERT(s->steps > 0 && draft > 0);
@@ -203,7 +211,8 @@ void tp_boat_sink(tp_hull *hull, const tp_lie *lie, const tp_fx water[4])
                                  SUNK_MOST);
 }
 
-/* The water's own lie may be twice the highest water, which is LIE_MOST. */
+/* True if the attitude is in range.  The water's own attitude may be twice the highest
+ * water, equal to LIE_MOST. */
 bool tp_boat_lie_is_valid(const tp_lie *lie)
 {
     return is_within(lie->at, LIE_MOST) && is_within(lie->speed, SPEED_MOST);

@@ -1,46 +1,47 @@
 /* SPDX-License-Identifier: MIT */
-/* The wake: a hull that moves through a pool's cells, or sinks into them, pushes their
- * water aside, [E4]: H += b (sub before - sub now), sub the submerged column over a cell.
+/* The wake.  A hull that moves through a pool's cells, or sinks into them, displaces
+ * water, [E4]: H += b (sub before - sub now), sub the submerged column over a cell.
  *
- * The hull's form is a parabola both ways: with alpha and beta from -1 to 1 over length
- * and beam, sub = (1 - alpha^2)(1 - beta^2)(draft + water over the waterline there).  It
- * ends at its rim in nothing, so a cell is not struck, and holds 4/9 of its box, as hulls
- * do.  One that is small for the cells is drawn out to three of them and made as much
- * shallower: shorter waves the pool could not carry.
+ * The hull's form is a parabola along both axes: with alpha and beta from -1 to 1 over
+ * length and beam, sub = (1 - alpha^2)(1 - beta^2)(draft + water height over the local
+ * waterline).  The column vanishes at the rim, so no cell gets a sudden impulse.  The
+ * form holds 4/9 of its box, as real hulls do.  A hull smaller than three cells is
+ * stretched to three cells and made shallower by the same factor, because the pool cannot
+ * carry shorter waves.
  *
- * Each sub is a function of the hull alone, rounded to cells' LSB, and the pool gets the
- * difference of two such numbers: whatever the roundings, a hull that comes back to where
- * it was has added nothing under it.  The hull before is the one that stirred last, not
- * the last tick's: changes below two LSB wait until they are more, so that pool and boat
- * come to rest.
+ * Each sub is a function of the hull alone, rounded to the cells' LSB.  The pool gets the
+ * difference of two such numbers.  A hull that returns to its earlier pose has therefore
+ * added exactly nothing under itself, whatever the roundings.  The hull before is the
+ * hull at the last stirring, not at the last tick.  Changes below two LSB accumulate
+ * until they exceed two LSB, so pool and boat come to rest.
  *
- * The hull sinks and rises as it would without the pool, in swells, rings and a field
- * under it.  One that answered to its own ripples could stir them on for ever: what sinks
- * here pulls water down, while the boat's lag behind a wave should push it.
+ * The hull heaves as if the pool were absent, in swells, rings and a field under the
+ * hull.  A hull that reacted to its own ripples could drive them for ever: a hull sinking
+ * here pulls water down, while the boat's lag behind a wave should push the water up.
  *
- * What the sum of the differences is short of zero, the cells around the hull take; what
- * they cannot, any cell within reach can: at the worst it goes back whence it came. */
+ * The cells around the hull take the negative sum of the differences.  A remainder goes
+ * to any cell within reach, at worst to the cells where the water came from. */
 #include "features/boat/boat.h"
 #include "base/assert.h"
 #include "scene/pools.h"
 
 #define PEAK_LEAST 2                    /* LSB */
-#define AROUND     TP_FX(1.5)           /* of a hull's sides */
+#define AROUND     TP_FX(1.5)           /* times half the hull's sides */
 
 /* A hull over the cells.  The axes are per metre: alpha = (dx, dz) . along. */
 typedef struct {
     tp_fx   x, z;
     tp_turn heading;
     int64_t along_q24[2], across_q24[2];
-    tp_fx   length, beam;               /* half of them */
-    tp_fx   heave, rise, tilt;          /* the column in the middle, and its slopes */
-    tp_fx   high;                       /* 2 draft: no column is longer */
-    tp_q30  share;                      /* b, and how much shallower it was made */
+    tp_fx   length, beam;               /* half lengths, m */
+    tp_fx   heave, rise, tilt;          /* m: column in the middle, its differences */
+    tp_fx   high;                       /* 2 draft, the longest column, m */
+    tp_q30  share;                      /* b times the factor of shallowness */
 } form;
 
 /* -- the hull's form ---------------------------------------------------------------- */
 
-/* Half of a side, but no less than 1.5 cells. */
+/* Returns half a side, at least 1.5 cells. */
 static tp_fx half_side(tp_fx side, const tp_pool *pool)
 {
     TP_ASSERT(side > 0 && pool->cell > 0);
@@ -48,12 +49,13 @@ static tp_fx half_side(tp_fx side, const tp_pool *pool)
     return side / 2 > least ? side / 2 : least;
 }
 
-/* Sines over half a side, 0.05 m or more, are below 2^29 in Q24. */
+/* Returns the hull's form over the pool.  A sine over half a side, 0.05 m or more, is
+ * below 2^29 in Q24. */
 static form form_of(const tp_hull *hull, const tp_scene *scene, const tp_pool *pool)
 {
     tp_fx   length = half_side(scene->boat.length, pool);
     tp_fx   beam = half_side(scene->boat.beam, pool);
-    int64_t s = (int64_t)tp_sin(hull->heading) * 1024;      /* Q40, for a Q24 */
+    int64_t s = (int64_t)tp_sin(hull->heading) * 1024;      /* Q40; the quotient is Q24 */
     int64_t c = (int64_t)tp_cos(hull->heading) * 1024;
     int64_t slim = ((int64_t)scene->boat.length << 29) / length;
     int64_t fine = ((int64_t)scene->boat.beam << 29) / beam;
@@ -71,8 +73,9 @@ static form form_of(const tp_hull *hull, const tp_scene *scene, const tp_pool *p
     };
 }
 
-/* alpha and beta of a place, 16.16: a way is below 2^32, an axis below 2^29, so the sum
- * of two products stays below 2^62; the shift may leave 38 bits. */
+/* Computes alpha and beta of a place, 16.16.  A distance is below 2^32 and an axis below
+ * 2^29, so the sum of two products stays below 2^62.  After the shift up to 38 bits
+ * remain. */
 static void place_in(const form *f, tp_fx x, tp_fx z, int64_t at[2])
 {
     const int64_t dx = (int64_t)x - f->x, dz = (int64_t)z - f->z, half = 1 << 23;
@@ -86,8 +89,8 @@ static bool is_within(const int64_t at[2], tp_fx reach)
     return at[0] > -reach && at[0] < reach && at[1] > -reach && at[1] < reach;
 }
 
-/* The submerged column, with the share of it that stirs, in the pool's LSB.  A column of
- * 40 m and the parabolas below 1 keep each product below 2^38. */
+/* Returns the submerged column times the stirring share, in the pool's LSB.  A column of
+ * at most 40 m and parabolas of at most 1 keep each product below 2^38. */
 static int32_t column(const form *f, const tp_pool *pool, tp_fx x, tp_fx z)
 {
     int64_t at[2];
@@ -105,8 +108,8 @@ static int32_t column(const form *f, const tp_pool *pool, tp_fx x, tp_fx z)
 
 /* -- cells -------------------------------------------------------------------------- */
 
-/* The cells that hulls can reach, row by row; those of a tiled field may lie beyond its
- * edge, where it goes on. */
+/* A rectangle of cells within the hulls' reach, scanned row by row.  In a tiled field the
+ * rectangle may extend beyond the field's edge; its cells then wrap. */
 typedef struct {
     int32_t col0, col1, row0, row1;
 } box;
@@ -114,13 +117,13 @@ typedef struct {
 typedef struct {
     tp_pool *pool;
     form     before, now;
-    int32_t  peak;              /* most that was added to a cell */
+    int32_t  peak;              /* largest change of a cell, LSB */
 } wake;
 
 typedef struct {
     int32_t  col, row;
-    uint32_t in_col, in_row;    /* of the pool */
-    tp_fx    x, z;              /* of its centre */
+    uint32_t in_col, in_row;    /* wrapped: cell of the pool */
+    tp_fx    x, z;              /* centre of the cell, m */
 } cell;
 
 static uint32_t wrapped(int32_t i, uint32_t count)
@@ -129,13 +132,14 @@ static uint32_t wrapped(int32_t i, uint32_t count)
     return (uint32_t)(n < 0 ? n + (int32_t)count : n);
 }
 
-/* The edge at which the first column or row of cells begins. */
+/* Returns the coordinate of the outer edge of the first column or row of cells. */
 static int64_t edge(tp_fx middle, tp_fx side, uint32_t count)
 {
     return middle - (int64_t)count * side / 2;
 }
 
-/* The middle of a column or row; each lies a side beyond the one before, to the LSB. */
+/* Returns the centre of column or row i.  Centres are exactly one side apart, to the
+ * LSB. */
 static tp_fx centre(tp_fx middle, tp_fx side, uint32_t count, int32_t i)
 {
     return (tp_fx)(edge(middle, side, count) + side / 2 + (int64_t)i * side);
@@ -151,14 +155,15 @@ static cell cell_at(const tp_pool *pool, int32_t col, int32_t row)
     };
 }
 
-/* Before the first: an empty box has none. */
+/* Returns the position before the first cell, as `next` expects.  An empty box has no
+ * cells. */
 static cell before_first(const box *b)
 {
     bool empty = b->col0 > b->col1;
     return (cell){ .col = b->col1, .row = empty ? b->row1 : b->row0 - 1 };
 }
 
-/* False after the last. */
+/* Steps to the next cell.  Returns false after the last cell. */
 static bool next(const tp_pool *pool, const box *b, cell *at)
 {
     if (at->col < b->col1) {
@@ -173,7 +178,8 @@ static bool next(const tp_pool *pool, const box *b, cell *at)
     return true;
 }
 
-/* Cells from low to high, m; of a tiled field no more than there are. */
+/* Computes the first and last cell between low and high, m.  In a tiled field the count
+ * is at most the number of cells of the field. */
 static void reach_cells(const tp_pool *pool, uint32_t count, tp_fx middle, int64_t low,
                         int64_t high, int32_t ends[2])
 {
@@ -195,14 +201,14 @@ static void reach_cells(const tp_pool *pool, uint32_t count, tp_fx middle, int64
 static int64_t lesser(int64_t a, int64_t b) { return a < b ? a : b; }
 static int64_t greater(int64_t a, int64_t b) { return a > b ? a : b; }
 
-/* The largest distance of a hull's corners from its middle along an axis of the world. */
+/* Returns the hull's largest extent from its middle along an axis of the world. */
 static tp_fx extent(const form *f, tp_turn heading)
 {
     return tp_q30_mul(f->length, tp_abs(tp_sin(heading)))
          + tp_q30_mul(f->beam, tp_abs(tp_cos(heading)));
 }
 
-/* Both hulls', made `reach` times as large. */
+/* Returns the cells reached by both hulls, enlarged `reach` times. */
 static box box_of(const wake *w, tp_fx reach)
 {
     const form *a = &w->before, *b = &w->now;
@@ -223,14 +229,15 @@ static box box_of(const wake *w, tp_fx reach)
 
 /* -- stirring ----------------------------------------------------------------------- */
 
-/* The height that a cell gains. */
+/* Returns the change of height of a cell, LSB. */
 static int32_t gain(const wake *w, const cell *at)
 {
     return column(&w->before, w->pool, at->x, at->z)
          - column(&w->now, w->pool, at->x, at->z);
 }
 
-/* Water around the hull as it is now: half as far again as its sides. */
+/* True for a water cell around the current hull: outside of the hull, within AROUND of
+ * it. */
 static bool is_around(const wake *w, const cell *at)
 {
     int64_t way[2];
@@ -240,7 +247,7 @@ static bool is_around(const wake *w, const cell *at)
         && !tp_pool_wall(w->pool, at->in_col, at->in_row);
 }
 
-/* Returns what fitted: nothing in walls. */
+/* Adds height to a cell and returns the amount that fitted: 0 in walls. */
 static int32_t add(wake *w, const cell *at, int64_t lsb)
 {
     int32_t part = (int32_t)tp_limit(lsb, INT32_MAX);
@@ -250,7 +257,8 @@ static int32_t add(wake *w, const cell *at, int64_t lsb)
     return added;
 }
 
-/* As far as it matters. */
+/* Returns the largest change of a cell; stops at PEAK_LEAST, because more makes no
+ * difference. */
 static int32_t highest_gain(const wake *w, const box *b)
 {
     int32_t highest = 0;
@@ -262,7 +270,7 @@ static int32_t highest_gain(const wake *w, const box *b)
     return highest;
 }
 
-/* Returns the sum of what fitted. */
+/* Applies all changes and returns the sum of the amounts that fitted. */
 static int64_t push_aside(wake *w, const box *b)
 {
     int64_t sum = 0;
@@ -283,8 +291,9 @@ static int64_t count_around(const wake *w, const box *b)
     return count;
 }
 
-/* Evenly: the i-th of n cells gets what lies between (i - 1) sum / n and i sum / n.  A
- * sum is below 2^18 cells of 2^31.  Returns what is left. */
+/* Spreads `sum` evenly over the cells around the hull: of n cells the i-th gets the part
+ * between (i - 1) sum / n and i sum / n.  |sum| is below 2^18 cells of 2^31.  Returns the
+ * remainder that did not fit. */
 static int64_t spread_around(wake *w, const box *b, int64_t sum)
 {
     int64_t n = count_around(w, b), i = 0, given = 0, left = sum;
@@ -300,7 +309,7 @@ static int64_t spread_around(wake *w, const box *b, int64_t sum)
     return left;
 }
 
-/* Into whatever takes it. */
+/* Adds the remainder to the first cells with room. */
 static void pour(wake *w, const box *b, int64_t left)
 {
     for (cell at = before_first(b); left != 0 && next(w->pool, b, &at);)

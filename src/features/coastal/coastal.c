@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* The module of coastal water: swells that feel a floor or a wind.  Its state is the tables
- * of wave/ocean.h, made from the world's sea; they follow from the scene and no tick
- * changes them. */
+/* The module of coastal water: swells that react to a floor or a wind.  Its state is the
+ * tables of wave/ocean.h, made from the world's sea.  The tables follow from the scene;
+ * no tick changes them. */
 #include "base/base.h"
 #include "base/fail.h"
 #include "geom/waters.h"
@@ -33,7 +33,7 @@ bool tp_coastal_enabled(const tp_want *want)
         && (!water || (water->ocean && water->swells));
 }
 
-/* 0: the floor's map cannot be used. */
+/* Returns the size of the state; 0: the floor's map cannot be used. */
 static size_t bytes(const tp_want *want)
 {
     const tp_scene *scene = want->scene;
@@ -56,7 +56,7 @@ static tp_status init(void *mine, tp_world *world, const tp_want *want, tp_error
     return tp_ocean_init(mine, &config, &world->sea, want->scene->wave, TP_WAVES, err);
 }
 
-/* Tables whose numbers have changed are made again. */
+/* Recomputes the tables whose inputs have changed. */
 static bool refresh(void *mine, tp_world *world, const tp_want *want)
 {
     const tp_ocean_config config = config_of(want->scene, want->assets);

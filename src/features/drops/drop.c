@@ -1,23 +1,24 @@
 /* SPDX-License-Identifier: MIT */
 /* One drop: fall, impact, bounce, shape; [D1]-[D4] of the models.
  *
- * A step is velocity Verlet with the drag split evenly around it: half a kick of gravity,
- * half of the drag, the way, and both again in turn.  Without drag that is exact.  The
- * drag of half a step, v' = -k v |v|, is solved exactly, v / (1 + k |v| t): no size of k
- * is unstable.
+ * A step is velocity Verlet with the drag split evenly around the move: half a kick of
+ * gravity, half of the drag, the move, half of the drag, half a kick.  Without drag the
+ * step is exact.  The drag of half a step, v' = -k v |v|, is solved exactly, v / (1 + k
+ * |v| t), and is stable for any k.
  *
- * Impacts are looked for in the water's frame, whose level moves evenly through the tick:
- * the height over it is the parabola through both ends with the first end's speed. */
+ * Impacts are searched in the frame of the water, whose level moves evenly during the
+ * tick.  The height over the water is the parabola through both ends with the initial
+ * speed. */
 #include <stdbool.h>
 #include "base/assert.h"
 #include "features/drops/drops.h"
 
 #define RATE        TP_TICKS_PER_SECOND
 #define FALL_MOST   ((int64_t)127 << 24)
-#define WATER_MOST  ((int64_t)16 << 24)             /* m/s; beyond, a level was set */
+#define WATER_MOST  ((int64_t)16 << 24)             /* m/s; a faster level has jumped */
 #define DRAG_Q40    ((uint64_t)494780232499)        /* 3 rho_a / 8 = 0.45 */
 #define CUBE_ROOT   TP_Q30(0.7937005259840998)      /* 2^(-1/3) */
-#define HIGH_MOST   ((int64_t)16384 << 32)          /* m, Q32: its outline fits 16.16 */
+#define HIGH_MOST   ((int64_t)16384 << 32)          /* m, Q32; the outline fits 16.16 */
 #define SQUASH_MOST 8192                            /* 1/2, Q2.14 */
 
 static int32_t fall_held(int64_t fall_q24)
@@ -25,7 +26,7 @@ static int32_t fall_held(int64_t fall_q24)
     return (int32_t)tp_limit(fall_q24, FALL_MOST);
 }
 
-/* n / d rounded half up; d > 0, |n| < 2^62. */
+/* Returns n / d rounded half up; d > 0, |n| < 2^62. */
 static int64_t over(int64_t n, int64_t d)
 {
     TP_ASSERT(d > 0);
@@ -35,8 +36,9 @@ static int64_t over(int64_t n, int64_t d)
 
 /* -- fall ---------------------------------------------------------------------------- */
 
-/* k of [D1], 1/m: (rho_a Cd pi r^2 / 2) / (rho 4/3 pi r^3) = 3 rho_a Cd / (8 rho r), Q24.
- * Below 2^29 for r of 0.5 mm, to which 0.002 m shrinks; held where it is out of range. */
+/* Returns k of [D1], 1/m: (rho_a Cd pi r^2 / 2) / (rho 4/3 pi r^3) = 3 rho_a Cd / (8 rho
+ * r), Q24.  k is below 2^29 for r = 0.5 mm, the size to which 0.002 m shrinks.  k is
+ * clamped to 2^30. */
 static uint64_t drag_q24(const tp_scene_drops *config, tp_fx radius)
 {
     TP_ASSERT(config->density > 0 && radius > 0);
@@ -47,7 +49,8 @@ static uint64_t drag_q24(const tp_scene_drops *config, tp_fx radius)
     return k < 1 << 30 ? k : 1 << 30;
 }
 
-/* v after half a tick of drag.  k |v| < 2^61, and over 2^24 and 120 below 2^31. */
+/* Returns v after half a tick of drag.  k |v| < 2^61; divided by 2^24 and 120 it is below
+ * 2^31. */
 static int64_t dragged(int64_t v, uint64_t k_q24)
 {
     if (k_q24 == 0)
@@ -59,7 +62,7 @@ static int64_t dragged(int64_t v, uint64_t k_q24)
     return v < 0 ? -(int64_t)left : (int64_t)left;
 }
 
-/* What a tick without water would bring. */
+/* State of the drop after one tick of free fall, without water. */
 typedef struct {
     int64_t high_q32;
     int32_t fall_q24;
@@ -77,11 +80,11 @@ static fall fallen(const tp_drop *drop, const tp_scene_drops *config, tp_fx grav
 
 /* -- impact -------------------------------------------------------------------------- */
 
-/* Over the water: height at both ends of the tick, speed at both, and the water's own. */
+/* Motion relative to the water during the tick; index 0 is the start, 1 the end. */
 typedef struct {
-    int64_t high[2];        /* Q.32 */
-    int64_t speed[2];       /* upwards, Q.24 */
-    int64_t water;          /* Q.24 */
+    int64_t high[2];        /* height over the water, m, Q.32 */
+    int64_t speed[2];       /* upward speed over the water, m/s, Q.24 */
+    int64_t water;          /* upward speed of the water, m/s, Q.24 */
 } crossing;
 
 static int64_t q32(tp_fx x)
@@ -89,7 +92,8 @@ static int64_t q32(tp_fx x)
     return (int64_t)x * 65536;
 }
 
-/* A level that leaps did not flow there: its speed does not throw drops. */
+/* Returns the relative motion.  A level that jumps has no speed: a jump must not throw
+ * drops. */
 static crossing crossing_of(const tp_drop *drop, const fall *to, tp_fx level)
 {
     tp_fx   before = drop->level == TP_DROP_NEW ? level : drop->level;
@@ -106,8 +110,8 @@ static crossing crossing_of(const tp_drop *drop, const fall *to, tp_fx level)
     };
 }
 
-/* When in the tick, 16.16, the parabola of high[0] >= 0 > high[1] falls through 0.  Its
- * parts are below 2^35, so products with 17 bits of time fit. */
+/* Returns the time in the tick, 16.16, at which the parabola with high[0] >= 0 > high[1]
+ * falls through 0.  The terms are below 2^35, so products with 17 bits of time fit. */
 static int32_t time_of(const crossing *c)
 {
     TP_ASSERT(c->high[0] >= 0 && c->high[1] < 0);
@@ -125,7 +129,8 @@ static int32_t time_of(const crossing *c)
     return above;
 }
 
-/* The share of the impact's energy that the drop loses: 1 - e^2 / 2, as m' = m / 2 [D3]. */
+/* Returns the share of the impact's energy lost by the drop: 1 - e^2 / 2, as m' = m / 2
+ * [D3]. */
 static uint64_t lost_share(const tp_scene_drops *config)
 {
     return TP_FX_ONE - (((uint64_t)config->bounce * (uint64_t)config->bounce) >> 17);
@@ -136,7 +141,7 @@ static int bits(uint64_t x)
     return x >> 32 ? 64 - tp_clz((uint32_t)(x >> 32)) : x ? 32 - tp_clz((uint32_t)x) : 0;
 }
 
-/* x cut to its 32 highest bits; what that leaves out is taken from *down. */
+/* Returns the 32 highest bits of x and subtracts the number of dropped bits from *down. */
 static uint64_t cut(uint64_t x, int *down)
 {
     int out = bits(x) > 32 ? bits(x) - 32 : 0;
@@ -144,9 +149,9 @@ static uint64_t cut(uint64_t x, int *down)
     return x >> out;
 }
 
-/* [D3]: (2 pi / 3) (rho r) (r u)^2 (1 - e^2 / 2), `speed` u in Q24.  r u is below 2^31.2
- * in Q24 and rho r below 2^45.4 in Q32: at the most 45 bits are cut, and `down` stays
- * above 0.  Beyond 2^16 J there is no need to go on. */
+/* Returns the energy [D3]: (2 pi / 3) (rho r) (r u)^2 (1 - e^2 / 2), `speed` u in Q24.  r
+ * u is below 2^31.2 in Q24 and rho r below 2^45.4 in Q32.  At most 45 bits are dropped,
+ * so `down` stays above 0.  The result saturates: 2^16 J and more give TP_FX_MAX. */
 static tp_fx energy_lost(const tp_scene_drops *config, uint64_t radius, uint64_t speed)
 {
     const uint64_t two_thirds_pi = 34315;                       /* Q14 */
@@ -163,7 +168,7 @@ static tp_fx energy_lost(const tp_scene_drops *config, uint64_t radius, uint64_t
     return lost < TP_FX_MAX ? (tp_fx)lost : TP_FX_MAX;
 }
 
-/* [D4] with [D3] and L = 8 r put in, Q24:
+/* Returns [D4] with [D3] and L = 8 r substituted, Q24:
  *     A0 = u sqrt(eff (1 - e^2 / 2)) sqrt(rho r / (36 rho_w g));
  * the roots are below 1 and 1.7, in Q31 and Q29. */
 static int32_t ring_height(const tp_scene_drops *config, tp_fx gravity, uint64_t radius,
@@ -194,8 +199,9 @@ static tp_impact impact_of(const tp_drop *drop, const tp_scene_drops *config,
     };
 }
 
-/* Up again with `speed` for what is left of the tick, 16.16.  If it would come down
- * within that it waits on the water, ready to strike as fast as it rose, or less. */
+/* Returns the state at the end of the tick after a bounce with `speed`, relative to the
+ * water.  `left`: the rest of the tick, 16.16.  A drop that would come down again within
+ * the tick waits on the water; its next impact is at most as fast as its rise. */
 static fall bounced(int64_t speed, tp_fx gravity, int64_t left, const crossing *c)
 {
     int64_t rise = over(speed * left, RATE << 8)
@@ -208,14 +214,16 @@ static fall bounced(int64_t speed, tp_fx gravity, int64_t left, const crossing *
 
 /* -- shape --------------------------------------------------------------------------- */
 
-/* `speed` m/s in Q24 as a part of `whole` m/s, at the most 1, times `of`. */
+/* Returns |speed| / whole x `of`; the quotient is at most 1.  `speed` in Q24 m/s, `whole`
+ * in m/s. */
 static int32_t part_of(int64_t speed, int32_t whole, int32_t of)
 {
     int64_t q16 = (speed < 0 ? -speed : speed) >> 8;
     return q16 >= whole * TP_FX_ONE ? of : (int32_t)(q16 * of / whole >> 16);
 }
 
-/* A damped spring that wobbles three times a second around what the speed asks for. */
+/* Advances the shape: a damped spring, about three oscillations per second, around the
+ * squash for the current speed. */
 static void wobble(tp_drop *drop)
 {
     int32_t rest = part_of(drop->fall_q24, 12, 6000);
@@ -233,7 +241,8 @@ static void flatten(tp_drop *drop, int64_t speed)
 
 /* -- the step ------------------------------------------------------------------------ */
 
-/* Greater heights, which take a change of gravity in flight, are held. */
+/* Moves the drop.  Heights above HIGH_MOST are clamped; they need a change of gravity in
+ * flight. */
 static void move_to(tp_drop *drop, const fall *to)
 {
     drop->high_q32 = to->high_q32 < HIGH_MOST ? to->high_q32 : HIGH_MOST;
@@ -241,7 +250,7 @@ static void move_to(tp_drop *drop, const fall *to)
     drop->place.y = (tp_fx)((drop->high_q32 + (1 << 15)) >> 16);
 }
 
-/* The drop comes down through the surface: [D2]. */
+/* Handles an impact: the drop comes down through the surface, [D2]. */
 static void strike(tp_drop *drop, const tp_scene_drops *config, tp_fx gravity,
                    const crossing *c, uint64_t tick, tp_impact *impact)
 {
@@ -267,7 +276,7 @@ bool tp_drop_step(tp_drop *drop, const tp_scene_drops *config, tp_fx gravity,
     if (drop->radius <= 0)
         return false;
     if (gravity < TP_FX(0.1))
-        gravity = TP_FX(0.1);               /* what tables allow at the least */
+        gravity = TP_FX(0.1);               /* lower bound in the parameter table */
     fall     to = fallen(drop, config, gravity);
     crossing c = crossing_of(drop, &to, level);
 
@@ -277,7 +286,7 @@ bool tp_drop_step(tp_drop *drop, const tp_scene_drops *config, tp_fx gravity,
         strike(drop, config, gravity, &c, tick, impact);
         return true;
     }
-    if (c.high[1] < 0) {                    /* under water all along: lifted out */
+    if (c.high[1] < 0) {                    /* under water all the time: lifted out */
         to.high_q32 = q32(level);
         to.fall_q24 = (int32_t)(to.fall_q24 > c.water ? to.fall_q24 : c.water);
     }
@@ -286,14 +295,15 @@ bool tp_drop_step(tp_drop *drop, const tp_scene_drops *config, tp_fx gravity,
     return false;
 }
 
-/* -- from outside -------------------------------------------------------------------- */
+/* -- validation of a state from outside ---------------------------------------------- */
 
 static bool is_within(int64_t x, int64_t most)
 {
     return x >= -most && x <= most;
 }
 
-/* The wobble's speed loses a quarter a tick and gains no more than 1777. */
+/* True if the drop is in range.  The spring's speed loses a quarter per tick and gains at
+ * most 1777. */
 bool tp_drop_is_valid(const tp_drop *drop)
 {
     return is_within(drop->place.x, TP_DROP_FAR) && is_within(drop->place.z, TP_DROP_FAR)

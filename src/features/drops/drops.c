@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The drops of a scene and their rings: one block of fixed size, in which what finds no
- * place is counted. */
+/* The drops of a scene and their rings, in one block of fixed size.  Drops and rings
+ * beyond the capacity are counted as dropped. */
 #include "features/drops/drops.h"
 #include "base/base.h"
 #include "geom/waters.h"
@@ -73,8 +73,9 @@ void tp_drops_steer(tp_drops *drops, tp_fx x, tp_fx z)
     drops->sphere.z = held((int64_t)drops->sphere.z + z);
 }
 
-/* Evenly over a disc around the sphere's centre: the root makes rings of equal width hold
- * shares by their area. */
+/* Returns a random place, uniform over a disc of radius `reach` around the sphere's
+ * centre.  The square root gives each annulus of equal width a share in proportion to its
+ * area. */
 static tp_vec3 scattered(tp_drops *drops, tp_fx reach)
 {
     tp_turn round = tp_random(&drops->random);
@@ -106,8 +107,8 @@ void tp_drops_release(tp_drops *drops, const tp_scene_drops *config, uint32_t co
     drops->dropped += lost < most ? lost : most;
 }
 
-/* Up to 60 s, 22 bits, so 60 of them fit; at 1/65536 s it is 1092 drops a tick, and so
- * many steps. */
+/* Releases the drops due in this tick.  `every` is at most 60 s, 22 bits, so its product
+ * with 60 fits 32 bits.  At 1/65536 s the loop releases 1092 drops per tick. */
 void tp_drops_release_due(tp_drops *drops, const tp_scene_drops *config)
 {
     uint32_t interval = (uint32_t)config->every * TP_TICKS_PER_SECOND, due = 0;
@@ -116,7 +117,7 @@ void tp_drops_release_due(tp_drops *drops, const tp_scene_drops *config)
         drops->wait = 0;
         return;
     }
-    if (drops->wait > interval)             /* it was longer when this wait began */
+    if (drops->wait > interval)             /* the interval was longer at its start */
         drops->wait = interval;
     for (; drops->wait < TP_FX_ONE; due++)
         drops->wait += interval;
@@ -136,7 +137,8 @@ bool tp_drops_step(tp_drops *drops, const tp_scene_drops *config, uint32_t i,
     return struck;
 }
 
-/* The smallest drops ask for waves that are shorter than rings can be. */
+/* Adds a ring.  The smallest drops ask for shorter waves than a ring can have; the length
+ * is clamped. */
 bool tp_drops_ring(tp_drops *drops, const tp_scene_drops *config, const tp_impact *impact)
 {
     TP_ASSERT(drops->rings <= drops->ring_capacity);
@@ -176,14 +178,14 @@ void tp_drops_tidy(tp_drops *drops, int64_t now, tp_fx beyond)
     drops->rings = n;
 }
 
-/* -- from outside -------------------------------------------------------------------- */
+/* -- validation of a state from outside ---------------------------------------------- */
 
 static bool is_far(tp_fx x)
 {
     return x != held(x);
 }
 
-/* All but what steps change. */
+/* True if all members agree with `fresh`, except the members changed by steps. */
 static bool is_same_config(const tp_drops *drops, const tp_drops *fresh)
 {
     return drops->capacity == fresh->capacity
@@ -199,7 +201,8 @@ static bool is_sphere_valid(const tp_drops *drops)
         && !is_far(drops->last_sphere.z);
 }
 
-/* True if a drop can have raised the ring: at a place that drops reach, not after `tick`. */
+/* True if a drop can have raised the ring: within the drops' range, and not after
+ * `tick`. */
 static bool is_ring_valid(const tp_ring *ring, uint64_t tick)
 {
     return tp_ring_is_valid(ring) && ring->start >= 0
@@ -222,8 +225,8 @@ bool tp_drops_are_valid(const tp_drops *drops, const tp_drops *fresh, uint64_t t
 
 /* -- the module's state -------------------------------------------------------------- */
 
-/* Behind the block of tp_drops, if drops raise rings: those rings as they lie at this
- * tick, for the water's surface. */
+/* The rings at this tick, for the water's surface.  The array stands after the block of
+ * tp_drops; its room is 0 if drops do not raise rings. */
 typedef struct {
     uint32_t count, room;
     tp_ring_now ring[];
@@ -287,7 +290,8 @@ static bool refresh(void *mine, tp_world *world, const tp_want *want)
 
 /* -- a tick -------------------------------------------------------------------------- */
 
-/* An impact raises a ring, or stirs a pool as much [D5]. */
+/* Handles an impact.  With drops.into = rings the impact raises a ring; otherwise a pool
+ * takes the same impact [D5]. */
 static bool hit(void *mine, const tp_scene *scene, const tp_impact *impact, tp_fx level)
 {
     (void)level;
@@ -348,7 +352,7 @@ static void add_surface(const void *mine, tp_surface *surface)
     surface->n_raised = ((const tp_drops *)mine)->rings;
 }
 
-/* True if `now` is empty or holds the rings that the drops raise at this time. */
+/* True if `now` is empty or holds exactly the drops' rings at this time. */
 static bool are_rings_valid(const tp_drops *drops, const rings_now *now, int64_t time)
 {
     uint32_t n = 0;

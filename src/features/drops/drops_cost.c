@@ -1,11 +1,12 @@
 /* SPDX-License-Identifier: MIT */
-/* The costs of drops: rings at the water's crossings, and the balls' faces. */
+/* Cost estimate of drops: rings at the water's grid vertices, and the spheres' faces. */
 #include "features/drops/drops.h"
 #include "scene/works.h"
 
-#define BALL_FACES 440          /* of a large drop, drops_drawing.c; small ones: a quarter */
+#define BALL_FACES 440          /* faces of a large sphere, drops_drawing.c; a small one
+                                 * has a quarter */
 
-/* The sphere that they fall from. */
+/* Counts the faces of the releasing sphere, in the main view and in the reflection. */
 static void work(tp_site *w)
 {
     const tp_outlook *o = w->outlook;

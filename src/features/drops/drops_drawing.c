@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
-/* Drops and the sphere that they fall from: spheroids of triangles, drawn in the tiles
- * that their boxes touch; small ones take every second meridian and parallel.  A drop
- * keeps its volume whatever its shape: with height over width a = 1 + squash, height goes
- * with a^(2/3) and width with a^(-1/3). */
+/* Draws drops and the releasing sphere as spheroids of triangles, in the tiles touched by
+ * their boxes.  Small spheroids use every second meridian and parallel.  A drop keeps its
+ * volume at any shape: with height over width a = 1 + squash, height is proportional to
+ * a^(2/3) and width to a^(-1/3). */
 #include "base/base.h"
 #include "features/drops/drops.h"
 #include "frame/frame.h"
@@ -17,17 +17,17 @@ typedef struct {
 } ball_point;
 
 typedef struct {
-    tp_solid     look;          /* of the stage: first */
+    tp_solid     look;          /* material of the stage; first member */
     ball_point  *ball;
-    tp_grid_box *box;           /* of each drop, then of the sphere, in this view */
-    tp_ring_now *ring;          /* as they lie at the drawn moment */
+    tp_grid_box *box;           /* boxes of the drops, then of the sphere, in this view */
+    tp_ring_now *ring;          /* rings at the drawn moment */
     uint32_t     room, ring_room;
-    uint32_t     seen;          /* drops that are drawn, of as many as there is room */
+    uint32_t     seen;          /* number of drops drawn, at most `room` */
 } drawn_drops;
 
 /* -- the unit sphere --------------------------------------------------------------- */
 
-/* North pole, parallels from north to south, south pole. */
+/* Makes the unit sphere: north pole, parallels from north to south, south pole. */
 static void make_ball(tp_frame *frame, void *mine)
 {
     ball_point *to = ((drawn_drops *)mine)->ball;
@@ -47,15 +47,15 @@ static void make_ball(tp_frame *frame, void *mine)
     *to = (ball_point){ 0, -16384, 0 };
 }
 
-/* -- one of them -------------------------------------------------------------------- */
+/* -- one spheroid ------------------------------------------------------------------- */
 
 typedef struct {
     tp_vec3 centre;
     tp_fx   wide, high;         /* half axes, m */
 } spheroid;
 
-/* a^(-1/3) by its series to the third power, within 0.017 for |squash| <= 1/2; the height
- * keeps the volume. */
+/* Returns the spheroid of a squashed drop.  The width a^(-1/3) is a series to the third
+ * power, within 0.017 for |squash| <= 1/2.  The height follows from constant volume. */
 static spheroid shaped(tp_vec3 centre, tp_fx radius, int32_t squash_q14)
 {
     tp_fx q = tp_clamp(squash_q14, -8192, 8192) * 4;
@@ -66,7 +66,7 @@ static spheroid shaped(tp_vec3 centre, tp_fx radius, int32_t squash_q14)
     return (spheroid){ centre, tp_fx_mul(radius, wide), tp_fx_mul(radius, high) };
 }
 
-/* The last one is the sphere. */
+/* Returns spheroid i at the drawn moment: drop i, or the sphere for i = seen. */
 static spheroid number(const tp_drops *drops, tp_fx back, uint32_t i, uint32_t seen)
 {
     TP_ASSERT(i <= seen && seen <= drops->count);
@@ -96,7 +96,8 @@ static tp_view_corner corner_of(const tp_sight *sight, const spheroid *s,
     return c;
 }
 
-/* Parallel j, every `step`th point of it; both poles are rings of one point. */
+/* Transforms every `step`th point of parallel j.  A pole counts as a parallel whose
+ * points are all equal. */
 static void see_ring(const drawn_drops *d, const tp_sight *sight, const spheroid *s,
                      uint32_t j, uint32_t step, tp_view_corner to[ROUND])
 {
@@ -112,8 +113,8 @@ static void see_ring(const drawn_drops *d, const tp_sight *sight, const spheroid
 
 static const tp_grid_box nowhere = { 1, 1, 0, 0 };
 
-/* The pixels that the ball's corners span; all pixels if a corner must be clipped.  A ball
- * that the level cuts counts whole. */
+/* Returns the pixel box of a spheroid's vertices; all pixels if a vertex must be clipped.
+ * A spheroid cut by the clip level counts in full. */
 static tp_grid_box box_of(const drawn_drops *d, const tp_sight *sight, const spheroid *s,
                           uint32_t step)
 {
@@ -139,8 +140,8 @@ static tp_grid_box box_of(const drawn_drops *d, const tp_sight *sight, const sph
     return cut ? (tp_grid_box){ INT16_MIN, INT16_MIN, INT16_MAX, INT16_MAX } : box;
 }
 
-/* Every second point is enough up to 16 pixels across: its outline is off by 8 % of half
- * of that. */
+/* Returns the step between meridians and parallels.  Up to 16 px across step 2 is enough:
+ * the outline is off by 8 % of half the step. */
 static uint32_t step_of(const tp_grid_box *box)
 {
     return box->x1 - box->x0 > 16 || box->y1 - box->y0 > 16 ? 1 : 2;
@@ -239,7 +240,8 @@ static void *layout(tp_arena *arena, const tp_want *want)
     return d;
 }
 
-/* Rings between ticks are rings of another age. */
+/* Adds the rings at the drawn moment to the surface.  Between two ticks a ring has an age
+ * in between. */
 static void add_surface(tp_frame *frame, void *mine, tp_surface *surface)
 {
     const tp_drops *drops = tp_world_drops(frame->world);

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Rows of parameters: drops, and the sphere that they fall from. */
+/* Parameter rows of drops and of the releasing sphere. */
 #ifndef TP_DROPS_ROWS_H
 #define TP_DROPS_ROWS_H
 #include "tidepool/modules.h"

@@ -1,27 +1,28 @@
 /* SPDX-License-Identifier: MIT */
-/* Drops: balls of clear water, which show the world upside down.
+/* Shading of drops: balls of clear water, with the surroundings upside down.
  *
- * A ray that meets a ball of index n at an angle i leaves it turned by 2 (i - r) towards
- * its middle, sin i = n sin r [F4].  With c = cos i = N.V the turn is taken from two
- * parabolas in c: the ray goes on along cos x (-V) - s x (N - c V), where
- * cos = 1 - 7/8 (1 - c)^2 and s = 1 - 4/5 c + 3/10 c^2, within 0.05 of the true ones.  What
- * is mirrored at the first surface comes on top by Fresnel's share, and the light's
- * lobe. */
+ * A ray at the incidence i leaves a ball of index n turned by 2 (i - r) towards the
+ * ball's middle, sin i = n sin r [F4].  With c = cos i = N.V two parabolas in c
+ * approximate the turn: the ray goes on along cos x (-V) - s x (N - c V), where cos = 1 -
+ * 7/8 (1 - c)^2 and s = 1 - 4/5 c + 3/10 c^2, within 0.05 of the exact values.  The
+ * reflection at the front surface, weighted by Fresnel, and the specular lobe of the
+ * light are added. */
 #include "shade/env.h"
 #include "shade/normal.h"
 #include "tidepool/modules.h"
 
 typedef tp_vec_q14 vec;
 
-/* a x + b y. */
+/* Returns a x + b y; a, b in Q14. */
 static vec sum(vec x, int32_t a, vec y, int32_t b)
 {
     return (vec){ (x.x * a + y.x * b) >> 14, (x.y * a + y.y * b) >> 14,
                   (x.z * a + y.z * b) >> 14 };
 }
 
-/* Below the horizon lies the water: its colour, in the light of all sides and the sun's,
- * grows out of the horizon's within 14 degrees. */
+/* Returns the light from direction d.  Below the horizon the colour blends from the
+ * horizon's into the water's colour within 14 degrees.  The water is lit by ambient light
+ * and the sun. */
 static uint32_t around(const tp_shade *shade, vec d)
 {
     uint32_t light = tp_env_at(shade, d.x, d.y > 0 ? d.y : 0, d.z);
@@ -35,7 +36,7 @@ static uint32_t around(const tp_shade *shade, vec d)
                          (uint32_t)tp_clamp(-d.y >> 4, 0, 256));
 }
 
-/* The way on through the ball. */
+/* Returns the direction of the ray behind the ball. */
 static vec through(vec n, vec v, int32_t c)
 {
     int32_t left = 16384 - c;
@@ -60,7 +61,7 @@ static uint32_t lit(const tp_shade *shade, const tp_solid *drop, vec n, vec v, i
                                                          shade->light_colour), gloss));
 }
 
-/* tp_run.mine begins with the material. */
+/* tp_run.mine begins with the material, a tp_solid. */
 void tp_stage_drop(const tp_shade *shade, tp_run *run)
 {
     const tp_solid *drop = run->mine;

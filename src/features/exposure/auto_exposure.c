@@ -1,14 +1,15 @@
 /* SPDX-License-Identifier: MIT */
-/* A camera's exposure, one tick at a time [F8]: it adapts in fixed ticks, not in wall
- * time, so that a recorded input shows the same pictures again. */
+/* Automatic exposure of the camera, one tick at a time [F8].  Adaptation runs in fixed
+ * ticks, not in wall time, so a recorded input gives the same pictures again. */
 #include "features/exposure/exposure.h"
 
 #define LEAST      (TP_FX_ONE / 8)
 #define MOST       (8 * TP_FX_ONE)
 #define MEAN_LEAST (TP_FX_ONE / 16)
 
-/* A share of a way of a few LSB rounds to nothing: then one LSB is gone, so that the
- * target is reached and not only approached.  The way is below 2^19, the product 2^36. */
+/* A share of a difference of a few LSB may round to zero.  The exposure then moves by one
+ * LSB, so the target is reached exactly.  The difference is below 2^19, the product below
+ * 2^36. */
 tp_fx tp_exposure_step(tp_fx exposure, tp_fx mean, tp_fx rate)
 {
     const tp_fx floored = mean < MEAN_LEAST ? MEAN_LEAST : mean;

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /* The camera's exposure, fixed or automatic.
  *
- *     exposure_drawing.c   the module, and when pixels are exposed
- *     exposure_stage.c     its tones, and the span stage
+ *     exposure_drawing.c   the module; selects the stage or the pixel table
+ *     exposure_stage.c     the tone mapping curve, and the span stage
  *     meter.c              the module of automatic exposure; see meter.h */
 #ifndef TP_EXPOSURE_MODULE_H
 #define TP_EXPOSURE_MODULE_H
@@ -11,20 +11,21 @@
 #include "shade/wide.h"
 #include "tidepool/fixed.h"
 
-/* One tick of the camera's adaptation [F8]: towards 0.5 / mean, within 1/8..8, by `rate`
- * (0..1) of the way.  `mean` is the picture's mean brightness, 1 being white; below 1/16
- * it counts as that.  Never stops short of the target; all 16.16. */
+/* Returns the exposure after one tick of adaptation [F8]: towards 0.5 / mean, within
+ * 1/8..8, by the share `rate` (0..1) of the difference.  `mean` is the picture's mean
+ * brightness, white is 1; values below 1/16 count as 1/16.  The exposure reaches its
+ * target exactly.  All numbers are Q16.16. */
 tp_fx tp_exposure_step(tp_fx exposure, tp_fx mean, tp_fx rate);
 
 #define TP_EXPOSURE_ID TP_MODULE_ID('e', 'x', 'p', 'o')
 
-/* Data of the stage, in tp_run.mine. */
+/* Data of the span stage, in tp_run.mine. */
 typedef struct {
-    tp_entry8 tone[256];        /* of a channel */
-    tp_toned  toned;            /* the same of pixels */
-    tp_fx     made_for;         /* exposure; 0: not made yet */
+    tp_entry8 tone[256];        /* tone curve of a channel */
+    tp_toned  toned;            /* the same curve for rgb565 pixels */
+    tp_fx     made_for;         /* exposure of the tables; 0: none */
 } tp_exposure;
 
-/* The channels' tones by an exposure, 1/8..8. */
+/* Fills the tone curve of a channel for an exposure of 1/8..8. */
 void tp_exposure_tone(tp_entry8 tone[256], tp_fx exposure);
 #endif

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Draws the exposure: by the last stage of every list or, if no stage follows it in any
- * list, by the table that makes the pixels. */
+/* Applies the exposure.  The last stage of every shader list does the tone mapping.  If
+ * no list has a later stage, the table for storing pixels does it instead. */
 #include "features/exposure/exposure.h"
 #include "frame/frame.h"
 
@@ -21,7 +21,8 @@ static void init(tp_frame *frame, void *mine)
     e->made_for = 0;
 }
 
-/* Glass and overlays are laid over exposed colours. */
+/* Chooses the method.  Panes of glass and overlays must be drawn over tone-mapped
+ * colours, so both exclude the pixel table. */
 static void begin(tp_frame *frame, void *mine)
 {
     tp_exposure *e = mine;

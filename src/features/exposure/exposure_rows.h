@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Rows of parameters: light beyond white, and the camera's exposure. */
+/* Parameter rows of light above white and of the camera's exposure. */
 #ifndef TP_EXPOSURE_ROWS_H
 #define TP_EXPOSURE_ROWS_H
 #include "tidepool/modules.h"

@@ -1,10 +1,11 @@
 /* SPDX-License-Identifier: MIT */
-/* The camera's exposure E, as one table for every channel of every pixel.
+/* The tone mapping of the exposure E: one table for every channel of every pixel.
  *
- * Of t in 0..1 it makes E t / (1 + (E - 1) t^k), a rule of our own: E t in the dark, 1 at
- * 1, so that what was beyond white stays white and highlights keep their shape; nothing
- * at all for E = 1.  Brightening takes k = 1, with which two exposures one after the other
- * are their product; darkening takes 4, so that only what is close to white is held. */
+ * A channel t in 0..1 becomes E t / (1 + (E - 1) t^k), the project's own rule.  The
+ * result is E t in the dark and 1 at t = 1, so highlights keep their shape and white
+ * stays white.  For E = 1 the curve is the identity.  Brightening uses k = 1; two
+ * exposures in sequence then equal their product.  Darkening uses k = 4, so only values
+ * close to white are compressed. */
 #include "features/exposure/exposure.h"
 #include "shade/shade.h"
 

@@ -1,12 +1,13 @@
 /* SPDX-License-Identifier: MIT */
-/* The meter of automatic exposure [F8]: 32 x 24 rays of the camera, once a tick.
+/* The light meter of automatic exposure [F8]: 32 x 24 rays of the camera, once per tick.
  *
- * Rays that go up see the sky, rays that go down the sky mirrored in level water by
- * Fresnel's share and the water's own lit colour: as the stages have it, in grey and
- * without waves.  So the mean is the world's alone, whatever the picture's size, its
- * tiles, and which frames were drawn.  The lattice is 4:3, camera.fov from bottom to top.
+ * Rays upwards meet the sky.  Rays downwards meet level water: the mirrored sky, weighted
+ * by Fresnel, and the water's own lit colour.  The rules are the same as in the span
+ * stages, in grey and without waves.  The mean therefore depends on the world alone, not
+ * on the picture's size, its tiles or the frames drawn.  The lattice is 4:3, with
+ * camera.fov from bottom to top.
  *
- * The module's state is tables of greys: a world knows no pictures while it moves. */
+ * The module's state is tables of greys, because a world has no textures while it moves. */
 #include "features/exposure/meter.h"
 #include "base/base.h"
 #include "features/exposure/exposure.h"
@@ -17,12 +18,12 @@
 
 #define ACROSS 32
 #define DOWN   24
-#define BANDS  64               /* of the gradients and of Fresnel's share */
-#define SIDE   8                /* of a cube's face */
+#define BANDS  64               /* intervals of the gradients and of Fresnel */
+#define SIDE   8                /* texels of a cube face, each way */
 #define GLOWS  (TP_GLOW / 8)
-#define BRIGHTEST 1020          /* four whites: a sun counts no more */
+#define BRIGHTEST 1020          /* four times white: upper limit, also for a sun */
 
-/* The scene's numbers that the tables are made of. */
+/* Inputs of the tables, from the scene. */
 typedef struct {
     int32_t kind, horizon, zenith, light;
     tp_fx   sun, share;
@@ -30,15 +31,15 @@ typedef struct {
     tp_fx   reflection;
 } source;
 
-/* Greys are 255 at white. */
+/* Tables of greys; white is 255. */
 typedef struct {
     source   made_of;
-    uint32_t cube;              /* 1: faces, else gradients and glow */
-    uint16_t low[2][BANDS + 1]; /* away from the light and towards it */
+    uint32_t cube;              /* 1: cube faces; 0: gradients and glow */
+    uint16_t low[2][BANDS + 1]; /* gradients, away from the light; towards it */
     uint16_t glow[GLOWS + 1];
     uint16_t face[TP_FACES][SIDE * SIDE];
-    uint16_t fresnel[BANDS + 1];        /* 256ths, times the water's reflection */
-    uint16_t water;             /* its colour in full light */
+    uint16_t fresnel[BANDS + 1];        /* 1/256, times the water's reflection */
+    uint16_t water;             /* water colour in full light */
 } probe;
 
 /* -- the tables --------------------------------------------------------------------- */
@@ -54,7 +55,8 @@ static uint16_t grey_of(uint32_t light, uint32_t beyond)
     return (uint16_t)(bright < BRIGHTEST ? bright : BRIGHTEST);
 }
 
-/* The plain gradient is a day's without sun. */
+/* Fills the gradients and the glow.  A plain gradient sky is filled like a daytime dome
+ * without a sun. */
 static void fill_dome(probe *p, const tp_scene *scene, uint32_t beyond)
 {
     const bool dome = tp_has_dome(scene);
@@ -70,7 +72,8 @@ static void fill_dome(probe *p, const tp_scene *scene, uint32_t beyond)
                           : 0;
 }
 
-/* The level that has 8 texels a side, or the whole of a smaller picture. */
+/* Fills a face from the mipmap level with 8 texels per side, or from level 0 of a smaller
+ * texture. */
 static void fill_face(uint16_t to[SIDE * SIDE], const tp_cube *cube, int i, uint32_t beyond)
 {
     const tp_texture *face = cube->face[i];
@@ -118,7 +121,7 @@ static void make(probe *p, const tp_scene *scene, const tp_assets *assets)
     uint32_t beyond = (uint32_t)scene->hdr.share * TP_WHITES >> 8;
     tp_cube  cube;
 
-    memset(p, 0, sizeof *p);            /* what another kind of sky had filled */
+    memset(p, 0, sizeof *p);            /* clears tables of another kind of sky */
     p->made_of = source_of(scene);
     p->cube = tp_has_cube(scene, assets) && tp_cube_init(&cube, assets->sky);
     if (!p->cube)
@@ -131,7 +134,7 @@ static void make(probe *p, const tp_scene *scene, const tp_assets *assets)
 /* -- a tick --------------------------------------------------------------------------- */
 
 typedef struct {
-    int32_t x, y, z;            /* Q1.14 */
+    int32_t x, y, z;            /* direction, Q1.14 */
 } way;
 
 static way way_of(tp_dir3 d)
@@ -139,7 +142,7 @@ static way way_of(tp_dir3 d)
     return (way){ d.x >> 16, d.y >> 16, d.z >> 16 };
 }
 
-/* Grey towards d, which does not go down. */
+/* Returns the grey of the sky in direction d, with d.y >= 0. */
 static uint32_t sky_at(const probe *p, way light, way d)
 {
     if (p->cube) {
@@ -168,8 +171,9 @@ static uint32_t ray_at(const probe *p, const tp_scene *scene, way light, way d)
     return ((p->water * lit >> 8) * (256 - share) + mirror * share) >> 8;
 }
 
-/* The lattice's ray (i, j): u and v are the sine of half the view's angle times 3/4 of
- * -31/24..31/24 and -23/24..23/24, so that its depth is the cosine. */
+/* Returns the mean over the rays (i, j) of the lattice.  u and v are the sine of half the
+ * view's angle times -31/24..31/24 and -23/24..23/24; the depth is the cosine of the same
+ * angle. */
 tp_fx tp_meter_mean(const tp_world *world, const tp_scene *scene)
 {
     const probe *p = tp_world_part(world, TP_METER_ID);
@@ -220,7 +224,7 @@ static bool refresh(void *mine, tp_world *world, const tp_want *want)
     return true;
 }
 
-/* Camera and light are where this tick has moved them. */
+/* Advances the exposure.  Camera and light are already those of this tick. */
 static void step(void *mine, const tp_program *program, tp_world *world,
                  const tp_scene *scene, const tp_input *input)
 {
@@ -230,7 +234,7 @@ static void step(void *mine, const tp_program *program, tp_world *world,
                                        scene->hdr.rate);
 }
 
-/* Ticks leave the tables as they are. */
+/* True if the tables equal those of `fresh`: ticks do not change the tables. */
 static bool is_valid(const void *mine, const void *fresh, const tp_world *world)
 {
     (void)world;

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /* Automatic exposure.
  *
- *     meter.c           the module: how bright the camera's view is, once a tick
- *     auto_exposure.c   how the exposure follows that */
+ *     meter.c           the module: mean brightness of the camera's view, once per tick
+ *     auto_exposure.c   the adaptation of the exposure to the mean */
 #ifndef TP_METER_MODULE_H
 #define TP_METER_MODULE_H
 #include "scene/module.h"
@@ -13,6 +13,6 @@ bool tp_world_is_metered(const tp_world *world);
 
 #define TP_METER_ID TP_MODULE_ID('m', 'e', 't', 'r')
 
-/* The mean over the view, 1 is white; 0: the world has no meter. */
+/* Returns the mean brightness of the view, white is 1; 0: the world has no meter. */
 tp_fx tp_meter_mean(const tp_world *world, const tp_scene *scene);
 #endif

@@ -1,15 +1,15 @@
 /* SPDX-License-Identifier: MIT */
-/* The foam's field: its window, its fading, its drift.
+/* The foam field: its window, its fading, its drift.
  *
- * A cell is looked after every fourth tick.  It then keeps e^(-4 ticks / fade) of its
- * cover and gains what is made there; the sum, in 2^-24 of a unit, is rounded by a
- * threshold that goes round 0..1 in steps of the golden ratio, each cell from its own: so
- * it fades exactly on the mean, however slowly, and always ends at 0.
+ * A cell is visited every fourth tick.  The visit keeps e^(-4 ticks / fade) of the cover
+ * and adds the foam made since.  The sum, in 2^-24 of a unit, is rounded by a threshold.
+ * The threshold cycles through 0..1 in steps of the golden ratio, with another phase in
+ * each cell.  The mean therefore fades exactly, however slowly, and always ends at 0.
  *
- * Drift moves the lattice, not what is in it: no cover spreads or is lost by it, whatever
- * its speed, where interpolation in place would smear a byte over its neighbours.
+ * Drift moves the lattice and leaves the cells' bytes alone, so no cover spreads or is
+ * lost at any speed.  Interpolation in place would smear a byte over its neighbours.
  *
- * What the window leaves behind is cleared when its cells stand for other places. */
+ * Cells left behind by the window are cleared when they are reused for other places. */
 #include "features/foam/foam.h"
 #include "base/base.h"
 #include "scene/drawn.h"
@@ -17,10 +17,10 @@
 #include "scene/pools.h"
 #include "wave/exp.h"
 
-#define MIDDLE_MOST (8000 * TP_FX_ONE)  /* of the eye and of pools */
-#define GOLDEN 10368889u        /* 2^24 / 1.618..., odd: it goes through all of 2^24 */
+#define MIDDLE_MOST (8000 * TP_FX_ONE)  /* limit of the eye and of pools, m */
+#define GOLDEN 10368889u        /* 2^24 / 1.618..., odd, so the period is 2^24 */
 
-/* -- where it is -------------------------------------------------------------------- */
+/* -- the window --------------------------------------------------------------------- */
 
 static size_t cover_bytes(uint32_t cells)
 {
@@ -32,7 +32,8 @@ bool tp_foam_enabled(const tp_want *want)
     return want->scene->foam.cells > 0;
 }
 
-/* Over coastal water a row of places stands behind the cover. */
+/* Returns the size of the state.  With coastal water a row of displaced positions follows
+ * the cover. */
 static size_t bytes(const tp_want *want)
 {
     const uint32_t cells = (uint32_t)want->scene->foam.cells;
@@ -41,13 +42,14 @@ static size_t bytes(const tp_want *want)
          + (want->above & TP_MODULE_COASTAL ? cells * sizeof(tp_vec3) : 0);
 }
 
-/* The window's side, Q32 m: below 2^46. */
+/* Returns the window's side, Q32 m: below 2^46. */
 static int64_t side_of(const tp_foam *foam)
 {
     return (int64_t)foam->cells * foam->cell * 65536;
 }
 
-/* The lowest lattice cell of a window around `middle`; drift is 0 to a side. */
+/* Returns the lowest lattice cell of a window around `middle`, m.  The drift is within
+ * 0..side. */
 static int32_t first_around(const tp_foam *foam, tp_fx middle, int64_t drift_q32)
 {
     TP_ASSERT(foam->cells > 0 && foam->cell > 0);
@@ -88,7 +90,9 @@ static tp_status init(void *mine, tp_world *world, const tp_want *want, tp_error
     return TP_OK;
 }
 
-/* A lattice that has drifted by a side is the same one with other numbers. */
+/* Returns the drift after one tick.  A drift by a full side maps the torus onto
+ * itself, so the drift is reduced by the side and the cell numbers in `seen` are
+ * shifted instead. */
 static int64_t drifted(tp_foam *foam, int64_t drift, tp_fx speed, int way)
 {
     int64_t side = side_of(foam), step = (int64_t)speed * 65536 / TP_TICKS_PER_SECOND;
@@ -103,7 +107,8 @@ static int64_t drifted(tp_foam *foam, int64_t drift, tp_fx speed, int way)
     return drift;
 }
 
-/* Lattice cells from `first` on along an axis: the lowest lies at `seam`. */
+/* One axis of the window: lattice cells from `first` on; cell `first` lies in column or
+ * row `seam`. */
 typedef struct {
     int32_t  first;
     uint32_t seam, cells;
@@ -114,21 +119,22 @@ static axis axis_of(int32_t first, uint32_t cells)
     return (axis){ first, tp_foam_mod(first, cells), cells };
 }
 
-/* The lattice cell of a column or row. */
+/* Returns the lattice cell number of a column or row. */
 static int32_t number_of(const axis *a, uint32_t i)
 {
     return a->first + (int32_t)(i >= a->seam ? i - a->seam : i + a->cells - a->seam);
 }
 
-/* The place of a lattice cell's middle, m. */
+/* Returns the centre of a lattice cell, m. */
 static tp_fx place_of(const tp_foam *foam, int32_t number, int64_t drift)
 {
     return (tp_fx)((int64_t)number * foam->cell + foam->cell / 2 + (drift >> 16));
 }
 
-/* -- looking after it --------------------------------------------------------------- */
+/* -- visits ------------------------------------------------------------------------- */
 
-/* e^(-4 / 60 / fade), Q24; fade is 0.1 s or more. */
+/* Returns e^(-4 / 60 / fade), Q24, the share of cover kept by a visit.  `fade` is 0.1 s
+ * or more. */
 static uint32_t kept_in_a_visit(tp_fx fade)
 {
     TP_ASSERT(fade > 0);
@@ -142,8 +148,8 @@ typedef struct {
     axis x, z, seen_x, seen_z;
 } visit;
 
-/* New foam covers only what is free.  cover x kept < 255 x 2^24; with the threshold the sum
- * stays below 2^32. */
+/* Returns the new cover of a cell.  New foam covers only the free share.
+ * cover x kept < 255 x 2^24; with the threshold the sum stays below 2^32. */
 static uint8_t covered(uint32_t cover, const visit *v, uint32_t col, uint32_t gain_q8)
 {
     uint64_t sum = (uint64_t)cover * v->kept_q24
@@ -213,16 +219,17 @@ void tp_foam_step(tp_foam *foam, const tp_world *world, const tp_scene *scene)
     foam->visits++;
 }
 
-/* -- at a place ---------------------------------------------------------------------- */
+/* -- access by place ----------------------------------------------------------------- */
 
-/* Distance of a place from the window's low side, in cells, Q8; it may lie outside. */
+/* Returns the distance of a place from the window's low side, cells, Q8.  The place may
+ * lie outside. */
 static int64_t cells_from(const tp_foam *foam, tp_fx place, int32_t first, int64_t drift)
 {
     int64_t low = (int64_t)first * foam->cell + (drift >> 16);
     return ((int64_t)place - low) * 256 / foam->cell;
 }
 
-/* Each cell whose middle is within the radius; farther out less. */
+/* Adds cover to each cell with its centre within the radius, less towards the rim. */
 void tp_foam_blob(tp_foam *foam, tp_fx x, tp_fx z, tp_fx radius, uint32_t cover)
 {
     TP_ASSERT(radius >= 0 && cover <= 255);
@@ -266,7 +273,7 @@ uint8_t tp_foam_at(const tp_foam *foam, tp_fx x, tp_fx z)
     return (uint8_t)((sum + 0x8000) >> 16);
 }
 
-/* -- from outside -------------------------------------------------------------------- */
+/* -- validation of a state from outside ---------------------------------------------- */
 
 static bool is_window_valid(const tp_foam *foam, int32_t first, int64_t cells)
 {
@@ -274,8 +281,9 @@ static bool is_window_valid(const tp_foam *foam, int32_t first, int64_t cells)
     return first >= -most && first <= most;
 }
 
-/* A window lies half its side and a drift of less than a side from its middle; the four
- * that were seen last by a side a tick more. */
+/* True if the state is in range.  A window starts at most half a side and a drift of less
+ * than a side from its middle.  The four windows in `seen` may lag by one more side per
+ * tick. */
 static bool is_valid(const void *mine, const void *made, const tp_world *world)
 {
     (void)world;
@@ -296,7 +304,8 @@ static bool is_valid(const void *mine, const void *made, const tp_world *world)
 
 /* -- the module ---------------------------------------------------------------------- */
 
-/* Cover is lost if the number or the size of the cells changes. */
+/* True if the cells match the scene.  A change of the cells' number or size loses the
+ * cover. */
 static bool fits(const void *mine, const tp_scene *scene)
 {
     const tp_foam *foam = mine;

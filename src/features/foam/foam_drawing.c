@@ -1,17 +1,20 @@
 /* SPDX-License-Identifier: MIT */
-/* Draws foam: the field's place at the drawn moment, its texture and colour. */
+/* Prepares the drawing of foam: the field's position at the drawn moment, its texture and
+ * colour. */
 #include "features/foam/foam.h"
 #include "features/foam/foam_stage.h"
 #include "frame/frame.h"
 #include "scene/pools.h"
 
-/* Metres that a lattice has drifted `back` of a tick ago: the world holds now's. */
+/* Returns the drift in m at the drawn moment, `back` of a tick before the world's current
+ * tick. */
 static tp_fx drifted_before(int64_t drift_q32, tp_fx speed, tp_fx back)
 {
     return (tp_fx)((drift_q32 - (int64_t)speed * back / TP_TICKS_PER_SECOND) >> 16);
 }
 
-/* The field as the tick left it, under the lattice's drift of the drawn moment. */
+/* Sets the field: the cells of the last tick, at the lattice's drift of the drawn
+ * moment. */
 static void place_foam(tp_shade_foam *f, const tp_foam *foam, const tp_scene_map *map,
                        tp_fx back)
 {

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Rows of parameters: foam. */
+/* Parameter rows of foam. */
 #ifndef TP_FOAM_ROWS_H
 #define TP_FOAM_ROWS_H
 #include "tidepool/modules.h"

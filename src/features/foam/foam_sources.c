@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
-/* Sources of foam: squeezed and breaking crests, shallow water that moves, water that
- * moves along walls, and a hull.  All are functions of the moment and a place at rest.
+/* Sources of foam: compressed and breaking crests, moving shallow water, water moving
+ * along walls, and a hull.  All are functions of the time and a rest position.
  *
- * Rates are chosen by eye, in units of cover a visit (TP_FOAM_TICKS ticks), of which 255
+ * Rates are chosen by eye, in units of cover per visit (TP_FOAM_TICKS ticks); 255 units
  * are white. */
 #include "base/base.h"
 #include "features/foam/foam.h"
@@ -13,7 +13,8 @@
 
 #define GAIN_MOST 0xff00u
 
-/* a share 0.. in 16.16 of `units` of cover, 1/256 of them. */
+/* Returns share x units of cover in 1/256 units, clamped to 0..GAIN_MOST.  `share` is
+ * 16.16. */
 static uint32_t part_of(tp_fx share, int32_t units)
 {
     int64_t gain = (int64_t)share * units >> 8;
@@ -22,8 +23,8 @@ static uint32_t part_of(tp_fx share, int32_t units)
 
 /* -- crests -------------------------------------------------------------------------- */
 
-#define CREST_UNITS    300      /* of cover, of a whole unit of the Jacobian ... */
-#define CREST_MOST     TP_FX(0.2)   /* ... of which no more counts */
+#define CREST_UNITS    300      /* units of cover per unit of the Jacobian, ... */
+#define CREST_MOST     TP_FX(0.2)   /* ... over at most this range of the Jacobian */
 #define BREAKING_UNITS 36
 
 static uint32_t crest_gain(const tp_foam_maker *m, tp_fx squeeze)
@@ -37,20 +38,20 @@ static tp_ocean_point ocean_at(const tp_foam_maker *m, tp_fx x, tp_fx z)
     return tp_ocean_at_rest(m->ocean, m->world->phases, x, z);
 }
 
-/* The stretch over one cell, held within 8: more is land, or beyond any sea. */
+/* Returns the stretch over one cell, clamped to +-8.  Larger values occur only on land. */
 static tp_fx stretch_of(const tp_foam_maker *m, int64_t difference)
 {
     return (tp_fx)tp_limit(tp_limit(difference, 1 << 24) * m->per_cell >> 16,
                            8 * TP_FX_ONE);
 }
 
-/* Places of the row at z - cell. */
+/* Returns the array of displaced positions of the row at z - cell. */
 static tp_vec3 *above_of(const tp_foam_maker *m)
 {
     return (tp_vec3 *)(void *)((char *)m->foam + m->foam->work);
 }
 
-/* The Jacobian by differences across a cell. */
+/* Returns the Jacobian of the displacement, from differences over one cell. */
 static tp_fx ocean_squeeze(tp_foam_maker *m, uint32_t col, tp_vec3 here)
 {
     tp_vec3 *above = above_of(m) + col;
@@ -64,8 +65,9 @@ static tp_fx ocean_squeeze(tp_foam_maker *m, uint32_t col, tp_vec3 here)
     return (tp_fx)((jxx * jzz - jxz * jzx) >> 16);
 }
 
-/* Over a near floor orbits widen and every crest is squeezed, so that only breaking counts:
- * all of the gain from a depth of 16 heights on, none up to 8. */
+/* Reduces the crest gain over a near floor.  Orbits widen there and every crest is
+ * compressed, so only breaking counts.  The full gain holds from a depth of 16 wave
+ * heights on, none up to a depth of 8 wave heights. */
 static uint32_t deep_part(const tp_foam_maker *m, tp_fx depth, uint32_t gain)
 {
     int64_t over = ((int64_t)depth - m->deep) * m->per_deep >> 16;
@@ -73,7 +75,8 @@ static uint32_t deep_part(const tp_foam_maker *m, tp_fx depth, uint32_t gain)
     return gain * share >> 8;
 }
 
-/* Shallow water foams as far as it is lifted or breaks: still water does not. */
+/* Returns the gain of shallow water, in proportion to its height or breaking; still water
+ * makes no foam. */
 static uint32_t shore_gain(const tp_foam_maker *m, const tp_ocean_point *at)
 {
     tp_fx shore = m->scene->foam.shore;
@@ -101,7 +104,7 @@ static uint32_t ocean_gain(tp_foam_maker *m, uint32_t col, tp_fx x, bool joined)
 
 /* -- walls --------------------------------------------------------------------------- */
 
-#define WALL_UNITS 400          /* for each m/s above WALL_STILL */
+#define WALL_UNITS 400          /* units per m/s above WALL_STILL */
 #define WALL_STILL TP_FX(0.06)
 
 static bool is_wall_near(const tp_foam_maker *m, tp_fx x)
@@ -116,7 +119,8 @@ static bool is_wall_near(const tp_foam_maker *m, tp_fx x)
         || !tp_pool_cell(pool, x, m->z + d, &col, &row);
 }
 
-/* Outside of the pool nothing is known; in its walls there is no water. */
+/* Returns the gain along walls.  Outside of the pool the gain is 0; inside a wall the
+ * cell is dry. */
 static uint32_t wall_gain(const tp_foam_maker *m, tp_fx x)
 {
     const tp_pool *pool = m->pool;
@@ -135,25 +139,26 @@ static uint32_t wall_gain(const tp_foam_maker *m, tp_fx x)
 
 /* -- the hull ------------------------------------------------------------------------ */
 
-#define LINE_LEAST TP_FX(0.28)  /* m: half the width of its line */
-#define LINE_UNITS 14           /* of the line of a hull that lies still */
-#define PACE_UNITS 150          /* of one that goes at PACE or faster */
+#define LINE_LEAST TP_FX(0.28)  /* m: half the width of the foam line */
+#define LINE_UNITS 14           /* line of a hull at rest */
+#define PACE_UNITS 150          /* line of a hull at PACE or faster */
 #define PACE       4            /* m/s */
-#define FULLER     TP_FX(1.176) /* a hull is longer than its points lie apart: so the
-                                 * longship's waterline is 1 - alpha^2 within 0.1 m */
-#define ARM        TP_FX(0.3536)/* tangent of 19.47 degrees, Kelvin's */
-#define ARM_LONG   5            /* half lengths behind the bow */
+#define FULLER     TP_FX(1.176) /* a hull is longer than its points are apart; with the
+                                 * factor the longship's waterline is 1 - alpha^2 within
+                                 * 0.1 m */
+#define ARM        TP_FX(0.3536)/* tangent of Kelvin's angle, 19.47 degrees */
+#define ARM_LONG   5            /* length of the arms, in half hull lengths */
 
-/* A band of half width `wide` around e = 0, 1 in its middle. */
+/* Returns a triangular profile: 1 at e = 0, 0 at |e| >= wide. */
 static tp_fx band(tp_fx e, tp_fx wide)
 {
     tp_fx off = tp_abs(e);
     return off < wide ? TP_FX_ONE - tp_fx_div(off, wide) : 0;
 }
 
-/* Two arms from the bow, along the hull as long as it is wider, and the broken water
- * behind the stern; `behind` is the distance from the bow, `side` that from the hull's
- * axis, `wide` its half width there, m. */
+/* Returns the intensity of the wake, 0..1: two arms from the bow, kept outside of the
+ * hull, and turbulent water behind the stern.  `behind`: distance from the bow, `side`:
+ * distance from the hull's axis, `wide`: half width of the hull there; all in m. */
 static tp_fx wake_of(const tp_foam_hull *h, tp_fx behind, tp_fx side, tp_fx wide,
                      tp_fx line)
 {
@@ -198,8 +203,9 @@ static uint32_t hull_gain(const tp_foam_maker *m, tp_fx x)
     return (uint32_t)((uint64_t)gain * (uint32_t)m->scene->foam.hull >> 16);
 }
 
-/* A hull's four points at rest give its axes there, however waves bend the plane: which
- * moves them by 600 m at the most, so that det is below 2^53. */
+/* Finds the hull in rest positions.  The rest positions of the hull's four points give
+ * its axes, whatever the waves' displacement.  The displacement is at most 600 m, so det
+ * is below 2^53. */
 static void find_hull(tp_foam_maker *m)
 {
     const tp_afloat *a = &m->world->afloat;

@@ -1,20 +1,20 @@
 /* SPDX-License-Identifier: MIT */
-/* Foam on water: where the field covers it, a picture of bubbles says which parts of it
- * are white.  A texel is white if its rank among all texels, 0..1, is above 1 - cover:
- * so foam that fades breaks up into lace and then into specks, and of every picture as
- * much is white as the field says.  The threshold is soft, over a third of the ranks;
- * with each smaller level of the picture, whose texels are more alike, over more of them,
- * so that far away the cover itself is what is seen.
+/* Foam on water.  The field gives the cover; a texture of bubbles gives the pattern of
+ * white.  A texel is white if its rank among all texels, 0..1, is above 1 - cover.
+ * Fading foam therefore breaks up into lace and then into specks, and every texture turns
+ * white by the share in the field.  The threshold is soft, over a third of the ranks.
+ * Smaller mipmap levels, whose texels are more alike, use a wider threshold, so far foam
+ * shows the cover itself.
  *
- * Foam is matt: it takes the diffuse light alone and hides what glitters under it.  The
- * window's outer eighth fades, or its edge would show. */
+ * Foam is matt: it reflects diffuse light only and hides the glitter under it.  The
+ * window's outer eighth fades out to hide the edge. */
 #include "features/foam/foam_stage.h"
 #include "shade/sampler.h"
 #include "shade/slope.h"
 #include "tidepool/modules.h"
 
-#define OPAQUE 240              /* of 256: the most that it hides */
-#define LACE   212              /* of 256: the most that is white of a whole cover */
+#define OPAQUE 240              /* of 256: maximal opacity */
+#define LACE   212              /* of 256: white share of full cover */
 
 void tp_shade_foam_rank(tp_shade_foam *foam, const tp_texture *texture)
 {
@@ -33,7 +33,8 @@ void tp_shade_foam_rank(tp_shade_foam *foam, const tp_texture *texture)
 
 /* -- cover --------------------------------------------------------------------------- */
 
-/* Bilinear between cells' middles, 0..255; u and w in cells from the corner, Q16. */
+/* Returns the cover 0..255, bilinear between cell centres.  u and w: cells from the
+ * window's low corner, Q16. */
 TP_ALWAYS_INLINE uint32_t cover_at(const tp_shade_foam *f, uint32_t u, uint32_t w)
 {
     uint32_t n = f->cells;
@@ -52,7 +53,8 @@ TP_ALWAYS_INLINE uint32_t cover_at(const tp_shade_foam *f, uint32_t u, uint32_t 
     return (over * (256 - ft) + under * ft + 0x8000) >> 16;
 }
 
-/* 0..256 over the outer eighth. */
+/* Returns the fading weight near the window's edge: 0 at the edge, 256 from an eighth
+ * inwards. */
 static uint32_t inside(const tp_shade_foam *f, uint32_t u, uint32_t w)
 {
     uint32_t most = f->cells * 65536, a = u < most - u ? u : most - u;
@@ -61,7 +63,7 @@ static uint32_t inside(const tp_shade_foam *f, uint32_t u, uint32_t w)
     return share < 256 ? (uint32_t)share : 256;
 }
 
-/* 0..255 where the field covers a place, 0 outside. */
+/* Returns the cover 0..255 at a place of the window, 0 outside. */
 TP_ALWAYS_INLINE uint32_t covered(const tp_shade_foam *f, uint32_t s, uint32_t t)
 {
     uint32_t ds = s - (uint32_t)f->low_s, dt = t - (uint32_t)f->low_t;
@@ -77,13 +79,13 @@ TP_ALWAYS_INLINE uint32_t covered(const tp_shade_foam *f, uint32_t s, uint32_t t
 /* -- bubbles ------------------------------------------------------------------------- */
 
 typedef struct {
-    tp_level level;             /* texel NULL: plain */
-    int32_t  soft, middle;      /* ranks from nothing to white; that of the mean */
-    int32_t  span;              /* ranks that cover moves the ramp, either way */
+    tp_level level;             /* mipmap level; texel NULL: no texture */
+    int32_t  soft, middle;      /* width of the ramp; rank of its centre */
+    int32_t  span;              /* shift of the ramp by full or no cover */
     uint32_t per_soft;          /* 2^16 / soft */
 } lace;
 
-/* Softness of a picture's n-th smaller level; the last entry stands for all that follow. */
+/* Softness by mipmap level; the last entry serves all smaller levels. */
 static const struct { int16_t soft, span; uint16_t per_soft; } softs[] = {
     { 80, 168, 819 }, { 115, 160, 569 }, { 150, 152, 436 }, { 186, 144, 352 },
     { 221, 136, 296 }, { 256, 128, 256 },
@@ -118,7 +120,7 @@ static uint32_t green(uint32_t texel)
     return texel >> 8 & 0xff;
 }
 
-/* The green of four texels around a place in repeats, Q0.32. */
+/* Returns the bilinear green of four texels; s, t in repeats, Q0.32. */
 static uint32_t bubbles_at(const tp_level *level, uint32_t s, uint32_t t)
 {
     tp_four  f = tp_four_around(level, s, t);
@@ -128,9 +130,9 @@ static uint32_t bubbles_at(const tp_level *level, uint32_t s, uint32_t t)
     return (over * (256 - f.ft) + under * f.ft + 0x8000) >> 16;
 }
 
-/* 0..256: how white a place of this cover is.  Over all ranks of a picture, `soft` wide
- * around its mean, that is the cover on the mean; never more than four times as much, so
- * that nothing leaps as it comes and goes. */
+/* Returns the whiteness 0..256 of a place with this cover.  The mean over all ranks of a
+ * texture equals the cover, if the ramp is centred on the texture's mean.  The result is
+ * at most four times the cover, so foam appears and vanishes without a jump. */
 static uint32_t white(const tp_shade_foam *f, const lace *l, uint32_t cover, uint32_t s,
                       uint32_t t)
 {
@@ -150,8 +152,9 @@ static uint32_t white(const tp_shade_foam *f, const lace *l, uint32_t cover, uin
 
 /* -- the stage ----------------------------------------------------------------------- */
 
-/* Ambient and direct light on the water's slope, and half of what is short of white:
- * bubbles pass light on.  Slopes above 2 (63 degrees) count as that. */
+/* Returns the lighting 128..256 of foam: ambient and direct light on the water's slope,
+ * raised by half of the difference to white, because bubbles scatter light.  Slopes above
+ * 2 (63 degrees) count as 2. */
 TP_ALWAYS_INLINE uint32_t lit(const tp_shade *shade, const tp_run *run, int32_t i,
                               int rippled)
 {
@@ -176,7 +179,7 @@ TP_ALWAYS_INLINE void foam(const tp_shade *shade, tp_run *run, int rippled, int 
         bool    laced = false;
         for (; i < stop; i++) {
             uint32_t cover = covered(f, run->s[i], run->t[i]);
-            if (cover == 0)     /* most of the water */
+            if (cover == 0)     /* the case of most water pixels */
                 continue;
             if (!laced)
                 lace_for(shade, f, run->key[first], &l);

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The costs of haze over solids; before a dome or a cube haze costs more, over water too. */
+/* Cost estimate of haze over solids.  With a dome or a cube sky haze costs more, over
+ * water too. */
 #include "features/haze/haze.h"
 #include "scene/works.h"
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Draws haze: a stage of every list but the sky's. */
+/* Adds haze: a stage in every shader list except the sky's. */
 #include "features/haze/haze.h"
 #include "frame/frame.h"
 
@@ -11,7 +11,8 @@ static void begin(tp_frame *frame, void *mine)
     haze->scale = (uint32_t)((int64_t)frame->scene->sky.haze * 64 / frame->lens.zi_near);
 }
 
-/* The table of stages is in the order of tp_env_kind.  Under water there is no air. */
+/* Adds the stage for the kind of sky; `stage` is in the order of tp_env_kind.  Under
+ * water there is no haze. */
 static void add_stage(const tp_frame *frame, const void *mine, const tp_stage *stage,
                       tp_shaders *list)
 {

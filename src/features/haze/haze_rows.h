@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Rows of parameters: haze. */
+/* Parameter rows of haze. */
 #ifndef TP_HAZE_ROWS_H
 #define TP_HAZE_ROWS_H
 #include "tidepool/modules.h"

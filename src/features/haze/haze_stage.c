@@ -1,11 +1,12 @@
 /* SPDX-License-Identifier: MIT */
-/* Air between the eye and the water: colours go into the horizon's.
+/* Air between the eye and surfaces: colours fade to the horizon's colour.
  *
- * The share is z^2 / (z^2 + h^2), a half at h and nothing near the eye.  It is a rule of
- * our own: smooth in 1/z, which is what a sample holds, so a short table serves.
+ * The share is z^2 / (z^2 + h^2): 1/2 at the distance h and 0 near the eye.  The rule is
+ * the project's own.  It is smooth in 1/z, the depth of the G-buffer, so a short table is
+ * enough.
  *
- * The horizon of a dome or a cube is not the same all round: it is looked up at every
- * 16th column and linear between. */
+ * The horizon of a dome or a cube varies with direction.  The stage looks the horizon up
+ * at every 16th column and interpolates linearly. */
 #include "features/haze/haze.h"
 #include "shade/env.h"
 
@@ -30,7 +31,8 @@ void tp_stage_haze(const tp_shade *restrict shade, tp_run *restrict run)
                                        share_of(scale, run->key[i]));
 }
 
-/* The horizon's colour in column x.  The cube's level is that of the empty view. */
+/* Returns the horizon's colour in column x.  A cube is read at the mipmap level of the
+ * sky view. */
 TP_ALWAYS_INLINE uint32_t horizon_at(const tp_shade *shade, tp_env_kind kind, int32_t x,
                                      int32_t y)
 {
