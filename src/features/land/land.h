@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
-/* Land: where a sea floor rises near the water's level or above it.
+/* Land: a sea floor near the water's level or above it.
  *
  *     land_drawing.c   the module, and its triangles
- *     land_stage.c     their colour, plain or as the floor's */
+ *     land_stage.c     its shading, plain or with the floor's texture */
 #ifndef TP_LAND_MODULE_H
 #define TP_LAND_MODULE_H
 #include "scene/module.h"

@@ -1,18 +1,18 @@
 /* SPDX-License-Identifier: MIT */
-/* The costs of land, a sea floor above the level, as land_drawing.c draws it: rows of cells
- * for each tile that they touch, and in them every cell, but those with all
- * corners deeper than waves reach or all behind the eye. */
+/* Cost estimate of land, a sea floor above the level, as land_drawing.c draws it.  A row
+ * of cells counts once for each tile touched.  In a row every cell counts, except cells
+ * with all corners below the deepest trough or all behind the near plane. */
 #include "base/base.h"
 #include "features/land/land.h"
 #include "geom/geom.h"
 #include "scene/works.h"
 #include "wave/ocean_tables.h"
 
-#define KEPT_RATE TP_FX(0.1)    /* as wave/ocean_tables.c has it */
+#define KEPT_RATE TP_FX(0.1)    /* same value as in wave/ocean_tables.c */
 
-/* The highest that a wave may stand over the level where the floor shoals it, m, as
- * wave/ocean.c bounds it: the wave grows, its orbit tilts with the floor, its crest is
- * thrown.  Over a map, whose mean rise counts, no crest is thrown. */
+/* Returns the highest crest of a wave over a shoaling floor, m, with the bound of
+ * wave/ocean.c: the wave grows, its orbit tilts with the floor, its crest is thrown.
+ * Over a map the mean rise counts and no crest is thrown. */
 static tp_fx crest_of(const tp_scene *s, const tp_wave *given, tp_fx steep)
 {
     const tp_fx   slope = tp_clamp(steep, 0, TP_FX_ONE);
@@ -54,9 +54,9 @@ typedef struct {
     const tp_scene *scene;
     tp_floor floor;
     tp_lens  lens;
-    int64_t  x, z;              /* the grid's centre */
-    int64_t  deepest;           /* m that may be bare, Q16 */
-    int32_t  cols, rows;        /* of pixels */
+    int64_t  x, z;              /* centre of the grid, m, Q16 */
+    int64_t  deepest;           /* deepest floor exposed by a trough, m, Q16 */
+    int32_t  cols, rows;        /* size of the picture, px */
 } ground;
 
 static tp_floor floor_of(const tp_site *w)
@@ -70,7 +70,7 @@ static tp_floor floor_of(const tp_site *w)
                        .map_high = s->floor.map_high };
 }
 
-/* A corner of a cell. */
+/* A projected corner of a cell. */
 typedef struct {
     bool    deep, behind, cut;
     int32_t u, v;
@@ -81,8 +81,8 @@ static int64_t depth_at(const ground *g, int64_t x, int64_t z)
     return tp_floor_under(&g->floor, tp_fx_held(x), tp_fx_held(z)).depth;
 }
 
-/* The floor's steepest rise; a map's across two cells of a lattice of 64 each way, since the
- * ocean smooths it. */
+/* Returns the floor's steepest rise.  A map is sampled on a lattice of 64 x 64, with
+ * differences over two lattice cells, because coastal water smooths the map. */
 static tp_fx steepest(const ground *g)
 {
     const tp_scene *s = g->scene;
@@ -123,12 +123,13 @@ static corner corner_of(const ground *g, int32_t i, int32_t j)
     return to;
 }
 
-/* Counts of a row of cells. */
+/* Counts for a row of cells. */
 typedef struct {
-    uint32_t tries, cuts, offs; /* drawn; cut, some of it held; none of it */
-    uint32_t seen;              /* in the picture: over them waves are broken too */
-    uint64_t drawn, fill;       /* that get a pixel, once a tile, Q8; pixels */
-    int32_t  top, bottom;       /* rows of pixels */
+    uint32_t tries, cuts, offs; /* uncut cells; partly cut; wholly cut */
+    uint32_t seen;              /* cells in view; breaking waves are counted over these
+                                 * cells */
+    uint64_t drawn, fill;       /* cells with a pixel, once per tile, Q8; filled pixels */
+    int32_t  top, bottom;       /* pixel rows touched */
 } strip;
 
 static int32_t least(int32_t a, int32_t b)
@@ -141,7 +142,8 @@ static int32_t most(int32_t a, int32_t b)
     return a > b ? a : b;
 }
 
-/* A front cell that some of the picture shows: its diagonals' product is twice its area. */
+/* Counts an uncut cell in view.  If the cell faces the camera, its fill is counted too;
+ * the cross product of its diagonals is twice its area. */
 static void add_drawn(const ground *g, strip *to, const corner p[4])
 {
     const int64_t area = ((int64_t)p[3].v - p[0].v) * ((int64_t)p[2].u - p[1].u)
@@ -238,7 +240,8 @@ static void work(tp_site *w)
     w->works.of[TP_WORK_land_drawn] = (uint32_t)(drawn >> 8);
 }
 
-/* True if the floor lies above the level where a ray would meet the water, `far` ahead. */
+/* True if the floor is above the level at the point, `far` m ahead, where the ray would
+ * meet the water. */
 static bool stops(const tp_site *w, tp_vec3 ray, int64_t far)
 {
     const tp_floor floor = floor_of(w);

@@ -1,35 +1,36 @@
 /* SPDX-License-Identifier: MIT */
-/* The land that a sea floor becomes where it rises near the water's level or above it:
- * triangles over the same lines as the water's, drawn before it.  What lies deeper than
- * any trough is never seen through this water and is left out. */
+/* Draws the land: a sea floor near the water's level or above it.  The triangles use the
+ * lines of the water's grid and are drawn before the water.  Ground below the deepest
+ * trough is left out, because opaque water always hides it. */
 #include "base/base.h"
 #include "features/land/land.h"
 #include "frame/frame.h"
 #include "scene/sides.h"
 
-/* A corner of the land, projected; u as of the water's. */
+/* A screen vertex of the land; u may be TP_GRID_CUT as for the water. */
 typedef struct {
     int32_t  u, v;
     uint32_t zi;
-    int16_t  n[3];              /* normal, of any length */
-    int16_t  out;               /* DEEP, BEHIND */
+    int16_t  n[3];              /* normal, any length */
+    int16_t  out;               /* bits DEEP, BEHIND */
 } corner;
 
-enum { DEEP = 1, BEHIND = 2 };  /* no wave uncovers it; it lies behind the near plane */
+enum { DEEP = 1, BEHIND = 2 };  /* below every trough; behind the near plane */
 
-/* Rows of pixels, both included. */
+/* Range of pixel rows, both ends included. */
 typedef struct {
     int32_t y0, y1;
 } band;
 
 typedef struct {
-    tp_solid  look;             /* of the stage: first */
-    corner   *at;               /* rows x cols of the water's grid */
-    band     *rows;             /* of each row of cells */
+    tp_solid  look;             /* material of the stage; first member */
+    corner   *at;               /* rows x cols, as the water's grid */
+    band     *rows;             /* array, one for each row of cells */
     bool      seen;
 } land;
 
-/* Bound of the land's height and depth: from an eye 8 km up 16.16 reaches no farther. */
+/* Clamp of the land's height and depth.  The camera is up to 8 km high, and their
+ * difference must fit Q16.16. */
 #define HEIGHT_MOST (24000 * TP_FX_ONE)
 
 static corner *vertex_at(const tp_frame *frame, const land *l, uint32_t i, uint32_t j)
@@ -50,7 +51,7 @@ static tp_view_corner corner_at(const tp_frame *frame, uint32_t i, uint32_t j,
     return c;
 }
 
-/* Up, less the slopes; of any length below 512. */
+/* Sets the normal (-rise_x, 1, -rise_z), scaled to a length below 512. */
 static void set_normal(int16_t n[3], tp_fx rise_x, tp_fx rise_z)
 {
     tp_fx most = TP_FX_ONE + tp_abs(rise_x) + tp_abs(rise_z);
@@ -77,7 +78,7 @@ static void place_corner(const tp_frame *frame, const land *l, uint32_t i, uint3
         to->u = TP_GRID_CUT;
 }
 
-/* A cell whose corners are all deep, or all behind the eye; one with some is drawn. */
+/* True if all corners of a cell are DEEP, or all are BEHIND.  Other cells are drawn. */
 static bool is_out(const corner *const p[4])
 {
     return (p[0]->out & p[1]->out & p[2]->out & p[3]->out) != 0;
@@ -89,7 +90,7 @@ static bool is_cut(const corner *const p[4])
         || p[3]->u == TP_GRID_CUT;
 }
 
-/* The rows of pixels that a row of cells may touch; none: y0 > y1. */
+/* Sets the pixel rows touched by a row of cells; y0 > y1: none. */
 static void place_band(const tp_frame *frame, const land *l, uint32_t j)
 {
     const corner *at = vertex_at(frame, l, 0, j);
@@ -109,7 +110,8 @@ static void place_band(const tp_frame *frame, const land *l, uint32_t j)
     l->rows[j] = rows;
 }
 
-/* Land is in the picture alone, and uses the water's crossings if a method makes them. */
+/* Projects the land.  Land appears in the main view only, and needs grid vertices: only
+ * some water renderers make them. */
 static void place(tp_frame *frame, void *mine, tp_sight *sight, tp_grid_box *box)
 {
     const tp_grid *grid = frame->parts.grid;
@@ -213,7 +215,8 @@ static void begin(tp_frame *frame, void *mine)
                           .gloss = tp_drop_gloss };
 }
 
-/* Beside clear water land is laid and lit like the floor, and with the floor's picture. */
+/* True if land is textured and lit like the floor: beside clear water, with a floor
+ * texture, or for a camera under water. */
 static bool is_ground(const tp_frame *frame)
 {
     return tp_frame_has_module(frame, TP_MODULE_INSIDE)

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Rows of parameters: how the land looks. */
+/* Parameter rows of the land's look. */
 #ifndef TP_LAND_ROWS_H
 #define TP_LAND_ROWS_H
 #include "tidepool/modules.h"

@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: MIT */
-/* The stages of land: of one colour, or laid and lit like the floor that it becomes under
- * water. */
+/* Span stages of land.  The stage `land` shades one plain colour; the stage `ground`
+ * textures and lights the land like the floor under water. */
 #include "shade/beam.h"
 #include "shade/coat.h"
 #include "shade/phong.h"
 #include "tidepool/modules.h"
 
-/* tp_run.mine begins with the material. */
+/* tp_run.mine begins with the material, a tp_solid. */
 void tp_stage_land(const tp_shade *shade, tp_run *run)
 {
     const tp_solid *land = run->mine;

@@ -1,22 +1,24 @@
 /* SPDX-License-Identifier: MIT */
-/* A paddle at a pool's north edge: two rows of cells half a wave apart, one pushed up as
- * the other is pushed down, to and fro with the wave's period.  What one row gains the
- * other loses, so the sum of all heights stays.
+/* A paddle at a pool's north edge: two rows of cells about half a wavelength apart.  One
+ * row is pushed up while the other is pushed down, with the period of the wave.  The gain
+ * of one row equals the loss of the other, so the sum of all heights stays.
  *
- * A wave has sin(k/2) = sin(om/2) / r, k and om its turn from cell to cell and from tick
- * to tick [C1].  A row pushed by d a tick sends d / (2 r cos(k/2)) both ways; with the
- * other row, n cells away and opposite, that is 2 sin(k n / 2) times as much.  Before a
- * wall mirrored rows push along: 2 (cos(k/2) - cos(k (n + 1/2))) times as much. */
+ * A wave obeys sin(k/2) = sin(om/2) / r, with k and om its phase per cell and per tick
+ * [C1].  A row pushed by d per tick sends d / (2 r cos(k/2)) in both directions.  The
+ * second row, n cells away with opposite sign, multiplies the amplitude by 2 sin(k
+ * n / 2).  At a wall the mirrored rows contribute too; the factor is 2 (cos(k/2) - cos(k
+ * (n + 1/2))). */
 #include "base/assert.h"
 #include "features/pool/pool.h"
 #include "scene/world.h"
 
 typedef struct {
     uint32_t row, apart;        /* the rows are `row` and `row + apart` */
-    int32_t  push;              /* LSB, the most in a tick */
+    int32_t  push;              /* maximum per tick, LSB */
 } stroke;
 
-/* om / 2, a turn; the period is 0.1 s or more, so it is below 1/12. */
+/* Returns om / 2, a turn.  The period is at least 0.1 s, so the result is below 1/12
+ * turn. */
 static tp_turn half_turn(const tp_scene_pool *scene)
 {
     TP_ASSERT(scene->paddle_period > 0);
@@ -24,9 +26,10 @@ static tp_turn half_turn(const tp_scene_pool *scene)
                                             * TP_TICKS_PER_SECOND));
 }
 
-/* The amplitude, half of the height, has 29 bits, the push 2^60 before it is divided.  No
- * push is above the amplitude: a pool that is short for its wave gets a lower one.  Waves
- * of a grid's shortest lengths do not travel: k is held at 1/2 turn less a little. */
+/* Returns the rows and the push for the scene's wave.  The amplitude, half of the height,
+ * has 29 bits; the push is below 2^60 before its division.  The push is at most the
+ * amplitude, so a pool too short for its wave gets a lower wave.  The shortest waves of a
+ * grid do not travel, so k is clamped just below 1/2 turn. */
 static stroke stroke_of(const tp_pool *pool, const tp_scene_pool *scene)
 {
     TP_ASSERT(scene->courant > 0 && scene->paddle >= 0);
@@ -49,7 +52,8 @@ static stroke stroke_of(const tp_pool *pool, const tp_scene_pool *scene)
     return s;
 }
 
-/* Up at one row what goes down at the other, as far as both can. */
+/* Pushes one column: up at the first row, down by the same amount at the second, limited
+ * by the smaller of both. */
 static void push_column(tp_pool *pool, const stroke *s, uint32_t col, int32_t push)
 {
     uint32_t other = s->row + s->apart;

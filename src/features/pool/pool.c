@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: MIT */
-/* The modules of a scene's two pools: [pool], which drops and a caller's hand stir, and
- * [field].  A tick pokes both, then a paddle pushes their water (paddle.c), then each
- * steps. */
+/* The modules of a scene's two pools: [pool], stirred by drops and by user input, and
+ * [field].  In a tick random splashes come first, then a paddle pushes the water
+ * (paddle.c), then each pool steps. */
 #include "base/base.h"
 #include "features/pool/pool.h"
 #include "pool/pool.h"
 #include "scene/world.h"
 
-/* -- which are on -------------------------------------------------------------------- */
+/* -- enabled pools ------------------------------------------------------------------- */
 
 static bool is_on(const tp_want *want, const tp_scene_pool *pool)
 {
@@ -24,9 +24,9 @@ bool tp_field_enabled(const tp_want *want)
     return is_on(want, &want->scene->field);
 }
 
-/* -- pokes --------------------------------------------------------------------------- */
+/* -- splashes ------------------------------------------------------------------------ */
 
-/* A random place in the middle four fifths of a pool along one side. */
+/* Returns a random place along one side, within the middle four fifths of a pool. */
 static tp_fx random_place(tp_world *world, tp_fx centre, int32_t cells, tp_fx cell)
 {
     int64_t side = (int64_t)cells * cell * 4 / 5;
@@ -38,7 +38,7 @@ static void poke(tp_basin *basin, tp_world *world, const tp_scene_pool *scene)
     if (!basin || scene->poke_every <= 0)
         return;
     uint32_t every = (uint32_t)((int64_t)scene->poke_every * TP_TICKS_PER_SECOND >> 16);
-    if (basin->poke_wait > every)       /* it was longer when this wait began */
+    if (basin->poke_wait > every)       /* the interval was longer at its start */
         basin->poke_wait = every;
     if (basin->poke_wait > 0 && --basin->poke_wait > 0)
         return;
@@ -76,7 +76,7 @@ const tp_module tp_pokes_module = {
     .step = step_pokes,
 };
 
-/* -- either pool --------------------------------------------------------------------- */
+/* -- common to both pools ------------------------------------------------------------ */
 
 static size_t bytes_of(const tp_want *want, bool field)
 {
@@ -90,7 +90,8 @@ static tp_status init_one(tp_basin *basin, const tp_want *want, bool field, tp_e
     return tp_pool_init(&basin->pool, &config, err);
 }
 
-/* Tries the new numbers on a copy of the pool's head; a copy has no memory for a sponge. */
+/* True if the new parameters fit.  The test runs on a copy of the pool's head; the copy
+ * has no memory for a sponge layer. */
 static bool fits_one(const tp_basin *basin, const tp_scene *scene, bool field)
 {
     const tp_pool_config config = tp_pools_config(scene, NULL, field);
@@ -151,7 +152,7 @@ static bool pool_refresh(void *mine, tp_world *world, const tp_want *want)
     return refresh_one(mine, want->scene, false);
 }
 
-/* A drop stirs the pool as much as a ring would rise from it [D5]. */
+/* Handles an impact: a splash with the energy of a ring [D5]. */
 static bool pool_hit(void *mine, const tp_scene *scene, const tp_impact *impact,
                      tp_fx level)
 {

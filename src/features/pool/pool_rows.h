@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Rows of parameters: a pool, and a second one, the field. */
+/* Parameter rows of a pool, and of a second pool, the field. */
 #ifndef TP_POOL_ROWS_H
 #define TP_POOL_ROWS_H
 #include "tidepool/modules.h"

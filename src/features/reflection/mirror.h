@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The mirror of objects, and the data of its stage in tp_run.mine.
+/* The planar reflection of objects, and the data of its stage in tp_run.mine.
  *
  *     mirror_drawing.c   the module, and its planar map
  *     mirror_stage.c     its span stage */
@@ -10,15 +10,15 @@
 
 #define TP_MIRROR_ID TP_MODULE_ID('m', 'i', 'r', 'r')
 
-/* Depths of a column's nearest and farthest object, Q1.31. */
+/* Inverse depths (zi) of the nearest and farthest object in a column, Q1.31. */
 typedef struct {
     uint32_t near, far;
 } tp_mirrored_zi;
 
 typedef struct {
-    tp_half  half;              /* objects above the level, upside down */
-    int32_t  bend;              /* share of the slopes, 256 is as nature has it */
-    int64_t  height;            /* of the eye over the mirror's level, Q12 near planes */
-    const tp_mirrored_zi *zi;   /* of each column, from x0 on */
+    tp_half  half;              /* planar map of objects above the level, upside down */
+    int32_t  bend;              /* effect of slopes; 256 is physical */
+    int64_t  height;            /* eye over the mirror's level, Q12 near planes */
+    const tp_mirrored_zi *zi;   /* array, one for each column from x0 on */
 } tp_mirror;
 #endif

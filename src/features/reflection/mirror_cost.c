@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The costs of the mirror of objects: pixels of water that read its picture.  Each object
- * counts the faces that it has in the mirror. */
+/* Cost estimate of the planar reflection: water pixels that read the planar map.  Each
+ * object's own cost function counts its faces in the reflection. */
 #include "features/reflection/mirror.h"
 #include "scene/works.h"
 

@@ -1,19 +1,19 @@
 /* SPDX-License-Identifier: MIT */
-/* The mirror: a planar map of the objects above the water.  It is what an eye as deep under
- * the level as the camera is above it sees when it looks up as far as the camera looks
- * down, upside down [F4]. */
+/* The planar reflection: a planar map of the objects above the water.  The map is the
+ * view of a mirrored camera: as deep under the level as the camera is above it, with the
+ * pitch negated, and upside down [F4]. */
 #include "features/reflection/mirror.h"
 #include "features/reflection/mirrored.h"
 #include "frame/frame.h"
 #include "frame/planar_map.h"
 
 typedef struct {
-    tp_mirror        look;      /* the stage's: first */
-    tp_mirrored_zi  *zi;        /* of each column */
+    tp_mirror        look;      /* data of the stage; first member */
+    tp_mirrored_zi  *zi;        /* array, one for each column */
     tp_planar_store  store;
 } mirror;
 
-/* The columns' depths, as far as row y of a band tells. */
+/* Updates the columns' depths by row y of a band. */
 static void see_depths(tp_mirrored_zi *zi, const tp_samples *band, int32_t y)
 {
     const uint32_t *key = band->key + (size_t)(uint32_t)(y - band->y0) * band->stride;
@@ -27,8 +27,8 @@ static void see_depths(tp_mirrored_zi *zi, const tp_samples *band, int32_t y)
     }
 }
 
-/* Columns without an object take their left neighbour's depths, the first ones those of
- * the first that has one. */
+/* Gives a column without an object the depths of its left neighbour; columns before the
+ * first object get the depths of that first column. */
 static void fill_gaps(tp_mirrored_zi *zi, uint32_t count)
 {
     uint32_t first = 0;
@@ -41,8 +41,9 @@ static void fill_gaps(tp_mirrored_zi *zi, uint32_t count)
         zi[i] = zi[i].near ? zi[i] : zi[i - 1];
 }
 
-/* Rows of this lens's picture count from the other end, so that row j of it is row
- * rows - 1 - j of the camera's: its up is the camera's, mirrored and turned round. */
+/* Returns the projection of the mirrored camera.  Its rows count from the other end: its
+ * row j is row rows - 1 - j of the camera, because its up vector is the camera's,
+ * mirrored and negated. */
 static tp_lens mirror_lens(const tp_frame *frame, const tp_planar_store *store, tp_fx level)
 {
     TP_ASSERT(store->halvings > 0);
@@ -61,20 +62,22 @@ static tp_lens mirror_lens(const tp_frame *frame, const tp_planar_store *store, 
     return lens;
 }
 
-/* Pixels by which objects are mirrored from below the level too: water at their feet
- * mixes half pixels from both sides of it.  That much of a mirror lies behind its object,
- * so nobody sees it. */
+/* Pixels by which the clip level is lowered.  At the foot of an object one pixel of the
+ * map covers water from both sides of the level.  The additional part of the reflection
+ * lies behind its object and stays hidden. */
 enum { OVERLAP = 2 };
 
-/* Troughs bare a hull and show it below the level.  Walls and the floor between them would
- * be mirrored there over all the water. */
+/* Returns the clip level.  Troughs expose a hull below the mean level, so the clip level
+ * is the deepest trough.  With tank walls the clip level is the mean level: walls and
+ * floor below it would be reflected all over the water. */
 static tp_view_plane mirror_level(const tp_frame *frame, const tp_lens *lens, tp_fx level)
 {
     const tp_fx trough = -tp_surface_height(&frame->surface);
     const bool  bare = !tp_frame_has_module(frame, TP_MODULE_WALLS) && trough < level;
     tp_view_plane plane = tp_lens_level(lens, bare ? trough : level, 1);
 
-    plane.depth += (int32_t)(((int64_t)OVERLAP << 43) / lens->focal);   /* half pixels */
+    plane.depth += (int32_t)(((int64_t)OVERLAP << 43) / lens->focal);   /* pixels of the
+                                                                         * halved picture */
     return plane;
 }
 
@@ -135,7 +138,8 @@ bool tp_mirror_enabled(const tp_want *want)
         && want->scene->water.reflection > 0 && want->above & (TP_MODULE_SOLID | TP_MODULE_WALLS);
 }
 
-/* Small pictures' lenses can be halved once. */
+/* Returns the number of halvings.  The projection of a small picture can be halved only
+ * once. */
 static uint32_t halvings_of(const tp_want *want)
 {
     return want->scene->mirror.size == TP_MIRROR_QUARTER && want->width >= 64

@@ -1,34 +1,38 @@
 /* SPDX-License-Identifier: MIT */
-/* Objects over the mirrored sky: a look into their mirrored picture, bent by the slope.
+/* Reflected objects over the reflected sky: a look-up in the planar map, displaced by the
+ * slope.
  *
- * The picture shows the image of each object in level water, below it.  Let d be the
- * view's ray with 1 along the camera's axis, so that water at depth z lies at eye + z d.
- * A normal (-sx, 1, -sz) turns the reflected ray, and after t the image moves to first
- * order by 2 t (dy sx, -(sx dx + sz dz), dy sz): twice the slope.  Seen at the image's
- * depth zm that is a way on the screen of focal x share, share = t / zm = 1 - z / zm: at
- * an object's foot the mirror stays under it, and high masts are bent most.  zm is taken
- * by columns of the picture: an object's image lies below it, at its own depth.
+ * The map shows the image of each object in level water, below the level.  Let d be the
+ * view ray with 1 along the camera's axis, so water at depth z lies at eye + z d.  A
+ * normal (-sx, 1, -sz) turns the reflected ray.  At the distance t the image moves to
+ * first order by 2 t (dy sx, -(sx dx + sz dz), dy sz): twice the slope.  At the image's
+ * depth zm the displacement on the screen is focal x share, share = t / zm = 1 - z / zm.
+ * At the foot of an object the image therefore stays in place, and high masts move most.
+ * zm is stored for each column of the map, because an object's image lies below the
+ * object, at the same depth.
  *
- * Water that stands h above the level has its image 2 h higher: the look goes down by
- * 2 h / zm, and h / zm = eye / zm + dy z / zm.
+ * Water h above the level has its image 2 h higher.  The look-up moves down by 2 h / zm,
+ * and h / zm = eye / zm + dy z / zm.
  *
- * Where a column has several objects, water mirrors its nearest as far as that stands and
- * an eighth farther; water beyond mirrors the farthest, and beyond that none: its rays go
- * on from there.
+ * In a column with several objects, water up to the nearest object and 1/8 beyond it
+ * reflects the nearest.  Water farther away reflects the farthest object.  Water behind
+ * the farthest object reflects none of them: the reflected rays start behind all objects.
  *
- * Ways are linear in the slopes, with factors worked out at every 16th column. */
+ * Displacements are linear in the slopes; their factors are computed at every 16th
+ * column. */
 #include "features/reflection/mirror.h"
 #include "shade/depth.h"
 #include "shade/half.h"
 
-/* Ways on the screen, 28.4 pixels: of a slope of 1 with a share of 1, of h / zm = 1. */
+/* Displacements on the screen, 28.4 px: xu xv zu zv for a slope of 1 and share 1; hu hv
+ * for h / zm = 1. */
 typedef struct {
     int32_t xu, xv, zu, zv, hu, hv;
-    int32_t dy;                 /* of the ray, Q16 */
+    int32_t dy;                 /* y of the ray, Q16 */
 } push;
 
 typedef struct {
-    int32_t x, y, z;            /* Q16 */
+    int32_t x, y, z;            /* direction, Q16 */
 } axis;
 
 static axis axis_of(tp_dir3 d, int sign)
@@ -36,7 +40,7 @@ static axis axis_of(tp_dir3 d, int sign)
     return (axis){ sign * (d.x >> 14), sign * (d.y >> 14), sign * (d.z >> 14) };
 }
 
-/* Held within 2^20: 65536 pixels. */
+/* Returns a displacement, clamped to 2^20: 65536 px. */
 static int32_t way(int64_t q16, int32_t focal)
 {
     return (int32_t)tp_limit(q16 * focal >> 16, 1 << 20);
@@ -48,14 +52,15 @@ static int32_t ray_of(const tp_shade *shade, int32_t sixteenths)
     return (int32_t)tp_limit(tp_over_focal(shade, sixteenths), 1 << 27);
 }
 
-/* a b - c d in the format of one of them. */
+/* Returns a b - c d in the format of one factor. */
 TP_ALWAYS_INLINE int64_t crossed(int32_t a, int32_t b, int32_t c, int32_t d)
 {
     return ((int64_t)a * b - (int64_t)c * d) >> 16;
 }
 
-/* Wide views have rays up to 300: 2^25 in Q16.  Held at 2048, so that cross products with
- * an axis stay below 2^30 and the products of two below 2^58. */
+/* Computes the factors at column x.  Wide views have rays up to 300, 2^25 in Q16.  Rays
+ * are clamped to 2048, so cross products with an axis stay below 2^30 and products of two
+ * such numbers below 2^58. */
 static push push_at(const tp_shade *shade, int32_t x, int32_t y)
 {
     const tp_view_axes *axes = &shade->world;
@@ -93,7 +98,7 @@ TP_ALWAYS_INLINE int32_t at(int32_t from, int32_t step, int32_t k)
     return from + (step * k >> 4);
 }
 
-/* z / zm in Q16, held below 2. */
+/* Returns z / zm, Q16, clamped below 2. */
 TP_ALWAYS_INLINE int32_t depth_ratio(uint32_t zi_mirror, uint32_t key)
 {
     uint32_t zi = tp_key_zi(key);
@@ -103,8 +108,8 @@ TP_ALWAYS_INLINE int32_t depth_ratio(uint32_t zi_mirror, uint32_t key)
     return ratio < 131071 ? (int32_t)ratio : 131071;
 }
 
-/* Ways stay below 2048 pixels.  Those of slopes fit 32 bits: factors below 2^20.6 times
- * slopes below 2^15. */
+/* Returns a displacement below 2048 px.  Displacements by slopes fit 32 bits: factors
+ * below 2^20.6 times slopes below 2^15. */
 TP_ALWAYS_INLINE int32_t moved(int32_t by_x, int32_t sx, int32_t by_z, int32_t sz,
                                int32_t share, int32_t by_h, int32_t h)
 {
@@ -114,7 +119,7 @@ TP_ALWAYS_INLINE int32_t moved(int32_t by_x, int32_t sx, int32_t by_z, int32_t s
 
 #define BESIDE (65536 + 8192)
 
-/* The object's colour in the mirror at column x; 0: there is none. */
+/* Returns the colour of the reflected object at column x; 0: no object. */
 TP_ALWAYS_INLINE uint32_t seen(const tp_mirror *look, int32_t y, const push *a,
                                const push *step, int32_t x, uint32_t key, int32_t sx,
                                int32_t sz)

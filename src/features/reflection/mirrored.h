@@ -1,11 +1,12 @@
 /* SPDX-License-Identifier: MIT */
-/* Both mirrors of objects add their stage in the same way. */
+/* Code shared by both reflections of objects: adding their stage. */
 #ifndef TP_MIRRORED_H
 #define TP_MIRRORED_H
 #include "frame/frame.h"
 #include "tidepool/modules.h"
 
-/* Water that does not mirror the sky does not mirror objects either. */
+/* Adds the stage of reflected objects.  Water without a reflected sky does not reflect
+ * objects either. */
 static inline void tp_add_mirrored(const tp_frame *frame, const void *mine,
                                    const tp_stage *stage, tp_shaders *list)
 {

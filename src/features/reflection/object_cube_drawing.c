@@ -1,28 +1,28 @@
 /* SPDX-License-Identifier: MIT */
-/* The dynamic environment: a small cube of what a point on the water sees of boat and
- * drops, drawn anew in each frame.  The point is where the camera sees the objects'
- * middle mirrored: there the cube is right, and around it nearly so. */
+/* Draws the object cube map: boat and drops seen from a point on the water, drawn anew in
+ * each frame.  The point is the reflection point of the objects' middle for the camera.
+ * The cube is exact at the point and a good approximation around it. */
 #include "features/reflection/mirrored.h"
 #include "features/reflection/object_cube.h"
 #include "frame/frame.h"
 
 #define WIDE (2 * TP_AROUND_SIDE)
-#define BAND 4                  /* rows that are drawn at a time */
+#define BAND 4                  /* rows drawn at a time */
 
 typedef struct {
-    tp_around around;           /* the stage's: first */
-    uint32_t *colour;           /* TP_AROUND_FACES */
+    tp_around around;           /* data of the stage; first member */
+    uint32_t *colour;           /* texels of TP_AROUND_FACES faces */
     uint32_t *samples;
 } cube_map;
 
-/* eye + (to - eye) part, level. */
+/* Returns the point eye + (to - eye) part, with y = level. */
 static tp_vec3 towards(tp_vec3 eye, tp_vec3 to, tp_fx part, tp_fx level)
 {
     return (tp_vec3){ eye.x + tp_fx_mul(to.x - eye.x, part), level,
                       eye.z + tp_fx_mul(to.z - eye.z, part) };
 }
 
-/* Fills *cube but for its colours; returns the point. */
+/* Fills *cube except for its colours.  Returns the point. */
 static tp_vec3 set_around(const tp_frame *frame, tp_around *cube, tp_fx level)
 {
     const tp_vec3 eye = frame->lens.eye, to = tp_frame_anchor(frame).middle;
@@ -39,9 +39,10 @@ static tp_vec3 set_around(const tp_frame *frame, tp_around *cube, tp_fx level)
     return point;
 }
 
-/* A row of samples, twice as fine as texels: a quarter of each is added to its texel, so
- * that a colour comes out times its cover.  Its normals have served when it is coloured,
- * and make room for that. */
+/* Adds one row of the G-buffer to a row of texels.  The G-buffer is twice as fine each
+ * way: a quarter of each colour is added to its texel, so a colour is premultiplied by
+ * its cover.  The colours overwrite the row's normals; the shading has used the normals
+ * before. */
 static void add_row(const tp_frame *frame, const tp_samples *band, int32_t y, uint32_t *to)
 {
     uint32_t *row = band->n + (uint32_t)(y - band->y0) * WIDE;
@@ -51,7 +52,7 @@ static void add_row(const tp_frame *frame, const tp_samples *band, int32_t y, ui
         to[x / 2] += row[x] >> 2 & 0x3f3f3f3fu;
 }
 
-/* True: something is seen. */
+/* Draws one face.  Returns true if the face shows an object. */
 static bool draw_face(tp_frame *frame, uint32_t *at, tp_sight *sight, uint32_t *to)
 {
     const size_t plane = WIDE * BAND;
@@ -74,7 +75,8 @@ static bool draw_face(tp_frame *frame, uint32_t *at, tp_sight *sight, uint32_t *
 
 static void look(tp_frame *frame, void *mine)
 {
-    static const int32_t turn[TP_AROUND_FACES][2] = {     /* quarters: heading, pitch */
+    static const int32_t turn[TP_AROUND_FACES][2] = {     /* quarter turns: heading,
+                                                           * pitch */
         { 1, 0 }, { 3, 0 }, { 2, 0 }, { 0, 0 }, { 0, 1 }
     };
     cube_map *m = mine;

@@ -1,12 +1,14 @@
 /* SPDX-License-Identifier: MIT */
-/* The dynamic environment: objects in the water by a small cube of pictures.
+/* The object cube map on the water: reflected objects from a small cube of pictures.
  *
- * A cube is right for the one point that it was drawn from; looked up by direction alone
- * the boat would swim along with the eye wherever the water is.  So the mirrored ray is
- * first met with an upright plane through the objects' middle that faces the point, and
- * the way from the point to there is looked up: exact for what stands in that plane.
- * With n its normal, a = (middle - p).n, b = r.n, that way is (p - point) + r a / b; a
- * cube takes it at any length, so b times it, and nothing is divided. */
+ * A cube is exact for the single point of its drawing.  With a look-up by direction alone
+ * the boat's reflection would move with the camera all over the water.  The stage
+ * therefore intersects the reflected ray with a vertical plane through the objects'
+ * middle, facing the point, and looks up the direction from the point to the
+ * intersection.  The result is exact for objects in the plane.  With n the plane's
+ * normal, a = (middle - p).n, b = r.n, the direction is (p - point) + r a / b.  A cube
+ * accepts vectors of any length, so the stage uses b times the vector and needs no
+ * division. */
 #include "features/reflection/object_cube.h"
 #include "shade/depth.h"
 #include "shade/half.h"
@@ -26,7 +28,8 @@ static uint32_t texel(const uint32_t *face, int32_t i, int32_t j)
                 + tp_clamp(i, 0, TP_AROUND_SIDE - 1)];
 }
 
-/* Right and up on a face, and its number; the largest of the three is ahead. */
+/* Returns the number of the face hit by *w.  Sets the coordinates right and up on the
+ * face, and `ahead`, the largest of the three. */
 static int facing(const way *w, int64_t *right, int64_t *up, int64_t *ahead)
 {
     int64_t ax = magnitude(w->x), az = magnitude(w->z);
@@ -44,7 +47,8 @@ static int facing(const way *w, int64_t *right, int64_t *up, int64_t *ahead)
     return face;
 }
 
-/* Between texels of one face: 2^31 > ahead's top bits. */
+/* Returns the colour, bilinear within one face.  The divisor `ahead` is shifted below
+ * 2^31. */
 static uint32_t cube_at(const tp_around *cube, const way *w)
 {
     int64_t right, up, ahead;
@@ -57,7 +61,7 @@ static uint32_t cube_at(const tp_around *cube, const way *w)
     uint32_t n = (uint32_t)(ahead >> down);
     int      shift = tp_clz(n);
     int64_t  r = tp_recip_rough(n << shift);    /* 2^(62 - shift) / n */
-    int64_t  scale = TP_AROUND_SIDE / 2 * 32;     /* thirty-seconds of texels */
+    int64_t  scale = TP_AROUND_SIDE / 2 * 32;     /* 1/32 texel */
     int32_t  u = (int32_t)(((right >> down) * r >> (46 - shift)) * scale >> 16);
     int32_t  v = (int32_t)(((up >> down) * r >> (46 - shift)) * scale >> 16);
     const uint32_t *from = cube->colour + face * TP_AROUND_SIDE * TP_AROUND_SIDE;
@@ -71,7 +75,7 @@ static uint32_t cube_at(const tp_around *cube, const way *w)
         tp_bytes_between(texel(from, i, j + 1), texel(from, i + 1, j + 1), fi), fj);
 }
 
-/* The view's ray at column x with 1 along the camera's axis, Q16. */
+/* Returns the view ray at column x with 1 along the camera's axis, Q16. */
 static way ray_at(const tp_shade *shade, int32_t x, int32_t y)
 {
     const tp_view_axes *a = &shade->world;
@@ -85,7 +89,7 @@ static way ray_at(const tp_shade *shade, int32_t x, int32_t y)
     };
 }
 
-/* Metres from the point to the water at a sample, 16.16. */
+/* Returns the vector from the point to the water at a pixel, m, 16.16. */
 static way water_from(const tp_around *cube, const way *ray, uint32_t key)
 {
     int64_t z = tp_depth_of(cube->zi_near, tp_key_zi(key));
@@ -94,7 +98,8 @@ static way water_from(const tp_around *cube, const way *ray, uint32_t key)
                   cube->from.z + (ray->z * z >> 16) };
 }
 
-/* Lengths in centimetres or so: 8 bits of a metre, below 2^25, times 14 bits. */
+/* Lengths have 8 fraction bits of a metre, are below 2^25, and are multiplied by 14
+ * bits. */
 void tp_stage_mirrored_cube(const tp_shade *shade, tp_run *run)
 {
     const tp_around *cube = run->mine;
@@ -107,7 +112,7 @@ void tp_stage_mirrored_cube(const tp_shade *shade, tp_run *run)
         way p = water_from(cube, &ray, run->key[i]);
         int64_t a = ((cube->to.x - p.x) * cube->nx + (cube->to.z - p.z) * cube->nz) >> 22;
         int64_t b = (rx * cube->nx + rz * cube->nz) >> 14;
-        if (a <= 0 || b <= 0)       /* the water lies behind the plane, or looks away */
+        if (a <= 0 || b <= 0)       /* behind the plane, or the ray leads away from it */
             continue;
         way w = { rx * a + (p.x >> 8) * b, ry * a + (p.y >> 8) * b,
                   rz * a + (p.z >> 8) * b };

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Rows of parameters: objects in the water's mirror. */
+/* Parameter rows of reflected objects. */
 #ifndef TP_REFLECTION_ROWS_H
 #define TP_REFLECTION_ROWS_H
 #include "tidepool/modules.h"

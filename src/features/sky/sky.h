@@ -1,15 +1,15 @@
 /* SPDX-License-Identifier: MIT */
-/* Skies beside the plain gradient, one of which a scene may have.  Each one's `begin` sets
- * shade->env, which its stages, mirrors and haze look into; shade/dome.c and cube.c make
- * the tables.
+/* Skies other than the plain gradient; a scene has at most one.  The `begin` of a sky
+ * sets shade->env for its stages, for reflections and for haze.  shade/dome.c and cube.c
+ * make the tables.
  *
  *     sky_dome_drawing.c       a generated sky: day, dusk, night
- *     sky_dome_stage.c         its empty view, and what water mirrors of it
- *     sky_dome_quick_stage.c   the empty view, quickly
- *     sky_cube_drawing.c       six pictures
- *     sky_cube_stage.c         the same two of them
- *     stars_drawing.c          over a night
- *     stars_stage.c */
+ *     sky_dome_stage.c         the visible sky, and its reflection
+ *     sky_dome_quick_stage.c   the visible sky by fast shading
+ *     sky_cube_drawing.c       a cube map of six textures
+ *     sky_cube_stage.c         the visible sky, and its reflection
+ *     stars_drawing.c          stars of a night
+ *     stars_stage.c            their span stage */
 #ifndef TP_SKY_MODULES_H
 #define TP_SKY_MODULES_H
 #include "scene/light.h"

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The costs of skies: their pixels, and light beyond white in the water's mirror. */
+/* Cost estimate of skies: their pixels, and light above white in the water's reflection. */
 #include "features/sky/sky.h"
 #include "scene/works.h"
 

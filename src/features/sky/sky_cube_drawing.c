@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT */
-/* Draws a sky of six pictures. */
+/* Draws a sky from a cube map of six textures. */
 #include "features/sky/sky.h"
 #include "frame/frame.h"
 
-/* The table of stages. */
+/* Indices in the program's table of stages. */
 enum { EMPTY, EMPTY_HDR, REFLECT };
 
 typedef struct {
@@ -19,7 +19,8 @@ static void init(tp_frame *frame, void *mine)
     tp_recip_init(sky->recip);
 }
 
-/* A face spans 90 degrees: half its texels to the tangent 1. */
+/* Sets the environment.  A face spans 90 degrees, so half of its texels span a tangent of
+ * 1; the mipmap level follows from the projection's focal length. */
 static void begin(tp_frame *frame, void *mine)
 {
     sky_cube *sky = mine;

@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: MIT */
-/* A cube looked up along many directions at one level: as env.h does it, but what its
- * pictures are at that level is found once; and where processors are wide, what can be
- * done for eight directions at once is. */
+/* Cube map look-ups along many directions at one mipmap level, with the result of env.h.
+ * The faces' data at the level are found once.  On processors with SIMD, steps for eight
+ * directions at once are separate loops. */
 #ifndef TP_SKY_CUBE_LOOK_H
 #define TP_SKY_CUBE_LOOK_H
 #include "shade/env.h"
 
 typedef struct {
-    int level;                  /* -1: none yet */
+    int level;                  /* mipmap level of `side`; -1: not set */
     tp_cube_side side[TP_CUBE_FACES];
 } tp_cube_sides;
 
@@ -23,8 +23,8 @@ TP_ALWAYS_INLINE void tp_cube_sides_at(tp_cube_sides *sides, const tp_cube *cube
 
 #define TP_CUBE_ROW 16
 
-/* Up to TP_CUBE_ROW directions: of eight at once their faces and places, one by one their
- * texels, and of eight at once their colours. */
+/* Looks up to TP_CUBE_ROW directions.  The faces and coordinates are computed eight at a
+ * time, the texels are read one by one, the colours are mixed eight at a time. */
 TP_ALWAYS_INLINE void tp_cube_row_wide(const tp_shade *restrict shade,
                                        const tp_cube_side *restrict side,
                                        const int32_t *restrict x,

@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: MIT */
-/* Six pictures, looked up along each pixel's view where nothing stands before it, and
- * along the mirrored view where there is water. */
+/* Stages of the cube sky: look-up along the view ray where the sky is visible, and along
+ * the reflected ray on water. */
 #include "features/sky/sky_cube_look.h"
 #include "features/sky/sky_stage.h"
 #include "shade/reflected.h"
 #include "tidepool/modules.h"
 
-/* Samples [i, stop), no more than TP_CUBE_ROW. */
+/* Shades the sky in samples [i, stop), at most TP_CUBE_ROW. */
 TP_ALWAYS_INLINE void empty_wide(const tp_shade *restrict shade, tp_run *restrict run,
                                  const tp_cube_side *side, int32_t i, int32_t stop,
                                  int hdr)
@@ -55,7 +55,7 @@ void tp_stage_sky_cube_hdr(const tp_shade *shade, tp_run *run)
     empty(shade, run, 1);
 }
 
-/* Samples [i, stop), no more than TP_CUBE_ROW. */
+/* Shades the reflection in samples [i, stop), at most TP_CUBE_ROW. */
 TP_ALWAYS_INLINE void reflect_wide(const tp_shade *restrict shade, tp_run *restrict run,
                                    const tp_cube_side *side, int32_t i, int32_t stop)
 {
@@ -70,8 +70,9 @@ TP_ALWAYS_INLINE void reflect_wide(const tp_shade *restrict shade, tp_run *restr
     tp_cube_row_wide(shade, side, x, y, z, count, run->mirror + i);
 }
 
-/* A level of a cube is chosen for 16 columns: far water has more waves in a pixel than it
- * has normals, and they scatter what is mirrored. */
+/* Reflects the cube.  The mipmap level is chosen for blocks of 16 columns.  In far water
+ * a pixel holds more waves than normals, and the waves scatter the reflection, so the
+ * level gets coarser with depth. */
 void tp_stage_reflect_cube(const tp_shade *restrict shade, tp_run *restrict run)
 {
     TP_ASSERT(shade->env.cube != NULL && shade->env.recip != NULL);

@@ -1,9 +1,10 @@
 /* SPDX-License-Identifier: MIT */
-/* Draws a generated sky: its tables, made anew when its numbers have changed. */
+/* Draws a generated sky.  Its tables are rebuilt when the scene's sky numbers have
+ * changed. */
 #include "features/sky/sky.h"
 #include "frame/frame.h"
 
-/* The table of stages. */
+/* Indices in the program's table of stages. */
 enum { EMPTY, EMPTY_HDR, EMPTY_QUICK, REFLECT };
 
 static bool is_same(const tp_dome_config *a, const tp_dome_config *b)
@@ -17,7 +18,7 @@ static void init(tp_frame *frame, void *mine)
     tp_dome *dome = mine;
 
     (void)frame;
-    dome->made_of.sun = -1;     /* of nothing yet */
+    dome->made_of.sun = -1;     /* tables not built yet */
 }
 
 static void begin(tp_frame *frame, void *mine)
@@ -29,13 +30,14 @@ static void begin(tp_frame *frame, void *mine)
 
     if (!is_same(&config, &dome->made_of))
         tp_dome_init(dome, &config);
-    if (scene->water.specular > 0)      /* the disc's image is the glitter */
+    if (scene->water.specular > 0)      /* the glitter is the disc's reflection */
         env->least = TP_DISC_END;
     env->kind = TP_ENV_DOME;
     env->dome = dome;
 }
 
-/* The quick stage leaves no view, which stars look into. */
+/* Returns the stage of the visible sky.  The fast stage does not compute the view vectors
+ * needed by stars, so stars exclude the fast stage. */
 static tp_stage empty_stage(const tp_frame *frame, const tp_stage *stage)
 {
     const tp_env *env = &frame->shade.env;

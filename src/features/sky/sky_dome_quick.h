@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: MIT */
-/* The empty view of a dome, quickly: its colour is looked up in every 16th column and is
- * linear between, but close to the sun, where it is looked up in every one.
+/* Fast shading of the visible dome.  The colour is looked up at every 16th column and
+ * linear in between.  Close to the sun the colour is looked up at every column.
  *
- * Channels are 8.8 in halves of a word, so that two go by one sum. */
+ * Channels are 8.8 in the halves of a word, so one addition serves two channels. */
 #ifndef TP_SKY_DOME_QUICK_H
 #define TP_SKY_DOME_QUICK_H
 #include "base/dsp.h"
 
-/* Red and blue, and green; what a column adds. */
+/* Red and blue packed, and green; each with its step per column. */
 typedef struct {
     uint32_t rb, g, rb_step, g_step;
 } tp_quick_shade;
@@ -24,7 +24,7 @@ static inline tp_quick_shade tp_quick_between(uint32_t a, uint32_t b)
     };
 }
 
-/* Columns [k, end) of 16. */
+/* Fills columns [k, end) of a block of 16. */
 static inline void tp_plain_fill(uint32_t *colour, tp_quick_shade s, int32_t k,
                                  int32_t end)
 {

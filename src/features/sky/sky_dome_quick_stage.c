@@ -9,7 +9,7 @@
 #define FILL tp_plain_fill
 #endif
 
-#define CLOSE (1u << 23)        /* the square of 10 degrees: beyond, glow is smooth */
+#define CLOSE (1u << 23)        /* square of 10 degrees: beyond it the glow is smooth */
 
 static uint32_t colour_of(const tp_shade *shade, tp_ray v)
 {
@@ -22,7 +22,7 @@ static bool is_close(const tp_shade *shade, tp_ray v)
                         v.z + shade->world.lz) < CLOSE;
 }
 
-/* Columns [k, end) of the 16 from a to b. */
+/* Looks up columns [k, end) of the 16 columns from ray a to ray b. */
 static void look(const tp_shade *shade, uint32_t *colour, tp_ray a, tp_ray b, int32_t k,
                  int32_t end)
 {

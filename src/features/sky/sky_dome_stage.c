@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The dome, looked up along each pixel's view where nothing stands before it, and along
- * the mirrored view where there is water. */
+/* Stages of the dome: look-up along the view ray where the sky is visible, and along the
+ * reflected ray on water. */
 #include "features/sky/sky_stage.h"
 #include "shade/reflected.h"
 #include "tidepool/modules.h"
@@ -37,7 +37,8 @@ TP_ALWAYS_INLINE void dome_wide(const tp_dome *restrict dome,
         out[i] = tp_dome_with(dome, square[i], up[i] > 0 ? up[i] : 0, glow[i]);
 }
 
-/* In three loops: a logarithm, which the glow is looked up by, is for one at a time. */
+/* Shades the reflection in three loops.  The glow needs a logarithm, which is not
+ * vectorized, so its loop is separate. */
 TP_ALWAYS_INLINE void reflect_wide(const tp_shade *restrict shade, tp_run *restrict run)
 {
     const tp_dome *dome = shade->env.dome;

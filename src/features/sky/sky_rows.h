@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Rows of parameters: the sky's kind, colours, lights and pictures. */
+/* Parameter rows of the sky: its kind, colours, lights and textures. */
 #ifndef TP_SKY_ROWS_H
 #define TP_SKY_ROWS_H
 #include "tidepool/modules.h"

@@ -15,8 +15,9 @@ static void init(tp_frame *frame, void *mine)
     tp_recip_init(s->recip);
 }
 
-/* Stars are 0.85 pixels in radius, a pixel being 65536 / 2 / focal of a face's units;
- * within the margin that they keep in their cells. */
+/* Sets the stars' count and size.  A star's radius is 0.85 px; a pixel is
+ * 65536 / 2 / focal units of a face.  The radius stays within the margin of the stars'
+ * cells. */
 static void begin(tp_frame *frame, void *mine)
 {
     const stars *s = mine;
@@ -30,7 +31,8 @@ static void begin(tp_frame *frame, void *mine)
     env->recip = s->recip;
 }
 
-/* The dome's stage, which may be missing, leaves the view. */
+/* Adds the stars' stage.  It reads the view vectors of the dome's stage, which may be
+ * missing. */
 static void add_stage(const tp_frame *frame, const void *mine, const tp_stage *stage,
                       tp_shaders *list)
 {

@@ -1,15 +1,16 @@
 /* SPDX-License-Identifier: MIT */
-/* Stars: the sky is a cube of 6 x 64 x 64 cells, and some of them have one, at a place
- * inside it by the cell's hash.  No list is kept, and each pixel asks its own cell alone.
+/* Stars: the sky is a cube of 6 x 64 x 64 cells.  A hash of the cell decides whether the
+ * cell has a star, and its place.  No list is stored, and a pixel examines its own cell
+ * only.
  *
- * A star is a round dot so many pixels wide (shade->env.star), whatever the picture's
- * size, so that none falls between two pixels; few are bright.  Water mirrors none: the
- * slightest ripple spreads them. */
+ * A star is a round dot of a fixed width in pixels (shade->env.star) at any picture size,
+ * so no star falls between two pixels.  Few stars are bright.  Water reflects no stars:
+ * the slightest ripple would blur them. */
 #include "shade/env.h"
 #include "tidepool/modules.h"
 
-#define CELL_LOG2 10            /* of a face's 65536 */
-#define MARGIN    256           /* stars keep away from their cell's edges */
+#define CELL_LOG2 10            /* of a face's 65536 units */
+#define MARGIN    256           /* distance of stars from their cell's edges */
 
 TP_ALWAYS_INLINE uint32_t hash(uint32_t n)
 {
@@ -18,8 +19,8 @@ TP_ALWAYS_INLINE uint32_t hash(uint32_t n)
     return n ^ n >> 15;
 }
 
-/* The dot at (ds, dt) from its middle, 0..256.  A face's units are larger in the eye the
- * farther out they lie: m is the cosine to the face's middle. */
+/* Returns the brightness 0..256 of the dot at (ds, dt) from its centre.  A unit of a face
+ * covers a smaller angle farther out; m is the cosine of the angle to the face's centre. */
 TP_ALWAYS_INLINE uint32_t dot_at(const tp_shade *shade, int32_t ds, int32_t dt,
                                  int32_t m)
 {
@@ -31,7 +32,8 @@ TP_ALWAYS_INLINE uint32_t dot_at(const tp_shade *shade, int32_t ds, int32_t dt,
 
 static const uint32_t tints[4] = { 0xffffff, 0xd8e4ff, 0xfff0d8, 0xecf2ff };
 
-/* 0x00RRGGBB to be added.  Near the horizon the air swallows them. */
+/* Returns the star light 0x00RRGGBB in a direction.  Near the horizon the air absorbs the
+ * stars. */
 TP_ALWAYS_INLINE uint32_t star_at(const tp_shade *shade, int32_t x, int32_t y, int32_t z)
 {
     tp_cube_place p = tp_cube_at(shade->env.recip, x, y, z);

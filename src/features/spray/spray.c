@@ -1,11 +1,12 @@
 /* SPDX-License-Identifier: MIT */
-/* Spray and bubbles.  A speck falls with a drag in proportion to its speed, as fine drops
- * do, and is gone where it meets the water; a bubble rises slowly and bursts there.
+/* Spray and bubbles.  A speck of spray falls with a drag proportional to its speed, as
+ * fine drops do, and vanishes at the water.  A bubble rises slowly and bursts at the
+ * surface.
  *
- * Crests are found by trying places around the eye, closer ones more often, since specks
- * far away are not seen: where the water breaks, or is squeezed beyond SHARP, a few
- * specks leave it with its own motion and some of their own.  A list that is full drops
- * what comes and counts it. */
+ * Crests are found at random places around the eye, more often close to the eye, since
+ * far specks are too small to see.  Where the water breaks, or the Jacobian is below
+ * SHARP, a few specks leave the water with the water's velocity and a random velocity of
+ * their own.  A full list drops and counts new specks. */
 #include "features/spray/spray.h"
 #include "base/base.h"
 #include "scene/drawn.h"
@@ -14,15 +15,15 @@
 #include "wave/wave.h"
 
 #define TICK(x)     ((x) / TP_TICKS_PER_SECOND)
-#define SLOWER      TP_FX(0.9726)           /* e^(-1/60 s / 0.6 s) ... */
-#define KICK        TP_FX(0.016437)         /* ... and 0.6 s (1 - that): of gravity */
+#define SLOWER      TP_FX(0.9726)           /* e^(-1/60 s / 0.6 s), speed kept per tick */
+#define KICK        TP_FX(0.016437)         /* 0.6 s (1 - SLOWER), times gravity */
 #define SPRAY_AGE   (4 * TP_TICKS_PER_SECOND)
 #define BUBBLE_AGE  (6 * TP_TICKS_PER_SECOND)
 #define SPEED_MOST  (60 * TP_FX_ONE)        /* m/s */
-#define FAR_MOST    (12000 * TP_FX_ONE)     /* m: drops, waves and flights stay well within */
-#define REACH       40                      /* m around the eye */
-#define SHARP       TP_FX(0.55)             /* of the Jacobian */
-#define TRIES       4                       /* specks of the list for each try a tick */
+#define FAR_MOST    (12000 * TP_FX_ONE)     /* m: far beyond drops, waves and flights */
+#define REACH       40                      /* radius of the search around the eye, m */
+#define SHARP       TP_FX(0.55)             /* threshold of the Jacobian */
+#define TRIES       4                       /* specks of capacity per try in a tick */
 
 static tp_speck *list(tp_spray *spray)
 {
@@ -55,10 +56,10 @@ static tp_status init(void *mine, tp_world *world, const tp_want *want, tp_error
     return TP_OK;
 }
 
-/* -- chance -------------------------------------------------------------------------- */
+/* -- random numbers ------------------------------------------------------------------ */
 
-/* 0..1, and -1..1, 16.16.  One to an expression: the language leaves the order of two
- * open, and compilers differ. */
+/* Return a random number, 16.16: share() 0..1, either() -1..1.  Call at most one of them
+ * per expression: C leaves the order of two calls open, and compilers differ. */
 static tp_fx share(tp_spray *spray)
 {
     return (tp_fx)(tp_random(&spray->random) >> 16);
@@ -69,7 +70,7 @@ static tp_fx either(tp_spray *spray)
     return 2 * share(spray) - TP_FX_ONE;
 }
 
-/* x and z either way, y up. */
+/* Returns random numbers: x and z in -1..1, y in 0..1. */
 static tp_vec3 any(tp_spray *spray)
 {
     tp_vec3 a;
@@ -106,8 +107,8 @@ static tp_vec3 point(const tp_surface *surface, tp_fx x, tp_fx z)
          : tp_sea_at_rest(surface->sea, surface->phases, x, z).position;
 }
 
-/* Over a place, by one step of [E1]: waves steep enough to show the difference throw
- * specks enough to hide it. */
+/* Returns the water level at a place, by one step of the search of [E1].  The error shows
+ * only in steep waves, and steep waves throw enough specks to hide the error. */
 static tp_fx level_at(const tp_surface *surface, tp_fx x, tp_fx z)
 {
     tp_vec3 first = point(surface, x, z);
@@ -119,13 +120,14 @@ static tp_fx level_at(const tp_surface *surface, tp_fx x, tp_fx z)
 
 /* -- flight -------------------------------------------------------------------------- */
 
-/* By the mean of two speeds. */
+/* Returns the place after a tick, moved by the mean of two speeds. */
 static tp_fx moved(tp_fx place, tp_fx speed, tp_fx next)
 {
     return tp_fx_held((int64_t)place + TICK((speed + next) / 2));
 }
 
-/* v' = -g - v / 0.6 s, whose next tick is known. */
+/* Advances a speck by one tick.  The equation v' = -g - v / 0.6 s has an exact solution
+ * for a tick.  A bubble keeps its speed. */
 static void fly(tp_speck *s, tp_fx gravity)
 {
     tp_vec3 v = s->speed, next = v, at = s->place;
@@ -141,7 +143,8 @@ static void fly(tp_speck *s, tp_fx gravity)
     s->age++;
 }
 
-/* Specks that fall, and bubbles, are tested in turn, each every fourth tick. */
+/* True if a speck's life has ended.  Falling specks and bubbles are tested against the
+ * water in turn, each every fourth tick. */
 static bool is_over(const tp_speck *s, const tp_surface *surface)
 {
     if (s->kind == TP_SPECK_BUBBLE)
@@ -167,8 +170,9 @@ static void fly_all(tp_spray *spray, const tp_scene *scene, const tp_surface *su
 
 /* -- crests -------------------------------------------------------------------------- */
 
-/* a d - b c of differences across half a metre; held within 8, far more than any sea that
- * throws spray has, since the table's highest waves stand 256 m apart. */
+/* Returns the Jacobian u.x w.z - u.z w.x from differences over half a metre, clamped to
+ * +-8.  Water with spray never exceeds 8, since the highest waves of the table stand 256
+ * m apart. */
 static tp_fx jacobian_of(tp_vec3 u, tp_vec3 w)
 {
     int64_t across = ((int64_t)u.x * w.z * 4 + 0x8000) >> 16;
@@ -177,7 +181,7 @@ static tp_fx jacobian_of(tp_vec3 u, tp_vec3 w)
     return (tp_fx)tp_limit(across - along, 8 * TP_FX_ONE);
 }
 
-/* 0..1: how much of spray a place at rest throws off. */
+/* Returns the strength of spray at a rest position, 0 to about 1. */
 static tp_fx ocean_strength(const tp_surface *surface, tp_fx x, tp_fx z)
 {
     const tp_fx d = TP_FX_ONE / 4;
@@ -199,7 +203,7 @@ static tp_fx strength_at(const tp_surface *surface, tp_fx x, tp_fx z)
     return jacobian < SHARP ? (SHARP - jacobian) * 4 : 0;
 }
 
-/* m/s of the water that rests at a place. */
+/* Returns the velocity of the water particle with the rest position (x, z), m/s. */
 static tp_vec3 motion_at(const tp_surface *now, const tp_surface *before, tp_fx x,
                          tp_fx z)
 {
@@ -211,7 +215,8 @@ static tp_vec3 motion_at(const tp_surface *now, const tp_surface *before, tp_fx 
                       (tp_fx)tp_limit(way.z * rate, SPEED_MOST) };
 }
 
-/* A crest's specks start along it, half a metre apart, ahead and up. */
+/* Throws the specks of a crest.  Specks start scattered over +-1/3 m, with the water's
+ * velocity raised by up to 100 %, and a random part upwards. */
 static void throw_off(tp_spray *spray, const tp_surface *now, const tp_surface *before,
                       tp_fx x, tp_fx z, tp_fx strength)
 {
@@ -230,7 +235,8 @@ static void throw_off(tp_spray *spray, const tp_surface *now, const tp_surface *
     }
 }
 
-/* One in so many tries succeeds that a crest of strength 1 throws at each. */
+/* Tries random places around the eye.  A try succeeds with a probability equal to the
+ * crest's strength; a crest of strength 1 throws specks at each try. */
 static void try_crests(tp_world *world, const tp_scene *scene, tp_spray *spray,
                        const tp_surface *now)
 {
@@ -254,7 +260,7 @@ static void try_crests(tp_world *world, const tp_scene *scene, tp_spray *spray,
     }
 }
 
-/* -- what strikes the water ---------------------------------------------------------- */
+/* -- impacts and the bow ------------------------------------------------------------- */
 
 static tp_vec3 beside(tp_vec3 from, tp_turn way, tp_fx far)
 {
@@ -262,7 +268,8 @@ static tp_vec3 beside(tp_vec3 from, tp_turn way, tp_fx far)
                       from.z + tp_q30_mul(far, tp_cos(way)) };
 }
 
-/* The crown rises as high as eight amplitudes of the ring: by sqrt(2 g 8 A). */
+/* Throws a crown of specks, and bubbles under it.  The crown rises to eight amplitudes of
+ * the ring: its speed is sqrt(2 g 8 A). */
 void tp_spray_splash(tp_spray *spray, const tp_scene *scene, const tp_impact *impact,
                      tp_fx level)
 {
@@ -288,7 +295,7 @@ void tp_spray_splash(tp_spray *spray, const tp_scene *scene, const tp_impact *im
     }
 }
 
-#define BOW_PACE 2              /* m/s from which on the bow throws water up */
+#define BOW_PACE 2              /* m/s: lowest speed with bow spray */
 
 static void throw_bow(tp_world *world, const tp_scene *scene, tp_spray *spray,
                       const tp_surface *surface)
@@ -296,7 +303,8 @@ static void throw_bow(tp_world *world, const tp_scene *scene, tp_spray *spray,
     const tp_hull *hull = &world->afloat.hull;
     tp_vec3 way = tp_vec3_sub(world->boat.place, world->last_boat.place);
     tp_q30  s = tp_sin(hull->heading), c = tp_cos(hull->heading);
-    int64_t gone = (int64_t)way.x * s - (int64_t)way.z * c;     /* Q46 m; 16 km: 2^60 */
+    int64_t gone = (int64_t)way.x * s - (int64_t)way.z * c;     /* Q46 m per tick; 16 km:
+                                                                 * 2^60 */
     int64_t pace = tp_limit(gone, (int64_t)1 << 50) * TP_TICKS_PER_SECOND >> 30;
     tp_fx   over = (tp_fx)tp_limit(pace - BOW_PACE * TP_FX_ONE, 30 * TP_FX_ONE);
 
@@ -331,7 +339,7 @@ static void step(void *mine, const tp_program *program, tp_world *world,
         throw_bow(world, scene, spray, &surface);
 }
 
-/* -- from outside -------------------------------------------------------------------- */
+/* -- validation of a state from outside ---------------------------------------------- */
 
 static bool is_within(tp_vec3 v, tp_fx most)
 {
@@ -339,7 +347,8 @@ static bool is_within(tp_vec3 v, tp_fx most)
         && v.z <= most;
 }
 
-/* Gravity adds to a speed what the air takes from it at 60 m/s and the table's most. */
+/* True if a speck is in range.  At 60 m/s and the table's largest gravity a tick of
+ * gravity adds only the speed lost to drag. */
 static bool is_speck_valid(const tp_speck *s)
 {
     return is_within(s->place, FAR_MOST) && is_within(s->last, FAR_MOST)

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Spray and bubbles: specks that fly over the water and rise in it.
+/* Spray and bubbles: specks flying over the water, and specks rising in the water.
  *
  *     spray.c           the module: crests, splashes, flight
  *     spray_drawing.c   specks as discs over the picture
@@ -12,17 +12,17 @@
 typedef enum { TP_SPECK_SPRAY, TP_SPECK_BUBBLE } tp_speck_kind;
 
 typedef struct {
-    tp_vec3  place, last;       /* m, now and a tick ago */
+    tp_vec3  place, last;       /* m: now; a tick ago */
     tp_vec3  speed;             /* m/s */
     uint16_t age;               /* ticks */
     uint8_t  kind;              /* tp_speck_kind */
-    uint8_t  chance;            /* 0..255, its own: thins out what is far away */
+    uint8_t  chance;            /* random, 0..255: decides if a far speck is drawn */
 } tp_speck;
 
-/* The specks follow this head. */
+/* Head of the block; the specks follow the head. */
 typedef struct {
     uint32_t capacity, count;
-    uint32_t dropped;           /* that found no place, so far */
+    uint32_t dropped;           /* specks beyond the capacity, so far */
     uint32_t random;
 } tp_spray;
 
@@ -38,7 +38,8 @@ static inline tp_spray *tp_spray_of_world(const tp_world *world)
     return tp_world_part(world, TP_SPRAY_ID);
 }
 
-/* A drop has struck water of this level: a crown of specks, and bubbles under it. */
+/* Throws a crown of specks, and bubbles under it, for a drop's impact on water at
+ * `level`, m. */
 void tp_spray_splash(tp_spray *spray, const tp_scene *scene, const tp_impact *impact,
                      tp_fx level);
 #endif

@@ -1,29 +1,29 @@
 /* SPDX-License-Identifier: MIT */
-/* Spray and bubbles: small discs over what has been drawn, nearer ones in front.  A speck
- * narrower than a pixel is one pixel or none, by its own chance: so far spray thins out
- * and does not flicker. */
+/* Draws spray and bubbles: small discs over the finished picture, with a depth test.  A
+ * speck narrower than a pixel is drawn as one pixel or not at all, by its own `chance`.
+ * Far spray therefore thins out without flicker. */
 #include "base/base.h"
 #include "features/spray/spray.h"
 #include "frame/frame.h"
 
-/* A speck as it is drawn. */
+/* A projected speck. */
 typedef struct {
-    int32_t  u, v;              /* its middle, 28.4 */
-    uint16_t wide;              /* across, 28.4; 16 at the least */
-    uint16_t through;           /* a bubble, seen through water */
+    int32_t  u, v;              /* centre, 28.4 px */
+    uint16_t wide;              /* diameter, 28.4 px, at least 16 */
+    uint16_t through;           /* 1: a bubble seen through water */
     uint32_t zi;
 } disc;
 
 typedef struct {
-    uint32_t colour;            /* of all, for the stage: first */
+    uint32_t colour;            /* colour of all specks; first member, for the stage */
     uint32_t count, room;
-    disc    *disc;              /* those that are seen */
+    disc    *disc;              /* visible specks */
 } discs;
 
 #define WIDE_MOST (48 * 16)
 
-/* The speck between its last two ticks.  What lies under flat water shows at 3/4 of its
- * depth [F4]. */
+/* Returns the speck's place at the drawn moment.  A point under flat water appears at 3/4
+ * of its depth [F4]. */
 static tp_vec3 place_of(const tp_speck *s, tp_fx back, bool through)
 {
     tp_vec3 at = tp_place_between(s->last, s->place, back);
@@ -33,12 +33,14 @@ static tp_vec3 place_of(const tp_speck *s, tp_fx back, bool through)
     return at;
 }
 
-/* 28.4 pixels across, of spray.size from half to one and a half; 0: too small for its
- * chance.  The lens holds the place, so depth >= near. */
+/* Returns the diameter, 28.4 px: spray.size times 0.5 to 1.5.  Returns 0 for a speck
+ * below one pixel with too high a `chance`.  The place is in front of the near plane, so
+ * depth >= near. */
 static uint32_t width_of(const tp_frame *frame, const tp_speck *s, tp_fx depth)
 {
     TP_ASSERT(depth >= frame->lens.near);
-    int32_t own = 128 + (uint8_t)(s->chance * 77);  /* no matter of the chance itself */
+    int32_t own = 128 + (uint8_t)(s->chance * 77);  /* pseudo-random factor, Q8,
+                                                     * independent of the test below */
     int64_t size = (int64_t)frame->scene->spray.size * own >> 8;
     int64_t wide = (size * frame->lens.focal >> 12) / depth;
 
@@ -60,7 +62,8 @@ static bool project(const tp_frame *frame, const tp_speck *s, bool through, disc
     return to->wide > 0;
 }
 
-/* White in the light of a level place: for specks. */
+/* Returns the colour of specks: white in the light of a level surface, half way to full
+ * white. */
 static uint32_t spray_colour(const tp_shade *shade, uint32_t colour)
 {
     int32_t lit = tp_lit_share(shade->ambient, shade->world.ly);
@@ -99,7 +102,8 @@ static void put(const tp_samples *tile, size_t at, const disc *s, uint32_t mark)
     tile->s[at] = tile->t[at] = tile->n[at] = 0;
 }
 
-/* Pixels whose centres lie within; of the smallest the one that holds its middle. */
+/* Draws the pixels with their centres in the disc; the smallest disc covers the pixel
+ * with its centre. */
 static void draw(const tp_samples *tile, const disc *s, uint32_t mark)
 {
     int32_t r = s->wide / 2, u = s->u, v = s->v;

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Rows of parameters: spray. */
+/* Parameter rows of spray. */
 #ifndef TP_SPRAY_ROWS_H
 #define TP_SPRAY_ROWS_H
 #include "tidepool/modules.h"

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The stage of spray.  Specks are too small for a shape: one light for all. */
+/* The span stage of spray.  Specks are too small for shading: all have the same colour. */
 #include "shade/shade.h"
 #include "tidepool/modules.h"
 

@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: MIT */
-/* The costs of a tank's glass: the water's side behind the walls, and the panes. */
+/* Cost estimate of a tank's glass: the water's side behind the walls, and the panes. */
 #include "base/base.h"
 #include "features/tank/tank.h"
 #include "scene/works.h"
 
-/* True if a ray enters the tank through a wall that the eye is outside of; *y is its height
- * there. */
+/* True if a ray enters the tank through a wall with the eye on its outer side.  *y is the
+ * ray's height at the wall. */
 static bool enters(const tp_site *w, const tp_rectangle *r, tp_vec3 ray, int64_t *y)
 {
     const tp_vec3 eye = w->at.eye;
@@ -33,7 +33,7 @@ static void add_sides(tp_site *w, const tp_rectangle *r)
     for (int32_t j = 0; j < TP_RAYS; j++)
         for (int32_t i = 0; i < TP_RAYS; i++) {
             const tp_vec3 ray = tp_work_ray(w, i, j);
-            int64_t y = 0;      /* gcc -O1 --coverage does not see that it is set */
+            int64_t y = 0;      /* gcc -O1 --coverage warns without the value */
             if (!enters(w, r, ray, &y) || y < -(int64_t)s->tank.depth || y > s->tank.rim)
                 continue;
             panes++;
@@ -46,7 +46,8 @@ static void add_sides(tp_site *w, const tp_rectangle *r)
     w->apart += sides;
 }
 
-/* A wall of glass has a post for each line of the grid that ends there. */
+/* Counts the faces of the water's sides.  A wall of glass has one post for each grid line
+ * that ends at the wall. */
 static void work(tp_site *w)
 {
     const tp_scene *s = w->scene;
@@ -65,7 +66,7 @@ static void work(tp_site *w)
         add_sides(w, &r);
 }
 
-/* Rays were counted before; here they become pixels. */
+/* Converts the ray counts of work() to pixels. */
 static void pixels(tp_site *w, const tp_work_pixels *px)
 {
     uint32_t *work_of = w->works.of;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* A tank's walls of glass: the water behind them as triangles up to the water's own edge,
- * and where the panes lie in the picture. */
+/* Draws a tank's walls of glass: the water's side behind the glass, as triangles up to
+ * the surface's edge, and the outlines of the panes in the picture. */
 #include "features/tank/tank.h"
 #include "frame/frame.h"
 
@@ -24,8 +24,9 @@ static void place_post(const tp_frame *frame, tp_glass_wall *wall, const tp_rect
     wall->posts++;
 }
 
-/* At the grid's lines between both ends of the wall, so that the side ends where the
- * surface does; a program without triangles has no grid. */
+/* Places the posts at the grid lines between both ends of the wall, so the side's top
+ * edge matches the surface.  A program without triangles has no grid; then only the ends
+ * have posts. */
 static void place_posts(const tp_frame *frame, tp_glass_wall *wall, const tp_rectangle *r)
 {
     const tp_grid *grid = frame->parts.grid;
@@ -42,7 +43,7 @@ static void place_posts(const tp_frame *frame, tp_glass_wall *wall, const tp_rec
     place_post(frame, wall, r, to);
 }
 
-/* After the water's grid. */
+/* Places the posts of all walls; runs after the water's grid. */
 static void place(tp_frame *frame, void *mine, tp_sight *sight, tp_grid_box *box)
 {
     const tp_rectangle r = tp_pool_sides(frame->scene);
@@ -53,7 +54,7 @@ static void place(tp_frame *frame, void *mine, tp_sight *sight, tp_grid_box *box
         place_posts(frame, &glass->wall[k], &r);
 }
 
-static const int16_t no_normal[3] = { 0, 0, 0 };    /* its stage knows the wall's */
+static const int16_t no_normal[3] = { 0, 0, 0 };    /* the stage knows the wall's normal */
 
 static void wall_corners(const tp_frame *frame, const tp_vec3 at[3], tp_view_corner to[3])
 {
@@ -61,7 +62,7 @@ static void wall_corners(const tp_frame *frame, const tp_vec3 at[3], tp_view_cor
         to[k] = tp_clipped_corner(&frame->lens, at[k], no_normal);
 }
 
-/* A side and what it is drawn into. */
+/* One side of the water, and its target. */
 typedef struct {
     const tp_frame   *frame;
     const tp_samples *tile;
@@ -78,7 +79,7 @@ static void draw_triangle(const side *s, const tp_vec3 at[3])
     tp_clipped_draw(&s->frame->lens, NULL, s->tile, in, s->mark, s->face);
 }
 
-/* From a post to the next. */
+/* Draws the part of the side between two posts. */
 static void draw_part(const side *s, const tp_side_post *a, const tp_side_post *b)
 {
     tp_vec3 low = on_wall(&s->sides, s->face, a->along, s->floor);
@@ -135,8 +136,9 @@ static void place_pane(const tp_frame *frame, tp_glass_wall *wall, tp_pane *pane
     }
 }
 
-/* A pane is in front of what is farther than it; its 1 / depth is a plane over the
- * picture, n . D / (n . (p - eye)) for the view's ray D at 1 m. */
+/* Sets the coefficients of the pane's depth.  1 / depth is a plane over the picture: n .
+ * D / (n . (p - eye)), D the view ray with 1 m along the axis.  The pane covers samples
+ * farther away than the pane. */
 static void place_depth(const tp_frame *frame, tp_glass_wall *wall, const tp_rectangle *r)
 {
     const tp_inside *in = frame->shade.inside;
@@ -187,7 +189,7 @@ static void begin(tp_frame *frame, void *mine)
     }
 }
 
-/* Panes lie over everything; what is behind them has its exposed colour by then. */
+/* Adds the stages.  Panes cover everything; colours behind them are tone-mapped already. */
 static void add_stages(const tp_frame *frame, const void *mine, const tp_stage *stage,
                        tp_shaders *list)
 {

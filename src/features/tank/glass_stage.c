@@ -1,14 +1,15 @@
 /* SPDX-License-Identifier: MIT */
-/* A tank's walls of glass: the water behind them, and the panes.
+/* Span stages of a tank's walls of glass: the water's side behind the glass, and the
+ * panes.
  *
- * The glass is thin: a ray is bent as if air met water there [F4]. */
+ * The glass is thin: a ray is refracted as from air directly to water [F4]. */
 #include "features/tank/tank.h"
 #include "raster/edge.h"
 #include "raster/raster.h"
 #include "shade/beam.h"
 #include "shade/env.h"
 
-/* Out of wall `face`: +x, -x, +z, -z. */
+/* Returns the outward normal of wall `face`: +x, -x, +z, -z. */
 static tp_ray normal_of(uint32_t face)
 {
     int32_t one = face & 1 ? -16384 : 16384;
@@ -30,12 +31,13 @@ void tp_stage_side(const tp_shade *shade, tp_run *run)
 
 /* -- panes ---------------------------------------------------------------------------- */
 
-/* Samples of a run, `end` not included. */
+/* Samples first to end - 1 of a run. */
 typedef struct {
     int32_t first, end;
 } part;
 
-/* The part of a run that a convex polygon covers, by the fill rule of triangles. */
+/* Returns the part of a run covered by a convex polygon, with the fill rule of
+ * triangles. */
 static part covered(const tp_pane *pane, const tp_run *run)
 {
     int32_t y = run->y, x0 = INT32_MAX, x1 = INT32_MIN;
@@ -56,19 +58,20 @@ static part covered(const tp_pane *pane, const tp_run *run)
                    x1 < run->x + run->count ? x1 - run->x : run->count };
 }
 
-/* True if a sample lies behind the glass: depth > gap / (n . D), so that
- * zi < zi_near (n . D) / gap; cross-multiplied, in Q42 and 16.16 over Q31. */
+/* True if a sample lies behind the glass: depth > gap / (n . D), or zi < zi_near (n .
+ * D) / gap.  The test is multiplied by `gap`; the formats are Q42, and 16.16 times Q31. */
 static bool is_behind(const tp_shade *shade, const tp_glass_wall *wall, uint32_t key,
                       int64_t view)
 {
     int64_t near = (int64_t)shade->inside->zi_near * (view >> 22);      /* Q36 */
-    int64_t here = (int64_t)(TP_ZI(key) >> 4) * (wall->gap >> 2);       /* Q27 Q14 */
+    int64_t here = (int64_t)(TP_ZI(key) >> 4) * (wall->gap >> 2);       /* Q27 times Q14 */
     int64_t rise = near * (wall->gap > 0 ? 1 : -1);
     int64_t far = (here >> 5) * (wall->gap > 0 ? 1 : -1);
     return far <= rise + (rise >> 10);
 }
 
-/* The sky in the pane over the glass's own colour; the run has its view. */
+/* Tints samples: the sky's reflection in the pane over the glass's own colour.  The view
+ * vectors of the run are set. */
 static void tint(const tp_shade *shade, const tp_glass *glass, tp_run *run, part p,
                  uint32_t face)
 {

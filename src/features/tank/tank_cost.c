@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The costs of a tank's stone and of a pool's inner walls. */
+/* Cost estimate of a tank's stone walls and of a pool's inner walls. */
 #include "base/base.h"
 #include "features/tank/tank.h"
 #include "scene/works.h"
@@ -21,7 +21,8 @@ static tp_fx wall_height(const tp_scene *s)
     return tp_has_tank(s) ? s->tank.rim : 3 * s->pool.cell;
 }
 
-/* True if a wall in the pool stops a ray that would meet the water `far` ahead. */
+/* True if an inner wall of the pool stops a ray that would meet the water `far` m ahead,
+ * Q16. */
 static bool stops(const tp_site *w, tp_vec3 ray, int64_t far)
 {
     const tp_vec3 eye = w->at.eye;
@@ -29,7 +30,8 @@ static bool stops(const tp_site *w, tp_vec3 ray, int64_t far)
 
     if (!w->assets->pool_mask || eye.y <= high)
         return false;
-    for (int k = 0; k <= 32; k++) {         /* from where it is as low as a wall */
+    for (int k = 0; k <= 32; k++) {         /* steps between the wall's top height and the
+                                             * water */
         const int64_t way = far - far / 32 * k * high / eye.y;
         if (is_wall(w, eye.x + (way * ray.x >> 16), eye.z + (way * ray.z >> 16)))
             return true;
@@ -37,8 +39,8 @@ static bool stops(const tp_site *w, tp_vec3 ray, int64_t far)
     return false;
 }
 
-/* Runs of a row of cells that do not go on from the row before, as tank_drawing.c joins
- * them. */
+/* Returns the number of blocks: runs of wall cells in a row without an equal run in the
+ * row before, joined as in tank_drawing.c. */
 static uint32_t blocks_of(const tp_site *w)
 {
     const tp_scene_pool *pool = &w->scene->pool;
@@ -64,7 +66,7 @@ static uint32_t blocks_of(const tp_site *w)
     return blocks;
 }
 
-/* Every face of them is cut anew in every band. */
+/* Counts the faces; every face is clipped again in every band. */
 static void work(tp_site *w)
 {
     const tp_scene *s = w->scene;

@@ -1,18 +1,20 @@
 /* SPDX-License-Identifier: MIT */
-/* A tank around the pool, and the walls in it: stone, but where glass is before the viewer.
+/* Draws a tank around the pool and the pool's inner walls.  Walls are of stone, except
+ * glass walls in front of the viewer.
  *
- * A wall of glass that the eye stands outside of is not drawn: in its place stands the
- * water's side, from the floor up to the water's own edge.  The others are stone inside.
- * The walls that a pool's mask names are blocks, made of its cells once. */
+ * A wall of glass with the eye on its outer side is not drawn here.  The water's side,
+ * from the floor up to the surface's edge, takes its place (glass_drawing.c).  The inside
+ * of the other walls is drawn like stone.  Walls in a pool's mask are blocks, made once
+ * from the pool's cells. */
 #include "features/tank/tank.h"
 #include "asset/mesh.h"
 #include "base/base.h"
 #include "frame/frame.h"
 #include "scene/pools.h"
 
-/* -- what stands where ---------------------------------------------------------------- */
+/* -- geometry ------------------------------------------------------------------------- */
 
-/* The thickness of walls is a share of the shorter side. */
+/* Returns the walls' thickness, a share of the pool's shorter side, m. */
 static tp_fx thickness(const tp_scene *scene, const tp_rectangle *r)
 {
     tp_fx wide = r->x1 / 2 - r->x0 / 2, deep = r->z1 / 2 - r->z0 / 2;
@@ -22,7 +24,7 @@ static tp_fx thickness(const tp_scene *scene, const tp_rectangle *r)
                                              : tp_clamp(half / 12, 2048, TP_FX_ONE);
 }
 
-/* True if the eye stands outside of wall `face`: +x, -x, +z, -z. */
+/* True if the eye is on the outer side of wall `face`: +x, -x, +z, -z. */
 static bool is_outside(const tp_rectangle *r, uint32_t face, tp_vec3 eye)
 {
     switch (face) {
@@ -42,13 +44,13 @@ bool tp_tank_is_glass(const tp_frame *frame, uint32_t face)
 
 /* -- drawing -------------------------------------------------------------------------- */
 
-/* Counter-clockwise seen from where its normal points. */
+/* Four corners, counter-clockwise as seen from the tip of the normal. */
 typedef struct {
     tp_vec3 at[4];
-    int16_t n[3];               /* 511 is 1 */
+    int16_t n[3];               /* normal; 511 is 1 */
 } quad;
 
-/* Target of quads: samples, as a sight sees them. */
+/* Target of quads: the G-buffer of a render view. */
 typedef struct {
     const tp_sight   *sight;
     const tp_samples *samples;
@@ -71,8 +73,8 @@ static void draw_quad(const target *to, const quad *q)
     draw_triangle(to, q, 2, 3);
 }
 
-/* The face of a box that looks along `face`, from `low` to `high`; or, `inwards`, its
- * other side. */
+/* Draws a side of a box, from height `low` to `high`: its outer side with the normal
+ * `face`, or with `inwards` the inner side. */
 static void draw_face(const target *to, const tp_rectangle *r, tp_fx low, tp_fx high,
                       uint32_t face, bool inwards)
 {
@@ -96,7 +98,7 @@ static void draw_top(const target *to, tp_fx y, const tp_fx at[4][2])
     draw_quad(to, &q);
 }
 
-/* The top of wall `face`, between its inner and its outer rectangle. */
+/* Draws the top of wall `face`, between the inner and the outer rectangle. */
 static void draw_rim(const target *to, const tp_rectangle *in, const tp_rectangle *out,
                      tp_fx y, uint32_t face)
 {
@@ -131,7 +133,8 @@ static void draw_walls(const tp_frame *frame, const target *to)
     }
 }
 
-/* An eye in the tank's water sees the walls by the rays of `deep` and `below`. */
+/* Draws walls and blocks.  For an eye in the tank's water the span stages `deep` and
+ * `below` show the walls by ray tests instead. */
 static void draw(const tp_frame *frame, const void *mine, const tp_sight *sight,
                  tp_samples *samples, uint32_t mark)
 {
@@ -153,7 +156,7 @@ static void draw(const tp_frame *frame, const void *mine, const tp_sight *sight,
     }
 }
 
-/* Walls may be anywhere in the picture. */
+/* Widens the box to all pixels: walls may be anywhere in the view. */
 static void place(tp_frame *frame, void *mine, tp_sight *sight, tp_grid_box *box)
 {
     const tp_tank *tank = mine;
@@ -178,7 +181,8 @@ static tp_fx line(tp_fx centre, tp_fx cell, uint32_t i, uint32_t cells)
                       - (cells & 1 ? cell / 2 : 0));
 }
 
-/* Lengthens a block that ends at r.z0 with the same sides to r.z1; false: there is none. */
+/* Lengthens a block with the same x range that ends at r.z0 to r.z1.  Returns false if
+ * there is no such block. */
 static bool goes_on(tp_tank *tank, tp_rectangle r)
 {
     for (uint32_t i = 0; i < tank->blocks; i++) {
@@ -212,7 +216,8 @@ static void add_row(tp_tank *tank, const tp_pool *pool, uint32_t row)
     }
 }
 
-/* Three cells high where no rim says it: above what a swell of the usual height does. */
+/* Makes the blocks once, and sets the heights.  Without a tank blocks are three cells
+ * high, above a splash of the usual height. */
 static void begin(tp_frame *frame, void *mine)
 {
     tp_tank *tank = mine;
@@ -230,7 +235,8 @@ static void begin(tp_frame *frame, void *mine)
 
 /* -- the module ----------------------------------------------------------------------- */
 
-/* Stone is laid and lit like what is seen through the water. */
+/* True if the stone is on.  Stone uses the materials and the light of the module for the
+ * inside of the water. */
 bool tp_tank_enabled(const tp_want *want)
 {
     return want->above & TP_MODULE_INSIDE

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Rows of parameters: a tank around the pool. */
+/* Parameter rows of a tank around the pool. */
 #ifndef TP_TANK_ROWS_H
 #define TP_TANK_ROWS_H
 #include "tidepool/modules.h"

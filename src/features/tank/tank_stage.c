@@ -1,10 +1,11 @@
 /* SPDX-License-Identifier: MIT */
-/* The stone of a tank and of the walls in a pool. */
+/* Span stage of the stone of a tank and of a pool's inner walls. */
 #include "features/tank/tank.h"
 #include "shade/beam.h"
 #include "shade/coat.h"
 
-/* The picture lies in the plane that the normal is nearest to: x y, z y or x z. */
+/* Shades stone.  The texture is projected along the largest component of the normal:
+ * on x y, z y or x z. */
 void tp_stage_wall(const tp_shade *shade, tp_run *run)
 {
     for (int32_t i = 0; i < run->count; i++) {

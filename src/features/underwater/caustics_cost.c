@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The costs of caustics: each cell of their map, over a tank's floor or the sea's. */
+/* Cost estimate of caustics: each cell of the map, over a tank's floor or the sea floor. */
 #include "features/underwater/caustics.h"
 #include "scene/sides.h"
 #include "scene/works.h"

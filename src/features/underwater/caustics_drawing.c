@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: MIT */
-/* Caustics: sunlight that the surface's curvature gathers on the floor.
+/* Caustics: sunlight focused on the floor by the surface's curvature.
  *
- * The surface is cut into as many cells as the map has.  The light of each falls through
- * its four corners, bent there [F4], on to the floor, and is dealt out from four places
- * between them to the map's cells around: sums of integers, so their order never matters
- * and no light is lost.  What falls beyond an edge is mirrored in it, as a wall would.
- * Places on the map are those of the surface that still water would have lit them through:
- * still water gives 256 everywhere, to the bit. */
+ * The surface is divided into as many cells as the map.  The light of a cell is refracted
+ * at its four vertices [F4] and falls to the floor.  Four points between the vertices
+ * distribute the light to the map's cells around each point.  The sums are of integers,
+ * so their order does not matter and no light is lost.  Light beyond an edge is mirrored
+ * at the edge, as by a wall.  A place on the map is the surface point lighting the floor
+ * there through still water, so still water gives exactly 256 everywhere. */
 #include "features/underwater/caustics.h"
 #include "base/base.h"
 #include "features/underwater/underwater.h"
@@ -14,9 +14,10 @@
 #include "shade/beam.h"
 #include "shade/slope.h"
 
-/* -- where the map lies ---------------------------------------------------------------- */
+/* -- place of the map ------------------------------------------------------------------ */
 
-/* The square lies ahead of the eye, moved by whole cells: nothing swims. */
+/* Returns the low corner of the map's square along one axis.  The square lies ahead of
+ * the eye and moves by whole cells, so the pattern does not crawl. */
 static tp_fx snapped(tp_fx eye, int32_t behind, tp_fx size, int32_t cells)
 {
     tp_fx   cell = size / cells > 0 ? size / cells : 1;
@@ -44,9 +45,10 @@ static tp_fx depth_at(const tp_frame *frame, tp_fx x, tp_fx z)
     return tp_clamp(depth, 0, 100 * TP_FX_ONE);
 }
 
-/* -- the light's way ------------------------------------------------------------------- */
+/* -- refraction of the light ----------------------------------------------------------- */
 
-/* Snell's law at a surface of these slopes; at the flattest a grade of 1/10. */
+/* Returns the refracted fall at a surface with these slopes, by Snell's law.  The
+ * downward component of the ray is at least 1/10. */
 static tp_fall fall_through(const tp_shade *shade, tp_fx slope_x, tp_fx slope_z)
 {
     tp_ray in = { -shade->world.lx, -shade->world.ly, -shade->world.lz, 0 };
@@ -71,7 +73,7 @@ static tp_sea_point ocean_point(const tp_surface *s, tp_fx x, tp_fx z)
     return p;
 }
 
-/* The surface's point whose place at rest is (x, z). */
+/* Returns the surface point with the rest position (x, z). */
 static tp_sea_point surface_point(const tp_surface *s, tp_fx x, tp_fx z)
 {
     tp_sea_point p = s->ocean ? ocean_point(s, x, z)
@@ -86,15 +88,15 @@ static tp_sea_point surface_point(const tp_surface *s, tp_fx x, tp_fx z)
     return p;
 }
 
-/* Metres to cells Q8, held within 2^20 cells: of 16-bit fractions, 256 cells on a
- * pool of 0.16 m are 2^27 a metre. */
+/* Converts metres to cells Q8, clamped to 2^20 cells.  With 16 fraction bits, 256 cells
+ * over a pool of 0.16 m are 2^27 per metre. */
 static int32_t in_cells(int64_t metres, uint32_t per_metre)
 {
     int64_t cells = tp_limit(metres, (int64_t)1 << 30) * (int64_t)per_metre >> 24;
     return (int32_t)tp_limit(cells, (int64_t)1 << 28);
 }
 
-/* Corner (i, j): its place over the map, and the place of its light. */
+/* Traces vertex (i, j): its place over the map, and the place of its light. */
 static void trace(const tp_frame *frame, const tp_caustics *map, const tp_surface *surface,
                   uint32_t i, uint32_t j, tp_caustic_corner *to)
 {
@@ -117,7 +119,7 @@ static void trace(const tp_frame *frame, const tp_caustics *map, const tp_surfac
     to->lit_z = (int32_t)(j * 256) + in_cells(away_z, c->per_metre_z);
 }
 
-/* -- dealing it out -------------------------------------------------------------------- */
+/* -- distribution of the light --------------------------------------------------------- */
 
 static uint32_t folded(int32_t i, uint32_t cells)
 {
@@ -131,7 +133,8 @@ static void put(uint16_t *light, uint32_t cells, int32_t i, int32_t j, int32_t s
     *to = (uint16_t)(*to + share < 65535 ? *to + share : 65535);
 }
 
-/* `share` at a place in cells, Q8, among the four cells around it, by sixteenths. */
+/* Adds `share` at a place in cells, Q8, to the four cells around it, weighted in
+ * sixteenths. */
 static void deal(uint16_t *light, uint32_t cells, int32_t x, int32_t z, int32_t share)
 {
     int32_t i = (x - 128) >> 8, j = (z - 128) >> 8;
@@ -145,8 +148,8 @@ static void deal(uint16_t *light, uint32_t cells, int32_t x, int32_t z, int32_t 
     put(light, cells, i + 1, j + 1, d);
 }
 
-/* The cell between two rows' corners.  Its light is its area from above, half of the
- * product of its diagonals: 256 at rest. */
+/* Distributes the light of the cell between two rows of vertices.  Its light is its
+ * horizontal area, half of the cross product of its diagonals: 256 at rest. */
 static void deal_cell(uint16_t *light, uint32_t cells, const tp_caustic_corner *a,
                       const tp_caustic_corner *c)
 {

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Rows of parameters: light that waves gather on the floor. */
+/* Parameter rows of caustics. */
 #ifndef TP_CAUSTICS_ROWS_H
 #define TP_CAUSTICS_ROWS_H
 #include "tidepool/modules.h"

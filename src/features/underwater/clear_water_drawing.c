@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Clear water: an eye above it sees the floor, walls and objects through the surface. */
+/* Clear water: from above, floor, walls and objects are visible through the surface. */
 #include "features/underwater/underwater.h"
 #include "frame/frame.h"
 
@@ -8,7 +8,7 @@ bool tp_clear_water_enabled(const tp_want *want)
     return want->scene->water.clear > 0 && want->above & TP_MODULE_INSIDE;
 }
 
-/* A ray costs by what it meets: a box, a chart or a plane. */
+/* Sets the cost traits.  A ray's cost depends on its target: a box, a map or a plane. */
 static void count(const tp_want *want, uint8_t trait[TP_TRAIT_COUNT])
 {
     const tp_scene *scene = want->scene;
@@ -28,7 +28,7 @@ static void *layout(tp_arena *arena, const tp_want *want)
     return tp_arena_take(arena, 1, sizeof(tp_clear_water));
 }
 
-/* The refraction module draws its map later, if it is on. */
+/* Clears the map.  The refraction module, if on, draws its map later. */
 static void begin(tp_frame *frame, void *mine)
 {
     tp_clear_water *clear = mine;
@@ -37,7 +37,7 @@ static void begin(tp_frame *frame, void *mine)
     clear->sunken = NULL;
 }
 
-/* The stage reads the view and mixes with the lit colour. */
+/* Adds the stage.  It reads the view vectors and mixes with the lit colour. */
 static void add_stage(const tp_frame *frame, const void *mine, const tp_stage *stage,
                       tp_shaders *list)
 {

@@ -1,19 +1,20 @@
 /* SPDX-License-Identifier: MIT */
-/* The view through the water's surface from above: floor, walls and things in the water,
- * refracted at the bumped normal [F4] and lessened on the way.
+/* The view through the surface from above: floor, walls and objects in the water,
+ * refracted at the bumped normal [F4] and attenuated along the ray.
  *
- * What the water itself sends is three parts of the colour of its depth and one part of
- * the lit colour that the stages before have left: so layers and light still move over
- * deep water, while a shore's last inch shows the land alone.
+ * The water's own light is three parts of the deep colour and one part of the lit colour
+ * left by the earlier stages.  Layers and light therefore still move over deep water,
+ * while the shallowest water at a shore shows the land alone.
  *
- * With dispersion each channel has an index of its own and goes its own way. */
+ * With dispersion each channel has its own refractive index and its own ray. */
 #include "features/underwater/underwater.h"
 #include "geom/geom.h"
 #include "shade/beam.h"
 #include "shade/half.h"
 #include "shade/slope.h"
 
-/* The surface at a sample, Q1.14: its normal, and the cosine that it is seen by. */
+/* The surface at a sample, Q1.14: its normal, and the cosine of the angle to the view
+ * ray. */
 typedef struct {
     int16_t x, y, z, cosine;
 } facet;
@@ -33,7 +34,7 @@ TP_ALWAYS_INLINE void facets(const tp_run *run, int32_t i, int32_t stop, int rip
     }
 }
 
-/* The ways of samples [i, stop), bent for one channel. */
+/* Computes the refracted rays of samples [i, stop) for one channel. */
 TP_ALWAYS_INLINE void bend(const tp_shade *shade, const tp_run *run, int32_t i,
                            int32_t stop, const facet *at, int channel, tp_beam *beam)
 {
@@ -41,14 +42,14 @@ TP_ALWAYS_INLINE void bend(const tp_shade *shade, const tp_run *run, int32_t i,
         tp_ray n = { at->x, at->y, at->z, 0 };
         tp_ray way = tp_inside_bent_at(shade->inside, channel, seen_along(run, i), n,
                                        at->cosine);
-        if (way.y > -1638)      /* a steep ripple would throw it out of the water */
+        if (way.y > -1638)      /* a steep ripple would bend the ray out of the water */
             way.y = -1638;
         beam->way = way;
     }
 }
 
-/* Lays the refraction map over a colour; the place in it is bent as if half a metre under
- * the surface, by a quarter of the slope [F4]. */
+/* Mixes the refraction map over a colour.  The place in the map is displaced as for an
+ * object half a metre under the surface, by a quarter of the slope [F4]. */
 static uint32_t with_sunken(const tp_shade *shade, const tp_half *half, const tp_run *run,
                             int32_t i, tp_fx metres, int32_t nx, int32_t nz,
                             uint32_t colour)
@@ -71,9 +72,9 @@ static uint32_t with_sunken(const tp_shade *shade, const tp_half *half, const tp
     return tp_colour_mix(colour, over, share);
 }
 
-/* The beams have green's ways, and so has the floor between the ends been looked up: red
- * and blue go some millimetres beside it for each metre of depth, where the floor is the
- * same plane. */
+/* Shades samples [i, stop) with dispersion.  On entry the beams hold the rays of green,
+ * and the floor between the ends is looked up for green.  Red and blue rays end some
+ * millimetres aside per metre of depth, where the floor is the same plane. */
 static void parted(const tp_shade *shade, const tp_run *run, int32_t i, int32_t stop,
                    const facet *surface, const tp_bed ends[2], tp_beam *beam,
                    const uint32_t *body, uint32_t *seen)

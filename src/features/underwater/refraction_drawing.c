@@ -13,7 +13,8 @@ typedef struct {
 
 #define ETA TP_Q30(TP_WATER_ETA)
 
-/* Heights over the level times ETA, in the rows: (S p - eye).r = (p - S^-1 eye).(S r). */
+/* Returns the projection that scales heights over the level by ETA, by its rows: (S p -
+ * eye).r = (p - S^-1 eye).(S r). */
 static tp_lens sunken_lens(const tp_lens *lens, tp_fx level)
 {
     tp_lens to = *lens;
@@ -26,8 +27,9 @@ static tp_lens sunken_lens(const tp_lens *lens, tp_fx level)
     return to;
 }
 
-/* The way under water for each metre of apparent depth, 16.16: the refracted ray has
- * sin = ETA sin, and the true depth is the apparent one over ETA. */
+/* Returns the length of the ray under water per metre of apparent depth, 16.16.  The
+ * refracted ray has ETA times the sine, and the true depth is the apparent depth over
+ * ETA. */
 static tp_fx way_of(const tp_frame *frame, int32_t x, int32_t y)
 {
     tp_ray  ray = tp_view_ray(&frame->shade, &frame->shade.world, x, y);
@@ -37,7 +39,7 @@ static tp_fx way_of(const tp_frame *frame, int32_t x, int32_t y)
     return tp_fx_div(TP_FX(TP_WATER_INDEX), c);
 }
 
-/* Water takes its share of each colour, by how deep under the level the sample lies. */
+/* Applies absorption to each colour of a row, by the sample's depth under the level. */
 static void absorb_row(const tp_frame *frame, const tp_lens *lens, tp_fx height,
                        const tp_samples *band, int32_t y, uint32_t *to)
 {
@@ -45,7 +47,7 @@ static void absorb_row(const tp_frame *frame, const tp_lens *lens, tp_fx height,
     const uint32_t deep = (uint32_t)frame->scene->water.deep;
     const int64_t v = tp_over_focal(&frame->shade, lens->v0 - 16 * y - 8);
     const int64_t middle = -((lens->ahead.y >> 14) + (v * (lens->turn.y.y >> 14) >> 16));
-    const int64_t aside = -(lens->turn.x.y >> 14)               /* a 16th of a pixel */
+    const int64_t aside = -(lens->turn.x.y >> 14)               /* per 1/16 px */
                         * (int64_t)frame->shade.per_focal;
     tp_fx way = way_of(frame, band->x0, y);
 

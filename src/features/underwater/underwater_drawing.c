@@ -1,20 +1,21 @@
 /* SPDX-License-Identifier: MIT */
-/* The inside of the water: its numbers (shade/inside.h), and the stages that lists get when
- * the eye is in it. */
+/* The inside of the water: its data (shade/inside.h), and the stages of shader lists for
+ * an eye under water. */
 #include "features/underwater/underwater.h"
 #include "frame/frame.h"
 #include "shade/beam.h"
 #include "shade/optics.h"
 
-#define CLEAR_BELOW (4 * TP_FX_ONE)     /* m: of opaque water to those who are in it */
+#define CLEAR_BELOW (4 * TP_FX_ONE)     /* m: visibility in opaque water for an eye under
+                                         * water */
 
-/* In the order of the module's table. */
+/* Indices in the program's table of stages. */
 enum { BELOW, BELOW_RIPPLED, DEEP, ABSORB };
 
-/* -- numbers -------------------------------------------------------------------------- */
+/* -- data of a frame ------------------------------------------------------------------ */
 
-/* A level of the ground's texture counts the slant too, from a metre above the eye's
- * height: water lies over the ground. */
+/* Returns a wall material.  For the ground the mipmap level includes the slant of the
+ * view, with the eye's height plus 1 m, because water lies over the ground. */
 static tp_coat coat_of(const tp_frame *frame, const tp_texture *texture, tp_fx size,
                        int32_t colour, bool ground)
 {
@@ -31,8 +32,8 @@ static tp_coat coat_of(const tp_frame *frame, const tp_texture *texture, tp_fx s
     return coat;
 }
 
-/* The index of each colour: water's and half of the spread to both sides, held where the
- * table of roots is good. */
+/* Sets the refractive index of each channel: water's index, minus or plus half of the
+ * spread.  The index is at least 1.15, the range of the table of roots. */
 static void set_indices(tp_inside *in, tp_fx spread)
 {
     TP_ASSERT(spread >= 0);
@@ -80,7 +81,7 @@ static void set_box(const tp_frame *frame, tp_inside *in)
                                scene->floor.texture_size, scene->floor.colour, true);
 }
 
-/* True if the eye is under the surface at its place, and within the tank if there is one. */
+/* True if the eye is under the surface, and inside the tank if there is a tank. */
 static bool is_under(const tp_frame *frame)
 {
     tp_vec3 eye = frame->lens.eye;
@@ -94,7 +95,8 @@ static bool is_under(const tp_frame *frame)
     return eye.y < tp_surface_above(&frame->surface, eye.x, eye.z, NULL).position.y;
 }
 
-/* False: the program lacks a stage of the view from below, and draws that from above. */
+/* True if the program has all stages of the view from under water.  Otherwise the view
+ * from above is drawn. */
 static bool can_show(const tp_frame *frame)
 {
     const tp_stage *stage = tp_frame_stages(frame, TP_UNDERWATER_ID);
@@ -121,7 +123,8 @@ static void begin(tp_frame *frame, void *mine)
     set_box(frame, in);
 }
 
-/* Walls are drawn in every sight, and their stage finds places by the sight's axes. */
+/* Sets the view's axes for the stage of walls: walls are drawn in every render view, and
+ * their stage finds places by the axes. */
 static void place(tp_frame *frame, void *mine, tp_sight *sight, tp_grid_box *box)
 {
     (void)sight, (void)box;
@@ -147,7 +150,7 @@ static void add_stages(const tp_frame *frame, const void *mine, const tp_stage *
 
 /* -- the module ----------------------------------------------------------------------- */
 
-/* A camera may dive in any scene. */
+/* True in every scene: any camera may dive. */
 bool tp_underwater_enabled(const tp_want *want)
 {
     (void)want;

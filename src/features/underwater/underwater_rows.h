@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Rows of parameters: clear water. */
+/* Parameter rows of clear water. */
 #ifndef TP_UNDERWATER_ROWS_H
 #define TP_UNDERWATER_ROWS_H
 #include "tidepool/modules.h"

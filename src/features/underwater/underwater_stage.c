@@ -1,19 +1,19 @@
 /* SPDX-License-Identifier: MIT */
-/* The view of an eye under water: the surface from below, the water where nothing
- * else is, and the water before what is there. */
+/* The view from under water: the surface from below, bare water, and the absorption in
+ * front of all other surfaces. */
 #include "features/underwater/underwater.h"
 #include "scene/world.h"
 #include "shade/beam.h"
 #include "shade/slope.h"
 
-/* The way that sample i is seen along; run->vx and so on are set. */
+/* Returns the view ray of sample i; run->vx, vy, vz are set. */
 TP_ALWAYS_INLINE tp_ray seen_along(const tp_run *run, int32_t i)
 {
     return (tp_ray){ -run->vx[i], -run->vy[i], -run->vz[i], 0 };
 }
 
-/* Metres along the way to a depth ahead of the eye: over the cosine between them, which
- * is 1/16 at the widest view that is drawn. */
+/* Returns the length of the ray, m, to a depth along the camera's axis: the depth over
+ * the cosine between both.  The cosine is at least 1/16, the edge of the widest view. */
 static tp_fx along(const tp_shade *shade, tp_ray way, tp_fx depth)
 {
     const tp_dir3 back = shade->world.back;
@@ -51,7 +51,7 @@ void tp_stage_below_rippled(const tp_shade *shade, tp_run *run)
     below(shade, run, 1);
 }
 
-/* Needs no view before it. */
+/* Shades bare water.  The stage computes its own view vectors. */
 void tp_stage_deep(const tp_shade *shade, tp_run *run)
 {
     tp_view_run(shade, &shade->world, run);

@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: MIT */
-/* The water's first picture, laid over the places at rest so that it moves with the
- * water. */
+/* Span stage of the water's base texture.  The texture is fixed to rest positions, so it
+ * moves with the water. */
 #include "features/water/water.h"
 #include "shade/sampler.h"
 
-/* `filter` and `tinted` are literals. */
+/* Shades one stretch; `filter` and `tinted` are literals. */
 TP_ALWAYS_INLINE void lay(const tp_sampler *sampler, uint32_t tint,
                           const tp_stretch *over, uint32_t *restrict colour, int filter,
                           int tinted)

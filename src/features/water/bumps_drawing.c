@@ -1,18 +1,18 @@
 /* SPDX-License-Identifier: MIT */
-/* Pools that bend the light only (water.pool_bump): the mesh does not see them, the
- * water's normals get their slopes.  The slopes' pictures lie in the frame's block and
- * are made when it begins.  A pool for which there is no room stays flat. */
+/* Pools that bend the normals only (water.pool_bump).  The mesh stays flat; the water's
+ * normals get the pools' slopes.  The slope maps lie in the frame's block and are made at
+ * the start of a frame.  A pool without room for its map stays flat. */
 #include "features/water/bumps.h"
 #include "frame/frame.h"
 #include "scene/pools.h"
 
 typedef struct {
-    tp_pool_bumps  look;        /* the stage's: first */
+    tp_pool_bumps  look;        /* data of the stage; first member */
     tp_pool_slope *slope[TP_POOL_BUMPS];
-    uint32_t       cells[TP_POOL_BUMPS];    /* that they have room for */
+    uint32_t       cells[TP_POOL_BUMPS];    /* capacity of each slope map */
 } bumps;
 
-/* A cell more all round. */
+/* Returns the cells of a slope map: the pool and one more cell on each side. */
 static uint32_t cells_of(const tp_scene_pool *pool)
 {
     return pool->cols <= 0 ? 0 : (uint32_t)(pool->cols + 2) * (uint32_t)(pool->rows + 2);
@@ -32,7 +32,7 @@ static void *layout(tp_arena *arena, const tp_want *want)
     return b;
 }
 
-/* Quiet pools of 8 and 16 bits are flat. */
+/* True if a pool is at rest and therefore flat; 32-bit pools never count as flat. */
 static bool is_flat(const tp_pool *pool)
 {
     return pool->at_rest && pool->cells != TP_CELLS_32;

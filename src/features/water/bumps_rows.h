@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Rows of parameters: pools that bend the light only. */
+/* Parameter rows of pools that bend the normals only. */
 #ifndef TP_BUMPS_ROWS_H
 #define TP_BUMPS_ROWS_H
 #include "tidepool/modules.h"

@@ -1,14 +1,15 @@
 /* SPDX-License-Identifier: MIT */
-/* Bump on the fly: the slopes of pools, that the mesh then does not follow, at every
- * sample's place at rest.
+/* Bump mapping of pools: adds the pools' slopes at the rest position of every sample.
+ * The mesh stays flat.
  *
- * Slopes of heights over one plane add up, so no frame of axes is needed.  They are read
- * from a picture of slopes, one to a cell, that is made when the frame begins, bilinear,
- * which is what tp_pool_relief is: 114 instructions a sample on x86-64, and some 60 a
- * cell, where a call of that takes 500; and the world may move on while tiles are drawn.
+ * Slopes of heights over one plane add up, so no tangent frame is needed.  A slope map
+ * with one entry per cell is made at the start of the frame and read bilinearly, with the
+ * same result as tp_pool_relief.  The map costs 114 instructions per sample on x86-64 and
+ * some 60 per cell; a call of tp_pool_relief costs 500.  The map also lets the world move
+ * on while tiles are drawn.
  *
- * The waves of a pool are a few cells long.  Where a pixel holds two cells they begin to
- * fade, where it holds four they are gone. */
+ * The waves of a pool are a few cells long.  At two cells per pixel they begin to fade;
+ * at four cells per pixel they are gone. */
 #include "features/water/bumps.h"
 #include "shade/sampler.h"
 
@@ -25,7 +26,7 @@ tp_pool_bump tp_pool_bump_of(const tp_pool *pool, const tp_pool_slope *slope)
     };
 }
 
-/* |a| < 2^14, so a sum has 30 bits. */
+/* Returns the bilinear mean of four values, |a| < 2^14: a sum has 30 bits. */
 TP_ALWAYS_INLINE int32_t among(int32_t a, int32_t b, int32_t c, int32_t d, int32_t fs,
                                int32_t ft)
 {
@@ -33,7 +34,7 @@ TP_ALWAYS_INLINE int32_t among(int32_t a, int32_t b, int32_t c, int32_t d, int32
     return (above * 256 + (below - above) * ft + 0x8000) >> 16;
 }
 
-/* In turns of the field, Q0.32, from its corner; multiples of it wrap away. */
+/* Returns a place in turns of the field, Q0.32, from its corner; whole turns wrap away. */
 TP_ALWAYS_INLINE uint32_t turned(uint32_t from_middle, uint64_t turns)
 {
     uint64_t way = (uint64_t)(int64_t)(int32_t)from_middle * turns;
@@ -45,7 +46,7 @@ TP_ALWAYS_INLINE bool within(uint32_t from_middle, uint32_t side)
     return side == 0 || from_middle + side / 2 < side;
 }
 
-/* 0..256, for the 16 columns of this sample. */
+/* Returns the weight 0..256 of the slopes, for a block of 16 columns. */
 static int32_t share_at(const tp_shade *shade, const tp_pool_bump *pool, uint32_t key)
 {
     int32_t depth = tp_log_depth(shade, key);
