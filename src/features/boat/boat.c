@@ -178,8 +178,7 @@ void tp_boat_step(const tp_program *program, tp_world *world, const tp_scene *sc
 
 /* -- validation of a state from outside --------------------------------------------- */
 
-#define REST_MOST (16000 * TP_FX_ONE)       /* m: adds half a boat and a wave's
-                                             * displacement */
+#define REST_MOST (16000 * TP_FX_ONE)       /* m: plus half a boat and a displacement */
 
 static bool is_within(int64_t x, int64_t most)
 {

@@ -281,9 +281,8 @@ static void begin(tp_frame *frame, void *mine)
         b->solid[i] = (tp_solid){
             .diffuse = m->diffuse,
             .specular = m->specular,
-            .lod = tp_frame_lod(frame, texels, false) + 96,  /* + 96 levels / 256: one
-                                                              * texel of blur, or grain
-                                                              * would glitter */
+            .lod = tp_frame_lod(frame, texels, false) + 96,  /* Q8: bias, or grain
+                                                              * glitters */
             .bump = tp_clamp(m->bump, -16 * TP_FX_ONE, 16 * TP_FX_ONE) >> 8,
             .diffuse_map = m->diffuse_map,
             .normal_map = m->normal_map,
@@ -369,7 +368,7 @@ const tp_drawing tp_boat_drawing = {
     .anchor = set_anchor, .place = place, .draw = draw, .stages = add_stages,
 };
 
-/* -- the module lids ------------------------------------------------------------------ */
+/* -- the module lids ----------------------------------------------------------------- */
 
 bool tp_lids_enabled(const tp_want *want)
 {

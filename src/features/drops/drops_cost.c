@@ -3,8 +3,7 @@
 #include "features/drops/drops.h"
 #include "scene/works.h"
 
-#define BALL_FACES 440          /* faces of a large sphere, drops_drawing.c; a small one
-                                 * has a quarter */
+#define BALL_FACES 440          /* faces of a large sphere; a small one has a quarter */
 
 /* Counts the faces of the releasing sphere, in the main view and in the reflection. */
 static void work(tp_site *w)

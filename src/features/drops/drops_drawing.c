@@ -141,7 +141,7 @@ static tp_grid_box box_of(const drawn_drops *d, const tp_sight *sight, const sph
 }
 
 /* Returns the step between meridians and parallels.  Up to 16 px across step 2 is enough:
- * the outline is off by 8 % of half the step. */
+ * the outline is off by 8 % of the radius. */
 static uint32_t step_of(const tp_grid_box *box)
 {
     return box->x1 - box->x0 > 16 || box->y1 - box->y0 > 16 ? 1 : 2;

@@ -12,7 +12,7 @@ typedef struct {
     uint32_t side;              /* side of the window, m, 16.16 */
     uint64_t per_metre;         /* cells per metre, Q16 over 16.16, Q32 */
     uint32_t edge;              /* 2^24 over an eighth of the window in cells, Q8;
-                                 * UINT32_MAX: the window ends at walls, no fading */
+                                 * UINT32_MAX: no fading, walls at the window's edge */
     uint32_t colour;
     const tp_texture *texture;  /* NULL: no texture */
     uint32_t repeats, drift_s, drift_t;     /* as in tp_layer */

@@ -16,6 +16,5 @@ typedef struct {
 } tp_haze;
 
 #define TP_HAZE 512
-extern const tp_entry8 tp_haze_table[TP_HAZE + 1];      /* share of the horizon colour,
-                                                         * 255 is full */
+extern const tp_entry8 tp_haze_table[TP_HAZE + 1];      /* horizon's share of 255 */
 #endif

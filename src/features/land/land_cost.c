@@ -126,8 +126,7 @@ static corner corner_of(const ground *g, int32_t i, int32_t j)
 /* Counts for a row of cells. */
 typedef struct {
     uint32_t tries, cuts, offs; /* uncut cells; partly cut; wholly cut */
-    uint32_t seen;              /* cells in view; breaking waves are counted over these
-                                 * cells */
+    uint32_t seen;              /* cells in view, with breaking waves */
     uint64_t drawn, fill;       /* cells with a pixel, once per tile, Q8; filled pixels */
     int32_t  top, bottom;       /* pixel rows touched */
 } strip;

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* The modules of a scene's two pools: [pool], stirred by drops and by user input, and
- * [field].  In a tick random splashes come first, then a paddle pushes the water
- * (paddle.c), then each pool steps. */
+ * [field].  In a tick the splashes, by user input and at random, come first.  Then a
+ * paddle pushes the water (paddle.c).  Then each pool steps. */
 #include "base/base.h"
 #include "features/pool/pool.h"
 #include "pool/pool.h"
@@ -152,7 +152,7 @@ static bool pool_refresh(void *mine, tp_world *world, const tp_want *want)
     return refresh_one(mine, want->scene, false);
 }
 
-/* Handles an impact: a splash with the energy of a ring [D5]. */
+/* Handles an impact: a splash of the strength of a ring [D5]. */
 static bool pool_hit(void *mine, const tp_scene *scene, const tp_impact *impact,
                      tp_fx level)
 {

@@ -76,8 +76,7 @@ static tp_view_plane mirror_level(const tp_frame *frame, const tp_lens *lens, tp
     const bool  bare = !tp_frame_has_module(frame, TP_MODULE_WALLS) && trough < level;
     tp_view_plane plane = tp_lens_level(lens, bare ? trough : level, 1);
 
-    plane.depth += (int32_t)(((int64_t)OVERLAP << 43) / lens->focal);   /* pixels of the
-                                                                         * halved picture */
+    plane.depth += (int32_t)(((int64_t)OVERLAP << 43) / lens->focal);   /* halved px */
     return plane;
 }
 

@@ -75,8 +75,7 @@ static bool draw_face(tp_frame *frame, uint32_t *at, tp_sight *sight, uint32_t *
 
 static void look(tp_frame *frame, void *mine)
 {
-    static const int32_t turn[TP_AROUND_FACES][2] = {     /* quarter turns: heading,
-                                                           * pitch */
+    static const int32_t turn[TP_AROUND_FACES][2] = {     /* quarters: heading, pitch */
         { 1, 0 }, { 3, 0 }, { 2, 0 }, { 0, 0 }, { 0, 1 }
     };
     cube_map *m = mine;

@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: MIT */
+/* Span stage of the visible dome by fast shading, without stars. */
 #include "features/sky/sky_dome_quick.h"
 #include "shade/env.h"
 #include "shade/quick_ray.h"

@@ -216,7 +216,7 @@ static tp_vec3 motion_at(const tp_surface *now, const tp_surface *before, tp_fx 
 }
 
 /* Throws the specks of a crest.  Specks start scattered over +-1/3 m, with the water's
- * velocity raised by up to 100 %, and a random part upwards. */
+ * horizontal velocity times 1 to 2, and a random part upwards. */
 static void throw_off(tp_spray *spray, const tp_surface *now, const tp_surface *before,
                       tp_fx x, tp_fx z, tp_fx strength)
 {
@@ -303,8 +303,7 @@ static void throw_bow(tp_world *world, const tp_scene *scene, tp_spray *spray,
     const tp_hull *hull = &world->afloat.hull;
     tp_vec3 way = tp_vec3_sub(world->boat.place, world->last_boat.place);
     tp_q30  s = tp_sin(hull->heading), c = tp_cos(hull->heading);
-    int64_t gone = (int64_t)way.x * s - (int64_t)way.z * c;     /* Q46 m per tick; 16 km:
-                                                                 * 2^60 */
+    int64_t gone = (int64_t)way.x * s - (int64_t)way.z * c;     /* Q46 m; 16 km: 2^60 */
     int64_t pace = tp_limit(gone, (int64_t)1 << 50) * TP_TICKS_PER_SECOND >> 30;
     tp_fx   over = (tp_fx)tp_limit(pace - BOW_PACE * TP_FX_ONE, 30 * TP_FX_ONE);
 

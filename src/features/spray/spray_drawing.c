@@ -39,8 +39,7 @@ static tp_vec3 place_of(const tp_speck *s, tp_fx back, bool through)
 static uint32_t width_of(const tp_frame *frame, const tp_speck *s, tp_fx depth)
 {
     TP_ASSERT(depth >= frame->lens.near);
-    int32_t own = 128 + (uint8_t)(s->chance * 77);  /* pseudo-random factor, Q8,
-                                                     * independent of the test below */
+    int32_t own = 128 + (uint8_t)(s->chance * 77);  /* random factor of the size, Q8 */
     int64_t size = (int64_t)frame->scene->spray.size * own >> 8;
     int64_t wide = (size * frame->lens.focal >> 12) / depth;
 

@@ -33,7 +33,7 @@ static void add_sides(tp_site *w, const tp_rectangle *r)
     for (int32_t j = 0; j < TP_RAYS; j++)
         for (int32_t i = 0; i < TP_RAYS; i++) {
             const tp_vec3 ray = tp_work_ray(w, i, j);
-            int64_t y = 0;      /* gcc -O1 --coverage warns without the value */
+            int64_t y = 0;      /* for compilers that miss the assignment in enters() */
             if (!enters(w, r, ray, &y) || y < -(int64_t)s->tank.depth || y > s->tank.rim)
                 continue;
             panes++;

@@ -12,7 +12,7 @@
 #include "frame/frame.h"
 #include "scene/pools.h"
 
-/* -- geometry ------------------------------------------------------------------------- */
+/* -- geometry ------------------------------------------------------------------------ */
 
 /* Returns the walls' thickness, a share of the pool's shorter side, m. */
 static tp_fx thickness(const tp_scene *scene, const tp_rectangle *r)

@@ -14,7 +14,7 @@
 #include "shade/beam.h"
 #include "shade/slope.h"
 
-/* -- place of the map ------------------------------------------------------------------ */
+/* -- place of the map ---------------------------------------------------------------- */
 
 /* Returns the low corner of the map's square along one axis.  The square lies ahead of
  * the eye and moves by whole cells, so the pattern does not crawl. */
@@ -45,7 +45,7 @@ static tp_fx depth_at(const tp_frame *frame, tp_fx x, tp_fx z)
     return tp_clamp(depth, 0, 100 * TP_FX_ONE);
 }
 
-/* -- refraction of the light ----------------------------------------------------------- */
+/* -- refraction of the light --------------------------------------------------------- */
 
 /* Returns the refracted fall at a surface with these slopes, by Snell's law.  The
  * downward component of the ray is at least 1/10. */
@@ -119,7 +119,7 @@ static void trace(const tp_frame *frame, const tp_caustics *map, const tp_surfac
     to->lit_z = (int32_t)(j * 256) + in_cells(away_z, c->per_metre_z);
 }
 
-/* -- distribution of the light --------------------------------------------------------- */
+/* -- distribution of the light ------------------------------------------------------- */
 
 static uint32_t folded(int32_t i, uint32_t cells)
 {

@@ -6,13 +6,12 @@
 #include "shade/beam.h"
 #include "shade/optics.h"
 
-#define CLEAR_BELOW (4 * TP_FX_ONE)     /* m: visibility in opaque water for an eye under
-                                         * water */
+#define CLEAR_BELOW (4 * TP_FX_ONE)     /* m: visibility in opaque water */
 
 /* Indices in the program's table of stages. */
 enum { BELOW, BELOW_RIPPLED, DEEP, ABSORB };
 
-/* -- data of a frame ------------------------------------------------------------------ */
+/* -- data of a frame ----------------------------------------------------------------- */
 
 /* Returns a wall material.  For the ground the mipmap level includes the slant of the
  * view, with the eye's height plus 1 m, because water lies over the ground. */
@@ -132,7 +131,7 @@ static void place(tp_frame *frame, void *mine, tp_sight *sight, tp_grid_box *box
         tp_inside_view(mine, &frame->shade, frame->lens.zi_near);
 }
 
-/* -- lists ---------------------------------------------------------------------------- */
+/* -- shader lists -------------------------------------------------------------------- */
 
 static void add_stages(const tp_frame *frame, const void *mine, const tp_stage *stage,
                        tp_shaders *list)
@@ -148,7 +147,7 @@ static void add_stages(const tp_frame *frame, const void *mine, const tp_stage *
         tp_shaders_add(list, TP_AT_AIR, stage[ABSORB], mine);
 }
 
-/* -- the module ----------------------------------------------------------------------- */
+/* -- the module ---------------------------------------------------------------------- */
 
 /* True in every scene: any camera may dive. */
 bool tp_underwater_enabled(const tp_want *want)

@@ -1,22 +1,24 @@
 /* SPDX-License-Identifier: MIT */
-/* The distortion: a drifting picture moves the places at which the layers are sampled,
- * red along s and green along t; 128 is none, 0 is the whole strength.
+/* Span stage of the distortion: a drifting texture moves the places at which layers are
+ * sampled.  Red moves along s, green along t; 128 is no offset, 0 is the full negative
+ * strength.
  *
- * Ripples stay where they are: bent normals would have to be turned as well.
+ * Ripples are not distorted: their normals would have to be turned as well.
  *
- * It is always filtered, and to 24 bits: with 8 a strength of 1 m would be steps of a
- * texel or more.  Far away its levels are near their mean, so places come to rest. */
+ * The texture is always filtered, to 24 bits: with 8 bits a strength of 1 m would give
+ * steps of a texel or more.  In the distance small mipmap levels are near the mean, so
+ * the places come to rest. */
 #include "features/water/water.h"
 #include "shade/sampler.h"
 
-/* Red and green in halves of a word: mixed once, each fills its half. */
+/* Returns red and green in the halves of a word; after one mix each fills its half. */
 TP_ALWAYS_INLINE uint32_t red_green(uint32_t texel)
 {
     return (texel & 0xff0000) | (texel >> 8 & 0xff);
 }
 
-/* Between four of 16 bits by eights of a weight: 24 bits, less those of 128, at the top
- * of a word. */
+/* Mixes two 16-bit values by the weight ft / 256, and subtracts the offset of 128.  The
+ * result has 24 significant bits at the top of the word. */
 TP_ALWAYS_INLINE int32_t off_none(uint32_t above, uint32_t below, uint32_t ft)
 {
     return (int32_t)((above * (256 - ft) + below * ft - (128u << 16)) << 8);
@@ -42,7 +44,7 @@ static void bend(const tp_sampler *sampler, int32_t strength, const tp_stretch *
     }
 }
 
-/* All of 32 bits of an offset stand for the strength twice over, at most 40 m. */
+/* Distorts a run.  The 32 bits of an offset span twice the strength, at most 40 m. */
 void tp_stage_bend(const tp_shade *shade, tp_run *run)
 {
     const tp_layers *layers = run->mine;

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT */
-/* The fast list of water: prepared pictures and slopes, then one stage of light, or two
- * at half the rate. */
+/* The shader list of fast water: baked textures and slopes, then one stage of light, or
+ * two at half rate. */
 #include "features/water/fast_water.h"
 
-#define MOST 6                  /* stages of a list */
+#define MOST 6                  /* maximum of stages in a list */
 
 /* -- tables -------------------------------------------------------------------------- */
 
@@ -12,7 +12,8 @@ static bool has_ripples(const tp_frame *frame, const tp_quick_layers *layers)
     return layers->ripple.level && frame->scene->ripple.bump > 0;
 }
 
-/* A dome's glow is in its lobe's table: it always has one. */
+/* Returns the lobe.  A dome always needs a lobe, because its glow is in the lobe's
+ * table. */
 static tp_lobe lobe_of(const tp_frame *frame)
 {
     if (frame->scene->water.specular <= 0 && frame->shade.env.kind != TP_ENV_DOME)
@@ -20,8 +21,8 @@ static tp_lobe lobe_of(const tp_frame *frame)
     return frame->scene->light.model == TP_LIGHT_BLINN ? TP_LOBE_BLINN : TP_LOBE_PHONG;
 }
 
-/* All numbers that the tables depend on; on the camera's pitch they depend only by a dome's
- * share at the sun. */
+/* Collects all numbers used by the tables.  The camera's pitch enters only through a
+ * dome's share at the sun. */
 static void key_of(int32_t key[TP_QUICK_KEY], const tp_frame *frame, bool ripples)
 {
     const tp_scene *scene = frame->scene;
@@ -37,7 +38,8 @@ static void key_of(int32_t key[TP_QUICK_KEY], const tp_frame *frame, bool ripple
     memcpy(key, numbers, sizeof numbers);
 }
 
-/* A program without the module of glints has no table of them. */
+/* Makes the tables if a number has changed.  A program without the module of glints has
+ * no table of glints. */
 static void make_tables(tp_frame *frame, struct tp_quick_light *light, bool ripples)
 {
     const bool shiny = frame->scene->water.specular > 0 && frame->shade.shine;
@@ -80,7 +82,7 @@ static void init(tp_frame *frame, void *mine)
     fast->light.made_for[0] = -1;
 }
 
-/* -- the list ------------------------------------------------------------------------ */
+/* -- the shader list ----------------------------------------------------------------- */
 
 typedef struct {
     tp_stage stage[MOST];
@@ -99,7 +101,7 @@ static tp_stage places_stage(const tp_stage *stage, bool bends, bool thin)
                        : thin ? TP_NTH_quick_still_thin : TP_NTH_quick_still];
 }
 
-/* Colours and slopes; `even`: colours of even columns alone. */
+/* Links the stages of colours and slopes.  `even`: only even columns get a colour. */
 static void link_layers(chain *c, const tp_frame *frame, const tp_quick_layers *quick,
                         const tp_stage *stage, bool even)
 {
@@ -136,7 +138,7 @@ static chain columns_of(const tp_frame *frame, const tp_quick_layers *layers,
     return c;
 }
 
-/* Light and mirror of every second column. */
+/* Returns the stages at half rate: light and reflection of every second column. */
 static chain halves_of(const tp_frame *frame, const tp_quick_layers *layers,
                        const tp_stage *stage)
 {
@@ -152,7 +154,8 @@ static chain halves_of(const tp_frame *frame, const tp_quick_layers *layers,
     return c;
 }
 
-/* Each stage reads the results of the stage before it: all are added, or none. */
+/* Adds all stages or none, because each stage reads the results of the stage before.
+ * Returns true if added. */
 static bool add_chain(tp_shaders *list, const chain *c, const void *mine)
 {
     for (uint32_t i = 0; i < c->count; i++)

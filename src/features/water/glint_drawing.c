@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Glitter: the lobe's table, by the light's model. */
+/* Glitter: makes the lobe's table for the light model. */
 #include "frame/frame.h"
 
 static void *layout(tp_arena *arena, const tp_want *want)

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The glint, added to what the water shows otherwise. */
+/* Span stage of the glint: adds the glint to the water's colour. */
 #include "shade/shade.h"
 #include "tidepool/modules.h"
 
@@ -10,7 +10,7 @@ void tp_stage_glint(const tp_shade *restrict shade, tp_run *restrict run)
 
     for (int32_t i = 0; i < count; i++) {
         uint32_t share = run->glint[i];
-        if (!TP_WIDE && share == 0)         /* most of the water, most of the time */
+        if (!TP_WIDE && share == 0)         /* the usual case of most water pixels */
             continue;
         share = share > 256 ? 256 : share;
         run->colour[i] = tp_colour_add(run->colour[i], tp_colour_scale(light, share));

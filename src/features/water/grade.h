@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: MIT */
-/* A texel's saturation, clamp and colour.
+/* Grading of a texel: saturation, clamp and colour.
  *
- * A channel c becomes v = y + (c - y) saturation, y its grey (.30 .59 .11), held within
- * 0..1, then (v - clamp) / (1 - clamp), held at 0, times the colour.  Holding twice is
- * holding v - clamp within 0..1 - clamp, so the division is a part of the colour's gain;
- * all of it is done in Q8 and rounded once. */
+ * A channel c becomes v = y + (c - y) saturation, y its grey (.30 .59 .11), clamped to
+ * 0..1, then (v - clamp) / (1 - clamp), clamped at 0, times the colour.  Both clamps
+ * together equal one clamp of v - clamp to 0..1 - clamp, so the division becomes a part
+ * of the colour's gain.  The arithmetic is in Q8 and rounds once. */
 #ifndef TP_WATER_GRADE_H
 #define TP_WATER_GRADE_H
 #include <stdbool.h>
@@ -12,24 +12,25 @@
 #include "shade/colour.h"
 #include "tidepool/modules.h"
 
-/* The grading of a layer's texels.  Levels of 255 are Q8 here. */
+/* The grading of a layer's texels.  Levels of 255 are stored in Q8. */
 typedef struct {
-    int32_t  saturation;        /* 0 is its grey, 256 leaves it as it is, 1024 at most */
-    int32_t  clamp;             /* darker is black, 0..0.95 of white */
-    int32_t  span;              /* white less the clamp */
+    int32_t  saturation;        /* 0: grey; 256: unchanged; at most 1024 */
+    int32_t  clamp;             /* darker values become black, 0..0.95 of white */
+    int32_t  span;              /* white minus the clamp */
     uint32_t gain[3];           /* red, green, blue of the colour / span, Q24 */
 } tp_grade;
 
-/* layers_stage.c: saturation 0..4, clamp 0..0.95 */
+/* layers_stage.c.  Returns the grading for saturation 0..4, clamp 0..0.95. */
 tp_grade tp_grade_of(tp_fx saturation, tp_fx clamp, uint32_t colour);
 
-/* False: the colour is all that is done. */
+/* True if a layer needs grading; false if a multiplication by the colour is enough. */
 static inline bool tp_is_graded(tp_fx saturation, tp_fx clamp)
 {
     return saturation != TP_FX_ONE || clamp > 0;
 }
 
-/* v <= span, span gain <= 255 << 24 rounded down: a half more still fits. */
+/* Returns a graded channel.  v <= span, and span x gain <= 255 << 24 rounded down, so
+ * adding a half still fits. */
 TP_ALWAYS_INLINE uint32_t tp_graded_channel(const tp_grade *grade, int32_t grey,
                                             uint32_t c, int channel)
 {

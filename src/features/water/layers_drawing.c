@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT */
-/* The water's pictures: the first, then those that are added to it and the distortion. */
+/* The water's textures: the base layer, then the added layers and the distortion. */
 #include "features/water/water.h"
 #include "frame/frame.h"
 
-/* -- the first ----------------------------------------------------------------------- */
+/* -- the base layer ------------------------------------------------------------------ */
 
 static void *layout_base(tp_arena *arena, const tp_want *want)
 {
@@ -11,7 +11,7 @@ static void *layout_base(tp_arena *arena, const tp_want *want)
     return tp_arena_take(arena, 1, sizeof(tp_base_layer));
 }
 
-/* The first layer's colour and the water's colour are multiplied into one. */
+/* Sets the base layer; its colour and the water's colour are multiplied into one. */
 static void begin_base(tp_frame *frame, void *mine)
 {
     const tp_scene_layer *layer = &frame->scene->layer[0];
@@ -53,7 +53,7 @@ const tp_drawing tp_base_layer_drawing = {
     .layout = layout_base, .begin = begin_base, .stages = add_base,
 };
 
-/* -- the others ---------------------------------------------------------------------- */
+/* -- the added layers ---------------------------------------------------------------- */
 
 static void *layout_layers(tp_arena *arena, const tp_want *want)
 {
@@ -83,7 +83,8 @@ static void begin_layers(tp_frame *frame, void *mine)
     layers->strength = frame->scene->distortion.strength;
 }
 
-/* Without a first layer the others are added to the water's plain colour. */
+/* Adds the stages.  Without a base layer the other layers are added to the water's plain
+ * colour. */
 static void add_layers(const tp_frame *frame, const void *mine, const tp_stage *stage,
                        tp_shaders *list)
 {

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Rows of parameters: pictures on the water, and their distortion. */
+/* Parameter rows of the water's layers and of their distortion. */
 #ifndef TP_LAYERS_ROWS_H
 #define TP_LAYERS_ROWS_H
 #include "tidepool/modules.h"

@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: MIT */
-/* The water's pictures beyond the plain case of base_layer_stage.c: those that are added
- * to the first, and any that are brought to another saturation or clamped (see
- * grade.h). */
+/* Span stages of the water's textures beyond the plain case of base_layer_stage.c: layers
+ * added to the base layer, and layers with another saturation or a clamp.  grade.h has
+ * the arithmetic of saturation, clamp and colour. */
 #include "features/water/water.h"
 #include "shade/sampler.h"
 
-/* The span is no less than 12 levels. */
+/* The span is at least 12 levels of 255. */
 tp_grade tp_grade_of(tp_fx saturation, tp_fx clamp, uint32_t colour)
 {
     TP_ASSERT(saturation >= 0 && saturation <= 4 * TP_FX_ONE);
@@ -21,7 +21,7 @@ tp_grade tp_grade_of(tp_fx saturation, tp_fx clamp, uint32_t colour)
 
 enum { TINTED, GRADED };
 
-/* `filter`, `how` and `add` are literals. */
+/* Shades one stretch; `filter`, `how` and `add` are literals. */
 TP_ALWAYS_INLINE void lay(const tp_sampler *sampler, const tp_grade *grade, uint32_t tint,
                           const tp_stretch *over, uint32_t *restrict colour, int filter,
                           int how, int add)

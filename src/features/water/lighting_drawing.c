@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
-/* Lights the water: by its angle to the view, or diffusely alone. */
+/* Chooses the water's lighting: view-dependent light, or diffuse light only. */
 #include "frame/frame.h"
 
-/* The lobe of water that does not glitter. */
+/* Sets a dark lobe, for water without glitter. */
 static void begin(tp_frame *frame, void *mine)
 {
     static const tp_entry16 dark[TP_SHINE + 1];
@@ -11,7 +11,8 @@ static void begin(tp_frame *frame, void *mine)
     frame->shade.shine = dark;
 }
 
-/* The view and the light that depends on it are added together: a list with a view is lit. */
+/* Adds the view stage and the light stage together: a list with view vectors is always
+ * lit. */
 static void add_light(const tp_frame *frame, const void *mine, const tp_stage *stage,
                       tp_shaders *list)
 {

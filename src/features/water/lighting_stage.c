@@ -1,16 +1,16 @@
 /* SPDX-License-Identifier: MIT */
-/* Light on water: Phong's three terms [F5], or Blinn's.
+/* Span stages of light on water: Phong's three terms [F5], or Blinn's.
  *
  * The normal stays a pair of slopes, N = (-sx, 1, -sz) / sqrt(1 + sx^2 + sz^2).  With V
  * to the eye and L to the light, R = 2 (N.L) N - L gives R.V = 2 (N.L)(N.V) - L.V, and
- * the mirrored view's height is 2 (N.V) Ny - Vy: no vector is ever reflected, nor is one
- * ever halved (see lobe.h). */
+ * the reflected view's height is 2 (N.V) Ny - Vy.  The stages need neither a reflected
+ * vector nor a half vector (see lobe.h). */
 #include "shade/lobe.h"
 #include "shade/slope.h"
 #include "tidepool/modules.h"
 
-/* The diffuse term alone, for water that neither shines nor mirrors: the root's nearest
- * entry is within 0.2 %, half a level of 255. */
+/* Shades the diffuse term alone, for water without glitter and reflection.  The nearest
+ * entry of the table of roots is within 0.2 %, half a level of 255. */
 TP_ALWAYS_INLINE void diffuse(const tp_shade *restrict shade, tp_run *restrict run,
                               int rippled)
 {
@@ -23,14 +23,14 @@ TP_ALWAYS_INLINE void diffuse(const tp_shade *restrict shade, tp_run *restrict r
         int32_t ny = tp_steep_near(tp_slope_square(sx, sz));
         int32_t nl = ly - ((sx * lx + sz * lz) >> 12);
         int32_t lit = nl * ny >> 20;
-        if ((uint32_t)lit > (uint32_t)direct)       /* turned away, or rounded */
+        if ((uint32_t)lit > (uint32_t)direct)       /* facing away, or rounded up */
             lit = lit < 0 ? 0 : direct;
         run->colour[i] = tp_colour_scale(run->colour[i], (uint32_t)(ambient + lit));
     }
 }
 
-/* The lobe at R.V, between its entries: on smooth water those of a sharp one would show
- * as rings.  Most samples lie outside it. */
+/* Returns the lobe at R.V, interpolated between table entries: on smooth water the
+ * entries of a sharp lobe would show as rings.  Most samples lie outside of the lobe. */
 TP_ALWAYS_INLINE int32_t shine_of(const tp_shade *shade, int32_t rv)
 {
     rv = tp_clamp(rv, 0, 16384);
@@ -42,13 +42,14 @@ TP_ALWAYS_INLINE int32_t shine_of(const tp_shade *shade, int32_t rv)
     return here ? between : 0;
 }
 
-/* Ripples too small for a pixel keep a part of the water turned to the eye, however
- * flat the view: N.V of rippled water stays above 1/10, or crests would be outlined by
- * the horizon's full light. */
+/* Lower bound of N.V on rippled water, 1/10.  Ripples below a pixel keep a part of the
+ * water facing the eye at any grazing angle.  Without the bound crests would be outlined
+ * by the horizon's full light. */
 #define RIPPLED_VIEW 1638
 
-/* The lobe takes N.V as it is: a crest that turns away shows the eye no more light than
- * one that it just grazes. */
+/* Shades ambient and diffuse light, and leaves the glint.  The lobe uses N.V without the
+ * lower bound, clamped at 0: a crest facing away shows no more light than a grazing
+ * crest. */
 TP_ALWAYS_INLINE void light(const tp_shade *restrict shade, tp_run *restrict run,
                             int rippled, int blinn)
 {
@@ -59,7 +60,7 @@ TP_ALWAYS_INLINE void light(const tp_shade *restrict shade, tp_run *restrict run
         int32_t sx = tp_slope_x(run, i, rippled), sz = tp_slope_z(run, i, rippled);
         int32_t vx = run->vx[i], vy = run->vy[i], vz = run->vz[i];
         int32_t ny = tp_steep(tp_slope_square(sx, sz));
-        int32_t nv = vy - ((sx * vx + sz * vz) >> 12);      /* Q14, below 14 */
+        int32_t nv = vy - ((sx * vx + sz * vz) >> 12);      /* Q14, |nv| below 14 */
         int32_t nl = ly - ((sx * lx + sz * lz) >> 12);
 
         int32_t seen = tp_clamp(nv * ny >> 14, 0, 16384);

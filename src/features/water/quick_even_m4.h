@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Quick light of every second column, and glints of all, for cores with the DSP extension;
- * the bits are those of quick_even_plain.h. */
+/* Fast light of every second column, and glints of all columns, for cores with the DSP
+ * extension.  The results equal those of quick_even_plain.h bit for bit. */
 #ifndef TP_WATER_QUICK_EVEN_M4_H
 #define TP_WATER_QUICK_EVEN_M4_H
 #include "shade/pairs_m4.h"
@@ -10,7 +10,7 @@
 
 #define SPAN TP_QUICK_SPAN(TP_LOBE_BLINN)
 
-/* Columns x to stop of one span: x is even, or the run's first. */
+/* Lights columns x to stop of one span; x is even, or the run's first column. */
 TP_ALWAYS_INLINE void packed_even_span(const tp_shade *shade, tp_quick_sun sun,
                                        tp_run *run, tp_quick_view v, tp_quick_view step,
                                        int32_t x, int32_t stop, int env)
@@ -54,7 +54,8 @@ TP_ALWAYS_INLINE void packed_even_span(const tp_shade *shade, tp_quick_sun sun,
 #undef WALK
 }
 
-/* The half vectors where spans begin and end stay in the run for the glints. */
+/* Lights the even columns of a run.  The half vectors at the ends of spans stay in the
+ * run, for the glints. */
 TP_ALWAYS_INLINE void packed_even(const tp_shade *shade, tp_run *run, int env)
 {
     const tp_quick_sun sun = tp_quick_sun_of(shade);
@@ -77,7 +78,8 @@ TP_ALWAYS_INLINE void packed_even(const tp_shade *shade, tp_run *run, int env)
 
 /* -- glints -------------------------------------------------------------------------- */
 
-/* Phong's, of columns x to stop of one span, over colours between. */
+/* Adds Phong's glints to columns x to stop of one span; half rate colours are filled in
+ * already. */
 TP_ALWAYS_INLINE void packed_phong_span(const struct tp_quick_light *quick,
                                         tp_quick_sun sun, tp_run *run, tp_quick_view v,
                                         tp_quick_view step, int32_t x, int32_t stop)
@@ -120,9 +122,10 @@ TP_ALWAYS_INLINE uint32_t packed_blinn(const uint32_t *lobe, uint32_t slope,
     return tp_uqadd8(colour, lobe[tp_usat(tp_smuad(away, away), 11, 9)]);
 }
 
-/* Four columns with the colours a and b and what lies between, c being the next, and
- * with half vectors from this one on, to the next; slopes are so many words beyond
- * colours. */
+/* Writes four columns with Blinn's glints.  a and b are the colours of the even columns,
+ * c the next even colour; odd columns get means.  `half` is the half vector of the first
+ * column.  Returns the half vector of the column after the four.  SLOPES is the distance
+ * in words from a colour to its slope. */
 #define SLOPES ((int)((offsetof(tp_run, slope) - offsetof(tp_run, colour)) / 4))
 TP_ALWAYS_INLINE uint32_t packed_blinn_four(const uint32_t *lobe, uint32_t half,
                                             tp_quick_walk walk, uint32_t *colour,
@@ -140,7 +143,7 @@ TP_ALWAYS_INLINE uint32_t packed_blinn_four(const uint32_t *lobe, uint32_t half,
     return tp_sadd16(fourth, walk.rest);
 }
 
-/* The colour of column i, as tp_quick_fill_between has it. */
+/* Returns the colour of column i, like tp_quick_fill_between. */
 TP_ALWAYS_INLINE uint32_t packed_between(const tp_run *run, int32_t i)
 {
     const int32_t odd = run->x & 1, x = run->x + i;
@@ -152,8 +155,8 @@ TP_ALWAYS_INLINE uint32_t packed_between(const tp_run *run, int32_t i)
     return (x & 15) == 15 || i + 1 == run->count ? even[0] : tp_uhadd8(even[0], even[1]);
 }
 
-/* The half vector of column x, by those that the light has left where spans begin and
- * end, and how it goes on. */
+/* Returns the half vector of column x, and its steps in *walk, from the half vectors left
+ * in the run at the ends of spans. */
 TP_ALWAYS_INLINE uint32_t packed_half_at(const tp_run *run, int32_t x,
                                          tp_quick_walk *walk)
 {
@@ -164,7 +167,7 @@ TP_ALWAYS_INLINE uint32_t packed_half_at(const tp_run *run, int32_t x,
     return tp_quick_half_at(tp_quick_half_first(half[0], *walk), step, x & (SPAN - 1));
 }
 
-/* Columns of a block that is not whole. */
+/* Adds glints to the columns of an incomplete block. */
 TP_LOOP packed_blinn_part(const uint32_t *lobe, tp_run *run, int32_t i, int32_t end)
 {
     for (; i < end; i++) {
@@ -174,7 +177,7 @@ TP_LOOP packed_blinn_part(const uint32_t *lobe, tp_run *run, int32_t i, int32_t 
     }
 }
 
-/* Whole blocks of 16 columns, [i, end), one behind the other. */
+/* Adds glints to complete blocks of 16 columns, [i, end). */
 TP_ALWAYS_INLINE void packed_blinn_blocks(const uint32_t *lobe, tp_run *run, int32_t i,
                                           int32_t end)
 {
@@ -202,7 +205,7 @@ TP_ALWAYS_INLINE void packed_blinn_run(const uint32_t *lobe, tp_run *run)
     const int32_t begin = -run->x & 15, end = run->count - ((run->x + run->count) & 15);
 
 #if TP_DSP
-    __asm__("" : "+r"(lobe));   /* by its own address, not the tables' */
+    __asm__("" : "+r"(lobe));   /* keeps the address in its own register */
 #endif
     if (begin >= end) {
         packed_blinn_part(lobe, run, 0, run->count);

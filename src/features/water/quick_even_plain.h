@@ -1,11 +1,12 @@
 /* SPDX-License-Identifier: MIT */
-/* Quick light of every second column, and glints of all, as plain loops. */
+/* Fast light of every second column, and glints of all columns, as plain loops. */
 #ifndef TP_WATER_QUICK_EVEN_PLAIN_H
 #define TP_WATER_QUICK_EVEN_PLAIN_H
 #include "features/water/quick_light_plain.h"
 #include "tidepool/modules.h"
 
-/* From the first even column on; slopes and views are every second of the run's. */
+/* Lights the even columns, from the first even column on.  Slopes and views are read at
+ * every second column of the run. */
 TP_ALWAYS_INLINE void plain_evens(const plain_tables tables, const tp_run *restrict run,
                                   uint32_t *restrict even, int32_t odd, int32_t places,
                                   int env)
@@ -36,7 +37,8 @@ TP_ALWAYS_INLINE void plain_even(const tp_shade *shade, tp_run *run, int env)
     plain_evens(tables, run, run->even + odd, odd, (run->count - odd + 1) >> 1, env);
 }
 
-/* Half vectors are those that the light of even columns has left in the run. */
+/* Adds the glints.  The half vectors are those left in the run by the light of the even
+ * columns. */
 TP_ALWAYS_INLINE void plain_glint(const tp_shade *shade, tp_run *run, int lobe)
 {
     const plain_tables tables = plain_tables_of(shade, TP_ENV_GRADIENT);

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT */
-/* Quick light at half the rate: light and mirror of even columns and of the run's first,
- * then glints of every column by its own slope, as those are what an eye follows.  One of
- * two bodies of the same bits. */
+/* Fast light at half rate.  Light and reflection are computed for even columns and the
+ * run's first column.  Glints are computed for every column by its own slope, because
+ * glints are what an eye follows.  The file selects one of two implementations with
+ * identical results. */
 #include "features/water/quick_light.h"
 #if TP_DSP
 #include "features/water/quick_even_m4.h"

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* The quick rung's pictures of a frame: prepared by whoever made the assets, or here, into
- * the frame's block, and again whenever a number changes that they were made for. */
+/* Textures of fast shading in a frame.  The assets contain a texture already baked, or
+ * the frame bakes the texture into its own block, again whenever a parameter of the
+ * texture has changed. */
 #include "features/water/fast_water.h"
 #include "features/water/grade.h"
 
@@ -28,9 +29,10 @@ void tp_quick_layout_pictures(void *memory[TP_PREPARED], tp_arena *arena,
     }
 }
 
-/* -- what pictures are made for -------------------------------------------------------- */
+/* -- parameters of baked textures ---------------------------------------------------- */
 
-/* The first layer's with the water's colour, as layers_drawing.c has it. */
+/* Returns the colour of layer i.  The base layer includes the water's colour, as in
+ * layers_drawing.c. */
 static uint32_t colour_of(const tp_scene *scene, const tp_assets *assets, int i)
 {
     const uint32_t colour = (uint32_t)scene->layer[i].colour;
@@ -84,7 +86,7 @@ void tp_prepare(tp_texture *to, const tp_scene *scene, const tp_assets *assets, 
     make(to, i, source_of(assets, i), &wish, memory);
 }
 
-/* NULL: there is none. */
+/* Returns the baked texture i, baked now if needed; NULL: none. */
 static const tp_texture *picture_of(const tp_frame *frame, tp_fast_water *fast, int i)
 {
     const tp_quick_wish wish = wish_of(frame->scene, &frame->assets, i);

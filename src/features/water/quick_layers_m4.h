@@ -1,15 +1,17 @@
 /* SPDX-License-Identifier: MIT */
-/* The quick rung's loops for processors with Arm's DSP extension and 13 registers: words
- * go to and from memory by pairs, and lanes of a word are added at once.  The same bits as
- * quick_plain.h, which says what they do; compiled and compared on every machine. */
+/* Loops of fast shading for processors with Arm's DSP extension and 13 registers.  Words
+ * are loaded and stored in pairs; the lanes of a word are added in one instruction.
+ * quick_plain.h has the same loops with explanations and identical results.  Every
+ * machine compiles and compares both. */
 #ifndef TP_WATER_QUICK_LAYERS_M4_H
 #define TP_WATER_QUICK_LAYERS_M4_H
 #include "shade/pairs_m4.h"
 #include "features/water/quick_loops.h"
 
-/* -- lookups ---------------------------------------------------------------------------- */
+/* -- look-ups ------------------------------------------------------------------------ */
 
-/* The side is hidden from the compiler, that would shift by its logarithm and add. */
+/* Returns the look-up of a map.  The asm hides the side from the compiler, which would
+ * otherwise replace the multiplication by a shift and an addition. */
 TP_ALWAYS_INLINE tp_lookup packed_lookup(const tp_quick_map *map, int32_t far)
 {
     tp_lookup l = tp_lookup_at(map, far);
@@ -158,7 +160,7 @@ TP_LOOP packed_bent_thin(const tp_quick_map *map, int32_t far, const tp_columns 
         packed_bent_place(&l, s[2], t[2], place + 1);
 }
 
-/* -- ripples and thin colours ------------------------------------------------------------ */
+/* -- ripples and half rate colours --------------------------------------------------- */
 
 TP_ALWAYS_INLINE void packed_rippled_pair(const tp_lookup *l, const uint32_t **s,
                                           const uint32_t **t, const uint32_t **n,

@@ -1,13 +1,14 @@
 /* SPDX-License-Identifier: MIT */
-/* The quick rung's first half: a distortion, three layers and ripples, all of them
- * lookups of the nearest texel of prepared pictures.
+/* First half of fast shading: a distortion, three layers and ripples, all by look-ups of
+ * the nearest texel of baked textures.
  *
- * Distances are told to half a level, once for every 16 columns; neighbours of one
- * distance are a span, in which a picture has one level.
+ * Distances are quantized to half a mipmap level, once per 16 columns.  Neighbours of
+ * equal distance form a span; in a span a texture has one level.
  *
- * Thin stages have places and layers for every second column alone: the even ones of the
- * picture and the run's first.  Their places lie close together until the layers are laid
- * and the columns between are filled; or, if light comes first, until it has lit them. */
+ * Half rate stages have places and layers for every second column only: the even columns
+ * of the picture and the run's first column.  The places are stored densely until the
+ * layers are shaded and the columns in between are filled; if light comes first, until
+ * the even columns are lit. */
 #include "base/dsp.h"
 #include "shade/depth.h"
 #include "features/water/quick_light.h"
@@ -19,7 +20,7 @@
 #define LOOP(name) plain_##name
 #endif
 
-#define HALF 128                /* a level, Q8 */
+#define HALF 128                /* half a level, Q8 */
 
 static int32_t thin_places(const tp_run *run, int32_t end)
 {
@@ -117,7 +118,8 @@ TP_ALWAYS_INLINE void lay(const tp_quick_map *map, const tp_run *run, uint32_t *
     }
 }
 
-/* Without a first picture the water's colour is the first layer. */
+/* Shades all layers.  Without a base texture the water's colour replaces the first
+ * layer. */
 TP_ALWAYS_INLINE void lay_all(const tp_shade *shade, const tp_run *run, uint32_t *colour,
                               int thin)
 {
@@ -138,8 +140,9 @@ void tp_stage_quick_layers(const tp_shade *shade, tp_run *run)
     lay_all(shade, run, run->colour, 0);
 }
 
-/* A column between is the mean of its neighbours; where 16 end, at which another tile may
- * begin, and at the run's end it is as the one before. */
+/* Fills the columns in between with the mean of their neighbours.  At the end of a block
+ * of 16 columns, a possible tile border, and at the run's end, a column copies the column
+ * before. */
 static void fill_between(const uint32_t *restrict thin, tp_run *run)
 {
     const int32_t odd = run->x & 1, count = run->count, pairs = (count - odd) >> 1;
@@ -157,7 +160,8 @@ static void fill_between(const uint32_t *restrict thin, tp_run *run)
             run->colour[i] = run->colour[i - 1];
 }
 
-/* Slopes come later: until then their place is free. */
+/* Shades the layers at half rate.  The slopes' array is free until the slopes are made,
+ * so the array holds the half rate colours. */
 void tp_stage_quick_layers_thin(const tp_shade *shade, tp_run *run)
 {
     lay_all(shade, run, run->slope, 1);

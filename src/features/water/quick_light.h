@@ -1,49 +1,51 @@
 /* SPDX-License-Identifier: MIT */
-/* Quick light on water, in slope space: N is never made a unit.
+/* Fast light on water, in slope space: N is never normalized.
  *
  * With N = (-sx, 1, -sz), q = sx^2 + sz^2, V to the eye and L to the light, one dual
- * product each gives n = N.V and l = N.L, both too large by sqrt(1 + q), and then
- *   2 n - Vy                     height of the mirrored view, exact for q = 0
+ * product each gives n = N.V and l = N.L, both too large by sqrt(1 + q).  The terms are
+ *   2 n - Vy                     height of the reflected view, exact for q = 0
  *   (1 + L.V)(1 + q) - 2 n l     (1 + q)(1 - R.V): never below 0, and 0 where Phong's
  *                                lobe is 1, however steep the water
  *   |s - h|^2                    square of the tangent of the angle to the half vector,
  *                                whose slopes are h: Blinn's lobe
- * Fresnel's share, the two lobes and the sky are tables by these; for share and sky n is
- * not less than what ripples too small for a pixel leave of it (see lighting_stage.c).  A dome is
- * looked up by the mirrored view's height and, the same for a whole span, by how much the
- * view is towards the sun; its glow is added to the lobe, with Fresnel's share where the
- * sun's image is.  A cube's sky is a square map of the world's upper half.
+ * Fresnel's share, the two lobes and the sky are tables over these terms.  For Fresnel
+ * and sky n has the lower bound of lighting_stage.c, the part left by ripples below a
+ * pixel.  A dome is looked up by the height of the reflected view, and by one value per
+ * span: how much the view is towards the sun.  The dome's glow is added to the lobe,
+ * weighted by Fresnel at the sun's image.  The sky of a cube is a square map of the
+ * world's upper half.
  *
- * V and h are exact in every 32nd column and go by equal steps between, V of 4 columns, h
- * of one, as steps of a sharp lobe show as a comb; V and L.V for Phong's sharper lobe in
- * every 16th, by steps of 2.  A run may begin anywhere.
+ * V and h are exact in every 32nd column and interpolated by equal steps: V steps every 4
+ * columns, h every column, because steps of a sharp lobe show as a comb.  For Phong's
+ * sharper lobe V and L.V are exact in every 16th column and step every 2.  A run may
+ * begin in any column.
  *
- * Against the exact stages, slopes at random up to 0.1, 0.3 and 0.6, rms in 1/255 as
- * tests/unit/test_features_water_quick_light.c prints them: matt water and a gradient 0.7,
- * 3.1, 6.7; a dome 1.3, 3.3; a cube 1.0, 3.0; with glints of Phong 1.3, 3.5, of Blinn 1.5,
- * 7. */
+ * Errors against the exact stages, rms in 1/255, for random slopes up to 0.1, 0.3 and
+ * 0.6, as printed by tests/unit/test_features_water_quick_light.c: matt water and a
+ * gradient 0.7, 3.1, 6.7; a dome 1.3, 3.3; a cube 1.0, 3.0; with glints of Phong 1.3,
+ * 3.5, of Blinn 1.5, 7. */
 #ifndef TP_WATER_QUICK_LIGHT_H
 #define TP_WATER_QUICK_LIGHT_H
 #include "base/dsp.h"
 #include "shade/quick_ray.h"
 #include "tidepool/modules.h"
 
-#define TP_QUICK_SHARES 256     /* by n of 0..1 */
-#define TP_QUICK_LOBE   512     /* of 1/2048 of (1 + q)(1 - R.V), or of |s - h|^2 */
-#define TP_QUICK_HEIGHTS 64     /* of the mirrored view, a 32nd each; half are below 0 */
-#define TP_QUICK_STEP(lobe) ((lobe) == TP_LOBE_PHONG ? 2 : 4)       /* columns */
+#define TP_QUICK_SHARES 256     /* entries for n of 0..1 */
+#define TP_QUICK_LOBE   512     /* entries of 1/2048 of (1 + q)(1 - R.V), or of |s - h|^2 */
+#define TP_QUICK_HEIGHTS 64     /* of the reflected view, 1/32 each; half are below 0 */
+#define TP_QUICK_STEP(lobe) ((lobe) == TP_LOBE_PHONG ? 2 : 4)       /* columns per step */
 #define TP_QUICK_SPAN(lobe) (8 * TP_QUICK_STEP(lobe))
 #define TP_QUICK_KEY    16
-#define TP_QUICK_SIDE   32      /* of the map of a cube's sky */
+#define TP_QUICK_SIDE   32      /* side of the map of a cube's sky */
 
 typedef enum { TP_LOBE_NONE, TP_LOBE_PHONG, TP_LOBE_BLINN } tp_lobe;
 
 struct tp_quick_light {
-    uint32_t share[TP_QUICK_SHARES];    /* of 256: what water keeps, what it mirrors */
+    uint32_t share[TP_QUICK_SHARES];    /* 1/256: kept by the water; mirrored */
     uint32_t lobe[TP_QUICK_LOBE];       /* colours */
     uint32_t sky[TP_QUICK_SIDE * TP_QUICK_SIDE];    /* columns of heights, or a map */
-    int32_t  least;             /* that n is taken to be, Q26 */
-    int32_t  made_for[TP_QUICK_KEY];    /* the frame's: numbers, the first not negative */
+    int32_t  least;             /* lower bound of n, Q26 */
+    int32_t  made_for[TP_QUICK_KEY];    /* inputs; the first is >= 0 */
 };
 
 /* name, kind of environment, lobe */
@@ -57,26 +59,27 @@ struct tp_quick_light {
     X(cube_phong,     TP_ENV_CUBE,     TP_LOBE_PHONG) \
     X(cube_blinn,     TP_ENV_CUBE,     TP_LOBE_BLINN)
 
-/* quick_tables.c: makes the tables from the shade's sky, light and numbers.  On the camera's
- * angles they depend only by this share, of 256, in a dome's lobe. */
+/* quick_tables.c.  tp_quick_light_init makes the tables from the shade's sky, light and
+ * numbers.  The camera's angles enter only through tp_quick_share_at_sun, 1/256, in a
+ * dome's lobe. */
 uint32_t tp_quick_share_at_sun(const tp_shade *shade);
 void tp_quick_light_init(struct tp_quick_light *quick, const tp_shade *shade,
                          tp_lobe lobe, bool shiny, bool rippled);
 
-/* quick_layers_stage.c: colours of the odd columns, between those of the even ones. */
+/* quick_layers_stage.c.  Fills the colours of odd columns from the even columns. */
 void tp_quick_fill_between(tp_run *run);
 
 /* -- the view -------------------------------------------------------------------------- */
 
-/* Of a step's columns: -V as x : z in Q1.14, h as x : z in Q3.12, Vy less the least n Q26,
- * 1 + L.V Q30. */
+/* The view in the columns of a step.  back: -V as x : z, Q1.14; half: h as x : z, Q3.12;
+ * y: Vy minus the lower bound of n, Q26; lv: 1 + L.V, Q30. */
 typedef struct {
     uint32_t back, half;
     int32_t  y, lv;
 } tp_quick_view;
 
-/* In the middle of the step that begins with column x: with L.V; with h,
- * or for no lobe. */
+/* Return the view in the middle of the step that begins with column x: the first with
+ * L.V; the second with h, also used without a lobe. */
 tp_quick_view tp_quick_phong_at(const tp_shade *shade, const tp_quick_row *row,
                                 int32_t x);
 tp_quick_view tp_quick_blinn_at(const tp_shade *shade, const tp_quick_row *row,
@@ -90,19 +93,19 @@ TP_ALWAYS_INLINE tp_quick_view tp_quick_view_at(const tp_shade *shade,
                                  : tp_quick_blinn_at(shade, row, x);
 }
 
-/* The arrays of a whole run, which plain bodies want. */
+/* Fills the arrays of a whole run, for the plain loops. */
 void tp_quick_view_run(const tp_shade *shade, tp_run *run, int lobe);
 
-/* Where in the sky of a dome the column of a span begins. */
+/* Returns the index in a dome's sky of the column of heights for a span. */
 uint32_t tp_quick_column(const tp_shade *shade, const tp_quick_view *v);
 
-/* The halves of b less those of a, over 8. */
+/* Returns (b - a) / 8 in both halves. */
 TP_ALWAYS_INLINE uint32_t tp_quick_eighth(uint32_t a, uint32_t b)
 {
     return tp_shadd16(tp_shadd16(tp_shsub16(b, a), 0), 0);
 }
 
-/* Of the 8 steps from a to b. */
+/* Returns one of the 8 equal steps from a to b. */
 TP_ALWAYS_INLINE tp_quick_view tp_quick_step(tp_quick_view a, tp_quick_view b, int lobe)
 {
     return (tp_quick_view){
@@ -112,8 +115,8 @@ TP_ALWAYS_INLINE tp_quick_view tp_quick_step(tp_quick_view a, tp_quick_view b, i
     };
 }
 
-/* Of h from column to column: a quarter of a step, cut, three times, then what is left
- * of the step. */
+/* Steps of h from column to column: three times a quarter of a step, truncated, then the
+ * rest of the step. */
 typedef struct {
     uint32_t quarter, rest;
 } tp_quick_walk;
@@ -127,7 +130,8 @@ TP_ALWAYS_INLINE tp_quick_walk tp_quick_walk_of(uint32_t step)
     };
 }
 
-/* h in column 0 of a span, by h in the middle of its first step: 3/8 of a step less. */
+/* Returns h in column 0 of a span.  `half` is h in the middle of the first step, 3/8 of a
+ * step later. */
 TP_ALWAYS_INLINE uint32_t tp_quick_half_first(uint32_t half, tp_quick_walk walk)
 {
     return tp_ssub16(tp_ssub16(half, walk.quarter), tp_shadd16(walk.quarter, 0));
@@ -139,7 +143,7 @@ static inline uint32_t tp_quick_plus(uint32_t a, uint32_t step, int32_t k)
                      tp_low16(a) + k * tp_low16(step));
 }
 
-/* h in column k by that in column 0. */
+/* Returns h in column k; `first` is h in column 0. */
 TP_ALWAYS_INLINE uint32_t tp_quick_half_at(uint32_t first, uint32_t step, int32_t k)
 {
     return tp_pair16(tp_high16(first) + (k >> 2) * tp_high16(step)
@@ -155,8 +159,8 @@ TP_ALWAYS_INLINE tp_quick_view tp_quick_at(tp_quick_view v, tp_quick_view step, 
                             v.y + k * step.y, v.lv + k * step.lv };
 }
 
-/* The light's part: -L as x : z, Q1.14, and Ly Q26; the ambient share Q16, and what is
- * added for each of 255 of N.L, up to 65535. */
+/* The light.  back: -L as x : z, Q1.14; y: Ly, Q26; ambient: ambient share, Q16; direct:
+ * added light per 1/255 of N.L; the sum is at most 65535. */
 typedef struct {
     uint32_t back;
     int32_t  y, ambient, direct;

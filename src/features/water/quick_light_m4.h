@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* Quick light for cores with the DSP extension: slopes and views stay pairs, the view is
- * stepped in registers, some columns a turn.  The bits are those of quick_light_plain.h,
- * whose comments hold here. */
+/* Fast light for cores with the DSP extension.  Slopes and views stay packed in pairs;
+ * the view is stepped in registers, several columns per iteration.  The results equal
+ * those of quick_light_plain.h bit for bit; its comments apply here too. */
 #ifndef TP_WATER_QUICK_LIGHT_M4_H
 #define TP_WATER_QUICK_LIGHT_M4_H
 #include "features/water/quick_light.h"
@@ -20,7 +20,7 @@ TP_ALWAYS_INLINE uint32_t packed_cube_colour(const uint32_t *sky, uint32_t slope
     return sky[(v + 16) * TP_QUICK_SIDE + u + 16];
 }
 
-/* Light and mirror of one column. */
+/* Returns light and reflection of one column. */
 TP_ALWAYS_INLINE uint32_t packed_mirrored(const struct tp_quick_light *quick,
                                           const uint32_t *sky, tp_quick_sun sun,
                                           tp_quick_view v, uint32_t slope,
@@ -40,7 +40,7 @@ TP_ALWAYS_INLINE uint32_t packed_mirrored(const struct tp_quick_light *quick,
     return tp_add_odd_bytes(g & 0xff00ff00, rb);
 }
 
-/* With the glint. */
+/* Adds the glint of one column. */
 TP_ALWAYS_INLINE uint32_t packed_gleaming(const struct tp_quick_light *quick,
                                           tp_quick_sun sun, tp_quick_view v,
                                           uint32_t slope, uint32_t colour, int lobe)
@@ -58,7 +58,7 @@ TP_ALWAYS_INLINE uint32_t packed_gleaming(const struct tp_quick_light *quick,
     return colour;
 }
 
-/* What the eye sees of one column. */
+/* Returns the full colour of one column. */
 TP_ALWAYS_INLINE uint32_t packed_seen(const struct tp_quick_light *quick,
                                       const uint32_t *sky, tp_quick_sun sun,
                                       tp_quick_view v, uint32_t slope, uint32_t colour,
@@ -68,7 +68,8 @@ TP_ALWAYS_INLINE uint32_t packed_seen(const struct tp_quick_light *quick,
     return packed_gleaming(quick, sun, v, slope, colour, lobe);
 }
 
-/* A word of a run, `place` bytes into it and into the first of its samples' arrays. */
+/* Returns the address of a word in a run: `sample` is the run plus 4 bytes per column,
+ * `place` the offset of an array. */
 TP_ALWAYS_INLINE uint32_t *packed_word_at(char *sample, size_t place)
 {
     return (uint32_t *)(void *)(sample + place);
@@ -77,9 +78,9 @@ TP_ALWAYS_INLINE uint32_t *packed_word_at(char *sample, size_t place)
 #define COLOUR(sample, i) packed_word_at(sample, offsetof(tp_run, colour))[i]
 #define SLOPE(sample, i)  packed_word_at(sample, offsetof(tp_run, slope))[i]
 
-/* Columns of one span, x to stop: one pointer for all arrays, as registers are few.  Half
- * vectors are for Blinn's lobe alone: lanes set flags, so that compilers keep even those
- * that nobody reads. */
+/* Shades columns x to stop of one span.  One pointer serves all arrays, because registers
+ * are few.  Half vectors are computed for Blinn's lobe only; the lane instructions set
+ * flags, so compilers would keep them even without a reader. */
 TP_ALWAYS_INLINE void packed_span(const tp_shade *shade, tp_quick_sun sun, tp_run *run,
                                   tp_quick_view v, tp_quick_view step, int32_t x,
                                   int32_t stop, int env, int lobe)

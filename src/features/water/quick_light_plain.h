@@ -1,15 +1,15 @@
 /* SPDX-License-Identifier: MIT */
-/* Quick light as plain loops, which compilers vectorise: all in 32 bits, tables of
- * words, no branch.  quick_light_m4.h has the same bits. */
+/* Fast light as plain loops for vectorizing compilers: 32-bit arithmetic, tables of
+ * words, no branches.  quick_light_m4.h gives identical results. */
 #ifndef TP_WATER_QUICK_LIGHT_PLAIN_H
 #define TP_WATER_QUICK_LIGHT_PLAIN_H
 #include "features/water/quick_light.h"
 #include "fx/fx.h"
 #include "shade/slope.h"
 
-/* The mirrored view, turned round, in the map of a cube's sky: its horizontal part drawn
- * in by half its height, so that the horizon has as many cells to a degree as the rest.
- * n is Q26, up too. */
+/* Returns the index of the negated reflected view in the map of a cube's sky.  The
+ * horizontal part is contracted by half its height, so the horizon has as many cells per
+ * degree as the rest.  n and `up` are Q26. */
 TP_ALWAYS_INLINE int32_t plain_cube_place(int32_t sx, int32_t sz, int32_t vx, int32_t vz,
                                           int32_t n, int32_t up)
 {
@@ -22,7 +22,8 @@ TP_ALWAYS_INLINE int32_t plain_cube_place(int32_t sx, int32_t sz, int32_t vx, in
     return (v + 16) * TP_QUICK_SIDE + u + 16;
 }
 
-/* Shares sum up to 257, which stands for the half that a cut loses. */
+/* Mixes two colours.  The shares sum to 257; the extra 1/256 replaces the half lost by
+ * truncation. */
 TP_ALWAYS_INLINE uint32_t plain_mixed(uint32_t colour, uint32_t sky, uint32_t keeps,
                                       uint32_t mirrors)
 {
@@ -32,7 +33,7 @@ TP_ALWAYS_INLINE uint32_t plain_mixed(uint32_t colour, uint32_t sky, uint32_t ke
     return (rb >> 8 & 0xff00ff) | (g & 0xff00);
 }
 
-/* What is read of the tables and the light; the tables do not overlap. */
+/* Pointers and constants of the loops; the tables do not overlap. */
 typedef struct {
     const uint32_t *restrict sky, *restrict shares, *restrict lobes;
     tp_quick_sun sun;
@@ -50,7 +51,7 @@ TP_ALWAYS_INLINE plain_tables plain_tables_of(const tp_shade *shade, int env)
     };
 }
 
-/* Of one column: slopes, -V, and n and l. */
+/* Values of one column: slopes, -V, y of the view, n and l. */
 typedef struct {
     int32_t sx, sz, vx, vz, y, n, l;
 } plain_column;
@@ -65,7 +66,7 @@ TP_ALWAYS_INLINE plain_column plain_column_of(const plain_tables *t, uint32_t sl
                            t->sun.y + sx * t->lx + sz * t->lz };
 }
 
-/* Light and mirror; `column` of a dome's sky. */
+/* Returns light and reflection; `column` is the column of heights in a dome's sky. */
 TP_ALWAYS_INLINE uint32_t plain_mirrored(const plain_tables *t, plain_column c,
                                          uint32_t column, uint32_t colour, int env)
 {
@@ -99,7 +100,7 @@ TP_ALWAYS_INLINE uint32_t plain_blinn(const plain_tables *t, uint32_t slope,
     return tp_colour_add(colour, t->lobes[tp_usat(dx * dx + dz * dz, 11, 9)]);
 }
 
-/* The arrays of a run, which do not overlap. */
+/* Shades a run; its arrays do not overlap. */
 TP_ALWAYS_INLINE void plain_lit(const plain_tables tables, const tp_run *restrict run,
                                 uint32_t *restrict colours, int32_t count, int env,
                                 int lobe)

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The stages of quick light: one of two bodies of the same bits. */
+/* The span stages of fast light: selects one of two implementations with identical
+ * results. */
 #include "features/water/quick_light.h"
 #if TP_DSP
 #include "features/water/quick_light_m4.h"

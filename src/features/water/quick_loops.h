@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: MIT */
-/* Shared by the loops of the quick rung.  Each loop looks into one level of a prepared picture at
- * places of a run.
+/* Definitions shared by the loops of fast shading.  Each loop reads one mipmap level of a
+ * baked texture at the places of a run.
  *
- * Places are 16.16 m; times repeats a metre they are Q0.32 repeats, which wrap: a texel's
- * column and row are their highest bits.  Places of layers are an array of 2 TP_RUN
- * words, s in its first half and t in the second. */
+ * Places are 16.16 m.  Times repeats per metre they are Q0.32 repeats, which wrap; the
+ * highest bits are a texel's column and row.  The places of layers are an array of 2
+ * TP_RUN words, s in the first half and t in the second. */
 #ifndef TP_WATER_QUICK_LOOPS_H
 #define TP_WATER_QUICK_LOOPS_H
 #include "base/base.h"
@@ -28,17 +28,17 @@ TP_ALWAYS_INLINE tp_lookup tp_lookup_at(const tp_quick_map *map, int32_t far)
                         32 - log2, 1u << log2 };
 }
 
-/* Loops stay functions: opened in their callers they would be short of registers. */
+/* A loop stays a separate function: inlined in its caller it would run out of registers. */
 #if defined(__GNUC__)
 #define TP_LOOP static __attribute__((noinline)) void
 #else
 #define TP_LOOP static void
 #endif
 
-/* Samples of a run from a column on: places at rest, and slopes. */
+/* Samples of a run from a column on: rest positions s and t, and slopes n. */
 typedef struct {
     const uint32_t *s, *t, *n;
     int32_t  count;
-    uint32_t odd;               /* the first column is */
+    uint32_t odd;               /* 1: the first column is odd */
 } tp_columns;
 #endif

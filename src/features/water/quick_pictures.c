@@ -1,15 +1,15 @@
 /* SPDX-License-Identifier: MIT */
-/* Pictures prepared for the quick rung; see quick_layers.h. */
+/* Bakes textures for fast shading; see quick_layers.h. */
 #include "shade/colour.h"
 #include "features/water/grade.h"
 #include "features/water/quick_layers.h"
 
-/* A texel of a picture, prepared. */
+/* Parameters of the baking of a texel. */
 typedef struct {
     tp_grade grade;
     uint32_t tint;
     bool     graded;
-    int32_t  gain;              /* of normals Q8, of offsets 16.16 m */
+    int32_t  gain;              /* of normals, Q8; of offsets, 16.16 m */
 } work;
 
 typedef uint32_t (*texel_work)(const work *w, uint32_t texel);
@@ -19,13 +19,13 @@ static uint32_t longer(const tp_texture *t)
     return t->log2_w > t->log2_h ? t->log2_w : t->log2_h;
 }
 
-/* 1..TP_QUICK_LOG2 */
+/* Returns log2 of the baked side, 1..TP_QUICK_LOG2. */
 static uint32_t side_of(const tp_texture *from)
 {
     return (uint32_t)tp_clamp((int32_t)longer(from), 1, TP_QUICK_LOG2);
 }
 
-/* sum of 4^n for n of 0..side, words */
+/* Sum of 4^n words for n of 0..side. */
 size_t tp_quick_bytes(const tp_texture *from)
 {
     return ((4u << 2 * side_of(from)) - 1) / 3 * sizeof(uint32_t);
@@ -77,7 +77,7 @@ tp_quick_map tp_quick_map_of(const tp_layer *layer)
                            texture->levels - 2, texture->log2_w, texture->level };
 }
 
-/* -- layers: as layers_stage.c and base_layer_stage.c do it ------------------------ */
+/* -- layers: as in layers_stage.c, base_layer_stage.c ------------------------------ */
 
 static uint32_t graded_texel(const work *w, uint32_t texel)
 {
@@ -93,9 +93,9 @@ void tp_quick_graded(tp_texture *to, const tp_texture *from, tp_fx saturation, t
     prepare(to, from, graded_texel, &w, mem);
 }
 
-/* -- distortion: red along s, green along t, 128 is none, 0 the whole strength -------- */
+/* -- distortion: red along s, green along t; 128 is 0, 0 full negative strength ------ */
 
-/* 2^7 x 20 m is below 2^28. */
+/* Returns an offset in 1/1024 m.  2^7 x 20 m is below 2^28. */
 static uint32_t offset(const work *w, uint32_t channel)
 {
     int32_t m = ((int32_t)channel - 128) * w->gain;
@@ -115,7 +115,7 @@ void tp_quick_offsets(tp_texture *to, const tp_texture *from, tp_fx strength, vo
 
 /* -- ripples: slopes -nx / nz along s and ny / nz along t ----------------------------- */
 
-/* Rounded; nz is held at 1/8, n is below 2^18. */
+/* Returns n / nz in Q3.12, rounded.  nz is at least 1/8; n is below 2^18. */
 static uint32_t slope(int32_t n, int32_t nz)
 {
     int32_t twice = 32 * n + (n < 0 ? -nz : nz);

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The quick rung's loops in plain C: what compilers turn into vectors of eight with
- * gathers.  quick_layers_m4.h has the same loops, to the same bits. */
+/* Loops of fast shading in plain C, vectorized by compilers to eight lanes with gathers.
+ * quick_layers_m4.h has the same loops with identical results. */
 #ifndef TP_WATER_QUICK_PLAIN_H
 #define TP_WATER_QUICK_PLAIN_H
 #include "features/water/quick_loops.h"
@@ -12,7 +12,7 @@ TP_ALWAYS_INLINE uint32_t plain_texel(const tp_lookup *l, uint32_t s, uint32_t t
     return l->texel[(int32_t)((v << (32 - l->down)) + u)];
 }
 
-/* Of 0x00RRGGBB: a + b where no channel carries, 255 where it does. */
+/* Returns the sum of two colours 0x00RRGGBB; a channel with a carry saturates at 255. */
 TP_ALWAYS_INLINE uint32_t plain_sum(uint32_t a, uint32_t b)
 {
     uint32_t over = (a & b) + ((a ^ b) >> 1 & 0x7f7f7f);
@@ -22,7 +22,7 @@ TP_ALWAYS_INLINE uint32_t plain_sum(uint32_t a, uint32_t b)
     return (a + b - carry) | (carry - (over >> 7));
 }
 
-/* The first layer. */
+/* Writes the texels of the first layer. */
 TP_LOOP plain_first(const tp_quick_map *map, int32_t far, const uint32_t *restrict place,
                         uint32_t *restrict colour, int32_t count)
 {
@@ -32,7 +32,7 @@ TP_LOOP plain_first(const tp_quick_map *map, int32_t far, const uint32_t *restri
         colour[i] = plain_texel(&l, place[i], place[i + TP_RUN]);
 }
 
-/* One more, held at white. */
+/* Adds the texels of a further layer, saturated at white. */
 TP_LOOP plain_added(const tp_quick_map *map, int32_t far, const uint32_t *restrict place,
                         uint32_t *restrict colour, int32_t count)
 {
@@ -42,7 +42,8 @@ TP_LOOP plain_added(const tp_quick_map *map, int32_t far, const uint32_t *restri
         colour[i] = plain_sum(colour[i], plain_texel(&l, place[i], place[i + TP_RUN]));
 }
 
-/* An offset's metres, 16.16: along s with t's part of it, which is less than 1/1024 m. */
+/* Return an offset in m, 16.16.  The s offset keeps t's bits as a fraction, less than
+ * 1/1024 m. */
 TP_ALWAYS_INLINE uint32_t plain_along_s(uint32_t off)
 {
     return (uint32_t)((int32_t)off >> 10);
@@ -62,7 +63,7 @@ TP_ALWAYS_INLINE void plain_bent_place(const tp_lookup *l, const tp_columns *c, 
     place[TP_RUN] = c->t[i] + plain_along_t(off);
 }
 
-/* The distortion: two columns have one offset, that of the even one. */
+/* Distorts the places: two columns share the offset of the even column. */
 TP_LOOP plain_bent(const tp_quick_map *map, int32_t far, const tp_columns *columns,
                    uint32_t *restrict place)
 {
@@ -85,7 +86,7 @@ TP_LOOP plain_bent(const tp_quick_map *map, int32_t far, const tp_columns *colum
         plain_bent_place(&l, &c, c.count - 1, place + c.count - 1);
 }
 
-/* The same of the first column and even ones alone. */
+/* Distorts the places of the first column and of the even columns only. */
 TP_LOOP plain_bent_thin(const tp_quick_map *map, int32_t far,
                             const tp_columns *columns, uint32_t *restrict place)
 {
@@ -104,7 +105,7 @@ TP_LOOP plain_bent_thin(const tp_quick_map *map, int32_t far,
     }
 }
 
-/* Both halves' sums, held within 16 bits. */
+/* Adds the ripple's slopes; both halves of the sum saturate at 16 bits. */
 TP_LOOP plain_rippled(const tp_quick_map *map, int32_t far, const tp_columns *columns,
                           uint32_t *restrict slope)
 {
@@ -122,7 +123,8 @@ TP_LOOP plain_rippled(const tp_quick_map *map, int32_t far, const tp_columns *co
         slope[i] = (uint32_t)x << 16 | ((uint32_t)z & 0xffff);
     }
 }
-/* Thin colours to pairs of columns: each, and its mean with the next, which is read. */
+/* Expands half rate colours to pairs of columns: each colour, and its mean with the next.
+ * The colour after the last pair is read too. */
 TP_LOOP plain_paired(const uint32_t *restrict thin, uint32_t *restrict colour,
                          int32_t pairs)
 {

@@ -1,12 +1,13 @@
 /* SPDX-License-Identifier: MIT */
-/* The tables of quick light, by the exact stages' own. */
+/* Makes the tables of fast light from the tables of the exact stages. */
 #include "scene/world.h"
 #include "shade/env.h"
 #include "features/water/quick_light.h"
 
-#define RIPPLED_VIEW (1638 << 12)       /* as lighting_stage.c has it */
+#define RIPPLED_VIEW (1638 << 12)       /* same value as in lighting_stage.c */
 
-/* In the middle of entry i, n is that much more than the least. */
+/* Fills the table of shares.  In the middle of entry i, n is the lower bound plus
+ * (i + 1/2) / 256. */
 static void make_shares(struct tp_quick_light *quick, const tp_shade *shade)
 {
     for (int32_t i = 0; i < TP_QUICK_SHARES; i++) {
@@ -17,14 +18,14 @@ static void make_shares(struct tp_quick_light *quick, const tp_shade *shade)
     }
 }
 
-/* Q14 of the root of a Q28. */
+/* Returns the root of a Q28 number, Q14. */
 static int32_t root_of(int32_t q28)
 {
     return (int32_t)tp_isqrt64((uint64_t)(q28 > 0 ? q28 : 0));
 }
 
-/* Fresnel's share where the sun's image is seen, of a view as steep as the camera's:
- * N.L = N.V is the cosine of half the angle between sun and view, which lie opposite. */
+/* Returns Fresnel's share at the sun's image, for a view with the camera's pitch.
+ * N.L = N.V is the cosine of half the angle between sun and view, on opposite sides. */
 uint32_t tp_quick_share_at_sun(const tp_shade *shade)
 {
     int32_t l = shade->world.ly, v = tp_clamp(shade->world.back.y >> 16, 0, 16384);
@@ -35,7 +36,7 @@ uint32_t tp_quick_share_at_sun(const tp_shade *shade)
          * (uint32_t)shade->mirror >> 8;
 }
 
-/* Both lobes by c, which is R.V or 2 (N.H)^2 - 1, Q14. */
+/* Returns the colour of lobe and glow at c, Q14; c is R.V or 2 (N.H)^2 - 1. */
 static uint32_t lobe_at(const tp_shade *shade, int32_t c, bool shiny, uint32_t glow_share)
 {
     uint32_t light = 0;
@@ -54,8 +55,8 @@ static uint32_t lobe_at(const tp_shade *shade, int32_t c, bool shiny, uint32_t g
     return tp_colour_add(light, tp_colour_scale(glow & 0xffffff, glow_share));
 }
 
-/* In the middle of entry i, R.V is 1 - w with w of i / 2048; the square of Blinn's tangent
- * is w itself, and c = (1 - w) / (1 + w). */
+/* Fills the lobe's table.  In the middle of entry i, w is (i + 1/2) / 2048.  For Phong
+ * R.V is 1 - w.  For Blinn w is the square of the tangent, and c = (1 - w) / (1 + w). */
 static void make_lobe(struct tp_quick_light *quick, const tp_shade *shade, tp_lobe lobe,
                       bool shiny)
 {
@@ -69,15 +70,15 @@ static void make_lobe(struct tp_quick_light *quick, const tp_shade *shade, tp_lo
     }
 }
 
-/* A mirrored view that goes down meets other water, which has a share of the horizon's
- * brightness, by the rule of reflectance_stage.c. */
+/* Returns the sky as mirrored at a height.  A reflected view downwards meets other water,
+ * with a share of the horizon's brightness by the rule of reflectance_stage.c. */
 static uint32_t from_height(uint32_t sky, int32_t up)
 {
     return tp_colour_scale(sky, (uint32_t)tp_clamp(256 + 4 * up, 128, 256));
 }
 
-/* Entry i of a column is in the middle of a 32nd; `up` is in 256ths.  A gradient is one
- * column, and a dome 16, of its two sides. */
+/* Fills the columns of heights.  Entry i is in the middle of a 32nd; `up` is in 256ths.
+ * A gradient has one column; a dome has 16 columns, mixed from its two sides. */
 static void make_heights(struct tp_quick_light *quick, const tp_shade *shade)
 {
     const tp_dome *dome = shade->env.kind == TP_ENV_DOME ? shade->env.dome : NULL;
@@ -95,8 +96,8 @@ static void make_heights(struct tp_quick_light *quick, const tp_shade *shade)
     }
 }
 
-/* The height y at which the horizontal part, drawn in, is `far` of 16384: it grows as
- * sqrt(1 - y^2) (1 - y / 2) falls. */
+/* Returns the height y, Q14, at which the contracted horizontal part sqrt(1 - y^2) (1 -
+ * y / 2) is `far` / 16384.  The horizontal part falls with y. */
 static int32_t height_of(int32_t far)
 {
     int32_t low = 0, high = 16384;
@@ -111,13 +112,14 @@ static int32_t height_of(int32_t far)
     return low;
 }
 
-/* The level of a face with 16 texels across, about as many as the map has. */
+/* Returns the mipmap level of a face with 16 texels across, about as many as in the map. */
 static int level_of(const tp_texture *face)
 {
     return face->log2_w > 4 ? face->log2_w - 4 : 0;
 }
 
-/* Cells hold what comes from the direction opposite to their place. */
+/* Fills the map of a cube.  A cell holds the light from the direction opposite to its
+ * place. */
 static void make_cube(struct tp_quick_light *quick, const tp_shade *shade)
 {
     for (int32_t i = 0; i < TP_QUICK_SIDE * TP_QUICK_SIDE; i++) {

@@ -1,14 +1,15 @@
 /* SPDX-License-Identifier: MIT */
-/* The view of quick light (shade/quick_ray.h), step by step. */
+/* The view of fast light (shade/quick_ray.h), step by step. */
 #include "features/water/quick_light.h"
 #include "geom/geom.h"
 
-/* Slopes of L + V, both Q1.14, held within 4; none where it does not point up. */
+/* Returns the slopes of L + V, both Q1.14, clamped to +-4.  The sum's y is at least
+ * 1/16. */
 TP_ALWAYS_INLINE uint32_t half_of(const tp_view_axes *a, int32_t x, int32_t y, int32_t z)
 {
     uint32_t hy = (uint32_t)tp_clamp(a->ly + y, 1024, 32767);
     int      shift = tp_clz(hy);                        /* 17..21 */
-    int32_t  recip = tp_recip_rough(hy << shift) >> 16; /* 2^46 of it */
+    int32_t  recip = tp_recip_rough(hy << shift) >> 16; /* 2^46 / (hy << shift) */
     int32_t  sx = (-a->lx - x) * recip >> (34 - shift);
     int32_t  sz = (-a->lz - z) * recip >> (34 - shift);
 
@@ -41,8 +42,9 @@ tp_quick_view tp_quick_blinn_at(const tp_shade *shade, const tp_quick_row *row, 
     return view_at(shade, row, x, TP_LOBE_BLINN);
 }
 
-/* (1 + cos)^2 / 4 of the angle from the sun to the view that smooth water mirrors: a
- * share of the sky's sunny side, as tp_towards_light has it. */
+/* Returns the dome's column.  The value (1 + cos)^2 / 4, with the angle from the sun to
+ * the view reflected by smooth water, is the share of the sky's sunny side, as in
+ * tp_towards_light. */
 uint32_t tp_quick_column(const tp_shade *shade, const tp_quick_view *v)
 {
     const tp_view_axes *a = &shade->world;
@@ -53,8 +55,7 @@ uint32_t tp_quick_column(const tp_shade *shade, const tp_quick_view *v)
     return (uint32_t)(part * part) >> 24 << 6;
 }
 
-/* A span's part of the arrays, from column k of it; all of it is one loop that
- * vectorises. */
+/* Fills a span's part of the arrays, from column k on, in one vectorizable loop. */
 TP_ALWAYS_INLINE void fill(tp_run *restrict run, int32_t i, int32_t stop, int32_t k,
                            const tp_quick_view *restrict v,
                            const tp_quick_view *restrict step, uint32_t column, int lobe)
@@ -77,7 +78,7 @@ TP_ALWAYS_INLINE void fill(tp_run *restrict run, int32_t i, int32_t stop, int32_
     }
 }
 
-/* The arrays of a whole run. */
+/* Fills the arrays of a whole run. */
 TP_ALWAYS_INLINE void view_run(const tp_shade *shade, tp_run *run, int lobe)
 {
     tp_quick_row  row = tp_quick_row_at(shade, run->y);

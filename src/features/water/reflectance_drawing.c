@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The water's share of what it mirrors, and which stages mix the sky in by it. */
+/* The reflectance of the water: selects Fresnel's table and the stages of the reflected
+ * sky. */
 #include "frame/frame.h"
 
 static void begin(tp_frame *frame, void *mine)
@@ -9,7 +10,8 @@ static void begin(tp_frame *frame, void *mine)
         frame->shade.fresnel = tp_schlick_table;
 }
 
-/* A sky whose stage the program lacks is not mixed in, nor are objects. */
+/* Adds separate stages for reflection and mixing.  If the program lacks the sky's stage,
+ * neither sky nor objects are mixed in. */
 static void add_parts(const tp_frame *frame, const tp_stage *stage, tp_shaders *list)
 {
     const bool hdr = frame->shade.env.beyond && stage[TP_NTH_fresnel_hdr];
@@ -22,8 +24,8 @@ static void add_parts(const tp_frame *frame, const tp_stage *stage, tp_shaders *
         tp_shaders_add(list, TP_AT_FRESNEL, stage[TP_NTH_fresnel + hdr], NULL);
 }
 
-/* The plain gradient has no light beyond white; only objects in the mirror ask for more
- * than the fused stage. */
+/* Adds the stages.  The plain gradient has no light above white, so one combined stage is
+ * enough unless objects are reflected. */
 static void add_stages(const tp_frame *frame, const void *mine, const tp_stage *stage,
                        tp_shaders *list)
 {

@@ -1,14 +1,15 @@
 /* SPDX-License-Identifier: MIT */
-/* The sky's mirror in the water, by Fresnel's share.  The plain gradient needs only the
- * mirrored view's height and takes one stage; other skies give light that may be beyond
- * white [F8]. */
+/* Span stages of the reflected sky on water, weighted by Fresnel.  The plain gradient
+ * needs only the height of the reflected view and takes one stage.  Other skies may give
+ * light above white [F8]. */
 #include "shade/env.h"
 #include "shade/reflected.h"
 #include "shade/slope.h"
 #include "tidepool/modules.h"
 
-/* A mirrored ray that goes down meets other water, which is half as bright as the
- * horizon: its share fades to a half within 7 degrees below level. */
+/* Returns the weight of a reflected ray by its height, 128..256.  A ray downwards meets
+ * other water, half as bright as the horizon: the weight fades to a half within 7 degrees
+ * below level. */
 TP_ALWAYS_INLINE uint32_t above_of(int32_t up)
 {
     return (uint32_t)tp_clamp(256 + 4 * (up >> 6), 128, 256);
@@ -20,7 +21,7 @@ TP_ALWAYS_INLINE uint32_t share_of(const tp_shade *shade, int32_t nv, int32_t up
     return share * above_of(up) >> 8;
 }
 
-/* The same in 65536ths: light of many whites multiplies the rounding error. */
+/* Returns share_of in 1/65536: light of many whites multiplies the rounding error. */
 TP_ALWAYS_INLINE uint32_t fine_share_of(const tp_shade *shade, int32_t nv, int32_t up)
 {
     uint32_t share = shade->fresnel[nv >> 6] * (uint32_t)shade->mirror;
@@ -38,8 +39,8 @@ void tp_stage_mirror(const tp_shade *restrict shade, tp_run *restrict run)
     }
 }
 
-/* Unpacks the slopes as sampled: later stages then read the slopes of smooth and of rippled
- * water in one place. */
+/* Unpacks the slopes as sampled, so later stages read the slopes of smooth and of rippled
+ * water from the same arrays. */
 void tp_stage_slopes(const tp_shade *restrict shade, tp_run *restrict run)
 {
     const int32_t count = run->count;
@@ -61,7 +62,8 @@ void tp_stage_reflect_gradient(const tp_shade *restrict shade, tp_run *restrict 
     }
 }
 
-/* Multiplies by the share first: light beyond white times a small share may be below it. */
+/* Mixes light above white.  The share is multiplied first: light above white times a
+ * small share may be below white. */
 TP_ALWAYS_INLINE uint32_t bright_mix(uint32_t a, uint32_t light, uint32_t share,
                                      uint32_t gain)
 {

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Capillary waves: their picture, and how it is turned into the surface. */
+/* Capillary waves: their normal map, and the choice of the stage that applies the map. */
 #include "features/water/water.h"
 #include "frame/frame.h"
 
@@ -19,7 +19,7 @@ static void begin(tp_frame *frame, void *mine)
     ripple->gain = scene->ripple.bump >> 8;
 }
 
-/* Slopes of the mesh are 1/4 at the most: sum kA / (1 - sum QkA). */
+/* True if slopes of the mesh are at most 1/4: sum kA / (1 - sum QkA). */
 static bool is_gentle(const tp_surface *surface)
 {
     const tp_sea *sea = surface->sea;
@@ -32,7 +32,7 @@ static bool is_gentle(const tp_surface *surface)
     return 4 * tilt <= (TP_Q30_ONE - sea->bend) >> 14;
 }
 
-/* Ripples lie on what pools make of the slopes. */
+/* Adds the ripple stage.  Ripples are applied after the slopes of pools. */
 static void add_stage(const tp_frame *frame, const void *mine, const tp_stage *stage,
                       tp_shaders *list)
 {

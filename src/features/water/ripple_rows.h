@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Rows of parameters: ripples. */
+/* Parameter rows of ripples. */
 #ifndef TP_RIPPLE_ROWS_H
 #define TP_RIPPLE_ROWS_H
 #include "tidepool/modules.h"

@@ -1,18 +1,19 @@
 /* SPDX-License-Identifier: MIT */
-/* Capillary waves: a normal map in the surface's tangent space [F6].
+/* Span stages of capillary waves: a normal map in the surface's tangent space [F6].
  *
- * A texel m = (nx, ny, nz), green up the picture, is nx T - ny B + nz N with, for slopes
- * sx and sz, T along (1, sx, 0), N along (-sx, 1, -sz) and B = T x N, which is (0, sz, 1)
- * made orthogonal to T.  With a = sqrt(1 + sx^2) and w = sqrt(1 + sx^2 + sz^2), and all
- * of it times a w, that is
+ * A texel m = (nx, ny, nz), green up the picture, is nx T - ny B + nz N.  For slopes sx
+ * and sz, T is along (1, sx, 0), N along (-sx, 1, -sz), and B = T x N is (0, sz, 1) made
+ * orthogonal to T.  With a = sqrt(1 + sx^2) and w = sqrt(1 + sx^2 + sz^2), the vector
+ * times a w is
  *     U = a nz - sz ny,   M = w nx,   Z = a ny + sz nz,
  *     x = M - sx U,   y = U + sx M,   z = -a Z,
- * and the new slopes are -x / y and -z / y.  y is held at 1/8: no ripple turns the water
- * upside down.  A mean of normals is short, but only its direction counts.
+ * and the new slopes are -x / y and -z / y.  y is at least 1/8, so no ripple turns the
+ * water upside down.  A filtered normal is shorter than 1; only its direction matters.
  *
- * Where the surface is gentle the map's slopes are added to its own, 1 / nz taken as
- * 2 - nz: 141 instructions a sample on x86-64 instead of 230.  Both are compared with the
- * exact matrix in double by tests/unit/test_features_water_ripple.c; rms of the normals in 1/255:
+ * On a gentle surface the map's slopes are added to the surface's, with 2 - nz in place
+ * of 1 / nz: 141 instructions per sample on x86-64 instead of 230.
+ * tests/unit/test_features_water_ripple.c compares both with the exact matrix in double;
+ * rms of the normals in 1/255:
  *     surface's slope up to   0    .25   .5    1      (ripple's up to .35; at 1 to .7)
  *     turned                 .2    .2    .2    .3
  *     added                  .2    .8   3.6    18 */
@@ -21,21 +22,21 @@
 #include "shade/sampler.h"
 #include "shade/slope.h"
 
-#define UP_LEAST 512    /* of nz and of y, Q12 */
+#define UP_LEAST 512    /* lower bound of nz and of y, Q12 */
 
-/* Components in Q12, nx and ny times the gain. */
+/* Components in Q12; nx and ny times the gain. */
 typedef struct {
     int32_t nx, ny, nz;
 } bump;
 
-/* Q16 of two mixes of 16 bits, less 128. */
+/* Mixes two 16-bit values by ft / 256 and subtracts 128; Q16. */
 TP_ALWAYS_INLINE int32_t signed_mix(uint32_t above, uint32_t below, uint32_t ft)
 {
     return ((int32_t)(above * (256 - ft) + below * ft) - (128 << 16)) >> 8;
 }
 
-/* The first mixes fill halves of a word, the second ones 24 bits: with 8 a ripple near
- * the eye would have steps of half a degree. */
+/* Returns the filtered normal.  The first mixes fill halves of a word, the second mixes
+ * have 24 bits: with 8 bits a ripple near the eye would have steps of half a degree. */
 TP_ALWAYS_INLINE bump bump_of(const tp_four *f, int32_t gain)
 {
     const uint32_t fs = f->fs, gs = 256 - fs;
@@ -52,8 +53,8 @@ TP_ALWAYS_INLINE bump bump_of(const tp_four *f, int32_t gain)
     };
 }
 
-/* x y / 2^n: products of steep slopes and ripples have 34 bits.  |x| < 2^17, n <= 13: by
- * parts of y each fits a word. */
+/* Returns x y / 2^n; |x| < 2^17, n <= 13.  Products of steep slopes and ripples have 34
+ * bits; with y split in two parts each product fits a word. */
 TP_ALWAYS_INLINE int32_t times(int32_t x, int32_t y, int n)
 {
     if (TP_WIDE)
@@ -61,13 +62,13 @@ TP_ALWAYS_INLINE int32_t times(int32_t x, int32_t y, int n)
     return (int32_t)((int64_t)x * y >> n);
 }
 
-/* sqrt(1 + q), Q13, from the table of its inverse. */
+/* Returns sqrt(1 + q), Q13, from the table of the inverse root. */
 TP_ALWAYS_INLINE int32_t root_of(uint32_t q)
 {
     return (int32_t)((((1u << 24) + q) >> 10) * (uint32_t)tp_steep_near(q) >> 15);
 }
 
-/* Within +-32000.  Most are: one test finds them. */
+/* Clamps a slope to +-32000.  One test passes the usual case. */
 TP_ALWAYS_INLINE int32_t held(int32_t slope)
 {
     if (!TP_WIDE && (uint32_t)slope + 32000 <= 64000)
@@ -75,13 +76,13 @@ TP_ALWAYS_INLINE int32_t held(int32_t slope)
     return tp_clamp(slope, -32000, 32000);
 }
 
-/* n / y in Q12, both below 2^21 and of one scale. */
+/* Returns n / y in Q12; n and y are below 2^21 and have the same scale. */
 TP_ALWAYS_INLINE int32_t slope_of(int32_t n, int32_t recip, int shift)
 {
     return held(tp_mul_upper(n * 1024, recip) >> (28 - shift));
 }
 
-/* tp_clz of y in [2^9, 2^21), where vector units have none. */
+/* Returns tp_clz of y in [2^9, 2^21), for vector units without such an instruction. */
 TP_ALWAYS_INLINE int zeros_of(uint32_t y)
 {
     if (!TP_WIDE)
@@ -93,12 +94,13 @@ TP_ALWAYS_INLINE int zeros_of(uint32_t y)
     return n + (y << n >> 31 ? 0 : 1);
 }
 
-/* Slopes of x and z. */
+/* Slopes along x and z. */
 typedef struct {
     int32_t x, z;
 } slopes;
 
-/* Slopes are below 8, nx and ny within 4: sums are below 2^21. */
+/* Returns the slopes of the texel turned into the tangent space.  Slopes are below 8, nx
+ * and ny within 4, so sums are below 2^21. */
 TP_ALWAYS_INLINE slopes turned(int32_t sx, int32_t sz, bump m)
 {
     uint32_t qx = (uint32_t)(sx * sx), qz = (uint32_t)(sz * sz);
@@ -115,7 +117,8 @@ TP_ALWAYS_INLINE slopes turned(int32_t sx, int32_t sz, bump m)
                      slope_of(times(a, side, 13), recip, shift) };
 }
 
-/* Slopes of -nx / nz along s and ny / nz along t; 1 / nz is taken as 2 - nz. */
+/* Returns the sum of the slopes: -nx / nz along s and ny / nz along t, with 2 - nz for
+ * 1 / nz. */
 TP_ALWAYS_INLINE slopes added(int32_t sx, int32_t sz, bump m)
 {
     sx -= m.nx * (2 * 4096 - m.nz) >> 12;
@@ -125,7 +128,8 @@ TP_ALWAYS_INLINE slopes added(int32_t sx, int32_t sz, bump m)
 
 enum { TURNED, OVER, GENTLE };
 
-/* `n` is as sampled, x:z, of which TURNED and GENTLE make sx and sz; OVER reads those. */
+/* Bends the slopes of one stretch.  TURNED and GENTLE read the slopes n as sampled, x:z,
+ * and write sx and sz.  OVER reads and writes sx and sz. */
 TP_ALWAYS_INLINE void bend(const tp_sampler *sampler, int32_t gain,
                            const tp_stretch *over, const uint32_t *restrict n,
                            int16_t *restrict sx, int16_t *restrict sz, int how)

@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: MIT */
-/* The water's modules: when each is on, and its count in the plan's estimate. */
+/* The water's modules: their conditions, and their cost traits for the plan's estimate. */
 #include "features/water/water.h"
 
-/* -- pictures ------------------------------------------------------------------------ */
+/* -- layers -------------------------------------------------------------------------- */
 
-/* A layer is there as it was loaded, or prepared for the fast stages. */
+/* True if layer k was loaded, or baked for fast shading. */
 static bool has_layer(const tp_want *want, int k)
 {
     return want->assets && (want->assets->layer[k] || want->assets->graded[k]);
@@ -15,7 +15,7 @@ static uint8_t layers_added(const tp_want *want)
     return (uint8_t)(has_layer(want, 1) + has_layer(want, 2));
 }
 
-/* A distortion moves nothing where there is no picture. */
+/* True if a distortion moves a layer; without any layer the distortion is off. */
 static bool bends_layers(const tp_want *want)
 {
     return want->assets && (want->assets->distortion || want->assets->offsets)
@@ -78,7 +78,7 @@ bool tp_ripple_enabled(const tp_want *want)
 
 /* -- light --------------------------------------------------------------------------- */
 
-/* Water that glitters, mirrors or is clear looks different at each angle. */
+/* True for water with glitter, reflection or clarity, whose look depends on the view. */
 bool tp_lighting_enabled(const tp_want *want)
 {
     const tp_scene *scene = want->scene;
@@ -87,7 +87,7 @@ bool tp_lighting_enabled(const tp_want *want)
         || scene->water.clear > 0;
 }
 
-/* Light that is all ambient changes no colour. */
+/* True if diffuse light has an effect: light with full ambient share changes no colour. */
 bool tp_diffuse_enabled(const tp_want *want)
 {
     return !(want->above & TP_MODULE_LIGHT) && want->scene->light.ambient < TP_FX_ONE;
@@ -98,7 +98,8 @@ bool tp_glint_enabled(const tp_want *want)
     return want->scene->water.specular > 0;
 }
 
-/* The module also sets the table of Schlick's law; the exact law needs no module. */
+/* True if the sky is reflected, or for Schlick's law, whose table the module sets.  The
+ * exact law needs no module. */
 bool tp_reflectance_enabled(const tp_want *want)
 {
     return want->scene->water.reflection > 0
@@ -110,11 +111,12 @@ static void count_reflectance(const tp_want *want, uint8_t trait[TP_TRAIT_COUNT]
     trait[TP_TRAIT_mirror] = want->scene->water.reflection > 0;
 }
 
-/* -- fast ---------------------------------------------------------------------------- */
+/* -- fast shading -------------------------------------------------------------------- */
 
-/* The fast stages know pictures, ripples, a sky's mirror and glints, and hand on no more
- * than a colour: what else a scene asks for is drawn by exact ones.  Smooth water would
- * show the cells of a dome or a cube. */
+/* True if fast shading can draw the water.  Fast stages handle layers, ripples, a
+ * reflected sky and glints, and pass on a colour only.  Scenes with other features use
+ * exact stages.  Smooth water would show the cells of a dome or a cube, so those skies
+ * need ripples. */
 bool tp_fast_water_enabled(const tp_want *want)
 {
     const bool sky = want->above & (TP_MODULE_DOME | TP_MODULE_CUBE);

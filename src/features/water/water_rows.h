@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Rows of parameters: the water's own colour, its glitter, its mirrored light. */
+/* Parameter rows of the water's colour, glitter and reflection. */
 #ifndef TP_WATER_ROWS_H
 #define TP_WATER_ROWS_H
 #include "tidepool/modules.h"
