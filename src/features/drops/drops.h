@@ -79,8 +79,8 @@ bool tp_drops_step(tp_drops *drops, const tp_scene_drops *config, uint32_t i,
 bool tp_drops_ring(tp_drops *drops, const tp_scene_drops *config,
                    const tp_impact *impact);
 
-/* Removes drops with radius 0 and decayed rings.  `now` is ticks x 65536; `beyond`, m, is
- * the reach of tp_ring_spent. */
+/* Removes drops with radius 0 and rings spent by tp_ring_spent.  `now`: ticks x 65536;
+ * `beyond`: m from a ring's centre to its rear. */
 void tp_drops_tidy(tp_drops *drops, int64_t now, tp_fx beyond);
 
 const tp_drops *tp_world_drops(const tp_world *world);
