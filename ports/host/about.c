@@ -8,7 +8,7 @@
 #include "charts.h"
 #include "commands.h"
 
-/* The exit codes of a command, as a set. */
+/* Bit of one exit code in a command's set of exit codes. */
 #define CODE(name) (1u << EXIT_##name)
 enum { USUAL = CODE(DONE) | CODE(USAGE) | CODE(INPUT), CHECKS = USUAL | CODE(CHECK),
        SHOWS = USUAL | CODE(DISPLAY) | CODE(LOST) };
@@ -102,7 +102,8 @@ const about_row *about_of(unsigned command)
     for (size_t i = 0; i < ROWS; i++)
         if (rows[i].command == command)
             return &rows[i];
-    abort();                    /* a command without its row; cli.sh asks for each */
+    abort();                    /* a command has no row; the test cli.sh asks for each
+                                 * command */
 }
 
 void about_exits(const about_row *row, char text[ABOUT_EXITS_BYTES])

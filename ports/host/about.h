@@ -1,24 +1,25 @@
 /* SPDX-License-Identifier: MIT */
-/* What each command does, in whole sentences: for its --help and for the manual. */
+/* The description of each command in whole sentences, for `--help` and for the manual. */
 #ifndef HOST_ABOUT_H
 #define HOST_ABOUT_H
 
 typedef struct {
     unsigned    command;        /* FOR_... of args.h */
-    const char *usage;          /* "tidepool bench [OPTION]...", a line each */
-    const char *text;           /* lines of a screen */
-    const char *after;          /* more of them, behind the options; "": none */
-    unsigned    exits;          /* 1 << EXIT_..., for each that it may exit with */
-    const char *check;          /* the meaning of EXIT_CHECK here; NULL: it has none */
+    const char *usage;          /* "tidepool bench [OPTION]...", one usage per line */
+    const char *text;           /* description, wrapped to the width of a screen */
+    const char *after;          /* further description, printed after the options; "":
+                                 * none */
+    unsigned    exits;          /* set of exit codes, bits 1 << EXIT_... */
+    const char *check;          /* meaning of EXIT_CHECK for the command; NULL: unused */
 } about_row;
 
 #define ABOUT_EXITS_BYTES 128
 
-/* "Exit: 0 done, 2 usage, 3 bad input.": a line of the screen, without its end. */
+/* Writes "Exit: 0 done, 2 usage, 3 bad input." into text: one line, without a line feed. */
 void about_exits(const about_row *row, char text[ABOUT_EXITS_BYTES]);
 
 const about_row *about_of(unsigned command);
 
-/* The whole of its --help, on stdout: 24 lines at the most. */
+/* Prints the whole `--help` of a command on stdout: at most 24 lines. */
 void about_print(unsigned command);
 #endif

@@ -1,14 +1,15 @@
 /* SPDX-License-Identifier: MIT */
-/* What a person can ask the preview for, each with the keys that ask for it: one list,
- * from which come the help overlay, the file of keys, the manual page and `--help`. */
+/* The actions of the preview, each with its default keys.  The help overlay, the file of
+ * keys, the manual page and `--help` are all made from the one list below. */
 #ifndef HOST_ACTIONS_H
 #define HOST_ACTIONS_H
 #include <stdbool.h>
 #include <stddef.h>
 
-/* id, group, name in a file of keys, default keys, held, help.  Keys are SDL's names of
- * places on the keyboard, with Ctrl+ or Shift+ before them, several parted by blanks.  A
- * key that is held asks for as long as it is down; others ask once when pressed. */
+/* Columns: id, group, name in a file of keys, default keys, held, help.  A key is SDL's
+ * name of a position on the keyboard, with the prefix Ctrl+ or Shift+; blanks separate
+ * several keys.  A held action is active as long as its key is down; any other acts once
+ * per press. */
 #define ACTION_LIST(X) \
     X(FORWARD,    "camera", "forward",    "W", true, "move forward") \
     X(BACKWARD,   "camera", "backward",   "S", true, "move back") \
@@ -89,7 +90,7 @@ typedef struct {
 
 extern const action_row actions[ACTIONS];
 
-/* What the mouse and a gamepad do, which no file changes: lines of the same help. */
+/* Mouse and gamepad controls: fixed, listed in the same help. */
 typedef struct { const char *keys, *help; } action_note;
 extern const action_note action_notes[];
 extern const size_t      action_note_count;

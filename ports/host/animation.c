@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: MIT */
-/* Animated PNGs as the third edition of the PNG specification has them.  Each picture is
- * packed by libpng into memory, as a PNG of its own, and its chunks are copied: the first
- * one's as they are, with acTL, which counts the pictures, before its pixels; of the
- * others the pixels alone, IDAT renamed to fdAT and numbered.  An fcTL before each tells
- * its place and time.
+/* Animated PNGs after the third edition of the PNG specification.  libpng packs each
+ * picture into memory as a complete PNG.  The chunks of the first PNG are copied unchanged,
+ * with acTL, the number of pictures, inserted before the pixels.  Of every later PNG only
+ * the pixels are copied: IDAT is renamed to fdAT and gets a sequence number.  An fcTL chunk
+ * before each picture gives its position and its duration.
  *
- * Rows at the top and at the bottom that are those of the picture before are left out: a
+ * Rows at the top and at the bottom that equal the previous picture's are not stored: a
  * still sky costs nothing. */
 #define _POSIX_C_SOURCE 200809L
 #include "animation.h"
@@ -15,7 +15,7 @@
 #include <string.h>
 #include "say.h"
 
-#define SIGNATURE 8             /* bytes */
+#define SIGNATURE 8             /* bytes of the PNG signature */
 #define CHUNK     12            /* bytes of a chunk beside its data: length, type, CRC */
 
 static void put_32(uint8_t *to, uint32_t n)
@@ -30,7 +30,7 @@ static uint32_t get_32(const uint8_t *from)
          | from[3];
 }
 
-/* Writes a chunk whose data has two parts; the first holds a number or nothing. */
+/* Writes a chunk with its data in two parts: head is a sequence number or empty. */
 static bool put_chunk(animation *a, const char *type, const uint8_t *head,
                       size_t head_bytes, const uint8_t *data, size_t bytes)
 {
@@ -46,7 +46,7 @@ static bool put_chunk(animation *a, const char *type, const uint8_t *head,
         && fwrite(crc, 1, sizeof crc, a->out.file) == sizeof crc;
 }
 
-/* Frames; plays, 0: for ever. */
+/* Writes acTL: the number of frames, then the number of plays, 0 = endless. */
 static bool put_count(animation *a)
 {
     uint8_t data[8] = { 0 };
@@ -54,8 +54,9 @@ static bool put_count(animation *a)
     return put_chunk(a, "acTL", NULL, 0, data, sizeof data);
 }
 
-/* Number, size, place, seconds as a fraction.  The last two bytes are 0: the picture stays
- * on the canvas, and the next one replaces what it covers. */
+/* Writes fcTL: sequence number, size, position, duration in seconds as a fraction.  The
+ * last two bytes, disposal and blending, are 0: the picture stays on the canvas, and the
+ * next picture replaces the pixels under its rectangle. */
 static bool put_control(animation *a, const picture *part, uint32_t y)
 {
     uint8_t data[26] = { 0 };
@@ -76,7 +77,7 @@ static bool put_pixels(animation *a, const uint8_t *data, size_t bytes)
     return put_chunk(a, "fdAT", number, sizeof number, data, bytes);
 }
 
-/* Copies the chunks of a PNG that libpng made of a part that begins at row y. */
+/* Copies the chunks of a PNG made by libpng; the picture begins at row y of the canvas. */
 static bool put_png(animation *a, const uint8_t *png, size_t bytes, const picture *part,
                     uint32_t y)
 {
@@ -100,7 +101,8 @@ static bool put_png(animation *a, const uint8_t *png, size_t bytes, const pictur
     return done;
 }
 
-/* The part of a picture whose rows have changed, a row at the least; *y is its top. */
+/* Returns the rows of the picture from the first to the last changed row, at least one row.
+ * *y: the first of the rows. */
 static picture changed_part(const animation *a, const picture *p, uint32_t *y)
 {
     const size_t line = p->row_bytes;
@@ -118,7 +120,7 @@ static picture changed_part(const animation *a, const picture *p, uint32_t *y)
     return part;
 }
 
-/* 0 or errno. */
+/* Returns 0 or an errno. */
 static int put_picture(animation *a, const picture *p)
 {
     char *png = NULL;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Animated PNGs: films of exactly the shown colours, which browsers play for ever and
- * which programs that know nothing of animations show the first picture of. */
+/* Animated PNGs: films with exactly the displayed colours.  Browsers play them in an
+ * endless loop; programs without support for animation show the first picture. */
 #ifndef HOST_ANIMATION_H
 #define HOST_ANIMATION_H
 #include "output.h"
@@ -8,15 +8,16 @@
 
 typedef struct {
     output    out;
-    uint32_t  frames;           /* that will be added in all */
-    uint32_t  ticks;            /* of 1/60 s that each is shown */
-    uint32_t  added, sequence;  /* frames; numbered chunks */
-    uint8_t  *rows;             /* of the last picture */
+    uint32_t  frames;           /* total number of frames to be added */
+    uint32_t  ticks;            /* duration of each frame, in 1/60 s */
+    uint32_t  added, sequence;  /* frames added until now; sequence number of the next
+                                 * chunk */
+    uint8_t  *rows;             /* pixels of the previous picture */
     size_t    bytes;
 } animation;
 
-/* Each returns an exit code and has said why.  The pictures are of one format and size,
- * `frames` of them from 1, `ticks` from 1 to 65535. */
+/* Each function returns an exit code; on failure it has printed the reason.  All pictures
+ * have the same format and size.  frames: from 1; ticks: 1..65535. */
 int  animation_open(animation *a, const char *name, uint32_t frames, uint32_t ticks);
 int  animation_add(animation *a, const picture *p);
 int  animation_close(animation *a);

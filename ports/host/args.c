@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Reading command lines by the table of options. */
+/* Reads command lines by the table of options. */
 #include "args.h"
 #include <stdio.h>
 #include <stdlib.h>
@@ -8,10 +8,11 @@
 #include "nearest.h"
 #include "say.h"
 
-#define FIRST_SCENE "three-swells"      /* what the preview opens of itself */
-#define HELP_COLUMNS 60                 /* of a line of names, before what follows it */
+#define FIRST_SCENE "three-swells"      /* scene of view without a name */
+#define HELP_COLUMNS 60                 /* width of a line of names, without the punctuation
+                                         * after them */
 
-/* Names the options that few people need, without their help. */
+/* Prints the names of the rarely used options, without their help. */
 static void print_rare(unsigned command)
 {
     const char *before = "  also ";
@@ -81,7 +82,7 @@ static const option_row *row_of(unsigned command, const char *word, size_t lengt
     return NULL;
 }
 
-/* "--name value" or "--name=value"; *i moves on if the value is its own word. */
+/* Reads "--name value" or "--name=value".  Advances *i if the value is a separate word. */
 static int read_option(options *o, unsigned command, int argc, char **argv, int *i)
 {
     const char *word = argv[*i], *equals = strchr(word, '=');
@@ -105,7 +106,7 @@ static int read_option(options *o, unsigned command, int argc, char **argv, int 
     return refuse(o, what);
 }
 
-/* What must be there, and what cannot be together. */
+/* Checks for missing arguments and for options that exclude each other. */
 static int check(const options *o, unsigned command)
 {
     const bool all = !o->help;
@@ -158,7 +159,8 @@ static int read_name(options *o, unsigned command, const char *word)
     return EXIT_DONE;
 }
 
-/* What follows "--" is names; so is "-" where it means standard input or output. */
+/* Words after "--" are names.  "-" is a name too, where a command takes several names: it
+ * means standard input or output. */
 int args_read(options *o, unsigned command, int argc, char **argv)
 {
     bool names = false;

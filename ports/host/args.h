@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The command line: one table of options that every command draws from. */
+/* The command line: one table of options serves every command. */
 #ifndef HOST_ARGS_H
 #define HOST_ARGS_H
 #include <stdbool.h>
@@ -8,68 +8,82 @@
 #include "tidepool/frame.h"
 
 typedef struct {
-    const char  *command, *scene;   /* its first name, whatever it is of, NULL if none is
-                                     * given; view then has its own */
+    const char  *command, *scene;   /* name of the command; first name on the command line
+                                     * (a scene, shell or command), NULL: none given; view
+                                     * has a default */
     uint32_t     width, height;
-    uint32_t     first, last;       /* frames, both included */
-    uint32_t     every;             /* so-manieth of them alone, from the first on */
-    const char **settings;          /* "name=value", in their order */
+    uint32_t     first, last;       /* first and last frame number, both included */
+    uint32_t     every;             /* frame step: every n-th frame, counted from the
+                                     * first */
+    const char **settings;          /* "name=value", in the order of the command line */
     uint32_t     n_settings;
-    const char  *out;               /* NULL: the command's own, or none */
+    const char  *out;               /* output file; NULL: the command's default, or none */
     tp_format    format;
-    uint32_t     band, strip;       /* sides of tiles, 0: the program chooses */
-    uint32_t     threads;           /* 0: not given */
-    uint64_t     memory;            /* bytes that it may take, 0: any */
-    int32_t      visibility;        /* tp_visibility; auto: the scene's own */
+    uint32_t     band, strip;       /* height and width of tiles, px; 0: chosen
+                                     * automatically */
+    uint32_t     threads;           /* number of threads, 0: not given */
+    uint64_t     memory;            /* upper bound of memory, bytes; 0: unlimited */
+    int32_t      visibility;        /* tp_visibility; auto: the scene's value */
     bool         hash, stats, csv;
-    bool         strict;            /* what a mesh lacks is refused, not left out */
-    bool         quiet;             /* or left out without a word; of no option */
-    bool         stream;            /* also if it takes that to keep to `memory` */
-    const char  *expect;            /* list of hashes */
-    const char  *tape;              /* of inputs: render plays it, view records it */
+    bool         strict;            /* refuse a mesh with missing parts instead of drawing
+                                     * without them */
+    bool         quiet;             /* draw without missing parts and without a message; set
+                                     * by no option */
+    bool         stream;            /* stream grid vertices; also set to keep within
+                                     * `memory` */
+    const char  *expect;            /* file with a list of hashes */
+    const char  *tape;              /* tape of inputs: render plays the file, view records
+                                     * it */
     const char  *vectors;           /* folder of tables */
-    const char  *name;              /* what baked names begin with, NULL: the scene's */
-    uint32_t     texels;            /* of a picture's longer side at the most, 0: any */
-    const char  *only;              /* parameters' names begin so, NULL: any */
-    const machine *machine;         /* whose program draws; NULL: the best one */
-    bool         sized;             /* --size was given */
-    uint32_t     points;            /* of the benchmark's grid, 0: not given */
+    const char  *name;              /* prefix of baked names; NULL: the scene's name */
+    uint32_t     texels;            /* upper bound of a texture's longer side, texels; 0:
+                                     * none */
+    const char  *only;              /* prefix of the parameters' names; NULL: all
+                                     * parameters */
+    const machine *machine;         /* variant of the program for drawing; NULL: the best
+                                     * one */
+    bool         sized;             /* true if --size was given */
+    uint32_t     points;            /* points per side of the benchmark's grid, 0: not
+                                     * given */
     int32_t      work;              /* bench_work, -1: not given */
     bool         rungs, peers;
-    const char **names;             /* of commands that take several */
+    const char **names;             /* names, of commands that take several */
     uint32_t     n_names;
-    uint32_t     jobs;              /* at a time, 0: not given */
+    uint32_t     jobs;              /* number of parallel jobs, 0: not given */
     const char  *from;              /* folder of charts; NULL: the project's */
     bool         small, list, collect;
-    bool         resume;            /* a sweep, or what the preview did last */
-    const char  *on, *device;       /* the raw screen's port and path; NULL: its own */
-    const char  *keep;              /* file of the world's bytes */
-    uint32_t     scale, ui;         /* of pixels; of letters, in percent; 0: not given */
-    const char  *play, *keys;       /* of inputs; of keys */
+    bool         resume;            /* continue an interrupted sweep, or the last session of
+                                     * the preview */
+    const char  *on, *device;       /* port and device path of the raw screen; NULL:
+                                     * default */
+    const char  *keep;              /* file that keeps the state of the world */
+    uint32_t     scale, ui;         /* scale of a pixel, 1..16; size of letters, percent; 0:
+                                     * not given */
+    const char  *play, *keys;       /* file of a tape to play; file of keys */
     bool         no_panel;
-    bool         scene_page;        /* of the manual */
-    bool         hold, counted, formatted;  /* --frames, --format were given */
-    const char  *with, *without;    /* pieces of a baked program's list, by commas */
+    bool         scene_page;        /* print the manual page of scenes */
+    bool         hold, counted, formatted;  /* --hold, --frames, --format were given */
+    const char  *with, *without;    /* comma-separated pieces of a baked program's list */
     bool         no_input;
     bool         help;
 } options;
 
-/* Commands, for the table's masks. */
+/* Bits of commands, for the masks of the table. */
 enum { FOR_RENDER = 1, FOR_VIEW = 2, FOR_PARAMS = 4, FOR_SCENES = 8, FOR_CHECK = 16,
        FOR_BAKE = 32, FOR_PLAN = 64, FOR_BENCH = 128, FOR_CHARTS = 256, FOR_JOIN = 512,
        FOR_SHOW = 1024, FOR_MANUAL = 2048, FOR_COMPLETION = 4096, FOR_HELP = 8192,
        FOR_VERSION = 16384 };
 
-/* `command` is one of FOR_...; argv[0] is its name.  EXIT_USAGE: said why.  The caller
- * frees settings in any case. */
+/* Reads the command line.  command: one of FOR_...; argv[0]: name of the command.  Returns
+ * EXIT_USAGE after printing the reason.  In every case the caller frees o->settings. */
 int args_read(options *o, unsigned command, int argc, char **argv);
 
-/* So many frames does the command line ask for. */
+/* Returns the number of frames that the command line selects. */
 static inline uint32_t args_frames(const options *o)
 {
     return (o->last - o->first) / o->every + 1;
 }
 
-/* The options of a command, one a line, on stdout. */
+/* Prints the options of a command on stdout, one option per line. */
 void args_print(unsigned command);
 #endif

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The options.  A row of the table names an option, says which commands take it, and
- * reads its value: a new option is a row and a function of a few lines. */
+/* The table of options.  A row names an option, lists the commands that take the option,
+ * and reads its value.  A new option needs one row and one function of a few lines. */
 #include "args_rows.h"
 #include "pixel/pixel.h"
 #include "scene/value.h"
@@ -9,12 +9,13 @@
 #include "canvas.h"
 #include "say.h"
 
-#define SIDE_LOW   16           /* of a picture, as the core takes it */
+#define SIDE_LOW   16           /* bounds of a picture's side, px, as in the core */
 #define SIDE_HIGH  4096
-#define FRAME_HIGH 999999999u   /* half a year of ticks */
-#define EVERY_HIGH 3600         /* a picture a minute */
+#define FRAME_HIGH 999999999u   /* ticks: half a year */
+#define EVERY_HIGH 3600         /* one picture per minute */
 
-/* Decimal digits alone, low..high; *end, if asked for, is where they stop. */
+/* Reads a number in low..high of decimal digits.  end == NULL: the digits must fill the
+ * text; else *end points after the last digit. */
 static bool read_count(const char *text, const char **end, uint32_t low, uint32_t high,
                        uint32_t *count)
 {
@@ -65,7 +66,7 @@ static const char *read_every(options *o, const char *value)
     return read_count(value, NULL, 1, EVERY_HIGH, &o->every) ? NULL : "1..3600";
 }
 
-/* A count alone: from the beginning. */
+/* Reads a plain count; the first frame is 0. */
 static const char *read_pictures(options *o, const char *value)
 {
     uint32_t count;
@@ -107,7 +108,7 @@ static const char *read_threads(options *o, const char *value)
     return read_count(value, NULL, 1, CANVAS_THREADS, &o->threads) ? NULL : "1..64";
 }
 
-/* k and M are 1024 and 1024 k, as boards' data sheets count. */
+/* The suffixes k and M mean 1024 and 1024 k, as in the data sheets of boards. */
 static const char *read_memory(options *o, const char *value)
 {
     const char *end;
@@ -173,7 +174,8 @@ static const char *read_jobs(options *o, const char *value)
     return read_count(value, NULL, 1, 1024, &o->jobs) ? NULL : "1..1024";
 }
 
-/* Switches, and words that may be anything but empty. */
+/* SWITCH: an option without a value.  WORD: an option with any value except the empty
+ * text. */
 #define SWITCH(name) \
     static const char *read_##name(options *o, const char *value) \
     { (void)value; o->name = true; return NULL; }

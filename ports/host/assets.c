@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Loading what a scene names: pictures here, its mesh in assets_mesh.c. */
+/* Loads the files that a scene names: textures here, the mesh in assets_mesh.c. */
 #define _POSIX_C_SOURCE 200809L
 #include "assets.h"
 #include "scene/value.h"
@@ -16,7 +16,7 @@
 
 struct assets_block {
     assets_block *next;
-    uint64_t bytes[];           /* aligned as the core wants it */
+    uint64_t bytes[];           /* aligned for every type of the core */
 };
 
 void *assets_take(asset_set *a, size_t bytes)
@@ -41,7 +41,8 @@ void assets_close(asset_set *a)
     *a = (asset_set){ 0 };
 }
 
-/* Names point into the assets themselves, or to blocks, which stay where they are. */
+/* Moves *from to *to.  The pointers in `names` refer to members of the asset_set, which get
+ * new addresses here, or to blocks, which stay where they are. */
 void assets_move(asset_set *to, asset_set *from)
 {
     const void *names[sizeof from->names / sizeof(void *)];
@@ -59,7 +60,8 @@ void assets_move(asset_set *to, asset_set *from)
 
 /* -- textures -------------------------------------------------------------------- */
 
-/* The largest copy that is wanted becomes the picture; how many bytes that is less. */
+/* Drops the largest mipmap levels until the longer side is at most `most` texels.  Returns
+ * the number of bytes dropped; most = 0 drops nothing. */
 static size_t leave_out(tp_texture *texture, uint32_t most)
 {
     size_t bytes = 0;
@@ -103,7 +105,7 @@ static int load_texture(asset_set *a, tp_texture *texture, const char *path, con
     return code == EXIT_CHECK ? fail(EXIT_INPUT, "%s: %s: %s", who, path, why) : code;
 }
 
-/* -- greys ----------------------------------------------------------------------- */
+/* -- grey maps ------------------------------------------------------------------- */
 
 static int load_grey(asset_set *a, tp_grey *grey, const char *path, const char *who)
 {
@@ -123,7 +125,7 @@ static int load_grey(asset_set *a, tp_grey *grey, const char *path, const char *
 
 /* -- the scene ------------------------------------------------------------------- */
 
-/* Loads what the row called `name` names; *there tells whether it names anything. */
+/* Loads the file named by the parameter `name`; *there: true if the scene names a file. */
 static int load(asset_set *a, const scene_file *file, const char *name, void *into,
                 bool *there)
 {
@@ -144,7 +146,7 @@ static int load(asset_set *a, const scene_file *file, const char *name, void *in
     return code;
 }
 
-/* Six pictures or none: a cube with a hole is no sky. */
+/* A sky of cube faces needs all six pictures: a cube with a missing face is no sky. */
 const char *assets_lack(const asset_set *a, const scene_file *file)
 {
     static const char *const faces[TP_FACES] = { "sky.east", "sky.west", "sky.up",

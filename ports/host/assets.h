@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* What a scene names, loaded: its boat with materials and pictures, its textures. */
+/* The files that a scene names, in memory: the boat with materials and pictures, textures,
+ * grey maps. */
 #ifndef HOST_ASSETS_H
 #define HOST_ASSETS_H
 #include "picture.h"
@@ -8,48 +9,54 @@
 
 typedef struct assets_block assets_block;
 
-enum { ASSETS_PICTURES = 15 };  /* textures that a scene can name */
+enum { ASSETS_PICTURES = 15 };  /* number of textures that a scene can name */
 
 typedef struct {
-    uint32_t texels;            /* of a picture's longer side at the most, 0: any */
-    bool     strict;            /* what a mesh lacks is refused, not left out */
-    bool     quiet;             /* or is left out without a word: it was said before */
+    uint32_t texels;            /* upper bound of a texture's longer side, texels; 0:
+                                 * none */
+    bool     strict;            /* refuse a mesh with missing parts instead of drawing
+                                 * without them */
+    bool     quiet;             /* omit missing parts without a message: the user has seen
+                                 * the message */
 } assets_options;
 
 typedef struct {
-    tp_assets     names;        /* what the frame takes: points below */
+    tp_assets     names;        /* argument of tp_frame functions; points at the members
+                                 * below */
     tp_mesh       boat;
     tp_texture    picture[ASSETS_PICTURES];
     tp_grey       floor, pool_mask, field_mask;
-    assets_block *blocks;       /* all memory of it */
+    assets_block *blocks;       /* all allocated memory */
     size_t        mesh_bytes, texture_bytes;
     assets_options options;
 } asset_set;
 
-/* Nothing is half-loaded: after a failure, which it has explained, *a is empty.
- * It must not move while names are in use. */
-int  assets_open(asset_set *a, const scene_file *file);            /* without options */
+/* Each function returns an exit code.  After a failure the reason has been printed, and *a
+ * is empty: nothing stays half loaded.  *a must not move while names are in use. */
+int  assets_open(asset_set *a, const scene_file *file);            /* default options */
 int  assets_load(asset_set *a, const scene_file *file, const assets_options *options);
 void assets_close(asset_set *a);
 
-/* After a change of the scene: the row of a picture that it needs now and that they lack,
- * or NULL. */
+/* To call after a change of the scene.  Returns the name of a parameter whose picture is
+ * now needed but not loaded, or NULL. */
 const char *assets_lack(const asset_set *a, const scene_file *file);
-int  assets_refuse(const scene_file *file, const char *lacking);    /* says so */
+int  assets_refuse(const scene_file *file, const char *lacking);    /* prints the reason */
 
-/* Closes *to and puts in its place what *from has, which is then empty. */
+/* Closes *to, moves the contents of *from there, and leaves *from empty. */
 void assets_move(asset_set *to, asset_set *from);
 
-/* -- between assets.c and assets_mesh.c ------------------------------------------- */
+/* -- shared by assets.c and assets_mesh.c ----------------------------------------- */
 
-/* Memory that assets_close gives back; NULL: there is none, and it said so. */
+/* Returns memory that assets_close frees, or NULL after printing the reason. */
 void *assets_take(asset_set *a, size_t bytes);
 
-/* A texture of a PNG.  EXIT_CHECK: the picture cannot be used, and `why` tells. */
+/* Loads a texture from a PNG.  Returns EXIT_CHECK if the picture is unusable; `why` then
+ * holds the reason. */
 int  assets_texture(asset_set *a, tp_texture *texture, const char *path,
                     char why[PICTURE_WHY]);
 
-/* The mesh that a scene draws `scale` metres a unit, with its libraries and pictures.
- * Messages about the OBJ itself begin with `who`, which named it. */
+/* Loads the mesh of a scene with its material libraries and pictures.  scale: metres per
+ * unit of the file, Q16.16.  Messages about the OBJ itself begin with `who`, the place of
+ * its name. */
 int  assets_mesh(asset_set *a, tp_mesh *mesh, const char *path, const char *who, tp_fx scale);
 #endif

@@ -1,9 +1,10 @@
 /* SPDX-License-Identifier: MIT */
-/* Loading a mesh.
+/* Loads a mesh.
  *
- * The core reads OBJ and MTL text and opens no file: here are the files.  An MTL is found
- * beside the OBJ that names it, a picture beside the MTL.  What is missing or cannot be
- * used there, and what the core warns of, is said and left out; --strict refuses it. */
+ * The core reads OBJ and MTL text but opens no files; the code here opens them.  An MTL is
+ * searched in the folder of the OBJ that names it, a picture in the folder of the MTL.
+ * Missing or unusable files, and the core's warnings, are printed, and the mesh is drawn
+ * without the part.  With --strict each of these is an error. */
 #define _POSIX_C_SOURCE 200809L
 #include <errno.h>
 #include <limits.h>
@@ -20,16 +21,18 @@
 
 enum {
     CHUNK      = 16384,
-    SAID       = 16,                /* warnings of one mesh; others are counted */
+    SAID       = 16,                /* printed warnings per mesh; more are only counted */
     TEXT_BYTES = 2 * PATH_MAX + 512,
-    METRES     = 4000,              /* that are drawn, either way from the mesh's origin */
-    UNREADABLE = -1                 /* the file system refused: errno tells */
+    METRES     = 4000,              /* largest drawable distance from the mesh's origin per
+                                     * axis, m */
+    UNREADABLE = -1                 /* the file system refused to read; errno has the
+                                     * reason */
 };
 
 typedef struct {
     asset_set *assets;
     tp_obj     *obj;
-    const char *path;               /* of the OBJ */
+    const char *path;               /* path of the OBJ */
     unsigned    warnings;
 } loading;
 
@@ -37,7 +40,8 @@ typedef struct {
 
 static int warn(loading *l, const char *remedy, const char *format, ...) HOST_PRINTF(3, 4);
 
-/* `remedy` is what is done about it; EXIT_INPUT: it is refused instead. */
+/* Prints a warning; `remedy` says how the program goes on.  With --strict returns
+ * EXIT_INPUT. */
 static int warn(loading *l, const char *remedy, const char *format, ...)
 {
     char text[TEXT_BYTES];
@@ -59,7 +63,7 @@ static const char *remedy_of(tp_status code)
                                                                : "the line is left out";
 }
 
-/* What the core noted in the last step, of a file. */
+/* Prints the warnings that the core noted in the last step; file: the file just read. */
 static int warn_noted(loading *l, const char *file)
 {
     const tp_obj *obj = l->obj;
@@ -96,7 +100,7 @@ static uint32_t farther(tp_fx a, tp_fx b)
     return low > high ? low : high;
 }
 
-/* How far the mesh reaches from its origin, in units of the file, 48.16. */
+/* Returns the largest distance from the origin on an axis, in units of the file, 48.16. */
 static uint64_t reach_of(const tp_mesh *mesh)
 {
     const uint32_t x = farther(mesh->low.x, mesh->high.x);
@@ -106,11 +110,12 @@ static uint64_t reach_of(const tp_mesh *mesh)
     return (uint64_t)(most > z ? most : z) << mesh->log2_unit;
 }
 
-/* What lies farther is drawn where the reach ends. */
+/* Warns of a mesh larger than METRES: vertices farther away are drawn at that distance. */
 static int warn_reach(loading *l, const tp_mesh *mesh, tp_fx scale)
 {
     const uint64_t reach = reach_of(mesh), most = (uint64_t)METRES << 16;
-    const uint64_t metres = reach * (uint64_t)scale >> 16;          /* < 2^38 x 2^23 */
+    const uint64_t metres = reach * (uint64_t)scale >> 16;          /* product < 2^38 x
+                                                                     * 2^23 */
     const tp_fx fitting = reach ? (tp_fx)((most << 16) / reach) : 0;
     char now[16], fits[32] = "boat.scale = ";
     if (metres <= most)
@@ -129,7 +134,7 @@ static int warn_reach(loading *l, const tp_mesh *mesh, tp_fx scale)
 typedef tp_status (*feed)(tp_obj *obj, const void *text, size_t bytes, tp_error *err);
 typedef tp_status (*end)(tp_obj *obj, tp_error *err);
 
-/* A whole file through one of the reader's passes. */
+/* Passes a whole file through one pass of the reader. */
 static int pass(tp_obj *obj, const char *path, feed more, end done)
 {
     char chunk[CHUNK];
@@ -158,7 +163,8 @@ static int pass_obj(loading *l, const char *who, end done)
     return code;
 }
 
-/* Folders of names written on other systems are parted by backslashes. */
+/* Returns the path of a file beside `path`.  Other systems separate folders by backslashes;
+ * if no such file exists, the backslashes become slashes. */
 static char *named_in(const char *path, const char *name)
 {
     char *full = path_beside(path, name);
@@ -173,7 +179,7 @@ static char *named_in(const char *path, const char *name)
 
 /* -- libraries and pictures ------------------------------------------------------ */
 
-/* One that cannot be read to its end counts as read so far. */
+/* Reads a material library.  After a read error the materials read until then are kept. */
 static int load_library(loading *l, uint32_t i, const char *library)
 {
     if (!path_is_file(library)) {
@@ -207,7 +213,7 @@ static int load_libraries(loading *l)
     return code;
 }
 
-/* *texture stays NULL if the picture cannot be used. */
+/* *texture stays NULL if the picture is unusable. */
 static int load_image(loading *l, uint32_t i, tp_texture *room, const tp_texture **texture)
 {
     char why[PICTURE_WHY];
@@ -225,7 +231,7 @@ static int load_image(loading *l, uint32_t i, tp_texture *room, const tp_texture
     return code;
 }
 
-/* In *list the addresses of obj->images textures. */
+/* Loads all images.  *list: the addresses of obj->images textures. */
 static int load_images(loading *l, const tp_texture *const **list)
 {
     const uint32_t count = l->obj->images;

@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: MIT */
-/* Temporary files and the signals that remove them.
+/* Temporary files, and the signal handler that removes them.
  *
- * A table holds the names, where a handler can read them.  A thread that makes or removes
- * an entry holds the mutex and blocks all signals; a handler that runs on another thread
- * waits until the entry is settled, so no file appears behind its back. */
-#define _DEFAULT_SOURCE         /* NSIG, getrandom */
+ * The names are in a static table, readable from a signal handler.  A thread that adds or
+ * removes an entry holds the mutex and blocks all signals.  A handler on another thread
+ * waits until the entry is complete, so no file can be created after the clean-up. */
+#define _DEFAULT_SOURCE         /* for NSIG, getrandom */
 #define _POSIX_C_SOURCE 200809L
 #include "atomic_file.h"
 #include <errno.h>
@@ -20,21 +20,24 @@
 #include <time.h>
 #include <unistd.h>
 
-#define SLOTS      32           /* files at a time: jobs, a film, pictures, a session */
+#define SLOTS      32           /* files at the same time: jobs, a film, pictures, a
+                                 * session */
 #define NAME_BYTES 4096
-#define TRIES      100          /* names, until one is free */
-#define WAITS      100          /* of 10 ms: a disk that does not answer is given up */
+#define TRIES      100          /* attempts to find an unused name */
+#define WAITS      100          /* waits of 10 ms each: after 1 s the handler gives up on a
+                                 * hanging disk */
 
 enum { FREE, MAKING, HELD };
 
 static struct {
     atomic_int state;
-    pid_t      owner;           /* a forked child does not remove its parent's files */
+    pid_t      owner;           /* process of the file: a forked child keeps its parent's
+                                 * files */
     char       name[NAME_BYTES];
 } slots[SLOTS];
 
 static pthread_mutex_t mutex = PTHREAD_MUTEX_INITIALIZER;
-static int held;                /* entries that are not free */
+static int held;                /* number of entries in use */
 
 /* -- signals --------------------------------------------------------------------- */
 
@@ -45,7 +48,7 @@ static void settle(atomic_int *state)
         nanosleep(&wait, NULL);
 }
 
-/* Safe in a handler. */
+/* Removes all files of the process.  Safe in a signal handler. */
 static void remove_all(void)
 {
     const pid_t self = getpid();
@@ -64,7 +67,8 @@ static void on_signal(int number)
     raise(number);
 }
 
-/* Signals that stop, go on or are ignored by default end nothing. */
+/* True if the default action of a signal ends the process; other signals stop, continue or
+ * do nothing. */
 static bool is_deadly(int number)
 {
     static const int harmless[] = { SIGKILL, SIGSTOP, SIGTSTP, SIGTTIN, SIGTTOU, SIGCONT,
@@ -75,7 +79,8 @@ static bool is_deadly(int number)
     return true;
 }
 
-/* From one handler to another, where that one stands. */
+/* Replaces the handler `from` by `to` for each deadly signal that has the handler
+ * `from`. */
 static void exchange(void (*from)(int), void (*to)(int))
 {
     struct sigaction now, then = { .sa_handler = to };
@@ -136,11 +141,12 @@ static uint64_t random_number(void)
     struct timespec now;
     if (getrandom(&number, sizeof number, GRND_NONBLOCK) == sizeof number)
         return number;
-    clock_gettime(CLOCK_MONOTONIC, &now);       /* names are tried until one is free */
+    clock_gettime(CLOCK_MONOTONIC, &now);       /* the number need not be random: names are
+                                                 * tried until one is free */
     return ((uint64_t)getpid() << 32 ^ (uint64_t)now.tv_nsec) * 0x9e3779b97f4a7c15;
 }
 
-/* folder/.tidepool-XXXXXXXXXXXX and the suffix; false: too long. */
+/* Makes the name folder/.tidepool-XXXXXXXXXXXX<suffix>.  False: the name is too long. */
 static bool make_name(char name[NAME_BYTES], const char *target, const char *suffix)
 {
     static const char letters[] = "0123456789abcdefghjkmnpqrstvwxyz";
@@ -155,7 +161,7 @@ static bool make_name(char name[NAME_BYTES], const char *target, const char *suf
                     suffix) < NAME_BYTES;
 }
 
-/* The descriptor, or -1. */
+/* Creates the file.  Returns its descriptor, or -1. */
 static int make_file(int slot, const char *target, const char *suffix)
 {
     char *name = slots[slot].name;
@@ -192,7 +198,8 @@ int atomic_file_open(atomic_file *f, const char *target, const char *suffix)
     return error;
 }
 
-/* Renames or removes the file: a handler finds the entry whole, or none. */
+/* Renames or removes the file.  Signals are blocked: a handler finds a complete entry or
+ * none. */
 static int end(atomic_file *f, const char *target, int error)
 {
     sigset_t before;
@@ -245,7 +252,7 @@ int atomic_file_put(int fd, const void *data, size_t bytes)
     return 0;
 }
 
-/* The new name is on the disk once its folder is. */
+/* Syncs the folder of `target`: only then is the new name on the disk. */
 static void sync_folder(const char *target)
 {
     char folder[NAME_BYTES];

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* tidepool bake: a scene with all that it names as one file of constant C, for machines
- * that have no files. */
+/* tidepool bake: writes a scene and all files that it names as one file of constant C, for
+ * machines without files. */
 #include "bake.h"
 #include "frame/tools.h"
 #include <ctype.h>
@@ -17,7 +17,7 @@
 
 #define IDENTIFIER_BYTES 48
 
-/* Where a scene's pictures and greys stand among its assets; a row for each. */
+/* The textures and grey maps in tp_assets: member in C, part of the baked name, offset. */
 static const struct { const char *member, *part; size_t offset; } pictures[] = {
     { "layer[0]", "layer0", offsetof(tp_assets, layer[0]) },
     { "layer[1]", "layer1", offsetof(tp_assets, layer[1]) },
@@ -64,7 +64,8 @@ static const tp_grey *grey_at(const tp_assets *names, int i)
 
 /* -- names --------------------------------------------------------------------------- */
 
-/* Letters, digits and underscores after a letter; "tp_scene" is taken. */
+/* True if a name has only letters, digits and underscores, begins with a letter, and does
+ * not begin with "tp_". */
 static bool can_be_name(const char *name)
 {
     const size_t n = strspn(name, "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ"
@@ -74,7 +75,8 @@ static bool can_be_name(const char *name)
            && strcmp(name, "tp") != 0;
 }
 
-/* "three-swells" as three_swells; what could not be a name as scene_64. */
+/* Makes an identifier: "three-swells" becomes three_swells; a name that is still no
+ * identifier, as 64, becomes scene_64. */
 static void name_after(const char *file, char name[IDENTIFIER_BYTES])
 {
     snprintf(name, IDENTIFIER_BYTES, "%s", file);
@@ -119,7 +121,8 @@ static int list_pictures(bake *b, const tp_assets *names)
 
 /* -- the file's head ----------------------------------------------------------------- */
 
-/* Nothing in it ends or begins a comment, or continues a line. */
+/* Prints text inside a comment: characters that could end or begin a comment, or continue a
+ * line, become blanks. */
 static void put_remark(FILE *out, const char *text)
 {
     for (; *text; text++)
@@ -223,9 +226,10 @@ static void put_all(const bake *b, const options *o, const stage *s)
         bake_put_program(b->program, b->out, b->name);
 }
 
-/* -- pictures of the quick rung ------------------------------------------------------ */
+/* -- baked layers of fast shading ---------------------------------------------------- */
 
-/* The picture that a plan may be made for, a board's; a kind of rung in its report. */
+/* The size of picture assumed for the plan, a board's; the index of shading among the kinds
+ * of rung in the plan's report. */
 enum { WIDTH = 320, HEIGHT = 240, SHADING = 1 };
 
 static bool may_be_quick(const tp_scene *scene, const tp_assets *names)
@@ -234,7 +238,8 @@ static bool may_be_quick(const tp_scene *scene, const tp_assets *names)
     return tp_reach_of(&ladder).shading >> TP_SHADING_QUICK & 1;
 }
 
-/* The plan says of a rung that it is not fit only where the scene leaves the choice. */
+/* True if fast shading fits the scene.  The plan reports TP_WHY_UNFIT only for a setting
+ * that the scene leaves open: the copy of the scene sets shading to AUTO. */
 static bool is_quick_fit(const tp_scene *scene, const tp_assets *names)
 {
     tp_scene open = *scene;
@@ -244,9 +249,9 @@ static bool is_quick_fit(const tp_scene *scene, const tp_assets *names)
     return report.rung[SHADING][TP_SHADING_QUICK - 1].why != TP_WHY_UNFIT;
 }
 
-/* True if nothing reads the layers from which the prepared pictures are made: the water is
- * drawn by quick stages alone, and no meter of exposure reads the first layer.  The ripple's
- * own picture stays: the surface from below needs it. */
+/* True if nothing reads the layers after baking: all water is drawn by fast stages, and no
+ * exposure meter reads the first layer.  The texture of ripples stays: the surface from
+ * below needs the texture. */
 static bool is_all_quick(const tp_scene *scene, const tp_assets *names)
 {
     return scene->quality.shading == TP_SHADING_QUICK && scene->quality.frame_ms == 0
@@ -259,7 +264,7 @@ static const tp_texture **place_of(tp_assets *names, int i)
                                                               : &names->slopes;
 }
 
-/* Drops the pictures that exact stages alone read from above. */
+/* Drops the layers that only exact stages read, and only from above the water. */
 static void drop_layers(tp_assets *names)
 {
     for (int i = 0; i < TP_LAYERS; i++)
@@ -267,7 +272,7 @@ static void drop_layers(tp_assets *names)
     names->distortion = NULL;
 }
 
-/* *names with prepared pictures, in memory of `memory` and `made`. */
+/* Adds baked layers to *names.  `memory` and `made` hold them; the caller frees memory. */
 static int prepare(tp_assets *names, const tp_scene *scene, void *memory[TP_PREPARED],
                    tp_texture made[TP_PREPARED])
 {
@@ -303,7 +308,8 @@ static int write_file(bake *b, const options *o, const stage *s)
     return output_close(&out);
 }
 
-/* The stage is loaded with its world, so that no board is given one that cannot be. */
+/* Loads the stage together with its world: a scene with an impossible world is refused
+ * here, not on the board. */
 static int run(stage *s, const options *o)
 {
     char name[IDENTIFIER_BYTES];

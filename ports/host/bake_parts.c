@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
-/* The parts of a baked file: a scene's numbers, pictures, maps and meshes.
+/* The parts of a baked file: numbers of the scene, textures, grey maps, meshes.
  *
- * The parameter table knows every value of a scene by name and place; a name is written
- * as the member it stands for: "wave0.length" is .wave[0].length. */
+ * The parameter table has the name and offset of every value of a scene.  A name is written
+ * as its member in C: "wave0.length" becomes .wave[0].length. */
 #include "bake.h"
 #include "scene/value.h"
 #include <ctype.h>
@@ -12,7 +12,8 @@
 
 /* -- the scene ----------------------------------------------------------------------- */
 
-/* Whether the member is one of a tp_scene_map in that part of the scene. */
+/* True if `member` is a member of tp_scene_map, and the parameter belongs to a part of the
+ * scene with such a map. */
 static bool is_map(const char *name, const char *member)
 {
     static const char *const parts[] = { "layer", "distortion", "ripple", "foam" };
@@ -25,8 +26,8 @@ static bool is_map(const char *name, const char *member)
     return false;
 }
 
-/* What is called scene.X is X itself; wave3.phase is wave[3].phase, foam.size is
- * foam.map.size. */
+/* Writes a designator: scene.X becomes .X, wave3.phase .wave[3].phase, foam.size
+ * .foam.map.size. */
 static void put_member(FILE *out, const char *name)
 {
     if (!strncmp(name, "scene.", 6))
@@ -43,7 +44,8 @@ static void put_member(FILE *out, const char *name)
     }
 }
 
-/* Two question marks would begin a trigraph. */
+/* Writes a string literal.  Question marks are escaped: two of them would begin a
+ * trigraph. */
 static void put_text(FILE *out, const char *text)
 {
     fputc('"', out);
@@ -81,7 +83,7 @@ void bake_scene(const bake *b, const tp_scene *scene)
     fprintf(b->out, "};\n");
 }
 
-/* -- textures and greys -------------------------------------------------------------- */
+/* -- textures and grey maps ---------------------------------------------------------- */
 
 static uint32_t side(uint32_t log2, uint32_t level)
 {

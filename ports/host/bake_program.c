@@ -38,7 +38,7 @@ static int refuse_piece(const char *option, const char *name, size_t length)
                 option, word, best.name);
 }
 
-/* "drops,boat" */
+/* Reads a list of pieces, as "drops,boat". */
 static int read_pieces(piece_set *to, const char *option, const char *list)
 {
     for (const char *c = list; c && *c; ) {
@@ -61,7 +61,8 @@ static int check_pieces(const dry_wish *wish)
 
 /* -- the list ------------------------------------------------------------------------- */
 
-/* A program that has no plan draws by these rungs. */
+/* Returns the scene with the rungs of the ladder named.  A program without a quality plan
+ * draws with the named rungs. */
 static tp_scene named_scene(const tp_scene *scene, const tp_ladder *ladder)
 {
     tp_scene named = *scene;
@@ -72,7 +73,8 @@ static tp_scene named_scene(const tp_scene *scene, const tp_ladder *ladder)
     return named;
 }
 
-/* Pictures of the quick rung without those that they are made of. */
+/* Returns the assets with baked layers, without the textures from which the layers are
+ * made. */
 static tp_assets prepared_alone(const tp_assets *names)
 {
     tp_assets lean = *names;
@@ -86,7 +88,7 @@ static tp_assets prepared_alone(const tp_assets *names)
     return lean;
 }
 
-/* What the scene asks for and the program has not: each piece by name, once. */
+/* Prints each piece that the scene asks for and the program lacks, by name, once. */
 static int tell_lacks(const dry_found *found, bool strict)
 {
     const char *last = "";
@@ -117,7 +119,8 @@ int bake_find_program(bake_program *p, const options *o, const tp_scene *scene,
                     .tile_width = o->strip,
                     .tile_height = o->band ? o->band : 16,
                     .format = o->format },
-        /* What may be switched on while it runs is checked, and may have more waves. */
+        /* With --with, scenes can switch on more at run time: scenes are checked, and the
+         * program has room for waves beyond the scene's own. */
         .terms = { o->format, o->stream, !o->with, o->with != NULL },
         .acts = !o->no_input,
     };
@@ -145,7 +148,7 @@ int bake_find_program(bake_program *p, const options *o, const tp_scene *scene,
 
 /* -- the file ------------------------------------------------------------------------- */
 
-/* Under a heading; an empty set has none. */
+/* Prints the pieces of a set under a heading; for an empty set prints nothing. */
 static void put_set(FILE *out, const char *heading, const piece_set *set)
 {
     const char *before = "";

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The part of a baked file that a program is linked by: NAME_program, which lists what the
- * scene needs at one size and format, and NAME_config, those two. */
+/* The part of a baked file for linking a program: NAME_program lists the pieces that the
+ * scene needs at one size and format; NAME_config has the size and the format. */
 #ifndef HOST_BAKE_PROGRAM_H
 #define HOST_BAKE_PROGRAM_H
 #include <stdio.h>
@@ -10,21 +10,22 @@
 typedef struct bake_program {
     dry_wish  wish;
     dry_found found;
-    tp_scene  scene;            /* that goes with the list */
+    tp_scene  scene;            /* scene to bake with the list; its rungs may be named */
 } bake_program;
 
-/* True if the command line asks for a list: it names a size or a format. */
+/* True if the command line asks for a program list: a size or a format is given. */
 bool bake_has_program(const options *o);
 
-/* EXIT_USAGE, and said so: an option is of a list, and none is asked for. */
+/* Returns EXIT_USAGE after a message if an option needs a program list but none is asked
+ * for. */
 int  bake_check_options(const options *o);
 
-/* Finds the list.  `baked` are the assets that the file will have; what the list never
- * looks at is dropped from them.  Returns an exit code and has said why. */
+/* Finds the list.  baked: assets of the file; assets that the list never reads are dropped.
+ * Returns an exit code after printing the reason. */
 int  bake_find_program(bake_program *p, const options *o, const tp_scene *scene,
                        const tp_assets *assets, tp_assets *baked);
 
-/* Lines of the file's head, and the list. */
+/* Write the pieces as lines of the file's head, and the list. */
 void bake_put_pieces(const bake_program *p, FILE *out);
 void bake_put_program(const bake_program *p, FILE *out, const char *name);
 #endif

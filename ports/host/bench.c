@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* tidepool bench: times of scene S, by the rungs of the plan and by other renderers.
- * Rounds of all figures follow each other, so that what slows a machine down for a while
- * slows down all of them. */
+/* tidepool bench: times of scene S, for each rung and for other renderers.  A round
+ * measures every figure once; rounds follow each other.  A temporary slow-down of the
+ * machine then affects all figures alike. */
 #include "bench.h"
 #include "scene/value.h"
 #include <stdio.h>
@@ -13,7 +13,7 @@
 #include "say.h"
 #include "timing.h"
 
-#define FRAMES 10               /* of a round */
+#define FRAMES 10               /* frames per round */
 
 bool bench_same_case(const bench_figure *a, const bench_figure *b)
 {
@@ -35,7 +35,7 @@ bool bench_add(bench_list *list, const bench_figure *figure)
     return true;
 }
 
-/* -- what is measured -------------------------------------------------------------- */
+/* -- cases ------------------------------------------------------------------------- */
 
 static size_t append_word(const tp_scene *scene, const char *name, char *text, size_t at)
 {
@@ -45,7 +45,8 @@ static size_t append_word(const tp_scene *scene, const char *name, char *text, s
     return at + (size_t)more < BENCH_BY ? at + (size_t)more : BENCH_BY - 1;
 }
 
-/* "rows quick lod", in the parameters' own words. */
+/* Writes the names of a figure's rungs, as "rows quick lod", with the values of
+ * parameters. */
 static void name_rungs(bench_figure *f)
 {
     tp_scene scene;
@@ -80,7 +81,8 @@ static bool add_case(bench_list *list, const options *o, bench_figure f)
     return bench_add(list, &f) && (!o->peers || bench_peers_add(list, f));
 }
 
-/* What is not asked for is all of it; rungs and peers are of 128 points, if not said. */
+/* Adds the cases of the benchmark.  An option that is not given means all values; --rungs
+ * and --peers default to 128 points. */
 static bool add_cases(bench_list *list, const options *o)
 {
     static const uint32_t width[] = { 640, 320 }, points[] = { 64, 100, 128, 256 };

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* What the benchmark's files share: a figure is one renderer's time for one case. */
+/* Declarations shared by the files of the benchmark.  A figure is the time of one renderer
+ * for one case. */
 #ifndef HOST_BENCH_H
 #define HOST_BENCH_H
 #include "bench_scene.h"
@@ -13,20 +14,23 @@ typedef struct bench_peer bench_peer;   /* another renderer */
 typedef struct {
     uint32_t   width, height, points;
     bench_work work;
-    tp_rungs   rungs;                   /* AUTO: the plan's */
-    const bench_peer *peer;             /* NULL: this engine */
-    char       by[BENCH_BY];            /* "rows quick", "llvmpipe" */
-    uint32_t   us[BENCH_ROUNDS];        /* median of each round; 0: it failed */
-    uint32_t   water;                   /* pixels; of a peer those of the case's first */
-    double     decibels;                /* PSNR against the case's first; < 0: none */
+    tp_rungs   rungs;                   /* rungs; AUTO: the plan's */
+    const bench_peer *peer;             /* other renderer; NULL: this engine */
+    char       by[BENCH_BY];            /* name of the rungs or renderer: "rows quick",
+                                         * "llvmpipe" */
+    uint32_t   us[BENCH_ROUNDS];        /* median of each round, us; 0: failed */
+    uint32_t   water;                   /* pixels of water; of a peer: as the case's first
+                                         * figure */
+    double     decibels;                /* PSNR against the case's first figure, dB; < 0:
+                                         * none */
 } bench_figure;
 
-/* Figures of one case (size, points, work) stand together; the first is ours. */
+/* Figures of one case (size, points, work) are contiguous; the first is this engine's. */
 typedef struct {
     bench_figure *of;
     size_t        count, room;
-    uint32_t      frames;               /* of each round */
-    uint32_t     *kept;                 /* 0x00RRGGBB of the case's first */
+    uint32_t      frames;               /* frames per round */
+    uint32_t     *kept;                 /* pixels 0x00RRGGBB of the case's first figure */
 } bench_list;
 
 bool bench_same_case(const bench_figure *a, const bench_figure *b);
@@ -34,18 +38,19 @@ bool bench_add(bench_list *list, const bench_figure *figure);   /* false: no mem
 
 /* -- bench_draw.c: frames of this engine ------------------------------------------- */
 
-/* Times a round.  In round 0 it also counts water and sets `decibels`, or keeps the
- * picture if `first`; `folder`, if not NULL, gets it as a PNG.  An exit code. */
+/* Measures the times of one round.  Round 0 also counts pixels of water and sets
+ * `decibels`, or, if `first`, keeps the picture.  With a folder, round 0 writes the picture
+ * there as a PNG.  Returns an exit code. */
 int bench_draw(bench_list *list, bench_scene *s, bench_figure *f, int round, bool first,
                const char *folder);
 
-/* Pixels of the figure's size against the kept ones. */
+/* Returns the PSNR, dB, of pixels of the figure's size against the kept pixels. */
 double bench_decibels(const bench_list *list, const bench_figure *f,
                       const uint32_t *pixels);
 
-/* -- bench_peers.c: other renderers, from the project's folder ---------------------- */
+/* -- bench_peers.c: other renderers, in the project's folder ------------------------ */
 
-#define BENCH_FOLDER "build/bench"      /* of pictures */
+#define BENCH_FOLDER "build/bench"      /* folder of pictures */
 
 int  bench_peers_build(void);
 bool bench_peers_add(bench_list *list, bench_figure figure);    /* false: no memory */

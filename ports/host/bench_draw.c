@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Frames of the benchmark's scene by this engine: one thread, whole frames, the world a
- * tick further for each. */
+/* Frames of the benchmark's scene by this engine: one thread, whole frames, one world tick
+ * per frame. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -63,7 +63,8 @@ static int write_picture(const bench_figure *f, const picture *p, const char *fo
     return picture_write_png(p, name);
 }
 
-/* The first frame, of BENCH_TICK, warms up and is the picture that is looked at. */
+/* Draws a round.  The first frame, at tick BENCH_TICK, is not timed: it warms up the
+ * caches, and its picture is compared. */
 static int draw_round(bench_list *list, const bench_scene *s, canvas *c, tp_world *world,
                       bench_figure *f, int round, bool first, const char *folder)
 {

@@ -1,15 +1,15 @@
 /* SPDX-License-Identifier: MIT */
-/* Pictures of the benchmark's scene: sums of sines that repeat without a seam. */
+/* Textures of the benchmark's scene: sums of sines, which tile without a seam. */
 #include "bench_maps.h"
 #include "fx/fx.h"
 #include <stdbool.h>
 
 enum { SINES = 6 };
 
-/* Sines over one repeat: whole periods along s and t, and where each begins. */
+/* Sines over one repeat: number of periods along s and t, and the phase. */
 static const struct {
     int8_t  s, t;
-    uint8_t begin;              /* 256ths of a turn */
+    uint8_t begin;              /* phase, 1/256 turn */
 } sines[BENCH_MAPS][SINES] = {
     [BENCH_CRESTS] = { { 3, 1, 0 }, { -2, 4, 80 }, { 5, 3, 160 },
                        { -6, 2, 33 }, { 1, 7, 201 }, { 8, -5, 120 } },
@@ -27,7 +27,8 @@ static tp_turn angle_of(bench_map map, int k, uint32_t x, uint32_t y)
     return ((uint32_t)turns + sines[map][k].begin) << 24;
 }
 
-/* -1..1 in 256ths: the sum of the sines, or of how it rises along s or t. */
+/* Height: sum of the sines, -1..1 in 1/256.  rise_at: derivative of the sum along s or
+ * t. */
 static int32_t height_at(bench_map map, uint32_t x, uint32_t y)
 {
     int32_t sum = 0;
@@ -52,7 +53,7 @@ static uint32_t colour_of(int32_t r, int32_t g, int32_t b)
          | (uint32_t)tp_clamp(g, 0, 255) << 8 | (uint32_t)tp_clamp(b, 0, 255);
 }
 
-/* Mottled blues in a grid of darker lines. */
+/* Returns mottled blues with a grid of darker lines. */
 static uint32_t mottle_at(uint32_t x, uint32_t y)
 {
     const int32_t noise = (int32_t)((x * 2654435761u ^ y * 2246822519u) * 3266489917u
@@ -82,7 +83,8 @@ void bench_map_fill(bench_map map, uint32_t *texels)
 
 /* -- a sky ----------------------------------------------------------------------- */
 
-/* The way through a side's place, right and down -128..128 of its half side. */
+/* Returns the direction through a point of a cube's face; right, down: -128..128 in units
+ * of 1/128 of half the face. */
 static tp_dir3 way_of(int face, int32_t right, int32_t down)
 {
     const int32_t one = BENCH_FACE;
@@ -96,7 +98,8 @@ static tp_dir3 way_of(int face, int32_t right, int32_t down)
     }
 }
 
-/* Whiter towards the horizon, in clouds that are sines of the way. */
+/* Returns a colour of sky: whiter towards the horizon, with clouds from sines of the
+ * direction. */
 static uint32_t sky_of(tp_dir3 d)
 {
     const int32_t x = d.x >> 14, y = d.y >> 14, z = d.z >> 14;      /* Q16 */

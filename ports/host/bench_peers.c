@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Other renderers, each a program of its own (tests/bench/peers) that is built and run
- * from the project's folder: they need packages that nothing else here needs. */
+/* Other renderers.  Each is a separate program (tests/bench/peers), built and run from the
+ * project's folder: the programs need packages that nothing else in the project needs. */
 #define _POSIX_C_SOURCE 200809L
 #include <stdio.h>
 #include <stdlib.h>
@@ -12,11 +12,11 @@
 
 struct bench_peer {
     const char *name, *program, *setting;
-    unsigned    works;              /* bits */
-    uint32_t    frames;             /* of a round, 0: as many as of ours */
+    unsigned    works;              /* set of works, bits 1 << BENCH_... */
+    uint32_t    frames;             /* frames per round, 0: as this engine */
 };
 
-/* With 0 threads llvmpipe draws in the one that calls it. */
+/* With LP_NUM_THREADS=0 llvmpipe draws in the calling thread. */
 static const bench_peer peers[] = {
     { "llvmpipe", "osmesa", "GALLIUM_DRIVER=llvmpipe LP_NUM_THREADS=0",
       1 << BENCH_PLAIN | 1 << BENCH_FULL | 1 << BENCH_SMOOTH, 0 },
@@ -34,7 +34,8 @@ static bool is_built(const bench_peer *peer)
     return access(path, X_OK) == 0;
 }
 
-/* A peer whose package is missing is told of by make, and left out. */
+/* Builds the other renderers.  If a package is missing, make prints a message, and the peer
+ * is left out. */
 int bench_peers_build(void)
 {
     if (access("Makefile", R_OK) || access("tests/bench/peers", R_OK))
@@ -67,7 +68,8 @@ static void compare(const bench_list *list, bench_figure *f, const char *name)
     free(pixels);
 }
 
-/* The program writes its picture and prints the median of its frames, us. */
+/* Runs the program of a peer.  The program writes its picture and prints the median time of
+ * its frames, us. */
 void bench_peer_run(const bench_list *list, bench_figure *f, int round)
 {
     const bench_peer *peer = f->peer;

@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: MIT */
-/* The benchmark's figures as a table for people, or as CSV. */
+/* Prints the benchmark's figures as a text table or as CSV. */
 #include <inttypes.h>
 #include <math.h>
 #include <stdio.h>
 #include "bench.h"
 
-/* Of the rounds' medians: the middle one, and most less least. */
+/* middle_us: median of the rounds' medians; spread_us: largest minus smallest of them. */
 static uint32_t middle_us(const bench_figure *f)
 {
     const uint32_t a = f->us[0], b = f->us[1], c = f->us[2];

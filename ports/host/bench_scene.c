@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Scene S in numbers. */
+/* The parameters of scene S. */
 #include "bench_scene.h"
 #include <stdlib.h>
 #include <string.h>
@@ -7,7 +7,7 @@
 
 const char *const bench_work_name[BENCH_WORKS] = { "plain", "full", "smooth" };
 
-/* -- pictures -------------------------------------------------------------------- */
+/* -- textures -------------------------------------------------------------------- */
 
 static size_t words_of(uint32_t side)
 {
@@ -63,7 +63,8 @@ static void set_sea(tp_scene *s, uint32_t points)
                             1 };
 }
 
-/* One colour of sky, as others clear to one; none of what full water adds. */
+/* Sets a sky of one colour, the clear colour of other renderers, and turns off every effect
+ * of BENCH_FULL. */
 static void set_plain(tp_scene *s)
 {
     s->camera.y = TP_FX(3);
@@ -80,7 +81,7 @@ static void set_plain(tp_scene *s)
     s->layer[0].map.size = TP_FX(2.5);
 }
 
-/* Exposure is 5/4, so that it has work to do. */
+/* Sets all effects.  The exposure is 5/4: a value of 1 would cost nothing. */
 static void set_full(tp_scene *s, bool smooth)
 {
     s->sky.kind = TP_SKY_CUBE;

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* Tiles of a frame into one picture.  The frame is read-only while it is drawn, so
- * threads take tiles as they come free, each into a scratch of its own; they copy to
- * places that do not overlap, and the picture is the same in any order. */
+/* Draws the tiles of a frame into one picture.  The frame is read-only while tiles are
+ * drawn: each thread takes the next free tile and draws into its own scratch memory.  Tiles
+ * do not overlap in the picture, so every order of drawing gives the same picture. */
 #include "canvas.h"
 #include "frame/tools.h"
 #include "pixel/pixel.h"
@@ -11,10 +11,11 @@
 #include "say.h"
 #include "timing.h"
 
-/* Bands hold down the memory of a tile, 20 bytes a pixel; of 128 rows they cost 1% more
- * time than one tile of 640x480 (three-swells).  Several threads need enough of them to
- * find work until the end: eight each, while below 16 rows what every tile does anew
- * costs more than it balances (tank: 4% at 30 rows, 10% at 16). */
+/* Height of a tile.  Bands keep the memory of a tile small, 20 bytes a pixel; bands of 128
+ * rows cost 1% more time than one tile of 640x480 (three-swells).  Several threads need
+ * enough bands to stay busy until the end: eight bands per thread.  Below 16 rows the fixed
+ * cost of a tile is greater than the gain by better balance (tank: 4% at 30 rows, 10% at
+ * 16). */
 #define BAND_ROWS        128
 #define BAND_LEAST       16
 #define BANDS_PER_THREAD 8
@@ -95,11 +96,12 @@ void canvas_close(canvas *c)
 
 typedef struct {
     canvas     *canvas;
-    atomic_uint taken;          /* tiles */
+    atomic_uint taken;          /* number of tiles taken by threads */
     atomic_uint water_pixels;
 } work;
 
-/* A tile's left edge is a multiple of 16 pixels, hence of whole bytes. */
+/* Copies a tile into the picture.  Its left edge is a multiple of 16 pixels, which is a
+ * whole number of bytes in every format. */
 static void place(canvas *c, const tp_tile *tile)
 {
     const uint32_t bits = (uint32_t)tp_format_bits(c->picture.format);
@@ -111,8 +113,9 @@ static void place(canvas *c, const tp_tile *tile)
         memcpy(c->picture.rows + y * c->picture.row_bytes + left, from, bytes);
 }
 
-/* From the last tile up: there is the near water, which costs most, and what comes at the
- * end is sky, cheap enough for all threads to end together. */
+/* Draws tiles from the last to the first.  The last tiles hold the near water, the most
+ * expensive; the first hold sky, cheap enough for all threads to end at about the same
+ * time. */
 static void draw_tiles(void *user, uint32_t thread)
 {
     work *all = user;

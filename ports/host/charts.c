@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* tidepool charts: a sweep of jobs into tables, pictures and a page.  Jobs stand alone,
- * so that the same list runs here or on many machines; what they print is merged in any
- * order to the same bytes. */
+/* tidepool charts: a sweep of jobs makes tables, pictures and a page.  Jobs are
+ * independent: the same list runs on one machine or on many.  Their output, merged in any
+ * order, gives the same bytes. */
 #define _POSIX_C_SOURCE 200809L
 #include "charts.h"
 #include <errno.h>
@@ -15,7 +15,7 @@
 #include "path.h"
 #include "say.h"
 
-/* -- what is needed ----------------------------------------------------------------- */
+/* -- requirements ------------------------------------------------------------------- */
 
 static int check_place(const options *o)
 {
@@ -35,7 +35,7 @@ static int build_tools(const options *o)
     return EXIT_DONE;
 }
 
-/* Makes a folder with those above it, and finds out whether it takes files. */
+/* Makes a folder and its parents, and checks that files can be written there. */
 static int make_folder(const char *dir)
 {
     char *path = path_copy(dir, strlen(dir));
@@ -68,7 +68,7 @@ static int list_jobs(const charts *c, const options *o)
     return code;
 }
 
-/* Charts of a failed job are not written. */
+/* Marks the charts of a failed job: they are not written. */
 static void spoil(charts *c, const chart_job *job)
 {
     for (size_t i = 0; i < c->count; i++)
@@ -93,7 +93,8 @@ static int read_job(cells *all, charts *c, const chart_job *job)
     return code;
 }
 
-/* The first of what went wrong is the exit code; the rest is done all the same. */
+/* Runs all jobs and reads their rows.  After a failure the other jobs still run; the exit
+ * code is the first failure's. */
 static int run_jobs(cells *all, charts *c, chart_jobs *jobs, const options *o)
 {
     chart_jobs_keep(jobs, o->resume);

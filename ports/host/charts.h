@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Charts: tables that jobs fill, a row a cell, and pictures of them. */
+/* Charts: tables filled by jobs, one row per cell, and pictures of the tables. */
 #ifndef HOST_CHARTS_H
 #define HOST_CHARTS_H
 #include <stdbool.h>
@@ -9,40 +9,40 @@
 #include "words.h"
 
 #define CHARTS_FOLDER "tests/charts"
-#define CHARTS_ROWS   "build/charts/rows"       /* of jobs that are done, a file each */
+#define CHARTS_ROWS   "build/charts/rows"       /* folder of finished jobs, one file each */
 
 enum { CHART_JOB, CHART_LARGE, CHART_TIME, CHART_KINDS };
 
-/* What NAME.ini says; see charts_ini.c. */
+/* The contents of NAME.ini, explained in charts_ini.c. */
 typedef struct {
     char *name, *path, *title;
     words keys, values, times, units, pareto, group, sparse;
     words commands[CHART_KINDS];
-    bool  asked;                /* for by --only, or by nothing */
-    bool  failed;               /* a job of it, and nothing is written */
+    bool  asked;                /* selected by --only, or --only is absent */
+    bool  failed;               /* a job of the chart failed: nothing is written */
 } chart;
 
 typedef struct {
-    const char *folder;         /* of the INIs; the caller's */
-    chart      *of;             /* by name */
+    const char *folder;         /* folder of the INI files; owned by the caller */
+    chart      *of;             /* charts in order of name */
     size_t      count;
 } charts;
 
-/* All that the folder describes; `only`: names parted by commas, or NULL. */
+/* Reads all charts of a folder.  only: comma-separated names of charts, or NULL = all. */
 int    charts_read(charts *c, const char *folder, const char *only);
 void   charts_free(charts *c);
 chart *charts_find(const charts *c, const char *name);
 
-/* "folder/NAME.suffix", to free; NULL: no memory. */
+/* Returns "folder/NAME.suffix", which the caller frees; NULL: no memory. */
 char *chart_path(const char *folder, const chart *of, const char *suffix);
 
 /* -- cells: charts_rows.c, charts_table.c ------------------------------------------ */
 
 typedef struct {
     const chart *chart;
-    char        *keys, *value;  /* keys as in the row, parted by ';' */
-    unsigned     column;        /* of values, then of times */
-    const char  *from;          /* where the row was read; the caller's */
+    char        *keys, *value;  /* keys as in the row, separated by ';' */
+    unsigned     column;        /* index of the column: values, then times */
+    const char  *from;          /* name of the source of the row; owned by the caller */
     unsigned     line;
 } cell;
 
@@ -51,54 +51,55 @@ typedef struct {
     size_t count, room;
 } cells;
 
-/* Reads rows CHART,KEYS,COLUMN,VALUE; `mine`, if not NULL, says for each chart whether it
- * may have rows here, and `timed` then which columns. */
+/* Reads rows CHART,KEYS,COLUMN,VALUE.  mine, if not NULL: true for each chart that may have
+ * rows here.  timed, used with `mine`: true = rows of times, false = rows of values. */
 int  cells_read(cells *all, const charts *c, FILE *file, const char *name,
                 const bool *mine, bool timed);
-int  cells_sort(cells *all);        /* EXIT_INPUT: two values for one cell */
+int  cells_sort(cells *all);        /* EXIT_INPUT: a cell has two values */
 void cells_free(cells *all);
 
-/* Writes DIR/NAME.csv, and DIR/NAME.time.csv if there are times, of sorted cells.
- * *written: whether there was a row.  `whole`: cells that are missing are told of. */
+/* Writes sorted cells to DIR/NAME.csv, and to DIR/NAME.time.csv if there are times.
+ * *written: true if there was a row.  whole: prints a message about missing cells. */
 int  chart_write(const chart *of, const cells *all, const char *dir, bool whole,
                  bool *written);
 
-/* -1, 0 or 1: numbers by size, before words, in which numbers count by size too. */
+/* Compares; returns -1, 0 or 1.  Numbers sort by value, and before words.  Numbers inside
+ * of words also sort by value. */
 int  natural_order(const char *a, const char *b, const char *separators);
 
 /* -- jobs: charts_jobs.c, charts_run.c ---------------------------------------------- */
 
 typedef struct {
-    char *command;              /* for a shell */
-    const char *title;          /* what people are told of; NULL: the command */
-    char *rows;                 /* its standard output's file in the end, or NULL */
-    bool *mine;                 /* of each chart: whether it lists this job */
-    bool  timed;                /* runs alone */
+    char *command;              /* command line of a shell */
+    const char *title;          /* name in messages; NULL: the command */
+    char *rows;                 /* file of the job's standard output, or NULL */
+    bool *mine;                 /* for each chart: true if the chart lists the job */
+    bool  timed;                /* the job runs alone */
     bool  done, failed;
-    FILE *said;                 /* its stderr, while it runs */
+    FILE *said;                 /* the job's stderr, while the job runs */
     pid_t pid;
 } chart_job;
 
 typedef struct {
     chart_job *of;
     size_t     count;
-    int        stopped;         /* by which signal; 0: by none */
+    int        stopped;         /* signal that stopped the run; 0: none */
 } chart_jobs;
 
-/* Of the charts asked for: all, or without large ones and times. */
+/* Makes the jobs of the selected charts.  small: without large jobs and times. */
 int  chart_jobs_make(chart_jobs *jobs, const charts *c, bool small);
 void chart_jobs_free(chart_jobs *jobs);
 
-/* Throws rows away that were kept, or takes those that are no older than what made
- * them, by `resume`. */
+/* resume: keeps the stored rows that are newer than the tools that made them, and deletes
+ * the others.  Otherwise deletes all stored rows. */
 void chart_jobs_keep(chart_jobs *jobs, bool resume);
 
-/* Adds one; false: no memory. */
+/* Adds a job; false: no memory. */
 bool chart_jobs_add(chart_jobs *jobs, char *command, char *rows);
 
-/* Runs what is not done, `most` at a time.  EXIT_CHECK: some failed, and said so.  After
- * a signal that stopped it the caller tidies up and calls stop, which does not return
- * then. */
+/* Runs all unfinished jobs, at most `most` at a time.  Returns EXIT_CHECK after messages if
+ * some failed.  After a signal the caller cleans up and calls chart_jobs_stop, which then
+ * does not return. */
 int  chart_jobs_run(chart_jobs *jobs, unsigned most, const char *what);
 void chart_jobs_stop(const chart_jobs *jobs);
 

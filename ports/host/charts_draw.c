@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* Pictures: gnuplot on style.gp and NAME.gp, which are told of the tables by variables.
- * They are drawn into a private temporary folder and copied from there when both of a
- * chart are whole: the charts' folder never holds a part of one. */
+/* Pictures: gnuplot runs style.gp and NAME.gp; gnuplot variables name the tables.  Pictures
+ * are drawn into a private temporary folder and copied when both pictures of a chart are
+ * complete: the folder of charts never holds an incomplete picture. */
 #define _POSIX_C_SOURCE 200809L
 #include <errno.h>
 #include <stdlib.h>
@@ -16,7 +16,7 @@
 
 static const char *const suffixes[] = { "png", "svg" };
 
-/* A command that grows; text is NULL when there is no memory. */
+/* A command line that grows.  text is NULL after memory ran out. */
 typedef struct {
     char  *text;
     size_t bytes;
@@ -34,7 +34,7 @@ static void put(command *c, const char *text)
     c->bytes += bytes;
 }
 
-/* As one word of the shell. */
+/* Adds a text quoted as one word of the shell. */
 static void put_word(command *c, const char *text)
 {
     put(c, "'");
@@ -43,7 +43,7 @@ static void put_word(command *c, const char *text)
     put(c, "'");
 }
 
-/* NAME='VALUE'; of gnuplot, in which '' is a quote. */
+/* Adds NAME='VALUE'; for gnuplot, where '' stands for a quote. */
 static void put_variable(command *c, const char *name, const char *value)
 {
     put(c, name);
@@ -53,11 +53,11 @@ static void put_variable(command *c, const char *name, const char *value)
     put(c, "'; ");
 }
 
-/* Where a chart's jobs read and write. */
+/* The folders of a chart's jobs. */
 typedef struct {
-    const char *folder;         /* style.gp and the like */
-    const char *dir;            /* the tables */
-    const char *drawn;          /* the pictures */
+    const char *folder;         /* style.gp, NAME.gp, svg.awk */
+    const char *dir;            /* tables */
+    const char *drawn;          /* pictures */
 } places;
 
 static void put_picture(command *c, const places *at, const chart *of, const char *term)
@@ -92,7 +92,7 @@ static void put_picture(command *c, const places *at, const chart *of, const cha
     free(own);
 }
 
-/* The SVG's points as the PNG's, see svg.awk. */
+/* Draws the points of the SVG as large and as thick as the PNG's, see svg.awk. */
 static void put_points(command *c, const places *at, const chart *of)
 {
     char *awk = path_join(at->folder, "svg.awk", "");
@@ -115,8 +115,9 @@ static void put_points(command *c, const places *at, const chart *of)
     free(part);
 }
 
-/* gnuplot goes on after some mistakes and says so alone: then there is no picture.  That
- * no row is used by a scene, or all are, is none. */
+/* After some errors gnuplot continues, prints a message and exits with 0: any message
+ * counts as a failure, except the message below.  The message means that a plot has no
+ * points: no row of the table is used by a scene, or every row is. */
 #define NO_POINTS "Skipping data file with no valid points"
 
 static bool add_picture(chart_jobs *jobs, const places *at, const chart *of)
@@ -138,8 +139,8 @@ static bool add_picture(chart_jobs *jobs, const places *at, const chart *of)
 
 /* -- the temporary folder ----------------------------------------------------------- */
 
-/* Makes a private folder and returns its name, to free; NULL: none can be made, and said
- * why. */
+/* Makes a private folder and returns its name, which the caller frees.  Returns NULL after
+ * printing the reason. */
 static char *make_folder(void)
 {
     const char *place = getenv("TMPDIR");
@@ -154,7 +155,7 @@ static char *make_folder(void)
     return NULL;
 }
 
-/* Removes the folder with every file that drawing leaves there. */
+/* Removes the folder with all files that drawing may leave there. */
 static void remove_folder(char *drawn, const charts *c)
 {
     static const char *const parts[] = { ".part", ".png", ".svg" };
@@ -185,7 +186,7 @@ static int copy_into(FILE *from, const char *name, const char *to)
     return fail(EXIT_INPUT, "%s: %s", name, strerror(errno));
 }
 
-/* Copies the pictures of a chart to their places. */
+/* Copies the two pictures of a chart to the folder of charts. */
 static int settle(const chart *of, const places *at)
 {
     int code = EXIT_DONE;
@@ -207,7 +208,7 @@ static int settle(const chart *of, const places *at)
     return code;
 }
 
-/* -- all of them -------------------------------------------------------------------- */
+/* -- all charts --------------------------------------------------------------------- */
 
 static bool has_gnuplot(void)
 {

@@ -1,21 +1,22 @@
 /* SPDX-License-Identifier: MIT */
-/* What describes a chart, NAME.ini:
+/* The format of NAME.ini, the description of a chart:
  *
  *     [chart]
  *     title  = Sine: instructions against error
- *     keys   = method                     the table's first columns
- *     values = m4 x86 error_max used      then these
- *     units  = m4:instructions            what values are in, for people
- *     pareto = m4 error_max               a column `front`: 1 where no row is better in
- *                                         one and as good in the other; lower is better
- *     group  = scene                      with a front for each of these keys
- *     sparse = used                       values that rows may lack without a word
- *     job    = COMMAND                    prints rows; {scene}: one for each shipped scene
- *     large  = COMMAND                    likewise, but not in the small sweep
+ *     keys   = method                     first columns of the table
+ *     values = m4 x86 error_max used      next columns
+ *     units  = m4:instructions            units of values, for readers
+ *     pareto = m4 error_max               adds a column `front`: 1 if no row is better in
+ *                                         one value and as good in the other; lower is
+ *                                         better
+ *     group  = scene                      makes one front for each value of these keys
+ *     sparse = used                       values that rows may lack without a message
+ *     job    = COMMAND                    prints rows; {scene}: one job per shipped scene
+ *     large  = COMMAND                    as job, but not in the small sweep
  *     times  = ms                         columns of NAME.time.csv
- *     time   = COMMAND                    prints rows of them; runs alone
+ *     time   = COMMAND                    prints rows of times; runs alone
  *
- * Lists and commands may go on in another line of the same name. */
+ * Lists and commands may continue in another line with the same name. */
 #include "charts.h"
 #include <stddef.h>
 #include <stdlib.h>
@@ -27,8 +28,8 @@
 
 static const struct {
     const char *name;
-    size_t      at;             /* of its words */
-    bool        whole;          /* a line is one of them */
+    size_t      at;             /* offset of a `words` in chart */
+    bool        whole;          /* true: a line is one word */
 } lists[] = {
     { "keys", offsetof(chart, keys), false },
     { "values", offsetof(chart, values), false },
@@ -89,14 +90,14 @@ static bool take(void *user, uint32_t line, const char *section, const char *nam
     return held && (known || refuse_name(c, line, name));
 }
 
-/* -- whether it fits together ------------------------------------------------------- */
+/* -- consistency -------------------------------------------------------------------- */
 
 static int wrong(const chart *c, const char *what, const char *word)
 {
     return fail(EXIT_INPUT, "%s: %s%s", c->path, what, word);
 }
 
-/* Names of columns are there once, and none is ours. */
+/* Checks that no two columns share a name and that no column is called `front`. */
 static int check_columns(const chart *c)
 {
     const words *const all[] = { &c->keys, &c->values, &c->times };
@@ -156,7 +157,7 @@ static int check(const chart *c)
     return code ? code : check_names(c);
 }
 
-/* -- all of them -------------------------------------------------------------------- */
+/* -- all charts --------------------------------------------------------------------- */
 
 char *chart_path(const char *folder, const chart *of, const char *suffix)
 {

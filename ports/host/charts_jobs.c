@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* Which jobs a sweep has.  A command is run once, however many charts list it; its rows
- * lie in a file whose name follows from the command, so that a sweep that was interrupted
- * can go on. */
+/* Makes the list of jobs of a sweep.  A command runs once, however many charts list the
+ * command.  The name of the file with its rows follows from the command, so an interrupted
+ * sweep can continue. */
 #define _POSIX_C_SOURCE 200809L
 #include <glob.h>
 #include <stdlib.h>
@@ -12,7 +12,8 @@
 #include "path.h"
 #include "say.h"
 
-/* FNV-1a of 64 bits: among thousands of commands two meet once in 10^12 sweeps. */
+/* The name is FNV-1a of 64 bits: among thousands of commands two names collide once in
+ * 10^12 sweeps. */
 static char *rows_name(const char *command)
 {
     uint64_t hash = 0xcbf29ce484222325u;
@@ -46,7 +47,7 @@ static chart_job *find_job(const chart_jobs *jobs, const char *command)
     return NULL;
 }
 
-/* One command of one chart; it is the list's from now on. */
+/* Adds a command of a chart.  The list takes ownership of `command`. */
 static bool add_command(chart_jobs *jobs, const charts *c, size_t chart_at, bool timed,
                         char *command)
 {
@@ -66,7 +67,7 @@ static bool add_command(chart_jobs *jobs, const charts *c, size_t chart_at, bool
     return true;
 }
 
-/* The command with every {scene} replaced. */
+/* Returns the command with every {scene} replaced. */
 static char *expand(const char *command, const char *scene)
 {
     static const char mark[] = "{scene}";
@@ -134,7 +135,7 @@ void chart_jobs_free(chart_jobs *jobs)
     *jobs = (chart_jobs){ 0 };
 }
 
-/* -- rows that were kept -------------------------------------------------------------- */
+/* -- stored rows ---------------------------------------------------------------------- */
 
 static struct timespec later(struct timespec a, struct timespec b)
 {
@@ -142,7 +143,7 @@ static struct timespec later(struct timespec a, struct timespec b)
     return is_b ? b : a;
 }
 
-/* When the newest of what measures was made. */
+/* Returns the modification time of the newest measuring tool. */
 static struct timespec tools_made(void)
 {
     static const char *const patterns[] = {

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT */
-/* The page of all charts, DIR/README.md: the folder's page.md, in which a line @NAME is
- * the place of a chart, and @NAME* of those left whose names begin so.  Charts that it
- * does not name come behind, by name; those without a table in DIR are left out. */
+/* The page of all charts, DIR/README.md.  The template is the folder's page.md: a line
+ * @NAME stands for a chart, @NAME* for all charts not yet shown with names that begin with
+ * NAME.  Other charts follow at the end in order of name.  Charts without a table in DIR
+ * are left out. */
 #include <errno.h>
 #include <stdlib.h>
 #include <string.h>
@@ -16,7 +17,8 @@ typedef struct {
     const char   *dir;
     FILE         *file;
     bool         *shown;
-    bool          blank;        /* the last line was: no two of them */
+    bool          blank;        /* the last line was blank; suppresses a second blank
+                                 * line */
 } page;
 
 static bool is_there(const char *folder, const chart *of, const char *suffix)
@@ -82,7 +84,7 @@ static void print_text(page *p, const char *line)
     p->blank = blank;
 }
 
-/* Those that are left of a prefix's; "" is every chart's. */
+/* Prints the charts with a prefix that were not shown; "" matches every chart. */
 static void print_left(page *p, const char *prefix)
 {
     for (size_t i = 0; i < p->charts->count; i++) {

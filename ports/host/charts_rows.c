@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: MIT */
-/* Rows as jobs print them, in any order:
+/* Reads the rows that jobs print, in any order:
  *
- *     CHART,KEYS,COLUMN,VALUE         sine;8 for keys of two columns
+ *     CHART,KEYS,COLUMN,VALUE         KEYS of two columns: sine;8
  *
- * A row is a cell of a chart's table.  Sorted, cells are the table's rows one behind the
- * other, whatever their order was. */
+ * A row is one cell of a chart's table.  After sorting, the cells of each table row are
+ * contiguous, whatever the order of the input. */
 #define _POSIX_C_SOURCE 200809L
 #include <errno.h>
 #include <math.h>
@@ -88,7 +88,7 @@ static int check_keys(const row_place *at, const chart *of, const char *keys)
                 *keys ? keys : "nothing", of->name, of->keys.count);
 }
 
-/* Cuts the row in place; false: not four fields, or one of them is empty or quoted. */
+/* Splits the row in place; false: not four fields, or a field is empty or quoted. */
 static bool cut_row(char *text, char *field[ROW_FIELDS])
 {
     unsigned count = 0;
@@ -159,7 +159,7 @@ int cells_read(cells *all, const charts *c, FILE *file, const char *name,
         if (!code && *text)
             code = read_row(all, &at, text);
     }
-    if (!code && !feof(file))               /* getline may have found no memory */
+    if (!code && !feof(file))               /* getline may have failed for lack of memory */
         code = fail(EXIT_INPUT, "%s: %s", name, strerror(errno));
     free(text);
     return code;
@@ -187,14 +187,14 @@ static int by_size(double a, double b)
     return (a > b) - (a < b);
 }
 
-/* A whole word that is a number, as "-0.5". */
+/* True if the whole word is a number, as "-0.5". */
 static bool is_number(const char *text, size_t bytes, double *value)
 {
     const char *end = csv_number(text, value);
     return end && (size_t)(end - text) == bytes;
 }
 
-/* Of words: numbers in them by size, the rest by bytes. */
+/* Compares two words: digits inside of words as numbers, the rest by bytes. */
 static int words_order(const char *a, size_t n, const char *b, size_t m)
 {
     size_t i = 0, k = 0;
@@ -232,7 +232,8 @@ int natural_order(const char *a, const char *b, const char *separators)
     }
 }
 
-/* Numbers written in two ways are different keys: then by bytes. */
+/* Compares keys.  Equal numbers written differently are different keys, ordered by
+ * bytes. */
 static int keys_order(const cell *a, const cell *b)
 {
     const int order = natural_order(a->keys, b->keys, ";");

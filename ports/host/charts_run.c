@@ -1,11 +1,12 @@
 /* SPDX-License-Identifier: MIT */
-/* Running jobs, several at a time.  Each is a group of processes of its own, so that it
- * ends with all its children when the sweep is interrupted.  What it prints becomes a
- * file when it has ended well.
+/* Runs jobs, several at a time.  Each job is a process group of its own: when the sweep is
+ * interrupted, the job ends with all its children.  The output of a job becomes a file
+ * after the job has succeeded.
  *
- * Signals that end a program are blocked while jobs run and taken one at a time: jobs are
- * ended, what they were making is removed, and the signal then does what it always does.
- * A job that outlives SIGTERM for some seconds, or until a second signal, is killed. */
+ * Signals that end a program are blocked while jobs run, and are handled one at a time.
+ * After a signal the jobs are terminated and their unfinished files removed; the signal
+ * then takes its usual effect.  A job that survives SIGTERM for PATIENCE_S seconds, or
+ * until a second signal, is killed. */
 #define _POSIX_C_SOURCE 200809L
 #include <errno.h>
 #include <fcntl.h>
@@ -27,13 +28,13 @@ typedef struct {
     chart_jobs *jobs;
     chart_hold  hold;
     progress    shown;
-    const char *what;           /* "jobs" */
+    const char *what;           /* noun for messages, as "jobs" */
 } sweep;
 
 /* -- signals ------------------------------------------------------------------------ */
 
-/* Signals that are ignored stay so.  SIGCHLD is held too: a child that ends between a
- * look and the wait is not missed. */
+/* Blocks the signals.  Ignored signals stay ignored.  SIGCHLD is blocked too: otherwise a
+ * child that ends between waitpid and sigtimedwait would be missed. */
 void charts_hold(chart_hold *h)
 {
     static const int deadly[] = { SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGALRM, SIGUSR1,
@@ -64,7 +65,7 @@ static const char *title_of(const chart_job *job)
     return job->title ? job->title : job->command;
 }
 
-/* In the child: never returns. */
+/* Runs the job in the child process; never returns. */
 static void become(const chart_job *job, const char *part, const chart_hold *hold)
 {
     const int nothing = open("/dev/null", O_RDONLY), said = fileno(job->said);
@@ -129,7 +130,7 @@ static void end_job(chart_job *job, int status, bool stopped)
     free(part);
 }
 
-/* -- all of them -------------------------------------------------------------------- */
+/* -- all jobs ----------------------------------------------------------------------- */
 
 static chart_job *next_job(const chart_jobs *jobs, bool timed)
 {
@@ -164,7 +165,7 @@ static uint32_t count_ended(const chart_jobs *jobs)
     return count;
 }
 
-/* Waits until a child has ended and returns its id; 0: there is none. */
+/* Waits until a child ends.  Returns its process id; 0: no child is left. */
 static pid_t wait_for_child(sweep *s, int *status)
 {
     const struct timespec patience = { PATIENCE_S, 0 };
@@ -199,7 +200,7 @@ static void run_some(sweep *s, bool timed, unsigned most)
         job = job_of(jobs, pid);
         if (job) {
             if (jobs->stopped)
-                kill(-pid, SIGKILL);    /* whom it leaves behind */
+                kill(-pid, SIGKILL);    /* children of the job that still run */
             end_job(job, status, jobs->stopped);
             running--;
         }

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Tables of sorted cells: a line for all cells of the same keys, and whether it is on the
- * Pareto front. */
+/* Makes tables from sorted cells: one row for all cells with the same keys, with a column
+ * that marks the Pareto front. */
 #include <stdlib.h>
 #include <string.h>
 #include "charts.h"
@@ -8,16 +8,16 @@
 #include "output.h"
 #include "say.h"
 
-#define TOLD 3      /* missing cells of a chart, before "and so many more" */
+#define TOLD 3      /* printed missing cells per chart, before "and N cells more" */
 
-/* One table: a chart's values, or its times. */
+/* One table: the values of a chart, or its times. */
 typedef struct {
     const chart *of;
     const words *columns;
-    unsigned     first;         /* column of its first */
+    unsigned     first;         /* index of the first column in the chart */
     size_t       rows;
-    const char **keys;          /* of each row */
-    const char **value;         /* of each row and column; NULL: missing */
+    const char **keys;          /* keys of each row */
+    const char **value;         /* value of each row and column; NULL: missing */
     bool        *front;
 } table;
 
@@ -57,9 +57,9 @@ static int table_fill(table *t, const cells *all)
     return EXIT_DONE;
 }
 
-/* -- the front ---------------------------------------------------------------------- */
+/* -- the Pareto front --------------------------------------------------------------- */
 
-/* A key of a row: *bytes of it. */
+/* Returns the key with index `number`; *bytes: its length. */
 static const char *key_at(const char *keys, int number, size_t *bytes)
 {
     for (; number > 0; number--)
@@ -81,7 +81,8 @@ static bool same_group(const table *t, size_t a, size_t b)
     return true;
 }
 
-/* Rows without both values are on no front, and beat nobody. */
+/* Marks the rows on the front: 1 if no other row of the group is better.  A row without
+ * both values is not on the front and dominates no other row. */
 static void mark_front(table *t, const double (*at)[2], const bool *whole)
 {
     for (size_t i = 0; i < t->rows; i++) {

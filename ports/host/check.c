@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* tidepool check: the files of a folder one by one, their descriptions against what they
- * hold, and the table of errors.  What a file means stands in the other check_*.c. */
+/* tidepool check: reads the files of a folder, checks each file against the description of
+ * its model, and prints the table of errors.  The models are in the other check_*.c. */
 #define _POSIX_C_SOURCE 200809L
 #include "check.h"
 #include <dirent.h>
@@ -27,7 +27,7 @@ static const struct {
 
 #define MODELS (sizeof models / sizeof *models)
 
-/* -- for models -------------------------------------------------------------------- */
+/* -- functions for models ---------------------------------------------------------- */
 
 const double *check_row(const check_run *run, unsigned row)
 {
@@ -42,7 +42,7 @@ const char *check_text(const check_run *run, unsigned row, unsigned column)
 void check_add(check_run *run, unsigned quantity, unsigned row, double error)
 {
     check_tally *tally = &run->tally[quantity];
-    if (tally->rows == 0 || !(fabs(error) <= tally->worst)) {   /* also if no number */
+    if (tally->rows == 0 || !(fabs(error) <= tally->worst)) {   /* true for NaN too */
         tally->worst = fabs(error);
         tally->worst_row = row;
     }
@@ -101,7 +101,7 @@ static bool in_range(const check_field *field, double value)
            && (field->kind != CHECK_WHOLE || value == floor(value));
 }
 
-/* The place of a word in "a|b|c", or -1. */
+/* Returns the index of `word` in "a|b|c", or -1. */
 static int place_of(const char *words, const char *word)
 {
     const size_t length = strlen(word);
@@ -153,7 +153,8 @@ static int read_rows(check_run *run)
 
 /* -- parameter lines --------------------------------------------------------------- */
 
-/* Whether the line has the note's form; its numbers. */
+/* True if the line has the form of the note; `value` gets the numbers in place of each
+ * '%'. */
 static bool matches(const check_note *note, const char *line, double *value)
 {
     for (const char *form = note->text; *form; form++) {
@@ -263,7 +264,7 @@ static void print_heading(void)
            "rms err", "budget", "unit", "verdict");
 }
 
-/* True: within the budget. */
+/* Prints a quantity.  True: the largest error is within the budget. */
 static bool print_quantity(const check_run *run, const check_quantity *q,
                            const check_tally *tally)
 {
@@ -361,7 +362,7 @@ static int by_bytes(const struct dirent **a, const struct dirent **b)
     return strcmp((*a)->d_name, (*b)->d_name);
 }
 
-/* All files are looked at; the worst code is the command's. */
+/* Checks all files, also after a failure.  Returns the largest exit code. */
 static int check_folder(const char *folder)
 {
     struct dirent **files = NULL;

@@ -9,7 +9,7 @@
 #define GRAVITY TP_FX(9.81)
 #define Q32     4294967296.0
 
-/* T = sqrt(2 pi L / g) of waves of 0.25..2000 m. */
+/* Period, s: T = sqrt(2 pi L / g) for L = 0.25..2000 m. */
 #define PERIOD  { .name = "T", .low = 0.4, .high = 35.8 }
 #define FLAG(n) { .name = n, .high = 1, .kind = CHECK_WHOLE }
 
@@ -18,19 +18,21 @@ static int64_t number_q32(double k)
     return llround(k * Q32);
 }
 
-/* k_inf = omega^2 / g with all its bits: that of a length in 16.16 has fewer. */
+/* Returns k_inf = omega^2 / g, Q32, at full precision; a length in 16.16 would give fewer
+ * bits. */
 static int64_t deep_number(double period)
 {
     return number_q32(4 * CHECK_PI * CHECK_PI / (9.81 * period * period));
 }
 
-/* g T^2 / 2 pi, m. */
+/* Returns the length in deep water, g T^2 / 2 pi, m. */
 static double deep_length(double period)
 {
     return 9.81 * period * period / (2 * CHECK_PI);
 }
 
-/* Whether the roundings of the inputs may put a number on the other side of a limit. */
+/* True if rounding of the inputs may move x across the limit.  lost: relative error of
+ * x. */
 static bool on_the_edge(double x, double limit, double lost)
 {
     return fabs(x / limit - 1) < 1e-4 + lost;
@@ -55,8 +57,8 @@ static void compare_percent(check_run *run, unsigned quantity, unsigned row, dou
     check_add(run, quantity, row, check_beyond(check_percent(got, want), 100 * lost));
 }
 
-/* Numbers of a wave move by half the depth's share at most: all of it on shallow water,
- * where k = sqrt(k_inf / h), and ever less on deeper. */
+/* A relative error of h changes k, c, cg and Ks by at most half of that error: by half in
+ * shallow water, where k = sqrt(k_inf / h), and by less in deeper water. */
 static void each_dispersion(check_run *run, unsigned row, const double *v)
 {
     const tp_fx   h = check_fx(v[D_H]);
@@ -91,7 +93,7 @@ const check_model check_dispersion = {
     .each = each_dispersion,
 };
 
-/* -- the phase over a coast -------------------------------------------------------- */
+/* -- phase over a coast ------------------------------------------------------------ */
 
 enum { S_T, S_H0, S_SLOPE, S_THETA, S_X, S_H, S_K, S_KZ, S_ANGLE, S_PHASE, S_ECKART };
 
@@ -103,7 +105,7 @@ static const check_field shoaling_columns[] = {
     CHECK_ANY("S_exact"), CHECK_ANY("S_eckart"),
 };
 
-/* The last row of the coast that begins at `row`. */
+/* Returns the last row of the coast that begins at `row`. */
 static unsigned last_of_coast(const check_run *run, unsigned row)
 {
     const double *first = check_row(run, row);
@@ -113,9 +115,10 @@ static unsigned last_of_coast(const check_run *run, unsigned row)
     return row;
 }
 
-/* Roundings: of x, along which the phase grows by k at most; and of the depth h by those
- * of h0 and of the slope, by which sqrt(k^2 - kz^2), |kz| <= k_inf, moves by 0.56 k / h
- * of them at most.  h is 0.5 m and more, and k grows up to the row's. */
+/* Returns the bound of the phase error by rounding, rad.  Rounding of x: the phase grows by
+ * at most k per m.  Rounding of h0 and of the slope changes the depth h, and with h the
+ * integrand sqrt(k^2 - kz^2), |kz| <= k_inf, by at most 0.56 k / h per m of depth.  h is at
+ * least 0.5 m, and k grows towards the row's k. */
 static double phase_lost(const double *v)
 {
     const double slope = fabs(check_q30(v[S_SLOPE]) / (double)TP_Q30_ONE - v[S_SLOPE]);
@@ -215,14 +218,14 @@ const check_model check_wind_phase = {
     .run = run_wind_phase,
 };
 
-/* -- when waves break -------------------------------------------------------------- */
+/* -- criteria of breaking ---------------------------------------------------------- */
 
 enum { C_T, C_H0, C_H, C_SLOPE, C_K, C_KS, C_HEIGHT, C_OVER_L, C_OVER_H, C_STEEP, C_DEPTH,
        C_MICHE, C_H_MICHE, C_XI0, C_TYPE };
 
-/* H0 is twice a tp_wave's amplitude; Ks 0.913 to 48; H = H0 Ks; Miche's height
- * 0.142 L tanh(kh); xi0 = slope / sqrt(H0 / L0).  What a percentage is taken of has a low
- * end above 0, below all that the other columns allow. */
+/* H0 is twice the amplitude of a tp_wave; Ks 0.913 to 48; H = H0 Ks; Miche's height 0.142 L
+ * tanh(kh); xi0 = slope / sqrt(H0 / L0).  Columns compared in percent have a low bound
+ * above 0, below every value that the other columns allow. */
 static const check_field criteria_columns[] = {
     PERIOD, { .name = "H0", .low = 0.001, .high = 32 }, CHECK_DEPTH("h"),
     { .name = "slope", .low = 0.0001, .high = 1 }, CHECK_WAVES("k"), CHECK_WAVES("Ks"),
@@ -251,7 +254,8 @@ static void compare_flags(check_run *run, unsigned row, uint32_t flags, double l
                  on_the_edge(v[C_HEIGHT], v[C_H_MICHE], lost));
 }
 
-/* Results round as well.  Miche's height follows the depth by all of its share. */
+/* Compares one row.  The results are rounded too.  Miche's height has the full relative
+ * error of the depth. */
 static void each_criterion(check_run *run, unsigned row, const double *v)
 {
     const tp_fx   h = check_fx(v[C_H]), high = check_fx(v[C_H0]);

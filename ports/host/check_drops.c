@@ -1,15 +1,16 @@
 /* SPDX-License-Identifier: MIT */
-/* tidepool check: rings, drops that fall and bounce, and the clock; [A4]-[A6], [D1]-[D4]
+/* tidepool check: rings, falling and bouncing drops, and the clock; [A4]-[A6], [D1]-[D4]
  * and [D6]. */
 #include <math.h>
 #include "check.h"
 #include "features/drops/drops.h"
 #include "scene/clock.h"
 
-#define TICKS   (TP_TICKS_PER_SECOND * 65536.0)     /* the API's times, a second */
+#define TICKS   (TP_TICKS_PER_SECOND * 65536.0)     /* units of time in the API, per
+                                                     * second */
 #define Q24     16777216.0
 
-/* m: any place that 16.16 names; heights of 16 rings of 4 m. */
+/* PLACE: horizontal coordinate, m, any 16.16.  HEIGHT: m, up to 16 rings of 4 m. */
 #define PLACE(n)  { .name = n, .low = -32767, .high = 32767 }
 #define HEIGHT(n) { .name = n, .low = -64, .high = 64 }
 
@@ -21,7 +22,7 @@ static const check_field ring_columns[] = {
     CHECK_UNIT("n4x"), CHECK_UNIT("n4y"), CHECK_UNIT("n4z"),
 };
 
-/* From A on as tp_ring says. */
+/* Ranges from A on are the ranges of tp_ring. */
 static const check_field ring_numbers[] = {
     { .name = "ring", .high = CHECK_LINES - 1, .kind = CHECK_WHOLE },
     PLACE("cx"), PLACE("cz"), CHECK_TIME("t0"), { .name = "A", .high = 4 },
@@ -60,14 +61,14 @@ static tp_dir3 five_normal(const tp_ring_now *now, uint32_t count, tp_fx x, tp_f
     return tp_five_normal(around, d);
 }
 
-/* m and m/m that roundings explain at the place v[0], v[1] and the time v[2], which may
- * be `aside` m off. */
+/* Bounds of the errors explained by rounding at the point v[0], v[1] and the time v[2]:
+ * height, m; slope, m/m.  aside: additional error of the point, m. */
 typedef struct {
     double height, slope;
 } ring_lost;
 
-/* A ring adds only where its band holds the place.  Its phase moves by places, times, c
- * and L; its height by A, tau, p0 and tr, by no more than their shares. */
+/* Returns the bound of one ring, 0 outside its band.  The phase changes with point, time, c
+ * and L.  The height changes with A, tau, p0 and tr, by at most their relative errors. */
 static ring_lost lost_of(const double *p, const double *v, double aside)
 {
     const double age = fmax(0, v[2] - p[3]), a = p[4], l = p[5], c = p[6];
@@ -96,7 +97,7 @@ static ring_lost rings_lost(const check_run *run, const double *v, double aside)
     return sum;
 }
 
-/* A normal turns no farther than its slope moves. */
+/* Compares normals.  A normal turns by at most the change of its slope. */
 static void compare_normal(check_run *run, unsigned quantity, unsigned row, tp_dir3 got,
                            const double *want, double slope_lost)
 {
@@ -104,7 +105,7 @@ static void compare_normal(check_run *run, unsigned quantity, unsigned row, tp_d
                                                slope_lost * (180 / CHECK_PI)));
 }
 
-/* Where a ring's slope is held, at 7.99, there is nothing to compare a normal with. */
+/* Compares one row.  Slopes are clamped at 7.99: such a row has no normal to compare. */
 static void each_ring_row(check_run *run, unsigned row, const double *v)
 {
     tp_ring_now now[CHECK_LINES];
@@ -136,11 +137,11 @@ const check_model check_droplet_waves = {
 
 enum { CASE, Y0, E, EFF, B, T, M, RAD, V, LOST, LENGTH, A0 };
 
-/* Let go from 0.01..100 m, as a scene's sphere is at the most; as a scene's drops, but
- * with a wider e; 7 impacts, each halving the mass.  Radii and masses are those at the
- * impact: a quarter and a 64th of the first at the last, and none is lighter than
- * 100 kg/m^3 or heavier than 10000.  From that: v = sqrt(2 g y0), E_lost below m g y0,
- * L = 8 rad, and A0 of [D4], at most 7.44 m. */
+/* Ranges: release height 0.01..100 m, the range of a scene's sphere; drops as in a scene,
+ * but with a wider range of e; 7 impacts, each halves the mass.  Radii and masses are taken
+ * at the impact: at the last impact 1/4 and 1/64 of the first.  Densities are 100..10000
+ * kg/m^3.  Hence v = sqrt(2 g y0), E_lost below m g y0, L = 8 rad, and A0 of [D4], at most
+ * 7.44 m. */
 static const check_field bounce_columns[] = {
     { .name = "case", .high = 1e6, .kind = CHECK_WHOLE },
     { .name = "y0", .low = 0.01, .high = 100 }, { .name = "e", .low = 0.1, .high = 0.9 },
@@ -166,7 +167,7 @@ static tp_scene_drops drops_of(const double *v)
                              .efficiency = check_fx(v[EFF]) };
 }
 
-/* A drop as it is let go. */
+/* Refuses a drop with an impossible radius or density at its release. */
 static int refuse_drop(const check_run *run, unsigned row)
 {
     const double *v = check_row(run, row), density = density_of(v);
@@ -179,7 +180,7 @@ static int refuse_drop(const check_run *run, unsigned row)
     return EXIT_DONE;
 }
 
-/* Ticks until the next impact; false: none within an hour. */
+/* Steps to the next impact; *tick counts ticks.  False: no impact within an hour. */
 static bool next_impact(tp_drop *drop, const tp_scene_drops *config, uint64_t *tick,
                         tp_impact *impact)
 {
@@ -189,9 +190,10 @@ static bool next_impact(tp_drop *drop, const tp_scene_drops *config, uint64_t *t
     return false;
 }
 
-/* What roundings explain, as shares: those of the radius, once more at each bounce; and
- * of A0, which grows with its root, with y0's and eff's, with e^b, and in Q24.  There is
- * one impact a tick at the most: `late` have waited for theirs. */
+/* Compares an impact, beyond relative errors by rounding.  The radius is rounded again at
+ * each bounce.  A0 grows with the square root of the radius, of y0 and of eff, and with
+ * e^b, and is stored in Q24.  At most one impact happens per tick: `late` = number of
+ * delayed impacts. */
 static void compare_impact(check_run *run, unsigned row, const tp_impact *impact,
                            unsigned late)
 {
@@ -207,7 +209,7 @@ static void compare_impact(check_run *run, unsigned row, const tp_impact *impact
                                                       v[LENGTH]), 100 * radius));
 }
 
-/* The impacts of one drop, let go when the clock starts; returns the row after. */
+/* Compares the impacts of one drop, released at time 0.  *row: the row after the last. */
 static int run_drop(check_run *run, unsigned *row)
 {
     const double *first = check_row(run, *row);

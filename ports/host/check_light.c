@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* tidepool check: Fresnel's share, rays at the surface, exposure; [F1]-[F4] and [F8]. */
+/* tidepool check: Fresnel reflectance, rays at the surface, exposure; [F1]-[F4] and
+ * [F8]. */
 #include <math.h>
 #include "check.h"
 #include "features/exposure/exposure.h"
@@ -35,8 +36,9 @@ static const check_field ray_columns[] = {
     CHECK_UNIT("ix"), CHECK_UNIT("iy"), CHECK_UNIT("iz"), CHECK_UNIT("nx"),
     CHECK_UNIT("ny"), CHECK_UNIT("nz"), CHECK_UNIT("rx"), CHECK_UNIT("ry"),
     CHECK_UNIT("rz"), CHECK_UNIT("tx"), CHECK_UNIT("ty"), CHECK_UNIT("tz"),
-    { .name = "d", .high = 8000 },                          /* as a floor's depth */
-    { .name = "offx", .low = -32768, .high = 32768 },       /* where 16.16 saturates */
+    { .name = "d", .high = 8000 },                          /* m, range of a floor's
+                                                             * depth */
+    { .name = "offx", .low = -32768, .high = 32768 },       /* m, where 16.16 saturates */
     { .name = "offz", .low = -32768, .high = 32768 },
 };
 
@@ -45,15 +47,15 @@ static tp_dir3 direction(const double *v)
     return (tp_dir3){ check_q30(v[0]), check_q30(v[1]), check_q30(v[2]) };
 }
 
-/* The largest difference of the three parts. */
+/* Returns the largest difference of the three components. */
 static double apart(tp_dir3 got, const double *want)
 {
     return fmax(fabs(got.x / Q30 - want[0]),
                 fmax(fabs(got.y / Q30 - want[1]), fabs(got.z / Q30 - want[2])));
 }
 
-/* How far the offset, d x / -y along x, moves with the roundings of a unit vector, 2^-26,
- * and of d: the flatter the ray the more. */
+/* Returns the bound of the offset's error, m; the offset along x is d x / -y.  The unit
+ * vector is rounded to 2^-26, and d to 16.16; flatter rays have larger errors. */
 static double offset_lost(double d, double x, double z)
 {
     const double off = hypot(x, z);
@@ -94,7 +96,7 @@ static const check_field exposure_numbers[] = {
     { .name = "e0", .low = 0.125, .high = 8 }, { .name = "rate", .high = 1 },
 };
 
-/* One run from tick 0: a row's exposure follows from those before it. */
+/* Compares one run from tick 0: each exposure depends on the exposures before. */
 static int run_exposure(check_run *run)
 {
     tp_fx exposure = check_fx(run->lines[0][0][0]);

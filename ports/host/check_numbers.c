@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* tidepool check: numbers of tables as the core takes them, and back.  The tables' ranges
- * keep all within their formats. */
+/* tidepool check: converts numbers of tables to the core's formats and back.  The ranges of
+ * columns keep every number within its format. */
 #include <math.h>
 #include "check.h"
 
@@ -35,7 +35,7 @@ double check_wrapped(double radians)
     return remainder(radians, (2 * CHECK_PI));
 }
 
-/* By cross and dot product: right for small angles too. */
+/* Computes the angle by cross and dot product: accurate for small angles too. */
 double check_angle(tp_dir3 got, const double want[3])
 {
     const double x = got.x, y = got.y, z = got.z;

@@ -7,11 +7,12 @@
 #define Q32     4294967296.0
 #define QUARTER 0x40000000u
 
-/* As tp_orbit_of takes them; a floor under water rises to upright at most. */
+/* Arguments of tp_orbit_of: radius, m; slope of the floor, rad, at most vertical. */
 #define RADIUS    { .name = "r", .low = 0.001, .high = 64 }
 #define GAMMA     { .name = "gamma", .low = -1.5708, .high = 1.5708 }
 
-/* m: half axes up to 0.95 / k = 303 along and 128 up, with a stretch and a lip of 128. */
+/* Offset, m: half axes up to 0.95 / k = 303 along and 128 up, and a stretch and a lip of
+ * 128. */
 #define OFFSET(n) { .name = n, .low = -1000, .high = 1000 }
 
 /* -- orbits ------------------------------------------------------------------------ */
@@ -21,7 +22,8 @@ enum { R, H, GAMMA_AT, K };         /* the first columns of both files */
 static const check_field orbit_columns[] = {
     RADIUS, CHECK_DEPTH("h"), GAMMA, CHECK_WAVES("k"), CHECK_ANY("Phi"),
     CHECK_UNIT("sin_a"), CHECK_UNIT("cos_a"), CHECK_ANY("Sx_raw"),
-    { .name = "Sx", .high = 8192 }, { .name = "Sy", .high = 2 },    /* the core's ends */
+    { .name = "Sx", .high = 8192 }, { .name = "Sy", .high = 2 },    /* the core's upper
+                                                                     * bounds */
     OFFSET("dx"), OFFSET("dy"),
 };
 
@@ -42,7 +44,7 @@ static double apart_mm(tp_offset at, double along, double up)
                        fabs(check_metres(at.up) - up));
 }
 
-/* Where the core narrows the orbit there is nothing to compare with. */
+/* Refuses a row with k r > 0.95: the core clamps r there, so no comparison is possible. */
 static int refuse_wide(const check_run *run, unsigned row)
 {
     const double *v = check_row(run, row), wide = v[R] * v[K];
@@ -50,8 +52,8 @@ static int refuse_wide(const check_run *run, unsigned row)
          : check_refuse(run, row, "k r = %.9g is above 0.95, where r is held", wide);
 }
 
-/* The share by which roundings move 1 - e^-x of x = K h: those of K, of h, which counts
- * as 1/16 m below that, and of x itself, Q24. */
+/* Returns the bound of the relative error of 1 - e^-x, x = K h, by rounding: of K, of h
+ * (clamped to at least 1/16 m), and of x itself, Q24. */
 static double fall_share(double k, double h)
 {
     const double deep = fmax(h, 1 / 16.0);
@@ -60,14 +62,15 @@ static double fall_share(double k, double h)
     return check_share(k) + (deep == h) * check_share(h) + 1 / (33554432 * k * deep);
 }
 
-/* rad by which the tilt moves: its sine, sin gamma e^-K0 h, by at most 1 / e of the
- * share, and the sine's own error. */
+/* Returns the bound of the tilt's error, rad.  The sine of the tilt, sin gamma e^-K0 h,
+ * changes by at most 1 / e of the relative error, and has an error of its own. */
 static double tilt_lost(double k0, double h, double cos_a)
 {
     return (fall_share(k0, h) / 2.7 + 5e-6) / fmax(cos_a, 1e-4);
 }
 
-/* The share by which half axes move, and with them an orbit's size. */
+/* Returns the bound of the relative error of the half axes, and hence of the orbit's
+ * size. */
 static double axes_lost(const double *v, const double *k)
 {
     return check_share(v[R]) + fall_share(k[1], v[H]) + fall_share(k[2], v[H]) + 5e-6;
@@ -113,7 +116,7 @@ const check_model check_fr_orbit = {
 enum { STRETCH_MOST = 4, KS, KD, PHI, PHI_MIN, P, STRETCH, DISPLACEMENT, ORIENTATION,
        GATE, X, Y };
 
-/* St_max as a tp_breaker has it. */
+/* St_max: range of tp_breaker's stretch, m. */
 static const check_field breaking_columns[] = {
     RADIUS, CHECK_DEPTH("h"), GAMMA, CHECK_WAVES("k"), { .name = "St_max", .high = 128 },
     { .name = "Ks", .high = 4 }, { .name = "Kd", .high = 4 }, CHECK_ANY("Phi"),
@@ -122,10 +125,10 @@ static const check_field breaking_columns[] = {
     { .name = "gate", .high = CHECK_ONE }, OFFSET("X"), OFFSET("Y"),
 };
 
-static const double usual[3] = { 0.1, 0.11, 0.09 };    /* K0, Kx, Ky */
+static const double usual[3] = { 0.1, 0.11, 0.09 };    /* K0, Kx, Ky, 1/m */
 
-/* e^-Kh by the core: the sine of an orbit's tilt is sin gamma e^-K0 h [B11], and here
- * gamma is upright. */
+/* Returns e^-Kh from the core: the sine of an orbit's tilt is sin gamma e^-K0 h [B11], here
+ * with gamma vertical. */
 static tp_fx decay(double k, double h)
 {
     const tp_ellipse e = tp_orbit_of(TP_FX_ONE, check_fx(h), QUARTER, 0, check_fx(k),
@@ -133,17 +136,18 @@ static tp_fx decay(double k, double h)
     return (e.sin + (1 << 13)) >> 14;
 }
 
-/* What roundings explain. */
+/* Bounds of the errors explained by rounding. */
 typedef struct {
     double offset, stretch, displacement;       /* m */
     double orientation, lowest;                 /* rad */
     double gate;
 } breaking_lost;
 
-/* Phi_min = -atan2(along sin a, up cos a) turns along / up times as fast as the tilt a,
- * moves with the axes' shares and with both products' last bits.  On p hang the stretch,
- * (p / pi)^2, and the ramp of lip and orientation, at most 8 / pi a radian.  The gate
- * rises 8.4 times as fast as 2 r / h, which is 0.78 at its end. */
+/* Phi_min = -atan2(along sin a, up cos a).  Its error has three parts: the error of the
+ * tilt a times along / up, the relative errors of the axes, and the last bits of both
+ * products.  The stretch, (p / pi)^2, and the ramp of lip and orientation, at most 8 / pi
+ * per radian, depend on p.  The gate rises 8.4 times as fast as 2 r / h, and 2 r / h is
+ * 0.78 at its end. */
 static breaking_lost lost_of(const double *v, const tp_ellipse *orbit)
 {
     const double along = check_metres(orbit->along), up = check_metres(orbit->up);
@@ -174,8 +178,8 @@ static tp_breaker breaker_of(const double *v, tp_fx gate)
     };
 }
 
-/* Rows on the joints count too: the three parts are continuous there, and at the crest,
- * where p jumps from pi to -pi, both sides have the same value. */
+/* Compares one row.  Rows on the joints count too: the three parts are continuous there.
+ * At the crest p jumps from pi to -pi, with the same value on both sides. */
 static void breaking_row(check_run *run, unsigned row, const double *v)
 {
     const tp_fx gate = tp_breaking_gate(tp_fx_div(check_fx(2 * v[R]), check_fx(v[H])));
