@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* tidepool check: the automaton bit for bit and against its modes, [C4]-[C9], [C17]. */
+/* tidepool check: the pool's automaton, bit for bit and against its modes; [C4]-[C9],
+ * [C17]. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -53,7 +54,8 @@ static const check_field int_gear[] = {
     { .name = "last step of gear A", .high = 1e6, .kind = CHECK_WHOLE },
 };
 
-/* Pools have 16 rows and more: what is missing are walls, as good as nothing. */
+/* A pool has at least 16 rows: the mask turns the rows beyond the table's M into walls,
+ * which do not affect the water. */
 enum { ROWS_LEAST = 16 };
 
 static uint16_t mask_samples[ROWS_LEAST];
@@ -65,7 +67,7 @@ static tp_grey mask_of(unsigned rows)
     return (tp_grey){ .cols = 1, .rows = ROWS_LEAST, .sample = mask_samples };
 }
 
-/* "index:height;index:height..." into the cells. */
+/* Adds "index:height;index:height..." to the cells. */
 static int stir(const check_run *run, unsigned row, tp_pool *pool)
 {
     const double *v = check_row(run, row);
@@ -99,7 +101,7 @@ static void digest_cell(digest *d, int32_t x)
     d->crc = tp_crc32(d->crc, byte, 2);
 }
 
-/* Heights or velocities of the open rows. */
+/* Sums the heights or the velocities of the open rows. */
 static digest digest_of(const tp_pool *pool, const double *v, uint32_t crc,
                         int32_t (*cell)(const tp_pool *pool, uint32_t col, uint32_t row))
 {
@@ -121,7 +123,7 @@ static void compare_bits(check_run *run, unsigned row, const tp_pool *pool)
     check_add(run, 3, row, h.highest - v[MAX_H]);
 }
 
-/* The rows of one case, their steps rising. */
+/* Steps through the rows of one case, in order of steps. */
 static int run_case(check_run *run, unsigned *row, tp_pool *pool)
 {
     const double *first = check_row(run, *row), last_a = run->lines[0][0][0];
@@ -180,14 +182,14 @@ const check_model check_automaton_int = {
 
 enum { MODE_N, MODE_M, MODE_P, MODE_Q, R2, DELTA, STEPS, MU, OMEGA, DISCRETE, FLUX };
 
-/* A mode that is let go at 1: with g = r^2 mu, the energy of [C3], V^2 / 2 + g H (H - V)
- * / 2, never passes its first value g / 2, and for a given H it is at least
- * g H^2 (1 - g / 4) / 2.  So H^2 <= 1 / (1 - g / 4), below 2 for r^2 <= 1/4 and mu < 8.
- * [C17] swings no higher in any mode that was tried (1.376).  The mode of the wave equation
- * stays within 1, to rounding. */
+/* Bound of a mode with initial amplitude 1.  With g = r^2 mu, the energy of [C3], V^2 / 2 +
+ * g H (H - V) / 2, never exceeds its initial value g / 2.  For a given H the energy is at
+ * least g H^2 (1 - g / 4) / 2.  Hence H^2 <= 1 / (1 - g / 4), below 2 for r^2 <= 1/4 and mu
+ * < 8.  [C17] swings no higher in any mode tried (1.376).  The mode of the wave equation
+ * stays within 1, up to rounding. */
 #define SWING(n) { .name = n, .low = -1.41422, .high = 1.41422 }
 
-/* n to the last tick for which tp_pool_noise bounds a wave. */
+/* n: up to the last tick for which tp_pool_noise bounds a wave. */
 static const check_field mode_columns[] = {
     { .name = "N", .low = 16, .high = 512, .kind = CHECK_WHOLE },
     { .name = "M", .low = 16, .high = 512, .kind = CHECK_WHOLE },
@@ -200,10 +202,10 @@ static const check_field mode_columns[] = {
     SWING("H_discrete"), SWING("H_flux"), CHECK_UNIT("H_wave"),
 };
 
-/* A quarter of each kind's range. */
+/* Amplitude, LSB: a quarter of the range of each kind of cell. */
 static const double quarter_range[] = { 127 / 4.0, 32767 / 4.0, 2147483648.0 / 4 };
 
-/* The mode of amplitude 1 at a cell. */
+/* Returns the mode of amplitude 1 at a cell. */
 static double mode_at(const double *v, uint32_t col, uint32_t row)
 {
     return cos(CHECK_PI * v[MODE_P] * (col + 0.5) / v[MODE_N])
@@ -219,8 +221,8 @@ static void stir_mode(tp_pool *pool, const double *v)
     tp_pool_stirred(pool, (int32_t)amplitude);
 }
 
-/* Of all cells, LSB: in the corner, where every mode has its full height; their rms; and
- * the largest. */
+/* Errors, LSB: in the corner cell, where every mode has its full height; rms of all cells;
+ * largest of all cells. */
 typedef struct {
     double corner, rms, worst;
 } mode_error;
@@ -242,7 +244,7 @@ static mode_error mode_error_of(const tp_pool *pool, const double *v, double sha
     return e;
 }
 
-/* LSB that a wave of 8- or 16-bit cells may be off by its rms: see tp_pool_noise. */
+/* Returns the allowed rms error of a wave of 8- or 16-bit cells, LSB: see tp_pool_noise. */
 static double mode_noise(const tp_pool *pool, const double *v)
 {
     const double k = CHECK_PI * hypot(v[MODE_P] / v[MODE_N], v[MODE_Q] / v[MODE_M]);
@@ -250,8 +252,8 @@ static double mode_noise(const tp_pool *pool, const double *v)
     return 1 + 8 * noise + fmin(2 * quarter_range[pool->cells], 1 / (v[R2] * k));
 }
 
-/* Small cells are compared with their noise, large ones, cell for cell, in percent of the
- * amplitude. */
+/* Compares 8- and 16-bit cells with the bound of their noise, and 32-bit cells one by one
+ * in percent of the amplitude. */
 static void compare_mode(check_run *run, unsigned row, const tp_pool *pool)
 {
     const double *v = check_row(run, row);
@@ -266,7 +268,7 @@ static void compare_mode(check_run *run, unsigned row, const tp_pool *pool)
     }
 }
 
-/* The rows of one mode, up to `last`. */
+/* Steps through the rows of one mode, up to `last`. */
 static int run_mode(check_run *run, unsigned row, unsigned last, tp_cells cells)
 {
     const double *v = check_row(run, row);
@@ -282,7 +284,7 @@ static int run_mode(check_run *run, unsigned row, unsigned last, tp_cells cells)
     stir_mode(pool, v);
     for (double n = 0; row <= last; row++) {
         for (; n < check_row(run, row)[STEPS]; n++) {
-            pool->gear = 2;                     /* A, for ever */
+            pool->gear = 2;                     /* stays in gear A */
             tp_pool_step(pool);
         }
         compare_mode(run, row, pool);
@@ -291,7 +293,7 @@ static int run_mode(check_run *run, unsigned row, unsigned last, tp_cells cells)
     return EXIT_DONE;
 }
 
-/* The last row of the mode that begins at `row`: its steps rise. */
+/* Returns the last row of the mode that begins at `row`; steps increase within a mode. */
 static unsigned last_of_mode(const check_run *run, unsigned row)
 {
     const double *first = check_row(run, row);

@@ -12,10 +12,10 @@ typedef struct {
     const tp_grey *mask;
 } check_pool_shape;
 
-/* Still water between walls, cells of 1/4 m, heights within 1 m; NULL: the core does not
- * make such a pool.  free() it. */
+/* Returns a pool at rest between walls: cells of 1/4 m, heights within 1 m.  Returns NULL
+ * if the core refuses the shape.  The caller frees the pool. */
 tp_pool *check_pool_of(const check_pool_shape *shape);
 
-/* Says so of a row; EXIT_INPUT. */
+/* Prints that the pool of a row is refused; returns EXIT_INPUT. */
 int check_pool_refuse(const check_run *run, unsigned row, const check_pool_shape *shape);
 #endif

@@ -18,16 +18,18 @@ tp_sea check_sea_of(const check_wave *waves, unsigned count)
     return sea;
 }
 
-/* wave.h's error of the phase, and what the rounding of the place adds to it, rad. */
+/* Returns the bound of the phase error, rad: wave.h's bound plus the rounding of the
+ * point. */
 static double phase_error(const check_wave *w, double x, double z)
 {
     return (fabs(x) + fabs(z)) * (1.5e-9 + 1e-8 * w->k)
          + w->k * hypot(check_rounding(x), check_rounding(z));
 }
 
-/* A wave's f of [A3] is at most 2; an error e of sine, cosine and phase moves it by n e
- * and f', at most (n + 1) / 2, by n (n + 1) / 2 e, n its power.  Rounded are A, each
- * QA D, the place and the result.  Each plain step hands q of its error on. */
+/* Error bounds.  f of [A3] is at most 2, and f' at most (n + 1) / 2, n = power of the wave.
+ * An error e of sine, cosine and phase changes f by n e, and f' by n (n + 1) / 2 e.
+ * Rounded are A, each QA D, the point and the result.  Each step of the fixed-point
+ * iteration passes on q times its error. */
 check_bound check_sea_bound(const check_wave *waves, unsigned count, double x, double z)
 {
     check_bound b = { .up = CHECK_HALF, .along = CHECK_HALF };
@@ -49,7 +51,8 @@ check_bound check_sea_bound(const check_wave *waves, unsigned count, double x, d
     return b;
 }
 
-/* An A that is off by a share of itself turns the normal by half that share at most. */
+/* Bound of the normal's error.  A relative error of A turns the normal by at most half of
+ * that error. */
 double check_trochoid_bound(const check_wave *w, double x, double z)
 {
     const double off = check_rounding(w->amplitude);

@@ -1,23 +1,24 @@
 /* SPDX-License-Identifier: MIT */
-/* tidepool check: when pools of two gears come to rest, [C8]-[C13].
+/* tidepool check: the number of steps until a pool with two gears is at rest, [C8]-[C13].
  *
- * The table's header gives the droplet's kind, width and height, but neither its place
- * within the tank nor how it is rounded to whole numbers.  T_A follows from the height
- * alone and is exact.  The step of rest does not: moving the droplet by parts of a cell
- * changes it by up to 6 %, and by up to 17 % where r < 1/4, whose weak kick lingers at
- * the dead zone [C14].  So much is allowed; the droplet here is the core's own, in the
- * middle.  Columns that compare with a run in double precision are not judged. */
+ * The table's header gives the droplet's kind, width and height, but not its position in
+ * the tank nor its rounding to integers.  T_A depends on the height alone and is exact.
+ * The step of rest is not exact: moving the droplet by a fraction of a cell changes the
+ * step by up to 6 %, and by up to 17 % where r < 1/4, because the weak kick lingers at the
+ * dead zone [C14].  These errors are allowed; the droplet here is the core's splash in the
+ * middle of the tank.  Columns that compare with a run in double precision are not
+ * checked. */
 #include <stdlib.h>
 #include "check.h"
 #include "check_pool.h"
 
 enum { N, BITS, DELTA, COURANT, TA, SETTLE };
 
-enum { REFUSED, GEAR_A, REST, REST_WEAK, LEFT };    /* quantities */
+enum { REFUSED, GEAR_A, REST, REST_WEAK, LEFT };    /* indices of quantities */
 
 enum { STEPS_MOST = 100000 };
 
-#define WEAK 0.2499             /* r below a quarter; the table has four decimals */
+#define WEAK 0.2499             /* below: r < 1/4; the table has four decimals */
 
 #define ERROR(n) { .name = n, .low = -1, .high = 1e9 }
 
@@ -32,7 +33,7 @@ static const check_field settle_columns[] = {
     ERROR("e200"), ERROR("e400"),
 };
 
-/* [C9] */
+/* True if the pool may flicker, [C9]. */
 static bool may_flicker(const double *v)
 {
     const double delta = 1.0 / (1 << (int)v[DELTA]);

@@ -1,20 +1,21 @@
 /* SPDX-License-Identifier: MIT */
-/* tidepool check: sines and the sums of swells, [A1]-[A3], [A7]-[A10] and [E1].
+/* tidepool check: sines and sums of swells, [A1]-[A3], [A7]-[A10] and [E1].
  *
- * Times of the tables lie between ticks, so that the phase -omega t + phase is formed
- * here.  Points are judged by the bounds of check_sea.h, which grow with amplitude,
- * steepness and the way from the origin: any wave and place that the core takes may
- * stand in a table. */
+ * Times in the tables lie between ticks: the phase -omega t + phase is computed here.
+ * Points are compared within the bounds of check_sea.h, which grow with amplitude,
+ * steepness and the distance from the origin.  A table may contain every wave and point
+ * that the core accepts. */
 #include <math.h>
 #include "check_sea.h"
 
-/* m: places at rest, 30 km each way as in wave.h; points, which waves carry 303 m from
- * there at most (q / k); heights, 16 waves of 16 m whose crests may be twice as high. */
+/* Ranges, m.  PLACE: rest position, 30 km each way as in wave.h.  POINT: displaced
+ * position, at most 303 m farther (q / k).  HEIGHT: 16 waves of 16 m with crests up to
+ * twice as high. */
 #define PLACE(n)  { .name = n, .low = -30000, .high = 30000 }
 #define POINT(n)  { .name = n, .low = -30303, .high = 30303 }
 #define HEIGHT(n) { .name = n, .low = -512, .high = 512 }
 
-/* m, as of a tp_wave; the least amplitude of 16.16. */
+/* LENGTH: range of tp_wave, m.  LEAST: least positive 16.16, m. */
 #define LENGTH    { .name = "L", .low = 0.25, .high = 2000 }
 #define LEAST     (1 / 65536.0)
 
@@ -52,8 +53,8 @@ const check_model check_sine = {
 
 enum { WAVE, WAVE_LENGTH, NUMBER, OMEGA, DX, DZ, PHASE, AMPLITUDE, SHARPNESS };
 
-/* k and omega of L, this for a tp_wave's speed of 0..8 and a gravity up to 100 m/s^2.  Q
- * has no bound of its own: Q k A has, see read_waves. */
+/* k and omega follow from L, omega for a tp_wave's speed of 0..8 and a gravity up to 100
+ * m/s^2.  Q has no bound of its own: read_waves bounds Q k A. */
 static const check_field wave_numbers[] = {
     { .name = "wave", .high = CHECK_LINES - 1, .kind = CHECK_WHOLE },
     LENGTH, { .name = "k", .low = 0.00314, .high = 25.133 },
@@ -69,8 +70,8 @@ static check_wave wave_of(const double *p, bool sharp)
                          .q = sharp * p[SHARPNESS] * p[NUMBER] * p[AMPLITUDE] };
 }
 
-/* A table's waves and their sea.  Waves that the core would cut are none that it can be
- * compared with. */
+/* The waves of a table and their sea.  Waves that the core would clamp are refused: their
+ * table has other values. */
 typedef struct {
     check_wave wave[CHECK_LINES];
     unsigned   count;
@@ -104,21 +105,22 @@ static void phases_at(const check_run *run, double t, tp_turn phases[TP_WAVES])
     }
 }
 
-/* The point of rest place v[0], v[1]. */
+/* Returns the point with the rest position v[0], v[1]. */
 static tp_sea_point at_rest(const tp_sea *sea, const tp_turn phases[TP_WAVES],
                             const double *v)
 {
     return tp_sea_at_rest(sea, phases, check_fx(v[0]), check_fx(v[1]));
 }
 
-/* Radians. */
+/* Returns the angle between the normals, rad. */
 static double normal_error(const tp_sea_point *p, const double want[3])
 {
     return check_angle(tp_normalise(-p->slope_x, TP_FX_ONE, -p->slope_z), want)
          * (CHECK_PI / 180);
 }
 
-/* Of the bounds along and up; x, y, z. */
+/* Returns the error of the position in units of the bounds; x, y, z: expected position,
+ * m. */
 static double place_error(const tp_sea_point *p, check_bound most, double x, double y,
                           double z)
 {
@@ -161,14 +163,15 @@ const check_model check_sum_of_sines = {
 
 /* -- sharpened sine ---------------------------------------------------------------- */
 
-/* A to 0.3 of the length, 2 pi metres. */
+/* A: up to 0.3 of the length, 2 pi m. */
 static const check_field sharp_columns[] = {
     { .name = "k", .low = 1, .high = 8, .kind = CHECK_WHOLE },
     { .name = "A", .low = LEAST, .high = 1.88495 }, CHECK_ANY("theta"), CHECK_ANY("f"),
     CHECK_ANY("mean"), HEIGHT("y"), CHECK_ANY("dy_dtheta"),
 };
 
-/* One wave of 2 pi metres, so that dy/dx is dy/dtheta, at the origin. */
+/* Compares a row: one wave with a length of 2 pi m, hence dy/dx = dy/dtheta, at the
+ * origin. */
 static void each_sharp(check_run *run, unsigned row, const double *v)
 {
     const check_wave wave = { .k = 1, .dx = 1, .amplitude = v[1], .power = (int)v[0] };
@@ -241,8 +244,9 @@ static const check_field steepness_sum[] = {
     { .name = "sum Q k A", .high = 0.95 * CHECK_ONE },
 };
 
-/* Of a sea that does without cross terms the normal of that form [A10], from the table's
- * tangents (Jxx, hx, Jxz) and (Jxz, hz, Jzz). */
+/* Returns the error of the normal.  For a sea without cross terms the expected normal has
+ * no cross terms either [A10]; it follows from the table's tangents (Jxx, hx, Jxz) and
+ * (Jxz, hz, Jzz). */
 static double gerstner_normal_error(const tp_sea *sea, const tp_sea_point *p,
                                     const double *v)
 {
@@ -275,7 +279,7 @@ const check_model check_gerstner_sum = {
     .run = run_gerstner_sum,
 };
 
-/* -- above a place ----------------------------------------------------------------- */
+/* -- height above a fixed point ---------------------------------------------------- */
 
 enum { STEPS = 5, FIRST_STEP = 6 };
 
@@ -285,9 +289,9 @@ static const check_field buoyancy_columns[] = {
     CHECK_UNIT("nx"), CHECK_UNIT("ny"), CHECK_UNIT("nz"),
 };
 
-/* A step is compared with the same step of the table, not with what it converges to; the
- * root's place, height and normal are those of a point at rest.  Without cross terms that
- * may be turned by another 1.5 degrees [A10]. */
+/* Compares a row.  A step of the iteration is compared with the same step of the table, not
+ * with the limit.  Position, height and normal of the root are those of a point at rest.
+ * Without cross terms the normal may be turned by another 1.5 degrees [A10]. */
 static void buoyancy_row(check_run *run, unsigned row, const waves *w)
 {
     const double *v = check_row(run, row);

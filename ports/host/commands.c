@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: MIT */
-/* The commands.  A new one is a line of the table. */
+/* The table of commands.  A new command needs one row. */
 #include "commands.h"
 #include "args.h"
 #include "say.h"
 
-#ifndef TP_HAVE_SDL2     /* defined where ports/sdl2 is built in */
+#ifndef TP_HAVE_SDL2     /* defined if ports/sdl2 is part of the build */
 int view_command(int argc, char **argv)
 {
     (void)argc;

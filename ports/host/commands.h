@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The program's commands.  Each takes its own name as argv[0], returns an exit code and
- * has said why it is not 0. */
+/* The commands of the program.  Each takes its own name as argv[0] and returns an exit
+ * code; a code other than 0 follows after a message with the reason. */
 #ifndef HOST_COMMANDS_H
 #define HOST_COMMANDS_H
 #include <stdbool.h>
@@ -23,11 +23,11 @@ int completion_command(int argc, char **argv);
 int help_command(int argc, char **argv);
 int version_command(int argc, char **argv);
 
-/* All of them, in the order in which people should read them. */
+/* The table of commands, in the order of the help. */
 typedef struct {
     const char *name, *takes;
     unsigned    options;                /* FOR_... of args.h */
-    bool        lists;                  /* prints, and does nothing else */
+    bool        lists;                  /* the command only prints */
     int       (*run)(int argc, char **argv);
     const char *help;
 } command_row;
@@ -35,10 +35,10 @@ typedef struct {
 extern const command_row commands[];
 extern const size_t      command_count;
 
-/* NULL: there is none of that name, and said which one is meant. */
+/* Finds a command.  Returns NULL after a message with the nearest name. */
 const command_row *command_find(const char *name);
 
-/* The exit codes' meanings, by code: a few words, and a sentence. */
+/* Meanings of the exit codes, indexed by code: a few words, and a sentence. */
 typedef struct { const char *words, *sentence; } exit_row;
 extern const exit_row exits[EXIT_CODES];
 #endif

@@ -1,10 +1,11 @@
 /* SPDX-License-Identifier: MIT */
-/* The other picture is drawn by a second canvas, of a copy of the scene with other words
- * in quality.*, over the stage's own world; or it is the reference's (tracer.h).
+/* A second canvas draws the other picture: of the stage's world, with a copy of the scene
+ * that has other values in quality.*.  Or the reference renderer draws the other picture
+ * (tracer.h).
  *
- * The reference lives in tests/reference, where pictures are judged by it, and is part of
- * the program for this view: it draws what the engine should, by rays that meet the exact
- * surface, and has no foam, spray, caustics or stars. */
+ * The reference is in tests/reference, where tests judge pictures by the reference; for
+ * this view it is linked into the program.  It draws the correct picture, by rays that meet
+ * the exact surface, but without foam, spray, caustics and stars. */
 #include "compare.h"
 #include <stdio.h>
 #include <stdlib.h>
@@ -13,7 +14,7 @@
 #include "timing.h"
 #include "tracer.h"
 
-#define JUDGE_US 250000u        /* between plans, which take 10 ms */
+#define JUDGE_US 250000u        /* us between two plans; a plan takes 10 ms */
 
 const char *const compare_how_name[COMPARE_HOWS] = { "off", "split", "difference" };
 const char *const compare_against_name[AGAINSTS] = {
@@ -24,23 +25,25 @@ const char *const compare_against_name[AGAINSTS] = {
 struct compare {
     compare_how how;
     compare_against against;
-    tp_scene given;             /* the stage's, as the other picture was made of it */
-    tp_scene scene;             /* the same but for quality.*: the canvas's */
+    tp_scene given;             /* copy of the stage's scene when `scene` was made */
+    tp_scene scene;             /* scene of the other canvas: differs in quality.* */
     canvas   other;
-    bool     open, failed;      /* the canvas; failed: until something changes */
+    bool     open, failed;      /* open: `other` is open; failed: no memory, until a
+                                 * change */
     uint64_t judged_at;
     bool     judged, unfit;
-    bool     same;              /* the stage's picture is drawn by these rungs */
+    bool     same;              /* the stage's picture is drawn with the same rungs */
     tracer  *tracer;
-    bool     delivered;         /* it has, a whole picture of its world */
-    tracer_pass pass;           /* of the reference in theirs */
-    uint32_t *ours, *theirs;    /* 0x00RRGGBB */
+    bool     delivered;         /* the tracer has delivered a complete picture of its
+                                 * world */
+    tracer_pass pass;           /* pass of the reference's picture in `theirs` */
+    uint32_t *ours, *theirs;    /* pixels 0x00RRGGBB */
     picture  shown;
     double   psnr;
     char     note[128];
 };
 
-/* -- which other picture ------------------------------------------------------------- */
+/* -- choice of the other picture ----------------------------------------------------- */
 
 static const tp_rungs exact = { TP_VISIBILITY_TRIANGLES, TP_SHADING_EXACT, TP_RATE_FULL,
                                 TP_LOD_OFF };
@@ -93,7 +96,7 @@ static void name_rungs(compare *c, const stage *s)
         c->scene.quality.error_px = c->scene.quality.error_colour = 0;
 }
 
-/* A plan that is left every choice tells what the scene cannot be drawn by. */
+/* Makes a plan with every choice open: its report marks the rungs unfit for the scene. */
 static bool is_unfit(const stage *s, tp_rungs r)
 {
     const picture *p = &s->canvas.picture;
@@ -176,7 +179,7 @@ void compare_set(compare *c, compare_how how, compare_against against)
     c->against = against;
 }
 
-/* False: no memory. */
+/* Allocates the pictures; false: no memory. */
 static bool resize(compare *c, uint32_t width, uint32_t height)
 {
     const size_t bytes = (size_t)width * height * sizeof *c->ours;
@@ -194,7 +197,7 @@ static bool resize(compare *c, uint32_t width, uint32_t height)
     return false;
 }
 
-/* Follows the stage's size and values.  False: no memory. */
+/* Adopts the stage's size and scene.  False: no memory. */
 static bool follow(compare *c, const stage *s)
 {
     const picture *p = &s->canvas.picture;
@@ -209,7 +212,7 @@ static bool follow(compare *c, const stage *s)
     return !c->failed;
 }
 
-/* -- the other picture --------------------------------------------------------------- */
+/* -- drawing the other picture ------------------------------------------------------- */
 
 static bool open_other(compare *c, const stage *s)
 {
@@ -241,8 +244,9 @@ static bool draw_rung(compare *c, const stage *s)
     return true;
 }
 
-/* What it has begun it finishes once, however the world moves meanwhile.  Of one that
- * stands it goes on to more samples; one that has moved on is taken up anew. */
+/* Finishes a picture once begun, even if the world moves meanwhile.  While the world stands
+ * still, further passes add samples.  After the world has moved, the reference starts
+ * again. */
 static bool draw_reference(compare *c, const stage *s)
 {
     if (c->tracer && tracer_has_news(c->tracer)) {
@@ -278,7 +282,7 @@ const picture *compare_draw(compare *c, const stage *s)
     return &c->shown;
 }
 
-/* -- what is told -------------------------------------------------------------------- */
+/* -- results ------------------------------------------------------------------------- */
 
 compare_how compare_how_of(const compare *c)
 {
@@ -300,7 +304,8 @@ bool compare_moves(const compare *c)
     return c->how != COMPARE_OFF && c->tracer && tracer_has_news(c->tracer);
 }
 
-/* "; without foam, spray": what the scene has and the reference does not draw. */
+/* Appends "; without foam, spray": the parts of the scene that the reference does not
+ * draw. */
 static void add_lacks(const tp_scene *s, char *note, size_t bytes)
 {
     const struct { bool there; const char *name; } lacks[] = {
@@ -326,7 +331,7 @@ static const char *const pass_text[] = {
     [TRACER_16] = "16 samples a pixel",
 };
 
-/* "1 sample a pixel; 4 samples a pixel: 40%" */
+/* Writes "1 sample a pixel; 4 samples a pixel: 40%". */
 static void note_reference(compare *c)
 {
     uint32_t percent = 0;

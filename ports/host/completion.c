@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* tidepool completion SHELL, and what the scripts of all shells have in common. */
+/* tidepool completion SHELL, and the functions shared by the scripts of all shells. */
 #include "completion.h"
 #include "scene/value.h"
 #include <stdio.h>
@@ -7,8 +7,8 @@
 #include <string.h>
 #include "about.h"
 
-/* An apostrophe stands outside of the quotes: 'it'\''s'.  No text has a backslash, of
- * which shells think differently. */
+/* Prints a text in single quotes.  An apostrophe is placed outside of the quotes:
+ * 'it'\''s'.  A backslash, treated differently by the shells, becomes a slash. */
 void print_quoted(const char *text)
 {
     putchar('\'');
@@ -54,7 +54,7 @@ static bool same(const char *a, const char *b)
     return a && b && strcmp(a, b) == 0;
 }
 
-/* Where in the table a list of choices is met first. */
+/* Returns the index of the first parameter with a list of choices. */
 static uint32_t first_of(const char *choice)
 {
     uint32_t count, i = 0;

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* The script for bash 4.3 and later.  Four functions hold what the tables say, the fifth
- * tells from the words before which of it is wanted.  Bash may part words at =, whereupon
- * a reply is what follows the last of them. */
+/* The script for bash 4.3 and later.  Four functions hold the contents of the tables; the
+ * fifth chooses from them by the words before the cursor.  Bash may split words at '=';
+ * then a reply is only the part after the last '='. */
 #include <stdio.h>
 #include <string.h>
 #include "completion.h"
@@ -19,7 +19,7 @@ static void print_options(void)
     puts("    esac\n}");
 }
 
-/* An option's value, or what stands without one. */
+/* Prints the kind of an option's value, or of an argument without an option. */
 static void print_kinds(void)
 {
     puts("_tidepool_kind()        # COMMAND [OPTION]\n{\n    case \"$1 $2\" in");
@@ -78,7 +78,7 @@ static void print_values(void)
     puts("    esac\n}");
 }
 
-/* Groups before names: all the names at once are more than a screen. */
+/* Completes groups first, then names: all names together are more than a screen. */
 static void print_setting(void)
 {
     puts("_tidepool_setting()     # NAME=VALUE as far as it goes\n{\n"

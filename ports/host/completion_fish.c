@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* The script for fish: a line for each command and each row of options, with the tables'
- * texts.  Settings are listed whole, names with = behind and choices with their values:
- * fish finds among them. */
+/* The script for fish: one line per command and per row of options, with the help texts of
+ * the tables.  Settings are listed in full, as NAME= or with each of their choices: fish
+ * searches the list itself. */
 #include <stdio.h>
 #include <string.h>
 #include "completion.h"
@@ -59,7 +59,7 @@ static void print_command(const command_row *of)
     puts("");
 }
 
-/* "water.filter=linear", tab, the text. */
+/* Prints "water.filter=linear", a tab, the help text. */
 static void print_setting(const tp_param *param, const char *value)
 {
     printf("        ");

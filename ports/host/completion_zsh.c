@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: MIT */
-/* The script for zsh, with the tables' texts: _arguments knows options, their values and
- * what they are for; two functions of ours tell scenes and settings. */
+/* The script for zsh, with the help texts of the tables.  _arguments completes options and
+ * their values; two functions in the script complete scenes and settings. */
 #include <stdio.h>
 #include <string.h>
 #include "completion.h"
 
-/* In a specification of _arguments a bracket and a colon need a backslash. */
+/* Prints a text of an _arguments specification: brackets and colons need a backslash. */
 static void print_spec_text(const char *text)
 {
     for (; *text; text++)

@@ -10,20 +10,20 @@
 
 typedef struct {
     crew     *of;
-    uint32_t  number;           /* from 1 */
-    uint32_t  done;             /* jobs begun */
+    uint32_t  number;           /* index, from 1 */
+    uint32_t  done;             /* number of the last job that the thread began */
     pthread_t thread;
 } hand;
 
 struct crew {
-    pthread_mutex_t lock;       /* of all that follows */
-    pthread_cond_t  work, rest; /* there is a job, or it is over; nobody is busy */
+    pthread_mutex_t lock;       /* guards all members below */
+    pthread_cond_t  work, rest; /* work: a job or the end; rest: no thread is busy */
     void    (*task)(void *user, uint32_t i);
     void     *user;
-    uint32_t  job;              /* counts, from 1 */
+    uint32_t  job;              /* number of the current job, from 1 */
     uint32_t  busy;
-    bool      open;             /* a hand may still begin */
-    bool      over;             /* go home */
+    bool      open;             /* threads may still begin the job */
+    bool      over;             /* threads shall end */
     uint32_t  hands;
     hand      hand[];
 };

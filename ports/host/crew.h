@@ -1,23 +1,23 @@
 /* SPDX-License-Identifier: MIT */
-/* Threads that wait for work and do it together with the caller.  They are started once:
- * starting them anew costs 19 us for one and 670 us for fifteen, waking them 7 and 96. */
+/* A thread pool: threads wait for a job and work on it together with the caller.  The
+ * threads start once: starting costs 19 us for one thread and 670 us for fifteen, waking 7
+ * and 96 us. */
 #ifndef HOST_CREW_H
 #define HOST_CREW_H
 #include <stdint.h>
 
 typedef struct crew crew;
 
-/* Threads that a picture is drawn by where nobody says how many: one a processor, up to
- * eight. */
+/* Returns the default number of drawing threads: one per processor, at most eight. */
 uint32_t crew_usual(void);
 
-/* So many threads beside the caller; those that the system refuses are missing.  NULL:
- * none at all, which crew_do and crew_close take too. */
+/* Starts `threads` threads beside the caller, or fewer if the system refuses.  Returns NULL
+ * if there are none; crew_do and crew_close accept NULL. */
 crew *crew_open(uint32_t threads);
 void  crew_close(crew *c);
 
-/* Calls task(user, i) at once from the caller, i = 0, and from threads 1.. as they wake;
- * those that wake when the caller's own call is over do not begin.  Returns when all that
- * began are done. */
+/* Calls task(user, i) from the caller at once, i = 0, and from threads 1.. as they wake.
+ * Threads that wake after the caller's call has ended do not begin.  Returns when all begun
+ * calls have ended. */
 void  crew_do(crew *c, void (*task)(void *user, uint32_t i), void *user);
 #endif

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Reading tables: the whole file is taken into memory and cut in place, so that a field
- * is a pointer and lines may have any length. */
+/* Reads tables.  The whole file is read into memory and split in place: a field is a
+ * pointer, and lines may have any length. */
 #include "csv.h"
 #include <errno.h>
 #include <math.h>
@@ -33,7 +33,7 @@ const char *csv_field(const csv *table, unsigned row, unsigned column)
     return table->fields[(size_t)(row + 1) * table->n_columns + column];
 }
 
-/* strtod reads more than decimals: blanks, "inf", "nan" and hexadecimals. */
+/* Checks the characters first: strtod also accepts blanks, "inf", "nan" and hexadecimal. */
 const char *csv_number(const char *text, double *value)
 {
     char *end;
@@ -47,7 +47,7 @@ const char *csv_number(const char *text, double *value)
     return end;
 }
 
-/* -- the file's bytes -------------------------------------------------------------- */
+/* -- reading the file -------------------------------------------------------------- */
 
 static int take_bytes(csv *table, FILE *file, size_t *bytes)
 {
@@ -84,7 +84,7 @@ static int take_file(csv *table, size_t *bytes)
     return code;
 }
 
-/* -- its lines --------------------------------------------------------------------- */
+/* -- splitting into lines ---------------------------------------------------------- */
 
 static unsigned count_of(const char *text, char what)
 {
@@ -94,7 +94,7 @@ static unsigned count_of(const char *text, char what)
     return count;
 }
 
-/* Ends the line at `text` and returns the next. */
+/* Terminates the line at `text` and returns the next line. */
 static char *cut_line(char *text)
 {
     char *end = text + strcspn(text, "\n");
@@ -115,7 +115,8 @@ static char *take_notes(csv *table, char *text)
     return text;
 }
 
-/* Cuts a line at its commas; its number is that of the row, or of the names. */
+/* Splits a line at its commas.  number: line number in the file, of a row or of the column
+ * names. */
 static int take_fields(csv *table, char *line, const char **field, unsigned number)
 {
     const unsigned count = count_of(line, ',') + 1;
