@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Tapes as files of lines, read whole before anything runs. */
+/* Tapes as text files.  A tape is read completely before it is replayed. */
 #define _POSIX_C_SOURCE 200809L
 #include "deck.h"
 #include "base/fail.h"
@@ -18,7 +18,7 @@
 
 #define WHITE " \t\r\v\f"
 
-enum { LINE = PATH_MAX + TP_TAPE_LINE };        /* of a set, which may name a file */
+enum { LINE = PATH_MAX + TP_TAPE_LINE };        /* bytes; a set may name a file */
 
 /* -- reading --------------------------------------------------------------------- */
 
@@ -34,8 +34,9 @@ static int fail_line(const reader *r, tp_error *err)
     return fail_at(r->name, err);
 }
 
-/* A line without its end into text, terminated: its bytes, which may be zeros, or -1 at
- * the end of the file.  Of one that is too long LINE, and all of it is read. */
+/* Reads a line into text, without the line end, terminated.  Returns its number of bytes
+ * (zero bytes included), -1 at the end of the file, or LINE for a line that is too long;
+ * such a line is skipped to its end. */
 static int next_line(reader *r, char text[LINE])
 {
     int c = getc(r->file), n = 0;
@@ -86,7 +87,7 @@ static int add(deck *d, const reader *r, const deck_entry *entry)
     if (last && (entry->tick < last->tick
                  || (entry->tick == last->tick && last->kind == DECK_STEP)))
         return fail(EXIT_INPUT, "%s:%u: ticks must rise", r->name, (unsigned)r->line);
-    if ((d->count & (d->count - 1)) == 0) {         /* full at powers of two */
+    if ((d->count & (d->count - 1)) == 0) {         /* the array is full at powers of two */
         const size_t room = d->count ? 2 * d->count : 1;
         deck_entry *more = realloc(d->entries, room * sizeof *more);
         if (!more)
@@ -99,7 +100,7 @@ static int add(deck *d, const reader *r, const deck_entry *entry)
 
 /* -- lines ----------------------------------------------------------------------- */
 
-/* Where a line's second word stands, if it is this one; else NULL. */
+/* Returns the second word of a line if it equals `word`; else NULL. */
 static char *second_word(char *text, const char *word)
 {
     char *c = text + strspn(text, WHITE);
@@ -110,7 +111,7 @@ static char *second_word(char *text, const char *word)
          ? c : NULL;
 }
 
-/* The word blanked out, the rest is as of an input. */
+/* Reads a look: replaces the word by blanks and reads the rest like an input. */
 static int read_look(const reader *r, char *text, size_t bytes, char *word,
                      deck_entry *entry)
 {
@@ -231,7 +232,7 @@ int deck_record(deck *d, const char *name, const char *scene)
     return EXIT_DONE;
 }
 
-/* The line that is about to be written. */
+/* Notes the picture and the file position of the next line to be written. */
 static void mark(deck *d)
 {
     if ((d->lines & (d->lines - 1)) == 0) {
@@ -295,7 +296,8 @@ void deck_cut(deck *d, uint32_t picture)
     deck_drop(d, keep, d->lines);
 }
 
-/* What follows is read, and written where the dropped lines began. */
+/* Removes lines from the middle: reads the rest of the file and writes the rest at the
+ * position of the first dropped line. */
 static bool close_gap(deck *d, size_t from, size_t end)
 {
     const long gap = d->marks[end].at - d->marks[from].at;

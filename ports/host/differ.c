@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: MIT */
-/* In integers but for the last logarithm: a sum of squares is below 2^42 of the largest
- * picture, and every machine tells the same number. */
+/* Differences of pictures in integers up to the final logarithm.  The sum of squares of the
+ * largest picture is below 2^42: every machine computes the same number. */
 #include "differ.h"
 #include <math.h>
 #include <string.h>
 
-/* Of the three channels, each square below 2^16. */
+/* Returns the sum of the squares of three channels, each square below 2^16. */
 static inline uint32_t squares_of(uint32_t a, uint32_t b)
 {
     const int red = (int)(a >> 16 & 255) - (int)(b >> 16 & 255);
@@ -31,7 +31,7 @@ static uint32_t *row_of(picture *p, uint32_t y)
     return (uint32_t *)(void *)(p->rows + y * p->row_bytes);
 }
 
-/* The line is black and white, to be seen before anything. */
+/* Draws the line black and white, visible on every picture. */
 void differ_split(picture *to, const uint32_t *a, const uint32_t *b)
 {
     const uint32_t middle = to->width / 2;

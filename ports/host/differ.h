@@ -1,17 +1,19 @@
 /* SPDX-License-Identifier: MIT */
-/* How two pictures of one size differ: a number, and two ways to see it.  Both are
- * 0x00RRGGBB row by row; what is shown is xrgb8888 of the same size. */
+/* The difference of two pictures of the same size: as a number, and as two kinds of
+ * picture.  Both inputs are 0x00RRGGBB, row by row; the result is xrgb8888 of the same
+ * size. */
 #ifndef HOST_DIFFER_H
 #define HOST_DIFFER_H
 #include "picture.h"
 
-/* Peak signal to noise over all channels, dB: 10 log10(255^2 / mean square).  Up to 99;
- * 100: the same bits. */
+/* Returns the peak signal to noise ratio over all channels, dB: 10 log10(255^2 / mean
+ * square).  At most 99; 100: the same bits. */
 double differ_psnr(const uint32_t *a, const uint32_t *b, size_t pixels);
 
-/* Left half of a, right half of b; the pixels at either side of the middle are a line. */
+/* Shows the left half of a and the right half of b; the two pixels in the middle are a
+ * line. */
 void   differ_split(picture *to, const uint32_t *a, const uint32_t *b);
 
-/* 8 times a less b, about 128, in each channel. */
+/* Shows 128 + 8 (a - b) in each channel, clamped to 0..255. */
 void   differ_show(picture *to, const uint32_t *a, const uint32_t *b);
 #endif

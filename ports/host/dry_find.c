@@ -1,28 +1,30 @@
 /* SPDX-License-Identifier: MIT */
-/* All cameras are drawn once with every piece there is, by stages that note when they run.
- * Then parts are left out, many at a time and fewer where that changes something, looking
- * at a few cameras; what stays out is tried on all of them.  A camera that differs joins
- * the few, and the search goes on: it ends with a list that is right for all. */
+/* Searches the pieces that a program needs.  First all cameras are drawn with all pieces,
+ * by stages that note when they run.  Then the search leaves out pieces, many at a time,
+ * fewer at a time if the result changes, and compares the pictures of a few cameras.  The
+ * resulting list is compared on all cameras.  A camera with a different picture joins the
+ * few, and the search goes on.  The search ends with a list that is right for all
+ * cameras. */
 #include "dry_find.h"
 #include "fx/fx.h"
 #include <stdlib.h>
 #include <string.h>
 #include "say.h"
 
-#define FEW 12                  /* cameras at first */
+#define FEW 12                  /* number of cameras at first */
 
 typedef struct {
     const dry_wish *wish;
     dry_run         run;
-    dry_picture    *want;       /* of each camera, by everything */
+    dry_picture    *want;       /* picture of each camera, drawn with all pieces */
     uint32_t       *few;
     uint32_t        n_few;
-    piece_set       in;         /* as found so far */
-    piece_set       needed;     /* never left out */
-    piece_set       moved;      /* the last ones that moved the worlds as everything does */
+    piece_set       in;         /* current list */
+    piece_set       needed;     /* pieces that are never left out */
+    piece_set       moved;      /* last set with the same world steps as all pieces */
     piece_list      list;
-    bool            lean;       /* by fewer assets */
-    int             code;       /* what stopped the search */
+    bool            lean;       /* draw with the reduced assets */
+    int             code;       /* error that stopped the search */
 } search;
 
 /* -- programs ------------------------------------------------------------------------- */
@@ -40,7 +42,8 @@ static bool plans(const piece_set *set)
     return false;
 }
 
-/* A program without the plan draws by the rungs that its scene names. */
+/* Returns the program of a set.  A program without the quality plan draws the scene with
+ * named rungs. */
 static dry_program program_of(search *s, const piece_set *set)
 {
     const dry_wish *wish = s->wish;
@@ -68,7 +71,8 @@ static bool moves_as(const piece_set *a, const piece_set *b)
     return true;
 }
 
-/* Stepping takes long: sets that do not differ in what moves are not tried again. */
+/* True if a program steps the worlds as all pieces do.  Stepping is slow: a set with the
+ * same moving pieces as the last set is not stepped again. */
 static bool moves_same(search *s, const piece_set *set, const dry_program *by)
 {
     if (moves_as(set, &s->moved))
@@ -79,7 +83,7 @@ static bool moves_same(search *s, const piece_set *set, const dry_program *by)
     return true;
 }
 
-/* True if the set will do for the few cameras, or for all. */
+/* True if the set gives the right pictures for the few cameras, or for all. */
 static bool will_do(search *s, const piece_set *set, bool all, uint32_t *differs)
 {
     const dry_program by = program_of(s, set);
@@ -94,10 +98,11 @@ static bool will_do(search *s, const piece_set *set, bool all, uint32_t *differs
     return !s->code && first == s->run.cameras && moves_same(s, set, &by);
 }
 
-/* -- what is needed for sure ---------------------------------------------------------- */
+/* -- pieces needed for sure ----------------------------------------------------------- */
 
-/* A piece that takes memory is on, however seldom it is seen.  A picture's alone, which moves
- * nothing, is kept for other cameras: those of somebody who acts. */
+/* A piece is needed if the memory shrinks without the piece, even if the piece is rarely
+ * visible.  A module's drawing, with no part in the world, is needed only if its module is
+ * needed, or if a user acts there: other cameras may then see the drawing. */
 static void need_what_takes_memory(search *s)
 {
     const dry_wish *wish = s->wish;
@@ -128,9 +133,9 @@ static void need_what_takes_memory(search *s)
     }
 }
 
-/* A scene that may change shows what it does not show now: each module that is on stays
- * with its drawing and all its stages.  Fast stages stay where they have run: what they
- * cannot draw exact stages do. */
+/* A scene that may change can show more than it shows now: each module that is on stays
+ * with its drawing and all its stages.  Fast stages stay only if they have run: exact
+ * stages can replace them. */
 static void need_what_is_on(search *s)
 {
     const dry_wish *wish = s->wish;
@@ -149,7 +154,8 @@ static void need_what_is_on(search *s)
     }
 }
 
-/* The pieces that every picture has, and every program that chooses rungs while it runs. */
+/* Pieces needed for every picture, and the plan for each program that chooses rungs at run
+ * time. */
 static void need_always(search *s)
 {
     static const char *const always[] = { "sky", "plain" };
@@ -165,7 +171,7 @@ static void need_always(search *s)
 
 /* -- leaving out ---------------------------------------------------------------------- */
 
-/* Leaves out of s->in as many of the listed pieces as will do for the few cameras. */
+/* Leaves out of s->in as many of the listed pieces as the few cameras allow. */
 static void leave_out(search *s, const uint32_t *which, uint32_t count)
 {
     piece_set less = s->in;
@@ -182,7 +188,8 @@ static void leave_out(search *s, const uint32_t *which, uint32_t count)
     }
 }
 
-/* Of two pieces that stand in for each other one can go; then a third may be needless. */
+/* Leaves out pieces until nothing changes.  If two pieces can replace each other, leaving
+ * out either may make a third piece needless. */
 static void leave_out_all(search *s, const piece_set *of)
 {
     uint32_t which[PIECES_MOST] = { 0 }, count, before;
@@ -200,8 +207,8 @@ static void leave_out_all(search *s, const piece_set *of)
     } while (before > 0 && !s->code);
 }
 
-/* What is out comes back, and all that will do for the new camera too goes again.  False:
- * not even everything will do. */
+/* Adds a camera to the few.  All pieces come back, and the pieces that are needless for the
+ * new camera too are left out again.  False: the picture is wrong even with all pieces. */
 static bool look_at(search *s, uint32_t camera)
 {
     const piece_set all = everything(s->wish);
@@ -237,8 +244,8 @@ static int refuse(const search *s, uint32_t camera)
                 " than with everything there is", place[0], place[1], place[2]);
 }
 
-/* Stages that did not run first, then parts.  False: nothing will do for all cameras, of
- * which `differs` is the first. */
+/* Leaves out the stages that did not run, then other pieces.  False: no list is right for
+ * all cameras; *differs: the first camera with a wrong picture. */
 static bool narrow(search *s, uint32_t *differs)
 {
     piece_set idle = { .has = { false } }, parts = { .has = { false } };
@@ -256,7 +263,7 @@ static bool narrow(search *s, uint32_t *differs)
     return true;
 }
 
-/* Stages of drawings that are left out. */
+/* Removes the stages of drawings that are left out. */
 static void tidy(piece_set *in)
 {
     bool drawn = false;
@@ -286,7 +293,7 @@ static int find(search *s)
     return narrow(s, &differs) ? EXIT_DONE : refuse(s, differs);
 }
 
-/* -- what is not there at all --------------------------------------------------------- */
+/* -- missing pieces ------------------------------------------------------------------- */
 
 static bool has_any(const piece_set *set)
 {
@@ -296,7 +303,7 @@ static bool has_any(const piece_set *set)
     return false;
 }
 
-/* Pieces that would change a picture or the world if they alone were missing. */
+/* Finds each piece of `without` that alone would change a picture or the world. */
 static int find_lacks(search *s, piece_set *lacks)
 {
     const dry_wish *wish = s->wish;

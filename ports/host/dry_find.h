@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Finds the pieces that a scene needs: those without which the worlds and pictures of a dry
- * run would differ, or something would be counted as left out. */
+/* Finds the pieces that a scene needs: without such a piece, the worlds or pictures of a
+ * dry run would differ, or the frame would count something as dropped. */
 #ifndef HOST_DRY_FIND_H
 #define HOST_DRY_FIND_H
 #include "dry_run.h"
@@ -8,28 +8,30 @@
 #include "tidepool/frame.h"
 
 typedef struct {
-    const tp_scene  *scene;     /* as it is; */
+    const tp_scene  *scene;     /* the scene unchanged */
     const tp_assets *assets;
-    const tp_scene  *named;     /* the same with its plan's rungs named */
-    const tp_assets *baked;     /* assets of the program, and ... */
-    const tp_assets *lean;      /* ... fewer, if they will do; or NULL */
+    const tp_scene  *named;     /* the scene with its plan's rungs named */
+    const tp_assets *baked;     /* assets of the program */
+    const tp_assets *lean;      /* fewer assets, used if they suffice; or NULL */
     tp_config config;
     piece_terms      terms;
-    piece_set        with;      /* pieces that stay whatever the run says, and ... */
-    piece_set        without;   /* ... that are not there at all */
+    piece_set        with;      /* pieces that stay in any case */
+    piece_set        without;   /* pieces that are left out in any case */
     bool             acts;
 } dry_wish;
 
 typedef struct {
     piece_set in;
-    piece_set lacks;            /* of `without`, those that the scene asks for */
-    piece_set refused;          /* modules that a scene which changes may not switch on */
-    bool      lean;             /* those assets will do */
-    bool      planned;          /* the program plans for itself; else by the named scene */
-    uint32_t  pictures;         /* that were compared */
+    piece_set lacks;            /* pieces of `without` that the scene asks for */
+    piece_set refused;          /* modules that a changed scene may not switch on */
+    bool      lean;             /* true: `lean` assets suffice */
+    bool      planned;          /* true: the program has the plan; false: use the named
+                                 * scene */
+    uint32_t  pictures;         /* number of pictures compared */
 } dry_found;
 
-/* All cameras are drawn by the program that was found and by everything but `without`.
- * EXIT_CHECK: a picture or the world differs, which it says; EXIT_INPUT. */
+/* Searches, and compares the pictures of all cameras with pictures of all pieces but
+ * `without`.  Returns EXIT_CHECK after a message if a picture or the world differs;
+ * EXIT_INPUT. */
 int dry_find(dry_found *found, const dry_wish *wish);
 #endif

@@ -10,12 +10,12 @@
 #include "say.h"
 
 #define MOMENTS 24
-#define EVERY   15              /* ticks from one to the next: 6 s in all, */
-#define ALONE   40              /* 15 s of a scene that nobody acts in */
-#define CAMERAS 8               /* at each moment, where somebody acts */
-#define BAND    48              /* rows of a tile: any tiling draws the same bits */
+#define EVERY   15              /* ticks between moments: 6 s in all */
+#define ALONE   40              /* ticks between moments without a user: 16 s in all */
+#define CAMERAS 8               /* cameras per moment if a user acts */
+#define BAND    48              /* rows of a tile; every tiling draws the same bits */
 
-/* -- numbers -------------------------------------------------------------------------- */
+/* -- random numbers ------------------------------------------------------------------- */
 
 static uint32_t next(uint64_t *state)
 {
@@ -25,7 +25,7 @@ static uint32_t next(uint64_t *state)
     return (uint32_t)(z >> 32);
 }
 
-/* low..high. */
+/* Returns a number in low..high. */
 static int32_t between(uint64_t *state, int32_t low, int32_t high)
 {
     const uint64_t span = (uint64_t)((int64_t)high - low) + 1;
@@ -39,7 +39,7 @@ static tp_fx metres(uint64_t *state, int32_t low_mm, int32_t high_mm)
 
 /* -- the world ------------------------------------------------------------------------ */
 
-/* Random input of a player: steers, lets drops fall, pushes the water, turns the light. */
+/* Returns a random input of a player: steers, drops, pushes the water, turns the light. */
 static tp_input input_at(uint64_t *state)
 {
     const tp_fx x = metres(state, -3000, 3000), z = metres(state, -3000, 3000);
@@ -55,7 +55,8 @@ static tp_input input_at(uint64_t *state)
     return in;
 }
 
-/* Each moment's world goes to `to` or, if that is NULL, is compared; false: it differs. */
+/* Steps the world.  Each moment's world is stored in `to` or, if `to` is NULL, compared
+ * with the stored world; false: a world differs. */
 static bool step_all(const dry_run *d, const dry_program *by, tp_world *world, uint8_t *to)
 {
     const uint32_t every = d->acts ? EVERY : ALONE;
@@ -96,7 +97,7 @@ static const tp_world *world_at(const dry_run *d, uint32_t moment)
     return (const tp_world *)(const void *)(d->worlds + moment * d->world_bytes);
 }
 
-/* Something that the scene has, or where it is seen from. */
+/* Returns the position of the pool, the drops, the boat, or the camera. */
 static tp_vec3 thing(const tp_scene *scene, const tp_world *world, uint64_t *state)
 {
     switch (next(state) % 5) {
@@ -111,8 +112,8 @@ static tp_vec3 thing(const tp_scene *scene, const tp_world *world, uint64_t *sta
     }
 }
 
-/* Within 1, 4, 16 or 64 m of something, looking at it or anywhere; each third camera is
- * under water. */
+/* Returns a camera within 1, 4, 16 or 64 m of a thing, turned to the thing or anywhere; a
+ * third of the cameras is under water. */
 static dry_camera camera_near(const dry_program *by, const tp_world *world,
                               uint64_t *state)
 {
@@ -195,12 +196,12 @@ typedef struct {
     uint32_t           count;
     dry_picture       *to;
     const dry_picture *want;
-    tp_error           err;             /* the caller's own */
+    tp_error           err;             /* error on the calling thread */
     atomic_uint        taken, differs;
     atomic_bool        failed;
 } job;
 
-/* One thread's frame and memory. */
+/* Frame and memory of one thread. */
 typedef struct {
     void     *block, *scratch;
     tp_world *world;
@@ -268,8 +269,9 @@ static bool is_same(const dry_picture *a, const dry_picture *b)
     return a->crc == b->crc && a->dropped == b->dropped;
 }
 
-/* Threads take pictures in order: all before `at` are taken, so that the least number told
- * is the first failure, whichever thread drew it. */
+/* Notes the lowest index with a wrong picture.  Threads take pictures in order, so all
+ * lower indices have been taken: the noted index is the first failure, whichever thread
+ * drew it. */
 static void tell(job *j, uint32_t at)
 {
     uint32_t least = atomic_load(&j->differs);

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
-/* A dry run: a scene is stepped and drawn here as a program would do it elsewhere, at many
- * moments and from many places, so that two lists can be compared.
+/* A dry run: steps and draws a scene as a program on the target would, at many moments and
+ * from many cameras, for comparing two lists.
  *
- * Cameras and inputs follow from a fixed seed; the same scene gives the same run. */
+ * Cameras and inputs follow from a fixed seed: the same scene gives the same run. */
 #ifndef HOST_DRY_RUN_H
 #define HOST_DRY_RUN_H
 #include <stdbool.h>
@@ -17,11 +17,11 @@ typedef struct {
 } dry_program;
 
 typedef struct {
-    uint32_t moment;            /* of the run's worlds */
-    bool     own;               /* the world's own camera; else: */
+    uint32_t moment;            /* index of the run's stored worlds */
+    bool     own;               /* true: the world's own camera; else the members below */
     tp_vec3  eye;
     tp_turn  heading, pitch;
-    uint32_t rung;              /* of the ladder */
+    uint32_t rung;              /* index in the ladder */
 } dry_camera;
 
 typedef struct {
@@ -33,24 +33,25 @@ typedef struct {
     tp_ladder   ladder;
     bool        acts;
     size_t      world_bytes;
-    uint8_t    *worlds;         /* one after another, as they were at each moment */
+    uint8_t    *worlds;         /* worlds at each moment, one after another */
     uint32_t    moments;
     dry_camera *camera;
     uint32_t    cameras;
 } dry_run;
 
-/* Steps the world by a program and chooses cameras: those of the scene alone or, if
- * somebody acts, others around all that the scene has, above and under water, and inputs in
- * the second half.  Each returns an exit code and has said why; close in any case. */
+/* Steps the world by a program and chooses cameras.  Without a user only the scene's
+ * camera.  acts: a user gives inputs in the second half, and further cameras are around all
+ * things of the scene, above and under water.  Each function returns an exit code after
+ * printing the reason; the caller calls dry_close in every case. */
 int dry_open(dry_run *d, const dry_program *by, const tp_config *config, bool acts);
 void dry_close(dry_run *d);
 
 /* True if the program steps the run's worlds bit for bit. */
 bool dry_moves_same(const dry_run *d, const dry_program *by);
 
-/* Pictures of the cameras `which` (NULL: all), each into its place in `to`.  With `want`,
- * another run's pictures, it ends soon after the first that differs: *differs is its
- * camera, or `cameras` if there is none. */
+/* Draws the pictures of the cameras `which` (NULL: all); to[camera] gets the picture.
+ * want: pictures of another run; drawing then ends soon after the first difference, and
+ * *differs is its camera, or `cameras` if there is none. */
 int dry_draw(const dry_run *d, const dry_program *by, const uint32_t *which,
              uint32_t count, dry_picture *to, const dry_picture *want, uint32_t *differs);
 #endif

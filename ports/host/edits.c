@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Edits in a ring; the last `undone` of them are undone.  While the last one is open
- * there is one, and none is undone. */
+/* Edits in a ring; the last `undone` of them are undone.  While the last edit is open, at
+ * least one edit exists and none is undone. */
 #include "edits.h"
 #include <stdlib.h>
 #include <string.h>
@@ -62,7 +62,7 @@ void edits_forget_worlds(edits *e)
 
 /* -- the ring ---------------------------------------------------------------------- */
 
-/* Away with the last one. */
+/* Removes the last edit. */
 static void drop_last(edits *e)
 {
     let_go_both(e, at(e, --e->count));
@@ -75,7 +75,7 @@ static void drop_first(edits *e)
     e->count--;
 }
 
-/* A drag that ended where it began. */
+/* Removes the last edit if it changed nothing: a drag that ended at its start. */
 static void drop_nothing(edits *e)
 {
     const edit *last = at(e, e->count - 1);

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Changes of parameters, to be undone and made again; with each the world before and
- * after it, if it stood then. */
+/* Changes of parameters for undo and redo.  Each keeps the world before and after the
+ * change, if the world stood still. */
 #ifndef HOST_EDITS_H
 #define HOST_EDITS_H
 #include <stdbool.h>
@@ -8,10 +8,11 @@
 #include <stdint.h>
 #include "stage.h"
 
-#define EDITS 256               /* that are remembered; older ones are forgotten */
-#define EDITS_BYTES (64u << 20) /* of worlds; those of the oldest edits go first */
+#define EDITS 256               /* edits remembered; older edits are forgotten */
+#define EDITS_BYTES (64u << 20) /* bytes of all worlds; the oldest edits lose their worlds
+                                 * first */
 
-/* A copy of a world's block, shared by the edit after which it stood and the next one. */
+/* A copy of a world, shared by the edit before it and the edit after it. */
 typedef struct {
     uint32_t users;
     size_t   bytes;
@@ -20,41 +21,42 @@ typedef struct {
 
 typedef struct {
     stage_value value;
-    edit_world *world;          /* NULL: it moved, or there was no memory */
+    edit_world *world;          /* NULL: the world moved, or no memory */
 } edit_side;
 
 typedef struct {
-    uint32_t  row;              /* of the table of parameters */
+    uint32_t  row;              /* index in the table of parameters */
     edit_side before, after;
-    size_t    line, line_end;   /* of a tape's lines, that tell of it */
+    size_t    line, line_end;   /* lines of the tape that record the edit: first, end */
 } edit;
 
-/* All 0 to begin with. */
+/* Initially all 0. */
 typedef struct {
-    edit     of[EDITS];         /* a ring: of[(first + i) % EDITS] is the i-th of count */
+    edit     of[EDITS];         /* ring: of[(first + i) % EDITS] is edit i of count */
     uint32_t first, count, undone;
-    bool     open;              /* the last one goes on: a drag */
-    size_t   bytes;             /* of worlds */
+    bool     open;              /* the last edit continues: a drag */
+    size_t   bytes;             /* bytes of all worlds */
 } edits;
 
-/* The copy of a world that lies behind the last edit, if it is this one, or a new copy:
- * one user more.  NULL: no memory. */
+/* Returns a copy of the world with one more user: the last edit's copy if it is equal, else
+ * a new copy.  NULL: no memory. */
 edit_world *edits_world(edits *e, const tp_world *world, size_t bytes);
-void        edits_let_go(edits *e, edit_world *world);  /* one user less; NULL is taken */
+void        edits_let_go(edits *e, edit_world *world);  /* one user less; accepts NULL */
 
 void        edits_forget_worlds(edits *e);
 
-/* `going`: more of the same row's will follow, and all are one, from the first `before`
- * to the last `after`; one that ends where it began is none.  What was undone can no
- * longer be made again.  The worlds' users become the edit. */
+/* Adds an edit and removes all undone edits.  going: more changes of the same row follow,
+ * and all count as one edit, from the first `before` to the last `after`; an edit without
+ * effect is dropped.  Takes over the users of the worlds. */
 void edits_add(edits *e, const edit *change, bool going);
-void edits_part(edits *e);                      /* what follows is a new one */
+void edits_part(edits *e);                      /* closes the last edit: the next change is
+                                                 * a new edit */
 
-/* The last one that is not undone, or NULL. */
+/* Returns the last edit that is not undone, or NULL. */
 edit *edits_last(edits *e);
 
-/* The change to be made now, or NULL: undo wants `before` put in place, redo `after`.
- * It stays until the next edits_add. */
+/* Return the edit to apply now, or NULL: for undo the caller applies `before`, for redo
+ * `after`.  The edit is valid until the next edits_add. */
 edit *edits_undo(edits *e);
 edit *edits_redo(edits *e);
 void  edits_clear(edits *e);

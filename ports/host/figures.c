@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Times are kept of each of the last pictures.  The graph shows all of them; parts are
- * means of the last second's, as means add up to the whole, which medians do not. */
+/* Collects times of the last pictures.  The graph shows all of them.  The parts are means
+ * over the last second: means add up to the total, medians do not. */
 #include "figures.h"
 #include <stdio.h>
 #include <stdlib.h>
@@ -9,27 +9,28 @@
 
 enum { WINDOW = 60, ANSWERS = 15, TEXT_BYTES = 2048 };
 
-#define STAGES_US 250000u       /* between readings of the stopwatch */
+#define STAGES_US 250000u       /* us between readings of the stopwatch */
 #define SECOND_US 1000000u
 
-/* Of one picture, us. */
+/* Times of one picture, us. */
 typedef struct {
     uint32_t all, part[FIGURE_PARTS];
 } times;
 
 struct figures {
-    times    now;               /* of the picture that is being made */
-    times    last[PANEL_HISTORY];       /* picture n at n % PANEL_HISTORY */
+    times    now;               /* picture in progress */
+    times    last[PANEL_HISTORY];       /* picture n is at n % PANEL_HISTORY */
     uint32_t pictures;
-    uint64_t shown_at[PANEL_HISTORY];   /* likewise */
+    uint64_t shown_at[PANEL_HISTORY];   /* time of display, us; indexed as last */
     uint32_t shown;
-    uint64_t pressed_at;        /* and no picture since; 0: nothing */
-    uint32_t answer[ANSWERS];   /* from an input to its picture, us */
+    uint64_t pressed_at;        /* time of the first input since the last picture; 0:
+                                 * none */
+    uint32_t answer[ANSWERS];   /* us from an input to its picture */
     uint32_t answers;
     float    limit_ms;
     bool     measures;
-    uint64_t stages_at;         /* when the stopwatch was zeroed, */
-    uint32_t stages_from;       /* and pictures by then */
+    uint64_t stages_at;         /* time when the stopwatch was zeroed */
+    uint32_t stages_from;       /* value of `pictures` at that time */
     panel_time stage[PANEL_TIMES];
     uint32_t stage_count;
     char     text[FIGURE_TEXTS][TEXT_BYTES];
@@ -55,7 +56,7 @@ void figures_end(figures *f)
     free(f);
 }
 
-/* -- as it happens ------------------------------------------------------------------- */
+/* -- collecting ---------------------------------------------------------------------- */
 
 static uint32_t held(uint64_t us)
 {
@@ -105,7 +106,7 @@ void figures_say(figures *f, figure_text which, const char *text)
     snprintf(f->text[which], sizeof f->text[which], "%s", text);
 }
 
-/* -- what comes of it ---------------------------------------------------------------- */
+/* -- evaluation ---------------------------------------------------------------------- */
 
 static int by_size(const void *a, const void *b)
 {
@@ -113,14 +114,14 @@ static int by_size(const void *a, const void *b)
     return (x > y) - (x < y);
 }
 
-/* ms of n <= WINDOW times; 0 of none. */
+/* Returns the median of n <= WINDOW times, ms; 0 if n = 0. */
 static float median_ms(uint32_t *us, uint32_t n)
 {
     qsort(us, n, sizeof *us, by_size);
     return n ? (float)(us[(n - 1) / 2] / 2.0 + us[n / 2] / 2.0) / 1000 : 0;
 }
 
-/* The k-th last picture, 1.. */
+/* Returns the k-th last picture, k >= 1. */
 static const times *last_of(const figures *f, uint32_t k)
 {
     return &f->last[(f->pictures - k) % PANEL_HISTORY];
@@ -150,7 +151,7 @@ static void add_time(panel_time *list, uint32_t *count, const char *name, double
                                          (float)(all > 0 ? mean / all : 0) };
 }
 
-/* Without those that take no time. */
+/* Lists the parts with a mean above 0. */
 static void fill_parts(const figures *f, panel_figures *to)
 {
     const uint32_t n = f->pictures < WINDOW ? f->pictures : WINDOW;
@@ -171,7 +172,8 @@ static void fill_parts(const figures *f, panel_figures *to)
     add_time(to->parts, &to->part_count, "the rest", all - sum, all);
 }
 
-/* Between the first and the last of the last second's; 0 if nothing is shown any more. */
+/* Returns the pictures per second, from the first to the last picture of the last second; 0
+ * if no picture was shown. */
 static float rate_of(const figures *f, uint64_t now)
 {
     const uint32_t n = f->shown < PANEL_HISTORY ? f->shown : PANEL_HISTORY;
@@ -195,7 +197,8 @@ static int dearest(const void *a, const void *b)
     return (x < y) - (x > y);
 }
 
-/* There are more stages than places, but never so many in one scene. */
+/* Reads the stopwatch.  There are more stages than PANEL_TIMES, but no scene runs that
+ * many. */
 static void read_stages(figures *f, uint64_t now)
 {
     const double pictures = f->pictures - f->stages_from;

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT */
-/* What the preview's instruments show: times of the last pictures, by part and by stage,
- * from input to picture, memory, the plan of this moment.
+/* The figures of the preview's instruments: times of the last pictures, by part and by
+ * stage, latency from input to picture, memory, the current plan.
  *
- * No type of the core's is named here: the panel is C++, which the core's headers are not
- * written for.  What texts say of a stage comes from figures_texts.h. */
+ * The header uses no type of the core: the panel is C++, and the core's headers are C only.
+ * figures_texts.h makes the texts about a stage. */
 #ifndef HOST_FIGURES_H
 #define HOST_FIGURES_H
 #include <stdbool.h>
@@ -13,32 +13,32 @@
 extern "C" {
 #endif
 
-/* -- as they are shown --------------------------------------------------------------- */
+/* -- figures as displayed ------------------------------------------------------------ */
 
-/* A time of the last pictures, us. */
+/* A mean time over the last pictures. */
 typedef struct {
     const char *name;           /* "water moves", "pixels" ... */
-    float       mean, share;    /* us a picture; 0..1 of all */
+    float       mean, share;    /* us per picture; fraction of the total, 0..1 */
 } panel_time;
 
 #define PANEL_HISTORY 240       /* pictures */
 #define PANEL_TIMES   64
 
 typedef struct {
-    float       history[PANEL_HISTORY];     /* ms a picture, the newest last, and 0 before
-                                               the first */
-    uint32_t    pictures;                   /* so far */
-    float       limit_ms;                   /* a line in the graph: 1000/60 */
+    float       history[PANEL_HISTORY];     /* ms of each picture, the newest last; 0 before
+                                             * the first */
+    uint32_t    pictures;                   /* number of pictures until now */
+    float       limit_ms;                   /* line in the graph: 1000/60 */
     float       median_ms, shown_per_s;
     float       latency_ms;                 /* from the last inputs to their pictures */
-    panel_time  parts[PANEL_TIMES];         /* of a picture, from world to window, and the
-                                               rest: together its mean time */
+    panel_time  parts[PANEL_TIMES];         /* parts of a picture, from world to window, and
+                                             * the rest; their sum is the mean time */
     uint32_t    part_count;
-    panel_time  stages[PANEL_TIMES];        /* of its pixels, dearest first; of all threads
-                                               together */
-    uint32_t    stage_count;                /* 0: not measured now */
-    const char *ram;                        /* lines, parted by \n: use, tab, bytes */
-    const char *plan;                       /* lines: kind, tab, rung, tab, why ... */
+    panel_time  stages[PANEL_TIMES];        /* stages of the pixels, most expensive first;
+                                             * sum of all threads */
+    uint32_t    stage_count;                /* 0: not measured */
+    const char *ram;                        /* lines, separated by \n: use, tab, bytes */
+    const char *plan;                       /* lines: kind, tab, rung, tab, reason ... */
     const char *state;                      /* one line: tick, clock, camera, tape, film */
 } panel_figures;
 
@@ -49,7 +49,7 @@ typedef struct {
     const char *note;           /* "the reference draws: 40%"; "" */
 } panel_compare;
 
-/* -- as they are collected ----------------------------------------------------------- */
+/* -- collecting ---------------------------------------------------------------------- */
 
 typedef enum {
     FIGURE_WORLD, FIGURE_GEOMETRY, FIGURE_PIXELS, FIGURE_COMPARE, FIGURE_UPLOAD,
@@ -63,26 +63,29 @@ typedef struct figures figures;
 figures *figures_begin(void);                   /* NULL: no memory */
 void     figures_end(figures *f);
 
-/* Times of the picture that is being made, us; what is told twice adds up.  Then it is
- * made, and took `us` in all, from world to window: what the graph shows. */
+/* figures_part adds the time of a part of the picture in progress, us; repeated calls add
+ * up.  figures_picture ends the picture; us: its total time from world to window, for the
+ * graph. */
 void figures_part(figures *f, figure_part part, uint64_t us);
 void figures_picture(figures *f, uint64_t us);
 
-/* Something was pressed at `now`, us of now_us(); a picture that was begun after it is on
- * the display.  Of several inputs before one picture the first counts. */
+/* figures_input: an input at `now`, us of now_us().  figures_shown: a picture begun after
+ * the input is on the display.  Of several inputs before a picture the first counts. */
 void figures_input(figures *f, uint64_t now);
 void figures_shown(figures *f, uint64_t now);
 
-void figures_limit(figures *f, float ms);       /* the graph's line; 1000/60 at first */
+void figures_limit(figures *f, float ms);       /* line of the graph, ms; initially
+                                                 * 1000/60 */
 
-/* `on`: the canvas's program has the stopwatch (stopwatch.h), which this reads and zeroes. */
+/* on: the canvas's program has the stopwatch (stopwatch.h); figures_fill reads and zeroes
+ * it. */
 void figures_measures(figures *f, bool on);
 
-/* Up to 2047 bytes, copied; more are cut. */
+/* Copies a text of up to 2047 bytes; a longer text is cut. */
 void figures_say(figures *f, figure_text which, const char *text);
 
-/* All of it; texts are f's, and stay until it ends.  Times of stages are those of the
- * last quarter of a second. */
+/* Fills in all figures; their texts are owned by f and valid until figures_end.  Times of
+ * stages cover the last quarter of a second. */
 void figures_fill(figures *f, uint64_t now, panel_figures *to);
 
 #ifdef __cplusplus

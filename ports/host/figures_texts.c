@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Lines of columns parted by tabs. */
+/* Makes texts for the instruments: lines with columns separated by tabs. */
 #include "figures_texts.h"
 #include "frame/tools.h"
 #include "scene/world.h"
@@ -9,7 +9,7 @@
 #include <string.h>
 #include "say.h"
 
-/* What does not fit is left out. */
+/* A text that grows; text beyond its size is cut off. */
 typedef struct {
     char   text[2048];
     size_t length;
@@ -31,7 +31,7 @@ static void add(sheet *to, const char *format, ...)
 
 /* -- memory -------------------------------------------------------------------------- */
 
-/* "11,953,600" */
+/* Adds a line with a number as "11,953,600". */
 static void add_bytes(sheet *to, const char *use, size_t bytes)
 {
     char digits[24];
@@ -84,7 +84,7 @@ static bool is_governed(const governing *g)
     return g && g->governor.limit > 0 && g->governor.ladder.count > 1;
 }
 
-/* "visibility, *rows, 1.34 M, 1.20 MB, chosen": the star is at what is drawn now. */
+/* Adds "visibility, *rows, 1.34 M, 1.20 MB, chosen"; the star marks the rung drawn now. */
 static void add_rung(sheet *to, const plan_sheet *p, int kind, int i, int drawn)
 {
     const tp_rung_report *rung = &p->report.rung[kind][i];

@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: MIT */
-/* What the preview's figures say of a stage: memory, plan, state. */
+/* The preview's texts about a stage: memory, plan, state. */
 #ifndef HOST_FIGURES_TEXTS_H
 #define HOST_FIGURES_TEXTS_H
 #include "figures.h"
 #include "governing.h"
 #include "plan_sheet.h"
 
-/* The last plan, and what it is of: it takes up to 10 ms, and changes with the scene and
- * the picture's size alone.  All 0 at first. */
+/* The last plan, and the scene and size for which it was made.  A plan takes up to 10 ms,
+ * and depends only on the scene and the size of the picture.  Initially all 0. */
 typedef struct {
     bool       made;
     uint32_t   width, height;
@@ -15,10 +15,10 @@ typedef struct {
     plan_sheet sheet;
 } figures_plan;
 
-/* Memory by use; the plan with the rungs that are drawn by at this moment, and the line
- * of the graph, which is the governor's if it holds one.  A few times a second. */
+/* Updates the memory by use, the plan with the rungs drawn now, and the line of the graph,
+ * which is the governor's limit if there is one.  To call a few times a second. */
 void figures_stage(figures *f, figures_plan *kept, const stage *s, const governing *g);
 
-/* Tick, clock and camera; `more` is put after it, "" nothing. */
+/* Updates tick, clock and camera; `more` is appended, "": nothing. */
 void figures_world(figures *f, const stage *s, const char *more);
 #endif

@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: MIT */
-/* YUV4MPEG2, 4:2:0 with centred chroma ("C420jpeg"), BT.601 in its
- * limited range, which is what players take for granted.
+/* YUV4MPEG2, 4:2:0 with centred chroma ("C420jpeg"), BT.601 in limited range, the default
+ * of players.
  *
- * RGB to YUV in integers, 16 fraction bits; the coefficients sum to 219/255, 0 and 0,
- * so greys have no tint and white is 235.  Chroma is of the sum of four
- * pixels, hence two more bits. */
+ * Converts RGB to YUV in integers with 16 fraction bits.  The coefficients sum to 219/255,
+ * 0 and 0: greys have no tint, and white is 235.  Chroma uses the sum of four pixels, hence
+ * two more bits. */
 #include "film.h"
 #include <errno.h>
 #include <stdlib.h>
@@ -30,13 +30,14 @@ static uint8_t luma(uint32_t c)
     return (uint8_t)(16 + ((sum + 0x8000) >> 16));
 }
 
-/* Of the sums of four pixels: |sum| <= 28784 * 1020 < 2^25. */
+/* Arguments: sums of four pixels; |sum| <= 28784 * 1020 < 2^25. */
 static uint8_t chroma(int r, int g, int b, int kr, int kg, int kb)
 {
     return (uint8_t)(128 + ((kr * r + kg * g + kb * b + 0x20000) >> 18));
 }
 
-/* Two rows of pixels (one twice at an odd bottom) to two rows of Y, one of U and V. */
+/* Converts two rows of pixels to two rows of Y and one row each of U and V.  At an odd
+ * bottom the last row counts twice. */
 static void add_rows(film *f, uint32_t y)
 {
     const uint32_t w = f->width, h = f->height, half = (w + 1) / 2;

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Films: YUV4MPEG2, which needs no library and which every player and encoder reads. */
+/* Films in YUV4MPEG2, a format that needs no library and is read by players and
+ * encoders. */
 #ifndef HOST_FILM_H
 #define HOST_FILM_H
 #include "output.h"
@@ -9,16 +10,16 @@ typedef struct {
     output    out;
     uint32_t  width, height;
     uint32_t *pixels;           /* two rows, 0x00RRGGBB */
-    uint8_t  *planes;           /* Y, then U and V of half the size each way */
-    size_t    bytes;            /* of the planes */
+    uint8_t  *planes;           /* Y, then U and V of half the width and height */
+    size_t    bytes;            /* size of the planes */
 } film;
 
-/* Each picture is shown for `ticks` of 1/60 s. */
+/* Opens a film; each picture is shown for `ticks` of 1/60 s. */
 int  film_open(film *f, const char *name, uint32_t width, uint32_t height, uint32_t ticks);
-/* The same, of one tick, into a pipe, which it closes in any case, film_close at the
- * latest. */
+/* The same with one tick per picture, into a pipe.  The function closes the pipe after a
+ * failure, film_close closes it otherwise. */
 int  film_open_pipe(film *f, int to, const char *name, uint32_t width, uint32_t height);
-int  film_add(film *f, const picture *p);       /* after a failure nothing is left */
+int  film_add(film *f, const picture *p);       /* after a failure the film is discarded */
 int  film_close(film *f);
 void film_discard(film *f);
 #endif

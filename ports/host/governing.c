@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The governor at work: steps are never silent. */
+/* Runs the governor; prints a message for each step. */
 #include "governing.h"
 #include "frame/tools.h"
 #include <stdio.h>
@@ -38,7 +38,7 @@ const char *governing_word(unsigned kind, tp_rungs rungs)
     return word ? word : "?";
 }
 
-/* "33" or "2.5". */
+/* Writes ms as "33" or "2.5". */
 static void ms_text(char text[24], uint32_t us)
 {
     if (us >= 10000)

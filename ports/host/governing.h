@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* quality.frame_ms held by the clock: feeds the core's governor, says each step. */
+/* Holds quality.frame_ms by the clock: feeds the core's governor and prints each step. */
 #ifndef HOST_GOVERNING_H
 #define HOST_GOVERNING_H
 #include "scene/plan.h"
@@ -10,12 +10,12 @@ typedef struct {
     tp_frame   *frame;
 } governing;
 
-/* Of the stage's canvas as it is now; begin anew after that has changed. */
+/* Begins with the stage's canvas; to call again after the canvas has changed. */
 void governing_begin(governing *g, const stage *s);
 
-/* Frame `number` took so long; the next is drawn accordingly. */
+/* Reports the time of frame `number`, us; sets the rungs of the next frame. */
 void governing_add(governing *g, uint32_t number, uint64_t us);
 
-/* A rung in words: "half-rate layers". */
+/* Returns a rung in words: "half-rate layers". */
 const char *governing_word(unsigned kind, tp_rungs rungs);
 #endif

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Printing, reading and comparing frames' CRCs. */
+/* Prints, reads and compares the CRCs of frames. */
 #define _POSIX_C_SOURCE 200809L
 #include "hashes.h"
 #include <errno.h>
@@ -17,7 +17,7 @@ void hash_print(FILE *file, uint32_t frame, uint32_t crc)
 
 static bool add(hashes *h, struct hash hash)
 {
-    if ((h->count & (h->count - 1)) == 0) {     /* at 0, 1, 2, 4, 8 ...: double */
+    if ((h->count & (h->count - 1)) == 0) {     /* at 0, 1, 2, 4, 8 ...: double the room */
         const size_t room = h->count ? 2 * h->count : 1;
         struct hash *more = realloc(h->list, room * sizeof *more);
         if (!more)
@@ -28,7 +28,7 @@ static bool add(hashes *h, struct hash hash)
     return true;
 }
 
-/* By sets of digits: sscanf's own numbers may have signs, and "0x". */
+/* Reads digits as sets of characters: numbers of sscanf may have signs and "0x". */
 static bool read_hash(const char *line, struct hash *hash)
 {
     char frame[10], crc[9];
@@ -66,13 +66,13 @@ static int read_lines(hashes *h, FILE *file)
     for (unsigned number = 1; !code && (bytes = getline(&line, &room, file)) >= 0;
          number++)
         code = read_line(h, number, line, (size_t)bytes);
-    if (!code && !feof(file))               /* getline may have found no memory */
+    if (!code && !feof(file))               /* getline may have failed for lack of memory */
         code = fail(EXIT_INPUT, "%s: %s", h->name, strerror(errno));
     free(line);
     return code;
 }
 
-/* By frames, those of one frame as they stand in the file. */
+/* Compares by frame, then by line in the file. */
 static int by_frame(const void *of_a, const void *of_b)
 {
     const struct hash *a = of_a, *b = of_b;
@@ -104,7 +104,7 @@ int hashes_read(hashes *h, const char *name)
     return code ? code : check_twice(h);
 }
 
-/* NULL: it is not there. */
+/* Returns NULL if the frame is not in the list. */
 static const struct hash *find(const hashes *h, uint32_t frame)
 {
     size_t low = 0, high = h->count;

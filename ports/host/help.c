@@ -12,7 +12,7 @@
 #include "say.h"
 #include "tidepool/tidepool.h"
 
-/* Holds for a shipped scene, and for any name that ends in .ini. */
+/* True for a shipped scene, and for any name that ends in .ini. */
 static bool is_scene(const char *name)
 {
     char *folder = path_ends(name, ".ini") ? NULL : path_of_scenes();
@@ -50,7 +50,7 @@ const command_row *command_find(const char *name)
     return NULL;
 }
 
-/* 24 lines of a screen. */
+/* Prints the commands on a screen of 24 lines. */
 static void print_commands(void)
 {
     puts("usage: tidepool COMMAND [ARGUMENT]...\n"

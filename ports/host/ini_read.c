@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
-/* INI files through libinih, which distributions build so that it tells the handler no
- * line number, cuts lines at 200 bytes in silence and takes an indented line for more of
- * the value above.  The reader below counts lines, takes the indent away, and keeps a value
- * that is too long for libinih: the name of a file may be as long as a path. */
+/* Reads INI files through libinih.  As built by distributions, libinih passes no line
+ * numbers to the handler, silently cuts lines at 200 bytes, and takes an indented line for
+ * a continuation of the value above.  The reader below counts lines, removes the indent,
+ * and keeps a value that is too long for libinih: a file name may be as long as a path. */
 #define _POSIX_C_SOURCE 200809L
 #include "ini_read.h"
 #include <ctype.h>
@@ -17,10 +17,10 @@ typedef struct {
     const char *path;
     ini_take   *take;
     void       *user;
-    uint32_t    line;           /* of the last line read, from 1 */
-    bool        failed;         /* and said why */
+    uint32_t    line;           /* number of the last line read, from 1 */
+    bool        failed;         /* true after an error and its message */
     char        text[INI_LINE + 1];
-    const char *value;          /* of that line, if it is too long for libinih */
+    const char *value;          /* value of the line if too long for libinih */
 } ini_input;
 
 static bool refuse_line(ini_input *in, const char *why, int limit)
@@ -30,7 +30,8 @@ static bool refuse_line(ini_input *in, const char *why, int limit)
     return false;
 }
 
-/* A line without its end and its indent; false at the file's end or after a failure. */
+/* Reads a line without its end and its indent; false at the end of the file or after an
+ * error. */
 static bool read_line(ini_input *in)
 {
     int c = getc(in->stream), length = 0;
@@ -51,7 +52,7 @@ static bool read_line(ini_input *in)
     return true;
 }
 
-/* Without the blanks around it and the comment behind it, as libinih has it. */
+/* Trims the blanks around a value and the comment after it, by libinih's rules. */
 static const char *value_of(char *text)
 {
     char *end = text;
@@ -65,7 +66,8 @@ static const char *value_of(char *text)
     return text;
 }
 
-/* A line too long for libinih: of a setting it gets the name alone, of a comment nothing. */
+/* Shortens a line that is too long for libinih: a setting keeps only its name, a comment
+ * becomes empty. */
 static bool shorten_line(ini_input *in, char *text, int room)
 {
     const size_t name = strcspn(in->text, "=:");
@@ -79,7 +81,7 @@ static bool shorten_line(ini_input *in, char *text, int room)
     return true;
 }
 
-/* As fgets; NULL ends the parse. */
+/* Reads a line as fgets does; NULL ends the parse. */
 static char *next_line(char *text, int room, void *user)
 {
     ini_input *in = user;

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* INI files, with the numbers of their lines. */
+/* INI files, with line numbers. */
 #ifndef HOST_INI_READ_H
 #define HOST_INI_READ_H
 #include <limits.h>
@@ -8,10 +8,10 @@
 
 #define INI_LINE (PATH_MAX + 255)       /* bytes of a line, without its end and indent */
 
-/* Takes one setting; false: it refused it, and said why. */
+/* Takes one setting; false: refused, after a message with the reason. */
 typedef bool ini_take(void *user, uint32_t line, const char *section, const char *name,
                       const char *value);
 
-/* EXIT_INPUT: the file or a line of it is bad, and it has been said. */
+/* Returns EXIT_INPUT after a message if the file or a line is bad. */
 int ini_read(const char *path, ini_take *take, void *user);
 #endif
