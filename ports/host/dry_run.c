@@ -11,7 +11,7 @@
 
 #define MOMENTS 24
 #define EVERY   15              /* ticks between moments: 6 s in all */
-#define ALONE   40              /* ticks between moments without a user: 16 s in all */
+#define ALONE   40              /* ticks between moments without a user: 15 s in all */
 #define CAMERAS 8               /* cameras per moment if a user acts */
 #define BAND    48              /* rows of a tile; every tiling draws the same bits */
 

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* tidepool join: films of ranges, drawn wherever, into one.  A YUV4MPEG2 film is a head
- * and frames, so the frames of parts with the same head are the film's, byte for byte;
- * each part is read to its end, and one that was cut off is refused. */
+/* tidepool join: joins films of ranges of frames, drawn anywhere, into one film.  A
+ * YUV4MPEG2 film is a head followed by frames: parts with the same head join byte for byte.
+ * Each part is read to its end; a truncated part is refused. */
 #define _POSIX_C_SOURCE 200809L
 #include <errno.h>
 #include <stdio.h>
@@ -15,7 +15,7 @@
 #include "path.h"
 #include "say.h"
 
-#define HEAD_BYTES 256          /* ours has 70 */
+#define HEAD_BYTES 256          /* tidepool's own head has 70 */
 #define SIDE_HIGH  65536u
 #define PIECE_BYTES 16384u
 
@@ -27,12 +27,13 @@ typedef struct {
 
 typedef struct {
     output      out;
-    const char *first;          /* part, which the others must fit */
+    const char *first;          /* name of the first part; the other heads must equal its
+                                 * head */
     char        head[HEAD_BYTES];
-    uint64_t    bytes;          /* of a frame, without its mark */
+    uint64_t    bytes;          /* size of a frame, without the line FRAME */
 } joined;
 
-/* A line without its end; false: none, or it is too long. */
+/* Reads a line without its end; false: end of the file, or the line is too long. */
 static bool read_line(FILE *file, char line[HEAD_BYTES])
 {
     if (!fgets(line, HEAD_BYTES, file))
@@ -43,7 +44,7 @@ static bool read_line(FILE *file, char line[HEAD_BYTES])
     return whole;
 }
 
-/* "W640" in a head: the number behind the letter, or 0. */
+/* Returns the number after the letter in a head, as in "W640", or 0. */
 static uint32_t side_of(const char *head, char letter)
 {
     const char mark[] = { ' ', letter, 0 };
@@ -64,7 +65,7 @@ static int open_part(part *p, const char *name)
     return EXIT_DONE;
 }
 
-/* The head is that of the first part; its frames' size follows from it. */
+/* Takes the head of the first part; the size of frames follows from the head. */
 static int take_head(joined *j, const part *p)
 {
     const uint32_t w = side_of(p->head, 'W'), h = side_of(p->head, 'H');
@@ -78,7 +79,7 @@ static int take_head(joined *j, const part *p)
     return EXIT_DONE;
 }
 
-/* The frame behind its mark, in pieces: a head may name any size. */
+/* Copies the frame after its FRAME line, in pieces: a head may name any size. */
 static int copy_frame(joined *j, const part *p, unsigned number)
 {
     char piece[PIECE_BYTES];

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* tidepool scenes and tidepool params: what there is to draw and to change. */
+/* tidepool scenes and tidepool params: lists the scenes and the parameters. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -80,14 +80,14 @@ static bool is_listed(const tp_param *param, const char *only)
     return !only || strncmp(param->name, only, strlen(only)) == 0;
 }
 
-/* "wave0." of both. */
+/* True if both names have the same group, as "wave0.". */
 static bool share_group(const tp_param *a, const tp_param *b)
 {
     const size_t n = strcspn(a->name, ".") + 1;
     return strncmp(a->name, b->name, n) == 0;
 }
 
-/* As wide as the widest of the listed rows; returns how many those are. */
+/* Sets each column's width to the widest of the listed rows; returns the number of rows. */
 static uint32_t measure(const tp_scene *scene, const char *only, int width[COLUMNS])
 {
     uint32_t count, listed = 0;
@@ -104,7 +104,7 @@ static uint32_t measure(const tp_scene *scene, const char *only, int width[COLUM
     return listed;
 }
 
-/* Groups are parted by an empty line. */
+/* Prints the table, with an empty line between groups. */
 static int print_table(const tp_scene *scene, const char *value_title, const char *only)
 {
     uint32_t count;

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Long names and the short ones that stand for them: long_name.h. */
+/* Long file names and the short texts that stand for them: see long_name.h. */
 #define _POSIX_C_SOURCE 200809L
 #include "long_name.h"
 #include "tidepool/scene.h"
@@ -10,7 +10,7 @@
 #include "path.h"
 #include "say.h"
 
-#define END_BYTES 100           /* of a long name that are shown */
+#define END_BYTES 100           /* bytes of the long name's end that are shown */
 
 typedef struct long_name long_name;
 struct long_name {
@@ -46,19 +46,20 @@ const char *long_name_whole(const char *text)
     return name ? name->whole : text;
 }
 
-/* Its last folders, as many as are shown, or the last letters of a name without. */
+/* Returns the last folders of a path, up to END_BYTES, or the last letters of a name
+ * without folders. */
 static const char *end_of(const char *whole)
 {
     const char *end = whole + strlen(whole) - END_BYTES;
     const char *slash = strchr(end, '/');
     if (slash && slash[1])
         return slash;
-    while ((*end & 0xc0) == 0x80)                       /* within a letter of UTF-8 */
+    while ((*end & 0xc0) == 0x80)                       /* inside a UTF-8 sequence */
         end++;
     return end;
 }
 
-/* Names that end alike are told apart by a number. */
+/* Makes the short text; a number distinguishes names with the same end. */
 static void put_text(long_name *name)
 {
     const char *end = end_of(name->whole);
@@ -67,7 +68,7 @@ static void put_text(long_name *name)
         snprintf(name->text, sizeof name->text, "...%u...%s", n, end);
 }
 
-/* Takes `whole`, or NULL. */
+/* Adds a name and takes ownership of `whole`, which may be NULL. */
 static const long_name *add(char *whole)
 {
     const long_name *there = whole ? find_whole(whole) : NULL;

@@ -1,14 +1,16 @@
 /* SPDX-License-Identifier: MIT */
-/* Names of files that are longer than a scene holds, TP_NAME_BYTES.  The scene then has a
- * short one, "..." and the end of the long one, which stands for it until the program
- * ends: copies of the text still mean the file.  Threads may do so at once. */
+/* File names longer than a scene can hold, TP_NAME_BYTES.  The scene holds a short text
+ * instead: "..." and the end of the long name.  The text stands for the long name until the
+ * program ends: every copy of the text still means the same file.  Safe on several
+ * threads. */
 #ifndef HOST_LONG_NAME_H
 #define HOST_LONG_NAME_H
 #include <stddef.h>
 
-/* The short name of the first `bytes` of a long one, or NULL: no memory, and it said so. */
+/* Returns the short text for the first `bytes` of a long name, or NULL after a message: no
+ * memory. */
 const char *long_name_shorten(const char *name, size_t bytes);
 
-/* The long name that the text stands for, or the text. */
+/* Returns the long name of a short text; any other text is returned unchanged. */
 const char *long_name_whole(const char *text);
 #endif

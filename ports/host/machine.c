@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Asks the processor.  Those of level v3 that anybody has made have all of it where they
- * have these four. */
+/* Asks the processor for its level.  Every existing processor with the four features below
+ * has all of level v3. */
 #include "machine.h"
 #include "tidepool/modules.h"
 #include <stdbool.h>

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Builds of the core that this processor can run: the host has the hot loops twice, for any
- * x86-64 and for level v3 (AVX2).  Both draw the same bits. */
+/* Builds of the core for this processor.  The host has the hot loops twice, for any x86-64
+ * and for level v3 (AVX2).  Both draw the same bits. */
 #ifndef HOST_MACHINE_H
 #define HOST_MACHINE_H
 #include "tidepool/world.h"
@@ -10,6 +10,6 @@ typedef struct {
     const tp_program *program;
 } machine;
 
-/* All that this processor can run, best first; the last is "baseline". */
+/* Returns all builds for this processor, best first; the last is "baseline". */
 const machine *machine_list(size_t *count);
 #endif

@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: MIT */
-/* The program: finds the command and runs it. */
+/* The main program: finds the command and runs it. */
 #include <signal.h>
 #include <stdbool.h>
 #include <string.h>
 #include "commands.h"
 #include "say.h"
 
-/* Options that stand where a command does, as other programs have them. */
+/* Translates options in place of a command, as --help, to the command. */
 static char *command_name(char *word)
 {
     static char help[] = "help", version[] = "version";
@@ -17,8 +17,8 @@ static char *command_name(char *word)
     return word;
 }
 
-/* A list that goes on into `head` ends there without a word; elsewhere writing to a pipe
- * that nobody reads fails, and that is said. */
+/* True if the command only prints a list.  A list piped into `head` ends silently by
+ * SIGPIPE.  For other commands a write to a closed pipe fails with a message. */
 static bool is_list(const command_row *command, int argc, char **argv)
 {
     bool help = false;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* tidepool manual: tidepool(1), from the tables of commands, options, keys and exit
- * codes, and tidepool-scene(5) from that of parameters. */
+/* tidepool manual: prints tidepool(1), from the tables of commands, options, keys and exit
+ * codes, and tidepool-scene(5), from the table of parameters. */
 #include "manual.h"
 #include "tidepool/tidepool.h"
 #include <stdbool.h>
@@ -75,7 +75,7 @@ static void print_entries(const char *title, const entry *of, size_t count)
     }
 }
 
-/* "tidepool view [SCENE]...": words in capitals stand for others. */
+/* Prints "tidepool view [SCENE]..."; words with capitals are placeholders, in italics. */
 static void print_usage_line(const char *at, size_t bytes)
 {
     const char *end = at + bytes;
@@ -106,7 +106,7 @@ static void print_usage(const about_row *of)
     }
 }
 
-/* A paragraph of lines that fill; an empty one begins the next. */
+/* Prints lines as filled paragraphs; an empty line begins a new paragraph. */
 static void print_lines(const char *text)
 {
     bool begun = false;
@@ -175,7 +175,7 @@ static void print_key(const char *keys, const char *name, const char *help)
     roff_text(help);
 }
 
-/* By groups, in the order in which they first occur. */
+/* Prints the keys by groups, in the order of first occurrence. */
 static void print_keys(void)
 {
     bool done[ACTIONS] = { false };

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* tidepool-scene(5): the file of a scene, and all that can stand in it, by groups.  Of
- * groups that differ in their number alone (wave0 to wave15) the first is told. */
+/* tidepool-scene(5): the file of a scene and all parameters by groups.  Of groups that
+ * differ only in their number (wave0 to wave15) only the first is printed. */
 #include "manual.h"
 #include <stdbool.h>
 #include <stdio.h>
@@ -34,7 +34,8 @@ static void print_file(void)
     roff_macro(".EE");
 }
 
-/* "wave" of "wave12.length", and *rest = ".length"; *number = 12, -1: it has none. */
+/* Splits "wave12.length": returns the length of "wave"; *number = 12, or -1 without a
+ * number; *rest = ".length". */
 static size_t split(const char *name, long *number, const char **rest)
 {
     const size_t letters = strcspn(name, "0123456789."), dot = strcspn(name, ".");
@@ -45,7 +46,7 @@ static size_t split(const char *name, long *number, const char **rest)
     return letters;
 }
 
-/* Of the same group but for its number, and told in the same words. */
+/* True if two parameters are the same except for the number of their group. */
 static bool alike(const tp_param *a, const tp_param *b)
 {
     long m, n;
@@ -63,7 +64,7 @@ static bool share_group(const tp_param *a, const tp_param *b)
     return strncmp(a->name, b->name, bytes) == 0;
 }
 
-/* How many rows from `first` on are one group's. */
+/* Returns the number of rows of a group, from `first` on. */
 static uint32_t group_size(const tp_param *first, const tp_param *end)
 {
     uint32_t size = 0;
@@ -72,7 +73,8 @@ static uint32_t group_size(const tp_param *first, const tp_param *end)
     return size;
 }
 
-/* How many groups from `first` on are the same but for their numbers, itself too. */
+/* Returns the number of equal groups from `first` on, `first` included; their numbers
+ * differ. */
 static uint32_t repeats(const tp_param *first, uint32_t size, const tp_param *end)
 {
     uint32_t count = 1;
@@ -83,7 +85,7 @@ static uint32_t repeats(const tp_param *first, uint32_t size, const tp_param *en
     return count;
 }
 
-/* "0..16 m; 0", and what it means. */
+/* Prints "0..16 m; 0", and the meaning. */
 static void print_param(const tp_param *param, bool numbered)
 {
     tp_scene scene;

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* The nearest known name by Levenshtein's distance: the fewest letters put in, left out
- * or changed that make one word the other (Wagner and Fischer 1974, one row kept). */
+/* Finds the nearest known name by the Levenshtein distance: the least number of insertions,
+ * deletions and changes of letters from one word to the other (Wagner and Fischer 1974,
+ * with one row stored). */
 #include "nearest.h"
 #include <string.h>
 
@@ -29,7 +30,7 @@ static unsigned distance(const char *a, const char *b)
     return row[n];
 }
 
-/* A third of the letters may differ: more is no slip of the fingers. */
+/* Allows at most a third of the letters plus 1 to differ: more is no typing error. */
 nearest nearest_to(const char *wanted)
 {
     return (nearest){ wanted, NULL, (unsigned)(strlen(wanted) / 3) + 2 };

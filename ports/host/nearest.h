@@ -3,11 +3,11 @@
 #ifndef HOST_NEAREST_H
 #define HOST_NEAREST_H
 
-/* The distance to beat: keep one for a whole list of names. */
+/* The best match for a word; use one struct for a whole list of names. */
 typedef struct {
     const char *wanted;
-    const char *name;       /* the nearest so far, or NULL: none is near enough */
-    unsigned    distance;   /* of it; at first, one more than is near enough */
+    const char *name;       /* best name until now, or NULL: none is near enough */
+    unsigned    distance;   /* its distance; initially the limit plus 1 */
 } nearest;
 
 nearest nearest_to(const char *wanted);

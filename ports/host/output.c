@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* Streams over descriptors that remember their first error: stdio itself forgets it when
- * a buffer is flushed on the way, and a full disk would be told as an I/O error. */
-#define _GNU_SOURCE             /* fopencookie, realpath */
+/* Streams over descriptors that remember their first error.  stdio loses an error in an
+ * intermediate flush, and a full disk would be reported as an I/O error. */
+#define _GNU_SOURCE             /* for fopencookie, realpath */
 #include "output.h"
 #include <errno.h>
 #include <fcntl.h>
@@ -21,7 +21,7 @@ struct output_end {
 
 /* -- streams --------------------------------------------------------------------- */
 
-/* After an error nothing more is written. */
+/* Writes to the descriptor; after an error writes nothing more. */
 static ssize_t put(void *cookie, const char *data, size_t bytes)
 {
     output_end *end = cookie;
@@ -30,7 +30,7 @@ static ssize_t put(void *cookie, const char *data, size_t bytes)
     return end->error ? 0 : (ssize_t)bytes;
 }
 
-/* A stream that does not close the descriptor; 0 or an errno. */
+/* Opens a stream that leaves the descriptor open when closed; returns 0 or an errno. */
 static int open_stream(output *out, int fd)
 {
     out->end = malloc(sizeof *out->end);
@@ -46,7 +46,7 @@ static int open_stream(output *out, int fd)
     return 0;
 }
 
-/* Flushes and closes it; 0 or the first error. */
+/* Flushes and closes the stream; returns 0 or the first error. */
 static int close_stream(output *out)
 {
     int error = 0;
@@ -67,7 +67,8 @@ static int descriptor_of(const output *out)
     return out->target ? out->temporary.fd : out->end ? out->end->fd : -1;
 }
 
-/* Temporary files close theirs themselves, standard output stays open. */
+/* Closes the descriptor, except of temporary files, which close their own, and standard
+ * output. */
 static int close_descriptor(const output *out, int fd)
 {
     return out->target || fd < 0 || fd == STDOUT_FILENO || close(fd) == 0 ? 0 : errno;
@@ -113,7 +114,8 @@ int output_take(output *out, int fd, const char *name)
     return refuse(out, error);
 }
 
-/* The target of a link is replaced, not the link. */
+/* Opens the temporary file.  If the name is a link, the link's target is replaced, not the
+ * link. */
 static int open_temporary(output *out, bool exists)
 {
     out->target = exists ? realpath(out->name, NULL)

@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: MIT */
-/* An output file that is whole or not there: it replaces the one of its name when all of
- * it is on its way to the disk (atomic_file.h).  Devices, pipes and "-" (standard output)
- * are written as they are.
+/* An output file that is either complete or absent: a temporary file replaces the file of
+ * that name after all bytes are written (atomic_file.h).  Devices, pipes and "-" (standard
+ * output) are written directly.
  *
- * The first write that fails is the one that messages tell of: those who fill the stream
- * need not look. */
+ * Messages report the first failed write: code that fills the stream need not check
+ * writes. */
 #ifndef HOST_OUTPUT_H
 #define HOST_OUTPUT_H
 #include <stdio.h>
@@ -14,18 +14,21 @@ typedef struct output_end output_end;
 
 typedef struct {
     FILE       *file;       /* NULL: not open */
-    const char *name;       /* as messages call it; the caller's */
-    char       *target;     /* that a temporary file replaces; NULL: written as it is */
+    const char *name;       /* name in messages; owned by the caller */
+    char       *target;     /* file to be replaced by the temporary file; NULL: written
+                             * directly */
     atomic_file temporary;
-    output_end *end;        /* private part: of the stream */
+    output_end *end;        /* private: state of the stream */
 } output;
 
-/* Each returns an exit code and has said why; after a failure nothing is left open. */
+/* Each function returns an exit code after printing the reason; after a failure nothing is
+ * left open. */
 int  output_open(output *out, const char *name);
-int  output_take(output *out, int fd, const char *name);    /* closes fd in any case */
-int  output_close(output *out);         /* EXIT_INPUT: not all could be written */
+int  output_take(output *out, int fd, const char *name);    /* closes fd in every case */
+int  output_close(output *out);         /* EXIT_INPUT: some data could not be written */
 void output_discard(output *out);
 
-/* Discards it and says what failed first: a write, or else `error`; EXIT_INPUT. */
+/* Discards the output and prints the first failure: a write, or else `error`.  Returns
+ * EXIT_INPUT. */
 int  output_failed(output *out, int error);
 #endif

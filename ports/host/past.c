@@ -1,36 +1,37 @@
 /* SPDX-License-Identifier: MIT */
-/* Snapshots of every 16th picture, thinned by age, and the inputs of all pictures since
- * the oldest.
+/* Rewinding: snapshots of every 16th picture, thinned by age, and the inputs of all
+ * pictures since the oldest snapshot.
  *
- * A world is plain data that takes the same way from the same inputs, so a snapshot is
- * only there to make the way short: any but the oldest may go, if the world came to it
- * by inputs alone.  One that it did not come to by inputs, because somebody changed the
- * scene, is the beginning of all that follows; it goes only when it is the oldest.
+ * A world is plain data and evolves the same from the same inputs.  A snapshot only
+ * shortens the replay: any but the oldest can be dropped if inputs alone led to its world.
+ * After a change of the scene inputs do not lead to the world; such a snapshot begins a new
+ * sequence and is dropped only when it is the oldest.
  *
- * When the budget is used up, that one goes whose neighbours then lie closest for their
- * age: so gaps grow with how long ago they are, to an eighth of that and 128 pictures at
- * the most, which are replayed within a moment.  Where none may grow the oldest goes. */
+ * When the budget is exhausted, the snapshot is dropped whose neighbours are then closest
+ * relative to their age.  Gaps grow with age, up to an eighth of the age and at most 128
+ * pictures, which replay in a moment.  If no gap can grow, the oldest snapshot is
+ * dropped. */
 #include "past.h"
 #include <stdlib.h>
 #include <string.h>
 
 #define DENSE    16             /* pictures between snapshots */
 #define GAP_MOST 128
-#define GAP_AGE  8              /* a gap's age is no less than so many times itself */
+#define GAP_AGE  8              /* a gap is at most 1 / GAP_AGE of its age */
 #define SCENE_BYTES ((sizeof(tp_scene) + 7) / 8 * 8)
 
 typedef struct {
     uint32_t picture;
-    bool     begins;            /* no input leads here */
-    size_t   bytes;             /* of the world */
-    char    *block;             /* scene, then world */
+    bool     begins;            /* first of a sequence: inputs do not lead here */
+    size_t   bytes;             /* size of the world */
+    char    *block;             /* the scene, then the world */
 } moment;
 
 struct past {
-    size_t    budget, used;     /* blocks and inputs */
-    moment   *kept;             /* pictures rise */
+    size_t    budget, used;     /* bytes of blocks and inputs: limit, in use */
+    moment   *kept;             /* snapshots, in order of pictures */
     size_t    count, room;
-    tp_input *input;            /* of the pictures kept[0].picture to end - 1, ... */
+    tp_input *input;            /* inputs of the pictures kept[0].picture to end - 1, ... */
     size_t    lead, inputs_room;/* ... from input[lead] on */
     uint32_t  end;
 };
@@ -42,7 +43,7 @@ static size_t inputs_of(const past *p)
     return p->count ? p->end - p->kept[0].picture : 0;
 }
 
-/* Makes place for one more; those of pictures that are gone make it first. */
+/* Makes room for one input, if possible in the room of dropped pictures. */
 static bool make_inputs_room(past *p)
 {
     const size_t count = inputs_of(p);
@@ -111,7 +112,8 @@ static void drop_oldest(past *p)
     p->used -= gone * sizeof *p->input;
 }
 
-/* That whose gap would be the smallest share of its age; 0: none may go. */
+/* Returns the snapshot whose removal leaves the smallest gap relative to its age; 0:
+ * none. */
 static size_t least_missed(const past *p)
 {
     size_t best = 0;
@@ -177,7 +179,7 @@ static bool keep(past *p, uint32_t picture, const tp_world *world, size_t bytes,
 
 /* -- pictures ----------------------------------------------------------------------- */
 
-/* What came from this picture on. */
+/* Drops everything from `picture` on. */
 static void cut(past *p, uint32_t picture)
 {
     if (p->count && picture <= p->kept[0].picture) {

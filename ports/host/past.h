@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* What was: worlds of every so many pictures and the inputs between them, so that any
- * picture of the last minutes can be had again, bit for bit, by replaying from the
- * snapshot before it.  Within a budget of bytes: older snapshots are thinned first. */
+/* Rewinding: worlds of some pictures and the inputs between them.  Any picture of the last
+ * minutes can be restored bit for bit by replaying from the snapshot before it.  Memory is
+ * bounded by a budget: older snapshots are thinned first. */
 #ifndef HOST_PAST_H
 #define HOST_PAST_H
 #include <stdbool.h>
@@ -12,26 +12,28 @@
 typedef struct past past;
 
 past *past_begin(size_t budget);        /* NULL: no memory */
-void  past_end(past *p);                /* NULL is taken */
+void  past_end(past *p);                /* accepts NULL */
 
-/* Before the ticks of a picture are made: the world and scene they start from, and the
- * input that the first of them takes.  `changed`: the scene has changed since the last
- * picture, or the world moved without a tick (a look while it stands).  Pictures rise
- * by one; a lower number cuts off that picture and what came after it, one that leaves
- * some out all there was. */
+/* To call before the ticks of a picture, with the world and scene at the start and the
+ * input of the first tick.  changed: the scene has changed since the last picture, or the
+ * world moved without a tick (a look while the water stands still).  Picture numbers
+ * increase by one.  A lower number discards that picture and all later ones; a gap discards
+ * everything. */
 void  past_add(past *p, uint32_t picture, const tp_world *world, size_t bytes,
                const tp_scene *scene, const tp_input *input, bool changed);
 
-/* The world and scene at the latest snapshot that is not after `picture`; *from is its
- * number.  False: there is none that old, or its world has not `bytes`. */
+/* Copies the world and scene of the latest snapshot at or before `picture`; *from: number
+ * of its picture.  False: no snapshot is that old, or its world has another size. */
 bool  past_take(const past *p, uint32_t picture, tp_world *world, size_t bytes,
                 tp_scene *scene, uint32_t *from);
 
-/* The input of a picture, for replaying; NULL: not kept. */
+/* Returns the input of a picture, for replay; NULL: not kept. */
 const tp_input *past_input(const past *p, uint32_t picture);
 
-uint32_t past_oldest(const past *p);    /* picture that can be had; UINT32_MAX: none */
-size_t past_world_bytes(const past *p, uint32_t picture);   /* that past_take wants; 0 */
-size_t past_bytes(const past *p);       /* held now, within the budget */
-void  past_forget(past *p);             /* the scene's files have changed */
+uint32_t past_oldest(const past *p);    /* oldest picture that can be restored; UINT32_MAX:
+                                         * none */
+size_t past_world_bytes(const past *p, uint32_t picture);   /* size for past_take; 0:
+                                                             * none */
+size_t past_bytes(const past *p);       /* bytes in use, within the budget */
+void  past_forget(past *p);             /* to call after the scene's files have changed */
 #endif

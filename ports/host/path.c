@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* File names and the place of the shipped scenes. */
-#define _XOPEN_SOURCE 700       /* realpath */
+/* File names, and the folder of the shipped scenes. */
+#define _XOPEN_SOURCE 700       /* for realpath */
 #include "path.h"
 #include <dirent.h>
 #include <errno.h>
@@ -52,7 +52,7 @@ char *path_stem(const char *path)
     return path_copy(base, strlen(base) - (path_ends(base, ".ini") ? 4 : 0));
 }
 
-/* The folder that a file lies in, without links and dots; NULL: there is none. */
+/* Returns the folder of a file, without links and dots; NULL: no such folder. */
 static char *folder_of(const char *path)
 {
     const char *slash = strrchr(path, '/');
@@ -79,7 +79,8 @@ bool path_same_folder(const char *a, const char *b)
     return same;
 }
 
-/* Two absolute folders: up from one to what they share, then down. */
+/* Returns the relative path between two absolute folders: up to their common part, then
+ * down. */
 static char *way(const char *from, const char *to, const char *base)
 {
     size_t shared = 0, ups = 0;
@@ -144,7 +145,7 @@ bool path_ends(const char *path, const char *suffix)
     return n > m && strcmp(path + n - m, suffix) == 0;
 }
 
-/* Cuts the last component; "/" stays. */
+/* Removes the last component; "/" stays. */
 static void go_up(char *path)
 {
     char *slash = strrchr(path, '/');
@@ -152,7 +153,7 @@ static void go_up(char *path)
         slash[slash == path] = 0;
 }
 
-/* The link is absolute and holds no "..", so going up is cutting. */
+/* The link is absolute and has no "..": removing a component moves up. */
 char *path_of_scenes(void)
 {
     static const struct { int up; const char *tail; } tries[] = {

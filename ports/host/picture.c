@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Drawn pictures: their colours, their CRC. */
+/* Colours and CRC of drawn pictures. */
 #include "picture.h"
 #include "pixel/pixel.h"
 #include <string.h>

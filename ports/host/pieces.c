@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The rows come from the lists of tidepool/modules.h: a piece that those gain or lose needs no
- * line here. */
+/* The table of pieces, made from the lists of tidepool/modules.h: a piece added or removed
+ * there needs no change here. */
 #include "pieces.h"
 #include "scene/parts.h"
 #include <inttypes.h>
@@ -35,7 +35,7 @@ const piece pieces[] = {
 const size_t piece_count = sizeof pieces / sizeof *pieces;
 _Static_assert(sizeof pieces / sizeof *pieces <= PIECES_MOST, "a set holds all pieces");
 
-/* A piece is a stage, a pointer in a program, by its offset there, or a use. */
+/* The code of a piece: a stage, a pointer in a program with its offset there, or a use. */
 typedef struct {
     tp_stage    stage, watched;
     const void *part;
@@ -44,9 +44,10 @@ typedef struct {
     tp_lack     lack;
 } meaning;
 
-/* -- stages that are watched ---------------------------------------------------------- */
+/* -- watched stages ------------------------------------------------------------------- */
 
-/* Numbers as the rows above have them; those of parts are counted and not used. */
+/* Indices of stages in the order of the rows above; stages of parts are counted but not
+ * used. */
 enum {
 #define X(x) RAN_##x,
 #define MODULE(x) TP_STAGES_OF_##x(X)
@@ -105,7 +106,7 @@ void pieces_forget(void)
         atomic_store(&ran[i], false);
 }
 
-/* Stages stand in `ran` in the order of the rows. */
+/* The array `ran` holds stages in the order of the rows. */
 bool pieces_ran(size_t i)
 {
     size_t at = 0;
@@ -116,7 +117,7 @@ bool pieces_ran(size_t i)
 
 /* -- a list --------------------------------------------------------------------------- */
 
-/* A program's member is set by its offset; a part's pointer is one like any other. */
+/* Sets a program's member at its offset; all pointers to parts have the same size. */
 static void put(tp_program *program, const meaning *m, tp_stage stage)
 {
     char *at = (char *)program + m->offset;
@@ -166,7 +167,7 @@ void pieces_watch(piece_list *to, const piece_set *of, const piece_terms *terms)
     make(to, of, terms, true);
 }
 
-/* Modules of the set that stand before a piece. */
+/* Returns the number of the set's modules before a piece. */
 static uint32_t modules_above(const piece_set *of, size_t i)
 {
     uint32_t above = 0;
@@ -256,7 +257,7 @@ static const char *symbol_of(size_t i, const piece_terms *terms)
     return name;
 }
 
-/* "    .water = { .swells = &tp_water_swells }," or nothing. */
+/* Writes "    .water = { .swells = &tp_water_swells }," or nothing. */
 static void write_kind(FILE *out, const piece_set *of, const piece_terms *terms,
                        piece_kind kind)
 {
@@ -274,7 +275,8 @@ static void write_kind(FILE *out, const piece_set *of, const piece_terms *terms,
         fputs(before, out);
 }
 
-/* A table has a place for each of the module's stages, whether it is there or not. */
+/* Writes the tables of stages.  A table has an entry for each stage of the module, 0 for a
+ * missing stage. */
 static void write_tables(FILE *out, const char *name, const piece_set *of)
 {
     for (size_t i = 0; i < piece_count; i++) {
@@ -307,7 +309,8 @@ static void write_uses(FILE *out, const char *name, const piece_set *of)
     fprintf(out, "    { 0, 0, 0, 0 }\n};\n");
 }
 
-/* False: there is none, and no list. */
+/* Writes the list of missing modules; false: no module is missing, and no list is
+ * written. */
 static bool write_lacks(FILE *out, const char *name, const piece_set *of,
                         const piece_set *lacks)
 {

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The pieces that a program's list may hold or lack, as the lists of tidepool/modules.h name
- * them, and a list that is made of some of them. */
+/* The pieces of a program list, named as in the lists of tidepool/modules.h, and a program
+ * list made from a set of pieces. */
 #ifndef HOST_PIECES_H
 #define HOST_PIECES_H
 #include <stdbool.h>
@@ -23,43 +23,44 @@ typedef struct {
 extern const piece  pieces[];
 extern const size_t piece_count;        /* up to PIECES_MOST */
 
-/* A set of pieces, by their numbers. */
+/* A set of pieces, by their indices. */
 typedef struct {
     bool has[PIECES_MOST];
 } piece_set;
 
-/* What a list has beside its pieces. */
+/* Settings of a list beside its pieces. */
 typedef struct {
-    tp_format format;           /* the one that it stores */
-    bool      streams;          /* crossings are not stored: tp_method_streamed */
-    bool      few;              /* room for the scene's own waves: tp_water_few_swells */
+    tp_format format;           /* pixel format */
+    bool      streams;          /* grid vertices are not stored: tp_method_streamed */
+    bool      few;              /* room for the scene's waves only: tp_water_few_swells */
     bool      checks;           /* scenes are checked: tp_scene_check */
 } piece_terms;
 
-/* A list in memory; `program` points into it. */
+/* A list in memory; `program` points into the struct. */
 typedef struct {
     tp_program program;
     tp_use   use[PIECES_MOST];
-    tp_stage stage[PIECES_MOST];        /* the tables of modules, one after another */
+    tp_stage stage[PIECES_MOST];        /* tables of stages of modules, one after another */
 } piece_list;
 
-/* Drawings and stages of a module that is not in the set are left out with it.  The list
- * refuses nothing. */
+/* Makes a list.  Drawings and stages of a module that is not in the set are left out too.
+ * The list refuses no scene. */
 void pieces_list(piece_list *to, const piece_set *of, const piece_terms *terms);
 
-/* The same with stages that note when they run; pieces_ran tells which have since
- * pieces_forget.  Threads may draw at once. */
+/* The same with stages that note when they run.  pieces_ran: true if a stage has run since
+ * pieces_forget.  Several threads may draw. */
 void pieces_watch(piece_list *to, const piece_set *of, const piece_terms *terms);
 void pieces_forget(void);
 bool pieces_ran(size_t i);
 
-/* All pieces of that name, a module's drawing and stages with it; false: there is none. */
+/* Adds all pieces with a name, a module with its drawing and stages; false: no such
+ * name. */
 bool pieces_named(piece_set *to, const char *name, size_t length);
 
-/* Adds the models of the water's surface that modules of the set work on. */
+/* Adds the wave models of the water that modules of the set need. */
 void pieces_add_models(piece_set *set);
 
-/* Pieces of the kinds that a world asks for. */
+/* True if a piece belongs to the world: a wave model or a module. */
 bool piece_moves(size_t i);
 
 static inline bool piece_is_stage(size_t i)
@@ -67,15 +68,15 @@ static inline bool piece_is_stage(size_t i)
     return pieces[i].kind == PIECE_STAGE || pieces[i].kind == PIECE_MODULE_STAGE;
 }
 
-/* "stage sky", "module foam": as people read them. */
+/* Returns the kind in words: "stage" of "stage sky", "module" of "module foam". */
 const char *piece_word(size_t i);
 
-/* True if a module is on in the scene, by a program of the other pieces of the set. */
+/* True if the scene switches the module on, with the set's other pieces in the program. */
 bool piece_is_on(size_t i, const piece_set *of, const piece_terms *terms,
                  const tp_scene *scene, const tp_assets *assets);
 
-/* The list as text in C: NAME_program and, before it, what it points to.  Modules in
- * `lacks` are refused by name when a scene comes to have them. */
+/* Writes the list as C text: NAME_program, preceded by its tables.  The program refuses
+ * scenes with a module of `lacks` by the module's name. */
 void pieces_write(FILE *out, const char *name, const piece_set *of, const piece_set *lacks,
                   const piece_terms *terms);
 #endif

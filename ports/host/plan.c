@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* tidepool plan: by which rungs a scene is drawn, what each costs, how far it is off, the
- * bytes that it takes, and why the others were not chosen. */
+/* tidepool plan: prints for each rung of a scene its cost, error and bytes, and the reason
+ * why the rung was chosen or not. */
 #include <inttypes.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -11,17 +11,17 @@
 #include "plan_sheet.h"
 #include "say.h"
 
-#define BAND 16                 /* rows of a tile, as a board draws */
-#define MHZ  168                /* of the estimate, and cycles of an instruction */
+#define BAND 16                 /* rows of a tile, as on a board */
+#define MHZ  168                /* clock, MHz, and cycles per instruction of the estimate */
 #define CPI  "1.3"
-#define SPEED (MHZ * 1000000ull * 10 / 13)      /* instructions a second */
+#define SPEED (MHZ * 1000000ull * 10 / 13)      /* instructions per second */
 
 typedef struct {
     stage     *stage;
     plan_sheet sheet;
 } plan;
 
-/* -- for programs -------------------------------------------------------------------- */
+/* -- output for programs ------------------------------------------------------------- */
 
 static void print_csv(const plan *p)
 {
@@ -48,7 +48,7 @@ static void print_csv(const plan *p)
            p->stage->canvas.frame_bytes + p->stage->canvas.scratch_bytes);
 }
 
-/* -- for people ---------------------------------------------------------------------- */
+/* -- output for people --------------------------------------------------------------- */
 
 static void print_head(const plan *p, const options *o)
 {

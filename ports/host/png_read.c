@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
-/* PNG files of any depth and colour type to 0xAARRGGBB, or to greys of 16 bits.
+/* Reads PNG files of any depth and colour type to 0xAARRGGBB, or to 16-bit grey.
  *
- * The file may be hostile: sides are held to what a texture can have before anything is
- * allocated, so are ancillary chunks, and every error of libpng ends here. */
+ * The file may be hostile: the sides are limited to the sides of a texture before any
+ * allocation, ancillary chunks are limited, and every error of libpng is caught here. */
 #define _POSIX_C_SOURCE 200809L
 #include <errno.h>
 #include <png.h>
@@ -16,8 +16,9 @@
 #include "say.h"
 
 #define SIDE        4096
-#define CHUNKS      64              /* ancillary ones kept */
-#define CHUNK_BYTES (8u << 20)      /* of one of them, uncompressed; of any allocation */
+#define CHUNKS      64              /* ancillary chunks kept */
+#define CHUNK_BYTES (8u << 20)      /* size of a chunk, uncompressed, and of any
+                                     * allocation */
 
 typedef struct {
     FILE       *file;
@@ -27,7 +28,8 @@ typedef struct {
     bool        grey, lacks_memory;
     uint8_t    *bytes;              /* rows of R, G, B, A, or of high and low byte */
     png_bytep  *rows;
-    char        hint[80];           /* the last warning: it tells more than the error */
+    char        hint[80];           /* text of the last warning; explains more than the
+                                     * error */
     char        why[PICTURE_WHY];
 } png_reader;
 
@@ -46,7 +48,7 @@ static void remember(png_structp png, png_const_charp text)
     snprintf(r->hint, sizeof r->hint, "%s", text);
 }
 
-/* With a reason of our own. */
+/* Refuses with a message of tidepool's own. */
 static void refuse_sides(png_reader *r)
 {
     r->hint[0] = '\0';
@@ -72,7 +74,8 @@ static void get(png_structp png, png_bytep data, size_t bytes)
     png_error(png, ferror(r->file) ? strerror(errno) : "the file ends too early");
 }
 
-/* A chunk may say that it has 2 GB; libpng takes that for a warning, and asks for them. */
+/* Bounds allocations.  A chunk may claim 2 GB; libpng only warns, and then asks for the
+ * memory. */
 static png_voidp take(png_structp png, png_alloc_size_t bytes)
 {
     (void)png;
@@ -85,7 +88,7 @@ static void give_back(png_structp png, png_voidp memory)
     free(memory);
 }
 
-/* Whatever comes, rows of R, G, B, A bytes go out. */
+/* Converts every kind of PNG to rows of R, G, B, A bytes. */
 static void ask_for_rgba(png_structp png, png_infop info)
 {
     png_set_expand(png);
@@ -96,7 +99,7 @@ static void ask_for_rgba(png_structp png, png_infop info)
     png_read_update_info(png, info);
 }
 
-/* Rows of greys, high byte first. */
+/* Converts to rows of 16-bit grey, high byte first. */
 static void ask_for_grey(png_structp png, png_infop info)
 {
     png_set_expand_16(png);
@@ -143,7 +146,7 @@ static bool read_all(png_reader *r)
     return true;
 }
 
-/* In place: four bytes become the word that they are. */
+/* Converts in place: four bytes become one word. */
 static uint32_t *words_of(uint8_t *rgba, size_t count)
 {
     uint32_t *words = (uint32_t *)(void *)rgba;
@@ -180,7 +183,7 @@ static bool read_open_file(png_reader *r)
 
 /* -- pictures of other kinds ----------------------------------------------------- */
 
-/* What a file begins with, by kind; files of TGA begin with nothing of their own. */
+/* First bytes of files, by kind; TGA files have no signature. */
 static const struct { const char *name, *start; size_t bytes; } kinds[] = {
     { "JPEG", "\xff\xd8\xff", 3 }, { "GIF", "GIF8", 4 },        { "BMP", "BM", 2 },
     { "TIFF", "II*\0", 4 },        { "TIFF", "MM\0*", 4 },      { "WebP", "RIFF", 4 },
@@ -197,8 +200,8 @@ static const char *kind_of(const char *name, const uint8_t *start, size_t bytes)
     return dot && strcasecmp(dot, ".tga") == 0 ? "TGA" : NULL;
 }
 
-/* Begins like no PNG: *why tells what it may be.  A file that cannot be read, or ends at
- * once, is left to the reader. */
+/* True if the file does not begin like a PNG; r->why names the kind.  An unreadable or
+ * empty file is left to the PNG reader. */
 static bool is_foreign(png_reader *r, const char *name)
 {
     uint8_t start[8];
@@ -214,7 +217,7 @@ static bool is_foreign(png_reader *r, const char *name)
 
 /* -- files ----------------------------------------------------------------------- */
 
-/* NULL: it could not be had, and r->why tells. */
+/* Returns NULL after a failure; r->why has the reason. */
 static uint8_t *load_file(png_reader *r, const char *name)
 {
     r->file = fopen(name, "rb");

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* A picture as a PNG file that is whole or not there. */
+/* Writes a picture as a PNG file that is complete or absent. */
 #include "output.h"
 #include "picture.h"
 
