@@ -102,8 +102,7 @@ const about_row *about_of(unsigned command)
     for (size_t i = 0; i < ROWS; i++)
         if (rows[i].command == command)
             return &rows[i];
-    abort();                    /* a command has no row; the test cli.sh asks for each
-                                 * command */
+    abort();                    /* command without a row; tested by cli.sh */
 }
 
 void about_exits(const about_row *row, char text[ABOUT_EXITS_BYTES])

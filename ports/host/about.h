@@ -7,8 +7,7 @@ typedef struct {
     unsigned    command;        /* FOR_... of args.h */
     const char *usage;          /* "tidepool bench [OPTION]...", one usage per line */
     const char *text;           /* description, wrapped to the width of a screen */
-    const char *after;          /* further description, printed after the options; "":
-                                 * none */
+    const char *after;          /* text printed after the options; "": none */
     unsigned    exits;          /* set of exit codes, bits 1 << EXIT_... */
     const char *check;          /* meaning of EXIT_CHECK for the command; NULL: unused */
 } about_row;

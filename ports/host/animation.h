@@ -10,8 +10,7 @@ typedef struct {
     output    out;
     uint32_t  frames;           /* total number of frames to be added */
     uint32_t  ticks;            /* duration of each frame, in 1/60 s */
-    uint32_t  added, sequence;  /* frames added until now; sequence number of the next
-                                 * chunk */
+    uint32_t  added, sequence;  /* frames until now; number of the next chunk */
     uint8_t  *rows;             /* pixels of the previous picture */
     size_t    bytes;
 } animation;

@@ -9,8 +9,7 @@
 #include "say.h"
 
 #define FIRST_SCENE "three-swells"      /* scene of view without a name */
-#define HELP_COLUMNS 60                 /* width of a line of names, without the punctuation
-                                         * after them */
+#define HELP_COLUMNS 60                 /* width of a line of names, without punctuation */
 
 /* Prints the names of the rarely used options, without their help. */
 static void print_rare(unsigned command)

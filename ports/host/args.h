@@ -13,38 +13,28 @@ typedef struct {
                                      * has a default */
     uint32_t     width, height;
     uint32_t     first, last;       /* first and last frame number, both included */
-    uint32_t     every;             /* frame step: every n-th frame, counted from the
-                                     * first */
+    uint32_t     every;             /* step between frames, from the first on */
     const char **settings;          /* "name=value", in the order of the command line */
     uint32_t     n_settings;
     const char  *out;               /* output file; NULL: the command's default, or none */
     tp_format    format;
-    uint32_t     band, strip;       /* height and width of tiles, px; 0: chosen
-                                     * automatically */
+    uint32_t     band, strip;       /* height, width of tiles, px; 0: automatic */
     uint32_t     threads;           /* number of threads, 0: not given */
     uint64_t     memory;            /* upper bound of memory, bytes; 0: unlimited */
     int32_t      visibility;        /* tp_visibility; auto: the scene's value */
     bool         hash, stats, csv;
-    bool         strict;            /* refuse a mesh with missing parts instead of drawing
-                                     * without them */
-    bool         quiet;             /* draw without missing parts and without a message; set
-                                     * by no option */
-    bool         stream;            /* stream grid vertices; also set to keep within
-                                     * `memory` */
+    bool         strict;            /* refuse a mesh with missing parts */
+    bool         quiet;             /* no message on missing parts; set by no option */
+    bool         stream;            /* stream grid vertices, for less memory */
     const char  *expect;            /* file with a list of hashes */
-    const char  *tape;              /* tape of inputs: render plays the file, view records
-                                     * it */
+    const char  *tape;              /* tape of inputs: render plays, view records */
     const char  *vectors;           /* folder of tables */
     const char  *name;              /* prefix of baked names; NULL: the scene's name */
-    uint32_t     texels;            /* upper bound of a texture's longer side, texels; 0:
-                                     * none */
-    const char  *only;              /* prefix of the parameters' names; NULL: all
-                                     * parameters */
-    const machine *machine;         /* variant of the program for drawing; NULL: the best
-                                     * one */
+    uint32_t     texels;            /* bound of a texture's sides, texels; 0: none */
+    const char  *only;              /* prefix of parameters' names; NULL: all */
+    const machine *machine;         /* build of the core; NULL: the best */
     bool         sized;             /* true if --size was given */
-    uint32_t     points;            /* points per side of the benchmark's grid, 0: not
-                                     * given */
+    uint32_t     points;            /* of the benchmark's grid, per side; 0: not given */
     int32_t      work;              /* bench_work, -1: not given */
     bool         rungs, peers;
     const char **names;             /* names, of commands that take several */
@@ -52,13 +42,10 @@ typedef struct {
     uint32_t     jobs;              /* number of parallel jobs, 0: not given */
     const char  *from;              /* folder of charts; NULL: the project's */
     bool         small, list, collect;
-    bool         resume;            /* continue an interrupted sweep, or the last session of
-                                     * the preview */
-    const char  *on, *device;       /* port and device path of the raw screen; NULL:
-                                     * default */
+    bool         resume;            /* continue the last sweep or preview session */
+    const char  *on, *device;       /* port and path of the raw screen; NULL: default */
     const char  *keep;              /* file that keeps the state of the world */
-    uint32_t     scale, ui;         /* scale of a pixel, 1..16; size of letters, percent; 0:
-                                     * not given */
+    uint32_t     scale, ui;         /* pixel scale, 1..16; letters, percent; 0: not given */
     const char  *play, *keys;       /* file of a tape to play; file of keys */
     bool         no_panel;
     bool         scene_page;        /* print the manual page of scenes */

@@ -12,16 +12,14 @@
              | FOR_COMPLETION | FOR_HELP | FOR_VERSION)
 #define DRAWERS (FOR_RENDER | FOR_VIEW | FOR_SHOW)
 #define MANY (FOR_CHARTS | FOR_JOIN)
-#define RARE 0x80000000u        /* `--help` prints the name only; the manual has the full
-                                 * text */
+#define RARE 0x80000000u        /* `--help` prints the name, the manual the text */
 
 /* Reads a value into *o.  Returns NULL, or a description of the expected values. */
 typedef const char *(*args_reader)(options *o, const char *value);
 
 /* One name may have several rows, each for other commands. */
 typedef struct {
-    const char *name, *value;   /* name; placeholder for the value in the help, NULL: a
-                                 * switch */
+    const char *name, *value;   /* value: placeholder in the help, NULL: a switch */
     unsigned    commands;       /* set of FOR_..., RARE */
     args_reader read;
     const char *help;

@@ -12,17 +12,13 @@ typedef struct assets_block assets_block;
 enum { ASSETS_PICTURES = 15 };  /* number of textures that a scene can name */
 
 typedef struct {
-    uint32_t texels;            /* upper bound of a texture's longer side, texels; 0:
-                                 * none */
-    bool     strict;            /* refuse a mesh with missing parts instead of drawing
-                                 * without them */
-    bool     quiet;             /* omit missing parts without a message: the user has seen
-                                 * the message */
+    uint32_t texels;            /* bound of a texture's sides, texels; 0: none */
+    bool     strict;            /* refuse a mesh with missing parts */
+    bool     quiet;             /* no message on missing parts: printed before */
 } assets_options;
 
 typedef struct {
-    tp_assets     names;        /* argument of tp_frame functions; points at the members
-                                 * below */
+    tp_assets     names;        /* for the core; points at the members below */
     tp_mesh       boat;
     tp_texture    picture[ASSETS_PICTURES];
     tp_grey       floor, pool_mask, field_mask;

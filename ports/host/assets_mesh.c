@@ -23,10 +23,8 @@ enum {
     CHUNK      = 16384,
     SAID       = 16,                /* printed warnings per mesh; more are only counted */
     TEXT_BYTES = 2 * PATH_MAX + 512,
-    METRES     = 4000,              /* largest drawable distance from the mesh's origin per
-                                     * axis, m */
-    UNREADABLE = -1                 /* the file system refused to read; errno has the
-                                     * reason */
+    METRES     = 4000,              /* drawable distance from the mesh's origin, m */
+    UNREADABLE = -1                 /* read error; errno has the reason */
 };
 
 typedef struct {
@@ -114,8 +112,7 @@ static uint64_t reach_of(const tp_mesh *mesh)
 static int warn_reach(loading *l, const tp_mesh *mesh, tp_fx scale)
 {
     const uint64_t reach = reach_of(mesh), most = (uint64_t)METRES << 16;
-    const uint64_t metres = reach * (uint64_t)scale >> 16;          /* product < 2^38 x
-                                                                     * 2^23 */
+    const uint64_t metres = reach * (uint64_t)scale >> 16;          /* < 2^38 x 2^23 */
     const tp_fx fitting = reach ? (tp_fx)((most << 16) / reach) : 0;
     char now[16], fits[32] = "boat.scale = ";
     if (metres <= most)

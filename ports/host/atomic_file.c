@@ -20,19 +20,16 @@
 #include <time.h>
 #include <unistd.h>
 
-#define SLOTS      32           /* files at the same time: jobs, a film, pictures, a
-                                 * session */
+#define SLOTS      32           /* files at a time: jobs, film, pictures, session */
 #define NAME_BYTES 4096
 #define TRIES      100          /* attempts to find an unused name */
-#define WAITS      100          /* waits of 10 ms each: after 1 s the handler gives up on a
-                                 * hanging disk */
+#define WAITS      100          /* waits of 10 ms: gives up on a hanging disk */
 
 enum { FREE, MAKING, HELD };
 
 static struct {
     atomic_int state;
-    pid_t      owner;           /* process of the file: a forked child keeps its parent's
-                                 * files */
+    pid_t      owner;           /* process; a forked child keeps its parent's files */
     char       name[NAME_BYTES];
 } slots[SLOTS];
 

@@ -11,8 +11,7 @@
  * texels count as one texture. */
 typedef struct {
     const tp_texture *texture;
-    char              name[24];         /* part of the baked name: "layer0",
-                                         * "boat_diffuse3" */
+    char              name[24];         /* suffix: "layer0", "boat_diffuse3" */
 } bake_picture;
 
 struct bake_program;

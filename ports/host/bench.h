@@ -16,13 +16,10 @@ typedef struct {
     bench_work work;
     tp_rungs   rungs;                   /* rungs; AUTO: the plan's */
     const bench_peer *peer;             /* other renderer; NULL: this engine */
-    char       by[BENCH_BY];            /* name of the rungs or renderer: "rows quick",
-                                         * "llvmpipe" */
+    char       by[BENCH_BY];            /* "rows quick", "llvmpipe" */
     uint32_t   us[BENCH_ROUNDS];        /* median of each round, us; 0: failed */
-    uint32_t   water;                   /* pixels of water; of a peer: as the case's first
-                                         * figure */
-    double     decibels;                /* PSNR against the case's first figure, dB; < 0:
-                                         * none */
+    uint32_t   water;                   /* pixels; of a peer: as the case's first */
+    double     decibels;                /* PSNR against the case's first; < 0: none */
 } bench_figure;
 
 /* Figures of one case (size, points, work) are contiguous; the first is this engine's. */

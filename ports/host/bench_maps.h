@@ -5,8 +5,7 @@
 #define HOST_BENCH_MAPS_H
 #include <stdint.h>
 
-enum { BENCH_MAP = 256, BENCH_FACE = 128 };     /* sides of a map and of a cube's face,
-                                                 * texels */
+enum { BENCH_MAP = 256, BENCH_FACE = 128 };     /* sides, texels */
 
 typedef enum {
     BENCH_MOTTLE,               /* blues with a grid, to show skewed or swimming texels */

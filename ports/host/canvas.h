@@ -16,8 +16,7 @@ typedef struct {
     tp_program program;         /* copy of the machine's program; may stream or time */
     bool      stream;           /* stream grid vertices instead of storing them */
     void     *block;            /* memory of the frame */
-    size_t    frame_bytes, scratch_bytes;       /* bytes; scratch_bytes: sum of all
-                                                 * threads */
+    size_t    frame_bytes, scratch_bytes;       /* scratch: sum of all threads */
     uint32_t  threads;
     crew     *crew;             /* threads that help the caller; NULL: none */
     void     *scratch[CANVAS_THREADS];

@@ -17,8 +17,7 @@ typedef struct {
     const char   *dir;
     FILE         *file;
     bool         *shown;
-    bool          blank;        /* the last line was blank; suppresses a second blank
-                                 * line */
+    bool          blank;        /* the last line was blank: prints no second */
 } page;
 
 static bool is_there(const char *folder, const chart *of, const char *suffix)

@@ -159,7 +159,7 @@ int cells_read(cells *all, const charts *c, FILE *file, const char *name,
         if (!code && *text)
             code = read_row(all, &at, text);
     }
-    if (!code && !feof(file))               /* getline may have failed for lack of memory */
+    if (!code && !feof(file))               /* getline may have run out of memory */
         code = fail(EXIT_INPUT, "%s: %s", name, strerror(errno));
     free(text);
     return code;

@@ -75,11 +75,9 @@ struct check_run {
     const check_model *model;
     csv          table;
     const char  *label;                     /* name of the file without folder */
-    unsigned     place[32];                 /* column index in the file, for each of the
-                                             * model's columns */
+    unsigned     place[32];                 /* of the model's columns in the file */
     double      *rows;                      /* values of all rows, in the model's order */
-    unsigned     n_lines[CHECK_NOTES];      /* parameter lines found; line_at: their line
-                                             * numbers */
+    unsigned     n_lines[CHECK_NOTES];      /* lines found; line_at: line numbers */
     unsigned     line_at[CHECK_NOTES][CHECK_LINES];
     double       lines[CHECK_NOTES][CHECK_LINES][12];
     check_tally  tally[CHECK_QUANTITIES];
@@ -138,8 +136,7 @@ tp_turn check_turn(double radians);         /* any number of turns */
 double check_metres(tp_fx x);               /* from any 16.16, not only m */
 double check_radians(tp_turn angle);        /* -pi..pi */
 double check_wrapped(double radians);       /* reduced to -pi..pi */
-double check_angle(tp_dir3 got, const double want[3]);  /* angle between got and want,
-                                                         * degrees */
+double check_angle(tp_dir3 got, const double want[3]);  /* angle between both, degrees */
 double check_percent(double got, double want);  /* excess of got over want, % */
 
 /* -- rounding of table values to 16.16 ---------------------------------------------- */

@@ -6,8 +6,7 @@
 #include "features/drops/drops.h"
 #include "scene/clock.h"
 
-#define TICKS   (TP_TICKS_PER_SECOND * 65536.0)     /* units of time in the API, per
-                                                     * second */
+#define TICKS   (TP_TICKS_PER_SECOND * 65536.0)     /* API time units a second */
 #define Q24     16777216.0
 
 /* PLACE: horizontal coordinate, m, any 16.16.  HEIGHT: m, up to 16 rings of 4 m. */

@@ -36,8 +36,7 @@ static const check_field ray_columns[] = {
     CHECK_UNIT("ix"), CHECK_UNIT("iy"), CHECK_UNIT("iz"), CHECK_UNIT("nx"),
     CHECK_UNIT("ny"), CHECK_UNIT("nz"), CHECK_UNIT("rx"), CHECK_UNIT("ry"),
     CHECK_UNIT("rz"), CHECK_UNIT("tx"), CHECK_UNIT("ty"), CHECK_UNIT("tz"),
-    { .name = "d", .high = 8000 },                          /* m, range of a floor's
-                                                             * depth */
+    { .name = "d", .high = 8000 },                          /* m, depth of a floor */
     { .name = "offx", .low = -32768, .high = 32768 },       /* m, where 16.16 saturates */
     { .name = "offz", .low = -32768, .high = 32768 },
 };

@@ -22,8 +22,7 @@ enum { R, H, GAMMA_AT, K };         /* the first columns of both files */
 static const check_field orbit_columns[] = {
     RADIUS, CHECK_DEPTH("h"), GAMMA, CHECK_WAVES("k"), CHECK_ANY("Phi"),
     CHECK_UNIT("sin_a"), CHECK_UNIT("cos_a"), CHECK_ANY("Sx_raw"),
-    { .name = "Sx", .high = 8192 }, { .name = "Sy", .high = 2 },    /* the core's upper
-                                                                     * bounds */
+    { .name = "Sx", .high = 8192 }, { .name = "Sy", .high = 2 },    /* the core's bounds */
     OFFSET("dx"), OFFSET("dy"),
 };
 

@@ -28,14 +28,12 @@ struct compare {
     tp_scene given;             /* copy of the stage's scene when `scene` was made */
     tp_scene scene;             /* scene of the other canvas: differs in quality.* */
     canvas   other;
-    bool     open, failed;      /* open: `other` is open; failed: no memory, until a
-                                 * change */
+    bool     open, failed;      /* of `other`; failed: no memory, until a change */
     uint64_t judged_at;
     bool     judged, unfit;
     bool     same;              /* the stage's picture is drawn with the same rungs */
     tracer  *tracer;
-    bool     delivered;         /* the tracer has delivered a complete picture of its
-                                 * world */
+    bool     delivered;         /* the tracer has delivered a complete picture */
     tracer_pass pass;           /* pass of the reference's picture in `theirs` */
     uint32_t *ours, *theirs;    /* pixels 0x00RRGGBB */
     picture  shown;

@@ -8,8 +8,7 @@
 typedef struct {
     const char *name;           /* name in messages; owned by the caller */
     unsigned    n_notes, n_columns, n_rows;
-    char       *text;           /* contents of the file; the members below point into
-                                 * text */
+    char       *text;           /* the file; the members below point into text */
     const char **notes;         /* texts of the lines with '#', without "# " */
     const char **fields;        /* names of the columns, then the fields of the rows */
 } csv;

@@ -37,10 +37,8 @@ typedef struct {
     size_t count, at;           /* count; index of the next entry */
     FILE  *file;                /* file of a recording.  Written line by line: after a crash
                                  * the tape holds the inputs before the crash */
-    uint32_t   picture;         /* number of the picture shown now by the recording
-                                 * preview */
-    deck_mark *marks;           /* for each recorded line: picture, and offset in the
-                                 * file */
+    uint32_t   picture;         /* number of the picture shown while recording */
+    deck_mark *marks;           /* of each line: picture, offset in the file */
     size_t     lines;
     bool       failed;
 } deck;
@@ -52,8 +50,7 @@ int  deck_record(deck *d, const char *name, const char *scene);
 
 /* Returns the next entry of `tick`, in order, or NULL: no further entry. */
 const deck_entry *deck_next(deck *d, uint64_t tick);
-bool deck_over(const deck *d, uint64_t tick);   /* true if no entry follows at `tick` or
-                                                 * later */
+bool deck_over(const deck *d, uint64_t tick);   /* true if no entry is left */
 
 /* Each records an entry; inputs and looks only if a member is not 0. */
 void deck_add(deck *d, uint64_t tick, const tp_input *input);

@@ -25,8 +25,7 @@ typedef struct {
     piece_set lacks;            /* pieces of `without` that the scene asks for */
     piece_set refused;          /* modules that a changed scene may not switch on */
     bool      lean;             /* true: `lean` assets suffice */
-    bool      planned;          /* true: the program has the plan; false: use the named
-                                 * scene */
+    bool      planned;          /* true: has the plan; false: use the named scene */
     uint32_t  pictures;         /* number of pictures compared */
 } dry_found;
 

@@ -9,8 +9,7 @@
 #include "stage.h"
 
 #define EDITS 256               /* edits remembered; older edits are forgotten */
-#define EDITS_BYTES (64u << 20) /* bytes of all worlds; the oldest edits lose their worlds
-                                 * first */
+#define EDITS_BYTES (64u << 20) /* of all worlds; the oldest lose theirs first */
 
 /* A copy of a world, shared by the edit before it and the edit after it. */
 typedef struct {
@@ -49,8 +48,7 @@ void        edits_forget_worlds(edits *e);
  * and all count as one edit, from the first `before` to the last `after`; an edit without
  * effect is dropped.  Takes over the users of the worlds. */
 void edits_add(edits *e, const edit *change, bool going);
-void edits_part(edits *e);                      /* closes the last edit: the next change is
-                                                 * a new edit */
+void edits_part(edits *e);                      /* the next change is a new edit */
 
 /* Returns the last edit that is not undone, or NULL. */
 edit *edits_last(edits *e);

@@ -23,8 +23,7 @@ struct figures {
     uint32_t pictures;
     uint64_t shown_at[PANEL_HISTORY];   /* time of display, us; indexed as last */
     uint32_t shown;
-    uint64_t pressed_at;        /* time of the first input since the last picture; 0:
-                                 * none */
+    uint64_t pressed_at;        /* first input since the last picture; 0: none */
     uint32_t answer[ANSWERS];   /* us from an input to its picture */
     uint32_t answers;
     float    limit_ms;

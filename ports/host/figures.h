@@ -25,8 +25,7 @@ typedef struct {
 #define PANEL_TIMES   64
 
 typedef struct {
-    float       history[PANEL_HISTORY];     /* ms of each picture, the newest last; 0 before
-                                             * the first */
+    float       history[PANEL_HISTORY];     /* ms, newest last; 0: none yet */
     uint32_t    pictures;                   /* number of pictures until now */
     float       limit_ms;                   /* line in the graph: 1000/60 */
     float       median_ms, shown_per_s;
@@ -74,8 +73,7 @@ void figures_picture(figures *f, uint64_t us);
 void figures_input(figures *f, uint64_t now);
 void figures_shown(figures *f, uint64_t now);
 
-void figures_limit(figures *f, float ms);       /* line of the graph, ms; initially
-                                                 * 1000/60 */
+void figures_limit(figures *f, float ms);       /* ms; initially 1000/60 */
 
 /* on: the canvas's program has the stopwatch (stopwatch.h); figures_fill reads and zeroes
  * it. */

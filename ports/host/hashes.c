@@ -66,7 +66,7 @@ static int read_lines(hashes *h, FILE *file)
     for (unsigned number = 1; !code && (bytes = getline(&line, &room, file)) >= 0;
          number++)
         code = read_line(h, number, line, (size_t)bytes);
-    if (!code && !feof(file))               /* getline may have failed for lack of memory */
+    if (!code && !feof(file))               /* getline may have run out of memory */
         code = fail(EXIT_INPUT, "%s: %s", h->name, strerror(errno));
     free(line);
     return code;

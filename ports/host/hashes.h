@@ -16,7 +16,6 @@ void hash_print(FILE *file, uint32_t frame, uint32_t crc);
 /* Reads a list.  Blank lines and lines that begin with # are skipped.  Any other line that
  * is no hash is refused with its number, and so is a frame with two different CRCs. */
 int  hashes_read(hashes *h, const char *name);
-int  hashes_check(const hashes *h, uint32_t frame, uint32_t crc);   /* EXIT_CHECK:
-                                                                     * differs */
+int  hashes_check(const hashes *h, uint32_t frame, uint32_t crc);   /* EXIT_CHECK */
 void hashes_free(hashes *h);
 #endif

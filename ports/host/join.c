@@ -27,8 +27,7 @@ typedef struct {
 
 typedef struct {
     output      out;
-    const char *first;          /* name of the first part; the other heads must equal its
-                                 * head */
+    const char *first;          /* first part; other heads must equal its head */
     char        head[HEAD_BYTES];
     uint64_t    bytes;          /* size of a frame, without the line FRAME */
 } joined;

@@ -15,8 +15,7 @@ typedef struct output_end output_end;
 typedef struct {
     FILE       *file;       /* NULL: not open */
     const char *name;       /* name in messages; owned by the caller */
-    char       *target;     /* file to be replaced by the temporary file; NULL: written
-                             * directly */
+    char       *target;     /* file to be replaced; NULL: written directly */
     atomic_file temporary;
     output_end *end;        /* private: state of the stream */
 } output;

@@ -30,10 +30,8 @@ bool  past_take(const past *p, uint32_t picture, tp_world *world, size_t bytes,
 /* Returns the input of a picture, for replay; NULL: not kept. */
 const tp_input *past_input(const past *p, uint32_t picture);
 
-uint32_t past_oldest(const past *p);    /* oldest picture that can be restored; UINT32_MAX:
-                                         * none */
-size_t past_world_bytes(const past *p, uint32_t picture);   /* size for past_take; 0:
-                                                             * none */
+uint32_t past_oldest(const past *p);    /* oldest that can be restored; UINT32_MAX: none */
+size_t past_world_bytes(const past *p, uint32_t picture);   /* for past_take; 0: none */
 size_t past_bytes(const past *p);       /* bytes in use, within the budget */
 void  past_forget(past *p);             /* to call after the scene's files have changed */
 #endif

@@ -17,8 +17,7 @@
 
 #define SIDE        4096
 #define CHUNKS      64              /* ancillary chunks kept */
-#define CHUNK_BYTES (8u << 20)      /* size of a chunk, uncompressed, and of any
-                                     * allocation */
+#define CHUNK_BYTES (8u << 20)      /* of a chunk, uncompressed; of any allocation */
 
 typedef struct {
     FILE       *file;
@@ -28,8 +27,7 @@ typedef struct {
     bool        grey, lacks_memory;
     uint8_t    *bytes;              /* rows of R, G, B, A, or of high and low byte */
     png_bytep  *rows;
-    char        hint[80];           /* text of the last warning; explains more than the
-                                     * error */
+    char        hint[80];           /* last warning; explains more than the error */
     char        why[PICTURE_WHY];
 } png_reader;
 

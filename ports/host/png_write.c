@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Drawn pictures to PNG.  libpng reports errors by longjmp: whatever has to be freed
- * lies in one struct outside of the function that jumps. */
+/* Writes drawn pictures as PNG.  libpng reports errors by longjmp: all memory to be freed
+ * is in one struct outside of the function with setjmp. */
 #include <errno.h>
 #include <png.h>
 #include <setjmp.h>
@@ -10,8 +10,8 @@
 #include "picture.h"
 #include "pixel/pixel.h"
 
-/* The chunk that tells our pictures from others: its type, a key, a text.  It lies behind
- * the palette's 768 bytes at the most. */
+/* The chunk that marks tidepool's own pictures: type, key, text.  At most the palette's 768
+ * bytes precede the chunk. */
 static char mark[] = "tEXtSoftware\0tidepool";
 #define MARK_KEY   (mark + 4)
 #define MARK_TEXT  (mark + 13)
@@ -22,9 +22,9 @@ typedef struct {
     FILE       *to;
     png_structp png;
     png_infop   info;
-    uint32_t   *pixels;         /* of a row, as 0x00RRGGBB */
-    uint8_t    *rgb;            /* of a row */
-    int         error;          /* errno of the write that failed */
+    uint32_t   *pixels;         /* pixels of a row, 0x00RRGGBB */
+    uint8_t    *rgb;            /* bytes of a row, R, G, B */
+    int         error;          /* errno of the failed write */
 } png_writer;
 
 static void put(png_structp png, png_bytep data, size_t bytes)
@@ -37,7 +37,7 @@ static void put(png_structp png, png_bytep data, size_t bytes)
     }
 }
 
-static void flush(png_structp png)      /* whoever closes the file does it */
+static void flush(png_structp png)      /* the code that closes the file flushes */
 {
     (void)png;
 }
@@ -81,7 +81,7 @@ static void put_header(png_writer *w, const picture *p)
     png_write_info(w->png, w->info);
 }
 
-/* p8, l8 and i1 lie in memory as they lie in a PNG. */
+/* Returns a row in the layout of PNG.  p8, l8 and i1 have the same layout in memory. */
 static const uint8_t *row_for_png(png_writer *w, const picture *p, uint32_t y)
 {
     if (tp_format_bits(p->format) <= 8)

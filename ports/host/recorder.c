@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: MIT */
-/* Films of the preview.  ffmpeg reads Y4M from a pipe and writes under a temporary name,
- * in a process group of its own: Ctrl+C in the terminal ends the preview, which closes
- * the pipe, and ffmpeg then writes the end of its file.
+/* Films of the preview.  ffmpeg reads Y4M from a pipe and writes to a temporary file, in a
+ * process group of its own.  Ctrl+C in the terminal then ends only the preview; the preview
+ * closes the pipe, and ffmpeg completes its file.
  *
- * The pipe holds a picture or two: where ffmpeg is slower than the water, the water
+ * The pipe holds a picture or two: if ffmpeg is slower than the preview, the preview
  * waits. */
-#define _GNU_SOURCE             /* pipe2, F_SETPIPE_SZ */
+#define _GNU_SOURCE             /* for pipe2, F_SETPIPE_SZ */
 #include "recorder.h"
 #include <errno.h>
 #include <fcntl.h>
@@ -27,14 +27,14 @@ struct recorder {
     film     film;
     uint32_t width, height, pictures;
     char     name[TP_NAME_BYTES + 32];
-    atomic_file temporary;      /* that ffmpeg writes */
-    pid_t    ffmpeg;            /* 0: there is none, it is Y4M */
-    bool     over;              /* and said how */
+    atomic_file temporary;      /* the file that ffmpeg writes */
+    pid_t    ffmpeg;            /* process of ffmpeg; 0: none, the film is Y4M */
+    bool     over;              /* the film has ended, after a message */
 };
 
 /* -- names ----------------------------------------------------------------------- */
 
-/* The first number that neither kind of film has. */
+/* Chooses the first number used by neither kind of film. */
 static void choose_number(const char *scene, char *stem, size_t bytes)
 {
     for (int number = 1; number <= NUMBERS; number++) {
@@ -50,7 +50,8 @@ static void choose_number(const char *scene, char *stem, size_t bytes)
 
 /* -- ffmpeg ---------------------------------------------------------------------- */
 
-/* 0, or what is wrong: ENOENT if there is none.  H.264 in 4:2:0 has no odd sides. */
+/* Starts ffmpeg.  Returns 0 or an errno; ENOENT: ffmpeg is not installed.  H.264 in 4:2:0
+ * needs even sides: odd sides are padded. */
 static int spawn(recorder *r, int from)
 {
     static char pad[] = "pad=ceil(iw/2)*2:ceil(ih/2)*2";
@@ -81,7 +82,7 @@ static int spawn(recorder *r, int from)
     return error;
 }
 
-/* Waits for it: false, and said why, unless all went well. */
+/* Waits for the end of ffmpeg.  False, after a message, if ffmpeg failed. */
 static bool ffmpeg_ended_well(recorder *r)
 {
     int status = 0;
@@ -99,7 +100,8 @@ static bool ffmpeg_ended_well(recorder *r)
     return false;
 }
 
-/* ENOENT: there is no ffmpeg, and nothing has been said. */
+/* Begins a film with ffmpeg.  Returns 0 or an errno; ENOENT, without a message: ffmpeg is
+ * not installed. */
 static int begin_ffmpeg(recorder *r)
 {
     int ends[2];
@@ -179,7 +181,7 @@ static int finish(recorder *r)
     return code;
 }
 
-/* film_add has said why, and closed the pipe. */
+/* Ends the film after film_add has failed, printed the reason and closed the pipe. */
 static void lose(recorder *r)
 {
     r->over = true;

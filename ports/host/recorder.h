@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* A film while it happens: through ffmpeg into NAME-0001.mp4 where there is one, else
- * NAME-0001.y4m, and says which and why. */
+/* Records a film of the running preview: with ffmpeg to NAME-0001.mp4, without ffmpeg to
+ * NAME-0001.y4m.  A message names the file and the reason. */
 #ifndef HOST_RECORDER_H
 #define HOST_RECORDER_H
 #include <stdbool.h>
@@ -8,13 +8,13 @@
 
 typedef struct recorder recorder;
 
-/* NULL: it cannot be had, and said why. */
+/* Returns NULL after printing the reason. */
 recorder *recorder_begin(const char *scene, uint32_t width, uint32_t height);
 
-/* A picture; of another size than at the beginning it ends the film, and says so.  False:
- * the film has ended (and what there is of it is whole). */
+/* Adds a picture.  A picture of another size ends the film, with a message.  False: the
+ * film has ended; the recorded part is complete. */
 bool      recorder_add(recorder *r, const picture *p);
-int       recorder_end(recorder *r);            /* says what was written, and how long */
+int       recorder_end(recorder *r);            /* prints name and duration */
 const char *recorder_name(const recorder *r);
 uint32_t  recorder_pictures(const recorder *r);
 #endif

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* tidepool render: frames to files, hashes and figures. */
+/* tidepool render: draws frames to files, hashes and figures. */
 #include <inttypes.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -24,11 +24,11 @@ typedef struct {
     replay   tape;
     timings  times;
     governing governing;
-    FILE    *report;            /* where hashes and figures go */
+    FILE    *report;            /* stream for hashes and figures */
 } render;
 
-/* What one frame is drawn for: its file first, so that a frame that differs from the
- * list can be looked at. */
+/* Uses one frame.  The file is written before the comparison with the list: a frame that
+ * differs can be inspected. */
 static int use_frame(render *r, const options *o, uint32_t frame)
 {
     const picture *p = &r->stage.canvas.picture;
@@ -41,7 +41,7 @@ static int use_frame(render *r, const options *o, uint32_t frame)
     return o->expect ? hashes_check(&r->expected, frame, crc) : EXIT_DONE;
 }
 
-/* From one picture to the next. */
+/* Advances from one picture to the next. */
 static int move(render *r, const options *o)
 {
     stage *s = &r->stage;
@@ -83,7 +83,8 @@ static int draw_frames(render *r, const options *o)
     return code;
 }
 
-/* "frame" holds "vertices" and "tables"; there is a "scratch" for every thread. */
+/* Prints the statistics.  "frame" includes "vertices" and "tables"; "scratch" is the sum of
+ * all threads. */
 static void print_stats(render *r)
 {
     const stage *s = &r->stage;

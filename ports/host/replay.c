@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Playing tapes. */
+/* Plays tapes. */
 #include "replay.h"
 #include "scene/value.h"
 #include "scene/world.h"
@@ -8,14 +8,14 @@
 #include <string.h>
 #include "say.h"
 
-/* -- before anything runs -------------------------------------------------------- */
+/* -- checks before the replay ---------------------------------------------------- */
 
 static void place_of(const replay *r, const deck_entry *entry, char *place, size_t bytes)
 {
     snprintf(place, bytes, "%s:%u", r->tape.name, (unsigned)entry->line);
 }
 
-/* The sets that follow each other at one tick, from entry `at` on: how many. */
+/* Returns the number of consecutive sets at one tick, from entry `at` on. */
 static size_t sets_from(const deck *d, size_t at)
 {
     size_t n = 0;
@@ -65,7 +65,7 @@ static int try_all(const replay *r, stage *s, const options *o, replay_room room
     return code;
 }
 
-/* On another stage of the same scene, which nobody sees. */
+/* Applies all sets of the tape to a second, hidden stage of the same scene. */
 static int try(const replay *r, const options *o, replay_room room)
 {
     options quiet = *o;
@@ -100,7 +100,7 @@ int replay_close(replay *r)
     return deck_close(&r->tape);
 }
 
-/* -- while it runs --------------------------------------------------------------- */
+/* -- replay ---------------------------------------------------------------------- */
 
 static int act(replay *r, const deck_entry *entry, stage *s, const options *o,
                bool *opened)
@@ -136,9 +136,10 @@ const tp_input *replay_step(replay *r)
     return step ? &step->input : NULL;
 }
 
-/* -- going on from a kept world -------------------------------------------------- */
+/* -- continuing from a kept world ------------------------------------------------ */
 
-/* A step that waits for its tick has not been played. */
+/* Returns the number of entries played; a step that waits for its tick is not yet
+ * played. */
 uint32_t replay_played(const replay *r)
 {
     return (uint32_t)(r->step ? (size_t)(r->step - r->tape.entries) : r->tape.at);
@@ -165,7 +166,8 @@ bool replay_remake(const replay *r, stage *s, uint32_t played)
     return made;
 }
 
-/* A kept world has taken what came before it; the scene is not kept. */
+/* Skips entries already contained in a kept world.  The kept file has no scene, so sets are
+ * applied to the scene here. */
 void replay_skip(replay *r, stage *s, uint32_t played)
 {
     for (; r->tape.at < played; r->tape.at++) {

@@ -1,15 +1,16 @@
 /* SPDX-License-Identifier: MIT */
-/* A line of source that begins with a dot or an apostrophe is a request, a backslash
- * begins an escape, and -'`^~ are printed as other signs than they are: all of them are
- * spelt out.  Lines are broken at blanks, which fill again, and where the text's own are. */
+/* Writes roff source.  A source line that begins with a dot or an apostrophe is a request,
+ * a backslash begins an escape, and roff prints -'`^~ as other characters: all of them are
+ * escaped.  Source lines are broken at blanks, where roff fills, and at the text's line
+ * feeds. */
 #include "roff.h"
 #include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
 
-#define BREAK_FROM 60           /* columns; the longest words still end before 80 */
+#define BREAK_FROM 60           /* columns; the longest words still end before column 80 */
 
-static int column;              /* of the line of source that is being written */
+static int column;              /* column in the current source line */
 
 void roff_end(void)
 {

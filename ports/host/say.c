@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Messages.  Everything said to people goes through here, so that a progress line never
- * mixes with a message. */
+/* Messages.  All messages to users pass through the functions here, so a progress line
+ * never mixes with a message. */
 #define _POSIX_C_SOURCE 200809L
 #include "say.h"
 #include <stdarg.h>
@@ -14,7 +14,7 @@ static bool     progress_shown, verbose;
 static char     last[512];
 static unsigned lines;
 
-/* Where this thread's lines go; NULL: to stderr. */
+/* Buffer for the messages of the thread; text == NULL: stderr. */
 static _Thread_local struct {
     char *text;
     size_t bytes, used;
@@ -35,7 +35,8 @@ void say_progress(const char *text)
     progress_shown = *text != 0;
 }
 
-/* Text quoted from a file may hold escape sequences, which a terminal would obey. */
+/* Replaces control characters: text quoted from a file may contain escape sequences that a
+ * terminal would execute. */
 static void clean(char *text)
 {
     for (; *text; text++)

@@ -1,13 +1,14 @@
 /* SPDX-License-Identifier: MIT */
-/* What the program says to people: lines on stderr and its exit codes.  The host library's
- * callers get the lines as a text. */
+/* Messages to users, one line each on stderr, and exit codes.  Callers of the host library
+ * get the messages as text. */
 #ifndef HOST_SAY_H
 #define HOST_SAY_H
 #include <stddef.h>
 #include "tidepool/status.h"
 
-/* name, code, a few words, a sentence for the manual.  Every command, script and program
- * of ports/ exits with these; who is ended by a signal ends by that signal. */
+/* Columns: name, code, a few words, a sentence for the manual.  All commands, scripts and
+ * programs of ports/ use the same exit codes.  A program ended by a signal ends by that
+ * signal. */
 #define EXIT_LIST(X) \
     X(DONE,    0, "done", "All that was asked for was done.") \
     X(CHECK,   1, "a check failed", "A comparison that was asked for failed: of" \
@@ -33,39 +34,42 @@ enum {
 #define HOST_PRINTF(at, first)
 #endif
 
-/* A line on stderr.  A progress line that stands there is erased first. */
+/* Prints a line on stderr, after erasing a progress line. */
 void say(const char *format, ...) HOST_PRINTF(1, 2);
 
-/* The same; returns `code`, so that a function can end with `return fail(...)`. */
+/* Prints a line and returns `code`: a function can end with `return fail(...)`. */
 int fail(int code, const char *format, ...) HOST_PRINTF(2, 3);
 
-/* "file:line: sentence", without the line where the error has none; EXIT_INPUT. */
+/* Prints "file:line: sentence", without a line number if the error has none; returns
+ * EXIT_INPUT. */
 int fail_at(const char *file, const tp_error *err);
 
-/* From now on what this thread says goes, line by line, into `text` of so many bytes, which
- * begins empty, and not to stderr; what is longer is cut.  NULL: to stderr again. */
+/* Redirects the messages of the calling thread to `text`, line by line, instead of stderr.
+ * text has `bytes` bytes and is emptied first; excess text is cut.  NULL: back to
+ * stderr. */
 void say_into(char *text, size_t bytes);
 
-/* From now on the check that refused something is named too, where the core made it:
- * say_check gives " [src/asset/obj.c:88]", or "" as long as nobody asked. */
+/* say_verbose turns on the names of failed checks.  say_check then returns the place of the
+ * check, as " [src/asset/obj.c:88]"; otherwise "". */
 void        say_verbose(void);
 const char *say_check(const tp_error *err);
 
 int fail_memory(size_t bytes);
 
-/* First of all in a program.  A standard stream that is closed would lend its number to
- * the first file that is opened, which would then hold what is meant for people; what
- * stands there instead fails as a closed stream does.  So does, from then on, what is
- * written beyond the limit of a file's size. */
+/* To call first in a program.  If a standard stream is closed, the next opened file would
+ * get its descriptor and receive messages for users.  The function opens a descriptor in
+ * its place that fails like a closed stream.  It also turns the signal for a file over the
+ * size limit into an error of the write. */
 void begin_streams(void);
 
-/* Ends what was printed on standard output: a full disk or a closed pipe is an error. */
+/* Flushes standard output; a full disk or a closed pipe is an error. */
 int finish_stdout(void);
 
-/* The last line that was said, for windows to show, and how many have been; "" and 0. */
+/* Returns the last message, to show in windows, and the number of messages; at first "" and
+ * 0. */
 const char *say_last(unsigned *count);
 
-/* One line that is rewritten in place; "" erases it.  Nothing unless stderr is a
- * terminal that can. */
+/* Rewrites the progress line in place; "" erases the line.  Does nothing if stderr is not a
+ * terminal that can rewrite. */
 void say_progress(const char *text);
 #endif

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Finding a scene, and setting its values with messages for people. */
+/* Finds a scene, and sets its values with messages for users. */
 #define _POSIX_C_SOURCE 200809L
 #include "scene_file.h"
 #include "scene/value.h"
@@ -58,7 +58,8 @@ static bool has_control(const char *text, size_t bytes)
     return false;
 }
 
-/* Control characters are for the table to refuse. */
+/* Returns text with control characters unchanged: the table of parameters refuses the
+ * text. */
 const char *scene_file_value(const tp_param *param, const char *value)
 {
     const char *text = value + strspn(value, " \t\r\n");
@@ -70,7 +71,7 @@ const char *scene_file_value(const tp_param *param, const char *value)
     return long_name_shorten(text, bytes);
 }
 
-/* In any scene: what a value may be is told by its row alone. */
+/* Checks the value in an empty scene: the allowed values depend on the row alone. */
 const tp_param *scene_file_check(const char *place, const char *setting,
                                  const char **value)
 {
@@ -153,7 +154,7 @@ static int refuse_scene(const char *given, const char *folder)
     return EXIT_INPUT;
 }
 
-/* A plain word is a shipped scene's name before it is a file's. */
+/* Finds the file.  A plain word is first a shipped scene's name, then a file name. */
 static int find(scene_file *file, const char *given)
 {
     if (strchr(given, '/') || path_ends(given, ".ini")) {
@@ -198,7 +199,7 @@ void scene_file_close(scene_file *file)
     *file = (scene_file){ 0 };
 }
 
-/* -- what it names --------------------------------------------------------------- */
+/* -- names in the scene ---------------------------------------------------------- */
 
 static const char *by(const scene_file *file)
 {

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* A scene as a person gives it: an INI file and settings of the command line. */
+/* A scene as given by a user: an INI file and settings of the command line. */
 #ifndef HOST_SCENE_FILE_H
 #define HOST_SCENE_FILE_H
 #include <stdint.h>
@@ -9,49 +9,51 @@
 
 typedef struct {
     char    *name;          /* "three-swells" */
-    char    *path;          /* of the INI */
-    uint32_t *set_at;       /* of each row of the table: the INI's line that set it, 0 for
-                               its default, SET_BY_COMMAND */
-    const char *by;         /* what messages call SET_BY_COMMAND; NULL: "--set" */
+    char    *path;          /* path of the INI */
+    uint32_t *set_at;       /* for each row of the table: line of the INI that set the
+                             * value, 0: default, or SET_BY_COMMAND */
+    const char *by;         /* origin of SET_BY_COMMAND in messages; NULL: "--set" */
     tp_scene scene;
 } scene_file;
 
-/* `given`: a shipped scene's name or a path.  Each returns an exit code and has said
- * why; close in any case. */
+/* Opens a scene; given: name of a shipped scene, or a path.  Each function returns an exit
+ * code after printing the reason; the caller calls scene_file_close in every case. */
 int  scene_file_open(scene_file *file, const char *given);
 int  scene_file_set(scene_file *file, const char *setting);     /* "name=value" */
 void scene_file_close(scene_file *file);
 
-/* "name=value" without setting it: its row, *value behind the "=".  NULL: it cannot be
- * set, and said why; the message begins with `place`. */
+/* Checks "name=value" without setting it.  Returns the row; *value points after the "=".
+ * Returns NULL after a message that begins with `place`. */
 const tp_param *scene_file_check(const char *place, const char *setting,
                                  const char **value);
 
-/* What a scene takes for a value: of a file's name that is too long for it a short one,
- * that stands for it (long_name.h); else the value.  NULL: no memory, and it said so. */
+/* Returns the value for a scene.  A file name longer than a scene can hold is replaced by a
+ * short text that stands for it (long_name.h).  NULL: no memory, after a message. */
 const char *scene_file_value(const tp_param *param, const char *value);
 
-/* The file that a row of kind mesh or texture names, to free; NULL: no memory.
- * Names in the INI are relative to it; those of the command line to the folder that the
- * program was started in or, if there is no such file, to the INI too. */
+/* Returns the path of the file that a row of kind mesh or texture names; the caller frees
+ * the path.  NULL: no memory.  Names in the INI are relative to the INI.  Names of the
+ * command line are relative to the current folder or, if no such file exists, to the
+ * INI. */
 char *scene_file_path_of(const scene_file *file, const tp_param *param);
 
-/* The row's value as it has to be set by hand to mean what it means now: a name that the
- * INI gave is relative to the INI, those given by hand to the current folder. */
+/* Writes the row's value as a user would have to set it by hand for the same meaning: names
+ * in the INI are relative to the INI, names given by hand to the current folder. */
 void scene_file_text(const scene_file *file, const tp_param *param, char *text,
                      size_t bytes);
 
-/* "harbour.ini:14: boat.mesh", what messages about its file begin with. */
+/* Writes the place of a setting, as "harbour.ini:14: boat.mesh", the start of messages
+ * about its file. */
 void scene_file_who(const scene_file *file, const tp_param *param, char *text,
                     size_t bytes);
 
-/* What the core found wrong with the scene: at the place where err->word was set, if that
- * is a parameter. */
+/* Prints an error that the core found in the scene.  If err->word is a parameter, the
+ * message names the place where the parameter was set. */
 int  scene_file_refuse(const scene_file *file, const tp_error *err);
 
-/* -- between scene_file.c and scene_ini.c ---------------------------------------- */
+/* -- shared by scene_file.c and scene_ini.c -------------------------------------- */
 
-/* One value; a message begins with `place`.  False: refused, and said why. */
+/* Sets one value.  False: refused, after a message that begins with `place`. */
 bool scene_file_apply(scene_file *file, const char *place, uint32_t set_at,
                       const char *name, const char *value);
 int  scene_ini_read(scene_file *file);

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT */
-/* Scene files: INI through libinih, numbers through the core's own reader.
+/* Scene files: INI through libinih, numbers through the core's own reader.  A section and a
+ * name in the section form the name of a parameter:
  *
  *     [wave0]
- *     steepness = 0.4         sets wave0.steepness
- */
+ *     steepness = 0.4         sets wave0.steepness */
 #define _POSIX_C_SOURCE 200809L
 #include <limits.h>
 #include <stdio.h>

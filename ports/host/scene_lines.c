@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Lines of an INI file as a list; new ones hang on the line that they follow. */
+/* The lines of an INI file as a list; new lines are attached to the line before them. */
 #define _POSIX_C_SOURCE 200809L
 #include "scene_lines.h"
 #include <errno.h>
@@ -9,9 +9,9 @@
 #include "say.h"
 
 #define WHITE " \t\v\f\r"
-#define MARK  "\xef\xbb\xbf"    /* that some editors begin a file with */
+#define MARK  "\xef\xbb\xbf"    /* UTF-8 byte order mark, written by some editors */
 
-/* -- in and out ------------------------------------------------------------------ */
+/* -- reading and writing --------------------------------------------------------- */
 
 static bool add(scene_lines *l, const char *text, size_t bytes)
 {
@@ -44,7 +44,7 @@ int scene_lines_read(scene_lines *l, const char *path)
     errno = 0;
     for (ssize_t n; memory && (n = getline(&text, &room, file)) > 0;)
         memory = add(l, text, (size_t)n);
-    const int error = feof(file) ? 0 : errno;   /* getline may have found no memory */
+    const int error = feof(file) ? 0 : errno;   /* getline may have run out of memory */
     fclose(file);
     free(text);
     if (!memory)
@@ -88,12 +88,12 @@ void scene_lines_write(const scene_lines *l, FILE *to)
 void scene_lines_value(scene_lines *l, uint32_t line, long row, size_t value_bytes)
 {
     if (line > l->count)
-        return;                         /* somebody is writing it at this moment */
+        return;                         /* another program is writing the file */
     l->of[line - 1].row = row;
     l->of[line - 1].value_bytes = value_bytes;
 }
 
-/* Where the value stands: [*begin, *end); then blanks and a comment may follow. */
+/* Finds the value, [*begin, *end); blanks and a comment may follow. */
 static void find_value(const scene_line *line, size_t *begin, size_t *end)
 {
     const char *text = line->text;
@@ -102,12 +102,12 @@ static void find_value(const scene_line *line, size_t *begin, size_t *end)
     if (line->value_bytes || text[at + strspn(text + at, WHITE)] != ';')
         at += strspn(text + at, WHITE);
     else
-        at += text[at] == ' ';          /* "name = ; comment" */
+        at += text[at] == ' ';          /* as in "name = ; comment" */
     *begin = at;
     *end = at + line->value_bytes;
 }
 
-/* The comment of a line, NULL: it has none. */
+/* Returns the comment of a line, or NULL. */
 static const char *comment_of(const scene_line *line)
 {
     size_t begin, end;
@@ -117,7 +117,7 @@ static const char *comment_of(const scene_line *line)
     return *rest == ';' ? rest : NULL;
 }
 
-/* Texts after each other, to free. */
+/* Returns the concatenation of the texts; the caller frees the result. */
 static char *chain(const char *const *texts, size_t count)
 {
     size_t room = 1;
@@ -156,14 +156,14 @@ bool scene_lines_replace(scene_lines *l, uint32_t line, const char *value, size_
     return true;
 }
 
-/* -- taking away ----------------------------------------------------------------- */
+/* -- removing -------------------------------------------------------------------- */
 
 static bool is_blank(const scene_line *line)
 {
     return line->text[strspn(line->text, WHITE)] == 0;
 }
 
-/* A section of which nothing is left but its head. */
+/* Removes a section with nothing left but its head. */
 static void remove_empty(scene_lines *l, size_t head)
 {
     size_t end = head + 1;
@@ -207,15 +207,15 @@ static bool grow(char **text, const char *const *more, size_t count)
     return true;
 }
 
-/* Whether a head is "[section]". */
+/* True if a head is "[section]". */
 static bool heads(const scene_line *line, const char *section, size_t bytes)
 {
     const char *name = strchr(line->text, '[') + 1;
     return strncmp(name, section, bytes) == 0 && name[bytes] == ']';
 }
 
-/* The line that ends the section: the last that sets something, or its head; count: there
- * is no such section. */
+/* Returns the last line of a section: the last line with a setting, or the head.  Returns
+ * count if there is no such section. */
 static size_t end_of_section(const scene_lines *l, const char *section, size_t bytes)
 {
     size_t at = l->count;
@@ -241,8 +241,8 @@ static bool add_section(scene_lines *l, const char *section, const char *line)
     return grow(&l->tail, texts, 6);
 }
 
-/* New sections stand in the tail; the rows of one come one after the other, so that only
- * the last of them can go on. */
+/* True if the tail ends in the section.  New sections are in the tail; the rows of a
+ * section come one after another, so only the last section can grow. */
 static bool ends_tail(const scene_lines *l, const char *section)
 {
     const char *at = NULL;

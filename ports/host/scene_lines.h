@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The lines of an INI file, to be edited without touching the others. */
+/* The lines of an INI file, for editing single lines without changing the others. */
 #ifndef HOST_SCENE_LINES_H
 #define HOST_SCENE_LINES_H
 #include <stdbool.h>
@@ -8,15 +8,15 @@
 #include <stdio.h>
 
 #define LINE_NONE  (-1)         /* sets nothing: a comment, a section's head ... */
-#define LINE_OTHER (-2)         /* sets what is not in the table */
+#define LINE_OTHER (-2)         /* sets a name that is not in the table */
 
 typedef struct {
-    char  *text;                /* without the line's end */
-    char  *more;                /* lines that follow it now, each with its end; NULL */
-    const char *end;            /* "\n", "\r\n" or, of the last one, "" */
+    char  *text;                /* text without line end */
+    char  *more;                /* new lines after this line, each with its end */
+    const char *end;            /* "\n", "\r\n" or, of the last line, "" */
     size_t value_bytes;
-    long   row;                 /* of the table that it sets, or LINE_... */
-    bool   head;                /* of a section */
+    long   row;                 /* row of the table that the line sets, or LINE_... */
+    bool   head;                /* head of a section */
     bool   gone;
 } scene_line;
 
@@ -26,22 +26,25 @@ typedef struct {
     char       *tail;           /* new sections; NULL: none */
 } scene_lines;
 
-/* EXIT_INPUT: and said why.  Free in any case. */
+/* Returns EXIT_INPUT after printing the reason.  The caller calls scene_lines_free in every
+ * case. */
 int  scene_lines_read(scene_lines *l, const char *path);
 void scene_lines_free(scene_lines *l);
 void scene_lines_write(const scene_lines *l, FILE *to);
 
-/* Line `line`, from 1, sets a row, to a value of so many bytes. */
+/* Notes that line `line`, from 1, sets a row; value_bytes: length of the value. */
 void scene_lines_value(scene_lines *l, uint32_t line, long row, size_t value_bytes);
 
-/* Takes the lines of a row away, and a section that has nothing else.  A comment behind
- * a value stays as one of its own. */
+/* Removes the lines of a row, and a section that becomes empty.  A comment after a value
+ * stays, on a line of its own. */
 void scene_lines_remove(scene_lines *l, long row);
 
-/* Each false: no memory, and nothing has changed.  A comment that makes the line longer
- * than `most` bytes gets one of its own, before it. */
+/* Both return false if memory is lacking, with nothing changed.  scene_lines_replace: a
+ * comment that would make the line longer than `most` bytes moves to a line of its own
+ * before it. */
 bool scene_lines_replace(scene_lines *l, uint32_t line, const char *value, size_t most);
 
-/* "section.name" at its section's end, or at the file's. */
+/* Adds "section.name" at the end of its section, or in a new section at the end of the
+ * file. */
 bool scene_lines_append(scene_lines *l, const char *name, const char *value);
 #endif

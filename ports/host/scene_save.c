@@ -1,9 +1,10 @@
 /* SPDX-License-Identifier: MIT */
-/* Saving a scene by editing the lines of the file that it came from.
+/* Saves a scene by editing the lines of its file.
  *
- * libinih says which line sets which parameter, and to what; where on the line the value
- * stands follows from that, and all else of the line is a person's spelling and stays.
- * Behind a value " ;" begins a comment, "#" does not: no text with " ;" can be saved. */
+ * libinih reports the parameter and value that each line sets.  The position of the value
+ * in the line follows from the report; the rest of the line is the user's own spelling and
+ * stays unchanged.  After a value " ;" begins a comment, "#" does not: no text with " ;"
+ * can be saved. */
 #define _POSIX_C_SOURCE 200809L
 #include "scene_save.h"
 #include "scene/value.h"
@@ -19,19 +20,19 @@
 #include "say.h"
 #include "scene_lines.h"
 
-#define LINE_MOST 199           /* bytes of a line that also has a comment */
+#define LINE_MOST 199           /* bytes of a line with a comment */
 
 typedef struct {
     const scene_file *file;
-    const char *name;           /* of the file to be written */
+    const char *name;           /* name of the file to be written */
     scene_lines lines;
-    uint32_t   *at;             /* of each row: the last line that sets it; 0: none */
-    bool       *bad;            /* ... to what it cannot be */
-    tp_scene    filed;          /* as the lines say it */
-    bool        moved;          /* the new file lies in another folder */
+    uint32_t   *at;             /* for each row: last line that sets the row; 0: none */
+    bool       *bad;            /* for each row: that line has an invalid value */
+    tp_scene    filed;          /* the scene according to the lines */
+    bool        moved;          /* the new file is in another folder */
 } save;
 
-/* -- what the file says ---------------------------------------------------------- */
+/* -- reading the file ------------------------------------------------------------ */
 
 static bool take(void *user, uint32_t line, const char *section, const char *name,
                  const char *value)
@@ -44,7 +45,7 @@ static bool take(void *user, uint32_t line, const char *section, const char *nam
     const long row = param ? (long)(param - tp_params(&count)) : LINE_OTHER;
     scene_lines_value(&s->lines, line, row, strlen(value));
     if (!param)
-        return true;                    /* it was refused when the scene was read */
+        return true;                    /* refused when the scene was read */
     s->at[row] = line;
     value = scene_file_value(param, value);
     s->bad[row] = !value
@@ -52,7 +53,7 @@ static bool take(void *user, uint32_t line, const char *section, const char *nam
     return true;
 }
 
-/* A file that is gone is begun anew. */
+/* Reads the lines; a deleted file is started anew. */
 static int read_lines(save *s)
 {
     const char *path = s->file->path;
@@ -62,10 +63,10 @@ static int read_lines(save *s)
     return code ? code : ini_read(path, take, s);
 }
 
-/* -- what it is to say ----------------------------------------------------------- */
+/* -- editing the lines ----------------------------------------------------------- */
 
-/* A name that leads from the new file to the same one stays, and so do those that a file
- * gave as absolute. */
+/* Returns the text of a value.  A relative file name that leads from the new file to the
+ * same target stays unchanged, and so does an absolute name given by a file. */
 static char *text_of(const save *s, const tp_param *param, uint32_t row)
 {
     char value[TP_NAME_BYTES + 64];
@@ -85,7 +86,7 @@ static char *text_of(const save *s, const tp_param *param, uint32_t row)
     return name;
 }
 
-/* What an INI file cannot hold is refused before anything is written. */
+/* Refuses a text that an INI file cannot hold, before anything is written. */
 static int check_text(const save *s, const tp_param *param, const char *text)
 {
     bool white = true;
@@ -99,8 +100,9 @@ static int check_text(const save *s, const tp_param *param, const char *text)
     return EXIT_DONE;
 }
 
-/* Values that came to be the default's are taken away when the others are in place, so
- * that a section that something was added to stays where it is. */
+/* Edits the line of a value.  Values equal to the default are removed in a second pass
+ * (away), after the others are in place: a section that gets new lines then stays at its
+ * place. */
 static int edit(save *s, const tp_param *param, uint32_t row, const char *text, bool away)
 {
     char before[TP_NAME_BYTES + 64], normal[64];
@@ -135,7 +137,7 @@ static int edit_all(save *s, bool away)
     return code;
 }
 
-/* -- the whole of it ------------------------------------------------------------- */
+/* -- writing the file ------------------------------------------------------------ */
 
 static int write_file(const save *s)
 {
@@ -168,7 +170,7 @@ int scene_save(const scene_file *file, const char *name)
     return code;
 }
 
-/* -- where to -------------------------------------------------------------------- */
+/* -- the file's name ------------------------------------------------------------- */
 
 static bool is_shipped(const char *path)
 {
@@ -180,7 +182,8 @@ static bool is_shipped(const char *path)
     return shipped;
 }
 
-/* It is replaced by another file: its folder must take one. */
+/* True if the file can be replaced: writing replaces the file, so the folder must be
+ * writable too. */
 static bool can_be_written(const char *path)
 {
     char *folder = path_beside(path, ".");

@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: MIT */
-/* Keeping the preview's state.  The world goes first, under a name that tells what scene
- * and changes it is of, then the file that names it: whatever ends the program or the
- * machine in between, the file on the disk and the world that it names belong together.
+/* Keeps the preview's state on disk.  First the world is written, with a name that
+ * identifies its scene and changes, then the file with the name of the world.  At any crash
+ * or power cut the file on disk and the world that it names belong together.
  *
- * One thread writes, from a copy; who wants it written at once waits for the thread and
- * writes himself.  Several previews take turns by a lock on the folder, and the last one
- * to write is the one to be resumed. */
-#define _DEFAULT_SOURCE         /* flock */
+ * A thread writes, from a copy.  An immediate write (session_put) waits for the thread and
+ * then writes on the calling thread.  Several previews take turns by a lock on the folder;
+ * the last preview to write is the one that --resume continues. */
+#define _DEFAULT_SOURCE         /* for flock */
 #define _POSIX_C_SOURCE 200809L
 #include "session.h"
 #include <dirent.h>
@@ -27,18 +27,18 @@
 typedef enum { TAKEN, EMPTY, FULL } fill;
 
 struct session {
-    char   *folder, *ini;       /* and session.ini in it */
+    char   *folder, *ini;       /* ini: session.ini in the folder */
     keep    keep;               /* .build and .failed */
-    bool    failed;             /* the file could not be written, and that was said */
-    /* What is to be written: the thread's while FULL, while TAKEN session_put's, and at
-     * first the thread's. */
+    bool    failed;             /* writing has failed, after a message */
+    /* State to be written.  Owned by the thread while FULL, by session_put while TAKEN;
+     * initially TAKEN, owned by the thread. */
     char   *text;
     session_world_name world;
     uint32_t scene, picture;
     void   *copy;
     size_t  bytes;
     pthread_t       thread;
-    pthread_mutex_t mutex;      /* of the two below */
+    pthread_mutex_t mutex;      /* guards state and end */
     pthread_cond_t  changed;
     fill    state;
     bool    end;
@@ -58,7 +58,7 @@ static bool is_written(const session *s)
     return file && byte == EOF && !*c;
 }
 
-/* Worlds that no file names any more. */
+/* Removes worlds that the file no longer names. */
 static void remove_others(const session *s)
 {
     DIR *dir = opendir(s->folder);
@@ -109,7 +109,8 @@ static int write_both(session *s)
     return code;
 }
 
-/* Reading the whole program for its digest takes 50 ms, which nobody waits for. */
+/* Body of the writing thread.  Reading the whole program for its digest takes 50 ms; on the
+ * thread nobody waits for that. */
 static void *work(void *user)
 {
     static const tp_scene nothing;
@@ -134,7 +135,7 @@ static void *work(void *user)
     return NULL;
 }
 
-/* -- what is to be written ------------------------------------------------------- */
+/* -- collecting the state -------------------------------------------------------- */
 
 static bool copy_world(session *s, const tp_world *world, size_t bytes)
 {
@@ -261,7 +262,7 @@ void session_end(session *s)
     release(s);
 }
 
-/* -- going on -------------------------------------------------------------------- */
+/* -- resuming -------------------------------------------------------------------- */
 
 bool session_world(const tp_scene *scene, const tp_assets *assets, tp_world *world,
                    size_t bytes, uint32_t *picture)

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* What the preview was doing, on disk, so that `tidepool view --resume` goes on after a
- * crash, a lost display or a power cut: the scene's path, the changes made to it, the
- * world, in $XDG_STATE_HOME/tidepool (~/.local/state/tidepool). */
+/* The preview's state on disk, for `tidepool view --resume` after a crash, a lost display
+ * or a power cut: the scene's path, the changes to the scene, and the world.  The folder is
+ * $XDG_STATE_HOME/tidepool (~/.local/state/tidepool). */
 #ifndef HOST_SESSION_H
 #define HOST_SESSION_H
 #include "scene_file.h"
@@ -9,24 +9,25 @@
 
 typedef struct session session;
 
-/* NULL: nothing can be kept there, which is said once; every function takes NULL. */
+/* Returns NULL if nothing can be kept there, after one message; every function accepts
+ * NULL. */
 session *session_begin(void);
 
-/* Each second or so: writes in a thread of its own, and returns at once.  False: the last
- * one is still being written. */
+/* To call about once per second.  Copies the state and returns at once; a thread writes the
+ * copy.  False: the thread still writes the last state. */
 bool session_offer(session *s, const scene_file *file, const tp_assets *assets,
                    const tp_world *world, size_t bytes, uint32_t picture);
 
-/* The same now, on this thread; when it returns it is on the disk.  Safe in an atexit
- * handler. */
+/* Writes the state now, on the calling thread; the state is on disk when the function
+ * returns.  Safe in an atexit handler. */
 int  session_put(session *s, const scene_file *file, const tp_assets *assets,
                  const tp_world *world, size_t bytes, uint32_t picture);
 
 void session_end(session *s);
 
-/* What was kept last.  `scene` (to free) is what stage_open is to be given, settings
- * ("name=value", to free with session_free) what is to be set after it.  Where nothing
- * whole is kept `scene` is NULL, and that was said.  EXIT_INPUT: it cannot be read. */
+/* The last kept state.  scene (the caller frees): argument for stage_open.  settings
+ * ("name=value", freed by session_free): to be set after it.  If no complete state is kept,
+ * scene is NULL, after a message.  Returns EXIT_INPUT if the file cannot be read. */
 typedef struct {
     char    *scene;
     char   **settings;
@@ -36,8 +37,9 @@ typedef struct {
 int  session_read(session_state *state);
 void session_free(session_state *state);
 
-/* The world of the scene as read and set, which goes in at tick 0; false: another build's
- * or not whole, said, and *world is as it was. */
+/* Reads the kept world into `world`, a world at tick 0 of the scene as read and set.
+ * False, after a message, with *world unchanged: the kept world is of another build or
+ * incomplete. */
 bool session_world(const tp_scene *scene, const tp_assets *assets, tp_world *world,
                    size_t bytes, uint32_t *picture);
 #endif

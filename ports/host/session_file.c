@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The session's file, written and read. */
-#define _XOPEN_SOURCE 700       /* realpath */
+/* Writes and reads the session's file. */
+#define _XOPEN_SOURCE 700       /* for realpath */
 #include "session_file.h"
 #include "pixel/pixel.h"
 #include "scene/value.h"
@@ -16,12 +16,12 @@
 #include "say.h"
 #include "words.h"
 
-#define PART 120                /* bytes of a value in one line */
+#define PART 120                /* bytes of a value per line */
 #define HEAD "# What `tidepool view --resume` goes on with.\n[session]\nworld = "
 
-/* -- where ----------------------------------------------------------------------- */
+/* -- the folder ------------------------------------------------------------------ */
 
-/* As mkdir -p, private as the rules for such folders want it. */
+/* Makes a folder and its parents like mkdir -p, with mode 0700 as the XDG rules demand. */
 static bool make_folder(char *path)
 {
     for (char *c = path + 1; *c; c++) {
@@ -40,7 +40,8 @@ static bool make_folder(char *path)
 char *session_folder(bool make, int *why)
 {
     const char *state = getenv("XDG_STATE_HOME"), *home = getenv("HOME");
-    const bool told = state && state[0] == '/';         /* relative ones are no use */
+    const bool told = state && state[0] == '/';         /* XDG: relative paths are
+                                                         * ignored */
     *why = 0;
     if (!told && (!home || !home[0]))
         return NULL;
@@ -74,7 +75,7 @@ static void put_value(FILE *to, const char *name, const char *value)
     putc('\n', to);
 }
 
-/* The absolute path, even of a file that is gone. */
+/* Writes a path as absolute, even if the file is gone. */
 static void put_path(FILE *to, const char *name, const char *path)
 {
     char *real = realpath(path, NULL), here[4096];
@@ -85,7 +86,7 @@ static void put_path(FILE *to, const char *name, const char *path)
     free(joined);
 }
 
-/* What was set by hand.  A file's path is made absolute. */
+/* Writes a value set by hand; the path of a file is made absolute. */
 static void put_row(FILE *to, const scene_file *file, const tp_param *param)
 {
     char text[TP_NAME_BYTES + 64];
@@ -158,7 +159,7 @@ static char *slurp(FILE *file)
     return ferror(file) ? NULL : path_copy("", 0);
 }
 
-/* The name in the head is that of what follows. */
+/* True if the name in the head is the CRC of the text after it. */
 static bool is_whole(const char *text, session_world_name *world)
 {
     const size_t head = strlen(HEAD), name = strlen(SESSION_WORLD) + 8;
@@ -191,10 +192,10 @@ char *session_load(const char *folder, session_world_name *world, int *code)
     return text;
 }
 
-/* -- as settings ----------------------------------------------------------------- */
+/* -- settings -------------------------------------------------------------------- */
 
 typedef struct {
-    char    last[160];          /* the name of the last line */
+    char    last[160];          /* name of the last line */
     words   list;               /* "name=value", encoded */
 } lines;
 
@@ -241,7 +242,7 @@ static void decode(char *text)
     *to = 0;
 }
 
-/* The list's first are session.world and session.scene. */
+/* Converts the list; its first two entries are session.world and session.scene. */
 static int to_state(lines *l, session_state *state)
 {
     static const char scene[] = "session.scene=";

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* tidepool show: a scene on a screen without a window system.  The loop, the console and
- * the screens are in ../screen; here is what the program adds: files, threads, a tape. */
+ * the screens are in ../screen; the program adds files, threads and tapes here. */
 #define _POSIX_C_SOURCE 200809L
 #include <stdio.h>
 #include <stdlib.h>
@@ -18,11 +18,11 @@ typedef struct {
     options  *options;
     stage     stage;
     replay    tape;
-    uint32_t  played;           /* entries of the tape, by the world that was kept */
+    uint32_t  played;           /* entries of the tape taken by the kept world */
     governing governing;
 } shown;
 
-/* -- what the loop asks for ------------------------------------------------------ */
+/* -- callbacks of the loop ------------------------------------------------------- */
 
 static int prepare(void *user, uint32_t width, uint32_t height, tp_format format)
 {

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Choosing an output by its name; numbering PNGs.  A pattern is read here and never
- * given to printf: its text is the user's. */
+/* Chooses an output by its name, and numbers PNGs.  Patterns are parsed here and never
+ * passed to printf: their text comes from the user. */
 #define _POSIX_C_SOURCE 200809L
 #include "sink.h"
 #include <stdio.h>
@@ -14,7 +14,8 @@
 #define NAME_BYTES 4096
 #define DIGITS_MAX 9
 
-/* The place of %d or %0Nd in a pattern; *digits is N, or 0.  0: not such a place. */
+/* Parses %d or %0Nd in a pattern; *digits: N, or 0.  Returns the length, or 0 for other
+ * text. */
 static size_t number_at(const char *c, int *digits)
 {
     size_t n = 1;
@@ -26,8 +27,8 @@ static size_t number_at(const char *c, int *digits)
     return c[n] == 'd' ? n + 1 : 0;
 }
 
-/* The name of a frame; "%%" is a percent sign.  *numbers counts the frame's number in
- * it.  False: some % is neither, or the name is too long. */
+/* Makes the name of a frame; "%%" becomes a percent sign.  *numbers: how often the frame's
+ * number occurs.  False: invalid use of %, or the name is too long. */
 static bool frame_name(const char *pattern, uint32_t frame, char name[NAME_BYTES],
                        unsigned *numbers)
 {
@@ -80,7 +81,8 @@ static int open_animation(sink *s, const options *o)
     return animation_open(&s->animation, s->out, args_frames(o), o->every);
 }
 
-/* A scene may have a picture of its own name beside it. */
+/* Chooses the name.  A user's picture with the scene's name may exist: that file is
+ * refused. */
 static int open_own(sink *s, const options *o)
 {
     const bool many = args_frames(o) > 1;

@@ -24,7 +24,8 @@ int stage_read(scene_file *file, const options *o)
     return code;
 }
 
-/* To three decimals: 16.16 of a sum of people's 0.4 is no round number. */
+/* Reports clamped steepness with three decimals: in 16.16 a sum of decimal values as 0.4 is
+ * not a round number. */
 static void report_clamps(const scene_file *file, const tp_sea *sea)
 {
     char sum[16];
@@ -35,7 +36,8 @@ static void report_clamps(const scene_file *file, const tp_sea *sea)
     say("%s: steepness sum %s is clamped to 0.95", file->name, sum);
 }
 
-/* Above an eighth of their range 8-bit cells show little but their own roundings. */
+/* True if the noise exceeds an eighth of the range: 8-bit cells then show little but their
+ * own rounding errors. */
 static bool is_noisy(tp_fx courant, int32_t damping)
 {
     return tp_pool_noise(courant, (uint32_t)damping) > 16 * TP_FX_ONE;
@@ -121,13 +123,13 @@ int stage_world(stage *s)
     return EXIT_DONE;
 }
 
-/* What a board would need beside the picture. */
+/* Returns the memory that a board needs beside the picture, bytes. */
 static size_t bytes_of(const canvas *c, size_t world_bytes)
 {
     return c->frame_bytes + world_bytes + c->scratch_bytes;
 }
 
-/* Crossings are not stored if there is no room for them. */
+/* Chooses streaming of grid vertices if memory does not suffice for storing them. */
 static void choose_store(canvas *c, const tp_scene *scene, const tp_assets *names,
                          size_t world_bytes, const options *o)
 {
@@ -139,7 +141,7 @@ static void choose_store(canvas *c, const tp_scene *scene, const tp_assets *name
     }
 }
 
-/* What the scene names may lie in ROM there. */
+/* Checks --memory.  Meshes and textures are not counted: on a board they may be in ROM. */
 static int check_memory(const stage *s, const canvas *c, const asset_set *a,
                         size_t world_bytes, uint64_t allowed)
 {

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Changes of a stage while its world moves.  What a change may be refused for is asked
- * before the world is touched, so that nothing has to be taken back but the value. */
+/* Changes a stage while its world moves.  Every possible refusal is tested before the world
+ * is touched: after a refusal only the value has to be restored. */
 #include <stdlib.h>
 #include <string.h>
 #include "../live/setting.h"
@@ -8,18 +8,18 @@
 #include "scene/value.h"
 #include "stage.h"
 
-#define LATER EXIT_CHECK        /* refused as the scene is now, and nothing was said */
+#define LATER EXIT_CHECK        /* refused by the present scene, without a message */
 
 typedef struct {
     const options  *o;
     const char     *place;
-    bool            later;          /* what may be taken later is refused in silence */
+    bool            later;          /* a later attempt may succeed: no message */
     const tp_param *param;
     setting_result  result;
-    asset_set      *loaded;         /* what the scene now names; NULL: as before */
-    tp_world       *world;          /* made anew; NULL: it goes on */
+    asset_set      *loaded;         /* newly loaded assets; NULL: unchanged */
+    tp_world       *world;          /* new world; NULL: the world continues */
     size_t          world_bytes;
-    size_t          frame_bytes;    /* that the picture wants now */
+    size_t          frame_bytes;    /* size of the frame after the change */
 } change;
 
 static uint32_t row_of(const tp_param *param)
@@ -35,7 +35,7 @@ stage_value stage_get(const stage *s, const tp_param *param)
     return value;
 }
 
-/* -- what may be refused ----------------------------------------------------------- */
+/* -- tests for refusal ------------------------------------------------------------- */
 
 static int refuse_change(const change *c, const tp_error *err)
 {
@@ -79,8 +79,8 @@ static int world_anew(const stage *s, change *c)
     return EXIT_DONE;
 }
 
-/* A picture that would not fit into --memory is refused while the old one is there.  Of
- * a scene that is no good the world tells. */
+/* Plans the new canvas.  A picture beyond --memory is refused while the old canvas still
+ * exists.  A bad scene is not reported here: making the world reports the error. */
 static int plan_anew(const stage *s, change *c)
 {
     const asset_set *a = assets_of(s, c);
@@ -114,10 +114,10 @@ static int try_change(stage *s, change *c, const stage_value *value)
     return code ? code : take_change(s, c);
 }
 
-/* -- the change -------------------------------------------------------------------- */
+/* -- applying the change ----------------------------------------------------------- */
 
-/* Frames are planned when they are opened: calm water that was made rough may want other
- * rungs. */
+/* True if the ladder changes.  Frames get their plan when opened: calm water that becomes
+ * rough may need other rungs. */
 static bool changes_plan(const stage *s)
 {
     const tp_ladder now = stage_ladder(s);
@@ -135,7 +135,7 @@ static bool needs_canvas(const stage *s, const change *c)
         || c->frame_bytes != now->frame_bytes || changes_plan(s);
 }
 
-/* Nothing can go wrong any more but memory for the canvas. */
+/* Applies the change.  Only lack of memory for the canvas can still fail. */
 static int do_change(stage *s, change *c, bool *opened)
 {
     const bool again = needs_canvas(s, c);
@@ -177,7 +177,7 @@ int stage_put(stage *s, const options *o, const char *place, const tp_param *par
 
 /* -- by name ----------------------------------------------------------------------- */
 
-/* A value by hand; white space around it does not count. */
+/* Returns the value set by hand, without the white space around it. */
 static stage_value value_of(const tp_param *param, const char *text)
 {
     tp_scene scene = { .title = "" };
@@ -206,7 +206,7 @@ int stage_set(stage *s, const options *o, const char *place, const char *setting
     return set(s, o, &one, false, opened);
 }
 
-/* Passes over what is left, as long as one of them gets something done. */
+/* Makes passes over the remaining values as long as a pass sets at least one value. */
 int stage_set_all(stage *s, const options *o, const stage_setting *all, size_t count,
                   bool *opened)
 {

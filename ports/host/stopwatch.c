@@ -1,15 +1,14 @@
 /* SPDX-License-Identifier: MIT */
-/* A timed stage reads the processor's counter, calls the stage that it stands for and
- * reads again.  The time between two readings that follow each other at once is taken off
- * again.
+/* A timed stage reads the processor's counter, calls the original stage and reads the
+ * counter again.  The duration of an empty measurement is subtracted.
  *
- * Counters are shared out among threads, which each take the next place when they first
- * time something: no two of a crew write to the same line of memory, and if more threads
- * come and go than there are places they still add up, as they add atomically.
+ * Threads share an array of counters; each thread takes the next entry at its first
+ * measurement.  Threads of a pool therefore write to different cache lines.  If more
+ * threads come and go than there are entries, the sums stay right, because counters are
+ * incremented atomically.
  *
- * What it costs: frames of 640x480 by one thread take 1.01 times as long with it
- * (three-swells, 18.8 ms, medians of 60 in turns in one run; x86-64, TP_SOAK=1
- * test_stopwatch). */
+ * Cost: frames of 640x480 on one thread take 1.01 times as long (three-swells, 18.8 ms,
+ * medians of 60, alternating in one run; x86-64, TP_SOAK=1 test_stopwatch). */
 #define _POSIX_C_SOURCE 200809L
 #include "stopwatch.h"
 #include "scene/module.h"
@@ -55,7 +54,7 @@ static uint64_t now_ns(void)
     return (uint64_t)now.tv_sec * 1000000000u + (uint64_t)now.tv_nsec;
 }
 
-/* What takes least to read: of x86-64 a counter of its own steps. */
+/* Reads the fastest clock: on x86-64 the time stamp counter, which has its own unit. */
 static inline uint64_t steps_now(void)
 {
 #if defined(__x86_64__)
@@ -65,7 +64,7 @@ static inline uint64_t steps_now(void)
 #endif
 }
 
-/* Of two readings that follow each other at once. */
+/* Returns the shortest difference of two consecutive readings. */
 static uint64_t least_steps(void)
 {
     uint64_t least = UINT64_MAX;
@@ -79,7 +78,7 @@ static uint64_t least_steps(void)
 
 /* -- counters ------------------------------------------------------------------------ */
 
-/* A line of memory apart. */
+/* Counters of one thread, aligned to a cache line. */
 typedef struct {
     _Alignas(64) atomic_uint_least64_t steps[STAGES];
 } counters;
@@ -88,9 +87,9 @@ static counters counted[PLACES];
 static atomic_uint threads;
 static _Thread_local counters *mine;
 
-static tp_stage own[STAGES];            /* the stages that the timed ones stand for */
-static uint64_t  empty;                 /* steps that reading takes */
-static uint64_t  begin_steps, begin_ns; /* of the last zero */
+static tp_stage own[STAGES];            /* the original stages */
+static uint64_t  empty;                 /* steps of an empty measurement */
+static uint64_t  begin_steps, begin_ns; /* readings at the last zero */
 
 static void count(uint32_t stage, uint64_t steps)
 {
@@ -109,7 +108,7 @@ void stopwatch_zero(void)
     begin_steps = steps_now();
 }
 
-/* How long a step is, by the clock since the last zero. */
+/* Converts steps to ns by the clock's time since the last zero. */
 uint64_t stopwatch_ns(uint32_t stage)
 {
     const uint64_t ns = now_ns() - begin_ns, steps = steps_now() - begin_steps;
@@ -155,9 +154,9 @@ static const struct { const struct tp_module *module; uint32_t first, end; } mod
 enum { LISTED = sizeof modules / sizeof *modules };
 
 static tp_use   timed_use[MODULES + 1];
-static tp_stage timed_stage[STAGES];    /* the tables of those uses */
+static tp_stage timed_stage[STAGES];    /* tables of timed_use */
 
-/* Times the use of a module whose stages are those from `first` to before `end`. */
+/* Returns a timed use of a module with the stages `first` to before `end`. */
 static tp_use timed_by(tp_use use, uint32_t first, uint32_t end)
 {
     for (uint32_t i = first; use.stage && i < end; i++) {
@@ -169,8 +168,9 @@ static tp_use timed_by(tp_use use, uint32_t first, uint32_t end)
     return use;
 }
 
-/* A program for another processor has copies of the modules, all of them; in any other list
- * the modules are these, and an unknown one is not timed. */
+/* Returns a timed use.  A program for another processor has copies of all modules, in the
+ * order of the whole list.  In any other list the modules are found by address, and an
+ * unknown module is not timed. */
 static tp_use timed_of(const tp_use *list, size_t n, bool whole)
 {
     for (size_t m = 0; m < LISTED; m++)
@@ -179,7 +179,7 @@ static tp_use timed_of(const tp_use *list, size_t n, bool whole)
     return list[n];
 }
 
-/* A list that is longer than ours goes untimed. */
+/* Returns a timed list; a list longer than MODULES is not timed. */
 static const tp_use *timed_list(const tp_use *list)
 {
     size_t n = 0, count = 0;
@@ -194,7 +194,7 @@ static const tp_use *timed_list(const tp_use *list)
     return timed_use;
 }
 
-/* A stage that the program lacks stays NULL. */
+/* Replaces the stages; a stage that the program lacks stays NULL. */
 void stopwatch_use(canvas *c, bool on)
 {
     const tp_program *its = c->machine->program;

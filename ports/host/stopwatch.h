@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Nanoseconds by stage: while the figures are shown, the canvas draws by a program whose
- * stages are timed. */
+/* Measures ns per stage: while the figures are shown, the canvas draws with a program of
+ * timed stages. */
 #ifndef HOST_STOPWATCH_H
 #define HOST_STOPWATCH_H
 #include <stdbool.h>
@@ -11,10 +11,11 @@
 extern const char *const stopwatch_name[];
 extern const uint32_t    stopwatch_stages;
 
-/* Puts timed stages into the canvas's program, or the machine's own stages back.  Call it
- * between pictures, and again after the canvas has been opened anew.  Pictures keep their
- * bits.  Times of all threads are added up.  Canvases timed at once share one machine. */
+/* Puts timed stages into the canvas's program, or restores the machine's own stages.  To
+ * call between pictures, and again after the canvas has been reopened.  Pictures keep their
+ * bits.  Times of all threads are summed.  Canvases timed at the same time must have the
+ * same machine. */
 void     stopwatch_use(canvas *c, bool on);
 void     stopwatch_zero(void);
-uint64_t stopwatch_ns(uint32_t stage);          /* since the last zero */
+uint64_t stopwatch_ns(uint32_t stage);          /* time since the last zero, ns */
 #endif

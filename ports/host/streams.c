@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* A program's standard streams, from its first line to its last. */
+/* A program's standard streams at its start and at its end. */
 #define _POSIX_C_SOURCE 200809L
 #include <errno.h>
 #include <fcntl.h>
@@ -18,7 +18,8 @@ void begin_streams(void)
     signal(SIGXFSZ, SIG_IGN);
 }
 
-/* After an earlier write has failed the flush of the rest tells why. */
+/* Flushes standard output.  After an earlier failed write, the flush of the rest gives the
+ * reason. */
 int finish_stdout(void)
 {
     errno = 0;

@@ -48,7 +48,7 @@ static bool add_works(words *list)
     return done;
 }
 
-/* "fb or kms", and of them those that are built in. */
+/* Adds the names in "fb or kms" that are built in. */
 static bool add_ports(words *list)
 {
     words all = { 0 };
@@ -86,7 +86,7 @@ static bool add_scenes(words *list)
     return done;
 }
 
-/* "wave0." of every parameter, once. */
+/* Adds the groups of all parameters, as "wave0.", each once. */
 static bool add_groups(words *list)
 {
     uint32_t count;
@@ -117,7 +117,7 @@ static const struct {
 
 #define ROWS (sizeof rows / sizeof *rows)
 
-/* The row, or ROWS. */
+/* Returns the row, or ROWS. */
 static size_t find(const char *word)
 {
     word += *word == '[';

@@ -67,7 +67,7 @@ progress progress_begin(void)
     return (progress){ .begin = now_us() };
 }
 
-/* Whether it is time for another line; if so *left is in seconds. */
+/* True if the progress line is due; *left: remaining time, s. */
 static bool is_due(progress *p, uint32_t done, uint32_t total, unsigned *left)
 {
     const uint64_t now = now_us(), passed = now - p->begin;

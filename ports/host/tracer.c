@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The reference is tests/reference, which is part of this program for that alone. */
+/* Runs the reference renderer, tests/reference, which is linked into the program only for
+ * this view. */
 #define _XOPEN_SOURCE 700
 #include "tracer.h"
 #include "scene/world.h"
@@ -9,25 +10,25 @@
 #include <sys/resource.h>
 #include "tests/reference/image.h"
 
-#define BLOCK  4                /* pixels, each way, of the coarse pass */
-#define BEHIND 10               /* how nice it is to whoever draws the preview */
+#define BLOCK  4                /* width and height of a block of the coarse pass, px */
+#define BEHIND 10               /* nice value of the thread, below the preview's threads */
 
 static const uint32_t samples_of[] = { [TRACER_COARSE] = 1, [TRACER_1] = 1, [TRACER_4] = 4,
                                        [TRACER_16] = 16 };
 
 struct tracer {
-    tp_scene   scene;           /* copies, for the thread ... */
+    tp_scene   scene;           /* copies for the thread ... */
     tp_world  *world;
     size_t     world_bytes;
     const tp_assets *assets;
     uint32_t   width, height;
-    uint32_t  *ours;            /* ... and what it is compared with */
+    uint32_t  *ours;            /* ... and the picture for comparison */
     ref_pace   pace;
-    atomic_uint height_now;     /* of the pass, rows */
+    atomic_uint height_now;     /* height of the pass, rows */
     tracer_pass first;
-    atomic_uint draws;          /* tracer_pass */
+    atomic_uint draws;          /* tracer_pass in progress */
     pthread_t  thread;
-    pthread_mutex_t lock;       /* of the last finished picture: */
+    pthread_mutex_t lock;       /* guards the last finished picture: */
     uint32_t  *pixel;
     tracer_pass last;
     bool       taken;
@@ -47,7 +48,7 @@ static void publish(tracer *t, const ref_image *image, tracer_pass pass)
     pthread_mutex_unlock(&t->lock);
 }
 
-/* Half of the processors, as pictures go on meanwhile. */
+/* Draws a pass with half of the processors; the preview needs the others. */
 static bool draw_pass(tracer *t, tracer_pass pass)
 {
     const uint32_t block = pass == TRACER_COARSE ? BLOCK : 1;
@@ -70,8 +71,8 @@ static bool draw_pass(tracer *t, tracer_pass pass)
     return done;
 }
 
-/* Linux knows it of this thread and those that it starts; elsewhere it would be of the
- * whole program. */
+/* Lowers the priority.  On Linux setpriority affects the calling thread and threads started
+ * by it; elsewhere the whole program. */
 static void step_back(void)
 {
 #if defined(__linux__)
@@ -91,7 +92,7 @@ static void *live(void *user)
     return NULL;
 }
 
-/* -- from outside -------------------------------------------------------------------- */
+/* -- interface ----------------------------------------------------------------------- */
 
 static void discard(tracer *t)
 {

@@ -1,29 +1,31 @@
 /* SPDX-License-Identifier: MIT */
-/* The reference's picture of one world, drawn in a thread of its own: first with one
- * sample a pixel, then with 4, then with 16; and before them, if it is wanted, with one
- * for each 4x4 pixels, which takes a sixteenth of the time. */
+/* The reference's picture of one world, drawn on a thread of its own: with 1 sample per
+ * pixel, then with 4, then with 16.  Optionally preceded by a pass with 1 sample per 4x4
+ * pixels, in a sixteenth of the time. */
 #ifndef HOST_TRACER_H
 #define HOST_TRACER_H
 #include "stage.h"
 
 typedef struct tracer tracer;
 
-/* Of the stage as it is now, whose canvas has just drawn its world; its scene, world and
- * picture are copied, its assets must outlive this.  NULL: no memory, or no thread. */
+/* Begins with the current stage, whose canvas has just drawn its world.  Scene, world and
+ * picture are copied; the assets must outlive the tracer.  NULL: no memory, or no
+ * thread. */
 tracer  *tracer_begin(const stage *s, bool coarse);
 
-/* Gives up what is being drawn; within some ms.  Takes NULL. */
+/* Stops drawing and ends the thread within some ms.  Accepts NULL. */
 void     tracer_end(tracer *t);
 
-/* What has been drawn, and what is being drawn. */
+/* Passes of the reference, in order. */
 typedef enum { TRACER_NONE, TRACER_COARSE, TRACER_1, TRACER_4, TRACER_16 } tracer_pass;
 
-/* The picture that the canvas drew and the reference's by the last pass so far, both
- * 0x00RRGGBB row by row.  NONE: nothing yet, and nothing done. */
+/* Copies the canvas's picture and the reference's picture of the last finished pass, both
+ * 0x00RRGGBB row by row.  Returns the pass; TRACER_NONE: none finished, nothing copied. */
 tracer_pass tracer_take(tracer *t, uint32_t *ours, uint32_t *theirs);
-bool     tracer_has_news(tracer *t);            /* one that was not taken yet */
-bool     tracer_is_of(const tracer *t, const tp_world *world);      /* still as it was */
+bool     tracer_has_news(tracer *t);            /* true if a picture is not taken yet */
+bool     tracer_is_of(const tracer *t, const tp_world *world);      /* true if equal */
 
-/* The pass that is being drawn, and how much of it; NONE: it is over. */
+/* Returns the pass in progress, and its percentage; TRACER_NONE: all passes are
+ * finished. */
 tracer_pass tracer_draws(tracer *t, uint32_t *percent);
 #endif

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Undo: an edit keeps the worlds on both sides of it; see the header. */
+/* Undo: an edit keeps the worlds before and after it; see the header. */
 #include "undo.h"
 #include "scene/value.h"
 #include "scene/world.h"
@@ -15,7 +15,7 @@ static const tp_param *param_of(uint32_t row)
 
 /* -- the camera -------------------------------------------------------------------- */
 
-/* Its members stand in one row of a world, so many bytes from `eye` on. */
+/* The camera's members are contiguous in a world: CAMERA_BYTES from `eye` on. */
 #define CAMERA       offsetof(tp_world, eye)
 #define CAMERA_BYTES (offsetof(tp_world, phases) - CAMERA)
 _Static_assert(CAMERA_BYTES == 2 * sizeof(tp_vec3) + 6 * sizeof(tp_turn),
@@ -36,7 +36,7 @@ static bool same_value(const stage_value *a, const stage_value *b)
     return a->set_at == b->set_at && strcmp(a->text, b->text) == 0;
 }
 
-/* Whether the stage's world is this one but for the camera. */
+/* True if the stage's world equals `was` except for the camera. */
 static bool still_stands(const stage *s, const edit_world *was)
 {
     const size_t behind = CAMERA + CAMERA_BYTES;
@@ -47,7 +47,7 @@ static bool still_stands(const stage *s, const edit_world *was)
 
 /* -- changes ----------------------------------------------------------------------- */
 
-/* A drag is one change as long as it is alone: a camera that moved parts it. */
+/* A drag is one change as long as nothing else happens: a moved camera ends the change. */
 static void part(edits *e, const stage *s, uint32_t row)
 {
     const edit *last = edits_last(e);
@@ -57,7 +57,8 @@ static void part(edits *e, const stage *s, uint32_t row)
         edits_part(e);
 }
 
-/* A number that is again what it was before the change was set by whom it was before. */
+/* Keeps the origin of a value: a number equal to the number before the change gets its
+ * set_at back. */
 static void keep_origin(edits *e, stage *s, edit *new)
 {
     const tp_param *param = param_of(new->row);
@@ -91,9 +92,9 @@ int undo_set(edits *e, stage *s, const options *o, const undo_change *change,
     return EXIT_DONE;
 }
 
-/* -- back and forth ---------------------------------------------------------------- */
+/* -- undo and redo ----------------------------------------------------------------- */
 
-/* The world before the change, under a camera that was led on since. */
+/* Restores the world before the change, but keeps a camera moved since. */
 static undo_result put_world(stage *s, const edit *change, const tp_world *camera)
 {
     const tp_world *before = (const void *)change->before.world->world;

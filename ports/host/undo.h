@@ -1,17 +1,16 @@
 /* SPDX-License-Identifier: MIT */
-/* Values of a stage, changed, undone and made again.
+/* Changes, undoes and redoes values of a stage.
  *
- * The scene is put back to the bit always.  The world is, where it stood: if nothing but
- * the camera has moved it since the change, it becomes again what it was before, to the
- * bit, and so does its picture; the camera stays where it was led since, unless the change
- * itself had moved it.  Where the water has moved on, the old value is put as any value
- * is, and the water goes on with it. */
+ * Undo always restores the scene to the bit.  If only the camera has moved the world since
+ * the change, the world is restored to the bit too, and hence its picture; the camera stays
+ * at its present place, unless the change itself had moved the camera.  If the water has
+ * moved on, the old value is set like any value, and the water continues with it. */
 #ifndef HOST_UNDO_H
 #define HOST_UNDO_H
 #include "edits.h"
 
-/* As stage_set of one row; *change is remembered with it.  `going`: see edits_add;
- * `stands`: nothing moves the water until the next tick, so its world is worth keeping. */
+/* Sets one row like stage_set, and remembers *change with the edit.  going: see edits_add.
+ * stands: nothing moves the water until the next tick, so the world is kept. */
 typedef struct {
     uint32_t row;
     bool     going, stands;
@@ -21,15 +20,15 @@ int undo_set(edits *e, stage *s, const options *o, const undo_change *change,
              const char *text, bool *opened);
 
 typedef enum {
-    UNDO_NOTHING,               /* to undo, or to make again */
-    UNDO_REFUSED,               /* which was said; nothing has changed */
-    UNDO_VALUE,                 /* the value; the world goes on with it */
-    UNDO_WORLD,                 /* and the world, but for the camera */
-    UNDO_ALL                    /* and the camera */
+    UNDO_NOTHING,               /* nothing to undo or redo */
+    UNDO_REFUSED,               /* refused, after a message; nothing has changed */
+    UNDO_VALUE,                 /* value restored; the world continues with it */
+    UNDO_WORLD,                 /* world restored, except for the camera */
+    UNDO_ALL                    /* world and camera restored */
 } undo_result;
 
-/* Undoes the last change, or makes it again: that is UNDO_VALUE, and leads from the same
- * world to the same.  *done is its edit. */
+/* Undo or redo the last change; *done: its edit.  Redo returns UNDO_VALUE, and leads from
+ * the same world to the same world. */
 undo_result undo_back(edits *e, stage *s, const options *o, edit **done, bool *opened);
 undo_result undo_again(edits *e, stage *s, const options *o, edit **done, bool *opened);
 #endif

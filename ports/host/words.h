@@ -10,13 +10,13 @@ typedef struct {
     size_t count;
 } words;
 
-/* False: no memory, and the list is as it was. */
+/* Adds a word.  False: no memory, with the list unchanged. */
 bool words_add(words *list, const char *text, size_t bytes);
 
-/* Adds what lies between separators, which is never empty. */
+/* Adds the words between separators; empty words are skipped. */
 bool words_cut(words *list, const char *text, const char *separators);
 
-/* Where a word is, from 0; -1: it is not there. */
+/* Returns the index of a word, from 0; -1: not found. */
 int  words_find(const words *list, const char *text);
 void words_free(words *list);
 #endif
