@@ -25,7 +25,7 @@ typedef struct {
     bool         hash, stats, csv;
     bool         strict;            /* refuse a mesh with missing parts */
     bool         quiet;             /* no message on missing parts; set by no option */
-    bool         stream;            /* stream grid vertices, for less memory */
+    bool         stream;            /* stream grid vertices; `memory` may force it */
     const char  *expect;            /* file with a list of hashes */
     const char  *tape;              /* tape of inputs: render plays, view records */
     const char  *vectors;           /* folder of tables */

@@ -21,7 +21,7 @@ bool bake_has_program(const options *o);
 int  bake_check_options(const options *o);
 
 /* Finds the list.  baked: assets of the file; assets that the list never reads are dropped.
- * Returns an exit code after printing the reason. */
+ * Returns an exit code, and prints the reason of a failure. */
 int  bake_find_program(bake_program *p, const options *o, const tp_scene *scene,
                        const tp_assets *assets, tp_assets *baked);
 

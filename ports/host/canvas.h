@@ -35,7 +35,7 @@ void canvas_plan(canvas *c, const tp_config *config, uint32_t threads);
 void canvas_count(canvas *c, const tp_scene *scene, const tp_assets *assets);
 
 /* To call after canvas_plan.  scene and assets must outlive the canvas.  Returns an exit
- * code after printing the reason; the caller calls canvas_close in every case. */
+ * code, and prints the reason of a failure; the caller calls canvas_close in every case. */
 int  canvas_open(canvas *c, const tp_scene *scene, const tp_assets *assets);
 void canvas_draw(canvas *c, const tp_world *world);
 void canvas_close(canvas *c);

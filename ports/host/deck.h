@@ -43,8 +43,8 @@ typedef struct {
     bool       failed;
 } deck;
 
-/* Both return an exit code after printing the reason, with file and line.  scene: name of
- * the scene, which a tape for replay must have.  name must outlive the deck. */
+/* Both return an exit code, and print the reason of a failure with file and line.  scene:
+ * name of the scene, which a tape for replay must have.  name must outlive the deck. */
 int  deck_read(deck *d, const char *name, const char *scene);
 int  deck_record(deck *d, const char *name, const char *scene);
 

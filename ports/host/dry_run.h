@@ -41,8 +41,8 @@ typedef struct {
 
 /* Steps the world by a program and chooses cameras.  Without a user only the scene's
  * camera.  acts: a user gives inputs in the second half, and further cameras are around all
- * things of the scene, above and under water.  Each function returns an exit code after
- * printing the reason; the caller calls dry_close in every case. */
+ * things of the scene, above and under water.  Each function returns an exit code, and
+ * prints the reason of a failure; the caller calls dry_close in every case. */
 int dry_open(dry_run *d, const dry_program *by, const tp_config *config, bool acts);
 void dry_close(dry_run *d);
 

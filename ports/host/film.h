@@ -16,8 +16,8 @@ typedef struct {
 
 /* Opens a film; each picture is shown for `ticks` of 1/60 s. */
 int  film_open(film *f, const char *name, uint32_t width, uint32_t height, uint32_t ticks);
-/* The same with one tick per picture, into a pipe.  The function closes the pipe after a
- * failure, film_close closes it otherwise. */
+/* The same with one tick per picture, into a pipe.  The pipe is closed in every case: at
+ * once after a failure, else by film_close. */
 int  film_open_pipe(film *f, int to, const char *name, uint32_t width, uint32_t height);
 int  film_add(film *f, const picture *p);       /* after a failure the film is discarded */
 int  film_close(film *f);

@@ -20,8 +20,8 @@ typedef struct {
     output_end *end;        /* private: state of the stream */
 } output;
 
-/* Each function returns an exit code after printing the reason; after a failure nothing is
- * left open. */
+/* Each function returns an exit code, and prints the reason of a failure; after a failure
+ * nothing is left open. */
 int  output_open(output *out, const char *name);
 int  output_take(output *out, int fd, const char *name);    /* closes fd in every case */
 int  output_close(output *out);         /* EXIT_INPUT: some data could not be written */

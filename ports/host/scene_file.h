@@ -17,7 +17,8 @@ typedef struct {
 } scene_file;
 
 /* Opens a scene; given: name of a shipped scene, or a path.  Each function returns an exit
- * code after printing the reason; the caller calls scene_file_close in every case. */
+ * code, and prints the reason of a failure; the caller calls scene_file_close in every
+ * case. */
 int  scene_file_open(scene_file *file, const char *given);
 int  scene_file_set(scene_file *file, const char *setting);     /* "name=value" */
 void scene_file_close(scene_file *file);

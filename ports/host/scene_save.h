@@ -9,7 +9,7 @@
  * an unchanged value stay.  A changed value replaces the text after its "=".  Lines of
  * values now equal to the default are removed.  New values come at the end of their
  * section, new sections at the end of the file.  File names are relative to the new file's
- * folder.  Returns an exit code after printing the reason. */
+ * folder.  Returns an exit code, and prints the reason of a failure. */
 int scene_save(const scene_file *file, const char *name);
 
 /* Returns the file for Ctrl+S: the scene's own path if it is a user's writable file; for a

@@ -40,8 +40,7 @@ static bool make_folder(char *path)
 char *session_folder(bool make, int *why)
 {
     const char *state = getenv("XDG_STATE_HOME"), *home = getenv("HOME");
-    const bool told = state && state[0] == '/';         /* XDG: relative paths are
-                                                         * ignored */
+    const bool told = state && state[0] == '/';         /* XDG ignores relative paths */
     *why = 0;
     if (!told && (!home || !home[0]))
         return NULL;

@@ -20,8 +20,8 @@ typedef struct {
     film        film;
 } sink;
 
-/* Each function returns an exit code after printing the reason.  The options must outlive
- * the sink.  The caller closes or discards the sink in every case. */
+/* Each function returns an exit code, and prints the reason of a failure.  The options must
+ * outlive the sink.  The caller closes or discards the sink in every case. */
 int  sink_open(sink *s, const options *o);
 int  sink_add(sink *s, const picture *p, uint32_t frame);
 int  sink_close(sink *s);

@@ -18,7 +18,7 @@ typedef struct {
     tp_ladder  ladder;          /* ladder at the time the canvas was opened */
 } stage;
 
-/* Each function returns an exit code after printing the reason; the caller calls
+/* Each function returns an exit code, and prints the reason of a failure; the caller calls
  * stage_close in every case. */
 int  stage_open(stage *s, const options *o);
 int  stage_load(stage *s, const options *o);    /* all but the canvas */
