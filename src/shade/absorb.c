@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* How fast a tint takes light: its binary logarithm over the metres it is meant for. */
+/* Absorption rate of a tint: halvings of light per metre, from the binary logarithm of
+ * each channel over the distance at which the tint is reached. */
 #include "shade/absorb.h"
 #include "fx/fx.h"
 
@@ -7,7 +8,7 @@ const uint16_t tp_absorb_fall[65] = {
 #include "shade/fall_table.inc"
 };
 
-/* log2 of 1 <= n < 2^16 in Q16: the digits by squaring what is left of n. */
+/* log2(n) of 1 <= n < 2^16, Q16.  Each squaring of the mantissa yields one binary digit. */
 static uint32_t log2_q16(uint32_t n)
 {
     int      zeros = tp_clz(n);
@@ -22,7 +23,8 @@ static uint32_t log2_q16(uint32_t n)
     return digits;
 }
 
-/* Halvings of a channel are 9 at the most; over 1/65536 m that is below 2^36: held. */
+/* A channel halves 9 times at most over `clear` metres.  If `clear` is 1/65536 m the rate
+ * is below 2^36; larger rates than 32 bits saturate. */
 void tp_absorb_init(tp_absorb *absorb, uint32_t tint, tp_fx clear)
 {
     for (int k = 0; k < 3; k++) {

@@ -1,23 +1,23 @@
 /* SPDX-License-Identifier: MIT */
-/* Beer's law: what of a colour is left after a way through water.  Of each channel the
- * share tint^(way / clear) comes through; what is lost the deep water's colour replaces.
+/* Beer's law: attenuation of a colour on its path through water.  Each channel keeps the
+ * share tint^(distance / clear); the colour of deep water replaces the lost light.
  *
- * The share is 2^-x, x the halvings on the way: shifts and one table of a halving's 64
- * parts serve every tint and any distance. */
+ * The share is 2^-x with x halvings on the path.  Shifts and one table, 64 entries for one
+ * halving, serve every tint and any distance. */
 #ifndef TP_SHADE_ABSORB_H
 #define TP_SHADE_ABSORB_H
 #include "base/base.h"
 #include "tidepool/fixed.h"
 
 typedef struct {
-    uint32_t halvings[3];       /* a metre, of red, green and blue; Q16.16 */
+    uint32_t halvings[3];       /* halvings per metre of red, green and blue; Q16.16 */
 } tp_absorb;
 
-/* `clear` metres turn white into `tint`.  A channel c of it counts as (c + 1/2) / 256: no
- * light is lost at once or kept for ever. */
+/* `tint` is the colour of white after `clear` metres.  A channel c of the tint counts as
+ * (c + 1/2) / 256, which excludes the rates 0 and infinity. */
 void tp_absorb_init(tp_absorb *absorb, uint32_t tint, tp_fx clear);
 
-/* 2^-(i / 64), Q0.16. */
+/* Entry i is 2^-(i / 64), Q0.16. */
 extern const uint16_t tp_absorb_fall[65];
 
 TP_ALWAYS_INLINE uint32_t tp_absorbed_channel(uint32_t halvings, tp_fx metres,
@@ -33,7 +33,8 @@ TP_ALWAYS_INLINE uint32_t tp_absorbed_channel(uint32_t halvings, tp_fx metres,
     return (uint32_t)(d + (((c - d) * left + 0x8000) >> 16));
 }
 
-/* Both colours 0x00RRGGBB; no way is shorter than 0. */
+/* Attenuates `colour` over `metres` of water of colour `deep`; both colours are
+ * 0x00RRGGBB.  Negative distances count as 0. */
 TP_ALWAYS_INLINE uint32_t tp_absorb_at(const tp_absorb *absorb, uint32_t colour,
                                        uint32_t deep, tp_fx metres)
 {

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The coat of still things: its colour as seen from far away, and in the light. */
+/* The material of static geometry (floor, walls): its colour at a distance, and its colour
+ * in the light. */
 #ifndef TP_SHADE_COAT_H
 #define TP_SHADE_COAT_H
 #include "shade/normal.h"
@@ -12,8 +13,8 @@ TP_ALWAYS_INLINE tp_level tp_coat_level(const tp_coat *coat, tp_fx far, bool gro
                                                   coat->texture->levels));
 }
 
-/* The coat's colour at (x, z) metres of its plane, seen from `far` metres away; `ground`:
- * the plane is level. */
+/* Colour of the material at (x, z) metres in its plane, seen from `far` metres away.
+ * `ground`: true if the plane is level. */
 TP_ALWAYS_INLINE uint32_t tp_coat_at(const tp_coat *coat, tp_fx x, tp_fx z, tp_fx far,
                                      bool ground)
 {
@@ -25,7 +26,7 @@ TP_ALWAYS_INLINE uint32_t tp_coat_at(const tp_coat *coat, tp_fx x, tp_fx z, tp_f
     return tp_colour_times(texel, coat->colour);
 }
 
-/* The channel at bit `shift` of tp_coat_at alone, 0..255. */
+/* The channel at bit `shift` of tp_coat_at, 0..255. */
 TP_ALWAYS_INLINE uint32_t tp_coat_channel(const tp_coat *coat, tp_fx x, tp_fx z,
                                           tp_fx far, bool ground, int shift)
 {
@@ -43,7 +44,7 @@ TP_ALWAYS_INLINE uint32_t tp_coat_channel(const tp_coat *coat, tp_fx x, tp_fx z,
     return tp_of_255(tp_channel_mix(above, below, f.ft) * colour);
 }
 
-/* A matt colour in the light of a place with this normal. */
+/* Returns a matt colour lit by sun and ambient light; `packed` is the surface normal. */
 static inline uint32_t tp_coat_lit(const tp_shade *shade, uint32_t colour,
                                    tp_packed_dir packed)
 {

@@ -1,26 +1,26 @@
 /* SPDX-License-Identifier: MIT */
-/* What stages do with colours: 0x00RRGGBB, channels 0..255, shares 0..256.  Products are
- * rounded where nothing else is said, sums are held at 255.
+/* Colour arithmetic of span stages: 0x00RRGGBB, channels 0..255, shares 0..256.  Products
+ * are rounded unless a comment says otherwise; sums are clamped to 255.
  *
- * A colour with an alpha is 0xAARRGGBB: light whose alpha is what it has beyond white, or
- * a picture's, whose alpha is the share that it covers. */
+ * A colour with an alpha is 0xAARRGGBB.  For light, alpha is the intensity beyond white.
+ * For a picture, alpha is the coverage. */
 #ifndef TP_SHADE_COLOUR_H
 #define TP_SHADE_COLOUR_H
 #include "base/dsp.h"
 
-/* Half a level in each lane: products are rounded, so that a list of stages does not
- * darken the picture by half a level each. */
+/* Half a level in each lane.  Products are rounded: without rounding each stage of a list
+ * would darken the picture by half a level. */
 #define TP_HALF_RB 0x00800080u
 #define TP_HALF_G  0x00008000u
 
-/* share / 256 of each channel. */
+/* Returns each channel times share / 256. */
 static inline uint32_t tp_colour_scale(uint32_t colour, uint32_t share)
 {
     uint32_t rb = tp_odd_bytes(tp_even_bytes(colour) * share + TP_HALF_RB);
     return rb | (((colour >> 8 & 0xff) * share + 128) & 0xff00);
 }
 
-/* share 0..256 of b, the rest of a. */
+/* Returns a mix: share / 256 of b and the rest of a; share 0..256. */
 static inline uint32_t tp_colour_mix(uint32_t a, uint32_t b, uint32_t share)
 {
     uint32_t rb = ((a & 0x00ff00ffu) * (256 - share) + (b & 0x00ff00ffu) * share
@@ -30,14 +30,14 @@ static inline uint32_t tp_colour_mix(uint32_t a, uint32_t b, uint32_t share)
     return (rb & 0x00ff00ffu) | (g & 0x0000ff00u);
 }
 
-/* The same of one channel, 0..255. */
+/* tp_colour_mix of one channel, 0..255. */
 static inline uint32_t tp_channel_mix(uint32_t a, uint32_t b, uint32_t share)
 {
     return (a * (256 - share) + b * share + 128) >> 8;
 }
 
-/* Red and blue in halves of a word, and green: apart where more than one thing is done to
- * them. */
+/* A colour with split channels: red and blue in the halves of one word, green in another.
+ * Saves repeated splitting where several operations follow each other. */
 typedef struct {
     uint32_t rb, g;
 } tp_parted;
@@ -52,7 +52,7 @@ TP_ALWAYS_INLINE uint32_t tp_parted_whole(tp_parted p)
     return p.rb | p.g << 8;
 }
 
-/* tp_colour_mix */
+/* tp_colour_mix of split channels */
 TP_ALWAYS_INLINE tp_parted tp_parted_mix(tp_parted a, tp_parted b, uint32_t share)
 {
     return (tp_parted){
@@ -61,14 +61,15 @@ TP_ALWAYS_INLINE tp_parted tp_parted_mix(tp_parted a, tp_parted b, uint32_t shar
     };
 }
 
-/* n / 255 of n <= 255 * 255, rounded. */
+/* Returns n / 255, rounded, for n <= 255 * 255. */
 static inline uint32_t tp_of_255(uint32_t n)
 {
     n += 128;
     return (n + (n >> 8)) >> 8;
 }
 
-/* Each channel's product, 255 standing for 1; red and blue are tp_of_255 in halves. */
+/* Product of each channel, where 255 stands for 1.  Red and blue apply tp_of_255 to both
+ * halves of a word at once. */
 TP_ALWAYS_INLINE uint32_t tp_parted_times(tp_parted a, tp_parted b)
 {
     uint32_t r, blue, g = a.g * b.g + 128;
@@ -89,7 +90,7 @@ static inline uint32_t tp_colour_times(uint32_t a, uint32_t b)
     return tp_parted_times(tp_parted_of(a), tp_parted_of(b));
 }
 
-/* Each channel's sum, held at 255. */
+/* Sum of each channel, clamped to 255. */
 static inline uint32_t tp_colour_add(uint32_t a, uint32_t b)
 {
     if (TP_DSP)
@@ -98,7 +99,8 @@ static inline uint32_t tp_colour_add(uint32_t a, uint32_t b)
     return ((a & 0xffffff) + (b & 0xffffff) - carry) | (carry - (over >> 7));
 }
 
-/* Times gain / 256, cut and held at 255: light that gathers may be more than 1. */
+/* Returns the channel times gain / 256, rounded down and clamped to 255.  The gain may be
+ * above 1: caustics focus light. */
 static inline uint32_t tp_channel_brighten(uint32_t c, uint32_t gain)
 {
     c = c * gain >> 8;
@@ -112,16 +114,16 @@ static inline uint32_t tp_colour_brighten(uint32_t colour, uint32_t gain)
          | tp_channel_brighten(colour & 0xff, gain);
 }
 
-/* The share of a matt colour that light leaves: all of the ambient, and of the rest N.L in
- * Q1.14, 0..1. */
+/* Returns the diffuse light on a matt colour: the ambient share plus N.L of the rest.
+ * `ambient` is 0..256, `nl` Q1.14 in 0..1. */
 static inline int32_t tp_lit_share(int32_t ambient, int32_t nl)
 {
     return ambient + ((256 - ambient) * nl >> 14);
 }
 
-/* -- with an alpha --------------------------------------------------------------------- */
+/* -- colours with an alpha ------------------------------------------------------------- */
 
-/* share 0..256 of b, the rest of a, in all four bytes; cut, not rounded. */
+/* Mixes all four bytes: share / 256 of b and the rest of a, rounded down; share 0..256. */
 TP_ALWAYS_INLINE uint32_t tp_light_mix(uint32_t a, uint32_t b, uint32_t share)
 {
     uint32_t rb = ((a & 0x00ff00ffu) * (256 - share) + (b & 0x00ff00ffu) * share) >> 8;
@@ -129,7 +131,7 @@ TP_ALWAYS_INLINE uint32_t tp_light_mix(uint32_t a, uint32_t b, uint32_t share)
     return (rb & 0x00ff00ffu) | (ag & 0xff00ff00u);
 }
 
-/* The same with f of 32, rounded. */
+/* Mixes all four bytes: f / 32 of b and the rest of a, rounded; f 0..32. */
 static inline uint32_t tp_bytes_between(uint32_t a, uint32_t b, uint32_t f)
 {
     uint32_t low = (a & 0x00ff00ffu) * (32 - f) + (b & 0x00ff00ffu) * f + 0x00100010u;
@@ -138,8 +140,8 @@ static inline uint32_t tp_bytes_between(uint32_t a, uint32_t b, uint32_t f)
     return (low >> 5 & 0x00ff00ffu) | (high << 3 & 0xff00ff00u);
 }
 
-/* Lays `top`, a colour times its alpha, over light whose alpha is what it has beyond
- * white: what is covered loses that too. */
+/* Lays `top`, a colour premultiplied by its alpha, over light whose alpha is the intensity
+ * beyond white.  Covered light loses that intensity too. */
 static inline uint32_t tp_colour_over(uint32_t under, uint32_t top)
 {
     uint32_t alpha = top >> 24, left = 256 - alpha - (alpha >> 7);

@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: MIT */
-/* Six pictures of the world around [F7]. */
+/* Cube map of the surroundings, six pictures [F7]. */
 #include "base/assert.h"
 #include "shade/skies.h"
 
-/* A PNG without alpha comes with alpha 255 everywhere; nothing is so bright all over, so
- * such a face has no light beyond white. */
+/* Returns the mask of a face's texels.  A PNG without alpha loads with alpha 255 in each
+ * texel.  No real face is that bright all over: such a face has no light beyond white. */
 static uint32_t mask_of(const tp_texture *face)
 {
     TP_ASSERT(face->levels > 0 && face->levels <= TP_TEXTURE_LEVELS);
@@ -24,7 +24,7 @@ bool tp_cube_init(tp_cube *cube, const tp_texture *const face[TP_CUBE_FACES])
     return true;
 }
 
-/* 2^29 / m of m = 8192 + 32 i, and one entry more for what is linear between them. */
+/* Entry i is 2^29 / m for m = 8192 + 32 i.  One extra entry serves linear interpolation. */
 void tp_recip_init(uint32_t recip[TP_RECIP + 2])
 {
     for (uint32_t i = 0; i < TP_RECIP + 2; i++)

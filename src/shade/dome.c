@@ -1,14 +1,15 @@
 /* SPDX-License-Identifier: MIT */
-/* A sky without pictures: day, dusk and night.
+/* A generated sky without pictures: day, dusk and night.
  *
- * Palettes are stops by the sine of the elevation, chosen by eye after photographs: on the
- * light's side and away from it, alike at the zenith, where the sides meet.  Day has the
- * scene's own two colours.  The disc of sun or moon is 1.1 degrees in radius, four times
- * nature's, so that it stays round at 320 x 240; its alpha is its light beyond white. */
+ * Palettes are colour stops by the sine of the elevation, chosen by eye after photographs.
+ * Each palette has a gradient on the light's side and one on the opposite side; both are
+ * equal at the zenith, where the sides meet.  Day uses the scene's own two colours.  The
+ * disc of sun or moon is 1.1 degrees in radius, four times the real size: the disc stays
+ * round at 320 x 240.  The disc's alpha is its light beyond white. */
 #include "shade/env.h"
 
 typedef struct {
-    int32_t  sine;              /* 256ths */
+    int32_t  sine;              /* sine of the elevation, 256ths */
     uint32_t colour;
 } stop;
 
@@ -41,8 +42,8 @@ static uint32_t between_stops(const stop *s, int32_t sine)
     return tp_colour_mix(s[i].colour, s[i + 1].colour, (uint32_t)tp_clamp(part, 0, 256));
 }
 
-/* The zenith's share as the plain gradient's, 1 - (1 - sine)^2; towards the sun the low
- * air is as bright as it. */
+/* Mixes horizon and zenith by 1 - (1 - sine)^2, as the plain gradient does.  Towards the
+ * sun the low air takes up to 5/8 of the sun's colour. */
 static uint32_t day(const tp_dome_config *config, bool towards, int32_t sine)
 {
     uint32_t left = (uint32_t)(TP_SKY - sine), low = left * left / TP_SKY;
@@ -62,10 +63,10 @@ uint32_t tp_dome_gradient(const tp_dome_config *config, bool towards, int32_t si
     return day(config, towards, sine);
 }
 
-/* -- around the light --------------------------------------------------------------------- */
+/* -- the glow around the light ----------------------------------------------------- */
 
-/* Peaks and widths of the glow's two parts, of 255 and as squares of 28 places: 2^20 is
- * 3.6 degrees away, 2^25 is 20. */
+/* The glow is the sum of two lobes.  Peaks are of 255; widths are squared chord distances
+ * to the light in Q28: 2^20 is 3.6 degrees, 2^25 is 20 degrees. */
 typedef struct {
     uint32_t near_peak, near_width, far_peak, far_width;
 } halo;
@@ -76,11 +77,12 @@ static const halo halos[] = {
     [TP_DOME_NIGHT] = { 80, 1u << 18, 52, 1u << 23 },
 };
 
-#define DISC      98000u        /* square of 1.1 degrees */
+#define DISC      98000u        /* squared chord of 1.1 degrees */
 #define DISC_EDGE (TP_DISC_END - DISC)
-#define FAR       (1u << 30)    /* the light's back */
+#define FAR       (1u << 30)    /* squared chord to the point opposite the light */
 
-/* peak / (1 + square / width), 0 at the light's back; in 256ths of a level. */
+/* Returns peak / (1 + square / width), shifted to reach 0 opposite the light; in 256ths of
+ * a level. */
 static uint32_t lobe(uint32_t peak, uint32_t width, uint32_t square)
 {
     uint64_t here = ((uint64_t)peak << 8) * width / ((uint64_t)width + square);
@@ -89,7 +91,8 @@ static uint32_t lobe(uint32_t peak, uint32_t width, uint32_t square)
     return here > last ? (uint32_t)(here - last) : 0;
 }
 
-/* The moon's disc is paler than its light: it is grey. */
+/* Returns the glow with the disc.  The disc takes its intensity from config->sun: the
+ * moon's disc is paler than moonlight, grey. */
 uint32_t tp_dome_glow(const tp_dome_config *config, uint32_t square)
 {
     TP_ASSERT((unsigned)config->kind <= TP_DOME_NIGHT);

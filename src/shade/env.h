@@ -1,30 +1,31 @@
 /* SPDX-License-Identifier: MIT */
-/* The environment: what light comes from a direction.
+/* The environment: the light that arrives from a direction.
  *
- * There are three kinds: the gradient by elevation; the dome, a generated sky, which is
- * two gradients mixed by the way to the light, and the glow around it; the cube of six
- * pictures [F7].  Directions are unit vectors in Q1.14 that point away from the eye; a
- * few hundredths too long or short do no harm.  Colours are 0xAARRGGBB, alpha being light
- * beyond white [F8].  Stages are written once for all kinds (TP_ENV_KINDS), so that no
- * loop asks which it is.
+ * There are three kinds: a gradient by elevation; a dome, a generated sky of two
+ * gradients, mixed by the angle to the light, with a glow around the light; a cube map of
+ * six pictures [F7].  Directions are unit vectors in Q1.14 that point away from the eye; a
+ * length error of a few hundredths does no harm.  Colours are 0xAARRGGBB; alpha is light
+ * beyond white [F8].  Stages are written once and instantiated for each kind
+ * (TP_ENV_KINDS): no loop tests the kind.
  *
- * A cube's pictures are seen from inside.  The four sides stand upright; the lower edge of
- * the one overhead joins the south, and so does the upper edge of the one underfoot. */
+ * A cube's pictures are seen from inside.  The four sides stand upright.  The lower edge
+ * of the upper picture joins the south side; the upper edge of the lower picture does
+ * too. */
 #ifndef TP_SHADE_ENV_H
 #define TP_SHADE_ENV_H
 #include "shade/depth.h"
 #include "tidepool/assets.h"
 
-/* -- the gradient: below the horizon it is the horizon's -------------------------------- */
+/* -- the gradient: below the horizon it has the horizon's colour ------------------- */
 
 TP_ALWAYS_INLINE uint32_t tp_env_gradient(const tp_shade *shade, int32_t y)
 {
     return shade->sky[tp_clamp(y >> 6, 0, TP_SKY)];
 }
 
-/* -- the dome ----------------------------------------------------------------------------- */
+/* -- the dome ---------------------------------------------------------------------- */
 
-/* The square of a way on the unit sphere, Q28: 2 - 2 cos. */
+/* Squared chord between two unit vectors, Q28: 2 - 2 cos. */
 TP_ALWAYS_INLINE uint32_t tp_square_of(int32_t dx, int32_t dy, int32_t dz)
 {
     return (uint32_t)(dx * dx) + (uint32_t)(dy * dy) + (uint32_t)(dz * dz);
@@ -36,7 +37,7 @@ TP_ALWAYS_INLINE uint32_t tp_glow_entry(uint32_t square)
     return (uint32_t)tp_clamp(i, 0, TP_GLOW);
 }
 
-/* The share of the side of the light, (1 + cos)^2 / 4 in 256ths. */
+/* Weight of the light's side, (1 + cos)^2 / 4, in 256ths. */
 TP_ALWAYS_INLINE uint32_t tp_towards_light(uint32_t square)
 {
     uint32_t t = square >> 22;
@@ -50,15 +51,16 @@ TP_ALWAYS_INLINE uint32_t tp_from_light(const tp_shade *shade, int32_t x, int32_
     return tp_square_of(x - shade->world.lx, y - shade->world.ly, z - shade->world.lz);
 }
 
-/* Squares count as `least` at the least, which leaves the disc out. */
+/* Returns the glow at a squared chord of at least `least`, a minimum that leaves the disc
+ * out. */
 TP_ALWAYS_INLINE uint32_t tp_dome_halo(const tp_dome *dome, uint32_t least,
                                        uint32_t square)
 {
     return dome->glow[tp_glow_entry(square > least ? square : least)];
 }
 
-/* The gradients at height y, this far from the light, and the glow there.  Below the
- * horizon it grows dark, to a quarter within 11 degrees. */
+/* Returns the mixed gradients at height y plus `glow`; `square` is the squared chord to
+ * the light.  Below the horizon the sky darkens, to a quarter within 11 degrees. */
 TP_ALWAYS_INLINE uint32_t tp_dome_with(const tp_dome *dome, uint32_t square, int32_t y,
                                        uint32_t glow)
 {
@@ -82,9 +84,10 @@ TP_ALWAYS_INLINE uint32_t tp_env_dome(const tp_shade *shade, uint32_t least, int
     return tp_dome_with(dome, square, y, tp_dome_halo(dome, least, square));
 }
 
-/* -- the cube ----------------------------------------------------------------------------- */
+/* -- the cube ---------------------------------------------------------------------- */
 
-/* A face, and where on it: right and down over m, the largest component. */
+/* A face of the cube, and the position on it: right / m and down / m, where m is the
+ * largest component. */
 typedef struct {
     int     face;
     int32_t right, down, m;
@@ -101,7 +104,8 @@ TP_ALWAYS_INLINE tp_cube_ray tp_cube_face(int32_t x, int32_t y, int32_t z)
     return (tp_cube_ray){ 4 + (z < 0), z < 0 ? x : -x, -y, az };
 }
 
-/* 2^29 / m for m of 8192..16383, linear between entries: within 2^-17. */
+/* Returns 2^29 / m for m in 8192..16383, linear between entries; the relative error of the
+ * interpolation is within 2^-17. */
 TP_ALWAYS_INLINE int32_t tp_cube_recip(const uint32_t *recip, int32_t m)
 {
     uint32_t at = (uint32_t)(tp_clamp(m, 8192, 16383) - 8192);
@@ -115,7 +119,8 @@ typedef struct {
     int32_t m;
 } tp_cube_place;
 
-/* Face by the largest component, place by the others over it [F7]. */
+/* Selects the face by the largest component; the other two over it give the position
+ * [F7]. */
 TP_ALWAYS_INLINE tp_cube_place tp_cube_at(const uint32_t *recip, int32_t x, int32_t y,
                                           int32_t z)
 {
@@ -128,7 +133,7 @@ TP_ALWAYS_INLINE tp_cube_place tp_cube_at(const uint32_t *recip, int32_t x, int3
     };
 }
 
-/* One picture at a level. */
+/* One face at one mipmap level. */
 typedef struct {
     const uint32_t *texel;
     int32_t log2_w, log2_h;
@@ -141,14 +146,15 @@ TP_ALWAYS_INLINE tp_cube_side tp_cube_side_at(const tp_texture *face, int level)
                            face->log2_h > l ? face->log2_h - l : 0 };
 }
 
-/* Four texels held at the picture's edges: the first one's place, how far after it the
- * next to the right and the lower one lie (0 at an edge), and their weights. */
+/* Four texels, clamped at the picture's edges: the index of the first one, the index steps
+ * to the right and to the lower neighbour (0 at an edge), and the weights of both steps. */
 typedef struct {
     int32_t  first, right, below;
     uint32_t fu, fv;
 } tp_cube_four;
 
-/* 256ths of a texel; `ratio` is -1/2..1/2 of a side, or a little beyond. */
+/* Returns the coordinate in 256ths of a texel, clamped to the texel centres; `ratio` is
+ * -1/2..1/2 of a side, or slightly beyond. */
 TP_ALWAYS_INLINE int32_t tp_cube_texel(int32_t ratio, int32_t log2)
 {
     int32_t u = ((32768 + ratio) * (1 << log2) >> 8) - 128;
@@ -168,7 +174,7 @@ TP_ALWAYS_INLINE tp_cube_four tp_cube_around(const uint32_t *recip, int32_t m,
                            (uint32_t)u & 255, (uint32_t)v & 255 };
 }
 
-/* Of texels a b over c d, all four bytes; cut, not rounded. */
+/* Bilinear mix of the texels a b (upper) and c d (lower), all four bytes, rounded down. */
 TP_ALWAYS_INLINE uint32_t tp_cube_mix(uint32_t a, uint32_t b, uint32_t c, uint32_t d,
                                       uint32_t fu, uint32_t fv)
 {
@@ -201,14 +207,14 @@ TP_ALWAYS_INLINE uint32_t tp_env_cube(const tp_shade *shade, int level, int32_t 
     return tp_cube_look(shade, &ray, &side);
 }
 
-/* -- whichever -------------------------------------------------------------------------- */
+/* -- any kind ---------------------------------------------------------------------- */
 
 #define TP_ENV_KINDS(X) \
     X(gradient, TP_ENV_GRADIENT) \
     X(dome,     TP_ENV_DOME) \
     X(cube,     TP_ENV_CUBE)
 
-/* `kind` a literal, or shade->env.kind; `level` is a cube's. */
+/* `kind` is a literal or shade->env.kind; `level` is a cube's mipmap level. */
 TP_ALWAYS_INLINE uint32_t tp_env_of(const tp_shade *shade, tp_env_kind kind, int level,
                                     int32_t x, int32_t y, int32_t z)
 {
@@ -217,7 +223,8 @@ TP_ALWAYS_INLINE uint32_t tp_env_of(const tp_shade *shade, tp_env_kind kind, int
                                : tp_env_gradient(shade, y);
 }
 
-/* A cube's level for its pictures as the eye sees them, and this much coarser, Q8. */
+/* Returns a cube's mipmap level as the eye sees its pictures, plus `coarser` levels, Q8; 0
+ * for other kinds. */
 TP_ALWAYS_INLINE int tp_env_level(const tp_shade *shade, tp_env_kind kind, int32_t coarser)
 {
     if (kind != TP_ENV_CUBE)
@@ -225,20 +232,20 @@ TP_ALWAYS_INLINE int tp_env_level(const tp_shade *shade, tp_env_kind kind, int32
     return tp_clamp((shade->env.cube->lod + coarser) >> 8, 0, TP_TEXTURE_LEVELS - 1);
 }
 
-/* 0xAARRGGBB from the world's direction (x, y, z). */
+/* Returns 0xAARRGGBB for the world direction (x, y, z). */
 static inline uint32_t tp_env_at(const tp_shade *shade, int32_t x, int32_t y, int32_t z)
 {
     return tp_env_of(shade, shade->env.kind, tp_env_level(shade, shade->env.kind, 0),
                      x, y, z);
 }
 
-/* Times 256: how bright light with this alpha is [F8]. */
+/* Returns 256 times the intensity of light with this alpha [F8]. */
 TP_ALWAYS_INLINE uint32_t tp_light_gain(const tp_shade *shade, uint32_t light)
 {
     return 256 + ((light >> 24) * shade->env.beyond >> 8);
 }
 
-/* The same as a colour, each channel held at white. */
+/* Returns that light as a colour, each channel clamped to white. */
 TP_ALWAYS_INLINE uint32_t tp_light_colour(const tp_shade *shade, uint32_t light)
 {
     return tp_colour_brighten(light, tp_light_gain(shade, light));

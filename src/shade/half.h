@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: MIT */
-/* Looking into a picture of half the size, between its pixels. */
+/* Bilinear look-up in a planar map of half the picture's size. */
 #ifndef TP_SHADE_HALF_H
 #define TP_SHADE_HALF_H
 #include "shade/shade.h"
 
-/* 0: nothing there. */
+/* Returns a pixel of the map; 0 outside of the map's box. */
 static inline uint32_t tp_half_pixel(const tp_half *half, int32_t i, int32_t j)
 {
     if (i < half->x0 || i >= half->x1 || j < half->y0 || j >= half->y1)
@@ -13,8 +13,8 @@ static inline uint32_t tp_half_pixel(const tp_half *half, int32_t i, int32_t j)
                         * (uint32_t)(half->x1 - half->x0) + (uint32_t)(i - half->x0)];
 }
 
-/* At (u, v) of the whole picture, 28.4.  The colour comes out times its alpha, as what
- * nothing covers is 0. */
+/* Samples the map at (u, v) of the whole picture, 28.4.  The result is premultiplied by
+ * its alpha, because uncovered pixels are 0. */
 static inline uint32_t tp_half_at(const tp_half *half, int32_t u, int32_t v)
 {
     int32_t i = (u - 16) >> 5, j = (v - 16) >> 5;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Rays of sight in the water: the floor or wall that a ray meets, and its light; see the
- * headers. */
+/* View rays in the water: intersection with floor or walls, and the light from the hit
+ * point; see inside.h and beam.h. */
 #include "shade/beam.h"
 #include "shade/coat.h"
 #include "shade/env.h"
@@ -9,9 +9,10 @@ const uint16_t tp_inside_root[65] = {
 #include "shade/root_table.inc"
 };
 
-/* -- ways ----------------------------------------------------------------------------- */
+/* -- distances along a ray ------------------------------------------------------------ */
 
-/* The way along a ray over a `gap` >= 0 m that shrinks by `speed` > 0 a metre, Q1.14. */
+/* Returns the distance along a ray, m, until a `gap` >= 0 m is closed; the gap shrinks by
+ * `speed` > 0 per metre, Q1.14. */
 static inline tp_fx way_for(tp_fx gap, int32_t speed)
 {
     int     shift = tp_clz((uint32_t)speed);
@@ -19,7 +20,8 @@ static inline tp_fx way_for(tp_fx gap, int32_t speed)
     return way < TP_INSIDE_FAR ? (tp_fx)way : TP_INSIDE_FAR;
 }
 
-/* 0 <= metres <= TP_INSIDE_FAR: each part of the way fits 32 bits. */
+/* Returns the point `metres` along the ray, 0..TP_INSIDE_FAR: each product fits 32 bits
+ * after the shift. */
 static inline tp_vec3 gone(tp_vec3 from, tp_ray way, tp_fx metres)
 {
     return (tp_vec3){ tp_fx_plus(from.x, (tp_fx)((int64_t)way.x * metres >> 14)),
@@ -29,13 +31,13 @@ static inline tp_vec3 gone(tp_vec3 from, tp_ray way, tp_fx metres)
 
 /* -- the floor ------------------------------------------------------------------------ */
 
-/* The plane's rise from the world's middle to a place, Q32; sums may wrap. */
+/* Rise of the plane from the world's origin to a point, Q32; sums may wrap. */
 static inline uint64_t rise_to(const tp_bed *bed, tp_fx x, tp_fx z)
 {
     return (uint64_t)((int64_t)bed->rise_x * x) + (uint64_t)((int64_t)bed->rise_z * z);
 }
 
-/* Depth of the plane under a place; held within 16 km. */
+/* Depth of the plane below a point, m, clamped to 16 km. */
 static inline tp_fx depth_under(const tp_bed *bed, tp_vec3 at)
 {
     int64_t rise = (int64_t)(rise_to(bed, at.x, at.z) - rise_to(bed, bed->x, bed->z));
@@ -47,7 +49,8 @@ static inline tp_ground ground_under(const tp_bed *bed, tp_vec3 at)
     return (tp_ground){ depth_under(bed, at), bed->rise_x, bed->rise_z, bed->nl };
 }
 
-/* `share` of 16 of b, the rest of a.  Depths differ by less than 2^31. */
+/* Interpolates two floor planes: share / 16 of b, the rest of a.  The two depths differ by
+ * less than 2^31. */
 static inline tp_ground ground_between(const tp_bed *a, const tp_bed *b, int32_t share,
                                     tp_vec3 at)
 {
@@ -61,7 +64,8 @@ static inline tp_ground ground_between(const tp_bed *a, const tp_bed *b, int32_t
     };
 }
 
-/* A ray that runs along the floor meets it at a grade of 1/16 at the least. */
+/* Returns the distance along a ray to the floor plane.  Rays that approach the floor by
+ * less than 1 m in 1024 m count as parallel: they never meet the floor. */
 static inline tp_fx way_to_floor(const tp_ground *under, tp_fx from_y, tp_ray way)
 {
     tp_fx   gap = tp_fx_plus(from_y, under->depth);
@@ -87,8 +91,9 @@ static tp_bed bed_under(const tp_inside *in, tp_vec3 at)
     return (tp_bed){ at.x, at.z, floor.depth, floor.rise_x, floor.rise_z, 0 };
 }
 
-/* Twice from plane to plane: what is left of a beach's curve is below its depth's
- * hundredth.  A beam that goes up meets the floor when the surface has mirrored it. */
+/* Finds the floor's tangent plane near the hit point by two iterations; after them the
+ * curvature of a beach leaves an error below a hundredth of its depth.  A beam that goes
+ * up meets the floor after its reflection at the surface. */
 tp_bed tp_inside_bed(const tp_shade *shade, const tp_beam *beam)
 {
     const tp_inside *in = shade->inside;
@@ -104,15 +109,15 @@ tp_bed tp_inside_bed(const tp_shade *shade, const tp_beam *beam)
         bed = bed_under(in, gone(beam->at, down, way));
     }
     if (depth_under(&bed, beam->at) + (int64_t)beam->at.y <= 0)
-        bed = here;             /* a far bank's slope does not pass under this place */
+        bed = here;             /* a far bank's slope does not pass under this point */
     bed.nl = lit_floor(in, bed.rise_x, bed.rise_z);
     return bed;
 }
 
-/* -- light ---------------------------------------------------------------------------- */
+/* -- caustics ------------------------------------------------------------------------- */
 
-/* Cells from the corner, 16.16, mirrored in the map's edges; between the first and the
- * last one's centre. */
+/* Coordinate on the caustics map in cells, 16.16, mirrored at the map's edges and clamped
+ * to the range between the centres of the first and the last cell. */
 static inline int32_t cells_from(int64_t metres, uint32_t per_metre, uint32_t cells)
 {
     int64_t at = metres * (int64_t)per_metre >> 16, side = (int64_t)cells * 65536;
@@ -122,7 +127,7 @@ static inline int32_t cells_from(int64_t metres, uint32_t per_metre, uint32_t ce
     return (int32_t)(at < 0 ? 0 : at > side - 65536 ? side - 65536 : at);
 }
 
-/* 0..256: none at an edge, all from an eighth of the side on. */
+/* Returns the fade at the map's edges: 0 at an edge, 256 from an eighth of the side on. */
 static inline int32_t within(int32_t at, uint32_t cells)
 {
     int32_t last = (int32_t)(cells - 1) * 65536, edge = at < last - at ? at : last - at;
@@ -156,7 +161,7 @@ int32_t tp_caustic_at(const tp_caustic *c, tp_vec3 at)
     return light > 0 ? light : 0;
 }
 
-/* The factor of a colour in the light at a place, Q8. */
+/* Returns the factor of a colour in the light at a point, Q8. */
 static inline uint32_t light_at(const tp_shade *shade, int32_t nl, tp_vec3 at)
 {
     int32_t sun = (256 - shade->ambient) * (nl < 16384 ? nl : 16384) >> 14;
@@ -164,7 +169,7 @@ static inline uint32_t light_at(const tp_shade *shade, int32_t nl, tp_vec3 at)
     return (uint32_t)(shade->ambient + (sun * light >> 8));
 }
 
-/* -- what a ray meets ----------------------------------------------------------------- */
+/* -- hits ----------------------------------------------------------------------------- */
 
 typedef enum { NOTHING, FLOOR, WALL_X, WALL_Z } face;
 
@@ -201,7 +206,8 @@ static inline hit first_hit(const tp_inside *in, const tp_ground *under, tp_vec3
     return h;
 }
 
-/* The coat of what is met, where on it, and the light there. */
+/* The material at a hit point, the position in its plane, the distance from the eye, and
+ * the light there. */
 typedef struct {
     const tp_coat *coat;
     tp_fx    x, z, far;
@@ -209,7 +215,8 @@ typedef struct {
     uint32_t light;
 } spot;
 
-/* Walls are lit from inside: their normal is against the way. */
+/* Describes the hit point.  Walls are lit from inside: their normal points against the
+ * ray. */
 static inline spot spot_of(const tp_shade *shade, int32_t floor_nl, hit h, tp_vec3 from,
                            tp_ray way, tp_fx far)
 {
@@ -227,7 +234,8 @@ static inline spot spot_of(const tp_shade *shade, int32_t floor_nl, hit h, tp_ve
                    light_at(shade, nl > 0 ? nl : 0, at) };
 }
 
-/* From `from` on, without the surface; what is met, through the water up to there. */
+/* Returns the colour along a ray that starts at `from`, without the surface: the colour of
+ * the hit point, attenuated by the water on the path. */
 static inline uint32_t seen_along(const tp_shade *shade, int32_t floor_nl, hit h,
                                   tp_vec3 from, tp_ray way, tp_fx far, uint32_t body)
 {
@@ -238,7 +246,7 @@ static inline uint32_t seen_along(const tp_shade *shade, int32_t floor_nl, hit h
     return tp_absorb_at(&shade->inside->absorb, tp_colour_brighten(colour, s.light), body, h.way);
 }
 
-/* One channel of it, where it belongs in a colour. */
+/* One channel of seen_along, shifted to its place in a colour. */
 static inline uint32_t channel_along(const tp_shade *shade, int32_t floor_nl, hit h,
                                      const tp_beam *beam, uint32_t body, int shift)
 {
@@ -250,7 +258,7 @@ static inline uint32_t channel_along(const tp_shade *shade, int32_t floor_nl, hi
                                tp_channel_brighten(c, s.light), body >> shift) << shift;
 }
 
-/* 16 / n in Q8. */
+/* Entry n is 16 / n, Q8. */
 static const uint16_t over[TP_INSIDE_ROW] = { 0, 4096, 2048, 1365, 1024, 819, 683, 585,
                                               512, 455, 410, 372, 341, 315, 293, 273 };
 
@@ -297,23 +305,24 @@ void tp_inside_row_channel(const tp_shade *shade, const tp_ground *under,
 
 /* -- the surface from below ------------------------------------------------------------ */
 
-#define INDEX  21840            /* 1.333, Q1.14 */
-#define INDEX2 29113            /* its square */
+#define INDEX  21840            /* refractive index of water, 1.333, Q1.14 */
+#define INDEX2 29113            /* INDEX squared, Q1.14 */
 
-/* Cosine in air of a ray that goes up with this cosine in water, Q1.14; 0 and below:
- * it stays, beyond 48.6 degrees. */
+/* Cosine in air of a ray that goes up with cosine ci in water, Q1.14.  Returns 0 or less
+ * beyond 48.6 degrees, where reflection is total. */
 static inline int32_t cos_in_air(int32_t ci)
 {
     int64_t left = ((int64_t)1 << 28)
                  - ((((int64_t)1 << 28) - (int64_t)ci * ci) * INDEX2 >> 14);
     if (left <= 0)
         return 0;
-    int      even = tp_clz((uint32_t)left) & ~1;        /* x 2^even in [2^30, 2^32) */
+    int      even = tp_clz((uint32_t)left) & ~1;        /* n in [2^30, 2^32) */
     uint32_t n = (uint32_t)left << even;
     return (int32_t)((uint64_t)n * tp_rsqrt_norm(n) >> (47 + even / 2));
 }
 
-/* Between the table's entries: near the window's rim they lie 6 levels apart. */
+/* Fresnel share, interpolated between the table's entries: near the rim of Snell's window
+ * neighbouring entries differ by 6 levels. */
 static inline uint32_t share_of(const tp_shade *shade, int32_t cosine)
 {
     const tp_entry8 *at = shade->fresnel + (cosine >> 6);
@@ -340,7 +349,8 @@ uint32_t tp_inside_up(const tp_shade *shade, const tp_bed *bed, const tp_beam *b
         return sky;
     tp_ray back = { way.x - (2 * ci * n.x >> 14), way.y - (2 * ci * n.y >> 14),
                     way.z - (2 * ci * n.z >> 14), 0 };
-    if (back.y > -64)           /* a slope that throws it up again: level, then */
+    if (back.y > -64)           /* reflected upwards by a steep slope: taken as nearly
+                                 * level */
         back.y = -64;
     tp_ground under = ground_under(bed, beam->at);
     hit h = first_hit(shade->inside, &under, beam->at, back);

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The places in the water that samples show, by their depths; see the header. */
+/* World positions in the water of samples, from their depths; see beam.h. */
 #include "shade/beam.h"
 #include "shade/depth.h"
 
@@ -16,8 +16,9 @@ void tp_inside_view(tp_inside *in, const tp_shade *shade, tp_fx zi_near)
     in->zi_near = zi_near;
 }
 
-/* The view is -back + right (u - u0) / focal + up (v0 - v) / focal at 1 m of depth.  Q42
- * steps times 2^16 sixteenths stay below 2^58; cut to Q20, times 2^31 of depth too. */
+/* The view vector is -back + right (u - u0) / focal + up (v0 - v) / focal at 1 m of depth.
+ * Q42 steps times 2^16 sixteenths of a pixel stay below 2^58; reduced to Q20, products
+ * with 2^31 of depth do too. */
 void tp_inside_places(const tp_shade *shade, const tp_run *run, int32_t i, int32_t stop,
                       tp_beam *beam)
 {

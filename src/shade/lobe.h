@@ -1,15 +1,16 @@
 /* SPDX-License-Identifier: MIT */
-/* Where in its table a lobe is looked up: Phong's at R.V, Blinn's at 2 (N.H)^2 - 1, the
- * same angle for one and the same mirrored light.
+/* Argument of the table of a specular lobe: R.V for Phong, 2 (N.H)^2 - 1 for Blinn, the
+ * same angle for the same mirrored light.
  *
- * H is L + V made a unit, and |L + V|^2 = 2 + 2 L.V.  So (N.H)^2 = (N.L + N.V)^2 /
- * (2 + 2 L.V): neither vector nor root, only a reciprocal [F5]. */
+ * H is L + V normalised, and |L + V|^2 = 2 + 2 L.V.  Hence (N.H)^2 = (N.L + N.V)^2 / (2 +
+ * 2 L.V): no vector and no root, only a reciprocal [F5]. */
 #ifndef TP_SHADE_LOBE_H
 #define TP_SHADE_LOBE_H
 #include "shade/shade.h"
 
-/* All Q1.14.  The sum's square is below 2^30, the reciprocal 2^32; without a half vector
- * (light from behind what is seen through) the lobe is at its middle. */
+/* All arguments and the result are Q1.14.  The square of the sum is below 2^30, the
+ * reciprocal at most 2^32.  Where L = -V (light from straight behind the surface) no half
+ * vector exists, and the lobe returns its peak. */
 TP_ALWAYS_INLINE int32_t tp_blinn_at(int32_t nl, int32_t nv, int32_t lv)
 {
     uint32_t sum = (uint32_t)tp_clamp(nl + nv, 0, 32767);

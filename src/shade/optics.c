@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /* Reflection and refraction at the water's surface [F1]-[F4].
  *
- * Rays are worked out without a case of their own for grazing light.  With ci = -N.I the
- * refracted T = eta I + (eta ci - ct) N has |T|^2 = eta^2 + ct^2 - eta^2 ci^2 = 1 and
- * N.T = -ct <= -0.66 whatever the sign of ci: always a unit vector into the water. */
+ * Grazing light needs no special case.  With ci = -N.I the refracted ray T = eta I + (eta
+ * ci - ct) N has |T|^2 = eta^2 + ct^2 - eta^2 ci^2 = 1 and N.T = -ct <= -0.66 for either
+ * sign of ci: T is always a unit vector into the water. */
 #include "shade/optics.h"
 
 #define INDEX    TP_Q30(TP_WATER_INDEX)
@@ -17,7 +17,7 @@ static int32_t q30_round(int64_t q60)
     return (int32_t)((q60 + (1 << 29)) >> 30);
 }
 
-/* The cosine of the refracted ray, sqrt(1 - eta^2 (1 - c^2)) for |c| <= 1: 0.66..1. */
+/* Cosine of the refracted ray, sqrt(1 - eta^2 (1 - c^2)), for |c| <= 1: 0.66..1. */
 static tp_q30 cos_refracted(tp_q30 c)
 {
     const tp_q30 s2 = q30_round(Q60_ONE - (int64_t)c * c);
@@ -25,8 +25,8 @@ static tp_q30 cos_refracted(tp_q30 c)
     return (tp_q30)tp_isqrt64((uint64_t)(Q60_ONE - (int64_t)s2 * ETA2));
 }
 
-/* ((a - b) / (a + b))^2 for a, b in 0..1.333, a + b >= 0.66: the sum, as Q2.30, needs at
- * the most one shift to be in the reciprocal's range, and then its inverse is Q1.31. */
+/* ((a - b) / (a + b))^2 for a, b in 0..1.333, a + b >= 0.66.  The sum in Q2.30 needs one
+ * shift at most to reach the reciprocal's range; its inverse is then Q1.31. */
 static tp_q30 share(tp_q30 a, tp_q30 b)
 {
     const uint32_t sum = (uint32_t)a + (uint32_t)b;
@@ -54,13 +54,14 @@ tp_q30 tp_fresnel_schlick(tp_q30 cos_i)
     return R0 + tp_q30_mul(TP_Q30_ONE - R0, tp_q30_mul(tp_q30_mul(m2, m2), m));
 }
 
-/* Unit vectors are products of roundings: a dot product may be a few LSB beyond 1. */
+/* Returns the clamped dot product: unit vectors are rounded, and their dot product may
+ * exceed 1 by a few LSB. */
 static tp_q30 cos_of(tp_dir3 a, tp_dir3 b)
 {
     return tp_clamp(tp_dir3_dot(a, b), -TP_Q30_ONE, TP_Q30_ONE);
 }
 
-/* in x a + normal x b, rounded once: |in a| + |normal b| <= 2^60 + 2^61. */
+/* in a + normal b, rounded once: |in a| + |normal b| <= 2^60 + 2^61. */
 static tp_dir3 sum_of(tp_dir3 in, tp_q30 a, tp_dir3 normal, int64_t b)
 {
     return (tp_dir3){ q30_round((int64_t)in.x * a + normal.x * b),
@@ -81,14 +82,14 @@ tp_dir3 tp_refract(tp_dir3 incident, tp_dir3 normal)
     return sum_of(incident, ETA, normal, lean);
 }
 
-/* depth a / b rounded half up, b > 0; |depth a| <= 2^31 2^30.01. */
+/* depth a / b, rounded half up, b > 0; |depth a| <= 2^31 2^30.01. */
 static tp_fx offset(tp_fx depth, tp_q30 a, tp_q30 b)
 {
     const int64_t way = (int64_t)depth * a;
     int64_t q = way / b, rest = way % b;
 
     if (rest < 0) {
-        q--;                            /* C rounds towards 0, we round down ... */
+        q--;                            /* C rounds towards 0; this rounds down ... */
         rest += b;
     }
     q += rest >= b - rest;              /* ... and halves up */

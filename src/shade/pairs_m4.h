@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Two words to and from memory by one instruction: any two registers, a word's
+/* Loads and stores of two words by one instruction (ldrd, strd): any two registers, word
  * alignment. */
 #ifndef TP_SHADE_PAIRS_M4_H
 #define TP_SHADE_PAIRS_M4_H
@@ -9,7 +9,7 @@ typedef struct {
     uint32_t first, second;
 } pair;
 
-/* `skip` is a literal, words. */
+/* Loads from[skip] and from[skip + 1]; `skip` is a literal, in words. */
 TP_ALWAYS_INLINE pair pair_at(const uint32_t *from, int skip)
 {
     pair p;

@@ -1,12 +1,13 @@
 /* SPDX-License-Identifier: MIT */
-/* Phong's light on solids, or Blinn's. */
+/* Phong or Blinn lighting of solids. */
 #ifndef TP_SHADE_PHONG_H
 #define TP_SHADE_PHONG_H
 #include "shade/env.h"
 #include "shade/lobe.h"
 #include "shade/normal.h"
 
-/* The lobe at R.V, between its entries: at the peak of a sharp one they lie far apart. */
+/* The specular lobe at R.V, interpolated between table entries: near the peak of a sharp
+ * lobe neighbouring entries differ much. */
 static inline uint32_t tp_gloss_of(const tp_solid *solid, int32_t rv)
 {
     int32_t at = rv * (TP_GLOSS - 1), i = at >> 14, part = (at & 16383) >> 6;
@@ -15,7 +16,7 @@ static inline uint32_t tp_gloss_of(const tp_solid *solid, int32_t rv)
     return (uint32_t)(here + ((next - here) * part >> 8));
 }
 
-/* The lobe of a normal and a view in these axes; lv is light . view. */
+/* Lit colour of a normal and a view vector in the given axes; lv is light . view. */
 TP_ALWAYS_INLINE uint32_t tp_phong(const tp_shade *shade, const tp_view_axes *axes,
                                    const tp_solid *solid, uint32_t diffuse,
                                    tp_vec_q14 n, tp_vec_q14 v, int32_t lv, int blinn)

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Water without a picture. */
+/* Water of one colour, without a texture. */
 #include "shade/shade.h"
 #include "tidepool/modules.h"
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The view of fast stages; see the header. */
+/* View rays of the fast stages; see quick_ray.h. */
 #include "shade/quick_ray.h"
 
 tp_quick_row tp_quick_row_at(const tp_shade *shade, int32_t y)

@@ -1,14 +1,14 @@
 /* SPDX-License-Identifier: MIT */
-/* Rays of the fast stages.  A ray's length depends on its place in the picture alone, since
- * turning the camera keeps lengths: a table of 1 / sqrt(1 + u^2 + v^2) makes it a unit
- * vector. */
+/* View rays of the fast stages.  The length of a ray depends only on its position in the
+ * picture, since a camera rotation keeps lengths: a table of 1 / sqrt(1 + u^2 + v^2)
+ * normalises the ray. */
 #ifndef TP_SHADE_QUICK_RAY_H
 #define TP_SHADE_QUICK_RAY_H
 #include "shade/shade.h"
 #include "shade/slope.h"
 
-/* The view of a row of pixels: x, y, z at the picture's middle column, focal length 1,
- * Q1.14, and the square of the row's distance from the middle row, Q24. */
+/* View vector of a row of pixels: x, y, z at the picture's middle column for focal length
+ * 1, Q1.14, and the squared distance of the row from the middle row, Q24. */
 typedef struct {
     int32_t x, y, z;
     uint32_t square;
@@ -16,16 +16,16 @@ typedef struct {
 
 tp_quick_row tp_quick_row_at(const tp_shade *shade, int32_t y);
 
-/* tp_quick_ray_at as a function: for callers that need few rays. */
+/* tp_quick_ray_at as a function call, for callers with few rays. */
 tp_ray tp_quick_ray(const tp_shade *shade, const tp_quick_row *row, int32_t sixteenths);
 
-/* Q14 of so many sixteenths of a pixel over the focal length: 4 at the most. */
+/* Returns sixteenths of a pixel over the focal length, Q14, clamped to -4..4. */
 static inline int32_t tp_quick_over_focal(const tp_shade *shade, int32_t sixteenths)
 {
     return tp_clamp((int32_t)(tp_over_focal(shade, sixteenths) >> 2), -65535, 65535);
 }
 
-/* The unit vector to the eye; l is its y in Q26. */
+/* Returns the unit vector to the eye; member l is its y in Q26. */
 TP_ALWAYS_INLINE tp_ray tp_quick_ray_at(const tp_shade *shade, const tp_quick_row *row,
                                         int32_t sixteenths)
 {

@@ -1,12 +1,13 @@
 /* SPDX-License-Identifier: MIT */
-/* The mirrored view [F3]: R = 2 (N.V) N - V, whose height is at hand: with
- * k = Ry + Vy = 2 (N.V) Ny and N = Ny (-sx, 1, -sz) the others are -k sx - Vx and
- * -k sz - Vz. */
+/* The mirrored view vector [F3]: R = 2 (N.V) N - V.  Its height Ry is known already.  With
+ * k = Ry + Vy = 2 (N.V) Ny and N = Ny (-sx, 1, -sz) the other components are -k sx - Vx
+ * and -k sz - Vz. */
 #ifndef TP_SHADE_REFLECTED_H
 #define TP_SHADE_REFLECTED_H
 #include "shade/shade.h"
 
-/* Fills rx and rz of sample i; Q1.14.  A view that goes down looks level. */
+/* Fills rx and rz of sample i, Q1.14, and returns the mirrored vector.  A vector that
+ * points down is made level. */
 TP_ALWAYS_INLINE tp_ray tp_reflected_at(tp_run *run, int32_t i)
 {
     int32_t up = run->up[i], k = up + run->vy[i];

@@ -1,26 +1,27 @@
 /* SPDX-License-Identifier: MIT */
-/* Texels of a repeating picture.  The level of detail is chosen once for every 16
- * columns, from the first sample there.  Nearest takes one texel; linear weighs four by
- * 1/256 of a texel.
+/* Texture sampling of repeating pictures.  The mipmap level is chosen once per 16 columns,
+ * from the first sample there.  The nearest filter takes one texel; the linear filter
+ * weighs four texels in steps of 1/256 of a texel.
  *
- * One level is enough: of a still sea's linear texture, drifting 1 cm a frame and seen
- * from 3 m at 640 x 480, no row changes from frame to frame by more than 0.3 levels of
- * 255 beyond what it does if 16 samples a pixel are drawn, and levels show no edges.
+ * One level per 16 columns is enough.  Measured on a still sea with a linear texture that
+ * drifts 1 cm a frame, seen from 3 m at 640 x 480: no row changes from frame to frame by
+ * 0.3 levels of 255 more than with 16 samples a pixel, and level changes show no edges.
  *
- * Sides are powers of two, so a texel's column is the highest bits of a place in repeats:
- * shifts of one word find it.  Indices are signed, as gathers of eight take them. */
+ * Sides are powers of two: the highest bits of a position in repeats are the texel's
+ * column, and shifts of one word extract them.  Indices are signed because vector gathers
+ * of eight take signed indices. */
 #ifndef TP_SHADE_SAMPLER_H
 #define TP_SHADE_SAMPLER_H
 #include "base/dsp.h"
 #include "shade/depth.h"
 
-/* -- one level, and four texels of it ----------------------------------------------- */
+/* -- one mipmap level, and four of its texels --------------------------------------- */
 
 typedef struct {
     const uint32_t *texel;
-    uint32_t half_s, half_t;    /* of a texel, Q0.32 repeats */
-    uint32_t down_s, down_t;    /* 24 - log2 of a side: to 1/256 of a texel */
-    uint32_t last_s, last_t;    /* columns and rows less one */
+    uint32_t half_s, half_t;    /* half a texel, Q0.32 repeats */
+    uint32_t down_s, down_t;    /* shift to 1/256 texel: 24 - log2(side) */
+    uint32_t last_s, last_t;    /* number of columns, of rows, minus 1 */
     uint32_t log2_w;
 } tp_level;
 
@@ -38,12 +39,13 @@ static inline tp_level tp_level_at(const tp_texture *texture, int l)
     };
 }
 
-/* Four texels, the upper pair first, and the weights of the right and the lower ones. */
+/* Four texels, the upper pair first, and the weights of the right and the lower texels. */
 typedef struct {
     uint32_t texel[4], fs, ft;
 } tp_four;
 
-/* Below and right of the place, which is half a texel from the one that is meant. */
+/* Returns the texel at (s, t), Q0.32 repeats, and its right and lower neighbours.  The
+ * caller subtracts half a texel from the sampled point first. */
 TP_ALWAYS_INLINE tp_four tp_four_at(const tp_level *l, uint32_t s, uint32_t t)
 {
     uint32_t su = s >> l->down_s, tv = t >> l->down_t, u = su >> 8, v = tv >> 8;
@@ -55,7 +57,8 @@ TP_ALWAYS_INLINE tp_four tp_four_at(const tp_level *l, uint32_t s, uint32_t t)
                       su & 0xff, tv & 0xff };
 }
 
-/* Around the place.  Weights are the eight bits below a texel. */
+/* Returns the four texels around the point (s, t).  Weights are the eight bits below a
+ * texel. */
 TP_ALWAYS_INLINE tp_four tp_four_around(const tp_level *l, uint32_t s, uint32_t t)
 {
     return tp_four_at(l, s - l->half_s, t - l->half_t);
@@ -76,7 +79,7 @@ TP_ALWAYS_INLINE uint32_t tp_linear(const tp_level *l, uint32_t s, uint32_t t)
     return tp_parted_whole(tp_four_mean(&f));
 }
 
-/* -- a layer's level ---------------------------------------------------------------- */
+/* -- the mipmap level of a layer ---------------------------------------------------- */
 
 static inline int tp_level_near(const tp_shade *shade, const tp_layer *layer,
                                 uint32_t key)
@@ -85,14 +88,15 @@ static inline int tp_level_near(const tp_shade *shade, const tp_layer *layer,
                        layer->texture->levels);
 }
 
-/* Samples of a run that have one level: what loops go over. */
+/* Neighbouring samples of a run with one mipmap level: the unit of the sampling loops. */
 typedef struct {
-    const uint32_t *s, *t;      /* from the first on */
+    const uint32_t *s, *t;      /* positions, from the stretch's first sample on */
     int32_t begin, count;
     int     level;
 } tp_stretch;
 
-/* The one from `begin`, at which 16 columns or the run begin; s and t are the run's. */
+/* Returns the stretch that starts at sample `begin`, the start of 16 columns or of the
+ * run; s and t are the run's arrays. */
 static inline tp_stretch tp_stretch_from(const tp_shade *shade, const tp_run *run,
                                          const tp_layer *layer, const uint32_t *s,
                                          const uint32_t *t, int32_t begin)
@@ -105,13 +109,13 @@ static inline tp_stretch tp_stretch_from(const tp_shade *shade, const tp_run *ru
     return (tp_stretch){ s + begin, t + begin, begin, stop - begin, level };
 }
 
-/* Its places become repeats by a product and a sum. */
+/* A layer at one level.  A product and a sum turn positions in m into repeats. */
 typedef struct {
     tp_level level;
     uint32_t per_s, per_t, drift_s, drift_t;
 } tp_sampler;
 
-/* For four texels. */
+/* Sampler of four texels. */
 static inline tp_sampler tp_sampler_linear(const tp_layer *layer, int level)
 {
     tp_level l = tp_level_at(layer->texture, level);
@@ -125,8 +129,8 @@ TP_ALWAYS_INLINE tp_four tp_sampler_four(const tp_sampler *p, uint32_t s, uint32
     return tp_four_at(&p->level, s * p->per_s + p->drift_s, t * p->per_s + p->drift_t);
 }
 
-/* For one texel: shifts are to whole ones.  A side of one texel would need 32: all places
- * become 0 instead. */
+/* Sampler of one texel: shifts go to whole texels.  A side of one texel would need a shift
+ * by 32; its positions are set to 0 instead. */
 static inline tp_sampler tp_sampler_nearest(const tp_layer *layer, int level)
 {
     tp_level l = tp_level_at(layer->texture, level);
@@ -148,7 +152,7 @@ TP_ALWAYS_INLINE uint32_t tp_sampler_texel(const tp_sampler *p, uint32_t s, uint
     return p->level.texel[(int32_t)((v << p->level.log2_w) + u)];
 }
 
-/* One texel or the mean of four; `filter` is a literal. */
+/* Sampler of one texel, or of the mean of four; `filter` is a literal, 0 or 1. */
 static inline tp_sampler tp_sampler_for(const tp_layer *layer, int level, int filter)
 {
     TP_ASSERT(level >= 0 && level < layer->texture->levels);

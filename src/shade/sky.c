@@ -1,11 +1,10 @@
 /* SPDX-License-Identifier: MIT */
-/* The plain sky, which every scene without another one has: a gradient from horizon to
- * zenith by the sine of the elevation. */
+/* The default sky: a gradient from horizon to zenith by the sine of the elevation. */
 #include "shade/shade.h"
 #include "tidepool/modules.h"
 
-/* Entry i is sine i / 256; the zenith's share grows as 1 - (1 - sine)^2: fast near the
- * horizon, where the air is thick. */
+/* Entry i is the colour at sine i / 256.  The zenith's share grows as 1 - (1 - sine)^2:
+ * fast near the horizon, where the air is thick. */
 void tp_shade_sky(tp_shade *shade, uint32_t horizon, uint32_t zenith)
 {
     for (uint32_t i = 0; i <= TP_SKY; i++) {
@@ -16,9 +15,9 @@ void tp_shade_sky(tp_shade *shade, uint32_t horizon, uint32_t zenith)
 
 #define STEP 32
 
-/* The view's height is exact at every 32nd column and linear between: less than two of
- * the 256 entries off at 128 pixels a row, less than one at 320.  The view points down
- * to the eye, so the sky's height is the negative. */
+/* The height of the view vector is exact at every 32nd column and linear between: the
+ * error is below two of the 256 entries at 128 pixels a row, below one at 320.  The view
+ * vector points down to the eye: its negative is the height in the sky. */
 void tp_stage_sky(const tp_shade *shade, tp_run *run)
 {
     const uint32_t *sky = shade->sky;

@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: MIT */
-/* The surface's normal from its slopes, N = (-sx, 1, -sz) / sqrt(1 + sx^2 + sz^2). */
+/* The surface normal from its slopes, N = (-sx, 1, -sz) / sqrt(1 + sx^2 + sz^2). */
 #ifndef TP_SHADE_SLOPE_H
 #define TP_SHADE_SLOPE_H
 #include "shade/shade.h"
 
-/* The slopes of sample i, Q3.12: from the arrays once something has bent them (`bent` is
- * a literal), else as sampled. */
+/* Slopes of sample i, Q3.12: from the run's arrays if a stage has bent them, else from the
+ * G-buffer.  `bent` is a literal. */
 TP_ALWAYS_INLINE int32_t tp_slope_x(const tp_run *run, int32_t i, int bent)
 {
     return bent ? run->sx[i] : (int16_t)(run->n[i] >> 16);
@@ -16,16 +16,16 @@ TP_ALWAYS_INLINE int32_t tp_slope_z(const tp_run *run, int32_t i, int bent)
     return bent ? run->sz[i] : (int16_t)(run->n[i] & 0xffff);
 }
 
-/* q = sx^2 + sz^2, Q24: two slopes of 8 at the most make 128. */
+/* q = sx^2 + sz^2, Q24: two slopes of 8, the largest, make 128. */
 TP_ALWAYS_INLINE uint32_t tp_slope_square(int32_t sx, int32_t sz)
 {
     return (uint32_t)(sx * sx) + (uint32_t)(sz * sz);
 }
 
-#define TP_SLOPE_END 0x4000000u     /* q of 4, Q24, where the table of roots ends */
+#define TP_SLOPE_END 0x4000000u     /* q = 4, Q24, the end of the root table */
 
-/* Brings q into the table: 1/sqrt(1 + q) is half of 1/sqrt(1 + (q - 3) / 4).  Returns how
- * often it was halved: not at all up to slopes of 2 (63 degrees), three times at most. */
+/* Maps q into the table: 1/sqrt(1 + q) is half of 1/sqrt(1 + (q - 3) / 4).  Returns the
+ * number of halvings: 0 up to slopes of 2 (63 degrees), 3 at most. */
 TP_ALWAYS_INLINE int tp_steep_halved(uint32_t *q)
 {
     int times = 0;
@@ -41,7 +41,7 @@ TP_ALWAYS_INLINE int tp_steep_halved(uint32_t *q)
     return times;
 }
 
-/* Q1.14, interpolated, for lobes that would show the table's steps. */
+/* Returns 1/sqrt(1 + q), Q1.14, interpolated: sharp lobes would show the table's steps. */
 TP_ALWAYS_INLINE int32_t tp_steep(uint32_t q)
 {
     int      times = tp_steep_halved(&q);
@@ -50,7 +50,7 @@ TP_ALWAYS_INLINE int32_t tp_steep(uint32_t q)
     return (a + ((b - a) * f >> 7)) >> times;
 }
 
-/* The nearest entry, within 0.2 %. */
+/* Returns the nearest table entry, within 0.2 %. */
 TP_ALWAYS_INLINE int32_t tp_steep_near(uint32_t q)
 {
     if (!TP_WIDE && q < TP_SLOPE_END)

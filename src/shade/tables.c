@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The tables that stages look into: constant ones, and those made in integers when a
- * number of the scene changes. */
+/* Tables for span stages: constant tables, and tables computed in integers when a number
+ * of the scene changes. */
 #include "shade/shade.h"
 
 const tp_entry16 tp_steep_table[TP_STEEP + 1] = {
@@ -19,7 +19,7 @@ const uint8_t tp_drop_gloss[TP_GLOSS] = {
 #include "shade/gloss_table.inc"
 };
 
-/* base^n for base in Q2.30, 0..1, by squaring. */
+/* Returns base^n for base in 0..1, Q2.30, by repeated squaring. */
 static tp_q30 power(tp_q30 base, uint32_t n)
 {
     TP_ASSERT(base >= 0 && base <= TP_Q30_ONE);
@@ -38,13 +38,13 @@ static uint32_t exponent(tp_fx shininess)
     return (uint32_t)tp_clamp(shininess >> 16, 1, 1000);
 }
 
-/* Blinn's lobe (N.H)^(4 n) [F5], by c = 2 (N.H)^2 - 1: ((1 + c) / 2)^(2 n). */
+/* Blinn's lobe (N.H)^(4 n) [F5] as a function of c = 2 (N.H)^2 - 1: ((1 + c) / 2)^(2 n). */
 static tp_q30 blinn(tp_q30 c, uint32_t n)
 {
     return power(c / 2 + TP_Q30_ONE / 2, 2 * n);
 }
 
-/* A lobe of 0..1 as an entry. */
+/* Converts a lobe value of 0..1 into a table entry, scaled by the strength. */
 static uint16_t shine_of(tp_q30 lobe, tp_fx strength)
 {
     return (uint16_t)(tp_fx_mul(lobe >> 14, strength) >> 8);

@@ -1,14 +1,14 @@
 /* SPDX-License-Identifier: MIT */
-/* The direction from each sample to the eye, exact at every 16th column (a unit vector
- * there) and a parabola between, bowed by the mean of the second differences at its two
- * ends.  A straight line would be 0.0015 short of a unit in a picture of 160 pixels: a
- * sharp lobe would lose an eighth between the knots, and stripes would show.  What is
- * left are cuts to Q1.14. */
+/* Unit vector from each sample to the eye, exact at every 16th column (a knot) and
+ * quadratic between.  The curvature is the mean of the second differences at both knots.
+ * Linear interpolation would be 0.0015 too short in a picture 160 pixels wide: a sharp
+ * lobe would lose an eighth of its peak between knots, visible as stripes.  The remaining
+ * error is the truncation to Q1.14. */
 #include "shade/shade.h"
 #include "tidepool/modules.h"
 
-/* right (u - u0) + up (v0 - v) - back focal, towards the scene, turned round; Q30.  Each
- * product has 30 + 18 bits. */
+/* right (u - u0) + up (v0 - v) - back focal points to the scene; this is its negative,
+ * Q30. Each product has 30 + 18 bits. */
 typedef struct {
     int64_t x, y, z;
 } way;
@@ -24,7 +24,7 @@ static way way_at(const tp_shade *shade, const tp_view_axes *a, int32_t x, int32
     };
 }
 
-/* Q10, of which tp_normalise makes a unit vector. */
+/* Normalises a vector, reduced to Q10. */
 static tp_ray ray_along(const tp_view_axes *a, way w)
 {
     tp_dir3 d = tp_normalise((int32_t)(w.x >> 20), (int32_t)(w.y >> 20),
@@ -40,7 +40,8 @@ tp_ray tp_view_ray(const tp_shade *shade, const tp_view_axes *a, int32_t x, int3
     return ray_along(a, way_at(shade, a, x, y));
 }
 
-/* The ray 16 columns on: the way is a straight line, to the last bit. */
+/* Returns the ray 16 columns further right: unnormalised rays are exactly linear in the
+ * column. */
 static tp_ray next_ray(const tp_view_axes *a, way *w)
 {
     w->x -= 256 * (int64_t)a->right.x;
@@ -49,8 +50,8 @@ static tp_ray next_ray(const tp_view_axes *a, way *w)
     return ray_along(a, *w);
 }
 
-/* A component between the knots a and b, and on both sides of them what comes before and
- * after: begin + step k + bow k (16 - k), Q10, at column k of 16. */
+/* One component between the knots a and b; `before` and `after` are the outer neighbour
+ * knots.  Value at column k of 16: begin + step k + bow k (16 - k), Q10. */
 typedef struct {
     int32_t begin, step, bow;
 } arc;
@@ -60,7 +61,8 @@ static inline arc arc_of(int32_t before, int32_t a, int32_t b, int32_t after)
     return (arc){ a * 1024, (b - a) * 64, a + b - before - after };
 }
 
-/* Two of them at `count` columns from k on: by steps, or each by itself. */
+/* Evaluates two components at `count` columns from k on: each column directly for vector
+ * units, else by forward differences. */
 static void between(arc a, arc b, int32_t k, int32_t count, int16_t *restrict to_a,
                     int16_t *restrict to_b)
 {

@@ -1,9 +1,10 @@
 /* SPDX-License-Identifier: MIT */
-/* Where processors work on eight samples at once: what loops are written in two ways for.
+/* Selects between two forms of some loops: for processors with eight-lane vectors and for
+ * all others.
  *
- * TP_WIDE says that selects are cheaper than branches, and two small loops than one in
- * which a look-up stands in the way.  Entries of small tables take a word each where
- * vector units gather words alone: on x86-64 that is 6 KB a view, elsewhere nothing. */
+ * If TP_WIDE is 1, selects are cheaper than branches, and two small loops are cheaper than
+ * one loop with a table look-up.  On x86-64 entries of small tables take a word each,
+ * because vector units gather only words: 6 KB more per view there, none elsewhere. */
 #ifndef TP_SHADE_WIDE_H
 #define TP_SHADE_WIDE_H
 #include <stdint.h>
