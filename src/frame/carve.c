@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: MIT */
-/* A frame's memory: one block, laid out as the scene asks at init.  Nothing is taken
- * after that. */
+/* Memory layout of a frame: one block, laid out at init as the scene demands.  Nothing is
+ * allocated later. */
 #include "frame/frame.h"
 #include "geom/waters.h"
 #include "scene/prices.h"
 
-/* The water's surface, and what is drawn before it as triangles. */
+/* Lays out the memory of the water renderers that the plan may use, and of the grid LOD. */
 static void carve_places(tp_frame_parts *p, tp_arena *arena, const tp_program *program,
                          const tp_scene *scene, const tp_config *config)
 {
@@ -26,14 +26,15 @@ bool tp_frame_is_coastal(const tp_program *program, const tp_scene *scene)
     return tp_modules_have(program->modules, &want, TP_MODULE_COASTAL);
 }
 
-/* Crossings of coastal water lean on those around them, and are stored. */
+/* True if grid vertices are streamed.  Vertices of coastal water depend on their
+ * neighbours and are stored. */
 bool tp_frame_streams(const tp_program *program, const tp_scene *scene)
 {
     const struct tp_method *method = program->method.triangles;
     return method && method->streams && !tp_frame_is_coastal(program, scene);
 }
 
-/* The conditions that the modules of a picture are asked about. */
+/* Returns the conditions that modules are asked about. */
 tp_want tp_frame_want(const tp_program *program, const tp_frame_parts *parts,
                       const tp_scene *scene, const tp_assets *assets,
                       const tp_config *config)

@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: MIT */
-/* The modules of a picture: loops over the program's list; see the header. */
+/* The modules of a picture: loops over the program's list; see drawing.h. */
 #include "frame/frame.h"
 
-/* The uses whose bits are set.  Ends behind the last of them: most tiles have few. */
+/* Loops over the modules of the program whose bits are set.  The loop ends after the
+ * highest set bit: most pictures use few modules. */
 #define EACH_OF(bits, i, use, program)                                                   \
     const tp_use *const use = (program)->modules;                                        \
     uint32_t i = 0;                                                                      \
@@ -13,7 +14,7 @@
 
 /* -- memory --------------------------------------------------------------------------- */
 
-/* True if this module is drawn; *mark is its first mark, 0 if it needs none. */
+/* True if this module is drawn.  *mark is its first stencil value; 0 if it needs none. */
 static bool deal(tp_frame_parts *parts, const tp_use *u, tp_want *want, uint32_t *mark)
 {
     *mark = 0;
@@ -66,10 +67,10 @@ void tp_frame_layout_modules(const tp_program *program, tp_frame_parts *parts,
     parts->module_bytes = (uint32_t)(arena->used - begin) - looks;
 }
 
-/* -- which are on --------------------------------------------------------------------- */
+/* -- enabled modules ----------------------------------------------------------------- */
 
-/* A module that was off at init has no memory, and is not drawn if it is on now; unless it
- * wants neither memory nor marks. */
+/* True if module i has its memory.  A module that was off at init has none and is not
+ * drawn if it is on now, unless it needs neither memory nor stencil values. */
 static bool can_draw(const tp_frame *frame, uint32_t i)
 {
     const tp_drawing *drawing = frame->program->modules[i].drawing;
@@ -197,7 +198,7 @@ void tp_frame_draw_over(const tp_frame *frame, const tp_samples *samples)
                              frame->parts.mark[i]);
 }
 
-/* -- lists of the modules' own samples ------------------------------------------------- */
+/* -- shader lists of the modules' own samples ---------------------------------------- */
 
 uint32_t tp_marks_one(const tp_want *want)
 {
@@ -215,7 +216,8 @@ static uint64_t drawn_of(const tp_frame *frame)
     return drawn;
 }
 
-/* Samples without a colour would show memory as it is: such a module is left out. */
+/* Fills the modules' lists.  Samples without a colour stage would show uninitialised
+ * memory: such a module is turned off. */
 void tp_frame_list_modules(tp_frame *frame)
 {
     uint64_t lack = 0;

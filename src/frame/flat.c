@@ -1,24 +1,25 @@
 /* SPDX-License-Identifier: MIT */
-/* Water as a level, pixel by pixel: no mesh, no outline of waves.  Along a row places are
- * linear; in a picture that rolls they are exact at every 16th column and linear between,
- * or, where depth changes much within 16, exact in each pixel.  Slopes are linear between
- * the points of lattice.c; a sea without waves has none.
+/* Flat water: a level plane, pixel by pixel, without mesh or wave outline.  Along a row
+ * world positions are linear in x.  In a rolled picture positions are exact at every 16th
+ * column and linear between; where depth changes much within 16 columns, each pixel is
+ * exact.  Slopes are interpolated between the points of lattice.c; a sea without waves has
+ * slope 0.
  *
- * It holds for any camera above the highest crest, at any pitch and roll, and water of
- * any outline; not for water of which more than waves is to be seen: rings and pools as
- * heights, a floor or wind's own tables, a tank. */
+ * Valid for any camera above the highest crest at any pitch and roll, and for water of any
+ * outline.  Not valid if the surface shows more than waves: rings and pools as heights, a
+ * coastal floor or wind tables, a tank. */
 #include "frame/parts.h"
 
 enum { CELL = TP_LATTICE_CELL, BLOCK = 16 };
 
-/* -- rows ------------------------------------------------------------------------------ */
+/* -- filling pixels ------------------------------------------------------------------ */
 
-/* A place along a row, 16.16 and 16 bits more; it may wrap. */
+/* A world coordinate along a row, 16.16 with 16 more fraction bits; may wrap. */
 typedef struct {
     uint64_t now, step;
 } walker;
 
-/* Pixels of a row. */
+/* Neighbouring pixels of one row. */
 typedef struct {
     uint32_t *key, *s, *t, *n;
     int32_t   x, y, count;
@@ -26,8 +27,8 @@ typedef struct {
     walker    place[2];
 } piece;
 
-/* Quantities that 32 bits hold over a few pixels; slopes are packed, and the lower may
- * carry into the upper. */
+/* Interpolated values that fit 32 bits over a few pixels.  n packs both slopes; the lower
+ * half may carry into the upper half. */
 typedef struct {
     uint32_t s, s_step, t, t_step, n, n_step;
 } few;
@@ -37,7 +38,8 @@ TP_ALWAYS_INLINE uint32_t key_of(uint32_t zi)
     return (zi << 1 & ~(uint32_t)0xff) | TP_MARK_WATER;
 }
 
-/* Of a block that begins `off` pixels before, in the row's pixel `from`. */
+/* Returns the values at the start of a block; `from` is the pixel's index in the row and
+ * lies `off` pixels after that start. */
 TP_ALWAYS_INLINE few few_at(const piece *p, int32_t from, int32_t off)
 {
     uint64_t s = p->place[0].now + p->place[0].step * (uint64_t)(int64_t)(from - off);
@@ -50,7 +52,7 @@ TP_ALWAYS_INLINE few few_at(const piece *p, int32_t from, int32_t off)
     return f;
 }
 
-/* Pixels from `from` on; the flags are literal. */
+/* Fills `count` pixels from `from` on; the flags are literals. */
 TP_ALWAYS_INLINE void fill(const piece *p, int32_t from, int32_t count, few f, int waves,
                            int rolled, int tested)
 {
@@ -75,7 +77,7 @@ TP_ALWAYS_INLINE void fill(const piece *p, int32_t from, int32_t count, few f, i
     }
 }
 
-/* A cell's side at row y, Q.15. */
+/* Slopes at one side of a cell at row y, Q.15. */
 typedef struct {
     int32_t x, z;
 } side;
@@ -143,9 +145,10 @@ static void fill_piece(const tp_frame *frame, const piece *p, bool tested)
         fill_still(p, 0, 0);
 }
 
-/* -- a level row ----------------------------------------------------------------------- */
+/* -- rows without roll --------------------------------------------------------------- */
 
-/* Along x in one step, from absolute x = 0: 31 bits by the 30 of a pixel's direction. */
+/* Returns the walker of a row, computed from absolute x = 0: a product of a 31-bit factor
+ * and a 30-bit pixel direction. */
 static walker walker_of(tp_level_reach reach, tp_fx eye, const tp_level_sum *sum, int32_t x,
                         int32_t y)
 {
@@ -168,9 +171,9 @@ static void draw_level(const tp_frame *frame, piece *p, bool tested)
     fill_piece(frame, p, tested);
 }
 
-/* -- a row that rolls ------------------------------------------------------------------ */
+/* -- rows with roll ------------------------------------------------------------------ */
 
-/* What is seen where a block begins or ends. */
+/* Depth term and world position at the start or the end of a block. */
 typedef struct {
     int64_t  down;
     uint32_t place[2];
@@ -190,8 +193,8 @@ static knot knot_at(const tp_level *level, int32_t x, int32_t y)
     return k;
 }
 
-/* From one knot to the next depth changes by less than a 32nd, so that a place half way
- * is off by less than a 4000th of the distance. */
+/* True if depth changes by less than 1/32 between two knots: the position half way is then
+ * off by less than 1/4000 of the distance. */
 static bool is_even(const knot *a, const knot *b)
 {
     int64_t change = a->down - b->down;
@@ -279,7 +282,7 @@ static void draw_flat(const tp_frame *frame, tp_samples *tile, void *memory)
     }
 }
 
-/* -- the method ------------------------------------------------------------------------ */
+/* -- the renderer -------------------------------------------------------------------- */
 
 static void carve_flat(tp_frame_parts *parts, tp_arena *arena, const tp_program *program,
                        const tp_scene *scene, const tp_config *config)

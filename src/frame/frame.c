@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* A frame from its config to its first tile: checked, made, begun. */
+/* A frame from its config to its first tile: check, init, begin. */
 #include "base/fail.h"
 #include "base/given.h"
 #include "frame/frame.h"
@@ -10,9 +10,9 @@
 #include "scene/pools.h"
 #include "scene/program.h"
 
-#define TILE_ROWS 16 /* of a config that names none */
+#define TILE_ROWS 16 /* default of a config without a tile height */
 
-/* A tile is no larger than the picture. */
+/* Fills in the tile's size; a tile is no larger than the picture. */
 static void fill_tiles(tp_config *c)
 {
     if (c->tile_width == 0 || c->tile_width > c->width)
@@ -23,7 +23,8 @@ static void fill_tiles(tp_config *c)
         c->tile_height = c->height;
 }
 
-/* NULL is a picture without pixels, which check() refuses. */
+/* Returns the config with defaults filled in.  NULL becomes a picture without pixels,
+ * which check() refuses. */
 static tp_config filled(const tp_config *config, const tp_scene *scene)
 {
     tp_config c = { .width = 0 };
@@ -42,7 +43,7 @@ static tp_assets filled_assets(const tp_assets *assets)
     return assets != NULL ? *assets : (tp_assets){ .boat = NULL };
 }
 
-/* The stages and the store that every picture needs. */
+/* Checks the stages and the pixel store that each picture needs. */
 static tp_status check_program(const tp_program *program, tp_format format, tp_error *err)
 {
     if (!program->stage.sky || !program->stage.plain)
@@ -75,7 +76,7 @@ tp_status tp_config_check(const tp_config *config, tp_config *filled, tp_error *
     return check(&c, err);
 }
 
-/* The config and the scene together. */
+/* Checks the config and the scene together. */
 static tp_status check_both(const tp_config *c, const tp_scene *scene, tp_error *err)
 {
     const tp_status status = check(c, err);
@@ -107,8 +108,9 @@ static uint32_t streamed_cols(const tp_program *program, const tp_scene *scene)
     return tp_frame_streams(program, scene) ? (uint32_t)scene->grid.cols : 0;
 }
 
-/* Four planes of samples, then the pixels, if they are drawn here; before there are any,
- * the method's bytes of each column and the window of a streamed grid use the place. */
+/* Scratch size: four planes of the G-buffer, then the pixels unless they are drawn
+ * elsewhere.  Before pixels exist, the renderer's bytes per column and the window of a
+ * streamed grid use the same place. */
 static size_t scratch_of(const tp_config *config, const tp_scene *scene, bool into)
 {
     const tp_config c = filled(config, scene);
@@ -132,7 +134,7 @@ size_t tp_frame_direct_scratch_bytes(const tp_config *config, const tp_scene *sc
     return scratch_of(config, scene, true);
 }
 
-/* The frame in its block, all but the tables. */
+/* Lays out the frame in its block and fills the members; tables are filled later. */
 static tp_frame *make(tp_arena *arena, const tp_config *c, const tp_scene *scene)
 {
     tp_assets known = filled_assets(c->assets);
@@ -206,8 +208,8 @@ tp_surface tp_frame_lit_surface(const tp_frame *frame)
     return surface;
 }
 
-/* What water looks into, then the picture itself: they share memory, and the numbers of
- * the last frame are the picture's. */
+/* Draws the pictures that the water samples, then places the picture's own solids.  Both
+ * share memory; the numbers left at the end are the picture's. */
 static void place_solids(tp_frame *frame)
 {
     const tp_draw_stats stats = frame->stats;
@@ -235,7 +237,7 @@ void tp_frame_begin(tp_frame *frame, const tp_world *world)
                    scene->camera.fov, scene->camera.near,
                    frame->config.width, frame->config.height);
     if (world->aboard == TP_ABOARD_DECK)
-        frame->lens.lean = 0;           /* as golden frames of the deck have it */
+        frame->lens.lean = 0;           /* golden frames of the deck camera have no lean */
     tp_frame_choose_rungs(frame);
     if (draw->rungs)
         draw->rungs->thin(frame);

@@ -1,28 +1,30 @@
 /* SPDX-License-Identifier: MIT */
-/* When rows draw what triangles would, by camera and sea alone.
+/* Conditions under which scanline water draws the same picture as triangles; they depend
+ * on camera and sea alone.
  *
- * Rows ask that a column of pixels, gone up, meets the lines of the grid one after the
- * other and each of them once.  So the eye must stand above all water, every ray of the
- * picture must lead away across the lines, and the camera must neither roll nor stand on
- * its head.  Nor may lines change places along a ray.  Where it goes t metres along the
- * lines for each across them, the displaced lines are met in order while
- * J_mm - t J_km > 0, k across, m along:
+ * Scanline water requires that a column of pixels, walked upwards, meets the grid's lines
+ * one after the other, each line once.  Hence the eye must stand above all water, every
+ * ray of the picture must lead away across the lines, and the camera must neither roll nor
+ * be upside down.  Displaced lines must also keep their order along a ray.  A ray goes t
+ * metres along the lines for each metre across them; lines are met in order while J_mm - t
+ * J_km > 0, k across, m along:
  *     sum |bend_mm - t bend_km| < 1,
- * whatever the phases; the sum is convex in t, so the picture's corners tell.  What lies on
- * the swells is a height and moves nothing sideways.  Where waves may break they hang over.
+ * for any phases.  The sum is convex in t: checking the picture's corners suffices.
+ * Relief on the swells is a height and moves nothing sideways.  Breaking waves overhang
+ * and are excluded.
  *
- * The widest ray also bounds how far apart along it the lines lie, and so how far what is
- * drawn strays from the triangles. */
+ * The widest ray also bounds the distance of two lines along a ray, and with it the
+ * deviation from the triangles. */
 #include "frame/frame.h"
 #include "wave/ocean_tables.h"
 
 #define STEEP   3                       /* t of the widest ray: 71.6 degrees */
-#define ROLL    (TP_FX_ONE / 64)        /* sine of it */
-#define ABOVE   (TP_FX_ONE / 8)         /* m over the highest crest */
-#define FOLDS   (TP_FX_ONE * 9 / 10)    /* of the sum; over an ocean, whose waves steepen */
-#define STEEPENS (TP_FX_ONE * 3 / 4)    /* before the wind and lean, less */
+#define ROLL    (TP_FX_ONE / 64)        /* sine of the largest roll */
+#define ABOVE   (TP_FX_ONE / 8)         /* least height over the highest crest, m */
+#define FOLDS   (TP_FX_ONE * 9 / 10)    /* limit of the sum for deep water */
+#define STEEPENS (TP_FX_ONE * 3 / 4)    /* for coastal water, whose waves steepen more */
 
-/* A ray as it leads across the lines and along them, of no particular length. */
+/* A horizontal ray by its components across and along the lines, of any length. */
 typedef struct {
     int64_t across, along;
 } level_ray;
@@ -33,8 +35,8 @@ static bool is_upright(const tp_frame *frame)
     return tp_abs(back->x) > tp_abs(back->z);
 }
 
-/* Through a corner of the picture, 16.16; pixels below 2^12 from the centre, a focal
- * length below 2^16. */
+/* Ray through a corner of the picture, 16.16; pixels lie below 2^12 from the centre, the
+ * focal length is below 2^16. */
 static level_ray corner_ray(const tp_frame *frame, int corner)
 {
     const tp_rotation *turn = &frame->lens.turn;
@@ -62,7 +64,8 @@ static bool stays_in_order(const tp_frame *frame, tp_fx t)
     return sum < (frame->surface.ocean ? STEEPENS : FOLDS);
 }
 
-/* All corners lead away, not too wide, and what they see keeps its order. */
+/* True if all corner rays lead away across the lines, within the widest angle, and the
+ * lines on each keep their order. */
 static bool rays_hold(const tp_frame *frame)
 {
     const tp_dir3 *back = &frame->lens.turn.z;
@@ -91,7 +94,7 @@ static bool may_break(const tp_ocean *ocean)
 bool tp_frame_rows_hold(tp_frame *frame)
 {
     return frame->parts.lines && frame->parts.grid
-           && !(frame->parts.grid->streams && is_upright(frame)) /* row by row */
+           && !(frame->parts.grid->streams && is_upright(frame)) /* read row by row */
            && tp_abs(frame->lens.turn.x.y >> 14) < ROLL && frame->lens.turn.y.y > 0
            && frame->lens.eye.y > tp_surface_height(&frame->surface) + ABOVE
            && rays_hold(frame)

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* Level water's slopes, at every 8th column and row of the picture: each is evaluated once
- * a frame, whatever its tiles.  And what all need that take water as level first: that it
- * is swells and no more, all of them below the eye. */
+/* Slope grid of flat water at every 8th column and row of the picture, evaluated once a
+ * frame for any number of tiles.  Also the conditions and the level plane of both
+ * renderers that treat water as level: the water is swells alone, all below the eye. */
 #include "frame/frame.h"
 #include "geom/waters.h"
 #include "scene/sides.h"
@@ -54,11 +54,11 @@ void tp_frame_place_level(tp_frame *frame)
     tp_level_begin(frame->parts.level, &frame->lens, &across, &along);
 }
 
-/* -- slopes ---------------------------------------------------------------------------- */
+/* -- slope grid ---------------------------------------------------------------------- */
 
-/* A row of points: what is the same for all of them if the picture does not roll. */
+/* A row of points: values shared by its points if the picture does not roll. */
 typedef struct {
-    int64_t down, step;         /* of the first, and a point on */
+    int64_t down, step;         /* depth term of the first point; step to the next */
     tp_level_reach reach, beyond;
 } row_of_points;
 
@@ -74,7 +74,8 @@ static row_of_points row_at(const tp_level *level, int32_t y)
                             reach_of(level, down - level->down.y * CELL) };
 }
 
-/* The place of a point, and the ways to its neighbours on the right and farther away. */
+/* Returns the rest position of a point, and the vectors to its right neighbour and to its
+ * farther neighbour. */
 static void rest_at(const tp_level *level, const row_of_points *row, int32_t x, int32_t y,
                     tp_fx at[2], tp_fx step[2][2])
 {
@@ -108,7 +109,7 @@ static uint32_t slopes_at(const tp_frame *frame, const row_of_points *row, int32
     return tp_level_slopes(&point);
 }
 
-/* Above the horizon slopes are 0, and none are evaluated. */
+/* Computes a row of slopes.  Slopes above the horizon are 0 and not evaluated. */
 static void place_row(tp_frame *frame, int32_t y, uint32_t cols, uint32_t *slopes)
 {
     const row_of_points row = row_at(frame->parts.level, y);

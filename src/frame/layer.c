@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
-/* Pictures that drift on the water, as a frame samples them. */
+/* Sampling numbers of textures that drift on the water. */
 #include "frame/frame.h"
 
-/* Metres drifted by `time`, ticks x 65536; 16.16, wrapping. */
+/* Returns the drift in metres after `time`, ticks x 65536; 16.16, wrapping. */
 static uint32_t drifted(tp_fx metres_per_second, int64_t time)
 {
     int64_t step = (int64_t)metres_per_second * ((int64_t)1 << 32) / TP_TICKS_PER_SECOND;
@@ -10,8 +10,8 @@ static uint32_t drifted(tp_fx metres_per_second, int64_t time)
     return (uint32_t)(((uint64_t)step * (uint64_t)(time >> 16) + part) >> 32);
 }
 
-/* Levels: texels a metre over pixels a metre at 1 m, and half the eye's height for the
- * slant (see tp_level_of). */
+/* Mipmap level at 1 m, Q8: log2 of texels a metre over pixels a metre at 1 m.  For level
+ * ground half of log2 of the eye's height is subtracted for the slant (see tp_level_of). */
 int32_t tp_frame_lod(const tp_frame *frame, tp_fx texels_per_metre, bool level_ground)
 {
     TP_ASSERT(frame->lens.focal > 0);
@@ -30,7 +30,7 @@ uint32_t tp_frame_repeats(tp_fx size)
     return (uint32_t)((((uint64_t)1 << 32) + (uint32_t)size / 2) / (uint32_t)size);
 }
 
-/* Texels of the longer side a metre; 4096 on 0.1 m are more than 16.16 holds. */
+/* Texels per metre of the longer side.  4096 texels on 0.1 m exceed 16.16 and saturate. */
 static tp_fx texels_a_metre(const tp_texture *texture, tp_fx size)
 {
     TP_ASSERT(texture->levels > 0 && texture->levels <= TP_TEXTURE_LEVELS);

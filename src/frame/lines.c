@@ -1,9 +1,10 @@
 /* SPDX-License-Identifier: MIT */
-/* Laying the lines; see the header. */
+/* Placing the scanline grid; see lines.h. */
 #include "frame/lines.h"
 
-/* Pixels of a cell from which on a row takes lines between; of a camera that looks across
- * the lines at more than 14 degrees, whose rays go farther from one to the next. */
+/* Mean cell width, px, above which a row of cells also draws middle lines.  WIDE_TILTED
+ * holds for a camera turned by more than 14 degrees from the lines' normal, whose rays go
+ * farther from line to line. */
 #define WIDE_CELL   16
 #define WIDE_TILTED 4
 
@@ -82,7 +83,8 @@ static tp_grid_box box_of_cells(tp_frame *frame, uint32_t k, uint32_t first, uin
     return box;
 }
 
-/* Where the camera looks along x, lines are the grid's columns. */
+/* Sets the direction of the lines.  If the camera looks along x, lines are the grid's
+ * columns. */
 static void turn(tp_frame *frame)
 {
     const tp_grid *grid = frame->parts.grid;
@@ -109,7 +111,7 @@ static bool is_tilted(const tp_frame *frame)
     return 4 * (int64_t)(x < z ? x : z) > (x < z ? z : x);
 }
 
-/* Which cells of its columns the grid sees. */
+/* Sets the visible cells of each row between lines. */
 static void set_cells(tp_frame *frame)
 {
     const tp_grid *grid = frame->parts.grid;
@@ -128,7 +130,7 @@ static void set_cells(tp_frame *frame)
     }
 }
 
-/* Whether the lens cuts a row's cells where the picture has columns. */
+/* True if the frustum clips cells of row k within the picture's columns. */
 static bool is_cut(tp_frame *frame, uint32_t k)
 {
     const tp_grid_window *seen = &frame->parts.grid->window;
@@ -221,7 +223,8 @@ static void set_row(tp_frame *frame, uint32_t k)
         line->is |= TP_LINE_WIDE;
 }
 
-/* Lines that are rows of the grid are looked at as they are placed: they may not stay. */
+/* Places all lines.  Lines that are rows of the grid are examined right after their
+ * placement, because a streamed grid does not keep them. */
 void tp_lines_place(tp_frame *frame)
 {
     const tp_frame_lines *lines = frame->parts.lines;

@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: MIT */
-/* Marks and the memory of shader lists; see the header. */
+/* Stencil values and the memory of shader lists; see marks.h. */
 #include "frame/marks.h"
 #include "base/base.h"
 #include "raster/raster.h"
 
-enum { LISTS = TP_LIST_WATER + 1 };     /* of sky and water */
+enum { LISTS = TP_LIST_WATER + 1 };     /* lists of sky and water */
 
 void tp_marks_init(tp_marks *marks)
 {
@@ -22,7 +22,8 @@ uint32_t tp_marks_deal(tp_marks *marks, uint32_t wanted)
     return first;
 }
 
-/* The index of a list's first stage in the memory of all lists: only the water's is long. */
+/* Returns the index of list i's first stage in the shared memory of all lists; only the
+ * water's list is long. */
 static uint32_t room_before(uint32_t i)
 {
     return i * TP_SHADERS_OTHER

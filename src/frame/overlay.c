@@ -2,8 +2,8 @@
 /* Spans that the application draws into a row of a tile. */
 #include "frame/frame.h"
 
-/* near / depth as keys have it, in their upper 24 bits; what is not beyond the near plane
- * is before all. */
+/* Depth key: near / depth in the upper 24 bits.  A span at or before the near plane covers
+ * everything. */
 static uint32_t key_of(tp_fx near, tp_fx depth)
 {
     if (depth <= near)
@@ -11,7 +11,7 @@ static uint32_t key_of(tp_fx near, tp_fx depth)
     return (uint32_t)(((uint64_t)(uint32_t)near << 31) / (uint32_t)depth) << 1;
 }
 
-/* One of three channels, a / 255 of `over` laid on `under`, rounded. */
+/* Blends one of three channels: a / 255 of `over` on `under`, rounded. */
 static uint32_t channel(uint32_t over, uint32_t under, int shift, uint32_t a)
 {
     const uint32_t x = over >> shift & 255, y = under >> shift & 255;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The plan of a frame: which stages, and the numbers that they read.  A stage that the
- * scene does not need is not in the list. */
+/* Shader lists of a frame and the numbers that stages read.  A list has no stage that the
+ * scene does not need. */
 #include "frame/frame.h"
 #include "scene/light.h"
 
@@ -15,7 +15,8 @@ static void light_from(tp_frame *frame)
     axes->lz = light.z >> 16;
 }
 
-/* By fast stages, if the plan says so and the program has all that the picture wants. */
+/* Fills the water's list with fast stages if the plan says so and the program has all
+ * stages that the picture wants; else with exact stages. */
 static void choose_water(tp_frame *frame)
 {
     tp_shaders *water = tp_frame_list(frame, TP_MARK_WATER);
@@ -34,7 +35,7 @@ static void choose_water(tp_frame *frame)
         tp_shaders_add_colour(water, frame->program->stage.plain);
 }
 
-/* The surface from below. */
+/* Fills the water's list for the surface seen from below. */
 static void choose_below(tp_frame *frame)
 {
     tp_shaders *water = tp_frame_list(frame, TP_MARK_WATER);
@@ -45,7 +46,7 @@ static void choose_below(tp_frame *frame)
     tp_frame_add_modules(frame, water);
 }
 
-/* A sky that the scene names and the program cannot draw is the gradient. */
+/* Fills the sky's list.  A sky that the program cannot draw becomes the gradient. */
 static void choose_sky(tp_frame *frame)
 {
     const bool named = tp_has_dome(frame->scene)
@@ -60,7 +61,7 @@ static void choose_sky(tp_frame *frame)
         sky->lacks++;
 }
 
-/* `base` stands for a stage that is missing without a module. */
+/* Counts missing stages.  `base` is the name to report if no module lacks the stage. */
 static void count_lacks(tp_frame *frame, const tp_shaders *list, uint8_t base)
 {
     frame->stats.dropped += list->lacks;

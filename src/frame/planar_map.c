@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Planar maps; see the header. */
+/* Planar maps; see planar_map.h. */
 #include "frame/planar_map.h"
 
 void tp_planar_layout(tp_planar_store *store, tp_arena *arena, const tp_want *want,

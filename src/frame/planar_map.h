@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* Planar maps: pictures of half or a quarter of the size, which the water's stages read.
- * They are drawn before any tile, a few rows at a time so that the samples stay small. */
+/* Planar maps: pictures of half or a quarter of the picture's size that the water's stages
+ * sample.  Maps are drawn before any tile, a few rows at a time to keep the G-buffer
+ * small. */
 #ifndef TP_FRAME_PLANAR_MAP_H
 #define TP_FRAME_PLANAR_MAP_H
 #include "base/arena.h"
@@ -8,22 +9,22 @@
 #include "scene/module.h"
 #include "shade/shade.h"
 
-#define TP_PLANAR_BAND 4        /* rows that are drawn at a time */
+#define TP_PLANAR_BAND 4        /* rows drawn at a time */
 
 typedef struct {
     uint32_t *colour;
-    uint32_t *samples;          /* four planes of a band */
+    uint32_t *samples;          /* four planes of one band */
     uint32_t  cols, rows;
-    uint32_t  halvings;         /* of the picture's sides: 1 or 2 */
+    uint32_t  halvings;         /* halvings of the picture's sides: 1 or 2 */
 } tp_planar_store;
 
-/* Takes the map's memory; pointers are NULL if the arena only counts. */
+/* Allocates the map's memory; pointers are NULL if the arena only counts. */
 void tp_planar_layout(tp_planar_store *store, tp_arena *arena, const tp_want *want,
                       uint32_t halvings);
 
-/* Sets *half to the part of the map that `box` covers; false: it covers none. */
+/* Sets *half to the part of the map that `box` covers.  Returns false if that is empty. */
 bool tp_planar_begin(const tp_planar_store *store, const tp_grid_box *box, tp_half *half);
 
-/* The samples of the band at row y0. */
+/* Returns the G-buffer of the band that starts at row y0. */
 tp_samples tp_planar_samples(const tp_planar_store *store, const tp_half *half, int32_t y0);
 #endif

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT */
-/* Places of the world and places of the picture. */
+/* Conversion between world positions and picture positions. */
 #include "frame/frame.h"
 
-/* Along an axis of the view, m in Q30: differences below 2^32 times 2^30 fit 64 bits, three
- * of them once 16 bits are cut. */
+/* Component of a position relative to the eye along an axis of the view, m, Q30.
+ * Differences below 2^32 times 2^30 fit 64 bits; three of them fit once 16 bits are cut. */
 static int64_t along(const tp_lens *lens, tp_vec3 place, tp_dir3 axis)
 {
     const int64_t x = (int64_t)place.x - lens->eye.x;
@@ -13,8 +13,8 @@ static int64_t along(const tp_lens *lens, tp_vec3 place, tp_dir3 axis)
     return (x * axis.x >> 16) + (y * axis.y >> 16) + (z * axis.z >> 16);
 }
 
-/* focal x way / depth, pixels in 16.16; saturates.  Both lengths lose the bits that depth
- * has above 2^31; a way whose product would not fit is a place far outside. */
+/* Returns focal x way / depth, px, 16.16, saturated.  Both lengths are halved until depth
+ * fits 31 bits; if the product would still not fit, the point lies far outside. */
 static tp_fx pixels_of(const tp_lens *lens, int64_t way, int64_t depth)
 {
     int64_t most;

@@ -1,30 +1,31 @@
 /* SPDX-License-Identifier: MIT */
-/* Water by lines of points that are laid over the picture: level places, displaced by the
- * waves and projected again, for raster/rows.h.  No vertex is kept, and water of any size
- * takes as many points as the picture has.
+/* Screen grid: water by lines of points laid over the picture.  Points start on the level
+ * plane, are displaced by the waves and projected again, for raster/rows.h.  No vertex is
+ * stored, and the number of points depends on the picture, not on the water's size.
  *
- * Lines are parallel to the horizon, so that depth and its reciprocal are those of a line;
- * they lie closer the nearer they are to it, and points at every 8th column.  They begin
- * so far below the picture that crests of water there rise into it, and reach as far to
- * the sides; the last line is the water's end.  A tile walks those that may touch it:
- * strips take fewest.
+ * Lines are parallel to the horizon, hence depth and its reciprocal are constant on a
+ * line. They get denser towards the horizon; points lie at every 8th column.  Lines begin
+ * far enough below the picture for crests there to rise into it, and extend as far to both
+ * sides; the last line is the water's far end.  A tile walks the lines that may touch it:
+ * wide, low tiles walk fewest.
  *
- * The border: below, a line at depth D, as level water lies, comes no higher than the ray
- * that falls T a metre of depth if D T >= h + G, and stays below it if D T <= h - G:
+ * The margin below: consider a ray that falls T per metre of depth, and a line at depth D
+ * on level water.  Displaced, the line comes no higher than the ray if D T >= h + G, and
+ * stays below the ray if D T <= h - G:
  *     |A sin th + T QA cos th| <= sqrt(A^2 + (T QA)^2), G their sum over the waves.
- * Points stay left to right on a line while
+ * Points on a line keep their order from left to right while
  *     B (1 + sec phi) / 2 + K (tan phi sin pitch + sin roll) < 1,
  * B the sum of Q k A, K that of k A, phi the widest angle between a ray and the camera's
- * heading.  Rays must lead forwards, so that lines hide those above them. */
+ * heading.  Rays must lead forwards, for nearer lines to hide farther ones. */
 #include "frame/parts.h"
 #include "geom/waters.h"
 #include "wave/wave.h"
 
 enum { CELL = 8, RUN = 16 };
 
-/* -- where lines may lie --------------------------------------------------------------- */
+/* -- range of the lines -------------------------------------------------------------- */
 
-/* G of the header for a ray that falls `fall` a metre. */
+/* Returns G of the file's head for a ray that falls `fall` per metre. */
 static tp_fx rise_of(const tp_sea *sea, tp_fx fall)
 {
     int64_t sum = 0;
@@ -41,15 +42,16 @@ static tp_fx rise_of(const tp_sea *sea, tp_fx fall)
     return tp_fx_held(sum);
 }
 
-/* How far a ray falls in a metre of depth, from its pixels in Q.30. */
+/* Returns the fall of a ray per metre of depth, from its pixels below the horizon in
+ * Q.30. */
 static tp_fx fall_of(const tp_frame *frame, int64_t down)
 {
     TP_ASSERT(frame->lens.focal > 0);
     return tp_fx_div((tp_fx)(down >> 14), frame->lens.focal);
 }
 
-/* The first line, pixels below the horizon and a multiple of 4, that lies below a ray
- * wherever waves lift it; 0: none does. */
+/* Returns the first line, px below the horizon and a multiple of 4, that stays below a ray
+ * for any phase of the waves; 0: no line does. */
 static int32_t start_below(const tp_frame *frame, int64_t down)
 {
     const tp_level *level = frame->parts.level;
@@ -61,21 +63,22 @@ static int32_t start_below(const tp_frame *frame, int64_t down)
     return ((int32_t)(rows >> 16) + 8) & ~3;
 }
 
-/* How many pixels to the side a line goes on: f / D is -d.y / h. */
+/* Returns how many pixels a line extends beyond each side: f / D is -d.y / h. */
 static int32_t margin_of(const tp_frame *frame, int64_t down)
 {
     const tp_projected *p = frame->parts.projected;
     return (int32_t)((down >> 14) * p->share >> 32) + 2 * CELL;
 }
 
-/* -- whether they can ------------------------------------------------------------------ */
+/* -- conditions ---------------------------------------------------------------------- */
 
 static int64_t row_below(const tp_projected *p, int32_t x, int32_t rows)
 {
     return p->horizon.at + p->horizon.x * x + (int64_t)rows * TP_Q30_ONE;
 }
 
-/* The condition of the header for what comes to pixel (x, y). */
+/* True if points near pixel (x, y) keep their order, by the second condition of the file's
+ * head. */
 static bool is_ordered(const tp_frame *frame, int32_t x, int32_t y)
 {
     const tp_level *level = frame->parts.level;
@@ -99,7 +102,8 @@ static bool is_ordered(const tp_frame *frame, int32_t x, int32_t y)
         <= ahead * 15 / 16;
 }
 
-/* Whether a side of the water ends it at the top of columns x0 to x1, or nowhere. */
+/* Adds one side of the water as a far end in columns x0 to x1.  Returns true if the side
+ * is such an end or lies outside; false if it crosses the lines otherwise. */
 static bool add_side(tp_projected *p, const tp_level_sum *side, int32_t x0, int32_t x1)
 {
     int64_t below[2] = { row_below(p, x0, p->start), row_below(p, x1, p->start) };
@@ -121,7 +125,8 @@ static int64_t down_at(const tp_frame *frame, int32_t rows)
     return frame->parts.level->down.y * rows;
 }
 
-/* Lines from below the picture's lower edge to the water's end. */
+/* Sets the first line below the picture's lower edge; true if all conditions hold up to
+ * the water's far end. */
 static bool place(tp_frame *frame)
 {
     const tp_level *level = frame->parts.level;
@@ -148,8 +153,9 @@ static bool place(tp_frame *frame)
     return true;
 }
 
-/* How far waves move a point towards the camera, and to the side of a ray at the picture's
- * edge, tan phi = w: QA sqrt(1 + w^2), and by the depth and the roll of its height. */
+/* Sets the largest wave motion towards the camera, and to the side of a ray at the
+ * picture's edge, tan phi = w: QA sqrt(1 + w^2), plus the share of wave height by pitch
+ * and roll. */
 static void set_ways(tp_frame *frame)
 {
     const tp_lens *lens = &frame->lens;
@@ -186,8 +192,8 @@ static bool hold_projected(tp_frame *frame)
 
 typedef struct {
     const tp_frame *frame;
-    int32_t rows;               /* pixels below the horizon; 0: at the water's end */
-    int64_t gap;                /* to the next line, in -d.y */
+    int32_t rows;               /* px below the horizon; 0: at the water's far end */
+    int64_t gap;                /* distance to the next line, in -d.y */
     tp_level_reach reach, beyond;
 } line;
 
@@ -196,7 +202,7 @@ static tp_level_reach reach_of(const tp_level *level, int64_t down)
     return tp_level_reach_of(level, down > 0 ? down : 1);
 }
 
-/* Where water ends in column x. */
+/* Returns the row of the water's far end in column x. */
 static int64_t end_of(const tp_projected *p, int32_t x)
 {
     int64_t row = p->horizon.at + p->horizon.x * x;
@@ -208,7 +214,8 @@ static int64_t end_of(const tp_projected *p, int32_t x)
     return row;
 }
 
-/* A point at rest: the place of column x and a row of it, and the lattice's steps. */
+/* Rest position of the point in column x at `row`, and the vectors to its right neighbour
+ * and to the next line's point. */
 static void rest_at(const line *l, int32_t x, int64_t row, bool ends, tp_fx at[2],
                     tp_fx step[2][2])
 {
@@ -234,8 +241,8 @@ static void rest_at(const line *l, int32_t x, int64_t row, bool ends, tp_fx at[2
     }
 }
 
-/* Displaced and projected; what the lens does not hold, which waves of a legal sea do not
- * come to, stays where it is at rest. */
+/* Projects a displaced point.  A point outside of the frustum keeps its rest position;
+ * waves of a valid sea do not move points there. */
 static void project(const tp_frame *frame, const tp_sea_point *from, tp_row_point *to)
 {
     tp_view_corner c = { .s = 0 };
@@ -273,7 +280,7 @@ static tp_row_point point_at(const line *l, int32_t x)
 
 /* -- lines ----------------------------------------------------------------------------- */
 
-/* A sixteenth of the way to the horizon, but 4 pixels at the most. */
+/* Returns the next line: 1/16 nearer to the horizon, at most 4 px. */
 static int32_t next_of(int32_t rows)
 {
     return rows > 64 ? rows - 4 : rows > 32 ? rows - 2 : rows - 1;
@@ -308,7 +315,7 @@ static void lay(const tp_frame *frame, tp_rows *rows, int32_t below)
     lay_line(&l, rows, (tile->x0 - margin) & ~(CELL - 1), tile->x1 + margin);
 }
 
-/* The farthest line that lies before the end of some column. */
+/* Returns the farthest line that lies before the water's end in at least one column. */
 static int32_t last_line(const tp_frame *frame, const tp_samples *tile)
 {
     const tp_projected *p = frame->parts.projected;
@@ -340,9 +347,10 @@ static void draw_projected(const tp_frame *frame, tp_samples *tile, void *memory
         lay(frame, &rows, 0);
 }
 
-/* -- the method ------------------------------------------------------------------------ */
+/* -- the renderer -------------------------------------------------------------------- */
 
-/* Flat, if it is in reach too, has taken a level before. */
+/* Lays out the memory.  Flat water, if the plan may use it, has allocated the level plane
+ * already. */
 static void carve_projected(tp_frame_parts *parts, tp_arena *arena,
                             const tp_program *program, const tp_scene *scene,
                             const tp_config *config)
@@ -353,7 +361,7 @@ static void carve_projected(tp_frame_parts *parts, tp_arena *arena,
     parts->projected = tp_arena_take(arena, 1, sizeof *parts->projected);
 }
 
-/* What it holds by is all that it draws by. */
+/* Does nothing: hold_projected has set all data. */
 static void place_projected(tp_frame *frame)
 {
     (void)frame;

@@ -1,14 +1,15 @@
 /* SPDX-License-Identifier: MIT */
-/* The water line by line.  A tile walks the lines of the rows of cells that do not lie
- * below it, in the columns where their boxes are, until it is covered.  Rows that the lens
- * cuts in the picture's own columns, few and at its lower edge, are drawn as triangles. */
+/* Scanline water.  A tile walks the grid's lines from near to far and skips rows of cells
+ * below the tile, in the columns that the cells' boxes cover, until the tile is covered.
+ * Rows that the frustum clips within the picture's columns, few and at its lower edge, are
+ * drawn as triangles. */
 #include "frame/lines.h"
 
 typedef struct {
     const tp_frame *frame;
     tp_grid_window  window;
     tp_rows  rows;
-    int32_t  x0, x1;            /* columns of the row of cells at hand; none: x0 >= x1 */
+    int32_t  x0, x1;            /* columns of the current row of cells; empty: x0 >= x1 */
 } walk;
 
 static void draw_cells(walk *w, uint32_t k, uint32_t first, uint32_t end)
@@ -35,7 +36,7 @@ static const tp_grid_box *boxes_of(const tp_frame *frame, uint32_t k)
     return frame->parts.lines->box + (size_t)k * frame->parts.lines->blocks;
 }
 
-/* The tile's columns where row k does not lie below it. */
+/* Returns the tile's columns where row k does not lie below the tile. */
 static void find_columns(const walk *w, uint32_t k, int32_t *x0, int32_t *x1)
 {
     const tp_samples *tile = w->rows.tile;
@@ -78,7 +79,7 @@ static void lay(walk *w, const tp_row_point *run, uint32_t count, int how)
         tp_rows_start(&w->rows, run, count, how == JOIN);
 }
 
-/* Segment m of line k is land on both sides. */
+/* True if segment m of line k has land on both sides. */
 static bool is_land(const tp_frame *frame, uint32_t k, uint32_t m)
 {
     return frame->parts.grid->dry && (k == 0 || tp_line_is_dry(frame, k - 1, m))
@@ -91,7 +92,7 @@ static bool is_out(const walk *w, int32_t left, int32_t right)
         || left >= 16 * w->rows.x1;
 }
 
-/* Segments of line k, from left to right. */
+/* Draws the segments of line k from left to right. */
 static void lay_segments(walk *w, uint32_t k, tp_grid_span part, int how)
 {
     const tp_frame *frame = w->frame;
@@ -127,7 +128,7 @@ static bool is_reached(const walk *w, tp_line_reach reach)
     return reach.x0 < w->rows.x1 && reach.x1 >= w->rows.x0;
 }
 
-/* Has the window see what is walked of line k, or all of it. */
+/* Makes the window hold the part of line k that is walked, or all of the line. */
 static void see_line(walk *w, uint32_t k, bool whole)
 {
     const tp_frame_lines *lines = w->frame->parts.lines;
@@ -159,9 +160,9 @@ static void lay_line(walk *w, uint32_t k, int how)
     }
 }
 
-/* -- lines between ------------------------------------------------------------------- */
+/* -- middle lines -------------------------------------------------------------------- */
 
-/* The middle of an edge on the screen; places seen in perspective. */
+/* Middle of an edge on the screen; world coordinates are perspective-correct. */
 static tp_row_point middle_of(const tp_row_point *a, const tp_row_point *b)
 {
     uint32_t sum = (a->zi >> 1) + (b->zi >> 1) + 1;
@@ -179,8 +180,8 @@ static tp_row_point middle_of(const tp_row_point *a, const tp_row_point *b)
     };
 }
 
-/* Middles of the edges of cell m of row k from its left side on: that one, the diagonal,
- * the right side.  False: it has a cut corner, or is land. */
+/* Middles of three edges of cell m of row k, from left to right: left side, diagonal,
+ * right side.  Returns false if a vertex is clipped or the cell is land. */
 static bool middles_of(const walk *w, uint32_t k, uint32_t m, tp_row_point to[3])
 {
     const tp_frame *frame = w->frame;
@@ -212,7 +213,8 @@ static bool is_beside_cell(const walk *w, uint32_t k, uint32_t m)
     return most <= 16 * w->rows.x0 || least >= 16 * w->rows.x1;
 }
 
-/* Of row k, whose cells are large in the picture: the triangles' own points half-way. */
+/* Draws the middle line of row k, whose cells are large in the picture: the triangles' own
+ * points half way. */
 static void lay_between(walk *w, uint32_t k)
 {
     const tp_frame *frame = w->frame;
@@ -233,7 +235,8 @@ static void lay_one(walk *w, const tp_row_point *a, const tp_row_point *b)
     tp_rows_line(&w->rows, run, 2);
 }
 
-/* Line k behind line `last`, with the sides of the row of cells between. */
+/* Draws line k after line `last`, with the left and right ends of the row of cells between
+ * both. */
 static void lay_sided(walk *w, uint32_t last, uint32_t row, uint32_t k)
 {
     tp_row_point was[2], now[2];
@@ -255,7 +258,7 @@ static void lay_sided(walk *w, uint32_t last, uint32_t row, uint32_t k)
         lay_one(w, &now[1], &was[1]);
 }
 
-/* Line k, which the row of cells before it ends with, and the next begins with. */
+/* Draws line k, the far end of the current row of cells and the near end of the next. */
 static void go_to(walk *w, uint32_t last, uint32_t k, uint32_t next, int how)
 {
     int32_t x0 = w->x0, x1 = w->x1, next0 = 0, next1 = 0;
@@ -295,7 +298,7 @@ static void draw_rows(const tp_frame *frame, tp_samples *tile, void *memory)
     for (uint32_t n = 0; n < lines->lines && w.rows.open > 0; n++) {
         uint32_t k = lines->lines_back ? lines->lines - 1 - n : n;
         uint32_t last = lines->lines_back ? k + 1 : k - 1;
-        uint32_t next = lines->lines_back ? k - 1 : k;      /* row of cells */
+        uint32_t next = lines->lines_back ? k - 1 : k;      /* next row of cells */
         go_to(&w, last, k, next, how);
         if (next >= lines->lines - 1)
             break;

@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: MIT */
-/* Depths and kinds of a drawn tile, out of the keys that drawing leaves in the scratch. */
+/* Depths and kinds of a drawn tile, read from the depth_stencil keys in the scratch. */
 #include "frame/frame.h"
 
-/* A key keeps 24 bits of near / depth, rounded down: the middle of what they stand for. */
+/* Returns the depth in m.  A key keeps 24 bits of near / depth, rounded down: the middle
+ * of that interval is used. */
 static tp_fx depth_of(const tp_lens *lens, uint32_t key)
 {
     const uint32_t zi = TP_ZI(key) + 0x40;
@@ -18,7 +19,7 @@ static void put_depths(const tp_frame *frame, const uint32_t *key, uint32_t coun
             TP_MARK(key[x]) == TP_MARK_SKY ? TP_FX_MAX : depth_of(&frame->lens, key[x]);
 }
 
-/* The module that owns a list says what it draws. */
+/* Returns the kind that the module of the sample's list declares. */
 static tp_sample_kind kind_of(const tp_frame *frame, uint32_t mark)
 {
     const struct tp_drawing *owner;

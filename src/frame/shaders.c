@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Shader lists; see the header. */
+/* Shader lists; see shaders.h. */
 #include "frame/shaders.h"
 
 void tp_shaders_init(tp_shaders *list, tp_list_kind kind, tp_shader *shader,

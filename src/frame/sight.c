@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Functions that all sights share. */
+/* Functions shared by all render views. */
 #include "frame/frame.h"
 
 tp_fx tp_sight_level(const tp_frame *frame)
@@ -12,8 +12,8 @@ bool tp_sight_above(const tp_frame *frame, tp_fx level)
     return !frame->under && frame->lens.eye.y > level;
 }
 
-/* Levels of detail are those of the picture's focal length: a shorter one puts more
- * texels into a pixel, as if all were farther away. */
+/* Mipmap levels refer to the picture's focal length.  A view of a shorter focal length
+ * puts more texels into a pixel, as a larger distance would. */
 void tp_sight_look(tp_frame *frame, const tp_lens *lens)
 {
     TP_ASSERT(lens->focal > 0 && lens->zi_near > 0);

@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: MIT */
-/* A sight: a camera that solids are drawn for.  The picture is one; mirrors, what lies
- * under water and the faces of a cube are others, drawn before it: they use the same
- * memory of projected corners.
+/* Render views: cameras that solids are drawn for.  The picture is one view.  Mirrors,
+ * refraction maps and the faces of a cube map are other views, drawn before the picture;
+ * all views share the memory of projected vertices.
  *
- *     tp_sight_begin(frame, &sight)       shades for it from now on
- *     tp_sight_place(frame, &sight)       projects everything solid
- *     tp_sight_draw(frame, &sight, tile)  as often as there are tiles */
+ *     tp_sight_begin(frame, &sight)       sets up shading for the view
+ *     tp_sight_place(frame, &sight)       projects all solids
+ *     tp_sight_draw(frame, &sight, tile)  draws one tile, any number of times */
 #ifndef TP_FRAME_SIGHT_H
 #define TP_FRAME_SIGHT_H
 #include "geom/grid.h"
@@ -15,19 +15,19 @@
 
 typedef struct {
     const tp_lens *lens;
-    bool          picture;      /* the picture itself */
-    bool          cut;          /* only the inner side of `level` is drawn */
-    bool          walls;        /* tanks and blocks are drawn too */
+    bool          picture;      /* true: the picture itself */
+    bool          cut;          /* true: clipped to the inner side of `level` */
+    bool          walls;        /* true: tanks and blocks are drawn too */
     tp_view_plane level;
 } tp_sight;
 
-/* The place where mirrors look for objects. */
+/* The point that mirrors aim their view at. */
 typedef struct {
-    tp_vec3 middle;             /* of them, in the world */
-    tp_fx   level;              /* of still water there */
+    tp_vec3 middle;             /* middle of the objects, world, m */
+    tp_fx   level;              /* still water level there, m */
 } tp_sight_anchor;
 
-/* The level that cuts it, or NULL. */
+/* Returns the plane that clips the view, or NULL. */
 static inline const tp_view_plane *tp_sight_cut(const tp_sight *sight)
 {
     return sight->cut ? &sight->level : NULL;
@@ -60,23 +60,25 @@ static inline void tp_box_join(tp_grid_box *to, const tp_grid_box *box)
     to->y1 = box->y1 > to->y1 ? box->y1 : to->y1;
 }
 
-/* The height of still water where the solids are: the anchor's. */
+/* Returns the height of still water at the anchor, m. */
 tp_fx tp_sight_level(const tp_frame *frame);
 
-/* What shading knows of a lens; the light stays the world's. */
+/* Sets the shade's view numbers from a projection; the light stays the world's. */
 void tp_sight_look(tp_frame *frame, const tp_lens *lens);
 
-/* Whether the camera looks down on still water of that level, which then mirrors. */
+/* True if the camera is above water and above still water of that level: the water then
+ * mirrors. */
 bool tp_sight_above(const tp_frame *frame, tp_fx level);
 
 void tp_sight_begin(tp_frame *frame, const tp_sight *sight);
 
-/* The one list of what is solid in every sight, and the box of it all. */
+/* Projects the solids of all modules for a view; returns the box of all covered pixels. */
 tp_grid_box tp_sight_place(tp_frame *frame, tp_sight *sight);
 void tp_sight_draw(const tp_frame *frame, const tp_sight *sight, tp_samples *tile);
 
-/* clipped.c: a corner without a picture; a triangle's corners as the clip leaves them,
- * fewer than 3 if nothing is left; all of that drawn, t as its stage wants it. */
+/* clipped.c: a view vertex without texture coordinates; the clipped screen vertices of a
+ * triangle, fewer than 3 if nothing is left; drawing that polygon, with t as its stage
+ * expects. */
 tp_view_corner tp_clipped_corner(const tp_lens *lens, tp_vec3 at, const int16_t n[3]);
 int tp_clipped_corners(const tp_lens *lens, const tp_view_plane *level,
                        const tp_view_corner in[3], tp_corner to[TP_CLIP_CORNERS]);

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* One tile: what is there, then its colours, then its pixels. */
+/* Draws one tile: the G-buffer, then colours, then pixels. */
 #include "base/base.h"
 #include "base/given.h"
 #include "frame/frame.h"
@@ -24,7 +24,8 @@ static void *pixels_of(const tp_frame *frame, void *scratch)
     return (uint32_t *)scratch + 4 * plane;
 }
 
-/* The number of samples from here, up to `most`, that have the first one's mark. */
+/* Returns the number of samples, up to `most`, that share the first sample's stencil
+ * value. */
 static int32_t run_length(const uint32_t *key, int32_t most)
 {
     uint32_t mark = TP_MARK(key[0]);
@@ -38,7 +39,7 @@ static int32_t run_length(const uint32_t *key, int32_t most)
     return n;
 }
 
-/* The run that begins at (x, y), and what it goes through. */
+/* Sets up the run that begins at (x, y) and returns its shader list. */
 static const tp_shaders *run_at(const tp_frame *frame, const tp_samples *tile, int32_t x,
                              int32_t y, tp_run *run)
 {
@@ -86,8 +87,8 @@ static void shade_row(const tp_frame *frame, const tp_samples *tile, int32_t y, 
     }
 }
 
-/* The colours take the place of the row's normals, run by run: no stage reads those of
- * another run. */
+/* Draws a row with the application's spans.  Colours replace the row's normals run by run:
+ * no stage reads the normals of another run. */
 void tp_frame_overlay_row(const tp_frame *frame, const void *samples, int32_t y,
                           void *row)
 {
@@ -143,7 +144,7 @@ static void draw_samples(const tp_frame *frame, tp_samples *samples, void *memor
     tp_frame_draw_over(frame, samples);
 }
 
-/* False: there is no such tile, or no memory to draw it in. */
+/* Sets the tile's box.  Returns false if tile i does not exist or `scratch` is unusable. */
 static bool place_tile(const tp_frame *frame, uint32_t i, const void *scratch,
                        tp_tile *tile)
 {
@@ -166,7 +167,7 @@ static void overlay_rows(const tp_frame *frame, const tp_samples *samples,
         frame->config.overlay.draw(frame, samples, y, row);
 }
 
-/* Rows of pixels go to `row` and on by the tile's stride. */
+/* Draws a tile; rows of pixels start at `row` and advance by the tile's stride. */
 static void draw_tile(const tp_frame *frame, void *scratch, const tp_tile *tile,
                       uint8_t *row)
 {
@@ -193,7 +194,7 @@ bool tp_frame_draw_tile(const tp_frame *frame, uint32_t i, void *scratch, tp_til
     return true;
 }
 
-/* Tiles begin at whole bytes, as their widths are multiples of 16. */
+/* The tile's pixels start at a whole byte, because tile widths are multiples of 16. */
 bool tp_frame_draw_tile_direct(const tp_frame *frame, uint32_t i, void *scratch,
                                void *picture, size_t stride, tp_tile *tile)
 {

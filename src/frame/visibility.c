@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* By which method a frame's water is drawn: the plan's, where that holds for this camera
- * and this sea.  Decided from them alone, without memory of the frame before. */
+/* Choice of the water renderer of a frame: the planned one if it can draw this camera and
+ * this sea, else triangles.  The choice does not depend on the frame before. */
 #include "frame/frame.h"
 #include "frame/tools.h"
 
@@ -11,7 +11,7 @@ void tp_frame_set_rungs(tp_frame *frame, const tp_rungs *rungs)
         frame->asked = *rungs;
 }
 
-/* The rung that the scene names, else the first of its kind, the exact one. */
+/* Returns the rung that the scene names, else 1, the exact rung of its kind. */
 static int first_or(int32_t named, int last)
 {
     return named > 0 && named <= last ? named : 1;
@@ -42,7 +42,7 @@ static bool has(uint8_t bits, unsigned rung)
     return rung < 8 && (bits >> rung & 1);
 }
 
-/* Exact where there is no memory for a rung, and where it is none. */
+/* Replaces rungs that have no memory, or are out of range, by the exact rung. */
 static tp_rungs within(tp_reach reach, tp_rungs r)
 {
     return (tp_rungs){
@@ -53,7 +53,7 @@ static tp_rungs within(tp_reach reach, tp_rungs r)
     };
 }
 
-/* NULL: the program has none. */
+/* Returns the renderer, or NULL if the program lacks it. */
 const struct tp_method *tp_frame_method(const tp_program *program,
                                         tp_visibility visibility)
 {
@@ -64,7 +64,8 @@ const struct tp_method *tp_frame_method(const tp_program *program,
          : visibility == TP_VISIBILITY_FLAT ? method->flat : NULL;
 }
 
-/* None is planned at first. */
+/* Chooses the rungs of a frame; the plan is made first if there is none or the scene's
+ * quality settings have changed. */
 void tp_frame_choose_rungs(tp_frame *frame)
 {
     const struct tp_draw_rungs *rungs = frame->program->draw.rungs;
@@ -81,7 +82,8 @@ void tp_frame_choose_rungs(tp_frame *frame)
                                                              : frame->planned);
 }
 
-/* A grid of more than 16 km across is drawn with smaller cells: places stay in range. */
+/* Cell size, m.  A grid wider than 16 km gets smaller cells, for coordinates to stay in
+ * range. */
 static tp_fx cell_of(const tp_scene *scene)
 {
     TP_ASSERT(scene->grid.cols >= 2 && scene->grid.rows >= 2 && scene->grid.cell > 0);
@@ -91,13 +93,14 @@ static tp_fx cell_of(const tp_scene *scene)
     return scene->grid.cell < most ? scene->grid.cell : most;
 }
 
-/* Swells whose sums the grid takes apart, wave by wave. */
+/* True if the surface is a plain sum of waves: only then can the grid LOD drop waves one
+ * by one. */
 static bool is_plain(const tp_surface *surface)
 {
     return !surface->ocean && !surface->sea->sharpened && !tp_surface_has_relief(surface);
 }
 
-/* How the water's grid lies, whether it is drawn by it or not. */
+/* Sets the grid's placement, needed by all renderers. */
 static void view_water(tp_frame *frame)
 {
     frame->grid_view = (tp_grid_view){
@@ -124,7 +127,7 @@ void tp_frame_choose_visibility(tp_frame *frame)
         frame->visibility = TP_VISIBILITY_TRIANGLES;
 }
 
-/* Without a method that holds no water is drawn. */
+/* Places the surface.  Without a valid renderer no water is drawn. */
 void tp_frame_place_surface(tp_frame *frame)
 {
     const struct tp_method *method = tp_frame_method(frame->program, frame->visibility);

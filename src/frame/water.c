@@ -15,8 +15,8 @@ static tp_corner corner_of(const tp_grid *grid, const tp_grid_window *window, ui
     };
 }
 
-/* Corners in the order (i, j), (i+1, j), (i+1, j+1), (i, j+1); seen from above these two
- * are front faces. */
+/* Vertex order of a cell: (i, j), (i+1, j), (i+1, j+1), (i, j+1).  Both triangles are
+ * front faces when seen from above. */
 static const uint8_t halves[2][3] = { { 0, 3, 2 }, { 0, 2, 1 } };
 
 static bool is_cut(const tp_corner *const p[4])
@@ -34,7 +34,7 @@ static void view_cell(const tp_frame *frame, const tp_grid_window *window, uint3
     }
 }
 
-/* What the lens leaves of a half of a cell: returns how many corners. */
+/* Clips one triangle of a cell by the frustum; returns the number of vertices left. */
 static int cut_half(const tp_frame *frame, const tp_view_corner c[4], int half,
                     tp_corner to[TP_CLIP_CORNERS])
 {
@@ -63,7 +63,8 @@ static void draw_cell(const tp_frame *frame, const tp_samples *tile,
     }
 }
 
-/* Each cell's right side is the next one's left. */
+/* Draws cells first to end - 1; the right side of a cell is the left side of the next
+ * cell. */
 void tp_frame_draw_cells(const tp_frame *frame, const tp_samples *tile,
                          tp_grid_window *window, uint32_t j, uint32_t first, uint32_t end)
 {
@@ -90,7 +91,7 @@ void tp_frame_draw_cells(const tp_frame *frame, const tp_samples *tile,
     }
 }
 
-/* Cells of block b that may be seen. */
+/* Returns the cells of block b that may be visible. */
 static tp_grid_span block_of(tp_grid_span span, uint32_t b)
 {
     uint32_t first = b * TP_GRID_BLOCK, end = first + TP_GRID_BLOCK;
@@ -100,7 +101,7 @@ static tp_grid_span block_of(tp_grid_span span, uint32_t b)
     return (tp_grid_span){ (uint16_t)first, (uint16_t)end };
 }
 
-/* -- placing ------------------------------------------------------------------------- */
+/* -- placement ----------------------------------------------------------------------- */
 
 static void widen_by_cut(const tp_frame *frame, tp_grid_box *box, uint32_t i, uint32_t j)
 {
@@ -137,8 +138,8 @@ tp_grid_box tp_frame_cells_box(tp_frame *frame, uint32_t j, uint32_t first, uint
     return box;
 }
 
-/* Blocks with cut crossings may lie anywhere, says the grid.  Where there are many tiles
- * it pays to clip their cells once more than each tile does, and know. */
+/* Replaces the unbounded boxes of blocks with clipped vertices by tight boxes.  One more
+ * clip of these cells pays if the picture has many tiles, each of which would clip them. */
 static void place_cut_boxes(tp_frame *frame, uint32_t j)
 {
     const tp_grid *grid = frame->parts.grid;
@@ -212,7 +213,7 @@ static void draw_water(const tp_frame *frame, tp_samples *tile, void *memory)
 }
 
 
-/* Over `counted` where bytes are counted alone. */
+/* Returns the grid; `counted` stands in if the arena only counts bytes. */
 static tp_grid *carve_grid(tp_frame_parts *parts, tp_arena *arena, tp_grid *counted)
 {
     parts->grid = tp_arena_take(arena, 1, sizeof *parts->grid);
