@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Textures and meshes, in the caller's memory, and what a scene names of them.  The
- * library opens no file: the caller hands over pixels. */
+/* Textures and meshes in the caller's memory, and the set of them that a scene names.  The
+ * library opens no file: the caller passes pixels. */
 #ifndef TP_ASSETS_H
 #define TP_ASSETS_H
 #include <stddef.h>
@@ -15,22 +15,23 @@ TP_BEGIN_C
 
 #define TP_TEXTURE_LEVELS 13            /* 4096 texels down to 1 */
 
-/* Texels 0xAARRGGBB, row-major, both sides powers of two; level n is half of n-1 each
- * way (never below 1), each texel the rounded mean of its four. */
+/* A texture with its mipmap levels.  Texels are 0xAARRGGBB, row-major; both sides are
+ * powers of two.  Level n has half the width and half the height of level n-1 (never below
+ * 1); each texel is the rounded mean of four texels. */
 typedef struct {
     const uint32_t *level[TP_TEXTURE_LEVELS];
     uint8_t log2_w, log2_h;
     uint8_t levels;                     /* max(log2_w, log2_h) + 1 */
 } tp_texture;
 
-/* The bytes of memory that a texture of a picture of w x h pixels needs, 1..4096 each; 0:
- * a side is out of range. */
+/* Returns the memory in bytes for a texture made from a picture of w x h pixels, 1..4096
+ * each; 0: a side is out of range. */
 size_t tp_texture_bytes(uint32_t w, uint32_t h);
 
-/* Copies pixels (0xAARRGGBB, row by row) with all their levels into `memory`, at least
- * tp_texture_bytes(), aligned to 4.  A side that is no power of two is resampled (linear,
- * wrapping) to the next larger one.  The texture points into the memory, which must outlive
- * it; the pixels may go.
+/* Copies pixels (0xAARRGGBB, row by row) and computes all mipmap levels in `memory`: at
+ * least tp_texture_bytes(), aligned to 4.  A side that is no power of two is resampled
+ * (linear, wrapping) to the next larger power of two.  The texture points into the memory,
+ * which must outlive it; the pixels are no longer needed.
  *  - TP_E_TEXTURE: a side is out of range
  *  - TP_E_NULL, TP_E_ALIGN: err->word is the argument; TP_E_NOSPACE: `bytes` are too few */
 tp_status tp_texture_init(tp_texture *texture, const uint32_t *pixels, uint32_t w,
@@ -38,39 +39,39 @@ tp_status tp_texture_init(tp_texture *texture, const uint32_t *pixels, uint32_t 
 
 /* -- meshes -------------------------------------------------------------------- */
 
-/* A unit vector in one word: x, y, z as signed 10 bits (x lowest), 511 is 1.0; the two
- * bits above are free.  "asset/mesh.h" packs and unpacks it. */
+/* A unit vector in one word: x, y, z as signed 10-bit numbers (x lowest), 511 is 1.0; the
+ * upper two bits are free.  "asset/mesh.h" packs and unpacks it. */
 typedef uint32_t tp_packed_dir;
 
 typedef struct {
-    tp_vec3       position;             /* in the mesh's own frame and units: see below */
+    tp_vec3       position;             /* unit: see TP_MESH_LOG2_UNIT */
     tp_packed_dir normal;
     tp_fx         s, t;                 /* texture repeats; t = 0 is the picture's top */
 } tp_mesh_vertex;
 
 typedef struct {
     uint32_t      vertex[3];            /* counter-clockwise seen from outside */
-    tp_packed_dir tangent;              /* along growing s; bit 30: see below */
+    tp_packed_dir tangent;              /* along growing s; bit 30: mirrored */
     uint32_t      material;
 } tp_mesh_face;
 
-/* The bitangent points to the picture's top (falling t), as the green of a normal map is
- * meant: it is N x T, or -(N x T) where the picture is mirrored, which bit 30 tells. */
+/* Sign of the bitangent.  The bitangent points to the picture's top (falling t), the green
+ * axis of a normal map: N x T, or -(N x T) if this bit is set (a mirrored picture). */
 #define TP_TANGENT_MIRRORED (1u << 30)
 
 typedef struct {
     uint32_t diffuse, specular;         /* Kd, Ks as 0x00RRGGBB */
     tp_fx    shininess;                 /* Ns, 1..1000 */
-    tp_fx    opacity;                   /* d, 0..1, as a screen-door pattern; 0: a lid */
+    tp_fx    opacity;                   /* d, 0..1, screen-door pattern; 0: a lid */
     tp_fx    bump;                      /* -bm, +-16, 1 by default */
     const tp_texture *diffuse_map;      /* or NULL */
     const tp_texture *normal_map;       /* tangent space, or NULL */
-    tp_fx    texels;                    /* of the diffuse map along 1.0 of positions, mean */
+    tp_fx    texels;                    /* mean texels of the diffuse map per 1.0 */
 } tp_material;
 
-/* A position of 1.0 is 2^log2_unit units of the file, 0 to TP_MESH_LOG2_UNIT: meshes that
- * reach beyond +-16384 of those are stored coarser.  A scene draws a unit of the file as
- * boat.scale metres. */
+/* Limit of log2_unit.  A position of 1.0 is 2^log2_unit units of the file: a mesh that
+ * extends beyond +-16384 units is stored more coarsely.  A scene draws a unit of the file
+ * as boat.scale metres. */
 #define TP_MESH_LOG2_UNIT 8
 
 typedef struct {
@@ -82,20 +83,20 @@ typedef struct {
     uint32_t log2_unit;
 } tp_mesh;
 
-/* A picture of one number a pixel, row by row: heights of a sea floor, masks of walls. */
+/* A picture of one number per pixel, row by row: heights of a sea floor, masks of walls. */
 typedef struct {
     uint32_t cols, rows;
     const uint16_t *sample;     /* 0 black, 65535 white */
 } tp_grey;
 
-/* -- what a scene names, as the port loaded it; NULL for what it does not name ------ */
+/* -- the pictures and meshes of a scene, loaded by the application; NULL if not named -- */
 
 typedef struct tp_assets {
     const tp_mesh    *boat;
     const tp_texture *layer[TP_LAYERS], *distortion, *ripple, *foam;
-    /* Layers, distortion and ripple prepared for the quick rung (tp_prepare), for the scene's
-     * numbers; they do not follow a change of those.  NULL: the frame prepares them in its
-     * block. */
+    /* Layers, distortion and ripple baked for fast shading (tp_prepare) from the scene's
+     * numbers.  They do not follow later changes of these numbers.  NULL: the frame bakes
+     * them in its block. */
     const tp_texture *graded[TP_LAYERS], *offsets, *slopes;
     const tp_texture *sky[TP_FACES], *tank_wall, *tank_floor, *floor_texture;
     const tp_grey    *floor;            /* scene.floor.map */

@@ -1,17 +1,16 @@
 /* SPDX-License-Identifier: MIT */
-/* Fixed-point numbers, angles, vectors and rotations, as scenes, worlds and frames take
- * them.
+/* Fixed-point numbers, angles, vectors and rotations of scenes, worlds and frames.
  *
- * The type names the format.  One rounding rule: products and quotients round half up
- * (towards plus infinity), so a sum of many does not drift as bare >> does.  One
- * overflow rule: functions marked "saturates" clamp to the type's ends, the others
- * require a result in range and say so; none of them traps. */
+ * The type names the format.  Rounding: products and quotients round half up (towards plus
+ * infinity); sums of many products do not drift as with a bare >>.  Overflow: functions
+ * marked "saturates" clamp to the type's ends; the others state the range that the caller
+ * must keep.  No function traps. */
 #ifndef TP_FIXED_H
 #define TP_FIXED_H
 #include <stdint.h>
 
-/* TP_BEGIN_C and TP_END_C stand around each header's declarations, so that C++ links the
- * library's C functions. */
+/* TP_BEGIN_C and TP_END_C enclose each header's declarations: C++ then links the library's
+ * C functions. */
 #ifdef __cplusplus
 #define TP_BEGIN_C extern "C" {
 #define TP_END_C   }
@@ -33,8 +32,8 @@ typedef uint32_t tp_turn;   /* binary angle: 2^32 is one turn, wraps for free */
 #define TP_FX_MIN  INT32_MIN
 #define TP_Q30_ONE 0x40000000
 
-/* For constants only: the compiler computes the double, no program has it.  TP_DEG wraps:
- * TP_DEG(360) is 0, TP_DEG(-90) is TP_DEG(270). */
+/* For constants only: the compiler evaluates the double, and no program contains one.
+ * TP_DEG wraps: TP_DEG(360) is 0, TP_DEG(-90) is TP_DEG(270). */
 #define TP_FX(x)   ((tp_fx)((x) * 65536.0 + ((x) < 0 ? -0.5 : 0.5)))
 #define TP_Q30(x)  ((tp_q30)((x) * 1073741824.0 + ((x) < 0 ? -0.5 : 0.5)))
 #define TP_DEG(x)  ((tp_turn)(int64_t)((x) * (4294967296.0 / 360.0)))
@@ -49,12 +48,13 @@ static inline tp_fx tp_fx_mul(tp_fx a, tp_fx b)
 
 tp_fx   tp_fx_sin(tp_turn angle);
 tp_fx   tp_fx_cos(tp_turn angle);
-tp_turn tp_atan2(int32_t y, int32_t x); /* of any format; error < 2^-18 turn; (0,0): 0 */
+tp_turn tp_atan2(int32_t y, int32_t x); /* any format; error < 2^-18 turn; (0,0): 0 */
 
-/* Degrees in 16.16 of any size to an angle: wraps; error < 2^-31 turn per degree. */
+/* Converts degrees in 16.16, of any size, to an angle; wraps; error < 2^-31 turn per
+ * degree. */
 tp_turn tp_turn_of_degrees(tp_fx degrees);
 
-typedef struct { tp_fx  x, y, z; } tp_vec3;     /* metres, or what its name says */
+typedef struct { tp_fx  x, y, z; } tp_vec3;     /* metres unless a name says otherwise */
 typedef struct { tp_q30 x, y, z; } tp_dir3;     /* unit vector */
 typedef struct { tp_dir3 x, y, z; } tp_rotation;/* rows: world to local; orthonormal */
 

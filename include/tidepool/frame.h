@@ -23,7 +23,7 @@
 
 TP_BEGIN_C
 
-/* Formats of pixels: name, bits a pixel, what it is.  The last three are dithered by an
+/* Pixel formats: name, bits per pixel, description.  The last three are dithered by an
  * ordered 8x8 pattern fixed to the picture. */
 #define TP_FORMAT_LIST(X) \
     X(XRGB8888, xrgb8888, 32, "0x00RRGGBB in a native uint32_t") \
@@ -40,32 +40,32 @@ typedef enum {
     TP_FORMAT_COUNT
 } tp_format;
 
-/* The colours of p8, 0x00RRGGBB: 6 reds x 7 greens x 6 blues, then four greys. */
+/* The palette of p8, 0x00RRGGBB: 6 reds x 7 greens x 6 blues, then four greys. */
 extern const uint32_t tp_palette[256];
 
-/* Bytes of a row of `width` pixels, rounded up to whole bytes. */
+/* Returns the bytes of a row of `width` pixels, rounded up to whole bytes. */
 size_t tp_format_row_bytes(tp_format format, int width);
 
-/* Continues a CRC-32 (IEEE; 0 to begin) over `count` pixels from the start of a row, each as
- * the four bytes of 0x00RRGGBB, low byte first.  The rows of a picture, from top to bottom,
- * give the checksum of `tidepool render --hash`: the same on every machine, whatever its byte
- * order. */
+/* Continues a CRC-32 (IEEE; 0 to begin) over `count` pixels from the start of a row.  Each
+ * pixel counts as the four bytes of 0x00RRGGBB, low byte first.  The rows of a picture,
+ * from top to bottom, give the checksum of `tidepool render --hash`, equal on machines of
+ * any byte order. */
 uint32_t tp_crc32_pixels(uint32_t crc, tp_format format, const void *row, int count);
 
 struct tp_frame;
 
-/* -- what an application draws into tiles ------------------------------------------- */
+/* -- spans of the application, drawn into tiles ------------------------------------- */
 
 /* A row of a tile with its final colours, before they become pixels of the format. */
 typedef struct {
-    uint32_t y, x0, x1; /* row and columns of the picture; x1 is not included */
-    uint32_t *colour;   /* 0x00RRGGBB, x1 - x0 of them; the callback may write them */
+    uint32_t y, x0, x1; /* row and columns of the picture; x1 excluded */
+    uint32_t *colour;   /* 0x00RRGGBB, x1 - x0 colours; the callback may write them */
     /* -- private part -- */
     const uint32_t *key;
     tp_fx near;
 } tp_overlay_row;
 
-/* Made by tp_overlay_make; all 0 is none. */
+/* Made by tp_overlay_make; all zero: no overlay. */
 typedef struct {
     void (*row)(void *user, const tp_overlay_row *row);
     void *user;
@@ -73,68 +73,70 @@ typedef struct {
     void (*draw)(const struct tp_frame *frame, const void *samples, int32_t y, void *row);
 } tp_overlay;
 
-/* An overlay for tp_config.  The frame calls `row` with `user` for each row of each tile:
- * after haze, exposure and glass, before the colours are converted to the format.  Threads
- * that draw tiles call `row` at the same time, so `row` may change nothing that two tiles
- * share.  It costs no memory; a program without an overlay links none of it. */
+/* Returns an overlay for tp_config.  The frame calls `row` with `user` for each row of
+ * each tile: after haze, exposure and glass, before the colours are converted to the
+ * format. Threads that draw tiles call `row` at the same time: `row` must not change data
+ * that two tiles share.  An overlay costs no memory; a program without an overlay links
+ * none of its code. */
 tp_overlay tp_overlay_make(void (*row)(void *user, const tp_overlay_row *row),
                            void *user);
 
-/* Draws `count` pixels 0xAARRGGBB, blended by their alpha, from column x of the picture on,
- * wherever nothing else is as near as `depth` m (16.16, as tp_frame_project gives it; 0 draws
+/* Draws `count` pixels 0xAARRGGBB, blended by their alpha, from column x of the picture
+ * on. Pixels nearer than `depth` m hide the span (16.16, as from tp_frame_project; 0 draws
  * over everything).  Columns outside of the row are left out.  A span does not change the
- * picture's depths: of two spans at one place the one drawn last is seen. */
+ * picture's depths: of two spans in one place the later one is visible. */
 void tp_overlay_span(const tp_overlay_row *row, int32_t x, uint32_t count, tp_fx depth,
                      const uint32_t *argb);
 
 /* -- the frame ----------------------------------------------------------------------- */
 
-/* A picture, and what draws it.  A field of 0 is the default. */
+/* The format of a picture and the parts that draw it.  A field of 0 is the default. */
 typedef struct {
     uint32_t  width, height;        /* pixels, 16..4096 */
     uint32_t  tile_width;           /* multiple of 16; 0: the picture's width */
     uint32_t  tile_height;          /* 0: 16 rows */
     tp_format format;               /* 0: xrgb8888 */
-    const tp_program *program;      /* NULL: the program that is linked */
+    const tp_program *program;      /* NULL: the linked program */
     const tp_assets  *assets;       /* NULL: the scene's built-in pictures, or none */
-    tp_overlay overlay;             /* of tp_overlay_make; all 0: none */
+    tp_overlay overlay;             /* from tp_overlay_make; all zero: none */
 } tp_config;
 
-/* Checks a config as tp_frame_init does; the scene is not checked.  *filled, if not NULL, is
- * the config with the tile size that is used.
+/* Checks a config as tp_frame_init does; the scene is not checked.  *filled, if not NULL,
+ * receives the config with the tile size in use.
  *  - TP_E_SIZE (also of NULL), TP_E_TILE, TP_E_ARG: size, tile or format is out of range */
 tp_status tp_config_check(const tp_config *config, tp_config *filled, tp_error *err);
 
 typedef struct {
-    uint32_t    x0, y0, x1, y1;     /* x1, y1 not included */
-    const void *pixels;             /* row y0, from x0 */
+    uint32_t    x0, y0, x1, y1;     /* x1, y1 excluded */
+    const void *pixels;             /* row y0, from column x0 */
     size_t      stride;             /* bytes from row to row */
 } tp_tile;
 
-/* Counts of the picture that tp_frame_begin began last. */
+/* Counts of the picture begun last. */
 typedef struct {
-    uint32_t vertices;              /* of water and boat, evaluated */
-    uint32_t triangles;             /* in view, before clipping */
-    uint32_t dropped;               /* things left out: no room, or no module draws them */
+    uint32_t vertices;              /* vertices of water and boat, evaluated */
+    uint32_t triangles;             /* triangles in view, before clipping */
+    uint32_t dropped;               /* features left out: no room, or no module for them */
 } tp_draw_stats;
 
 typedef struct tp_frame tp_frame;   /* lies at the start of the block */
 
-/* The bytes of a frame's block.  0: the config or the scene is out of range.
+/* Returns the bytes of a frame's block.  0: the config or the scene is out of range.
  *
- * The numbers of the scene may change between pictures, except grid.cols, grid.rows and the
- * names of files: tp_world_apply checks a change and takes it over.
+ * The numbers of the scene may change between pictures, except grid.cols, grid.rows and
+ * the names of files: tp_world_apply checks a change and applies it.
  *
  * Memory is fixed at init.  If the scene grows later, extra drops, rings and specks are
- * left out; a floor, wind, mirror, things under clear water, caustics, a tank, its glass
- * and walls in a pool that were absent at init are not drawn; caustic_cells stay; a new
- * kind of sky falls back to the gradient and automatic exposure to 1; pools that come to
- * bend the light only stay heights. */
+ * left out.  Features that were absent at init are not drawn: a floor, wind, mirror,
+ * objects under clear water, caustics, a tank, its glass, walls in a pool.  caustic_cells
+ * keeps its value; a new kind of sky falls back to the gradient, automatic exposure to 1;
+ * pools that change to bending normals only stay heights. */
 size_t tp_frame_bytes(const tp_config *config, const tp_scene *scene);
 
-/* The bytes of one tile's scratch, for tp_frame_draw_tile and for tp_frame_draw_tile_direct.  A
- * program with tp_method_streamed needs two lines of crossings more; one without the methods
- * rows and projected needs up to 24 bytes a column less. */
+/* Return the bytes of one tile's scratch, for tp_frame_draw_tile and for
+ * tp_frame_draw_tile_direct.  A program with tp_method_streamed needs two lines of grid
+ * vertices more; a program without the methods rows and projected needs up to 24 bytes a
+ * column less. */
 size_t tp_frame_scratch_bytes(const tp_config *config, const tp_scene *scene);
 size_t tp_frame_direct_scratch_bytes(const tp_config *config, const tp_scene *scene);
 
@@ -151,32 +153,33 @@ tp_status tp_frame_init(tp_frame **frame, const tp_config *config, const tp_scen
 /* Begins a picture of the world.  The world must not change before the last tile is drawn. */
 void tp_frame_begin(tp_frame *frame, const tp_world *world);
 
-/* Draws tile i, counted from left to right and from top to bottom.  tile->pixels points into
- * `scratch`: tp_frame_scratch_bytes(), aligned to 8.  False: there is no tile i, or the
- * scratch is NULL or not aligned. */
+/* Draws tile i, counted from left to right and from top to bottom.  tile->pixels points
+ * into `scratch`: tp_frame_scratch_bytes(), aligned to 8.  Returns false if no tile i
+ * exists, or if the scratch is NULL or not aligned. */
 bool tp_frame_draw_tile(const tp_frame *frame, uint32_t i, void *scratch, tp_tile *tile);
 
 /* Draws tile i directly into a whole picture, such as a frame buffer: row y begins at
- * picture + y stride, aligned to 4 bytes for xrgb8888, to 2 for rgb565.  The scratch has no
- * room for pixels then: tp_frame_direct_scratch_bytes(). */
+ * picture + y stride, aligned to 4 bytes for xrgb8888, to 2 for rgb565.  The scratch then
+ * needs no room for pixels: tp_frame_direct_scratch_bytes(). */
 bool tp_frame_draw_tile_direct(const tp_frame *frame, uint32_t i, void *scratch,
                                void *picture, size_t stride, tp_tile *tile);
 
 tp_draw_stats tp_frame_stats(const tp_frame *frame);
 
-/* -- places of the picture ----------------------------------------------------------- */
+/* -- conversion between world and picture -------------------------------------------- */
 
-/* World to pixel, in the picture that was begun last: pixels from the upper left corner,
+/* Projects a world position to the picture begun last: px from the upper left corner,
  * 16.16, saturated, also outside of the picture; and the depth, m along the camera's
- * direction.  False: the place lies behind the camera, or nearer than the near plane. */
+ * direction. Returns false if the position lies behind the camera or before the near
+ * plane. */
 bool tp_frame_project(const tp_frame *frame, tp_vec3 place, tp_fx *x_px, tp_fx *y_px,
                       tp_fx *depth);
 
-/* Pixel to water, in the picture that was begun last: the place where the ray through
- * (x_px, y_px), pixels from the upper left corner in 16.16, first meets the water, from above
- * or from below.  The middle of pixel n is n + 1/2.  The place is within 1 px of the drawn
- * one, except where crests overhang and where waves fade at the far end of a mesh.  False:
- * the ray meets land, the end of a tank, or no water within 8000 m. */
+/* Finds the water at a pixel of the picture begun last: the first intersection, from above
+ * or from below, of the water and the ray through (x_px, y_px), px from the upper left
+ * corner in 16.16.  The middle of pixel n is n + 1/2.  The result is within 1 px of the
+ * drawn water, except where crests overhang and where waves fade at the far end of a mesh.
+ * Returns false if the ray meets land, the end of a tank, or no water within 8000 m. */
 bool tp_frame_pick(const tp_frame *frame, tp_fx x_px, tp_fx y_px, tp_vec3 *at);
 
 /* -- samples of a drawn tile ----------------------------------------------------------
@@ -185,23 +188,23 @@ bool tp_frame_pick(const tp_frame *frame, tp_fx x_px, tp_fx y_px, tp_vec3 *at);
  * there, so these rows need no memory of their own.  tile->y0 <= y < tile->y1; a row has
  * x1 - x0 entries. */
 
-/* The kind of thing at a pixel. */
+/* The kind of object at a pixel. */
 typedef enum {
-    TP_SAMPLE_SKY,    /* nothing; within water its deep */
+    TP_SAMPLE_SKY,    /* no object; in the water: open depth */
     TP_SAMPLE_WATER,  /* the surface, from either side */
     TP_SAMPLE_OBJECT, /* a mesh */
-    TP_SAMPLE_LAND,   /* the bed of the sea, dry or not */
-    TP_SAMPLE_DROP,   /* in the air, or the sphere that drops fall from */
-    TP_SAMPLE_WALL,   /* of a tank, or within a pool */
-    TP_SAMPLE_GLASS,  /* a tank's side of glass, and the water behind it */
+    TP_SAMPLE_LAND,   /* the sea floor, dry or not */
+    TP_SAMPLE_DROP,   /* a falling drop, or the sphere that drops fall from */
+    TP_SAMPLE_WALL,   /* a wall of a tank or in a pool */
+    TP_SAMPLE_GLASS,  /* a tank's glass wall, and the water behind it */
     TP_SAMPLE_SPRAY,
-    TP_SAMPLE_OTHER /* of a module that a program brings itself */
+    TP_SAMPLE_OTHER /* object of a module that a program brings itself */
 } tp_sample_kind;
 
-/* Writes the depth of each pixel, m along the camera's direction, and its tp_sample_kind; of
- * `depth` and `kind` one may be NULL.  A depth is off by depth^2 / (near 2^24) and half a unit
- * of 16.16 at the most, and TP_FX_MAX in the sky.  Pixels behind the lid of a boat have the
- * depth of the lid. */
+/* Writes the depth of each pixel, m along the camera's direction, and its tp_sample_kind;
+ * `depth` or `kind` may be NULL.  The depth's error is at most depth^2 / (near 2^24) plus
+ * half a unit of 16.16.  In the sky the depth is TP_FX_MAX.  Pixels behind the lid of a
+ * boat have the depth of the lid. */
 void tp_frame_sample_row(const tp_frame *frame, const void *scratch, const tp_tile *tile,
                          uint32_t y, tp_fx *depth, uint8_t *kind);
 

@@ -1,9 +1,10 @@
 /* SPDX-License-Identifier: MIT */
 /* A program: the list of the modules that an application links.
  *
- * The core reaches everything optional through one constant struct of pointers, so the linker
- * drops what the struct does not name (-ffunction-sections, --gc-sections).  tp_program_all
- * names everything.  The program for one scene is written by
+ * The core reaches every optional part through one constant struct of pointers.  The
+ * linker drops all parts that the struct does not name (-ffunction-sections,
+ * --gc-sections). tp_program_all names every part.  The program for one scene is written
+ * by
  *
  *     tidepool bake SCENE --size 320x240 --format rgb565 -o scene.c       SCENE_program
  *
@@ -18,11 +19,12 @@
  *     };
  *     const tp_config config = { .width = 320, .height = 240, .program = &mine };
  *
- * C++ has no initialisers by index: there a program comes from a file of C.
+ * C++ has no initialisers by index: write the program in a C file there.
  *
- * What is NULL is left out of the picture, as if the scene did not ask for it; each
- * frame's stats count it as dropped.  A program may name the modules that it leaves out,
- * tp_program.lacks: a scene that has one of them on is then refused by that name. */
+ * A part that is NULL is missing from the picture, as if the scene did not ask for it; the
+ * stats of each frame count it as dropped.  A program may list the modules that it leaves
+ * out in tp_program.lacks: init then refuses a scene that has such a module on, and names
+ * the module. */
 #ifndef TP_MODULES_H
 #define TP_MODULES_H
 #include <stddef.h>
@@ -32,17 +34,17 @@
 
 TP_BEGIN_C
 
-/* -- stages: what a run of samples goes through; src/shade/shade.h ------------------- */
+/* -- span stages: functions that shade a run of samples; src/shade/shade.h ----------- */
 
 struct tp_shade;
 struct tp_run;
 typedef void (*tp_stage)(const struct tp_shade *shade, struct tp_run *run);
 
 #define TP_STAGE_LIST(X) \
-    /* colour of the empty view */ \
+    /* sky or other empty view */ \
     X(sky) \
-    X(plain)                /* colour of the water without texture */ \
-    X(view)                 /* vx vy vz, lv: world axes */
+    X(plain)                /* water without texture */ \
+    X(view)                 /* vx vy vz, lv: view vectors in world axes */
 
 #define X(name) void tp_stage_##name(const struct tp_shade *shade, struct tp_run *run);
 TP_STAGE_LIST(X)
@@ -56,12 +58,12 @@ typedef struct {
 
 #define TP_STAGE(name) .name = tp_stage_##name
 
-/* -- pixels -------------------------------------------------------------------------- */
+/* -- pixel formats ------------------------------------------------------------------- */
 
-/* Converts `count` colours 0x00RRGGBB into `row`, from the row's pixel x_in_row on; other
- * pixels of the row stay as they are, also those that share a byte.  (x, y) is the place
- * in the picture of the first one: the dither is fixed there, so no tiling shows.
- * Rows of xrgb8888 are aligned to 4 bytes, of rgb565 to 2. */
+/* Converts `count` colours 0x00RRGGBB into pixels of `row`, from the row's pixel x_in_row
+ * on. Other pixels of the row do not change, even if they share a byte.  (x, y) is the
+ * first pixel's position in the picture: the dither pattern is fixed to the picture, and
+ * tile borders do not show.  Rows of xrgb8888 are aligned to 4 bytes, of rgb565 to 2. */
 typedef void (*tp_store)(void *row, int x_in_row, int x, int y, const uint32_t *colours,
                          int count);
 
@@ -71,13 +73,13 @@ typedef void (*tp_store)(void *row, int x_in_row, int x, int y, const uint32_t *
 TP_FORMAT_LIST(X)
 #undef X
 
-/* -- models of the water's surface; src/geom/waters.h ------------------------------- */
+/* -- wave models: the water's surface; src/geom/waters.h ---------------------------- */
 
 #define TP_WATER_LIST(X) \
-    X(swells)       /* without them the sea is level */ \
-    X(sharp)        /* their sharpened crests (wave.power) */ \
-    X(lod)          /* fewer lines of their mesh far away; needs swells */ \
-    X(ocean)        /* over a floor, or in a wind; needs swells */ \
+    X(swells)       /* sums of waves; without them the sea is level */ \
+    X(sharp)        /* sharpened crests of swells (wave.power) */ \
+    X(lod)          /* grid level of detail; needs swells */ \
+    X(ocean)        /* coastal water: over a floor or in a wind; needs swells */ \
     X(rings) X(pools)
 
 #define X(name) extern const struct tp_water_##name tp_water_##name;
@@ -92,20 +94,21 @@ typedef struct {
 
 #define TP_WATER(name) .name = &tp_water_##name
 
-/* In place of swells, for little RAM: a world has room for as many as there are at init,
- * 88 bytes each, not for sixteen; with more of them it must be made anew. */
+/* Replaces tp_water_swells in programs with little RAM.  A world has room for the number
+ * of waves at init, 88 bytes each, instead of sixteen; for more waves the world must be
+ * made anew. */
 extern const struct tp_water_swells tp_water_few_swells;
 
-/* -- parts of a frame; src/frame/parts.h -------------------------------------------- */
+/* -- water renderers and the quality plan; src/frame/parts.h ------------------------ */
 
-#define TP_DRAW_LIST(X) X(rungs) /* the plan */
+#define TP_DRAW_LIST(X) X(rungs) /* the quality plan */
 
-/* Methods of finding the water in the picture, tp_visibility. */
+/* Renderers of the water's surface, see tp_visibility. */
 #define TP_METHOD_LIST(X) \
-    X(triangles)    /* of the grid; the others fall back on it */ \
-    X(rows)         /* the grid's lines; needs triangles */ \
-    X(projected)    /* displaced lines over the picture */ \
-    X(flat)         /* level water, with the slopes of its waves */
+    X(triangles)    /* of the grid; fallback of the other renderers */ \
+    X(rows)         /* scanlines of the grid; needs triangles */ \
+    X(projected)    /* screen grid: displaced lines over the picture */ \
+    X(flat)         /* a level plane with the slopes of its waves */
 
 struct tp_method;
 #define X(name) extern const struct tp_method tp_method_##name;
@@ -120,12 +123,12 @@ typedef struct {
 
 #define TP_METHOD(name) .name = &tp_method_##name
 
-/* In place of triangles, for little RAM: crossings of the water's grid are not stored but
- * evaluated line by line in tp_frame_begin, and again for each tile that they touch.  The
- * same bits are drawn, by rows too, but as triangles where the camera looks along x.  Two
- * lines of crossings, 32 bytes for each of grid.cols, lie in the block and two in the
- * scratch of tp_frame_scratch_bytes(); only as many waves as there are at init have room.
- * An ocean, over a floor, is stored all the same. */
+/* Replaces tp_method_triangles in programs with little RAM.  Grid vertices are not stored
+ * but computed line by line in tp_frame_begin, and again for each tile that they touch.
+ * The picture is the same to the bit, with rows too, but drawn as triangles where the
+ * camera looks along x.  Two lines of vertices, 32 bytes for each of grid.cols, lie in the
+ * block, and two in the scratch of tp_frame_scratch_bytes().  The block has room for the
+ * number of waves at init.  Coastal water over a floor is stored all the same. */
 extern const struct tp_method tp_method_streamed;
 
 #define X(name) extern const struct tp_draw_##name tp_draw_##name;
@@ -142,120 +145,120 @@ typedef struct {
 
 /* -- modules; src/scene/module.h, src/frame/drawing.h ------------------------------- */
 
-/* Modules that a program brings itself, see ports/README.md; they come first, so that
- * mirrors know of them. */
+/* Modules that a program brings itself, see ports/README.md.  They come first, which lets
+ * mirrors include them. */
 #ifdef TP_MORE
 #include TP_MORE
 #else
 #define TP_MORE_LIST(X, N, P)
 #endif
 
-/* Nothing is drawn of the ones that are named by N; the ones that are named by P cost more
- * than pixels of water. */
+/* All modules, in the order of memory, steps and drawing.  N names modules without
+ * drawing; P names modules with a cost beyond pixels of water; X names all others. */
 #define TP_MODULE_LIST(X, N, P) \
     TP_MORE_LIST(X, N, P) \
-    X(bumps)        /* of pools that bend the light only */ \
-    X(base_layer)   /* the water's first picture */ \
-    X(layers)       /* the others, and their distortion */ \
+    X(bumps)        /* pools that only change normals */ \
+    X(base_layer)   /* the water's first texture layer */ \
+    X(layers)       /* the other layers, and their distortion */ \
     X(ripple) \
-    X(lighting)     /* of water that shines, mirrors or is clear */ \
-    X(diffuse)      /* of any other */ \
-    P(sky_dome)     /* skies beside the gradient: generated ones, */ \
-    P(sky_cube)     /* and six pictures */ \
-    P(stars)        /* added to a night's dome */ \
+    X(lighting)     /* lit water: with highlights, mirroring or clear */ \
+    X(diffuse)      /* diffuse light on any other water */ \
+    P(sky_dome)     /* generated skies */ \
+    P(sky_cube)     /* cube map skies */ \
+    P(stars)        /* stars over a night's dome */ \
     P(haze) \
-    P(boat)         /* its mesh: of things as far away the first one is seen */ \
+    P(boat)         /* its mesh; mipmap level by the distance of the first pixel */ \
     P(land)         /* a floor that rises out of the water */ \
-    P(drops)        /* in the air, the sphere that they fall from, and rings */ \
-    N(coastal)      /* waves over a floor or in a wind; water.ocean, water.swells */ \
-    N(hull)         /* how a boat sails and floats; after the rings of drops */ \
-    N(wake)         /* of a boat in a pool */ \
-    N(pokes)        /* of pools, by chance and by input */ \
-    N(paddle)       /* waves made in pools */ \
-    N(main_pool)    /* [pool]; and water.pools */ \
-    N(field)        /* [field]; and water.pools */ \
-    X(reflectance)  /* the sky in the water, by Fresnel's share */ \
+    P(drops)        /* falling drops, the sphere that they fall from, and rings */ \
+    N(coastal)      /* waves over a floor or in a wind; needs water.ocean, .swells */ \
+    N(hull)         /* how a boat sails and floats; follows the rings of drops */ \
+    N(wake)         /* wake of a boat in a pool */ \
+    N(pokes)        /* splashes in pools, random and by input */ \
+    N(paddle)       /* wave maker of pools */ \
+    N(main_pool)    /* [pool]; needs water.pools */ \
+    N(field)        /* [field]; needs water.pools */ \
+    X(reflectance)  /* reflection of the sky, by Fresnel's share */ \
     X(glint) \
-    X(underwater)   /* the inside of the water, and the view of an eye in it */ \
-    P(tank)         /* a tank's stone, and a pool's inner walls */ \
-    P(glass)        /* a tank's walls of glass */ \
-    X(lids)         /* of a boat: they keep water out of its hull */ \
-    P(caustics)     /* light that waves gather on the floor */ \
-    P(mirror)       /* of objects, a picture of half the size */ \
-    X(object_cube)  /* the same as a small cube map */ \
+    X(underwater)   /* the volume of the water, and the view from in it */ \
+    P(tank)         /* a tank's stone walls, and a pool's inner walls */ \
+    P(glass)        /* a tank's glass walls */ \
+    X(lids)         /* lids of a boat: keep the water out of its hull */ \
+    P(caustics)     /* light focused by waves on the floor */ \
+    P(mirror)       /* planar reflection of objects, half the picture's size */ \
+    X(object_cube)  /* reflection of objects as a small cube map */ \
     X(refraction)   /* objects under clear water */ \
-    X(clear_water)  /* what is seen through the water */ \
+    X(clear_water)  /* the colours seen through the water */ \
     X(foam) \
-    X(fast_water)   /* the water by fast stages alone; refused below what has none */ \
+    X(fast_water)   /* the water by fast stages alone; refused if a stage is missing */ \
     X(spray) \
-    N(meter)        /* exposure by itself */ \
+    N(meter)        /* automatic exposure */ \
     X(exposure)
 
 /* The stages of each module, in the order of its table. */
 #define TP_STAGES_OF_sky_dome(X) \
-    X(sky_dome) X(sky_dome_hdr) X(quick_sky_dome)   /* colour of the empty view; */ \
+    X(sky_dome) X(sky_dome_hdr) X(quick_sky_dome)   /* empty view */ \
     X(reflect_dome)                                 /* mirror, rx rz of water */
 #define TP_STAGES_OF_sky_cube(X)    X(sky_cube) X(sky_cube_hdr) X(reflect_cube)
 #define TP_STAGES_OF_stars(X)       X(stars)
 #define TP_STAGES_OF_haze(X) \
-    X(haze) X(haze_dome) X(haze_cube)       /* towards the horizon of each kind of sky */
-#define TP_STAGES_OF_boat(X)        X(solid) X(solid_blinn)     /* all of Phong */
+    X(haze) X(haze_dome) X(haze_cube)       /* towards each sky's horizon */
+#define TP_STAGES_OF_boat(X)        X(solid) X(solid_blinn)     /* Phong or Blinn */
 #define TP_STAGES_OF_land(X)        X(land) X(ground)       /* plain; like the floor */
 #define TP_STAGES_OF_drops(X)       X(drop)
 #define TP_STAGES_OF_lids(X)
-#define TP_STAGES_OF_bumps(X)       X(pool_bump)        /* sx sz: pools' */
+#define TP_STAGES_OF_bumps(X)       X(pool_bump)        /* sx sz from pools */
 #define TP_STAGES_OF_base_layer(X) \
     X(texture) X(texture_tinted) X(texture_linear) X(texture_linear_tinted) \
     X(texture_graded) X(texture_linear_graded)
 #define TP_STAGES_OF_layers(X) \
     X(bend)                 /* ls lt, before layers */ \
-    X(layers) X(layers_linear)      /* adds the second and third */
+    X(layers) X(layers_linear)      /* adds the second and third layer */
 #define TP_STAGES_OF_ripple(X) \
-    X(ripple)               /* sx sz: by a normal map, */ \
-    X(ripple_gentle)        /* of flat surfaces, */ \
-    X(ripple_over)          /* over pools' sx sz */
-#define TP_STAGES_OF_lighting(X)    /* colour nv up glint, of a view */ \
+    X(ripple)               /* sx sz from a normal map, */ \
+    X(ripple_gentle)        /* for flat surfaces, */ \
+    X(ripple_over)          /* added to pools' sx sz */
+#define TP_STAGES_OF_lighting(X)    /* colour nv up glint; after view */ \
     X(light) X(light_rippled) X(light_blinn) X(light_blinn_rippled)
 #define TP_STAGES_OF_diffuse(X)     X(diffuse) X(diffuse_rippled)       /* colour */
 #define TP_STAGES_OF_reflectance(X) \
-    X(mirror)               /* sky by Fresnel's share; or in parts, for other skies, */ \
-    X(slopes)               /* objects and light beyond white: sx sz of smooth water, */ \
+    X(mirror)               /* all in one, plain sky; or in parts: */ \
+    X(slopes)               /* sx sz of smooth water, */ \
     X(reflect_gradient)     /* mirror, rx rz, */ \
     X(fresnel) X(fresnel_hdr)       /* mirror into the colour */
 #define TP_STAGES_OF_glint(X)       X(glint)            /* adds the specular */
 #define TP_STAGES_OF_fast_water(X) \
-    /* in this order: colour and slope x:z by prepared pictures */ \
-    X(quick_far)            /* how far away; always the first */ \
-    X(quick_still) X(quick_bend)        /* places of layers; */ \
-    X(quick_still_thin) X(quick_bend_thin)      /* of every second column alone */ \
+    /* in this order: colour and slope x:z from baked textures */ \
+    X(quick_far)            /* mipmap level by distance; always first */ \
+    X(quick_still) X(quick_bend)        /* positions in layers; */ \
+    X(quick_still_thin) X(quick_bend_thin)      /* half rate: even columns only */ \
     X(quick_layers)         /* colour: all layers */ \
-    X(quick_layers_thin)    /* of those columns, and the ones between */ \
-    X(quick_layers_even)    /* of those columns alone */ \
-    X(quick_ripple) X(quick_slopes)     /* slope: with ripples, and without */ \
-    /* colour of slope: light, what is mirrored, and glints */ \
+    X(quick_layers_thin)    /* half rate, odd columns interpolated */ \
+    X(quick_layers_even)    /* even columns only */ \
+    X(quick_ripple) X(quick_slopes)     /* slope: with ripples, without */ \
+    /* lighting from the slope: light, reflection, glints */ \
     X(quick_gradient) X(quick_gradient_phong) X(quick_gradient_blinn) \
     X(quick_dome_phong) X(quick_dome_blinn) \
     X(quick_cube) X(quick_cube_phong) X(quick_cube_blinn) \
-    /* the same in parts: light and mirror of every second column; */ \
+    /* half rate lighting: light and reflection of even columns; */ \
     X(quick_gradient_even) X(quick_dome_even) X(quick_cube_even) \
-    X(quick_between)        /* the ones between; */ \
-    X(quick_glint_phong) X(quick_glint_blinn)   /* those, and glints of all */
+    X(quick_between)        /* interpolates odd columns; */ \
+    X(quick_glint_phong) X(quick_glint_blinn)   /* interpolates, adds glints */
 #define TP_STAGES_OF_underwater(X) \
     X(below) X(below_rippled)       /* the surface from below */ \
     X(deep)                 /* empty view in the water */ \
-    X(absorb)               /* water before what is there */
+    X(absorb)               /* absorption in front of things */
 #define TP_STAGES_OF_tank(X)        X(wall)
 #define TP_STAGES_OF_glass(X) \
     X(side)                 /* water behind the glass */ \
-    X(pane)                 /* the glass, over exposed colours */
+    X(pane)                 /* the glass, after tone mapping */
 #define TP_STAGES_OF_caustics(X)
-#define TP_STAGES_OF_mirror(X)      X(mirrored)         /* objects over the sky's mirror */
+#define TP_STAGES_OF_mirror(X)      X(mirrored)         /* objects, over the sky's mirror */
 #define TP_STAGES_OF_object_cube(X) X(mirrored_cube)
 #define TP_STAGES_OF_refraction(X)
 #define TP_STAGES_OF_clear_water(X) \
     X(behind) X(behind_rippled) X(behind_dispersed) X(behind_rippled_dispersed)
 #define TP_STAGES_OF_foam(X) \
-    X(foam) X(foam_rippled) X(foam_shiny) X(foam_shiny_rippled)     /* less glint */
+    X(foam) X(foam_rippled) X(foam_shiny) X(foam_shiny_rippled)     /* reduces glint */
 #define TP_STAGES_OF_spray(X)       X(spray)            /* colour of specks */
 #define TP_STAGES_OF_exposure(X)    X(expose)
 
@@ -264,14 +267,14 @@ struct tp_drawing;
 struct tp_cost;
 struct tp_want;
 
-/* A module as a program uses it.  A list of uses ends with { 0 }; its order is the order of
- * memory, of steps and of drawing. */
+/* A module as a program uses it.  A list of uses ends with { 0 }; the list's order is the
+ * order of memory, of steps and of drawing. */
 typedef struct tp_use {
-    const struct tp_module  *module;    /* what it is, and how it moves */
-    const struct tp_drawing *drawing;   /* NULL: nobody draws it */
-    const tp_stage          *stage;     /* its table; NULL in it: never asked for */
-    const struct tp_cost    *cost;      /* for reports of the plan; NULL: none are made, or
-                                         * it costs pixels of water alone */
+    const struct tp_module  *module;    /* its condition and simulation */
+    const struct tp_drawing *drawing;   /* NULL: draws nothing */
+    const tp_stage          *stage;     /* its stage table; unused entries may be NULL */
+    const struct tp_cost    *cost;      /* NULL: no cost report, or costs water pixels
+                                         * only */
 } tp_use;
 
 #define X(name) void tp_stage_##name(const struct tp_shade *shade, struct tp_run *run);
@@ -290,8 +293,8 @@ TP_MODULE_LIST(MODULE, UNSEEN, PRICED)
 #undef MODULE
 #undef X
 
-/* The place of each stage in its module's table, TP_NTH_texture_linear, and the number of
- * stages, TP_COUNT_OF_base_layer. */
+/* The index of each stage in its module's table, for example TP_NTH_texture_linear, and
+ * the number of stages, for example TP_COUNT_OF_base_layer. */
 #define X(name) TP_NTH_##name,
 #define MODULE(name) enum { TP_STAGES_OF_##name(X) TP_COUNT_OF_##name };
 #define UNSEEN(name)
@@ -304,19 +307,20 @@ TP_MODULE_LIST(MODULE, UNSEEN, MODULE)
     { &tp_##name##_module, &tp_##name##_drawing, tp_##name##_stages, NULL }
 #define TP_USE_PRICED(name) \
     { &tp_##name##_module, &tp_##name##_drawing, tp_##name##_stages, &tp_##name##_cost }
-/* At file scope: with a table of its own, all entries of it; NULL is never asked for. */
+/* A use with its own stage table, for file scope.  The table lists all entries; a NULL
+ * entry must never be needed. */
 #define TP_USE_WITH(name, ...) \
     { &tp_##name##_module, &tp_##name##_drawing, (const tp_stage[]){ __VA_ARGS__ }, \
       NULL }
 #define TP_USE_UNSEEN(name) { &tp_##name##_module, NULL, NULL, NULL }
 
-/* A module that a program leaves out: its condition without its state and drawing.  A list
- * of lacks ends with { 0 } and has the order of TP_MODULE_LIST. */
+/* A module that a program leaves out: only its condition, without state and drawing.  A
+ * list of lacks ends with { 0 } and has the order of TP_MODULE_LIST. */
 typedef struct tp_lack {
     const char *name; /* as in TP_MODULE_LIST */
     bool (*enabled)(const struct tp_want *want);
-    uint32_t above; /* uses of the program's list that come before it in
-                                 * TP_MODULE_LIST: conditions may ask about those alone */
+    uint32_t above; /* number of the program's uses that come before it in TP_MODULE_LIST:
+                     * its condition may ask about them only */
 } tp_lack;
 
 #define TP_LACK(name, above)                                                             \
@@ -330,8 +334,9 @@ struct tp_scene;
 struct tp_assets;
 
 typedef struct tp_program {
-    /* tp_scene_check, which every init asks.  NULL: scenes are trusted, as a baked one may
-     * be: `tidepool bake` has checked it.  The check links the table of parameters. */
+    /* tp_scene_check, which every init function calls.  NULL: scenes are trusted, which is
+     * right for a baked scene: `tidepool bake` has checked it.  The check links the table
+     * of parameters. */
     tp_status (*check)(const struct tp_scene *scene, tp_error *err);
     tp_stages stage;
     tp_store  store[TP_FORMAT_COUNT];
@@ -339,42 +344,44 @@ typedef struct tp_program {
     tp_draws  draw;
     tp_methods method;
     const tp_use *modules;      /* a list of uses; NULL: none */
-    /* tp_lacks_check: a scene that has one of `lacks` on is refused, see tp_world_init.
-     * NULL: what is missing is left out of the picture. */
+    /* tp_lacks_check: refuses a scene that has a module of `lacks` on, see tp_world_init.
+     * NULL: a missing module is left out of the picture. */
     tp_status (*refuse)(const struct tp_program *program, const struct tp_scene *scene,
                         const struct tp_assets *assets, tp_error *err);
-    const tp_lack *lacks;       /* NULL: none */
+    const tp_lack *lacks;       /* ends with { 0 }; NULL: none */
 } tp_program;
 
 tp_status tp_lacks_check(const tp_program *program, const struct tp_scene *scene,
                          const struct tp_assets *assets, tp_error *err);
 
-extern const tp_program tp_program_all; /* everything there is */
+extern const tp_program tp_program_all; /* every module, renderer and format */
 
-/* The program of who names none.  The library's own is tp_program_all; a file that
- * `tidepool bake --linked` wrote defines it instead, and then nothing else is linked. */
+/* The default program, for configs that name none.  The library's own default is
+ * tp_program_all; a file written by `tidepool bake --linked` defines another, and nothing
+ * else is linked then. */
 extern const tp_program *const tp_program_linked;
 
 /* -- rows of parameters ------------------------------------------------------------------ */
 
-/* Rows of the table of parameters, as a table writes them: a name, where its value lies in
- * tp_scene, a unit, the range, the default, one line of help.
+/* Rows of the table of parameters: name, member of tp_scene, unit, range, default, one
+ * line of help.
  *
  *     static const tp_param rows[] = {
  *         TP_ROW_NUMBER("foam.cell", foam.cell, "m", 0.01, 50, 0.5, "side of such a cell"),
  *     };
  *
- * Numbers of the range are as a person writes them; a row has them in 16.16.
+ * The macros take ranges in plain numbers; a row stores them in 16.16.
  *
  * A module that a program brings itself keeps its settings in tp_scene.own, and its rows
- * name their words there; scene files, snapshots, tapes and baked scenes know them then:
+ * name the words there.  Scene files, snapshots, tapes and baked scenes then include the
+ * settings:
  *
  *     enum { BUOY_ON = BUOY_AT, BUOY_HEIGHT };
  *     TP_ROW_SWITCH("buoy.on", own[BUOY_ON], 0, "a buoy floats on the water"),
  *     TP_ROW_NUMBER("buoy.height", own[BUOY_HEIGHT], "m", 0.1, 20, 2, "of its mast"),
  *
- * The header that lists a program's own modules deals the words out (BUOY_AT), and tells
- * the library of them by TP_MORE; see ports/README.md. */
+ * The header that lists a program's own modules assigns the words (BUOY_AT) and registers
+ * the modules by TP_MORE; see ports/README.md. */
 
 #define TP_ROW_AT(member) (uint32_t)offsetof(tp_scene, member)
 
@@ -388,19 +395,19 @@ extern const tp_program *const tp_program_linked;
 #define TP_ROW_COLOUR(name, member, normal, help) \
     { name, "", help, TP_PARAM_COLOUR, 0, 0xffffff, normal, "", TP_ROW_AT(member) }
 
-/* `words`: "nearest|linear"; the value is a word's place, up to `last`. */
+/* `words` is a list such as "nearest|linear"; the value is a word's index, 0 to `last`. */
 #define TP_ROW_CHOICE(name, member, words, last, normal, help) \
     { name, words, help, TP_PARAM_CHOICE, 0, last, normal, "", TP_ROW_AT(member) }
 
-/* A file's name or a text; `kind`: MESH, TEXTURE, GREY, TEXT. */
+/* The name of a file, or a text; `kind`: MESH, TEXTURE, GREY, TEXT. */
 #define TP_ROW_NAME(name, member, kind, help) \
     { name, "", help, TP_PARAM_##kind, 0, 0, 0, "", TP_ROW_AT(member) }
 
-/* 90 whole turns: 16.16 ends before 91.02. */
+/* A heading of up to 90 whole turns: 16.16 ends before 91.02 turns. */
 #define TP_ROW_HEADING(name, member, normal, help) \
     TP_ROW_NUMBER(name, member, "degrees", -32400, 32400, normal, help)
 
-/* Four rows of a picture that drifts over the water, a tp_scene_map. */
+/* Four rows of a texture that drifts over the water, a tp_scene_map. */
 #define TP_ROW_MAP(name, part, normal, help) \
     TP_ROW_NAME(name ".texture", part.texture, TEXTURE, help), \
     TP_ROW_NUMBER(name ".size", part.size, "m", 0.1, 1000, normal, \

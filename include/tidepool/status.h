@@ -1,9 +1,10 @@
 /* SPDX-License-Identifier: MIT */
-/* Errors: a code, its sentence, and the place of the fault.
+/* Errors: a code, a sentence, and the location of the fault.
  *
- * Only inits, setters and readers can fail.  An error names the line of the input (`where`)
- * and up to two numbers of its sentence; the application, which knows the name of the file,
- * prints "boat.obj:41: face names vertex 9 of 3". */
+ * Only init functions, setters and readers can fail.  An error stores the line of the
+ * input (`where`) and up to two numbers and a word for its sentence.  The application
+ * knows the file's name and prints, for example, "boat.obj:41: face names vertex 9 of
+ * 3". */
 #ifndef TP_STATUS_H
 #define TP_STATUS_H
 #include <stddef.h>
@@ -12,7 +13,8 @@
 
 TP_BEGIN_C
 
-/* %a and %b in a sentence stand for the error's two numbers, %s for its word. */
+/* Codes and sentences.  In a sentence %a and %b stand for the error's two numbers, %s for
+ * its word. */
 #define TP_STATUS_LIST(X)                                                                \
     X(OK, "ok")                                                                          \
     X(E_ARG, "argument out of range")                                                    \
@@ -74,14 +76,14 @@ typedef struct {
     tp_status   code;
     const char *file;       /* __FILE__ and __LINE__ of the check that failed */
     int         line;
-    uint32_t    where;      /* the input's line, from 1; 0 if there is none */
-    int32_t     a, b;       /* the numbers of the sentence */
-    char        word[48];   /* the offending word of the input, cut to fit; of a pool
-                             * the field of its config, of a scene the parameter */
+    uint32_t    where;      /* line of the input, from 1; 0: no line */
+    int32_t     a, b;       /* numbers of the sentence */
+    char        word[48];   /* the offending word of the input, cut to fit; for a pool the
+                             * field of its config, for a scene the parameter */
 } tp_error;
 
-/* The whole sentence of `err`, without place and file name, into `text` (always
- * terminated, cut to `bytes`).  Returns the length that the whole sentence has. */
+/* Writes the whole sentence of `err`, without location and file name, to `text`, always
+ * terminated and cut to `bytes`.  Returns the length of the whole sentence. */
 size_t tp_error_text(const tp_error *err, char *text, size_t bytes);
 
 TP_END_C

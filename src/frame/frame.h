@@ -68,7 +68,7 @@ struct tp_frame {
     tp_rungs         rungs;             /* quality rungs of this frame */
     tp_rungs         planned, asked;    /* asked: by the port, if `steered` */
     bool             steered;
-    uint8_t          quality[sizeof ((tp_scene *)0)->quality];  /* its input */
+    uint8_t          quality[sizeof ((tp_scene *)0)->quality];  /* the plan's settings */
     tp_visibility    visibility;        /* water renderer of this frame */
 
     tp_sight         sight;             /* render view of the picture itself */
