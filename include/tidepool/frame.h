@@ -75,14 +75,14 @@ typedef struct {
 
 /* Returns an overlay for tp_config.  The frame calls `row` with `user` for each row of
  * each tile: after haze, exposure and glass, before the colours are converted to the
- * format. Threads that draw tiles call `row` at the same time: `row` must not change data
+ * format.  Threads that draw tiles call `row` at the same time: `row` must not change data
  * that two tiles share.  An overlay costs no memory; a program without an overlay links
  * none of its code. */
 tp_overlay tp_overlay_make(void (*row)(void *user, const tp_overlay_row *row),
                            void *user);
 
 /* Draws `count` pixels 0xAARRGGBB, blended by their alpha, from column x of the picture
- * on. Pixels nearer than `depth` m hide the span (16.16, as from tp_frame_project; 0 draws
+ * on.  Pixels nearer than `depth` m hide the span (16.16, as from tp_frame_project; 0 draws
  * over everything).  Columns outside of the row are left out.  A span does not change the
  * picture's depths: of two spans in one place the later one is visible. */
 void tp_overlay_span(const tp_overlay_row *row, int32_t x, uint32_t count, tp_fx depth,
@@ -170,7 +170,7 @@ tp_draw_stats tp_frame_stats(const tp_frame *frame);
 
 /* Projects a world position to the picture begun last: px from the upper left corner,
  * 16.16, saturated, also outside of the picture; and the depth, m along the camera's
- * direction. Returns false if the position lies behind the camera or before the near
+ * direction.  Returns false if the position lies behind the camera or before the near
  * plane. */
 bool tp_frame_project(const tp_frame *frame, tp_vec3 place, tp_fx *x_px, tp_fx *y_px,
                       tp_fx *depth);

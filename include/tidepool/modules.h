@@ -61,7 +61,7 @@ typedef struct {
 /* -- pixel formats ------------------------------------------------------------------- */
 
 /* Converts `count` colours 0x00RRGGBB into pixels of `row`, from the row's pixel x_in_row
- * on. Other pixels of the row do not change, even if they share a byte.  (x, y) is the
+ * on.  Other pixels of the row do not change, even if they share a byte.  (x, y) is the
  * first pixel's position in the picture: the dither pattern is fixed to the picture, and
  * tile borders do not show.  Rows of xrgb8888 are aligned to 4 bytes, of rgb565 to 2. */
 typedef void (*tp_store)(void *row, int x_in_row, int x, int y, const uint32_t *colours,
@@ -273,8 +273,7 @@ typedef struct tp_use {
     const struct tp_module  *module;    /* its condition and simulation */
     const struct tp_drawing *drawing;   /* NULL: draws nothing */
     const tp_stage          *stage;     /* its stage table; unused entries may be NULL */
-    const struct tp_cost    *cost;      /* NULL: no cost report, or costs water pixels
-                                         * only */
+    const struct tp_cost    *cost;      /* NULL: not in cost reports */
 } tp_use;
 
 #define X(name) void tp_stage_##name(const struct tp_shade *shade, struct tp_run *run);

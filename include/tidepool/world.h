@@ -34,7 +34,7 @@ typedef struct tp_world tp_world;
 
 
 /* A push of the pool's water at (x, z): a splash of pool.poke_size, `height` above the
- * level. A height of 0 is no push; a push outside of the pool has no effect. */
+ * level.  A height of 0 is no push; a push outside of the pool has no effect. */
 typedef struct {
     tp_fx   height, x, z;       /* m */
 } tp_push;
@@ -106,7 +106,7 @@ bool tp_world_push(const tp_program *program, tp_world *world, const tp_scene *s
 /* Places the camera in the world: the eye in metres, each axis clamped to +-8000 m, and
  * three angles of any size: heading clockwise from -z as seen from above, pitch upwards,
  * and roll, which lowers the picture's right side.  The next picture uses exactly this
- * camera. Afterwards input moves the camera as before, and tilts it to 89 degrees at most.
+ * camera.  Afterwards input moves the camera as before, and tilts it to 89 degrees at most.
  *
  * In a scene whose camera follows the boat, following ends: the camera stays in the world
  * until tp_world_reset_camera, or until camera.follow was none in one tp_world_apply and

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Words of a line, and pieces of its answer, which goes out as it is put together: there
- * is no second buffer. */
+/* Words of a command line, and pieces of its reply.  Pieces are sent at once: the reply
+ * needs no buffer. */
 #include "answer.h"
 #include "base/fail.h"
 #include "scene/value.h"
@@ -45,7 +45,7 @@ const tp_param *control_find(const control *c, control_word name)
     return param;
 }
 
-/* -- answers ----------------------------------------------------------------------- */
+/* -- replies ----------------------------------------------------------------------- */
 
 void answer(const control *c, const char *text)
 {

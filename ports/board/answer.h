@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* What a control's files share: words of a line, and pieces of its answer. */
+/* Shared by the files of the command interface: words of a line, and pieces of its
+ * reply. */
 #ifndef BOARD_ANSWER_H
 #define BOARD_ANSWER_H
 #include "control.h"
@@ -11,18 +12,21 @@ void *memset(void *to, int value, size_t bytes);
 /* A part of the line, not terminated. */
 typedef struct { const char *text; size_t bytes; } control_word;
 
-/* The next word of *rest, up to a blank or `end`; the rest begins after the blanks. */
+/* Returns the next word of *rest, up to a blank or `end`; *rest then starts after the
+ * following blanks. */
 control_word control_next(control_word *rest, char end);
 bool control_is(control_word word, const char *name);
 
-/* The parameter called so, or NULL, which then has been answered. */
+/* Returns the parameter of that name.  If the name is unknown, replies with an error and
+ * returns NULL. */
 const tp_param *control_find(const control *c, control_word name);
 void control_set(control *c, control_word rest);
 
 void answer(const control *c, const char *text);
 void answer_number(const control *c, uint32_t number);
 void answer_value(const control *c, const tp_param *param);     /* "name = 0.8 m" */
-/* What it may be, after `before`: "0..16" or words; nothing of colours and names. */
+/* Writes `before` and the permitted values: "0..16" or words; writes nothing for colours
+ * and names. */
 void answer_range(const control *c, const char *before, const tp_param *param);
 void refuse(const control *c, const char *why);                 /* whole lines */
 void refuse_input(const control *c, const tp_error *err);

@@ -1,16 +1,17 @@
 /* SPDX-License-Identifier: MIT */
-/* Buttons to what is wished for the next tick. */
+/* Converts buttons into the input of the next tick. */
 #include "buttons.h"
 #include "../live/poke.h"
 #include "features/drops/drops.h"
 #include "scene/pools.h"
 
-/* Of a click: 10 degrees of the camera, 15 of the light, 0.25 m of the sphere. */
+/* Steps per click: 10 degrees of the camera, 15 degrees of the light, 0.25 m of the
+ * sphere. */
 #define TURN  ((int32_t)TP_DEG(10))
 #define LIGHT ((int32_t)TP_DEG(15))
 #define STEER TP_FX(0.25)
 
-/* Into the pool from x, if there is but one that ends. */
+/* Clamps x into the pool, unless a periodic field covers the water around it. */
 static tp_fx held(const tp_scene *scene, int32_t cells, tp_fx middle, tp_fx x)
 {
     const int64_t half = (int64_t)cells * scene->pool.cell / 2;
@@ -19,7 +20,8 @@ static tp_fx held(const tp_scene *scene, int32_t cells, tp_fx middle, tp_fx x)
     return scene->field.cols ? x : tp_fx_held(in);
 }
 
-/* Where the middle of the picture meets still water; nowhere: the pool's middle. */
+/* Adds a push where the view ray of the picture's middle meets still water; if it meets
+ * none, in the pool's middle.  Returns false if the input has no room for another push. */
 static bool aim(const tp_world *world, const tp_scene *scene, tp_input *input)
 {
     const tp_camera camera = tp_world_camera(world);
@@ -48,7 +50,7 @@ void buttons_read(buttons *b, uint32_t lines, const tp_world *world,
         input->drops++;
     if (up & BUTTON_SELECT && (tp_world_pool(world) || tp_world_field(world))
         && !aim(world, scene, input))
-        b->lines &= ~(uint32_t)BUTTON_SELECT;   /* the tick is full: once more for the next */
+        b->lines &= ~(uint32_t)BUTTON_SELECT;   /* no room: try again with the next tick */
     if (up & BUTTON_DOWN)
         input->light_turn += LIGHT;
     if (tp_world_drops(world))

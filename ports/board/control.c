@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* Bytes to lines, lines to commands.  A line that is too long, or has a byte in it that
- * is no text, is dropped whole and said so at its end; the next one is read as ever. */
+/* Command interface: bytes to lines, lines to commands.  A line that is too long or
+ * contains a byte that is not text is dropped and answered with an error at its end; the
+ * next line is read normally. */
 #include "control.h"
 #include "../live/poke.h"
 #include "answer.h"
@@ -8,7 +9,7 @@
 #include "scene/pools.h"
 #include "scene/tape.h"
 
-#define DROPS_MOST 1024         /* of tp_input */
+#define DROPS_MOST 1024         /* limit of tp_input */
 #define STEPS_MOST 100000
 
 /* -- commands ------------------------------------------------------------------------ */
@@ -48,7 +49,7 @@ static void list(const control *c, control_word rest)
     answer(c, n == 1 ? " parameter\n" : " parameters\n");
 }
 
-/* The next word is one number and nothing else. */
+/* Reads the next word as a number in m; returns false if the word is anything else. */
 static bool next_metres(control_word *rest, tp_fx *metres)
 {
     const control_word word = control_next(rest, '\0');
@@ -58,7 +59,7 @@ static bool next_metres(control_word *rest, tp_fx *metres)
         && !beyond;
 }
 
-/* The one that does not fit into the next tick is said again by who sent it. */
+/* Refuses a push that exceeds the next tick's input; the sender must repeat it. */
 static void refuse_full(const control *c)
 {
     answer(c, "error ");
@@ -93,7 +94,7 @@ static void drop(control *c)
     answer(c, "ok drop\n");
 }
 
-/* False: not all of them have room. */
+/* Adds pushes to an input; returns false if some have no room. */
 static bool add_pushes(tp_input *to, const tp_push push[TP_PUSHES])
 {
     bool all = true;
@@ -102,8 +103,8 @@ static bool add_pushes(tp_input *to, const tp_push push[TP_PUSHES])
     return all;
 }
 
-/* A tape's line but for its tick, which is the next one whatever it is called: "input"
- * becomes "0    ".  Drops and pokes that were asked for before stay. */
+/* Parses "input ..." as a line of a tape.  The line's tick is replaced: "input" becomes "0
+ * ", and the input applies to the next tick.  Drops and pushes already queued are kept. */
 static void input(control *c)
 {
     tp_tape_entry entry;
@@ -131,7 +132,7 @@ static void pause(control *c, bool on)
     answer(c, on ? "ok pause\n" : "ok go\n");
 }
 
-/* "step" or "step N". */
+/* Parses "step" or "step N". */
 static void step(control *c, control_word rest)
 {
     const control_word word = control_next(&rest, '\0');
@@ -153,7 +154,7 @@ static void step(control *c, control_word rest)
     answer(c, "\n");
 }
 
-/* The scene as it now is, from its beginning. */
+/* Starts the world again at tick 0, with the scene's present numbers. */
 static void restart(control *c)
 {
     const control_setup *s = c->setup;
@@ -208,7 +209,7 @@ static void obey(control *c)
 
 /* -- lines --------------------------------------------------------------------------- */
 
-/* Blanks before the first word do not count; a line of them alone is none. */
+/* Removes blanks before the first word.  A line of blanks only becomes empty. */
 static void trim(control *c)
 {
     uint32_t blanks = 0;

@@ -1,11 +1,12 @@
 /* SPDX-License-Identifier: MIT */
-/* `set`: a change is made as ports/live says, and taken back if the world had to be
- * made anew for it, which a board has no memory for: a refresh that failed did nothing.
+/* The `set` command.  A change is made by ports/live and undone if it would require making
+ * the world anew: a board has no memory for a second world, and a failed refresh leaves
+ * the world unchanged.
  *
- * What is fixed when a scene is baked, its files and the grid's points, is refused.  What
- * the frame lacks memory for is set, and said to be drawn in part: tidepool/frame.h tells
- * of each what is left out.  Unsaid is what needs no more memory than what it replaces
- * (mirror.objects from stencil to cube). */
+ * Parameters fixed at bake time, files and the grid's size, are refused.  If the frame
+ * lacks memory for a change, the change is made, and the reply says that it is drawn in
+ * part: tidepool/frame.h lists the features left out.  The reply says nothing if the new
+ * setting needs no more memory than the old one (mirror.objects from stencil to cube). */
 #include "../live/setting.h"
 #include "answer.h"
 #include "scene/value.h"
@@ -21,7 +22,8 @@ static bool may_change(const control *c, const tp_param *param)
     return false;
 }
 
-/* Numbers that the world's block has no room for, or that its parts were made with. */
+/* Undoes a change that does not fit the world's block or the data that the world was made
+ * with. */
 static void take_back(const control *c, const tp_param *param, void *number,
                       const void *before)
 {

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* A scene with all that it names as constants, for machines without files;
- * `tidepool bake SCENE --name baked` writes them. */
+/* A baked scene: the scene and its pictures as constants, for machines without files.
+ * `tidepool bake SCENE --name baked` writes the file that defines them. */
 #ifndef BAKED_H
 #define BAKED_H
 #include "tidepool/modules.h"
@@ -8,7 +8,8 @@
 extern const tp_scene  baked_scene;
 extern const tp_assets baked_assets;
 
-/* With --size or --format: what the scene needs to be drawn so. */
+/* Written if --size or --format is given: the program and the config that draw the
+ * scene. */
 extern const tp_program baked_program;
 extern const tp_config baked_config;
 #endif

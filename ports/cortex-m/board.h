@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: MIT */
-/* The services that a board gives the program beside its processor. */
+/* Services of a board besides its processor: free memory and stack use. */
 #ifndef BOARD_H
 #define BOARD_H
 #include <stddef.h>
 #include <stdint.h>
 
-extern uint8_t arena_start[], arena_end[];      /* all memory left, aligned to 8 */
+extern uint8_t arena_start[], arena_end[];      /* all remaining memory, aligned to 8 */
 
-uint32_t board_stack_used(void);                /* bytes, the deepest so far */
-uint32_t board_stack_bytes(void);               /* that are kept for it */
+uint32_t board_stack_used(void);                /* deepest use so far, bytes */
+uint32_t board_stack_bytes(void);               /* size of the stack, bytes */
 #endif

@@ -1,9 +1,10 @@
 /* SPDX-License-Identifier: MIT */
-/* The baked scene on a bare Cortex-M: drawn tile by tile, as a board with an SPI display
- * would, and told in CRCs, which must be the host's.  Program and tiles are baked with it.
+/* The baked scene on a bare Cortex-M: drawn tile by tile, as for a board with an SPI
+ * display, and reported as CRCs that must equal the host's.  Program and tile size are
+ * baked with the scene.
  *
- * The empty functions are marks for whoever counts instructions: what the core does for a
- * whole frame, for its tiles and for a tick of the world. */
+ * The empty functions are marks for tools that count instructions: they separate the
+ * core's work for a whole frame, for its tiles and for a tick of the world. */
 #include "baked.h"
 #include "base/arena.h"
 #include "board.h"
@@ -14,7 +15,7 @@
 #include "sum.h"
 
 #ifndef BOARD_FIRST
-#define BOARD_FIRST 60          /* a second on, when drops have fallen and foam is made */
+#define BOARD_FIRST 60          /* after 1 s: drops have fallen and foam exists */
 #endif
 #ifndef BOARD_FRAMES
 #define BOARD_FRAMES 2
@@ -25,7 +26,7 @@ MARK(count_as_tiles)
 MARK(count_as_tick)
 MARK(count_end)
 
-/* -- a picture ----------------------------------------------------------------- */
+/* -- drawing and reports ------------------------------------------------------- */
 
 typedef struct {
     uint32_t crc, water;
@@ -94,7 +95,7 @@ static void say_picture(void)
     semihost_write("\n");
 }
 
-/* In the arena or, as a refusal says, not. */
+/* Allocates memory in the arena; on failure reports the sizes and stops. */
 static void *take(tp_arena *arena, size_t bytes, const char *what)
 {
     const size_t left = arena->bytes - arena->used;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Marks for whoever counts instructions: empty functions, whose calls a plugin or
- * callgrind sees.  MARK(count_end) defines one; who calls it knows no more of it. */
+/* Marks for tools that count instructions: empty functions whose calls a plugin or
+ * callgrind detects.  MARK(count_end) defines one; a caller needs no other declaration. */
 #ifndef MARKS_H
 #define MARKS_H
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The four functions that the core asks a port for.  Aligned words are moved as words;
- * compiled so that the compiler does not turn the loops into calls of themselves. */
+/* The four functions that the core requires of a port.  Aligned blocks are copied word by
+ * word.  PLAIN keeps the compiler from turning the loops into calls of these functions. */
 #include <stddef.h>
 #include <stdint.h>
 
@@ -34,7 +34,7 @@ PLAIN void *memmove(void *to, const void *from, size_t bytes)
 {
     uint8_t *d = to;
     const uint8_t *s = from;
-    if ((uintptr_t)d - (uintptr_t)s >= bytes)       /* `to` does not begin in `from` */
+    if ((uintptr_t)d - (uintptr_t)s >= bytes)       /* `to` does not start within `from` */
         return memcpy(to, from, bytes);
     while (bytes--)
         d[bytes] = s[bytes];

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Semihosting calls of Arm's "Semihosting for AArch32 and AArch64": a breakpoint 0xab
- * with the operation in r0 and its argument in r1. */
+/* Semihosting calls of Arm's "Semihosting for AArch32 and AArch64": breakpoint 0xab with
+ * the operation in r0 and its argument in r1. */
 #include "semihost.h"
 
 enum { SYS_WRITE0 = 0x04, SYS_GET_CMDLINE = 0x15, SYS_EXIT_EXTENDED = 0x20 };

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Arm semihosting: words and exit codes to the debugger or emulator that we run under. */
+/* Arm semihosting: text output and exit codes through the debugger or emulator. */
 #ifndef SEMIHOST_H
 #define SEMIHOST_H
 #include <stdbool.h>
@@ -7,17 +7,17 @@
 #include <stdint.h>
 
 void semihost_write(const char *text);
-/* The command line that the program was given, terminated; false: it does not fit. */
+/* Reads the program's command line, terminated.  Returns false if it does not fit. */
 bool semihost_words(char *buffer, size_t size);
 
-/* The host program's exit codes, as far as a board has them; a fault ends a program as a
- * shell tells of SIGSEGV, by 128 + 11. */
+/* Exit codes, as far as a board has them the same as the host program's.  A fault exits
+ * with 128 + 11, as a shell reports SIGSEGV. */
 enum { SEMIHOST_FAILED = 3, SEMIHOST_FAULT = 139 };
 _Noreturn void semihost_exit(int code);
 
-/* Of base 2 to 16, with zeros before it up to `least_digits`. */
+/* Writes n in base 2 to 16, padded with zeros to `least_digits`. */
 void semihost_number(const char *before, uint32_t n, uint32_t base, int least_digits);
 void semihost_decimal(const char *before, uint32_t n);
-/* Says why it cannot go on and exits with SEMIHOST_FAILED. */
+/* Writes the reason of a failure and exits with SEMIHOST_FAILED. */
 _Noreturn void semihost_stop(const char *why);
 #endif

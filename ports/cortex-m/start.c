@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* From reset to main: the vector table, the initialised and the cleared memory, a stack
- * painted so that its use can be seen; any fault is told in a line and ends the run with
- * exit code 139. */
+/* Start-up from reset to main: the vector table, initialised and cleared memory, and a
+ * stack painted with a pattern to measure its use.  Any fault is reported in one line and
+ * ends the run with exit code 139. */
 #include "board.h"
 #include "semihost.h"
 
@@ -15,14 +15,14 @@ void reset(void);
 
 #define PAINT 0xa5a5a5a5u
 
-/* What the processor pushes when it takes an exception, and which word is the place. */
+/* Words that the processor pushes on an exception, and the index of the return address. */
 enum { PUSHED = 8, PUSHED_PC = 6 };
 
 _Noreturn void report_fault(const uint32_t *sp);
 void fault(void);
 
-/* `sp`: where the exception left the stack.  One that had no room to be pushed is the
- * stack's overflow. */
+/* Reports a fault.  `sp` is the stack pointer after the exception; if it lies outside of
+ * the stack, the stack has overflowed. */
 _Noreturn __attribute__((used)) void report_fault(const uint32_t *sp)
 {
     uint32_t number;
@@ -40,7 +40,8 @@ _Noreturn __attribute__((used)) void report_fault(const uint32_t *sp)
     semihost_exit(SEMIHOST_FAULT);
 }
 
-/* On a stack begun anew where there may be none left. */
+/* Fault handler.  Resets the stack pointer first if less than 256 bytes of stack are
+ * left. */
 __attribute__((naked)) void fault(void)
 {
     __asm__ volatile("mov r0, sp\n\tldr r1, =stack_low + 256\n\t"
@@ -48,8 +49,8 @@ __attribute__((naked)) void fault(void)
                      "1:\tbl report_fault\n\t.pool");
 }
 
-/* Initial stack, reset, NMI, four faults, four reserved, SVC, debug, reserved, PendSV,
- * SysTick. */
+/* Vector table: initial stack, reset, NMI, four faults, four reserved, SVC, debug,
+ * reserved, PendSV, SysTick. */
 typedef union { uint32_t *stack; void (*handler)(void); } vector;
 
 extern const vector vectors[16];

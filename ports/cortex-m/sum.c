@@ -1,15 +1,15 @@
 /* SPDX-License-Identifier: MIT */
-/* The CRC of a picture whose rows come in pieces.  A CRC is a remainder of polynomials
- * over two elements: crc(A B) is crc(A) x^(8 bytes of B) + crc(B).  So each piece of a row
- * counts by itself, times a power of x for the pixels that stand after it. */
+/* CRC of a picture whose rows arrive in pieces.  A CRC is a remainder of polynomials over
+ * GF(2): crc(A B) is crc(A) x^(8 bytes of B) + crc(B).  Each piece of a row therefore
+ * counts separately, times a power of x for the pixels after it. */
 #include "sum.h"
 #include "pixel/pixel.h"
 
-#define ONE   0x80000000u       /* x^0: the first bit is the highest power's */
+#define ONE   0x80000000u       /* x^0: bits are in reversed order */
 #define BYTE  0x00800000u       /* x^8 */
 #define POLYNOMIAL 0xedb88320u
 
-enum { PIXEL_BYTES = 4 };       /* as tp_crc32_pixels reads them */
+enum { PIXEL_BYTES = 4 };       /* bytes per pixel in tp_crc32_pixels */
 
 static uint32_t times(uint32_t a, uint32_t b)
 {

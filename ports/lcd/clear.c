@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: MIT */
-/* A glass of one colour, for pictures that leave some of it free: what a panel's memory
- * holds when it is switched on is noise.  Columns of narrow tiles, top to bottom, so that
- * each column is one window; all rows of a tile are one row. */
+/* Fills a glass with one colour, for pictures smaller than the glass: after power-on a
+ * panel's memory contains noise.  Drawn as columns of narrow tiles from top to bottom:
+ * each column is one window, and all rows of a tile share one row of bytes. */
 #include "lcd.h"
 
-enum { NARROW = 16 };           /* pixels: no tile is narrower, so they fit the buffers */
+enum { NARROW = 16 };           /* px: the smallest tile width, fits each buffer */
 
 static lcd_status clear_column(lcd *l, tp_tile tile)
 {

@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: MIT */
-/* The driver of all panels: windows, strips and bands, two buffers.
+/* The driver of all panels: windows, strips, bands and two buffers.
  *
- * A window reaches from a tile's first row to the picture's last, so that bands as wide
- * as the picture need no other command; a strip beside the last one sets its own.  Each
- * frame sets its first window anew: a byte that a panel missed spoils one frame.
+ * A window extends from a tile's first row to the picture's last row: bands as wide as the
+ * picture follow without another command; a strip beside the last one sets its own window.
+ * Each frame sets its first window anew: a byte lost by the panel spoils one frame only.
  *
- * At most one transfer is on its way, and tiles are packed into the buffer that is not
- * in it.  That holds after a wait that gave up, too: until one has gone well nothing is
- * sent, and no buffer takes the other's place. */
+ * At most one transfer is in progress, and tiles are packed into the other buffer.  This
+ * also holds after a wait that timed out: until a wait succeeds nothing is sent, and the
+ * buffers are not exchanged. */
 #include "lcd.h"
 
 void *memcpy(void *restrict to, const void *restrict from, size_t bytes);
@@ -21,15 +21,16 @@ enum { NONE = -1 };
             return status_; \
     } while (0)
 
-/* A tile's part on the glass: x0 .. y1 there, and what of the tile comes before it. */
+/* Visible part of a tile in glass coordinates, x0 .. y1, and the pixels of the tile that
+ * are cut off before that part. */
 typedef struct {
     int32_t x0, y0, x1, y1, skip_x, skip_y;
 } part;
 
-/* -- what can be shown -------------------------------------------------------------- */
+/* -- checks of the config ----------------------------------------------------------- */
 
-/* How a turned picture walks the glass, beside upright: turned by one quarter, its rows
- * run down the glass, the first one on the right. */
+/* Returns the walk of a turned picture over the glass, relative to upright.  Turned by one
+ * quarter, picture rows run down the glass, the first row on the right. */
 static uint8_t walk(const lcd_config *c)
 {
     static const uint8_t quarter[4] = { 0, LCD_MX | LCD_MV, LCD_MX | LCD_MY,
@@ -103,7 +104,7 @@ static lcd_status wait_for(lcd *l, lcd_until until)
     return !w->wait || w->wait(w->user, until) ? LCD_OK : LCD_E_BLOCKED;
 }
 
-/* Until nothing is on its way. */
+/* Waits until no transfer is in progress. */
 static lcd_status settle(lcd *l)
 {
     const lcd_status status = l->flying ? wait_for(l, LCD_SENT) : LCD_OK;
@@ -176,7 +177,7 @@ static uint8_t *put(const lcd *l, uint8_t *to, uint32_t value, unsigned bytes)
     return to + bytes;
 }
 
-/* A command about addresses: from `first`, and to `last` unless it is negative. */
+/* Sends an address command: `first`, and `last` unless that is negative. */
 static lcd_status address(lcd *l, uint8_t code, uint32_t first, int32_t last,
                           unsigned bytes)
 {
@@ -217,7 +218,7 @@ static part seen(const lcd *l, const tp_tile *t)
     };
 }
 
-/* Its rows one after the other. */
+/* Packs the visible part of a tile, row after row; returns the bytes. */
 static size_t pack(const lcd *l, uint8_t *to, const tp_tile *tile, const part *w)
 {
     const lcd_panel *p = l->config.panel;
@@ -253,7 +254,7 @@ lcd_status lcd_tile(lcd *l, const tp_tile *tile)
     if (tile->x1 - tile->x0 > f->tile_width || tile->y1 - tile->y0 > f->tile_height)
         return LCD_E_SIZE;
     if (w.x0 >= w.x1 || w.y0 >= w.y1)
-        return LCD_OK;                                  /* beside the glass */
+        return LCD_OK;                                  /* outside of the glass */
     const size_t bytes = pack(l, buffer, tile, &w);
     if (p->write_old && l->whole) {
         TRY(open_window(l, &w, p->write_old));

@@ -1,15 +1,15 @@
 /* SPDX-License-Identifier: MIT */
-/* Panels as tables: what their controllers' data sheets call for, and no more.
+/* Panel tables with the commands that the controllers' data sheets require.
  *
- * Colours: ILI9341 (ILITEK, V1.11) and ST7789V (Sitronix) keep to commands of MIPI DCS:
+ * Colour panels: ILI9341 (ILITEK, V1.11) and ST7789V (Sitronix) use commands of MIPI DCS:
  *     01h SWRESET   reset; 5 ms until the next command, 120 ms until 11h
- *     11h SLPOUT    out of sleep: the charge pumps run; 5 ms, 120 ms until they are up
+ *     11h SLPOUT    end of sleep: starts the charge pumps; 5 ms, 120 ms until they are up
  *     3Ah COLMOD    55h: 16 bits a pixel, high byte first
- *     36h MADCTL    how pixels walk the memory: MY MX MV, BGR of the glass
- *     2Ah CASET, 2Bh PASET      window: first and last, two bytes each, high one first
+ *     36h MADCTL    order of pixels in the memory: MY MX MV, BGR of the glass
+ *     2Ah CASET, 2Bh PASET      window: first and last, two bytes each, high byte first
  *     2Ch RAMWR     pixels from the window's corner on, until the next command
  *     29h DISPON    the glass shows the memory
- * E-paper: SSD1680 (Solomon Systech), whose columns are bytes of 8 pixels, 1 white. */
+ * E-paper: SSD1680 (Solomon Systech), whose columns are bytes of 8 pixels; 1 is white. */
 #include "lcd.h"
 
 const char *lcd_status_text(lcd_status status)
@@ -33,15 +33,15 @@ static const uint8_t display_on[] = { 0x29, 0 };
 
 /* -- ILI9341, 240x320 --------------------------------------------------------------- */
 
-/* Voltages and rate as modules of 2.2 to 3.2 inches want them; the rest stays as the
- * reset left it.  The glass shows the memory's columns from the right, blue first. */
+/* Voltages and frame rate for modules of 2.2 to 3.2 inches; other registers keep their
+ * reset values.  The glass shows the memory's columns from the right, blue first. */
 static const uint8_t ili9341_start[] = {
     0x01, LCD_PAUSE | 0, 120,           /* SWRESET */
     0xc0, 1, 0x23,                      /* PWCTRL1: GVDD 4.6 V */
-    0xc1, 1, 0x10,                      /* PWCTRL2: factor of the step-up */
+    0xc1, 1, 0x10,                      /* PWCTRL2: step-up factor */
     0xc5, 2, 0x3e, 0x28,                /* VMCTRL1: VCOMH 4.25 V, VCOML -1.5 V */
     0xc7, 1, 0x86,                      /* VMCTRL2: both 58 steps lower */
-    0xb1, 2, 0x00, 0x18,                /* FRMCTR1: 79 pictures a second */
+    0xb1, 2, 0x00, 0x18,                /* FRMCTR1: 79 frames a second */
     0x3a, 1, 0x55,                      /* COLMOD */
     0x11, LCD_PAUSE | 0, 120,           /* SLPOUT */
 };
@@ -53,7 +53,7 @@ const lcd_panel lcd_ili9341 = {
 
 /* -- ST7789, 240x320 and smaller glass in the same memory --------------------------- */
 
-/* Such glass shows the complement of what it is given unless told otherwise. */
+/* Glass of this controller shows inverted colours unless INVON is set. */
 static const uint8_t st7789_start[] = {
     0x01, LCD_PAUSE | 0, 120,           /* SWRESET */
     0x3a, 1, 0x55,                      /* COLMOD */
@@ -76,24 +76,25 @@ const lcd_panel lcd_st7789_135x240 = {
 
 /* -- SSD1680, 122x250 of 176x296 ---------------------------------------------------- */
 
-/* Two memories: 24h what is to be shown, 26h what is.  A whole update (display mode 1)
- * blinks through black and white; a partial one (mode 2) drives the pixels that differ,
- * and with the ping-pong of 37h exchanges the memories after it. */
+/* The controller has two memories: 24h holds the next image, 26h the shown image.  A whole
+ * update (display mode 1) blinks through black and white.  A partial update (mode 2)
+ * drives only the pixels that differ; the ping-pong of 37h exchanges the memories after
+ * it. */
 static const uint8_t ssd1680_start[] = {
     0x12, LCD_PAUSE | LCD_BUSY | 0, 10, /* SWRESET */
     0x01, 3, 0xf9, 0x00, 0x00,          /* gates: 250 */
-    0x11, 1, 0x03,                      /* data entry: x and y rise, x first */
-    0x18, 1, 0x80,                      /* the sensor of temperature inside */
-    0x21, 2, 0x00, 0x80,                /* memories as they are; sources 8 to 167 */
+    0x11, 1, 0x03,                      /* data entry: x and y increase, x first */
+    0x18, 1, 0x80,                      /* internal temperature sensor */
+    0x21, 2, 0x00, 0x80,                /* memories unchanged; sources 8 to 167 */
     0x37, 10, 0, 0, 0, 0, 0, 0x40, 0, 0, 0, 0,  /* ping-pong */
 };
 static const uint8_t ssd1680_update[] = {
-    0x3c, 1, 0x05,                      /* border: white with the picture */
+    0x3c, 1, 0x05,                      /* border: white, with the picture */
     0x22, 1, 0xf7,                      /* clock and voltages on, waveform, mode 1, off */
     0x20, LCD_BUSY | 0,
 };
 static const uint8_t ssd1680_partly[] = {
-    0x3c, 1, 0x80,                      /* border: as it is */
+    0x3c, 1, 0x80,                      /* border: unchanged */
     0x22, 1, 0xff,                      /* the same in mode 2 */
     0x20, LCD_BUSY | 0,
 };

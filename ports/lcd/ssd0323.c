@@ -1,13 +1,14 @@
 /* SPDX-License-Identifier: MIT */
-/* SSD0323: OLEDs of 128 x 64 pixels of 16 greys, two to a byte, the left one high.
+/* SSD0323: OLEDs of 128 x 64 pixels with 16 greys, two pixels to a byte, the left one in
+ * the high bits.
  *
- * Its memory has 64 columns of bytes and 80 rows.  It takes no command before pixels, and
- * its commands' arguments as commands.  Values are those of a Pictiva of 2.7 inches; the
- * remap (a0) has pixels from left to right, rows from above, and lines odd and even. */
+ * The memory has 64 columns of bytes and 80 rows.  Pixels need no command before them, and
+ * arguments are sent as commands.  Values suit a Pictiva of 2.7 inches; the remap (a0)
+ * orders pixels from left to right, rows from above, with odd and even lines split. */
 #include "lcd.h"
 
-/* Of a grey the upper four bits; where they are too few the core has dithered to eight,
- * whose steps are seen. */
+/* Packs the upper four bits of each grey.  The core dithers l8 to 256 levels, not to the
+ * panel's levels: steps are visible where 16 greys are too few. */
 static void pack_greys(uint8_t *to, const uint8_t *from, uint32_t pixels)
 {
     for (; pixels >= 2; pixels -= 2, from += 2)
@@ -16,13 +17,13 @@ static void pack_greys(uint8_t *to, const uint8_t *from, uint32_t pixels)
 
 static const uint8_t start[] = {
     0xae, 0,                                    /* off */
-    0x81, 1, 0x3f,   0x86, 0,                   /* contrast, whole current */
+    0x81, 1, 0x3f,   0x86, 0,                   /* contrast, full current */
     0xa0, 1, 0x52,   0xa1, 1, 0,   0xa2, 1, 0,  /* remap, first line, offset */
     0xa4, 0,         0xa8, 1, 0x3f,             /* not inverted; 64 lines */
     0xb1, 1, 0x22,   0xb2, 1, 0x46,             /* phases, row period */
     0xb3, 1, 0xf1,   0xbf, 1, 0x0d,             /* clock, VSL */
     0xbe, 1, 0x02,   0xbc, 1, 0x10,             /* VCOMH, precharge */
-    0xad, 1, 0x03,                              /* its own DC-DC converter is on */
+    0xad, 1, 0x03,                              /* internal DC-DC converter on */
 };
 
 static const uint8_t on[] = { 0xaf, 0 };

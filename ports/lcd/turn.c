@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Tiles of i1 turned by quarters, for panels whose bytes of eight pixels lie along one side
- * of the glass whatever they are told: e-paper that hangs the other way. */
+/* Turns tiles of i1 by quarters, for panels that cannot: e-paper stores bytes of eight
+ * pixels along a fixed side of the glass. */
 #include "lcd.h"
 
 static unsigned bit(const tp_tile *t, uint32_t x, uint32_t y)
@@ -9,7 +9,7 @@ static unsigned bit(const tp_tile *t, uint32_t x, uint32_t y)
     return (unsigned)row[(x - t->x0) / 8] >> (7 - (x - t->x0) % 8) & 1;
 }
 
-/* Where the picture's pixel is that lies at (x, y) of the turned one. */
+/* Returns the picture's pixel that lies at (x, y) in the turned picture. */
 static unsigned bit_from(const tp_tile *t, const tp_config *picture, unsigned turn,
                          uint32_t x, uint32_t y)
 {

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* The smallest port: draws a scene made in code, in bands, in every pixel format, and
- * prints the frames' CRCs.  A port to a board puts its display where the CRC is. */
+ * prints the CRCs of the frames.  A port to a board replaces the CRC by its display. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -19,7 +19,8 @@ static void set(tp_scene *scene, const char *name, const char *text)
         printf("%s cannot be %s\n", name, text);
 }
 
-/* Bands are as wide as the picture and come in order: their rows are its rows. */
+/* Draws one frame and prints its CRC.  Bands are as wide as the picture and come in order:
+ * their rows are the picture's rows. */
 static void draw(const tp_frame *frame, tp_format format, void *scratch, unsigned number)
 {
     tp_tile tile;

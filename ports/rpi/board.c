@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* The board's registers: its clock, the serial port and the mailbox to the GPU, by
- * Broadcom's "BCM2835 ARM Peripherals" and the firmware's list of mailbox properties.
- * Boards differ in where the registers begin. */
+/* The board's registers: clock, serial port and the mailbox to the GPU, by Broadcom's
+ * "BCM2835 ARM Peripherals" and the firmware's list of mailbox properties.  Boards differ
+ * in the address of the first register. */
 #include "rpi.h"
 
 enum { TIMER_LOW = 0x3004, MAILBOX_READ = 0xb880, MAILBOX_STATE = 0xb898,
@@ -32,7 +32,8 @@ static struct {
     uint32_t end;
 } message __attribute__((section(".bare"), aligned(16)));
 
-/* Waits until a mailbox is not full, or not empty. */
+/* Waits while the bits `not` of a mailbox's state are set (full, or empty); returns false
+ * after one second. */
 static bool wait_while(uint32_t state, uint32_t not)
 {
     const uint32_t begun = microseconds();
@@ -42,7 +43,8 @@ static bool wait_while(uint32_t state, uint32_t not)
     return true;
 }
 
-/* A property of number 0 ends the message, so the rest of it is cleared. */
+/* Sends properties to the GPU and receives the answers.  Property 0 ends the message:
+ * unused entries are cleared. */
 bool gpu_ask(property *properties, int n)
 {
     const uint32_t letter = (uint32_t)((uintptr_t)&message | (uintptr_t)gpu_memory) + 8;
@@ -72,7 +74,7 @@ bool gpu_ask(property *properties, int n)
 void uart_open(void)
 {
     property clock = { .id = GET_CLOCK, .value = { 2 } };
-    uint32_t hertz = 48000000;                      /* the firmware's, if it is silent */
+    uint32_t hertz = 48000000;                      /* the firmware's default */
 
     if (gpu_ask(&clock, 1) && clock.value[1])
         hertz = clock.value[1];
@@ -80,13 +82,13 @@ void uart_open(void)
     put(GPIO_SELECT_1, (take(GPIO_SELECT_1) & ~(077u << 12)) | 044u << 12);
     put(UART_WHOLE, hertz / (16 * 115200));
     put(UART_PARTS, hertz / (115200 / 4) % 64);
-    put(UART_LINE, 7 << 4);                         /* 8n1, with queues */
-    put(UART_CONTROL, 0x301);                       /* on, out and in */
+    put(UART_LINE, 7 << 4);                         /* 8n1, FIFOs on */
+    put(UART_CONTROL, 0x301);                       /* on, transmit and receive */
 }
 
 static struct {
     uint8_t  bytes[256];
-    uint32_t in, out;               /* counted for ever, of which the lower bits tell */
+    uint32_t in, out;               /* running counts; indices are their lower bits */
 } heard;
 
 void uart_listen(void)
@@ -104,7 +106,7 @@ int uart_byte(void)
 void say(const char *text)
 {
     for (; *text; text++) {
-        while (take(UART_FLAGS) & 1 << 5)           /* no room for it? */
+        while (take(UART_FLAGS) & 1 << 5)           /* transmit FIFO full? */
             ;
         put(UART_DATA, (uint8_t)*text);
     }

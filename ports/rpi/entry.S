@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: MIT */
-/* What C cannot say: the first instructions, the way down to the level of an operating
- * system (the firmware starts us as a hypervisor, QEMU in the secure world), exceptions,
- * the map.  All processors but the first sleep.
+/* Start-up code that C cannot express: the first instructions, the switch to the privilege
+ * level of an operating system (the firmware starts the program as a hypervisor, QEMU in
+ * the secure world), exceptions, the memory map.  All cores but the first sleep.
  *
- * An exception is told to fault(class, pc, address) on a stack of its own; its class is
- * that of AArch64's ESR on either processor.  The trap of semihosting that nobody took
- * comes here too, and answers -1. */
+ * An exception calls fault(class, pc, address) on a separate stack; the class is that of
+ * AArch64's ESR on both architectures.  A semihosting trap without a debugger or emulator
+ * also arrives here and returns -1. */
     .section .start, "ax"
     .global _start, barrier, map_on, semihost
 
@@ -17,14 +17,14 @@ _start:
     ldr     x0, =0x30d00800             /* no map, no caches */
     msr     sctlr_el1, x0
     adr     x1, el1
-    mov     x2, #0x3c5                  /* EL1, its own stack, nothing interrupts */
+    mov     x2, #0x3c5                  /* EL1, own stack, interrupts masked */
     mrs     x0, CurrentEL
     cmp     x0, #2 << 2
     b.lo    el1
-    mov     x3, #1 << 31                /* EL1 has 64 bits */
+    mov     x3, #1 << 31                /* EL1 is 64-bit */
     msr     hcr_el2, x3
     b.eq    el2
-    mov     x3, #0x431                  /* so has EL2; not secure */
+    mov     x3, #0x431                  /* EL2 is 64-bit; non-secure */
     msr     scr_el3, x3
     msr     spsr_el3, x2
     msr     elr_el3, x1
@@ -49,7 +49,7 @@ barrier:
 
 map_on:
     msr     ttbr0_el1, x0
-    ldr     x0, =0x0444ff               /* 0: cached; 1: normal, bare; 2: device */
+    ldr     x0, =0x0444ff               /* 0: cached; 1: uncached; 2: device */
     msr     mair_el1, x0
     ldr     x0, =0x800000 | (64 - 30)   /* 30 bits of address, one table */
     msr     tcr_el1, x0
@@ -72,7 +72,7 @@ trap:
     mrs     x1, elr_el1
     mrs     x2, far_el1
     lsr     x0, x0, #26
-    cbnz    x0, 1f                      /* not an unknown instruction? */
+    cbnz    x0, 1f                      /* class is not 0, undefined? */
     ldr     x3, =semihost
     cmp     x1, x3
     b.ne    1f
@@ -111,7 +111,7 @@ _start:
     bne     park
     mrs     r0, cpsr
     and     r0, r0, #0x1f
-    cmp     r0, #0x1a                   /* are we the hypervisor? */
+    cmp     r0, #0x1a                   /* hypervisor mode? */
     bne     1f
     mov     r0, #0xd3
     msr     spsr_cxsf, r0
@@ -120,7 +120,7 @@ _start:
     eret
 1:
 #endif
-    msr     cpsr_c, #0xd3               /* supervisor, nothing interrupts */
+    msr     cpsr_c, #0xd3               /* supervisor, interrupts masked */
     ldr     r0, =vectors
     mcr     p15, 0, r0, c12, c0, 0
     ldr     sp, =stack_top
@@ -137,29 +137,29 @@ barrier:
 
 map_on:
     mov     r1, #1
-    mcr     p15, 0, r1, c3, c0, 0       /* one domain, whose entries are asked */
+    mcr     p15, 0, r1, c3, c0, 0       /* one domain, permissions checked */
     mov     r1, #0
     mcr     p15, 0, r1, c2, c0, 2       /* one table */
     mcr     p15, 0, r0, c2, c0, 0
-    mcr     p15, 0, r1, c8, c7, 0       /* nothing is known of older maps */
-    mcr     p15, 0, r1, c7, c5, 0       /* nor instructions, */
+    mcr     p15, 0, r1, c8, c7, 0       /* invalidates the TLB, */
+    mcr     p15, 0, r1, c7, c5, 0       /* the instruction cache */
 #if __ARM_ARCH < 7
-    mcr     p15, 0, r1, c7, c6, 0       /* nor data */
+    mcr     p15, 0, r1, c7, c6, 0       /* and the data cache */
 #endif
     BARRIER
     mrc     p15, 0, r0, c1, c0, 0
     bic     r0, r0, #0x30000000         /* entries as start.c writes them */
-    bic     r0, r0, #0x2000             /* vectors where we say */
+    bic     r0, r0, #0x2000             /* vectors at VBAR */
     bic     r0, r0, #2
     orr     r0, r0, #0xc00000
-    orr     r0, r0, #0x1800             /* instructions' cache, guessed branches */
-    orr     r0, r0, #5                  /* the map, the data's cache */
+    orr     r0, r0, #0x1800             /* instruction cache, branch prediction */
+    orr     r0, r0, #5                  /* MMU, data cache */
     mcr     p15, 0, r0, c1, c0, 0
     FLUSH
     bx      lr
 
 semihost:
-    push    {r4, lr}                    /* the trap, if nobody takes it, writes lr */
+    push    {r4, lr}                    /* a trap without a debugger overwrites lr */
     svc     #0x123456
     pop     {r4, pc}
 

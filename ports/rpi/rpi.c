@@ -1,24 +1,24 @@
 /* SPDX-License-Identifier: MIT */
 /* The baked scene on a Raspberry Pi's screen, without an operating system.
  *
- * The GPU owns the screen.  It is asked by mailbox for a frame buffer of two pages, one
- * below the other; bands are drawn straight into the page that is not seen, then the
- * window is moved over it.  What it answers is compared with what was asked for: if they
- * differ one line says so and the program ends with 3.
+ * The GPU owns the screen.  A mailbox request allocates a frame buffer of two pages, one
+ * below the other.  Bands are drawn directly into the hidden page, then the visible window
+ * is moved to that page.  Each answer is compared with its request: if they differ, one
+ * line says so and the program ends with 3.
  *
- * On the serial port (PL011, 115200 8n1, pins 14 and 15) frames that were asked for are
- * told as their CRC, read back from the page; it must be the host's.  An emulator with
- * semihosting says what to draw in its command line, by names and numbers:
+ * On the serial port (PL011, 115200 8n1, pins 14 and 15) requested frames are reported by
+ * their CRC, read back from the page; it must equal the host's.  An emulator with
+ * semihosting passes the task in its command line, by names and numbers:
  *     depth 16 or 32 (32), width, height (640x480), first tick (0),
- *     frames, after which the picture stays (0: it moves on in real time)
+ *     frames, after which the picture stays (0: continues in real time)
  *
- * Lines of board/control.h set the scene's numbers; while the water stands, every frame
- * that they ask for is told.  The program has everything there is: size and depth of the
- * screen are known when it runs, lines may switch on what the scene has not, and memory is
- * ample.
+ * Commands of board/control.h set the scene's numbers; while the water is paused, each
+ * frame that they cause is reported.  The program links every module: size and depth of
+ * the screen are known at run time, commands may switch on features that the scene lacks,
+ * and memory is ample.
  *
- * For a board: make BOARD=rpi/raspi2b SCENE=x elf, objcopy -O binary to what board.ld
- * names, on the card beside the firmware's files.  So far it ran in QEMU alone. */
+ * For a board: make BOARD=rpi/raspi2b SCENE=x elf, then objcopy -O binary to the name in
+ * board.ld, on the card beside the firmware's files.  Tested in QEMU only. */
 #include "rpi.h"
 #include "base/arena.h"
 #include "board/control.h"
@@ -30,8 +30,8 @@ extern const tp_assets baked_assets;
 
 void *memcpy(void *restrict to, const void *restrict from, size_t bytes);
 
-enum { BAND = 16,                       /* rows drawn at once */
-       TICK_US = 16667, MOST_TICKS = 8 };       /* of the latter, between frames */
+enum { BAND = 16,                       /* rows per band */
+       TICK_US = 16667, MOST_TICKS = 8 };       /* ticks between two frames, at most */
 
 static _Noreturn void stop(const char *why)
 {
@@ -40,11 +40,12 @@ static _Noreturn void stop(const char *why)
     halt(3);
 }
 
-/* -- what to draw ------------------------------------------------------------------ */
+/* -- the task ---------------------------------------------------------------------- */
 
 typedef struct { uint32_t depth, width, height, first, frames; } wish;
 
-/* The number after a name in the command line; else it stays. */
+/* Sets *number to the number after a name in the command line; leaves it if the name is
+ * missing. */
 static void wished(const char *line, const char *name, uint32_t *number)
 {
     for (; *line; line++) {
@@ -78,13 +79,13 @@ static wish what_to_draw(void)
 /* -- the screen -------------------------------------------------------------------- */
 
 typedef struct {
-    uint8_t  *pixels;               /* of the upper page */
+    uint8_t  *pixels;               /* first page */
     uint32_t  pitch, width, height;
-    uint32_t  seen;                 /* page 0 or 1 */
+    uint32_t  seen;                 /* visible page, 0 or 1 */
     tp_format format;
 } screen;
 
-/* Ends the program unless a property was answered as it was asked for. */
+/* Stops the program unless a property was answered exactly as requested. */
 static void got(const char *what, const property *p, uint32_t a, uint32_t b)
 {
     if (p->code & ANSWERED && p->value[0] == a && p->value[1] == b)
@@ -98,8 +99,9 @@ static void got(const char *what, const property *p, uint32_t a, uint32_t b)
     stop("");
 }
 
-/* Of 16 bits red is the high ones in the order called RGB, of 32 in the other.  The
- * pages are wider than what is seen, since QEMU moves its window over such alone. */
+/* Opens the screen.  At 16 bits the order called RGB has red in the high bits, at 32 bits
+ * the other order.  Pages are wider than the screen, because QEMU moves its window only
+ * over such a frame buffer. */
 static screen screen_open(const wish *w)
 {
     const uint32_t order = w->depth == 16, wide = w->width + 16;
@@ -138,7 +140,7 @@ static uint8_t *screen_page(const screen *s, uint32_t page)
     return s->pixels + (size_t)page * s->height * s->pitch;
 }
 
-/* Shows the other page; returns when the last one is no longer sent to the screen. */
+/* Shows the other page; returns when the screen no longer reads the previous page. */
 static void screen_flip(screen *s)
 {
     const uint32_t row = (1 - s->seen) * s->height;
@@ -160,10 +162,10 @@ typedef struct {
     void     *scratch;
     control_setup setup;
     control   control;
-    uint32_t  drawn_in;             /* microseconds, the last frame */
+    uint32_t  drawn_in;             /* time of the last frame, us */
 } work;
 
-static tp_scene scene;              /* the baked one, as it has been set */
+static tp_scene scene;              /* RAM copy of the baked scene, changed by commands */
 
 static void write(void *to, const char *text)
 {
@@ -244,9 +246,10 @@ static void tell(const work *w, const screen *s)
     say("\n");
 }
 
-/* -- for ever ---------------------------------------------------------------------- */
+/* -- main loop --------------------------------------------------------------------- */
 
-/* Ticks since `clock`, which moves on; where a scene is too slow some are lost. */
+/* Returns the ticks since `clock` and advances `clock`; if a scene is too slow some ticks
+ * are lost. */
 static uint32_t ticks_due(uint32_t *clock)
 {
     const uint32_t n = (microseconds() - *clock) / TICK_US;
@@ -254,7 +257,8 @@ static uint32_t ticks_due(uint32_t *clock)
     return n < MOST_TICKS ? n : MOST_TICKS;
 }
 
-/* While the water stands frames are told, as they are asked for by steps and sets. */
+/* Runs for ever.  While the water is paused, frames are drawn and reported when step and
+ * set commands ask for them. */
 static _Noreturn void live(work *w, screen *s)
 {
     control *c = &w->control;

@@ -1,14 +1,16 @@
 /* SPDX-License-Identifier: MIT */
-/* From the first instructions to main: cleared memory, a painted stack, a map of memory
- * one to one that lets the processor use its caches; and the end, of faults with code 2.
+/* Start-up from the first instructions to main: cleared memory, a painted stack, an
+ * identity memory map that enables the caches; and the end, with exit code 2 after a
+ * fault.
  *
- * A map has an entry for each MB (AArch32) or 2 MB (AArch64).  Memory of ours is cached.
- * Above it the GPU has its own, the frame buffer in it: not cached, or pictures would
- * stay in the cache, but written in bursts.  Registers keep their order.  The block below
- * the stack is nobody's, nor is what lies behind the registers.
+ * The map has one entry per MB (AArch32) or 2 MB (AArch64).  The program's memory is
+ * cached.  The GPU's memory above it, with the frame buffer, is not cached, since pictures
+ * would stay in the cache, but its writes are combined to bursts.  Registers keep their
+ * order of access.  The block below the stack and the space after the registers are
+ * unmapped.
  *
- * Of a core that shares caches with others (Cortex-A7, A53) the firmware's stub has let
- * it in beforehand. */
+ * On cores that share caches with others (Cortex-A7, A53) the firmware's stub has enabled
+ * coherency already. */
 #include "rpi.h"
 
 extern uint8_t  bss_start[], bss_end[], hole_start[], bare_start[], ram_end[];
@@ -25,7 +27,8 @@ _Noreturn void fault(uint32_t class, uintptr_t pc, uintptr_t address);
 enum { NOBODYS, CACHED, BARE, DEVICE };
 
 #ifdef __aarch64__
-/* Level 2 blocks: valid, attribute of map_on's, for all to see, touched; no code. */
+/* Level 2 blocks: valid, attribute index of map_on, shared, accessed.  BARE and DEVICE are
+ * not executable. */
 #define BLOCK   0x200000u
 #define ENTRIES 512
 typedef uint64_t entry;
@@ -33,7 +36,8 @@ static const entry kinds[] = {
     [CACHED] = 0x701, [BARE] = 0x60000000000705, [DEVICE] = 0x60000000000409,
 };
 #else
-/* Sections: TEX C B (B2.4 of the ARMv6 manual, B3.8 of ARMv7's), open to all; no code. */
+/* Sections: TEX C B (B2.4 of the ARMv6 manual, B3.8 of ARMv7's), full access.  BARE and
+ * DEVICE are not executable. */
 #define BLOCK   0x100000u
 #define ENTRIES 4096
 typedef uint32_t entry;
@@ -67,7 +71,7 @@ static void make_map(void)
     map_on(map);
 }
 
-/* -- the beginning and the end ---------------------------------------------------- */
+/* -- start and end ---------------------------------------------------------------- */
 
 void reset(void)
 {
@@ -87,10 +91,10 @@ uint32_t stack_used(void)
     return (uint32_t)((uintptr_t)stack_top - (uintptr_t)word);
 }
 
-/* Ends an emulator with the code; a board stays as it is, its last picture on screen. */
+/* Ends an emulator with the exit code; on a board the last picture stays on the screen. */
 void halt(int code)
 {
-    const uintptr_t reason[2] = { 0x20026, (uintptr_t)code };   /* the program ended */
+    const uintptr_t reason[2] = { 0x20026, (uintptr_t)code };   /* application exit */
     semihost(0x20, reason);
     say_number("halted ", (uint32_t)code, 10, 1);
     say("\n");

@@ -4,7 +4,7 @@
  * stored, and the number of points depends on the picture, not on the water's size.
  *
  * Lines are parallel to the horizon, hence depth and its reciprocal are constant on a
- * line. They get denser towards the horizon; points lie at every 8th column.  Lines begin
+ * line.  They get denser towards the horizon; points lie at every 8th column.  Lines begin
  * far enough below the picture for crests there to rise into it, and extend as far to both
  * sides; the last line is the water's far end.  A tile walks the lines that may touch it:
  * wide, low tiles walk fewest.

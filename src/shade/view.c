@@ -8,7 +8,7 @@
 #include "tidepool/modules.h"
 
 /* right (u - u0) + up (v0 - v) - back focal points to the scene; this is its negative,
- * Q30. Each product has 30 + 18 bits. */
+ * Q30.  Each product has 30 + 18 bits. */
 typedef struct {
     int64_t x, y, z;
 } way;

@@ -6,7 +6,8 @@ BOARD_C := $(addprefix ports/,$(addprefix cortex-m/,lm3s6965evb/main.c lm3s6965e
                start.c semihost.c memory.c) $(addprefix lcd/,lcd.c panels.c ssd0323.c) \
                $(addprefix board/,answer.c control.c control_set.c buttons.c) \
                $(addprefix live/,poke.c setting.c))
-# An OLED, in bands; 64 KB of RAM would not hold all crossings.  What lines may switch on is
-# there too, but for what they are refused: it takes a file, or memory that was not reserved.
+# An OLED, drawn in bands; 64 KB of RAM cannot hold all grid vertices.  --with links the
+# modules that command lines may switch on, except features that need a file or memory that
+# was not reserved: commands for them are refused.
 BAKE    := --size 128x64 --format l8 --band 8 --stream \
            --with lighting,diffuse,reflectance,glint,sharp,paddle

@@ -1,10 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /* Registers of the LM3S6965 and the wires of its evaluation board.
  *
- * Bytes that come while a picture is drawn wait in a ring, which an interrupt fills; the
- * vector table is copied into RAM for that one entry.  While the ring is full the
- * interrupt is masked: what goes on sending then loses bytes, but for an emulator, which
- * waits. */
+ * An interrupt stores received bytes in a ring while a picture is drawn; the vector table
+ * is copied to RAM to add that one entry.  While the ring is full the interrupt is masked:
+ * a sender that continues loses bytes, except on an emulator, which waits. */
 #include "evb.h"
 #include "cortex-m/board.h"
 
@@ -17,10 +16,10 @@
 #define RCGC2   AT(0x400fe108)
 #define RCC_FIELDS 0x07c03bf1u          /* SYSDIV USESYSDIV PWRDN BYPASS XTAL OSCSRC */
 #define RCC_BYPASS 0x00000800u
-#define RCC_50MHZ  0x01c00380u          /* 200 MHz / 4, by the crystal of 8 MHz */
+#define RCC_50MHZ  0x01c00380u          /* 200 MHz / 4 from the 8 MHz crystal */
 #define PLL_LOCKED 0x00000040u
 
-/* Ports: a mask of the pins lies in the address of the data. */
+/* GPIO ports: the address of the data register contains a mask of the pins. */
 enum { GPIO_A = 0x40004000, GPIO_C = 0x40006000,
        GPIO_E = 0x40024000, GPIO_F = 0x40025000 };
 #define PINS(port, mask) AT((port) + ((mask) << 2))
@@ -28,13 +27,13 @@ enum { GPIO_A = 0x40004000, GPIO_C = 0x40006000,
 #define AFSEL(port) AT((port) + 0x420)
 #define PUR(port)   AT((port) + 0x510)
 #define DEN(port)   AT((port) + 0x51c)
-#define POWER_PIN 0x40u                 /* PC6: the display's 15 V */
-#define DATA_PIN  0x80u                 /* PC7: its D/C */
+#define POWER_PIN 0x40u                 /* PC6: 15 V supply of the display */
+#define DATA_PIN  0x80u                 /* PC7: D/C of the display */
 
 #define UART(offset) AT(0x4000c000 + (offset))
-#define UART_EMPTY 0x10u                /* receive FIFO */
-#define UART_FULL  0x20u                /* transmit FIFO */
-#define UART_RX    0x50u                /* interrupts: received, and no more follows */
+#define UART_EMPTY 0x10u                /* receive FIFO is empty */
+#define UART_FULL  0x20u                /* transmit FIFO is full */
+#define UART_RX    0x50u                /* interrupts: receive, receive timeout */
 
 #define SSI(offset) AT(0x40008000 + (offset))
 #define SSI_ROOM   0x02u
@@ -51,7 +50,8 @@ void *memcpy(void *restrict to, const void *restrict from, size_t bytes);
 
 /* -- clock -------------------------------------------------------------------------- */
 
-/* A PLL that does not lock leaves the slow clock on: the water is slow then. */
+/* Switches to the PLL.  If the PLL does not lock, the slow clock stays on, and the water
+ * is slow. */
 static void open_clock(void)
 {
     RCC |= RCC_BYPASS;
@@ -63,7 +63,7 @@ static void open_clock(void)
         }
     SYSTICK(4) = SYSTICK_BITS;
     SYSTICK(8) = 0;
-    SYSTICK(0) = 5;                     /* on, by the processor's clock */
+    SYSTICK(0) = 5;                     /* enabled, on the processor's clock */
 }
 
 uint32_t evb_clocks(void)
@@ -80,11 +80,11 @@ uint32_t evb_clocks(void)
 enum { RING = 256 };
 
 static volatile uint8_t  ring[RING];
-static volatile uint32_t ring_in, ring_out;     /* each is written by one side alone */
+static volatile uint32_t ring_in, ring_out;     /* each is written by one side only */
 __attribute__((aligned(128))) static uint32_t vectors_used[VECTORS];
 
-/* All that is there; of UARTDR the upper bits tell of errors of the line: such a byte is
- * taken for 0, which no line may hold. */
+/* Interrupt handler: stores all received bytes.  The upper bits of UARTDR report line
+ * errors; a byte with an error is stored as 0, which is invalid in any line. */
 static void receive(void)
 {
     while (!(UART(0x18) & UART_EMPTY)) {
@@ -114,9 +114,9 @@ static void open_serial(void)
     AFSEL(GPIO_A) |= 0x03;              /* PA0, PA1 */
     DEN(GPIO_A) |= 0x03;
     UART(0x30) = 0;
-    UART(0x24) = 27;                    /* 50 MHz / (16 * 115200) = 27 + 8/64 */
+    UART(0x24) = 27;                    /* divisor 50 MHz / (16 * 115200) = 27 + 8/64 */
     UART(0x28) = 8;
-    UART(0x2c) = 0x70;                  /* 8 bits, no parity, FIFOs */
+    UART(0x2c) = 0x70;                  /* 8 bits, no parity, FIFOs on */
     UART(0x30) = 0x301;
     memcpy(vectors_used, (const void *)VTOR, CORE_VECTORS * sizeof *vectors_used);
     vectors_used[CORE_VECTORS + UART_IRQ] = (uint32_t)(uintptr_t)receive;
@@ -149,18 +149,18 @@ void evb_number(uint32_t n, uint32_t base, int least_digits)
 
 static void open_display(void)
 {
-    AFSEL(GPIO_A) |= 0x2c;              /* PA2 clock, PA3 select, PA5 data */
+    AFSEL(GPIO_A) |= 0x2c;              /* PA2 clock, PA3 chip select, PA5 data */
     DEN(GPIO_A) |= 0x2c;
     DIR(GPIO_C) |= POWER_PIN | DATA_PIN;
     DEN(GPIO_C) |= POWER_PIN | DATA_PIN;
     PINS(GPIO_C, POWER_PIN) = POWER_PIN;
     SSI(4) = 0;
-    SSI(0x10) = 14;                     /* 3.6 MHz; 4 are the panel's most */
-    SSI(0) = 0xc7;                      /* 8 bits, clock idle high, taken as it rises */
+    SSI(0x10) = 14;                     /* 3.6 MHz; the panel's limit is 4 */
+    SSI(0) = 0xc7;                      /* 8 bits, clock idle high, sampled as it rises */
     SSI(4) = 2;
 }
 
-/* What came back, which is of no use; until it is fetched an emulator sends no more. */
+/* Discards received bytes; an emulator sends nothing more until they are read. */
 static void fetch(void)
 {
     while (SSI(0xc) & SSI_CAME)
@@ -174,7 +174,7 @@ static void send(uint8_t byte)
     SSI(8) = byte;
 }
 
-/* D/C may change when the last bit is out. */
+/* Waits for the last bit to leave; D/C may change only then. */
 static void settle(void)
 {
     while (SSI(0xc) & SSI_BUSY)
@@ -208,7 +208,8 @@ void evb_pause(void *unused, uint32_t ms)
 
 /* -- buttons ------------------------------------------------------------------------- */
 
-/* PE0 up, PE1 down, PE2 left, PE3 right, PF1 select, which the board pulls up. */
+/* Returns the button lines: PE0 up, PE1 down, PE2 left, PE3 right, PF1 select.  Pull-ups
+ * keep released lines high. */
 uint32_t evb_buttons(void)
 {
     return PINS(GPIO_E, 0x0fu) | PINS(GPIO_F, 0x02u) << 3;
@@ -227,7 +228,7 @@ void evb_open(void)
     open_clock();
     RCGC1 |= 0x11;                      /* UART0, SSI0 */
     RCGC2 |= 0x35;                      /* ports A, C, E, F */
-    (void)RCGC2;                        /* some clocks until they answer */
+    (void)RCGC2;                        /* read back: waits until the clocks are on */
     open_serial();
     open_display();
     open_buttons();

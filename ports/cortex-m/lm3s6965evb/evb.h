@@ -1,28 +1,28 @@
 /* SPDX-License-Identifier: MIT */
-/* What of the evaluation board the program uses: its clock, the serial port over USB, the
- * display's wires, five buttons. */
+/* Drivers of the evaluation board: clock, serial port over USB, the display's wires, five
+ * buttons. */
 #ifndef EVB_H
 #define EVB_H
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 
-#define EVB_HZ 50000000u        /* of the processor, once evb_open has returned */
+#define EVB_HZ 50000000u        /* processor clock after evb_open, Hz */
 
 void evb_open(void);
 
-/* Clocks since the last call, which must be within a third of a second. */
+/* Returns the clocks since the last call, which must be within a third of a second. */
 uint32_t evb_clocks(void);
 
-/* A byte that was received; false: there is none. */
+/* Fetches a received byte; returns false if none has arrived. */
 bool evb_byte(uint8_t *byte);
 void evb_text(void *unused, const char *text);
 void evb_number(uint32_t n, uint32_t base, int least_digits);
 
-/* Of the display: lcd_wires. */
+/* Functions of lcd_wires for the display. */
 void evb_command(void *unused, uint8_t byte);
 void evb_data(void *unused, const uint8_t *bytes, size_t count);
 void evb_pause(void *unused, uint32_t ms);
 
-uint32_t evb_buttons(void);     /* lines as board/buttons.h wants them */
+uint32_t evb_buttons(void);     /* lines in the format of board/buttons.h */
 #endif

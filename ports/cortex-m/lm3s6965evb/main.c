@@ -1,11 +1,12 @@
 /* SPDX-License-Identifier: MIT */
-/* The baked scene, live on the evaluation board's OLED: ticks follow the clock, buttons
- * and lines over the serial port change what is seen (board/buttons.h, board/control.h).
+/* The baked scene, live on the evaluation board's OLED.  Ticks follow the clock; buttons
+ * and command lines over the serial port change the scene (board/buttons.h,
+ * board/control.h).
  *
- * What they put in is written as the lines of a tape (scene/tape.h): under "tape 1
- * SCENE" and by `tidepool render SCENE --tape` they draw the same pictures elsewhere.
- * The scene lies in RAM, where lines change it; board.mk names what they may switch on.
- * In a window, arrows and Ctrl are its buttons:
+ * Input is echoed as lines of a tape (scene/tape.h): with the head "tape 1 SCENE" and
+ * `tidepool render SCENE --tape` they reproduce the same pictures elsewhere.  The scene
+ * lies in RAM, where commands change it; board.mk names the modules that commands may
+ * switch on.  In QEMU's window the arrow keys and Ctrl are the buttons:
  *
  *     make BOARD=cortex-m/lm3s6965evb SCENE=tarn elf
  *     qemu-system-arm -M lm3s6965evb -serial stdio \
@@ -23,7 +24,7 @@
 #include "scene/tape.h"
 
 #define TICK_CLOCKS   (EVB_HZ / TP_TICKS_PER_SECOND)
-#define TICKS_AT_ONCE 8             /* behind by more, the water slows down */
+#define TICKS_AT_ONCE 8             /* a larger backlog is dropped: water slows down */
 
 static const tp_program *const program = &baked_program;
 static const tp_config *const picture = &baked_config;
@@ -35,9 +36,9 @@ static lcd       panel;
 static tp_world *world;
 static tp_frame *frame;
 static void     *scratch;
-static uint32_t  owed;              /* clocks of ticks not yet made */
-static uint64_t  sent_before;       /* the last frame, */
-static uint32_t  clocks;            /* which took so many */
+static uint32_t  owed;              /* clocks of ticks that are due */
+static uint64_t  sent_before;       /* bytes sent before the last frame */
+static uint32_t  clocks;            /* duration of the last frame, clocks */
 
 MARK(count_as_frame)
 MARK(count_as_tiles)
@@ -60,7 +61,7 @@ _Noreturn static void stop_on(const char *why)
         ;
 }
 
-/* Memory of the arena; how much of it stands in the first line. */
+/* Allocates memory in the arena and reports its size in the first line. */
 static void *take(tp_arena *arena, const char *what, size_t bytes)
 {
     void *memory = tp_arena_take(arena, 1, bytes);
@@ -110,9 +111,9 @@ static void open_scene(void)
     evb_text(NULL, "\n");
 }
 
-/* -- answers ------------------------------------------------------------------------- */
+/* -- replies ------------------------------------------------------------------------- */
 
-/* The picture once more, for its CRC alone; between the marks is what the core does. */
+/* Draws the picture again, only for its CRC; the marks enclose the core's work. */
 static uint32_t crc_of_picture(void)
 {
     tp_tile  tile;
@@ -167,7 +168,7 @@ static void tick(void)
     tp_world_step(program, world, &scene, &input);
 }
 
-/* Ticks that are due: those of a step at once, others by the clock. */
+/* Makes the ticks that are due: those of a `step` command at once, others by the clock. */
 static bool make_ticks(void)
 {
     bool made = false;
@@ -192,7 +193,7 @@ static void show(void)
     sent_before = panel.sent;
     lines.changed = false;
     tp_frame_begin(frame, world);
-    lcd_show(&panel, frame, scratch);       /* wires that answer nothing cannot fail */
+    lcd_show(&panel, frame, scratch);       /* cannot fail: the wires have no wait */
     clocks = evb_clocks();
     owed += clocks;
 }

@@ -4,6 +4,6 @@ TRIPLE  := arm-none-eabi-
 ARCH    := -mcpu=cortex-m4 -mthumb -mfloat-abi=soft -ffreestanding
 BOARD_C := $(addprefix ports/cortex-m/,main.c sum.c start.c \
                semihost.c memory.c)
-# An LCD in bands, in the order of bytes that it takes them in; 128 KB of RAM would not hold
-# all crossings.
+# An LCD, drawn in bands, in the panel's byte order; --stream, because 128 KB of RAM cannot
+# hold all grid vertices.
 BAKE    := --size 320x240 --format rgb565be --band 4 --stream --no-input

@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: MIT */
-/* The buoy's motion: it follows the water's height like a weight on a damped spring, and
- * leans with the water's slope. */
+/* The buoy's motion: a damped spring pulls it to the water's height, and it leans with the
+ * water's slope. */
 #include "buoy.h"
 #include "geom/surface.h"
 #include "scene/parts.h"
 
-#define STIFFNESS 8             /* a tick adds 1 / 8 of the way to the water to its rise */
-#define DAMPING   4             /* and takes 1 / 4 of the rise away */
-#define FOLLOW    8             /* a tick leans it 1 / 8 of the way to the water's slope */
+#define STIFFNESS 8             /* rise per tick: + 1 / 8 of the way to the water */
+#define DAMPING   4             /* and - 1 / 4 of itself */
+#define FOLLOW    8             /* lean per tick: 1 / 8 of the way to the slope */
 #define LEAN_MOST TP_FX(0.75)
 #define HEIGHT_MOST (100 * TP_FX_ONE)
 
@@ -22,7 +22,7 @@ static size_t bytes(const tp_want *want)
     return sizeof(buoy_state);
 }
 
-/* The pose that the water asks for where the buoy stands: square to the surface. */
+/* Returns the pose at rest on the water: at its height, perpendicular to its surface. */
 static buoy_pose pose_of(const tp_surface *water, const tp_scene *scene)
 {
     const tp_sea_point at = tp_surface_above(water, scene->own[BUOY_X],
@@ -35,7 +35,7 @@ static buoy_pose pose_of(const tp_surface *water, const tp_scene *scene)
     };
 }
 
-/* A row that changes later leaves it where it floats. */
+/* Places the buoy on the water once; later changes of parameters keep its pose. */
 static void settle(void *mine, const tp_program *program, tp_world *world,
                    const tp_scene *scene)
 {

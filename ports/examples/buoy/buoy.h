@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* A buoy with a flag: a module that a program brings itself.  It shows what a module is
- * made of: a state that moves with the water, things to draw, a span stage of its own, and
- * rows of parameters.
+/* A buoy with a flag: a module that a program brings itself.  It shows the parts of a
+ * module: a state that moves with the water, geometry, a span stage, and rows of
+ * parameters.
  *
  *     buoy_rows.h      its settings
  *     buoy.c           how it moves
@@ -20,8 +20,8 @@ typedef struct {
 } buoy_pose;
 
 typedef struct {
-    buoy_pose now, last;        /* of this tick and the one before */
-    tp_fx     rise;             /* m a tick */
-    int32_t   afloat;           /* it has been put on the water */
+    buoy_pose now, last;        /* at this tick, at the tick before */
+    tp_fx     rise;             /* vertical speed, m per tick */
+    int32_t   afloat;           /* 1: it has been placed on the water */
 } buoy_state;
 #endif

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The buoy's picture: a body of two cones, a mast and a flag, lit from one side.  Frame,
- * mirrors and the refraction map all draw it. */
+/* The buoy's picture: a body of two cones, a mast and a flag, lit from one side.  The
+ * picture, mirrors and the refraction map draw the buoy by the same functions. */
 #include "buoy.h"
 #include "frame/frame.h"
 #include "shade/colour.h"
@@ -8,21 +8,21 @@
 
 enum { SIDES = 8, BOTTOM = SIDES, TOP, MAST, TIP, LOW, POINTS };
 
-/* The parts that the stage tells apart by a sample's face number. */
+/* Parts, distinguished by the stage through a sample's t. */
 enum { BODY, POLE, FLAG };
 
 typedef struct {
-    tp_vec3  point[POINTS];     /* in the world */
-    uint32_t colour[3];         /* of each part */
+    tp_vec3  point[POINTS];     /* vertices, world, m */
+    uint32_t colour[3];         /* colour of each part */
 } buoy;
 
-/* -- where it is ---------------------------------------------------------------------- */
+/* -- placement ----------------------------------------------------------------------- */
 
-/* The eight directions round it, and the normals of its sides; 512 is 1. */
+/* Eight directions around the buoy, also the normals of its sides; 512 is 1. */
 static const int16_t around[SIDES][2] = { { 512, 0 }, { 362, 362 }, { 0, 512 },
     { -362, 362 }, { -512, 0 }, { -362, -362 }, { 0, -512 }, { 362, -362 } };
 
-/* A point of the upright buoy, in 16ths of its radius, in the world. */
+/* Converts a point of the upright buoy, in 16ths of its radius, to the world. */
 static tp_vec3 leant(const buoy_pose *pose, const tp_scene *scene, int x, int y, int z)
 {
     const tp_fx unit = scene->own[BUOY_SIZE] / 16;
@@ -45,7 +45,7 @@ static buoy_pose pose_between(const buoy_state *state, tp_fx back)
     };
 }
 
-/* Places its points at the drawn moment. */
+/* Places the vertices at the drawn moment. */
 static void begin(tp_frame *frame, void *mine)
 {
     const tp_scene *scene = frame->scene;
@@ -67,7 +67,8 @@ static void begin(tp_frame *frame, void *mine)
     b->colour[FLAG] = (uint32_t)scene->own[BUOY_FLAG];
 }
 
-/* The box of its points; one that the lens cuts may be anywhere. */
+/* Projects the vertices and widens the box.  A vertex outside of the frustum makes the box
+ * unbounded. */
 static void place(tp_frame *frame, void *mine, tp_sight *sight, tp_grid_box *box)
 {
     const buoy *b = mine;
@@ -87,7 +88,7 @@ static void place(tp_frame *frame, void *mine, tp_sight *sight, tp_grid_box *box
     }
 }
 
-/* -- its triangles ---------------------------------------------------------------------- */
+/* -- triangles ----------------------------------------------------------------------- */
 
 typedef struct {
     const buoy       *b;
@@ -96,7 +97,7 @@ typedef struct {
     uint32_t          mark;
 } pen;
 
-/* Corners are counter-clockwise, seen from where the normal points. */
+/* Draws a triangle; vertices are counter-clockwise, seen from the side of the normal. */
 static void draw_triangle(const pen *to, const int corner[3], const int16_t n[3],
                           uint32_t part)
 {
@@ -121,7 +122,7 @@ static void draw_body(const pen *to)
     }
 }
 
-/* Thin things are seen from both sides. */
+/* Draws mast and flag; they are thin and visible from both sides. */
 static void draw_mast(const pen *to)
 {
     static const int16_t front[3] = { 0, 0, 511 }, side[3] = { 511, 0, 0 };
@@ -154,9 +155,9 @@ static void draw(const tp_frame *frame, const void *mine, const tp_sight *sight,
     draw_mast(&to);
 }
 
-/* -- its stage -------------------------------------------------------------------------- */
+/* -- stage --------------------------------------------------------------------------- */
 
-/* Light of all sides and of the sun, by the side that it falls on. */
+/* Shades a run by ambient light and sun.  Mast and flag take the sun from both sides. */
 void tp_stage_buoy(const tp_shade *shade, tp_run *run)
 {
     const buoy *b = run->mine;

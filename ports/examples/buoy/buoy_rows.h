@@ -4,9 +4,9 @@
 #define BUOY_ROWS_H
 #include "tidepool/modules.h"
 
-/* Its settings, words of tp_scene.own from BUOY_AT on, which the program's list says. */
+/* Indices of the settings in tp_scene.own; list.h defines BUOY_AT, the first. */
 #define BUOY_ON     (BUOY_AT + 0)
-#define BUOY_X      (BUOY_AT + 1)       /* m, 16.16 */
+#define BUOY_X      (BUOY_AT + 1)       /* position, m, 16.16 */
 #define BUOY_Z      (BUOY_AT + 2)
 #define BUOY_SIZE   (BUOY_AT + 3)
 #define BUOY_COLOUR (BUOY_AT + 4)

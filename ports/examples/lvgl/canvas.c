@@ -32,7 +32,7 @@ static void draw(lv_timer_t *timer)
     tp_engine_step(sea, NULL);
 }
 
-/* NULL: the memory is too small. */
+/* Creates the canvas; returns NULL if the memory is too small. */
 lv_obj_t *sea_create(lv_obj_t *parent)
 {
     tp_scene_init(&scene);

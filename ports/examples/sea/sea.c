@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* A sea in a window of SDL2.  A camera goes round a buoy, which crests hide as they pass.
- * The graph is the height of the water there in the last four seconds.  Escape ends.
+/* A sea in a window of SDL2.  A camera circles a buoy, which passing crests hide.  The
+ * graph shows the water's height at the buoy over the last four seconds.  Escape ends the
+ * program.
  *
  *     make lib
  *     cc -O2 -Iinclude ports/examples/sea/sea.c build/host/libtidepool.a \
@@ -28,11 +29,11 @@ static const uint32_t colours[] = { 0,          0xffe03c28, 0xffa42818, 0xfff4f0
                                     0xffb8b8b0, 0xff302c30, 0xffffe070 };
 
 static tp_scene scene;
-static tp_fx foot_x, foot_y, top_x, top_y, depth; /* the buoy in the picture, px; m */
+static tp_fx foot_x, foot_y, top_x, top_y, depth; /* buoy in the picture, px; depth, m */
 static bool in_view;
-static int heights[GRAPH_W], newest; /* rows over the graph's middle */
+static int heights[GRAPH_W], newest; /* px above the graph's middle */
 
-/* The buoy leans from its foot to its top; nearer water hides it. */
+/* Draws one row of the buoy's sprite, sheared from foot to top; nearer water hides it. */
 static void draw_buoy(const tp_overlay_row *row)
 {
     const int64_t tall = (int64_t)foot_y - top_y,
@@ -50,7 +51,7 @@ static void draw_buoy(const tp_overlay_row *row)
                     span);
 }
 
-/* The buoy, and over everything, at depth 0, the graph. */
+/* Draws one row of the buoy, and of the graph over everything (depth 0). */
 static void draw_row(void *user, const tp_overlay_row *row)
 {
     const int y = GRAPH_Y + GRAPH_H / 2 - (int)row->y;
@@ -66,13 +67,14 @@ static void draw_row(void *user, const tp_overlay_row *row)
         tp_overlay_span(row, GRAPH_X, GRAPH_W, 0, span);
 }
 
-/* `part` of a sine that takes `seconds`. */
+/* Returns `part` times a sine with a period of `seconds`. */
 static tp_fx swing(uint32_t tick, uint32_t seconds, tp_fx part)
 {
     return tp_fx_mul(tp_fx_sin(tick * (UINT32_MAX / 60 / seconds)), part);
 }
 
-/* Once round the buoy in two minutes, 0.9 m over the water, rolling by 6 degrees. */
+/* Moves the camera around the buoy, one turn in two minutes, 0.9 m above the water,
+ * rolling by up to 6 degrees. */
 static void move_camera(tp_world *world, uint32_t tick)
 {
     tp_vec3 eye = { swing(tick, 120, TP_FX(17)), 0, swing(tick + 1800, 120, TP_FX(17)) };
@@ -82,7 +84,7 @@ static void move_camera(tp_world *world, uint32_t tick)
                         tp_turn_of_degrees(swing(tick, 7, TP_FX(6))));
 }
 
-/* The buoy stands in the water at the world's origin, upright on its slope. */
+/* Places the buoy in the water at the world's origin, perpendicular to the surface. */
 static void place_buoy(tp_engine *sea)
 {
     const tp_water water = tp_world_sample(NULL, tp_engine_world(sea), 0, 0);

@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: MIT */
-/* A sea on a TFT: a sketch for Arduino with TFT_eSPI, or with LovyanGFX by
- * -DUSE_LOVYANGFX.  Both take a tile by pushImage as the panel wants its bytes.
+/* A sea on a TFT: an Arduino sketch for TFT_eSPI, or for LovyanGFX with -DUSE_LOVYANGFX.
+ * Both send a tile by pushImage, with its bytes in the panel's order.
  *
- * Copy this file as tft.ino into a sketch's folder, and Tidepool's include and src
- * into a library's; C++11 is enough.  A panel of 320x240 takes 88 KB.  The serial port,
- * 115200 baud, says why nothing is drawn. */
+ * Copy this file as tft.ino into a sketch's folder, and Tidepool's include and src into a
+ * library's folder; C++11 is enough.  A panel of 320x240 takes 88 KB.  On failure the
+ * serial port, 115200 baud, prints the reason. */
 #include <Arduino.h>
 #ifdef USE_LOVYANGFX
 #define LGFX_AUTODETECT

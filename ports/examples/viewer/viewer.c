@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* A scene by path: the camera goes round it for so many frames, then its picture is saved.
+/* Opens a scene file, moves the camera around it for a number of frames and saves the last
+ * picture.
  *     viewer SCENE.ini FRAMES PICTURE.png */
 #include <stdio.h>
 #include <stdlib.h>
@@ -12,7 +13,7 @@ static int fail(const tp_host_error *err)
     return 1;
 }
 
-/* Metres of 16.16. */
+/* Converts 16.16 to metres. */
 static double metres(tp_fx x)
 {
     return x / 65536.0;
