@@ -154,7 +154,7 @@ typedef struct {
 #endif
 
 /* All modules, in the order of memory, steps and drawing.  N names modules without
- * drawing; P names modules with a cost beyond pixels of water; X names all others. */
+ * drawing; P names drawn modules with a cost beyond pixels of water; X names all others. */
 #define TP_MODULE_LIST(X, N, P) \
     TP_MORE_LIST(X, N, P) \
     X(bumps)        /* pools that only change normals */ \
@@ -167,7 +167,7 @@ typedef struct {
     P(sky_cube)     /* cube map skies */ \
     P(stars)        /* stars over a night's dome */ \
     P(haze) \
-    P(boat)         /* its mesh; mipmap level by the distance of the first pixel */ \
+    P(boat)         /* its mesh; at equal depth the module listed first is visible */ \
     P(land)         /* a floor that rises out of the water */ \
     P(drops)        /* falling drops, the sphere that they fall from, and rings */ \
     N(coastal)      /* waves over a floor or in a wind; needs water.ocean, .swells */ \
@@ -189,7 +189,7 @@ typedef struct {
     X(refraction)   /* objects under clear water */ \
     X(clear_water)  /* the colours seen through the water */ \
     X(foam) \
-    X(fast_water)   /* the water by fast stages alone; refused if a stage is missing */ \
+    X(fast_water)   /* the water by fast stages alone; off if a module above has none */ \
     X(spray) \
     N(meter)        /* automatic exposure */ \
     X(exposure)

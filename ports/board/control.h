@@ -26,7 +26,7 @@
 
 #define CONTROL_LINE 160        /* bytes of the longest line, without its end */
 
-/* Filled in by the port; the scene is the scene that frame and world were made with. */
+/* Filled in by the port.  The scene is the one of frame and world. */
 typedef struct {
     const tp_scene  *shown;
     tp_scene        *scene;     /* the same in RAM; NULL: constant, `set` is refused */
@@ -64,7 +64,7 @@ bool control_reads(const control *c);
  * executed and answered. */
 bool control_byte(control *c, uint8_t byte);
 
-/* True if the port should make a tick that is due. */
+/* True if the port should make the tick now due. */
 bool control_ticks(control *c);
 
 /* Returns the input of the next tick and clears it. */

@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: MIT */
 /* The baked scene on a bare Cortex-M: drawn tile by tile, as for a board with an SPI
- * display, and reported as CRCs that must equal the host's.  Program and tile size are
+ * display, and reported as CRCs; they must equal the host's.  Program and tile size are
  * baked with the scene.
  *
- * The empty functions are marks for tools that count instructions: they separate the
- * core's work for a whole frame, for its tiles and for a tick of the world. */
+ * The empty functions are marks for instruction counters: they separate the core's work
+ * for a whole frame, for its tiles and for a tick of the world. */
 #include "baked.h"
 #include "base/arena.h"
 #include "board.h"

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Marks for tools that count instructions: empty functions whose calls a plugin or
- * callgrind detects.  MARK(count_end) defines one; a caller needs no other declaration. */
+/* Marks for instruction counters: empty functions, their calls visible to a plugin or
+ * callgrind.  MARK(count_end) defines one; a caller needs no other declaration. */
 #ifndef MARKS_H
 #define MARKS_H
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The four functions that the core requires of a port.  Aligned blocks are copied word by
+/* The four functions required by the core of each port.  Aligned blocks are copied word by
  * word.  PLAIN keeps the compiler from turning the loops into calls of these functions. */
 #include <stddef.h>
 #include <stdint.h>

@@ -10,8 +10,8 @@ void semihost_write(const char *text);
 /* Reads the program's command line, terminated.  Returns false if it does not fit. */
 bool semihost_words(char *buffer, size_t size);
 
-/* Exit codes, as far as a board has them the same as the host program's.  A fault exits
- * with 128 + 11, as a shell reports SIGSEGV. */
+/* The host program's exit codes for failures.  A fault exits with 128 + 11, as a shell
+ * reports SIGSEGV. */
 enum { SEMIHOST_FAILED = 3, SEMIHOST_FAULT = 139 };
 _Noreturn void semihost_exit(int code);
 

@@ -15,7 +15,7 @@ void reset(void);
 
 #define PAINT 0xa5a5a5a5u
 
-/* Words that the processor pushes on an exception, and the index of the return address. */
+/* Words pushed by the processor on an exception, and the index of the return address. */
 enum { PUSHED = 8, PUSHED_PC = 6 };
 
 _Noreturn void report_fault(const uint32_t *sp);

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* CRC of a picture whose rows arrive in pieces.  A CRC is a remainder of polynomials over
- * GF(2): crc(A B) is crc(A) x^(8 bytes of B) + crc(B).  Each piece of a row therefore
- * counts separately, times a power of x for the pixels after it. */
+/* CRC of a picture with rows in pieces.  A CRC is a remainder of polynomials over GF(2):
+ * crc(A B) is crc(A) x^(8 bytes of B) + crc(B).  Each piece of a row therefore counts
+ * separately, times a power of x for the pixels after it. */
 #include "sum.h"
 #include "pixel/pixel.h"
 

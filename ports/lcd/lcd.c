@@ -21,8 +21,8 @@ enum { NONE = -1 };
             return status_; \
     } while (0)
 
-/* Visible part of a tile in glass coordinates, x0 .. y1, and the pixels of the tile that
- * are cut off before that part. */
+/* Visible part of a tile in glass coordinates, x0 .. y1, and the pixels of the tile cut
+ * off before it. */
 typedef struct {
     int32_t x0, y0, x1, y1, skip_x, skip_y;
 } part;
@@ -177,7 +177,7 @@ static uint8_t *put(const lcd *l, uint8_t *to, uint32_t value, unsigned bytes)
     return to + bytes;
 }
 
-/* Sends an address command: `first`, and `last` unless that is negative. */
+/* Sends an address command: `first`, and `last` unless negative. */
 static lcd_status address(lcd *l, uint8_t code, uint32_t first, int32_t last,
                           unsigned bytes)
 {

@@ -82,7 +82,7 @@ enum {
 
 typedef struct {
     uint16_t  cols, rows;           /* size of the controller's memory, px */
-    uint16_t  x, y, width, height;  /* the glass in that memory, not turned, px */
+    uint16_t  x, y, width, height;  /* the glass in the memory, not turned, px */
     tp_format format;               /* pixel format of tiles */
     uint8_t   unit;                 /* pixels per column address: 1, 2, 8 */
     uint8_t   unit_bytes;           /* bytes per unit, as sent */
@@ -93,8 +93,8 @@ typedef struct {
     uint8_t   x_bytes, y_bytes;     /* bytes of an address: 1, 2 */
     uint8_t   flags;                /* LCD_LOW_FIRST, LCD_ALL_COMMANDS */
     uint8_t   upright;              /* MX MY BGR bits of an upright picture */
-    uint8_t   able;                 /* MX MY MV BGR bits that may be changed */
-    uint8_t   set_turn;             /* command that sets the bits; 0: none */
+    uint8_t   able;                 /* changeable MX MY MV BGR bits */
+    uint8_t   set_turn;             /* command to set the bits; 0: none */
     uint8_t (*turned)(uint8_t bits);        /* converts bits to its argument; NULL: as is */
     lcd_script start;               /* sent after the reset line */
     lcd_script on;                  /* sent after the first frame: light, if any */

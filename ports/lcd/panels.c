@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Panel tables with the commands that the controllers' data sheets require.
+/* Panel tables with the commands required by the controllers' data sheets.
  *
  * Colour panels: ILI9341 (ILITEK, V1.11) and ST7789V (Sitronix) use commands of MIPI DCS:
  *     01h SWRESET   reset; 5 ms until the next command, 120 ms until 11h
@@ -9,7 +9,7 @@
  *     2Ah CASET, 2Bh PASET      window: first and last, two bytes each, high byte first
  *     2Ch RAMWR     pixels from the window's corner on, until the next command
  *     29h DISPON    the glass shows the memory
- * E-paper: SSD1680 (Solomon Systech), whose columns are bytes of 8 pixels; 1 is white. */
+ * E-paper: SSD1680 (Solomon Systech); its columns are bytes of 8 pixels, 1 is white. */
 #include "lcd.h"
 
 const char *lcd_status_text(lcd_status status)

@@ -9,7 +9,7 @@ static unsigned bit(const tp_tile *t, uint32_t x, uint32_t y)
     return (unsigned)row[(x - t->x0) / 8] >> (7 - (x - t->x0) % 8) & 1;
 }
 
-/* Returns the picture's pixel that lies at (x, y) in the turned picture. */
+/* Returns the picture's pixel at (x, y) of the turned picture. */
 static unsigned bit_from(const tp_tile *t, const tp_config *picture, unsigned turn,
                          uint32_t x, uint32_t y)
 {

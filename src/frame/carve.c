@@ -5,7 +5,7 @@
 #include "geom/waters.h"
 #include "scene/prices.h"
 
-/* Lays out the memory of the water renderers that the plan may use, and of the grid LOD. */
+/* Lays out the memory of the plan's possible water renderers, and of the grid LOD. */
 static void carve_places(tp_frame_parts *p, tp_arena *arena, const tp_program *program,
                          const tp_scene *scene, const tp_config *config)
 {
@@ -34,7 +34,7 @@ bool tp_frame_streams(const tp_program *program, const tp_scene *scene)
     return method && method->streams && !tp_frame_is_coastal(program, scene);
 }
 
-/* Returns the conditions that modules are asked about. */
+/* Returns the conditions for asking modules. */
 tp_want tp_frame_want(const tp_program *program, const tp_frame_parts *parts,
                       const tp_scene *scene, const tp_assets *assets,
                       const tp_config *config)

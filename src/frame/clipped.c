@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Triangles that the near plane, the frustum or a level may clip; shared by all solids. */
+/* Triangles clipped by the near plane, the frustum or a level; shared by all solids. */
 #include "frame/sight.h"
 
 tp_view_corner tp_clipped_corner(const tp_lens *lens, tp_vec3 at, const int16_t n[3])

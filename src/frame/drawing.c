@@ -2,7 +2,7 @@
 /* The modules of a picture: loops over the program's list; see drawing.h. */
 #include "frame/frame.h"
 
-/* Loops over the modules of the program whose bits are set.  The loop ends after the
+/* Loops over the modules of the program by their set bits.  The loop ends after the
  * highest set bit: most pictures use few modules. */
 #define EACH_OF(bits, i, use, program)                                                   \
     const tp_use *const use = (program)->modules;                                        \

@@ -13,17 +13,17 @@
 struct tp_frame;
 struct tp_frame_parts;
 
-/* Callbacks of a module's drawing.  Any member may be NULL.  `mine` is the memory that
- * `layout` returned, or NULL. */
+/* Callbacks of a module's drawing.  Any member may be NULL.  `mine` is the memory from
+ * `layout`, or NULL. */
 typedef struct tp_drawing {
-    /* Allocates memory for the life of the frame.  Called twice: first with an arena that
-     * only counts bytes (the result is NULL), then with the frame's block. */
+    /* Allocates memory for the life of the frame.  Called twice: first with a counting
+     * arena (the result is NULL), then with the frame's block. */
     void *(*layout)(tp_arena *arena, const tp_want *want);
     void  (*init)(struct tp_frame *frame, void *mine);
 
-    /* Returns the number of stencil values that the module's samples need, one for each
-     * material that its stage reads from tp_run.material.  NULL: the module draws no
-     * samples.  If too few values are left, the module is not drawn. */
+    /* Returns the number of stencil values for the module's samples, one for each material
+     * (its stage reads tp_run.material).  NULL: the module draws no samples.  If too few
+     * values are left, the module is not drawn. */
     uint32_t (*marks)(const tp_want *want);
 
     /* Adds the module's displacement to the water's surface of the drawn moment. */
@@ -32,8 +32,8 @@ typedef struct tp_drawing {
     /* Sets the module's numbers for one picture.  Camera, light and surface are known. */
     void  (*begin)(struct tp_frame *frame, void *mine);
 
-    /* Draws a picture that the water's stages read, for example a mirror.  All shader
-     * lists and numbers are known. */
+    /* Draws a picture for the water's stages, for example a mirror.  All shader lists and
+     * numbers are known. */
     void  (*look)(struct tp_frame *frame, void *mine);
 
     /* Tells mirrors where the module's objects are.  The first module with objects
@@ -41,14 +41,14 @@ typedef struct tp_drawing {
     bool  (*anchor)(const struct tp_frame *frame, const void *mine,
                     tp_sight_anchor *anchor);
 
-    /* Projects the module's objects for one render view, and widens the box by the pixels
-     * that they may cover.  Views are placed and drawn one after the other, the picture's
-     * view last: `mine` stores the projection of one view only.  Some modules skip all
-     * other views. */
+    /* Projects the module's objects for one render view, and widens the box by all pixels
+     * of the objects.  Views are placed and drawn one after the other, the picture's view
+     * last: `mine` stores the projection of one view only.  Some modules skip all other
+     * views. */
     void  (*place)(struct tp_frame *frame, void *mine, tp_sight *sight, tp_grid_box *box);
 
-    /* Draws the objects of the view that was placed last: samples with stencil values from
-     * `mark` on.  The water is drawn after `draw`; `over` draws over the finished water. */
+    /* Draws the objects of the view placed last: samples with stencil values from `mark`
+     * on.  The water is drawn after them; `over` draws over the finished water. */
     void  (*draw)(const struct tp_frame *frame, const void *mine, const tp_sight *sight,
                   tp_samples *samples, uint32_t mark);
     void  (*over)(const struct tp_frame *frame, const void *mine, const tp_samples *samples,
@@ -84,7 +84,7 @@ void tp_frame_draw_over(const struct tp_frame *frame, const tp_samples *samples)
 /* Fills the shader lists of the modules' own samples. */
 void tp_frame_list_modules(struct tp_frame *frame);
 
-/* Returns the anchor of the first module that has objects; the origin if none has. */
+/* Returns the anchor of the first module with objects; the origin if none has. */
 tp_sight_anchor tp_frame_anchor(const struct tp_frame *frame);
 
 /* True if a module draws samples before the water. */
@@ -93,11 +93,10 @@ bool tp_frame_has_solids(const struct tp_frame *frame);
 /* True if a module with one of these bits of tp_module.is is on in this picture. */
 bool tp_frame_has_module(const struct tp_frame *frame, uint32_t is);
 
-/* Memory and stage table of a module that is on in this picture; NULL if the module is
- * off. */
+/* Memory and stage table of a module; NULL if the module is off in this picture. */
 void *tp_frame_part(const struct tp_frame *frame, uint32_t id);
 const tp_stage *tp_frame_stages(const struct tp_frame *frame, uint32_t id);
 
-/* Returns 1, the number of stencil values that most modules need. */
+/* Returns 1, the number of stencil values of most modules. */
 uint32_t tp_marks_one(const tp_want *want);
 #endif

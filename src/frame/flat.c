@@ -27,7 +27,7 @@ typedef struct {
     walker    place[2];
 } piece;
 
-/* Interpolated values that fit 32 bits over a few pixels.  n packs both slopes; the lower
+/* Interpolated values of a few pixels; 32 bits suffice.  n packs both slopes; the lower
  * half may carry into the upper half. */
 typedef struct {
     uint32_t s, s_step, t, t_step, n, n_step;
@@ -39,7 +39,7 @@ TP_ALWAYS_INLINE uint32_t key_of(uint32_t zi)
 }
 
 /* Returns the values at the start of a block; `from` is the pixel's index in the row and
- * lies `off` pixels after that start. */
+ * lies `off` pixels after the start. */
 TP_ALWAYS_INLINE few few_at(const piece *p, int32_t from, int32_t off)
 {
     uint64_t s = p->place[0].now + p->place[0].step * (uint64_t)(int64_t)(from - off);

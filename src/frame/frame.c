@@ -24,7 +24,7 @@ static void fill_tiles(tp_config *c)
 }
 
 /* Returns the config with defaults filled in.  NULL becomes a picture without pixels,
- * which check() refuses. */
+ * rejected by check(). */
 static tp_config filled(const tp_config *config, const tp_scene *scene)
 {
     tp_config c = { .width = 0 };
@@ -43,7 +43,7 @@ static tp_assets filled_assets(const tp_assets *assets)
     return assets != NULL ? *assets : (tp_assets){ .boat = NULL };
 }
 
-/* Checks the stages and the pixel store that each picture needs. */
+/* Checks the stages and the pixel store needed by each picture. */
 static tp_status check_program(const tp_program *program, tp_format format, tp_error *err)
 {
     if (!program->stage.sky || !program->stage.plain)
@@ -208,7 +208,7 @@ tp_surface tp_frame_lit_surface(const tp_frame *frame)
     return surface;
 }
 
-/* Draws the pictures that the water samples, then places the picture's own solids.  Both
+/* Draws the pictures sampled by the water, then places the picture's own solids.  Both
  * share memory; the numbers left at the end are the picture's. */
 static void place_solids(tp_frame *frame)
 {

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Internals of a frame: all data that drawing a tile reads. */
+/* Internals of a frame: all data read while drawing a tile. */
 #ifndef TP_FRAME_INSIDE_H
 #define TP_FRAME_INSIDE_H
 #include "frame/drawing.h"
@@ -22,31 +22,30 @@ typedef struct {
     tp_fx   share;              /* largest sideways motion, px per unit of -d.y */
 } tp_projected;
 
-/* Deep water without the waves that are too faint to be seen. */
+/* Deep water without waves too faint to be seen. */
 typedef struct {
     tp_sea  sea;
     tp_turn phases[TP_WAVES];
 } tp_thin_sea;
 
-/* Layout of the frame's block: memory for all features that the scene needed at init, NULL
- * or 0 for the others.  A feature that is switched on later finds no memory and is left
- * out. */
+/* Layout of the frame's block: memory for all features needed at init, NULL or 0 for the
+ * others.  A feature switched on later finds no memory and is left out. */
 typedef struct tp_frame_parts {
     tp_grid         *grid;              /* NULL: no renderer stores grid vertices */
-    tp_reach         reach;             /* rungs that have memory */
+    tp_reach         reach;             /* rungs with memory */
     tp_level        *level;             /* level plane of flat and screen grid */
     tp_projected    *projected;
     uint32_t        *slopes;            /* flat: slope grid, row by row */
     uint32_t         slope_cols;
     tp_thin_sea     *thin;
     struct tp_frame_lines *lines;       /* scanline grid, lines.h; NULL: rows cannot draw */
-    uint32_t         lacks;             /* modules that found too few stencil values */
+    uint32_t         lacks;             /* modules without enough stencil values */
     void           **module;            /* memory of each module of the program, or NULL */
     uint8_t         *mark;              /* first stencil value of each module, or 0 */
     uint64_t         laid;              /* bit i: module i was on at init */
     tp_marks         marks;
-    uint32_t         module_bytes;      /* of modules that draw no map for the water */
-    uint32_t         look_bytes;        /* of modules that draw a map, such as a mirror */
+    uint32_t         module_bytes;      /* of modules without a map for the water */
+    uint32_t         look_bytes;        /* of modules with a map, such as a mirror */
 } tp_frame_parts;
 
 struct tp_frame {
@@ -73,7 +72,7 @@ struct tp_frame {
 
     tp_sight         sight;             /* render view of the picture itself */
     uint64_t         modules_on;        /* bits in the order of the program's list */
-    uint64_t         modules_drawn;     /* enabled modules that draw samples */
+    uint64_t         modules_drawn;     /* enabled modules with samples */
 
     bool             under;             /* true: the eye is in the water */
     uint8_t lacking;                    /* first tp_shaders.lacking of all lists, or ... */
@@ -91,8 +90,8 @@ static inline tp_shaders *tp_frame_list(const tp_frame *frame, uint32_t mark)
     return tp_marks_list(&frame->parts.marks, mark);
 }
 
-/* carve.c: the layout of the block, the frame itself first.  Called with an arena that
- * only counts, then with the block.  Returns sizes in `ram`. */
+/* carve.c: the layout of the block, the frame itself first.  Called with a counting arena,
+ * then with the block.  Returns sizes in `ram`. */
 tp_frame *tp_frame_carve(const tp_program *program, tp_frame_parts *parts,
                          tp_ram_use *ram, tp_arena *arena, const tp_scene *scene,
                          tp_assets *assets, const tp_config *config);
@@ -155,10 +154,10 @@ static inline bool tp_frame_has_tank(const tp_frame *frame)
 void tp_frame_colour_row(const tp_frame *frame, const tp_samples *tile, int32_t y,
                          uint32_t *to);
 
-/* plan.c: builds the shader lists that the scene needs, and their numbers. */
+/* plan.c: builds the shader lists for the scene, and their numbers. */
 void tp_frame_plan(tp_frame *frame);
 
-/* True for a list of water that mirrors the sky: the sky's module adds a stage at
+/* True for a list of water with a reflection of the sky: the sky's module adds a stage at
  * TP_AT_REFLECT. */
 static inline bool tp_frame_mirrors(const tp_frame *frame, const tp_shaders *list)
 {
@@ -166,14 +165,13 @@ static inline bool tp_frame_mirrors(const tp_frame *frame, const tp_shaders *lis
         && tp_shaders_has(list, TP_AT_VIEW);
 }
 
-/* layer.c: the sampling numbers of a texture that drifts on the water. */
+/* layer.c: the sampling numbers of a drifting texture of the water. */
 tp_layer tp_frame_layer(const tp_frame *frame, const tp_texture *texture,
                         const tp_scene_map *map);
 uint32_t tp_frame_repeats(tp_fx size);          /* repeats a metre, Q0.32 over Q16.16 */
 int32_t tp_frame_lod(const tp_frame *frame, tp_fx texels_per_metre, bool level_ground);
 
-/* frame.c: the surface including pools that only change its normals; light falls through
- * all pools. */
+/* frame.c: the surface including pools of pool_bump; light falls through all pools. */
 tp_surface tp_frame_lit_surface(const tp_frame *frame);
 
 #include "frame/parts.h"

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Slope grid of flat water at every 8th column and row of the picture, evaluated once a
- * frame for any number of tiles.  Also the conditions and the level plane of both
- * renderers that treat water as level: the water is swells alone, all below the eye. */
+ * frame for any number of tiles.  Also the conditions and the level plane of the renderers
+ * based on level water: the water is swells alone, all below the eye. */
 #include "frame/frame.h"
 #include "geom/waters.h"
 #include "scene/sides.h"

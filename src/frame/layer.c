@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Sampling numbers of textures that drift on the water. */
+/* Sampling numbers of the water's drifting textures. */
 #include "frame/frame.h"
 
 /* Returns the drift in metres after `time`, ticks x 65536; 16.16, wrapping. */

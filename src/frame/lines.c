@@ -3,7 +3,7 @@
 #include "frame/lines.h"
 
 /* Mean cell width, px, above which a row of cells also draws middle lines.  WIDE_TILTED
- * holds for a camera turned by more than 14 degrees from the lines' normal, whose rays go
+ * holds for a camera turned by more than 14 degrees from the lines' normal: its rays go
  * farther from line to line. */
 #define WIDE_CELL   16
 #define WIDE_TILTED 4
@@ -223,8 +223,8 @@ static void set_row(tp_frame *frame, uint32_t k)
         line->is |= TP_LINE_WIDE;
 }
 
-/* Places all lines.  Lines that are rows of the grid are examined right after their
- * placement, because a streamed grid does not keep them. */
+/* Places all lines.  Rows of the grid are examined right after their placement, because a
+ * streamed grid does not keep them. */
 void tp_lines_place(tp_frame *frame)
 {
     const tp_frame_lines *lines = frame->parts.lines;

@@ -2,9 +2,8 @@
 /* Scanline grid: the grid's lines across the view, ordered from near to far, for
  * raster/rows.h.
  *
- * Lines run along the axis of the grid that the camera looks across.  Row k of cells lies
- * between lines k and k + 1 in the grid's own order; points are numbered in that order
- * too. */
+ * Lines run along the grid axis across the camera's heading.  Row k of cells lies between
+ * lines k and k + 1 in the grid's own order; points are numbered in the same order. */
 #ifndef TP_FRAME_LINES_H
 #define TP_FRAME_LINES_H
 #include "frame/frame.h"
@@ -14,7 +13,7 @@
 enum { TP_LINE_CUT = 1, TP_LINE_SIDED = 2, TP_LINE_WIDE = 4 };
 
 typedef struct {
-    tp_grid_span cells;         /* cells that may be visible */
+    tp_grid_span cells;         /* possibly visible cells */
     tp_grid_box  box;           /* picture box of these cells */
     uint16_t     is;            /* TP_LINE_CUT: drawn as triangles.  TP_LINE_SIDED: an end
                                  * of its lines is inside of the picture.  TP_LINE_WIDE:
@@ -53,7 +52,7 @@ static inline bool tp_line_is_dry(const tp_frame *frame, uint32_t k, uint32_t m)
                                 : tp_grid_cell_is_dry(frame->parts.grid, m, k);
 }
 
-/* Returns the cells [first, end) of block b that may be visible. */
+/* Returns the cells [first, end) of block b, without cells out of view. */
 static inline tp_grid_span tp_line_block_cells(const tp_frame_line *line, uint32_t b)
 {
     uint32_t first = b * TP_GRID_BLOCK, end = first + TP_GRID_BLOCK;
@@ -73,7 +72,8 @@ static inline tp_grid_span tp_line_block_segments(tp_grid_span points, uint32_t 
     return (tp_grid_span){ (uint16_t)first, (uint16_t)end };
 }
 
-/* Points of line k that the visible cells on either side use; one point of the line. */
+/* tp_line_points: the points of line k used by visible cells on either side;
+ * tp_line_point: one point of the line. */
 tp_grid_span tp_line_points(const tp_frame *frame, uint32_t k);
 tp_row_point tp_line_point(const tp_frame *frame, const tp_grid_window *window, uint32_t k,
                            uint32_t m);

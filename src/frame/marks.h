@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* Stencil values: the low bits of a sample's key identify the module that drew the sample.
- * Sky and water have fixed values.  The others are dealt to the modules that are on when a
- * frame is laid out, in the order of the program's list.  Each module has one shader
- * list. */
+/* Stencil values: the low bits of a sample's key identify the module of the sample.  Sky
+ * and water have fixed values.  The others are dealt to the modules enabled when a frame
+ * is laid out, in the order of the program's list.  Each module has one shader list. */
 #ifndef TP_FRAME_MARKS_H
 #define TP_FRAME_MARKS_H
 #include "base/arena.h"

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Spans that the application draws into a row of a tile. */
+/* Spans drawn by the application into a row of a tile. */
 #include "frame/frame.h"
 
 /* Depth key: near / depth in the upper 24 bits.  A span at or before the near plane covers

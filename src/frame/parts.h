@@ -20,7 +20,7 @@ struct tp_method {
 
 #define TP_METHOD_BYTES sizeof(tp_row_column)
 
-/* Scratch bytes per column; 0 if the program has no renderer that works by columns. */
+/* Scratch bytes per column; 0 if no renderer of the program works by columns. */
 static inline size_t tp_method_bytes(const tp_program *program)
 {
     return program->method.rows || program->method.projected ? TP_METHOD_BYTES : 0;

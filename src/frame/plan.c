@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Shader lists of a frame and the numbers that stages read.  A list has no stage that the
- * scene does not need. */
+/* Shader lists of a frame and the numbers for their stages.  A list contains only stages
+ * needed by the scene. */
 #include "frame/frame.h"
 #include "scene/light.h"
 
@@ -16,7 +16,7 @@ static void light_from(tp_frame *frame)
 }
 
 /* Fills the water's list with fast stages if the plan says so and the program has all
- * stages that the picture wants; else with exact stages. */
+ * stages for the picture; else with exact stages. */
 static void choose_water(tp_frame *frame)
 {
     tp_shaders *water = tp_frame_list(frame, TP_MARK_WATER);
@@ -46,7 +46,7 @@ static void choose_below(tp_frame *frame)
     tp_frame_add_modules(frame, water);
 }
 
-/* Fills the sky's list.  A sky that the program cannot draw becomes the gradient. */
+/* Fills the sky's list.  A sky without a module becomes the gradient. */
 static void choose_sky(tp_frame *frame)
 {
     const bool named = tp_has_dome(frame->scene)

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Planar maps: pictures of half or a quarter of the picture's size that the water's stages
- * sample.  Maps are drawn before any tile, a few rows at a time to keep the G-buffer
+/* Planar maps: pictures of half or a quarter of the picture's size, sampled by the water's
+ * stages.  Maps are drawn before any tile, a few rows at a time to keep the G-buffer
  * small. */
 #ifndef TP_FRAME_PLANAR_MAP_H
 #define TP_FRAME_PLANAR_MAP_H
@@ -22,9 +22,10 @@ typedef struct {
 void tp_planar_layout(tp_planar_store *store, tp_arena *arena, const tp_want *want,
                       uint32_t halvings);
 
-/* Sets *half to the part of the map that `box` covers.  Returns false if that is empty. */
+/* Sets *half to the part of the map covered by `box`.  Returns false if the part is
+ * empty. */
 bool tp_planar_begin(const tp_planar_store *store, const tp_grid_box *box, tp_half *half);
 
-/* Returns the G-buffer of the band that starts at row y0. */
+/* Returns the G-buffer of the band at row y0. */
 tp_samples tp_planar_samples(const tp_planar_store *store, const tp_half *half, int32_t y0);
 #endif

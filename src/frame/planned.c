@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* The quality plan as a program links it: chooses the rungs and drops waves too faint to
- * be seen.  A program without the plan uses the rungs that the scene names, and the exact
- * rung of each kind that the scene leaves open. */
+ * be seen.  A program without the plan uses the rungs named by the scene, and the exact
+ * rung of each kind left open. */
 #include "frame/frame.h"
 #include "scene/faint.h"
 #include "scene/prices.h"
@@ -22,8 +22,8 @@ static void carve_thin(tp_frame_parts *parts, tp_arena *arena, const tp_plan_inp
         parts->thin = tp_arena_take(arena, 1, sizeof *parts->thin);
 }
 
-/* Drops faint waves for this frame's camera, by the rule that the plan used for the
- * scene's start camera. */
+/* Drops faint waves for this frame's camera, by the plan's rule for the scene's start
+ * camera. */
 static void thin_sea(tp_frame *frame)
 {
     const tp_lens *lens = &frame->lens;

@@ -25,7 +25,7 @@ enum { CELL = 8, RUN = 16 };
 
 /* -- range of the lines -------------------------------------------------------------- */
 
-/* Returns G of the file's head for a ray that falls `fall` per metre. */
+/* Returns G of the file's head for a ray with a fall of `fall` per metre. */
 static tp_fx rise_of(const tp_sea *sea, tp_fx fall)
 {
     int64_t sum = 0;
@@ -315,7 +315,7 @@ static void lay(const tp_frame *frame, tp_rows *rows, int32_t below)
     lay_line(&l, rows, (tile->x0 - margin) & ~(CELL - 1), tile->x1 + margin);
 }
 
-/* Returns the farthest line that lies before the water's end in at least one column. */
+/* Returns the farthest line before the water's end in at least one column. */
 static int32_t last_line(const tp_frame *frame, const tp_samples *tile)
 {
     const tp_projected *p = frame->parts.projected;

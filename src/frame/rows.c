@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Scanline water.  A tile walks the grid's lines from near to far and skips rows of cells
- * below the tile, in the columns that the cells' boxes cover, until the tile is covered.
- * Rows that the frustum clips within the picture's columns, few and at its lower edge, are
+ * below the tile, in the columns of the cells' boxes, until the tile is covered.  Rows
+ * clipped by the frustum within the picture's columns, few and at its lower edge, are
  * drawn as triangles. */
 #include "frame/lines.h"
 
@@ -128,7 +128,7 @@ static bool is_reached(const walk *w, tp_line_reach reach)
     return reach.x0 < w->rows.x1 && reach.x1 >= w->rows.x0;
 }
 
-/* Makes the window hold the part of line k that is walked, or all of the line. */
+/* Makes the window hold the walked part of line k, or all of the line. */
 static void see_line(walk *w, uint32_t k, bool whole)
 {
     const tp_frame_lines *lines = w->frame->parts.lines;
@@ -213,7 +213,7 @@ static bool is_beside_cell(const walk *w, uint32_t k, uint32_t m)
     return most <= 16 * w->rows.x0 || least >= 16 * w->rows.x1;
 }
 
-/* Draws the middle line of row k, whose cells are large in the picture: the triangles' own
+/* Draws the middle line of row k, for cells large in the picture: the triangles' own
  * points half way. */
 static void lay_between(walk *w, uint32_t k)
 {

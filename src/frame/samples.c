@@ -3,7 +3,7 @@
 #include "frame/frame.h"
 
 /* Returns the depth in m.  A key keeps 24 bits of near / depth, rounded down: the middle
- * of that interval is used. */
+ * of the interval is used. */
 static tp_fx depth_of(const tp_lens *lens, uint32_t key)
 {
     const uint32_t zi = TP_ZI(key) + 0x40;
@@ -19,7 +19,7 @@ static void put_depths(const tp_frame *frame, const uint32_t *key, uint32_t coun
             TP_MARK(key[x]) == TP_MARK_SKY ? TP_FX_MAX : depth_of(&frame->lens, key[x]);
 }
 
-/* Returns the kind that the module of the sample's list declares. */
+/* Returns the kind declared by the module of the sample's list. */
 static tp_sample_kind kind_of(const tp_frame *frame, uint32_t mark)
 {
     const struct tp_drawing *owner;

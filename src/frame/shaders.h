@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Shader lists: the span stages that a kind of sample runs through, ordered by place.  A
- * stage that belongs to a module finds the module's data in tp_run.mine. */
+/* Shader lists: the span stages of a kind of sample, ordered by place.  A stage of a
+ * module finds the module's data in tp_run.mine. */
 #ifndef TP_FRAME_SHADERS_H
 #define TP_FRAME_SHADERS_H
 #include "shade/shade.h"
@@ -29,10 +29,10 @@ typedef enum {
 
 typedef struct {
     tp_stage    stage;          /* NULL: end of the list */
-    const void *mine;           /* data of the module that added it, or NULL */
+    const void *mine;           /* data of its module, or NULL */
 } tp_shader;
 
-/* The kind of samples that a list is for. */
+/* The kind of samples in a list. */
 typedef enum {
     TP_LIST_SKY,
     TP_LIST_WATER,
@@ -44,13 +44,13 @@ typedef enum {
 typedef struct {
     tp_shader *shader;
     uint8_t   *place;           /* place of each stage */
-    const struct tp_drawing *owner;     /* the module that draws these samples, or NULL */
+    const struct tp_drawing *owner;     /* the module of these samples, or NULL */
     uint8_t    kind;            /* tp_list_kind */
     uint8_t    first;           /* first stencil value of the samples */
     uint8_t    count, room;
     bool       rippled;         /* true: a stage changes the slopes */
     bool       shines;          /* true: a stage leaves a glint */
-    uint8_t    lacks;           /* stages that the scene wants and the program lacks */
+    uint8_t    lacks;           /* stages wanted by the scene, missing in the program */
     uint8_t    lacking;         /* 1 + the index, in the program's list, of the first
                                  * module that lacks a stage; 0: no module lacks one */
 } tp_shaders;
@@ -62,14 +62,14 @@ void tp_shaders_clear(tp_shaders *list);
 /* Adds a stage after those of the same place.  NULL is not added but counted as lacking. */
 void tp_shaders_add(tp_shaders *list, tp_place place, tp_stage stage, const void *mine);
 
-/* Adds a stage at TP_AT_COLOUR that belongs to no module. */
+/* Adds a stage at TP_AT_COLOUR without a module. */
 static inline void tp_shaders_add_colour(tp_shaders *list, tp_stage stage)
 {
     tp_shaders_add(list, TP_AT_COLOUR, stage, NULL);
 }
 
-/* Returns the wanted stage.  If the program lacks it, counts that and returns the plainer
- * stage. */
+/* Returns the wanted stage.  If the program lacks it, counts the lack and returns the
+ * plainer stage. */
 tp_stage tp_shaders_pick(tp_shaders *list, tp_stage wanted, tp_stage plainer);
 
 /* True for water drawn by exact stages, seen from above or below. */
@@ -78,6 +78,6 @@ static inline bool tp_shaders_is_exact_water(const tp_shaders *list)
     return list->kind == TP_LIST_WATER || list->kind == TP_LIST_BELOW;
 }
 
-/* True if the list has a stage of that place. */
+/* True if the list has a stage of the place. */
 bool tp_shaders_has(const tp_shaders *list, tp_place place);
 #endif

@@ -21,13 +21,13 @@ typedef struct {
     tp_view_plane level;
 } tp_sight;
 
-/* The point that mirrors aim their view at. */
+/* The target of the mirrors' views. */
 typedef struct {
     tp_vec3 middle;             /* middle of the objects, world, m */
     tp_fx   level;              /* still water level there, m */
 } tp_sight_anchor;
 
-/* Returns the plane that clips the view, or NULL. */
+/* Returns the clip plane of the view, or NULL. */
 static inline const tp_view_plane *tp_sight_cut(const tp_sight *sight)
 {
     return sight->cut ? &sight->level : NULL;
@@ -66,8 +66,8 @@ tp_fx tp_sight_level(const tp_frame *frame);
 /* Sets the shade's view numbers from a projection; the light stays the world's. */
 void tp_sight_look(tp_frame *frame, const tp_lens *lens);
 
-/* True if the camera is above water and above still water of that level: the water then
- * mirrors. */
+/* True if the camera is above water and above still water of height `level`: the water
+ * then mirrors. */
 bool tp_sight_above(const tp_frame *frame, tp_fx level);
 
 void tp_sight_begin(tp_frame *frame, const tp_sight *sight);
@@ -77,8 +77,8 @@ tp_grid_box tp_sight_place(tp_frame *frame, tp_sight *sight);
 void tp_sight_draw(const tp_frame *frame, const tp_sight *sight, tp_samples *tile);
 
 /* clipped.c: a view vertex without texture coordinates; the clipped screen vertices of a
- * triangle, fewer than 3 if nothing is left; drawing that polygon, with t as its stage
- * expects. */
+ * triangle, fewer than 3 if nothing is left; drawing the clipped polygon, with t as its
+ * stage expects. */
 tp_view_corner tp_clipped_corner(const tp_lens *lens, tp_vec3 at, const int16_t n[3]);
 int tp_clipped_corners(const tp_lens *lens, const tp_view_plane *level,
                        const tp_view_corner in[3], tp_corner to[TP_CLIP_CORNERS]);

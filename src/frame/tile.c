@@ -24,8 +24,7 @@ static void *pixels_of(const tp_frame *frame, void *scratch)
     return (uint32_t *)scratch + 4 * plane;
 }
 
-/* Returns the number of samples, up to `most`, that share the first sample's stencil
- * value. */
+/* Returns the number of samples, up to `most`, with the first sample's stencil value. */
 static int32_t run_length(const uint32_t *key, int32_t most)
 {
     uint32_t mark = TP_MARK(key[0]);
@@ -39,7 +38,7 @@ static int32_t run_length(const uint32_t *key, int32_t most)
     return n;
 }
 
-/* Sets up the run that begins at (x, y) and returns its shader list. */
+/* Sets up the run at (x, y) and returns its shader list. */
 static const tp_shaders *run_at(const tp_frame *frame, const tp_samples *tile, int32_t x,
                              int32_t y, tp_run *run)
 {

@@ -35,21 +35,20 @@ void tp_frame_set_rungs(tp_frame *frame, const tp_rungs *rungs);
 /* Returns the number of tiles of the picture. */
 uint32_t tp_frame_tiles(const tp_frame *frame);
 
-/* Bakes the textures of fast shading in advance, for programs that store them in ROM.
- * Index i: assets.graded by the layer, then offsets, then slopes.  tp_prepared_bytes
- * returns 0 if the scene has no such texture.  Memory is aligned to 4. */
+/* Bakes the textures of fast shading in advance, for storage in ROM.  Index i:
+ * assets.graded by the layer, then offsets, then slopes.  tp_prepared_bytes returns 0 if
+ * the scene has no such texture.  Memory is aligned to 4. */
 #define TP_PREPARED (TP_LAYERS + 2)
 size_t tp_prepared_bytes(const tp_assets *assets, int i);
 void   tp_prepare(tp_texture *to, const tp_scene *scene, const tp_assets *assets, int i,
                   void *memory);
 
-/* Returns the name of the first module that lacked a stage at the last tp_frame_begin;
+/* Returns the name of the first module without a needed stage at the last tp_frame_begin;
  * "sky": no module draws the scene's sky; NULL: no stage was missing.  Other dropped
  * features have no name. */
 const char *tp_frame_lacks(const tp_frame *frame);
 
-/* Returns the number of water pixels of a drawn tile; the scratch must still hold that
- * tile. */
+/* Returns the number of water pixels of a drawn tile, still present in the scratch. */
 uint32_t tp_frame_water_pixels(const tp_frame *frame, const void *scratch,
                                const tp_tile *tile);
 #endif

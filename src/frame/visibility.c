@@ -11,7 +11,7 @@ void tp_frame_set_rungs(tp_frame *frame, const tp_rungs *rungs)
         frame->asked = *rungs;
 }
 
-/* Returns the rung that the scene names, else 1, the exact rung of its kind. */
+/* Returns the rung named by the scene, else 1, the exact rung of its kind. */
 static int first_or(int32_t named, int last)
 {
     return named > 0 && named <= last ? named : 1;
@@ -42,7 +42,7 @@ static bool has(uint8_t bits, unsigned rung)
     return rung < 8 && (bits >> rung & 1);
 }
 
-/* Replaces rungs that have no memory, or are out of range, by the exact rung. */
+/* Replaces rungs without memory, or out of range, by the exact rung. */
 static tp_rungs within(tp_reach reach, tp_rungs r)
 {
     return (tp_rungs){

@@ -91,7 +91,7 @@ void tp_frame_draw_cells(const tp_frame *frame, const tp_samples *tile,
     }
 }
 
-/* Returns the cells of block b that may be visible. */
+/* Returns the cells of block b, without cells out of view. */
 static tp_grid_span block_of(tp_grid_span span, uint32_t b)
 {
     uint32_t first = b * TP_GRID_BLOCK, end = first + TP_GRID_BLOCK;
@@ -139,7 +139,7 @@ tp_grid_box tp_frame_cells_box(tp_frame *frame, uint32_t j, uint32_t first, uint
 }
 
 /* Replaces the unbounded boxes of blocks with clipped vertices by tight boxes.  One more
- * clip of these cells pays if the picture has many tiles, each of which would clip them. */
+ * clip of these cells pays if the picture has many tiles: each tile would clip them. */
 static void place_cut_boxes(tp_frame *frame, uint32_t j)
 {
     const tp_grid *grid = frame->parts.grid;

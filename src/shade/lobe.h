@@ -9,8 +9,8 @@
 #include "shade/shade.h"
 
 /* All arguments and the result are Q1.14.  The square of the sum is below 2^30, the
- * reciprocal at most 2^32.  Where L = -V (light from straight behind the surface) no half
- * vector exists, and the lobe returns its peak. */
+ * reciprocal at most 2^32.  Where L is nearly -V (light from straight behind) hardly any
+ * half vector exists; a result beyond the lobe's peak is clamped to the peak. */
 TP_ALWAYS_INLINE int32_t tp_blinn_at(int32_t nl, int32_t nv, int32_t lv)
 {
     uint32_t sum = (uint32_t)tp_clamp(nl + nv, 0, 32767);

@@ -3,9 +3,10 @@
  * from the first sample there.  The nearest filter takes one texel; the linear filter
  * weighs four texels in steps of 1/256 of a texel.
  *
- * One level per 16 columns is enough.  Measured on a still sea with a linear texture that
- * drifts 1 cm a frame, seen from 3 m at 640 x 480: no row changes from frame to frame by
- * 0.3 levels of 255 more than with 16 samples a pixel, and level changes show no edges.
+ * One level per 16 columns is enough.  Measured on a still sea with a linear texture
+ * drifting 1 cm a frame, seen from 3 m at 640 x 480: the change of a row from frame to
+ * frame exceeds the change with 16 samples a pixel by at most 0.3 levels of 255, and level
+ * changes show no edges.
  *
  * Sides are powers of two: the highest bits of a position in repeats are the texel's
  * column, and shifts of one word extract them.  Indices are signed because vector gathers

@@ -46,7 +46,7 @@ typedef struct {
     const uint32_t *recip;      /* TP_RECIP + 2 entries: for cubes and stars */
     uint32_t        least;      /* least squared chord of mirrored glow: no disc */
     uint32_t        beyond;     /* whites that an alpha of 1 adds, Q8; 0: no HDR [F8] */
-    uint32_t        stars;      /* density of stars: of 256 cells have one */
+    uint32_t        stars;      /* number of stars per 256 cells */
     uint32_t        star;       /* 2^24 / (star radius on its face)^2 */
 } tp_env;
 

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The default sky: a gradient from horizon to zenith by the sine of the elevation. */
+/* The default sky, used by every scene without another sky: a gradient from horizon to
+ * zenith by the sine of the elevation. */
 #include "shade/shade.h"
 #include "tidepool/modules.h"
 

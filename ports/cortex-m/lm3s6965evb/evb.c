@@ -84,7 +84,7 @@ static volatile uint32_t ring_in, ring_out;     /* each is written by one side o
 __attribute__((aligned(128))) static uint32_t vectors_used[VECTORS];
 
 /* Interrupt handler: stores all received bytes.  The upper bits of UARTDR report line
- * errors; a byte with an error is stored as 0, which is invalid in any line. */
+ * errors; a byte with an error is stored as 0, invalid in any line. */
 static void receive(void)
 {
     while (!(UART(0x18) & UART_EMPTY)) {

@@ -36,7 +36,7 @@ static lcd       panel;
 static tp_world *world;
 static tp_frame *frame;
 static void     *scratch;
-static uint32_t  owed;              /* clocks of ticks that are due */
+static uint32_t  owed;              /* clocks of ticks due */
 static uint64_t  sent_before;       /* bytes sent before the last frame */
 static uint32_t  clocks;            /* duration of the last frame, clocks */
 
@@ -168,7 +168,7 @@ static void tick(void)
     tp_world_step(program, world, &scene, &input);
 }
 
-/* Makes the ticks that are due: those of a `step` command at once, others by the clock. */
+/* Makes the ticks now due: those of a `step` command at once, others by the clock. */
 static bool make_ticks(void)
 {
     bool made = false;
