@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT */
-/* Linux consoles by console_ioctl(4).  KD_GRAPHICS keeps the kernel's text and cursor off
- * the picture; VT_PROCESS makes it ask before it shows another terminal.  Where there is
- * no virtual terminal, or none that we may use, the screen is ours alone; keys come from
- * standard input if that is a terminal, and from the virtual terminal. */
-#define _GNU_SOURCE             /* O_CLOEXEC, major, minor */
+/* Linux consoles by console_ioctl(4).  KD_GRAPHICS keeps the kernel's text and cursor
+ * off the picture.  With VT_PROCESS the kernel asks before it switches to another
+ * terminal.  Without a usable virtual terminal the screen counts as ours alone.  Keys
+ * come from standard input, if it is a terminal, and from the virtual terminal. */
+#define _GNU_SOURCE             /* for O_CLOEXEC, major, minor */
 #include "console.h"
 #include <errno.h>
 #include <fcntl.h>
@@ -19,7 +19,7 @@
 #define TTY_MAJOR 4
 #define VTS       63            /* /dev/tty1 .. /dev/tty63 */
 
-/* -- what is there --------------------------------------------------------------- */
+/* -- detection ------------------------------------------------------------------- */
 
 static bool is_vt(int fd)
 {
@@ -27,7 +27,8 @@ static bool is_vt(int fd)
     return ioctl(fd, KDGETMODE, &mode) == 0;
 }
 
-/* A virtual terminal's own number, opened by whatever name; 0: nobody knows. */
+/* Returns the number of an open virtual terminal, independent of the name used; 0 if
+ * unknown. */
 static int number_of(int fd)
 {
     unsigned device = 0;
@@ -36,7 +37,7 @@ static int number_of(int fd)
     return (int)minor(device);
 }
 
-/* The terminal in front when nobody started us from one. */
+/* Opens the active virtual terminal, for a start from outside of any terminal. */
 static int open_front(void)
 {
     struct vt_stat front;
@@ -52,7 +53,7 @@ static int open_front(void)
     return own;
 }
 
-/* In the background of a shell, its terminal is not ours to read. */
+/* True if we may read the terminal: a background job of a shell may not. */
 static bool readable(int fd)
 {
     const pid_t front = isatty(fd) ? tcgetpgrp(fd) : 0;
@@ -64,7 +65,8 @@ static void add_keys(console *c, int i, int fd)
     c->keys[i].fd = readable(fd) && tcgetattr(fd, &c->keys[i].was) == 0 ? fd : -1;
 }
 
-/* Standard input, or opened here; -1. */
+/* Returns a descriptor of the virtual terminal: standard input, or a newly opened one;
+ * -1 if none. */
 static int find(void)
 {
     if (is_vt(STDIN_FILENO))
@@ -104,7 +106,7 @@ int console_open(console *c)
     return fail(EXIT_DISPLAY, "the console is busy: another program draws on it");
 }
 
-/* -- taking it and giving it back ------------------------------------------------ */
+/* -- taking and restoring -------------------------------------------------------- */
 
 static int take_keys(const console *c)
 {
@@ -122,7 +124,7 @@ static int take_keys(const console *c)
     return EXIT_DONE;
 }
 
-/* Signals of a switch before the mode that they tell of. */
+/* Sets the switch signals first: KD_GRAPHICS must not be on without them. */
 int console_take(console *c)
 {
     const struct vt_mode asked = { .mode = VT_PROCESS, .relsig = CONSOLE_AWAY,
@@ -137,8 +139,8 @@ int console_take(console *c)
     return EXIT_DONE;
 }
 
-/* When who began a session dies, its terminal is hung up: descriptors of it are dead, the
- * terminal is not. */
+/* If the leader of the session dies, the kernel hangs up its terminal: open descriptors
+ * are dead, but the terminal can be opened again. */
 static void open_again(console *c)
 {
     char name[32];
@@ -153,7 +155,8 @@ static void open_again(console *c)
     c->vt = fd >= 0 ? fd : c->vt;
 }
 
-/* The text comes back after the switching: a terminal in front of ours may be drawn. */
+/* Restores the switch mode first, then the text mode: KD_TEXT may redraw another active
+ * terminal. */
 void console_restore(console *c)
 {
     open_again(c);
@@ -186,8 +189,8 @@ int console_fds(const console *c, struct pollfd fds[CONSOLE_KEYS])
     return n;
 }
 
-/* A line that was hung up is not listened to any more.  Where another program reads from
- * the same terminal, it may have taken what poll told of. */
+/* Stops listening to a descriptor after a hangup.  An EAGAIN is no error: another
+ * program reading the same terminal may have taken the bytes reported by poll. */
 static void forget(console *c, int fd)
 {
     for (int i = 0; i < CONSOLE_KEYS; i++)

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /* The virtual terminal under a screen, and the terminals that keys come from.
  *
- * console_open only looks and keeps what it finds; console_take changes it;
- * console_restore brings all of it back from what was kept, whoever changed it: in the
- * parent of the process that took it, too. */
+ * console_open saves the current state and changes nothing. console_take changes the
+ * state. console_restore restores the saved state, regardless of the process that
+ * changed it; the parent of the drawing process may call it. */
 #ifndef SCREEN_CONSOLE_H
 #define SCREEN_CONSOLE_H
 #include <poll.h>
@@ -15,28 +15,31 @@
 #define CONSOLE_KEYS 2
 
 typedef struct {
-    int            vt;          /* the virtual terminal, -1: there is none */
-    int            number;      /* of it, 0: the one in front, whichever it is */
-    int            mode;        /* KD_TEXT */
+    int            vt;          /* descriptor of the virtual terminal; -1: none */
+    int            number;      /* its number; 0: unknown, treated as active */
+    int            mode;        /* saved: KD_TEXT */
     struct vt_mode switching;
     struct {
-        int            fd;      /* -1: nothing, or no more */
+        int            fd;      /* -1: unused or hung up */
         struct termios was;
     } keys[CONSOLE_KEYS];
 } console;
 
-/* EXIT_DISPLAY, said why and nothing open: another program draws on the terminal. */
+/* Returns EXIT_DISPLAY if another program draws on the terminal; the reason has been
+ * said and nothing is left open. */
 int  console_open(console *c);
 int  console_take(console *c);
 void console_restore(console *c);
 void console_close(console *c);
 
-/* Descriptors to poll into `fds`, how many; and what came on them into `k`. */
+/* console_fds writes the descriptors to poll and returns their number. console_read
+ * reads them and passes the bytes to `k`. */
 int  console_fds(const console *c, struct pollfd fds[CONSOLE_KEYS]);
 void console_read(console *c, const struct pollfd *fds, int count, keys *k);
 
-/* Whether our terminal is in front; and what the kernel asks by signals to do about it,
- * after the screen has gone away or before it comes back. */
+/* console_front: true if our terminal is active. console_give answers CONSOLE_AWAY after
+ * the screen is released; console_taken_back answers CONSOLE_BACK before the screen is
+ * drawn again. */
 bool console_front(const console *c);
 void console_give(console *c);
 void console_taken_back(console *c);

@@ -1,14 +1,14 @@
 /* SPDX-License-Identifier: MIT */
-/* A world is plain data without pointers: copying its bytes is a snapshot.  What the bytes
- * mean depends on the program that wrote them and on the scene: both are in the head, and
- * a file of others is not taken.
+/* A world is plain data without pointers, so a copy of its bytes is a snapshot.  The
+ * bytes are valid only for one program and one scene: the file's head has digests of
+ * both, and a mismatch is refused.
  *
  *     "TPKEEP" 0 3 | scene | build | frame | played | bytes of the world | CRC-32 |
  *     the bytes
  *
- * Numbers are the machine's own, 32 bits; the CRC is of the whole file but itself.  It
- * finds accidents alone: who writes a file can write its CRC, so that what it holds is
- * checked as well before it becomes a world. */
+ * Numbers are 32 bits in the machine's byte order.  The CRC covers the whole file except
+ * the CRC itself.  A CRC detects accidents only: a forged file can have a valid CRC, so
+ * the content is checked too before it becomes a world. */
 #define _POSIX_C_SOURCE 200809L
 #include "keep.h"
 #include "pixel/pixel.h"
@@ -45,7 +45,7 @@ static uint32_t digest_grey(uint32_t crc, const tp_grey *grey)
                     (size_t)grey->cols * grey->rows * sizeof *grey->sample);
 }
 
-/* Every parameter as text, and the maps that a world is made of. */
+/* Digest of every parameter as text, and of the maps used to make a world. */
 static uint32_t digest_scene(const tp_scene *scene, const tp_assets *assets)
 {
     uint32_t count, crc = 0;
@@ -94,9 +94,9 @@ static uint32_t digest(head h, const void *world)
     return tp_crc32(tp_crc32(0, &h, sizeof h), world, h.bytes);
 }
 
-/* -- taking ---------------------------------------------------------------------- */
+/* -- reading --------------------------------------------------------------------- */
 
-/* What is wrong with the file, or NULL. */
+/* Returns the fault of the file, or NULL. */
 static const char *check_file(const keep *k, const head *h, const void *world,
                               size_t bytes, size_t got, char text[128])
 {
@@ -116,7 +116,8 @@ static const char *check_file(const keep *k, const head *h, const void *world,
     return NULL;
 }
 
-/* The same of what it holds, by a world made for the same place in the tape. */
+/* Returns the fault of the content, or NULL.  Compares with a fresh world, made for the
+ * same position in the tape. */
 static const char *check_world(const keep *k, const head *h, const tp_world *kept,
                                const tp_world *fresh, char text[128])
 {
@@ -132,7 +133,7 @@ static const char *check_world(const keep *k, const head *h, const tp_world *kep
     return text;
 }
 
-/* As much as is there; one byte more than there should be tells a longer file. */
+/* Reads the file.  Asks for one byte more than expected, to detect a longer file. */
 static const char *read_file(const keep *k, FILE *file, head *h, void *copy, size_t bytes,
                              char text[128])
 {
@@ -142,7 +143,7 @@ static const char *read_file(const keep *k, FILE *file, head *h, void *copy, siz
     return ferror(file) ? "cannot be read" : check_file(k, h, copy, bytes, got, text);
 }
 
-/* What is wrong, or NULL: *world and *at are those that were kept. */
+/* Returns the fault, or NULL with *world and *at set. */
 static const char *take(const keep *k, FILE *file, tp_world *world, size_t bytes,
                         keep_at *at, char text[128])
 {
@@ -174,7 +175,7 @@ bool keep_take(const keep *k, tp_world *world, size_t bytes, keep_at *at)
     return !wrong;
 }
 
-/* -- putting --------------------------------------------------------------------- */
+/* -- writing --------------------------------------------------------------------- */
 
 int keep_put(keep *k, const tp_world *world, size_t bytes, keep_at at)
 {

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* One thread and one copy: the copy is the drawing's to fill while it is empty, and the
- * thread's to write while it is full. */
+/* One thread and one buffer.  While the buffer is empty the drawing thread may fill it;
+ * while it is full the keeper thread writes it. */
 #define _POSIX_C_SOURCE 200809L
 #include "keeper.h"
 #include <pthread.h>
@@ -9,7 +9,7 @@
 
 struct keeper {
     pthread_t       thread;
-    pthread_mutex_t mutex;          /* of the two flags */
+    pthread_mutex_t mutex;          /* guards `full` and `end` */
     pthread_cond_t  changed;
     bool            full, end;
     keep            keep;

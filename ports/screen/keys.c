@@ -1,14 +1,14 @@
 /* SPDX-License-Identifier: MIT */
-/* A terminal repeats the key that is held, after a quarter of a second and then thirty
- * times a second: so a key that came counts as held until the first repeat is due, and one
- * that repeats until the next is overdue.  The opposite key ends it at once.  The
- * keyboard's own mode, which knows when keys go up, is left alone: a console that was not
- * given back would be deaf in it. */
+/* Held keys from a terminal, which sends bytes only.  It repeats a held key after a
+ * quarter of a second, then thirty times a second.  So a key counts as held until its
+ * first repeat is due, and a repeating key until its next repeat is overdue.  The
+ * opposite key ends it at once.  The keyboard's raw mode would report releases, but is
+ * not used: after a crash the console would stay deaf. */
 #include "keys.h"
 #include <string.h>
 #include "../live/wish.h"
 
-#define HOLD_FIRST 16           /* ticks of 1/60 s */
+#define HOLD_FIRST 16           /* ticks of 1/60 s until a repeat is due */
 #define HOLD_NEXT  5
 #define ESC        27
 #define CTRL_C     3
@@ -28,7 +28,7 @@ static const struct { const char *text; uint8_t key; } sequences[] = {
     { "[6~", KEY_LIGHT_DOWN },
 };
 
-/* Opposites differ in the lowest bit. */
+/* Opposite keys differ in the lowest bit. */
 static void press(keys *k, uint8_t key)
 {
     k->held[key ^ 1] = 0;
@@ -57,12 +57,13 @@ static void letter(keys *k, uint8_t c)
     }
 }
 
-/* A sequence ends with its first byte from @ to ~ after the introducer; one that nobody
- * knows means nothing.  Linux' F1 to F5 are "[[A" to "[[E". */
+/* Handles a byte of an escape sequence.  A sequence ends with the first byte from @ to ~
+ * after the introducer; unknown sequences are ignored.  Linux sends "[[A" to "[[E" for
+ * F1 to F5. */
 static void sequence(keys *k, uint8_t c)
 {
     const bool first = k->escapes == 0;
-    if (first && c != '[' && c != 'O') {        /* Esc, or Alt and a letter */
+    if (first && c != '[' && c != 'O') {        /* the Esc key, or Alt and a letter */
         k->quit = true;
         return;
     }
@@ -96,7 +97,7 @@ void keys_rest(keys *k)
     k->within = false;
 }
 
-/* +1, 0 or -1 by two keys. */
+/* Returns +1, 0 or -1 from two opposite keys. */
 static int axis(const keys *k, int more, int less)
 {
     return (k->held[more] > 0) - (k->held[less] > 0);

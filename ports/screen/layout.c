@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* Rows of pictures to rows of a described layout.  The two that most screens have, eight
- * bits a channel in a word and 565, are copies; all others go channel by channel. */
+/* Converts rows of pictures to rows in a described pixel layout.  The two most common
+ * layouts, 8 bits per channel in a 32-bit word and 565, are copies; all others are
+ * converted per channel. */
 #include "layout.h"
 #include "pixel/pixel.h"
 #include <string.h>
@@ -82,7 +83,7 @@ void layout_table(tp_format format, uint16_t *red, uint16_t *green, uint16_t *bl
     }
 }
 
-/* 8 bits to `length` bits, at their place. */
+/* Scales 8 bits to the channel's length and shifts them to its offset. */
 static uint32_t put(channel c, uint32_t value)
 {
     const uint32_t wide = value << 8 | value;

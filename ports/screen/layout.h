@@ -1,39 +1,41 @@
 /* SPDX-License-Identifier: MIT */
-/* Pixels as a screen's memory wants them: where each channel lies in a pixel of 8 to 32
- * bits.  Nothing here touches a device. */
+/* Pixel layouts of screens: the position of each channel in a pixel of 8 to 32 bits.  No
+ * device is accessed here. */
 #ifndef SCREEN_LAYOUT_H
 #define SCREEN_LAYOUT_H
 #include <stdbool.h>
 #include "../host/picture.h"
 
-typedef struct { uint8_t offset, length; } channel;     /* bits, from the lowest */
+typedef struct { uint8_t offset, length; } channel;     /* bits; 0 is the lowest */
 
 typedef struct {
-    uint32_t bits;              /* a pixel: 8, 16, 24 or 32 */
-    bool     indexed;           /* 8 bits that a table of colours turns into light */
-    bool     grey;              /* 8 bits of brightness */
-    bool     big;               /* high byte first; a machine's own order as a rule */
-    channel  red, green, blue;  /* unless indexed or grey */
-    channel  spare;             /* alpha or nothing: all ones */
+    uint32_t bits;              /* per pixel: 8, 16, 24 or 32 */
+    bool     indexed;           /* 8-bit index into a colour table */
+    bool     grey;              /* 8-bit brightness */
+    bool     big;               /* high byte first; usually the machine's order */
+    channel  red, green, blue;  /* unused if indexed or grey */
+    channel  spare;             /* alpha or padding, filled with ones */
 } layout;
 
-bool machine_is_big(void);      /* stores the high byte first */
+bool machine_is_big(void);      /* true on a big-endian machine */
 
-/* Whether layout_row can write it: channels that lie inside the pixel, without overlap. */
+/* True if layout_row can write the layout: channels lie inside the pixel and do not
+ * overlap. */
 bool layout_known(const layout *l);
 
-/* The format whose pictures need no change of colours, or the least. */
+/* Returns the picture format with the least loss for the layout. */
 tp_format layout_format(const layout *l);
 
-/* Row y of a picture, as bits / 8 bytes a pixel.  Channels of less than 8 bits keep the
- * high ones, wider ones repeat them.  Indices and greys are copied: an indexed or grey
- * layout takes p8, l8 and i1 alone. */
+/* Converts row y of a picture to bits / 8 bytes per pixel.  A channel below 8 bits keeps
+ * the high bits, a wider channel repeats them.  Indices and greys are copied:
+ * layout_takes is true for an indexed layout and p8, l8, i1, for a grey layout and l8,
+ * i1, for other layouts always. */
 bool layout_takes(const layout *l, tp_format format);
 void layout_row(const layout *l, void *to, const picture *p, uint32_t y);
 
-/* Entry `i` of the table of colours that such a picture is shown with, 0x00RRGGBB. */
+/* Returns entry `i` of the colour table for a picture's format, 0x00RRGGBB. */
 uint32_t layout_colour(tp_format format, uint32_t i);
 
-/* All 256 of them, 0..65535. */
+/* Writes all 256 entries, 0..65535 per channel. */
 void layout_table(tp_format format, uint16_t *red, uint16_t *green, uint16_t *blue);
 #endif

@@ -1,11 +1,12 @@
 /* SPDX-License-Identifier: MIT */
-/* The loop that draws.  Ticks of 1/60 s follow the clock whatever the screen does; a
- * picture is drawn when a tick has changed it and the screen takes one.  Frames that are
- * counted are shown each, at that pace or slower.  Signals come only while it waits.
+/* The drawing loop.  Ticks of 1/60 s follow the clock, independent of the screen's rate.
+ * A frame is drawn if a tick has changed the world and the screen is ready.  With
+ * --frames each frame is shown, at 60 per second or slower.  Signals are unblocked only
+ * while the loop waits.
  *
- * Time in which nothing could be done, stopped or while another terminal is in front, is
- * not made up for: behind by more than a few ticks, the water slows down. */
-#define _GNU_SOURCE             /* ppoll */
+ * Time spent stopped or behind another terminal is not made up: if more than
+ * TICKS_AT_ONCE ticks are due, the water slows down. */
+#define _GNU_SOURCE             /* for ppoll */
 #include <errno.h>
 #include <signal.h>
 #include <stdio.h>
@@ -22,25 +23,25 @@
 #define TICKS_AT_ONCE 8
 #define SECOND_US     1000000u
 #define KEEP_US       1000000u
-#define ESC_US        50000u    /* nothing came behind it: a key, not a sequence */
+#define ESC_US        50000u    /* an Esc with no byte behind for this long is a key */
 #define SIDE_HIGH     4096u
-#define LOOK_FRAMES   64        /* on the way to the first frame: then signals are seen */
+#define LOOK_FRAMES   64        /* skipped frames between looks at signals */
 
 typedef struct {
     const show *what;
     screen     *on;
     console    *tty;
     keys        keys;
-    keeper     *keeper;             /* NULL: nothing is kept, or the end alone */
-    tp_input    wish;               /* for the next tick */
-    uint64_t    clock, owed;        /* us; ticks not yet made, in 1/1000000 */
+    keeper     *keeper;             /* NULL: only the final world is kept, or nothing */
+    tp_input    wish;               /* input of the next tick */
+    uint64_t    clock, owed;        /* clock: us; owed: ticks due, in 1/1000000 */
     uint64_t    kept_at, key_at;    /* us */
-    uint32_t    width, height;      /* of pictures */
-    uint32_t    frame, kept;        /* the world's, now and on disk */
+    uint32_t    width, height;      /* of pictures, px */
+    uint32_t    frame, kept;        /* frame number of the world; of the world on disk */
     bool        stale;              /* the screen is older than the world */
-    bool        away;               /* another terminal is in front */
+    bool        away;               /* another terminal is active */
     bool        over;
-    int         code;               /* of a tape that could not go on */
+    int         code;               /* exit code of a failed tape */
 } loop;
 
 /* -- signals --------------------------------------------------------------------- */
@@ -83,7 +84,7 @@ static bool act(loop *l)
     return !l->code;
 }
 
-/* One picture further; its first tick takes the input. */
+/* One frame; its first tick takes the input. */
 static void step(loop *l)
 {
     static const tp_input nothing;
@@ -111,7 +112,7 @@ static void tick(loop *l)
     }
 }
 
-/* Of counted frames none is left out, and none comes after the last. */
+/* Makes the ticks due.  With --frames draws every frame and stops at the last one. */
 static void advance(loop *l, uint64_t now)
 {
     const show *what = l->what;
@@ -128,9 +129,9 @@ static void advance(loop *l, uint64_t now)
     l->owed %= what->counted && l->stale ? 2 * SECOND_US : SECOND_US;
 }
 
-/* -- pictures -------------------------------------------------------------------- */
+/* -- drawing --------------------------------------------------------------------- */
 
-/* Of the screen as it is now. */
+/* Prepares pictures of the screen's current size. */
 static int prepare(loop *l)
 {
     const show *what = l->what;
@@ -168,7 +169,7 @@ static int draw(loop *l)
     return EXIT_DONE;
 }
 
-/* -- what comes from outside ----------------------------------------------------- */
+/* -- signals, keys, device events ------------------------------------------------ */
 
 static int switch_console(loop *l)
 {
@@ -190,7 +191,7 @@ static int switch_console(loop *l)
     return code;
 }
 
-/* Until something comes, or the next tick. */
+/* Waits for an event, at most until the next tick. */
 static int wait_for(loop *l)
 {
     const screen_port *port = l->what->port;
@@ -205,8 +206,8 @@ static int wait_for(loop *l)
     sigprocmask(SIG_SETMASK, NULL, &open);
     for (size_t i = 0; i < sizeof heard / sizeof *heard; i++)
         sigdelset(&open, heard[i]);
-    sigprocmask(SIG_SETMASK, &open, &closed);       /* ppoll hears none of them where a */
-    sigprocmask(SIG_SETMASK, &closed, NULL);        /* descriptor is always ready */
+    sigprocmask(SIG_SETMASK, &open, &closed);       /* opened briefly: ppoll delivers no */
+    sigprocmask(SIG_SETMASK, &closed, NULL);        /* signal if an fd is always ready */
     const int came = ppoll(fds, (nfds_t)n + 1, &wait, &open);
     const uint64_t now = now_us();
     if (came > (fds[n].revents ? 1 : 0)) {
@@ -223,7 +224,7 @@ static int wait_for(loop *l)
                                                                  : port->events(l->on);
 }
 
-/* -- the whole of it ------------------------------------------------------------- */
+/* -- the loop -------------------------------------------------------------------- */
 
 static keep_at place(const loop *l)
 {
@@ -248,7 +249,7 @@ static int turn(loop *l)
     return code;
 }
 
-/* Undrawn to the first frame. */
+/* Steps to the first frame without drawing. */
 static int skip(loop *l)
 {
     int code = EXIT_DONE;

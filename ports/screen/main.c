@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT */
-/* A baked scene on a raw screen: one file, to be copied to a small Linux board.
+/* A program with one baked scene for a raw screen: a single file to copy to a small
+ * Linux board.
  *
- *   SCENE-screen [--on fb|kms] [--device PATH] [--size WxH] [--frames N|A:B] [--hold]
+ * SCENE-screen [--on fb|kms] [--device PATH] [--size WxH] [--frames N|A:B] [--hold]
  *                [--hash] [--keep FILE] */
 #define _POSIX_C_SOURCE 200809L
 #include <inttypes.h>
@@ -13,7 +14,7 @@
 #include "pixel/pixel.h"
 #include "show.h"
 
-#define BAND_ROWS 32            /* drawn at a time, straight into the picture */
+#define BAND_ROWS 32            /* rows per tile, drawn directly into the picture */
 
 typedef struct {
     picture   picture;
@@ -29,7 +30,7 @@ static void *claim(size_t bytes)
     return memory;
 }
 
-/* -- what the loop asks for ------------------------------------------------------ */
+/* -- callbacks of the loop ------------------------------------------------------- */
 
 static int prepare(void *user, uint32_t width, uint32_t height, tp_format format)
 {
@@ -76,7 +77,7 @@ static int refuse(const char *word)
     return fail(EXIT_USAGE, "%s: not understood; it takes " TAKES, word);
 }
 
-/* sscanf takes signs and blanks too. */
+/* Refuses signs and blanks, accepted by sscanf. */
 static bool is_plain(const char *value)
 {
     return value[strspn(value, "0123456789:x")] == '\0';
@@ -106,7 +107,7 @@ static bool read_size(show *s, const char *value)
         && s->width >= 16 && s->width <= 4096 && s->height >= 16 && s->height <= 4096;
 }
 
-/* An option with its value; false: there is none such, or the value is wrong. */
+/* Reads an option and its value.  Returns false for an unknown option or a wrong value. */
 static bool read_option(show *s, const char *name, const char *value)
 {
     if (strcmp(name, "--on") == 0)

@@ -1,49 +1,50 @@
 /* SPDX-License-Identifier: MIT */
-/* A screen without a window system.  A port supplies one screen_port: its functions alone
- * touch the device.  The loop (loop.c) draws, waits and reads keys; the console
+/* A screen without a window system.  A port provides one screen_port; only its functions
+ * access the device.  The loop (loop.c) draws, waits and reads keys; the console
  * (console.h) owns the virtual terminal.
  *
- * Two processes share an open screen.  The parent opens it, forks, and does nothing but
- * wait; its child draws.  However the child has ended, the parent then closes the screen,
- * with the state as open() left it: close() may rely on nothing that the child did. */
+ * Two processes share an open screen.  The parent opens the screen, forks and waits; the
+ * child draws.  After the child's end, of any kind, the parent closes the screen with
+ * the state as open() left it: close() must not rely on anything done in the child. */
 #ifndef SCREEN_SCREEN_H
 #define SCREEN_SCREEN_H
 #include <stdbool.h>
 #include <stdint.h>
 #include "../host/picture.h"
 
-typedef struct screen screen;   /* a port's own, opaque */
+typedef struct screen screen;   /* opaque; defined by each port */
 
-/* fds, events, ready, format, away and back may be NULL where there is nothing to do. */
+/* fds, events, ready, format, away and back may be NULL if there is nothing to do. */
 typedef struct {
-    const char *name;           /* what --on says */
-    const char *device;         /* that is taken unless another one is named */
+    const char *name;           /* value of --on */
+    const char *device;         /* default device */
 
-    /* Size wanted, 0: the device's own; a port may give another one.  EXIT_* and has said
-     * why in one clear line; nothing is left open then. */
+    /* Opens a device. width, height: the wanted size, 0: the device's own; a port may
+     * choose another size.  Returns EXIT_*; on failure it has printed the reason in one
+     * line and left nothing open. */
     int  (*open)(screen **s, const char *device, uint32_t width, uint32_t height);
 
-    /* Of its picture now; may change (a monitor taken away, another one plugged in). */
+    /* The current size; may change (one monitor unplugged, another one plugged in). */
     void (*size)(const screen *s, uint32_t *width, uint32_t *height);
 
-    /* A descriptor to poll for the port's events (flips, plugs), -1: none; and what
-     * handles them. */
+    /* fds: a descriptor to poll for the device's events (page flips, hotplug), -1: none.
+     * events: handles them. */
     int  (*fds)(const screen *s);
     int  (*events)(screen *s);
 
-    /* Presents a whole picture, xrgb8888 or another format, in exactly its colours.  One
-     * that is smaller than the screen is centred. */
+    /* Shows a whole picture, xrgb8888 or another format, in exactly its colours.  A
+     * picture smaller than the screen is centred. */
     int  (*show)(screen *s, const picture *p);
     bool (*ready)(const screen *s);     /* a picture may be shown now: no flip is pending */
 
-    bool (*lacks)(const screen *s);     /* it shows none, and could; NULL: never */
+    bool (*lacks)(const screen *s);     /* shows no picture yet, but could; NULL: never */
 
-    /* What its pixels take best; NULL: xrgb8888. */
+    /* The best picture format for the screen; NULL: xrgb8888. */
     tp_format (*format)(const screen *s);
 
-    int  (*away)(screen *s);    /* another virtual terminal takes over */
-    int  (*back)(screen *s);    /* and gives back: the picture will be shown anew */
-    void (*close)(screen *s);   /* the screen as it was found; when away, as it is now */
+    int  (*away)(screen *s);    /* another virtual terminal becomes active */
+    int  (*back)(screen *s);    /* ours is active again; a new picture will be shown */
+    void (*close)(screen *s);   /* restores the screen of open(), unless away */
 } screen_port;
 
 extern const screen_port screen_fb, screen_kms;

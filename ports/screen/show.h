@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Showing a scene on a raw screen: what the program and a baked scene have in common. */
+/* Showing a scene on a raw screen: the part common to `tidepool show` and a baked scene. */
 #ifndef SCREEN_SHOW_H
 #define SCREEN_SHOW_H
 #include <signal.h>
@@ -9,49 +9,53 @@
 
 typedef struct {
     const screen_port *port;
-    const char *device;             /* NULL: the port's own */
-    uint32_t    width, height;      /* 0: the screen's */
-    bool        counted;            /* frames first..last alone, each of them shown */
+    const char *device;         /* NULL: the port's default */
+    uint32_t    width, height;  /* 0: the screen's */
+    bool        counted;        /* draw frames first..last only, and show each of them */
     uint32_t    first, last;
-    bool        hold;               /* the last one until a signal or Esc */
-    bool        hash;               /* each one's CRC-32 on standard output */
-    const char *keep;               /* file; NULL: none */
+    bool        hold;           /* hold the last frame until a signal or Esc */
+    bool        hash;           /* print each frame's CRC-32 to standard output */
+    const char *keep;           /* file; NULL: none */
 
     const tp_scene  *scene;
     const tp_assets *assets;
     tp_world        *world;         /* at tick 0 */
     size_t           world_bytes;
 
-    /* The drawing's own; called in the process that draws.  `format` is the screen's
-     * wish.  prepare returns EXIT_* and has said why, also after the size has changed. */
+    /* Drawing callbacks, called in the drawing process.  `format`: the screen's
+     * preferred format. prepare is called again after a change of size; it returns
+     * EXIT_* and has printed the reason of a failure. */
     void  *user;
     int  (*prepare)(void *user, uint32_t width, uint32_t height, tp_format format);
     const picture *(*draw)(void *user, const tp_world *world, uint32_t frame);
 
-    /* NULL: there is no tape.  Of it, before a picture and before each of its steps, what
-     * else was done than what its input tells; then each step's input. */
+    /* Tape callbacks; NULL: no tape. acts: called before each frame and before each
+     * tick, applies the tape's entries other than inputs. taped: returns the input of
+     * each tick. */
     int  (*acts)(void *user);
     const tp_input *(*taped)(void *user);
 
-    /* Of the tape, for worlds that are kept: entries played so far, and keep.remake. */
+    /* Tape callbacks for kept worlds: the number of entries played so far; keep.remake. */
     uint32_t (*played)(void *user);
     bool (*remake)(void *user, uint32_t played);
 } show;
 
-/* The port that is called so, NULL: none; and all names, as "fb or kms". */
+/* Returns the port of that name, NULL if there is none.  SHOW_PORTS lists all names. */
 const screen_port *show_port(const char *name);
 #define SHOW_PORTS "fb or kms"
 
-/* Returns when it is over and the screen is as it was found.  EXIT_* and said why; if a
- * signal ended it, it is raised again and nothing returns. */
+/* Shows until the end, then restores the screen as found.  Returns EXIT_*, with the
+ * reason of a failure printed.  If a signal ended the child, the same signal is raised
+ * here and ends the program. */
 int show_run(const show *what);
 
-/* -- between watch.c and loop.c -------------------------------------------------- */
+/* -- interface between watch.c and loop.c ---------------------------------------- */
 
-/* In the child.  *signal: what ended it, 0 if nothing did. */
+/* Runs in the child. *signal: the signal that ended the loop, or 0. */
 int loop_run(const show *what, screen *on, console *tty, const keep *kept, uint32_t frame,
              int *signal);
 
-/* Signals that end the loop or tell it of the console; blocked unless it waits. */
+/* The signals used by the loop: they end it or announce a console switch.  Blocked
+ * except while it waits. */
 void loop_signals(sigset_t *set);
 #endif

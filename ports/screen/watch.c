@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: MIT */
-/* Two processes: one opens the screen and waits, its child draws.  Whatever ends the
- * child, and be it SIGKILL, the parent gives the screen and the console back, and ends in
- * the same way.  If the parent is killed the kernel tells the child, which then gives
- * back instead.
+/* Two processes: the parent opens the screen and waits, the child draws.  Whatever ends
+ * the child, even SIGKILL, the parent restores screen and console and ends in the same
+ * way.  If the parent is killed, the kernel signals the child (PR_SET_PDEATHSIG), and
+ * the child restores instead.
  *
- * Signals to the parent are handed on.  A child that has not ended some seconds after one
- * of them, since the panel blocks it, is killed. */
-#define _GNU_SOURCE             /* prctl's neighbours, sigtimedwait */
+ * The parent passes its signals on.  A child still running some seconds after a signal,
+ * because the device blocks it, is killed. */
+#define _GNU_SOURCE             /* for sigtimedwait */
 #include <errno.h>
 #include <signal.h>
 #include <stdio.h>
@@ -19,9 +19,9 @@
 #include "../host/say.h"
 #include "show.h"
 
-#define PATIENCE_S 3            /* with a child that was asked to end ... */
-#define WRITING_S  10           /* ... and that may wait for a disk */
-#define SIDE_LOW   16u          /* of a picture, as the core takes it */
+#define PATIENCE_S 3            /* s to wait for a signalled child */
+#define WRITING_S  10           /* s if the child may be writing to disk */
+#define SIDE_LOW   16u          /* least side of a picture in the core, px */
 
 static const screen_port *const ports[] = {
     &screen_fb,
@@ -46,10 +46,11 @@ typedef struct {
     console     tty;
     pid_t       parent, child;
     keep        kept;
-    uint32_t    frame;              /* to begin with */
+    uint32_t    frame;              /* first frame */
 } watch;
 
-/* What another terminal shows now is not ours to change. */
+/* Restores screen and console.  If another terminal is active, its screen is left
+ * unchanged. */
 static void give_back(watch *w)
 {
     const screen_port *port = w->what->port;
@@ -60,7 +61,8 @@ static void give_back(watch *w)
     console_close(&w->tty);
 }
 
-/* As if it had never been caught.  A core of the parent would tell nothing. */
+/* Ends by the signal with the default action.  No core dump: the parent's would tell
+ * nothing. */
 static void die_of(int signal)
 {
     sigset_t set;
@@ -99,8 +101,8 @@ static void child_run(watch *w, const sigset_t *before)
 
 /* -- the parent ------------------------------------------------------------------ */
 
-/* What people and programs send to end something, faults among it: those of our own
- * would end the parent, and the child would give back. */
+/* Signals passed on to the child: requests to end, and faults sent from outside.  A
+ * fault of the parent itself kills the parent, and the child then restores the screen. */
 static const int handed_on[] = { SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGSEGV, SIGABRT, SIGBUS,
                                  SIGFPE, SIGILL };
 
@@ -112,8 +114,8 @@ static void watched_signals(sigset_t *set)
     sigaddset(set, SIGCHLD);
 }
 
-/* Until the child has ended: its exit code, or *by, the signal that ended it or, if it
- * had to be killed, was to. */
+/* Waits for the child's end.  Returns its exit code; *by: the signal that ended it, or,
+ * if it had to be killed, the signal it was sent before; 0 if none. */
 static int wait_for(const watch *w, const sigset_t *set, int *by)
 {
     const struct timespec patience = { w->what->keep ? WRITING_S : PATIENCE_S, 0 };
@@ -140,7 +142,7 @@ static int watch_run(watch *w)
     fflush(stdout);
     watched_signals(&set);
     sigprocmask(SIG_BLOCK, &set, &before);
-    signal(SIGTSTP, SIG_IGN);           /* a screen that stands in graphics mode */
+    signal(SIGTSTP, SIG_IGN);           /* stopped, it would block the console */
     signal(SIGTTIN, SIG_IGN);
     signal(SIGTTOU, SIG_IGN);
     w->parent = getpid();
@@ -159,7 +161,7 @@ static int watch_run(watch *w)
     return code;
 }
 
-/* -- both ------------------------------------------------------------------------ */
+/* -- start ----------------------------------------------------------------------- */
 
 static int check_size(const show *what, const screen *on, const char *device)
 {

@@ -1,16 +1,17 @@
 /* SPDX-License-Identifier: MIT */
-/* Events to wishes.  Keys are taken by their place on the keyboard, so that WASD lies
- * under the left hand on every layout. */
+/* Converts events to input.  Keys are taken by scancode: WASD lies under the left hand
+ * on every keyboard layout. */
 #include "control.h"
 #include "fx/fx.h"
 #include <stdio.h>
 #include "../live/wish.h"
 
-/* Of a pixel dragged; 400 of them are 80 degrees, far from where 32 bits wrap. */
+/* DRAG: rotation per px of dragging.  DRAG_MAX px make 80 degrees, far from the wrap of
+ * 32 bits. */
 #define DRAG     ((int32_t)TP_DEG(0.2))
 #define DRAG_MAX 400
 
-#define NOTCH (12 * WISH_RUN)   /* m of a notch of the wheel: 3.2 */
+#define NOTCH (12 * WISH_RUN)   /* m per notch of the wheel: 3.2 */
 
 static void window_event(control *c, const SDL_WindowEvent *event, uint64_t now)
 {
@@ -96,7 +97,7 @@ void control_capture(control *c, bool on)
     c->drag_x = c->drag_y = 0;
 }
 
-/* -- a tick ---------------------------------------------------------------------- */
+/* -- input of a tick ------------------------------------------------------------- */
 
 typedef struct {
     const keymap  *keys;
@@ -104,7 +105,7 @@ typedef struct {
     SDL_Keymod     mod;
 } held;
 
-/* +1, 0 or -1 by two actions. */
+/* Returns +1, 0 or -1 from two opposite actions. */
 static int axis(const held *h, action more, action less)
 {
     return keymap_held(h->keys, more, h->down, h->mod)

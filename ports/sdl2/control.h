@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Mouse, wheel, held keys and the window's own events: what the person at the window
- * wants between two ticks.  Keys that ask once go to view_act.c. */
+/* Mouse, wheel, held keys and window events: the person's input between two ticks.  Keys
+ * with a single effect go to view_act.c. */
 #ifndef SDL2_CONTROL_H
 #define SDL2_CONTROL_H
 #include <SDL.h>
@@ -9,33 +9,34 @@
 #include "pad.h"
 #include "tidepool/world.h"
 
-#define CONTROL_PLACES 64       /* of the right button, between two ticks */
+#define CONTROL_PLACES 64       /* positions of the right button between two ticks */
 
 typedef struct {
     int  x, y;                  /* pixel of the window */
-    bool stir;                  /* moved with the button, else it went down */
+    bool stir;                  /* true: moved with the button down; false: pressed */
 } control_place;
 
 typedef struct {
-    bool     quit, exposed;     /* events: the loop takes them back */
+    bool     quit, exposed;     /* events; the loop resets them */
     bool     hidden;            /* state: minimised */
     bool     captured;          /* state: the mouse turns the camera without a button */
-    bool     turning, stirring; /* states: a button that went down on the picture is held */
-    int      drag_x, drag_y;    /* pixels, since the last tick */
-    int      wheel;             /* notches, likewise; + is away from the person */
-    control_place place[CONTROL_PLACES];    /* events, in their order ... */
-    int      places;            /* ... so many; of more the last one counts */
+    bool     turning, stirring; /* states: a button pressed on the picture is held */
+    int      drag_x, drag_y;    /* px since the last tick */
+    int      wheel;             /* notches since the last tick; + is away from the person */
+    control_place place[CONTROL_PLACES];    /* events in their order */
+    int      places;            /* count; if full, the last place is overwritten */
     bool     resized;
-    uint64_t resized_at;        /* us, of the last change of a row of them */
-    char     dropped[4096];     /* a file that was dropped on the window, "" none */
+    uint64_t resized_at;        /* us; the last resize event of a series */
+    char     dropped[4096];     /* path of a file dropped on the window, "" if none */
 } control;
 
-/* True: something may look otherwise now. */
+/* Returns true if the window may need drawing. */
 bool control_event(control *c, const SDL_Event *event, uint64_t now);
 
-/* The mouse turns the camera until it is let go again. */
+/* Captures or releases the mouse.  A captured mouse turns the camera. */
 void control_capture(control *c, bool on);
 
-/* What is held now, for one tick; takes the drags.  `typing`: keys are a text field's. */
+/* Returns the input of one tick: held keys, and drags, reset by the call.  `typing`:
+ * keys go to a text field. */
 tp_input control_input(control *c, const keymap *keys, const pad *stick, bool typing);
 #endif

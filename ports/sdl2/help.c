@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* The list of keys over the picture.  Whole sentences in as many columns as fit, in letters
- * as large as fit; where they do not, names alone, with neighbours such as W A S D in one
- * row: that fits 320x240. */
+/* The list of keys over the picture.  The full form has whole sentences, in as many
+ * columns and as large letters as fit.  If no full form fits, the short form has names
+ * alone, with related keys such as W A S D in one row: it fits 320x240. */
 #include <stdbool.h>
 #include <stdio.h>
 #include <string.h>
@@ -10,13 +10,13 @@
 
 #define LINES      200
 #define COLUMNS    4
-#define GUTTER     3                /* cells between columns, 1 where it is narrow */
-#define NARROW     51               /* cells that sentences below names are wide at most */
+#define GUTTER     3            /* cells between columns; the short form may use less */
+#define NARROW     51           /* most cells per line of the notes below the short form */
 
 static const uint32_t amber = 0xffd479, white = 0xe8eef4, blue = 0x7fc8ff;
 static const uint32_t grey = 0x9fb0c0;
 
-/* MORE: the text of the line before goes on. */
+/* MORE: continues the text of the line above. */
 typedef enum { HEADING, ROW, MORE, EMPTY } line_kind;
 
 typedef struct {
@@ -25,20 +25,20 @@ typedef struct {
 } line;
 
 typedef struct {
-    bool full;              /* sentences; else names */
-    int  wrap;              /* cells of a sentence */
+    bool full;              /* sentences; false: names */
+    int  wrap;              /* most cells of a sentence's line */
     int  columns, gutter;
-    int  scale, pitch;      /* px from line to line */
-    bool air, whole;        /* an empty line between groups; no group in two columns */
+    int  scale, pitch;      /* line pitch, px */
+    bool air, whole;        /* air: empty lines between groups; whole: no group is split */
 } form;
 
 typedef struct {
     form form;
     line line[LINES];
     int  count;
-    int  column[COLUMNS + 1];       /* the first line of each, and one behind the last */
-    int  keys[COLUMNS], wide[COLUMNS];      /* cells of its keys, of all of it */
-    int  across, rows;      /* cells, lines of it all */
+    int  column[COLUMNS + 1];       /* first line of each column, then the end */
+    int  keys[COLUMNS], wide[COLUMNS];      /* cells: of a column's keys, of the column */
+    int  across, rows;      /* total width in cells, total height in lines */
     int  body;              /* lines of the highest column */
 } sheet;
 
@@ -52,7 +52,7 @@ static line *add_line(sheet *s, line_kind kind)
     return l;
 }
 
-/* A sentence, in lines of at most form.wrap cells. */
+/* Adds a sentence, broken into lines of at most form.wrap cells. */
 static void add_sentence(sheet *s, const char *keys, const char *text)
 {
     line *l = add_line(s, ROW);
@@ -76,7 +76,8 @@ static void add_full(sheet *s, const keymap *m, int of)
     add_sentence(s, keys[0] ? keys : "-", actions[of].help);
 }
 
-/* Neighbours in one row; how many of them it was. */
+/* Adds one row of the short form for the action `of` and its related actions.  Returns
+ * the number of actions in the row. */
 static int add_short(sheet *s, const keymap *m, int of)
 {
     static const struct { action first; int count; const char *name; } together[] = {
@@ -105,7 +106,7 @@ static int add_short(sheet *s, const keymap *m, int of)
     return count;
 }
 
-/* Groups in the order of their first actions, each whole. */
+/* Writes the lines of all groups, in the order of their first actions. */
 static void write_lines(sheet *s, const keymap *m)
 {
     s->count = 0;
@@ -137,8 +138,8 @@ static void write_lines(sheet *s, const keymap *m)
 
 /* -- columns ------------------------------------------------------------------------ */
 
-/* Lines that stay together from `i` on: a group; or a heading and its first row, or a
- * sentence. */
+/* Returns the number of lines to keep together from `i` on: a whole group, or a heading
+ * with its first row, or a sentence. */
 static int bundle(const sheet *s, int i)
 {
     int n = 1;
@@ -151,7 +152,8 @@ static int bundle(const sheet *s, int i)
     return n;
 }
 
-/* Into columns of at most `limit` lines; how many that makes, or more than COLUMNS. */
+/* Splits the lines into columns of at most `limit` lines.  Returns the number of
+ * columns, or more than COLUMNS if they do not fit. */
 static int place(sheet *s, int limit)
 {
     int columns = 0, used = limit;
@@ -161,7 +163,7 @@ static int place(sheet *s, int limit)
         if (used + n + (empty ? bundle(s, i + 1) : 0) > limit) {
             if (columns == COLUMNS || n > limit)
                 return COLUMNS + 1;
-            s->column[columns++] = i + empty;   /* none on top */
+            s->column[columns++] = i + empty;   /* no empty line at the top */
             used = -empty;
         }
         used += n;
@@ -191,8 +193,8 @@ static void measure_column(sheet *s, int c)
     s->wide[c] = wide;
 }
 
-/* The mouse and the gamepad, below names: one sentence after the other.  Draws from line
- * `top` on if `l` is given; the lines it takes. */
+/* The notes on mouse and gamepad below the short form, as running text.  Draws if `l` is
+ * given, at x, y.  Returns the number of lines. */
 static int flow(const sheet *s, letters *l, int x, int y)
 {
     int row = 0, at = 0;
@@ -220,7 +222,7 @@ static int flow(const sheet *s, letters *l, int x, int y)
     return row + 1;
 }
 
-/* Whether it fits a room of cells and lines; where its columns are then. */
+/* True if the form fits into `cells` x `lines`; computes its columns. */
 static bool fits(sheet *s, int cells, int lines)
 {
     s->body = s->count / s->form.columns;
@@ -238,7 +240,7 @@ static bool fits(sheet *s, int cells, int lines)
     return s->across <= cells && s->rows <= lines;
 }
 
-/* px around it. */
+/* px around the list */
 static int margin_of(const form *f)
 {
     return (f->full ? 6 : 3) * f->scale;
@@ -251,9 +253,10 @@ static bool fits_in(sheet *s, const SDL_Rect *where)
                 (where->h - margin) / s->form.pitch);
 }
 
-/* -- the form that is taken ------------------------------------------------------------ */
+/* -- choice of the form ---------------------------------------------------------------- */
 
-/* The lines as they are: in the fewest columns, with most between lines, groups whole. */
+/* Finds a layout for the written lines: the fewest columns first, then the largest line
+ * pitch, then unsplit groups. */
 static bool try_columns(sheet *s, const SDL_Rect *where, int high, int least)
 {
     for (int columns = 1; columns <= COLUMNS; columns++)
@@ -268,7 +271,7 @@ static bool try_columns(sheet *s, const SDL_Rect *where, int high, int least)
     return false;
 }
 
-/* Sentences at one scale, the airiest first. */
+/* Tries the full form at one scale: long lines first, then lines with air. */
 static bool try_full(sheet *s, const keymap *m, const SDL_Rect *where, int scale)
 {
     static const int wraps[] = { 71, 44, 36, 30 };
@@ -294,7 +297,8 @@ static bool try_names(sheet *s, const keymap *m, const SDL_Rect *where, int scal
     return false;
 }
 
-/* Letters at least as large as wished come first, then sentences, then large letters. */
+/* Order of preference: letters of at least the wanted scale; then sentences before
+ * names; then larger letters. */
 static void search(sheet *s, const keymap *m, const SDL_Rect *where, int scale)
 {
     for (int k = LETTER_SCALES; k >= scale; k--)
@@ -308,7 +312,7 @@ static void search(sheet *s, const keymap *m, const SDL_Rect *where, int scale)
             return;
     s->form = (form){ .columns = 3, .gutter = 1, .scale = 1, .pitch = LETTER_HIGH - 1 };
     write_lines(s, m);
-    fits_in(s, where);               /* what there is room for */
+    fits_in(s, where);               /* the lines that fit */
 }
 
 static void draw_column(const sheet *s, letters *l, int c, int x, int y)
@@ -323,7 +327,7 @@ static void draw_column(const sheet *s, letters *l, int c, int x, int y)
     }
 }
 
-/* Looked for only when something has changed: it takes milliseconds. */
+/* Caches the chosen form, since the search takes milliseconds. */
 static const sheet *chosen(const keymap *m, const SDL_Rect *where, int scale)
 {
     static sheet last;

@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: MIT */
-/* Keys and names as short as they can be told. */
+/* Short forms of key names and action names for the help. */
 #include "help_words.h"
 #include <stdbool.h>
 #include <stdio.h>
 #include <string.h>
 #include <SDL.h>
 
-/* Keys as short as they can be told. */
+/* Writes the short form of a key name: PgUp for PageUp, an arrow for Up. */
 static void short_key(const char *word, char *out, size_t room)
 {
     static const struct { const char *name, *as; } shorter[] = {

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Words to keys.  A key is called as SDL calls its place on the keyboard, without the
- * blanks: LeftShift, KeypadEnter. */
+/* Keys and their names.  A key is named by SDL's name of its place on the keyboard
+ * (scancode), without blanks: LeftShift, KeypadEnter. */
 #define _POSIX_C_SOURCE 200809L
 #include "keymap.h"
 #include <stdio.h>
@@ -12,13 +12,13 @@
 #include "../host/path.h"
 #include "../host/say.h"
 
-#define NAME_BYTES 40           /* of a key; SDL's longest is "Keypad Hexadecimal" */
+#define NAME_BYTES 40           /* bytes of a name; SDL's longest is "Keypad Hexadecimal" */
 #define WORD_BYTES (NAME_BYTES + 12)
 #define WRONG_BYTES 160
 
 /* -- names of keys ----------------------------------------------------------------- */
 
-/* "" where SDL has no name for the place. */
+/* Writes the name of a scancode, "" if SDL has no name for the scancode. */
 static void key_name(SDL_Scancode code, char name[NAME_BYTES])
 {
     size_t n = 0;
@@ -28,7 +28,8 @@ static void key_name(SDL_Scancode code, char name[NAME_BYTES])
     name[n] = 0;
 }
 
-/* A semicolon that stands alone begins a comment in INI files: it has a word too. */
+/* Returns the scancode of a name.  An INI file cannot hold the name ";", since a
+ * semicolon begins a comment: "Semicolon" stands for it. */
 static SDL_Scancode key_of(const char *word)
 {
     char name[NAME_BYTES];
@@ -50,7 +51,8 @@ static void key_word(const keymap_key *key, char word[WORD_BYTES])
              key->shift ? "Shift+" : "", name);
 }
 
-/* Whether `*word` begins with `prefix` and goes on: it is then behind it. */
+/* True if `*word` begins with `prefix` and has more text, in any case of letters; moves
+ * `*word` behind the prefix. */
 static bool skip(const char **word, const char *prefix)
 {
     const size_t n = strlen(prefix);
@@ -60,7 +62,7 @@ static bool skip(const char **word, const char *prefix)
     return true;
 }
 
-/* code 0: there is no such key, and *rest is what was taken for its name. */
+/* Parses "Ctrl+Shift+Name".  Result code 0: no such key; *rest is then the unknown name. */
 static keymap_key key_read(const char *word, const char **rest)
 {
     keymap_key key = { SDL_SCANCODE_UNKNOWN, false, false };
@@ -78,7 +80,7 @@ static keymap_key key_read(const char *word, const char **rest)
 
 /* -- an action's keys -------------------------------------------------------------- */
 
-/* As many of its keys as there is room for. */
+/* Writes m->text[of]: the names of the keys, cut to whole names if the room ends. */
 static void write_text(keymap *m, action of)
 {
     size_t used = 0;
@@ -93,7 +95,7 @@ static void write_text(keymap *m, action of)
     }
 }
 
-/* What is wrong with a word that is no key. */
+/* Writes an error text for an unknown key name, with the nearest known name. */
 static void refuse_key(const char *word, char wrong[WRONG_BYTES])
 {
     char name[NAME_BYTES], best_name[NAME_BYTES] = "";
@@ -110,7 +112,7 @@ static void refuse_key(const char *word, char wrong[WRONG_BYTES])
                                               : "no key is called %s", word, best_name);
 }
 
-/* wrong: what is, "" if nothing. */
+/* Sets an action's keys from text.  `wrong`: the error text, "" if none. */
 static void put_keys(keymap *m, action of, const char *text, char wrong[WRONG_BYTES])
 {
     char word[WORD_BYTES];
@@ -141,12 +143,12 @@ void keymap_default(keymap *m)
         put_keys(m, (action)of, actions[of].keys, wrong);
 }
 
-/* -- a person's file --------------------------------------------------------------- */
+/* -- the keys file ----------------------------------------------------------------- */
 
 typedef struct {
     keymap      map;
     const char *path;
-    uint32_t    line[ACTIONS];      /* that gave its keys; 0: the list did */
+    uint32_t    line[ACTIONS];      /* line of the action in the file; 0: default keys */
 } keys_file;
 
 static bool refuse_action(const keys_file *file, uint32_t line, const char *name)
@@ -184,7 +186,7 @@ static bool take(void *user, uint32_t line, const char *section, const char *nam
     return !wrong[0];
 }
 
-/* The key of one action that is the other's too, or NULL. */
+/* Returns a key assigned to both actions, or NULL. */
 static const keymap_key *shared(const keymap *m, int one, int other)
 {
     for (int i = 0; i < KEYS_OF_ACTION; i++)
@@ -197,7 +199,8 @@ static const keymap_key *shared(const keymap *m, int one, int other)
     return NULL;
 }
 
-/* Only when all of it is read: a later line may have taken a key away. */
+/* Refuses a key with two actions.  Runs after the whole file is read, since a later line
+ * may free a key. */
 static int refuse_shared(const keys_file *file)
 {
     char word[WORD_BYTES];
@@ -215,7 +218,8 @@ static int refuse_shared(const keys_file *file)
     return EXIT_DONE;
 }
 
-/* To free; NULL: there is none. */
+/* Returns the path of the person's file, to be freed by the caller; NULL if there is
+ * none. */
 static char *usual_file(void)
 {
     const char *config = getenv("XDG_CONFIG_HOME"), *home = getenv("HOME");
@@ -249,7 +253,7 @@ int keymap_read(keymap *m, const char *name)
     return code;
 }
 
-/* -- keys that are pressed --------------------------------------------------------- */
+/* -- pressed keys ------------------------------------------------------------------ */
 
 static action exactly(const keymap *m, SDL_Scancode code, bool ctrl, bool shift)
 {
@@ -262,8 +266,8 @@ static action exactly(const keymap *m, SDL_Scancode code, bool ctrl, bool shift)
     return ACTIONS;
 }
 
-/* With Shift a key asks for what it asks for without, unless it has an action of its own
- * so: one may run while stepping through time. */
+/* Returns the action of a key.  Without an action of its own for Shift, Shift+key has
+ * the action of the key alone: Shift held for running does not block other keys. */
 static action asked(const keymap *m, SDL_Scancode code, bool ctrl, bool shift)
 {
     const action of = code ? exactly(m, code, ctrl, shift) : ACTIONS;
@@ -273,7 +277,7 @@ static action asked(const keymap *m, SDL_Scancode code, bool ctrl, bool shift)
 action keymap_action(const keymap *m, const SDL_Keysym *key)
 {
     if (key->mod & (KMOD_ALT | KMOD_GUI))
-        return ACTIONS;                         /* the desktop's */
+        return ACTIONS;                         /* shortcuts of the desktop */
     return asked(m, key->scancode, key->mod & KMOD_CTRL, key->mod & KMOD_SHIFT);
 }
 

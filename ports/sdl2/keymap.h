@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: MIT */
-/* Which keys ask for which actions: the list's, or a person's own file.
+/* Keys of the actions: defaults from the list of actions, or the person's own file.
  *
  *     ; ~/.config/tidepool/keys.ini
  *     drop = Return
  *     pause = Space P
  *     film =                     ; no key
  *
- * A file that is wrong is refused with its line; a key that two actions would have is
- * refused too. */
+ * A faulty file is refused with the line number.  A key assigned to two actions is a
+ * fault. */
 #ifndef SDL2_KEYMAP_H
 #define SDL2_KEYMAP_H
 #include <SDL.h>
@@ -23,18 +23,18 @@ typedef struct {
 
 typedef struct {
     keymap_key key[ACTIONS][KEYS_OF_ACTION];    /* code 0: none */
-    char       text[ACTIONS][64];               /* as the help shows them */
+    char       text[ACTIONS][64];               /* the keys as text for the help */
 } keymap;
 
 void keymap_default(keymap *m);
 
-/* `name` NULL: $XDG_CONFIG_HOME/tidepool/keys.ini if there is one.  An exit code, having
- * said why; the map is then as it was. */
+/* Reads a keys file.  `name` NULL: $XDG_CONFIG_HOME/tidepool/keys.ini, if present.
+ * Returns an exit code; on failure the reason has been said and the map is unchanged. */
 int  keymap_read(keymap *m, const char *name);
 
-/* The action of a key that was pressed, with its modifiers, or ACTIONS. */
+/* Returns the action of a pressed key with its modifiers, or ACTIONS if there is none. */
 action keymap_action(const keymap *m, const SDL_Keysym *key);
 
-/* Whether a key of a held action is down.  Ctrl lets none be. */
+/* True if a key of a held action is down.  Always false while Ctrl is down. */
 bool keymap_held(const keymap *m, action of, const uint8_t *down, SDL_Keymod mod);
 #endif

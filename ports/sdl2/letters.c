@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: MIT */
-/* The letters' picture: rows of five bits in one texture, white, of which SDL makes any
- * colour.  One picture for each size, so that letters are never stretched: SDL's software
- * renderer copies several times as fast without. */
+/* The font's texture: glyphs of five-bit rows, white, so SDL can modulate the colour.
+ * One texture per size, so that no copy is scaled: SDL's software renderer is several
+ * times as fast without scaling. */
 #include "letters.h"
 #include <stdbool.h>
 
-#define ROWS     9                  /* 7 above the line that letters stand on, 2 below */
+#define ROWS     9                  /* 7 above the baseline, 2 below */
 #define FIRST    ' '
 #define ASCII    95
 #define ARROWS   4
@@ -14,7 +14,7 @@
 #define ACROSS   16                 /* glyphs in a row of the sheet */
 #define DOWN     ((GLYPHS + ACROSS - 1) / ACROSS)
 
-/* Each row's bit 4 is its leftmost pixel; the first row is the cell's second. */
+/* Bit 4 of a row is the leftmost pixel.  Row 0 of a glyph is the second row of the cell. */
 /* clang-format off */
 static const uint8_t font[GLYPHS][ROWS] = {
     { 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00 },    /* blank */
@@ -121,10 +121,10 @@ static const uint8_t font[GLYPHS][ROWS] = {
 
 struct letters {
     SDL_Renderer *renderer;
-    SDL_Texture  *sheet[LETTER_SCALES];     /* of scale 1 ...; NULL: not needed yet */
+    SDL_Texture  *sheet[LETTER_SCALES];     /* by scale - 1; NULL: not yet made */
 };
 
-/* Where a glyph's cell is. */
+/* Returns a glyph's cell in the sheet. */
 static SDL_Rect cell(int glyph, int scale)
 {
     const int wide = LETTER_WIDE * scale, high = LETTER_HIGH * scale;
@@ -196,7 +196,7 @@ void letters_again(letters *l)
 
 /* -- drawing ------------------------------------------------------------------------- */
 
-/* Of a byte of text; -1: it continues a character of which the first byte told. */
+/* Returns the glyph of a byte; -1 for a UTF-8 continuation byte. */
 static int glyph_of(unsigned char byte)
 {
     if (byte >= FIRST && byte < FIRST + ASCII)
@@ -221,7 +221,7 @@ void letters_draw(letters *l, int x, int y, int scale, uint32_t colour, const ch
     if (!*sheet)
         *sheet = make_sheet(l->renderer, size);
     if (!*sheet)
-        return;                     /* no letters, but the picture goes on */
+        return;                     /* out of memory: no letters; the preview goes on */
     SDL_SetTextureColorMod(*sheet, (uint8_t)(colour >> 16), (uint8_t)(colour >> 8),
                            (uint8_t)colour);
     SDL_SetTextureAlphaMod(*sheet, (uint8_t)(255 - (colour >> 24)));

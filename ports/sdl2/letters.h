@@ -1,35 +1,37 @@
 /* SPDX-License-Identifier: MIT */
-/* Letters over the picture, of a font of the project's own: 5x7 pixels in cells of 6x10,
- * ASCII and four arrows.  For help, figures and messages, with or without the panel. */
+/* Text over the picture, in a font of the project: 5x7 pixels in cells of 6x10, ASCII
+ * and four arrows.  For help, figures and messages, with or without the panel. */
 #ifndef SDL2_LETTERS_H
 #define SDL2_LETTERS_H
 #include <SDL.h>
 
 enum { LETTER_WIDE = 6, LETTER_HIGH = 10, LETTER_SCALES = 8 };
 
-/* Bytes of text that are arrows. */
+/* Byte values of the arrows in a text. */
 enum { LETTER_UP = 1, LETTER_DOWN, LETTER_LEFT, LETTER_RIGHT };
 
 typedef struct letters letters;
 
 letters *letters_open(SDL_Renderer *renderer);          /* NULL: SDL_GetError() */
 void letters_close(letters *l);
-void letters_again(letters *l);         /* the renderer has lost its textures */
+void letters_again(letters *l);     /* drops all textures; call if the renderer lost them */
 
-/* Cells that a text takes: one for each character, UTF-8's too, which show as '?'. */
+/* Returns the number of cells of a text: one per character.  A non-ASCII UTF-8 character
+ * is one '?'. */
 int  letters_count(const char *text);
 
-/* A line of text with its upper left corner at x, y of the window, 1..8 times as large,
- * 0xTTRRGGBB: TT is how transparent, 0 not at all. */
+/* Draws a line of text with its upper left corner at x, y of the window. scale 1..8;
+ * colour 0xTTRRGGBB, TT = transparency, 0 = opaque. */
 void letters_draw(letters *l, int x, int y, int scale, uint32_t colour, const char *text);
 
-/* A rectangle of a colour, 0xRRGGBB; alpha 255 hides what is below.  Empty ones too. */
+/* Fills a rectangle with a colour 0xRRGGBB; alpha 255 = opaque.  An empty rectangle
+ * draws nothing. */
 void letters_fill(letters *l, int x, int y, int wide, int high, uint32_t colour,
                   uint8_t alpha);
 
-/* From now on nothing is drawn outside of it; NULL: everywhere again. */
+/* Clips all later drawing to the rectangle; NULL: no clip. */
 void letters_clip(letters *l, const SDL_Rect *within);
 
-/* A dark box to draw on. */
+/* A dark background for text. */
 void letters_box(letters *l, int x, int y, int wide, int high, uint8_t alpha);
 #endif

@@ -1,28 +1,28 @@
 /* SPDX-License-Identifier: MIT */
-/* Figures and messages over the picture: the last pictures' times as a graph, where the
- * time of one goes, how near it comes to what it is compared with. */
+/* Figures and messages over the picture: a graph of the last frame times, the time of
+ * each part of a frame, the difference from the compared picture. */
 #include "overlay.h"
 #include <stdio.h>
 #include <string.h>
 
-#define GRAPH_HIGH 44               /* px, times the scale */
+#define GRAPH_HIGH 44               /* px at scale 1 */
 #define MARGIN     4
-#define CELLS      40               /* of a line of figures: as wide as the graph */
+#define CELLS      40               /* letters in a line of figures, as wide as the graph */
 #define NAME       20
-#define STAGES     10               /* the dearest ones that are shown */
+#define STAGES     10               /* stages shown, most expensive first */
 #define TEXT_BYTES 160
 
 static const uint32_t amber = 0xffd479, white = 0xe8eef4, blue = 0x7fc8ff;
 static const uint32_t green = 0x6fcf97, red = 0xff6b5e, grey = 0xb4c2ce;
 
-/* A box of figures as it is written, line after line. */
+/* A box of figures while its lines are written. */
 typedef struct {
     letters *to;
     int      x, y, scale;
-    int      low;                   /* what ends lower is left out */
+    int      low;                   /* lower end; lines that end below are dropped */
 } sheet;
 
-/* Room for the next px; false: there is none. */
+/* Takes the next `high` px.  Returns false if the box is full. */
 static bool takes(sheet *s, int high, int *y)
 {
     if (s->y + high * s->scale > s->low)
@@ -32,13 +32,13 @@ static bool takes(sheet *s, int high, int *y)
     return true;
 }
 
-/* One line, or as much of it as fits; what is left of the text. */
+/* Copies one line, cut to `cells` letters.  Returns the rest of the text. */
 static const char *cut_line(const char *text, int cells, char line[TEXT_BYTES])
 {
     const size_t most = (size_t)SDL_clamp(cells, 1, TEXT_BYTES - 1);
     const size_t length = strcspn(text, "\n");
     size_t cut = SDL_min(length, most);
-    if (length > most)                          /* rather between words */
+    if (length > most)                  /* break at a blank in the second half, if any */
         for (size_t i = most; i > most / 2 && cut == most; i--)
             cut = text[i] == ' ' ? i : cut;
     snprintf(line, TEXT_BYTES, "%.*s", (int)cut, text);
@@ -57,7 +57,7 @@ static void write_text(sheet *s, uint32_t colour, const char *text)
     }
 }
 
-/* Name, time, and the share of all as a bar. */
+/* Name, time, and a bar for the share of the total. */
 static void write_time(sheet *s, uint32_t colour, const panel_time *t)
 {
     enum { BAR = NAME + 11 };
@@ -81,7 +81,7 @@ static uint32_t colour_of(float ms, float limit)
     return ms <= limit ? green : ms <= 2 * limit ? amber : red;
 }
 
-/* The newest picture at the right; its top is twice the limit. */
+/* Graph of frame times: the newest at the right, the top at twice the limit. */
 static void write_graph(sheet *s, const panel_figures *f)
 {
     int y;
@@ -104,7 +104,7 @@ static void write_graph(sheet *s, const panel_figures *f)
                  text);
 }
 
-/* -- what is compared ------------------------------------------------------------------ */
+/* -- the comparison -------------------------------------------------------------------- */
 
 static void write_compare(sheet *s, const panel_compare *c)
 {
@@ -153,7 +153,7 @@ void overlay_figures(letters *l, const SDL_Rect *where, int scale,
     sheet s = { NULL, where->x + margin, where->y + margin, size,
                 where->y + where->h - margin };
     const int top = s.y;
-    write_all(&s, f, c);                     /* how high it is */
+    write_all(&s, f, c);                     /* dry run: measures the height */
     letters_clip(l, where);
     letters_box(l, where->x, where->y, wide * size, s.y - top + 2 * margin, 192);
     s.to = l;

@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: MIT */
-/* Sticks as held keys that can be held a little: pushed all the way they move and turn as
- * fast as a key does. */
+/* Sticks act as analog keys: at full deflection they move and turn as fast as a key
+ * does. */
 #include "pad.h"
 #include <math.h>
 #include "../live/wish.h"
 
-/* Of 32767: sticks that are let go rest anywhere within. */
+/* Dead zones, of 32767: a released stick may rest anywhere within. */
 #define STICK_DEAD   7200
 #define TRIGGER_DEAD 2400
 
@@ -46,7 +46,7 @@ action pad_event(pad *p, const SDL_Event *event)
     case SDL_CONTROLLERDEVICEREMOVED:
         if (is_its(p, event->cdevice.which)) {
             pad_close(p);
-            open_first(p);              /* another one goes on */
+            open_first(p);              /* continue with another gamepad */
         }
         break;
     case SDL_CONTROLLERBUTTONDOWN:
@@ -70,14 +70,14 @@ void pad_close(pad *p)
 
 /* -- sticks ------------------------------------------------------------------------- */
 
-/* 0 within the dead zone, and from its edge to the full way evenly to 1. */
+/* Returns 0 within the dead zone, then linear from its edge to 1 at full deflection. */
 static double beyond(double way, double dead)
 {
     return way <= dead ? 0 : fmin((way - dead) / (SDL_JOYSTICK_AXIS_MAX - dead), 1);
 }
 
-/* A stick whose first axis is `across`, the next one down: each -1..1, both together no
- * longer than 1, and no direction of its own at the dead zone. */
+/* Reads a stick with axes `across` and `across` + 1.  The vector's length is 0..1; the
+ * dead zone is circular, and the vector keeps the stick's direction. */
 static void stick(const pad *p, SDL_GameControllerAxis across, double *x, double *y)
 {
     const double u = SDL_GameControllerGetAxis(p->pad, across);

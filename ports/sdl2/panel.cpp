@@ -1,9 +1,10 @@
 /* SPDX-License-Identifier: MIT */
-/* The panel beside the picture, by Dear ImGui: the project's one C++ file.
+/* The panel beside the picture, by Dear ImGui; the project's only C++ file.
  *
- * What the panel shows is C beside it (panel_top.c, panel_list.c, panel_value.c,
- * panel_figures.c), which asks for things by panel_pen.h; this file answers with Dear
- * ImGui, has its looks and letters, takes keys to it and its triangles from it. */
+ * The panel's content is in C files (panel_top.c, panel_list.c, panel_value.c,
+ * panel_figures.c), on top of the interface panel_pen.h.  This file implements the
+ * interface with Dear ImGui, sets style and font, and passes events to Dear ImGui and
+ * triangles back. */
 #include "panel_parts.h"
 #include "panel_pen.h"
 #include <imgui.h>
@@ -17,9 +18,9 @@ static_assert(sizeof(ImDrawIdx) == sizeof(uint16_t), "and so are indices");
 
 namespace {
 
-constexpr float LETTERS = 13;           /* pixels of the default letters, at scale 1 */
+constexpr float LETTERS = 13;           /* font size at scale 1, px */
 
-panel *shown;                           /* Dear ImGui has one context, and so one panel */
+panel *shown;                       /* Dear ImGui has one context, so there is one panel */
 
 ImU32 ink_of(uint32_t rgb)
 {
@@ -33,7 +34,7 @@ ImVec4 paint_of(uint32_t rgb)
 
 } // namespace
 
-/* -- lengths and places ---------------------------------------------------------- */
+/* -- lengths and positions ------------------------------------------------------- */
 
 float pen_px(float at_one)          { return SDL_floorf(at_one * shown->scale + 0.5f); }
 float pen_wide(const char *text)    { return ImGui::CalcTextSize(text).x; }
@@ -70,7 +71,7 @@ void pen_indent(bool in)
         ImGui::Unindent();
 }
 
-/* -- ink ------------------------------------------------------------------------- */
+/* -- drawing --------------------------------------------------------------------- */
 
 void pen_box(float x, float y, float wide, float high, uint32_t colour)
 {
@@ -103,7 +104,8 @@ void pen_say_wrapped(uint32_t colour, const char *text)
     ImGui::PopTextWrapPos();
 }
 
-/* Beside the panel and not over it, on the side where the picture is. */
+/* Places the tooltip beside the panel, on the picture's side, so that it does not cover
+ * the panel. */
 void pen_tip(const char *text)
 {
     const SDL_Rect &w = shown->where;
@@ -122,7 +124,7 @@ void pen_tip(const char *text)
     ImGui::EndTooltip();
 }
 
-/* -- the last thing, mouse and keyboard ------------------------------------------ */
+/* -- state of the last widget, mouse, keyboard ----------------------------------- */
 
 SDL_FRect pen_last(void)
 {
@@ -157,7 +159,7 @@ bool pen_enter(void)
         || ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_KeyPadEnter), false);
 }
 
-/* -- things ---------------------------------------------------------------------- */
+/* -- widgets --------------------------------------------------------------------- */
 
 bool pen_button(const char *id, float wide, bool lit)
 {
@@ -262,7 +264,7 @@ void pen_scroll(const char *id)
     ImGui::BeginChild(id, ImVec2(0, 0), false, ImGuiWindowFlags_NavFlattened);
 }
 
-/* -- looks and letters ----------------------------------------------------------- */
+/* -- style and font -------------------------------------------------------------- */
 
 namespace {
 
@@ -290,7 +292,7 @@ void paint(ImGuiStyle &style)
         = style.Colors[ImGuiCol_SliderGrabActive] = ImVec4(0, 0, 0, 0);
 }
 
-/* Square and without soft edges: rectangles are quick, and crisp. */
+/* Square corners and no anti-aliasing: plain rectangles draw fast and sharp. */
 void set_style(void)
 {
     ImGuiStyle &s = ImGui::GetStyle();
@@ -310,7 +312,7 @@ void set_style(void)
     s.WindowMinSize = ImVec2(1, 1);
 }
 
-/* Drawn anew at their size, so that they are as sharp at any scale. */
+/* Renders the font at its size in px, sharp at any scale. */
 bool make_letters(panel *p)
 {
     ImFontAtlas *const fonts = ImGui::GetIO().Fonts;
@@ -332,10 +334,10 @@ bool make_letters(panel *p)
     return true;
 }
 
-/* -- in and out ------------------------------------------------------------------ */
+/* -- input and output ------------------------------------------------------------ */
 
-/* Where the mouse points by the window's events: the backend asks the whole screen, which
- * does not hear of a pointer that a program moved. */
+/* Sets the mouse position from window events.  The backend asks for the global mouse
+ * state, which does not follow a pointer moved by a program (SDL_WarpMouse, tests). */
 void point(const panel *p)
 {
     int x, y;
@@ -361,7 +363,8 @@ void leave(panel *p)
     ImGui::SetWindowFocus(nullptr);
 }
 
-/* Who has the keyboard, by what was asked for since the last picture; then its keys. */
+/* Moves the keyboard focus as requested since the last frame, then passes the queued key
+ * events. */
 void feed(panel *p)
 {
     SDL_Event event;
@@ -413,7 +416,7 @@ void show_tabs(panel *p)
     measure(p, figures);
 }
 
-/* A line at its left end tells that the keyboard is here. */
+/* Shows the panel's window.  A line at the left edge marks the keyboard focus. */
 void show(panel *p)
 {
     const ImVec2 at(static_cast<float>(p->where.x), static_cast<float>(p->where.y));
@@ -432,7 +435,7 @@ void show(panel *p)
     ImGui::End();
 }
 
-/* What a list of Dear ImGui's wants drawn, behind the calls that there are. */
+/* Appends the draw commands of one Dear ImGui list at index `n`.  Returns the new count. */
 int add_calls(panel *p, const ImDrawList &list, int n)
 {
     for (const ImDrawCmd &c : list.CmdBuffer) {
@@ -454,8 +457,8 @@ bool is_own(const ImDrawList &list)
     return list._OwnerName && std::strncmp(list._OwnerName, "##panel", 7) == 0;
 }
 
-/* The panel's own window and those in it; then lists that dropped down and tips, which
- * reach over the picture. */
+/* Draws the panel's own windows through the cache, then popups and tooltips, which reach
+ * over the picture. */
 void draw(panel *p, const ImDrawData &data)
 {
     int n = 0;
@@ -468,7 +471,8 @@ void draw(panel *p, const ImDrawData &data)
             ink_draw(&p->pen, p->call, add_calls(p, *data.CmdLists[i], 0));
 }
 
-/* When the picture is done, which has the host's lists in it. */
+/* Opens the requested scene after the frame: opening a scene frees host lists used by
+ * the frame. */
 void open_scene(panel *p)
 {
     const uint32_t scene = p->to_open;
@@ -485,7 +489,7 @@ void hide(panel *p)
 
 } // namespace
 
-/* -- the contract ---------------------------------------------------------------- */
+/* -- panel.h --------------------------------------------------------------------- */
 
 bool panel_is_built(void)
 {
@@ -536,7 +540,7 @@ bool panel_event(panel *p, const SDL_Event *event)
         return taken;
     }
     case SDL_RENDER_TARGETS_RESET:
-    case SDL_RENDER_DEVICE_RESET:       /* its textures are gone */
+    case SDL_RENDER_DEVICE_RESET:       /* the textures are lost */
         make_letters(p);
         return false;
     default:
@@ -545,8 +549,8 @@ bool panel_event(panel *p, const SDL_Event *event)
     }
 }
 
-/* Beside the panel the pointer looks as others want it: Dear ImGui would give it its arrow
- * for each picture. */
+/* Sets the cursor policy: over the panel Dear ImGui sets the cursor; elsewhere it must
+ * not, because it would set its arrow at each frame. */
 static void leave_pointer(void)
 {
     ImGuiIO &io = ImGui::GetIO();

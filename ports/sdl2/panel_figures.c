@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The panel's instruments: what a picture takes, and what is told of it. */
+/* The panel's tab of figures: times of the last frames, the state, the quality plan,
+ * memory. */
 #include <stdio.h>
 #include <string.h>
 #include "../host/actions.h"
@@ -16,7 +17,7 @@ static float highest(const panel_figures *f, uint32_t n)
     return SDL_max(top, 0.001f);
 }
 
-/* The newest at the right; a line where pictures come too late. */
+/* Graph of frame times: the newest at the right; a line marks the limit. */
 static void show_graph(const panel_figures *f)
 {
     char text[32];
@@ -41,7 +42,7 @@ static void show_graph(const panel_figures *f)
 
 /* -- tables ---------------------------------------------------------------------- */
 
-/* Name, a bar behind it as long as its share, and its time at the right. */
+/* Name at the left, time at the right, and behind both a bar for the share. */
 static void show_time(const panel_time *t)
 {
     char text[32], name[PANEL_NAME];
@@ -64,7 +65,7 @@ static void show_times(const panel_time *time, uint32_t count)
         show_time(&time[i]);
 }
 
-/* Columns parted by tabs; the last one takes what is left. */
+/* Columns separated by tabs; the last column takes the remaining width. */
 static void show_columns(char *line)
 {
     const float left = pen_at().x;
@@ -94,7 +95,7 @@ static void show_lines(const char *lines)
     }
 }
 
-/* -- the whole ------------------------------------------------------------------- */
+/* -- all figures ----------------------------------------------------------------- */
 
 static void show_compare(panel *p, const panel_compare *c)
 {

@@ -1,10 +1,11 @@
 /* SPDX-License-Identifier: MIT */
-/* How the panel's triangles reach the window.
+/* Draws the panel's triangles into the window.
  *
- * A GPU gets them as they are.  SDL's own renderer fills and copies rectangles quickly
- * and triangles slowly, and nearly all of a panel is rectangles in pairs of triangles:
- * those are found again here.  A panel at rest is the same from picture to picture, so
- * what it was drawn to is kept and copied as long as its vertices sum up alike. */
+ * A GPU takes the triangles unchanged.  SDL's software renderer is fast with rectangles
+ * and slow with triangles, and nearly all of a panel is rectangles made of two
+ * triangles: for a software renderer this file finds the rectangles again.  A panel at
+ * rest has the same vertices in each frame, so its drawing is cached in a texture, valid
+ * while the checksum of the vertices stays the same. */
 #include "panel_ink.h"
 #include <string.h>
 
@@ -53,14 +54,15 @@ bool ink_atlas(ink *k, const uint8_t *bytes, int wide, int high, float u, float 
     return true;
 }
 
-/* -- rectangles out of triangles ------------------------------------------------- */
+/* -- rectangles from triangles --------------------------------------------------- */
 
 static bool same(SDL_Color a, SDL_Color b)
 {
     return memcmp(&a, &b, sizeof a) == 0;
 }
 
-/* Corners in turn from the upper left, of triangles 0 1 2 and 0 2 3, in one colour. */
+/* True if six indices form an axis-aligned rectangle of one colour: triangles 0 1 2 and
+ * 0 2 3, vertices in order from the upper left. */
 static bool is_rectangle(const ink_vertex *v, const uint16_t *i)
 {
     const ink_vertex *const a = &v[i[0]], *const b = &v[i[1]], *const c = &v[i[2]],
@@ -139,10 +141,10 @@ void ink_draw(ink *k, const ink_call *call, int calls)
     SDL_RenderSetClipRect(k->renderer, NULL);
 }
 
-/* -- what is kept ---------------------------------------------------------------- */
+/* -- cache ----------------------------------------------------------------------- */
 
-/* Of words of four bytes, each in its place: a multiplication by an odd number and a turn
- * lose nothing of a difference. */
+/* Adds data to a checksum, in words of 4 bytes; order matters.  The odd multiplier and
+ * the xor shift are bijective: two different words never give the same sum. */
 static uint64_t add(uint64_t sum, const void *data, size_t bytes)
 {
     const uint8_t *at = data;
@@ -181,7 +183,8 @@ static bool fit(ink *k, const SDL_Rect *where)
     return k->kept && SDL_SetTextureBlendMode(k->kept, SDL_BLENDMODE_NONE) == 0;
 }
 
-/* A target's corner is at nought: a viewport moves what is drawn there, and its clips. */
+/* Draws into the cache texture.  Its origin is at 0, 0: a viewport shifts the drawing
+ * and the clip rectangles by -where. */
 static void draw_kept(ink *k, const ink_call *call, int calls, const SDL_Rect *where)
 {
     SDL_Texture *const before = SDL_GetRenderTarget(k->renderer);

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Triangles of the panel through SDL's renderer, quickly where that has no GPU. */
+/* Draws the panel's triangles by SDL's renderer, fast without a GPU too. */
 #ifndef SDL2_PANEL_INK_H
 #define SDL2_PANEL_INK_H
 #include <SDL.h>
@@ -10,10 +10,10 @@
 extern "C" {
 #endif
 
-/* As Dear ImGui lays it out: place in the window, place in the atlas 0..1. */
+/* Vertex, in Dear ImGui's layout: x, y in px of the window; u, v in the atlas, 0..1. */
 typedef struct { float x, y, u, v; SDL_Color colour; } ink_vertex;
 
-/* One call: triangles of `index`, three a piece, within a rectangle. */
+/* One draw call: triangles of three indices each, clipped to a rectangle. */
 typedef struct {
     const ink_vertex *vertex;
     int               vertices;
@@ -24,25 +24,27 @@ typedef struct {
 
 typedef struct {
     SDL_Renderer *renderer;
-    SDL_Texture  *atlas;        /* letters: white, as opaque as the ink is thick */
+    SDL_Texture  *atlas;        /* font: white, alpha = coverage */
     int           wide, high;
-    float         u, v;         /* of its white texel: what lies there is plain */
-    bool          slow;         /* the renderer draws triangles itself */
-    uint64_t      sum;          /* of what `kept` shows */
-    SDL_Texture  *kept;         /* the panel's own window, when it was last drawn */
+    float         u, v;         /* the atlas's white texel, for untextured drawing */
+    bool          slow;         /* software renderer */
+    uint64_t      sum;          /* checksum of the drawing in `kept` */
+    SDL_Texture  *kept;         /* cache: the last drawing of the panel */
     SDL_Rect      where;
 } ink;
 
 void ink_begin(ink *k, SDL_Renderer *renderer);
 void ink_end(ink *k);
 
-/* Takes an atlas of wide x high bytes, ink as 0..255.  False: SDL_GetError(). */
+/* Takes an atlas of wide x high coverage bytes, 0..255.  Returns false on failure;
+ * SDL_GetError() has the reason. */
 bool ink_atlas(ink *k, const uint8_t *bytes, int wide, int high, float u, float v);
 
-/* Draws now. */
+/* Draws at once. */
 void ink_draw(ink *k, const ink_call *call, int calls);
 
-/* The same for what fills `where`, opaque: drawn anew only when it is not what it was. */
+/* Draws opaque content that fills `where`; redraws the cache only if the content has
+ * changed. */
 void ink_keep(ink *k, const ink_call *call, int calls, const SDL_Rect *where);
 
 #ifdef __cplusplus

@@ -1,18 +1,18 @@
 /* SPDX-License-Identifier: MIT */
-/* Keys and clicks between panel and picture. */
+/* Routing of keys and clicks between panel and picture. */
 #include "panel_keys.h"
 #include <string.h>
 
-#define PATIENCE 8              /* pictures that letters wait for their field */
+#define PATIENCE 8          /* frames that a letter waits for its field to get the focus */
 
 bool keys_types(const panel_keys *k)
 {
     return k->searching || k->typing || k->writes;
 }
 
-/* -- which keys ------------------------------------------------------------------ */
+/* -- keys for the panel ---------------------------------------------------------- */
 
-/* Makes a letter, which comes as text too. */
+/* True for a printable key; SDL sends its letter as a text event too. */
 static bool is_plain(SDL_Keycode key)
 {
     return key > SDLK_SPACE && key < SDLK_DELETE;
@@ -41,14 +41,15 @@ static bool is_modifier(SDL_Scancode code)
     return code >= SDL_SCANCODE_LCTRL && code <= SDL_SCANCODE_RGUI;
 }
 
-/* Of a field that is typed in: its own Ctrl keys, but not those to save or quit. */
+/* True if an edited field uses the key: all keys but Ctrl+letter, plus its own Ctrl+A C
+ * V X Z Y.  Ctrl+S and Ctrl+Q stay with the picture. */
 static bool is_of_field(const SDL_Keysym *key)
 {
     return !(key->mod & KMOD_CTRL) || !is_plain(key->sym)
         || strchr("acvxzy", (int)key->sym);
 }
 
-/* Whether a key that goes down is the panel's. */
+/* True if the panel takes a key press. */
 static bool takes(panel_keys *k, const SDL_Keysym *key)
 {
     if (k->leave || is_of_function(key->scancode) || is_modifier(key->scancode))
@@ -64,7 +65,7 @@ static bool takes(panel_keys *k, const SDL_Keysym *key)
     return (k->here || k->open) && moves_about(key->sym);
 }
 
-/* -- what waits ------------------------------------------------------------------ */
+/* -- the queue ------------------------------------------------------------------- */
 
 static void wait_for(panel_keys *k, const SDL_Event *event)
 {
@@ -81,7 +82,8 @@ static void wait_as(panel_keys *k, const SDL_Event *event, SDL_Scancode code,
     wait_for(k, &e);
 }
 
-/* Tab goes on to the next thing as the arrow does, from a field too. */
+/* Queues a key press.  Tab becomes an arrow key, to move to the next widget out of a
+ * field too. */
 static void wait_for_down(panel_keys *k, const SDL_Event *event)
 {
     const SDL_Keysym *const key = &event->key.keysym;
@@ -95,7 +97,7 @@ static void wait_for_down(panel_keys *k, const SDL_Event *event)
         wait_for(k, event);
 }
 
-/* Whatever it went down as. */
+/* Queues the release of a key under every code its press may have been queued as. */
 static void wait_for_up(panel_keys *k, const SDL_Event *event)
 {
     const SDL_Keycode key = event->key.keysym.sym;
@@ -125,8 +127,8 @@ static bool key_event(panel_keys *k, const SDL_Event *event)
     return true;
 }
 
-/* A letter is the panel's if its key was.  "/" that asks to search and a blank that
- * presses a button are no letters. */
+/* A letter belongs to the panel if its key press did.  The "/" that opens the search and
+ * the blank that presses a button are not typed. */
 static bool text_event(panel_keys *k, const SDL_Event *event)
 {
     const char *const none = k->searching ? "/" : keys_types(k) ? "" : " ";
@@ -137,8 +139,9 @@ static bool text_event(panel_keys *k, const SDL_Event *event)
     return true;
 }
 
-/* Enter presses what is no number and no field, as the space bar does: told when what
- * came before it has been heard, for it is that which brings the keyboard there. */
+/* Turns Enter into the space bar, Dear ImGui's key to press a button, unless the focus
+ * is on a number or a field.  Done on leaving the queue: earlier events of the queue may
+ * move the focus. */
 static void turn_enter(const panel_keys *k, SDL_Event *event)
 {
     SDL_Keysym *const key = &event->key.keysym;
@@ -165,8 +168,8 @@ void keys_begin(panel_keys *k)
     k->waited++;
 }
 
-/* Keys that go up and letters, or one key that goes down.  Letters wait for their field,
- * but not for ever. */
+/* Gives several releases and letters per frame, or one key press.  A letter waits for
+ * the focus of its field, but at most PATIENCE frames. */
 bool keys_next(panel_keys *k, SDL_Event *event)
 {
     if (k->events == 0 || k->down)
@@ -193,7 +196,7 @@ static bool is_over(const panel_keys *k, int x, int y)
     return SDL_PointInRect(&at, &k->where) || k->over;
 }
 
-/* A button that went down in one of the two keeps the mouse there until it goes up. */
+/* A button pressed in the panel or in the picture keeps the mouse there until release. */
 static bool mouse_event(panel_keys *k, const SDL_Event *event)
 {
     int x, y;

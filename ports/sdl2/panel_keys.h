@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: MIT */
-/* Whose a key or a click is, the panel's or the picture's, and keys in their order.
+/* Routing of keys and clicks to the panel or to the picture, and key events in order.
  *
- * The keyboard is the picture's until a person asks for the panel: by its search, by Tab
- * or by a click into a field.  Esc gives it back.  Dear ImGui sees which keys are down
- * and not in what order they came: one that goes down and up between two pictures would
- * never have been.  So they wait here, and each picture takes as many as it can tell
- * apart. */
+ * The picture has the keyboard until the person calls the panel: by its search, by Tab
+ * or by a click into a field.  Esc returns the keyboard.  Dear ImGui samples the key
+ * states once per frame and does not see their order: it would miss a key pressed and
+ * released between two frames.  Therefore key events wait in a queue, and each frame
+ * takes as many events as Dear ImGui can tell apart. */
 #ifndef SDL2_PANEL_KEYS_H
 #define SDL2_PANEL_KEYS_H
 #include <SDL.h>
@@ -19,35 +19,36 @@ extern "C" {
 enum { PANEL_KEYS = 64 };
 
 typedef struct {
-    bool      here;             /* arrows, Tab, Enter move about in the panel */
-    bool      leave;            /* Esc, or a click beside it: to be given back */
-    bool      searching;        /* the search is asked for and not there yet */
-    bool      typing;           /* so is the field of a number, or it is typed in */
+    bool      here;             /* the panel has the focus: arrows, Tab, Enter move in it */
+    bool      leave;            /* Esc, or a click outside: release the keyboard */
+    bool      searching;        /* the focus is requested for the search, not yet there */
+    bool      typing;           /* the same for a number's field, or a number is edited */
 
-    /* Told at every picture. */
-    bool      writes;           /* a field takes letters */
-    bool      open;             /* a list or a colour has dropped down */
-    bool      on_number;        /* the keyboard's place is a slider */
-    bool      over;             /* the mouse is the panel's wherever it is */
+    /* Set at every frame: */
+    bool      writes;           /* a text field is being edited */
+    bool      open;             /* a list or colour picker is open */
+    bool      on_number;        /* the focus is on a slider */
+    bool      over;             /* the panel takes all mouse events */
     SDL_Rect  where;
 
     SDL_Event event[PANEL_KEYS];
-    uint32_t  events, waited;   /* pictures since the first could be told */
-    bool      taken;            /* the last key that went down */
-    bool      held;             /* a mouse button that went down here */
-    bool      up, down;         /* went in this picture */
+    uint32_t  events, waited;   /* frames since the first queued event could have gone */
+    bool      taken;            /* a key press of the last frame */
+    bool      held;             /* a mouse button pressed in the panel */
+    bool      up, down;         /* mouse button changed in this frame */
 } panel_keys;
 
-/* Whether an event of keys or the mouse is the panel's and nobody else's. */
+/* True if a key or mouse event belongs to the panel alone. */
 bool keys_event(panel_keys *k, const SDL_Event *event);
 
-/* Whether letters are the panel's. */
+/* True if letters go to the panel. */
 bool keys_types(const panel_keys *k);
 
-/* The keyboard is the picture's again: what waits is forgotten, but keys that go up. */
+/* Returns the keyboard to the picture.  Drops queued events, except key releases. */
 void keys_leave(panel_keys *k);
 
-/* The keys and letters for this picture, one after the other; false: that was all. */
+/* keys_begin starts a frame; keys_next gives its key and text events in order, false at
+ * the end. */
 void keys_begin(panel_keys *k);
 bool keys_next(panel_keys *k, SDL_Event *event);
 

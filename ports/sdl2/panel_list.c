@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: MIT */
-/* The panel's rows in their groups, and the search.  What the scene has not stands folded
- * at the end, also of what was found; it is told when a scene is opened and when another
- * word is searched for, for nothing should move under a person's hands. */
+/* The panel's rows in their groups, and the search.  Groups unused by the scene are
+ * folded at the end, also in search results.  The split is updated only when a scene is
+ * opened or the search text changes: rows must not move while the person works. */
 #include <stdio.h>
 #include <string.h>
 #include "panel_parts.h"
 #include "panel_pen.h"
 
-/* A number at its right end. */
+/* Shows a group's header with a number at its right end. */
 static bool show_head(const char *name, uint32_t number, bool forced)
 {
     char text[16] = "";
@@ -27,7 +27,7 @@ static panel_find best_of(const panel *p, const panel_group *g)
     return best;
 }
 
-/* Rows that were found, in groups that the scene has not or in those that it has. */
+/* Counts rows found by the search, in groups unused (idle) or used by the scene. */
 static uint32_t count_found(const panel *p, bool idle)
 {
     uint32_t n = 0;
@@ -44,8 +44,8 @@ static bool is_searched(const panel *p)
     return p->wanted[0] != '\0';
 }
 
-/* Those that were found are others than the same when nothing is searched for, and what
- * was folded stays so. */
+/* Shows a group.  A search has its own IDs, so groups opened by a search are folded
+ * again after the search. */
 static void show_group(panel *p, const panel_group *g)
 {
     pen_in(is_searched(p));
@@ -59,7 +59,7 @@ static void show_group(panel *p, const panel_group *g)
     pen_out();
 }
 
-/* Where a name is found first, then where help alone tells of it. */
+/* Shows groups found by name first, then groups found by help text alone. */
 static void show_matches(panel *p, bool idle)
 {
     for (panel_find by = PANEL_BY_NAME; by > PANEL_LOST; by--)
@@ -68,7 +68,7 @@ static void show_matches(panel *p, bool idle)
                 show_group(p, &p->group[i]);
 }
 
-/* Where the scene has nothing of the kind, what it could have is shown at once. */
+/* Shows the search result.  If only unused groups match, they are shown unfolded. */
 static void show_found(panel *p)
 {
     const uint32_t here = count_found(p, false), more = count_found(p, true);
@@ -105,8 +105,8 @@ static void show_all(panel *p)
     }
 }
 
-/* Another scene has other idle groups, and so may a new search; else one group a picture
- * is counted. */
+/* Updates the split into used and unused groups after a change of scene or search text.
+ * Otherwise counts one group per frame. */
 static void count_groups(panel *p)
 {
     if (p->scene != p->host->scene || strcmp(p->counted_for, p->wanted) != 0)

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The preview without a panel, where Dear ImGui or a C++ compiler is missing. */
+/* Stub of the panel, for builds without Dear ImGui or without a C++ compiler. */
 #include "panel.h"
 
 bool panel_is_built(void)

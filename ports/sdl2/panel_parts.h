@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* What the panel's parts share: its state, and the parts themselves, each drawn once a
- * picture.  Nothing of a value is kept: what is in sight is asked of the host anew. */
+/* State shared by the panel's parts, and the parts, each drawn once per frame.  The
+ * panel caches no values: it asks the host for the visible values at each frame. */
 #ifndef SDL2_PANEL_PARTS_H
 #define SDL2_PANEL_PARTS_H
 #include "panel.h"
@@ -24,41 +24,41 @@ struct panel {
     SDL_Rect      where;
     float         scale;
     bool          hidden, measures;
-    bool          to_rows;              /* the rows' tab is to come to the front */
+    bool          to_rows;              /* select the tab of rows */
     panel_group   group[PANEL_GROUPS];
     uint32_t      groups, counted, scene;
-    uint32_t      to_open;              /* scene that was asked for, or UINT32_MAX */
-    char          wanted[64];           /* what is searched for, and was when idle groups
-                                           were told */
+    uint32_t      to_open;              /* index of a scene to open, or UINT32_MAX */
+    char          wanted[64];           /* search text; counted_for: as of the last
+                                         * update of the groups' `idle` */
     char          counted_for[64];
-    int           typing;               /* row whose number is typed, or -1 */
+    int           typing;               /* row with a number being typed, or -1 */
     bool          typing_new, typing_seen;
-    uint32_t      asked;                /* pictures since the keyboard was asked for */
-    int           sliding, place;       /* row that changes while it is held, or -1 */
-    int           tip, tip_new;         /* row that is pointed at, or -1 */
+    uint32_t      asked;                /* frames since the request for the focus */
+    int           sliding, place;       /* row with a held slider, or -1; its position */
+    int           tip, tip_new;         /* row under the mouse or the focus, or -1 */
     double        tip_since;            /* s */
 };
 
-/* The scene's list; buttons; what was said last. */
+/* The list of scenes, the buttons, the last message. */
 void panel_top(panel *p);
 
-/* A button that does what the action's keys do, shown as `name`. */
+/* A button for an action, labelled `name`. */
 void panel_button(panel *p, int what, const char *name, float wide);
 
-/* A line cut to the width; pointed at, it shows the whole. */
+/* A line of text, cut to the width; the mouse over the line shows all of the text. */
 void panel_line(uint32_t colour, const char *text);
 
-/* Groups of rows, or those that were searched for. */
+/* The groups of rows, or the result of the search. */
 void panel_list(panel *p);
 
-/* One row: its name, its value as something to hold or type in, its reset. */
+/* One row: name, value widget, reset button. */
 void panel_row_show(panel *p, uint32_t row);
-void panel_rows_begin(panel *p);        /* before and after all of a picture's rows */
+void panel_rows_begin(panel *p);        /* call before and after the rows of a frame */
 void panel_rows_end(panel *p);
 
 void panel_figures_show(panel *p);
 
-/* Asks for the keyboard for the next thing, until it is there. */
+/* Requests the keyboard focus for the next widget; call until the widget has the focus. */
 void panel_ask(panel *p);
 
 #ifdef __cplusplus

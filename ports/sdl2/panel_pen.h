@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT */
-/* What the panel's parts ask of Dear ImGui, in C: panel.cpp answers.  Lengths are pixels
- * of the window, colours 0xRRGGBB.  Things stand one below the other, each as high as a
- * line of letters and its frame; `id` tells them apart within pen_in and pen_out. */
+/* Drawing and widget functions of the panel, in C; panel.cpp implements them with Dear
+ * ImGui.  Lengths are in px of the window, colours 0xRRGGBB.  Widgets are placed one
+ * below the other; each is as high as a line of letters with its frame.  `id` is unique
+ * between pen_in and pen_out. */
 #ifndef SDL2_PANEL_PEN_H
 #define SDL2_PANEL_PEN_H
 #include <SDL.h>
@@ -20,75 +21,75 @@ enum {
     PEN_EDITED = 0xe8b060, PEN_OVERDUE = 0xd86858
 };
 
-/* -- lengths and places ---------------------------------------------------------- */
+/* -- lengths and positions ------------------------------------------------------- */
 
-float pen_px(float at_one);             /* at scale 1 */
-float pen_letter(void);                 /* width; all are as wide */
+float pen_px(float at_one);             /* px at scale 1 to px at the current scale */
+float pen_letter(void);                 /* width of a letter (monospaced font) */
 float pen_letter_high(void);
 float pen_wide(const char *text);
-float pen_high(void);                   /* of a thing */
-float pen_gap(void);                    /* between things */
-float pen_room(void);                   /* width to the right end */
-SDL_FPoint pen_at(void);                /* where the next thing goes */
+float pen_high(void);                   /* height of a widget */
+float pen_gap(void);                    /* gap between widgets */
+float pen_room(void);                   /* width left in the line */
+SDL_FPoint pen_at(void);                /* position of the next widget */
 void  pen_go(float x, float y);
-bool  pen_in_sight(float y, float margin);      /* a thing whose top is at y */
+bool  pen_in_sight(float y, float margin);      /* y: top; margin: px out of view */
 
 void  pen_in(int id);
 void  pen_out(void);
 void  pen_indent(bool in);
-void  pen_begin(void);                  /* things that count as one, in a row */
+void  pen_begin(void);                  /* begins a group: its widgets count as one */
 void  pen_end(void);
-void  pen_beside(float gap);            /* the next thing stands beside the last one */
-void  pen_take(float wide, float high); /* room for what is drawn by the following */
+void  pen_beside(float gap);            /* puts the next widget to the right */
+void  pen_take(float wide, float high); /* reserves room for the following drawing calls */
 
-/* -- ink ------------------------------------------------------------------------- */
+/* -- drawing --------------------------------------------------------------------- */
 
 void  pen_box(float x, float y, float wide, float high, uint32_t colour);
 void  pen_write(float x, float y, uint32_t colour, const char *text);
-void  pen_write_in(float x, float y, uint32_t colour, const char *text);  /* of a frame */
-void  pen_say(uint32_t colour, const char *text);       /* things too */
+void  pen_write_in(float x, float y, uint32_t colour, const char *text);  /* in a frame */
+void  pen_say(uint32_t colour, const char *text);       /* a widget of text */
 void  pen_say_wrapped(uint32_t colour, const char *text);
-void  pen_tip(const char *text);        /* of the last thing, beside the panel */
+void  pen_tip(const char *text);        /* tooltip of the last widget, beside the panel */
 
-/* -- the last thing, mouse and keyboard ------------------------------------------ */
+/* -- state of the last widget, mouse, keyboard ----------------------------------- */
 
 SDL_FRect pen_last(void);
 bool  pen_hovered(void);
-bool  pen_focused(void);                /* the keyboard's place is there */
-bool  pen_active(void);                 /* held, or typed in */
-bool  pen_left(void);                   /* no more, since this picture */
+bool  pen_focused(void);                /* has the keyboard focus */
+bool  pen_active(void);                 /* is held by the mouse, or edited */
+bool  pen_left(void);                   /* editing ended in this frame */
 bool  pen_any_active(void);
-bool  pen_is_open(void);                /* a list or a colour */
-bool  pen_points(float x, float y, float wide, float high);     /* the mouse, there */
+bool  pen_is_open(void);                /* a drop-down list or colour picker is open */
+bool  pen_points(float x, float y, float wide, float high);     /* true: mouse inside */
 bool  pen_pressed(int button);          /* 0 left, 1 right */
 bool  pen_enter(void);
 bool  pen_ctrl(void);
-bool  pen_moves(void);                  /* the keyboard's place is shown */
+bool  pen_moves(void);                  /* the keyboard focus is shown */
 double pen_time(void);                  /* s */
 
-/* -- things ---------------------------------------------------------------------- */
+/* -- widgets --------------------------------------------------------------------- */
 
 bool  pen_button(const char *id, float wide, bool lit);
 bool  pen_check(const char *id, bool *on);
 bool  pen_swatch(const char *id, uint32_t rgb, float wide);     /* true: pressed */
 bool  pen_slide(const char *id, int *place, int steps, float wide);
-void  pen_focus_next(void);             /* the keyboard goes to the next thing */
+void  pen_focus_next(void);             /* sets the focus to the next widget */
 bool  pen_field(const char *id, const char *hint, char *text, size_t bytes, float wide);
-bool  pen_head(const char *name, bool forced);          /* of a group: open */
+bool  pen_head(const char *name, bool forced);          /* group header; true: expanded */
 
-bool  pen_list(const char *id, const char *shown, float wide);  /* NULL: an arrow */
+bool  pen_list(const char *id, const char *shown, float wide);  /* shown NULL: an arrow */
 bool  pen_choice(const char *text, bool chosen);
 void  pen_list_end(void);
 
-/* A square of colours that drops down; true: moved. */
+/* A colour square, as a drop-down picker.  Returns true if the colour has changed. */
 void  pen_pick_open(void);
 bool  pen_pick(uint32_t *rgb);
 
 bool  pen_tabs(void);
-bool  pen_tab(const char *name, bool now);              /* now: brought to the front */
+bool  pen_tab(const char *name, bool now);              /* now: select this tab */
 void  pen_tab_end(void);
 void  pen_tabs_end(void);
-void  pen_scroll(const char *id);       /* what is left of the room, moved by the wheel */
+void  pen_scroll(const char *id);       /* scroll area of all remaining height */
 void  pen_scroll_end(void);
 
 #ifdef __cplusplus

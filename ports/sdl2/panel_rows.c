@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Groups, search and texts of the panel's rows.  They come as the table has them, which
- * stands in the order that people should read. */
+/* Groups, search and texts of the panel's rows.  Rows keep the order of the parameter
+ * table, which is written for reading. */
 #include "panel_rows.h"
 #include <math.h>
 #include <stdio.h>
@@ -33,7 +33,8 @@ uint32_t panel_groups_of(const panel_host *host, panel_group groups[PANEL_GROUPS
     return n;
 }
 
-/* Whether a group's first value says that there is no such thing. */
+/* True if a group's first value is 0, "none" or empty: the scene does not use the
+ * feature. */
 static bool is_absent(const panel_host *host, uint32_t row)
 {
     char text[PANEL_TEXT];
@@ -68,7 +69,7 @@ void panel_label(const panel_row *row, uint32_t letters, char text[PANEL_NAME])
     text[n] = '\0';
 }
 
-/* Letters that a search takes for the same. */
+/* Maps a character for the search: lower case, and a blank for "_" and ".". */
 static char plain(char c)
 {
     return c == '_' || c == '.' ? ' ' : c >= 'A' && c <= 'Z' ? (char)(c - 'A' + 'a') : c;
@@ -117,7 +118,8 @@ bool panel_word(const char *list, uint32_t i, char text[PANEL_TEXT])
 
 /* -- values ---------------------------------------------------------------------- */
 
-/* Many metres from a few centimetres on are no use on a straight slider. */
+/* A linear slider is useless for a range from centimetres to many metres: such a range
+ * gets a logarithmic slider (fine > 0). */
 panel_span panel_span_of(const panel_row *row, double value)
 {
     panel_span s = { row->low, row->high, 0, 1000, row->kind == PANEL_COUNT };
@@ -138,7 +140,8 @@ panel_span panel_span_of(const panel_row *row, double value)
     return s;
 }
 
-/* Straight, or straight about nought and then by the logarithm, on both sides of it. */
+/* The slider's scale: linear; or asinh, linear near 0 and logarithmic beyond, for both
+ * signs. */
 static double way(const panel_span *s, double value)
 {
     return s->fine > 0 ? asinh(value / s->fine) : value;
@@ -164,7 +167,7 @@ static void tell(double value, int decimals, char text[PANEL_TEXT])
         memcpy(text, "0", 2);
 }
 
-/* As short as 16.16 still takes for the same. */
+/* Writes the shortest decimal number that rounds to the same Q16.16 value. */
 static void tell_end(double value, char text[PANEL_TEXT])
 {
     int decimals = 0;
@@ -173,7 +176,8 @@ static void tell_end(double value, char text[PANEL_TEXT])
     while (decimals < 8 && fabs(strtod(text, NULL) - value) > 0.5 / 65536);
 }
 
-/* To a five-hundredth of the span or of the value, and within the range. */
+/* Rounds to 1/500 or finer of the span (linear) or of the value (logarithmic); stays
+ * within the range. */
 void panel_number(const panel_span *s, int place, char text[PANEL_TEXT])
 {
     const double low = way(s, s->low), high = way(s, s->high);

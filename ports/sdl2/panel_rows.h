@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Rows of the panel without anything drawn: groups, search, words, numbers as text. */
+/* Rows of the panel, without drawing: groups, search, words of choices, numbers as text. */
 #ifndef SDL2_PANEL_ROWS_H
 #define SDL2_PANEL_ROWS_H
 #include "panel.h"
@@ -10,53 +10,55 @@ extern "C" {
 
 enum { PANEL_GROUPS = 64, PANEL_NAME = 32 };
 
-/* Rows one after the other whose names begin alike, to the dot. */
+/* Consecutive rows with the same name up to the dot. */
 typedef struct {
     char     name[PANEL_NAME];
     uint32_t first, count;
-    bool     idle;              /* not in the scene when it was opened: every value was
-                                   the default, and the first one none */
-    uint32_t changed;           /* values that are not the default's, when last counted */
+    bool     idle;              /* unused by the scene when opened: all values are
+                                 * defaults, the first is 0 or empty */
+    uint32_t changed;           /* values unlike the default, at the last count */
 } panel_group;
 
-/* The number of groups, PANEL_GROUPS at the most; what is beyond is left out. */
+/* Returns the number of groups, at most PANEL_GROUPS; further groups are dropped. */
 uint32_t panel_groups_of(const panel_host *host, panel_group groups[PANEL_GROUPS]);
 
-/* Counts again; `fresh`: of a scene that was just opened, which tells what is idle. */
+/* Counts the changed values again.  `fresh`: the scene was just opened; sets `idle` too. */
 void     panel_group_count(const panel_host *host, panel_group *group, bool fresh);
 
-/* What stands beside a value: the name behind the dot, "_" as blanks; no more than
- * `letters` of it, the last two then dots. */
+/* Writes a row's label: the name behind the dot, blanks for "_"; cut to `letters`
+ * characters, then ending in "..". */
 void     panel_label(const panel_row *row, uint32_t letters, char text[PANEL_NAME]);
 
-/* Whether every word of `wanted` is in the name, or else in name or help; capital or not,
- * and "_", "." and blank are the same.  "" is in every name. */
+/* Result of a search: BY_NAME if every word of `wanted` is in the name, BY_HELP if every
+ * word is in the name or the help, else LOST.  Case is ignored; "_", "." and blank are
+ * equal.  "" is in every name. */
 typedef enum { PANEL_LOST, PANEL_BY_HELP, PANEL_BY_NAME } panel_find;
 panel_find panel_found(const panel_row *row, const char *wanted);
 
-/* Word i of "off|on|auto"; false: there is none. */
+/* Copies word i of "off|on|auto".  Returns false if there is none. */
 bool     panel_word(const char *list, uint32_t i, char text[PANEL_TEXT]);
 
-/* A slider: places 0..steps from low to high. */
+/* A slider: positions 0..steps between low and high. */
 typedef struct {
     double low, high;
-    double fine;                /* > 0: of sizes above this, equal ways multiply */
+    double fine;            /* > 0: scale is logarithmic for absolute values above `fine` */
     int    steps;
-    bool   whole;               /* of whole numbers */
+    bool   whole;           /* integers only */
 } panel_span;
 
-/* The table's range; of angles of many turns the turn that `value` lies in. */
+/* Returns the slider of a row: the table's range; for an angle of many turns the turn
+ * around `value`. */
 panel_span panel_span_of(const panel_row *row, double value);
 
-/* The place of a value, which may lie outside; and a place's value, as text that a scene
- * file has, told as finely as the slider is worth. */
+/* Slider position of a value, clamped to the range; and the value of a position, as text
+ * in scene file notation with no more digits than a step is worth. */
 int      panel_place(const panel_span *span, double value);
 void     panel_number(const panel_span *span, int place, char text[PANEL_TEXT]);
 
-/* "#rrggbb" as 0xRRGGBB; anything else is black. */
+/* "#rrggbb" as 0xRRGGBB; black for any other text. */
 uint32_t panel_colour(const char *text);
 
-/* Name, help, range and default, one a line. */
+/* Writes the tooltip: name, help, range and default, one per line. */
 void     panel_tip(const panel_row *row, char *text, size_t bytes);
 
 #ifdef __cplusplus

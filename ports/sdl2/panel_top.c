@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The panel's upper end: which scene, and buttons that do what keys do. */
+/* The upper part of the panel: the list of scenes, and buttons for actions. */
 #include <stdio.h>
 #include <string.h>
 #include "../host/actions.h"
@@ -36,7 +36,7 @@ static void tell(const panel *p, int what)
     pen_tip(text);
 }
 
-/* The name at the left, the key dim at the right if there is room. */
+/* The button's name is at the left; its key is dim at the right, if there is room. */
 void panel_button(panel *p, int what, const char *name, float wide)
 {
     const panel_host *const h = p->host;

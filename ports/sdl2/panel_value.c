@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* A row of the panel.  What a person does with its value goes to the host as text; a drag
- * is one change, however many steps it has. */
+/* A row of the panel.  Changes of a value go to the host as text; a drag is one change,
+ * regardless of its number of steps. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -22,7 +22,7 @@ static void put_on(panel *p, uint32_t row, const char *text, const char *before)
     p->sliding = (int)row;
 }
 
-/* It was let go of. */
+/* Ends a drag after release: sets the last value once more as the final one. */
 static void end_sliding(panel *p)
 {
     char text[PANEL_TEXT];
@@ -36,7 +36,7 @@ static void end_sliding(panel *p)
 
 /* -- text and numbers ------------------------------------------------------------ */
 
-/* What was typed is set when the field is left, if it is another. */
+/* A text field.  Sets the typed text when the field is left, if the text has changed. */
 static void show_field(panel *p, uint32_t row, const char *text, float wide)
 {
     char typed[PANEL_TEXT];
@@ -46,7 +46,8 @@ static void show_field(panel *p, uint32_t row, const char *text, float wide)
         put(p, row, typed);
 }
 
-/* Dear ImGui answers in the picture after, and begins anew if it is asked again. */
+/* Dear ImGui moves the focus in the following frame, and starts over if asked again: ask
+ * in every 4th frame only. */
 void panel_ask(panel *p)
 {
     if (p->asked++ % 4 == 0)
@@ -60,7 +61,8 @@ static void begin_typing(panel *p, uint32_t row)
     p->asked = 0;
 }
 
-/* A picture without anything first: the slider lets go of the name that both have. */
+/* A field for a typed number.  The first frame draws nothing: slider and field share an
+ * ID, and the slider has to release it. */
 static void type_number(panel *p, uint32_t row, const char *text, float wide)
 {
     p->typing_seen = true;
@@ -78,7 +80,7 @@ static void type_number(panel *p, uint32_t row, const char *text, float wide)
         p->typing_seen = false;
 }
 
-/* How far the slider is, and over it the value and its unit. */
+/* Draws a slider's bar, and over the bar the value and its unit. */
 static void write_value(const panel_row *row, const char *text, float share)
 {
     const SDL_FRect at = pen_last();
@@ -92,8 +94,8 @@ static void write_value(const panel_row *row, const char *text, float share)
         pen_write_in(at.x + at.w - gap - unit, at.y, PEN_DIM, row->unit);
 }
 
-/* A slider of places.  While it is held its place is kept: steps of a key may be finer
- * than the numbers that they make. */
+/* A slider of positions.  While the slider is held its position is kept, because
+ * keyboard steps may be smaller than the resolution of the resulting numbers. */
 static void slide(panel *p, uint32_t row, const char *text, float wide)
 {
     char made[PANEL_TEXT];
@@ -112,7 +114,7 @@ static void slide(panel *p, uint32_t row, const char *text, float wide)
     write_value(r, text, (float)place / (float)span.steps);
 }
 
-/* Pressed with Ctrl, with the right button or by Enter it is typed instead. */
+/* A number: a slider, or a text field after Ctrl+click, right click or Enter. */
 static void show_number(panel *p, uint32_t row, const char *text, float wide)
 {
     const SDL_FPoint at = pen_at();
@@ -161,7 +163,7 @@ static void show_choice(panel *p, uint32_t row, const char *text, float wide)
     pen_list_end();
 }
 
-/* The name can be typed, or taken from those that there are. */
+/* A file name: typed, or selected from the list of pictures. */
 static void show_picture(panel *p, uint32_t row, const char *text, float wide)
 {
     const panel_host *const h = p->host;
@@ -193,7 +195,8 @@ static void show_value(panel *p, uint32_t row, const char *text, float wide)
 
 /* -- the row --------------------------------------------------------------------- */
 
-/* At its end, where a value is not the file's or not the default. */
+/* A reset button at the end of a row, shown if the value differs from the file's or the
+ * default. */
 static void show_reset(panel *p, uint32_t row, bool filed)
 {
     const float side = pen_high();
@@ -206,7 +209,7 @@ static void show_reset(panel *p, uint32_t row, bool filed)
                  filed ? PEN_DIM : PEN_EDITED, "<");
 }
 
-/* Help, when the mouse or the keyboard has stayed on the row for a while. */
+/* The help of a row, shown after mouse or focus have stayed on the row for TIP_S. */
 static void show_tip(panel *p, uint32_t row, SDL_FPoint at, float wide)
 {
     char text[512];
@@ -221,8 +224,8 @@ static void show_tip(panel *p, uint32_t row, SDL_FPoint at, float wide)
     pen_tip(text);
 }
 
-/* Rows that are not in sight take their room and no time; the next ones above and below
- * are there for the arrow keys to go to. */
+/* Draws a row.  A row out of view only reserves its height; rows just above and below
+ * the view are drawn, as targets for the arrow keys. */
 void panel_row_show(panel *p, uint32_t row)
 {
     char label[PANEL_NAME], text[PANEL_TEXT];
@@ -259,7 +262,7 @@ void panel_rows_begin(panel *p)
     p->tip_new = -1;
 }
 
-/* A number that is not typed in any more, or whose row has gone. */
+/* Ends typing if the number is no longer edited or its row has disappeared. */
 void panel_rows_end(panel *p)
 {
     if (!p->typing_seen)

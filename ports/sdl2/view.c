@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: MIT */
-/* tidepool view: the preview, its command and its loop; the rest is named in view.h.
+/* tidepool view: the command of the preview and its main loop. view.h lists the other
+ * files.
  *
- * A turn of the loop takes the events, makes the ticks that are due, draws a picture if one
- * of them has changed it, and shows it at the display's pace. */
+ * A turn of the loop handles events, makes the ticks due, draws a frame if the world has
+ * changed, and presents the frame at the display's rate. */
 #define _POSIX_C_SOURCE 200809L
 #include <stdio.h>
 #include <stdlib.h>
@@ -15,17 +16,17 @@
 #include "../host/timing.h"
 #include "view.h"
 
-#define SETTLE_US 150000u       /* a window that is being dragged larger */
+#define SETTLE_US 150000u       /* wait after the last resize event before resizing */
 #define TITLE_US  500000u
-#define SHOW_US   16000u        /* at least, between pictures of the same water */
-#define WAIT_MS   2             /* for events, when there is nothing to draw */
-#define AWAY_MS   100           /* the same, minimised */
-#define PAST      (64u << 20)   /* bytes, for rewinding */
+#define SHOW_US   16000u        /* least interval between frames of an unchanged world */
+#define WAIT_MS   2             /* wait for events if there is nothing to draw */
+#define AWAY_MS   100           /* the same for a minimised window */
+#define PAST      (64u << 20)   /* bytes of memory for rewinding */
 
 /* -- the end --------------------------------------------------------------------- */
 
-/* The display's library ends the program when the display is gone: then what was shown is
- * kept first, and the person told how to go on. */
+/* SDL calls exit() if the display is lost.  The exit handler then keeps the session and
+ * tells the person how to resume. */
 static view *alive;
 
 static void on_exit(void)
@@ -159,7 +160,8 @@ static void place_window(view *v, int width, int height)
     SDL_SetWindowPosition(v->window.window, SDL_WINDOWPOS_CENTERED, SDL_WINDOWPOS_CENTERED);
 }
 
-/* The picture as asked for and the panel beside it, if the display has room for both. */
+/* Makes room for the picture at the wanted size and for the panel, if the display is
+ * wide enough for both. */
 static int open_window(view *v)
 {
     char title[TP_NAME_BYTES + 32];
@@ -262,13 +264,13 @@ static void end(view *v)
     if (v->stage)
         stage_close(v->stage);
     free(v->stage);
-    memset(v, 0, sizeof *v);            /* what was not freed is seen to leak */
+    memset(v, 0, sizeof *v);            /* a leak checker then sees forgotten allocations */
 }
 
 int view_command(int argc, char **argv)
 {
     options o;
-    static view v;              /* large, and seen by on_exit */
+    static view v;              /* static: large, and read by on_exit */
     v = (view){ .options = &o, .ui = 100, .scale = 1 };
     int code = args_read(&o, FOR_VIEW, argc, argv);
     if (!o.threads)

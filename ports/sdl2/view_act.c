@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* What an action does.  Held ones are read each tick (control.c) and are no news here. */
+/* Effects of the actions.  Held actions are not handled here: control.c reads them at
+ * each tick. */
 #include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
@@ -15,7 +16,7 @@
 #define UI_STEP  25
 #define SCALES   4
 
-/* What was said before this is not shown over it. */
+/* Sets the message; say() messages printed before now no longer replace the new message. */
 void view_say(view *v, const char *format, ...)
 {
     va_list list;
@@ -156,7 +157,7 @@ static void search(view *v)
         panel_search(v->panel);
 }
 
-/* By its name in the list, where it has one: it keeps its place there. */
+/* Opens the scene again, by its list name if listed, to keep its index in the list. */
 static void reload(view *v)
 {
     const view_scenes *all = &v->scenes;

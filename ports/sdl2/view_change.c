@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* How what is shown is changed: values, undo, saving, what is kept for --resume.  A change
- * goes three ways at once: to the scene, to the tape, to the list that undo reads. */
+/* Changes of the shown scene: values, undo, saving, the session for --resume.  A change
+ * goes to three places at once: the scene, the tape, and the undo list. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -20,7 +20,7 @@ static const tp_param *param_of(uint32_t row)
     return &tp_params(&count)[row];
 }
 
-/* Before the stage changes. */
+/* To call before the stage changes.  Returns false while a tape plays. */
 static bool may_change(view *v)
 {
     if (v->playing)
@@ -30,7 +30,8 @@ static bool may_change(view *v)
     return !v->playing;
 }
 
-/* After it has, in a world of `tick`.  Worlds that are past name other files then. */
+/* To call after the stage has changed; `tick` is the world's tick before the change.  A
+ * changed file name makes the kept worlds useless, because they refer to other files. */
 static void was_changed(view *v, const tp_param *param, uint64_t tick, bool opened)
 {
     v->base += tick - v->stage->world->tick;
@@ -40,7 +41,7 @@ static void was_changed(view *v, const tp_param *param, uint64_t tick, bool open
     view_refit(v, opened);
 }
 
-/* The value as it is now. */
+/* Records the parameter's current value on the tape. */
 static void tell_tape(view *v, const tp_param *param)
 {
     char text[PANEL_TEXT], setting[64 + PANEL_TEXT];
@@ -49,7 +50,7 @@ static void tell_tape(view *v, const tp_param *param)
     deck_set(&v->tape, v->base + v->stage->world->tick, setting);
 }
 
-/* Not to be undone. */
+/* Sets a value without an entry in the undo list. */
 static bool put(view *v, const tp_param *param, const char *text)
 {
     char setting[64 + PANEL_TEXT];
@@ -94,8 +95,9 @@ void view_tape_changes(view *v)
     }
 }
 
-/* The tape forgets a change that is as if it had not been; a camera that goes back too
- * takes what led it since.  One that was made again is told again. */
+/* Brings the tape in line with an undo or redo.  If the undo restored the world from
+ * before the change, the change's tape lines are dropped; if it restored the camera too,
+ * all later lines are dropped.  Otherwise the new value is recorded as a new line. */
 static void tell_tape_undone(view *v, edit *change, undo_result result, bool again)
 {
     const size_t lines = v->tape.lines;
@@ -130,7 +132,7 @@ void view_undo(view *v, bool again)
                                               : done->before.value.text);
 }
 
-/* The way to look, and what the scene has to say for it. */
+/* Selects a camera mode, and sets camera.follow as the mode needs. */
 void view_look(view *v, look_mode mode)
 {
     static const char *const words[] = { "none", "boat" };
@@ -150,7 +152,7 @@ void view_look(view *v, look_mode mode)
     view_say(v, "%s", look_name(mode));
 }
 
-/* In degrees, 16.16, within half a turn. */
+/* Converts a turn to degrees in Q16.16, within -180..180. */
 static int32_t degrees_of(tp_turn turn)
 {
     return (int32_t)(((int64_t)(int32_t)turn * 360 + 0x8000) >> 16);
@@ -185,7 +187,7 @@ void view_save(view *v)
 {
     scene_file *file = &v->stage->file;
     const int32_t follow = file->scene.camera.follow;
-    if (v->look.mode != LOOK_FREE)      /* a way to look is none of the scene's */
+    if (v->look.mode != LOOK_FREE)      /* the camera mode is not part of the scene */
         file->scene.camera.follow = v->filed.camera.follow;
     if (v->saved_as && scene_save(file, v->saved_as) == EXIT_DONE) {
         v->filed = file->scene;

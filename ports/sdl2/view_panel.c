@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* What the panel asks for, of the table of parameters and of this moment. */
+/* Callbacks of the panel: values from the table of parameters, actions, and current
+ * figures. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -10,11 +11,11 @@
 #include "scene/value.h"
 #include "view.h"
 
-#define PANEL_WIDE 340          /* px, at 100% */
-#define FILL_US    250000u      /* between its texts */
+#define PANEL_WIDE 340          /* px at 100% letter size */
+#define FILL_US    250000u      /* least interval between updates of the texts */
 
 static panel_row *rows;
-static char (*normals)[PANEL_TEXT];     /* of the rows, as text */
+static char (*normals)[PANEL_TEXT];     /* default values of the rows, as text */
 
 int view_panel_width(const view *v)
 {
@@ -84,7 +85,7 @@ static void reset(void *user, uint32_t row)
     view_set(user, row, text, false);
 }
 
-/* -- the rest -------------------------------------------------------------------- */
+/* -- scenes and actions ---------------------------------------------------------- */
 
 static void open_scene(void *user, uint32_t scene)
 {

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* The picture: drawn by a canvas as large as the window has room, compared, filmed, and
- * shown with what lies over it.  What lies over it is the window's alone: screenshots and
- * films are the bits of the core. */
+/* The picture: drawn by a canvas as large as the window allows, compared, filmed, and
+ * shown under overlays.  Overlays are drawn into the window only: screenshots and films
+ * hold exactly the core's pixels. */
 #include <stdio.h>
 #include <string.h>
 #include "../host/path.h"
@@ -11,8 +11,8 @@
 #include "overlay.h"
 #include "view.h"
 
-#define SAID_US 4000000u        /* that a message stays, and ... */
-#define FADE_US 500000u         /* ... takes to go */
+#define SAID_US 4000000u        /* how long a message stays */
+#define FADE_US 500000u         /* how long a message then fades */
 
 /* -- drawing --------------------------------------------------------------------- */
 
@@ -57,9 +57,9 @@ int view_draw(view *v)
     return EXIT_DONE;
 }
 
-/* -- what lies over it ----------------------------------------------------------- */
+/* -- overlays -------------------------------------------------------------------- */
 
-/* What was said to the terminal last is said here too. */
+/* Copies the last message printed to the terminal, to show it over the picture too. */
 static void take_said(view *v, uint64_t now)
 {
     unsigned count;
@@ -84,7 +84,7 @@ static void draw_said(view *v, const layout *at, int scale, uint64_t now)
                     left < FADE_US ? (uint8_t)(255 * left / FADE_US) : 255);
 }
 
-/* Beside what, and how far off: at the upper right. */
+/* Shows at the upper right the other renderer of the comparison, and the PSNR. */
 static void draw_compared(view *v, const layout *at, int scale)
 {
     const panel_compare *c = &v->compared;

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Scenes that can be opened, and opening them. */
+/* The list of scenes, and opening a scene. */
 #define _POSIX_C_SOURCE 200809L
 #include <stdlib.h>
 #include <string.h>
@@ -8,7 +8,7 @@
 #include "../host/scene_save.h"
 #include "view.h"
 
-/* -- what there is --------------------------------------------------------------- */
+/* -- lists ----------------------------------------------------------------------- */
 
 static bool make_room(char ***list, uint32_t count)
 {
@@ -48,7 +48,7 @@ static void add_folder(view *v, const char *folder, bool shipped)
     path_free_names(names, count);
 }
 
-/* As a scene file of the shipped ones names them: "../textures/foam.png". */
+/* Adds PNG files under the names used in shipped scene files: "../textures/foam.png". */
 static void add_pictures(view *v, const char *scenes, const char *folder)
 {
     size_t count;
@@ -97,7 +97,8 @@ void view_unlist(view *v)
 
 /* -- opening --------------------------------------------------------------------- */
 
-/* By its file: --resume has the path of what the list has by its name. */
+/* Sets `at` by comparing files, because --resume gives a path for a scene listed by
+ * name. */
 static void find_at(view *v, const char *path)
 {
     view_scenes *all = &v->scenes;
@@ -114,7 +115,7 @@ void view_refit(view *v, bool opened)
     v->stale = true;
 }
 
-/* The settings of the command line were for the scene that it names. */
+/* Loads a scene.  The settings of the command line apply to the first scene only. */
 static stage *load(view *v, const char *scene)
 {
     options wanted = *v->options;
@@ -142,7 +143,7 @@ bool view_open(view *v, const char *scene)
     if (before) {
         view_film(v, false);
         view_untape(v);
-        compare_forget(v->compare);     /* it reads what is closed now */
+        compare_forget(v->compare);     /* the comparison reads the old stage */
     }
     v->stage = next;
     v->filed = next->file.scene;
@@ -158,7 +159,7 @@ bool view_open(view *v, const char *scene)
     edits_clear(&v->edits);
     v->look = (look){ .mode = LOOK_FREE };
     find_at(v, next->file.path);
-    if (before)                         /* `scene` may be its name */
+    if (before)                         /* only now: `scene` may point into the old stage */
         stage_close(before);
     free(before);
     free(v->saved_as);

@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: MIT */
-/* Time: ticks of 1/60 s follow the clock whatever the display does.
+/* Time: ticks of 1/60 s follow the clock, independent of the display's rate.
  *
- * A picture is one turn of tp_world_advance_clock: no tick in slow motion, or one, or several.  The
- * first tick takes what was wished.  Before each picture its world goes to the past, by
- * which rewinding replays; what moved it goes to the tape.  A tape counts ticks of all
- * worlds since it began: base + world->tick. */
+ * A frame is one call of tp_world_advance_clock: 0 ticks in slow motion, or 1, or
+ * several.  The frame's first tick takes the collected input.  Before each frame the
+ * world goes to `past`, to be replayed on rewinding; the input goes to the tape.  A tape
+ * counts the ticks of all worlds since its beginning: base + world->tick. */
 #include <stdlib.h>
 #include <string.h>
 #include "../host/say.h"
@@ -12,7 +12,7 @@
 #include "scene/world.h"
 #include "view.h"
 
-#define TICKS_AT_ONCE 8         /* behind by more, the water slows down */
+#define TICKS_AT_ONCE 8     /* limit per loop turn; if more are due, the water slows down */
 #define SECOND_US     1000000u
 
 static tp_world *world_of(view *v)
@@ -25,9 +25,9 @@ static uint64_t tick_of(view *v)
     return v->base + world_of(v)->tick;
 }
 
-/* -- one picture ----------------------------------------------------------------- */
+/* -- one frame ------------------------------------------------------------------- */
 
-/* What was done here when the tape that plays was recorded. */
+/* Applies the tape's scene changes and camera moves recorded at the current tick. */
 static void play_acts(view *v)
 {
     bool opened = false;
@@ -51,20 +51,21 @@ static void step_world(view *v, const tp_input *input)
     tp_world_step(&tp_program_all, world_of(v), &v->stage->file.scene, input);
 }
 
-/* Whether the next picture has a tick: the clock is asked on a copy of the head. */
+/* True if the next frame has a tick.  Advances the clock of a copy of the world's head. */
 static bool has_tick(const tp_world *world)
 {
     tp_world head = *world;
     return tp_world_advance_clock(&head) > 0;
 }
 
-/* In slow motion there are pictures without a tick: what was wished then waits, and so
- * does the path of a stir, which is shared out when the tick is made. */
+/* One frame.  Slow motion has frames without a tick: the input then waits for the next
+ * tick, and so does the path of a stir, since its strength is divided among its points
+ * per tick. */
 void view_step(view *v)
 {
     static const tp_input nothing;
     if (v->playing)
-        v->pokes = (poke_queue){ 0 };           /* a tape has its own */
+        v->pokes = (poke_queue){ 0 };           /* a tape has pokes of its own */
     else if (has_tick(world_of(v)))
         poke_take(&v->pokes, &v->stage->file.scene, &v->wish);
     if (v->playing && deck_over(&v->replay.tape, v->replay.tick)) {
@@ -85,8 +86,9 @@ void view_step(view *v)
     v->stale = true;
 }
 
-/* The picture's world, by the snapshot before it and the inputs since.  A frame keeps a
- * plan of its scene: for another one the canvas is opened again. */
+/* Restores the world of the previous frame: takes the latest snapshot before the frame
+ * and replays the inputs since.  A tp_frame holds a plan made for its scene, so a
+ * changed scene needs a new canvas. */
 void view_back(view *v)
 {
     stage *s = v->stage;
@@ -111,7 +113,7 @@ void view_back(view *v)
     v->tape.picture = --v->picture;
     v->changed = true;
     deck_cut(&v->tape, v->picture);
-    if (v->taping)                      /* whose lines may be gone */
+    if (v->taping)                      /* the lines of recorded edits may be gone */
         edits_forget_worlds(&v->edits);
     v->wish = (tp_input){ 0 };
     v->pokes = (poke_queue){ 0 };
@@ -129,7 +131,7 @@ void view_poke(view *v, const tp_push *push)
         view_say(v, "%d pokes wait, and no more can: P lets the water go on", POKE_WAITS);
 }
 
-/* Where the mouse poked or stirred: the water under its pixel. */
+/* Pokes or stirs the water under a pixel of the window. */
 static void aim(view *v, const control_place *place)
 {
     const tp_scene *scene = &v->stage->file.scene;
@@ -154,7 +156,8 @@ static void wish_for(view *v, tp_input *input)
     *input = control_input(&v->control, &v->keys, &v->pad,
                            v->panel && panel_types(v->panel));
     if (v->look.mode == LOOK_ORBIT || v->look.mode == LOOK_TOP) {
-        /* it leads to a place, and not by a way more */
+        /* a held mode targets a pose: drop the camera input left over from earlier
+         * frames */
         v->wish.forward = v->wish.strafe = v->wish.up = 0;
         v->wish.turn = v->wish.tilt = 0;
     }
@@ -165,7 +168,7 @@ static void wish_for(view *v, tp_input *input)
     v->control.places = 0;
 }
 
-/* The camera moves though the water stands. */
+/* Moves the camera while the water stands still. */
 static void look_round(view *v, const tp_input *input)
 {
     deck_look(&v->tape, tick_of(v), input);
@@ -181,7 +184,7 @@ static void tick(view *v)
         && keymap_held(&v->keys, ACT_REWIND, SDL_GetKeyboardState(NULL),
                        SDL_GetModState());
     tp_input input = { 0 };
-    if (v->look.jump && !v->playing) {          /* at once: nothing is seen on the way */
+    if (v->look.jump && !v->playing) {      /* move at once: no frame is drawn on the way */
         look_steer(&v->look, world_of(v), &v->stage->file.scene, &input);
         look_round(v, &input);
     }
@@ -194,7 +197,8 @@ static void tick(view *v)
         look_round(v, &input);
 }
 
-/* A film has every picture: then time waits for the drawing. */
+/* Makes the ticks due.  While filming each tick becomes a frame of the film, so time
+ * waits for the drawing. */
 void view_advance(view *v, uint64_t now)
 {
     const int most = v->film ? 1 : TICKS_AT_ONCE;
@@ -202,7 +206,7 @@ void view_advance(view *v, uint64_t now)
     v->clock = now;
     if (v->control.hidden)
         v->owed = 0;
-    if (v->options->counted)            /* every picture, as fast as they come */
+    if (v->options->counted)        /* --frames: one frame per turn, as fast as possible */
         v->owed = SECOND_US;
     for (int i = 0; i < most && v->owed >= SECOND_US; i++, v->owed -= SECOND_US)
         tick(v);
@@ -243,7 +247,7 @@ int view_tape(view *v, const char *name)
     const int code = deck_record(&v->tape, name, v->stage->file.name);
     v->taping = !code;
     v->tape.picture = v->picture;
-    edits_forget_worlds(&v->edits);     /* they are of no line of this tape */
+    edits_forget_worlds(&v->edits);     /* earlier edits have no lines on this tape */
     return code;
 }
 

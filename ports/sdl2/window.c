@@ -1,17 +1,18 @@
 /* SPDX-License-Identifier: MIT */
-/* Window, renderer, texture.  What a processor draws, a processor shows: an OpenGL that
- * is none of a graphics card's would take several cores to copy a picture, where SDL's
- * own renderer copies it once. */
+/* Window, renderer, texture.  Without a graphics card SDL's software renderer is used:
+ * an OpenGL emulated by the processor takes several cores to copy a picture, SDL's
+ * renderer one plain copy. */
 #include "window.h"
 #include "../host/say.h"
 
-#define BAR        6            /* px, between picture and panel */
-#define ROOM_LEAST 64           /* px that the panel leaves */
-#define PANEL_LEAST 120         /* px that the bar can be dragged to */
+#define BAR        6            /* px between picture and panel */
+#define ROOM_LEAST 64           /* least px left to the picture */
+#define PANEL_LEAST 120         /* least panel width by dragging, px */
 
 /* -- opening ----------------------------------------------------------------------- */
 
-/* SDL falls back to drivers that show nothing: those only when somebody asks for them. */
+/* True if SDL has fallen back to a driver without a display.  Such a driver is used only
+ * if SDL_VIDEODRIVER names it. */
 static bool shows_nothing(void)
 {
     const char *driver = SDL_GetCurrentVideoDriver();
@@ -19,7 +20,7 @@ static bool shows_nothing(void)
         && (SDL_strcmp(driver, "offscreen") == 0 || SDL_strcmp(driver, "dummy") == 0);
 }
 
-/* Whether the current OpenGL is drawn by the processor. */
+/* True if the current OpenGL runs on the processor. */
 static bool is_software_gl(SDL_Renderer *renderer)
 {
     typedef const unsigned char *get_string(unsigned);
@@ -66,9 +67,9 @@ bool window_open(window *w, const char *title, int width, int height, int scale,
                                  wide, high, SDL_WINDOW_RESIZABLE | SDL_WINDOW_HIDDEN);
     if (!w->window)
         return false;
-    SDL_InitSubSystem(SDL_INIT_GAMECONTROLLER);         /* there may be none */
+    SDL_InitSubSystem(SDL_INIT_GAMECONTROLLER);         /* a gamepad is optional */
     SDL_SetWindowMinimumSize(w->window, SDL_min(wide, 160), SDL_min(high, 120));
-    w->renderer = make_renderer(w->window);     /* which may make the window anew */
+    w->renderer = make_renderer(w->window);     /* may create the window anew */
     if (w->renderer)
         SDL_ShowWindow(w->window);
     return w->renderer != NULL;
@@ -88,7 +89,8 @@ void window_close(window *w)
     *w = (window){ 0 };
 }
 
-/* Where no window manager gives the old size back, it is asked for. */
+/* On leaving full screen sets the old size, since some systems have no window manager to
+ * restore the size. */
 void window_full(window *w, bool full)
 {
     if (full)
@@ -98,7 +100,7 @@ void window_full(window *w, bool full)
         SDL_SetWindowSize(w->window, w->wide, w->high);
 }
 
-/* -- where things are -------------------------------------------------------------- */
+/* -- layout ------------------------------------------------------------------------ */
 
 layout window_layout(const window *w, int scale)
 {
@@ -144,7 +146,7 @@ bool window_pixel(const window *w, int scale, int x, int y, int *px, int *py)
 
 /* -- events ------------------------------------------------------------------------ */
 
-/* The arrow across, as long as the mouse is on the bar or moves it. */
+/* Shows the resize cursor while the mouse is on the bar or drags the bar. */
 static void point(window *w, bool over)
 {
     if (over == w->over)
@@ -185,7 +187,7 @@ static bool button(window *w, const SDL_MouseButtonEvent *event)
 static bool motion(window *w, const SDL_MouseMotionEvent *event)
 {
     if (w->dragged && !(event->state & SDL_BUTTON_LMASK))
-        w->dragged = false;                     /* let go outside of the window */
+        w->dragged = false;                     /* released outside of the window */
     if (w->dragged) {
         drag(w, event->x);
         return true;
@@ -226,8 +228,8 @@ bool window_event(window *w, const SDL_Event *event)
 
 /* -- pictures ---------------------------------------------------------------------- */
 
-/* Of the window's own format where the processor copies it there; else ARGB8888, which
- * every renderer of SDL takes as it is. */
+/* Returns the texture's format: the window's own for a software renderer, to save a
+ * conversion; else ARGB8888, supported by every SDL renderer. */
 static uint32_t pixel_format(const window *w)
 {
     SDL_RendererInfo info;
@@ -251,7 +253,7 @@ static bool fit_texture(window *w, int width, int height)
         && SDL_SetTextureScaleMode(w->texture, SDL_ScaleModeNearest) == 0;
 }
 
-/* Opaque in the alpha byte too: some desktops blend windows by it. */
+/* Sets alpha to 255: some desktops blend windows by the alpha byte. */
 bool window_upload(window *w, const picture *p)
 {
     void *pixels;
@@ -280,7 +282,7 @@ static void fill(window *w, int x, int y, int wide, int high, uint32_t colour)
     SDL_RenderFillRect(w->renderer, &r);
 }
 
-/* What the picture leaves of its room, and no pixel twice. */
+/* Fills the room around the picture, each pixel once. */
 static void fill_around(window *w, const layout *at)
 {
     const uint32_t dark = 0x0c1014;
@@ -312,7 +314,7 @@ void window_clear(window *w, int scale)
     fill(w, at.panel.x, 0, at.panel.w, at.panel.h, 0x14181e);
 }
 
-/* The panel has its own pointers, and gives them up when it is drawn. */
+/* The panel sets cursors of its own while being drawn: sets the bar's cursor again. */
 void window_present(window *w)
 {
     if (w->over && w->across && SDL_GetCursor() != w->across)
